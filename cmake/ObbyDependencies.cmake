@@ -1,0 +1,20 @@
+# Everything from outside, each used by the one module that names it. scripts/setup installs the Debian packages.
+find_package(Threads REQUIRED)
+find_package(CapnProto REQUIRED)       # schema, io
+find_package(nlohmann_json REQUIRED)   # io
+find_package(fmt REQUIRED)             # io and above
+find_package(CLI11 REQUIRED)           # cli
+find_package(Eigen3 REQUIRED)          # import, train, calibrate
+find_package(pugixml REQUIRED)         # import
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(lz4 REQUIRED IMPORTED_TARGET liblz4)     # import
+pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)   # import
+pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)  # base: digests
+find_path(RANDOM123_INCLUDE Random123/philox.h REQUIRED)   # base: counter-based random numbers
+if(OBBY_BUILD_TESTS)
+  find_package(GTest REQUIRED)
+endif()
+if(OBBY_CUDA)
+  enable_language(CUDA)
+  find_package(CUDAToolkit REQUIRED)
+endif()

@@ -1,0 +1,14 @@
+# ALL floating-point flags of the project, and why.
+#
+# The promise is: the same level, actions and seed give the same bits on every compiler, optimisation level,
+# instruction set and backend (docs/determinism.md). Plain IEEE 754 single precision gives that as long as the
+# compiler neither fuses nor reorders:
+#   -ffp-contract=off      no silent fused multiply-add: with -march=native it would round differently
+#   -fno-fast-math         no reordering, no flush to zero, NaN and infinity keep their meaning
+#   -fno-math-errno        sqrtf compiles to the instruction, which IEEE 754 defines exactly
+#   -fno-trapping-math     allows if-conversion to SIMD blends; results do not change
+#   -fexcess-precision     not needed: x86-64 and CUDA compute in the declared type
+# CUDA gets --fmad=false, and the default IEEE division and square root.
+target_compile_options(obby_build INTERFACE
+  $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off -fno-fast-math -fno-math-errno -fno-trapping-math>
+  $<$<COMPILE_LANGUAGE:CUDA>:--fmad=false>)

@@ -1,0 +1,33 @@
+# Build switches. Few on purpose: each one doubles what must be tested.
+option(OBBY_BUILD_TESTS "Build the tests" ON)
+option(OBBY_BUILD_BENCH "Build the benches" OFF)
+option(OBBY_BUILD_FUZZ "Build the libFuzzer targets (needs clang)" OFF)
+option(OBBY_WARNINGS_AS_ERRORS "Treat warnings as errors (CI does)" OFF)
+option(OBBY_CHECKS "Keep OBBY_CHECK invariants in every build type" OFF)
+option(OBBY_CUDA "Build the CUDA backend; fails where no CUDA toolkit is found" OFF)
+set(OBBY_SANITIZE "" CACHE STRING "Sanitizers, as for -fsanitize=")
+set(OBBY_ARCH "" CACHE STRING "Value for -march=; empty: the compiler's baseline. Results are the same for every value.")
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+# What every target of ours is compiled with; linked as obby::build.
+add_library(obby_build INTERFACE)
+add_library(obby::build ALIAS obby_build)
+target_compile_options(obby_build INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  $<$<BOOL:${OBBY_WARNINGS_AS_ERRORS}>:-Werror>
+  $<$<BOOL:${OBBY_ARCH}>:-march=${OBBY_ARCH}>)
+target_compile_definitions(obby_build INTERFACE $<$<BOOL:${OBBY_CHECKS}>:OBBY_CHECKS=1>)
+if(OBBY_SANITIZE)
+  target_compile_options(obby_build INTERFACE -fsanitize=${OBBY_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(obby_build INTERFACE -fsanitize=${OBBY_SANITIZE})
+endif()

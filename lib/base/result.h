@@ -1,0 +1,86 @@
+// How the library reports bad input: a value or an error that names the place and the cure. Broken
+// invariants are OBBY_CHECK's (check.h); overruns inside a batch are flag bits of the world. The
+// library never prints or exits.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace obby {
+
+// What went wrong with an input, from the outside in. Any part may be empty.
+struct Error {
+  std::string input;    // file name, "stdin", or ""
+  std::string place;    // "12" (line) or "byte 4711"
+  std::string path;     // place inside the record: "parts[88].size"
+  std::string message;  // what was expected and what was there; one line, no full stop
+  std::string hint;     // what to do about it; may be empty
+
+  // "level.jsonl:12: parts[88].size: expected 3 numbers (hint)"
+  std::string text() const;
+};
+
+inline Error makeError(std::string message, std::string hint = {}) {
+  return Error{{}, {}, {}, std::move(message), std::move(hint)};
+}
+
+// A value or an Error. Test with `if (!r)`, then use r.error() or *r.
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value)
+      : state_(std::in_place_index<0>, std::move(value)) {}  // NOLINT(google-explicit-constructor)
+  Result(Error error)
+      : state_(std::in_place_index<1>, std::move(error)) {}  // NOLINT(google-explicit-constructor)
+
+  explicit operator bool() const { return state_.index() == 0; }
+  T& operator*() & { return std::get<0>(state_); }
+  const T& operator*() const& { return std::get<0>(state_); }
+  T&& operator*() && { return std::get<0>(std::move(state_)); }
+  T* operator->() { return &std::get<0>(state_); }
+  const T* operator->() const { return &std::get<0>(state_); }
+  Error& error() & { return std::get<1>(state_); }
+  const Error& error() const& { return std::get<1>(state_); }
+  Error&& error() && { return std::get<1>(std::move(state_)); }
+
+ private:
+  std::variant<T, Error> state_;
+};
+
+// Success or an Error.
+template <>
+class [[nodiscard]] Result<void> {
+ public:
+  Result() = default;
+  Result(Error error) : error_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
+
+  explicit operator bool() const { return !error_.has_value(); }
+  Error& error() & { return *error_; }
+  const Error& error() const& { return *error_; }
+  Error&& error() && { return std::move(*error_); }
+
+ private:
+  std::optional<Error> error_;
+};
+
+using Status = Result<void>;
+
+// `auto x = OBBY_TRY(f());` is not possible without extensions; these two cover what the code
+// needs.
+#define OBBY_RETURN_IF_ERROR(expr)                                                   \
+  do {                                                                               \
+    if (auto obbyStatus = (expr); !obbyStatus) return std::move(obbyStatus).error(); \
+  } while (false)
+
+#define OBBY_CONCAT_INNER(a, b) a##b
+#define OBBY_CONCAT(a, b) OBBY_CONCAT_INNER(a, b)
+// OBBY_ASSIGN(auto x, f()): x is the value, or the function returns the error.
+#define OBBY_ASSIGN(declaration, expr)                           \
+  auto OBBY_CONCAT(obbyResult, __LINE__) = (expr);               \
+  if (!OBBY_CONCAT(obbyResult, __LINE__))                        \
+    return std::move(OBBY_CONCAT(obbyResult, __LINE__)).error(); \
+  declaration = *std::move(OBBY_CONCAT(obbyResult, __LINE__))
+
+}  // namespace obby

@@ -1,0 +1,466 @@
+# The stream schema: the only definition of every record that the tools read and write.
+#
+# JSON is derived from this file by reflection (lib/io/json_codec): a record is one object on one line, `type`
+# names its kind (the union field below), and the rest are the fields of that kind, spelled as here.
+# A field equal to its default is left out; an empty list or text is left out; structs marked $tuple are written
+# as arrays of their fields in order; 64-bit integers are written as decimal strings; enumerants by name.
+#
+# Rules for changes: new fields at the end with a default that means "as before" (minor); anything else raises
+# `schemaMajor` in lib/io/version.h.
+#
+# Units: lengths in studs (1 stud = 0.28 m), times in seconds unless a name says ticks, angles in radians unless a
+# name says turns, Y is up, right-handed, a yaw of 0 looks along -Z.
+@0xe8b3c0f2a4d15b97;
+
+using Cxx = import "/capnp/c++.capnp";
+$Cxx.namespace("obby::schema");
+
+annotation tuple @0xc1d7c7c3a3a1f0b1 (struct) :Void;
+# In JSON this struct is an array of its fields in declaration order.
+
+annotation unit @0xb0f5e1a7d9c3a2e4 (field) :Text;
+# Unit of a number, for people and for --print-params.
+
+annotation range @0xd2a9f8e3b7c61a55 (field) :Interval;
+# Values outside are refused on input; calibration searches inside.
+
+annotation source @0xa6e4d3c2b1f09876 (field) :Text;
+# Where a number comes from and how far to trust it: H official or tried, M credible, L weak.
+
+struct Interval {
+  min @0 :Float64;
+  max @1 :Float64;
+}
+
+struct Record {
+  union {
+    header @0 :Header;
+    level @1 :Level;
+    query @2 :Query;
+    progress @3 :Progress;
+    trajectory @4 :Trajectory;
+    result @5 :Result;
+    recording @6 :Recording;
+    params @7 :PhysicsParams;
+    metrics @8 :Metrics;
+    end @9 :End;
+  }
+}
+
+# ---------------------------------------------------------------------------------------------- geometry values
+
+struct Vec3 $tuple {
+  x @0 :Float32;
+  y @1 :Float32;
+  z @2 :Float32;
+}
+
+struct Quat $tuple {
+  # Unit quaternion; input is normalised, a zero quaternion is refused.
+  x @0 :Float32;
+  y @1 :Float32;
+  z @2 :Float32;
+  w @3 :Float32 = 1;
+}
+
+struct Color $tuple {
+  # sRGB, 0 to 255 each; the default is the engine's "Medium stone grey".
+  r @0 :UInt8 = 163;
+  g @1 :UInt8 = 162;
+  b @2 :UInt8 = 165;
+}
+
+struct Region {
+  # An oriented box.
+  name @0 :Text;
+  position @1 :Vec3;        # centre
+  rotation @2 :Quat;
+  size @3 :Vec3 = (x = 4, y = 4, z = 4);  # full extents, each > 0
+}
+
+# ---------------------------------------------------------------------------------------------- stream framing
+
+struct Header {
+  # First record of a stream.
+  schemaMajor @0 :UInt32 = 1;  # a reader refuses another major version
+  schemaMinor @1 :UInt32;
+  tool @2 :Text;               # "obby-solve"
+  version @3 :Text;            # "0.1.0"
+  seed @4 :UInt64;
+  floatPolicy @5 :Text;        # "ieee754-nofma": the arithmetic that replays exactly
+}
+
+enum EndStatus {
+  complete @0;
+  interrupted @1;
+  budget @2;     # a time or step budget ended the work before every query had its verdict
+}
+
+struct End {
+  # Last record of a stream: without it the stream was cut off.
+  status @0 :EndStatus;
+  records @1 :UInt64;   # records written before this one, header included
+  skipped @2 :UInt64;   # input records left out because of errors
+  errors @3 :UInt64;
+}
+
+# ---------------------------------------------------------------------------------------------- level
+
+struct Level {
+  name @0 :Text;
+  source @1 :LevelSource;
+  physics @2 :PhysicsParams;   # absent: the defaults below
+  parts @3 :List(Part);
+  spawns @4 :List(Spawn);      # stages in order, the first is where play starts
+  unmodelled @5 :List(Unmodelled);
+}
+
+struct LevelSource {
+  file @0 :Text;          # as given on the command line
+  format @1 :Text;        # rbxl, rbxlx, rbxm, rbxmx, jsonl
+  path @2 :Text;          # path in the place, "Workspace" for a whole place
+  partsRead @3 :UInt32;
+  partsKept @4 :UInt32;
+  partsCulled @5 :UInt32; # strays far from everything, or below the fall height
+}
+
+struct Unmodelled {
+  # Something that the importer saw and the simulator does not do.
+  kind @0 :Text;     # "terrain", "constraint PrismaticConstraint", "script pattern"
+  count @1 :UInt32;
+  example @2 :Text;  # path of one
+  note @3 :Text;     # what is lost
+}
+
+struct Spawn {
+  # A place where a player can start: a spawn or a checkpoint.
+  name @0 :Text;
+  stage @1 :Int32;        # 0 is the start of play; checkpoints count up
+  position @2 :Vec3;      # where the feet are
+  yaw @3 :Float32;        # radians
+  part @4 :Int32 = -1;    # index into parts
+}
+
+enum Shape {
+  block @0;
+  ball @1;
+  cylinder @2;      # axis = local X
+  wedge @3;         # vertical face at +Z, slope rising from -Z to +Z
+  cornerWedge @4;   # apex at (+X, +Y, -Z)
+  truss @5;         # collides as a block, can be climbed
+  hull @6;          # convex hulls in `hulls`
+}
+
+struct Part {
+  name @0 :Text;
+  shape @1 :Shape;
+  position @2 :Vec3;      # centre of the bounding box
+  rotation @3 :Quat;
+  size @4 :Vec3 = (x = 4, y = 1, z = 2);  # full extents, 0.001 to 2048; simulated as at least 0.05
+  hulls @5 :List(Hull);   # only for shape hull
+  solid @6 :Bool = true;  # CanCollide
+  touch @7 :Bool = true;  # CanTouch: takes part in kill, pad and checkpoint tests
+  anchored @8 :Bool = true;  # false: a loose body
+  friction @9 :Float32 = 0.3;
+  elasticity @10 :Float32 = 0.5;
+  density @11 :Float32 = 0.7;
+  color @12 :Color;
+  transparency @13 :Float32;
+  source @14 :PartSource;
+  kill @15 :Kill;
+  conveyor @16 :Conveyor;
+  jumpPad @17 :JumpPad;
+  vanish @18 :Vanish;
+  checkpoint @19 :Checkpoint;
+  goal @20 :Goal;
+  motion @21 :Motion;
+  evidence @22 :List(Evidence);
+  tags @23 :List(Text);
+}
+
+struct PartSource {
+  path @0 :Text;          # "Workspace/Stage 1/Lava", for people: names may repeat
+  indices @1 :List(UInt32);  # sibling indices from the root, unambiguous within the file
+  guid @2 :Text;          # UniqueId or GUID attribute where the file has one
+  className @3 :Text;
+}
+
+struct Hull {
+  # One convex hull in the part's own frame, scaled to its size.
+  vertices @0 :List(Vec3);   # 4 to 255, in studs from the part's centre
+}
+
+struct Evidence {
+  # Why the importer gave a part a role.
+  role @0 :Text;     # "kill", "conveyor", ...
+  reason @1 :Text;   # "tag KillBrick", "script KillScript line 3: Health = 0"
+  guessed @2 :Bool;  # from a name or a default rather than from something stated
+}
+
+struct Kill {
+  damage @0 :Float32 = 100;     # health taken per touch; 100 kills a fresh player
+  cooldown @1 :Float32;         # seconds between two touches that hurt
+}
+
+struct Conveyor {
+  velocity @0 :Vec3;   # studs/s, world frame, of what stands on it
+  angular @1 :Vec3;    # rad/s, world frame, about the part's centre
+}
+
+struct JumpPad {
+  velocity @0 :Vec3;      # studs/s, world frame, given to a player who touches it
+  keepSideways @1 :Bool = true;  # true: only the component along `velocity` is set
+}
+
+enum VanishTrigger {
+  touch @0;
+  timer @1;
+}
+
+struct Vanish {
+  trigger @0 :VanishTrigger;
+  delay @1 :Float32;        # touch: seconds still solid after the touch; timer: seconds solid in each period
+  away @2 :Float32 = 3;     # seconds without collision
+  phase @3 :Float32;        # timer: seconds into the period at tick 0
+}
+
+struct Checkpoint {
+  stage @0 :Int32;    # 1, 2, ... in order of play
+}
+
+struct Goal {
+  stage @0 :Int32;    # 0: the end of the level
+}
+
+enum Easing {
+  linear @0; sine @1; back @2; quad @3; quart @4; quint @5; bounce @6; elastic @7; exponential @8; circular @9; cubic @10;
+}
+
+enum EasingDirection {
+  in @0; out @1; inOut @2;
+}
+
+enum Repeat {
+  once @0;
+  loop @1;       # after the last key jump back to the first
+  pingPong @2;   # after the last key run back through the keys
+}
+
+struct MotionKey {
+  # The part is at this pose at `time`; the way to it from the key before follows the easing.
+  time @0 :Float32;       # seconds from the start of the motion, not decreasing
+  position @1 :Vec3;      # world
+  rotation @2 :Quat;      # world
+  easing @3 :Easing;
+  direction @4 :EasingDirection = out;
+}
+
+struct Spin {
+  axis @0 :Vec3 = (x = 0, y = 1, z = 0);  # in the part's frame
+  speed @1 :Float32;                      # rad/s, right-handed about the axis
+  pivot @2 :Vec3;                         # point that stays in place, from the part's centre, in the part's frame
+}
+
+struct Motion {
+  keys @0 :List(MotionKey);   # empty: stays at the part's pose
+  repeat @1 :Repeat = loop;
+  spin @2 :Spin;              # on top of the keys
+  offset @3 :Float32;         # seconds into the motion at tick 0
+  carries @4 :Bool;           # true: driven by physics, takes a standing player along; false: tween or CFrame loop
+}
+
+# ---------------------------------------------------------------------------------------------- physics parameters
+
+struct PhysicsParams {
+  # Every number in which a real engine may differ. lib/sim/params.h mirrors the fields by name; a test holds the two
+  # together. docs/physics.md explains each.
+  gravity @0 :Float32 = 196.2 $unit("studs/s^2") $range((min = 0, max = 2000)) $source("H Workspace.Gravity");
+  walkSpeed @1 :Float32 = 16 $unit("studs/s") $range((min = 0, max = 500)) $source("H Humanoid.WalkSpeed");
+  jumpSpeed @2 :Float32 = 53 $unit("studs/s") $range((min = 0, max = 1000))
+    $source("H launch speed: 1.06 x JumpPower, or sqrt(2 g JumpHeight)");
+  maxSlope @3 :Float32 = 1.5533431 $unit("rad") $range((min = 0, max = 1.5533431)) $source("H Humanoid.MaxSlopeAngle 89 degrees");
+  maxHealth @4 :Float32 = 100 $unit("health") $range((min = 1, max = 1000000)) $source("H Humanoid.MaxHealth");
+  healthRegeneration @5 :Float32 = 0.01 $unit("share of maxHealth/s") $range((min = 0, max = 10)) $source("H default Health script");
+  fallenPartsHeight @6 :Float32 = -500 $unit("studs") $range((min = -50000, max = 50000)) $source("H Workspace.FallenPartsDestroyHeight");
+  controlRate @7 :UInt16 = 60 $unit("1/s") $range((min = 10, max = 480)) $source("H Humanoid logic runs per rendered frame");
+  substeps @8 :UInt16 = 4 $unit("physics steps per tick") $range((min = 1, max = 16)) $source("H 240 Hz world steps");
+
+  hipHeight @9 :Float32 = 2 $unit("studs") $range((min = 0, max = 20)) $source("H leg length of the canonical test body");
+  rootHeight @10 :Float32 = 2 $unit("studs") $range((min = 0.1, max = 20)) $source("H HumanoidRootPart.Size.Y");
+  bodyWidth @11 :Float32 = 2 $unit("studs") $range((min = 0.1, max = 20)) $source("H torso Size.X");
+  bodyDepth @12 :Float32 = 1 $unit("studs") $range((min = 0.1, max = 20)) $source("H torso Size.Z");
+  bodyTop @13 :Float32 = 5 $unit("studs above the feet") $range((min = 0.5, max = 40)) $source("H top of Head");
+  headBottom @14 :Float32 = 4 $unit("studs above the feet") $range((min = 0.4, max = 40)) $source("H bottom of Head");
+  armSpan @15 :Float32 = 4 $unit("studs") $range((min = 0.1, max = 40)) $source("H torso and both arms, R6");
+  touchMargin @16 :Float32 = 0.05 $unit("studs") $range((min = 0, max = 1)) $source("L limbs in contact with what they stand on");
+
+  groundAccel @17 :Float32 = 225 $unit("studs/s^2") $range((min = 1, max = 5000)) $source("L 250 x 0.9, a third-party port");
+  airAccel @18 :Float32 = 143 $unit("studs/s^2") $range((min = 0, max = 5000)) $source("L a third-party port");
+  moveGain @19 :Float32 = 150 $unit("1/s") $range((min = 1, max = 1000)) $source("L a third-party port");
+  turnGain @20 :Float32 = 10 $unit("1/s") $range((min = 0.1, max = 1000)) $source("L a third-party port");
+  turnSpeed @21 :Float32 = 8 $unit("rad/s") $range((min = 0.1, max = 1000)) $source("H for CCL: BaseTurnSpeed; bounds the turn gain");
+
+  hoverStiffness @22 :Float32 = 2000 $unit("1/s^2") $range((min = 1, max = 20000)) $source("L a third-party port: 0.1 x 20000");
+  hoverDamping @23 :Float32 = 110 $unit("1/s") $range((min = 0, max = 2000)) $source("L a third-party port: 0.1 x 1100");
+  hoverPull @24 :Float32 = 1 $unit("studs/s^2") $range((min = 0, max = 1000)) $source("L largest downward pull of the hover spring");
+
+  floorRaySpread @25 :Float32 = 0.4 $unit("share of root size") $range((min = 0, max = 1)) $source("M two independent ports agree");
+  floorRayStart @26 :Float32 = 0.4 $unit("share of root height below the root centre") $range((min = 0, max = 1)) $source("M");
+  floorReachBase @27 :Float32 = 0.1 $unit("share of root height") $range((min = 0, max = 1)) $source("H state machine port");
+  floorKeep @28 :Float32 = 1.5 $unit("x hipHeight") $range((min = 1, max = 3)) $source("H reach while a floor was sensed last tick");
+  floorAcquire @29 :Float32 = 1.1 $unit("x hipHeight") $range((min = 1, max = 3)) $source("H reach otherwise");
+  fastFall @30 :Float32 = 100 $unit("studs/s") $range((min = 1, max = 10000)) $source("H reach grows with speed above this");
+
+  landedTime @31 :Float32 = 0.05 $unit("s") $range((min = 0, max = 1)) $source("H Landed lasts this long, no jump meanwhile");
+  coyoteTime @32 :Float32 = 0.13 $unit("s") $range((min = 0, max = 1)) $source("H a jump is accepted this long after the floor is lost");
+  offFloorGrace @33 :Float32 = 0.125 $unit("s") $range((min = 0, max = 1)) $source("H Running turns to Freefall after this");
+
+  iceFriction @34 :Float32 = 0.1 $unit("friction") $range((min = 0, max = 2)) $source("L below this, ground acceleration shrinks in proportion");
+  climbSpeed @35 :Float32 = 0.7 $unit("x walkSpeed") $range((min = 0, max = 10)) $source("H Humanoid.Climbing");
+  climbReach @36 :Float32 = 1.2 $unit("studs") $range((min = 0, max = 5)) $source("H forward climb sensor");
+  contactSkin @37 :Float32 = 0.01 $unit("studs") $range((min = 0, max = 0.2)) $source("M depth left between bodies at rest");
+  maxFallSpeed @38 :Float32 = 1000 $unit("studs/s") $range((min = 10, max = 10000)) $source("M numerical guard, never met in a level");
+}
+
+# ---------------------------------------------------------------------------------------------- query
+
+struct Start {
+  # The player starts with the feet at the centre of the region's floor, or above the named spawn.
+  region @0 :Region;
+  spawn @1 :Int32 = -1;     # index into the level's spawns; used when no region is given
+  yaw @2 :Float32;          # radians, for a region
+  tick @3 :UInt32;          # level clock at the start: moving parts are where they are at this tick
+}
+
+struct Waypoint {
+  region @0 :Region;
+  maxJumps @1 :Int32 = -1;  # jumps made on arrival, at most; -1: any
+}
+
+struct Query {
+  id @0 :Text;
+  level @1 :Text;           # name of the level record; empty: the level before it in the stream
+  start @2 :Start;          # absent: the level's first spawn
+  goal @3 :Region;
+  waypoints @4 :List(Waypoint);  # in this order
+  avoid @5 :List(Region);
+  maxJumps @6 :Int32 = -1;  # -1: any
+  timeLimit @7 :Float32;    # seconds of game time; 0: none
+}
+
+# ---------------------------------------------------------------------------------------------- answers
+
+struct ActionRun {
+  # The same action held for a number of ticks.
+  ticks @0 :UInt32 = 1;
+  walk @1 :Bool;           # a move direction is held
+  heading @2 :UInt16;      # turns/65536, counter-clockwise from above; 0 walks along -Z
+  jump @3 :Bool;           # jump is held
+}
+
+enum Outcome {
+  running @0;     # cut off: budget of the attempt spent
+  goal @1;
+  killed @2;      # by a part
+  fell @3;        # below fallenPartsHeight
+  avoided @4;     # entered an avoid region
+  jumps @5;       # broke a jump limit
+  timeout @6;     # broke the time limit
+}
+
+struct Trajectory {
+  query @0 :Text;
+  level @1 :Text;
+  index @2 :UInt32;          # 0, 1, ... within the query
+  outcome @3 :Outcome;
+  position @4 :Vec3;         # feet at the start
+  yawTurns @5 :UInt16;       # turns/65536
+  startTick @6 :UInt32;
+  actions @7 :List(ActionRun);
+  ticks @8 :UInt32;
+  jumps @9 :UInt32;
+  waypoints @10 :UInt32;     # reached, in order
+  part @11 :Int32 = -1;      # what killed the player: index into the level's parts
+  stateHash @12 :UInt64;     # of the last state: a replay must give the same
+  endPosition @13 :Vec3;     # feet at the end
+}
+
+struct Progress {
+  # While a search runs. The only records, beside Result.timing, that depend on the machine.
+  query @0 :Text;
+  seconds @1 :Float32;
+  steps @2 :UInt64;
+  cells @3 :UInt64;
+  rounds @4 :UInt64;
+  closest @5 :Float32;       # studs from the goal (or the next waypoint), least so far
+  waypoints @6 :UInt32;      # most reached so far
+  best @7 :Trajectory;       # the attempt that came closest
+}
+
+enum Verdict {
+  solved @0;
+  unreachable @1;   # shown by a sound bound
+  unknown @2;       # budget spent
+}
+
+struct Timing {
+  seconds @0 :Float32;        # wall clock for this query
+  firstSolution @1 :Float32;  # seconds to the first verified solution; 0: none
+  stepsPerSecond @2 :Float64;
+  compile @3 :Float32;        # seconds to compile the level
+}
+
+struct Tally {
+  outcome @0 :Outcome;
+  part @1 :Int32 = -1;
+  count @2 :UInt64;
+}
+
+struct Result {
+  query @0 :Text;
+  level @1 :Text;
+  verdict @2 :Verdict;
+  solutions @3 :UInt32;
+  ticks @4 :UInt32;          # of the shortest solution
+  jumps @5 :UInt32;          # of that solution
+  steps @6 :UInt64;
+  cells @7 :UInt64;
+  rounds @8 :UInt64;
+  closest @9 :Float32;       # studs, 0 when solved
+  reason @10 :Text;          # one sentence for people
+  ends @11 :List(Tally);     # how the attempts ended, most frequent first
+  timing @12 :Timing;
+  method @13 :Text;
+  seed @14 :UInt64;
+}
+
+# ---------------------------------------------------------------------------------------------- recordings, metrics
+
+struct RecordingFrame {
+  time @0 :Float64;      # seconds since the first frame
+  move @1 :Vec3;         # move direction as the player gave it, world frame, length 0 to 1
+  jump @2 :Bool;
+  position @3 :Vec3;     # centre of the root part
+  velocity @4 :Vec3;
+  state @5 :Text;        # HumanoidStateType name
+}
+
+struct Recording {
+  # Actions and positions sampled in the real engine.
+  name @0 :Text;
+  level @1 :Text;
+  rate @2 :Float32;      # frames per second, nominal
+  frames @3 :List(RecordingFrame);
+}
+
+struct Metric {
+  name @0 :Text;
+  value @1 :Float64;
+  unit @2 :Text;
+}
+
+struct Metrics {
+  source @0 :Text;       # tool and task
+  step @1 :UInt64;
+  values @2 :List(Metric);
+}
