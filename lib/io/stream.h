@@ -1,0 +1,77 @@
+// Streams of records: files, pipes, "-". Readers sniff the encoding and check the framing (header
+// first, end last, concatenation allowed); writers are checked down to close(), so that a full disk
+// is never a silent success.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/result.h"
+#include "io/record.h"
+
+namespace obby::io {
+
+enum class Format { jsonl, capnp, capnpPacked };
+
+// "jsonl", "capnp", "packed". Error names the choices.
+Result<Format> parseFormat(const std::string& text);
+// By the ending of an output file name: .capnp, .capnpp (packed), anything else jsonl.
+Format formatForFile(const std::string& path);
+
+// Reads one stream after another from a file. A stream with a header must have its end; a
+// hand-written one without a header needs none.
+class StreamReader {
+ public:
+  // `path` "-" is standard input. The error names the file and the reason.
+  static Result<StreamReader> open(const std::string& path);
+  // Over bytes in memory; `name` is used in errors.
+  static StreamReader overBytes(std::string bytes, std::string name);
+
+  StreamReader(StreamReader&&) noexcept;
+  StreamReader& operator=(StreamReader&&) noexcept;
+  ~StreamReader();
+
+  // The next record, headers and ends included; nothing at the proper end of the input. After an
+  // error about one JSON line the reader stands behind that line and can go on; other errors are
+  // final.
+  Result<std::optional<Record>> next();
+
+  const std::string& name() const;
+  Format format() const;  // after the first next()
+
+ private:
+  struct Impl;
+  explicit StreamReader(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+// Writes one stream. Every record goes out in whole lines (or messages). A file is written under a
+// temporary name and renamed by close(); destroying an unclosed writer removes it.
+class StreamWriter {
+ public:
+  static Result<StreamWriter> open(const std::string& path, Format format);
+  // Into memory, for tests and for embedding; take the bytes after close().
+  static StreamWriter toBytes(Format format, std::string* bytes);
+
+  StreamWriter(StreamWriter&&) noexcept;
+  StreamWriter& operator=(StreamWriter&&) noexcept;
+  ~StreamWriter();
+
+  Status write(schema::Record::Reader record);
+  // Unchanged where the encodings agree, converted otherwise. A record of an unknown kind can only
+  // be passed between equal encodings.
+  Status pass(const Record& record);
+  Status flush();
+  Status close();
+
+  uint64_t recordsWritten() const;
+
+ private:
+  struct Impl;
+  explicit StreamWriter(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace obby::io
