@@ -1,0 +1,82 @@
+// A Roblox place or model file in memory: a tree of instances with properties, the same whatever the file format.
+// Readers (binary, XML) fill it; the level builder reads it. Nothing here knows what a property means.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "math/vec.h"
+
+namespace obby::importer {
+
+// Index into Document::instances.
+using InstanceId = uint32_t;
+constexpr InstanceId kNoInstance = std::numeric_limits<InstanceId>::max();
+
+// Rotation as three columns (may be a reflection in broken files) and position.
+using CFrame = Pose;
+
+struct Ref {
+  InstanceId target = kNoInstance;
+};
+
+struct ColorRgb {
+  uint8_t r = 0, g = 0, b = 0;
+};
+
+// CustomPhysicalProperties; `custom` false means "use the material's".
+struct PhysicalProperties {
+  bool custom = false;
+  float density = 0.7f, friction = 0.3f, elasticity = 0.5f, frictionWeight = 1, elasticityWeight = 1;
+};
+
+struct EnumItem {
+  uint32_t value = 0;
+  std::string type;  // only attributes name it
+};
+
+struct UDim {
+  float scale = 0;
+  int32_t offset = 0;
+};
+
+// The kinds that a level needs; a property of any other type is read exactly and kept as std::monostate, so that its
+// presence still shows. Strings hold bytes of any kind (ProtectedString, BinaryString, SharedString included).
+using Value = std::variant<std::monostate, bool, int64_t, double, std::string, EnumItem, Vec3, CFrame, ColorRgb, Ref,
+                           PhysicalProperties, UDim>;
+
+struct Instance {
+  std::string className;
+  std::string name;                        // the Name property
+  std::map<std::string, Value> properties;  // by the name in the file, spelling normalised (see property_names.h)
+  std::map<std::string, Value> attributes;  // decoded AttributesSerialize
+  std::vector<std::string> tags;            // decoded Tags, in file order
+  InstanceId parent = kNoInstance;
+  std::vector<InstanceId> children;         // in file order
+};
+
+struct Document {
+  std::string file;    // as given
+  std::string format;  // "rbxl", "rbxm" (binary), "rbxlx", "rbxmx" (XML); by content: a place has services as roots
+  std::vector<Instance> instances;  // parents before children
+  std::vector<InstanceId> roots;
+  std::vector<std::string> warnings;  // what was skipped while reading, for --verbose
+};
+
+// Typed access. Each returns null (or the fallback) where the property is absent or of another type.
+template <class T>
+const T* property(const Instance& instance, const std::string& name) {
+  const auto it = instance.properties.find(name);
+  return it == instance.properties.end() ? nullptr : std::get_if<T>(&it->second);
+}
+template <class T>
+T propertyOr(const Instance& instance, const std::string& name, T fallback) {
+  const T* value = property<T>(instance, name);
+  return value ? *value : fallback;
+}
+
+}  // namespace obby::importer
