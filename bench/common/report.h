@@ -1,0 +1,35 @@
+// How every bench says what it measured: aligned rows for people, or with --json one object a line:
+//   {"bench":"search","case":"parts100","metric":"stepsPerSecond","value":5.1e6,"unit":"1/s"}
+// Rows are written as they come, so that a long bench shows its progress.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+namespace obby::bench {
+
+class Report {
+ public:
+  // `bench` is the program's name without its prefix. The only option is --json; any other argument
+  // prints the usage and exits with 2.
+  Report(int argc, char** argv, std::string bench);
+
+  // One measurement. `metric` in camelCase, `unit` as printed ("1/s", "ns", "" for a plain ratio).
+  void add(std::string_view caseName, std::string_view metric, double value, std::string_view unit);
+
+ private:
+  std::string bench_;
+  bool json_ = false;
+  bool headed_ = false;
+};
+
+// Wall-clock seconds that `work()` takes.
+template <class Work>
+double secondsOf(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace obby::bench
