@@ -1,0 +1,93 @@
+// How deep an upright box (the player's body) is inside a shape, and which way is out: separating
+// axes over the shape's faces, the box's faces, the cross products of their edges, and the closest
+// approach of curved faces.
+#pragma once
+
+#include "geom/shapes/table.h"
+#include "math/angle.h"
+
+namespace obby::geom {
+
+// A box that stands upright: turned about Y only.
+struct UprightBox {
+  Vec3 center;
+  Vec3 half;
+  SinCos yaw;
+
+  OBBY_DEVICE Mat3 axes() const {
+    return {{yaw.cos, 0, -yaw.sin}, {0, 1, 0}, {yaw.sin, 0, yaw.cos}};
+  }
+  OBBY_DEVICE Box bounds() const {
+    const float s = absf(yaw.sin), c = absf(yaw.cos);
+    const Vec3 e{c * half.x + s * half.z, half.y, s * half.x + c * half.z};
+    return {center - e, center + e};
+  }
+};
+
+struct Contact {
+  float depth;  // studs; negative: apart by at least that much along `normal`
+  Vec3 normal;  // unit, world; moving the box by depth * normal separates them
+};
+
+namespace internal {
+
+// One separating-axis test in the shape's frame; `n` unit. Keeps the least overlap in `best`.
+// False: separated.
+template <class Shape>
+OBBY_DEVICE bool testAxis(const ShapeData& shape, const LocalBox& box, Vec3 n, Contact& best) {
+  const float c = dot(box.center, n);
+  const float r = dot(abs(toLocal(box.axes, n)), box.half);
+  const float up = Shape::support(shape, n) - (c - r);     // move the box along +n
+  const float down = (c + r) + Shape::support(shape, -n);  // or along -n
+  if (up < best.depth) best = {up, n};
+  if (down < best.depth) best = {down, -n};
+  return best.depth >= 0;
+}
+
+template <class Shape>
+OBBY_DEVICE bool testCrossAxis(const ShapeData& shape, const LocalBox& box, Vec3 a, Vec3 b,
+                               Contact& best) {
+  const Vec3 n = cross(a, b);
+  const float n2 = dot(n, n);
+  if (n2 < 1e-6f) return true;  // parallel: covered by the faces
+  return testAxis<Shape>(shape, box, n * (1.0f / sqrtf32(n2)), best);
+}
+
+template <class Shape>
+OBBY_DEVICE Contact penetration(const ShapeData& shape, const LocalBox& box) {
+  Contact best{1e30f, {0, 1, 0}};
+  for (int i = 0; i < Shape::axes(shape); ++i) {
+    if (!testAxis<Shape>(shape, box, Shape::axis(shape, i), best)) return best;
+  }
+  if (!testAxis<Shape>(shape, box, box.axes.x, best)) return best;
+  if (!testAxis<Shape>(shape, box, box.axes.y, best)) return best;
+  if (!testAxis<Shape>(shape, box, box.axes.z, best)) return best;
+  const Vec3 round = Shape::roundAxis(shape, box);
+  if (dot(round, round) > 1e-12f && !testAxis<Shape>(shape, box, normalize(round), best))
+    return best;
+  for (int i = 0; i < Shape::edges(shape); ++i) {
+    const Vec3 e = Shape::edge(shape, i);
+    if (!testCrossAxis<Shape>(shape, box, e, box.axes.x, best)) return best;
+    if (!testCrossAxis<Shape>(shape, box, e, box.axes.y, best)) return best;
+    if (!testCrossAxis<Shape>(shape, box, e, box.axes.z, best)) return best;
+  }
+  return best;
+}
+
+}  // namespace internal
+
+// depth >= 0: they overlap. The result of the first separating axis found otherwise.
+OBBY_DEVICE Contact penetration(ShapeKind kind, const ShapeData& shape, const Pose& pose,
+                                const UprightBox& box) {
+  const Mat3 axes = box.axes();
+  const LocalBox local{toLocal(pose, box.center),
+                       {toLocal(pose.rotation, axes.x), toLocal(pose.rotation, axes.y),
+                        toLocal(pose.rotation, axes.z)},
+                       box.half};
+  Contact c =
+      visitShape(kind, [&](auto s) { return internal::penetration<decltype(s)>(shape, local); });
+  c.normal = pose.rotation * c.normal;
+  return c;
+}
+
+}  // namespace obby::geom

@@ -1,0 +1,37 @@
+// Oriented boxes of a query. A player is inside a region when the vertical line from the feet to
+// the top of the head meets it: independent of facing, generous with height, exact sideways.
+#pragma once
+
+#include "math/vec.h"
+
+namespace obby::geom {
+
+struct Region {
+  Pose pose;
+  Vec3 half;
+};
+
+// Does the segment a..b meet the region?
+OBBY_DEVICE bool meets(const Region& region, Vec3 a, Vec3 b) {
+  const Vec3 o = toLocal(region.pose, a), d = toLocal(region.pose.rotation, b - a);
+  float enter = 0, leave = 1;
+  for (int i = 0; i < 3; ++i) {
+    const float oi = component(o, i), di = component(d, i), h = component(region.half, i);
+    if (absf(di) < 1e-9f) {
+      if (absf(oi) > h) return false;
+      continue;
+    }
+    const float inv = 1.0f / di, t0 = (-h - oi) * inv, t1 = (h - oi) * inv;
+    enter = maxf(enter, minf(t0, t1));
+    leave = minf(leave, maxf(t0, t1));
+  }
+  return enter <= leave;
+}
+
+// Distance from a point to the region, 0 inside.
+OBBY_DEVICE float distance(const Region& region, Vec3 p) {
+  const Vec3 d = abs(toLocal(region.pose, p)) - region.half;
+  return length(max(d, Vec3{0, 0, 0}));
+}
+
+}  // namespace obby::geom

@@ -1,0 +1,49 @@
+// Corner wedge: rectangle at the bottom, apex at (+X, +Y, -Z); vertical faces at +X and -Z, slopes
+// toward -X and +Z.
+#pragma once
+
+#include "geom/shapes/block.h"
+
+namespace obby::geom {
+
+struct CornerWedge {
+  // Slope that falls toward -X (i = 0) or toward +Z (i = 1). Both pass through the apex.
+  OBBY_DEVICE static Vec3 slope(const ShapeData& s, int i) {
+    return i == 0 ? normalize(Vec3{-s.half.y, s.half.x, 0})
+                  : normalize(Vec3{0, s.half.z, s.half.y});
+  }
+
+  OBBY_DEVICE static float support(const ShapeData& s, Vec3 d) {
+    const float bottom = absf(d.x) * s.half.x + absf(d.z) * s.half.z - d.y * s.half.y;
+    const float apex = d.x * s.half.x + d.y * s.half.y - d.z * s.half.z;
+    return maxf(bottom, apex);
+  }
+  OBBY_DEVICE static int axes(const ShapeData&) { return 5; }
+  OBBY_DEVICE static Vec3 axis(const ShapeData& s, int i) {
+    return i < 3 ? unitAxis(i) : slope(s, i - 3);
+  }
+  // X, Z, the vertical edge, and from the apex to the two near and the far corner of the base.
+  OBBY_DEVICE static int edges(const ShapeData&) { return 6; }
+  OBBY_DEVICE static Vec3 edge(const ShapeData& s, int i) {
+    if (i < 3) return unitAxis(i);
+    if (i == 3) return normalize(Vec3{s.half.x, s.half.y, 0});
+    if (i == 4) return normalize(Vec3{0, s.half.y, -s.half.z});
+    return normalize(Vec3{s.half.x, s.half.y, -s.half.z});
+  }
+  OBBY_DEVICE static Vec3 roundAxis(const ShapeData&, const LocalBox&) { return {}; }
+
+  OBBY_DEVICE static bool castRay(const ShapeData& s, Vec3 o, Vec3 d, float tMax, RayHit& hit) {
+    float enter = -1e30f, leave = 1e30f;
+    Vec3 normal;
+    clipToPlane({1, 0, 0}, s.half.x, o, d, enter, leave, normal);
+    clipToPlane({0, 0, -1}, s.half.z, o, d, enter, leave, normal);
+    clipToPlane({0, -1, 0}, s.half.y, o, d, enter, leave, normal);
+    clipToPlane(slope(s, 0), 0, o, d, enter, leave, normal);
+    clipToPlane(slope(s, 1), 0, o, d, enter, leave, normal);
+    if (enter < 0 || enter > leave || enter > tMax) return false;
+    hit = {enter, normal};
+    return true;
+  }
+};
+
+}  // namespace obby::geom

@@ -1,0 +1,56 @@
+// Cylinder along local X; its diameter is the smaller of the two other extents.
+#pragma once
+
+#include "geom/shape.h"
+
+namespace obby::geom {
+
+struct Cylinder {
+  OBBY_DEVICE static float radius(const ShapeData& s) { return minf(s.half.y, s.half.z); }
+  OBBY_DEVICE static float support(const ShapeData& s, Vec3 d) {
+    return absf(d.x) * s.half.x + radius(s) * sqrtf32(d.y * d.y + d.z * d.z);
+  }
+  OBBY_DEVICE static int axes(const ShapeData&) { return 1; }
+  OBBY_DEVICE static Vec3 axis(const ShapeData&, int) { return {1, 0, 0}; }
+  OBBY_DEVICE static int edges(const ShapeData&) { return 1; }
+  OBBY_DEVICE static Vec3 edge(const ShapeData&, int) { return {1, 0, 0}; }
+
+  // From the axis to the box, by alternating projections between the two convex sets; radial part
+  // only.
+  OBBY_DEVICE static Vec3 roundAxis(const ShapeData& s, const LocalBox& box) {
+    Vec3 onAxis{clampf(box.center.x, -s.half.x, s.half.x), 0, 0};
+    Vec3 onBox{};
+    for (int i = 0; i < 4; ++i) {
+      onBox = closestPoint(box, onAxis);
+      onAxis.x = clampf(onBox.x, -s.half.x, s.half.x);
+    }
+    return {0, onBox.y, onBox.z};
+  }
+
+  OBBY_DEVICE static bool castRay(const ShapeData& s, Vec3 o, Vec3 d, float tMax, RayHit& hit) {
+    const float r = radius(s);
+    float enter = -1e30f, leave = 1e30f;
+    Vec3 normal;
+    clipToPlane({1, 0, 0}, s.half.x, o, d, enter, leave, normal);
+    clipToPlane({-1, 0, 0}, s.half.x, o, d, enter, leave, normal);
+    const float a = d.y * d.y + d.z * d.z, b = o.y * d.y + o.z * d.z,
+                c = o.y * o.y + o.z * o.z - r * r;
+    if (a < 1e-12f) {
+      if (c > 0) return false;  // parallel to the axis, outside
+    } else {
+      const float q = b * b - a * c;
+      if (q < 0) return false;
+      const float root = sqrtf32(q), t0 = (-b - root) / a;
+      if (t0 > enter) {
+        enter = t0;
+        normal = normalize(Vec3{0, o.y + d.y * t0, o.z + d.z * t0});
+      }
+      leave = minf(leave, (-b + root) / a);
+    }
+    if (enter < 0 || enter > leave || enter > tMax) return false;
+    hit = {enter, normal};
+    return true;
+  }
+};
+
+}  // namespace obby::geom

@@ -1,0 +1,41 @@
+// Wedge: full rectangle at the bottom, vertical face at +Z, slope rising from -Z to +Z
+// (docs/physics.md, shapes).
+#pragma once
+
+#include "geom/shapes/block.h"
+
+namespace obby::geom {
+
+struct Wedge {
+  OBBY_DEVICE static Vec3 slope(const ShapeData& s) {
+    return normalize(Vec3{0, s.half.z, -s.half.y});
+  }
+
+  OBBY_DEVICE static float support(const ShapeData& s, Vec3 d) {
+    const float bottom = -d.y * s.half.y + absf(d.z) * s.half.z;
+    const float top = d.y * s.half.y + d.z * s.half.z;
+    return absf(d.x) * s.half.x + maxf(bottom, top);
+  }
+  OBBY_DEVICE static int axes(const ShapeData&) { return 4; }
+  OBBY_DEVICE static Vec3 axis(const ShapeData& s, int i) { return i < 3 ? unitAxis(i) : slope(s); }
+  OBBY_DEVICE static int edges(const ShapeData&) { return 4; }
+  OBBY_DEVICE static Vec3 edge(const ShapeData& s, int i) {
+    return i < 3 ? unitAxis(i) : normalize(Vec3{0, s.half.y, s.half.z});
+  }
+  OBBY_DEVICE static Vec3 roundAxis(const ShapeData&, const LocalBox&) { return {}; }
+
+  OBBY_DEVICE static bool castRay(const ShapeData& s, Vec3 o, Vec3 d, float tMax, RayHit& hit) {
+    float enter = -1e30f, leave = 1e30f;
+    Vec3 normal;
+    clipToPlane({1, 0, 0}, s.half.x, o, d, enter, leave, normal);
+    clipToPlane({-1, 0, 0}, s.half.x, o, d, enter, leave, normal);
+    clipToPlane({0, -1, 0}, s.half.y, o, d, enter, leave, normal);
+    clipToPlane({0, 0, 1}, s.half.z, o, d, enter, leave, normal);
+    clipToPlane(slope(s), 0, o, d, enter, leave, normal);
+    if (enter < 0 || enter > leave || enter > tMax) return false;
+    hit = {enter, normal};
+    return true;
+  }
+};
+
+}  // namespace obby::geom

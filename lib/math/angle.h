@@ -1,0 +1,67 @@
+// Angles as 16-bit fractions of a turn, and their sine and cosine without libm. Wrap-around is
+// exact, and a heading costs two bytes in an action. 65536 units = one turn, counter-clockwise seen
+// from above; 0 looks along -Z.
+#pragma once
+
+#include <stdint.h>
+
+#include "math/vec.h"
+
+namespace obby {
+
+using Turns = uint16_t;  // turns / 65536
+
+constexpr float kPi = 3.14159265358979f;
+constexpr float kTurnsPerRadian = 65536.0f / (2 * kPi);
+constexpr float kRadiansPerTurn = 2 * kPi / 65536.0f;
+
+struct SinCos {
+  float sin, cos;
+};
+
+// Accurate to 1e-7 everywhere; exact at multiples of a quarter turn.
+OBBY_DEVICE SinCos sinCos(Turns angle) {
+  // Nearest quarter turn, and the rest in [-1/8, 1/8) of a turn.
+  const uint32_t quarter = (uint32_t(angle) + 0x2000u) >> 14;
+  const float r = float(int32_t(angle) - int32_t(quarter << 14)) * kRadiansPerTurn;
+  const float r2 = r * r;
+  // Minimax polynomials on [-pi/4, pi/4] (Cephes sinf, cosf).
+  const float s =
+      r + r * r2 * (-1.6666654611e-1f + r2 * (8.3321608736e-3f + r2 * -1.9515295891e-4f));
+  const float c =
+      1.0f - 0.5f * r2 +
+      r2 * r2 *
+          (4.166664568298827e-2f + r2 * (-1.388731625493765e-3f + r2 * 2.443315711809948e-5f));
+  switch (quarter & 3u) {
+    case 0: return {s, c};
+    case 1: return {c, -s};
+    case 2: return {-s, -c};
+    default: return {-c, s};
+  }
+}
+
+// Radians to the nearest unit, any magnitude below 2^20 turns.
+OBBY_DEVICE Turns turnsFromRadians(float radians) {
+  const float t = radians * kTurnsPerRadian;
+  return Turns(int64_t(t + (t < 0 ? -0.5f : 0.5f)));
+}
+OBBY_DEVICE float radiansFromTurns(Turns t) { return float(int16_t(t)) * kRadiansPerTurn; }
+
+// Walking direction of a heading: -Z at 0, -X after a quarter turn.
+OBBY_DEVICE Vec3 directionOf(SinCos a) { return {-a.sin, 0, -a.cos}; }
+
+// Angle whose direction is (x, z), without libm: 1 unit accurate. (0, 0) gives 0.
+OBBY_DEVICE Turns headingOf(float x, float z) {
+  const float ax = absf(x), az = absf(z);
+  const float big = maxf(ax, az), small = minf(ax, az);
+  if (!(big > 0)) return 0;
+  const float q = small / big, q2 = q * q;
+  // atan on [0, 1], |error| < 1e-5 rad (Abramowitz and Stegun 4.4.49).
+  float a = q * (0.9998660f +
+                 q2 * (-0.3302995f + q2 * (0.1801410f + q2 * (-0.0851330f + q2 * 0.0208351f))));
+  if (ax > az) a = 0.5f * kPi - a;  // angle from the Z axis
+  if (z > 0) a = kPi - a;           // 0 is -Z
+  return turnsFromRadians(x > 0 ? -a : a);
+}
+
+}  // namespace obby
