@@ -1,0 +1,74 @@
+// Compiles a level record into the immutable form that the simulator reads, and a query record
+// likewise. All validation of meaning happens here (io checks form only): errors name the path in
+// the record and the cure.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "level/level_view.h"
+#include "schema/obby.capnp.h"
+
+namespace obby::level {
+
+// Where play can start.
+struct StartPose {
+  Vec3 feet;          // studs
+  float yaw = 0;      // radians
+  uint32_t tick = 0;  // level clock
+};
+
+// Immutable; safe to share between threads.
+class Level {
+ public:
+  // Errors have `path` set, e.g. "parts[88].size". Too many parts (> 1 million) or a motion longer
+  // than 10 minutes are errors, too.
+  static Result<Level> compile(schema::Level::Reader record);
+
+  Level(Level&&) noexcept;
+  Level& operator=(Level&&) noexcept;
+  ~Level();
+
+  const LevelView& view() const;
+  const std::string& name() const;
+  uint64_t hash() const;   // digest of everything that can change a trajectory
+  bool hasMotion() const;  // moving or timed parts: the outcome depends on the clock
+  uint32_t motionPeriod()
+      const;  // ticks after which all motion repeats; 0: longer than 2^20, or never (once)
+  size_t partCount() const;
+  const std::string& partName(uint32_t part) const;
+  const std::vector<StartPose>& spawns() const;
+  Box bounds() const;  // of everything
+
+ private:
+  struct Impl;
+  explicit Level(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+// Physics parameters of a record, checked against the schema's ranges, with the derived fields
+// filled in.
+Result<Params> compileParams(schema::PhysicsParams::Reader record);
+
+// A query over a level: owns its regions.
+class Query {
+ public:
+  static Result<Query> compile(schema::Query::Reader record, const Level& level);
+
+  QueryView view() const;  // valid while this object lives
+  const std::string& id() const { return id_; }
+  const StartPose& start() const { return start_; }
+
+ private:
+  std::string id_;
+  StartPose start_;
+  geom::Region goal_;
+  std::vector<WaypointView> waypoints_;
+  std::vector<geom::Region> avoid_;
+  int32_t maxJumps_ = -1;
+  uint32_t timeLimitTicks_ = 0;
+};
+
+}  // namespace obby::level

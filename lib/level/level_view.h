@@ -1,0 +1,115 @@
+// The compiled level as the simulator reads it: plain spans, shared by all worlds, valid on host
+// and device. Owned by level::Level, which says how each table is made.
+#pragma once
+
+#include <stdint.h>
+
+#include "geom/region.h"
+#include "geom/shape.h"
+#include "level/params.h"
+
+namespace obby::level {
+
+constexpr uint32_t kNone = 0xffffffffu;
+
+// What a collider does to a player; a bit set.
+enum ColliderFlag : uint16_t {
+  kSolid = 1,
+  kKill = 2,
+  kPad = 4,
+  kConveyor = 8,
+  kVanishTouch = 16,
+  kVanishTimer = 32,
+  kMoving = 64,
+  kCarries = 128,  // a moving part driven by physics: takes a standing player along
+  kUpright = 256,  // its local Y is the world's Y: floor rays take a short cut
+};
+constexpr uint16_t kTouchRoles = kKill | kPad | kVanishTouch;
+
+// One convex shape. A part has one, or one for each of its hulls.
+struct Collider {
+  Pose pose;  // of a part that does not move
+  geom::ShapeData shape;
+  uint32_t part;   // index into the level's parts
+  uint32_t mover;  // index into movers, or kNone
+  uint32_t role;   // index into the table of its role (kills, pads, ...), see below
+  float friction;
+  geom::ShapeKind kind;
+};
+
+// Roles: one record for each part that has any, shared by its colliders.
+struct Roles {
+  float damage;            // kill: health per touch
+  uint16_t cooldownTicks;  // kill
+  bool padKeepsSideways;
+  Vec3 padVelocity;       // studs/s
+  Vec3 conveyorVelocity;  // studs/s
+  Vec3 conveyorAngular;   // rad/s about conveyorCenter
+  Vec3 conveyorCenter;
+  uint32_t vanishDelay;  // ticks; timer: solid ticks of each period
+  uint32_t vanishAway;   // ticks
+  uint32_t vanishPhase;  // ticks, timer only
+};
+
+// A moving part. Its pose at tick t is keys[wrap(t, keyCount)] turned by spins[t % spinCount] about
+// the pivot. Tables hold whole repetitions, so that a period that is no whole number of ticks does
+// not drift (motion_tables.h).
+struct Mover {
+  const Pose* keys;   // (keyCount), at least 1
+  const Mat3* spins;  // (spinCount), may be null
+  uint32_t keyCount;
+  uint32_t spinCount;
+  Vec3 pivot;  // studs from the part's centre, in the part's frame
+  bool once;   // stays at the last key instead of starting over
+};
+
+OBBY_DEVICE Pose moverPose(const Mover& m, uint32_t tick) {
+  const uint32_t k = m.once ? (tick < m.keyCount ? tick : m.keyCount - 1) : tick % m.keyCount;
+  Pose pose = m.keys[k];
+  if (m.spinCount != 0) {
+    const Vec3 pivot = toWorld(pose, m.pivot);
+    pose.rotation = pose.rotation * m.spins[tick % m.spinCount];
+    pose.position = pivot - pose.rotation * m.pivot;
+  }
+  return pose;
+}
+
+// Uniform grid over root positions: the list of a cell names every collider that a player whose
+// feet are in the cell can meet within one substep or tick, so that one look-up is enough
+// (grid_build.h).
+struct Grid {
+  Vec3 origin;
+  Vec3 inverseCell;  // 1 / cell extent
+  int32_t nx, ny, nz;
+  const uint32_t* cells;  // (nx * ny * nz), index into lists: where the cell's list starts
+  const uint32_t* lists;  // each list: count, then collider indices in ascending order
+};
+
+struct LevelView {
+  Params params;
+  const Collider* colliders;
+  const Box* bounds;      // (colliderCount), of static colliders; swept bounds of moving ones
+  const uint16_t* flags;  // (colliderCount), ColliderFlag bits
+  const Roles* roles;
+  const Mover* movers;
+  uint32_t colliderCount, moverCount;
+  Grid grid;
+  float reach;  // studs that the grid's lists allow a player to move before the next look-up
+};
+
+// A query's regions and limits as the simulator reads them.
+struct WaypointView {
+  geom::Region region;
+  int32_t maxJumps;  // -1: any
+};
+
+struct QueryView {
+  geom::Region goal;
+  const WaypointView* waypoints;
+  const geom::Region* avoid;
+  uint32_t waypointCount, avoidCount;
+  int32_t maxJumps;         // -1: any
+  uint32_t timeLimitTicks;  // 0: none
+};
+
+}  // namespace obby::level

@@ -1,0 +1,50 @@
+// The physics parameters as the simulator reads them. Units, ranges, defaults and sources are in
+// struct PhysicsParams of schema/obby.capnp; the names here are the same, and
+// tests/level/params_test.cpp holds the two together.
+#pragma once
+
+#include <stdint.h>
+
+#include "base/device.h"
+
+namespace obby {
+
+// X(type, name)
+#define OBBY_PHYSICS_PARAMS(X)                                                                \
+  X(float, gravity)                                                                           \
+  X(float, walkSpeed) X(float, jumpSpeed) X(float, maxSlope) X(float, maxHealth)              \
+      X(float, healthRegeneration) X(float, fallenPartsHeight) X(uint16_t, controlRate)       \
+          X(uint16_t, substeps) X(float, hipHeight) X(float, rootHeight) X(float, bodyWidth)  \
+              X(float, bodyDepth) X(float, bodyTop) X(float, headBottom) X(float, armSpan)    \
+                  X(float, touchMargin) X(float, groundAccel) X(float, airAccel)              \
+                      X(float, moveGain) X(float, turnGain) X(float, turnSpeed)               \
+                          X(float, hoverStiffness) X(float, hoverDamping) X(float, hoverPull) \
+                              X(float, floorRaySpread) X(float, floorRayStart)                \
+                                  X(float, floorReachBase) X(float, floorKeep)                \
+                                      X(float, floorAcquire) X(float, fastFall)               \
+                                          X(float, landedTime) X(float, coyoteTime)           \
+                                              X(float, offFloorGrace) X(float, iceFriction)   \
+                                                  X(float, climbSpeed) X(float, climbReach)   \
+                                                      X(float, contactSkin) X(float, maxFallSpeed)
+
+struct Params {
+#define OBBY_PARAM_FIELD(type, name) type name;
+  OBBY_PHYSICS_PARAMS(OBBY_PARAM_FIELD)
+#undef OBBY_PARAM_FIELD
+
+  // Derived once per level by level/params.cpp.
+  float tickSeconds;     // 1 / controlRate
+  float substepSeconds;  // tickSeconds / substeps
+  float slopeNormalY;    // cos(maxSlope): floors whose normal has a smaller Y are slid down
+  uint16_t landedTicks;  // times above, rounded to whole ticks
+  uint16_t coyoteTicks;
+  uint16_t graceTicks;
+};
+
+// Ticks of a duration, to the nearest. Negative or not finite: 0. At most 2^24.
+OBBY_DEVICE uint32_t ticksFromSeconds(const Params& p, float seconds) {
+  const float t = seconds * float(p.controlRate) + 0.5f;
+  return t >= 1 ? (t < 16777216.0f ? uint32_t(t) : 16777216u) : 0u;
+}
+
+}  // namespace obby

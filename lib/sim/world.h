@@ -1,0 +1,66 @@
+// The state of one running copy of the game: a player in a level. Declared once in
+// OBBY_WORLD_FIELDS; snapshot (plain copy), hash and comparison follow from it. 88 bytes.
+#pragma once
+
+#include <stdint.h>
+
+#include "math/angle.h"
+
+namespace obby::sim {
+
+// Humanoid states that an obby needs (docs/physics.md, states).
+enum class State : uint8_t { running, jumping, freefall, landed, dead };
+
+// How a playthrough ended. The order of schema Outcome.
+enum class Outcome : uint8_t { running, goal, killed, fell, avoided, jumps, timeout };
+
+// Conditions that a batch must not die of. Reported with the answer.
+enum Flag : uint8_t {
+  kFloorSensed = 1,  // a floor was within reach in the last tick (hysteresis of the floor rays)
+  kCandidateOverrun =
+      2,  // more parts near the player than a world can look at: raise kMaxCandidates
+  kVanishOverrun =
+      4,  // more parts vanishing at once than a world can remember: raise kMaxVanishing
+};
+
+constexpr int kMaxVanishing = 8;
+
+// A part that was touched and is about to vanish, is away, or will be back.
+struct Vanishing {
+  uint32_t role;   // index into LevelView::roles; level::kNone: free
+  uint32_t ticks;  // since the touch
+};
+
+// X(type, name)
+#define OBBY_WORLD_FIELDS(X)                                                  \
+  X(Vec3, position) /* of the feet, studs */                                  \
+  X(Vec3, velocity) /* studs/s */                                             \
+  X(float, health)                                                            \
+  X(uint32_t, tick)           /* level clock */                               \
+  X(uint32_t, part)           /* that killed the player, or level::kNone */   \
+  X(uint16_t, yaw)            /* facing, turns / 65536 */                     \
+  X(uint16_t, jumps)          /* made so far */                               \
+  X(uint16_t, floorlessTicks) /* since a floor was last sensed, saturating */ \
+  X(uint16_t, hurtTicks)      /* until damage parts can hurt again */         \
+  X(uint8_t, landedTicks)     /* left of the Landed state */                  \
+  X(uint8_t, waypoints)       /* of the query, reached so far */              \
+  X(State, state)                                                             \
+  X(Outcome, outcome)                                                         \
+  X(uint8_t, flags)                                                           \
+  X(uint8_t, vanishingCount)
+
+struct World {
+#define OBBY_WORLD_FIELD(type, name) type name;
+  OBBY_WORLD_FIELDS(OBBY_WORLD_FIELD)
+#undef OBBY_WORLD_FIELD
+  Vanishing vanishing[kMaxVanishing];  // the first vanishingCount are in use
+};
+
+// What the player holds during one tick.
+struct Action {
+  Turns heading = 0;  // direction of the move keys
+  bool walk = false;  // a move key is held
+  bool jump = false;
+};
+
+}  // namespace obby::sim
