@@ -1,0 +1,41 @@
+// What the user asked for: the command line, then OBBY_* variables, then the --config file, then
+// the defaults of the table. Values were checked against their rows before anyone sees them.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cli/options.h"
+
+namespace obby::cli {
+
+class Arguments {
+ public:
+  // Input files in order; "-" is standard input. {"-"} when none were given.
+  std::vector<std::string> inputs;
+
+  // `name` without dashes. Asking for a name that is not in the table is a mistake in the program.
+  bool has(const std::string& name) const;                 // given by the user, in whatever way
+  bool flag(const std::string& name) const;                // flag
+  const std::string& text(const std::string& name) const;  // text, file, choice, mode; may be empty
+  int64_t integer(const std::string& name) const;          // integer
+  uint64_t seed(const std::string& name = "seed") const;   // seed
+  double number(const std::string& name) const;            // number or integer
+  const std::vector<std::string>& list(const std::string& name) const;  // repeatable rows
+
+  // One value as set by runTool and by tests: the table's row and its texts.
+  struct Value {
+    OptionRow row;
+    std::vector<std::string> texts;  // empty: neither given nor a default
+    bool given = false;
+  };
+  std::map<std::string, Value> values;
+
+ private:
+  const Value& at(const std::string& name) const;
+  const std::string& only(const std::string& name) const;
+};
+
+}  // namespace obby::cli

@@ -1,0 +1,58 @@
+// The option table: one row an option. Help, checks, completions, OBBY_* variables, --config and
+// --print-config all come from these rows, so an option is described in one place only.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace obby::cli {
+
+enum class ValueType {
+  flag,     // no value
+  text,     // any text
+  file,     // a path: completed as one
+  integer,  // a whole number in [min, max]
+  number,   // a finite number in [min, max]
+  seed,     // 0 to 2^64 - 1
+  choice,   // one of `choices`
+  mode,  // like choice, but the value is optional and only after "=": --progress, --progress=json
+};
+
+struct OptionRow {
+  std::string name;  // "time-limit": --time-limit, OBBY_TIME_LIMIT, time-limit = in a file
+  char letter = 0;   // 't' for -t; 0: none
+  ValueType type = ValueType::flag;
+  std::string value;              // what help calls the value: "SECONDS"
+  std::string defaultText;        // as it would be typed; empty: no default
+  std::string help;               // one sentence, no full stop
+  std::string group = "Options";  // heading in help
+  double min = std::numeric_limits<double>::lowest();
+  double max = std::numeric_limits<double>::max();
+  std::vector<std::string> choices;
+  bool repeatable = false;  // may be given more than once: Arguments::list()
+  std::string bare;         // mode: the value when none is given
+};
+
+// Options that mean the same in every tool.
+enum class Common {
+  output,     // -o, --output FILE
+  format,     // --format jsonl|capnp|packed
+  seed,       // --seed N
+  threads,    // --threads N, 0: all this process may use
+  backend,    // --backend auto|cpu|cuda
+  timeLimit,  // --time-limit SECONDS
+  progress,   // --progress[=auto|line|json|none]
+  onError,    // --on-error stop|skip|emit
+};
+
+// The row of a common option; change its help or default before putting it into a table:
+//   options = {commonRow(Common::output), withDefault(commonRow(Common::timeLimit), "10"), ...}
+OptionRow commonRow(Common option);
+OptionRow withDefault(OptionRow row, std::string defaultText);
+
+// Rows that every tool has: --help, --version, --quiet, --verbose, --no-color, --json-errors,
+// --schema, --config, --print-config, --completion. runTool adds them.
+const std::vector<OptionRow>& universalRows();
+
+}  // namespace obby::cli

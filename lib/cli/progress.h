@@ -1,0 +1,46 @@
+// Signs of life on stderr while a tool works: one line redrawn on a terminal, a line each ten
+// seconds, or JSON for programs.
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace obby::cli {
+
+class Console;
+
+struct ProgressState {
+  std::string task;                                     // "query stage3"
+  double fraction = -1;                                 // 0 to 1; negative: unknown
+  std::vector<std::pair<std::string, double>> numbers;  // {"steps", 1.2e9}, {"cells", 4711}
+};
+
+enum class ProgressMode { none, bar, line, json };
+
+// "auto" is bar on a terminal and none elsewhere; quiet silences all but json.
+ProgressMode progressMode(const std::string& text, bool terminal, bool quiet);
+
+// `query stage3  43 %  steps 1.2G  cells 4711`, at most `width` columns.
+std::string progressLine(const ProgressState& state, size_t width);
+// One JSON object without newline.
+std::string progressJson(const ProgressState& state);
+
+class Progress {
+ public:
+  Progress(ProgressMode mode, Console& console);
+  ~Progress();
+  void update(const ProgressState& state);
+
+ private:
+  ProgressMode mode_;
+  Console& console_;
+  std::mutex mutex_;
+  std::chrono::steady_clock::time_point start_, last_;
+  bool shown_ = false;
+};
+
+}  // namespace obby::cli

@@ -1,0 +1,107 @@
+// The filter that every tool is: records of several inputs in order, framing taken off and put on
+// again, what the tool does not act on passed through unchanged.
+//
+//   io::Pipeline pipeline(context.sourceOptions(), context.identity(), std::move(output));
+//   OBBY_RETURN_IF_ERROR(pipeline.run([&](const io::Record& record) -> Result<io::Then> {
+//     if (record.which() != io::Kind::QUERY) return io::Then::pass;
+//     ... pipeline.write(answer.reader()) ...
+//     return io::Then::pass;  // the query itself goes out behind its answers; io::Then::drop: not
+//   }));
+//   return pipeline.finish();
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "io/record.h"
+#include "io/stream.h"
+
+namespace obby::io {
+
+// What to do about a record that cannot be read or acted on. A broken framing (a truncated stream,
+// another schema version) and a failing output always stop.
+enum class OnError {
+  stop,  // report it and end
+  skip,  // report it, leave the record out, go on
+  emit,  // report it, pass the record on if it could be read, go on
+};
+
+struct SourceOptions {
+  std::vector<std::string> inputs = {"-"};
+  OnError onError = OnError::stop;
+  const std::atomic<bool>* stop = nullptr;        // set from outside: end the input early
+  std::function<void(const Error&)> report = {};  // errors that did not stop the run
+};
+
+// The records of several inputs, one after another, without headers and ends.
+class RecordSource {
+ public:
+  explicit RecordSource(SourceOptions options);
+  RecordSource(RecordSource&&) noexcept;
+  ~RecordSource();
+
+  // The next record; nothing at the end of the last input, or once `stop` is set. Errors that
+  // `onError` forgives are reported and counted instead of returned.
+  Result<std::optional<Record>> next();
+
+  // To be asked about a record that was read but cannot be acted on: reports and counts the error
+  // and gives success, or gives the error back under OnError::stop. Names the input and place.
+  Status forgive(const Record& record, Error error);
+
+  // Of the end records so far and of `stop`: the gravest status.
+  schema::EndStatus status() const;
+  uint64_t skipped() const;  // here and, by their end records, upstream
+  uint64_t errors() const;   // likewise
+  OnError onError() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// What the header record says about the writer.
+struct StreamIdentity {
+  std::string tool;
+  std::string version;
+  uint64_t seed = 0;
+};
+
+// After a handler has seen a record.
+enum class Then { pass, drop };
+
+class Pipeline {
+ public:
+  using Handler = std::function<Result<Then>(const Record&)>;
+
+  Pipeline(SourceOptions source, StreamIdentity identity, StreamWriter output);
+  Pipeline(Pipeline&&) noexcept;
+  ~Pipeline();
+
+  // Writes the header, then gives every record of a known kind to `handle` and passes the others.
+  // An error of `handle` is about the record and falls under onError, unless the output failed.
+  // Whatever `run` returns, finish() may still be called to end the output properly.
+  Status run(const Handler& handle);
+
+  // Records of the tool's own, between those passed through.
+  Status write(schema::Record::Reader record);
+
+  // The work ended before every query had its verdict (a budget was spent).
+  void outOfBudget();
+
+  // Writes the end record and closes the output.
+  Status finish();
+
+  StreamWriter& output();
+  RecordSource& source();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace obby::io

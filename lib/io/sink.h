@@ -1,0 +1,44 @@
+// Where output bytes go: a file, a pipe, a terminal, memory. Every failure down to close() is an
+// Error, and a file appears under its name only when it is whole.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace obby::io {
+
+class Sink {
+ public:
+  // "-" is standard output. A regular file is written under a temporary name beside it; devices and
+  // named pipes are written directly.
+  static Result<Sink> open(const std::string& path);
+  // Appends to `bytes`, which must outlive the sink.
+  static Sink toBytes(std::string* bytes);
+
+  Sink(Sink&&) noexcept;
+  Sink& operator=(Sink&&) noexcept;
+  ~Sink();  // without close(): what was written to a file is removed
+
+  // One whole piece (a line, a message, a page): goes out at once to pipes and terminals, in blocks
+  // to files. After an error every later call gives that error again.
+  Status write(std::string_view piece);
+  Status flush();
+  // Flushes, checks, and gives the file its name. Call it once.
+  Status close();
+
+  bool terminal() const;
+  const std::string& name() const;  // "stdout" or the path, as errors say it
+
+ private:
+  struct Impl;
+  explicit Sink(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+// True for the error of writing to a pipe that nobody reads any more: stop quietly.
+bool isBrokenPipe(const Error& error);
+
+}  // namespace obby::io
