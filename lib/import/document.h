@@ -1,14 +1,17 @@
-// A Roblox place or model file in memory: a tree of instances with properties, the same whatever the file format.
-// Readers (binary, XML) fill it; the level builder reads it. Nothing here knows what a property means.
+// A Roblox place or model file in memory: a tree of instances with properties, the same whatever
+// the file format. Readers (binary, XML) fill it; the level builder reads it. Nothing here knows
+// what a property means.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "import/property_map.h"
 #include "math/vec.h"
 
 namespace obby::importer {
@@ -31,7 +34,8 @@ struct ColorRgb {
 // CustomPhysicalProperties; `custom` false means "use the material's".
 struct PhysicalProperties {
   bool custom = false;
-  float density = 0.7f, friction = 0.3f, elasticity = 0.5f, frictionWeight = 1, elasticityWeight = 1;
+  float density = 0.7f, friction = 0.3f, elasticity = 0.5f, frictionWeight = 1,
+        elasticityWeight = 1;
 };
 
 struct EnumItem {
@@ -44,30 +48,39 @@ struct UDim {
   int32_t offset = 0;
 };
 
-// The kinds that a level needs; a property of any other type is read exactly and kept as std::monostate, so that its
-// presence still shows. Strings hold bytes of any kind (ProtectedString, BinaryString, SharedString included).
-using Value = std::variant<std::monostate, bool, int64_t, double, std::string, EnumItem, Vec3, CFrame, ColorRgb, Ref,
-                           PhysicalProperties, UDim>;
+// Bytes that the file stores once and many instances share: meshes and collision data.
+struct SharedBlob {
+  std::shared_ptr<const std::string> bytes;  // never null
+};
+
+// The kinds that a level needs; a property of any other type is read exactly and kept as
+// std::monostate, so that its presence still shows. Strings hold bytes of any kind
+// (ProtectedString, BinaryString and asset addresses included). BrickColor numbers are int64_t
+// except where they are the part's colour. UniqueIds are 32 hexadecimal digits.
+using Value = std::variant<std::monostate, bool, int64_t, double, std::string, EnumItem, Vec3,
+                           CFrame, ColorRgb, Ref, PhysicalProperties, UDim, SharedBlob>;
 
 struct Instance {
   std::string className;
-  std::string name;                        // the Name property
-  std::map<std::string, Value> properties;  // by the name in the file, spelling normalised (see property_names.h)
+  std::string name;               // the Name property
+  PropertyMap<Value> properties;  // no Name, Tags, attributes; names: format/property_names.h
   std::map<std::string, Value> attributes;  // decoded AttributesSerialize
   std::vector<std::string> tags;            // decoded Tags, in file order
   InstanceId parent = kNoInstance;
-  std::vector<InstanceId> children;         // in file order
+  std::vector<InstanceId> children;  // in file order
 };
 
 struct Document {
   std::string file;    // as given
-  std::string format;  // "rbxl", "rbxm" (binary), "rbxlx", "rbxmx" (XML); by content: a place has services as roots
+  std::string format;  // "rbxl", "rbxm" (binary), "rbxlx", "rbxmx" (XML); by content: a place has
+                       // services as roots
   std::vector<Instance> instances;  // parents before children
   std::vector<InstanceId> roots;
   std::vector<std::string> warnings;  // what was skipped while reading, for --verbose
 };
 
-// Typed access. Each returns null (or the fallback) where the property is absent or of another type.
+// Typed access. Each returns null (or the fallback) where the property is absent or of another
+// type.
 template <class T>
 const T* property(const Instance& instance, const std::string& name) {
   const auto it = instance.properties.find(name);
