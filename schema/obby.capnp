@@ -272,7 +272,7 @@ struct Motion {
 # ---------------------------------------------------------------------------------------------- physics parameters
 
 struct PhysicsParams {
-  # Every number in which a real engine may differ. lib/sim/params.h mirrors the fields by name; a test holds the two
+  # Every number in which a real engine may differ. lib/level/params.h mirrors the fields by name; a test holds the two
   # together. docs/physics.md explains each.
   gravity @0 :Float32 = 196.2 $unit("studs/s^2") $range((min = 0, max = 2000)) $source("H Workspace.Gravity");
   walkSpeed @1 :Float32 = 16 $unit("studs/s") $range((min = 0, max = 500)) $source("H Humanoid.WalkSpeed");
@@ -319,7 +319,7 @@ struct PhysicsParams {
   climbSpeed @35 :Float32 = 0.7 $unit("x walkSpeed") $range((min = 0, max = 10)) $source("H Humanoid.Climbing");
   climbReach @36 :Float32 = 1.2 $unit("studs") $range((min = 0, max = 5)) $source("H forward climb sensor");
   contactSkin @37 :Float32 = 0.01 $unit("studs") $range((min = 0, max = 0.2)) $source("M depth left between bodies at rest");
-  maxFallSpeed @38 :Float32 = 1000 $unit("studs/s") $range((min = 10, max = 10000)) $source("M numerical guard, never met in a level");
+  maxFallSpeed @38 :Float32 = 480 $unit("studs/s") $range((min = 10, max = 2000)) $source("M numerical guard, never met in a level");
 }
 
 # ---------------------------------------------------------------------------------------------- query

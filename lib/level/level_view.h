@@ -94,7 +94,7 @@ struct LevelView {
   const Mover* movers;
   uint32_t colliderCount, moverCount;
   Grid grid;
-  float reach;  // studs that the grid's lists allow a player to move before the next look-up
+  float maxSideSpeed;  // studs/s; the grid lists reach as far as this carries a player in a tick
 };
 
 // A query's regions and limits as the simulator reads them.

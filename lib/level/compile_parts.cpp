@@ -1,0 +1,218 @@
+#include "level/compile_parts.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "level/record_values.h"
+#include "level/upright.h"
+
+namespace obby::level {
+namespace {
+
+using geom::ShapeKind;
+
+class PartCompiler {
+ public:
+  PartCompiler(PartTables& out, const Params& params) : out_(out), params_(params) {}
+
+  Status add(schema::Part::Reader part);
+
+ private:
+  Result<uint16_t> roles(schema::Part::Reader part, const Pose& pose, Roles& roles) const;
+  Status mover(schema::Part::Reader part, const Pose& pose, Collider& collider, uint16_t& flags);
+  Status shapes(schema::Part::Reader part, Collider collider, uint16_t flags);
+  Status hulls(schema::Part::Reader part, const Collider& base, uint16_t flags);
+  void push(Collider collider, uint16_t flags);
+  Box sweptBounds(const Collider& collider) const;
+
+  PartTables& out_;
+  const Params& params_;
+};
+
+Result<Vec3> halfExtents(schema::Part::Reader part) {
+  const Vec3 size = vec(part.getSize());
+  if (!isFinite(size) || !(size.x > 0 && size.y > 0 && size.z > 0) ||
+      maxf(size.x, maxf(size.y, size.z)) > kMaxSize) {
+    return pathError("size", "expected three numbers above 0 and at most 2048");
+  }
+  return max(size, Vec3{kMinSize, kMinSize, kMinSize}) * 0.5f;
+}
+
+Status finiteFields(schema::Part::Reader part) {
+  if (!(part.getFriction() >= 0))
+    return pathError("friction", "expected a number that is not negative");
+  if (part.hasKill() && !(part.getKill().getCooldown() >= 0)) {
+    return pathError("kill.cooldown", "expected seconds that are not negative");
+  }
+  if (part.hasKill() && !std::isfinite(part.getKill().getDamage()))
+    return pathError("kill.damage", "expected a number");
+  return {};
+}
+
+Result<uint16_t> PartCompiler::roles(schema::Part::Reader part, const Pose& pose,
+                                     Roles& roles) const {
+  uint16_t flags = part.getSolid() ? kSolid : 0;
+  roles.conveyorCenter = pose.position;
+  if (part.hasConveyor()) {
+    OBBY_ASSIGN(roles.conveyorVelocity,
+                position(part.getConveyor().getVelocity(), "conveyor.velocity"));
+    OBBY_ASSIGN(roles.conveyorAngular,
+                position(part.getConveyor().getAngular(), "conveyor.angular"));
+    flags |= kConveyor;
+  }
+  if (part.hasVanish()) {
+    const auto vanish = part.getVanish();
+    roles.vanishDelay = ticksFromSeconds(params_, vanish.getDelay());
+    roles.vanishAway = ticksFromSeconds(params_, vanish.getAway());
+    roles.vanishPhase = ticksFromSeconds(params_, vanish.getPhase());
+    const bool timer = vanish.getTrigger() == schema::VanishTrigger::TIMER;
+    if (timer && roles.vanishDelay + roles.vanishAway == 0)
+      return pathError("vanish", "a period of 0 ticks");
+    flags |= timer ? kVanishTimer : part.getTouch() ? kVanishTouch : 0;
+  }
+  if (!part.getTouch()) return flags;
+  if (part.hasKill()) {
+    roles.damage = part.getKill().getDamage();
+    roles.cooldownTicks =
+        uint16_t(std::min(ticksFromSeconds(params_, part.getKill().getCooldown()), 65535u));
+    flags |= kKill;
+  }
+  if (part.hasJumpPad()) {
+    OBBY_ASSIGN(roles.padVelocity, position(part.getJumpPad().getVelocity(), "jumpPad.velocity"));
+    roles.padKeepsSideways = part.getJumpPad().getKeepSideways();
+    flags |= kPad;
+  }
+  return flags;
+}
+
+Status PartCompiler::mover(schema::Part::Reader part, const Pose& pose, Collider& collider,
+                           uint16_t& flags) {
+  OBBY_ASSIGN(MotionTables tables, motionTables(part.getMotion(), pose, params_));
+  if (tables.keys.size() == 1 && tables.spins.empty()) {
+    collider.pose = tables.keys[0];
+    return {};
+  }
+  out_.motions.push_back(std::move(tables));
+  MotionTables& kept = out_.motions.back();
+  if (makeUpright(kept)) flags |= kUpright;
+  collider.mover = uint32_t(out_.movers.size());
+  out_.movers.push_back({kept.keys.data(), kept.spins.empty() ? nullptr : kept.spins.data(),
+                         uint32_t(kept.keys.size()), uint32_t(kept.spins.size()), kept.pivot,
+                         kept.once});
+  flags |= kMoving;
+  if (part.getMotion().getCarries()) flags |= kCarries;
+  out_.timed = true;
+  return {};
+}
+
+// Bounds over all rows of both tables: each key's centre with the largest radius about the pivot
+// where it spins.
+Box PartCompiler::sweptBounds(const Collider& c) const {
+  if (c.mover == kNone) return boundsOf(c.pose, c.shape.half);
+  const Mover& m = out_.movers[c.mover];
+  Box swept{{1e30f, 1e30f, 1e30f}, {-1e30f, -1e30f, -1e30f}};
+  const float radius = length(c.shape.half) + length(m.pivot);
+  for (uint32_t k = 0; k < m.keyCount; ++k) {
+    const Pose& key = m.keys[k];
+    const Vec3 pivot = toWorld(key, m.pivot);
+    const Vec3 r{radius, radius, radius};
+    swept = join(swept, m.spinCount == 0 ? boundsOf(key, c.shape.half) : Box{pivot - r, pivot + r});
+  }
+  return swept;
+}
+
+void PartCompiler::push(Collider collider, uint16_t flags) {
+  if (collider.mover == kNone && collider.kind == ShapeKind::block && makeUpright(collider))
+    flags |= kUpright;
+  out_.bounds.push_back(sweptBounds(collider));
+  out_.colliders.push_back(collider);
+  out_.flags.push_back(flags);
+}
+
+Status PartCompiler::hulls(schema::Part::Reader part, const Collider& base, uint16_t flags) {
+  size_t index = 0;
+  for (const auto record : part.getHulls()) {
+    const std::string path = fmt::format("hulls[{}].vertices", index++);
+    std::vector<Vec3> vertices;
+    for (const auto v : record.getVertices()) {
+      if (!isFinite(vec(v))) return pathError(path, "expected finite numbers");
+      vertices.push_back(vec(v));
+    }
+    if (vertices.size() < 4 || vertices.size() > kMaxHullVertices) {
+      return pathError(path, fmt::format("expected 4 to {} vertices, got {}", kMaxHullVertices,
+                                         vertices.size()));
+    }
+    out_.hulls.push_back(hullTables(vertices));
+    const HullTables& t = out_.hulls.back();
+    if (t.normals.empty()) continue;  // flat: nothing to collide with
+    out_.hullViews.push_back({t.vertices.data(), t.normals.data(), t.offsets.data(), t.edges.data(),
+                              uint32_t(t.vertices.size()), uint32_t(t.normals.size()),
+                              uint32_t(t.edges.size())});
+    Collider c = base;
+    c.shape.hull = &out_.hullViews.back();
+    Vec3 reach;
+    for (const Vec3 v : t.vertices) reach = max(reach, abs(v));
+    c.shape.half = reach;
+    push(c, flags);
+  }
+  return {};
+}
+
+Status PartCompiler::shapes(schema::Part::Reader part, Collider collider, uint16_t flags) {
+  collider.kind = ShapeKind(uint8_t(part.getShape()));
+  if (collider.kind == ShapeKind::truss) collider.kind = ShapeKind::block;
+  if (collider.kind == ShapeKind::hull && part.getHulls().size() != 0)
+    return hulls(part, collider, flags);
+  if (collider.kind == ShapeKind::hull)
+    collider.kind = ShapeKind::block;  // its hulls are not known: the box
+  push(collider, flags);
+  return {};
+}
+
+Status PartCompiler::add(schema::Part::Reader part) {
+  const uint32_t index = uint32_t(out_.names.size());
+  out_.names.push_back(part.getName());
+  if (uint16_t(part.getShape()) > uint16_t(schema::Shape::HULL))
+    return pathError("shape", "unknown shape");
+  OBBY_RETURN_IF_ERROR(finiteFields(part));
+  OBBY_ASSIGN(const Vec3 half, halfExtents(part));
+  OBBY_ASSIGN(const Vec3 center, position(part.getPosition(), "position"));
+  OBBY_ASSIGN(const Mat3 axes, rotation(part.getRotation(), "rotation"));
+  const Pose pose{center, axes};
+  Roles roleTable{};
+  OBBY_ASSIGN(uint16_t flags, roles(part, pose, roleTable));
+  if (flags & kVanishTimer) out_.timed = true;
+  Collider collider{pose,  {half, nullptr},    index,           kNone,
+                    kNone, part.getFriction(), ShapeKind::block};
+  if (part.hasMotion()) OBBY_RETURN_IF_ERROR(mover(part, pose, collider, flags));
+  if ((flags & (kSolid | kTouchRoles)) == 0) return {};  // scenery
+  if (flags & (kTouchRoles | kConveyor | kVanishTimer)) {
+    collider.role = uint32_t(out_.roles.size());
+    out_.roles.push_back(roleTable);
+  }
+  return shapes(part, collider, flags);
+}
+
+}  // namespace
+
+Result<PartTables> compileParts(schema::Level::Reader record, const Params& params) {
+  PartTables out;
+  if (record.getParts().size() > kMaxParts) {
+    return pathError("parts", fmt::format("expected at most {} parts, got {}", kMaxParts,
+                                          record.getParts().size()));
+  }
+  PartCompiler compiler(out, params);
+  size_t index = 0;
+  for (const auto part : record.getParts()) {
+    if (auto status = compiler.add(part); !status) {
+      Error error = std::move(status).error();
+      error.path = fmt::format("parts[{}]{}{}", index, error.path.empty() ? "" : ".", error.path);
+      return error;
+    }
+    ++index;
+  }
+  return out;
+}
+
+}  // namespace obby::level

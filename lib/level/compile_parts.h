@@ -1,0 +1,37 @@
+// Parts of a record to colliders, roles and movers: the tables of LevelView before the grid is laid
+// over them.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "level/hull_tables.h"
+#include "level/level_view.h"
+#include "level/motion_tables.h"
+#include "schema/obby.capnp.h"
+
+namespace obby::level {
+
+struct PartTables {
+  std::vector<Collider> colliders;
+  std::vector<Box> bounds;
+  std::vector<uint16_t> flags;
+  std::vector<Roles> roles;
+  std::vector<Mover> movers;
+  std::vector<std::string> names;    // (parts)
+  std::deque<MotionTables> motions;  // what movers point into; a deque keeps addresses
+  std::deque<HullTables> hulls;      // what shapes point into
+  std::deque<geom::Hull> hullViews;
+  bool timed = false;  // any part whose state depends on the clock
+};
+
+// Smallest extent that the engine's physics uses (docs/physics.md, parts).
+constexpr float kMinSize = 0.05f;
+constexpr float kMaxSize = 2048;
+constexpr uint32_t kMaxParts = 1000000;
+
+Result<PartTables> compileParts(schema::Level::Reader record, const Params& params);
+
+}  // namespace obby::level

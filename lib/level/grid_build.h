@@ -1,0 +1,25 @@
+// Lays the uniform grid of LevelView over the colliders' bounds.
+#pragma once
+
+#include <vector>
+
+#include "level/level_view.h"
+
+namespace obby::level {
+
+struct GridTables {
+  Vec3 origin, cell;
+  int32_t nx = 0, ny = 0, nz = 0;
+  std::vector<uint32_t> cells;
+  std::vector<uint32_t> lists;
+};
+
+// How far beyond the feet a player's rays and limbs reach, and how far a tick may carry the player.
+struct Reach {
+  float side, down, up;  // studs
+};
+
+// `cell` is a suggestion in studs; cells grow until at most 2^21 of them cover the bounds.
+GridTables buildGrid(const std::vector<Box>& bounds, const Reach& reach);
+
+}  // namespace obby::level

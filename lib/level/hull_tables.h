@@ -1,0 +1,24 @@
+// Face and edge tables of a convex hull from its vertices.
+#pragma once
+
+#include <vector>
+
+#include "math/vec.h"
+
+namespace obby::level {
+
+struct HullTables {
+  std::vector<Vec3> vertices;  // without repetitions
+  std::vector<Vec3> normals;   // unit, outward, coplanar triangles merged
+  std::vector<float> offsets;
+  std::vector<Vec3> edges;  // unit, each direction once; empty beyond kMaxHullEdges, where the
+                            // faces alone describe a nearly round hull well enough
+};
+
+constexpr size_t kMaxHullVertices = 255;
+constexpr size_t kMaxHullEdges = 32;
+
+// Empty normals if the vertices do not span a volume.
+HullTables hullTables(const std::vector<Vec3>& vertices);
+
+}  // namespace obby::level

@@ -1,0 +1,166 @@
+// Puts the tables together and owns them.
+#include "level/level.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/hash.h"
+#include "level/compile_parts.h"
+#include "level/grid_build.h"
+#include "level/record_values.h"
+
+namespace obby::level {
+
+struct Level::Impl {
+  std::string name;
+  PartTables tables;
+  GridTables grid;
+  LevelView view{};
+  std::vector<StartPose> spawns;
+  uint64_t hash = 0;
+  uint32_t period = 0;
+};
+
+namespace {
+
+// Fastest sideways motion that parts can give a player, studs/s.
+float fastestSideways(const PartTables& tables, const Params& params) {
+  float fastest = 0;
+  for (const Roles& r : tables.roles) {
+    fastest = maxf(fastest, length(Vec3{r.padVelocity.x, 0, r.padVelocity.z}));
+    fastest = maxf(fastest, length(Vec3{r.conveyorVelocity.x, 0, r.conveyorVelocity.z}));
+  }
+  for (const Mover& m : tables.movers) {
+    for (uint32_t k = 0; k + 1 < m.keyCount; ++k) {
+      const Vec3 step = m.keys[k + 1].position - m.keys[k].position;
+      fastest = maxf(fastest, length(Vec3{step.x, 0, step.z}) * float(params.controlRate));
+    }
+  }
+  return params.walkSpeed + minf(fastest, 500.0f);
+}
+
+// A tick may carry the player this far, so that one grid look-up serves a tick (sim/candidates.h).
+Reach reachOf(const Params& p, float sideways) {
+  const float arms = p.armSpan * 0.5f, depth = p.bodyDepth * 0.5f;
+  const float limbs = sqrtf32(arms * arms + depth * depth) + p.touchMargin;
+  const float step = maxf(2.0f, sideways * p.tickSeconds * 1.5f);
+  const float fall = p.maxFallSpeed * p.tickSeconds + 1;
+  const float below =
+      maxf(0.0f, p.floorReachBase * p.rootHeight + p.floorKeep * p.hipHeight - p.hipHeight);
+  return {limbs + step, below + fall, p.bodyTop + fall};
+}
+
+Status compileSpawns(schema::Level::Reader record, std::vector<StartPose>& spawns) {
+  for (const auto spawn : record.getSpawns()) {
+    const std::string path = fmt::format("spawns[{}]", spawns.size());
+    OBBY_ASSIGN(const Vec3 feet, position(spawn.getPosition(), path + ".position"));
+    if (!std::isfinite(spawn.getYaw())) return pathError(path + ".yaw", "expected radians");
+    spawns.push_back({feet, spawn.getYaw(), 0});
+  }
+  return {};
+}
+
+// Ticks after which every moving and timed part is where it was; 0: never, or longer than 2^20.
+uint32_t commonPeriod(const PartTables& t) {
+  uint64_t period = 1;
+  const auto include = [&](uint64_t ticks) {
+    if (period != 0 && ticks != 0) period = std::lcm(period, ticks);
+    if (period > (1u << 20)) period = 0;
+  };
+  for (const Mover& m : t.movers) {
+    if (m.once) return 0;
+    include(m.keyCount);
+    include(m.spinCount);
+  }
+  for (size_t i = 0; i < t.colliders.size(); ++i) {
+    if (!(t.flags[i] & kVanishTimer)) continue;
+    const Roles& r = t.roles[t.colliders[i].role];
+    include(r.vanishDelay + r.vanishAway);
+  }
+  return uint32_t(period);
+}
+
+// Digest of the tables, field by field: structs have padding.
+uint64_t digest(const LevelView& v, const PartTables& t) {
+  uint64_t h = 1;
+  const auto add = [&h](const auto& value) { h = hashBytes(&value, sizeof value, h); };
+#define OBBY_PARAM_DIGEST(type, name) add(v.params.name);
+  OBBY_PHYSICS_PARAMS(OBBY_PARAM_DIGEST)
+#undef OBBY_PARAM_DIGEST
+  for (size_t i = 0; i < t.colliders.size(); ++i) {
+    const Collider& c = t.colliders[i];
+    add(c.pose), add(c.shape.half), add(c.part), add(c.mover), add(c.role), add(c.friction),
+        add(c.kind), add(t.flags[i]);
+    if (c.shape.hull)
+      h = hashBytes(c.shape.hull->vertices, c.shape.hull->vertexCount * sizeof(Vec3), h);
+  }
+  for (const Roles& r : t.roles) {
+    add(r.damage), add(r.cooldownTicks), add(r.padKeepsSideways), add(r.padVelocity),
+        add(r.conveyorVelocity);
+    add(r.conveyorAngular), add(r.vanishDelay), add(r.vanishAway), add(r.vanishPhase);
+  }
+  for (const Mover& m : t.movers) {
+    h = hashBytes(m.keys, m.keyCount * sizeof(Pose), h);
+    h = hashBytes(m.spins, m.spinCount * sizeof(Mat3), h);
+    add(m.pivot), add(m.once);
+  }
+  return h;
+}
+
+}  // namespace
+
+Level::Level(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Level::Level(Level&&) noexcept = default;
+Level& Level::operator=(Level&&) noexcept = default;
+Level::~Level() = default;
+
+Result<Level> Level::compile(schema::Level::Reader record) {
+  auto impl = std::make_unique<Impl>();
+  impl->name = record.getName();
+  OBBY_ASSIGN(const Params params, compileParams(record.getPhysics()));
+  OBBY_ASSIGN(impl->tables, compileParts(record, params));
+  OBBY_RETURN_IF_ERROR(compileSpawns(record, impl->spawns));
+  const PartTables& t = impl->tables;
+  const float sideways = fastestSideways(t, params);
+  const Reach reach = reachOf(params, sideways);
+  impl->grid = buildGrid(t.bounds, reach);
+  LevelView& v = impl->view;
+  v.params = params;
+  v.colliders = t.colliders.data();
+  v.bounds = t.bounds.data();
+  v.flags = t.flags.data();
+  v.roles = t.roles.data();
+  v.movers = t.movers.data();
+  v.colliderCount = uint32_t(t.colliders.size());
+  v.moverCount = uint32_t(t.movers.size());
+  const GridTables& g = impl->grid;
+  v.grid = {
+      g.origin,      {1 / g.cell.x, 1 / g.cell.y, 1 / g.cell.z}, g.nx, g.ny, g.nz, g.cells.data(),
+      g.lists.data()};
+  v.maxSideSpeed = sideways * 1.5f;
+  impl->period = commonPeriod(t);
+  impl->hash = digest(v, t);
+  return Level(std::move(impl));
+}
+
+const LevelView& Level::view() const { return impl_->view; }
+const std::string& Level::name() const { return impl_->name; }
+uint64_t Level::hash() const { return impl_->hash; }
+bool Level::hasMotion() const { return impl_->tables.timed; }
+uint32_t Level::motionPeriod() const { return impl_->tables.timed ? impl_->period : 0; }
+size_t Level::partCount() const { return impl_->tables.names.size(); }
+const std::string& Level::partName(uint32_t part) const { return impl_->tables.names[part]; }
+const std::vector<StartPose>& Level::spawns() const { return impl_->spawns; }
+
+Box Level::bounds() const {
+  Box all{};
+  for (size_t i = 0; i < impl_->tables.bounds.size(); ++i) {
+    all = i == 0 ? impl_->tables.bounds[0] : join(all, impl_->tables.bounds[i]);
+  }
+  return all;
+}
+
+}  // namespace obby::level

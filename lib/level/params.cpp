@@ -1,0 +1,74 @@
+// Physics parameters: copied by name from the record, checked against the schema's ranges by
+// reflection.
+#include "level/params.h"
+
+#include <capnp/dynamic.h>
+#include <capnp/schema.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "level/level.h"
+#include "math/vec.h"
+
+namespace obby::level {
+namespace {
+
+// Id of the `range` annotation in schema/obby.capnp.
+constexpr uint64_t kRangeAnnotation = 0xd2a9f8e3b7c61a55;
+
+std::optional<schema::Interval::Reader> rangeOf(capnp::StructSchema::Field field) {
+  for (auto annotation : field.getProto().getAnnotations()) {
+    if (annotation.getId() == kRangeAnnotation) {
+      return annotation.getValue().getStruct().getAs<schema::Interval>();
+    }
+  }
+  return std::nullopt;
+}
+
+Status checkRanges(schema::PhysicsParams::Reader record) {
+  const capnp::DynamicStruct::Reader dynamic(record);
+  for (auto field : dynamic.getSchema().getFields()) {
+    const auto range = rangeOf(field);
+    if (!range) continue;
+    const double value = dynamic.get(field).as<double>();
+    if (value >= range->getMin() && value <= range->getMax()) continue;
+    return Error{{},
+                 {},
+                 fmt::format("physics.{}", field.getProto().getName().cStr()),
+                 fmt::format("{} is outside {} to {}", value, range->getMin(), range->getMax()),
+                 {}};
+  }
+  return {};
+}
+
+void derive(Params& p) {
+  p.tickSeconds = 1.0f / float(p.controlRate);
+  p.substepSeconds = p.tickSeconds / float(p.substeps);
+  // Set-up runs once on the host; rounding to float hides any difference in the last bits of libm's
+  // cosine.
+  p.slopeNormalY = float(std::round(std::cos(double(p.maxSlope)) * 1e6) / 1e6);
+  p.landedTicks = uint16_t(ticksFromSeconds(p, p.landedTime));
+  p.coyoteTicks = uint16_t(ticksFromSeconds(p, p.coyoteTime));
+  p.graceTicks = uint16_t(ticksFromSeconds(p, p.offFloorGrace));
+}
+
+}  // namespace
+
+Result<Params> compileParams(schema::PhysicsParams::Reader record) {
+  OBBY_RETURN_IF_ERROR(checkRanges(record));
+  const capnp::DynamicStruct::Reader dynamic(record);
+  Params p{};
+#define OBBY_PARAM_COPY(type, name) p.name = dynamic.get(#name).as<type>();
+  OBBY_PHYSICS_PARAMS(OBBY_PARAM_COPY)
+#undef OBBY_PARAM_COPY
+  if (p.bodyTop <= p.headBottom || p.headBottom <= p.hipHeight) {
+    return Error{
+        {}, {}, "physics.bodyTop", "must be above headBottom, and that above hipHeight", {}};
+  }
+  derive(p);
+  return p;
+}
+
+}  // namespace obby::level

@@ -1,0 +1,58 @@
+// Values of the schema as math types, with the checks every one of them needs.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "base/result.h"
+#include "geom/region.h"
+#include "math/vec.h"
+#include "schema/obby.capnp.h"
+
+namespace obby::level {
+
+// Positions further out than this lose too much precision to mean anything.
+constexpr float kMaxCoordinate = 1e6f;
+
+inline Error pathError(std::string path, std::string message, std::string hint = {}) {
+  return Error{{}, {}, std::move(path), std::move(message), std::move(hint)};
+}
+
+inline Vec3 vec(schema::Vec3::Reader v) { return {v.getX(), v.getY(), v.getZ()}; }
+
+inline bool isFinite(Vec3 v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+inline Result<Vec3> position(schema::Vec3::Reader record, const std::string& path) {
+  const Vec3 v = vec(record);
+  if (!isFinite(v) || maxf(absf(v.x), maxf(absf(v.y), absf(v.z))) > kMaxCoordinate) {
+    return pathError(path, "expected three numbers within 1000000 studs");
+  }
+  return v;
+}
+
+inline Result<Quat> quaternion(schema::Quat::Reader record, const std::string& path) {
+  const Quat q{record.getX(), record.getY(), record.getZ(), record.getW()};
+  const float n2 = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  if (!(n2 > 1e-6f) || !(n2 < 1e6f))
+    return pathError(path, "expected a rotation (x, y, z, w) that is not zero");
+  return normalize(q);
+}
+
+inline Result<Mat3> rotation(schema::Quat::Reader record, const std::string& path) {
+  OBBY_ASSIGN(const Quat q, quaternion(record, path));
+  return toMat3(q);
+}
+
+inline Result<geom::Region> region(schema::Region::Reader record, const std::string& path) {
+  OBBY_ASSIGN(const Vec3 center, position(record.getPosition(), path + ".position"));
+  OBBY_ASSIGN(const Mat3 axes, rotation(record.getRotation(), path + ".rotation"));
+  const Vec3 size = vec(record.getSize());
+  if (!(size.x > 0 && size.y > 0 && size.z > 0) || !isFinite(size)) {
+    return pathError(path + ".size", "expected three numbers above 0");
+  }
+  return geom::Region{{center, axes}, size * 0.5f};
+}
+
+}  // namespace obby::level
