@@ -1,0 +1,44 @@
+// Puts the locked packages into node_modules, and does nothing (needs no network) when they are there already.
+// Install scripts are never run: esbuild's program comes as an optional package of its own.
+import { execFileSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, rmdirSync, statSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const stamp = join(here, 'node_modules', '.obby-lock');
+const wanted = createHash('sha256').update(readFileSync(join(here, 'package-lock.json')))
+  .update(`${process.platform} ${process.arch}`).digest('hex');
+const inPlace = () => existsSync(stamp) && readFileSync(stamp, 'utf8') === wanted;
+
+// Two build folders may configure at once: the first one installs, the other waits for it.
+const guard = join(here, '.installing');
+const kStaleMs = 10 * 60 * 1000;
+function takeGuard() {
+  for (;;) {
+    try {
+      mkdirSync(guard);
+      return;
+    } catch (error) {
+      if (error.code !== 'EEXIST') throw error;
+      const age = existsSync(guard) ? Date.now() - statSync(guard).mtimeMs : 0;
+      if (age > kStaleMs) rmdirSync(guard);
+      Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, 300);
+    }
+  }
+}
+
+if (!inPlace()) {
+  takeGuard();
+  try {
+    if (!inPlace()) {
+      const npm = process.env.OBBY_NPM || 'npm';
+      execFileSync(npm, ['ci', '--ignore-scripts', '--include=dev', '--include=optional', '--prefer-offline'],
+        { cwd: here, stdio: ['ignore', 'inherit', 'inherit'] });
+      writeFileSync(stamp, wanted);
+    }
+  } finally {
+    rmdirSync(guard);
+  }
+}

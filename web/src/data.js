@@ -1,0 +1,142 @@
+// Reads the report inside the page: base64 blocks become typed arrays, and the record of what happened at a tick
+// becomes a function. docs/viewer.md describes the format.
+
+function bytesOf(text) {
+  const binary = atob(text || '');
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < binary.length; i++) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
+const floats = (text) => new Float32Array(bytesOf(text).buffer);
+const shorts = (text) => new Int16Array(bytesOf(text).buffer);
+const words = (text) => new Uint16Array(bytesOf(text).buffer);
+
+export const SHAPES = ['block', 'ball', 'cylinder', 'wedge', 'cornerWedge', 'truss', 'hull'];
+export const ROLES = [
+  'plain', 'start', 'goal', 'kill', 'moving', 'vanish', 'conveyor', 'pad', 'checkpoint', 'ghost', 'loose',
+];
+
+// Poses of one moving part, one sample every `stride` ticks. The samples are for ticks 0, stride, ...; from
+// `loopFrom` on they repeat (-1: the last one stays).
+class Track {
+  constructor(raw) {
+    this.part = raw.part;
+    this.stride = raw.stride;
+    this.count = raw.count;
+    this.loopFrom = raw.loopFrom;
+    this.position = raw.position ? floats(raw.position) : null;
+    this.rotation = raw.rotation ? shorts(raw.rotation) : null;
+  }
+
+  // The two samples around a tick and the share of the second.
+  at(tick) {
+    const s = Math.max(0, tick / this.stride);
+    let i = Math.floor(s);
+    const share = s - i;
+    const wrap = (k) => {
+      if (k < this.count) return k;
+      if (this.loopFrom < 0) return this.count - 1;
+      return this.loopFrom + ((k - this.loopFrom) % (this.count - this.loopFrom));
+    };
+    const next = wrap(i + 1);
+    i = wrap(i);
+    // A jump back to the first key is a jump, not a slide across the level.
+    return { i, next: this.jumps(i, next) ? i : next, share };
+  }
+
+  jumps(i, next) {
+    if (next >= i || !this.position) return false;
+    const p = this.position;
+    return Math.hypot(p[3 * i] - p[3 * next], p[3 * i + 1] - p[3 * next + 1], p[3 * i + 2] - p[3 * next + 2]) > 4;
+  }
+}
+
+function levelOf(raw) {
+  const parts = raw.parts;
+  return {
+    ...raw,
+    count: parts.count,
+    position: floats(parts.position),
+    rotation: floats(parts.rotation),
+    size: floats(parts.size),
+    shape: bytesOf(parts.shape),
+    role: bytesOf(parts.role),
+    look: bytesOf(parts.look),
+    flags: bytesOf(parts.flags),
+    tracks: raw.tracks.map((track) => new Track(track)),
+    hulls: raw.hulls.map((hull) => ({ part: hull.part, pieces: hull.pieces.map(floats) })),
+  };
+}
+
+// What the player held during a tick.
+function actionAt(runs, tick) {
+  let end = 0;
+  for (let i = 0; i + 2 < runs.length; i += 3) {
+    end += runs[i];
+    if (tick < end) return { walk: (runs[i + 1] & 1) !== 0, jump: (runs[i + 1] & 2) !== 0, heading: runs[i + 2] };
+  }
+  return { walk: false, jump: false, heading: 0 };
+}
+
+class Path {
+  constructor(raw, query) {
+    Object.assign(this, raw);
+    this.query = query;
+    this.points = floats(raw.position);
+    this.yaw = words(raw.yaw);
+    this.state = bytesOf(raw.state);
+    this.runs = words(raw.runs);
+    this.samples = this.points.length / 3;
+  }
+
+  // The pose at a tick, between samples where playback is.
+  poseAt(tick) {
+    const s = Math.min(Math.max(0, tick / this.stride), this.samples - 1);
+    const i = Math.floor(s);
+    const j = Math.min(i + 1, this.samples - 1);
+    const f = s - i;
+    const p = this.points;
+    const mix = (k) => p[3 * i + k] + (p[3 * j + k] - p[3 * i + k]) * f;
+    let turn = this.yaw[j] - this.yaw[i];
+    if (turn > 32768) turn -= 65536;
+    if (turn < -32768) turn += 65536;
+    const yaw = ((this.yaw[i] + turn * f) / 65536) * 2 * Math.PI;
+    const rate = 1 / this.stride;
+    const speed = [0, 1, 2].map((k) => (p[3 * j + k] - p[3 * i + k]) * rate);
+    return { x: mix(0), y: mix(1), z: mix(2), yaw, state: this.state[i], perTick: speed };
+  }
+
+  actionAt(tick) {
+    return actionAt(this.runs, Math.floor(tick));
+  }
+
+  // Ticks at which jump is pressed anew.
+  jumpTicks() {
+    const ticks = [];
+    let at = 0;
+    let held = false;
+    for (let i = 0; i + 2 < this.runs.length; i += 3) {
+      const jump = (this.runs[i + 1] & 2) !== 0;
+      if (jump && !held) ticks.push(at);
+      held = jump;
+      at += this.runs[i];
+    }
+    return ticks;
+  }
+
+  end() {
+    const k = 3 * (this.samples - 1);
+    return [this.points[k], this.points[k + 1], this.points[k + 2]];
+  }
+}
+
+export function readReport(text) {
+  const raw = JSON.parse(text);
+  const levels = raw.levels.map(levelOf);
+  const queries = raw.queries.map((query, index) => {
+    const own = { ...query, index };
+    own.paths = query.trajectories.map((path) => new Path(path, own));
+    return own;
+  });
+  return { ...raw, levels, queries };
+}

@@ -1,0 +1,27 @@
+// Keeps query, trajectory, time and camera in the page's address after `#`, so that a link opens the same view.
+
+export function readFragment(report) {
+  const values = new URLSearchParams(location.hash.slice(1));
+  const found = {};
+  const query = report.queries.findIndex((q) => q.id === values.get('q'));
+  if (query >= 0) found.query = query;
+  const paths = report.queries[found.query ?? 0]?.paths ?? [];
+  const path = values.has('traj') ? Number(values.get('traj')) : NaN;
+  if (Number.isInteger(path) && path >= 0 && path < paths.length) found.path = path;
+  const time = values.has('t') ? Number(values.get('t')) : NaN;
+  if (Number.isFinite(time) && time >= 0) found.time = time;
+  const camera = (values.get('cam') ?? '').split(',').map(Number);
+  if (camera.length === 6 && camera.every(Number.isFinite)) found.camera = camera;
+  return found;
+}
+
+export function writeFragment(report, state, tickRate, camera) {
+  const values = new URLSearchParams();
+  const query = report.queries[state.query];
+  if (query) values.set('q', query.id);
+  if (state.path >= 0) values.set('traj', String(state.path));
+  values.set('t', (state.tick / tickRate).toFixed(3));
+  values.set('cam', camera.map((value) => Number(value.toFixed(2))).join(','));
+  const text = `#${values.toString().replaceAll('%2C', ',')}`;
+  if (text !== location.hash) history.replaceState(null, '', text);
+}

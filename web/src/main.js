@@ -1,0 +1,233 @@
+// Starts the page: reads the report, wires the state to the stage and the panels, and runs the frame loop.
+import { Vector3 } from 'three';
+import { readReport } from './data.js';
+import { readFragment, writeFragment } from './fragment.js';
+import { Playback } from './playback.js';
+import { causeOf, OUTCOME_STYLE } from './palette.js';
+import { Stage } from './scene/stage.js';
+import { bindKeys } from './shortcuts.js';
+import { INITIAL, Store } from './store.js';
+import { el, seconds } from './ui/dom.js';
+import { Help } from './ui/help.js';
+import { Hud } from './ui/hud.js';
+import { Labels } from './ui/labels.js';
+import { ScenePanel } from './ui/scene_panel.js';
+import { Sidebar } from './ui/sidebar.js';
+import { Timeline } from './ui/timeline.js';
+
+const byId = (id) => document.getElementById(id);
+
+class App {
+  constructor(report) {
+    this.report = report;
+    this.store = new Store(INITIAL);
+    this.playback = new Playback(this.store, () => this.length(), () => this.level()?.tickRate ?? 60);
+    this.stage = new Stage(byId('view'));
+    this.labels = new Labels(byId('labels'));
+    this.tip = byId('tip');
+    this.dirty = true;
+    const found = readFragment(report);
+    if (found.query !== undefined) this.store.state.query = found.query;
+    this.openQuery();
+    this.store.state.path = found.path ?? this.firstPath();
+    if (found.time !== undefined) this.store.state.tick = Math.min(found.time * this.playback.rateOf(), this.length());
+    this.panels();
+    this.bind();
+    this.showSelection();
+    this.applyToggles();
+    this.stage.resize();
+    this.stage.frameQuery(true);
+    if (found.camera) this.stage.rig.restore(found.camera);
+    this.lastFrame = performance.now();
+    requestAnimationFrame((now) => this.frame(now));
+  }
+
+  query() { return this.report.queries[this.store.state.query]; }
+
+  level() { return this.report.levels[this.query()?.level ?? 0]; }
+
+  path() { return this.query()?.paths[this.store.state.path]; }
+
+  length() {
+    const path = this.path();
+    if (path) return path.ticks;
+    return Math.max(1, ...(this.query()?.paths ?? []).map((each) => each.ticks), 10 * (this.level()?.tickRate ?? 60));
+  }
+
+  // What a reader wants to see first: a solution, or else the attempt that came closest.
+  firstPath() {
+    const paths = this.query()?.paths ?? [];
+    const solution = paths.findIndex((path) => path.kind === 'solution');
+    return solution >= 0 ? solution : paths.findIndex((path) => path.kind === 'progress');
+  }
+
+  panels() {
+    this.sidebar = new Sidebar(byId('side'), this.report, this.store, this.playback);
+    this.timeline = new Timeline(byId('timeline'), this.store, this.playback, () => this.path());
+    this.scenePanel = new ScenePanel(byId('scene-panel'), this.store, () => this.level(), () => this.query());
+    this.hud = new Hud(byId('hud'));
+    this.help = new Help(byId('help'));
+  }
+
+  openQuery() {
+    const level = this.level();
+    if (level && this.stage.level !== level) this.stage.setLevel(level);
+    if (this.query()) {
+      this.stage.setQuery(this.query());
+      this.labels.set(this.stage.regionView.labels);
+    }
+  }
+
+  bind() {
+    const { store } = this;
+    store.on(['query'], () => {
+      this.openQuery();
+      store.set({ path: this.firstPath(), tick: 0, playing: false, part: -1, hoverPath: -1 });
+      this.showSelection();
+      this.applyToggles();
+      this.stage.frameQuery(false);
+    });
+    store.on(['path'], () => this.showSelection());
+    store.on(['hoverPath'], (state) => this.stage.pathView?.hover(this.query()?.paths[state.hoverPath]));
+    store.on(['solutions', 'attempts', 'markers', 'runners', 'regions', 'grid', 'motionPaths', 'path'], () => this.applyToggles());
+    store.on(['colors'], (state) => this.stage.levelView.setColors(state.colors));
+    store.on(['part'], () => this.showPart());
+    store.on(Object.keys(INITIAL), () => { this.dirty = true; });
+    bindKeys(this);
+    this.bindPointer(byId('view'));
+    this.stage.rig.onUserMove = () => store.set({ follow: false });
+  }
+
+  bindPointer(canvas) {
+    let down = null;
+    canvas.addEventListener('pointerdown', (event) => {
+      down = { x: event.clientX, y: event.clientY };
+      canvas.focus({ preventScroll: true });
+    });
+    canvas.addEventListener('pointerup', (event) => {
+      const still = down && Math.hypot(event.clientX - down.x, event.clientY - down.y) < 4;
+      down = null;
+      if (still && event.button === 0) this.click(event);
+    });
+    canvas.addEventListener('pointermove', (event) => { this.pointer = event.buttons ? null : event; });
+    canvas.addEventListener('pointerleave', () => { this.pointer = null; this.store.set({ hoverPath: -1 }); this.tip.hidden = true; });
+  }
+
+  click(event) {
+    const [x, y] = this.inCanvas(event);
+    const hit = this.stage.pick(this.store.state, x, y);
+    if (hit) {
+      const same = this.store.state.path === hit.path;
+      this.store.set({ path: hit.path, tick: Math.min(hit.tick, this.query().paths[hit.path].ticks), playing: same && this.store.state.playing });
+      return;
+    }
+    const part = this.stage.pickPart(x, y);
+    this.store.set({ part: part === this.store.state.part ? -1 : part });
+  }
+
+  inCanvas(event) {
+    const box = byId('view').getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+
+  hover() {
+    const event = this.pointer;
+    this.pointer = null;
+    if (!event || !this.query()) return;
+    const [x, y] = this.inCanvas(event);
+    const hit = this.stage.pick(this.store.state, x, y);
+    this.store.set({ hoverPath: hit ? hit.path : -1 });
+    byId('view').style.cursor = hit ? 'pointer' : '';
+    this.tip.hidden = !hit;
+    if (!hit) return;
+    const path = this.query().paths[hit.path];
+    const rate = this.playback.rateOf();
+    this.tip.replaceChildren(el('strong', { text: path.mismatch ? 'Replay mismatch' : causeOf(path, this.level()) }),
+      el('span', { text: `at ${seconds(hit.tick / rate)} of ${seconds(path.ticks / rate)} s` }));
+    this.tip.style.transform = `translate(${event.clientX + 14}px, ${event.clientY + 14}px)`;
+  }
+
+  showSelection() {
+    const path = this.path();
+    this.stage.pathView?.select(path);
+    if (this.store.state.tick > this.length()) this.store.set({ tick: this.length() });
+    document.title = path ? `${this.report.title}: ${OUTCOME_STYLE[path.outcome].label}` : this.report.title;
+    this.dirty = true;
+  }
+
+  showPart() {
+    const { part } = this.store.state;
+    if (this.glowing >= 0) this.stage.levelView.glow(this.glowing, false);
+    this.glowing = part;
+    this.stage.levelView.glow(part, true);
+  }
+
+  applyToggles() {
+    const state = this.store.state;
+    this.stage.pathView?.show(state, state.path >= 0);
+    if (this.stage.markers) {
+      this.stage.markers.ends.visible = state.markers && state.attempts;
+      this.stage.markers.runners.visible = state.runners;
+    }
+    if (this.stage.regionView) this.stage.regionView.group.visible = state.regions;
+    if (this.stage.grid) this.stage.grid.visible = state.grid;
+    if (this.stage.motionPaths) this.stage.motionPaths.visible = state.motionPaths;
+    this.dirty = true;
+  }
+
+  focusSelection() {
+    const { part, tick } = this.store.state;
+    if (part >= 0) this.stage.rig.frame(this.stage.levelView.centreOf(part), 14);
+    else if (this.path()) {
+      const { x, y, z } = this.path().poseAt(tick);
+      this.stage.rig.frame(new Vector3(x, y + 2.5, z), 14);
+    } else this.stage.frameQuery(false);
+  }
+
+  frame(now) {
+    const passed = Math.min((now - this.lastFrame) / 1000, 0.25);
+    this.lastFrame = now;
+    this.playback.advance(passed);
+    this.hover();
+    const { state } = this.store;
+    const tick = Math.min(state.tick, this.length());
+    const path = this.path();
+    if (state.follow && path) {
+      const { x, y, z } = path.poseAt(tick);
+      this.stage.rig.follow(new Vector3(x, y + 2.5, z));
+    }
+    this.stage.resize();
+    const before = this.view();
+    this.stage.rig.update(passed, this.shift);
+    if (this.dirty || before !== this.view()) this.draw(tick, path);
+    requestAnimationFrame((next) => this.frame(next));
+  }
+
+  view() {
+    const { position, quaternion, aspect } = this.stage.rig.camera;
+    return [...position.toArray(), ...quaternion.toArray(), aspect].map((value) => value.toFixed(4)).join();
+  }
+
+  draw(tick, path) {
+    this.dirty = false;
+    if (!this.level()) return;
+    this.stage.showTick(path, tick);
+    this.stage.render();
+    this.labels.update(this.stage.rig.camera, this.stage.width, this.stage.height, this.store.state.labels && this.store.state.regions);
+    this.hud.show(path, tick, this.playback.rateOf(), this.stage.rig.now.yaw);
+    clearTimeout(this.saving);
+    this.saving = setTimeout(() => writeFragment(this.report, this.store.state, this.playback.rateOf(), this.stage.rig.save()), 300);
+  }
+}
+
+function start() {
+  try {
+    const report = readReport(byId('obby-data').textContent);
+    window.obby = new App(report); // for tests and for people at the console
+  } catch (error) {
+    document.body.replaceChildren(el('p', { class: 'fatal', text: `This report cannot be shown: ${error.message}` }));
+    throw error;
+  }
+}
+
+start();

@@ -1,0 +1,55 @@
+// What every colour of the page means. The accents keep apart for colour-blind eyes by lightness as well as hue, and
+// roles have a pattern of their own on top (scene/part_material.js).
+
+export const ROLE_STYLE = {
+  plain: { label: 'Part', color: '#77808f' },
+  start: { label: 'Start', color: '#35c48d' },
+  goal: { label: 'Goal', color: '#3f8cff' },
+  kill: { label: 'Kills', color: '#f0484e' },
+  moving: { label: 'Moves', color: '#a48bfa' },
+  vanish: { label: 'Vanishes', color: '#e6c85a' },
+  conveyor: { label: 'Conveyor', color: '#4cc3dd' },
+  pad: { label: 'Jump pad', color: '#f59a4c' },
+  checkpoint: { label: 'Checkpoint', color: '#8fe3c4' },
+  ghost: { label: 'Not solid', color: '#5b6472' },
+  loose: { label: 'Loose', color: '#b98f6f' },
+};
+
+export const OUTCOME_STYLE = {
+  goal: { label: 'Reached the goal', short: 'Goal', color: '#7fe3b5', glyph: 'ring' },
+  killed: { label: 'Killed', short: 'Killed', color: '#f0484e', glyph: 'cross' },
+  fell: { label: 'Fell', short: 'Fell', color: '#e29a5b', glyph: 'down' },
+  avoided: { label: 'Entered an avoid region', short: 'Avoid', color: '#d873c4', glyph: 'bar' },
+  jumps: { label: 'Too many jumps', short: 'Jumps', color: '#c9b458', glyph: 'up' },
+  timeout: { label: 'Out of time', short: 'Time', color: '#9aa4b5', glyph: 'clock' },
+  running: { label: 'Cut off', short: 'Cut off', color: '#8190a8', glyph: 'dot' },
+};
+
+export const VERDICT_STYLE = {
+  solved: { label: 'Solved', color: '#5fd6a2', mark: '✓' },
+  unreachable: { label: 'Unreachable', color: '#f0484e', mark: '✕' },
+  unknown: { label: 'Unknown', color: '#e6c85a', mark: '?' },
+  mismatch: { label: 'Replay mismatch', color: '#ff7ad9', mark: '≠' },
+  none: { label: 'No answer', color: '#8190a8', mark: '–' },
+};
+
+export const SOLUTION_COLOR = '#ffd166';
+export const SELECTED_COLOR = '#fff3c4';
+
+// The colour of a path in lists and in the scene.
+export function pathColor(path) {
+  if (path.mismatch) return VERDICT_STYLE.mismatch.color;
+  return path.outcome === 'goal' ? SOLUTION_COLOR : OUTCOME_STYLE[path.outcome].color;
+}
+
+export function verdictOf(query) {
+  if (query.paths.some((path) => path.mismatch && path.kind === 'solution')) return 'mismatch';
+  return query.result ? query.result.verdict : 'none';
+}
+
+// Why a path ended, in words.
+export function causeOf(path, level) {
+  const style = OUTCOME_STYLE[path.outcome];
+  if (path.part >= 0 && level && path.part < level.count) return `${style.label} by ${level.names[path.part]}`;
+  return style.label;
+}

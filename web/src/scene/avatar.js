@@ -1,0 +1,47 @@
+// The player: torso, head, arms and legs of the body that the simulator moves, with a simple walk so that facing and
+// pace can be read at a glance.
+import { BoxGeometry, Group, Mesh, MeshLambertMaterial } from 'three';
+
+function limb(width, height, depth, material, x, y) {
+  // The pivot is the limb's top, so that it swings from the hip or the shoulder.
+  const geometry = new BoxGeometry(width, height, depth).translate(0, -height / 2, 0);
+  const mesh = new Mesh(geometry, material);
+  mesh.position.set(x, y, 0);
+  return mesh;
+}
+
+export class Avatar {
+  constructor(body) {
+    const skin = new MeshLambertMaterial({ color: '#ffe2a8', emissive: '#3a2c10' });
+    const shirt = new MeshLambertMaterial({ color: '#ffb84d', emissive: '#3d2806' });
+    const trousers = new MeshLambertMaterial({ color: '#3c4660', emissive: '#0c0f16' });
+    const w = body.width / 2;
+    const hip = body.hip;
+    const neck = body.neck;
+    this.group = new Group();
+    const torso = new Mesh(new BoxGeometry(body.width, neck - hip, body.depth), shirt);
+    torso.position.y = (neck + hip) / 2;
+    const headSize = Math.max(0.3, body.top - neck);
+    const head = new Mesh(new BoxGeometry(headSize * 1.1, headSize, headSize * 1.1), skin);
+    head.position.y = neck + headSize / 2;
+    const visor = new Mesh(new BoxGeometry(headSize * 0.8, headSize * 0.28, 0.08), trousers);
+    visor.position.set(0, neck + headSize * 0.6, -headSize * 0.56);
+    const armWidth = Math.max(0.2, (body.span - body.width) / 2);
+    this.arms = [-1, 1].map((side) => limb(armWidth, neck - hip, body.depth, skin, side * (w + armWidth / 2), neck));
+    this.legs = [-1, 1].map((side) => limb(w * 0.98, hip, body.depth * 0.98, trousers, (side * w) / 2, hip));
+    this.group.add(torso, head, visor, ...this.arms, ...this.legs);
+    this.stride = Math.max(2, hip * 2.4);
+  }
+
+  // `travelled`: studs walked since the start, for the phase of the steps.
+  pose({ x, y, z, yaw }, speed, airborne, travelled) {
+    this.group.position.set(x, y, z);
+    this.group.rotation.y = yaw;
+    const reach = airborne ? 0 : Math.min(0.75, speed / 22);
+    const swing = Math.sin((travelled / this.stride) * Math.PI) * reach;
+    this.legs[0].rotation.x = airborne ? 0.35 : swing;
+    this.legs[1].rotation.x = airborne ? -0.25 : -swing;
+    this.arms[0].rotation.x = airborne ? 2.6 : -swing;
+    this.arms[1].rotation.x = airborne ? 2.6 : swing;
+  }
+}

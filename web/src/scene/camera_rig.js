@@ -1,0 +1,130 @@
+// The camera as in the level editor: left-drag orbits, right-drag looks, middle-drag pans, the wheel moves in and out,
+// WASD and QE fly. It can follow the player and glides to whatever is framed.
+import { MathUtils, PerspectiveCamera, Vector3 } from 'three';
+
+const kKeys = { KeyW: [0, 0, 1], KeyS: [0, 0, -1], KeyA: [-1, 0, 0], KeyD: [1, 0, 0], KeyE: [0, 1, 0], KeyQ: [0, -1, 0] };
+
+export class CameraRig {
+  constructor(canvas) {
+    this.camera = new PerspectiveCamera(50, 1, 0.1, 20000);
+    this.target = new Vector3(); // pivot of orbiting
+    this.goal = { target: new Vector3(), yaw: 0.7, pitch: -0.5, distance: 60 };
+    this.now = { target: new Vector3(), yaw: 0.7, pitch: -0.5, distance: 60 };
+    this.keys = new Set();
+    this.flySpeed = 40;
+    this.drag = null;
+    this.onUserMove = () => {};
+    this.listen(canvas);
+  }
+
+  listen(canvas) {
+    canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+    canvas.addEventListener('pointerdown', (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      this.drag = { button: event.shiftKey && event.button === 0 ? 1 : event.button, x: event.clientX, y: event.clientY };
+    });
+    canvas.addEventListener('pointermove', (event) => this.dragTo(event));
+    canvas.addEventListener('pointerup', () => { this.drag = null; });
+    canvas.addEventListener('pointercancel', () => { this.drag = null; });
+    canvas.addEventListener('wheel', (event) => {
+      event.preventDefault();
+      if (this.drag?.button === 2) this.flySpeed = MathUtils.clamp(this.flySpeed * Math.exp(-event.deltaY / 600), 2, 2000);
+      else this.goal.distance = MathUtils.clamp(this.goal.distance * Math.exp(event.deltaY / 700), 1, 8000);
+    }, { passive: false });
+    window.addEventListener('blur', () => this.keys.clear());
+  }
+
+  dragTo(event) {
+    if (!this.drag) return;
+    const dx = event.clientX - this.drag.x;
+    const dy = event.clientY - this.drag.y;
+    this.drag.x = event.clientX;
+    this.drag.y = event.clientY;
+    if (this.drag.button === 1) this.pan(dx, dy);
+    else this.turn(dx, dy, this.drag.button === 2);
+  }
+
+  turn(dx, dy, aboutEye) {
+    const eye = this.eyeOf(this.goal);
+    this.goal.yaw -= dx * 0.005;
+    this.goal.pitch = MathUtils.clamp(this.goal.pitch - dy * 0.005, -1.55, 1.55);
+    if (aboutEye) {
+      this.onUserMove();
+      this.goal.target.copy(eye).addScaledVector(this.forwardOf(this.goal), this.goal.distance);
+    }
+  }
+
+  pan(dx, dy) {
+    this.onUserMove();
+    const studs = (2 * this.goal.distance * Math.tan(MathUtils.degToRad(this.camera.fov / 2))) / innerHeight;
+    const right = new Vector3(1, 0, 0).applyQuaternion(this.camera.quaternion);
+    const up = new Vector3(0, 1, 0).applyQuaternion(this.camera.quaternion);
+    this.goal.target.addScaledVector(right, -dx * studs).addScaledVector(up, dy * studs);
+  }
+
+  forwardOf({ yaw, pitch }) {
+    return new Vector3(-Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), -Math.cos(yaw) * Math.cos(pitch));
+  }
+
+  eyeOf(view) {
+    return view.target.clone().addScaledVector(this.forwardOf(view), -view.distance);
+  }
+
+  key(code, down) {
+    if (!(code in kKeys)) return false;
+    if (down) this.keys.add(code);
+    else this.keys.delete(code);
+    return true;
+  }
+
+  fly(seconds, fast) {
+    const move = new Vector3();
+    for (const code of this.keys) move.add(new Vector3(...kKeys[code]));
+    if (move.lengthSq() === 0) return;
+    this.onUserMove();
+    const forward = this.forwardOf(this.goal);
+    const right = new Vector3(Math.cos(this.goal.yaw), 0, -Math.sin(this.goal.yaw));
+    const step = seconds * this.flySpeed * (fast ? 4 : 1);
+    this.goal.target.addScaledVector(forward, move.z * step).addScaledVector(right, move.x * step);
+    this.goal.target.y += move.y * step;
+  }
+
+  // Puts a sphere in view. `view` may set yaw and pitch too.
+  frame(centre, radius, view = {}, atOnce = false) {
+    const fit = Math.tan(MathUtils.degToRad(this.camera.fov / 2)) * Math.min(1, this.camera.aspect);
+    Object.assign(this.goal, view);
+    this.goal.target.copy(centre);
+    this.goal.distance = Math.max(4, (radius / fit) * 1.08);
+    if (atOnce) this.settle();
+  }
+
+  follow(point) {
+    this.goal.target.copy(point);
+  }
+
+  settle() {
+    this.now = { ...this.goal, target: this.goal.target.clone() };
+  }
+
+  update(seconds, fast) {
+    this.fly(seconds, fast);
+    const share = 1 - Math.exp(-seconds * 14);
+    this.now.target.lerp(this.goal.target, share);
+    for (const name of ['yaw', 'pitch', 'distance']) this.now[name] += (this.goal[name] - this.now[name]) * share;
+    this.camera.position.copy(this.eyeOf(this.now));
+    this.camera.near = Math.max(0.05, this.now.distance / 500);
+    this.camera.far = Math.max(4000, this.now.distance * 40);
+    this.camera.lookAt(this.now.target);
+    this.camera.updateProjectionMatrix();
+  }
+
+  save() {
+    const { target, yaw, pitch, distance } = this.goal;
+    return [target.x, target.y, target.z, yaw, pitch, distance];
+  }
+
+  restore([x, y, z, yaw, pitch, distance]) {
+    this.goal = { target: new Vector3(x, y, z), yaw, pitch, distance };
+    this.settle();
+  }
+}

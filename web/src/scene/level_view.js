@@ -1,0 +1,169 @@
+// The level in 3D: one InstancedMesh for each shape, translucency and mobility; moving and vanishing parts follow the
+// level clock.
+import {
+  Color, DynamicDrawUsage, Group, InstancedBufferAttribute, InstancedMesh, Matrix4, Quaternion, StaticDrawUsage, Vector3,
+} from 'three';
+import { ROLES, SHAPES } from '../data.js';
+import { ROLE_STYLE } from '../palette.js';
+import { partMaterial, ROLE_PATTERN } from './part_material.js';
+import { hullGeometry, scaleOf, unitGeometry } from './shapes.js';
+
+const kNeutral = new Color('#808998');
+const kFaint = 0.1; // opacity of a part while it has vanished
+
+export class LevelView {
+  constructor(level) {
+    this.level = level;
+    this.group = new Group();
+    this.uniforms = { uTime: { value: 0 }, uPatterns: { value: 1 } };
+    this.slots = new Array(level.count); // part -> [{mesh, at}]
+    this.trackOf = new Map(level.tracks.map((track) => [track.part, track]));
+    this.vanishOf = new Map(level.vanish.map((rule) => [rule.part, rule]));
+    this.flowOf = new Map(level.conveyors.map((belt) => [belt.part, belt.velocity]));
+    this.build();
+    this.setColors('roles');
+  }
+
+  shapeOf(part) {
+    return SHAPES[this.level.shape[part]];
+  }
+
+  roleOf(part) {
+    return ROLES[this.level.role[part]];
+  }
+
+  // Parts that share a mesh share this key.
+  keyOf(part) {
+    const alpha = this.level.look[4 * part + 3];
+    const translucent = alpha < 250 || this.vanishOf.has(part) || this.roleOf(part) === 'ghost';
+    return `${this.shapeOf(part)} ${translucent ? 'translucent' : 'opaque'} ${this.trackOf.has(part) ? 'moving' : 'still'}`;
+  }
+
+  build() {
+    const groups = new Map();
+    const hullsOf = new Map(this.level.hulls.map((hull) => [hull.part, hull.pieces]));
+    for (let part = 0; part < this.level.count; part++) {
+      if (this.shapeOf(part) === 'hull' && hullsOf.has(part)) {
+        for (const piece of hullsOf.get(part)) this.addMesh(hullGeometry(piece), this.keyOf(part), [part]);
+        continue;
+      }
+      const key = this.keyOf(part);
+      if (!groups.has(key)) groups.set(key, []);
+      groups.get(key).push(part);
+    }
+    for (const [key, parts] of groups) this.addMesh(unitGeometry(key.split(' ')[0]), key, parts);
+  }
+
+  addMesh(geometry, key, parts) {
+    const [shape, look, mobility] = key.split(' ');
+    const mesh = new InstancedMesh(geometry, partMaterial(shape, look === 'translucent', this.uniforms), parts.length);
+    const usage = mobility === 'moving' ? DynamicDrawUsage : StaticDrawUsage;
+    mesh.instanceMatrix.setUsage(usage);
+    mesh.frustumCulled = mobility === 'still';
+    mesh.renderOrder = look === 'translucent' ? 1 : 0;
+    mesh.userData.parts = parts;
+    const attribute = (name, width) => geometry.setAttribute(name,
+      new InstancedBufferAttribute(new Float32Array(parts.length * width), width));
+    attribute('aPattern', 1);
+    attribute('aAlpha', 1);
+    attribute('aGlow', 1);
+    attribute('aFlow', 3);
+    parts.forEach((part, at) => this.place(mesh, at, part));
+    this.group.add(mesh);
+  }
+
+  place(mesh, at, part) {
+    (this.slots[part] ??= []).push({ mesh, at });
+    const { position, rotation, size } = this.level;
+    const shape = this.shapeOf(part);
+    const turn = new Quaternion().fromArray(rotation, 4 * part).normalize();
+    const scale = new Vector3(...scaleOf(shape, size.subarray(3 * part, 3 * part + 3)));
+    mesh.setMatrixAt(at, new Matrix4().compose(new Vector3().fromArray(position, 3 * part), turn, scale));
+    mesh.geometry.attributes.aPattern.setX(at, ROLE_PATTERN[this.roleOf(part)] ?? 0);
+    mesh.geometry.attributes.aAlpha.setX(at, this.alphaOf(part));
+    const flow = this.flowOf.get(part);
+    if (flow) {
+      const local = new Vector3(...flow).applyQuaternion(turn.clone().invert());
+      mesh.geometry.attributes.aFlow.setXYZ(at, local.x, local.y, local.z);
+    }
+  }
+
+  alphaOf(part) {
+    const alpha = this.level.look[4 * part + 3] / 255;
+    // An invisible part still matters to the player: it is shown faintly.
+    return Math.max(alpha, this.roleOf(part) === 'plain' ? 0.12 : 0.3);
+  }
+
+  setColors(mode) {
+    const color = new Color();
+    const own = new Color();
+    this.uniforms.uPatterns.value = mode === 'roles' ? 1 : 0.5;
+    for (let part = 0; part < this.level.count; part++) {
+      const look = this.level.look;
+      own.setRGB(look[4 * part] / 255, look[4 * part + 1] / 255, look[4 * part + 2] / 255, 'srgb');
+      const role = this.roleOf(part);
+      if (mode === 'level') color.copy(own);
+      else if (role === 'plain') color.copy(own).lerp(kNeutral, 0.78);
+      else color.set(ROLE_STYLE[role].color);
+      for (const { mesh, at } of this.slots[part]) mesh.setColorAt(at, color);
+    }
+    for (const mesh of this.group.children) mesh.instanceColor.needsUpdate = true;
+  }
+
+  // `tick`: of the level clock. `gone`: parts without collision now, by the trajectory's own events.
+  update(tick, gone) {
+    this.uniforms.uTime.value = tick / this.level.tickRate;
+    for (const [part, track] of this.trackOf) this.pose(part, track.at(tick), track);
+    for (const [part, rule] of this.vanishOf) {
+      const away = rule.trigger === 'timer' ? this.timedAway(rule, tick) : gone.has(part);
+      this.setAttribute(part, 'aAlpha', away ? kFaint : this.alphaOf(part));
+    }
+  }
+
+  timedAway(rule, tick) {
+    const period = rule.delay + rule.away;
+    return period > 0 && (tick / this.level.tickRate + rule.phase) % period >= rule.delay;
+  }
+
+  pose(part, { i, next, share }, track) {
+    const matrix = new Matrix4();
+    for (const { mesh, at } of this.slots[part]) {
+      const position = new Vector3();
+      const rotation = new Quaternion();
+      const scale = new Vector3();
+      mesh.getMatrixAt(at, matrix);
+      matrix.decompose(position, rotation, scale);
+      if (track.position) {
+        position.fromArray(track.position, 3 * i).lerp(new Vector3().fromArray(track.position, 3 * next), share);
+      }
+      if (track.rotation) {
+        rotation.fromArray(track.rotation, 4 * i).normalize()
+          .slerp(new Quaternion().fromArray(track.rotation, 4 * next).normalize(), share);
+      }
+      mesh.setMatrixAt(at, matrix.compose(position, rotation, scale));
+      mesh.instanceMatrix.needsUpdate = true;
+    }
+  }
+
+  setAttribute(part, name, value) {
+    for (const { mesh, at } of this.slots[part] ?? []) {
+      const attribute = mesh.geometry.attributes[name];
+      if (attribute.getX(at) !== value) {
+        attribute.setX(at, value);
+        attribute.needsUpdate = true;
+      }
+    }
+  }
+
+  glow(part, on) {
+    if (part >= 0) this.setAttribute(part, 'aGlow', on ? 1 : 0);
+  }
+
+  // Centre of a part as it is drawn now.
+  centreOf(part) {
+    const { mesh, at } = this.slots[part][0];
+    const matrix = new Matrix4();
+    mesh.getMatrixAt(at, matrix);
+    return new Vector3().setFromMatrixPosition(matrix);
+  }
+}

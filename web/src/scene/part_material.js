@@ -1,0 +1,93 @@
+// How parts look: soft light, fine edges, and a pattern per role in studs (stripes kill, chevrons carry, rings throw,
+// checks are the goal, dots vanish), so that a role is told without its colour too.
+import { DoubleSide, FrontSide, MeshLambertMaterial } from 'three';
+
+export const PATTERN = { none: 0, stripes: 1, chevrons: 2, rings: 3, checks: 4, dots: 5 };
+export const ROLE_PATTERN = {
+  kill: PATTERN.stripes, conveyor: PATTERN.chevrons, pad: PATTERN.rings, goal: PATTERN.checks, vanish: PATTERN.dots,
+};
+
+const VERTEX_HEAD = `
+attribute float aPattern; attribute float aAlpha; attribute float aGlow; attribute vec3 aFlow;
+varying vec3 vLocal; varying vec3 vHalf; varying vec3 vFace; varying vec3 vFlow;
+varying float vPattern; varying float vAlpha; varying float vGlow;
+`;
+const VERTEX_BODY = `
+vec3 partScale = vec3(length(instanceMatrix[0].xyz), length(instanceMatrix[1].xyz), length(instanceMatrix[2].xyz));
+vLocal = position * partScale; vHalf = 0.5 * partScale; vFace = normal; vFlow = aFlow;
+vPattern = aPattern; vAlpha = aAlpha; vGlow = aGlow;
+`;
+const FRAGMENT_HEAD = `
+varying vec3 vLocal; varying vec3 vHalf; varying vec3 vFace; varying vec3 vFlow;
+varying float vPattern; varying float vAlpha; varying float vGlow;
+uniform float uTime; uniform float uPatterns;
+vec2 faceUv(vec3 p) {
+  vec3 n = abs(vFace);
+  return n.y > n.x && n.y > n.z ? p.xz : n.x > n.z ? p.zy : p.xy;
+}
+// 0 to 1 across an edge at 0.5, smooth at any distance, and its mean where it is finer than a pixel.
+float band(float v) {
+  float w = fwidth(v);
+  float s = abs(fract(v) - 0.5) * 2.0;
+  return mix(smoothstep(0.5 - w, 0.5 + w, s), 0.5, smoothstep(0.4, 1.0, w));
+}
+float pattern() {
+  vec2 uv = faceUv(vLocal);
+  if (vPattern < 0.5) return 0.0;
+  if (vPattern < 1.5) return band((uv.x + uv.y) / 2.2);
+  if (vPattern < 2.5) {
+    float speed = length(vFlow);
+    vec3 along = vFlow / max(speed, 1e-3);
+    vec2 side = faceUv(vLocal - along * dot(vLocal, along));
+    return band((dot(vLocal, along) - 0.7 * length(side)) / 4.0 - uTime * speed / 4.0);
+  }
+  if (vPattern < 3.5) return band(length(uv) / 1.6 - uTime * 0.8);
+  if (vPattern < 4.5) return abs(band(uv.x / 4.0 + 0.25) - band(uv.y / 4.0 + 0.25));
+  vec2 cell = fract(uv / 1.5) - 0.5;
+  float w = fwidth(uv.x + uv.y) / 1.5;
+  return mix(smoothstep(0.24 + w, 0.24 - w, length(cell)), 0.2, smoothstep(0.3, 0.8, w));
+}
+float edge() {
+  vec3 gap = vHalf - abs(vLocal);
+  gap += step(0.99, abs(vFace)) * 1e4;
+  float d = min(gap.x, min(gap.y, gap.z));
+  float w = max(fwidth(d), 1e-5);
+  float thin = min(vHalf.x, min(vHalf.y, vHalf.z));
+  return (1.0 - smoothstep(0.6 * w, 1.6 * w, d)) * (1.0 - smoothstep(0.25, 0.8, w / max(thin, 0.3)));
+}
+`;
+const FRAGMENT_BODY = `
+float mark = pattern() * uPatterns;
+diffuseColor.rgb = mix(diffuseColor.rgb, vPattern > 3.5 && vPattern < 4.5 ? diffuseColor.rgb * 1.5 + 0.05
+  : diffuseColor.rgb * 0.62, mark);
+#ifdef OBBY_LATTICE
+  vec2 cell = fract(faceUv(vLocal) / 2.0);
+  vec2 rim = min(cell, 1.0 - cell);
+  if (min(min(rim.x, rim.y), min(abs(cell.x - cell.y), abs(cell.x + cell.y - 1.0)) * 0.7) > 0.085) discard;
+#endif
+#ifdef OBBY_EDGES
+  diffuseColor.rgb = mix(diffuseColor.rgb, diffuseColor.rgb * 1.35 + 0.05, edge());
+#endif
+diffuseColor.rgb += vGlow * vec3(0.16, 0.16, 0.13);
+diffuseColor.a *= vAlpha;
+`;
+
+// `uniforms` is shared by all materials: uTime in seconds of play, uPatterns 0 or 1.
+export function partMaterial(shape, translucent, uniforms) {
+  const lattice = shape === 'truss';
+  const material = new MeshLambertMaterial({
+    transparent: translucent, depthWrite: !translucent, side: lattice ? DoubleSide : FrontSide,
+  });
+  material.defines = {};
+  if (lattice) material.defines.OBBY_LATTICE = '';
+  if (['block', 'wedge', 'cornerWedge', 'truss'].includes(shape)) material.defines.OBBY_EDGES = '';
+  material.onBeforeCompile = (shader) => {
+    Object.assign(shader.uniforms, uniforms);
+    shader.vertexShader = VERTEX_HEAD + shader.vertexShader.replace('#include <begin_vertex>',
+      `#include <begin_vertex>\n${VERTEX_BODY}`);
+    shader.fragmentShader = FRAGMENT_HEAD + shader.fragmentShader.replace('#include <color_fragment>',
+      `#include <color_fragment>\n${FRAGMENT_BODY}`);
+  };
+  material.customProgramCacheKey = () => `${lattice} ${'OBBY_EDGES' in material.defines}`;
+  return material;
+}

@@ -1,0 +1,80 @@
+// The regions of a query as translucent boxes with floating labels.
+import {
+  BoxGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, Quaternion, RingGeometry,
+  ShaderMaterial, Color, Vector3,
+} from 'three';
+import { ROLE_STYLE } from '../palette.js';
+
+const kAvoid = '#d873c4';
+const kWaypoint = '#ffd166';
+
+// Fades upward, so that a tall box does not hide what stands in it.
+function fillMaterial(color) {
+  return new ShaderMaterial({
+    transparent: true, depthWrite: false, side: DoubleSide,
+    uniforms: { uColor: { value: new Color(color) } },
+    vertexShader: 'varying float vUp; void main() { vUp = uv.y; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); vUp = position.y + 0.5; }',
+    fragmentShader: 'uniform vec3 uColor; varying float vUp; void main() { gl_FragColor = vec4(uColor, mix(0.26, 0.05, vUp)); }',
+  });
+}
+
+function box(region, color) {
+  const group = new Group();
+  const geometry = new BoxGeometry(1, 1, 1);
+  const fill = new Mesh(geometry, fillMaterial(color));
+  fill.renderOrder = 3;
+  const edges = new LineSegments(new EdgesGeometry(geometry),
+    new LineBasicMaterial({ color, transparent: true, opacity: 0.85 }));
+  edges.renderOrder = 4;
+  group.add(fill, edges);
+  group.position.fromArray(region.position);
+  group.quaternion.copy(new Quaternion().fromArray(region.rotation).normalize());
+  group.scale.fromArray(region.size);
+  return group;
+}
+
+function ring(position) {
+  const mesh = new Mesh(new RingGeometry(1.5, 1.9, 48).rotateX(-Math.PI / 2),
+    fillMaterial(ROLE_STYLE.start.color));
+  mesh.material.fragmentShader = 'uniform vec3 uColor; void main() { gl_FragColor = vec4(uColor, 0.9); }';
+  mesh.position.fromArray(position);
+  mesh.position.y += 0.06;
+  mesh.renderOrder = 3;
+  return mesh;
+}
+
+function top(region) {
+  const turn = new Quaternion().fromArray(region.rotation).normalize();
+  const half = region.size.map((v) => v / 2);
+  const up = [0, 1, 2].reduce((sum, k) => {
+    const axis = new Vector3().setComponent(k, half[k]).applyQuaternion(turn);
+    return sum + Math.abs(axis.y);
+  }, 0);
+  return new Vector3().fromArray(region.position).add(new Vector3(0, up + 0.4, 0));
+}
+
+export class RegionView {
+  constructor(query) {
+    this.group = new Group();
+    this.labels = []; // {text, at, color}
+    const add = (region, color, text) => {
+      this.group.add(box(region, color));
+      this.labels.push({ text, at: top(region), color });
+    };
+    if (query.start) add(query.start, ROLE_STYLE.start.color, 'Start');
+    else if (query.startPosition) {
+      this.group.add(ring(query.startPosition));
+      this.labels.push({ text: 'Start', at: new Vector3().fromArray(query.startPosition).add(new Vector3(0, 6.4, 0)), color: ROLE_STYLE.start.color });
+    }
+    if (query.goal) add(query.goal, ROLE_STYLE.goal.color, 'Goal');
+    query.waypoints.forEach((waypoint, i) => {
+      const limit = waypoint.maxJumps >= 0 ? ` · ≤ ${waypoint.maxJumps} jumps` : '';
+      add(waypoint.region, kWaypoint, `${i + 1}${waypoint.region.name ? ` ${waypoint.region.name}` : ''}${limit}`);
+    });
+    query.avoid.forEach((region) => add(region, kAvoid, region.name || 'Avoid'));
+  }
+
+  dispose() {
+    this.group.traverse((node) => { node.geometry?.dispose(); node.material?.dispose(); });
+  }
+}

@@ -1,0 +1,179 @@
+// The 3D stage: level, regions, trajectories, player, light and ground, redrawn when something changed.
+import {
+  Box3, Color, DirectionalLight, Fog, GridHelper, Group, HemisphereLight, Line, BufferGeometry, Float32BufferAttribute,
+  LineDashedMaterial, Scene, Vector3, WebGLRenderer,
+} from 'three';
+import { ROLE_STYLE } from '../palette.js';
+import { Avatar } from './avatar.js';
+import { CameraRig } from './camera_rig.js';
+import { LevelView } from './level_view.js';
+import { Markers } from './markers.js';
+import { PathView } from './path_view.js';
+import { pickPart, pickPath } from './picking.js';
+import { RegionView } from './regions.js';
+
+const kBackground = '#12151c';
+const kAirborne = 1; // bit of a sample's state
+
+export class Stage {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.scene = new Scene();
+    this.scene.background = new Color(kBackground);
+    this.rig = new CameraRig(canvas);
+    const sun = new DirectionalLight('#fff4e0', 2.1);
+    sun.position.set(0.45, 1, 0.3);
+    const rim = new DirectionalLight('#8fb0ff', 0.7);
+    rim.position.set(-0.6, 0.35, -0.7);
+    this.scene.add(new HemisphereLight('#dfe8ff', '#2a2c36', 1.35), sun, rim);
+    this.bounds = new Box3();
+  }
+
+  clear() {
+    if (this.levelView) this.scene.remove(this.levelView.group, this.avatar.group, this.grid, this.motionPaths);
+  }
+
+  setLevel(level) {
+    this.clear();
+    this.level = level;
+    this.levelView = new LevelView(level);
+    this.avatar = new Avatar(level.body);
+    this.avatar.group.visible = false;
+    this.measure(level);
+    const size = Math.max(64, Math.ceil(this.radius / 32) * 128);
+    this.grid = new GridHelper(size, Math.min(200, size / 8), '#2a303c', '#1c212b');
+    this.grid.position.set(this.centre.x, this.bounds.min.y - 4, this.centre.z);
+    this.scene.fog = new Fog(kBackground, this.radius * 4, this.radius * 14);
+    this.motionPaths = this.pathsOfMotion(level);
+    this.scene.add(this.levelView.group, this.avatar.group, this.grid, this.motionPaths);
+  }
+
+  // A sphere around the level that a few strays cannot blow up.
+  measure(level) {
+    const axis = (k) => Float32Array.from({ length: level.count }, (_, i) => level.position[3 * i + k]).sort();
+    const at = (values, share) => values[Math.min(values.length - 1, Math.floor(share * values.length))] ?? 0;
+    this.bounds = new Box3();
+    const sorted = [0, 1, 2].map(axis);
+    this.bounds.min.set(...sorted.map((values) => at(values, 0.02)));
+    this.bounds.max.set(...sorted.map((values) => at(values, 0.98)));
+    this.bounds.expandByScalar(4);
+    this.centre = this.bounds.getCenter(new Vector3());
+    this.radius = Math.max(10, this.bounds.getSize(new Vector3()).length() / 2);
+  }
+
+  pathsOfMotion(level) {
+    const group = new Group();
+    for (const track of level.tracks) {
+      if (!track.position) continue;
+      const geometry = new BufferGeometry();
+      geometry.setAttribute('position', new Float32BufferAttribute(track.position, 3));
+      const line = new Line(geometry, new LineDashedMaterial({
+        color: ROLE_STYLE.moving.color, dashSize: 0.6, gapSize: 0.5, transparent: true, opacity: 0.45, depthWrite: false,
+      }));
+      line.computeLineDistances();
+      group.add(line);
+    }
+    return group;
+  }
+
+  setQuery(query) {
+    for (const view of [this.regionView, this.pathView, this.markers]) {
+      if (!view) continue;
+      this.scene.remove(view.group);
+      view.dispose();
+    }
+    this.query = query;
+    this.regionView = new RegionView(query);
+    this.pathView = new PathView(query);
+    this.markers = new Markers(query, this.renderer.getPixelRatio());
+    this.scene.add(this.regionView.group, this.pathView.group, this.markers.group);
+  }
+
+  // Where play of this query happens: its regions and trajectories, or else the level.
+  queryBox() {
+    const box = new Box3();
+    if (this.regionView) box.expandByObject(this.regionView.group);
+    for (const path of this.query?.paths ?? []) {
+      if (path.kind !== 'solution') continue;
+      for (let i = 0; i < path.samples; i += 8) box.expandByPoint(new Vector3().fromArray(path.points, 3 * i));
+    }
+    return box.isEmpty() ? this.bounds.clone() : box.expandByScalar(3);
+  }
+
+  frameQuery(atOnce) {
+    const box = this.queryBox();
+    const size = box.getSize(new Vector3());
+    // Look along the shorter side, so that the course runs across the screen.
+    const yaw = size.x >= size.z ? 0.45 : Math.PI / 2 - 0.45;
+    this.rig.frame(box.getCenter(new Vector3()), Math.max(6, size.length() / 2) * 0.92, { yaw, pitch: -0.52 }, atOnce);
+  }
+
+  frameTop() {
+    const box = this.queryBox();
+    const size = box.getSize(new Vector3());
+    this.rig.frame(box.getCenter(new Vector3()), size.length() / 2, { yaw: 0, pitch: -1.549 });
+  }
+
+  visibleOf(state) {
+    return (path) => (path.kind === 'solution' ? state.solutions : state.attempts);
+  }
+
+  pick(state, x, y) {
+    return pickPath(this.query?.paths ?? [], this.rig.camera, this.width, this.height, x, y, this.visibleOf(state));
+  }
+
+  pickPart(x, y) {
+    return pickPart(this.levelView.group, this.rig.camera, this.width, this.height, x, y);
+  }
+
+  resize() {
+    const { clientWidth, clientHeight } = this.canvas.parentElement;
+    if (this.width === clientWidth && this.height === clientHeight) return;
+    [this.width, this.height] = [clientWidth, clientHeight];
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.rig.camera.aspect = clientWidth / Math.max(1, clientHeight);
+  }
+
+  showTick(path, tick) {
+    const clock = (path?.startTick ?? this.query?.startTick ?? 0) + tick;
+    this.levelView.update(clock, path ? this.goneAt(path, tick) : new Set());
+    this.markers?.update(tick);
+    this.avatar.group.visible = Boolean(path);
+    if (!path) return;
+    const pose = path.poseAt(tick);
+    const speed = Math.hypot(pose.perTick[0], pose.perTick[2]) * this.level.tickRate;
+    this.avatar.pose(pose, speed, (pose.state & kAirborne) !== 0, this.travelled(path, tick));
+    this.pathView.play(path, tick);
+  }
+
+  goneAt(path, tick) {
+    const gone = new Set();
+    for (const [at, part, solid] of path.events) {
+      if (at > tick) break;
+      if (solid) gone.delete(part);
+      else gone.add(part);
+    }
+    return gone;
+  }
+
+  // Studs walked so far; sums once per path.
+  travelled(path, tick) {
+    if (!path.sums) {
+      path.sums = new Float32Array(path.samples);
+      for (let i = 1; i < path.samples; i++) {
+        const p = path.points;
+        path.sums[i] = path.sums[i - 1] + Math.hypot(p[3 * i] - p[3 * i - 3], p[3 * i + 2] - p[3 * i - 1]);
+      }
+    }
+    const s = Math.min(tick / path.stride, path.samples - 1);
+    const i = Math.floor(s);
+    const next = path.sums[Math.min(i + 1, path.samples - 1)];
+    return path.sums[i] + (next - path.sums[i]) * (s - i);
+  }
+
+  render() {
+    this.renderer.render(this.scene, this.rig.camera);
+  }
+}

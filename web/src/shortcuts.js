@@ -1,0 +1,63 @@
+// The keyboard. No shortcut fires while something is typed, or with Ctrl, Alt or Meta held.
+
+function typing(target) {
+  return target instanceof HTMLElement && (target.matches('input[type=search], select, textarea') || target.isContentEditable);
+}
+
+function move(app, name, by, most) {
+  if (most <= 0) return;
+  const at = app.store.state[name];
+  app.store.set({ [name]: (Math.max(0, at + (at < 0 ? Math.max(by, 0) : by)) + most) % most });
+}
+
+function neighbour(app, by) {
+  move(app, 'path', by, app.query()?.paths.length ?? 0);
+  app.store.set({ tick: 0 });
+}
+
+const kToggles = ['solutions', 'attempts', 'markers', 'runners', 'regions', 'labels', 'motionPaths', 'grid'];
+
+// By what is printed on the key, for those whose place differs between keyboards.
+const kByKey = {
+  '?': (app) => app.help.toggle(),
+  '[': (app) => move(app, 'query', -1, app.report.queries.length),
+  ']': (app) => move(app, 'query', 1, app.report.queries.length),
+  '+': (app) => app.playback.faster(1),
+  '=': (app) => app.playback.faster(1),
+  '-': (app) => app.playback.faster(-1),
+  ' ': (app) => app.playback.toggle(),
+  ArrowLeft: (app, event) => app.playback.step(event.shiftKey ? -10 : -1),
+  ArrowRight: (app, event) => app.playback.step(event.shiftKey ? 10 : 1),
+  ArrowUp: (app) => neighbour(app, -1),
+  ArrowDown: (app) => neighbour(app, 1),
+  Home: (app) => app.playback.seek(0),
+  End: (app) => app.playback.seek(app.length()),
+  Escape: (app) => app.store.set({ path: -1, part: -1, playing: false, follow: false }),
+  l: (app) => app.store.set({ loop: !app.store.state.loop }),
+  c: (app) => app.store.set({ colors: app.store.state.colors === 'roles' ? 'level' : 'roles' }),
+  f: (app) => app.focusSelection(),
+  g: (app) => app.store.set({ follow: !app.store.state.follow }),
+  t: (app) => app.stage.frameTop(),
+  r: (app) => app.stage.frameQuery(false),
+};
+
+export function bindKeys(app) {
+  window.addEventListener('keydown', (event) => {
+    app.shift = event.shiftKey;
+    if (typing(event.target) || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (app.help.dialog.open && event.key !== '?') return;
+    if (app.stage.rig.key(event.code, true)) return;
+    const act = kByKey[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    const toggle = kToggles[Number(event.key) - 1];
+    if (!act && !toggle) return;
+    event.preventDefault();
+    if (act) act(app, event);
+    else app.store.set({ [toggle]: !app.store.state[toggle] });
+  });
+  window.addEventListener('keyup', (event) => {
+    app.shift = event.shiftKey;
+    app.stage.rig.key(event.code, false);
+    // A focused button would take Space for a click.
+    if (event.key === ' ' && event.target instanceof HTMLButtonElement) event.preventDefault();
+  });
+}

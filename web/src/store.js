@@ -1,0 +1,48 @@
+// The page's state: one flat object. `set` tells listeners which names changed; nothing else holds state.
+
+export class Store {
+  constructor(initial) {
+    this.state = { ...initial };
+    this.listeners = [];
+  }
+
+  set(patch) {
+    const changed = new Set();
+    for (const [name, value] of Object.entries(patch)) {
+      if (this.state[name] !== value) {
+        this.state[name] = value;
+        changed.add(name);
+      }
+    }
+    if (changed.size) for (const listener of this.listeners) listener(this.state, changed);
+  }
+
+  // `names`: the listener runs when one of them changed.
+  on(names, listener) {
+    this.listeners.push((state, changed) => {
+      if (names.some((name) => changed.has(name))) listener(state, changed);
+    });
+  }
+}
+
+export const INITIAL = {
+  query: 0,
+  path: -1,
+  tick: 0,
+  playing: false,
+  speed: 1,
+  loop: true,
+  follow: false,
+  hoverPath: -1,
+  hoverPart: -1,
+  part: -1,
+  colors: 'roles',
+  solutions: true,
+  attempts: true,
+  markers: true,
+  runners: false,
+  regions: true,
+  labels: true,
+  grid: true,
+  motionPaths: true,
+};

@@ -1,0 +1,52 @@
+// Small helpers to build and update elements; no markup is ever parsed from data.
+
+export function el(tag, options = {}, ...children) {
+  const node = document.createElement(tag);
+  const { class: name, text, on, data, style, ...attributes } = options;
+  if (name) node.className = name;
+  if (text !== undefined) node.textContent = text;
+  for (const [key, value] of Object.entries(attributes)) {
+    if (value === true) node.setAttribute(key, '');
+    else if (value !== false && value !== undefined) node.setAttribute(key, value);
+  }
+  for (const [key, value] of Object.entries(data ?? {})) node.dataset[key] = value;
+  for (const [key, value] of Object.entries(style ?? {})) node.style.setProperty(key, value);
+  for (const [event, listener] of Object.entries(on ?? {})) node.addEventListener(event, listener);
+  node.append(...children.filter((child) => child !== null && child !== undefined));
+  return node;
+}
+
+const kSvg = 'http://www.w3.org/2000/svg';
+
+export function svg(tag, attributes = {}, ...children) {
+  const node = document.createElementNS(kSvg, tag);
+  for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
+  node.append(...children);
+  return node;
+}
+
+const kIcons = {
+  play: 'M7 4.5v15l12-7.5z',
+  pause: 'M7 5h3.5v14H7zM13.5 5H17v14h-3.5z',
+  back: 'M16.5 5.5v13L8 12zM6 5.5h2v13H6z',
+  forward: 'M7.5 5.5v13L16 12zM16 5.5h2v13h-2z',
+  loop: 'M7 7h9v-3l5 4-5 4V9H8v4H6V8a1 1 0 0 1 1-1zm10 10H8v3l-5-4 5-4v3h8v-4h2v5a1 1 0 0 1-1 1z',
+};
+
+export function icon(name) {
+  return svg('svg', { viewBox: '0 0 24 24', class: 'icon', 'aria-hidden': 'true' }, svg('path', { d: kIcons[name] }));
+}
+
+export const seconds = (value) => (value >= 100 ? value.toFixed(0) : value.toFixed(2));
+
+// 1234567 as 1.23 M.
+export function count(value) {
+  const number = Number(value);
+  if (number < 10000) return String(number);
+  for (const [unit, name] of [[1e12, 'T'], [1e9, 'G'], [1e6, 'M'], [1e3, 'k']]) {
+    if (number >= unit) return `${(number / unit).toPrecision(3)} ${name}`;
+  }
+  return String(number);
+}
+
+export const plural = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
