@@ -69,7 +69,8 @@ Result<uint16_t> PartCompiler::roles(schema::Part::Reader part, const Pose& pose
     const bool timer = vanish.getTrigger() == schema::VanishTrigger::TIMER;
     if (timer && roles.vanishDelay + roles.vanishAway == 0)
       return pathError("vanish", "a period of 0 ticks");
-    flags |= timer ? kVanishTimer : part.getTouch() ? kVanishTouch : 0;
+    if (timer) flags |= kVanishTimer;
+    if (!timer && part.getTouch()) flags |= kVanishTouch;
   }
   if (!part.getTouch()) return flags;
   if (part.hasKill()) {

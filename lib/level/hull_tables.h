@@ -1,6 +1,7 @@
 // Face and edge tables of a convex hull from its vertices.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "math/vec.h"

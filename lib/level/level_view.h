@@ -110,6 +110,7 @@ struct QueryView {
   uint32_t waypointCount, avoidCount;
   int32_t maxJumps;         // -1: any
   uint32_t timeLimitTicks;  // 0: none
+  uint32_t startTick;       // level clock at the start of the playthrough
 };
 
 }  // namespace obby::level

@@ -14,7 +14,8 @@ namespace obby {
   X(float, gravity)                                                                               \
   X(float, walkSpeed)                                                                             \
   X(float, jumpSpeed)                                                                             \
-  X(float, maxSlope) X(float, maxHealth) X(float, healthRegeneration) X(float, fallenPartsHeight) \
+  X(float, maxSlope)                                                                              \
+  X(float, maxHealth) X(float, healthRegeneration) X(float, fallenPartsHeight)                    \
       X(uint16_t, controlRate) X(uint16_t, substeps) X(float, hipHeight) X(float, rootHeight)     \
           X(float, bodyWidth) X(float, bodyDepth) X(float, bodyTop) X(float, headBottom)          \
               X(float, armSpan) X(float, touchMargin) X(float, groundAccel) X(float, airAccel)    \

@@ -76,7 +76,8 @@ QueryView Query::view() const {
           uint32_t(waypoints_.size()),
           uint32_t(avoid_.size()),
           maxJumps_,
-          timeLimitTicks_};
+          timeLimitTicks_,
+          start_.tick};
 }
 
 }  // namespace obby::level

@@ -32,6 +32,9 @@ struct Plan {
   std::vector<ActionRun> actions;
 };
 
+// Longest plan that is replayed: 4 hours of play.
+constexpr uint64_t kMaxReplayTicks = 4ull * 3600 * 60;
+
 Result<Plan> planFromRecord(schema::Trajectory::Reader record);
 
 // Advances one tick under the query's rules; does nothing once the playthrough has ended. `query`

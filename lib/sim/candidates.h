@@ -1,0 +1,101 @@
+// The parts near a player during one tick, from one grid look-up: their poses now, their bounds,
+// and what they do now (a vanished part is not solid). Everything later in the tick looks at these
+// only.
+#pragma once
+
+#include "level/level_view.h"
+#include "sim/world.h"
+
+namespace obby::sim {
+
+constexpr int kMaxCandidates = 48;
+constexpr int kMaxMovingCandidates = 16;
+
+struct Candidate {
+  Box bounds;
+  const Pose* pose;
+  uint32_t collider;
+  uint16_t flags;
+};
+
+struct Candidates {
+  Candidate items[kMaxCandidates];
+  Pose moving[kMaxMovingCandidates];
+  int count = 0;
+  int movingCount = 0;
+  uint16_t anyFlags = 0;
+};
+
+// The list of grid cell that holds `feet`; null outside the grid, where nothing is near.
+OBBY_DEVICE const uint32_t* cellList(const level::Grid& g, Vec3 feet) {
+  const Vec3 c = mul(feet - g.origin, g.inverseCell);
+  if (!(c.x >= 0 && c.y >= 0 && c.z >= 0)) return nullptr;
+  if (!(c.x < float(g.nx) && c.y < float(g.ny) && c.z < float(g.nz))) return nullptr;
+  const int32_t cell = (int32_t(c.z) * g.ny + int32_t(c.y)) * g.nx + int32_t(c.x);
+  return g.lists + g.cells[cell];
+}
+
+// Where the player's limbs and rays can be during this tick.
+OBBY_DEVICE Box tickBounds(const World& w, const level::LevelView& level) {
+  const Params& p = level.params;
+  const float arms =
+      p.armSpan * 0.5f + p.bodyDepth * 0.5f + p.touchMargin;  // at least the diagonal
+  // Half a stud more than the present speed carries: a tick of acceleration, and being pushed.
+  const float side = arms + 0.5f + p.tickSeconds * maxf(absf(w.velocity.x), absf(w.velocity.z));
+  const float move = 0.5f + p.tickSeconds * absf(w.velocity.y) + p.tickSeconds * p.jumpSpeed;
+  const float below = p.floorReachBase * p.rootHeight + (p.floorKeep - 1.0f) * p.hipHeight;
+  return {w.position - Vec3{side, below + move, side},
+          w.position + Vec3{side, p.bodyTop + move, side}};
+}
+
+// Is a part with a vanishing role there at this tick?
+OBBY_DEVICE bool isAway(const World& w, const level::LevelView& level, uint32_t role,
+                        uint16_t flags) {
+  const level::Roles& r = level.roles[role];
+  if (flags & level::kVanishTimer) {
+    return (w.tick + r.vanishPhase) % (r.vanishDelay + r.vanishAway) >= r.vanishDelay;
+  }
+  for (int i = 0; i < w.vanishingCount; ++i) {
+    if (w.vanishing[i].role == role) return w.vanishing[i].ticks >= r.vanishDelay;
+  }
+  return false;
+}
+
+OBBY_DEVICE void gather(World& w, const level::LevelView& level, Candidates& out) {
+  const uint32_t* list = cellList(level.grid, w.position);
+  if (list == nullptr) return;
+  const Box near = tickBounds(w, level);
+  const uint32_t count = list[0];
+  for (uint32_t i = 1; i <= count; ++i) {
+    const uint32_t id = list[i];
+    Box bounds = level.bounds[id];
+    if (!overlaps(bounds, near)) continue;
+    uint16_t flags = level.flags[id];
+    const level::Collider& c = level.colliders[id];
+    const Pose* pose = &c.pose;
+    if (flags & (level::kMoving | level::kVanishTimer | level::kVanishTouch)) {
+      if ((flags & level::kMoving) && out.movingCount < kMaxMovingCandidates) {
+        // Parts move first, then the player: the pose at the end of the tick.
+        out.moving[out.movingCount] = moverPose(level.movers[c.mover], w.tick + 1);
+        bounds = boundsOf(out.moving[out.movingCount], c.shape.half);
+        if (!overlaps(bounds, near)) continue;
+        pose = &out.moving[out.movingCount++];
+      } else if (flags & level::kMoving) {
+        w.flags |= kCandidateOverrun;
+        continue;
+      }
+      if ((flags & (level::kVanishTimer | level::kVanishTouch)) &&
+          isAway(w, level, c.role, flags)) {
+        flags &= uint16_t(~level::kSolid);
+      }
+    }
+    if (out.count == kMaxCandidates) {
+      w.flags |= kCandidateOverrun;
+      return;
+    }
+    out.items[out.count++] = {bounds, pose, id, flags};
+    out.anyFlags |= flags;
+  }
+}
+
+}  // namespace obby::sim
