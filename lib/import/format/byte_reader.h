@@ -18,6 +18,9 @@ class ByteReader {
   size_t position() const { return at_; }
   size_t remaining() const { return failed_ ? 0 : bytes_.size() - at_; }
 
+  // Makes the reader fail: what was read makes no sense.
+  void fail() { failed_ = true; }
+
   // True if `count` values of `each` bytes are still there; otherwise the reader fails.
   bool has(uint64_t count, uint64_t each = 1) {
     const bool fits = each == 0 || count <= remaining() / each;

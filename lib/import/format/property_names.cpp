@@ -47,7 +47,7 @@ constexpr std::array kSpellings = {
 };
 
 // Surfaces, render data and editor bookkeeping. Sorted.
-constexpr std::array<std::string_view, 48> kDropped = {
+constexpr std::array<std::string_view, 47> kDropped = {
     "BackParamA",         "BackParamB",         "BackSurface",
     "BackSurfaceInput",   "BottomParamA",       "BottomParamB",
     "BottomSurface",      "BottomSurfaceInput", "Capabilities",
@@ -63,7 +63,7 @@ constexpr std::array<std::string_view, 48> kDropped = {
     "RightSurfaceInput",  "RootPriority",       "ScriptGuid",
     "SerializedMeshData", "SourceAssetId",      "TopParamA",
     "TopParamB",          "TopSurface",         "TopSurfaceInput",
-    "UsePartColor",       "VertexCount",        "WorldPivotData",
+    "UsePartColor",       "VertexCount",
 };
 
 }  // namespace

@@ -1,0 +1,32 @@
+// The property columns of the binary format: one value for each instance of a class, stored kind by
+// kind.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "import/document.h"
+#include "import/format/byte_reader.h"
+
+namespace obby::importer {
+
+// What columns refer to.
+struct ColumnContext {
+  std::vector<std::shared_ptr<const std::string>> sharedStrings;
+  std::unordered_map<int32_t, InstanceId> instances;  // by referent
+
+  Ref resolve(int32_t referent) const;
+};
+
+// True if readColumn knows the kind.
+bool isKnownKind(uint8_t kind);
+
+// Reads `count` values of `kind` into `out`. Returns what is wrong, or "". Memory is bounded by
+// what the reader holds.
+std::string readColumn(uint8_t kind, size_t count, ByteReader& reader, const ColumnContext& context,
+                       std::vector<Value>& out);
+
+}  // namespace obby::importer

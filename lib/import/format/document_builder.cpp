@@ -1,0 +1,171 @@
+// Normalises what the readers deliver, and orders the tree.
+#include "import/format/document_builder.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "import/format/attributes.h"
+#include "import/format/property_names.h"
+
+namespace obby::importer {
+namespace {
+
+// A document may take this much memory plus a multiple of the file's size: generous for real places
+// (about 100 bytes a part in the file), too little for files made to exhaust memory.
+constexpr size_t kBaseBudget = size_t{48} << 20;
+constexpr size_t kBudgetPerByte = 16;
+constexpr size_t kMaxDepth = 512;
+constexpr size_t kMaxWarnings = 100;
+constexpr size_t kMaxProperties = 1000;  // of one instance; the engine's classes have less than 200
+constexpr std::string_view kServices[] = {
+    "Workspace",     "Lighting",   "Players",     "StarterPlayer",      "ReplicatedStorage",
+    "ServerStorage", "StarterGui", "StarterPack", "ServerScriptService"};
+
+// The bytes of a property that formats store as a plain or as a shared string.
+const std::string* bytesOf(const Value& value) {
+  if (const auto* shared = std::get_if<SharedBlob>(&value)) return shared->bytes.get();
+  return std::get_if<std::string>(&value);
+}
+
+size_t cost(const Value& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  const auto* item = std::get_if<EnumItem>(&value);
+  return sizeof(std::pair<std::string, Value>) + (text ? text->size() : 0) +
+         (item ? item->type.size() : 0);
+}
+
+bool isService(const std::string& className) {
+  return std::find(std::begin(kServices), std::end(kServices), className) != std::end(kServices);
+}
+
+}  // namespace
+
+DocumentBuilder::DocumentBuilder(size_t inputBytes)
+    : budget_(kBaseBudget + kBudgetPerByte * inputBytes) {}
+
+InstanceId DocumentBuilder::add(std::string className) {
+  used_ += sizeof(Instance) + className.size() + 2 * sizeof(InstanceId);
+  document_.instances.emplace_back().className = std::move(className);
+  return static_cast<InstanceId>(document_.instances.size() - 1);
+}
+
+bool DocumentBuilder::set(InstanceId id, std::string_view name, Value value) {
+  Instance& instance = document_.instances[id];
+  used_ += cost(value);
+  if (overBudget()) return false;
+  if (name == "Name") {
+    if (const std::string* text = bytesOf(value)) instance.name = *text;
+    return true;
+  }
+  if (name == "Tags") {
+    if (const std::string* blob = bytesOf(value)) {
+      used_ += 2 * blob->size();
+      if (overBudget()) return false;
+      instance.tags = decodeTags(*blob);
+    }
+    return !overBudget();
+  }
+  if (name == "AttributesSerialize") {
+    if (const std::string* blob = bytesOf(value)) setAttributes(id, *blob);
+    return !overBudget();
+  }
+  PropertySpelling spelling = spellingOf(instance.className, name);
+  if (spelling.name.empty()) return true;
+  if (spelling.legacy && instance.properties.contains(spelling.name)) return true;
+  if (instance.properties.size() >= kMaxProperties) return true;
+  value = normalisedValue(instance.className, spelling.name, std::move(value));
+  instance.properties[spelling.name] = std::move(value);
+  return true;
+}
+
+void DocumentBuilder::setAttributes(InstanceId id, std::string_view blob) {
+  Instance& instance = document_.instances[id];
+  used_ += blob.size();
+  if (overBudget()) return;
+  DecodedAttributes decoded = decodeAttributes(blob);
+  for (const auto& [key, value] : decoded.values) used_ += key.size() + cost(value) + 64;
+  instance.attributes = std::move(decoded.values);
+  if (!decoded.warning.empty())
+    warn(instance.className + " '" + instance.name + "': " + decoded.warning);
+}
+
+void DocumentBuilder::setParent(InstanceId child, InstanceId parent) {
+  document_.instances[child].parent = parent;
+  auto& siblings = parent == kNoInstance ? document_.roots : document_.instances[parent].children;
+  siblings.push_back(child);
+}
+
+void DocumentBuilder::warn(std::string warning) {
+  if (document_.warnings.size() < kMaxWarnings) {
+    document_.warnings.push_back(std::move(warning));
+  } else {
+    ++droppedWarnings_;
+  }
+}
+
+Error DocumentBuilder::budgetError() const {
+  return makeError("the content is too large for a file of this size: more than " +
+                   std::to_string(budget_ >> 20) + " MiB");
+}
+
+// `order` has parents before children, so a parent's depth is known before its children's.
+Status DocumentBuilder::checkDepth(const std::vector<InstanceId>& order) const {
+  std::vector<uint32_t> depth(document_.instances.size(), 1);
+  for (const InstanceId id : order) {
+    const InstanceId parent = document_.instances[id].parent;
+    if (parent != kNoInstance) depth[id] = depth[parent] + 1;
+    if (depth[id] > kMaxDepth) {
+      return makeError("instances are nested deeper than " + std::to_string(kMaxDepth));
+    }
+  }
+  return {};
+}
+
+Result<Document> DocumentBuilder::finish(std::string file, bool binary) {
+  std::vector<Instance>& old = document_.instances;
+  std::vector<InstanceId> order, stack(document_.roots.rbegin(), document_.roots.rend());
+  order.reserve(old.size());
+  while (!stack.empty()) {
+    const InstanceId id = stack.back();
+    stack.pop_back();
+    order.push_back(id);
+    stack.insert(stack.end(), old[id].children.rbegin(), old[id].children.rend());
+  }
+  if (order.size() < old.size()) {
+    return makeError(std::to_string(old.size() - order.size()) +
+                     " instances are not below any root: they are their own ancestors");
+  }
+  OBBY_RETURN_IF_ERROR(checkDepth(order));
+
+  std::vector<InstanceId> newId(old.size());
+  for (size_t i = 0; i < order.size(); ++i) newId[order[i]] = static_cast<InstanceId>(i);
+  const auto translate = [&newId](InstanceId& id) {
+    id = id < newId.size() ? newId[id] : kNoInstance;
+  };
+  std::vector<Instance> sorted;
+  sorted.reserve(old.size());
+  for (const InstanceId id : order) {
+    Instance& instance = sorted.emplace_back(std::move(old[id]));
+    translate(instance.parent);
+    for (InstanceId& child : instance.children) translate(child);
+    for (auto& [name, value] : instance.properties) {
+      if (auto* ref = std::get_if<Ref>(&value)) translate(ref->target);
+    }
+    instance.properties.compact();
+  }
+  old = std::move(sorted);
+  bool place = false;
+  for (InstanceId& root : document_.roots) {
+    translate(root);
+    place = place || isService(old[root].className);
+  }
+  document_.file = std::move(file);
+  document_.format = std::string(place ? "rbxl" : "rbxm") + (binary ? "" : "x");
+  if (droppedWarnings_ > 0) {
+    document_.warnings.push_back("and " + std::to_string(droppedWarnings_) + " more warnings");
+  }
+  return std::move(document_);
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,50 @@
+// What every file format shares: it collects instances in any order, names and types their
+// properties alike, and at the end puts them into a Document with parents before children. Formats
+// only say what the file holds.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "import/document.h"
+
+namespace obby::importer {
+
+class DocumentBuilder {
+ public:
+  // `inputBytes` is the size of the file: it bounds how much memory the document may take.
+  explicit DocumentBuilder(size_t inputBytes);
+
+  // Ids count from 0 in order of the calls. Refs use these ids, too; finish() translates them.
+  InstanceId add(std::string className);
+  size_t size() const { return document_.instances.size(); }
+  const std::string& classOf(InstanceId id) const { return document_.instances[id].className; }
+
+  // `name` as in the file. Returns false once the document has outgrown its memory (see
+  // overBudget).
+  bool set(InstanceId id, std::string_view name, Value value);
+  // The order of the calls is the order of the children. kNoInstance: a root. At most one call an
+  // instance.
+  void setParent(InstanceId child, InstanceId parent);
+  void warn(std::string warning);
+
+  bool overBudget() const { return used_ > budget_; }
+  // For the message.
+  Error budgetError() const;
+
+  // Fails if instances are their own ancestors or nested too deep. `binary` and the roots decide
+  // Document::format.
+  Result<Document> finish(std::string file, bool binary);
+
+ private:
+  void setAttributes(InstanceId id, std::string_view blob);
+  Status checkDepth(const std::vector<InstanceId>& order) const;
+
+  Document document_;
+  size_t droppedWarnings_ = 0;
+  size_t used_ = 0, budget_;
+};
+
+}  // namespace obby::importer

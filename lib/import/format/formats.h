@@ -1,0 +1,23 @@
+// The file formats that the importer reads. A new format is one file beside this one and one row in
+// formats.cpp.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "import/document.h"
+
+namespace obby::importer {
+
+struct Format {
+  std::string_view name;
+  bool (*looksLike)(
+      std::string_view bytes);  // by content; the first format that says yes reads the file
+  Result<Document> (*read)(std::string_view bytes, const std::string& file);
+};
+
+std::span<const Format> formats();
+
+}  // namespace obby::importer
