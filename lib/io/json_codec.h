@@ -1,7 +1,10 @@
 // JSON lines to records and back, by reflection over the schema: no code here knows any single
-// record. The rules are at the top of schema/obby.capnp.
+// record. The rules are at the top of schema/obby.capnp. On reading, fields that the schema does
+// not have are ignored (later minor versions add some), null means absent, a field given twice is
+// refused, a 64-bit integer may also be a number up to 2^53, and nesting is at most 64 deep.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,8 +16,11 @@ namespace obby::io {
 // One line without its newline. Errors carry the path in the record and what was expected.
 Result<RecordBuilder> recordFromJson(std::string_view line);
 
+// Likewise; nothing for a kind that the schema does not have.
+Result<std::optional<RecordBuilder>> recordFromJsonIfKnown(std::string_view line);
+
 // One line without its newline; shortest numbers that read back to the same bits, defaults left
-// out.
-std::string recordToJson(schema::Record::Reader record);
+// out. Error: a number that is not finite or out of range, text that is not UTF-8, an unknown kind.
+Result<std::string> recordToJson(schema::Record::Reader record);
 
 }  // namespace obby::io

@@ -2,12 +2,11 @@
 // again, what the tool does not act on passed through unchanged.
 //
 //   io::Pipeline pipeline(context.sourceOptions(), context.identity(), std::move(output));
-//   OBBY_RETURN_IF_ERROR(pipeline.run([&](const io::Record& record) -> Result<io::Then> {
+//   return pipeline.runAndFinish([&](const io::Record& record) -> Result<io::Then> {
 //     if (record.which() != io::Kind::QUERY) return io::Then::pass;
 //     ... pipeline.write(answer.reader()) ...
 //     return io::Then::pass;  // the query itself goes out behind its answers; io::Then::drop: not
-//   }));
-//   return pipeline.finish();
+//   });
 #pragma once
 
 #include <atomic>
@@ -84,7 +83,6 @@ class Pipeline {
 
   // Writes the header, then gives every record of a known kind to `handle` and passes the others.
   // An error of `handle` is about the record and falls under onError, unless the output failed.
-  // Whatever `run` returns, finish() may still be called to end the output properly.
   Status run(const Handler& handle);
 
   // Records of the tool's own, between those passed through.
@@ -93,8 +91,12 @@ class Pipeline {
   // The work ended before every query had its verdict (a budget was spent).
   void outOfBudget();
 
-  // Writes the end record and closes the output.
+  // Writes the end record and closes the output. After an error of run() the end record says
+  // `interrupted`, so that what was finished is not lost.
   Status finish();
+
+  // run() and finish(), also after an error; the first error of the two.
+  Status runAndFinish(const Handler& handle);
 
   StreamWriter& output();
   RecordSource& source();

@@ -1,8 +1,9 @@
-// One record of a stream in memory. Owns its bytes; cheap to move, not to copy.
+// One record of a stream in memory. Owns its bytes; cheap to move and to share, not to copy.
 #pragma once
 
 #include <capnp/message.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -16,7 +17,10 @@ using Kind = schema::Record::Which;
 // A record being built or changed: `auto level = builder.root().initLevel();`
 class RecordBuilder {
  public:
-  RecordBuilder() : message_(std::make_unique<capnp::MallocMessageBuilder>()) {
+  RecordBuilder() : RecordBuilder(uint64_t(1024)) {}
+  // With room for so many words before memory is asked for again.
+  explicit RecordBuilder(uint64_t firstWords)
+      : message_(std::make_unique<capnp::MallocMessageBuilder>(uint32_t(firstWords))) {
     message_->initRoot<schema::Record>();
   }
   // A copy of an existing record, to change it.
@@ -25,24 +29,27 @@ class RecordBuilder {
     message_->setRoot(from);
   }
   schema::Record::Builder root() { return message_->getRoot<schema::Record>(); }
-  schema::Record::Reader reader() { return message_->getRoot<schema::Record>().asReader(); }
+  schema::Record::Reader reader() const { return message_->getRoot<schema::Record>().asReader(); }
+  capnp::MessageBuilder& message() { return *message_; }
 
  private:
   std::unique_ptr<capnp::MallocMessageBuilder> message_;
 };
 
 // A record as read. `known()` is false for a kind that this version's schema does not have; such a
-// record can only be passed through.
+// record can only be passed through. Everything reachable from reader() was checked on reading:
+// numbers are finite and in range, texts are UTF-8, no access throws.
 class Record {
  public:
   struct Storage;  // the decoded message and, for pass-through, the bytes it came from
   explicit Record(std::shared_ptr<const Storage> storage);
+  // A record made here, as if it had been read.
+  explicit Record(RecordBuilder builder);
 
   bool known() const;
-  Kind which() const;  // only if known()
-  schema::Record::Reader reader()
-      const;                         // only if known(); valid while any copy of this Record lives
-  const std::string& place() const;  // "12" or "byte 4711": for error messages
+  Kind which() const;                     // only if known()
+  schema::Record::Reader reader() const;  // only if known(); valid while a copy of this lives
+  const std::string& place() const;       // "12" or "byte 4711": for error messages
   const Storage& storage() const { return *storage_; }
 
  private:

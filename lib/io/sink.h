@@ -30,6 +30,7 @@ class Sink {
   Status close();
 
   bool terminal() const;
+  bool failed() const;              // an earlier call gave an error
   const std::string& name() const;  // "stdout" or the path, as errors say it
 
  private:

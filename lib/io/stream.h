@@ -3,6 +3,7 @@
 // is never a silent success.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "base/result.h"
 #include "io/record.h"
+#include "io/sink.h"
 
 namespace obby::io {
 
@@ -20,12 +22,14 @@ Result<Format> parseFormat(const std::string& text);
 // By the ending of an output file name: .capnp, .capnpp (packed), anything else jsonl.
 Format formatForFile(const std::string& path);
 
-// Reads one stream after another from a file. A stream with a header must have its end; a
-// hand-written one without a header needs none.
+// Reads one stream after another from a file. A stream with a header must have its end, and every
+// line of it a newline; a hand-written one without a header needs neither. Blank lines are skipped.
 class StreamReader {
  public:
-  // `path` "-" is standard input. The error names the file and the reason.
-  static Result<StreamReader> open(const std::string& path);
+  // `path` "-" is standard input. The error names the file and the reason. Once `stop` is set, a
+  // waiting next() ends the input without the checks of a proper end; see stopped().
+  static Result<StreamReader> open(const std::string& path,
+                                   const std::atomic<bool>* stop = nullptr);
   // Over bytes in memory; `name` is used in errors.
   static StreamReader overBytes(std::string bytes, std::string name);
 
@@ -33,10 +37,14 @@ class StreamReader {
   StreamReader& operator=(StreamReader&&) noexcept;
   ~StreamReader();
 
-  // The next record, headers and ends included; nothing at the proper end of the input. After an
-  // error about one JSON line the reader stands behind that line and can go on; other errors are
-  // final.
+  // The next record, headers and ends included; nothing at the proper end of the input. Errors name
+  // the input and the line or byte.
   Result<std::optional<Record>> next();
+
+  // After an error: it was about one record, and next() goes on behind it. Otherwise (broken
+  // framing, another schema version, a failing disk) next() gives the same error again.
+  bool canContinue() const;
+  bool stopped() const;
 
   const std::string& name() const;
   Format format() const;  // after the first next()
@@ -59,6 +67,9 @@ class StreamWriter {
   StreamWriter& operator=(StreamWriter&&) noexcept;
   ~StreamWriter();
 
+  // The same record gives the same bytes, however it was built: fields that say nothing are left
+  // out. Error: also a number that is not finite or out of range, text that is not UTF-8; nothing
+  // is written then.
   Status write(schema::Record::Reader record);
   // Unchanged where the encodings agree, converted otherwise. A record of an unknown kind can only
   // be passed between equal encodings.
@@ -66,6 +77,8 @@ class StreamWriter {
   Status flush();
   Status close();
 
+  bool failed() const;  // the output itself: nothing more can be written
+  Format format() const;
   uint64_t recordsWritten() const;
 
  private:

@@ -1,0 +1,119 @@
+#include "io/byte_source.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace obby::io {
+namespace {
+
+constexpr size_t kChunk = size_t(64) << 10;
+constexpr size_t kLargestChunk = size_t(16) << 20;
+constexpr int kStopCheckMilliseconds = 100;
+
+Error fileError(const std::string& name, const char* doing) {
+  Error error = makeError(std::string(doing) + ": " + std::strerror(errno));
+  error.input = name;
+  return error;
+}
+
+}  // namespace
+
+Result<ByteSource> ByteSource::open(const std::string& path, const std::atomic<bool>* stop) {
+  ByteSource out;
+  const bool standard = path == "-";
+  out.name_ = standard ? "stdin" : path;
+  out.stop_ = stop;
+  out.fd_ = standard ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
+  if (out.fd_ < 0) return fileError(out.name_, "cannot open");
+  struct stat info {};
+  if (fstat(out.fd_, &info) != 0) return fileError(out.name_, "cannot read");
+  if (S_ISDIR(info.st_mode)) {
+    errno = EISDIR;
+    return fileError(out.name_, "cannot read");
+  }
+  out.regular_ = S_ISREG(info.st_mode);
+  return out;
+}
+
+ByteSource ByteSource::overBytes(std::string bytes, std::string name) {
+  ByteSource out;
+  out.name_ = std::move(name);
+  out.buffer_ = std::move(bytes);
+  out.ended_ = true;
+  return out;
+}
+
+ByteSource::ByteSource(ByteSource&& other) noexcept { *this = std::move(other); }
+
+ByteSource& ByteSource::operator=(ByteSource&& other) noexcept {
+  std::swap(name_, other.name_);
+  std::swap(buffer_, other.buffer_);
+  std::swap(begin_, other.begin_);
+  std::swap(offset_, other.offset_);
+  std::swap(fd_, other.fd_);
+  std::swap(regular_, other.regular_);
+  std::swap(ended_, other.ended_);
+  std::swap(stopped_, other.stopped_);
+  std::swap(stop_, other.stop_);
+  return *this;
+}
+
+ByteSource::~ByteSource() {
+  if (fd_ > STDIN_FILENO) ::close(fd_);
+}
+
+void ByteSource::consume(size_t bytes) {
+  begin_ += bytes;
+  offset_ += bytes;
+  if (begin_ == buffer_.size()) {
+    buffer_.clear();
+    begin_ = 0;
+    if (buffer_.capacity() > kLargestChunk) buffer_.shrink_to_fit();
+  } else if (fd_ >= 0 && begin_ > kChunk && begin_ > buffer_.size() / 2) {
+    buffer_.erase(0, begin_);
+    begin_ = 0;
+  }
+}
+
+bool ByteSource::waitReadable() const {
+  if (!stop_ || regular_) return true;
+  pollfd waiting{fd_, POLLIN, 0};
+  while (!stop_->load(std::memory_order_relaxed)) {
+    const int ready = ::poll(&waiting, 1, kStopCheckMilliseconds);
+    if (ready > 0 || (ready < 0 && errno != EINTR)) return true;  // read() says what is wrong
+  }
+  return false;
+}
+
+Result<size_t> ByteSource::fill() {
+  if (ended_) return size_t(0);
+  const size_t before = buffer_.size();
+  const size_t chunk = std::clamp(before - begin_, kChunk, kLargestChunk);
+  buffer_.resize(before + chunk);
+  ssize_t got = 0;
+  do {
+    stopped_ = !waitReadable();
+    got = stopped_ ? 0 : ::read(fd_, buffer_.data() + before, chunk);
+  } while (got < 0 && (errno == EINTR || errno == EAGAIN));
+  buffer_.resize(before + size_t(std::max<ssize_t>(got, 0)));
+  if (got < 0) return fileError(name_, "cannot read");
+  ended_ = got == 0;
+  return size_t(got);
+}
+
+Result<bool> ByteSource::need(size_t bytes) {
+  while (buffer_.size() - begin_ < bytes) {
+    OBBY_ASSIGN(const size_t came, fill());
+    if (came == 0) return false;
+  }
+  return true;
+}
+
+}  // namespace obby::io

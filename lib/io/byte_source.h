@@ -1,0 +1,50 @@
+// Bytes of a file, a pipe or memory, read as they come: a buffer grows only by what has arrived, so
+// that a claimed size costs nothing. Private to lib/io.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace obby::io {
+
+class ByteSource {
+ public:
+  // "-" is standard input. Once `stop` is set a waiting read ends and stopped() is true.
+  static Result<ByteSource> open(const std::string& path, const std::atomic<bool>* stop);
+  static ByteSource overBytes(std::string bytes, std::string name);
+
+  ByteSource(ByteSource&& other) noexcept;
+  ByteSource& operator=(ByteSource&& other) noexcept;
+  ~ByteSource();
+
+  const std::string& name() const { return name_; }
+  bool stopped() const { return stopped_; }
+
+  // Not yet consumed; valid until the next fill() or consume().
+  std::string_view buffered() const { return std::string_view(buffer_).substr(begin_); }
+  // Offset in the input of the first buffered byte.
+  uint64_t offset() const { return offset_; }
+  void consume(size_t bytes);
+
+  // Waits for more; gives the number of bytes that came, 0 at the end (or when stopped).
+  Result<size_t> fill();
+  // fill() until `bytes` are buffered; false if the input ends before.
+  Result<bool> need(size_t bytes);
+
+ private:
+  ByteSource() = default;
+  bool waitReadable() const;
+
+  std::string name_, buffer_;
+  size_t begin_ = 0;
+  uint64_t offset_ = 0;
+  int fd_ = -1;
+  bool regular_ = true, ended_ = false, stopped_ = false;
+  const std::atomic<bool>* stop_ = nullptr;
+};
+
+}  // namespace obby::io

@@ -1,0 +1,46 @@
+#include "io/checks.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace obby::io {
+
+std::string expectation(const TypePlan& type) {
+  switch (type.kind) {
+    case ValueKind::boolean: return "true or false";
+    case ValueKind::whole: return fmt::format("a whole number from {} to {}", type.min, type.max);
+    case ValueKind::whole64: return "a whole number written as text";
+    case ValueKind::real32:
+    case ValueKind::real64:
+      if (type.ranged) return fmt::format("a number from {} to {}", type.min, type.max);
+      return "a number";
+    case ValueKind::text: return "text";
+    case ValueKind::name: return fmt::format("one of {}", fmt::join(enumerants(type.names), ", "));
+    case ValueKind::record:
+      if (type.record->tuple) return fmt::format("{} numbers", type.record->fields.size());
+      return "an object";
+    case ValueKind::list: return "an array";
+  }
+  return {};
+}
+
+std::optional<std::string> refuseReal(const TypePlan& type, double value) {
+  if (!std::isfinite(value)) return fmt::format("expected a finite number, found {}", value);
+  if (value < type.min || value > type.max)
+    return fmt::format("expected a number from {} to {}, found {}", type.min, type.max, value);
+  return std::nullopt;
+}
+
+std::optional<std::string> refuseWhole(const TypePlan& type, double value) {
+  if (value >= type.min && value <= type.max && std::trunc(value) == value) return std::nullopt;
+  return fmt::format("expected {}, found {}", expectation(type), value);
+}
+
+std::vector<std::string> enumerants(const capnp::EnumSchema& names) {
+  std::vector<std::string> out;
+  for (auto name : names.getEnumerants()) out.emplace_back(name.getProto().getName().cStr());
+  return out;
+}
+
+}  // namespace obby::io

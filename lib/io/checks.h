@@ -1,0 +1,44 @@
+// What both codecs refuse, in the same words. Private to lib/io.
+#pragma once
+
+#include <capnp/dynamic.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "io/schema_plan.h"
+
+namespace obby::io {
+
+// "a number from 0 to 2000", "a whole number from 0 to 255", "true or false", ...
+std::string expectation(const TypePlan& type);
+
+// Nothing if `value` may stand in a field of this type; else what is wrong. Real numbers must be
+// finite; all numbers must be in range.
+std::optional<std::string> refuseReal(const TypePlan& type, double value);
+std::optional<std::string> refuseWhole(const TypePlan& type, double value);
+
+// Names of the enumerants, in order.
+std::vector<std::string> enumerants(const capnp::EnumSchema& names);
+
+// Counts the words that a record in memory takes, and refuses to go beyond kMaxMessageWords.
+class WordBudget {
+ public:
+  bool take(uint64_t words) {
+    left_ = words > left_ ? 0 : left_ - words;
+    return left_ > 0;
+  }
+  static constexpr const char* kMessage = "record larger than 256 MiB";
+
+ private:
+  uint64_t left_ = kMaxMessageWords;
+};
+
+inline uint64_t textWords(uint64_t bytes) { return bytes / 8 + 1; }
+inline uint64_t listWords(const TypePlan& element, uint64_t count) {
+  return element.record ? 1 + count * element.record->words()
+                        : (count * element.elementBits + 63) / 64;
+}
+
+}  // namespace obby::io

@@ -1,0 +1,64 @@
+#include "io/framing.h"
+
+#include <fmt/format.h>
+
+#include "io/version.h"
+
+namespace obby::io {
+
+Status Framing::accept(const std::optional<schema::Record::Reader>& record,
+                       const std::string& place) {
+  total_++;
+  if (record && record->isHeader()) return acceptHeader(record->getHeader(), place);
+  if (record && record->isEnd()) return acceptEnd(record->getEnd());
+  inStream_++;
+  return {};
+}
+
+Status Framing::acceptHeader(schema::Header::Reader header, const std::string& place) {
+  if (inside_)
+    return makeError(
+        fmt::format("expected the end record of the stream whose header is at {}, found another "
+                    "header: cut off?",
+                    headerPlace_));
+  if (header.getSchemaMajor() != kSchemaMajor) {
+    const std::string writer =
+        header.getTool().size() == 0
+            ? std::string()
+            : fmt::format(" by {} {}", header.getTool().cStr(), header.getVersion().cStr());
+    return Error{{},
+                 {},
+                 "schemaMajor",
+                 fmt::format("the stream was written{} in schema version {}.{}, this program ({}) "
+                             "reads version {}.{}",
+                             writer, header.getSchemaMajor(), header.getSchemaMinor(),
+                             toolVersion(), kSchemaMajor, kSchemaMinor),
+                 "use tools of one version"};
+  }
+  inside_ = true;
+  headerPlace_ = place;
+  inStream_ = 1;
+  return {};
+}
+
+Status Framing::acceptEnd(schema::End::Reader end) {
+  const uint64_t came = inStream_;
+  const bool counted = inside_ && end.getRecords() != 0;
+  inside_ = false;
+  inStream_ = 0;
+  if (!counted || end.getRecords() == came) return {};
+  return Error{{},
+               {},
+               "records",
+               fmt::format("the end record counts {} records, but {} came: cut or mixed up?",
+                           end.getRecords(), came),
+               {}};
+}
+
+Status Framing::atEnd() const {
+  if (total_ == 0) return makeError("empty input: no record in it");
+  if (inside_) return makeError("stream ends without its end record: cut off?");
+  return {};
+}
+
+}  // namespace obby::io

@@ -1,0 +1,75 @@
+#include "io/json_codec.h"
+
+#include <fmt/format.h>
+
+#include "io/json_decode.h"
+#include "io/json_encode.h"
+#include "io/text.h"
+
+namespace obby::io {
+namespace {
+
+constexpr std::string_view kTypeMember = "type";
+
+std::vector<std::string> kindNames() {
+  std::vector<std::string> out;
+  for (const FieldPlan& kind : recordPlan().fields) out.push_back(kind.name);
+  return out;
+}
+
+Error noType(std::string found) {
+  return Error{{},
+               {},
+               std::string(kTypeMember),
+               fmt::format("expected one of {}, found {}", fmt::join(kindNames(), ", "), found),
+               {}};
+}
+
+// The text of the member `type`.
+Result<std::string_view> typeOf(const JsonTree& tree) {
+  if (tree.root().type != JsonTree::Type::object)
+    return makeError(
+        fmt::format("expected a record (an object), found {}", tree.describe(tree.root())));
+  for (uint32_t at = tree.root().child; at != 0; at = tree.node(at).next) {
+    const JsonTree::Node& member = tree.node(at);
+    if (tree.name(member) != kTypeMember) continue;
+    if (member.type != JsonTree::Type::text) return noType(tree.describe(member));
+    return tree.text(member);
+  }
+  return noType("none");
+}
+
+}  // namespace
+
+Result<std::optional<RecordBuilder>> recordFromJsonIfKnown(std::string_view line) {
+  OBBY_ASSIGN(const JsonTree tree, JsonTree::parse(line));
+  OBBY_ASSIGN(const std::string_view type, typeOf(tree));
+  const FieldPlan* kind = recordPlan().find(type);
+  if (!kind) return std::optional<RecordBuilder>();
+  RecordBuilder out(line.size() / 8 + 64);
+  JsonDecoder decoder(tree);
+  capnp::DynamicStruct::Builder root(out.root());
+  auto target = root.init(kind->field).as<capnp::DynamicStruct>();
+  if (!decoder.fill(*kind->type.record, target, tree.root(), Path{}, kTypeMember))
+    return std::move(decoder.error);
+  return std::optional<RecordBuilder>(std::move(out));
+}
+
+Result<RecordBuilder> recordFromJson(std::string_view line) {
+  OBBY_ASSIGN(std::optional<RecordBuilder> record, recordFromJsonIfKnown(line));
+  if (record) return std::move(*record);
+  OBBY_ASSIGN(const JsonTree tree, JsonTree::parse(line));
+  OBBY_ASSIGN(const std::string_view type, typeOf(tree));
+  Error error = noType(quoted(type));
+  const std::string near = nearest(type, kindNames());
+  if (!near.empty()) error.hint = fmt::format("did you mean \"{}\"?", near);
+  return error;
+}
+
+Result<std::string> recordToJson(schema::Record::Reader record) {
+  JsonEncoder encoder;
+  if (!encoder.record(capnp::DynamicStruct::Reader(record))) return std::move(encoder.error);
+  return std::move(encoder.out);
+}
+
+}  // namespace obby::io

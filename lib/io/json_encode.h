@@ -1,0 +1,34 @@
+// The writing half of the JSON codec. Private to lib/io.
+#pragma once
+
+#include <string>
+
+#include "base/result.h"
+#include "io/path.h"
+#include "io/schema_plan.h"
+
+namespace obby::io {
+
+// Appends JSON to a string. Every member gives false after an error, which `error` then holds:
+// a number that is not finite or out of range, text that is not UTF-8.
+class JsonEncoder {
+ public:
+  // `{"type":"level",...}` for a record of a known kind.
+  bool record(capnp::DynamicStruct::Reader record);
+
+  std::string out;
+  Error error;
+
+ private:
+  void member(std::string_view name, bool& first);
+  bool fields(const StructPlan& plan, capnp::DynamicStruct::Reader in, const Path& path,
+              bool& first);
+  bool object(const StructPlan& plan, capnp::DynamicStruct::Reader in, const Path& path);
+  bool tuple(const StructPlan& plan, capnp::DynamicStruct::Reader in, const Path& path);
+  bool list(const TypePlan& element, capnp::DynamicList::Reader in, const Path& path);
+  bool value(const TypePlan& type, const capnp::DynamicValue::Reader& in, const Path& path);
+  bool real(const TypePlan& type, double value, const Path& path);
+  bool fail(const Path& path, std::string message);
+};
+
+}  // namespace obby::io

@@ -1,0 +1,148 @@
+#include "io/json_tree.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "io/schema_plan.h"
+#include "io/text.h"
+
+namespace obby::io {
+namespace {
+
+constexpr size_t kMaxValues = size_t(32) << 20;
+
+}  // namespace
+
+// Called by the parser; a false stops it.
+class JsonTreeBuilder {
+ public:
+  explicit JsonTreeBuilder(JsonTree& tree, std::string_view source)
+      : tree_(tree), source_(source) {}
+
+  std::string message;
+
+  bool null() { return add(JsonTree::Type::null, 0); }
+  bool boolean(bool value) { return add(value ? JsonTree::Type::yes : JsonTree::Type::no, 0); }
+  bool number_integer(int64_t value) { return add(JsonTree::Type::negative, uint64_t(value)); }
+  bool number_unsigned(uint64_t value) { return add(JsonTree::Type::whole, value); }
+  bool number_float(double, const std::string& text) { return addText(JsonTree::Type::real, text); }
+  bool string(std::string& text) { return addText(JsonTree::Type::text, text); }
+  bool binary(nlohmann::json::binary_t&) { return false; }  // JSON has none
+
+  bool key(std::string& text) {
+    name_ = uint32_t(tree_.texts_.size());
+    nameLength_ = uint32_t(text.size());
+    tree_.texts_ += text;
+    return true;
+  }
+  bool start_object(size_t) { return open(JsonTree::Type::object); }
+  bool start_array(size_t) { return open(JsonTree::Type::array); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+
+  bool parse_error(size_t column, const std::string&, const nlohmann::detail::exception& e) {
+    message = fmt::format("column {}: {}", column, explain(column, e.what()));
+    return false;
+  }
+
+ private:
+  struct Open {
+    uint32_t node;
+    uint32_t last;  // its last element so far; 0: none
+  };
+
+  bool add(JsonTree::Type type, uint64_t value, uint32_t length = 0) {
+    if (tree_.nodes_.size() >= kMaxValues) {
+      message = fmt::format("more than {} million values in one record", kMaxValues >> 20);
+      return false;
+    }
+    const uint32_t index = uint32_t(tree_.nodes_.size());
+    JsonTree::Node node;
+    node.type = type;
+    node.value = value;
+    node.length = length;
+    node.name = name_;
+    node.nameLength = nameLength_;
+    nameLength_ = 0;
+    tree_.nodes_.push_back(node);
+    if (!open_.empty()) link(index);
+    return true;
+  }
+
+  void link(uint32_t index) {
+    Open& parent = open_.back();
+    (parent.last ? tree_.nodes_[parent.last].next : tree_.nodes_[parent.node].child) = index;
+    parent.last = index;
+    tree_.nodes_[parent.node].length++;
+  }
+
+  bool addText(JsonTree::Type type, const std::string& text) {
+    const size_t offset = tree_.texts_.size();
+    tree_.texts_ += text;
+    return add(type, offset, uint32_t(text.size()));
+  }
+
+  bool open(JsonTree::Type type) {
+    if (open_.size() >= size_t(kMaxNesting)) {
+      message = fmt::format("nested deeper than {} levels", kMaxNesting);
+      return false;
+    }
+    if (!add(type, 0)) return false;
+    open_.push_back({uint32_t(tree_.nodes_.size() - 1), 0});
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  // The parser's own words without its prefix and the echo of the input.
+  std::string explain(size_t column, std::string_view what) const {
+    for (const char* word : {"NaN", "nan", "-nan", "Infinity", "-Infinity", "inf", "-inf"}) {
+      const size_t from = column < 10 ? 0 : column - 10;
+      const size_t at = source_.find(word, from);
+      if (at != std::string_view::npos && at <= column)
+        return fmt::format("expected a finite number, found {}", word);
+    }
+    if (column > source_.size()) return "the line ends in the middle of a value: cut off?";
+    if (what.find("number overflow") != std::string_view::npos) return "number too large";
+    if (const size_t dash = what.find(" - "); dash != std::string_view::npos)
+      what.remove_prefix(dash + 3);
+    what = what.substr(0, what.find(';'));
+    return fmt::format("not JSON: {}", what);
+  }
+
+  JsonTree& tree_;
+  std::string_view source_;
+  std::vector<Open> open_;
+  uint32_t name_ = 0, nameLength_ = 0;
+};
+
+Result<JsonTree> JsonTree::parse(std::string_view text) {
+  JsonTree tree;
+  JsonTreeBuilder builder(tree, text);
+  if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) {
+    if (builder.message.empty()) builder.message = "not JSON";
+    return makeError(builder.message);
+  }
+  return tree;
+}
+
+std::string JsonTree::describe(const Node& n) const {
+  switch (n.type) {
+    case Type::null: return "null";
+    case Type::no: return "false";
+    case Type::yes: return "true";
+    case Type::negative: return fmt::format("{}", int64_t(n.value));
+    case Type::whole: return fmt::format("{}", n.value);
+    case Type::real: return std::string(text(n).substr(0, 40));
+    case Type::text: return "text " + quoted(text(n));
+    case Type::array: return fmt::format("an array of {}", n.length);
+    case Type::object: break;
+  }
+  return n.length == 0 ? "an empty object" : "an object";
+}
+
+}  // namespace obby::io

@@ -1,0 +1,49 @@
+// One JSON value read into flat arrays: numbers keep their text, so that each is converted once, to
+// the type of its field. Nesting and the number of values are bounded. Private to lib/io.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace obby::io {
+
+class JsonTree {
+ public:
+  enum class Type : uint8_t { null, no, yes, negative, whole, real, text, array, object };
+
+  struct Node {
+    uint64_t value = 0;   // whole; negative: bits of int64_t; text, real: offset in texts
+    uint32_t length = 0;  // text, real: bytes; array, object: elements
+    uint32_t child = 0;   // array, object: the first element
+    uint32_t next = 0;    // the element after this one; 0: none
+    uint32_t name = 0;    // member of an object: offset in texts
+    uint32_t nameLength = 0;
+    Type type = Type::null;
+  };
+
+  // Errors have the message only: what is wrong at which column.
+  static Result<JsonTree> parse(std::string_view text);
+
+  const Node& root() const { return nodes_[0]; }
+  const Node& node(uint32_t index) const { return nodes_[index]; }
+  std::string_view text(const Node& n) const {
+    return std::string_view(texts_).substr(n.value, n.length);
+  }
+  std::string_view name(const Node& n) const {
+    return std::string_view(texts_).substr(n.name, n.nameLength);
+  }
+
+  // For errors: `text "abc"`, `an array of 2`, `1.5`.
+  std::string describe(const Node& n) const;
+
+ private:
+  friend class JsonTreeBuilder;
+  std::vector<Node> nodes_;
+  std::string texts_;
+};
+
+}  // namespace obby::io

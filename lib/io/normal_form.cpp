@@ -1,0 +1,158 @@
+#include "io/normal_form.h"
+
+#include <kj/exception.h>
+
+#include <cstring>
+
+#include "io/values.h"
+
+namespace obby::io {
+namespace {
+
+using Reader = capnp::DynamicStruct::Reader;
+using Builder = capnp::DynamicStruct::Builder;
+
+uint64_t wordsOfFields(const StructPlan& plan, Reader in);
+
+uint64_t wordsOfList(const TypePlan& element, capnp::DynamicList::Reader in) {
+  uint64_t words = listWords(element, in.size());
+  for (uint32_t i = 0; i < in.size(); i++) {
+    if (element.kind == ValueKind::record)
+      words += wordsOfFields(*element.record, in[i].as<capnp::DynamicStruct>());
+    if (element.kind == ValueKind::text && in[i].as<capnp::Text>().size() > 0)
+      words += textWords(in[i].as<capnp::Text>().size());
+  }
+  return words;
+}
+
+// What the pointers of one struct lead to.
+uint64_t wordsOfFields(const StructPlan& plan, Reader in) {
+  uint64_t words = 0;
+  for (const FieldPlan& field : plan.fields) {
+    const TypePlan& type = field.type;
+    if (type.elementBits != 0 && type.elementBits < 64) continue;
+    if (!isSet(field, in)) continue;
+    if (type.kind == ValueKind::text)
+      words += textWords(in.get(field.field).as<capnp::Text>().size());
+    if (type.kind == ValueKind::list)
+      words += wordsOfList(type.element[0], in.get(field.field).as<capnp::DynamicList>());
+    if (type.kind == ValueKind::record)
+      words += type.record->words() +
+               wordsOfFields(*type.record, in.get(field.field).as<capnp::DynamicStruct>());
+  }
+  return words;
+}
+
+class Copier {
+ public:
+  Error error;
+
+  bool fields(const StructPlan& plan, Reader in, Builder out, const Path& path) {
+    for (const FieldPlan& field : plan.fields)
+      if (isSet(field, in) && !copy(field, in, out, Path{&path, field.name})) return false;
+    return true;
+  }
+
+ private:
+  bool copy(const FieldPlan& field, Reader in, Builder out, const Path& path) {
+    const TypePlan& type = field.type;
+    const auto value = in.get(field.field);
+    if (auto wrong = refuseScalar(type, value)) return fail(path, *wrong);
+    if (type.kind == ValueKind::record) {
+      if (!budget_.take(type.record->words())) return fail(path, WordBudget::kMessage);
+      return fields(*type.record, value.as<capnp::DynamicStruct>(),
+                    out.init(field.field).as<capnp::DynamicStruct>(), path);
+    }
+    if (type.kind == ValueKind::list) {
+      const auto list = value.as<capnp::DynamicList>();
+      if (!budget_.take(listWords(type.element[0], list.size())))
+        return fail(path, WordBudget::kMessage);
+      return elements(type.element[0], list,
+                      out.init(field.field, list.size()).as<capnp::DynamicList>(), path);
+    }
+    if (type.kind == ValueKind::text) {
+      const auto text = value.as<capnp::Text>();
+      if (!budget_.take(textWords(text.size()))) return fail(path, WordBudget::kMessage);
+      setText(out.init(field.field, uint32_t(text.size())), text);
+      return true;
+    }
+    out.set(field.field, value);
+    return true;
+  }
+
+  bool elements(const TypePlan& element, capnp::DynamicList::Reader in,
+                capnp::DynamicList::Builder out, const Path& path) {
+    for (uint32_t i = 0; i < in.size(); i++) {
+      const Path here{&path, {}, int64_t(i)};
+      const auto value = in[i];
+      if (auto wrong = refuseScalar(element, value)) return fail(here, *wrong);
+      if (element.kind == ValueKind::record) {
+        if (!fields(*element.record, value.as<capnp::DynamicStruct>(),
+                    out[i].as<capnp::DynamicStruct>(), here))
+          return false;
+      } else if (element.kind == ValueKind::text) {
+        const auto text = value.as<capnp::Text>();
+        if (text.size() == 0) continue;
+        if (!budget_.take(textWords(text.size()))) return fail(here, WordBudget::kMessage);
+        setText(out.init(i, uint32_t(text.size())), text);
+      } else if (element.kind == ValueKind::list) {
+        return fail(here, "lists of lists are not part of the schema");
+      } else {
+        out.set(i, value);
+      }
+    }
+    return true;
+  }
+
+  static void setText(capnp::DynamicValue::Builder out, capnp::Text::Reader text) {
+    std::memcpy(out.as<capnp::Text>().begin(), text.begin(), text.size());
+  }
+
+  bool fail(const Path& path, std::string message) {
+    error = Error{{}, {}, path.text(), std::move(message), {}};
+    return false;
+  }
+
+  WordBudget budget_;
+};
+
+const FieldPlan* kindOf(Reader in) {
+  KJ_IF_MAYBE (kind, in.which()) return &recordPlan().fields[kind->getIndex()];
+  return nullptr;
+}
+
+}  // namespace
+
+uint64_t normalWords(schema::Record::Reader in) {
+  const Reader record(in);
+  const FieldPlan* kind = kindOf(record);
+  uint64_t words = 1 + recordPlan().words();
+  if (!kind) return words;
+  return words + kind->type.record->words() +
+         wordsOfFields(*kind->type.record, record.get(kind->field).as<capnp::DynamicStruct>());
+}
+
+Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t firstWords) {
+  const Reader record(in);
+  const FieldPlan* kind = kindOf(record);
+  if (!kind) return makeError("a record of an unknown kind cannot be converted");
+  RecordBuilder out(firstWords);
+  Copier copier;
+  const Builder root(out.root());
+  // The kind itself counts as present even where its pointer is null.
+  auto target = Builder(root).init(kind->field).as<capnp::DynamicStruct>();
+  if (!copier.fields(*kind->type.record, record.get(kind->field).as<capnp::DynamicStruct>(), target,
+                     Path{}))
+    return std::move(copier.error);
+  return out;
+}
+
+Result<RecordBuilder> checkedCopy(schema::Record::Reader in, uint64_t firstWords) {
+  try {
+    return normalForm(in, firstWords);
+  } catch (const kj::Exception& e) {
+    return makeError(std::string("unsound Cap'n Proto message: ") + e.getDescription().cStr());
+  }
+}
+
+}  // namespace obby::io

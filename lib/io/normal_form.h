@@ -1,0 +1,27 @@
+// The one form in which a record has one sequence of words: fields that say nothing (values.h) are
+// null, structs have their full size, everything lies in one segment in the order of the schema.
+// Copying into it checks every value, so that nobody who reads the copy meets a broken pointer, a
+// NaN or bad text. Private to lib/io.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+#include "io/checks.h"
+#include "io/path.h"
+#include "io/record.h"
+
+namespace obby::io {
+
+// Exact words of the normal form, without the segment table. `in` must be sound.
+uint64_t normalWords(schema::Record::Reader in);
+
+// The copy; `firstWords` is the size of its first segment. The kind must be known. Errors name the
+// path. May throw kj::Exception where `in` is an unsound message.
+Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t firstWords);
+
+// For bytes from outside: likewise, but an unsound message is an Error, too.
+Result<RecordBuilder> checkedCopy(schema::Record::Reader in, uint64_t firstWords);
+
+}  // namespace obby::io

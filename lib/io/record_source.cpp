@@ -1,0 +1,111 @@
+// RecordSource: several inputs as one, with errors forgiven as the user wishes.
+#include <algorithm>
+
+#include "io/pipeline.h"
+
+namespace obby::io {
+namespace {
+
+// How much an end status says against completeness.
+int gravity(schema::EndStatus status) {
+  switch (status) {
+    case schema::EndStatus::COMPLETE: return 0;
+    case schema::EndStatus::BUDGET: return 1;
+    case schema::EndStatus::INTERRUPTED: break;
+  }
+  return 2;
+}
+
+}  // namespace
+
+struct RecordSource::Impl {
+  SourceOptions options;
+  std::optional<StreamReader> reader;
+  size_t nextInput = 0;
+  schema::EndStatus status = schema::EndStatus::COMPLETE;
+  uint64_t skipped = 0, errors = 0;
+
+  bool stopped() const {
+    return (options.stop && options.stop->load()) || (reader && reader->stopped());
+  }
+
+  void worsen(schema::EndStatus other) {
+    if (gravity(other) > gravity(status)) status = other;
+  }
+
+  void takeEnd(schema::End::Reader end) {
+    worsen(end.getStatus());
+    skipped += end.getSkipped();
+    errors += end.getErrors();
+  }
+
+  void report(const Error& error) {
+    errors++;
+    if (options.report) options.report(error);
+  }
+
+  // Opens the next input; false when there is none.
+  Result<bool> advance() {
+    if (nextInput == options.inputs.size()) return false;
+    OBBY_ASSIGN(reader, StreamReader::open(options.inputs[nextInput++], options.stop));
+    return true;
+  }
+
+  Result<std::optional<Record>> next() {
+    while (!stopped()) {
+      if (!reader) {
+        OBBY_ASSIGN(const bool more, advance());
+        if (!more) return std::optional<Record>();
+      }
+      auto got = reader->next();
+      if (!got) {
+        if (options.onError == OnError::stop || !reader->canContinue()) return got.error();
+        report(got.error());
+        skipped++;
+        continue;
+      }
+      if (stopped()) break;
+      if (!*got) {
+        reader.reset();
+        continue;
+      }
+      const Record& record = **got;
+      if (record.known() && record.which() == Kind::HEADER) continue;
+      if (record.known() && record.which() == Kind::END) {
+        takeEnd(record.reader().getEnd());
+        continue;
+      }
+      return got;
+    }
+    worsen(schema::EndStatus::INTERRUPTED);
+    return std::optional<Record>();
+  }
+};
+
+RecordSource::RecordSource(SourceOptions options) : impl_(std::make_unique<Impl>()) {
+  impl_->options = std::move(options);
+}
+RecordSource::RecordSource(RecordSource&&) noexcept = default;
+RecordSource::~RecordSource() = default;
+
+Result<std::optional<Record>> RecordSource::next() { return impl_->next(); }
+
+Status RecordSource::forgive(const Record& record, Error error) {
+  if (error.input.empty() && impl_->reader) error.input = impl_->reader->name();
+  if (error.place.empty()) error.place = record.place();
+  if (impl_->options.onError == OnError::stop) return error;
+  impl_->report(error);
+  if (impl_->options.onError == OnError::skip) impl_->skipped++;
+  return {};
+}
+
+schema::EndStatus RecordSource::status() const {
+  const bool stop = impl_->options.stop && impl_->options.stop->load();
+  return stop ? schema::EndStatus::INTERRUPTED : impl_->status;
+}
+
+uint64_t RecordSource::skipped() const { return impl_->skipped; }
+uint64_t RecordSource::errors() const { return impl_->errors; }
+OnError RecordSource::onError() const { return impl_->options.onError; }
+
+}  // namespace obby::io

@@ -1,0 +1,75 @@
+// The schema turned into tables once, so that both codecs walk records without asking the schema
+// loader at every field. Private to lib/io.
+#pragma once
+
+#include <capnp/dynamic.h>
+#include <capnp/schema.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace obby::io {
+
+struct StructPlan;
+
+enum class ValueKind : uint8_t {
+  boolean,
+  whole,
+  whole64,
+  real32,
+  real64,
+  text,
+  name,
+  record,
+  list
+};
+
+// The type of a field or of a list's elements.
+struct TypePlan {
+  ValueKind kind = ValueKind::boolean;
+  bool isSigned = false;     // whole, whole64
+  double min = 0, max = 0;   // whole, real: what the type or $range allows
+  bool ranged = false;       // $range narrows it
+  uint32_t elementBits = 0;  // size of one list element; 0 for records
+  const StructPlan* record = nullptr;
+  capnp::EnumSchema names;        // name
+  std::vector<TypePlan> element;  // list: exactly one
+  capnp::Type type;
+};
+
+struct FieldPlan {
+  std::string name;
+  capnp::StructSchema::Field field;
+  TypePlan type;
+  std::vector<uint64_t> tupleDefault;  // field is a tuple: bits of each number
+};
+
+struct StructPlan {
+  capnp::StructSchema schema;
+  bool tuple = false;  // in JSON an array of its numbers
+  uint32_t dataWords = 0, pointers = 0;
+  std::vector<FieldPlan> fields;
+  std::unordered_map<std::string_view, size_t> byName;
+
+  uint32_t words() const { return dataWords + pointers; }
+  const FieldPlan* find(std::string_view name) const;
+};
+
+// The plan of schema::Record; its fields are the kinds.
+const StructPlan& recordPlan();
+
+// The bits of one number of a tuple, for comparing values exactly (-0 is not 0).
+uint64_t numberBits(const TypePlan& type, const capnp::DynamicValue::Reader& value);
+
+// True if `value`, of a tuple type, has exactly the numbers `bits`.
+bool tupleEquals(const StructPlan& plan, capnp::DynamicStruct::Reader value,
+                 const std::vector<uint64_t>& bits);
+
+// Largest size of one message; larger ones are neither read nor written.
+inline constexpr uint64_t kMaxMessageWords = (uint64_t(256) << 20) / 8;
+inline constexpr int kMaxNesting = 64;
+
+}  // namespace obby::io

@@ -1,0 +1,160 @@
+#include "io/sink.h"
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <climits>
+#include <cstring>
+#include <optional>
+
+namespace obby::io {
+namespace {
+
+constexpr size_t kBlock = size_t(256) << 10;
+constexpr const char* kBrokenPipe = "nobody reads the output any more (broken pipe)";
+
+Error outputError(const std::string& name, const char* doing) {
+  Error error = makeError(errno == EPIPE ? std::string(kBrokenPipe)
+                                         : std::string(doing) + ": " + std::strerror(errno));
+  error.input = name;
+  return error;
+}
+
+// The file that a symbolic link names, so that the link stays one.
+std::string target(const std::string& path) {
+  char resolved[PATH_MAX];
+  return realpath(path.c_str(), resolved) ? std::string(resolved) : path;
+}
+
+mode_t newFileMode() {
+  const mode_t mask = umask(0);
+  umask(mask);
+  return 0666 & ~mask;
+}
+
+}  // namespace
+
+struct Sink::Impl {
+  std::string name;
+  int fd = -1;
+  std::string* memory = nullptr;
+  std::string finalPath, temporaryPath;  // of a regular file until it is closed
+  bool block = false;                    // collect pieces
+  std::string buffer;
+  std::optional<Error> failed;
+
+  ~Impl() {
+    if (fd >= 0) ::close(fd);
+    if (!temporaryPath.empty()) ::unlink(temporaryPath.c_str());
+  }
+
+  Status fail(const char* doing) {
+    failed = outputError(name, doing);
+    return *failed;
+  }
+
+  Status send(std::string_view bytes) {
+    while (!bytes.empty()) {
+      const ssize_t sent = ::write(fd, bytes.data(), bytes.size());
+      if (sent < 0 && errno == EINTR) continue;
+      if (sent < 0) return fail("cannot write");
+      bytes.remove_prefix(size_t(sent));
+    }
+    return {};
+  }
+
+  Status openStandardOutput() {
+    name = "stdout";
+    // A copy, so that closing it can be checked while descriptor 1 stays taken.
+    fd = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+    if (fd < 0) return fail("cannot write");
+    struct stat info {};
+    block = fstat(fd, &info) == 0 && S_ISREG(info.st_mode);
+    return {};
+  }
+
+  Status openFile(const std::string& path) {
+    name = path;
+    struct stat info {};
+    const bool exists = stat(path.c_str(), &info) == 0;
+    if (exists && S_ISDIR(info.st_mode)) {
+      errno = EISDIR;
+      return fail("cannot write");
+    }
+    if (exists && !S_ISREG(info.st_mode)) {  // a device or named pipe
+      fd = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+      return fd < 0 ? fail("cannot open") : Status();
+    }
+    finalPath = target(path);
+    std::string pattern = finalPath + ".XXXXXX";
+    fd = mkostemp(pattern.data(), O_CLOEXEC);
+    if (fd < 0) return fail("cannot create");
+    temporaryPath = pattern;
+    block = true;
+    if (fchmod(fd, exists ? info.st_mode & 0777 : newFileMode()) != 0) return fail("cannot create");
+    return {};
+  }
+
+  Status flush() {
+    if (failed) return *failed;
+    if (memory || buffer.empty()) return {};
+    const Status sent = send(buffer);
+    buffer.clear();
+    return sent;
+  }
+};
+
+Result<Sink> Sink::open(const std::string& path) {
+  auto impl = std::make_unique<Impl>();
+  OBBY_RETURN_IF_ERROR(path == "-" ? impl->openStandardOutput() : impl->openFile(path));
+  return Sink(std::move(impl));
+}
+
+Sink Sink::toBytes(std::string* bytes) {
+  auto impl = std::make_unique<Impl>();
+  impl->name = "memory";
+  impl->memory = bytes;
+  return Sink(std::move(impl));
+}
+
+Sink::Sink(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Sink::Sink(Sink&&) noexcept = default;
+Sink& Sink::operator=(Sink&&) noexcept = default;
+Sink::~Sink() = default;
+
+Status Sink::write(std::string_view piece) {
+  if (impl_->failed) return *impl_->failed;
+  if (impl_->memory) {
+    impl_->memory->append(piece);
+    return {};
+  }
+  if (!impl_->block) return impl_->send(piece);
+  impl_->buffer.append(piece);
+  return impl_->buffer.size() >= kBlock ? impl_->flush() : Status();
+}
+
+Status Sink::flush() { return impl_->flush(); }
+
+Status Sink::close() {
+  OBBY_RETURN_IF_ERROR(impl_->flush());
+  if (impl_->fd < 0) return {};
+  const int result = ::close(impl_->fd);
+  impl_->fd = -1;
+  if (result != 0 && errno != EINTR) return impl_->fail("cannot write");
+  if (impl_->temporaryPath.empty()) return {};
+  if (::rename(impl_->temporaryPath.c_str(), impl_->finalPath.c_str()) != 0)
+    return impl_->fail("cannot rename the finished file");
+  impl_->temporaryPath.clear();
+  return {};
+}
+
+bool Sink::terminal() const { return impl_->fd >= 0 && isatty(impl_->fd) == 1; }
+bool Sink::failed() const { return impl_->failed.has_value(); }
+const std::string& Sink::name() const { return impl_->name; }
+
+bool isBrokenPipe(const Error& error) { return error.message == kBrokenPipe; }
+
+}  // namespace obby::io

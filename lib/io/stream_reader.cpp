@@ -1,0 +1,192 @@
+// StreamReader: sniffing, lines or messages, and the frame around them.
+#include <fmt/format.h>
+
+#include <new>
+
+#include "io/byte_source.h"
+#include "io/framing.h"
+#include "io/json_codec.h"
+#include "io/message_codec.h"
+#include "io/record_storage.h"
+#include "io/stream.h"
+#include "io/text.h"
+
+namespace obby::io {
+namespace {
+
+constexpr size_t kMaxLine = size_t(1) << 30;
+constexpr size_t kSniff = 10;  // the longest that one packed word can be
+
+bool startsJson(char c) { return c == '{' || c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
+Error strangeBytes(std::string_view begin) {
+  if (begin.substr(0, 8) == "<roblox!" || begin.substr(0, 7) == "<roblox")
+    return makeError("expected a stream of records, found a Roblox file",
+                     "obby-import turns it into a stream");
+  if (begin.substr(0, 2) == "\x1f\x8b" || begin.substr(0, 4) == "\x28\xb5\x2f\xfd")
+    return makeError("expected a stream of records, found compressed data", "decompress it first");
+  return makeError(fmt::format("expected JSON lines or Cap'n Proto messages, found {}",
+                               quoted(begin.substr(0, 8))));
+}
+
+}  // namespace
+
+struct StreamReader::Impl {
+  explicit Impl(ByteSource bytes) : source(std::move(bytes)) {}
+
+  ByteSource source;
+  Framing framing;
+  std::optional<Format> format;
+  std::optional<Error> final;  // given again by every later call
+  uint64_t line = 0;
+  bool atEnd = false;
+
+  using Next = Result<std::optional<Record>>;
+
+  Error located(Error error, const std::string& place) const {
+    if (error.input.empty()) error.input = source.name();
+    if (error.place.empty()) error.place = place;
+    return error;
+  }
+
+  Error fatal(Error error, const std::string& place) {
+    final = located(std::move(error), place);
+    return *final;
+  }
+
+  // False at the end of the input.
+  Result<bool> sniff() {
+    OBBY_ASSIGN(const bool any, source.need(1));
+    if (!any) return false;
+    if (startsJson(source.buffered()[0])) {
+      format = Format::jsonl;
+      return true;
+    }
+    OBBY_RETURN_IF_ERROR(source.need(kSniff));
+    const std::string_view begin = source.buffered();
+    if (begin.substr(0, 3) == kByteOrderMark) {
+      source.consume(kByteOrderMark.size());
+      format = Format::jsonl;
+      return true;
+    }
+    const Looks looks = looksLikeMessage(begin.substr(0, kSniff));
+    if (looks == Looks::neither && begin.size() >= 4) return strangeBytes(begin);
+    if (looks == Looks::neither) format = begin[0] == 0 ? Format::capnp : Format::jsonl;
+    if (looks == Looks::unpacked) format = Format::capnp;
+    if (looks == Looks::packed) format = Format::capnpPacked;
+    return true;
+  }
+
+  // The next line that is not blank, without its newline; nothing at the end.
+  Result<std::optional<std::string>> readLine() {
+    for (;;) {
+      size_t scanned = 0, length = 0;
+      bool newline = false;
+      for (;;) {
+        length = source.buffered().find('\n', scanned);
+        newline = length != std::string_view::npos;
+        if (newline) break;
+        scanned = length = source.buffered().size();
+        if (scanned > kMaxLine) return makeError("line longer than 1 GiB");
+        OBBY_ASSIGN(const size_t came, source.fill());
+        if (came == 0) break;
+      }
+      if (source.stopped() || (!newline && length == 0)) return std::optional<std::string>();
+      line++;
+      std::string text(source.buffered().substr(0, length));
+      source.consume(length + (newline ? 1 : 0));
+      if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+      if (!newline && framing.inside()) return makeError("the last line has no newline: cut off?");
+      return std::optional<std::string>(std::move(text));
+    }
+  }
+
+  Next finish() {
+    atEnd = true;
+    if (source.stopped()) return std::optional<Record>();
+    if (Status status = framing.atEnd(); !status) return fatal(status.error(), "");
+    return std::optional<Record>();
+  }
+
+  Next deliver(std::shared_ptr<Record::Storage> storage, Result<std::optional<RecordBuilder>> got) {
+    std::optional<schema::Record::Reader> reader;
+    if (got && *got) reader = (*got)->reader();
+    if (Status status = framing.accept(reader, placeName(storage->place)); !status)
+      return fatal(status.error(), storage->place);
+    if (!got) return located(got.error(), storage->place);
+    storage->decoded = std::move(*got);
+    return std::optional<Record>(Record(std::move(storage)));
+  }
+
+  std::string placeName(const std::string& place) const {
+    return *format == Format::jsonl ? "line " + place : place;
+  }
+
+  Next nextLine() {
+    auto text = readLine();
+    if (!text) return fatal(text.error(), std::to_string(line + 1));
+    if (!*text) return finish();
+    auto storage = std::make_shared<Record::Storage>();
+    storage->place = std::to_string(line);
+    storage->raw = std::move(**text);
+    auto decoded = recordFromJsonIfKnown(storage->raw);
+    return deliver(std::move(storage), std::move(decoded));
+  }
+
+  Next nextMessage() {
+    const std::string place = fmt::format("byte {}", source.offset());
+    auto message = readMessage(source, *format == Format::capnpPacked);
+    if (source.stopped()) return finish();
+    if (!message) return fatal(message.error(), place);
+    if (!*message) return finish();
+    auto storage = std::make_shared<Record::Storage>();
+    storage->place = place;
+    storage->format = *format;
+    storage->raw = std::move((*message)->bytes);
+    auto decoded = recordFromWords((*message)->words);
+    return deliver(std::move(storage), std::move(decoded));
+  }
+
+  Next next() {
+    if (final) return *final;
+    if (atEnd) return std::optional<Record>();
+    if (!format) {
+      auto sniffed = sniff();
+      if (!sniffed) return fatal(sniffed.error(), "");
+      if (!*sniffed) return finish();
+    }
+    return *format == Format::jsonl ? nextLine() : nextMessage();
+  }
+};
+
+Result<StreamReader> StreamReader::open(const std::string& path, const std::atomic<bool>* stop) {
+  OBBY_ASSIGN(ByteSource source, ByteSource::open(path, stop));
+  return StreamReader(std::make_unique<Impl>(std::move(source)));
+}
+
+StreamReader StreamReader::overBytes(std::string bytes, std::string name) {
+  return StreamReader(
+      std::make_unique<Impl>(ByteSource::overBytes(std::move(bytes), std::move(name))));
+}
+
+StreamReader::StreamReader(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+StreamReader::StreamReader(StreamReader&&) noexcept = default;
+StreamReader& StreamReader::operator=(StreamReader&&) noexcept = default;
+StreamReader::~StreamReader() = default;
+
+Result<std::optional<Record>> StreamReader::next() {
+  try {
+    return impl_->next();
+  } catch (const std::bad_alloc&) {
+    return impl_->fatal(makeError("not enough memory for this record"), "");
+  }
+}
+
+bool StreamReader::canContinue() const { return !impl_->final && !impl_->atEnd; }
+bool StreamReader::stopped() const { return impl_->source.stopped(); }
+const std::string& StreamReader::name() const { return impl_->source.name(); }
+Format StreamReader::format() const { return impl_->format.value_or(Format::jsonl); }
+
+}  // namespace obby::io

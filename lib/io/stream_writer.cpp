@@ -1,0 +1,66 @@
+// StreamWriter: records encoded into a Sink.
+#include "io/json_codec.h"
+#include "io/message_codec.h"
+#include "io/record_storage.h"
+#include "io/stream.h"
+
+namespace obby::io {
+
+struct StreamWriter::Impl {
+  Sink sink;
+  Format format;
+  uint64_t records = 0;
+
+  Status send(std::string_view piece) {
+    OBBY_RETURN_IF_ERROR(sink.write(piece));
+    records++;
+    return {};
+  }
+
+  Result<std::string> encode(schema::Record::Reader record) const {
+    if (format != Format::jsonl) return messageFromRecord(record, format == Format::capnpPacked);
+    OBBY_ASSIGN(std::string line, recordToJson(record));
+    line += '\n';
+    return line;
+  }
+};
+
+Result<StreamWriter> StreamWriter::open(const std::string& path, Format format) {
+  OBBY_ASSIGN(Sink sink, Sink::open(path));
+  return StreamWriter(std::make_unique<Impl>(Impl{std::move(sink), format}));
+}
+
+StreamWriter StreamWriter::toBytes(Format format, std::string* bytes) {
+  return StreamWriter(std::make_unique<Impl>(Impl{Sink::toBytes(bytes), format}));
+}
+
+StreamWriter::StreamWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+StreamWriter::StreamWriter(StreamWriter&&) noexcept = default;
+StreamWriter& StreamWriter::operator=(StreamWriter&&) noexcept = default;
+StreamWriter::~StreamWriter() = default;
+
+Status StreamWriter::write(schema::Record::Reader record) {
+  OBBY_ASSIGN(const std::string piece, impl_->encode(record));
+  return impl_->send(piece);
+}
+
+Status StreamWriter::pass(const Record& record) {
+  const Record::Storage& storage = record.storage();
+  if (storage.format == impl_->format && !storage.raw.empty()) {
+    if (storage.format != Format::jsonl) return impl_->send(storage.raw);
+    return impl_->send(storage.raw + '\n');
+  }
+  if (record.known()) return write(record.reader());
+  Error error = makeError("a record of a kind that this program does not know cannot be converted",
+                          "write the output in the format of the input");
+  error.place = storage.place;
+  return error;
+}
+
+Status StreamWriter::flush() { return impl_->sink.flush(); }
+Status StreamWriter::close() { return impl_->sink.close(); }
+bool StreamWriter::failed() const { return impl_->sink.failed(); }
+Format StreamWriter::format() const { return impl_->format; }
+uint64_t StreamWriter::recordsWritten() const { return impl_->records; }
+
+}  // namespace obby::io

@@ -1,0 +1,104 @@
+#include "io/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace obby::io {
+namespace {
+
+// Length of the well-formed sequence at the start of `s`; 0 if there is none.
+size_t sequenceLength(std::string_view s) {
+  const auto byte = [&](size_t i) { return i < s.size() ? uint8_t(s[i]) : uint8_t(0); };
+  const auto tail = [&](size_t i, uint8_t lo = 0x80, uint8_t hi = 0xbf) {
+    return byte(i) >= lo && byte(i) <= hi;
+  };
+  const uint8_t b = byte(0);
+  if (b < 0x80) return 1;
+  if (b >= 0xc2 && b <= 0xdf) return tail(1) ? 2 : 0;
+  if (b >= 0xe0 && b <= 0xef) {
+    const uint8_t lo = b == 0xe0 ? 0xa0 : 0x80, hi = b == 0xed ? 0x9f : 0xbf;
+    return tail(1, lo, hi) && tail(2) ? 3 : 0;
+  }
+  if (b >= 0xf0 && b <= 0xf4) {
+    const uint8_t lo = b == 0xf0 ? 0x90 : 0x80, hi = b == 0xf4 ? 0x8f : 0xbf;
+    return tail(1, lo, hi) && tail(2) && tail(3) ? 4 : 0;
+  }
+  return 0;
+}
+
+size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), size_t(0));
+  for (size_t i = 1; i <= a.size(); i++) {
+    size_t diagonal = row[0];
+    row[0] = i;
+    for (size_t j = 1; j <= b.size(); j++) {
+      const size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+bool isUtf8(std::string_view text) {
+  for (size_t i = 0; i < text.size();) {
+    const size_t n = sequenceLength(text.substr(i, 4));
+    if (n == 0) return false;
+    i += n;
+  }
+  return true;
+}
+
+void appendJsonString(std::string& out, std::string_view text) {
+  out += '"';
+  for (const char c : text) {
+    switch (c) {
+      case '"': out += "\\\""; break;
+      case '\\': out += "\\\\"; break;
+      case '\n': out += "\\n"; break;
+      case '\r': out += "\\r"; break;
+      case '\t': out += "\\t"; break;
+      default:
+        if (uint8_t(c) < 0x20 || c == 0x7f) {
+          out += fmt::format("\\u{:04x}", uint8_t(c));
+        } else {
+          out += c;
+        }
+    }
+  }
+  out += '"';
+}
+
+std::string nearest(std::string_view text, const std::vector<std::string>& choices) {
+  std::string best;
+  size_t least = std::max<size_t>(1, text.size() / 3) + 1;
+  if (text.size() > 100) return best;
+  for (const std::string& choice : choices) {
+    const size_t distance = editDistance(text, choice);
+    if (distance < least) {
+      least = distance;
+      best = choice;
+    }
+  }
+  return best;
+}
+
+std::string quoted(std::string_view text, size_t limit) {
+  std::string whole, out;
+  size_t i = 0;
+  while (i < text.size() && i < limit) {
+    const size_t n = sequenceLength(text.substr(i, 4));
+    whole += n == 0 ? std::string("?") : std::string(text.substr(i, n));
+    i += std::max<size_t>(n, 1);
+  }
+  if (i < text.size()) whole += "...";
+  appendJsonString(out, whole);
+  return out;
+}
+
+}  // namespace obby::io

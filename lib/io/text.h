@@ -1,0 +1,22 @@
+// Small text work that both codecs and the command line need.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace obby::io {
+
+// Well-formed UTF-8: no overlong forms, no surrogates, at most U+10FFFF.
+bool isUtf8(std::string_view text);
+
+// Appends `text` as a JSON string with its quotes. `text` must be UTF-8.
+void appendJsonString(std::string& out, std::string_view text);
+
+// The choice nearest to `text` if it is near enough to be meant; else empty.
+std::string nearest(std::string_view text, const std::vector<std::string>& choices);
+
+// `text` for an error line: quoted, control characters escaped, cut after `limit` bytes.
+std::string quoted(std::string_view text, size_t limit = 40);
+
+}  // namespace obby::io
