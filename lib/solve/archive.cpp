@@ -1,0 +1,56 @@
+#include "solve/archive.h"
+
+#include <algorithm>
+
+namespace obby::solve {
+
+Archive::Archive(uint32_t maxCells) : maxCells_(maxCells), slots_(4096, Slot{0, kNone}) {}
+
+size_t Archive::slotOf(uint64_t key) const {
+  const size_t mask = slots_.size() - 1;
+  size_t slot = key & mask;
+  while (slots_[slot].key != 0 && slots_[slot].key != key) slot = (slot + 1) & mask;
+  return slot;
+}
+
+uint32_t Archive::find(uint64_t key) const { return slots_[slotOf(key)].cell; }
+
+void Archive::growTable() {
+  std::vector<Slot> old(slots_.size() * 2, Slot{0, kNone});
+  old.swap(slots_);
+  for (const Slot& s : old) {
+    if (s.key != 0) slots_[slotOf(s.key)] = s;
+  }
+}
+
+void Archive::addCell(size_t slot, uint64_t key, const sim::World& world) {
+  slots_[slot] = {key, cellCount()};
+  arrivals_.push_back({world.tick, world.jumps});
+  worlds_.push_back(world);
+  cellNodes_.push_back(kNone);
+  seen_.push_back(0);
+  potentials_.push_back(0);
+  if (size_t(cellCount()) * 2 > slots_.size()) growTable();
+}
+
+bool Archive::offer(uint64_t key, const sim::World& world, const Node& node, float potential) {
+  const size_t slot = slotOf(key);
+  uint32_t cell = slots_[slot].cell;
+  if (cell == kNone) {
+    if (cellCount() >= maxCells_) return false;
+    cell = cellCount();
+    addCell(slot, key, world);
+  } else if (!better(cell, world)) {
+    return false;
+  } else {
+    arrivals_[cell] = {world.tick, world.jumps};
+    worlds_[cell] = world;
+  }
+  cellNodes_[cell] = uint32_t(nodes_.size());
+  nodes_.push_back(node);
+  potentials_[cell] = potential;
+  bestPotential_ = std::max(bestPotential_, potential);
+  return true;
+}
+
+}  // namespace obby::solve

@@ -1,0 +1,46 @@
+// How attempts ended: counts by outcome and part, and a varied sample of them to show.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "solve/archive.h"
+
+namespace obby::solve {
+
+// Where and how one attempt ended.
+struct AttemptEnd {
+  Node way;
+  Vec3 position;  // feet
+  sim::Outcome outcome;
+  uint32_t part;  // what killed the player, or kNone
+};
+
+struct EndCount {
+  sim::Outcome outcome;
+  uint32_t part;
+  uint64_t count;
+};
+
+class Attempts {
+ public:
+  // To be called in a fixed order: of two attempts with the same kind of end the first is kept.
+  void add(const AttemptEnd& end);
+
+  // Most frequent first; ties by outcome, then part.
+  std::vector<EndCount> counts() const;
+
+  // At most `count` attempts that differ in place and outcome, chosen to be far apart; the one
+  // nearest to `near` first.
+  std::vector<AttemptEnd> sample(size_t count, Vec3 near) const;
+
+ private:
+  std::map<std::pair<sim::Outcome, uint32_t>, uint64_t> counts_;
+  std::unordered_map<uint64_t, uint32_t> kinds_;  // place and outcome to index into ends_
+  std::vector<AttemptEnd> ends_;
+};
+
+}  // namespace obby::solve

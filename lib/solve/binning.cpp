@@ -1,0 +1,53 @@
+#include "solve/binning.h"
+
+#include <algorithm>
+
+namespace obby::solve {
+
+namespace {
+
+constexpr float kUsualSpeed = 16;         // studs/s
+constexpr float kClockSeconds = 0.5f;     // a bin of the clock
+constexpr uint32_t kMaxPeriodBins = 120;  // longer periods: the clock as it is
+constexpr uint32_t kHealthBins = 4;
+
+bool anyCollider(const level::LevelView& level, auto&& test) {
+  for (uint32_t i = 0; i < level.colliderCount; ++i) {
+    if (test(i)) return true;
+  }
+  return false;
+}
+
+// Parts that hurt without killing at once: then health matters.
+bool hurts(const level::LevelView& level) {
+  return anyCollider(level, [&](uint32_t i) {
+    return (level.flags[i] & level::kKill) &&
+           level.roles[level.colliders[i].role].damage < level.params.maxHealth;
+  });
+}
+
+}  // namespace
+
+Binning makeBinning(const Problem& problem, float width) {
+  const Params& p = problem.level.params;
+  Binning b;
+  const float scale = std::clamp(p.walkSpeed / kUsualSpeed, 1.0f, 2.0f);
+  b.inverseWidth = 1 / (width * scale);
+  b.inverseHeight = 1 / (2 * width * scale);
+  if (problem.hasClock) {
+    b.clockBin = std::max(1u, uint32_t(kClockSeconds * float(p.controlRate)));
+    const bool shortPeriod =
+        problem.clockPeriod > 0 && problem.clockPeriod <= kMaxPeriodBins * b.clockBin;
+    b.clockPeriod = shortPeriod ? problem.clockPeriod : 0;
+  }
+  if (hurts(problem.level)) b.healthBins = kHealthBins;
+  b.inverseHealth = 1 / std::max(p.maxHealth, 1.0f);
+  b.jumps = limitsJumps(problem.query);
+  b.waypoints = problem.query.waypointCount > 0;
+  b.vanishing = anyCollider(problem.level, [&](uint32_t i) {
+    return (problem.level.flags[i] & level::kVanishTouch) != 0;
+  });
+  return b;
+}
+
+}  // namespace obby::solve

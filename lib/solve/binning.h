@@ -1,0 +1,12 @@
+// Chooses the dimensions of a problem's cells.
+#pragma once
+
+#include "solve/cell.h"
+#include "solve/problem.h"
+
+namespace obby::solve {
+
+// `width` in studs at the usual 16 studs/s: a faster player gets wider cells, up to twice.
+Binning makeBinning(const Problem& problem, float width);
+
+}  // namespace obby::solve

@@ -1,0 +1,56 @@
+// Which states count as the same: the cell of the archive that a world falls into. Dimensions
+// beside position exist only where the level or the query makes them matter.
+#pragma once
+
+#include <stdint.h>
+
+#include "sim/world.h"
+
+namespace obby::solve {
+
+struct Binning {
+  float inverseWidth = 1;       // 1 / cell width, studs, both sideways axes
+  float inverseHeight = 0.5f;   // 1 / cell height
+  uint32_t clockPeriod = 0;     // ticks: the clock is taken modulo this; 0: as it is
+  uint32_t clockBin = 0;        // ticks a bin; 0: no clock dimension
+  uint32_t healthBins = 0;      // of full health; 0: no health dimension
+  float inverseHealth = 0.01f;  // 1 / full health
+  bool jumps = false;           // the query limits jumps
+  bool waypoints = false;       // the query has waypoints
+  bool vanishing = false;       // parts vanish when touched
+};
+
+OBBY_DEVICE int32_t floorToInt(float v) {
+  const int32_t i = int32_t(v);
+  return i - (float(i) > v ? 1 : 0);
+}
+
+// Spreads every bit over the whole word; one to one (the finaliser of SplitMix64).
+OBBY_DEVICE uint64_t mixBits(uint64_t v) {
+  v = (v ^ (v >> 30)) * 0xbf58476d1ce4e5b9ull;
+  v = (v ^ (v >> 27)) * 0x94d049bb133111ebull;
+  return v ^ (v >> 31);
+}
+
+// Never 0. Positions are exact for 8 million cells each way, the other dimensions for 2^24 clock
+// bins and 2^16 jumps; two cells share a key with probability 2^-64.
+OBBY_DEVICE uint64_t cellKey(const Binning& b, const sim::World& w) {
+  const uint64_t x = uint32_t(floorToInt(w.position.x * b.inverseWidth)) & 0xffffffu;
+  const uint64_t y = uint32_t(floorToInt(w.position.y * b.inverseHeight)) & 0xffffu;
+  const uint64_t z = uint32_t(floorToInt(w.position.z * b.inverseWidth)) & 0xffffffu;
+  uint64_t rest = 0;
+  if (b.clockBin != 0) {
+    const uint32_t t = b.clockPeriod != 0 ? w.tick % b.clockPeriod : w.tick;
+    rest = (t / b.clockBin) & 0xffffffu;
+  }
+  if (b.jumps) rest |= uint64_t(w.jumps) << 24;
+  if (b.waypoints) rest |= uint64_t(w.waypoints) << 40;
+  if (b.vanishing) rest |= uint64_t(w.vanishingCount) << 48;
+  if (b.healthBins != 0) {
+    rest |= uint64_t(w.health * b.inverseHealth * float(b.healthBins)) << 56;
+  }
+  const uint64_t key = mixBits((x | z << 24 | y << 48) + 0x9e3779b97f4a7c15ull * mixBits(rest + 1));
+  return key != 0 ? key : 1;
+}
+
+}  // namespace obby::solve

@@ -1,0 +1,47 @@
+// What random exploration reads beside the world: the problem, the surfaces to aim at, and how far
+// this level's player can jump. Plain data, for device code.
+#pragma once
+
+#include <stdint.h>
+
+#include "solve/problem.h"
+#include "solve/surfaces.h"
+
+namespace obby::solve {
+
+// How far one jump on level ground takes a player.
+struct JumpReach {
+  float airTicks;  // from launch to landing at the same height
+  float distance;  // studs sideways meanwhile, at walking speed
+  float height;    // studs, of the feet
+};
+
+OBBY_DEVICE JumpReach jumpReach(const Params& p) {
+  const float gravity = maxf(p.gravity, 1.0f);
+  const float seconds = minf(2 * p.jumpSpeed / gravity, 5.0f);
+  return {seconds * float(p.controlRate), seconds * p.walkSpeed,
+          0.5f * p.jumpSpeed * p.jumpSpeed / gravity};
+}
+
+// How rollouts explore: the numbers of a method's row.
+struct ExploreSettings {
+  float aimShare = 0.5f;     // of macros that aim at a surface or the next region
+  float regionShare = 0.1f;  // of aimed macros: at the next region
+};
+
+struct ExploreContext {
+  level::LevelView level;
+  level::QueryView query;
+  SurfaceView surfaces;
+  JumpReach reach;
+  ExploreSettings settings;
+  bool jumpsLimited;
+};
+
+// Standing on something, free to jump soon.
+OBBY_DEVICE bool grounded(const sim::World& w) {
+  return w.floorlessTicks == 0 && w.state != sim::State::jumping &&
+         w.state != sim::State::freefall && w.state != sim::State::dead;
+}
+
+}  // namespace obby::solve

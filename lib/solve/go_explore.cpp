@@ -1,0 +1,138 @@
+#include "solve/go_explore.h"
+
+#include <algorithm>
+
+#include "solve/binning.h"
+#include "solve/rollout.h"
+
+namespace obby::solve {
+
+namespace {
+
+constexpr uint32_t kTaskRollouts = 8;              // rollouts a task of the pool
+constexpr uint64_t kSelectionStream = 1ull << 63;  // streams of rollouts count up from 0
+
+ExploreContext makeContext(const Problem& problem, const Surfaces& surfaces,
+                           const ExploreSettings& settings) {
+  return {
+      problem.level, problem.query,      surfaces.view(),           jumpReach(problem.level.params),
+      settings, limitsJumps(problem.query)};
+}
+
+bool closer(const Closest& a, const Closest& b) {
+  return a.waypoints > b.waypoints || (a.waypoints == b.waypoints && a.distance < b.distance);
+}
+
+}  // namespace
+
+GoExplore::GoExplore(const Problem& problem, uint64_t seed, const GoExploreSettings& settings,
+                     ThreadPool& pool)
+    : problem_(problem),
+      seed_(seed),
+      settings_(settings),
+      pool_(pool),
+      surfaces_(problem.level),
+      context_(makeContext(problem, surfaces_, settings.explore)),
+      binning_(makeBinning(problem, settings.cellWidth)),
+      potential_(problem),
+      phaseTicks_(
+          std::max(settings.leastPhase, uint32_t(settings.phaseJumps * context_.reach.airTicks))),
+      airTicks_(std::max(uint32_t(context_.reach.airTicks), problem.level.params.controlRate / 2u)),
+      rollouts_(settings.rollouts) {
+  archive_.offer(cellKey(binning_, problem.start), problem.start, {0, kNone, 0},
+                 potential_(problem.start));
+  statistics_.closest.distance = potential_.distance(problem.start);
+  statistics_.closest.position = problem.start.position;
+}
+
+void GoExplore::round() {
+  chooseCells();
+  const uint32_t tasks = (settings_.rollouts + kTaskRollouts - 1) / kTaskRollouts;
+  pool_.run(int(tasks), [this](int task) {
+    const uint32_t first = uint32_t(task) * kTaskRollouts;
+    const uint32_t last = std::min(first + kTaskRollouts, settings_.rollouts);
+    for (uint32_t i = first; i < last; ++i) explore(rollouts_[i]);
+  });
+  merge();
+  ++statistics_.rounds;
+}
+
+void GoExplore::chooseCells() {
+  selector_.update(archive_, pool_);
+  Random random(seed_, kSelectionStream | statistics_.rounds);
+  const uint64_t firstId = statistics_.rounds * settings_.rollouts;
+  for (uint32_t i = 0; i < settings_.rollouts; ++i) {
+    Rollout& r = rollouts_[i];
+    r.id = firstId + i;
+    r.cell = selector_.pick(random);
+    r.parent = archive_.node(r.cell);
+  }
+}
+
+bool GoExplore::keeps(const sim::World& world) const {
+  return !settings_.groundedOnly || grounded(world) || world.floorlessTicks >= airTicks_;
+}
+
+// Once for each cell that a rollout passes through. Counts, and passes on what the archive lacks.
+void GoExplore::visit(Rollout& r, const sim::World& world, uint64_t key, uint64_t& keptKey) {
+  if (key == keptKey || !keeps(world)) return;
+  keptKey = key;
+  const uint32_t cell = archive_.find(key);
+  if (cell != kNone) {
+    archive_.countSeen(cell);
+    if (!archive_.better(cell, world)) return;
+  }
+  r.candidates.push_back({key, world, potential_(world), r.ticks});
+}
+
+void GoExplore::explore(Rollout& r) {
+  r.candidates.clear();
+  r.ticks = r.closestTicks = 0;
+  r.closest = {};
+  r.end = archive_.world(r.cell);
+  uint64_t lastKey = cellKey(binning_, r.end), keptKey = lastKey;
+  archive_.countSeen(r.cell);
+  runRollout(context_, seed_, r.id, r.end, phaseTicks_,
+             [&](const sim::Action&, const sim::World& world) {
+               ++r.ticks;
+               if (world.outcome != sim::Outcome::running) return;
+               const uint64_t key = cellKey(binning_, world);
+               visit(r, world, key, keptKey);
+               if (key == lastKey) return;
+               lastKey = key;
+               const Closest here{world.waypoints, potential_.distance(world), {}, world.position};
+               if (!closer(here, r.closest)) return;
+               r.closest = here;
+               r.closestTicks = r.ticks;
+             });
+}
+
+void GoExplore::merge() {
+  goals_.clear();
+  std::vector<std::pair<uint64_t, Node>> reached;  // rank and way
+  for (const Rollout& r : rollouts_) {
+    for (const Candidate& c : r.candidates) {
+      archive_.offer(c.key, c.world, {r.id, r.parent, c.ticks}, c.potential);
+    }
+    mergeEnd(r);
+    if (r.end.outcome == sim::Outcome::goal) {
+      reached.push_back({uint64_t(r.end.tick) << 16 | r.end.jumps, {r.id, r.parent, r.ticks}});
+    }
+  }
+  std::stable_sort(reached.begin(), reached.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [rank, way] : reached) goals_.push_back(way);
+}
+
+void GoExplore::mergeEnd(const Rollout& r) {
+  statistics_.steps += r.ticks;
+  const Node way{r.id, r.parent, r.ticks};
+  if (r.end.outcome != sim::Outcome::goal) {
+    attempts_.add({way, r.end.position, r.end.outcome, r.end.part});
+  }
+  if (!closer(r.closest, statistics_.closest)) return;
+  statistics_.closest = r.closest;
+  statistics_.closest.way = {r.id, r.parent, r.closestTicks};
+}
+
+}  // namespace obby::solve

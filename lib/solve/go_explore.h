@@ -1,0 +1,105 @@
+// Go-Explore in rounds: choose cells, roll out from each on all threads against a snapshot of the
+// archive, merge what was found in the order of the rollouts. Everything follows from (problem,
+// seed, settings): threads and time only decide when it stops.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/thread_pool.h"
+#include "solve/archive.h"
+#include "solve/attempts.h"
+#include "solve/cell.h"
+#include "solve/explore_context.h"
+#include "solve/playthrough.h"
+#include "solve/problem.h"
+#include "solve/selection.h"
+#include "solve/surfaces.h"
+
+namespace obby::solve {
+
+struct GoExploreSettings {
+  uint32_t rollouts = 256;   // a round
+  float phaseJumps = 2.2f;   // length of a rollout, in flat jumps' air time
+  uint32_t leastPhase = 40;  // ticks
+  float cellWidth = 1;       // studs at 16 studs/s; grows with walking speed
+  bool groundedOnly = true;  // keep states that stand, or have been in the air for long
+  ExploreSettings explore;
+};
+
+// How far the search has come, in the order of waypoints.
+struct Closest {
+  uint32_t waypoints = 0;
+  float distance = 1e30f;  // studs from the next region
+  Node way{0, kNone, 0};
+  Vec3 position;  // feet
+};
+
+struct Statistics {
+  uint64_t steps = 0;  // simulated ticks
+  uint64_t rounds = 0;
+  Closest closest;
+};
+
+class GoExplore {
+ public:
+  // `pool` is used by round() only.
+  GoExplore(const Problem& problem, uint64_t seed, const GoExploreSettings& settings,
+            ThreadPool& pool);
+
+  // One round. Ways that reached the goal are appended to goals().
+  void round();
+
+  const Statistics& statistics() const { return statistics_; }
+  const Archive& archive() const { return archive_; }
+  const Attempts& attempts() const { return attempts_; }
+
+  // Ways to the goal of the last round, fewest ticks, then jumps, first.
+  const std::vector<Node>& goals() const { return goals_; }
+
+  Playthrough playthrough(const Node& end) const {
+    return regenerate(context_, seed_, problem_.start, archive_.nodes(), end);
+  }
+
+ private:
+  struct Candidate {  // a state that is new or better than what the archive held
+    uint64_t key;
+    sim::World world;
+    float potential;
+    uint32_t ticks;
+  };
+  struct Rollout {
+    uint64_t id;
+    uint32_t cell, parent;  // where it starts: cell and node
+    uint32_t ticks;
+    uint32_t closestTicks;
+    Closest closest;
+    sim::World end;
+    std::vector<Candidate> candidates;
+  };
+
+  void chooseCells();
+  void explore(Rollout& rollout);
+  void visit(Rollout& rollout, const sim::World& world, uint64_t key, uint64_t& keptKey);
+  bool keeps(const sim::World& world) const;
+  void merge();
+  void mergeEnd(const Rollout& rollout);
+
+  const Problem problem_;
+  const uint64_t seed_;
+  const GoExploreSettings settings_;
+  ThreadPool& pool_;
+  Surfaces surfaces_;
+  ExploreContext context_;
+  Binning binning_;
+  Potential potential_;
+  uint32_t phaseTicks_, airTicks_;
+  Archive archive_;
+  Selector selector_;
+  Attempts attempts_;
+  std::vector<Rollout> rollouts_;
+  std::vector<Node> goals_;
+  Statistics statistics_;
+};
+
+}  // namespace obby::solve

@@ -1,0 +1,47 @@
+#include "solve/methods.h"
+
+#include "solve/run_search.h"
+
+namespace obby::solve {
+
+namespace {
+
+// Small rounds that keep standing states only, half of the macros aimed at surfaces.
+GoExploreSettings aimedSettings() { return {}; }
+
+// As published: every visited state is kept, actions are held at random.
+GoExploreSettings plainSettings() {
+  GoExploreSettings s;
+  s.rollouts = 2048;
+  s.phaseJumps = 0;
+  s.groundedOnly = false;
+  s.explore.aimShare = 0;
+  return s;
+}
+
+SearchOutcome runAimed(const Problem& p, const Budget& b, const Watcher& w, ThreadPool& pool) {
+  return runSearch(p, b, aimedSettings(), w, pool);
+}
+
+SearchOutcome runPlain(const Problem& p, const Budget& b, const Watcher& w, ThreadPool& pool) {
+  return runSearch(p, b, plainSettings(), w, pool);
+}
+
+}  // namespace
+
+const std::vector<Method>& methods() {
+  static const std::vector<Method> table = {
+      {"auto", "Go-Explore over standing states with jumps aimed at surfaces", runAimed},
+      {"ge", "Go-Explore with random actions over all states, as published", runPlain},
+  };
+  return table;
+}
+
+const Method* findMethod(const std::string& name) {
+  for (const Method& m : methods()) {
+    if (name == m.name) return &m;
+  }
+  return nullptr;
+}
+
+}  // namespace obby::solve

@@ -1,0 +1,56 @@
+// The table of search methods: one row each. A new method is a file with its run function and a row
+// here.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/thread_pool.h"
+#include "solve/go_explore.h"
+#include "solve/problem.h"
+#include "solve/solutions.h"
+
+namespace obby::solve {
+
+// Why a search stopped.
+enum class Stopped { solved, outOfTime, outOfSteps, interrupted };
+
+// A search at work, as its watcher sees it between rounds.
+struct SearchView {
+  const GoExplore& search;
+  double seconds;
+};
+
+struct Watcher {
+  // Is this playthrough really a solution? Asked before it is counted.
+  std::function<bool(const Playthrough&)> accept;
+  // Between rounds, often.
+  std::function<void(const SearchView&)> look;
+};
+
+struct SearchOutcome {
+  Stopped stopped = Stopped::outOfTime;
+  std::vector<Playthrough> solutions;  // accepted, distinct, shortest first
+  std::vector<Playthrough> attempts;   // of those that failed; the closest first
+  std::vector<EndCount> ends;
+  Statistics statistics;
+  uint64_t cells = 0;
+  uint32_t refused = 0;      // playthroughs that the watcher did not accept
+  double seconds = 0;        // wall clock
+  double firstSolution = 0;  // seconds to the first accepted solution; 0: none
+};
+
+using RunMethod = SearchOutcome (*)(const Problem&, const Budget&, const Watcher&, ThreadPool&);
+
+struct Method {
+  const char* name;
+  const char* description;
+  RunMethod run;
+};
+
+const std::vector<Method>& methods();
+// Null if there is none of that name.
+const Method* findMethod(const std::string& name);
+
+}  // namespace obby::solve

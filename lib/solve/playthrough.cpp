@@ -1,0 +1,35 @@
+#include "solve/playthrough.h"
+
+#include "solve/rollout.h"
+
+namespace obby::solve {
+
+namespace {
+
+bool same(const sim::Action& a, const sim::Action& b) {
+  return a.heading == b.heading && a.walk == b.walk && a.jump == b.jump;
+}
+
+}  // namespace
+
+Playthrough regenerate(const ExploreContext& context, uint64_t seed, const sim::World& start,
+                       const std::vector<Node>& nodes, const Node& end) {
+  std::vector<const Node*> chain;
+  for (const Node* n = &end; n->parent != kNone; n = &nodes[n->parent]) chain.push_back(n);
+  Playthrough p;
+  p.end = start;
+  p.path.push_back(start.position);
+  for (auto n = chain.rbegin(); n != chain.rend(); ++n) {
+    runRollout(context, seed, (*n)->rollout, p.end, (*n)->ticks,
+               [&](const sim::Action& action, const sim::World& world) {
+                 if (p.actions.empty() || !same(p.actions.back().action, action)) {
+                   p.actions.push_back({action, 0});
+                 }
+                 p.actions.back().ticks++;
+                 if (++p.ticks % kPathStep == 0) p.path.push_back(world.position);
+               });
+  }
+  return p;
+}
+
+}  // namespace obby::solve

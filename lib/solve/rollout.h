@@ -1,0 +1,27 @@
+// One rollout: random exploration from a state under the query's rules. Searching and replaying a
+// rollout run this same function, so that they cannot differ.
+#pragma once
+
+#include "sim/rules.h"
+#include "sim/tick.h"
+#include "solve/explorer.h"
+
+namespace obby::solve {
+
+// Advances `world` by at most `ticks` ticks, fewer if the playthrough ends; gives the ticks done.
+// visit(action, world) is called after each.
+template <class Visit>
+OBBY_DEVICE uint32_t runRollout(const ExploreContext& c, uint64_t seed, uint64_t rollout,
+                                sim::World& world, uint32_t ticks, Visit&& visit) {
+  Explorer explorer(seed, rollout);
+  for (uint32_t t = 1; t <= ticks; ++t) {
+    const sim::Action action = explorer.next(c, world);
+    sim::tick(world, c.level, action);
+    sim::applyRules(world, c.level, c.query);
+    visit(action, world);
+    if (world.outcome != sim::Outcome::running) return t;
+  }
+  return ticks;
+}
+
+}  // namespace obby::solve

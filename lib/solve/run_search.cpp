@@ -1,0 +1,84 @@
+#include "solve/run_search.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+namespace obby::solve {
+
+namespace {
+
+constexpr size_t kChecksPerRound = 16;  // ways to the goal that are regenerated in one round
+
+class Clock {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void takeGoals(const GoExplore& search, const Watcher& watcher, const Clock& clock,
+               Solutions& solutions, SearchOutcome& outcome) {
+  for (size_t i = 0; i < std::min(search.goals().size(), kChecksPerRound); ++i) {
+    Playthrough p = search.playthrough(search.goals()[i]);
+    if (!solutions.wants(p)) continue;
+    if (watcher.accept && !watcher.accept(p)) {
+      ++outcome.refused;
+      continue;
+    }
+    if (solutions.all().empty()) outcome.firstSolution = clock.seconds();
+    solutions.add(std::move(p));
+  }
+}
+
+std::optional<Stopped> whyStop(const Budget& budget, const GoExplore& search, const Clock& clock,
+                               const Solutions& solutions) {
+  if (solutions.all().size() >= budget.solutions) return Stopped::solved;
+  if (budget.stop != nullptr && budget.stop->load()) return Stopped::interrupted;
+  if (search.statistics().steps >= budget.maxSteps) return Stopped::outOfSteps;
+  if (clock.seconds() >= budget.seconds) return Stopped::outOfTime;
+  return std::nullopt;
+}
+
+// The closest approach first, then ends that are far apart.
+std::vector<Playthrough> showAttempts(const GoExplore& search, size_t count) {
+  std::vector<Playthrough> result;
+  const Closest& closest = search.statistics().closest;
+  if (count > 0 && closest.way.parent != kNone) result.push_back(search.playthrough(closest.way));
+  if (count <= result.size()) return result;
+  for (const AttemptEnd& end : search.attempts().sample(count - result.size(), closest.position)) {
+    result.push_back(search.playthrough(end.way));
+  }
+  return result;
+}
+
+}  // namespace
+
+SearchOutcome runSearch(const Problem& problem, const Budget& budget,
+                        const GoExploreSettings& settings, const Watcher& watcher,
+                        ThreadPool& pool) {
+  const Clock clock;
+  GoExplore search(problem, budget.seed, settings, pool);
+  Solutions solutions;
+  SearchOutcome outcome;
+  std::optional<Stopped> stopped;
+  while (!stopped) {
+    search.round();
+    takeGoals(search, watcher, clock, solutions, outcome);
+    if (watcher.look) watcher.look({search, clock.seconds()});
+    stopped = whyStop(budget, search, clock, solutions);
+  }
+  outcome.stopped = *stopped;
+  outcome.seconds = clock.seconds();
+  outcome.solutions = solutions.all();
+  outcome.attempts = showAttempts(search, budget.attempts);
+  outcome.ends = search.attempts().counts();
+  outcome.statistics = search.statistics();
+  outcome.cells = search.archive().cellCount();
+  return outcome;
+}
+
+}  // namespace obby::solve
