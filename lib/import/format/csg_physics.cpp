@@ -1,0 +1,114 @@
+// "CSGPHS", a u32 version, and then: version 0: "BLOCK"; 3 and 5: hulls to the end; 6: mass
+// properties, then hulls; 7: a byte for the kind of decomposition, mass properties, hulls. A hull:
+// 40 bytes that are always the same, u32 number of floats, u32 4, the floats (x y z a corner), u32
+// number of indices, u32 indices (three a triangle).
+#include "import/format/csg_physics.h"
+
+#include <cmath>
+#include <utility>
+
+#include "import/format/byte_reader.h"
+#include "import/format/class_defaults.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr std::string_view kMagic = "CSGPHS";
+constexpr std::string_view kKeyMagic = "CSGK";
+constexpr size_t kHullHeader = 40;
+constexpr size_t kMassProperties = 10 * 4;  // volume, centre (3), inertia (6)
+constexpr size_t kFewestCorners = 4;
+
+Error damaged(const ByteReader& reader, std::string message) {
+  return Error{{}, "byte " + std::to_string(reader.position()), "CSGPHS", std::move(message), {}};
+}
+
+Result<std::vector<Vec3>> readHull(ByteReader& reader) {
+  reader.bytes(kHullHeader);
+  const uint32_t floats = reader.u32();
+  const uint32_t width = reader.u32();
+  if (!reader.has(floats, 4) || width != 4 || floats % 3 != 0) {
+    return damaged(reader, "expected the corners of a hull");
+  }
+  std::vector<Vec3> corners(floats / 3);
+  for (Vec3& corner : corners) {
+    const float x = reader.f32(), y = reader.f32(), z = reader.f32();
+    corner = {x, y, z};
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) {
+      return damaged(reader, "a corner is not finite");
+    }
+  }
+  const uint32_t indices = reader.u32();
+  if (!reader.has(indices, 4)) return damaged(reader, "expected the triangles of a hull");
+  for (uint32_t i = 0; i < indices; ++i) {
+    if (reader.u32() >= corners.size()) return damaged(reader, "a triangle has no such corner");
+  }
+  return corners;
+}
+
+// What precedes the hulls. False for versions that are not known.
+bool skipToHulls(uint32_t version, ByteReader& reader) {
+  if (version == 3 || version == 5) return true;
+  if (version != 6 && version != 7) return false;
+  reader.bytes((version == 7 ? 1 : 0) + kMassProperties);
+  return true;
+}
+
+Collision unsupported(std::string detail) {
+  return {CollisionKind::Unsupported, std::move(detail), {}};
+}
+
+float scaleOf(float size, float initial) {
+  const float scale = size / initial;
+  return initial > 0 && std::isfinite(scale) ? scale : 1.0f;
+}
+
+}  // namespace
+
+Result<Collision> decodeCollision(std::string_view blob) {
+  if (blob.empty()) return Collision{};
+  if (blob.substr(0, kKeyMagic.size()) == kKeyMagic) {
+    return unsupported("CSGK is only a key to data elsewhere");
+  }
+  ByteReader reader(blob);
+  if (reader.bytes(kMagic.size()) != kMagic) return damaged(reader, "expected CSGPHS");
+  const uint32_t version = reader.u32();
+  if (!reader.ok()) return damaged(reader, "ends before its version");
+  const std::string name = "CSGPHS " + std::to_string(version);
+  if (version == 0) {
+    if (reader.bytes(5) != "BLOCK") return damaged(reader, "expected BLOCK");
+    return Collision{CollisionKind::Box, name + ", a box", {}};
+  }
+  if (!skipToHulls(version, reader)) return unsupported(name + " is not supported");
+  Collision out;
+  out.kind = CollisionKind::Hulls;
+  while (reader.ok() && reader.remaining() > 0) {
+    OBBY_ASSIGN(std::vector<Vec3> corners, readHull(reader));
+    if (corners.size() >= kFewestCorners) out.hulls.push_back(std::move(corners));
+  }
+  if (!reader.ok()) return damaged(reader, "ends early");
+  if (out.hulls.empty()) return unsupported(name + " without hulls");
+  out.detail = name + ", " + std::to_string(out.hulls.size()) + " hulls";
+  return out;
+}
+
+Collision collisionOf(const Instance& part) {
+  for (const char* name : {"PhysicalConfigData", "PhysicsData"}) {
+    const auto* shared = property<SharedBlob>(part, name);
+    const auto* own = property<std::string>(part, name);
+    const std::string_view blob = shared ? *shared->bytes : own ? *own : std::string_view();
+    if (blob.empty()) continue;
+    Result<Collision> decoded = decodeCollision(blob);
+    if (!decoded) return unsupported(std::string(name) + ": " + decoded.error().text());
+    const Vec3 size = get<Vec3>(part, "Size"), initial = get<Vec3>(part, "InitialSize");
+    const Vec3 scale = {scaleOf(size.x, initial.x), scaleOf(size.y, initial.y),
+                        scaleOf(size.z, initial.z)};
+    for (auto& hull : decoded->hulls) {
+      for (Vec3& corner : hull) corner = mul(corner, scale);
+    }
+    return *std::move(decoded);
+  }
+  return {};
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,36 @@
+// The collision shape that Studio saves with unions and mesh parts: convex hulls, since the
+// geometry itself lives elsewhere.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "import/document.h"
+
+namespace obby::importer {
+
+enum class CollisionKind {
+  Absent,       // the file has no collision data
+  Box,          // the part's bounding box is the exact shape
+  Hulls,        // convex hulls
+  Unsupported,  // a version that is not known (8 is compressed), or damaged: use the box, and say
+                // so
+};
+
+struct Collision {
+  CollisionKind kind = CollisionKind::Absent;
+  std::string detail;  // for people: "CSGPHS 7, 3 hulls", "CSGPHS 8 is not supported"
+  std::vector<std::vector<Vec3>> hulls;  // corners of each, at least four
+};
+
+// `blob` is PhysicalConfigData or PhysicsData. Corners are in the space of the part's InitialSize.
+// Fails on damage only.
+Result<Collision> decodeCollision(std::string_view blob);
+
+// The collision of a mesh part or union, in the part's own space: corners scaled by Size /
+// InitialSize. Damage makes it Unsupported, with the reason in `detail`.
+Collision collisionOf(const Instance& part);
+
+}  // namespace obby::importer
