@@ -1,6 +1,8 @@
 // The two forms of a measurement, table row and JSON line.
 #include "common/report.h"
 
+#include <time.h>
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -67,6 +69,12 @@ void Report::add(std::string_view caseName, std::string_view metric, double valu
   if (!headed_) writeLine(fmt::format(kRow, "bench", "case", "metric", "value  ", "unit"));
   headed_ = true;
   writeLine(fmt::format(kRow, bench_, caseName, metric, forPeople(value), unit));
+}
+
+double threadSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return double(now.tv_sec) + double(now.tv_nsec) * 1e-9;
 }
 
 }  // namespace obby::bench

@@ -32,4 +32,15 @@ double secondsOf(Work&& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+// CPU seconds of the calling thread: what one core needs, also on a machine that is busy with other
+// things.
+double threadSeconds();
+
+template <class Work>
+double cpuSecondsOf(Work&& work) {
+  const double start = threadSeconds();
+  work();
+  return threadSeconds() - start;
+}
+
 }  // namespace obby::bench

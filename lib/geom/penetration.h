@@ -3,31 +3,11 @@
 // approach of curved faces.
 #pragma once
 
+#include "geom/box_box.h"
+#include "geom/contact.h"
 #include "geom/shapes/table.h"
-#include "math/angle.h"
 
 namespace obby::geom {
-
-// A box that stands upright: turned about Y only.
-struct UprightBox {
-  Vec3 center;
-  Vec3 half;
-  SinCos yaw;
-
-  OBBY_DEVICE Mat3 axes() const {
-    return {{yaw.cos, 0, -yaw.sin}, {0, 1, 0}, {yaw.sin, 0, yaw.cos}};
-  }
-  OBBY_DEVICE Box bounds() const {
-    const float s = absf(yaw.sin), c = absf(yaw.cos);
-    const Vec3 e{c * half.x + s * half.z, half.y, s * half.x + c * half.z};
-    return {center - e, center + e};
-  }
-};
-
-struct Contact {
-  float depth;  // studs; negative: apart by at least that much along `normal`
-  Vec3 normal;  // unit, world; moving the box by depth * normal separates them
-};
 
 namespace internal {
 
@@ -74,6 +54,15 @@ OBBY_DEVICE Contact penetration(const ShapeData& shape, const LocalBox& box) {
   return best;
 }
 
+// Blocks have a form of their own.
+template <class Shape>
+OBBY_DEVICE Contact dispatch(Shape, const ShapeData& shape, const LocalBox& box) {
+  return penetration<Shape>(shape, box);
+}
+OBBY_DEVICE Contact dispatch(Block, const ShapeData& shape, const LocalBox& box) {
+  return boxBlock(shape.half, box);
+}
+
 }  // namespace internal
 
 // depth >= 0: they overlap. The result of the first separating axis found otherwise.
@@ -84,8 +73,7 @@ OBBY_DEVICE Contact penetration(ShapeKind kind, const ShapeData& shape, const Po
                        {toLocal(pose.rotation, axes.x), toLocal(pose.rotation, axes.y),
                         toLocal(pose.rotation, axes.z)},
                        box.half};
-  Contact c =
-      visitShape(kind, [&](auto s) { return internal::penetration<decltype(s)>(shape, local); });
+  Contact c = visitShape(kind, [&](auto s) { return internal::dispatch(s, shape, local); });
   c.normal = pose.rotation * c.normal;
   return c;
 }

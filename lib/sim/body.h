@@ -37,11 +37,16 @@ OBBY_DEVICE void limitSpeed(World& w, const level::LevelView& level) {
   w.velocity.z = clampf(w.velocity.z, -side, side);
 }
 
+OBBY_DEVICE geom::Contact contactWith(const level::Collider& collider, const Candidate& c,
+                                      const geom::UprightBox& box) {
+  if (c.flags & level::kUpright) return geom::boxUprightBlock(*c.pose, collider.shape.half, box);
+  return geom::penetration(collider.kind, collider.shape, *c.pose, box);
+}
+
 // Pushes the body out of one part; true if it was inside by more than the skin.
 OBBY_DEVICE bool pushOut(World& w, const level::LevelView& level, const Candidate& c,
                          const geom::UprightBox& box) {
-  const level::Collider& collider = level.colliders[c.collider];
-  const geom::Contact contact = geom::penetration(collider.kind, collider.shape, *c.pose, box);
+  const geom::Contact contact = contactWith(level.colliders[c.collider], c, box);
   if (contact.depth <= level.params.contactSkin) return false;
   w.position += contact.normal * (contact.depth - level.params.contactSkin);
   const float into = dot(w.velocity, contact.normal);
@@ -49,51 +54,94 @@ OBBY_DEVICE bool pushOut(World& w, const level::LevelView& level, const Candidat
   return true;
 }
 
+// A set of candidates: bit k stands for items[k].
+using CandidateSet = uint64_t;
+static_assert(kMaxCandidates <= 64, "one bit a candidate");
+
 // Two rounds over the parts near the body, in their order: corners need the second.
 OBBY_DEVICE void collide(World& w, const level::LevelView& level, const Candidates& near,
-                         SinCos yaw) {
+                         CandidateSet solids, SinCos yaw) {
   for (int round = 0; round < 2; ++round) {
     bool pushed = false;
-    for (int k = 0; k < near.count; ++k) {
-      const Candidate& c = near.items[k];
-      if (!(c.flags & level::kSolid)) continue;
-      const geom::UprightBox box = bodyBox(w, level.params, yaw);
-      if (overlaps(box.bounds(), c.bounds)) pushed |= pushOut(w, level, c, box);
+    geom::UprightBox box = bodyBox(w, level.params, yaw);
+    Box bounds = box.bounds();
+    for (CandidateSet left = solids; left != 0; left &= left - 1) {
+      const Candidate& c = near.items[__builtin_ctzll(left)];
+      if (!overlaps(bounds, c.bounds) || !pushOut(w, level, c, box)) continue;
+      pushed = true;
+      box = bodyBox(w, level.params, yaw);
+      bounds = box.bounds();
     }
     if (!pushed) return;
   }
 }
 
-// Can the body meet anything solid during this tick? Decides whether substeps look at all.
-OBBY_DEVICE bool mayCollide(const World& w, const level::LevelView& level, const Candidates& near,
-                            SinCos yaw) {
-  if (!(near.anyFlags & level::kSolid)) return false;
+// Solid parts that the body can meet during this tick.
+OBBY_DEVICE CandidateSet solidsInReach(const World& w, const level::LevelView& level,
+                                       const Candidates& near, SinCos yaw) {
+  if (!(near.anyFlags & level::kSolid)) return 0;
   const Params& p = level.params;
   const float dt = p.tickSeconds;
-  // Speed now, and what gravity, drive and spring can add in a tick (a tenth of a stud is more than
-  // they do sideways; up and down the spring may add more).
-  const Vec3 move = abs(w.velocity) * dt + Vec3{0.2f, 0.5f + p.gravity * dt * dt, 0.2f};
+  // Speed now, and what gravity and drive can add in a tick. The spring adds more upward only from
+  // a floor above the feet, and then by no more than the legs are long.
+  const float side = maxf(p.groundAccel, p.airAccel) * dt * dt + p.contactSkin;
+  const Vec3 move =
+      abs(w.velocity) * dt + Vec3{side, p.gravity * dt * dt + p.hipHeight * 0.5f, side};
   const Box box = grow(bodyBox(w, p, yaw).bounds(), move);
+  CandidateSet solids = 0;
   for (int k = 0; k < near.count; ++k) {
-    if ((near.items[k].flags & level::kSolid) && overlaps(near.items[k].bounds, box)) return true;
+    const Candidate& c = near.items[k];
+    if ((c.flags & level::kSolid) && overlaps(c.bounds, box)) solids |= CandidateSet(1) << k;
   }
-  return false;
+  return solids;
+}
+
+// Differences below these are taken as none, so that a player who stands, walks or falls freely is
+// at rest in the terms of the equations, and a tick is one step of constant acceleration instead of
+// several.
+constexpr float kSettledGap = 1e-3f;    // studs
+constexpr float kSettledSpeed = 1e-2f;  // studs/s
+
+OBBY_DEVICE void settle(World& w, Floor& floor, const Drive& d) {
+  const float dx = d.velocity.x - w.velocity.x, dz = d.velocity.z - w.velocity.z;
+  if (d.limit > 0 && dx * dx + dz * dz < kSettledSpeed * kSettledSpeed) {
+    w.velocity.x = d.velocity.x;
+    w.velocity.z = d.velocity.z;
+  }
+  if (!d.hover || absf(floor.gap) >= kSettledGap || floor.velocity.y != 0) return;
+  if (absf(w.velocity.y) >= kSettledSpeed) return;
+  w.position.y -= floor.gap;
+  w.velocity.y = 0;
+  floor.gap = 0;
+}
+
+// Will the acceleration stay what it is for the whole tick?
+OBBY_DEVICE bool isConstant(const World& w, const Params& p, const Floor& floor, const Drive& d) {
+  if (d.hover && (floor.gap != 0 || w.velocity.y != 0)) return false;
+  const float dx = d.velocity.x - w.velocity.x, dz = d.velocity.z - w.velocity.z;
+  const float left = dx * dx + dz * dz;
+  // At the limit until the tick's end: the speed difference stays above limit / moveGain.
+  const float needed = d.limit * (1.0f / p.moveGain + p.tickSeconds);
+  return left == 0 || left > needed * needed;
 }
 
 OBBY_DEVICE void moveBody(World& w, const level::LevelView& level, const Candidates& near,
-                          const Floor& floor, const Drive& d) {
+                          Floor floor, const Drive& d) {
   const Params& p = level.params;
-  const float dt = p.substepSeconds;
   const SinCos yaw = sinCos(w.yaw);
-  const bool solids = mayCollide(w, level, near, yaw);
+  settle(w, floor, d);
+  const CandidateSet solids = solidsInReach(w, level, near, yaw);
+  const bool oneStep = solids == 0 && isConstant(w, p, floor, d);
+  const int steps = oneStep ? 1 : p.substeps;
+  const float dt = oneStep ? p.tickSeconds : p.substepSeconds;
   const float floorY = w.position.y - floor.gap;
-  for (int s = 0; s < p.substeps; ++s) {
+  for (int s = 0; s < steps; ++s) {
     const Vec3 a = acceleration(w, p, floor, d, w.position.y - floorY);
-    w.position += w.velocity * dt +
-                  a * (0.5f * dt * dt);  // exact for constant acceleration: jumps are parabolas
+    // Exact for constant acceleration: jumps are parabolas.
+    w.position += w.velocity * dt + a * (0.5f * dt * dt);
     w.velocity += a * dt;
     limitSpeed(w, level);
-    if (solids) collide(w, level, near, yaw);
+    if (solids) collide(w, level, near, solids, yaw);
   }
 }
 

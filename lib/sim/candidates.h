@@ -19,11 +19,18 @@ struct Candidate {
 };
 
 struct Candidates {
-  Candidate items[kMaxCandidates];
-  Pose moving[kMaxMovingCandidates];
+  // Unions keep the arrays from being zeroed for every tick of every world.
+  union {
+    Candidate items[kMaxCandidates];  // the first `count` are there
+  };
+  union {
+    Pose moving[kMaxMovingCandidates];
+  };
   int count = 0;
   int movingCount = 0;
   uint16_t anyFlags = 0;
+
+  OBBY_DEVICE Candidates() {}
 };
 
 // The list of grid cell that holds `feet`; null outside the grid, where nothing is near.

@@ -24,8 +24,7 @@ OBBY_DEVICE Limbs limbsOf(const World& w, const Params& p) {
 
 OBBY_DEVICE bool touches(const level::Collider& collider, const Candidate& c,
                          const geom::UprightBox& box) {
-  return overlaps(box.bounds(), c.bounds) &&
-         geom::penetration(collider.kind, collider.shape, *c.pose, box).depth >= 0;
+  return overlaps(box.bounds(), c.bounds) && contactWith(collider, c, box).depth >= 0;
 }
 
 OBBY_DEVICE void touchKill(World& w, const level::LevelView& level, const level::Collider& c) {
