@@ -1,0 +1,89 @@
+// Sizes are estimates of the base64 text; the order of thinning is attempts' ticks, moving parts'
+// ticks, whole attempts. Solutions are never touched.
+#include "view/budget.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "view/tracks.h"
+
+namespace obby::view {
+namespace {
+
+constexpr uint32_t kMaxStride = 8;
+constexpr uint32_t kLeastSeconds = 20;  // of motion to show where no trajectory is longer
+constexpr size_t kSampleBytes = 20;     // position, yaw, state in base64
+
+size_t base64Size(size_t bytes) { return (bytes + 2) / 3 * 4; }
+
+struct Sizes {
+  size_t fixed = 0, attempts = 0, tracks = 0;
+
+  size_t total(const Budget& b) const {
+    return fixed + attempts / b.attemptStride / b.attemptsOneOf + tracks / b.trackStride;
+  }
+};
+
+Sizes measure(const Report& report) {
+  Sizes sizes;
+  for (size_t i = 0; i < report.levels.size(); ++i) {
+    const auto record = report.levels[i].reader();
+    sizes.fixed += record.totalSize().wordCount * 8;
+    const auto& view = report.levels[i].level->view();
+    for (const Track& track : tracksOf(view, ticksShown(report, int(i)), 1)) {
+      sizes.tracks += base64Size(track.bytes());
+    }
+  }
+  for (const QueryEntry& query : report.queries) {
+    for (const PathEntry& path : query.paths) {
+      const size_t bytes = path.playback.feet.size() * kSampleBytes;
+      (path.kind == PathKind::attempt ? sizes.attempts : sizes.fixed) += bytes;
+    }
+  }
+  return sizes;
+}
+
+}  // namespace
+
+uint32_t ticksShown(const Report& report, int level) {
+  const auto& view = report.levels[size_t(level)].level->view();
+  uint64_t ticks = uint64_t(kLeastSeconds) * view.params.controlRate;
+  for (const QueryEntry& query : report.queries) {
+    if (query.level != level) continue;
+    for (const PathEntry& path : query.paths) {
+      ticks =
+          std::max<uint64_t>(ticks, uint64_t(path.reader().getStartTick()) + path.playback.ticks());
+    }
+  }
+  // Ten minutes of motion is all that a page shows; later starts wrap where the motion repeats.
+  return uint32_t(std::min<uint64_t>(ticks, 600ull * view.params.controlRate));
+}
+
+Budget budgetFor(const Report& report, size_t target) {
+  const Sizes sizes = measure(report);
+  Budget b;
+  while (sizes.total(b) > target && b.attemptStride < kMaxStride) b.attemptStride *= 2;
+  while (sizes.total(b) > target && b.trackStride < kMaxStride) b.trackStride *= 2;
+  while (sizes.total(b) > target &&
+         sizes.attempts / b.attemptStride / b.attemptsOneOf > target / 8) {
+    b.attemptsOneOf *= 2;
+  }
+  if (b.attemptStride > 1) {
+    b.notes.push_back(
+        fmt::format("Failed attempts show every {}th tick, to keep the page small. "
+                    "--full keeps all.",
+                    b.attemptStride));
+  }
+  if (b.trackStride > 1) {
+    b.notes.push_back(
+        fmt::format("Moving parts show every {}th tick. --full keeps all.", b.trackStride));
+  }
+  if (b.attemptsOneOf > 1) {
+    b.notes.push_back(
+        fmt::format("One failed attempt in {} is shown. --full keeps all.", b.attemptsOneOf));
+  }
+  return b;
+}
+
+}  // namespace obby::view

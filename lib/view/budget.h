@@ -1,0 +1,28 @@
+// How much of a report goes into a page: browsers grow slow beyond some 20 MB.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "view/report.h"
+
+namespace obby::view {
+
+constexpr size_t kPageTarget = 20u << 20;  // bytes; beyond it data is thinned out
+constexpr size_t kPageLimit = 200u << 20;  // bytes; no larger page is written
+
+struct Budget {
+  uint32_t attemptStride = 1;      // every n-th tick of failed attempts; solutions keep all
+  uint32_t trackStride = 1;        // every n-th tick of moving parts
+  uint32_t attemptsOneOf = 1;      // every n-th failed attempt is kept
+  std::vector<std::string> notes;  // what was thinned out, for people
+};
+
+// Ticks of the level clock that the page has to show.
+uint32_t ticksShown(const Report& report, int level);
+
+// The least thinning with which the page's data stays within `target` bytes.
+Budget budgetFor(const Report& report, size_t target);
+
+}  // namespace obby::view

@@ -1,0 +1,56 @@
+// Writes the page's data: JSON text that is safe inside an HTML script element, with numeric arrays
+// as base64 of their little-endian bytes.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace obby::view {
+
+// Appends to one string. Commas are set by the writer; the caller pairs open and close.
+class JsonText {
+ public:
+  JsonText& open(char bracket);  // '{' or '['
+  JsonText& close();
+  JsonText& key(std::string_view name);
+
+  // `<` is written as \u003c, so that no text can end the script element; broken UTF-8 becomes
+  // U+FFFD.
+  JsonText& value(std::string_view text);
+  JsonText& value(const char* text) { return value(std::string_view(text)); }
+  JsonText& value(bool flag);
+  JsonText& value(double number);  // finite, else null
+  JsonText& value(float number);   // shortest text that reads back to the same float
+  template <std::integral T>
+  requires(!std::same_as<T, bool>) JsonText& value(T number) { return raw(std::to_string(number)); }
+  JsonText& null() { return raw("null"); }
+  template <class T>
+  JsonText& array(std::span<const T> values) {
+    return base64({reinterpret_cast<const uint8_t*>(values.data()), values.size_bytes()});
+  }
+  template <class T>
+  JsonText& array(const std::vector<T>& values) {
+    return array(std::span<const T>(values));
+  }
+  template <class T>
+  JsonText& field(std::string_view name, const T& v) {
+    return key(name).value(v);
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  JsonText& raw(std::string_view text);
+  JsonText& base64(std::span<const uint8_t> bytes);
+  void separate();
+
+  std::string text_;
+  std::vector<char> closers_;
+  bool comma_ = false;
+};
+
+}  // namespace obby::view

@@ -1,0 +1,131 @@
+// A level in the page's data: parts as columns, names, hulls, motion.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "view/page_parts.h"
+#include "view/roles.h"
+#include "view/tracks.h"
+
+namespace obby::view {
+namespace {
+
+void push(std::vector<float>& out, schema::Vec3::Reader v) {
+  out.insert(out.end(), {v.getX(), v.getY(), v.getZ()});
+}
+
+void writeColumns(JsonText& json, schema::Level::Reader level) {
+  std::vector<float> position, rotation, size;
+  std::vector<uint8_t> shape, look, flags;
+  for (const auto part : level.getParts()) {
+    push(position, part.getPosition());
+    push(size, part.getSize());
+    const auto q = part.getRotation();
+    rotation.insert(rotation.end(), {q.getX(), q.getY(), q.getZ(), q.getW()});
+    shape.push_back(uint8_t(part.getShape()));
+    const auto color = part.getColor();
+    const float alpha = std::clamp(1 - part.getTransparency(), 0.0f, 1.0f);
+    look.insert(look.end(),
+                {color.getR(), color.getG(), color.getB(), uint8_t(std::lround(alpha * 255))});
+    flags.push_back(uint8_t((part.getSolid() ? 1 : 0) | (part.getTouch() ? 2 : 0)));
+  }
+  json.key("parts").open('{').field("count", level.getParts().size());
+  json.key("position").array(position).key("rotation").array(rotation).key("size").array(size);
+  json.key("shape").array(shape).key("role").array(rolesOf(level));
+  json.key("look").array(look).key("flags").array(flags).close();
+}
+
+void writeNames(JsonText& json, schema::Level::Reader level) {
+  json.key("names").open('[');
+  for (const auto part : level.getParts()) {
+    const auto path = part.getSource().getPath();
+    json.value(std::string_view(path.size() != 0 ? path.cStr() : part.getName().cStr()));
+  }
+  json.close().key("notes").open('{');
+  for (uint32_t i = 0; i < level.getParts().size(); ++i) {
+    const auto evidence = level.getParts()[i].getEvidence();
+    if (evidence.size() == 0) continue;
+    json.key(std::to_string(i)).open('[');
+    for (const auto item : evidence) {
+      json.value(std::string(item.getRole()) + ": " + std::string(item.getReason()) +
+                 (item.getGuessed() ? " (guessed)" : ""));
+    }
+    json.close();
+  }
+  json.close();
+}
+
+void writeHulls(JsonText& json, schema::Level::Reader level) {
+  json.key("hulls").open('[');
+  for (uint32_t i = 0; i < level.getParts().size(); ++i) {
+    const auto part = level.getParts()[i];
+    if (part.getShape() != schema::Shape::HULL) continue;
+    json.open('{').field("part", i).key("pieces").open('[');
+    for (const auto hull : part.getHulls()) {
+      std::vector<float> vertices;
+      for (const auto v : hull.getVertices()) push(vertices, v);
+      json.array(vertices);
+    }
+    json.close().close();
+  }
+  json.close();
+}
+
+void writeRules(JsonText& json, schema::Level::Reader level) {
+  json.key("vanish").open('[');
+  for (uint32_t i = 0; i < level.getParts().size(); ++i) {
+    const auto part = level.getParts()[i];
+    if (!part.hasVanish()) continue;
+    const auto rule = part.getVanish();
+    json.open('{').field("part", i);
+    json.field("trigger", rule.getTrigger() == schema::VanishTrigger::TIMER ? "timer" : "touch");
+    json.field("delay", rule.getDelay()).field("away", rule.getAway());
+    json.field("phase", rule.getPhase()).close();
+  }
+  json.close().key("conveyors").open('[');
+  for (uint32_t i = 0; i < level.getParts().size(); ++i) {
+    const auto part = level.getParts()[i];
+    if (!part.hasConveyor()) continue;
+    const auto v = part.getConveyor().getVelocity();
+    json.open('{').field("part", i).key("velocity").open('[');
+    json.value(v.getX()).value(v.getY()).value(v.getZ()).close().close();
+  }
+  json.close();
+}
+
+void writeTracks(JsonText& json, const std::vector<Track>& tracks) {
+  json.key("tracks").open('[');
+  for (const Track& track : tracks) {
+    if (track.positions.empty() && track.rotations.empty()) continue;
+    json.open('{').field("part", track.part).field("stride", track.stride);
+    json.field("count", track.count).field("loopFrom", track.loopFrom);
+    if (!track.positions.empty()) json.key("position").array(track.positions);
+    if (!track.rotations.empty()) json.key("rotation").array(track.rotations);
+    json.close();
+  }
+  json.close();
+}
+
+}  // namespace
+
+void writeLevel(JsonText& json, const LevelEntry& entry, uint32_t ticksShown,
+                uint32_t trackStride) {
+  const auto level = entry.reader();
+  const auto physics = level.getPhysics();
+  json.open('{').field("name", std::string_view(level.getName().cStr()));
+  json.field("file", std::string_view(level.getSource().getFile().cStr()));
+  json.field("tickRate", physics.getControlRate())
+      .field("fallHeight", physics.getFallenPartsHeight());
+  json.key("body").open('{').field("width", physics.getBodyWidth());
+  json.field("depth", physics.getBodyDepth()).field("hip", physics.getHipHeight());
+  json.field("neck", physics.getHeadBottom()).field("top", physics.getBodyTop());
+  json.field("span", physics.getArmSpan()).close();
+  writeColumns(json, level);
+  writeNames(json, level);
+  writeHulls(json, level);
+  writeRules(json, level);
+  writeTracks(json, tracksOf(entry.level->view(), ticksShown, trackStride));
+  json.close();
+}
+
+}  // namespace obby::view

@@ -1,0 +1,156 @@
+// A query in the page's data: regions, result, trajectories.
+#include <capnp/schema.h>
+
+#include <string>
+
+#include "view/page_parts.h"
+
+namespace obby::view {
+namespace {
+
+template <class Enum>
+std::string_view enumName(Enum value) {
+  const auto names = capnp::Schema::from<Enum>().getEnumerants();
+  const auto index = uint16_t(value);
+  return index < names.size() ? std::string_view(names[index].getProto().getName().cStr())
+                              : std::string_view("running");
+}
+
+void writeVec(JsonText& json, Vec3 v) { json.open('[').value(v.x).value(v.y).value(v.z).close(); }
+
+void writeVec(JsonText& json, schema::Vec3::Reader v) {
+  writeVec(json, Vec3{v.getX(), v.getY(), v.getZ()});
+}
+
+void writeRegion(JsonText& json, schema::Region::Reader region) {
+  json.open('{').field("name", std::string_view(region.getName().cStr()));
+  json.key("position");
+  writeVec(json, region.getPosition());
+  const auto q = region.getRotation();
+  json.key("rotation").open('[').value(q.getX()).value(q.getY()).value(q.getZ()).value(q.getW());
+  json.close().key("size");
+  writeVec(json, region.getSize());
+  json.close();
+}
+
+void writeConstraints(JsonText& json, const QueryEntry& entry) {
+  const bool known = entry.query.has_value();
+  const auto query = known ? entry.reader() : schema::Query::Reader();
+  json.key("start");
+  if (known && query.getStart().hasRegion()) {
+    writeRegion(json, query.getStart().getRegion());
+  } else {
+    json.null();
+  }
+  json.key("startPosition");
+  if (entry.compiled) {
+    writeVec(json, entry.compiled->start().feet);
+  } else {
+    json.null();
+  }
+  json.field("startTick", query.getStart().getTick()).key("goal");
+  if (known) {
+    writeRegion(json, query.getGoal());
+  } else {
+    json.null();
+  }
+  json.key("waypoints").open('[');
+  for (const auto waypoint : query.getWaypoints()) {
+    json.open('{').field("maxJumps", waypoint.getMaxJumps()).key("region");
+    writeRegion(json, waypoint.getRegion());
+    json.close();
+  }
+  json.close().key("avoid").open('[');
+  for (const auto region : query.getAvoid()) writeRegion(json, region);
+  json.close().field("maxJumps", query.getMaxJumps()).field("timeLimit", query.getTimeLimit());
+}
+
+void writeResult(JsonText& json, const QueryEntry& entry) {
+  json.key("result");
+  if (!entry.result) {
+    json.null();
+    return;
+  }
+  const auto result = entry.answer();
+  const auto timing = result.getTiming();
+  json.open('{').field("verdict", enumName(result.getVerdict()));
+  json.field("reason", std::string_view(result.getReason().cStr()));
+  json.field("solutions", result.getSolutions()).field("ticks", result.getTicks());
+  json.field("jumps", result.getJumps()).field("steps", std::to_string(result.getSteps()));
+  json.field("cells", std::to_string(result.getCells()));
+  json.field("rounds", std::to_string(result.getRounds())).field("closest", result.getClosest());
+  json.field("seconds", timing.getSeconds()).field("firstSolution", timing.getFirstSolution());
+  json.field("stepsPerSecond", timing.getStepsPerSecond());
+  json.field("method", std::string_view(result.getMethod().cStr()));
+  json.field("seed", std::to_string(result.getSeed())).key("ends").open('[');
+  for (const auto end : result.getEnds()) {
+    json.open('{').field("outcome", enumName(end.getOutcome())).field("part", end.getPart());
+    json.field("count", std::to_string(end.getCount())).close();
+  }
+  json.close().close();
+}
+
+// Every stride-th sample, and the last one.
+template <class T>
+std::vector<T> thinned(const std::vector<T>& all, uint32_t stride) {
+  if (stride == 1) return all;
+  std::vector<T> out;
+  for (size_t i = 0; i < all.size(); i += stride) out.push_back(all[i]);
+  if ((all.size() - 1) % stride != 0) out.push_back(all.back());
+  return out;
+}
+
+// (ticks, bits: 1 walk, 2 jump, heading) for each run of the same action.
+std::vector<uint16_t> runsOf(schema::Trajectory::Reader path) {
+  constexpr uint32_t kLongest = 65535;
+  std::vector<uint16_t> runs;
+  for (const auto run : path.getActions()) {
+    const auto bits = uint16_t((run.getWalk() ? 1 : 0) | (run.getJump() ? 2 : 0));
+    for (uint32_t left = run.getTicks(); left > 0;) {
+      const uint32_t ticks = left < kLongest ? left : kLongest;
+      runs.insert(runs.end(), {uint16_t(ticks), bits, run.getHeading()});
+      left -= ticks;
+    }
+  }
+  return runs;
+}
+
+void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
+  constexpr const char* kKinds[] = {"solution", "attempt", "progress"};
+  const auto record = path.reader();
+  const Playback& play = path.playback;
+  // A replay without its query cannot tell why the record ended; the record can.
+  const bool told = play.outcome == schema::Outcome::RUNNING && play.mismatch.empty();
+  json.open('{').field("kind", kKinds[size_t(path.kind)]).field("index", record.getIndex());
+  json.field("outcome", enumName(told ? record.getOutcome() : play.outcome));
+  json.field("part", told ? record.getPart() : play.part).field("ticks", play.ticks());
+  json.field("jumps", play.jumps).field("startTick", record.getStartTick());
+  json.field("stride", stride);
+  if (!play.mismatch.empty()) json.field("mismatch", play.mismatch);
+  json.key("position").array(thinned(play.feet, stride));
+  json.key("yaw").array(thinned(play.yaw, stride));
+  json.key("state").array(thinned(play.state, stride)).key("runs").array(runsOf(record));
+  json.key("events").open('[');
+  for (const PartEvent& event : play.events) {
+    json.open('[').value(event.tick).value(event.part).value(event.solid ? 1 : 0).close();
+  }
+  json.close().close();
+}
+
+}  // namespace
+
+void writeQuery(JsonText& json, const QueryEntry& entry, const Budget& budget) {
+  json.open('{').field("id", entry.id).field("level", entry.level);
+  writeConstraints(json, entry);
+  writeResult(json, entry);
+  json.key("trajectories").open('[');
+  uint32_t attempts = 0;
+  for (const PathEntry& path : entry.paths) {
+    const bool attempt = path.kind == PathKind::attempt;
+    if (attempt && attempts++ % budget.attemptsOneOf != 0) continue;
+    writePath(json, path, attempt ? budget.attemptStride : 1);
+  }
+  json.close().close();
+}
+
+}  // namespace obby::view

@@ -1,0 +1,53 @@
+// A small picture in terminal characters, drawn from above: each pixel has a glyph for terminals
+// without colours and a colour for those with.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "math/vec.h"
+#include "view/terminal.h"
+
+namespace obby::view {
+
+struct Vec2 {
+  float x = 0, y = 0;
+};
+
+// Counter-clockwise convex hull; fewer than 3 points where they are all in line.
+std::vector<Vec2> convexHull(std::vector<Vec2> points);
+
+struct Ink {
+  char glyph;        // ' ' is the background
+  const char* wide;  // the glyph where UTF-8 is allowed
+  Rgb color;
+};
+
+// Pixels are square in the world: with colours and UTF-8 two of them share a character
+// (half blocks), elsewhere one character covers two pixels' height.
+class Raster {
+ public:
+  // `lo` to `hi`: the world rectangle to show, x across and y down; `width` in characters.
+  Raster(Vec2 lo, Vec2 hi, size_t width, size_t maxRows, const TerminalTraits& terminal);
+
+  void fill(const std::vector<Vec2>& hull, const Ink& ink);
+  void line(Vec2 a, Vec2 b, const Ink& ink);
+  void dot(Vec2 at, const Ink& ink);
+  std::string text() const;
+
+  float pixelWidth() const { return pixel_.x; }  // studs
+  size_t columns() const { return columns_; }
+
+ private:
+  void put(long column, long row, const Ink& ink);
+  std::string coloredRow(size_t row) const;
+  std::string plainRow(size_t row) const;
+
+  TerminalTraits terminal_;
+  bool halves_;  // two pixels a character
+  Vec2 lo_, pixel_;
+  size_t columns_ = 0, rows_ = 0;  // pixels
+  std::vector<Ink> pixels_;
+};
+
+}  // namespace obby::view

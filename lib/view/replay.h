@@ -1,0 +1,46 @@
+// Trajectory records hold actions only: this plays them through the simulator and compares the end
+// with what the record says.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "level/level.h"
+#include "schema/obby.capnp.h"
+
+namespace obby::view {
+
+// A part that loses (or gets back) its collision during a playthrough.
+struct PartEvent {
+  uint32_t tick;  // since the start of the playthrough
+  uint32_t part;
+  bool solid;
+};
+
+// Bits of Playback::state.
+constexpr uint8_t kAirborne = 1;
+constexpr uint8_t kDead = 2;
+
+// A playthrough tick by tick, the start first; at least one sample.
+struct Playback {
+  std::vector<Vec3> feet;  // studs
+  std::vector<uint16_t> yaw;
+  std::vector<uint8_t> state;
+  std::vector<PartEvent> events;
+  schema::Outcome outcome = schema::Outcome::RUNNING;
+  int32_t part = -1;  // that killed the player
+  uint32_t jumps = 0;
+  // How the replay differs from the record; empty: it agrees in all that the record states.
+  std::string mismatch;
+
+  uint32_t ticks() const { return uint32_t(feet.size()) - 1; }
+};
+
+// `query` may be null: no regions and limits then, and an outcome that only they can give is not
+// compared. Errors have `path` set.
+Result<Playback> playBack(const level::Level& level, const level::Query* query,
+                          schema::Trajectory::Reader record);
+
+}  // namespace obby::view

@@ -1,0 +1,198 @@
+// A query's course from above. The longer side runs across; parts in order of height, so that the
+// highest is seen.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "view/raster.h"
+#include "view/roles.h"
+#include "view/text_report.h"
+#include "view/utf8.h"
+
+namespace obby::view {
+namespace {
+
+constexpr size_t kMostColumns = 110, kMostRows = 36;
+constexpr float kAround = 6;  // studs of surroundings
+
+constexpr Ink kPart{'#', "░", {84, 92, 106}}, kKill{'x', "▒", {214, 60, 64}},
+    kMoving{'~', "~", {164, 139, 250}}, kStart{'S', "S", {53, 196, 141}},
+    kGoal{'G', "G", {63, 140, 255}}, kAvoid{'-', "╌", {150, 80, 140}},
+    kWaypoint{'o', "o", {200, 160, 70}}, kSolution{'*', "●", {255, 225, 140}},
+    kAttempt{'.', "·", {150, 110, 80}}, kEnd{'+', "✕", {255, 120, 110}},
+    kSpecial{'=', "▤", {76, 195, 221}};
+
+Ink inkOf(Role role) {
+  switch (role) {
+    case Role::kill: return kKill;
+    case Role::goal: return kGoal;
+    case Role::start: return kStart;
+    case Role::moving: return kMoving;
+    case Role::vanish:
+    case Role::conveyor:
+    case Role::pad: return kSpecial;
+    default: return kPart;
+  }
+}
+
+// World to map: the course's longer side across, seen from above, never mirrored.
+struct Frame {
+  bool along;  // the course runs along Z: -Z points right
+
+  Vec2 of(Vec3 v) const { return along ? Vec2{-v.z, v.x} : Vec2{v.x, v.z}; }
+};
+
+using Corners = std::array<Vec3, 8>;
+
+Corners cornersOf(Vec3 centre, Quat rotation, Vec3 size) {
+  const Mat3 axes = toMat3(normalize(rotation));
+  Corners corners;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 local{(i & 1 ? 0.5f : -0.5f) * size.x, (i & 2 ? 0.5f : -0.5f) * size.y,
+                     (i & 4 ? 0.5f : -0.5f) * size.z};
+    corners[size_t(i)] = centre + axes * local;
+  }
+  return corners;
+}
+
+template <class T>  // Part or Region
+Corners cornersOf(T reader) {
+  const auto p = reader.getPosition();
+  const auto q = reader.getRotation();
+  const auto s = reader.getSize();
+  return cornersOf({p.getX(), p.getY(), p.getZ()}, {q.getX(), q.getY(), q.getZ(), q.getW()},
+                   {s.getX(), s.getY(), s.getZ()});
+}
+
+Box boxOf(const Corners& corners) {
+  Box box{corners[0], corners[0]};
+  for (const Vec3 c : corners) box = join(box, {c, c});
+  return box;
+}
+
+std::vector<Vec2> footprint(const Corners& corners, Frame frame) {
+  std::vector<Vec2> points;
+  for (const Vec3 c : corners) points.push_back(frame.of(c));
+  return convexHull(std::move(points));
+}
+
+// What the map must show: regions and trajectories, or else the whole level.
+Box extentOf(const LevelEntry& level, const QueryEntry& query) {
+  std::vector<Box> boxes;
+  if (query.query) {
+    const auto q = query.reader();
+    boxes.push_back(boxOf(cornersOf(q.getGoal())));
+    for (const auto w : q.getWaypoints()) boxes.push_back(boxOf(cornersOf(w.getRegion())));
+    for (const auto region : q.getAvoid()) boxes.push_back(boxOf(cornersOf(region)));
+    if (query.compiled)
+      boxes.push_back({query.compiled->start().feet, query.compiled->start().feet});
+  }
+  for (const PathEntry& path : query.paths) {
+    // Attempts may fall far away: their starts and the solutions count.
+    const size_t last = path.kind == PathKind::attempt ? 1 : path.playback.feet.size();
+    for (size_t i = 0; i < last; ++i)
+      boxes.push_back({path.playback.feet[i], path.playback.feet[i]});
+  }
+  if (boxes.empty()) return level.level->bounds();
+  Box all = boxes[0];
+  for (const Box& box : boxes) all = join(all, box);
+  return grow(all, {kAround, kAround, kAround});
+}
+
+void drawParts(Raster& raster, const LevelEntry& level, Frame frame, const Box& extent) {
+  const auto parts = level.reader().getParts();
+  const std::vector<Role> roles = rolesOf(level.reader());
+  struct Drawn {
+    uint32_t part;
+    float top;
+    std::vector<Vec2> hull;
+  };
+  std::vector<Drawn> drawn;
+  for (uint32_t i = 0; i < parts.size(); ++i) {
+    if (roles[i] == Role::ghost) continue;
+    const Corners corners = cornersOf(parts[i]);
+    const Box box = boxOf(corners);
+    const bool meets = box.lo.x <= extent.hi.x && extent.lo.x <= box.hi.x &&
+                       box.lo.z <= extent.hi.z && extent.lo.z <= box.hi.z;
+    if (meets) drawn.push_back({i, box.hi.y, footprint(corners, frame)});
+  }
+  std::stable_sort(drawn.begin(), drawn.end(),
+                   [](const Drawn& a, const Drawn& b) { return a.top < b.top; });
+  for (const Drawn& part : drawn) raster.fill(part.hull, inkOf(roles[part.part]));
+}
+
+void drawPath(Raster& raster, const Playback& play, Frame frame, const Ink& ink) {
+  for (size_t i = 0; i + 1 < play.feet.size(); ++i) {
+    raster.line(frame.of(play.feet[i]), frame.of(play.feet[i + 1]), ink);
+  }
+}
+
+void outline(Raster& raster, schema::Region::Reader region, Frame frame, const Ink& ink) {
+  const std::vector<Vec2> hull = footprint(cornersOf(region), frame);
+  for (size_t i = 0; i < hull.size(); ++i) raster.line(hull[i], hull[(i + 1) % hull.size()], ink);
+}
+
+void drawQuery(Raster& raster, const QueryEntry& query, Frame frame) {
+  if (query.query) {
+    for (const auto region : query.reader().getAvoid()) outline(raster, region, frame, kAvoid);
+    for (const auto w : query.reader().getWaypoints()) {
+      outline(raster, w.getRegion(), frame, kWaypoint);
+    }
+    outline(raster, query.reader().getGoal(), frame, kGoal);
+  }
+  for (auto path = query.paths.rbegin(); path != query.paths.rend(); ++path) {
+    const bool solution = path->kind == PathKind::solution;
+    drawPath(raster, path->playback, frame, solution ? kSolution : kAttempt);
+    if (!solution) raster.dot(frame.of(path->playback.feet.back()), kEnd);
+  }
+  if (query.compiled) raster.dot(frame.of(query.compiled->start().feet), kStart);
+}
+
+std::string legend(const TerminalTraits& terminal, const QueryEntry& query) {
+  std::string out;
+  const auto add = [&](const Ink& ink, const char* text) {
+    const bool halves = terminal.color && terminal.utf8;
+    const std::string glyph = halves          ? "■"
+                              : terminal.utf8 ? std::string(ink.wide)
+                                              : std::string(1, ink.glyph);
+    out += (out.empty() ? "" : "  ") + colored(glyph, ink.color, terminal) + " " + text;
+  };
+  add(kStart, "start");
+  add(kGoal, "goal");
+  add(kPart, "part");
+  add(kKill, "kills");
+  add(kMoving, "moves");
+  add(kSpecial, "pad, belt, vanishing");
+  if (!query.paths.empty() && query.paths.front().kind == PathKind::solution) {
+    add(kSolution, "solution");
+  }
+  if (!query.paths.empty() && query.paths.back().kind != PathKind::solution) {
+    add(kAttempt, "attempt");
+    add(kEnd, "its end");
+  }
+  return out + "\n";
+}
+
+}  // namespace
+
+std::string queryMap(const Report& report, const QueryEntry& query,
+                     const TerminalTraits& terminal) {
+  if (query.level < 0) return {};
+  const LevelEntry& level = report.levels[size_t(query.level)];
+  const Box extent = extentOf(level, query);
+  const Frame frame{extent.hi.z - extent.lo.z > extent.hi.x - extent.lo.x};
+  const Vec2 a = frame.of(extent.lo), b = frame.of(extent.hi);
+  Raster raster({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)},
+                std::min(terminal.width, kMostColumns), kMostRows, terminal);
+  drawParts(raster, level, frame, extent);
+  drawQuery(raster, query, frame);
+  return fmt::format("{}, from above, {:.3g} studs a column; {} points right\n{}{}",
+                     fitted(query.id, 60, !terminal.utf8), raster.pixelWidth(),
+                     frame.along ? "-Z" : "+X", raster.text(), legend(terminal, query));
+}
+
+}  // namespace obby::view

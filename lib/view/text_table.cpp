@@ -1,0 +1,118 @@
+// The table of queries: columns as wide as their texts, the last one takes what is left.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "view/text_report.h"
+#include "view/utf8.h"
+
+namespace obby::view {
+namespace {
+
+constexpr size_t kColumns = 8;
+constexpr size_t kLeastReason = 16;
+constexpr size_t kMostName = 28;
+using Row = std::array<std::string, kColumns>;
+
+constexpr Rgb kGreen{95, 214, 162}, kRed{240, 72, 78}, kYellow{230, 200, 90}, kPink{255, 122, 217},
+    kGrey{151, 161, 179};
+
+struct VerdictText {
+  const char* text;
+  Rgb color;
+};
+
+VerdictText verdictOf(const QueryEntry& query) {
+  if (query.mismatch()) return {"MISMATCH", kPink};
+  if (!query.result) return {"no answer", kGrey};
+  switch (query.answer().getVerdict()) {
+    case schema::Verdict::SOLVED: return {"solved", kGreen};
+    case schema::Verdict::UNREACHABLE: return {"unreachable", kRed};
+    default: return {"unknown", kYellow};
+  }
+}
+
+// 1234567 as 1.23M.
+std::string shortCount(uint64_t value) {
+  if (value < 10000) return std::to_string(value);
+  const char* units = "kMGTPE";
+  auto number = double(value);
+  int unit = -1;
+  for (; number >= 999.5 && unit < 5; ++unit) number /= 1000;
+  return fmt::format("{:.{}f}{}", number, number < 9.995 ? 2 : number < 99.95 ? 1 : 0, units[unit]);
+}
+
+std::string reasonOf(const QueryEntry& query) {
+  for (const PathEntry& path : query.paths) {
+    if (!path.playback.mismatch.empty()) return "replay: " + path.playback.mismatch;
+  }
+  return query.result ? std::string(query.answer().getReason()) : "the stream holds no result";
+}
+
+Row rowOf(const Report& report, const QueryEntry& query) {
+  Row row;
+  row[0] = query.id;
+  row[1] = verdictOf(query).text;
+  row[7] = reasonOf(query);
+  if (!query.result) return row;
+  const auto result = query.answer();
+  if (result.getVerdict() == schema::Verdict::SOLVED) {
+    const double rate =
+        query.level >= 0 ? report.levels[size_t(query.level)].level->view().params.controlRate : 60;
+    if (result.getTiming().getFirstSolution() > 0) {
+      row[2] = fmt::format("{:.2f} s", result.getTiming().getFirstSolution());
+    }
+    row[3] = std::to_string(result.getTicks());
+    row[4] = fmt::format("{:.2f} s", result.getTicks() / rate);
+    row[5] = std::to_string(result.getJumps());
+  }
+  if (result.getSteps() > 0) row[6] = shortCount(result.getSteps());
+  return row;
+}
+
+std::string pad(const std::string& text, size_t width, bool right) {
+  const size_t used = charCount(text);
+  const std::string space(width > used ? width - used : 0, ' ');
+  return right ? space + text : text + space;
+}
+
+}  // namespace
+
+std::string queryTable(const Report& report, const TerminalTraits& terminal) {
+  constexpr const char* kHeads[kColumns] = {"query", "verdict", "found in", "ticks",
+                                            "play",  "jumps",   "steps",    "reason"};
+  std::vector<Row> rows;
+  for (const QueryEntry& query : report.queries) rows.push_back(rowOf(report, query));
+  std::array<size_t, kColumns> widths;
+  size_t used = 0;
+  for (size_t c = 0; c < kColumns; ++c) {
+    widths[c] = std::string_view(kHeads[c]).size();
+    for (Row& row : rows) {
+      if (c + 1 < kColumns) row[c] = fitted(row[c], kMostName, !terminal.utf8);
+      widths[c] = std::max(widths[c], charCount(row[c]));
+    }
+    if (c + 1 < kColumns) used += widths[c] + 2;
+  }
+  const size_t room = terminal.width > used + kLeastReason ? terminal.width - used : kLeastReason;
+  std::string out;
+  const auto line = [&](const Row& row, const QueryEntry* query) {
+    std::string text;
+    for (size_t c = 0; c + 1 < kColumns; ++c) {
+      const std::string cell = pad(row[c], widths[c], c >= 2);
+      text += c == 1 && query ? colored(cell, verdictOf(*query).color, terminal) : cell;
+      text += "  ";
+    }
+    text += fitted(row[kColumns - 1], room, !terminal.utf8);
+    text.erase(text.find_last_not_of(' ') + 1);
+    out += text + "\n";
+  };
+  Row heads;
+  std::copy(std::begin(kHeads), std::end(kHeads), heads.begin());
+  line(heads, nullptr);
+  for (size_t i = 0; i < rows.size(); ++i) line(rows[i], &report.queries[i]);
+  return out;
+}
+
+}  // namespace obby::view

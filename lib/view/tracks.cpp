@@ -1,0 +1,85 @@
+// Tabulates level::moverPose.
+#include "view/tracks.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace obby::view {
+namespace {
+
+// Shepperd's method: the largest component first, so that nothing cancels.
+Quat toQuat(const Mat3& m) {
+  const float xx = m.x.x, yy = m.y.y, zz = m.z.z;
+  if (xx + yy + zz > 0) {
+    const float s = 2 * std::sqrt(1 + xx + yy + zz);
+    return {(m.y.z - m.z.y) / s, (m.z.x - m.x.z) / s, (m.x.y - m.y.x) / s, s / 4};
+  }
+  if (xx > yy && xx > zz) {
+    const float s = 2 * std::sqrt(1 + xx - yy - zz);
+    return {s / 4, (m.y.x + m.x.y) / s, (m.z.x + m.x.z) / s, (m.y.z - m.z.y) / s};
+  }
+  if (yy > zz) {
+    const float s = 2 * std::sqrt(1 + yy - xx - zz);
+    return {(m.y.x + m.x.y) / s, s / 4, (m.z.y + m.y.z) / s, (m.z.x - m.x.z) / s};
+  }
+  const float s = 2 * std::sqrt(1 + zz - xx - yy);
+  return {(m.z.x + m.x.z) / s, (m.z.y + m.y.z) / s, s / 4, (m.x.y - m.y.x) / s};
+}
+
+// How many ticks to tabulate, and whether they repeat.
+void setExtent(Track& track, const level::Mover& mover, uint32_t ticks, uint32_t stride) {
+  const uint64_t spin = mover.spinCount == 0 ? 1 : mover.spinCount;
+  const uint64_t period = mover.once ? (spin == 1 ? mover.keyCount : UINT64_MAX)
+                                     : std::lcm(uint64_t(mover.keyCount), spin);
+  if (period <= ticks) {
+    track.loopFrom = mover.once ? -1 : 0;
+    // A stride must divide the period, or the seam would stutter.
+    track.stride = mover.once || period % stride == 0 ? stride : 1;
+    track.count = uint32_t((period + track.stride - 1) / track.stride);
+    if (mover.once) track.count += 1;
+  } else {
+    track.stride = stride;
+    track.count = ticks / stride + 1;
+  }
+}
+
+bool sameRotation(const Mat3& a, const Mat3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+Track trackOf(const level::Mover& mover, uint32_t part, uint32_t ticks, uint32_t stride) {
+  Track track;
+  track.part = part;
+  setExtent(track, mover, ticks, stride);
+  const Pose first = level::moverPose(mover, 0);
+  bool moves = false, turns = false;
+  for (uint32_t i = 0; i < track.count; ++i) {
+    const Pose pose = level::moverPose(mover, i * track.stride);
+    moves = moves || !(pose.position == first.position);
+    turns = turns || !sameRotation(pose.rotation, first.rotation);
+    const Quat q = toQuat(pose.rotation);
+    for (const float v : {pose.position.x, pose.position.y, pose.position.z}) {
+      track.positions.push_back(v);
+    }
+    for (const float v : {q.x, q.y, q.z, q.w}) {
+      track.rotations.push_back(int16_t(std::lround(clampf(v, -1, 1) * 32767)));
+    }
+  }
+  if (!moves) track.positions.clear();
+  if (!turns) track.rotations.clear();
+  return track;
+}
+
+}  // namespace
+
+std::vector<Track> tracksOf(const level::LevelView& level, uint32_t ticks, uint32_t stride) {
+  std::vector<Track> tracks;
+  std::vector<bool> done(level.moverCount, false);  // hulls of one part share its mover
+  for (uint32_t i = 0; i < level.colliderCount; ++i) {
+    const level::Collider& collider = level.colliders[i];
+    if (collider.mover == level::kNone || done[collider.mover]) continue;
+    done[collider.mover] = true;
+    tracks.push_back(trackOf(level.movers[collider.mover], collider.part, ticks, stride));
+  }
+  return tracks;
+}
+
+}  // namespace obby::view

@@ -1,0 +1,27 @@
+// Where moving parts are at each tick, as tables for the page: it knows no physics.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "level/level.h"
+
+namespace obby::view {
+
+// Samples of one part for ticks 0, stride, 2 stride, ...
+struct Track {
+  uint32_t part = 0;
+  uint32_t stride = 1;
+  uint32_t count = 0;
+  int32_t loopFrom = -1;           // sample that follows the last one; -1: the last one stays
+  std::vector<float> positions;    // (count x 3), studs; empty: stays where the level has it
+  std::vector<int16_t> rotations;  // (count x 4), quaternion x 32767; empty: keeps its rotation
+
+  size_t bytes() const { return positions.size() * 4 + rotations.size() * 2; }
+};
+
+// One track a moving part. Motion that repeats within `ticks` is stored once round; other motion is
+// stored for `ticks` ticks. `stride` > 1 keeps every stride-th sample only.
+std::vector<Track> tracksOf(const level::LevelView& level, uint32_t ticks, uint32_t stride);
+
+}  // namespace obby::view

@@ -1,0 +1,71 @@
+// Decoding with every malformed form refused: overlong, surrogate, beyond U+10FFFF, cut off.
+#include "view/utf8.h"
+
+#include <algorithm>
+
+namespace obby::view {
+
+Utf8Char nextChar(std::string_view text, size_t at) {
+  constexpr Utf8Char kBroken{0xfffd, 1};
+  const auto byte = [&](size_t k) { return static_cast<unsigned char>(text[at + k]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80) return {lead, 1};
+  const size_t bytes = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : lead >= 0xc0 ? 2 : 0;
+  if (bytes == 0 || lead > 0xf4 || at + bytes > text.size()) return kBroken;
+  char32_t code = lead & (0x7fu >> bytes);
+  for (size_t k = 1; k < bytes; ++k) {
+    if ((byte(k) & 0xc0) != 0x80) return kBroken;
+    code = code << 6 | (byte(k) & 0x3fu);
+  }
+  constexpr char32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+  if (code < kLeast[bytes] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return kBroken;
+  return {code, bytes};
+}
+
+void appendUtf8(std::string& text, char32_t code) {
+  const auto put = [&](char32_t value) { text += static_cast<char>(value); };
+  if (code < 0x80) {
+    put(code);
+  } else if (code < 0x800) {
+    put(0xc0 | code >> 6);
+    put(0x80 | (code & 63));
+  } else if (code < 0x10000) {
+    put(0xe0 | code >> 12);
+    put(0x80 | (code >> 6 & 63));
+    put(0x80 | (code & 63));
+  } else {
+    put(0xf0 | code >> 18);
+    put(0x80 | (code >> 12 & 63));
+    put(0x80 | (code >> 6 & 63));
+    put(0x80 | (code & 63));
+  }
+}
+
+size_t charCount(std::string_view text) {
+  size_t count = 0;
+  for (size_t at = 0; at < text.size(); at += nextChar(text, at).bytes) ++count;
+  return count;
+}
+
+std::string fitted(std::string_view text, size_t width, bool ascii) {
+  const std::string_view ellipsis = ascii ? "..." : "…";
+  const size_t room =
+      charCount(text) <= width ? width : width - std::min(width, charCount(ellipsis));
+  std::string out;
+  size_t used = 0;
+  for (size_t at = 0; at < text.size() && used < room; ++used) {
+    const Utf8Char c = nextChar(text, at);
+    at += c.bytes;
+    if (c.code < 32 || (c.code >= 127 && c.code < 160)) {
+      out += ' ';
+    } else if (ascii && c.code >= 128) {
+      out += '?';
+    } else {
+      appendUtf8(out, c.code);
+    }
+  }
+  if (room < width) out += ellipsis;
+  return out;
+}
+
+}  // namespace obby::view
