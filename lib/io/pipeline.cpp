@@ -34,9 +34,9 @@ struct Pipeline::Impl {
   }
 
   Status run(const Handler& handle) {
-    OBBY_RETURN_IF_ERROR(begin());
     for (;;) {
       OBBY_ASSIGN(const std::optional<Record> record, source.next());
+      OBBY_RETURN_IF_ERROR(begin());
       if (!record) return {};
       OBBY_RETURN_IF_ERROR(one(*record, handle));
     }
@@ -50,6 +50,7 @@ struct Pipeline::Impl {
   }
 
   Status finish() {
+    if (stoppedByError && !begun) return {};  // nothing was done: leave no output
     OBBY_RETURN_IF_ERROR(begin());
     RecordBuilder builder;
     auto end = builder.root().initEnd();

@@ -92,7 +92,8 @@ class Pipeline {
   void outOfBudget();
 
   // Writes the end record and closes the output. After an error of run() the end record says
-  // `interrupted`, so that what was finished is not lost.
+  // `interrupted`, so that what was finished is not lost; an error before the first record leaves
+  // no output at all.
   Status finish();
 
   // run() and finish(), also after an error; the first error of the two.

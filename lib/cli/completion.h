@@ -1,0 +1,15 @@
+// Completion scripts, made from the option table.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/tool.h"
+
+namespace obby::cli {
+
+// `shell` is bash, zsh or fish.
+std::string completionScript(const ToolSpec& spec, const std::vector<OptionRow>& rows,
+                             const std::string& shell);
+
+}  // namespace obby::cli

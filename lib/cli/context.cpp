@@ -1,0 +1,82 @@
+#include "cli/context.h"
+
+#include <unistd.h>
+
+#include "base/thread_pool.h"
+#include "cli/console.h"
+#include "cli/stop.h"
+#include "io/version.h"
+
+namespace obby::cli {
+namespace {
+
+std::string textOr(const Arguments& arguments, const std::string& name,
+                   const std::string& otherwise) {
+  const auto found = arguments.values.find(name);
+  if (found == arguments.values.end() || found->second.texts.empty()) return otherwise;
+  return found->second.texts.back();
+}
+
+io::OnError onErrorFor(const std::string& text) {
+  if (text == "skip") return io::OnError::skip;
+  return text == "emit" ? io::OnError::emit : io::OnError::stop;
+}
+
+}  // namespace
+
+Context::Context(const ToolSpec& spec, Arguments arguments, Console& console)
+    : spec_(spec), arguments_(std::move(arguments)), console_(console) {
+  const ProgressMode mode = progressMode(textOr(arguments_, "progress", "none"),
+                                         isatty(STDERR_FILENO) == 1, console_.quiet);
+  progress_ = std::make_unique<Progress>(mode, console_);
+}
+
+Context::~Context() = default;
+
+const std::atomic<bool>& Context::stop() const { return stopFlag(); }
+
+int Context::threads() const {
+  const auto wanted = arguments_.values.count("threads") ? arguments_.integer("threads") : 0;
+  return wanted > 0 ? int(wanted) : availableThreads();
+}
+
+Result<io::StreamWriter> Context::openOutput() const {
+  const std::string path = textOr(arguments_, "output", "-");
+  const std::string format = textOr(arguments_, "format", "");
+  if (format.empty()) return io::StreamWriter::open(path, io::formatForFile(path));
+  OBBY_ASSIGN(const io::Format chosen, io::parseFormat(format));
+  return io::StreamWriter::open(path, chosen);
+}
+
+Result<io::Sink> Context::openSink() const {
+  return io::Sink::open(textOr(arguments_, "output", "-"));
+}
+
+io::SourceOptions Context::sourceOptions() {
+  io::SourceOptions out;
+  out.inputs = arguments_.inputs;
+  out.onError = onErrorFor(textOr(arguments_, "on-error", "stop"));
+  out.stop = &stopFlag();
+  out.report = [this](const Error& problem) { error(problem); };
+  return out;
+}
+
+io::StreamIdentity Context::identity() const {
+  return {spec_.name, io::toolVersion(), arguments_.values.count("seed") ? arguments_.seed() : 0};
+}
+
+void Context::error(const Error& error) {
+  errors_++;
+  console_.error(error);
+}
+
+void Context::warn(const std::string& message) { console_.warn(message); }
+void Context::note(const std::string& message) { console_.note(message); }
+void Context::progress(const ProgressState& state) { progress_->update(state); }
+
+bool Context::colorOutput() const {
+  return textOr(arguments_, "output", "-") == "-" && !arguments_.flag("no-color") &&
+         colorsOn(STDOUT_FILENO);
+}
+
+}  // namespace obby::cli

@@ -1,0 +1,88 @@
+#include "cli/progress.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "cli/console.h"
+#include "io/text.h"
+
+namespace obby::cli {
+namespace {
+
+using namespace std::chrono_literals;
+
+std::chrono::steady_clock::duration interval(ProgressMode mode) {
+  switch (mode) {
+    case ProgressMode::bar: return 100ms;
+    case ProgressMode::json: return 200ms;
+    case ProgressMode::line: return 10s;
+    case ProgressMode::none: break;
+  }
+  return 24h;
+}
+
+// 1234567 as 1.23M.
+std::string brief(double value) {
+  const char* units[] = {"", "k", "M", "G", "T", "P"};
+  size_t unit = 0;
+  while (std::fabs(value) >= 1000 && unit < 5) {
+    value /= 1000;
+    unit++;
+  }
+  return unit == 0 ? fmt::format("{:g}", std::round(value * 100) / 100)
+                   : fmt::format("{:.3g}{}", value, units[unit]);
+}
+
+}  // namespace
+
+ProgressMode progressMode(const std::string& text, bool terminal, bool quiet) {
+  if (text == "json") return ProgressMode::json;
+  if (quiet || text == "none") return ProgressMode::none;
+  if (terminal) return ProgressMode::bar;
+  return text == "line" ? ProgressMode::line : ProgressMode::none;
+}
+
+std::string progressLine(const ProgressState& state, size_t width) {
+  std::string out = state.task;
+  if (state.fraction >= 0) out += fmt::format("  {:.0f} %", 100 * std::fmin(state.fraction, 1));
+  for (const auto& [name, value] : state.numbers) out += fmt::format("  {} {}", name, brief(value));
+  return out.substr(0, width);
+}
+
+std::string progressJson(const ProgressState& state) {
+  std::string out = "{\"type\":\"progress\",\"task\":" + io::quoted(state.task, SIZE_MAX);
+  if (state.fraction >= 0) out += fmt::format(",\"fraction\":{}", state.fraction);
+  for (const auto& [name, value] : state.numbers)
+    if (std::isfinite(value)) out += fmt::format(",{}:{}", io::quoted(name), value);
+  return out + "}";
+}
+
+Progress::Progress(ProgressMode mode, Console& console)
+    : mode_(mode), console_(console), start_(std::chrono::steady_clock::now()), last_(start_) {}
+
+Progress::~Progress() {
+  if (mode_ == ProgressMode::bar) console_.status("");
+}
+
+void Progress::update(const ProgressState& state) {
+  if (mode_ == ProgressMode::none) return;
+  const auto now = std::chrono::steady_clock::now();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const bool firstAtOnce = !shown_ && mode_ != ProgressMode::line;
+    if (!firstAtOnce && now - last_ < interval(mode_)) return;
+    last_ = now;
+    shown_ = true;
+  }
+  if (mode_ == ProgressMode::bar) {
+    console_.status(progressLine(state, Console::width() - 1));
+  } else if (mode_ == ProgressMode::json) {
+    console_.line(progressJson(state));
+  } else {
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    console_.line(fmt::format("{:.0f} s  {}", seconds, progressLine(state, 200)));
+  }
+}
+
+}  // namespace obby::cli

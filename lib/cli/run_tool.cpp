@@ -1,0 +1,101 @@
+// The life of a tool, from argv to the exit code.
+#include <signal.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <exception>
+#include <new>
+
+#include "cli/completion.h"
+#include "cli/console.h"
+#include "cli/context.h"
+#include "cli/help.h"
+#include "cli/parse.h"
+#include "cli/stop.h"
+
+namespace obby::schema {
+extern const char* const kText;  // the schema's source, from schema/CMakeLists.txt
+}
+
+namespace obby::cli {
+namespace {
+
+constexpr int kSignalExit = 128;
+
+// Reports an error that ends the tool. A reader that went away is no error to speak of.
+int fail(Console& console, const Error& error) {
+  if (io::isBrokenPipe(error)) return kSignalExit + SIGPIPE;
+  console.error(error);
+  return int(ExitCode::failed);
+}
+
+int print(Console& console, const std::string& text) {
+  auto sink = io::Sink::open("-");
+  if (!sink) return fail(console, sink.error());
+  if (Status status = sink->write(text); !status) return fail(console, status.error());
+  if (Status status = sink->close(); !status) return fail(console, status.error());
+  return int(ExitCode::ok);
+}
+
+int finalCode(const Context& context, ExitCode code) {
+  if (context.errors() > 0) code = ExitCode::failed;
+  if (stopSignal() != 0 && code != ExitCode::failed) return kSignalExit + stopSignal();
+  return int(code);
+}
+
+// Answers to --help and its like; a negative number if there is nothing to answer.
+int answer(const ToolSpec& spec, const std::vector<OptionRow>& rows, const CommandLine& line,
+           Console& console) {
+  if (line.flag("help")) return print(console, helpText(spec, rows));
+  if (!line.wrong) return -1;
+  if (line.flag("version")) return print(console, versionLine(spec) + "\n");
+  if (line.flag("schema")) return print(console, schema::kText);
+  return -1;
+}
+
+int run(const ToolSpec& spec, int argc, char** argv, const RunFunction& body, Console& console) {
+  const std::vector<OptionRow> rows = allRows(spec);
+  const CommandLine line = parseCommandLine(spec, rows, argc, argv);
+  if (const int code = answer(spec, rows, line, console); code >= 0) return code;
+  auto arguments = resolveArguments(spec, rows, line);
+  if (!arguments) return fail(console, arguments.error());
+  console.jsonErrors = arguments->flag("json-errors");
+  console.quiet = arguments->flag("quiet");
+  console.verbose = arguments->flag("verbose");
+  console.color = !arguments->flag("no-color") && colorsOn(STDERR_FILENO);
+  if (arguments->has("completion"))
+    return print(console, completionScript(spec, rows, arguments->text("completion")));
+  if (arguments->flag("print-config")) return print(console, configText(spec, rows, *arguments));
+  if (spec.takesInputs && line.inputs.empty() && isatty(STDIN_FILENO) == 1) {
+    console.line(shortHelp(spec));
+    return int(ExitCode::failed);
+  }
+  installStopHandlers();
+  Context context(spec, std::move(*arguments), console);
+  const Result<ExitCode> code = body(context);
+  if (!code) return fail(console, code.error());
+  return finalCode(context, *code);
+}
+
+// Needed before the arguments are understood.
+bool wantsJsonErrors(int argc, char** argv) {
+  for (int i = 1; i < argc; i++)
+    if (std::strcmp(argv[i], "--json-errors") == 0) return true;
+  return false;
+}
+
+}  // namespace
+
+int runTool(const ToolSpec& spec, int argc, char** argv, const RunFunction& body) {
+  Console console(spec.name);
+  console.jsonErrors = wantsJsonErrors(argc, argv);
+  try {
+    return run(spec, argc, argv, body, console);
+  } catch (const std::bad_alloc&) {
+    return fail(console, makeError("not enough memory"));
+  } catch (const std::exception& e) {
+    return fail(console, makeError(std::string("internal error: ") + e.what()));
+  }
+}
+
+}  // namespace obby::cli

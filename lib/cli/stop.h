@@ -1,0 +1,15 @@
+// SIGINT and SIGTERM: the first asks the tool to finish what is done, a second SIGINT ends it.
+#pragma once
+
+#include <atomic>
+
+namespace obby::cli {
+
+// Set by the handler. Lives as long as the process.
+const std::atomic<bool>& stopFlag();
+// The signal that set it; 0: none.
+int stopSignal();
+// A signal that the parent had ignored stays ignored.
+void installStopHandlers();
+
+}  // namespace obby::cli
