@@ -51,11 +51,12 @@ Outcome run(const level::Level& level, uint64_t seed) {
   return {steps / seconds, double(grounded) / steps};
 }
 
-void scene(bench::Report& report, const char* name, uint32_t boxes) {
+template <class Scene>
+void scene(bench::Report& report, const char* name, uint32_t boxes, Scene&& build) {
   std::vector<double> rates;
   double grounded = 0;
   for (uint64_t seed = 1; seed <= 5; ++seed) {
-    const level::Level level = support::boxArena(boxes, seed).compile();
+    const level::Level level = build(boxes, seed).compile();
     const Outcome o = run(level, seed);
     rates.push_back(o.stepsPerSecond);
     grounded += o.grounded / 5;
@@ -69,8 +70,9 @@ void scene(bench::Report& report, const char* name, uint32_t boxes) {
 
 int main(int argc, char** argv) {
   obby::bench::Report report(argc, argv, "sim");
-  scene(report, "static20", 20);
-  scene(report, "static100", 100);
-  scene(report, "static300", 300);
+  scene(report, "static20", 20, support::boxArena);
+  scene(report, "static100", 100, support::boxArena);
+  scene(report, "static300", 300, support::boxArena);
+  scene(report, "course100", 100, support::platformCourse);
   report.add("world", "bytes", sizeof(obby::sim::World), "B");
 }

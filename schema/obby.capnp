@@ -302,7 +302,7 @@ struct PhysicsParams {
 
   hoverStiffness @22 :Float32 = 2000 $unit("1/s^2") $range((min = 1, max = 20000)) $source("L a third-party port: 0.1 x 20000");
   hoverDamping @23 :Float32 = 110 $unit("1/s") $range((min = 0, max = 2000)) $source("L a third-party port: 0.1 x 1100");
-  hoverPull @24 :Float32 = 1 $unit("studs/s^2") $range((min = 0, max = 1000)) $source("L largest downward pull of the hover spring");
+  hoverLimit @24 :Float32 = 20000 $unit("studs/s^2") $range((min = 1, max = 1000000)) $source("M numerical guard: most upward acceleration of the hover spring");
 
   floorRaySpread @25 :Float32 = 0.4 $unit("share of root size") $range((min = 0, max = 1)) $source("M two independent ports agree");
   floorRayStart @26 :Float32 = 0.4 $unit("share of root height below the root centre") $range((min = 0, max = 1)) $source("M");

@@ -20,7 +20,7 @@ namespace obby {
           X(float, bodyWidth) X(float, bodyDepth) X(float, bodyTop) X(float, headBottom)          \
               X(float, armSpan) X(float, touchMargin) X(float, groundAccel) X(float, airAccel)    \
                   X(float, moveGain) X(float, turnGain) X(float, turnSpeed)                       \
-                      X(float, hoverStiffness) X(float, hoverDamping) X(float, hoverPull)         \
+                      X(float, hoverStiffness) X(float, hoverDamping) X(float, hoverLimit)         \
                           X(float, floorRaySpread) X(float, floorRayStart)                        \
                               X(float, floorReachBase) X(float, floorKeep) X(float, floorAcquire) \
                                   X(float, fastFall) X(float, landedTime) X(float, coyoteTime)    \

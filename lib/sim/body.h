@@ -25,7 +25,7 @@ OBBY_DEVICE Vec3 acceleration(const World& w, const Params& p, const Floor& floo
   a.y = -p.gravity;
   if (d.hover) {
     const float lift = -p.hoverStiffness * gap - p.hoverDamping * (w.velocity.y - floor.velocity.y);
-    if (lift > -p.hoverPull) a.y = lift;  // the legs push, they do not pull
+a.y = clampf(lift, -p.gravity, p.hoverLimit);  // the legs push, they do not pull
   }
   return a;
 }

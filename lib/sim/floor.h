@@ -56,6 +56,25 @@ OBBY_DEVICE FloorRays makeRays(const World& w, const Params& p) {
   return rays;
 }
 
+// Where rays can go at any facing, before they are made: most ticks in the air end here.
+OBBY_DEVICE Box columnOf(const World& w, const Params& p) {
+  const float side = (p.bodyWidth + p.bodyDepth) * p.floorRaySpread;
+  const float fall = maxf(0.0f, -w.velocity.y) * (p.tickSeconds + 0.01f);
+  const float below = p.floorReachBase * p.rootHeight + p.floorKeep * p.hipHeight + fall;
+  const float top = rayHeight(p);
+  return {w.position + Vec3{-side, top - below, -side}, w.position + Vec3{side, top, side}};
+}
+
+OBBY_DEVICE bool hasFloorBelow(const World& w, const Params& p, const Candidates& near) {
+  if (!(near.anyFlags & level::kSolid)) return false;
+  const Box column = columnOf(w, p);
+  bool any = false;
+  for (int k = 0; k < near.count; ++k) {
+    any |= (near.items[k].flags & level::kSolid) && overlaps(near.items[k].bounds, column);
+  }
+  return any;
+}
+
 OBBY_DEVICE Box boundsOf(const FloorRays& r) {
   const Vec3 e{absf(r.right.x) + absf(r.back.x), 0, absf(r.right.z) + absf(r.back.z)};
   return {r.origin - e - Vec3{0, r.reach, 0}, r.origin + e};
@@ -125,7 +144,7 @@ OBBY_DEVICE void surfaceMotion(const World& w, const level::LevelView& level, co
 OBBY_DEVICE Floor senseFloor(const World& w, const level::LevelView& level,
                              const Candidates& near) {
   Floor floor;
-  if (!(near.anyFlags & level::kSolid)) return floor;
+  if (!hasFloorBelow(w, level.params, near)) return floor;
   FloorRays rays = makeRays(w, level.params);
   const Box box = boundsOf(rays);
   Vec3 normals[kFloorRays];

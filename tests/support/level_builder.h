@@ -65,7 +65,7 @@ class LevelBuilder {
   }
 
   schema::Level::Reader record() {
-    message_ = std::make_unique<capnp::MallocMessageBuilder>();
+    message_ = std::make_shared<capnp::MallocMessageBuilder>();
     auto level = message_->initRoot<schema::Level>();
     level.setName("test");
     if (physics_) physics_(level.initPhysics());
@@ -95,7 +95,7 @@ class LevelBuilder {
   std::vector<PartSetter> parts_;
   std::vector<level::StartPose> spawns_;
   std::function<void(schema::PhysicsParams::Builder)> physics_;
-  std::unique_ptr<capnp::MallocMessageBuilder> message_;
+  std::shared_ptr<capnp::MallocMessageBuilder> message_;  // shared, so that builders can be copied
 };
 
 // The scene on which engines are compared (docs/physics.md, benches): a walled arena, one box for
@@ -120,6 +120,22 @@ inline LevelBuilder boxArena(uint32_t boxes, uint64_t seed) {
             [=](schema::Part::Builder p) { setRotation(p.initRotation(), yaw, pitch); });
   }
   b.spawn({0, 12, 0});
+  return b;
+}
+
+// A winding course of platforms with gaps and steps that can be jumped, over a floor far below.
+inline LevelBuilder platformCourse(uint32_t platforms, uint64_t seed) {
+  LevelBuilder b;
+  Random random(seed, platforms);
+  Vec3 at{0, 0, 0};
+  b.block({0, -60, 0}, {2000, 2, 2000});
+  for (uint32_t i = 1; i < platforms; ++i) {
+    const Vec3 size{4 + 6 * random.unit(), 1, 4 + 6 * random.unit()};
+    b.block(at - Vec3{0, 0.5f, 0}, size);
+    const Vec3 ahead = directionOf(sinCos(turnsFromRadians(3 * float(i) / float(platforms))));
+    at += ahead * (10 + 5 * random.unit()) + Vec3{0, 3 * random.unit() - 1, 0};
+  }
+  b.spawn({0, 0, 0});
   return b;
 }
 

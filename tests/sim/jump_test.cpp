@@ -1,0 +1,130 @@
+// Jumping and falling: each test states a published fact (docs/physics.md).
+#include <gtest/gtest.h>
+
+#include "sim/play.h"
+
+namespace obby::test {
+namespace {
+
+using sim::State;
+
+TEST(Jump, apex_of_jump_power_50_is_7_16_studs) {
+  const auto level = flatLevel();
+  Play play(level);
+  play.settle().run(stand(true), 1).run(stand(), 40);
+  EXPECT_NEAR(play.highest(), 53.0f * 53.0f / (2 * 196.2f), 0.02f);
+}
+
+TEST(Jump, apex_of_jump_height_7_2_is_7_2_studs) {
+  const auto level = support::LevelBuilder()
+                         .block({0, -1, 0}, {400, 2, 400})
+                         .physics([](auto p) { p.setJumpSpeed(53.1534f); })
+                         .compile();
+  Play play(level);
+  play.settle().run(stand(true), 1).run(stand(), 40);
+  EXPECT_NEAR(play.highest(), 7.2f, 0.02f);
+}
+
+TEST(Jump, flat_air_time_is_0_54_seconds) {
+  const auto level = flatLevel();
+  Play play(level);
+  play.settle().run(stand(true), 1);
+  const int ticks =
+      play.until(stand(), [](const sim::World& w) { return w.state == State::landed; });
+  // The floor is sensed 0.2 studs above the feet's height, one tick early at most.
+  EXPECT_NEAR(float(ticks + 1) * kTick, 2 * 53.0f / 196.2f, 1.6f * kTick);
+}
+
+TEST(Jump, walking_jump_covers_8_64_studs) {
+  const auto level = flatLevel();
+  Play play(level);
+  play.settle().run(walk(kNorth), 60);
+  const float from = play.world.position.z;
+  play.run(walk(kNorth, true), 1);
+  play.until(walk(kNorth),
+             [](const sim::World& w) { return w.velocity.y <= 0 && w.position.y < 0.05f; });
+  EXPECT_NEAR(from - play.world.position.z, 16 * 2 * 53.0f / 196.2f, 0.3f);
+}
+
+TEST(Jump, is_not_possible_in_the_air_without_coyote_time) {
+  const auto level = flatLevel();
+  Play play(level, {0, 30, 0});
+  play.run(stand(true), 20);
+  EXPECT_EQ(play.world.jumps, 0);
+  EXPECT_LT(play.world.velocity.y, 0);
+}
+
+TEST(Jump, held_jump_repeats_0_05_seconds_after_landing) {
+  const auto level = flatLevel();
+  Play play(level);
+  play.settle();
+  play.until(stand(true), [](const sim::World& w) { return w.jumps == 1; });
+  play.until(stand(true), [](const sim::World& w) { return w.state == State::landed; });
+  const int ticks = play.until(stand(true), [](const sim::World& w) { return w.jumps == 2; });
+  EXPECT_GE(ticks, 3);  // 0.05 s at 60 Hz
+  EXPECT_LE(ticks, 4);
+}
+
+TEST(Jump, coyote_jump_works_until_0_13_seconds_off_the_ledge) {
+  const auto level = support::LevelBuilder().block({0, -1, 0}, {10, 2, 10}).compile();
+  const auto jumpsAfter = [&](int ticksOff) {
+    Play play(level);
+    play.settle();
+    const auto floorless = [](const sim::World& w) { return w.floorlessTicks > 0; };
+    play.until(walk(kNorth), floorless);
+    play.run(walk(kNorth), ticksOff - 1).run(walk(kNorth, true));
+    return play.world.jumps;
+  };
+  EXPECT_EQ(jumpsAfter(1), 1);
+  EXPECT_EQ(jumpsAfter(6), 1);
+  EXPECT_EQ(jumpsAfter(8), 0);  // 8 ticks = 0.133 s
+}
+
+TEST(Jump, rising_through_the_floor_rays_does_not_land) {
+  const auto level = flatLevel();
+  Play play(level);
+  play.settle().run(stand(true), 1);
+  for (int i = 0; i < 10; ++i) {
+    play.run(stand(true));
+    EXPECT_NE(play.world.state, State::landed);
+  }
+  EXPECT_EQ(play.world.jumps, 1);
+}
+
+TEST(Jump, ceiling_stops_the_rise) {
+  const auto level = support::LevelBuilder()
+                         .block({0, -1, 0}, {40, 2, 40})
+                         .block({0, 9, 0}, {40, 2, 40})
+                         .compile();
+  Play play(level);
+  play.settle().run(stand(true), 1).run(stand(), 60);
+  EXPECT_LE(play.highest() + 5, 8.1f);  // the head at most at the ceiling
+  EXPECT_EQ(play.world.state, State::running);
+  EXPECT_NEAR(play.world.position.y, 0, 0.05f);
+}
+
+TEST(Fall, lands_on_thin_parts_at_any_fall_speed) {
+  for (const float height : {5.0f, 40.0f, 150.0f, 600.0f}) {
+    const auto level = support::LevelBuilder().block({0, -0.025f, 0}, {20, 0.05f, 20}).compile();
+    Play play(level, {0, height, 0});
+    play.run(stand(), 600);
+    EXPECT_NEAR(play.world.position.y, 0, 0.05f) << "from " << height;
+    EXPECT_EQ(play.world.state, State::running) << "from " << height;
+  }
+}
+
+TEST(Fall, below_the_fallen_parts_height_ends_the_playthrough) {
+  const auto level = support::LevelBuilder()
+                         .block({0, -1, 0}, {4, 2, 4})
+                         .physics([](auto p) { p.setFallenPartsHeight(-50); })
+                         .compile();
+  Play play(level, {30, 0, 0});
+  play.run(stand(), 120);
+  EXPECT_EQ(play.world.outcome, sim::Outcome::fell);
+  const uint32_t tick = play.world.tick;
+  play.run(stand(), 5);
+  EXPECT_EQ(play.world.tick, tick) << "an ended playthrough stands still";
+}
+
+}  // namespace
+}  // namespace obby::test

@@ -1,0 +1,65 @@
+// Plays a world with scripted actions, for tests that state facts about the player.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "sim/simulator.h"
+#include "support/level_builder.h"
+
+namespace obby::test {
+
+constexpr Turns kNorth = 0;      // -Z
+constexpr Turns kEast = 0xC000;  // +X
+constexpr float kTick = 1.0f / 60;
+
+inline sim::Action walk(Turns heading, bool jump = false) { return {heading, true, jump}; }
+inline sim::Action stand(bool jump = false) { return {0, false, jump}; }
+
+struct Play {
+  const level::Level& level;
+  sim::World world;
+  std::vector<sim::World> history;
+
+  explicit Play(const level::Level& l, Vec3 feet = {0, 0, 0}, float yaw = 0)
+      : level(l), world(sim::makeWorld(l.view(), {feet, yaw, 0})) {
+    history.push_back(world);
+  }
+
+  // The same action for a number of ticks.
+  Play& run(sim::Action action, int ticks = 1) {
+    for (int i = 0; i < ticks; ++i) {
+      sim::advance(world, level.view(), nullptr, action);
+      history.push_back(world);
+    }
+    return *this;
+  }
+
+  // Until the predicate holds, at most `limit` ticks; the ticks it took, or -1.
+  int until(sim::Action action, const std::function<bool(const sim::World&)>& done,
+            int limit = 600) {
+    for (int i = 0; i < limit; ++i) {
+      if (done(world)) return i;
+      run(action);
+    }
+    return done(world) ? limit : -1;
+  }
+
+  // Stands still until Running.
+  Play& settle() {
+    until(stand(), [](const sim::World& w) { return w.state == sim::State::running; });
+    return run(stand(), 10);
+  }
+
+  float highest() const {
+    float y = -1e30f;
+    for (const auto& w : history) y = maxf(y, w.position.y);
+    return y;
+  }
+};
+
+inline level::Level flatLevel() {
+  return support::LevelBuilder().block({0, -1, 0}, {400, 2, 400}).compile();
+}
+
+}  // namespace obby::test

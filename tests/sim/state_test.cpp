@@ -1,0 +1,129 @@
+// Snapshots, hashes, batches and rules.
+#include <gtest/gtest.h>
+
+#include "sim/batch.h"
+#include "sim/play.h"
+
+namespace obby::test {
+namespace {
+
+using sim::Outcome;
+
+sim::Action scripted(size_t i, const sim::World& w) {
+  Random random(7, i * 100000 + w.tick / 20);
+  return {Turns(random.next()), random.below(8) != 0, random.below(3) == 0};
+}
+
+TEST(Snapshot, restored_world_continues_identically) {
+  const auto level = support::boxArena(100, 3).compile();
+  Play play(level, level.spawns()[0].feet);
+  for (int t = 0; t < 300; ++t) play.run(scripted(0, play.world));
+  const sim::World snapshot = play.world;
+  for (int t = 0; t < 300; ++t) play.run(scripted(0, play.world));
+  sim::World again = snapshot;
+  for (int t = 0; t < 300; ++t) sim::advance(again, level.view(), nullptr, scripted(0, again));
+  EXPECT_EQ(stateHash(again), stateHash(play.world));
+  EXPECT_NE(stateHash(again), stateHash(snapshot));
+}
+
+TEST(Batch, threads_and_order_do_not_show) {
+  const auto level = support::boxArena(100, 4).compile();
+  uint64_t expected = 0;
+  for (const int threads : {1, 2, 3, 8}) {
+    ThreadPool pool(threads);
+    sim::Batch batch(level.view(), level.spawns()[0], 300);
+    batch.step(pool, nullptr, 200, scripted);
+    if (expected == 0) expected = batch.hash();
+    EXPECT_EQ(batch.hash(), expected) << threads;
+  }
+}
+
+TEST(Batch, no_world_ever_holds_a_nan) {
+  const auto level = support::boxArena(300, 5).compile();
+  ThreadPool pool(2);
+  sim::Batch batch(level.view(), level.spawns()[0], 200);
+  batch.step(pool, nullptr, 1500, scripted);
+  for (size_t i = 0; i < batch.size(); ++i) {
+    const sim::World& w = batch.world(i);
+    EXPECT_EQ(dot(w.position, w.position), dot(w.position, w.position));
+    EXPECT_EQ(dot(w.velocity, w.velocity), dot(w.velocity, w.velocity));
+    EXPECT_EQ(w.flags & sim::kCandidateOverrun, 0);
+  }
+}
+
+TEST(Replay, gives_the_same_worlds_as_playing) {
+  const auto level = support::boxArena(20, 6).compile();
+  sim::Plan plan{
+      level.spawns()[0], 0, {{{0x1234, true, false}, 100}, {{0x9876, true, true}, 150}, {{}, 30}}};
+  const auto worlds = sim::replay(level.view(), nullptr, plan);
+  ASSERT_EQ(worlds.size(), 281u);
+  Play play(level, level.spawns()[0].feet);
+  for (const auto& run : plan.actions) play.run(run.action, int(run.ticks));
+  EXPECT_EQ(stateHash(worlds.back()), stateHash(play.world));
+}
+
+geom::Region boxAt(Vec3 center, Vec3 half) { return {{center, {}}, half}; }
+
+struct RulesTest : testing::Test {
+  level::Level level = flatLevel();
+  level::QueryView query{boxAt({0, 2, -40}, {3, 3, 3}), nullptr, nullptr, 0, 0, -1, 0, 0};
+
+  Outcome play(int ticks, bool jump = false) {
+    sim::World w = sim::makeWorld(level.view(), {});
+    for (int t = 0; t < ticks; ++t) sim::advance(w, level.view(), &query, walk(kNorth, jump));
+    last = w;
+    return w.outcome;
+  }
+  sim::World last{};
+};
+
+TEST_F(RulesTest, goal_ends_the_playthrough) {
+  EXPECT_EQ(play(300), Outcome::goal);
+  EXPECT_NEAR(last.position.z, -37, 0.4f);
+}
+
+TEST_F(RulesTest, goal_does_not_count_before_the_waypoints) {
+  const level::WaypointView far{boxAt({50, 2, 0}, {3, 3, 3}), -1};
+  query.waypoints = &far;
+  query.waypointCount = 1;
+  EXPECT_EQ(play(300), Outcome::running);
+  EXPECT_EQ(last.waypoints, 0);
+}
+
+TEST_F(RulesTest, waypoints_are_taken_in_order) {
+  const level::WaypointView both[] = {{boxAt({0, 2, -10}, {3, 3, 1}), -1},
+                                      {boxAt({0, 2, -20}, {3, 3, 1}), -1}};
+  query.waypoints = both;
+  query.waypointCount = 2;
+  EXPECT_EQ(play(300), Outcome::goal);
+  EXPECT_EQ(last.waypoints, 2);
+}
+
+TEST_F(RulesTest, avoid_region_ends_it) {
+  const geom::Region wall = boxAt({0, 2, -20}, {10, 3, 1});
+  query.avoid = &wall;
+  query.avoidCount = 1;
+  EXPECT_EQ(play(300), Outcome::avoided);
+}
+
+TEST_F(RulesTest, jump_limit_in_total) {
+  query.maxJumps = 1;
+  EXPECT_EQ(play(300, true), Outcome::jumps);
+}
+
+TEST_F(RulesTest, jump_limit_at_a_waypoint) {
+  const level::WaypointView limited{boxAt({0, 2, -30}, {3, 30, 1}), 0};
+  query.waypoints = &limited;
+  query.waypointCount = 1;
+  EXPECT_EQ(play(300, true), Outcome::jumps);
+  EXPECT_EQ(play(300, false), Outcome::goal);
+}
+
+TEST_F(RulesTest, time_limit) {
+  query.timeLimitTicks = 100;
+  EXPECT_EQ(play(300), Outcome::timeout);
+  EXPECT_EQ(last.tick, 100u);
+}
+
+}  // namespace
+}  // namespace obby::test
