@@ -37,8 +37,14 @@ class BinaryReader {
       return chunkError(chunks.back(), std::to_string(builder_.size() - placedCount_) +
                                            " instances have no place in the tree (PRNT)");
     }
-    for (const Chunk& chunk : chunks) warnOfUnknown(chunk);
-    return builder_.finish(name, true);
+    const Chunk* tree = nullptr;
+    for (const Chunk& chunk : chunks) {
+      warnOfUnknown(chunk);
+      if (chunk.name == "PRNT") tree = &chunk;
+    }
+    Result<Document> document = builder_.finish(name, true);
+    if (document || tree == nullptr) return document;
+    return atChunk(*tree, std::move(document).error());
   }
 
  private:

@@ -47,7 +47,7 @@ class XmlReader {
     for (const pugi::xml_node list : root.children("SharedStrings")) {
       for (const pugi::xml_node entry : list.children("SharedString")) {
         auto bytes = decodeBase64(textOf(entry));
-        if (!bytes) return at(entry.offset_debug(), "SharedString", "expected base64");
+        if (!bytes) return at(startOf(entry), "SharedString", "expected base64");
         context_.sharedStrings.emplace(entry.attribute("md5").value(),
                                        std::make_shared<const std::string>(std::move(*bytes)));
       }
@@ -68,7 +68,7 @@ class XmlReader {
         continue;
       }
       if (stack.size() > kMaxDepth) {
-        return at(item.offset_debug(), "Item",
+        return at(startOf(item), "Item",
                   "instances are nested deeper than " + std::to_string(kMaxDepth));
       }
       stack.back().next = item.next_sibling("Item");
@@ -80,9 +80,9 @@ class XmlReader {
 
   Result<InstanceId> addItem(pugi::xml_node item, InstanceId parent) {
     const std::string_view className = item.attribute("class").value();
-    if (className.empty()) return at(item.offset_debug(), "Item", "has no class");
+    if (className.empty()) return at(startOf(item), "Item", "has no class");
     const InstanceId id = builder_.add(std::string(className));
-    if (builder_.overBudget()) return at(item.offset_debug(), builder_.budgetError());
+    if (builder_.overBudget()) return at(startOf(item), builder_.budgetError());
     builder_.setParent(id, parent);
     items_.emplace_back(item, id);
     const std::string_view referent = item.attribute("referent").value();
@@ -114,14 +114,16 @@ class XmlReader {
       Error error = std::move(value).error();
       error.path =
           className + "." + std::string(name) + (error.path.empty() ? "" : "." + error.path);
-      return at(element.offset_debug(), std::move(error));
+      return at(startOf(element), std::move(error));
     }
     if (!builder_.set(id, name, *std::move(value))) {
-      return at(element.offset_debug(), builder_.budgetError());
+      return at(startOf(element), builder_.budgetError());
     }
     return {};
   }
 
+  // pugixml points behind the '<'.
+  static ptrdiff_t startOf(pugi::xml_node element) { return element.offset_debug() - 1; }
   Error at(ptrdiff_t offset, Error error) const {
     error.place = "byte " + std::to_string(sourceOffset(source_, offset < 0 ? 0 : offset));
     return error;

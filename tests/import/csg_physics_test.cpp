@@ -1,0 +1,107 @@
+// Collision hulls of unions and mesh parts.
+#include "import/format/csg_physics.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/place_columns.h"
+
+namespace obby::test {
+namespace {
+
+using namespace importer;
+using testing::HasSubstr;
+
+// The corners of a tetrahedron in the box of half size 1 (four corners, four triangles).
+std::string hull(float reach = 1) {
+  std::string out(40, '\0');
+  append(out, 12);
+  append(out, 4);
+  for (const Vec3 v : {Vec3{-1, -1, -1}, Vec3{1, -1, -1}, Vec3{0, 1, -1}, Vec3{0, 0, 1}}) {
+    for (const float f : {v.x * reach, v.y * reach, v.z * reach}) appendFloat(out, f);
+  }
+  append(out, 12);
+  for (const uint32_t i : {0u, 1u, 2u, 0u, 1u, 3u, 1u, 2u, 3u, 0u, 2u, 3u}) append(out, i);
+  return out;
+}
+std::string csg(uint32_t version, const std::string& body) {
+  std::string out = "CSGPHS";
+  append(out, version);
+  return out + body;
+}
+
+TEST(CsgPhysics, HullsOfAllPlainVersionsAreRead) {
+  const std::string mass(40, '\0');
+  for (const std::string& blob :
+       {csg(3, hull() + hull()), csg(5, hull() + hull()), csg(6, mass + hull() + hull()),
+        csg(7, "\x02" + mass + hull() + hull())}) {
+    const Result<Collision> collision = decodeCollision(blob);
+    ASSERT_TRUE(collision) << collision.error().text();
+    EXPECT_EQ(collision->kind, CollisionKind::Hulls);
+    ASSERT_EQ(collision->hulls.size(), 2u);
+    EXPECT_EQ(collision->hulls[1].size(), 4u);
+    EXPECT_EQ(collision->hulls[1][3], (Vec3{0, 0, 1}));
+  }
+}
+
+TEST(CsgPhysics, BoxesAndUnknownVersionsAreToldApart) {
+  EXPECT_EQ(decodeCollision("")->kind, CollisionKind::Absent);
+  EXPECT_EQ(decodeCollision(csg(0, "BLOCK"))->kind, CollisionKind::Box);
+  const Result<Collision> packed = decodeCollision(csg(8, "whatever"));
+  EXPECT_EQ(packed->kind, CollisionKind::Unsupported);
+  EXPECT_EQ(packed->detail, "CSGPHS 8 is not supported");
+  EXPECT_EQ(decodeCollision("CSGK0123456789abcdef")->kind, CollisionKind::Unsupported);
+  EXPECT_EQ(decodeCollision(csg(5, ""))->kind, CollisionKind::Unsupported);
+}
+
+TEST(CsgPhysics, EveryTruncationIsAnErrorOrHasFewerHulls) {
+  const std::string blob = csg(5, hull() + hull());
+  for (size_t length = 1; length < blob.size(); ++length) {
+    const Result<Collision> collision = decodeCollision(std::string_view(blob).substr(0, length));
+    if (collision) {
+      EXPECT_LT(collision->hulls.size(), 2u) << length;
+    }
+  }
+}
+
+TEST(CsgPhysics, WrongCountsIndicesAndNumbersAreErrors) {
+  std::string bad = hull();
+  bad[40] = 13;  // floats that make no whole corners
+  EXPECT_FALSE(decodeCollision(csg(5, bad)));
+  bad = hull();
+  bad[43] = '\x7f';  // two billion floats
+  EXPECT_FALSE(decodeCollision(csg(5, bad)));
+  bad = hull();
+  bad[bad.size() - 1] = 1;  // an index far away
+  EXPECT_FALSE(decodeCollision(csg(5, bad)));
+  bad = hull();
+  bad.replace(48, 4, std::string("\0\0\x80\x7f", 4));  // infinity
+  EXPECT_FALSE(decodeCollision(csg(5, bad)));
+}
+
+TEST(CsgPhysics, CornersAreScaledToTheSizeOfThePart) {
+  Instance part;
+  part.className = "UnionOperation";
+  part.properties["Size"] = Vec3{4, 2, 1};
+  part.properties["InitialSize"] = Vec3{2, 2, 2};
+  part.properties["PhysicalConfigData"] =
+      SharedBlob{std::make_shared<const std::string>(csg(5, hull()))};
+  const Collision collision = collisionOf(part);
+  ASSERT_EQ(collision.kind, CollisionKind::Hulls);
+  EXPECT_EQ(collision.hulls[0][0], (Vec3{-2, -1, -0.5f}));
+}
+
+TEST(CsgPhysics, OldDataIsUsedWhereThereIsNoNewAndDamageIsReported) {
+  Instance part;
+  part.className = "MeshPart";
+  EXPECT_EQ(collisionOf(part).kind, CollisionKind::Absent);
+  part.properties["PhysicalConfigData"] = std::string();
+  part.properties["PhysicsData"] = csg(0, "BLOCK");
+  EXPECT_EQ(collisionOf(part).kind, CollisionKind::Box);
+  part.properties["PhysicsData"] = std::string("CSGPHS");
+  EXPECT_EQ(collisionOf(part).kind, CollisionKind::Unsupported);
+  EXPECT_THAT(collisionOf(part).detail, HasSubstr("PhysicsData: byte"));
+}
+
+}  // namespace
+}  // namespace obby::test

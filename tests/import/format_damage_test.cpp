@@ -1,0 +1,95 @@
+// Damaged files of both formats: an error that names a place, or a document; never a crash or a
+// hang.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "import/read_document.h"
+#include "support/sample_place.h"
+
+namespace obby::test {
+namespace {
+
+using namespace importer;
+using testing::HasSubstr;
+
+std::string smallPlace(bool xml, Packing packing) {
+  PlaceWriter place;
+  const auto workspace = place.add("Workspace", "Workspace");
+  const auto part = place.add("Part", "P", workspace);
+  place.set(part, "CFrame", cframe(tiltedFrame()))
+      .set(part, "size", vec3(1, 2, 3))
+      .set(part, "PhysicalConfigData", shared("blob"))
+      .set(part, "MeshContent", content("rbxassetid://1"))
+      .tag(part, "Kill");
+  return xml ? place.xml() : place.binary(packing);
+}
+
+class DamagedBinary : public testing::TestWithParam<Packing> {};
+
+TEST_P(DamagedBinary, TruncationAtEveryByteIsAnErrorWithItsPlace) {
+  const std::string whole = samplePlace().binary(GetParam());
+  for (size_t length = 0; length < whole.size(); ++length) {
+    const Result<Document> document = readDocument(whole.substr(0, length), "cut");
+    ASSERT_FALSE(document) << length;
+    EXPECT_THAT(document.error().place, testing::StartsWith("byte ")) << length;
+  }
+}
+
+TEST_P(DamagedBinary, EveryFlippedBitGivesADocumentOrAnError) {
+  const std::string whole = smallPlace(false, GetParam());
+  size_t refused = 0;
+  for (size_t bit = 0; bit < whole.size() * 8; ++bit) {
+    std::string damaged = whole;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
+    const Result<Document> document = readDocument(damaged, "flipped");
+    if (!document) {
+      ++refused;
+      EXPECT_FALSE(document.error().place.empty()) << bit;
+    }
+  }
+  EXPECT_GT(refused, whole.size());  // more than one bit in eight matters
+}
+
+INSTANTIATE_TEST_SUITE_P(Packings, DamagedBinary,
+                         testing::Values(Packing::Stored, Packing::Lz4, Packing::Zstd));
+
+TEST(DamagedXml, TruncationAtEveryByteIsAnErrorWithItsPlace) {
+  const std::string whole = samplePlace().xml();
+  const size_t end = whole.rfind('>');
+  for (size_t length = 0; length < end; ++length) {
+    const Result<Document> document = readDocument(whole.substr(0, length), "cut");
+    ASSERT_FALSE(document) << length << whole.substr(length);
+    EXPECT_THAT(document.error().place, testing::StartsWith("byte ")) << length;
+  }
+}
+
+TEST(DamagedXml, EveryFlippedBitGivesADocumentOrAnError) {
+  const std::string whole = smallPlace(true, Packing::Stored);
+  size_t refused = 0;
+  for (size_t bit = 0; bit < whole.size() * 8; ++bit) {
+    std::string damaged = whole;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
+    if (!readDocument(damaged, "flipped")) ++refused;
+  }
+  EXPECT_GT(refused, whole.size());
+}
+
+TEST(DamagedXml, WrongValuesNameInstancePropertyAndPart) {
+  const auto errorOf = [](const std::string& property) {
+    const std::string xml = "<roblox version=\"4\"><Item class=\"Part\"><Properties>" + property +
+                            "</Properties></Item></roblox>";
+    const Result<Document> document = readDocument(xml, "bad.rbxmx");
+    return document ? "accepted" : document.error().text();
+  };
+  EXPECT_EQ(errorOf("<Vector3 name=\"size\"><X>1</X><Y>oops</Y><Z>2</Z></Vector3>"),
+            "bad.rbxmx:byte 51: Part.size.Y: expected a number, got 'oops'");
+  EXPECT_THAT(errorOf("<bool name=\"Anchored\">maybe</bool>"), HasSubstr("Part.Anchored"));
+  EXPECT_THAT(errorOf("<BinaryString name=\"Tags\">***</BinaryString>"), HasSubstr("base64"));
+  EXPECT_THAT(errorOf("<SharedString name=\"PhysicalConfigData\">k</SharedString>"),
+              HasSubstr("shared string"));
+  EXPECT_THAT(errorOf("<CoordinateFrame name=\"CFrame\"><X>1</X></CoordinateFrame>"),
+              HasSubstr("Part.CFrame.Y"));
+}
+
+}  // namespace
+}  // namespace obby::test

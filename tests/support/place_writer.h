@@ -1,0 +1,50 @@
+// Builds a small place or model and writes it in each file format. Only for tests: the project
+// itself writes no places.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "support/file_values.h"
+
+namespace obby::test {
+
+// How the chunks of a binary file are stored.
+enum class Packing { Stored, Lz4, Zstd };
+
+class PlaceWriter {
+ public:
+  using Id = importer::InstanceId;
+
+  // Parents first. An empty name leaves the Name property out.
+  Id add(std::string className, std::string name = {}, Id parent = importer::kNoInstance);
+  // `property` as files spell it: "size", "Color3uint8", "shape".
+  PlaceWriter& set(Id id, std::string property, FileValue value);
+  PlaceWriter& tag(Id id, std::string tag);
+  // Kinds: bool, int64_t (written as 32 bits), double, std::string, EnumItem, Vec3, CFrame,
+  // ColorRgb, UDim.
+  PlaceWriter& attribute(Id id, std::string name, importer::Value value);
+
+  std::string binary(Packing packing = Packing::Zstd) const;
+  std::string xml() const;
+
+  struct Entry {
+    std::string className;
+    Id parent;
+    std::map<std::string, FileValue> properties;
+    std::vector<std::string> tags;
+    std::map<std::string, importer::Value> attributes;
+  };
+
+ private:
+  // Properties with tags and attributes among them.
+  std::vector<Entry> completed() const;
+
+  std::vector<Entry> entries_;
+};
+
+// The blob of AttributesSerialize.
+std::string encodeAttributes(const std::map<std::string, importer::Value>& attributes);
+
+}  // namespace obby::test
