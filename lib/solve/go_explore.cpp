@@ -14,9 +14,9 @@ constexpr uint64_t kSelectionStream = 1ull << 63;  // streams of rollouts count 
 
 ExploreContext makeContext(const Problem& problem, const Surfaces& surfaces,
                            const ExploreSettings& settings) {
-  return {
-      problem.level, problem.query,      surfaces.view(),           jumpReach(problem.level.params),
-      settings, limitsJumps(problem.query)};
+  return {problem.level,   problem.query,
+          surfaces.view(), jumpReach(problem.level.params),
+          settings,        limitsJumps(problem.query)};
 }
 
 bool closer(const Closest& a, const Closest& b) {

@@ -36,9 +36,10 @@ struct SearchOutcome {
   std::vector<EndCount> ends;
   Statistics statistics;
   uint64_t cells = 0;
-  uint32_t refused = 0;      // playthroughs that the watcher did not accept
-  double seconds = 0;        // wall clock
-  double firstSolution = 0;  // seconds to the first accepted solution; 0: none
+  uint32_t waypointCount = 0;  // of the query
+  uint32_t refused = 0;        // playthroughs that the watcher did not accept
+  double seconds = 0;          // wall clock
+  double firstSolution = 0;    // seconds to the first accepted solution; 0: none
 };
 
 using RunMethod = SearchOutcome (*)(const Problem&, const Budget&, const Watcher&, ThreadPool&);

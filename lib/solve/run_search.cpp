@@ -20,7 +20,7 @@ class Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-void takeGoals(const GoExplore& search, const Watcher& watcher, const Clock& clock,
+void takeGoals(const GoExplore& search, size_t wanted, const Watcher& watcher, const Clock& clock,
                Solutions& solutions, SearchOutcome& outcome) {
   for (size_t i = 0; i < std::min(search.goals().size(), kChecksPerRound); ++i) {
     Playthrough p = search.playthrough(search.goals()[i]);
@@ -31,6 +31,7 @@ void takeGoals(const GoExplore& search, const Watcher& watcher, const Clock& clo
     }
     if (solutions.all().empty()) outcome.firstSolution = clock.seconds();
     solutions.add(std::move(p));
+    if (solutions.all().size() >= wanted) return;
   }
 }
 
@@ -67,7 +68,7 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget,
   std::optional<Stopped> stopped;
   while (!stopped) {
     search.round();
-    takeGoals(search, watcher, clock, solutions, outcome);
+    takeGoals(search, budget.solutions, watcher, clock, solutions, outcome);
     if (watcher.look) watcher.look({search, clock.seconds()});
     stopped = whyStop(budget, search, clock, solutions);
   }
@@ -77,6 +78,7 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget,
   outcome.attempts = showAttempts(search, budget.attempts);
   outcome.ends = search.attempts().counts();
   outcome.statistics = search.statistics();
+  outcome.waypointCount = problem.query.waypointCount;
   outcome.cells = search.archive().cellCount();
   return outcome;
 }

@@ -1,0 +1,96 @@
+#include "solve/answer_records.h"
+
+#include "sim/simulator.h"
+#include "solve/reason.h"
+
+namespace obby::solve {
+
+namespace {
+
+int32_t partIndex(uint32_t part) { return part == kNone ? -1 : int32_t(part); }
+
+void fillVec(schema::Vec3::Builder record, Vec3 v) {
+  record.setX(v.x);
+  record.setY(v.y);
+  record.setZ(v.z);
+}
+
+void fillActions(schema::Trajectory::Builder record, const std::vector<sim::ActionRun>& actions) {
+  auto runs = record.initActions(uint32_t(actions.size()));
+  for (uint32_t i = 0; i < runs.size(); ++i) {
+    runs[i].setTicks(actions[i].ticks);
+    runs[i].setWalk(actions[i].action.walk);
+    runs[i].setHeading(actions[i].action.heading);
+    runs[i].setJump(actions[i].action.jump);
+  }
+}
+
+void fillEnds(schema::Result::Builder record, const std::vector<EndCount>& ends) {
+  auto tallies = record.initEnds(uint32_t(ends.size()));
+  for (uint32_t i = 0; i < tallies.size(); ++i) {
+    tallies[i].setOutcome(schema::Outcome(ends[i].outcome));
+    tallies[i].setPart(partIndex(ends[i].part));
+    tallies[i].setCount(ends[i].count);
+  }
+}
+
+}  // namespace
+
+void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& identity,
+                    const Playthrough& playthrough, uint32_t index) {
+  const sim::World& end = playthrough.end;
+  record.setQuery(identity.query);
+  record.setLevel(identity.level);
+  record.setIndex(index);
+  record.setOutcome(schema::Outcome(end.outcome));
+  fillVec(record.initPosition(), identity.start.feet);
+  record.setYawTurns(turnsFromRadians(identity.start.yaw));
+  record.setStartTick(identity.start.tick);
+  fillActions(record, playthrough.actions);
+  record.setTicks(playthrough.ticks);
+  record.setJumps(end.jumps);
+  record.setWaypoints(end.waypoints);
+  record.setPart(partIndex(end.part));
+  record.setStateHash(sim::stateHash(end));
+  fillVec(record.initEndPosition(), end.position);
+}
+
+void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identity,
+                  const SearchView& view) {
+  const Statistics& s = view.search.statistics();
+  record.setQuery(identity.query);
+  record.setSeconds(float(view.seconds));
+  record.setSteps(s.steps);
+  record.setCells(view.search.archive().cellCount());
+  record.setRounds(s.rounds);
+  record.setClosest(s.closest.distance);
+  record.setWaypoints(s.closest.waypoints);
+  if (s.closest.way.parent != kNone) {
+    fillTrajectory(record.initBest(), identity, view.search.playthrough(s.closest.way), 0);
+  }
+}
+
+void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
+                const SearchOutcome& outcome, const level::Level& level) {
+  const bool solved = !outcome.solutions.empty();
+  record.setQuery(identity.query);
+  record.setLevel(identity.level);
+  record.setVerdict(solved ? schema::Verdict::SOLVED : schema::Verdict::UNKNOWN);
+  record.setSolutions(uint32_t(outcome.solutions.size()));
+  if (solved) {
+    record.setTicks(outcome.solutions.front().ticks);
+    record.setJumps(outcome.solutions.front().end.jumps);
+  }
+  record.setSteps(outcome.statistics.steps);
+  record.setCells(outcome.cells);
+  record.setRounds(outcome.statistics.rounds);
+  record.setClosest(solved ? 0 : outcome.statistics.closest.distance);
+  record.setReason(reasonFor(outcome, level));
+  fillEnds(record, outcome.ends);
+  auto timing = record.initTiming();
+  timing.setSeconds(float(outcome.seconds));
+  timing.setFirstSolution(float(outcome.firstSolution));
+  timing.setStepsPerSecond(double(outcome.statistics.steps) / std::max(outcome.seconds, 1e-9));
+}
+
+}  // namespace obby::solve

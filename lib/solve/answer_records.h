@@ -1,0 +1,29 @@
+// What the search found, as records of the stream.
+#pragma once
+
+#include <string>
+
+#include "level/level.h"
+#include "schema/obby.capnp.h"
+#include "solve/methods.h"
+
+namespace obby::solve {
+
+// What every record of one answer names.
+struct AnswerIdentity {
+  std::string query;
+  std::string level;
+  level::StartPose start;
+};
+
+void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& identity,
+                    const Playthrough& playthrough, uint32_t index);
+
+void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identity,
+                  const SearchView& view);
+
+// Everything but timing.compile, method and seed, which the caller knows.
+void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
+                const SearchOutcome& outcome, const level::Level& level);
+
+}  // namespace obby::solve

@@ -1,0 +1,142 @@
+#include "solve/filter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "solve/verifier.h"
+
+namespace obby::solve {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace
+
+Filter::Filter(FilterOptions options, io::Pipeline& pipeline)
+    : options_(std::move(options)), pipeline_(pipeline), pool_(options_.threads) {}
+
+Result<io::Then> Filter::handle(const io::Record& record) {
+  switch (record.which()) {
+    case io::Kind::LEVEL: return handleLevel(record);
+    case io::Kind::QUERY: return handleQuery(record);
+    case io::Kind::TRAJECTORY:
+      if (options_.verifyOnly) OBBY_RETURN_IF_ERROR(check(record.reader().getTrajectory()));
+      return io::Then::pass;
+    default: return io::Then::pass;
+  }
+}
+
+Result<io::Then> Filter::handleLevel(const io::Record& record) {
+  OBBY_RETURN_IF_ERROR(askDefault());
+  last_ = nullptr;
+  OBBY_ASSIGN(LoadedLevel loaded, loadLevel(record));
+  last_ = std::make_shared<const LoadedLevel>(std::move(loaded));
+  lastAsked_ = false;
+  levels_[last_->level.name()] = last_;
+  if (!options_.quick || options_.verifyOnly) return io::Then::pass;
+  lastAsked_ = true;
+  OBBY_ASSIGN(const io::Record query,
+              buildQuery(record.reader().getLevel(), *options_.quick, "command-line"));
+  OBBY_RETURN_IF_ERROR(pipeline_.output().pass(record));
+  OBBY_RETURN_IF_ERROR(ask(*last_, query));
+  return io::Then::drop;
+}
+
+Result<io::Then> Filter::handleQuery(const io::Record& record) {
+  const auto query = record.reader().getQuery();
+  OBBY_ASSIGN(const LevelPointer level, levelNamed(query.getLevel()));
+  if (level == last_) lastAsked_ = true;
+  if (options_.verifyOnly) {
+    queries_.insert_or_assign({level->level.name(), query.getId()}, record);
+    return io::Then::pass;
+  }
+  if (options_.quick || !wanted(query.getId())) return io::Then::pass;
+  // Compiled first: a query that makes no sense falls under --on-error before it goes out.
+  OBBY_RETURN_IF_ERROR(level::Query::compile(query, level->level));
+  OBBY_RETURN_IF_ERROR(pipeline_.output().pass(record));
+  OBBY_RETURN_IF_ERROR(answer(*level, query));
+  return io::Then::drop;
+}
+
+Result<Filter::LevelPointer> Filter::levelNamed(const std::string& name) const {
+  if (name.empty() && last_) return last_;
+  const auto found = levels_.find(name);
+  if (!name.empty() && found != levels_.end()) return found->second;
+  return Error{{},
+               {},
+               "level",
+               name.empty() ? "no level before this record"
+                            : fmt::format("no level '{}' before this record", name),
+               "a level record comes before its queries in the stream"};
+}
+
+bool Filter::wanted(const std::string& id) {
+  if (options_.only.empty()) return true;
+  const bool yes = std::find(options_.only.begin(), options_.only.end(), id) != options_.only.end();
+  (yes ? met_ : others_).push_back(id);
+  return yes;
+}
+
+Status Filter::answer(const LoadedLevel& level, schema::Query::Reader query) {
+  const SolverOutput output{[this](schema::Record::Reader r) { return pipeline_.write(r); },
+                            options_.progress};
+  OBBY_ASSIGN(const QueryAnswer a, solveQuery(level, query, options_.solver, pool_, output));
+  switch (a.verdict) {
+    case schema::Verdict::SOLVED: ++counts_.solved; return {};
+    case schema::Verdict::UNREACHABLE: ++counts_.unreachable; return {};
+    case schema::Verdict::UNKNOWN: ++counts_.unknown; break;
+  }
+  if (a.stopped != Stopped::interrupted) pipeline_.outOfBudget();
+  return {};
+}
+
+Status Filter::ask(const LoadedLevel& level, const io::Record& query) {
+  OBBY_RETURN_IF_ERROR(pipeline_.write(query.reader()));
+  return answer(level, query.reader().getQuery());
+}
+
+Status Filter::askDefault() {
+  if (!last_ || lastAsked_ || options_.verifyOnly || !options_.only.empty()) return {};
+  lastAsked_ = true;
+  const auto level = last_->record.reader().getLevel();
+  OBBY_ASSIGN(const io::Record query, buildQuery(level, QuickQuery{}, "whole"));
+  return ask(*last_, query);
+}
+
+Status Filter::finishInput() {
+  OBBY_RETURN_IF_ERROR(askDefault());
+  for (const std::string& id : options_.only) {
+    if (std::find(met_.begin(), met_.end(), id) != met_.end()) continue;
+    if (others_.size() > 5) others_.resize(5);
+    return Error{{},
+                 {},
+                 "--query",
+                 fmt::format("no query '{}' in the stream", id),
+                 others_.empty() ? "there are no queries" : "there is " + joined(others_)};
+  }
+  return {};
+}
+
+Status Filter::check(schema::Trajectory::Reader trajectory) {
+  OBBY_ASSIGN(const LevelPointer level, levelNamed(trajectory.getLevel()));
+  const auto query = queries_.find({level->level.name(), trajectory.getQuery()});
+  if (query == queries_.end()) {
+    return Error{{},
+                 {},
+                 "query",
+                 fmt::format("no query '{}' before this record", trajectory.getQuery().cStr()),
+                 "trajectories are checked against their query"};
+  }
+  OBBY_RETURN_IF_ERROR(verify(level->level, level->record.reader().getLevel(),
+                              query->second.reader().getQuery(), trajectory));
+  ++counts_.verified;
+  return {};
+}
+
+}  // namespace obby::solve

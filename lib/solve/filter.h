@@ -1,0 +1,70 @@
+// The solver as a filter over a stream: remembers levels and queries, answers queries behind their
+// records, checks trajectories where only that is asked.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/thread_pool.h"
+#include "io/pipeline.h"
+#include "solve/build_query.h"
+#include "solve/query_solver.h"
+
+namespace obby::solve {
+
+struct FilterOptions {
+  SolverOptions solver;
+  int threads = 1;
+  std::vector<std::string> only;    // ids of the queries to answer; empty: all
+  std::optional<QuickQuery> quick;  // asked of every level instead of the stream's queries
+  bool verifyOnly = false;          // check the stream's trajectories, answer nothing
+  std::function<void(const QueryProgress&)> progress;  // may be empty
+};
+
+struct FilterCounts {
+  uint64_t solved = 0, unreachable = 0, unknown = 0;
+  uint64_t verified = 0;  // trajectories that were right
+};
+
+class Filter {
+ public:
+  // Records go out through `pipeline`.
+  Filter(FilterOptions options, io::Pipeline& pipeline);
+
+  // The pipeline's handler.
+  Result<io::Then> handle(const io::Record& record);
+  // After the last record: a level without queries is asked for the way from its spawn to its end;
+  // an id of `only` that was not met is an error.
+  Status finishInput();
+
+  const FilterCounts& counts() const { return counts_; }
+
+ private:
+  using LevelPointer = std::shared_ptr<const LoadedLevel>;
+
+  Result<io::Then> handleLevel(const io::Record& record);
+  Result<io::Then> handleQuery(const io::Record& record);
+  Status check(schema::Trajectory::Reader trajectory);
+  Status askDefault();
+  Status ask(const LoadedLevel& level, const io::Record& query);
+  Status answer(const LoadedLevel& level, schema::Query::Reader query);
+  Result<LevelPointer> levelNamed(const std::string& name) const;
+  bool wanted(const std::string& id);
+
+  FilterOptions options_;
+  io::Pipeline& pipeline_;
+  ThreadPool pool_;
+  std::map<std::string, LevelPointer> levels_;
+  LevelPointer last_;                                                  // the level record before
+  bool lastAsked_ = false;                                             // it has a query
+  std::map<std::pair<std::string, std::string>, io::Record> queries_;  // by level and id
+  std::vector<std::string> met_, others_;  // ids of `only` that came by; other ids
+  FilterCounts counts_;
+};
+
+}  // namespace obby::solve

@@ -1,0 +1,21 @@
+// Outcomes in words, for messages.
+#pragma once
+
+#include "schema/obby.capnp.h"
+
+namespace obby::solve {
+
+inline const char* outcomeName(schema::Outcome outcome) {
+  switch (outcome) {
+    case schema::Outcome::RUNNING: return "running";
+    case schema::Outcome::GOAL: return "goal";
+    case schema::Outcome::KILLED: return "killed";
+    case schema::Outcome::FELL: return "fell";
+    case schema::Outcome::AVOIDED: return "avoided";
+    case schema::Outcome::JUMPS: return "jumps";
+    case schema::Outcome::TIMEOUT: return "timeout";
+  }
+  return "unknown";
+}
+
+}  // namespace obby::solve

@@ -1,0 +1,119 @@
+#include "solve/query_solver.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "sim/simulator.h"
+#include "solve/answer_records.h"
+#include "solve/verifier.h"
+
+namespace obby::solve {
+
+namespace {
+
+constexpr double kFirstProgress = 0.05;  // seconds to the first progress record
+constexpr double kProgressEvery = 0.25;
+
+double secondsNow() {
+  using Clock = std::chrono::steady_clock;
+  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
+// One query while it is being answered.
+class Solving {
+ public:
+  Solving(const LoadedLevel& level, schema::Query::Reader query, const SolverOptions& options,
+          const SolverOutput& output, const level::Query& compiled)
+      : level_(level),
+        query_(query),
+        options_(options),
+        output_(output),
+        compiled_(compiled),
+        identity_{compiled.id(), level.level.name(), compiled.start()} {}
+
+  Result<QueryAnswer> run(ThreadPool& pool) {
+    const auto& view = level_.level.view();
+    const Problem problem{view,
+                          compiled_.view(),
+                          sim::makeWorld(view, compiled_.start()),
+                          level_.level.bounds(),
+                          level_.level.hasMotion(),
+                          level_.level.motionPeriod()};
+    const Watcher watcher{[this](const Playthrough& p) { return verified(p); },
+                          [this](const SearchView& v) { look(v); }};
+    const SearchOutcome outcome = options_.method->run(problem, options_.budget, watcher, pool);
+    OBBY_RETURN_IF_ERROR(std::move(status_));
+    OBBY_RETURN_IF_ERROR(writeAnswer(outcome));
+    return QueryAnswer{
+        outcome.solutions.empty() ? schema::Verdict::UNKNOWN : schema::Verdict::SOLVED,
+        outcome.stopped};
+  }
+
+ private:
+  bool verified(const Playthrough& p) const {
+    io::RecordBuilder record;
+    fillTrajectory(record.root().initTrajectory(), identity_, p, 0);
+    return bool(verify(level_.level, level_.record.reader().getLevel(), query_,
+                       record.reader().getTrajectory()));
+  }
+
+  void look(const SearchView& view) {
+    if (view.seconds < nextProgress_ || !status_) return;
+    nextProgress_ = view.seconds + kProgressEvery;
+    const Statistics& s = view.search.statistics();
+    if (output_.progress) {
+      const Budget& b = options_.budget;
+      const double spent = std::max(view.seconds / b.seconds, double(s.steps) / double(b.maxSteps));
+      output_.progress({identity_.query, std::min(spent, 1.0), s.steps,
+                        view.search.archive().cellCount(), s.closest.distance});
+    }
+    if (!options_.progressRecords) return;
+    io::RecordBuilder record;
+    fillProgress(record.root().initProgress(), identity_, view);
+    status_ = output_.write(record.reader());
+  }
+
+  Status writeAnswer(const SearchOutcome& outcome) {
+    uint32_t index = 0;
+    for (const auto* list : {&outcome.solutions, &outcome.attempts}) {
+      for (const Playthrough& p : *list) {
+        io::RecordBuilder record;
+        fillTrajectory(record.root().initTrajectory(), identity_, p, index++);
+        OBBY_RETURN_IF_ERROR(output_.write(record.reader()));
+      }
+    }
+    io::RecordBuilder record;
+    auto result = record.root().initResult();
+    fillResult(result, identity_, outcome, level_.level);
+    result.getTiming().setCompile(float(level_.compileSeconds));
+    result.setMethod(options_.method->name);
+    result.setSeed(options_.budget.seed);
+    return output_.write(record.reader());
+  }
+
+  const LoadedLevel& level_;
+  const schema::Query::Reader query_;
+  const SolverOptions& options_;
+  const SolverOutput& output_;
+  const level::Query& compiled_;
+  const AnswerIdentity identity_;
+  double nextProgress_ = kFirstProgress;
+  Status status_;
+};
+
+}  // namespace
+
+Result<LoadedLevel> loadLevel(const io::Record& record) {
+  const double start = secondsNow();
+  OBBY_ASSIGN(level::Level compiled, level::Level::compile(record.reader().getLevel()));
+  return LoadedLevel{record, std::move(compiled), secondsNow() - start};
+}
+
+Result<QueryAnswer> solveQuery(const LoadedLevel& level, schema::Query::Reader query,
+                               const SolverOptions& options, ThreadPool& pool,
+                               const SolverOutput& output) {
+  OBBY_ASSIGN(const level::Query compiled, level::Query::compile(query, level.level));
+  return Solving(level, query, options, output, compiled).run(pool);
+}
+
+}  // namespace obby::solve

@@ -1,0 +1,53 @@
+// Answers one query: compiles it, searches, checks every solution with the verifier, and writes the
+// answer as records: progress while it works, then trajectories, then the result.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "base/thread_pool.h"
+#include "io/record.h"
+#include "level/level.h"
+#include "solve/methods.h"
+
+namespace obby::solve {
+
+// A level of the stream, ready for queries.
+struct LoadedLevel {
+  io::Record record;
+  level::Level level;
+  double compileSeconds;
+};
+
+Result<LoadedLevel> loadLevel(const io::Record& record);
+
+struct SolverOptions {
+  Budget budget;
+  const Method* method = nullptr;
+  bool progressRecords = true;
+};
+
+// For the eyes of a person while a query is worked on.
+struct QueryProgress {
+  std::string query;
+  double fraction;  // of the budget
+  uint64_t steps, cells;
+  float closest;  // studs
+};
+
+struct SolverOutput {
+  std::function<Status(schema::Record::Reader)> write;
+  std::function<void(const QueryProgress&)> progress;  // may be empty
+};
+
+struct QueryAnswer {
+  schema::Verdict verdict;
+  Stopped stopped;
+};
+
+// An error is about the query record (path is set), or of `write`.
+Result<QueryAnswer> solveQuery(const LoadedLevel& level, schema::Query::Reader query,
+                               const SolverOptions& options, ThreadPool& pool,
+                               const SolverOutput& output);
+
+}  // namespace obby::solve

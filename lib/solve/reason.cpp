@@ -1,0 +1,83 @@
+#include "solve/reason.h"
+
+#include <fmt/format.h>
+
+namespace obby::solve {
+
+namespace {
+
+std::string plural(uint64_t n, const char* word) {
+  return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s");
+}
+
+std::string countText(uint64_t n) {
+  if (n >= 10'000'000) return fmt::format("{:.0f} million", double(n) * 1e-6);
+  if (n >= 1'000'000) return fmt::format("{:.1f} million", double(n) * 1e-6);
+  return fmt::format("{}", n);
+}
+
+std::string solvedText(const SearchOutcome& outcome, const level::Level& level) {
+  const Playthrough& best = outcome.solutions.front();
+  std::string text = fmt::format("reached the goal in {:.2f} s with {}",
+                                 double(best.ticks) / level.view().params.controlRate,
+                                 plural(best.end.jumps, "jump"));
+  if (best.end.waypoints > 0) text += ", past " + plural(best.end.waypoints, "waypoint");
+  if (outcome.solutions.size() > 1) {
+    text += fmt::format("; the shortest of {} distinct ways", outcome.solutions.size());
+  }
+  return text;
+}
+
+std::string endText(const EndCount& end, const level::Level& level) {
+  switch (end.outcome) {
+    case sim::Outcome::killed:
+      return end.part < level.partCount()
+                 ? fmt::format("were killed by part {} '{}'", end.part, level.partName(end.part))
+                 : "were killed";
+    case sim::Outcome::fell: return "fell";
+    case sim::Outcome::avoided: return "entered an avoid region";
+    case sim::Outcome::jumps: return "needed more jumps than allowed";
+    case sim::Outcome::timeout: return "ran out of time";
+    case sim::Outcome::running:
+    case sim::Outcome::goal: break;
+  }
+  return "got no further";
+}
+
+// The most frequent ends of those attempts that failed for good.
+std::string endsText(const SearchOutcome& outcome, const level::Level& level) {
+  uint64_t all = 0;
+  for (const EndCount& e : outcome.ends) all += e.count;
+  std::string text;
+  int named = 0;
+  for (const EndCount& e : outcome.ends) {
+    if (e.outcome == sim::Outcome::running || named == 2) continue;
+    text += fmt::format("{}{:.0f} % of the attempts {}", named == 0 ? "; " : ", ",
+                        100.0 * double(e.count) / double(all), endText(e, level));
+    ++named;
+  }
+  return text;
+}
+
+std::string placeText(const SearchOutcome& outcome) {
+  const Closest& c = outcome.statistics.closest;
+  if (c.distance >= 1e29f) return "no attempt got anywhere";
+  return fmt::format(
+      "the closest came within {:.1f} studs of the {}{}", c.distance,
+      outcome.waypointCount > c.waypoints ? fmt::format("waypoint {}", c.waypoints + 1)
+                                          : std::string("goal"),
+      c.waypoints > 0 ? fmt::format(", past {}", plural(c.waypoints, "waypoint")) : std::string());
+}
+
+}  // namespace
+
+std::string reasonFor(const SearchOutcome& outcome, const level::Level& level) {
+  if (!outcome.solutions.empty()) return solvedText(outcome, level);
+  std::string text =
+      fmt::format("no way found in {} steps{}: ", countText(outcome.statistics.steps),
+                  outcome.stopped == Stopped::interrupted ? " (interrupted)" : "");
+  text += placeText(outcome) + endsText(outcome, level);
+  return text + "; this does not show that there is none";
+}
+
+}  // namespace obby::solve

@@ -1,0 +1,14 @@
+// One sentence for people: what was found, or how the attempts failed.
+#pragma once
+
+#include <string>
+
+#include "level/level.h"
+#include "solve/methods.h"
+
+namespace obby::solve {
+
+// Says nothing that depends on the clock.
+std::string reasonFor(const SearchOutcome& outcome, const level::Level& level);
+
+}  // namespace obby::solve

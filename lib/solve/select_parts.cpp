@@ -1,0 +1,180 @@
+#include "solve/select_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace obby::solve {
+
+namespace {
+
+constexpr size_t kShown = 5;        // candidates in a hint
+constexpr float kGrowUp = 0.5f;     // studs
+constexpr float kGrowSide = 1;      // studs
+constexpr float kStandingRoom = 5;  // studs
+
+std::string pathOf(schema::Part::Reader part) {
+  const auto path = part.getSource().getPath();
+  return path.size() > 0 ? path.cStr() : part.getName().cStr();
+}
+
+template <class Test>
+std::vector<uint32_t> partsWhere(schema::Level::Reader level, const Test& test) {
+  std::vector<uint32_t> found;
+  uint32_t i = 0;
+  for (const auto part : level.getParts()) {
+    if (test(part)) found.push_back(i);
+    ++i;
+  }
+  return found;
+}
+
+bool endsAfterSlash(const std::string& path, const std::string& tail) {
+  return path.size() > tail.size() && path.ends_with(tail) &&
+         path[path.size() - tail.size() - 1] == '/';
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) c = char(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  return text;
+}
+
+std::string listParts(schema::Level::Reader level, const std::vector<uint32_t>& parts) {
+  std::string text;
+  for (size_t i = 0; i < std::min(parts.size(), kShown); ++i) {
+    text += (i > 0 ? ", " : "") + describePart(level, parts[i]);
+  }
+  return parts.size() > kShown ? fmt::format("{}, and {} more", text, parts.size() - kShown) : text;
+}
+
+Error noPart(schema::Level::Reader level, const std::string& selector) {
+  const std::string wanted = lower(selector);
+  const auto similar = partsWhere(level, [&](schema::Part::Reader part) {
+    return !wanted.empty() && lower(pathOf(part)).find(wanted) != std::string::npos;
+  });
+  return makeError(
+      fmt::format("no part of level '{}' is named '{}'", level.getName().cStr(), selector),
+      similar.empty() ? "a part is named by name, path or its end, GUID, #tag or "
+                        "part:INDEX; a box is x,y,z,sx,sy,sz"
+                      : "similar: " + listParts(level, similar));
+}
+
+std::vector<uint32_t> matchName(schema::Level::Reader level, const std::string& name) {
+  auto found = partsWhere(level, [&](auto p) { return p.getSource().getGuid() == name.c_str(); });
+  if (found.empty()) found = partsWhere(level, [&](auto p) { return pathOf(p) == name; });
+  if (found.empty()) found = partsWhere(level, [&](auto p) { return p.getName() == name.c_str(); });
+  if (found.empty()) {
+    found = partsWhere(level, [&](auto p) { return endsAfterSlash(pathOf(p), name); });
+  }
+  return found;
+}
+
+std::vector<uint32_t> matchTag(schema::Level::Reader level, const std::string& tag) {
+  return partsWhere(level, [&](schema::Part::Reader part) {
+    for (const auto t : part.getTags()) {
+      if (t == tag.c_str()) return true;
+    }
+    return false;
+  });
+}
+
+// -1: not of the form part:N.
+int64_t indexFromText(const std::string& selector) {
+  if (!selector.starts_with("part:")) return -1;
+  int64_t index = -1;
+  const char* end = selector.data() + selector.size();
+  const auto [at, error] = std::from_chars(selector.data() + 5, end, index);
+  return error == std::errc() && at == end ? index : -1;
+}
+
+Vec3 vecOf(schema::Vec3::Reader v) { return {v.getX(), v.getY(), v.getZ()}; }
+
+Quat rotationOf(schema::Part::Reader part) {
+  const auto q = part.getRotation();
+  return normalize(Quat{q.getX(), q.getY(), q.getZ(), q.getW()});
+}
+
+// Half the part's height in the world.
+float halfHeight(schema::Part::Reader part) {
+  return boundsOf(Pose{{}, toMat3(rotationOf(part))}, vecOf(part.getSize()) * 0.5f).hi.y;
+}
+
+}  // namespace
+
+std::string describePart(schema::Level::Reader level, uint32_t part) {
+  return fmt::format("part:{} {}", part, pathOf(level.getParts()[part]));
+}
+
+Result<std::vector<uint32_t>> matchParts(schema::Level::Reader level, const std::string& selector) {
+  std::vector<uint32_t> found;
+  if (const int64_t index = indexFromText(selector); index >= 0) {
+    if (index >= int64_t(level.getParts().size())) {
+      return makeError(fmt::format("level '{}' has parts 0 to {}, not {}", level.getName().cStr(),
+                                   int64_t(level.getParts().size()) - 1, index));
+    }
+    found.push_back(uint32_t(index));
+  } else {
+    found = selector.starts_with("#") ? matchTag(level, selector.substr(1))
+                                      : matchName(level, selector);
+  }
+  if (found.empty()) return noPart(level, selector);
+  return found;
+}
+
+Result<uint32_t> matchPart(schema::Level::Reader level, const std::string& selector) {
+  OBBY_ASSIGN(const std::vector<uint32_t> found, matchParts(level, selector));
+  if (found.size() == 1) return found.front();
+  return makeError(fmt::format("'{}' names {} parts of level '{}'", selector, found.size(),
+                               level.getName().cStr()),
+                   "one of " + listParts(level, found));
+}
+
+Result<std::optional<PlainRegion>> boxFromText(const std::string& text) {
+  std::array<float, 6> v{};
+  const char *at = text.data(), *end = text.data() + text.size();
+  for (size_t i = 0; i < v.size(); ++i) {
+    const auto [next, error] = std::from_chars(at, end, v[i]);
+    const bool last = i + 1 == v.size();
+    if (error != std::errc() || (last ? next != end : (next == end || *next != ','))) {
+      return std::optional<PlainRegion>();
+    }
+    at = next + 1;
+  }
+  for (const float value : v) {
+    if (!std::isfinite(value)) return makeError(fmt::format("'{}' is not finite", text));
+  }
+  if (!(v[3] > 0 && v[4] > 0 && v[5] > 0)) {
+    return makeError(fmt::format("the box '{}' has a size that is not above 0", text),
+                     "a box is x,y,z,sx,sy,sz: centre and size in studs");
+  }
+  return std::optional<PlainRegion>({text, {v[0], v[1], v[2]}, {}, {v[3], v[4], v[5]}});
+}
+
+PlainRegion regionAround(schema::Part::Reader part) {
+  const Quat q = rotationOf(part);
+  const Mat3 axes = toMat3(q);
+  const Vec3 size = vecOf(part.getSize());
+  const Vec3 up{absf(axes.x.y), absf(axes.y.y), absf(axes.z.y)};  // of each axis
+  Vec3 grow{2 * kGrowSide, 2 * kGrowSide, 2 * kGrowSide}, lift;
+  if (up.y >= up.x && up.y >= up.z) {
+    grow.y = kGrowUp;
+    lift = axes.y * (axes.y.y < 0 ? -1.0f : 1.0f);
+  } else if (up.x >= up.z) {
+    grow.x = kGrowUp;
+    lift = axes.x * (axes.x.y < 0 ? -1.0f : 1.0f);
+  } else {
+    grow.z = kGrowUp;
+    lift = axes.z * (axes.z.y < 0 ? -1.0f : 1.0f);
+  }
+  return {part.getName().cStr(), vecOf(part.getPosition()) + lift * (kGrowUp / 2), q, size + grow};
+}
+
+PlainRegion regionOnTop(schema::Part::Reader part) {
+  const Vec3 up{0, halfHeight(part) + kStandingRoom / 2, 0};
+  return {part.getName().cStr(), vecOf(part.getPosition()) + up, {}, {4, kStandingRoom, 4}};
+}
+
+}  // namespace obby::solve

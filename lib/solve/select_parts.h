@@ -1,0 +1,49 @@
+// Naming a place of the level on the command line: by part or by numbers.
+//   part:12              index in the level's list of parts
+//   #Checkpoint          tag
+//   Workspace/S1/Lava    path, or its end after a slash ("S1/Lava"), or the part's name
+//   9F3C...              GUID
+//   0,5,-20,4,4,4        a box: centre and size in studs
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "math/vec.h"
+#include "schema/obby.capnp.h"
+
+namespace obby::solve {
+
+// Parts that the selector names, in the level's order: at least one. Of the ways to read a name,
+// the first that fits any part counts: GUID, whole path, name, end of the path. Error: no part
+// fits; parts with a similar name are the hint.
+Result<std::vector<uint32_t>> matchParts(schema::Level::Reader level, const std::string& selector);
+
+// The one part that the selector names. Error: several; up to five of them are the hint.
+Result<uint32_t> matchPart(schema::Level::Reader level, const std::string& selector);
+
+// "part:12 Workspace/S1/Lava"
+std::string describePart(schema::Level::Reader level, uint32_t part);
+
+// A box in space, before it becomes a Region record.
+struct PlainRegion {
+  std::string name;
+  Vec3 position;
+  Quat rotation;
+  Vec3 size;
+};
+
+// Nothing if the text is not six numbers. Error: numbers that are no box.
+Result<std::optional<PlainRegion>> boxFromText(const std::string& text);
+
+// Where a player who touches or stands on the part is: its box, half a stud up and one stud
+// sideways more.
+PlainRegion regionAround(schema::Part::Reader part);
+
+// Standing room on the middle of the part's top.
+PlainRegion regionOnTop(schema::Part::Reader part);
+
+}  // namespace obby::solve

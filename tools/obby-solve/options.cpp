@@ -1,0 +1,180 @@
+// The option table of obby-solve and what its options mean to lib/solve.
+#include "options.h"
+
+#include <limits>
+
+namespace obby::tools {
+
+namespace {
+
+using cli::OptionRow;
+using cli::ValueType;
+
+constexpr const char* kQueryGroup = "Asking on the command line";
+constexpr const char* kSearchGroup = "Search";
+
+OptionRow row(const char* name, ValueType type, const char* value, const char* defaultText,
+              const char* help, const char* group) {
+  OptionRow r;
+  r.name = name;
+  r.type = type;
+  r.value = value;
+  r.defaultText = defaultText;
+  r.help = help;
+  r.group = group;
+  return r;
+}
+
+OptionRow repeatable(OptionRow r) {
+  r.repeatable = true;
+  return r;
+}
+
+OptionRow between(OptionRow r, double min, double max) {
+  r.min = min;
+  r.max = max;
+  return r;
+}
+
+OptionRow lettered(OptionRow r, char letter) {
+  r.letter = letter;
+  return r;
+}
+
+OptionRow methodRow() {
+  OptionRow r = row("method", ValueType::choice, "", "auto", "", kSearchGroup);
+  r.help = "how to search:";
+  for (const solve::Method& m : solve::methods()) {
+    r.choices.push_back(m.name);
+    r.help += std::string(r.choices.size() > 1 ? "; " : " ") + m.name + " = " + m.description;
+  }
+  return r;
+}
+
+std::vector<OptionRow> queryRows() {
+  return {
+      row("start", ValueType::text, "PLACE", "", "start on this part or in this box", kQueryGroup),
+      row("goal", ValueType::text, "PLACE", "", "reach this part or box", kQueryGroup),
+      repeatable(row("waypoint", ValueType::text, "PLACE", "", "pass here first; repeat in order",
+                     kQueryGroup)),
+      repeatable(row("avoid", ValueType::text, "PLACE", "",
+                     "never enter; repeat; a #TAG means all its parts", kQueryGroup)),
+      between(row("max-jumps", ValueType::integer, "N", "", "jump at most N times", kQueryGroup), 0,
+              65535),
+      between(row("max-time", ValueType::number, "SECONDS", "", "arrive within that game time",
+                  kQueryGroup),
+              0.02, 100000),
+  };
+}
+
+std::vector<OptionRow> searchRows() {
+  return {
+      cli::withDefault(cli::commonRow(cli::Common::timeLimit), "20"),
+      between(row("max-steps", ValueType::integer, "N", "",
+                  "stop after about N simulated ticks a query: unlike --time-limit the same on "
+                  "every machine",
+                  kSearchGroup),
+              1, 9e15),
+      between(row("solutions", ValueType::integer, "K", "1", "look for K distinct solutions",
+                  kSearchGroup),
+              1, 1000),
+      between(row("attempts", ValueType::integer, "N", "24", "failed attempts to show a query",
+                  kSearchGroup),
+              0, 1000),
+      methodRow(),
+      repeatable(
+          row("query", ValueType::text, "ID", "", "answer only this query; repeat", kSearchGroup)),
+      cli::commonRow(cli::Common::seed),
+      cli::commonRow(cli::Common::threads),
+      row("verify", ValueType::flag, "", "",
+          "only check the trajectories of the stream by replaying them", kSearchGroup),
+      row("final-only", ValueType::flag, "", "", "leave progress records out of the stream",
+          kSearchGroup),
+      lettered(row("exit-status", ValueType::flag, "", "",
+                   "exit with 1 if a query has no solution, with 3 if a verdict is unknown",
+                   kSearchGroup),
+               'e'),
+  };
+}
+
+solve::QuickQuery quickQuery(const cli::Arguments& a) {
+  solve::QuickQuery q;
+  q.start = a.text("start");
+  q.goal = a.text("goal");
+  q.waypoints = a.list("waypoint");
+  q.avoid = a.list("avoid");
+  if (a.has("max-jumps")) q.maxJumps = int32_t(a.integer("max-jumps"));
+  if (a.has("max-time")) q.timeLimit = float(a.number("max-time"));
+  return q;
+}
+
+bool asksQuickly(const cli::Arguments& a) {
+  for (const OptionRow& r : queryRows()) {
+    if (a.has(r.name)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+cli::ToolSpec solveSpec() {
+  cli::ToolSpec spec;
+  spec.name = "obby-solve";
+  spec.summary = "find playthroughs that answer the queries of a stream";
+  spec.inputHelp = "streams with levels and queries";
+  spec.examples = {
+      {"answer all queries of a level", "obby-solve teaser.jsonl -o teaser.solved.jsonl"},
+      {"from a place file to a page",
+       "obby-import first-steps.rbxlx | obby-solve | obby-view -o report.html"},
+      {"ask on the command line",
+       "obby-solve several-routes.jsonl --goal Finish --max-jumps 9 --max-time 30"},
+      {"three different ways, for a script",
+       "obby-solve -e --query any --solutions 3 several-routes.jsonl > ways.jsonl"},
+      {"check what somebody else found",
+       "obby-solve wedge-climb.jsonl | obby-solve --verify > /dev/null"},
+  };
+  spec.options = {cli::commonRow(cli::Common::output), cli::commonRow(cli::Common::format),
+                  cli::commonRow(cli::Common::progress), cli::commonRow(cli::Common::onError)};
+  for (const auto& rows : {queryRows(), searchRows()}) {
+    spec.options.insert(spec.options.end(), rows.begin(), rows.end());
+  }
+  spec.notes =
+      "A PLACE is a part's name, path or the end of its path, GUID, #TAG or part:INDEX, or a box "
+      "x,y,z,sx,sy,sz (centre and size in studs). Queries asked on the command line replace those "
+      "of the stream. A level without any query is asked for the way from its spawn to its goal or "
+      "last checkpoint.\n\n"
+      "The answer to a query depends on the stream, --seed, --max-steps, --solutions, --attempts "
+      "and --method only, never on --threads or the machine; progress records and result.timing "
+      "do, and so does where --time-limit cuts off a search that finds nothing.";
+  return spec;
+}
+
+Result<solve::FilterOptions> filterOptions(cli::Context& context) {
+  const cli::Arguments& a = context.arguments();
+  solve::FilterOptions o;
+  o.threads = context.threads();
+  o.only = a.list("query");
+  o.verifyOnly = a.flag("verify");
+  if (asksQuickly(a)) o.quick = quickQuery(a);
+  if (o.quick && !o.only.empty()) {
+    return Error{{}, {}, "--query", "does not go with a query asked on the command line", {}};
+  }
+  o.solver.method = solve::findMethod(a.text("method"));
+  o.solver.progressRecords = !a.flag("final-only");
+  solve::Budget& b = o.solver.budget;
+  b.seed = a.seed();
+  b.seconds = a.number("time-limit");
+  if (a.has("max-steps")) b.maxSteps = uint64_t(a.integer("max-steps"));
+  b.solutions = uint32_t(a.integer("solutions"));
+  b.attempts = uint32_t(a.integer("attempts"));
+  b.stop = &context.stop();
+  o.progress = [&context](const solve::QueryProgress& p) {
+    context.progress(
+        {"query " + p.query,
+         p.fraction,
+         {{"steps", double(p.steps)}, {"cells", double(p.cells)}, {"closest", double(p.closest)}}});
+  };
+  return o;
+}
+
+}  // namespace obby::tools

@@ -1,0 +1,13 @@
+// obby-solve's command line.
+#pragma once
+
+#include "cli/context.h"
+#include "cli/tool.h"
+#include "solve/filter.h"
+
+namespace obby::tools {
+
+cli::ToolSpec solveSpec();
+Result<solve::FilterOptions> filterOptions(cli::Context& context);
+
+}  // namespace obby::tools
