@@ -25,7 +25,7 @@ OBBY_DEVICE Vec3 acceleration(const World& w, const Params& p, const Floor& floo
   a.y = -p.gravity;
   if (d.hover) {
     const float lift = -p.hoverStiffness * gap - p.hoverDamping * (w.velocity.y - floor.velocity.y);
-a.y = clampf(lift, -p.gravity, p.hoverLimit);  // the legs push, they do not pull
+    a.y = clampf(lift, -p.gravity, p.hoverLimit);  // the legs push, they do not pull
   }
   return a;
 }
@@ -58,10 +58,11 @@ OBBY_DEVICE bool pushOut(World& w, const level::LevelView& level, const Candidat
 using CandidateSet = uint64_t;
 static_assert(kMaxCandidates <= 64, "one bit a candidate");
 
-// Two rounds over the parts near the body, in their order: corners need the second.
+// Two rounds over the parts near the body, in their order: corners between parts need the second.
 OBBY_DEVICE void collide(World& w, const level::LevelView& level, const Candidates& near,
                          CandidateSet solids, SinCos yaw) {
-  for (int round = 0; round < 2; ++round) {
+  const int rounds = (solids & (solids - 1)) != 0 ? 2 : 1;
+  for (int round = 0; round < rounds; ++round) {
     bool pushed = false;
     geom::UprightBox box = bodyBox(w, level.params, yaw);
     Box bounds = box.bounds();

@@ -108,17 +108,19 @@ OBBY_DEVICE void castAtUpright(FloorRays& rays, const Candidate& c, Vec3 half, i
 OBBY_DEVICE void castAt(FloorRays& rays, const Candidate& c, const level::Collider& collider,
                         int index, Vec3* normals) {
   const Vec3 down = toLocal(c.pose->rotation, Vec3{0, -1, 0});
-  for (int i = 0; i < kFloorRays; ++i) {
-    const Vec3 from = rays.origin + rays.right * rayRight(i) + rays.back * rayBack(i);
-    const Vec3 local = toLocal(*c.pose, from);
-    geom::RayHit hit{};
-    const bool met = geom::visitShape(collider.kind, [&](auto shape) {
-      return decltype(shape)::castRay(collider.shape, local, down, rays.reach, hit);
-    });
-    if (!met || hit.t >= rays.distance[i]) continue;
-    record(rays, i, hit.t, index);
-    normals[i] = c.pose->rotation * hit.normal;
-  }
+  const Vec3 origin = toLocal(*c.pose, rays.origin);
+  const Vec3 right = toLocal(c.pose->rotation, rays.right),
+             back = toLocal(c.pose->rotation, rays.back);
+  geom::visitShape(collider.kind, [&](auto shape) {
+    for (int i = 0; i < kFloorRays; ++i) {
+      const Vec3 from = origin + right * rayRight(i) + back * rayBack(i);
+      geom::RayHit hit{};
+      if (!decltype(shape)::castRay(collider.shape, from, down, rays.reach, hit)) continue;
+      if (hit.t >= rays.distance[i]) continue;
+      record(rays, i, hit.t, index);
+      normals[i] = c.pose->rotation * hit.normal;
+    }
+  });
 }
 
 // Velocity of what the player stands on, and its turning.
