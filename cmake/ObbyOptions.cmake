@@ -23,6 +23,10 @@ endif()
 # What every target of ours is compiled with; linked as obby::build.
 add_library(obby_build INTERFACE)
 add_library(obby::build ALIAS obby_build)
+# GCC 12 reports a false -Wrestrict inside std::string at -O3 (its bug 105651).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  target_compile_options(obby_build INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>)
+endif()
 target_compile_options(obby_build INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
   $<$<BOOL:${OBBY_WARNINGS_AS_ERRORS}>:-Werror>
   $<$<BOOL:${OBBY_ARCH}>:-march=${OBBY_ARCH}>)
