@@ -35,6 +35,9 @@ struct SourceOptions {
   OnError onError = OnError::stop;
   const std::atomic<bool>* stop = nullptr;        // set from outside: end the input early
   std::function<void(const Error&)> report = {};  // errors that did not stop the run
+  // How an input becomes a stream of records; absent: StreamReader::open. A tool that reads other
+  // files than streams turns them into one here.
+  std::function<Result<StreamReader>(const std::string& path)> open = {};
 };
 
 // The records of several inputs, one after another, without headers and ends.

@@ -47,7 +47,15 @@ struct RecordSource::Impl {
   // Opens the next input; false when there is none.
   Result<bool> advance() {
     if (nextInput == options.inputs.size()) return false;
-    OBBY_ASSIGN(reader, StreamReader::open(options.inputs[nextInput++], options.stop));
+    const std::string& path = options.inputs[nextInput++];
+    auto opened = options.open ? options.open(path) : StreamReader::open(path, options.stop);
+    if (opened) {
+      reader = *std::move(opened);
+    } else {
+      if (!options.open || options.onError == OnError::stop) return opened.error();
+      report(opened.error());
+      skipped++;
+    }
     return true;
   }
 
@@ -56,6 +64,7 @@ struct RecordSource::Impl {
       if (!reader) {
         OBBY_ASSIGN(const bool more, advance());
         if (!more) return std::optional<Record>();
+        continue;
       }
       auto got = reader->next();
       if (!got) {

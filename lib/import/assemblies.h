@@ -1,0 +1,40 @@
+// Parts that joints hold together: one anchored part anchors all of them.
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "import/tree.h"
+
+namespace obby::importer {
+
+class Assemblies {
+ public:
+  // Reads every rigid joint of the document (Weld, Snap, ManualWeld, WeldConstraint, Glue, Motor6D,
+  // RigidConstraint). A joint that is switched off or misses a part joins nothing.
+  explicit Assemblies(const Tree& tree);
+
+  // True if a joint chain leads from the part to an anchored one, itself included.
+  bool anchored(InstanceId part) const;
+  bool same(InstanceId a, InstanceId b) const { return find(a) == find(b); }
+  // Every part joined with this one, itself included, in file order.
+  std::vector<InstanceId> members(InstanceId part) const;
+
+ private:
+  InstanceId find(InstanceId id) const;
+  void join(InstanceId a, InstanceId b);
+
+  const Tree* tree_;
+  mutable std::vector<InstanceId> parent_;
+  std::vector<char> anchored_;  // by representative
+  std::unordered_map<InstanceId, std::vector<InstanceId>> members_;
+};
+
+// The two parts that a joint or constraint connects (through attachments where it has them);
+// kNoInstance where an end is missing.
+struct JointEnds {
+  InstanceId first = kNoInstance, second = kNoInstance;
+};
+JointEnds jointEnds(const Tree& tree, InstanceId joint);
+
+}  // namespace obby::importer

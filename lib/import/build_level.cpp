@@ -1,0 +1,55 @@
+// World, parts, strays, scripts, roles, stages, and what is left over.
+#include "import/build_level.h"
+
+#include "import/assemblies.h"
+#include "import/checkpoints.h"
+#include "import/culling.h"
+#include "import/parts.h"
+#include "import/roles/role.h"
+#include "import/scene.h"
+#include "import/unmodelled.h"
+#include "import/world.h"
+
+namespace obby::importer {
+namespace {
+
+std::string worldPath(const Tree& tree) {
+  const auto roots = tree.worldRoots();
+  return roots.size() == 1 ? tree.path(roots[0]) : "";
+}
+
+void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level) {
+  for (InstanceId id : sceneParts(tree, level)) {
+    ++level.partsRead;
+    auto part = partFrom(tree, id, level);
+    if (!part) continue;
+    if (!part->anchored && assemblies.anchored(id)) {
+      part->anchored = true;
+      part->evidence.push_back({"anchored", "joined to an anchored part", false});
+    }
+    level.parts.push_back(std::move(*part));
+  }
+  cullStrays(level, tree);
+}
+
+}  // namespace
+
+LevelDraft buildLevel(const Tree& tree, const std::string& name) {
+  LevelDraft level;
+  level.file = tree.document().file;
+  level.format = tree.document().format;
+  level.name = name;
+  level.path = worldPath(tree);
+  readWorld(tree, level);
+  const Assemblies assemblies(tree);
+  readParts(tree, assemblies, level);
+  const auto scripts = readScripts(tree);
+  RoleContext context(tree, assemblies, scripts, level);
+  applyScriptedWorld(context);
+  findRoles(context);
+  orderStages(tree, level);
+  noteUnmodelled(context);
+  return level;
+}
+
+}  // namespace obby::importer

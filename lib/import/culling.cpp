@@ -1,0 +1,63 @@
+// What counts as a stray: below the fall height, or beyond ten times the extent of the middle 90 %
+// of all parts.
+#include "import/culling.h"
+
+#include <algorithm>
+
+#include "import/tree.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr float kFar = 10;           // times the extent of the middle 90 %
+constexpr float kLeastExtent = 500;  // studs; small levels may have distant pieces
+constexpr double kLowQuantile = 0.05, kHighQuantile = 0.95;
+
+Box boundsOfPart(const PartDraft& part) { return boundsOf(part.pose, part.size * 0.5f); }
+
+struct Range {
+  float lo, hi;
+};
+
+Range middle(std::vector<float> values) {
+  const auto at = [&](double q) {
+    const auto n = values.begin() + std::ptrdiff_t(q * double(values.size() - 1));
+    std::nth_element(values.begin(), n, values.end());
+    return *n;
+  };
+  const float lo = at(kLowQuantile), hi = at(kHighQuantile);
+  const float reach = std::max(hi - lo, kLeastExtent) * kFar;
+  return {lo - reach, hi + reach};
+}
+
+Box playBox(const std::vector<PartDraft>& parts) {
+  Range ranges[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<float> centres;
+    for (const auto& part : parts) centres.push_back(component(part.pose.position, axis));
+    ranges[axis] = middle(std::move(centres));
+  }
+  return {{ranges[0].lo, ranges[1].lo, ranges[2].lo}, {ranges[0].hi, ranges[1].hi, ranges[2].hi}};
+}
+
+}  // namespace
+
+void cullStrays(LevelDraft& level, const Tree& tree) {
+  if (level.parts.empty()) return;
+  const Box play = playBox(level.parts);
+  std::vector<PartDraft> kept;
+  for (auto& part : level.parts) {
+    const Box box = boundsOfPart(part);
+    const bool below = box.hi.y < level.world.fallenPartsHeight;
+    if (!below && overlaps(box, play)) {
+      kept.push_back(std::move(part));
+      continue;
+    }
+    ++level.partsCulled;
+    level.noteIgnored(below ? "part below the fall height" : "part far away from the rest",
+                      tree.path(part.id), "no player gets there; left out");
+  }
+  level.parts = std::move(kept);
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,154 @@
+// The level as the importer builds it: plain structs with the schema's meaning, turned into a
+// record at the end (level_record.h). Units as in schema/obby.capnp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "import/document.h"
+#include "math/vec.h"
+
+namespace obby::importer {
+
+// The order is the schema's.
+enum class Shape : uint16_t { block, ball, cylinder, wedge, cornerWedge, truss, hull };
+enum class Easing : uint16_t {
+  linear,
+  sine,
+  back,
+  quad,
+  quart,
+  quint,
+  bounce,
+  elastic,
+  exponential,
+  circular,
+  cubic
+};
+enum class EasingDirection : uint16_t { in, out, inOut };
+enum class Repeat : uint16_t { once, loop, pingPong };
+
+struct Evidence {
+  std::string role;
+  std::string reason;
+  bool guessed = false;
+};
+
+struct Kill {
+  float damage = 100;
+  float cooldown = 0;
+};
+struct Conveyor {
+  Vec3 velocity;
+  Vec3 angular;
+};
+struct JumpPad {
+  Vec3 velocity;
+  bool keepSideways = true;
+};
+struct Vanish {
+  bool timer = false;
+  float delay = 0;
+  float away = 3;
+  float phase = 0;
+};
+struct MotionKey {
+  float time = 0;
+  Pose pose;
+  Easing easing = Easing::linear;
+  EasingDirection direction = EasingDirection::out;
+};
+struct Spin {
+  Vec3 axis = {0, 1, 0};
+  float speed = 0;
+  Vec3 pivot;
+};
+struct Motion {
+  std::vector<MotionKey> keys;
+  Repeat repeat = Repeat::loop;
+  std::optional<Spin> spin;
+  float offset = 0;
+  bool carries = false;
+};
+
+struct PartDraft {
+  InstanceId id = kNoInstance;
+  Shape shape = Shape::block;
+  Pose pose;
+  Vec3 size = {4, 1.2f, 2};
+  std::vector<std::vector<Vec3>> hulls;
+  bool solid = true, touch = true, anchored = true;
+  float friction = 0.3f, elasticity = 0.5f, density = 0.7f;
+  ColorRgb color = {163, 162, 165};
+  float transparency = 0;
+
+  std::optional<Kill> kill;
+  std::optional<Conveyor> conveyor;
+  std::optional<JumpPad> jumpPad;
+  std::optional<Vanish> vanish;
+  std::optional<int> checkpoint;  // stage
+  std::optional<int> goal;        // stage
+  std::optional<Motion> motion;
+  std::vector<Evidence> evidence;
+};
+
+struct SpawnDraft {
+  std::string name;
+  int stage = 0;
+  Vec3 position;  // feet
+  float yaw = 0;
+  int part = -1;  // index into LevelDraft::parts
+};
+
+struct UnmodelledDraft {
+  uint32_t count = 0;
+  std::string example;
+  std::string note;
+};
+
+// Numbers of the world; fields as in schema PhysicsParams.
+struct World {
+  float gravity = 196.2f;
+  float walkSpeed = 16;
+  float jumpSpeed = 53;
+  float maxSlope = 1.5533431f;
+  float maxHealth = 100;
+  float healthRegeneration = 0.01f;
+  float fallenPartsHeight = -500;
+};
+
+struct LevelDraft {
+  std::string name;
+  std::string file, format, path;
+  uint32_t partsRead = 0, partsCulled = 0;
+  World world;
+  std::vector<PartDraft> parts;
+  std::vector<SpawnDraft> spawns;
+  std::map<std::string, UnmodelledDraft> unmodelled;  // by kind
+  std::map<std::string, UnmodelledDraft> ignored;     // left out on purpose: for --explain only
+
+  // One more of a kind that the simulator does not do. The first example and note stay.
+  void noteUnmodelled(const std::string& kind, const std::string& example,
+                      const std::string& note) {
+    count(unmodelled, kind, example, note);
+  }
+  void noteIgnored(const std::string& kind, const std::string& example, const std::string& note) {
+    count(ignored, kind, example, note);
+  }
+
+ private:
+  static void count(std::map<std::string, UnmodelledDraft>& in, const std::string& kind,
+                    const std::string& example, const std::string& note) {
+    auto& entry = in[kind];
+    if (entry.count++ == 0) {
+      entry.example = example;
+      entry.note = note;
+    }
+  }
+};
+
+}  // namespace obby::importer

@@ -1,0 +1,35 @@
+// obby-import as a filter: opens each input, whatever it is, as a stream of records.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "base/result.h"
+#include "import/importer.h"
+#include "io/stream.h"
+
+namespace obby::importer {
+
+// Gives levels of several inputs different names and tells the user what to know about each.
+class InputOpener {
+ public:
+  // `say` gets the warnings of an import; `explain` its table, if options.explain is set.
+  InputOpener(ImportOptions options, std::function<void(const std::string&)> say,
+              std::function<void(const std::string&)> explain);
+
+  // A place or model file becomes its level and queries; anything else is read as a stream of
+  // records. `path` "-" is standard input. Errors name the input.
+  Result<io::StreamReader> open(const std::string& path);
+
+ private:
+  std::string freeName(const std::string& wanted);
+
+  ImportOptions options_;
+  std::function<void(const std::string&)> say_, explain_;
+  std::vector<std::string> names_;
+};
+
+// All bytes of a file, or of standard input for "-".
+Result<std::string> readAll(const std::string& path);
+
+}  // namespace obby::importer

@@ -1,0 +1,56 @@
+// From bytes to records.
+#include "import/importer.h"
+
+#include "import/build_level.h"
+#include "import/explain.h"
+#include "import/level_record.h"
+#include "import/queries.h"
+#include "import/read_document.h"
+
+namespace obby::importer {
+namespace {
+
+void warn(const LevelDraft& level, const std::vector<io::RecordBuilder>& queries, bool wanted,
+          std::vector<std::string>& warnings) {
+  if (level.parts.empty()) warnings.push_back(level.file + ": no part in the world");
+  if (level.spawns.empty())
+    warnings.push_back(level.file + ": no start found: no SpawnLocation, no part called Start");
+  else if (wanted && queries.empty())
+    warnings.push_back(level.file + ": no goal and no checkpoint found, so no query");
+  std::string kinds;
+  for (const auto& [kind, entry] : level.unmodelled)
+    kinds += (kinds.empty() ? "" : ", ") + kind + " (" + std::to_string(entry.count) + ")";
+  if (!kinds.empty())
+    warnings.push_back(level.file + ": not modelled: " + kinds + "; --explain says more");
+}
+
+}  // namespace
+
+std::string levelName(const std::string& file) {
+  if (file == "-" || file.empty() || file == "stdin") return "level";
+  std::string stem = file.substr(file.find_last_of('/') + 1);
+  const size_t dot = stem.find_last_of('.');
+  if (dot != std::string::npos && dot > 0) stem.resize(dot);
+  return stem;
+}
+
+Import importDocument(const Document& document, const ImportOptions& options) {
+  const Tree tree(document);
+  const LevelDraft level =
+      buildLevel(tree, options.name.empty() ? levelName(document.file) : options.name);
+  Import result;
+  result.warnings = document.warnings;
+  result.level = levelRecord(level, tree);
+  if (options.queries) result.queries = stageQueries(level, tree);
+  warn(level, result.queries, options.queries, result.warnings);
+  if (options.explain) result.explanation = explain(level, tree);
+  return result;
+}
+
+Result<Import> importPlace(std::string_view bytes, const std::string& file,
+                           const ImportOptions& options) {
+  OBBY_ASSIGN(const Document document, readDocument(bytes, file));
+  return importDocument(document, options);
+}
+
+}  // namespace obby::importer

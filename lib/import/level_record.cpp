@@ -1,0 +1,215 @@
+// Copies the draft into a Cap'n Proto level record, field by field.
+#include "import/level_record.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "import/format/class_defaults.h"
+#include "import/pose_math.h"
+
+namespace obby::importer {
+namespace {
+
+static_assert(uint16_t(Shape::hull) == uint16_t(schema::Shape::HULL));
+static_assert(uint16_t(Easing::cubic) == uint16_t(schema::Easing::CUBIC));
+static_assert(uint16_t(EasingDirection::inOut) == uint16_t(schema::EasingDirection::IN_OUT));
+static_assert(uint16_t(Repeat::pingPong) == uint16_t(schema::Repeat::PING_PONG));
+
+void set(schema::Vec3::Builder to, Vec3 from) {
+  to.setX(from.x + 0.0f);  // no negative zero: it would print as -0
+  to.setY(from.y + 0.0f);
+  to.setZ(from.z + 0.0f);
+}
+
+void set(schema::Quat::Builder to, const Mat3& from) {
+  const Quat q = toQuat(from);
+  to.setX(q.x);
+  to.setY(q.y);
+  to.setZ(q.z);
+  to.setW(q.w);
+}
+
+void setSource(schema::PartSource::Builder to, const PartDraft& part, const Tree& tree) {
+  to.setPath(validUtf8(tree.path(part.id)));
+  const auto indices = tree.indices(part.id);
+  auto list = to.initIndices(unsigned(indices.size()));
+  for (unsigned i = 0; i < indices.size(); ++i) list.set(i, indices[i]);
+  const Instance& instance = tree.at(part.id);
+  if (const auto* guid = property<std::string>(instance, "UniqueId")) to.setGuid(validUtf8(*guid));
+  const auto own = instance.attributes.find("GUID");
+  if (own != instance.attributes.end())
+    if (const auto* guid = std::get_if<std::string>(&own->second)) to.setGuid(validUtf8(*guid));
+  to.setClassName(validUtf8(instance.className));
+}
+
+void setMotion(schema::Motion::Builder to, const Motion& motion) {
+  auto keys = to.initKeys(unsigned(motion.keys.size()));
+  for (unsigned i = 0; i < motion.keys.size(); ++i) {
+    const MotionKey& key = motion.keys[i];
+    keys[i].setTime(key.time);
+    set(keys[i].initPosition(), key.pose.position);
+    set(keys[i].initRotation(), key.pose.rotation);
+    keys[i].setEasing(schema::Easing(key.easing));
+    keys[i].setDirection(schema::EasingDirection(key.direction));
+  }
+  to.setRepeat(schema::Repeat(motion.repeat));
+  if (motion.spin) {
+    auto spin = to.initSpin();
+    set(spin.initAxis(), motion.spin->axis);
+    spin.setSpeed(motion.spin->speed);
+    set(spin.initPivot(), motion.spin->pivot);
+  }
+  to.setOffset(motion.offset);
+  to.setCarries(motion.carries);
+}
+
+void setRoles(schema::Part::Builder to, const PartDraft& part) {
+  if (part.kill) {
+    auto kill = to.initKill();
+    kill.setDamage(part.kill->damage);
+    kill.setCooldown(part.kill->cooldown);
+  }
+  if (part.conveyor) {
+    auto conveyor = to.initConveyor();
+    set(conveyor.initVelocity(), part.conveyor->velocity);
+    set(conveyor.initAngular(), part.conveyor->angular);
+  }
+  if (part.jumpPad) {
+    auto pad = to.initJumpPad();
+    set(pad.initVelocity(), part.jumpPad->velocity);
+    pad.setKeepSideways(part.jumpPad->keepSideways);
+  }
+  if (part.vanish) {
+    auto vanish = to.initVanish();
+    vanish.setTrigger(part.vanish->timer ? schema::VanishTrigger::TIMER
+                                         : schema::VanishTrigger::TOUCH);
+    vanish.setDelay(part.vanish->delay);
+    vanish.setAway(part.vanish->away);
+    vanish.setPhase(part.vanish->phase);
+  }
+  if (part.checkpoint) to.initCheckpoint().setStage(*part.checkpoint);
+  if (part.goal) to.initGoal().setStage(*part.goal);
+  if (part.motion) setMotion(to.initMotion(), *part.motion);
+}
+
+void setGeometry(schema::Part::Builder to, const PartDraft& part) {
+  to.setShape(schema::Shape(part.shape));
+  set(to.initPosition(), part.pose.position);
+  set(to.initRotation(), part.pose.rotation);
+  constexpr float kLeast = 0.001f, kMost = 2048;
+  const Vec3 low = {kLeast, kLeast, kLeast}, high = {kMost, kMost, kMost};
+  set(to.initSize(), min(max(part.size, low), high));
+  if (!part.hulls.empty()) {
+    auto hulls = to.initHulls(unsigned(part.hulls.size()));
+    for (unsigned h = 0; h < part.hulls.size(); ++h) {
+      auto vertices = hulls[h].initVertices(unsigned(part.hulls[h].size()));
+      for (unsigned v = 0; v < part.hulls[h].size(); ++v) set(vertices[v], part.hulls[h][v]);
+    }
+  }
+  to.setSolid(part.solid);
+  to.setTouch(part.touch);
+  to.setAnchored(part.anchored);
+}
+
+void setPart(schema::Part::Builder to, const PartDraft& part, const Tree& tree) {
+  to.setName(validUtf8(tree.at(part.id).name));
+  setGeometry(to, part);
+  to.setFriction(part.friction);
+  to.setElasticity(part.elasticity);
+  to.setDensity(part.density);
+  auto color = to.initColor();
+  color.setR(part.color.r);
+  color.setG(part.color.g);
+  color.setB(part.color.b);
+  to.setTransparency(part.transparency);
+  setSource(to.initSource(), part, tree);
+  setRoles(to, part);
+  auto evidence = to.initEvidence(unsigned(part.evidence.size()));
+  for (unsigned i = 0; i < part.evidence.size(); ++i) {
+    evidence[i].setRole(part.evidence[i].role);
+    evidence[i].setReason(validUtf8(part.evidence[i].reason));
+    evidence[i].setGuessed(part.evidence[i].guessed);
+  }
+  const auto& tags = tree.at(part.id).tags;
+  auto list = to.initTags(unsigned(tags.size()));
+  for (unsigned i = 0; i < tags.size(); ++i) list.set(i, validUtf8(tags[i]));
+}
+
+void setWorld(schema::PhysicsParams::Builder to, const World& world) {
+  const auto within = [](float v, float lo, float hi) {
+    return std::isfinite(v) ? std::clamp(v, lo, hi) : hi;
+  };
+  to.setGravity(within(world.gravity, 0, 2000));
+  to.setWalkSpeed(within(world.walkSpeed, 0, 500));
+  to.setJumpSpeed(within(world.jumpSpeed, 0, 1000));
+  to.setMaxSlope(within(world.maxSlope, 0, World{}.maxSlope));
+  to.setMaxHealth(within(world.maxHealth, 1, 1e6f));
+  to.setHealthRegeneration(within(world.healthRegeneration, 0, 10));
+  to.setFallenPartsHeight(within(world.fallenPartsHeight, -50000, 50000));
+}
+
+void setUnmodelled(schema::Level::Builder to, const LevelDraft& level) {
+  auto list = to.initUnmodelled(unsigned(level.unmodelled.size()));
+  unsigned i = 0;
+  for (const auto& [kind, entry] : level.unmodelled) {
+    list[i].setKind(validUtf8(kind));
+    list[i].setCount(entry.count);
+    list[i].setExample(validUtf8(entry.example));
+    list[i].setNote(validUtf8(entry.note));
+    ++i;
+  }
+}
+
+}  // namespace
+
+std::string validUtf8(std::string_view text) {
+  std::string out;
+  for (size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const size_t length = lead < 0x80                   ? 1
+                          : lead >= 0xc2 && lead < 0xe0 ? 2
+                          : lead >= 0xe0 && lead < 0xf0 ? 3
+                          : lead >= 0xf0 && lead < 0xf5 ? 4
+                                                        : 0;
+    bool good = length != 0 && lead != 0 && i + length <= text.size();
+    for (size_t k = 1; good && k < length; ++k)
+      good = (static_cast<unsigned char>(text[i + k]) & 0xc0) == 0x80;
+    if (good && length > 2) {  // over-long forms, surrogates, beyond U+10FFFF
+      const auto next = static_cast<unsigned char>(text[i + 1]);
+      good = !(lead == 0xe0 && next < 0xa0) && !(lead == 0xed && next >= 0xa0) &&
+             !(lead == 0xf0 && next < 0x90) && !(lead == 0xf4 && next >= 0x90);
+    }
+    out += good ? std::string(text.substr(i, length)) : std::string("\xef\xbf\xbd");
+    i += good ? length : 1;
+  }
+  return out;
+}
+
+io::RecordBuilder levelRecord(const LevelDraft& level, const Tree& tree) {
+  io::RecordBuilder record;
+  auto to = record.root().initLevel();
+  to.setName(validUtf8(level.name));
+  auto source = to.initSource();
+  source.setFile(validUtf8(level.file));
+  source.setFormat(level.format);
+  source.setPath(validUtf8(level.path));
+  source.setPartsRead(level.partsRead);
+  source.setPartsKept(uint32_t(level.parts.size()));
+  source.setPartsCulled(level.partsCulled);
+  setWorld(to.initPhysics(), level.world);
+  auto parts = to.initParts(unsigned(level.parts.size()));
+  for (unsigned i = 0; i < level.parts.size(); ++i) setPart(parts[i], level.parts[i], tree);
+  auto spawns = to.initSpawns(unsigned(level.spawns.size()));
+  for (unsigned i = 0; i < level.spawns.size(); ++i) {
+    const SpawnDraft& spawn = level.spawns[i];
+    spawns[i].setName(validUtf8(spawn.name));
+    spawns[i].setStage(spawn.stage);
+    set(spawns[i].initPosition(), spawn.position);
+    spawns[i].setYaw(spawn.yaw);
+    spawns[i].setPart(spawn.part);
+  }
+  setUnmodelled(to, level);
+  return record;
+}
+
+}  // namespace obby::importer

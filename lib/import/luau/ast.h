@@ -1,0 +1,83 @@
+// The parsed form of a script.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace obby::importer::luau {
+
+struct Expr;
+struct Stat;
+using ExprPtr = std::unique_ptr<Expr>;
+using StatPtr = std::unique_ptr<Stat>;
+using Block = std::vector<StatPtr>;
+
+struct Function {
+  std::vector<std::string> parameters;
+  Block body;
+  int line = 0;
+};
+
+enum class ExprKind {
+  nil,
+  truth,
+  falsehood,
+  number,
+  string,
+  name,
+  vararg,
+  field,     // kids[0].text
+  index,     // kids[0][kids[1]]
+  call,      // kids[0](kids[1..])
+  method,    // kids[0]:text(kids[1..])
+  function,  // body
+  table,     // keys[i] (may be null) = kids[i]
+  unary,     // text kids[0]
+  binary,    // kids[0] text kids[1]
+  choice,    // if kids[0] then kids[1] else kids[2]
+  unknown
+};
+
+struct Expr {
+  ExprKind kind = ExprKind::unknown;
+  int line = 0;
+  std::string text;
+  double number = 0;
+  std::vector<ExprPtr> kids;
+  std::vector<ExprPtr> keys;
+  std::unique_ptr<Function> body;
+  int height = 1;  // of the tree below: bounded, so that walking it may recurse
+};
+
+enum class StatKind {
+  local,       // names = values
+  assign,      // targets = values
+  compound,    // targets[0] text= values[0]
+  call,        // values[0]
+  block,       // blocks[0]
+  whileLoop,   // while values[0] do blocks[0]
+  repeatLoop,  // repeat blocks[0] until values[0]
+  branch,      // if values[i] then blocks[i] ... else blocks[values.size()]
+  numericFor,  // for names[0] = values[0..2] do blocks[0]
+  genericFor,  // for names in values do blocks[0]
+  function,    // function targets[0] values[0]; a local one has names[0] instead of a target
+  returns,     // return values
+  leaves       // break, continue: text says which
+};
+
+struct Stat {
+  StatKind kind = StatKind::block;
+  int line = 0;
+  std::string text;
+  std::vector<std::string> names;
+  std::vector<ExprPtr> targets, values;
+  std::vector<Block> blocks;
+};
+
+struct Chunk {
+  Block body;
+  bool broken = false;  // something could not be parsed and was skipped
+};
+
+}  // namespace obby::importer::luau

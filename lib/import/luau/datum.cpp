@@ -1,0 +1,171 @@
+// Arithmetic and comparison over partly known values.
+#include "import/luau/datum.h"
+
+#include <cmath>
+#include <limits>
+
+#include "import/pose_math.h"
+
+namespace obby::importer::luau {
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+double applied(char op, double a, double b) {
+  switch (op) {
+    case '+': return a + b;
+    case '-': return a - b;
+    case '*': return a * b;
+    case '/': return a / b;
+    case '%': return b == 0 ? std::nan("") : a - std::floor(a / b) * b;
+    case '^': return std::pow(a, b);
+    default: return std::nan("");
+  }
+}
+
+Datum number(double value) {
+  if (std::isnan(value)) return {};
+  return {value};
+}
+
+// Vector op vector or number.
+Datum vectors(char op, const Datum& a, const Datum& b) {
+  const auto* va = a.as<Vector>();
+  const auto* vb = b.as<Vector>();
+  const auto* na = a.as<double>();
+  const auto* nb = b.as<double>();
+  if (!(va || na) || !(vb || nb)) return {};
+  if ((op == '+' || op == '-') && !(va && vb)) return {};
+  Vec3 out;
+  float* to[3] = {&out.x, &out.y, &out.z};
+  for (int i = 0; i < 3; ++i)
+    *to[i] =
+        float(applied(op, va ? component(va->value, i) : *na, vb ? component(vb->value, i) : *nb));
+  return {Vector{out, kNoInstance}};
+}
+
+Datum frames(char op, const Frame& a, const Datum& b) {
+  if (const auto* fb = b.as<Frame>(); fb && op == '*')
+    return {Frame{a.pose * fb->pose, kNoInstance}};
+  const auto* vb = b.as<Vector>();
+  if (!vb) return {};
+  if (op == '*') return {Vector{toWorld(a.pose, vb->value), kNoInstance}};
+  Frame moved{a.pose, kNoInstance};
+  if (op == '+')
+    moved.pose.position += vb->value;
+  else if (op == '-')
+    moved.pose.position -= vb->value;
+  else
+    return {};
+  return {moved};
+}
+
+// A stranger's number changed by what the script states: Health - 30, Velocity + Vector3.new(...).
+Datum strangers(char op, const Stranger& a, const Datum& b) {
+  const auto* nb = b.as<double>();
+  if (nb && (op == '+' || op == '-')) return {Change{a.name, op == '+' ? *nb : -*nb}};
+  if (nb && op == '*' && *nb == 0) return {0.0};
+  if (b.as<Stranger>() && op == '-')
+    return {Change{a.name, -std::numeric_limits<double>::infinity()}};
+  if (const auto* vb = b.as<Vector>(); vb && op == '+') {
+    const auto keep = [](float v) { return v == 0 ? kNaN : v; };
+    return {Vector{{keep(vb->value.x), keep(vb->value.y), keep(vb->value.z)}, kNoInstance}};
+  }
+  return {a};
+}
+
+}  // namespace
+
+Scope* Scope::holder(const std::string& name) {
+  for (Scope* scope = this; scope; scope = scope->parent.get())
+    if (scope->names.count(name)) return scope;
+  return nullptr;
+}
+
+Truth truthOf(const Datum& datum) {
+  if (datum.as<Unknown>() || datum.as<Stranger>() || datum.as<Change>()) return Truth::unknown;
+  if (datum.as<Nil>()) return Truth::no;
+  if (const auto* flag = datum.as<bool>()) return *flag ? Truth::yes : Truth::no;
+  return Truth::yes;
+}
+
+Truth negated(Truth truth) {
+  return truth == Truth::unknown ? truth : truth == Truth::yes ? Truth::no : Truth::yes;
+}
+
+Datum datumOf(Truth truth) {
+  if (truth == Truth::unknown) return {};
+  return {truth == Truth::yes};
+}
+
+Datum datumFrom(const obby::importer::Value& value, InstanceId owner) {
+  if (const auto* flag = std::get_if<bool>(&value)) return {*flag};
+  if (const auto* whole = std::get_if<int64_t>(&value)) return {double(*whole)};
+  if (const auto* real = std::get_if<double>(&value)) return {*real};
+  if (const auto* text = std::get_if<std::string>(&value)) return {*text};
+  if (const auto* vector = std::get_if<Vec3>(&value)) return {Vector{*vector, owner}};
+  if (const auto* frame = std::get_if<CFrame>(&value)) return {Frame{*frame, owner}};
+  if (const auto* ref = std::get_if<Ref>(&value)) {
+    if (ref->target == kNoInstance) return {Nil{}};
+    return {*ref};
+  }
+  return {};
+}
+
+Datum arithmetic(const std::string& op, const Datum& a, const Datum& b) {
+  const auto asText = [](const Datum& d) -> std::string {
+    if (const auto* text = d.as<std::string>()) return *text;
+    const auto* n = d.as<double>();
+    if (!n) return {};
+    return *n == std::floor(*n) && std::abs(*n) < 1e15 ? std::to_string(int64_t(*n))
+                                                       : std::to_string(*n);
+  };
+  if (op == "..") {
+    const std::string left = asText(a), right = asText(b);
+    if (left.empty() || right.empty()) return {};
+    return {left + right};
+  }
+  if (op == "//") {
+    const auto *na = a.as<double>(), *nb = b.as<double>();
+    return na && nb ? number(std::floor(*na / *nb)) : Datum{};
+  }
+  const char sign = op[0];
+  if (const auto* frame = a.as<Frame>()) return frames(sign, *frame, b);
+  if (const auto* stranger = a.as<Stranger>()) return strangers(sign, *stranger, b);
+  const auto *na = a.as<double>(), *nb = b.as<double>();
+  if (na && nb) return number(applied(sign, *na, *nb));
+  if (a.as<Vector>() || b.as<Vector>()) return vectors(sign, a, b);
+  return {};
+}
+
+Datum compared(const std::string& op, const Datum& a, const Datum& b) {
+  const bool differs = op == "~=";
+  if (op == "==" || differs) {
+    bool same = false;
+    if (a.as<Unknown>() || b.as<Unknown>() || a.as<Stranger>() || b.as<Stranger>()) return {};
+    if (a.value.index() != b.value.index()) {
+      same = false;
+    } else if (const auto* n = a.as<double>()) {
+      same = *n == *b.as<double>();
+    } else if (const auto* text = a.as<std::string>()) {
+      same = *text == *b.as<std::string>();
+    } else if (const auto* flag = a.as<bool>()) {
+      same = *flag == *b.as<bool>();
+    } else if (const auto* ref = a.as<Ref>()) {
+      same = ref->target == b.as<Ref>()->target;
+    } else if (const auto* item = a.as<Library>()) {
+      same = item->name == b.as<Library>()->name;
+    } else if (!a.as<Nil>()) {
+      return {};
+    }
+    return {same != differs};
+  }
+  const auto *na = a.as<double>(), *nb = b.as<double>();
+  if (!na || !nb) return {};
+  if (op == "<") return {*na < *nb};
+  if (op == ">") return {*na > *nb};
+  if (op == "<=") return {*na <= *nb};
+  return {*na >= *nb};
+}
+
+}  // namespace obby::importer::luau

@@ -1,0 +1,97 @@
+// A value as far as a script's text tells it. What depends on the running game is unknown; what
+// comes from the character that touches or joins is a stranger, so that what happens to it still
+// shows.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "import/luau/ast.h"
+#include "import/script_reading.h"
+
+namespace obby::importer::luau {
+
+struct Datum;
+struct Scope;
+
+struct Unknown {};
+struct Nil {};
+// Something of a character, a player or an instance that the script made; `name` is the property or
+// child through which it was reached ("Humanoid", "Health").
+struct Stranger {
+  std::string name;
+};
+// `Health - 30` of a stranger, or another sum that names only what is added.
+struct Change {
+  std::string name;
+  double by = 0;
+};
+struct Closure {
+  const Function* function = nullptr;
+  std::shared_ptr<Scope> scope;
+};
+struct Table {
+  std::vector<Datum> items;
+  std::map<std::string, Datum> fields;
+};
+// An instance that the script creates or clones.
+struct Made {
+  std::string className;
+  std::map<std::string, Datum> properties;
+};
+struct Tween {
+  InstanceId target = kNoInstance;
+  TweenTiming timing;
+  std::map<std::string, Datum> goals;
+  std::vector<Closure> completed;
+  int line = 0;
+};
+// A pose and the instance whose pose it is, if it is one unchanged.
+struct Frame {
+  Pose pose;
+  InstanceId from = kNoInstance;
+};
+struct Vector {
+  Vec3 value;  // NaN: not known
+  InstanceId from = kNoInstance;
+};
+// A thing of the library named by its path: "Enum.EasingStyle.Sine", "TweenService", "math.sin".
+struct Library {
+  std::string name;
+};
+
+struct Datum {
+  std::variant<Unknown, Nil, bool, double, std::string, Vector, Frame, Ref, Stranger, Change,
+               Closure, Library, TweenTiming, std::shared_ptr<Table>, std::shared_ptr<Made>,
+               std::shared_ptr<Tween>>
+      value = Unknown{};
+
+  template <class T>
+  const T* as() const {
+    return std::get_if<T>(&value);
+  }
+};
+
+struct Scope {
+  std::shared_ptr<Scope> parent;
+  std::map<std::string, Datum> names;
+
+  // The nearest scope that has the name; null if none has.
+  Scope* holder(const std::string& name);
+};
+
+enum class Truth { no, yes, unknown };
+Truth truthOf(const Datum& datum);
+Truth negated(Truth truth);
+Datum datumOf(Truth truth);
+
+// A part's property or a value object's Value as the file has it.
+Datum datumFrom(const obby::importer::Value& value, InstanceId owner);
+
+Datum arithmetic(const std::string& op, const Datum& a, const Datum& b);
+Datum compared(const std::string& op, const Datum& a, const Datum& b);
+
+}  // namespace obby::importer::luau

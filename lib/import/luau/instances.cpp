@@ -1,0 +1,223 @@
+// What instances of the place answer to a script: children, properties, searches.
+#include <algorithm>
+
+#include "import/classes.h"
+#include "import/format/class_defaults.h"
+#include "import/luau/reader.h"
+#include "import/pivot.h"
+#include "import/pose_math.h"
+
+namespace obby::importer::luau {
+namespace {
+
+const Datum& argument(const std::vector<Datum>& arguments, size_t i) {
+  static const Datum kNone;
+  return i < arguments.size() ? arguments[i] : kNone;
+}
+
+Datum instanceOr(InstanceId id, const Datum& absent) {
+  return id == kNoInstance ? absent : Datum{Ref{id}};
+}
+
+// Lower-case and old spellings of properties.
+std::string canonical(const std::string& name) {
+  static const std::map<std::string, std::string> kOld = {
+      {"position", "Position"},
+      {"size", "Size"},
+      {"cframe", "CFrame"},
+      {"velocity", "Velocity"},
+      {"parent", "Parent"},
+      {"Rotation", "Orientation"},
+      {"className", "ClassName"},
+      {"AssemblyAngularVelocity", "RotVelocity"},
+      {"AssemblyLinearVelocity", "Velocity"}};
+  const auto it = kOld.find(name);
+  return it == kOld.end() ? name : it->second;
+}
+
+}  // namespace
+
+Datum Reader::serviceNamed(const std::string& name) const {
+  const InstanceId service = tree_.service(name);
+  if (service != kNoInstance) return {Ref{service}};
+  for (InstanceId root : tree_.document().roots)
+    if (tree_.at(root).name == name) return {Ref{root}};
+  if (name == "Workspace" || name == "workspace") return {Library{"workspace"}};
+  return {Library{name}};
+}
+
+Pose Reader::frameOf(InstanceId id) {
+  const auto it = written_.find({id, "CFrame"});
+  if (it != written_.end())
+    if (const auto* frame = it->second.as<Frame>()) return frame->pose;
+  return pivotOf(tree_, id);
+}
+
+Datum Reader::instanceField(InstanceId id, const std::string& spelled) {
+  const Instance& instance = tree_.at(id);
+  const std::string name = canonical(spelled);
+  if (name == "Parent")
+    return instance.parent == kNoInstance ? Datum{Library{"workspace"}}
+                                          : Datum{Ref{instance.parent}};
+  if (name == "Name") return {instance.name};
+  if (name == "ClassName") return {instance.className};
+  const bool moved = written_.count({id, "CFrame"}) != 0;
+  if (tree_.isPart(id)) {
+    const InstanceId from = moved ? kNoInstance : id;
+    if (name == "CFrame") return {Frame{frameOf(id), from}};
+    if (name == "Position") return {Vector{frameOf(id).position, from}};
+    if (name == "Orientation") return {Vector{toOrientation(frameOf(id).rotation), kNoInstance}};
+  }
+  const auto it = written_.find({id, name});
+  if (it != written_.end()) return it->second;
+  const auto own = instance.properties.find(name);
+  if (own != instance.properties.end()) return datumFrom(own->second, kNoInstance);
+  if (const Value* value = defaultOf(instance.className, name))
+    return datumFrom(*value, kNoInstance);
+  const InstanceId child = tree_.child(id, spelled);
+  if (child != kNoInstance) return {Ref{child}};
+  if (instance.className == "Players") return {Stranger{name}};
+  if (isA(instance.className, "Humanoid")) return {Stranger{name}};
+  return {};
+}
+
+Datum Reader::children(InstanceId id, bool all) const {
+  auto list = std::make_shared<Table>();
+  const auto add = [&](InstanceId child) { list->items.push_back({Ref{child}}); };
+  if (id == kNoInstance) {
+    for (InstanceId root : tree_.document().roots) add(root);
+  } else if (!all) {
+    for (InstanceId child : tree_.at(id).children) add(child);
+  } else {
+    tree_.eachBelow(id, [&](InstanceId below) {
+      if (below != id) add(below);
+      return true;
+    });
+  }
+  return {list};
+}
+
+Datum Reader::instanceSearch(InstanceId id, const std::string& name,
+                             const std::vector<Datum>& arguments, bool* handled) {
+  *handled = true;
+  const auto* text = argument(arguments, 0).as<std::string>();
+  if (name == "GetChildren" || name == "children" || name == "getChildren")
+    return children(id, false);
+  if (name == "GetDescendants") return children(id, true);
+  if (name == "GetTagged") {
+    auto list = std::make_shared<Table>();
+    if (text) {
+      reading_.tags.push_back(*text);
+      for (InstanceId tagged : tree_.tagged(*text)) list->items.push_back({Ref{tagged}});
+    }
+    return {list};
+  }
+  const bool waits = name == "WaitForChild";
+  if (waits || name == "FindFirstChild" || name == "findFirstChild") {
+    if (!text) return {};
+    if (id == kNoInstance) return serviceNamed(*text);
+    InstanceId found = tree_.child(id, *text);
+    if (found == kNoInstance && truthOf(argument(arguments, 1)) == Truth::yes && !waits)
+      tree_.eachBelow(id, [&](InstanceId below) {
+        if (found == kNoInstance && below != id && tree_.at(below).name == *text) found = below;
+        return found == kNoInstance;
+      });
+    return instanceOr(found, waits ? Datum{} : Datum{Nil{}});
+  }
+  if (id == kNoInstance) {
+    *handled = false;
+    return {};
+  }
+  if (name == "FindFirstChildOfClass" || name == "FindFirstChildWhichIsA") {
+    for (InstanceId child : tree_.at(id).children)
+      if (text && isA(tree_.at(child).className, *text)) return {Ref{child}};
+    return {Nil{}};
+  }
+  if (name.rfind("FindFirstAncestor", 0) == 0) {
+    for (InstanceId up = tree_.at(id).parent; text && up != kNoInstance; up = tree_.at(up).parent)
+      if (name == "FindFirstAncestor" ? tree_.at(up).name == *text
+                                      : isA(tree_.at(up).className, *text))
+        return {Ref{up}};
+    return {Nil{}};
+  }
+  *handled = false;
+  return {};
+}
+
+Datum Reader::instanceMethod(InstanceId id, const std::string& name,
+                             const std::vector<Datum>& arguments, int line) {
+  bool handled = false;
+  Datum found = instanceSearch(id, name, arguments, &handled);
+  if (handled || id == kNoInstance) return found;
+  const Instance& instance = tree_.at(id);
+  const Datum& first = argument(arguments, 0);
+  const auto* text = first.as<std::string>();
+  if (name == "IsA" || name == "isA") return text ? Datum{isA(instance.className, *text)} : Datum{};
+  if (name == "HasTag" && text)
+    return {std::find(instance.tags.begin(), instance.tags.end(), *text) != instance.tags.end()};
+  if (name == "GetAttribute" && text) {
+    const auto it = instance.attributes.find(*text);
+    return it == instance.attributes.end() ? Datum{Nil{}} : datumFrom(it->second, kNoInstance);
+  }
+  if (name == "GetPivot" || name == "GetPrimaryPartCFrame" || name == "GetModelCFrame")
+    return {Frame{frameOf(id), tree_.isPart(id) ? id : kNoInstance}};
+  if (name == "PivotTo" || name == "SetPrimaryPartCFrame") {
+    setFrame(id, first, line);
+  } else if (name == "MoveTo" || name == "TranslateBy") {
+    Pose pose = frameOf(id);
+    const auto* v = first.as<Vector>();
+    if (v) pose.position = name == "MoveTo" ? v->value : pose.position + v->value;
+    setFrame(id, v ? Datum{Frame{pose, v->from}} : Datum{}, line);
+  } else if (name == "Destroy" || name == "Remove" || name == "remove" || name == "destroy") {
+    emit(EventKind::destroy, id, "Parent", line);
+  } else if (name == "Clone" || name == "clone") {
+    auto made = std::make_shared<Made>();
+    made->className = instance.className;
+    return {made};
+  } else if (name == "GetPlayers" || name == "GetPlayerFromCharacter" ||
+             name == "getPlayerFromCharacter" || name == "GetTouchingParts" ||
+             name == "GetPartsInPart") {
+    return {Stranger{"player"}};
+  }
+  return {};
+}
+
+Datum Reader::strangerMethod(const std::string& owner, const std::string& name,
+                             const std::vector<Datum>& arguments, int line) {
+  const Datum& first = argument(arguments, 0);
+  if (name == "TakeDamage") {
+    ScriptEvent& event = emit(EventKind::damage, kNoInstance, "Health", line);
+    if (const auto* damage = first.as<double>()) event.number = *damage;
+  } else if (name == "BreakJoints" || name == "breakJoints" || name == "LoadCharacter") {
+    emit(EventKind::damage, kNoInstance, "Health", line);
+  } else if (name == "PivotTo" || name == "MoveTo" || name == "SetPrimaryPartCFrame" ||
+             name == "moveTo") {
+    setStranger(owner, "CFrame", first, line);
+  } else if (name == "SetAttribute" && first.as<std::string>()) {
+    setStranger(*first.as<std::string>(), "Value", argument(arguments, 1), line);
+  } else if (name == "ApplyImpulse") {
+    setStranger(owner, "Velocity", {}, line);
+  } else if (const auto* text = first.as<std::string>();
+             text && (name.rfind("FindFirst", 0) == 0 || name == "WaitForChild" ||
+                      name == "findFirstChild")) {
+    return {Stranger{*text}};
+  }
+  return {Stranger{owner}};
+}
+
+Datum Reader::madeField(const std::shared_ptr<Made>& made, const std::string& name) {
+  const auto it = made->properties.find(name);
+  return it == made->properties.end() ? Datum{} : it->second;
+}
+
+Datum Reader::createTween(const std::vector<Datum>& arguments, int line) {
+  auto tween = std::make_shared<Tween>();
+  tween->line = line;
+  if (const auto* ref = arguments[0].as<Ref>()) tween->target = ref->target;
+  if (const auto* timing = arguments[1].as<TweenTiming>()) tween->timing = *timing;
+  if (const auto* goals = arguments[2].as<std::shared_ptr<Table>>())
+    tween->goals = (*goals)->fields;
+  return {tween};
+}
+
+}  // namespace obby::importer::luau

@@ -1,0 +1,160 @@
+// Loops of the script reader. Counted loops are followed round by round; endless ones until the
+// parts they move are back where the loop began.
+#include <algorithm>
+#include <cmath>
+
+#include "import/luau/reader.h"
+#include "import/pose_math.h"
+
+namespace obby::importer::luau {
+namespace {
+
+constexpr double kFrame = 1.0 / 60;
+constexpr int kMaxRounds = 1500;       // of an endless loop
+constexpr double kMaxSeconds = 25;     // of an endless loop
+constexpr int kMaxCount = 2000;        // of a counted loop
+constexpr float kSamePlace = 2e-3f;    // studs
+constexpr float kSameTurn = 2e-3f;     // radians
+constexpr size_t kMaxEvents = 200000;  // of one timeline
+
+bool isWait(const Expr& expr) {
+  return expr.kind == ExprKind::call || expr.kind == ExprKind::method;
+}
+
+// Properties that make a loop worth following for more than one round.
+bool isTracked(const ScriptEvent& event) {
+  return event.kind == EventKind::set &&
+         (event.property == "CFrame" || event.property == "CanCollide") &&
+         (event.frame || event.flag);
+}
+
+bool sameDatum(const Datum& a, const Datum& b) {
+  if (const auto* fa = a.as<Frame>()) {
+    const auto* fb = b.as<Frame>();
+    return fb && length(fa->pose.position - fb->pose.position) < kSamePlace &&
+           length(rotationVector(fa->pose.rotation * inverse(fb->pose.rotation))) < kSameTurn;
+  }
+  const auto *flagA = a.as<bool>(), *flagB = b.as<bool>();
+  return flagA && flagB ? *flagA == *flagB : true;
+}
+
+}  // namespace
+
+Reader::Flow Reader::whileLoop(const Stat& stat) {
+  const Expr& condition = *stat.values[0];
+  const bool repeats = stat.kind == StatKind::repeatLoop;
+  const bool waits = isWait(condition);
+  const double start = time_;
+  Truth truth = truthOf(evaluate(condition));
+  time_ = start;
+  if (repeats) truth = negated(truth);
+  if (truth == Truth::no && !waits) return repeats ? walk(stat.blocks[0]) : Flow::on;
+  const bool endless = truth == Truth::yes || waits ||
+                       (timeline_.trigger == Trigger::start && depth_ == 0 && !repeats);
+  if (endless) return foreverLoop(stat.blocks[0], waits ? &condition : nullptr, !repeats);
+  const Flow flow = walk(stat.blocks[0]);
+  return flow == Flow::leaveLoop ? Flow::on : flow;
+}
+
+bool Reader::backAtStart(const std::map<std::pair<InstanceId, std::string>, Datum>& before) const {
+  for (const auto& [key, now] : written_) {
+    if (key.second != "CFrame" && key.second != "CanCollide") continue;
+    const auto it = before.find(key);
+    const Instance& instance = tree_.at(key.first);
+    Datum first;
+    if (it != before.end()) {
+      first = it->second;
+    } else if (const auto* flag = property<bool>(instance, key.second)) {
+      first = {*flag};
+    } else if (const auto* frame = property<CFrame>(instance, key.second)) {
+      first = {Frame{*frame, kNoInstance}};
+    }
+    if (!sameDatum(now, first)) return false;
+  }
+  return true;
+}
+
+Reader::Flow Reader::foreverLoop(const Block& body, const Expr* condition, bool conditionFirst) {
+  const bool nested = timeline_.forever;
+  if (!nested) {
+    timeline_.forever = true;
+    timeline_.loopStart = time_;
+    timeline_.loopEvent = timeline_.events.size();
+  }
+  const auto before = written_;
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const double roundStart = time_;
+    const size_t first = timeline_.events.size();
+    if (condition && conditionFirst) evaluate(*condition);
+    const Flow flow = walk(body);
+    if (condition && !conditionFirst) evaluate(*condition);
+    if (timeline_.trigger == Trigger::frame && time_ - roundStart < kFrame)
+      time_ = roundStart + kFrame;
+    if (flow == Flow::leaveLoop) {
+      if (!nested) timeline_.forever = false;
+      return Flow::on;
+    }
+    timeline_.period = time_ - timeline_.loopStart;
+    if (flow != Flow::on) return flow;
+    const auto events = timeline_.events.begin();
+    if (std::none_of(events + std::ptrdiff_t(first), timeline_.events.end(), isTracked)) break;
+    timeline_.closed = backAtStart(before);
+    const bool spent = timeline_.period > kMaxSeconds || time_ - roundStart <= 0 ||
+                       timeline_.events.size() > kMaxEvents;
+    if (timeline_.closed || spent || nested) break;
+  }
+  return nested ? Flow::on : Flow::stop;
+}
+
+Reader::Flow Reader::numericFor(const Stat& stat) {
+  const auto values = evaluateAll(stat.values, 0);
+  const auto* from = values.size() > 0 ? values[0].as<double>() : nullptr;
+  const auto* to = values.size() > 1 ? values[1].as<double>() : nullptr;
+  const auto* step = values.size() > 2 ? values[2].as<double>() : nullptr;
+  const double by = values.size() > 2 ? (step ? *step : 0) : 1;
+  double rounds = 1;
+  const bool known = from && to && by != 0;
+  if (known) rounds = std::floor((*to - *from) / by + 1e-9) + 1;
+  const int count = int(std::clamp(rounds, 0.0, double(kMaxCount)));
+  const double start = time_;
+  for (int i = 0; i < count; ++i) {
+    const auto outer = scope_;
+    scope_ = std::make_shared<Scope>(Scope{outer, {}});
+    scope_->names[stat.names[0]] = known ? Datum{*from + by * i} : Datum{};
+    const Flow flow = walk(stat.blocks[0]);
+    scope_ = outer;
+    if (flow == Flow::leaveLoop) return Flow::on;
+    if (flow != Flow::on) return flow;
+  }
+  if (rounds > count && count > 0) time_ = start + (time_ - start) * rounds / count;
+  return Flow::on;
+}
+
+Reader::Flow Reader::genericFor(const Stat& stat) {
+  const auto values = evaluateAll(stat.values, 0);
+  const auto* table = values.empty() ? nullptr : values[0].as<std::shared_ptr<Table>>();
+  const auto round = [&](Datum key, Datum value) {
+    const auto outer = scope_;
+    scope_ = std::make_shared<Scope>(Scope{outer, {}});
+    scope_->names[stat.names[0]] = std::move(key);
+    if (stat.names.size() > 1) scope_->names[stat.names[1]] = std::move(value);
+    const Flow flow = walk(stat.blocks[0]);
+    scope_ = outer;
+    return flow;
+  };
+  Flow flow = Flow::on;
+  if (!table) {
+    flow = round({}, {Stranger{"each"}});
+  } else {
+    const std::shared_ptr<Table> items = *table;  // the body may change it
+    const size_t count = items->items.size();
+    for (size_t i = 0; i < count && i < items->items.size() && flow == Flow::on; ++i)
+      flow = round({double(i + 1)}, items->items[i]);
+    const auto fields = items->fields;
+    for (auto it = fields.begin(); it != fields.end() && flow == Flow::on; ++it)
+      flow = round({it->first}, it->second);
+  }
+  return flow == Flow::leaveLoop ? Flow::on : flow;
+}
+
+}  // namespace obby::importer::luau

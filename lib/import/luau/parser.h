@@ -1,0 +1,13 @@
+// Luau text to its parsed form. Tolerant: what is no statement is skipped and marks the chunk
+// broken, so that the rest still counts. Nesting is bounded.
+#pragma once
+
+#include <string_view>
+
+#include "import/luau/ast.h"
+
+namespace obby::importer::luau {
+
+Chunk parse(std::string_view source);
+
+}  // namespace obby::importer::luau

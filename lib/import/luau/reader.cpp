@@ -1,0 +1,222 @@
+// Timelines and statements of the script reader.
+#include "import/luau/reader.h"
+
+#include <algorithm>
+
+namespace obby::importer::luau {
+namespace {
+
+constexpr size_t kMaxSteps = 400000;
+constexpr int kMaxCalls = 12;
+constexpr size_t kMaxTimelines = 4000;
+
+}  // namespace
+
+Reader::Reader(const Tree& tree, InstanceId script)
+    : tree_(tree), scope_(std::make_shared<Scope>()) {
+  reading_.script = script;
+}
+
+ScriptReading Reader::read(const Chunk& chunk) {
+  scope_->names["script"] = {Ref{reading_.script}};
+  timeline_ = {};
+  walk(chunk.body, false);
+  finishTweens();
+  timeline_.end = time_;
+  reading_.timelines.push_back(std::move(timeline_));
+  while (!pending_.empty() && reading_.timelines.size() < kMaxTimelines && spend()) {
+    const Pending next = std::move(pending_.front());
+    pending_.pop_front();
+    follow(next);
+  }
+  reading_.broken = chunk.broken;
+  return std::move(reading_);
+}
+
+void Reader::follow(const Pending& pending) {
+  const bool ownWorld = pending.trigger != Trigger::start;  // what it writes ends with it
+  const auto before = ownWorld ? written_ : decltype(written_){};
+  timeline_ = {};
+  timeline_.trigger = pending.trigger;
+  timeline_.touched = pending.touched;
+  timeline_.signal = pending.signal;
+  timeline_.line = pending.line;
+  time_ = pending.time;
+  stopped_ = false;
+  if (pending.trigger == Trigger::frame) {
+    const Function* body = pending.closure.function;
+    const auto outer = scope_;
+    scope_ = std::make_shared<Scope>(Scope{pending.closure.scope, {}});
+    for (size_t i = 0; i < body->parameters.size() && i < pending.arguments.size(); ++i)
+      scope_->names[body->parameters[i]] = pending.arguments[i];
+    foreverLoop(body->body, nullptr, false);
+    scope_ = outer;
+  } else {
+    call(pending.closure, pending.arguments);
+  }
+  finishTweens();
+  timeline_.end = time_;
+  reading_.timelines.push_back(std::move(timeline_));
+  if (ownWorld) written_ = before;
+}
+
+// What the end of each tween sets off. A tween that plays again closes a loop.
+void Reader::finishTweens() {
+  constexpr size_t kMaxChain = 64;
+  for (size_t i = 0; i < played_.size() && i < kMaxChain && !timeline_.forever; ++i) {
+    const Played played = played_[i];
+    const TweenTiming& t = played.tween->timing;
+    if (t.repeats < 0) continue;
+    time_ = played.time + t.delay + t.seconds * (t.reverses ? 2 : 1) * (t.repeats + 1);
+    for (const Closure& closure : played.tween->completed) call(closure, {});
+  }
+  played_.clear();
+}
+
+bool Reader::spend() {
+  if (++steps_ < kMaxSteps) return true;
+  reading_.exhausted = true;
+  return false;
+}
+
+Reader::Flow Reader::walk(const Block& block, bool ownScope) {
+  const auto outer = scope_;
+  if (ownScope) scope_ = std::make_shared<Scope>(Scope{outer, {}});
+  Flow flow = Flow::on;
+  for (const auto& stat : block) {
+    if (!spend()) flow = Flow::stop;
+    if (flow == Flow::on) flow = statement(*stat);
+    if (stopped_) flow = Flow::stop;
+    if (flow != Flow::on) break;
+  }
+  scope_ = outer;
+  return flow;
+}
+
+Reader::Flow Reader::statement(const Stat& stat) {
+  switch (stat.kind) {
+    case StatKind::local: bindLocals(stat); return Flow::on;
+    case StatKind::assign:
+    case StatKind::compound: return assign(stat);
+    case StatKind::call: evaluate(*stat.values[0]); return Flow::on;
+    case StatKind::block: return stat.blocks.empty() ? Flow::on : walk(stat.blocks[0]);
+    case StatKind::whileLoop:
+    case StatKind::repeatLoop: return whileLoop(stat);
+    case StatKind::branch: return branch(stat);
+    case StatKind::numericFor: return numericFor(stat);
+    case StatKind::genericFor: return genericFor(stat);
+    case StatKind::function: bindFunction(stat); return Flow::on;
+    case StatKind::returns:
+      returned_ = stat.values.empty() ? Datum{Nil{}} : evaluate(*stat.values[0]);
+      return Flow::leaveFunction;
+    case StatKind::leaves: return stat.text == "break" ? Flow::leaveLoop : Flow::on;
+  }
+  return Flow::on;
+}
+
+Reader::Flow Reader::branch(const Stat& stat) {
+  bool unsure = false;  // an earlier branch may have been taken instead
+  const double start = time_;
+  double latest = time_;
+  for (size_t i = 0; i < stat.blocks.size(); ++i) {
+    const Truth truth = i < stat.values.size() ? truthOf(evaluate(*stat.values[i])) : Truth::yes;
+    if (truth == Truth::no) continue;
+    if (unsure) time_ = start;
+    const Flow flow = walk(stat.blocks[i]);
+    latest = std::max(latest, time_);
+    if (flow == Flow::stop) return flow;
+    if (truth == Truth::yes) {
+      time_ = latest;
+      return unsure ? Flow::on : flow;
+    }
+    unsure = true;
+  }
+  time_ = latest;
+  return Flow::on;
+}
+
+void Reader::bindLocals(const Stat& stat) {
+  const auto values = evaluateAll(stat.values, 0);
+  for (size_t i = 0; i < stat.names.size(); ++i) {
+    Datum value = i < values.size() ? values[i] : Datum{};
+    if (stat.values.empty()) value = {Nil{}};
+    scope_->names[stat.names[i]] = std::move(value);
+  }
+}
+
+void Reader::bindFunction(const Stat& stat) {
+  const Expr& function = *stat.values[0];
+  if (!stat.names.empty()) scope_->names[stat.names[0]] = {};
+  const Datum closure{Closure{function.body.get(), scope_}};
+  if (!stat.names.empty()) {
+    scope_->names[stat.names[0]] = closure;
+    return;
+  }
+  const Expr& target = *stat.targets[0];
+  if (target.kind == ExprKind::name) {
+    Scope* holder = scope_->holder(target.text);
+    (holder ? holder : scope_.get())->names[target.text] = closure;
+  } else {
+    setField(evaluate(*target.kids[0]), target.text, closure, stat.line);
+  }
+}
+
+Reader::Flow Reader::assign(const Stat& stat) {
+  auto values = evaluateAll(stat.values, 0);
+  for (size_t i = 0; i < stat.targets.size(); ++i) {
+    const Expr& target = *stat.targets[i];
+    Datum value = i < values.size() ? values[i] : Datum{};
+    if (stat.kind == StatKind::compound) value = arithmetic(stat.text, evaluate(target), value);
+    if (target.kind == ExprKind::name) {
+      Scope* holder = scope_->holder(target.text);
+      (holder ? holder : scope_.get())->names[target.text] = std::move(value);
+    } else if (target.kind == ExprKind::field) {
+      setField(evaluate(*target.kids[0]), target.text, value, stat.line);
+    } else if (target.kind == ExprKind::index) {
+      const Datum key = evaluate(*target.kids[1]);
+      if (const auto* name = key.as<std::string>())
+        setField(evaluate(*target.kids[0]), *name, value, stat.line);
+    }
+  }
+  return Flow::on;
+}
+
+Datum Reader::call(const Closure& closure, const std::vector<Datum>& arguments) {
+  if (!closure.function || depth_ >= kMaxCalls || !spend()) return {};
+  ++depth_;
+  const auto outer = scope_;
+  scope_ = std::make_shared<Scope>(Scope{closure.scope, {}});
+  const auto& parameters = closure.function->parameters;
+  for (size_t i = 0; i < parameters.size(); ++i)
+    scope_->names[parameters[i]] = i < arguments.size() ? arguments[i] : Datum{};
+  returned_ = {Nil{}};
+  if (walk(closure.function->body, false) == Flow::stop) stopped_ = true;
+  scope_ = outer;
+  --depth_;
+  return std::exchange(returned_, Datum{});
+}
+
+void Reader::later(Pending pending, const Datum& function, std::vector<Datum> arguments) {
+  const auto* closure = function.as<Closure>();
+  if (!closure || pending_.size() >= kMaxTimelines) return;
+  pending.closure = *closure;
+  pending.arguments = std::move(arguments);
+  pending_.push_back(std::move(pending));
+}
+
+void Reader::beside(const Datum& function, const std::vector<Datum>& arguments, double delay) {
+  const auto* closure = function.as<Closure>();
+  if (!closure) return;
+  if (timeline_.trigger == Trigger::start) {
+    if (pending_.size() < kMaxTimelines)
+      pending_.push_back({Trigger::start, kNoInstance, {}, 0, *closure, arguments, time_ + delay});
+    return;
+  }
+  const double now = time_;
+  time_ += delay;
+  call(*closure, arguments);
+  time_ = now;
+  stopped_ = false;
+}
+
+}  // namespace obby::importer::luau

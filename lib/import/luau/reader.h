@@ -1,0 +1,124 @@
+// Follows one script's text with the values it states, and notes what it does to the world and
+// when. Nothing that a script could call exists here: there are no side effects, calls into the
+// unknown give unknown values, and a step budget bounds the work. Where a condition is unknown both
+// branches are followed; waits move the clock of the timeline.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "import/luau/ast.h"
+#include "import/luau/datum.h"
+#include "import/script_reading.h"
+#include "import/tree.h"
+
+namespace obby::importer::luau {
+
+class Reader {
+ public:
+  Reader(const Tree& tree, InstanceId script);
+  // The chunk must outlive the call only.
+  ScriptReading read(const Chunk& chunk);
+
+ private:
+  enum class Flow { on, leaveLoop, leaveFunction, stop };
+  struct Pending {
+    Trigger trigger = Trigger::start;
+    InstanceId touched = kNoInstance;
+    std::string signal;
+    int line = 0;
+    Closure closure;
+    std::vector<Datum> arguments;
+    double time = 0;
+  };
+
+  // reader.cpp: timelines and statements
+  void follow(const Pending& pending);
+  Flow walk(const Block& block, bool ownScope = true);
+  Flow statement(const Stat& stat);
+  Flow branch(const Stat& stat);
+  Flow assign(const Stat& stat);
+  void bindLocals(const Stat& stat);
+  void bindFunction(const Stat& stat);
+  Datum call(const Closure& closure, const std::vector<Datum>& arguments);
+  void later(Pending pending, const Datum& function, std::vector<Datum> arguments);
+  // task.spawn, delay and the like: beside what follows.
+  void beside(const Datum& function, const std::vector<Datum>& arguments, double delay);
+  bool spend();  // one step; false when the budget is gone
+
+  // loops.cpp
+  Flow whileLoop(const Stat& stat);
+  Flow foreverLoop(const Block& body, const Expr* condition, bool conditionFirst);
+  Flow numericFor(const Stat& stat);
+  Flow genericFor(const Stat& stat);
+  bool backAtStart(const std::map<std::pair<InstanceId, std::string>, Datum>& before) const;
+
+  // evaluate.cpp: expressions
+  Datum evaluate(const Expr& expr);
+  std::vector<Datum> evaluateAll(const std::vector<ExprPtr>& list, size_t from);
+  Datum nameValue(const std::string& name);
+  Datum binary(const Expr& expr);
+  Datum tableValue(const Expr& expr);
+  Datum field(const Datum& object, const std::string& name);
+  Datum indexed(const Datum& object, const Datum& key);
+  Datum callValue(const Expr& expr);
+  Datum methodValue(const Expr& expr);
+  void waitFor(double seconds, double least);
+  void play(const std::shared_ptr<Tween>& tween, int line);
+  void connect(const Expr& signal, const std::vector<Datum>& arguments);
+  void finishTweens();
+
+  // instances.cpp: what instances answer
+  Datum instanceField(InstanceId id, const std::string& name);
+  Datum instanceMethod(InstanceId id, const std::string& name, const std::vector<Datum>& arguments,
+                       int line);
+  Datum instanceSearch(InstanceId id, const std::string& name, const std::vector<Datum>& arguments,
+                       bool* handled);
+  Datum strangerMethod(const std::string& owner, const std::string& name,
+                       const std::vector<Datum>& arguments, int line);
+  Datum madeField(const std::shared_ptr<Made>& made, const std::string& name);
+  Datum createTween(const std::vector<Datum>& arguments, int line);
+  Datum children(InstanceId id, bool all) const;
+  Datum serviceNamed(const std::string& name) const;
+  Pose frameOf(InstanceId id);
+
+  // effects.cpp: what assignments do
+  void setField(const Datum& object, const std::string& name, const Datum& value, int line);
+  void setInstance(InstanceId id, const std::string& name, const Datum& value, int line);
+  void setStranger(const std::string& owner, const std::string& name, const Datum& value, int line);
+  void setMade(const std::shared_ptr<Made>& made, const std::string& name, const Datum& value,
+               int line);
+  void setFrame(InstanceId id, const Datum& value, int line);
+  ScriptEvent& emit(EventKind kind, InstanceId target, std::string property, int line);
+
+  const Tree& tree_;
+  ScriptReading reading_;
+  Timeline timeline_;
+  double time_ = 0;
+  std::shared_ptr<Scope> scope_;
+  std::deque<Pending> pending_;
+  struct Played {
+    std::shared_ptr<Tween> tween;
+    double time = 0;
+    size_t event = 0;  // index of its first event
+  };
+  std::vector<Played> played_;  // tweens of this timeline whose end sets something off
+  std::map<std::pair<InstanceId, std::string>, Datum> written_;  // by (instance, property)
+  Datum returned_;
+  bool stopped_ = false;  // an endless loop was met inside a call: what follows is never reached
+  int depth_ = 0;
+  size_t steps_ = 0;
+};
+
+// library.cpp: Vector3, CFrame, TweenInfo, math, string: pure functions of known values.
+Datum libraryField(const std::string& path);
+Datum libraryCall(const std::string& path, const std::vector<Datum>& arguments);
+Datum valueMethod(const Datum& object, const std::string& name,
+                  const std::vector<Datum>& arguments);
+Mat3 fromOrientation(Vec3 degrees);
+Vec3 toOrientation(const Mat3& rotation);
+
+}  // namespace obby::importer::luau

@@ -1,0 +1,118 @@
+// Fields and methods of vectors, poses and texts.
+#include <algorithm>
+#include <cmath>
+
+#include "import/luau/reader.h"
+#include "import/pose_math.h"
+
+namespace obby::importer::luau {
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+Datum vector(Vec3 v) { return {Vector{v, kNoInstance}}; }
+
+Datum ofVector(const Vector& v, const std::string& name, const std::vector<Datum>& a) {
+  const auto number = [](float n) { return std::isnan(n) ? Datum{} : Datum{double(n)}; };
+  if (name == "X" || name == "x") return number(v.value.x);
+  if (name == "Y" || name == "y") return number(v.value.y);
+  if (name == "Z" || name == "z") return number(v.value.z);
+  if (name == "Magnitude" || name == "magnitude") return number(length(v.value));
+  if (name == "Unit" || name == "unit") return vector(normalize(v.value, {0, 0, 0}));
+  const auto* other = a.empty() ? nullptr : a[0].as<Vector>();
+  if (name == "Dot" && other) return number(dot(v.value, other->value));
+  if (name == "Cross" && other) return vector(cross(v.value, other->value));
+  if (name == "Lerp" && other && a.size() > 1)
+    if (const auto* t = a[1].as<double>())
+      return vector(v.value + (other->value - v.value) * float(*t));
+  return {};
+}
+
+Pose between(const Pose& a, const Pose& b, float t) {
+  const Vec3 turn = rotationVector(b.rotation * inverse(a.rotation));
+  const float angle = length(turn);
+  const Mat3 part = angle < 1e-7f ? Mat3{} : rotationAbout(turn * (1 / angle), double(angle) * t);
+  return {a.position + (b.position - a.position) * t, part * a.rotation};
+}
+
+Datum ofFrame(const Frame& f, const std::string& name, const std::vector<Datum>& a) {
+  const Mat3& r = f.pose.rotation;
+  if (name == "Position" || name == "p") return {Vector{f.pose.position, f.from}};
+  if (name == "X" || name == "x") return {double(f.pose.position.x)};
+  if (name == "Y" || name == "y") return {double(f.pose.position.y)};
+  if (name == "Z" || name == "z") return {double(f.pose.position.z)};
+  if (name == "LookVector" || name == "lookVector") return vector(-r.z);
+  if (name == "RightVector" || name == "rightVector" || name == "XVector") return vector(r.x);
+  if (name == "UpVector" || name == "upVector" || name == "YVector") return vector(r.y);
+  if (name == "ZVector") return vector(r.z);
+  if (name == "Rotation") return {Frame{{{}, r}, kNoInstance}};
+  if (name == "Inverse" || name == "inverse") return {Frame{inverse(f.pose), kNoInstance}};
+  if (a.empty()) return {};
+  const auto* v = a[0].as<Vector>();
+  const auto* other = a[0].as<Frame>();
+  if (lower(name) == "vectortoworldspace" && v) return vector(r * v->value);
+  if (lower(name) == "pointtoworldspace" && v) return vector(toWorld(f.pose, v->value));
+  if (lower(name) == "toworldspace" && other) return {Frame{f.pose * other->pose, kNoInstance}};
+  if (lower(name) == "toobjectspace" && other)
+    return {Frame{inverse(f.pose) * other->pose, kNoInstance}};
+  if (lower(name) == "lerp" && other && a.size() > 1)
+    if (const auto* t = a[1].as<double>())
+      return {Frame{between(f.pose, other->pose, float(*t)), kNoInstance}};
+  return {};
+}
+
+bool isPlain(const std::string& pattern) {
+  return pattern.find_first_of("^$()%.[]*+-?") == std::string::npos;
+}
+
+Datum ofText(const std::string& text, const std::string& name, const std::vector<Datum>& a) {
+  if (name == "lower") return {lower(text)};
+  if (name == "len") return {double(text.size())};
+  const auto* pattern = a.empty() ? nullptr : a[0].as<std::string>();
+  if ((name == "find" || name == "match") && pattern && isPlain(*pattern)) {
+    const size_t at = text.find(*pattern);
+    if (at == std::string::npos) return {Nil{}};
+    return name == "find" ? Datum{double(at + 1)} : Datum{*pattern};
+  }
+  if (name == "match" && pattern && *pattern == "%d+") {
+    const auto number = firstNumber(text);
+    return number ? Datum{std::to_string(*number)} : Datum{Nil{}};
+  }
+  if (name == "sub" && !a.empty()) {
+    const auto* from = a[0].as<double>();
+    const auto* to = a.size() > 1 ? a[1].as<double>() : nullptr;
+    if (!from || (a.size() > 1 && !to)) return {};
+    const auto size = double(text.size());
+    const double first = std::max(1.0, *from < 0 ? size + *from + 1 : *from);
+    const double last = std::min(size, !to ? size : *to < 0 ? size + *to + 1 : *to);
+    if (last < first) return {std::string()};
+    return {text.substr(size_t(first) - 1, size_t(last - first) + 1)};
+  }
+  return {};
+}
+
+}  // namespace
+
+Mat3 fromOrientation(Vec3 degrees) {
+  return rotationAbout({0, 1, 0}, double(degrees.y) * kDegree) *
+         rotationAbout({1, 0, 0}, double(degrees.x) * kDegree) *
+         rotationAbout({0, 0, 1}, double(degrees.z) * kDegree);
+}
+
+Vec3 toOrientation(const Mat3& r) {
+  const double pitch = std::asin(std::clamp(-double(r.z.y), -1.0, 1.0));
+  const bool locked = std::abs(r.z.y) > 0.999999f;
+  const double yaw =
+      locked ? std::atan2(-double(r.x.z), double(r.x.x)) : std::atan2(double(r.z.x), double(r.z.z));
+  const double roll = locked ? 0 : std::atan2(double(r.x.y), double(r.y.y));
+  return Vec3{float(pitch / kDegree), float(yaw / kDegree), float(roll / kDegree)};
+}
+
+Datum valueMethod(const Datum& object, const std::string& name, const std::vector<Datum>& a) {
+  if (const auto* v = object.as<Vector>()) return ofVector(*v, name, a);
+  if (const auto* f = object.as<Frame>()) return ofFrame(*f, name, a);
+  if (const auto* text = object.as<std::string>()) return ofText(*text, name, a);
+  return {};
+}
+
+}  // namespace obby::importer::luau

@@ -1,0 +1,13 @@
+// What a part is made of: the engine's table of default physical properties.
+#pragma once
+
+#include <cstdint>
+
+#include "import/document.h"
+
+namespace obby::importer {
+
+// By the value of the Material enum; an unknown material counts as Plastic (256).
+PhysicalProperties materialProperties(uint32_t material);
+
+}  // namespace obby::importer

@@ -1,0 +1,148 @@
+// From sampled poses to spins and keys; spreading a motion over the parts that move together.
+#include "import/motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "import/format/class_defaults.h"
+#include "import/pivot.h"
+#include "import/pose_math.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr float kStill = 0.01f;      // studs
+constexpr float kUnturned = 0.005f;  // radians
+constexpr double kJumpGap = 0.15;    // seconds between samples that are no smooth way any more
+constexpr double kFrame = 1.0 / 60;
+constexpr float kStraight = 0.02f;  // studs off the straight way that are left out
+constexpr float kStraightTurn = 0.01f;
+
+MotionKey keyAt(double time, const Pose& pose) {
+  return {float(time), pose, Easing::linear, EasingDirection::out};
+}
+
+Pose blended(const Pose& a, const Pose& b, float t) {
+  const Vec3 turn = rotationVector(b.rotation * inverse(a.rotation));
+  const float angle = length(turn);
+  const Mat3 part = angle < 1e-7f ? Mat3{} : rotationAbout(turn * (1 / angle), double(angle) * t);
+  return {a.position + (b.position - a.position) * t, part * a.rotation};
+}
+
+bool isStraight(const std::vector<MotionKey>& keys, size_t from, size_t to) {
+  for (size_t i = from + 1; i < to; ++i) {
+    const float span = keys[to].time - keys[from].time;
+    const float t = span > 0 ? (keys[i].time - keys[from].time) / span : 0;
+    const Pose way = blended(keys[from].pose, keys[to].pose, t);
+    if (length(way.position - keys[i].pose.position) > kStraight ||
+        length(rotationVector(way.rotation * inverse(keys[i].pose.rotation))) > kStraightTurn)
+      return false;
+  }
+  return true;
+}
+
+std::vector<MotionKey> simplified(const std::vector<MotionKey>& keys) {
+  constexpr size_t kLongest = 64;  // keys replaced by one way: bounds the work
+  std::vector<MotionKey> out;
+  for (size_t from = 0; from < keys.size();) {
+    out.push_back(keys[from]);
+    size_t to = from + 1;
+    while (to + 1 < keys.size() && to - from < kLongest && isStraight(keys, from, to + 1)) ++to;
+    from = to;
+  }
+  return out;
+}
+
+// Parts that move when `moved` does.
+std::vector<InstanceId> followers(RoleContext& context, InstanceId moved) {
+  std::vector<InstanceId> all = context.tree.partsOf(moved);
+  const size_t own = all.size();
+  for (size_t i = 0; i < own; ++i)
+    for (InstanceId member : context.assemblies.members(all[i]))
+      if (!get<bool>(context.tree.at(member), "Anchored")) all.push_back(member);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+}  // namespace
+
+bool samePose(const Pose& a, const Pose& b) {
+  return length(a.position - b.position) < kStill &&
+         length(rotationVector(a.rotation * inverse(b.rotation))) < kUnturned;
+}
+
+std::optional<Spin> spinFrom(const Pose& start, const std::vector<PoseSample>& samples,
+                             double period) {
+  if (samples.size() < 3 || !(period > 0)) return std::nullopt;
+  Pose last = start;
+  Vec3 first;
+  double total = 0;
+  const double step = period / double(samples.size());
+  for (size_t i = 0; i < samples.size(); ++i) {
+    if (length(samples[i].pose.position - start.position) > kStill) return std::nullopt;
+    const Vec3 turn = rotationVector(inverse(last.rotation) * samples[i].pose.rotation);
+    if (i == 0) first = turn;
+    if (length(turn) < 1e-5f || length(turn - first) > 0.02f * length(first) + 1e-4f)
+      return std::nullopt;
+    if (i > 0 && std::abs(samples[i].time - samples[i - 1].time - step) > 0.2 * step + 1e-3)
+      return std::nullopt;
+    total += double(length(turn));
+    last = samples[i].pose;
+  }
+  Spin spin;
+  spin.axis = normalize(first);
+  spin.speed = float(total / period);
+  return spin;
+}
+
+std::vector<MotionKey> keysFrom(const Pose& start, const std::vector<PoseSample>& samples,
+                                double period) {
+  std::vector<MotionKey> keys = {keyAt(0, start)};
+  for (const auto& sample : samples) {
+    const double gap = sample.time - double(keys.back().time);
+    if (gap > kJumpGap) keys.push_back(keyAt(sample.time - kFrame, keys.back().pose));
+    keys.push_back(keyAt(std::max(sample.time, double(keys.back().time)), sample.pose));
+  }
+  if (period > double(keys.back().time)) keys.push_back(keyAt(period, keys.back().pose));
+  return simplified(keys);
+}
+
+int giveMotion(RoleContext& context, InstanceId moved, const Motion& motion,
+               const std::string& reason, bool guessed) {
+  const Pose pivot = pivotOf(context.tree, moved);
+  int given = 0;
+  for (InstanceId id : followers(context, moved)) {
+    PartDraft* part = context.part(id);
+    if (!part || part->motion) continue;
+    const Pose inPivot = inverse(pivot) * part->pose;
+    Motion own = motion;
+    for (MotionKey& key : own.keys) key.pose = key.pose * inPivot;
+    if (own.spin) {
+      own.spin->axis = toLocal(inPivot.rotation, own.spin->axis);
+      own.spin->pivot = toLocal(inPivot, motion.spin->pivot);
+    }
+    part->motion = std::move(own);
+    part->anchored = true;  // it goes its way, whatever pushes it
+    part->evidence.push_back({"motion", reason, guessed});
+    ++given;
+  }
+  return given;
+}
+
+void hideMarker(RoleContext& context, InstanceId marker, InstanceId mover) {
+  PartDraft* part = context.part(marker);
+  const PartDraft* other = context.part(mover);
+  if (!part || marker == mover || part->motion || part->kill || part->checkpoint || part->goal ||
+      hasEvidence(*part, "marker"))
+    return;
+  const bool sameSize = other && length(part->size - other->size) < 0.1f * length(other->size);
+  if (part->transparency < 0.5f && !sameSize) return;
+  if (part->solid || part->touch)
+    part->evidence.push_back(
+        {"marker", "shows " + context.tree.at(mover).name + " where to go", true});
+  part->solid = false;
+  part->touch = false;
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,27 @@
+// Pivots of parts and models.
+#include "import/pivot.h"
+
+#include "import/format/class_defaults.h"
+
+namespace obby::importer {
+
+Pose pivotOf(const Tree& tree, InstanceId id) {
+  if (id == kNoInstance) return {};
+  if (tree.isPart(id)) return get<CFrame>(tree.at(id), "CFrame");
+  const Ref primary = get<Ref>(tree.at(id), "PrimaryPart");
+  if (primary.target < tree.size() && tree.isPart(primary.target))
+    return get<CFrame>(tree.at(primary.target), "CFrame");
+  for (const char* name : {"WorldPivotData", "WorldPivot"})
+    if (const auto* stored = property<CFrame>(tree.at(id), name)) return *stored;
+  const auto parts = tree.partsOf(id);
+  if (parts.empty()) return {};
+  Box box{};
+  for (size_t i = 0; i < parts.size(); ++i) {
+    const Instance& part = tree.at(parts[i]);
+    const Box own = boundsOf(get<CFrame>(part, "CFrame"), get<Vec3>(part, "Size") * 0.5f);
+    box = i == 0 ? own : join(box, own);
+  }
+  return {(box.lo + box.hi) * 0.5f, {}};
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,79 @@
+// One query a stage, with the checkpoint's or goal's part as goal region.
+#include "import/queries.h"
+
+#include "import/level_record.h"
+#include "import/pose_math.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr float kAbove = 0.5f;   // studs above the part
+constexpr float kBeside = 1;     // studs on each side
+constexpr float kLeast = 0.05f;  // studs: thinner parts are simulated as this thick
+
+struct Target {
+  int part;
+  int from;  // index into spawns
+};
+
+std::vector<Target> targets(const LevelDraft& level) {
+  std::vector<Target> list;
+  for (int i = 1; i < int(level.spawns.size()); ++i)
+    list.push_back({level.spawns[size_t(i)].part, i - 1});
+  const int last = int(level.spawns.size()) - 1;
+  for (int i = 0; i < int(level.parts.size()); ++i) {
+    const PartDraft& part = level.parts[size_t(i)];
+    const bool isLast = level.spawns[size_t(last)].part == i;
+    if (part.goal && !part.checkpoint && !isLast) list.push_back({i, last});
+  }
+  return list;
+}
+
+}  // namespace
+
+GoalBox goalBox(const PartDraft& part) {
+  const Mat3& r = part.pose.rotation;
+  const float up[3] = {absf(r.x.y), absf(r.y.y), absf(r.z.y)};
+  const int tall = up[0] > up[1] ? (up[0] > up[2] ? 0 : 2) : (up[1] >= up[2] ? 1 : 2);
+  const Vec3 axis = tall == 0 ? r.x : tall == 1 ? r.y : r.z;
+  float size[3] = {maxf(part.size.x, kLeast), maxf(part.size.y, kLeast), maxf(part.size.z, kLeast)};
+  for (int i = 0; i < 3; ++i) size[i] += i == tall ? kAbove : 2 * kBeside;
+  GoalBox box{part.pose, {size[0], size[1], size[2]}};
+  box.pose.position += axis * ((axis.y < 0 ? -0.5f : 0.5f) * kAbove);
+  return box;
+}
+
+std::vector<io::RecordBuilder> stageQueries(const LevelDraft& level, const Tree& tree) {
+  std::vector<io::RecordBuilder> queries;
+  if (level.spawns.empty()) return queries;
+  int number = 0;
+  for (const Target& target : targets(level)) {
+    const PartDraft& part = level.parts[size_t(target.part)];
+    io::RecordBuilder record;
+    auto query = record.root().initQuery();
+    query.setId("stage" + std::to_string(++number));
+    query.setLevel(validUtf8(level.name));
+    query.initStart().setSpawn(target.from);
+    const GoalBox box = goalBox(part);
+    auto goal = query.initGoal();
+    goal.setName(validUtf8(tree.at(part.id).name));
+    auto position = goal.initPosition();
+    position.setX(box.pose.position.x);
+    position.setY(box.pose.position.y);
+    position.setZ(box.pose.position.z);
+    const Quat q = toQuat(box.pose.rotation);
+    auto rotation = goal.initRotation();
+    rotation.setX(q.x);
+    rotation.setY(q.y);
+    rotation.setZ(q.z);
+    rotation.setW(q.w);
+    auto size = goal.initSize();
+    size.setX(box.size.x);
+    size.setY(box.size.y);
+    size.setZ(box.size.z);
+    queries.push_back(std::move(record));
+  }
+  return queries;
+}
+
+}  // namespace obby::importer

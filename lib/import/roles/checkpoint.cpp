@@ -1,0 +1,107 @@
+// Parts at which a player comes back. The stage is first the number that the maker gave, or
+// kUnnumbered; checkpoints.cpp puts them in order afterwards.
+#include "import/checkpoints.h"
+#include "import/format/class_defaults.h"
+#include "import/roles/role.h"
+#include "import/words.h"
+
+namespace obby::importer {
+namespace {
+
+const std::vector<std::string_view> kTags = {"checkpoint", "checkpoints", "stage",       "stages",
+                                             "spawnpoint", "respawn",     "respawnpoint"};
+constexpr std::string_view kWords[] = {"checkpoint", "checkpoints"};
+constexpr std::string_view kFolderWords[] = {"checkpoint", "checkpoints", "stages", "spawns"};
+constexpr std::string_view kTouchNames[] = {"touch",      "hitbox", "trigger", "pad",
+                                            "checkpoint", "part",   "spawn"};
+
+void give(PartDraft& part, int stage, std::string reason, bool guessed) {
+  if (part.checkpoint || part.kill) return;
+  part.checkpoint = stage;
+  part.evidence.push_back({"checkpoint", std::move(reason), guessed});
+}
+
+// The part of a checkpoint model that is touched.
+PartDraft* touchPart(RoleContext& context, InstanceId id) {
+  const auto parts = context.partsOf(id);
+  for (std::string_view name : kTouchNames)
+    for (PartDraft* part : parts)
+      if (lower(context.tree.at(part->id).name) == name) return part;
+  const Ref primary = get<Ref>(context.tree.at(id), "PrimaryPart");
+  if (primary.target != kNoInstance)
+    if (PartDraft* part = context.part(primary.target)) return part;
+  return parts.empty() ? nullptr : parts.front();
+}
+
+bool isNumber(std::string_view name) {
+  return !name.empty() && name.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+bool inCheckpointFolder(const Tree& tree, InstanceId id) {
+  const InstanceId parent = tree.at(id).parent;
+  return parent != kNoInstance && !firstWordIn(tree.at(parent).name, kFolderWords).empty();
+}
+
+}  // namespace
+
+int stageNumber(const Tree& tree, InstanceId id, InstanceId part) {
+  for (InstanceId holder : {id, part})
+    for (const char* name : {"Stage", "Checkpoint", "Number", "Index", "Order", "Level", "ID"})
+      if (const auto number = tree.number(holder, name))
+        if (*number >= 0 && *number < 1e6) return int(*number);
+  for (InstanceId holder = part; holder != kNoInstance; holder = tree.at(holder).parent) {
+    const std::string& name = tree.at(holder).name;
+    const bool own = holder == id || holder == part;
+    const auto number = own || isNumber(name) || !firstWordIn(name, kFolderWords).empty()
+                            ? firstNumber(name)
+                            : std::nullopt;
+    if (number) return *number;
+  }
+  return kUnnumbered;
+}
+
+void checkpointFromTags(RoleContext& context) {
+  context.eachTagged(kTags, [&](InstanceId id, const std::string& tag) {
+    PartDraft* part = touchPart(context, id);
+    if (part) give(*part, stageNumber(context.tree, id, part->id), "tag " + tag, false);
+  });
+}
+
+void checkpointFromScripts(RoleContext& context) {
+  for (const ScriptReading& reading : context.scripts)
+    for (const Timeline& timeline : reading.timelines) {
+      PartDraft* part =
+          timeline.trigger == Trigger::touch ? context.part(timeline.touched) : nullptr;
+      if (!part) continue;
+      for (const ScriptEvent& event : timeline.events) {
+        if (event.kind != EventKind::respawnAt) continue;
+        give(*part, stageNumber(context.tree, part->id, part->id),
+             scriptReason(context.tree, reading, event.line), false);
+      }
+    }
+}
+
+void checkpointFromNames(RoleContext& context) {
+  const Tree& tree = context.tree;
+  for (const PartDraft& part : context.level.parts)
+    if (part.checkpoint) return;  // stated checkpoints make guesses needless
+  for (size_t i = 0; i < context.level.parts.size(); ++i) {
+    PartDraft& part = context.level.parts[i];
+    const Instance& instance = tree.at(part.id);
+    if (hasRole(part) || !part.touch || instance.className == "SpawnLocation") continue;
+    const bool named = !firstWordIn(instance.name, kWords).empty();
+    if (named || (isNumber(instance.name) && inCheckpointFolder(tree, part.id))) {
+      give(part, stageNumber(tree, part.id, part.id), "name " + instance.name, true);
+      continue;
+    }
+    // A model called like a checkpoint: one of its parts counts.
+    const InstanceId model = instance.parent;
+    if (model == kNoInstance || tree.at(model).className != "Model") continue;
+    const std::string& name = tree.at(model).name;
+    if (wordsOf(name).empty() || wordsOf(name).front() != "checkpoint") continue;
+    if (touchPart(context, model) == &part)
+      give(part, stageNumber(tree, model, part.id), "name " + name, true);
+  }
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,45 @@
+// Where the level ends: by tag or name; no convention is shared by all makers.
+#include "import/roles/role.h"
+#include "import/words.h"
+
+namespace obby::importer {
+namespace {
+
+const std::vector<std::string_view> kGoalTags = {"goal",    "finish",  "finishline", "win",
+                                                 "winpad",  "winpart", "winbrick",   "end",
+                                                 "victory", "endpart", "finishpart"};
+constexpr std::string_view kGoalWords[] = {"win",        "winpad",   "winner",  "finish",
+                                           "finishline", "goal",     "victory", "chegada",
+                                           "winpart",    "winbrick", "endpad",  "mapfinish"};
+constexpr std::string_view kEndNames[] = {"end",      "theend",     "endpart",
+                                          "endbrick", "exitregion", "exitblock"};
+
+}  // namespace
+
+void goalFromTags(RoleContext& context) {
+  context.eachTagged(kGoalTags, [&](InstanceId id, const std::string& tag) {
+    const auto parts = context.partsOf(id);
+    // Of a tagged model the part called Touch or Goal counts, else all.
+    for (PartDraft* part : parts) {
+      if (part->goal) continue;
+      part->goal = 0;
+      part->evidence.push_back({"goal", "tag " + tag, false});
+    }
+  });
+}
+
+void goalFromNames(RoleContext& context) {
+  for (const auto& part : context.level.parts)
+    if (part.goal) return;  // a stated goal makes guesses needless
+  for (auto& part : context.level.parts) {
+    const Instance& instance = context.tree.at(part.id);
+    if (!part.touch || part.kill || instance.className == "SpawnLocation") continue;
+    bool telling = !firstWordIn(instance.name, kGoalWords).empty();
+    for (std::string_view end : kEndNames) telling = telling || lower(instance.name) == end;
+    if (!telling) continue;
+    part.goal = 0;
+    part.evidence.push_back({"goal", "name " + instance.name, true});
+  }
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,83 @@
+// Parts that throw a player: by tag, kit marker or script.
+#include <cmath>
+
+#include "import/roles/role.h"
+#include "import/roles/surface_speed.h"
+
+namespace obby::importer {
+namespace {
+
+const std::vector<std::string_view> kTags = {"bouncepad",   "jumppad",  "trampoline", "bounce",
+                                             "launchpad",   "jumppads", "bouncepads", "bouncer",
+                                             "trampolines", "jump pad", "bounce pad", "launcher"};
+constexpr const char* kPowerNames[] = {"BounceImpulse", "BounceSpeed", "BouncePower", "JumpPower",
+                                       "Power",         "LaunchPower", "Force",       "Strength",
+                                       "Velocity",      "Impulse"};
+constexpr float kDefaultPower = 100;
+constexpr float kMostPower = 2000;
+
+std::optional<double> powerOf(const Tree& tree, InstanceId id) {
+  for (const char* name : kPowerNames)
+    if (const auto power = tree.number(id, name)) return power;
+  return std::nullopt;
+}
+
+// NaN components stay as they are for the player.
+JumpPad padFromPush(Vec3 push) {
+  const bool keeps = std::isnan(push.x) || std::isnan(push.z);
+  const auto known = [](float v) { return std::isnan(v) ? 0.0f : v; };
+  return {{known(push.x), known(push.y), known(push.z)}, keeps};
+}
+
+}  // namespace
+
+void giveJumpPad(PartDraft& part, JumpPad pad, std::string reason, bool guessed) {
+  const float speed = length(pad.velocity);
+  if (part.jumpPad || !(speed >= kLeastSpeed) || speed > kMostPower) return;
+  part.jumpPad = pad;
+  part.evidence.push_back({"jumpPad", std::move(reason), guessed});
+}
+
+void jumpPadFromTags(RoleContext& context) {
+  context.eachTagged(kTags, [&](InstanceId id, const std::string& tag) {
+    const auto stated = powerOf(context.tree, id);
+    for (PartDraft* part : context.partsOf(id)) {
+      const auto own = powerOf(context.tree, part->id);
+      const double power = own ? *own : stated.value_or(kDefaultPower);
+      giveJumpPad(*part, {part->pose.rotation.y * float(power), true}, "tag " + tag,
+                  !own && !stated);
+    }
+  });
+}
+
+void jumpPadFromMarkers(RoleContext& context) {
+  context.eachMarker([&](InstanceId marker, InstanceId owner) {
+    const std::string words = markerWords(context.tree, marker);
+    if (!containsWord(words, "bouncepad") && !containsWord(words, "jumppad") &&
+        !containsWord(words, "trampoline"))
+      return;
+    PartDraft* part = context.part(owner);
+    if (!part) return;
+    const auto power = powerOf(context.tree, marker);
+    const float speed = float(power.value_or(kDefaultPower));
+    const bool relative = context.tree.flag(marker, "RelativeForce").value_or(false);
+    const Vec3 velocity = relative ? -part->pose.rotation.x * speed : Vec3{0, speed, 0};
+    giveJumpPad(*part, {velocity, true}, "marker " + context.tree.at(marker).name, !power);
+  });
+}
+
+void jumpPadFromScripts(RoleContext& context) {
+  for (const ScriptReading& reading : context.scripts)
+    for (const Timeline& timeline : reading.timelines) {
+      PartDraft* part =
+          timeline.trigger == Trigger::touch ? context.part(timeline.touched) : nullptr;
+      if (!part) continue;
+      for (const ScriptEvent& event : timeline.events) {
+        if (event.kind != EventKind::push || !event.vector) continue;
+        giveJumpPad(*part, padFromPush(*event.vector),
+                    scriptReason(context.tree, reading, event.line), false);
+      }
+    }
+}
+
+}  // namespace obby::importer

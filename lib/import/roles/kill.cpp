@@ -1,0 +1,167 @@
+// Parts that hurt: instant kills and damage, by tag, tower-kit marker, script or name.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "import/roles/role.h"
+#include "import/words.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr float kAll = 1e6f;          // more than any player's health
+constexpr float kKitCooldown = 0.1f;  // tower kits before v6 wait this long between two hits
+constexpr float kKitCooldown6 = 1;    // the default of v6
+
+struct DamageWord {
+  std::string_view word;
+  float damage;
+};
+// Tower kits: how much each word takes per touch.
+constexpr DamageWord kKitDamage[] = {
+    {"kills", 5}, {"double", 10}, {"ouch", 20}, {"instakills", kAll}, {"instakill", kAll}};
+
+const std::vector<std::string_view> kKillTags = {
+    "killblock", "killbrick", "killpart", "kill",         "kill part",  "kill brick", "lava",
+    "trappart",  "trap",      "deadly",   "hazard",       "death",      "deathbrick", "killzone",
+    "spike",     "spikes",    "laser",    "obstaclekill", "killblocks", "killbricks", "killparts"};
+const std::vector<std::string_view> kDamageTags = {"damage", "damagebrick", "damagepart",
+                                                   "damageblock", "hurt"};
+const std::vector<std::string_view> kKitTags = {"kills", "double", "ouch", "instakills",
+                                                "instakill"};
+
+constexpr std::string_view kKillWords[] = {
+    "kill",   "kills",      "killer",    "killbrick", "killblock",  "killpart", "lava",
+    "death",  "deadly",     "spike",     "spikes",    "hazard",     "laser",    "acid",
+    "damage", "killbricks", "instakill", "killparts", "killblocks", "killzone"};
+constexpr std::string_view kDamageWords[] = {"damage", "hurt"};
+constexpr float kGuessedDamage = 10;  // a damage part that does not say how much
+// Words that turn a telling name into another thing.
+constexpr std::string_view kFriends[] = {"remover", "anti",  "no",    "safe",    "skill", "tool",
+                                         "sign",    "label", "light", "counter", "script"};
+
+// Words that may stand beside a kill word in the name of a folder of kill parts.
+constexpr std::string_view kPartWords[] = {"part",   "parts", "brick", "bricks", "block",
+                                           "blocks", "floor", "the",   "all",    "folder"};
+
+// "KillParts" is a folder of kill parts; "StraightPiece_WithLava" is not.
+bool isKillFolder(const Instance& folder) {
+  const auto words = wordsOf(folder.name);
+  const auto in = [](const auto& list, const std::string& word) {
+    return std::find(std::begin(list), std::end(list), word) != std::end(list);
+  };
+  return !words.empty() && std::all_of(words.begin(), words.end(), [&](const std::string& word) {
+    return in(kKillWords, word) || in(kPartWords, word);
+  });
+}
+
+bool give(PartDraft& part, Kill kill, std::string reason, bool guessed) {
+  if (part.kill || part.goal || part.checkpoint || hasEvidence(part, "notKill")) return false;
+  part.kill = kill;
+  part.evidence.push_back({"kill", std::move(reason), guessed});
+  return true;
+}
+
+std::optional<float> kitDamage(std::string_view word) {
+  for (const auto& row : kKitDamage)
+    if (row.word == word) return row.damage;
+  return std::nullopt;
+}
+
+// Damage and Cooldown as attributes or value objects beside the evidence.
+Kill stated(const Tree& tree, InstanceId id, Kill fallback) {
+  for (const char* name : {"Damage", "DamageAmount", "customDamage", "Amount"})
+    if (const auto damage = tree.number(id, name)) {
+      fallback.damage = std::clamp(float(*damage), 0.0f, kAll);
+      break;
+    }
+  for (const char* name : {"Cooldown", "DamageCooldown", "Debounce"})
+    if (const auto cooldown = tree.number(id, name)) {
+      fallback.cooldown = std::clamp(float(*cooldown), 0.0f, 60.0f);
+      break;
+    }
+  return fallback;
+}
+
+}  // namespace
+
+void killFromTags(RoleContext& context) {
+  const auto each = [&](const std::vector<std::string_view>& tags, auto kill) {
+    context.eachTagged(tags, [&](InstanceId id, const std::string& tag) {
+      for (PartDraft* part : context.partsOf(id))
+        give(*part, stated(context.tree, id, kill(tag)), "tag " + tag, false);
+    });
+  };
+  each(kKillTags, [](const std::string&) { return Kill{}; });
+  each(kDamageTags, [](const std::string&) { return Kill{kGuessedDamage, 0}; });
+  each(kKitTags, [](const std::string& tag) {
+    return Kill{kitDamage(lower(tag)).value_or(100.0f), kKitCooldown6};
+  });
+}
+
+void killFromMarkers(RoleContext& context) {
+  context.eachMarker([&](InstanceId marker, InstanceId owner) {
+    PartDraft* part = context.part(owner);
+    if (!part) return;
+    const std::string words = markerWords(context.tree, marker);
+    const std::string name = lower(context.tree.at(marker).name);
+    if (const auto damage = kitDamage(name)) {
+      give(*part, {*damage, kKitCooldown}, "marker " + context.tree.at(marker).name, false);
+    } else if (containsWord(words, "damagebrick")) {
+      const std::string type = lower(context.tree.text(marker, "Type").value_or("kills"));
+      if (type == "heals") return;
+      Kill kill = stated(context.tree, marker, {kitDamage(type).value_or(5.0f), kKitCooldown6});
+      if (type != "custom") kill.damage = kitDamage(type).value_or(kill.damage);
+      give(*part, kill, "marker " + context.tree.at(marker).name + " type " + type, false);
+    }
+  });
+}
+
+void killFromScripts(RoleContext& context) {
+  for (const ScriptReading& reading : context.scripts)
+    for (const Timeline& timeline : reading.timelines) {
+      if (timeline.trigger != Trigger::touch) continue;
+      PartDraft* part = context.part(timeline.touched);
+      const auto hit = std::find_if(timeline.events.begin(), timeline.events.end(),
+                                    [](const auto& e) { return e.kind == EventKind::damage; });
+      if (!part || hit == timeline.events.end()) continue;
+      const double damage = hit->number.value_or(std::numeric_limits<double>::infinity());
+      if (!(damage > 0)) continue;
+      const float amount = std::isfinite(damage) ? std::min(float(damage), kAll)
+                                                 : std::max(100.0f, context.level.world.maxHealth);
+      const double wait = timeline.end - hit->time;
+      give(*part, {amount, float(std::clamp(wait, 0.0, 60.0))},
+           scriptReason(context.tree, reading, hit->line), false);
+    }
+}
+
+void killFromNames(RoleContext& context) {
+  // Where a script kills through some children of a folder, its other children are harmless.
+  std::set<InstanceId> scripted;
+  for (const auto& part : context.level.parts)
+    for (const auto& evidence : part.evidence)
+      if (evidence.role == "kill" && !evidence.guessed)
+        scripted.insert(context.tree.at(part.id).parent);
+  for (auto& part : context.level.parts) {
+    if (!part.touch || hasRole(part)) continue;
+    const Instance& instance = context.tree.at(part.id);
+    const bool hasParent = instance.parent != kNoInstance;
+    std::string from = instance.name;
+    std::string word = firstWordIn(from, kKillWords);
+    if (word.empty() && hasParent && isKillFolder(context.tree.at(instance.parent))) {
+      from = context.tree.at(instance.parent).name;
+      word = firstWordIn(from, kKillWords);
+    }
+    if (word.empty() || !firstWordIn(from, kFriends).empty()) continue;
+    if (from != instance.name && scripted.count(instance.parent)) {
+      context.level.noteIgnored("name that suggests kill", context.tree.path(part.id),
+                                "a script kills through a sibling, not through this part");
+      continue;
+    }
+    const bool damages = !firstWordIn(from, kDamageWords).empty();
+    give(part, damages ? Kill{kGuessedDamage, 0} : Kill{}, "name " + from, true);
+  }
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,161 @@
+// Moving and spinning parts whose scripts set poses in a loop or play tweens.
+#include <algorithm>
+#include <map>
+
+#include "import/motion.h"
+#include "import/pivot.h"
+
+namespace obby::importer {
+namespace {
+
+struct Moved {
+  Pose start;  // when the loop begins
+  std::vector<const ScriptEvent*> sets, tweens;
+  bool unknown = false;  // a pose that the text does not tell
+};
+
+bool isPose(const ScriptEvent& e) {
+  return e.property == "CFrame" && (e.kind == EventKind::set || e.kind == EventKind::tween);
+}
+
+std::map<InstanceId, Moved> movedBy(const Tree& tree, const Timeline& timeline) {
+  std::map<InstanceId, Moved> all;
+  const size_t loop = timeline.forever ? timeline.loopEvent : 0;
+  for (size_t i = 0; i < timeline.events.size(); ++i) {
+    const ScriptEvent& event = timeline.events[i];
+    if (!isPose(event) || event.target == kNoInstance) continue;
+    const auto [it, isNew] = all.try_emplace(event.target);
+    Moved& moved = it->second;
+    if (isNew) moved.start = pivotOf(tree, event.target);
+    if (!event.frame) {
+      moved.unknown = true;
+    } else if (i < loop) {
+      moved.start = *event.frame;
+    } else if (event.kind == EventKind::set) {
+      moved.sets.push_back(&event);
+    } else {
+      moved.tweens.push_back(&event);
+    }
+  }
+  return all;
+}
+
+// Appends one tween from the last key on; the pose before it is held until it begins.
+void appendTween(std::vector<MotionKey>& keys, const ScriptEvent& event, double time) {
+  const TweenTiming& t = event.tween;
+  const Pose from = keys.back().pose;
+  double now = std::max(time + t.delay, double(keys.back().time));
+  const auto add = [&](double at, const Pose& pose, Easing easing) {
+    keys.push_back({float(at), pose, easing, t.direction});
+  };
+  if (now > double(keys.back().time)) add(now, from, Easing::linear);
+  for (int round = 0; round <= std::clamp(t.repeats, 0, 100); ++round) {
+    if (round > 0 && !t.reverses) add(now, from, Easing::linear);
+    add(now += t.seconds, *event.frame, t.easing);
+    if (t.reverses) add(now += t.seconds, from, t.easing);
+  }
+}
+
+std::optional<Motion> endlessTween(const Moved& moved) {
+  for (const ScriptEvent* event : moved.tweens) {
+    if (event->tween.repeats >= 0) continue;
+    Motion motion;
+    motion.keys = {{0, moved.start, Easing::linear, EasingDirection::out}};
+    ScriptEvent once = *event;
+    once.tween.repeats = 0;
+    once.tween.reverses = false;
+    appendTween(motion.keys, once, 0);
+    motion.repeat = event->tween.reverses ? Repeat::pingPong : Repeat::loop;
+    return motion;
+  }
+  return std::nullopt;
+}
+
+std::optional<Motion> tweenMotion(const Timeline& timeline, const Moved& moved) {
+  if (moved.tweens.empty()) return std::nullopt;
+  if (auto endless = endlessTween(moved)) return endless;
+  Motion motion;
+  motion.repeat = timeline.forever ? Repeat::loop : Repeat::once;
+  const double zero = timeline.forever ? timeline.loopStart : 0;
+  // In a loop the first round starts where the last one ends.
+  const ScriptEvent& last = *moved.tweens.back();
+  const Pose start = timeline.forever && !last.tween.reverses ? *last.frame : moved.start;
+  motion.keys = {{0, start, Easing::linear, EasingDirection::out}};
+  for (const ScriptEvent* event : moved.tweens)
+    appendTween(motion.keys, *event, event->time - zero);
+  if (timeline.forever && timeline.period > double(motion.keys.back().time))
+    motion.keys.push_back(
+        {float(timeline.period), motion.keys.back().pose, Easing::linear, EasingDirection::out});
+  return motion;
+}
+
+std::optional<Motion> loopMotion(const Timeline& timeline, const Moved& moved) {
+  if (moved.sets.empty() || !timeline.forever || !(timeline.period > 0)) return std::nullopt;
+  std::vector<PoseSample> samples;
+  for (const ScriptEvent* event : moved.sets)
+    samples.push_back({event->time - timeline.loopStart, *event->frame});
+  Motion motion;
+  if (auto spin = spinFrom(moved.start, samples, timeline.period)) {
+    motion.spin = spin;
+    if (!samePose(moved.start, samples.front().pose)) motion.keys.clear();
+    return motion;
+  }
+  const bool still = std::all_of(samples.begin(), samples.end(), [&](const PoseSample& s) {
+    return samePose(s.pose, moved.start);
+  });
+  if (still) return std::nullopt;
+  motion.keys = keysFrom(moved.start, samples, timeline.period);
+  return motion;
+}
+
+void noteUnknown(RoleContext& context, InstanceId id, const std::string& reason) {
+  if (!context.partsOf(id).empty())
+    context.level.noteUnmodelled("motion that a script computes", context.tree.path(id),
+                                 "left where the file has it; " + reason);
+}
+
+void giveAll(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
+  for (const auto& [id, moved] : movedBy(context.tree, timeline)) {
+    const ScriptEvent* first = !moved.tweens.empty() ? moved.tweens.front()
+                               : !moved.sets.empty() ? moved.sets.front()
+                                                     : nullptr;
+    const std::string reason = scriptReason(context.tree, reading, first ? first->line : 0);
+    auto motion = moved.unknown ? std::nullopt : tweenMotion(timeline, moved);
+    if (!motion && !moved.unknown) motion = loopMotion(timeline, moved);
+    if (!motion) {
+      if (moved.unknown) noteUnknown(context, id, reason);
+      continue;
+    }
+    const bool open = !motion->spin && motion->repeat == Repeat::loop &&
+                      !samePose(motion->keys.front().pose, motion->keys.back().pose);
+    giveMotion(context, id, *motion,
+               reason + (open && moved.tweens.empty()
+                             ? " (starts over after " + std::to_string(int(timeline.period)) + " s)"
+                             : ""),
+               open && moved.tweens.empty());
+    for (const ScriptEvent* event : moved.tweens) hideMarker(context, event->from, id);
+    for (const ScriptEvent* event : moved.sets) hideMarker(context, event->from, id);
+  }
+}
+
+}  // namespace
+
+void movingFromScripts(RoleContext& context) {
+  for (const ScriptReading& reading : context.scripts)
+    for (const Timeline& timeline : reading.timelines) {
+      if (timeline.trigger == Trigger::start || timeline.trigger == Trigger::frame) {
+        giveAll(context, reading, timeline);
+        continue;
+      }
+      for (const auto& [id, moved] : movedBy(context.tree, timeline)) {
+        const auto& events = moved.tweens.empty() ? moved.sets : moved.tweens;
+        if (context.partsOf(id).empty()) continue;
+        const int line = events.empty() ? 0 : events.front()->line;
+        context.level.noteUnmodelled(
+            "motion that a touch or click starts", context.tree.path(id),
+            "left where the file has it; " + scriptReason(context.tree, reading, line));
+      }
+    }
+}
+
+}  // namespace obby::importer

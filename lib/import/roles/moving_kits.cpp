@@ -1,0 +1,130 @@
+// Platforms that a kit's own script drives along way points: the tag MovingPlatform, or the
+// `Positions` of the tower kits.
+#include <algorithm>
+
+#include "import/motion.h"
+#include "import/pivot.h"
+#include "import/words.h"
+
+namespace obby::importer {
+namespace {
+
+const std::vector<std::string_view> kTags = {"movingplatform", "moving platform", "mover",
+                                             "movingpart", "platformmover"};
+const std::vector<std::string_view> kSpinTags = {
+    "spinner", "spinning", "spin", "spinningpart", "rotating", "rotator", "spinningplatform"};
+constexpr std::string_view kPathNames[] = {"checkpoints", "positions", "waypoints",
+                                           "nodes",       "points",    "path"};
+constexpr double kTemplateSpeed = 10, kTemplateDelay = 3;
+constexpr double kKitDelay = 5, kKit6Delay = 2;
+constexpr double kAlignTime = 1;     // seconds that an AlignPosition takes about, whatever the way
+constexpr double kDefaultSpin = 90;  // degrees/s
+
+struct WayPoints {
+  InstanceId folder = kNoInstance, platform = kNoInstance;
+  std::vector<InstanceId> points;  // in their order
+};
+
+WayPoints wayPointsOf(const Tree& tree, InstanceId model) {
+  WayPoints way;
+  for (InstanceId child : tree.at(model).children) {
+    const std::string name = lower(tree.at(child).name);
+    const bool isPath =
+        std::find(std::begin(kPathNames), std::end(kPathNames), name) != std::end(kPathNames);
+    if (isPath && !tree.isPart(child) && way.folder == kNoInstance) way.folder = child;
+    if (name == "platform" || name == "movingpart") way.platform = child;
+  }
+  if (way.folder == kNoInstance) return way;
+  for (InstanceId child : tree.at(model).children)
+    if (way.platform == kNoInstance && child != way.folder && !tree.partsOf(child).empty())
+      way.platform = child;
+  for (InstanceId point : tree.at(way.folder).children)
+    if (tree.isPart(point)) way.points.push_back(point);
+  const auto number = [&](InstanceId id) { return firstNumber(tree.at(id).name).value_or(0); };
+  std::stable_sort(way.points.begin(), way.points.end(),
+                   [&](InstanceId a, InstanceId b) { return number(a) < number(b); });
+  return way;
+}
+
+// Round trip over the way points. `speed` 0: each way takes kAlignTime.
+Motion alongPoints(const Tree& tree, const WayPoints& way, double speed, double delay) {
+  Motion motion;
+  motion.carries = true;
+  double now = 0;
+  const auto add = [&](const Pose& pose) {
+    motion.keys.push_back({float(now), pose, Easing::linear, EasingDirection::out});
+  };
+  const Pose start = pivotOf(tree, way.points.front());
+  add(start);
+  now += delay;
+  add(start);
+  for (size_t i = 1; i <= way.points.size(); ++i) {
+    const Pose pose = pivotOf(tree, way.points[i % way.points.size()]);
+    const double distance = double(length(pose.position - motion.keys.back().pose.position));
+    now +=
+        speed > 0 ? std::max(distance / speed, 1e-3) : std::min(kAlignTime, std::max(delay, 0.1));
+    add(pose);
+    if (i == way.points.size()) break;
+    now += speed > 0 ? delay : std::max(0.0, delay - kAlignTime);
+    add(pose);
+  }
+  return motion;
+}
+
+void give(RoleContext& context, const WayPoints& way, double speed, double delay,
+          const std::string& reason, bool guessed) {
+  if (way.platform == kNoInstance || way.points.size() < 2) return;
+  giveMotion(context, way.platform, alongPoints(context.tree, way, speed, delay), reason, guessed);
+  for (InstanceId point : way.points) {
+    PartDraft* part = context.part(point);
+    if (!part || part->motion) continue;
+    part->solid = part->touch = false;
+    part->evidence.push_back({"marker", "way point of " + context.tree.path(way.platform), false});
+  }
+}
+
+}  // namespace
+
+void movingFromTags(RoleContext& context) {
+  const Tree& tree = context.tree;
+  context.eachTagged(kTags, [&](InstanceId id, const std::string& tag) {
+    const WayPoints way = wayPointsOf(tree, id);
+    const auto speed = tree.number(id, "speed");
+    if (way.points.size() < 2) {
+      context.level.noteUnmodelled("moving platform without way points", tree.path(id),
+                                   "tag " + tag + "; left where the file has it");
+      return;
+    }
+    give(context, way, std::max(speed.value_or(kTemplateSpeed), 0.1),
+         std::clamp(tree.number(id, "delay").value_or(kTemplateDelay), 0.0, 60.0), "tag " + tag,
+         !speed);
+  });
+  context.eachTagged(kSpinTags, [&](InstanceId id, const std::string& tag) {
+    auto speed = tree.number(id, "Speed");
+    if (!speed) speed = tree.number(id, "RotationSpeed");
+    Motion motion;
+    motion.spin = Spin{{0, 1, 0}, float(speed.value_or(kDefaultSpin) * 3.14159265358979 / 180), {}};
+    giveMotion(context, id, motion, "tag " + tag + ", speed in degrees/s", true);
+  });
+}
+
+void movingFromMarkers(RoleContext& context) {
+  const Tree& tree = context.tree;
+  for (InstanceId id = 0; id < tree.size(); ++id) {
+    if (tree.at(id).name != "Positions" || tree.isPart(id) || tree.at(id).parent == kNoInstance)
+      continue;
+    const InstanceId model = tree.at(id).parent;
+    const bool touchStarts = tree.flag(model, "TouchActivated").value_or(false);
+    auto delay = tree.number(model, "MoveDelay");
+    const bool old = !delay && tree.number(model, "Delay");
+    if (!delay) delay = tree.number(model, "Delay");
+    const WayPoints way = wayPointsOf(tree, model);
+    if (touchStarts && way.points.size() >= 2)
+      context.level.noteUnmodelled("motion that a touch or click starts", tree.path(model),
+                                   "taken as moving all the time");
+    give(context, way, 0, std::clamp(delay.value_or(old ? kKitDelay : kKit6Delay), 0.1, 60.0),
+         "marker Positions", true);
+  }
+}
+
+}  // namespace obby::importer

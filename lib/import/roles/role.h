@@ -1,0 +1,89 @@
+// Roles: what a part does to a player. Each role is one file in this folder and one row in
+// role_table.cpp; a row names how the role shows itself in each kind of evidence.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "import/assemblies.h"
+#include "import/draft.h"
+#include "import/script_reading.h"
+#include "import/tree.h"
+
+namespace obby::importer {
+
+// What the role finders read and write.
+class RoleContext {
+ public:
+  RoleContext(const Tree& tree, const Assemblies& assemblies,
+              const std::vector<ScriptReading>& scripts, LevelDraft& level);
+
+  const Tree& tree;
+  const Assemblies& assemblies;
+  const std::vector<ScriptReading>& scripts;
+  LevelDraft& level;
+
+  // The draft of a part instance; null if it is not in the level.
+  PartDraft* part(InstanceId id);
+  // Drafts of the part itself, or of every level part below a model or folder.
+  std::vector<PartDraft*> partsOf(InstanceId id);
+  // Calls `visit` for every instance with one of the tags (any case), tags as the file writes them.
+  void eachTagged(const std::vector<std::string_view>& tags,
+                  const std::function<void(InstanceId, const std::string& tag)>& visit) const;
+  // Calls `visit` with every marker child that a tower kit may hang below a part or model: value
+  // objects and Configurations, and the instance that it marks.
+  void eachMarker(const std::function<void(InstanceId marker, InstanceId owner)>& visit) const;
+
+ private:
+  std::unordered_map<InstanceId, size_t> index_;
+};
+
+using RoleFinder = void (*)(RoleContext&);
+
+// One role: its finders, one for each kind of evidence; null where that kind says nothing.
+struct RoleRow {
+  const char* name;
+  RoleFinder fromTags, fromMarkers, fromScripts, fromNames;
+};
+
+// The words that tell a kit's Configuration or marker apart: its tags and its name, lower case.
+std::string markerWords(const Tree& tree, InstanceId marker);
+
+// Runs every finder, strongest evidence first: tags, markers, scripts, names. A part that has a
+// role keeps it against weaker evidence.
+void findRoles(RoleContext& context);
+
+// True if some evidence gave the part a role called `role`.
+bool hasEvidence(const PartDraft& part, const char* role);
+
+// True if anything but its shape or its joints is known about the part.
+bool hasRole(const PartDraft& part);
+
+// The finders of each role file.
+void killFromTags(RoleContext&);
+void killFromMarkers(RoleContext&);
+void killFromScripts(RoleContext&);
+void killFromNames(RoleContext&);
+void checkpointFromTags(RoleContext&);
+void checkpointFromScripts(RoleContext&);
+void checkpointFromNames(RoleContext&);
+void goalFromTags(RoleContext&);
+void goalFromNames(RoleContext&);
+void conveyorFromTags(RoleContext&);
+void conveyorFromMarkers(RoleContext&);
+void conveyorFromScripts(RoleContext&);
+void conveyorFromVelocity(RoleContext&);
+void jumpPadFromTags(RoleContext&);
+void jumpPadFromMarkers(RoleContext&);
+void jumpPadFromScripts(RoleContext&);
+void vanishFromTags(RoleContext&);
+void vanishFromMarkers(RoleContext&);
+void vanishFromScripts(RoleContext&);
+void movingFromTags(RoleContext&);
+void movingFromMarkers(RoleContext&);
+void movingFromScripts(RoleContext&);
+void movingFromConstraints(RoleContext&);
+
+}  // namespace obby::importer

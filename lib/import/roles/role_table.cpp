@@ -1,0 +1,81 @@
+// The table of roles and the order of evidence.
+#include <algorithm>
+
+#include "import/classes.h"
+#include "import/roles/role.h"
+
+namespace obby::importer {
+namespace {
+
+//   role          tags                markers              scripts              names and defaults
+constexpr RoleRow kRoles[] = {
+    {"goal", goalFromTags, nullptr, nullptr, goalFromNames},
+    {"checkpoint", checkpointFromTags, nullptr, checkpointFromScripts, checkpointFromNames},
+    {"kill", killFromTags, killFromMarkers, killFromScripts, killFromNames},
+    {"jumpPad", jumpPadFromTags, jumpPadFromMarkers, jumpPadFromScripts, nullptr},
+    {"conveyor", conveyorFromTags, conveyorFromMarkers, conveyorFromScripts, conveyorFromVelocity},
+    {"vanish", vanishFromTags, vanishFromMarkers, vanishFromScripts, nullptr},
+    {"motion", movingFromTags, movingFromMarkers, movingFromScripts, movingFromConstraints},
+};
+
+}  // namespace
+
+RoleContext::RoleContext(const Tree& treeIn, const Assemblies& assembliesIn,
+                         const std::vector<ScriptReading>& scriptsIn, LevelDraft& levelIn)
+    : tree(treeIn), assemblies(assembliesIn), scripts(scriptsIn), level(levelIn) {
+  for (size_t i = 0; i < level.parts.size(); ++i) index_[level.parts[i].id] = i;
+}
+
+PartDraft* RoleContext::part(InstanceId id) {
+  const auto it = index_.find(id);
+  return it == index_.end() ? nullptr : &level.parts[it->second];
+}
+
+std::vector<PartDraft*> RoleContext::partsOf(InstanceId id) {
+  std::vector<PartDraft*> parts;
+  for (InstanceId below : tree.partsOf(id))
+    if (PartDraft* draft = part(below)) parts.push_back(draft);
+  return parts;
+}
+
+void RoleContext::eachTagged(
+    const std::vector<std::string_view>& tags,
+    const std::function<void(InstanceId, const std::string&)>& visit) const {
+  for (InstanceId id = 0; id < tree.size(); ++id)
+    for (const auto& tag : tree.at(id).tags)
+      if (std::find(tags.begin(), tags.end(), lower(tag)) != tags.end()) visit(id, tag);
+}
+
+void RoleContext::eachMarker(const std::function<void(InstanceId, InstanceId)>& visit) const {
+  for (InstanceId id = 0; id < tree.size(); ++id) {
+    const Instance& marker = tree.at(id);
+    if (marker.parent == kNoInstance) continue;
+    if (isValueClass(marker.className) || marker.className == "Configuration")
+      visit(id, marker.parent);
+  }
+}
+
+std::string markerWords(const Tree& tree, InstanceId marker) {
+  std::string words = lower(tree.at(marker).name);
+  for (const auto& tag : tree.at(marker).tags) words += ' ' + lower(tag);
+  return words;
+}
+
+bool hasEvidence(const PartDraft& part, const char* role) {
+  return std::any_of(part.evidence.begin(), part.evidence.end(),
+                     [&](const Evidence& e) { return e.role == role; });
+}
+
+bool hasRole(const PartDraft& part) {
+  return std::any_of(part.evidence.begin(), part.evidence.end(),
+                     [](const Evidence& e) { return e.role != "anchored" && e.role != "shape"; });
+}
+
+void findRoles(RoleContext& context) {
+  for (const RoleFinder RoleRow::*finder :
+       {&RoleRow::fromTags, &RoleRow::fromMarkers, &RoleRow::fromScripts, &RoleRow::fromNames})
+    for (const RoleRow& role : kRoles)
+      if (role.*finder) (role.*finder)(context);
+}
+
+}  // namespace obby::importer

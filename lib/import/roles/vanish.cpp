@@ -1,0 +1,145 @@
+// Parts that lose their collision for a while: on touch or by the clock.
+#include <algorithm>
+#include <cmath>
+
+#include "import/roles/role.h"
+
+namespace obby::importer {
+namespace {
+
+const std::vector<std::string_view> kTags = {"disappearing",    "disappearingplatform",
+                                             "disappear",       "fadingplatform",
+                                             "fading",          "vanish",
+                                             "vanishing",       "fadeplatform",
+                                             "vanisher",        "disappearingpart",
+                                             "fallingplatform", "falling"};
+constexpr float kGone = 3600;  // seconds: as good as for ever
+constexpr float kDefaultDelay = 1, kDefaultAway = 3;
+constexpr float kKitFade = 2, kKitAway = 1;        // tower kits before v6
+constexpr float kKit6Blink = 0.2f, kKit6Away = 2;  // v6: three blinks, then away
+constexpr double kKit6Count = 3;
+
+void give(PartDraft& part, Vanish vanish, std::string reason, bool guessed) {
+  if (part.vanish) return;
+  part.vanish = vanish;
+  part.evidence.push_back({"vanish", std::move(reason), guessed});
+}
+
+std::optional<double> firstOf(const Tree& tree, InstanceId id,
+                              std::initializer_list<const char*> names) {
+  for (const char* name : names)
+    if (const auto number = tree.number(id, name); number && *number >= 0) return number;
+  return std::nullopt;
+}
+
+std::optional<double> delayOf(const Tree& tree, InstanceId id) {
+  return firstOf(tree, id, {"FadeTime", "Delay", "DisappearDelay", "DisappearTime", "Time"});
+}
+std::optional<double> awayOf(const Tree& tree, InstanceId id) {
+  return firstOf(tree, id,
+                 {"RespawnTime", "ReturnTime", "ReappearTime", "AwayTime", "Cooldown", "OffTime"});
+}
+
+// The event after which the part no longer carries a player.
+bool goesAway(const ScriptEvent& e) {
+  if (e.kind == EventKind::destroy) return true;
+  if (e.kind != EventKind::set || !e.flag) return false;
+  return (e.property == "CanCollide" && !*e.flag) || (e.property == "Anchored" && !*e.flag);
+}
+
+bool comesBack(const ScriptEvent& e) {
+  if (e.kind != EventKind::set || !e.flag) return false;
+  return (e.property == "CanCollide" && *e.flag) || (e.property == "Anchored" && *e.flag);
+}
+
+void fromTouch(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
+  const auto concerns = [&](const ScriptEvent& e) { return e.target == timeline.touched; };
+  const auto& events = timeline.events;
+  const auto gone = std::find_if(events.begin(), events.end(),
+                                 [&](const ScriptEvent& e) { return concerns(e) && goesAway(e); });
+  PartDraft* part = context.part(timeline.touched);
+  if (!part || gone == events.end() || !part->solid) return;
+  const auto back = std::find_if(gone, events.end(), [&](const ScriptEvent& e) {
+    return concerns(e) && comesBack(e) && e.time >= gone->time;
+  });
+  Vanish vanish;
+  vanish.delay = float(gone->time);
+  const bool returns = back != events.end() && back->time > gone->time;
+  vanish.away = returns ? float(back->time - gone->time) : kGone;
+  const bool falls = gone->property == "Anchored";
+  give(*part, vanish,
+       scriptReason(context.tree, reading, gone->line) + (falls ? " (falls away)" : ""), falls);
+}
+
+// An endless loop that switches the collision off and on.
+void fromTimer(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
+  const auto first = timeline.events.begin() + std::ptrdiff_t(timeline.loopEvent);
+  for (auto gone = first; gone != timeline.events.end(); ++gone) {
+    const bool switches = gone->kind == EventKind::set && gone->property == "CanCollide";
+    PartDraft* part = switches && goesAway(*gone) ? context.part(gone->target) : nullptr;
+    if (!part || part->vanish || !(timeline.period > 0)) continue;
+    const auto back = std::find_if(first, timeline.events.end(), [&](const ScriptEvent& e) {
+      return e.target == gone->target && e.property == "CanCollide" && comesBack(e);
+    });
+    if (back == timeline.events.end()) continue;
+    const auto wrapped = [&](double t) {
+      return t - std::floor(t / timeline.period + 1e-9) * timeline.period;
+    };
+    Vanish vanish;
+    vanish.timer = true;
+    vanish.away = float(wrapped(back->time - gone->time));
+    vanish.delay = float(timeline.period) - vanish.away;
+    vanish.phase = float(wrapped(-back->time));
+    if (!(vanish.away > 0) || !(vanish.delay > 0)) continue;
+    part->solid = true;  // the file may hold it in its away state
+    give(*part, vanish, scriptReason(context.tree, reading, gone->line), false);
+  }
+}
+
+}  // namespace
+
+void vanishFromTags(RoleContext& context) {
+  context.eachTagged(kTags, [&](InstanceId id, const std::string& tag) {
+    const auto delay = delayOf(context.tree, id), away = awayOf(context.tree, id);
+    for (PartDraft* part : context.partsOf(id)) {
+      const auto ownDelay = delayOf(context.tree, part->id),
+                 ownAway = awayOf(context.tree, part->id);
+      Vanish vanish;
+      vanish.delay = float(ownDelay ? *ownDelay : delay.value_or(kDefaultDelay));
+      vanish.away = float(ownAway ? *ownAway : away.value_or(kDefaultAway));
+      give(*part, vanish, "tag " + tag, !(delay || ownDelay) || !(away || ownAway));
+    }
+  });
+}
+
+void vanishFromMarkers(RoleContext& context) {
+  const Tree& tree = context.tree;
+  context.eachMarker([&](InstanceId marker, InstanceId owner) {
+    const std::string words = markerWords(tree, marker);
+    Vanish vanish;
+    if (containsWord(words, "vanisher")) {
+      const auto blinks = tree.number(marker, "BlinkCount").value_or(kKit6Count);
+      vanish.delay = float(blinks) * kKit6Blink;
+      vanish.away = float(tree.number(marker, "RespawnTime").value_or(kKit6Away));
+    } else if (lower(tree.at(marker).name) == "fadetime") {
+      vanish.delay = float(tree.number(owner, "FadeTime").value_or(kKitFade));
+      vanish.away = float(tree.number(owner, "RespawnTime").value_or(kKitAway));
+    } else {
+      return;
+    }
+    const std::string reason = "marker " + tree.at(marker).name;
+    for (PartDraft* part : context.partsOf(owner))
+      if (part->solid) give(*part, vanish, reason, false);
+  });
+}
+
+void vanishFromScripts(RoleContext& context) {
+  for (const ScriptReading& reading : context.scripts)
+    for (const Timeline& timeline : reading.timelines) {
+      if (timeline.trigger == Trigger::touch) fromTouch(context, reading, timeline);
+      if (timeline.trigger == Trigger::start && timeline.forever)
+        fromTimer(context, reading, timeline);
+    }
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,77 @@
+// Which scripts of a place run, and their readings.
+#include "import/script_reading.h"
+
+#include <algorithm>
+
+#include "import/classes.h"
+#include "import/format/class_defaults.h"
+#include "import/luau/parser.h"
+#include "import/luau/reader.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr uint32_t kRunServer = 1, kRunClient = 2;
+constexpr size_t kMaxSource = 1 << 20;  // bytes; larger texts are data, not scripts
+
+bool isDisabled(const Instance& script) {
+  return propertyOr(script, "Disabled", false) || !propertyOr(script, "Enabled", true);
+}
+
+InstanceId rootOf(const Tree& tree, InstanceId id) {
+  while (tree.at(id).parent != kNoInstance) id = tree.at(id).parent;
+  return id;
+}
+
+// True if the engine starts the script by itself.
+bool runs(const Tree& tree, InstanceId id) {
+  const Instance& script = tree.at(id);
+  if (script.className == "ModuleScript" || isDisabled(script)) return false;
+  const std::string& root = tree.at(rootOf(tree, id)).className;
+  const auto* context = property<EnumItem>(script, "RunContext");
+  if (context && (context->value == kRunClient || context->value == kRunServer))
+    return root != "ServerStorage";
+  if (script.className == "LocalScript")
+    return root.rfind("Starter", 0) == 0 || root == "ReplicatedFirst";
+  const bool isModelFile = tree.service("Workspace") == kNoInstance;
+  return isModelFile || root == "Workspace" || root == "ServerScriptService";
+}
+
+std::vector<std::string> linesOf(const std::string& source) {
+  std::vector<std::string> lines(1);
+  for (char c : source) {
+    if (c == '\n')
+      lines.emplace_back();
+    else if (c != '\r')
+      lines.back() += c;
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<ScriptReading> readScripts(const Tree& tree) {
+  std::vector<ScriptReading> readings;
+  for (InstanceId id = 0; id < tree.size(); ++id) {
+    if (!isScriptClass(tree.at(id).className) || !runs(tree, id)) continue;
+    const auto* source = property<std::string>(tree.at(id), "Source");
+    if (!source || source->empty() || source->size() > kMaxSource) continue;
+    const luau::Chunk chunk = luau::parse(*source);
+    readings.push_back(luau::Reader(tree, id).read(chunk));
+    readings.back().lines = linesOf(*source);
+  }
+  return readings;
+}
+
+std::string scriptReason(const Tree& tree, const ScriptReading& reading, int line) {
+  std::string text = "script " + tree.at(reading.script).name + " line " + std::to_string(line);
+  if (line < 1 || size_t(line) > reading.lines.size()) return text;
+  std::string code = reading.lines[size_t(line) - 1];
+  code.erase(0, std::min(code.find_first_not_of(" \t"), code.size()));
+  code.erase(code.find_last_not_of(" \t") + 1);
+  constexpr size_t kLongest = 70;
+  if (code.size() > kLongest) code = code.substr(0, kLongest - 3) + "...";
+  return text + ": " + code;
+}
+
+}  // namespace obby::importer

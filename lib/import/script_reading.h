@@ -1,0 +1,89 @@
+// What a script's text says about the world: which properties it sets on which parts, when, and
+// what sets it off. Nothing is executed: the text is parsed and followed with the values it states,
+// within a step budget; what a script does not state stays unknown (luau/reader.h).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "import/draft.h"
+#include "import/tree.h"
+
+namespace obby::importer {
+
+struct TweenTiming {
+  double seconds = 1;
+  Easing easing = Easing::quad;
+  EasingDirection direction = EasingDirection::out;
+  int repeats = 0;  // -1: for ever
+  bool reverses = false;
+  double delay = 0;
+};
+
+enum class EventKind {
+  set,        // a property of a known instance gets a value
+  tween,      // a known instance is tweened: one event for each goal property
+  destroy,    // a known instance is removed
+  damage,     // a character loses `number` health; infinite: all of it
+  push,       // a character's velocity is set to `vector` (NaN components are kept)
+  teleport,   // a character is moved to `frame` (NaN where unknown)
+  character,  // another property of a character or player is set
+  respawnAt,  // the place where a player comes back is set
+  build,      // an instance made by the script is put into the world
+};
+
+struct ScriptEvent {
+  EventKind kind = EventKind::set;
+  InstanceId target = kNoInstance;
+  std::string property;
+  std::optional<double> number;
+  std::optional<bool> flag;
+  std::optional<Vec3> vector;
+  std::optional<Pose> frame;
+  InstanceId from = kNoInstance;  // the instance whose pose the value is, unchanged
+  TweenTiming tween;
+  double time = 0;  // seconds after the trigger
+  int line = 0;
+};
+
+enum class Trigger {
+  start,  // runs by itself
+  touch,  // a part is touched
+  frame,  // every 1/60 s
+  other,  // clicked, a player joins, a value changes
+};
+
+// What follows one trigger, in the order of time.
+struct Timeline {
+  Trigger trigger = Trigger::start;
+  InstanceId touched = kNoInstance;  // the part, for touch
+  std::string signal;                // "Touched", "CharacterAdded"; empty for start
+  int line = 0;                      // where it is connected
+  std::vector<ScriptEvent> events;
+  double end = 0;        // seconds from the trigger to the last line
+  bool forever = false;  // ends in an endless loop
+  double loopStart = 0;  // seconds; with `forever`
+  size_t loopEvent = 0;  // index of the first event of the loop
+  double period = 0;     // seconds of one round of the loop (or of all that were followed)
+  bool closed = false;   // after `period` the parts are back where the loop began
+};
+
+struct ScriptReading {
+  InstanceId script = kNoInstance;
+  std::vector<Timeline> timelines;
+  std::vector<std::string> lines;  // of the source, for evidence
+  bool broken = false;             // the text could not be parsed to the end
+  bool requiresAsset = false;      // require(number): code that is not in the file
+  bool dynamicCode = false;        // loadstring, getfenv, setfenv
+  bool exhausted = false;          // the step budget ended the reading
+  std::vector<std::string> tags;   // tags that it asks CollectionService for
+};
+
+// Reads every enabled script that runs in the place. Disabled ones and those in storage do nothing.
+std::vector<ScriptReading> readScripts(const Tree& tree);
+
+// "script KillScript line 3: hit.Parent.Humanoid.Health = 0"
+std::string scriptReason(const Tree& tree, const ScriptReading& reading, int line);
+
+}  // namespace obby::importer

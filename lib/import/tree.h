@@ -1,0 +1,67 @@
+// Finding one's way in a Document: children by name, paths, tags, settings of an instance.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "import/document.h"
+
+namespace obby::importer {
+
+class Tree {
+ public:
+  // Keeps a reference: the document must outlive the tree.
+  explicit Tree(const Document& document);
+
+  const Document& document() const { return *document_; }
+  const Instance& at(InstanceId id) const { return document_->instances[id]; }
+  size_t size() const { return document_->instances.size(); }
+
+  // The root service of that class, or kNoInstance. A model file usually has none.
+  InstanceId service(std::string_view className) const;
+  // What is in the world: Workspace, or all roots of a model file.
+  std::vector<InstanceId> worldRoots() const;
+
+  // First child with that name (case counts), or kNoInstance.
+  InstanceId child(InstanceId parent, std::string_view name) const;
+  InstanceId childOfClass(InstanceId parent, std::string_view className) const;
+  bool isUnder(InstanceId id, InstanceId ancestor) const;  // true for itself
+  bool isPart(InstanceId id) const;
+  // `visit` returns false to leave out what is below. Parents come before children, in file order.
+  void eachBelow(InstanceId root, const std::function<bool(InstanceId)>& visit) const;
+  // The part itself, or the parts below a model or folder.
+  std::vector<InstanceId> partsOf(InstanceId id) const;
+  const std::vector<InstanceId>& tagged(const std::string& tag) const;
+
+  std::string path(InstanceId id) const;               // "Workspace/Stage 1/Lava"
+  std::vector<uint32_t> indices(InstanceId id) const;  // sibling indices from the root
+
+  // A setting called `name` on the instance: an attribute, else a value object below it or in its
+  // Configuration. Names are compared without case. Texts that hold a number count as one.
+  std::optional<double> number(InstanceId id, std::string_view name) const;
+  std::optional<std::string> text(InstanceId id, std::string_view name) const;
+  std::optional<bool> flag(InstanceId id, std::string_view name) const;
+
+ private:
+  const Value* setting(InstanceId id, std::string_view name) const;
+  const Value* settingHere(InstanceId id, std::string_view name) const;
+
+  const Document* document_;
+  std::vector<uint32_t> siblingIndex_;
+  std::unordered_map<std::string, std::vector<InstanceId>> byTag_;
+};
+
+// Lower case of ASCII letters; other bytes unchanged.
+std::string lower(std::string_view text);
+// True if `word` is in `text`, both lower case.
+bool containsWord(std::string_view text, std::string_view word);
+// The first whole number in a text ("Checkpoint 12" is 12).
+std::optional<int> firstNumber(std::string_view text);
+// The number that the whole text is ("0.6", " 12 "), else nothing.
+std::optional<double> numberFrom(const Value& value);
+
+}  // namespace obby::importer

@@ -1,0 +1,170 @@
+// The list of what is lost, by looking at instances and at the script readings.
+#include "import/unmodelled.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "import/classes.h"
+#include "import/format/class_defaults.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr size_t kEmptyTerrain = 64;  // bytes: voxel data of this size holds nothing to stand on
+
+void noteTerrain(RoleContext& context) {
+  const InstanceId workspace = context.tree.service("Workspace");
+  if (workspace == kNoInstance) return;
+  const InstanceId terrain = context.tree.childOfClass(workspace, "Terrain");
+  if (terrain == kNoInstance) return;
+  for (const char* name : {"SmoothGrid", "ClusterGridV3", "ClusterGridV2", "ClusterGrid"}) {
+    const auto* voxels = property<std::string>(context.tree.at(terrain), name);
+    if (!voxels || voxels->size() <= kEmptyTerrain) continue;
+    context.level.noteUnmodelled(
+        "terrain", context.tree.path(terrain),
+        std::to_string(voxels->size()) + " bytes of voxels that a player could stand on");
+    return;
+  }
+}
+
+void noteInstances(RoleContext& context) {
+  const Tree& tree = context.tree;
+  for (const PartDraft& part : context.level.parts) {
+    const Instance& instance = tree.at(part.id);
+    if (isA(instance.className, "Seat") || instance.className == "VehicleSeat")
+      context.level.noteUnmodelled("seat", tree.path(part.id),
+                                   "a plain part: a player is not caught by it");
+    const auto group = get<std::string>(instance, "CollisionGroup");
+    if (!group.empty() && group != "Default")
+      context.level.noteUnmodelled("collision group " + group, tree.path(part.id),
+                                   "collides with the player by CanCollide alone");
+  }
+  for (InstanceId id = 0; id < tree.size(); ++id)
+    if (isA(tree.at(id).className, "BackpackItem"))
+      context.level.noteUnmodelled("tool", tree.path(id), "the player has no tools");
+}
+
+void noteScript(RoleContext& context, const ScriptReading& reading) {
+  const std::string path = context.tree.path(reading.script);
+  auto& level = context.level;
+  if (reading.broken)
+    level.noteUnmodelled("script with unknown syntax", path, "read as far as it was understood");
+  if (reading.requiresAsset)
+    level.noteUnmodelled("require of an asset", path, "code that is not in the file");
+  if (reading.dynamicCode)
+    level.noteUnmodelled("code made at run time", path, "loadstring, getfenv or setfenv");
+  if (reading.exhausted)
+    level.noteUnmodelled("very long script", path, "read as far as the step budget went");
+}
+
+// What a touch does that no role covers: a kind and what is lost.
+struct Effect {
+  const char* kind;
+  const char* note;
+};
+
+std::optional<Effect> effectOf(RoleContext& context, const Timeline& timeline,
+                               const ScriptEvent& event) {
+  switch (event.kind) {
+    case EventKind::teleport: return Effect{"teleporter", "a player who touches it stays there"};
+    case EventKind::build: return Effect{"parts that a script builds", "they are not in the file"};
+    case EventKind::push:
+      if (!event.vector) return Effect{"push that a script computes", "it does not push"};
+      return std::nullopt;
+    case EventKind::character:
+      if (event.property == "WalkSpeed" || event.property == "JumpPower" ||
+          event.property == "JumpHeight" || event.property == "Gravity")
+        return Effect{"speed or jump booster", "the player's speed and jump stay as they are"};
+      if (event.property == "Sit" || event.property == "PlatformStand")
+        return Effect{"trip part", "the player stays on its feet"};
+      return std::nullopt;
+    case EventKind::set:
+    case EventKind::destroy:
+      if (event.target == timeline.touched || context.partsOf(event.target).empty())
+        return std::nullopt;
+      if (event.kind == EventKind::destroy || event.property == "CanCollide" ||
+          event.property == "Anchored")
+        return Effect{"button", "parts that a touch elsewhere changes stay as they are"};
+      return std::nullopt;
+    default: return std::nullopt;
+  }
+}
+
+void noteTimelines(RoleContext& context, const ScriptReading& reading) {
+  for (const Timeline& timeline : reading.timelines) {
+    std::set<std::string> kinds;
+    bool understood = false;
+    for (const ScriptEvent& event : timeline.events) {
+      understood = true;
+      const auto effect = effectOf(context, timeline, event);
+      const bool byTouch = timeline.trigger == Trigger::touch || timeline.trigger == Trigger::other;
+      if (!effect || (!byTouch && event.kind != EventKind::build)) continue;
+      if (!kinds.insert(effect->kind).second) continue;
+      const InstanceId where = timeline.touched == kNoInstance ? reading.script : timeline.touched;
+      if (timeline.touched == kNoInstance && event.kind != EventKind::build &&
+          event.kind != EventKind::set && event.kind != EventKind::destroy)
+        continue;  // what joining or dying does to a player is no part of a level
+      context.level.noteUnmodelled(
+          effect->kind, context.tree.path(where),
+          std::string(effect->note) + "; " + scriptReason(context.tree, reading, event.line));
+    }
+    const PartDraft* touched = context.part(timeline.touched);
+    if (timeline.trigger == Trigger::touch && !understood && touched && !hasRole(*touched))
+      context.level.noteUnmodelled("script pattern", context.tree.path(timeline.touched),
+                                   "a touch does something that was not understood; " +
+                                       scriptReason(context.tree, reading, timeline.line));
+  }
+}
+
+bool givesCharacter(const RoleContext& context, const ScriptReading& reading,
+                    const Timeline& timeline) {
+  if (timeline.signal == "CharacterAdded" || timeline.signal == "characterAdded") return true;
+  if (timeline.trigger != Trigger::start) return false;
+  for (InstanceId id = reading.script; id != kNoInstance; id = context.tree.at(id).parent)
+    if (context.tree.at(id).className == "StarterCharacterScripts") return true;
+  return false;
+}
+
+}  // namespace
+
+void applyScriptedWorld(RoleContext& context) {
+  World& world = context.level.world;
+  const InstanceId workspace = context.tree.service("Workspace");
+  for (const ScriptReading& reading : context.scripts)
+    for (const Timeline& timeline : reading.timelines) {
+      const bool character = givesCharacter(context, reading, timeline);
+      for (const ScriptEvent& event : timeline.events) {
+        const std::string reason = scriptReason(context.tree, reading, event.line);
+        const bool stated = event.number && std::isfinite(*event.number);
+        if (event.kind == EventKind::set && event.target == workspace &&
+            event.property == "Gravity" && timeline.trigger == Trigger::start && stated) {
+          world.gravity = float(*event.number);
+          context.level.noteIgnored("gravity set by a script", reason, "taken for the whole level");
+        } else if (event.kind == EventKind::character && character && stated) {
+          if (event.property == "WalkSpeed")
+            world.walkSpeed = float(*event.number);
+          else if (event.property == "JumpPower")
+            world.jumpSpeed = float(1.06 * *event.number);
+          else if (event.property == "JumpHeight")
+            world.jumpSpeed =
+                float(std::sqrt(2.0 * double(world.gravity) * std::max(0.0, *event.number)));
+          else
+            continue;
+          context.level.noteIgnored(event.property + " set by a script", reason,
+                                    "taken for the whole level");
+        }
+      }
+    }
+}
+
+void noteUnmodelled(RoleContext& context) {
+  noteTerrain(context);
+  noteInstances(context);
+  for (const ScriptReading& reading : context.scripts) {
+    noteScript(context, reading);
+    noteTimelines(context, reading);
+  }
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,92 @@
+// Reads the world constants. A StarterHumanoid in StarterPlayer replaces the Character* properties.
+#include "import/world.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "import/format/class_defaults.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr double kJumpPowerGain = 1.06;  // launch speed for each unit of JumpPower
+constexpr uint32_t kControllerLegacy = 1, kControllerDefault = 0;
+constexpr uint32_t kAvatarR6 = 0, kAvatarR15 = 1;
+constexpr double kPi = 3.14159265358979323846;
+
+// Names of the same setting on StarterPlayer and on a Humanoid.
+struct MoverNames {
+  const char *walkSpeed, *jumpPower, *jumpHeight, *useJumpPower, *maxSlope;
+};
+constexpr MoverNames kStarterPlayer = {"CharacterWalkSpeed", "CharacterJumpPower",
+                                       "CharacterJumpHeight", "CharacterUseJumpPower",
+                                       "CharacterMaxSlopeAngle"};
+constexpr MoverNames kHumanoid = {"WalkSpeed", "JumpPower", "JumpHeight", "UseJumpPower",
+                                  "MaxSlopeAngle"};
+
+void readMover(const Instance& from, const MoverNames& names, World& world) {
+  world.walkSpeed = float(get<double>(from, names.walkSpeed));
+  const double power = std::clamp(get<double>(from, names.jumpPower), 0.0, 1000.0);
+  const double height = std::max(0.0, get<double>(from, names.jumpHeight));
+  world.jumpSpeed = get<bool>(from, names.useJumpPower)
+                        ? float(kJumpPowerGain * power)
+                        : float(std::sqrt(2.0 * double(world.gravity) * height));
+  const double degrees = std::clamp(get<double>(from, names.maxSlope), 0.0, 89.0);
+  world.maxSlope = std::min(World{}.maxSlope, float(degrees * kPi / 180.0));
+}
+
+void readHealthScript(const Tree& tree, InstanceId player, LevelDraft& level) {
+  const InstanceId folder = tree.childOfClass(player, "StarterCharacterScripts");
+  const InstanceId script = folder == kNoInstance ? kNoInstance : tree.child(folder, "Health");
+  if (script == kNoInstance) return;
+  const auto source = get<std::string>(tree.at(script), "Source");
+  if (source.find("Health") == std::string::npos) {
+    level.world.healthRegeneration = 0;
+    return;
+  }
+  level.noteUnmodelled("own Health script", tree.path(script),
+                       "the default regeneration of 1 % of the health a second is assumed");
+}
+
+void noteCharacter(const Tree& tree, InstanceId player, LevelDraft& level) {
+  const Instance& starter = tree.at(player);
+  const auto controller = get<EnumItem>(starter, "LuaCharacterController").value;
+  if (controller != kControllerDefault && controller != kControllerLegacy)
+    level.noteUnmodelled("Character Controller Library", tree.path(player),
+                         "the player is simulated as the classic Humanoid, which accelerates and "
+                         "turns differently");
+  const auto avatar = get<EnumItem>(starter, "GameSettingsAvatar").value;
+  if (avatar != kAvatarR6)
+    level.noteIgnored(avatar == kAvatarR15 ? "R15 avatars" : "avatar of the player's choice",
+                      tree.path(player), "simulated as the canonical body with hip height 2");
+  const InstanceId custom = tree.child(player, "StarterCharacter");
+  if (custom != kNoInstance)
+    level.noteUnmodelled("own character model", tree.path(custom),
+                         "simulated as the canonical body with hip height 2");
+}
+
+}  // namespace
+
+void readWorld(const Tree& tree, LevelDraft& level) {
+  World& world = level.world;
+  const InstanceId workspace = tree.service("Workspace");
+  if (workspace != kNoInstance) {
+    world.gravity = float(get<double>(tree.at(workspace), "Gravity"));
+    if (get<bool>(tree.at(workspace), "FallHeightEnabled"))
+      world.fallenPartsHeight = float(get<double>(tree.at(workspace), "FallenPartsDestroyHeight"));
+    else
+      world.fallenPartsHeight = -50000;
+  }
+  const InstanceId player = tree.service("StarterPlayer");
+  if (player == kNoInstance) return;
+  readMover(tree.at(player), kStarterPlayer, world);
+  const InstanceId humanoid = tree.child(player, "StarterHumanoid");
+  if (humanoid != kNoInstance && tree.at(humanoid).className == "Humanoid") {
+    readMover(tree.at(humanoid), kHumanoid, world);
+    world.maxHealth = float(std::max(1.0, get<double>(tree.at(humanoid), "MaxHealth")));
+  }
+  readHealthScript(tree, player, level);
+  noteCharacter(tree, player, level);
+}
+
+}  // namespace obby::importer
