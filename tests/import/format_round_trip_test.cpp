@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "import/format/class_defaults.h"
 #include "import/read_document.h"
 #include "support/document_text.h"
 #include "support/sample_place.h"
@@ -65,14 +66,23 @@ TEST(FormatRoundTrip, PhysicalPropertiesFollowTheirFlagBits) {
   const Document document = readOrDie(samplePlace().binary());
   const auto* lava =
       property<PhysicalProperties>(named(document, "Lava"), "CustomPhysicalProperties");
-  const auto* ice =
-      property<PhysicalProperties>(named(document, "Ice"), "CustomPhysicalProperties");
-  ASSERT_TRUE(lava && ice);
+  const auto ice = get<PhysicalProperties>(named(document, "Ice"), "CustomPhysicalProperties");
+  ASSERT_NE(lava, nullptr);
   EXPECT_TRUE(lava->custom);
   EXPECT_EQ(lava->friction, 0.02f);
   EXPECT_EQ(lava->frictionWeight, 3.0f);
-  EXPECT_FALSE(
-      ice->custom);  // acoustics alone: nothing follows, and the next value is in its place
+  EXPECT_FALSE(ice.custom);  // acoustics alone: nothing follows
+}
+
+TEST(FormatRoundTrip, PartsLeaveOutWhatEqualsTheClassDefault) {
+  for (const std::string& bytes : {samplePlace().binary(), samplePlace().xml()}) {
+    const Document document = readOrDie(bytes);
+    const Instance& ice = named(document, "Ice");
+    EXPECT_FALSE(ice.properties.contains("Anchored"));
+    EXPECT_FALSE(get<bool>(ice, "Anchored"));
+    EXPECT_FALSE(ice.properties.contains("Shape"));
+    EXPECT_TRUE(ice.properties.contains("Color"));
+  }
 }
 
 TEST(FormatRoundTrip, TreeKeepsParentsBeforeChildrenAndRefsPointToThem) {

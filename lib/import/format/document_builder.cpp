@@ -6,15 +6,15 @@
 #include <utility>
 
 #include "import/format/attributes.h"
-#include "import/format/property_names.h"
+#include "import/format/class_defaults.h"
 
 namespace obby::importer {
 namespace {
 
-// A document may take this much memory plus a multiple of the file's size: generous for real places
-// (about 100 bytes a part in the file), too little for files made to exhaust memory.
+// A document may take this much memory plus a multiple of the file's size: enough for places of
+// generated, well compressing parts (20 bytes each), too little for files made to exhaust memory.
 constexpr size_t kBaseBudget = size_t{48} << 20;
-constexpr size_t kBudgetPerByte = 16;
+constexpr size_t kBudgetPerByte = 64;
 constexpr size_t kMaxDepth = 512;
 constexpr size_t kMaxWarnings = 100;
 constexpr size_t kMaxProperties = 1000;  // of one instance; the engine's classes have less than 200
@@ -35,6 +35,19 @@ size_t cost(const Value& value) {
          (item ? item->type.size() : 0);
 }
 
+// For the kinds that parts have in bulk.
+bool sameValue(const Value& a, const Value& b) {
+  if (a.index() != b.index()) return false;
+  if (const auto* v = std::get_if<bool>(&a)) return *v == std::get<bool>(b);
+  if (const auto* v = std::get_if<int64_t>(&a)) return *v == std::get<int64_t>(b);
+  if (const auto* v = std::get_if<double>(&a)) return *v == std::get<double>(b);
+  if (const auto* v = std::get_if<std::string>(&a)) return *v == std::get<std::string>(b);
+  if (const auto* v = std::get_if<EnumItem>(&a)) return v->value == std::get<EnumItem>(b).value;
+  if (const auto* v = std::get_if<Vec3>(&a)) return *v == std::get<Vec3>(b);
+  const auto* physics = std::get_if<PhysicalProperties>(&a);
+  return physics != nullptr && !physics->custom && !std::get<PhysicalProperties>(b).custom;
+}
+
 bool isService(const std::string& className) {
   return std::find(std::begin(kServices), std::end(kServices), className) != std::end(kServices);
 }
@@ -52,11 +65,11 @@ InstanceId DocumentBuilder::add(std::string className) {
 
 bool DocumentBuilder::set(InstanceId id, std::string_view name, Value value) {
   Instance& instance = document_.instances[id];
-  used_ += cost(value);
   if (overBudget()) return false;
   if (name == "Name") {
     if (const std::string* text = bytesOf(value)) instance.name = *text;
-    return true;
+    used_ += instance.name.size();
+    return !overBudget();
   }
   if (name == "Tags") {
     if (const std::string* blob = bytesOf(value)) {
@@ -70,13 +83,33 @@ bool DocumentBuilder::set(InstanceId id, std::string_view name, Value value) {
     if (const std::string* blob = bytesOf(value)) setAttributes(id, *blob);
     return !overBudget();
   }
-  PropertySpelling spelling = spellingOf(instance.className, name);
+  const PropertyPlan& plan = planOf(instance.className, name);
+  const PropertySpelling& spelling = plan.spelling;
   if (spelling.name.empty()) return true;
   if (spelling.legacy && instance.properties.contains(spelling.name)) return true;
+  if (plan.standard != nullptr) value = normalisedValue(*plan.standard, std::move(value));
+  if (plan.dropStandard && sameValue(value, *plan.standard) &&
+      !instance.properties.contains(spelling.name)) {
+    return true;
+  }
   if (instance.properties.size() >= kMaxProperties) return true;
-  value = normalisedValue(instance.className, spelling.name, std::move(value));
+  used_ += cost(value);
   instance.properties[spelling.name] = std::move(value);
-  return true;
+  return !overBudget();
+}
+
+const PropertyPlan& DocumentBuilder::planOf(const std::string& className, std::string_view name) {
+  std::string key = className + '\n';
+  key += name;
+  const auto known = plans_.find(key);
+  if (known != plans_.end()) return known->second;
+  used_ += key.size() + sizeof(PropertyPlan) + 2 * sizeof(std::string);
+  PropertyPlan plan;
+  plan.spelling = spellingOf(className, name);
+  plan.standard = defaultOf(className, plan.spelling.name);
+  // Parts come by the ten thousands. Their colour is kept: an older spelling must not replace it.
+  plan.dropStandard = plan.standard != nullptr && isA(className, "BasePart");
+  return plans_.emplace(std::move(key), std::move(plan)).first->second;
 }
 
 void DocumentBuilder::setAttributes(InstanceId id, std::string_view blob) {

@@ -6,11 +6,20 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 
 #include "base/result.h"
 #include "import/document.h"
+#include "import/format/property_names.h"
 
 namespace obby::importer {
+
+// How a property of a class is kept.
+struct PropertyPlan {
+  PropertySpelling spelling;
+  const Value* standard = nullptr;  // the class default; null if there is none
+  bool dropStandard = false;        // a value that equals the default is left out
+};
 
 class DocumentBuilder {
  public:
@@ -22,6 +31,8 @@ class DocumentBuilder {
   size_t size() const { return document_.instances.size(); }
   const std::string& classOf(InstanceId id) const { return document_.instances[id].className; }
 
+  // `name` as in the file. The reference lasts as long as the builder.
+  const PropertyPlan& planOf(const std::string& className, std::string_view name);
   // `name` as in the file. Returns false once the document has outgrown its memory (see
   // overBudget).
   bool set(InstanceId id, std::string_view name, Value value);
@@ -43,6 +54,7 @@ class DocumentBuilder {
   Status checkDepth(const std::vector<InstanceId>& order) const;
 
   Document document_;
+  std::unordered_map<std::string, PropertyPlan> plans_;  // by class and name
   size_t droppedWarnings_ = 0;
   size_t used_ = 0, budget_;
 };

@@ -80,14 +80,13 @@ PropertySpelling spellingOf(std::string_view className, std::string_view name) {
   return {std::string(row->name), row->legacy};
 }
 
-Value normalisedValue(std::string_view className, std::string_view normalisedName, Value value) {
-  const Value* standard = defaultOf(className, normalisedName);
-  if (standard == nullptr || standard->index() == value.index()) return value;
-  if (std::holds_alternative<ColorRgb>(*standard)) {
+Value normalisedValue(const Value& standard, Value value) {
+  if (standard.index() == value.index()) return value;
+  if (std::holds_alternative<ColorRgb>(standard)) {
     if (const auto* number = std::get_if<int64_t>(&value)) return brickColor(*number);
     return value;
   }
-  return coerceTo(std::move(value), *standard);
+  return coerceTo(std::move(value), standard);
 }
 
 }  // namespace obby::importer

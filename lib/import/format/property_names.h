@@ -19,8 +19,8 @@ struct PropertySpelling {
 // `name` as in the file.
 PropertySpelling spellingOf(std::string_view className, std::string_view name);
 
-// The value as the kind that the property has: palette numbers to colours, int for float and the
-// like.
-Value normalisedValue(std::string_view className, std::string_view normalisedName, Value value);
+// The value as the kind of `standard`, the property's default: palette numbers to colours, int for
+// float and the like.
+Value normalisedValue(const Value& standard, Value value);
 
 }  // namespace obby::importer

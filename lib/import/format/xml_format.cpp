@@ -7,9 +7,7 @@
 #include <vector>
 
 #include "import/format/base64.h"
-#include "import/format/class_defaults.h"
 #include "import/format/document_builder.h"
-#include "import/format/property_names.h"
 #include "import/format/xml_filter.h"
 #include "import/format/xml_values.h"
 
@@ -105,10 +103,10 @@ class XmlReader {
   Status readProperty(pugi::xml_node element, InstanceId id) {
     const std::string_view name = element.attribute("name").value();
     const std::string& className = builder_.classOf(id);
-    const PropertySpelling spelling = spellingOf(className, name);
-    if (spelling.name.empty()) return {};
+    const PropertyPlan& plan = builder_.planOf(className, name);
+    if (plan.spelling.name.empty()) return {};
     // A legacy spelling has the kind of its own age, which the element's name tells.
-    const Value* standard = spelling.legacy ? nullptr : defaultOf(className, spelling.name);
+    const Value* standard = plan.spelling.legacy ? nullptr : plan.standard;
     Result<Value> value = readXmlValue(element, standard, context_);
     if (!value) {
       Error error = std::move(value).error();

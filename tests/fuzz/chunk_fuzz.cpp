@@ -1,0 +1,20 @@
+// Decompression of one chunk: the claimed length first, then the body.
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+#include "import/format/chunk.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  using namespace obby::importer;
+  if (size < 4) return 0;
+  Chunk chunk;
+  chunk.name = "PROP";
+  chunk.compressed = true;
+  std::memcpy(&chunk.rawLength, data, 4);
+  chunk.body = std::string_view(reinterpret_cast<const char*>(data) + 4, size - 4);
+  const auto raw = decompress(chunk, size);
+  if (raw && raw->bytes.size() != chunk.rawLength) __builtin_trap();
+  return 0;
+}
