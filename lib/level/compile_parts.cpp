@@ -96,7 +96,7 @@ Status PartCompiler::mover(schema::Part::Reader part, const Pose& pose, Collider
   }
   out_.motions.push_back(std::move(tables));
   MotionTables& kept = out_.motions.back();
-  if (makeUpright(kept)) flags |= kUpright;
+  if (makeUpright(kept)) flags |= kUpright;  // push() drops it for shapes that are no blocks
   collider.mover = uint32_t(out_.movers.size());
   out_.movers.push_back({kept.keys.data(), kept.spins.empty() ? nullptr : kept.spins.data(),
                          uint32_t(kept.keys.size()), uint32_t(kept.spins.size()), kept.pivot,
@@ -124,8 +124,11 @@ Box PartCompiler::sweptBounds(const Collider& c) const {
 }
 
 void PartCompiler::push(Collider collider, uint16_t flags) {
-  if (collider.mover == kNone && collider.kind == ShapeKind::block && makeUpright(collider))
+  if (collider.kind != ShapeKind::block) {
+    flags &= uint16_t(~kUpright);  // the short cuts are for blocks only
+  } else if (collider.mover == kNone && makeUpright(collider)) {
     flags |= kUpright;
+  }
   out_.bounds.push_back(sweptBounds(collider));
   out_.colliders.push_back(collider);
   out_.flags.push_back(flags);
@@ -137,8 +140,8 @@ Status PartCompiler::hulls(schema::Part::Reader part, const Collider& base, uint
     const std::string path = fmt::format("hulls[{}].vertices", index++);
     std::vector<Vec3> vertices;
     for (const auto v : record.getVertices()) {
-      if (!isFinite(vec(v))) return pathError(path, "expected finite numbers");
-      vertices.push_back(vec(v));
+      OBBY_ASSIGN(const Vec3 at, position(v, path));
+      vertices.push_back(at);
     }
     if (vertices.size() < 4 || vertices.size() > kMaxHullVertices) {
       return pathError(path, fmt::format("expected 4 to {} vertices, got {}", kMaxHullVertices,

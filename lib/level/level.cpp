@@ -26,6 +26,9 @@ struct Level::Impl {
 
 namespace {
 
+// A player may be this much faster sideways than walking and parts together make it.
+constexpr float kSpeedMargin = 1.5f;
+
 // Fastest sideways motion that parts can give a player, studs/s.
 float fastestSideways(const PartTables& tables, const Params& params) {
   float fastest = 0;
@@ -42,12 +45,12 @@ float fastestSideways(const PartTables& tables, const Params& params) {
   return params.walkSpeed + minf(fastest, 500.0f);
 }
 
-// A tick may carry the player this far, so that one grid look-up serves a tick (sim/candidates.h).
+// Covers what a player looks at during a tick, at any speed, so that one grid look-up serves a tick
+// (tickBounds in sim/candidates.h; tests/level/grid_test.cpp holds the two together).
 Reach reachOf(const Params& p, float sideways) {
-  const float arms = p.armSpan * 0.5f, depth = p.bodyDepth * 0.5f;
-  const float limbs = sqrtf32(arms * arms + depth * depth) + p.touchMargin;
-  const float step = maxf(2.0f, sideways * p.tickSeconds * 1.5f);
-  const float fall = p.maxFallSpeed * p.tickSeconds + 1;
+  const float limbs = (p.armSpan + p.bodyDepth) * 0.5f + p.touchMargin;
+  const float step = sideways * kSpeedMargin * p.tickSeconds + 1;
+  const float fall = (p.maxFallSpeed + p.jumpSpeed) * p.tickSeconds + 1;
   const float below =
       maxf(0.0f, p.floorReachBase * p.rootHeight + p.floorKeep * p.hipHeight - p.hipHeight);
   return {limbs + step, below + fall, p.bodyTop + fall};
@@ -57,8 +60,8 @@ Status compileSpawns(schema::Level::Reader record, std::vector<StartPose>& spawn
   for (const auto spawn : record.getSpawns()) {
     const std::string path = fmt::format("spawns[{}]", spawns.size());
     OBBY_ASSIGN(const Vec3 feet, position(spawn.getPosition(), path + ".position"));
-    if (!std::isfinite(spawn.getYaw())) return pathError(path + ".yaw", "expected radians");
-    spawns.push_back({feet, spawn.getYaw(), 0});
+    OBBY_ASSIGN(const float yaw, angle(spawn.getYaw(), path + ".yaw"));
+    spawns.push_back({feet, yaw, 0});
   }
   return {};
 }
@@ -140,7 +143,7 @@ Result<Level> Level::compile(schema::Level::Reader record) {
   v.grid = {
       g.origin,      {1 / g.cell.x, 1 / g.cell.y, 1 / g.cell.z}, g.nx, g.ny, g.nz, g.cells.data(),
       g.lists.data()};
-  v.maxSideSpeed = sideways * 1.5f;
+  v.maxSideSpeed = sideways * kSpeedMargin;
   impl->period = commonPeriod(t);
   impl->hash = digest(v, t);
   return Level(std::move(impl));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "level/record_values.h"
@@ -54,8 +55,9 @@ Result<std::vector<Key>> readKeys(schema::Motion::Reader motion) {
 
 // The pose at `time` seconds into one run through the keys.
 Pose poseAt(const std::vector<Key>& keys, double time) {
-  size_t next = 0;
-  while (next < keys.size() && keys[next].time <= time) ++next;
+  const auto later = [](double t, const Key& key) { return t < key.time; };
+  const size_t next =
+      size_t(std::upper_bound(keys.begin(), keys.end(), time, later) - keys.begin());
   if (next == 0) return {keys[0].position, toMat3(keys[0].rotation)};
   if (next == keys.size()) return {keys.back().position, toMat3(keys.back().rotation)};
   const Key &a = keys[next - 1], &b = keys[next];
@@ -85,7 +87,11 @@ Status keyTable(const std::vector<Key>& keys, schema::Motion::Reader motion, con
   const double period = pingPong ? 2 * length : length;
   const double ticks = period * params.controlRate;
   if (ticks > kMaxRows) return pathError("motion.keys", "longer than 10 minutes");
-  const uint32_t rows = out.once ? uint32_t(ticks) + 2 : rowsFor(ticks);
+  // A negative offset is a wait before the motion; one that comes but once must still arrive.
+  const double wait =
+      out.once ? std::max(0.0, -double(motion.getOffset())) * params.controlRate : 0;
+  if (wait > kMaxRows) return pathError("motion.offset", "a wait longer than 10 minutes");
+  const uint32_t rows = out.once ? uint32_t(ticks + wait) + 2 : rowsFor(ticks);
   if (length <= 0 || rows == 0) {
     out.keys = {poseAt(keys, keys.back().time)};
     return {};

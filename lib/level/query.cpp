@@ -1,6 +1,7 @@
 // A query record to regions and limits.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "level/level.h"
@@ -15,12 +16,12 @@ Result<StartPose> startPose(schema::Query::Reader record, const Level& level) {
   const auto start = record.getStart();
   if (start.hasRegion()) {
     OBBY_ASSIGN(const geom::Region box, region(start.getRegion(), "start.region"));
-    if (!std::isfinite(start.getYaw())) return pathError("start.yaw", "expected radians");
+    OBBY_ASSIGN(const float yaw, angle(start.getYaw(), "start.yaw"));
     // Feet at the centre of the floor: the lowest face for an upright box, the lowest point below
     // the centre else.
     const Vec3 up{box.pose.rotation.x.y, box.pose.rotation.y.y, box.pose.rotation.z.y};
     const float drop = absf(up.y) > 0.999f ? box.half.y : dot(abs(up), box.half);
-    return StartPose{box.pose.position - Vec3{0, drop, 0}, start.getYaw(), start.getTick()};
+    return StartPose{box.pose.position - Vec3{0, drop, 0}, yaw, start.getTick()};
   }
   const int32_t spawn = start.getSpawn() < 0 ? 0 : start.getSpawn();
   if (size_t(spawn) >= level.spawns().size()) {
@@ -39,7 +40,9 @@ Result<uint32_t> timeLimit(schema::Query::Reader record, const Params& params) {
   if (!std::isfinite(limit) || limit < 0)
     return pathError("timeLimit", "expected seconds, 0 for none");
   if (limit == 0) return 0u;
-  const uint32_t ticks = uint32_t(std::floor(double(limit) * params.controlRate + 1e-4));
+  // Beyond the largest clock there is no difference any more.
+  const double exact = std::floor(double(limit) * params.controlRate + 1e-4);
+  const uint32_t ticks = uint32_t(std::min(exact, 4294967295.0));
   if (ticks == 0) return pathError("timeLimit", "shorter than one tick");
   return ticks;
 }

@@ -32,6 +32,14 @@ inline Result<Vec3> position(schema::Vec3::Reader record, const std::string& pat
   return v;
 }
 
+// Beyond this many radians float angles are too coarse to mean a direction.
+constexpr float kMaxAngle = 1e4f;
+
+inline Result<float> angle(float radians, const std::string& path) {
+  if (!(absf(radians) <= kMaxAngle)) return pathError(path, "expected radians within 10000");
+  return radians;
+}
+
 inline Result<Quat> quaternion(schema::Quat::Reader record, const std::string& path) {
   const Quat q{record.getX(), record.getY(), record.getZ(), record.getW()};
   const float n2 = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;

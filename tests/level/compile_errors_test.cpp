@@ -1,0 +1,206 @@
+// Levels that mean nothing are refused with the path of the field and what was expected there.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/level_builder.h"
+
+namespace obby::level {
+namespace {
+
+using support::LevelBuilder;
+using support::set;
+using PartSetter = LevelBuilder::PartSetter;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+// Compiles a good part and then the part under test, so that the path has an index to get right.
+void expectRefused(const PartSetter& setter, const std::string& path, const std::string& words) {
+  LevelBuilder b;
+  b.block({0, 0, 0}, {4, 1, 4}).part(setter);
+  const auto level = b.tryCompile();
+  ASSERT_FALSE(bool(level)) << path;
+  EXPECT_EQ(level.error().path, "parts[1]" + path);
+  EXPECT_NE(level.error().message.find(words), std::string::npos) << level.error().text();
+}
+
+void addKeys(schema::Part::Builder part, std::initializer_list<float> times) {
+  auto keys = part.initMotion().initKeys(uint32_t(times.size()));
+  uint32_t i = 0;
+  for (const float t : times) keys[i++].setTime(t);
+}
+
+TEST(CompileErrors, Size) {
+  for (const Vec3 size :
+       {Vec3{0, 1, 1}, Vec3{1, -1, 1}, Vec3{1, 1, 2049}, Vec3{kNan, 1, 1}, Vec3{1, kInf, 1}}) {
+    expectRefused([=](auto p) { set(p.initSize(), size); }, ".size", "above 0 and at most 2048");
+  }
+}
+
+TEST(CompileErrors, Position) {
+  for (const Vec3 at : {Vec3{kNan, 0, 0}, Vec3{0, kInf, 0}, Vec3{0, 0, -2e6f}}) {
+    expectRefused([=](auto p) { set(p.initPosition(), at); }, ".position", "within 1000000");
+  }
+}
+
+TEST(CompileErrors, Rotation) {
+  for (const float w : {0.0f, kNan, kInf, 1e-8f}) {
+    expectRefused([=](auto p) { p.initRotation().setW(w); }, ".rotation", "not zero");
+  }
+}
+
+TEST(CompileErrors, Friction) {
+  for (const float f : {-0.1f, kNan}) {
+    expectRefused([=](auto p) { p.setFriction(f); }, ".friction", "not negative");
+  }
+}
+
+TEST(CompileErrors, Roles) {
+  expectRefused([](auto p) { p.initKill().setDamage(kNan); }, ".kill.damage", "a number");
+  expectRefused([](auto p) { p.initKill().setCooldown(-1); }, ".kill.cooldown", "seconds");
+  expectRefused(
+      [](auto p) {
+        set(p.initConveyor().initVelocity(), {kNan, 0, 0});
+      },
+      ".conveyor.velocity", "three numbers");
+  expectRefused(
+      [](auto p) {
+        set(p.initConveyor().initAngular(), {0, kInf, 0});
+      },
+      ".conveyor.angular", "three numbers");
+  expectRefused(
+      [](auto p) {
+        set(p.initJumpPad().initVelocity(), {0, kNan, 0});
+      },
+      ".jumpPad.velocity", "three numbers");
+}
+
+TEST(CompileErrors, VanishTimerWithoutAPeriod) {
+  const auto timer = [](float delay, float away) {
+    return [=](schema::Part::Builder p) {
+      auto v = p.initVanish();
+      v.setTrigger(schema::VanishTrigger::TIMER);
+      v.setDelay(delay);
+      v.setAway(away);
+    };
+  };
+  expectRefused(timer(0, 0), ".vanish", "period of 0");
+  expectRefused(timer(kNan, -3), ".vanish", "period of 0");
+  LevelBuilder fine;
+  EXPECT_TRUE(bool(fine.part(timer(0, 1)).tryCompile()));
+}
+
+TEST(CompileErrors, MotionKeys) {
+  expectRefused([](auto p) { addKeys(p, {0, 2, 1.5f}); }, ".motion.keys[2].time", "not decrease");
+  expectRefused([](auto p) { addKeys(p, {-1}); }, ".motion.keys[0].time", "not decrease");
+  expectRefused([](auto p) { addKeys(p, {0, kNan}); }, ".motion.keys[1].time", "seconds");
+  expectRefused([](auto p) { addKeys(p, {0, 1201}); }, ".motion.keys", "longer than");
+  expectRefused(
+      [](auto p) {
+        addKeys(p, {0, 1});
+        set(p.getMotion().getKeys()[1].initPosition(), {0, kNan, 0});
+      },
+      ".motion.keys[1].position", "three numbers");
+  expectRefused(
+      [](auto p) {
+        addKeys(p, {0, 1});
+        p.getMotion().getKeys()[0].initRotation().setW(0);
+      },
+      ".motion.keys[0].rotation", "not zero");
+  expectRefused([](auto p) { p.initMotion().setOffset(kInf); }, ".motion.offset", "seconds");
+}
+
+TEST(CompileErrors, Spin) {
+  expectRefused(
+      [](auto p) {
+        set(p.initMotion().initSpin().initAxis(), {0, 0, 0});
+      },
+      ".motion.spin.axis", "direction");
+  expectRefused([](auto p) { p.initMotion().initSpin().setSpeed(kNan); }, ".motion.spin.speed",
+                "rad/s");
+  expectRefused([](auto p) { p.initMotion().initSpin().setSpeed(0.001f); }, ".motion.spin.speed",
+                "longer than");
+  expectRefused(
+      [](auto p) {
+        auto spin = p.initMotion().initSpin();
+        spin.setSpeed(1);
+        set(spin.initPivot(), {kNan, 0, 0});
+      },
+      ".motion.spin.pivot", "three numbers");
+}
+
+TEST(CompileErrors, Hulls) {
+  const auto hullOf = [](uint32_t count, Vec3 last) {
+    return [=](schema::Part::Builder p) {
+      p.setShape(schema::Shape::HULL);
+      auto vertices = p.initHulls(2)[0].initVertices(4);
+      for (uint32_t i = 0; i < 4; ++i)
+        set(vertices[i], {i == 1 ? 1.f : 0.f, i == 2 ? 1.f : 0.f, i == 3 ? 1.f : 0.f});
+      auto second = p.getHulls()[1].initVertices(count);
+      for (uint32_t i = 0; i < count; ++i) set(second[i], last * float(i));
+    };
+  };
+  expectRefused(hullOf(3, {1, 1, 1}), ".hulls[1].vertices", "4 to 255 vertices, got 3");
+  expectRefused(hullOf(256, {1, 1, 1}), ".hulls[1].vertices", "got 256");
+  expectRefused(hullOf(5, {kNan, 1, 1}), ".hulls[1].vertices", "numbers");
+  expectRefused(hullOf(5, {1e38f, 1, 1}), ".hulls[1].vertices", "numbers");
+}
+
+TEST(CompileErrors, Spawns) {
+  for (const float yaw : {kNan, kInf, 1e30f}) {
+    LevelBuilder b;
+    b.spawn({0, 0, 0}).spawn({0, 0, 0}, yaw);
+    const auto level = b.tryCompile();
+    ASSERT_FALSE(bool(level)) << yaw;
+    EXPECT_EQ(level.error().path, "spawns[1].yaw");
+    EXPECT_NE(level.error().message.find("radians"), std::string::npos);
+  }
+  LevelBuilder b;
+  b.spawn({kNan, 0, 0});
+  EXPECT_EQ(b.tryCompile().error().path, "spawns[0].position");
+}
+
+TEST(CompileErrors, PhysicsCarryTheirPath) {
+  LevelBuilder b;
+  b.physics([](auto p) { p.setGravity(-1); });
+  EXPECT_EQ(b.tryCompile().error().path, "physics.gravity");
+}
+
+TEST(Compile, AnEmptyLevelIsALevel) {
+  const Level level = LevelBuilder().compile();
+  EXPECT_EQ(level.partCount(), 0u);
+  EXPECT_EQ(level.view().colliderCount, 0u);
+  EXPECT_FALSE(level.hasMotion());
+}
+
+TEST(Compile, TinyPartsAreAsThickAsTheEngineMakesThem) {
+  const Level level = LevelBuilder().block({0, 0, 0}, {0.001f, 1, 3}).compile();
+  const Vec3 half = level.view().colliders[0].shape.half;
+  EXPECT_FLOAT_EQ(maxf(half.x, half.z), 1.5f);
+  EXPECT_FLOAT_EQ(minf(half.x, minf(half.y, half.z)), 0.025f);
+}
+
+TEST(Compile, SceneryHasNoColliderButKeepsItsIndex) {
+  LevelBuilder b;
+  b.block({0, 0, 0}, {1, 1, 1}, [](auto p) { p.setSolid(false); });
+  b.block({0, 5, 0}, {1, 1, 1}, [](auto p) { p.setSolid(false), p.initKill(); });
+  b.block({0, 9, 0}, {1, 1, 1});
+  const Level level = b.compile();
+  ASSERT_EQ(level.view().colliderCount, 2u);
+  EXPECT_EQ(level.view().colliders[0].part, 1u);
+  EXPECT_EQ(level.view().flags[0] & (kSolid | kKill), kKill);
+  EXPECT_EQ(level.view().colliders[1].part, 2u);
+}
+
+TEST(Compile, OnlyTouchablePartsHaveTouchRoles) {
+  LevelBuilder b;
+  b.block({0, 0, 0}, {1, 1, 1}, [](auto p) {
+    p.setTouch(false), p.initKill(), p.initJumpPad(), p.initVanish(), p.initConveyor();
+  });
+  EXPECT_EQ(b.compile().view().flags[0] & (kTouchRoles | kConveyor), kConveyor);
+}
+
+}  // namespace
+}  // namespace obby::level

@@ -1,0 +1,154 @@
+// Face and edge tables of convex hulls: the hulls of known solids are those solids.
+#include "level/hull_tables.h"
+
+#include <gtest/gtest.h>
+
+#include "base/random.h"
+#include "geom/penetration.h"
+#include "support/level_builder.h"
+
+namespace obby::level {
+namespace {
+
+using geom::ShapeData;
+using geom::ShapeKind;
+
+struct Dice {
+  Random random;
+  float number(float size) { return (2 * random.unit() - 1) * size; }
+  Vec3 vec(float size) { return {number(size), number(size), number(size)}; }
+  Mat3 rotation() {
+    return toMat3(normalize(Quat{number(1), number(1), number(1), 0.1f + random.unit()}));
+  }
+};
+
+geom::Hull viewOf(const HullTables& t) {
+  return {t.vertices.data(),
+          t.normals.data(),
+          t.offsets.data(),
+          t.edges.data(),
+          uint32_t(t.vertices.size()),
+          uint32_t(t.normals.size()),
+          uint32_t(t.edges.size())};
+}
+
+std::vector<Vec3> boxCorners(Vec3 half) {
+  std::vector<Vec3> out;
+  for (int c = 0; c < 8; ++c)
+    out.push_back(mul(half, {c & 1 ? 1.f : -1.f, c & 2 ? 1.f : -1.f, c & 4 ? 1.f : -1.f}));
+  return out;
+}
+
+// Compares contacts of random bodies with the hull and with the solid it should be.
+void expectSameSolid(const HullTables& tables, ShapeKind kind, Vec3 half) {
+  Dice dice{Random(9, uint64_t(kind))};
+  const geom::Hull hull = viewOf(tables);
+  const ShapeData solid{half, nullptr}, asHull{half, &hull};
+  for (int i = 0; i < 20000; ++i) {
+    const Pose pose{dice.vec(2), dice.rotation()};
+    const geom::UprightBox box{dice.vec(2), {1, 1.5f, 0.5f}, sinCos(Turns(dice.random.next()))};
+    const auto a = penetration(kind, solid, pose, box);
+    const auto b = penetration(ShapeKind::hull, asHull, pose, box);
+    if (absf(a.depth) < 1e-3f) continue;
+    ASSERT_EQ(a.depth >= 0, b.depth >= 0);
+    if (a.depth >= 0) {
+      ASSERT_NEAR(a.depth, b.depth, 1e-3f);
+    }
+  }
+}
+
+TEST(HullTables, OfABoxAreTheBlock) {
+  const Vec3 half{2, 1, 0.5f};
+  const HullTables t = hullTables(boxCorners(half));
+  EXPECT_EQ(t.vertices.size(), 8u);
+  EXPECT_EQ(t.normals.size(), 6u);
+  EXPECT_EQ(t.edges.size(), 3u);
+  expectSameSolid(t, ShapeKind::block, half);
+}
+
+// The corners of a box that `keep` keeps make the solid of that kind, with five faces.
+void expectSolidOf(ShapeKind kind, const std::function<bool(Vec3)>& keep) {
+  const Vec3 half{2, 1, 1.5f};
+  std::vector<Vec3> corners;
+  for (const Vec3 p : boxCorners(half)) {
+    if (keep(p)) corners.push_back(p);
+  }
+  const HullTables t = hullTables(corners);
+  EXPECT_EQ(t.normals.size(), 5u);
+  expectSameSolid(t, kind, half);
+}
+
+TEST(HullTables, OfAWedgesCornersAreTheWedge) {
+  expectSolidOf(ShapeKind::wedge, [](Vec3 p) { return p.y < 0 || p.z > 0; });
+}
+
+TEST(HullTables, OfACornerWedgesCornersAreTheCornerWedge) {
+  expectSolidOf(ShapeKind::cornerWedge, [](Vec3 p) { return p.y < 0 || (p.x > 0 && p.z < 0); });
+}
+
+TEST(HullTables, IgnoreRepeatedAndInnerVertices) {
+  auto corners = boxCorners({1, 1, 1});
+  const auto again = corners;
+  corners.insert(corners.end(), again.begin(), again.end());
+  for (const Vec3 p : again) corners.push_back(p * 0.5f);
+  const HullTables t = hullTables(corners);
+  EXPECT_EQ(t.normals.size(), 6u);
+  EXPECT_EQ(t.edges.size(), 3u);
+}
+
+TEST(HullTables, OfFlatOrThinSetsAreEmpty) {
+  EXPECT_TRUE(hullTables({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, 1}}).normals.empty());
+  EXPECT_TRUE(hullTables({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}).normals.empty());
+  EXPECT_TRUE(hullTables({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}).normals.empty());
+}
+
+TEST(HullTables, FacesHoldAllVerticesAndTouchThree) {
+  Dice dice{Random(10, 0)};
+  for (int round = 0; round < 60; ++round) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < 4 + round % 20; ++i) points.push_back(dice.vec(3));
+    const HullTables t = hullTables(points);
+    ASSERT_EQ(t.normals.size(), t.offsets.size());
+    ASSERT_GE(t.normals.size(), 4u);
+    for (size_t f = 0; f < t.normals.size(); ++f) {
+      int on = 0;
+      for (const Vec3 p : points) {
+        ASSERT_LE(dot(t.normals[f], p), t.offsets[f] + 2e-3f);
+        on += dot(t.normals[f], p) > t.offsets[f] - 2e-3f;
+      }
+      ASSERT_GE(on, 3);
+    }
+  }
+}
+
+TEST(HullTables, OfManyVerticesOnASphereAreNearlyTheBall) {
+  Dice dice{Random(11, 0)};
+  std::vector<Vec3> points;
+  for (size_t i = 0; i < 120; ++i) points.push_back(normalize(dice.vec(1)) * 2);
+  const HullTables t = hullTables(points);
+  EXPECT_TRUE(t.edges.empty()) << "faces alone describe a nearly round hull";
+  for (const float offset : t.offsets) {
+    EXPECT_LE(offset, 2.001f);
+    EXPECT_GT(offset, 1.5f);
+  }
+}
+
+TEST(CompiledHulls, FlatOnesAreLeftOutAndBoundsHoldTheRest) {
+  support::LevelBuilder b;
+  b.part([](auto p) {
+    p.setShape(schema::Shape::HULL);
+    support::set(p.initPosition(), {10, 0, 0});
+    auto hulls = p.initHulls(2);
+    auto flat = hulls[0].initVertices(4), solid = hulls[1].initVertices(8);
+    for (uint32_t i = 0; i < 4; ++i) support::set(flat[i], {float(i & 1), 0, float(i >> 1)});
+    const auto corners = boxCorners({1, 2, 3});
+    for (uint32_t i = 0; i < 8; ++i) support::set(solid[i], corners[i] + Vec3{0, 4, 0});
+  });
+  const Level level = b.compile();
+  ASSERT_EQ(level.view().colliderCount, 1u);
+  const Box box = level.view().bounds[0];
+  EXPECT_TRUE(box.lo.x <= 9 && box.hi.x >= 11 && box.hi.y >= 6 && box.hi.z >= 3);
+}
+
+}  // namespace
+}  // namespace obby::level

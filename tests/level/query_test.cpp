@@ -1,0 +1,133 @@
+// Query records to regions and limits: where play starts, and what is refused.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/level_builder.h"
+
+namespace obby::level {
+namespace {
+
+using support::set;
+using QuerySetter = std::function<void(schema::Query::Builder)>;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+Level arena() {
+  support::LevelBuilder b;
+  b.block({0, 0, 0}, {10, 1, 10}).spawn({1, 2, 3}, 0.5f).spawn({4, 5, 6}, 1.5f);
+  return b.compile();
+}
+
+Result<Query> compile(const QuerySetter& setter, const Level& level = arena()) {
+  capnp::MallocMessageBuilder message;
+  auto record = message.initRoot<schema::Query>();
+  set(record.initGoal().initPosition(), {0, 1, 0});
+  setter(record);
+  return Query::compile(record.asReader(), level);
+}
+
+void expectRefused(const QuerySetter& setter, const std::string& path, const std::string& words) {
+  const auto query = compile(setter);
+  ASSERT_FALSE(bool(query)) << path;
+  EXPECT_EQ(query.error().path, path);
+  EXPECT_NE(query.error().message.find(words), std::string::npos) << query.error().text();
+}
+
+TEST(QueryStart, IsTheFirstSpawnWhereNothingIsSaid) {
+  const Query q = *compile([](auto) {});
+  EXPECT_TRUE(q.start().feet == (Vec3{1, 2, 3}));
+  EXPECT_EQ(q.start().yaw, 0.5f);
+}
+
+TEST(QueryStart, IsTheNamedSpawnAtTheNamedTick) {
+  const Query q = *compile([](auto r) { r.initStart().setSpawn(1), r.getStart().setTick(77); });
+  EXPECT_TRUE(q.start().feet == (Vec3{4, 5, 6}));
+  EXPECT_EQ(q.start().tick, 77u);
+  EXPECT_EQ(q.view().startTick, 77u);
+}
+
+TEST(QueryStart, IsTheCentreOfTheRegionsFloor) {
+  const auto at = [](Quat rotation) {
+    return compile([=](schema::Query::Builder r) {
+             auto region = r.initStart().initRegion();
+             set(region.initPosition(), {10, 20, 30});
+             set(region.initSize(), {2, 8, 4});
+             auto q = region.initRotation();
+             q.setX(rotation.x), q.setY(rotation.y), q.setZ(rotation.z), q.setW(rotation.w);
+             r.getStart().setYaw(2);
+           })
+        ->start();
+  };
+  EXPECT_TRUE(at({}).feet == (Vec3{10, 16, 30}));
+  EXPECT_EQ(at({}).yaw, 2.0f);
+  EXPECT_NEAR(at({0, 1, 0, 1}).feet.y, 16, 1e-4f);
+  EXPECT_NEAR(at({1, 0, 0, 1}).feet.y, 18, 1e-4f);  // lying: Z is up
+  EXPECT_NEAR(at({0, 0, 1, 1}).feet.y, 19, 1e-4f);  // lying: X is up
+}
+
+TEST(QueryLimits, AreTicksAndCounts) {
+  const Query q = *compile([](schema::Query::Builder r) {
+    r.setId("a");
+    r.setMaxJumps(3);
+    r.setTimeLimit(2.5f);
+    auto waypoints = r.initWaypoints(2);
+    waypoints[0].initRegion();
+    waypoints[1].initRegion();
+    waypoints[1].setMaxJumps(1);
+    r.initAvoid(1);
+  });
+  EXPECT_EQ(q.id(), "a");
+  const QueryView v = q.view();
+  EXPECT_EQ(v.maxJumps, 3);
+  EXPECT_EQ(v.timeLimitTicks, 150u);
+  ASSERT_EQ(v.waypointCount, 2u);
+  EXPECT_EQ(v.waypoints[0].maxJumps, -1);
+  EXPECT_EQ(v.waypoints[1].maxJumps, 1);
+  EXPECT_EQ(v.avoidCount, 1u);
+  EXPECT_TRUE(v.goal.half == (Vec3{2, 2, 2}));
+}
+
+TEST(QueryLimits, ATimeLimitBeyondEveryPlaythroughIsFine) {
+  for (const float seconds : {1e8f, 1e12f, 1e30f}) {
+    EXPECT_GT(compile([=](auto r) { r.setTimeLimit(seconds); })->view().timeLimitTicks, 1u << 30);
+  }
+}
+
+TEST(QueryErrors, NameThePathAndTheExpectation) {
+  expectRefused([](auto r) { r.initStart().setSpawn(2); }, "start.spawn", "0 to 1, got 2");
+  expectRefused([](auto r) { r.disownGoal(); }, "goal", "needs a goal");
+  expectRefused([](auto r) { set(r.getGoal().initSize(), {1, 0, 1}); }, "goal.size", "above 0");
+  expectRefused(
+      [](auto r) {
+        set(r.getGoal().initPosition(), {kNan, 0, 0});
+      },
+      "goal.position", "three numbers");
+  expectRefused([](auto r) { r.getGoal().initRotation().setW(0); }, "goal.rotation", "not zero");
+  expectRefused([](auto r) { r.initWaypoints(1); }, "waypoints[0].region", "needs a region");
+  expectRefused(
+      [](auto r) {
+        set(r.initAvoid(2)[1].initSize(), {-1, 1, 1});
+      },
+      "avoid[1].size", "above 0");
+  expectRefused([](auto r) { r.initWaypoints(256); }, "waypoints", "at most 255");
+  expectRefused([](auto r) { r.setTimeLimit(-1); }, "timeLimit", "seconds");
+  expectRefused([](auto r) { r.setTimeLimit(kNan); }, "timeLimit", "seconds");
+  expectRefused([](auto r) { r.setTimeLimit(0.01f); }, "timeLimit", "one tick");
+  for (const float yaw : {kNan, 1e30f}) {
+    expectRefused([=](auto r) { r.initStart().initRegion(), r.getStart().setYaw(yaw); },
+                  "start.yaw", "radians");
+  }
+}
+
+TEST(QueryErrors, ALevelWithoutSpawnNeedsAStartRegion) {
+  support::LevelBuilder b;
+  const auto query = compile([](auto) {}, b.block({0, 0, 0}, {1, 1, 1}).compile());
+  ASSERT_FALSE(bool(query));
+  EXPECT_EQ(query.error().path, "start");
+  EXPECT_NE(query.error().message.find("no spawn"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace obby::level
