@@ -124,13 +124,15 @@ void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
   json.open('{').field("kind", kKinds[size_t(path.kind)]).field("index", record.getIndex());
   json.field("outcome", enumName(told ? record.getOutcome() : play.outcome));
   json.field("part", told ? record.getPart() : play.part).field("ticks", play.ticks());
-  json.field("jumps", play.jumps).field("startTick", record.getStartTick());
+  json.field("jumps", play.jumps()).field("startTick", record.getStartTick());
   json.field("stride", stride);
   if (!play.mismatch.empty()) json.field("mismatch", play.mismatch);
   json.key("position").array(thinned(play.feet, stride));
   json.key("yaw").array(thinned(play.yaw, stride));
   json.key("state").array(thinned(play.state, stride)).key("runs").array(runsOf(record));
-  json.key("events").open('[');
+  json.key("jumpTicks").open('[');
+  for (const uint32_t tick : play.jumpTicks) json.value(tick);
+  json.close().key("events").open('[');
   for (const PartEvent& event : play.events) {
     json.open('[').value(event.tick).value(event.part).value(event.solid ? 1 : 0).close();
   }

@@ -99,11 +99,13 @@ Result<Playback> playBack(const level::Level& level, const level::Query* query,
     out.state.push_back(
         uint8_t((airborne ? kAirborne : 0) | (world.state == sim::State::dead ? kDead : 0)));
   }
+  for (uint32_t tick = 1; tick < worlds.size(); ++tick) {
+    if (worlds[tick].jumps > worlds[tick - 1].jumps) out.jumpTicks.push_back(tick);
+  }
   const sim::World& last = worlds.back();
   out.events = eventsOf(worlds, level.view());
   out.outcome = schema::Outcome(uint16_t(last.outcome));
   out.part = last.part == level::kNone ? -1 : int32_t(last.part);
-  out.jumps = last.jumps;
   out.mismatch = compare(out, last, record, query != nullptr);
   return out;
 }

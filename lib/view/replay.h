@@ -29,12 +29,13 @@ struct Playback {
   std::vector<uint16_t> yaw;
   std::vector<uint8_t> state;
   std::vector<PartEvent> events;
+  std::vector<uint32_t> jumpTicks;  // at which a jump was made
   schema::Outcome outcome = schema::Outcome::RUNNING;
   int32_t part = -1;  // that killed the player
-  uint32_t jumps = 0;
   // How the replay differs from the record; empty: it agrees in all that the record states.
   std::string mismatch;
 
+  uint32_t jumps() const { return uint32_t(jumpTicks.size()); }
   uint32_t ticks() const { return uint32_t(feet.size()) - 1; }
 };
 

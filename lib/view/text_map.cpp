@@ -19,7 +19,7 @@ namespace {
 constexpr size_t kMostColumns = 110, kMostRows = 36;
 constexpr float kAround = 6;  // studs of surroundings
 
-constexpr Ink kPart{'#', "░", {84, 92, 106}}, kKill{'x', "▒", {214, 60, 64}},
+constexpr Ink kPart{':', "░", {84, 92, 106}}, kKill{'x', "▒", {214, 60, 64}},
     kMoving{'~', "~", {164, 139, 250}}, kStart{'S', "S", {53, 196, 141}},
     kGoal{'G', "G", {63, 140, 255}}, kAvoid{'-', "╌", {150, 80, 140}},
     kWaypoint{'o', "o", {200, 160, 70}}, kSolution{'*', "●", {255, 225, 140}},
@@ -30,7 +30,6 @@ Ink inkOf(Role role) {
   switch (role) {
     case Role::kill: return kKill;
     case Role::goal: return kGoal;
-    case Role::start: return kStart;
     case Role::moving: return kMoving;
     case Role::vanish:
     case Role::conveyor:
@@ -136,6 +135,15 @@ void outline(Raster& raster, schema::Region::Reader region, Frame frame, const I
   for (size_t i = 0; i < hull.size(); ++i) raster.line(hull[i], hull[(i + 1) % hull.size()], ink);
 }
 
+// Attempts lie under the parts, or many of them would hide the course.
+void drawAttempts(Raster& raster, const QueryEntry& query, Frame frame) {
+  for (const PathEntry& path : query.paths) {
+    if (path.kind == PathKind::solution) continue;
+    drawPath(raster, path.playback, frame, kAttempt);
+    raster.dot(frame.of(path.playback.feet.back()), kEnd);
+  }
+}
+
 void drawQuery(Raster& raster, const QueryEntry& query, Frame frame) {
   if (query.query) {
     for (const auto region : query.reader().getAvoid()) outline(raster, region, frame, kAvoid);
@@ -144,10 +152,8 @@ void drawQuery(Raster& raster, const QueryEntry& query, Frame frame) {
     }
     outline(raster, query.reader().getGoal(), frame, kGoal);
   }
-  for (auto path = query.paths.rbegin(); path != query.paths.rend(); ++path) {
-    const bool solution = path->kind == PathKind::solution;
-    drawPath(raster, path->playback, frame, solution ? kSolution : kAttempt);
-    if (!solution) raster.dot(frame.of(path->playback.feet.back()), kEnd);
+  for (const PathEntry& path : query.paths) {
+    if (path.kind == PathKind::solution) drawPath(raster, path.playback, frame, kSolution);
   }
   if (query.compiled) raster.dot(frame.of(query.compiled->start().feet), kStart);
 }
@@ -188,6 +194,7 @@ std::string queryMap(const Report& report, const QueryEntry& query,
   const Vec2 a = frame.of(extent.lo), b = frame.of(extent.hi);
   Raster raster({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)},
                 std::min(terminal.width, kMostColumns), kMostRows, terminal);
+  drawAttempts(raster, query, frame);
   drawParts(raster, level, frame, extent);
   drawQuery(raster, query, frame);
   return fmt::format("{}, from above, {:.3g} studs a column; {} points right\n{}{}",

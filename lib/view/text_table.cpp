@@ -12,7 +12,7 @@ namespace obby::view {
 namespace {
 
 constexpr size_t kColumns = 8;
-constexpr size_t kLeastReason = 16;
+constexpr size_t kLeastReason = 40;  // columns; with less, reasons get lines of their own
 constexpr size_t kMostName = 28;
 using Row = std::array<std::string, kColumns>;
 
@@ -95,7 +95,7 @@ std::string queryTable(const Report& report, const TerminalTraits& terminal) {
     }
     if (c + 1 < kColumns) used += widths[c] + 2;
   }
-  const size_t room = terminal.width > used + kLeastReason ? terminal.width - used : kLeastReason;
+  const bool beside = terminal.width >= used + kLeastReason;
   std::string out;
   const auto line = [&](const Row& row, const QueryEntry* query) {
     std::string text;
@@ -104,9 +104,11 @@ std::string queryTable(const Report& report, const TerminalTraits& terminal) {
       text += c == 1 && query ? colored(cell, verdictOf(*query).color, terminal) : cell;
       text += "  ";
     }
-    text += fitted(row[kColumns - 1], room, !terminal.utf8);
+    if (beside) text += fitted(row.back(), terminal.width - used, !terminal.utf8);
     text.erase(text.find_last_not_of(' ') + 1);
     out += text + "\n";
+    if (beside || !query) return;
+    out += "  " + fitted(row.back(), terminal.width - 2, !terminal.utf8) + "\n";
   };
   Row heads;
   std::copy(std::begin(kHeads), std::end(kHeads), heads.begin());

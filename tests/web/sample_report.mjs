@@ -1,6 +1,7 @@
 // A made-up report for the page's tests: every shape, role and outcome, hand-drawn trajectories. Nothing here comes from
 // the simulator. Usage: node sample_report.mjs PAGE_TEMPLATE OUTPUT
 import { readFileSync, writeFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 
 const encode = (array) => Buffer.from(array.buffer).toString('base64');
 const f32 = (values) => encode(Float32Array.from(values));
@@ -66,7 +67,7 @@ function trajectory(kind, index, outcome, { stop = 1, drift = 0, seed = 0, kille
   return {
     kind, index, outcome, part: killer, ticks: last, jumps: Math.ceil(last / 45), waypoints: 0, startTick: 0, stride: 1,
     position: f32(points), yaw: encode(Uint16Array.from(yaw)), state: encode(Uint8Array.from(state)),
-    runs: encode(Uint16Array.from(runs)), events: kind === 'solution' ? [[470, glass, 0], [520, glass, 1]] : [], mismatch,
+    jumpTicks: Array.from({ length: Math.ceil(last / 45) }, (_, leg) => leg * 45), runs: encode(Uint16Array.from(runs)), events: kind === 'solution' ? [[470, glass, 0], [520, glass, 1]] : [], mismatch,
   };
 }
 
@@ -134,6 +135,6 @@ export function fillTemplate(template, data, title) {
   return template.replace('@@OBBY_TITLE@@', () => title).replace('@@OBBY_DATA@@', () => json);
 }
 
-if (process.argv[3]) {
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
   writeFileSync(process.argv[3], fillTemplate(readFileSync(process.argv[2], 'utf8'), report, report.title));
 }

@@ -110,20 +110,6 @@ class Path {
     return actionAt(this.runs, Math.floor(tick));
   }
 
-  // Ticks at which jump is pressed anew.
-  jumpTicks() {
-    const ticks = [];
-    let at = 0;
-    let held = false;
-    for (let i = 0; i + 2 < this.runs.length; i += 3) {
-      const jump = (this.runs[i + 1] & 2) !== 0;
-      if (jump && !held) ticks.push(at);
-      held = jump;
-      at += this.runs[i];
-    }
-    return ticks;
-  }
-
   end() {
     const k = 3 * (this.samples - 1);
     return [this.points[k], this.points[k + 1], this.points[k + 2]];

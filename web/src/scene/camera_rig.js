@@ -13,6 +13,7 @@ export class CameraRig {
     this.keys = new Set();
     this.flySpeed = 40;
     this.drag = null;
+    this.free = 1; // share of the width that no panel covers
     this.onUserMove = () => {};
     this.listen(canvas);
   }
@@ -95,6 +96,25 @@ export class CameraRig {
     Object.assign(this.goal, view);
     this.goal.target.copy(centre);
     this.goal.distance = Math.max(4, (radius / fit) * 1.08);
+    if (atOnce) this.settle();
+  }
+
+  // Puts a box in view, as near as its corners allow.
+  frameBox(box, { yaw, pitch }, atOnce = false) {
+    const centre = box.getCenter(new Vector3());
+    const forward = this.forwardOf({ yaw, pitch });
+    const right = new Vector3(Math.cos(yaw), 0, -Math.sin(yaw));
+    const up = right.clone().cross(forward);
+    const tall = Math.tan(MathUtils.degToRad(this.camera.fov / 2)) * 0.86;
+    const wide = tall * this.camera.aspect * this.free;
+    let distance = 8;
+    for (let corner = 0; corner < 8; corner++) {
+      const at = new Vector3(...['x', 'y', 'z'].map((k, i) => (corner & (1 << i) ? box.max[k] : box.min[k]))).sub(centre);
+      const near = -at.dot(forward);
+      distance = Math.max(distance, near + Math.abs(at.dot(right)) / wide, near + Math.abs(at.dot(up)) / tall);
+    }
+    this.frame(centre, 1, { yaw, pitch }, false);
+    this.goal.distance = distance;
     if (atOnce) this.settle();
   }
 

@@ -62,6 +62,8 @@ export class LevelView {
     mesh.frustumCulled = mobility === 'still';
     mesh.renderOrder = look === 'translucent' ? 1 : 0;
     mesh.userData.parts = parts;
+    mesh.castShadow = look === 'opaque' && shape !== 'truss';
+    mesh.receiveShadow = true;
     const attribute = (name, width) => geometry.setAttribute(name,
       new InstancedBufferAttribute(new Float32Array(parts.length * width), width));
     attribute('aPattern', 1);
@@ -103,7 +105,7 @@ export class LevelView {
       own.setRGB(look[4 * part] / 255, look[4 * part + 1] / 255, look[4 * part + 2] / 255, 'srgb');
       const role = this.roleOf(part);
       if (mode === 'level') color.copy(own);
-      else if (role === 'plain') color.copy(own).lerp(kNeutral, 0.78);
+      else if (role === 'plain') color.copy(own).lerp(kNeutral, 0.68);
       else color.set(ROLE_STYLE[role].color);
       for (const { mesh, at } of this.slots[part]) mesh.setColorAt(at, color);
     }

@@ -1,7 +1,7 @@
 // The 3D stage: level, regions, trajectories, player, light and ground, redrawn when something changed.
 import {
-  Box3, Color, DirectionalLight, Fog, GridHelper, Group, HemisphereLight, Line, BufferGeometry, Float32BufferAttribute,
-  LineDashedMaterial, Scene, Vector3, WebGLRenderer,
+  Box3, DirectionalLight, Fog, GridHelper, Group, HemisphereLight, Line, BufferGeometry, Float32BufferAttribute,
+  LineDashedMaterial, PCFShadowMap, Scene, Vector3, WebGLRenderer,
 } from 'three';
 import { ROLE_STYLE } from '../palette.js';
 import { Avatar } from './avatar.js';
@@ -12,22 +12,29 @@ import { PathView } from './path_view.js';
 import { pickPart, pickPath } from './picking.js';
 import { RegionView } from './regions.js';
 
-const kBackground = '#12151c';
+const kHaze = '#141821';
+const kPanelWidth = 210; // pixels that the legend covers on the right
 const kAirborne = 1; // bit of a sample's state
+const kMostShadowed = 4000; // parts; larger levels do without shadows
+const kSun = new Vector3(0.42, 1, 0.28);
 
 export class Stage {
   constructor(canvas) {
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.scene = new Scene();
-    this.scene.background = new Color(kBackground);
+    this.renderer.setClearAlpha(0); // the page's own gradient lies behind
     this.rig = new CameraRig(canvas);
-    const sun = new DirectionalLight('#fff4e0', 2.1);
-    sun.position.set(0.45, 1, 0.3);
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.sun = new DirectionalLight('#fff4e0', 2.2);
+    this.sun.castShadow = true;
+    this.sun.shadow.mapSize.set(2048, 2048);
+    this.sun.shadow.bias = -0.0006;
+    this.sun.shadow.normalBias = 0.06;
     const rim = new DirectionalLight('#8fb0ff', 0.7);
     rim.position.set(-0.6, 0.35, -0.7);
-    this.scene.add(new HemisphereLight('#dfe8ff', '#2a2c36', 1.35), sun, rim);
+    this.scene.add(new HemisphereLight('#dfe8ff', '#2a2c36', 1.15), this.sun, this.sun.target, rim);
     this.bounds = new Box3();
   }
 
@@ -41,11 +48,13 @@ export class Stage {
     this.levelView = new LevelView(level);
     this.avatar = new Avatar(level.body);
     this.avatar.group.visible = false;
+    this.renderer.shadowMap.enabled = level.count <= kMostShadowed;
+    this.avatar.group.traverse((node) => { node.castShadow = true; });
     this.measure(level);
     const size = Math.max(64, Math.ceil(this.radius / 32) * 128);
-    this.grid = new GridHelper(size, Math.min(200, size / 8), '#2a303c', '#1c212b');
+    this.grid = new GridHelper(size, Math.min(200, size / 8), '#262c38', '#1a1f28');
     this.grid.position.set(this.centre.x, this.bounds.min.y - 4, this.centre.z);
-    this.scene.fog = new Fog(kBackground, this.radius * 4, this.radius * 14);
+    this.scene.fog = new Fog(kHaze, this.radius * 4, this.radius * 14);
     this.motionPaths = this.pathsOfMotion(level);
     this.scene.add(this.levelView.group, this.avatar.group, this.grid, this.motionPaths);
   }
@@ -104,16 +113,28 @@ export class Stage {
 
   frameQuery(atOnce) {
     const box = this.queryBox();
+    this.light(box);
     const size = box.getSize(new Vector3());
-    // Look along the shorter side, so that the course runs across the screen.
-    const yaw = size.x >= size.z ? 0.45 : Math.PI / 2 - 0.45;
-    this.rig.frame(box.getCenter(new Vector3()), Math.max(6, size.length() / 2) * 0.92, { yaw, pitch: -0.52 }, atOnce);
+    // Look along the shorter side, so that the course runs across the screen, away from the player.
+    const yaw = size.x >= size.z ? 0.55 : Math.PI / 2 - 0.55;
+    this.rig.frameBox(box, { yaw, pitch: -0.52 }, atOnce);
   }
 
   frameTop() {
     const box = this.queryBox();
     const size = box.getSize(new Vector3());
-    this.rig.frame(box.getCenter(new Vector3()), size.length() / 2, { yaw: 0, pitch: -1.549 });
+    this.rig.frameBox(box, { yaw: size.x >= size.z ? 0 : Math.PI / 2, pitch: -1.549 });
+  }
+
+  // The shadow map covers the course, not the whole level, so that it stays sharp.
+  light(box) {
+    const centre = box.getCenter(new Vector3());
+    const reach = Math.max(20, (box.getSize(new Vector3()).length() / 2) * 1.25);
+    this.sun.target.position.copy(centre);
+    this.sun.position.copy(centre).addScaledVector(kSun, reach * 2);
+    const eye = this.sun.shadow.camera;
+    [eye.left, eye.right, eye.bottom, eye.top, eye.near, eye.far] = [-reach, reach, -reach, reach, 0.1, reach * 5];
+    eye.updateProjectionMatrix();
   }
 
   visibleOf(state) {
@@ -134,6 +155,10 @@ export class Stage {
     [this.width, this.height] = [clientWidth, clientHeight];
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.rig.camera.aspect = clientWidth / Math.max(1, clientHeight);
+    // The middle of the picture is the middle of what the legend leaves free.
+    const covered = clientWidth > 900 ? kPanelWidth : 0;
+    this.rig.free = 1 - covered / clientWidth;
+    this.rig.camera.setViewOffset(clientWidth, clientHeight, covered / 2, 0, clientWidth, clientHeight);
   }
 
   showTick(path, tick) {

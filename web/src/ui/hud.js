@@ -31,6 +31,6 @@ export class Hud {
     const pose = path.poseAt(tick);
     this.speed.textContent = (Math.hypot(...pose.perTick) * tickRate).toFixed(1);
     this.height.textContent = pose.y.toFixed(1);
-    this.jumps.textContent = String(path.jumpTicks().filter((at) => at <= tick).length);
+    this.jumps.textContent = String(path.jumpTicks.filter((at) => at <= tick).length);
   }
 }

@@ -1,6 +1,6 @@
 // The floating panel on the right: legend of the roles that this level has, what is shown, and the chosen part.
 import { ROLES } from '../data.js';
-import { OUTCOME_STYLE, ROLE_STYLE, SOLUTION_COLOR } from '../palette.js';
+import { OUTCOME_STYLE, ROLE_STYLE, SOLUTION_COLOR, VERDICT_STYLE } from '../palette.js';
 import { el } from './dom.js';
 
 export class ScenePanel {
@@ -40,10 +40,13 @@ export class ScenePanel {
       this.legend.append(el('div', {}, el('i', { class: `chip role-${role}`, style: { '--tint': ROLE_STYLE[role].color } }),
         el('span', { text: ROLE_STYLE[role].label }), el('small', { text: String(counts.get(code)) })));
     });
-    const outcomes = new Set((this.queryOf()?.paths ?? []).map((path) => path.outcome));
+    const paths = this.queryOf()?.paths ?? [];
+    const outcomes = new Set(paths.filter((path) => !path.mismatch).map((path) => path.outcome));
+    const mismatch = paths.some((path) => path.mismatch);
     const line = (label, tint, kind) => el('div', {}, el('i', { class: `swatch ${kind}`, style: { '--tint': tint } }), el('span', { text: label }));
-    if (outcomes.size) this.legend.append(el('hr'));
+    if (paths.length) this.legend.append(el('hr'));
     if (outcomes.has('goal')) this.legend.append(line('Solution', SOLUTION_COLOR, 'solution'));
+    if (mismatch) this.legend.append(line(VERDICT_STYLE.mismatch.label, VERDICT_STYLE.mismatch.color, 'solution'));
     for (const [outcome, style] of Object.entries(OUTCOME_STYLE)) {
       if (outcome !== 'goal' && outcomes.has(outcome)) this.legend.append(line(style.label, style.color, 'attempt'));
     }

@@ -82,8 +82,8 @@ export class Sidebar {
 
   verdict(query) {
     const style = VERDICT_STYLE[verdictOf(query)];
-    const reason = verdictOf(query) === 'mismatch'
-      ? 'A recorded solution does not replay to the same end. Do not trust it.' : query.result?.reason;
+    const broken = query.paths.find((path) => path.mismatch && path.kind === 'solution');
+    const reason = broken ? `A recorded solution does not hold: ${broken.mismatch}.` : query.result?.reason;
     return [el('h2', { class: 'verdict', text: style.label, style: { '--tint': style.color } }),
       el('p', { class: 'reason', text: reason ?? '', hidden: !reason })];
   }

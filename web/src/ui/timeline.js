@@ -64,7 +64,7 @@ export class Timeline {
     this.plot.append(
       svg('path', { d: `M0 100${line}L1000 100Z`, fill: tint, 'fill-opacity': '0.14' }),
       svg('path', { d: `M${line.slice(1)}`, fill: 'none', stroke: tint, 'stroke-opacity': '0.75', 'stroke-width': '1.5', 'vector-effect': 'non-scaling-stroke' }),
-      ...path.jumpTicks().map((tick) => svg('path', { d: `M${x(tick)} 100V88`, stroke: '#e8ecf4', 'stroke-opacity': '0.7', 'stroke-width': '1.5', 'vector-effect': 'non-scaling-stroke' })));
+      ...path.jumpTicks.map((tick) => svg('path', { d: `M${x(tick)} 100V88`, stroke: '#e8ecf4', 'stroke-opacity': '0.7', 'stroke-width': '1.5', 'vector-effect': 'non-scaling-stroke' })));
   }
 
   showTime() {

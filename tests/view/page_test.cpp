@@ -1,0 +1,142 @@
+// The page holds the data, whole and harmless.
+#include "view/page.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "course.h"
+#include "view/budget.h"
+#include "view/json_text.h"
+#include "view/page_template.h"
+#include "view/roles.h"
+#include "view/tracks.h"
+
+namespace obby::view_test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(JsonText, WritesNestedValuesAndBase64) {
+  view::JsonText json;
+  json.open('{').field("a", 1).field("b", true).key("c").open('[').value(0.5f).null().close();
+  json.key("d").array(std::vector<uint8_t>{1, 2, 3, 255}).field("e", "x\"\\\n").close();
+  EXPECT_EQ(json.text(), R"({"a":1,"b":true,"c":[0.5,null],"d":"AQID/w==","e":"x\"\\\n"})");
+}
+
+TEST(JsonText, BrokenUtf8AndMarkupCannotLeaveTheString) {
+  view::JsonText json;
+  json.open('[').value(std::string_view("\xff</script>\xc3\xa9\xe2\x80\xa8")).close();
+  EXPECT_EQ(json.text(), "[\"\xef\xbf\xbd\\u003c/script>\xc3\xa9\\u2028\"]");
+}
+
+TEST(JsonText, NumbersThatAreNotFiniteAreNull) {
+  view::JsonText json;
+  json.open('[').value(std::nanf("")).value(double(INFINITY)).close();
+  EXPECT_EQ(json.text(), "[null,null]");
+}
+
+TEST(Page, DataNamesLevelQueryAndTrajectories) {
+  const std::string data = view::pageData(solvedReport(), {false, "obby-view test"});
+  EXPECT_THAT(data, HasSubstr(R"("id":"ahead")"));
+  EXPECT_THAT(data, HasSubstr(R"("verdict":"solved")"));
+  EXPECT_THAT(data, HasSubstr(R"("kind":"solution")"));
+  EXPECT_THAT(data, HasSubstr(R"("outcome":"killed","part":1)"));
+  EXPECT_THAT(data, HasSubstr("Workspace/Rock"));
+  EXPECT_THAT(data, HasSubstr(R"("name":"middle")"));
+  EXPECT_THAT(data, Not(HasSubstr("</script>")));
+  EXPECT_THAT(data, Not(HasSubstr("mismatch")));
+}
+
+TEST(Page, MismatchIsShown) {
+  auto path = walk(kAhead, 200);
+  path.root().getTrajectory().setStateHash(1);
+  auto report = collect({kLevel, kQuery, line(path), resultLine("solved", 80)});
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_THAT(view::pageData(*report, {}), HasSubstr(R"("mismatch":"the last state differs)"));
+}
+
+TEST(Page, HoldsDataOnceAndEscapesTheTitle) {
+  if (!view::pageAvailable()) GTEST_SKIP() << "BUILT WITHOUT THE VIEWER PAGE (npm): not tested";
+  const auto page = view::htmlPage(solvedReport(), {});
+  ASSERT_TRUE(page) << page.error().text();
+  EXPECT_THAT(*page, HasSubstr("<title>Course &lt;/script&gt;&lt;b&gt;</title>"));
+  EXPECT_THAT(*page, Not(HasSubstr("@@OBBY_")));
+  EXPECT_THAT(*page, HasSubstr(R"("id":"ahead")"));
+  EXPECT_THAT(*page, HasSubstr("default-src 'none'"));
+  EXPECT_THAT(*page, Not(HasSubstr("<script src")));
+}
+
+TEST(Page, MarkersInNamesStayText) {
+  if (!view::pageAvailable()) GTEST_SKIP() << "BUILT WITHOUT THE VIEWER PAGE (npm): not tested";
+  std::string level = kLevel;
+  level.replace(level.find("Course </script><b>"), 19, "@@OBBY_DATA@@");
+  auto report = collect({level});
+  ASSERT_TRUE(report) << report.error().text();
+  const auto page = view::htmlPage(*report, {});
+  ASSERT_TRUE(page) << page.error().text();
+  EXPECT_THAT(*page, HasSubstr("<title>@@OBBY_DATA@@</title>"));
+  EXPECT_THAT(*page, HasSubstr(R"("title":"@@OBBY_DATA@@")"));
+}
+
+TEST(Page, WithoutTheBundleSaysHowToGetIt) {
+  if (view::pageAvailable()) {
+    EXPECT_THAT(view::pageMissing().hint, HasSubstr("npm"));
+  } else {
+    const auto page = view::htmlPage(solvedReport(), {});
+    ASSERT_FALSE(page);
+    EXPECT_THAT(page.error().text(), HasSubstr("npm"));
+  }
+}
+
+TEST(Budget, ThinsAttemptsBeforeAnythingElse) {
+  const view::Report report = solvedReport();
+  const view::Budget roomy = view::budgetFor(report, view::kPageTarget);
+  EXPECT_EQ(roomy.attemptStride, 1u);
+  EXPECT_TRUE(roomy.notes.empty());
+  const view::Budget tight = view::budgetFor(report, 20000);
+  EXPECT_GT(tight.attemptStride, 1u);
+  EXPECT_FALSE(tight.notes.empty());
+}
+
+TEST(Roles, GravestRoleWinsAndTheStartIsFoundUnderTheSpawn) {
+  const io::Record level = recordOf(kLevel);
+  EXPECT_THAT(view::rolesOf(level.reader().getLevel()),
+              ::testing::ElementsAre(view::Role::start, view::Role::kill, view::Role::moving,
+                                     view::Role::moving, view::Role::plain));
+}
+
+TEST(Tracks, OneRoundOfEachMotionAtItsPoses) {
+  const view::Report report = solvedReport();
+  const auto& level = report.levels[0].level->view();
+  const auto tracks = view::tracksOf(level, 100000, 1);
+  ASSERT_EQ(tracks.size(), 2u);
+  const view::Track& lift = tracks[0];
+  EXPECT_EQ(lift.part, 2u);
+  EXPECT_EQ(lift.count, 120u);
+  EXPECT_EQ(lift.loopFrom, 0);
+  EXPECT_TRUE(lift.rotations.empty());
+  EXPECT_NEAR(lift.positions[1], 2, 1e-4);
+  EXPECT_NEAR(lift.positions[3 * 60 + 1], 8, 1e-4);
+  const view::Track& fan = tracks[1];
+  EXPECT_EQ(fan.part, 3u);
+  EXPECT_TRUE(fan.positions.empty());
+  // 3 rad/s about Y for 20 ticks: a rotation of 1 rad, so a half angle of 0.5.
+  EXPECT_NEAR(fan.rotations[4 * 20 + 1], std::sin(0.5f) * 32767, 40);
+  EXPECT_NEAR(fan.rotations[4 * 20 + 3], std::cos(0.5f) * 32767, 40);
+}
+
+TEST(Tracks, MotionLongerThanThePageIsCutAndStridesKeepItsTimes) {
+  const view::Report report = solvedReport();
+  const auto& level = report.levels[0].level->view();
+  const auto cut = view::tracksOf(level, 60, 1);
+  EXPECT_EQ(cut[0].count, 61u);
+  EXPECT_EQ(cut[0].loopFrom, -1);
+  const auto thinned = view::tracksOf(level, 100000, 4);
+  EXPECT_EQ(thinned[0].count, 30u);
+  EXPECT_NEAR(thinned[0].positions[3 * 15 + 1], 8, 1e-4);
+}
+
+}  // namespace
+}  // namespace obby::view_test

@@ -1,0 +1,130 @@
+// Which records come together, and what happens to those that cannot be shown.
+#include "view/report.h"
+
+#include <gmock/gmock.h>
+
+#include "course.h"
+
+namespace obby::view_test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+TEST(Report, AnswersBeforeTheirQueryBelongToIt) {
+  const view::Report report = solvedReport();
+  ASSERT_THAT(report.levels, SizeIs(1));
+  ASSERT_THAT(report.queries, SizeIs(1));
+  const view::QueryEntry& query = report.queries[0];
+  EXPECT_EQ(query.id, "ahead");
+  EXPECT_TRUE(query.compiled);
+  EXPECT_TRUE(query.result);
+  ASSERT_THAT(query.paths, SizeIs(3));
+  EXPECT_EQ(query.paths[0].kind, view::PathKind::solution);
+  EXPECT_FALSE(query.mismatch());
+}
+
+TEST(Report, ReplayGivesThePlaythroughTickByTick) {
+  const view::Report report = solvedReport();
+  const view::Playback& solution = report.queries[0].paths[0].playback;
+  EXPECT_EQ(solution.outcome, schema::Outcome::GOAL);
+  EXPECT_EQ(solution.ticks(), report.queries[0].answer().getTicks());
+  EXPECT_LT(solution.feet.back().z, -17);
+  EXPECT_EQ(solution.mismatch, "");
+  bool killed = false, fell = false;
+  for (const view::PathEntry& path : report.queries[0].paths) {
+    killed =
+        killed || (path.playback.outcome == schema::Outcome::KILLED && path.playback.part == 1);
+    fell =
+        fell || path.playback.outcome == schema::Outcome::FELL || path.playback.feet.back().y < -50;
+  }
+  EXPECT_TRUE(killed);
+  EXPECT_TRUE(fell);
+}
+
+TEST(Report, OtherStateHashIsAMismatch) {
+  auto path = walk(kAhead, 200);
+  auto record = path.root().getTrajectory();
+  record.setStateHash(record.getStateHash() ^ 1);
+  auto report = collect({kLevel, kQuery, line(path)});
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_TRUE(report->queries[0].mismatch());
+  EXPECT_THAT(report->queries[0].paths[0].playback.mismatch, HasSubstr("last state differs"));
+}
+
+TEST(Report, OtherOutcomeIsAMismatch) {
+  auto path = walk(kLeft, 300);
+  path.root().getTrajectory().setOutcome(schema::Outcome::GOAL);
+  auto report = collect({kLevel, kQuery, line(path)});
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_TRUE(report->queries[0].mismatch());
+  EXPECT_THAT(report->queries[0].paths[0].playback.mismatch, HasSubstr("recorded as goal"));
+}
+
+TEST(Report, OtherTicksAreAMismatch) {
+  auto path = walk(kAhead, 200);
+  auto record = path.root().getTrajectory();
+  record.setTicks(record.getTicks() + 1);
+  auto report = collect({kLevel, kQuery, line(path)});
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_THAT(report->queries[0].paths[0].playback.mismatch, HasSubstr("ticks"));
+}
+
+TEST(Report, QueryWithoutLevelIsAnErrorAtItsLevel) {
+  auto report = collect({kQuery});
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().path, "level");
+}
+
+TEST(Report, ForgivenRecordsAreLeftOutAndTheRestIsShown) {
+  std::vector<Error> errors;
+  auto path = walk(kAhead, 200);
+  path.root().getTrajectory().setLevel("elsewhere");
+  auto report = collect({kLevel, kQuery, line(path)}, &errors);
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_THAT(errors, SizeIs(1));
+  EXPECT_THAT(report->levels, SizeIs(1));
+}
+
+TEST(Report, SameLevelTwiceIsOneLevel) {
+  auto report = collect({kLevel, kQuery, kLevel, resultLine("unknown", 0)});
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_THAT(report->levels, SizeIs(1));
+  EXPECT_THAT(report->queries, SizeIs(1));
+}
+
+TEST(Report, LastProgressIsShownUntilThereIsASolution) {
+  auto best = walk(kAhead, 40);
+  const auto progress = [&](float closest) {
+    io::RecordBuilder builder;
+    auto p = builder.root().initProgress();
+    p.setQuery("ahead");
+    p.setClosest(closest);
+    p.setBest(best.reader().getTrajectory());
+    return line(builder);
+  };
+  auto open = collect({kLevel, kQuery, progress(9), progress(5)});
+  ASSERT_TRUE(open) << open.error().text();
+  ASSERT_THAT(open->queries[0].paths, SizeIs(1));
+  EXPECT_EQ(open->queries[0].paths[0].kind, view::PathKind::progress);
+  auto solution = walk(kAhead, 200);
+  auto done = collect({kLevel, kQuery, progress(9), line(solution)});
+  ASSERT_TRUE(done) << done.error().text();
+  ASSERT_THAT(done->queries[0].paths, SizeIs(1));
+  EXPECT_EQ(done->queries[0].paths[0].kind, view::PathKind::solution);
+}
+
+TEST(Report, ChoosesQueriesById) {
+  std::string other = kQuery;
+  other.replace(other.find("ahead"), 5, "later");
+  auto report = collect({kLevel, kQuery, other}, nullptr, {"later"});
+  ASSERT_TRUE(report) << report.error().text();
+  ASSERT_THAT(report->queries, SizeIs(1));
+  EXPECT_EQ(report->queries[0].id, "later");
+  auto none = collect({kLevel, kQuery}, nullptr, {"never"});
+  ASSERT_FALSE(none);
+  EXPECT_THAT(none.error().message, HasSubstr("never"));
+}
+
+}  // namespace
+}  // namespace obby::view_test

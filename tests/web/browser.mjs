@@ -1,0 +1,59 @@
+// Opens a page in a headless browser and keeps count of what must not happen: errors, warnings, requests.
+import { createRequire } from 'node:module';
+import { resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const kFlags = [
+  '--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+  '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run',
+];
+
+export async function launch(webFolder, executablePath) {
+  const { chromium } = createRequire(resolve(webFolder, 'package.json'))('playwright-core');
+  return chromium.launch({ executablePath, headless: true, args: kFlags });
+}
+
+export async function openReport(browser, file, fragment = '') {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, offline: true });
+  const page = await context.newPage();
+  const trouble = [];
+  const requests = [];
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type())) trouble.push(`${message.type()}: ${message.text()}`);
+  });
+  page.on('pageerror', (error) => trouble.push(`exception: ${error.stack}`));
+  page.on('request', (request) => requests.push(request.url()));
+  await page.goto(pathToFileURL(file).href + fragment);
+  await page.waitForFunction(() => window.obby?.stage?.width > 0);
+  await frames(page, 3);
+  return { page, trouble, requests };
+}
+
+// Waits until the page has drawn a few times.
+export async function frames(page, count = 2) {
+  await page.evaluate((n) => new Promise((done) => {
+    const next = (left) => (left ? requestAnimationFrame(() => next(left - 1)) : done());
+    next(n);
+  }), count);
+}
+
+export const state = (page) => page.evaluate(() => ({ ...window.obby.store.state }));
+
+// How many different colours the 3D view shows, and the share of its most frequent one.
+export async function colours(page) {
+  return page.evaluate(() => {
+    window.obby.stage.render();
+    const view = document.getElementById('view');
+    const copy = document.createElement('canvas');
+    [copy.width, copy.height] = [320, 200];
+    const pen = copy.getContext('2d');
+    pen.drawImage(view, 0, 0, copy.width, copy.height);
+    const { data } = pen.getImageData(0, 0, copy.width, copy.height);
+    const counts = new Map();
+    for (let i = 0; i < data.length; i += 4) {
+      const key = `${data[i] >> 4},${data[i + 1] >> 4},${data[i + 2] >> 4},${data[i + 3] >> 6}`;
+      counts.set(key, (counts.get(key) ?? 0) + 1);
+    }
+    return { different: counts.size, share: Math.max(...counts.values()) / (data.length / 4) };
+  });
+}

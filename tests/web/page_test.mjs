@@ -1,0 +1,189 @@
+// The page as a reader meets it: opened from a file, looked at, clicked, played, scrubbed.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { colours, frames, launch, openReport, state } from './browser.mjs';
+import { fillTemplate, report } from './sample_report.mjs';
+
+const options = Object.fromEntries(
+  process.argv.slice(2).map((word, i, all) => [word.replace(/^--/, ''), all[i + 1]]).filter((_, i) => i % 2 === 0));
+mkdirSync(options.out, { recursive: true });
+const template = readFileSync(options.page, 'utf8');
+const sample = join(options.out, 'sample.html');
+writeFileSync(sample, fillTemplate(template, report, report.title));
+
+const tests = [];
+const test = (name, body) => tests.push({ name, body });
+
+test('opens without errors, warnings or requests, and shows a picture', async ({ page, trouble, requests }) => {
+  const seen = await colours(page);
+  assert.ok(seen.different > 40, `only ${seen.different} colours`);
+  assert.ok(seen.share < 0.97, `${seen.share} of the view is one colour`);
+  await page.screenshot({ path: join(options.out, 'page.png') });
+  assert.deepEqual(trouble, []);
+  assert.equal(requests.length, 1, requests.join());
+});
+
+test('lists queries with their verdicts and names as plain text', async ({ page }) => {
+  assert.equal(await page.locator('.query').count(), 4);
+  assert.match(await page.locator('#side').innerText(), /whole course[\s\S]*Unreachable[\s\S]*Unknown/);
+  assert.equal(await page.locator('.verdict').innerText(), 'Solved');
+  await page.evaluate(() => window.obby.store.set({ part: 14 }));
+  assert.match(await page.locator('.inspector').innerText(), /Glass <\/script><b>/);
+});
+
+test('a click in the list selects a trajectory', async ({ page }) => {
+  await page.locator('.path').nth(4).click();
+  assert.equal((await state(page)).path, 4);
+  assert.equal(await page.locator('.path[aria-selected=true]').count(), 1);
+});
+
+test('a click on a line in the view selects its trajectory', async ({ page }) => {
+  await page.evaluate(() => window.obby.store.set({ path: -1 }));
+  await frames(page, 3);
+  const at = await page.evaluate(() => {
+    const { stage } = window.obby;
+    const path = window.obby.query().paths[0];
+    const point = stage.rig.camera.position.clone().fromArray(path.points, 3 * 440);
+    point.y += 0.35;
+    point.project(stage.rig.camera);
+    const box = document.getElementById('view').getBoundingClientRect();
+    return { x: box.left + ((point.x + 1) / 2) * box.width, y: box.top + ((1 - point.y) / 2) * box.height };
+  });
+  await page.mouse.move(at.x, at.y);
+  await frames(page, 3);
+  assert.equal(await page.locator('#tip').isVisible(), true);
+  await page.mouse.click(at.x, at.y);
+  await frames(page);
+  const { path, tick } = await state(page);
+  assert.equal(path, 0);
+  assert.ok(Math.abs(tick - 440) < 25, `tick ${tick}`);
+});
+
+test('play moves the clock, the player and the moving parts; space stops it', async ({ page }) => {
+  await page.evaluate(() => window.obby.store.set({ tick: 0 }));
+  const where = () => page.evaluate(() => {
+    const { stage } = window.obby;
+    return [stage.avatar.group.position.z, stage.levelView.centreOf(4).x];
+  });
+  await frames(page, 3);
+  const before = await where();
+  await page.locator('.play').click();
+  await page.waitForFunction(() => window.obby.store.state.tick > 20);
+  await frames(page, 3);
+  const after = await where();
+  assert.ok(after[0] < before[0] - 0.5, `player ${before[0]} to ${after[0]}`);
+  assert.ok(Math.abs(after[1] - before[1]) > 0.5, `lift ${before[1]} to ${after[1]}`);
+  await page.locator('#view').focus();
+  await page.keyboard.press('Space');
+  assert.equal((await state(page)).playing, false);
+});
+
+test('scrubbing and stepping set the tick', async ({ page }) => {
+  const box = await page.locator('.scrub').boundingBox();
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  const { tick, path } = await state(page);
+  const ticks = await page.evaluate((i) => window.obby.query().paths[i].ticks, path);
+  assert.ok(Math.abs(tick - ticks / 2) < ticks / 20, `tick ${tick} of ${ticks}`);
+  await page.locator('#view').focus();
+  await page.keyboard.press('ArrowRight');
+  assert.equal((await state(page)).tick, Math.floor(tick) + 1);
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.press('ArrowLeft');
+  assert.equal((await state(page)).tick, Math.floor(tick) - 1);
+});
+
+test('toggles, help and colours answer to their keys', async ({ page }) => {
+  await page.keyboard.press('2');
+  await frames(page);
+  assert.equal(await page.evaluate(() => window.obby.stage.pathView.attempts.visible), false);
+  await page.keyboard.press('2');
+  await page.keyboard.press('c');
+  assert.equal((await state(page)).colors, 'level');
+  await page.keyboard.press('c');
+  await page.keyboard.press('?');
+  assert.equal(await page.locator('#help').isVisible(), true);
+  await page.screenshot({ path: join(options.out, 'help.png') });
+  await page.keyboard.press('?');
+  assert.equal(await page.locator('#help').isVisible(), false);
+});
+
+test('flying and wheel move the camera', async ({ page }) => {
+  const eye = () => page.evaluate(() => window.obby.stage.rig.camera.position.toArray());
+  const before = await eye();
+  await page.keyboard.down('w');
+  await page.waitForTimeout(300);
+  await page.keyboard.up('w');
+  await frames(page, 5);
+  const flown = await eye();
+  assert.ok(Math.hypot(...flown.map((v, i) => v - before[i])) > 1);
+  const distance = () => page.evaluate(() => window.obby.stage.rig.goal.distance);
+  const far = await distance();
+  await page.mouse.move(700, 300);
+  await page.mouse.wheel(0, -300);
+  await frames(page, 2);
+  assert.ok((await distance()) < far);
+});
+
+test('a query chosen in the list is shown; a mismatch is called one', async ({ page }) => {
+  await page.locator('.query').nth(3).click();
+  await frames(page, 3);
+  assert.equal(await page.locator('.verdict').innerText(), 'Replay mismatch');
+  assert.equal(await page.locator('.path.mismatch').count(), 1);
+  await page.screenshot({ path: join(options.out, 'mismatch.png') });
+});
+
+test('the address keeps query, trajectory and time', async ({ page, browser }) => {
+  await page.evaluate(() => window.obby.store.set({ query: 2 }));
+  await page.evaluate(() => window.obby.store.set({ path: 3, tick: 66 }));
+  await page.waitForFunction(() => location.hash.includes('t=1.100'));
+  const again = await openReport(browser, sample, await page.evaluate(() => location.hash));
+  const { query, path, tick } = await state(again.page);
+  assert.deepEqual([query, path, Math.round(tick)], [2, 3, 66]);
+  await again.page.context().close();
+});
+
+test('all of that raised no error and no request', async ({ trouble, requests }) => {
+  assert.deepEqual(trouble, []);
+  assert.equal(requests.length, 1, requests.join());
+});
+
+test('what obby-view writes opens, too', async ({ browser }) => {
+  const stream = join(options.out, 'level.jsonl');
+  const file = join(options.out, 'level.html');
+  const parts = Array.from({ length: 2000 }, (_, i) => ({
+    name: `Part ${i} </script>`, position: [(i % 50) * 6, (i * 7) % 13, Math.floor(i / 50) * 6], size: [4, 1, 4],
+    ...(i % 50 === 1 ? { kill: {} } : {}),
+    ...(i % 100 === 2 ? { motion: { spin: { speed: 2 } } } : {}),
+  }));
+  const records = [
+    { type: 'level', name: 'Two thousand', spawns: [{ name: 'start', position: [0, 0.5, 0] }], parts },
+    { type: 'query', id: 'far', goal: { position: [30, 9, 0], size: [8, 8, 8] } },
+  ];
+  writeFileSync(stream, `${records.map((record) => JSON.stringify(record)).join('\n')}\n`);
+  execFileSync(options.viewer, [stream, '-o', file], { stdio: 'inherit' });
+  const { page, trouble, requests } = await openReport(browser, file);
+  assert.ok((await colours(page)).different > 20);
+  await page.screenshot({ path: join(options.out, 'level.png') });
+  assert.deepEqual(trouble, []);
+  assert.equal(requests.length, 1);
+});
+
+const browser = await launch(options.web, options.chromium);
+let failed = 0;
+try {
+  const opened = await openReport(browser, sample);
+  for (const { name, body } of tests) {
+    try {
+      await body({ ...opened, browser });
+      console.log(`ok   ${name}`);
+    } catch (error) {
+      failed += 1;
+      console.log(`FAIL ${name}\n${error.stack}`);
+    }
+  }
+} finally {
+  await browser.close();
+}
+process.exit(failed ? 1 : 0);
