@@ -1,0 +1,81 @@
+#include "solve/archive.h"
+
+#include <gtest/gtest.h>
+
+#include "base/thread_pool.h"
+
+namespace obby::solve {
+namespace {
+
+sim::World arrival(uint32_t tick, uint16_t jumps = 0) {
+  sim::World w{};
+  w.tick = tick;
+  w.jumps = jumps;
+  return w;
+}
+
+TEST(Archive, FindsWhatWasOfferedAndNothingElse) {
+  Archive archive;
+  EXPECT_EQ(archive.find(7), kNone);
+  EXPECT_TRUE(archive.offer(7, arrival(10), {1, 0, 10}, 1));
+  EXPECT_EQ(archive.find(7), 0u);
+  EXPECT_EQ(archive.find(8), kNone);
+  EXPECT_EQ(archive.world(0).tick, 10u);
+}
+
+TEST(Archive, AShorterWayTakesTheCellOverALongerDoesNot) {
+  Archive archive;
+  archive.offer(7, arrival(10, 2), {1, 0, 10}, 1);
+  EXPECT_FALSE(archive.offer(7, arrival(11, 0), {2, 0, 11}, 1));
+  EXPECT_FALSE(archive.offer(7, arrival(10, 2), {3, 0, 10}, 1));
+  EXPECT_TRUE(archive.offer(7, arrival(10, 1), {4, 0, 10}, 1));
+  EXPECT_TRUE(archive.offer(7, arrival(9, 5), {5, 0, 9}, 1));
+  EXPECT_EQ(archive.cellCount(), 1u);
+  EXPECT_EQ(archive.nodes()[archive.node(0)].rollout, 5u);
+}
+
+TEST(Archive, NodesOfReplacedStatesStayForTheirChildren) {
+  Archive archive;
+  archive.offer(7, arrival(10), {1, kNone, 10}, 1);
+  const uint32_t parent = archive.node(0);
+  archive.offer(8, arrival(20), {2, parent, 10}, 1);
+  archive.offer(7, arrival(5), {3, kNone, 5}, 1);
+  EXPECT_EQ(archive.nodes()[archive.node(1)].parent, parent);
+  EXPECT_EQ(archive.nodes()[parent].rollout, 1u);
+}
+
+TEST(Archive, GrowsAndKeepsEveryCell) {
+  Archive archive;
+  for (uint64_t i = 0; i < 20000; ++i) {
+    ASSERT_TRUE(archive.offer(i * 4096 + 1, arrival(uint32_t(i)), {i, 0, 1}, 1));
+  }
+  for (uint64_t i = 0; i < 20000; ++i) {
+    const uint32_t cell = archive.find(i * 4096 + 1);
+    ASSERT_EQ(cell, i);
+    ASSERT_EQ(archive.world(cell).tick, i);
+  }
+}
+
+TEST(Archive, AFullArchiveTakesNoNewCellsButBetterArrivals) {
+  Archive archive(2);
+  EXPECT_TRUE(archive.offer(1, arrival(10), {}, 1));
+  EXPECT_TRUE(archive.offer(2, arrival(10), {}, 1));
+  EXPECT_FALSE(archive.offer(3, arrival(10), {}, 1));
+  EXPECT_TRUE(archive.offer(2, arrival(9), {}, 1));
+  EXPECT_EQ(archive.cellCount(), 2u);
+}
+
+TEST(Archive, CountsVisitsFromManyThreads) {
+  Archive archive;
+  archive.offer(1, arrival(0), {}, 1);
+  archive.offer(2, arrival(0), {}, 1);
+  ThreadPool pool(4);
+  pool.run(64, [&](int task) {
+    for (int i = 0; i < 1000; ++i) archive.countSeen(uint32_t(task % 2));
+  });
+  EXPECT_EQ(archive.seen()[0], 32000u);
+  EXPECT_EQ(archive.seen()[1], 32000u);
+}
+
+}  // namespace
+}  // namespace obby::solve

@@ -1,0 +1,106 @@
+#include "solve/cell.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "scenes.h"
+#include "solve/binning.h"
+
+namespace obby::solve {
+namespace {
+
+sim::World worldAt(Vec3 position) {
+  sim::World w{};
+  w.position = position;
+  w.health = 100;
+  return w;
+}
+
+TEST(Cell, FloorIsTowardMinusInfinity) {
+  EXPECT_EQ(floorToInt(1.5f), 1);
+  EXPECT_EQ(floorToInt(-0.25f), -1);
+  EXPECT_EQ(floorToInt(-2.0f), -2);
+}
+
+TEST(Cell, PositionsOfOneCellShareAKeyAndNeighboursDoNot) {
+  const Binning b;
+  EXPECT_EQ(cellKey(b, worldAt({0.1f, 0.1f, 0.1f})), cellKey(b, worldAt({0.9f, 1.9f, 0.9f})));
+  std::set<uint64_t> keys;
+  for (int x = -5; x < 5; ++x) {
+    for (int y = -5; y < 5; ++y) {
+      for (int z = -5; z < 5; ++z) {
+        keys.insert(cellKey(b, worldAt({float(x) + 0.5f, 2 * float(y) + 1, float(z) + 0.5f})));
+      }
+    }
+  }
+  EXPECT_EQ(keys.size(), 1000u);
+  EXPECT_EQ(keys.count(0), 0u);
+}
+
+TEST(Cell, DimensionsCountOnlyWhereTheProblemNeedsThem) {
+  sim::World a = worldAt({1, 1, 1}), b = a;
+  b.tick = 500;
+  b.jumps = 3;
+  b.waypoints = 1;
+  b.vanishingCount = 1;
+  b.health = 30;
+  EXPECT_EQ(cellKey(Binning{}, a), cellKey(Binning{}, b));
+  Binning jumps, waypoints, vanishing, health, clock;
+  jumps.jumps = waypoints.waypoints = vanishing.vanishing = true;
+  health.healthBins = 4;
+  clock.clockBin = 30;
+  for (const Binning& binning : {jumps, waypoints, vanishing, health, clock}) {
+    EXPECT_NE(cellKey(binning, a), cellKey(binning, b));
+  }
+}
+
+TEST(Cell, AClockWithAPeriodReturns) {
+  Binning b;
+  b.clockBin = 30;
+  b.clockPeriod = 240;
+  sim::World early = worldAt({1, 1, 1}), later = early, other = early;
+  early.tick = 10;
+  later.tick = 10 + 240 * 7;
+  other.tick = 10 + 120;
+  EXPECT_EQ(cellKey(b, early), cellKey(b, later));
+  EXPECT_NE(cellKey(b, early), cellKey(b, other));
+}
+
+TEST(Binning, FollowsTheQueryAndTheLevel) {
+  const level::Level stones = steppingStones().compile();
+  Question q(stones);
+  const Binning plain = makeBinning(q.problem(), 1);
+  EXPECT_FALSE(plain.jumps || plain.waypoints || plain.vanishing);
+  EXPECT_EQ(plain.clockBin, 0u);
+  EXPECT_EQ(plain.healthBins, 0u);
+  q.query.maxJumps = 2;
+  q.waypoints.push_back({boxAt({0, 2, -16}, {8, 4, 8}), -1});
+  const Binning limited = makeBinning(q.problem(), 1);
+  EXPECT_TRUE(limited.jumps && limited.waypoints);
+}
+
+TEST(Binning, MotionAndVanishingAndDamageAddDimensions) {
+  const level::Level level =
+      steppingStones()
+          .block({20, 0, 0}, {4, 1, 4},
+                 [](schema::Part::Builder p) { p.initMotion().initSpin().setSpeed(1); })
+          .block({30, 0, 0}, {4, 1, 4}, [](schema::Part::Builder p) { p.initVanish(); })
+          .block({40, 0, 0}, {4, 1, 4}, [](schema::Part::Builder p) { p.initKill().setDamage(40); })
+          .compile();
+  Question q(level);
+  const Binning b = makeBinning(q.problem(), 1);
+  EXPECT_GT(b.clockBin, 0u);
+  EXPECT_TRUE(b.vanishing);
+  EXPECT_GT(b.healthBins, 0u);
+}
+
+TEST(Binning, AFasterPlayerHasWiderCells) {
+  auto fast = steppingStones();
+  fast.physics([](schema::PhysicsParams::Builder p) { p.setWalkSpeed(32); });
+  const level::Level level = fast.compile();
+  EXPECT_FLOAT_EQ(makeBinning(Question(level).problem(), 1).inverseWidth, 0.5f);
+}
+
+}  // namespace
+}  // namespace obby::solve
