@@ -2,7 +2,7 @@
 // Install scripts are never run: esbuild's program comes as an optional package of its own.
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readFileSync, rmdirSync, statSync, writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -12,20 +12,29 @@ const wanted = createHash('sha256').update(readFileSync(join(here, 'package-lock
   .update(`${process.platform} ${process.arch}`).digest('hex');
 const inPlace = () => existsSync(stamp) && readFileSync(stamp, 'utf8') === wanted;
 
-// Two build folders may configure at once: the first one installs, the other waits for it.
+// Two build folders may configure at once: the first one installs, the other waits until it is done or gone.
 const guard = join(here, '.installing');
-const kStaleMs = 10 * 60 * 1000;
+
+function alive(pid) {
+  try {
+    process.kill(pid, 0);
+    return true;
+  } catch (error) {
+    return error.code === 'EPERM';
+  }
+}
+
 function takeGuard() {
   for (;;) {
     try {
-      mkdirSync(guard);
+      writeFileSync(guard, String(process.pid), { flag: 'wx' });
       return;
     } catch (error) {
       if (error.code !== 'EEXIST') throw error;
-      const age = existsSync(guard) ? Date.now() - statSync(guard).mtimeMs : 0;
-      if (age > kStaleMs) rmdirSync(guard);
-      Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, 300);
     }
+    Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, 300);
+    const owner = existsSync(guard) ? Number(readFileSync(guard, 'utf8')) : 0;
+    if (owner > 0 && !alive(owner)) rmSync(guard, { force: true });
   }
 }
 
@@ -39,6 +48,6 @@ if (!inPlace()) {
       writeFileSync(stamp, wanted);
     }
   } finally {
-    rmdirSync(guard);
+    rmSync(guard, { force: true });
   }
 }
