@@ -127,7 +127,7 @@ cli::ToolSpec solveSpec() {
       {"from a place file to a page",
        "obby-import first-steps.rbxlx | obby-solve | obby-view -o report.html"},
       {"ask on the command line",
-       "obby-solve several-routes.jsonl --goal Finish --max-jumps 9 --max-time 30"},
+       "obby-solve several-routes.jsonl --goal Goal --max-jumps 9 --max-time 30"},
       {"three different ways, for a script",
        "obby-solve -e --query any --solutions 3 several-routes.jsonl > ways.jsonl"},
       {"check what somebody else found",
