@@ -100,7 +100,7 @@ class JsonTreeBuilder {
 
   // The parser's own words without its prefix and the echo of the input.
   std::string explain(size_t column, std::string_view what) const {
-    for (const char* word : {"NaN", "nan", "-nan", "Infinity", "-Infinity", "inf", "-inf"}) {
+    for (const char* word : {"NaN", "-nan", "nan", "-Infinity", "Infinity", "-inf", "inf"}) {
       const size_t from = column < 10 ? 0 : column - 10;
       const size_t at = source_.find(word, from);
       if (at != std::string_view::npos && at <= column)

@@ -111,10 +111,10 @@ Result<std::optional<RecordBuilder>> recordFromWords(const Words& words) {
     const auto record = message.getRoot<schema::Record>();
     if (capnp::DynamicStruct::Reader(record).which() == nullptr)
       return std::optional<RecordBuilder>();
-    OBBY_ASSIGN(RecordBuilder copy, checkedCopy(record, words.size() + 1));
+    OBBY_ASSIGN(RecordBuilder copy, normalForm(record, words.size() + 1));
     return std::optional<RecordBuilder>(std::move(copy));
   } catch (const kj::Exception& e) {
-    return makeError(std::string("unsound Cap'n Proto message: ") + e.getDescription().cStr());
+    return unsoundMessage(e);
   }
 }
 

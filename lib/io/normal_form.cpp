@@ -1,7 +1,5 @@
 #include "io/normal_form.h"
 
-#include <kj/exception.h>
-
 #include <cstring>
 
 #include "io/values.h"
@@ -147,12 +145,12 @@ Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t firstWords)
   return out;
 }
 
-Result<RecordBuilder> checkedCopy(schema::Record::Reader in, uint64_t firstWords) {
-  try {
-    return normalForm(in, firstWords);
-  } catch (const kj::Exception& e) {
-    return makeError(std::string("unsound Cap'n Proto message: ") + e.getDescription().cStr());
-  }
+Error unsoundMessage(const kj::Exception& exception) {
+  std::string what = exception.getDescription().cStr();
+  if (const size_t code = what.rfind("; "); code != std::string::npos) what.erase(0, code + 2);
+  what = what.substr(0, what.find(".  "));  // advice for programmers follows
+  if (what.ends_with('.')) what.pop_back();
+  return makeError("unsound Cap'n Proto message: " + what);
 }
 
 }  // namespace obby::io

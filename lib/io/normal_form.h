@@ -4,6 +4,8 @@
 // NaN or bad text. Private to lib/io.
 #pragma once
 
+#include <kj/exception.h>
+
 #include <memory>
 #include <string>
 
@@ -21,7 +23,7 @@ uint64_t normalWords(schema::Record::Reader in);
 // path. May throw kj::Exception where `in` is an unsound message.
 Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t firstWords);
 
-// For bytes from outside: likewise, but an unsound message is an Error, too.
-Result<RecordBuilder> checkedCopy(schema::Record::Reader in, uint64_t firstWords);
+// What Cap'n Proto found wrong with a message, in its words without its source code.
+Error unsoundMessage(const kj::Exception& exception);
 
 }  // namespace obby::io

@@ -82,6 +82,7 @@ struct StreamReader::Impl {
   // The next line that is not blank, without its newline; nothing at the end.
   Result<std::optional<std::string>> readLine() {
     for (;;) {
+      line++;
       size_t scanned = 0, length = 0;
       bool newline = false;
       for (;;) {
@@ -94,7 +95,6 @@ struct StreamReader::Impl {
         if (came == 0) break;
       }
       if (source.stopped() || (!newline && length == 0)) return std::optional<std::string>();
-      line++;
       std::string text(source.buffered().substr(0, length));
       source.consume(length + (newline ? 1 : 0));
       if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
@@ -126,7 +126,7 @@ struct StreamReader::Impl {
 
   Next nextLine() {
     auto text = readLine();
-    if (!text) return fatal(text.error(), std::to_string(line + 1));
+    if (!text) return fatal(text.error(), std::to_string(line));
     if (!*text) return finish();
     auto storage = std::make_shared<Record::Storage>();
     storage->place = std::to_string(line);

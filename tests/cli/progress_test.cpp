@@ -1,0 +1,37 @@
+// Signs of life: who gets which, and what they say.
+#include "cli/progress.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace obby::cli {
+namespace {
+
+TEST(Progress, ModesFollowTheTerminalAndTheUser) {
+  EXPECT_EQ(progressMode("auto", true, false), ProgressMode::bar);
+  EXPECT_EQ(progressMode("auto", false, false), ProgressMode::none);
+  EXPECT_EQ(progressMode("line", false, false), ProgressMode::line);
+  EXPECT_EQ(progressMode("line", true, false), ProgressMode::bar);
+  EXPECT_EQ(progressMode("json", true, false), ProgressMode::json);
+  EXPECT_EQ(progressMode("none", true, false), ProgressMode::none);
+  EXPECT_EQ(progressMode("auto", true, true), ProgressMode::none);
+  EXPECT_EQ(progressMode("json", true, true), ProgressMode::json);
+}
+
+TEST(Progress, LinesAreShortAndNumbersBrief) {
+  const ProgressState state{"query a", 0.426, {{"steps", 1234567890}, {"cells", 471}, {"m", 1.25}}};
+  EXPECT_EQ(progressLine(state, 80), "query a  43 %  steps 1.23G  cells 471  m 1.25");
+  EXPECT_EQ(progressLine(state, 9), "query a  ");
+  EXPECT_EQ(progressLine({"x", -1, {}}, 80), "x");
+}
+
+TEST(Progress, JsonHasEveryNumberInFullButNoneThatJsonLacks) {
+  const ProgressState state{"say \"hi\"\n", 0.5, {{"steps", 1234567890}, {"bad", NAN}}};
+  EXPECT_EQ(progressJson(state),
+            "{\"type\":\"progress\",\"task\":\"say \\\"hi\\\"\\n\",\"fraction\":0.5,"
+            "\"steps\":1234567890}");
+}
+
+}  // namespace
+}  // namespace obby::cli

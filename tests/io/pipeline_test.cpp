@@ -1,0 +1,147 @@
+// The filter that every tool is.
+#include "io/pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include "scratch_folder.h"
+
+namespace obby::io {
+namespace {
+
+using test::ScratchFolder;
+
+struct Fixture {
+  ScratchFolder folder;
+  std::string output;
+  std::vector<std::string> reports;
+  SourceOptions options;
+
+  Fixture() {
+    options.inputs.clear();
+    options.report = [this](const Error& error) { reports.push_back(error.message); };
+  }
+  void input(const std::string& text) {
+    const std::string path = folder / std::to_string(options.inputs.size());
+    std::ofstream(path) << text;
+    options.inputs.push_back(path);
+  }
+  Pipeline pipeline() {
+    return Pipeline(options, {"obby-test", "1.2.3", 42},
+                    StreamWriter::toBytes(Format::jsonl, &output));
+  }
+};
+
+const std::string kHeader =
+    "{\"type\":\"header\",\"tool\":\"obby-test\",\"version\":\"1.2.3\",\"seed\":\"42\","
+    "\"floatPolicy\":\"ieee754-nofma\"}\n";
+
+Result<Then> passAll(const Record&) { return Then::pass; }
+
+TEST(Pipeline, TakesFramesOffAndPutsOneOn) {
+  Fixture f;
+  f.input("{\"type\":\"header\"}\n{\"type\":\"level\"}\n{\"type\":\"end\",\"skipped\":\"2\"}\n");
+  f.input("{\"type\":\"query\"}\n{\"type\":\"new\"}\n");
+  ASSERT_TRUE(f.pipeline().runAndFinish(passAll));
+  EXPECT_EQ(f.output, kHeader +
+                          "{\"type\":\"level\"}\n{\"type\":\"query\"}\n{\"type\":\"new\"}\n"
+                          "{\"type\":\"end\",\"records\":\"4\",\"skipped\":\"2\"}\n");
+}
+
+TEST(Pipeline, HandlersWriteBeforeTheRecordTheyPassOrDropIt) {
+  Fixture f;
+  f.input("{\"type\":\"query\",\"id\":\"a\"}\n{\"type\":\"query\",\"id\":\"b\"}\n");
+  Pipeline pipeline = f.pipeline();
+  ASSERT_TRUE(pipeline.runAndFinish([&](const Record& record) -> Result<Then> {
+    RecordBuilder answer;
+    answer.root().initResult().setQuery(record.reader().getQuery().getId());
+    OBBY_RETURN_IF_ERROR(pipeline.write(answer.reader()));
+    return record.reader().getQuery().getId() == "a" ? Then::pass : Then::drop;
+  }));
+  EXPECT_EQ(f.output, kHeader +
+                          "{\"type\":\"result\",\"query\":\"a\"}\n"
+                          "{\"type\":\"query\",\"id\":\"a\"}\n"
+                          "{\"type\":\"result\",\"query\":\"b\"}\n"
+                          "{\"type\":\"end\",\"records\":\"4\"}\n");
+}
+
+TEST(Pipeline, AnErrorStopsButKeepsWhatWasDone) {
+  Fixture f;
+  f.input("{\"type\":\"level\"}\n{\"type\":3}\n{\"type\":\"level\"}\n");
+  const Status status = f.pipeline().runAndFinish(passAll);
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().place, "2");
+  EXPECT_EQ(f.output, kHeader +
+                          "{\"type\":\"level\"}\n"
+                          "{\"type\":\"end\",\"status\":\"interrupted\",\"records\":\"2\","
+                          "\"errors\":\"1\"}\n");
+}
+
+TEST(Pipeline, AnErrorAtTheStartLeavesNoOutput) {
+  Fixture f;
+  f.options.inputs.push_back(f.folder / "missing");
+  EXPECT_FALSE(f.pipeline().runAndFinish(passAll));
+  EXPECT_EQ(f.output, "");
+}
+
+TEST(Pipeline, ForgivenErrorsAreReportedAndCounted) {
+  for (OnError policy : {OnError::skip, OnError::emit}) {
+    Fixture f;
+    f.options.onError = policy;
+    f.input("{\"type\":\"level\"}\n{\"type\":3}\n{\"type\":\"query\"}\n");
+    ASSERT_TRUE(f.pipeline().runAndFinish([](const Record& record) -> Result<Then> {
+      if (record.which() == Kind::QUERY) return makeError("bad query");
+      return Then::pass;
+    }));
+    EXPECT_EQ(f.reports.size(), 2u);
+    const bool emit = policy == OnError::emit;
+    EXPECT_EQ(
+        f.output,
+        kHeader + "{\"type\":\"level\"}\n" + (emit ? "{\"type\":\"query\"}\n" : "") +
+            (emit ? "{\"type\":\"end\",\"records\":\"3\",\"skipped\":\"1\",\"errors\":\"2\"}\n"
+                  : "{\"type\":\"end\",\"records\":\"2\",\"skipped\":\"2\",\"errors\":\"2\"}\n"));
+  }
+}
+
+TEST(Pipeline, ABrokenFrameIsNeverForgiven) {
+  Fixture f;
+  f.options.onError = OnError::skip;
+  f.input("{\"type\":\"header\"}\n{\"type\":\"level\"}\n");
+  EXPECT_FALSE(f.pipeline().runAndFinish(passAll));
+}
+
+TEST(Pipeline, TheGravestStatusWins) {
+  const std::string budget = "{\"type\":\"end\",\"status\":\"budget\"}\n",
+                    interrupted = "{\"type\":\"end\",\"status\":\"interrupted\"}\n",
+                    complete = "{\"type\":\"level\"}\n{\"type\":\"end\"}\n";
+  const auto statusOf = [](std::initializer_list<std::string> inputs, bool spent) {
+    Fixture f;
+    for (const auto& text : inputs) f.input(text);
+    Pipeline pipeline = f.pipeline();
+    if (spent) pipeline.outOfBudget();
+    EXPECT_TRUE(pipeline.runAndFinish(passAll));
+    for (const char* status : {"budget", "interrupted"})
+      if (f.output.find(status) != std::string::npos) return std::string(status);
+    return std::string("complete");
+  };
+  EXPECT_EQ(statusOf({complete, complete}, false), "complete");
+  EXPECT_EQ(statusOf({complete}, true), "budget");
+  EXPECT_EQ(statusOf({budget, complete}, false), "budget");
+  EXPECT_EQ(statusOf({interrupted, budget}, true), "interrupted");
+}
+
+TEST(Pipeline, AStopEndsTheStreamInOrder) {
+  Fixture f;
+  std::atomic<bool> stop{false};
+  f.options.stop = &stop;
+  f.input("{\"type\":\"level\"}\n{\"type\":\"level\"}\n");
+  ASSERT_TRUE(f.pipeline().runAndFinish([&](const Record&) -> Result<Then> {
+    stop = true;
+    return Then::pass;
+  }));
+  EXPECT_EQ(f.output, kHeader +
+                          "{\"type\":\"level\"}\n"
+                          "{\"type\":\"end\",\"status\":\"interrupted\",\"records\":\"2\"}\n");
+}
+
+}  // namespace
+}  // namespace obby::io

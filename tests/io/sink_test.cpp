@@ -1,0 +1,113 @@
+// Output that fails is noticed, and a file is whole or not there.
+#include "io/sink.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "scratch_folder.h"
+
+namespace obby::io {
+namespace {
+
+using test::contents;
+using test::ScratchFolder;
+
+TEST(Sink, AFileAppearsWhenItIsClosed) {
+  ScratchFolder folder;
+  auto sink = Sink::open(folder / "out");
+  ASSERT_TRUE(sink);
+  ASSERT_TRUE(sink->write("one\n"));
+  ASSERT_TRUE(sink->flush());
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  ASSERT_TRUE(sink->close());
+  EXPECT_EQ(contents(folder / "out"), "one\n");
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(Sink, WithoutCloseTheOldFileStaysAndNothingElseIsLeft) {
+  ScratchFolder folder;
+  std::ofstream(folder / "out") << "old";
+  {
+    auto sink = Sink::open(folder / "out");
+    ASSERT_TRUE(sink);
+    ASSERT_TRUE(sink->write(std::string(1000000, 'x')));
+  }
+  EXPECT_EQ(contents(folder / "out"), "old");
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(Sink, KeepsTheModeOfAFileAndTheLinkToIt) {
+  ScratchFolder folder;
+  std::ofstream(folder / "real") << "old";
+  ASSERT_EQ(chmod((folder / "real").c_str(), 0640), 0);
+  std::filesystem::create_symlink("real", folder / "link");
+  auto sink = Sink::open(folder / "link");
+  ASSERT_TRUE(sink);
+  ASSERT_TRUE(sink->write("new"));
+  ASSERT_TRUE(sink->close());
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(contents(folder / "real"), "new");
+  struct stat info {};
+  ASSERT_EQ(stat((folder / "real").c_str(), &info), 0);
+  EXPECT_EQ(info.st_mode & 0777, 0640u);
+}
+
+TEST(Sink, AFullDiskIsAnErrorThatStays) {
+  auto sink = Sink::open("/dev/full");
+  ASSERT_TRUE(sink);
+  const Status first = sink->write("x");
+  ASSERT_FALSE(first);
+  EXPECT_EQ(first.error().text(), "/dev/full: cannot write: No space left on device");
+  EXPECT_TRUE(sink->failed());
+  EXPECT_FALSE(sink->write("y"));
+  EXPECT_FALSE(sink->flush());
+  EXPECT_FALSE(sink->close());
+  EXPECT_FALSE(isBrokenPipe(first.error()));
+}
+
+TEST(Sink, ABrokenPipeIsToldApart) {
+  ScratchFolder folder;
+  const std::string path = folder / "pipe";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  const int reader = open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  auto sink = Sink::open(path);
+  ASSERT_TRUE(sink);
+  close(reader);
+  auto* before = signal(SIGPIPE, SIG_IGN);
+  const Status status = sink->write("x");
+  signal(SIGPIPE, before);
+  ASSERT_FALSE(status);
+  EXPECT_TRUE(isBrokenPipe(status.error()));
+}
+
+TEST(Sink, PipesGetEveryPieceAtOnce) {
+  ScratchFolder folder;
+  const std::string path = folder / "pipe";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  const int reader = open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  auto sink = Sink::open(path);
+  ASSERT_TRUE(sink);
+  ASSERT_TRUE(sink->write("a line\n"));
+  char got[64];
+  EXPECT_EQ(read(reader, got, 64), 7);
+  close(reader);
+}
+
+TEST(Sink, PlacesThatCannotBeWrittenAreNamed) {
+  ScratchFolder folder;
+  auto nowhere = Sink::open(folder / "no/where");
+  ASSERT_FALSE(nowhere);
+  EXPECT_EQ(nowhere.error().message, "cannot create: No such file or directory");
+  auto directory = Sink::open(folder / "");
+  ASSERT_FALSE(directory);
+  EXPECT_EQ(directory.error().message, "cannot write: Is a directory");
+}
+
+}  // namespace
+}  // namespace obby::io
