@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstring>
+#include <unordered_map>
 
+#include "base/hash.h"
 #include "level/record_values.h"
 #include "level/upright.h"
 
@@ -26,8 +29,12 @@ class PartCompiler {
   void push(Collider collider, uint16_t flags);
   Box sweptBounds(const Collider& collider) const;
 
+  const std::vector<Mat3>& sharedSpins(MotionTables& tables);
+
   PartTables& out_;
   const Params& params_;
+  std::unordered_multimap<uint64_t, const std::vector<Mat3>*> spins_;  // by digest
+  size_t rows_ = 0;                                                    // of all tables
 };
 
 Result<Vec3> halfExtents(schema::Part::Reader part) {
@@ -97,14 +104,38 @@ Status PartCompiler::mover(schema::Part::Reader part, const Pose& pose, Collider
   out_.motions.push_back(std::move(tables));
   MotionTables& kept = out_.motions.back();
   if (makeUpright(kept)) flags |= kUpright;  // push() drops it for shapes that are no blocks
+  const std::vector<Mat3>& spins = sharedSpins(kept);
+  rows_ += kept.keys.size() + kept.spins.size();
+  if (rows_ > kMaxLevelRows) {
+    return pathError("motion", fmt::format("all motions together need more than {} ticks of tables",
+                                           kMaxLevelRows));
+  }
   collider.mover = uint32_t(out_.movers.size());
-  out_.movers.push_back({kept.keys.data(), kept.spins.empty() ? nullptr : kept.spins.data(),
-                         uint32_t(kept.keys.size()), uint32_t(kept.spins.size()), kept.pivot,
+  out_.movers.push_back({kept.keys.data(), spins.empty() ? nullptr : spins.data(),
+                         uint32_t(kept.keys.size()), uint32_t(spins.size()), kept.pivot,
                          kept.once});
   flags |= kMoving;
   if (part.getMotion().getCarries()) flags |= kCarries;
   out_.timed = true;
   return {};
+}
+
+// The table of an earlier part that spins alike, or this part's own: whole courses spin at one
+// rate.
+const std::vector<Mat3>& PartCompiler::sharedSpins(MotionTables& tables) {
+  if (tables.spins.empty()) return tables.spins;
+  const size_t bytes = tables.spins.size() * sizeof(Mat3);
+  const auto [first, last] = spins_.equal_range(hashBytes(tables.spins.data(), bytes));
+  for (auto it = first; it != last; ++it) {
+    const std::vector<Mat3>& known = *it->second;
+    if (known.size() != tables.spins.size() ||
+        std::memcmp(known.data(), tables.spins.data(), bytes) != 0)
+      continue;
+    tables.spins = {};
+    return known;
+  }
+  spins_.emplace(hashBytes(tables.spins.data(), bytes), &tables.spins);
+  return tables.spins;
 }
 
 // Bounds over all rows of both tables: each key's centre with the largest radius about the pivot

@@ -31,6 +31,8 @@ struct PartTables {
 constexpr float kMinSize = 0.05f;
 constexpr float kMaxSize = 2048;
 constexpr uint32_t kMaxParts = 1000000;
+// Rows of all motion tables of a level together: 200 MB.
+constexpr size_t kMaxLevelRows = 4000000;
 
 Result<PartTables> compileParts(schema::Level::Reader record, const Params& params);
 

@@ -37,7 +37,7 @@ OBBY_DEVICE void updateState(World& w, const Params& p, const Floor& floor, Acti
       // Never while rising: this is what prevents double jumps.
       if (floor.sensed && w.velocity.y <= floor.velocity.y) {
         w.state = State::landed;
-        w.landedTicks = uint8_t(p.landedTicks);
+        w.landedTicks = uint8_t(p.landedTicks < 255 ? p.landedTicks : 255);
       }
       break;
     case State::jumping:

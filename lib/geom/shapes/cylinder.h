@@ -15,11 +15,24 @@ struct Cylinder {
   OBBY_DEVICE static int edges(const ShapeData&) { return 1; }
   OBBY_DEVICE static Vec3 edge(const ShapeData&, int) { return {1, 0, 0}; }
 
-  // From the axis to the box, by alternating projections between the two convex sets; radial part
-  // only.
+  OBBY_DEVICE static Vec3 closestPointOf(const ShapeData& s, Vec3 p) {
+    const float r2 = p.y * p.y + p.z * p.z, r = radius(s);
+    const float scale = r2 > r * r ? r / sqrtf32(r2) : 1.0f;
+    return {clampf(p.x, -s.half.x, s.half.x), p.y * scale, p.z * scale};
+  }
+
+  // Alternating projections between the two convex sets. Apart: from the cylinder to the box, which
+  // also covers the rims. Overlapping: the radial direction of what is left between the axis and
+  // the box.
   OBBY_DEVICE static Vec3 roundAxis(const ShapeData& s, const LocalBox& box) {
+    Vec3 inside = closestPointOf(s, box.center), onBox{};
+    for (int i = 0; i < 8; ++i) {
+      onBox = closestPoint(box, inside);
+      inside = closestPointOf(s, onBox);
+    }
+    const Vec3 apart = onBox - inside;
+    if (dot(apart, apart) > 1e-8f) return apart;
     Vec3 onAxis{clampf(box.center.x, -s.half.x, s.half.x), 0, 0};
-    Vec3 onBox{};
     for (int i = 0; i < 4; ++i) {
       onBox = closestPoint(box, onAxis);
       onAxis.x = clampf(onBox.x, -s.half.x, s.half.x);
