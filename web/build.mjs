@@ -65,16 +65,30 @@ std::span<const std::string_view> pageTemplate() { return kPieces; }
 
 const script = await bundle('src/main.js', { format: 'iife', legalComments: 'none' });
 const style = await bundle('src/style/page.css', { loader: { '.woff2': 'dataurl' } });
-if (/<\/script/i.test(script) || /<\/style/i.test(style)) throw new Error('the bundle would close its own element');
+if (/<\/script/i.test(script) || /<\/style/i.test(style))
+  throw new Error('the bundle would close its own element');
 const policy = [
-  "default-src 'none'", `script-src ${digest(script)}`, `style-src ${digest(style)}`, 'img-src data: blob:',
-  'font-src data:', "base-uri 'none'", "form-action 'none'",
+  "default-src 'none'",
+  `script-src ${digest(script)}`,
+  `style-src ${digest(style)}`,
+  'img-src data: blob:',
+  'font-src data:',
+  "base-uri 'none'",
+  "form-action 'none'",
 ].join('; ');
 const notices = ['three', '@fontsource-variable/inter']
-  .map((name) => `${name}\n${readFileSync(join(here, 'node_modules', name, 'LICENSE'), 'utf8').trim()}`)
-  .join('\n\n').replace(/-{2,}/g, (run) => '='.repeat(run.length)).replace(/>/g, ')');
+  .map(
+    (name) =>
+      `${name}\n${readFileSync(join(here, 'node_modules', name, 'LICENSE'), 'utf8').trim()}`,
+  )
+  .join('\n\n')
+  .replace(/-{2,}/g, (run) => '='.repeat(run.length))
+  .replace(/>/g, ')');
 const page = fill(readFileSync(join(here, 'src/page.html'), 'utf8'), {
-  POLICY: policy, NOTICES: notices, STYLE: style, SCRIPT: script,
+  POLICY: policy,
+  NOTICES: notices,
+  STYLE: style,
+  SCRIPT: script,
 });
 for (const marker of ['@@OBBY_TITLE@@', '@@OBBY_DATA@@']) {
   if (page.split(marker).length !== 2) throw new Error(`the page must hold ${marker} exactly once`);

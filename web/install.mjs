@@ -8,8 +8,10 @@ import { fileURLToPath } from 'node:url';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const stamp = join(here, 'node_modules', '.obby-lock');
-const wanted = createHash('sha256').update(readFileSync(join(here, 'package-lock.json')))
-  .update(`${process.platform} ${process.arch}`).digest('hex');
+const wanted = createHash('sha256')
+  .update(readFileSync(join(here, 'package-lock.json')))
+  .update(`${process.platform} ${process.arch}`)
+  .digest('hex');
 const inPlace = () => existsSync(stamp) && readFileSync(stamp, 'utf8') === wanted;
 
 // Two build folders may configure at once: the first one installs, the other waits until it is done or gone.
@@ -43,8 +45,11 @@ if (!inPlace()) {
   try {
     if (!inPlace()) {
       const npm = process.env.OBBY_NPM || 'npm';
-      execFileSync(npm, ['ci', '--ignore-scripts', '--include=dev', '--include=optional', '--prefer-offline'],
-        { cwd: here, stdio: ['ignore', 'inherit', 'inherit'] });
+      execFileSync(
+        npm,
+        ['ci', '--ignore-scripts', '--include=dev', '--include=optional', '--prefer-offline'],
+        { cwd: here, stdio: ['ignore', 'inherit', 'inherit'] },
+      );
       writeFileSync(stamp, wanted);
     }
   } finally {

@@ -4,8 +4,14 @@ import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const kFlags = [
-  '--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-  '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run',
+  '--no-sandbox',
+  '--use-gl=angle',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--no-first-run',
 ];
 
 export async function launch(webFolder, executablePath) {
@@ -14,12 +20,16 @@ export async function launch(webFolder, executablePath) {
 }
 
 export async function openReport(browser, file, fragment = '') {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, offline: true });
+  const context = await browser.newContext({
+    viewport: { width: 1280, height: 800 },
+    offline: true,
+  });
   const page = await context.newPage();
   const trouble = [];
   const requests = [];
   page.on('console', (message) => {
-    if (['error', 'warning'].includes(message.type())) trouble.push(`${message.type()}: ${message.text()}`);
+    if (['error', 'warning'].includes(message.type()))
+      trouble.push(`${message.type()}: ${message.text()}`);
   });
   page.on('pageerror', (error) => trouble.push(`exception: ${error.stack}`));
   page.on('request', (request) => requests.push(request.url()));
@@ -31,10 +41,14 @@ export async function openReport(browser, file, fragment = '') {
 
 // Waits until the page has drawn a few times.
 export async function frames(page, count = 2) {
-  await page.evaluate((n) => new Promise((done) => {
-    const next = (left) => (left ? requestAnimationFrame(() => next(left - 1)) : done());
-    next(n);
-  }), count);
+  await page.evaluate(
+    (n) =>
+      new Promise((done) => {
+        const next = (left) => (left ? requestAnimationFrame(() => next(left - 1)) : done());
+        next(n);
+      }),
+    count,
+  );
 }
 
 export const state = (page) => page.evaluate(() => ({ ...window.obby.store.state }));
@@ -56,4 +70,10 @@ export async function colours(page) {
     }
     return { different: counts.size, share: Math.max(...counts.values()) / (data.length / 4) };
   });
+}
+
+// A report in the page that the build made.
+export function fillTemplate(template, data, title) {
+  const json = JSON.stringify(data).replace(/</g, '\\u003c');
+  return template.replace('@@OBBY_TITLE@@', () => title).replace('@@OBBY_DATA@@', () => json);
 }

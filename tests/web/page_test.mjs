@@ -3,11 +3,15 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { colours, frames, launch, openReport, state } from './browser.mjs';
-import { fillTemplate, report } from './sample_report.mjs';
+import { colours, fillTemplate, frames, launch, openReport, state } from './browser.mjs';
+import { report } from './sample_report.mjs';
 
 const options = Object.fromEntries(
-  process.argv.slice(2).map((word, i, all) => [word.replace(/^--/, ''), all[i + 1]]).filter((_, i) => i % 2 === 0));
+  process.argv
+    .slice(2)
+    .map((word, i, all) => [word.replace(/^--/, ''), all[i + 1]])
+    .filter((_, i) => i % 2 === 0),
+);
 mkdirSync(options.out, { recursive: true });
 const template = readFileSync(options.page, 'utf8');
 const sample = join(options.out, 'sample.html');
@@ -16,7 +20,11 @@ writeFileSync(sample, fillTemplate(template, report, report.title));
 const tests = [];
 const test = (name, body) => tests.push({ name, body });
 
-test('opens without errors, warnings or requests, and shows a picture', async ({ page, trouble, requests }) => {
+test('opens without errors, warnings or requests, and shows a picture', async ({
+  page,
+  trouble,
+  requests,
+}) => {
   const seen = await colours(page);
   assert.ok(seen.different > 40, `only ${seen.different} colours`);
   assert.ok(seen.share < 0.97, `${seen.share} of the view is one colour`);
@@ -27,7 +35,10 @@ test('opens without errors, warnings or requests, and shows a picture', async ({
 
 test('lists queries with their verdicts and names as plain text', async ({ page }) => {
   assert.equal(await page.locator('.query').count(), 4);
-  assert.match(await page.locator('#side').innerText(), /whole course[\s\S]*Unreachable[\s\S]*Unknown/);
+  assert.match(
+    await page.locator('#side').innerText(),
+    /whole course[\s\S]*Unreachable[\s\S]*Unknown/,
+  );
   assert.equal(await page.locator('.verdict').innerText(), 'Solved');
   await page.evaluate(() => window.obby.store.set({ part: 14 }));
   assert.match(await page.locator('.inspector').innerText(), /Glass <\/script><b>/);
@@ -49,7 +60,10 @@ test('a click on a line in the view selects its trajectory', async ({ page }) =>
     point.y += 0.35;
     point.project(stage.rig.camera);
     const box = document.getElementById('view').getBoundingClientRect();
-    return { x: box.left + ((point.x + 1) / 2) * box.width, y: box.top + ((1 - point.y) / 2) * box.height };
+    return {
+      x: box.left + ((point.x + 1) / 2) * box.width,
+      y: box.top + ((1 - point.y) / 2) * box.height,
+    };
   });
   await page.mouse.move(at.x, at.y);
   await frames(page, 3);
@@ -63,10 +77,11 @@ test('a click on a line in the view selects its trajectory', async ({ page }) =>
 
 test('play moves the clock, the player and the moving parts; space stops it', async ({ page }) => {
   await page.evaluate(() => window.obby.store.set({ tick: 0 }));
-  const where = () => page.evaluate(() => {
-    const { stage } = window.obby;
-    return [stage.avatar.group.position.z, stage.levelView.centreOf(4).x];
-  });
+  const where = () =>
+    page.evaluate(() => {
+      const { stage } = window.obby;
+      return [stage.avatar.group.position.z, stage.levelView.centreOf(4).x];
+    });
   await frames(page, 3);
   const before = await where();
   await page.locator('.play').click();
@@ -153,12 +168,19 @@ test('what obby-view writes opens, too', async ({ browser }) => {
   const stream = join(options.out, 'level.jsonl');
   const file = join(options.out, 'level.html');
   const parts = Array.from({ length: 2000 }, (_, i) => ({
-    name: `Part ${i} </script>`, position: [(i % 50) * 6, (i * 7) % 13, Math.floor(i / 50) * 6], size: [4, 1, 4],
+    name: `Part ${i} </script>`,
+    position: [(i % 50) * 6, (i * 7) % 13, Math.floor(i / 50) * 6],
+    size: [4, 1, 4],
     ...(i % 50 === 1 ? { kill: {} } : {}),
     ...(i % 100 === 2 ? { motion: { spin: { speed: 2 } } } : {}),
   }));
   const records = [
-    { type: 'level', name: 'Two thousand', spawns: [{ name: 'start', position: [0, 0.5, 0] }], parts },
+    {
+      type: 'level',
+      name: 'Two thousand',
+      spawns: [{ name: 'start', position: [0, 0.5, 0] }],
+      parts,
+    },
     { type: 'query', id: 'far', goal: { position: [30, 9, 0], size: [8, 8, 8] } },
   ];
   writeFileSync(stream, `${records.map((record) => JSON.stringify(record)).join('\n')}\n`);

@@ -1,16 +1,36 @@
 // A made-up report for the page's tests: every shape, role and outcome, hand-drawn trajectories. Nothing here comes from
-// the simulator. Usage: node sample_report.mjs PAGE_TEMPLATE OUTPUT
-import { readFileSync, writeFileSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
+// the simulator.
 
 const encode = (array) => Buffer.from(array.buffer).toString('base64');
 const f32 = (values) => encode(Float32Array.from(values));
-const roles = ['plain', 'start', 'goal', 'kill', 'moving', 'vanish', 'conveyor', 'pad', 'checkpoint', 'ghost', 'loose'];
+const roles = [
+  'plain',
+  'start',
+  'goal',
+  'kill',
+  'moving',
+  'vanish',
+  'conveyor',
+  'pad',
+  'checkpoint',
+  'ghost',
+  'loose',
+];
 const shapes = ['block', 'ball', 'cylinder', 'wedge', 'cornerWedge', 'truss', 'hull'];
 
 const parts = [];
 function part(name, position, size, more = {}) {
-  parts.push({ name, position, size, shape: 'block', role: 'plain', rotation: [0, 0, 0, 1], color: [163, 162, 165], alpha: 255, ...more });
+  parts.push({
+    name,
+    position,
+    size,
+    shape: 'block',
+    role: 'plain',
+    rotation: [0, 0, 0, 1],
+    color: [163, 162, 165],
+    alpha: 255,
+    ...more,
+  });
   return parts.length - 1;
 }
 
@@ -28,19 +48,44 @@ part('Drum', [26, 3, -52], [3, 6, 6], { shape: 'cylinder', rotation: [0, 0, 0.70
 const bar = part('Spinner', [26, 7, -62], [14, 1, 1], { role: 'kill' });
 part('Disc', [26, 5, -62], [1, 16, 16], { shape: 'cylinder', rotation: [0, 0, 0.7071, 0.7071] });
 part('Pad', [26, 5, -75], [5, 1, 5], { role: 'pad' });
-const glass = part('Glass </script><b>', [26, 12, -84], [5, 1, 5], { role: 'vanish', alpha: 140, color: [200, 230, 255] });
+const glass = part('Glass </script><b>', [26, 12, -84], [5, 1, 5], {
+  role: 'vanish',
+  alpha: 140,
+  color: [200, 230, 255],
+});
 part('Boulder', [19, 8, -84], [5, 5, 5], { shape: 'ball', role: 'loose' });
 part('Crystal', [33, 13, -84], [4, 6, 4], { shape: 'hull' });
 part('Checkpoint', [26, 12, -92], [6, 1, 6], { role: 'checkpoint' });
 part('Goal', [26, 14, -102], [8, 1, 8], { role: 'goal' });
 part('Mist', [26, 18, -92], [6, 6, 1], { role: 'ghost', alpha: 60 });
-for (let i = 0; i < 14; i++) part(`Pillar ${i}`, [-14 - (i % 3) * 5, -3 + (i % 4), -8 * i], [3, 14 + 3 * (i % 5), 3], { color: [110, 116, 130] });
+for (let i = 0; i < 14; i++)
+  part(`Pillar ${i}`, [-14 - (i % 3) * 5, -3 + (i % 4), -8 * i], [3, 14 + 3 * (i % 5), 3], {
+    color: [110, 116, 130],
+  });
 
-const way = [[0, 0.5, 0], [0, 1.5, -11], [0, 2.5, -19], [0, 3.5, -27], [0, 5, -37], [0, 4.5, -44], [18, 4.5, -44], [26, 6, -52],
-  [26, 5.5, -66], [26, 5.5, -75], [26, 12.5, -84], [26, 12.5, -92], [26, 14.5, -102]];
+const way = [
+  [0, 0.5, 0],
+  [0, 1.5, -11],
+  [0, 2.5, -19],
+  [0, 3.5, -27],
+  [0, 5, -37],
+  [0, 4.5, -44],
+  [18, 4.5, -44],
+  [26, 6, -52],
+  [26, 5.5, -66],
+  [26, 5.5, -75],
+  [26, 12.5, -84],
+  [26, 12.5, -92],
+  [26, 14.5, -102],
+];
 
 // Hops along the way; `stop` ends it early, `drift` pushes it sideways.
-function trajectory(kind, index, outcome, { stop = 1, drift = 0, seed = 0, killer = -1, mismatch } = {}) {
+function trajectory(
+  kind,
+  index,
+  outcome,
+  { stop = 1, drift = 0, seed = 0, killer = -1, mismatch } = {},
+) {
   const points = [];
   const yaw = [];
   const state = [];
@@ -55,31 +100,72 @@ function trajectory(kind, index, outcome, { stop = 1, drift = 0, seed = 0, kille
     const side = drift * far * Math.sin(i / 60 + phase);
     let y = a[1] + (b[1] - a[1]) * t + (leg === 5 ? 0 : 9 * t * (1 - t));
     if (outcome === 'fell' && i > last - 40) y -= ((i - last + 40) / 40) ** 2 * 22;
-    points.push(a[0] + (b[0] - a[0]) * t + side, y, a[2] + (b[2] - a[2]) * t + side * 0.3 * Math.cos(phase));
+    points.push(
+      a[0] + (b[0] - a[0]) * t + side,
+      y,
+      a[2] + (b[2] - a[2]) * t + side * 0.3 * Math.cos(phase),
+    );
     const angle = Math.atan2(-(b[0] - a[0]), -(b[2] - a[2])) / (2 * Math.PI);
     yaw.push(((Math.round(angle * 65536) % 65536) + 65536) % 65536);
     state.push(leg === 5 ? 0 : 1);
   }
   for (let leg = 0; leg * 45 < last; leg++) {
     const heading = yaw[Math.min(last, leg * 45 + 1)];
-    runs.push(Math.min(12, last - leg * 45), leg === 5 ? 1 : 3, heading, Math.max(0, Math.min(33, last - leg * 45 - 12)), 1, heading);
+    runs.push(
+      Math.min(12, last - leg * 45),
+      leg === 5 ? 1 : 3,
+      heading,
+      Math.max(0, Math.min(33, last - leg * 45 - 12)),
+      1,
+      heading,
+    );
   }
   return {
-    kind, index, outcome, part: killer, ticks: last, jumps: Math.ceil(last / 45), waypoints: 0, startTick: 0, stride: 1,
-    position: f32(points), yaw: encode(Uint16Array.from(yaw)), state: encode(Uint8Array.from(state)),
-    jumpTicks: Array.from({ length: Math.ceil(last / 45) }, (_, leg) => leg * 45), runs: encode(Uint16Array.from(runs)), events: kind === 'solution' ? [[470, glass, 0], [520, glass, 1]] : [], mismatch,
+    kind,
+    index,
+    outcome,
+    part: killer,
+    ticks: last,
+    jumps: Math.ceil(last / 45),
+    waypoints: 0,
+    startTick: 0,
+    stride: 1,
+    position: f32(points),
+    yaw: encode(Uint16Array.from(yaw)),
+    state: encode(Uint8Array.from(state)),
+    jumpTicks: Array.from({ length: Math.ceil(last / 45) }, (_, leg) => leg * 45),
+    runs: encode(Uint16Array.from(runs)),
+    events:
+      kind === 'solution'
+        ? [
+            [470, glass, 0],
+            [520, glass, 1],
+          ]
+        : [],
+    mismatch,
   };
 }
 
 const attempts = [];
 for (let i = 0; i < 60; i++) {
-  const outcome = ['fell', 'killed', 'fell', 'running', 'timeout', 'fell', 'avoided', 'jumps'][i % 8];
-  attempts.push(trajectory('attempt', i, outcome, {
-    stop: 0.12 + 0.8 * ((i * 37) % 60) / 60, drift: 2 + (i % 7), seed: i, killer: outcome === 'killed' ? (i % 2 ? lava : bar) : -1,
-  }));
+  const outcome = ['fell', 'killed', 'fell', 'running', 'timeout', 'fell', 'avoided', 'jumps'][
+    i % 8
+  ];
+  attempts.push(
+    trajectory('attempt', i, outcome, {
+      stop: 0.12 + (0.8 * ((i * 37) % 60)) / 60,
+      drift: 2 + (i % 7),
+      seed: i,
+      killer: outcome === 'killed' ? (i % 2 ? lava : bar) : -1,
+    }),
+  );
 }
 
-const liftTrack = Array.from({ length: 240 }, (_, t) => [5 * Math.sin((t / 240) * 2 * Math.PI), 3, -27]).flat();
+const liftTrack = Array.from({ length: 240 }, (_, t) => [
+  5 * Math.sin((t / 240) * 2 * Math.PI),
+  3,
+  -27,
+]).flat();
 const spin = Array.from({ length: 180 }, (_, t) => {
   const half = (t / 180) * Math.PI;
   return [0, Math.round(Math.sin(half) * 32767), 0, Math.round(Math.cos(half) * 32767)];
@@ -87,7 +173,12 @@ const spin = Array.from({ length: 180 }, (_, t) => {
 const crystal = [-2, -3, -2, 2, -3, -2, 2, -3, 2, -2, -3, 2, 0, 3, 0, -2.4, 0, 0, 2.4, 0, 0];
 
 const level = {
-  name: 'Sample', file: 'sample.rbxlx', tickRate: 60, gravity: 196.2, walkSpeed: 16, fallHeight: -500,
+  name: 'Sample',
+  file: 'sample.rbxlx',
+  tickRate: 60,
+  gravity: 196.2,
+  walkSpeed: 16,
+  fallHeight: -500,
   body: { width: 2, depth: 1, hip: 2, neck: 4, top: 5, span: 4 },
   parts: {
     count: parts.length,
@@ -100,7 +191,10 @@ const level = {
     flags: encode(Uint8Array.from(parts, (p) => (p.role === 'ghost' ? 2 : 3))),
   },
   names: parts.map((p) => `Workspace/Course/${p.name}`),
-  notes: { [lava]: ['kill: script KillScript line 3: Health = 0'], [glass]: ['vanish: name (guessed)'] },
+  notes: {
+    [lava]: ['kill: script KillScript line 3: Health = 0'],
+    [glass]: ['vanish: name (guessed)'],
+  },
   hulls: [{ part: parts.findIndex((p) => p.shape === 'hull'), pieces: [f32(crystal)] }],
   tracks: [
     { part: lift, stride: 1, count: 240, loopFrom: 0, position: f32(liftTrack) },
@@ -111,30 +205,89 @@ const level = {
 };
 
 const region = (name, position, size) => ({ name, position, rotation: [0, 0, 0, 1], size });
-const base = { level: 0, start: null, startPosition: [0, 0.5, 0], goal: region('Goal', [26, 17, -102], [8, 5, 8]), waypoints: [], avoid: [], maxJumps: -1, timeLimit: 0 };
-const result = {
-  verdict: 'solved', reason: 'A playthrough was found and replayed.', solutions: 2, ticks: 540, jumps: 12, steps: '8412334', cells: '19321',
-  rounds: '210', closest: 0, seconds: 1.92, firstSolution: 0.41, stepsPerSecond: 4381423, method: 'go-explore', seed: '1',
-  ends: [{ outcome: 'fell', part: -1, count: '61234' }, { outcome: 'killed', part: lava, count: '20311' }, { outcome: 'running', part: -1, count: '15002' }, { outcome: 'timeout', part: -1, count: '310' }],
+const base = {
+  level: 0,
+  start: null,
+  startPosition: [0, 0.5, 0],
+  goal: region('Goal', [26, 17, -102], [8, 5, 8]),
+  waypoints: [],
+  avoid: [],
+  maxJumps: -1,
+  timeLimit: 0,
 };
-
-export const report = {
-  format: 1, generator: 'sample', title: 'Sample course', notes: [],
-  levels: [level],
-  queries: [
-    { ...base, id: 'whole course', waypoints: [{ region: region('Belt', [12, 7, -44], [12, 5, 5]), maxJumps: 6 }], avoid: [region('No shortcut', [6, 8, -60], [8, 8, 20])], result,
-      trajectories: [trajectory('solution', 0, 'goal'), trajectory('solution', 1, 'goal', { drift: 1.2, seed: 5 }), ...attempts] },
-    { ...base, id: 'without jumping', maxJumps: 0, result: { ...result, verdict: 'unreachable', reason: 'The goal is 14 studs up and no jump is allowed.', closest: 96.2, solutions: 0 }, trajectories: attempts.slice(0, 6) },
-    { ...base, id: 'in eight seconds', timeLimit: 8, result: { ...result, verdict: 'unknown', reason: 'The time budget was spent.', closest: 21.4, solutions: 0 }, trajectories: attempts.slice(6, 30) },
-    { ...base, id: 'old recording', result, trajectories: [trajectory('solution', 0, 'goal', { mismatch: 'the last state differs' })] },
+const result = {
+  verdict: 'solved',
+  reason: 'A playthrough was found and replayed.',
+  solutions: 2,
+  ticks: 540,
+  jumps: 12,
+  steps: '8412334',
+  cells: '19321',
+  rounds: '210',
+  closest: 0,
+  seconds: 1.92,
+  firstSolution: 0.41,
+  stepsPerSecond: 4381423,
+  method: 'go-explore',
+  seed: '1',
+  ends: [
+    { outcome: 'fell', part: -1, count: '61234' },
+    { outcome: 'killed', part: lava, count: '20311' },
+    { outcome: 'running', part: -1, count: '15002' },
+    { outcome: 'timeout', part: -1, count: '310' },
   ],
 };
 
-export function fillTemplate(template, data, title) {
-  const json = JSON.stringify(data).replace(/</g, '\\u003c');
-  return template.replace('@@OBBY_TITLE@@', () => title).replace('@@OBBY_DATA@@', () => json);
-}
-
-if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  writeFileSync(process.argv[3], fillTemplate(readFileSync(process.argv[2], 'utf8'), report, report.title));
-}
+export const report = {
+  format: 1,
+  generator: 'sample',
+  title: 'Sample course',
+  notes: [],
+  levels: [level],
+  queries: [
+    {
+      ...base,
+      id: 'whole course',
+      waypoints: [{ region: region('Belt', [12, 7, -44], [12, 5, 5]), maxJumps: 6 }],
+      avoid: [region('No shortcut', [6, 8, -60], [8, 8, 20])],
+      result,
+      trajectories: [
+        trajectory('solution', 0, 'goal'),
+        trajectory('solution', 1, 'goal', { drift: 1.2, seed: 5 }),
+        ...attempts,
+      ],
+    },
+    {
+      ...base,
+      id: 'without jumping',
+      maxJumps: 0,
+      result: {
+        ...result,
+        verdict: 'unreachable',
+        reason: 'The goal is 14 studs up and no jump is allowed.',
+        closest: 96.2,
+        solutions: 0,
+      },
+      trajectories: attempts.slice(0, 6),
+    },
+    {
+      ...base,
+      id: 'in eight seconds',
+      timeLimit: 8,
+      result: {
+        ...result,
+        verdict: 'unknown',
+        reason: 'The time budget was spent.',
+        closest: 21.4,
+        solutions: 0,
+      },
+      trajectories: attempts.slice(6, 30),
+    },
+    {
+      ...base,
+      id: 'old recording',
+      result,
+      trajectories: [trajectory('solution', 0, 'goal', { mismatch: 'the last state differs' })],
+    },
+  ],
+};

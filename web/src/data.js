@@ -13,7 +13,17 @@ const words = (text) => new Uint16Array(bytesOf(text).buffer);
 
 export const SHAPES = ['block', 'ball', 'cylinder', 'wedge', 'cornerWedge', 'truss', 'hull'];
 export const ROLES = [
-  'plain', 'start', 'goal', 'kill', 'moving', 'vanish', 'conveyor', 'pad', 'checkpoint', 'ghost', 'loose',
+  'plain',
+  'start',
+  'goal',
+  'kill',
+  'moving',
+  'vanish',
+  'conveyor',
+  'pad',
+  'checkpoint',
+  'ghost',
+  'loose',
 ];
 
 // Poses of one moving part, one sample every `stride` ticks. The samples are for ticks 0, stride, ...; from
@@ -47,7 +57,13 @@ class Track {
   jumps(i, next) {
     if (next >= i || !this.position) return false;
     const p = this.position;
-    return Math.hypot(p[3 * i] - p[3 * next], p[3 * i + 1] - p[3 * next + 1], p[3 * i + 2] - p[3 * next + 2]) > 4;
+    return (
+      Math.hypot(
+        p[3 * i] - p[3 * next],
+        p[3 * i + 1] - p[3 * next + 1],
+        p[3 * i + 2] - p[3 * next + 2],
+      ) > 4
+    );
   }
 }
 
@@ -73,7 +89,8 @@ function actionAt(runs, tick) {
   let end = 0;
   for (let i = 0; i + 2 < runs.length; i += 3) {
     end += runs[i];
-    if (tick < end) return { walk: (runs[i + 1] & 1) !== 0, jump: (runs[i + 1] & 2) !== 0, heading: runs[i + 2] };
+    if (tick < end)
+      return { walk: (runs[i + 1] & 1) !== 0, jump: (runs[i + 1] & 2) !== 0, heading: runs[i + 2] };
   }
   return { walk: false, jump: false, heading: 0 };
 }

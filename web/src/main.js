@@ -21,7 +21,11 @@ class App {
   constructor(report) {
     this.report = report;
     this.store = new Store(INITIAL);
-    this.playback = new Playback(this.store, () => this.length(), () => this.level()?.tickRate ?? 60);
+    this.playback = new Playback(
+      this.store,
+      () => this.length(),
+      () => this.level()?.tickRate ?? 60,
+    );
     this.stage = new Stage(byId('view'));
     this.labels = new Labels(byId('labels'));
     this.tip = byId('tip');
@@ -30,7 +34,8 @@ class App {
     if (found.query !== undefined) this.store.state.query = found.query;
     this.openQuery();
     this.store.state.path = found.path ?? this.firstPath();
-    if (found.time !== undefined) this.store.state.tick = Math.min(found.time * this.playback.rateOf(), this.length());
+    if (found.time !== undefined)
+      this.store.state.tick = Math.min(found.time * this.playback.rateOf(), this.length());
     this.panels();
     this.bind();
     this.showSelection();
@@ -42,16 +47,26 @@ class App {
     requestAnimationFrame((now) => this.frame(now));
   }
 
-  query() { return this.report.queries[this.store.state.query]; }
+  query() {
+    return this.report.queries[this.store.state.query];
+  }
 
-  level() { return this.report.levels[this.query()?.level ?? 0]; }
+  level() {
+    return this.report.levels[this.query()?.level ?? 0];
+  }
 
-  path() { return this.query()?.paths[this.store.state.path]; }
+  path() {
+    return this.query()?.paths[this.store.state.path];
+  }
 
   length() {
     const path = this.path();
     if (path) return path.ticks;
-    return Math.max(1, ...(this.query()?.paths ?? []).map((each) => each.ticks), 10 * (this.level()?.tickRate ?? 60));
+    return Math.max(
+      1,
+      ...(this.query()?.paths ?? []).map((each) => each.ticks),
+      10 * (this.level()?.tickRate ?? 60),
+    );
   }
 
   // What a reader wants to see first: a solution, or else the attempt that came closest.
@@ -64,7 +79,12 @@ class App {
   panels() {
     this.sidebar = new Sidebar(byId('side'), this.report, this.store, this.playback);
     this.timeline = new Timeline(byId('timeline'), this.store, this.playback, () => this.path());
-    this.scenePanel = new ScenePanel(byId('scene-panel'), this.store, () => this.level(), () => this.query());
+    this.scenePanel = new ScenePanel(
+      byId('scene-panel'),
+      this.store,
+      () => this.level(),
+      () => this.query(),
+    );
     this.hud = new Hud(byId('hud'));
     this.help = new Help(byId('help'));
   }
@@ -88,11 +108,18 @@ class App {
       this.stage.frameQuery(false);
     });
     store.on(['path'], () => this.showSelection());
-    store.on(['hoverPath'], (state) => this.stage.pathView?.hover(this.query()?.paths[state.hoverPath]));
-    store.on(['solutions', 'attempts', 'markers', 'runners', 'regions', 'grid', 'motionPaths', 'path'], () => this.applyToggles());
+    store.on(['hoverPath'], (state) =>
+      this.stage.pathView?.hover(this.query()?.paths[state.hoverPath]),
+    );
+    store.on(
+      ['solutions', 'attempts', 'markers', 'runners', 'regions', 'grid', 'motionPaths', 'path'],
+      () => this.applyToggles(),
+    );
     store.on(['colors'], (state) => this.stage.levelView.setColors(state.colors));
     store.on(['part'], () => this.showPart());
-    store.on(Object.keys(INITIAL), () => { this.dirty = true; });
+    store.on(Object.keys(INITIAL), () => {
+      this.dirty = true;
+    });
     bindKeys(this);
     this.bindPointer(byId('view'));
     this.stage.rig.onUserMove = () => store.set({ follow: false });
@@ -109,8 +136,14 @@ class App {
       down = null;
       if (still && event.button === 0) this.click(event);
     });
-    canvas.addEventListener('pointermove', (event) => { this.pointer = event.buttons ? null : event; });
-    canvas.addEventListener('pointerleave', () => { this.pointer = null; this.store.set({ hoverPath: -1 }); this.tip.hidden = true; });
+    canvas.addEventListener('pointermove', (event) => {
+      this.pointer = event.buttons ? null : event;
+    });
+    canvas.addEventListener('pointerleave', () => {
+      this.pointer = null;
+      this.store.set({ hoverPath: -1 });
+      this.tip.hidden = true;
+    });
   }
 
   click(event) {
@@ -118,7 +151,11 @@ class App {
     const hit = this.stage.pick(this.store.state, x, y);
     if (hit) {
       const same = this.store.state.path === hit.path;
-      this.store.set({ path: hit.path, tick: Math.min(hit.tick, this.query().paths[hit.path].ticks), playing: same && this.store.state.playing });
+      this.store.set({
+        path: hit.path,
+        tick: Math.min(hit.tick, this.query().paths[hit.path].ticks),
+        playing: same && this.store.state.playing,
+      });
       return;
     }
     const part = this.stage.pickPart(x, y);
@@ -142,8 +179,10 @@ class App {
     if (!hit) return;
     const path = this.query().paths[hit.path];
     const rate = this.playback.rateOf();
-    this.tip.replaceChildren(el('strong', { text: path.mismatch ? 'Replay mismatch' : causeOf(path, this.level()) }),
-      el('span', { text: `at ${seconds(hit.tick / rate)} of ${seconds(path.ticks / rate)} s` }));
+    this.tip.replaceChildren(
+      el('strong', { text: path.mismatch ? 'Replay mismatch' : causeOf(path, this.level()) }),
+      el('span', { text: `at ${seconds(hit.tick / rate)} of ${seconds(path.ticks / rate)} s` }),
+    );
     this.tip.style.transform = `translate(${event.clientX + 14}px, ${event.clientY + 14}px)`;
   }
 
@@ -151,7 +190,9 @@ class App {
     const path = this.path();
     this.stage.pathView?.select(path);
     if (this.store.state.tick > this.length()) this.store.set({ tick: this.length() });
-    document.title = path ? `${this.report.title}: ${OUTCOME_STYLE[path.outcome].label}` : this.report.title;
+    document.title = path
+      ? `${this.report.title}: ${OUTCOME_STYLE[path.outcome].label}`
+      : this.report.title;
     this.dirty = true;
   }
 
@@ -205,7 +246,9 @@ class App {
 
   view() {
     const { position, quaternion, aspect } = this.stage.rig.camera;
-    return [...position.toArray(), ...quaternion.toArray(), aspect].map((value) => value.toFixed(4)).join();
+    return [...position.toArray(), ...quaternion.toArray(), aspect]
+      .map((value) => value.toFixed(4))
+      .join();
   }
 
   draw(tick, path) {
@@ -213,10 +256,19 @@ class App {
     if (!this.level()) return;
     this.stage.showTick(path, tick);
     this.stage.render();
-    this.labels.update(this.stage.rig.camera, this.stage.width, this.stage.height, this.store.state.labels && this.store.state.regions);
+    this.labels.update(
+      this.stage.rig.camera,
+      this.stage.width,
+      this.stage.height,
+      this.store.state.labels && this.store.state.regions,
+    );
     this.hud.show(path, tick, this.playback.rateOf(), this.stage.rig.now.yaw);
     clearTimeout(this.saving);
-    this.saving = setTimeout(() => writeFragment(this.report, this.store.state, this.playback.rateOf(), this.stage.rig.save()), 300);
+    this.saving = setTimeout(
+      () =>
+        writeFragment(this.report, this.store.state, this.playback.rateOf(), this.stage.rig.save()),
+      300,
+    );
   }
 }
 
@@ -225,7 +277,9 @@ function start() {
     const report = readReport(byId('obby-data').textContent);
     window.obby = new App(report); // for tests and for people at the console
   } catch (error) {
-    document.body.replaceChildren(el('p', { class: 'fatal', text: `This report cannot be shown: ${error.message}` }));
+    document.body.replaceChildren(
+      el('p', { class: 'fatal', text: `This report cannot be shown: ${error.message}` }),
+    );
     throw error;
   }
 }

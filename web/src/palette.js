@@ -5,7 +5,7 @@ export const ROLE_STYLE = {
   plain: { label: 'Part', color: '#77808f' },
   start: { label: 'Start', color: '#35c48d' },
   goal: { label: 'Goal', color: '#3f8cff' },
-  kill: { label: 'Kills', color: '#f0484e' },
+  kill: { label: 'Kills', color: '#dd4149' },
   moving: { label: 'Moves', color: '#a48bfa' },
   vanish: { label: 'Vanishes', color: '#e6c85a' },
   conveyor: { label: 'Conveyor', color: '#4cc3dd' },
@@ -50,6 +50,7 @@ export function verdictOf(query) {
 // Why a path ended, in words.
 export function causeOf(path, level) {
   const style = OUTCOME_STYLE[path.outcome];
-  if (path.part >= 0 && level && path.part < level.count) return `${style.label} by ${level.names[path.part]}`;
+  if (path.part >= 0 && level && path.part < level.count)
+    return `${style.label} by ${level.names[path.part]}`;
   return style.label;
 }

@@ -1,7 +1,10 @@
 // The keyboard. No shortcut fires while something is typed, or with Ctrl, Alt or Meta held.
 
 function typing(target) {
-  return target instanceof HTMLElement && (target.matches('input[type=search], select, textarea') || target.isContentEditable);
+  return (
+    target instanceof HTMLElement &&
+    (target.matches('input[type=search], select, textarea') || target.isContentEditable)
+  );
 }
 
 function move(app, name, by, most) {
@@ -15,7 +18,16 @@ function neighbour(app, by) {
   app.store.set({ tick: 0 });
 }
 
-const kToggles = ['solutions', 'attempts', 'markers', 'runners', 'regions', 'labels', 'motionPaths', 'grid'];
+const kToggles = [
+  'solutions',
+  'attempts',
+  'markers',
+  'runners',
+  'regions',
+  'labels',
+  'motionPaths',
+  'grid',
+];
 
 // By what is printed on the key, for those whose place differs between keyboards.
 const kByKey = {

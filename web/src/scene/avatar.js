@@ -1,6 +1,16 @@
 // The player: torso, head, arms and legs of the body that the simulator moves, with a simple walk so that facing and
 // pace can be read at a glance.
-import { BoxGeometry, Group, Mesh, MeshLambertMaterial } from 'three';
+import {
+  BoxGeometry,
+  BufferGeometry,
+  Float32BufferAttribute,
+  Group,
+  Mesh,
+  MeshLambertMaterial,
+  Points,
+  PointsMaterial,
+} from 'three';
+import { glyphTexture } from './markers.js';
 
 function limb(width, height, depth, material, x, y) {
   // The pivot is the limb's top, so that it swings from the hip or the shoulder.
@@ -12,9 +22,9 @@ function limb(width, height, depth, material, x, y) {
 
 export class Avatar {
   constructor(body) {
-    const skin = new MeshLambertMaterial({ color: '#ffe2a8', emissive: '#3a2c10' });
-    const shirt = new MeshLambertMaterial({ color: '#ffb84d', emissive: '#3d2806' });
-    const trousers = new MeshLambertMaterial({ color: '#3c4660', emissive: '#0c0f16' });
+    const skin = new MeshLambertMaterial({ color: '#ffd7a3', emissive: '#3a2c18' });
+    const shirt = new MeshLambertMaterial({ color: '#f4f6fb', emissive: '#3c4048' });
+    const trousers = new MeshLambertMaterial({ color: '#2f3c5c', emissive: '#0c0f16' });
     const w = body.width / 2;
     const hip = body.hip;
     const neck = body.neck;
@@ -27,10 +37,35 @@ export class Avatar {
     const visor = new Mesh(new BoxGeometry(headSize * 0.8, headSize * 0.28, 0.08), trousers);
     visor.position.set(0, neck + headSize * 0.6, -headSize * 0.56);
     const armWidth = Math.max(0.2, (body.span - body.width) / 2);
-    this.arms = [-1, 1].map((side) => limb(armWidth, neck - hip, body.depth, skin, side * (w + armWidth / 2), neck));
-    this.legs = [-1, 1].map((side) => limb(w * 0.98, hip, body.depth * 0.98, trousers, (side * w) / 2, hip));
+    this.arms = [-1, 1].map((side) =>
+      limb(armWidth, neck - hip, body.depth, skin, side * (w + armWidth / 2), neck),
+    );
+    this.legs = [-1, 1].map((side) =>
+      limb(w * 0.98, hip, body.depth * 0.98, trousers, (side * w) / 2, hip),
+    );
     this.group.add(torso, head, visor, ...this.arms, ...this.legs);
+    this.group.add(this.pointer(body.top + 1.6));
     this.stride = Math.max(2, hip * 2.4);
+  }
+
+  // A sign over the head, seen through everything: where is the player?
+  pointer(height) {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new Float32BufferAttribute([0, height, 0], 3));
+    const sign = new Points(
+      geometry,
+      new PointsMaterial({
+        map: glyphTexture('down', '#ffffff'),
+        size: 22 * Math.min(devicePixelRatio, 2),
+        sizeAttenuation: false,
+        transparent: true,
+        depthTest: false,
+        depthWrite: false,
+      }),
+    );
+    sign.renderOrder = 20;
+    sign.frustumCulled = false;
+    return sign;
   }
 
   // `travelled`: studs walked since the start, for the phase of the steps.

@@ -2,7 +2,14 @@
 // WASD and QE fly. It can follow the player and glides to whatever is framed.
 import { MathUtils, PerspectiveCamera, Vector3 } from 'three';
 
-const kKeys = { KeyW: [0, 0, 1], KeyS: [0, 0, -1], KeyA: [-1, 0, 0], KeyD: [1, 0, 0], KeyE: [0, 1, 0], KeyQ: [0, -1, 0] };
+const kKeys = {
+  KeyW: [0, 0, 1],
+  KeyS: [0, 0, -1],
+  KeyA: [-1, 0, 0],
+  KeyD: [1, 0, 0],
+  KeyE: [0, 1, 0],
+  KeyQ: [0, -1, 0],
+};
 
 export class CameraRig {
   constructor(canvas) {
@@ -22,16 +29,34 @@ export class CameraRig {
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     canvas.addEventListener('pointerdown', (event) => {
       canvas.setPointerCapture(event.pointerId);
-      this.drag = { button: event.shiftKey && event.button === 0 ? 1 : event.button, x: event.clientX, y: event.clientY };
+      this.drag = {
+        button: event.shiftKey && event.button === 0 ? 1 : event.button,
+        x: event.clientX,
+        y: event.clientY,
+      };
     });
     canvas.addEventListener('pointermove', (event) => this.dragTo(event));
-    canvas.addEventListener('pointerup', () => { this.drag = null; });
-    canvas.addEventListener('pointercancel', () => { this.drag = null; });
-    canvas.addEventListener('wheel', (event) => {
-      event.preventDefault();
-      if (this.drag?.button === 2) this.flySpeed = MathUtils.clamp(this.flySpeed * Math.exp(-event.deltaY / 600), 2, 2000);
-      else this.goal.distance = MathUtils.clamp(this.goal.distance * Math.exp(event.deltaY / 700), 1, 8000);
-    }, { passive: false });
+    canvas.addEventListener('pointerup', () => {
+      this.drag = null;
+    });
+    canvas.addEventListener('pointercancel', () => {
+      this.drag = null;
+    });
+    canvas.addEventListener(
+      'wheel',
+      (event) => {
+        event.preventDefault();
+        if (this.drag?.button === 2)
+          this.flySpeed = MathUtils.clamp(this.flySpeed * Math.exp(-event.deltaY / 600), 2, 2000);
+        else
+          this.goal.distance = MathUtils.clamp(
+            this.goal.distance * Math.exp(event.deltaY / 700),
+            1,
+            8000,
+          );
+      },
+      { passive: false },
+    );
     window.addEventListener('blur', () => this.keys.clear());
   }
 
@@ -57,14 +82,19 @@ export class CameraRig {
 
   pan(dx, dy) {
     this.onUserMove();
-    const studs = (2 * this.goal.distance * Math.tan(MathUtils.degToRad(this.camera.fov / 2))) / innerHeight;
+    const studs =
+      (2 * this.goal.distance * Math.tan(MathUtils.degToRad(this.camera.fov / 2))) / innerHeight;
     const right = new Vector3(1, 0, 0).applyQuaternion(this.camera.quaternion);
     const up = new Vector3(0, 1, 0).applyQuaternion(this.camera.quaternion);
     this.goal.target.addScaledVector(right, -dx * studs).addScaledVector(up, dy * studs);
   }
 
   forwardOf({ yaw, pitch }) {
-    return new Vector3(-Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), -Math.cos(yaw) * Math.cos(pitch));
+    return new Vector3(
+      -Math.sin(yaw) * Math.cos(pitch),
+      Math.sin(pitch),
+      -Math.cos(yaw) * Math.cos(pitch),
+    );
   }
 
   eyeOf(view) {
@@ -109,9 +139,15 @@ export class CameraRig {
     const wide = tall * this.camera.aspect * this.free;
     let distance = 8;
     for (let corner = 0; corner < 8; corner++) {
-      const at = new Vector3(...['x', 'y', 'z'].map((k, i) => (corner & (1 << i) ? box.max[k] : box.min[k]))).sub(centre);
+      const at = new Vector3(
+        ...['x', 'y', 'z'].map((k, i) => (corner & (1 << i) ? box.max[k] : box.min[k])),
+      ).sub(centre);
       const near = -at.dot(forward);
-      distance = Math.max(distance, near + Math.abs(at.dot(right)) / wide, near + Math.abs(at.dot(up)) / tall);
+      distance = Math.max(
+        distance,
+        near + Math.abs(at.dot(right)) / wide,
+        near + Math.abs(at.dot(up)) / tall,
+      );
     }
     this.frame(centre, 1, { yaw, pitch }, false);
     this.goal.distance = distance;
@@ -130,7 +166,8 @@ export class CameraRig {
     this.fly(seconds, fast);
     const share = 1 - Math.exp(-seconds * 14);
     this.now.target.lerp(this.goal.target, share);
-    for (const name of ['yaw', 'pitch', 'distance']) this.now[name] += (this.goal[name] - this.now[name]) * share;
+    for (const name of ['yaw', 'pitch', 'distance'])
+      this.now[name] += (this.goal[name] - this.now[name]) * share;
     this.camera.position.copy(this.eyeOf(this.now));
     this.camera.near = Math.max(0.05, this.now.distance / 500);
     this.camera.far = Math.max(4000, this.now.distance * 40);

@@ -1,7 +1,15 @@
 // The level in 3D: one InstancedMesh for each shape, translucency and mobility; moving and vanishing parts follow the
 // level clock.
 import {
-  Color, DynamicDrawUsage, Group, InstancedBufferAttribute, InstancedMesh, Matrix4, Quaternion, StaticDrawUsage, Vector3,
+  Color,
+  DynamicDrawUsage,
+  Group,
+  InstancedBufferAttribute,
+  InstancedMesh,
+  Matrix4,
+  Quaternion,
+  StaticDrawUsage,
+  Vector3,
 } from 'three';
 import { ROLES, SHAPES } from '../data.js';
 import { ROLE_STYLE } from '../palette.js';
@@ -44,7 +52,8 @@ export class LevelView {
     const hullsOf = new Map(this.level.hulls.map((hull) => [hull.part, hull.pieces]));
     for (let part = 0; part < this.level.count; part++) {
       if (this.shapeOf(part) === 'hull' && hullsOf.has(part)) {
-        for (const piece of hullsOf.get(part)) this.addMesh(hullGeometry(piece), this.keyOf(part), [part]);
+        for (const piece of hullsOf.get(part))
+          this.addMesh(hullGeometry(piece), this.keyOf(part), [part]);
         continue;
       }
       const key = this.keyOf(part);
@@ -56,7 +65,11 @@ export class LevelView {
 
   addMesh(geometry, key, parts) {
     const [shape, look, mobility] = key.split(' ');
-    const mesh = new InstancedMesh(geometry, partMaterial(shape, look === 'translucent', this.uniforms), parts.length);
+    const mesh = new InstancedMesh(
+      geometry,
+      partMaterial(shape, look === 'translucent', this.uniforms),
+      parts.length,
+    );
     const usage = mobility === 'moving' ? DynamicDrawUsage : StaticDrawUsage;
     mesh.instanceMatrix.setUsage(usage);
     mesh.frustumCulled = mobility === 'still';
@@ -64,8 +77,11 @@ export class LevelView {
     mesh.userData.parts = parts;
     mesh.castShadow = look === 'opaque' && shape !== 'truss';
     mesh.receiveShadow = true;
-    const attribute = (name, width) => geometry.setAttribute(name,
-      new InstancedBufferAttribute(new Float32Array(parts.length * width), width));
+    const attribute = (name, width) =>
+      geometry.setAttribute(
+        name,
+        new InstancedBufferAttribute(new Float32Array(parts.length * width), width),
+      );
     attribute('aPattern', 1);
     attribute('aAlpha', 1);
     attribute('aGlow', 1);
@@ -80,7 +96,10 @@ export class LevelView {
     const shape = this.shapeOf(part);
     const turn = new Quaternion().fromArray(rotation, 4 * part).normalize();
     const scale = new Vector3(...scaleOf(shape, size.subarray(3 * part, 3 * part + 3)));
-    mesh.setMatrixAt(at, new Matrix4().compose(new Vector3().fromArray(position, 3 * part), turn, scale));
+    mesh.setMatrixAt(
+      at,
+      new Matrix4().compose(new Vector3().fromArray(position, 3 * part), turn, scale),
+    );
     mesh.geometry.attributes.aPattern.setX(at, ROLE_PATTERN[this.roleOf(part)] ?? 0);
     mesh.geometry.attributes.aAlpha.setX(at, this.alphaOf(part));
     const flow = this.flowOf.get(part);
@@ -136,10 +155,14 @@ export class LevelView {
       mesh.getMatrixAt(at, matrix);
       matrix.decompose(position, rotation, scale);
       if (track.position) {
-        position.fromArray(track.position, 3 * i).lerp(new Vector3().fromArray(track.position, 3 * next), share);
+        position
+          .fromArray(track.position, 3 * i)
+          .lerp(new Vector3().fromArray(track.position, 3 * next), share);
       }
       if (track.rotation) {
-        rotation.fromArray(track.rotation, 4 * i).normalize()
+        rotation
+          .fromArray(track.rotation, 4 * i)
+          .normalize()
           .slerp(new Quaternion().fromArray(track.rotation, 4 * next).normalize(), share);
       }
       mesh.setMatrixAt(at, matrix.compose(position, rotation, scale));

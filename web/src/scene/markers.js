@@ -1,28 +1,64 @@
 // Where attempts ended, one glyph an outcome, and the runners: a dot for every trajectory at the clock's tick.
 import {
-  BufferGeometry, CanvasTexture, Color, DynamicDrawUsage, Float32BufferAttribute, Group, Points, PointsMaterial,
+  BufferGeometry,
+  CanvasTexture,
+  Color,
+  DynamicDrawUsage,
+  Float32BufferAttribute,
+  Group,
+  Points,
+  PointsMaterial,
 } from 'three';
 import { OUTCOME_STYLE, pathColor } from '../palette.js';
 
 const kDraw = {
-  ring: (g) => { g.arc(32, 32, 17, 0, 7); },
-  dot: (g) => { g.arc(32, 32, 7, 0, 7); },
-  cross: (g) => { g.moveTo(18, 18); g.lineTo(46, 46); g.moveTo(46, 18); g.lineTo(18, 46); },
-  down: (g) => { g.moveTo(16, 24); g.lineTo(32, 44); g.lineTo(48, 24); },
-  up: (g) => { g.moveTo(16, 40); g.lineTo(32, 20); g.lineTo(48, 40); },
-  bar: (g) => { g.arc(32, 32, 17, 0, 7); g.moveTo(20, 44); g.lineTo(44, 20); },
-  clock: (g) => { g.arc(32, 32, 17, 0, 7); g.moveTo(32, 22); g.lineTo(32, 32); g.lineTo(40, 36); },
+  ring: (g) => {
+    g.arc(32, 32, 17, 0, 7);
+  },
+  dot: (g) => {
+    g.arc(32, 32, 7, 0, 7);
+  },
+  cross: (g) => {
+    g.moveTo(18, 18);
+    g.lineTo(46, 46);
+    g.moveTo(46, 18);
+    g.lineTo(18, 46);
+  },
+  down: (g) => {
+    g.moveTo(16, 24);
+    g.lineTo(32, 44);
+    g.lineTo(48, 24);
+  },
+  up: (g) => {
+    g.moveTo(16, 40);
+    g.lineTo(32, 20);
+    g.lineTo(48, 40);
+  },
+  bar: (g) => {
+    g.arc(32, 32, 17, 0, 7);
+    g.moveTo(20, 44);
+    g.lineTo(44, 20);
+  },
+  clock: (g) => {
+    g.arc(32, 32, 17, 0, 7);
+    g.moveTo(32, 22);
+    g.lineTo(32, 32);
+    g.lineTo(40, 36);
+  },
 };
 
 // A glyph with a dark rim, readable on any part.
-function glyphTexture(glyph, color) {
+export function glyphTexture(glyph, color) {
   const canvas = document.createElement('canvas');
   canvas.width = 64;
   canvas.height = 64;
   const g = canvas.getContext('2d');
   g.lineCap = 'round';
   g.lineJoin = 'round';
-  for (const [style, width] of [['rgba(8,10,15,0.85)', 13], [color, 6.5]]) {
+  for (const [style, width] of [
+    ['rgba(8,10,15,0.85)', 13],
+    [color, 6.5],
+  ]) {
     g.strokeStyle = style;
     g.lineWidth = width;
     g.beginPath();
@@ -46,13 +82,26 @@ export class Markers {
     this.paths = query.paths;
     this.ends = new Group();
     for (const [outcome, style] of Object.entries(OUTCOME_STYLE)) {
-      const at = query.paths.filter((path) => path.outcome === outcome && outcome !== 'goal')
-        .flatMap((path) => { const [x, y, z] = path.end(); return [x, y + 0.35, z]; });
+      const at = query.paths
+        .filter((path) => path.outcome === outcome && outcome !== 'goal')
+        .flatMap((path) => {
+          const [x, y, z] = path.end();
+          return [x, y + 0.35, z];
+        });
       if (!at.length) continue;
-      this.ends.add(points(at, new PointsMaterial({
-        map: glyphTexture(style.glyph, style.color), size: 15 * pixelRatio, sizeAttenuation: false, transparent: true,
-        depthTest: true, depthWrite: false,
-      })));
+      this.ends.add(
+        points(
+          at,
+          new PointsMaterial({
+            map: glyphTexture(style.glyph, style.color),
+            size: 15 * pixelRatio,
+            sizeAttenuation: false,
+            transparent: true,
+            depthTest: true,
+            depthWrite: false,
+          }),
+        ),
+      );
     }
     this.runners = this.runnerCloud(pixelRatio);
     this.group = new Group();
@@ -60,16 +109,29 @@ export class Markers {
   }
 
   runnerCloud(pixelRatio) {
-    const cloud = points(new Float32Array(this.paths.length * 3), new PointsMaterial({
-      size: 5 * pixelRatio, sizeAttenuation: false, vertexColors: true, transparent: true, depthWrite: false,
-      map: glyphTexture('dot', '#ffffff'),
-    }));
+    const cloud = points(
+      new Float32Array(this.paths.length * 3),
+      new PointsMaterial({
+        size: 5 * pixelRatio,
+        sizeAttenuation: false,
+        vertexColors: true,
+        transparent: true,
+        depthWrite: false,
+        map: glyphTexture('dot', '#ffffff'),
+      }),
+    );
     cloud.material.size = 13 * pixelRatio;
     const color = new Color();
-    cloud.geometry.setAttribute('color', new Float32BufferAttribute(this.paths.flatMap((path) => {
-      color.set(pathColor(path));
-      return [color.r, color.g, color.b];
-    }), 3));
+    cloud.geometry.setAttribute(
+      'color',
+      new Float32BufferAttribute(
+        this.paths.flatMap((path) => {
+          color.set(pathColor(path));
+          return [color.r, color.g, color.b];
+        }),
+        3,
+      ),
+    );
     cloud.geometry.attributes.position.setUsage(DynamicDrawUsage);
     return cloud;
   }

@@ -4,7 +4,11 @@ import { DoubleSide, FrontSide, MeshLambertMaterial } from 'three';
 
 export const PATTERN = { none: 0, stripes: 1, chevrons: 2, rings: 3, checks: 4, dots: 5 };
 export const ROLE_PATTERN = {
-  kill: PATTERN.stripes, conveyor: PATTERN.chevrons, pad: PATTERN.rings, goal: PATTERN.checks, vanish: PATTERN.dots,
+  kill: PATTERN.stripes,
+  conveyor: PATTERN.chevrons,
+  pad: PATTERN.rings,
+  goal: PATTERN.checks,
+  vanish: PATTERN.dots,
 };
 
 const VERTEX_HEAD = `
@@ -59,7 +63,7 @@ float edge() {
 const FRAGMENT_BODY = `
 float mark = pattern() * uPatterns;
 diffuseColor.rgb = mix(diffuseColor.rgb, vPattern > 3.5 && vPattern < 4.5 ? diffuseColor.rgb * 1.5 + 0.05
-  : diffuseColor.rgb * 0.62, mark);
+  : diffuseColor.rgb * (vPattern < 1.5 ? 0.74 : 0.62), mark);
 #ifdef OBBY_LATTICE
   vec2 cell = fract(faceUv(vLocal) / 2.0);
   vec2 rim = min(cell, 1.0 - cell);
@@ -76,17 +80,27 @@ diffuseColor.a *= vAlpha;
 export function partMaterial(shape, translucent, uniforms) {
   const lattice = shape === 'truss';
   const material = new MeshLambertMaterial({
-    transparent: translucent, depthWrite: !translucent, side: lattice ? DoubleSide : FrontSide,
+    transparent: translucent,
+    depthWrite: !translucent,
+    side: lattice ? DoubleSide : FrontSide,
   });
   material.defines = {};
   if (lattice) material.defines.OBBY_LATTICE = '';
   if (['block', 'wedge', 'cornerWedge', 'truss'].includes(shape)) material.defines.OBBY_EDGES = '';
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms);
-    shader.vertexShader = VERTEX_HEAD + shader.vertexShader.replace('#include <begin_vertex>',
-      `#include <begin_vertex>\n${VERTEX_BODY}`);
-    shader.fragmentShader = FRAGMENT_HEAD + shader.fragmentShader.replace('#include <color_fragment>',
-      `#include <color_fragment>\n${FRAGMENT_BODY}`);
+    shader.vertexShader =
+      VERTEX_HEAD +
+      shader.vertexShader.replace(
+        '#include <begin_vertex>',
+        `#include <begin_vertex>\n${VERTEX_BODY}`,
+      );
+    shader.fragmentShader =
+      FRAGMENT_HEAD +
+      shader.fragmentShader.replace(
+        '#include <color_fragment>',
+        `#include <color_fragment>\n${FRAGMENT_BODY}`,
+      );
   };
   material.customProgramCacheKey = () => `${lattice} ${'OBBY_EDGES' in material.defines}`;
   return material;

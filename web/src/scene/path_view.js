@@ -1,7 +1,14 @@
 // Trajectories of a query as lines: attempts thin and faint in one buffer, solutions bright, the selected one thick,
 // with the part already played brighter than what is to come.
 import {
-  AdditiveBlending, BufferGeometry, Color, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, NormalBlending,
+  AdditiveBlending,
+  BufferGeometry,
+  Color,
+  Float32BufferAttribute,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  NormalBlending,
 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
@@ -37,8 +44,16 @@ function thinLines(paths) {
   geometry.setAttribute('color', new Float32BufferAttribute(color, 3));
   // Many attempts add up to a cloud, few stay readable.
   const opacity = Math.min(0.6, Math.max(0.16, 6 / Math.sqrt(paths.length * 4 + 1)));
-  const lines = new LineSegments(geometry,
-    new LineBasicMaterial({ vertexColors: true, transparent: true, opacity, depthWrite: false, blending: NormalBlending }));
+  const lines = new LineSegments(
+    geometry,
+    new LineBasicMaterial({
+      vertexColors: true,
+      transparent: true,
+      opacity,
+      depthWrite: false,
+      blending: NormalBlending,
+    }),
+  );
   lines.renderOrder = 5;
   return lines;
 }
@@ -46,7 +61,14 @@ function thinLines(paths) {
 function thickLine(path, color, width, opacity, options = {}) {
   const geometry = new LineSegmentsGeometry();
   geometry.setPositions(segmentsOf(path));
-  const material = new LineMaterial({ color, linewidth: width, transparent: true, opacity, depthWrite: false, ...options });
+  const material = new LineMaterial({
+    color,
+    linewidth: width,
+    transparent: true,
+    opacity,
+    depthWrite: false,
+    ...options,
+  });
   const line = new LineSegments2(geometry, material);
   line.renderOrder = 6;
   return line;
@@ -56,7 +78,9 @@ export class PathView {
   constructor(query) {
     this.paths = query.paths;
     this.group = new Group();
-    this.attempts = thinLines(query.paths.filter((path) => path.outcome !== 'goal' || path.kind !== 'solution'));
+    this.attempts = thinLines(
+      query.paths.filter((path) => path.outcome !== 'goal' || path.kind !== 'solution'),
+    );
     this.solutions = new Group();
     for (const path of query.paths) {
       if (path.kind === 'solution') this.solutions.add(this.solutionLine(path));
@@ -95,8 +119,11 @@ export class PathView {
       thickLine(path, pathColor(path), 2.5, 0.3, { depthTest: false, blending: AdditiveBlending }),
       thickLine(path, '#0b0e14', 7.5, 0.45),
       thickLine(path, pathColor(path), 3.6, 0.75),
-      thickLine(path, path.outcome === 'goal' ? SELECTED_COLOR : '#ffffff', 4.2, 1));
-    this.selection.children.forEach((line, i) => { line.renderOrder = 7 + i; });
+      thickLine(path, path.outcome === 'goal' ? SELECTED_COLOR : '#ffffff', 4.2, 1),
+    );
+    this.selection.children.forEach((line, i) => {
+      line.renderOrder = 7 + i;
+    });
     this.played = this.selection.children[3];
   }
 

@@ -9,7 +9,10 @@ function distanceToSegment(px, py, ax, ay, bx, by) {
   const dx = bx - ax;
   const dy = by - ay;
   const lengthSquared = dx * dx + dy * dy;
-  const t = lengthSquared > 0 ? Math.min(1, Math.max(0, ((px - ax) * dx + (py - ay) * dy) / lengthSquared)) : 0;
+  const t =
+    lengthSquared > 0
+      ? Math.min(1, Math.max(0, ((px - ax) * dx + (py - ay) * dy) / lengthSquared))
+      : 0;
   return Math.hypot(px - ax - t * dx, py - ay - t * dy);
 }
 
@@ -22,13 +25,23 @@ function approach(path, matrix, width, height, x, y, skip) {
   let lastY = 0;
   let valid = false;
   for (let i = 0; i < path.samples; i += skip) {
-    const [px, py, pz] = [path.points[3 * i], path.points[3 * i + 1] + kLift, path.points[3 * i + 2]];
+    const [px, py, pz] = [
+      path.points[3 * i],
+      path.points[3 * i + 1] + kLift,
+      path.points[3 * i + 2],
+    ];
     const w = m[3] * px + m[7] * py + m[11] * pz + m[15];
-    if (w <= 0.01) { valid = false; continue; }
+    if (w <= 0.01) {
+      valid = false;
+      continue;
+    }
     const sx = (((m[0] * px + m[4] * py + m[8] * pz + m[12]) / w) * 0.5 + 0.5) * width;
     const sy = (0.5 - ((m[1] * px + m[5] * py + m[9] * pz + m[13]) / w) * 0.5) * height;
     const d = valid ? distanceToSegment(x, y, lastX, lastY, sx, sy) : Math.hypot(x - sx, y - sy);
-    if (d < best) { best = d; tick = i * path.stride; }
+    if (d < best) {
+      best = d;
+      tick = i * path.stride;
+    }
     [lastX, lastY, valid] = [sx, sy, true];
   }
   return { distance: best, tick };
@@ -44,7 +57,8 @@ export function pickPath(paths, camera, width, height, x, y, visible) {
     if (!visible(path)) return;
     const found = approach(path, matrix, width, height, x, y, skip);
     const distance = found.distance - (path.kind === 'solution' ? 4 : 0);
-    if (found.distance <= kReach && (!best || distance < best.distance)) best = { path: index, tick: found.tick, distance };
+    if (found.distance <= kReach && (!best || distance < best.distance))
+      best = { path: index, tick: found.tick, distance };
   });
   return best;
 }

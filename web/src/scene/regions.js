@@ -1,7 +1,17 @@
 // The regions of a query as translucent boxes with floating labels.
 import {
-  BoxGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, Quaternion, RingGeometry,
-  ShaderMaterial, Color, Vector3,
+  BoxGeometry,
+  DoubleSide,
+  EdgesGeometry,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  Quaternion,
+  RingGeometry,
+  ShaderMaterial,
+  Color,
+  Vector3,
 } from 'three';
 import { ROLE_STYLE } from '../palette.js';
 
@@ -11,10 +21,14 @@ const kWaypoint = '#ffd166';
 // Fades upward, so that a tall box does not hide what stands in it.
 function fillMaterial(color) {
   return new ShaderMaterial({
-    transparent: true, depthWrite: false, side: DoubleSide,
+    transparent: true,
+    depthWrite: false,
+    side: DoubleSide,
     uniforms: { uColor: { value: new Color(color) } },
-    vertexShader: 'varying float vUp; void main() { vUp = uv.y; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); vUp = position.y + 0.5; }',
-    fragmentShader: 'uniform vec3 uColor; varying float vUp; void main() { gl_FragColor = vec4(uColor, mix(0.26, 0.05, vUp)); }',
+    vertexShader:
+      'varying float vUp; void main() { vUp = uv.y; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); vUp = position.y + 0.5; }',
+    fragmentShader:
+      'uniform vec3 uColor; varying float vUp; void main() { gl_FragColor = vec4(uColor, mix(0.26, 0.05, vUp)); }',
   });
 }
 
@@ -23,8 +37,10 @@ function box(region, color) {
   const geometry = new BoxGeometry(1, 1, 1);
   const fill = new Mesh(geometry, fillMaterial(color));
   fill.renderOrder = 3;
-  const edges = new LineSegments(new EdgesGeometry(geometry),
-    new LineBasicMaterial({ color, transparent: true, opacity: 0.85 }));
+  const edges = new LineSegments(
+    new EdgesGeometry(geometry),
+    new LineBasicMaterial({ color, transparent: true, opacity: 0.85 }),
+  );
   edges.renderOrder = 4;
   group.add(fill, edges);
   group.position.fromArray(region.position);
@@ -34,9 +50,12 @@ function box(region, color) {
 }
 
 function ring(position) {
-  const mesh = new Mesh(new RingGeometry(1.5, 1.9, 48).rotateX(-Math.PI / 2),
-    fillMaterial(ROLE_STYLE.start.color));
-  mesh.material.fragmentShader = 'uniform vec3 uColor; void main() { gl_FragColor = vec4(uColor, 0.9); }';
+  const mesh = new Mesh(
+    new RingGeometry(1.5, 1.9, 48).rotateX(-Math.PI / 2),
+    fillMaterial(ROLE_STYLE.start.color),
+  );
+  mesh.material.fragmentShader =
+    'uniform vec3 uColor; void main() { gl_FragColor = vec4(uColor, 0.9); }';
   mesh.position.fromArray(position);
   mesh.position.y += 0.06;
   mesh.renderOrder = 3;
@@ -64,17 +83,28 @@ export class RegionView {
     if (query.start) add(query.start, ROLE_STYLE.start.color, 'Start');
     else if (query.startPosition) {
       this.group.add(ring(query.startPosition));
-      this.labels.push({ text: 'Start', at: new Vector3().fromArray(query.startPosition).add(new Vector3(0, 6.4, 0)), color: ROLE_STYLE.start.color });
+      this.labels.push({
+        text: 'Start',
+        at: new Vector3().fromArray(query.startPosition).add(new Vector3(0, 6.4, 0)),
+        color: ROLE_STYLE.start.color,
+      });
     }
     if (query.goal) add(query.goal, ROLE_STYLE.goal.color, 'Goal');
     query.waypoints.forEach((waypoint, i) => {
       const limit = waypoint.maxJumps >= 0 ? ` · ≤ ${waypoint.maxJumps} jumps` : '';
-      add(waypoint.region, kWaypoint, `${i + 1}${waypoint.region.name ? ` ${waypoint.region.name}` : ''}${limit}`);
+      add(
+        waypoint.region,
+        kWaypoint,
+        `${i + 1}${waypoint.region.name ? ` ${waypoint.region.name}` : ''}${limit}`,
+      );
     });
     query.avoid.forEach((region) => add(region, kAvoid, region.name || 'Avoid'));
   }
 
   dispose() {
-    this.group.traverse((node) => { node.geometry?.dispose(); node.material?.dispose(); });
+    this.group.traverse((node) => {
+      node.geometry?.dispose();
+      node.material?.dispose();
+    });
   }
 }

@@ -1,10 +1,19 @@
 // Unit geometries of the part shapes (extent 1 on each axis, scaled per part) and the scale that a shape gives a part.
-import { BoxGeometry, BufferGeometry, CylinderGeometry, Float32BufferAttribute, SphereGeometry, Vector3 } from 'three';
+import {
+  BoxGeometry,
+  BufferGeometry,
+  CylinderGeometry,
+  Float32BufferAttribute,
+  SphereGeometry,
+  Vector3,
+} from 'three';
 import { ConvexGeometry } from 'three/addons/geometries/ConvexGeometry.js';
 
 // Triangles given by corner letters, with flat normals.
 function faceted(corners, triangles) {
-  const positions = triangles.flatMap((triangle) => triangle.flatMap((corner) => corners[corner].map((v) => v / 2)));
+  const positions = triangles.flatMap((triangle) =>
+    triangle.flatMap((corner) => corners[corner].map((v) => v / 2)),
+  );
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new Float32BufferAttribute(positions, 3));
   geometry.computeVertexNormals();
@@ -13,37 +22,63 @@ function faceted(corners, triangles) {
 
 function wedge() {
   const corners = {
-    a: [-1, -1, -1], b: [1, -1, -1], c: [1, -1, 1], d: [-1, -1, 1], e: [-1, 1, 1], f: [1, 1, 1],
+    a: [-1, -1, -1],
+    b: [1, -1, -1],
+    c: [1, -1, 1],
+    d: [-1, -1, 1],
+    e: [-1, 1, 1],
+    f: [1, 1, 1],
   };
   return faceted(corners, [
-    ['a', 'b', 'c'], ['a', 'c', 'd'], // floor
-    ['d', 'c', 'f'], ['d', 'f', 'e'], // back
-    ['a', 'e', 'f'], ['a', 'f', 'b'], // slope
-    ['b', 'f', 'c'], ['a', 'd', 'e'], // sides
+    ['a', 'b', 'c'],
+    ['a', 'c', 'd'], // floor
+    ['d', 'c', 'f'],
+    ['d', 'f', 'e'], // back
+    ['a', 'e', 'f'],
+    ['a', 'f', 'b'], // slope
+    ['b', 'f', 'c'],
+    ['a', 'd', 'e'], // sides
   ]);
 }
 
 function cornerWedge() {
-  const corners = { a: [-1, -1, -1], b: [1, -1, -1], c: [1, -1, 1], d: [-1, -1, 1], top: [1, 1, -1] };
+  const corners = {
+    a: [-1, -1, -1],
+    b: [1, -1, -1],
+    c: [1, -1, 1],
+    d: [-1, -1, 1],
+    top: [1, 1, -1],
+  };
   return faceted(corners, [
-    ['a', 'b', 'c'], ['a', 'c', 'd'], ['a', 'top', 'b'], ['b', 'top', 'c'], ['c', 'top', 'd'], ['d', 'top', 'a'],
+    ['a', 'b', 'c'],
+    ['a', 'c', 'd'],
+    ['a', 'top', 'b'],
+    ['b', 'top', 'c'],
+    ['c', 'top', 'd'],
+    ['d', 'top', 'a'],
   ]);
 }
 
 export function unitGeometry(shape) {
   switch (shape) {
-    case 'ball': return new SphereGeometry(0.5, 28, 18);
-    case 'cylinder': return new CylinderGeometry(0.5, 0.5, 1, 36).rotateZ(Math.PI / 2).toNonIndexed();
-    case 'wedge': return wedge();
-    case 'cornerWedge': return cornerWedge();
-    default: return new BoxGeometry(1, 1, 1);
+    case 'ball':
+      return new SphereGeometry(0.5, 28, 18);
+    case 'cylinder':
+      return new CylinderGeometry(0.5, 0.5, 1, 36).rotateZ(Math.PI / 2).toNonIndexed();
+    case 'wedge':
+      return wedge();
+    case 'cornerWedge':
+      return cornerWedge();
+    default:
+      return new BoxGeometry(1, 1, 1);
   }
 }
 
 // Vertices of a hull are in studs from the part's centre.
 export function hullGeometry(vertices) {
   const points = [];
-  for (let i = 0; i + 2 < vertices.length; i += 3) points.push(new Vector3().fromArray(vertices, i));
+  for (let i = 0; i + 2 < vertices.length; i += 3)
+    points.push(new Vector3().fromArray(vertices, i));
   return new ConvexGeometry(points);
 }
 

@@ -1,7 +1,19 @@
 // The 3D stage: level, regions, trajectories, player, light and ground, redrawn when something changed.
 import {
-  Box3, DirectionalLight, Fog, GridHelper, Group, HemisphereLight, Line, BufferGeometry, Float32BufferAttribute,
-  LineDashedMaterial, PCFShadowMap, Scene, Vector3, WebGLRenderer,
+  Box3,
+  DirectionalLight,
+  Fog,
+  GridHelper,
+  Group,
+  HemisphereLight,
+  Line,
+  BufferGeometry,
+  Float32BufferAttribute,
+  LineDashedMaterial,
+  PCFShadowMap,
+  Scene,
+  Vector3,
+  WebGLRenderer,
 } from 'three';
 import { ROLE_STYLE } from '../palette.js';
 import { Avatar } from './avatar.js';
@@ -21,7 +33,12 @@ const kSun = new Vector3(0.42, 1, 0.28);
 export class Stage {
   constructor(canvas) {
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+    this.renderer = new WebGLRenderer({
+      canvas,
+      antialias: true,
+      alpha: true,
+      preserveDrawingBuffer: true,
+    });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.scene = new Scene();
     this.renderer.setClearAlpha(0); // the page's own gradient lies behind
@@ -39,7 +56,8 @@ export class Stage {
   }
 
   clear() {
-    if (this.levelView) this.scene.remove(this.levelView.group, this.avatar.group, this.grid, this.motionPaths);
+    if (this.levelView)
+      this.scene.remove(this.levelView.group, this.avatar.group, this.grid, this.motionPaths);
   }
 
   setLevel(level) {
@@ -49,7 +67,9 @@ export class Stage {
     this.avatar = new Avatar(level.body);
     this.avatar.group.visible = false;
     this.renderer.shadowMap.enabled = level.count <= kMostShadowed;
-    this.avatar.group.traverse((node) => { node.castShadow = true; });
+    this.avatar.group.traverse((node) => {
+      node.castShadow = true;
+    });
     this.measure(level);
     const size = Math.max(64, Math.ceil(this.radius / 32) * 128);
     this.grid = new GridHelper(size, Math.min(200, size / 8), '#262c38', '#1a1f28');
@@ -61,8 +81,10 @@ export class Stage {
 
   // A sphere around the level that a few strays cannot blow up.
   measure(level) {
-    const axis = (k) => Float32Array.from({ length: level.count }, (_, i) => level.position[3 * i + k]).sort();
-    const at = (values, share) => values[Math.min(values.length - 1, Math.floor(share * values.length))] ?? 0;
+    const axis = (k) =>
+      Float32Array.from({ length: level.count }, (_, i) => level.position[3 * i + k]).sort();
+    const at = (values, share) =>
+      values[Math.min(values.length - 1, Math.floor(share * values.length))] ?? 0;
     this.bounds = new Box3();
     const sorted = [0, 1, 2].map(axis);
     this.bounds.min.set(...sorted.map((values) => at(values, 0.02)));
@@ -78,9 +100,17 @@ export class Stage {
       if (!track.position) continue;
       const geometry = new BufferGeometry();
       geometry.setAttribute('position', new Float32BufferAttribute(track.position, 3));
-      const line = new Line(geometry, new LineDashedMaterial({
-        color: ROLE_STYLE.moving.color, dashSize: 0.6, gapSize: 0.5, transparent: true, opacity: 0.45, depthWrite: false,
-      }));
+      const line = new Line(
+        geometry,
+        new LineDashedMaterial({
+          color: ROLE_STYLE.moving.color,
+          dashSize: 0.6,
+          gapSize: 0.5,
+          transparent: true,
+          opacity: 0.45,
+          depthWrite: false,
+        }),
+      );
       line.computeLineDistances();
       group.add(line);
     }
@@ -106,7 +136,8 @@ export class Stage {
     if (this.regionView) box.expandByObject(this.regionView.group);
     for (const path of this.query?.paths ?? []) {
       if (path.kind !== 'solution') continue;
-      for (let i = 0; i < path.samples; i += 8) box.expandByPoint(new Vector3().fromArray(path.points, 3 * i));
+      for (let i = 0; i < path.samples; i += 8)
+        box.expandByPoint(new Vector3().fromArray(path.points, 3 * i));
     }
     return box.isEmpty() ? this.bounds.clone() : box.expandByScalar(3);
   }
@@ -133,7 +164,14 @@ export class Stage {
     this.sun.target.position.copy(centre);
     this.sun.position.copy(centre).addScaledVector(kSun, reach * 2);
     const eye = this.sun.shadow.camera;
-    [eye.left, eye.right, eye.bottom, eye.top, eye.near, eye.far] = [-reach, reach, -reach, reach, 0.1, reach * 5];
+    [eye.left, eye.right, eye.bottom, eye.top, eye.near, eye.far] = [
+      -reach,
+      reach,
+      -reach,
+      reach,
+      0.1,
+      reach * 5,
+    ];
     eye.updateProjectionMatrix();
   }
 
@@ -142,7 +180,15 @@ export class Stage {
   }
 
   pick(state, x, y) {
-    return pickPath(this.query?.paths ?? [], this.rig.camera, this.width, this.height, x, y, this.visibleOf(state));
+    return pickPath(
+      this.query?.paths ?? [],
+      this.rig.camera,
+      this.width,
+      this.height,
+      x,
+      y,
+      this.visibleOf(state),
+    );
   }
 
   pickPart(x, y) {
@@ -158,7 +204,14 @@ export class Stage {
     // The middle of the picture is the middle of what the legend leaves free.
     const covered = clientWidth > 900 ? kPanelWidth : 0;
     this.rig.free = 1 - covered / clientWidth;
-    this.rig.camera.setViewOffset(clientWidth, clientHeight, covered / 2, 0, clientWidth, clientHeight);
+    this.rig.camera.setViewOffset(
+      clientWidth,
+      clientHeight,
+      covered / 2,
+      0,
+      clientWidth,
+      clientHeight,
+    );
   }
 
   showTick(path, tick) {
@@ -189,7 +242,8 @@ export class Stage {
       path.sums = new Float32Array(path.samples);
       for (let i = 1; i < path.samples; i++) {
         const p = path.points;
-        path.sums[i] = path.sums[i - 1] + Math.hypot(p[3 * i] - p[3 * i - 3], p[3 * i + 2] - p[3 * i - 1]);
+        path.sums[i] =
+          path.sums[i - 1] + Math.hypot(p[3 * i] - p[3 * i - 3], p[3 * i + 2] - p[3 * i - 1]);
       }
     }
     const s = Math.min(tick / path.stride, path.samples - 1);

@@ -34,7 +34,11 @@ const kIcons = {
 };
 
 export function icon(name) {
-  return svg('svg', { viewBox: '0 0 24 24', class: 'icon', 'aria-hidden': 'true' }, svg('path', { d: kIcons[name] }));
+  return svg(
+    'svg',
+    { viewBox: '0 0 24 24', class: 'icon', 'aria-hidden': 'true' },
+    svg('path', { d: kIcons[name] }),
+  );
 }
 
 export const seconds = (value) => (value >= 100 ? value.toFixed(0) : value.toFixed(2));
@@ -43,7 +47,12 @@ export const seconds = (value) => (value >= 100 ? value.toFixed(0) : value.toFix
 export function count(value) {
   const number = Number(value);
   if (number < 10000) return String(number);
-  for (const [unit, name] of [[1e12, 'T'], [1e9, 'G'], [1e6, 'M'], [1e3, 'k']]) {
+  for (const [unit, name] of [
+    [1e12, 'T'],
+    [1e9, 'G'],
+    [1e6, 'M'],
+    [1e3, 'k'],
+  ]) {
     if (number >= unit) return `${(number / unit).toPrecision(3)} ${name}`;
   }
   return String(number);

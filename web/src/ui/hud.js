@@ -5,14 +5,34 @@ export class Hud {
   constructor(root) {
     this.root = root;
     this.keys = {};
-    const key = (name, label) => { this.keys[name] = el('span', { class: `cap ${name}`, text: label }); return this.keys[name]; };
+    const key = (name, label) => {
+      this.keys[name] = el('span', { class: `cap ${name}`, text: label });
+      return this.keys[name];
+    };
     this.speed = el('b', {});
     this.height = el('b', {});
     this.jumps = el('b', {});
     root.append(
-      el('div', { class: 'keys' }, key('w', 'W'), key('a', 'A'), key('s', 'S'), key('d', 'D'), key('jump', 'Space')),
-      el('dl', {}, el('dt', { text: 'Speed' }), el('dd', {}, this.speed, ' studs/s'), el('dt', { text: 'Height' }),
-        el('dd', {}, this.height, ' studs'), el('dt', { text: 'Jumps' }), el('dd', {}, this.jumps)));
+      el(
+        'div',
+        { class: 'keys' },
+        key('w', 'W'),
+        key('a', 'A'),
+        key('s', 'S'),
+        key('d', 'D'),
+        key('jump', 'Space'),
+      ),
+      el(
+        'dl',
+        {},
+        el('dt', { text: 'Speed' }),
+        el('dd', {}, this.speed, ' studs/s'),
+        el('dt', { text: 'Height' }),
+        el('dd', {}, this.height, ' studs'),
+        el('dt', { text: 'Jumps' }),
+        el('dd', {}, this.jumps),
+      ),
+    );
     root.hidden = true;
   }
 
@@ -25,9 +45,20 @@ export class Hud {
       // Angle of the move direction to the left of where the camera looks, in eighths of a turn.
       const turns = action.heading / 65536 - cameraYaw / (2 * Math.PI);
       const eighth = ((Math.round(turns * 8) % 8) + 8) % 8;
-      for (const name of [['w'], ['w', 'a'], ['a'], ['a', 's'], ['s'], ['s', 'd'], ['d'], ['d', 'w']][eighth]) pressed.add(name);
+      for (const name of [
+        ['w'],
+        ['w', 'a'],
+        ['a'],
+        ['a', 's'],
+        ['s'],
+        ['s', 'd'],
+        ['d'],
+        ['d', 'w'],
+      ][eighth])
+        pressed.add(name);
     }
-    for (const [name, cap] of Object.entries(this.keys)) cap.classList.toggle('down', pressed.has(name));
+    for (const [name, cap] of Object.entries(this.keys))
+      cap.classList.toggle('down', pressed.has(name));
     const pose = path.poseAt(tick);
     this.speed.textContent = (Math.hypot(...pose.perTick) * tickRate).toFixed(1);
     this.height.textContent = pose.y.toFixed(1);

@@ -23,7 +23,8 @@ export class Labels {
       const p = at.clone().project(camera);
       const inside = p.z < 1 && Math.abs(p.x) < 1.1 && Math.abs(p.y) < 1.1;
       node.hidden = !inside;
-      if (inside) node.style.transform = `translate(${((p.x + 1) / 2) * width}px, ${((1 - p.y) / 2) * height}px) translate(-50%, -100%)`;
+      if (inside)
+        node.style.transform = `translate(${((p.x + 1) / 2) * width}px, ${((1 - p.y) / 2) * height}px) translate(-50%, -100%)`;
     }
   }
 }

@@ -8,7 +8,11 @@ export class ScenePanel {
     Object.assign(this, { root, store, levelOf, queryOf });
     this.legend = el('div', { class: 'legend' });
     this.inspector = el('section', { class: 'inspector', hidden: true });
-    root.append(this.inspector, this.card('Legend', this.legend, true), this.card('Display', this.toggles(), false));
+    root.append(
+      this.inspector,
+      this.card('Legend', this.legend, true),
+      this.card('Display', this.toggles(), false),
+    );
     store.on(['query'], () => this.fillLegend());
     store.on(['part', 'query'], () => this.inspect());
     this.fillLegend();
@@ -18,7 +22,10 @@ export class ScenePanel {
   card(title, content, open) {
     const body = el('div', { class: 'panel-body', hidden: !open }, content);
     const fold = el('button', {
-      class: 'fold', type: 'button', 'aria-expanded': String(open), text: title,
+      class: 'fold',
+      type: 'button',
+      'aria-expanded': String(open),
+      text: title,
       on: {
         click: () => {
           body.hidden = !body.hidden;
@@ -37,28 +44,63 @@ export class ScenePanel {
     for (const role of level.role) counts.set(role, (counts.get(role) ?? 0) + 1);
     ROLES.forEach((role, code) => {
       if (!counts.has(code)) return;
-      this.legend.append(el('div', {}, el('i', { class: `chip role-${role}`, style: { '--tint': ROLE_STYLE[role].color } }),
-        el('span', { text: ROLE_STYLE[role].label }), el('small', { text: String(counts.get(code)) })));
+      this.legend.append(
+        el(
+          'div',
+          {},
+          el('i', { class: `chip role-${role}`, style: { '--tint': ROLE_STYLE[role].color } }),
+          el('span', { text: ROLE_STYLE[role].label }),
+          el('small', { text: String(counts.get(code)) }),
+        ),
+      );
     });
     const paths = this.queryOf()?.paths ?? [];
     const outcomes = new Set(paths.filter((path) => !path.mismatch).map((path) => path.outcome));
     const mismatch = paths.some((path) => path.mismatch);
-    const line = (label, tint, kind) => el('div', {}, el('i', { class: `swatch ${kind}`, style: { '--tint': tint } }), el('span', { text: label }));
+    const line = (label, tint, kind) =>
+      el(
+        'div',
+        {},
+        el('i', { class: `swatch ${kind}`, style: { '--tint': tint } }),
+        el('span', { text: label }),
+      );
     if (paths.length) this.legend.append(el('hr'));
     if (outcomes.has('goal')) this.legend.append(line('Solution', SOLUTION_COLOR, 'solution'));
-    if (mismatch) this.legend.append(line(VERDICT_STYLE.mismatch.label, VERDICT_STYLE.mismatch.color, 'solution'));
+    if (mismatch)
+      this.legend.append(
+        line(VERDICT_STYLE.mismatch.label, VERDICT_STYLE.mismatch.color, 'solution'),
+      );
     for (const [outcome, style] of Object.entries(OUTCOME_STYLE)) {
-      if (outcome !== 'goal' && outcomes.has(outcome)) this.legend.append(line(style.label, style.color, 'attempt'));
+      if (outcome !== 'goal' && outcomes.has(outcome))
+        this.legend.append(line(style.label, style.color, 'attempt'));
     }
   }
 
   toggles() {
     const box = el('div', { class: 'toggles' });
     const add = (name, label, key) => {
-      const input = el('input', { type: 'checkbox', on: { change: () => { this.store.set({ [name]: input.checked }); input.blur(); } } });
+      const input = el('input', {
+        type: 'checkbox',
+        on: {
+          change: () => {
+            this.store.set({ [name]: input.checked });
+            input.blur();
+          },
+        },
+      });
       input.checked = this.store.state[name];
-      this.store.on([name], (state) => { input.checked = state[name]; });
-      box.append(el('label', { title: key ? `Key ${key}` : undefined }, input, el('span', { text: label }), key ? el('kbd', { text: key }) : null));
+      this.store.on([name], (state) => {
+        input.checked = state[name];
+      });
+      box.append(
+        el(
+          'label',
+          { title: key ? `Key ${key}` : undefined },
+          input,
+          el('span', { text: label }),
+          key ? el('kbd', { text: key }) : null,
+        ),
+      );
     };
     add('solutions', 'Solutions', '1');
     add('attempts', 'Attempts', '2');
@@ -68,9 +110,27 @@ export class ScenePanel {
     add('labels', 'Labels', '6');
     add('motionPaths', 'Motion paths', '7');
     add('grid', 'Grid', '8');
-    const original = el('input', { type: 'checkbox', on: { change: () => { this.store.set({ colors: original.checked ? 'level' : 'roles' }); original.blur(); } } });
-    this.store.on(['colors'], (state) => { original.checked = state.colors === 'level'; });
-    box.append(el('label', { title: 'Key C' }, original, el('span', { text: 'Level colours' }), el('kbd', { text: 'C' })));
+    const original = el('input', {
+      type: 'checkbox',
+      on: {
+        change: () => {
+          this.store.set({ colors: original.checked ? 'level' : 'roles' });
+          original.blur();
+        },
+      },
+    });
+    this.store.on(['colors'], (state) => {
+      original.checked = state.colors === 'level';
+    });
+    box.append(
+      el(
+        'label',
+        { title: 'Key C' },
+        original,
+        el('span', { text: 'Level colours' }),
+        el('kbd', { text: 'C' }),
+      ),
+    );
     return box;
   }
 
@@ -81,17 +141,33 @@ export class ScenePanel {
     this.inspector.replaceChildren();
     if (this.inspector.hidden) return;
     const role = ROLES[level.role[part]];
-    const size = [...level.size.subarray(3 * part, 3 * part + 3)].map((v) => Number(v.toFixed(2))).join(' × ');
-    const at = [...level.position.subarray(3 * part, 3 * part + 3)].map((v) => v.toFixed(1)).join(', ');
+    const size = [...level.size.subarray(3 * part, 3 * part + 3)]
+      .map((v) => Number(v.toFixed(2)))
+      .join(' × ');
+    const at = [...level.position.subarray(3 * part, 3 * part + 3)]
+      .map((v) => v.toFixed(1))
+      .join(', ');
     const facts = el('dl', {});
-    const add = (label, value) => facts.append(el('dt', { text: label }), el('dd', { text: value }));
+    const add = (label, value) =>
+      facts.append(el('dt', { text: label }), el('dd', { text: value }));
     add('Role', ROLE_STYLE[role].label);
     add('Size', size);
     add('At', at);
     for (const note of level.notes[part] ?? []) add('Why', note);
     this.inspector.append(
-      el('header', {}, el('strong', { text: level.names[part] || `Part ${part}` }),
-        el('button', { class: 'plain close', type: 'button', 'aria-label': 'Close', text: '×', on: { click: () => this.store.set({ part: -1 }) } })),
-      facts);
+      el(
+        'header',
+        {},
+        el('strong', { text: level.names[part] || `Part ${part}` }),
+        el('button', {
+          class: 'plain close',
+          type: 'button',
+          'aria-label': 'Close',
+          text: '×',
+          on: { click: () => this.store.set({ part: -1 }) },
+        }),
+      ),
+      facts,
+    );
   }
 }

@@ -6,7 +6,12 @@ const kMostRows = 400;
 
 function badge(verdict) {
   const style = VERDICT_STYLE[verdict];
-  return el('span', { class: 'badge', text: style.mark, style: { '--tint': style.color }, title: style.label });
+  return el('span', {
+    class: 'badge',
+    text: style.mark,
+    style: { '--tint': style.color },
+    title: style.label,
+  });
 }
 
 export class Sidebar {
@@ -18,15 +23,25 @@ export class Sidebar {
     root.append(this.header(), ...this.notes(), this.querySection(), this.detail, this.list);
     this.fillQueries();
     this.fillQuery();
-    store.on(['query'], () => { this.markQuery(); this.fillQuery(); });
+    store.on(['query'], () => {
+      this.markQuery();
+      this.fillQuery();
+    });
     store.on(['path', 'hoverPath'], () => this.markPaths());
   }
 
   header() {
     const solved = this.report.queries.filter((query) => verdictOf(query) === 'solved').length;
     const total = this.report.queries.length;
-    const summary = total ? `${solved} of ${plural(total, 'query').replace('querys', 'queries')} solved` : 'Level only';
-    return el('header', { class: 'head' }, el('h1', { text: this.report.title }), el('p', { class: 'quiet', text: summary }));
+    const summary = total
+      ? `${solved} of ${plural(total, 'query').replace('querys', 'queries')} solved`
+      : 'Level only';
+    return el(
+      'header',
+      { class: 'head' },
+      el('h1', { text: this.report.title }),
+      el('p', { class: 'quiet', text: summary }),
+    );
   }
 
   notes() {
@@ -36,10 +51,15 @@ export class Sidebar {
   querySection() {
     const section = el('section', { class: 'block grow-little' });
     if (this.report.queries.length > 8) {
-      section.append(el('input', {
-        class: 'search', type: 'search', placeholder: 'Find a query', 'aria-label': 'Find a query',
-        on: { input: (event) => this.filter(event.target.value) },
-      }));
+      section.append(
+        el('input', {
+          class: 'search',
+          type: 'search',
+          placeholder: 'Find a query',
+          'aria-label': 'Find a query',
+          on: { input: (event) => this.filter(event.target.value) },
+        }),
+      );
     }
     section.append(this.queries);
     section.hidden = this.report.queries.length === 0;
@@ -55,19 +75,35 @@ export class Sidebar {
     this.report.queries.forEach((query, index) => {
       const level = this.report.levels[query.level];
       const result = query.result;
-      const facts = result?.verdict === 'solved' && level
-        ? `${seconds(result.ticks / level.tickRate)} s` : VERDICT_STYLE[verdictOf(query)].label;
-      this.queries.append(el('button', {
-        class: 'row query', role: 'option', type: 'button', data: { name: query.id.toLowerCase(), query: index },
-        on: { click: () => this.store.set({ query: index }) },
-      }, badge(verdictOf(query)), el('span', { class: 'name', text: query.id || 'Query' }), el('span', { class: 'fact', text: facts })));
+      const facts =
+        result?.verdict === 'solved' && level
+          ? `${seconds(result.ticks / level.tickRate)} s`
+          : VERDICT_STYLE[verdictOf(query)].label;
+      this.queries.append(
+        el(
+          'button',
+          {
+            class: 'row query',
+            role: 'option',
+            type: 'button',
+            data: { name: query.id.toLowerCase(), query: index },
+            on: { click: () => this.store.set({ query: index }) },
+          },
+          badge(verdictOf(query)),
+          el('span', { class: 'name', text: query.id || 'Query' }),
+          el('span', { class: 'fact', text: facts }),
+        ),
+      );
     });
     this.markQuery();
   }
 
   markQuery() {
     for (const row of this.queries.children) {
-      row.setAttribute('aria-selected', String(Number(row.dataset.query) === this.store.state.query));
+      row.setAttribute(
+        'aria-selected',
+        String(Number(row.dataset.query) === this.store.state.query),
+      );
     }
   }
 
@@ -76,16 +112,25 @@ export class Sidebar {
     this.detail.replaceChildren();
     this.list.replaceChildren();
     if (!query) return;
-    this.detail.append(...this.verdict(query), this.limits(query), this.numbers(query), this.ends(query));
+    this.detail.append(
+      ...this.verdict(query),
+      this.limits(query),
+      this.numbers(query),
+      this.ends(query),
+    );
     this.fillPaths(query);
   }
 
   verdict(query) {
     const style = VERDICT_STYLE[verdictOf(query)];
     const broken = query.paths.find((path) => path.mismatch && path.kind === 'solution');
-    const reason = broken ? `A recorded solution does not hold: ${broken.mismatch}.` : query.result?.reason;
-    return [el('h2', { class: 'verdict', text: style.label, style: { '--tint': style.color } }),
-      el('p', { class: 'reason', text: reason ?? '', hidden: !reason })];
+    const reason = broken
+      ? `A recorded solution does not hold: ${broken.mismatch}.`
+      : query.result?.reason;
+    return [
+      el('h2', { class: 'verdict', text: style.label, style: { '--tint': style.color } }),
+      el('p', { class: 'reason', text: reason ?? '', hidden: !reason }),
+    ];
   }
 
   limits(query) {
@@ -94,7 +139,11 @@ export class Sidebar {
     if (query.timeLimit > 0) parts.push(`within ${seconds(query.timeLimit)} s`);
     if (query.waypoints.length) parts.push(plural(query.waypoints.length, 'waypoint'));
     if (query.avoid.length) parts.push(`${plural(query.avoid.length, 'region')} to avoid`);
-    return el('p', { class: 'quiet limits', text: parts.length ? `Asked: ${parts.join(', ')}` : '', hidden: !parts.length });
+    return el('p', {
+      class: 'quiet limits',
+      text: parts.length ? `Asked: ${parts.join(', ')}` : '',
+      hidden: !parts.length,
+    });
   }
 
   numbers(query) {
@@ -102,7 +151,8 @@ export class Sidebar {
     const r = query.result;
     if (!r) return grid;
     const rate = this.report.levels[query.level]?.tickRate ?? 60;
-    const add = (label, value) => grid.append(el('div', {}, el('dt', { text: label }), el('dd', { text: value })));
+    const add = (label, value) =>
+      grid.append(el('div', {}, el('dt', { text: label }), el('dd', { text: value })));
     if (r.verdict === 'solved') {
       add('Play time', `${seconds(r.ticks / rate)} s`);
       add('Jumps', String(r.jumps));
@@ -120,7 +170,8 @@ export class Sidebar {
   // How the attempts ended, as one bar.
   ends(query) {
     const totals = new Map();
-    for (const end of query.result?.ends ?? []) totals.set(end.outcome, (totals.get(end.outcome) ?? 0) + Number(end.count));
+    for (const end of query.result?.ends ?? [])
+      totals.set(end.outcome, (totals.get(end.outcome) ?? 0) + Number(end.count));
     const all = [...totals.values()].reduce((a, b) => a + b, 0);
     const box = el('div', { class: 'ends', hidden: all === 0 });
     const bar = el('div', { class: 'bar' });
@@ -128,25 +179,45 @@ export class Sidebar {
     for (const [outcome, n] of [...totals].sort((a, b) => b[1] - a[1])) {
       const style = OUTCOME_STYLE[outcome];
       const share = (100 * n) / all;
-      bar.append(el('i', { style: { '--tint': style.color, 'flex-grow': String(Math.max(share, 0.6)) }, title: `${style.label}: ${n}` }));
-      key.append(el('span', { style: { '--tint': style.color }, text: `${style.short} ${share < 1 ? '<1' : Math.round(share)} %` }));
+      bar.append(
+        el('i', {
+          style: { '--tint': style.color, 'flex-grow': String(Math.max(share, 0.6)) },
+          title: `${style.label}: ${n}`,
+        }),
+      );
+      key.append(
+        el('span', {
+          style: { '--tint': style.color },
+          text: `${style.short} ${share < 1 ? '<1' : Math.round(share)} %`,
+        }),
+      );
     }
     box.append(el('h3', { text: 'How attempts ended' }), bar, key);
     return box;
   }
 
   fillPaths(query) {
-    const groups = [['Solutions', query.paths.filter((path) => path.kind === 'solution')],
-      ['Attempts', query.paths.filter((path) => path.kind !== 'solution')]];
+    const groups = [
+      ['Solutions', query.paths.filter((path) => path.kind === 'solution')],
+      ['Attempts', query.paths.filter((path) => path.kind !== 'solution')],
+    ];
     for (const [title, paths] of groups) {
       if (!paths.length) continue;
       this.list.append(el('h3', {}, title, el('small', { text: ` ${paths.length}` })));
       for (const path of paths.slice(0, kMostRows)) this.list.append(this.pathRow(query, path));
       if (paths.length > kMostRows) {
-        this.list.append(el('p', { class: 'quiet', text: `and ${paths.length - kMostRows} more: click their lines` }));
+        this.list.append(
+          el('p', {
+            class: 'quiet',
+            text: `and ${paths.length - kMostRows} more: click their lines`,
+          }),
+        );
       }
     }
-    if (!query.paths.length) this.list.append(el('p', { class: 'quiet', text: 'The stream holds no trajectory of this query.' }));
+    if (!query.paths.length)
+      this.list.append(
+        el('p', { class: 'quiet', text: 'The stream holds no trajectory of this query.' }),
+      );
     this.markPaths();
   }
 
@@ -154,19 +225,34 @@ export class Sidebar {
     const index = query.paths.indexOf(path);
     const level = this.report.levels[query.level];
     const cause = path.mismatch ? `Replay mismatch: ${path.mismatch}` : causeOf(path, level);
-    const name = path.kind === 'progress' ? 'Closest' : path.kind === 'solution' ? 'Solution' : OUTCOME_STYLE[path.outcome].short;
-    return el('button', {
-      class: `row path${path.mismatch ? ' mismatch' : ''}`, role: 'option', type: 'button', title: cause,
-      data: { path: index },
-      on: {
-        click: () => this.choose(index),
-        pointerenter: () => this.store.set({ hoverPath: index }),
-        pointerleave: () => this.store.set({ hoverPath: -1 }),
+    const name =
+      path.kind === 'progress'
+        ? 'Closest'
+        : path.kind === 'solution'
+          ? 'Solution'
+          : OUTCOME_STYLE[path.outcome].short;
+    return el(
+      'button',
+      {
+        class: `row path${path.mismatch ? ' mismatch' : ''}`,
+        role: 'option',
+        type: 'button',
+        title: cause,
+        data: { path: index },
+        on: {
+          click: () => this.choose(index),
+          pointerenter: () => this.store.set({ hoverPath: index }),
+          pointerleave: () => this.store.set({ hoverPath: -1 }),
+        },
       },
-    }, el('i', { class: `swatch ${path.kind}`, style: { '--tint': pathColor(path) } }),
-    el('span', { class: 'name', text: path.mismatch ? `${name} ≠` : name }),
-    el('span', { class: 'fact', text: `${plural(path.jumps, 'jump')}` }),
-    el('span', { class: 'fact time', text: `${seconds(path.ticks / (level?.tickRate ?? 60))} s` }));
+      el('i', { class: `swatch ${path.kind}`, style: { '--tint': pathColor(path) } }),
+      el('span', { class: 'name', text: path.mismatch ? `${name} ≠` : name }),
+      el('span', { class: 'fact', text: `${plural(path.jumps, 'jump')}` }),
+      el('span', {
+        class: 'fact time',
+        text: `${seconds(path.ticks / (level?.tickRate ?? 60))} s`,
+      }),
+    );
   }
 
   choose(index) {

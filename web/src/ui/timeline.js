@@ -7,25 +7,71 @@ const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
 export class Timeline {
   constructor(root, store, playback, selected) {
     Object.assign(this, { root, store, playback, selected });
-    this.button = el('button', { class: 'play', type: 'button', 'aria-label': 'Play', on: { click: () => playback.toggle() } }, icon('play'));
+    this.button = el(
+      'button',
+      {
+        class: 'play',
+        type: 'button',
+        'aria-label': 'Play',
+        on: { click: () => playback.toggle() },
+      },
+      icon('play'),
+    );
     this.slider = el('input', {
-      type: 'range', min: '0', max: '1', step: 'any', value: '0', 'aria-label': 'Time', class: 'scrub',
+      type: 'range',
+      min: '0',
+      max: '1',
+      step: 'any',
+      value: '0',
+      'aria-label': 'Time',
+      class: 'scrub',
       on: {
-        input: () => { store.set({ playing: false }); playback.seek(Number(this.slider.value)); },
+        input: () => {
+          store.set({ playing: false });
+          playback.seek(Number(this.slider.value));
+        },
         keydown: (event) => event.preventDefault(),
       },
     });
-    this.plot = svg('svg', { class: 'profile', preserveAspectRatio: 'none', viewBox: '0 0 1000 100' });
+    this.plot = svg('svg', {
+      class: 'profile',
+      preserveAspectRatio: 'none',
+      viewBox: '0 0 1000 100',
+    });
     this.time = el('output', { class: 'time' });
     this.tick = el('output', { class: 'tick quiet' });
-    this.speed = el('select', { 'aria-label': 'Speed', title: 'Speed ( - and + )', on: { change: () => store.set({ speed: Number(this.speed.value) }) } },
-      ...kSpeeds.map((speed) => el('option', { value: String(speed), text: `${speed}×` })));
-    this.loop = el('button', { type: 'button', class: 'plain', title: 'Loop (L)', 'aria-label': 'Loop', on: { click: () => store.set({ loop: !store.state.loop }) } }, icon('loop'));
+    this.speed = el(
+      'select',
+      {
+        'aria-label': 'Speed',
+        title: 'Speed ( - and + )',
+        on: { change: () => store.set({ speed: Number(this.speed.value) }) },
+      },
+      ...kSpeeds.map((speed) => el('option', { value: String(speed), text: `${speed}×` })),
+    );
+    this.loop = el(
+      'button',
+      {
+        type: 'button',
+        class: 'plain',
+        title: 'Loop (L)',
+        'aria-label': 'Loop',
+        on: { click: () => store.set({ loop: !store.state.loop }) },
+      },
+      icon('loop'),
+    );
     root.append(
-      el('div', { class: 'buttons' }, this.stepButton('back', -1), this.button, this.stepButton('forward', 1)),
+      el(
+        'div',
+        { class: 'buttons' },
+        this.stepButton('back', -1),
+        this.button,
+        this.stepButton('forward', 1),
+      ),
       el('div', { class: 'clock' }, this.time, this.tick),
       el('div', { class: 'track' }, this.plot, this.slider),
-      el('div', { class: 'buttons' }, this.speed, this.loop));
+      el('div', { class: 'buttons' }, this.speed, this.loop),
+    );
     store.on(['query', 'path'], () => this.draw());
     store.on(['tick', 'path', 'query'], () => this.showTime());
     store.on(['playing', 'speed', 'loop'], () => this.showState());
@@ -36,10 +82,17 @@ export class Timeline {
 
   stepButton(name, by) {
     const label = by > 0 ? 'One tick on' : 'One tick back';
-    return el('button', {
-      class: 'plain', type: 'button', title: `${label} (${by > 0 ? '→' : '←'})`, 'aria-label': label,
-      on: { click: () => this.playback.step(by) },
-    }, icon(name));
+    return el(
+      'button',
+      {
+        class: 'plain',
+        type: 'button',
+        title: `${label} (${by > 0 ? '→' : '←'})`,
+        'aria-label': label,
+        on: { click: () => this.playback.step(by) },
+      },
+      icon(name),
+    );
   }
 
   // Height over time, with a mark for each jump.
@@ -59,12 +112,29 @@ export class Timeline {
     const y = (value) => 92 - (78 * (value - low)) / range;
     let line = '';
     const skip = Math.max(1, Math.floor(path.samples / 600));
-    for (let i = 0; i < path.samples; i += skip) line += `L${x(i * path.stride).toFixed(1)} ${y(path.points[3 * i + 1]).toFixed(1)}`;
+    for (let i = 0; i < path.samples; i += skip)
+      line += `L${x(i * path.stride).toFixed(1)} ${y(path.points[3 * i + 1]).toFixed(1)}`;
     const tint = pathColor(path);
     this.plot.append(
       svg('path', { d: `M0 100${line}L1000 100Z`, fill: tint, 'fill-opacity': '0.14' }),
-      svg('path', { d: `M${line.slice(1)}`, fill: 'none', stroke: tint, 'stroke-opacity': '0.75', 'stroke-width': '1.5', 'vector-effect': 'non-scaling-stroke' }),
-      ...path.jumpTicks.map((tick) => svg('path', { d: `M${x(tick)} 100V88`, stroke: '#e8ecf4', 'stroke-opacity': '0.7', 'stroke-width': '1.5', 'vector-effect': 'non-scaling-stroke' })));
+      svg('path', {
+        d: `M${line.slice(1)}`,
+        fill: 'none',
+        stroke: tint,
+        'stroke-opacity': '0.75',
+        'stroke-width': '1.5',
+        'vector-effect': 'non-scaling-stroke',
+      }),
+      ...path.jumpTicks.map((tick) =>
+        svg('path', {
+          d: `M${x(tick)} 100V88`,
+          stroke: '#e8ecf4',
+          'stroke-opacity': '0.7',
+          'stroke-width': '1.5',
+          'vector-effect': 'non-scaling-stroke',
+        }),
+      ),
+    );
   }
 
   showTime() {
