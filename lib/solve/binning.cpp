@@ -6,9 +6,8 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kUsualSpeed = 16;         // studs/s
-constexpr float kClockSeconds = 0.5f;     // a bin of the clock
-constexpr uint32_t kMaxPeriodBins = 120;  // longer periods: the clock as it is
+constexpr float kUsualSpeed = 16;      // studs/s
+constexpr float kClockSeconds = 0.5f;  // a bin of the clock
 constexpr uint32_t kHealthBins = 4;
 
 bool anyCollider(const level::LevelView& level, auto&& test) {
@@ -28,18 +27,14 @@ bool hurts(const level::LevelView& level) {
 
 }  // namespace
 
-Binning makeBinning(const Problem& problem, float width) {
+Binning makeBinning(const Problem& problem, float width, const ClockMap& clock) {
   const Params& p = problem.level.params;
   Binning b;
   const float scale = std::clamp(p.walkSpeed / kUsualSpeed, 1.0f, 2.0f);
   b.inverseWidth = 1 / (width * scale);
   b.inverseHeight = 1 / (2 * width * scale);
-  if (problem.hasClock) {
-    b.clockBin = std::max(1u, uint32_t(kClockSeconds * float(p.controlRate)));
-    const bool shortPeriod =
-        problem.clockPeriod > 0 && problem.clockPeriod <= kMaxPeriodBins * b.clockBin;
-    b.clockPeriod = shortPeriod ? problem.clockPeriod : 0;
-  }
+  b.clock = clock.view();
+  if (problem.hasClock) b.clockBin = std::max(1u, uint32_t(kClockSeconds * float(p.controlRate)));
   if (hurts(problem.level)) b.healthBins = kHealthBins;
   b.inverseHealth = 1 / std::max(p.maxHealth, 1.0f);
   b.jumps = limitsJumps(problem.query);

@@ -6,7 +6,8 @@
 
 namespace obby::solve {
 
-// `width` in studs at the usual 16 studs/s: a faster player gets wider cells, up to twice.
-Binning makeBinning(const Problem& problem, float width);
+// `width` in studs at the usual 16 studs/s: a faster player gets wider cells, up to twice. `clock`
+// must outlive the binning.
+Binning makeBinning(const Problem& problem, float width, const ClockMap& clock);
 
 }  // namespace obby::solve

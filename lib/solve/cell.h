@@ -5,13 +5,14 @@
 #include <stdint.h>
 
 #include "sim/world.h"
+#include "solve/clock_map.h"
 
 namespace obby::solve {
 
 struct Binning {
   float inverseWidth = 1;       // 1 / cell width, studs, both sideways axes
   float inverseHeight = 0.5f;   // 1 / cell height
-  uint32_t clockPeriod = 0;     // ticks: the clock is taken modulo this; 0: as it is
+  ClockView clock;              // where the level's clock matters
   uint32_t clockBin = 0;        // ticks a bin; 0: no clock dimension
   uint32_t healthBins = 0;      // of full health; 0: no health dimension
   float inverseHealth = 0.01f;  // 1 / full health
@@ -32,6 +33,16 @@ OBBY_DEVICE uint64_t mixBits(uint64_t v) {
   return v ^ (v >> 31);
 }
 
+// The clock's bin where the clock matters, counted from 1; 0 elsewhere. At least eight bins a
+// period.
+OBBY_DEVICE uint32_t clockBinOf(const Binning& b, const sim::World& w) {
+  const uint32_t period = clockPeriodAt(b.clock, w.position);
+  if (period == kNoClock) return 0;
+  if (period == 0) return 1 + w.tick / b.clockBin;
+  const uint32_t eighth = (period + 7) / 8;
+  return 1 + (w.tick % period) / (eighth < b.clockBin ? eighth : b.clockBin);
+}
+
 // Never 0. Positions are exact for 8 million cells each way, the other dimensions for 2^24 clock
 // bins and 2^16 jumps; two cells share a key with probability 2^-64.
 OBBY_DEVICE uint64_t cellKey(const Binning& b, const sim::World& w) {
@@ -39,10 +50,7 @@ OBBY_DEVICE uint64_t cellKey(const Binning& b, const sim::World& w) {
   const uint64_t y = uint32_t(floorToInt(w.position.y * b.inverseHeight)) & 0xffffu;
   const uint64_t z = uint32_t(floorToInt(w.position.z * b.inverseWidth)) & 0xffffffu;
   uint64_t rest = 0;
-  if (b.clockBin != 0) {
-    const uint32_t t = b.clockPeriod != 0 ? w.tick % b.clockPeriod : w.tick;
-    rest = (t / b.clockBin) & 0xffffffu;
-  }
+  if (b.clockBin != 0) rest = clockBinOf(b, w) & 0xffffffu;
   if (b.jumps) rest |= uint64_t(w.jumps) << 24;
   if (b.waypoints) rest |= uint64_t(w.waypoints) << 40;
   if (b.vanishing) rest |= uint64_t(w.vanishingCount) << 48;

@@ -9,7 +9,8 @@ namespace obby::solve {
 
 namespace {
 
-constexpr uint32_t kTaskRollouts = 8;              // rollouts a task of the pool
+constexpr uint32_t kTaskRollouts = 8;  // rollouts a task of the pool
+constexpr float kClockReach = 10;      // studs around moving parts where the clock matters
 constexpr uint64_t kSelectionStream = 1ull << 63;  // streams of rollouts count up from 0
 
 ExploreContext makeContext(const Problem& problem, const Surfaces& surfaces,
@@ -33,7 +34,8 @@ GoExplore::GoExplore(const Problem& problem, uint64_t seed, const GoExploreSetti
       pool_(pool),
       surfaces_(problem.level),
       context_(makeContext(problem, surfaces_, settings.explore)),
-      binning_(makeBinning(problem, settings.cellWidth)),
+      clock_(problem.level, kClockReach),
+      binning_(makeBinning(problem, settings.cellWidth, clock_)),
       potential_(problem),
       phaseTicks_(
           std::max(settings.leastPhase, uint32_t(settings.phaseJumps * context_.reach.airTicks))),

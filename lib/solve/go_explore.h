@@ -22,7 +22,7 @@ struct GoExploreSettings {
   uint32_t rollouts = 256;   // a round
   float phaseJumps = 2.2f;   // length of a rollout, in flat jumps' air time
   uint32_t leastPhase = 40;  // ticks
-  float cellWidth = 1;       // studs at 16 studs/s; grows with walking speed
+  float cellWidth = 2;       // studs at 16 studs/s; grows with walking speed
   bool groundedOnly = true;  // keep states that stand, or have been in the air for long
   ExploreSettings explore;
 };
@@ -91,6 +91,7 @@ class GoExplore {
   ThreadPool& pool_;
   Surfaces surfaces_;
   ExploreContext context_;
+  ClockMap clock_;
   Binning binning_;
   Potential potential_;
   uint32_t phaseTicks_, airTicks_;

@@ -15,6 +15,7 @@ GoExploreSettings plainSettings() {
   s.rollouts = 2048;
   s.phaseJumps = 0;
   s.groundedOnly = false;
+  s.cellWidth = 1;
   s.explore.aimShare = 0;
   return s;
 }

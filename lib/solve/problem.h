@@ -15,10 +15,9 @@ namespace obby::solve {
 struct Problem {
   level::LevelView level;
   level::QueryView query;
-  sim::World start;          // as sim::makeWorld gives it
-  Box bounds;                // of everything in the level
-  bool hasClock = false;     // moving or timed parts: the outcome depends on the level clock
-  uint32_t clockPeriod = 0;  // ticks after which all motion repeats; 0: none known
+  sim::World start;       // as sim::makeWorld gives it
+  Box bounds;             // of everything in the level
+  bool hasClock = false;  // moving or timed parts: the outcome depends on the level clock
 };
 
 // The answer depends on seed, maxSteps, solutions and the problem only, never on the number of

@@ -50,33 +50,71 @@ TEST(Cell, DimensionsCountOnlyWhereTheProblemNeedsThem) {
   jumps.jumps = waypoints.waypoints = vanishing.vanishing = true;
   health.healthBins = 4;
   clock.clockBin = 30;
+  const uint32_t always = 0;
+  clock.clock = {&always, {0, 0, 0}, 0.1f, 1, 1, 1};
   for (const Binning& binning : {jumps, waypoints, vanishing, health, clock}) {
     EXPECT_NE(cellKey(binning, a), cellKey(binning, b));
   }
 }
 
-TEST(Cell, AClockWithAPeriodReturns) {
-  Binning b;
-  b.clockBin = 30;
-  b.clockPeriod = 240;
-  sim::World early = worldAt({1, 1, 1}), later = early, other = early;
+// A block that moves up and down at x = 50 once in 4 seconds, beside the stepping stones.
+LevelBuilder stonesAndLift() {
+  return steppingStones().block({50, 0, 0}, {4, 1, 4}, [](schema::Part::Builder p) {
+    auto motion = p.initMotion();
+    motion.setRepeat(schema::Repeat::PING_PONG);
+    auto keys = motion.initKeys(2);
+    support::set(keys[0].initPosition(), {50, 0, 0});
+    support::set(keys[1].initPosition(), {50, 20, 0});
+    keys[1].setTime(2);
+  });
+}
+
+TEST(Cell, NearMovingPartsTheClockCountsModuloTheirPeriod) {
+  const level::Level level = stonesAndLift().compile();
+  const ClockMap clock(level.view(), 10);
+  const Binning b = makeBinning(Question(level).problem(), 1, clock);
+  sim::World early = worldAt({48, 1, 0}), later = early, other = early;
   early.tick = 10;
   later.tick = 10 + 240 * 7;
   other.tick = 10 + 120;
   EXPECT_EQ(cellKey(b, early), cellKey(b, later));
   EXPECT_NE(cellKey(b, early), cellKey(b, other));
+  early.position = other.position = {0, 1, 0};
+  EXPECT_EQ(cellKey(b, early), cellKey(b, other));
+}
+
+TEST(ClockMap, JoinsThePeriodsOfPartsThatAreNearEachOther) {
+  EXPECT_EQ(jointPeriod(60, 90), 180u);
+  EXPECT_EQ(jointPeriod(kNoClock, 90), 90u);
+  EXPECT_EQ(jointPeriod(3599, 3600), 0u);
+  EXPECT_EQ(jointPeriod(0, 60), 0u);
+  const level::Level level = stonesAndLift()
+                                 .block({60, 0, 0}, {4, 1, 4},
+                                        [](schema::Part::Builder p) {
+                                          auto v = p.initVanish();
+                                          v.setTrigger(schema::VanishTrigger::TIMER);
+                                          v.setDelay(1);
+                                          v.setAway(0.5f);
+                                        })
+                                 .compile();
+  const ClockMap clock(level.view(), 4);
+  EXPECT_EQ(clockPeriodAt(clock.view(), {49, 10, 0}), 240u);
+  EXPECT_EQ(clockPeriodAt(clock.view(), {61, 0, 0}) % 90, 0u);
+  EXPECT_EQ(clockPeriodAt(clock.view(), {0, 0, 0}), kNoClock);
+  EXPECT_EQ(clockPeriodAt(clock.view(), {1e9f, 0, 0}), kNoClock);
 }
 
 TEST(Binning, FollowsTheQueryAndTheLevel) {
   const level::Level stones = steppingStones().compile();
+  const ClockMap clock(stones.view(), 10);
   Question q(stones);
-  const Binning plain = makeBinning(q.problem(), 1);
+  const Binning plain = makeBinning(q.problem(), 1, clock);
   EXPECT_FALSE(plain.jumps || plain.waypoints || plain.vanishing);
   EXPECT_EQ(plain.clockBin, 0u);
   EXPECT_EQ(plain.healthBins, 0u);
   q.query.maxJumps = 2;
   q.waypoints.push_back({boxAt({0, 2, -16}, {8, 4, 8}), -1});
-  const Binning limited = makeBinning(q.problem(), 1);
+  const Binning limited = makeBinning(q.problem(), 1, clock);
   EXPECT_TRUE(limited.jumps && limited.waypoints);
 }
 
@@ -88,8 +126,9 @@ TEST(Binning, MotionAndVanishingAndDamageAddDimensions) {
           .block({30, 0, 0}, {4, 1, 4}, [](schema::Part::Builder p) { p.initVanish(); })
           .block({40, 0, 0}, {4, 1, 4}, [](schema::Part::Builder p) { p.initKill().setDamage(40); })
           .compile();
+  const ClockMap clock(level.view(), 10);
   Question q(level);
-  const Binning b = makeBinning(q.problem(), 1);
+  const Binning b = makeBinning(q.problem(), 1, clock);
   EXPECT_GT(b.clockBin, 0u);
   EXPECT_TRUE(b.vanishing);
   EXPECT_GT(b.healthBins, 0u);
@@ -99,7 +138,8 @@ TEST(Binning, AFasterPlayerHasWiderCells) {
   auto fast = steppingStones();
   fast.physics([](schema::PhysicsParams::Builder p) { p.setWalkSpeed(32); });
   const level::Level level = fast.compile();
-  EXPECT_FLOAT_EQ(makeBinning(Question(level).problem(), 1).inverseWidth, 0.5f);
+  const ClockMap clock(level.view(), 10);
+  EXPECT_FLOAT_EQ(makeBinning(Question(level).problem(), 1, clock).inverseWidth, 0.5f);
 }
 
 }  // namespace

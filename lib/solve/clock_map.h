@@ -1,0 +1,59 @@
+// Where the level's clock matters: near moving and timed parts, and there only modulo the time
+// after which they are all back where they were. Elsewhere a state is as good at any time.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <vector>
+
+#include "level/level_view.h"
+
+namespace obby::solve {
+
+constexpr uint32_t kNoClock = level::kNone;  // the clock does not matter here
+
+// Plain spans, for device code.
+struct ClockView {
+  const uint32_t* periods = nullptr;  // (nx * ny * nz), ticks; 0: the clock as it is; or kNoClock
+  Vec3 origin;
+  float inverseCell = 1;
+  int32_t nx = 0, ny = 0, nz = 0;
+};
+
+// Outside the map the clock does not matter.
+OBBY_DEVICE uint32_t clockPeriodAt(const ClockView& view, Vec3 p) {
+  const float x = (p.x - view.origin.x) * view.inverseCell;
+  const float y = (p.y - view.origin.y) * view.inverseCell;
+  const float z = (p.z - view.origin.z) * view.inverseCell;
+  if (!(x >= 0 && y >= 0 && z >= 0 && x < float(view.nx) && y < float(view.ny) &&
+        z < float(view.nz))) {
+    return kNoClock;
+  }
+  return view.periods[(size_t(y) * size_t(view.nz) + size_t(z)) * size_t(view.nx) + size_t(x)];
+}
+
+class ClockMap {
+ public:
+  // `reach`: studs around the parts in which they matter.
+  ClockMap(const level::LevelView& level, float reach);
+  ClockView view() const;  // valid while this object lives
+
+ private:
+  struct Clocked {
+    Box box;
+    uint32_t period;
+  };
+  void layOut(const std::vector<Clocked>& parts);
+  void mark(const Clocked& part);
+
+  std::vector<uint32_t> periods_;
+  Vec3 origin_;
+  float cell_ = 8;
+  int32_t nx_ = 0, ny_ = 0, nz_ = 0;
+};
+
+// Ticks after which clocks of both periods are back together; 0 where that is too long to wait for.
+uint32_t jointPeriod(uint32_t a, uint32_t b);
+
+}  // namespace obby::solve
