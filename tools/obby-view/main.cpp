@@ -8,7 +8,10 @@ namespace {
 // Reads the inputs to their end. A broken input is reported, and what came before it is shown.
 Result<view::Report> readReport(cli::Context& context) {
   io::RecordSource source(context.sourceOptions());
-  view::Collector collector([&source](const io::Record& record, Error error) {
+  const std::vector<std::string>& inputs = context.inputs();
+  view::Collector collector([&](const io::Record& record, Error error) {
+    // The source knows which input it reads, but not where a record of before came from.
+    if (inputs.size() == 1) error.input = inputs[0] == "-" ? "stdin" : inputs[0];
     return source.forgive(record, std::move(error));
   });
   std::vector<std::string> notes;

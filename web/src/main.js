@@ -87,6 +87,7 @@ class App {
     );
     this.hud = new Hud(byId('hud'));
     this.help = new Help(byId('help'));
+    this.timeline.addButton('?', 'Shortcuts (?)', () => this.help.toggle());
   }
 
   openQuery() {

@@ -95,6 +95,18 @@ export class Timeline {
     );
   }
 
+  addButton(text, title, action) {
+    const button = el('button', {
+      class: 'plain',
+      type: 'button',
+      title,
+      text,
+      'aria-label': title,
+      on: { click: action },
+    });
+    this.root.lastElementChild.append(button);
+  }
+
   // Height over time, with a mark for each jump.
   draw() {
     const path = this.selected();
