@@ -30,8 +30,9 @@ struct Cylinder {
       onBox = closestPoint(box, inside);
       inside = closestPointOf(s, onBox);
     }
-    const Vec3 apart = onBox - inside;
-    if (dot(apart, apart) > 1e-8f) return apart;
+    const Vec3 apart = normalize(onBox - inside);
+    const float nearest = dot(box.center, apart) - dot(abs(toLocal(box.axes, apart)), box.half);
+    if (nearest > support(s, apart)) return apart;
     Vec3 onAxis{clampf(box.center.x, -s.half.x, s.half.x), 0, 0};
     for (int i = 0; i < 4; ++i) {
       onBox = closestPoint(box, onAxis);
