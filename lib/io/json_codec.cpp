@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/json_decode.h"
 #include "io/json_encode.h"
 #include "io/text.h"
@@ -46,7 +48,7 @@ Result<std::optional<RecordBuilder>> recordFromJsonIfKnown(std::string_view line
   OBBY_ASSIGN(const std::string_view type, typeOf(tree));
   const FieldPlan* kind = recordPlan().find(type);
   if (!kind) return std::optional<RecordBuilder>();
-  RecordBuilder out(line.size() / 8 + 64);
+  RecordBuilder out(std::min<uint64_t>(line.size() / 8 + 64, kMaxMessageWords));
   JsonDecoder decoder(tree);
   capnp::DynamicStruct::Builder root(out.root());
   auto target = root.init(kind->field).as<capnp::DynamicStruct>();

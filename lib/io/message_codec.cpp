@@ -11,7 +11,7 @@
 namespace obby::io {
 namespace {
 
-using Words = std::vector<capnp::word>;
+using Words = std::vector<uint64_t>;
 
 constexpr uint32_t kMaxSegments = 512;
 // Reading may touch a word more than once, but not endlessly; small messages get a floor.
@@ -59,7 +59,7 @@ class WordReader {
     OBBY_ASSIGN(const bool there, source_.need(bytes));
     if (!there) return cutOff();
     out_.words.resize(want);
-    std::memcpy(static_cast<void*>(out_.words.data() + have), source_.buffered().data(), bytes);
+    std::memcpy(out_.words.data() + have, source_.buffered().data(), bytes);
     take(bytes);
     return {};
   }
@@ -107,7 +107,8 @@ Result<std::optional<RecordBuilder>> recordFromWords(const Words& words) {
     capnp::ReaderOptions options;
     options.traversalLimitInWords = kTraversalFloor + kTraversalFactor * words.size();
     options.nestingLimit = kMaxNesting;
-    capnp::FlatArrayMessageReader message(kj::arrayPtr(words.data(), words.size()), options);
+    capnp::FlatArrayMessageReader message(
+        kj::arrayPtr(reinterpret_cast<const capnp::word*>(words.data()), words.size()), options);
     const auto record = message.getRoot<schema::Record>();
     if (capnp::DynamicStruct::Reader(record).which() == nullptr)
       return std::optional<RecordBuilder>();

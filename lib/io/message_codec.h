@@ -2,8 +2,6 @@
 // a cap before anything is read for them. Private to lib/io.
 #pragma once
 
-#include <capnp/common.h>
-
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,7 +16,7 @@ namespace obby::io {
 
 // One message: its words with the segment table before them, and the bytes it came as.
 struct RawMessage {
-  std::vector<capnp::word> words;
+  std::vector<uint64_t> words;
   std::string bytes;
 };
 
@@ -26,7 +24,7 @@ struct RawMessage {
 Result<std::optional<RawMessage>> readMessage(ByteSource& source, bool packed);
 
 // The record in a message, checked and copied; nothing for a kind that the schema does not have.
-Result<std::optional<RecordBuilder>> recordFromWords(const std::vector<capnp::word>& words);
+Result<std::optional<RecordBuilder>> recordFromWords(const std::vector<uint64_t>& words);
 
 // The normal form of a record as one message.
 Result<std::string> messageFromRecord(schema::Record::Reader record, bool packed);

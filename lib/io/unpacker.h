@@ -16,9 +16,7 @@ class Unpacker {
 
   // Takes whole units from `in` until `want` words are in `out`. `used` counts the bytes taken.
   // more: `in` ends inside a unit or after the last one; overrun: a run of words goes beyond.
-  template <class Word>
-  static State step(std::string_view in, size_t want, std::vector<Word>& out, size_t& used) {
-    static_assert(sizeof(Word) == 8);
+  static State step(std::string_view in, size_t want, std::vector<uint64_t>& out, size_t& used) {
     used = 0;
     while (out.size() < want) {
       const std::string_view rest = in.substr(used);
