@@ -1,6 +1,6 @@
 // How fast all cores search: Go-Explore rounds in box arenas with a goal out of reach, and the
-// share of what the bare simulator does on the same threads in the same scene. The two take turns
-// in short slices, so that what else the machine does hits both alike.
+// share of what the bare simulator does on the same threads from the same states. The two take
+// turns in short slices, so that what else the machine does hits both alike.
 #include <ctime>
 #include <vector>
 
@@ -18,8 +18,7 @@ using namespace obby;
 
 constexpr uint64_t kSliceSteps = 400'000;
 constexpr int kSlices = 12;
-constexpr uint32_t kTasks = 32, kWorldsPerTask = 8;
-constexpr level::StartPose kStart{{0, 12, 0}, 0, 0};
+constexpr uint32_t kTasks = 256, kWorldsPerTask = 12, kRawTicks = 128;
 
 double processSeconds() {
   timespec t{};
@@ -27,15 +26,15 @@ double processSeconds() {
   return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
 }
 
-// Random actions in one world after another, nothing else.
-void runRaw(const level::LevelView& level, ThreadPool& pool, uint64_t stream) {
-  const uint32_t ticks = uint32_t(kSliceSteps / (kTasks * kWorldsPerTask));
+// Random actions from the states that the search has kept, one world after another, nothing else.
+void runRaw(const level::LevelView& level, const solve::Archive& archive, ThreadPool& pool,
+            uint64_t slice) {
   pool.run(int(kTasks), [&](int task) {
     for (uint32_t i = 0; i < kWorldsPerTask; ++i) {
-      Random random(1, (stream * kTasks + uint64_t(task)) * kWorldsPerTask + i);
-      sim::World world = sim::makeWorld(level, kStart);
+      Random random(1, (slice * kTasks + uint64_t(task)) * kWorldsPerTask + i);
+      sim::World world = archive.world(random.below(archive.cellCount()));
       solve::RandomMacro macro{{}, 0};
-      for (uint32_t t = 0; t < ticks; ++t) {
+      for (uint32_t t = 0; t < kRawTicks; ++t) {
         if (macro.ticks-- == 0) macro = solve::drawRandomMacro(random);
         sim::tick(world, level, macro.action);
       }
@@ -54,25 +53,20 @@ void addTo(Sums& sums, Work&& work) {
   sums.cpu += processSeconds() - cpu;
 }
 
-void scene(bench::Report& report, const char* name, uint32_t boxes, ThreadPool& pool) {
-  const level::Level level = support::boxArena(boxes, 1).compile();
+void scene(bench::Report& report, const char* name, const level::Level& level, ThreadPool& pool) {
   level::QueryView query{};
   query.goal = {{{0, 500, 0}, {}}, {2, 2, 2}};
   query.maxJumps = -1;
-  const solve::Problem problem{level.view(),
-                               query,
-                               sim::makeWorld(level.view(), kStart),
-                               level.bounds(),
-                               level.hasMotion(),
-                               level.motionPeriod()};
+  const solve::Problem problem{level.view(), query, sim::makeWorld(level.view(), level.spawns()[0]),
+                               level.bounds(), level.hasMotion()};
   solve::GoExplore search(problem, 1, solve::GoExploreSettings{}, pool);
   Sums raw, found;
   for (int slice = 0; slice < kSlices; ++slice) {
-    addTo(raw, [&] { runRaw(level.view(), pool, uint64_t(slice)); });
-    raw.steps += double(kSliceSteps);
     addTo(found, [&] {
       while (search.statistics().steps < kSliceSteps * uint64_t(slice + 1)) search.round();
     });
+    addTo(raw, [&] { runRaw(level.view(), search.archive(), pool, uint64_t(slice)); });
+    raw.steps += double(kTasks) * kWorldsPerTask * kRawTicks;
   }
   found.steps = double(search.statistics().steps);
   report.add(name, "stepsPerSecond", found.steps / found.wall, "1/s");
@@ -87,7 +81,9 @@ int main(int argc, char** argv) {
   obby::bench::Report report(argc, argv, "search");
   obby::ThreadPool pool(obby::availableThreads());
   report.add("machine", "threads", pool.size(), "");
-  scene(report, "parts20", 20, pool);
-  scene(report, "parts100", 100, pool);
-  scene(report, "parts300", 300, pool);
+  using obby::support::boxArena;
+  scene(report, "parts20", boxArena(20, 1).compile(), pool);
+  scene(report, "parts100", boxArena(100, 1).compile(), pool);
+  scene(report, "parts300", boxArena(300, 1).compile(), pool);
+  scene(report, "course100", obby::support::platformCourse(100, 1).compile(), pool);
 }

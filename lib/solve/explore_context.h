@@ -25,8 +25,8 @@ OBBY_DEVICE JumpReach jumpReach(const Params& p) {
 
 // How rollouts explore: the numbers of a method's row.
 struct ExploreSettings {
-  float aimShare = 0.5f;     // of macros that aim at a surface or the next region
-  float regionShare = 0.1f;  // of aimed macros: at the next region
+  float aimShare = 0.8f;     // of macros that aim at a surface or the next region
+  float regionShare = 0.3f;  // of aimed macros: at the next region
 };
 
 struct ExploreContext {

@@ -9,8 +9,9 @@ namespace obby::solve {
 
 namespace {
 
-constexpr uint32_t kTaskRollouts = 8;  // rollouts a task of the pool
-constexpr float kClockReach = 10;      // studs around moving parts where the clock matters
+constexpr uint32_t kTaskRollouts = 4;        // rollouts a task of the pool
+constexpr uint64_t kStepsPerRollout = 8000;  // of the search so far: when rounds double
+constexpr float kClockReach = 10;            // studs around moving parts where the clock matters
 constexpr uint64_t kSelectionStream = 1ull << 63;  // streams of rollouts count up from 0
 
 ExploreContext makeContext(const Problem& problem, const Surfaces& surfaces,
@@ -39,8 +40,8 @@ GoExplore::GoExplore(const Problem& problem, uint64_t seed, const GoExploreSetti
       potential_(problem),
       phaseTicks_(
           std::max(settings.leastPhase, uint32_t(settings.phaseJumps * context_.reach.airTicks))),
-      airTicks_(std::max(uint32_t(context_.reach.airTicks), problem.level.params.controlRate / 2u)),
-      rollouts_(settings.rollouts) {
+      airTicks_(
+          std::max(uint32_t(context_.reach.airTicks), problem.level.params.controlRate / 2u)) {
   archive_.offer(cellKey(binning_, problem.start), problem.start, {0, kNone, 0},
                  potential_(problem.start));
   statistics_.closest.distance = potential_.distance(problem.start);
@@ -49,23 +50,29 @@ GoExplore::GoExplore(const Problem& problem, uint64_t seed, const GoExploreSetti
 
 void GoExplore::round() {
   chooseCells();
-  const uint32_t tasks = (settings_.rollouts + kTaskRollouts - 1) / kTaskRollouts;
+  const size_t tasks = (rollouts_.size() + kTaskRollouts - 1) / kTaskRollouts;
   pool_.run(int(tasks), [this](int task) {
-    const uint32_t first = uint32_t(task) * kTaskRollouts;
-    const uint32_t last = std::min(first + kTaskRollouts, settings_.rollouts);
-    for (uint32_t i = first; i < last; ++i) explore(rollouts_[i]);
+    const size_t first = size_t(task) * kTaskRollouts;
+    const size_t last = std::min(first + kTaskRollouts, rollouts_.size());
+    for (size_t i = first; i < last; ++i) explore(rollouts_[i]);
   });
   merge();
   ++statistics_.rounds;
 }
 
+// Grows with the steps done, which are the same for any number of threads.
+uint32_t GoExplore::roundSize() const {
+  uint32_t size = settings_.rollouts;
+  while (size < settings_.mostRollouts && statistics_.steps > size * kStepsPerRollout) size *= 2;
+  return size;
+}
+
 void GoExplore::chooseCells() {
+  rollouts_.resize(roundSize());
   selector_.update(archive_, pool_);
   Random random(seed_, kSelectionStream | statistics_.rounds);
-  const uint64_t firstId = statistics_.rounds * settings_.rollouts;
-  for (uint32_t i = 0; i < settings_.rollouts; ++i) {
-    Rollout& r = rollouts_[i];
-    r.id = firstId + i;
+  for (Rollout& r : rollouts_) {
+    r.id = nextRollout_++;
     r.cell = selector_.pick(random);
     r.parent = archive_.node(r.cell);
   }

@@ -18,12 +18,14 @@
 
 namespace obby::solve {
 
+// The defaults were measured over levels/ (ticks to the first solution).
 struct GoExploreSettings {
-  uint32_t rollouts = 256;   // a round
-  float phaseJumps = 2.2f;   // length of a rollout, in flat jumps' air time
-  uint32_t leastPhase = 40;  // ticks
-  float cellWidth = 2;       // studs at 16 studs/s; grows with walking speed
-  bool groundedOnly = true;  // keep states that stand, or have been in the air for long
+  uint32_t rollouts = 32;       // a round, at first: short generations answer easy queries soon
+  uint32_t mostRollouts = 512;  // a round, once the search is long: keeps all threads busy
+  float phaseJumps = 4;         // length of a rollout, in flat jumps' air time
+  uint32_t leastPhase = 40;     // ticks
+  float cellWidth = 2;          // studs at 16 studs/s; grows with walking speed
+  bool groundedOnly = true;     // keep states that stand, or have been in the air for long
   ExploreSettings explore;
 };
 
@@ -78,6 +80,7 @@ class GoExplore {
     std::vector<Candidate> candidates;
   };
 
+  uint32_t roundSize() const;
   void chooseCells();
   void explore(Rollout& rollout);
   void visit(Rollout& rollout, const sim::World& world, uint64_t key, uint64_t& keptKey);
@@ -98,7 +101,8 @@ class GoExplore {
   Archive archive_;
   Selector selector_;
   Attempts attempts_;
-  std::vector<Rollout> rollouts_;
+  std::vector<Rollout> rollouts_;  // of this round
+  uint64_t nextRollout_ = 0;
   std::vector<Node> goals_;
   Statistics statistics_;
 };

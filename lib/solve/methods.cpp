@@ -6,13 +6,13 @@ namespace obby::solve {
 
 namespace {
 
-// Small rounds that keep standing states only, half of the macros aimed at surfaces.
+// Short generations that keep standing states only, most macros aimed at surfaces.
 GoExploreSettings aimedSettings() { return {}; }
 
 // As published: every visited state is kept, actions are held at random.
 GoExploreSettings plainSettings() {
   GoExploreSettings s;
-  s.rollouts = 2048;
+  s.rollouts = s.mostRollouts = 2048;
   s.phaseJumps = 0;
   s.groundedOnly = false;
   s.cellWidth = 1;

@@ -123,7 +123,7 @@ cli::ToolSpec solveSpec() {
   spec.summary = "find playthroughs that answer the queries of a stream";
   spec.inputHelp = "streams with levels and queries";
   spec.examples = {
-      {"answer all queries of a level", "obby-solve teaser.jsonl -o teaser.solved.jsonl"},
+      {"answer all queries of a level", "obby-solve wedge-climb.jsonl -o wedge-climb.solved.jsonl"},
       {"from a place file to a page",
        "obby-import first-steps.rbxlx | obby-solve | obby-view -o report.html"},
       {"ask on the command line",
