@@ -133,7 +133,8 @@ inline LevelBuilder platformCourse(uint32_t platforms, uint64_t seed) {
     const Vec3 size{4 + 6 * random.unit(), 1, 4 + 6 * random.unit()};
     b.block(at - Vec3{0, 0.5f, 0}, size);
     const Vec3 ahead = directionOf(sinCos(turnsFromRadians(3 * float(i) / float(platforms))));
-    at += ahead * (10 + 5 * random.unit()) + Vec3{0, 3 * random.unit() - 1, 0};
+    const float gap = 10 + 5 * random.unit(), rise = 3 * random.unit() - 1;
+    at += ahead * gap + Vec3{0, rise, 0};
   }
   b.spawn({0, 0, 0});
   return b;

@@ -1,0 +1,142 @@
+// Committed state hashes: every compiler, optimisation level, instruction set and thread count must
+// give these bits (docs/determinism.md). A change of physics moves them on purpose: then the change
+// log says *hash*, and the table is replaced by what the failing test prints.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "sim/batch.h"
+#include "sim/simulator.h"
+#include "support/level_builder.h"
+
+namespace obby {
+namespace {
+
+using schema::Part;
+using support::LevelBuilder;
+
+void key(schema::MotionKey::Builder k, float time, Vec3 at) {
+  k.setTime(time);
+  support::set(k.initPosition(), at);
+}
+
+LevelBuilder floorWith(const LevelBuilder::PartSetter& more) {
+  return LevelBuilder().block({0, -1, 0}, {60, 2, 60}, more).spawn({0, 3, 0});
+}
+
+LevelBuilder shapes() {
+  LevelBuilder b = floorWith({});
+  Random random(5, 0);
+  for (int i = 0; i < 60; ++i) {
+    const float x = 50 * random.unit() - 25, y = 6 * random.unit(), z = 50 * random.unit() - 25;
+    const Vec3 size{1 + 5 * random.unit(), 1 + 5 * random.unit(), 1 + 5 * random.unit()};
+    const float yaw = 6 * random.unit(), pitch = i % 3 == 0 ? 0 : 3 * random.unit();
+    b.block({x, y, z}, size, [=](Part::Builder p) {
+      p.setShape(schema::Shape(i % 5));
+      support::setRotation(p.initRotation(), yaw, pitch);
+    });
+  }
+  return b;
+}
+
+LevelBuilder movers(bool carries) {
+  LevelBuilder b = floorWith([](Part::Builder p) { p.initKill().setDamage(1); });
+  for (int i = 0; i < 12; ++i) {
+    const Vec3 at{float(i % 4) * 8 - 12, 1 + float(i / 4) * 3, float(i / 4) * 9 - 9};
+    b.block(at, {5, 1, 5}, [=](Part::Builder p) {
+      auto motion = p.initMotion();
+      motion.setCarries(carries);
+      motion.setRepeat(i % 2 == 0 ? schema::Repeat::PING_PONG : schema::Repeat::LOOP);
+      auto keys = motion.initKeys(2);
+      key(keys[0], 0, at);
+      key(keys[1], 1.3f + float(i) * 0.37f, at + Vec3{6, float(i % 3), -4});
+      keys[1].setEasing(schema::Easing(i % 11));
+      if (i % 3 == 0) motion.initSpin().setSpeed(0.7f * float(i + 1));
+    });
+  }
+  return b;
+}
+
+LevelBuilder roles() {
+  LevelBuilder b = floorWith([](Part::Builder p) {
+    support::set(p.initConveyor().initVelocity(), {3, 0, 1});
+  });
+  b.block({6, 0.5f, 0}, {4, 1, 4}, [](Part::Builder p) {
+    support::set(p.initJumpPad().initVelocity(), {5, 80, 0});
+  });
+  b.block({-6, 2, 0}, {4, 1, 4}, [](Part::Builder p) { p.initVanish().setDelay(0.4f); });
+  b.block({0, 2, 8}, {4, 1, 4}, [](Part::Builder p) {
+    p.initVanish().setTrigger(schema::VanishTrigger::TIMER);
+    p.getVanish().setDelay(1);
+  });
+  b.block({0, 4, -8}, {6, 8, 1}, [](Part::Builder p) {
+    p.setSolid(false);
+    p.initKill().setDamage(20);
+    p.getKill().setCooldown(0.5f);
+  });
+  b.block({12, 1, 12}, {10, 2, 10}, [](Part::Builder p) { p.setFriction(0.02f); });
+  return b;
+}
+
+struct Scene {
+  const char* name;
+  std::function<LevelBuilder()> build;
+  uint64_t hash;
+};
+
+const Scene kScenes[] = {
+    {"arena20", [] { return support::boxArena(20, 1); }, 0x5943a3bf3c658832},
+    {"arena100", [] { return support::boxArena(100, 2); }, 0xf05f775979cb08aa},
+    {"arena300", [] { return support::boxArena(300, 3); }, 0xea14f36d4b8a046a},
+    {"course", [] { return support::platformCourse(40, 4); }, 0xb72e4b84fd944e80},
+    {"shapes", shapes, 0x94c78ca887133503},
+    {"carriers", [] { return movers(true); }, 0xd86bba2e67029d98},
+    {"scripted movers", [] { return movers(false); }, 0x2a0e0346089181d3},
+    {"roles", roles, 0x51b58e123866c097},
+    {"low gravity, fast walk",
+     [] {
+       return support::platformCourse(40, 6).physics([](auto p) {
+         p.setGravity(80);
+         p.setWalkSpeed(54);
+       });
+     },
+     0x80fae1dabf5fcc15},
+    {"30 Hz control, 8 substeps",
+     [] {
+       return support::boxArena(60, 7).physics([](auto p) {
+         p.setControlRate(30);
+         p.setSubsteps(8);
+       });
+     },
+     0x32840c54503478d7},
+};
+
+sim::Action scripted(size_t i, const sim::World& w) {
+  Random random(11, i * 1000000 + w.tick / 15);
+  return {Turns(random.next()), random.below(8) != 0, random.below(3) == 0};
+}
+
+uint64_t hashOf(const Scene& scene, int threads) {
+  const level::Level level = scene.build().compile();
+  ThreadPool pool(threads);
+  sim::Batch batch(level.view(), level.spawns()[0], 64);
+  batch.step(pool, nullptr, 600, scripted);
+  return batch.hash();
+}
+
+class Golden : public testing::TestWithParam<Scene> {};
+
+TEST_P(Golden, state_hash_is_the_committed_one) {
+  const Scene& scene = GetParam();
+  for (const int threads : {1, 3}) {
+    const uint64_t hash = hashOf(scene, threads);
+    EXPECT_EQ(hash, scene.hash) << "\"" << scene.name << "\" with " << threads
+                                << " threads gives 0x" << std::hex << hash;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(kScenes),
+                         [](const auto& scene) { return "scene" + std::to_string(scene.index); });
+
+}  // namespace
+}  // namespace obby
