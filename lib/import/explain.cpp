@@ -113,7 +113,7 @@ std::string roles(const LevelDraft& level, const Tree& tree) {
   for (const PartDraft& part : level.parts)
     for (const Evidence& evidence : part.evidence) {
       const Key key{
-          tree.path(part.id), evidence.role,
+          shortPath(level, tree.path(part.id)), evidence.role,
           (evidence.guessed ? "guessed: " : "") + numbersOf(part, evidence.role) + evidence.reason};
       const auto [it, isNew] = index.try_emplace(key, rows.size());
       if (isNew) rows.emplace_back(key, 0);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "import/format/class_defaults.h"
-#include "import/pose_math.h"
+#include "import/record_values.h"
 
 namespace obby::importer {
 namespace {
@@ -14,20 +14,6 @@ static_assert(uint16_t(Shape::hull) == uint16_t(schema::Shape::HULL));
 static_assert(uint16_t(Easing::cubic) == uint16_t(schema::Easing::CUBIC));
 static_assert(uint16_t(EasingDirection::inOut) == uint16_t(schema::EasingDirection::IN_OUT));
 static_assert(uint16_t(Repeat::pingPong) == uint16_t(schema::Repeat::PING_PONG));
-
-void set(schema::Vec3::Builder to, Vec3 from) {
-  to.setX(from.x + 0.0f);  // no negative zero: it would print as -0
-  to.setY(from.y + 0.0f);
-  to.setZ(from.z + 0.0f);
-}
-
-void set(schema::Quat::Builder to, const Mat3& from) {
-  const Quat q = toQuat(from);
-  to.setX(q.x);
-  to.setY(q.y);
-  to.setZ(q.z);
-  to.setW(q.w);
-}
 
 void setSource(schema::PartSource::Builder to, const PartDraft& part, const Tree& tree) {
   to.setPath(validUtf8(tree.path(part.id)));
@@ -47,17 +33,17 @@ void setMotion(schema::Motion::Builder to, const Motion& motion) {
   for (unsigned i = 0; i < motion.keys.size(); ++i) {
     const MotionKey& key = motion.keys[i];
     keys[i].setTime(key.time);
-    set(keys[i].initPosition(), key.pose.position);
-    set(keys[i].initRotation(), key.pose.rotation);
+    setVector(keys[i].initPosition(), key.pose.position);
+    setRotation(keys[i].initRotation(), key.pose.rotation);
     keys[i].setEasing(schema::Easing(key.easing));
     keys[i].setDirection(schema::EasingDirection(key.direction));
   }
   to.setRepeat(schema::Repeat(motion.repeat));
   if (motion.spin) {
     auto spin = to.initSpin();
-    set(spin.initAxis(), motion.spin->axis);
+    setVector(spin.initAxis(), motion.spin->axis);
     spin.setSpeed(motion.spin->speed);
-    set(spin.initPivot(), motion.spin->pivot);
+    setVector(spin.initPivot(), motion.spin->pivot);
   }
   to.setOffset(motion.offset);
   to.setCarries(motion.carries);
@@ -71,12 +57,12 @@ void setRoles(schema::Part::Builder to, const PartDraft& part) {
   }
   if (part.conveyor) {
     auto conveyor = to.initConveyor();
-    set(conveyor.initVelocity(), part.conveyor->velocity);
-    set(conveyor.initAngular(), part.conveyor->angular);
+    setVector(conveyor.initVelocity(), part.conveyor->velocity);
+    setVector(conveyor.initAngular(), part.conveyor->angular);
   }
   if (part.jumpPad) {
     auto pad = to.initJumpPad();
-    set(pad.initVelocity(), part.jumpPad->velocity);
+    setVector(pad.initVelocity(), part.jumpPad->velocity);
     pad.setKeepSideways(part.jumpPad->keepSideways);
   }
   if (part.vanish) {
@@ -94,16 +80,16 @@ void setRoles(schema::Part::Builder to, const PartDraft& part) {
 
 void setGeometry(schema::Part::Builder to, const PartDraft& part) {
   to.setShape(schema::Shape(part.shape));
-  set(to.initPosition(), part.pose.position);
-  set(to.initRotation(), part.pose.rotation);
+  setVector(to.initPosition(), part.pose.position);
+  setRotation(to.initRotation(), part.pose.rotation);
   constexpr float kLeast = 0.001f, kMost = 2048;
   const Vec3 low = {kLeast, kLeast, kLeast}, high = {kMost, kMost, kMost};
-  set(to.initSize(), min(max(part.size, low), high));
+  setVector(to.initSize(), min(max(part.size, low), high));
   if (!part.hulls.empty()) {
     auto hulls = to.initHulls(unsigned(part.hulls.size()));
     for (unsigned h = 0; h < part.hulls.size(); ++h) {
       auto vertices = hulls[h].initVertices(unsigned(part.hulls[h].size()));
-      for (unsigned v = 0; v < part.hulls[h].size(); ++v) set(vertices[v], part.hulls[h][v]);
+      for (unsigned v = 0; v < part.hulls[h].size(); ++v) setVector(vertices[v], part.hulls[h][v]);
     }
   }
   to.setSolid(part.solid);
@@ -204,7 +190,7 @@ io::RecordBuilder levelRecord(const LevelDraft& level, const Tree& tree) {
     const SpawnDraft& spawn = level.spawns[i];
     spawns[i].setName(validUtf8(spawn.name));
     spawns[i].setStage(spawn.stage);
-    set(spawns[i].initPosition(), spawn.position);
+    setVector(spawns[i].initPosition(), spawn.position);
     spawns[i].setYaw(spawn.yaw);
     spawns[i].setPart(spawn.part);
   }

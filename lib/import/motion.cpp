@@ -22,18 +22,11 @@ MotionKey keyAt(double time, const Pose& pose) {
   return {float(time), pose, Easing::linear, EasingDirection::out};
 }
 
-Pose blended(const Pose& a, const Pose& b, float t) {
-  const Vec3 turn = rotationVector(b.rotation * inverse(a.rotation));
-  const float angle = length(turn);
-  const Mat3 part = angle < 1e-7f ? Mat3{} : rotationAbout(turn * (1 / angle), double(angle) * t);
-  return {a.position + (b.position - a.position) * t, part * a.rotation};
-}
-
 bool isStraight(const std::vector<MotionKey>& keys, size_t from, size_t to) {
   for (size_t i = from + 1; i < to; ++i) {
     const float span = keys[to].time - keys[from].time;
     const float t = span > 0 ? (keys[i].time - keys[from].time) / span : 0;
-    const Pose way = blended(keys[from].pose, keys[to].pose, t);
+    const Pose way = between(keys[from].pose, keys[to].pose, t);
     if (length(way.position - keys[i].pose.position) > kStraight ||
         length(rotationVector(way.rotation * inverse(keys[i].pose.rotation))) > kStraightTurn)
       return false;
@@ -97,14 +90,17 @@ std::optional<Spin> spinFrom(const Pose& start, const std::vector<PoseSample>& s
 }
 
 std::vector<MotionKey> keysFrom(const Pose& start, const std::vector<PoseSample>& samples,
-                                double period) {
+                                double period, bool closed) {
   std::vector<MotionKey> keys = {keyAt(0, start)};
   for (const auto& sample : samples) {
     const double gap = sample.time - double(keys.back().time);
     if (gap > kJumpGap) keys.push_back(keyAt(sample.time - kFrame, keys.back().pose));
     keys.push_back(keyAt(std::max(sample.time, double(keys.back().time)), sample.pose));
   }
-  if (period > double(keys.back().time)) keys.push_back(keyAt(period, keys.back().pose));
+  if (period > double(keys.back().time)) {
+    const bool pauses = period - double(keys.back().time) > kJumpGap;
+    keys.push_back(keyAt(period, closed && !pauses ? start : keys.back().pose));
+  }
   return simplified(keys);
 }
 

@@ -21,9 +21,10 @@ std::optional<Spin> spinFrom(const Pose& start, const std::vector<PoseSample>& s
                              double period);
 
 // Keys through the samples of a loop of `period` seconds; poses on a straight way are left out.
-// Steps rarer than every 0.15 s are jumps, others a smooth way.
+// Steps rarer than every 0.15 s are jumps, others a smooth way. `closed`: it leads
+// back to `start` at `period`.
 std::vector<MotionKey> keysFrom(const Pose& start, const std::vector<PoseSample>& samples,
-                                double period);
+                                double period, bool closed);
 
 // Gives `motion`, whose poses are those of the pivot of `moved` (a part or model), to every part
 // that moves with it: parts below a model, parts welded to it that are not anchored themselves.

@@ -86,6 +86,14 @@ Pose inverse(const Pose& pose) {
   return {-(back * pose.position), back};
 }
 
+Pose between(const Pose& a, const Pose& b, float t) {
+  const Vec3 turn = rotationVector(b.rotation * inverse(a.rotation));
+  const float angle = length(turn);
+  const Mat3 part =
+      angle < 1e-7f ? Mat3{} : rotationAbout(turn * (1 / angle), double(angle) * double(t));
+  return {a.position + (b.position - a.position) * t, part * a.rotation};
+}
+
 float yawOf(Vec3 look) {
   if (absf(look.x) < 1e-6f && absf(look.z) < 1e-6f) return 0;
   return float(std::atan2(-double(look.x), -double(look.z))) + 0.0f;

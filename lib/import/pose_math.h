@@ -24,6 +24,9 @@ Mat3 inverse(const Mat3& rotation);
 Pose operator*(const Pose& a, const Pose& b);
 Pose inverse(const Pose& pose);
 
+// The pose a share `t` of the straight way and the shortest turn from `a` to `b`.
+Pose between(const Pose& a, const Pose& b, float t);
+
 // Radians of the horizontal direction: 0 looks along -Z, counter-clockwise seen from above.
 float yawOf(Vec3 look);
 

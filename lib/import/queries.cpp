@@ -2,7 +2,7 @@
 #include "import/queries.h"
 
 #include "import/level_record.h"
-#include "import/pose_math.h"
+#include "import/record_values.h"
 
 namespace obby::importer {
 namespace {
@@ -57,20 +57,9 @@ std::vector<io::RecordBuilder> stageQueries(const LevelDraft& level, const Tree&
     const GoalBox box = goalBox(part);
     auto goal = query.initGoal();
     goal.setName(validUtf8(tree.at(part.id).name));
-    auto position = goal.initPosition();
-    position.setX(box.pose.position.x);
-    position.setY(box.pose.position.y);
-    position.setZ(box.pose.position.z);
-    const Quat q = toQuat(box.pose.rotation);
-    auto rotation = goal.initRotation();
-    rotation.setX(q.x);
-    rotation.setY(q.y);
-    rotation.setZ(q.z);
-    rotation.setW(q.w);
-    auto size = goal.initSize();
-    size.setX(box.size.x);
-    size.setY(box.size.y);
-    size.setZ(box.size.z);
+    setVector(goal.initPosition(), box.pose.position);
+    setRotation(goal.initRotation(), box.pose.rotation);
+    setVector(goal.initSize(), box.size);
     queries.push_back(std::move(record));
   }
   return queries;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr uint32_t kRunServer = 1, kRunClient = 2;
 constexpr size_t kMaxSource = 1 << 20;  // bytes; larger texts are data, not scripts
+constexpr size_t kScriptSteps = 1000000, kPlaceSteps = 20000000;
 
 bool isDisabled(const Instance& script) {
   return propertyOr(script, "Disabled", false) || !propertyOr(script, "Enabled", true);
@@ -52,12 +53,16 @@ std::vector<std::string> linesOf(const std::string& source) {
 
 std::vector<ScriptReading> readScripts(const Tree& tree) {
   std::vector<ScriptReading> readings;
+  size_t left = kPlaceSteps;
   for (InstanceId id = 0; id < tree.size(); ++id) {
     if (!isScriptClass(tree.at(id).className) || !runs(tree, id)) continue;
     const auto* source = property<std::string>(tree.at(id), "Source");
     if (!source || source->empty() || source->size() > kMaxSource) continue;
     const luau::Chunk chunk = luau::parse(*source);
-    readings.push_back(luau::Reader(tree, id).read(chunk));
+    const size_t share = std::min(kScriptSteps, left);
+    size_t budget = share;
+    readings.push_back(luau::Reader(tree, id, budget).read(chunk));
+    left -= share - budget;
     readings.back().lines = linesOf(*source);
   }
   return readings;

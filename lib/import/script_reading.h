@@ -19,6 +19,11 @@ struct TweenTiming {
   int repeats = 0;  // -1: for ever
   bool reverses = false;
   double delay = 0;
+
+  // Seconds from Play to Completed; of an endless one, of its first round.
+  double total() const {
+    return delay + seconds * (reverses ? 2 : 1) * (repeats < 0 ? 1 : repeats + 1);
+  }
 };
 
 enum class EventKind {

@@ -7,6 +7,7 @@
 
 #include "import/classes.h"
 #include "import/format/class_defaults.h"
+#include "import/words.h"
 
 namespace obby::importer {
 namespace {
@@ -28,6 +29,34 @@ void noteTerrain(RoleContext& context) {
   }
 }
 
+// Names of things that would need a number which a name does not tell.
+struct TellingName {
+  std::string_view word;
+  const char* kind;
+};
+constexpr TellingName kTellingNames[] = {{"conveyor", "name that suggests a conveyor"},
+                                         {"trampoline", "name that suggests a jump pad"},
+                                         {"jumppad", "name that suggests a jump pad"},
+                                         {"bouncepad", "name that suggests a jump pad"},
+                                         {"teleporter", "name that suggests a teleporter"},
+                                         {"spinner", "name that suggests a spinner"},
+                                         {"spinning", "name that suggests a spinner"},
+                                         {"elevator", "name that suggests a mover"},
+                                         {"moving", "name that suggests a mover"},
+                                         {"disappearing", "name that suggests a vanishing part"}};
+
+void noteName(RoleContext& context, const PartDraft& part) {
+  const auto words = wordsOf(context.tree.at(part.id).name);
+  for (size_t i = 0; i < words.size(); ++i)
+    for (const TellingName& row : kTellingNames) {
+      const bool pair = i + 1 < words.size() && words[i] + words[i + 1] == row.word;
+      if (words[i] != row.word && !pair) continue;
+      context.level.noteUnmodelled(row.kind, context.tree.path(part.id),
+                                   "nothing in the file says what it does; a plain part");
+      return;
+    }
+}
+
 void noteInstances(RoleContext& context) {
   const Tree& tree = context.tree;
   for (const PartDraft& part : context.level.parts) {
@@ -35,6 +64,11 @@ void noteInstances(RoleContext& context) {
     if (isA(instance.className, "Seat") || instance.className == "VehicleSeat")
       context.level.noteUnmodelled("seat", tree.path(part.id),
                                    "a plain part: a player is not caught by it");
+    if (!hasRole(part)) {
+      noteName(context, part);
+      for (const std::string& tag : instance.tags)
+        context.level.noteIgnored("tag " + tag, tree.path(part.id), "no role is known for it");
+    }
     const auto group = get<std::string>(instance, "CollisionGroup");
     if (!group.empty() && group != "Default")
       context.level.noteUnmodelled("collision group " + group, tree.path(part.id),

@@ -76,8 +76,13 @@ Datum strangers(char op, const Stranger& a, const Datum& b) {
 
 }  // namespace
 
+const Datum& argument(const std::vector<Datum>& arguments, size_t i) {
+  static const Datum kNone;
+  return i < arguments.size() ? arguments[i] : kNone;
+}
+
 Scope* Scope::holder(const std::string& name) {
-  for (Scope* scope = this; scope; scope = scope->parent.get())
+  for (Scope* scope = this; scope; scope = scope->parent)
     if (scope->names.count(name)) return scope;
   return nullptr;
 }
@@ -122,7 +127,8 @@ Datum arithmetic(const std::string& op, const Datum& a, const Datum& b) {
   };
   if (op == "..") {
     const std::string left = asText(a), right = asText(b);
-    if (left.empty() || right.empty()) return {};
+    constexpr size_t kLongest = 10000;
+    if (left.empty() || right.empty() || left.size() + right.size() > kLongest) return {};
     return {left + right};
   }
   if (op == "//") {

@@ -3,9 +3,10 @@
 // shows.
 #pragma once
 
+#include <deque>
 #include <map>
-#include <memory>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -31,7 +32,7 @@ struct Change {
 };
 struct Closure {
   const Function* function = nullptr;
-  std::shared_ptr<Scope> scope;
+  Scope* scope = nullptr;
 };
 struct Table {
   std::vector<Datum> items;
@@ -65,8 +66,7 @@ struct Library {
 
 struct Datum {
   std::variant<Unknown, Nil, bool, double, std::string, Vector, Frame, Ref, Stranger, Change,
-               Closure, Library, TweenTiming, std::shared_ptr<Table>, std::shared_ptr<Made>,
-               std::shared_ptr<Tween>>
+               Closure, Library, TweenTiming, Table*, Made*, Tween*>
       value = Unknown{};
 
   template <class T>
@@ -75,12 +75,27 @@ struct Datum {
   }
 };
 
+// The i-th argument of a call; unknown where there is none.
+const Datum& argument(const std::vector<Datum>& arguments, size_t i);
+
 struct Scope {
-  std::shared_ptr<Scope> parent;
+  Scope* parent = nullptr;
   std::map<std::string, Datum> names;
 
   // The nearest scope that has the name; null if none has.
   Scope* holder(const std::string& name);
+};
+
+// Owns everything that values point to, until a reading is over: scripts build cycles at will.
+class Arena {
+ public:
+  template <class T>
+  T* make() {
+    return &std::get<std::deque<T>>(things_).emplace_back();
+  }
+
+ private:
+  std::tuple<std::deque<Scope>, std::deque<Table>, std::deque<Made>, std::deque<Tween>> things_;
 };
 
 enum class Truth { no, yes, unknown };

@@ -33,11 +33,19 @@ ScriptEvent& Reader::emit(EventKind kind, InstanceId target, std::string propert
   return timeline_.events.back();
 }
 
+void Reader::write(InstanceId id, const std::string& name, Datum value) {
+  const Key key{id, name};
+  const auto it = written_.find(key);
+  const auto old = it == written_.end() ? std::nullopt : std::optional<Datum>(it->second);
+  if (inHandler_) beforeHandler_.try_emplace(key, old);
+  if (timeline_.forever) beforeLoop_.try_emplace(key, old);
+  written_[key] = std::move(value);
+}
+
 void Reader::setField(const Datum& object, const std::string& name, const Datum& value, int line) {
   if (const auto* ref = object.as<Ref>()) return setInstance(ref->target, name, value, line);
-  if (const auto* made = object.as<std::shared_ptr<Made>>())
-    return setMade(*made, name, value, line);
-  if (const auto* table = object.as<std::shared_ptr<Table>>()) {
+  if (const auto* made = object.as<Made*>()) return setMade(*made, name, value, line);
+  if (const auto* table = object.as<Table*>()) {
     (*table)->fields[name] = value;
     return;
   }
@@ -54,7 +62,7 @@ void Reader::setFrame(InstanceId id, const Datum& value, int line) {
   if (!known) return;
   event.frame = frame->pose;
   event.from = frame->from;
-  written_[{id, "CFrame"}] = {Frame{frame->pose, kNoInstance}};
+  write(id, "CFrame", {Frame{frame->pose, kNoInstance}});
 }
 
 void Reader::setInstance(InstanceId id, const std::string& spelled, const Datum& value, int line) {
@@ -77,7 +85,7 @@ void Reader::setInstance(InstanceId id, const std::string& spelled, const Datum&
     if (vector && lower(name) != "position") pose.rotation = fromOrientation(vector->value);
     return setFrame(id, vector ? Datum{Frame{pose, vector->from}} : Datum{}, line);
   }
-  written_[{id, name}] = value;
+  write(id, name, value);
   const auto* ref = value.as<Ref>();
   if (instance.className == "ObjectValue" && name == "Value" && ref && tree_.isPart(ref->target)) {
     emit(EventKind::respawnAt, ref->target, name, line);
@@ -126,9 +134,13 @@ void Reader::setStranger(const std::string& owner, const std::string& name, cons
   if (const auto* flag = value.as<bool>()) event.flag = *flag;
 }
 
-void Reader::setMade(const std::shared_ptr<Made>& made, const std::string& name, const Datum& value,
-                     int line) {
+void Reader::setMade(Made* made, const std::string& name, const Datum& value, int line) {
   made->properties[name] = value;
+  if (name == "Value" && isValueClass(made->className)) {  // a checkpoint kept in a value object
+    const Datum label = madeField(made, "Name");
+    const auto* called = label.as<std::string>();
+    return setStranger(called ? *called : "", name, value, line);
+  }
   const auto parent = made->properties.find("Parent");
   if (parent == made->properties.end()) return;
   if (isPusher(made->className) && isCharacter(parent->second)) {

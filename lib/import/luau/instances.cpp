@@ -10,10 +10,7 @@
 namespace obby::importer::luau {
 namespace {
 
-const Datum& argument(const std::vector<Datum>& arguments, size_t i) {
-  static const Datum kNone;
-  return i < arguments.size() ? arguments[i] : kNone;
-}
+constexpr size_t kChildrenPerStep = 8;  // looked through by name
 
 Datum instanceOr(InstanceId id, const Datum& absent) {
   return id == kNoInstance ? absent : Datum{Ref{id}};
@@ -74,6 +71,7 @@ Datum Reader::instanceField(InstanceId id, const std::string& spelled) {
   if (own != instance.properties.end()) return datumFrom(own->second, kNoInstance);
   if (const Value* value = defaultOf(instance.className, name))
     return datumFrom(*value, kNoInstance);
+  spend(instance.children.size() / kChildrenPerStep);
   const InstanceId child = tree_.child(id, spelled);
   if (child != kNoInstance) return {Ref{child}};
   if (instance.className == "Players") return {Stranger{name}};
@@ -81,8 +79,8 @@ Datum Reader::instanceField(InstanceId id, const std::string& spelled) {
   return {};
 }
 
-Datum Reader::children(InstanceId id, bool all) const {
-  auto list = std::make_shared<Table>();
+Datum Reader::children(InstanceId id, bool all) {
+  auto list = arena_.make<Table>();
   const auto add = [&](InstanceId child) { list->items.push_back({Ref{child}}); };
   if (id == kNoInstance) {
     for (InstanceId root : tree_.document().roots) add(root);
@@ -94,6 +92,7 @@ Datum Reader::children(InstanceId id, bool all) const {
       return true;
     });
   }
+  spend(list->items.size());
   return {list};
 }
 
@@ -105,7 +104,7 @@ Datum Reader::instanceSearch(InstanceId id, const std::string& name,
     return children(id, false);
   if (name == "GetDescendants") return children(id, true);
   if (name == "GetTagged") {
-    auto list = std::make_shared<Table>();
+    auto list = arena_.make<Table>();
     if (text) {
       reading_.tags.push_back(*text);
       for (InstanceId tagged : tree_.tagged(*text)) list->items.push_back({Ref{tagged}});
@@ -116,9 +115,11 @@ Datum Reader::instanceSearch(InstanceId id, const std::string& name,
   if (waits || name == "FindFirstChild" || name == "findFirstChild") {
     if (!text) return {};
     if (id == kNoInstance) return serviceNamed(*text);
+    spend(tree_.at(id).children.size() / kChildrenPerStep);
     InstanceId found = tree_.child(id, *text);
     if (found == kNoInstance && truthOf(argument(arguments, 1)) == Truth::yes && !waits)
       tree_.eachBelow(id, [&](InstanceId below) {
+        if (!spend()) return false;
         if (found == kNoInstance && below != id && tree_.at(below).name == *text) found = below;
         return found == kNoInstance;
       });
@@ -171,7 +172,7 @@ Datum Reader::instanceMethod(InstanceId id, const std::string& name,
   } else if (name == "Destroy" || name == "Remove" || name == "remove" || name == "destroy") {
     emit(EventKind::destroy, id, "Parent", line);
   } else if (name == "Clone" || name == "clone") {
-    auto made = std::make_shared<Made>();
+    auto made = arena_.make<Made>();
     made->className = instance.className;
     return {made};
   } else if (name == "GetPlayers" || name == "GetPlayerFromCharacter" ||
@@ -205,18 +206,26 @@ Datum Reader::strangerMethod(const std::string& owner, const std::string& name,
   return {Stranger{owner}};
 }
 
-Datum Reader::madeField(const std::shared_ptr<Made>& made, const std::string& name) {
+Datum Reader::madeField(Made* made, const std::string& name) {
   const auto it = made->properties.find(name);
   return it == made->properties.end() ? Datum{} : it->second;
 }
 
+Datum Reader::newInstance(const std::vector<Datum>& arguments) {
+  const auto* className = argument(arguments, 0).as<std::string>();
+  if (!className) return {};
+  Made* made = arena_.make<Made>();
+  made->className = *className;
+  if (arguments.size() > 1) made->properties["Parent"] = arguments[1];
+  return {made};
+}
+
 Datum Reader::createTween(const std::vector<Datum>& arguments, int line) {
-  auto tween = std::make_shared<Tween>();
+  auto tween = arena_.make<Tween>();
   tween->line = line;
   if (const auto* ref = arguments[0].as<Ref>()) tween->target = ref->target;
   if (const auto* timing = arguments[1].as<TweenTiming>()) tween->timing = *timing;
-  if (const auto* goals = arguments[2].as<std::shared_ptr<Table>>())
-    tween->goals = (*goals)->fields;
+  if (const auto* goals = arguments[2].as<Table*>()) tween->goals = (*goals)->fields;
   return {tween};
 }
 

@@ -164,18 +164,6 @@ Datum libraryCall(const std::string& path, const std::vector<Datum>& a) {
   if (path == "TweenInfo.new") return newTweenInfo(a);
   if (path == "tonumber" && !a.empty()) return converted(a[0]);
   if (path == "tostring" && !a.empty()) return arithmetic("..", a[0], {std::string()});
-  if (path == "table.insert" && a.size() == 2)
-    if (const auto* table = a[0].as<std::shared_ptr<Table>>()) {
-      if ((*table)->items.size() < 10000) (*table)->items.push_back(a[1]);
-      return {};
-    }
-  if (path == "Instance.new" && !a.empty())
-    if (const auto* name = a[0].as<std::string>()) {
-      auto made = std::make_shared<Made>();
-      made->className = *name;
-      if (a.size() > 1) made->properties["Parent"] = a[1];
-      return {made};
-    }
   if (path.rfind("math.", 0) == 0) return mathCall(path, a);
   if (path.rfind("string.", 0) == 0 && !a.empty())
     return valueMethod(a[0], path.substr(7), {a.begin() + 1, a.end()});

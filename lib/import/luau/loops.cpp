@@ -38,6 +38,13 @@ bool sameDatum(const Datum& a, const Datum& b) {
   return flagA && flagB ? *flagA == *flagB : true;
 }
 
+bool sameState(const std::map<std::pair<InstanceId, std::string>, Datum>& a,
+               const std::map<std::pair<InstanceId, std::string>, Datum>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    return x.first == y.first && sameDatum(x.second, y.second);
+  });
+}
+
 }  // namespace
 
 Reader::Flow Reader::whileLoop(const Stat& stat) {
@@ -51,57 +58,59 @@ Reader::Flow Reader::whileLoop(const Stat& stat) {
   if (truth == Truth::no && !waits) return repeats ? walk(stat.blocks[0]) : Flow::on;
   const bool endless = truth == Truth::yes || waits ||
                        (timeline_.trigger == Trigger::start && depth_ == 0 && !repeats);
-  if (endless) return foreverLoop(stat.blocks[0], waits ? &condition : nullptr, !repeats);
+  if (endless) return foreverLoop(stat.blocks[0], waits ? &condition : nullptr);
   const Flow flow = walk(stat.blocks[0]);
   return flow == Flow::leaveLoop ? Flow::on : flow;
 }
 
-bool Reader::backAtStart(const std::map<std::pair<InstanceId, std::string>, Datum>& before) const {
-  for (const auto& [key, now] : written_) {
-    if (key.second != "CFrame" && key.second != "CanCollide") continue;
-    const auto it = before.find(key);
-    const Instance& instance = tree_.at(key.first);
-    Datum first;
-    if (it != before.end()) {
-      first = it->second;
-    } else if (const auto* flag = property<bool>(instance, key.second)) {
-      first = {*flag};
-    } else if (const auto* frame = property<CFrame>(instance, key.second)) {
-      first = {Frame{*frame, kNoInstance}};
-    }
-    if (!sameDatum(now, first)) return false;
-  }
-  return true;
+// What this loop has written so far of the properties that a loop can bring back.
+Reader::State Reader::trackedState() const {
+  State state;
+  for (const auto& [key, old] : beforeLoop_)
+    if (key.second == "CFrame" || key.second == "CanCollide") state[key] = written_.at(key);
+  return state;
 }
 
-Reader::Flow Reader::foreverLoop(const Block& body, const Expr* condition, bool conditionFirst) {
+void Reader::beginLoop() {
+  timeline_.forever = true;
+  timeline_.loopStart = time_;
+  timeline_.loopEvent = timeline_.events.size();
+  beforeLoop_.clear();
+}
+
+// Rounds are followed until two in a row leave the parts as the first two did: one alone may pass
+// the same place on the way back.
+Reader::Flow Reader::foreverLoop(const Block& body, const Expr* condition) {
   const bool nested = timeline_.forever;
-  if (!nested) {
-    timeline_.forever = true;
-    timeline_.loopStart = time_;
-    timeline_.loopEvent = timeline_.events.size();
-  }
-  const auto before = written_;
+  if (!nested) beginLoop();
+  State first, second;
+  double firstTime = 0, matchTime = 0;
+  bool matched = false;
   for (int round = 0; round < kMaxRounds; ++round) {
     const double roundStart = time_;
-    const size_t first = timeline_.events.size();
-    if (condition && conditionFirst) evaluate(*condition);
+    const size_t event = timeline_.events.size();
+    if (condition) evaluate(*condition);
     const Flow flow = walk(body);
-    if (condition && !conditionFirst) evaluate(*condition);
-    if (timeline_.trigger == Trigger::frame && time_ - roundStart < kFrame)
-      time_ = roundStart + kFrame;
-    if (flow == Flow::leaveLoop) {
-      if (!nested) timeline_.forever = false;
-      return Flow::on;
-    }
+    if (timeline_.trigger == Trigger::frame) time_ = std::max(time_, roundStart + kFrame);
+    if (flow == Flow::leaveLoop && !nested) timeline_.forever = false;
+    if (flow == Flow::leaveLoop) return Flow::on;
     timeline_.period = time_ - timeline_.loopStart;
     if (flow != Flow::on) return flow;
-    const auto events = timeline_.events.begin();
-    if (std::none_of(events + std::ptrdiff_t(first), timeline_.events.end(), isTracked)) break;
-    timeline_.closed = backAtStart(before);
-    const bool spent = timeline_.period > kMaxSeconds || time_ - roundStart <= 0 ||
-                       timeline_.events.size() > kMaxEvents;
-    if (timeline_.closed || spent || nested) break;
+    const auto begin = timeline_.events.begin() + std::ptrdiff_t(event);
+    if (nested || time_ <= roundStart || timeline_.period > kMaxSeconds ||
+        timeline_.events.size() > kMaxEvents ||
+        std::none_of(begin, timeline_.events.end(), isTracked))
+      break;
+    const State now = trackedState();
+    if (round == 0) firstTime = time_;
+    if (round < 2) (round == 0 ? first : second) = now;
+    if (matched && sameState(now, second)) {
+      timeline_.closed = true;
+      timeline_.period = matchTime - firstTime;
+      break;
+    }
+    matched = round > 0 && sameState(now, first);
+    matchTime = time_;
   }
   return nested ? Flow::on : Flow::stop;
 }
@@ -119,7 +128,7 @@ Reader::Flow Reader::numericFor(const Stat& stat) {
   const double start = time_;
   for (int i = 0; i < count; ++i) {
     const auto outer = scope_;
-    scope_ = std::make_shared<Scope>(Scope{outer, {}});
+    scope_ = newScope(outer);
     scope_->names[stat.names[0]] = known ? Datum{*from + by * i} : Datum{};
     const Flow flow = walk(stat.blocks[0]);
     scope_ = outer;
@@ -132,10 +141,10 @@ Reader::Flow Reader::numericFor(const Stat& stat) {
 
 Reader::Flow Reader::genericFor(const Stat& stat) {
   const auto values = evaluateAll(stat.values, 0);
-  const auto* table = values.empty() ? nullptr : values[0].as<std::shared_ptr<Table>>();
+  const auto* table = values.empty() ? nullptr : values[0].as<Table*>();
   const auto round = [&](Datum key, Datum value) {
     const auto outer = scope_;
-    scope_ = std::make_shared<Scope>(Scope{outer, {}});
+    scope_ = newScope(outer);
     scope_->names[stat.names[0]] = std::move(key);
     if (stat.names.size() > 1) scope_->names[stat.names[1]] = std::move(value);
     const Flow flow = walk(stat.blocks[0]);
@@ -146,7 +155,7 @@ Reader::Flow Reader::genericFor(const Stat& stat) {
   if (!table) {
     flow = round({}, {Stranger{"each"}});
   } else {
-    const std::shared_ptr<Table> items = *table;  // the body may change it
+    Table* const items = *table;  // the body may change it
     const size_t count = items->items.size();
     for (size_t i = 0; i < count && i < items->items.size() && flow == Flow::on; ++i)
       flow = round({double(i + 1)}, items->items[i]);

@@ -6,15 +6,20 @@
 namespace obby::importer::luau {
 namespace {
 
-constexpr size_t kMaxSteps = 400000;
 constexpr int kMaxCalls = 12;
-constexpr size_t kMaxTimelines = 4000;
+constexpr size_t kMaxTimelines = 50000;
 
 }  // namespace
 
-Reader::Reader(const Tree& tree, InstanceId script)
-    : tree_(tree), scope_(std::make_shared<Scope>()) {
+Reader::Reader(const Tree& tree, InstanceId script, size_t& budget) : tree_(tree), budget_(budget) {
+  scope_ = newScope(nullptr);
   reading_.script = script;
+}
+
+Scope* Reader::newScope(Scope* parent) {
+  Scope* scope = arena_.make<Scope>();
+  scope->parent = parent;
+  return scope;
 }
 
 ScriptReading Reader::read(const Chunk& chunk) {
@@ -34,8 +39,8 @@ ScriptReading Reader::read(const Chunk& chunk) {
 }
 
 void Reader::follow(const Pending& pending) {
-  const bool ownWorld = pending.trigger != Trigger::start;  // what it writes ends with it
-  const auto before = ownWorld ? written_ : decltype(written_){};
+  inHandler_ = pending.trigger != Trigger::start;  // what it writes ends with it
+  beforeHandler_.clear();
   timeline_ = {};
   timeline_.trigger = pending.trigger;
   timeline_.touched = pending.touched;
@@ -46,10 +51,10 @@ void Reader::follow(const Pending& pending) {
   if (pending.trigger == Trigger::frame) {
     const Function* body = pending.closure.function;
     const auto outer = scope_;
-    scope_ = std::make_shared<Scope>(Scope{pending.closure.scope, {}});
+    scope_ = newScope(pending.closure.scope);
     for (size_t i = 0; i < body->parameters.size() && i < pending.arguments.size(); ++i)
       scope_->names[body->parameters[i]] = pending.arguments[i];
-    foreverLoop(body->body, nullptr, false);
+    foreverLoop(body->body, nullptr);
     scope_ = outer;
   } else {
     call(pending.closure, pending.arguments);
@@ -57,31 +62,41 @@ void Reader::follow(const Pending& pending) {
   finishTweens();
   timeline_.end = time_;
   reading_.timelines.push_back(std::move(timeline_));
-  if (ownWorld) written_ = before;
+  for (auto& [key, old] : beforeHandler_) {
+    if (old)
+      written_[key] = *old;
+    else
+      written_.erase(key);
+  }
 }
 
 // What the end of each tween sets off. A tween that plays again closes a loop.
 void Reader::finishTweens() {
   constexpr size_t kMaxChain = 64;
+  finishing_ = true;
   for (size_t i = 0; i < played_.size() && i < kMaxChain && !timeline_.forever; ++i) {
     const Played played = played_[i];
-    const TweenTiming& t = played.tween->timing;
-    if (t.repeats < 0) continue;
-    time_ = played.time + t.delay + t.seconds * (t.reverses ? 2 : 1) * (t.repeats + 1);
+    if (played.tween->timing.repeats < 0) continue;
+    time_ = played.time + played.tween->timing.total();
     for (const Closure& closure : played.tween->completed) call(closure, {});
   }
   played_.clear();
+  finishing_ = false;
 }
 
-bool Reader::spend() {
-  if (++steps_ < kMaxSteps) return true;
+bool Reader::spend(size_t steps) {
+  if (budget_ > steps) {
+    budget_ -= steps;
+    return true;
+  }
+  budget_ = 0;
   reading_.exhausted = true;
   return false;
 }
 
 Reader::Flow Reader::walk(const Block& block, bool ownScope) {
   const auto outer = scope_;
-  if (ownScope) scope_ = std::make_shared<Scope>(Scope{outer, {}});
+  if (ownScope) scope_ = newScope(outer);
   Flow flow = Flow::on;
   for (const auto& stat : block) {
     if (!spend()) flow = Flow::stop;
@@ -155,7 +170,7 @@ void Reader::bindFunction(const Stat& stat) {
   const Expr& target = *stat.targets[0];
   if (target.kind == ExprKind::name) {
     Scope* holder = scope_->holder(target.text);
-    (holder ? holder : scope_.get())->names[target.text] = closure;
+    (holder ? holder : scope_)->names[target.text] = closure;
   } else {
     setField(evaluate(*target.kids[0]), target.text, closure, stat.line);
   }
@@ -169,7 +184,7 @@ Reader::Flow Reader::assign(const Stat& stat) {
     if (stat.kind == StatKind::compound) value = arithmetic(stat.text, evaluate(target), value);
     if (target.kind == ExprKind::name) {
       Scope* holder = scope_->holder(target.text);
-      (holder ? holder : scope_.get())->names[target.text] = std::move(value);
+      (holder ? holder : scope_)->names[target.text] = std::move(value);
     } else if (target.kind == ExprKind::field) {
       setField(evaluate(*target.kids[0]), target.text, value, stat.line);
     } else if (target.kind == ExprKind::index) {
@@ -185,7 +200,7 @@ Datum Reader::call(const Closure& closure, const std::vector<Datum>& arguments) 
   if (!closure.function || depth_ >= kMaxCalls || !spend()) return {};
   ++depth_;
   const auto outer = scope_;
-  scope_ = std::make_shared<Scope>(Scope{closure.scope, {}});
+  scope_ = newScope(closure.scope);
   const auto& parameters = closure.function->parameters;
   for (size_t i = 0; i < parameters.size(); ++i)
     scope_->names[parameters[i]] = i < arguments.size() ? arguments[i] : Datum{};

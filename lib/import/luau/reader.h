@@ -5,7 +5,7 @@
 #pragma once
 
 #include <deque>
-#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,7 +19,8 @@ namespace obby::importer::luau {
 
 class Reader {
  public:
-  Reader(const Tree& tree, InstanceId script);
+  // `budget` bounds the steps of the reading; what is left of it remains there.
+  Reader(const Tree& tree, InstanceId script, size_t& budget);
   // The chunk must outlive the call only.
   ScriptReading read(const Chunk& chunk);
 
@@ -47,14 +48,18 @@ class Reader {
   void later(Pending pending, const Datum& function, std::vector<Datum> arguments);
   // task.spawn, delay and the like: beside what follows.
   void beside(const Datum& function, const std::vector<Datum>& arguments, double delay);
-  bool spend();  // one step; false when the budget is gone
+  bool spend(size_t steps = 1);  // false when the budget is gone
+  Scope* newScope(Scope* parent);
 
   // loops.cpp
   Flow whileLoop(const Stat& stat);
-  Flow foreverLoop(const Block& body, const Expr* condition, bool conditionFirst);
+  void beginLoop();
+  // `condition` is evaluated in each round, for its waits; may be null.
+  Flow foreverLoop(const Block& body, const Expr* condition);
   Flow numericFor(const Stat& stat);
   Flow genericFor(const Stat& stat);
-  bool backAtStart(const std::map<std::pair<InstanceId, std::string>, Datum>& before) const;
+  using State = std::map<std::pair<InstanceId, std::string>, Datum>;
+  State trackedState() const;
 
   // evaluate.cpp: expressions
   Datum evaluate(const Expr& expr);
@@ -64,10 +69,16 @@ class Reader {
   Datum tableValue(const Expr& expr);
   Datum field(const Datum& object, const std::string& name);
   Datum indexed(const Datum& object, const Datum& key);
+
+  // calls.cpp: waits, threads, signals, tweens, methods
   Datum callValue(const Expr& expr);
+  std::optional<Datum> scheduled(const std::string& name, const std::vector<Datum>& arguments);
   Datum methodValue(const Expr& expr);
+  Datum methodOf(const Datum& object, const std::string& name, const std::vector<Datum>& arguments,
+                 int line);
+  void waitForSignal(const Expr& signal);
   void waitFor(double seconds, double least);
-  void play(const std::shared_ptr<Tween>& tween, int line);
+  void play(Tween* tween, int line);
   void connect(const Expr& signal, const std::vector<Datum>& arguments);
   void finishTweens();
 
@@ -79,9 +90,10 @@ class Reader {
                        bool* handled);
   Datum strangerMethod(const std::string& owner, const std::string& name,
                        const std::vector<Datum>& arguments, int line);
-  Datum madeField(const std::shared_ptr<Made>& made, const std::string& name);
+  Datum madeField(Made* made, const std::string& name);
+  Datum newInstance(const std::vector<Datum>& arguments);
   Datum createTween(const std::vector<Datum>& arguments, int line);
-  Datum children(InstanceId id, bool all) const;
+  Datum children(InstanceId id, bool all);
   Datum serviceNamed(const std::string& name) const;
   Pose frameOf(InstanceId id);
 
@@ -89,28 +101,36 @@ class Reader {
   void setField(const Datum& object, const std::string& name, const Datum& value, int line);
   void setInstance(InstanceId id, const std::string& name, const Datum& value, int line);
   void setStranger(const std::string& owner, const std::string& name, const Datum& value, int line);
-  void setMade(const std::shared_ptr<Made>& made, const std::string& name, const Datum& value,
-               int line);
+  void setMade(Made* made, const std::string& name, const Datum& value, int line);
   void setFrame(InstanceId id, const Datum& value, int line);
+  void write(InstanceId id, const std::string& name, Datum value);
   ScriptEvent& emit(EventKind kind, InstanceId target, std::string property, int line);
 
   const Tree& tree_;
   ScriptReading reading_;
   Timeline timeline_;
   double time_ = 0;
-  std::shared_ptr<Scope> scope_;
+  Scope* scope_;
   std::deque<Pending> pending_;
   struct Played {
-    std::shared_ptr<Tween> tween;
+    Tween* tween;
     double time = 0;
     size_t event = 0;  // index of its first event
   };
   std::vector<Played> played_;  // tweens of this timeline whose end sets something off
-  std::map<std::pair<InstanceId, std::string>, Datum> written_;  // by (instance, property)
+  // What the script wrote, by (instance, property), and what was there before the current handler
+  // and the current endless loop wrote it.
+  using Key = std::pair<InstanceId, std::string>;
+  using Old = std::map<Key, std::optional<Datum>>;
+  std::map<Key, Datum> written_;
+  Old beforeHandler_, beforeLoop_;
+  bool inHandler_ = false;
+  Arena arena_;
   Datum returned_;
-  bool stopped_ = false;  // an endless loop was met inside a call: what follows is never reached
+  bool finishing_ = false;  // following what the ends of tweens set off
+  bool stopped_ = false;    // an endless loop was met inside a call: what follows is never reached
   int depth_ = 0;
-  size_t steps_ = 0;
+  size_t& budget_;
 };
 
 // library.cpp: Vector3, CFrame, TweenInfo, math, string: pure functions of known values.

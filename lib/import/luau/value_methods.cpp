@@ -28,13 +28,6 @@ Datum ofVector(const Vector& v, const std::string& name, const std::vector<Datum
   return {};
 }
 
-Pose between(const Pose& a, const Pose& b, float t) {
-  const Vec3 turn = rotationVector(b.rotation * inverse(a.rotation));
-  const float angle = length(turn);
-  const Mat3 part = angle < 1e-7f ? Mat3{} : rotationAbout(turn * (1 / angle), double(angle) * t);
-  return {a.position + (b.position - a.position) * t, part * a.rotation};
-}
-
 Datum ofFrame(const Frame& f, const std::string& name, const std::vector<Datum>& a) {
   const Mat3& r = f.pose.rotation;
   if (name == "Position" || name == "p") return {Vector{f.pose.position, f.from}};

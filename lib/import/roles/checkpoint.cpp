@@ -68,17 +68,12 @@ void checkpointFromTags(RoleContext& context) {
 }
 
 void checkpointFromScripts(RoleContext& context) {
-  for (const ScriptReading& reading : context.scripts)
-    for (const Timeline& timeline : reading.timelines) {
-      PartDraft* part =
-          timeline.trigger == Trigger::touch ? context.part(timeline.touched) : nullptr;
-      if (!part) continue;
-      for (const ScriptEvent& event : timeline.events) {
-        if (event.kind != EventKind::respawnAt) continue;
-        give(*part, stageNumber(context.tree, part->id, part->id),
+  context.eachTouch([&](PartDraft& part, const Timeline& timeline, const ScriptReading& reading) {
+    for (const ScriptEvent& event : timeline.events)
+      if (event.kind == EventKind::respawnAt)
+        give(part, stageNumber(context.tree, part.id, part.id),
              scriptReason(context.tree, reading, event.line), false);
-      }
-    }
+  });
 }
 
 void checkpointFromNames(RoleContext& context) {

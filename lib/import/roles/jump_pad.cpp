@@ -67,17 +67,12 @@ void jumpPadFromMarkers(RoleContext& context) {
 }
 
 void jumpPadFromScripts(RoleContext& context) {
-  for (const ScriptReading& reading : context.scripts)
-    for (const Timeline& timeline : reading.timelines) {
-      PartDraft* part =
-          timeline.trigger == Trigger::touch ? context.part(timeline.touched) : nullptr;
-      if (!part) continue;
-      for (const ScriptEvent& event : timeline.events) {
-        if (event.kind != EventKind::push || !event.vector) continue;
-        giveJumpPad(*part, padFromPush(*event.vector),
+  context.eachTouch([&](PartDraft& part, const Timeline& timeline, const ScriptReading& reading) {
+    for (const ScriptEvent& event : timeline.events)
+      if (event.kind == EventKind::push && event.vector)
+        giveJumpPad(part, padFromPush(*event.vector),
                     scriptReason(context.tree, reading, event.line), false);
-      }
-    }
+  });
 }
 
 }  // namespace obby::importer

@@ -119,21 +119,18 @@ void killFromMarkers(RoleContext& context) {
 }
 
 void killFromScripts(RoleContext& context) {
-  for (const ScriptReading& reading : context.scripts)
-    for (const Timeline& timeline : reading.timelines) {
-      if (timeline.trigger != Trigger::touch) continue;
-      PartDraft* part = context.part(timeline.touched);
-      const auto hit = std::find_if(timeline.events.begin(), timeline.events.end(),
-                                    [](const auto& e) { return e.kind == EventKind::damage; });
-      if (!part || hit == timeline.events.end()) continue;
-      const double damage = hit->number.value_or(std::numeric_limits<double>::infinity());
-      if (!(damage > 0)) continue;
-      const float amount = std::isfinite(damage) ? std::min(float(damage), kAll)
-                                                 : std::max(100.0f, context.level.world.maxHealth);
-      const double wait = timeline.end - hit->time;
-      give(*part, {amount, float(std::clamp(wait, 0.0, 60.0))},
-           scriptReason(context.tree, reading, hit->line), false);
-    }
+  context.eachTouch([&](PartDraft& part, const Timeline& timeline, const ScriptReading& reading) {
+    const auto hit = std::find_if(timeline.events.begin(), timeline.events.end(),
+                                  [](const auto& e) { return e.kind == EventKind::damage; });
+    if (hit == timeline.events.end()) return;
+    const double damage = hit->number.value_or(std::numeric_limits<double>::infinity());
+    if (!(damage > 0)) return;
+    const float amount = std::isfinite(damage) ? std::min(float(damage), kAll)
+                                               : std::max(100.0f, context.level.world.maxHealth);
+    const double wait = timeline.end - hit->time;
+    give(part, {amount, float(std::clamp(wait, 0.0, 60.0))},
+         scriptReason(context.tree, reading, hit->line), false);
+  });
 }
 
 void killFromNames(RoleContext& context) {

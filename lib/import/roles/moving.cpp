@@ -4,9 +4,12 @@
 
 #include "import/motion.h"
 #include "import/pivot.h"
+#include "import/pose_math.h"
 
 namespace obby::importer {
 namespace {
+
+constexpr double kInstant = 1e-4;  // seconds
 
 struct Moved {
   Pose start;  // when the loop begins
@@ -89,23 +92,56 @@ std::optional<Motion> tweenMotion(const Timeline& timeline, const Moved& moved) 
   return motion;
 }
 
-std::optional<Motion> loopMotion(const Timeline& timeline, const Moved& moved) {
+// Seconds after which the samples of an open loop nearly repeat: those of a sine of the clock,
+// whose period is no whole number of frames. Nothing if they never come within 1 % of their range.
+std::optional<double> nearPeriod(const std::vector<PoseSample>& samples) {
+  if (samples.size() < 8) return std::nullopt;
+  const auto mismatch = [&](size_t a, size_t b) {
+    return length(samples[a].pose.position - samples[b].pose.position) +
+           length(rotationVector(samples[a].pose.rotation * inverse(samples[b].pose.rotation)));
+  };
+  float range = 0, best = 0;
+  size_t bestAt = 0;
+  for (size_t k = 2; k + 1 < samples.size(); ++k) {
+    range = std::max(range, mismatch(1, k));
+    const float now = mismatch(1, k) + mismatch(2, k + 1);
+    if (k > 3 && (bestAt == 0 || now < best)) best = now, bestAt = k;
+  }
+  if (bestAt == 0 || best > 0.01f * range) return std::nullopt;
+  return samples[bestAt].time - samples[1].time;
+}
+
+struct LoopMotion {
+  Motion motion;
+  bool open = false;  // never repeats while it was followed
+  double period = 0;
+};
+
+std::optional<LoopMotion> loopMotion(const Timeline& timeline, const Moved& moved) {
   if (moved.sets.empty() || !timeline.forever || !(timeline.period > 0)) return std::nullopt;
   std::vector<PoseSample> samples;
   for (const ScriptEvent* event : moved.sets)
     samples.push_back({event->time - timeline.loopStart, *event->frame});
-  Motion motion;
-  if (auto spin = spinFrom(moved.start, samples, timeline.period)) {
-    motion.spin = spin;
-    if (!samePose(moved.start, samples.front().pose)) motion.keys.clear();
-    return motion;
-  }
+  LoopMotion loop;
+  loop.period = timeline.period;
   const bool still = std::all_of(samples.begin(), samples.end(), [&](const PoseSample& s) {
     return samePose(s.pose, moved.start);
   });
   if (still) return std::nullopt;
-  motion.keys = keysFrom(moved.start, samples, timeline.period);
-  return motion;
+  const auto cut = [&](double period) {
+    std::erase_if(samples, [&](const PoseSample& s) { return s.time > period - kInstant; });
+    loop.period = period;
+  };
+  if (timeline.closed) cut(timeline.period);
+  if (auto spin = spinFrom(moved.start, samples, loop.period)) {
+    loop.motion.spin = spin;
+    return loop;
+  }
+  const auto near = timeline.closed ? std::nullopt : nearPeriod(samples);
+  if (near) cut(*near);
+  loop.open = !timeline.closed && !near;
+  loop.motion.keys = keysFrom(moved.start, samples, loop.period, !loop.open);
+  return loop;
 }
 
 void noteUnknown(RoleContext& context, InstanceId id, const std::string& reason) {
@@ -116,25 +152,23 @@ void noteUnknown(RoleContext& context, InstanceId id, const std::string& reason)
 
 void giveAll(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
   for (const auto& [id, moved] : movedBy(context.tree, timeline)) {
-    const ScriptEvent* first = !moved.tweens.empty() ? moved.tweens.front()
-                               : !moved.sets.empty() ? moved.sets.front()
-                                                     : nullptr;
-    const std::string reason = scriptReason(context.tree, reading, first ? first->line : 0);
-    auto motion = moved.unknown ? std::nullopt : tweenMotion(timeline, moved);
-    if (!motion && !moved.unknown) motion = loopMotion(timeline, moved);
-    if (!motion) {
-      if (moved.unknown) noteUnknown(context, id, reason);
+    const auto& events = moved.tweens.empty() ? moved.sets : moved.tweens;
+    std::string reason = scriptReason(context.tree, reading, events.empty() ? 0 : events[0]->line);
+    if (moved.unknown) {
+      noteUnknown(context, id, reason);
       continue;
     }
-    const bool open = !motion->spin && motion->repeat == Repeat::loop &&
-                      !samePose(motion->keys.front().pose, motion->keys.back().pose);
-    giveMotion(context, id, *motion,
-               reason + (open && moved.tweens.empty()
-                             ? " (starts over after " + std::to_string(int(timeline.period)) + " s)"
-                             : ""),
-               open && moved.tweens.empty());
-    for (const ScriptEvent* event : moved.tweens) hideMarker(context, event->from, id);
-    for (const ScriptEvent* event : moved.sets) hideMarker(context, event->from, id);
+    auto motion = tweenMotion(timeline, moved);
+    bool open = false;
+    if (!motion) {
+      const auto loop = loopMotion(timeline, moved);
+      if (!loop) continue;
+      motion = loop->motion;
+      open = loop->open;
+      if (open) reason += " (starts over after " + std::to_string(int(loop->period)) + " s)";
+    }
+    giveMotion(context, id, *motion, reason, open);
+    for (const ScriptEvent* event : events) hideMarker(context, event->from, id);
   }
 }
 

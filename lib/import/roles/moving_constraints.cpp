@@ -186,6 +186,16 @@ bool fromTurner(RoleContext& context, InstanceId id) {
   return give(context, part, motion, id, "turns it", true);
 }
 
+// The part of the level that the constraint leaves loose; kNoInstance if there is none.
+InstanceId loosePart(RoleContext& context, InstanceId id) {
+  const JointEnds ends = jointEnds(context.tree, id);
+  for (InstanceId end : {ends.first, ends.second, movedPart(context.tree, id)}) {
+    const PartDraft* part = end == kNoInstance ? nullptr : context.part(end);
+    if (part && !part->motion && !part->anchored) return end;
+  }
+  return kNoInstance;
+}
+
 // A body that a mover holds in place and nothing steps.
 bool isHolder(const std::string& className) {
   return className == "BodyPosition" || className == "AlignPosition";
@@ -207,9 +217,8 @@ void movingFromConstraints(RoleContext& context) {
     const Instance& constraint = context.tree.at(id);
     if (!isFreeConstraintClass(constraint.className)) continue;
     if (!propertyOr(constraint, "Enabled", true) || understand(context, id)) continue;
-    const InstanceId moved = movedPart(context.tree, id);
-    PartDraft* part = moved == kNoInstance ? nullptr : context.part(moved);
-    if (!part || part->motion || part->anchored) continue;  // moves nothing in the level
+    const InstanceId moved = loosePart(context, id);
+    if (moved == kNoInstance) continue;  // moves nothing in the level
     context.level.noteUnmodelled("constraint " + constraint.className, context.tree.path(id),
                                  isHolder(constraint.className)
                                      ? "the part stays where the file has it"

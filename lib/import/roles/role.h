@@ -36,6 +36,10 @@ class RoleContext {
   // objects and Configurations, and the instance that it marks.
   void eachMarker(const std::function<void(InstanceId marker, InstanceId owner)>& visit) const;
 
+  // Calls `visit` for every handler of the touch of a level part.
+  void eachTouch(
+      const std::function<void(PartDraft&, const Timeline&, const ScriptReading&)>& visit);
+
  private:
   std::unordered_map<InstanceId, size_t> index_;
 };

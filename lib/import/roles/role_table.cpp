@@ -55,6 +55,15 @@ void RoleContext::eachMarker(const std::function<void(InstanceId, InstanceId)>& 
   }
 }
 
+void RoleContext::eachTouch(
+    const std::function<void(PartDraft&, const Timeline&, const ScriptReading&)>& visit) {
+  for (const ScriptReading& reading : scripts)
+    for (const Timeline& timeline : reading.timelines) {
+      PartDraft* touched = timeline.trigger == Trigger::touch ? part(timeline.touched) : nullptr;
+      if (touched) visit(*touched, timeline, reading);
+    }
+}
+
 std::string markerWords(const Tree& tree, InstanceId marker) {
   std::string words = lower(tree.at(marker).name);
   for (const auto& tag : tree.at(marker).tags) words += ' ' + lower(tag);

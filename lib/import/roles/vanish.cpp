@@ -52,13 +52,13 @@ bool comesBack(const ScriptEvent& e) {
   return (e.property == "CanCollide" && *e.flag) || (e.property == "Anchored" && *e.flag);
 }
 
-void fromTouch(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
+void fromTouch(const Tree& tree, PartDraft& part, const Timeline& timeline,
+               const ScriptReading& reading) {
   const auto concerns = [&](const ScriptEvent& e) { return e.target == timeline.touched; };
   const auto& events = timeline.events;
   const auto gone = std::find_if(events.begin(), events.end(),
                                  [&](const ScriptEvent& e) { return concerns(e) && goesAway(e); });
-  PartDraft* part = context.part(timeline.touched);
-  if (!part || gone == events.end() || !part->solid) return;
+  if (gone == events.end() || !part.solid) return;
   const auto back = std::find_if(gone, events.end(), [&](const ScriptEvent& e) {
     return concerns(e) && comesBack(e) && e.time >= gone->time;
   });
@@ -67,8 +67,8 @@ void fromTouch(RoleContext& context, const ScriptReading& reading, const Timelin
   const bool returns = back != events.end() && back->time > gone->time;
   vanish.away = returns ? float(back->time - gone->time) : kGone;
   const bool falls = gone->property == "Anchored";
-  give(*part, vanish,
-       scriptReason(context.tree, reading, gone->line) + (falls ? " (falls away)" : ""), falls);
+  give(part, vanish, scriptReason(tree, reading, gone->line) + (falls ? " (falls away)" : ""),
+       falls);
 }
 
 // An endless loop that switches the collision off and on.
@@ -134,9 +134,11 @@ void vanishFromMarkers(RoleContext& context) {
 }
 
 void vanishFromScripts(RoleContext& context) {
+  context.eachTouch([&](PartDraft& part, const Timeline& timeline, const ScriptReading& reading) {
+    fromTouch(context.tree, part, timeline, reading);
+  });
   for (const ScriptReading& reading : context.scripts)
     for (const Timeline& timeline : reading.timelines) {
-      if (timeline.trigger == Trigger::touch) fromTouch(context, reading, timeline);
       if (timeline.trigger == Trigger::start && timeline.forever)
         fromTimer(context, reading, timeline);
     }

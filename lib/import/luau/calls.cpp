@@ -1,0 +1,190 @@
+// Calls of the script reader: waits, spawned functions, signals, tweens, methods.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "import/luau/reader.h"
+
+namespace obby::importer::luau {
+namespace {
+
+constexpr double kFrame = 1.0 / 60;
+constexpr double kOldWait = 1.0 / 30;  // wait() never resumes sooner
+
+bool isFrameSignal(const std::string& name) {
+  static constexpr std::string_view kNames[] = {"Heartbeat",     "RenderStepped",  "Stepped",
+                                                "PreSimulation", "PostSimulation", "PreRender",
+                                                "PreAnimation"};
+  return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
+}
+
+}  // namespace
+
+void Reader::waitFor(double seconds, double least) {
+  if (std::isnan(seconds) || seconds < least) seconds = least;
+  // Threads resume at the first frame at or after the time.
+  time_ += std::ceil(std::min(seconds, 1e6) / kFrame - 1e-6) * kFrame;
+}
+
+// Calls that move the clock or begin something beside what follows.
+std::optional<Datum> Reader::scheduled(const std::string& name,
+                                       const std::vector<Datum>& arguments) {
+  const Datum& first = argument(arguments, 0);
+  const auto* number = first.as<double>();
+  if (name == "wait" || name == "task.wait" || name == "Wait") {
+    const double before = time_;
+    waitFor(number ? *number : 0, name == "task.wait" ? kFrame : kOldWait);
+    return Datum{time_ - before};
+  }
+  if (name == "tick" || name == "time" || name == "os.clock" || name == "os.time" ||
+      name == "elapsedTime")
+    return Datum{time_};
+  if (name == "spawn" || name == "Spawn" || name == "task.spawn" || name == "task.defer" ||
+      name == "coroutine.wrap" || name == "coroutine.create") {
+    beside(first, {arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end()}, 0);
+    return Datum{};
+  }
+  if (name == "delay" || name == "Delay" || name == "task.delay") {
+    beside(argument(arguments, 1), {}, number ? *number : 0);
+    return Datum{};
+  }
+  if (name == "pcall" || name == "xpcall") {
+    if (const auto* closure = first.as<Closure>()) call(*closure, {});
+    return Datum{};
+  }
+  return std::nullopt;
+}
+
+Datum Reader::callValue(const Expr& expr) {
+  const Datum callee = evaluate(*expr.kids[0]);
+  const auto arguments = evaluateAll(expr.kids, 1);
+  if (const auto* closure = callee.as<Closure>()) return call(*closure, arguments);
+  const auto* library = callee.as<Library>();
+  if (!library) return callee.as<Stranger>() ? callee : Datum{};
+  const std::string& name = library->name;
+  if (auto result = scheduled(name, arguments)) return *result;
+  const Datum& first = argument(arguments, 0);
+  if (name == "pairs" || name == "ipairs" || name == "next" || name == "table.clone") return first;
+  if (name == "Instance.new") return newInstance(arguments);
+  if (name == "table.insert" && arguments.size() == 2) {
+    if (const auto* table = first.as<Table*>()) (*table)->items.push_back(arguments[1]);
+    return {};
+  }
+  if (name == "require") {
+    reading_.requiresAsset = reading_.requiresAsset || first.as<double>();
+    return {};
+  }
+  if (name == "loadstring" || name == "getfenv" || name == "setfenv") reading_.dynamicCode = true;
+  return libraryCall(name, arguments);
+}
+
+void Reader::connect(const Expr& signal, const std::vector<Datum>& arguments) {
+  const Datum& function = argument(arguments, 0);
+  Pending pending;
+  pending.trigger = Trigger::other;
+  pending.signal = signal.text;
+  pending.line = signal.line;
+  const Datum source = signal.kind == ExprKind::field ? evaluate(*signal.kids[0]) : Datum{};
+  const std::string& name = signal.text;
+  const auto* ref = source.as<Ref>();
+  const auto* tween = source.as<Tween*>();
+  if (signal.kind == ExprKind::field && isFrameSignal(name)) {
+    pending.trigger = Trigger::frame;
+    const Datum step{kFrame};
+    later(std::move(pending), function,
+          name == "Stepped" ? std::vector<Datum>{{0.0}, step} : std::vector<Datum>{step});
+  } else if (tween && name == "Completed") {
+    if (const auto* closure = function.as<Closure>()) (*tween)->completed.push_back(*closure);
+  } else {
+    if (ref && (name == "Touched" || name == "touched") && tree_.isPart(ref->target)) {
+      pending.trigger = Trigger::touch;
+      pending.touched = ref->target;
+    }
+    const bool touch = pending.trigger == Trigger::touch;
+    later(std::move(pending), function, {{Stranger{touch ? "hit" : "player"}}});
+  }
+}
+
+void Reader::play(Tween* tween, int line) {
+  for (const Played& before : played_) {
+    if (!finishing_ || before.tween != tween || timeline_.forever) continue;
+    timeline_.forever = true;  // it comes round again
+    timeline_.loopStart = before.time;
+    timeline_.loopEvent = before.event;
+    timeline_.period = time_ - before.time;
+    return;
+  }
+  played_.push_back({tween, time_, timeline_.events.size()});
+  for (const auto& [name, value] : tween->goals) {
+    if (tween->target == kNoInstance) continue;
+    const size_t first = timeline_.events.size();
+    setInstance(tween->target, name, value, line);
+    for (size_t i = first; i < timeline_.events.size(); ++i) {
+      timeline_.events[i].kind = EventKind::tween;
+      timeline_.events[i].tween = tween->timing;
+    }
+  }
+}
+
+void Reader::waitForSignal(const Expr& signal) {
+  const Datum source = signal.kind == ExprKind::field ? evaluate(*signal.kids[0]) : Datum{};
+  if (const auto* tween = source.as<Tween*>())
+    waitFor((*tween)->timing.total(), 0);
+  else
+    waitFor(0, kFrame);
+}
+
+Datum Reader::methodValue(const Expr& expr) {
+  const std::string& name = expr.text;
+  if (name == "Connect" || name == "connect" || name == "Once" || name == "ConnectParallel") {
+    connect(*expr.kids[0], evaluateAll(expr.kids, 1));
+    return {};
+  }
+  if (name == "Wait" || name == "wait") {
+    waitForSignal(*expr.kids[0]);
+    return {kFrame};
+  }
+  const Datum object = evaluate(*expr.kids[0]);
+  const auto arguments = evaluateAll(expr.kids, 1);
+  if (name == "GetService" || name == "FindService" || name == "service") {
+    const auto* service = argument(arguments, 0).as<std::string>();
+    return service ? serviceNamed(*service) : Datum{};
+  }
+  if (name == "BindToRenderStep") {
+    Pending pending;
+    pending.trigger = Trigger::frame;
+    later(std::move(pending), argument(arguments, 2), {{kFrame}});
+    return {};
+  }
+  if (name == "GetServerTimeNow") return {time_};
+  if (name == "Create" && arguments.size() >= 3) return createTween(arguments, expr.line);
+  return methodOf(object, name, arguments, expr.line);
+}
+
+Datum Reader::methodOf(const Datum& object, const std::string& name,
+                       const std::vector<Datum>& arguments, int line) {
+  if (const auto* tween = object.as<Tween*>()) {
+    if (name == "Play") play(*tween, line);
+    return {};
+  }
+  if (const auto* ref = object.as<Ref>()) return instanceMethod(ref->target, name, arguments, line);
+  if (const auto* library = object.as<Library>()) {
+    if (name == "GetTagged" || library->name == "workspace" || library->name == "game")
+      return instanceMethod(kNoInstance, name, arguments, line);
+    return {};
+  }
+  if (const auto* table = object.as<Table*>()) {
+    const auto it = (*table)->fields.find(name);
+    const auto* closure = it == (*table)->fields.end() ? nullptr : it->second.as<Closure>();
+    if (!closure) return {};
+    std::vector<Datum> withSelf = {object};
+    withSelf.insert(withSelf.end(), arguments.begin(), arguments.end());
+    return call(*closure, withSelf);
+  }
+  if (const auto* stranger = object.as<Stranger>())
+    return strangerMethod(stranger->name, name, arguments, line);
+  if (object.as<Unknown>()) return strangerMethod("", name, arguments, line);
+  return valueMethod(object, name, arguments);
+}
+
+}  // namespace obby::importer::luau

@@ -1,0 +1,240 @@
+// Kill and damage parts, each way that real places make them.
+#include "import/scene.h"
+
+namespace obby::test {
+namespace {
+
+const char* const kKillScript = R"(script.Parent.Touched:connect(function(hit)
+	if hit and hit.Parent and hit.Parent:FindFirstChild("Humanoid") then
+		hit.Parent.Humanoid.Health = 0
+	end
+end)
+)";
+
+TEST(Kill, ScriptInThePartWithItsLineAsEvidence) {
+  Scene scene;
+  const auto lava = scene.part("Smooth Block Model"), safe = scene.part("Part");
+  scene.script(kKillScript, lava, "KillScript");
+  scene.level();
+  ASSERT_TRUE(scene[lava].kill);
+  EXPECT_GE(scene[lava].kill->damage, 100);
+  EXPECT_EQ(scene.evidence(lava, "kill"),
+            "script KillScript line 3: hit.Parent.Humanoid.Health = 0");
+  EXPECT_FALSE(scene[safe].kill);
+}
+
+TEST(Kill, EveryWayToTakeHealth) {
+  const std::pair<const char*, float> ways[] = {
+      {"h.Health = h.Health - 30", 30},
+      {"h.Health -= 10", 10},
+      {"h:TakeDamage(25)", 25},
+      {"h:TakeDamage(script.Parent.Damage.Value)", 42},
+      {"h:TakeDamage(script.Parent:GetAttribute('Harm'))", 7},
+      {"h:TakeDamage(h.MaxHealth)", 100},
+      {"h.Health = 0", 100},
+      {"h.Health = h.Health - h.Health", 100},
+      {"hit.Parent:BreakJoints()", 100}};
+  for (const auto& [way, damage] : ways) {
+    Scene scene;
+    const auto part = scene.part("Part");
+    scene.value("NumberValue", "Damage", 42.0, part);
+    scene.attribute(part, "Harm", 7.0);
+    scene.script(
+        "local function onTouch(hit)\n local h = hit.Parent:FindFirstChildOfClass('Humanoid')\n"
+        " if h ~= nil then " +
+            std::string(way) +
+            " end\nend\n"
+            "script.Parent.Touched:Connect(onTouch)",
+        part);
+    scene.level();
+    ASSERT_TRUE(scene[part].kill) << way;
+    EXPECT_FLOAT_EQ(scene[part].kill->damage, damage) << way;
+  }
+}
+
+TEST(Kill, WaitAfterTheHitIsTheCooldown) {
+  Scene scene;
+  const auto part = scene.part("Part");
+  scene.script(R"(local debounce = false
+script.Parent.Touched:Connect(function(hit)
+  if debounce then return end
+  local h = hit.Parent:FindFirstChild("Humanoid")
+  if not h then return end
+  debounce = true
+  h:TakeDamage(20)
+  task.wait(0.5)
+  debounce = false
+end))",
+               part);
+  scene.level();
+  ASSERT_TRUE(scene[part].kill);
+  EXPECT_FLOAT_EQ(scene[part].kill->damage, 20);
+  EXPECT_NEAR(scene[part].kill->cooldown, 0.5f, 1e-3f);
+}
+
+TEST(Kill, DisabledAndStoredScriptsDoNothing) {
+  Scene scene;
+  const auto part = scene.part("Part"), other = scene.part("Other");
+  scene.set(scene.script(kKillScript, part), "Disabled", true);
+  const auto local = scene.add("LocalScript", "Local", other);
+  scene.set(local, "Source", std::string(kKillScript));
+  const auto storage = scene.add("ServerStorage", "ServerStorage", kNoInstance);
+  scene.script("workspace.Other.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end)",
+               storage);
+  scene.level();
+  EXPECT_FALSE(scene[part].kill);
+  EXPECT_FALSE(scene[other].kill);
+}
+
+TEST(Kill, CommentsAndTextsAreNoCode) {
+  Scene scene;
+  const auto part = scene.part("Part");
+  scene.script(
+      "--[[ script.Parent.Touched:Connect(function(h) h.Health = 0 end) ]]\n"
+      "-- script.Parent.Touched:Connect(function(h) h.Health = 0 end)\n"
+      "print('script.Parent.Touched:Connect(function(h) h.Health = 0 end)')",
+      part);
+  scene.level();
+  EXPECT_FALSE(scene[part].kill);
+}
+
+TEST(Kill, CentralScriptOverAFolder) {
+  Scene scene;
+  const auto folder = scene.add("Folder", "Bad", scene.workspace);
+  const auto one = scene.part("A", {}, folder), two = scene.part("B", {}, folder);
+  const auto free = scene.part("C");
+  scene.script(R"(for _, part in pairs(workspace.Bad:GetChildren()) do
+  if part:IsA("BasePart") then
+    part.Touched:Connect(function(hit)
+      local humanoid = hit.Parent:FindFirstChild("Humanoid")
+      if humanoid then humanoid.Health = 0 end
+    end)
+  end
+end)",
+               scene.scripts, "Central");
+  scene.level();
+  EXPECT_TRUE(scene[one].kill);
+  EXPECT_TRUE(scene[two].kill);
+  EXPECT_FALSE(scene[free].kill);
+  EXPECT_EQ(scene.evidence(two, "kill").rfind("script Central line 5", 0), 0u);
+}
+
+TEST(Kill, CentralScriptThatFiltersByName) {
+  Scene scene;
+  const auto stage = scene.add("Model", "Stage", scene.workspace);
+  const auto kill = scene.part("Kill", {}, stage), plain = scene.part("Floor", {}, stage);
+  scene.script(R"(local function setUp(part)
+  part.Touched:Connect(function(hit)
+    hit.Parent.Humanoid.Health = 0
+  end)
+end
+for i, v in ipairs(workspace:GetDescendants()) do
+  if v.Name == "Kill" and v:IsA("Part") then setUp(v) end
+end)",
+               scene.scripts);
+  scene.level();
+  EXPECT_TRUE(scene[kill].kill);
+  EXPECT_FALSE(scene[plain].kill);
+}
+
+TEST(Kill, ADotNameMeansTheFirstChildOnly) {
+  Scene scene;
+  const auto model = scene.add("Model", "KillBlocks", scene.workspace);
+  scene.script(
+      "workspace.KillBlocks.Part.Touched:Connect(function(hit)\n"
+      "  if hit.Parent:FindFirstChild('Humanoid') then hit.Parent.Humanoid.Health = 0 end\n"
+      "end)",
+      model, "kill");
+  const auto first = scene.part("Part", {}, model), second = scene.part("Part", {9, 0, 0}, model);
+  const auto& level = scene.level();
+  EXPECT_TRUE(scene[first].kill);
+  EXPECT_FALSE(scene[second].kill);
+  EXPECT_EQ(level.ignored.at("name that suggests kill").count, 1u);
+}
+
+TEST(Kill, TagsWithAndWithoutNumbers) {
+  Scene scene;
+  const auto plain = scene.part("A"), hurts = scene.part("B");
+  const auto group = scene.add("Model", "Group", scene.workspace);
+  const auto inside = scene.part("C", {}, group);
+  scene.tag(plain, "KillBlock");
+  scene.tag(hurts, "DamagePart");
+  scene.attribute(hurts, "Damage", 35.0);
+  scene.attribute(hurts, "Cooldown", 0.25);
+  scene.tag(group, "Lava");
+  scene.level();
+  EXPECT_EQ(scene.evidence(plain, "kill"), "tag KillBlock");
+  EXPECT_FLOAT_EQ(scene[hurts].kill->damage, 35);
+  EXPECT_FLOAT_EQ(scene[hurts].kill->cooldown, 0.25f);
+  EXPECT_TRUE(scene[inside].kill);
+}
+
+TEST(Kill, TagsInCodeReachTheirParts) {
+  Scene scene;
+  const auto part = scene.part("A");
+  scene.tag(part, "Ouchie");
+  scene.script(R"(local CollectionService = game:GetService("CollectionService")
+for _, brick in CollectionService:GetTagged("Ouchie") do
+  brick.Touched:Connect(function(hit)
+    local h = hit.Parent:FindFirstChild("Humanoid")
+    if h then h:TakeDamage(15) end
+  end)
+end)",
+               scene.scripts);
+  scene.level();
+  ASSERT_TRUE(scene[part].kill);
+  EXPECT_FLOAT_EQ(scene[part].kill->damage, 15);
+}
+
+TEST(Kill, TowerKitMarkersCountByExistence) {
+  Scene scene;
+  const auto kills = scene.part("A"), instant = scene.part("B"), v6 = scene.part("C");
+  scene.value("BoolValue", "kills", false, kills);
+  scene.value("BoolValue", "instakills", false, instant);
+  const auto configuration = scene.add("Configuration", "DamageBrickConfiguration", v6);
+  scene.attribute(configuration, "Type", std::string("double"));
+  scene.attribute(configuration, "Cooldown", 0.0);
+  scene.level();
+  EXPECT_FLOAT_EQ(scene[kills].kill->damage, 5);
+  EXPECT_FLOAT_EQ(scene[kills].kill->cooldown, 0.1f);
+  EXPECT_GE(scene[instant].kill->damage, 1000);
+  EXPECT_FLOAT_EQ(scene[v6].kill->damage, 10);
+  EXPECT_FLOAT_EQ(scene[v6].kill->cooldown, 0);
+}
+
+TEST(Kill, NamesAreGuessesAndFalseFriendsAreNot) {
+  Scene scene;
+  const auto brick = scene.part("KillBrick"), lava = scene.part("Big Lava");
+  const auto skill = scene.part("Skill"), remover = scene.part("Lava Remover");
+  const auto untouchable = scene.part("Lava");
+  scene.set(untouchable, "CanTouch", false);
+  scene.level();
+  EXPECT_EQ(scene.evidence(brick, "kill"), "guessed: name KillBrick");
+  EXPECT_TRUE(scene[lava].kill);
+  EXPECT_FALSE(scene[skill].kill);
+  EXPECT_FALSE(scene[remover].kill);
+  EXPECT_FALSE(scene[untouchable].kill);
+}
+
+TEST(Kill, StrongerEvidenceWins) {
+  Scene scene;
+  const auto part = scene.part("KillBrick");
+  scene.tag(part, "DamageBrick");
+  scene.attribute(part, "Damage", 3.0);
+  scene.script(kKillScript, part);
+  scene.level();
+  EXPECT_FLOAT_EQ(scene[part].kill->damage, 3);
+  EXPECT_EQ(scene[part].evidence.size(), 1u);
+}
+
+TEST(Kill, ACheckpointThatSendsThePlayerBackIsNoKillPart) {
+  Scene scene;
+  const auto part = scene.part("Checkpoint");
+  scene.tag(part, "Checkpoint");
+  scene.script(kKillScript, part);
+  scene.level();
+  EXPECT_FALSE(scene[part].kill);
+}
+
+}  // namespace
+}  // namespace obby::test

@@ -1,0 +1,122 @@
+// The Luau parser and reader: what they understand, and that nothing makes them crash or hang.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+
+#include "import/luau/lexer.h"
+#include "import/luau/parser.h"
+#include "import/scene.h"
+
+namespace obby::test {
+namespace {
+
+using importer::luau::parse;
+
+TEST(Luau, ModernAndOldSyntaxParses) {
+  const char* const texts[] = {
+      "local x: number, y: {[string]: Part?} = 5, {}\nexport type A = {b: (number) -> string}",
+      "local function f<T>(a: T, ...: any): (number, T) return 1, a end",
+      "x += 1 y ..= 'a' z //= 2",
+      "for i, v in t do continue end",
+      "local s = `a {1 + 2} b` local l = [==[ ]] ]==] --[[ c ]] --[=[ d ]=]",
+      "local a = if b then c elseif d then e else f",
+      "f{a = 1, [2] = 3; 4} f'x' f[[y]] a.b:c(1)(2).d = 3",
+      "repeat local x = f() until x or not y",
+      "local n = 0xFF + 1e-3 + .5 + 1_000 + 0b1",
+      "local p = workspace.Part :: BasePart",
+      "goto = 1 type = 2 continue = 3"};
+  for (const char* text : texts) EXPECT_FALSE(parse(text).broken) << text;
+}
+
+TEST(Luau, BrokenTextKeepsWhatCanBeRead) {
+  Scene scene;
+  const auto part = scene.part("Part");
+  scene.script(
+      "local = = 5\nif then\nend )\n"
+      "script.Parent.Touched:Connect(function(hit) hit.Parent.Humanoid.Health = 0 end)\n",
+      part);
+  scene.level();
+  EXPECT_TRUE(scene[part].kill);
+  EXPECT_EQ(scene.unmodelled("script with unknown syntax"), 1u);
+}
+
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+TEST(Luau, HostileTextsEndSoon) {
+  const std::string texts[] = {repeated("(", 100000),
+                               "x = " + repeated("a.", 100000) + "b",
+                               "x = " + repeated("1 + ", 100000) + "1",
+                               "x = " + repeated("{[", 50000),
+                               repeated("if x then ", 50000),
+                               repeated("function f() ", 50000),
+                               "x = " + repeated("-", 100000) + "1",
+                               "x = " + repeated("not ", 100000) + "1",
+                               "x = " + repeated("if a then b elseif ", 50000),
+                               repeated("f(", 50000) + repeated(")", 50000),
+                               repeated("x:y():", 50000),
+                               "local s = \"" + repeated("\\", 100001),
+                               repeated("end ", 100000),
+                               repeated("[", 100000),
+                               "function f(" + repeated("a: ", 50000),
+                               "local x: " + repeated("{", 100000),
+                               std::string(100000, '\0'),
+                               repeated("\xff\xfe", 50000)};
+  for (const auto& text : texts) {
+    const auto start = std::chrono::steady_clock::now();
+    (void)parse(text);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10))
+        << text.substr(0, 30);
+  }
+}
+
+TEST(Luau, EndlessAndRecursiveScriptsAreReadWithinABudget) {
+  const char* const texts[] = {
+      "while true do end",
+      "while true do print('x') end",
+      "function f() return f() end f()",
+      "function f() f() f() f() end f()",
+      "local t = {} for i = 1, 1e9 do table.insert(t, t) end",
+      "for i = 1, 1e9 do for j = 1, 1e9 do x = i * j end end",
+      "for i = 1, 10, 0 do end",
+      "for _, a in workspace:GetDescendants() do for _, b in workspace:GetDescendants() do "
+      "for _, c in workspace:GetDescendants() do x = a == b end end end",
+      "local function again() task.delay(0, again) end again()",
+      "local function again() spawn(again) spawn(again) end again()",
+      "workspace.Part.Touched:Connect(function f() end)",
+      "local s = 'a' while true do s = s .. s end",
+      "local t = {} t.t = t for k, v in pairs(t) do t[k .. 'x'] = v end",
+      "repeat task.wait() until false"};
+  for (const char* text : texts) {
+    Scene scene;
+    for (int i = 0; i < 50; ++i) scene.part("Part");
+    scene.script(text, scene.scripts);
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(scene.level().parts.size(), 50u);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10)) << text;
+  }
+}
+
+TEST(Luau, TruncatedAtEveryByte) {
+  const std::string text =
+      "local ts = game:GetService('TweenService')\nfor i, v in pairs(workspace.Kill:GetChildren()) "
+      "do v.Touched:Connect(function(hit: BasePart) if hit then hit.Parent.Humanoid.Health -= 5 "
+      "end end) end --[[ x ]] local t = {a = [[b]], ['c'] = `d`}";
+  for (size_t size = 0; size <= text.size(); ++size) {
+    const auto chunk = parse(text.substr(0, size));
+    EXPECT_LE(chunk.body.size(), 4u);
+  }
+}
+
+TEST(Luau, LinesAreCountedThroughLongTexts) {
+  const auto tokens = importer::luau::tokenize("--[[\n\n]]\nlocal s = [[\n\n]]\nx = 1");
+  EXPECT_EQ(tokens.front().line, 4);
+  EXPECT_EQ(tokens[tokens.size() - 2].line, 7);
+}
+
+}  // namespace
+}  // namespace obby::test

@@ -1,0 +1,321 @@
+// Moving and spinning parts: tweens, loops, kits, constraints.
+#include <algorithm>
+
+#include "import/scene.h"
+
+namespace obby::test {
+namespace {
+
+constexpr float kPi = 3.14159265f;
+
+void expectNear(Vec3 a, Vec3 b, float slack = 0.02f) {
+  EXPECT_NEAR(a.x, b.x, slack);
+  EXPECT_NEAR(a.y, b.y, slack);
+  EXPECT_NEAR(a.z, b.z, slack);
+}
+
+// Where the part is `time` seconds after the start of its keys, on straight ways.
+Vec3 at(const PartDraft& part, float time) {
+  const auto& keys = part.motion->keys;
+  for (size_t i = 1; i < keys.size(); ++i) {
+    if (keys[i].time < time) continue;
+    const float span = keys[i].time - keys[i - 1].time;
+    const float t = span > 0 ? (time - keys[i - 1].time) / span : 1;
+    return keys[i - 1].pose.position + (keys[i].pose.position - keys[i - 1].pose.position) * t;
+  }
+  return keys.back().pose.position;
+}
+
+TEST(Motion, TweenBetweenMarkerPartsInALoop) {
+  Scene scene;
+  const auto model = scene.add("Model", "Lift", scene.workspace);
+  const auto platform = scene.part("Platform", {0, 5, 0}, model);
+  const auto one = scene.part("Part1", {0, 5, 0}, model),
+             two = scene.part("Part2", {0, 5, 30}, model);
+  scene.script(R"(local TweenService = game:GetService("TweenService")
+local platform = script.Parent.Platform
+local info = TweenInfo.new(3, Enum.EasingStyle.Sine, Enum.EasingDirection.InOut)
+local there = TweenService:Create(platform, info, {CFrame = script.Parent.Part2.CFrame})
+local back = TweenService:Create(platform, info, {CFrame = script.Parent.Part1.CFrame})
+script.Parent.Part1.Transparency = 1
+while true do
+  there:Play()
+  there.Completed:Wait()
+  task.wait(1)
+  back:Play()
+  back.Completed:Wait()
+  task.wait(1)
+end)",
+               model);
+  scene.level();
+  ASSERT_TRUE(scene[platform].motion);
+  const auto& motion = *scene[platform].motion;
+  EXPECT_FALSE(motion.carries);
+  EXPECT_EQ(motion.repeat, importer::Repeat::loop);
+  EXPECT_NEAR(motion.keys.back().time, 8, 0.05);
+  expectNear(at(scene[platform], 3.5f), {0, 5, 30});
+  expectNear(at(scene[platform], 7.5f), {0, 5, 0});
+  const auto eased = std::find_if(motion.keys.begin(), motion.keys.end(), [](const auto& k) {
+    return k.easing == importer::Easing::sine && k.direction == importer::EasingDirection::inOut;
+  });
+  EXPECT_NE(eased, motion.keys.end());
+  EXPECT_FALSE(scene[one].solid);
+  EXPECT_FALSE(scene[two].solid);
+  EXPECT_NE(scene.evidence(two, "marker"), "");
+}
+
+TEST(Motion, EndlessTweenThatReversesGoesThereAndBack) {
+  Scene scene;
+  const auto part = scene.part("Mover");
+  scene.script(
+      "local t = game:GetService('TweenService'):Create(script.Parent, "
+      "TweenInfo.new(2, Enum.EasingStyle.Linear, Enum.EasingDirection.Out, -1, true), "
+      "{Position = script.Parent.Position + Vector3.new(10, 0, 0)})\nt:Play()",
+      part);
+  scene.level();
+  ASSERT_TRUE(scene[part].motion);
+  const auto& motion = *scene[part].motion;
+  EXPECT_EQ(motion.repeat, importer::Repeat::pingPong);
+  ASSERT_EQ(motion.keys.size(), 2u);
+  EXPECT_NEAR(motion.keys[1].time, 2, 1e-4);
+  expectNear(motion.keys[1].pose.position, {10, 0, 0});
+}
+
+TEST(Motion, TweensThatStartEachOtherAreALoop) {
+  Scene scene;
+  const auto part = scene.part("Mover");
+  scene.script(R"(local ts = game:GetService("TweenService")
+local a = ts:Create(script.Parent, TweenInfo.new(2), {Position = Vector3.new(0, 8, 0)})
+local b = ts:Create(script.Parent, TweenInfo.new(4), {Position = Vector3.new(0, 0, 0)})
+a.Completed:Connect(function() b:Play() end)
+b.Completed:Connect(function() a:Play() end)
+a:Play())",
+               part);
+  scene.level();
+  ASSERT_TRUE(scene[part].motion);
+  EXPECT_EQ(scene[part].motion->repeat, importer::Repeat::loop);
+  EXPECT_NEAR(scene[part].motion->keys.back().time, 6, 0.05);
+  expectNear(at(scene[part], 2), {0, 8, 0});
+}
+
+TEST(Motion, StepsThereAndBackWithPauses) {
+  Scene scene;
+  const auto part = scene.part("Slider");
+  scene.script(R"(while true do
+  for i = 1, 20 do
+    script.Parent.CFrame = script.Parent.CFrame * CFrame.new(1, 0, 0)
+    wait()
+  end
+  wait(2)
+  for i = 1, 20 do
+    script.Parent.CFrame = script.Parent.CFrame * CFrame.new(-1, 0, 0)
+    wait()
+  end
+  wait(2)
+end)",
+               part);
+  scene.level();
+  ASSERT_TRUE(scene[part].motion);
+  const auto& keys = scene[part].motion->keys;
+  EXPECT_NEAR(keys.back().time, 2 * (20 / 30.0 + 2), 0.05);
+  EXPECT_LE(keys.size(), 12u);
+  expectNear(at(scene[part], 1.5f), {20, 0, 0}, 0.1f);
+  expectNear(keys.back().pose.position, {0, 0, 0}, 0.1f);
+  EXPECT_FALSE(scene[part].motion->carries);
+}
+
+TEST(Motion, SineOfTheClock) {
+  Scene scene;
+  const auto part = scene.part("Swing", {0, 10, 0});
+  scene.script(R"(local base = script.Parent.CFrame
+game:GetService("RunService").Heartbeat:Connect(function()
+  script.Parent.CFrame = base * CFrame.new(0, 0, math.sin(os.clock() * math.pi) * 12)
+end))",
+               part);
+  scene.level();
+  ASSERT_TRUE(scene[part].motion);
+  expectNear(at(scene[part], 0.5f), {0, 10, 12}, 0.3f);
+  expectNear(at(scene[part], 1.5f), {0, 10, -12}, 0.3f);
+}
+
+struct SpinCase {
+  const char* code;
+  float speed;  // rad/s
+  Vec3 axis;
+};
+
+TEST(Motion, SpinRatesFollowTheWaits) {
+  const SpinCase cases[] = {
+      {"while true do p.CFrame = p.CFrame * CFrame.Angles(0, math.pi / 90, 0) wait() end",
+       kPi / 90 * 30,
+       {0, 1, 0}},
+      {"while task.wait() do p.CFrame *= CFrame.Angles(0, 0.05, 0) end", 3, {0, 1, 0}},
+      {"while true do task.wait(0.01) p.CFrame = p.CFrame * CFrame.Angles(0, math.rad(1), 0) end",
+       kPi / 180 * 60,
+       {0, 1, 0}},
+      {"while true do p.Orientation = p.Orientation + Vector3.new(0, 0, 2) wait(0.04) end",
+       kPi / 90 * 20,
+       {0, 0, 1}},
+      {"game:GetService('RunService').Heartbeat:Connect(function(dt) "
+       "p.CFrame = p.CFrame * CFrame.Angles(0, math.rad(90) * dt, 0) end)",
+       kPi / 2,
+       {0, 1, 0}},
+      {"game:GetService('RunService').Stepped:Connect(function(t, dt) "
+       "p.CFrame = p.CFrame * CFrame.fromEulerAnglesXYZ(-math.rad(120) * dt, 0, 0) end)",
+       kPi * 2 / 3,
+       {-1, 0, 0}}};
+  for (const auto& spin : cases) {
+    Scene scene;
+    const auto part = scene.part("Spinner", {3, 4, 5});
+    scene.script("local p = script.Parent\n" + std::string(spin.code), part);
+    scene.level();
+    ASSERT_TRUE(scene[part].motion && scene[part].motion->spin) << spin.code;
+    EXPECT_NEAR(scene[part].motion->spin->speed, spin.speed, 0.02f * spin.speed) << spin.code;
+    expectNear(scene[part].motion->spin->axis, spin.axis);
+    expectNear(scene[part].motion->spin->pivot, {});
+  }
+}
+
+TEST(Motion, AKillPartMaySpinToo) {
+  Scene scene;
+  const auto part = scene.part("Part");
+  scene.script("script.Parent.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end)", part);
+  scene.script("while true do script.Parent.CFrame *= CFrame.Angles(0, 0.1, 0) wait(0) end", part);
+  scene.level();
+  EXPECT_TRUE(scene[part].kill);
+  ASSERT_TRUE(scene[part].motion);
+  EXPECT_TRUE(scene[part].motion->spin);
+}
+
+TEST(Motion, WeldedPlatformsFollowTheirHub) {
+  Scene scene;
+  const auto hub = scene.part("Hub"), arm = scene.part("Arm", {10, 0, 0});
+  scene.set(arm, "Anchored", false);
+  const auto weld = scene.add("WeldConstraint", "Weld", hub);
+  scene.set(weld, "Part0", Ref{hub});
+  scene.set(weld, "Part1", Ref{arm});
+  scene.script("while true do script.Parent.CFrame *= CFrame.Angles(0, 0.1, 0) task.wait() end",
+               hub);
+  scene.level();
+  ASSERT_TRUE(scene[arm].motion && scene[arm].motion->spin);
+  expectNear(scene[arm].motion->spin->pivot, {-10, 0, 0});
+  EXPECT_NEAR(scene[arm].motion->spin->speed, 6, 0.1);
+}
+
+TEST(Motion, ModelsTurnAboutTheirPivot) {
+  Scene scene;
+  const auto model = scene.add("Model", "Windmill", scene.workspace);
+  const auto centre = scene.part("Centre", {0, 5, 0}, model),
+             blade = scene.part("Blade", {6, 5, 0}, model);
+  scene.set(model, "PrimaryPart", Ref{centre});
+  scene.script(
+      "while task.wait() do local m = script.Parent "
+      "m:PivotTo(m:GetPivot() * CFrame.Angles(0, 0, math.rad(3))) end",
+      model);
+  scene.level();
+  ASSERT_TRUE(scene[blade].motion && scene[blade].motion->spin);
+  expectNear(scene[blade].motion->spin->pivot, {-6, 0, 0});
+  expectNear(scene[blade].motion->spin->axis, {0, 0, 1});
+}
+
+TEST(Motion, WhatATouchStartsIsNamedNotMoved) {
+  Scene scene;
+  const auto part = scene.part("Elevator");
+  scene.script(
+      "script.Parent.Touched:Connect(function()\n"
+      " game.TweenService:Create(script.Parent, TweenInfo.new(2), "
+      "{Position = Vector3.new(0, 50, 0)}):Play()\nend)",
+      part);
+  scene.level();
+  EXPECT_FALSE(scene[part].motion);
+  EXPECT_EQ(scene.unmodelled("motion that a touch or click starts"), 1u);
+}
+
+TEST(Motion, TaggedPlatformFollowsItsWayPoints) {
+  Scene scene;
+  const auto model = scene.add("Model", "MovingPlatform", scene.workspace);
+  scene.tag(model, "MovingPlatform");
+  scene.attribute(model, "speed", 10.0);
+  scene.attribute(model, "delay", 1.0);
+  const auto platform = scene.part("Platform", {0, 0, 0}, model);
+  const auto path = scene.add("Folder", "Checkpoints", model);
+  const auto first = scene.part("Checkpoint1", {0, 0, 0}, path);
+  scene.part("Checkpoint2", {40, 0, 0}, path);
+  scene.level();
+  ASSERT_TRUE(scene[platform].motion);
+  EXPECT_TRUE(scene[platform].motion->carries);
+  EXPECT_NEAR(scene[platform].motion->keys.back().time, 1 + 4 + 1 + 4, 1e-3);
+  expectNear(at(scene[platform], 3), {20, 0, 0});
+  EXPECT_FALSE(scene[first].solid);
+  EXPECT_FALSE(scene[first].checkpoint);  // a way point, not a respawn point
+}
+
+TEST(Motion, TowerKitPositions) {
+  Scene scene;
+  const auto model = scene.add("Model", "Moving Platform", scene.workspace);
+  const auto platform = scene.part("Platform", {0, 0, 0}, model);
+  scene.value("NumberValue", "Delay", 5.0, model);
+  const auto positions = scene.add("Model", "Positions", model);
+  scene.part("a2", {0, 20, 0}, positions);
+  scene.part("a1", {0, 0, 0}, positions);
+  scene.level();
+  ASSERT_TRUE(scene[platform].motion);
+  EXPECT_NEAR(scene[platform].motion->keys.back().time, 10, 1.1);
+  expectNear(at(scene[platform], 4.9f), {0, 0, 0});
+  expectNear(at(scene[platform], 8), {0, 20, 0});
+}
+
+struct Constraint {
+  InstanceId id, base, arm;
+};
+Constraint constrained(Scene& scene, const char* className) {
+  Constraint c{};
+  c.base = scene.part("Base", {0, 10, 0});
+  c.arm = scene.part("Arm", {0, 8, 0});
+  scene.set(c.arm, "Anchored", false);
+  const auto a0 = scene.add("Attachment", "A0", c.base), a1 = scene.add("Attachment", "A1", c.arm);
+  const Mat3 axisUp = {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}};
+  scene.set(a0, "CFrame", CFrame{{0, -2, 0}, axisUp});
+  scene.set(a1, "CFrame", CFrame{{}, axisUp});
+  c.id = scene.add(className, className, c.base);
+  scene.set(c.id, "Attachment0", Ref{a0});
+  scene.set(c.id, "Attachment1", Ref{a1});
+  return c;
+}
+
+TEST(Motion, HingeMotorSpinsAndCarries) {
+  Scene scene;
+  const auto c = constrained(scene, "HingeConstraint");
+  scene.set(c.id, "ActuatorType", EnumItem{1, {}});
+  scene.set(c.id, "AngularVelocity", 3.0);
+  scene.level();
+  EXPECT_FALSE(scene[c.arm].motion) << "a motor without torque does nothing";
+  EXPECT_EQ(scene.unmodelled("constraint HingeConstraint"), 1u);
+  scene.set(c.id, "MotorMaxTorque", 1e6);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion && scene[c.arm].motion->spin);
+  EXPECT_TRUE(scene[c.arm].motion->carries);
+  EXPECT_TRUE(scene[c.arm].anchored);
+  EXPECT_NEAR(scene[c.arm].motion->spin->speed, 3, 1e-4);
+  expectNear(scene[c.arm].motion->spin->axis, {0, 1, 0});
+}
+
+TEST(Motion, SliderSteppedByAScript) {
+  Scene scene;
+  const auto c = constrained(scene, "PrismaticConstraint");
+  scene.set(c.id, "ActuatorType", EnumItem{2, {}});
+  scene.set(c.id, "Speed", 10.0);
+  scene.script(
+      "while true do\n script.Parent.PrismaticConstraint.TargetPosition = 20\n task.wait(5)\n"
+      " script.Parent.PrismaticConstraint.TargetPosition = 0\n task.wait(5)\nend",
+      c.base);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion);
+  EXPECT_TRUE(scene[c.arm].motion->carries);
+  expectNear(at(scene[c.arm], 1), {0, 18, 0});
+  expectNear(at(scene[c.arm], 4), {0, 28, 0});
+  expectNear(at(scene[c.arm], 9), {0, 8, 0});
+}
+
+}  // namespace
+}  // namespace obby::test

@@ -1,0 +1,189 @@
+// Geometry of parts, what belongs to the level, joints and strays.
+#include <limits>
+
+#include "import/pose_math.h"
+#include "import/scene.h"
+
+namespace obby::test {
+namespace {
+
+using importer::Shape;
+
+TEST(Parts, EveryClassAndPartTypeHasItsShape) {
+  Scene scene;
+  const std::pair<uint32_t, Shape> types[] = {{0, Shape::ball},
+                                              {1, Shape::block},
+                                              {2, Shape::cylinder},
+                                              {3, Shape::wedge},
+                                              {4, Shape::cornerWedge}};
+  std::vector<std::pair<InstanceId, Shape>> made;
+  for (const auto& [type, shape] : types) {
+    const auto id = scene.part("Part");
+    scene.set(id, "Shape", EnumItem{type, {}});
+    made.emplace_back(id, shape);
+  }
+  const std::pair<const char*, Shape> classes[] = {
+      {"WedgePart", Shape::wedge},      {"CornerWedgePart", Shape::cornerWedge},
+      {"TrussPart", Shape::truss},      {"SpawnLocation", Shape::block},
+      {"Seat", Shape::block},           {"VehicleSeat", Shape::block},
+      {"UnionOperation", Shape::block}, {"MeshPart", Shape::block}};
+  for (const auto& [name, shape] : classes)
+    made.emplace_back(scene.part(name, {}, scene.workspace, name), shape);
+  scene.level();
+  for (const auto& [id, shape] : made) EXPECT_EQ(scene[id].shape, shape) << id;
+}
+
+TEST(Parts, MeshWithoutCollisionDataIsItsBoxAndSaysSo) {
+  Scene scene;
+  const auto mesh = scene.part("Rock", {}, scene.workspace, "MeshPart");
+  scene.level();
+  EXPECT_EQ(scene.evidence(mesh, "shape").rfind("guessed: bounding box", 0), 0u);
+  EXPECT_EQ(scene.unmodelled("shape of a mesh or union"), 1u);
+}
+
+TEST(Parts, OmittedPropertiesHaveTheirClassDefaults) {
+  Scene scene;
+  const auto id = scene.add("Part", "Bare", scene.workspace);
+  scene.level();
+  EXPECT_EQ(scene[id].size, (Vec3{4, 1.2f, 2}));
+  EXPECT_FALSE(scene[id].anchored);
+  EXPECT_TRUE(scene[id].solid);
+  EXPECT_TRUE(scene[id].touch);
+  EXPECT_FLOAT_EQ(scene[id].friction, 0.3f);
+}
+
+TEST(Parts, SurfaceComesFromTheMaterialUnlessThePartHasItsOwn) {
+  Scene scene;
+  const auto ice = scene.part("Ice"), own = scene.part("Own"), odd = scene.part("Odd");
+  scene.set(ice, "Material", EnumItem{1536, {}});
+  scene.set(own, "Material", EnumItem{1536, {}});
+  scene.set(own, "CustomPhysicalProperties", PhysicalProperties{true, 2, 0.9f, 0.1f, 1, 1});
+  scene.set(odd, "Material", EnumItem{4711, {}});
+  scene.level();
+  EXPECT_FLOAT_EQ(scene[ice].friction, 0.02f);
+  EXPECT_FLOAT_EQ(scene[own].friction, 0.9f);
+  EXPECT_FLOAT_EQ(scene[own].density, 2);
+  EXPECT_FLOAT_EQ(scene[odd].friction, 0.3f);
+}
+
+TEST(Parts, AReflectionIsRepairedAndCounted) {
+  Scene scene;
+  const auto id = scene.part("Mirror");
+  scene.set(id, "CFrame", CFrame{{1, 2, 3}, {{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+  scene.level();
+  const Mat3& r = scene[id].pose.rotation;
+  EXPECT_NEAR(dot(cross(r.x, r.y), r.z), 1, 1e-6f);
+  EXPECT_EQ(r.z, (Vec3{0, 0, 1}));
+  EXPECT_EQ(scene.unmodelled("mirrored part"), 1u);
+}
+
+TEST(Parts, NumbersThatAreNotFiniteLeaveThePartOut) {
+  Scene scene;
+  scene.part("Good");
+  const auto bad = scene.part("Bad");
+  scene.set(bad, "Size", Vec3{std::numeric_limits<float>::quiet_NaN(), 1, 1});
+  EXPECT_EQ(scene.level().parts.size(), 1u);
+  EXPECT_EQ(scene.unmodelled("part without a place"), 1u);
+}
+
+TEST(Scene, OnlyTheWorldCounts) {
+  Scene scene;
+  scene.part("Floor");
+  const auto storage = scene.add("ServerStorage", "ServerStorage", kNoInstance);
+  scene.part("Stored", {}, storage);
+  const auto rig = scene.add("Model", "Guard", scene.workspace);
+  scene.part("Head", {}, rig);
+  scene.add("Humanoid", "Humanoid", rig);
+  const auto tool = scene.add("Tool", "Sword", scene.workspace);
+  scene.part("Handle", {}, tool);
+  scene.part("Cut", {}, scene.workspace, "NegateOperation");
+  scene.add("Terrain", "Terrain", scene.workspace);
+  const auto& level = scene.level();
+  ASSERT_EQ(level.parts.size(), 1u);
+  EXPECT_EQ(level.partsRead, 1u);
+  EXPECT_EQ(level.ignored.at("part in ServerStorage").count, 1u);
+  EXPECT_EQ(level.ignored.at("part of a character with a Humanoid").count, 1u);
+  EXPECT_EQ(level.ignored.at("part of a tool or clothing").count, 1u);
+  EXPECT_EQ(level.ignored.at("NegateOperation").count, 1u);
+}
+
+TEST(Scene, RootsOfAModelFileAreTheWorld) {
+  Scene scene = Scene::model();
+  const auto folder = scene.add("Folder", "Map", kNoInstance);
+  scene.part("A", {}, folder);
+  scene.part("B", {}, kNoInstance);
+  EXPECT_EQ(scene.level().parts.size(), 2u);
+}
+
+TEST(Joints, OneAnchoredPartAnchorsAllThatIsJoinedToIt) {
+  for (const char* kind : {"Weld", "Snap", "ManualWeld", "WeldConstraint", "Glue", "Motor6D"}) {
+    Scene scene;
+    const auto base = scene.part("Base"), middle = scene.part("Middle"), top = scene.part("Top"),
+               loose = scene.part("Loose");
+    for (const auto id : {middle, top, loose}) scene.set(id, "Anchored", false);
+    const auto joint = [&](InstanceId a, InstanceId b) {
+      const auto id = scene.add(kind, kind, a);
+      scene.set(id, "Part0", Ref{a});
+      scene.set(id, "Part1", Ref{b});
+      return id;
+    };
+    joint(middle, base);
+    const auto second = joint(top, middle);
+    scene.level();
+    EXPECT_TRUE(scene[middle].anchored) << kind;
+    EXPECT_TRUE(scene[top].anchored) << kind;
+    EXPECT_FALSE(scene[loose].anchored) << kind;
+    scene.set(second, "Enabled", false);
+    scene.level();
+    EXPECT_FALSE(scene[top].anchored) << kind;
+  }
+}
+
+TEST(Joints, RigidConstraintsJoinThroughTheirAttachments) {
+  Scene scene;
+  const auto base = scene.part("Base"), arm = scene.part("Arm");
+  scene.set(arm, "Anchored", false);
+  const auto a0 = scene.add("Attachment", "A0", base), a1 = scene.add("Attachment", "A1", arm);
+  const auto joint = scene.add("RigidConstraint", "RigidConstraint", base);
+  scene.set(joint, "Attachment0", Ref{a0});
+  scene.set(joint, "Attachment1", Ref{a1});
+  scene.level();
+  EXPECT_TRUE(scene[arm].anchored);
+}
+
+TEST(Culling, StraysBelowAndFarAwayAreCounted) {
+  Scene scene;
+  for (int i = 0; i < 40; ++i) scene.part("Step", {float(i) * 10, 0, 0});
+  scene.part("Below", {0, -900, 0});
+  scene.part("Far", {0, 2.9e6f, 0});
+  scene.part("Outlier", {700, 20, 0});
+  const auto& level = scene.level();
+  EXPECT_EQ(level.parts.size(), 41u);
+  EXPECT_EQ(level.partsRead, 43u);
+  EXPECT_EQ(level.partsCulled, 2u);
+}
+
+TEST(Culling, AHugeFloorIsNoStray) {
+  Scene scene;
+  scene.part("Step");
+  const auto floor = scene.part("Floor", {0, -490, 0});
+  scene.set(floor, "Size", Vec3{2048, 16, 2048});
+  EXPECT_EQ(scene.level().parts.size(), 2u);
+}
+
+TEST(PoseMath, QuaternionsAndVectorsOfRotationsAgree) {
+  const Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, normalize(Vec3{1, -2, 3})};
+  for (const Vec3 axis : axes)
+    for (const double angle : {0.1, 1.0, 2.0, 3.1}) {
+      const Mat3 m = importer::rotationAbout(axis, angle);
+      const Vec3 back = importer::rotationVector(m);
+      EXPECT_NEAR(length(back - axis * float(angle)), 0, 2e-5);
+      const Mat3 again = toMat3(importer::toQuat(m));
+      EXPECT_NEAR(length(again.x - m.x) + length(again.y - m.y) + length(again.z - m.z), 0, 1e-5);
+    }
+  EXPECT_FLOAT_EQ(importer::yawOf({0, 0, -1}), 0);
+  EXPECT_NEAR(importer::yawOf({-1, 0, 0}), 1.5707963f, 1e-6f);
+}
+
+}  // namespace
+}  // namespace obby::test

@@ -1,0 +1,219 @@
+// Start, checkpoints in their order, goal.
+#include <algorithm>
+
+#include "import/scene.h"
+
+namespace obby::test {
+namespace {
+
+InstanceId spawn(Scene& scene, const std::string& name, Vec3 position, InstanceId parent) {
+  return scene.part(name, position, parent, "SpawnLocation");
+}
+InstanceId spawn(Scene& scene, const std::string& name, Vec3 position) {
+  return spawn(scene, name, position, scene.workspace);
+}
+
+// Names of the level's spawns in order.
+std::vector<std::string> order(const LevelDraft& level) {
+  std::vector<std::string> names;
+  for (const auto& s : level.spawns) names.push_back(s.name);
+  return names;
+}
+using Names = std::vector<std::string>;
+
+TEST(Stages, SpawnStandsOnTopOfThePadAndLooksAlongItsFront) {
+  Scene scene;
+  const auto id = spawn(scene, "Start", {1, 5, 2});
+  scene.set(id, "Size", Vec3{6, 2, 6});
+  scene.set(id, "CFrame", CFrame{{1, 5, 2}, {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}});
+  const auto& level = scene.level();
+  ASSERT_EQ(level.spawns.size(), 1u);
+  EXPECT_EQ(level.spawns[0].position, (Vec3{1, 6, 2}));
+  EXPECT_NEAR(level.spawns[0].yaw, 1.5707963f, 1e-5f);
+  EXPECT_EQ(level.spawns[0].part, 0);
+  EXPECT_EQ(level.spawns[0].stage, 0);
+}
+
+TEST(Stages, NumberedCheckpointsCountUpFromOne) {
+  Scene scene;
+  const auto folder = scene.add("Folder", "Checkpoints", scene.workspace);
+  scene.part("3", {30, 0, 0}, folder);
+  scene.part("10", {100, 0, 0}, folder);
+  scene.part("2", {20, 0, 0}, folder);
+  spawn(scene, "SpawnLocation", {0, 0, 0});
+  const auto& level = scene.level();
+  EXPECT_EQ(order(level), (Names{"SpawnLocation", "2", "3", "10"}));
+  EXPECT_EQ(level.spawns[3].stage, 3);
+  EXPECT_EQ(*level.parts[size_t(level.spawns[3].part)].goal, 0);  // the last is the end
+}
+
+TEST(Stages, TagsTakeTheirNumberFromAttributesNamesOrFolders) {
+  Scene scene;
+  spawn(scene, "Start", {});
+  const auto a = scene.part("A", {30, 0, 0});
+  scene.attribute(a, "Stage", int64_t{2});
+  scene.tag(a, "Checkpoint");
+  scene.tag(scene.part("Checkpoint1", {90, 0, 0}), "Checkpoint");
+  const auto folder = scene.add("Folder", "3", scene.workspace);
+  scene.tag(spawn(scene, "Pad", {10, 0, 0}, folder), "Checkpoint");
+  const auto& level = scene.level();
+  EXPECT_EQ(order(level), (Names{"Start", "Checkpoint1", "A", "Pad"}));
+}
+
+TEST(Stages, ATaggedModelIsTouchedAtItsTouchPart) {
+  Scene scene;
+  spawn(scene, "Start", {});
+  const auto model = scene.add("Model", "Checkpoint7", scene.workspace);
+  scene.tag(model, "Checkpoint");
+  scene.part("Flag", {20, 4, 0}, model);
+  const auto touch = scene.part("Touch", {20, 0, 0}, model);
+  scene.level();
+  EXPECT_EQ(*scene[touch].checkpoint, 1);
+}
+
+TEST(Stages, UnnumberedCheckpointsGoByDistanceAndSaySo) {
+  Scene scene;
+  spawn(scene, "Start", {});
+  const auto far = scene.part("Checkpoint", {80, 0, 0}),
+             near = scene.part("Checkpoint", {20, 0, 0}),
+             middle = scene.part("Checkpoint", {50, 0, 0});
+  for (const auto id : {far, near, middle}) scene.tag(id, "Checkpoint");
+  scene.level();
+  EXPECT_EQ(*scene[near].checkpoint, 1);
+  EXPECT_EQ(*scene[middle].checkpoint, 2);
+  EXPECT_EQ(*scene[far].checkpoint, 3);
+  EXPECT_TRUE(scene[near].evidence.back().guessed);
+}
+
+TEST(Stages, TeamsTellTheStartFromTheCheckpoints) {
+  Scene scene;
+  const auto teams = scene.add("Teams", "Teams", kNoInstance);
+  const auto first = scene.add("Team", "Start here", teams);
+  scene.set(first, "TeamColor", int64_t{21});
+  const auto second = scene.add("Team", "Down The Stairs", teams);
+  scene.set(second, "TeamColor", int64_t{23});
+  scene.set(second, "AutoAssignable", false);
+  const auto later = spawn(scene, "Down The Stairs", {60, 0, 0});
+  const auto start = spawn(scene, "Begin", {0, 0, 0});
+  for (const auto& [id, color] : {std::pair{later, 23}, std::pair{start, 21}}) {
+    scene.set(id, "Neutral", false);
+    scene.set(id, "AllowTeamChangeOnTouch", true);
+    scene.set(id, "TeamColor", int64_t{color});
+  }
+  EXPECT_EQ(order(scene.level()), (Names{"Begin", "Down The Stairs"}));
+}
+
+TEST(Stages, SpawnsInNumberedFoldersAreStages) {
+  Scene scene;
+  const auto stages = scene.add("Folder", "Stages", scene.workspace);
+  for (const int n : {2, 1, 3}) {
+    const auto stage = scene.add("Model", std::to_string(n), stages);
+    spawn(scene, "SpawnLocation", {float(n) * 40, 0, 0}, stage);
+  }
+  const auto& level = scene.level();
+  ASSERT_EQ(level.spawns.size(), 3u);
+  EXPECT_FLOAT_EQ(level.spawns[0].position.x, 40);
+  EXPECT_FLOAT_EQ(level.spawns[1].position.x, 80);
+  EXPECT_FLOAT_EQ(level.spawns[2].position.x, 120);
+}
+
+TEST(Stages, PadsBesideEachOtherAreOneStart) {
+  Scene scene;
+  for (int i = 0; i < 3; ++i) spawn(scene, "SpawnLocation", {float(i) * 8, 0, 0});
+  EXPECT_EQ(scene.level().spawns.size(), 1u);
+}
+
+TEST(Stages, DisabledSpawnsDoNotCount) {
+  Scene scene;
+  scene.set(spawn(scene, "Off", {}), "Enabled", false);
+  spawn(scene, "On", {90, 0, 0});
+  EXPECT_EQ(order(scene.level()), (Names{"On"}));
+}
+
+TEST(Stages, TemplateCheckpointScriptMakesACheckpoint) {
+  Scene scene;
+  spawn(scene, "Start", {});
+  const auto part = scene.part("Plate", {20, 0, 0});
+  scene.script(R"(local spawn = script.Parent
+spawn.Touched:connect(function(hit)
+  if hit and hit.Parent and hit.Parent:FindFirstChild("Humanoid") then
+    local player = game.Players:GetPlayerFromCharacter(hit.Parent)
+    local checkpointData = game.ServerStorage:FindFirstChild("CheckpointData")
+    if not checkpointData then
+      checkpointData = Instance.new("Model", game.ServerStorage)
+      checkpointData.Name = "CheckpointData"
+    end
+    local checkpoint = checkpointData:FindFirstChild(tostring(player.userId))
+    if not checkpoint then
+      checkpoint = Instance.new("ObjectValue", checkpointData)
+    end
+    checkpoint.Value = spawn
+  end
+end))",
+               part, "CheckpointScript");
+  const auto stat = scene.part("Stat", {40, 0, 0});
+  scene.script(
+      "script.Parent.Touched:Connect(function(hit)\n"
+      " local player = game.Players:GetPlayerFromCharacter(hit.Parent)\n"
+      " if player then player.leaderstats.Stage.Value = 2 end\nend)",
+      stat);
+  scene.level();
+  EXPECT_EQ(*scene[part].checkpoint, 1);
+  EXPECT_EQ(scene.evidence(part, "checkpoint"),
+            "script CheckpointScript line 14: checkpoint.Value = spawn");
+  EXPECT_EQ(*scene[stat].checkpoint, 2);
+}
+
+TEST(Stages, WithoutSpawnAPartCalledStartOrTheFirstCheckpointServes) {
+  {
+    Scene scene;
+    scene.part("START", {3, 0, 0});
+    const auto& level = scene.level();
+    EXPECT_EQ(order(level), (Names{"START"}));
+    EXPECT_TRUE(level.parts[0].evidence[0].guessed);
+  }
+  Scene scene;
+  const auto folder = scene.add("Folder", "Checkpoints", scene.workspace);
+  scene.part("1", {}, folder);
+  scene.part("2", {30, 0, 0}, folder);
+  EXPECT_EQ(order(scene.level()), (Names{"1", "2"}));
+}
+
+TEST(Stages, GoalByTagBeatsGoalsByName) {
+  Scene scene;
+  spawn(scene, "Start", {});
+  const auto tagged = scene.part("Gate", {60, 0, 0}), named = scene.part("WinPad", {90, 0, 0});
+  scene.tag(tagged, "Goal");
+  scene.level();
+  EXPECT_TRUE(scene[tagged].goal);
+  EXPECT_FALSE(scene[named].goal);
+}
+
+TEST(Stages, GoalNamesInAnyOfTheirForms) {
+  for (const char* name : {"WinPad", "Finish Line", "End", "GoalPart", "BaseChegada"}) {
+    Scene scene;
+    const auto goal = scene.part(name, {60, 0, 0}), window = scene.part("Window"),
+               bend = scene.part("Bend");
+    scene.level();
+    EXPECT_TRUE(scene[goal].goal) << name;
+    EXPECT_FALSE(scene[window].goal);
+    EXPECT_FALSE(scene[bend].goal);
+  }
+}
+
+TEST(Stages, OfSeveralGuessedGoalsTheOneBesideTheStartStays) {
+  Scene scene;
+  const auto one = scene.add("Model", "One", scene.workspace),
+             two = scene.add("Model", "Two", scene.workspace);
+  scene.part("End", {90, 0, 0}, two);
+  scene.part("Start", {}, one);
+  const auto goal = scene.part("End", {20, 0, 0}, one);
+  const auto& level = scene.level();
+  EXPECT_TRUE(scene[goal].goal);
+  EXPECT_EQ(std::count_if(level.parts.begin(), level.parts.end(),
+                          [](const auto& p) { return p.goal.has_value(); }),
+            1);
+}
+
+}  // namespace
+}  // namespace obby::test

@@ -1,0 +1,281 @@
+// Conveyors, jump pads and disappearing parts.
+#include "import/scene.h"
+
+namespace obby::test {
+namespace {
+
+void expectNear(Vec3 a, Vec3 b, float slack = 1e-3f) {
+  EXPECT_NEAR(a.x, b.x, slack);
+  EXPECT_NEAR(a.y, b.y, slack);
+  EXPECT_NEAR(a.z, b.z, slack);
+}
+
+const Mat3 kTurnedLeft = {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}};  // looks along -X
+
+TEST(Conveyor, TemplateScriptTurnsLocalSpeedToTheWorld) {
+  Scene scene;
+  const auto part = scene.part("Conveyor");
+  scene.set(part, "CFrame", CFrame{{}, kTurnedLeft});
+  const auto configuration = scene.add("Configuration", "Configuration", part);
+  scene.value("IntValue", "Speed", int64_t{10}, configuration);
+  scene.script(
+      "local conveyor = script.Parent\n"
+      "conveyor.Velocity = conveyor.CFrame:vectorToWorldSpace("
+      "Vector3.new(0, 0, -conveyor.Configuration.Speed.Value))",
+      part);
+  scene.level();
+  ASSERT_TRUE(scene[part].conveyor);
+  expectNear(scene[part].conveyor->velocity, {-10, 0, 0});
+}
+
+TEST(Conveyor, LookVectorTimesSpeed) {
+  for (const char* code :
+       {"script.Parent.AssemblyLinearVelocity = script.Parent.CFrame.LookVector * 12",
+        "while true do script.Parent.Velocity = script.Parent.CFrame.lookVector*12 wait() end",
+        "game:GetService('RunService').Heartbeat:Connect(function() "
+        "script.Parent.Velocity = -script.Parent.CFrame.ZVector * 12 end)"}) {
+    Scene scene;
+    const auto part = scene.part("Belt");
+    scene.script(code, part);
+    scene.level();
+    ASSERT_TRUE(scene[part].conveyor) << code;
+    expectNear(scene[part].conveyor->velocity, {0, 0, -12});
+  }
+}
+
+TEST(Conveyor, TagWithSpeed) {
+  Scene scene;
+  const auto part = scene.part("A"), guess = scene.part("B");
+  scene.tag(part, "Conveyor");
+  scene.attribute(part, "Speed", 25.0);
+  scene.tag(guess, "Conveyor");
+  scene.level();
+  expectNear(scene[part].conveyor->velocity, {0, 0, -25});
+  EXPECT_EQ(scene.evidence(part, "conveyor"), "tag Conveyor");
+  EXPECT_EQ(scene.evidence(guess, "conveyor"), "guessed: tag Conveyor");
+}
+
+TEST(Conveyor, KitTextStatesTheWorldAxis) {
+  Scene scene;
+  const auto part = scene.part("A");
+  scene.set(part, "CFrame", CFrame{{}, kTurnedLeft});
+  scene.value("StringValue", "Conveyor", std::string("-8"), part);
+  scene.level();
+  ASSERT_TRUE(scene[part].conveyor);
+  expectNear(scene[part].conveyor->velocity, {0, 0, -8});
+}
+
+TEST(Conveyor, SavedVelocityCountsOnAnchoredPartsAlongAnAxis) {
+  Scene scene;
+  const auto belt = scene.part("Belt"), noise = scene.part("Noise"),
+             residue = scene.part("Residue"), loose = scene.part("Loose");
+  scene.set(belt, "Velocity", Vec3{8, 0, 0});
+  scene.set(noise, "Velocity", Vec3{1e-5f, 0, 0});
+  scene.set(residue, "Velocity", Vec3{-13.4f, 13.7f, 1.6f});
+  scene.set(loose, "Velocity", Vec3{8, 0, 0});
+  scene.set(loose, "Anchored", false);
+  const auto& level = scene.level();
+  ASSERT_TRUE(scene[belt].conveyor);
+  expectNear(scene[belt].conveyor->velocity, {8, 0, 0});
+  EXPECT_FALSE(scene[noise].conveyor);
+  EXPECT_FALSE(scene[residue].conveyor);
+  EXPECT_FALSE(scene[loose].conveyor);
+  EXPECT_EQ(level.ignored.at("saved velocity off every axis").count, 1u);
+}
+
+TEST(JumpPad, TrampolineThrowsUpward) {
+  Scene scene;
+  const auto part = scene.part("Trampoline");
+  const auto configuration = scene.add("Configuration", "Configuration", part);
+  scene.value("IntValue", "BounceSpeed", int64_t{100}, configuration);
+  scene.script(
+      "local trampoline = script.Parent\n"
+      "trampoline.Velocity = Vector3.new(0, trampoline.Configuration.BounceSpeed.Value, 0)",
+      part);
+  scene.level();
+  ASSERT_TRUE(scene[part].jumpPad);
+  EXPECT_FALSE(scene[part].conveyor);
+  expectNear(scene[part].jumpPad->velocity, {0, 100, 0});
+}
+
+TEST(JumpPad, CharacterVelocityKeepsWhatTheScriptKeeps) {
+  Scene scene;
+  const auto keeps = scene.part("A"), sets = scene.part("B"), body = scene.part("C");
+  scene.script(R"(script.Parent.Touched:Connect(function(hit)
+  local root = hit.Parent:FindFirstChild("HumanoidRootPart")
+  if root then
+    root.AssemblyLinearVelocity = Vector3.new(root.AssemblyLinearVelocity.X, 115, root.AssemblyLinearVelocity.Z)
+  end
+end))",
+               keeps);
+  scene.script(
+      "script.Parent.Touched:Connect(function(hit)\n"
+      " hit.Parent.HumanoidRootPart.Velocity = Vector3.new(0, 90, -20)\nend)",
+      sets);
+  scene.script(R"(script.Parent.Touched:Connect(function(hit)
+  local push = Instance.new("BodyVelocity")
+  push.Velocity = Vector3.new(0, 70, 0)
+  push.MaxForce = Vector3.new(0, math.huge, 0)
+  push.Parent = hit.Parent.HumanoidRootPart
+  game.Debris:AddItem(push, 0.2)
+end))",
+               body);
+  scene.level();
+  ASSERT_TRUE(scene[keeps].jumpPad && scene[sets].jumpPad && scene[body].jumpPad);
+  expectNear(scene[keeps].jumpPad->velocity, {0, 115, 0});
+  EXPECT_TRUE(scene[keeps].jumpPad->keepSideways);
+  expectNear(scene[sets].jumpPad->velocity, {0, 90, -20});
+  EXPECT_FALSE(scene[sets].jumpPad->keepSideways);
+  expectNear(scene[body].jumpPad->velocity, {0, 70, 0});
+}
+
+TEST(JumpPad, TagThrowsAlongThePadsUpAxis) {
+  Scene scene;
+  const auto pad = scene.part("Pad");
+  scene.set(pad, "CFrame", CFrame{{}, {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}});
+  scene.tag(pad, "BouncePad");
+  scene.attribute(pad, "BounceImpulse", 300.0);
+  scene.level();
+  expectNear(scene[pad].jumpPad->velocity, {-300, 0, 0});
+}
+
+TEST(Vanish, FadeThenAwayWithTheTimesOfTheScript) {
+  Scene scene;
+  const auto part = scene.part("Fading");
+  scene.script(R"(local platform = script.Parent
+local isTouched = false
+local function fade()
+  if not isTouched then
+    isTouched = true
+    for count = 1, 10 do
+      platform.Transparency = count / 10
+      task.wait(0.1)
+    end
+    platform.CanCollide = false
+    task.wait(3)
+    platform.CanCollide = true
+    platform.Transparency = 0
+    isTouched = false
+  end
+end
+platform.Touched:Connect(function(otherPart)
+  if otherPart.Parent:FindFirstChildWhichIsA("Humanoid") then fade() end
+end))",
+               part);
+  scene.level();
+  ASSERT_TRUE(scene[part].vanish);
+  EXPECT_FALSE(scene[part].vanish->timer);
+  EXPECT_NEAR(scene[part].vanish->delay, 1, 0.02);
+  EXPECT_NEAR(scene[part].vanish->away, 3, 1e-3);
+}
+
+TEST(Vanish, AtOnceOrThroughDelayedFunctions) {
+  Scene scene;
+  const auto atOnce = scene.part("A"), delayed = scene.part("B"), forGood = scene.part("C");
+  scene.script(
+      "script.Parent.Touched:connect(function() script.Parent.CanCollide = false "
+      "wait(3) script.Parent.CanCollide = true end)",
+      atOnce);
+  scene.script(
+      "local p = script.Parent\np.Touched:Connect(function()\n"
+      " task.delay(0.5, function() p.CanCollide = false end)\n"
+      " task.delay(2.5, function() p.CanCollide = true end)\nend)",
+      delayed);
+  scene.script("script.Parent.Touched:Connect(function() wait(1) script.Parent:Destroy() end)",
+               forGood);
+  scene.level();
+  EXPECT_NEAR(scene[atOnce].vanish->delay, 0, 1e-6);
+  EXPECT_NEAR(scene[atOnce].vanish->away, 3, 1e-3);
+  ASSERT_TRUE(scene[delayed].vanish);
+  EXPECT_NEAR(scene[delayed].vanish->delay, 0.5, 1e-3);
+  EXPECT_NEAR(scene[delayed].vanish->away, 2, 1e-3);
+  EXPECT_NEAR(scene[forGood].vanish->delay, 1, 1e-3);
+  EXPECT_GE(scene[forGood].vanish->away, 600);
+}
+
+TEST(Vanish, OneScriptForAFolderOfPlatforms) {
+  Scene scene;
+  const auto folder = scene.add("Folder", "DisappearingPlatforms", scene.workspace);
+  const auto a = scene.part("P", {}, folder), b = scene.part("P", {8, 0, 0}, folder);
+  scene.value("NumberValue", "Off", 5.0, folder);
+  scene.script(R"(local folder = workspace:WaitForChild("DisappearingPlatforms")
+local function onTouched(platform)
+  wait(0.5)
+  platform.CanCollide = false
+  wait(folder.Off.Value)
+  platform.CanCollide = true
+end
+for _, platform in pairs(folder:GetChildren()) do
+  if platform:IsA("BasePart") then
+    platform.Touched:Connect(function(hit)
+      if hit.Parent:FindFirstChild("Humanoid") then onTouched(platform) end
+    end)
+  end
+end)",
+               scene.scripts);
+  scene.level();
+  for (const auto id : {a, b}) {
+    ASSERT_TRUE(scene[id].vanish);
+    EXPECT_NEAR(scene[id].vanish->delay, 0.5, 1e-3);
+    EXPECT_NEAR(scene[id].vanish->away, 5, 1e-3);
+  }
+}
+
+TEST(Vanish, TimersGiveTimesAndPhase) {
+  Scene scene;
+  const auto starts = scene.part("StartsSolid"), gone = scene.part("StartsGone"),
+             toggles = scene.part("Toggles");
+  scene.script(
+      "while true do\n wait(3)\n script.Parent.CanCollide = false\n wait(1)\n"
+      " script.Parent.CanCollide = true\nend",
+      starts);
+  scene.script(
+      "while true do\n script.Parent.CanCollide = false\n wait(2)\n"
+      " script.Parent.CanCollide = true\n wait(2.5)\nend",
+      gone);
+  scene.script("while wait(2) do script.Parent.CanCollide = not script.Parent.CanCollide end",
+               toggles);
+  scene.level();
+  for (const auto id : {starts, gone, toggles}) {
+    ASSERT_TRUE(scene[id].vanish) << id;
+    EXPECT_TRUE(scene[id].vanish->timer);
+  }
+  EXPECT_NEAR(scene[starts].vanish->delay, 3, 1e-3);
+  EXPECT_NEAR(scene[starts].vanish->away, 1, 1e-3);
+  EXPECT_NEAR(scene[starts].vanish->phase, 0, 1e-3);
+  EXPECT_NEAR(scene[gone].vanish->delay, 2.5, 1e-3);
+  EXPECT_NEAR(scene[gone].vanish->away, 2, 1e-3);
+  EXPECT_NEAR(scene[gone].vanish->phase, 2.5, 1e-3);
+  EXPECT_NEAR(scene[toggles].vanish->delay, 2, 1e-3);
+  EXPECT_NEAR(scene[toggles].vanish->away, 2, 1e-3);
+}
+
+TEST(Vanish, FadeWithoutLosingCollisionIsADecoy) {
+  Scene scene;
+  const auto part = scene.part("Decoy");
+  scene.script(
+      "script.Parent.Touched:Connect(function() for i = 1, 10 do "
+      "script.Parent.Transparency = i / 10 wait(0.1) end end)",
+      part);
+  scene.level();
+  EXPECT_FALSE(scene[part].vanish);
+}
+
+TEST(Vanish, TowerKitValues) {
+  Scene scene;
+  const auto model = scene.add("Model", "DisappearingPlatform", scene.workspace);
+  const auto platform = scene.part("Platform", {}, model);
+  scene.value("NumberValue", "FadeTime", 2.0, model);
+  scene.value("NumberValue", "RespawnTime", 1.0, model);
+  const auto v6 = scene.part("V6");
+  const auto configuration = scene.add("Configuration", "VanisherConfiguration", v6);
+  scene.attribute(configuration, "RespawnTime", 2.0);
+  scene.level();
+  ASSERT_TRUE(scene[platform].vanish && scene[v6].vanish);
+  EXPECT_NEAR(scene[platform].vanish->delay, 2, 1e-6);
+  EXPECT_NEAR(scene[platform].vanish->away, 1, 1e-6);
+  EXPECT_NEAR(scene[v6].vanish->away, 2, 1e-6);
+}
+
+}  // namespace
+}  // namespace obby::test

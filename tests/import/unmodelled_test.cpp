@@ -1,0 +1,122 @@
+// Whatever is not simulated is named, with counts.
+#include "import/explain.h"
+#include "import/scene.h"
+
+namespace obby::test {
+namespace {
+
+TEST(Unmodelled, Teleporters) {
+  Scene scene;
+  const auto from = scene.part("teleporter1a");
+  scene.part("teleporter1b", {50, 0, 0});
+  scene.script(
+      "script.Parent.Touched:Connect(function(hit)\n"
+      " local root = hit.Parent:FindFirstChild('HumanoidRootPart')\n"
+      " if root then root.CFrame = workspace.teleporter1b.CFrame + Vector3.new(0, 5, 0) end\n"
+      "end)",
+      from);
+  const auto& level = scene.level();
+  EXPECT_EQ(scene.unmodelled("teleporter"), 1u);
+  EXPECT_EQ(level.unmodelled.at("teleporter").example, "Workspace/teleporter1a");
+  EXPECT_NE(level.unmodelled.at("teleporter").note.find("line 3"), std::string::npos);
+}
+
+TEST(Unmodelled, ButtonsThatOpenSomethingElse) {
+  Scene scene;
+  const auto button = scene.part("Button");
+  const auto wall = scene.part("Wall");
+  scene.script(
+      "local wall = workspace.Wall\nscript.Parent.Touched:Connect(function(hit)\n"
+      " wall.CanCollide = false\n for i = 10, 1, -1 do task.wait(1) end\n"
+      " wall.CanCollide = true\nend)",
+      button);
+  scene.level();
+  EXPECT_EQ(scene.unmodelled("button"), 1u);
+  EXPECT_FALSE(scene[wall].vanish);
+  EXPECT_FALSE(scene[button].vanish);
+}
+
+TEST(Unmodelled, TouchesThatWereNotUnderstood) {
+  Scene scene;
+  const auto part = scene.part("Mystery");
+  scene.script("script.Parent.Touched:Connect(function(hit) _G.doSomething(hit) end)", part);
+  scene.level();
+  EXPECT_EQ(scene.unmodelled("script pattern"), 1u);
+}
+
+TEST(Unmodelled, SpeedPadsSeatsToolsTerrainGroups) {
+  Scene scene;
+  const auto pad = scene.part("Speed");
+  scene.script(
+      "script.Parent.Touched:Connect(function(hit)\n"
+      " hit.Parent.Humanoid.WalkSpeed = 50\n wait(7)\n hit.Parent.Humanoid.WalkSpeed = 16\nend)",
+      pad);
+  scene.part("Chair", {}, scene.workspace, "Seat");
+  scene.set(scene.part("Ghost"), "CollisionGroup", std::string("Ghosts"));
+  scene.add("Tool", "Sword", scene.workspace);
+  const auto terrain = scene.add("Terrain", "Terrain", scene.workspace);
+  scene.set(terrain, "SmoothGrid", std::string(1000, 'x'));
+  scene.level();
+  for (const char* kind :
+       {"speed or jump booster", "seat", "collision group Ghosts", "tool", "terrain"})
+    EXPECT_EQ(scene.unmodelled(kind), 1u) << kind;
+}
+
+TEST(Unmodelled, StagesBuiltAtRunTimeAndForeignCode) {
+  Scene scene;
+  const auto storage = scene.add("ServerStorage", "ServerStorage", kNoInstance);
+  scene.add("Model", "Stage1", storage);
+  scene.script(
+      "require(123456)\nlocal stage = game.ServerStorage.Stage1:Clone()\n"
+      "stage.Parent = workspace\nloadstring('x')()",
+      scene.scripts);
+  scene.level();
+  EXPECT_EQ(scene.unmodelled("parts that a script builds"), 1u);
+  EXPECT_EQ(scene.unmodelled("require of an asset"), 1u);
+  EXPECT_EQ(scene.unmodelled("code made at run time"), 1u);
+}
+
+TEST(Unmodelled, ConstraintsWithoutMotorAreLoose) {
+  Scene scene;
+  const auto ball = scene.part("Ball");
+  scene.set(ball, "Anchored", false);
+  const auto attachment = scene.add("Attachment", "A", ball);
+  const auto other = scene.add("Attachment", "B", scene.part("Hook"));
+  const auto rope = scene.add("RopeConstraint", "Rope", ball);
+  scene.set(rope, "Attachment0", Ref{attachment});
+  scene.set(rope, "Attachment1", Ref{other});
+  scene.level();
+  EXPECT_EQ(scene.unmodelled("constraint RopeConstraint"), 1u);
+  EXPECT_FALSE(scene[ball].anchored);
+}
+
+size_t columns(const std::string& line) {
+  size_t count = 0;
+  for (const char c : line) count += (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+  return count;
+}
+
+TEST(Explain, FitsAHundredColumnsAndNamesEvidenceAndGuesses) {
+  Scene scene;
+  const auto folder = scene.add("Folder", std::string(150, 'F'), scene.workspace);
+  for (int i = 0; i < 5; ++i) scene.part("Lava", {}, folder);
+  const auto odd = scene.part("Lava \xc3\xa9\n\x01\xff");
+  scene.script("script.Parent.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 " +
+                   std::string(200, ' ') + " end)",
+               odd);
+  scene.add("Tool", "Sword", scene.workspace);
+  const auto& level = scene.level();
+  const std::string text = importer::explain(level, importer::Tree(scene.document));
+  size_t begin = 0, lines = 0;
+  for (size_t end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1, ++lines)
+    EXPECT_LE(columns(text.substr(begin, end - begin)), 100u) << text.substr(begin, end - begin);
+  EXPECT_EQ(begin, text.size()) << "ends with a whole line";
+  EXPECT_NE(text.find("x5"), std::string::npos);
+  EXPECT_NE(text.find("guessed: name Lava"), std::string::npos);
+  EXPECT_NE(text.find("script Script line 1"), std::string::npos);
+  EXPECT_NE(text.find("tool"), std::string::npos);
+  EXPECT_GT(lines, 5u);
+}
+
+}  // namespace
+}  // namespace obby::test
