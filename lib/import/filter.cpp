@@ -65,7 +65,10 @@ std::string InputOpener::freeName(const std::string& wanted) {
 Result<io::StreamReader> InputOpener::open(const std::string& path) {
   OBBY_ASSIGN(std::string bytes, readAll(path));
   const std::string name = nameInErrors(path);
-  if (!looksLikeRoblox(bytes)) return io::StreamReader::overBytes(std::move(bytes), name);
+  if (!looksLikeRoblox(bytes)) {
+    if (options_.explain) explain_(name + ": a stream of records, no place: nothing to explain\n");
+    return io::StreamReader::overBytes(std::move(bytes), name);
+  }
   ImportOptions options = options_;
   options.name = freeName(options.name.empty() ? levelName(name) : options.name);
   OBBY_ASSIGN(Import import, importPlace(bytes, name, options));

@@ -45,16 +45,29 @@ constexpr TellingName kTellingNames[] = {{"conveyor", "name that suggests a conv
                                          {"moving", "name that suggests a mover"},
                                          {"disappearing", "name that suggests a vanishing part"}};
 
-void noteName(RoleContext& context, const PartDraft& part) {
-  const auto words = wordsOf(context.tree.at(part.id).name);
+const TellingName* tellingName(const std::string& name) {
+  const auto words = wordsOf(name);
   for (size_t i = 0; i < words.size(); ++i)
     for (const TellingName& row : kTellingNames) {
       const bool pair = i + 1 < words.size() && words[i] + words[i + 1] == row.word;
-      if (words[i] != row.word && !pair) continue;
-      context.level.noteUnmodelled(row.kind, context.tree.path(part.id),
-                                   "nothing in the file says what it does; a plain part");
-      return;
+      if (words[i] == row.word || pair) return &row;
     }
+  return nullptr;
+}
+
+// Parts whose names promise something that nothing in the file does. Where another part of such a
+// name has its role the rest is decoration.
+void noteNames(RoleContext& context) {
+  std::set<std::string_view> kept;
+  for (const PartDraft& part : context.level.parts)
+    if (const auto* row = hasRole(part) ? tellingName(context.tree.at(part.id).name) : nullptr)
+      kept.insert(row->word);
+  for (const PartDraft& part : context.level.parts) {
+    const auto* row = hasRole(part) ? nullptr : tellingName(context.tree.at(part.id).name);
+    if (row && !kept.count(row->word))
+      context.level.noteUnmodelled(row->kind, context.tree.path(part.id),
+                                   "nothing in the file says what it does; a plain part");
+  }
 }
 
 void noteInstances(RoleContext& context) {
@@ -64,11 +77,9 @@ void noteInstances(RoleContext& context) {
     if (isA(instance.className, "Seat") || instance.className == "VehicleSeat")
       context.level.noteUnmodelled("seat", tree.path(part.id),
                                    "a plain part: a player is not caught by it");
-    if (!hasRole(part)) {
-      noteName(context, part);
+    if (!hasRole(part))
       for (const std::string& tag : instance.tags)
         context.level.noteIgnored("tag " + tag, tree.path(part.id), "no role is known for it");
-    }
     const auto group = get<std::string>(instance, "CollisionGroup");
     if (!group.empty() && group != "Default")
       context.level.noteUnmodelled("collision group " + group, tree.path(part.id),
@@ -195,6 +206,7 @@ void applyScriptedWorld(RoleContext& context) {
 void noteUnmodelled(RoleContext& context) {
   noteTerrain(context);
   noteInstances(context);
+  noteNames(context);
   for (const ScriptReading& reading : context.scripts) {
     noteScript(context, reading);
     noteTimelines(context, reading);
