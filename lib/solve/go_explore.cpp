@@ -10,6 +10,7 @@ namespace obby::solve {
 namespace {
 
 constexpr uint32_t kTaskRollouts = 4;        // rollouts a task of the pool
+constexpr uint32_t kLookEvery = 3;           // ticks: a walking player needs seven for a cell
 constexpr uint64_t kStepsPerRollout = 8000;  // of the search so far: when rounds double
 constexpr float kClockReach = 10;            // studs around moving parts where the clock matters
 constexpr uint64_t kSelectionStream = 1ull << 63;  // streams of rollouts count up from 0
@@ -104,7 +105,7 @@ void GoExplore::explore(Rollout& r) {
   runRollout(context_, seed_, r.id, r.end, phaseTicks_,
              [&](const sim::Action&, const sim::World& world) {
                ++r.ticks;
-               if (world.outcome != sim::Outcome::running) return;
+               if (r.ticks % kLookEvery != 0 || world.outcome != sim::Outcome::running) return;
                const uint64_t key = cellKey(binning_, world);
                visit(r, world, key, keptKey);
                if (key == lastKey) return;

@@ -13,11 +13,13 @@ struct AimMacro {
   float jumpDistance;  // jump at this distance to the target; negative: not for distance
   bool jumpAtEdge;     // jump once no floor is sensed any more (within the coyote time)
   bool jumped;
-  Turns heading;   // held until it is off by kHeadingSlack, so that actions come in runs
-  uint32_t ticks;  // left before giving up
+  sim::Action action;  // held until its heading is off by kHeadingSlack: actions come in runs
+  float distance;      // studs to the target when last looked at
+  uint32_t ticks;      // left before giving up
 };
 
-constexpr int kHeadingSlack = 512;  // turns / 65536: 2.8 degrees
+constexpr uint32_t kSteerEvery = 3;  // ticks between two looks at the target
+constexpr int kHeadingSlack = 512;   // turns / 65536: 2.8 degrees
 
 OBBY_DEVICE float within(Random& random, float most) { return most * (2 * random.unit() - 1); }
 
@@ -31,8 +33,9 @@ OBBY_DEVICE void drawAimDetails(const ExploreContext& c, Random& random, float r
     m.jumpDistance = 1 + random.unit() * c.reach.distance;
   }
   m.jumped = false;
-  m.heading = Turns(random.next());
-  m.ticks = uint32_t(c.reach.airTicks) + 4 + random.below(32);
+  m.action = {};
+  m.distance = 1e9f;
+  m.ticks = (uint32_t(c.reach.airTicks) / kSteerEvery + 2 + random.below(12)) * kSteerEvery;
 }
 
 // A point inside the next region, at its foot.
@@ -67,26 +70,34 @@ OBBY_DEVICE bool drawAimMacro(const ExploreContext& c, const sim::World& w, Rand
   return false;
 }
 
+// Turns toward the target, and stops walking where the speed will carry the player the rest of the
+// way.
+OBBY_DEVICE void steer(const ExploreContext& c, const sim::World& w, bool onGround, AimMacro& m) {
+  const Vec3 to = positionAt(c.level, m.target, w.tick) + m.error - w.position;
+  const float speed2 = w.velocity.x * w.velocity.x + w.velocity.z * w.velocity.z;
+  m.distance = sqrtf32(to.x * to.x + to.z * to.z);
+  const Turns wanted = headingOf(to.x, to.z);
+  const int off = int16_t(Turns(wanted - m.action.heading));
+  m.action.walk = onGround ? m.distance > 0.3f : 2 * c.level.params.airAccel * m.distance > speed2;
+  if (!m.action.walk) {
+    m.action.heading = 0;
+  } else if (off > kHeadingSlack || off < -kHeadingSlack) {
+    m.action.heading = wanted;
+  }
+}
+
 // The action of this tick; `done` when the macro has served.
 OBBY_DEVICE sim::Action stepAimMacro(const ExploreContext& c, const sim::World& w, AimMacro& m,
                                      bool& done) {
-  const Vec3 to = positionAt(c.level, m.target, w.tick) + m.error - w.position;
-  const float flat = sqrtf32(to.x * to.x + to.z * to.z);
-  const float speed2 = w.velocity.x * w.velocity.x + w.velocity.z * w.velocity.z;
-  const float brake = 0.5f * speed2 / maxf(c.level.params.airAccel, 1.0f);
   const bool onGround = grounded(w);
-  sim::Action action;
-  const Turns wanted = headingOf(to.x, to.z);
-  const int off = int16_t(Turns(wanted - m.heading));
-  if (off > kHeadingSlack || off < -kHeadingSlack) m.heading = wanted;
-  action.walk = flat > (onGround ? 0.3f : brake);
-  if (action.walk) action.heading = m.heading;
+  if (m.ticks % kSteerEvery == 0) steer(c, w, onGround, m);
   const bool edge = m.jumpAtEdge && w.state == sim::State::running && w.floorlessTicks > 0;
-  const bool early = onGround && flat <= m.jumpDistance;
-  action.jump = !m.jumped && (edge || early);
+  const bool early = onGround && m.distance <= m.jumpDistance;
   if (w.state == sim::State::jumping) m.jumped = true;
+  sim::Action action = m.action;
+  action.jump = !m.jumped && (edge || early);
   m.ticks = m.ticks > 0 ? m.ticks - 1 : 0;
-  done = m.ticks == 0 || (onGround && flat < 0.7f);
+  done = m.ticks == 0 || (onGround && m.distance < 0.7f);
   return action;
 }
 

@@ -63,6 +63,7 @@ Error noPart(schema::Level::Reader level, const std::string& selector) {
 }
 
 std::vector<uint32_t> matchName(schema::Level::Reader level, const std::string& name) {
+  if (name.empty()) return {};
   auto found = partsWhere(level, [&](auto p) { return p.getSource().getGuid() == name.c_str(); });
   if (found.empty()) found = partsWhere(level, [&](auto p) { return pathOf(p) == name; });
   if (found.empty()) found = partsWhere(level, [&](auto p) { return p.getName() == name.c_str(); });

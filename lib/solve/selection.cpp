@@ -20,10 +20,12 @@ uint64_t below(Random& random, uint64_t n) {
 
 Potential::Potential(const Problem& problem) : query_(problem.query) {
   Vec3 from = problem.start.position;
+  float size = 0;  // of the region before: it may be left on its far side
   for (uint32_t leg = 0; leg <= query_.waypointCount; ++leg) {
     const geom::Region& to = targetRegion(query_, leg);
-    spans_.push_back(1.5f * std::max(1.0f, geom::distance(to, from)));
+    spans_.push_back(1.5f * std::max(1.0f, geom::distance(to, from) + size));
     from = to.pose.position;
+    size = length(to.half);
   }
 }
 

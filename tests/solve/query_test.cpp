@@ -59,7 +59,6 @@ TEST_F(SelectTest, NoMatchSuggestsSimilarNames) {
   EXPECT_THAT(error("lav"), HasSubstr("similar: part:1 Workspace/S1/Lava"));
   EXPECT_THAT(error("nothing"), HasSubstr("part:INDEX"));
   EXPECT_THAT(error("part:9"), HasSubstr("parts 0 to 3"));
-  EXPECT_THAT(error(""), HasSubstr("no part"));
 }
 
 TEST(BoxFromText, ReadsSixNumbersAndNothingElse) {

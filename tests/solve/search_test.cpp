@@ -198,21 +198,21 @@ TEST(Search, PlainGoExploreSolvesTheStonesToo) {
 TEST(Search, ShowsAsManyAttemptsAsAskedAndTheyDiffer) {
   FilterOptions o = stepsOnly(200'000);
   o.solver.budget.attempts = 5;
-  Answer a = answerOf(solve(stonesText(R"(,"maxJumps":1)"), o).output);
+  Answer a = answerOf(solve(stonesText(R"(,"maxJumps":0)"), o).output);
   EXPECT_EQ(a.trajectories.size(), 5u);
   for (size_t i = 1; i < a.trajectories.size(); ++i) {
     EXPECT_NE(a.trajectories[i].reader().getTrajectory().getStateHash(),
               a.trajectories[i - 1].reader().getTrajectory().getStateHash());
   }
   o.solver.budget.attempts = 0;
-  EXPECT_TRUE(answerOf(solve(stonesText(R"(,"maxJumps":1)"), o).output).trajectories.empty());
+  EXPECT_TRUE(answerOf(solve(stonesText(R"(,"maxJumps":0)"), o).output).trajectories.empty());
 }
 
 TEST(Search, StopsSoonWhenTold) {
   std::atomic<bool> stop{true};
   FilterOptions o = stepsOnly(1ull << 60);
   o.solver.budget.stop = &stop;
-  const Filtered f = solve(stonesText(R"(,"maxJumps":1)"), o);
+  const Filtered f = solve(stonesText(R"(,"maxJumps":0)"), o);
   Answer a = answerOf(f.output);
   EXPECT_EQ(a.result.reader().getResult().getRounds(), 1u);
   EXPECT_THAT(a.result.reader().getResult().getReason().cStr(), HasSubstr("interrupted"));
@@ -222,7 +222,7 @@ TEST(Search, ProgressCarriesTheBestAttempt) {
   FilterOptions o = stepsOnly(1ull << 60);
   o.solver.progressRecords = true;
   o.solver.budget.seconds = 0.7;
-  const Filtered f = solve(stonesText(R"(,"maxJumps":1)"), o);
+  const Filtered f = solve(stonesText(R"(,"maxJumps":0)"), o);
   EXPECT_THAT(f.output, HasSubstr("\"type\":\"progress\""));
   EXPECT_THAT(f.output, HasSubstr("\"best\":{"));
 }

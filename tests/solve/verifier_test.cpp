@@ -77,7 +77,7 @@ class VerifierTest : public testing::Test {
 };
 
 TEST_F(VerifierTest, AcceptsARightAnswer) {
-  const auto t = makeTrajectory();
+  auto t = makeTrajectory();
   ASSERT_EQ(t.getOutcome(), schema::Outcome::GOAL);
   EXPECT_EQ(t.getJumps(), 2u);
   EXPECT_TRUE(check()) << check().error().text();
