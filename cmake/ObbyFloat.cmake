@@ -10,5 +10,5 @@
 #   -fexcess-precision     not needed: x86-64 and CUDA compute in the declared type
 # CUDA gets --fmad=false, and the default IEEE division and square root.
 target_compile_options(obby_build INTERFACE
-  $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off -fno-fast-math -fno-math-errno -fno-trapping-math>
+  $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off;-fno-fast-math;-fno-math-errno;-fno-trapping-math>
   $<$<COMPILE_LANGUAGE:CUDA>:--fmad=false>)

@@ -4,7 +4,7 @@ option(OBBY_BUILD_BENCH "Build the benches" OFF)
 option(OBBY_BUILD_FUZZ "Build the libFuzzer targets (needs clang)" OFF)
 option(OBBY_WARNINGS_AS_ERRORS "Treat warnings as errors (CI does)" OFF)
 option(OBBY_CHECKS "Keep OBBY_CHECK invariants in every build type" OFF)
-option(OBBY_CUDA "Build the CUDA backend; fails where no CUDA toolkit is found" OFF)
+option(OBBY_CUDA "Compile the device headers with nvcc; fails where no CUDA toolkit is found" OFF)
 set(OBBY_SANITIZE "" CACHE STRING "Sanitizers, as for -fsanitize=")
 set(OBBY_ARCH "" CACHE STRING "Value for -march=; empty: the compiler's baseline. Results are the same for every value.")
 
@@ -27,9 +27,10 @@ add_library(obby::build ALIAS obby_build)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(obby_build INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>)
 endif()
-target_compile_options(obby_build INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-  $<$<BOOL:${OBBY_WARNINGS_AS_ERRORS}>:-Werror>
-  $<$<BOOL:${OBBY_ARCH}>:-march=${OBBY_ARCH}>)
+target_compile_options(obby_build INTERFACE
+  $<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Wno-sign-conversion>
+  $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${OBBY_WARNINGS_AS_ERRORS}>>:-Werror>
+  $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${OBBY_ARCH}>>:-march=${OBBY_ARCH}>)
 target_compile_definitions(obby_build INTERFACE $<$<BOOL:${OBBY_CHECKS}>:OBBY_CHECKS=1>)
 if(OBBY_SANITIZE)
   target_compile_options(obby_build INTERFACE -fsanitize=${OBBY_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

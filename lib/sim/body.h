@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geom/penetration.h"
+#include "math/bits.h"
 #include "sim/humanoid.h"
 
 namespace obby::sim {
@@ -67,7 +68,7 @@ OBBY_DEVICE void collide(World& w, const level::LevelView& level, const Candidat
     geom::UprightBox box = bodyBox(w, level.params, yaw);
     Box bounds = box.bounds();
     for (CandidateSet left = solids; left != 0; left &= left - 1) {
-      const Candidate& c = near.items[__builtin_ctzll(left)];
+      const Candidate& c = near.items[lowestBit(left)];
       if (!overlaps(bounds, c.bounds) || !pushOut(w, level, c, box)) continue;
       pushed = true;
       box = bodyBox(w, level.params, yaw);

@@ -1,0 +1,19 @@
+// Bit operations that host and device spell differently.
+#pragma once
+
+#include <stdint.h>
+
+#include "base/device.h"
+
+namespace obby {
+
+// Index of the lowest bit that is set; `bits` must not be 0.
+OBBY_DEVICE int lowestBit(uint64_t bits) {
+#if defined(__CUDA_ARCH__)
+  return __ffsll(static_cast<long long>(bits)) - 1;
+#else
+  return __builtin_ctzll(bits);
+#endif
+}
+
+}  // namespace obby
