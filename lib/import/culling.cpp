@@ -11,6 +11,7 @@ namespace {
 
 constexpr float kFar = 10;           // times the extent of the middle 90 %
 constexpr float kLeastExtent = 500;  // studs; small levels may have distant pieces
+constexpr float kFarthest = 1e6f;    // studs; the engine's numbers are no good out there
 constexpr double kLowQuantile = 0.05, kHighQuantile = 0.95;
 
 Box boundsOfPart(const PartDraft& part) { return boundsOf(part.pose, part.size * 0.5f); }
@@ -49,7 +50,9 @@ void cullStrays(LevelDraft& level, const Tree& tree) {
   for (auto& part : level.parts) {
     const Box box = boundsOfPart(part);
     const bool below = box.hi.y < level.world.fallenPartsHeight;
-    if (!below && overlaps(box, play)) {
+    const Vec3 far = abs(part.pose.position);
+    const bool inSpace = maxf(far.x, maxf(far.y, far.z)) < kFarthest;
+    if (!below && inSpace && overlaps(box, play)) {
       kept.push_back(std::move(part));
       continue;
     }

@@ -122,16 +122,17 @@ void setPart(schema::Part::Builder to, const PartDraft& part, const Tree& tree) 
 }
 
 void setWorld(schema::PhysicsParams::Builder to, const World& world) {
-  const auto within = [](float v, float lo, float hi) {
-    return std::isfinite(v) ? std::clamp(v, lo, hi) : hi;
+  const World usual;
+  const auto within = [](float v, float lo, float hi, float fallback) {
+    return std::isnan(v) ? fallback : std::clamp(v, lo, hi);
   };
-  to.setGravity(within(world.gravity, 0, 2000));
-  to.setWalkSpeed(within(world.walkSpeed, 0, 500));
-  to.setJumpSpeed(within(world.jumpSpeed, 0, 1000));
-  to.setMaxSlope(within(world.maxSlope, 0, World{}.maxSlope));
-  to.setMaxHealth(within(world.maxHealth, 1, 1e6f));
-  to.setHealthRegeneration(within(world.healthRegeneration, 0, 10));
-  to.setFallenPartsHeight(within(world.fallenPartsHeight, -50000, 50000));
+  to.setGravity(within(world.gravity, 0, 2000, usual.gravity));
+  to.setWalkSpeed(within(world.walkSpeed, 0, 500, usual.walkSpeed));
+  to.setJumpSpeed(within(world.jumpSpeed, 0, 1000, usual.jumpSpeed));
+  to.setMaxSlope(within(world.maxSlope, 0, usual.maxSlope, usual.maxSlope));
+  to.setMaxHealth(within(world.maxHealth, 1, 1e6f, usual.maxHealth));
+  to.setHealthRegeneration(within(world.healthRegeneration, 0, 10, usual.healthRegeneration));
+  to.setFallenPartsHeight(within(world.fallenPartsHeight, -50000, 50000, usual.fallenPartsHeight));
 }
 
 void setUnmodelled(schema::Level::Builder to, const LevelDraft& level) {

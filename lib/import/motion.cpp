@@ -104,6 +104,23 @@ std::vector<MotionKey> keysFrom(const Pose& start, const std::vector<PoseSample>
   return simplified(keys);
 }
 
+namespace {
+
+// What the simulator takes: ten minutes for a round or a turn, places within the world.
+bool isBounded(const Motion& motion) {
+  constexpr float kLongest = 600, kFarthest = 1e6f;
+  for (const MotionKey& key : motion.keys)
+    if (!isFinite(key.pose.position) || length(key.pose.position) > kFarthest || !(key.time >= 0))
+      return false;
+  const float rounds = motion.repeat == Repeat::pingPong ? 2 : 1;
+  if (!motion.keys.empty() && motion.keys.back().time * rounds > kLongest) return false;
+  if (!motion.spin) return true;
+  const float speed = absf(motion.spin->speed);
+  return std::isfinite(speed) && speed * kLongest > 2 * 3.1416f && isFinite(motion.spin->pivot);
+}
+
+}  // namespace
+
 int giveMotion(RoleContext& context, InstanceId moved, const Motion& motion,
                const std::string& reason, bool guessed) {
   const Pose pivot = pivotOf(context.tree, moved);
@@ -117,6 +134,13 @@ int giveMotion(RoleContext& context, InstanceId moved, const Motion& motion,
     if (own.spin) {
       own.spin->axis = toLocal(inPivot.rotation, own.spin->axis);
       own.spin->pivot = toLocal(inPivot, motion.spin->pivot);
+    }
+    if (!isBounded(own)) {
+      context.level.noteUnmodelled("motion without bounds", context.tree.path(id),
+                                   "slower than a round in ten minutes, or out of the world; left "
+                                   "where the file has it; " +
+                                       reason);
+      continue;
     }
     part->motion = std::move(own);
     part->anchored = true;  // it goes its way, whatever pushes it

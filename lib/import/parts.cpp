@@ -2,6 +2,7 @@
 #include "import/parts.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "import/format/class_defaults.h"
 #include "import/format/csg_physics.h"
@@ -33,14 +34,19 @@ Shape shapeOf(const Instance& instance) {
   return type < std::size(kPartTypes) ? kPartTypes[type] : Shape::block;
 }
 
+// Files may hold anything: NaN becomes the fallback, other numbers are brought into range.
+float within(double value, float low, float high, float fallback) {
+  return std::isnan(value) ? fallback : float(std::clamp(value, double(low), double(high)));
+}
+
 void setSurface(const Instance& instance, PartDraft& part) {
   auto physical = get<PhysicalProperties>(instance, "CustomPhysicalProperties");
   if (!physical.custom) physical = materialProperties(get<EnumItem>(instance, "Material").value);
-  part.density = physical.density;
-  part.friction = physical.friction;
-  part.elasticity = physical.elasticity;
+  part.density = within(physical.density, 1e-4f, 100, part.density);
+  part.friction = within(physical.friction, 0, 2, part.friction);
+  part.elasticity = within(physical.elasticity, 0, 1, part.elasticity);
   part.color = get<ColorRgb>(instance, "Color");
-  part.transparency = std::clamp(float(get<double>(instance, "Transparency")), 0.0f, 1.0f);
+  part.transparency = within(get<double>(instance, "Transparency"), 0, 1, 0);
 }
 
 // Unions and meshes: their hulls where the file has them, else their box.
@@ -48,7 +54,8 @@ void setHulls(const Tree& tree, const Instance& instance, PartDraft& part, Level
   Collision collision = collisionOf(instance);
   if (collision.kind == CollisionKind::Hulls) {
     for (auto& hull : collision.hulls)
-      if (hull.size() >= kLeastCorners && hull.size() <= kMostCorners)
+      if (hull.size() >= kLeastCorners && hull.size() <= kMostCorners &&
+          std::all_of(hull.begin(), hull.end(), isFinite))
         part.hulls.push_back(std::move(hull));
     if (!part.hulls.empty()) return;
   }

@@ -101,6 +101,22 @@ TEST(Luau, EndlessAndRecursiveScriptsAreReadWithinABudget) {
   }
 }
 
+TEST(Luau, ManyPartsUnderOneCentralScript) {
+  Scene scene;
+  const auto folder = scene.add("Folder", "Kill", scene.workspace);
+  std::vector<InstanceId> parts;
+  for (int i = 0; i < 20000; ++i) parts.push_back(scene.part("Part", {float(i), 0, 0}, folder));
+  scene.script(
+      "for _, v in workspace:GetDescendants() do\n if v:IsA('BasePart') then\n"
+      "  v.Touched:Connect(function(hit)\n   local h = hit.Parent:FindFirstChild('Humanoid')\n"
+      "   if h then h.Health = 0 end\n  end)\n end\nend",
+      scene.scripts);
+  const auto start = std::chrono::steady_clock::now();
+  const auto& level = scene.level();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+  for (const auto& part : level.parts) ASSERT_TRUE(part.kill);
+}
+
 TEST(Luau, TruncatedAtEveryByte) {
   const std::string text =
       "local ts = game:GetService('TweenService')\nfor i, v in pairs(workspace.Kill:GetChildren()) "

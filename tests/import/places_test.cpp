@@ -9,6 +9,7 @@
 #include "import/filter.h"
 #include "import/importer.h"
 #include "io/stream.h"
+#include "level/level.h"
 
 namespace obby::test {
 namespace {
@@ -68,7 +69,12 @@ TEST(Places, EveryFileGivesALevelThatCanBeWritten) {
     std::string bytes;
     auto writer = io::StreamWriter::toBytes(io::Format::jsonl, &bytes);
     EXPECT_TRUE(writer.write(result.level.reader())) << entry.path();
-    for (auto& query : result.queries) EXPECT_TRUE(writer.write(query.reader()));
+    const auto compiled = level::Level::compile(level);
+    ASSERT_TRUE(compiled) << entry.path() << ": " << compiled.error().text();
+    for (auto& query : result.queries) {
+      EXPECT_TRUE(writer.write(query.reader()));
+      EXPECT_TRUE(level::Query::compile(query.reader().getQuery(), *compiled)) << entry.path();
+    }
     EXPECT_FALSE(result.explanation.empty());
   }
   EXPECT_GE(files, 40);

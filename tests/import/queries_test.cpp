@@ -1,10 +1,13 @@
 // Stage queries and the level record: what goes out.
 #include "import/queries.h"
 
+#include <cmath>
+
 #include "import/importer.h"
 #include "import/level_record.h"
 #include "import/scene.h"
 #include "io/stream.h"
+#include "level/level.h"
 
 namespace obby::test {
 namespace {
@@ -134,6 +137,56 @@ TEST(LevelRecord, WhateverTheFileHoldsCanBeWritten) {
   const auto parts = result.level.reader().getLevel().getParts();
   EXPECT_FLOAT_EQ(parts[1].getSize().getX(), 2048);
   EXPECT_FLOAT_EQ(parts[1].getSize().getY(), 0.001f);
+}
+
+// Every number of every property set to something hostile, one value at a time.
+TEST(LevelRecord, HostileNumbersGiveALevelThatCompiles) {
+  const double kNaN = std::nan(""), kInfinity = HUGE_VAL;
+  for (const double bad : {kNaN, kInfinity, -kInfinity, -1e38, 1e38, 1e-38, -1.0, 0.0}) {
+    const auto f = float(bad);
+    Scene scene;
+    for (const char* name : {"Gravity", "FallenPartsDestroyHeight"})
+      scene.set(scene.workspace, name, bad);
+    const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
+    for (const char* name : {"CharacterWalkSpeed", "CharacterJumpPower", "CharacterJumpHeight",
+                             "CharacterMaxSlopeAngle"})
+      scene.set(player, name, bad);
+    scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
+    scene.part("WinPad", {20, 0, 0});
+    const char* const tags[] = {"DamagePart", "Conveyor", "BouncePad",  "Disappearing",
+                                "Checkpoint", "Spinner",  "MovingPart", "kills"};
+    for (const char* tag : tags) {
+      const auto id = scene.part("Part", {40, 0, 0});
+      scene.tag(id, tag);
+      for (const char* name : {"Speed", "Damage", "Cooldown", "Power", "FadeTime", "RespawnTime",
+                               "Stage", "Delay", "RotationSpeed"})
+        scene.attribute(id, name, bad);
+      scene.set(id, "Transparency", bad);
+      scene.set(id, "CustomPhysicalProperties", PhysicalProperties{true, f, f, f, f, f});
+      scene.set(id, "Velocity", Vec3{f, f, f});
+      scene.set(id, "RotVelocity", Vec3{f, 0, f});
+    }
+    scene.set(scene.part("Big"), "Size", Vec3{f, 1, 1});
+    scene.set(scene.part("Far"), "CFrame", CFrame{{f, f, f}, {}});
+    scene.set(scene.part("Odd"), "CFrame", CFrame{{}, {{f, 0, 0}, {0, f, f}, {f, f, 1}}});
+    scene.value("NumberValue", "N", bad, scene.scripts);
+    scene.script(R"(local n = script.Parent.N.Value
+local p = workspace.Part
+p.Velocity = Vector3.new(n, n, n)
+workspace.Gravity = n
+p.Touched:Connect(function(hit) wait(n) hit.Parent.Humanoid:TakeDamage(n) p.CanCollide = false
+  wait(n) p.CanCollide = true end)
+game.TweenService:Create(workspace.Big, TweenInfo.new(n, 0, 0, n, true, n), {Position = Vector3.new(n, 0, 0)}):Play()
+while true do workspace.Odd.CFrame = workspace.Odd.CFrame * CFrame.Angles(n, n, n) + Vector3.new(n, 0, 0) wait(n) end)",
+                 scene.scripts);
+    auto result = importer::importDocument(scene.document, {});
+    std::string bytes;
+    auto writer = io::StreamWriter::toBytes(io::Format::jsonl, &bytes);
+    const Status written = writer.write(result.level.reader());
+    ASSERT_TRUE(written) << bad << ": " << written.error().text();
+    const auto compiled = level::Level::compile(result.level.reader().getLevel());
+    ASSERT_TRUE(compiled) << bad << ": " << compiled.error().text();
+  }
 }
 
 TEST(LevelRecord, Utf8IsRepairedNotDropped) {

@@ -122,7 +122,7 @@ Reader::Flow Reader::numericFor(const Stat& stat) {
   const auto* step = values.size() > 2 ? values[2].as<double>() : nullptr;
   const double by = values.size() > 2 ? (step ? *step : 0) : 1;
   double rounds = 1;
-  const bool known = from && to && by != 0;
+  const bool known = from && to && by != 0 && std::isfinite((*to - *from) / by);
   if (known) rounds = std::floor((*to - *from) / by + 1e-9) + 1;
   const int count = int(std::clamp(rounds, 0.0, double(kMaxCount)));
   const double start = time_;
