@@ -19,6 +19,9 @@ FilterOptions stepsOnly(uint64_t maxSteps = 400'000, int threads = 2) {
   return o;
 }
 
+// Further fields of the stones' query that nothing can satisfy: a wall of an avoid region.
+constexpr const char* kWall = R"(,"avoid":[{"position":[0,0,-10],"size":[200,200,1]}])";
+
 struct Answer {
   std::vector<io::RecordBuilder> trajectories;
   io::RecordBuilder result;
@@ -198,21 +201,21 @@ TEST(Search, PlainGoExploreSolvesTheStonesToo) {
 TEST(Search, ShowsAsManyAttemptsAsAskedAndTheyDiffer) {
   FilterOptions o = stepsOnly(200'000);
   o.solver.budget.attempts = 5;
-  Answer a = answerOf(solve(stonesText(R"(,"maxJumps":0)"), o).output);
+  Answer a = answerOf(solve(stonesText(kWall), o).output);
   EXPECT_EQ(a.trajectories.size(), 5u);
   for (size_t i = 1; i < a.trajectories.size(); ++i) {
     EXPECT_NE(a.trajectories[i].reader().getTrajectory().getStateHash(),
               a.trajectories[i - 1].reader().getTrajectory().getStateHash());
   }
   o.solver.budget.attempts = 0;
-  EXPECT_TRUE(answerOf(solve(stonesText(R"(,"maxJumps":0)"), o).output).trajectories.empty());
+  EXPECT_TRUE(answerOf(solve(stonesText(kWall), o).output).trajectories.empty());
 }
 
 TEST(Search, StopsSoonWhenTold) {
   std::atomic<bool> stop{true};
   FilterOptions o = stepsOnly(1ull << 60);
   o.solver.budget.stop = &stop;
-  const Filtered f = solve(stonesText(R"(,"maxJumps":0)"), o);
+  const Filtered f = solve(stonesText(kWall), o);
   Answer a = answerOf(f.output);
   EXPECT_EQ(a.result.reader().getResult().getRounds(), 1u);
   EXPECT_THAT(a.result.reader().getResult().getReason().cStr(), HasSubstr("interrupted"));
@@ -222,7 +225,7 @@ TEST(Search, ProgressCarriesTheBestAttempt) {
   FilterOptions o = stepsOnly(1ull << 60);
   o.solver.progressRecords = true;
   o.solver.budget.seconds = 0.7;
-  const Filtered f = solve(stonesText(R"(,"maxJumps":0)"), o);
+  const Filtered f = solve(stonesText(kWall), o);
   EXPECT_THAT(f.output, HasSubstr("\"type\":\"progress\""));
   EXPECT_THAT(f.output, HasSubstr("\"best\":{"));
 }

@@ -67,9 +67,16 @@ std::vector<OptionRow> queryRows() {
   };
 }
 
+OptionRow timeLimitRow() {
+  OptionRow r = cli::withDefault(cli::commonRow(cli::Common::timeLimit), "20");
+  r.help = "wall-clock time for each query, at most";
+  r.group = kSearchGroup;
+  return r;
+}
+
 std::vector<OptionRow> searchRows() {
   return {
-      cli::withDefault(cli::commonRow(cli::Common::timeLimit), "20"),
+      timeLimitRow(),
       between(row("max-steps", ValueType::integer, "N", "",
                   "stop after about N simulated ticks a query: unlike --time-limit the same on "
                   "every machine",
