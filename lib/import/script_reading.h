@@ -30,7 +30,8 @@ enum class EventKind {
   set,        // a property of a known instance gets a value
   tween,      // a known instance is tweened: one event for each goal property
   destroy,    // a known instance is removed
-  damage,     // a character loses `number` health; infinite: all of it
+  damage,     // a character loses `number` health, or all; outside of a touch `target` is the
+              // part whose contents the script asked for
   push,       // a character's velocity is set to `vector` (NaN components are kept)
   teleport,   // a character is moved to `frame` (NaN where unknown)
   character,  // another property of a character or player is set
@@ -48,7 +49,8 @@ struct ScriptEvent {
   std::optional<Pose> frame;
   InstanceId from = kNoInstance;  // the instance whose pose the value is, unchanged
   TweenTiming tween;
-  double time = 0;  // seconds after the trigger
+  double time = 0;      // seconds after the trigger
+  bool unsure = false;  // under a condition that the text does not decide
   int line = 0;
 };
 

@@ -90,6 +90,37 @@ void noteInstances(RoleContext& context) {
       context.level.noteUnmodelled("tool", tree.path(id), "the player has no tools");
 }
 
+// Kit tags whose meaning the simulator has no room for, lower case.
+constexpr std::string_view kKitTags[] = {
+    "onewayplatform", "buttonactivated", "pushbox",  "pushboxdestroyer", "zipline",
+    "trippart",       "teleporter",      "walljump", "balloon",          "swing"};
+
+void noteTags(RoleContext& context) {
+  for (InstanceId id = 0; id < context.tree.size(); ++id)
+    for (const std::string& tag : context.tree.at(id).tags)
+      if (std::find(std::begin(kKitTags), std::end(kKitTags), lower(tag)) != std::end(kKitTags) &&
+          !context.partsOf(id).empty())
+        context.level.noteUnmodelled("tag " + tag, context.tree.path(id), "a plain part");
+}
+
+// Behaviour in modules is not followed; the player's own modules are no part of a level.
+void noteModules(RoleContext& context) {
+  const InstanceId player = context.tree.service("StarterPlayer");
+  for (InstanceId id = 0; id < context.tree.size(); ++id) {
+    const Instance& module = context.tree.at(id);
+    const auto* source = property<std::string>(module, "Source");
+    if (module.className != "ModuleScript" || !source) continue;
+    if (player != kNoInstance && context.tree.isUnder(id, player)) continue;
+    for (const char* sign : {".Touched", "TweenService", ".CanCollide", "TakeDamage", ".Health"})
+      if (source->find(sign) != std::string::npos) {
+        context.level.noteUnmodelled("module script", context.tree.path(id),
+                                     "what it does to parts is not followed; tags, names and other "
+                                     "scripts decide");
+        break;
+      }
+  }
+}
+
 void noteScript(RoleContext& context, const ScriptReading& reading) {
   const std::string path = context.tree.path(reading.script);
   auto& level = context.level;
@@ -207,6 +238,8 @@ void noteUnmodelled(RoleContext& context) {
   noteTerrain(context);
   noteInstances(context);
   noteNames(context);
+  noteTags(context);
+  noteModules(context);
   for (const ScriptReading& reading : context.scripts) {
     noteScript(context, reading);
     noteTimelines(context, reading);

@@ -216,6 +216,25 @@ TEST(Kill, NamesAreGuessesAndFalseFriendsAreNot) {
   EXPECT_FALSE(scene[untouchable].kill);
 }
 
+TEST(Kill, PollingTheContentsOfAHazard) {
+  Scene scene;
+  const auto zone = scene.part("Zone"), other = scene.part("Other");
+  scene.script(R"(local zone = workspace.Zone
+while true do
+  for _, part in workspace:GetPartsInPart(zone) do
+    local humanoid = part.Parent:FindFirstChild("Humanoid")
+    if humanoid then humanoid:TakeDamage(5) end
+  end
+  task.wait(0.5)
+end)",
+               scene.scripts);
+  scene.level();
+  ASSERT_TRUE(scene[zone].kill);
+  EXPECT_FLOAT_EQ(scene[zone].kill->damage, 5);
+  EXPECT_NEAR(scene[zone].kill->cooldown, 0.5, 1e-3);
+  EXPECT_FALSE(scene[other].kill);
+}
+
 TEST(Kill, StrongerEvidenceWins) {
   Scene scene;
   const auto part = scene.part("KillBrick");

@@ -250,6 +250,20 @@ TEST(Vanish, TimersGiveTimesAndPhase) {
   EXPECT_NEAR(scene[toggles].vanish->away, 2, 1e-3);
 }
 
+TEST(Vanish, ByChanceIsAGuess) {
+  Scene scene;
+  const auto part = scene.part("Risky");
+  scene.script(
+      "while true do\n wait(2)\n if math.random(1, 10) == 1 then\n  wait(1.5)\n"
+      "  script.Parent.CanCollide = false\n  wait(5)\n  script.Parent.CanCollide = true\n"
+      " end\nend",
+      part);
+  scene.level();
+  ASSERT_TRUE(scene[part].vanish);
+  EXPECT_NEAR(scene[part].vanish->away, 5, 1e-3);
+  EXPECT_EQ(scene.evidence(part, "vanish").rfind("guessed: ", 0), 0u);
+}
+
 TEST(Vanish, FadeWithoutLosingCollisionIsADecoy) {
   Scene scene;
   const auto part = scene.part("Decoy");

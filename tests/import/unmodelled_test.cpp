@@ -76,6 +76,18 @@ TEST(Unmodelled, StagesBuiltAtRunTimeAndForeignCode) {
   EXPECT_EQ(scene.unmodelled("code made at run time"), 1u);
 }
 
+TEST(Unmodelled, ModulesKitTagsAndTellingNames) {
+  Scene scene;
+  const auto module = scene.add("ModuleScript", "Traps", scene.scripts);
+  scene.set(module, "Source", std::string("return function(p) p.Touched:Connect(print) end"));
+  scene.tag(scene.part("Gate"), "OneWayPlatform");
+  scene.part("Jump Pad");
+  scene.level();
+  EXPECT_EQ(scene.unmodelled("module script"), 1u);
+  EXPECT_EQ(scene.unmodelled("tag OneWayPlatform"), 1u);
+  EXPECT_EQ(scene.unmodelled("name that suggests a jump pad"), 1u);
+}
+
 TEST(Unmodelled, ConstraintsWithoutMotorAreLoose) {
   Scene scene;
   const auto ball = scene.part("Ball");

@@ -29,6 +29,8 @@ ScriptEvent& Reader::emit(EventKind kind, InstanceId target, std::string propert
   event.property = std::move(property);
   event.time = time_;
   event.line = line;
+  event.unsure = unsure_ > 0;
+  if (kind == EventKind::damage && timeline_.trigger != Trigger::touch) event.target = zone_;
   timeline_.events.push_back(std::move(event));
   return timeline_.events.back();
 }

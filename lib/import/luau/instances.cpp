@@ -175,9 +175,12 @@ Datum Reader::instanceMethod(InstanceId id, const std::string& name,
     auto made = arena_.make<Made>();
     made->className = instance.className;
     return {made};
+  } else if (name == "GetTouchingParts" || name == "GetPartsInPart") {
+    const auto* ref = name == "GetPartsInPart" ? first.as<Ref>() : nullptr;
+    zone_ = ref ? ref->target : id;
+    return {Stranger{"contents"}};
   } else if (name == "GetPlayers" || name == "GetPlayerFromCharacter" ||
-             name == "getPlayerFromCharacter" || name == "GetTouchingParts" ||
-             name == "GetPartsInPart") {
+             name == "getPlayerFromCharacter") {
     return {Stranger{"player"}};
   }
   return {};

@@ -48,6 +48,8 @@ void Reader::follow(const Pending& pending) {
   timeline_.line = pending.line;
   time_ = pending.time;
   stopped_ = false;
+  zone_ = kNoInstance;
+  unsure_ = 0;
   if (pending.trigger == Trigger::frame) {
     const Function* body = pending.closure.function;
     const auto outer = scope_;
@@ -137,7 +139,10 @@ Reader::Flow Reader::branch(const Stat& stat) {
     const Truth truth = i < stat.values.size() ? truthOf(evaluate(*stat.values[i])) : Truth::yes;
     if (truth == Truth::no) continue;
     if (unsure) time_ = start;
+    const bool open = unsure || truth == Truth::unknown;
+    if (open) ++unsure_;
     const Flow flow = walk(stat.blocks[i]);
+    if (open) --unsure_;
     latest = std::max(latest, time_);
     if (flow == Flow::stop) return flow;
     if (truth == Truth::yes) {

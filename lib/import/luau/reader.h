@@ -127,8 +127,10 @@ class Reader {
   bool inHandler_ = false;
   Arena arena_;
   Datum returned_;
-  bool finishing_ = false;  // following what the ends of tweens set off
-  bool stopped_ = false;    // an endless loop was met inside a call: what follows is never reached
+  bool finishing_ = false;         // following what the ends of tweens set off
+  InstanceId zone_ = kNoInstance;  // the part whose contents the script asked for last
+  int unsure_ = 0;                 // open branches whose condition is unknown
+  bool stopped_ = false;  // an endless loop was met inside a call: what follows is never reached
   int depth_ = 0;
   size_t& budget_;
 };

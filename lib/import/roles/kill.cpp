@@ -119,18 +119,22 @@ void killFromMarkers(RoleContext& context) {
 }
 
 void killFromScripts(RoleContext& context) {
-  context.eachTouch([&](PartDraft& part, const Timeline& timeline, const ScriptReading& reading) {
-    const auto hit = std::find_if(timeline.events.begin(), timeline.events.end(),
-                                  [](const auto& e) { return e.kind == EventKind::damage; });
-    if (hit == timeline.events.end()) return;
-    const double damage = hit->number.value_or(std::numeric_limits<double>::infinity());
-    if (!(damage > 0)) return;
-    const float amount = std::isfinite(damage) ? std::min(float(damage), kAll)
-                                               : std::max(100.0f, context.level.world.maxHealth);
-    const double wait = timeline.end - hit->time;
-    give(part, {amount, float(std::clamp(wait, 0.0, 60.0))},
-         scriptReason(context.tree, reading, hit->line), false);
-  });
+  for (const ScriptReading& reading : context.scripts)
+    for (const Timeline& timeline : reading.timelines) {
+      const bool touch = timeline.trigger == Trigger::touch;
+      for (const ScriptEvent& hit : timeline.events) {
+        if (hit.kind != EventKind::damage) continue;
+        PartDraft* part = context.part(touch ? timeline.touched : hit.target);
+        const double damage = hit.number.value_or(std::numeric_limits<double>::infinity());
+        if (!part || !(damage > 0)) continue;
+        const float amount = std::isfinite(damage)
+                                 ? std::min(float(damage), kAll)
+                                 : std::max(100.0f, context.level.world.maxHealth);
+        const double wait = touch ? timeline.end - hit.time : timeline.period;
+        give(*part, {amount, float(std::clamp(wait, 0.0, 60.0))},
+             scriptReason(context.tree, reading, hit.line), false);
+      }
+    }
 }
 
 void killFromNames(RoleContext& context) {

@@ -167,7 +167,9 @@ void giveAll(RoleContext& context, const ScriptReading& reading, const Timeline&
       open = loop->open;
       if (open) reason += " (starts over after " + std::to_string(int(loop->period)) + " s)";
     }
-    giveMotion(context, id, *motion, reason, open);
+    const bool unsure =
+        std::any_of(events.begin(), events.end(), [](const auto* e) { return e->unsure; });
+    giveMotion(context, id, *motion, reason, open || unsure);
     for (const ScriptEvent* event : events) hideMarker(context, event->from, id);
   }
 }

@@ -212,18 +212,22 @@ bool understand(RoleContext& context, InstanceId id) {
 }  // namespace
 
 void movingFromConstraints(RoleContext& context) {
-  std::set<InstanceId> held;
+  std::vector<InstanceId> left;
   for (InstanceId id = 0; id < context.tree.size(); ++id) {
     const Instance& constraint = context.tree.at(id);
-    if (!isFreeConstraintClass(constraint.className)) continue;
-    if (!propertyOr(constraint, "Enabled", true) || understand(context, id)) continue;
+    if (isFreeConstraintClass(constraint.className) && propertyOr(constraint, "Enabled", true) &&
+        !understand(context, id))
+      left.push_back(id);
+  }
+  std::set<InstanceId> held;
+  for (InstanceId id : left) {
     const InstanceId moved = loosePart(context, id);
     if (moved == kNoInstance) continue;  // moves nothing in the level
-    context.level.noteUnmodelled("constraint " + constraint.className, context.tree.path(id),
-                                 isHolder(constraint.className)
-                                     ? "the part stays where the file has it"
-                                     : "what it holds or drives is a loose body");
-    if (isHolder(constraint.className)) held.insert(moved);
+    const std::string& className = context.tree.at(id).className;
+    context.level.noteUnmodelled("constraint " + className, context.tree.path(id),
+                                 isHolder(className) ? "the part stays where the file has it"
+                                                     : "what it holds or drives is a loose body");
+    if (isHolder(className)) held.insert(moved);
   }
   for (InstanceId id : held)
     for (InstanceId member : context.assemblies.members(id))

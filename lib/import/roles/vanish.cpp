@@ -92,7 +92,7 @@ void fromTimer(RoleContext& context, const ScriptReading& reading, const Timelin
     vanish.phase = float(wrapped(-back->time));
     if (!(vanish.away > 0) || !(vanish.delay > 0)) continue;
     part->solid = true;  // the file may hold it in its away state
-    give(*part, vanish, scriptReason(context.tree, reading, gone->line), false);
+    give(*part, vanish, scriptReason(context.tree, reading, gone->line), gone->unsure);
   }
 }
 
