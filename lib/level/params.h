@@ -10,6 +10,7 @@
 namespace obby {
 
 // X(type, name)
+// clang-format off: a table, several fields a line
 #define OBBY_PHYSICS_PARAMS(X)                                                                    \
   X(float, gravity)                                                                               \
   X(float, walkSpeed)                                                                             \
@@ -27,6 +28,7 @@ namespace obby {
                                       X(float, offFloorGrace) X(float, iceFriction)               \
                                           X(float, climbSpeed) X(float, climbReach)               \
                                               X(float, contactSkin) X(float, maxFallSpeed)
+// clang-format on
 
 struct Params {
 #define OBBY_PARAM_FIELD(type, name) type name;
