@@ -10,24 +10,18 @@
 namespace obby {
 
 // X(type, name)
-// clang-format off: a table, several fields a line
-#define OBBY_PHYSICS_PARAMS(X)                                                                    \
-  X(float, gravity)                                                                               \
-  X(float, walkSpeed)                                                                             \
-  X(float, jumpSpeed)                                                                             \
-  X(float, maxSlope)                                                                              \
-  X(float, maxHealth) X(float, healthRegeneration) X(float, fallenPartsHeight)                    \
-      X(uint16_t, controlRate) X(uint16_t, substeps) X(float, hipHeight) X(float, rootHeight)     \
-          X(float, bodyWidth) X(float, bodyDepth) X(float, bodyTop) X(float, headBottom)          \
-              X(float, armSpan) X(float, touchMargin) X(float, groundAccel) X(float, airAccel)    \
-                  X(float, moveGain) X(float, turnGain) X(float, turnSpeed)                       \
-                      X(float, hoverStiffness) X(float, hoverDamping) X(float, hoverLimit)         \
-                          X(float, floorRaySpread) X(float, floorRayStart)                        \
-                              X(float, floorReachBase) X(float, floorKeep) X(float, floorAcquire) \
-                                  X(float, fastFall) X(float, landedTime) X(float, coyoteTime)    \
-                                      X(float, offFloorGrace) X(float, iceFriction)               \
-                                          X(float, climbSpeed) X(float, climbReach)               \
-                                              X(float, contactSkin) X(float, maxFallSpeed)
+// clang-format off
+#define OBBY_PHYSICS_PARAMS(X) \
+  X(float, gravity) X(float, walkSpeed) X(float, jumpSpeed) X(float, maxSlope) \
+  X(float, maxHealth) X(float, healthRegeneration) X(float, fallenPartsHeight) \
+  X(uint16_t, controlRate) X(uint16_t, substeps) X(float, hipHeight) X(float, rootHeight) \
+  X(float, bodyWidth) X(float, bodyDepth) X(float, bodyTop) X(float, headBottom) \
+  X(float, armSpan) X(float, touchMargin) X(float, groundAccel) X(float, airAccel) \
+  X(float, moveGain) X(float, turnGain) X(float, turnSpeed) X(float, hoverStiffness) \
+  X(float, hoverDamping) X(float, hoverLimit) X(float, floorRaySpread) X(float, floorRayStart) \
+  X(float, floorReachBase) X(float, floorKeep) X(float, floorAcquire) X(float, fastFall) \
+  X(float, landedTime) X(float, coyoteTime) X(float, offFloorGrace) X(float, iceFriction) \
+  X(float, climbSpeed) X(float, climbReach) X(float, contactSkin) X(float, maxFallSpeed)
 // clang-format on
 
 struct Params {

@@ -1,13 +1,13 @@
-// Proves that the device headers compile for the GPU: a world played there by the same code as on the CPU. Built by
-// the preset `cuda` only; nothing launches it until the CUDA backend does.
+// Proves that the device headers compile for the GPU: a world played there by the same code as on
+// the CPU. Built by the preset `cuda` only; nothing launches it until the CUDA backend does.
 #include "base/random.h"
 #include "sim/rules.h"
 #include "sim/tick.h"
 
 namespace obby {
 
-__global__ void playOnDevice(sim::World* worlds, const level::LevelView* level, const level::QueryView* query,
-                             uint32_t count, uint32_t ticks) {
+__global__ void playOnDevice(sim::World* worlds, const level::LevelView* level,
+                             const level::QueryView* query, uint32_t count, uint32_t ticks) {
   const uint32_t i = blockIdx.x * blockDim.x + threadIdx.x;
   if (i >= count) return;
   Random random(1, i);
