@@ -1,6 +1,7 @@
 // How fast all cores search: Go-Explore rounds in box arenas with a goal out of reach, and the
-// share of what the bare simulator does on the same threads from the same states. The two take
+// share of what the bare simulator does with such rollouts on the same threads. The two take
 // turns in short slices, so that what else the machine does hits both alike.
+#include <atomic>
 #include <ctime>
 #include <vector>
 
@@ -9,7 +10,7 @@
 #include "sim/simulator.h"
 #include "sim/tick.h"
 #include "solve/go_explore.h"
-#include "solve/macro_random.h"
+#include "solve/rollout.h"
 #include "support/level_builder.h"
 
 namespace {
@@ -18,7 +19,7 @@ using namespace obby;
 
 constexpr uint64_t kSliceSteps = 400'000;
 constexpr int kSlices = 12;
-constexpr uint32_t kTasks = 256, kWorldsPerTask = 12, kRawTicks = 128;
+constexpr uint32_t kRollouts = 3072, kTaskRollouts = 12, kRolloutTicks = 128;
 
 double processSeconds() {
   timespec t{};
@@ -26,20 +27,39 @@ double processSeconds() {
   return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
 }
 
-// Random actions from the states that the search has kept, one world after another, nothing else.
-void runRaw(const level::LevelView& level, const solve::Archive& archive, ThreadPool& pool,
-            uint64_t slice) {
-  pool.run(int(kTasks), [&](int task) {
-    for (uint32_t i = 0; i < kWorldsPerTask; ++i) {
-      Random random(1, (slice * kTasks + uint64_t(task)) * kWorldsPerTask + i);
-      sim::World world = archive.world(random.below(archive.cellCount()));
-      solve::RandomMacro macro{{}, 0};
-      for (uint32_t t = 0; t < kRawTicks; ++t) {
-        if (macro.ticks-- == 0) macro = solve::drawRandomMacro(random);
-        sim::tick(world, level, macro.action);
-      }
+// A rollout of the search, to be stepped again by the bare simulator.
+struct Recorded {
+  sim::World start;
+  std::vector<sim::Action> actions;
+};
+
+// Rollouts from states that the search has kept, drawn as the search draws them.
+std::vector<Recorded> record(const solve::GoExplore& search, uint64_t slice) {
+  std::vector<Recorded> rollouts(kRollouts);
+  Random random(2, slice);
+  for (uint32_t i = 0; i < kRollouts; ++i) {
+    Recorded& r = rollouts[i];
+    r.start = search.archive().world(random.below(search.archive().cellCount()));
+    sim::World world = r.start;
+    solve::runRollout(search.context(), 3, slice * kRollouts + i, world, kRolloutTicks,
+                      [&](const sim::Action& a, const sim::World&) { r.actions.push_back(a); });
+  }
+  return rollouts;
+}
+
+// The same ticks and nothing else; gives their number.
+double runRaw(const level::LevelView& level, const std::vector<Recorded>& rollouts,
+              ThreadPool& pool) {
+  std::atomic<uint64_t> steps{0};
+  pool.run(int(kRollouts / kTaskRollouts), [&](int task) {
+    for (uint32_t i = 0; i < kTaskRollouts; ++i) {
+      const Recorded& r = rollouts[uint32_t(task) * kTaskRollouts + i];
+      sim::World world = r.start;
+      for (const sim::Action action : r.actions) sim::tick(world, level, action);
+      steps += r.actions.size() + (world.tick == 0);  // the result is used: it cannot be left out
     }
   });
+  return double(steps);
 }
 
 struct Sums {
@@ -65,8 +85,8 @@ void scene(bench::Report& report, const char* name, const level::Level& level, T
     addTo(found, [&] {
       while (search.statistics().steps < kSliceSteps * uint64_t(slice + 1)) search.round();
     });
-    addTo(raw, [&] { runRaw(level.view(), search.archive(), pool, uint64_t(slice)); });
-    raw.steps += double(kTasks) * kWorldsPerTask * kRawTicks;
+    const std::vector<Recorded> rollouts = record(search, uint64_t(slice));
+    addTo(raw, [&] { raw.steps += runRaw(level.view(), rollouts, pool); });
   }
   found.steps = double(search.statistics().steps);
   report.add(name, "stepsPerSecond", found.steps / found.wall, "1/s");

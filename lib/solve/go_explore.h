@@ -55,6 +55,7 @@ class GoExplore {
   const Statistics& statistics() const { return statistics_; }
   const Archive& archive() const { return archive_; }
   const Attempts& attempts() const { return attempts_; }
+  const ExploreContext& context() const { return context_; }
 
   // Ways to the goal of the last round, fewest ticks, then jumps, first.
   const std::vector<Node>& goals() const { return goals_; }
