@@ -1,0 +1,94 @@
+// Motions by physics, which carry who stands on them: kits and constraints.
+#include "import/motion_checks.h"
+
+namespace obby::test {
+namespace {
+
+TEST(Carrying, TaggedPlatformFollowsItsWayPoints) {
+  Scene scene;
+  const auto model = scene.add("Model", "MovingPlatform", scene.workspace);
+  scene.tag(model, "MovingPlatform");
+  scene.attribute(model, "speed", 10.0);
+  scene.attribute(model, "delay", 1.0);
+  const auto platform = scene.part("Platform", {0, 0, 0}, model);
+  const auto path = scene.add("Folder", "Checkpoints", model);
+  const auto first = scene.part("Checkpoint1", {0, 0, 0}, path);
+  scene.part("Checkpoint2", {40, 0, 0}, path);
+  scene.level();
+  ASSERT_TRUE(scene[platform].motion);
+  EXPECT_TRUE(scene[platform].motion->carries);
+  EXPECT_NEAR(scene[platform].motion->keys.back().time, 1 + 4 + 1 + 4, 1e-3);
+  expectNear(at(scene[platform], 3), {20, 0, 0});
+  EXPECT_FALSE(scene[first].solid);
+  EXPECT_FALSE(scene[first].checkpoint);  // a way point, not a respawn point
+}
+
+TEST(Carrying, TowerKitPositions) {
+  Scene scene;
+  const auto model = scene.add("Model", "Moving Platform", scene.workspace);
+  const auto platform = scene.part("Platform", {0, 0, 0}, model);
+  scene.value("NumberValue", "Delay", 5.0, model);
+  const auto positions = scene.add("Model", "Positions", model);
+  scene.part("a2", {0, 20, 0}, positions);
+  scene.part("a1", {0, 0, 0}, positions);
+  scene.level();
+  ASSERT_TRUE(scene[platform].motion);
+  EXPECT_NEAR(scene[platform].motion->keys.back().time, 10, 1.1);
+  expectNear(at(scene[platform], 4.9f), {0, 0, 0});
+  expectNear(at(scene[platform], 8), {0, 20, 0});
+}
+
+struct Constraint {
+  InstanceId id, base, arm;
+};
+Constraint constrained(Scene& scene, const char* className) {
+  Constraint c{};
+  c.base = scene.part("Base", {0, 10, 0});
+  c.arm = scene.part("Arm", {0, 8, 0});
+  scene.set(c.arm, "Anchored", false);
+  const auto a0 = scene.add("Attachment", "A0", c.base), a1 = scene.add("Attachment", "A1", c.arm);
+  const Mat3 axisUp = {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}};
+  scene.set(a0, "CFrame", CFrame{{0, -2, 0}, axisUp});
+  scene.set(a1, "CFrame", CFrame{{}, axisUp});
+  c.id = scene.add(className, className, c.base);
+  scene.set(c.id, "Attachment0", Ref{a0});
+  scene.set(c.id, "Attachment1", Ref{a1});
+  return c;
+}
+
+TEST(Carrying, HingeMotorSpinsAndCarries) {
+  Scene scene;
+  const auto c = constrained(scene, "HingeConstraint");
+  scene.set(c.id, "ActuatorType", EnumItem{1, {}});
+  scene.set(c.id, "AngularVelocity", 3.0);
+  scene.level();
+  EXPECT_FALSE(scene[c.arm].motion) << "a motor without torque does nothing";
+  EXPECT_EQ(scene.unmodelled("constraint HingeConstraint"), 1u);
+  scene.set(c.id, "MotorMaxTorque", 1e6);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion && scene[c.arm].motion->spin);
+  EXPECT_TRUE(scene[c.arm].motion->carries);
+  EXPECT_TRUE(scene[c.arm].anchored);
+  EXPECT_NEAR(scene[c.arm].motion->spin->speed, 3, 1e-4);
+  expectNear(scene[c.arm].motion->spin->axis, {0, 1, 0});
+}
+
+TEST(Carrying, SliderSteppedByAScript) {
+  Scene scene;
+  const auto c = constrained(scene, "PrismaticConstraint");
+  scene.set(c.id, "ActuatorType", EnumItem{2, {}});
+  scene.set(c.id, "Speed", 10.0);
+  scene.script(
+      "while true do\n script.Parent.PrismaticConstraint.TargetPosition = 20\n task.wait(5)\n"
+      " script.Parent.PrismaticConstraint.TargetPosition = 0\n task.wait(5)\nend",
+      c.base);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion);
+  EXPECT_TRUE(scene[c.arm].motion->carries);
+  expectNear(at(scene[c.arm], 1), {0, 18, 0});
+  expectNear(at(scene[c.arm], 4), {0, 28, 0});
+  expectNear(at(scene[c.arm], 9), {0, 8, 0});
+}
+
+}  // namespace
+}  // namespace obby::test
