@@ -2,8 +2,9 @@
 #
 # JSON is derived from this file by reflection (lib/io/json_codec): a record is one object on one line, `type`
 # names its kind (the union field below), and the rest are the fields of that kind, spelled as here.
-# A field equal to its default is left out; an empty list or text is left out; structs marked $tuple are written
-# as arrays of their fields in order; 64-bit integers are written as decimal strings; enumerants by name.
+# A field equal to its default is left out, unless it is marked $always; an empty list or text is left out; structs
+# marked $tuple are written as arrays of their fields in order; 64-bit integers are written as decimal strings;
+# enumerants by name.
 #
 # Rules for changes: new fields at the end with a default that means "as before" (minor); anything else raises
 # `schemaMajor` in lib/io/version.h.
@@ -17,6 +18,9 @@ $Cxx.namespace("obby::schema");
 
 annotation tuple @0xc1d7c7c3a3a1f0b1 (struct) :Void;
 # In JSON this struct is an array of its fields in declaration order.
+
+annotation always @0x9f4b2c6d81e3a705 (field) :Void;
+# In JSON this field is written even where it has its default: scripts look for it.
 
 annotation unit @0xb0f5e1a7d9c3a2e4 (field) :Text;
 # Unit of a number, for people and for --print-params.
@@ -82,8 +86,8 @@ struct Region {
 
 struct Header {
   # First record of a stream.
-  schemaMajor @0 :UInt32 = 1;  # a reader refuses another major version
-  schemaMinor @1 :UInt32;
+  schemaMajor @0 :UInt32 = 1 $always;  # a reader refuses another major version
+  schemaMinor @1 :UInt32 $always;
   tool @2 :Text;               # "obby-solve"
   version @3 :Text;            # "0.1.0"
   seed @4 :UInt64;
@@ -98,8 +102,8 @@ enum EndStatus {
 
 struct End {
   # Last record of a stream: without it the stream was cut off.
-  status @0 :EndStatus;
-  records @1 :UInt64;   # records written before this one, header included
+  status @0 :EndStatus $always;
+  records @1 :UInt64 $always;   # records written before this one, header included
   skipped @2 :UInt64;   # input records left out because of errors
   errors @3 :UInt64;
 }
@@ -369,16 +373,16 @@ enum Outcome {
 }
 
 struct Trajectory {
-  query @0 :Text;
+  query @0 :Text $always;
   level @1 :Text;
-  index @2 :UInt32;          # 0, 1, ... within the query
-  outcome @3 :Outcome;
+  index @2 :UInt32 $always;          # 0, 1, ... within the query
+  outcome @3 :Outcome $always;
   position @4 :Vec3;         # feet at the start
   yawTurns @5 :UInt16;       # turns/65536
   startTick @6 :UInt32;
   actions @7 :List(ActionRun);
-  ticks @8 :UInt32;
-  jumps @9 :UInt32;
+  ticks @8 :UInt32 $always;
+  jumps @9 :UInt32 $always;
   waypoints @10 :UInt32;     # reached, in order
   part @11 :Int32 = -1;      # what killed the player: index into the level's parts
   stateHash @12 :UInt64;     # of the last state: a replay must give the same
@@ -411,18 +415,18 @@ struct Timing {
 }
 
 struct Tally {
-  outcome @0 :Outcome;
+  outcome @0 :Outcome $always;
   part @1 :Int32 = -1;
   count @2 :UInt64;
 }
 
 struct Result {
-  query @0 :Text;
+  query @0 :Text $always;
   level @1 :Text;
-  verdict @2 :Verdict;
-  solutions @3 :UInt32;
-  ticks @4 :UInt32;          # of the shortest solution
-  jumps @5 :UInt32;          # of that solution
+  verdict @2 :Verdict $always;
+  solutions @3 :UInt32 $always;
+  ticks @4 :UInt32 $always;          # of the shortest solution
+  jumps @5 :UInt32 $always;          # of that solution
   steps @6 :UInt64;
   cells @7 :UInt64;
   rounds @8 :UInt64;

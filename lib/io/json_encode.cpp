@@ -37,7 +37,7 @@ void JsonEncoder::member(std::string_view name, bool& first) {
 bool JsonEncoder::fields(const StructPlan& plan, capnp::DynamicStruct::Reader in, const Path& path,
                          bool& first) {
   for (const FieldPlan& field : plan.fields) {
-    if (!isSet(field, in)) continue;
+    if (!field.always && !isSet(field, in)) continue;
     member(field.name, first);
     const Path here{&path, field.name};
     if (!value(field.type, in.get(field.field), here)) return false;

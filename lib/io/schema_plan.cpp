@@ -14,6 +14,7 @@ namespace {
 
 constexpr uint64_t kTupleAnnotation = 0xc1d7c7c3a3a1f0b1;
 constexpr uint64_t kRangeAnnotation = 0xd2a9f8e3b7c61a55;
+constexpr uint64_t kAlwaysAnnotation = 0x9f4b2c6d81e3a705;
 
 class Planner {
  public:
@@ -45,6 +46,7 @@ class Planner {
     out.field = field;
     out.type = typePlan(field.getType());
     for (auto annotation : field.getProto().getAnnotations()) {
+      out.always = out.always || annotation.getId() == kAlwaysAnnotation;
       if (annotation.getId() != kRangeAnnotation) continue;
       const auto range = annotation.getValue().getStruct().getAs<schema::Interval>();
       out.type.min = range.getMin();

@@ -44,6 +44,7 @@ struct FieldPlan {
   std::string name;
   capnp::StructSchema::Field field;
   TypePlan type;
+  bool always = false;                 // written to JSON even where it has its default
   std::vector<uint64_t> tupleDefault;  // field is a tuple: bits of each number
 };
 

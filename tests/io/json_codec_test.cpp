@@ -115,7 +115,9 @@ TEST(JsonMeaning, GenerousInputHasOneNormalForm) {
       {R"({"type":"query","maxJumps":3.0,"timeLimit":8.50})",
        R"({"type":"query","maxJumps":3,"timeLimit":8.5})"},
       {R"({"type":"result","steps":9007199254740992,"seed":7,"cells":"18446744073709551615"})",
-       R"({"type":"result","steps":"9007199254740992","cells":"18446744073709551615","seed":"7"})"},
+       R"({"type":"result","query":"","verdict":"solved","solutions":0,"ticks":0,"jumps":0,)"
+       R"("steps":"9007199254740992","cells":"18446744073709551615","seed":"7"})"},
+      {R"({"type":"end"})", R"({"type":"end","status":"complete","records":"0"})"},
       {R"({"type":"level","parts":[{"kill":{"damage":100}}],"spawns":[]})",
        R"({"type":"level","parts":[{"kill":{}}]})"},
       {R"({"type":"level","parts":[{"size":[4,1,2],"rotation":[0,0,0,1],"color":[163,162,165]}]})",

@@ -32,7 +32,8 @@ struct Fixture {
 };
 
 const std::string kHeader =
-    "{\"type\":\"header\",\"tool\":\"obby-test\",\"version\":\"1.2.3\",\"seed\":\"42\","
+    "{\"type\":\"header\",\"schemaMajor\":1,\"schemaMinor\":0,\"tool\":\"obby-test\",\"version\":"
+    "\"1.2.3\",\"seed\":\"42\","
     "\"floatPolicy\":\"ieee754-nofma\"}\n";
 
 Result<Then> passAll(const Record&) { return Then::pass; }
@@ -42,9 +43,10 @@ TEST(Pipeline, TakesFramesOffAndPutsOneOn) {
   f.input("{\"type\":\"header\"}\n{\"type\":\"level\"}\n{\"type\":\"end\",\"skipped\":\"2\"}\n");
   f.input("{\"type\":\"query\"}\n{\"type\":\"new\"}\n");
   ASSERT_TRUE(f.pipeline().runAndFinish(passAll));
-  EXPECT_EQ(f.output, kHeader +
-                          "{\"type\":\"level\"}\n{\"type\":\"query\"}\n{\"type\":\"new\"}\n"
-                          "{\"type\":\"end\",\"records\":\"4\",\"skipped\":\"2\"}\n");
+  EXPECT_EQ(f.output,
+            kHeader +
+                "{\"type\":\"level\"}\n{\"type\":\"query\"}\n{\"type\":\"new\"}\n"
+                "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"4\",\"skipped\":\"2\"}\n");
 }
 
 TEST(Pipeline, HandlersWriteBeforeTheRecordTheyPassOrDropIt) {
@@ -58,10 +60,12 @@ TEST(Pipeline, HandlersWriteBeforeTheRecordTheyPassOrDropIt) {
     return record.reader().getQuery().getId() == "a" ? Then::pass : Then::drop;
   }));
   EXPECT_EQ(f.output, kHeader +
-                          "{\"type\":\"result\",\"query\":\"a\"}\n"
+                          "{\"type\":\"result\",\"query\":\"a\",\"verdict\":\"solved\","
+                          "\"solutions\":0,\"ticks\":0,\"jumps\":0}\n"
                           "{\"type\":\"query\",\"id\":\"a\"}\n"
-                          "{\"type\":\"result\",\"query\":\"b\"}\n"
-                          "{\"type\":\"end\",\"records\":\"4\"}\n");
+                          "{\"type\":\"result\",\"query\":\"b\",\"verdict\":\"solved\","
+                          "\"solutions\":0,\"ticks\":0,\"jumps\":0}\n"
+                          "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"4\"}\n");
 }
 
 TEST(Pipeline, AnErrorStopsButKeepsWhatWasDone) {
@@ -94,11 +98,12 @@ TEST(Pipeline, ForgivenErrorsAreReportedAndCounted) {
     }));
     EXPECT_EQ(f.reports.size(), 2u);
     const bool emit = policy == OnError::emit;
-    EXPECT_EQ(
-        f.output,
-        kHeader + "{\"type\":\"level\"}\n" + (emit ? "{\"type\":\"query\"}\n" : "") +
-            (emit ? "{\"type\":\"end\",\"records\":\"3\",\"skipped\":\"1\",\"errors\":\"2\"}\n"
-                  : "{\"type\":\"end\",\"records\":\"2\",\"skipped\":\"2\",\"errors\":\"2\"}\n"));
+    EXPECT_EQ(f.output, kHeader + "{\"type\":\"level\"}\n" +
+                            (emit ? "{\"type\":\"query\"}\n" : "") +
+                            (emit ? "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"3\","
+                                    "\"skipped\":\"1\",\"errors\":\"2\"}\n"
+                                  : "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"2\","
+                                    "\"skipped\":\"2\",\"errors\":\"2\"}\n"));
   }
 }
 

@@ -20,10 +20,10 @@ select_queries() {
     /"type":"query"/ { if (match($0, /"id":"[^"]*"/) && substr($0, RSTART, RLENGTH) in wanted) print }'
 }
 
-# verdicts: "id<TAB>verdict" for each result record. `solved` is the schema's default, and defaults are left out.
+# verdicts: "id<TAB>verdict" for each result record.
 verdicts() {
   awk '/"type":"result"/ {
-    id = ""; verdict = "solved"
+    id = verdict = ""
     if (match($0, /"query":"[^"]*"/)) id = substr($0, RSTART + 9, RLENGTH - 10)
     if (match($0, /"verdict":"[^"]*"/)) verdict = substr($0, RSTART + 11, RLENGTH - 12)
     print id "\t" verdict
