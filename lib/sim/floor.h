@@ -98,6 +98,16 @@ OBBY_DEVICE void castAtUpright(FloorRays& rays, const Candidate& c, Vec3 half, i
   const float x = dot(d, r.x), z = dot(d, r.z);
   const float xr = dot(rays.right, r.x), zr = dot(rays.right, r.z);
   const float xb = dot(rays.back, r.x), zb = dot(rays.back, r.z);
+  // Well inside a large floor all rays hit; the margin is far above rounding.
+  if (absf(x) + absf(xr) + absf(xb) < half.x - 0.01f &&
+      absf(z) + absf(zr) + absf(zb) < half.z - 0.01f) {
+    for (int i = 0; i < kFloorRays; ++i) rays.distance[i] = minf(rays.distance[i], t);
+    if (t < rays.nearestDistance) {
+      rays.nearestDistance = t;
+      rays.nearest = index;
+    }
+    return;
+  }
   for (int i = 0; i < kFloorRays; ++i) {
     const float lx = x + rayRight(i) * xr + rayBack(i) * xb;
     const float lz = z + rayRight(i) * zr + rayBack(i) * zb;
