@@ -8,8 +8,24 @@
 namespace obby::io {
 namespace {
 
-// Length of the well-formed sequence at the start of `s`; 0 if there is none.
-size_t sequenceLength(std::string_view s) {
+size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), size_t(0));
+  for (size_t i = 1; i <= a.size(); i++) {
+    size_t diagonal = row[0];
+    row[0] = i;
+    for (size_t j = 1; j <= b.size(); j++) {
+      const size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+size_t utf8Length(std::string_view s) {
   const auto byte = [&](size_t i) { return i < s.size() ? uint8_t(s[i]) : uint8_t(0); };
   const auto tail = [&](size_t i, uint8_t lo = 0x80, uint8_t hi = 0xbf) {
     return byte(i) >= lo && byte(i) <= hi;
@@ -28,26 +44,9 @@ size_t sequenceLength(std::string_view s) {
   return 0;
 }
 
-size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), size_t(0));
-  for (size_t i = 1; i <= a.size(); i++) {
-    size_t diagonal = row[0];
-    row[0] = i;
-    for (size_t j = 1; j <= b.size(); j++) {
-      const size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-}  // namespace
-
 bool isUtf8(std::string_view text) {
   for (size_t i = 0; i < text.size();) {
-    const size_t n = sequenceLength(text.substr(i, 4));
+    const size_t n = utf8Length(text.substr(i, 4));
     if (n == 0) return false;
     i += n;
   }
@@ -92,7 +91,7 @@ std::string quoted(std::string_view text, size_t limit) {
   std::string whole, out;
   size_t i = 0;
   while (i < text.size() && i < limit) {
-    const size_t n = sequenceLength(text.substr(i, 4));
+    const size_t n = utf8Length(text.substr(i, 4));
     whole += n == 0 ? std::string("?") : std::string(text.substr(i, n));
     i += std::max<size_t>(n, 1);
   }

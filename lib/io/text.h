@@ -1,11 +1,15 @@
 // Small text work that both codecs and the command line need.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace obby::io {
+
+// Bytes of the well-formed UTF-8 character at the start of `text`, 1 to 4; 0 if there is none.
+size_t utf8Length(std::string_view text);
 
 // Well-formed UTF-8: no overlong forms, no surrogates, at most U+10FFFF.
 bool isUtf8(std::string_view text);

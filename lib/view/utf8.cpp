@@ -1,24 +1,19 @@
-// Decoding with every malformed form refused: overlong, surrogate, beyond U+10FFFF, cut off.
+// Characters as io/text tells them apart: every malformed form counts as one broken byte.
 #include "view/utf8.h"
 
 #include <algorithm>
 
+#include "io/text.h"
+
 namespace obby::view {
 
 Utf8Char nextChar(std::string_view text, size_t at) {
-  constexpr Utf8Char kBroken{0xfffd, 1};
+  const size_t bytes = io::utf8Length(text.substr(at, 4));
+  if (bytes == 0) return {0xfffd, 1};
   const auto byte = [&](size_t k) { return static_cast<unsigned char>(text[at + k]); };
-  const unsigned char lead = byte(0);
-  if (lead < 0x80) return {lead, 1};
-  const size_t bytes = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : lead >= 0xc0 ? 2 : 0;
-  if (bytes == 0 || lead > 0xf4 || at + bytes > text.size()) return kBroken;
-  char32_t code = lead & (0x7fu >> bytes);
-  for (size_t k = 1; k < bytes; ++k) {
-    if ((byte(k) & 0xc0) != 0x80) return kBroken;
-    code = code << 6 | (byte(k) & 0x3fu);
-  }
-  constexpr char32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
-  if (code < kLeast[bytes] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return kBroken;
+  if (bytes == 1) return {byte(0), 1};
+  char32_t code = byte(0) & (0x7fu >> bytes);
+  for (size_t k = 1; k < bytes; ++k) code = code << 6 | (byte(k) & 0x3fu);
   return {code, bytes};
 }
 

@@ -1,22 +1,10 @@
 // A made-up report for the page's tests: every shape, role and outcome, hand-drawn trajectories. Nothing here comes from
 // the simulator.
 
+import { ROLES as roles, SHAPES as shapes } from '../../web/src/data.js';
+
 const encode = (array) => Buffer.from(array.buffer).toString('base64');
 const f32 = (values) => encode(Float32Array.from(values));
-const roles = [
-  'plain',
-  'start',
-  'goal',
-  'kill',
-  'moving',
-  'vanish',
-  'conveyor',
-  'pad',
-  'checkpoint',
-  'ghost',
-  'loose',
-];
-const shapes = ['block', 'ball', 'cylinder', 'wedge', 'cornerWedge', 'truss', 'hull'];
 
 const parts = [];
 function part(name, position, size, more = {}) {
