@@ -14,7 +14,8 @@ enum class State : uint8_t { running, jumping, freefall, landed, dead };
 // How a playthrough ended. The order of schema Outcome.
 enum class Outcome : uint8_t { running, goal, killed, fell, avoided, jumps, timeout };
 
-// Conditions that a batch must not die of. Reported with the answer.
+// Conditions that a batch must not die of. Part of the state and its hash;
+// no tool reports them yet.
 enum Flag : uint8_t {
   kFloorSensed = 1,  // a floor was within reach in the last tick (hysteresis of the floor rays)
   kCandidateOverrun =
