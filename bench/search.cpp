@@ -8,7 +8,7 @@
 #include "base/thread_pool.h"
 #include "common/report.h"
 #include "sim/simulator.h"
-#include "sim/tick.h"
+#include "sim/wide_tick.h"
 #include "solve/go_explore.h"
 #include "solve/rollout.h"
 #include "support/level_builder.h"
@@ -19,7 +19,7 @@ using namespace obby;
 
 constexpr uint64_t kSliceSteps = 400'000;
 constexpr int kSlices = 12;
-constexpr uint32_t kRollouts = 3072, kTaskRollouts = 12, kRolloutTicks = 128;
+constexpr uint32_t kRollouts = 3072, kTaskRollouts = 128, kRolloutTicks = 128;
 
 double processSeconds() {
   timespec t{};
@@ -52,11 +52,21 @@ double runRaw(const level::LevelView& level, const std::vector<Recorded>& rollou
               ThreadPool& pool) {
   std::atomic<uint64_t> steps{0};
   pool.run(int(kRollouts / kTaskRollouts), [&](int task) {
-    for (uint32_t i = 0; i < kTaskRollouts; ++i) {
-      const Recorded& r = rollouts[uint32_t(task) * kTaskRollouts + i];
-      sim::World world = r.start;
-      for (const sim::Action action : r.actions) sim::tick(world, level, action);
-      steps += r.actions.size() + (world.tick == 0);  // the result is used: it cannot be left out
+    const Recorded* const first = rollouts.data() + uint32_t(task) * kTaskRollouts;
+    std::vector<sim::World> worlds;
+    for (uint32_t i = 0; i < kTaskRollouts; ++i) worlds.push_back(first[i].start);
+    std::vector<sim::World*> running;
+    std::vector<sim::Action> actions;
+    for (uint32_t t = 0; t < kRolloutTicks; ++t) {
+      running.clear();
+      actions.clear();
+      for (uint32_t i = 0; i < kTaskRollouts; ++i) {
+        if (t >= first[i].actions.size()) continue;
+        running.push_back(&worlds[i]);
+        actions.push_back(first[i].actions[t]);
+      }
+      sim::tickAll(level, running.data(), actions.data(), running.size());
+      steps += running.size();
     }
   });
   return double(steps);

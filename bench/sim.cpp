@@ -6,13 +6,14 @@
 #include "common/report.h"
 #include "sim/simulator.h"
 #include "sim/tick.h"
+#include "sim/wide_tick.h"
 #include "support/level_builder.h"
 
 namespace {
 
 using namespace obby;
 
-constexpr uint32_t kWorlds = 256, kTicks = 2000;
+constexpr uint32_t kWorlds = 256, kTicks = 1000;
 
 // Holds a random action for 10 to 50 ticks; jumps one time in twenty when it changes.
 struct Walker {
@@ -30,39 +31,72 @@ struct Walker {
 };
 
 struct Outcome {
-  double stepsPerSecond;
-  double grounded;  // share of ticks with a floor
+  double stepsPerSecond, singlyPerSecond;  // in lanes; by the scalar tick
+  double grounded;                         // share of ticks with a floor
+  sim::WideCounts counts;
 };
 
-Outcome run(const level::Level& level, uint64_t seed) {
-  std::vector<sim::World> worlds(kWorlds, sim::makeWorld(level.view(), level.spawns()[0]));
+// Worlds and their walkers; actions are drawn outside the time taken.
+struct Crowd {
+  std::vector<sim::World> worlds;
+  std::vector<sim::World*> pointers;
   std::vector<Walker> walkers;
-  for (uint32_t i = 0; i < kWorlds; ++i) walkers.push_back({Random(seed, i), {}, 0});
-  uint64_t grounded = 0;
-  const double seconds = bench::cpuSecondsOf([&] {
-    for (uint32_t t = 0; t < kTicks; ++t) {
+  std::vector<sim::Action> actions;
+
+  Crowd(const level::Level& level, uint64_t seed)
+      : worlds(kWorlds, sim::makeWorld(level.view(), level.spawns()[0])), actions(kWorlds) {
+    for (sim::World& w : worlds) pointers.push_back(&w);
+    for (uint32_t i = 0; i < kWorlds; ++i) walkers.push_back({Random(seed, i), {}, 0});
+  }
+  void decide() {
+    for (uint32_t i = 0; i < kWorlds; ++i) actions[i] = walkers[i].next();
+  }
+};
+
+// Both ways take turns, so that what else the machine does hits them alike.
+Outcome run(const level::Level& level, uint64_t seed) {
+  Crowd wide(level, seed), single(level, seed);
+  Outcome o{};
+  double wideSeconds = 0, singleSeconds = 0;
+  for (uint32_t t = 0; t < kTicks; ++t) {
+    wide.decide();
+    single.decide();
+    wideSeconds += bench::cpuSecondsOf([&] {
+      sim::tickAll(level.view(), wide.pointers.data(), wide.actions.data(), kWorlds, &o.counts);
+    });
+    singleSeconds += bench::cpuSecondsOf([&] {
       for (uint32_t i = 0; i < kWorlds; ++i) {
-        sim::tick(worlds[i], level.view(), walkers[i].next());
-        grounded += worlds[i].flags & sim::kFloorSensed;
+        sim::tick(single.worlds[i], level.view(), single.actions[i]);
       }
-    }
-  });
+    });
+    for (const sim::World& w : wide.worlds) o.grounded += w.flags & sim::kFloorSensed;
+  }
   const double steps = double(kWorlds) * kTicks;
-  return {steps / seconds, double(grounded) / steps};
+  o.stepsPerSecond = steps / wideSeconds;
+  o.singlyPerSecond = steps / singleSeconds;
+  o.grounded /= steps;
+  return o;
 }
 
 template <class Scene>
 void scene(bench::Report& report, const char* name, uint32_t boxes, Scene&& build) {
-  std::vector<double> rates;
-  double grounded = 0;
+  std::vector<double> rates, singly;
+  double grounded = 0, contact = 0, fallback = 0;
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     const level::Level level = build(boxes, seed).compile();
     const Outcome o = run(level, seed);
     rates.push_back(o.stepsPerSecond);
+    singly.push_back(o.singlyPerSecond);
     grounded += o.grounded / 5;
+    contact += double(o.counts.contact) / double(o.counts.ticks) / 5;
+    fallback += double(o.counts.single) / double(o.counts.ticks) / 5;
   }
   std::sort(rates.begin(), rates.end());
+  std::sort(singly.begin(), singly.end());
   report.add(name, "stepsPerSecondPerCore", rates[2], "1/s");
+  report.add(name, "scalarStepsPerSecondPerCore", singly[2], "1/s");
+  report.add(name, "contactShare", contact, "");
+  report.add(name, "scalarShare", fallback, "");
   report.add(name, "groundedShare", grounded, "");
 }
 

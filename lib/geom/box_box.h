@@ -7,79 +7,116 @@
 
 namespace obby::geom {
 
+// A block anywhere, for lanes of worlds: what of a part the wide tick reads.
+template <class F>
+struct BlockT {
+  PoseT<F> pose;
+  Vec3T<F> half;
+};
+
 namespace internal {
 
 // Overlap along a unit axis: `apart` is the signed distance of the centres along it, `radii` the
-// sum of both extents. False: separated.
-OBBY_DEVICE bool keepLeast(Contact& best, float apart, float radii, Vec3 axis) {
-  const float depth = radii - absf(apart);
-  if (depth < best.depth) best = {depth, apart < 0 ? -axis : axis};
-  return best.depth >= 0;
+// sum of both extents. False: separated, and what is kept from then on does not matter.
+template <class F>
+OBBY_DEVICE MaskOf<F> keepLeast(ContactT<F>& best, F apart, F radii, Vec3T<F> axis) {
+  const F depth = radii - absf(apart);
+  const MaskOf<F> less = depth < best.depth;
+  best.depth = select(less, depth, best.depth);
+  best.normal = select(less, select(apart < 0.0f, -axis, axis), best.normal);
+  return best.depth >= 0.0f;
 }
 
-// The cross product of shape axis i (a unit axis of the local frame) and the body axis `r`, with
-// index j in the body.
-OBBY_DEVICE bool keepCross(Contact& best, const LocalBox& box, Vec3 half, int i, int j) {
-  const Vec3 r = j == 0 ? box.axes.x : j == 1 ? box.axes.y : box.axes.z;
-  const Vec3 n = i == 0 ? Vec3{0, -r.z, r.y} : i == 1 ? Vec3{r.z, 0, -r.x} : Vec3{-r.y, r.x, 0};
-  const float n2 = dot(n, n);
-  if (n2 < 1e-6f) return true;  // parallel: covered by the faces
-  const float radii = dot(abs(n), half) + dot(abs(toLocal(box.axes, n)), box.half);
-  const float apart = dot(n, box.center);
-  if (absf(apart) > radii) {
-    best = {-1, n};
-    return false;
-  }
-  // Compare depths without dividing where the axis cannot win.
-  const float limit = best.depth;
-  const float depth = radii - absf(apart);
-  if (depth * depth >= limit * limit * n2) return true;
-  const float inverse = 1.0f / sqrtf32(n2);
-  return keepLeast(best, apart * inverse, radii * inverse, n * inverse);
+// A contact along an axis that is not a unit yet: depth and normal are length times too long.
+template <class F>
+struct ScaledContact {
+  ContactT<F> contact;
+  F length2;
+};
+
+// The cross product of shape axis i (a unit axis of the local frame) and the body axis `r`. Depths
+// are compared as fractions, so that one division is enough for all axes.
+template <class F>
+OBBY_DEVICE MaskOf<F> keepCross(ScaledContact<F>& best, const LocalBoxT<F>& box, Vec3T<F> half,
+                                int i, Vec3T<F> r) {
+  const F zero = 0.0f;
+  const Vec3T<F> n = i == 0   ? Vec3T<F>{zero, -r.z, r.y}
+                     : i == 1 ? Vec3T<F>{r.z, zero, -r.x}
+                              : Vec3T<F>{-r.y, r.x, zero};
+  const F n2 = dot(n, n);
+  const F radii = dot(abs(n), half) + dot(abs(toLocal(box.axes, n)), box.half);
+  const F apart = dot(n, box.center);
+  const F depth = radii - absf(apart), least = best.contact.depth;
+  const MaskOf<F> counts = n2 >= 1e-6f;  // else parallel: covered by the faces
+  const MaskOf<F> less =
+      counts & ((depth < 0.0f) | (depth * depth * best.length2 < least * least * n2));
+  // Where a lane is separated already, its depth stays below 0.
+  const MaskOf<F> take = less & (least >= 0.0f);
+  best.contact.depth = select(take, depth, least);
+  best.contact.normal = select(take, select(apart < 0.0f, -n, n), best.contact.normal);
+  best.length2 = select(take, n2, best.length2);
+  return best.contact.depth >= 0.0f;
 }
 
 }  // namespace internal
 
-// `box` in the block's frame. The normal is local.
-OBBY_DEVICE Contact boxBlock(Vec3 half, const LocalBox& box) {
+// `box` in the block's frame. The normal is local. Gives up early where every lane is separated.
+template <class F>
+OBBY_DEVICE ContactT<F> boxBlock(Vec3T<F> half, const LocalBoxT<F>& box) {
   using internal::keepCross;
   using internal::keepLeast;
-  const Vec3 ax = abs(box.axes.x), ay = abs(box.axes.y), az = abs(box.axes.z);
-  const Vec3 reach = half + ax * box.half.x + ay * box.half.y + az * box.half.z;
-  Contact best{1e30f, {0, 1, 0}};
-  if (!keepLeast(best, box.center.x, reach.x, {1, 0, 0})) return best;
-  if (!keepLeast(best, box.center.y, reach.y, {0, 1, 0})) return best;
-  if (!keepLeast(best, box.center.z, reach.z, {0, 0, 1})) return best;
-  if (!keepLeast(best, dot(box.center, box.axes.x), box.half.x + dot(ax, half), box.axes.x))
-    return best;
-  if (!keepLeast(best, dot(box.center, box.axes.y), box.half.y + dot(ay, half), box.axes.y))
-    return best;
-  if (!keepLeast(best, dot(box.center, box.axes.z), box.half.z + dot(az, half), box.axes.z))
-    return best;
+  const Vec3T<F> ax = abs(box.axes.x), ay = abs(box.axes.y), az = abs(box.axes.z);
+  const Vec3T<F> reach = half + ax * box.half.x + ay * box.half.y + az * box.half.z;
+  ContactT<F> best{1e30f, {0, 1, 0}};
+  if (!any(keepLeast<F>(best, box.center.x, reach.x, {1, 0, 0}))) return best;
+  if (!any(keepLeast<F>(best, box.center.y, reach.y, {0, 1, 0}))) return best;
+  if (!any(keepLeast<F>(best, box.center.z, reach.z, {0, 0, 1}))) return best;
+  const Vec3T<F>* const axes[3] = {&box.axes.x, &box.axes.y, &box.axes.z};
+  const F halves[3] = {box.half.x + dot(ax, half), box.half.y + dot(ay, half),
+                       box.half.z + dot(az, half)};
+  for (int j = 0; j < 3; ++j) {
+    if (!any(keepLeast<F>(best, dot(box.center, *axes[j]), halves[j], *axes[j]))) return best;
+  }
+  internal::ScaledContact<F> scaled{best, 1.0f};
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
-      if (!keepCross(best, box, half, i, j)) return best;
+      if (!any(keepCross<F>(scaled, box, half, i, *axes[j]))) return scaled.contact;
     }
   }
+  const F inverse = 1.0f / sqrtf32(scaled.length2);  // 1 for a face
+  return {scaled.contact.depth * inverse, scaled.contact.normal * inverse};
+}
+
+// Both upright: five axes are all there are. `block` in the world, and so the normal.
+template <class F>
+OBBY_DEVICE ContactT<F> boxUprightBlock(const BlockT<F>& block, const UprightBoxT<F>& box) {
+  using internal::keepLeast;
+  const Vec3T<F> d = box.center - block.pose.position, half = block.half;
+  const Vec3T<F> sx = block.pose.rotation.x, sz = block.pose.rotation.z;
+  const Vec3T<F> bx{box.yaw.cos, 0, -box.yaw.sin}, bz{box.yaw.sin, 0, box.yaw.cos};
+  const F c = absf(sx.x * bx.x + sx.z * bx.z), s = absf(sx.x * bz.x + sx.z * bz.z);
+  ContactT<F> best{1e30f, {0, 1, 0}};
+  if (!any(keepLeast<F>(best, d.y, half.y + box.half.y, {0, 1, 0}))) return best;
+  const F x = d.x * sx.x + d.z * sx.z, z = d.x * sz.x + d.z * sz.z;
+  if (!any(keepLeast<F>(best, x, half.x + c * box.half.x + s * box.half.z, sx))) return best;
+  if (!any(keepLeast<F>(best, z, half.z + s * box.half.x + c * box.half.z, sz))) return best;
+  const F bodyX = d.x * bx.x + d.z * bx.z, bodyZ = d.x * bz.x + d.z * bz.z;
+  if (!any(keepLeast<F>(best, bodyX, box.half.x + c * half.x + s * half.z, bx))) return best;
+  keepLeast<F>(best, bodyZ, box.half.z + s * half.x + c * half.z, bz);
   return best;
 }
 
-// Both upright: five axes are all there are. `pose` of the block; the normal is in the world.
-OBBY_DEVICE Contact boxUprightBlock(const Pose& pose, Vec3 half, const UprightBox& box) {
-  using internal::keepLeast;
-  const Vec3 d = box.center - pose.position;
-  const Vec3 sx = pose.rotation.x, sz = pose.rotation.z;
-  const Vec3 bx{box.yaw.cos, 0, -box.yaw.sin}, bz{box.yaw.sin, 0, box.yaw.cos};
-  const float c = absf(sx.x * bx.x + sx.z * bx.z), s = absf(sx.x * bz.x + sx.z * bz.z);
-  Contact best{1e30f, {0, 1, 0}};
-  if (!keepLeast(best, d.y, half.y + box.half.y, {0, 1, 0})) return best;
-  const float x = d.x * sx.x + d.z * sx.z, z = d.x * sz.x + d.z * sz.z;
-  if (!keepLeast(best, x, half.x + c * box.half.x + s * box.half.z, sx)) return best;
-  if (!keepLeast(best, z, half.z + s * box.half.x + c * box.half.z, sz)) return best;
-  const float bodyX = d.x * bx.x + d.z * bx.z, bodyZ = d.x * bz.x + d.z * bz.z;
-  if (!keepLeast(best, bodyX, box.half.x + c * half.x + s * half.z, bx)) return best;
-  keepLeast(best, bodyZ, box.half.z + s * half.x + c * half.z, bz);
-  return best;
+// A block turned any way. The normal is in the world.
+template <class F>
+OBBY_DEVICE ContactT<F> boxTiltedBlock(const BlockT<F>& block, const UprightBoxT<F>& box) {
+  const Mat3T<F> axes = box.axes();
+  const Mat3T<F>& r = block.pose.rotation;
+  const LocalBoxT<F> local{toLocal(block.pose, box.center),
+                           {toLocal(r, axes.x), toLocal(r, axes.y), toLocal(r, axes.z)},
+                           box.half};
+  ContactT<F> contact = boxBlock<F>(block.half, local);
+  contact.normal = r * contact.normal;
+  return contact;
 }
 
 }  // namespace obby::geom

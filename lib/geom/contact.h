@@ -7,25 +7,31 @@
 namespace obby::geom {
 
 // A box that stands upright: turned about Y only.
-struct UprightBox {
-  Vec3 center;
-  Vec3 half;
-  SinCos yaw;
+template <class F>
+struct UprightBoxT {
+  Vec3T<F> center;
+  Vec3T<F> half;
+  SinCosT<F> yaw;
 
-  OBBY_DEVICE Mat3 axes() const {
+  OBBY_DEVICE Mat3T<F> axes() const {
     return {{yaw.cos, 0, -yaw.sin}, {0, 1, 0}, {yaw.sin, 0, yaw.cos}};
   }
-  OBBY_DEVICE Box bounds() const {
-    const float s = absf(yaw.sin), c = absf(yaw.cos);
-    const Vec3 e{c * half.x + s * half.z, half.y, s * half.x + c * half.z};
+  OBBY_DEVICE BoxT<F> bounds() const {
+    const F s = absf(yaw.sin), c = absf(yaw.cos);
+    const Vec3T<F> e{c * half.x + s * half.z, half.y, s * half.x + c * half.z};
     return {center - e, center + e};
   }
 };
 
-struct Contact {
-  float depth;  // studs; negative: apart
-  Vec3 normal;  // unit; moving the box by depth * normal separates them. Meaningless where they are
-                // apart.
+using UprightBox = UprightBoxT<float>;
+
+template <class F>
+struct ContactT {
+  F depth;          // studs; negative: apart
+  Vec3T<F> normal;  // unit; moving the box by depth * normal separates them. Meaningless where they
+                    // are apart.
 };
+
+using Contact = ContactT<float>;
 
 }  // namespace obby::geom

@@ -60,7 +60,7 @@ OBBY_DEVICE Contact dispatch(Shape, const ShapeData& shape, const LocalBox& box)
   return penetration<Shape>(shape, box);
 }
 OBBY_DEVICE Contact dispatch(Block, const ShapeData& shape, const LocalBox& box) {
-  return boxBlock(shape.half, box);
+  return boxBlock<float>(shape.half, box);
 }
 
 }  // namespace internal

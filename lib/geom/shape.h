@@ -38,11 +38,14 @@ struct RayHit {
 };
 
 // An oriented box in a shape's local frame: what the shape's curved faces are tested against.
-struct LocalBox {
-  Vec3 center;
-  Mat3 axes;
-  Vec3 half;
+template <class F>
+struct LocalBoxT {
+  Vec3T<F> center;
+  Mat3T<F> axes;
+  Vec3T<F> half;
 };
+
+using LocalBox = LocalBoxT<float>;
 
 // The point of the box that is closest to p.
 OBBY_DEVICE Vec3 closestPoint(const LocalBox& box, Vec3 p) {
@@ -52,8 +55,9 @@ OBBY_DEVICE Vec3 closestPoint(const LocalBox& box, Vec3 p) {
 
 // A divisor that is never zero, so that slab tests need no branches: 1e-20 studs is far below any
 // float position.
-OBBY_DEVICE float awayFromZero(float v) {
-  return absf(v) < 1e-20f ? (v < 0 ? -1e-20f : 1e-20f) : v;
+template <class F>
+OBBY_DEVICE F awayFromZero(F v) {
+  return select(absf(v) < 1e-20f, select(v < 0.0f, F(-1e-20f), F(1e-20f)), v);
 }
 
 // Clips the ray o + t d to the half space dot(n, p) <= offset. `enter`, `leave` and the entering

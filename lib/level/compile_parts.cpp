@@ -157,12 +157,12 @@ Box PartCompiler::sweptBounds(const Collider& c) const {
 void PartCompiler::push(Collider collider, uint16_t flags) {
   if (collider.kind != ShapeKind::block) {
     flags &= uint16_t(~kUpright);  // the short cuts are for blocks only
-  } else if (collider.mover == kNone && makeUpright(collider)) {
-    flags |= kUpright;
+  } else {
+    flags |= kBlock;
+    if (collider.mover == kNone && makeUpright(collider)) flags |= kUpright;
   }
-  out_.bounds.push_back(sweptBounds(collider));
+  out_.bounds.push_back(makeBounds(sweptBounds(collider), flags, uint32_t(out_.bounds.size())));
   out_.colliders.push_back(collider);
-  out_.flags.push_back(flags);
 }
 
 Status PartCompiler::hulls(schema::Part::Reader part, const Collider& base, uint16_t flags) {
@@ -247,6 +247,8 @@ Result<PartTables> compileParts(schema::Level::Reader record, const Params& para
     }
     ++index;
   }
+  const Vec3 nowhere{1e38f, 1e38f, 1e38f};
+  out.bounds.push_back(makeBounds({nowhere, -nowhere}, 0, uint32_t(out.bounds.size())));
   return out;
 }
 

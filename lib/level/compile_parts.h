@@ -16,8 +16,7 @@ namespace obby::level {
 
 struct PartTables {
   std::vector<Collider> colliders;
-  std::vector<Box> bounds;
-  std::vector<uint16_t> flags;
+  std::vector<Bounds> bounds;  // (colliders + 1), see LevelView
   std::vector<Roles> roles;
   std::vector<Mover> movers;
   std::vector<std::string> names;    // (parts)

@@ -20,7 +20,7 @@ struct Extent {
 
 class Builder {
  public:
-  Builder(const std::vector<Box>& bounds, const Reach& reach) : bounds_(bounds), reach_(reach) {}
+  Builder(std::span<const Bounds> bounds, const Reach& reach) : bounds_(bounds), reach_(reach) {}
 
   GridTables build() {
     cover();
@@ -36,7 +36,7 @@ class Builder {
   void cover() {
     box_ = {{0, 0, 0}, {1, 1, 1}};
     for (size_t i = 0; i < bounds_.size(); ++i) {
-      const Box b = reachOf(bounds_[i]);
+      const Box b = reachOf(bounds_[i].box());
       box_ = i == 0 ? b : join(box_, b);
     }
     grid_.origin = box_.lo;
@@ -77,8 +77,8 @@ class Builder {
 
   int64_t entryCount() const {
     int64_t total = 0;
-    for (const Box& b : bounds_) {
-      const Extent e = extentOf(b);
+    for (const Bounds& b : bounds_) {
+      const Extent e = extentOf(b.box());
       total += int64_t(e.hi[0] - e.lo[0] + 1) * (e.hi[1] - e.lo[1] + 1) * (e.hi[2] - e.lo[2] + 1);
     }
     return total;
@@ -97,11 +97,11 @@ class Builder {
   void fill() {
     const size_t cells = size_t(cellCount());
     std::vector<uint32_t> start(cells + 1, 0);
-    for (const Box& b : bounds_) forCells(extentOf(b), [&](size_t c) { ++start[c + 1]; });
+    for (const Bounds& b : bounds_) forCells(extentOf(b.box()), [&](size_t c) { ++start[c + 1]; });
     for (size_t c = 0; c < cells; ++c) start[c + 1] += start[c];
     std::vector<uint32_t> next(start.begin(), start.end() - 1), items(start[cells]);
     for (uint32_t i = 0; i < bounds_.size(); ++i) {
-      forCells(extentOf(bounds_[i]), [&](size_t c) { items[next[c]++] = i; });
+      forCells(extentOf(bounds_[i].box()), [&](size_t c) { items[next[c]++] = i; });
     }
     merge(start, items);
   }
@@ -128,10 +128,12 @@ class Builder {
       known.emplace(h, grid_.cells[c]);
       grid_.lists.push_back(count);
       grid_.lists.insert(grid_.lists.end(), list, list + count);
+      const uint32_t filled = (count + kListStep - 1) / kListStep * kListStep;
+      grid_.lists.insert(grid_.lists.end(), filled - count, uint32_t(bounds_.size()));
     }
   }
 
-  const std::vector<Box>& bounds_;
+  const std::span<const Bounds> bounds_;
   const Reach& reach_;
   Box box_{};
   GridTables grid_;
@@ -139,7 +141,7 @@ class Builder {
 
 }  // namespace
 
-GridTables buildGrid(const std::vector<Box>& bounds, const Reach& reach) {
+GridTables buildGrid(std::span<const Bounds> bounds, const Reach& reach) {
   return Builder(bounds, reach).build();
 }
 

@@ -1,6 +1,7 @@
 // Lays the uniform grid of LevelView over the colliders' bounds.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "level/level_view.h"
@@ -20,6 +21,6 @@ struct Reach {
 };
 
 // `cell` is a suggestion in studs; cells grow until at most 2^21 of them cover the bounds.
-GridTables buildGrid(const std::vector<Box>& bounds, const Reach& reach);
+GridTables buildGrid(std::span<const Bounds> bounds, const Reach& reach);
 
 }  // namespace obby::level

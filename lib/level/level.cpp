@@ -79,7 +79,7 @@ uint32_t commonPeriod(const PartTables& t) {
     include(m.spinCount);
   }
   for (size_t i = 0; i < t.colliders.size(); ++i) {
-    if (!(t.flags[i] & kVanishTimer)) continue;
+    if (!(t.bounds[i].flags & kVanishTimer)) continue;
     const Roles& r = t.roles[t.colliders[i].role];
     include(r.vanishDelay + r.vanishAway);
   }
@@ -96,7 +96,7 @@ uint64_t digest(const LevelView& v, const PartTables& t) {
   for (size_t i = 0; i < t.colliders.size(); ++i) {
     const Collider& c = t.colliders[i];
     add(c.pose), add(c.shape.half), add(c.part), add(c.mover), add(c.role), add(c.friction),
-        add(c.kind), add(t.flags[i]);
+        add(c.kind), add(t.bounds[i].flags);
     if (c.shape.hull)
       h = hashBytes(c.shape.hull->vertices, c.shape.hull->vertexCount * sizeof(Vec3), h);
   }
@@ -129,12 +129,11 @@ Result<Level> Level::compile(schema::Level::Reader record) {
   const PartTables& t = impl->tables;
   const float sideways = fastestSideways(t, params);
   const Reach reach = reachOf(params, sideways);
-  impl->grid = buildGrid(t.bounds, reach);
+  impl->grid = buildGrid({t.bounds.data(), t.colliders.size()}, reach);
   LevelView& v = impl->view;
   v.params = params;
   v.colliders = t.colliders.data();
   v.bounds = t.bounds.data();
-  v.flags = t.flags.data();
   v.roles = t.roles.data();
   v.movers = t.movers.data();
   v.colliderCount = uint32_t(t.colliders.size());
@@ -160,8 +159,9 @@ const std::vector<StartPose>& Level::spawns() const { return impl_->spawns; }
 
 Box Level::bounds() const {
   Box all{};
-  for (size_t i = 0; i < impl_->tables.bounds.size(); ++i) {
-    all = i == 0 ? impl_->tables.bounds[0] : join(all, impl_->tables.bounds[i]);
+  for (size_t i = 0; i < impl_->tables.colliders.size(); ++i) {
+    const Box box = impl_->tables.bounds[i].box();
+    all = i == 0 ? box : join(all, box);
   }
   return all;
 }

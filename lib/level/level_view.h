@@ -22,12 +22,14 @@ enum ColliderFlag : uint16_t {
   kVanishTimer = 32,
   kMoving = 64,
   kCarries = 128,  // a moving part driven by physics: takes a standing player along
-  kUpright = 256,  // its local Y is the world's Y: floor rays take a short cut
+  kUpright = 256,  // a block whose local Y is the world's Y: fewer axes to test
+  kBlock = 512,    // a block, or a truss: what the wide tick handles in lanes
 };
 constexpr uint16_t kTouchRoles = kKill | kPad | kVanishTouch;
 
 // One convex shape. A part has one, or one for each of its hulls.
-struct Collider {
+// Pose and half extents are one cache line: the wide tick loads them as a row.
+struct alignas(64) Collider {
   Pose pose;  // of a part that does not move
   geom::ShapeData shape;
   uint32_t part;   // index into the level's parts
@@ -36,6 +38,24 @@ struct Collider {
   float friction;
   geom::ShapeKind kind;
 };
+
+// What a look at the parts near a player reads of each. The upper corner is negated, so that one
+// comparison of eight numbers tells whether a box is met: flags and tag read as tiny floats.
+struct alignas(32) Bounds {
+  Vec3 lo, minusHi;
+  uint32_t flags;  // ColliderFlag bits
+  uint32_t tag;    // index << kTagShift, and the bits that lanes ask for
+
+  OBBY_DEVICE Box box() const { return {lo, -minusHi}; }
+};
+constexpr uint32_t kSolidTag = 1, kUprightTag = 2;
+constexpr int kTagShift = 2;
+
+OBBY_DEVICE Bounds makeBounds(const Box& box, uint32_t flags, uint32_t index) {
+  return {box.lo, -box.hi, flags,
+          index << kTagShift | ((flags & kSolid) ? kSolidTag : 0) |
+              ((flags & kUpright) ? kUprightTag : 0)};
+}
 
 // Roles: one record for each part that has any, shared by its colliders.
 struct Roles {
@@ -74,6 +94,8 @@ OBBY_DEVICE Pose moverPose(const Mover& m, uint32_t tick) {
   return pose;
 }
 
+constexpr uint32_t kListStep = 4;
+
 // Uniform grid over root positions: the list of a cell names every collider that a player whose
 // feet are in the cell can meet within one substep or tick, so that one look-up is enough
 // (grid_build.h).
@@ -82,14 +104,15 @@ struct Grid {
   Vec3 inverseCell;  // 1 / cell extent
   int32_t nx, ny, nz;
   const uint32_t* cells;  // (nx * ny * nz), index into lists: where the cell's list starts
-  const uint32_t* lists;  // each list: count, then collider indices in ascending order
+  const uint32_t* lists;  // each list: count, then collider indices in ascending order, filled up
+                          // with colliderCount to a multiple of kListStep
 };
 
 struct LevelView {
   Params params;
   const Collider* colliders;
-  const Box* bounds;      // (colliderCount), of static colliders; swept bounds of moving ones
-  const uint16_t* flags;  // (colliderCount), ColliderFlag bits
+  const Bounds* bounds;  // (colliderCount + 1), of static colliders; swept bounds of moving ones;
+                         // the last is met by nothing
   const Roles* roles;
   const Mover* movers;
   uint32_t colliderCount, moverCount;

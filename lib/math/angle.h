@@ -15,30 +15,33 @@ constexpr float kPi = 3.14159265358979f;
 constexpr float kTurnsPerRadian = 65536.0f / (2 * kPi);
 constexpr float kRadiansPerTurn = 2 * kPi / 65536.0f;
 
-struct SinCos {
-  float sin, cos;
+template <class F>
+struct SinCosT {
+  F sin, cos;
 };
 
-// Accurate to 1e-7 everywhere; exact at multiples of a quarter turn.
-OBBY_DEVICE SinCos sinCos(Turns angle) {
+using SinCos = SinCosT<float>;
+
+// Of an angle in [0, 65536). Accurate to 1e-7 everywhere; exact at multiples of a quarter turn.
+template <class F>
+OBBY_DEVICE SinCosT<F> sinCosOf(IntOf<F> angle) {
   // Nearest quarter turn, and the rest in [-1/8, 1/8) of a turn.
-  const uint32_t quarter = (uint32_t(angle) + 0x2000u) >> 14;
-  const float r = float(int32_t(angle) - int32_t(quarter << 14)) * kRadiansPerTurn;
-  const float r2 = r * r;
+  const IntOf<F> quarter = (angle + 0x2000) >> 14;
+  const F r = toFloat(angle - (quarter << 14)) * kRadiansPerTurn;
+  const F r2 = r * r;
   // Minimax polynomials on [-pi/4, pi/4] (Cephes sinf, cosf).
-  const float s =
-      r + r * r2 * (-1.6666654611e-1f + r2 * (8.3321608736e-3f + r2 * -1.9515295891e-4f));
-  const float c =
+  const F s = r + r * r2 * (-1.6666654611e-1f + r2 * (8.3321608736e-3f + r2 * -1.9515295891e-4f));
+  const F c =
       1.0f - 0.5f * r2 +
       r2 * r2 *
           (4.166664568298827e-2f + r2 * (-1.388731625493765e-3f + r2 * 2.443315711809948e-5f));
-  switch (quarter & 3u) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
-  }
+  const MaskOf<F> odd = (quarter & 1) != 0;
+  const MaskOf<F> sinFalls = (quarter & 2) != 0, cosFalls = ((quarter + 1) & 2) != 0;
+  const F sinSize = select(odd, c, s), cosSize = select(odd, s, c);
+  return {select(sinFalls, -sinSize, sinSize), select(cosFalls, -cosSize, cosSize)};
 }
+
+OBBY_DEVICE SinCos sinCos(Turns angle) { return sinCosOf<float>(angle); }
 
 // Radians to the nearest unit, any magnitude below 2^20 turns.
 OBBY_DEVICE Turns turnsFromRadians(float radians) {
@@ -48,7 +51,10 @@ OBBY_DEVICE Turns turnsFromRadians(float radians) {
 OBBY_DEVICE float radiansFromTurns(Turns t) { return float(int16_t(t)) * kRadiansPerTurn; }
 
 // Walking direction of a heading: -Z at 0, -X after a quarter turn.
-OBBY_DEVICE Vec3 directionOf(SinCos a) { return {-a.sin, 0, -a.cos}; }
+template <class F>
+OBBY_DEVICE Vec3T<F> directionOf(SinCosT<F> a) {
+  return {-a.sin, 0, -a.cos};
+}
 
 // Angle whose direction is (x, z), without libm: 1 unit accurate. (0, 0) gives 0.
 OBBY_DEVICE Turns headingOf(float x, float z) {

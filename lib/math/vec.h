@@ -2,37 +2,43 @@
 // operations, so that all backends agree bit for bit. Y is up, right-handed, lengths in studs.
 #pragma once
 
-#include "base/device.h"
+#include "math/lanes.h"
 
 namespace obby {
 
-struct Vec3 {
-  float x = 0, y = 0, z = 0;
+template <class F>
+struct Vec3T {
+  F x = 0, y = 0, z = 0;
+
+  friend OBBY_DEVICE Vec3T operator+(Vec3T a, Vec3T b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend OBBY_DEVICE Vec3T operator-(Vec3T a, Vec3T b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend OBBY_DEVICE Vec3T operator-(Vec3T a) { return {-a.x, -a.y, -a.z}; }
+  friend OBBY_DEVICE Vec3T operator*(Vec3T a, F s) { return {a.x * s, a.y * s, a.z * s}; }
+  friend OBBY_DEVICE Vec3T operator*(F s, Vec3T a) { return a * s; }
+  friend OBBY_DEVICE Vec3T& operator+=(Vec3T& a, Vec3T b) { return a = a + b; }
+  friend OBBY_DEVICE Vec3T& operator-=(Vec3T& a, Vec3T b) { return a = a - b; }
+  friend OBBY_DEVICE bool operator==(Vec3T a, Vec3T b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+  }
+  friend OBBY_DEVICE Vec3T mul(Vec3T a, Vec3T b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+  friend OBBY_DEVICE F dot(Vec3T a, Vec3T b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+  friend OBBY_DEVICE Vec3T cross(Vec3T a, Vec3T b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+  friend OBBY_DEVICE Vec3T min(Vec3T a, Vec3T b) {
+    return {minf(a.x, b.x), minf(a.y, b.y), minf(a.z, b.z)};
+  }
+  friend OBBY_DEVICE Vec3T max(Vec3T a, Vec3T b) {
+    return {maxf(a.x, b.x), maxf(a.y, b.y), maxf(a.z, b.z)};
+  }
+  friend OBBY_DEVICE Vec3T abs(Vec3T a) { return {absf(a.x), absf(a.y), absf(a.z)}; }
+  friend OBBY_DEVICE Vec3T select(MaskOf<F> choose, Vec3T yes, Vec3T no) {
+    return {select(choose, yes.x, no.x), select(choose, yes.y, no.y), select(choose, yes.z, no.z)};
+  }
 };
 
-OBBY_DEVICE Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-OBBY_DEVICE Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-OBBY_DEVICE Vec3 operator-(Vec3 a) { return {-a.x, -a.y, -a.z}; }
-OBBY_DEVICE Vec3 operator*(Vec3 a, float s) { return {a.x * s, a.y * s, a.z * s}; }
-OBBY_DEVICE Vec3 operator*(float s, Vec3 a) { return a * s; }
-OBBY_DEVICE Vec3& operator+=(Vec3& a, Vec3 b) { return a = a + b; }
-OBBY_DEVICE Vec3& operator-=(Vec3& a, Vec3 b) { return a = a - b; }
-OBBY_DEVICE bool operator==(Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-OBBY_DEVICE Vec3 mul(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
-OBBY_DEVICE float dot(Vec3 a, Vec3 b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
-OBBY_DEVICE Vec3 cross(Vec3 a, Vec3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+using Vec3 = Vec3T<float>;
 
-OBBY_DEVICE float minf(float a, float b) { return a < b ? a : b; }
-OBBY_DEVICE float maxf(float a, float b) { return a > b ? a : b; }
-OBBY_DEVICE float clampf(float v, float lo, float hi) { return minf(maxf(v, lo), hi); }
-OBBY_DEVICE float absf(float v) { return __builtin_fabsf(v); }
-OBBY_DEVICE float sqrtf32(float v) { return __builtin_sqrtf(v); }  // correctly rounded everywhere
-
-OBBY_DEVICE Vec3 min(Vec3 a, Vec3 b) { return {minf(a.x, b.x), minf(a.y, b.y), minf(a.z, b.z)}; }
-OBBY_DEVICE Vec3 max(Vec3 a, Vec3 b) { return {maxf(a.x, b.x), maxf(a.y, b.y), maxf(a.z, b.z)}; }
-OBBY_DEVICE Vec3 abs(Vec3 a) { return {absf(a.x), absf(a.y), absf(a.z)}; }
 OBBY_DEVICE float length(Vec3 a) { return sqrtf32(dot(a, a)); }
 // `fallback` where `a` is too short to have a direction.
 OBBY_DEVICE Vec3 normalize(Vec3 a, Vec3 fallback = {0, 1, 0}) {
@@ -43,14 +49,23 @@ OBBY_DEVICE float component(Vec3 a, int i) { return i == 0 ? a.x : i == 1 ? a.y 
 
 // Rotation matrix by columns: the axes of the rotated frame. world = local.x * x + local.y * y +
 // local.z * z.
-struct Mat3 {
-  Vec3 x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
+template <class F>
+struct Mat3T {
+  Vec3T<F> x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
+
+  friend OBBY_DEVICE Vec3T<F> operator*(const Mat3T& m, Vec3T<F> v) {
+    return (m.x * v.x + m.y * v.y) + m.z * v.z;
+  }
+  friend OBBY_DEVICE Mat3T operator*(const Mat3T& a, const Mat3T& b) {
+    return {a * b.x, a * b.y, a * b.z};
+  }
+  // Transpose times vector: world to local.
+  friend OBBY_DEVICE Vec3T<F> toLocal(const Mat3T& m, Vec3T<F> v) {
+    return {dot(m.x, v), dot(m.y, v), dot(m.z, v)};
+  }
 };
 
-OBBY_DEVICE Vec3 operator*(const Mat3& m, Vec3 v) { return (m.x * v.x + m.y * v.y) + m.z * v.z; }
-// Transpose times vector: world to local.
-OBBY_DEVICE Vec3 toLocal(const Mat3& m, Vec3 v) { return {dot(m.x, v), dot(m.y, v), dot(m.z, v)}; }
-OBBY_DEVICE Mat3 operator*(const Mat3& a, const Mat3& b) { return {a * b.x, a * b.y, a * b.z}; }
+using Mat3 = Mat3T<float>;
 
 // Unit quaternion.
 struct Quat {
@@ -80,30 +95,42 @@ OBBY_DEVICE Mat3 toMat3(Quat q) {
 }
 
 // Where a body is: world = rotation * local + position.
-struct Pose {
-  Vec3 position;
-  Mat3 rotation;
+template <class F>
+struct PoseT {
+  Vec3T<F> position;
+  Mat3T<F> rotation;
+
+  friend OBBY_DEVICE Vec3T<F> toWorld(const PoseT& p, Vec3T<F> local) {
+    return p.rotation * local + p.position;
+  }
+  friend OBBY_DEVICE Vec3T<F> toLocal(const PoseT& p, Vec3T<F> world) {
+    return toLocal(p.rotation, world - p.position);
+  }
 };
 
-OBBY_DEVICE Vec3 toWorld(const Pose& p, Vec3 local) { return p.rotation * local + p.position; }
-OBBY_DEVICE Vec3 toLocal(const Pose& p, Vec3 world) {
-  return toLocal(p.rotation, world - p.position);
-}
+using Pose = PoseT<float>;
 
 // Axis-aligned box, corners included.
-struct Box {
-  Vec3 lo, hi;
+template <class F>
+struct BoxT {
+  Vec3T<F> lo, hi;
+
+  friend OBBY_DEVICE MaskOf<F> overlaps(const BoxT& a, const BoxT& b) {
+    return (a.lo.x <= b.hi.x) & (b.lo.x <= a.hi.x) & (a.lo.y <= b.hi.y) & (b.lo.y <= a.hi.y) &
+           (a.lo.z <= b.hi.z) & (b.lo.z <= a.hi.z);
+  }
+  friend OBBY_DEVICE BoxT join(const BoxT& a, const BoxT& b) {
+    return {min(a.lo, b.lo), max(a.hi, b.hi)};
+  }
+  friend OBBY_DEVICE BoxT grow(const BoxT& a, Vec3T<F> by) { return {a.lo - by, a.hi + by}; }
 };
 
-OBBY_DEVICE bool overlaps(const Box& a, const Box& b) {
-  return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y &&
-         a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
-}
-OBBY_DEVICE Box join(const Box& a, const Box& b) { return {min(a.lo, b.lo), max(a.hi, b.hi)}; }
-OBBY_DEVICE Box grow(const Box& a, Vec3 by) { return {a.lo - by, a.hi + by}; }
+using Box = BoxT<float>;
+
 // World box of an oriented box with half extents `half`.
-OBBY_DEVICE Box boundsOf(const Pose& p, Vec3 half) {
-  const Vec3 e =
+template <class F>
+OBBY_DEVICE BoxT<F> boundsOf(const PoseT<F>& p, Vec3T<F> half) {
+  const Vec3T<F> e =
       abs(p.rotation.x) * half.x + abs(p.rotation.y) * half.y + abs(p.rotation.z) * half.z;
   return {p.position - e, p.position + e};
 }

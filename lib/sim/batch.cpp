@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "base/hash.h"
+#include "sim/rules.h"
 #include "sim/simulator.h"
+#include "sim/wide_tick.h"
 
 namespace obby::sim {
 namespace {
-constexpr size_t kBlock =
-    64;  // worlds a task: long enough to hide the hand-over, short enough to balance
+constexpr size_t kBlock = 256;  // worlds a task: what the wide tick takes at once
 }
 
 Batch::Batch(const level::LevelView& level, const level::StartPose& start, size_t worlds)
@@ -18,12 +19,24 @@ void Batch::step(ThreadPool& pool, const level::QueryView* query, uint32_t ticks
                  const Controller& controller) {
   const size_t blocks = (worlds_.size() + kBlock - 1) / kBlock;
   pool.run(int(blocks), [&](int block) {
+    std::vector<size_t> running;
+    std::vector<World*> worlds;
+    std::vector<Action> actions;
     const size_t last = std::min(worlds_.size(), (size_t(block) + 1) * kBlock);
     for (size_t i = size_t(block) * kBlock; i < last; ++i) {
-      World& w = worlds_[i];
-      for (uint32_t t = 0; t < ticks && w.outcome == Outcome::running; ++t) {
-        advance(w, level_, query, controller(i, w));
+      running.push_back(i);
+    }
+    for (uint32_t t = 0; t < ticks && !running.empty(); ++t) {
+      worlds.clear();
+      actions.clear();
+      std::erase_if(running, [&](size_t i) { return worlds_[i].outcome != Outcome::running; });
+      for (const size_t i : running) {
+        worlds.push_back(&worlds_[i]);
+        actions.push_back(controller(i, worlds_[i]));
       }
+      tickAll(level_, worlds.data(), actions.data(), worlds.size());
+      if (query == nullptr) continue;
+      for (World* w : worlds) applyRules(*w, level_, *query);
     }
   });
 }

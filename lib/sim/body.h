@@ -8,95 +8,17 @@
 
 namespace obby::sim {
 
-// Torso and head as one upright box; the torso does not collide while jumping.
-OBBY_DEVICE geom::UprightBox bodyBox(const World& w, const Params& p, SinCos yaw) {
-  const float bottom = w.state == State::jumping ? p.headBottom : p.hipHeight;
-  const float half = (p.bodyTop - bottom) * 0.5f;
-  return {
-      w.position + Vec3{0, bottom + half, 0}, {p.bodyWidth * 0.5f, half, p.bodyDepth * 0.5f}, yaw};
-}
+// What moves during a tick, and what it works toward.
+template <class F>
+struct MotionT {
+  Vec3T<F> position, velocity;  // of the feet
+  SinCosT<F> yaw;
+  F bottom;  // of the colliding body above the feet: the torso does not collide while jumping
+  DriveT<F> drive;
+  F floorY, floorSpeed;  // height and vertical velocity of the floor
+};
 
-// Acceleration of a substep.
-OBBY_DEVICE Vec3 acceleration(const World& w, const Params& p, const Floor& floor, const Drive& d,
-                              float gap) {
-  Vec3 a{(d.velocity.x - w.velocity.x) * p.moveGain, 0, (d.velocity.z - w.velocity.z) * p.moveGain};
-  const float size2 = a.x * a.x + a.z * a.z;
-  if (size2 > d.limit * d.limit) a = a * (d.limit / sqrtf32(size2));
-  a += d.slide;
-  a.y = -p.gravity;
-  if (d.hover) {
-    const float lift = -p.hoverStiffness * gap - p.hoverDamping * (w.velocity.y - floor.velocity.y);
-    a.y = clampf(lift, -p.gravity, p.hoverLimit);  // the legs push, they do not pull
-  }
-  return a;
-}
-
-OBBY_DEVICE void limitSpeed(World& w, const level::LevelView& level) {
-  const float most = level.params.maxFallSpeed, side = level.maxSideSpeed;
-  w.velocity.y = clampf(w.velocity.y, -most, most);
-  w.velocity.x = clampf(w.velocity.x, -side, side);
-  w.velocity.z = clampf(w.velocity.z, -side, side);
-}
-
-OBBY_DEVICE geom::Contact contactWith(const level::Collider& collider, const Candidate& c,
-                                      const geom::UprightBox& box) {
-  if (c.flags & level::kUpright) return geom::boxUprightBlock(*c.pose, collider.shape.half, box);
-  return geom::penetration(collider.kind, collider.shape, *c.pose, box);
-}
-
-// Pushes the body out of one part; true if it was inside by more than the skin.
-OBBY_DEVICE bool pushOut(World& w, const level::LevelView& level, const Candidate& c,
-                         const geom::UprightBox& box) {
-  const geom::Contact contact = contactWith(level.colliders[c.collider], c, box);
-  if (contact.depth <= level.params.contactSkin) return false;
-  w.position += contact.normal * (contact.depth - level.params.contactSkin);
-  const float into = dot(w.velocity, contact.normal);
-  if (into < 0) w.velocity -= contact.normal * into;
-  return true;
-}
-
-// A set of candidates: bit k stands for items[k].
-using CandidateSet = uint64_t;
-static_assert(kMaxCandidates <= 64, "one bit a candidate");
-
-// Two rounds over the parts near the body, in their order: corners between parts need the second.
-OBBY_DEVICE void collide(World& w, const level::LevelView& level, const Candidates& near,
-                         CandidateSet solids, SinCos yaw) {
-  const int rounds = (solids & (solids - 1)) != 0 ? 2 : 1;
-  for (int round = 0; round < rounds; ++round) {
-    bool pushed = false;
-    geom::UprightBox box = bodyBox(w, level.params, yaw);
-    Box bounds = box.bounds();
-    for (CandidateSet left = solids; left != 0; left &= left - 1) {
-      const Candidate& c = near.items[lowestBit(left)];
-      if (!overlaps(bounds, c.bounds) || !pushOut(w, level, c, box)) continue;
-      pushed = true;
-      box = bodyBox(w, level.params, yaw);
-      bounds = box.bounds();
-    }
-    if (!pushed) return;
-  }
-}
-
-// Solid parts that the body can meet during this tick.
-OBBY_DEVICE CandidateSet solidsInReach(const World& w, const level::LevelView& level,
-                                       const Candidates& near, SinCos yaw) {
-  if (!(near.anyFlags & level::kSolid)) return 0;
-  const Params& p = level.params;
-  const float dt = p.tickSeconds;
-  // Speed now, and what gravity and drive can add in a tick. The spring adds more upward only from
-  // a floor above the feet, and then by no more than the legs are long.
-  const float side = maxf(p.groundAccel, p.airAccel) * dt * dt + p.contactSkin;
-  const Vec3 move =
-      abs(w.velocity) * dt + Vec3{side, p.gravity * dt * dt + p.hipHeight * 0.5f, side};
-  const Box box = grow(bodyBox(w, p, yaw).bounds(), move);
-  CandidateSet solids = 0;
-  for (int k = 0; k < near.count; ++k) {
-    const Candidate& c = near.items[k];
-    if ((c.flags & level::kSolid) && overlaps(c.bounds, box)) solids |= CandidateSet(1) << k;
-  }
-  return solids;
-}
+using Motion = MotionT<float>;
 
 // Differences below these are taken as none, so that a player who stands, walks or falls freely is
 // at rest in the terms of the equations, and a tick is one step of constant acceleration instead of
@@ -104,46 +26,176 @@ OBBY_DEVICE CandidateSet solidsInReach(const World& w, const level::LevelView& l
 constexpr float kSettledGap = 1e-3f;    // studs
 constexpr float kSettledSpeed = 1e-2f;  // studs/s
 
-OBBY_DEVICE void settle(World& w, Floor& floor, const Drive& d) {
-  const float dx = d.velocity.x - w.velocity.x, dz = d.velocity.z - w.velocity.z;
-  if (d.limit > 0 && dx * dx + dz * dz < kSettledSpeed * kSettledSpeed) {
-    w.velocity.x = d.velocity.x;
-    w.velocity.z = d.velocity.z;
-  }
-  if (!d.hover || absf(floor.gap) >= kSettledGap || floor.velocity.y != 0) return;
-  if (absf(w.velocity.y) >= kSettledSpeed) return;
-  w.position.y -= floor.gap;
-  w.velocity.y = 0;
-  floor.gap = 0;
+template <class F>
+OBBY_DEVICE MotionT<F> motionOf(const PlayerT<F>& w, const Params& p, const FloorT<F>& floor,
+                                const DriveT<F>& d) {
+  const F bottom = select(w.is(State::jumping), F(p.headBottom), F(p.hipHeight));
+  MotionT<F> m{w.position, w.velocity, sinCosOf<F>(w.yaw), bottom, d, 0, floor.velocity.y};
+  const F dx = d.velocity.x - w.velocity.x, dz = d.velocity.z - w.velocity.z;
+  const MaskOf<F> arrived = (d.limit > 0.0f) & (dx * dx + dz * dz < kSettledSpeed * kSettledSpeed);
+  m.velocity.x = select(arrived, d.velocity.x, m.velocity.x);
+  m.velocity.z = select(arrived, d.velocity.z, m.velocity.z);
+  const MaskOf<F> rests = d.hover & (absf(floor.gap) < kSettledGap) & (floor.velocity.y == 0.0f) &
+                          (absf(w.velocity.y) < kSettledSpeed);
+  m.position.y = select(rests, m.position.y - floor.gap, m.position.y);
+  m.velocity.y = select(rests, F(0.0f), m.velocity.y);
+  m.floorY = select(rests, m.position.y, m.position.y - floor.gap);
+  return m;
+}
+
+// Torso and head as one upright box.
+template <class F>
+OBBY_DEVICE geom::UprightBoxT<F> bodyBox(const MotionT<F>& m, const Params& p) {
+  const F half = (p.bodyTop - m.bottom) * 0.5f;
+  return {m.position + Vec3T<F>{0, m.bottom + half, 0},
+          {p.bodyWidth * 0.5f, half, p.bodyDepth * 0.5f},
+          m.yaw};
+}
+
+// Acceleration of a substep.
+template <class F>
+OBBY_DEVICE Vec3T<F> acceleration(const MotionT<F>& m, const Params& p) {
+  const DriveT<F>& d = m.drive;
+  Vec3T<F> a{(d.velocity.x - m.velocity.x) * p.moveGain, 0,
+             (d.velocity.z - m.velocity.z) * p.moveGain};
+  const F size2 = a.x * a.x + a.z * a.z;
+  const MaskOf<F> over = size2 > d.limit * d.limit;
+  if (any(over)) a = select(over, a * (d.limit / sqrtf32(select(over, size2, F(1.0f)))), a);
+  a += d.slide;
+  // The legs push, they do not pull.
+  const F gap = m.position.y - m.floorY;
+  const F lift = -p.hoverStiffness * gap - p.hoverDamping * (m.velocity.y - m.floorSpeed);
+  a.y = select(d.hover, clampf<F>(lift, -p.gravity, p.hoverLimit), F(-p.gravity));
+  return a;
 }
 
 // Will the acceleration stay what it is for the whole tick?
-OBBY_DEVICE bool isConstant(const World& w, const Params& p, const Floor& floor, const Drive& d) {
-  if (d.hover && (floor.gap != 0 || w.velocity.y != 0)) return false;
-  const float dx = d.velocity.x - w.velocity.x, dz = d.velocity.z - w.velocity.z;
-  const float left = dx * dx + dz * dz;
+template <class F>
+OBBY_DEVICE MaskOf<F> isConstant(const MotionT<F>& m, const Params& p) {
+  const DriveT<F>& d = m.drive;
+  const MaskOf<F> bounces = d.hover & ((m.position.y != m.floorY) | (m.velocity.y != 0.0f));
+  const F dx = d.velocity.x - m.velocity.x, dz = d.velocity.z - m.velocity.z;
+  const F left = dx * dx + dz * dz;
   // At the limit until the tick's end: the speed difference stays above limit / moveGain.
-  const float needed = d.limit * (1.0f / p.moveGain + p.tickSeconds);
-  return left == 0 || left > needed * needed;
+  const F needed = d.limit * (1.0f / p.moveGain + p.tickSeconds);
+  return ((left == 0.0f) | (left > needed * needed)) & !bounces;
 }
 
-OBBY_DEVICE void moveBody(World& w, const level::LevelView& level, const Candidates& near,
-                          Floor floor, const Drive& d) {
+// Exact for constant acceleration: jumps are parabolas.
+template <class F>
+OBBY_DEVICE void integrate(MotionT<F>& m, const level::LevelView& level, F dt) {
+  const Vec3T<F> a = acceleration(m, level.params);
+  m.position += m.velocity * dt + a * (0.5f * dt * dt);
+  m.velocity += a * dt;
+  const F most = level.params.maxFallSpeed, side = level.maxSideSpeed;
+  m.velocity.y = clampf<F>(m.velocity.y, -most, most);
+  m.velocity.x = clampf<F>(m.velocity.x, -side, side);
+  m.velocity.z = clampf<F>(m.velocity.z, -side, side);
+}
+
+// Where the body can be during this tick.
+template <class F>
+OBBY_DEVICE BoxT<F> bodyReach(const MotionT<F>& m, const Params& p) {
+  const float dt = p.tickSeconds;
+  // Speed now, and what gravity and drive can add in a tick. The spring adds more upward only where
+  // the floor is above the feet, and then no more than that.
+  const float side = maxf(p.groundAccel, p.airAccel) * dt * dt + p.contactSkin;
+  const F lift = select(m.drive.hover, maxf(m.floorY - m.position.y, F(0.0f)), F(0.0f));
+  const Vec3T<F> move =
+      abs(m.velocity) * F(dt) + Vec3T<F>{side, p.gravity * dt * dt + p.contactSkin, side};
+  BoxT<F> box = grow(bodyBox(m, p).bounds(), move);
+  box.hi.y += lift;
+  return box;
+}
+
+// Could the body at `reach` (centre and half extents) meet a box? Axes of the box: a tilted part's
+// bounds are mostly air.
+template <class F>
+OBBY_DEVICE MaskOf<F> meetsBlock(Vec3T<F> center, Vec3T<F> half, const geom::BlockT<F>& block) {
+  const Mat3T<F>& r = block.pose.rotation;
+  const Vec3T<F> d = center - block.pose.position;
+  return (absf(dot(d, r.x)) <= block.half.x + dot(abs(r.x), half)) &
+         (absf(dot(d, r.y)) <= block.half.y + dot(abs(r.y), half)) &
+         (absf(dot(d, r.z)) <= block.half.z + dot(abs(r.z), half));
+}
+
+// Moves the body out of a part that it is inside of by more than the skin.
+template <class F>
+OBBY_DEVICE MaskOf<F> pushOut(MotionT<F>& m, const Params& p, const geom::ContactT<F>& contact,
+                              MaskOf<F> asked) {
+  const MaskOf<F> inside = asked & (contact.depth > p.contactSkin);
+  const Vec3T<F> out = contact.normal * (contact.depth - p.contactSkin);
+  m.position = select(inside, m.position + out, m.position);
+  const F into = dot(m.velocity, contact.normal);
+  m.velocity = select(inside & (into < 0.0f), m.velocity - contact.normal * into, m.velocity);
+  return inside;
+}
+
+OBBY_DEVICE geom::Contact contactWith(const level::Collider& collider, const Candidate& c,
+                                      const geom::UprightBox& box) {
+  if (c.flags & level::kUpright) {
+    return geom::boxUprightBlock<float>({*c.pose, collider.shape.half}, box);
+  }
+  if (c.flags & level::kBlock) {
+    return geom::boxTiltedBlock<float>({*c.pose, collider.shape.half}, box);
+  }
+  return geom::penetration(collider.kind, collider.shape, *c.pose, box);
+}
+
+// A set of candidates: bit k stands for items[k].
+using CandidateSet = uint64_t;
+static_assert(kMaxCandidates <= 64, "one bit a candidate");
+
+// Rounds of push-out: corners between parts need the second.
+OBBY_DEVICE int contactRounds(int parts) { return parts > 1 ? 2 : 1; }
+
+// The parts near the body, in their order.
+OBBY_DEVICE void collide(Motion& m, const level::LevelView& level, const Candidates& near,
+                         CandidateSet solids) {
+  const int rounds = contactRounds((solids & (solids - 1)) != 0 ? 2 : 1);
+  for (int round = 0; round < rounds; ++round) {
+    bool pushed = false;
+    geom::UprightBox box = bodyBox(m, level.params);
+    Box bounds = box.bounds();
+    for (CandidateSet left = solids; left != 0; left &= left - 1) {
+      const Candidate& c = near.items[lowestBit(left)];
+      if (!overlaps(bounds, c.bounds)) continue;
+      const geom::Contact contact = contactWith(level.colliders[c.collider], c, box);
+      if (!pushOut(m, level.params, contact, true)) continue;
+      pushed = true;
+      box = bodyBox(m, level.params);
+      bounds = box.bounds();
+    }
+    if (!pushed) return;
+  }
+}
+
+// Solid parts that the body can meet during this tick.
+OBBY_DEVICE CandidateSet solidsInReach(const Motion& m, const level::LevelView& level,
+                                       const Candidates& near) {
+  if (!(near.anyFlags & level::kSolid)) return 0;
+  const Box reach = bodyReach(m, level.params);
+  const Vec3 center = (reach.lo + reach.hi) * 0.5f, half = (reach.hi - reach.lo) * 0.5f;
+  CandidateSet solids = 0;
+  for (int k = 0; k < near.count; ++k) {
+    const Candidate& c = near.items[k];
+    if (!(c.flags & level::kSolid) || !overlaps(c.bounds, reach)) continue;
+    const Vec3 extent = level.colliders[c.collider].shape.half;
+    if (meetsBlock<float>(center, half, {*c.pose, extent})) solids |= CandidateSet(1) << k;
+  }
+  return solids;
+}
+
+// Moves the player by one tick.
+OBBY_DEVICE void moveBody(Motion& m, const level::LevelView& level, const Candidates& near) {
   const Params& p = level.params;
-  const SinCos yaw = sinCos(w.yaw);
-  settle(w, floor, d);
-  const CandidateSet solids = solidsInReach(w, level, near, yaw);
-  const bool oneStep = solids == 0 && isConstant(w, p, floor, d);
+  const CandidateSet solids = solidsInReach(m, level, near);
+  const bool oneStep = solids == 0 && isConstant(m, p);
   const int steps = oneStep ? 1 : p.substeps;
   const float dt = oneStep ? p.tickSeconds : p.substepSeconds;
-  const float floorY = w.position.y - floor.gap;
   for (int s = 0; s < steps; ++s) {
-    const Vec3 a = acceleration(w, p, floor, d, w.position.y - floorY);
-    // Exact for constant acceleration: jumps are parabolas.
-    w.position += w.velocity * dt + a * (0.5f * dt * dt);
-    w.velocity += a * dt;
-    limitSpeed(w, level);
-    if (solids) collide(w, level, near, solids, yaw);
+    integrate(m, level, dt);
+    if (solids) collide(m, level, near, solids);
   }
 }
 

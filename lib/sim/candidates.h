@@ -33,26 +33,30 @@ struct Candidates {
   OBBY_DEVICE Candidates() {}
 };
 
-// The list of grid cell that holds `feet`; null outside the grid, where nothing is near.
-OBBY_DEVICE const uint32_t* cellList(const level::Grid& g, Vec3 feet) {
-  const Vec3 c = mul(feet - g.origin, g.inverseCell);
-  if (!(c.x >= 0 && c.y >= 0 && c.z >= 0)) return nullptr;
-  if (!(c.x < float(g.nx) && c.y < float(g.ny) && c.z < float(g.nz))) return nullptr;
-  const int32_t cell = (int32_t(c.z) * g.ny + int32_t(c.y)) * g.nx + int32_t(c.x);
-  return g.lists + g.cells[cell];
+// The grid cell that holds `feet`; -1 outside the grid, where nothing is near.
+template <class F>
+OBBY_DEVICE IntOf<F> cellOf(const level::Grid& g, Vec3T<F> feet) {
+  const Vec3T<F> origin{g.origin.x, g.origin.y, g.origin.z};
+  const Vec3T<F> inverse{g.inverseCell.x, g.inverseCell.y, g.inverseCell.z};
+  const Vec3T<F> c = mul(feet - origin, inverse);
+  const MaskOf<F> within = (c.x >= 0.0f) & (c.y >= 0.0f) & (c.z >= 0.0f) & (c.x < float(g.nx)) &
+                           (c.y < float(g.ny)) & (c.z < float(g.nz));
+  const Vec3T<F> in = select(within, c, Vec3T<F>{});
+  const IntOf<F> cell = (toInt(in.z) * g.ny + toInt(in.y)) * g.nx + toInt(in.x);
+  return select(within, cell, IntOf<F>(-1));
 }
 
 // Where the player's limbs and rays can be during this tick.
-OBBY_DEVICE Box tickBounds(const World& w, const level::LevelView& level) {
-  const Params& p = level.params;
+template <class F>
+OBBY_DEVICE BoxT<F> tickBounds(Vec3T<F> position, Vec3T<F> velocity, const Params& p) {
   const float arms =
       p.armSpan * 0.5f + p.bodyDepth * 0.5f + p.touchMargin;  // at least the diagonal
   // Half a stud more than the present speed carries: a tick of acceleration, and being pushed.
-  const float side = arms + 0.5f + p.tickSeconds * maxf(absf(w.velocity.x), absf(w.velocity.z));
-  const float move = 0.5f + p.tickSeconds * absf(w.velocity.y) + p.tickSeconds * p.jumpSpeed;
+  const F side = arms + 0.5f + p.tickSeconds * maxf(absf(velocity.x), absf(velocity.z));
+  const F move = 0.5f + p.tickSeconds * absf(velocity.y) + p.tickSeconds * p.jumpSpeed;
   const float below = p.floorReachBase * p.rootHeight + (p.floorKeep - 1.0f) * p.hipHeight;
-  return {w.position - Vec3{side, below + move, side},
-          w.position + Vec3{side, p.bodyTop + move, side}};
+  return {position - Vec3T<F>{side, below + move, side},
+          position + Vec3T<F>{side, p.bodyTop + move, side}};
 }
 
 // Is a part with a vanishing role there at this tick?
@@ -69,15 +73,16 @@ OBBY_DEVICE bool isAway(const World& w, const level::LevelView& level, uint32_t 
 }
 
 OBBY_DEVICE void gather(World& w, const level::LevelView& level, Candidates& out) {
-  const uint32_t* list = cellList(level.grid, w.position);
-  if (list == nullptr) return;
-  const Box near = tickBounds(w, level);
+  const int32_t cell = cellOf<float>(level.grid, w.position);
+  if (cell < 0) return;
+  const uint32_t* list = level.grid.lists + level.grid.cells[cell];
+  const Box near = tickBounds<float>(w.position, w.velocity, level.params);
   const uint32_t count = list[0];
   for (uint32_t i = 1; i <= count; ++i) {
     const uint32_t id = list[i];
-    Box bounds = level.bounds[id];
+    Box bounds = level.bounds[id].box();
     if (!overlaps(bounds, near)) continue;
-    uint16_t flags = level.flags[id];
+    uint16_t flags = uint16_t(level.bounds[id].flags);
     const level::Collider& c = level.colliders[id];
     const Pose* pose = &c.pose;
     if (flags & (level::kMoving | level::kVanishTimer | level::kVanishTouch)) {

@@ -2,29 +2,36 @@
 // four at the corners, averaged over those that hit (docs/physics.md, floor).
 #pragma once
 
+#include "geom/box_box.h"
 #include "geom/shapes/table.h"
 #include "sim/candidates.h"
+#include "sim/player.h"
 
 namespace obby::sim {
 
 constexpr int kFloorRays = 7;
 
-struct Floor {
-  bool sensed = false;
-  float gap = 0;  // studs from the feet down to the floor; negative: the floor is above the feet
-  Vec3 normal{0, 1, 0};  // average, not normalised
-  Vec3 velocity;         // of the surface where the player stands, studs/s
-  float turning = 0;     // rad/s of a carrying floor about Y
-  float friction = 0;    // of the nearest floor
+template <class F>
+struct FloorT {
+  MaskOf<F> sensed = false;
+  F gap = 0;  // studs from the feet down to the floor; negative: the floor is above the feet
+  Vec3T<F> normal{0, 1, 0};  // average, not normalised
+  Vec3T<F> velocity;         // of the surface where the player stands, studs/s
+  F turning = 0;             // rad/s of a carrying floor about Y
+  F friction = 0;            // of the nearest floor
 };
 
-struct FloorRays {
-  Vec3 origin;       // centre ray, world
-  Vec3 right, back;  // corner offsets, world
-  float reach;       // studs below the origin line
-  float distance[kFloorRays];
-  int nearest = -1;  // candidate of the shortest ray
-  float nearestDistance;
+using Floor = FloorT<float>;
+
+template <class F>
+struct FloorRaysT {
+  Vec3T<F> origin;       // centre ray, world
+  Vec3T<F> right, back;  // corner offsets, world
+  F reach;               // studs below the origin line
+  F distance[kFloorRays];
+  Vec3T<F> normal[kFloorRays];
+  IntOf<F> nearest;  // candidate of the shortest ray; -1: none
+  F nearestDistance;
 };
 
 // Offsets of the rays in units of (right, back).
@@ -36,108 +43,148 @@ OBBY_DEVICE float rayHeight(const Params& p) {
   return p.hipHeight + p.rootHeight * 0.5f - p.floorRayStart * p.rootHeight;
 }
 
-OBBY_DEVICE FloorRays makeRays(const World& w, const Params& p) {
-  const SinCos yaw = sinCos(w.yaw);
-  FloorRays rays;
-  rays.origin = w.position + Vec3{0, rayHeight(p), 0};
-  const float x = p.bodyWidth * p.floorRaySpread, z = p.bodyDepth * p.floorRaySpread;
+template <class F>
+OBBY_DEVICE FloorRaysT<F> makeRays(const PlayerT<F>& w, const Params& p) {
+  const SinCosT<F> yaw = sinCosOf<F>(w.yaw);
+  FloorRaysT<F> rays;
+  rays.origin = w.position + Vec3T<F>{0, rayHeight(p), 0};
+  const F x = p.bodyWidth * p.floorRaySpread, z = p.bodyDepth * p.floorRaySpread;
   rays.right = {yaw.cos * x, 0, -yaw.sin * x};
   rays.back = {yaw.sin * z, 0, yaw.cos * z};
-  const float hysteresis = (w.flags & kFloorSensed) ? p.floorKeep : p.floorAcquire;
+  const F hysteresis = select(w.sensed, F(p.floorKeep), F(p.floorAcquire));
   rays.reach = p.floorReachBase * p.rootHeight + hysteresis * p.hipHeight;
   // A fast fall looks ahead by what the next tick will cover, so that no thin floor slips between
   // two ticks.
-  const float fall = -w.velocity.y * p.tickSeconds;
-  const float seen = rays.reach - rayHeight(p);
-  if (fall > seen) rays.reach += fall - seen;
-  if (w.velocity.y < -p.fastFall) rays.reach += (-w.velocity.y - p.fastFall) * 0.01f;
+  const F fall = -w.velocity.y * p.tickSeconds;
+  const F seen = rays.reach - rayHeight(p);
+  rays.reach = select(fall > seen, rays.reach + (fall - seen), rays.reach);
+  rays.reach = select(w.velocity.y < -p.fastFall, rays.reach + (-w.velocity.y - p.fastFall) * 0.01f,
+                      rays.reach);
+  rays.nearest = -1;
   rays.nearestDistance = 1e30f;
-  for (int i = 0; i < kFloorRays; ++i) rays.distance[i] = 1e30f;
+  for (int i = 0; i < kFloorRays; ++i) {
+    rays.distance[i] = 1e30f;
+    rays.normal[i] = {0, 1, 0};
+  }
   return rays;
 }
 
-// Where rays can go at any facing, before they are made: most ticks in the air end here.
-OBBY_DEVICE Box columnOf(const World& w, const Params& p) {
-  const float side = (p.bodyWidth + p.bodyDepth) * p.floorRaySpread;
-  const float fall = maxf(0.0f, -w.velocity.y) * (p.tickSeconds + 0.01f);
-  const float below = p.floorReachBase * p.rootHeight + p.floorKeep * p.hipHeight + fall;
-  const float top = rayHeight(p);
-  return {w.position + Vec3{-side, top - below, -side}, w.position + Vec3{side, top, side}};
+template <class F>
+OBBY_DEVICE BoxT<F> boundsOf(const FloorRaysT<F>& r) {
+  const Vec3T<F> e{absf(r.right.x) + absf(r.back.x), 0, absf(r.right.z) + absf(r.back.z)};
+  return {r.origin - e - Vec3T<F>{0, r.reach, 0}, r.origin + e};
 }
 
-OBBY_DEVICE bool hasFloorBelow(const World& w, const Params& p, const Candidates& near) {
-  if (!(near.anyFlags & level::kSolid)) return false;
-  const Box column = columnOf(w, p);
-  bool any = false;
-  for (int k = 0; k < near.count; ++k) {
-    any |= (near.items[k].flags & level::kSolid) && overlaps(near.items[k].bounds, column);
-  }
-  return any;
-}
-
-OBBY_DEVICE Box boundsOf(const FloorRays& r) {
-  const Vec3 e{absf(r.right.x) + absf(r.back.x), 0, absf(r.right.z) + absf(r.back.z)};
-  return {r.origin - e - Vec3{0, r.reach, 0}, r.origin + e};
-}
-
-OBBY_DEVICE void record(FloorRays& rays, int ray, float t, int candidate) {
-  rays.distance[ray] = minf(rays.distance[ray], t);
-  if (t < rays.nearestDistance) {
-    rays.nearestDistance = t;
-    rays.nearest = candidate;
-  }
+template <class F>
+OBBY_DEVICE void record(FloorRaysT<F>& rays, int ray, MaskOf<F> hit, F t, Vec3T<F> normal,
+                        int candidate) {
+  const MaskOf<F> closer = hit & (t < rays.distance[ray]);
+  rays.distance[ray] = select(closer, t, rays.distance[ray]);
+  rays.normal[ray] = select(closer, normal, rays.normal[ray]);
+  const MaskOf<F> nearest = hit & (t < rays.nearestDistance);
+  rays.nearestDistance = select(nearest, t, rays.nearestDistance);
+  rays.nearest = select(nearest, IntOf<F>(candidate), rays.nearest);
 }
 
 // Rays against a block that stands upright: a hit is a top face below the origin, inside the
 // rectangle.
-OBBY_DEVICE void castAtUpright(FloorRays& rays, const Candidate& c, Vec3 half, int index) {
-  const float t = rays.origin.y - (c.pose->position.y + half.y);
-  if (t < 0 || t > rays.reach) return;
-  const Mat3& r = c.pose->rotation;
-  const Vec3 d = rays.origin - c.pose->position;
-  const float x = dot(d, r.x), z = dot(d, r.z);
-  const float xr = dot(rays.right, r.x), zr = dot(rays.right, r.z);
-  const float xb = dot(rays.back, r.x), zb = dot(rays.back, r.z);
+template <class F>
+OBBY_DEVICE void castAtUpright(FloorRaysT<F>& rays, const geom::BlockT<F>& block, int index,
+                               MaskOf<F> asked) {
+  const F t = rays.origin.y - (block.pose.position.y + block.half.y);
+  const MaskOf<F> met = asked & (t >= 0.0f) & (t <= rays.reach);
+  if (!any(met)) return;
+  const Mat3T<F>& r = block.pose.rotation;
+  const Vec3T<F> half = block.half, d = rays.origin - block.pose.position;
+  const F x = dot(d, r.x), z = dot(d, r.z);
+  const F xr = dot(rays.right, r.x), zr = dot(rays.right, r.z);
+  const F xb = dot(rays.back, r.x), zb = dot(rays.back, r.z);
   // Well inside a large floor all rays hit; the margin is far above rounding.
-  if (absf(x) + absf(xr) + absf(xb) < half.x - 0.01f &&
-      absf(z) + absf(zr) + absf(zb) < half.z - 0.01f) {
-    for (int i = 0; i < kFloorRays; ++i) rays.distance[i] = minf(rays.distance[i], t);
-    if (t < rays.nearestDistance) {
-      rays.nearestDistance = t;
-      rays.nearest = index;
-    }
-    return;
-  }
+  const MaskOf<F> inside = (absf(x) + absf(xr) + absf(xb) < half.x - 0.01f) &
+                           (absf(z) + absf(zr) + absf(zb) < half.z - 0.01f);
+  const bool allInside = !any(met & !inside);
   for (int i = 0; i < kFloorRays; ++i) {
-    const float lx = x + rayRight(i) * xr + rayBack(i) * xb;
-    const float lz = z + rayRight(i) * zr + rayBack(i) * zb;
-    if (absf(lx) <= half.x && absf(lz) <= half.z) record(rays, i, t, index);
+    MaskOf<F> hit = met;
+    if (!allInside) {
+      const F lx = x + rayRight(i) * xr + rayBack(i) * xb;
+      const F lz = z + rayRight(i) * zr + rayBack(i) * zb;
+      hit = met & (absf(lx) <= half.x) & (absf(lz) <= half.z);
+    }
+    record(rays, i, hit, t, {0, 1, 0}, index);
   }
 }
 
-OBBY_DEVICE void castAt(FloorRays& rays, const Candidate& c, const level::Collider& collider,
-                        int index, Vec3* normals) {
-  const Vec3 down = toLocal(c.pose->rotation, Vec3{0, -1, 0});
-  const Vec3 origin = toLocal(*c.pose, rays.origin);
-  const Vec3 right = toLocal(c.pose->rotation, rays.right),
-             back = toLocal(c.pose->rotation, rays.back);
+// Rays against a block that is turned any way: the slabs of geom/shapes/block.h, with what the rays
+// share computed once.
+template <class F>
+OBBY_DEVICE void castAtTilted(FloorRaysT<F>& rays, const geom::BlockT<F>& block, int index,
+                              MaskOf<F> asked) {
+  const Mat3T<F>& r = block.pose.rotation;
+  const Vec3T<F> half = block.half;
+  const Vec3T<F> down = {-r.x.y, -r.y.y, -r.z.y};
+  const Vec3T<F> inverse{1.0f / geom::awayFromZero(down.x), 1.0f / geom::awayFromZero(down.y),
+                         1.0f / geom::awayFromZero(down.z)};
+  const Vec3T<F> origin = toLocal(block.pose, rays.origin);
+  const Vec3T<F> right = toLocal(r, rays.right), back = toLocal(r, rays.back);
+  const Vec3T<F> nx = select(down.x < 0.0f, r.x, -r.x), ny = select(down.y < 0.0f, r.y, -r.y),
+                 nz = select(down.z < 0.0f, r.z, -r.z);
+  for (int i = 0; i < kFloorRays; ++i) {
+    const Vec3T<F> from = origin + right * rayRight(i) + back * rayBack(i);
+    const Vec3T<F> a = mul(-half - from, inverse), b = mul(half - from, inverse);
+    const Vec3T<F> first = min(a, b), last = max(a, b);
+    F enter = first.x;
+    Vec3T<F> normal = nx;
+    const MaskOf<F> byY = first.y > enter;
+    enter = select(byY, first.y, enter);
+    normal = select(byY, ny, normal);
+    const MaskOf<F> byZ = first.z > enter;
+    enter = select(byZ, first.z, enter);
+    normal = select(byZ, nz, normal);
+    const F leave = minf(minf(last.x, last.y), last.z);
+    const MaskOf<F> hit = asked & (enter >= 0.0f) & (enter <= leave) & (enter <= rays.reach);
+    record(rays, i, hit, enter, normal, index);
+  }
+}
+
+// Any shape, one world.
+OBBY_DEVICE void castAt(FloorRaysT<float>& rays, const Pose& pose, const level::Collider& collider,
+                        int index) {
+  const Vec3 down = toLocal(pose.rotation, Vec3{0, -1, 0});
+  const Vec3 origin = toLocal(pose, rays.origin);
+  const Vec3 right = toLocal(pose.rotation, rays.right), back = toLocal(pose.rotation, rays.back);
   geom::visitShape(collider.kind, [&](auto shape) {
     for (int i = 0; i < kFloorRays; ++i) {
       const Vec3 from = origin + right * rayRight(i) + back * rayBack(i);
       geom::RayHit hit{};
       if (!decltype(shape)::castRay(collider.shape, from, down, rays.reach, hit)) continue;
-      if (hit.t >= rays.distance[i]) continue;
-      record(rays, i, hit.t, index);
-      normals[i] = c.pose->rotation * hit.normal;
+      record(rays, i, true, hit.t, pose.rotation * hit.normal, index);
     }
   });
+}
+
+// The average of the rays that hit; friction and motion of the surface are the caller's to add.
+template <class F>
+OBBY_DEVICE FloorT<F> averageOf(const FloorRaysT<F>& rays, const Params& p) {
+  FloorT<F> floor;
+  F sum = 0, hits = 0;
+  Vec3T<F> normal;
+  for (int i = 0; i < kFloorRays; ++i) {
+    const MaskOf<F> hit = rays.distance[i] <= rays.reach;
+    sum += select(hit, rays.distance[i], F(0.0f));
+    hits += select(hit, F(1.0f), F(0.0f));
+    normal += select(hit, rays.normal[i], Vec3T<F>{});
+  }
+  floor.sensed = rays.nearest >= 0;
+  const F share = 1.0f / select(floor.sensed, hits, F(1.0f));
+  floor.gap = select(floor.sensed, sum * share - rayHeight(p), F(0.0f));
+  floor.normal = select(floor.sensed, normal * share, Vec3T<F>{0, 1, 0});
+  return floor;
 }
 
 // Velocity of what the player stands on, and its turning.
 OBBY_DEVICE void surfaceMotion(const World& w, const level::LevelView& level, const Candidate& c,
                                Floor& floor) {
   const level::Collider& collider = level.colliders[c.collider];
-  floor.friction = collider.friction;
   if (c.flags & level::kConveyor) {
     const level::Roles& r = level.roles[collider.role];
     floor.velocity += r.conveyorVelocity + cross(r.conveyorAngular, w.position - r.conveyorCenter);
@@ -153,37 +200,47 @@ OBBY_DEVICE void surfaceMotion(const World& w, const level::LevelView& level, co
   }
 }
 
-OBBY_DEVICE Floor senseFloor(const World& w, const level::LevelView& level,
+// Where rays can go at any facing, before they are made: most ticks in the air end here.
+OBBY_DEVICE Box columnOf(const World& w, const Params& p) {
+  const float side = (p.bodyWidth + p.bodyDepth) * p.floorRaySpread;
+  const float fall = maxf(0.0f, -w.velocity.y) * (p.tickSeconds + 0.01f);
+  const float below = p.floorReachBase * p.rootHeight + p.floorKeep * p.hipHeight + fall;
+  const float top = rayHeight(p);
+  return {w.position + Vec3{-side, top - below, -side}, w.position + Vec3{side, top, side}};
+}
+
+OBBY_DEVICE bool hasFloorBelow(const World& w, const Params& p, const Candidates& near) {
+  if (!(near.anyFlags & level::kSolid)) return false;
+  const Box column = columnOf(w, p);
+  bool found = false;
+  for (int k = 0; k < near.count; ++k) {
+    found |= (near.items[k].flags & level::kSolid) && overlaps(near.items[k].bounds, column);
+  }
+  return found;
+}
+
+OBBY_DEVICE Floor senseFloor(const World& w, const Player& player, const level::LevelView& level,
                              const Candidates& near) {
-  Floor floor;
-  if (!hasFloorBelow(w, level.params, near)) return floor;
-  FloorRays rays = makeRays(w, level.params);
+  if (!hasFloorBelow(w, level.params, near)) return {};
+  FloorRaysT<float> rays = makeRays(player, level.params);
   const Box box = boundsOf(rays);
-  Vec3 normals[kFloorRays];
-  for (int i = 0; i < kFloorRays; ++i) normals[i] = {0, 1, 0};
   for (int k = 0; k < near.count; ++k) {
     const Candidate& c = near.items[k];
     if (!(c.flags & level::kSolid) || !overlaps(c.bounds, box)) continue;
     const level::Collider& collider = level.colliders[c.collider];
-    if (c.flags & level::kUpright) {
-      castAtUpright(rays, c, collider.shape.half, k);
+    if (!(c.flags & level::kBlock)) {
+      castAt(rays, *c.pose, collider, k);
+    } else if (c.flags & level::kUpright) {
+      castAtUpright<float>(rays, {*c.pose, collider.shape.half}, k, true);
     } else {
-      castAt(rays, c, collider, k, normals);
+      castAtTilted<float>(rays, {*c.pose, collider.shape.half}, k, true);
     }
   }
-  if (rays.nearest < 0) return floor;
-  float sum = 0, hits = 0;
-  Vec3 normal;
-  for (int i = 0; i < kFloorRays; ++i) {
-    if (rays.distance[i] > rays.reach) continue;
-    sum += rays.distance[i];
-    hits += 1;
-    normal += normals[i];
-  }
-  floor.sensed = true;
-  floor.gap = sum / hits - rayHeight(level.params);
-  floor.normal = normal * (1.0f / hits);
-  surfaceMotion(w, level, near.items[rays.nearest], floor);
+  if (rays.nearest < 0) return {};
+  Floor floor = averageOf(rays, level.params);
+  const Candidate& nearest = near.items[rays.nearest];
+  floor.friction = level.colliders[nearest.collider].friction;
+  surfaceMotion(w, level, nearest, floor);
   return floor;
 }
 

@@ -7,82 +7,84 @@
 namespace obby::sim {
 
 // What the physics of this tick's substeps work toward.
-struct Drive {
-  Vec3 velocity;       // wanted, horizontal, studs/s
-  float limit = 0;     // of horizontal acceleration, studs/s^2
-  Vec3 slide;          // acceleration down a floor that is too steep
-  bool hover = false;  // the legs hold the body above the floor
+template <class F>
+struct DriveT {
+  Vec3T<F> velocity;        // wanted, horizontal, studs/s
+  F limit = 0;              // of horizontal acceleration, studs/s^2
+  Vec3T<F> slide;           // acceleration down a floor that is too steep
+  MaskOf<F> hover = false;  // the legs hold the body above the floor
 };
 
-OBBY_DEVICE void startJump(World& w, const Params& p, const Floor& floor) {
-  w.state = State::jumping;
-  w.velocity.y = p.jumpSpeed + floor.velocity.y;
-  w.jumps = uint16_t(w.jumps + 1);
-  w.floorlessTicks = p.coyoteTicks;  // one jump a take-off
+using Drive = DriveT<float>;
+
+template <class F>
+OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& floor,
+                             const ControlT<F>& control) {
+  using Int = IntOf<F>;
+  using Mask = MaskOf<F>;
+  const auto to = [](State s) { return Int(int32_t(s)); };
+  const Int more = select(w.floorlessTicks < 0xffff, w.floorlessTicks + 1, w.floorlessTicks);
+  w.floorlessTicks = select(floor.sensed, Int(0), more);
+  const Mask running = w.is(State::running), landed = w.is(State::landed);
+  const Mask falling = w.is(State::freefall), jumping = w.is(State::jumping);
+  const Mask floorLost = w.floorlessTicks >= int32_t(p.graceTicks);
+
+  w.landedTicks = select(landed & (w.landedTicks > 0), w.landedTicks - 1, w.landedTicks);
+  Int next = w.state;
+  next = select(landed & (w.landedTicks == 0), to(State::running), next);
+  next = select((landed | running) & floorLost, to(State::freefall), next);
+  // Never while rising: this is what prevents double jumps.
+  const Mask lands = falling & floor.sensed & (w.velocity.y <= floor.velocity.y);
+  next = select(lands, to(State::landed), next);
+  w.landedTicks =
+      select(lands, Int(p.landedTicks < 255 ? int32_t(p.landedTicks) : 255), w.landedTicks);
+  // Until the floor is out of reach, or a ceiling has stopped the rise.
+  next = select(jumping & ((w.velocity.y <= 0.0f) | !floor.sensed), to(State::freefall), next);
+  const Mask jumps = running & control.jump & (w.floorlessTicks < int32_t(p.coyoteTicks));
+  w.state = select(jumps, to(State::jumping), next);
+  w.velocity.y = select(jumps, p.jumpSpeed + floor.velocity.y, w.velocity.y);
+  w.jumps = select(jumps, (w.jumps + 1) & 0xffff, w.jumps);
+  // One jump a take-off.
+  w.floorlessTicks = select(jumps, Int(int32_t(p.coyoteTicks)), w.floorlessTicks);
+  w.sensed = floor.sensed;
 }
 
-OBBY_DEVICE void updateState(World& w, const Params& p, const Floor& floor, Action action) {
-  w.floorlessTicks =
-      floor.sensed ? uint16_t(0) : uint16_t(w.floorlessTicks + (w.floorlessTicks < 0xffff));
-  switch (w.state) {
-    case State::landed:
-      if (w.landedTicks > 0) --w.landedTicks;
-      if (w.floorlessTicks >= p.graceTicks) {
-        w.state = State::freefall;
-      } else if (w.landedTicks == 0) {
-        w.state = State::running;
-      }
-      break;
-    case State::freefall:
-      // Never while rising: this is what prevents double jumps.
-      if (floor.sensed && w.velocity.y <= floor.velocity.y) {
-        w.state = State::landed;
-        w.landedTicks = uint8_t(p.landedTicks < 255 ? p.landedTicks : 255);
-      }
-      break;
-    case State::jumping:
-      // Until the floor is out of reach, or a ceiling has stopped the rise.
-      if (!floor.sensed || w.velocity.y <= 0) w.state = State::freefall;
-      break;
-    case State::running:
-      if (action.jump && w.floorlessTicks < p.coyoteTicks) {
-        startJump(w, p, floor);
-      } else if (w.floorlessTicks >= p.graceTicks) {
-        w.state = State::freefall;
-      }
-      break;
-    case State::dead: break;
-  }
-}
-
-// Turns toward the heading: proportional to the angle left, bounded by turnSpeed.
-OBBY_DEVICE void turn(World& w, const Params& p, Action action) {
-  if (!action.walk || w.state == State::jumping) return;
-  const float error = float(int16_t(uint16_t(action.heading - w.yaw)));
-  const float most = p.turnSpeed * p.tickSeconds * kTurnsPerRadian;
-  const float step = clampf(error * minf(p.turnGain * p.tickSeconds, 1.0f), -most, most);
+// Turns toward the heading: proportional to the angle left, bounded by turnSpeed. A carrying floor
+// turns the player too.
+template <class F>
+OBBY_DEVICE void turn(PlayerT<F>& w, const Params& p, const FloorT<F>& floor,
+                      const ControlT<F>& control) {
+  const F error = toFloat(((control.heading - w.yaw) << 16) >> 16);
+  const F most = p.turnSpeed * p.tickSeconds * kTurnsPerRadian;
+  const F step = clampf<F>(error * minf(p.turnGain * p.tickSeconds, 1.0f), -most, most);
   // The last quarter degree at once, so that the facing settles.
-  w.yaw = absf(error) < 46.0f ? action.heading : uint16_t(w.yaw + int32_t(step));
+  const IntOf<F> toward =
+      select(absf(error) < 46.0f, control.heading, (w.yaw + toInt(step)) & 0xffff);
+  w.yaw = select(control.walk & !w.is(State::jumping), toward, w.yaw);
+  const IntOf<F> carried = toInt(floor.turning * p.tickSeconds * kTurnsPerRadian);
+  w.yaw = select(floor.sensed, (w.yaw + carried) & 0xffff, w.yaw);
 }
 
-OBBY_DEVICE Drive drive(const World& w, const Params& p, const Floor& floor, Action action) {
-  Drive d;
-  const bool standing = (w.state == State::running || w.state == State::landed) && floor.sensed;
+template <class F>
+OBBY_DEVICE DriveT<F> drive(const PlayerT<F>& w, const Params& p, const FloorT<F>& floor,
+                            const ControlT<F>& control) {
+  using Mask = MaskOf<F>;
+  const Vec3T<F> none{}, own{w.velocity.x, 0, w.velocity.z};
+  const Mask standing = (w.is(State::running) | w.is(State::landed)) & floor.sensed;
+  const Mask jumping = w.is(State::jumping);
+  const Mask steep = standing & (floor.normal.y < p.slopeNormalY);
+  DriveT<F> d;
   d.hover = standing;
-  if (w.state == State::jumping) {  // move input is ignored: the body keeps its velocity
-    d.velocity = {w.velocity.x, 0, w.velocity.z};
-    return d;
-  }
-  d.limit = standing ? p.groundAccel : p.airAccel;
-  if (action.walk) d.velocity = directionOf(sinCos(action.heading)) * p.walkSpeed;
-  if (!standing) return d;
-  d.velocity += Vec3{floor.velocity.x, 0, floor.velocity.z};
-  if (floor.friction < p.iceFriction) d.limit *= floor.friction / p.iceFriction;
-  if (floor.normal.y < p.slopeNormalY) {
-    d.velocity = {w.velocity.x, 0, w.velocity.z};
-    d.limit = 0;
-    d.slide = Vec3{floor.normal.x, 0, floor.normal.z} * (p.gravity * floor.normal.y);
-  }
+  d.velocity = select(control.walk, directionOf(sinCosOf<F>(control.heading)) * p.walkSpeed, none);
+  d.velocity += select(standing, Vec3T<F>{floor.velocity.x, 0, floor.velocity.z}, none);
+  // Where it is too steep the player slides; while jumping, move input is ignored.
+  d.velocity = select(steep | jumping, own, d.velocity);
+  d.limit = select(standing, F(p.groundAccel), F(p.airAccel));
+  d.limit = select(standing & (floor.friction < p.iceFriction),
+                   d.limit * (floor.friction / p.iceFriction), d.limit);
+  d.limit = select(steep | jumping, F(0.0f), d.limit);
+  d.slide = select(
+      steep, Vec3T<F>{floor.normal.x, 0, floor.normal.z} * (p.gravity * floor.normal.y), none);
   return d;
 }
 

@@ -7,10 +7,23 @@
 
 namespace obby::sim {
 
-OBBY_DEVICE void regenerate(World& w, const Params& p) {
+// Health after a tick without harm.
+template <class F>
+OBBY_DEVICE F regenerated(F health, const Params& p) {
+  const F more = minf(F(p.maxHealth), health + p.healthRegeneration * p.maxHealth * p.tickSeconds);
+  return select(health < p.maxHealth, more, health);
+}
+
+// What comes of where the player is now.
+OBBY_DEVICE void endTick(World& w, const level::LevelView& level, const Candidates& near) {
+  runVanishing(w, level);
+  touchParts(w, level, near);
   if (w.hurtTicks > 0) --w.hurtTicks;
-  if (w.health < p.maxHealth) {
-    w.health = minf(p.maxHealth, w.health + p.healthRegeneration * p.maxHealth * p.tickSeconds);
+  w.health = regenerated(w.health, level.params);
+  w.tick += 1;
+  if (w.outcome == Outcome::running && w.position.y < level.params.fallenPartsHeight) {
+    w.state = State::dead;
+    w.outcome = Outcome::fell;
   }
 }
 
@@ -21,21 +34,17 @@ OBBY_DEVICE void tick(World& w, const level::LevelView& level, Action action) {
   const Params& p = level.params;
   Candidates near;
   gather(w, level, near);
-  const Floor floor = senseFloor(w, level, near);
-  updateState(w, p, floor, action);
-  w.flags = uint8_t((w.flags & ~kFloorSensed) | (floor.sensed ? kFloorSensed : 0));
-  turn(w, p, action);
-  if (floor.sensed)
-    w.yaw = uint16_t(w.yaw + int32_t(floor.turning * p.tickSeconds * kTurnsPerRadian));
-  moveBody(w, level, near, floor, drive(w, p, floor, action));
-  runVanishing(w, level);
-  touchParts(w, level, near);
-  regenerate(w, p);
-  w.tick += 1;
-  if (w.outcome == Outcome::running && w.position.y < p.fallenPartsHeight) {
-    w.state = State::dead;
-    w.outcome = Outcome::fell;
-  }
+  Player player = playerOf(w);
+  const Floor floor = senseFloor(w, player, level, near);
+  const ControlT<float> control = controlOf(action);
+  updateState(player, p, floor, control);
+  turn(player, p, floor, control);
+  Motion motion = motionOf(player, p, floor, drive(player, p, floor, control));
+  moveBody(motion, level, near);
+  player.position = motion.position;
+  player.velocity = motion.velocity;
+  putPlayer(w, player);
+  endTick(w, level, near);
 }
 
 }  // namespace obby::sim

@@ -20,7 +20,7 @@ bool anyCollider(const level::LevelView& level, auto&& test) {
 // Parts that hurt without killing at once: then health matters.
 bool hurts(const level::LevelView& level) {
   return anyCollider(level, [&](uint32_t i) {
-    return (level.flags[i] & level::kKill) &&
+    return (level.bounds[i].flags & level::kKill) &&
            level.roles[level.colliders[i].role].damage < level.params.maxHealth;
   });
 }
@@ -40,7 +40,7 @@ Binning makeBinning(const Problem& problem, float width, const ClockMap& clock) 
   b.jumps = limitsJumps(problem.query);
   b.waypoints = problem.query.waypointCount > 0;
   b.vanishing = anyCollider(problem.level, [&](uint32_t i) {
-    return (problem.level.flags[i] & level::kVanishTouch) != 0;
+    return (problem.level.bounds[i].flags & level::kVanishTouch) != 0;
   });
   return b;
 }

@@ -19,7 +19,7 @@ uint32_t periodOf(const level::LevelView& level, uint32_t collider) {
     const level::Mover& m = level.movers[c.mover];
     period = m.once ? 0 : jointPeriod(m.keyCount, std::max(m.spinCount, 1u));
   }
-  if (level.flags[collider] & level::kVanishTimer) {
+  if (level.bounds[collider].flags & level::kVanishTimer) {
     const level::Roles& r = level.roles[c.role];
     period = jointPeriod(period, r.vanishDelay + r.vanishAway);
   }
@@ -46,7 +46,8 @@ ClockMap::ClockMap(const level::LevelView& level, float reach) {
   std::vector<Clocked> parts;
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     const uint32_t period = periodOf(level, i);
-    if (period != kNoClock) parts.push_back({grow(level.bounds[i], {reach, reach, reach}), period});
+    if (period != kNoClock)
+      parts.push_back({grow(level.bounds[i].box(), {reach, reach, reach}), period});
   }
   if (parts.empty()) return;
   layOut(parts);

@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "solve/binning.h"
-#include "solve/rollout.h"
+#include "solve/rollout_group.h"
 
 namespace obby::solve {
 
 namespace {
 
-constexpr uint32_t kTaskRollouts = 4;        // rollouts a task of the pool
+// Rollouts a task of the pool: together they fill the lanes of the wide tick.
+constexpr size_t kLeastRollouts = 16, kTaskRollouts = 256;
 constexpr uint32_t kLookEvery = 3;           // ticks: a walking player needs seven for a cell
 constexpr uint64_t kStepsPerRollout = 8000;  // of the search so far: when rounds double
 constexpr float kClockReach = 10;            // studs around moving parts where the clock matters
@@ -51,11 +52,12 @@ GoExplore::GoExplore(const Problem& problem, uint64_t seed, const GoExploreSetti
 
 void GoExplore::round() {
   chooseCells();
-  const size_t tasks = (rollouts_.size() + kTaskRollouts - 1) / kTaskRollouts;
-  pool_.run(int(tasks), [this](int task) {
-    const size_t first = size_t(task) * kTaskRollouts;
-    const size_t last = std::min(first + kTaskRollouts, rollouts_.size());
-    for (size_t i = first; i < last; ++i) explore(rollouts_[i]);
+  const size_t share = (rollouts_.size() + size_t(pool_.size()) - 1) / size_t(pool_.size());
+  const size_t some = std::clamp(share, kLeastRollouts, kTaskRollouts);
+  const size_t tasks = (rollouts_.size() + some - 1) / some;
+  pool_.run(int(tasks), [&](int task) {
+    const size_t first = size_t(task) * some;
+    explore(std::span(rollouts_).subspan(first, std::min(some, rollouts_.size() - first)));
   });
   merge();
   ++statistics_.rounds;
@@ -95,26 +97,36 @@ void GoExplore::visit(Rollout& r, const sim::World& world, uint64_t key, uint64_
   r.candidates.push_back({key, world, potential_(world), r.ticks});
 }
 
-void GoExplore::explore(Rollout& r) {
-  r.candidates.clear();
-  r.ticks = r.closestTicks = 0;
-  r.closest = {};
-  r.end = archive_.world(r.cell);
-  uint64_t lastKey = cellKey(binning_, r.end), keptKey = lastKey;
-  archive_.countSeen(r.cell);
-  runRollout(context_, seed_, r.id, r.end, phaseTicks_,
-             [&](const sim::Action&, const sim::World& world) {
-               ++r.ticks;
-               if (r.ticks % kLookEvery != 0 || world.outcome != sim::Outcome::running) return;
-               const uint64_t key = cellKey(binning_, world);
-               visit(r, world, key, keptKey);
-               if (key == lastKey) return;
-               lastKey = key;
-               const Closest here{world.waypoints, potential_.distance(world), {}, world.position};
-               if (!closer(here, r.closest)) return;
-               r.closest = here;
-               r.closestTicks = r.ticks;
-             });
+void GoExplore::explore(std::span<Rollout> rollouts) {
+  RolloutGroup group(context_);
+  std::vector<Keys> keys;
+  for (Rollout& r : rollouts) {
+    r.candidates.clear();
+    r.ticks = r.closestTicks = 0;
+    r.closest = {};
+    r.end = archive_.world(r.cell);
+    const uint64_t key = cellKey(binning_, r.end);
+    keys.push_back({key, key});
+    archive_.countSeen(r.cell);
+    group.add(seed_, r.id, r.end);
+  }
+  group.run(phaseTicks_, [&](size_t i, const sim::World& world) {
+    Rollout& r = rollouts[i];
+    ++r.ticks;
+    if (r.ticks % kLookEvery == 0 && world.outcome == sim::Outcome::running)
+      look(r, world, keys[i]);
+  });
+}
+
+void GoExplore::look(Rollout& r, const sim::World& world, Keys& keys) {
+  const uint64_t key = cellKey(binning_, world);
+  visit(r, world, key, keys.kept);
+  if (key == keys.last) return;
+  keys.last = key;
+  const Closest here{world.waypoints, potential_.distance(world), {}, world.position};
+  if (!closer(here, r.closest)) return;
+  r.closest = here;
+  r.closestTicks = r.ticks;
 }
 
 void GoExplore::merge() {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/thread_pool.h"
@@ -83,7 +84,12 @@ class GoExplore {
 
   uint32_t roundSize() const;
   void chooseCells();
-  void explore(Rollout& rollout);
+  struct Keys {  // of the cells that a rollout was in and was kept in last
+    uint64_t last, kept;
+  };
+
+  void explore(std::span<Rollout> rollouts);
+  void look(Rollout& rollout, const sim::World& world, Keys& keys);
   void visit(Rollout& rollout, const sim::World& world, uint64_t key, uint64_t& keptKey);
   bool keeps(const sim::World& world) const;
   void merge();

@@ -38,7 +38,8 @@ bool standingPoint(const level::Collider& c, const Pose& pose, Vec3 top, float d
 
 Surfaces::Surfaces(const level::LevelView& level) {
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
-    if ((level.flags[i] & level::kSolid) && !(level.flags[i] & level::kKill)) samplePart(level, i);
+    if ((level.bounds[i].flags & level::kSolid) && !(level.bounds[i].flags & level::kKill))
+      samplePart(level, i);
   }
   buildGrid();
 }
@@ -58,7 +59,7 @@ void Surfaces::samplePart(const level::LevelView& level, uint32_t collider) {
       if (!standingPoint(c, pose, top, extent.y + 0.2f, minNormalY, point)) continue;
       const bool moves = c.mover != level::kNone;
       points_.push_back({moves ? toLocal(pose, point) : point, c.mover});
-      reach_.push_back(moves ? level.bounds[collider] : Box{point, point});
+      reach_.push_back(moves ? level.bounds[collider].box() : Box{point, point});
     }
   }
 }

@@ -14,7 +14,7 @@ namespace {
 std::vector<uint32_t> vanishingParts(const level::LevelView& view) {
   std::vector<uint32_t> parts;
   for (uint32_t i = 0; i < view.colliderCount; ++i) {
-    if ((view.flags[i] & level::kVanishTouch) == 0) continue;
+    if ((view.bounds[i].flags & level::kVanishTouch) == 0) continue;
     const level::Collider& collider = view.colliders[i];
     if (collider.role >= parts.size()) parts.resize(collider.role + 1, level::kNone);
     parts[collider.role] = collider.part;

@@ -60,7 +60,7 @@ Track trackOf(const level::Mover& mover, uint32_t part, uint32_t ticks, uint32_t
       track.positions.push_back(v);
     }
     for (const float v : {q.x, q.y, q.z, q.w}) {
-      track.rotations.push_back(int16_t(std::lround(clampf(v, -1, 1) * 32767)));
+      track.rotations.push_back(int16_t(std::lround(clampf(v, -1.0f, 1.0f) * 32767)));
     }
   }
   if (!moves) track.positions.clear();

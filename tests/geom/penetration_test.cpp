@@ -31,7 +31,8 @@ TEST(BoxBlock, EqualsTheSeparatingAxesOfTheGeneralForm) {
     const ShapeData s{dice.half(), nullptr};
     const Pose pose{dice.vec(3), i % 3 ? dice.rotation() : Mat3{}};
     const LocalBox local = localOf(pose, dice.body(3));
-    const Contact fast = boxBlock(s.half, local), general = internal::penetration<Block>(s, local);
+    const Contact fast = boxBlock<float>(s.half, local),
+                  general = internal::penetration<Block>(s, local);
     if (general.depth < 1e-4f && general.depth > -1e-4f) continue;  // touching: either may say so
     ASSERT_EQ(fast.depth >= 0, general.depth >= 0) << fast.depth << " " << general.depth;
     if (general.depth < 0) continue;
@@ -49,9 +50,10 @@ TEST(BoxUprightBlock, EqualsBothOtherForms) {
     const Pose pose{dice.vec(3),
                     UprightBox{{}, {}, sinCos(i % 3 ? dice.turns() : Turns(0))}.axes()};
     const UprightBox box = dice.body(3);
-    const Contact fast = boxUprightBlock(pose, s.half, box);
+    const Contact fast = boxUprightBlock<float>({pose, s.half}, box);
     const LocalBox local = localOf(pose, box);
-    const Contact general = internal::penetration<Block>(s, local), block = boxBlock(s.half, local);
+    const Contact general = internal::penetration<Block>(s, local),
+                  block = boxBlock<float>(s.half, local);
     if (general.depth < 1e-4f && general.depth > -1e-4f) continue;
     ASSERT_EQ(fast.depth >= 0, general.depth >= 0) << fast.depth << " " << general.depth;
     if (general.depth < 0) continue;
@@ -66,11 +68,11 @@ TEST(BoxUprightBlock, EqualsBothOtherForms) {
 TEST(BoxUprightBlock, PushesAFootUpAndASideSideways) {
   const Pose pose{{0, 0, 0}, {}};
   const UprightBox above{{0, 1.9f, 0}, {1, 1, 0.5f}, sinCos(0)};
-  const Contact up = boxUprightBlock(pose, {4, 1, 4}, above);
+  const Contact up = boxUprightBlock<float>({pose, {4, 1, 4}}, above);
   EXPECT_NEAR(up.depth, 0.1f, 1e-5f);
   EXPECT_TRUE(up.normal == (Vec3{0, 1, 0}));
   const UprightBox beside{{-4.9f, 0, 0}, {1, 1, 0.5f}, sinCos(0)};
-  const Contact out = boxUprightBlock(pose, {4, 1, 4}, beside);
+  const Contact out = boxUprightBlock<float>({pose, {4, 1, 4}}, beside);
   EXPECT_NEAR(out.depth, 0.1f, 1e-5f);
   EXPECT_TRUE(out.normal == (Vec3{-1, 0, 0}));
 }

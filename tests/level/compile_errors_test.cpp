@@ -190,7 +190,7 @@ TEST(Compile, SceneryHasNoColliderButKeepsItsIndex) {
   const Level level = b.compile();
   ASSERT_EQ(level.view().colliderCount, 2u);
   EXPECT_EQ(level.view().colliders[0].part, 1u);
-  EXPECT_EQ(level.view().flags[0] & (kSolid | kKill), kKill);
+  EXPECT_EQ(level.view().bounds[0].flags & (kSolid | kKill), kKill);
   EXPECT_EQ(level.view().colliders[1].part, 2u);
 }
 
@@ -199,7 +199,7 @@ TEST(Compile, OnlyTouchablePartsHaveTouchRoles) {
   b.block({0, 0, 0}, {1, 1, 1}, [](auto p) {
     p.setTouch(false), p.initKill(), p.initJumpPad(), p.initVanish(), p.initConveyor();
   });
-  EXPECT_EQ(b.compile().view().flags[0] & (kTouchRoles | kConveyor), kConveyor);
+  EXPECT_EQ(b.compile().view().bounds[0].flags & (kTouchRoles | kConveyor), kConveyor);
 }
 
 }  // namespace

@@ -23,8 +23,10 @@ struct Dice {
 };
 
 std::vector<uint32_t> listAt(const Grid& grid, Vec3 feet) {
-  const uint32_t* list = sim::cellList(grid, feet);
-  return list ? std::vector<uint32_t>(list + 1, list + 1 + list[0]) : std::vector<uint32_t>{};
+  const int32_t cell = sim::cellOf<float>(grid, feet);
+  if (cell < 0) return {};
+  const uint32_t* list = grid.lists + grid.cells[cell];
+  return {list + 1, list + 1 + list[0]};
 }
 
 // Every collider that meets the player's reach is listed, wherever the feet are and whatever the
@@ -38,15 +40,15 @@ void expectComplete(const Level& level, Dice& dice, int rounds) {
     w.position = {dice.between(all.lo.x, all.hi.x), dice.between(all.lo.y, all.hi.y),
                   dice.between(all.lo.z, all.hi.z)};
     if (i % 2) {  // near a part, where there is something to miss
-      const Box b = v.bounds[dice.random.below(v.colliderCount)];
+      const Box b = v.bounds[dice.random.below(v.colliderCount)].box();
       w.position = (b.lo + b.hi) * 0.5f + dice.vec((b.hi - b.lo) * 0.5f + Vec3{8, 12, 8});
     }
     w.velocity = dice.vec({v.maxSideSpeed, v.params.maxFallSpeed, v.maxSideSpeed});
-    const Box reach = sim::tickBounds(w, v);
+    const Box reach = sim::tickBounds<float>(w.position, w.velocity, v.params);
     const std::vector<uint32_t> list = listAt(v.grid, w.position);
     ASSERT_TRUE(std::is_sorted(list.begin(), list.end()));
     for (uint32_t c = 0; c < v.colliderCount; ++c) {
-      if (!overlaps(v.bounds[c], reach)) continue;
+      if (!overlaps(v.bounds[c].box(), reach)) continue;
       ++met;
       ASSERT_TRUE(std::binary_search(list.begin(), list.end(), c)) << "round " << i << ", " << c;
     }
@@ -92,11 +94,11 @@ TEST(Grid, ListsMovingPartsAlongTheirWholeWay) {
   const LevelView& v = level.view();
   expectComplete(level, dice, 1500);
   for (uint32_t c = 0; c < v.colliderCount; ++c) {
-    if (!(v.flags[c] & kMoving)) continue;
+    if (!(v.bounds[c].flags & kMoving)) continue;
     for (uint32_t tick = 0; tick < 1000; tick += 3) {
       const Pose pose = moverPose(v.movers[v.colliders[c].mover], tick);
       const Box now = boundsOf(pose, v.colliders[c].shape.half),
-                swept = grow(v.bounds[c], {1e-3f, 1e-3f, 1e-3f});
+                swept = grow(v.bounds[c].box(), {1e-3f, 1e-3f, 1e-3f});
       ASSERT_TRUE(max(now.hi, swept.hi) == swept.hi && min(now.lo, swept.lo) == swept.lo);
     }
   }
@@ -131,7 +133,7 @@ TEST(Grid, IsEmptyFarFromEverything) {
   const Grid& g = level.view().grid;
   for (const Vec3 feet :
        {Vec3{1000, 0, 0}, Vec3{0, -1000, 0}, Vec3{0, 0, 1e6f}, Vec3{-1e6f, 0, 0}}) {
-    EXPECT_EQ(sim::cellList(g, feet), nullptr);
+    EXPECT_EQ(sim::cellOf<float>(g, feet), -1);
   }
   EXPECT_EQ(listAt(g, {0, 1, 0}).size(), 1u);
 }

@@ -146,7 +146,7 @@ TEST(CompiledHulls, FlatOnesAreLeftOutAndBoundsHoldTheRest) {
   });
   const Level level = b.compile();
   ASSERT_EQ(level.view().colliderCount, 1u);
-  const Box box = level.view().bounds[0];
+  const Box box = level.view().bounds[0].box();
   EXPECT_TRUE(box.lo.x <= 9 && box.hi.x >= 11 && box.hi.y >= 6 && box.hi.z >= 3);
 }
 

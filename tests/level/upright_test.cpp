@@ -82,9 +82,9 @@ TEST(UprightFlag, IsForBlocksThatStandOnASide) {
   b.block({0, 9, 0}, {1, 2, 3}, [](auto p) { support::setRotation(p.initRotation(), 0, kPi / 2); });
   b.block({9, 0, 0}, {1, 2, 3}, [](auto p) { support::setRotation(p.initRotation(), 0, 0.5f); });
   const Level level = b.compile();
-  EXPECT_TRUE(level.view().flags[0] & kUpright);
-  EXPECT_TRUE(level.view().flags[1] & kUpright);
-  EXPECT_FALSE(level.view().flags[2] & kUpright);
+  EXPECT_TRUE(level.view().bounds[0].flags & kUpright);
+  EXPECT_TRUE(level.view().bounds[1].flags & kUpright);
+  EXPECT_FALSE(level.view().bounds[2].flags & kUpright);
 }
 
 // The flag makes floor rays and contacts take the block's short cut.
@@ -103,7 +103,7 @@ TEST(UprightFlag, IsNeverSetForOtherShapesMovingOrNot) {
       });
       const Level level = b.compile();
       ASSERT_EQ(level.view().colliderCount, 1u);
-      EXPECT_FALSE(level.view().flags[0] & kUpright) << int(shape) << moving;
+      EXPECT_FALSE(level.view().bounds[0].flags & kUpright) << int(shape) << moving;
     }
   }
 }
@@ -116,7 +116,7 @@ TEST(UprightFlag, IsSetForMovingBlocksThatStayUpright) {
       spin.setSpeed(1);
       support::set(spin.initAxis(), axis);
     });
-    return b.compile().view().flags[0];
+    return b.compile().view().bounds[0].flags;
   };
   EXPECT_TRUE(flagsOf({0, 1, 0}) & kUpright);
   EXPECT_FALSE(flagsOf({1, 0, 0}) & kUpright);

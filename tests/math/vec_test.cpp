@@ -120,7 +120,7 @@ TEST(Box, OverlapIsSymmetricAndIncludesTouching) {
 }
 
 TEST(Box, GrowsOnEverySide) {
-  const Box b = grow({{0, 0, 0}, {1, 2, 3}}, {1, 2, 3});
+  const Box b = grow(Box{{0, 0, 0}, {1, 2, 3}}, {1, 2, 3});
   EXPECT_TRUE(b.lo == (Vec3{-1, -2, -3}) && b.hi == (Vec3{2, 4, 6}));
 }
 

@@ -1,0 +1,47 @@
+// One source for one world and for many at once. Functions that matter for speed are templates on
+// the number type F: float is one world (the scalar tick, and a GPU thread), WideFloat of
+// simd/wide.h as many worlds as the CPU has SIMD lanes. Every lane runs the same IEEE operations as
+// a world alone, so that both give the same bits; choices are made by select() instead of branches,
+// and a branch only skips work that no lane needs.
+#pragma once
+
+#include <stdint.h>
+
+#include "base/device.h"
+
+namespace obby {
+
+// What goes with a number type: its integers (32 bits), its truth values, its width.
+template <class F>
+struct Lanes;
+
+template <>
+struct Lanes<float> {
+  using Int = int32_t;
+  using Mask = bool;
+  static constexpr int kCount = 1;
+};
+
+template <class F>
+using IntOf = typename Lanes<F>::Int;
+template <class F>
+using MaskOf = typename Lanes<F>::Mask;
+
+OBBY_DEVICE float select(bool choose, float yes, float no) { return choose ? yes : no; }
+OBBY_DEVICE int32_t select(bool choose, int32_t yes, int32_t no) { return choose ? yes : no; }
+OBBY_DEVICE bool any(bool m) { return m; }
+OBBY_DEVICE bool all(bool m) { return m; }
+OBBY_DEVICE float toFloat(int32_t v) { return float(v); }
+OBBY_DEVICE int32_t toInt(float v) { return int32_t(v); }  // toward zero
+
+OBBY_DEVICE float minf(float a, float b) { return a < b ? a : b; }
+OBBY_DEVICE float maxf(float a, float b) { return a > b ? a : b; }
+OBBY_DEVICE float absf(float v) { return __builtin_fabsf(v); }
+OBBY_DEVICE float sqrtf32(float v) { return __builtin_sqrtf(v); }  // correctly rounded everywhere
+
+template <class F>
+OBBY_DEVICE F clampf(F v, F lo, F hi) {
+  return minf(maxf(v, lo), hi);
+}
+
+}  // namespace obby

@@ -1,0 +1,60 @@
+// collide() of body.h for lanes of worlds, each among up to kLaneSolids parts of its own. Part of
+// the wide tick (wide_tick.h); host only.
+#pragma once
+
+#include "sim/wide_state.h"
+
+namespace obby::sim {
+
+constexpr int kLaneSolids = 4;
+
+using WideBlock = geom::BlockT<WideFloat>;
+
+// The parts that the bodies of kLanes worlds can meet.
+struct Obstacles {
+  WideBlock block[kLaneSolids];
+  BoxT<WideFloat> bounds[kLaneSolids];
+  WideMask upright[kLaneSolids];
+  WideInt count;  // of each lane
+  int most = 0;   // of any lane
+};
+
+namespace internal {
+
+OBBY_LANES geom::ContactT<WideFloat> contactOf(const WideBlock& block, WideMask upright,
+                                               WideMask asked,
+                                               const geom::UprightBoxT<WideFloat>& box) {
+  if (!any(asked & upright)) return geom::boxTiltedBlock<WideFloat>(block, box);
+  geom::ContactT<WideFloat> contact = geom::boxUprightBlock<WideFloat>(block, box);
+  if (any(asked & !upright)) {
+    const geom::ContactT<WideFloat> tilted = geom::boxTiltedBlock<WideFloat>(block, box);
+    contact.depth = select(upright, contact.depth, tilted.depth);
+    contact.normal = select(upright, contact.normal, tilted.normal);
+  }
+  return contact;
+}
+
+}  // namespace internal
+
+OBBY_LANES void collide(WideMotion& m, const Params& p, const Obstacles& o) {
+  WideMask busy(true);
+  for (int round = 0; round < contactRounds(o.most); ++round) {
+    WideMask pushed;
+    geom::UprightBoxT<WideFloat> box = bodyBox(m, p);
+    BoxT<WideFloat> bounds = box.bounds();
+    for (int k = 0; k < o.most; ++k) {
+      const WideMask asked = busy & (o.count > k) & overlaps(bounds, o.bounds[k]);
+      if (!any(asked)) continue;
+      const auto contact = internal::contactOf(o.block[k], o.upright[k], asked, box);
+      const WideMask moved = pushOut(m, p, contact, asked);
+      if (!any(moved)) continue;
+      pushed |= moved;
+      box = bodyBox(m, p);
+      bounds = box.bounds();
+    }
+    busy = pushed & (o.count > 1);
+    if (!any(busy)) return;
+  }
+}
+
+}  // namespace obby::sim

@@ -1,0 +1,316 @@
+#include "sim/wide_tick.h"
+
+#include <algorithm>
+
+#include "sim/tick.h"
+#include "sim/wide_contact.h"
+#include "sim/wide_near.h"
+
+namespace obby::sim {
+namespace {
+
+using F = WideFloat;
+
+class Ticker {
+ public:
+  Ticker(const level::LevelView& level, WideCounts& counts)
+      : level_(level), counts_(counts), near_(level) {}
+
+  // At most kWideSlots worlds.
+  void run(World* const* worlds, const Action* actions, int count) {
+    counts_.ticks += uint64_t(count);
+    admit(worlds, actions, count);
+    if (count_ == 0) return;
+    sort();
+    for (int slot = 0; slot < count_; slot += kLanes) decide(slot);
+    moveAll();
+    for (int slot = 0; slot < count_; slot += kLanes) finish(slot);
+  }
+
+ private:
+  void admit(World* const* worlds, const Action* actions, int count);
+  void sort();
+  void decide(int slot);
+  FloorT<F> sense(const WidePlayer& player, const int32_t* index);
+  void findSolids(const WideMotion& motion, int slot, int most);
+  void moveAll();
+  void singly(int slot);
+  void glide(const int32_t* slots, int steps, float dt);
+  void bump(const int32_t* slots);
+  Obstacles obstaclesOf(const int32_t* slots) const;
+  void finish(int slot);
+  void endTickInLanes(Rows& rows, WideMask touching) const;
+  void touch(int index);
+
+  const level::LevelView& level_;
+  WideCounts& counts_;
+  int count_ = 0;
+
+  // Of the worlds in lanes, in the order of admission: by index.
+  WideNear near_;
+  World* worlds_[kWideSlots];
+  Action actions_[kWideSlots];
+
+  // In the order of work: by slot. The slots after the last repeat it.
+  int32_t order_[kWideSlots + kLanes];  // index
+  alignas(64) int32_t solidCount_[kWideSlots];
+  uint32_t solids_[kWideSlots][kLaneSolids];  // tags
+  bool constant_[kWideSlots];
+  bool done_[kWideSlots];  // by tick()
+  MotionTable<kWideSlots> motions_;
+  WidePlayer players_[kWideSlots / kLanes];  // without position and velocity
+
+  // Parts near the lanes in work.
+  WideBlock blocks_[kRowWords];
+  WideInt tags_[kRowWords];
+};
+
+// A world goes to the lanes, or takes its tick at once.
+void Ticker::admit(World* const* worlds, const Action* actions, int count) {
+  near_.look(worlds, count);
+  count_ = 0;
+  for (int i = 0; i < count; ++i) {
+    if (!near_.running(i)) continue;
+    if (!near_.list(i, count_)) {
+      ++counts_.single;
+      tick(*worlds[i], level_, actions[i]);
+      continue;
+    }
+    worlds_[count_] = worlds[i];
+    actions_[count_] = actions[i];
+    ++count_;
+  }
+}
+
+// Worlds with as many parts near them go together: lanes idle less.
+void Ticker::sort() {
+  int start[kRowWords + 2] = {};
+  for (int i = 0; i < count_; ++i) ++start[near_.count(i) + 1];
+  for (int n = 0; n <= kRowWords; ++n) start[n + 1] += start[n];
+  for (int i = 0; i < count_; ++i) order_[start[near_.count(i)]++] = i;
+  for (int lane = 0; lane < kLanes; ++lane) order_[count_ + lane] = order_[count_ - 1];
+}
+
+ControlT<F> controlsOf(const Action* actions, const int32_t* index) {
+  alignas(64) int32_t heading[kLanes], walk[kLanes], jump[kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const Action& a = actions[index[lane]];
+    heading[lane] = a.heading;
+    walk[lane] = a.walk;
+    jump[lane] = a.jump;
+  }
+  return {load(heading), load(walk) != WideInt(0), load(jump) != WideInt(0)};
+}
+
+// The players' will, and the motions to be made.
+void Ticker::decide(int slot) {
+  const int32_t* index = order_ + slot;
+  const void* worlds[kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) worlds[lane] = worlds_[index[lane]];
+  WidePlayer player = playerOf(loadRows(worlds));
+  const ControlT<F> controls = controlsOf(actions_, index);
+  const FloorT<F> floor = sense(player, index);
+  updateState(player, level_.params, floor, controls);
+  turn(player, level_.params, floor, controls);
+  const WideMotion motion =
+      motionOf(player, level_.params, floor, drive(player, level_.params, floor, controls));
+  players_[slot / kLanes] = player;
+  motions_.put(slot, motion);
+  findSolids(motion, slot, near_.count(index[kLanes - 1]));
+}
+
+// What the players stand on. Leaves the candidates of these lanes in blocks_.
+FloorT<F> Ticker::sense(const WidePlayer& player, const int32_t* index) {
+  FloorRaysT<F> rays = makeRays(player, level_.params);
+  const BoxT<F> box = boundsOf(rays);
+  const void* rows[kLanes];
+  alignas(64) int32_t near[kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) {
+    rows[lane] = near_.tags(index[lane]);
+    near[lane] = near_.count(index[lane]);
+  }
+  const Rows tags = loadRows(rows);
+  const int most = near[kLanes - 1];
+  alignas(64) float friction[kRowWords][kLanes];
+  for (int k = 0; k < most; ++k) {
+    alignas(64) int32_t id[kLanes];
+    const WideInt tag = select(load(near) > k, tags.word[k], WideInt(0));
+    store(tag >> level::kTagShift, id);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const level::Collider& c = level_.colliders[id[lane]];
+      rows[lane] = &c;
+      friction[k][lane] = c.friction;
+    }
+    blocks_[k] = blockOf(loadRows(rows));
+    tags_[k] = tag;
+    const WideMask asked = ((tag & int32_t(level::kSolidTag)) != 0) &
+                           overlaps(boundsOf(blocks_[k].pose, blocks_[k].half), box);
+    if (!any(asked)) continue;
+    const WideMask upright = (tag & int32_t(level::kUprightTag)) != 0;
+    if (any(asked & upright)) castAtUpright<F>(rays, blocks_[k], k, asked & upright);
+    if (any(asked & !upright)) castAtTilted<F>(rays, blocks_[k], k, asked & !upright);
+  }
+  FloorT<F> floor = averageOf(rays, level_.params);
+  for (int k = 0; k < most; ++k) {
+    floor.friction = select(rays.nearest == k, load(friction[k]), floor.friction);
+  }
+  return floor;
+}
+
+// Solid parts that the bodies can meet during this tick, from blocks_.
+void Ticker::findSolids(const WideMotion& motion, int slot, int most) {
+  const BoxT<F> reach = bodyReach(motion, level_.params);
+  const Vec3T<F> center = (reach.lo + reach.hi) * F(0.5f), half = (reach.hi - reach.lo) * F(0.5f);
+  std::fill_n(solidCount_ + slot, kLanes, 0);
+  for (int k = 0; k < most; ++k) {
+    const WideBlock& block = blocks_[k];
+    const WideMask solid = (tags_[k] & int32_t(level::kSolidTag)) != 0;
+    const WideMask meets = solid & overlaps(boundsOf(block.pose, block.half), reach) &
+                           meetsBlock<F>(center, half, block);
+    for (uint32_t left = bitsOf(meets); left != 0; left &= left - 1) {
+      const int at = slot + lowestBit(left);
+      const int32_t n = solidCount_[at]++;
+      if (n < kLaneSolids) solids_[at][n] = near_.tags(order_[at])[k];
+    }
+  }
+  const uint32_t bits = bitsOf(isConstant(motion, level_.params));
+  for (int lane = 0; lane < kLanes; ++lane) constant_[slot + lane] = (bits >> lane & 1) != 0;
+}
+
+// Sorts the worlds by what their motion needs and moves them.
+void Ticker::moveAll() {
+  enum { kOneStep, kSubsteps, kOneUpright, kOneTilted, kSolids, kLists };
+  alignas(64) int32_t lists[kLists][kWideSlots + kLanes];
+  int counts[kLists] = {};
+  for (int slot = 0; slot < count_; ++slot) {
+    const int32_t solids = solidCount_[slot];
+    done_[slot] = false;
+    if (solids > kLaneSolids) {
+      singly(slot);
+      continue;
+    }
+    int list = constant_[slot] ? kOneStep : kSubsteps;
+    if (solids == 1) list = solids_[slot][0] & level::kUprightTag ? kOneUpright : kOneTilted;
+    if (solids > 1) list = kSolids;
+    lists[list][counts[list]++] = slot;
+  }
+  counts_.contact += uint64_t(counts[kOneUpright] + counts[kOneTilted] + counts[kSolids]);
+  const Params& p = level_.params;
+  for (int list = 0; list < kLists; ++list) {
+    if (counts[list] == 0) continue;
+    std::fill_n(lists[list] + counts[list], kLanes, lists[list][counts[list] - 1]);
+    for (int i = 0; i < counts[list]; i += kLanes) {
+      const int32_t* slots = lists[list] + i;
+      if (list == kOneStep) glide(slots, 1, p.tickSeconds);
+      if (list == kSubsteps) glide(slots, p.substeps, p.substepSeconds);
+      if (list > kSubsteps) bump(slots);
+    }
+  }
+}
+
+void Ticker::singly(int slot) {
+  ++counts_.single;
+  tick(*worlds_[order_[slot]], level_, actions_[order_[slot]]);
+  done_[slot] = true;
+}
+
+void Ticker::glide(const int32_t* slots, int steps, float dt) {
+  WideMotion m = motions_.take(slots);
+  for (int s = 0; s < steps; ++s) integrate<F>(m, level_, dt);
+  motions_.putMoved(slots, m);
+}
+
+Obstacles Ticker::obstaclesOf(const int32_t* slots) const {
+  Obstacles o;
+  alignas(64) int32_t counts[kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) counts[lane] = solidCount_[slots[lane]];
+  o.count = load(counts);
+  o.most = *std::max_element(counts, counts + kLanes);
+  for (int k = 0; k < o.most; ++k) {
+    const void* rows[kLanes];
+    alignas(64) int32_t upright[kLanes];
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const uint32_t tag = k < counts[lane] ? solids_[slots[lane]][k] : 0;
+      rows[lane] = &level_.colliders[tag >> level::kTagShift];
+      upright[lane] = int32_t(tag & level::kUprightTag);
+    }
+    o.block[k] = blockOf(loadRows(rows));
+    o.bounds[k] = boundsOf(o.block[k].pose, o.block[k].half);
+    o.upright[k] = load(upright) != WideInt(0);
+  }
+  return o;
+}
+
+void Ticker::bump(const int32_t* slots) {
+  const Obstacles obstacles = obstaclesOf(slots);
+  WideMotion m = motions_.take(slots);
+  for (int s = 0; s < level_.params.substeps; ++s) {
+    integrate<F>(m, level_, level_.params.substepSeconds);
+    collide(m, level_.params, obstacles);
+  }
+  motions_.putMoved(slots, m);
+}
+
+// endTick() of tick.h, in lanes where nothing can be touched.
+void Ticker::finish(int slot) {
+  World unused{};
+  World* targets[kLanes];
+  alignas(64) int32_t touching[kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const int at = slot + lane, index = order_[at];
+    const bool live = at < count_ && !done_[at];
+    targets[lane] = live ? worlds_[index] : &unused;
+    touching[lane] = live && (near_.anyFlags(index) & level::kTouchRoles);
+  }
+  Rows rows = loadRows(reinterpret_cast<const void* const*>(targets));
+  const WidePlayer& player = players_[slot / kLanes];
+  putPlayer(rows, player);
+  putVector(rows, kPositionWord, motions_.position(slot));
+  putVector(rows, kVelocityWord, motions_.velocity(slot));
+  endTickInLanes(rows, load(touching) != WideInt(0));
+  storeRows(rows, reinterpret_cast<void* const*>(targets));
+  for (int lane = 0; lane < kLanes; ++lane) {
+    if (touching[lane]) touch(order_[slot + lane]);
+  }
+}
+
+void Ticker::endTickInLanes(Rows& rows, WideMask touching) const {
+  const Params& p = level_.params;
+  const WideInt hurt = (rows.word[kFloorlessHurtWord] >> 16) & 0xffff;
+  const WideInt calmed = (rows.word[kFloorlessHurtWord] & 0xffff) | ((hurt - 1) << 16);
+  rows.word[kFloorlessHurtWord] =
+      select(touching | (hurt == WideInt(0)), rows.word[kFloorlessHurtWord], calmed);
+  const F health = floatOfBits(rows.word[kHealthWord]);
+  rows.word[kHealthWord] = bitsOf(select(touching, health, regenerated<F>(health, p)));
+  rows.word[kTickWord] = rows.word[kTickWord] + select(touching, WideInt(0), WideInt(1));
+  const F height = floatOfBits(rows.word[kPositionWord + 1]);
+  const WideMask fell = (height < p.fallenPartsHeight) & !touching;
+  const int32_t ended = int32_t(State::dead) << 16 | int32_t(Outcome::fell) << 24;
+  rows.word[kStateWord] =
+      select(fell, (rows.word[kStateWord] & 0xffff) | ended, rows.word[kStateWord]);
+}
+
+void Ticker::touch(int index) {
+  Candidates near;
+  for (int k = 0; k < near_.count(index); ++k) {
+    const uint32_t id = near_.tags(index)[k] >> level::kTagShift;
+    const level::Bounds& b = level_.bounds[id];
+    near.items[near.count++] = {b.box(), &level_.colliders[id].pose, id, uint16_t(b.flags)};
+  }
+  near.anyFlags = uint16_t(near_.anyFlags(index));
+  endTick(*worlds_[index], level_, near);
+}
+
+}  // namespace
+
+void tickAll(const level::LevelView& level, World* const* worlds, const Action* actions,
+             size_t count, WideCounts* counts) {
+  WideCounts unused;
+  Ticker ticker(level, counts != nullptr ? *counts : unused);
+  for (size_t first = 0; first < count; first += kWideSlots) {
+    const int some = int(std::min(count - first, size_t(kWideSlots)));
+    ticker.run(worlds + first, actions + first, some);
+  }
+}
+
+}  // namespace obby::sim

@@ -1,0 +1,128 @@
+// The wide tick gives the bits of the scalar tick for every world, whatever is near it.
+#include "sim/wide_tick.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "sim/simulator.h"
+#include "sim/tick.h"
+#include "support/level_builder.h"
+
+namespace obby::sim {
+namespace {
+
+using support::LevelBuilder;
+
+// Holds a random action for 5 to 40 ticks.
+struct Walker {
+  Random random;
+  Action action;
+  uint32_t left = 0;
+
+  Action next() {
+    if (left-- == 0) {
+      left = 5 + random.below(35);
+      action = {Turns(random.next()), random.below(10) != 0, random.below(3) == 0};
+    }
+    return action;
+  }
+};
+
+struct Scene {
+  const char* name;
+  level::Level (*build)();
+  double leastContact;  // share of ticks with a part to collide with
+  double mostSingle;    // share of ticks that may fall back to the scalar tick
+};
+
+level::Level arena() { return support::boxArena(60, 5).compile(); }
+level::Level course() { return support::platformCourse(30, 2).compile(); }
+
+LevelBuilder everything() {
+  LevelBuilder b = support::boxArena(40, 9);
+  b.block({0, 0.25f, 10}, {6, 0.5f, 6}, [](auto p) { p.initKill().setDamage(30); });
+  b.block({10, 0.25f, 0}, {4, 0.5f, 4}, [](auto p) {
+    support::set(p.initJumpPad().initVelocity(), {0, 80, 0});
+  });
+  b.block({-10, 0.25f, 0}, {8, 0.5f, 8}, [](auto p) {
+    support::set(p.initConveyor().initVelocity(), {9, 0, 0});
+  });
+  b.part([](auto p) {
+    support::set(p.initPosition(), {5, 2, 5});
+    support::set(p.initSize(), {5, 5, 5});
+    p.setShape(schema::Shape::BALL);
+  });
+  b.part([](auto p) {
+    support::set(p.initPosition(), {-6, 1, 6});
+    support::set(p.initSize(), {4, 2, 8});
+    p.setShape(schema::Shape::WEDGE);
+  });
+  return b;
+}
+level::Level mixed() { return everything().compile(); }
+
+// Starts all over the level, so that worlds fall out, land on edges and inside parts.
+std::vector<World> startsOver(const level::Level& level, uint32_t count) {
+  Random random(3, count);
+  std::vector<World> worlds;
+  for (uint32_t i = 0; i < count; ++i) {
+    level::StartPose start = level.spawns()[0];
+    const float side = 60;
+    start.feet +=
+        Vec3{(random.unit() - 0.5f) * side, random.unit() * 8 - 4, (random.unit() - 0.5f) * side};
+    start.yaw = random.unit() * 6;
+    worlds.push_back(makeWorld(level.view(), start));
+    worlds.back().health = 20 + 80 * random.unit();
+  }
+  return worlds;
+}
+
+class WideTick : public testing::TestWithParam<Scene> {};
+
+// 100 worlds fill some lanes and not others; 700 ticks cover walks, falls, pushes, deaths.
+TEST_P(WideTick, GivesTheBitsOfTheScalarTick) {
+  const level::Level level = GetParam().build();
+  for (const uint32_t count : {1u, 5u, 100u, 300u}) {
+    std::vector<World> wide = startsOver(level, count), single = wide;
+    std::vector<World*> pointers;
+    for (World& w : wide) pointers.push_back(&w);
+    std::vector<Walker> walkers;
+    for (uint32_t i = 0; i < count; ++i) walkers.push_back({Random(7, i), {}, 0});
+    std::vector<Action> actions(count);
+    WideCounts counts;
+    for (int t = 0; t < 700; ++t) {
+      for (uint32_t i = 0; i < count; ++i) actions[i] = walkers[i].next();
+      tickAll(level.view(), pointers.data(), actions.data(), count, &counts);
+      for (uint32_t i = 0; i < count; ++i) {
+        tick(single[i], level.view(), actions[i]);
+        ASSERT_EQ(stateHash(wide[i]), stateHash(single[i])) << "world " << i << ", tick " << t;
+      }
+    }
+    EXPECT_EQ(counts.ticks, 700u * count);
+    if (count < 100) continue;
+    EXPECT_GE(double(counts.contact), double(counts.ticks) * GetParam().leastContact);
+    EXPECT_LE(double(counts.single), double(counts.ticks) * GetParam().mostSingle);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, WideTick,
+                         testing::Values(Scene{"arena", arena, 0.1, 0.05},
+                                         Scene{"course", course, 0, 0.05},
+                                         Scene{"mixed", mixed, 0.02, 0.7}),
+                         [](const auto& scene) { return std::string(scene.param.name); });
+
+TEST(WideTick, LeavesEndedWorldsAlone) {
+  const level::Level level = arena();
+  World ended = makeWorld(level.view(), level.spawns()[0]), running = ended;
+  ended.outcome = Outcome::goal;
+  const uint64_t before = stateHash(ended);
+  World* worlds[] = {&ended, &running};
+  const Action actions[2] = {};
+  tickAll(level.view(), worlds, actions, 2);
+  EXPECT_EQ(stateHash(ended), before);
+  EXPECT_EQ(running.tick, 1u);
+}
+
+}  // namespace
+}  // namespace obby::sim
