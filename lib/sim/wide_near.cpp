@@ -20,7 +20,8 @@ constexpr uint32_t kNoParts[1] = {0};  // an empty list
 
 }  // namespace
 
-void WideNear::look(World* const* worlds, int count) {
+// Where each world is in the grid and how far it reaches, kLanes worlds at a time.
+void WideNear::findReach(World* const* worlds, int count) {
   for (int i = 0; i < count; i += kLanes) {
     const void* rows[kLanes];
     void* looks[kLanes];
@@ -32,44 +33,52 @@ void WideNear::look(World* const* worlds, int count) {
     const Vec3T<WideFloat> position = vectorAt(world, kPositionWord);
     const BoxT<WideFloat> reach =
         tickBounds<WideFloat>(position, vectorAt(world, kVelocityWord), level_.params);
-    const WideInt outcome = world.word[kStateWord] & int32_t(0xff000000);
     Rows out;
     putVector(out, 0, reach.hi);
     putVector(out, 3, -reach.lo);
     out.word[6] = out.word[7] = bitsOf(WideFloat(1e38f));
     out.word[8] = cellOf<WideFloat>(level_.grid, position);
-    out.word[9] = select(outcome == WideInt(0), WideInt(1), WideInt(0));
+    out.word[9] = world.word[kStateWord] & int32_t(0xff000000);
     out.word[10] = world.word[kFlagsWord] & 0xff00;
     storeRows(out, looks);
   }
+}
+
+void WideNear::look(World* const* worlds, int count) {
+  findReach(worlds, count);
   // All lists are asked for before the first is read: many loads are under way at a time.
+  const uint32_t* lists[kWideSlots];
   for (int i = 0; i < count; ++i) {
     const int32_t cell = looks_[i].cell;
-    lists_[i] = cell < 0 ? kNoParts : level_.grid.lists + level_.grid.cells[cell];
-    __builtin_prefetch(lists_[i]);
+    lists[i] = cell < 0 ? kNoParts : level_.grid.lists + level_.grid.cells[cell];
+    __builtin_prefetch(lists[i]);
+  }
+  for (int i = 0; i < count; ++i) {
+    turn_[i] = looks_[i].outcome != 0 ? Turn::ended : list(i, lists[i]);
   }
 }
 
-bool WideNear::list(int world, int index) {
-  if (looks_[world].vanishing) return false;
-  const Eight reach(looks_[world].reach, stdx::element_aligned);
-  const uint32_t* list = lists_[world];
+// Notes the parts near a world. What the next look is does not depend on which parts are met: a
+// mispredicted branch costs more than the rest.
+WideNear::Turn WideNear::list(int i, const uint32_t* list) {
+  const Eight reach(looks_[i].reach, stdx::element_aligned);
   const uint32_t count = list[0];
   uint32_t found = 0, some = 0, every = ~0u;
-  for (uint32_t i = 1; i <= count; i += level::kListStep) {
-    if (found + level::kListStep > kRowWords) return false;
-    for (uint32_t j = i; j < i + level::kListStep; ++j) {
+  for (uint32_t k = 1; k <= count; k += level::kListStep) {
+    if (found + level::kListStep > kRowWords) return Turn::single;
+    for (uint32_t j = k; j < k + level::kListStep; ++j) {
       const level::Bounds& b = level_.bounds[list[j]];
-      const bool hit = all_of(Eight(&b.lo.x, stdx::element_aligned) <= reach);
-      tags_[index][found] = b.tag;
+      const uint32_t hit = all_of(Eight(&b.lo.x, stdx::element_aligned) <= reach) ? 1 : 0;
+      tags_[i][found] = b.tag;
       found += hit;
-      some |= hit ? b.flags : 0;
-      every &= hit ? b.flags : ~0u;
+      some |= b.flags & (0 - hit);
+      every &= b.flags | (hit - 1);
     }
   }
-  count_[index] = uint8_t(found);
-  anyFlags_[index] = some;
-  return (some & kSingly) == 0 && (every & level::kBlock) != 0;
+  count_[i] = uint8_t(found);
+  anyFlags_[i] = some;
+  const bool common = (some & kSingly) == 0 && (every & level::kBlock) != 0;
+  return common && looks_[i].vanishing == 0 ? Turn::lanes : Turn::single;
 }
 
 }  // namespace obby::sim

@@ -14,34 +14,35 @@ class WideNear {
  public:
   explicit WideNear(const level::LevelView& level) : level_(level) {}
 
-  // Finds where each of at most kWideSlots worlds is in the grid, and how far it reaches. Must come
-  // before the rest.
+  // Who takes a world's tick.
+  enum class Turn : uint8_t { ended, single, lanes };  // no one; tick(); SIMD lanes
+
+  // Looks around each of at most kWideSlots worlds.
   void look(World* const* worlds, int count);
 
-  bool running(int world) const { return looks_[world].running != 0; }
-
-  // Lists the parts near a world of the last look() under `index`; false if lanes cannot handle
-  // them, and the world must take tick().
-  bool list(int world, int index);
-
-  // Of what was listed last under `index`.
-  int count(int index) const { return count_[index]; }
-  uint32_t anyFlags(int index) const { return anyFlags_[index]; }
-  const uint32_t* tags(int index) const { return tags_[index]; }  // (count), level::Bounds::tag
+  // Of the i-th world of the last look().
+  Turn turn(int i) const { return turn_[i]; }
+  // Of worlds that go to the lanes.
+  int count(int i) const { return count_[i]; }
+  uint32_t anyFlags(int i) const { return anyFlags_[i]; }  // ColliderFlag bits
+  const uint32_t* tags(int i) const { return tags_[i]; }   // (count), level::Bounds::tag
 
  private:
   // What a world is after: a row.
   struct alignas(64) Look {
     float reach[8];  // corners as level::Bounds has them, and two numbers that are never exceeded
     int32_t cell;    // of the grid; -1: none
-    int32_t running, vanishing;
+    int32_t outcome, vanishing;
     int32_t unused[5];
   };
   static_assert(sizeof(Look) == 4 * kRowWords);
 
+  void findReach(World* const* worlds, int count);
+  Turn list(int i, const uint32_t* list);
+
   const level::LevelView& level_;
   Look looks_[kWideSlots];
-  const uint32_t* lists_[kWideSlots];
+  Turn turn_[kWideSlots];
   uint8_t count_[kWideSlots];
   uint32_t anyFlags_[kWideSlots];
   alignas(64) uint32_t tags_[kWideSlots][kRowWords];

@@ -19,22 +19,21 @@ class Ticker {
   // At most kWideSlots worlds.
   void run(World* const* worlds, const Action* actions, int count) {
     counts_.ticks += uint64_t(count);
-    admit(worlds, actions, count);
-    if (count_ == 0) return;
-    sort();
+    worlds_ = worlds;
+    actions_ = actions;
+    admit(count);
     for (int slot = 0; slot < count_; slot += kLanes) decide(slot);
     moveAll();
     for (int slot = 0; slot < count_; slot += kLanes) finish(slot);
   }
 
  private:
-  void admit(World* const* worlds, const Action* actions, int count);
-  void sort();
+  void admit(int count);
   void decide(int slot);
   FloorT<F> sense(const WidePlayer& player, const int32_t* index);
   void findSolids(const WideMotion& motion, int slot, int most);
   void moveAll();
-  void singly(int slot);
+  void singly(int index);
   void glide(const int32_t* slots, int steps, float dt);
   void bump(const int32_t* slots);
   Obstacles obstaclesOf(const int32_t* slots) const;
@@ -44,14 +43,14 @@ class Ticker {
 
   const level::LevelView& level_;
   WideCounts& counts_;
-  int count_ = 0;
 
-  // Of the worlds in lanes, in the order of admission: by index.
+  // Of all worlds: by index.
   WideNear near_;
-  World* worlds_[kWideSlots];
-  Action actions_[kWideSlots];
+  World* const* worlds_ = nullptr;
+  const Action* actions_ = nullptr;
 
-  // In the order of work: by slot. The slots after the last repeat it.
+  // Of the worlds in lanes, in the order of work: by slot. The slots after the last repeat it.
+  int count_ = 0;
   int32_t order_[kWideSlots + kLanes];  // index
   alignas(64) int32_t solidCount_[kWideSlots];
   uint32_t solids_[kWideSlots][kLaneSolids];  // tags
@@ -65,30 +64,21 @@ class Ticker {
   WideInt tags_[kRowWords];
 };
 
-// A world goes to the lanes, or takes its tick at once.
-void Ticker::admit(World* const* worlds, const Action* actions, int count) {
-  near_.look(worlds, count);
-  count_ = 0;
-  for (int i = 0; i < count; ++i) {
-    if (!near_.running(i)) continue;
-    if (!near_.list(i, count_)) {
-      ++counts_.single;
-      tick(*worlds[i], level_, actions[i]);
-      continue;
-    }
-    worlds_[count_] = worlds[i];
-    actions_[count_] = actions[i];
-    ++count_;
-  }
-}
-
-// Worlds with as many parts near them go together: lanes idle less.
-void Ticker::sort() {
+// Puts the worlds for the lanes in order: those with as many parts near them go together, so that
+// lanes idle less. The others take their tick at once.
+void Ticker::admit(int count) {
+  near_.look(worlds_, count);
   int start[kRowWords + 2] = {};
-  for (int i = 0; i < count_; ++i) ++start[near_.count(i) + 1];
+  for (int i = 0; i < count; ++i) {
+    if (near_.turn(i) == WideNear::Turn::lanes) ++start[near_.count(i) + 1];
+  }
   for (int n = 0; n <= kRowWords; ++n) start[n + 1] += start[n];
-  for (int i = 0; i < count_; ++i) order_[start[near_.count(i)]++] = i;
-  for (int lane = 0; lane < kLanes; ++lane) order_[count_ + lane] = order_[count_ - 1];
+  count_ = start[kRowWords + 1];
+  for (int i = 0; i < count; ++i) {
+    if (near_.turn(i) == WideNear::Turn::lanes) order_[start[near_.count(i)]++] = i;
+    if (near_.turn(i) == WideNear::Turn::single) singly(i);
+  }
+  std::fill_n(order_ + count_, kLanes, count_ > 0 ? order_[count_ - 1] : 0);
 }
 
 ControlT<F> controlsOf(const Action* actions, const int32_t* index) {
@@ -184,9 +174,9 @@ void Ticker::moveAll() {
   int counts[kLists] = {};
   for (int slot = 0; slot < count_; ++slot) {
     const int32_t solids = solidCount_[slot];
-    done_[slot] = false;
-    if (solids > kLaneSolids) {
-      singly(slot);
+    done_[slot] = solids > kLaneSolids;
+    if (done_[slot]) {
+      singly(order_[slot]);
       continue;
     }
     int list = constant_[slot] ? kOneStep : kSubsteps;
@@ -208,10 +198,9 @@ void Ticker::moveAll() {
   }
 }
 
-void Ticker::singly(int slot) {
+void Ticker::singly(int index) {
   ++counts_.single;
-  tick(*worlds_[order_[slot]], level_, actions_[order_[slot]]);
-  done_[slot] = true;
+  tick(*worlds_[index], level_, actions_[index]);
 }
 
 void Ticker::glide(const int32_t* slots, int steps, float dt) {
