@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <vector>
 
+#if defined(OBBY_HAS_BULLET)
+#include "common/bullet_arena.h"
+#endif
 #include "common/report.h"
 #include "sim/simulator.h"
 #include "sim/tick.h"
@@ -13,7 +16,7 @@ namespace {
 
 using namespace obby;
 
-constexpr uint32_t kWorlds = 256, kTicks = 1000;
+constexpr uint32_t kWorlds = 256, kTicks = 1000, kSeeds = 5;
 
 // Holds a random action for 10 to 50 ticks; jumps one time in twenty when it changes.
 struct Walker {
@@ -78,35 +81,99 @@ Outcome run(const level::Level& level, uint64_t seed) {
   return o;
 }
 
-template <class Scene>
-void scene(bench::Report& report, const char* name, uint32_t boxes, Scene&& build) {
-  std::vector<double> rates, singly;
+#if defined(OBBY_HAS_BULLET)
+constexpr uint32_t kBulletWorlds = 64, kBulletTicks = 200;
+
+// Bullet's steps a second in the same scene, with the same walkers.
+double bulletPerSecond(const level::Level& level, uint64_t seed) {
+  std::vector<bench::BulletWorld> worlds;
+  std::vector<Walker> walkers;
+  for (uint32_t i = 0; i < kBulletWorlds; ++i) {
+    worlds.emplace_back(level.view(), level.spawns()[0].feet);
+    walkers.push_back({Random(seed, i), {}, 0});
+  }
+  const double seconds = bench::cpuSecondsOf([&] {
+    for (uint32_t t = 0; t < kBulletTicks; ++t) {
+      for (uint32_t i = 0; i < kBulletWorlds; ++i) worlds[i].step(walkers[i].next());
+    }
+  });
+  return kBulletWorlds * kBulletTicks / seconds;
+}
+#endif
+
+struct Scene {
+  const char* name;
+  uint32_t parts;
+  support::LevelBuilder (*build)(uint32_t parts, uint64_t seed);
+  bool bullet;  // compare with Bullet
+};
+
+double medianOf(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+// Median over five random scenes; gives the steps a second.
+double measure(bench::Report& report, const Scene& scene) {
+  std::vector<double> rates, singly, bullet;
   double grounded = 0, contact = 0, fallback = 0;
-  for (uint64_t seed = 1; seed <= 5; ++seed) {
-    const level::Level level = build(boxes, seed).compile();
+  for (uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const level::Level level = scene.build(scene.parts, seed).compile();
     const Outcome o = run(level, seed);
     rates.push_back(o.stepsPerSecond);
     singly.push_back(o.singlyPerSecond);
-    grounded += o.grounded / 5;
-    contact += double(o.counts.contact) / double(o.counts.ticks) / 5;
-    fallback += double(o.counts.single) / double(o.counts.ticks) / 5;
+    grounded += o.grounded / kSeeds;
+    contact += double(o.counts.contact) / double(o.counts.ticks) / kSeeds;
+    fallback += double(o.counts.single) / double(o.counts.ticks) / kSeeds;
+#if defined(OBBY_HAS_BULLET)
+    if (scene.bullet) bullet.push_back(bulletPerSecond(level, seed));
+#endif
   }
-  std::sort(rates.begin(), rates.end());
-  std::sort(singly.begin(), singly.end());
-  report.add(name, "stepsPerSecondPerCore", rates[2], "1/s");
-  report.add(name, "scalarStepsPerSecondPerCore", singly[2], "1/s");
-  report.add(name, "contactShare", contact, "");
-  report.add(name, "scalarShare", fallback, "");
-  report.add(name, "groundedShare", grounded, "");
+  const double rate = medianOf(rates);
+  report.add(scene.name, "stepsPerSecondPerCore", rate, "1/s");
+  report.add(scene.name, "scalarStepsPerSecondPerCore", medianOf(singly), "1/s");
+  if (!bullet.empty()) {
+    report.add(scene.name, "bulletStepsPerSecondPerCore", medianOf(bullet), "1/s");
+    report.add(scene.name, "ratioToBullet", rate / medianOf(bullet), "");
+  }
+  report.add(scene.name, "contactShare", contact, "");
+  report.add(scene.name, "scalarShare", fallback, "");
+  report.add(scene.name, "groundedShare", grounded, "");
+  return rate;
+}
+
+// A snapshot is a plain copy: of worlds to an archive in another order, and back.
+void snapshots(bench::Report& report) {
+  constexpr uint32_t kKept = 4096, kRounds = 200;
+  const level::Level level = support::boxArena(20, 1).compile();
+  std::vector<sim::World> worlds(kKept, sim::makeWorld(level.view(), level.spawns()[0]));
+  std::vector<sim::World> archive(kKept);
+  const double seconds = bench::cpuSecondsOf([&] {
+    for (uint32_t round = 0; round < kRounds; ++round) {
+      for (uint32_t i = 0; i < kKept; ++i) archive[(i * 1663 + round) % kKept] = worlds[i];
+      for (uint32_t i = 0; i < kKept; ++i) worlds[i] = archive[(i * 769 + round) % kKept];
+    }
+  });
+  report.add("world", "saveAndRestore", 1e9 * seconds / (double(kKept) * kRounds), "ns");
+  report.add("world", "bytes", sizeof(sim::World), "B");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   obby::bench::Report report(argc, argv, "sim");
-  scene(report, "static20", 20, support::boxArena);
-  scene(report, "static100", 100, support::boxArena);
-  scene(report, "static300", 300, support::boxArena);
-  scene(report, "course100", 100, support::platformCourse);
-  report.add("world", "bytes", sizeof(obby::sim::World), "B");
+  using obby::support::boxArena;
+  const double few = measure(report, {"static20", 20, boxArena, false});
+  const double hundred = measure(report, {"static100", 100, boxArena, true});
+  measure(report, {"static300", 300, boxArena, false});
+  const double many = measure(report, {"static3000", 3000, boxArena, false});
+  // Cost of a step against that with 20 parts, at equal density.
+  report.add("growth", "cost100Over20", few / hundred, "");
+  report.add("growth", "cost3000Over20", few / many, "");
+  measure(report,
+          {"moving8", 100,
+           [](uint32_t parts, uint64_t seed) { return obby::support::movingArena(parts, 8, seed); },
+           false});
+  measure(report, {"course100", 100, obby::support::platformCourse, false});
+  snapshots(report);
 }

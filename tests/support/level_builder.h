@@ -123,6 +123,31 @@ inline LevelBuilder boxArena(uint32_t boxes, uint64_t seed) {
   return b;
 }
 
+// The same with platforms that slide to and fro near the middle, every other one turning.
+inline LevelBuilder movingArena(uint32_t boxes, uint32_t movers, uint64_t seed) {
+  LevelBuilder b = boxArena(boxes, seed);
+  Random random(seed, boxes + movers);
+  const float half = 0.5f * sqrtf32(float(boxes) * 115.0f);
+  const auto uniform = [&random](float lo, float hi) { return lo + (hi - lo) * random.unit(); };
+  for (uint32_t i = 0; i < movers; ++i) {
+    const Vec3 at{uniform(-half, half), uniform(1, 8), uniform(-half, half)};
+    const Vec3 to = at + Vec3{uniform(-12, 12), uniform(-2, 4), uniform(-12, 12)};
+    const Vec3 size{uniform(3, 10), uniform(0.7f, 2), uniform(3, 10)};
+    const float seconds = uniform(1.5f, 5);
+    b.block(at, size, [=](schema::Part::Builder p) {
+      auto motion = p.initMotion();
+      motion.setCarries(true);
+      motion.setRepeat(schema::Repeat::PING_PONG);
+      auto keys = motion.initKeys(2);
+      set(keys[0].initPosition(), at);
+      set(keys[1].initPosition(), to);
+      keys[1].setTime(seconds);
+      if (i % 2 == 0) motion.initSpin().setSpeed(1);
+    });
+  }
+  return b;
+}
+
 // A winding course of platforms with gaps and steps that can be jumped, over a floor far below.
 inline LevelBuilder platformCourse(uint32_t platforms, uint64_t seed) {
   LevelBuilder b;
