@@ -48,13 +48,13 @@ struct alignas(32) Bounds {
 
   OBBY_DEVICE Box box() const { return {lo, -minusHi}; }
 };
-constexpr uint32_t kSolidTag = 1, kUprightTag = 2;
-constexpr int kTagShift = 2;
+constexpr uint32_t kSolidTag = 1, kUprightTag = 2, kMovingTag = 4;
+constexpr int kTagShift = 3;
 
 OBBY_DEVICE Bounds makeBounds(const Box& box, uint32_t flags, uint32_t index) {
   return {box.lo, -box.hi, flags,
           index << kTagShift | ((flags & kSolid) ? kSolidTag : 0) |
-              ((flags & kUpright) ? kUprightTag : 0)};
+              ((flags & kUpright) ? kUprightTag : 0) | ((flags & kMoving) ? kMovingTag : 0)};
 }
 
 // Roles: one record for each part that has any, shared by its colliders.

@@ -13,8 +13,7 @@ namespace stdx = std::experimental;
 using Eight = stdx::simd<float, stdx::simd_abi::deduce_t<float, 8>>;
 
 // Of a part that only tick() knows to handle.
-constexpr uint32_t kSingly =
-    level::kMoving | level::kVanishTimer | level::kVanishTouch | level::kConveyor;
+constexpr uint32_t kSingly = level::kVanishTimer | level::kVanishTouch;
 
 constexpr uint32_t kNoParts[1] = {0};  // an empty list
 
@@ -40,12 +39,14 @@ void WideNear::findReach(World* const* worlds, int count) {
     out.word[8] = cellOf<WideFloat>(level_.grid, position);
     out.word[9] = world.word[kStateWord] & int32_t(0xff000000);
     out.word[10] = world.word[kFlagsWord] & 0xff00;
+    out.word[11] = world.word[kTickWord];
     storeRows(out, looks);
   }
 }
 
 void WideNear::look(World* const* worlds, int count) {
   findReach(worlds, count);
+  movedCount_ = 0;
   // All lists are asked for before the first is read: many loads are under way at a time.
   const uint32_t* lists[kWideSlots];
   for (int i = 0; i < count; ++i) {
@@ -78,7 +79,30 @@ WideNear::Turn WideNear::list(int i, const uint32_t* list) {
   count_[i] = uint8_t(found);
   anyFlags_[i] = some;
   const bool common = (some & kSingly) == 0 && (every & level::kBlock) != 0;
-  return common && looks_[i].vanishing == 0 ? Turn::lanes : Turn::single;
+  if (!common || looks_[i].vanishing != 0) return Turn::single;
+  return (some & level::kMoving) == 0 || moveParts(i) ? Turn::lanes : Turn::single;
+}
+
+// Puts the moving parts near a world where they are now, and forgets those that are not near after
+// all; false if there are too many.
+bool WideNear::moveParts(int i) {
+  const Box near = looks_[i].box();
+  uint32_t kept = 0;
+  for (uint32_t k = 0; k < count_[i]; ++k) {
+    uint32_t tag = tags_[i][k];
+    if (tag & level::kMovingTag) {
+      const uint32_t id = tag >> level::kTagShift;
+      const level::Collider& c = level_.colliders[id];
+      const Pose pose = moverPose(level_.movers[c.mover], looks_[i].tick + 1);
+      if (!overlaps(boundsOf(pose, c.shape.half), near)) continue;
+      if (movedCount_ == kMovedParts) return false;
+      tag = uint32_t(movedCount_) << level::kTagShift | (tag & ((1u << level::kTagShift) - 1));
+      moved_[movedCount_++] = {pose, c.shape.half, id};
+    }
+    tags_[i][kept++] = tag;
+  }
+  count_[i] = uint8_t(kept);
+  return true;
 }
 
 }  // namespace obby::sim

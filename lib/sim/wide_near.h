@@ -10,9 +10,21 @@ namespace obby::sim {
 constexpr int kWideSlots = 256;  // worlds a block
 static_assert(kWideSlots % kLanes == 0 && kRowWords <= kMaxCandidates);
 
+// Where a moving part is for a world: a row as level::Collider starts with, and as far from the
+// next, so that finding a row takes no branch.
+struct alignas(sizeof(level::Collider)) MovedPart {
+  Pose pose;  // at the end of the tick
+  Vec3 half;
+  uint32_t collider;
+};
+static_assert(sizeof(MovedPart) == sizeof(level::Collider));
+
 class WideNear {
  public:
-  explicit WideNear(const level::LevelView& level) : level_(level) {}
+  explicit WideNear(const level::LevelView& level)
+      : level_(level),
+        rows_{reinterpret_cast<const char*>(level.colliders),
+              reinterpret_cast<const char*>(moved_)} {}
 
   // Who takes a world's tick.
   enum class Turn : uint8_t { ended, single, lanes };  // no one; tick(); SIMD lanes
@@ -25,7 +37,20 @@ class WideNear {
   // Of worlds that go to the lanes.
   int count(int i) const { return count_[i]; }
   uint32_t anyFlags(int i) const { return anyFlags_[i]; }  // ColliderFlag bits
-  const uint32_t* tags(int i) const { return tags_[i]; }   // (count), level::Bounds::tag
+  // (count), level::Bounds::tag; where it has kMovingTag, the index is one of movedParts.
+  const uint32_t* tags(int i) const { return tags_[i]; }
+
+  // What a tag stands for.
+  uint32_t colliderOf(uint32_t tag) const {
+    const uint32_t index = tag >> level::kTagShift;
+    return tag & level::kMovingTag ? moved_[index].collider : index;
+  }
+  // Pose and half extents, a row.
+  const void* rowOf(uint32_t tag) const {
+    return rows_[(tag & level::kMovingTag) / level::kMovingTag] +
+           size_t(tag >> level::kTagShift) * sizeof(MovedPart);
+  }
+  const Pose& poseOf(uint32_t tag) const { return *static_cast<const Pose*>(rowOf(tag)); }
 
  private:
   // What a world is after: a row.
@@ -33,19 +58,29 @@ class WideNear {
     float reach[8];  // corners as level::Bounds has them, and two numbers that are never exceeded
     int32_t cell;    // of the grid; -1: none
     int32_t outcome, vanishing;
-    int32_t unused[5];
+    uint32_t tick;
+    int32_t unused[4];
+
+    Box box() const {
+      return {-Vec3{reach[3], reach[4], reach[5]}, {reach[0], reach[1], reach[2]}};
+    }
   };
   static_assert(sizeof(Look) == 4 * kRowWords);
 
   void findReach(World* const* worlds, int count);
   Turn list(int i, const uint32_t* list);
+  bool moveParts(int i);
 
   const level::LevelView& level_;
+  const char* const rows_[2];  // of parts that stand still, and that move
   Look looks_[kWideSlots];
   Turn turn_[kWideSlots];
   uint8_t count_[kWideSlots];
   uint32_t anyFlags_[kWideSlots];
   alignas(64) uint32_t tags_[kWideSlots][kRowWords];
+  static constexpr int kMovedParts = 2 * kWideSlots;  // a block; worlds beyond them take tick()
+  int movedCount_ = 0;
+  MovedPart moved_[kMovedParts];
 };
 
 }  // namespace obby::sim

@@ -31,6 +31,7 @@ class Ticker {
   void admit(int count);
   void decide(int slot);
   FloorT<F> sense(const WidePlayer& player, const int32_t* index);
+  void addSurface(WideInt nearest, const int32_t* index, FloorT<F>& floor) const;
   void findSolids(const WideMotion& motion, int slot, int most);
   void moveAll();
   void singly(int index);
@@ -109,7 +110,7 @@ void Ticker::decide(int slot) {
   findSolids(motion, slot, near_.count(index[kLanes - 1]));
 }
 
-// What the players stand on. Leaves the candidates of these lanes in blocks_.
+// What the players stand on. Leaves the parts near these lanes in blocks_ and tags_.
 FloorT<F> Ticker::sense(const WidePlayer& player, const int32_t* index) {
   FloorRaysT<F> rays = makeRays(player, level_.params);
   const BoxT<F> box = boundsOf(rays);
@@ -121,30 +122,48 @@ FloorT<F> Ticker::sense(const WidePlayer& player, const int32_t* index) {
   }
   const Rows tags = loadRows(rows);
   const int most = near[kLanes - 1];
-  alignas(64) float friction[kRowWords][kLanes];
   for (int k = 0; k < most; ++k) {
-    alignas(64) int32_t id[kLanes];
-    const WideInt tag = select(load(near) > k, tags.word[k], WideInt(0));
-    store(tag >> level::kTagShift, id);
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const level::Collider& c = level_.colliders[id[lane]];
-      rows[lane] = &c;
-      friction[k][lane] = c.friction;
-    }
+    alignas(64) int32_t tag[kLanes];
+    tags_[k] = select(load(near) > k, tags.word[k], WideInt(0));
+    store(tags_[k], tag);
+    for (int lane = 0; lane < kLanes; ++lane) rows[lane] = near_.rowOf(uint32_t(tag[lane]));
     blocks_[k] = blockOf(loadRows(rows));
-    tags_[k] = tag;
-    const WideMask asked = ((tag & int32_t(level::kSolidTag)) != 0) &
+    const WideMask asked = ((tags_[k] & int32_t(level::kSolidTag)) != 0) &
                            overlaps(boundsOf(blocks_[k].pose, blocks_[k].half), box);
     if (!any(asked)) continue;
-    const WideMask upright = (tag & int32_t(level::kUprightTag)) != 0;
+    const WideMask upright = (tags_[k] & int32_t(level::kUprightTag)) != 0;
     if (any(asked & upright)) castAtUpright<F>(rays, blocks_[k], k, asked & upright);
     if (any(asked & !upright)) castAtTilted<F>(rays, blocks_[k], k, asked & !upright);
   }
   FloorT<F> floor = averageOf(rays, level_.params);
-  for (int k = 0; k < most; ++k) {
-    floor.friction = select(rays.nearest == k, load(friction[k]), floor.friction);
-  }
+  if (any(floor.sensed)) addSurface(rays.nearest, index, floor);
   return floor;
+}
+
+// Friction and motion of what the players stand on.
+void Ticker::addSurface(WideInt nearest, const int32_t* index, FloorT<F>& floor) const {
+  alignas(64) int32_t part[kLanes];
+  alignas(64) float values[5][kLanes] = {};
+  store(nearest, part);
+  bool moves = false;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    if (part[lane] < 0) continue;
+    const uint32_t tag = near_.tags(index[lane])[part[lane]], id = near_.colliderOf(tag);
+    const uint16_t flags = uint16_t(level_.bounds[id].flags);
+    values[0][lane] = level_.colliders[id].friction;
+    if (!(flags & (level::kConveyor | level::kCarries))) continue;
+    moves = true;
+    Floor one;
+    surfaceMotion(*worlds_[index[lane]], level_, {{}, &near_.poseOf(tag), id, flags}, one);
+    values[1][lane] = one.velocity.x;
+    values[2][lane] = one.velocity.y;
+    values[3][lane] = one.velocity.z;
+    values[4][lane] = one.turning;
+  }
+  floor.friction = load(values[0]);
+  if (!moves) return;
+  floor.velocity = {load(values[1]), load(values[2]), load(values[3])};
+  floor.turning = load(values[4]);
 }
 
 // Solid parts that the bodies can meet during this tick, from blocks_.
@@ -220,7 +239,7 @@ Obstacles Ticker::obstaclesOf(const int32_t* slots) const {
     alignas(64) int32_t upright[kLanes];
     for (int lane = 0; lane < kLanes; ++lane) {
       const uint32_t tag = k < counts[lane] ? solids_[slots[lane]][k] : 0;
-      rows[lane] = &level_.colliders[tag >> level::kTagShift];
+      rows[lane] = near_.rowOf(tag);
       upright[lane] = int32_t(tag & level::kUprightTag);
     }
     o.block[k] = blockOf(loadRows(rows));
@@ -282,9 +301,10 @@ void Ticker::endTickInLanes(Rows& rows, WideMask touching) const {
 void Ticker::touch(int index) {
   Candidates near;
   for (int k = 0; k < near_.count(index); ++k) {
-    const uint32_t id = near_.tags(index)[k] >> level::kTagShift;
-    const level::Bounds& b = level_.bounds[id];
-    near.items[near.count++] = {b.box(), &level_.colliders[id].pose, id, uint16_t(b.flags)};
+    const uint32_t tag = near_.tags(index)[k], id = near_.colliderOf(tag);
+    const Pose& pose = near_.poseOf(tag);
+    const Box bounds = boundsOf(pose, level_.colliders[id].shape.half);
+    near.items[near.count++] = {bounds, &pose, id, uint16_t(level_.bounds[id].flags)};
   }
   near.anyFlags = uint16_t(near_.anyFlags(index));
   endTick(*worlds_[index], level_, near);

@@ -37,6 +37,7 @@ struct Scene {
 };
 
 level::Level arena() { return support::boxArena(60, 5).compile(); }
+level::Level moving() { return support::movingArena(30, 14, 4).compile(); }
 level::Level course() { return support::platformCourse(30, 2).compile(); }
 
 LevelBuilder everything() {
@@ -109,6 +110,7 @@ TEST_P(WideTick, GivesTheBitsOfTheScalarTick) {
 INSTANTIATE_TEST_SUITE_P(Scenes, WideTick,
                          testing::Values(Scene{"arena", arena, 0.1, 0.05},
                                          Scene{"course", course, 0, 0.05},
+                                         Scene{"moving", moving, 0.1, 0.05},
                                          Scene{"mixed", mixed, 0.02, 0.7}),
                          [](const auto& scene) { return std::string(scene.param.name); });
 
