@@ -6,78 +6,14 @@
 #include <functional>
 
 #include "base/hash.h"
+#include "golden/scenes.h"
 #include "sim/batch.h"
 #include "sim/simulator.h"
-#include "support/level_builder.h"
 
 namespace obby {
 namespace {
 
-using schema::Part;
-using support::LevelBuilder;
-
-void key(schema::MotionKey::Builder k, float time, Vec3 at) {
-  k.setTime(time);
-  support::set(k.initPosition(), at);
-}
-
-LevelBuilder floorWith(const LevelBuilder::PartSetter& more) {
-  return LevelBuilder().block({0, -1, 0}, {60, 2, 60}, more).spawn({0, 3, 0});
-}
-
-LevelBuilder shapes() {
-  LevelBuilder b = floorWith({});
-  Random random(5, 0);
-  for (int i = 0; i < 60; ++i) {
-    const float x = 50 * random.unit() - 25, y = 6 * random.unit(), z = 50 * random.unit() - 25;
-    const Vec3 size{1 + 5 * random.unit(), 1 + 5 * random.unit(), 1 + 5 * random.unit()};
-    const float yaw = 6 * random.unit(), pitch = i % 3 == 0 ? 0 : 3 * random.unit();
-    b.block({x, y, z}, size, [=](Part::Builder p) {
-      p.setShape(schema::Shape(i % 5));
-      support::setRotation(p.initRotation(), yaw, pitch);
-    });
-  }
-  return b;
-}
-
-LevelBuilder movers(bool carries) {
-  LevelBuilder b = floorWith([](Part::Builder p) { p.initKill().setDamage(1); });
-  for (int i = 0; i < 12; ++i) {
-    const Vec3 at{float(i % 4) * 8 - 12, 1 + float(i / 4) * 3, float(i / 4) * 9 - 9};
-    b.block(at, {5, 1, 5}, [=](Part::Builder p) {
-      auto motion = p.initMotion();
-      motion.setCarries(carries);
-      motion.setRepeat(i % 2 == 0 ? schema::Repeat::PING_PONG : schema::Repeat::LOOP);
-      auto keys = motion.initKeys(2);
-      key(keys[0], 0, at);
-      key(keys[1], 1.3f + float(i) * 0.37f, at + Vec3{6, float(i % 3), -4});
-      keys[1].setEasing(schema::Easing(i % 11));
-      if (i % 3 == 0) motion.initSpin().setSpeed(0.7f * float(i + 1));
-    });
-  }
-  return b;
-}
-
-LevelBuilder roles() {
-  LevelBuilder b = floorWith([](Part::Builder p) {
-    support::set(p.initConveyor().initVelocity(), {3, 0, 1});
-  });
-  b.block({6, 0.5f, 0}, {4, 1, 4}, [](Part::Builder p) {
-    support::set(p.initJumpPad().initVelocity(), {5, 80, 0});
-  });
-  b.block({-6, 2, 0}, {4, 1, 4}, [](Part::Builder p) { p.initVanish().setDelay(0.4f); });
-  b.block({0, 2, 8}, {4, 1, 4}, [](Part::Builder p) {
-    p.initVanish().setTrigger(schema::VanishTrigger::TIMER);
-    p.getVanish().setDelay(1);
-  });
-  b.block({0, 4, -8}, {6, 8, 1}, [](Part::Builder p) {
-    p.setSolid(false);
-    p.initKill().setDamage(20);
-    p.getKill().setCooldown(0.5f);
-  });
-  b.block({12, 1, 12}, {10, 2, 10}, [](Part::Builder p) { p.setFriction(0.02f); });
-  return b;
-}
+using namespace golden;
 
 struct Scene {
   const char* name;
@@ -110,6 +46,27 @@ const Scene kScenes[] = {
        });
      },
      0x80f719c644c5868},
+    {"balls", [] { return crowdOf(schema::Shape::BALL); }, 0x6ffbeeae1e196078},
+    {"cylinders", [] { return crowdOf(schema::Shape::CYLINDER); }, 0x8186c9db0554ede7},
+    {"wedges", [] { return crowdOf(schema::Shape::WEDGE); }, 0x5979a01cf10804e6},
+    {"corner wedges", [] { return crowdOf(schema::Shape::CORNER_WEDGE); }, 0x7ce7a44566946cdb},
+    {"hulls", hulls, 0x32924da28105269c},
+    {"spinners", spinners, 0xae2d35e5d872e84b},
+    {"extremes", extremes, 0x1ff27ba8eb7c0b93},
+    {"stairs", stairs, 0xb797ad3b66e20dac},
+    {"slopes", slopes, 0xadfaa612b58bb749},
+    {"pads", pads, 0xaccbd02980951379},
+    {"vanishing", vanishing, 0x40593e38b5225205},
+    {"killers", killers, 0xb06f9088f09cbd6c},
+    {"moving arena", [] { return support::movingArena(40, 12, 8); }, 0xecb53d6af1a8b828},
+    {"moving arena, 120 Hz",
+     [] {
+       return support::movingArena(40, 12, 9).physics([](auto p) {
+         p.setControlRate(120);
+         p.setSubsteps(2);
+       });
+     },
+     0x3952a2b4a872f904},
 };
 
 constexpr size_t kWorlds = 64;

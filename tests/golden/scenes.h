@@ -1,0 +1,181 @@
+// The scenes whose state hashes are committed: between them they use every shape and behaviour.
+#pragma once
+
+#include "support/level_builder.h"
+
+namespace obby::golden {
+
+using schema::Part;
+using support::LevelBuilder;
+
+inline void key(schema::MotionKey::Builder k, float time, Vec3 at) {
+  k.setTime(time);
+  support::set(k.initPosition(), at);
+}
+
+inline LevelBuilder floorWith(const LevelBuilder::PartSetter& more) {
+  return LevelBuilder().block({0, -1, 0}, {60, 2, 60}, more).spawn({0, 3, 0});
+}
+
+inline LevelBuilder shapes() {
+  LevelBuilder b = floorWith({});
+  Random random(5, 0);
+  for (int i = 0; i < 60; ++i) {
+    const float x = 50 * random.unit() - 25, y = 6 * random.unit(), z = 50 * random.unit() - 25;
+    const Vec3 size{1 + 5 * random.unit(), 1 + 5 * random.unit(), 1 + 5 * random.unit()};
+    const float yaw = 6 * random.unit(), pitch = i % 3 == 0 ? 0 : 3 * random.unit();
+    b.block({x, y, z}, size, [=](Part::Builder p) {
+      p.setShape(schema::Shape(i % 5));
+      support::setRotation(p.initRotation(), yaw, pitch);
+    });
+  }
+  return b;
+}
+
+inline LevelBuilder movers(bool carries) {
+  LevelBuilder b = floorWith([](Part::Builder p) { p.initKill().setDamage(1); });
+  for (int i = 0; i < 12; ++i) {
+    const Vec3 at{float(i % 4) * 8 - 12, 1 + float(i / 4) * 3, float(i / 4) * 9 - 9};
+    b.block(at, {5, 1, 5}, [=](Part::Builder p) {
+      auto motion = p.initMotion();
+      motion.setCarries(carries);
+      motion.setRepeat(i % 2 == 0 ? schema::Repeat::PING_PONG : schema::Repeat::LOOP);
+      auto keys = motion.initKeys(2);
+      key(keys[0], 0, at);
+      key(keys[1], 1.3f + float(i) * 0.37f, at + Vec3{6, float(i % 3), -4});
+      keys[1].setEasing(schema::Easing(i % 11));
+      if (i % 3 == 0) motion.initSpin().setSpeed(0.7f * float(i + 1));
+    });
+  }
+  return b;
+}
+
+inline LevelBuilder roles() {
+  LevelBuilder b = floorWith([](Part::Builder p) {
+    support::set(p.initConveyor().initVelocity(), {3, 0, 1});
+  });
+  b.block({6, 0.5f, 0}, {4, 1, 4}, [](Part::Builder p) {
+    support::set(p.initJumpPad().initVelocity(), {5, 80, 0});
+  });
+  b.block({-6, 2, 0}, {4, 1, 4}, [](Part::Builder p) { p.initVanish().setDelay(0.4f); });
+  b.block({0, 2, 8}, {4, 1, 4}, [](Part::Builder p) {
+    p.initVanish().setTrigger(schema::VanishTrigger::TIMER);
+    p.getVanish().setDelay(1);
+  });
+  b.block({0, 4, -8}, {6, 8, 1}, [](Part::Builder p) {
+    p.setSolid(false);
+    p.initKill().setDamage(20);
+    p.getKill().setCooldown(0.5f);
+  });
+  b.block({12, 1, 12}, {10, 2, 10}, [](Part::Builder p) { p.setFriction(0.02f); });
+  return b;
+}
+
+// Many parts of one kind over a floor, each made by `setter` with its index.
+template <class Setter>
+LevelBuilder crowd(int count, Setter setter) {
+  LevelBuilder b = floorWith({});
+  Random random(21, uint64_t(count));
+  for (int i = 0; i < count; ++i) {
+    const Vec3 at{44 * random.unit() - 22, 5 * random.unit(), 44 * random.unit() - 22};
+    const Vec3 size{1 + 6 * random.unit(), 0.5f + 4 * random.unit(), 1 + 6 * random.unit()};
+    const float yaw = 6 * random.unit(), pitch = random.unit() - 0.5f;
+    b.block(at, size, [=](Part::Builder p) {
+      support::setRotation(p.initRotation(), yaw, pitch);
+      setter(p, i);
+    });
+  }
+  return b;
+}
+
+inline LevelBuilder crowdOf(schema::Shape shape) {
+  return crowd(40, [=](Part::Builder p, int) { p.setShape(shape); });
+}
+
+// Octahedra: hulls with eight faces and six corners.
+inline LevelBuilder hulls() {
+  return crowd(30, [](Part::Builder p, int i) {
+    p.setShape(schema::Shape::HULL);
+    const float r = 2 + 0.1f * float(i);
+    const Vec3 corners[6] = {{r, 0, 0}, {-r, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, r}, {0, 0, -r}};
+    auto vertices = p.initHulls(1)[0].initVertices(6);
+    for (uint32_t k = 0; k < 6; ++k) support::set(vertices[k], corners[k]);
+  });
+}
+
+// Beams that turn about a vertical or a level axis, through a pivot away from their centre.
+inline LevelBuilder spinners() {
+  LevelBuilder b = floorWith({});
+  for (int i = 0; i < 9; ++i) {
+    const Vec3 at{float(i % 3) * 14 - 14, 1 + float(i % 2), float(i / 3) * 14 - 14};
+    b.block(at, {10, 0.8f, 1.2f}, [=](Part::Builder p) {
+      auto spin = p.initMotion().initSpin();
+      spin.setSpeed(0.5f + 0.3f * float(i));
+      support::set(spin.initAxis(), i % 2 == 0 ? Vec3{0, 1, 0} : Vec3{0, 0, 1});
+      p.getMotion().setCarries(i % 3 == 0);
+    });
+  }
+  return b;
+}
+
+// Everything that a part can be in size: a sheet, a needle, a hill, a plain.
+inline LevelBuilder extremes() {
+  return LevelBuilder()
+      .block({0, -1000, 0}, {2048, 2000, 2048})
+      .block({0, 3, 0}, {30, 0.05f, 30})
+      .block({8, 4, 8}, {0.05f, 8, 0.05f})
+      .block({-30, 0, 0}, {40, 20, 40},
+             [](Part::Builder p) { support::setRotation(p.initRotation(), 1, 0.7f); })
+      .spawn({0, 6, 0});
+}
+
+// A flight of steps up to more than the legs can climb, under a ceiling that comes lower.
+inline LevelBuilder stairs() {
+  LevelBuilder b = floorWith({});
+  for (int i = 0; i < 12; ++i) {
+    const float rise = 0.3f + 0.12f * float(i), at = float(i) * 3 - 15;
+    b.block({at, 0.15f * float(i) * rise, 0}, {3, 0.3f * float(i) * rise + 0.1f, 20});
+  }
+  b.block({0, 9, 0}, {50, 1, 20},
+          [](Part::Builder p) { support::setRotation(p.initRotation(), 1.5707963f, 0.1f); });
+  return b;
+}
+
+inline LevelBuilder slopes() {
+  LevelBuilder b = floorWith([](Part::Builder p) { p.setFriction(0.05f); });
+  for (int i = 0; i < 8; ++i) {
+    b.block({float(i % 4) * 12 - 18, 1, float(i / 4) * 20 - 10}, {8, 1, 16}, [=](Part::Builder p) {
+      support::setRotation(p.initRotation(), 0.4f * float(i), 0.2f * float(i));
+      p.setFriction(0.02f * float(i));
+    });
+  }
+  return b;
+}
+
+inline LevelBuilder pads() {
+  return crowd(20, [](Part::Builder p, int i) {
+    auto pad = p.initJumpPad();
+    support::set(pad.initVelocity(), {float(i % 5) * 20 - 40, 30 + 10 * float(i % 7), 15});
+    pad.setKeepSideways(i % 2 == 0);
+  });
+}
+
+inline LevelBuilder vanishing() {
+  return crowd(30, [](Part::Builder p, int i) {
+    auto vanish = p.initVanish();
+    if (i % 2 == 0) vanish.setTrigger(schema::VanishTrigger::TIMER);
+    vanish.setDelay(0.2f * float(i % 4));
+    vanish.setAway(0.5f + 0.1f * float(i));
+    vanish.setPhase(0.3f * float(i));
+  });
+}
+
+inline LevelBuilder killers() {
+  return crowd(25, [](Part::Builder p, int i) {
+    p.setSolid(i % 3 != 0);
+    p.initKill().setDamage(float(5 + 10 * (i % 4)));
+    p.getKill().setCooldown(0.25f * float(i % 3));
+  });
+}
+
+}  // namespace obby::golden
