@@ -29,6 +29,13 @@ class Archive {
   // The cell of a key, or kNone. Safe to call from several threads between changes.
   uint32_t find(uint64_t key) const;
 
+  // Ask the memory for what find(key) will read, and then countSeen(cell) and better(cell, ...).
+  void prefetch(uint64_t key) const { __builtin_prefetch(&slots_[key & (slots_.size() - 1)]); }
+  void prefetchCell(uint32_t cell) const {
+    __builtin_prefetch(&seen_[cell], 1);
+    __builtin_prefetch(&arrivals_[cell]);
+  }
+
   // Would `world` take this cell over? Fewer ticks, or as many with fewer jumps.
   bool better(uint32_t cell, const sim::World& world) const {
     const Arrival& a = arrivals_[cell];

@@ -85,21 +85,10 @@ bool GoExplore::keeps(const sim::World& world) const {
   return !settings_.groundedOnly || grounded(world) || world.floorlessTicks >= airTicks_;
 }
 
-// Once for each cell that a rollout passes through. Counts, and passes on what the archive lacks.
-void GoExplore::visit(Rollout& r, const sim::World& world, uint64_t key, uint64_t& keptKey) {
-  if (key == keptKey || !keeps(world)) return;
-  keptKey = key;
-  const uint32_t cell = archive_.find(key);
-  if (cell != kNone) {
-    archive_.countSeen(cell);
-    if (!archive_.better(cell, world)) return;
-  }
-  r.candidates.push_back({key, world, potential_(world), r.ticks});
-}
-
 void GoExplore::explore(std::span<Rollout> rollouts) {
   RolloutGroup group(context_);
   std::vector<Keys> keys;
+  std::vector<Look> looks;
   for (Rollout& r : rollouts) {
     r.candidates.clear();
     r.ticks = r.closestTicks = 0;
@@ -110,20 +99,54 @@ void GoExplore::explore(std::span<Rollout> rollouts) {
     archive_.countSeen(r.cell);
     group.add(seed_, r.id, r.end);
   }
-  group.run(phaseTicks_, [&](size_t i, const sim::World& world) {
-    Rollout& r = rollouts[i];
-    ++r.ticks;
-    if (r.ticks % kLookEvery == 0 && world.outcome == sim::Outcome::running)
-      look(r, world, keys[i]);
+  group.run(phaseTicks_, [&](uint32_t tick, std::span<const RolloutGroup::Member> members) {
+    looks.clear();
+    for (const RolloutGroup::Member& m : members) {
+      rollouts[m.index].ticks = tick;
+      if (tick % kLookEvery != 0 || m.world->outcome != sim::Outcome::running) continue;
+      looks.push_back({cellKey(binning_, *m.world), m.index, kNone});
+    }
+    look(rollouts, keys, looks);
   });
 }
 
-void GoExplore::look(Rollout& r, const sim::World& world, Keys& keys) {
-  const uint64_t key = cellKey(binning_, world);
-  visit(r, world, key, keys.kept);
-  if (key == keys.last) return;
-  keys.last = key;
-  const Closest here{world.waypoints, potential_.distance(world), {}, world.position};
+// The archive is far larger than the caches: what all rollouts ask of it is fetched before the
+// first needs it.
+void GoExplore::look(std::span<Rollout> rollouts, std::span<Keys> keys, std::span<Look> looks) {
+  const auto isNew = [&](const Look& l) {
+    return l.key != keys[l.rollout].kept && keeps(rollouts[l.rollout].end);
+  };
+  for (const Look& l : looks) {
+    if (isNew(l)) archive_.prefetch(l.key);
+  }
+  for (Look& l : looks) {
+    if (!isNew(l)) continue;
+    l.cell = archive_.find(l.key);
+    if (l.cell != kNone) archive_.prefetchCell(l.cell);
+  }
+  for (const Look& l : looks) {
+    Rollout& r = rollouts[l.rollout];
+    if (isNew(l)) {
+      visit(r, l.key, l.cell);
+      keys[l.rollout].kept = l.key;
+    }
+    if (l.key == keys[l.rollout].last) continue;
+    keys[l.rollout].last = l.key;
+    noteClosest(r);
+  }
+}
+
+// Once for each cell that a rollout passes through. Counts, and passes on what the archive lacks.
+void GoExplore::visit(Rollout& r, uint64_t key, uint32_t cell) {
+  if (cell != kNone) {
+    archive_.countSeen(cell);
+    if (!archive_.better(cell, r.end)) return;
+  }
+  r.candidates.push_back({key, r.end, potential_(r.end), r.ticks});
+}
+
+void GoExplore::noteClosest(Rollout& r) {
+  const Closest here{r.end.waypoints, potential_.distance(r.end), {}, r.end.position};
   if (!closer(here, r.closest)) return;
   r.closest = here;
   r.closestTicks = r.ticks;

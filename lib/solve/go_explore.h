@@ -88,9 +88,16 @@ class GoExplore {
     uint64_t last, kept;
   };
 
+  struct Look {  // at where a rollout is after a tick
+    uint64_t key;
+    size_t rollout;
+    uint32_t cell;
+  };
+
   void explore(std::span<Rollout> rollouts);
-  void look(Rollout& rollout, const sim::World& world, Keys& keys);
-  void visit(Rollout& rollout, const sim::World& world, uint64_t key, uint64_t& keptKey);
+  void look(std::span<Rollout> rollouts, std::span<Keys> keys, std::span<Look> looks);
+  void visit(Rollout& rollout, uint64_t key, uint32_t cell);
+  void noteClosest(Rollout& rollout);
   bool keeps(const sim::World& world) const;
   void merge();
   void mergeEnd(const Rollout& rollout);

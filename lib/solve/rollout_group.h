@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sim/rules.h"
@@ -19,31 +21,25 @@ class RolloutGroup {
     running_.push_back({Explorer(seed, rollout), &world, running_.size()});
   }
 
-  // Advances every world by at most `ticks` ticks. visit(i, world) is called after each tick of the
-  // i-th world that was added.
+  struct Member {
+    Explorer explorer;
+    sim::World* world;
+    size_t index;  // in the order of add()
+  };
+
+  // Advances every world by at most `ticks` ticks. visit(t, members) is called after tick t = 1, 2,
+  // ... with all that took it.
   template <class Visit>
   void run(uint32_t ticks, Visit&& visit) {
-    for (uint32_t t = 0; t < ticks && !running_.empty(); ++t) {
+    for (uint32_t t = 1; t <= ticks && !running_.empty(); ++t) {
       tick();
-      size_t kept = 0;
-      for (Member& m : running_) {
-        sim::applyRules(*m.world, context_.level, context_.query);
-        visit(m.index, *m.world);
-        if (m.world->outcome != sim::Outcome::running) continue;
-        if (&running_[kept] != &m) running_[kept] = m;
-        ++kept;
-      }
-      running_.erase(running_.begin() + std::ptrdiff_t(kept), running_.end());
+      visit(t, std::span<const Member>(running_));
+      std::erase_if(running_,
+                    [](const Member& m) { return m.world->outcome != sim::Outcome::running; });
     }
   }
 
  private:
-  struct Member {
-    Explorer explorer;
-    sim::World* world;
-    size_t index;
-  };
-
   void tick() {
     worlds_.clear();
     actions_.clear();
@@ -52,6 +48,7 @@ class RolloutGroup {
       actions_.push_back(m.explorer.next(context_, *m.world));
     }
     sim::tickAll(context_.level, worlds_.data(), actions_.data(), worlds_.size());
+    for (sim::World* w : worlds_) sim::applyRules(*w, context_.level, context_.query);
   }
 
   const ExploreContext& context_;
