@@ -161,7 +161,8 @@ void PartCompiler::push(Collider collider, uint16_t flags) {
     flags |= kBlock;
     if (collider.mover == kNone && makeUpright(collider)) flags |= kUpright;
   }
-  out_.bounds.push_back(makeBounds(sweptBounds(collider), flags, uint32_t(out_.bounds.size())));
+  out_.bounds.push_back(makeBounds(sweptBounds(collider), flags, uint32_t(out_.bounds.size()),
+                                   collider.friction < params_.iceFriction));
   out_.colliders.push_back(collider);
 }
 
@@ -248,7 +249,7 @@ Result<PartTables> compileParts(schema::Level::Reader record, const Params& para
     ++index;
   }
   const Vec3 nowhere{1e38f, 1e38f, 1e38f};
-  out.bounds.push_back(makeBounds({nowhere, -nowhere}, 0, uint32_t(out.bounds.size())));
+  out.bounds.push_back(makeBounds({nowhere, -nowhere}, 0, uint32_t(out.bounds.size()), false));
   return out;
 }
 

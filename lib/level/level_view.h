@@ -49,12 +49,16 @@ struct alignas(32) Bounds {
   OBBY_DEVICE Box box() const { return {lo, -minusHi}; }
 };
 constexpr uint32_t kSolidTag = 1, kUprightTag = 2, kMovingTag = 4;
-constexpr int kTagShift = 3;
+constexpr uint32_t kSurfaceTag = 8;  // carries, conveys or is slippery: more than a place to stand
+constexpr int kTagShift = 4;
 
-OBBY_DEVICE Bounds makeBounds(const Box& box, uint32_t flags, uint32_t index) {
-  return {box.lo, -box.hi, flags,
-          index << kTagShift | ((flags & kSolid) ? kSolidTag : 0) |
-              ((flags & kUpright) ? kUprightTag : 0) | ((flags & kMoving) ? kMovingTag : 0)};
+OBBY_DEVICE Bounds makeBounds(const Box& box, uint32_t flags, uint32_t index, bool slippery) {
+  uint32_t tag = index << kTagShift;
+  if (flags & kSolid) tag |= kSolidTag;
+  if (flags & kUpright) tag |= kUprightTag;
+  if (flags & kMoving) tag |= kMovingTag;
+  if (slippery || (flags & (kConveyor | kCarries))) tag |= kSurfaceTag;
+  return {box.lo, -box.hi, flags, tag};
 }
 
 // Roles: one record for each part that has any, shared by its colliders.

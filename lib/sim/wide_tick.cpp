@@ -31,7 +31,7 @@ class Ticker {
   void admit(int count);
   void decide(int slot);
   FloorT<F> sense(const WidePlayer& player, const int32_t* index);
-  void addSurface(WideInt nearest, const int32_t* index, FloorT<F>& floor) const;
+  void addSurface(WideInt nearest, int most, const int32_t* index, FloorT<F>& floor) const;
   void findSolids(const WideMotion& motion, int slot, int most);
   void moveAll();
   void singly(int index);
@@ -136,32 +136,32 @@ FloorT<F> Ticker::sense(const WidePlayer& player, const int32_t* index) {
     if (any(asked & !upright)) castAtTilted<F>(rays, blocks_[k], k, asked & !upright);
   }
   FloorT<F> floor = averageOf(rays, level_.params);
-  if (any(floor.sensed)) addSurface(rays.nearest, index, floor);
+  addSurface(rays.nearest, most, index, floor);
   return floor;
 }
 
 // Friction and motion of what the players stand on.
-void Ticker::addSurface(WideInt nearest, const int32_t* index, FloorT<F>& floor) const {
+void Ticker::addSurface(WideInt nearest, int most, const int32_t* index, FloorT<F>& floor) const {
+  floor.friction = level_.params.iceFriction;  // as good as any that does not slip
+  WideMask special;
+  for (int k = 0; k < most; ++k) {
+    special |= (nearest == k) & ((tags_[k] & int32_t(level::kSurfaceTag)) != 0);
+  }
+  if (!any(special)) return;
   alignas(64) int32_t part[kLanes];
   alignas(64) float values[5][kLanes] = {};
   store(nearest, part);
-  bool moves = false;
-  for (int lane = 0; lane < kLanes; ++lane) {
-    if (part[lane] < 0) continue;
+  for (uint32_t left = bitsOf(special); left != 0; left &= left - 1) {
+    const int lane = lowestBit(left);
     const uint32_t tag = near_.tags(index[lane])[part[lane]], id = near_.colliderOf(tag);
-    const uint16_t flags = uint16_t(level_.bounds[id].flags);
-    values[0][lane] = level_.colliders[id].friction;
-    if (!(flags & (level::kConveyor | level::kCarries))) continue;
-    moves = true;
     Floor one;
-    surfaceMotion(*worlds_[index[lane]], level_, {{}, &near_.poseOf(tag), id, flags}, one);
-    values[1][lane] = one.velocity.x;
-    values[2][lane] = one.velocity.y;
-    values[3][lane] = one.velocity.z;
-    values[4][lane] = one.turning;
+    surfaceMotion(*worlds_[index[lane]], level_,
+                  {{}, &near_.poseOf(tag), id, uint16_t(level_.bounds[id].flags)}, one);
+    const float found[5] = {level_.colliders[id].friction, one.velocity.x, one.velocity.y,
+                            one.velocity.z, one.turning};
+    for (int v = 0; v < 5; ++v) values[v][lane] = found[v];
   }
-  floor.friction = load(values[0]);
-  if (!moves) return;
+  floor.friction = select(special, load(values[0]), floor.friction);
   floor.velocity = {load(values[1]), load(values[2]), load(values[3])};
   floor.turning = load(values[4]);
 }
