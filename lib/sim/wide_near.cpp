@@ -14,7 +14,7 @@ using Eight = stdx::simd<float, stdx::simd_abi::deduce_t<float, 8>>;
 
 // Of a part that only tick() knows to handle.
 constexpr uint32_t kSingly =
-    level::kMoving | level::kVanishTimer | level::kVanishTouch | level::kConveyor;
+    level::kMoving | level::kVanishTimer | level::kVanishTouch | level::kConveyor | level::kTruss;
 
 constexpr uint32_t kNoParts[1] = {0};  // an empty list
 
@@ -39,7 +39,9 @@ void WideNear::look(World* const* worlds, int count) {
     out.word[6] = out.word[7] = bitsOf(WideFloat(1e38f));
     out.word[8] = cellOf<WideFloat>(level_.grid, position);
     out.word[9] = select(outcome == WideInt(0), WideInt(1), WideInt(0));
-    out.word[10] = world.word[kFlagsWord] & 0xff00;
+    const WideMask climbs =
+        (world.word[kStateWord] & 0xff0000) == WideInt(int32_t(State::climbing) << 16);
+    out.word[10] = (world.word[kFlagsWord] & 0xff00) | select(climbs, WideInt(1), WideInt(0));
     storeRows(out, looks);
   }
   // All lists are asked for before the first is read: many loads are under way at a time.
@@ -51,7 +53,7 @@ void WideNear::look(World* const* worlds, int count) {
 }
 
 bool WideNear::list(int world, int index) {
-  if (looks_[world].vanishing) return false;
+  if (looks_[world].single) return false;
   const Eight reach(looks_[world].reach, stdx::element_aligned);
   const uint32_t* list = lists_[world];
   const uint32_t count = list[0];
