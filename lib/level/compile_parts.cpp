@@ -197,7 +197,10 @@ Status PartCompiler::hulls(schema::Part::Reader part, const Collider& base, uint
 
 Status PartCompiler::shapes(schema::Part::Reader part, Collider collider, uint16_t flags) {
   collider.kind = ShapeKind(uint8_t(part.getShape()));
-  if (collider.kind == ShapeKind::truss) collider.kind = ShapeKind::block;
+  if (collider.kind == ShapeKind::truss) {
+    collider.kind = ShapeKind::block;
+    flags |= kTruss;
+  }
   if (collider.kind == ShapeKind::hull && part.getHulls().size() != 0)
     return hulls(part, collider, flags);
   if (collider.kind == ShapeKind::hull)

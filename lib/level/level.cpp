@@ -48,7 +48,8 @@ float fastestSideways(const PartTables& tables, const Params& params) {
 // Covers what a player looks at during a tick, at any speed, so that one grid look-up serves a tick
 // (tickBounds in sim/candidates.h; tests/level/grid_test.cpp holds the two together).
 Reach reachOf(const Params& p, float sideways) {
-  const float limbs = (p.armSpan + p.bodyDepth) * 0.5f + p.touchMargin;
+  const float limbs = maxf((p.armSpan + p.bodyDepth) * 0.5f + p.touchMargin,
+                           p.climbReach + p.bodyWidth * p.floorRaySpread);
   const float step = sideways * kSpeedMargin * p.tickSeconds + 1;
   const float fall = (p.maxFallSpeed + p.jumpSpeed) * p.tickSeconds + 1;
   const float below =

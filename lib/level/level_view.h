@@ -23,7 +23,8 @@ enum ColliderFlag : uint16_t {
   kMoving = 64,
   kCarries = 128,  // a moving part driven by physics: takes a standing player along
   kUpright = 256,  // a block whose local Y is the world's Y: fewer axes to test
-  kBlock = 512,    // a block, or a truss: what the wide tick handles in lanes
+  kBlock = 512,    // a block, or a truss: what has the form that lanes know
+  kTruss = 1024,   // can be climbed
 };
 constexpr uint16_t kTouchRoles = kKill | kPad | kVanishTouch;
 

@@ -49,8 +49,9 @@ OBBY_DEVICE IntOf<F> cellOf(const level::Grid& g, Vec3T<F> feet) {
 // Where the player's limbs and rays can be during this tick.
 template <class F>
 OBBY_DEVICE BoxT<F> tickBounds(Vec3T<F> position, Vec3T<F> velocity, const Params& p) {
-  const float arms =
+  const float limbs =
       p.armSpan * 0.5f + p.bodyDepth * 0.5f + p.touchMargin;  // at least the diagonal
+  const float arms = maxf(limbs, p.climbReach + p.bodyWidth * p.floorRaySpread);
   // Half a stud more than the present speed carries: a tick of acceleration, and being pushed.
   const F side = arms + 0.5f + p.tickSeconds * maxf(absf(velocity.x), absf(velocity.z));
   const F move = 0.5f + p.tickSeconds * absf(velocity.y) + p.tickSeconds * p.jumpSpeed;

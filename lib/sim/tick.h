@@ -3,6 +3,7 @@
 // (docs/determinism.md).
 #pragma once
 
+#include "sim/climb.h"
 #include "sim/touch.h"
 
 namespace obby::sim {
@@ -38,9 +39,15 @@ OBBY_DEVICE void tick(World& w, const level::LevelView& level, Action action) {
   const Floor floor = senseFloor(w, player, level, near);
   const ControlT<float> control = controlOf(action);
   updateState(player, p, floor, control);
-  turn(player, p, floor, control);
+  const Truss truss = updateClimbing(w, player, level, near, floor, control);
+  const bool climbs = player.is(State::climbing);
+  turn(player, p, floor, climbs ? facing(truss, control) : control);
   Motion motion = motionOf(player, p, floor, drive(player, p, floor, control));
-  moveBody(motion, level, near);
+  if (climbs) {
+    moveClimber(motion, truss, control, level, near);
+  } else {
+    moveBody(motion, level, near);
+  }
   player.position = motion.position;
   player.velocity = motion.velocity;
   putPlayer(w, player);

@@ -13,7 +13,7 @@ namespace stdx = std::experimental;
 using Eight = stdx::simd<float, stdx::simd_abi::deduce_t<float, 8>>;
 
 // Of a part that only tick() knows to handle.
-constexpr uint32_t kSingly = level::kVanishTimer | level::kVanishTouch;
+constexpr uint32_t kSingly = level::kVanishTimer | level::kVanishTouch | level::kTruss;
 
 constexpr uint32_t kNoParts[1] = {0};  // an empty list
 
@@ -38,7 +38,9 @@ void WideNear::findReach(World* const* worlds, int count) {
     out.word[6] = out.word[7] = bitsOf(WideFloat(1e38f));
     out.word[8] = cellOf<WideFloat>(level_.grid, position);
     out.word[9] = world.word[kStateWord] & int32_t(0xff000000);
-    out.word[10] = world.word[kFlagsWord] & 0xff00;
+    const WideMask climbs =
+        (world.word[kStateWord] & 0xff0000) == WideInt(int32_t(State::climbing) << 16);
+    out.word[10] = (world.word[kFlagsWord] & 0xff00) | select(climbs, WideInt(1), WideInt(0));
     out.word[11] = world.word[kTickWord];
     storeRows(out, looks);
   }
@@ -79,7 +81,7 @@ WideNear::Turn WideNear::list(int i, const uint32_t* list) {
   count_[i] = uint8_t(found);
   anyFlags_[i] = some;
   const bool common = (some & kSingly) == 0 && (every & level::kBlock) != 0;
-  if (!common || looks_[i].vanishing != 0) return Turn::single;
+  if (!common || looks_[i].single != 0) return Turn::single;
   return (some & level::kMoving) == 0 || moveParts(i) ? Turn::lanes : Turn::single;
 }
 

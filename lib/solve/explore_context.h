@@ -38,8 +38,9 @@ struct ExploreContext {
   bool jumpsLimited;
 };
 
-// Standing on something, free to jump soon.
+// Standing on something or hanging on a truss, free to jump soon.
 OBBY_DEVICE bool grounded(const sim::World& w) {
+  if (w.state == sim::State::climbing) return true;
   return w.floorlessTicks == 0 && w.state != sim::State::jumping &&
          w.state != sim::State::freefall && w.state != sim::State::dead;
 }

@@ -9,8 +9,9 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kSpacing = 3;    // studs between the points of one part
-constexpr int kMaxPerSide = 48;  // points a part and axis; larger parts get a wider spacing
+constexpr float kSpacing = 3;       // studs between the points of one part
+constexpr int kMaxPerSide = 48;     // points a part and axis; larger parts get a wider spacing
+constexpr float kClimbSpacing = 6;  // studs between the points along a truss: below a jump's height
 constexpr size_t kMaxCells = 1u << 20;
 constexpr size_t kMaxEntriesPerPoint = 256;  // of moving points: a longer way is thinned out
 
@@ -57,11 +58,21 @@ void Surfaces::samplePart(const level::LevelView& level, uint32_t collider) {
                      box.lo.z + extent.z * (float(iz) + 0.5f) / float(nz)};
       Vec3 point;
       if (!standingPoint(c, pose, top, extent.y + 0.2f, minNormalY, point)) continue;
-      const bool moves = c.mover != level::kNone;
-      points_.push_back({moves ? toLocal(pose, point) : point, c.mover});
-      reach_.push_back(moves ? level.bounds[collider].box() : Box{point, point});
+      addPoint(level, collider, pose, point);
     }
   }
+  if (!(level.bounds[collider].flags & level::kTruss)) return;
+  for (float y = box.lo.y; y < box.hi.y; y += kClimbSpacing) {
+    addPoint(level, collider, pose, {pose.position.x, y, pose.position.z});
+  }
+}
+
+void Surfaces::addPoint(const level::LevelView& level, uint32_t collider, const Pose& pose,
+                        Vec3 point) {
+  const uint32_t mover = level.colliders[collider].mover;
+  const bool moves = mover != level::kNone;
+  points_.push_back({moves ? toLocal(pose, point) : point, mover});
+  reach_.push_back(moves ? level.bounds[collider].box() : Box{point, point});
 }
 
 void Surfaces::buildGrid() {

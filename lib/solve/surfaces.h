@@ -1,5 +1,6 @@
 // Where a player could stand: points on the upward faces of the level's solid parts, found by
-// casting rays down on a grid over each part, and a uniform grid over them to look up near ones.
+// casting rays down on a grid over each part, points inside trusses, which can be hung on at any
+// height, and a uniform grid over them to look up near ones.
 #pragma once
 
 #include <cstdint>
@@ -41,6 +42,7 @@ class Surfaces {
 
  private:
   void samplePart(const level::LevelView& level, uint32_t collider);
+  void addPoint(const level::LevelView& level, uint32_t collider, const Pose& pose, Vec3 point);
   void buildGrid();
 
   std::vector<SurfacePoint> points_;

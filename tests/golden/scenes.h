@@ -178,4 +178,29 @@ inline LevelBuilder killers() {
   });
 }
 
+// Trusses to run into all over the place: upright, turned, tilted, hanging, riding, short-lived.
+inline LevelBuilder trusses() {
+  LevelBuilder b = floorWith({});
+  Random random(12, 0);
+  for (int i = 0; i < 40; ++i) {
+    const float x = 40 * random.unit() - 20, z = 40 * random.unit() - 20;
+    const float height = 4 + 12 * random.unit(), bottom = i % 4 == 3 ? 6.0f : 0.0f;
+    const float yaw = 6 * random.unit(), pitch = i % 5 == 4 ? 0.4f : 0.0f;
+    const Vec3 at{x, bottom + height / 2, z};
+    b.block(at, {2, height, 2}, [=](Part::Builder p) {
+      p.setShape(schema::Shape::TRUSS);
+      support::setRotation(p.initRotation(), yaw, pitch);
+      if (i % 10 == 1) p.initVanish().setDelay(1);
+      if (i % 10 != 2) return;
+      auto motion = p.initMotion();
+      motion.setCarries(true);
+      motion.setRepeat(schema::Repeat::PING_PONG);
+      auto keys = motion.initKeys(2);
+      key(keys[0], 0, at);
+      key(keys[1], 3, at + Vec3{3, 2, -2});
+    });
+  }
+  return b;
+}
+
 }  // namespace obby::golden

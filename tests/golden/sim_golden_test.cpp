@@ -30,6 +30,7 @@ const Scene kScenes[] = {
     {"carriers", [] { return movers(true); }, 0x11e040e87f7fdc16},
     {"scripted movers", [] { return movers(false); }, 0xd86da7cce9918f77},
     {"roles", roles, 0x2d9fc39fad8c4b73},
+    {"trusses", trusses, 0x74aed15e7a3fba4a},
     {"low gravity, fast walk",
      [] {
        return support::platformCourse(40, 6).physics([](auto p) {

@@ -126,5 +126,21 @@ TEST(WideTick, LeavesEndedWorldsAlone) {
   EXPECT_EQ(running.tick, 1u);
 }
 
+// Lanes do not know the Climbing state: a climber goes singly even where its truss is out of reach.
+TEST(WideTick, TakesClimbersSingly) {
+  const level::Level level = arena();
+  World wide = makeWorld(level.view(), level.spawns()[0]);
+  wide.state = State::climbing;
+  World single = wide;
+  World* worlds[] = {&wide};
+  const Action action{};
+  WideCounts counts;
+  tickAll(level.view(), worlds, &action, 1, &counts);
+  tick(single, level.view(), action);
+  EXPECT_EQ(counts.single, 1u);
+  EXPECT_EQ(wide.state, State::freefall);
+  EXPECT_EQ(stateHash(wide), stateHash(single));
+}
+
 }  // namespace
 }  // namespace obby::sim

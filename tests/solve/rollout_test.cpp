@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "scenes.h"
@@ -122,6 +123,22 @@ TEST(Surfaces, AreWhereAPlayerCanStandAndNotOnKillParts) {
     }
   }
   EXPECT_TRUE(high);
+}
+
+// Aims that are no higher than a jump lead all the way up a truss.
+TEST(Surfaces, OfATrussAreAlongItsWholeHeight) {
+  LevelBuilder b = steppingStones();
+  b.block({50, 20, 0}, {2, 40, 2},
+          [](schema::Part::Builder p) { p.setShape(schema::Shape::TRUSS); });
+  const level::Level level = b.compile();
+  const Surfaces surfaces(level.view());
+  const float rise = jumpReach(level.view().params).height;
+  for (float y = 0; y < 40 - rise; y += 1) {
+    const auto above = [&](const SurfacePoint& p) {
+      return p.position.x > 20 && p.position.y > y && p.position.y < y + rise;
+    };
+    EXPECT_TRUE(std::any_of(surfaces.points().begin(), surfaces.points().end(), above)) << y;
+  }
 }
 
 TEST(Surfaces, OfAMovingPartFollowItsPose) {

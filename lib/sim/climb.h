@@ -1,0 +1,186 @@
+// Climbing of trusses: what the player senses ahead, the Climbing state, and how it moves
+// (docs/physics.md, climbing). For one world: worlds near a truss are taken singly.
+#pragma once
+
+#include "sim/body.h"
+
+namespace obby::sim {
+
+// Rays straight ahead from the player's axis, in rows from the legs to the top of the torso. The
+// middle column is what catches a truss; a climber keeps it with the outer two as well.
+constexpr int kClimbRows = 5;
+// The lowest row, as a share of the hip height: high enough that legs which sink into a floor of
+// trusses on landing do not meet the next truss of that floor.
+constexpr float kLowestRow = 0.25f;
+// Least share of the move direction that counts as into the truss or away from it.
+constexpr float kClimbWill = 0.01f;
+
+// The face ahead.
+struct Truss {
+  bool sensed = false;
+  Vec3 toward;    // unit, horizontal: from the player into the face
+  Vec3 velocity;  // of the truss, studs/s
+};
+
+struct TrussHit {
+  float distance;
+  int candidate;  // -1: none
+  Vec3 normal;    // world
+};
+
+// Is a truss the first solid part along the ray, or flush with the first? Keeps the nearest.
+OBBY_DEVICE void castForTruss(const level::LevelView& level, const Candidates& near,
+                              CandidateSet asked, Vec3 from, Vec3 ahead, TrussHit& best) {
+  const float reach = level.params.climbReach;
+  float blocked = 1e30f;
+  TrussHit truss{1e30f, -1, {}};
+  for (CandidateSet left = asked; left != 0; left &= left - 1) {
+    const int k = lowestBit(left);
+    const Candidate& c = near.items[k];
+    const level::Collider& collider = level.colliders[c.collider];
+    const Vec3 origin = toLocal(*c.pose, from), direction = toLocal(c.pose->rotation, ahead);
+    geom::RayHit hit{};
+    const bool met = geom::visitShape(collider.kind, [&](auto shape) {
+      return decltype(shape)::castRay(collider.shape, origin, direction, reach, hit);
+    });
+    if (!met) continue;
+    if (!(c.flags & level::kTruss)) {
+      blocked = minf(blocked, hit.t);
+    } else if (hit.t < truss.distance) {
+      truss = {hit.t, k, c.pose->rotation * hit.normal};
+    }
+  }
+  const bool first = truss.distance <= blocked + level.params.contactSkin;
+  if (first && truss.distance < best.distance) best = truss;
+}
+
+// Solid parts that rays ahead can meet.
+OBBY_DEVICE CandidateSet solidsAhead(const Candidates& near, Vec3 feet, const Params& p) {
+  const float side = p.climbReach + p.bodyWidth * p.floorRaySpread;
+  const Box box{feet + Vec3{-side, 0, -side}, feet + Vec3{side, p.headBottom, side}};
+  CandidateSet solids = 0;
+  for (int k = 0; k < near.count; ++k) {
+    const Candidate& c = near.items[k];
+    if ((c.flags & level::kSolid) && overlaps(c.bounds, box)) solids |= CandidateSet(1) << k;
+  }
+  return solids;
+}
+
+// The nearest truss that a column of rays meets.
+OBBY_DEVICE TrussHit castColumn(const level::LevelView& level, const Candidates& near,
+                                CandidateSet solids, Vec3 feet, Vec3 ahead) {
+  const Params& p = level.params;
+  const float lowest = p.hipHeight * kLowestRow;
+  const float spacing = (p.headBottom - lowest) / float(kClimbRows - 1);
+  TrussHit best{1e30f, -1, {}};
+  for (int row = 0; row < kClimbRows; ++row) {
+    const Vec3 from = feet + Vec3{0, lowest + spacing * float(row), 0};
+    castForTruss(level, near, solids, from, ahead, best);
+  }
+  return best;
+}
+
+OBBY_DEVICE Truss senseTruss(const World& w, const Player& player, const level::LevelView& level,
+                             const Candidates& near) {
+  const Params& p = level.params;
+  const SinCos yaw = sinCosOf<float>(player.yaw);
+  const Vec3 ahead = directionOf(yaw);
+  const Vec3 aside = Vec3{yaw.cos, 0, -yaw.sin} * (p.bodyWidth * p.floorRaySpread);
+  const CandidateSet solids = solidsAhead(near, player.position, p);
+  TrussHit best = castColumn(level, near, solids, player.position, ahead);
+  if (player.is(State::climbing)) {
+    // At a corner the outer columns can meet another face than the one that is climbed.
+    for (int side = -1; side <= 1 && best.candidate < 0; side += 2) {
+      best = castColumn(level, near, solids, player.position + aside * float(side), ahead);
+    }
+  }
+  if (best.candidate < 0) return {};
+  const Vec3 flat{-best.normal.x, 0, -best.normal.z};
+  const float size = length(flat);
+  Floor surface;  // conveyors and carrying parts take a climber along as they take a walker
+  surfaceMotion(w, level, near.items[best.candidate], surface);
+  return {true, size > kClimbWill ? flat * (1.0f / size) : ahead, surface.velocity};
+}
+
+// 1: the move direction points into the truss, -1: away from it, 0: neither.
+OBBY_DEVICE float climbWill(const Truss& truss, const ControlT<float>& control) {
+  if (!control.walk) return 0;
+  const float into = dot(directionOf(sinCosOf<float>(control.heading)), truss.toward);
+  return into >= kClimbWill ? 1.0f : into <= -kClimbWill ? -1.0f : 0.0f;
+}
+
+OBBY_DEVICE float climbSpeedOf(const Params& p) { return p.climbSpeed * p.walkSpeed; }
+
+OBBY_DEVICE void leaveTruss(Player& w, const Params& p, const Truss& truss) {
+  w.state = int32_t(State::jumping);
+  w.velocity = truss.velocity + Vec3{0, p.jumpSpeed, 0};
+  w.jumps = (w.jumps + 1) & 0xffff;
+  w.floorlessTicks = int32_t(p.coyoteTicks);  // one jump a take-off
+}
+
+// Past the truss the climb goes on as long as it leads onto a floor that is still above the feet;
+// then the player stands on it, without a leap.
+OBBY_DEVICE void passTruss(Player& w, const Params& p, const Floor& floor, Truss& truss,
+                           const ControlT<float>& control) {
+  truss.toward = directionOf(sinCosOf<float>(w.yaw));
+  truss.velocity = floor.velocity;
+  const float step = climbSpeedOf(p) * p.tickSeconds;
+  if (floor.sensed && floor.gap < -step && climbWill(truss, control) > 0) return;
+  // Running without a floor, its grace over, is Freefall.
+  w.state = int32_t(floor.sensed ? State::running : State::freefall);
+  if (floor.sensed) w.velocity.y = minf(w.velocity.y, floor.velocity.y);
+}
+
+// Enters and leaves the Climbing state; comes after updateState(). Gives what is climbed.
+OBBY_DEVICE Truss updateClimbing(const World& w, Player& player, const level::LevelView& level,
+                                 const Candidates& near, const Floor& floor,
+                                 const ControlT<float>& control) {
+  const Params& p = level.params;
+  const bool climbs = player.is(State::climbing);
+  const bool free = player.is(State::running) || player.is(State::freefall);
+  Truss truss;
+  if ((near.anyFlags & level::kTruss) && (climbs || (free && control.walk))) {
+    truss = senseTruss(w, player, level, near);
+  }
+  const float will = climbWill(truss, control);
+  if (!climbs) {
+    // Not while rising faster than a climb: else a jump could never leave the truss.
+    const bool slow = player.velocity.y - truss.velocity.y <= climbSpeedOf(p);
+    if (truss.sensed && will > 0 && slow) player.state = int32_t(State::climbing);
+  } else if (!truss.sensed) {
+    passTruss(player, p, floor, truss, control);
+  } else if (control.jump) {
+    leaveTruss(player, p, truss);
+  } else if (floor.sensed && will < 0) {
+    player.state = int32_t(State::running);
+  }
+  return truss;
+}
+
+// A climber's facing: toward the truss, whatever the keys say.
+OBBY_DEVICE ControlT<float> facing(const Truss& truss, const ControlT<float>& control) {
+  return {headingOf(truss.toward.x, truss.toward.z), true, control.jump};
+}
+
+// Moves a climber by one tick: at the speed of the climb at once, without gravity. On the way up
+// the body is also pressed to the truss, which is what takes it over the top once the hips are
+// clear of it.
+OBBY_DEVICE void moveClimber(Motion& m, const Truss& truss, const ControlT<float>& control,
+                             const level::LevelView& level, const Candidates& near) {
+  const Params& p = level.params;
+  const float will = climbWill(truss, control), speed = climbSpeedOf(p);
+  const float press = will > 0 ? minf(speed, p.walkSpeed) : 0.0f;
+  const float most = p.maxFallSpeed, side = level.maxSideSpeed;
+  const Vec3 wanted = truss.velocity + truss.toward * press + Vec3{0, will * speed, 0};
+  m.velocity = {clampf(wanted.x, -side, side), clampf(wanted.y, -most, most),
+                clampf(wanted.z, -side, side)};
+  const CandidateSet solids = solidsInReach(m, level, near);
+  const int steps = solids ? p.substeps : 1;
+  const float dt = solids ? p.substepSeconds : p.tickSeconds;
+  for (int s = 0; s < steps; ++s) {
+    m.position += m.velocity * dt;
+    if (solids) collide(m, level, near, solids);
+  }
+}
+
+}  // namespace obby::sim
