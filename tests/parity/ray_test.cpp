@@ -170,9 +170,9 @@ class RayParity : public testing::TestWithParam<ShapeKind> {
     if (GetParam() == ShapeKind::cylinder) s.half.y = s.half.z;
     return s;
   }
-  // From up to `far` studs beyond the bounds at a point in or a little beside the shape.
-  Ray rayAt(Vec3 half, float far = 20) {
-    const Vec3 from = dice_.direction() * (length(half) + dice_.between(0.01f, far));
+  // From up to 20 studs beyond the bounds at a point in or a little beside the shape.
+  Ray rayAt(Vec3 half) {
+    const Vec3 from = dice_.direction() * (length(half) + dice_.between(0.01f, 20));
     const Vec3 at = mul(half, dice_.vec(1.1f));
     return {from, normalize(at - from), 2 * length(half) + 42};
   }
@@ -205,7 +205,8 @@ TEST_P(RoundRayParity, IsExactNearbyWhereItDoesNotGraze) {
   double worst = 0;
   for (int i = 0; i < 100000; ++i) {
     const ShapeData s = shape();
-    const Ray ray = rayAt(s.half, 4);
+    const Vec3 along = dice_.direction(), at = mul(s.half, dice_.vec(1));
+    const Ray ray{at - along * (3 * s.half.z + dice_.between(0, 4)), along, 100};
     const Stretch exact = exactStretch(GetParam(), s, {}, wide(ray.from), wide(ray.along));
     if (!exact.hit(double(ray.length)) || exact.chord() < double(s.half.z) * 0.5) continue;
     if (GetParam() == ShapeKind::cylinder && absf(ray.along.x) > 0.7f) continue;  // along its side
@@ -219,7 +220,7 @@ TEST_P(RoundRayParity, IsExactNearbyWhereItDoesNotGraze) {
   RecordProperty("hits", hits);
   RecordProperty("worst", std::to_string(worst));
   EXPECT_GT(hits, 20000);
-  EXPECT_LT(worst, 2e-4);
+  EXPECT_LT(worst, 3e-4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, RoundRayParity,
