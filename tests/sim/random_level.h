@@ -11,6 +11,15 @@
 #include "sim/simulator.h"
 #include "support/level_builder.h"
 
+namespace obby {
+
+// What rapidcheck prints of a failing case; found by its name.
+inline void showValue(const Vec3& v, std::ostream& out) {
+  out << "{" << v.x << ", " << v.y << ", " << v.z << "}";
+}
+
+}  // namespace obby
+
 namespace obby::test {
 
 inline rc::Gen<float> between(float lo, float hi) {
@@ -33,9 +42,8 @@ struct PartSpec {
 };
 
 inline std::ostream& operator<<(std::ostream& out, const PartSpec& p) {
-  const auto v = [&](Vec3 a) { out << " {" << a.x << ", " << a.y << ", " << a.z << "}"; };
-  out << "shape " << p.shape << " role " << p.role << " at";
-  v(p.position), v(p.size), v(p.turn);
+  out << "shape " << p.shape << " role " << p.role << " at ";
+  for (const Vec3& v : {p.position, p.size, p.turn}) showValue(v, out);
   return out;
 }
 
@@ -69,7 +77,7 @@ inline void setRole(schema::Part::Builder part, const PartSpec& spec) {
       part.getVanish().setDelay(0.5f), part.getVanish().setAway(0.5f);
       return;
     case 6:
-      part.initMotion().initSpin().setSpeed(spec.turn.z);
+      part.initMotion().initSpin().setSpeed(0.1f + absf(spec.turn.z));
       part.getMotion().setCarries(spec.turn.x > 0);
       return;
     default: return;
