@@ -13,6 +13,7 @@ pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)  # base: digests
 find_path(RANDOM123_INCLUDE Random123/philox.h REQUIRED)   # base: counter-based random numbers
 if(OBBY_BUILD_TESTS)
   find_package(GTest REQUIRED)
+  include(ObbyReferences)
 endif()
 if(OBBY_CUDA)
   find_package(CUDAToolkit REQUIRED)

@@ -1,0 +1,21 @@
+# Libraries that tests compare ours with or draw random input from. Wanted, not needed: ctest shows what is left out
+# as skipped.
+find_package(rapidcheck QUIET)  # tests/sim: property tests
+find_package(fcl QUIET)         # tests/parity
+find_path(BULLET_INCLUDE btBulletCollisionCommon.h PATH_SUFFIXES bullet)  # tests/parity, in double precision
+find_library(BULLET_COLLISION BulletCollision-float64)
+find_library(BULLET_MATH LinearMath-float64)
+if(BULLET_INCLUDE AND BULLET_COLLISION AND BULLET_MATH)
+  add_library(bullet INTERFACE IMPORTED)
+  target_include_directories(bullet SYSTEM INTERFACE ${BULLET_INCLUDE})
+  target_compile_definitions(bullet INTERFACE BT_USE_DOUBLE_PRECISION)
+  target_link_libraries(bullet INTERFACE ${BULLET_COLLISION} ${BULLET_MATH})
+endif()
+
+# obby_absent_test(name packages...): a ctest entry that is skipped, with the packages it wants.
+function(obby_absent_test name)
+  list(JOIN ARGN ", " packages)
+  message(STATUS "Left out: tests of ${name}, which want ${packages} (scripts/setup test reference)")
+  add_test(NAME ${name}/left-out COMMAND ${CMAKE_COMMAND} -E echo "left out without ${packages}")
+  set_tests_properties(${name}/left-out PROPERTIES SKIP_REGULAR_EXPRESSION "left out without")
+endfunction()

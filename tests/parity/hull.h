@@ -1,0 +1,43 @@
+// A convex hull of points, with the tables that the level's compiler makes of it, and its exact
+// polytope.
+#pragma once
+
+#include "level/hull_tables.h"
+#include "parity/exact.h"
+
+namespace obby::parity {
+
+struct TestHull {
+  explicit TestHull(const std::vector<Vec3>& points) : tables(level::hullTables(points)) {
+    const auto& t = tables;
+    hull = {t.vertices.data(),
+            t.normals.data(),
+            t.offsets.data(),
+            t.edges.data(),
+            uint32_t(t.vertices.size()),
+            uint32_t(t.normals.size()),
+            uint32_t(t.edges.size())};
+  }
+  TestHull(const TestHull&) = delete;
+  TestHull& operator=(const TestHull&) = delete;
+
+  // Do two faces, or two edges, lie within a third of a degree of each other?
+  bool hasNearlyEqual(const Polytope& exact) const {
+    return anyClose(exact.faces) || anyClose(exact.edges);
+  }
+
+  level::HullTables tables;
+  geom::Hull hull;
+
+ private:
+  static bool anyClose(const std::vector<V3>& directions) {
+    for (size_t a = 0; a < directions.size(); ++a) {
+      for (size_t b = 0; b < a; ++b) {
+        if (std::abs(directions[a].dot(directions[b])) > 1 - 2e-5) return true;
+      }
+    }
+    return false;
+  }
+};
+
+}  // namespace obby::parity

@@ -1,0 +1,117 @@
+// Random small levels for property tests: any shape, any way round, any size, most roles; drawn by
+// rapidcheck, so that a failing level is shrunk to few parts.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <ostream>
+#include <vector>
+
+#include "sim/simulator.h"
+#include "support/level_builder.h"
+
+namespace obby {
+
+// What rapidcheck prints of a failing case; found by its name.
+inline void showValue(const Vec3& v, std::ostream& out) {
+  out << "{" << v.x << ", " << v.y << ", " << v.z << "}";
+}
+
+}  // namespace obby
+
+namespace obby::test {
+
+inline rc::Gen<float> between(float lo, float hi) {
+  return rc::gen::map(rc::gen::inRange(0, 10001),
+                      [=](int k) { return lo + (hi - lo) * float(k) / 10000; });
+}
+// As often between 0.1 and 1 as between 1 and 10.
+inline rc::Gen<float> extentBetween(float lo, float hi) {
+  return rc::gen::map(between(0, 1), [=](float u) { return lo * std::pow(hi / lo, u); });
+}
+inline rc::Gen<Vec3> vecOf(const rc::Gen<float>& of) {
+  return rc::gen::build<Vec3>(rc::gen::set(&Vec3::x, of), rc::gen::set(&Vec3::y, of),
+                              rc::gen::set(&Vec3::z, of));
+}
+
+struct PartSpec {
+  int shape;
+  Vec3 position, size, turn;  // `turn`: yaw, pitch; z chooses the role's numbers
+  int role;
+};
+
+inline std::ostream& operator<<(std::ostream& out, const PartSpec& p) {
+  out << "shape " << p.shape << " role " << p.role << " at ";
+  for (const Vec3& v : {p.position, p.size, p.turn}) showValue(v, out);
+  return out;
+}
+
+inline rc::Gen<PartSpec> partSpecs() {
+  const auto size = rc::gen::oneOf(extentBetween(0.05f, 8), extentBetween(0.05f, 2048));
+  return rc::gen::build<PartSpec>(rc::gen::set(&PartSpec::shape, rc::gen::inRange(0, 7)),
+                                  rc::gen::set(&PartSpec::position, vecOf(between(-15, 15))),
+                                  rc::gen::set(&PartSpec::size, vecOf(size)),
+                                  rc::gen::set(&PartSpec::turn, vecOf(between(-3.2f, 3.2f))),
+                                  rc::gen::set(&PartSpec::role, rc::gen::inRange(0, 9)));
+}
+
+inline void setHull(schema::Part::Builder part, const PartSpec& spec) {
+  auto vertices = part.initHulls(1)[0].initVertices(8);
+  Random random(17, uint64_t(spec.turn.z * 1000) + 10000);
+  for (uint32_t i = 0; i < 8; ++i) {
+    const Vec3 corner{random.unit() - 0.5f, random.unit() - 0.5f, random.unit() - 0.5f};
+    support::set(vertices[i], mul(spec.size, corner));
+  }
+}
+
+inline void setRole(schema::Part::Builder part, const PartSpec& spec) {
+  const Vec3 v = spec.turn * 30.0f;
+  switch (spec.role) {
+    case 1: part.initKill().setDamage(20), part.getKill().setCooldown(0.2f); return;
+    case 2: support::set(part.initJumpPad().initVelocity(), v); return;
+    case 3: support::set(part.initConveyor().initVelocity(), v); return;
+    case 4: part.initVanish().setDelay(0.2f); return;
+    case 5:
+      part.initVanish().setTrigger(schema::VanishTrigger::TIMER);
+      part.getVanish().setDelay(0.5f), part.getVanish().setAway(0.5f);
+      return;
+    case 6:
+      part.initMotion().initSpin().setSpeed(0.1f + absf(spec.turn.z));
+      part.getMotion().setCarries(spec.turn.x > 0);
+      return;
+    default: return;
+  }
+}
+
+inline Result<level::Level> compile(const std::vector<PartSpec>& specs) {
+  support::LevelBuilder b;
+  for (const PartSpec& spec : specs) {
+    b.part([=](schema::Part::Builder part) {
+      part.setShape(schema::Shape(spec.shape));
+      support::set(part.initPosition(), spec.position);
+      support::set(part.initSize(), spec.size);
+      support::setRotation(part.initRotation(), spec.turn.x, spec.turn.y);
+      if (spec.shape == int(schema::Shape::HULL)) setHull(part, spec);
+      setRole(part, spec);
+    });
+  }
+  b.spawn({0, 8, 0});
+  return b.tryCompile();
+}
+
+// Holds a random action for up to 40 ticks; a function of seed and tick alone, so that any tick of
+// any world can be played again.
+inline sim::Action actionAt(uint64_t seed, uint32_t tick) {
+  Random random(seed, tick / (5 + seed % 36));
+  return {Turns(random.next()), random.below(10) != 0, random.below(3) == 0};
+}
+
+inline bool isFinite(const sim::World& w) {
+  const auto finite = [](Vec3 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  };
+  return finite(w.position) && finite(w.velocity) && std::isfinite(w.health);
+}
+
+}  // namespace obby::test
