@@ -28,10 +28,16 @@ bool isFace(const std::vector<Vec3>& vertices, Vec3 n, float offset, float toler
   return true;
 }
 
-void addFace(HullTables& hull, Vec3 n, float offset) {
+// A face through three corners, unless they lie on one that is known.
+void addFace(HullTables& hull, Vec3 n, const Vec3 (&corners)[3], float tolerance) {
   for (size_t f = 0; f < hull.normals.size(); ++f) {
-    if (dot(hull.normals[f], n) > 1 - 1e-5f) return;
+    bool same = dot(hull.normals[f], n) > 1 - 1e-5f;
+    for (const Vec3 p : corners) {
+      same = same && dot(hull.normals[f], p) > hull.offsets[f] - tolerance;
+    }
+    if (same) return;
   }
+  const float offset = dot(n, corners[0]);
   hull.normals.push_back(n);
   hull.offsets.push_back(offset);
 }
@@ -75,8 +81,9 @@ HullTables hullTables(const std::vector<Vec3>& vertices) {
         const Vec3 area = cross(v[b] - v[a], v[c] - v[a]);
         if (length(area) < tolerance * size) continue;  // a sliver
         const Vec3 n = normalize(area);
-        if (isFace(v, n, dot(n, v[a]), tolerance)) addFace(hull, n, dot(n, v[a]));
-        if (isFace(v, -n, dot(-n, v[a]), tolerance)) addFace(hull, -n, dot(-n, v[a]));
+        const Vec3 corners[3] = {v[a], v[b], v[c]};
+        if (isFace(v, n, dot(n, v[a]), tolerance)) addFace(hull, n, corners, tolerance);
+        if (isFace(v, -n, dot(-n, v[a]), tolerance)) addFace(hull, -n, corners, tolerance);
       }
     }
   }

@@ -170,6 +170,30 @@ OBBY_DEVICE void collide(Motion& m, const level::LevelView& level, const Candida
   }
 }
 
+// How far the body may go in one substep near a solid part: less than half of it, so that it is
+// always pushed out on the side that it came from, however thin the part is.
+template <class F>
+OBBY_DEVICE F safeTravel(const MotionT<F>& m, const Params& p) {
+  return 0.45f * minf(F(minf(p.bodyWidth, p.bodyDepth)), p.bodyTop - m.bottom);
+}
+
+// How far it goes at most, with what gravity and drive can add in a tick.
+template <class F>
+OBBY_DEVICE F substepTravel(const MotionT<F>& m, const Params& p) {
+  const F fastest = maxf(maxf(absf(m.velocity.x), absf(m.velocity.z)), absf(m.velocity.y));
+  const float more = maxf(maxf(p.groundAccel, p.airAccel), p.gravity) * p.tickSeconds;
+  return (fastest + more) * p.substepSeconds;
+}
+
+// Substeps of a tick near solid parts: more than usual for the very fast.
+constexpr int kMostSplits = 32;
+OBBY_DEVICE int contactSubsteps(const Motion& m, const Params& p) {
+  const float travel = substepTravel(m, p), most = safeTravel(m, p);
+  int splits = 1;
+  while (splits < kMostSplits && travel > most * float(splits)) ++splits;
+  return p.substeps * splits;
+}
+
 // Solid parts that the body can meet during this tick.
 OBBY_DEVICE CandidateSet solidsInReach(const Motion& m, const level::LevelView& level,
                                        const Candidates& near) {
@@ -191,8 +215,8 @@ OBBY_DEVICE void moveBody(Motion& m, const level::LevelView& level, const Candid
   const Params& p = level.params;
   const CandidateSet solids = solidsInReach(m, level, near);
   const bool oneStep = solids == 0 && isConstant(m, p);
-  const int steps = oneStep ? 1 : p.substeps;
-  const float dt = oneStep ? p.tickSeconds : p.substepSeconds;
+  const int steps = oneStep ? 1 : (solids ? contactSubsteps(m, p) : int(p.substeps));
+  const float dt = steps == p.substeps ? p.substepSeconds : p.tickSeconds / float(steps);
   for (int s = 0; s < steps; ++s) {
     integrate(m, level, dt);
     if (solids) collide(m, level, near, solids);

@@ -182,6 +182,12 @@ void Ticker::findSolids(const WideMotion& motion, int slot, int most) {
       if (n < kLaneSolids) solids_[at][n] = near_.tags(order_[at])[k];
     }
   }
+  // The very fast take smaller steps: tick() knows how.
+  const WideMask fast = substepTravel(motion, level_.params) > safeTravel(motion, level_.params);
+  for (uint32_t left = bitsOf(fast); left != 0; left &= left - 1) {
+    int32_t& n = solidCount_[slot + lowestBit(left)];
+    if (n > 0) n = kLaneSolids + 1;
+  }
   const uint32_t bits = bitsOf(isConstant(motion, level_.params));
   for (int lane = 0; lane < kLanes; ++lane) constant_[slot + lane] = (bits >> lane & 1) != 0;
 }

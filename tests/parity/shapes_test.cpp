@@ -213,11 +213,9 @@ TEST(HullParity, RoundHullsAreTooDeepOnlyAtEdges) {
   EXPECT_LT(excess.deepest, 0.6);
 }
 
-// Shows a fault of level/hull_tables.cpp: faces whose normals are within a quarter degree are taken
-// as one though their corners are up to 0.02 studs apart, and the edges of the one that is dropped
-// are lost. This hull has 9 edges and gets 6; a body beside it is pushed out by up to 0.4 studs too
-// much. One random hull in 80 of five points is like this, one in 12 of twelve.
-TEST(HullParity, DISABLED_NearlyCoplanarFacesKeepTheirEdges) {
+// Two faces of this hull are within a quarter degree of each other and yet apart: taken as one,
+// three of its 9 edges would be lost, and a body beside it pushed out by up to 0.4 studs too much.
+TEST(HullParity, NearlyCoplanarFacesKeepTheirEdges) {
   const TestHull h({{1.46f, 1.22f, -1.46f},
                     {-1.53f, -1.11f, 1.48f},
                     {1.74f, 1.87f, 1.37f},
