@@ -14,8 +14,8 @@ enum class State : uint8_t { running, jumping, freefall, landed, dead, climbing 
 // How a playthrough ended. The order of schema Outcome.
 enum class Outcome : uint8_t { running, goal, killed, fell, avoided, jumps, timeout };
 
-// Conditions that a batch must not die of. Part of the state and its hash;
-// no tool reports them yet.
+// Conditions that a batch must not die of. Part of the state and its hash; an answer's reason names
+// the overruns.
 enum Flag : uint8_t {
   kFloorSensed = 1,  // a floor was within reach in the last tick (hysteresis of the floor rays)
   kCandidateOverrun =
@@ -23,6 +23,8 @@ enum Flag : uint8_t {
   kVanishOverrun =
       4,  // more parts vanishing at once than a world can remember: raise kMaxVanishing
 };
+
+constexpr uint8_t kOverruns = kCandidateOverrun | kVanishOverrun;
 
 constexpr int kMaxVanishing = 8;
 

@@ -171,6 +171,7 @@ void GoExplore::merge() {
 
 void GoExplore::mergeEnd(const Rollout& r) {
   statistics_.steps += r.ticks;
+  statistics_.overruns |= uint8_t(r.end.flags & sim::kOverruns);
   const Node way{r.id, r.parent, r.ticks};
   if (r.end.outcome != sim::Outcome::goal) {
     attempts_.add({way, r.end.position, r.end.outcome, r.end.part});

@@ -41,6 +41,7 @@ struct Closest {
 struct Statistics {
   uint64_t steps = 0;  // simulated ticks
   uint64_t rounds = 0;
+  uint8_t overruns = 0;  // sim::Flag bits of any attempt
   Closest closest;
 };
 

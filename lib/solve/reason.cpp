@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/candidates.h"
+
 namespace obby::solve {
 
 namespace {
@@ -69,15 +71,32 @@ std::string placeText(const SearchOutcome& outcome) {
       c.waypoints > 0 ? fmt::format(", past {}", plural(c.waypoints, "waypoint")) : std::string());
 }
 
+// What the simulator had to leave out.
+std::string overrunText(uint8_t overruns) {
+  std::string text;
+  if (overruns & sim::kCandidateOverrun) {
+    text +=
+        fmt::format("; some attempts met more than {} parts at once ({} moving), the rest ignored",
+                    sim::kMaxCandidates, sim::kMaxMovingCandidates);
+  }
+  if (overruns & sim::kVanishOverrun) {
+    text += fmt::format(
+        "; some attempts had more than {} touched parts vanish at once, the rest stayed",
+        sim::kMaxVanishing);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string reasonFor(const SearchOutcome& outcome, const level::Level& level) {
-  if (!outcome.solutions.empty()) return solvedText(outcome, level);
+  const std::string overruns = overrunText(outcome.statistics.overruns);
+  if (!outcome.solutions.empty()) return solvedText(outcome, level) + overruns;
   std::string text =
       fmt::format("no way found in {} steps{}: ", countText(outcome.statistics.steps),
                   outcome.stopped == Stopped::interrupted ? " (interrupted)" : "");
   text += placeText(outcome) + endsText(outcome, level);
-  return text + "; this does not show that there is none";
+  return text + overruns + "; this does not show that there is none";
 }
 
 }  // namespace obby::solve
