@@ -11,27 +11,14 @@
 #include "sim/tick.h"
 #include "sim/wide_tick.h"
 #include "support/level_builder.h"
+#include "support/walker.h"
 
 namespace {
 
 using namespace obby;
+using support::Walker;
 
 constexpr uint32_t kWorlds = 256, kTicks = 1000, kSeeds = 5;
-
-// Holds a random action for 10 to 50 ticks; jumps one time in twenty when it changes.
-struct Walker {
-  Random random;
-  sim::Action action;
-  uint32_t left = 0;
-
-  sim::Action next() {
-    if (left-- == 0) {
-      left = 10 + random.below(40);
-      action = {Turns(random.next()), random.below(10) != 0, random.below(20) < 8};
-    }
-    return action;
-  }
-};
 
 struct Outcome {
   double stepsPerSecond, singlyPerSecond;  // in lanes; by the scalar tick

@@ -182,9 +182,7 @@ Status PartCompiler::hulls(schema::Part::Reader part, const Collider& base, uint
     out_.hulls.push_back(hullTables(vertices));
     const HullTables& t = out_.hulls.back();
     if (t.normals.empty()) continue;  // flat: nothing to collide with
-    out_.hullViews.push_back({t.vertices.data(), t.normals.data(), t.offsets.data(), t.edges.data(),
-                              uint32_t(t.vertices.size()), uint32_t(t.normals.size()),
-                              uint32_t(t.edges.size())});
+    out_.hullViews.push_back(viewOf(t));
     Collider c = base;
     c.shape.hull = &out_.hullViews.back();
     Vec3 reach;

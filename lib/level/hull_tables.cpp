@@ -92,4 +92,14 @@ HullTables hullTables(const std::vector<Vec3>& vertices) {
   return hull;
 }
 
+geom::Hull viewOf(const HullTables& t) {
+  return {t.vertices.data(),
+          t.normals.data(),
+          t.offsets.data(),
+          t.edges.data(),
+          uint32_t(t.vertices.size()),
+          uint32_t(t.normals.size()),
+          uint32_t(t.edges.size())};
+}
+
 }  // namespace obby::level

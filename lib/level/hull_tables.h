@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "geom/shape.h"
 #include "math/vec.h"
 
 namespace obby::level {
@@ -21,5 +22,8 @@ constexpr size_t kMaxHullEdges = 32;
 
 // Empty normals if the vertices do not span a volume.
 HullTables hullTables(const std::vector<Vec3>& vertices);
+
+// The tables as shapes read them; valid while they live.
+geom::Hull viewOf(const HullTables& tables);
 
 }  // namespace obby::level

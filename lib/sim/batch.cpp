@@ -3,9 +3,7 @@
 #include <algorithm>
 
 #include "base/hash.h"
-#include "sim/rules.h"
 #include "sim/simulator.h"
-#include "sim/wide_tick.h"
 
 namespace obby::sim {
 namespace {
@@ -34,9 +32,7 @@ void Batch::step(ThreadPool& pool, const level::QueryView* query, uint32_t ticks
         worlds.push_back(&worlds_[i]);
         actions.push_back(controller(i, worlds_[i]));
       }
-      tickAll(level_, worlds.data(), actions.data(), worlds.size());
-      if (query == nullptr) continue;
-      for (World* w : worlds) applyRules(*w, level_, *query);
+      advanceAll(level_, query, worlds, actions.data());
     }
   });
 }

@@ -108,10 +108,11 @@ OBBY_DEVICE BoxT<F> bodyReach(const MotionT<F>& m, const Params& p) {
   return box;
 }
 
-// Could the body at `reach` (centre and half extents) meet a box? Axes of the box: a tilted part's
-// bounds are mostly air.
+// Could a body within `reach` meet a block? Along the block's own axes: a tilted part's bounds are
+// mostly air.
 template <class F>
-OBBY_DEVICE MaskOf<F> meetsBlock(Vec3T<F> center, Vec3T<F> half, const geom::BlockT<F>& block) {
+OBBY_DEVICE MaskOf<F> meetsBlock(const BoxT<F>& reach, const geom::BlockT<F>& block) {
+  const Vec3T<F> center = (reach.lo + reach.hi) * F(0.5f), half = (reach.hi - reach.lo) * F(0.5f);
   const Mat3T<F>& r = block.pose.rotation;
   const Vec3T<F> d = center - block.pose.position;
   return (absf(dot(d, r.x)) <= block.half.x + dot(abs(r.x), half)) &
@@ -199,13 +200,12 @@ OBBY_DEVICE CandidateSet solidsInReach(const Motion& m, const level::LevelView& 
                                        const Candidates& near) {
   if (!(near.anyFlags & level::kSolid)) return 0;
   const Box reach = bodyReach(m, level.params);
-  const Vec3 center = (reach.lo + reach.hi) * 0.5f, half = (reach.hi - reach.lo) * 0.5f;
   CandidateSet solids = 0;
   for (int k = 0; k < near.count; ++k) {
     const Candidate& c = near.items[k];
     if (!(c.flags & level::kSolid) || !overlaps(c.bounds, reach)) continue;
     const Vec3 extent = level.colliders[c.collider].shape.half;
-    if (meetsBlock<float>(center, half, {*c.pose, extent})) solids |= CandidateSet(1) << k;
+    if (meetsBlock<float>(reach, {*c.pose, extent})) solids |= CandidateSet(1) << k;
   }
   return solids;
 }

@@ -6,6 +6,7 @@
 #include "level/record_values.h"
 #include "sim/rules.h"
 #include "sim/tick.h"
+#include "sim/wide_tick.h"
 
 namespace obby::sim {
 
@@ -57,6 +58,13 @@ void advance(World& world, const level::LevelView& level, const level::QueryView
   if (world.outcome != Outcome::running) return;
   tick(world, level, action);
   if (query) applyRules(world, level, *query);
+}
+
+void advanceAll(const level::LevelView& level, const level::QueryView* query,
+                std::span<World* const> worlds, const Action* actions) {
+  tickAll(level, worlds.data(), actions, worlds.size());
+  if (query == nullptr) return;
+  for (World* w : worlds) applyRules(*w, level, *query);
 }
 
 std::vector<World> replay(const level::LevelView& level, const level::QueryView* query,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/result.h"
@@ -41,6 +42,10 @@ Result<Plan> planFromRecord(schema::Trajectory::Reader record);
 // may be null.
 void advance(World& world, const level::LevelView& level, const level::QueryView* query,
              Action action);
+
+// The same for many worlds, world i under actions[i], in SIMD lanes (wide_tick.h).
+void advanceAll(const level::LevelView& level, const level::QueryView* query,
+                std::span<World* const> worlds, const Action* actions);
 
 // The world after each tick of the plan, the start first: (ticks + 1). Stops where the playthrough
 // ends.

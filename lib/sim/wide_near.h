@@ -37,7 +37,7 @@ class WideNear {
   // Of worlds that go to the lanes.
   int count(int i) const { return count_[i]; }
   uint32_t anyFlags(int i) const { return anyFlags_[i]; }  // ColliderFlag bits
-  // (count), level::Bounds::tag; where it has kMovingTag, the index is one of movedParts.
+  // (count), level::Bounds::tag; where it has kMovingTag, the index is that of a moved part.
   const uint32_t* tags(int i) const { return tags_[i]; }
 
   // What a tag stands for.
@@ -81,7 +81,9 @@ class WideNear {
   alignas(64) uint32_t tags_[kWideSlots][kRowWords];
   static constexpr int kMovedParts = 2 * kWideSlots;  // a block; worlds beyond them take tick()
   int movedCount_ = 0;
-  MovedPart moved_[kMovedParts];
+  union {  // keeps the array from being filled for every call
+    MovedPart moved_[kMovedParts];
+  };
 };
 
 }  // namespace obby::sim

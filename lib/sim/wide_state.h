@@ -109,8 +109,6 @@ class MotionTable {
   }
   Vec3T<WideFloat> position(int firstSlot) const { return vector(0, firstSlot); }
   Vec3T<WideFloat> velocity(int firstSlot) const { return vector(3, firstSlot); }
-  Vec3 positionOf(int slot) const { return {rows_[0][slot], rows_[1][slot], rows_[2][slot]}; }
-  Vec3 velocityOf(int slot) const { return {rows_[3][slot], rows_[4][slot], rows_[5][slot]}; }
 
  private:
   static constexpr int kFields = 17;

@@ -58,11 +58,18 @@ class Ticker {
   bool constant_[kWideSlots];
   bool done_[kWideSlots];  // by tick()
   MotionTable<kWideSlots> motions_;
-  WidePlayer players_[kWideSlots / kLanes];  // without position and velocity
+  // Unions keep the arrays from being zeroed for every call.
+  union {
+    WidePlayer players_[kWideSlots / kLanes];  // without position and velocity
+  };
 
   // Parts near the lanes in work.
-  WideBlock blocks_[kRowWords];
-  WideInt tags_[kRowWords];
+  union {
+    WideBlock blocks_[kRowWords];
+  };
+  union {
+    WideInt tags_[kRowWords];
+  };
 };
 
 // Puts the worlds for the lanes in order: those with as many parts near them go together, so that
@@ -169,13 +176,12 @@ void Ticker::addSurface(WideInt nearest, int most, const int32_t* index, FloorT<
 // Solid parts that the bodies can meet during this tick, from blocks_.
 void Ticker::findSolids(const WideMotion& motion, int slot, int most) {
   const BoxT<F> reach = bodyReach(motion, level_.params);
-  const Vec3T<F> center = (reach.lo + reach.hi) * F(0.5f), half = (reach.hi - reach.lo) * F(0.5f);
   std::fill_n(solidCount_ + slot, kLanes, 0);
   for (int k = 0; k < most; ++k) {
     const WideBlock& block = blocks_[k];
     const WideMask solid = (tags_[k] & int32_t(level::kSolidTag)) != 0;
-    const WideMask meets = solid & overlaps(boundsOf(block.pose, block.half), reach) &
-                           meetsBlock<F>(center, half, block);
+    const WideMask meets =
+        solid & overlaps(boundsOf(block.pose, block.half), reach) & meetsBlock<F>(reach, block);
     for (uint32_t left = bitsOf(meets); left != 0; left &= left - 1) {
       const int at = slot + lowestBit(left);
       const int32_t n = solidCount_[at]++;
@@ -277,10 +283,10 @@ void Ticker::finish(int slot) {
     touching[lane] = live && (near_.anyFlags(index) & level::kTouchRoles);
   }
   Rows rows = loadRows(reinterpret_cast<const void* const*>(targets));
-  const WidePlayer& player = players_[slot / kLanes];
+  WidePlayer player = players_[slot / kLanes];
+  player.position = motions_.position(slot);
+  player.velocity = motions_.velocity(slot);
   putPlayer(rows, player);
-  putVector(rows, kPositionWord, motions_.position(slot));
-  putVector(rows, kVelocityWord, motions_.velocity(slot));
   endTickInLanes(rows, load(touching) != WideInt(0));
   storeRows(rows, reinterpret_cast<void* const*>(targets));
   for (int lane = 0; lane < kLanes; ++lane) {

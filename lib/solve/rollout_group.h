@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/rules.h"
-#include "sim/wide_tick.h"
+#include "sim/simulator.h"
 #include "solve/explorer.h"
 
 namespace obby::solve {
@@ -47,8 +46,7 @@ class RolloutGroup {
       worlds_.push_back(m.world);
       actions_.push_back(m.explorer.next(context_, *m.world));
     }
-    sim::tickAll(context_.level, worlds_.data(), actions_.data(), worlds_.size());
-    for (sim::World* w : worlds_) sim::applyRules(*w, context_.level, context_.query);
+    sim::advanceAll(context_.level, &context_.query, worlds_, actions_.data());
   }
 
   const ExploreContext& context_;

@@ -22,16 +22,6 @@ struct Dice {
   }
 };
 
-geom::Hull viewOf(const HullTables& t) {
-  return {t.vertices.data(),
-          t.normals.data(),
-          t.offsets.data(),
-          t.edges.data(),
-          uint32_t(t.vertices.size()),
-          uint32_t(t.normals.size()),
-          uint32_t(t.edges.size())};
-}
-
 std::vector<Vec3> boxCorners(Vec3 half) {
   std::vector<Vec3> out;
   for (int c = 0; c < 8; ++c)

@@ -8,16 +8,8 @@
 namespace obby::parity {
 
 struct TestHull {
-  explicit TestHull(const std::vector<Vec3>& points) : tables(level::hullTables(points)) {
-    const auto& t = tables;
-    hull = {t.vertices.data(),
-            t.normals.data(),
-            t.offsets.data(),
-            t.edges.data(),
-            uint32_t(t.vertices.size()),
-            uint32_t(t.normals.size()),
-            uint32_t(t.edges.size())};
-  }
+  explicit TestHull(const std::vector<Vec3>& points)
+      : tables(level::hullTables(points)), hull(level::viewOf(tables)) {}
   TestHull(const TestHull&) = delete;
   TestHull& operator=(const TestHull&) = delete;
 

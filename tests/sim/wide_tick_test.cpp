@@ -8,26 +8,13 @@
 #include "sim/simulator.h"
 #include "sim/tick.h"
 #include "support/level_builder.h"
+#include "support/walker.h"
 
 namespace obby::sim {
 namespace {
 
 using support::LevelBuilder;
-
-// Holds a random action for 5 to 40 ticks.
-struct Walker {
-  Random random;
-  Action action;
-  uint32_t left = 0;
-
-  Action next() {
-    if (left-- == 0) {
-      left = 5 + random.below(35);
-      action = {Turns(random.next()), random.below(10) != 0, random.below(3) == 0};
-    }
-    return action;
-  }
-};
+using support::Walker;
 
 struct Scene {
   const char* name;
