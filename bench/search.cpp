@@ -41,7 +41,7 @@ std::vector<Recorded> record(const solve::GoExplore& search, uint64_t slice) {
     Recorded& r = rollouts[i];
     r.start = search.archive().world(random.below(search.archive().cellCount()));
     sim::World world = r.start;
-    solve::runRollout(search.context(), 3, slice * kRollouts + i, world, kRolloutTicks,
+    solve::runRollout(search.context(), 3, slice * kRollouts + i, world, nullptr, kRolloutTicks,
                       [&](const sim::Action& a, const sim::World&) { r.actions.push_back(a); });
   }
   return rollouts;
@@ -65,7 +65,7 @@ double runRaw(const level::LevelView& level, const std::vector<Recorded>& rollou
         running.push_back(&worlds[i]);
         actions.push_back(first[i].actions[t]);
       }
-      sim::tickAll(level, running.data(), actions.data(), running.size());
+      sim::tickAll(level, running.data(), nullptr, actions.data(), running.size());
       steps += running.size();
     }
   });
@@ -88,6 +88,7 @@ void scene(bench::Report& report, const char* name, const level::Level& level, T
   query.goal = {{{0, 500, 0}, {}}, {2, 2, 2}};
   query.maxJumps = -1;
   const solve::Problem problem{level.view(), query, sim::makeWorld(level.view(), level.spawns()[0]),
+                               sim::makeLoose(level.view()),
                                level.bounds(), level.hasMotion()};
   solve::GoExplore search(problem, 1, solve::GoExploreSettings{}, pool);
   Sums raw, found;

@@ -19,10 +19,12 @@ using namespace obby;
 using support::Walker;
 
 constexpr uint32_t kWorlds = 256, kTicks = 1000, kSeeds = 5;
+constexpr uint32_t kSettling = 240;  // ticks until loose bodies have come to rest
 
 struct Outcome {
   double stepsPerSecond, singlyPerSecond;  // in lanes; by the scalar tick
   double grounded;                         // share of ticks with a floor
+  double awake;                            // with a loose body that is awake
   sim::WideCounts counts;
 };
 
@@ -30,12 +32,17 @@ struct Outcome {
 struct Crowd {
   std::vector<sim::World> worlds;
   std::vector<sim::World*> pointers;
+  std::vector<sim::LooseBody> loose;
+  std::vector<sim::LooseBody*> loosePointers;
   std::vector<Walker> walkers;
   std::vector<sim::Action> actions;
 
   Crowd(const level::Level& level, uint64_t seed)
       : worlds(kWorlds, sim::makeWorld(level.view(), level.spawns()[0])), actions(kWorlds) {
     for (sim::World& w : worlds) pointers.push_back(&w);
+    const std::vector<sim::LooseBody> bodies = sim::makeLoose(level.view());
+    for (uint32_t i = 0; i < kWorlds; ++i) loose.insert(loose.end(), bodies.begin(), bodies.end());
+    for (uint32_t i = 0; i < kWorlds; ++i) loosePointers.push_back(loose.data() + i * bodies.size());
     for (uint32_t i = 0; i < kWorlds; ++i) walkers.push_back({Random(seed, i), {}, 0});
   }
   void decide() {
@@ -46,25 +53,35 @@ struct Crowd {
 // Both ways take turns, so that what else the machine does hits them alike.
 Outcome run(const level::Level& level, uint64_t seed) {
   Crowd wide(level, seed), single(level, seed);
+  for (uint32_t t = 0; t < kSettling && level.view().looseCount != 0; ++t) {
+    for (Crowd* crowd : {&wide, &single}) {
+      sim::tickAll(level.view(), crowd->pointers.data(), crowd->loosePointers.data(),
+                   crowd->actions.data(), kWorlds);
+    }
+  }
   Outcome o{};
   double wideSeconds = 0, singleSeconds = 0;
   for (uint32_t t = 0; t < kTicks; ++t) {
     wide.decide();
     single.decide();
     wideSeconds += bench::cpuSecondsOf([&] {
-      sim::tickAll(level.view(), wide.pointers.data(), wide.actions.data(), kWorlds, &o.counts);
+      sim::tickAll(level.view(), wide.pointers.data(), wide.loosePointers.data(), wide.actions.data(), kWorlds, &o.counts);
     });
     singleSeconds += bench::cpuSecondsOf([&] {
       for (uint32_t i = 0; i < kWorlds; ++i) {
-        sim::tick(single.worlds[i], level.view(), single.actions[i]);
+        sim::tick(single.worlds[i], single.loosePointers[i], level.view(), single.actions[i]);
       }
     });
-    for (const sim::World& w : wide.worlds) o.grounded += w.flags & sim::kFloorSensed;
+    for (const sim::World& w : wide.worlds) {
+      o.grounded += w.flags & sim::kFloorSensed;
+      o.awake += w.flags & sim::kLooseAwake ? 1 : 0;
+    }
   }
   const double steps = double(kWorlds) * kTicks;
   o.stepsPerSecond = steps / wideSeconds;
   o.singlyPerSecond = steps / singleSeconds;
   o.grounded /= steps;
+  o.awake /= steps;
   return o;
 }
 
@@ -103,13 +120,14 @@ double medianOf(std::vector<double> values) {
 // Median over five random scenes; gives the steps a second.
 double measure(bench::Report& report, const Scene& scene) {
   std::vector<double> rates, singly, bullet;
-  double grounded = 0, contact = 0, fallback = 0;
+  double grounded = 0, contact = 0, fallback = 0, awake = 0;
   for (uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const level::Level level = scene.build(scene.parts, seed).compile();
     const Outcome o = run(level, seed);
     rates.push_back(o.stepsPerSecond);
     singly.push_back(o.singlyPerSecond);
     grounded += o.grounded / kSeeds;
+    awake += o.awake / kSeeds;
     contact += double(o.counts.contact) / double(o.counts.ticks) / kSeeds;
     fallback += double(o.counts.single) / double(o.counts.ticks) / kSeeds;
 #if defined(OBBY_HAS_BULLET)
@@ -126,6 +144,7 @@ double measure(bench::Report& report, const Scene& scene) {
   report.add(scene.name, "contactShare", contact, "");
   report.add(scene.name, "scalarShare", fallback, "");
   report.add(scene.name, "groundedShare", grounded, "");
+  if (awake > 0) report.add(scene.name, "looseAwakeShare", awake, "");
   return rate;
 }
 
@@ -161,6 +180,12 @@ int main(int argc, char** argv) {
           {"moving8", 100,
            [](uint32_t parts, uint64_t seed) { return obby::support::movingArena(parts, 8, seed); },
            false});
+  measure(report,
+          {"moving8dynamic4asleep", 4,
+           [](uint32_t n, uint64_t seed) { return support::looseArena(n, false, seed); }, false});
+  measure(report,
+          {"moving8dynamic4awake", 4,
+           [](uint32_t n, uint64_t seed) { return support::looseArena(n, true, seed); }, false});
   measure(report, {"course100", 100, obby::support::platformCourse, false});
   snapshots(report);
 }

@@ -324,6 +324,11 @@ struct PhysicsParams {
   climbReach @36 :Float32 = 1.2 $unit("studs") $range((min = 0, max = 5)) $source("H forward climb sensor");
   contactSkin @37 :Float32 = 0.01 $unit("studs") $range((min = 0, max = 0.2)) $source("M depth left between bodies at rest");
   maxFallSpeed @38 :Float32 = 480 $unit("studs/s") $range((min = 10, max = 2000)) $source("M numerical guard, never met in a level");
+
+  playerMass @39 :Float32 = 12.6 $unit("density x cubic studs") $range((min = 0.1, max = 1000)) $source("M the R6 assembly: 18 cubic studs x 0.7");
+  pushForce @40 :Float32 = 100000 $unit("mass x studs/s^2") $range((min = 0, max = 10000000)) $source("L most that a player presses on a loose part; by default the drive's own limit counts");
+  sleepSpeed @41 :Float32 = 0.5 $unit("studs/s") $range((min = 0, max = 10)) $source("L loose parts slower than this come to rest");
+  sleepTime @42 :Float32 = 0.5 $unit("s") $range((min = 0, max = 10)) $source("L after this long");
 }
 
 # ---------------------------------------------------------------------------------------------- query

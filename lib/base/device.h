@@ -6,8 +6,12 @@
 // Code for the CPU's lanes, which is worth nothing unless it is inlined.
 #define OBBY_LANES inline __attribute__((always_inline))
 
+// OBBY_APART is for what is large and runs rarely: a function of its own, which leaves the caches
+// and the compiler's time to the rest.
 #if defined(__CUDACC__)
 #define OBBY_DEVICE __host__ __device__ __forceinline__
+#define OBBY_APART __host__ __device__ __noinline__ inline
 #else
 #define OBBY_DEVICE OBBY_LANES
+#define OBBY_APART inline __attribute__((noinline))
 #endif

@@ -2,11 +2,14 @@
 //
 // A shape is one header in geom/shapes/ with these static functions over local coordinates (the
 // shape's own frame, centred, half extents `half`), and one row in geom/shapes/table.h:
-//   support(s, d)       largest dot(d, p) over the points p of the shape; d need not be a unit
-//   vector axes(s), axis(s,i)  unit normals of faces, each direction once for parallel faces
+//   support(s, d)       largest dot(d, p) over the points p of the shape; d: any length
+//   corner(s, d)        a point with that largest product
+//   feature(s, d, out)  the face that looks along the unit vector d, as a ring of corners: at most
+//                       kMaxFeature; a line or a point where the shape is curved; gives how many
+//   axes(s), axis(s,i)  unit normals of faces, each direction once for parallel faces
 //   edges(s), edge(s,i) unit directions of edges
-//   roundAxis(s, body)  for shapes with curved faces: the direction of the closest approach, or
-//   zero castRay(s, o, d, tMax, hit)  first entry of the ray o + t d, 0 <= t <= tMax, from outside
+//   roundAxis(s, body)  for shapes with curved faces: the direction of the closest approach, or zero
+//   castRay(s, o, d, tMax, hit)  first entry of the ray o + t d, 0 <= t <= tMax, from outside
 #pragma once
 
 #include <stdint.h>
@@ -17,6 +20,8 @@ namespace obby::geom {
 
 // The order of schema Shape.
 enum class ShapeKind : uint8_t { block, ball, cylinder, wedge, cornerWedge, truss, hull };
+
+constexpr int kMaxFeature = 8;
 
 // A convex polytope: spans into the level's tables.
 struct Hull {

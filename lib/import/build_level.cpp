@@ -4,6 +4,7 @@
 #include "import/assemblies.h"
 #include "import/checkpoints.h"
 #include "import/culling.h"
+#include "import/loose.h"
 #include "import/parts.h"
 #include "import/roles/role.h"
 #include "import/scene.h"
@@ -47,6 +48,7 @@ LevelDraft buildLevel(const Tree& tree, const std::string& name) {
   RoleContext context(tree, assemblies, scripts, level);
   applyScriptedWorld(context);
   findRoles(context);
+  looseParts(tree, assemblies, level);
   orderStages(tree, level);
   noteUnmodelled(context);
   return level;

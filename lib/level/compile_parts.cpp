@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "base/hash.h"
+#include "level/mass.h"
 #include "level/record_values.h"
 #include "level/upright.h"
 
@@ -19,7 +20,8 @@ class PartCompiler {
  public:
   PartCompiler(PartTables& out, const Params& params) : out_(out), params_(params) {}
 
-  Status add(schema::Part::Reader part);
+  // `index` of the part in the record.
+  Status add(schema::Part::Reader part, uint32_t index);
 
  private:
   Result<uint16_t> roles(schema::Part::Reader part, const Pose& pose, Roles& roles) const;
@@ -27,6 +29,7 @@ class PartCompiler {
   Status shapes(schema::Part::Reader part, Collider collider, uint16_t flags);
   Status hulls(schema::Part::Reader part, const Collider& base, uint16_t flags);
   void push(Collider collider, uint16_t flags);
+  Status loosen(schema::Part::Reader part, Vec3 at, size_t firstCollider);
   Box sweptBounds(const Collider& collider) const;
 
   const std::vector<Mat3>& sharedSpins(MotionTables& tables);
@@ -46,7 +49,14 @@ Result<Vec3> halfExtents(schema::Part::Reader part) {
   return max(size, Vec3{kMinSize, kMinSize, kMinSize}) * 0.5f;
 }
 
+// Physics moves it: nothing holds it, and something can push it.
+bool isLoose(schema::Part::Reader part) {
+  return !part.getAnchored() && part.getSolid() && !part.hasMotion();
+}
+
 Status finiteFields(schema::Part::Reader part) {
+  if (!(part.getElasticity() >= 0 && part.getElasticity() <= 1))
+    return pathError("elasticity", "expected a number from 0 to 1");
   if (!(part.getFriction() >= 0))
     return pathError("friction", "expected a number that is not negative");
   if (part.hasKill() && !(part.getKill().getCooldown() >= 0)) {
@@ -159,7 +169,8 @@ void PartCompiler::push(Collider collider, uint16_t flags) {
     flags &= uint16_t(~kUpright);  // the short cuts are for blocks only
   } else {
     flags |= kBlock;
-    if (collider.mover == kNone && makeUpright(collider)) flags |= kUpright;
+    const bool still = collider.mover == kNone && collider.loose == kNotLoose;
+    if (still && makeUpright(collider)) flags |= kUpright;
   }
   out_.bounds.push_back(makeBounds(sweptBounds(collider), flags, uint32_t(out_.bounds.size()),
                                    collider.friction < params_.iceFriction));
@@ -207,9 +218,29 @@ Status PartCompiler::shapes(schema::Part::Reader part, Collider collider, uint16
   return {};
 }
 
-Status PartCompiler::add(schema::Part::Reader part) {
-  const uint32_t index = uint32_t(out_.names.size());
-  out_.names.push_back(part.getName());
+// Makes a body of the colliders from `firstCollider` on.
+Status PartCompiler::loosen(schema::Part::Reader part, Vec3 at, size_t firstCollider) {
+  if (firstCollider == out_.colliders.size()) return {};  // flat hulls only
+  if (!(part.getDensity() >= 1e-4f && part.getDensity() <= 100))
+    return pathError("density", "expected a number from 0.0001 to 100");
+  std::vector<SolidShape> shapes;
+  float radius = 0;
+  for (size_t i = firstCollider; i < out_.colliders.size(); ++i) {
+    shapes.push_back({out_.colliders[i].kind, out_.colliders[i].shape});
+    radius = maxf(radius, length(out_.colliders[i].shape.half));
+  }
+  const MassProperties mass = massOf(shapes, part.getDensity());
+  if (!(mass.mass > 0)) return pathError("size", "a loose part needs a volume");
+  OBBY_ASSIGN(const Quat turned, quaternion(part.getRotation(), "rotation"));
+  Loose loose{at, turned, mass.center, mass.inverseInertia, 1 / mass.mass, 0, 0, 0};
+  loose.radius = radius + length(mass.center);
+  loose.firstCollider = uint32_t(firstCollider);
+  loose.colliderCount = uint32_t(shapes.size());
+  out_.loose.push_back(loose);
+  return {};
+}
+
+Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
   if (uint16_t(part.getShape()) > uint16_t(schema::Shape::HULL))
     return pathError("shape", "unknown shape");
   OBBY_RETURN_IF_ERROR(finiteFields(part));
@@ -220,15 +251,30 @@ Status PartCompiler::add(schema::Part::Reader part) {
   Roles roleTable{};
   OBBY_ASSIGN(uint16_t flags, roles(part, pose, roleTable));
   if (flags & kVanishTimer) out_.timed = true;
-  Collider collider{pose,  {half, nullptr},    index,           kNone,
-                    kNone, part.getFriction(), ShapeKind::block};
+  Collider collider{pose,
+                    {half, nullptr},
+                    index,
+                    kNone,
+                    kNone,
+                    part.getFriction(),
+                    part.getElasticity(),
+                    ShapeKind::block,
+                    kNotLoose};
+  if (isLoose(part)) {
+    collider.loose = uint8_t(out_.loose.size());
+    flags |= kLoose;
+  }
   if (part.hasMotion()) OBBY_RETURN_IF_ERROR(mover(part, pose, collider, flags));
   if ((flags & (kSolid | kTouchRoles)) == 0) return {};  // scenery
   if (flags & (kTouchRoles | kConveyor | kVanishTimer)) {
     collider.role = uint32_t(out_.roles.size());
     out_.roles.push_back(roleTable);
   }
-  return shapes(part, collider, flags);
+  const size_t first = out_.colliders.size();
+  OBBY_RETURN_IF_ERROR(shapes(part, collider, flags));
+  if (flags & kLoose) return loosen(part, center, first);
+  out_.fixedColliders = out_.colliders.size();
+  return {};
 }
 
 }  // namespace
@@ -240,15 +286,30 @@ Result<PartTables> compileParts(schema::Level::Reader record, const Params& para
                                           record.getParts().size()));
   }
   PartCompiler compiler(out, params);
-  size_t index = 0;
-  for (const auto part : record.getParts()) {
-    if (auto status = compiler.add(part); !status) {
-      Error error = std::move(status).error();
-      error.path = fmt::format("parts[{}]{}{}", index, error.path.empty() ? "" : ".", error.path);
-      return error;
+  std::vector<uint32_t> loose;
+  const auto add = [&](uint32_t index) -> Status {
+    auto status = compiler.add(record.getParts()[index], index);
+    if (status) return {};
+    Error error = std::move(status).error();
+    error.path = fmt::format("parts[{}]{}{}", index, error.path.empty() ? "" : ".", error.path);
+    return error;
+  };
+  for (uint32_t index = 0; index < record.getParts().size(); ++index) {
+    const auto part = record.getParts()[index];
+    out.names.push_back(part.getName());
+    if (isLoose(part)) {
+      loose.push_back(index);
+    } else {
+      OBBY_RETURN_IF_ERROR(add(index));
     }
-    ++index;
   }
+  if (loose.size() > kMaxLoose) {
+    return pathError(fmt::format("parts[{}].anchored", loose[kMaxLoose]),
+                     fmt::format("expected at most {} loose parts, got {}: anchor those that "
+                                 "nobody pushes",
+                                 kMaxLoose, loose.size()));
+  }
+  for (const uint32_t index : loose) OBBY_RETURN_IF_ERROR(add(index));
   const Vec3 nowhere{1e38f, 1e38f, 1e38f};
   out.bounds.push_back(makeBounds({nowhere, -nowhere}, 0, uint32_t(out.bounds.size()), false));
   return out;

@@ -19,6 +19,8 @@ struct PartTables {
   std::vector<Bounds> bounds;  // (colliders + 1), see LevelView
   std::vector<Roles> roles;
   std::vector<Mover> movers;
+  std::vector<Loose> loose;
+  size_t fixedColliders = 0;         // those of loose parts come after them
   std::vector<std::string> names;    // (parts)
   std::deque<MotionTables> motions;  // what movers point into; a deque keeps addresses
   std::deque<HullTables> hulls;      // what shapes point into

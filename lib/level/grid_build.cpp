@@ -20,7 +20,8 @@ struct Extent {
 
 class Builder {
  public:
-  Builder(std::span<const Bounds> bounds, const Reach& reach) : bounds_(bounds), reach_(reach) {}
+  Builder(std::span<const Bounds> bounds, uint32_t filler, const Reach& reach)
+      : bounds_(bounds), filler_(filler), reach_(reach) {}
 
   GridTables build() {
     cover();
@@ -129,11 +130,12 @@ class Builder {
       grid_.lists.push_back(count);
       grid_.lists.insert(grid_.lists.end(), list, list + count);
       const uint32_t filled = (count + kListStep - 1) / kListStep * kListStep;
-      grid_.lists.insert(grid_.lists.end(), filled - count, uint32_t(bounds_.size()));
+      grid_.lists.insert(grid_.lists.end(), filled - count, filler_);
     }
   }
 
   const std::span<const Bounds> bounds_;
+  const uint32_t filler_;
   const Reach& reach_;
   Box box_{};
   GridTables grid_;
@@ -141,8 +143,8 @@ class Builder {
 
 }  // namespace
 
-GridTables buildGrid(std::span<const Bounds> bounds, const Reach& reach) {
-  return Builder(bounds, reach).build();
+GridTables buildGrid(std::span<const Bounds> bounds, uint32_t filler, const Reach& reach) {
+  return Builder(bounds, filler, reach).build();
 }
 
 }  // namespace obby::level

@@ -20,7 +20,8 @@ struct Reach {
   float side, down, up;  // studs
 };
 
-// `cell` is a suggestion in studs; cells grow until at most 2^21 of them cover the bounds.
-GridTables buildGrid(std::span<const Bounds> bounds, const Reach& reach);
+// Lists are filled up with `filler`, the index of a collider that nothing meets. Cells grow until at
+// most 2^21 of them cover the bounds.
+GridTables buildGrid(std::span<const Bounds> bounds, uint32_t filler, const Reach& reach);
 
 }  // namespace obby::level

@@ -17,7 +17,7 @@ namespace obby::level {
 struct Level::Impl {
   std::string name;
   PartTables tables;
-  GridTables grid;
+  GridTables grid, looseGrid;
   LevelView view{};
   std::vector<StartPose> spawns;
   uint64_t hash = 0;
@@ -55,6 +55,21 @@ Reach reachOf(const Params& p, float sideways) {
   const float below =
       maxf(0.0f, p.floorReachBase * p.rootHeight + p.floorKeep * p.hipHeight - p.hipHeight);
   return {limbs + step, below + fall, p.bodyTop + fall};
+}
+
+// Covers what a loose body can meet during a tick.
+Reach looseReach(const PartTables& tables, const Params& p) {
+  float radius = 0;
+  for (const Loose& l : tables.loose) radius = maxf(radius, l.radius);
+  const float reach = radius + p.maxFallSpeed * p.tickSeconds + 1;
+  return {reach, reach, reach};
+}
+
+Grid gridOf(const GridTables& g) {
+  if (g.cells.empty()) return {};
+  return {
+      g.origin,      {1 / g.cell.x, 1 / g.cell.y, 1 / g.cell.z}, g.nx, g.ny, g.nz, g.cells.data(),
+      g.lists.data()};
 }
 
 Status compileSpawns(schema::Level::Reader record, std::vector<StartPose>& spawns) {
@@ -111,6 +126,10 @@ uint64_t digest(const LevelView& v, const PartTables& t) {
     h = hashBytes(m.spins, m.spinCount * sizeof(Mat3), h);
     add(m.pivot), add(m.once);
   }
+  for (const Loose& l : t.loose)
+    add(l.position), add(l.rotation), add(l.center), add(l.inverseInertia), add(l.inverseMass);
+  if (t.loose.empty()) return h;
+  for (const Collider& c : t.colliders) add(c.elasticity);
   return h;
 }
 
@@ -129,20 +148,22 @@ Result<Level> Level::compile(schema::Level::Reader record) {
   OBBY_RETURN_IF_ERROR(compileSpawns(record, impl->spawns));
   const PartTables& t = impl->tables;
   const float sideways = fastestSideways(t, params);
-  const Reach reach = reachOf(params, sideways);
-  impl->grid = buildGrid({t.bounds.data(), t.colliders.size()}, reach);
+  const std::span<const Bounds> fixed{t.bounds.data(), t.fixedColliders};
+  const uint32_t filler = uint32_t(t.colliders.size());
+  impl->grid = buildGrid(fixed, filler, reachOf(params, sideways));
+  if (!t.loose.empty()) impl->looseGrid = buildGrid(fixed, filler, looseReach(t, params));
   LevelView& v = impl->view;
   v.params = params;
   v.colliders = t.colliders.data();
   v.bounds = t.bounds.data();
   v.roles = t.roles.data();
   v.movers = t.movers.data();
+  v.loose = t.loose.data();
   v.colliderCount = uint32_t(t.colliders.size());
   v.moverCount = uint32_t(t.movers.size());
-  const GridTables& g = impl->grid;
-  v.grid = {
-      g.origin,      {1 / g.cell.x, 1 / g.cell.y, 1 / g.cell.z}, g.nx, g.ny, g.nz, g.cells.data(),
-      g.lists.data()};
+  v.looseCount = uint32_t(t.loose.size());
+  v.grid = gridOf(impl->grid);
+  v.looseGrid = gridOf(impl->looseGrid);
   v.maxSideSpeed = sideways * kSpeedMargin;
   impl->period = commonPeriod(t);
   impl->hash = digest(v, t);

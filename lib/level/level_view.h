@@ -26,6 +26,7 @@ enum ColliderFlag : uint16_t {
   kBlock = 512,    // a block, or a truss: what has the form that lanes know
   kTruss = 1024,   // can be climbed
 };
+constexpr uint16_t kLoose = 1u << 15;  // part of a loose body
 constexpr uint16_t kTouchRoles = kKill | kPad | kVanishTouch;
 
 // One convex shape. A part has one, or one for each of its hulls.
@@ -37,8 +38,11 @@ struct alignas(64) Collider {
   uint32_t mover;  // index into movers, or kNone
   uint32_t role;   // index into the table of its role (kills, pads, ...), see below
   float friction;
+  float elasticity;
   geom::ShapeKind kind;
+  uint8_t loose;  // index into LevelView::loose, or kNotLoose
 };
+constexpr uint8_t kNotLoose = 0xff;
 
 // What a look at the parts near a player reads of each. The upper corner is negated, so that one
 // comparison of eight numbers tells whether a box is met: flags and tag read as tiny floats.
@@ -99,6 +103,19 @@ OBBY_DEVICE Pose moverPose(const Mover& m, uint32_t tick) {
   return pose;
 }
 
+// A loose body: an unanchored part that physics moves. Its state is a sim::LooseBody of each world.
+// Its colliders are in the table of all, but in no grid.
+struct Loose {
+  Vec3 position;        // of the part, as the level has it
+  Quat rotation;
+  Vec3 center;          // of mass, studs, in the part's frame
+  Mat3 inverseInertia;  // about the centre, in the part's frame
+  float inverseMass;
+  float radius;  // studs, about the centre: all of it is within
+  uint32_t firstCollider, colliderCount;
+};
+constexpr int kMaxLoose = 16;
+
 constexpr uint32_t kListStep = 4;
 
 // Uniform grid over root positions: the list of a cell names every collider that a player whose
@@ -120,8 +137,10 @@ struct LevelView {
                          // the last is met by nothing
   const Roles* roles;
   const Mover* movers;
-  uint32_t colliderCount, moverCount;
+  const Loose* loose;  // (looseCount)
+  uint32_t colliderCount, moverCount, looseCount;
   Grid grid;
+  Grid looseGrid;  // the same over centres of loose bodies; empty where there are none
   float maxSideSpeed;  // studs/s; the grid lists reach as far as this carries a player in a tick
 };
 

@@ -52,6 +52,7 @@ void derive(Params& p) {
   p.landedTicks = uint16_t(ticksFromSeconds(p, p.landedTime));
   p.coyoteTicks = uint16_t(ticksFromSeconds(p, p.coyoteTime));
   p.graceTicks = uint16_t(ticksFromSeconds(p, p.offFloorGrace));
+  p.sleepTicks = uint16_t(ticksFromSeconds(p, p.sleepTime));
 }
 
 }  // namespace

@@ -94,6 +94,13 @@ OBBY_DEVICE Mat3 toMat3(Quat q) {
           {2 * (xz + wy), 2 * (yz - wx), 1 - 2 * (xx + yy)}};
 }
 
+// A turn by `angle`, a vector of radians: exact to its second order, and a unit again.
+OBBY_DEVICE Quat turned(Quat q, Vec3 angle) {
+  const Vec3 h = angle * 0.5f;
+  const Quat d = Quat{h.x, h.y, h.z, 1.0f - 0.5f * dot(h, h)} * q;
+  return normalize(d);
+}
+
 // Where a body is: world = rotation * local + position.
 template <class F>
 struct PoseT {

@@ -11,7 +11,12 @@ constexpr size_t kBlock = 256;  // worlds a task: what the wide tick takes at on
 }
 
 Batch::Batch(const level::LevelView& level, const level::StartPose& start, size_t worlds)
-    : level_(level), worlds_(worlds, makeWorld(level, start)) {}
+    : level_(level), worlds_(worlds, makeWorld(level, start)) {
+  const std::vector<LooseBody> loose = makeLoose(level);
+  for (size_t i = 0; i < worlds && !loose.empty(); ++i) {
+    loose_.insert(loose_.end(), loose.begin(), loose.end());
+  }
+}
 
 void Batch::step(ThreadPool& pool, const level::QueryView* query, uint32_t ticks,
                  const Controller& controller) {
@@ -19,6 +24,7 @@ void Batch::step(ThreadPool& pool, const level::QueryView* query, uint32_t ticks
   pool.run(int(blocks), [&](int block) {
     std::vector<size_t> running;
     std::vector<World*> worlds;
+    std::vector<LooseBody*> loose;
     std::vector<Action> actions;
     const size_t last = std::min(worlds_.size(), (size_t(block) + 1) * kBlock);
     for (size_t i = size_t(block) * kBlock; i < last; ++i) {
@@ -26,21 +32,23 @@ void Batch::step(ThreadPool& pool, const level::QueryView* query, uint32_t ticks
     }
     for (uint32_t t = 0; t < ticks && !running.empty(); ++t) {
       worlds.clear();
+      loose.clear();
       actions.clear();
       std::erase_if(running, [&](size_t i) { return worlds_[i].outcome != Outcome::running; });
       for (const size_t i : running) {
         worlds.push_back(&worlds_[i]);
+        loose.push_back(loose_.data() + i * level_.looseCount);
         actions.push_back(controller(i, worlds_[i]));
       }
-      advanceAll(level_, query, worlds, actions.data());
+      advanceAll(level_, query, worlds, loose.data(), actions.data());
     }
   });
 }
 
 uint64_t Batch::hash() const {
   uint64_t h = 0;
-  for (const World& w : worlds_) {
-    const uint64_t state = stateHash(w);
+  for (size_t i = 0; i < worlds_.size(); ++i) {
+    const uint64_t state = stateHash(worlds_[i], loose(i));
     h = hashBytes(&state, sizeof state, h);
   }
   return h;

@@ -2,11 +2,14 @@
 // own state and actions only: the number of threads and the order of worlds never show.
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "base/thread_pool.h"
 #include "level/level.h"
+#include "sim/loose.h"
 #include "sim/world.h"
 
 namespace obby::sim {
@@ -19,8 +22,15 @@ class Batch {
   size_t size() const { return worlds_.size(); }
   const World& world(size_t i) const { return worlds_[i]; }
 
-  // Snapshots are plain copies.
-  void restore(size_t i, const World& snapshot) { worlds_[i] = snapshot; }
+  std::span<const LooseBody> loose(size_t i) const {
+    return std::span(loose_).subspan(i * level_.looseCount, level_.looseCount);
+  }
+
+  // Snapshots are plain copies of a world and its loose bodies.
+  void restore(size_t i, const World& snapshot, std::span<const LooseBody> loose = {}) {
+    worlds_[i] = snapshot;
+    std::copy(loose.begin(), loose.end(), loose_.begin() + i * level_.looseCount);
+  }
 
   // Gives the action of world `i` at its tick; called from any thread.
   using Controller = std::function<Action(size_t i, const World& world)>;
@@ -36,6 +46,7 @@ class Batch {
  private:
   const level::LevelView& level_;
   std::vector<World> worlds_;
+  std::vector<LooseBody> loose_;  // (worlds, level.looseCount)
 };
 
 }  // namespace obby::sim

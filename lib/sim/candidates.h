@@ -4,6 +4,7 @@
 #pragma once
 
 #include "level/level_view.h"
+#include "sim/loose.h"
 #include "sim/world.h"
 
 namespace obby::sim {
@@ -25,6 +26,9 @@ struct Candidates {
   };
   union {
     Pose moving[kMaxMovingCandidates];
+  };
+  union {
+    Pose loose[level::kMaxLoose];  // by body: where those near the player are
   };
   int count = 0;
   int movingCount = 0;
@@ -73,11 +77,34 @@ OBBY_DEVICE bool isAway(const World& w, const level::LevelView& level, uint32_t 
   return false;
 }
 
-OBBY_DEVICE void gather(World& w, const level::LevelView& level, Candidates& out) {
+// Loose bodies near the player.
+OBBY_DEVICE void gatherLoose(World& w, const LooseBody* loose, const level::LevelView& level,
+                             const Box& near, Candidates& out) {
+  for (uint32_t b = 0; b < level.looseCount; ++b) {
+    const level::Loose& l = level.loose[b];
+    if (!isNear(loose[b], l, near)) continue;
+    out.loose[b] = poseOf(loose[b], l);
+    for (uint32_t id = l.firstCollider; id < l.firstCollider + l.colliderCount; ++id) {
+      const Box bounds = boundsOf(out.loose[b], level.colliders[id].shape.half);
+      if (!overlaps(bounds, near)) continue;
+      if (out.count == kMaxCandidates) {
+        w.flags |= kCandidateOverrun;
+        return;
+      }
+      const uint16_t flags = uint16_t(level.bounds[id].flags);
+      out.items[out.count++] = {bounds, &out.loose[b], id, flags};
+      out.anyFlags |= flags;
+    }
+  }
+}
+
+OBBY_DEVICE void gather(World& w, const LooseBody* loose, const level::LevelView& level,
+                        Candidates& out) {
+  const Box near = tickBounds<float>(w.position, w.velocity, level.params);
+  if (level.looseCount != 0) gatherLoose(w, loose, level, near, out);
   const int32_t cell = cellOf<float>(level.grid, w.position);
   if (cell < 0) return;
   const uint32_t* list = level.grid.lists + level.grid.cells[cell];
-  const Box near = tickBounds<float>(w.position, w.velocity, level.params);
   const uint32_t count = list[0];
   for (uint32_t i = 1; i <= count; ++i) {
     const uint32_t id = list[i];

@@ -80,8 +80,8 @@ OBBY_DEVICE TrussHit castColumn(const level::LevelView& level, const Candidates&
   return best;
 }
 
-OBBY_DEVICE Truss senseTruss(const World& w, const Player& player, const level::LevelView& level,
-                             const Candidates& near) {
+OBBY_DEVICE Truss senseTruss(const World& w, const LooseBody* loose, const Player& player,
+                             const level::LevelView& level, const Candidates& near) {
   const Params& p = level.params;
   const SinCos yaw = sinCosOf<float>(player.yaw);
   const Vec3 ahead = directionOf(yaw);
@@ -98,7 +98,7 @@ OBBY_DEVICE Truss senseTruss(const World& w, const Player& player, const level::
   const Vec3 flat{-best.normal.x, 0, -best.normal.z};
   const float size = length(flat);
   Floor surface;  // conveyors and carrying parts take a climber along as they take a walker
-  surfaceMotion(w, level, near.items[best.candidate], surface);
+  surfaceMotion(w, loose, level, near.items[best.candidate], surface);
   return {true, size > kClimbWill ? flat * (1.0f / size) : ahead, surface.velocity};
 }
 
@@ -132,15 +132,15 @@ OBBY_DEVICE void passTruss(Player& w, const Params& p, const Floor& floor, Truss
 }
 
 // Enters and leaves the Climbing state; comes after updateState(). Gives what is climbed.
-OBBY_DEVICE Truss updateClimbing(const World& w, Player& player, const level::LevelView& level,
-                                 const Candidates& near, const Floor& floor,
-                                 const ControlT<float>& control) {
+OBBY_DEVICE Truss updateClimbing(const World& w, const LooseBody* loose, Player& player,
+                                 const level::LevelView& level, const Candidates& near,
+                                 const Floor& floor, const ControlT<float>& control) {
   const Params& p = level.params;
   const bool climbs = player.is(State::climbing);
   const bool free = player.is(State::running) || player.is(State::freefall);
   Truss truss;
   if ((near.anyFlags & level::kTruss) && (climbs || (free && control.walk))) {
-    truss = senseTruss(w, player, level, near);
+    truss = senseTruss(w, loose, player, level, near);
   }
   const float will = climbWill(truss, control);
   if (!climbs) {

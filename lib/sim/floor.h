@@ -19,6 +19,7 @@ struct FloorT {
   Vec3T<F> velocity;         // of the surface where the player stands, studs/s
   F turning = 0;             // rad/s of a carrying floor about Y
   F friction = 0;            // of the nearest floor
+  uint8_t loose = level::kNotLoose;  // body that the player stands on; one world only
 };
 
 using Floor = FloorT<float>;
@@ -182,9 +183,14 @@ OBBY_DEVICE FloorT<F> averageOf(const FloorRaysT<F>& rays, const Params& p) {
 }
 
 // Velocity of what the player stands on, and its turning.
-OBBY_DEVICE void surfaceMotion(const World& w, const level::LevelView& level, const Candidate& c,
-                               Floor& floor) {
+OBBY_DEVICE void surfaceMotion(const World& w, const LooseBody* loose,
+                               const level::LevelView& level, const Candidate& c, Floor& floor) {
   const level::Collider& collider = level.colliders[c.collider];
+  if (c.flags & level::kLoose) {
+    const LooseBody& body = loose[collider.loose];
+    floor.velocity += velocityAt(body, w.position);
+    floor.turning = body.spin.y;
+  }
   if (c.flags & level::kConveyor) {
     const level::Roles& r = level.roles[collider.role];
     floor.velocity += r.conveyorVelocity + cross(r.conveyorAngular, w.position - r.conveyorCenter);
@@ -219,8 +225,8 @@ OBBY_DEVICE bool hasFloorBelow(const World& w, const Params& p, const Candidates
   return found;
 }
 
-OBBY_DEVICE Floor senseFloor(const World& w, const Player& player, const level::LevelView& level,
-                             const Candidates& near) {
+OBBY_DEVICE Floor senseFloor(const World& w, const LooseBody* loose, const Player& player,
+                             const level::LevelView& level, const Candidates& near) {
   if (!hasFloorBelow(w, level.params, near)) return {};
   FloorRaysT<float> rays = makeRays(player, level.params);
   const Box box = boundsOf(rays);
@@ -240,7 +246,8 @@ OBBY_DEVICE Floor senseFloor(const World& w, const Player& player, const level::
   Floor floor = averageOf(rays, level.params);
   const Candidate& nearest = near.items[rays.nearest];
   floor.friction = level.colliders[nearest.collider].friction;
-  surfaceMotion(w, level, nearest, floor);
+  floor.loose = level.colliders[nearest.collider].loose;
+  surfaceMotion(w, loose, level, nearest, floor);
   return floor;
 }
 

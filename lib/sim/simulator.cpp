@@ -24,15 +24,28 @@ World makeWorld(const level::LevelView& level, const level::StartPose& start) {
   w.yaw = turnsFromRadians(start.yaw);
   w.floorlessTicks = 0xffff;
   w.state = State::freefall;  // stands after a tick where there is a floor; no jump out of thin air
+  if (level.looseCount != 0) w.flags |= kLooseAwake;
   return w;
 }
 
-uint64_t stateHash(const World& world) {
+std::vector<LooseBody> makeLoose(const level::LevelView& level) {
+  std::vector<LooseBody> loose(level.looseCount);
+  for (uint32_t i = 0; i < level.looseCount; ++i) {
+    const level::Loose& l = level.loose[i];
+    loose[i].position = l.position + toMat3(l.rotation) * l.center;
+    loose[i].rotation = l.rotation;
+  }
+  return loose;
+}
+
+uint64_t stateHash(const World& world, std::span<const LooseBody> loose) {
   uint64_t h = 0;
 #define OBBY_HASH_FIELD(type, name) h = hashBytes(&world.name, sizeof world.name, h);
   OBBY_WORLD_FIELDS(OBBY_HASH_FIELD)
 #undef OBBY_HASH_FIELD
-  return hashBytes(world.vanishing, world.vanishingCount * sizeof(Vanishing), h);
+  h = hashBytes(world.vanishing, world.vanishingCount * sizeof(Vanishing), h);
+  for (const LooseBody& body : loose) h = hashBytes(&body, sizeof body, h);
+  return h;
 }
 
 Result<Plan> planFromRecord(schema::Trajectory::Reader record) {
@@ -53,33 +66,33 @@ Result<Plan> planFromRecord(schema::Trajectory::Reader record) {
   return plan;
 }
 
-void advance(World& world, const level::LevelView& level, const level::QueryView* query,
-             Action action) {
+void advance(World& world, LooseBody* loose, const level::LevelView& level,
+             const level::QueryView* query, Action action) {
   if (world.outcome != Outcome::running) return;
-  tick(world, level, action);
+  tick(world, loose, level, action);
   if (query) applyRules(world, level, *query);
 }
 
 void advanceAll(const level::LevelView& level, const level::QueryView* query,
-                std::span<World* const> worlds, const Action* actions) {
-  tickAll(level, worlds.data(), actions, worlds.size());
+                std::span<World* const> worlds, LooseBody* const* loose, const Action* actions) {
+  tickAll(level, worlds.data(), loose, actions, worlds.size());
   if (query == nullptr) return;
   for (World* w : worlds) applyRules(*w, level, *query);
 }
 
-std::vector<World> replay(const level::LevelView& level, const level::QueryView* query,
-                          const Plan& plan) {
-  std::vector<World> worlds{makeWorld(level, plan.start)};
-  worlds.back().yaw = plan.yaw;
+Replay replay(const level::LevelView& level, const level::QueryView* query, const Plan& plan) {
+  Replay out{{makeWorld(level, plan.start)}, makeLoose(level)};
+  out.worlds.back().yaw = plan.yaw;
+  World world = out.worlds.back();
+  std::vector<LooseBody> loose = out.loose;
   for (const ActionRun& run : plan.actions) {
-    for (uint32_t t = 0; t < run.ticks; ++t) {
-      World next = worlds.back();
-      if (next.outcome != Outcome::running) return worlds;
-      advance(next, level, query, run.action);
-      worlds.push_back(next);
+    for (uint32_t t = 0; t < run.ticks && world.outcome == Outcome::running; ++t) {
+      advance(world, loose.data(), level, query, run.action);
+      out.worlds.push_back(world);
+      out.loose.insert(out.loose.end(), loose.begin(), loose.end());
     }
   }
-  return worlds;
+  return out;
 }
 
 }  // namespace obby::sim

@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "level/level.h"
 #include "schema/obby.capnp.h"
+#include "sim/loose.h"
 #include "sim/world.h"
 
 namespace obby::sim {
@@ -17,8 +18,11 @@ namespace obby::sim {
 // A player standing (or falling) at the start, in full health.
 World makeWorld(const level::LevelView& level, const level::StartPose& start);
 
+// Its loose bodies: where the level has them, awake. Empty for levels without.
+std::vector<LooseBody> makeLoose(const level::LevelView& level);
+
 // Digest of every field of the state; equal on every machine for the same playthrough.
-uint64_t stateHash(const World& world);
+uint64_t stateHash(const World& world, std::span<const LooseBody> loose = {});
 
 // One action held for a number of ticks.
 struct ActionRun {
@@ -38,18 +42,29 @@ constexpr uint64_t kMaxReplayTicks = 4ull * 3600 * 60;
 
 Result<Plan> planFromRecord(schema::Trajectory::Reader record);
 
-// Advances one tick under the query's rules; does nothing once the playthrough has ended. `query`
-// may be null.
-void advance(World& world, const level::LevelView& level, const level::QueryView* query,
-             Action action);
+// Advances one tick under the query's rules; does nothing once the playthrough has ended. `loose`:
+// (level.looseCount), null where that is 0. `query` may be null.
+void advance(World& world, LooseBody* loose, const level::LevelView& level,
+             const level::QueryView* query, Action action);
 
-// The same for many worlds, world i under actions[i], in SIMD lanes (wide_tick.h).
+// The same for many worlds, world i with the bodies loose[i] under actions[i], in SIMD lanes
+// (wide_tick.h). `loose` may be null where the level has no loose bodies.
 void advanceAll(const level::LevelView& level, const level::QueryView* query,
-                std::span<World* const> worlds, const Action* actions);
+                std::span<World* const> worlds, LooseBody* const* loose, const Action* actions);
 
-// The world after each tick of the plan, the start first: (ticks + 1). Stops where the playthrough
-// ends.
-std::vector<World> replay(const level::LevelView& level, const level::QueryView* query,
-                          const Plan& plan);
+// Every state of a playthrough, the start first: (ticks + 1) worlds, and as many times
+// level.looseCount bodies.
+struct Replay {
+  std::vector<World> worlds;
+  std::vector<LooseBody> loose;
+
+  std::span<const LooseBody> looseAt(size_t tick) const {
+    const size_t count = loose.size() / worlds.size();
+    return std::span(loose).subspan(tick * count, count);
+  }
+};
+
+// Stops where the playthrough ends.
+Replay replay(const level::LevelView& level, const level::QueryView* query, const Plan& plan);
 
 }  // namespace obby::sim

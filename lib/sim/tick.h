@@ -4,6 +4,7 @@
 #pragma once
 
 #include "sim/climb.h"
+#include "sim/loose_player.h"
 #include "sim/touch.h"
 
 namespace obby::sim {
@@ -28,24 +29,25 @@ OBBY_DEVICE void endTick(World& w, const level::LevelView& level, const Candidat
   }
 }
 
-// Advances `w` by one tick. Nothing happens to a world whose playthrough has ended. Never
+// Advances `w` and the loose bodies beside it (null where the level has none) by one tick. Nothing happens to a world whose playthrough has ended. Never
 // allocates; overruns set bits in w.flags.
-OBBY_DEVICE void tick(World& w, const level::LevelView& level, Action action) {
+OBBY_DEVICE void tick(World& w, LooseBody* loose, const level::LevelView& level, Action action) {
   if (w.outcome != Outcome::running) return;
   const Params& p = level.params;
   Candidates near;
-  gather(w, level, near);
+  gather(w, loose, level, near);
   Player player = playerOf(w);
-  const Floor floor = senseFloor(w, player, level, near);
+  const Floor floor = senseFloor(w, loose, player, level, near);
   const ControlT<float> control = controlOf(action);
   updateState(player, p, floor, control);
-  const Truss truss = updateClimbing(w, player, level, near, floor, control);
+  const Truss truss = updateClimbing(w, loose, player, level, near, floor, control);
   const bool climbs = player.is(State::climbing);
   turn(player, p, floor, climbs ? facing(truss, control) : control);
   Motion motion = motionOf(player, p, floor, drive(player, p, floor, control));
-  if (climbs) {
-    moveClimber(motion, truss, control, level, near);
-  } else {
+  if (climbs) moveClimber(motion, truss, control, level, near);
+  if (wakeTouched(w, loose, floor, motion, level, near)) {
+    moveTogether(w, loose, climbs ? nullptr : &motion, floor, level, near);
+  } else if (!climbs) {
     moveBody(motion, level, near);
   }
   player.position = motion.position;

@@ -40,13 +40,22 @@ void WideNear::findReach(World* const* worlds, int count) {
     out.word[9] = world.word[kStateWord] & int32_t(0xff000000);
     const WideMask climbs =
         (world.word[kStateWord] & 0xff0000) == WideInt(int32_t(State::climbing) << 16);
-    out.word[10] = (world.word[kFlagsWord] & 0xff00) | select(climbs, WideInt(1), WideInt(0));
+    const WideInt remembered = world.word[kFlagsWord] & (0xff00 | int32_t(kLooseAwake));
+    out.word[10] = remembered | select(climbs, WideInt(1), WideInt(0));
     out.word[11] = world.word[kTickWord];
     storeRows(out, looks);
   }
 }
 
-void WideNear::look(World* const* worlds, int count) {
+// Bodies at rest cost a world nothing but this, as long as its player is elsewhere.
+bool WideNear::nearLoose(int i, const LooseBody* loose) const {
+  const Box near = looks_[i].box();
+  bool found = false;
+  for (uint32_t b = 0; b < level_.looseCount; ++b) found |= isNear(loose[b], level_.loose[b], near);
+  return found;
+}
+
+void WideNear::look(World* const* worlds, const LooseBody* const* loose, int count) {
   findReach(worlds, count);
   movedCount_ = 0;
   // All lists are asked for before the first is read: many loads are under way at a time.
@@ -58,6 +67,8 @@ void WideNear::look(World* const* worlds, int count) {
   }
   for (int i = 0; i < count; ++i) {
     turn_[i] = looks_[i].outcome != 0 ? Turn::ended : list(i, lists[i]);
+    if (level_.looseCount == 0 || turn_[i] != Turn::lanes) continue;
+    if (nearLoose(i, loose[i])) turn_[i] = Turn::single;
   }
 }
 

@@ -29,8 +29,8 @@ class WideNear {
   // Who takes a world's tick.
   enum class Turn : uint8_t { ended, single, lanes };  // no one; tick(); SIMD lanes
 
-  // Looks around each of at most kWideSlots worlds.
-  void look(World* const* worlds, int count);
+  // Looks around each of at most kWideSlots worlds. `loose` may be null.
+  void look(World* const* worlds, const LooseBody* const* loose, int count);
 
   // Of the i-th world of the last look().
   Turn turn(int i) const { return turn_[i]; }
@@ -58,7 +58,7 @@ class WideNear {
     float reach[8];  // corners as level::Bounds has them, and two numbers that are never exceeded
     int32_t cell;    // of the grid; -1: none
     int32_t outcome;
-    int32_t single;  // not 0: it climbs, or parts that it touched vanish
+    int32_t single;  // not 0: it climbs, parts that it touched vanish, or a loose body is awake
     uint32_t tick;
     int32_t unused[4];
 
@@ -71,6 +71,7 @@ class WideNear {
   void findReach(World* const* worlds, int count);
   Turn list(int i, const uint32_t* list);
   bool moveParts(int i);
+  bool nearLoose(int i, const LooseBody* loose) const;
 
   const level::LevelView& level_;
   const char* const rows_[2];  // of parts that stand still, and that move

@@ -17,9 +17,10 @@ class Ticker {
       : level_(level), counts_(counts), near_(level) {}
 
   // At most kWideSlots worlds.
-  void run(World* const* worlds, const Action* actions, int count) {
+  void run(World* const* worlds, LooseBody* const* loose, const Action* actions, int count) {
     counts_.ticks += uint64_t(count);
     worlds_ = worlds;
+    loose_ = loose;
     actions_ = actions;
     admit(count);
     for (int slot = 0; slot < count_; slot += kLanes) decide(slot);
@@ -48,6 +49,7 @@ class Ticker {
   // Of all worlds: by index.
   WideNear near_;
   World* const* worlds_ = nullptr;
+  LooseBody* const* loose_ = nullptr;
   const Action* actions_ = nullptr;
 
   // Of the worlds in lanes, in the order of work: by slot. The slots after the last repeat it.
@@ -75,7 +77,7 @@ class Ticker {
 // Puts the worlds for the lanes in order: those with as many parts near them go together, so that
 // lanes idle less. The others take their tick at once.
 void Ticker::admit(int count) {
-  near_.look(worlds_, count);
+  near_.look(worlds_, loose_, count);
   int start[kRowWords + 2] = {};
   for (int i = 0; i < count; ++i) {
     if (near_.turn(i) == WideNear::Turn::lanes) ++start[near_.count(i) + 1];
@@ -162,7 +164,7 @@ void Ticker::addSurface(WideInt nearest, int most, const int32_t* index, FloorT<
     const int lane = lowestBit(left);
     const uint32_t tag = near_.tags(index[lane])[part[lane]], id = near_.colliderOf(tag);
     Floor one;
-    surfaceMotion(*worlds_[index[lane]], level_,
+    surfaceMotion(*worlds_[index[lane]], nullptr, level_,
                   {{}, &near_.poseOf(tag), id, uint16_t(level_.bounds[id].flags)}, one);
     const float found[5] = {level_.colliders[id].friction, one.velocity.x, one.velocity.y,
                             one.velocity.z, one.turning};
@@ -231,7 +233,7 @@ void Ticker::moveAll() {
 
 void Ticker::singly(int index) {
   ++counts_.single;
-  tick(*worlds_[index], level_, actions_[index]);
+  tick(*worlds_[index], loose_ ? loose_[index] : nullptr, level_, actions_[index]);
 }
 
 void Ticker::glide(const int32_t* slots, int steps, float dt) {
@@ -324,13 +326,13 @@ void Ticker::touch(int index) {
 
 }  // namespace
 
-void tickAll(const level::LevelView& level, World* const* worlds, const Action* actions,
-             size_t count, WideCounts* counts) {
+void tickAll(const level::LevelView& level, World* const* worlds, LooseBody* const* loose,
+             const Action* actions, size_t count, WideCounts* counts) {
   WideCounts unused;
   Ticker ticker(level, counts != nullptr ? *counts : unused);
   for (size_t first = 0; first < count; first += kWideSlots) {
     const int some = int(std::min(count - first, size_t(kWideSlots)));
-    ticker.run(worlds + first, actions + first, some);
+    ticker.run(worlds + first, loose ? loose + first : nullptr, actions + first, some);
   }
 }
 

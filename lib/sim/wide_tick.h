@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "level/level_view.h"
+#include "sim/loose.h"
 #include "sim/world.h"
 
 namespace obby::sim {
@@ -21,7 +22,8 @@ struct WideCounts {
 
 // Advances `count` worlds by one tick, world i under actions[i]. Worlds whose playthrough has ended
 // stay as they are. The worlds must be different ones. `counts` may be null.
-void tickAll(const level::LevelView& level, World* const* worlds, const Action* actions,
+void tickAll(const level::LevelView& level, World* const* worlds, LooseBody* const* loose,
+             const Action* actions,
              size_t count, WideCounts* counts = nullptr);
 
 }  // namespace obby::sim

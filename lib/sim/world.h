@@ -22,9 +22,12 @@ enum Flag : uint8_t {
       2,  // more parts near the player than a world can look at: raise kMaxCandidates
   kVanishOverrun =
       4,  // more parts vanishing at once than a world can remember: raise kMaxVanishing
+  kLooseAwake = 8,       // a loose body is awake
+  kContactOverrun = 16,  // more contacts of loose bodies than a tick can hold: raise
+                         // kMaxLooseContacts
 };
 
-constexpr uint8_t kOverruns = kCandidateOverrun | kVanishOverrun;
+constexpr uint8_t kOverruns = kCandidateOverrun | kVanishOverrun | kContactOverrun;
 
 constexpr int kMaxVanishing = 8;
 

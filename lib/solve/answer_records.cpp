@@ -51,7 +51,7 @@ void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& id
   record.setJumps(end.jumps);
   record.setWaypoints(end.waypoints);
   record.setPart(partIndex(end.part));
-  record.setStateHash(sim::stateHash(end));
+  record.setStateHash(sim::stateHash(end, playthrough.endLoose));
   fillVec(record.initEndPosition(), end.position);
 }
 

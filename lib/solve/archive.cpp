@@ -4,7 +4,8 @@
 
 namespace obby::solve {
 
-Archive::Archive(uint32_t maxCells) : maxCells_(maxCells), slots_(4096, Slot{0, kNone}) {}
+Archive::Archive(uint32_t maxCells, uint32_t looseCount)
+    : looseCount_(looseCount), maxCells_(maxCells), slots_(4096, Slot{0, kNone}) {}
 
 size_t Archive::slotOf(uint64_t key) const {
   const size_t mask = slots_.size() - 1;
@@ -27,13 +28,15 @@ void Archive::addCell(size_t slot, uint64_t key, const sim::World& world) {
   slots_[slot] = {key, cellCount()};
   arrivals_.push_back({world.tick, world.jumps});
   worlds_.push_back(world);
+  loose_.resize(loose_.size() + looseCount_);
   cellNodes_.push_back(kNone);
   seen_.push_back(0);
   potentials_.push_back(0);
   if (size_t(cellCount()) * 2 > slots_.size()) growTable();
 }
 
-bool Archive::offer(uint64_t key, const sim::World& world, const Node& node, float potential) {
+bool Archive::offer(uint64_t key, const sim::World& world, const Node& node, float potential,
+                    const sim::LooseBody* loose) {
   const size_t slot = slotOf(key);
   uint32_t cell = slots_[slot].cell;
   if (cell == kNone) {
@@ -46,6 +49,8 @@ bool Archive::offer(uint64_t key, const sim::World& world, const Node& node, flo
     arrivals_[cell] = {world.tick, world.jumps};
     worlds_[cell] = world;
   }
+  if (looseCount_ != 0)
+    std::copy_n(loose, looseCount_, loose_.begin() + std::ptrdiff_t(size_t(cell) * looseCount_));
   cellNodes_[cell] = uint32_t(nodes_.size());
   nodes_.push_back(node);
   potentials_[cell] = potential;

@@ -5,14 +5,17 @@
 
 #include <atomic>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "level/level_view.h"
+#include "sim/loose.h"
 #include "sim/world.h"
 
 namespace obby::solve {
 
 constexpr uint32_t kNone = level::kNone;
+constexpr uint32_t kMaxCells = 4u << 20;
 
 // How a state was reached: `ticks` ticks of rollout `rollout` from the state of node `parent`.
 struct Node {
@@ -24,7 +27,8 @@ struct Node {
 class Archive {
  public:
   // `maxCells` bounds the memory: further cells are not kept (about 160 bytes each).
-  explicit Archive(uint32_t maxCells = 4u << 20);
+  // `looseCount`: bodies beside each world.
+  explicit Archive(uint32_t maxCells = kMaxCells, uint32_t looseCount = 0);
 
   // The cell of a key, or kNone. Safe to call from several threads between changes.
   uint32_t find(uint64_t key) const;
@@ -43,7 +47,9 @@ class Archive {
   }
 
   // Keeps `world` where its cell is new or it is better than what the cell holds. True: kept.
-  bool offer(uint64_t key, const sim::World& world, const Node& node, float potential);
+  // `loose`: (looseCount).
+  bool offer(uint64_t key, const sim::World& world, const Node& node, float potential,
+             const sim::LooseBody* loose = nullptr);
 
   // Counts a visit. Safe to call from several threads: the sum does not depend on their order.
   void countSeen(uint32_t cell) {
@@ -52,6 +58,9 @@ class Archive {
 
   uint32_t cellCount() const { return uint32_t(worlds_.size()); }
   const sim::World& world(uint32_t cell) const { return worlds_[cell]; }
+  std::span<const sim::LooseBody> loose(uint32_t cell) const {
+    return std::span(loose_).subspan(size_t(cell) * looseCount_, looseCount_);
+  }
   uint32_t node(uint32_t cell) const { return cellNodes_[cell]; }
   const std::vector<uint32_t>& seen() const { return seen_; }
   const std::vector<float>& potentials() const { return potentials_; }
@@ -72,10 +81,11 @@ class Archive {
   void growTable();
   void addCell(size_t slot, uint64_t key, const sim::World& world);
 
-  uint32_t maxCells_;
+  uint32_t looseCount_, maxCells_;
   std::vector<Slot> slots_;  // open addressing, at most half full, a power of two
   std::vector<Arrival> arrivals_;
   std::vector<sim::World> worlds_;
+  std::vector<sim::LooseBody> loose_;  // (cells, looseCount)
   std::vector<uint32_t> cellNodes_;
   std::vector<uint32_t> seen_;
   std::vector<float> potentials_;

@@ -4,6 +4,7 @@
 
 #include <stdint.h>
 
+#include "sim/loose.h"
 #include "sim/world.h"
 #include "solve/clock_map.h"
 
@@ -19,6 +20,7 @@ struct Binning {
   bool jumps = false;           // the query limits jumps
   bool waypoints = false;       // the query has waypoints
   bool vanishing = false;       // parts vanish when touched
+  uint32_t looseCount = 0;      // loose bodies: where each of them is
 };
 
 OBBY_DEVICE int32_t floorToInt(float v) {
@@ -43,9 +45,23 @@ OBBY_DEVICE uint32_t clockBinOf(const Binning& b, const sim::World& w) {
   return 1 + (w.tick % period) / (eighth < b.clockBin ? eighth : b.clockBin);
 }
 
+// Where the loose bodies are, in cells as wide as the player's.
+OBBY_DEVICE uint64_t looseKey(const Binning& b, const sim::LooseBody* loose) {
+  uint64_t key = 0;
+  for (uint32_t i = 0; i < b.looseCount; ++i) {
+    const Vec3 at = loose[i].position * b.inverseWidth;
+    const uint64_t x = uint32_t(floorToInt(at.x)) & 0xffffffu;
+    const uint64_t y = uint32_t(floorToInt(at.y)) & 0xffffu;
+    const uint64_t z = uint32_t(floorToInt(at.z)) & 0xffffffu;
+    key = mixBits(key + 0x9e3779b97f4a7c15ull + (x | z << 24 | y << 48));
+  }
+  return key;
+}
+
 // Never 0. Positions are exact for 8 million cells each way, the other dimensions for 2^24 clock
 // bins and 2^16 jumps; two cells share a key with probability 2^-64.
-OBBY_DEVICE uint64_t cellKey(const Binning& b, const sim::World& w) {
+OBBY_DEVICE uint64_t cellKey(const Binning& b, const sim::World& w,
+                             const sim::LooseBody* loose = nullptr) {
   const uint64_t x = uint32_t(floorToInt(w.position.x * b.inverseWidth)) & 0xffffffu;
   const uint64_t y = uint32_t(floorToInt(w.position.y * b.inverseHeight)) & 0xffffu;
   const uint64_t z = uint32_t(floorToInt(w.position.z * b.inverseWidth)) & 0xffffffu;
@@ -57,6 +73,7 @@ OBBY_DEVICE uint64_t cellKey(const Binning& b, const sim::World& w) {
   if (b.healthBins != 0) {
     rest |= uint64_t(w.health * b.inverseHealth * float(b.healthBins)) << 56;
   }
+  if (b.looseCount != 0) rest ^= looseKey(b, loose);
   const uint64_t key = mixBits((x | z << 24 | y << 48) + 0x9e3779b97f4a7c15ull * mixBits(rest + 1));
   return key != 0 ? key : 1;
 }

@@ -43,9 +43,10 @@ GoExplore::GoExplore(const Problem& problem, uint64_t seed, const GoExploreSetti
       phaseTicks_(
           std::max(settings.leastPhase, uint32_t(settings.phaseJumps * context_.reach.airTicks))),
       airTicks_(
-          std::max(uint32_t(context_.reach.airTicks), problem.level.params.controlRate / 2u)) {
-  archive_.offer(cellKey(binning_, problem.start), problem.start, {0, kNone, 0},
-                 potential_(problem.start));
+          std::max(uint32_t(context_.reach.airTicks), problem.level.params.controlRate / 2u)),
+      archive_(kMaxCells, problem.level.looseCount) {
+  archive_.offer(cellKey(binning_, problem.start, problem.startLoose.data()), problem.start,
+                 {0, kNone, 0}, potential_(problem.start), problem.startLoose.data());
   statistics_.closest.distance = potential_.distance(problem.start);
   statistics_.closest.position = problem.start.position;
 }
@@ -94,17 +95,19 @@ void GoExplore::explore(std::span<Rollout> rollouts) {
     r.ticks = r.closestTicks = 0;
     r.closest = {};
     r.end = archive_.world(r.cell);
-    const uint64_t key = cellKey(binning_, r.end);
+    const auto loose = archive_.loose(r.cell);
+    r.endLoose.assign(loose.begin(), loose.end());
+    const uint64_t key = cellKey(binning_, r.end, r.endLoose.data());
     keys.push_back({key, key});
     archive_.countSeen(r.cell);
-    group.add(seed_, r.id, r.end);
+    group.add(seed_, r.id, r.end, r.endLoose.data());
   }
   group.run(phaseTicks_, [&](uint32_t tick, std::span<const RolloutGroup::Member> members) {
     looks.clear();
     for (const RolloutGroup::Member& m : members) {
       rollouts[m.index].ticks = tick;
       if (tick % kLookEvery != 0 || m.world->outcome != sim::Outcome::running) continue;
-      looks.push_back({cellKey(binning_, *m.world), m.index, kNone});
+      looks.push_back({cellKey(binning_, *m.world, m.loose), m.index, kNone});
     }
     look(rollouts, keys, looks);
   });
@@ -142,7 +145,7 @@ void GoExplore::visit(Rollout& r, uint64_t key, uint32_t cell) {
     archive_.countSeen(cell);
     if (!archive_.better(cell, r.end)) return;
   }
-  r.candidates.push_back({key, r.end, potential_(r.end), r.ticks});
+  r.candidates.push_back({key, r.end, r.endLoose, potential_(r.end), r.ticks});
 }
 
 void GoExplore::noteClosest(Rollout& r) {
@@ -157,7 +160,7 @@ void GoExplore::merge() {
   std::vector<std::pair<uint64_t, Node>> reached;  // rank and way
   for (const Rollout& r : rollouts_) {
     for (const Candidate& c : r.candidates) {
-      archive_.offer(c.key, c.world, {r.id, r.parent, c.ticks}, c.potential);
+      archive_.offer(c.key, c.world, {r.id, r.parent, c.ticks}, c.potential, c.loose.data());
     }
     mergeEnd(r);
     if (r.end.outcome == sim::Outcome::goal) {

@@ -63,13 +63,14 @@ class GoExplore {
   const std::vector<Node>& goals() const { return goals_; }
 
   Playthrough playthrough(const Node& end) const {
-    return regenerate(context_, seed_, problem_.start, archive_.nodes(), end);
+    return regenerate(context_, seed_, problem_, archive_.nodes(), end);
   }
 
  private:
   struct Candidate {  // a state that is new or better than what the archive held
     uint64_t key;
     sim::World world;
+    std::vector<sim::LooseBody> loose;
     float potential;
     uint32_t ticks;
   };
@@ -80,6 +81,7 @@ class GoExplore {
     uint32_t closestTicks;
     Closest closest;
     sim::World end;
+    std::vector<sim::LooseBody> endLoose;
     std::vector<Candidate> candidates;
   };
 

@@ -12,15 +12,16 @@ bool same(const sim::Action& a, const sim::Action& b) {
 
 }  // namespace
 
-Playthrough regenerate(const ExploreContext& context, uint64_t seed, const sim::World& start,
+Playthrough regenerate(const ExploreContext& context, uint64_t seed, const Problem& problem,
                        const std::vector<Node>& nodes, const Node& end) {
   std::vector<const Node*> chain;
   for (const Node* n = &end; n->parent != kNone; n = &nodes[n->parent]) chain.push_back(n);
   Playthrough p;
-  p.end = start;
-  p.path.push_back(start.position);
+  p.end = problem.start;
+  p.endLoose = problem.startLoose;
+  p.path.push_back(problem.start.position);
   for (auto n = chain.rbegin(); n != chain.rend(); ++n) {
-    runRollout(context, seed, (*n)->rollout, p.end, (*n)->ticks,
+    runRollout(context, seed, (*n)->rollout, p.end, p.endLoose.data(), (*n)->ticks,
                [&](const sim::Action& action, const sim::World& world) {
                  if (p.actions.empty() || !same(p.actions.back().action, action)) {
                    p.actions.push_back({action, 0});

@@ -17,11 +17,12 @@ struct Playthrough {
   std::vector<sim::ActionRun> actions;
   std::vector<Vec3> path;  // feet every kPathStep ticks, the start first
   sim::World end;
+  std::vector<sim::LooseBody> endLoose;
   uint32_t ticks = 0;
 };
 
 // The playthrough that ends `end.ticks` ticks into rollout `end.rollout` from node `end.parent`.
-Playthrough regenerate(const ExploreContext& context, uint64_t seed, const sim::World& start,
+Playthrough regenerate(const ExploreContext& context, uint64_t seed, const Problem& problem,
                        const std::vector<Node>& nodes, const Node& end);
 
 }  // namespace obby::solve

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "level/level_view.h"
+#include "sim/loose.h"
 #include "sim/world.h"
 
 namespace obby::solve {
@@ -16,6 +17,7 @@ struct Problem {
   level::LevelView level;
   level::QueryView query;
   sim::World start;       // as sim::makeWorld gives it
+  std::vector<sim::LooseBody> startLoose;  // as sim::makeLoose gives them
   Box bounds;             // of everything in the level
   bool hasClock = false;  // moving or timed parts: the outcome depends on the level clock
 };

@@ -33,8 +33,12 @@ class Solving {
 
   Result<QueryAnswer> run(ThreadPool& pool) {
     const auto& view = level_.level.view();
-    const Problem problem{view, compiled_.view(), sim::makeWorld(view, compiled_.start()),
-                          level_.level.bounds(), level_.level.hasMotion()};
+    const Problem problem{view,
+                          compiled_.view(),
+                          sim::makeWorld(view, compiled_.start()),
+                          sim::makeLoose(view),
+                          level_.level.bounds(),
+                          level_.level.hasMotion()};
     const Watcher watcher{[this](const Playthrough& p) { return verified(p); },
                           [this](const SearchView& v) { look(v); }};
     const SearchOutcome outcome = options_.method->run(problem, options_.budget, watcher, pool);

@@ -16,13 +16,14 @@ class RolloutGroup {
  public:
   explicit RolloutGroup(const ExploreContext& context) : context_(context) {}
 
-  void add(uint64_t seed, uint64_t rollout, sim::World& world) {
-    running_.push_back({Explorer(seed, rollout), &world, running_.size()});
+  void add(uint64_t seed, uint64_t rollout, sim::World& world, sim::LooseBody* loose) {
+    running_.push_back({Explorer(seed, rollout), &world, loose, running_.size()});
   }
 
   struct Member {
     Explorer explorer;
     sim::World* world;
+    sim::LooseBody* loose;  // null where the level has none
     size_t index;  // in the order of add()
   };
 
@@ -41,17 +42,20 @@ class RolloutGroup {
  private:
   void tick() {
     worlds_.clear();
+    loose_.clear();
     actions_.clear();
     for (Member& m : running_) {
       worlds_.push_back(m.world);
+      loose_.push_back(m.loose);
       actions_.push_back(m.explorer.next(context_, *m.world));
     }
-    sim::advanceAll(context_.level, &context_.query, worlds_, actions_.data());
+    sim::advanceAll(context_.level, &context_.query, worlds_, loose_.data(), actions_.data());
   }
 
   const ExploreContext& context_;
   std::vector<Member> running_;
   std::vector<sim::World*> worlds_;
+  std::vector<sim::LooseBody*> loose_;
   std::vector<sim::Action> actions_;
 };
 

@@ -145,12 +145,13 @@ Status checkStart(schema::Level::Reader level, schema::Query::Reader query,
   return same("startTick", trajectory.getStartTick(), start.getTick());
 }
 
-Status checkEnd(schema::Trajectory::Reader t, const sim::World& last, size_t ticks) {
+Status checkEnd(schema::Trajectory::Reader t, const sim::World& last,
+                std::span<const sim::LooseBody> loose, size_t ticks) {
   OBBY_RETURN_IF_ERROR(same("ticks", t.getTicks(), ticks));
   OBBY_RETURN_IF_ERROR(same("jumps", t.getJumps(), last.jumps));
   OBBY_RETURN_IF_ERROR(same("waypoints", t.getWaypoints(), last.waypoints));
   OBBY_RETURN_IF_ERROR(same("part", t.getPart(), int32_t(last.part)));
-  const uint64_t hash = sim::stateHash(last);
+  const uint64_t hash = sim::stateHash(last, loose);
   if (hash != t.getStateHash()) {
     return wrong("stateHash", fmt::format("{}", t.getStateHash()), fmt::format("{}", hash));
   }
@@ -164,7 +165,8 @@ Status verify(const level::Level& level, schema::Level::Reader levelRecord,
   OBBY_RETURN_IF_ERROR(checkStart(levelRecord, query, trajectory));
   OBBY_ASSIGN(const sim::Plan plan, sim::planFromRecord(trajectory));
   Judge judge(query, level.view().params);
-  std::vector<sim::World> worlds = sim::replay(level.view(), nullptr, plan);
+  const sim::Replay replay = sim::replay(level.view(), nullptr, plan);
+  const std::vector<sim::World>& worlds = replay.worlds;
   schema::Outcome outcome = schema::Outcome::RUNNING;
   size_t tick = 0;
   while (outcome == schema::Outcome::RUNNING && ++tick < worlds.size()) {
@@ -181,7 +183,7 @@ Status verify(const level::Level& level, schema::Level::Reader levelRecord,
   sim::World last = worlds[tick];
   last.outcome = sim::Outcome(outcome);
   last.waypoints = uint8_t(judge.reached());
-  return checkEnd(trajectory, last, tick);
+  return checkEnd(trajectory, last, replay.looseAt(tick), tick);
 }
 
 }  // namespace obby::solve

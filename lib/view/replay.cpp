@@ -63,7 +63,7 @@ std::string name(schema::Outcome outcome) {
   return index < std::size(kNames) ? kNames[index] : fmt::format("outcome {}", index);
 }
 
-std::string compare(const Playback& replay, const sim::World& last,
+std::string compare(const Playback& replay, uint64_t hash,
                     schema::Trajectory::Reader record, bool withQuery) {
   // Without its query, an end that a region or a limit makes cannot come about.
   const bool comparable = withQuery || record.getOutcome() == schema::Outcome::KILLED ||
@@ -75,9 +75,9 @@ std::string compare(const Playback& replay, const sim::World& last,
   if (comparable && replay.ticks() != record.getTicks()) {
     return fmt::format("recorded {} ticks, replayed {}", record.getTicks(), replay.ticks());
   }
-  if (withQuery && record.getStateHash() != 0 && sim::stateHash(last) != record.getStateHash()) {
+  if (withQuery && record.getStateHash() != 0 && hash != record.getStateHash()) {
     return fmt::format("the last state differs from the recorded one ({:016x}, recorded {:016x})",
-                       sim::stateHash(last), record.getStateHash());
+                       hash, record.getStateHash());
   }
   return {};
 }
@@ -89,8 +89,9 @@ Result<Playback> playBack(const level::Level& level, const level::Query* query,
   OBBY_ASSIGN(const sim::Plan plan, sim::planFromRecord(record));
   level::QueryView rules{};
   if (query != nullptr) rules = query->view();
-  const std::vector<sim::World> worlds =
+  const sim::Replay replay =
       sim::replay(level.view(), query != nullptr ? &rules : nullptr, plan);
+  const std::vector<sim::World>& worlds = replay.worlds;
   Playback out;
   for (const sim::World& world : worlds) {
     const bool airborne = world.state == sim::State::jumping || world.state == sim::State::freefall;
@@ -103,10 +104,11 @@ Result<Playback> playBack(const level::Level& level, const level::Query* query,
     if (worlds[tick].jumps > worlds[tick - 1].jumps) out.jumpTicks.push_back(tick);
   }
   const sim::World& last = worlds.back();
+  const uint64_t hash = sim::stateHash(last, replay.looseAt(worlds.size() - 1));
   out.events = eventsOf(worlds, level.view());
   out.outcome = schema::Outcome(uint16_t(last.outcome));
   out.part = last.part == level::kNone ? -1 : int32_t(last.part);
-  out.mismatch = compare(out, last, record, query != nullptr);
+  out.mismatch = compare(out, hash, record, query != nullptr);
   return out;
 }
 

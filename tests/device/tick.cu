@@ -13,7 +13,7 @@ __global__ void playOnDevice(sim::World* worlds, const level::LevelView* level,
   Random random(1, i);
   sim::World world = worlds[i];
   for (uint32_t t = 0; t < ticks; ++t) {
-    sim::tick(world, *level, {Turns(random.next()), true, random.below(8) == 0});
+    sim::tick(world, nullptr, *level, {Turns(random.next()), true, random.below(8) == 0});
     sim::applyRules(world, *level, *query);
   }
   worlds[i] = world;

@@ -51,14 +51,15 @@ std::string answer(const Asked& asked) {
     Budget budget;
     budget.maxSteps = 1'000'000;
     const Problem problem{level->view(), query->view(),
-                          sim::makeWorld(level->view(), query->start()), level->bounds(),
+                          sim::makeWorld(level->view(), query->start()),
+                          sim::makeLoose(level->view()), level->bounds(),
                           level->hasMotion()};
     const SearchOutcome o = findMethod("auto")->run(problem, budget, {}, pool);
     std::ostringstream line;
     line << asked.level << '\t' << asked.query << '\t' << o.statistics.steps;
     if (!o.solutions.empty()) {
       const Playthrough& p = o.solutions.front();
-      line << '\t' << p.ticks << '\t' << p.end.jumps << '\t' << sim::stateHash(p.end);
+      line << '\t' << p.ticks << '\t' << p.end.jumps << '\t' << sim::stateHash(p.end, p.endLoose);
     }
     return line.str();
   }

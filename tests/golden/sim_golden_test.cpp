@@ -68,6 +68,9 @@ const Scene kScenes[] = {
        });
      },
      0x3952a2b4a872f904},
+    {"loose bodies", looseBodies, 0},
+    {"loose stack on a carrying platform", looseStack, 0},
+    {"loose arena", [] { return support::looseArena(16, false, 3); }, 0},
 };
 
 constexpr size_t kWorlds = 64;
@@ -92,10 +95,11 @@ uint64_t singlyHashOf(const Scene& scene) {
   uint64_t h = 0;
   for (size_t i = 0; i < kWorlds; ++i) {
     sim::World w = sim::makeWorld(level.view(), level.spawns()[0]);
+    std::vector<sim::LooseBody> loose = sim::makeLoose(level.view());
     for (uint32_t t = 0; t < kTicks; ++t) {
-      sim::advance(w, level.view(), nullptr, scripted(i, w));
+      sim::advance(w, loose.data(), level.view(), nullptr, scripted(i, w));
     }
-    const uint64_t state = sim::stateHash(w);
+    const uint64_t state = sim::stateHash(w, loose);
     h = hashBytes(&state, sizeof state, h);
   }
   return h;

@@ -19,17 +19,18 @@ inline sim::Action stand(bool jump = false) { return {0, false, jump}; }
 struct Play {
   const level::Level& level;
   sim::World world;
+  std::vector<sim::LooseBody> loose;
   std::vector<sim::World> history;
 
   explicit Play(const level::Level& l, Vec3 feet = {0, 0, 0}, float yaw = 0)
-      : level(l), world(sim::makeWorld(l.view(), {feet, yaw, 0})) {
+      : level(l), world(sim::makeWorld(l.view(), {feet, yaw, 0})), loose(sim::makeLoose(l.view())) {
     history.push_back(world);
   }
 
   // The same action for a number of ticks.
   Play& run(sim::Action action, int ticks = 1) {
     for (int i = 0; i < ticks; ++i) {
-      sim::advance(world, level.view(), nullptr, action);
+      sim::advance(world, loose.data(), level.view(), nullptr, action);
       history.push_back(world);
     }
     return *this;

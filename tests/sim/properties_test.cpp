@@ -44,7 +44,7 @@ void staysWhere(const level::LevelView& level, const Throw& thrown, const Holds&
   World w = makeWorld(level, {thrown.feet, thrown.yaw, 0});
   w.velocity = thrown.velocity;
   for (uint32_t t = 0; t < 120; ++t) {
-    tick(w, level, actionAt(thrown.seed, t));
+    tick(w, nullptr, level, actionAt(thrown.seed, t));
     if (!holds(w)) RC_FAIL("passed through in tick " + std::to_string(t));
   }
 }
@@ -136,7 +136,7 @@ RC_GTEST_PROP(Properties, EveryStateIsFinite, ()) {
   std::vector<World> worlds = startsIn(level, 16);
   for (uint32_t t = 0; t < 200; ++t) {
     for (size_t i = 0; i < worlds.size(); ++i) {
-      tick(worlds[i], level.view(), actionAt(seed + i, t));
+      tick(worlds[i], nullptr, level.view(), actionAt(seed + i, t));
       RC_ASSERT(isFinite(worlds[i]));
       RC_ASSERT(absf(worlds[i].velocity.y) < 2000);
     }
@@ -180,8 +180,8 @@ RC_GTEST_PROP(Properties, TheOrderOfWorldsDoesNotShow, ()) {
       firstActions[i] = actionAt(seed + i, t);
       secondActions[i] = actionAt(seed + order[i], t);
     }
-    tickAll(level.view(), first.data(), firstActions.data(), kWorlds);
-    tickAll(level.view(), second.data(), secondActions.data(), kWorlds);
+    tickAll(level.view(), first.data(), nullptr, firstActions.data(), kWorlds);
+    tickAll(level.view(), second.data(), nullptr, secondActions.data(), kWorlds);
   }
   for (uint32_t i = 0; i < kWorlds; ++i) {
     RC_ASSERT(stateHash(inOrder[i]) == stateHash(shuffled[i]));

@@ -21,7 +21,7 @@ TEST(Snapshot, restored_world_continues_identically) {
   const sim::World snapshot = play.world;
   for (int t = 0; t < 300; ++t) play.run(scripted(0, play.world));
   sim::World again = snapshot;
-  for (int t = 0; t < 300; ++t) sim::advance(again, level.view(), nullptr, scripted(0, again));
+  for (int t = 0; t < 300; ++t) sim::advance(again, nullptr, level.view(), nullptr, scripted(0, again));
   EXPECT_EQ(stateHash(again), stateHash(play.world));
   EXPECT_NE(stateHash(again), stateHash(snapshot));
 }
@@ -55,7 +55,7 @@ TEST(Replay, gives_the_same_worlds_as_playing) {
   const auto level = support::boxArena(20, 6).compile();
   sim::Plan plan{
       level.spawns()[0], 0, {{{0x1234, true, false}, 100}, {{0x9876, true, true}, 150}, {{}, 30}}};
-  const auto worlds = sim::replay(level.view(), nullptr, plan);
+  const auto worlds = sim::replay(level.view(), nullptr, plan).worlds;
   ASSERT_EQ(worlds.size(), 281u);
   Play play(level, level.spawns()[0].feet);
   for (const auto& run : plan.actions) play.run(run.action, int(run.ticks));
@@ -70,7 +70,7 @@ struct RulesTest : testing::Test {
 
   Outcome play(int ticks, bool jump = false) {
     sim::World w = sim::makeWorld(level.view(), {});
-    for (int t = 0; t < ticks; ++t) sim::advance(w, level.view(), &query, walk(kNorth, jump));
+    for (int t = 0; t < ticks; ++t) sim::advance(w, nullptr, level.view(), &query, walk(kNorth, jump));
     last = w;
     return w.outcome;
   }

@@ -81,9 +81,9 @@ TEST_P(WideTick, GivesTheBitsOfTheScalarTick) {
     WideCounts counts;
     for (int t = 0; t < 700; ++t) {
       for (uint32_t i = 0; i < count; ++i) actions[i] = walkers[i].next();
-      tickAll(level.view(), pointers.data(), actions.data(), count, &counts);
+      tickAll(level.view(), pointers.data(), nullptr, actions.data(), count, &counts);
       for (uint32_t i = 0; i < count; ++i) {
-        tick(single[i], level.view(), actions[i]);
+        tick(single[i], nullptr, level.view(), actions[i]);
         ASSERT_EQ(stateHash(wide[i]), stateHash(single[i])) << "world " << i << ", tick " << t;
       }
     }
@@ -108,7 +108,7 @@ TEST(WideTick, LeavesEndedWorldsAlone) {
   const uint64_t before = stateHash(ended);
   World* worlds[] = {&ended, &running};
   const Action actions[2] = {};
-  tickAll(level.view(), worlds, actions, 2);
+  tickAll(level.view(), worlds, nullptr, actions, 2);
   EXPECT_EQ(stateHash(ended), before);
   EXPECT_EQ(running.tick, 1u);
 }
@@ -122,8 +122,8 @@ TEST(WideTick, TakesClimbersSingly) {
   World* worlds[] = {&wide};
   const Action action{};
   WideCounts counts;
-  tickAll(level.view(), worlds, &action, 1, &counts);
-  tick(single, level.view(), action);
+  tickAll(level.view(), worlds, nullptr, &action, 1, &counts);
+  tick(single, nullptr, level.view(), action);
   EXPECT_EQ(counts.single, 1u);
   EXPECT_EQ(wide.state, State::freefall);
   EXPECT_EQ(stateHash(wide), stateHash(single));

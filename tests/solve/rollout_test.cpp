@@ -30,11 +30,11 @@ TEST(Rollout, TheSameSeedAndStreamGiveTheSameActionsAndState) {
   const ExploreContext c = scene.context();
   for (uint64_t stream = 0; stream < 50; ++stream) {
     sim::World a = scene.question.problem().start, b = a;
-    const uint32_t ticks = runRollout(c, 7, stream, a, 100, [](auto, auto&) {});
+    const uint32_t ticks = runRollout(c, 7, stream, a, nullptr, 100, [](auto, auto&) {});
     // Half of it, then again in full: what was drawn depends on nothing outside.
-    runRollout(c, 7, stream, b, ticks / 2, [](auto, auto&) {});
+    runRollout(c, 7, stream, b, nullptr, ticks / 2, [](auto, auto&) {});
     b = scene.question.problem().start;
-    EXPECT_EQ(runRollout(c, 7, stream, b, 100, [](auto, auto&) {}), ticks);
+    EXPECT_EQ(runRollout(c, 7, stream, b, nullptr, 100, [](auto, auto&) {}), ticks);
     EXPECT_EQ(sim::stateHash(a), sim::stateHash(b));
   }
 }
@@ -45,7 +45,7 @@ TEST(Rollout, StreamsDiffer) {
   std::set<uint64_t> ends;
   for (uint64_t stream = 0; stream < 50; ++stream) {
     sim::World w = scene.question.problem().start;
-    runRollout(c, 7, stream, w, 60, [](auto, auto&) {});
+    runRollout(c, 7, stream, w, nullptr, 60, [](auto, auto&) {});
     ends.insert(sim::stateHash(w));
   }
   EXPECT_GT(ends.size(), 45u);
@@ -58,7 +58,7 @@ TEST(Rollout, StopsWhereThePlaythroughEnds) {
   int avoided = 0;
   for (uint64_t stream = 0; stream < 100; ++stream) {
     sim::World w = scene.question.problem().start;
-    const uint32_t ticks = runRollout(c, 1, stream, w, 300, [](auto, auto&) {});
+    const uint32_t ticks = runRollout(c, 1, stream, w, nullptr, 300, [](auto, auto&) {});
     if (w.outcome != sim::Outcome::avoided) continue;
     ++avoided;
     EXPECT_LT(ticks, 300u);
@@ -74,7 +74,7 @@ TEST(Rollout, NeverJumpsBeyondALimit) {
   bool jumped = false;
   for (uint64_t stream = 0; stream < 100; ++stream) {
     sim::World w = scene.question.problem().start;
-    runRollout(c, 1, stream, w, 300, [](auto, auto&) {});
+    runRollout(c, 1, stream, w, nullptr, 300, [](auto, auto&) {});
     EXPECT_LE(w.jumps, 1);
     EXPECT_NE(w.outcome, sim::Outcome::jumps);
     jumped = jumped || w.jumps == 1;
@@ -90,7 +90,7 @@ TEST(Rollout, AimedMacrosCrossAGapMoreOftenThanRandomOnes) {
     for (uint64_t stream = 0; stream < 400; ++stream) {
       sim::World w = scene.question.problem().start;
       bool across = false;
-      runRollout(c, 3, stream, w, 90, [&](auto, const sim::World& now) {
+      runRollout(c, 3, stream, w, nullptr, 90, [&](auto, const sim::World& now) {
         across = across || (grounded(now) && now.position.z < -12);
       });
       count += across;

@@ -42,7 +42,7 @@ class VerifierTest : public testing::Test {
       const float z = w.position.z;
       const bool edge = (z < -7 && z > -9) || (z < -19 && z > -21);
       actions.push_back({0, true, jumping && edge});
-      sim::advance(w, level.view(), &view, actions.back());
+      sim::advance(w, nullptr, level.view(), &view, actions.back());
     }
     auto runs = t.initActions(uint32_t(actions.size()));
     for (uint32_t i = 0; i < runs.size(); ++i) {

@@ -148,6 +148,28 @@ inline LevelBuilder movingArena(uint32_t boxes, uint32_t movers, uint64_t seed) 
   return b;
 }
 
+// The same with eight platforms that move and `boxes` loose ones beside their ways. `restless`: they
+// never fall asleep.
+inline LevelBuilder looseArena(uint32_t boxes, bool restless, uint64_t seed) {
+  LevelBuilder b = movingArena(100, 8, seed);
+  const level::Level fixed = b.compile();
+  Random random(seed, 77);
+  for (uint32_t placed = 0; placed < boxes;) {
+    const Vec3 at{100 * random.unit() - 50, 9, 100 * random.unit() - 50};
+    bool isFree = true;
+    for (uint32_t i = 0; i < fixed.view().colliderCount; ++i) {
+      const level::Bounds& bounds = fixed.view().bounds[i];
+      const Vec3 reach{8, 20, 8};
+      isFree &= !(bounds.flags & level::kMoving) || !overlaps(bounds.box(), {at - reach, at + reach});
+    }
+    if (!isFree) continue;
+    b.block(at, {4, 4, 4}, [](schema::Part::Builder p) { p.setAnchored(false); });
+    ++placed;
+  }
+  if (restless) b.physics([](schema::PhysicsParams::Builder p) { p.setSleepSpeed(0); });
+  return b;
+}
+
 // A winding course of platforms with gaps and steps that can be jumped, over a floor far below.
 inline LevelBuilder platformCourse(uint32_t platforms, uint64_t seed) {
   LevelBuilder b;

@@ -65,7 +65,7 @@ inline io::RecordBuilder walk(uint16_t heading, uint32_t ticks, bool jump = fals
   auto plan = sim::planFromRecord(path.asReader());
   if (!plan) throw std::runtime_error(plan.error().text());
   const level::QueryView rules = query->view();
-  const auto worlds = sim::replay(level->view(), &rules, *plan);
+  const auto worlds = sim::replay(level->view(), &rules, *plan).worlds;
   const sim::World& last = worlds.back();
   path.setOutcome(schema::Outcome(uint16_t(last.outcome)));
   path.setTicks(uint32_t(worlds.size() - 1));

@@ -19,6 +19,12 @@ struct Ball {
     return closestPoint(box, {});
   }
 
+  OBBY_DEVICE static Vec3 corner(const ShapeData& s, Vec3 d) { return normalize(d) * radius(s); }
+  OBBY_DEVICE static int feature(const ShapeData& s, Vec3 d, Vec3* out) {
+    out[0] = corner(s, d);
+    return 1;
+  }
+
   OBBY_DEVICE static bool castRay(const ShapeData& s, Vec3 o, Vec3 d, float tMax, RayHit& hit) {
     const float r = radius(s);
     const float a = dot(d, d), b = dot(o, d), c = dot(o, o) - r * r;

@@ -1,7 +1,7 @@
 // Convex hull of a mesh or union, with face and edge tables made by level/hull_tables.
 #pragma once
 
-#include "geom/shape.h"
+#include "geom/hull_face.h"
 
 namespace obby::geom {
 
@@ -17,6 +17,17 @@ struct ConvexHull {
   OBBY_DEVICE static int edges(const ShapeData& s) { return int(s.hull->edgeCount); }
   OBBY_DEVICE static Vec3 edge(const ShapeData& s, int i) { return s.hull->edges[i]; }
   OBBY_DEVICE static Vec3 roundAxis(const ShapeData&, const LocalBox&) { return {}; }
+
+  OBBY_DEVICE static Vec3 corner(const ShapeData& s, Vec3 d) {
+    uint32_t best = 0;
+    for (uint32_t i = 1; i < s.hull->vertexCount; ++i) {
+      if (dot(d, s.hull->vertices[i]) > dot(d, s.hull->vertices[best])) best = i;
+    }
+    return s.hull->vertices[best];
+  }
+  OBBY_DEVICE static int feature(const ShapeData& s, Vec3 d, Vec3* out) {
+    return hullFace(*s.hull, d, out);
+  }
 
   OBBY_DEVICE static bool castRay(const ShapeData& s, Vec3 o, Vec3 d, float tMax, RayHit& hit) {
     float enter = -1e30f, leave = 1e30f;

@@ -32,6 +32,28 @@ struct CornerWedge {
   }
   OBBY_DEVICE static Vec3 roundAxis(const ShapeData&, const LocalBox&) { return {}; }
 
+  OBBY_DEVICE static Vec3 corner(const ShapeData& s, Vec3 d) {
+    const Vec3 low = withSigns(s.half, {d.x, -1, d.z}), apex{s.half.x, s.half.y, -s.half.z};
+    return dot(d, low) > dot(d, apex) ? low : apex;
+  }
+  OBBY_DEVICE static int feature(const ShapeData& s, Vec3 d, Vec3* out) {
+    const Vec3 h = s.half;
+    const float toX = dot(d, slope(s, 0)), toZ = dot(d, slope(s, 1));
+    const float best = maxf(maxf(maxf(toX, toZ), maxf(d.x, -d.z)), -d.y);
+    if (-d.y == best) {
+      out[0] = {h.x, -h.y, h.z}, out[1] = {-h.x, -h.y, h.z};
+      out[2] = {-h.x, -h.y, -h.z}, out[3] = {h.x, -h.y, -h.z};
+      return 4;
+    }
+    // A side of the base and the apex.
+    const bool alongZ = toX == best || d.x == best;
+    const float x = toX == best ? -h.x : h.x, z = toZ == best ? h.z : -h.z;
+    out[0] = alongZ ? Vec3{x, -h.y, -h.z} : Vec3{-h.x, -h.y, z};
+    out[1] = alongZ ? Vec3{x, -h.y, h.z} : Vec3{h.x, -h.y, z};
+    out[2] = {h.x, h.y, -h.z};
+    return 3;
+  }
+
   OBBY_DEVICE static bool castRay(const ShapeData& s, Vec3 o, Vec3 d, float tMax, RayHit& hit) {
     float enter = -1e30f, leave = 1e30f;
     Vec3 normal;

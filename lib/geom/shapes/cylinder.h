@@ -41,6 +41,25 @@ struct Cylinder {
     return {0, onBox.y, onBox.z};
   }
 
+  OBBY_DEVICE static Vec3 corner(const ShapeData& s, Vec3 d) {
+    const Vec3 side = normalize(Vec3{0, d.y, d.z}, {0, 0, 0}) * radius(s);
+    return {d.x < 0 ? -s.half.x : s.half.x, side.y, side.z};
+  }
+  // A cap as an octagon, or the line along the side.
+  OBBY_DEVICE static int feature(const ShapeData& s, Vec3 d, Vec3* out) {
+    const float r = radius(s);
+    if (d.x * d.x < d.y * d.y + d.z * d.z) {
+      const Vec3 side = normalize(Vec3{0, d.y, d.z}) * r;
+      out[0] = {-s.half.x, side.y, side.z};
+      out[1] = {s.half.x, side.y, side.z};
+      return 2;
+    }
+    const float x = d.x < 0 ? -s.half.x : s.half.x, q = 0.70710678f * r;
+    out[0] = {x, r, 0}, out[1] = {x, q, q}, out[2] = {x, 0, r}, out[3] = {x, -q, q};
+    out[4] = {x, -r, 0}, out[5] = {x, -q, -q}, out[6] = {x, 0, -r}, out[7] = {x, q, -q};
+    return 8;
+  }
+
   OBBY_DEVICE static bool castRay(const ShapeData& s, Vec3 o, Vec3 d, float tMax, RayHit& hit) {
     const float r = radius(s);
     float enter = -1e30f, leave = 1e30f;

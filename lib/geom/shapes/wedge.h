@@ -24,6 +24,26 @@ struct Wedge {
   }
   OBBY_DEVICE static Vec3 roundAxis(const ShapeData&, const LocalBox&) { return {}; }
 
+  OBBY_DEVICE static Vec3 corner(const ShapeData& s, Vec3 d) {
+    const Vec3 low = withSigns(s.half, {d.x, -1, d.z}), top = withSigns(s.half, {d.x, 1, 1});
+    return dot(d, low) > dot(d, top) ? low : top;
+  }
+  OBBY_DEVICE static int feature(const ShapeData& s, Vec3 d, Vec3* out) {
+    const Vec3 h = s.half;
+    const float x = d.x < 0 ? -h.x : h.x;
+    const float side = absf(d.x), rise = dot(d, slope(s));
+    if (side >= rise && side >= d.z && side >= -d.y) {
+      out[0] = {x, -h.y, -h.z}, out[1] = {x, -h.y, h.z}, out[2] = {x, h.y, h.z};
+      return 3;
+    }
+    // The edges at the foot of the slope, below the back and on top, two of which bound a face.
+    const bool isSlope = rise >= d.z && rise >= -d.y, isBack = !isSlope && d.z >= -d.y;
+    const Vec3 a = isBack ? Vec3{h.x, -h.y, h.z} : Vec3{h.x, -h.y, -h.z};
+    const Vec3 b = isSlope || isBack ? Vec3{h.x, h.y, h.z} : Vec3{h.x, -h.y, h.z};
+    out[0] = a, out[1] = b, out[2] = {-b.x, b.y, b.z}, out[3] = {-a.x, a.y, a.z};
+    return 4;
+  }
+
   OBBY_DEVICE static bool castRay(const ShapeData& s, Vec3 o, Vec3 d, float tMax, RayHit& hit) {
     float enter = -1e30f, leave = 1e30f;
     Vec3 normal;

@@ -1,0 +1,108 @@
+// Which way it is from a shape to the core of a round one: the core of a ball is its centre, that of
+// a cylinder its axis. Gilbert, Johnson and Keerthi's walk over simplices of the difference of both.
+#pragma once
+
+#include "geom/convex.h"
+
+namespace obby::geom {
+
+namespace internal {
+
+// Up to four corners of the difference, of which the first `count` are there.
+struct Simplex {
+  Vec3 p[4];
+  int count = 0;
+};
+
+// The point of the segment that is closest to the origin; `s` shrinks to the ends that matter.
+OBBY_DEVICE Vec3 closestOnSegment(Simplex& s) {
+  const Vec3 a = s.p[0], b = s.p[1], ab = b - a;
+  const float t = -dot(a, ab), size = dot(ab, ab);
+  if (t <= 0 || size <= 0) {
+    s.count = 1;
+    return a;
+  }
+  if (t >= size) {
+    s.p[0] = b;
+    s.count = 1;
+    return b;
+  }
+  return a + ab * (t / size);
+}
+
+// Voronoi regions of the triangle (Ericson, Real-Time Collision Detection, 5.1.5).
+OBBY_DEVICE Vec3 closestOnTriangle(Simplex& s) {
+  const Vec3 a = s.p[0], b = s.p[1], c = s.p[2], ab = b - a, ac = c - a;
+  const Vec3 n = cross(ab, ac);
+  const float n2 = dot(n, n);
+  const bool insideAb = dot(cross(ab, n), -a) <= 0, insideBc = dot(cross(c - b, n), -b) <= 0,
+             insideCa = dot(cross(-ac, n), -c) <= 0;
+  if (n2 > 1e-20f && insideAb && insideBc && insideCa) return n * (dot(a, n) / n2);
+  // The closest of the three sides.
+  Vec3 best{};
+  float least = 1e30f;
+  Simplex kept = s;
+  for (int i = 0; i < 3; ++i) {
+    Simplex side;
+    side.p[0] = s.p[i], side.p[1] = s.p[(i + 1) % 3], side.count = 2;
+    const Vec3 at = closestOnSegment(side);
+    if (dot(at, at) >= least) continue;
+    least = dot(at, at), best = at, kept = side;
+  }
+  s = kept;
+  return best;
+}
+
+// Zero where the origin is inside.
+OBBY_DEVICE Vec3 closestOnTetrahedron(Simplex& s) {
+  Vec3 best{};
+  float least = 1e30f;
+  Simplex kept = s;
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 a = s.p[i], b = s.p[(i + 1) & 3], c = s.p[(i + 2) & 3], d = s.p[(i + 3) & 3];
+    const Vec3 n = cross(b - a, c - a);
+    // Is the origin on the other side of the face than the fourth corner?
+    if (dot(n, -a) * dot(n, d - a) > 0) continue;
+    Simplex face;
+    face.p[0] = a, face.p[1] = b, face.p[2] = c, face.count = 3;
+    const Vec3 at = closestOnTriangle(face);
+    if (dot(at, at) >= least) continue;
+    least = dot(at, at), best = at, kept = face;
+  }
+  s = kept;
+  return best;
+}
+
+OBBY_DEVICE Vec3 closestToOrigin(Simplex& s) {
+  if (s.count == 1) return s.p[0];
+  if (s.count == 2) return closestOnSegment(s);
+  return s.count == 3 ? closestOnTriangle(s) : closestOnTetrahedron(s);
+}
+
+// A corner of the core of a round shape, of the shape itself otherwise.
+OBBY_DEVICE Vec3 coreCorner(const Convex& c, Vec3 d) {
+  if (c.kind == ShapeKind::ball) return c.pose.position;
+  if (c.kind != ShapeKind::cylinder) return corner(c, d);
+  const Vec3 half = c.pose.rotation.x * c.shape.half.x;
+  return c.pose.position + (dot(half, d) < 0 ? -half : half);
+}
+
+}  // namespace internal
+
+// From the closest point of a's core to that of b's; zero where the cores meet.
+OBBY_APART Vec3 closestApproach(const Convex& a, const Convex& b) {
+  internal::Simplex s;
+  Vec3 v = b.pose.position - a.pose.position;
+  for (int i = 0; i < 24; ++i) {
+    const Vec3 w = internal::coreCorner(b, -v) - internal::coreCorner(a, v);
+    const float gap = dot(v, v);
+    // No corner is closer than what is known by more than rounding.
+    if (s.count > 0 && gap - dot(v, w) <= 1e-6f * gap) return v;
+    s.p[s.count++] = w;
+    v = internal::closestToOrigin(s);
+    if (s.count == 4 || dot(v, v) < 1e-10f) return {};
+  }
+  return v;
+}
+
+}  // namespace obby::geom

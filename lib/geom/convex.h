@@ -1,0 +1,70 @@
+// Any convex shape in the world, whatever its kind: what tests between two shapes ask of each.
+#pragma once
+
+#include "geom/shapes/table.h"
+
+namespace obby::geom {
+
+struct Convex {
+  ShapeKind kind;
+  ShapeData shape;
+  Pose pose;
+};
+
+OBBY_DEVICE bool isRound(ShapeKind kind) {
+  return kind == ShapeKind::ball || kind == ShapeKind::cylinder;
+}
+OBBY_DEVICE bool isBlock(ShapeKind kind) {
+  return kind == ShapeKind::block || kind == ShapeKind::truss;
+}
+
+// Largest dot(d, p) over the points p of the shape.
+OBBY_APART float support(const Convex& c, Vec3 d) {
+  const Vec3 local = toLocal(c.pose.rotation, d);
+  const float own =
+      visitShape(c.kind, [&](auto s) { return decltype(s)::support(c.shape, local); });
+  return own + dot(d, c.pose.position);
+}
+
+OBBY_APART Vec3 corner(const Convex& c, Vec3 d) {
+  const Vec3 local = toLocal(c.pose.rotation, d);
+  return toWorld(c.pose,
+                 visitShape(c.kind, [&](auto s) { return decltype(s)::corner(c.shape, local); }));
+}
+
+OBBY_APART int feature(const Convex& c, Vec3 d, Vec3* out) {
+  const Vec3 local = toLocal(c.pose.rotation, d);
+  const int count =
+      visitShape(c.kind, [&](auto s) { return decltype(s)::feature(c.shape, local, out); });
+  for (int i = 0; i < count; ++i) out[i] = toWorld(c.pose, out[i]);
+  return count;
+}
+
+OBBY_DEVICE int axes(const Convex& c) {
+  return visitShape(c.kind, [&](auto s) { return decltype(s)::axes(c.shape); });
+}
+OBBY_APART Vec3 axis(const Convex& c, int i) {
+  return c.pose.rotation *
+         visitShape(c.kind, [&](auto s) { return decltype(s)::axis(c.shape, i); });
+}
+OBBY_DEVICE int edges(const Convex& c) {
+  return visitShape(c.kind, [&](auto s) { return decltype(s)::edges(c.shape); });
+}
+OBBY_APART Vec3 edge(const Convex& c, int i) {
+  return c.pose.rotation *
+         visitShape(c.kind, [&](auto s) { return decltype(s)::edge(c.shape, i); });
+}
+
+// The smallest world box around it.
+OBBY_DEVICE Box boundsOf(const Convex& c) {
+  const Mat3& r = c.pose.rotation;
+  const auto reach = [&](Vec3 d) {
+    const Vec3 local = toLocal(r, d);
+    return visitShape(c.kind, [&](auto s) { return decltype(s)::support(c.shape, local); });
+  };
+  const Vec3 lo{reach({-1, 0, 0}), reach({0, -1, 0}), reach({0, 0, -1})};
+  const Vec3 hi{reach({1, 0, 0}), reach({0, 1, 0}), reach({0, 0, 1})};
+  return {c.pose.position - lo, c.pose.position + hi};
+}
+
+}  // namespace obby::geom

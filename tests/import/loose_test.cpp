@@ -1,0 +1,58 @@
+// Which unanchored parts become loose bodies.
+#include "import/scene.h"
+
+namespace obby::test {
+namespace {
+
+InstanceId loosePart(Scene& scene, const std::string& name) {
+  const InstanceId id = scene.part(name);
+  scene.set(id, "Anchored", false);
+  return id;
+}
+
+TEST(LooseParts, AnUnanchoredPartOnItsOwnIsLoose) {
+  Scene scene;
+  const InstanceId crate = loosePart(scene, "Crate");
+  scene.level();
+  EXPECT_FALSE(scene[crate].anchored);
+}
+
+TEST(LooseParts, ThoseThatAreJoinedStandStillAndTheLevelSaysSo) {
+  Scene scene;
+  const InstanceId a = loosePart(scene, "Leg"), b = loosePart(scene, "Arm");
+  const InstanceId weld = scene.add("Weld", "Weld", a);
+  scene.set(weld, "Part0", Ref{a});
+  scene.set(weld, "Part1", Ref{b});
+  const LevelDraft& level = scene.level();
+  EXPECT_TRUE(scene[a].anchored);
+  EXPECT_TRUE(scene[b].anchored);
+  ASSERT_EQ(level.unmodelled.size(), 1u);
+  EXPECT_EQ(level.unmodelled[0].kind, "loose part");
+  EXPECT_EQ(level.unmodelled[0].count, 2u);
+}
+
+TEST(LooseParts, APushboxIsLooseThoughKitsSaveItAnchored) {
+  Scene scene;
+  const InstanceId kit = scene.add("Model", "PushboxSpawnButton", scene.workspace);
+  const InstanceId box = scene.part("Pushbox", {}, kit), marked = scene.part("Crate");
+  scene.add("BoolValue", "IsBox", marked);
+  scene.level();
+  EXPECT_FALSE(scene[box].anchored);
+  EXPECT_FALSE(scene[marked].anchored);
+  EXPECT_EQ(scene.evidence(box, "loose"), "guessed: pushbox of a kit");
+}
+
+TEST(LooseParts, WhereThereAreTooManyOnlyPushboxesAreLoose) {
+  Scene scene;
+  std::vector<InstanceId> crates;
+  for (int i = 0; i < 20; ++i) crates.push_back(loosePart(scene, "Crate"));
+  const InstanceId box = scene.part("Pushbox");
+  const LevelDraft& level = scene.level();
+  for (const InstanceId crate : crates) EXPECT_TRUE(scene[crate].anchored);
+  EXPECT_FALSE(scene[box].anchored);
+  ASSERT_EQ(level.unmodelled.size(), 1u);
+  EXPECT_EQ(level.unmodelled[0].count, 20u);
+}
+
+}  // namespace
+}  // namespace obby::test

@@ -1,0 +1,257 @@
+// Loose bodies: they fall, rest, stack, slide, roll and sleep; the player pushes them, stands on
+// them and jumps from them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "play.h"
+
+namespace obby::test {
+namespace {
+
+using sim::LooseState;
+using support::LevelBuilder;
+
+void loosen(schema::Part::Builder p) { p.setAnchored(false); }
+
+// A floor whose top is at 0, far away from the player at (0, 0, 40).
+LevelBuilder room() {
+  LevelBuilder b;
+  b.block({0, -1, 0}, {200, 2, 200}).spawn({0, 0, 40});
+  return b;
+}
+
+Play playOf(const level::Level& level) { return Play(level, {0, 0, 40}); }
+
+float speedOf(const sim::LooseBody& b) { return length(b.velocity) + length(b.spin); }
+
+TEST(LooseBodies, FallAsGravityHasIt) {
+  const auto level = room().block({0, 50, 0}, {4, 4, 4}, loosen).compile();
+  Play play = playOf(level);
+  play.run(stand(), 30);
+  const double t = 0.5;
+  EXPECT_NEAR(play.loose[0].position.y, 50 - 0.5 * 196.2 * t * t, 0.25);  // semi-implicit substeps
+  EXPECT_NEAR(play.loose[0].velocity.y, -196.2 * t, 1e-2);
+}
+
+TEST(LooseBodies, ComeToRestOnTheFloorAndSleep) {
+  const auto level = room().block({0, 4, 0}, {4, 4, 4}, loosen).compile();
+  Play play = playOf(level);
+  play.run(stand(), 180);
+  EXPECT_NEAR(play.loose[0].position.y, 2, 0.02);
+  EXPECT_EQ(play.loose[0].state, LooseState::asleep);
+  EXPECT_EQ(speedOf(play.loose[0]), 0);
+  EXPECT_EQ(play.world.flags & sim::kLooseAwake, 0);
+}
+
+TEST(LooseBodies, OfEveryShapeRestOnTheirLowestFace) {
+  struct Case {
+    schema::Shape shape;
+    float height;  // of the part's centre at rest
+  };
+  const Case cases[] = {{schema::Shape::BLOCK, 1},       {schema::Shape::BALL, 1},
+                        {schema::Shape::WEDGE, 1},       {schema::Shape::CORNER_WEDGE, 1},
+                        {schema::Shape::CYLINDER, 1},    {schema::Shape::TRUSS, 1}};
+  for (const Case& c : cases) {
+    const auto level = room()
+                           .block({0, 3, 0}, {2, 2, 2},
+                                  [&](auto p) {
+                                    p.setAnchored(false);
+                                    p.setShape(c.shape);
+                                  })
+                           .compile();
+    Play play = playOf(level);
+    play.run(stand(), 240);
+    const Pose pose = poseOf(play.loose[0], level.view().loose[0]);
+    EXPECT_NEAR(pose.position.y, c.height, 0.02) << int(c.shape);
+    EXPECT_NEAR(play.loose[0].velocity.y, 0, 0.05) << int(c.shape);
+  }
+}
+
+TEST(LooseBodies, ThatStandOnACornerTipOver) {
+  const auto level = room()
+                         .block({0, 5, 0}, {4, 4, 4},
+                                [](auto p) {
+                                  p.setAnchored(false);
+                                  support::setRotation(p.initRotation(), 0.3f, 0.7f);
+                                })
+                         .compile();
+  Play play = playOf(level);
+  play.run(stand(), 300);
+  EXPECT_NEAR(play.loose[0].position.y, 2, 0.02);
+  EXPECT_EQ(play.loose[0].state, LooseState::asleep);
+}
+
+TEST(LooseBodies, StackAndStayStacked) {
+  LevelBuilder b = room();
+  for (int i = 0; i < 8; ++i) b.block({0, 2 + 4.02f * float(i), 0}, {4, 4, 4}, loosen);
+  const auto level = b.compile();
+  Play play = playOf(level);
+  play.run(stand(), 600);
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_NEAR(play.loose[size_t(i)].position.y, 2 + 4 * float(i), 0.025 * (i + 1)) << i;
+    EXPECT_NEAR(play.loose[size_t(i)].position.x, 0, 0.1) << i;
+    EXPECT_EQ(play.loose[size_t(i)].state, LooseState::asleep) << i;
+  }
+}
+
+TEST(LooseBodies, SlideDownASlopeThatIsSteeperThanTheirFriction) {
+  const auto slide = [](float friction, float pitch) {
+    const auto rough = [=](auto p) {
+      p.setFriction(friction);
+      support::setRotation(p.initRotation(), 0, pitch);
+    };
+    const auto level = room()
+                           .block({0, 20, 0}, {20, 2, 60}, rough)
+                           .block({0, 22.18f, 0}, {4, 2, 4},
+                                  [=](auto p) {
+                                    rough(p);
+                                    p.setAnchored(false);
+                                  })
+                           .compile();
+    Play play = playOf(level);
+    play.run(stand(), 90);
+    return length(play.loose[0].position - Vec3{0, 22.18f, 0});
+  };
+  EXPECT_GT(slide(0.2f, 0.4f), 5);  // tan 0.4 = 0.42
+  EXPECT_LT(slide(0.6f, 0.4f), 0.05f);
+}
+
+TEST(LooseBodies, BouncesAsElasticityHasIt) {
+  const auto bounce = [](float elasticity) {
+    const auto springy = [=](auto p) { p.setElasticity(elasticity); };
+    const auto level = LevelBuilder{}
+                           .block({0, -1, 0}, {200, 2, 200}, springy)
+                           .spawn({0, 0, 40})
+                           .block({0, 21, 0}, {2, 2, 2},
+                                  [=](auto p) {
+                                    springy(p);
+                                    p.setAnchored(false);
+                                  })
+                           .compile();
+    Play play = playOf(level);
+    float lowest = 100, highest = 0;
+    for (int t = 0; t < 120; ++t) {
+      play.run(stand());
+      const float y = play.loose[0].position.y - 1;
+      if (y < 0.5f) lowest = y;
+      if (lowest < 1) highest = maxf(highest, y);
+    }
+    return highest / 20;
+  };
+  EXPECT_LT(bounce(0), 0.03f);
+  EXPECT_NEAR(bounce(0.5f), 0.25f, 0.06f);
+}
+
+TEST(LooseBodies, FallOutOfTheWorld) {
+  const auto level = room().block({150, 10, 0}, {4, 4, 4}, loosen).compile();
+  Play play = playOf(level);
+  play.run(stand(), 200);
+  EXPECT_EQ(play.loose[0].state, LooseState::gone);
+  EXPECT_EQ(play.world.flags & sim::kLooseAwake, 0);
+}
+
+TEST(LooseBodies, RestOnPlatformsThatCarry) {
+  const auto level =
+      room()
+          .block({0, 0, 0}, {12, 2, 12},
+                 [](auto p) {
+                   auto motion = p.initMotion();
+                   motion.setCarries(true);
+                   motion.setRepeat(schema::Repeat::PING_PONG);
+                   auto keys = motion.initKeys(2);
+                   support::set(keys[0].initPosition(), {0, 5, 0});
+                   keys[1].setTime(4);
+                   support::set(keys[1].initPosition(), {20, 5, 0});
+                 })
+          .block({0, 8, 0}, {4, 4, 4}, loosen)
+          .compile();
+  Play play = playOf(level);
+  play.run(stand(), 220);
+  EXPECT_NEAR(play.loose[0].position.y, 8, 0.1);
+  EXPECT_NEAR(play.loose[0].position.x, 20.0f * 220 / 240, 1.5);
+  EXPECT_EQ(play.loose[0].state, LooseState::awake);
+}
+
+TEST(LooseBodies, ArePushedByThePlayer) {
+  const auto level = room().block({0, 2, 20}, {4, 4, 4}, loosen).compile();
+  Play play = playOf(level);
+  play.settle().run(walk(kNorth), 240);
+  EXPECT_LT(play.loose[0].position.z, 10);
+  EXPECT_NEAR(play.loose[0].position.y, 2, 0.1);
+  // The player stays behind it.
+  EXPECT_GT(play.world.position.z, play.loose[0].position.z + 2.4f);
+}
+
+TEST(LooseBodies, ThatAreTooHeavyStayWhereTheyAre) {
+  const auto level = room()
+                         .block({0, 2, 20}, {12, 4, 12},
+                                [](auto p) {
+                                  p.setAnchored(false);
+                                  p.setDensity(8);
+                                  p.setFriction(1);
+                                })
+                         .compile();
+  Play play = playOf(level);
+  play.settle().run(walk(kNorth), 240);
+  EXPECT_NEAR(play.loose[0].position.z, 20, 0.1);
+}
+
+TEST(LooseBodies, CarryAPlayerWhoStandsOnThemAndJumps) {
+  const auto level = room().block({0, 2, 0}, {6, 4, 6}, loosen).compile();
+  Play play(level, {0, 6, 0});
+  play.settle();
+  EXPECT_NEAR(play.world.position.y, 4, 0.05);
+  play.run(stand(), 60);
+  EXPECT_EQ(play.world.state, sim::State::running);
+  const float from = play.world.position.y;
+  play.history.clear();
+  play.run(stand(true)).run(stand(), 60);
+  EXPECT_NEAR(play.highest() - from, 53.0 * 53 / (2 * 196.2), 0.1);
+  EXPECT_NEAR(play.loose[0].position.y, 2, 0.05);
+}
+
+TEST(LooseBodies, PushedToAWallMakeAStepThatIsNotThereOtherwise) {
+  const auto climb = [](bool box) {
+    LevelBuilder b = room();
+    b.block({0, 5, -20}, {40, 10, 10});  // a wall 10 high: a jump reaches 7
+    if (box) b.block({0, 2, 20}, {4, 4, 4}, loosen);
+    const auto level = b.compile();
+    Play play = playOf(level);
+    play.settle().run(walk(kNorth), 300);             // to the wall, with the box before it
+    play.run(walk(kNorth ^ 0x8000), 20);              // back
+    // Onto it, and from it onto the wall.
+    return play.until(walk(kNorth, true), [](const sim::World& w) {
+      return w.position.y > 9.9f && (w.flags & sim::kFloorSensed);
+    }) >= 0;
+  };
+  EXPECT_TRUE(climb(true));
+  EXPECT_FALSE(climb(false));
+}
+
+TEST(LooseBodies, RestoredContinueAsTheyWould) {
+  LevelBuilder b = room();
+  for (int i = 0; i < 5; ++i) b.block({float(i), 4 + 5 * float(i), 20}, {4, 4, 4}, loosen);
+  const auto level = b.compile();
+  Play play = playOf(level);
+  play.run(walk(kNorth), 60);
+  const sim::World world = play.world;
+  const std::vector<sim::LooseBody> loose = play.loose;
+  play.run(walk(kNorth), 60);
+  Play again = playOf(level);
+  again.world = world;
+  again.loose = loose;
+  again.run(walk(kNorth), 60);
+  EXPECT_EQ(stateHash(again.world, again.loose), stateHash(play.world, play.loose));
+}
+
+TEST(LooseBodies, MoreThanSixteenAreAnErrorThatNamesTheFirstTooMany) {
+  LevelBuilder b = room();
+  for (int i = 0; i < 17; ++i) b.block({5 * float(i), 2, 0}, {4, 4, 4}, loosen);
+  const auto level = level::Level::compile(b.record());
+  ASSERT_FALSE(level);
+  EXPECT_EQ(level.error().path, "parts[17].anchored");
+}
+
+}  // namespace
+}  // namespace obby::test
