@@ -31,7 +31,8 @@ constexpr float kSpeedMargin = 1.5f;
 
 // Fastest sideways motion that parts can give a player, studs/s.
 float fastestSideways(const PartTables& tables, const Params& params) {
-  float fastest = 0;
+  float fastest = 0, walk = 1;
+  for (const Clock& c : tables.clocks) walk = maxf(walk, c.walkFactor);
   for (const Roles& r : tables.roles) {
     fastest = maxf(fastest, length(Vec3{r.padVelocity.x, 0, r.padVelocity.z}));
     fastest = maxf(fastest, length(Vec3{r.conveyorVelocity.x, 0, r.conveyorVelocity.z}));
@@ -42,16 +43,23 @@ float fastestSideways(const PartTables& tables, const Params& params) {
       fastest = maxf(fastest, length(Vec3{step.x, 0, step.z}) * float(params.controlRate));
     }
   }
-  return params.walkSpeed + minf(fastest, 500.0f);
+  return params.walkSpeed * walk + minf(fastest, 500.0f);
+}
+
+// Highest launch speed of a jump that parts can give a player, studs/s.
+float fastestJump(const PartTables& tables, const Params& params) {
+  float fastest = params.jumpSpeed;
+  for (const Clock& c : tables.clocks) fastest = maxf(fastest, jumpSpeedUnder(c, params));
+  return fastest;
 }
 
 // Covers what a player looks at during a tick, at any speed, so that one grid look-up serves a tick
 // (tickBounds in sim/candidates.h; tests/level/grid_test.cpp holds the two together).
-Reach reachOf(const Params& p, float sideways) {
+Reach reachOf(const Params& p, float sideways, float jump) {
   const float limbs = maxf((p.armSpan + p.bodyDepth) * 0.5f + p.touchMargin,
                            p.climbReach + p.bodyWidth * p.floorRaySpread);
   const float step = sideways * kSpeedMargin * p.tickSeconds + 1;
-  const float fall = (p.maxFallSpeed + p.jumpSpeed) * p.tickSeconds + 1;
+  const float fall = (p.maxFallSpeed + jump) * p.tickSeconds + 1;
   const float below =
       maxf(0.0f, p.floorReachBase * p.rootHeight + p.floorKeep * p.hipHeight - p.hipHeight);
   return {limbs + step, below + fall, p.bodyTop + fall};
@@ -75,6 +83,7 @@ uint32_t commonPeriod(const PartTables& t) {
     if (period > (1u << 20)) period = 0;
   };
   for (const Mover& m : t.movers) {
+    if (m.trigger != kNone) continue;
     if (m.once) return 0;
     include(m.keyCount);
     include(m.spinCount);
@@ -105,11 +114,18 @@ uint64_t digest(const LevelView& v, const PartTables& t) {
     add(r.damage), add(r.cooldownTicks), add(r.padKeepsSideways), add(r.padVelocity),
         add(r.conveyorVelocity);
     add(r.conveyorAngular), add(r.vanishDelay), add(r.vanishAway), add(r.vanishPhase);
+    add(r.vanishInverted), add(r.awayClock), add(r.awayFrom), add(r.starts), add(r.healClock);
+    add(r.teleportTo), add(r.teleportYaw), add(r.teleportTurns), add(r.teleportKeepsVelocity);
+    add(r.oneWay), add(r.seatClock);
+  }
+  for (const Clock& c : t.clocks) {
+    add(c.length), add(c.restarts), add(c.walkFactor), add(c.jumpFactor), add(c.jumpMore);
+    add(c.helpless), add(c.seat);
   }
   for (const Mover& m : t.movers) {
     h = hashBytes(m.keys, m.keyCount * sizeof(Pose), h);
     h = hashBytes(m.spins, m.spinCount * sizeof(Mat3), h);
-    add(m.pivot), add(m.once);
+    add(m.pivot), add(m.once), add(m.trigger);
   }
   return h;
 }
@@ -129,7 +145,7 @@ Result<Level> Level::compile(schema::Level::Reader record) {
   OBBY_RETURN_IF_ERROR(compileSpawns(record, impl->spawns));
   const PartTables& t = impl->tables;
   const float sideways = fastestSideways(t, params);
-  const Reach reach = reachOf(params, sideways);
+  const Reach reach = reachOf(params, sideways, fastestJump(t, params));
   impl->grid = buildGrid({t.bounds.data(), t.colliders.size()}, reach);
   LevelView& v = impl->view;
   v.params = params;
@@ -137,6 +153,9 @@ Result<Level> Level::compile(schema::Level::Reader record) {
   v.bounds = t.bounds.data();
   v.roles = t.roles.data();
   v.movers = t.movers.data();
+  v.clocks = t.clocks.data();
+  v.clockCount = uint32_t(t.clocks.size());
+  v.crushClock = t.crushClock;
   v.colliderCount = uint32_t(t.colliders.size());
   v.moverCount = uint32_t(t.movers.size());
   const GridTables& g = impl->grid;

@@ -21,7 +21,9 @@ namespace obby {
   X(float, hoverDamping) X(float, hoverLimit) X(float, floorRaySpread) X(float, floorRayStart) \
   X(float, floorReachBase) X(float, floorKeep) X(float, floorAcquire) X(float, fastFall) \
   X(float, landedTime) X(float, coyoteTime) X(float, offFloorGrace) X(float, iceFriction) \
-  X(float, climbSpeed) X(float, climbReach) X(float, contactSkin) X(float, maxFallSpeed)
+  X(float, climbSpeed) X(float, climbReach) X(float, contactSkin) X(float, maxFallSpeed) \
+  X(float, oneWaySlack) X(float, squeezeDepth) X(float, squeezeTime) X(float, seatHeight) \
+  X(float, seatCooldown)
 // clang-format on
 
 struct Params {
@@ -36,6 +38,7 @@ struct Params {
   uint16_t landedTicks;  // times above, rounded to whole ticks
   uint16_t coyoteTicks;
   uint16_t graceTicks;
+  uint16_t squeezeTicks;  // at least 1
 };
 
 // Ticks of a duration, to the nearest. Negative or not finite: 0. At most 2^24.

@@ -32,7 +32,7 @@ uint64_t stateHash(const World& world) {
 #define OBBY_HASH_FIELD(type, name) h = hashBytes(&world.name, sizeof world.name, h);
   OBBY_WORLD_FIELDS(OBBY_HASH_FIELD)
 #undef OBBY_HASH_FIELD
-  return hashBytes(world.vanishing, world.vanishingCount * sizeof(Vanishing), h);
+  return hashBytes(world.clocks, world.clockCount * sizeof(RunningClock), h);
 }
 
 Result<Plan> planFromRecord(schema::Trajectory::Reader record) {

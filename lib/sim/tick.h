@@ -4,6 +4,7 @@
 #pragma once
 
 #include "sim/climb.h"
+#include "sim/squeeze.h"
 #include "sim/touch.h"
 
 namespace obby::sim {
@@ -17,7 +18,7 @@ OBBY_DEVICE F regenerated(F health, const Params& p) {
 
 // What comes of where the player is now.
 OBBY_DEVICE void endTick(World& w, const level::LevelView& level, const Candidates& near) {
-  runVanishing(w, level);
+  runClocks(w, level);
   touchParts(w, level, near);
   if (w.hurtTicks > 0) --w.hurtTicks;
   w.health = regenerated(w.health, level.params);
@@ -28,30 +29,54 @@ OBBY_DEVICE void endTick(World& w, const level::LevelView& level, const Candidat
   }
 }
 
-// Advances `w` by one tick. Nothing happens to a world whose playthrough has ended. Never
-// allocates; overruns set bits in w.flags.
-OBBY_DEVICE void tick(World& w, const level::LevelView& level, Action action) {
-  if (w.outcome != Outcome::running) return;
-  const Params& p = level.params;
-  Candidates near;
-  gather(w, level, near);
+// A tick of one who stands, walks, jumps, falls or climbs; `p`: with the player's boosts.
+OBBY_DEVICE void move(World& w, const level::LevelView& level, const Params& p,
+                      const Candidates& near, const ControlT<float>& control) {
   Player player = playerOf(w);
   const Floor floor = senseFloor(w, player, level, near);
-  const ControlT<float> control = controlOf(action);
   updateState(player, p, floor, control);
-  const Truss truss = updateClimbing(w, player, level, near, floor, control);
+  const Truss truss = updateClimbing(w, player, level, p, near, floor, control);
   const bool climbs = player.is(State::climbing);
   turn(player, p, floor, climbs ? facing(truss, control) : control);
   Motion motion = motionOf(player, p, floor, drive(player, p, floor, control));
   if (climbs) {
-    moveClimber(motion, truss, control, level, near);
+    moveClimber(motion, truss, control, level, p, near);
   } else {
     moveBody(motion, level, near);
   }
   player.position = motion.position;
   player.velocity = motion.velocity;
   putPlayer(w, player);
-  endTick(w, level, near);
+}
+
+// `p`: with the player's boosts.
+OBBY_DEVICE void tickWith(World& w, const level::LevelView& level, const Params& p,
+                          ControlT<float> control) {
+  Candidates near;
+  gather(w, level, p, near);
+  if (w.state == State::seated) {
+    sit(w, level, p, control.jump);
+  } else {
+    move(w, level, p, near, control);
+    squeeze(w, level, near);
+  }
+  if (w.outcome == Outcome::running) {
+    endTick(w, level, near);
+  } else {
+    w.tick += 1;
+  }
+}
+
+// Advances `w` by one tick. Nothing happens to a world whose playthrough has ended. Never
+// allocates; overruns set bits in w.flags.
+OBBY_DEVICE void tick(World& w, const level::LevelView& level, Action action) {
+  if (w.outcome != Outcome::running) return;
+  if (w.clockCount == 0) {
+    tickWith(w, level, level.params, controlOf(action));
+    return;
+  }
+  const Params own = boosted(w, level);
+  tickWith(w, level, own, isHelpless(w, level) ? ControlT<float>{} : controlOf(action));
 }
 
 }  // namespace obby::sim

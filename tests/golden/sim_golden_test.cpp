@@ -68,6 +68,8 @@ const Scene kScenes[] = {
        });
      },
      0x3952a2b4a872f904},
+    {"clocks", clocks, 0x41391e43be50588b},
+    {"places", places, 0xafed111d6072db9f},
 };
 
 constexpr size_t kWorlds = 64;
