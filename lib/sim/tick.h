@@ -71,12 +71,15 @@ OBBY_DEVICE void tickWith(World& w, const level::LevelView& level, const Params&
 // allocates; overruns set bits in w.flags.
 OBBY_DEVICE void tick(World& w, const level::LevelView& level, Action action) {
   if (w.outcome != Outcome::running) return;
-  if (w.clockCount == 0) {
-    tickWith(w, level, level.params, controlOf(action));
-    return;
+  ControlT<float> control = controlOf(action);
+  Params boosts;
+  const Params* p = &level.params;
+  if (w.clockCount != 0) {
+    boosts = boosted(w, level);
+    p = &boosts;
+    if (isHelpless(w, level)) control = {};
   }
-  const Params own = boosted(w, level);
-  tickWith(w, level, own, isHelpless(w, level) ? ControlT<float>{} : controlOf(action));
+  tickWith(w, level, *p, control);
 }
 
 }  // namespace obby::sim
