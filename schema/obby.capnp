@@ -180,6 +180,14 @@ struct Part {
   motion @21 :Motion;
   evidence @22 :List(Evidence);
   tags @23 :List(Text);
+  button @24 :Button;
+  fall @25 :Fall;
+  teleport @26 :Teleport;
+  boost @27 :Boost;
+  oneWay @28 :OneWay;
+  squeeze @29 :Squeeze;
+  seat @30 :Seat;
+  trip @31 :Trip;
 }
 
 struct PartSource {
@@ -202,8 +210,8 @@ struct Evidence {
 }
 
 struct Kill {
-  damage @0 :Float32 = 100;     # health taken per touch; 100 kills a fresh player
-  cooldown @1 :Float32;         # seconds between two touches that hurt
+  damage @0 :Float32 = 100;     # health taken per touch; 100 kills a fresh player; negative: heals, up to maxHealth
+  cooldown @1 :Float32;         # seconds between two touches that hurt (or, for one that heals, that heal)
 }
 
 struct Conveyor {
@@ -219,13 +227,69 @@ struct JumpPad {
 enum VanishTrigger {
   touch @0;
   timer @1;
+  signal @2;
 }
 
 struct Vanish {
   trigger @0 :VanishTrigger;
-  delay @1 :Float32;        # touch: seconds still solid after the touch; timer: seconds solid in each period
-  away @2 :Float32 = 3;     # seconds without collision
+  delay @1 :Float32;        # touch, signal: seconds still solid after the start; timer: seconds solid in each period
+  away @2 :Float32 = 3;     # touch, timer: seconds without collision; signal: away for as long as the signal lasts
   phase @3 :Float32;        # timer: seconds into the period at tick 0
+  signal @4 :Text;          # signal: the name that its buttons give
+  inverted @5 :Bool;        # true: the other way round, solid only while it would be away
+}
+
+struct Button {
+  # Touched, it starts its signal: parts that name the signal (vanish.signal, motion.signal) respond.
+  signal @0 :Text;          # any name; buttons with the same name start the same signal
+  seconds @1 :Float32 = 5;  # how long the signal lasts; alike for all buttons of a signal
+  forever @2 :Bool;         # true: until the playthrough ends
+  restarts @3 :Bool;        # true: touched while it lasts, the signal starts anew
+}
+
+struct Fall {
+  # Touched, the part waits, falls, carrying what stands on it, is away, and comes back.
+  delay @0 :Float32 = 0.5;  # seconds at rest after the touch
+  seconds @1 :Float32 = 1;  # of falling
+  speed @2 :Float32;        # studs/s, steady; 0: falls freely under gravity
+  away @3 :Float32 = 3;     # seconds without collision after the fall
+  solid @4 :Bool = true;    # false: no collision while falling
+}
+
+struct Teleport {
+  position @0 :Vec3;           # where the feet are put
+  yaw @1 :Float32;             # radians, where `turns` is true
+  turns @2 :Bool;              # true: the player faces `yaw` afterwards
+  keepVelocity @3 :Bool;       # false: arrives at rest
+}
+
+struct Boost {
+  # For a time the player walks and jumps faster (or slower). Of several the one touched last counts.
+  walkSpeed @0 :Float32 = 1;  # x PhysicsParams.walkSpeed
+  jumpSpeed @1 :Float32 = 1;  # x PhysicsParams.jumpSpeed
+  jumpMore @2 :Float32;       # studs/s on top of that
+  seconds @3 :Float32;        # after the last touch; 0: only while the part is touched
+  forever @4 :Bool;           # true: until the playthrough ends
+}
+
+struct OneWay {
+  # Solid only for a player who is on the side that `direction` points to.
+  direction @0 :Vec3 = (x = 0, y = 1, z = 0);  # in the part's frame
+}
+
+enum Squeeze {
+  # What a part does to a player whom it squeezes against another part.
+  push @0;
+  kill @1;
+}
+
+struct Seat {
+  # Touched, it holds the player until jump is pressed.
+}
+
+struct Trip {
+  seconds @0 :Float32 = 3;  # without control after the touch
+  after @1 :Float32 = 1;    # seconds after that in which it does not trip again
 }
 
 struct Checkpoint {
@@ -250,6 +314,12 @@ enum Repeat {
   pingPong @2;   # after the last key run back through the keys
 }
 
+enum MotionTrigger {
+  always @0;    # by the level's clock
+  touch @1;     # rests at the first key until touched
+  signal @2;    # rests at the first key while the signal does not last
+}
+
 struct MotionKey {
   # The part is at this pose at `time`; the way to it from the key before follows the easing.
   time @0 :Float32;       # seconds from the start of the motion, not decreasing
@@ -271,6 +341,9 @@ struct Motion {
   spin @2 :Spin;              # on top of the keys
   offset @3 :Float32;         # seconds into the motion at tick 0
   carries @4 :Bool;           # true: driven by physics, takes a standing player along; false: tween or CFrame loop
+  trigger @5 :MotionTrigger;
+  signal @6 :Text;            # signal: the name that its buttons give
+  seconds @7 :Float32;        # touch: until it rests again; 0: once stays at its last key, others do one repetition
 }
 
 # ---------------------------------------------------------------------------------------------- physics parameters
@@ -324,11 +397,15 @@ struct PhysicsParams {
   climbReach @36 :Float32 = 1.2 $unit("studs") $range((min = 0, max = 5)) $source("H forward climb sensor");
   contactSkin @37 :Float32 = 0.01 $unit("studs") $range((min = 0, max = 0.2)) $source("M depth left between bodies at rest");
   maxFallSpeed @38 :Float32 = 480 $unit("studs/s") $range((min = 10, max = 2000)) $source("M numerical guard, never met in a level");
-
-  playerMass @39 :Float32 = 12.6 $unit("density x cubic studs") $range((min = 0.1, max = 1000)) $source("M the R6 assembly: 18 cubic studs x 0.7");
-  pushForce @40 :Float32 = 100000 $unit("mass x studs/s^2") $range((min = 0, max = 10000000)) $source("L most that a player presses on a loose part; by default the drive's own limit counts");
-  sleepSpeed @41 :Float32 = 0.5 $unit("studs/s") $range((min = 0, max = 10)) $source("L loose parts slower than this come to rest");
-  sleepTime @42 :Float32 = 0.5 $unit("s") $range((min = 0, max = 10)) $source("L after this long");
+  oneWaySlack @39 :Float32 = 0.1 $unit("studs") $range((min = 0, max = 2)) $source("L depth in a one-way part that still counts as outside");
+  squeezeDepth @40 :Float32 = 0.25 $unit("studs") $range((min = 0, max = 5)) $source("L overlap that push-out leaves, above which a player is squeezed");
+  squeezeTime @41 :Float32 = 0.05 $unit("s") $range((min = 0, max = 10)) $source("L squeezed for this long, a crushing part kills");
+  seatHeight @42 :Float32 = 2 $unit("studs from the seat's centre to the root's") $range((min = 0, max = 20)) $source("H Seat welds the root 2 studs above");
+  seatCooldown @43 :Float32 = 3 $unit("s") $range((min = 0, max = 60)) $source("H Seat: 3 s after leaving");
+  playerMass @44 :Float32 = 12.6 $unit("density x cubic studs") $range((min = 0.1, max = 1000)) $source("M the R6 assembly: 18 cubic studs x 0.7");
+  pushForce @45 :Float32 = 100000 $unit("mass x studs/s^2") $range((min = 0, max = 10000000)) $source("L most that a player presses on a loose part; by default the drive's own limit counts");
+  sleepSpeed @46 :Float32 = 0.5 $unit("studs/s") $range((min = 0, max = 10)) $source("L loose parts slower than this come to rest");
+  sleepTime @47 :Float32 = 0.5 $unit("s") $range((min = 0, max = 10)) $source("L after this long");
 }
 
 # ---------------------------------------------------------------------------------------------- query

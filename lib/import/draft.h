@@ -56,6 +56,11 @@ struct Vanish {
   float away = 3;
   float phase = 0;
 };
+struct Teleport {
+  Vec3 position;  // feet
+  float yaw = 0;
+  bool turns = false;
+};
 struct MotionKey {
   float time = 0;
   Pose pose;
@@ -90,6 +95,8 @@ struct PartDraft {
   std::optional<Conveyor> conveyor;
   std::optional<JumpPad> jumpPad;
   std::optional<Vanish> vanish;
+  std::optional<Teleport> teleport;
+  bool seat = false;
   std::optional<int> checkpoint;  // stage
   std::optional<int> goal;        // stage
   std::optional<Motion> motion;

@@ -73,6 +73,14 @@ void setRoles(schema::Part::Builder to, const PartDraft& part) {
     vanish.setAway(part.vanish->away);
     vanish.setPhase(part.vanish->phase);
   }
+  if (part.teleport) {
+    auto teleport = to.initTeleport();
+    setVector(teleport.initPosition(), part.teleport->position);
+    teleport.setYaw(part.teleport->yaw);
+    teleport.setTurns(part.teleport->turns);
+    teleport.setKeepVelocity(true);  // a character keeps its velocity where its CFrame is set
+  }
+  if (part.seat) to.initSeat();
   if (part.checkpoint) to.initCheckpoint().setStage(*part.checkpoint);
   if (part.goal) to.initGoal().setStage(*part.goal);
   if (part.motion) setMotion(to.initMotion(), *part.motion);

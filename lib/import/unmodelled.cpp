@@ -74,8 +74,8 @@ void noteInstances(RoleContext& context) {
   const Tree& tree = context.tree;
   for (const PartDraft& part : context.level.parts) {
     const Instance& instance = tree.at(part.id);
-    if (isA(instance.className, "Seat") || instance.className == "VehicleSeat")
-      context.level.noteUnmodelled("seat", tree.path(part.id),
+    if (instance.className == "VehicleSeat")
+      context.level.noteUnmodelled("vehicle seat", tree.path(part.id),
                                    "a plain part: a player is not caught by it");
     if (!hasRole(part))
       for (const std::string& tag : instance.tags)
@@ -143,7 +143,11 @@ struct Effect {
 std::optional<Effect> effectOf(RoleContext& context, const Timeline& timeline,
                                const ScriptEvent& event) {
   switch (event.kind) {
-    case EventKind::teleport: return Effect{"teleporter", "a player who touches it stays there"};
+    case EventKind::teleport: {
+      const PartDraft* touched = context.part(timeline.touched);
+      if (touched && touched->teleport) return std::nullopt;
+      return Effect{"teleporter", "a player who touches it stays there"};
+    }
     case EventKind::build: return Effect{"parts that a script builds", "they are not in the file"};
     case EventKind::push:
       if (!event.vector) return Effect{"push that a script computes", "it does not push"};

@@ -7,6 +7,8 @@
 #include <unordered_map>
 
 #include "base/hash.h"
+#include "level/behaviours/behaviour.h"
+#include "level/behaviours/fall.h"
 #include "level/mass.h"
 #include "level/record_values.h"
 #include "level/upright.h"
@@ -16,19 +18,29 @@ namespace {
 
 using geom::ShapeKind;
 
+// What a part does that takes more than its flag to know.
+constexpr uint32_t kWithRole =
+    kTouchRoles | kConveyor | kVanishTimer | kClocked | kOneWay | kTriggered;
+
+// Which way round they are matters: their axes are not exchanged to stand upright.
+constexpr uint32_t kKeepsAxes = kOneWay | kSeat;
+
 class PartCompiler {
  public:
   PartCompiler(PartTables& out, const Params& params) : out_(out), params_(params) {}
 
+  Status addSignals(schema::Level::Reader level) { return clocks_.addSignals(level, params_); }
   // `index` of the part in the record.
   Status add(schema::Part::Reader part, uint32_t index);
+  Status finish();
 
  private:
-  Result<uint16_t> roles(schema::Part::Reader part, const Pose& pose, Roles& roles) const;
-  Status mover(schema::Part::Reader part, const Pose& pose, Collider& collider, uint16_t& flags);
-  Status shapes(schema::Part::Reader part, Collider collider, uint16_t flags);
-  Status hulls(schema::Part::Reader part, const Collider& base, uint16_t flags);
-  void push(Collider collider, uint16_t flags);
+  Result<MotionTables> tables(const PartContext& c) const;
+  Result<uint32_t> trigger(PartContext& c, const MotionTables& tables);
+  Status mover(PartContext& c, Collider& collider);
+  Status shapes(schema::Part::Reader part, Collider collider, uint32_t flags);
+  Status hulls(schema::Part::Reader part, const Collider& base, uint32_t flags);
+  void push(Collider collider, uint32_t flags);
   Status loosen(schema::Part::Reader part, Vec3 at, size_t firstCollider);
   Box sweptBounds(const Collider& collider) const;
 
@@ -36,6 +48,8 @@ class PartCompiler {
 
   PartTables& out_;
   const Params& params_;
+  ClockTables clocks_;
+  std::vector<Clock> own_;                                             // (roles)
   std::unordered_multimap<uint64_t, const std::vector<Mat3>*> spins_;  // by digest
   size_t rows_ = 0;                                                    // of all tables
 };
@@ -51,69 +65,43 @@ Result<Vec3> halfExtents(schema::Part::Reader part) {
 
 // Physics moves it: nothing holds it, and something can push it.
 bool isLoose(schema::Part::Reader part) {
-  return !part.getAnchored() && part.getSolid() && !part.hasMotion();
+  return !part.getAnchored() && part.getSolid() && !part.hasMotion() && !part.hasFall();
 }
 
-Status finiteFields(schema::Part::Reader part) {
-  if (!(part.getElasticity() >= 0 && part.getElasticity() <= 1))
-    return pathError("elasticity", "expected a number from 0 to 1");
-  if (!(part.getFriction() >= 0))
-    return pathError("friction", "expected a number that is not negative");
-  if (part.hasKill() && !(part.getKill().getCooldown() >= 0)) {
-    return pathError("kill.cooldown", "expected seconds that are not negative");
-  }
-  if (part.hasKill() && !std::isfinite(part.getKill().getDamage()))
-    return pathError("kill.damage", "expected a number");
-  return {};
+Result<MotionTables> PartCompiler::tables(const PartContext& c) const {
+  if (c.part.hasMotion()) return motionTables(c.part.getMotion(), c.pose, params_);
+  return fallTables(c.part.getFall(), c.pose, params_);
 }
 
-Result<uint16_t> PartCompiler::roles(schema::Part::Reader part, const Pose& pose,
-                                     Roles& roles) const {
-  uint16_t flags = part.getSolid() ? kSolid : 0;
-  roles.conveyorCenter = pose.position;
-  if (part.hasConveyor()) {
-    OBBY_ASSIGN(roles.conveyorVelocity,
-                position(part.getConveyor().getVelocity(), "conveyor.velocity"));
-    OBBY_ASSIGN(roles.conveyorAngular,
-                position(part.getConveyor().getAngular(), "conveyor.angular"));
-    flags |= kConveyor;
+// The clock that moves a part; kNone: the level's.
+Result<uint32_t> PartCompiler::trigger(PartContext& c, const MotionTables& tables) {
+  if (c.part.hasFall()) return c.own.length == 0 ? kNone : kOwnClock;
+  const auto motion = c.part.getMotion();
+  const bool signal = motion.getTrigger() == schema::MotionTrigger::SIGNAL;
+  if (signal) return clocks_.signal(motion.getSignal(), "motion.signal");
+  if (motion.getSignal().size() != 0) {
+    return pathError("motion.signal", "does nothing with this trigger",
+                     "set \"trigger\":\"signal\"");
   }
-  if (part.hasVanish()) {
-    const auto vanish = part.getVanish();
-    roles.vanishDelay = ticksFromSeconds(params_, vanish.getDelay());
-    roles.vanishAway = ticksFromSeconds(params_, vanish.getAway());
-    roles.vanishPhase = ticksFromSeconds(params_, vanish.getPhase());
-    const bool timer = vanish.getTrigger() == schema::VanishTrigger::TIMER;
-    if (timer && roles.vanishDelay + roles.vanishAway == 0)
-      return pathError("vanish", "a period of 0 ticks");
-    if (timer) flags |= kVanishTimer;
-    if (!timer && part.getTouch()) flags |= kVanishTouch;
-  }
-  if (!part.getTouch()) return flags;
-  if (part.hasKill()) {
-    roles.damage = part.getKill().getDamage();
-    roles.cooldownTicks =
-        uint16_t(std::min(ticksFromSeconds(params_, part.getKill().getCooldown()), 65535u));
-    flags |= kKill;
-  }
-  if (part.hasJumpPad()) {
-    OBBY_ASSIGN(roles.padVelocity, position(part.getJumpPad().getVelocity(), "jumpPad.velocity"));
-    roles.padKeepsSideways = part.getJumpPad().getKeepSideways();
-    flags |= kPad;
-  }
-  return flags;
+  OBBY_ASSIGN(const uint32_t asked, ticksOf(params_, motion.getSeconds(), "motion.seconds"));
+  if (motion.getTrigger() == schema::MotionTrigger::ALWAYS) return kNone;
+  uint32_t length = asked != 0 ? asked : tables.once ? kForever : tables.period;
+  // A part that nothing can touch rests for good: its clock never starts.
+  if (c.part.getTouch()) OBBY_RETURN_IF_ERROR(startOwn(c, length, "motion.trigger"));
+  return kOwnClock;
 }
 
-Status PartCompiler::mover(schema::Part::Reader part, const Pose& pose, Collider& collider,
-                           uint16_t& flags) {
-  OBBY_ASSIGN(MotionTables tables, motionTables(part.getMotion(), pose, params_));
+Status PartCompiler::mover(PartContext& c, Collider& collider) {
+  OBBY_ASSIGN(MotionTables tables, this->tables(c));
+  OBBY_ASSIGN(const uint32_t trigger, this->trigger(c, tables));
   if (tables.keys.size() == 1 && tables.spins.empty()) {
     collider.pose = tables.keys[0];
     return {};
   }
   out_.motions.push_back(std::move(tables));
   MotionTables& kept = out_.motions.back();
-  if (makeUpright(kept)) flags |= kUpright;  // push() drops it for shapes that are no blocks
+  // push() drops it for shapes that are no blocks.
+  if (!(c.flags & kKeepsAxes) && makeUpright(kept)) c.flags |= kUpright;
   const std::vector<Mat3>& spins = sharedSpins(kept);
   rows_ += kept.keys.size() + kept.spins.size();
   if (rows_ > kMaxLevelRows) {
@@ -122,11 +110,15 @@ Status PartCompiler::mover(schema::Part::Reader part, const Pose& pose, Collider
   }
   collider.mover = uint32_t(out_.movers.size());
   out_.movers.push_back({kept.keys.data(), spins.empty() ? nullptr : spins.data(),
-                         uint32_t(kept.keys.size()), uint32_t(spins.size()), kept.pivot,
-                         kept.once});
-  flags |= kMoving;
-  if (part.getMotion().getCarries()) flags |= kCarries;
-  out_.timed = true;
+                         uint32_t(kept.keys.size()), uint32_t(spins.size()), kept.pivot, kept.once,
+                         trigger});
+  c.flags |= kMoving;
+  if (!c.part.hasMotion() || c.part.getMotion().getCarries()) c.flags |= kCarries;
+  if (trigger == kNone) {
+    out_.timed = true;
+  } else {
+    c.flags |= kTriggered;
+  }
   return {};
 }
 
@@ -164,20 +156,20 @@ Box PartCompiler::sweptBounds(const Collider& c) const {
   return swept;
 }
 
-void PartCompiler::push(Collider collider, uint16_t flags) {
+void PartCompiler::push(Collider collider, uint32_t flags) {
   if (collider.kind != ShapeKind::block) {
-    flags &= uint16_t(~kUpright);  // the short cuts are for blocks only
+    flags &= ~uint32_t(kUpright);  // the short cuts are for blocks only
   } else {
     flags |= kBlock;
     const bool still = collider.mover == kNone && collider.loose == kNotLoose;
-    if (still && makeUpright(collider)) flags |= kUpright;
+    if (still && !(flags & kKeepsAxes) && makeUpright(collider)) flags |= kUpright;
   }
   out_.bounds.push_back(makeBounds(sweptBounds(collider), flags, uint32_t(out_.bounds.size()),
                                    collider.friction < params_.iceFriction));
   out_.colliders.push_back(collider);
 }
 
-Status PartCompiler::hulls(schema::Part::Reader part, const Collider& base, uint16_t flags) {
+Status PartCompiler::hulls(schema::Part::Reader part, const Collider& base, uint32_t flags) {
   size_t index = 0;
   for (const auto record : part.getHulls()) {
     const std::string path = fmt::format("hulls[{}].vertices", index++);
@@ -204,7 +196,7 @@ Status PartCompiler::hulls(schema::Part::Reader part, const Collider& base, uint
   return {};
 }
 
-Status PartCompiler::shapes(schema::Part::Reader part, Collider collider, uint16_t flags) {
+Status PartCompiler::shapes(schema::Part::Reader part, Collider collider, uint32_t flags) {
   collider.kind = ShapeKind(uint8_t(part.getShape()));
   if (collider.kind == ShapeKind::truss) {
     collider.kind = ShapeKind::block;
@@ -243,14 +235,17 @@ Status PartCompiler::loosen(schema::Part::Reader part, Vec3 at, size_t firstColl
 Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
   if (uint16_t(part.getShape()) > uint16_t(schema::Shape::HULL))
     return pathError("shape", "unknown shape");
-  OBBY_RETURN_IF_ERROR(finiteFields(part));
+  if (!(part.getFriction() >= 0))
+    return pathError("friction", "expected a number that is not negative");
+  if (!(part.getElasticity() >= 0 && part.getElasticity() <= 1))
+    return pathError("elasticity", "expected a number from 0 to 1");
   OBBY_ASSIGN(const Vec3 half, halfExtents(part));
   OBBY_ASSIGN(const Vec3 center, position(part.getPosition(), "position"));
   OBBY_ASSIGN(const Mat3 axes, rotation(part.getRotation(), "rotation"));
   const Pose pose{center, axes};
-  Roles roleTable{};
-  OBBY_ASSIGN(uint16_t flags, roles(part, pose, roleTable));
-  if (flags & kVanishTimer) out_.timed = true;
+  PartContext c{part, params_, pose, uint32_t(out_.colliders.size()), clocks_, {}, 0, {}};
+  OBBY_RETURN_IF_ERROR(compileBehaviours(c));
+  if (c.flags & kVanishTimer) out_.timed = true;
   Collider collider{pose,
                     {half, nullptr},
                     index,
@@ -262,18 +257,29 @@ Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
                     kNotLoose};
   if (isLoose(part)) {
     collider.loose = uint8_t(out_.loose.size());
-    flags |= kLoose;
+    c.flags |= kLoose;
   }
-  if (part.hasMotion()) OBBY_RETURN_IF_ERROR(mover(part, pose, collider, flags));
-  if ((flags & (kSolid | kTouchRoles)) == 0) return {};  // scenery
-  if (flags & (kTouchRoles | kConveyor | kVanishTimer)) {
+  if (part.hasMotion() || part.hasFall()) OBBY_RETURN_IF_ERROR(mover(c, collider));
+  if ((c.flags & (kSolid | kTouchRoles)) == 0) return {};  // scenery
+  if (c.flags & kWithRole) {
     collider.role = uint32_t(out_.roles.size());
-    out_.roles.push_back(roleTable);
+    out_.roles.push_back(c.roles);
+    own_.push_back(c.own);
   }
   const size_t first = out_.colliders.size();
-  OBBY_RETURN_IF_ERROR(shapes(part, collider, flags));
-  if (flags & kLoose) return loosen(part, center, first);
+  OBBY_RETURN_IF_ERROR(shapes(part, collider, c.flags));
+  if (c.flags & kLoose) return loosen(part, center, first);
   out_.fixedColliders = out_.colliders.size();
+  return {};
+}
+
+Status PartCompiler::finish() {
+  OBBY_RETURN_IF_ERROR(clocks_.checkSignals());
+  bool crushes = false;
+  for (const Bounds& b : out_.bounds) crushes = crushes || (b.flags & kCrush) != 0;
+  if (crushes) clocks_.add({kForever});
+  out_.clocks = clocks_.finish(own_, out_.colliders, out_.roles, out_.movers);
+  if (crushes) out_.crushClock = uint32_t(out_.clocks.size() - 1);
   return {};
 }
 
@@ -286,6 +292,7 @@ Result<PartTables> compileParts(schema::Level::Reader record, const Params& para
                                           record.getParts().size()));
   }
   PartCompiler compiler(out, params);
+  OBBY_RETURN_IF_ERROR(compiler.addSignals(record));
   std::vector<uint32_t> loose;
   const auto add = [&](uint32_t index) -> Status {
     auto status = compiler.add(record.getParts()[index], index);
@@ -310,6 +317,7 @@ Result<PartTables> compileParts(schema::Level::Reader record, const Params& para
                                  kMaxLoose, loose.size()));
   }
   for (const uint32_t index : loose) OBBY_RETURN_IF_ERROR(add(index));
+  OBBY_RETURN_IF_ERROR(compiler.finish());
   const Vec3 nowhere{1e38f, 1e38f, 1e38f};
   out.bounds.push_back(makeBounds({nowhere, -nowhere}, 0, uint32_t(out.bounds.size()), false));
   return out;

@@ -1,5 +1,5 @@
-// Parts of a record to colliders, roles and movers: the tables of LevelView before the grid is laid
-// over them.
+// Parts of a record to colliders, roles, movers and clocks: the tables of LevelView before the grid
+// is laid over them.
 #pragma once
 
 #include <deque>
@@ -21,6 +21,8 @@ struct PartTables {
   std::vector<Mover> movers;
   std::vector<Loose> loose;
   size_t fixedColliders = 0;         // those of loose parts come after them
+  std::vector<Clock> clocks;  // each role's own, then those that parts share
+  uint32_t crushClock = kNone;
   std::vector<std::string> names;    // (parts)
   std::deque<MotionTables> motions;  // what movers point into; a deque keeps addresses
   std::deque<HullTables> hulls;      // what shapes point into

@@ -18,12 +18,19 @@ double bounceOut(double t) {
   return t -= 2.625 / d, n * t * t + 0.984375;
 }
 
-double easeIn(schema::Easing easing, double t) {
+// How far Back goes the wrong way, and the period of Elastic. Both are wider in the halves of
+// InOut.
+struct Swing {
+  double back, period;
+};
+constexpr Swing kWhole{1.70158, 0.3}, kHalf{1.70158 * 1.525, 0.45};
+
+double easeIn(schema::Easing easing, double t, const Swing& swing) {
   using schema::Easing;
   switch (easing) {
     case Easing::LINEAR: return t;
     case Easing::SINE: return 1 - std::cos(t * kPiD / 2);
-    case Easing::BACK: return t * t * (2.70158 * t - 1.70158);
+    case Easing::BACK: return t * t * ((swing.back + 1) * t - swing.back);
     case Easing::QUAD: return t * t;
     case Easing::CUBIC: return t * t * t;
     case Easing::QUART: return t * t * t * t;
@@ -32,7 +39,8 @@ double easeIn(schema::Easing easing, double t) {
     case Easing::ELASTIC:
       return t <= 0   ? 0
              : t >= 1 ? 1
-                      : -std::pow(2, 10 * t - 10) * std::sin((10 * t - 10.75) * 2 * kPiD / 3);
+                      : -std::pow(2, 10 * t - 10) *
+                            std::sin((t - 1 - swing.period / 4) * 2 * kPiD / swing.period);
     case Easing::EXPONENTIAL: return t <= 0 ? 0 : std::pow(2, 10 * t - 10);
     case Easing::CIRCULAR: return 1 - std::sqrt(1 - t * t);
   }
@@ -44,10 +52,10 @@ double easeIn(schema::Easing easing, double t) {
 double ease(schema::Easing easing, schema::EasingDirection direction, double t) {
   double y = t;
   switch (direction) {
-    case schema::EasingDirection::IN: y = easeIn(easing, t); break;
-    case schema::EasingDirection::OUT: y = 1 - easeIn(easing, 1 - t); break;
+    case schema::EasingDirection::IN: y = easeIn(easing, t, kWhole); break;
+    case schema::EasingDirection::OUT: y = 1 - easeIn(easing, 1 - t, kWhole); break;
     case schema::EasingDirection::IN_OUT:
-      y = t < 0.5 ? easeIn(easing, 2 * t) / 2 : 1 - easeIn(easing, 2 - 2 * t) / 2;
+      y = t < 0.5 ? easeIn(easing, 2 * t, kHalf) / 2 : 1 - easeIn(easing, 2 - 2 * t, kHalf) / 2;
       break;
   }
   return std::round(y * 1e7) / 1e7;

@@ -31,7 +31,8 @@ constexpr float kSpeedMargin = 1.5f;
 
 // Fastest sideways motion that parts can give a player, studs/s.
 float fastestSideways(const PartTables& tables, const Params& params) {
-  float fastest = 0;
+  float fastest = 0, walk = 1;
+  for (const Clock& c : tables.clocks) walk = maxf(walk, c.walkFactor);
   for (const Roles& r : tables.roles) {
     fastest = maxf(fastest, length(Vec3{r.padVelocity.x, 0, r.padVelocity.z}));
     fastest = maxf(fastest, length(Vec3{r.conveyorVelocity.x, 0, r.conveyorVelocity.z}));
@@ -42,16 +43,23 @@ float fastestSideways(const PartTables& tables, const Params& params) {
       fastest = maxf(fastest, length(Vec3{step.x, 0, step.z}) * float(params.controlRate));
     }
   }
-  return params.walkSpeed + minf(fastest, 500.0f);
+  return params.walkSpeed * walk + minf(fastest, 500.0f);
+}
+
+// Highest launch speed of a jump that parts can give a player, studs/s.
+float fastestJump(const PartTables& tables, const Params& params) {
+  float fastest = params.jumpSpeed;
+  for (const Clock& c : tables.clocks) fastest = maxf(fastest, jumpSpeedUnder(c, params));
+  return fastest;
 }
 
 // Covers what a player looks at during a tick, at any speed, so that one grid look-up serves a tick
 // (tickBounds in sim/candidates.h; tests/level/grid_test.cpp holds the two together).
-Reach reachOf(const Params& p, float sideways) {
+Reach reachOf(const Params& p, float sideways, float jump) {
   const float limbs = maxf((p.armSpan + p.bodyDepth) * 0.5f + p.touchMargin,
                            p.climbReach + p.bodyWidth * p.floorRaySpread);
   const float step = sideways * kSpeedMargin * p.tickSeconds + 1;
-  const float fall = (p.maxFallSpeed + p.jumpSpeed) * p.tickSeconds + 1;
+  const float fall = (p.maxFallSpeed + jump) * p.tickSeconds + 1;
   const float below =
       maxf(0.0f, p.floorReachBase * p.rootHeight + p.floorKeep * p.hipHeight - p.hipHeight);
   return {limbs + step, below + fall, p.bodyTop + fall};
@@ -90,6 +98,7 @@ uint32_t commonPeriod(const PartTables& t) {
     if (period > (1u << 20)) period = 0;
   };
   for (const Mover& m : t.movers) {
+    if (m.trigger != kNone) continue;
     if (m.once) return 0;
     include(m.keyCount);
     include(m.spinCount);
@@ -120,11 +129,18 @@ uint64_t digest(const LevelView& v, const PartTables& t) {
     add(r.damage), add(r.cooldownTicks), add(r.padKeepsSideways), add(r.padVelocity),
         add(r.conveyorVelocity);
     add(r.conveyorAngular), add(r.vanishDelay), add(r.vanishAway), add(r.vanishPhase);
+    add(r.vanishInverted), add(r.awayClock), add(r.awayFrom), add(r.starts), add(r.healClock);
+    add(r.teleportTo), add(r.teleportYaw), add(r.teleportTurns), add(r.teleportKeepsVelocity);
+    add(r.oneWay), add(r.seatClock);
+  }
+  for (const Clock& c : t.clocks) {
+    add(c.length), add(c.restarts), add(c.walkFactor), add(c.jumpFactor), add(c.jumpMore);
+    add(c.helpless), add(c.seat);
   }
   for (const Mover& m : t.movers) {
     h = hashBytes(m.keys, m.keyCount * sizeof(Pose), h);
     h = hashBytes(m.spins, m.spinCount * sizeof(Mat3), h);
-    add(m.pivot), add(m.once);
+    add(m.pivot), add(m.once), add(m.trigger);
   }
   for (const Loose& l : t.loose)
     add(l.position), add(l.rotation), add(l.center), add(l.inverseInertia), add(l.inverseMass);
@@ -150,7 +166,7 @@ Result<Level> Level::compile(schema::Level::Reader record) {
   const float sideways = fastestSideways(t, params);
   const std::span<const Bounds> fixed{t.bounds.data(), t.fixedColliders};
   const uint32_t filler = uint32_t(t.colliders.size());
-  impl->grid = buildGrid(fixed, filler, reachOf(params, sideways));
+  impl->grid = buildGrid(fixed, filler, reachOf(params, sideways, fastestJump(t, params)));
   if (!t.loose.empty()) impl->looseGrid = buildGrid(fixed, filler, looseReach(t, params));
   LevelView& v = impl->view;
   v.params = params;
@@ -159,6 +175,9 @@ Result<Level> Level::compile(schema::Level::Reader record) {
   v.roles = t.roles.data();
   v.movers = t.movers.data();
   v.loose = t.loose.data();
+  v.clocks = t.clocks.data();
+  v.clockCount = uint32_t(t.clocks.size());
+  v.crushClock = t.crushClock;
   v.colliderCount = uint32_t(t.colliders.size());
   v.moverCount = uint32_t(t.movers.size());
   v.looseCount = uint32_t(t.loose.size());

@@ -7,27 +7,35 @@
 #include "geom/region.h"
 #include "geom/shape.h"
 #include "level/params.h"
+#include "math/angle.h"
 
 namespace obby::level {
 
 constexpr uint32_t kNone = 0xffffffffu;
 
 // What a collider does to a player; a bit set.
-enum ColliderFlag : uint16_t {
+enum ColliderFlag : uint32_t {
   kSolid = 1,
   kKill = 2,
   kPad = 4,
   kConveyor = 8,
-  kVanishTouch = 16,
-  kVanishTimer = 32,
+  kClocked = 16,      // solid or not by a running clock
+  kVanishTimer = 32,  // solid or not by the level's clock
   kMoving = 64,
-  kCarries = 128,  // a moving part driven by physics: takes a standing player along
-  kUpright = 256,  // a block whose local Y is the world's Y: fewer axes to test
-  kBlock = 512,    // a block, or a truss: what has the form that lanes know
-  kTruss = 1024,   // can be climbed
+  kCarries = 128,     // a moving part driven by physics: takes a standing player along
+  kUpright = 256,     // a block whose local Y is the world's Y: fewer axes to test
+  kBlock = 512,       // a block, or a truss: what has the form that lanes know
+  kTruss = 1024,      // can be climbed
+  kStarts = 2048,     // touched, it starts clocks
+  kTriggered = 4096,  // a moving part that a clock moves
+  kTeleport = 8192,
+  kHeal = 16384,
+  kOneWay = 32768,  // solid from one side only
+  kCrush = 65536,   // kills whom it squeezes
+  kSeat = 131072,
+  kLoose = 262144,  // part of a loose body
 };
-constexpr uint16_t kLoose = 1u << 15;  // part of a loose body
-constexpr uint16_t kTouchRoles = kKill | kPad | kVanishTouch;
+constexpr uint32_t kTouchRoles = kKill | kPad | kStarts | kTeleport | kHeal | kSeat;
 
 // One convex shape. A part has one, or one for each of its hulls.
 // Pose and half extents are one cache line: the wide tick loads them as a row.
@@ -66,9 +74,32 @@ OBBY_DEVICE Bounds makeBounds(const Box& box, uint32_t flags, uint32_t index, bo
   return {box.lo, -box.hi, flags, tag};
 }
 
+// A clock that a touch starts. A part with a role may start the clock of its role's number; those
+// after them are shared by several parts: signals and boosts.
+struct Clock {
+  uint32_t length = 0;    // ticks, kForever
+  bool restarts = false;  // touched while it runs, it starts anew
+  // What it does to the player meanwhile.
+  float walkFactor = 1;   // x walkSpeed
+  float jumpFactor = 1;   // x jumpSpeed
+  float jumpMore = 0;     // studs/s on top
+  uint32_t helpless = 0;  // ticks from its start in which keys do nothing
+  uint32_t seat = kNone;  // collider on which the player sits while it is held at 0
+};
+constexpr uint32_t kForever = 0xffffffffu;
+
+// Launch speed of a jump while the clock runs, studs/s.
+OBBY_DEVICE float jumpSpeedUnder(const Clock& c, const Params& p) {
+  return maxf(p.jumpSpeed * c.jumpFactor + c.jumpMore, 0.0f);
+}
+OBBY_DEVICE bool changesWalk(const Clock& c) { return c.walkFactor != 1; }
+OBBY_DEVICE bool changesJump(const Clock& c) { return c.jumpFactor != 1 || c.jumpMore != 0; }
+
+constexpr int kMostStarts = 4;
+
 // Roles: one record for each part that has any, shared by its colliders.
 struct Roles {
-  float damage;            // kill: health per touch
+  float damage;            // kill: health per touch; negative: heals
   uint16_t cooldownTicks;  // kill
   bool padKeepsSideways;
   Vec3 padVelocity;       // studs/s
@@ -78,9 +109,21 @@ struct Roles {
   uint32_t vanishDelay;  // ticks; timer: solid ticks of each period
   uint32_t vanishAway;   // ticks
   uint32_t vanishPhase;  // ticks, timer only
+  bool vanishInverted;   // solid only while it would be away
+  // Away while this clock runs, from `awayFrom` ticks after its start.
+  uint32_t awayClock;
+  uint32_t awayFrom;
+  uint32_t starts[kMostStarts];  // clocks; kNone: none
+  uint32_t healClock;            // does not heal while it runs; kNone: heals at every touch
+  Vec3 teleportTo;               // of the feet
+  Turns teleportYaw;
+  bool teleportTurns, teleportKeepsVelocity;
+  Vec3 oneWay;  // unit, in the part's frame: the side from which it is solid
+  uint32_t seatClock;
 };
 
-// A moving part. Its pose at tick t is keys[wrap(t, keyCount)] turned by spins[t % spinCount] about
+// A moving part. Its pose at tick t, of the level's clock or of the clock that triggers it, is
+// keys[wrap(t, keyCount)] turned by spins[t % spinCount] about
 // the pivot. Tables hold whole repetitions, so that a period that is no whole number of ticks does
 // not drift (motion_tables.h).
 struct Mover {
@@ -88,8 +131,9 @@ struct Mover {
   const Mat3* spins;  // (spinCount), may be null
   uint32_t keyCount;
   uint32_t spinCount;
-  Vec3 pivot;  // studs from the part's centre, in the part's frame
-  bool once;   // stays at the last key instead of starting over
+  Vec3 pivot;                // studs from the part's centre, in the part's frame
+  bool once;                 // stays at the last key instead of starting over
+  uint32_t trigger = kNone;  // clock that moves it; it rests at tick 0 while that does not run
 };
 
 OBBY_DEVICE Pose moverPose(const Mover& m, uint32_t tick) {
@@ -137,8 +181,10 @@ struct LevelView {
                          // the last is met by nothing
   const Roles* roles;
   const Mover* movers;
+  const Clock* clocks;
   const Loose* loose;  // (looseCount)
-  uint32_t colliderCount, moverCount, looseCount;
+  uint32_t colliderCount, moverCount, clockCount, looseCount;
+  uint32_t crushClock;  // counts the ticks of being squeezed; kNone: no part kills so
   Grid grid;
   Grid looseGrid;  // the same over centres of loose bodies; empty where there are none
   float maxSideSpeed;  // studs/s; the grid lists reach as far as this carries a player in a tick

@@ -105,6 +105,7 @@ Status keyTable(const std::vector<Key>& keys, schema::Motion::Reader motion, con
     if (pingPong && time > length) time = period - time;
     out.keys.push_back(poseAt(keys, keys.front().time + time));
   }
+  out.period = out.once ? rows : uint32_t(std::lround(ticks));
   return {};
 }
 
@@ -124,6 +125,7 @@ Status spinTable(schema::Spin::Reader spin, double offset, const Params& params,
   const uint32_t rows = std::max(1u, rowsFor(ticks));
   const double turns = std::max(1.0, std::round(rows / ticks));
   const Vec3 n = normalize(axis);
+  if (out.period == 0) out.period = uint32_t(std::lround(ticks));
   for (uint32_t row = 0; row < rows; ++row) {
     const double angle = turns * turn * row / rows * (speed < 0 ? -1 : 1) + speed * offset;
     const auto r7 = [](double v) { return float(std::round(v * 1e7) / 1e7); };

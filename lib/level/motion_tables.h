@@ -22,6 +22,7 @@ struct MotionTables {
   std::vector<Mat3> spins;  // may be empty
   Vec3 pivot;
   bool once = false;
+  uint32_t period = 0;  // ticks of one repetition; all rows where it comes but once
 };
 
 // `rest` is the part's own pose. Errors have the path relative to the part ("motion.keys[2].time").

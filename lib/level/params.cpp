@@ -52,6 +52,7 @@ void derive(Params& p) {
   p.landedTicks = uint16_t(ticksFromSeconds(p, p.landedTime));
   p.coyoteTicks = uint16_t(ticksFromSeconds(p, p.coyoteTime));
   p.graceTicks = uint16_t(ticksFromSeconds(p, p.offFloorGrace));
+  p.squeezeTicks = uint16_t(maxf(1.0f, float(ticksFromSeconds(p, p.squeezeTime))));
   p.sleepTicks = uint16_t(ticksFromSeconds(p, p.sleepTime));
 }
 

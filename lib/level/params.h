@@ -22,6 +22,8 @@ namespace obby {
   X(float, floorReachBase) X(float, floorKeep) X(float, floorAcquire) X(float, fastFall) \
   X(float, landedTime) X(float, coyoteTime) X(float, offFloorGrace) X(float, iceFriction) \
   X(float, climbSpeed) X(float, climbReach) X(float, contactSkin) X(float, maxFallSpeed) \
+  X(float, oneWaySlack) X(float, squeezeDepth) X(float, squeezeTime) X(float, seatHeight) \
+  X(float, seatCooldown) \
   X(float, playerMass) X(float, pushForce) X(float, sleepSpeed) X(float, sleepTime)
 // clang-format on
 
@@ -37,6 +39,7 @@ struct Params {
   uint16_t landedTicks;  // times above, rounded to whole ticks
   uint16_t coyoteTicks;
   uint16_t graceTicks;
+  uint16_t squeezeTicks;  // at least 1
   uint16_t sleepTicks;
 };
 

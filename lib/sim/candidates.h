@@ -3,9 +3,8 @@
 // only.
 #pragma once
 
-#include "level/level_view.h"
 #include "sim/loose.h"
-#include "sim/world.h"
+#include "sim/one_way.h"
 
 namespace obby::sim {
 
@@ -16,7 +15,7 @@ struct Candidate {
   Box bounds;
   const Pose* pose;
   uint32_t collider;
-  uint16_t flags;
+  uint32_t flags;
 };
 
 struct Candidates {
@@ -32,7 +31,7 @@ struct Candidates {
   };
   int count = 0;
   int movingCount = 0;
-  uint16_t anyFlags = 0;
+  uint32_t anyFlags = 0;
 
   OBBY_DEVICE Candidates() {}
 };
@@ -64,17 +63,17 @@ OBBY_DEVICE BoxT<F> tickBounds(Vec3T<F> position, Vec3T<F> velocity, const Param
           position + Vec3T<F>{side, p.bodyTop + move, side}};
 }
 
-// Is a part with a vanishing role there at this tick?
-OBBY_DEVICE bool isAway(const World& w, const level::LevelView& level, uint32_t role,
-                        uint16_t flags) {
-  const level::Roles& r = level.roles[role];
-  if (flags & level::kVanishTimer) {
-    return (w.tick + r.vanishPhase) % (r.vanishDelay + r.vanishAway) >= r.vanishDelay;
+// Flags of parts that are not the same in every tick.
+constexpr uint32_t kChanging =
+    level::kMoving | level::kVanishTimer | level::kClocked | level::kOneWay;
+
+// Is a solid part not solid for this player now?
+OBBY_DEVICE bool lacksCollision(const World& w, const level::LevelView& level,
+                                const level::Collider& c, const Pose& pose, uint32_t flags) {
+  if ((flags & (level::kVanishTimer | level::kClocked)) && isAway(w, level, c.role, flags)) {
+    return true;
   }
-  for (int i = 0; i < w.vanishingCount; ++i) {
-    if (w.vanishing[i].role == role) return w.vanishing[i].ticks >= r.vanishDelay;
-  }
-  return false;
+  return (flags & level::kOneWay) && !isOutside(w, level, c, pose);
 }
 
 // Loose bodies near the player.
@@ -91,16 +90,17 @@ OBBY_DEVICE void gatherLoose(World& w, const LooseBody* loose, const level::Leve
         w.flags |= kCandidateOverrun;
         return;
       }
-      const uint16_t flags = uint16_t(level.bounds[id].flags);
+      const uint32_t flags = level.bounds[id].flags;
       out.items[out.count++] = {bounds, &out.loose[b], id, flags};
       out.anyFlags |= flags;
     }
   }
 }
 
+// `p`: with the player's boosts.
 OBBY_DEVICE void gather(World& w, const LooseBody* loose, const level::LevelView& level,
-                        Candidates& out) {
-  const Box near = tickBounds<float>(w.position, w.velocity, level.params);
+                        const Params& p, Candidates& out) {
+  const Box near = tickBounds<float>(w.position, w.velocity, p);
   if (level.looseCount != 0) gatherLoose(w, loose, level, near, out);
   const int32_t cell = cellOf<float>(level.grid, w.position);
   if (cell < 0) return;
@@ -110,13 +110,13 @@ OBBY_DEVICE void gather(World& w, const LooseBody* loose, const level::LevelView
     const uint32_t id = list[i];
     Box bounds = level.bounds[id].box();
     if (!overlaps(bounds, near)) continue;
-    uint16_t flags = uint16_t(level.bounds[id].flags);
+    uint32_t flags = level.bounds[id].flags;
     const level::Collider& c = level.colliders[id];
     const Pose* pose = &c.pose;
-    if (flags & (level::kMoving | level::kVanishTimer | level::kVanishTouch)) {
+    if (flags & kChanging) {
       if ((flags & level::kMoving) && out.movingCount < kMaxMovingCandidates) {
         // Parts move first, then the player: the pose at the end of the tick.
-        out.moving[out.movingCount] = moverPose(level.movers[c.mover], w.tick + 1);
+        out.moving[out.movingCount] = poseOf(level.movers[c.mover], w, 1);
         bounds = boundsOf(out.moving[out.movingCount], c.shape.half);
         if (!overlaps(bounds, near)) continue;
         pose = &out.moving[out.movingCount++];
@@ -124,10 +124,7 @@ OBBY_DEVICE void gather(World& w, const LooseBody* loose, const level::LevelView
         w.flags |= kCandidateOverrun;
         continue;
       }
-      if ((flags & (level::kVanishTimer | level::kVanishTouch)) &&
-          isAway(w, level, c.role, flags)) {
-        flags &= uint16_t(~level::kSolid);
-      }
+      if (lacksCollision(w, level, c, *pose, flags)) flags &= ~uint32_t(level::kSolid);
     }
     if (out.count == kMaxCandidates) {
       w.flags |= kCandidateOverrun;

@@ -131,11 +131,12 @@ OBBY_DEVICE void passTruss(Player& w, const Params& p, const Floor& floor, Truss
   if (floor.sensed) w.velocity.y = minf(w.velocity.y, floor.velocity.y);
 }
 
-// Enters and leaves the Climbing state; comes after updateState(). Gives what is climbed.
+// Enters and leaves the Climbing state; comes after updateState(). `p`: with the
+// player's boosts. Gives what is climbed.
 OBBY_DEVICE Truss updateClimbing(const World& w, const LooseBody* loose, Player& player,
-                                 const level::LevelView& level, const Candidates& near,
-                                 const Floor& floor, const ControlT<float>& control) {
-  const Params& p = level.params;
+                                 const level::LevelView& level, const Params& p,
+                                 const Candidates& near, const Floor& floor,
+                                 const ControlT<float>& control) {
   const bool climbs = player.is(State::climbing);
   const bool free = player.is(State::running) || player.is(State::freefall);
   Truss truss;
@@ -166,8 +167,8 @@ OBBY_DEVICE ControlT<float> facing(const Truss& truss, const ControlT<float>& co
 // the body is also pressed to the truss, which is what takes it over the top once the hips are
 // clear of it.
 OBBY_DEVICE void moveClimber(Motion& m, const Truss& truss, const ControlT<float>& control,
-                             const level::LevelView& level, const Candidates& near) {
-  const Params& p = level.params;
+                             const level::LevelView& level, const Params& p,
+                             const Candidates& near) {
   const float will = climbWill(truss, control), speed = climbSpeedOf(p);
   const float press = will > 0 ? minf(speed, p.walkSpeed) : 0.0f;
   const float most = p.maxFallSpeed, side = level.maxSideSpeed;

@@ -197,7 +197,7 @@ OBBY_DEVICE void surfaceMotion(const World& w, const LooseBody* loose,
   }
   if (c.flags & level::kCarries) {
     // From where the point under the player was a tick ago.
-    const Pose before = moverPose(level.movers[collider.mover], w.tick);
+    const Pose before = poseOf(level.movers[collider.mover], w, 0);
     const Vec3 local = toLocal(before, w.position);
     const float rate = float(level.params.controlRate);
     floor.velocity += (toWorld(*c.pose, local) - w.position) * rate;

@@ -162,7 +162,7 @@ struct Partner {
   geom::Convex convex;
   int body;  // kPart: a part
   const level::Collider* collider;
-  uint16_t flags;
+  uint32_t flags;
   Pose before;  // where a moving part was a tick ago
 };
 
@@ -230,6 +230,9 @@ OBBY_APART void meet(World& w, LooseBody* loose, const level::LevelView& level, 
   }
 }
 
+// Flags of parts that are not always solid. One-way parts always are to a body.
+constexpr uint32_t kLeaves = level::kVanishTimer | level::kClocked;
+
 OBBY_APART void meetParts(World& w, LooseBody* loose, const level::LevelView& level,
                            LooseScene& scene, int a) {
   Rigid& body = scene.bodies[a];
@@ -244,15 +247,13 @@ OBBY_APART void meetParts(World& w, LooseBody* loose, const level::LevelView& le
     const level::Bounds& bounds = level.bounds[list[i]];
     if (!(bounds.flags & level::kSolid) || !overlaps(bounds.box(), near)) continue;
     const level::Collider& c = level.colliders[list[i]];
-    const uint16_t flags = uint16_t(bounds.flags);
+    const uint32_t flags = bounds.flags;
     Partner part{convexOf(c, c.pose), kPart, &c, flags, c.pose};
-    if (flags & (level::kVanishTimer | level::kVanishTouch | level::kMoving | level::kConveyor))
-      body.restless = true;
-    if ((flags & (level::kVanishTimer | level::kVanishTouch)) && isAway(w, level, c.role, flags))
-      continue;
+    if (flags & (kLeaves | level::kMoving | level::kConveyor)) body.restless = true;
+    if ((flags & kLeaves) && isAway(w, level, c.role, flags)) continue;
     if (flags & level::kMoving) {
-      part.convex.pose = moverPose(level.movers[c.mover], w.tick + 1);
-      part.before = moverPose(level.movers[c.mover], w.tick);
+      part.convex.pose = poseOf(level.movers[c.mover], w, 1);
+      part.before = poseOf(level.movers[c.mover], w, 0);
       if (!overlaps(boundsOf(part.convex.pose, c.shape.half), near)) continue;
     }
     meet(w, loose, level, scene, a, part, margin);

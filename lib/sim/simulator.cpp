@@ -43,7 +43,7 @@ uint64_t stateHash(const World& world, std::span<const LooseBody> loose) {
 #define OBBY_HASH_FIELD(type, name) h = hashBytes(&world.name, sizeof world.name, h);
   OBBY_WORLD_FIELDS(OBBY_HASH_FIELD)
 #undef OBBY_HASH_FIELD
-  h = hashBytes(world.vanishing, world.vanishingCount * sizeof(Vanishing), h);
+  h = hashBytes(world.clocks, world.clockCount * sizeof(RunningClock), h);
   for (const LooseBody& body : loose) h = hashBytes(&body, sizeof body, h);
   return h;
 }

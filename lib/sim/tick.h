@@ -5,6 +5,7 @@
 
 #include "sim/climb.h"
 #include "sim/loose_player.h"
+#include "sim/squeeze.h"
 #include "sim/touch.h"
 
 namespace obby::sim {
@@ -18,7 +19,7 @@ OBBY_DEVICE F regenerated(F health, const Params& p) {
 
 // What comes of where the player is now.
 OBBY_DEVICE void endTick(World& w, const level::LevelView& level, const Candidates& near) {
-  runVanishing(w, level);
+  runClocks(w, level);
   touchParts(w, level, near);
   if (w.hurtTicks > 0) --w.hurtTicks;
   w.health = regenerated(w.health, level.params);
@@ -29,22 +30,17 @@ OBBY_DEVICE void endTick(World& w, const level::LevelView& level, const Candidat
   }
 }
 
-// Advances `w` and the loose bodies beside it (null where the level has none) by one tick. Nothing happens to a world whose playthrough has ended. Never
-// allocates; overruns set bits in w.flags.
-OBBY_DEVICE void tick(World& w, LooseBody* loose, const level::LevelView& level, Action action) {
-  if (w.outcome != Outcome::running) return;
-  const Params& p = level.params;
-  Candidates near;
-  gather(w, loose, level, near);
+// A tick of one who stands, walks, jumps, falls or climbs; `p`: with the player's boosts.
+OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level, const Params& p,
+                      Candidates& near, const ControlT<float>& control) {
   Player player = playerOf(w);
   const Floor floor = senseFloor(w, loose, player, level, near);
-  const ControlT<float> control = controlOf(action);
   updateState(player, p, floor, control);
-  const Truss truss = updateClimbing(w, loose, player, level, near, floor, control);
+  const Truss truss = updateClimbing(w, loose, player, level, p, near, floor, control);
   const bool climbs = player.is(State::climbing);
   turn(player, p, floor, climbs ? facing(truss, control) : control);
   Motion motion = motionOf(player, p, floor, drive(player, p, floor, control));
-  if (climbs) moveClimber(motion, truss, control, level, near);
+  if (climbs) moveClimber(motion, truss, control, level, p, near);
   if (wakeTouched(w, loose, floor, motion, level, near)) {
     moveTogether(w, loose, climbs ? nullptr : &motion, floor, level, near);
   } else if (!climbs) {
@@ -53,7 +49,40 @@ OBBY_DEVICE void tick(World& w, LooseBody* loose, const level::LevelView& level,
   player.position = motion.position;
   player.velocity = motion.velocity;
   putPlayer(w, player);
-  endTick(w, level, near);
+}
+
+// `p`: with the player's boosts.
+OBBY_DEVICE void tickWith(World& w, LooseBody* loose, const level::LevelView& level,
+                          const Params& p, ControlT<float> control) {
+  Candidates near;
+  gather(w, loose, level, p, near);
+  if (w.state == State::seated) {
+    sit(w, level, p, control.jump);
+    if (w.flags & kLooseAwake) moveTogether(w, loose, nullptr, {}, level, near);
+  } else {
+    move(w, loose, level, p, near, control);
+    squeeze(w, level, near);
+  }
+  if (w.outcome == Outcome::running) {
+    endTick(w, level, near);
+  } else {
+    w.tick += 1;
+  }
+}
+
+// Advances `w` and the loose bodies beside it (null where the level has none) by one tick. Nothing
+// happens to a world whose playthrough has ended. Never allocates; overruns set bits in w.flags.
+OBBY_DEVICE void tick(World& w, LooseBody* loose, const level::LevelView& level, Action action) {
+  if (w.outcome != Outcome::running) return;
+  ControlT<float> control = controlOf(action);
+  Params boosts;
+  const Params* p = &level.params;
+  if (w.clockCount != 0) {
+    boosts = boosted(w, level);
+    p = &boosts;
+    if (isHelpless(w, level)) control = {};
+  }
+  tickWith(w, loose, level, *p, control);
 }
 
 }  // namespace obby::sim

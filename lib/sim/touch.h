@@ -1,9 +1,9 @@
-// What happens on touch: limbs against kill parts, jump pads and parts that vanish. Limbs are a
-// still pose, arms at the sides: a box as wide as the arms at torso height, and one as wide as the
-// torso from the feet to the head.
+// What happens on touch: limbs against parts with a role. Limbs are a still pose, arms at the
+// sides: a box as wide as the arms at torso height, and one as wide as the torso from the feet to
+// the head.
 #pragma once
 
-#include "sim/body.h"
+#include "sim/seat.h"
 
 namespace obby::sim {
 
@@ -38,6 +38,21 @@ OBBY_DEVICE void touchKill(World& w, const level::LevelView& level, const level:
   w.part = c.part;
 }
 
+OBBY_DEVICE void touchHeal(World& w, const level::LevelView& level, const level::Roles& r) {
+  if (r.healClock != level::kNone) {
+    if (findClock(w, r.healClock) >= 0) return;
+    startClock(w, level, r.healClock);
+  }
+  w.health = minf(w.health - r.damage, maxf(w.health, level.params.maxHealth));
+}
+
+// The player is in the air from now on, without a jump left.
+OBBY_DEVICE void leaveFloor(World& w) {
+  w.state = State::freefall;
+  w.floorlessTicks = 0xffff;
+  w.flags &= uint8_t(~kFloorSensed);
+}
+
 OBBY_DEVICE void touchPad(World& w, const level::Roles& r) {
   const float speed = length(r.padVelocity);
   if (speed <= 0) return;
@@ -45,46 +60,58 @@ OBBY_DEVICE void touchPad(World& w, const level::Roles& r) {
   const float now = dot(w.velocity, along);
   if (now > 0.9f * speed) return;  // launched already
   w.velocity = r.padKeepsSideways ? w.velocity + along * (speed - now) : r.padVelocity;
-  w.state = State::freefall;
-  w.floorlessTicks = 0xffff;
-  w.flags &= uint8_t(~kFloorSensed);
+  leaveFloor(w);
 }
 
-OBBY_DEVICE void touchVanish(World& w, uint32_t role) {
-  for (int i = 0; i < w.vanishingCount; ++i) {
-    if (w.vanishing[i].role == role) return;
+OBBY_DEVICE void teleport(World& w, const level::Roles& r) {
+  w.position = r.teleportTo;
+  if (r.teleportTurns) w.yaw = r.teleportYaw;
+  if (!r.teleportKeepsVelocity) w.velocity = {};
+  leaveFloor(w);
+  w.flags |= kArrived;
+}
+
+// What came of touching one part, for those after it.
+enum class Touched : uint8_t { stays, inTeleporter, elsewhere };
+
+// A player who has arrived must be clear of all teleporters for a tick before one works again: no
+// pair of them can throw a player to and fro.
+OBBY_DEVICE Touched touchPart(World& w, const level::LevelView& level, const Candidate& c) {
+  const level::Collider& collider = level.colliders[c.collider];
+  const level::Roles& r = level.roles[collider.role];
+  if (c.flags & level::kPad) touchPad(w, r);
+  if (c.flags & level::kStarts) {
+    for (const uint32_t clock : r.starts) {
+      if (clock != level::kNone) startClock(w, level, clock);
+    }
   }
-  if (w.vanishingCount == kMaxVanishing) {
-    w.flags |= kVanishOverrun;
-    return;
+  if (c.flags & level::kHeal) touchHeal(w, level, r);
+  if (c.flags & level::kKill) touchKill(w, level, collider);
+  if (w.outcome != Outcome::running) return Touched::elsewhere;
+  if ((c.flags & level::kSeat) && sitDown(w, level, r.seatClock, *c.pose)) {
+    return Touched::elsewhere;
   }
-  w.vanishing[w.vanishingCount++] = {role, 0};
+  if (!(c.flags & level::kTeleport)) return Touched::stays;
+  if (w.flags & kArrived) return Touched::inTeleporter;
+  teleport(w, r);
+  return Touched::elsewhere;
 }
 
 OBBY_DEVICE void touchParts(World& w, const level::LevelView& level, const Candidates& near) {
-  if (!(near.anyFlags & level::kTouchRoles)) return;
-  const Limbs limbs = limbsOf(w, level.params);
-  for (int k = 0; k < near.count; ++k) {
-    const Candidate& c = near.items[k];
-    if (!(c.flags & level::kTouchRoles)) continue;
-    const level::Collider& collider = level.colliders[c.collider];
-    if (!touches(collider, c, limbs.column) && !touches(collider, c, limbs.arms)) continue;
-    if (c.flags & level::kPad) touchPad(w, level.roles[collider.role]);
-    if (c.flags & level::kVanishTouch) touchVanish(w, collider.role);
-    if (c.flags & level::kKill) touchKill(w, level, collider);
-    if (w.outcome != Outcome::running) return;
+  bool inTeleporter = false;
+  if (near.anyFlags & level::kTouchRoles) {
+    const Limbs limbs = limbsOf(w, level.params);
+    for (int k = 0; k < near.count; ++k) {
+      const Candidate& c = near.items[k];
+      if (!(c.flags & level::kTouchRoles)) continue;
+      const level::Collider& collider = level.colliders[c.collider];
+      if (!touches(collider, c, limbs.column) && !touches(collider, c, limbs.arms)) continue;
+      const Touched touched = touchPart(w, level, c);
+      if (touched == Touched::elsewhere) return;
+      inTeleporter |= touched == Touched::inTeleporter;
+    }
   }
-}
-
-// Lets the clocks of touched parts run; parts that are back are forgotten. Order is kept.
-OBBY_DEVICE void runVanishing(World& w, const level::LevelView& level) {
-  int kept = 0;
-  for (int i = 0; i < w.vanishingCount; ++i) {
-    const level::Roles& r = level.roles[w.vanishing[i].role];
-    const uint32_t ticks = w.vanishing[i].ticks + 1;
-    if (ticks < r.vanishDelay + r.vanishAway) w.vanishing[kept++] = {w.vanishing[i].role, ticks};
-  }
-  w.vanishingCount = uint8_t(kept);
+  if (!inTeleporter) w.flags &= uint8_t(~kArrived);
 }
 
 }  // namespace obby::sim

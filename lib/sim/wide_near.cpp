@@ -13,7 +13,8 @@ namespace stdx = std::experimental;
 using Eight = stdx::simd<float, stdx::simd_abi::deduce_t<float, 8>>;
 
 // Of a part that only tick() knows to handle.
-constexpr uint32_t kSingly = level::kVanishTimer | level::kVanishTouch | level::kTruss;
+constexpr uint32_t kSingly = level::kVanishTimer | level::kClocked | level::kTruss |
+                             level::kTriggered | level::kOneWay | level::kCrush;
 
 constexpr uint32_t kNoParts[1] = {0};  // an empty list
 
@@ -38,10 +39,10 @@ void WideNear::findReach(World* const* worlds, int count) {
     out.word[6] = out.word[7] = bitsOf(WideFloat(1e38f));
     out.word[8] = cellOf<WideFloat>(level_.grid, position);
     out.word[9] = world.word[kStateWord] & int32_t(0xff000000);
-    const WideMask climbs =
-        (world.word[kStateWord] & 0xff0000) == WideInt(int32_t(State::climbing) << 16);
-    const WideInt remembered = world.word[kFlagsWord] & (0xff00 | int32_t(kLooseAwake));
-    out.word[10] = remembered | select(climbs, WideInt(1), WideInt(0));
+    const WideMask holds =
+        (world.word[kStateWord] & 0xff0000) >= WideInt(int32_t(State::climbing) << 16);
+    constexpr int32_t kRemembered = 0xff00 | kArrived | kLooseAwake;
+    out.word[10] = (world.word[kFlagsWord] & kRemembered) | select(holds, WideInt(1), WideInt(0));
     out.word[11] = world.word[kTickWord];
     storeRows(out, looks);
   }

@@ -58,7 +58,8 @@ class WideNear {
     float reach[8];  // corners as level::Bounds has them, and two numbers that are never exceeded
     int32_t cell;    // of the grid; -1: none
     int32_t outcome;
-    int32_t single;  // not 0: it climbs, parts that it touched vanish, or a loose body is awake
+    int32_t single;  // not 0: it climbs or sits, a clock runs, it has just been teleported, or a
+                     // loose body is awake
     uint32_t tick;
     int32_t unused[4];
 

@@ -165,7 +165,7 @@ void Ticker::addSurface(WideInt nearest, int most, const int32_t* index, FloorT<
     const uint32_t tag = near_.tags(index[lane])[part[lane]], id = near_.colliderOf(tag);
     Floor one;
     surfaceMotion(*worlds_[index[lane]], nullptr, level_,
-                  {{}, &near_.poseOf(tag), id, uint16_t(level_.bounds[id].flags)}, one);
+                  {{}, &near_.poseOf(tag), id, level_.bounds[id].flags}, one);
     const float found[5] = {level_.colliders[id].friction, one.velocity.x, one.velocity.y,
                             one.velocity.z, one.turning};
     for (int v = 0; v < 5; ++v) values[v][lane] = found[v];
@@ -318,9 +318,9 @@ void Ticker::touch(int index) {
     const uint32_t tag = near_.tags(index)[k], id = near_.colliderOf(tag);
     const Pose& pose = near_.poseOf(tag);
     const Box bounds = boundsOf(pose, level_.colliders[id].shape.half);
-    near.items[near.count++] = {bounds, &pose, id, uint16_t(level_.bounds[id].flags)};
+    near.items[near.count++] = {bounds, &pose, id, level_.bounds[id].flags};
   }
-  near.anyFlags = uint16_t(near_.anyFlags(index));
+  near.anyFlags = near_.anyFlags(index);
   endTick(*worlds_[index], level_, near);
 }
 

@@ -9,7 +9,7 @@
 namespace obby::sim {
 
 // Humanoid states that an obby needs (docs/physics.md, states).
-enum class State : uint8_t { running, jumping, freefall, landed, dead, climbing };
+enum class State : uint8_t { running, jumping, freefall, landed, dead, climbing, seated };
 
 // How a playthrough ended. The order of schema Outcome.
 enum class Outcome : uint8_t { running, goal, killed, fell, avoided, jumps, timeout };
@@ -19,22 +19,22 @@ enum class Outcome : uint8_t { running, goal, killed, fell, avoided, jumps, time
 enum Flag : uint8_t {
   kFloorSensed = 1,  // a floor was within reach in the last tick (hysteresis of the floor rays)
   kCandidateOverrun =
-      2,  // more parts near the player than a world can look at: raise kMaxCandidates
-  kVanishOverrun =
-      4,  // more parts vanishing at once than a world can remember: raise kMaxVanishing
-  kLooseAwake = 8,       // a loose body is awake
-  kContactOverrun = 16,  // more contacts of loose bodies than a tick can hold: raise
+      2,              // more parts near the player than a world can look at: raise kMaxCandidates
+  kClockOverrun = 4,  // more clocks running at once than a world can remember: raise kMaxClocks
+  kArrived = 8,       // was teleported, and has touched a teleporter in every tick since
+  kLooseAwake = 16,      // a loose body is awake
+  kContactOverrun = 32,  // more contacts of loose bodies than a tick can hold: raise
                          // kMaxLooseContacts
 };
 
-constexpr uint8_t kOverruns = kCandidateOverrun | kVanishOverrun | kContactOverrun;
+constexpr uint8_t kOverruns = kCandidateOverrun | kClockOverrun | kContactOverrun;
 
-constexpr int kMaxVanishing = 8;
+constexpr int kMaxClocks = 8;
 
-// A part that was touched and is about to vanish, is away, or will be back.
-struct Vanishing {
-  uint32_t role;   // index into LevelView::roles; level::kNone: free
-  uint32_t ticks;  // since the touch
+// A clock that a touch has started (level::Clock).
+struct RunningClock {
+  uint32_t clock;  // index into LevelView::clocks
+  uint32_t ticks;  // since its start
 };
 
 // X(type, name)
@@ -53,14 +53,14 @@ struct Vanishing {
   X(State, state)                                                             \
   X(Outcome, outcome)                                                         \
   X(uint8_t, flags)                                                           \
-  X(uint8_t, vanishingCount)
+  X(uint8_t, clockCount)
 
 // What every tick reads and writes is the first cache line: the wide tick loads it as a row.
 struct alignas(64) World {
 #define OBBY_WORLD_FIELD(type, name) type name;
   OBBY_WORLD_FIELDS(OBBY_WORLD_FIELD)
 #undef OBBY_WORLD_FIELD
-  Vanishing vanishing[kMaxVanishing];  // the first vanishingCount are in use
+  RunningClock clocks[kMaxClocks];  // the first clockCount run, the last started last
 };
 
 // What the player holds during one tick.

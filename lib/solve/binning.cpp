@@ -40,8 +40,8 @@ Binning makeBinning(const Problem& problem, float width, const ClockMap& clock) 
   b.jumps = limitsJumps(problem.query);
   b.waypoints = problem.query.waypointCount > 0;
   b.looseCount = problem.level.looseCount;
-  b.vanishing = anyCollider(problem.level, [&](uint32_t i) {
-    return (problem.level.bounds[i].flags & level::kVanishTouch) != 0;
+  b.clocks = anyCollider(problem.level, [&](uint32_t i) {
+    return (problem.level.bounds[i].flags & (level::kStarts | level::kSeat)) != 0;
   });
   return b;
 }

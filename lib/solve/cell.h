@@ -19,9 +19,12 @@ struct Binning {
   float inverseHealth = 0.01f;  // 1 / full health
   bool jumps = false;           // the query limits jumps
   bool waypoints = false;       // the query has waypoints
+  bool clocks = false;          // parts start clocks when touched
   bool vanishing = false;       // parts vanish when touched
   uint32_t looseCount = 0;      // loose bodies: where each of them is
 };
+
+constexpr uint32_t kMostRunningBins = 16;  // after that a clock that goes on tells no more
 
 OBBY_DEVICE int32_t floorToInt(float v) {
   const int32_t i = int32_t(v);
@@ -43,6 +46,19 @@ OBBY_DEVICE uint32_t clockBinOf(const Binning& b, const sim::World& w) {
   if (period == 0) return 1 + w.tick / b.clockBin;
   const uint32_t eighth = (period + 7) / 8;
   return 1 + (w.tick % period) / (eighth < b.clockBin ? eighth : b.clockBin);
+}
+
+// Which clocks run of those that open or close ways, and about for how long; 0: none of them.
+OBBY_DEVICE uint64_t runningKey(const Binning& b, const sim::World& w) {
+  uint64_t key = 0;
+  for (int i = 0; i < w.clockCount; ++i) {
+    const sim::RunningClock& c = w.clocks[i];
+    const uint32_t bin = b.clock.bins[c.clock];
+    if (bin == 0) continue;
+    const uint32_t at = c.ticks / bin;
+    key += mixBits(uint64_t(c.clock) << 8 | (at < kMostRunningBins ? at : kMostRunningBins));
+  }
+  return key;
 }
 
 // Where the loose bodies are, in cells as wide as the player's.
@@ -69,12 +85,13 @@ OBBY_DEVICE uint64_t cellKey(const Binning& b, const sim::World& w,
   if (b.clockBin != 0) rest = clockBinOf(b, w) & 0xffffffu;
   if (b.jumps) rest |= uint64_t(w.jumps) << 24;
   if (b.waypoints) rest |= uint64_t(w.waypoints) << 40;
-  if (b.vanishing) rest |= uint64_t(w.vanishingCount) << 48;
+  if (b.clocks) rest |= uint64_t(w.clockCount) << 48;
   if (b.healthBins != 0) {
     rest |= uint64_t(w.health * b.inverseHealth * float(b.healthBins)) << 56;
   }
   if (b.looseCount != 0) rest ^= looseKey(b, loose);
-  const uint64_t key = mixBits((x | z << 24 | y << 48) + 0x9e3779b97f4a7c15ull * mixBits(rest + 1));
+  uint64_t key = mixBits((x | z << 24 | y << 48) + 0x9e3779b97f4a7c15ull * mixBits(rest + 1));
+  if (b.clocks && w.clockCount != 0) key += runningKey(b, w);
   return key != 0 ? key : 1;
 }
 

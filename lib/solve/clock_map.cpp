@@ -17,7 +17,8 @@ uint32_t periodOf(const level::LevelView& level, uint32_t collider) {
   uint32_t period = kNoClock;
   if (c.mover != level::kNone) {
     const level::Mover& m = level.movers[c.mover];
-    period = m.once ? 0 : jointPeriod(m.keyCount, std::max(m.spinCount, 1u));
+    if (m.trigger == level::kNone)
+      period = m.once ? 0 : jointPeriod(m.keyCount, std::max(m.spinCount, 1u));
   }
   if (level.bounds[collider].flags & level::kVanishTimer) {
     const level::Roles& r = level.roles[c.role];
@@ -25,6 +26,10 @@ uint32_t periodOf(const level::LevelView& level, uint32_t collider) {
   }
   return period;
 }
+
+// Ticks a bin of a running clock: an eighth of its length, half a second at least.
+constexpr uint32_t kLeastBin = 30;
+uint32_t binOf(uint32_t length) { return std::max(kLeastBin, length / 8); }
 
 int32_t cellsAlong(float length, float cell) { return int32_t(std::min(length / cell, 1e5f)) + 1; }
 
@@ -43,6 +48,7 @@ uint32_t jointPeriod(uint32_t a, uint32_t b) {
 }
 
 ClockMap::ClockMap(const level::LevelView& level, float reach) {
+  findBins(level);
   std::vector<Clocked> parts;
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     const uint32_t period = periodOf(level, i);
@@ -87,6 +93,28 @@ void ClockMap::mark(const Clocked& part) {
   }
 }
 
-ClockView ClockMap::view() const { return {periods_.data(), origin_, 1 / cell_, nx_, ny_, nz_}; }
+// Signals, boosts and motions that touches start decide where a player can go. Parts that vanish or
+// fall by themselves are many, and only counted (cell.h).
+void ClockMap::findBins(const level::LevelView& level) {
+  bins_.assign(level.clockCount, 0);
+  const auto count = [&](uint32_t clock) {
+    const uint32_t length = level.clocks[clock].length;
+    if (length > 1) bins_[clock] = length == level::kForever ? kLeastBin : binOf(length);
+  };
+  for (uint32_t i = 0; i < level.colliderCount; ++i) {
+    const level::Collider& c = level.colliders[i];
+    if ((level.bounds[i].flags & (level::kStarts | level::kTriggered)) == 0) continue;
+    const level::Roles& r = level.roles[c.role];
+    for (const uint32_t clock : r.starts) {
+      if (clock != level::kNone && clock != c.role) count(clock);
+    }
+    if (c.mover == level::kNone || level.movers[c.mover].trigger == level::kNone) continue;
+    if (level.movers[c.mover].trigger != r.awayClock) count(level.movers[c.mover].trigger);
+  }
+}
+
+ClockView ClockMap::view() const {
+  return {periods_.data(), origin_, 1 / cell_, nx_, ny_, nz_, bins_.data()};
+}
 
 }  // namespace obby::solve

@@ -1,5 +1,6 @@
-// Where the level's clock matters: near moving and timed parts, and there only modulo the time
-// after which they are all back where they were. Elsewhere a state is as good at any time.
+// Where the level's clock matters, and which of the clocks that touches start: near moving and
+// timed parts, and there only modulo the time after which they are all back where they were.
+// Elsewhere a state is as good at any time.
 #pragma once
 
 #include <stddef.h>
@@ -19,6 +20,9 @@ struct ClockView {
   Vec3 origin;
   float inverseCell = 1;
   int32_t nx = 0, ny = 0, nz = 0;
+  // (LevelView::clockCount), ticks a bin of each clock that touches start; 0: it does not tell
+  // states apart.
+  const uint32_t* bins = nullptr;
 };
 
 // Outside the map the clock does not matter.
@@ -46,8 +50,10 @@ class ClockMap {
   };
   void layOut(const std::vector<Clocked>& parts);
   void mark(const Clocked& part);
+  void findBins(const level::LevelView& level);
 
   std::vector<uint32_t> periods_;
+  std::vector<uint32_t> bins_;
   Vec3 origin_;
   float cell_ = 8;
   int32_t nx_ = 0, ny_ = 0, nz_ = 0;

@@ -38,9 +38,14 @@ struct ExploreContext {
   bool jumpsLimited;
 };
 
-// Standing on something or hanging on a truss, free to jump soon.
+// The same for a player as boosts have it now.
+OBBY_DEVICE JumpReach reachIn(const ExploreContext& c, const sim::World& w) {
+  return w.clockCount == 0 ? c.reach : jumpReach(sim::boosted(w, c.level));
+}
+
+// Standing on something, hanging on a truss or sitting, free to jump soon.
 OBBY_DEVICE bool grounded(const sim::World& w) {
-  if (w.state == sim::State::climbing) return true;
+  if (w.state == sim::State::climbing || w.state == sim::State::seated) return true;
   return w.floorlessTicks == 0 && w.state != sim::State::jumping &&
          w.state != sim::State::freefall && w.state != sim::State::dead;
 }

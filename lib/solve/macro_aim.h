@@ -24,18 +24,18 @@ constexpr int kHeadingSlack = 512;   // turns / 65536: 2.8 degrees
 OBBY_DEVICE float within(Random& random, float most) { return most * (2 * random.unit() - 1); }
 
 // Draws when to jump, and some error of aim. `rise`: studs from the feet up to the target.
-OBBY_DEVICE void drawAimDetails(const ExploreContext& c, Random& random, float rise, AimMacro& m) {
+OBBY_DEVICE void drawAimDetails(const JumpReach& reach, Random& random, float rise, AimMacro& m) {
   m.error = {within(random, 0.7f), 0, within(random, 0.7f)};
   const float u = random.unit();
   m.jumpAtEdge = u < 0.6f;
   m.jumpDistance = -1;
   if ((u >= 0.3f && u < 0.9f) || (rise > 1.5f && u >= 0.3f)) {
-    m.jumpDistance = 1 + random.unit() * c.reach.distance;
+    m.jumpDistance = 1 + random.unit() * reach.distance;
   }
   m.jumped = false;
   m.action = {};
   m.distance = 1e9f;
-  m.ticks = (uint32_t(c.reach.airTicks) / kSteerEvery + 2 + random.below(12)) * kSteerEvery;
+  m.ticks = (uint32_t(reach.airTicks) / kSteerEvery + 2 + random.below(12)) * kSteerEvery;
 }
 
 // A point inside the next region, at its foot.
@@ -48,23 +48,24 @@ OBBY_DEVICE Vec3 pointInRegion(const geom::Region& region, Random& random) {
 // False: nothing near to aim at.
 OBBY_DEVICE bool drawAimMacro(const ExploreContext& c, const sim::World& w, Random& random,
                               AimMacro& m) {
-  const float radius = 1.4f * c.reach.distance;
+  const JumpReach reach = reachIn(c, w);
+  const float radius = 1.4f * reach.distance;
   const geom::Region& region = targetRegion(c.query, w.waypoints);
   const bool regionNear = geom::distance(region, w.position) < 2 * radius;
   if (regionNear && random.unit() < c.settings.regionShare) {
     m.target = {pointInRegion(region, random), level::kNone};
-    drawAimDetails(c, random, m.target.position.y - w.position.y, m);
+    drawAimDetails(reach, random, m.target.position.y - w.position.y, m);
     return true;
   }
-  const float highest = c.reach.height + 0.5f, deepest = 30;
+  const float highest = reach.height + 0.5f, deepest = 30;
   for (int attempt = 0; attempt < 4; ++attempt) {
     const uint32_t i = pickPoint(c.surfaces, w.position, radius, deepest, highest, random);
     if (i == level::kNone) return false;
     m.target = c.surfaces.points[i];
-    const Vec3 to = positionAt(c.level, m.target, w.tick) - w.position;
+    const Vec3 to = positionIn(c.level, m.target, w) - w.position;
     const float flat2 = to.x * to.x + to.z * to.z;
     if (to.y > highest || to.y < -deepest || flat2 > radius * radius || flat2 < 1) continue;
-    drawAimDetails(c, random, to.y, m);
+    drawAimDetails(reach, random, to.y, m);
     return true;
   }
   return false;
@@ -73,7 +74,7 @@ OBBY_DEVICE bool drawAimMacro(const ExploreContext& c, const sim::World& w, Rand
 // Turns toward the target, and stops walking where the speed will carry the player the rest of the
 // way.
 OBBY_DEVICE void steer(const ExploreContext& c, const sim::World& w, bool onGround, AimMacro& m) {
-  const Vec3 to = positionAt(c.level, m.target, w.tick) + m.error - w.position;
+  const Vec3 to = positionIn(c.level, m.target, w) + m.error - w.position;
   const float speed2 = w.velocity.x * w.velocity.x + w.velocity.z * w.velocity.z;
   m.distance = sqrtf32(to.x * to.x + to.z * to.z);
   const Turns wanted = headingOf(to.x, to.z);

@@ -79,10 +79,10 @@ std::string overrunText(uint8_t overruns) {
         fmt::format("; some attempts met more than {} parts at once ({} moving), the rest ignored",
                     sim::kMaxCandidates, sim::kMaxMovingCandidates);
   }
-  if (overruns & sim::kVanishOverrun) {
+  if (overruns & sim::kClockOverrun) {
     text += fmt::format(
-        "; some attempts had more than {} touched parts vanish at once, the rest stayed",
-        sim::kMaxVanishing);
+        "; some attempts had more than {} touched parts at work at once, the rest did nothing",
+        sim::kMaxClocks);
   }
   return text;
 }

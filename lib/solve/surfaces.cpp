@@ -12,6 +12,7 @@ namespace {
 constexpr float kSpacing = 3;       // studs between the points of one part
 constexpr int kMaxPerSide = 48;     // points a part and axis; larger parts get a wider spacing
 constexpr float kClimbSpacing = 6;  // studs between the points along a truss: below a jump's height
+constexpr float kWaist = 2.5f;      // studs above the feet
 constexpr size_t kMaxCells = 1u << 20;
 constexpr size_t kMaxEntriesPerPoint = 256;  // of moving points: a longer way is thinned out
 
@@ -35,12 +36,19 @@ bool standingPoint(const level::Collider& c, const Pose& pose, Vec3 top, float d
   return true;
 }
 
+// Without collision, but worth going to.
+bool isTouchTarget(uint32_t flags) {
+  return (flags & (level::kStarts | level::kTeleport | level::kSeat)) != 0 &&
+         (flags & (level::kSolid | level::kKill)) == 0;
+}
+
 }  // namespace
 
 Surfaces::Surfaces(const level::LevelView& level) {
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     if ((level.bounds[i].flags & level::kSolid) && !(level.bounds[i].flags & level::kKill))
       samplePart(level, i);
+    if (isTouchTarget(level.bounds[i].flags)) addTouchTarget(level, i);
   }
   buildGrid();
 }
@@ -65,6 +73,14 @@ void Surfaces::samplePart(const level::LevelView& level, uint32_t collider) {
   for (float y = box.lo.y; y < box.hi.y; y += kClimbSpacing) {
     addPoint(level, collider, pose, {pose.position.x, y, pose.position.z});
   }
+}
+
+void Surfaces::addTouchTarget(const level::LevelView& level, uint32_t collider) {
+  const level::Collider& c = level.colliders[collider];
+  const Pose pose = poseAtStart(level, c);
+  const Box box = boundsOf(pose, c.shape.half);
+  const Vec3 center = pose.position;
+  addPoint(level, collider, pose, {center.x, std::max(box.lo.y, center.y - kWaist), center.z});
 }
 
 void Surfaces::addPoint(const level::LevelView& level, uint32_t collider, const Pose& pose,

@@ -1,13 +1,14 @@
 // Where a player could stand: points on the upward faces of the level's solid parts, found by
 // casting rays down on a grid over each part, points inside trusses, which can be hung on at any
-// height, and a uniform grid over them to look up near ones.
+// height, parts without collision that do something when touched, and a uniform grid over them to
+// look up near ones.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "base/random.h"
-#include "level/level_view.h"
+#include "sim/clocks.h"
 
 namespace obby::solve {
 
@@ -16,10 +17,11 @@ struct SurfacePoint {
   uint32_t mover;  // index into LevelView::movers, or level::kNone
 };
 
-// Where the point is at `tick`.
-OBBY_DEVICE Vec3 positionAt(const level::LevelView& level, const SurfacePoint& p, uint32_t tick) {
+// Where the point is in a world.
+OBBY_DEVICE Vec3 positionIn(const level::LevelView& level, const SurfacePoint& p,
+                            const sim::World& w) {
   return p.mover == level::kNone ? p.position
-                                 : toWorld(moverPose(level.movers[p.mover], tick), p.position);
+                                 : toWorld(poseOf(level.movers[p.mover], w, 0), p.position);
 }
 
 // Plain spans, for device code. Cells are in order of layer (Y), row (Z), column (X), so that the
@@ -42,6 +44,7 @@ class Surfaces {
 
  private:
   void samplePart(const level::LevelView& level, uint32_t collider);
+  void addTouchTarget(const level::LevelView& level, uint32_t collider);
   void addPoint(const level::LevelView& level, uint32_t collider, const Pose& pose, Vec3 point);
   void buildGrid();
 

@@ -75,10 +75,12 @@ void writeRules(JsonText& json, schema::Level::Reader level) {
   json.key("vanish").open('[');
   for (uint32_t i = 0; i < level.getParts().size(); ++i) {
     const auto part = level.getParts()[i];
-    if (!part.hasVanish()) continue;
+    if (!part.hasVanish() && !part.hasFall()) continue;
     const auto rule = part.getVanish();
-    json.open('{').field("part", i);
-    json.field("trigger", rule.getTrigger() == schema::VanishTrigger::TIMER ? "timer" : "touch");
+    const bool timer =
+        part.hasVanish() && rule.getTrigger() == schema::VanishTrigger::TIMER && !part.hasFall();
+    json.open('{').field("part", i).field("trigger", timer ? "timer" : "touch");
+    if (rule.getInverted()) json.field("inverted", 1);
     json.field("delay", rule.getDelay()).field("away", rule.getAway());
     json.field("phase", rule.getPhase()).close();
   }
@@ -99,6 +101,7 @@ void writeTracks(JsonText& json, const std::vector<Track>& tracks) {
     if (track.positions.empty() && track.rotations.empty()) continue;
     json.open('{').field("part", track.part).field("stride", track.stride);
     json.field("count", track.count).field("loopFrom", track.loopFrom);
+    if (track.triggered) json.field("triggered", 1);
     if (!track.positions.empty()) json.key("position").array(track.positions);
     if (!track.rotations.empty()) json.key("rotation").array(track.rotations);
     json.close();

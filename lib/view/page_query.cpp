@@ -136,6 +136,10 @@ void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
   for (const PartEvent& event : play.events) {
     json.open('[').value(event.tick).value(event.part).value(event.solid ? 1 : 0).close();
   }
+  json.close().key("motions").open('[');
+  for (const MotionEvent& event : play.motions) {
+    json.open('[').value(event.tick).value(event.part).value(event.start).close();
+  }
   json.close().close();
 }
 

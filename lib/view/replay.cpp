@@ -3,55 +3,56 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "sim/clocks.h"
 #include "sim/simulator.h"
 
 namespace obby::view {
 namespace {
 
-// Parts behind the role table, where touch makes them vanish.
-std::vector<uint32_t> vanishingParts(const level::LevelView& view) {
-  std::vector<uint32_t> parts;
+// Colliders with one of the flags, one a part: hulls of one part share its role and mover.
+std::vector<uint32_t> collidersWith(const level::LevelView& view, uint32_t flags) {
+  std::vector<uint32_t> found;
   for (uint32_t i = 0; i < view.colliderCount; ++i) {
-    if ((view.bounds[i].flags & level::kVanishTouch) == 0) continue;
-    const level::Collider& collider = view.colliders[i];
-    if (collider.role >= parts.size()) parts.resize(collider.role + 1, level::kNone);
-    parts[collider.role] = collider.part;
-  }
-  return parts;
-}
-
-std::vector<uint32_t> awayParts(const sim::World& world, const level::LevelView& view,
-                                const std::vector<uint32_t>& partOfRole) {
-  std::vector<uint32_t> away;
-  for (int i = 0; i < world.vanishingCount; ++i) {
-    const sim::Vanishing& v = world.vanishing[i];
-    if (v.role < partOfRole.size() && v.ticks >= view.roles[v.role].vanishDelay) {
-      away.push_back(partOfRole[v.role]);
+    if ((view.bounds[i].flags & flags) == 0) continue;
+    if (found.empty() || view.colliders[found.back()].part != view.colliders[i].part) {
+      found.push_back(i);
     }
   }
-  std::sort(away.begin(), away.end());
-  return away;
+  return found;
 }
 
+// When parts lose and get back their collision by a running clock.
 std::vector<PartEvent> eventsOf(const std::vector<sim::World>& worlds,
                                 const level::LevelView& view) {
   std::vector<PartEvent> events;
-  const std::vector<uint32_t> partOfRole = vanishingParts(view);
-  if (partOfRole.empty()) return events;
-  std::vector<uint32_t> before;
-  for (uint32_t tick = 0; tick < worlds.size(); ++tick) {
-    std::vector<uint32_t> now = awayParts(worlds[tick], view, partOfRole);
-    for (const uint32_t part : now) {
-      if (!std::binary_search(before.begin(), before.end(), part)) {
-        events.push_back({tick, part, false});
-      }
+  const std::vector<uint32_t> parts = collidersWith(view, level::kClocked);
+  std::vector<bool> away(parts.size(), false);
+  for (uint32_t tick = 0; tick < worlds.size() && !parts.empty(); ++tick) {
+    for (size_t i = 0; i < parts.size(); ++i) {
+      const level::Collider& c = view.colliders[parts[i]];
+      const bool now = sim::isAway(worlds[tick], view, c.role, level::kClocked);
+      if (now != away[i]) events.push_back({tick, c.part, !now});
+      away[i] = now;
     }
-    for (const uint32_t part : before) {
-      if (!std::binary_search(now.begin(), now.end(), part)) events.push_back({tick, part, true});
+  }
+  return events;
+}
+
+// When triggered parts start to move, start anew, and rest.
+std::vector<MotionEvent> motionsOf(const std::vector<sim::World>& worlds,
+                                   const level::LevelView& view) {
+  std::vector<MotionEvent> events;
+  const std::vector<uint32_t> parts = collidersWith(view, level::kTriggered);
+  std::vector<int64_t> start(parts.size(), kRests);
+  for (uint32_t tick = 0; tick < worlds.size() && !parts.empty(); ++tick) {
+    for (size_t i = 0; i < parts.size(); ++i) {
+      const level::Collider& c = view.colliders[parts[i]];
+      const sim::World& w = worlds[tick];
+      const int clock = sim::findClock(w, view.movers[c.mover].trigger);
+      const int64_t now = clock < 0 ? kRests : int64_t(tick) - w.clocks[clock].ticks;
+      if (now != start[i]) events.push_back({tick, c.part, now});
+      start[i] = now;
     }
-    before = std::move(now);
   }
   return events;
 }
@@ -106,6 +107,7 @@ Result<Playback> playBack(const level::Level& level, const level::Query* query,
   const sim::World& last = worlds.back();
   const uint64_t hash = sim::stateHash(last, replay.looseAt(worlds.size() - 1));
   out.events = eventsOf(worlds, level.view());
+  out.motions = motionsOf(worlds, level.view());
   out.outcome = schema::Outcome(uint16_t(last.outcome));
   out.part = last.part == level::kNone ? -1 : int32_t(last.part);
   out.mismatch = compare(out, hash, record, query != nullptr);

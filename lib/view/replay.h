@@ -19,6 +19,14 @@ struct PartEvent {
   bool solid;
 };
 
+// A triggered part starts to move, starts anew, or rests again.
+struct MotionEvent {
+  uint32_t tick;  // since the start of the playthrough
+  uint32_t part;
+  int64_t start;  // tick at which its motion is at its beginning, or kRests
+};
+constexpr int64_t kRests = -1;
+
 // Bits of Playback::state.
 constexpr uint8_t kAirborne = 1;
 constexpr uint8_t kDead = 2;
@@ -29,6 +37,7 @@ struct Playback {
   std::vector<uint16_t> yaw;
   std::vector<uint8_t> state;
   std::vector<PartEvent> events;
+  std::vector<MotionEvent> motions;
   std::vector<uint32_t> jumpTicks;  // at which a jump was made
   schema::Outcome outcome = schema::Outcome::RUNNING;
   int32_t part = -1;  // that killed the player

@@ -48,6 +48,7 @@ bool sameRotation(const Mat3& a, const Mat3& b) { return a.x == b.x && a.y == b.
 Track trackOf(const level::Mover& mover, uint32_t part, uint32_t ticks, uint32_t stride) {
   Track track;
   track.part = part;
+  track.triggered = mover.trigger != level::kNone;
   setExtent(track, mover, ticks, stride);
   const Pose first = level::moverPose(mover, 0);
   bool moves = false, turns = false;

@@ -11,6 +11,7 @@ namespace obby::view {
 // Samples of one part for ticks 0, stride, 2 stride, ...
 struct Track {
   uint32_t part = 0;
+  bool triggered = false;  // ticks count from its start; a playthrough's motions say when that is
   uint32_t stride = 1;
   uint32_t count = 0;
   int32_t loopFrom = -1;           // sample that follows the last one; -1: the last one stays

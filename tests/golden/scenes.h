@@ -1,6 +1,8 @@
 // The scenes whose state hashes are committed: between them they use every shape and behaviour.
 #pragma once
 
+#include <string>
+
 #include "support/level_builder.h"
 
 namespace obby::golden {
@@ -240,6 +242,75 @@ inline LevelBuilder trusses() {
       key(keys[1], 3, at + Vec3{3, 2, -2});
     });
   }
+  return b;
+}
+
+// What a touch can start: doors by four buttons, falls, motions, boosts, trips.
+inline LevelBuilder clocks() {
+  LevelBuilder b = crowd(48, [](Part::Builder p, int i) {
+    const std::string signal = "signal " + std::to_string(i % 4);
+    auto button = [&] {
+      p.initButton().setSignal(signal);
+      p.getButton().setSeconds(0.7f + float(i % 4));
+      p.getButton().setRestarts(i % 4 == 1);
+    };
+    auto door = [&](bool inverted) {
+      auto vanish = p.initVanish();
+      vanish.setTrigger(schema::VanishTrigger::SIGNAL);
+      vanish.setSignal(signal);
+      vanish.setInverted(inverted);
+    };
+    auto slide = [&](schema::MotionTrigger trigger) {
+      auto motion = p.initMotion();
+      motion.setTrigger(trigger);
+      motion.setRepeat(schema::Repeat(i % 3));
+      motion.setCarries(i % 2 == 0);
+      if (trigger == schema::MotionTrigger::SIGNAL) motion.setSignal(signal);
+      auto keys = motion.initKeys(2);
+      key(keys[0], 0, Vec3{p.asReader().getPosition().getX(), 2, 0});
+      key(keys[1], 1.1f, Vec3{p.asReader().getPosition().getX(), 5, 6});
+    };
+    switch (i / 4 % 8) {
+      case 0: return button();
+      case 1: return door(i % 2 == 0);
+      case 2: return p.initFall().setSpeed(i % 2 == 0 ? 0.0f : 8.0f);
+      case 3: return slide(schema::MotionTrigger::TOUCH);
+      case 4: return slide(schema::MotionTrigger::SIGNAL);
+      case 5:
+        return p.initBoost().setWalkSpeed(0.6f + 0.5f * float(i % 4)),
+               p.getBoost().setSeconds(0.5f * float(i % 3));
+      case 6: return p.initTrip().setSeconds(0.5f);
+      default: p.initBoost().setJumpMore(20), p.getBoost().setForever(true);
+    }
+  });
+  return b;
+}
+
+// Teleporters, seats, one-way parts, healing parts, and presses over them.
+inline LevelBuilder places() {
+  LevelBuilder b = crowd(40, [](Part::Builder p, int i) {
+    switch (i % 5) {
+      case 0:
+        support::set(p.initTeleport().initPosition(), {float(i) - 20, 6, float(i % 7) * 5 - 15});
+        p.getTeleport().setKeepVelocity(i % 2 == 0);
+        p.getTeleport().setTurns(i % 3 == 0);
+        return;
+      case 1: p.initSeat(); return;
+      case 2:
+        support::set(p.initOneWay().initDirection(), {0, i % 2 == 0 ? 1.0f : 0.0f, 1});
+        return;
+      case 3:
+        p.initKill().setDamage(i % 2 == 0 ? -5.0f : 8.0f), p.getKill().setCooldown(0.3f);
+        return;
+      default: p.setSqueeze(schema::Squeeze::KILL);
+    }
+    const Vec3 at{float(i % 8) * 6 - 21, 9, float(i / 8) * 9 - 18};
+    auto motion = p.initMotion();
+    motion.setRepeat(schema::Repeat::PING_PONG);
+    auto keys = motion.initKeys(2);
+    key(keys[0], 0, at);
+    key(keys[1], 1.5f, at - Vec3{0, 8, 0});
+  });
   return b;
 }
 

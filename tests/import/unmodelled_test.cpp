@@ -5,20 +5,48 @@
 namespace obby::test {
 namespace {
 
-TEST(Unmodelled, Teleporters) {
-  Scene scene;
+// A part whose script moves who touches it by `value`.
+InstanceId teleporter(Scene& scene, const std::string& value) {
   const auto from = scene.part("teleporter1a");
   scene.part("teleporter1b", {50, 0, 0});
   scene.script(
       "script.Parent.Touched:Connect(function(hit)\n"
       " local root = hit.Parent:FindFirstChild('HumanoidRootPart')\n"
-      " if root then root.CFrame = workspace.teleporter1b.CFrame + Vector3.new(0, 5, 0) end\n"
-      "end)",
+      " if root then root.CFrame = " +
+          value + " end\nend)",
       from);
+  return from;
+}
+
+TEST(Unmodelled, TeleportersToAPlaceThatIsNotStated) {
+  Scene scene;
+  const auto from = teleporter(scene, "_G.somewhere()");
   const auto& level = scene.level();
+  EXPECT_FALSE(scene[from].teleport);
   EXPECT_EQ(scene.unmodelled("teleporter"), 1u);
   EXPECT_EQ(level.unmodelled.at("teleporter").example, "Workspace/teleporter1a");
   EXPECT_NE(level.unmodelled.at("teleporter").note.find("line 3"), std::string::npos);
+}
+
+TEST(Teleport, ToAPlaceThatTheScriptStates) {
+  Scene scene;
+  const auto from = teleporter(scene, "workspace.teleporter1b.CFrame + Vector3.new(0, 5, 0)");
+  scene.level();
+  EXPECT_EQ(scene.unmodelled("teleporter"), 0u);
+  ASSERT_TRUE(scene[from].teleport);
+  EXPECT_NEAR(scene[from].teleport->position.x, 50, 1e-4);
+  EXPECT_NEAR(scene[from].teleport->position.y, 2, 1e-4) << "the root is 3 above the feet";
+  EXPECT_TRUE(scene[from].teleport->turns);
+}
+
+TEST(Seat, IsOfItsClassUnlessDisabled) {
+  Scene scene;
+  const auto chair = scene.part("Chair", {}, scene.workspace, "Seat");
+  const auto broken = scene.part("Broken", {}, scene.workspace, "Seat");
+  scene.set(broken, "Disabled", true);
+  scene.level();
+  EXPECT_TRUE(scene[chair].seat);
+  EXPECT_FALSE(scene[broken].seat);
 }
 
 TEST(Unmodelled, ButtonsThatOpenSomethingElse) {
@@ -51,14 +79,14 @@ TEST(Unmodelled, SpeedPadsSeatsToolsTerrainGroups) {
       "script.Parent.Touched:Connect(function(hit)\n"
       " hit.Parent.Humanoid.WalkSpeed = 50\n wait(7)\n hit.Parent.Humanoid.WalkSpeed = 16\nend)",
       pad);
-  scene.part("Chair", {}, scene.workspace, "Seat");
+  scene.part("Wheel", {}, scene.workspace, "VehicleSeat");
   scene.set(scene.part("Ghost"), "CollisionGroup", std::string("Ghosts"));
   scene.add("Tool", "Sword", scene.workspace);
   const auto terrain = scene.add("Terrain", "Terrain", scene.workspace);
   scene.set(terrain, "SmoothGrid", std::string(1000, 'x'));
   scene.level();
   for (const char* kind :
-       {"speed or jump booster", "seat", "collision group Ghosts", "tool", "terrain"})
+       {"speed or jump booster", "vehicle seat", "collision group Ghosts", "tool", "terrain"})
     EXPECT_EQ(scene.unmodelled(kind), 1u) << kind;
 }
 

@@ -92,6 +92,95 @@ TEST(CompileErrors, VanishTimerWithoutAPeriod) {
   EXPECT_TRUE(bool(fine.part(timer(0, 1)).tryCompile()));
 }
 
+TEST(CompileErrors, Teleport) {
+  expectRefused(
+      [](auto p) {
+        set(p.initTeleport().initPosition(), {0, kInf, 0});
+      },
+      ".teleport.position", "three numbers within");
+  expectRefused([](auto p) { p.initTeleport().setYaw(kNan); }, ".teleport.yaw", "radians");
+}
+
+TEST(CompileErrors, Boost) {
+  for (const float bad : {0.0f, -1.0f, kNan, 101.0f}) {
+    expectRefused([=](auto p) { p.initBoost().setWalkSpeed(bad); }, ".boost.walkSpeed", "above 0");
+    expectRefused([=](auto p) { p.initBoost().setJumpSpeed(bad); }, ".boost.jumpSpeed", "above 0");
+  }
+  expectRefused([](auto p) { p.initBoost().setJumpMore(kNan); }, ".boost.jumpMore", "studs/s");
+  expectRefused([](auto p) { p.initBoost().setWalkSpeed(2), p.getBoost().setSeconds(-1); },
+                ".boost.seconds", "not negative");
+  expectRefused([](auto p) { p.initBoost(); }, ".boost", "changes nothing");
+}
+
+TEST(CompileErrors, NegativeSeconds) {
+  expectRefused([](auto p) { p.initFall().setDelay(-1); }, ".fall.delay", "not negative");
+  expectRefused([](auto p) { p.initFall().setAway(kNan); }, ".fall.away", "not negative");
+  expectRefused([](auto p) { p.initFall().setSeconds(0); }, ".fall.seconds", "at least a tick");
+  expectRefused([](auto p) { p.initFall().setSpeed(-1); }, ".fall.speed", "not negative");
+  expectRefused([](auto p) { p.initTrip().setSeconds(-1); }, ".trip.seconds", "not negative");
+  expectRefused([](auto p) { p.initTrip().setAfter(-1); }, ".trip.after", "not negative");
+  expectRefused([](auto p) { p.initMotion().setSeconds(-1); }, ".motion.seconds", "not negative");
+}
+
+TEST(CompileErrors, OneWayWithoutADirection) {
+  for (const Vec3 bad : {Vec3{}, Vec3{kNan, 0, 0}}) {
+    expectRefused([=](auto p) { set(p.initOneWay().initDirection(), bad); }, ".oneWay.direction",
+                  "direction");
+  }
+}
+
+TEST(CompileErrors, OneTouchStartsOneThingThatTakesTime) {
+  expectRefused([](auto p) { p.initFall(), p.initVanish(); }, ".fall", "does not vanish");
+  expectRefused([](auto p) { p.initFall(), p.initMotion(); }, ".fall", "no other motion");
+  expectRefused(
+      [](auto p) {
+        p.initVanish();
+        addKeys(p, {0, 1});
+        set(p.getMotion().getKeys()[1].initPosition(), {0, 9, 0});
+        p.getMotion().setTrigger(schema::MotionTrigger::TOUCH);
+      },
+      ".motion.trigger", "already starts");
+}
+
+PartSetter button(const char* signal, float seconds = 5) {
+  return [=](schema::Part::Builder p) {
+    p.initButton().setSignal(signal);
+    p.getButton().setSeconds(seconds);
+  };
+}
+PartSetter door(const char* signal) {
+  return [=](schema::Part::Builder p) {
+    p.initVanish().setTrigger(schema::VanishTrigger::SIGNAL);
+    p.getVanish().setSignal(signal);
+  };
+}
+
+TEST(CompileErrors, SignalsThatNothingStartsOrNothingHears) {
+  expectRefused(door("gate"), ".vanish.signal", "nothing starts the signal 'gate'");
+  expectRefused(door(""), ".vanish.signal", "the name that a button gives");
+  expectRefused(button("gate"), ".button.signal", "no part responds to the signal 'gate'");
+  expectRefused(button(""), ".button.signal", "name of a signal");
+  expectRefused(button("gate", -1), ".button.seconds", "not negative");
+  expectRefused(button("gate", 0), ".button.seconds", "less than a tick");
+  expectRefused([](auto p) { p.initVanish().setSignal("gate"); }, ".vanish.signal", "trigger");
+  expectRefused([](auto p) { p.initMotion().setSignal("gate"); }, ".motion.signal", "trigger");
+  expectRefused([](auto p) { p.initMotion().setTrigger(schema::MotionTrigger::SIGNAL); },
+                ".motion.signal", "the name that a button gives");
+  LevelBuilder untouchable, fine;
+  untouchable.part([](auto p) { button("gate")(p), p.setTouch(false); }).part(door("gate"));
+  EXPECT_EQ(untouchable.tryCompile().error().path, "parts[1].vanish.signal");
+  EXPECT_TRUE(bool(fine.part(button("gate")).part(door("gate")).part(button("gate")).tryCompile()));
+}
+
+TEST(CompileErrors, ButtonsOfOneSignalMustAgree) {
+  LevelBuilder b;
+  b.part(button("gate", 5)).part(door("gate")).part(button("gate", 6));
+  const auto level = b.tryCompile();
+  ASSERT_FALSE(bool(level));
+  EXPECT_EQ(level.error().path, "parts[2].button.seconds");
+  EXPECT_NE(level.error().message.find("parts[0]"), std::string::npos) << level.error().text();
+}
+
 TEST(CompileErrors, MotionKeys) {
   expectRefused([](auto p) { addKeys(p, {0, 2, 1.5f}); }, ".motion.keys[2].time", "not decrease");
   expectRefused([](auto p) { addKeys(p, {-1}); }, ".motion.keys[0].time", "not decrease");

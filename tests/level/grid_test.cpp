@@ -31,7 +31,7 @@ std::vector<uint32_t> listAt(const Grid& grid, Vec3 feet) {
 
 // Every collider that meets the player's reach is listed, wherever the feet are and whatever the
 // speed.
-void expectComplete(const Level& level, Dice& dice, int rounds) {
+void expectComplete(const Level& level, Dice& dice, int rounds, const Params& player) {
   const LevelView& v = level.view();
   const Box all = grow(level.bounds(), {5, 5, 5});
   size_t met = 0;
@@ -44,7 +44,7 @@ void expectComplete(const Level& level, Dice& dice, int rounds) {
       w.position = (b.lo + b.hi) * 0.5f + dice.vec((b.hi - b.lo) * 0.5f + Vec3{8, 12, 8});
     }
     w.velocity = dice.vec({v.maxSideSpeed, v.params.maxFallSpeed, v.maxSideSpeed});
-    const Box reach = sim::tickBounds<float>(w.position, w.velocity, v.params);
+    const Box reach = sim::tickBounds<float>(w.position, w.velocity, player);
     const std::vector<uint32_t> list = listAt(v.grid, w.position);
     ASSERT_TRUE(std::is_sorted(list.begin(), list.end()));
     for (uint32_t c = 0; c < v.colliderCount; ++c) {
@@ -54,6 +54,9 @@ void expectComplete(const Level& level, Dice& dice, int rounds) {
     }
   }
   EXPECT_GT(met, 100u);
+}
+void expectComplete(const Level& level, Dice& dice, int rounds) {
+  expectComplete(level, dice, rounds, level.view().params);
 }
 
 LevelBuilder scattered(int parts, Vec3 spread, Dice& dice) {
@@ -116,6 +119,26 @@ TEST(Grid, HoldsForFastPlayersAndBigBodies) {
     p.setControlRate(30);
   });
   expectComplete(b.compile(), dice, 1500);
+}
+
+// As a boosted player looks around: boosts and triggered movers make the lists longer.
+TEST(Grid, HoldsForBoostedPlayers) {
+  Dice dice{Random(54, 0)};
+  LevelBuilder b = scattered(80, {60, 30, 60}, dice);
+  b.block({0, 0, 0}, {4, 1, 4}, [](auto p) {
+    p.initBoost().setWalkSpeed(8);
+    p.getBoost().setJumpSpeed(6);
+    p.getBoost().setJumpMore(30);
+  });
+  const Level plain = scattered(80, {60, 30, 60}, dice).compile(), level = b.compile();
+  EXPECT_GT(level.view().maxSideSpeed, 7 * plain.view().maxSideSpeed);
+  sim::World w{};
+  w.clocks[0] = {level.view().clockCount - 1, 0};
+  w.clockCount = 1;
+  const Params boosted = sim::boosted(w, level.view());
+  EXPECT_FLOAT_EQ(boosted.walkSpeed, 8 * 16);
+  EXPECT_FLOAT_EQ(boosted.jumpSpeed, 6 * 53 + 30);
+  expectComplete(level, dice, 1500, boosted);
 }
 
 TEST(Grid, StaysSmallWhenPartsAreFarFlung) {

@@ -1,6 +1,7 @@
 // The level's digest: changes with all that can change a trajectory, and with nothing else.
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <set>
 
 #include "support/level_builder.h"
@@ -70,11 +71,76 @@ TEST(LevelHash, ChangesWithEachFieldThatMatters) {
         spin(p, 1, {1, 0, 0}, false);
       },
       [](auto p) { spin(p, 1, {}, true); },
+      [](auto p) { p.getVanish().setInverted(true); },
+      [](auto p) { p.getKill().setDamage(-5); },
+      [](auto p) { p.getKill().setDamage(-5), p.getKill().setCooldown(1); },
+      [](auto p) {
+        set(p.initTeleport().initPosition(), {1, 0, 0});
+      },
+      [](auto p) {
+        set(p.initTeleport().initPosition(), {2, 0, 0});
+      },
+      [](auto p) { p.initTeleport().setTurns(true); },
+      [](auto p) { p.initTeleport().setTurns(true), p.getTeleport().setYaw(1); },
+      [](auto p) { p.initTeleport().setKeepVelocity(true); },
+      [](auto p) { p.initBoost().setWalkSpeed(2); },
+      [](auto p) { p.initBoost().setWalkSpeed(3); },
+      [](auto p) { p.initBoost().setJumpSpeed(2); },
+      [](auto p) { p.initBoost().setJumpMore(2); },
+      [](auto p) { p.initBoost().setJumpMore(2), p.getBoost().setSeconds(1); },
+      [](auto p) { p.initBoost().setJumpMore(2), p.getBoost().setForever(true); },
+      [](auto p) { p.initOneWay(); },
+      [](auto p) {
+        set(p.initOneWay().initDirection(), {1, 0, 0});
+      },
+      [](auto p) { p.setSqueeze(schema::Squeeze::KILL); },
+      [](auto p) { p.initSeat(); },
+      [](auto p) { p.initTrip(); },
+      [](auto p) { p.initTrip().setSeconds(1); },
+      [](auto p) { p.initTrip().setAfter(2); },
+      [](auto p) { spin(p, 1, {}, true), p.getMotion().setTrigger(schema::MotionTrigger::TOUCH); },
+      [](auto p) {
+        spin(p, 1, {}, true), p.getMotion().setTrigger(schema::MotionTrigger::TOUCH);
+        p.getMotion().setSeconds(9);
+      },
   };
   std::set<uint64_t> seen;
   for (size_t i = 0; i < changes.size(); ++i) {
     EXPECT_TRUE(seen.insert(hashOf(changes[i])).second) << "change " << i << " does not show";
   }
+}
+
+uint64_t hashOfFall(const std::function<void(schema::Fall::Builder)>& more) {
+  support::LevelBuilder b;
+  return b.block({0, 0, 0}, {4, 1, 4}, [&](auto p) { more(p.initFall()); }).compile().hash();
+}
+
+TEST(LevelHash, ChangesWithTheNumbersOfAFallAndOfAButton) {
+  std::set<uint64_t> seen{
+      hashOfFall([](auto) {}),
+      hashOfFall([](auto f) { f.setDelay(1); }),
+      hashOfFall([](auto f) { f.setSeconds(2); }),
+      hashOfFall([](auto f) { f.setSpeed(5); }),
+      hashOfFall([](auto f) { f.setAway(1); }),
+      hashOfFall([](auto f) { f.setSolid(false); }),
+  };
+  for (int i = 0; i < 5; ++i) {
+    support::LevelBuilder b;
+    b.block({0, 0, 0}, {4, 1, 4}, [=](auto p) {
+      auto button = p.initButton();
+      button.setSignal("door");
+      if (i == 1) button.setSeconds(1);
+      if (i == 2) button.setForever(true);
+      if (i == 3) button.setRestarts(true);
+    });
+    b.block({0, 9, 0}, {4, 1, 4}, [=](auto p) {
+      p.initVanish().setTrigger(schema::VanishTrigger::SIGNAL);
+      p.getVanish().setSignal("door");
+      if (i == 4) p.getVanish().setDelay(1);
+    });
+    seen.insert(b.compile().hash());
+  }
+  EXPECT_EQ(seen.size(), 11u);
 }
 
 TEST(LevelHash, DoesNotChangeWithNamesAndLooks) {

@@ -123,9 +123,9 @@ TEST(Vanish, touched_part_stays_for_its_delay_is_away_and_comes_back) {
   const int fell = play.until(stand(), [](const sim::World& w) { return w.position.y < -1; });
   EXPECT_GT(float(fell) * kTick, 0.5f);
   EXPECT_LT(float(fell) * kTick, 0.85f);
-  EXPECT_EQ(play.world.vanishingCount, 1);
+  EXPECT_EQ(play.world.clockCount, 1);
   play.run(stand(), 150);
-  EXPECT_EQ(play.world.vanishingCount, 0) << "back after its time";
+  EXPECT_EQ(play.world.clockCount, 0) << "back after its time";
 }
 
 TEST(Vanish, timer_part_is_solid_in_its_phase_only) {

@@ -53,7 +53,7 @@ inline rc::Gen<PartSpec> partSpecs() {
                                   rc::gen::set(&PartSpec::position, vecOf(between(-15, 15))),
                                   rc::gen::set(&PartSpec::size, vecOf(size)),
                                   rc::gen::set(&PartSpec::turn, vecOf(between(-3.2f, 3.2f))),
-                                  rc::gen::set(&PartSpec::role, rc::gen::inRange(0, 9)));
+                                  rc::gen::set(&PartSpec::role, rc::gen::inRange(0, 17)));
 }
 
 inline void setHull(schema::Part::Builder part, const PartSpec& spec) {
@@ -63,6 +63,26 @@ inline void setHull(schema::Part::Builder part, const PartSpec& spec) {
     const Vec3 corner{random.unit() - 0.5f, random.unit() - 0.5f, random.unit() - 0.5f};
     support::set(vertices[i], mul(spec.size, corner));
   }
+}
+
+inline void setFall(schema::Fall::Builder fall, const PartSpec& spec) {
+  fall.setDelay(0.1f);
+  fall.setSpeed(spec.turn.x > 0 ? 0.0f : 10.0f);
+  fall.setAway(0.5f);
+  fall.setSolid(spec.turn.y > 0);
+}
+
+// Moved by a touch, and deadly to whom it squeezes.
+inline void setTriggered(schema::Part::Builder part, const PartSpec& spec) {
+  auto motion = part.initMotion();
+  motion.setTrigger(schema::MotionTrigger::TOUCH);
+  motion.setRepeat(schema::Repeat(int(absf(spec.turn.x)) % 3));
+  motion.setCarries(spec.turn.y > 0);
+  auto keys = motion.initKeys(2);
+  support::set(keys[0].initPosition(), spec.position);
+  support::set(keys[1].initPosition(), spec.position + spec.turn);
+  keys[1].setTime(1);
+  part.setSqueeze(schema::Squeeze::KILL);
 }
 
 inline void setRole(schema::Part::Builder part, const PartSpec& spec) {
@@ -80,6 +100,14 @@ inline void setRole(schema::Part::Builder part, const PartSpec& spec) {
       part.initMotion().initSpin().setSpeed(0.1f + absf(spec.turn.z));
       part.getMotion().setCarries(spec.turn.x > 0);
       return;
+    case 7: return setFall(part.initFall(), spec);
+    case 8: support::set(part.initTeleport().initPosition(), v * 0.2f); return;
+    case 9: part.initBoost().setWalkSpeed(2), part.getBoost().setSeconds(0.5f); return;
+    case 10: part.initOneWay(); return;
+    case 11: part.initSeat(); return;
+    case 12: part.initTrip().setSeconds(0.3f); return;
+    case 13: part.initKill().setDamage(-20), part.getKill().setCooldown(0.2f); return;
+    case 14: return setTriggered(part, spec);
     default: return;
   }
 }

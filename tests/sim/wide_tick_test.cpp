@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "golden/scenes.h"
 #include "sim/simulator.h"
 #include "sim/tick.h"
 #include "support/level_builder.h"
@@ -49,6 +50,8 @@ LevelBuilder everything() {
   return b;
 }
 level::Level mixed() { return everything().compile(); }
+level::Level touched() { return golden::clocks().compile(); }
+level::Level held() { return golden::places().compile(); }
 
 // Starts all over the level, so that worlds fall out, land on edges and inside parts.
 std::vector<World> startsOver(const level::Level& level, uint32_t count) {
@@ -94,12 +97,12 @@ TEST_P(WideTick, GivesTheBitsOfTheScalarTick) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, WideTick,
-                         testing::Values(Scene{"arena", arena, 0.1, 0.05},
-                                         Scene{"course", course, 0, 0.05},
-                                         Scene{"moving", moving, 0.1, 0.05},
-                                         Scene{"mixed", mixed, 0.02, 0.7}),
-                         [](const auto& scene) { return std::string(scene.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, WideTick,
+    testing::Values(Scene{"arena", arena, 0.1, 0.05}, Scene{"course", course, 0, 0.05},
+                    Scene{"moving", moving, 0.1, 0.05}, Scene{"mixed", mixed, 0.02, 0.7},
+                    Scene{"touched", touched, 0, 1}, Scene{"held", held, 0, 1}),
+    [](const auto& scene) { return std::string(scene.param.name); });
 
 TEST(WideTick, LeavesEndedWorldsAlone) {
   const level::Level level = arena();

@@ -43,16 +43,17 @@ TEST(Cell, DimensionsCountOnlyWhereTheProblemNeedsThem) {
   b.tick = 500;
   b.jumps = 3;
   b.waypoints = 1;
-  b.vanishingCount = 1;
+  b.clockCount = 1;
   b.health = 30;
   EXPECT_EQ(cellKey(Binning{}, a), cellKey(Binning{}, b));
-  Binning jumps, waypoints, vanishing, health, clock;
-  jumps.jumps = waypoints.waypoints = vanishing.vanishing = true;
+  Binning jumps, waypoints, clocks, health, clock;
+  jumps.jumps = waypoints.waypoints = clocks.clocks = true;
   health.healthBins = 4;
   clock.clockBin = 30;
   const uint32_t always = 0;
   clock.clock = {&always, {0, 0, 0}, 0.1f, 1, 1, 1};
-  for (const Binning& binning : {jumps, waypoints, vanishing, health, clock}) {
+  clocks.clock.bins = &always;  // of a clock that does not tell states apart: it only counts
+  for (const Binning& binning : {jumps, waypoints, clocks, health, clock}) {
     EXPECT_NE(cellKey(binning, a), cellKey(binning, b));
   }
 }
@@ -109,7 +110,7 @@ TEST(Binning, FollowsTheQueryAndTheLevel) {
   const ClockMap clock(stones.view(), 10);
   Question q(stones);
   const Binning plain = makeBinning(q.problem(), 1, clock);
-  EXPECT_FALSE(plain.jumps || plain.waypoints || plain.vanishing);
+  EXPECT_FALSE(plain.jumps || plain.waypoints || plain.clocks);
   EXPECT_EQ(plain.clockBin, 0u);
   EXPECT_EQ(plain.healthBins, 0u);
   q.query.maxJumps = 2;
@@ -130,7 +131,7 @@ TEST(Binning, MotionAndVanishingAndDamageAddDimensions) {
   Question q(level);
   const Binning b = makeBinning(q.problem(), 1, clock);
   EXPECT_GT(b.clockBin, 0u);
-  EXPECT_TRUE(b.vanishing);
+  EXPECT_TRUE(b.clocks);
   EXPECT_GT(b.healthBins, 0u);
 }
 

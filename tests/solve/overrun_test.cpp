@@ -45,7 +45,7 @@ TEST(Overrun, IsNamedInTheReason) {
   outcome.statistics.overruns = sim::kOverruns;
   const std::string reason = reasonFor(outcome, level);
   EXPECT_NE(reason.find("more than 48 parts at once (16 moving)"), std::string::npos) << reason;
-  EXPECT_NE(reason.find("more than 8 touched parts vanish at once"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("more than 8 touched parts at work at once"), std::string::npos) << reason;
 }
 
 }  // namespace

@@ -123,6 +123,7 @@ function trajectory(
     state: encode(Uint8Array.from(state)),
     jumpTicks: Array.from({ length: Math.ceil(last / 45) }, (_, leg) => leg * 45),
     runs: encode(Uint16Array.from(runs)),
+    motions: [],
     events:
       kind === 'solution'
         ? [

@@ -34,6 +34,7 @@ class Track {
     this.stride = raw.stride;
     this.count = raw.count;
     this.loopFrom = raw.loopFrom;
+    this.triggered = Boolean(raw.triggered); // ticks count from its start, which a path's motions tell
     this.position = raw.position ? floats(raw.position) : null;
     this.rotation = raw.rotation ? shorts(raw.rotation) : null;
   }

@@ -85,6 +85,8 @@ void jumpPadFromScripts(RoleContext&);
 void vanishFromTags(RoleContext&);
 void vanishFromMarkers(RoleContext&);
 void vanishFromScripts(RoleContext&);
+void teleportFromScripts(RoleContext&);
+void seatFromClass(RoleContext&);
 void movingFromTags(RoleContext&);
 void movingFromMarkers(RoleContext&);
 void movingFromScripts(RoleContext&);

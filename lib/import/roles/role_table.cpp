@@ -7,7 +7,7 @@
 namespace obby::importer {
 namespace {
 
-//   role          tags                markers              scripts              names and defaults
+//   role          tags, class         markers              scripts              names and defaults
 constexpr RoleRow kRoles[] = {
     {"goal", goalFromTags, nullptr, nullptr, goalFromNames},
     {"checkpoint", checkpointFromTags, nullptr, checkpointFromScripts, checkpointFromNames},
@@ -15,6 +15,8 @@ constexpr RoleRow kRoles[] = {
     {"jumpPad", jumpPadFromTags, jumpPadFromMarkers, jumpPadFromScripts, nullptr},
     {"conveyor", conveyorFromTags, conveyorFromMarkers, conveyorFromScripts, conveyorFromVelocity},
     {"vanish", vanishFromTags, vanishFromMarkers, vanishFromScripts, nullptr},
+    {"teleport", nullptr, nullptr, teleportFromScripts, nullptr},
+    {"seat", seatFromClass, nullptr, nullptr, nullptr},
     {"motion", movingFromTags, movingFromMarkers, movingFromScripts, movingFromConstraints},
 };
 

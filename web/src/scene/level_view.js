@@ -131,10 +131,13 @@ export class LevelView {
     for (const mesh of this.group.children) mesh.instanceColor.needsUpdate = true;
   }
 
-  // `tick`: of the level clock. `gone`: parts without collision now, by the trajectory's own events.
-  update(tick, gone) {
+  // `tick`: of the level clock. `gone`: parts without collision now, by the trajectory's own events. `moved`: ticks since
+  // the start of the triggered parts that move now.
+  update(tick, gone, moved) {
     this.uniforms.uTime.value = tick / this.level.tickRate;
-    for (const [part, track] of this.trackOf) this.pose(part, track.at(tick), track);
+    for (const [part, track] of this.trackOf) {
+      this.pose(part, track.at(track.triggered ? (moved.get(part) ?? 0) : tick), track);
+    }
     for (const [part, rule] of this.vanishOf) {
       const away = rule.trigger === 'timer' ? this.timedAway(rule, tick) : gone.has(part);
       this.setAttribute(part, 'aAlpha', away ? kFaint : this.alphaOf(part));
@@ -143,7 +146,8 @@ export class LevelView {
 
   timedAway(rule, tick) {
     const period = rule.delay + rule.away;
-    return period > 0 && (tick / this.level.tickRate + rule.phase) % period >= rule.delay;
+    const away = period > 0 && (tick / this.level.tickRate + rule.phase) % period >= rule.delay;
+    return away !== Boolean(rule.inverted);
   }
 
   pose(part, { i, next, share }, track) {

@@ -216,7 +216,8 @@ export class Stage {
 
   showTick(path, tick) {
     const clock = (path?.startTick ?? this.query?.startTick ?? 0) + tick;
-    this.levelView.update(clock, path ? this.goneAt(path, tick) : new Set());
+    const moved = path ? this.movedAt(path, tick) : new Map();
+    this.levelView.update(clock, path ? this.goneAt(path, tick) : new Set(), moved);
     this.markers?.update(tick);
     this.avatar.group.visible = Boolean(path);
     if (!path) return;
@@ -234,6 +235,16 @@ export class Stage {
       else gone.add(part);
     }
     return gone;
+  }
+
+  movedAt(path, tick) {
+    const moved = new Map();
+    for (const [at, part, start] of path.motions) {
+      if (at > tick) break;
+      if (start < 0) moved.delete(part);
+      else moved.set(part, tick - start);
+    }
+    return moved;
   }
 
   // Studs walked so far; sums once per path.

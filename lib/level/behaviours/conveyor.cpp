@@ -1,0 +1,15 @@
+// Gives what stands on it its surface velocity.
+#include "level/behaviours/behaviour.h"
+#include "level/record_values.h"
+
+namespace obby::level {
+
+Status compileConveyor(PartContext& c) {
+  const auto record = c.part.getConveyor();
+  OBBY_ASSIGN(c.roles.conveyorVelocity, position(record.getVelocity(), "conveyor.velocity"));
+  OBBY_ASSIGN(c.roles.conveyorAngular, position(record.getAngular(), "conveyor.angular"));
+  c.flags |= kConveyor;
+  return {};
+}
+
+}  // namespace obby::level

@@ -1,0 +1,66 @@
+// Falls after a touch, and comes back.
+#include "level/behaviours/fall.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "level/behaviours/behaviour.h"
+#include "level/record_values.h"
+
+namespace obby::level {
+namespace {
+
+struct FallTicks {
+  uint32_t delay, fall, away;
+};
+
+Result<FallTicks> fallTicks(schema::Fall::Reader fall, const Params& params) {
+  FallTicks t{};
+  OBBY_ASSIGN(t.delay, ticksOf(params, fall.getDelay(), "fall.delay"));
+  OBBY_ASSIGN(t.fall, ticksOf(params, fall.getSeconds(), "fall.seconds"));
+  OBBY_ASSIGN(t.away, ticksOf(params, fall.getAway(), "fall.away"));
+  if (t.delay + t.fall > kMaxRows) return pathError("fall", "longer than 10 minutes");
+  if (t.fall == 0) return pathError("fall.seconds", "expected at least a tick");
+  return t;
+}
+
+}  // namespace
+
+Status compileFall(PartContext& c) {
+  const auto record = c.part.getFall();
+  if (c.part.hasVanish() || c.part.hasMotion()) {
+    return pathError("fall", "a part that falls has no other motion, and does not vanish",
+                     "take away its vanish or motion");
+  }
+  if (!(record.getSpeed() >= 0)) {
+    return pathError("fall.speed", "expected studs/s that are not negative");
+  }
+  OBBY_ASSIGN(const FallTicks t, fallTicks(record, c.params));
+  OBBY_RETURN_IF_ERROR(startOwn(c, t.delay + t.fall + t.away, "fall"));
+  c.roles.awayClock = kOwnClock;
+  c.roles.awayFrom = t.delay + (record.getSolid() ? t.fall : 0);
+  c.flags |= kClocked;
+  return {};
+}
+
+MotionTables fallTables(schema::Fall::Reader fall, const Pose& rest, const Params& params) {
+  MotionTables out;
+  const uint32_t delay = ticksFromSeconds(params, fall.getDelay());
+  const uint32_t rows = delay + ticksFromSeconds(params, fall.getSeconds()) + 1;
+  double drop = 0, speed = fall.getSpeed();
+  const double tick = 1.0 / params.controlRate, gravity = speed > 0 ? 0 : params.gravity;
+  for (uint32_t row = 0; row < rows; ++row) {
+    if (row > delay) {
+      const double next = std::min(speed + gravity * tick, double(params.maxFallSpeed));
+      drop += (speed + next) / 2 * tick;
+      speed = next;
+    }
+    Pose pose = rest;
+    pose.position.y -= float(drop);
+    out.keys.push_back(pose);
+  }
+  out.once = true;
+  return out;
+}
+
+}  // namespace obby::level

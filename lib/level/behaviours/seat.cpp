@@ -1,0 +1,16 @@
+// Holds a player who touches it.
+#include "level/behaviours/behaviour.h"
+
+namespace obby::level {
+
+Status compileSeat(PartContext& c) {
+  Clock clock;  // held at 0 by the one who sits there; then it runs until the seat takes again
+  clock.length = ticksFromSeconds(c.params, c.params.seatCooldown) + 2;
+  clock.restarts = true;
+  clock.seat = c.collider;
+  c.roles.seatClock = c.clocks.add(clock);
+  c.flags |= kSeat;
+  return {};
+}
+
+}  // namespace obby::level

@@ -1,0 +1,11 @@
+// Kills whom it squeezes against another part.
+#include "level/behaviours/behaviour.h"
+
+namespace obby::level {
+
+Status compileSqueeze(PartContext& c) {
+  if (c.part.getSolid()) c.flags |= kCrush;
+  return {};
+}
+
+}  // namespace obby::level

@@ -1,0 +1,127 @@
+#include "level/clocks.h"
+
+#include <fmt/format.h>
+
+#include "level/record_values.h"
+
+namespace obby::level {
+namespace {
+
+// Marks the number of a shared clock until it is known how many roles come before.
+constexpr uint32_t kShared = 0x80000000u;
+
+bool same(const Clock& a, const Clock& b) {
+  return a.length == b.length && a.restarts == b.restarts && a.walkFactor == b.walkFactor &&
+         a.jumpFactor == b.jumpFactor && a.jumpMore == b.jumpMore && a.helpless == b.helpless &&
+         a.seat == b.seat;
+}
+
+void resolve(uint32_t& clock, uint32_t role, size_t roleCount) {
+  if (clock == kNone) return;
+  clock = clock == kOwnClock ? role : uint32_t(roleCount) + (clock & ~kShared);
+}
+
+}  // namespace
+
+Result<uint32_t> ticksOf(const Params& params, float seconds, const std::string& path) {
+  if (!(seconds >= 0)) return pathError(path, "expected seconds that are not negative");
+  return ticksFromSeconds(params, seconds);
+}
+
+Status ClockTables::addButton(schema::Part::Reader part, size_t index, const Params& params) {
+  const auto button = part.getButton();
+  const std::string path = fmt::format("parts[{}].button", index), name = button.getSignal();
+  if (name.empty()) {
+    return pathError(path + ".signal", "expected the name of a signal",
+                     "any name will do: parts that respond to the button give the same");
+  }
+  OBBY_ASSIGN(const uint32_t ticks, ticksOf(params, button.getSeconds(), path + ".seconds"));
+  const Clock clock{button.getForever() ? kForever : ticks, button.getRestarts()};
+  if (clock.length == 0) {
+    return pathError(path + ".seconds", "a signal that lasts less than a tick",
+                     "give seconds, or \"forever\":true");
+  }
+  const auto [it, added] = signals_.try_emplace(name, Signal{uint32_t(shared_.size()), index});
+  if (added) {
+    shared_.push_back(clock);
+  } else if (!same(shared_[it->second.clock], clock)) {
+    return pathError(
+        path + ".seconds",
+        fmt::format("differs from that of parts[{}], which starts the same signal '{}'",
+                    it->second.part, name),
+        "give both the same seconds, forever and restarts, or the signals two names");
+  }
+  return {};
+}
+
+Status ClockTables::addSignals(schema::Level::Reader level, const Params& params) {
+  size_t index = 0;
+  for (const auto part : level.getParts()) {
+    if (part.hasButton() && part.getTouch()) {
+      OBBY_RETURN_IF_ERROR(addButton(part, index, params));
+    }
+    ++index;
+  }
+  return {};
+}
+
+Result<uint32_t> ClockTables::signal(const std::string& name, const std::string& path) {
+  if (name.empty()) return pathError(path, "expected the name that a button gives its signal");
+  const auto it = signals_.find(name);
+  if (it == signals_.end()) {
+    return pathError(path, fmt::format("nothing starts the signal '{}'", name),
+                     "give a part that can be touched \"button\":{\"signal\":\"...\"}");
+  }
+  it->second.used = true;
+  return it->second.clock | kShared;
+}
+
+uint32_t ClockTables::button(const std::string& name) const {
+  return signals_.at(name).clock | kShared;
+}
+
+uint32_t ClockTables::add(const Clock& clock) {
+  shared_.push_back(clock);
+  return uint32_t(shared_.size() - 1) | kShared;
+}
+
+uint32_t ClockTables::share(const Clock& clock) {
+  for (uint32_t i = 0; i < shared_.size(); ++i) {
+    if (same(shared_[i], clock)) return i | kShared;
+  }
+  return add(clock);
+}
+
+Status ClockTables::checkSignals() const {
+  for (const auto& [name, signal] : signals_) {
+    if (signal.used) continue;
+    return pathError(fmt::format("parts[{}].button.signal", signal.part),
+                     fmt::format("no part responds to the signal '{}'", name),
+                     "name it in the vanish.signal or motion.signal of a part");
+  }
+  return {};
+}
+
+std::vector<Clock> ClockTables::finish(const std::vector<Clock>& own,
+                                       const std::vector<Collider>& colliders,
+                                       std::vector<Roles>& roles,
+                                       std::vector<Mover>& movers) const {
+  for (uint32_t i = 0; i < roles.size(); ++i) {
+    Roles& r = roles[i];
+    for (uint32_t* clock : {&r.awayClock, &r.healClock, &r.seatClock}) {
+      resolve(*clock, i, roles.size());
+    }
+    for (uint32_t& clock : r.starts) resolve(clock, i, roles.size());
+  }
+  std::vector<bool> done(movers.size(), false);  // hulls of one part share its mover
+  for (const Collider& c : colliders) {
+    if (c.mover == kNone || done[c.mover]) continue;
+    done[c.mover] = true;
+    resolve(movers[c.mover].trigger, c.role, roles.size());
+  }
+  std::vector<Clock> all = own;
+  all.insert(all.end(), shared_.begin(), shared_.end());
+  return all;
+}
+
+}  // namespace obby::level

@@ -1,0 +1,58 @@
+// Sitting: a touched seat holds the player until jump is pressed. Which seat it is tells its clock,
+// which is held at 0 meanwhile; then it runs, and until it is over the seat does not take again.
+#pragma once
+
+#include "sim/body.h"
+
+namespace obby::sim {
+
+// The running clock of the seat that the player is on: the last to be started; -1: none.
+OBBY_DEVICE int heldSeat(const World& w, const level::LevelView& level) {
+  for (int i = w.clockCount - 1; i >= 0; --i) {
+    if (level.clocks[w.clocks[i].clock].seat != level::kNone) return i;
+  }
+  return -1;
+}
+
+// Where the feet of one who sits are, below the root.
+OBBY_DEVICE Vec3 feetOnSeat(const Pose& seat, const Params& p) {
+  return toWorld(seat, Vec3{0, p.seatHeight, 0}) - Vec3{0, p.hipHeight + p.rootHeight * 0.5f, 0};
+}
+
+// True: the player sits there now.
+OBBY_DEVICE bool sitDown(World& w, const level::LevelView& level, uint32_t clock,
+                         const Pose& seat) {
+  if (w.state == State::seated || findClock(w, clock) >= 0) return false;
+  startClock(w, level, clock);
+  if (findClock(w, clock) < 0) return false;
+  w.state = State::seated;
+  w.position = feetOnSeat(seat, level.params);
+  w.velocity = {};
+  w.yaw = headingOf(-seat.rotation.z.x, -seat.rotation.z.z);
+  w.floorlessTicks = 0;
+  return true;
+}
+
+// A tick on a seat, which may move; `p`: with the player's boosts.
+OBBY_DEVICE void sit(World& w, const level::LevelView& level, const Params& p, bool jump) {
+  const int i = heldSeat(w, level);
+  if (i < 0) {
+    w.state = State::freefall;
+    return;
+  }
+  const level::Collider& seat = level.colliders[level.clocks[w.clocks[i].clock].seat];
+  const bool moves = seat.mover != level::kNone;
+  const Pose pose = moves ? poseOf(level.movers[seat.mover], w, 1) : seat.pose;
+  const Vec3 feet = feetOnSeat(pose, p);
+  w.velocity = (feet - w.position) * float(p.controlRate);
+  w.position = feet;
+  w.yaw = headingOf(-pose.rotation.z.x, -pose.rotation.z.z);
+  w.clocks[i].ticks = 0;
+  if (!jump) return;
+  w.state = State::jumping;
+  w.velocity.y += p.jumpSpeed;
+  w.jumps = uint16_t(w.jumps + 1);
+  w.floorlessTicks = p.coyoteTicks;  // one jump a take-off
+}
+
+}  // namespace obby::sim
