@@ -138,11 +138,13 @@ Result<Level> Level::compile(schema::Level::Reader record) {
   v.roles = t.roles.data();
   v.movers = t.movers.data();
   v.colliderCount = uint32_t(t.colliders.size());
+  v.roleCount = uint32_t(t.roles.size());
   v.moverCount = uint32_t(t.movers.size());
   const GridTables& g = impl->grid;
-  v.grid = {
-      g.origin,      {1 / g.cell.x, 1 / g.cell.y, 1 / g.cell.z}, g.nx, g.ny, g.nz, g.cells.data(),
-      g.lists.data()};
+  v.grid = {g.origin,       {1 / g.cell.x, 1 / g.cell.y, 1 / g.cell.z},
+            g.nx,           g.ny,
+            g.nz,           g.cells.data(),
+            g.lists.data(), uint32_t(g.lists.size())};
   v.maxSideSpeed = sideways * kSpeedMargin;
   impl->period = commonPeriod(t);
   impl->hash = digest(v, t);

@@ -2,6 +2,7 @@
 // and device. Owned by level::Level, which says how each table is made.
 #pragma once
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "geom/region.h"
@@ -39,6 +40,11 @@ struct alignas(64) Collider {
   float friction;
   geom::ShapeKind kind;
 };
+
+template <class Table>
+OBBY_DEVICE void forTables(Collider& c, Table&& table) {
+  table(c.shape.hull, 1);
+}
 
 // What a look at the parts near a player reads of each. The upper corner is negated, so that one
 // comparison of eight numbers tells whether a box is met: flags and tag read as tiny floats.
@@ -88,6 +94,12 @@ struct Mover {
   bool once;   // stays at the last key instead of starting over
 };
 
+template <class Table>
+OBBY_DEVICE void forTables(Mover& m, Table&& table) {
+  table(m.keys, m.keyCount);
+  table(m.spins, m.spinCount);
+}
+
 OBBY_DEVICE Pose moverPose(const Mover& m, uint32_t tick) {
   const uint32_t k = m.once ? (tick < m.keyCount ? tick : m.keyCount - 1) : tick % m.keyCount;
   Pose pose = m.keys[k];
@@ -111,6 +123,7 @@ struct Grid {
   const uint32_t* cells;  // (nx * ny * nz), index into lists: where the cell's list starts
   const uint32_t* lists;  // each list: count, then collider indices in ascending order, filled up
                           // with colliderCount to a multiple of kListStep
+  uint32_t listWords;     // of all lists together
 };
 
 struct LevelView {
@@ -120,10 +133,20 @@ struct LevelView {
                          // the last is met by nothing
   const Roles* roles;
   const Mover* movers;
-  uint32_t colliderCount, moverCount;
+  uint32_t colliderCount, roleCount, moverCount;
   Grid grid;
   float maxSideSpeed;  // studs/s; the grid lists reach as far as this carries a player in a tick
 };
+
+template <class Table>
+OBBY_DEVICE void forTables(LevelView& v, Table&& table) {
+  table(v.colliders, v.colliderCount);
+  table(v.bounds, v.colliderCount + 1);
+  table(v.roles, v.roleCount);
+  table(v.movers, v.moverCount);
+  table(v.grid.cells, size_t(v.grid.nx) * v.grid.ny * v.grid.nz);
+  table(v.grid.lists, v.grid.listWords);
+}
 
 // A query's regions and limits as the simulator reads them.
 struct WaypointView {
@@ -140,5 +163,11 @@ struct QueryView {
   uint32_t timeLimitTicks;  // 0: none
   uint32_t startTick;       // level clock at the start of the playthrough
 };
+
+template <class Table>
+OBBY_DEVICE void forTables(QueryView& q, Table&& table) {
+  table(q.waypoints, q.waypointCount);
+  table(q.avoid, q.avoidCount);
+}
 
 }  // namespace obby::level

@@ -1,49 +1,101 @@
+// What batches on every machine have in common.
 #include "sim/batch.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
+#include <numeric>
 
 #include "base/hash.h"
+#include "sim/first_worlds.h"
 #include "sim/simulator.h"
 
 namespace obby::sim {
 namespace {
-constexpr size_t kBlock = 256;  // worlds a task: what the wide tick takes at once
+
+Status checkPlans(const Actions& a, uint32_t worlds) {
+  if (a.firsts.size() != size_t(worlds) + 1) {
+    return makeError(fmt::format("{} plans for {} worlds", a.firsts.size(), worlds),
+                     "firsts has an entry for each world and one more");
+  }
+  for (size_t i = 0; i + 1 < a.firsts.size(); ++i) {
+    if (a.firsts[i] > a.firsts[i + 1]) return makeError(fmt::format("plan {} ends early", i));
+  }
+  if (a.firsts.back() <= a.runs.size()) return {};
+  return makeError(
+      fmt::format("plans of {} runs, of which {} are there", a.firsts.back(), a.runs.size()));
 }
 
-Batch::Batch(const level::LevelView& level, const level::StartPose& start, size_t worlds)
-    : level_(level), worlds_(worlds, makeWorld(level, start)) {}
-
-void Batch::step(ThreadPool& pool, const level::QueryView* query, uint32_t ticks,
-                 const Controller& controller) {
-  const size_t blocks = (worlds_.size() + kBlock - 1) / kBlock;
-  pool.run(int(blocks), [&](int block) {
-    std::vector<size_t> running;
-    std::vector<World*> worlds;
-    std::vector<Action> actions;
-    const size_t last = std::min(worlds_.size(), (size_t(block) + 1) * kBlock);
-    for (size_t i = size_t(block) * kBlock; i < last; ++i) {
-      running.push_back(i);
-    }
-    for (uint32_t t = 0; t < ticks && !running.empty(); ++t) {
-      worlds.clear();
-      actions.clear();
-      std::erase_if(running, [&](size_t i) { return worlds_[i].outcome != Outcome::running; });
-      for (const size_t i : running) {
-        worlds.push_back(&worlds_[i]);
-        actions.push_back(controller(i, worlds_[i]));
-      }
-      advanceAll(level_, query, worlds, actions.data());
-    }
-  });
+Status checkActions(const Actions& a, uint32_t ticks, uint32_t worlds) {
+  if (a.kind == ActionKind::plans) return checkPlans(a, worlds);
+  if (a.kind == ActionKind::walker || a.table.size() == size_t(ticks) * worlds) return {};
+  return makeError(
+      fmt::format("{} actions for {} ticks of {} worlds", a.table.size(), ticks, worlds));
 }
 
-uint64_t Batch::hash() const {
+Status checkCourse(const Course& c) {
+  const size_t levels = c.levels.size();
+  if (levels == 0) return makeError("a batch without a level");
+  if (c.starts.size() != levels) {
+    return makeError(fmt::format("{} starts for {} levels", c.starts.size(), levels));
+  }
+  if (!c.queries.empty() && c.queries.size() != levels) {
+    return makeError(fmt::format("{} queries for {} levels", c.queries.size(), levels));
+  }
+  for (const World& w : c.starts) {
+    if (w.outcome != Outcome::running) return makeError("a start where the playthrough has ended");
+  }
+  for (const uint32_t i : c.queue) {
+    if (i >= levels) return makeError(fmt::format("level {} in the queue of {} levels", i, levels));
+  }
+  return {};
+}
+
+}  // namespace
+
+LevelSet Course::set() const {
+  return {levels.data(),
+          queries.empty() ? nullptr : queries.data(),
+          starts.data(),
+          queue.data(),
+          uint32_t(levels.size()),
+          uint32_t(queue.size()),
+          restarts};
+}
+
+Course courseOf(const level::LevelView& level, const level::StartPose& start) {
+  Course course;
+  course.levels = {level};
+  course.starts = {makeWorld(level, start)};
+  return course;
+}
+
+Status Batch::step(uint32_t ticks, const Actions& actions) {
+  OBBY_RETURN_IF_ERROR(checkActions(actions, ticks, size_));
+  return run(ticks, actions);
+}
+
+Result<uint64_t> Batch::hash() const {
+  OBBY_ASSIGN(const std::vector<World> all, worlds());
   uint64_t h = 0;
-  for (const World& w : worlds_) {
+  for (const World& w : all) {
     const uint64_t state = stateHash(w);
     h = hashBytes(&state, sizeof state, h);
   }
   return h;
+}
+
+Result<FirstWorlds> firstWorlds(Course& course, uint32_t count) {
+  OBBY_RETURN_IF_ERROR(checkCourse(course));
+  if (course.queue.empty()) {
+    course.queue.resize(course.levels.size());
+    std::iota(course.queue.begin(), course.queue.end(), 0u);
+  }
+  FirstWorlds first;
+  for (uint32_t i = 0; i < count; ++i) {
+    first.episodes.push_back({levelOf(course.set(), i, count, 0), 0});
+    first.worlds.push_back(course.starts[first.episodes.back().level]);
+  }
+  return first;
 }
 
 }  // namespace obby::sim

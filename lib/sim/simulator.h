@@ -20,12 +20,6 @@ World makeWorld(const level::LevelView& level, const level::StartPose& start);
 // Digest of every field of the state; equal on every machine for the same playthrough.
 uint64_t stateHash(const World& world);
 
-// One action held for a number of ticks.
-struct ActionRun {
-  Action action;
-  uint32_t ticks;
-};
-
 // Everything a trajectory record says about what to do, in plain form.
 struct Plan {
   level::StartPose start;
