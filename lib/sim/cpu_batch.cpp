@@ -12,7 +12,7 @@ namespace {
 constexpr uint32_t kBlock = 256;  // worlds a task: what the wide tick takes at once
 // Ticks until worlds that changed their level are put in order: more leave more of them behind at
 // the end of a step, where they fill no lanes; fewer cost more turns of all threads.
-constexpr uint32_t kPassTicks = 16;
+constexpr uint32_t kPassTicks = 32;
 
 class CpuBatch : public Batch {
  public:

@@ -9,36 +9,14 @@
 #include <optional>
 #include <vector>
 
-#include "golden/scenes.h"
 #include "sim/host_device.h"
 #include "sim/simulator.h"
+#include "support/courses.h"
 
 namespace obby::sim {
 namespace {
 
 constexpr uint32_t kWorlds = 90;
-
-// Levels of every kind; playthroughs end by kill parts, falls and a time limit.
-struct ManyLevels {
-  std::vector<level::Level> levels;
-  Course course;
-
-  ManyLevels() {
-    for (const auto& build : {golden::killers, golden::roles, golden::vanishing, golden::hulls}) {
-      levels.push_back(build().compile());
-    }
-    levels.push_back(golden::movers(true).compile());
-    levels.push_back(support::boxArena(30, 3).compile());
-    level::QueryView query{{{{0, 1, 20}, {}}, {30, 8, 4}}, nullptr, nullptr, 0, 0, -1, 90, 0};
-    for (const level::Level& l : levels) {
-      course.levels.push_back(l.view());
-      course.starts.push_back(makeWorld(l.view(), l.spawns()[0]));
-      query.timeLimitTicks += 17;
-      course.queries.push_back(query);
-    }
-    course.restarts = true;
-  }
-};
 
 std::vector<uint64_t> hashesOf(const Batch& batch) {
   std::vector<uint64_t> hashes;
@@ -64,7 +42,7 @@ World alone(const Course& course, uint32_t index, uint32_t ticks, uint64_t seed)
 }
 
 TEST(Batch, worlds_of_many_levels_go_as_they_would_alone) {
-  const ManyLevels many;
+  const support::Levels many = support::everyKind();
   ThreadPool pool(3);
   HostDevice device(pool);
   const auto lanes = *makeCpuBatch(many.course, kWorlds, pool);
@@ -83,7 +61,7 @@ TEST(Batch, worlds_of_many_levels_go_as_they_would_alone) {
 }
 
 TEST(Batch, how_ticks_are_cut_into_steps_does_not_show) {
-  const ManyLevels many;
+  const support::Levels many = support::everyKind();
   ThreadPool pool(2);
   HostDevice device(pool);
   const auto whole = *makeCpuBatch(many.course, kWorlds, pool);
@@ -99,7 +77,7 @@ TEST(Batch, how_ticks_are_cut_into_steps_does_not_show) {
 }
 
 TEST(Batch, the_queue_says_which_level_comes_next) {
-  ManyLevels many;
+  support::Levels many = support::everyKind();
   many.course.queue = {2, 2, 0, 5, 1};
   ThreadPool pool(2);
   const auto batch = *makeCpuBatch(many.course, 7, pool);
@@ -112,7 +90,7 @@ TEST(Batch, the_queue_says_which_level_comes_next) {
 }
 
 TEST(Batch, ended_worlds_wait_unless_the_course_restarts) {
-  ManyLevels many;
+  support::Levels many = support::everyKind();
   many.course.restarts = false;
   ThreadPool pool(2);
   HostDevice device(pool);
@@ -210,7 +188,7 @@ TEST(KernelBatch, needs_nothing_of_the_level_after_the_upload) {
 }
 
 TEST(KernelBatch, a_restored_snapshot_goes_on_as_before) {
-  const ManyLevels many;
+  const support::Levels many = support::everyKind();
   ThreadPool pool(2);
   HostDevice device(pool);
   Course course = many.course;
