@@ -11,6 +11,7 @@
 #include "common/report.h"
 #include "sim/backend.h"
 #include "sim/host_device.h"
+#include "solve/device_rollouts.h"
 #include "support/courses.h"
 
 namespace {
@@ -64,6 +65,7 @@ void facts(bench::Report& report, const sim::Device& device, const sim::Kernel& 
 void measure(bench::Report& report, sim::Device& device, bool small) {
   facts(report, device, sim::stepKernel(true));
   facts(report, device, sim::stepKernel(false));
+  facts(report, device, solve::rolloutKernel());
   const support::Levels one = support::arenas(1, 100, 600), many = support::arenas(64, 100, 240);
   const std::vector<uint32_t> counts =
       small ? std::vector<uint32_t>{256} : std::vector<uint32_t>{8192, 131072, 1048576};
@@ -89,7 +91,7 @@ int main(int argc, char** argv) {
   bench::Report report(int(end - argv), argv, "gpu");
   ThreadPool pool(availableThreads());
   sim::HostDevice host(pool);
-  auto backend = sim::Backend::open(sim::BackendKind::cuda, pool);
+  auto backend = sim::Backend::open(sim::BackendKind::cuda);
   if (!backend && !small) {
     std::fprintf(stderr, "bench_gpu: skipped: %s\n", backend.error().text().c_str());
     return kSkipped;

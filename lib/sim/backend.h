@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "sim/batch.h"
 
@@ -15,24 +16,22 @@ Result<BackendKind> backendKind(const std::string& name);  // "auto", "cpu", "cu
 
 class Backend {
  public:
-  // `cuda` without a GPU is an error; `automatic` then takes the CPU and says why in note(). The
-  // pool must outlive the backend.
-  static Result<Backend> open(BackendKind kind, ThreadPool& pool);
+  // `cuda` without a GPU is an error; `automatic` then takes the CPU and says why in note().
+  static Result<Backend> open(BackendKind kind);
 
   bool onDevice() const { return device_ != nullptr; }
   Device* device() const { return device_.get(); }   // null: the CPU's lanes
   const std::string& note() const { return note_; }  // for people; never empty
 
-  // The batch must not outlive the backend.
-  Result<std::unique_ptr<Batch>> makeBatch(Course course, uint32_t worlds) const;
+  // The batch must not outlive the backend or the pool.
+  Result<std::unique_ptr<Batch>> makeBatch(Course course, uint32_t worlds, ThreadPool& pool) const;
 
  private:
-  Backend(std::unique_ptr<Device> device, std::string note, ThreadPool& pool)
-      : device_(std::move(device)), note_(std::move(note)), pool_(&pool) {}
+  Backend(std::unique_ptr<Device> device, std::string note)
+      : device_(std::move(device)), note_(std::move(note)) {}
 
   std::unique_ptr<Device> device_;
   std::string note_;
-  ThreadPool* pool_;
 };
 
 }  // namespace obby::sim

@@ -21,6 +21,11 @@ struct ClockView {
   int32_t nx = 0, ny = 0, nz = 0;
 };
 
+template <class Table>
+OBBY_DEVICE void forTables(ClockView& c, Table&& table) {
+  table(c.periods, size_t(c.nx) * c.ny * c.nz);
+}
+
 // Outside the map the clock does not matter.
 OBBY_DEVICE uint32_t clockPeriodAt(const ClockView& view, Vec3 p) {
   const float x = (p.x - view.origin.x) * view.inverseCell;

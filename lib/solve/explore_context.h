@@ -38,6 +38,13 @@ struct ExploreContext {
   bool jumpsLimited;
 };
 
+template <class Table>
+OBBY_DEVICE void forTables(ExploreContext& c, Table&& table) {
+  forTables(c.level, table);
+  forTables(c.query, table);
+  forTables(c.surfaces, table);
+}
+
 // Standing on something or hanging on a truss, free to jump soon.
 OBBY_DEVICE bool grounded(const sim::World& w) {
   if (w.state == sim::State::climbing) return true;

@@ -9,6 +9,7 @@
 #include "golden/hashes.h"
 #include "sim/backend.h"
 #include "sim/host_device.h"
+#include "solve/go_explore.h"
 #include "support/courses.h"
 
 namespace {
@@ -59,11 +60,12 @@ class Parity {
 
   bool passed() const { return failures_ == 0; }
 
- private:
   void say(bool right, const char* name, const char* what) {
     std::printf("%-6s  %-28s %s\n", right ? "ok" : "WRONG", name, what);
     if (!right) ++failures_;
   }
+
+ private:
   template <class T>
   bool done(const Result<T>& result, const char* name) {
     if (!result) say(false, name, result.error().text().c_str());
@@ -112,6 +114,29 @@ void compareWalkers(Parity& parity, uint32_t worlds, uint32_t ticks) {
   parity.compare("levels of every kind", all.course, worlds, ticks, sim::Actions::walker(4));
 }
 
+// The same search with its rollouts on threads and on the device: every cell of the archive.
+void compareSearch(Parity& parity, sim::Device& device, ThreadPool& pool, int rounds) {
+  const level::Level level = support::movingArena(60, 10, 5).compile();
+  level::QueryView query{};
+  query.goal = {{{0, 500, 0}, {}}, {2, 2, 2}};
+  query.maxJumps = -1;
+  const solve::Problem problem{level.view(), query, sim::makeWorld(level.view(), level.spawns()[0]),
+                               level.bounds(), level.hasMotion()};
+  solve::GoExplore threads(problem, 1, {}, pool), kernel(problem, 1, {}, {pool, &device});
+  for (int round = 0; round < rounds; ++round) {
+    threads.round();
+    kernel.round();
+  }
+  bool same = threads.archive().seen() == kernel.archive().seen();
+  for (uint32_t c = 0; same && c < threads.archive().cellCount(); ++c) {
+    same = stateHash(threads.archive().world(c)) == stateHash(kernel.archive().world(c));
+  }
+  const Status& status = kernel.deviceStatus();
+  const std::string cells = std::to_string(threads.archive().cellCount()) + " cells";
+  parity.say(bool(status) && same, "search",
+             status ? cells.c_str() : status.error().text().c_str());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -122,7 +147,7 @@ int main(int argc, char** argv) {
   }
   ThreadPool pool(availableThreads());
   sim::HostDevice host(pool);
-  auto backend = sim::Backend::open(sim::BackendKind::cuda, pool);
+  auto backend = sim::Backend::open(sim::BackendKind::cuda);
   if (!backend && option != "--emulate") {
     std::printf("no device: skipped: %s\n", backend.error().text().c_str());
     return kSkipped;
@@ -135,5 +160,6 @@ int main(int argc, char** argv) {
   if (option != "--quick") parity.golden();
   compareWalkers(parity, worlds, 300);
   compareSources(parity, worlds, 120);
+  compareSearch(parity, device, pool, option == "--quick" ? 4 : 40);
   return parity.passed() ? 0 : 1;
 }

@@ -20,8 +20,7 @@ TEST(Backend, names_are_those_of_the_option) {
 }
 
 TEST(Backend, the_cpu_is_always_there) {
-  ThreadPool pool(1);
-  const auto backend = Backend::open(BackendKind::cpu, pool);
+  const auto backend = Backend::open(BackendKind::cpu);
   ASSERT_TRUE(backend);
   EXPECT_FALSE(backend->onDevice());
   EXPECT_EQ(backend->note(), "simulating on the CPU");
@@ -29,9 +28,8 @@ TEST(Backend, the_cpu_is_always_there) {
 
 // Whatever keeps CUDA away, `cuda` says so and `auto` goes on with the same words as a note.
 TEST(Backend, without_a_gpu_cuda_is_an_error_and_auto_takes_the_cpu) {
-  ThreadPool pool(1);
-  const auto wanted = Backend::open(BackendKind::cuda, pool);
-  const auto either = Backend::open(BackendKind::automatic, pool);
+  const auto wanted = Backend::open(BackendKind::cuda);
+  const auto either = Backend::open(BackendKind::automatic);
   ASSERT_TRUE(either);
   if (wanted) {
     EXPECT_TRUE(either->onDevice());
@@ -47,11 +45,11 @@ TEST(Backend, without_a_gpu_cuda_is_an_error_and_auto_takes_the_cpu) {
 
 TEST(Backend, auto_gives_batches_that_step) {
   ThreadPool pool(2);
-  const auto backend = Backend::open(BackendKind::automatic, pool);
+  const auto backend = Backend::open(BackendKind::automatic);
   ASSERT_TRUE(backend);
   const level::Level level = support::boxArena(10, 1).compile();
   const Course course = courseOf(level.view(), level.spawns()[0]);
-  const auto batch = backend->makeBatch(course, 50);
+  const auto batch = backend->makeBatch(course, 50, pool);
   ASSERT_TRUE(batch);
   ASSERT_TRUE((*batch)->step(60, Actions::walker(1)));
   const auto lanes = *makeCpuBatch(course, 50, pool);
