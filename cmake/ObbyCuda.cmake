@@ -14,7 +14,6 @@ function(obby_cuda module)
   list(FILTER sources EXCLUDE REGEX "/absent.cpp$")
   target_sources(obby_${module} PRIVATE ${sources})
   file(GLOB kernels CONFIGURE_DEPENDS ${folder}/*.cu)
-  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/lib/{base,math,geom,level,sim,solve}/*.h)
   list(TRANSFORM OBBY_CUDA_ARCHITECTURES REPLACE "(.+)" "-gencode=arch=compute_\\1,code=sm_\\1" OUTPUT_VARIABLE targets)
   # And as PTX for GPUs to come; --fmad=false is in it, too.
   list(GET OBBY_CUDA_ARCHITECTURES -1 last)
@@ -26,10 +25,10 @@ function(obby_cuda module)
     add_custom_command(OUTPUT ${object}
       COMMAND ${CUDAToolkit_NVCC_EXECUTABLE} -std=c++20 -O3 --fmad=false -Xcompiler=-ffp-contract=off ${targets}
         --Werror all-warnings -I${PROJECT_SOURCE_DIR}/lib -I${RANDOM123_INCLUDE}
-        -c ${kernel} -o ${object}
-      DEPENDS ${kernel} ${headers} COMMENT "Compiling kernels of ${module}: ${name}" VERBATIM)
+        -MD -MF ${object}.d -c ${kernel} -o ${object}
+      DEPENDS ${kernel} DEPFILE ${object}.d COMMENT "Compiling kernels of ${module}: ${name}" VERBATIM)
     target_sources(obby_${module} PRIVATE ${object})
     set_source_files_properties(${object} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
   endforeach()
-  target_link_libraries(obby_${module} PUBLIC CUDA::cudart_static)
+  target_link_libraries(obby_${module} PRIVATE CUDA::cudart_static)
 endfunction()

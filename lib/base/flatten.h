@@ -28,7 +28,8 @@ class Flattener {
     }
     const auto [known, isNew] = offsets_.try_emplace({table, count * sizeof(T)}, 0);
     if (isNew) known->second = append(table, count);
-    table = reinterpret_cast<const T*>(base_ + known->second);
+    const uintptr_t address = base_ + known->second;
+    table = reinterpret_cast<const T*>(address);  // NOLINT(performance-no-int-to-ptr)
   }
 
   std::vector<std::byte> take() { return std::move(bytes_); }
