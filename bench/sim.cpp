@@ -1,15 +1,18 @@
 // How fast one core steps worlds: random walkers in box arenas of equal density, full character
 // rules, 60 Hz control and 240 Hz physics.
 #include <algorithm>
+#include <cstdlib>
 #include <vector>
 
 #if defined(OBBY_HAS_BULLET)
 #include "common/bullet_arena.h"
 #endif
 #include "common/report.h"
+#include "sim/batch.h"
 #include "sim/simulator.h"
 #include "sim/tick.h"
 #include "sim/wide_tick.h"
+#include "support/courses.h"
 #include "support/level_builder.h"
 #include "support/walker.h"
 
@@ -148,6 +151,34 @@ double measure(bench::Report& report, const Scene& scene) {
   return rate;
 }
 
+// Batches of worlds that play one level, and 64 different ones, with a new level at every end: as
+// in training. Both take turns; the single levels are some of the many.
+void levels(bench::Report& report) {
+  constexpr uint32_t kLevels = 64, kCrowd = 4096, kStep = 64, kRounds = 12;
+  ThreadPool pool(1);
+  const support::Levels all = support::arenas(kLevels, 100, 240);
+  const auto many = *sim::makeCpuBatch(all.course, kCrowd, pool);
+  double manySeconds = 0, oneSeconds = 0;
+  const auto timed = [](sim::Batch& batch) {
+    return bench::cpuSecondsOf([&] {
+      if (!batch.step(kStep, sim::Actions::walker(1))) std::abort();
+    });
+  };
+  for (uint32_t round = 0; round < kRounds; ++round) {
+    sim::Course course = all.course;
+    course.queue = {round * (kLevels / kRounds)};
+    const auto one = *sim::makeCpuBatch(course, kCrowd, pool);
+    for (uint32_t i = 0; i < 10; ++i) {
+      oneSeconds += timed(*one);
+      manySeconds += timed(*many);
+    }
+  }
+  const double steps = 10.0 * kRounds * kStep * kCrowd;
+  report.add("oneLevel", "stepsPerSecondPerCore", steps / oneSeconds, "1/s");
+  report.add("manyLevels", "stepsPerSecondPerCore", steps / manySeconds, "1/s");
+  report.add("manyLevels", "ratioToOneLevel", oneSeconds / manySeconds, "");
+}
+
 // A snapshot is a plain copy: of worlds to an archive in another order, and back.
 void snapshots(bench::Report& report) {
   constexpr uint32_t kKept = 4096, kRounds = 200;
@@ -187,5 +218,6 @@ int main(int argc, char** argv) {
           {"moving8dynamic4awake", 4,
            [](uint32_t n, uint64_t seed) { return support::looseArena(n, true, seed); }, false});
   measure(report, {"course100", 100, obby::support::platformCourse, false});
+  levels(report);
   snapshots(report);
 }

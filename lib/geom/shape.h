@@ -32,6 +32,16 @@ struct Hull {
   uint32_t vertexCount = 0, faceCount = 0, edgeCount = 0;
 };
 
+// forTables(holder, table) calls table(pointer, count) for every table that a struct points to: one
+// line a table. base/flatten.h copies levels to other memory by it.
+template <class Table>
+OBBY_DEVICE void forTables(Hull& h, Table&& table) {
+  table(h.vertices, h.vertexCount);
+  table(h.normals, h.faceCount);
+  table(h.offsets, h.faceCount);
+  table(h.edges, h.edgeCount);
+}
+
 struct ShapeData {
   Vec3 half;                   // half extents of the bounding box, studs
   const Hull* hull = nullptr;  // only for ShapeKind::hull

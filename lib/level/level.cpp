@@ -75,9 +75,10 @@ Reach looseReach(const PartTables& tables, const Params& p) {
 
 Grid gridOf(const GridTables& g) {
   if (g.cells.empty()) return {};
-  return {
-      g.origin,      {1 / g.cell.x, 1 / g.cell.y, 1 / g.cell.z}, g.nx, g.ny, g.nz, g.cells.data(),
-      g.lists.data()};
+  return {g.origin,       {1 / g.cell.x, 1 / g.cell.y, 1 / g.cell.z},
+          g.nx,           g.ny,
+          g.nz,           g.cells.data(),
+          g.lists.data(), uint32_t(g.lists.size())};
 }
 
 Status compileSpawns(schema::Level::Reader record, std::vector<StartPose>& spawns) {
@@ -179,6 +180,7 @@ Result<Level> Level::compile(schema::Level::Reader record) {
   v.clockCount = uint32_t(t.clocks.size());
   v.crushClock = t.crushClock;
   v.colliderCount = uint32_t(t.colliders.size());
+  v.roleCount = uint32_t(t.roles.size());
   v.moverCount = uint32_t(t.movers.size());
   v.looseCount = uint32_t(t.loose.size());
   v.grid = gridOf(impl->grid);

@@ -2,6 +2,7 @@
 // and device. Owned by level::Level, which says how each table is made.
 #pragma once
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "geom/region.h"
@@ -51,6 +52,11 @@ struct alignas(64) Collider {
   uint8_t loose;  // index into LevelView::loose, or kNotLoose
 };
 constexpr uint8_t kNotLoose = 0xff;
+
+template <class Table>
+OBBY_DEVICE void forTables(Collider& c, Table&& table) {
+  table(c.shape.hull, 1);
+}
 
 // What a look at the parts near a player reads of each. The upper corner is negated, so that one
 // comparison of eight numbers tells whether a box is met: flags and tag read as tiny floats.
@@ -136,6 +142,12 @@ struct Mover {
   uint32_t trigger = kNone;  // clock that moves it; it rests at tick 0 while that does not run
 };
 
+template <class Table>
+OBBY_DEVICE void forTables(Mover& m, Table&& table) {
+  table(m.keys, m.keyCount);
+  table(m.spins, m.spinCount);
+}
+
 OBBY_DEVICE Pose moverPose(const Mover& m, uint32_t tick) {
   const uint32_t k = m.once ? (tick < m.keyCount ? tick : m.keyCount - 1) : tick % m.keyCount;
   Pose pose = m.keys[k];
@@ -172,6 +184,7 @@ struct Grid {
   const uint32_t* cells;  // (nx * ny * nz), index into lists: where the cell's list starts
   const uint32_t* lists;  // each list: count, then collider indices in ascending order, filled up
                           // with colliderCount to a multiple of kListStep
+  uint32_t listWords;     // of all lists together
 };
 
 struct LevelView {
@@ -183,12 +196,26 @@ struct LevelView {
   const Mover* movers;
   const Clock* clocks;
   const Loose* loose;  // (looseCount)
-  uint32_t colliderCount, moverCount, clockCount, looseCount;
+  uint32_t colliderCount, roleCount, moverCount, clockCount, looseCount;
   uint32_t crushClock;  // counts the ticks of being squeezed; kNone: no part kills so
   Grid grid;
   Grid looseGrid;  // the same over centres of loose bodies; empty where there are none
   float maxSideSpeed;  // studs/s; the grid lists reach as far as this carries a player in a tick
 };
+
+template <class Table>
+OBBY_DEVICE void forTables(LevelView& v, Table&& table) {
+  table(v.colliders, v.colliderCount);
+  table(v.bounds, v.colliderCount + 1);
+  table(v.roles, v.roleCount);
+  table(v.movers, v.moverCount);
+  table(v.clocks, v.clockCount);
+  table(v.loose, v.looseCount);
+  for (Grid* g : {&v.grid, &v.looseGrid}) {
+    table(g->cells, size_t(g->nx) * g->ny * g->nz);
+    table(g->lists, g->listWords);
+  }
+}
 
 // A query's regions and limits as the simulator reads them.
 struct WaypointView {
@@ -205,5 +232,11 @@ struct QueryView {
   uint32_t timeLimitTicks;  // 0: none
   uint32_t startTick;       // level clock at the start of the playthrough
 };
+
+template <class Table>
+OBBY_DEVICE void forTables(QueryView& q, Table&& table) {
+  table(q.waypoints, q.waypointCount);
+  table(q.avoid, q.avoidCount);
+}
 
 }  // namespace obby::level

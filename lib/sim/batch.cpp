@@ -1,57 +1,126 @@
+// What batches on every machine have in common.
 #include "sim/batch.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <numeric>
 
 #include "base/hash.h"
+#include "sim/first_worlds.h"
 #include "sim/simulator.h"
 
 namespace obby::sim {
 namespace {
-constexpr size_t kBlock = 256;  // worlds a task: what the wide tick takes at once
-}
 
-Batch::Batch(const level::LevelView& level, const level::StartPose& start, size_t worlds)
-    : level_(level), worlds_(worlds, makeWorld(level, start)) {
-  const std::vector<LooseBody> loose = makeLoose(level);
-  for (size_t i = 0; i < worlds && !loose.empty(); ++i) {
-    loose_.insert(loose_.end(), loose.begin(), loose.end());
+Status checkPlans(const Actions& a, uint32_t worlds) {
+  if (a.firsts.size() != size_t(worlds) + 1) {
+    return makeError(fmt::format("{} plans for {} worlds", a.firsts.size(), worlds),
+                     "firsts has an entry for each world and one more");
   }
+  for (size_t i = 0; i + 1 < a.firsts.size(); ++i) {
+    if (a.firsts[i] > a.firsts[i + 1]) return makeError(fmt::format("plan {} ends early", i));
+  }
+  if (a.firsts.back() <= a.runs.size()) return {};
+  return makeError(
+      fmt::format("plans of {} runs, of which {} are there", a.firsts.back(), a.runs.size()));
 }
 
-void Batch::step(ThreadPool& pool, const level::QueryView* query, uint32_t ticks,
-                 const Controller& controller) {
-  const size_t blocks = (worlds_.size() + kBlock - 1) / kBlock;
-  pool.run(int(blocks), [&](int block) {
-    std::vector<size_t> running;
-    std::vector<World*> worlds;
-    std::vector<LooseBody*> loose;
-    std::vector<Action> actions;
-    const size_t last = std::min(worlds_.size(), (size_t(block) + 1) * kBlock);
-    for (size_t i = size_t(block) * kBlock; i < last; ++i) {
-      running.push_back(i);
-    }
-    for (uint32_t t = 0; t < ticks && !running.empty(); ++t) {
-      worlds.clear();
-      loose.clear();
-      actions.clear();
-      std::erase_if(running, [&](size_t i) { return worlds_[i].outcome != Outcome::running; });
-      for (const size_t i : running) {
-        worlds.push_back(&worlds_[i]);
-        loose.push_back(loose_.data() + i * level_.looseCount);
-        actions.push_back(controller(i, worlds_[i]));
-      }
-      advanceAll(level_, query, worlds, loose.data(), actions.data());
-    }
-  });
+Status checkActions(const Actions& a, uint32_t ticks, uint32_t worlds) {
+  if (a.kind == ActionKind::plans) return checkPlans(a, worlds);
+  if (a.kind == ActionKind::walker || a.table.size() == size_t(ticks) * worlds) return {};
+  return makeError(
+      fmt::format("{} actions for {} ticks of {} worlds", a.table.size(), ticks, worlds));
 }
 
-uint64_t Batch::hash() const {
+Status checkCourse(const Course& c) {
+  const size_t levels = c.levels.size();
+  if (levels == 0) return makeError("a batch without a level");
+  if (c.starts.size() != levels) {
+    return makeError(fmt::format("{} starts for {} levels", c.starts.size(), levels));
+  }
+  if (!c.queries.empty() && c.queries.size() != levels) {
+    return makeError(fmt::format("{} queries for {} levels", c.queries.size(), levels));
+  }
+  for (const World& w : c.starts) {
+    if (w.outcome != Outcome::running) return makeError("a start where the playthrough has ended");
+  }
+  for (const uint32_t i : c.queue) {
+    if (i >= levels) return makeError(fmt::format("level {} in the queue of {} levels", i, levels));
+  }
+  return {};
+}
+
+}  // namespace
+
+LevelSet Course::set() const {
+  return {levels.data(),
+          queries.empty() ? nullptr : queries.data(),
+          starts.data(),
+          startLoose.data(),
+          queue.data(),
+          uint32_t(levels.size()),
+          uint32_t(queue.size()),
+          looseStride,
+          restarts};
+}
+
+Course courseOf(const level::LevelView& level, const level::StartPose& start) {
+  Course course;
+  course.levels = {level};
+  course.starts = {makeWorld(level, start)};
+  return course;
+}
+
+Status Batch::step(uint32_t ticks, const Actions& actions) {
+  OBBY_RETURN_IF_ERROR(checkActions(actions, ticks, size_));
+  return run(ticks, actions);
+}
+
+Result<uint64_t> Batch::hash() const {
+  OBBY_ASSIGN(const std::vector<World> all, worlds());
   uint64_t h = 0;
-  for (size_t i = 0; i < worlds_.size(); ++i) {
-    const uint64_t state = stateHash(worlds_[i], loose(i));
+  OBBY_ASSIGN(const std::vector<LooseBody> bodies, loose());
+  for (size_t i = 0; i < all.size(); ++i) {
+    const std::span<const LooseBody> own(bodies.data() + i * looseStride_, looseStride_);
+    const uint64_t state = stateHash(all[i], own);
     h = hashBytes(&state, sizeof state, h);
   }
   return h;
+}
+
+namespace {
+
+void fillLoose(Course& course) {
+  for (const level::LevelView& level : course.levels) {
+    course.looseStride = std::max(course.looseStride, level.looseCount);
+  }
+  course.startLoose.clear();
+  for (const level::LevelView& level : course.levels) {
+    std::vector<LooseBody> bodies = makeLoose(level);
+    bodies.resize(course.looseStride);
+    course.startLoose.insert(course.startLoose.end(), bodies.begin(), bodies.end());
+  }
+}
+
+}  // namespace
+
+Result<FirstWorlds> firstWorlds(Course& course, uint32_t count) {
+  OBBY_RETURN_IF_ERROR(checkCourse(course));
+  fillLoose(course);
+  if (course.queue.empty()) {
+    course.queue.resize(course.levels.size());
+    std::iota(course.queue.begin(), course.queue.end(), 0u);
+  }
+  FirstWorlds first;
+  for (uint32_t i = 0; i < count; ++i) {
+    first.episodes.push_back({levelOf(course.set(), i, count, 0), 0});
+    const uint32_t level = first.episodes.back().level;
+    first.worlds.push_back(course.starts[level]);
+    const auto bodies = course.startLoose.begin() + level * course.looseStride;
+    first.loose.insert(first.loose.end(), bodies, bodies + course.looseStride);
+  }
+  return first;
 }
 
 }  // namespace obby::sim

@@ -24,12 +24,6 @@ std::vector<LooseBody> makeLoose(const level::LevelView& level);
 // Digest of every field of the state; equal on every machine for the same playthrough.
 uint64_t stateHash(const World& world, std::span<const LooseBody> loose = {});
 
-// One action held for a number of ticks.
-struct ActionRun {
-  Action action;
-  uint32_t ticks;
-};
-
 // Everything a trajectory record says about what to do, in plain form.
 struct Plan {
   level::StartPose start;

@@ -11,6 +11,9 @@ namespace {
 
 using F = WideFloat;
 
+// Fewer worlds than these would leave more lanes empty in lists of their own than they save there.
+constexpr int kFewWorlds = 100;
+
 class Ticker {
  public:
   Ticker(const level::LevelView& level, WideCounts& counts)
@@ -214,7 +217,7 @@ void Ticker::moveAll() {
     }
     int list = constant_[slot] ? kOneStep : kSubsteps;
     if (solids == 1) list = solids_[slot][0] & level::kUprightTag ? kOneUpright : kOneTilted;
-    if (solids > 1) list = kSolids;
+    if (solids > 1 || (solids == 1 && count_ < kFewWorlds)) list = kSolids;
     lists[list][counts[list]++] = slot;
   }
   counts_.contact += uint64_t(counts[kOneUpright] + counts[kOneTilted] + counts[kSolids]);

@@ -70,4 +70,10 @@ struct Action {
   bool jump = false;
 };
 
+// One action held for a number of ticks.
+struct ActionRun {
+  Action action;
+  uint32_t ticks;
+};
+
 }  // namespace obby::sim

@@ -114,7 +114,7 @@ void ClockMap::findBins(const level::LevelView& level) {
 }
 
 ClockView ClockMap::view() const {
-  return {periods_.data(), origin_, 1 / cell_, nx_, ny_, nz_, bins_.data()};
+  return {periods_.data(), origin_, 1 / cell_, nx_, ny_, nz_, bins_.data(), uint32_t(bins_.size())};
 }
 
 }  // namespace obby::solve

@@ -23,7 +23,14 @@ struct ClockView {
   // (LevelView::clockCount), ticks a bin of each clock that touches start; 0: it does not tell
   // states apart.
   const uint32_t* bins = nullptr;
+  uint32_t binCount = 0;
 };
+
+template <class Table>
+OBBY_DEVICE void forTables(ClockView& c, Table&& table) {
+  table(c.periods, size_t(c.nx) * c.ny * c.nz);
+  table(c.bins, c.binCount);
+}
 
 // Outside the map the clock does not matter.
 OBBY_DEVICE uint32_t clockPeriodAt(const ClockView& view, Vec3 p) {

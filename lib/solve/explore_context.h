@@ -38,6 +38,13 @@ struct ExploreContext {
   bool jumpsLimited;
 };
 
+template <class Table>
+OBBY_DEVICE void forTables(ExploreContext& c, Table&& table) {
+  forTables(c.level, table);
+  forTables(c.query, table);
+  forTables(c.surfaces, table);
+}
+
 // The same for a player as boosts have it now.
 OBBY_DEVICE JumpReach reachIn(const ExploreContext& c, const sim::World& w) {
   return w.clockCount == 0 ? c.reach : jumpReach(sim::boosted(w, c.level));

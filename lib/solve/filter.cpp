@@ -85,8 +85,9 @@ bool Filter::wanted(const std::string& id) {
 
 Status Filter::answer(const LoadedLevel& level, schema::Query::Reader query) {
   const SolverOutput output{[this](schema::Record::Reader r) { return pipeline_.write(r); },
-                            options_.progress};
-  OBBY_ASSIGN(const QueryAnswer a, solveQuery(level, query, options_.solver, pool_, output));
+                            options_.progress, options_.deviceFailed};
+  OBBY_ASSIGN(const QueryAnswer a,
+              solveQuery(level, query, options_.solver, {pool_, options_.device}, output));
   switch (a.verdict) {
     case schema::Verdict::SOLVED: ++counts_.solved; return {};
     case schema::Verdict::UNREACHABLE: ++counts_.unreachable; return {};

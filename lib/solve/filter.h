@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/thread_pool.h"
 #include "io/pipeline.h"
 #include "solve/build_query.h"
 #include "solve/query_solver.h"
@@ -20,10 +19,12 @@ namespace obby::solve {
 struct FilterOptions {
   SolverOptions solver;
   int threads = 1;
+  sim::Device* device = nullptr;    // for the rollouts; must outlive the filter; null: the threads
   std::vector<std::string> only;    // ids of the queries to answer; empty: all
   std::optional<QuickQuery> quick;  // asked of every level instead of the stream's queries
   bool verifyOnly = false;          // check the stream's trajectories, answer nothing
   std::function<void(const QueryProgress&)> progress;  // may be empty
+  std::function<void(const Error&)> deviceFailed;      // the CPU went on; may be empty
 };
 
 struct FilterCounts {

@@ -11,7 +11,6 @@ namespace {
 
 // Rollouts a task of the pool: together they fill the lanes of the wide tick.
 constexpr size_t kLeastRollouts = 16, kTaskRollouts = 256;
-constexpr uint32_t kLookEvery = 3;           // ticks: a walking player needs seven for a cell
 constexpr uint64_t kStepsPerRollout = 8000;  // of the search so far: when rounds double
 constexpr float kClockReach = 10;            // studs around moving parts where the clock matters
 constexpr uint64_t kSelectionStream = 1ull << 63;  // streams of rollouts count up from 0
@@ -23,18 +22,14 @@ ExploreContext makeContext(const Problem& problem, const Surfaces& surfaces,
           settings,        limitsJumps(problem.query)};
 }
 
-bool closer(const Closest& a, const Closest& b) {
-  return a.waypoints > b.waypoints || (a.waypoints == b.waypoints && a.distance < b.distance);
-}
-
 }  // namespace
 
 GoExplore::GoExplore(const Problem& problem, uint64_t seed, const GoExploreSettings& settings,
-                     ThreadPool& pool)
+                     const Machine& machine)
     : problem_(problem),
       seed_(seed),
       settings_(settings),
-      pool_(pool),
+      machine_(machine),
       surfaces_(problem.level),
       context_(makeContext(problem, surfaces_, settings.explore)),
       clock_(problem.level, kClockReach),
@@ -42,26 +37,74 @@ GoExplore::GoExplore(const Problem& problem, uint64_t seed, const GoExploreSetti
       potential_(problem),
       phaseTicks_(
           std::max(settings.leastPhase, uint32_t(settings.phaseJumps * context_.reach.airTicks))),
-      airTicks_(
-          std::max(uint32_t(context_.reach.airTicks), problem.level.params.controlRate / 2u)),
+      rule_{settings.groundedOnly,
+            std::max(uint32_t(context_.reach.airTicks), problem.level.params.controlRate / 2u)},
       archive_(kMaxCells, problem.level.looseCount) {
   archive_.offer(cellKey(binning_, problem.start, problem.startLoose.data()), problem.start,
                  {0, kNone, 0}, potential_(problem.start), problem.startLoose.data());
-  statistics_.closest.distance = potential_.distance(problem.start);
+  statistics_.closest.distance = distanceLeft(problem.query, problem.start);
   statistics_.closest.position = problem.start.position;
 }
 
 void GoExplore::round() {
   chooseCells();
-  const size_t share = (rollouts_.size() + size_t(pool_.size()) - 1) / size_t(pool_.size());
+  if (machine_.device != nullptr) {
+    deviceStatus_ = exploreOnDevice();
+    if (!deviceStatus_) machine_.device = nullptr;
+  }
+  if (machine_.device == nullptr) exploreOnThreads();
+  merge();
+  ++statistics_.rounds;
+}
+
+void GoExplore::exploreOnThreads() {
+  const size_t threads = size_t(machine_.pool.size());
+  const size_t share = (rollouts_.size() + threads - 1) / threads;
   const size_t some = std::clamp(share, kLeastRollouts, kTaskRollouts);
   const size_t tasks = (rollouts_.size() + some - 1) / some;
-  pool_.run(int(tasks), [&](int task) {
+  machine_.pool.run(int(tasks), [&](int task) {
     const size_t first = size_t(task) * some;
     explore(std::span(rollouts_).subspan(first, std::min(some, rollouts_.size() - first)));
   });
-  merge();
-  ++statistics_.rounds;
+}
+
+Status GoExplore::openDevice() {
+  if (device_) return {};
+  OBBY_ASSIGN(device_,
+              DeviceRollouts::open(*machine_.device,
+                                   {context_, binning_, rule_, seed_, phaseTicks_, 0, {}, {}, {}}));
+  return {};
+}
+
+// Nothing is noted before the device has done all of its part: a round that failed is taken anew.
+Status GoExplore::exploreOnDevice() {
+  OBBY_RETURN_IF_ERROR(openDevice());
+  std::vector<RolloutStart> starts;
+  std::vector<sim::LooseBody> loose;
+  for (const Rollout& r : rollouts_) {
+    starts.push_back({archive_.world(r.cell), r.id});
+    const auto bodies = archive_.loose(r.cell);
+    loose.insert(loose.end(), bodies.begin(), bodies.end());
+  }
+  OBBY_RETURN_IF_ERROR(device_->run(starts, loose));
+  for (size_t i = 0; i < rollouts_.size(); ++i) {
+    Rollout& r = rollouts_[i];
+    const RolloutEnd& end = device_->ends()[i];
+    r.candidates.clear();
+    r.ticks = end.ticks;
+    r.closest = end.closest;
+    r.closestTicks = end.closestTicks;
+    r.end = end.world;
+    const auto loose = device_->endLoose(i);
+    r.endLoose.assign(loose.begin(), loose.end());
+    archive_.countSeen(r.cell);
+    const std::span<const RolloutVisit> visits = device_->visits(i);
+    for (size_t n = 0; n < visits.size(); ++n) {
+      const RolloutVisit& v = visits[n];
+      visit(r, v.key, archive_.find(v.key), v.world, device_->visitLoose(i, n), v.ticks);
+    }
+  }
+  return {};
 }
 
 // Grows with the steps done, which are the same for any number of threads.
@@ -73,7 +116,7 @@ uint32_t GoExplore::roundSize() const {
 
 void GoExplore::chooseCells() {
   rollouts_.resize(roundSize());
-  selector_.update(archive_, pool_);
+  selector_.update(archive_, machine_.pool);
   Random random(seed_, kSelectionStream | statistics_.rounds);
   for (Rollout& r : rollouts_) {
     r.id = nextRollout_++;
@@ -82,13 +125,9 @@ void GoExplore::chooseCells() {
   }
 }
 
-bool GoExplore::keeps(const sim::World& world) const {
-  return !settings_.groundedOnly || grounded(world) || world.floorlessTicks >= airTicks_;
-}
-
 void GoExplore::explore(std::span<Rollout> rollouts) {
   RolloutGroup group(context_);
-  std::vector<Keys> keys;
+  std::vector<Trail> trails;
   std::vector<Look> looks;
   for (Rollout& r : rollouts) {
     r.candidates.clear();
@@ -98,7 +137,7 @@ void GoExplore::explore(std::span<Rollout> rollouts) {
     const auto loose = archive_.loose(r.cell);
     r.endLoose.assign(loose.begin(), loose.end());
     const uint64_t key = cellKey(binning_, r.end, r.endLoose.data());
-    keys.push_back({key, key});
+    trails.push_back({key, key});
     archive_.countSeen(r.cell);
     group.add(seed_, r.id, r.end, r.endLoose.data());
   }
@@ -109,15 +148,15 @@ void GoExplore::explore(std::span<Rollout> rollouts) {
       if (tick % kLookEvery != 0 || m.world->outcome != sim::Outcome::running) continue;
       looks.push_back({cellKey(binning_, *m.world, m.loose), m.index, kNone});
     }
-    look(rollouts, keys, looks);
+    look(rollouts, trails, looks);
   });
 }
 
 // The archive is far larger than the caches: what all rollouts ask of it is fetched before the
 // first needs it.
-void GoExplore::look(std::span<Rollout> rollouts, std::span<Keys> keys, std::span<Look> looks) {
+void GoExplore::look(std::span<Rollout> rollouts, std::span<Trail> trails, std::span<Look> looks) {
   const auto isNew = [&](const Look& l) {
-    return l.key != keys[l.rollout].kept && keeps(rollouts[l.rollout].end);
+    return trails[l.rollout].isNew(l.key, rule_, rollouts[l.rollout].end);
   };
   for (const Look& l : looks) {
     if (isNew(l)) archive_.prefetch(l.key);
@@ -130,26 +169,27 @@ void GoExplore::look(std::span<Rollout> rollouts, std::span<Keys> keys, std::spa
   for (const Look& l : looks) {
     Rollout& r = rollouts[l.rollout];
     if (isNew(l)) {
-      visit(r, l.key, l.cell);
-      keys[l.rollout].kept = l.key;
+      visit(r, l.key, l.cell, r.end, r.endLoose, r.ticks);
+      trails[l.rollout].kept = l.key;
     }
-    if (l.key == keys[l.rollout].last) continue;
-    keys[l.rollout].last = l.key;
+    if (l.key == trails[l.rollout].last) continue;
+    trails[l.rollout].last = l.key;
     noteClosest(r);
   }
 }
 
 // Once for each cell that a rollout passes through. Counts, and passes on what the archive lacks.
-void GoExplore::visit(Rollout& r, uint64_t key, uint32_t cell) {
+void GoExplore::visit(Rollout& r, uint64_t key, uint32_t cell, const sim::World& world,
+                      std::span<const sim::LooseBody> loose, uint32_t ticks) {
   if (cell != kNone) {
     archive_.countSeen(cell);
-    if (!archive_.better(cell, r.end)) return;
+    if (!archive_.better(cell, world)) return;
   }
-  r.candidates.push_back({key, r.end, r.endLoose, potential_(r.end), r.ticks});
+  r.candidates.push_back({key, world, {loose.begin(), loose.end()}, potential_(world), ticks});
 }
 
 void GoExplore::noteClosest(Rollout& r) {
-  const Closest here{r.end.waypoints, potential_.distance(r.end), {}, r.end.position};
+  const Approach here = approachOf(problem_.query, r.end);
   if (!closer(here, r.closest)) return;
   r.closest = here;
   r.closestTicks = r.ticks;
@@ -180,8 +220,7 @@ void GoExplore::mergeEnd(const Rollout& r) {
     attempts_.add({way, r.end.position, r.end.outcome, r.end.part});
   }
   if (!closer(r.closest, statistics_.closest)) return;
-  statistics_.closest = r.closest;
-  statistics_.closest.way = {r.id, r.parent, r.closestTicks};
+  statistics_.closest = {r.closest, {r.id, r.parent, r.closestTicks}};
 }
 
 }  // namespace obby::solve

@@ -4,18 +4,21 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "base/thread_pool.h"
 #include "solve/archive.h"
 #include "solve/attempts.h"
 #include "solve/cell.h"
+#include "solve/device_rollouts.h"
 #include "solve/explore_context.h"
+#include "solve/machine.h"
 #include "solve/playthrough.h"
 #include "solve/problem.h"
 #include "solve/selection.h"
 #include "solve/surfaces.h"
+#include "solve/trail.h"
 
 namespace obby::solve {
 
@@ -30,12 +33,9 @@ struct GoExploreSettings {
   ExploreSettings explore;
 };
 
-// How far the search has come, in the order of waypoints.
-struct Closest {
-  uint32_t waypoints = 0;
-  float distance = 1e30f;  // studs from the next region
+// How far the search has come, and the way there.
+struct Closest : Approach {
   Node way{0, kNone, 0};
-  Vec3 position;  // feet
 };
 
 struct Statistics {
@@ -47,9 +47,10 @@ struct Statistics {
 
 class GoExplore {
  public:
-  // `pool` is used by round() only.
+  // `machine` is used by round() only. A device that fails is not asked again: the pool goes on,
+  // with the same results.
   GoExplore(const Problem& problem, uint64_t seed, const GoExploreSettings& settings,
-            ThreadPool& pool);
+            const Machine& machine);
 
   // One round. Ways that reached the goal are appended to goals().
   void round();
@@ -58,6 +59,7 @@ class GoExplore {
   const Archive& archive() const { return archive_; }
   const Attempts& attempts() const { return attempts_; }
   const ExploreContext& context() const { return context_; }
+  const Status& deviceStatus() const { return deviceStatus_; }
 
   // Ways to the goal of the last round, fewest ticks, then jumps, first.
   const std::vector<Node>& goals() const { return goals_; }
@@ -79,7 +81,7 @@ class GoExplore {
     uint32_t cell, parent;  // where it starts: cell and node
     uint32_t ticks;
     uint32_t closestTicks;
-    Closest closest;
+    Approach closest;
     sim::World end;
     std::vector<sim::LooseBody> endLoose;
     std::vector<Candidate> candidates;
@@ -87,34 +89,36 @@ class GoExplore {
 
   uint32_t roundSize() const;
   void chooseCells();
-  struct Keys {  // of the cells that a rollout was in and was kept in last
-    uint64_t last, kept;
-  };
-
   struct Look {  // at where a rollout is after a tick
     uint64_t key;
     size_t rollout;
     uint32_t cell;
   };
 
+  void exploreOnThreads();
+  Status openDevice();
+  Status exploreOnDevice();
   void explore(std::span<Rollout> rollouts);
-  void look(std::span<Rollout> rollouts, std::span<Keys> keys, std::span<Look> looks);
-  void visit(Rollout& rollout, uint64_t key, uint32_t cell);
+  void look(std::span<Rollout> rollouts, std::span<Trail> trails, std::span<Look> looks);
+  void visit(Rollout& rollout, uint64_t key, uint32_t cell, const sim::World& world,
+             uint32_t ticks);
   void noteClosest(Rollout& rollout);
-  bool keeps(const sim::World& world) const;
   void merge();
   void mergeEnd(const Rollout& rollout);
 
   const Problem problem_;
   const uint64_t seed_;
   const GoExploreSettings settings_;
-  ThreadPool& pool_;
+  Machine machine_;
+  std::optional<DeviceRollouts> device_;
+  Status deviceStatus_;
   Surfaces surfaces_;
   ExploreContext context_;
   ClockMap clock_;
   Binning binning_;
   Potential potential_;
-  uint32_t phaseTicks_, airTicks_;
+  uint32_t phaseTicks_;
+  KeepRule rule_;
   Archive archive_;
   Selector selector_;
   Attempts attempts_;

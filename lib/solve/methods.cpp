@@ -20,12 +20,12 @@ GoExploreSettings plainSettings() {
   return s;
 }
 
-SearchOutcome runAimed(const Problem& p, const Budget& b, const Watcher& w, ThreadPool& pool) {
-  return runSearch(p, b, aimedSettings(), w, pool);
+SearchOutcome runAimed(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
+  return runSearch(p, b, aimedSettings(), w, m);
 }
 
-SearchOutcome runPlain(const Problem& p, const Budget& b, const Watcher& w, ThreadPool& pool) {
-  return runSearch(p, b, plainSettings(), w, pool);
+SearchOutcome runPlain(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
+  return runSearch(p, b, plainSettings(), w, m);
 }
 
 }  // namespace

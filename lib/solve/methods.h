@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "base/thread_pool.h"
 #include "solve/go_explore.h"
 #include "solve/problem.h"
 #include "solve/solutions.h"
@@ -40,9 +39,10 @@ struct SearchOutcome {
   uint32_t refused = 0;        // playthroughs that the watcher did not accept
   double seconds = 0;          // wall clock
   double firstSolution = 0;    // seconds to the first accepted solution; 0: none
+  Status device;               // why the machine's device was given up, if it was
 };
 
-using RunMethod = SearchOutcome (*)(const Problem&, const Budget&, const Watcher&, ThreadPool&);
+using RunMethod = SearchOutcome (*)(const Problem&, const Budget&, const Watcher&, const Machine&);
 
 struct Method {
   const char* name;

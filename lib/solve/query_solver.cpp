@@ -31,7 +31,7 @@ class Solving {
         compiled_(compiled),
         identity_{compiled.id(), level.level.name(), compiled.start()} {}
 
-  Result<QueryAnswer> run(ThreadPool& pool) {
+  Result<QueryAnswer> run(const Machine& machine) {
     const auto& view = level_.level.view();
     const Problem problem{view,
                           compiled_.view(),
@@ -41,7 +41,8 @@ class Solving {
                           level_.level.hasMotion()};
     const Watcher watcher{[this](const Playthrough& p) { return verified(p); },
                           [this](const SearchView& v) { look(v); }};
-    const SearchOutcome outcome = options_.method->run(problem, options_.budget, watcher, pool);
+    const SearchOutcome outcome = options_.method->run(problem, options_.budget, watcher, machine);
+    if (!outcome.device && output_.deviceFailed) output_.deviceFailed(outcome.device.error());
     OBBY_RETURN_IF_ERROR(std::move(status_));
     OBBY_RETURN_IF_ERROR(writeAnswer(outcome));
     return QueryAnswer{
@@ -110,10 +111,10 @@ Result<LoadedLevel> loadLevel(const io::Record& record) {
 }
 
 Result<QueryAnswer> solveQuery(const LoadedLevel& level, schema::Query::Reader query,
-                               const SolverOptions& options, ThreadPool& pool,
+                               const SolverOptions& options, const Machine& machine,
                                const SolverOutput& output) {
   OBBY_ASSIGN(const level::Query compiled, level::Query::compile(query, level.level));
-  return Solving(level, query, options, output, compiled).run(pool);
+  return Solving(level, query, options, output, compiled).run(machine);
 }
 
 }  // namespace obby::solve

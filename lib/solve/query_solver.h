@@ -5,7 +5,6 @@
 #include <functional>
 #include <string>
 
-#include "base/thread_pool.h"
 #include "io/record.h"
 #include "level/level.h"
 #include "solve/methods.h"
@@ -38,6 +37,7 @@ struct QueryProgress {
 struct SolverOutput {
   std::function<Status(schema::Record::Reader)> write;
   std::function<void(const QueryProgress&)> progress;  // may be empty
+  std::function<void(const Error&)> deviceFailed;      // the CPU went on; may be empty
 };
 
 struct QueryAnswer {
@@ -47,7 +47,7 @@ struct QueryAnswer {
 
 // An error is about the query record (path is set), or of `write`.
 Result<QueryAnswer> solveQuery(const LoadedLevel& level, schema::Query::Reader query,
-                               const SolverOptions& options, ThreadPool& pool,
+                               const SolverOptions& options, const Machine& machine,
                                const SolverOutput& output);
 
 }  // namespace obby::solve

@@ -60,9 +60,9 @@ std::vector<Playthrough> showAttempts(const GoExplore& search, size_t count) {
 
 SearchOutcome runSearch(const Problem& problem, const Budget& budget,
                         const GoExploreSettings& settings, const Watcher& watcher,
-                        ThreadPool& pool) {
+                        const Machine& machine) {
   const Clock clock;
-  GoExplore search(problem, budget.seed, settings, pool);
+  GoExplore search(problem, budget.seed, settings, machine);
   Solutions solutions;
   SearchOutcome outcome;
   std::optional<Stopped> stopped;
@@ -80,6 +80,7 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget,
   outcome.statistics = search.statistics();
   outcome.waypointCount = problem.query.waypointCount;
   outcome.cells = search.archive().cellCount();
+  outcome.device = search.deviceStatus();
   return outcome;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solve/trail.h"
+
 namespace obby::solve {
 
 namespace {
@@ -29,13 +31,9 @@ Potential::Potential(const Problem& problem) : query_(problem.query) {
   }
 }
 
-float Potential::distance(const sim::World& world) const {
-  return geom::distance(targetRegion(query_, world.waypoints), world.position);
-}
-
 float Potential::operator()(const sim::World& world) const {
   const uint32_t leg = std::min<uint32_t>(world.waypoints, query_.waypointCount);
-  const float near = std::max(0.0f, 1.0f - distance(world) / spans_[leg]);
+  const float near = std::max(0.0f, 1.0f - distanceLeft(query_, world) / spans_[leg]);
   return (1.0f + 4.0f * near) * (1.0f + 3.0f * float(leg));
 }
 

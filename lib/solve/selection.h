@@ -19,8 +19,6 @@ class Potential {
  public:
   explicit Potential(const Problem& problem);
   float operator()(const sim::World& world) const;
-  // Studs to the next region.
-  float distance(const sim::World& world) const;
 
  private:
   level::QueryView query_;

@@ -150,7 +150,8 @@ SurfaceView Surfaces::view() const {
           1 / height_,
           nx_,
           ny_,
-          nz_};
+          nz_,
+          uint32_t(points_.size())};
 }
 
 }  // namespace obby::solve

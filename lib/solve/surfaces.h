@@ -33,7 +33,16 @@ struct SurfaceView {
   Vec3 origin;
   float inverseWidth, inverseHeight;  // 1 / cell extents
   int32_t nx, ny, nz;
+  uint32_t pointCount;
 };
+
+template <class Table>
+OBBY_DEVICE void forTables(SurfaceView& s, Table&& table) {
+  const size_t cells = size_t(s.nx) * s.ny * s.nz;
+  table(s.points, s.pointCount);
+  table(s.entries, s.starts[cells]);
+  table(s.starts, cells + 1);
+}
 
 class Surfaces {
  public:

@@ -10,6 +10,7 @@
 
 #include "random_level.h"
 #include "sim/batch.h"
+#include "sim/host_device.h"
 #include "sim/tick.h"
 #include "sim/wide_tick.h"
 
@@ -147,17 +148,29 @@ RC_GTEST_PROP(Properties, ARestoredSnapshotGoesOnAsBefore, ()) {
   const level::Level level = randomLevel();
   const uint64_t seed = *rc::gen::inRange<uint64_t>(0, 100000);
   const uint32_t before = *rc::gen::inRange<uint32_t>(0, 200);
-  Batch batch(level.view(), level.spawns()[0], 8);
   ThreadPool pool(2);
-  const auto play = [&](size_t i, const World& w) { return actionAt(seed + i, w.tick); };
-  batch.step(pool, nullptr, before, play);
-  std::vector<World> snapshots;
-  for (size_t i = 0; i < batch.size(); ++i) snapshots.push_back(batch.world(i));
-  batch.step(pool, nullptr, 100, play);
-  const uint64_t first = batch.hash();
-  for (size_t i = 0; i < batch.size(); ++i) batch.restore(i, snapshots[i]);
-  batch.step(pool, nullptr, 100, play);
-  RC_ASSERT(batch.hash() == first);
+  const auto batch = *makeCpuBatch(courseOf(level.view(), level.spawns()[0]), 8, pool);
+  RC_ASSERT(bool(batch->step(before, Actions::walker(seed))));
+  const std::vector<World> snapshots = *batch->worlds();
+  RC_ASSERT(bool(batch->step(100, Actions::walker(seed))));
+  const uint64_t first = *batch->hash();
+  RC_ASSERT(bool(batch->restore(0, snapshots)));
+  RC_ASSERT(bool(batch->step(100, Actions::walker(seed))));
+  RC_ASSERT(*batch->hash() == first);
+}
+
+// The kernel of a GPU, from tables in memory of its own.
+RC_GTEST_PROP(Properties, TheKernelGivesTheBitsOfTheLanes, ()) {
+  const level::Level level = randomLevel();
+  const uint64_t seed = *rc::gen::inRange<uint64_t>(0, 100000);
+  ThreadPool pool(2);
+  HostDevice device(pool);
+  const Course course = courseOf(level.view(), level.spawns()[0]);
+  const auto lanes = *makeCpuBatch(course, 24, pool);
+  const auto kernel = *makeKernelBatch(course, 24, device);
+  RC_ASSERT(bool(lanes->step(200, Actions::walker(seed))));
+  RC_ASSERT(bool(kernel->step(200, Actions::walker(seed))));
+  RC_ASSERT(*lanes->hash() == *kernel->hash());
 }
 
 RC_GTEST_PROP(Properties, TheOrderOfWorldsDoesNotShow, ()) {

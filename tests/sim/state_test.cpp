@@ -31,20 +31,21 @@ TEST(Batch, threads_and_order_do_not_show) {
   uint64_t expected = 0;
   for (const int threads : {1, 2, 3, 8}) {
     ThreadPool pool(threads);
-    sim::Batch batch(level.view(), level.spawns()[0], 300);
-    batch.step(pool, nullptr, 200, scripted);
-    if (expected == 0) expected = batch.hash();
-    EXPECT_EQ(batch.hash(), expected) << threads;
+    const auto batch =
+        *sim::makeCpuBatch(sim::courseOf(level.view(), level.spawns()[0]), 300, pool);
+    ASSERT_TRUE(batch->step(200, sim::Actions::walker(7)));
+    if (expected == 0) expected = *batch->hash();
+    EXPECT_EQ(*batch->hash(), expected) << threads;
   }
 }
 
 TEST(Batch, no_world_ever_holds_a_nan) {
   const auto level = support::boxArena(300, 5).compile();
   ThreadPool pool(2);
-  sim::Batch batch(level.view(), level.spawns()[0], 200);
-  batch.step(pool, nullptr, 1500, scripted);
-  for (size_t i = 0; i < batch.size(); ++i) {
-    const sim::World& w = batch.world(i);
+  const auto batch = *sim::makeCpuBatch(sim::courseOf(level.view(), level.spawns()[0]), 200, pool);
+  ASSERT_TRUE(batch->step(1500, sim::Actions::walker(7)));
+  const auto worlds = *batch->worlds();
+  for (const sim::World& w : worlds) {
     EXPECT_EQ(dot(w.position, w.position), dot(w.position, w.position));
     EXPECT_EQ(dot(w.velocity, w.velocity), dot(w.velocity, w.velocity));
     EXPECT_EQ(w.flags & sim::kCandidateOverrun, 0);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scenes.h"
+#include "solve/trail.h"
 
 namespace obby::solve {
 namespace {
@@ -37,7 +38,7 @@ TEST(Potential, RisesTowardTheGoalAndWithWaypoints) {
   EXPECT_LT(nearWaypoint, behindWaypoint);
   EXPECT_LT(behindWaypoint, atGoal);
   EXPECT_FLOAT_EQ(atGoal, 5.0f * 4.0f);
-  EXPECT_FLOAT_EQ(potential.distance(w), 0);
+  EXPECT_FLOAT_EQ(distanceLeft(q.problem().query, w), 0);
 }
 
 TEST(Selector, PicksInProportionToTheWeights) {

@@ -17,6 +17,9 @@ cli::ExitCode exitCode(const cli::Context& context, const solve::FilterCounts& c
 
 Result<cli::ExitCode> run(cli::Context& context) {
   OBBY_ASSIGN(solve::FilterOptions options, tools::filterOptions(context));
+  OBBY_ASSIGN(const sim::Backend backend, tools::searchBackend(context));
+  options.device = backend.device();
+  context.note(backend.note());
   OBBY_ASSIGN(io::StreamWriter output, context.openOutput());
   const bool verifyOnly = options.verifyOnly;
   io::Pipeline pipeline(context.sourceOptions(), context.identity(), std::move(output));

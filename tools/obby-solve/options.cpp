@@ -74,6 +74,16 @@ OptionRow timeLimitRow() {
   return r;
 }
 
+OptionRow backendRow() {
+  OptionRow r = cli::commonRow(cli::Common::backend);
+  r.help =
+      "where rollouts are simulated; the answers do not depend on it. auto is the CPU: the rounds "
+      "of "
+      "a search are small for a GPU";
+  r.group = kSearchGroup;
+  return r;
+}
+
 std::vector<OptionRow> searchRows() {
   return {
       timeLimitRow(),
@@ -93,6 +103,7 @@ std::vector<OptionRow> searchRows() {
           row("query", ValueType::text, "ID", "", "answer only this query; repeat", kSearchGroup)),
       cli::commonRow(cli::Common::seed),
       cli::commonRow(cli::Common::threads),
+      backendRow(),
       row("verify", ValueType::flag, "", "",
           "only check the trajectories of the stream by replaying them", kSearchGroup),
       row("final-only", ValueType::flag, "", "", "leave progress records out of the stream",
@@ -151,7 +162,8 @@ cli::ToolSpec solveSpec() {
       "of the stream. A level without any query is asked for the way from its spawn to its goal or "
       "last checkpoint.\n\n"
       "The answer to a query depends on the stream, --seed, --max-steps, --solutions, --attempts "
-      "and --method only, never on --threads or the machine; progress records and result.timing "
+      "and --method only, never on --threads, --backend or the machine; progress records and "
+      "result.timing "
       "do, and so does where --time-limit cuts off a search that finds nothing.";
   return spec;
 }
@@ -181,7 +193,16 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
          p.fraction,
          {{"steps", double(p.steps)}, {"cells", double(p.cells)}, {"closest", double(p.closest)}}});
   };
+  o.deviceFailed = [&context](const Error& error) {
+    context.warn(error.text() + "; went on with the CPU");
+  };
   return o;
+}
+
+Result<sim::Backend> searchBackend(const cli::Context& context) {
+  OBBY_ASSIGN(const sim::BackendKind kind, sim::backendKind(context.arguments().text("backend")));
+  const bool gpu = kind == sim::BackendKind::cuda;
+  return sim::Backend::open(gpu ? kind : sim::BackendKind::cpu);
 }
 
 }  // namespace obby::tools

@@ -3,11 +3,14 @@
 
 #include "cli/context.h"
 #include "cli/tool.h"
+#include "sim/backend.h"
 #include "solve/filter.h"
 
 namespace obby::tools {
 
 cli::ToolSpec solveSpec();
 Result<solve::FilterOptions> filterOptions(cli::Context& context);
+// Where rollouts run; --backend auto is the CPU.
+Result<sim::Backend> searchBackend(const cli::Context& context);
 
 }  // namespace obby::tools

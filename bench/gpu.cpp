@@ -1,0 +1,100 @@
+// How fast a GPU steps worlds: random walkers in the arena of 100 boxes, and in 64 such arenas with
+// a new one at every end, as in training. Ends with 77 where there is no GPU. With --emulate the
+// CPU takes the GPU's place, in small: a test of this program, not a measurement.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/report.h"
+#include "sim/backend.h"
+#include "sim/host_device.h"
+#include "solve/device_rollouts.h"
+#include "support/courses.h"
+
+namespace {
+
+using namespace obby;
+
+constexpr int kSkipped = 77;
+constexpr uint32_t kStep = 32;       // ticks a launch
+constexpr uint32_t kWarmTicks = 96;  // until worlds have left the start
+
+[[noreturn]] void fail(const Error& error) {
+  std::fprintf(stderr, "bench_gpu: %s\n", error.text().c_str());
+  std::exit(1);
+}
+
+template <class T>
+T need(Result<T> result) {
+  if (!result) fail(result.error());
+  return *std::move(result);
+}
+
+void stepOrFail(sim::Batch& batch, uint32_t ticks) {
+  if (const Status s = batch.step(ticks, sim::Actions::walker(1)); !s) fail(s.error());
+}
+
+// Median of five turns of about `ticks` ticks each.
+double stepsPerSecond(sim::Device& device, const sim::Course& course, uint32_t worlds,
+                      uint32_t ticks, uint32_t step) {
+  const auto batch = need(sim::makeKernelBatch(course, worlds, device));
+  stepOrFail(*batch, kWarmTicks);
+  std::vector<double> rates;
+  for (int turn = 0; turn < 5; ++turn) {
+    const double seconds = bench::secondsOf([&] {
+      for (uint32_t t = 0; t < ticks; t += step) stepOrFail(*batch, step);
+    });
+    rates.push_back(double(worlds) * ticks / seconds);
+  }
+  std::sort(rates.begin(), rates.end());
+  return rates[2];
+}
+
+void facts(bench::Report& report, const sim::Device& device, const sim::Kernel& kernel) {
+  const auto f = device.facts(kernel);
+  if (!f) return;
+  report.add(kernel.name, "registers", f->registers, "");
+  report.add(kernel.name, "localBytes", f->localBytes, "B");
+  report.add(kernel.name, "residentWorldsPerSm", f->blocksPerSm * f->threads, "");
+  report.add(kernel.name, "multiprocessors", f->smCount, "");
+}
+
+void measure(bench::Report& report, sim::Device& device, bool small) {
+  facts(report, device, sim::stepKernel(true));
+  facts(report, device, sim::stepKernel(false));
+  facts(report, device, solve::rolloutKernel());
+  const support::Levels one = support::arenas(1, 100, 600), many = support::arenas(64, 100, 240);
+  const std::vector<uint32_t> counts =
+      small ? std::vector<uint32_t>{256} : std::vector<uint32_t>{8192, 131072, 1048576};
+  for (const uint32_t worlds : counts) {
+    const uint32_t ticks = small ? kStep : worlds > 500000 ? 4 * kStep : 16 * kStep;
+    const std::string name = std::to_string(worlds) + "worlds";
+    const double single = stepsPerSecond(device, one.course, worlds, ticks, kStep);
+    report.add(name, "stepsPerSecond", single, "1/s");
+    report.add(name, "stepsPerSecondTickByTick",
+               stepsPerSecond(device, one.course, worlds, kStep, 1), "1/s");
+    const double mixed = stepsPerSecond(device, many.course, worlds, ticks, kStep);
+    report.add(name, "stepsPerSecond64Levels", mixed, "1/s");
+    report.add(name, "ratioToOneLevel", mixed / single, "");
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto emulate = [](const char* word) { return std::string_view(word) == "--emulate"; };
+  char** const end = std::remove_if(argv + 1, argv + argc, emulate);
+  const bool small = end != argv + argc;
+  bench::Report report(int(end - argv), argv, "gpu");
+  ThreadPool pool(availableThreads());
+  sim::HostDevice host(pool);
+  auto backend = sim::Backend::open(sim::BackendKind::cuda);
+  if (!backend && !small) {
+    std::fprintf(stderr, "bench_gpu: skipped: %s\n", backend.error().text().c_str());
+    return kSkipped;
+  }
+  measure(report, small ? host : *backend->device(), small);
+}

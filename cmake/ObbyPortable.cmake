@@ -1,0 +1,8 @@
+# The libraries that the simulator needs, as static ones: Cap'n Proto from its archives, fmt and xxhash from their
+# headers. Debian has no archive of fmt; --as-needed drops the shared library that its target names.
+foreach(name kj capnp)
+  find_library(OBBY_STATIC_${name} lib${name}.a REQUIRED)
+  set_target_properties(CapnProto::${name} PROPERTIES IMPORTED_LOCATION ${OBBY_STATIC_${name}})
+endforeach()
+set_target_properties(fmt::fmt PROPERTIES INTERFACE_COMPILE_DEFINITIONS FMT_HEADER_ONLY=1)
+set_target_properties(PkgConfig::xxhash PROPERTIES INTERFACE_COMPILE_DEFINITIONS XXH_INLINE_ALL)

@@ -1,0 +1,37 @@
+// Where worlds are simulated: on the CPU's lanes, or on a GPU. The results do not depend on it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "sim/batch.h"
+
+namespace obby::sim {
+
+// The order of --backend's choices.
+enum class BackendKind { automatic, cpu, cuda };
+
+Result<BackendKind> backendKind(const std::string& name);  // "auto", "cpu", "cuda"
+
+class Backend {
+ public:
+  // `cuda` without a GPU is an error; `automatic` then takes the CPU and says why in note().
+  static Result<Backend> open(BackendKind kind);
+
+  bool onDevice() const { return device_ != nullptr; }
+  Device* device() const { return device_.get(); }   // null: the CPU's lanes
+  const std::string& note() const { return note_; }  // for people; never empty
+
+  // The batch must not outlive the backend or the pool.
+  Result<std::unique_ptr<Batch>> makeBatch(Course course, uint32_t worlds, ThreadPool& pool) const;
+
+ private:
+  Backend(std::unique_ptr<Device> device, std::string note)
+      : device_(std::move(device)), note_(std::move(note)) {}
+
+  std::unique_ptr<Device> device_;
+  std::string note_;
+};
+
+}  // namespace obby::sim

@@ -1,0 +1,12 @@
+// A build without CUDA.
+#include "sim/cuda/cuda.h"
+
+namespace obby::sim::cuda {
+
+Result<std::unique_ptr<Device>> openDevice() {
+  return makeError("this build has no CUDA", "build with nvcc: cmake --preset cuda");
+}
+
+const void* stepEntry(bool) { return nullptr; }
+
+}  // namespace obby::sim::cuda

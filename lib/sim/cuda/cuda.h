@@ -1,0 +1,16 @@
+// What the CUDA build adds, behind functions that a build without CUDA has, too (absent.cpp).
+#pragma once
+
+#include <memory>
+
+#include "base/result.h"
+#include "sim/device.h"
+
+namespace obby::sim::cuda {
+
+// The first GPU. Without CUDA in this build, a driver or a GPU: an error that says which.
+Result<std::unique_ptr<Device>> openDevice();
+
+const void* stepEntry(bool oneLevel);  // Kernel::entry of stepKernel
+
+}  // namespace obby::sim::cuda

@@ -1,0 +1,86 @@
+// A GPU through the CUDA runtime. Every call's error comes back with the driver's own words.
+#include <cuda_runtime_api.h>
+#include <fmt/format.h>
+
+#include "sim/cuda/cuda.h"
+
+namespace obby::sim::cuda {
+namespace {
+
+constexpr uint32_t kMostThreads = 128, kLeastThreads = 32;
+
+Status check(cudaError_t code, const char* what) {
+  if (code == cudaSuccess) return {};
+  return makeError(fmt::format("CUDA: {}: {}", what, cudaGetErrorString(code)));
+}
+
+class Gpu : public Device {
+ public:
+  Status open() {
+    int count = 0;
+    OBBY_RETURN_IF_ERROR(check(cudaGetDeviceCount(&count), "no GPU to use"));
+    if (count == 0) return makeError("CUDA: no GPU to use");
+    OBBY_RETURN_IF_ERROR(check(cudaSetDevice(0), "cannot use the GPU"));
+    return check(cudaGetDeviceProperties(&properties_, 0), "cannot ask the GPU what it is");
+  }
+
+  std::string name() const override { return properties_.name; }
+
+  Result<void*> allocate(size_t bytes) override {
+    void* memory = nullptr;
+    const cudaError_t code = cudaMalloc(&memory, bytes);
+    if (code == cudaErrorMemoryAllocation) cudaGetLastError();  // this one is over and done with
+    OBBY_RETURN_IF_ERROR(check(code, fmt::format("allocating {} bytes", bytes).c_str()));
+    return memory;
+  }
+  void release(void* memory) override { cudaFree(memory); }
+  Status upload(void* to, const void* from, size_t bytes) override {
+    return check(cudaMemcpy(to, from, bytes, cudaMemcpyHostToDevice), "copying to the GPU");
+  }
+  Status download(void* to, const void* from, size_t bytes) const override {
+    return check(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost), "copying from the GPU");
+  }
+
+  Status launch(const Kernel& kernel, const void* arguments, uint32_t count) override {
+    if (count == 0) return {};
+    const uint32_t threads = threadsFor(count), blocks = (count + threads - 1) / threads;
+    void* values[] = {const_cast<void*>(arguments), &count};
+    OBBY_RETURN_IF_ERROR(
+        check(cudaLaunchKernel(kernel.entry, dim3(blocks), dim3(threads), values, 0, nullptr),
+              kernel.name));
+    return check(cudaDeviceSynchronize(), kernel.name);
+  }
+
+  Result<KernelFacts> facts(const Kernel& kernel) const override {
+    cudaFuncAttributes a{};
+    OBBY_RETURN_IF_ERROR(check(cudaFuncGetAttributes(&a, kernel.entry), kernel.name));
+    int blocks = 0;
+    OBBY_RETURN_IF_ERROR(
+        check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, kernel.entry, kMostThreads, 0),
+              kernel.name));
+    return KernelFacts{a.numRegs, int(a.localSizeBytes), int(kMostThreads), blocks,
+                       properties_.multiProcessorCount};
+  }
+
+ private:
+  // Few worlds go to as many multiprocessors as there are.
+  uint32_t threadsFor(uint32_t count) const {
+    uint32_t threads = kMostThreads;
+    while (threads > kLeastThreads && count / threads < uint32_t(properties_.multiProcessorCount)) {
+      threads /= 2;
+    }
+    return threads;
+  }
+
+  cudaDeviceProp properties_{};
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Device>> openDevice() {
+  auto gpu = std::make_unique<Gpu>();
+  OBBY_RETURN_IF_ERROR(gpu->open());
+  return std::unique_ptr<Device>(std::move(gpu));
+}
+
+}  // namespace obby::sim::cuda

@@ -1,0 +1,99 @@
+// Memory and launches of a machine that runs kernels: a GPU, or the CPU in its place for tests.
+// Errors of the driver come back as Results.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/flatten.h"
+#include "base/result.h"
+#include "sim/kernel.h"
+
+namespace obby::sim {
+
+// What the compiler and the driver say of a kernel.
+struct KernelFacts {
+  int registers = 0;    // a thread
+  int localBytes = 0;   // a thread: stack and spills
+  int threads = 0;      // a block
+  int blocksPerSm = 0;  // resident at once
+  int smCount = 0;
+};
+
+class Device {
+ public:
+  virtual ~Device() = default;
+
+  virtual std::string name() const = 0;
+
+  virtual Result<void*> allocate(size_t bytes) = 0;  // aligned to at least 128 bytes
+  virtual void release(void* memory) = 0;
+  virtual Status upload(void* to, const void* from, size_t bytes) = 0;
+  virtual Status download(void* to, const void* from, size_t bytes) const = 0;
+
+  // Runs the kernel for 0 ... count - 1 and waits until it is done.
+  virtual Status launch(const Kernel& kernel, const void* arguments, uint32_t count) = 0;
+  virtual Result<KernelFacts> facts(const Kernel& kernel) const = 0;
+};
+
+// Memory of a device, released with this object. Must not outlive the device.
+class Memory {
+ public:
+  Memory() = default;
+  Memory(Memory&& other) noexcept { *this = std::move(other); }
+  Memory& operator=(Memory&& other) noexcept {
+    std::swap(device_, other.device_);
+    std::swap(address_, other.address_);
+    std::swap(bytes_, other.bytes_);
+    return *this;
+  }
+  ~Memory() {
+    if (address_ != nullptr) device_->release(address_);
+  }
+
+  static Result<Memory> of(Device& device, size_t bytes) {
+    Memory memory;
+    if (bytes == 0) return memory;
+    OBBY_ASSIGN(memory.address_, device.allocate(bytes));
+    memory.device_ = &device;
+    memory.bytes_ = bytes;
+    return memory;
+  }
+
+  void* address() const { return address_; }
+  template <class T>
+  T* as() const {
+    return static_cast<T*>(address_);
+  }
+  size_t bytes() const { return bytes_; }
+
+ private:
+  Device* device_ = nullptr;
+  void* address_ = nullptr;
+  size_t bytes_ = 0;
+};
+
+// Uploads a table; `memory` grows where it is too small.
+template <class T>
+Status uploadTable(Device& device, Memory& memory, std::span<const T> table) {
+  if (memory.bytes() < table.size_bytes()) {
+    OBBY_ASSIGN(memory, Memory::of(device, table.size_bytes()));
+  }
+  return table.empty() ? Status()
+                       : device.upload(memory.address(), table.data(), table.size_bytes());
+}
+
+// Uploads all tables of `root` in one piece and points `root` to them there.
+template <class Root>
+Result<Memory> uploadTables(Device& device, Root& root) {
+  Root sized = root;  // the address is known only after the size
+  OBBY_ASSIGN(Memory memory, Memory::of(device, flatten(sized, 0).size()));
+  const auto bytes = flatten(root, reinterpret_cast<uintptr_t>(memory.address()));
+  OBBY_RETURN_IF_ERROR(uploadTable<std::byte>(device, memory, bytes));
+  return memory;
+}
+
+}  // namespace obby::sim

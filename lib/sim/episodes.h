@@ -1,0 +1,58 @@
+// What worlds play: a set of levels, and the order in which they are handed out. Which level a
+// world takes next depends on its number and its episode only, never on who finishes first, so that
+// CPU and GPU agree.
+#pragma once
+
+#include "level/level_view.h"
+#include "sim/loose.h"
+#include "sim/world.h"
+
+namespace obby::sim {
+
+struct LevelSet {
+  const level::LevelView* levels = nullptr;   // (levelCount)
+  const level::QueryView* queries = nullptr;  // (levelCount), or null: no rules
+  const World* starts = nullptr;              // (levelCount), where playthroughs begin
+  const LooseBody* startLoose = nullptr;      // (levelCount, looseStride)
+  const uint32_t* queue = nullptr;            // (queueLength), indices of levels
+  uint32_t levelCount = 0, queueLength = 0;
+  uint32_t looseStride = 0;  // bodies that each world has room for
+  bool restarts = false;  // a world whose playthrough has ended takes its next level
+};
+
+template <class Table>
+OBBY_DEVICE void forTables(LevelSet& s, Table&& table) {
+  table(s.levels, s.levelCount);
+  table(s.queries, s.levelCount);
+  table(s.starts, s.levelCount);
+  table(s.startLoose, size_t(s.levelCount) * s.looseStride);
+  table(s.queue, s.queueLength);
+}
+
+// What a world plays now.
+struct Episode {
+  uint32_t level = 0;   // index into LevelSet::levels
+  uint32_t number = 0;  // playthroughs before this one
+};
+
+// The level of a world's episode: the worlds take turns at the queue.
+OBBY_DEVICE uint32_t levelOf(const LevelSet& s, uint32_t world, uint32_t worlds, uint32_t episode) {
+  return s.queue[(world + uint64_t(episode) * worlds) % s.queueLength];
+}
+
+OBBY_DEVICE const level::QueryView* queryOf(const LevelSet& s, uint32_t level) {
+  return s.queries != nullptr ? s.queries + level : nullptr;
+}
+
+// Puts a world and its loose bodies at the start of its next level.
+OBBY_DEVICE void startNext(const LevelSet& s, uint32_t index, uint32_t worlds, Episode& episode,
+                           World& world, LooseBody* loose) {
+  ++episode.number;
+  episode.level = levelOf(s, index, worlds, episode.number);
+  world = s.starts[episode.level];
+  for (uint32_t b = 0; b < s.looseStride; ++b) {
+    loose[b] = s.startLoose[episode.level * s.looseStride + b];
+  }
+}
+
+}  // namespace obby::sim

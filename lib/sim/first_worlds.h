@@ -1,0 +1,17 @@
+// How every batch begins: what its worlds play first. Private to lib/sim.
+#pragma once
+
+#include "sim/batch.h"
+
+namespace obby::sim {
+
+struct FirstWorlds {
+  std::vector<World> worlds;
+  std::vector<Episode> episodes;
+  std::vector<LooseBody> loose;  // (worlds, Course::looseStride)
+};
+
+// Checks the course, fills an empty queue and the loose bodies of the starts.
+Result<FirstWorlds> firstWorlds(Course& course, uint32_t count);
+
+}  // namespace obby::sim

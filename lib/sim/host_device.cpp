@@ -1,0 +1,44 @@
+#include "sim/host_device.h"
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+
+namespace obby::sim {
+namespace {
+constexpr std::align_val_t kAlignment{256};  // as cudaMalloc's
+constexpr uint32_t kBlock = 128;
+}  // namespace
+
+Result<void*> HostDevice::allocate(size_t bytes) {
+  void* memory = ::operator new(bytes, kAlignment, std::nothrow);
+  if (memory == nullptr) return makeError("not enough memory");
+  std::memset(memory, 0xa5, bytes);  // nobody may count on zeros
+  return memory;
+}
+
+void HostDevice::release(void* memory) { ::operator delete(memory, kAlignment); }
+
+Status HostDevice::upload(void* to, const void* from, size_t bytes) {
+  std::memcpy(to, from, bytes);
+  return {};
+}
+
+Status HostDevice::download(void* to, const void* from, size_t bytes) const {
+  std::memcpy(to, from, bytes);
+  return {};
+}
+
+Status HostDevice::launch(const Kernel& kernel, const void* arguments, uint32_t count) {
+  pool_.run(int((count + kBlock - 1) / kBlock), [&](int block) {
+    const uint32_t first = uint32_t(block) * kBlock, last = std::min(count, first + kBlock);
+    for (uint32_t i = first; i < last; ++i) kernel.body(arguments, i);
+  });
+  return {};
+}
+
+Result<KernelFacts> HostDevice::facts(const Kernel&) const {
+  return makeError("a kernel on the CPU has no registers to count");
+}
+
+}  // namespace obby::sim

@@ -1,0 +1,28 @@
+// The CPU in a GPU's place: memory of its own and the same kernels, an index after the other, so
+// that uploads and kernels are tested where there is no GPU. Not for speed: the lanes of
+// makeCpuBatch are.
+#pragma once
+
+#include "base/thread_pool.h"
+#include "sim/device.h"
+
+namespace obby::sim {
+
+class HostDevice : public Device {
+ public:
+  // The pool must outlive the device.
+  explicit HostDevice(ThreadPool& pool) : pool_(pool) {}
+
+  std::string name() const override { return "CPU in place of a GPU"; }
+  Result<void*> allocate(size_t bytes) override;
+  void release(void* memory) override;
+  Status upload(void* to, const void* from, size_t bytes) override;
+  Status download(void* to, const void* from, size_t bytes) const override;
+  Status launch(const Kernel& kernel, const void* arguments, uint32_t count) override;
+  Result<KernelFacts> facts(const Kernel& kernel) const override;
+
+ private:
+  ThreadPool& pool_;
+};
+
+}  // namespace obby::sim

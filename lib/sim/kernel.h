@@ -1,0 +1,24 @@
+// A kernel: a function of an argument struct and an index, and the two ways to run it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace obby::sim {
+
+struct Kernel {
+  const char* name;
+  // On the CPU, for one index.
+  void (*body)(const void* arguments, uint32_t index);
+  // For cudaLaunchKernel: __global__ void(Arguments, uint32_t count); null without CUDA.
+  const void* entry;
+  size_t argumentBytes;
+};
+
+// Kernel::body of a function that takes its arguments by their type.
+template <class Arguments, void (*kFunction)(const Arguments&, uint32_t)>
+void kernelBody(const void* arguments, uint32_t index) {
+  kFunction(*static_cast<const Arguments*>(arguments), index);
+}
+
+}  // namespace obby::sim

@@ -1,0 +1,92 @@
+// A batch on a device that runs kernels. State stays there between steps; a step of several ticks
+// is one launch.
+#include "sim/cuda/cuda.h"
+#include "sim/first_worlds.h"
+#include "sim/simulator.h"
+#include "sim/step_kernel.h"
+
+namespace obby::sim {
+namespace {
+
+class KernelBatch : public Batch {
+ public:
+  KernelBatch(uint32_t worlds, uint32_t looseStride, Device& device)
+      : Batch(worlds, looseStride), device_(device) {}
+
+  Status begin(const Course& course, const FirstWorlds& first) {
+    args_.set = course.set();
+    OBBY_ASSIGN(tables_, uploadTables(device_, args_.set));
+    // The one level of many launches is an argument; its tables lie with the others.
+    args_.count = size();
+    if (course.levels.size() == 1) {
+      OBBY_RETURN_IF_ERROR(device_.download(&args_.only, args_.set.levels, sizeof args_.only));
+    }
+    OBBY_RETURN_IF_ERROR(uploadTable<World>(device_, worlds_, first.worlds));
+    OBBY_RETURN_IF_ERROR(uploadTable<Episode>(device_, episodes_, first.episodes));
+    OBBY_RETURN_IF_ERROR(uploadTable<LooseBody>(device_, loose_, first.loose));
+    args_.loose = loose_.as<LooseBody>();
+    args_.worlds = worlds_.as<World>();
+    args_.episodes = episodes_.as<Episode>();
+    return {};
+  }
+
+  Status restore(uint32_t first, std::span<const World> worlds,
+                 std::span<const LooseBody> loose) override {
+    OBBY_RETURN_IF_ERROR(
+        device_.upload(worlds_.as<World>() + first, worlds.data(), worlds.size_bytes()));
+    if (loose.empty()) return {};
+    LooseBody* const to = args_.loose + size_t(first) * args_.set.looseStride;
+    return device_.upload(to, loose.data(), loose.size_bytes());
+  }
+  Result<std::vector<World>> worlds() const override { return fetch<World>(worlds_, size()); }
+  Result<std::vector<LooseBody>> loose() const override {
+    return fetch<LooseBody>(loose_, size_t(size()) * args_.set.looseStride);
+  }
+  Result<std::vector<Episode>> episodes() const override {
+    return fetch<Episode>(episodes_, size());
+  }
+
+ private:
+  Status run(uint32_t ticks, const Actions& actions) override {
+    OBBY_RETURN_IF_ERROR(uploadTable(device_, table_, actions.table));
+    OBBY_RETURN_IF_ERROR(uploadTable(device_, runs_, actions.runs));
+    OBBY_RETURN_IF_ERROR(uploadTable(device_, firsts_, actions.firsts));
+    args_.actions = {actions.kind, actions.seed, table_.as<Action>(), runs_.as<ActionRun>(),
+                     firsts_.as<uint32_t>()};
+    args_.ticks = ticks;
+    return device_.launch(stepKernel(args_.set.levelCount == 1), &args_, size());
+  }
+
+  template <class T>
+  Result<std::vector<T>> fetch(const Memory& memory, size_t count) const {
+    std::vector<T> out(count);
+    if (count == 0) return out;
+    OBBY_RETURN_IF_ERROR(device_.download(out.data(), memory.address(), out.size() * sizeof(T)));
+    return out;
+  }
+
+  Device& device_;
+  StepArguments args_{};
+  Memory tables_, worlds_, loose_, episodes_, table_, runs_, firsts_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Batch>> makeKernelBatch(const Course& course, uint32_t worlds,
+                                               Device& device) {
+  Course filled = course;
+  OBBY_ASSIGN(const FirstWorlds first, firstWorlds(filled, worlds));
+  auto batch = std::make_unique<KernelBatch>(worlds, filled.looseStride, device);
+  OBBY_RETURN_IF_ERROR(batch->begin(filled, first));
+  return std::unique_ptr<Batch>(std::move(batch));
+}
+
+const Kernel& stepKernel(bool oneLevel) {
+  static const Kernel one{"step", kernelBody<StepArguments, stepWorld<true>>, cuda::stepEntry(true),
+                          sizeof(StepArguments)};
+  static const Kernel many{"stepMany", kernelBody<StepArguments, stepWorld<false>>,
+                           cuda::stepEntry(false), sizeof(StepArguments)};
+  return oneLevel ? one : many;
+}
+
+}  // namespace obby::sim

@@ -1,0 +1,47 @@
+// The kernel that steps worlds: one world a thread, several ticks a launch. Launched on a GPU by
+// cuda/step.cu and on the CPU by host_device.h, for tests.
+//
+// A world is loaded once and stored once a launch. Its 128 bytes are a cache line of their own and
+// all of them are used, so a transposed layout would save no traffic; 256 bytes a launch are little
+// beside the ticks in between.
+#pragma once
+
+#include "sim/actions.h"
+#include "sim/episodes.h"
+#include "sim/rules.h"
+#include "sim/tick.h"
+
+namespace obby::sim {
+
+struct StepArguments {
+  LevelSet set;
+  level::LevelView only;  // the level, where there is one: reaches a GPU as constants
+  ActionView actions;
+  World* worlds;      // (count)
+  LooseBody* loose;   // (count, set.looseStride); worked on where it lies
+  Episode* episodes;  // (count)
+  uint32_t count, ticks;
+};
+
+template <bool kOneLevel>
+OBBY_DEVICE void stepWorld(const StepArguments& a, uint32_t i) {
+  World world = a.worlds[i];
+  LooseBody* const loose = a.loose + size_t(i) * a.set.looseStride;
+  Episode episode = a.episodes[i];
+  ActionCursor cursor;
+  for (uint32_t t = 0; t < a.ticks; ++t) {
+    if (world.outcome != Outcome::running) {
+      if (!a.set.restarts) break;
+      startNext(a.set, i, a.count, episode, world, loose);
+      cursor.startOver(a.actions);
+    }
+    const level::LevelView& level = kOneLevel ? a.only : a.set.levels[episode.level];
+    tick(world, loose, level, cursor.next(a.actions, {i, a.count, episode.number, t}, world.tick));
+    const level::QueryView* query = queryOf(a.set, episode.level);
+    if (query != nullptr) applyRules(world, level, *query);
+  }
+  a.worlds[i] = world;
+  a.episodes[i] = episode;
+}
+
+}  // namespace obby::sim

@@ -1,0 +1,8 @@
+// A build without CUDA.
+#include "solve/cuda/cuda.h"
+
+namespace obby::solve::cuda {
+
+const void* rolloutEntry() { return nullptr; }
+
+}  // namespace obby::solve::cuda

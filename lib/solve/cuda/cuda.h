@@ -1,0 +1,8 @@
+// What the CUDA build adds to the search.
+#pragma once
+
+namespace obby::solve::cuda {
+
+const void* rolloutEntry();  // Kernel::entry of rolloutKernel; null without CUDA
+
+}  // namespace obby::solve::cuda

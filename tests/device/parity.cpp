@@ -1,0 +1,165 @@
+// Does the GPU give the bits of the CPU? The golden scenes' committed hashes, and world by world
+// what batches of other kinds become. Ends with 77 where there is no GPU: skipped. With --emulate
+// the CPU takes the GPU's place, which tests this program and everything but the launches.
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "golden/hashes.h"
+#include "sim/backend.h"
+#include "sim/host_device.h"
+#include "solve/go_explore.h"
+#include "support/courses.h"
+
+namespace {
+
+using namespace obby;
+
+constexpr int kSkipped = 77;
+
+class Parity {
+ public:
+  Parity(sim::Device& device, ThreadPool& pool) : device_(device), pool_(pool) {}
+
+  void golden() {
+    for (const golden::Scene& scene : golden::kScenes) {
+      const level::Level level = scene.build().compile();
+      const sim::Course course = sim::courseOf(level.view(), level.spawns()[0]);
+      auto batch = made(sim::makeKernelBatch(course, golden::kWorlds, device_), scene.name);
+      if (!batch ||
+          !done(batch->step(golden::kTicks, sim::Actions::walker(golden::kSeed)), scene.name))
+        continue;
+      const auto hash = batch->hash();
+      if (!done(hash, scene.name)) continue;
+      say(*hash == scene.hash, scene.name, "committed hash");
+    }
+  }
+
+  // Steps the course on both and compares every world.
+  void compare(const char* name, const sim::Course& course, uint32_t worlds, uint32_t ticks,
+               const sim::Actions& actions) {
+    auto cpu = made(sim::makeCpuBatch(course, worlds, pool_), name);
+    auto gpu = made(sim::makeKernelBatch(course, worlds, device_), name);
+    if (!cpu || !gpu || !done(cpu->step(ticks, actions), name) ||
+        !done(gpu->step(ticks, actions), name))
+      return;
+    const auto expected = cpu->worlds(), found = gpu->worlds();
+    if (!done(found, name)) return;
+    uint32_t different = 0, first = 0;
+    for (uint32_t i = worlds; i-- > 0;) {
+      if (stateHash((*expected)[i]) == stateHash((*found)[i])) continue;
+      ++different;
+      first = i;
+    }
+    const std::string what =
+        std::to_string(worlds) + " worlds, " + std::to_string(ticks) + " ticks";
+    say(different == 0, name, what.c_str());
+    if (different != 0) std::printf("        %u differ, the first is world %u\n", different, first);
+  }
+
+  bool passed() const { return failures_ == 0; }
+
+  void say(bool right, const char* name, const char* what) {
+    std::printf("%-6s  %-28s %s\n", right ? "ok" : "WRONG", name, what);
+    if (!right) ++failures_;
+  }
+
+ private:
+  template <class T>
+  bool done(const Result<T>& result, const char* name) {
+    if (!result) say(false, name, result.error().text().c_str());
+    return bool(result);
+  }
+  std::unique_ptr<sim::Batch> made(Result<std::unique_ptr<sim::Batch>> batch, const char* name) {
+    return done(batch, name) ? *std::move(batch) : nullptr;
+  }
+
+  sim::Device& device_;
+  ThreadPool& pool_;
+  int failures_ = 0;
+};
+
+// A table of random actions, and one plan for each world.
+void compareSources(Parity& parity, uint32_t worlds, uint32_t ticks) {
+  const level::Level level = support::boxArena(100, 6).compile();
+  const sim::Course course = sim::courseOf(level.view(), level.spawns()[0]);
+  Random random(17, worlds);
+  const auto draw = [&] {
+    const Turns heading = Turns(random.next());
+    return sim::Action{heading, random.below(8) != 0, random.below(4) == 0};
+  };
+  std::vector<sim::Action> table;
+  for (size_t i = 0; i < size_t(ticks) * worlds; ++i) table.push_back(draw());
+  parity.compare("actions from a table", course, worlds, ticks, sim::Actions::tabulated(table));
+  std::vector<sim::ActionRun> runs;
+  std::vector<uint32_t> firsts{0};
+  for (uint32_t i = 0; i < worlds; ++i) {
+    for (uint32_t k = random.below(20); k > 0; --k) runs.push_back({draw(), random.below(30)});
+    firsts.push_back(uint32_t(runs.size()));
+  }
+  parity.compare("actions from plans", course, worlds, ticks, sim::Actions::plans(runs, firsts));
+}
+
+void compareWalkers(Parity& parity, uint32_t worlds, uint32_t ticks) {
+  for (const uint64_t seed : {1, 2, 3}) {
+    const level::Level arena = support::boxArena(100, seed).compile();
+    const level::Level moving = support::movingArena(60, 14, seed).compile();
+    const auto walk = sim::Actions::walker(seed);
+    parity.compare("arena", sim::courseOf(arena.view(), arena.spawns()[0]), worlds, ticks, walk);
+    parity.compare("moving arena", sim::courseOf(moving.view(), moving.spawns()[0]), worlds, ticks,
+                   walk);
+  }
+  const support::Levels all = support::everyKind();
+  parity.compare("levels of every kind", all.course, worlds, ticks, sim::Actions::walker(4));
+}
+
+// The same search with its rollouts on threads and on the device: every cell of the archive.
+void compareSearch(Parity& parity, sim::Device& device, ThreadPool& pool, int rounds) {
+  const level::Level level = support::movingArena(60, 10, 5).compile();
+  level::QueryView query{};
+  query.goal = {{{0, 500, 0}, {}}, {2, 2, 2}};
+  query.maxJumps = -1;
+  const solve::Problem problem{level.view(), query, sim::makeWorld(level.view(), level.spawns()[0]),
+                               level.bounds(), level.hasMotion()};
+  solve::GoExplore threads(problem, 1, {}, pool), kernel(problem, 1, {}, {pool, &device});
+  for (int round = 0; round < rounds; ++round) {
+    threads.round();
+    kernel.round();
+  }
+  bool same = threads.archive().seen() == kernel.archive().seen();
+  for (uint32_t c = 0; same && c < threads.archive().cellCount(); ++c) {
+    same = stateHash(threads.archive().world(c)) == stateHash(kernel.archive().world(c));
+  }
+  const Status& status = kernel.deviceStatus();
+  const std::string cells = std::to_string(threads.archive().cellCount()) + " cells";
+  parity.say(bool(status) && same, "search",
+             status ? cells.c_str() : status.error().text().c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string option = argc == 2 ? argv[1] : "";
+  if (argc > 2 || (argc == 2 && option != "--emulate" && option != "--quick")) {
+    std::fputs("usage: gpu_parity [--quick | --emulate]\n", stderr);
+    return 2;
+  }
+  ThreadPool pool(availableThreads());
+  sim::HostDevice host(pool);
+  auto backend = sim::Backend::open(sim::BackendKind::cuda);
+  if (!backend && option != "--emulate") {
+    std::printf("no device: skipped: %s\n", backend.error().text().c_str());
+    return kSkipped;
+  }
+  sim::Device& device = option == "--emulate" ? host : *backend->device();
+  std::printf("        %s against the CPU's lanes\n", device.name().c_str());
+  Parity parity(device, pool);
+  // Few worlds under a tool that watches every access.
+  const uint32_t worlds = option.empty() ? 20000 : 300;
+  if (option != "--quick") parity.golden();
+  compareWalkers(parity, worlds, 300);
+  compareSources(parity, worlds, 120);
+  compareSearch(parity, device, pool, option == "--quick" ? 4 : 40);
+  return parity.passed() ? 0 : 1;
+}

@@ -1,0 +1,207 @@
+// Batches: of one level and of many, on lanes and by the kernel, however they are cut into steps.
+#include "sim/batch.h"
+
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "sim/host_device.h"
+#include "sim/simulator.h"
+#include "support/courses.h"
+
+namespace obby::sim {
+namespace {
+
+constexpr uint32_t kWorlds = 90;
+
+std::vector<uint64_t> hashesOf(const Batch& batch) {
+  std::vector<uint64_t> hashes;
+  const auto worlds = *batch.worlds();
+  for (const World& w : worlds) hashes.push_back(stateHash(w));
+  return hashes;
+}
+
+// What world `index` of `worlds` becomes on its own, by the scalar tick.
+World alone(const Course& course, uint32_t index, uint32_t ticks, uint64_t seed) {
+  const auto levelOf = [&](uint32_t episode) {
+    return (index + size_t(episode) * kWorlds) % course.levels.size();
+  };
+  uint32_t episode = 0;
+  World w = course.starts[levelOf(0)];
+  for (uint32_t t = 0; t < ticks; ++t) {
+    if (w.outcome != Outcome::running) w = course.starts[levelOf(++episode)];
+    const size_t level = levelOf(episode);
+    advance(w, course.levels[level], &course.queries[level],
+            walkerAction(seed, index, episode, w.tick));
+  }
+  return w;
+}
+
+TEST(Batch, worlds_of_many_levels_go_as_they_would_alone) {
+  const support::Levels many = support::everyKind();
+  ThreadPool pool(3);
+  HostDevice device(pool);
+  const auto lanes = *makeCpuBatch(many.course, kWorlds, pool);
+  const auto kernel = *makeKernelBatch(many.course, kWorlds, device);
+  ASSERT_TRUE(lanes->step(400, Actions::walker(5)));
+  ASSERT_TRUE(kernel->step(400, Actions::walker(5)));
+  const auto worlds = *lanes->worlds();
+  for (uint32_t i = 0; i < kWorlds; ++i) {
+    EXPECT_EQ(stateHash(worlds[i]), stateHash(alone(many.course, i, 400, 5))) << "world " << i;
+  }
+  EXPECT_EQ(hashesOf(*lanes), hashesOf(*kernel));
+  uint32_t most = 0;
+  const auto episodes = *lanes->episodes();
+  for (const Episode& e : episodes) most = std::max(most, e.number);
+  EXPECT_GE(most, 3u);
+}
+
+TEST(Batch, how_ticks_are_cut_into_steps_does_not_show) {
+  const support::Levels many = support::everyKind();
+  ThreadPool pool(2);
+  HostDevice device(pool);
+  const auto whole = *makeCpuBatch(many.course, kWorlds, pool);
+  ASSERT_TRUE(whole->step(200, Actions::walker(9)));
+  for (const bool onKernel : {false, true}) {
+    const auto cut = onKernel ? *makeKernelBatch(many.course, kWorlds, device)
+                              : *makeCpuBatch(many.course, kWorlds, pool);
+    for (const uint32_t ticks : {1u, 2u, 37u, 0u, 59u, 101u}) {
+      ASSERT_TRUE(cut->step(ticks, Actions::walker(9)));
+    }
+    EXPECT_EQ(hashesOf(*cut), hashesOf(*whole));
+  }
+}
+
+TEST(Batch, the_queue_says_which_level_comes_next) {
+  support::Levels many = support::everyKind();
+  many.course.queue = {2, 2, 0, 5, 1};
+  ThreadPool pool(2);
+  const auto batch = *makeCpuBatch(many.course, 7, pool);
+  ASSERT_TRUE(batch->step(700, Actions::walker(1)));
+  const auto episodes = *batch->episodes();
+  for (uint32_t i = 0; i < 7; ++i) {
+    EXPECT_GE(episodes[i].number, 1u);
+    EXPECT_EQ(episodes[i].level, many.course.queue[(i + 7 * episodes[i].number) % 5]);
+  }
+}
+
+TEST(Batch, ended_worlds_wait_unless_the_course_restarts) {
+  support::Levels many = support::everyKind();
+  many.course.restarts = false;
+  ThreadPool pool(2);
+  HostDevice device(pool);
+  const auto lanes = *makeCpuBatch(many.course, kWorlds, pool);
+  const auto kernel = *makeKernelBatch(many.course, kWorlds, device);
+  for (Batch* batch : {lanes.get(), kernel.get()}) {
+    ASSERT_TRUE(batch->step(600, Actions::walker(2)));
+    const auto worlds = *batch->worlds();
+    for (const World& w : worlds) EXPECT_NE(w.outcome, Outcome::running);
+    const auto episodes = *batch->episodes();
+    for (const Episode& e : episodes) EXPECT_EQ(e.number, 0u);
+  }
+  EXPECT_EQ(hashesOf(*lanes), hashesOf(*kernel));
+}
+
+// The same play said in three ways.
+TEST(Batch, walker_table_and_plans_say_the_same) {
+  const level::Level level = support::boxArena(20, 1).compile();
+  const Course course = courseOf(level.view(), level.spawns()[0]);
+  constexpr uint32_t kTicks = 100, kSome = 20;
+  std::vector<Action> table;
+  std::vector<ActionRun> runs;
+  std::vector<uint32_t> firsts{0};
+  for (uint32_t t = 0; t < kTicks; ++t) {
+    for (uint32_t i = 0; i < kSome; ++i) table.push_back(walkerAction(3, i, 0, t));
+  }
+  for (uint32_t i = 0; i < kSome; ++i) {
+    for (uint32_t t = 0; t < kTicks; t += kWalkerHold) {
+      runs.push_back({walkerAction(3, i, 0, t), 5});
+      runs.push_back({{}, 0});
+      runs.push_back({walkerAction(3, i, 0, t), kWalkerHold - 5});
+    }
+    firsts.push_back(uint32_t(runs.size()));
+  }
+  ThreadPool pool(2);
+  HostDevice device(pool);
+  std::optional<uint64_t> expected;
+  for (const Actions& a :
+       {Actions::walker(3), Actions::tabulated(table), Actions::plans(runs, firsts)}) {
+    const auto lanes = *makeCpuBatch(course, kSome, pool);
+    const auto kernel = *makeKernelBatch(course, kSome, device);
+    for (Batch* batch : {lanes.get(), kernel.get()}) {
+      ASSERT_TRUE(batch->step(kTicks, a));
+      if (!expected) expected = *batch->hash();
+      EXPECT_EQ(*batch->hash(), *expected);
+    }
+  }
+}
+
+TEST(Batch, a_world_stands_still_after_its_plan) {
+  const level::Level level = support::boxArena(20, 1).compile();
+  const ActionRun run{{0, true, false}, 3};
+  const uint32_t firsts[2] = {0, 1};
+  ThreadPool pool(1);
+  const auto batch = *makeCpuBatch(courseOf(level.view(), level.spawns()[0]), 1, pool);
+  ASSERT_TRUE(batch->step(10, Actions::plans({&run, 1}, firsts)));
+  World w = makeWorld(level.view(), level.spawns()[0]);
+  for (int t = 0; t < 10; ++t) advance(w, level.view(), nullptr, t < 3 ? run.action : Action{});
+  EXPECT_EQ(stateHash(batch->worlds()->front()), stateHash(w));
+}
+
+TEST(Batch, wrong_actions_and_courses_are_errors) {
+  const level::Level level = support::boxArena(5, 1).compile();
+  const Course course = courseOf(level.view(), level.spawns()[0]);
+  ThreadPool pool(1);
+  const auto batch = *makeCpuBatch(course, 4, pool);
+  const std::vector<Action> few(7);
+  EXPECT_EQ(batch->step(2, Actions::tabulated(few)).error().message,
+            "7 actions for 2 ticks of 4 worlds");
+  const uint32_t firsts[5] = {0, 1, 1, 1, 2};
+  const ActionRun run{};
+  EXPECT_EQ(batch->step(2, Actions::plans({&run, 1}, firsts)).error().message,
+            "plans of 2 runs, of which 1 are there");
+  EXPECT_EQ(makeCpuBatch({}, 4, pool).error().message, "a batch without a level");
+  Course bad = course;
+  bad.queue = {0, 1};
+  EXPECT_EQ(makeCpuBatch(bad, 4, pool).error().message, "level 1 in the queue of 1 levels");
+}
+
+// The device has everything: the level is gone, and what it freed is poisoned.
+TEST(KernelBatch, needs_nothing_of_the_level_after_the_upload) {
+  mallopt(M_PERTURB, 0x5a);
+  ThreadPool pool(1);
+  HostDevice device(pool);
+  for (const auto& build : {golden::hulls, golden::spinners, golden::vanishing}) {
+    auto level = std::make_unique<level::Level>(build().compile());
+    const auto lanes = *makeCpuBatch(courseOf(level->view(), level->spawns()[0]), 16, pool);
+    ASSERT_TRUE(lanes->step(300, Actions::walker(8)));
+    const auto kernel = *makeKernelBatch(courseOf(level->view(), level->spawns()[0]), 16, device);
+    level.reset();
+    ASSERT_TRUE(kernel->step(300, Actions::walker(8)));
+    EXPECT_EQ(*kernel->hash(), *lanes->hash());
+  }
+  mallopt(M_PERTURB, 0);
+}
+
+TEST(KernelBatch, a_restored_snapshot_goes_on_as_before) {
+  const support::Levels many = support::everyKind();
+  ThreadPool pool(2);
+  HostDevice device(pool);
+  Course course = many.course;
+  course.restarts = false;
+  const auto batch = *makeKernelBatch(course, kWorlds, device);
+  ASSERT_TRUE(batch->step(20, Actions::walker(4)));
+  const auto snapshot = *batch->worlds();
+  ASSERT_TRUE(batch->step(50, Actions::walker(4)));
+  const uint64_t once = *batch->hash();
+  ASSERT_TRUE(batch->restore(0, snapshot));
+  ASSERT_TRUE(batch->step(50, Actions::walker(4)));
+  EXPECT_EQ(*batch->hash(), once);
+}
+
+}  // namespace
+}  // namespace obby::sim

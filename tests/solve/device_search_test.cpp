@@ -1,0 +1,88 @@
+// A search whose rollouts run as a kernel gives the bytes of one on threads, also when the device
+// fails under way.
+#include <gtest/gtest.h>
+
+#include "scenes.h"
+#include "sim/host_device.h"
+#include "solve/go_explore.h"
+
+namespace obby::solve {
+namespace {
+
+FilterOptions onDevice(sim::Device* device) {
+  FilterOptions o;
+  o.threads = 2;
+  o.device = device;
+  o.solver.budget.maxSteps = 60'000;
+  o.solver.progressRecords = false;
+  return o;
+}
+
+std::string answers(const char* level, FilterOptions options) {
+  const std::string path = std::string(OBBY_SOURCE_DIR "/levels/") + level + ".jsonl";
+  const Filtered f = runFilter(path, std::move(options));
+  EXPECT_TRUE(f.status);
+  std::string text = f.output;
+  for (size_t at; (at = text.find(",\"timing\":{")) != std::string::npos;) {
+    text.erase(at, text.find('}', at) + 1 - at);
+  }
+  return text;
+}
+
+// A device whose launches work only so often.
+class FailingDevice : public sim::HostDevice {
+ public:
+  FailingDevice(ThreadPool& pool, int launches) : HostDevice(pool), left_(launches) {}
+  Status launch(const sim::Kernel& kernel, const void* arguments, uint32_t count) override {
+    if (left_-- <= 0) return makeError("CUDA: rollout: unspecified launch failure");
+    return HostDevice::launch(kernel, arguments, count);
+  }
+
+ private:
+  int left_;
+};
+
+TEST(DeviceSearch, AnswersAreThoseOfThreads) {
+  for (const char* level : {"kill-checkerboard", "vanishing-run", "sliding-planks", "truss-tower",
+                            "several-routes", "spinner-trio"}) {
+    ThreadPool pool(2);
+    sim::HostDevice device(pool);
+    EXPECT_EQ(answers(level, onDevice(&device)), answers(level, onDevice(nullptr))) << level;
+  }
+}
+
+TEST(DeviceSearch, AFailingDeviceIsGivenUpAndTheAnswersAreTheSame) {
+  for (const int launches : {0, 1, 7}) {
+    ThreadPool pool(2);
+    FailingDevice device(pool, launches);
+    FilterOptions options = onDevice(&device);
+    std::vector<std::string> failures;
+    options.deviceFailed = [&](const Error& e) { failures.push_back(e.text()); };
+    EXPECT_EQ(answers("sliding-planks", options), answers("sliding-planks", onDevice(nullptr)));
+    ASSERT_FALSE(failures.empty());
+    EXPECT_EQ(failures.front(), "CUDA: rollout: unspecified launch failure");
+  }
+}
+
+TEST(DeviceSearch, TheArchiveIsTheSameCellByCell) {
+  const level::Level level = support::movingArena(40, 8, 3).compile();
+  Question question(level);
+  question.query.goal = boxAt({0, 500, 0}, {2, 2, 2});
+  ThreadPool pool(2);
+  sim::HostDevice device(pool);
+  GoExplore threads(question.problem(), 4, {}, pool);
+  GoExplore kernel(question.problem(), 4, {}, {pool, &device});
+  for (int round = 0; round < 25; ++round) {
+    threads.round();
+    kernel.round();
+  }
+  ASSERT_TRUE(kernel.deviceStatus());
+  ASSERT_EQ(threads.archive().cellCount(), kernel.archive().cellCount());
+  EXPECT_EQ(threads.archive().seen(), kernel.archive().seen());
+  for (uint32_t c = 0; c < threads.archive().cellCount(); ++c) {
+    ASSERT_EQ(stateHash(threads.archive().world(c)), stateHash(kernel.archive().world(c))) << c;
+  }
+}
+
+}  // namespace
+}  // namespace obby::solve

@@ -1,0 +1,51 @@
+// Courses of several levels for tests and benches.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "golden/scenes.h"
+#include "sim/batch.h"
+#include "sim/simulator.h"
+
+namespace obby::support {
+
+// Owns its levels. Playthroughs end at the latest by a time limit, a different one in every level,
+// and worlds then take their next level.
+struct Levels {
+  std::vector<level::Level> levels;
+  sim::Course course;
+
+  Levels(std::vector<level::Level> owned, uint32_t timeLimitTicks) : levels(std::move(owned)) {
+    level::QueryView query{{{{0, 1, 20}, {}}, {30, 8, 4}}, nullptr, nullptr, 0, 0, -1, 0, 0};
+    for (const level::Level& l : levels) {
+      query.timeLimitTicks = timeLimitTicks + 17 * uint32_t(course.levels.size());
+      course.levels.push_back(l.view());
+      course.starts.push_back(sim::makeWorld(l.view(), l.spawns()[0]));
+      course.queries.push_back(query);
+    }
+    course.restarts = true;
+  }
+};
+
+// Parts of every kind.
+inline Levels everyKind() {
+  std::vector<level::Level> levels;
+  for (const auto& build : {golden::killers, golden::roles, golden::vanishing, golden::hulls}) {
+    levels.push_back(build().compile());
+  }
+  levels.push_back(golden::movers(true).compile());
+  levels.push_back(boxArena(30, 3).compile());
+  return Levels(std::move(levels), 107);
+}
+
+// Box arenas of `boxes` boxes each.
+inline Levels arenas(uint32_t count, uint32_t boxes, uint32_t timeLimitTicks) {
+  std::vector<level::Level> levels;
+  for (uint32_t i = 0; i < count; ++i) levels.push_back(boxArena(boxes, i + 1).compile());
+  Levels all(std::move(levels), timeLimitTicks);
+  for (level::QueryView& q : all.course.queries) q.goal = {{{0, 500, 0}, {}}, {2, 2, 2}};
+  return all;
+}
+
+}  // namespace obby::support
