@@ -1,7 +1,8 @@
 // One tick for many worlds at once on the CPU's SIMD lanes: the bits of tick() (tick.h), several
 // times as fast. The phases are the same functions, run for kLanes worlds together; between phases
-// the worlds are sorted by what they need, so that few lanes idle. Worlds near parts that vanish,
-// can be climbed or are no blocks take tick() itself.
+// the worlds are sorted by what they need, so that few lanes idle. Worlds near parts that a
+// clock takes away or moves, that can be climbed, are solid from one side, crush or are no blocks,
+// and worlds with a running clock, take tick() itself.
 #pragma once
 
 #include <cstddef>

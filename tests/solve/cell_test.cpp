@@ -135,6 +135,42 @@ TEST(Binning, MotionAndVanishingAndDamageAddDimensions) {
   EXPECT_GT(b.healthBins, 0u);
 }
 
+// A door is open or not, and for how long still; a part that vanishes by itself only counts.
+TEST(Cell, RunningSignalsTellStatesApart) {
+  const level::Level level =
+      steppingStones()
+          .block({20, 0, 0}, {4, 1, 4},
+                 [](schema::Part::Builder p) { p.initButton().setSignal("a"); })
+          .block({30, 0, 0}, {4, 1, 4},
+                 [](schema::Part::Builder p) { p.initButton().setSignal("b"); })
+          .block({40, 0, 0}, {4, 1, 4},
+                 [](schema::Part::Builder p) {
+                   p.initVanish().setTrigger(schema::VanishTrigger::SIGNAL);
+                   p.getVanish().setSignal("a");
+                 })
+          .block({50, 0, 0}, {4, 1, 4},
+                 [](schema::Part::Builder p) {
+                   p.initVanish().setTrigger(schema::VanishTrigger::SIGNAL);
+                   p.getVanish().setSignal("b");
+                 })
+          .block({60, 0, 0}, {4, 1, 4}, [](schema::Part::Builder p) { p.initVanish(); })
+          .compile();
+  const ClockMap clock(level.view(), 10);
+  const Binning b = makeBinning(Question(level).problem(), 1, clock);
+  const uint32_t count = level.view().clockCount, signalA = count - 2, signalB = count - 1;
+  const auto key = [&](uint32_t running, uint32_t ticks) {
+    sim::World w = worldAt({0, 1, 0});
+    w.clocks[w.clockCount++] = {running, ticks};
+    return cellKey(b, w);
+  };
+  EXPECT_NE(key(signalA, 0), key(signalB, 0));
+  EXPECT_EQ(key(signalA, 0), key(signalA, 20));
+  EXPECT_NE(key(signalA, 0), key(signalA, 200));
+  const uint32_t vanishing = signalA - 1;  // the last role's own
+  EXPECT_EQ(key(vanishing, 0), key(vanishing, 200));
+  EXPECT_NE(key(vanishing, 0), cellKey(b, worldAt({0, 1, 0})));
+}
+
 TEST(Binning, AFasterPlayerHasWiderCells) {
   auto fast = steppingStones();
   fast.physics([](schema::PhysicsParams::Builder p) { p.setWalkSpeed(32); });
