@@ -166,8 +166,8 @@ RC_GTEST_PROP(Properties, TheKernelGivesTheBitsOfTheLanes, ()) {
   ThreadPool pool(2);
   HostDevice device(pool);
   const Course course = courseOf(level.view(), level.spawns()[0]);
-  const auto lanes = *makeCpuBatch(course, 24, pool);
-  const auto kernel = *makeKernelBatch(course, 24, device);
+  const auto lanes = *makeCpuBatch(course, 8, pool);
+  const auto kernel = *makeKernelBatch(course, 8, device);
   RC_ASSERT(bool(lanes->step(200, Actions::walker(seed))));
   RC_ASSERT(bool(kernel->step(200, Actions::walker(seed))));
   RC_ASSERT(*lanes->hash() == *kernel->hash());
