@@ -72,7 +72,7 @@ Status GoExplore::openDevice() {
   if (device_) return {};
   OBBY_ASSIGN(device_,
               DeviceRollouts::open(*machine_.device,
-                                   {context_, binning_, rule_, seed_, phaseTicks_, 0, {}, {}, {}}));
+                                   {context_, binning_, rule_, seed_, phaseTicks_, 0, {}, {}, {}, {}, {}}));
   return {};
 }
 
@@ -95,8 +95,8 @@ Status GoExplore::exploreOnDevice() {
     r.closest = end.closest;
     r.closestTicks = end.closestTicks;
     r.end = end.world;
-    const auto loose = device_->endLoose(i);
-    r.endLoose.assign(loose.begin(), loose.end());
+    const auto left = device_->endLoose(i);
+    r.endLoose.assign(left.begin(), left.end());
     archive_.countSeen(r.cell);
     const std::span<const RolloutVisit> visits = device_->visits(i);
     for (size_t n = 0; n < visits.size(); ++n) {

@@ -101,7 +101,7 @@ class GoExplore {
   void explore(std::span<Rollout> rollouts);
   void look(std::span<Rollout> rollouts, std::span<Trail> trails, std::span<Look> looks);
   void visit(Rollout& rollout, uint64_t key, uint32_t cell, const sim::World& world,
-             uint32_t ticks);
+             std::span<const sim::LooseBody> loose, uint32_t ticks);
   void noteClosest(Rollout& rollout);
   void merge();
   void mergeEnd(const Rollout& rollout);

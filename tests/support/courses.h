@@ -31,7 +31,8 @@ struct Levels {
 // Parts of every kind.
 inline Levels everyKind() {
   std::vector<level::Level> levels;
-  for (const auto& build : {golden::killers, golden::roles, golden::vanishing, golden::hulls}) {
+  for (const auto& build : {golden::killers, golden::roles, golden::vanishing, golden::hulls,
+                            golden::clocks, golden::looseBodies, golden::looseStack}) {
     levels.push_back(build().compile());
   }
   levels.push_back(golden::movers(true).compile());
