@@ -62,8 +62,8 @@ inline const Scene kScenes[] = {
        });
      },
      0x3952a2b4a872f904},
-    {"clocks", clocks, 0},
-    {"places", places, 0},
+    {"clocks", clocks, 0x41391e43be50588b},
+    {"places", places, 0xafed111d6072db9f},
     {"loose bodies", looseBodies, 0},
     {"loose stack on a carrying platform", looseStack, 0},
     {"loose arena", [] { return support::looseArena(16, false, 3); }, 0},

@@ -206,9 +206,10 @@ TEST(KernelBatch, a_restored_snapshot_goes_on_as_before) {
   const auto batch = *makeKernelBatch(course, kWorlds, device);
   ASSERT_TRUE(batch->step(20, Actions::walker(4)));
   const auto snapshot = *batch->worlds();
+  const auto loose = *batch->loose();
   ASSERT_TRUE(batch->step(50, Actions::walker(4)));
   const uint64_t once = *batch->hash();
-  ASSERT_TRUE(batch->restore(0, snapshot));
+  ASSERT_TRUE(batch->restore(0, snapshot, loose));
   ASSERT_TRUE(batch->step(50, Actions::walker(4)));
   EXPECT_EQ(*batch->hash(), once);
 }
