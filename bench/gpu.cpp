@@ -63,9 +63,11 @@ void facts(bench::Report& report, const sim::Device& device, const sim::Kernel& 
 }
 
 void measure(bench::Report& report, sim::Device& device, bool small) {
-  facts(report, device, sim::stepKernel(true));
-  facts(report, device, sim::stepKernel(false));
-  facts(report, device, solve::rolloutKernel());
+  using sim::StepKind;
+  for (const StepKind kind : {StepKind::oneLevel, StepKind::manyLevels, StepKind::loose}) {
+    facts(report, device, sim::stepKernel(kind));
+  }
+  for (const bool loose : {false, true}) facts(report, device, solve::rolloutKernel(loose));
   const support::Levels one = support::arenas(1, 100, 600), many = support::arenas(64, 100, 240);
   const std::vector<uint32_t> counts =
       small ? std::vector<uint32_t>{256} : std::vector<uint32_t>{8192, 131072, 1048576};

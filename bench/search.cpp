@@ -87,9 +87,12 @@ void scene(bench::Report& report, const char* name, const level::Level& level, T
   level::QueryView query{};
   query.goal = {{{0, 500, 0}, {}}, {2, 2, 2}};
   query.maxJumps = -1;
-  const solve::Problem problem{level.view(), query, sim::makeWorld(level.view(), level.spawns()[0]),
+  const solve::Problem problem{level.view(),
+                               query,
+                               sim::makeWorld(level.view(), level.spawns()[0]),
                                sim::makeLoose(level.view()),
-                               level.bounds(), level.hasMotion()};
+                               level.bounds(),
+                               level.hasMotion()};
   solve::GoExplore search(problem, 1, solve::GoExploreSettings{}, pool);
   Sums raw, found;
   for (int slice = 0; slice < kSlices; ++slice) {

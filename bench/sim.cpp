@@ -45,7 +45,8 @@ struct Crowd {
     for (sim::World& w : worlds) pointers.push_back(&w);
     const std::vector<sim::LooseBody> bodies = sim::makeLoose(level.view());
     for (uint32_t i = 0; i < kWorlds; ++i) loose.insert(loose.end(), bodies.begin(), bodies.end());
-    for (uint32_t i = 0; i < kWorlds; ++i) loosePointers.push_back(loose.data() + i * bodies.size());
+    for (uint32_t i = 0; i < kWorlds; ++i)
+      loosePointers.push_back(loose.data() + i * bodies.size());
     for (uint32_t i = 0; i < kWorlds; ++i) walkers.push_back({Random(seed, i), {}, 0});
   }
   void decide() {
@@ -68,7 +69,8 @@ Outcome run(const level::Level& level, uint64_t seed) {
     wide.decide();
     single.decide();
     wideSeconds += bench::cpuSecondsOf([&] {
-      sim::tickAll(level.view(), wide.pointers.data(), wide.loosePointers.data(), wide.actions.data(), kWorlds, &o.counts);
+      sim::tickAll(level.view(), wide.pointers.data(), wide.loosePointers.data(),
+                   wide.actions.data(), kWorlds, &o.counts);
     });
     singleSeconds += bench::cpuSecondsOf([&] {
       for (uint32_t i = 0; i < kWorlds; ++i) {

@@ -188,6 +188,7 @@ struct Part {
   squeeze @29 :Squeeze;
   seat @30 :Seat;
   trip @31 :Trip;
+  climbable @32 :Bool;    # a rung of a ladder built of parts: climbed like a truss
 }
 
 struct PartSource {
@@ -406,6 +407,8 @@ struct PhysicsParams {
   pushForce @45 :Float32 = 100000 $unit("mass x studs/s^2") $range((min = 0, max = 10000000)) $source("L most that a player presses on a loose part; by default the drive's own limit counts");
   sleepSpeed @46 :Float32 = 0.5 $unit("studs/s") $range((min = 0, max = 10)) $source("L loose parts slower than this come to rest");
   sleepTime @47 :Float32 = 0.5 $unit("s") $range((min = 0, max = 10)) $source("L after this long");
+  climbLowest @48 :Float32 = 0.25 $unit("share of hipHeight") $range((min = 0, max = 1)) $source("L lowest row of the climb sensor: legs that sink into a floor of trusses do not meet the next one");
+  climbWill @49 :Float32 = 0.01 $unit("share of the move direction") $range((min = 0, max = 1)) $source("H into the truss or away from it: dot of +-0.01");
 }
 
 # ---------------------------------------------------------------------------------------------- query

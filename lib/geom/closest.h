@@ -1,5 +1,6 @@
-// Which way it is from a shape to the core of a round one: the core of a ball is its centre, that of
-// a cylinder its axis. Gilbert, Johnson and Keerthi's walk over simplices of the difference of both.
+// Which way it is from a shape to the core of a round one: the core of a ball is its centre, that
+// of a cylinder its axis. Gilbert, Johnson and Keerthi's walk over simplices of the difference of
+// both.
 #pragma once
 
 #include "geom/convex.h"

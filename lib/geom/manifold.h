@@ -167,8 +167,7 @@ OBBY_DEVICE void reduce(const Gaps& all, Vec3 n, Manifold& out) {
 }  // namespace internal
 
 // Points with gaps of at most `margin`. `s` is what separation(a, b) gave.
-OBBY_APART Manifold manifold(const Convex& a, const Convex& b, const Separation& s,
-                              float margin) {
+OBBY_APART Manifold manifold(const Convex& a, const Convex& b, const Separation& s, float margin) {
   using namespace internal;
   Manifold out;
   out.normal = s.normal;

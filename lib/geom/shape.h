@@ -8,8 +8,8 @@
 //                       kMaxFeature; a line or a point where the shape is curved; gives how many
 //   axes(s), axis(s,i)  unit normals of faces, each direction once for parallel faces
 //   edges(s), edge(s,i) unit directions of edges
-//   roundAxis(s, body)  for shapes with curved faces: the direction of the closest approach, or zero
-//   castRay(s, o, d, tMax, hit)  first entry of the ray o + t d, 0 <= t <= tMax, from outside
+//   roundAxis(s, body)  for shapes with curved faces: the direction of the closest approach, or
+//   zero castRay(s, o, d, tMax, hit)  first entry of the ray o + t d, 0 <= t <= tMax, from outside
 #pragma once
 
 #include <stdint.h>

@@ -97,6 +97,7 @@ struct PartDraft {
   std::optional<Vanish> vanish;
   std::optional<Teleport> teleport;
   bool seat = false;
+  bool climbable = false;
   std::optional<int> checkpoint;  // stage
   std::optional<int> goal;        // stage
   std::optional<Motion> motion;

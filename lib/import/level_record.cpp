@@ -81,6 +81,7 @@ void setRoles(schema::Part::Builder to, const PartDraft& part) {
     teleport.setKeepVelocity(true);  // a character keeps its velocity where its CFrame is set
   }
   if (part.seat) to.initSeat();
+  to.setClimbable(part.climbable);
   if (part.checkpoint) to.initCheckpoint().setStage(*part.checkpoint);
   if (part.goal) to.initGoal().setStage(*part.goal);
   if (part.motion) setMotion(to.initMotion(), *part.motion);

@@ -202,6 +202,7 @@ Status PartCompiler::shapes(schema::Part::Reader part, Collider collider, uint32
     collider.kind = ShapeKind::block;
     flags |= kTruss;
   }
+  if (part.getClimbable()) flags |= kTruss | kRung;
   if (collider.kind == ShapeKind::hull && part.getHulls().size() != 0)
     return hulls(part, collider, flags);
   if (collider.kind == ShapeKind::hull)

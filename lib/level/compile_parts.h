@@ -20,7 +20,7 @@ struct PartTables {
   std::vector<Roles> roles;
   std::vector<Mover> movers;
   std::vector<Loose> loose;
-  size_t fixedColliders = 0;         // those of loose parts come after them
+  size_t fixedColliders = 0;  // those of loose parts come after them
   std::vector<Clock> clocks;  // each role's own, then those that parts share
   uint32_t crushClock = kNone;
   std::vector<std::string> names;    // (parts)

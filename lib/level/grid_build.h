@@ -20,8 +20,8 @@ struct Reach {
   float side, down, up;  // studs
 };
 
-// Lists are filled up with `filler`, the index of a collider that nothing meets. Cells grow until at
-// most 2^21 of them cover the bounds.
+// Lists are filled up with `filler`, the index of a collider that nothing meets. Cells grow until
+// at most 2^21 of them cover the bounds.
 GridTables buildGrid(std::span<const Bounds> bounds, uint32_t filler, const Reach& reach);
 
 }  // namespace obby::level

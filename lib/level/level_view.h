@@ -34,6 +34,7 @@ enum ColliderFlag : uint32_t {
   kOneWay = 32768,  // solid from one side only
   kCrush = 65536,   // kills whom it squeezes
   kSeat = 131072,
+  kRung = 524288,   // with kTruss: thin, so that the sensor must look for it
   kLoose = 262144,  // part of a loose body
 };
 constexpr uint32_t kTouchRoles = kKill | kPad | kStarts | kTeleport | kHeal | kSeat;
@@ -162,7 +163,7 @@ OBBY_DEVICE Pose moverPose(const Mover& m, uint32_t tick) {
 // A loose body: an unanchored part that physics moves. Its state is a sim::LooseBody of each world.
 // Its colliders are in the table of all, but in no grid.
 struct Loose {
-  Vec3 position;        // of the part, as the level has it
+  Vec3 position;  // of the part, as the level has it
   Quat rotation;
   Vec3 center;          // of mass, studs, in the part's frame
   Mat3 inverseInertia;  // about the centre, in the part's frame
@@ -199,7 +200,7 @@ struct LevelView {
   uint32_t colliderCount, roleCount, moverCount, clockCount, looseCount;
   uint32_t crushClock;  // counts the ticks of being squeezed; kNone: no part kills so
   Grid grid;
-  Grid looseGrid;  // the same over centres of loose bodies; empty where there are none
+  Grid looseGrid;      // the same over centres of loose bodies; empty where there are none
   float maxSideSpeed;  // studs/s; the grid lists reach as far as this carries a player in a tick
 };
 

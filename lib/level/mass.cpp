@@ -89,11 +89,8 @@ std::vector<Vec3> wedgeCorners(Vec3 h) {
           {h.x, -h.y, h.z},   {-h.x, h.y, h.z},  {h.x, h.y, h.z}};
 }
 std::vector<Vec3> cornerWedgeCorners(Vec3 h) {
-  return {{-h.x, -h.y, -h.z},
-          {h.x, -h.y, -h.z},
-          {-h.x, -h.y, h.z},
-          {h.x, -h.y, h.z},
-          {h.x, h.y, -h.z}};
+  return {
+      {-h.x, -h.y, -h.z}, {h.x, -h.y, -h.z}, {-h.x, -h.y, h.z}, {h.x, -h.y, h.z}, {h.x, h.y, -h.z}};
 }
 
 Moments momentsOf(const SolidShape& s) {

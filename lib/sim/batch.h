@@ -64,8 +64,8 @@ class Batch {
   // level if the course restarts. An error says what is wrong with the actions, or is the device's.
   Status step(uint32_t ticks, const Actions& actions);
 
-  // Worlds `first` and on, and what they play. Snapshots are plain copies of the worlds and of their
-  // loose bodies: (worlds, looseStride), none where no level has any.
+  // Worlds `first` and on, and what they play. Snapshots are plain copies of the worlds and of
+  // their loose bodies: (worlds, looseStride), none where no level has any.
   virtual Status restore(uint32_t first, std::span<const World> worlds,
                          std::span<const LooseBody> loose = {}) = 0;
   virtual Result<std::vector<World>> worlds() const = 0;
@@ -91,7 +91,7 @@ Result<std::unique_ptr<Batch>> makeCpuBatch(Course course, uint32_t worlds, Thre
 Result<std::unique_ptr<Batch>> makeKernelBatch(const Course& course, uint32_t worlds,
                                                Device& device);
 
-// The kernels of makeKernelBatch: for courses of one level, and of many.
-const Kernel& stepKernel(bool oneLevel);
+// The kernels of makeKernelBatch.
+const Kernel& stepKernel(StepKind kind);
 
 }  // namespace obby::sim

@@ -9,11 +9,6 @@ namespace obby::sim {
 // Rays straight ahead from the player's axis, in rows from the legs to the top of the torso. The
 // middle column is what catches a truss; a climber keeps it with the outer two as well.
 constexpr int kClimbRows = 5;
-// The lowest row, as a share of the hip height: high enough that legs which sink into a floor of
-// trusses on landing do not meet the next truss of that floor.
-constexpr float kLowestRow = 0.25f;
-// Least share of the move direction that counts as into the truss or away from it.
-constexpr float kClimbWill = 0.01f;
 
 // The face ahead.
 struct Truss {
@@ -70,12 +65,20 @@ OBBY_DEVICE CandidateSet solidsAhead(const Candidates& near, Vec3 feet, const Pa
 OBBY_DEVICE TrussHit castColumn(const level::LevelView& level, const Candidates& near,
                                 CandidateSet solids, Vec3 feet, Vec3 ahead) {
   const Params& p = level.params;
-  const float lowest = p.hipHeight * kLowestRow;
+  const float lowest = p.hipHeight * p.climbLowest;
   const float spacing = (p.headBottom - lowest) / float(kClimbRows - 1);
   TrussHit best{1e30f, -1, {}};
   for (int row = 0; row < kClimbRows; ++row) {
     const Vec3 from = feet + Vec3{0, lowest + spacing * float(row), 0};
     castForTruss(level, near, solids, from, ahead, best);
+  }
+  if (!(near.anyFlags & level::kRung)) return best;
+  // Rungs are thinner than the rows are apart.
+  for (CandidateSet left = solids; left != 0; left &= left - 1) {
+    const Candidate& c = near.items[lowestBit(left)];
+    const float height = c.pose->position.y - feet.y;
+    if (!(c.flags & level::kRung) || height < lowest || height > p.headBottom) continue;
+    castForTruss(level, near, solids, feet + Vec3{0, height, 0}, ahead, best);
   }
   return best;
 }
@@ -99,14 +102,14 @@ OBBY_DEVICE Truss senseTruss(const World& w, const LooseBody* loose, const Playe
   const float size = length(flat);
   Floor surface;  // conveyors and carrying parts take a climber along as they take a walker
   surfaceMotion(w, loose, level, near.items[best.candidate], surface);
-  return {true, size > kClimbWill ? flat * (1.0f / size) : ahead, surface.velocity};
+  return {true, size > level.params.climbWill ? flat * (1.0f / size) : ahead, surface.velocity};
 }
 
 // 1: the move direction points into the truss, -1: away from it, 0: neither.
-OBBY_DEVICE float climbWill(const Truss& truss, const ControlT<float>& control) {
+OBBY_DEVICE float climbWill(const Params& p, const Truss& truss, const ControlT<float>& control) {
   if (!control.walk) return 0;
   const float into = dot(directionOf(sinCosOf<float>(control.heading)), truss.toward);
-  return into >= kClimbWill ? 1.0f : into <= -kClimbWill ? -1.0f : 0.0f;
+  return into >= p.climbWill ? 1.0f : into <= -p.climbWill ? -1.0f : 0.0f;
 }
 
 OBBY_DEVICE float climbSpeedOf(const Params& p) { return p.climbSpeed * p.walkSpeed; }
@@ -125,7 +128,7 @@ OBBY_DEVICE void passTruss(Player& w, const Params& p, const Floor& floor, Truss
   truss.toward = directionOf(sinCosOf<float>(w.yaw));
   truss.velocity = floor.velocity;
   const float step = climbSpeedOf(p) * p.tickSeconds;
-  if (floor.sensed && floor.gap < -step && climbWill(truss, control) > 0) return;
+  if (floor.sensed && floor.gap < -step && climbWill(p, truss, control) > 0) return;
   // Running without a floor, its grace over, is Freefall.
   w.state = int32_t(floor.sensed ? State::running : State::freefall);
   if (floor.sensed) w.velocity.y = minf(w.velocity.y, floor.velocity.y);
@@ -143,7 +146,7 @@ OBBY_DEVICE Truss updateClimbing(const World& w, const LooseBody* loose, Player&
   if ((near.anyFlags & level::kTruss) && (climbs || (free && control.walk))) {
     truss = senseTruss(w, loose, player, level, near);
   }
-  const float will = climbWill(truss, control);
+  const float will = climbWill(p, truss, control);
   if (!climbs) {
     // Not while rising faster than a climb: else a jump could never leave the truss.
     const bool slow = player.velocity.y - truss.velocity.y <= climbSpeedOf(p);
@@ -169,7 +172,7 @@ OBBY_DEVICE ControlT<float> facing(const Truss& truss, const ControlT<float>& co
 OBBY_DEVICE void moveClimber(Motion& m, const Truss& truss, const ControlT<float>& control,
                              const level::LevelView& level, const Params& p,
                              const Candidates& near) {
-  const float will = climbWill(truss, control), speed = climbSpeedOf(p);
+  const float will = climbWill(p, truss, control), speed = climbSpeedOf(p);
   const float press = will > 0 ? minf(speed, p.walkSpeed) : 0.0f;
   const float most = p.maxFallSpeed, side = level.maxSideSpeed;
   const Vec3 wanted = truss.velocity + truss.toward * press + Vec3{0, will * speed, 0};

@@ -49,9 +49,7 @@ class CpuBatch : public Batch {
   void play(const Block& block, uint32_t ticks);
   bool readyIn(uint32_t level, uint32_t world);
   void startOver(uint32_t world);
-  LooseBody* looseOf(uint32_t world) {
-    return loose_.data() + size_t(world) * course_.looseStride;
-  }
+  LooseBody* looseOf(uint32_t world) { return loose_.data() + size_t(world) * course_.looseStride; }
   bool waits(uint32_t world) const {
     return turns_[world].left > 0 &&
            (course_.restarts || worlds_[world].outcome == Outcome::running);

@@ -17,7 +17,7 @@ struct LevelSet {
   const uint32_t* queue = nullptr;            // (queueLength), indices of levels
   uint32_t levelCount = 0, queueLength = 0;
   uint32_t looseStride = 0;  // bodies that each world has room for
-  bool restarts = false;  // a world whose playthrough has ended takes its next level
+  bool restarts = false;     // a world whose playthrough has ended takes its next level
 };
 
 template <class Table>

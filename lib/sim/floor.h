@@ -15,10 +15,10 @@ template <class F>
 struct FloorT {
   MaskOf<F> sensed = false;
   F gap = 0;  // studs from the feet down to the floor; negative: the floor is above the feet
-  Vec3T<F> normal{0, 1, 0};  // average, not normalised
-  Vec3T<F> velocity;         // of the surface where the player stands, studs/s
-  F turning = 0;             // rad/s of a carrying floor about Y
-  F friction = 0;            // of the nearest floor
+  Vec3T<F> normal{0, 1, 0};          // average, not normalised
+  Vec3T<F> velocity;                 // of the surface where the player stands, studs/s
+  F turning = 0;                     // rad/s of a carrying floor about Y
+  F friction = 0;                    // of the nearest floor
   uint8_t loose = level::kNotLoose;  // body that the player stands on; one world only
 };
 

@@ -6,6 +6,14 @@
 
 namespace obby::sim {
 
+// The kernels that step worlds: three, since code that is never run costs a GPU registers and stack
+// all the same.
+enum class StepKind {
+  oneLevel,    // without loose bodies
+  manyLevels,  // without loose bodies
+  loose        // any course
+};
+
 struct Kernel {
   const char* name;
   // On the CPU, for one index.

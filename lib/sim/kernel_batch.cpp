@@ -47,6 +47,11 @@ class KernelBatch : public Batch {
   }
 
  private:
+  StepKind kind() const {
+    if (args_.set.looseStride != 0) return StepKind::loose;
+    return args_.set.levelCount == 1 ? StepKind::oneLevel : StepKind::manyLevels;
+  }
+
   Status run(uint32_t ticks, const Actions& actions) override {
     OBBY_RETURN_IF_ERROR(uploadTable(device_, table_, actions.table));
     OBBY_RETURN_IF_ERROR(uploadTable(device_, runs_, actions.runs));
@@ -54,7 +59,7 @@ class KernelBatch : public Batch {
     args_.actions = {actions.kind, actions.seed, table_.as<Action>(), runs_.as<ActionRun>(),
                      firsts_.as<uint32_t>()};
     args_.ticks = ticks;
-    return device_.launch(stepKernel(args_.set.levelCount == 1), &args_, size());
+    return device_.launch(stepKernel(kind()), &args_, size());
   }
 
   template <class T>
@@ -81,12 +86,24 @@ Result<std::unique_ptr<Batch>> makeKernelBatch(const Course& course, uint32_t wo
   return std::unique_ptr<Batch>(std::move(batch));
 }
 
-const Kernel& stepKernel(bool oneLevel) {
-  static const Kernel one{"step", kernelBody<StepArguments, stepWorld<true>>, cuda::stepEntry(true),
-                          sizeof(StepArguments)};
-  static const Kernel many{"stepMany", kernelBody<StepArguments, stepWorld<false>>,
-                           cuda::stepEntry(false), sizeof(StepArguments)};
-  return oneLevel ? one : many;
+namespace {
+
+template <StepKind kKind>
+const Kernel& kernelOf(const char* name) {
+  static const Kernel kernel{name, kernelBody<StepArguments, stepWorld<kKind>>,
+                             cuda::stepEntry(kKind), sizeof(StepArguments)};
+  return kernel;
+}
+
+}  // namespace
+
+const Kernel& stepKernel(StepKind kind) {
+  switch (kind) {
+    case StepKind::oneLevel: return kernelOf<StepKind::oneLevel>("step");
+    case StepKind::manyLevels: return kernelOf<StepKind::manyLevels>("stepMany");
+    case StepKind::loose: break;
+  }
+  return kernelOf<StepKind::loose>("stepLoose");
 }
 
 }  // namespace obby::sim

@@ -13,13 +13,13 @@ enum class LooseState : uint8_t {
 };
 
 // X(type, name)
-#define OBBY_LOOSE_FIELDS(X)                                          \
-  X(Vec3, position) /* of the centre of mass, studs */                \
-  X(Quat, rotation) /* of the part */                                 \
-  X(Vec3, velocity) /* studs/s */                                     \
-  X(Vec3, spin)     /* rad/s, world */                                \
-  X(uint16_t, stillTicks) /* for how long it has been slow */         \
-  X(LooseState, state)                                                \
+#define OBBY_LOOSE_FIELDS(X)                                  \
+  X(Vec3, position)       /* of the centre of mass, studs */  \
+  X(Quat, rotation)       /* of the part */                   \
+  X(Vec3, velocity)       /* studs/s */                       \
+  X(Vec3, spin)           /* rad/s, world */                  \
+  X(uint16_t, stillTicks) /* for how long it has been slow */ \
+  X(LooseState, state)                                        \
   X(uint8_t, unused) /* 0: no padding, so that a body hashes as bytes */
 
 struct LooseBody {

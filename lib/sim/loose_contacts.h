@@ -75,15 +75,9 @@ OBBY_DEVICE Rigid rigidOf(const LooseBody& b, const level::Loose& l) {
   const Vec3 rows[3] = {{axes.x.x, axes.y.x, axes.z.x},
                         {axes.x.y, axes.y.y, axes.z.y},
                         {axes.x.z, axes.y.z, axes.z.z}};
-  return {b.position,
-          b.velocity,
-          b.spin,
-          b.rotation,
-          axes,
-          {own * rows[0], own * rows[1], own * rows[2]},
-          l.inverseMass,
-          0,
-          b.state == LooseState::awake,
+  return {b.position,    b.velocity, b.spin,
+          b.rotation,    axes,       {own * rows[0], own * rows[1], own * rows[2]},
+          l.inverseMass, 0,          b.state == LooseState::awake,
           false};
 }
 
@@ -109,8 +103,8 @@ struct Pair {
 OBBY_DEVICE Pair pairOf(const LooseScene& s, const LooseContact& c) {
   const Rigid &a = s.bodies[c.a], &b = s.bodies[c.b];
   const bool isPart = c.b == kPart;
-  return {a.velocity, a.spin,        isPart ? c.surface : b.velocity, b.spin,
-          a.inverseMass, b.inverseMass};
+  return {a.velocity, a.spin,        isPart ? c.surface : b.velocity,
+          b.spin,     a.inverseMass, b.inverseMass};
 }
 
 OBBY_DEVICE void putPair(LooseScene& s, const LooseContact& c, const Pair& p) {
@@ -176,16 +170,15 @@ OBBY_DEVICE Vec3 surfaceOf(const level::LevelView& level, const Partner& part, V
   }
   if (part.flags & level::kMoving) {
     const Vec3 local = toLocal(part.convex.pose, point);
-    const Vec3 moved =
-        (point - toWorld(part.before, local)) * float(level.params.controlRate);
+    const Vec3 moved = (point - toWorld(part.before, local)) * float(level.params.controlRate);
     velocity += part.flags & level::kCarries ? moved : normal * dot(moved, normal);
   }
   return velocity;
 }
 
 OBBY_APART void addContact(World& w, const level::LevelView& level, LooseScene& scene, int a,
-                            const level::Collider& own, const Partner& other,
-                            const geom::Manifold& m) {
+                           const level::Collider& own, const Partner& other,
+                           const geom::Manifold& m) {
   if (m.count == 0) return;
   if (scene.contactCount == kMaxLooseContacts) {
     w.flags |= kContactOverrun;
@@ -215,7 +208,7 @@ OBBY_DEVICE void link(LooseScene& scene, LooseBody* loose, int a, int b) {
 
 // All colliders of body `a` against a partner.
 OBBY_APART void meet(World& w, LooseBody* loose, const level::LevelView& level, LooseScene& scene,
-                      int a, const Partner& other, float margin) {
+                     int a, const Partner& other, float margin) {
   const level::Loose& l = level.loose[a];
   Pose pose{{}, scene.bodies[a].axes};
   pose.position = scene.bodies[a].position - pose.rotation * l.center;
@@ -234,7 +227,7 @@ OBBY_APART void meet(World& w, LooseBody* loose, const level::LevelView& level, 
 constexpr uint32_t kLeaves = level::kVanishTimer | level::kClocked;
 
 OBBY_APART void meetParts(World& w, LooseBody* loose, const level::LevelView& level,
-                           LooseScene& scene, int a) {
+                          LooseScene& scene, int a) {
   Rigid& body = scene.bodies[a];
   const int32_t cell = cellOf<float>(level.looseGrid, body.position);
   if (cell < 0) return;
@@ -261,7 +254,7 @@ OBBY_APART void meetParts(World& w, LooseBody* loose, const level::LevelView& le
 }
 
 OBBY_APART void meetBodies(World& w, LooseBody* loose, const level::LevelView& level,
-                            LooseScene& scene, int a, uint32_t done) {
+                           LooseScene& scene, int a, uint32_t done) {
   for (int b = 0; b < int(level.looseCount); ++b) {
     const Rigid &one = scene.bodies[a], &other = scene.bodies[b];
     if (loose[b].state == LooseState::gone || (done >> b & 1)) continue;

@@ -8,6 +8,7 @@
 
 #include "sim/actions.h"
 #include "sim/episodes.h"
+#include "sim/kernel.h"
 #include "sim/rules.h"
 #include "sim/tick.h"
 
@@ -23,7 +24,7 @@ struct StepArguments {
   uint32_t count, ticks;
 };
 
-template <bool kOneLevel>
+template <StepKind kKind>
 OBBY_DEVICE void stepWorld(const StepArguments& a, uint32_t i) {
   World world = a.worlds[i];
   LooseBody* const loose = a.loose + size_t(i) * a.set.looseStride;
@@ -35,8 +36,10 @@ OBBY_DEVICE void stepWorld(const StepArguments& a, uint32_t i) {
       startNext(a.set, i, a.count, episode, world, loose);
       cursor.startOver(a.actions);
     }
-    const level::LevelView& level = kOneLevel ? a.only : a.set.levels[episode.level];
-    tick(world, loose, level, cursor.next(a.actions, {i, a.count, episode.number, t}, world.tick));
+    const level::LevelView& level =
+        kKind == StepKind::oneLevel ? a.only : a.set.levels[episode.level];
+    tick<kKind == StepKind::loose>(
+        world, loose, level, cursor.next(a.actions, {i, a.count, episode.number, t}, world.tick));
     const level::QueryView* query = queryOf(a.set, episode.level);
     if (query != nullptr) applyRules(world, level, *query);
   }

@@ -30,7 +30,11 @@ OBBY_DEVICE void endTick(World& w, const level::LevelView& level, const Candidat
   }
 }
 
+// The phases with and without loose bodies: `kLoose` false is for levels that have none, on GPUs,
+// where code that is never run costs registers all the same.
+
 // A tick of one who stands, walks, jumps, falls or climbs; `p`: with the player's boosts.
+template <bool kLoose>
 OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level, const Params& p,
                       Candidates& near, const ControlT<float>& control) {
   Player player = playerOf(w);
@@ -41,7 +45,7 @@ OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level,
   turn(player, p, floor, climbs ? facing(truss, control) : control);
   Motion motion = motionOf(player, p, floor, drive(player, p, floor, control));
   if (climbs) moveClimber(motion, truss, control, level, p, near);
-  if (wakeTouched(w, loose, floor, motion, level, near)) {
+  if (kLoose && wakeTouched(w, loose, floor, motion, level, near)) {
     moveTogether(w, loose, climbs ? nullptr : &motion, floor, level, near);
   } else if (!climbs) {
     moveBody(motion, level, near);
@@ -52,15 +56,16 @@ OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level,
 }
 
 // `p`: with the player's boosts.
+template <bool kLoose>
 OBBY_DEVICE void tickWith(World& w, LooseBody* loose, const level::LevelView& level,
                           const Params& p, ControlT<float> control) {
   Candidates near;
   gather(w, loose, level, p, near);
   if (w.state == State::seated) {
     sit(w, level, p, control.jump);
-    if (w.flags & kLooseAwake) moveTogether(w, loose, nullptr, {}, level, near);
+    if (kLoose && (w.flags & kLooseAwake)) moveTogether(w, loose, nullptr, {}, level, near);
   } else {
-    move(w, loose, level, p, near, control);
+    move<kLoose>(w, loose, level, p, near, control);
     squeeze(w, level, near);
   }
   if (w.outcome == Outcome::running) {
@@ -72,6 +77,7 @@ OBBY_DEVICE void tickWith(World& w, LooseBody* loose, const level::LevelView& le
 
 // Advances `w` and the loose bodies beside it (null where the level has none) by one tick. Nothing
 // happens to a world whose playthrough has ended. Never allocates; overruns set bits in w.flags.
+template <bool kLoose = true>
 OBBY_DEVICE void tick(World& w, LooseBody* loose, const level::LevelView& level, Action action) {
   if (w.outcome != Outcome::running) return;
   ControlT<float> control = controlOf(action);
@@ -82,7 +88,7 @@ OBBY_DEVICE void tick(World& w, LooseBody* loose, const level::LevelView& level,
     p = &boosts;
     if (isHelpless(w, level)) control = {};
   }
-  tickWith(w, loose, level, *p, control);
+  tickWith<kLoose>(w, loose, level, *p, control);
 }
 
 }  // namespace obby::sim

@@ -24,7 +24,6 @@ struct WideCounts {
 // Advances `count` worlds by one tick, world i under actions[i]. Worlds whose playthrough has ended
 // stay as they are. The worlds must be different ones. `counts` may be null.
 void tickAll(const level::LevelView& level, World* const* worlds, LooseBody* const* loose,
-             const Action* actions,
-             size_t count, WideCounts* counts = nullptr);
+             const Action* actions, size_t count, WideCounts* counts = nullptr);
 
 }  // namespace obby::sim

@@ -22,7 +22,7 @@ enum Flag : uint8_t {
       2,              // more parts near the player than a world can look at: raise kMaxCandidates
   kClockOverrun = 4,  // more clocks running at once than a world can remember: raise kMaxClocks
   kArrived = 8,       // was teleported, and has touched a teleporter in every tick since
-  kLooseAwake = 16,      // a loose body is awake
+  kLooseAwake = 16,   // a loose body is awake
   kContactOverrun = 32,  // more contacts of loose bodies than a tick can hold: raise
                          // kMaxLooseContacts
 };

@@ -67,7 +67,8 @@ Status DeviceRollouts::run(std::span<const RolloutStart> starts,
   OBBY_RETURN_IF_ERROR(sim::uploadTable(*device_, startMemory_, starts));
   OBBY_RETURN_IF_ERROR(sim::uploadTable(*device_, looseMemory_, loose));
   OBBY_RETURN_IF_ERROR(makeRoom(starts.size()));
-  OBBY_RETURN_IF_ERROR(device_->launch(rolloutKernel(), &arguments_, uint32_t(starts.size())));
+  OBBY_RETURN_IF_ERROR(device_->launch(rolloutKernel(arguments_.context.level.looseCount != 0),
+                                       &arguments_, uint32_t(starts.size())));
   OBBY_RETURN_IF_ERROR(
       device_->download(ends_.data(), arguments_.ends, ends_.size() * sizeof(RolloutEnd)));
   OBBY_RETURN_IF_ERROR(fetch(*device_, endLoose_, arguments_.loose));
@@ -75,10 +76,19 @@ Status DeviceRollouts::run(std::span<const RolloutStart> starts,
   return fetch(*device_, visits_, arguments_.visits);
 }
 
-const sim::Kernel& rolloutKernel() {
-  static const sim::Kernel kernel{"rollout", sim::kernelBody<RolloutArguments, exploreOne>,
-                                  cuda::rolloutEntry(), sizeof(RolloutArguments)};
+namespace {
+
+template <bool kLoose>
+const sim::Kernel& kernelOf(const char* name) {
+  static const sim::Kernel kernel{name, sim::kernelBody<RolloutArguments, exploreOne<kLoose>>,
+                                  cuda::rolloutEntry(kLoose), sizeof(RolloutArguments)};
   return kernel;
+}
+
+}  // namespace
+
+const sim::Kernel& rolloutKernel(bool loose) {
+  return loose ? kernelOf<true>("rolloutLoose") : kernelOf<false>("rollout");
 }
 
 }  // namespace obby::solve

@@ -45,6 +45,7 @@ class DeviceRollouts {
   std::vector<sim::LooseBody> endLoose_, visitLoose_;
 };
 
-const sim::Kernel& rolloutKernel();
+// `loose`: for levels with loose bodies.
+const sim::Kernel& rolloutKernel(bool loose);
 
 }  // namespace obby::solve

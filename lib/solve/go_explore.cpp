@@ -70,9 +70,9 @@ void GoExplore::exploreOnThreads() {
 
 Status GoExplore::openDevice() {
   if (device_) return {};
-  OBBY_ASSIGN(device_,
-              DeviceRollouts::open(*machine_.device,
-                                   {context_, binning_, rule_, seed_, phaseTicks_, 0, {}, {}, {}, {}, {}}));
+  OBBY_ASSIGN(device_, DeviceRollouts::open(
+                           *machine_.device,
+                           {context_, binning_, rule_, seed_, phaseTicks_, 0, {}, {}, {}, {}, {}}));
   return {};
 }
 

@@ -16,9 +16,9 @@ namespace obby::solve {
 struct Problem {
   level::LevelView level;
   level::QueryView query;
-  sim::World start;       // as sim::makeWorld gives it
+  sim::World start;                        // as sim::makeWorld gives it
   std::vector<sim::LooseBody> startLoose;  // as sim::makeLoose gives them
-  Box bounds;             // of everything in the level
+  Box bounds;                              // of everything in the level
   bool hasClock = false;  // moving or timed parts: the outcome depends on the level clock
 };
 

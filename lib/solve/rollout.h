@@ -8,16 +8,16 @@
 
 namespace obby::solve {
 
-// Advances `world` and its loose bodies by at most `ticks` ticks, fewer if the playthrough ends; gives the ticks done.
-// visit(action, world) is called after each.
-template <class Visit>
+// Advances `world` and its loose bodies by at most `ticks` ticks, fewer if the playthrough ends;
+// gives the ticks done. visit(action, world) is called after each.
+template <bool kLoose = true, class Visit>
 OBBY_DEVICE uint32_t runRollout(const ExploreContext& c, uint64_t seed, uint64_t rollout,
                                 sim::World& world, sim::LooseBody* loose, uint32_t ticks,
                                 Visit&& visit) {
   Explorer explorer(seed, rollout);
   for (uint32_t t = 1; t <= ticks; ++t) {
     const sim::Action action = explorer.next(c, world);
-    sim::tick(world, loose, c.level, action);
+    sim::tick<kLoose>(world, loose, c.level, action);
     sim::applyRules(world, c.level, c.query);
     visit(action, world);
     if (world.outcome != sim::Outcome::running) return t;

@@ -24,7 +24,7 @@ class RolloutGroup {
     Explorer explorer;
     sim::World* world;
     sim::LooseBody* loose;  // null where the level has none
-    size_t index;  // in the order of add()
+    size_t index;           // in the order of add()
   };
 
   // Advances every world by at most `ticks` ticks. visit(t, members) is called after tick t = 1, 2,

@@ -42,6 +42,8 @@ struct RolloutArguments {
 // Visits that a rollout can have.
 OBBY_DEVICE uint32_t visitRoom(uint32_t ticks) { return ticks / kLookEvery; }
 
+// `kLoose`: as for sim::tick.
+template <bool kLoose>
 OBBY_DEVICE void exploreOne(const RolloutArguments& a, uint32_t i) {
   sim::World world = a.starts[i].world;
   const uint32_t bodies = a.context.level.looseCount;
@@ -66,7 +68,8 @@ OBBY_DEVICE void exploreOne(const RolloutArguments& a, uint32_t i) {
     closest = now;
     closestTicks = tick;
   };
-  const uint32_t ticks = runRollout(a.context, a.seed, a.starts[i].id, world, loose, a.ticks, look);
+  const uint32_t ticks =
+      runRollout<kLoose>(a.context, a.seed, a.starts[i].id, world, loose, a.ticks, look);
   a.ends[i] = {world, closest, closestTicks, ticks, visits};
 }
 

@@ -64,8 +64,8 @@ std::string name(schema::Outcome outcome) {
   return index < std::size(kNames) ? kNames[index] : fmt::format("outcome {}", index);
 }
 
-std::string compare(const Playback& replay, uint64_t hash,
-                    schema::Trajectory::Reader record, bool withQuery) {
+std::string compare(const Playback& replay, uint64_t hash, schema::Trajectory::Reader record,
+                    bool withQuery) {
   // Without its query, an end that a region or a limit makes cannot come about.
   const bool comparable = withQuery || record.getOutcome() == schema::Outcome::KILLED ||
                           record.getOutcome() == schema::Outcome::FELL;
@@ -90,8 +90,7 @@ Result<Playback> playBack(const level::Level& level, const level::Query* query,
   OBBY_ASSIGN(const sim::Plan plan, sim::planFromRecord(record));
   level::QueryView rules{};
   if (query != nullptr) rules = query->view();
-  const sim::Replay replay =
-      sim::replay(level.view(), query != nullptr ? &rules : nullptr, plan);
+  const sim::Replay replay = sim::replay(level.view(), query != nullptr ? &rules : nullptr, plan);
   const std::vector<sim::World>& worlds = replay.worlds;
   Playback out;
   for (const sim::World& world : worlds) {

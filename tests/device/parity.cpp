@@ -120,9 +120,9 @@ void compareSearch(Parity& parity, sim::Device& device, ThreadPool& pool, int ro
   level::QueryView query{};
   query.goal = {{{0, 500, 0}, {}}, {2, 2, 2}};
   query.maxJumps = -1;
-  const solve::Problem problem{level.view(), query,
-                               sim::makeWorld(level.view(), level.spawns()[0]), {},
-                               level.bounds(), level.hasMotion()};
+  const solve::Problem problem{
+      level.view(), query,          sim::makeWorld(level.view(), level.spawns()[0]),
+      {},           level.bounds(), level.hasMotion()};
   solve::GoExplore threads(problem, 1, {}, pool), kernel(problem, 1, {}, {pool, &device});
   for (int round = 0; round < rounds; ++round) {
     threads.round();

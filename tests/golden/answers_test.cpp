@@ -50,9 +50,11 @@ std::string answer(const Asked& asked) {
     ThreadPool pool(2);
     Budget budget;
     budget.maxSteps = 1'000'000;
-    const Problem problem{level->view(), query->view(),
+    const Problem problem{level->view(),
+                          query->view(),
                           sim::makeWorld(level->view(), query->start()),
-                          sim::makeLoose(level->view()), level->bounds(),
+                          sim::makeLoose(level->view()),
+                          level->bounds(),
                           level->hasMotion()};
     const SearchOutcome o = findMethod("auto")->run(problem, budget, {}, pool);
     std::ostringstream line;

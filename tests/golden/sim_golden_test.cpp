@@ -39,8 +39,7 @@ uint64_t singlyHash(const level::Level& level) {
     sim::World w = sim::makeWorld(level.view(), level.spawns()[0]);
     std::vector<sim::LooseBody> loose = sim::makeLoose(level.view());
     for (uint32_t t = 0; t < kTicks; ++t) {
-      sim::advance(w, loose.data(), level.view(), nullptr,
-                   sim::walkerAction(kSeed, i, 0, w.tick));
+      sim::advance(w, loose.data(), level.view(), nullptr, sim::walkerAction(kSeed, i, 0, w.tick));
     }
     const uint64_t state = sim::stateHash(w, loose);
     h = hashBytes(&state, sizeof state, h);

@@ -158,7 +158,8 @@ TEST(Batch, a_world_stands_still_after_its_plan) {
   const auto batch = *makeCpuBatch(courseOf(level.view(), level.spawns()[0]), 1, pool);
   ASSERT_TRUE(batch->step(10, Actions::plans({&run, 1}, firsts)));
   World w = makeWorld(level.view(), level.spawns()[0]);
-  for (int t = 0; t < 10; ++t) advance(w, nullptr, level.view(), nullptr, t < 3 ? run.action : Action{});
+  for (int t = 0; t < 10; ++t)
+    advance(w, nullptr, level.view(), nullptr, t < 3 ? run.action : Action{});
   EXPECT_EQ(stateHash(batch->worlds()->front()), stateHash(w));
 }
 

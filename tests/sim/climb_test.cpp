@@ -257,5 +257,37 @@ TEST(Climb, a_floor_of_trusses_is_walked_and_landed_on) {
   EXPECT_GE(play.world.jumps, 2);
 }
 
+// Rungs 0.3 thick with `gap` studs of air between, up to 20 studs, before a wall with a floor on
+// top.
+level::Level ladder(float gap, bool climbable) {
+  LevelBuilder b;
+  b.block({0, -1, 0}, {60, 2, 60}).spawn({0, 0, 0});
+  for (float y = gap + 0.15f; y < 20; y += gap + 0.3f) {
+    b.block({0, y, -4}, {4, 0.3f, 0.5f}, [=](auto p) { p.setClimbable(climbable); });
+  }
+  b.block({0, 10, -9}, {12, 20, 9.2f});
+  return b.compile();
+}
+
+TEST(Climbing, LaddersOfThinRungsAreClimbedToTheTop) {
+  for (const float gap : {0.5f, 1.0f, 1.7f, 2.5f}) {
+    const auto level = ladder(gap, true);
+    Play play(level);
+    play.settle();
+    const int ticks = play.until(walk(kNorth), [](const sim::World& w) {
+      return w.position.y > 19.9f && w.state == sim::State::running;
+    });
+    EXPECT_GE(ticks, 60) << gap;
+    EXPECT_EQ(play.world.jumps, 0) << gap;
+  }
+}
+
+TEST(Climbing, PartsThatAreNotClimbableStop) {
+  const auto level = ladder(1.0f, false);
+  Play play(level);
+  play.settle().run(walk(kNorth), 300);
+  EXPECT_LT(play.highest(), 3);
+}
+
 }  // namespace
 }  // namespace obby::test

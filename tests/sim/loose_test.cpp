@@ -49,9 +49,9 @@ TEST(LooseBodies, OfEveryShapeRestOnTheirLowestFace) {
     schema::Shape shape;
     float height;  // of the part's centre at rest
   };
-  const Case cases[] = {{schema::Shape::BLOCK, 1},       {schema::Shape::BALL, 1},
-                        {schema::Shape::WEDGE, 1},       {schema::Shape::CORNER_WEDGE, 1},
-                        {schema::Shape::CYLINDER, 1},    {schema::Shape::TRUSS, 1}};
+  const Case cases[] = {{schema::Shape::BLOCK, 1},    {schema::Shape::BALL, 1},
+                        {schema::Shape::WEDGE, 1},    {schema::Shape::CORNER_WEDGE, 1},
+                        {schema::Shape::CYLINDER, 1}, {schema::Shape::TRUSS, 1}};
   for (const Case& c : cases) {
     const auto level = room()
                            .block({0, 3, 0}, {2, 2, 2},
@@ -152,20 +152,19 @@ TEST(LooseBodies, FallOutOfTheWorld) {
 }
 
 TEST(LooseBodies, RestOnPlatformsThatCarry) {
-  const auto level =
-      room()
-          .block({0, 0, 0}, {12, 2, 12},
-                 [](auto p) {
-                   auto motion = p.initMotion();
-                   motion.setCarries(true);
-                   motion.setRepeat(schema::Repeat::PING_PONG);
-                   auto keys = motion.initKeys(2);
-                   support::set(keys[0].initPosition(), {0, 5, 0});
-                   keys[1].setTime(4);
-                   support::set(keys[1].initPosition(), {20, 5, 0});
-                 })
-          .block({0, 8, 0}, {4, 4, 4}, loosen)
-          .compile();
+  const auto level = room()
+                         .block({0, 0, 0}, {12, 2, 12},
+                                [](auto p) {
+                                  auto motion = p.initMotion();
+                                  motion.setCarries(true);
+                                  motion.setRepeat(schema::Repeat::PING_PONG);
+                                  auto keys = motion.initKeys(2);
+                                  support::set(keys[0].initPosition(), {0, 5, 0});
+                                  keys[1].setTime(4);
+                                  support::set(keys[1].initPosition(), {20, 5, 0});
+                                })
+                         .block({0, 8, 0}, {4, 4, 4}, loosen)
+                         .compile();
   Play play = playOf(level);
   play.run(stand(), 220);
   EXPECT_NEAR(play.loose[0].position.y, 8, 0.1);
@@ -218,8 +217,8 @@ TEST(LooseBodies, PushedToAWallMakeAStepThatIsNotThereOtherwise) {
     if (box) b.block({0, 2, 20}, {4, 4, 4}, loosen);
     const auto level = b.compile();
     Play play = playOf(level);
-    play.settle().run(walk(kNorth), 300);             // to the wall, with the box before it
-    play.run(walk(kNorth ^ 0x8000), 20);              // back
+    play.settle().run(walk(kNorth), 300);  // to the wall, with the box before it
+    play.run(walk(kNorth ^ 0x8000), 20);   // back
     // Onto it, and from it onto the wall.
     return play.until(walk(kNorth, true), [](const sim::World& w) {
       return w.position.y > 9.9f && (w.flags & sim::kFloorSensed);

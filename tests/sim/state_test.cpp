@@ -21,7 +21,8 @@ TEST(Snapshot, restored_world_continues_identically) {
   const sim::World snapshot = play.world;
   for (int t = 0; t < 300; ++t) play.run(scripted(0, play.world));
   sim::World again = snapshot;
-  for (int t = 0; t < 300; ++t) sim::advance(again, nullptr, level.view(), nullptr, scripted(0, again));
+  for (int t = 0; t < 300; ++t)
+    sim::advance(again, nullptr, level.view(), nullptr, scripted(0, again));
   EXPECT_EQ(stateHash(again), stateHash(play.world));
   EXPECT_NE(stateHash(again), stateHash(snapshot));
 }
@@ -71,7 +72,8 @@ struct RulesTest : testing::Test {
 
   Outcome play(int ticks, bool jump = false) {
     sim::World w = sim::makeWorld(level.view(), {});
-    for (int t = 0; t < ticks; ++t) sim::advance(w, nullptr, level.view(), &query, walk(kNorth, jump));
+    for (int t = 0; t < ticks; ++t)
+      sim::advance(w, nullptr, level.view(), &query, walk(kNorth, jump));
     last = w;
     return w.outcome;
   }

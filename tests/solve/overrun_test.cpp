@@ -25,8 +25,9 @@ Statistics search(const level::Level& level) {
   level::QueryView query{};
   query.goal = {{{0, 500, 0}, {}}, {2, 2, 2}};
   query.maxJumps = -1;
-  const Problem problem{level.view(), query, sim::makeWorld(level.view(), level.spawns()[0]), {},
-                        level.bounds(), level.hasMotion()};
+  const Problem problem{
+      level.view(), query,          sim::makeWorld(level.view(), level.spawns()[0]),
+      {},           level.bounds(), level.hasMotion()};
   ThreadPool pool(2);
   GoExplore explore(problem, 1, GoExploreSettings{}, pool);
   for (int i = 0; i < 3; ++i) explore.round();

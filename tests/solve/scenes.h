@@ -39,8 +39,11 @@ struct Question {
     query.waypointCount = uint32_t(waypoints.size());
     query.avoid = avoid.data();
     query.avoidCount = uint32_t(avoid.size());
-    return {level.view(), query, sim::makeWorld(level.view(), level.spawns()[0]),
-            sim::makeLoose(level.view()), level.bounds(),
+    return {level.view(),
+            query,
+            sim::makeWorld(level.view(), level.spawns()[0]),
+            sim::makeLoose(level.view()),
+            level.bounds(),
             level.hasMotion()};
   }
   const level::Level& level;

@@ -148,8 +148,8 @@ inline LevelBuilder movingArena(uint32_t boxes, uint32_t movers, uint64_t seed) 
   return b;
 }
 
-// The same with eight platforms that move and `boxes` loose ones beside their ways. `restless`: they
-// never fall asleep.
+// The same with eight platforms that move and `boxes` loose ones beside their ways. `restless`:
+// they never fall asleep.
 inline LevelBuilder looseArena(uint32_t boxes, bool restless, uint64_t seed) {
   LevelBuilder b = movingArena(100, 8, seed);
   const level::Level fixed = b.compile();
@@ -160,7 +160,8 @@ inline LevelBuilder looseArena(uint32_t boxes, bool restless, uint64_t seed) {
     for (uint32_t i = 0; i < fixed.view().colliderCount; ++i) {
       const level::Bounds& bounds = fixed.view().bounds[i];
       const Vec3 reach{8, 20, 8};
-      isFree &= !(bounds.flags & level::kMoving) || !overlaps(bounds.box(), {at - reach, at + reach});
+      isFree &=
+          !(bounds.flags & level::kMoving) || !overlaps(bounds.box(), {at - reach, at + reach});
     }
     if (!isFree) continue;
     b.block(at, {4, 4, 4}, [](schema::Part::Builder p) { p.setAnchored(false); });

@@ -87,6 +87,7 @@ void vanishFromMarkers(RoleContext&);
 void vanishFromScripts(RoleContext&);
 void teleportFromScripts(RoleContext&);
 void seatFromClass(RoleContext&);
+void ladderFromStacks(RoleContext&);
 void movingFromTags(RoleContext&);
 void movingFromMarkers(RoleContext&);
 void movingFromScripts(RoleContext&);

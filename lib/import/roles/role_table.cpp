@@ -17,6 +17,7 @@ constexpr RoleRow kRoles[] = {
     {"vanish", vanishFromTags, vanishFromMarkers, vanishFromScripts, nullptr},
     {"teleport", nullptr, nullptr, teleportFromScripts, nullptr},
     {"seat", seatFromClass, nullptr, nullptr, nullptr},
+    {"ladder", nullptr, nullptr, nullptr, ladderFromStacks},
     {"motion", movingFromTags, movingFromMarkers, movingFromScripts, movingFromConstraints},
 };
 

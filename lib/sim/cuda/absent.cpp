@@ -7,6 +7,6 @@ Result<std::unique_ptr<Device>> openDevice() {
   return makeError("this build has no CUDA", "build with nvcc: cmake --preset cuda");
 }
 
-const void* stepEntry(bool) { return nullptr; }
+const void* stepEntry(StepKind) { return nullptr; }
 
 }  // namespace obby::sim::cuda

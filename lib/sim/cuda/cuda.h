@@ -5,12 +5,13 @@
 
 #include "base/result.h"
 #include "sim/device.h"
+#include "sim/kernel.h"
 
 namespace obby::sim::cuda {
 
 // The first GPU. Without CUDA in this build, a driver or a GPU: an error that says which.
 Result<std::unique_ptr<Device>> openDevice();
 
-const void* stepEntry(bool oneLevel);  // Kernel::entry of stepKernel
+const void* stepEntry(StepKind kind);  // Kernel::entry of stepKernel
 
 }  // namespace obby::sim::cuda

@@ -4,17 +4,21 @@
 namespace obby::sim::cuda {
 namespace {
 
-template <bool kOneLevel>
+template <StepKind kKind>
 __global__ void step(const __grid_constant__ StepArguments arguments, uint32_t count) {
   const uint32_t i = blockIdx.x * blockDim.x + threadIdx.x;
-  if (i < count) stepWorld<kOneLevel>(arguments, i);
+  if (i < count) stepWorld<kKind>(arguments, i);
 }
 
 }  // namespace
 
-const void* stepEntry(bool oneLevel) {
-  return oneLevel ? reinterpret_cast<const void*>(step<true>)
-                  : reinterpret_cast<const void*>(step<false>);
+const void* stepEntry(StepKind kind) {
+  switch (kind) {
+    case StepKind::oneLevel: return reinterpret_cast<const void*>(step<StepKind::oneLevel>);
+    case StepKind::manyLevels: return reinterpret_cast<const void*>(step<StepKind::manyLevels>);
+    case StepKind::loose: break;
+  }
+  return reinterpret_cast<const void*>(step<StepKind::loose>);
 }
 
 }  // namespace obby::sim::cuda

@@ -3,6 +3,6 @@
 
 namespace obby::solve::cuda {
 
-const void* rolloutEntry() { return nullptr; }
+const void* rolloutEntry(bool) { return nullptr; }
 
 }  // namespace obby::solve::cuda

@@ -3,6 +3,6 @@
 
 namespace obby::solve::cuda {
 
-const void* rolloutEntry();  // Kernel::entry of rolloutKernel; null without CUDA
+const void* rolloutEntry(bool loose);  // Kernel::entry of rolloutKernel; null without CUDA
 
 }  // namespace obby::solve::cuda

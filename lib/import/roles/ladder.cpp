@@ -1,0 +1,100 @@
+// Ladders built of parts: thin bars one above the other. The engine's own rule is not published;
+// this one is a guess, and the evidence says so.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "import/roles/role.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr float kThickest = 1.5f, kDeepest = 2;  // studs, of a rung: up, and the shorter way across
+constexpr float kNarrowest = 1, kWidest = 12;    // the longer way across
+constexpr float kLeastGap = 0.3f, kMostGap = 3;  // of air between rungs
+constexpr float kAside = 0.75f;                  // studs that the next rung may be off
+constexpr size_t kFewest = 3;                    // rungs of a ladder
+
+struct Bar {
+  PartDraft* part;
+  Box box;
+  Vec3 center() const { return part->pose.position; }
+};
+
+bool isBar(const PartDraft& part, const Box& box) {
+  const Vec3 size = box.hi - box.lo;
+  const float across = std::min(size.x, size.z), along = std::max(size.x, size.z);
+  const bool plain = part.solid && part.anchored && !part.motion && !part.kill && !part.vanish;
+  return plain && part.shape != Shape::truss && size.y <= kThickest && across <= kDeepest &&
+         along >= kNarrowest && along <= kWidest;
+}
+
+bool isNext(const Bar& low, const Bar& high) {
+  const Vec3 d = high.center() - low.center(), a = low.box.hi - low.box.lo,
+             b = high.box.hi - high.box.lo;
+  const float gap = high.box.lo.y - low.box.hi.y;
+  const bool alike = std::fabs(a.x - b.x) <= 0.5f * std::max(a.x, b.x) &&
+                     std::fabs(a.z - b.z) <= 0.5f * std::max(a.z, b.z);
+  return gap >= kLeastGap && gap <= kMostGap && std::hypot(d.x, d.z) <= kAside && alike;
+}
+
+// Bars by the square of ground that they stand over, from below.
+using Columns = std::map<std::pair<int, int>, std::vector<Bar>>;
+
+std::pair<int, int> columnOf(Vec3 p) { return {int(std::floor(p.x)), int(std::floor(p.z))}; }
+
+// The lowest bar that could be the next rung above; null: none.
+const Bar* nextAbove(const Columns& columns, const Bar& bar) {
+  const auto [x, z] = columnOf(bar.center());
+  const Bar* best = nullptr;
+  for (int dx = -1; dx <= 1; ++dx) {
+    for (int dz = -1; dz <= 1; ++dz) {
+      const auto column = columns.find({x + dx, z + dz});
+      if (column == columns.end()) continue;
+      for (const Bar& other : column->second) {
+        if (other.box.lo.y > bar.box.hi.y + kMostGap) break;
+        const bool lower = best == nullptr || other.center().y < best->center().y;
+        if (lower && isNext(bar, other)) best = &other;
+      }
+    }
+  }
+  return best;
+}
+
+Columns columnsOf(LevelDraft& level) {
+  Columns columns;
+  for (PartDraft& part : level.parts) {
+    const Box box = boundsOf(part.pose, part.size * 0.5f);
+    if (isBar(part, box)) columns[columnOf(part.pose.position)].push_back({&part, box});
+  }
+  for (auto& [square, bars] : columns) {
+    std::stable_sort(bars.begin(), bars.end(),
+                     [](const Bar& a, const Bar& b) { return a.box.lo.y < b.box.lo.y; });
+  }
+  return columns;
+}
+
+}  // namespace
+
+void ladderFromStacks(RoleContext& context) {
+  const Columns columns = columnsOf(context.level);
+  for (const auto& [square, bars] : columns) {
+    for (const Bar& lowest : bars) {
+      std::vector<PartDraft*> rungs;
+      for (const Bar* bar = &lowest; bar != nullptr; bar = nextAbove(columns, *bar)) {
+        rungs.push_back(bar->part);
+      }
+      if (rungs.size() < kFewest || rungs.front()->climbable) continue;
+      for (PartDraft* rung : rungs) {
+        if (rung->climbable) break;
+        rung->climbable = true;
+        rung->evidence.push_back(
+            {"ladder", fmt::format("{} thin parts one above the other", rungs.size()), true});
+      }
+    }
+  }
+}
+
+}  // namespace obby::importer
