@@ -1,11 +1,15 @@
 // Which way it is from a shape to the core of a round one: the core of a ball is its centre, that
-// of a cylinder its axis. Gilbert, Johnson and Keerthi's walk over simplices of the difference of
-// both.
+// of a cylinder its axis, or a slightly smaller cylinder. Gilbert, Johnson and Keerthi's walk over
+// simplices of the difference of both.
 #pragma once
 
 #include "geom/convex.h"
 
 namespace obby::geom {
+
+// How much smaller, of its radius or half its length, whichever is less: the more, the deeper it
+// may overlap and the less exact the way out.
+constexpr float kRimInset = 0.125f;
 
 namespace internal {
 
@@ -80,28 +84,50 @@ OBBY_DEVICE Vec3 closestToOrigin(Simplex& s) {
   return s.count == 3 ? closestOnTriangle(s) : closestOnTetrahedron(s);
 }
 
+OBBY_DEVICE bool has(const Simplex& s, Vec3 w) {
+  for (int i = 0; i < s.count; ++i) {
+    if (s.p[i].x == w.x && s.p[i].y == w.y && s.p[i].z == w.z) return true;
+  }
+  return false;
+}
+
 // A corner of the core of a round shape, of the shape itself otherwise.
-OBBY_DEVICE Vec3 coreCorner(const Convex& c, Vec3 d) {
+OBBY_DEVICE Vec3 coreCorner(const Convex& c, Vec3 d, float inset) {
   if (c.kind == ShapeKind::ball) return c.pose.position;
   if (c.kind != ShapeKind::cylinder) return corner(c, d);
+  if (inset > 0) {
+    Convex core = c;
+    const float r = Cylinder::radius(c.shape), less = minf(r, c.shape.half.x) * inset;
+    core.shape.half = {c.shape.half.x - less, r - less, r - less};
+    return corner(core, d);
+  }
   const Vec3 half = c.pose.rotation.x * c.shape.half.x;
   return c.pose.position + (dot(half, d) < 0 ? -half : half);
 }
 
 }  // namespace internal
 
-// From the closest point of a's core to that of b's; zero where the cores meet.
-OBBY_APART Vec3 closestApproach(const Convex& a, const Convex& b) {
+// From the closest point of a cylinder to a point; zero inside.
+OBBY_DEVICE Vec3 fromCylinder(const Convex& cylinder, Vec3 point) {
+  const Vec3 local = toLocal(cylinder.pose, point);
+  return cylinder.pose.rotation * (local - Cylinder::closestPointOf(cylinder.shape, local));
+}
+
+// From the closest point of a's core to that of b's; zero where the cores meet. `inset` 0: the core
+// of a cylinder is its axis.
+OBBY_APART Vec3 closestApproach(const Convex& a, const Convex& b, float inset) {
   internal::Simplex s;
   Vec3 v = b.pose.position - a.pose.position;
   for (int i = 0; i < 24; ++i) {
-    const Vec3 w = internal::coreCorner(b, -v) - internal::coreCorner(a, v);
+    const Vec3 w = internal::coreCorner(b, -v, inset) - internal::coreCorner(a, v, inset);
     const float gap = dot(v, v);
     // No corner is closer than what is known by more than rounding.
-    if (s.count > 0 && gap - dot(v, w) <= 1e-6f * gap) return v;
+    if (i > 0 && (gap - dot(v, w) <= 1e-6f * gap || internal::has(s, w))) return v;
     s.p[s.count++] = w;
-    v = internal::closestToOrigin(s);
-    if (s.count == 4 || dot(v, v) < 1e-10f) return {};
+    const Vec3 next = internal::closestToOrigin(s);
+    if (s.count == 4 || dot(next, next) < 1e-10f) return {};
+    if (i > 0 && dot(next, next) >= gap) return v;
+    v = next;
   }
   return v;
 }

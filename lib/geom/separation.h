@@ -17,6 +17,9 @@ namespace internal {
 // Faces are preferred to edges and the first shape to the second where they are as good, so that a
 // resting contact does not change its mind from one tick to the next.
 constexpr float kPreference = 1e-3f;
+// Squared sine of an angle between edges below which the faces are as good. Long edges cross at
+// angles far smaller than those that can be seen.
+constexpr float kParallel = 1e-6f;
 
 OBBY_DEVICE void keepFarthest(Separation& best, float distance, Vec3 normal, float bonus) {
   if (distance <= best.distance + bonus) return;
@@ -47,7 +50,7 @@ OBBY_APART Separation blocksApart(const Convex& a, const Convex& b, float margin
     const Vec3 crosses[3] = {{0, -e.z, e.y}, {e.z, 0, -e.x}, {-e.y, e.x, 0}};
     for (const Vec3& n : crosses) {
       const float n2 = dot(n, n);
-      if (n2 < 1e-4f) continue;  // nearly parallel: covered by the faces
+      if (n2 < kParallel) continue;
       const float inverse = 1.0f / sqrtf32(n2), along = dot(n, ta);
       const float radii = dot(abs(n), ha) + dot(abs(toLocal(r, n)), hb);
       const float apart = (absf(along) - radii) * inverse;
@@ -71,17 +74,31 @@ OBBY_APART void tryCrosses(Separation& best, const Convex& a, const Convex& b) {
     for (int j = 0; j < edges(b); ++j) {
       const Vec3 n = cross(edge1, edge(b, j));
       const float n2 = dot(n, n);
-      if (n2 > 1e-4f) tryAxis(best, a, b, n * (1.0f / sqrtf32(n2)));
+      if (n2 > kParallel) tryAxis(best, a, b, n * (1.0f / sqrtf32(n2)));
     }
+  }
+}
+
+// Round parts: from core to core, and where a rim meets an edge, a corner or another rim from a
+// slightly smaller cylinder, which is apart from what does not overlap deeply.
+OBBY_APART void tryRound(Separation& best, const Convex& a, const Convex& b) {
+  const auto toward = [&](Vec3 v) {
+    if (dot(v, v) > 0) tryAxis(best, a, b, normalize(v));
+  };
+  if (isRound(a.kind) || isRound(b.kind)) toward(closestApproach(a, b, 0));
+  const bool aHasRim = a.kind == ShapeKind::cylinder, bHasRim = b.kind == ShapeKind::cylinder;
+  if (aHasRim && b.kind == ShapeKind::ball) {
+    toward(fromCylinder(a, b.pose.position));
+  } else if (bHasRim && a.kind == ShapeKind::ball) {
+    toward(-fromCylinder(b, a.pose.position));
+  } else if (aHasRim || bHasRim) {
+    toward(closestApproach(a, b, kRimInset));
   }
 }
 
 OBBY_APART Separation shapesApart(const Convex& a, const Convex& b, float margin) {
   Separation best{-1e30f, {0, 1, 0}};
-  if (isRound(a.kind) || isRound(b.kind)) {
-    const Vec3 v = closestApproach(a, b);
-    if (dot(v, v) > 0) tryAxis(best, a, b, normalize(v));
-  }
+  tryRound(best, a, b);
   for (int i = 0; i < axes(a) && best.distance <= margin; ++i) tryAxis(best, a, b, axis(a, i));
   for (int i = 0; i < axes(b) && best.distance <= margin; ++i) tryAxis(best, a, b, axis(b, i));
   if (best.distance <= margin) tryCrosses(best, a, b);
@@ -94,7 +111,11 @@ OBBY_APART Separation shapesApart(const Convex& a, const Convex& b, float margin
 // by corners or edges. Gives up early once they are more than `margin` apart.
 OBBY_DEVICE Separation separation(const Convex& a, const Convex& b, float margin) {
   if (isBlock(a.kind) && isBlock(b.kind)) return internal::blocksApart(a, b, margin);
-  return internal::shapesApart(a, b, margin);
+  // Seen from a: far from the world's origin floats are coarser than what is measured.
+  Convex fromA = a, seen = b;
+  fromA.pose.position = {};
+  seen.pose.position = b.pose.position - a.pose.position;
+  return internal::shapesApart(fromA, seen, margin);
 }
 
 }  // namespace obby::geom

@@ -82,6 +82,16 @@ inline Polytope polytopeOf(const geom::UprightBox& box) {
   return polytopeOf(geom::ShapeKind::block, {box.half, nullptr}, {box.center, box.axes()});
 }
 
+inline Polytope moved(Polytope p, const Pose& pose) {
+  const Mat3& r = pose.rotation;
+  Eigen::Matrix3d m;
+  m << wide(r.x), wide(r.y), wide(r.z);
+  for (V3& q : p.points) q = m * q + wide(pose.position);
+  for (V3& n : p.faces) n = (m * n).normalized();
+  for (V3& e : p.edges) e = (m * e).normalized();
+  return p;
+}
+
 // The least translation that parts the two, exact up to rounding of doubles.
 struct Exact {
   double depth = 1e300;  // negative: apart, by at least this much

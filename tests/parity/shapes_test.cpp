@@ -150,16 +150,6 @@ TEST(CylinderParity, TurnedAnyWayItIsTooDeepOnlyAtRims) {
   EXPECT_GT(excess.over, 0);  // else there is such an axis now: say so here and in physics.md
 }
 
-Polytope moved(Polytope p, const Pose& pose) {
-  const Mat3& r = pose.rotation;
-  Eigen::Matrix3d m;
-  m << wide(r.x), wide(r.y), wide(r.z);
-  for (V3& q : p.points) q = m * q + wide(pose.position);
-  for (V3& n : p.faces) n = (m * n).normalized();
-  for (V3& e : p.edges) e = (m * e).normalized();
-  return p;
-}
-
 // Hulls whose tables are complete: up to 32 edges, no two faces or edges nearly the same way.
 TEST(HullParity, WithAllItsEdgesItIsExact) {
   PairDice dice(550);
