@@ -8,10 +8,10 @@ namespace obby::sim {
 
 // Contacts act as critically overdamped springs, so that what overlaps parts without being flung.
 constexpr float kContactHertz = 60, kContactDamping = 10;
-constexpr float kMostPush = 12;     // studs/s: how fast overlapping bodies part
-constexpr float kBounceSpeed = 4;   // studs/s: below this nothing bounces
-constexpr float kMostSpin = 60;     // rad/s
-constexpr int kIterations = 2;      // a substep
+constexpr float kMostPush = 12;    // studs/s: how fast overlapping bodies part
+constexpr float kBounceSpeed = 4;  // studs/s: below this nothing bounces
+constexpr float kMostSpin = 60;    // rad/s
+constexpr int kIterations = 2;     // a substep
 // Contacts slower and closer than these are taken to be at rest.
 constexpr float kRestSpeed = 2;    // studs/s
 constexpr float kRestGap = 0.05f;  // studs
@@ -125,9 +125,9 @@ OBBY_DEVICE void moveBodies(LooseScene& s, int count, const Params& p, float dt)
   for (int i = 0; i < s.contactCount; ++i) {
     LooseContact& c = s.contacts[i];
     const Pair pair = pairOf(s, c);
-    const float arrived = dot(c.surface, c.normal);  // parts are already where the tick ends
+    const float belt = dot(c.surface, c.normal) - c.comes;  // a conveyor moves, its part does not
     for (int k = 0; k < c.count; ++k) {
-      c.points[k].distance += dt * (speedOf(pair, c.points[k].push, c.normal) - arrived);
+      c.points[k].distance += dt * (speedOf(pair, c.points[k].push, c.normal) - belt);
     }
   }
 }
