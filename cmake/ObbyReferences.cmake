@@ -4,12 +4,13 @@ find_package(rapidcheck QUIET)  # tests/sim: property tests
 find_package(fcl QUIET)         # tests/parity
 find_path(BULLET_INCLUDE btBulletCollisionCommon.h PATH_SUFFIXES bullet)  # tests/parity, in double precision
 find_library(BULLET_COLLISION BulletCollision-float64)
+find_library(BULLET_DYNAMICS BulletDynamics-float64)
 find_library(BULLET_MATH LinearMath-float64)
-if(BULLET_INCLUDE AND BULLET_COLLISION AND BULLET_MATH)
+if(BULLET_INCLUDE AND BULLET_COLLISION AND BULLET_DYNAMICS AND BULLET_MATH)
   add_library(bullet INTERFACE IMPORTED)
   target_include_directories(bullet SYSTEM INTERFACE ${BULLET_INCLUDE})
   target_compile_definitions(bullet INTERFACE BT_USE_DOUBLE_PRECISION)
-  target_link_libraries(bullet INTERFACE ${BULLET_COLLISION} ${BULLET_MATH})
+  target_link_libraries(bullet INTERFACE ${BULLET_DYNAMICS} ${BULLET_COLLISION} ${BULLET_MATH})
 endif()
 
 # obby_absent_test(name packages...): a ctest entry that is skipped, with the packages it wants.

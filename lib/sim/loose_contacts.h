@@ -4,7 +4,7 @@
 
 #include "geom/manifold.h"
 #include "sim/candidates.h"
-#include "sim/loose.h"
+#include "sim/loose_partner.h"
 
 namespace obby::sim {
 
@@ -42,6 +42,7 @@ struct ContactPoint {
 struct LooseContact {
   int a, b;      // b = kPart: a part
   Vec3 surface;  // velocity of the part where it is met
+  float comes;   // how fast the part itself moves along the normal; negative: toward the body
   Vec3 normal;
   float friction, bounce;
   int count;
@@ -51,7 +52,6 @@ struct LooseContact {
   Push slide[2], twist;
   float twistRadius;
 };
-constexpr int kPart = level::kMaxLoose;
 
 struct LooseScene {
   Rigid bodies[level::kMaxLoose + 1];  // the last stands for all parts: it does not move
@@ -79,10 +79,6 @@ OBBY_DEVICE Rigid rigidOf(const LooseBody& b, const level::Loose& l) {
           b.rotation,    axes,       {own * rows[0], own * rows[1], own * rows[2]},
           l.inverseMass, 0,          b.state == LooseState::awake,
           false};
-}
-
-OBBY_DEVICE geom::Convex convexOf(const level::Collider& c, const Pose& pose) {
-  return {c.kind, c.shape, pose};
 }
 
 // `turnA`, `turnB`: as Push has them; `inverseMass` 0: nothing but a turning.
@@ -127,8 +123,8 @@ OBBY_DEVICE void pushApart(Pair& s, const Push& p, Vec3 along, float impulse) {
 }
 
 // Fills in what the solver needs.
-OBBY_DEVICE void prepare(const LooseScene& s, LooseContact& c, const geom::Manifold& m,
-                         Vec3 middle) {
+OBBY_DEVICE void prepare(const LooseScene& s, LooseContact& c, const geom::Manifold& m, Vec3 middle,
+                         float tickSeconds) {
   const Rigid &a = s.bodies[c.a], &b = s.bodies[c.b];
   const float inverseMass = a.inverseMass + b.inverseMass;
   const auto through = [&](Vec3 at, Vec3 n) {
@@ -140,7 +136,8 @@ OBBY_DEVICE void prepare(const LooseScene& s, LooseContact& c, const geom::Manif
     ContactPoint& p = c.points[i];
     const Vec3 at = m.points[i].position;
     p.push = through(at, c.normal);
-    p.distance = m.points[i].distance;
+    // Moving parts are met where they will be at the tick's end.
+    p.distance = m.points[i].distance - c.comes * tickSeconds;
     p.most = 0;
     p.approach = speedOf(pair, p.push, c.normal);
     spread += length(at - middle);
@@ -149,31 +146,6 @@ OBBY_DEVICE void prepare(const LooseScene& s, LooseContact& c, const geom::Manif
   for (int t = 0; t < 2; ++t) c.slide[t] = through(middle, c.tangents[t]);
   c.twist = pushAlong(a, b, c.normal, c.normal, 0);
   c.twistRadius = spread / float(m.count);
-}
-
-// What a body meets: another body or a part, by one of its colliders.
-struct Partner {
-  geom::Convex convex;
-  int body;  // kPart: a part
-  const level::Collider* collider;
-  uint32_t flags;
-  Pose before;  // where a moving part was a tick ago
-};
-
-// Velocity of a part where it is met. Parts that do not carry press, but do not drag along.
-OBBY_DEVICE Vec3 surfaceOf(const level::LevelView& level, const Partner& part, Vec3 point,
-                           Vec3 normal) {
-  Vec3 velocity{};
-  if (part.flags & level::kConveyor) {
-    const level::Roles& r = level.roles[part.collider->role];
-    velocity += r.conveyorVelocity + cross(r.conveyorAngular, point - r.conveyorCenter);
-  }
-  if (part.flags & level::kMoving) {
-    const Vec3 local = toLocal(part.convex.pose, point);
-    const Vec3 moved = (point - toWorld(part.before, local)) * float(level.params.controlRate);
-    velocity += part.flags & level::kCarries ? moved : normal * dot(moved, normal);
-  }
-  return velocity;
 }
 
 OBBY_APART void addContact(World& w, const level::LevelView& level, LooseScene& scene, int a,
@@ -193,8 +165,10 @@ OBBY_APART void addContact(World& w, const level::LevelView& level, LooseScene& 
   Vec3 middle{};
   for (int i = 0; i < m.count; ++i) middle += m.points[i].position;
   middle = middle * (1.0f / float(m.count));
-  c.surface = other.body == kPart ? surfaceOf(level, other, middle, m.normal) : Vec3{};
-  prepare(scene, c, m, middle);
+  const Vec3 moved = movedBy(level, other, middle);
+  c.surface = surfaceOf(level, other, middle, m.normal, moved);
+  c.comes = dot(moved, m.normal);
+  prepare(scene, c, m, middle, level.params.tickSeconds);
 }
 
 // Bodies that touch share their rest: one that sleeps wakes up.

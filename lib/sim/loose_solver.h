@@ -125,9 +125,9 @@ OBBY_DEVICE void moveBodies(LooseScene& s, int count, const Params& p, float dt)
   for (int i = 0; i < s.contactCount; ++i) {
     LooseContact& c = s.contacts[i];
     const Pair pair = pairOf(s, c);
-    const float arrived = dot(c.surface, c.normal);  // parts are already where the tick ends
+    const float belt = dot(c.surface, c.normal) - c.comes;  // a conveyor moves, its part does not
     for (int k = 0; k < c.count; ++k) {
-      c.points[k].distance += dt * (speedOf(pair, c.points[k].push, c.normal) - arrived);
+      c.points[k].distance += dt * (speedOf(pair, c.points[k].push, c.normal) - belt);
     }
   }
 }

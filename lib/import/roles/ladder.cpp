@@ -31,13 +31,18 @@ bool isBar(const PartDraft& part, const Box& box) {
          along >= kNarrowest && along <= kWidest;
 }
 
+bool isOver(const Bar& low, const Bar& high) {
+  const Vec3 d = high.center() - low.center();
+  return d.y > 0 && std::hypot(d.x, d.z) <= kAside;
+}
+
+// Of a bar that is the lowest over another.
 bool isNext(const Bar& low, const Bar& high) {
-  const Vec3 d = high.center() - low.center(), a = low.box.hi - low.box.lo,
-             b = high.box.hi - high.box.lo;
+  const Vec3 a = low.box.hi - low.box.lo, b = high.box.hi - high.box.lo;
   const float gap = high.box.lo.y - low.box.hi.y;
   const bool alike = std::fabs(a.x - b.x) <= 0.5f * std::max(a.x, b.x) &&
                      std::fabs(a.z - b.z) <= 0.5f * std::max(a.z, b.z);
-  return gap >= kLeastGap && gap <= kMostGap && std::hypot(d.x, d.z) <= kAside && alike;
+  return gap >= kLeastGap && gap <= kMostGap && alike;
 }
 
 // Bars by the square of ground that they stand over, from below.
@@ -45,7 +50,7 @@ using Columns = std::map<std::pair<int, int>, std::vector<Bar>>;
 
 std::pair<int, int> columnOf(Vec3 p) { return {int(std::floor(p.x)), int(std::floor(p.z))}; }
 
-// The lowest bar that could be the next rung above; null: none.
+// The next rung above; null: none.
 const Bar* nextAbove(const Columns& columns, const Bar& bar) {
   const auto [x, z] = columnOf(bar.center());
   const Bar* best = nullptr;
@@ -56,11 +61,11 @@ const Bar* nextAbove(const Columns& columns, const Bar& bar) {
       for (const Bar& other : column->second) {
         if (other.box.lo.y > bar.box.hi.y + kMostGap) break;
         const bool lower = best == nullptr || other.center().y < best->center().y;
-        if (lower && isNext(bar, other)) best = &other;
+        if (lower && isOver(bar, other)) best = &other;
       }
     }
   }
-  return best;
+  return best != nullptr && isNext(bar, *best) ? best : nullptr;
 }
 
 Columns columnsOf(LevelDraft& level) {
