@@ -7,6 +7,7 @@
 #if defined(OBBY_HAS_BULLET)
 #include "common/bullet_arena.h"
 #endif
+#include "common/instructions.h"
 #include "common/report.h"
 #include "sim/batch.h"
 #include "sim/simulator.h"
@@ -28,6 +29,7 @@ struct Outcome {
   double stepsPerSecond, singlyPerSecond;  // in lanes; by the scalar tick
   double grounded;                         // share of ticks with a floor
   double awake;                            // with a loose body that is awake
+  double instructions;                     // a step in lanes; 0: no counter
   sim::WideCounts counts;
 };
 
@@ -65,13 +67,16 @@ Outcome run(const level::Level& level, uint64_t seed) {
   }
   Outcome o{};
   double wideSeconds = 0, singleSeconds = 0;
+  const bench::InstructionCounter counter;
   for (uint32_t t = 0; t < kTicks; ++t) {
     wide.decide();
     single.decide();
+    const uint64_t before = counter.count().value_or(0);
     wideSeconds += bench::cpuSecondsOf([&] {
       sim::tickAll(level.view(), wide.pointers.data(), wide.loosePointers.data(),
                    wide.actions.data(), kWorlds, &o.counts);
     });
+    o.instructions += double(counter.count().value_or(0) - before);
     singleSeconds += bench::cpuSecondsOf([&] {
       for (uint32_t i = 0; i < kWorlds; ++i) {
         sim::tick(single.worlds[i], single.loosePointers[i], level.view(), single.actions[i]);
@@ -87,6 +92,7 @@ Outcome run(const level::Level& level, uint64_t seed) {
   o.singlyPerSecond = steps / singleSeconds;
   o.grounded /= steps;
   o.awake /= steps;
+  o.instructions /= steps;
   return o;
 }
 
@@ -125,7 +131,7 @@ double medianOf(std::vector<double> values) {
 // Median over five random scenes; gives the steps a second.
 double measure(bench::Report& report, const Scene& scene) {
   std::vector<double> rates, singly, bullet;
-  double grounded = 0, contact = 0, fallback = 0, awake = 0;
+  double grounded = 0, contact = 0, fallback = 0, awake = 0, instructions = 0;
   for (uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const level::Level level = scene.build(scene.parts, seed).compile();
     const Outcome o = run(level, seed);
@@ -133,6 +139,7 @@ double measure(bench::Report& report, const Scene& scene) {
     singly.push_back(o.singlyPerSecond);
     grounded += o.grounded / kSeeds;
     awake += o.awake / kSeeds;
+    instructions += o.instructions / kSeeds;
     contact += double(o.counts.contact) / double(o.counts.ticks) / kSeeds;
     fallback += double(o.counts.single) / double(o.counts.ticks) / kSeeds;
 #if defined(OBBY_HAS_BULLET)
@@ -149,6 +156,7 @@ double measure(bench::Report& report, const Scene& scene) {
   report.add(scene.name, "contactShare", contact, "");
   report.add(scene.name, "scalarShare", fallback, "");
   report.add(scene.name, "groundedShare", grounded, "");
+  if (instructions > 0) report.add(scene.name, "instructionsPerStep", instructions, "");
   if (awake > 0) report.add(scene.name, "looseAwakeShare", awake, "");
   return rate;
 }
