@@ -9,7 +9,7 @@ namespace obby::sim {
 
 // Wakes what the player touches. False: all loose bodies are asleep, and the player moves alone.
 OBBY_APART bool wakeTouched(World& w, LooseBody* loose, const Floor& floor, const Motion& m,
-                             const level::LevelView& level, const Candidates& near) {
+                            const level::LevelView& level, const Candidates& near) {
   if (level.looseCount == 0) return false;
   bool awake = (w.flags & kLooseAwake) != 0;
   if (floor.loose != level::kNotLoose) {
@@ -40,14 +40,12 @@ OBBY_DEVICE void loadFloor(LooseScene& scene, const Motion& m, const Floor& floo
 // Where the torso presses on a body, from the body's centre.
 OBBY_DEVICE Vec3 pressedAt(const Rigid& b, const geom::Convex& shape, const geom::UprightBox& box,
                            const geom::Contact& contact) {
-  const geom::Convex torso{
-      geom::ShapeKind::block, {box.half, nullptr}, {box.center, box.axes()}};
+  const geom::Convex torso{geom::ShapeKind::block, {box.half, nullptr}, {box.center, box.axes()}};
   const geom::Manifold where =
       geom::manifold(shape, torso, {-contact.depth, contact.normal}, contact.depth);
   Vec3 sum{};
   for (int i = 0; i < where.count; ++i) sum += where.points[i].position;
-  return where.count > 0 ? sum * (1.0f / float(where.count)) - b.position
-                         : box.center - b.position;
+  return where.count > 0 ? sum * (1.0f / float(where.count)) - b.position : box.center - b.position;
 }
 
 // Exchanges the impulse that ends the approach of the player and a body, and moves the player out.
@@ -102,11 +100,15 @@ OBBY_DEVICE void settle(const LooseScene& scene, LooseBody* loose, const level::
   uint32_t tired = 0;
   for (int i = 0; i < count; ++i) {
     const Rigid& b = scene.bodies[i];
+    if (!b.moves) {
+      tired |= 1u << i;
+      continue;
+    }
     const float turning = length(b.spin) * level.loose[i].radius;
     const bool slow = length(b.velocity) < p.sleepSpeed && turning < p.sleepSpeed;
     const uint16_t more = uint16_t(loose[i].stillTicks < 0xffff ? loose[i].stillTicks + 1 : 0xffff);
     loose[i].stillTicks = slow && !b.restless ? more : uint16_t(0);
-    if (!b.moves || loose[i].stillTicks >= p.sleepTicks) tired |= 1u << i;
+    if (loose[i].stillTicks >= p.sleepTicks) tired |= 1u << i;
   }
   for (int i = 0; i < count; ++i) {
     uint32_t group = 1u << i, known = 0;
@@ -141,7 +143,7 @@ OBBY_DEVICE void putBodies(const LooseScene& scene, World& w, LooseBody* loose,
 // Moves the player and all bodies that are awake by one tick. `player` is null where it has moved
 // already.
 OBBY_APART void moveTogether(World& w, LooseBody* loose, Motion* player, const Floor& floor,
-                              const level::LevelView& level, Candidates& near) {
+                             const level::LevelView& level, Candidates& near) {
   const Params& p = level.params;
   LooseScene scene;
   findContacts(w, loose, level, scene);
