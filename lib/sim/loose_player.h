@@ -100,11 +100,15 @@ OBBY_DEVICE void settle(const LooseScene& scene, LooseBody* loose, const level::
   uint32_t tired = 0;
   for (int i = 0; i < count; ++i) {
     const Rigid& b = scene.bodies[i];
+    if (!b.moves) {
+      tired |= 1u << i;
+      continue;
+    }
     const float turning = length(b.spin) * level.loose[i].radius;
     const bool slow = length(b.velocity) < p.sleepSpeed && turning < p.sleepSpeed;
     const uint16_t more = uint16_t(loose[i].stillTicks < 0xffff ? loose[i].stillTicks + 1 : 0xffff);
     loose[i].stillTicks = slow && !b.restless ? more : uint16_t(0);
-    if (!b.moves || loose[i].stillTicks >= p.sleepTicks) tired |= 1u << i;
+    if (loose[i].stillTicks >= p.sleepTicks) tired |= 1u << i;
   }
   for (int i = 0; i < count; ++i) {
     uint32_t group = 1u << i, known = 0;

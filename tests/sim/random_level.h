@@ -112,8 +112,7 @@ inline void setRole(schema::Part::Builder part, const PartSpec& spec) {
   }
 }
 
-inline Result<level::Level> compile(const std::vector<PartSpec>& specs) {
-  support::LevelBuilder b;
+inline void addParts(support::LevelBuilder& b, const std::vector<PartSpec>& specs) {
   for (const PartSpec& spec : specs) {
     b.part([=](schema::Part::Builder part) {
       part.setShape(schema::Shape(spec.shape));
@@ -124,6 +123,11 @@ inline Result<level::Level> compile(const std::vector<PartSpec>& specs) {
       setRole(part, spec);
     });
   }
+}
+
+inline Result<level::Level> compile(const std::vector<PartSpec>& specs) {
+  support::LevelBuilder b;
+  addParts(b, specs);
   b.spawn({0, 8, 0});
   return b.tryCompile();
 }

@@ -45,7 +45,7 @@ struct Cylinder {
     const Vec3 side = normalize(Vec3{0, d.y, d.z}, {0, 0, 0}) * radius(s);
     return {d.x < 0 ? -s.half.x : s.half.x, side.y, side.z};
   }
-  // A cap as an octagon, or the line along the side.
+  // A cap as an octagon with a corner where `d` leads, or the line along the side.
   OBBY_DEVICE static int feature(const ShapeData& s, Vec3 d, Vec3* out) {
     const float r = radius(s);
     if (d.x * d.x < d.y * d.y + d.z * d.z) {
@@ -54,9 +54,12 @@ struct Cylinder {
       out[1] = {s.half.x, side.y, side.z};
       return 2;
     }
-    const float x = d.x < 0 ? -s.half.x : s.half.x, q = 0.70710678f * r;
-    out[0] = {x, r, 0}, out[1] = {x, q, q}, out[2] = {x, 0, r}, out[3] = {x, -q, q};
-    out[4] = {x, -r, 0}, out[5] = {x, -q, -q}, out[6] = {x, 0, -r}, out[7] = {x, q, -q};
+    const float x = d.x < 0 ? -s.half.x : s.half.x;
+    Vec3 at = normalize(Vec3{0, d.y, d.z}, {0, 1, 0}) * r;
+    for (int i = 0; i < 8; ++i) {
+      out[i] = {x, at.y, at.z};
+      at = Vec3{0, at.y - at.z, at.y + at.z} * 0.70710678f;  // an eighth of a turn on
+    }
     return 8;
   }
 

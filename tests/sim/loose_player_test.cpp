@@ -1,0 +1,128 @@
+// What the player can do to loose bodies, and they to it, against what the forces say.
+#include <gtest/gtest.h>
+
+#include "play.h"
+
+namespace obby::test {
+namespace {
+
+using support::LevelBuilder;
+
+// Far enough for a push of two seconds.
+LevelBuilder room() {
+  return LevelBuilder{}.block({0, -1, 0}, {400, 2, 400}, [](auto p) { p.setFriction(0.5f); });
+}
+
+void loosen(schema::Part::Builder p, float density) {
+  p.setAnchored(false);
+  p.setDensity(density);
+  p.setFriction(0.5f);
+}
+
+// How far two seconds of walking push a box of that mass, after the player's own momentum is spent.
+float pushed(float mass, float pushForce) {
+  LevelBuilder b = room();
+  b.block({0, 2, 0}, {4, 4, 4}, [=](auto p) { loosen(p, mass / 64); });
+  b.physics([=](auto p) { p.setPushForce(pushForce); });
+  const level::Level level = b.compile();
+  Play play(level, {0, 0, 6});
+  play.settle().run(walk(kNorth), 120);
+  const float from = play.loose[0].position.z;
+  play.run(walk(kNorth), 120);
+  return from - play.loose[0].position.z;
+}
+
+// Friction holds up to 0.5 x 196.2 for each unit of mass; the drive gives 12.6 x 225.
+TEST(LoosePlayer, PushesWhatFrictionDoesNotHold) {
+  const float most = 12.6f * 225 / (0.5f * 196.2f);
+  EXPECT_GT(pushed(0.5f * most, 1e5f), 5);
+  EXPECT_GT(pushed(0.85f * most, 1e5f), 1);
+  EXPECT_LT(pushed(1.2f * most, 1e5f), 0.1f);
+}
+
+TEST(LoosePlayer, PushesNoHarderThanPushForce) {
+  const float force = 1000, most = force / (0.5f * 196.2f);
+  EXPECT_GT(pushed(0.8f * most, force), 1);
+  EXPECT_LT(pushed(1.2f * most, force), 0.1f);
+}
+
+// A plank of mass 44.8 on a pillar two studs wide: 12.6 beyond the edge tip it from 3.6 studs on.
+TEST(LoosePlayer, TipsAPlankFarFromItsSupport) {
+  const auto tilt = [](float x) {
+    LevelBuilder b = room();
+    b.block({0, 4, 0}, {2, 8, 4});
+    b.block({0, 8.5f, 0}, {16, 1, 4}, [](auto p) { loosen(p, 0.7f); });
+    const level::Level level = b.compile();
+    Play play(level, {x, 9, 0});
+    play.run(stand(), 90);
+    return absf(toMat3(play.loose[0].rotation).x.y);
+  };
+  EXPECT_LT(tilt(0), 0.01f);
+  EXPECT_LT(tilt(3), 0.02f);
+  EXPECT_GT(tilt(6.5f), 0.1f);
+}
+
+TEST(LoosePlayer, WalkingOnABallRollsItBack) {
+  LevelBuilder b = room();
+  b.block({0, 4, 0}, {8, 8, 8}, [](auto p) {
+    loosen(p, 0.3f);
+    p.setShape(schema::Shape::BALL);
+  });
+  const level::Level level = b.compile();
+  Play play(level, {0, 8, 0});
+  play.run(stand(), 10).run(walk(kNorth), 10);
+  EXPECT_GT(play.loose[0].velocity.z, 0.5f);
+  EXPECT_GT(play.loose[0].spin.x, 0.1f);  // rolls toward +Z
+}
+
+// In free fall there is no weight; the jump is the same from what falls along.
+TEST(LoosePlayer, JumpsFromABodyThatFalls) {
+  LevelBuilder b = room();
+  b.block({0, 200, 0}, {8, 4, 8}, [](auto p) { loosen(p, 4); });
+  const level::Level level = b.compile();
+  Play play(level, {0, 202, 0});
+  play.run(stand(), 6);
+  const auto above = [&] { return play.world.position.y - (play.loose[0].position.y + 2); };
+  const float gap = above();
+  EXPECT_LT(gap, 1);
+  play.run(stand(true), 1).run(stand(), 10);
+  EXPECT_GT(above(), gap + 5);
+}
+
+// What lies on a part that vanishes, or that the player lets fall, falls with it.
+TEST(LoosePlayer, BodiesFallWhenTheirFloorLeaves) {
+  LevelBuilder b = room();
+  b.block({0, 10, 0}, {8, 2, 8}, [](auto p) {
+    auto vanish = p.initVanish();
+    vanish.setTrigger(schema::VanishTrigger::TIMER);
+    vanish.setDelay(3);
+    vanish.setAway(3);
+  });
+  b.block({0, 13, 0}, {4, 4, 4}, [](auto p) { loosen(p, 1); });
+  b.block({40, 4, 0}, {20, 2, 8}, [](auto p) { p.initVanish().setDelay(0.2f); });
+  b.block({35, 7, 0}, {4, 4, 4}, [](auto p) { loosen(p, 1); });
+  const level::Level level = b.compile();
+  Play play(level, {45, 9, 0});
+  play.run(stand(), 120);
+  EXPECT_NEAR(play.loose[1].position.y, 2, 0.05);
+  EXPECT_NEAR(play.loose[0].position.y, 13, 0.05);
+  play.run(stand(), 120);
+  EXPECT_NEAR(play.loose[0].position.y, 2, 0.05);
+}
+
+// The part that is touched lies under a body that has long been asleep.
+TEST(LoosePlayer, BodiesThatSleepFallWhenTheirFloorLeaves) {
+  LevelBuilder b = room();
+  b.block({0, 4, 0}, {30, 2, 8}, [](auto p) { p.initVanish().setDelay(0.2f); });
+  b.block({-10, 7, 0}, {4, 4, 4}, [](auto p) { loosen(p, 1); });
+  const level::Level level = b.compile();
+  Play play(level, {30, 0, 0});
+  play.run(stand(), 300);
+  EXPECT_NEAR(play.loose[0].position.y, 7, 0.05);
+  play.world.position = {10, 6, 0};
+  play.run(stand(), 120);
+  EXPECT_NEAR(play.loose[0].position.y, 2, 0.05);
+}
+
+}  // namespace
+}  // namespace obby::test
