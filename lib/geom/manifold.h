@@ -126,6 +126,34 @@ OBBY_DEVICE const Ring& cutToLine(const Ring& subject, const Ring& line, Ring (&
   return work[1];
 }
 
+// The corner of a ring that lies farthest along the normal (`side` 1) or against it (-1), or the
+// ends of the edge that does.
+OBBY_DEVICE void farthest(const Ring& ring, float side, Ring& out) {
+  int best = 0;
+  for (int i = 1; i < ring.count; ++i) {
+    if (ring.p[i].z * side > ring.p[best].z * side) best = i;
+  }
+  out.p[0] = ring.p[best], out.count = 1;
+  float least = 1e-3f;  // slope
+  for (int i = 0; i < 2 && ring.count > 1; ++i) {
+    const int beside = (best + (i == 0 ? 1 : ring.count - 1)) % ring.count;
+    const Vec3 d = ring.p[beside] - ring.p[best];
+    const float slope = absf(d.z) / maxf(length(d), 1e-6f);
+    if (slope < least) least = slope, out.p[1] = ring.p[beside], out.count = 2;
+  }
+}
+
+// Where they meet beside the faces that look at each other: edge to edge, or a corner. Seen along
+// the normal, half way between both.
+OBBY_DEVICE Vec3 meetingPoint(const Ring& ringA, const Ring& ringB, float distance) {
+  Ring a, b, work[2];
+  farthest(ringA, 1, a);
+  farthest(ringB, -1, b);
+  if (a.count == 2 && b.count == 1) return b.p[0] - Vec3{0, 0, 0.5f * distance};
+  const Ring& crossing = b.count == 2 ? cutToLine(a, b, work) : a;
+  return (crossing.count > 0 ? crossing.p[0] : a.p[0]) + Vec3{0, 0, 0.5f * distance};
+}
+
 struct Gaps {
   union {
     ManifoldPoint points[kMaxCut];
@@ -193,9 +221,8 @@ OBBY_APART Manifold manifold(const Convex& a, const Convex& b, const Separation&
     gaps.points[gaps.count++] = {origin + u * p.x + v * p.y + s.normal * (0.5f * (za + zb)), gap};
   }
   if (gaps.count == 0 && s.distance <= margin) {
-    // They meet beside the faces that look at each other: corner to corner.
-    const Vec3 onA = corner(a, s.normal), onB = corner(b, -s.normal);
-    gaps.points[gaps.count++] = {(onA + onB) * 0.5f, s.distance};
+    const Vec3 p = meetingPoint(ringA, ringB, s.distance);
+    gaps.points[gaps.count++] = {origin + u * p.x + v * p.y + s.normal * p.z, s.distance};
   }
   reduce(gaps, s.normal, out);
   return out;
