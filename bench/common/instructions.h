@@ -1,4 +1,5 @@
-// How many instructions the CPU retires: a figure that does not drift with what else the machine does.
+// How many instructions the CPU retires: a figure that does not drift with what else the machine
+// does.
 #pragma once
 
 #include <linux/perf_event.h>

@@ -32,7 +32,7 @@ OBBY_DEVICE void loadFloor(LooseScene& scene, const Motion& m, const Floor& floo
   if (floor.loose == level::kNotLoose || !m.drive.hover) return;
   Rigid& b = scene.bodies[floor.loose];
   const Vec3 pressed = acceleration(m, p) + Vec3{0, p.gravity, 0};
-  const Vec3 at{m.position.x, m.position.y - floor.gap, m.position.z};
+  const Vec3 at{m.position.x, m.floorY, m.position.z};
   push(b, at - b.position, pressed * (-p.playerMass * dt));
   b.restless = true;
 }
@@ -78,12 +78,22 @@ struct Solids {
   CandidateSet fixed, loose;
 };
 
+// The speed of the floor's body within the tick: a player who stands on one that falls falls with
+// it.
+OBBY_DEVICE void followFloor(const LooseScene& scene, Motion& m, const Floor& floor) {
+  if (floor.loose == level::kNotLoose || !m.drive.hover) return;
+  const Rigid& b = scene.bodies[floor.loose];
+  m.floorSpeed = velocityAt(b, Vec3{m.position.x, m.floorY, m.position.z} - b.position).y;
+}
+
 // One step of the player among the bodies, `dt` long.
 OBBY_DEVICE void stepPlayer(LooseScene& scene, Motion& m, const Floor& floor,
                             const level::LevelView& level, const Candidates& near,
                             const Solids& solids, float dt) {
+  followFloor(scene, m, floor);
   loadFloor(scene, m, floor, level.params, dt);
   integrate(m, level, dt);
+  if (floor.loose != level::kNotLoose) m.floorY += m.floorSpeed * dt;
   for (CandidateSet left = solids.loose; left != 0; left &= left - 1) {
     const level::Collider& c = level.colliders[near.items[lowestBit(left)].collider];
     Rigid& b = scene.bodies[c.loose];
@@ -158,11 +168,12 @@ OBBY_APART void moveTogether(World& w, LooseBody* loose, Motion* player, const F
     }
     if (all) splits = contactSubsteps(*player, p) / p.substeps;
   }
+  // Bodies first: what a falling one has gained in the substep, the player on it has as well.
   for (int s = 0; s < p.substeps; ++s) {
+    stepBodies(scene, int(level.looseCount), p, p.substepSeconds);
     for (int i = 0; player && i < splits; ++i) {
       stepPlayer(scene, *player, floor, level, near, solids, p.substepSeconds / float(splits));
     }
-    stepBodies(scene, int(level.looseCount), p, p.substepSeconds);
   }
   for (int i = 0; i < scene.contactCount; ++i) applyBounce(scene, scene.contacts[i]);
   putBodies(scene, w, loose, level);

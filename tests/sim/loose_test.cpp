@@ -210,6 +210,15 @@ TEST(LooseBodies, CarryAPlayerWhoStandsOnThemAndJumps) {
   EXPECT_NEAR(play.loose[0].position.y, 2, 0.05);
 }
 
+TEST(LooseBodies, ThatFallTakeAPlayerWhoStandsOnThemAlong) {
+  const auto level = room().block({0, 100, 0}, {8, 2, 8}, loosen).compile();
+  Play play(level, {0, 101, 0});
+  play.run(stand(), 30);
+  const float above = play.world.position.y - (play.loose[0].position.y + 1);
+  EXPECT_NEAR(above, 0, 0.6f);
+  EXPECT_LT(play.loose[0].position.y, 80);
+}
+
 TEST(LooseBodies, PushedToAWallMakeAStepThatIsNotThereOtherwise) {
   const auto climb = [](bool box) {
     LevelBuilder b = room();
