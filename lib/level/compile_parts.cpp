@@ -9,7 +9,7 @@
 #include "base/hash.h"
 #include "level/behaviours/behaviour.h"
 #include "level/behaviours/fall.h"
-#include "level/mass.h"
+#include "level/compile_loose.h"
 #include "level/record_values.h"
 #include "level/upright.h"
 
@@ -41,7 +41,6 @@ class PartCompiler {
   Status shapes(schema::Part::Reader part, Collider collider, uint32_t flags);
   Status hulls(schema::Part::Reader part, const Collider& base, uint32_t flags);
   void push(Collider collider, uint32_t flags);
-  Status loosen(schema::Part::Reader part, Vec3 at, size_t firstCollider);
   Box sweptBounds(const Collider& collider) const;
 
   const std::vector<Mat3>& sharedSpins(MotionTables& tables);
@@ -61,11 +60,6 @@ Result<Vec3> halfExtents(schema::Part::Reader part) {
     return pathError("size", "expected three numbers above 0 and at most 2048");
   }
   return max(size, Vec3{kMinSize, kMinSize, kMinSize}) * 0.5f;
-}
-
-// Physics moves it: nothing holds it, and something can push it.
-bool isLoose(schema::Part::Reader part) {
-  return !part.getAnchored() && part.getSolid() && !part.hasMotion() && !part.hasFall();
 }
 
 Result<MotionTables> PartCompiler::tables(const PartContext& c) const {
@@ -211,28 +205,6 @@ Status PartCompiler::shapes(schema::Part::Reader part, Collider collider, uint32
   return {};
 }
 
-// Makes a body of the colliders from `firstCollider` on.
-Status PartCompiler::loosen(schema::Part::Reader part, Vec3 at, size_t firstCollider) {
-  if (firstCollider == out_.colliders.size()) return {};  // flat hulls only
-  if (!(part.getDensity() >= 1e-4f && part.getDensity() <= 100))
-    return pathError("density", "expected a number from 0.0001 to 100");
-  std::vector<SolidShape> shapes;
-  float radius = 0;
-  for (size_t i = firstCollider; i < out_.colliders.size(); ++i) {
-    shapes.push_back({out_.colliders[i].kind, out_.colliders[i].shape});
-    radius = maxf(radius, length(out_.colliders[i].shape.half));
-  }
-  const MassProperties mass = massOf(shapes, part.getDensity());
-  if (!(mass.mass > 0)) return pathError("size", "a loose part needs a volume");
-  OBBY_ASSIGN(const Quat turned, quaternion(part.getRotation(), "rotation"));
-  Loose loose{at, turned, mass.center, mass.inverseInertia, 1 / mass.mass, 0, 0, 0};
-  loose.radius = radius + length(mass.center);
-  loose.firstCollider = uint32_t(firstCollider);
-  loose.colliderCount = uint32_t(shapes.size());
-  out_.loose.push_back(loose);
-  return {};
-}
-
 Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
   if (uint16_t(part.getShape()) > uint16_t(schema::Shape::HULL))
     return pathError("shape", "unknown shape");
@@ -269,7 +241,12 @@ Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
   }
   const size_t first = out_.colliders.size();
   OBBY_RETURN_IF_ERROR(shapes(part, collider, c.flags));
-  if (c.flags & kLoose) return loosen(part, center, first);
+  if (c.flags & kLoose) {
+    if (first == out_.colliders.size()) return {};  // flat hulls only
+    OBBY_ASSIGN(const Loose loose, looseFrom(part, center, out_.colliders, first));
+    out_.loose.push_back(loose);
+    return {};
+  }
   out_.fixedColliders = out_.colliders.size();
   return {};
 }

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "golden/scenes.h"
+#include "golden/loose_scenes.h"
 
 namespace obby::golden {
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "golden/scenes.h"
+#include "golden/loose_scenes.h"
 #include "sim/batch.h"
 #include "sim/simulator.h"
 

@@ -1,0 +1,32 @@
+#include "level/compile_loose.h"
+
+#include "level/mass.h"
+#include "level/record_values.h"
+
+namespace obby::level {
+
+bool isLoose(schema::Part::Reader part) {
+  return !part.getAnchored() && part.getSolid() && !part.hasMotion() && !part.hasFall();
+}
+
+Result<Loose> looseFrom(schema::Part::Reader part, Vec3 at, const std::vector<Collider>& colliders,
+                        size_t first) {
+  if (!(part.getDensity() >= 1e-4f && part.getDensity() <= 100))
+    return pathError("density", "expected a number from 0.0001 to 100");
+  std::vector<SolidShape> shapes;
+  float radius = 0;
+  for (size_t i = first; i < colliders.size(); ++i) {
+    shapes.push_back({colliders[i].kind, colliders[i].shape});
+    radius = maxf(radius, length(colliders[i].shape.half));
+  }
+  const MassProperties mass = massOf(shapes, part.getDensity());
+  if (!(mass.mass > 0)) return pathError("size", "a loose part needs a volume");
+  OBBY_ASSIGN(const Quat turned, quaternion(part.getRotation(), "rotation"));
+  Loose loose{at, turned, mass.center, mass.inverseInertia, 1 / mass.mass, 0, 0, 0};
+  loose.radius = radius + length(mass.center);
+  loose.firstCollider = uint32_t(first);
+  loose.colliderCount = uint32_t(shapes.size());
+  return loose;
+}
+
+}  // namespace obby::level
