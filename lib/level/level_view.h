@@ -205,6 +205,12 @@ struct LevelView {
 };
 
 template <class Table>
+OBBY_DEVICE void forTables(Grid& g, Table&& table) {
+  table(g.cells, size_t(g.nx) * g.ny * g.nz);
+  table(g.lists, g.listWords);
+}
+
+template <class Table>
 OBBY_DEVICE void forTables(LevelView& v, Table&& table) {
   table(v.colliders, v.colliderCount);
   table(v.bounds, v.colliderCount + 1);
@@ -212,10 +218,8 @@ OBBY_DEVICE void forTables(LevelView& v, Table&& table) {
   table(v.movers, v.moverCount);
   table(v.clocks, v.clockCount);
   table(v.loose, v.looseCount);
-  for (Grid* g : {&v.grid, &v.looseGrid}) {
-    table(g->cells, size_t(g->nx) * g->ny * g->nz);
-    table(g->lists, g->listWords);
-  }
+  forTables(v.grid, table);
+  forTables(v.looseGrid, table);
 }
 
 // A query's regions and limits as the simulator reads them.

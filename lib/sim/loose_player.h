@@ -141,7 +141,9 @@ OBBY_DEVICE void putBodies(const LooseScene& scene, World& w, LooseBody* loose,
     const Rigid& b = scene.bodies[i];
     if (!b.moves) continue;
     loose[i].position = b.position, loose[i].rotation = b.rotation;
-    loose[i].velocity = b.velocity, loose[i].spin = b.spin;
+    // Impulses since the last move may have made it faster than a body can be.
+    loose[i].velocity = limited(b.velocity, level.params.maxFallSpeed);
+    loose[i].spin = limited(b.spin, kMostSpin);
     if (b.position.y < level.params.fallenPartsHeight) loose[i].state = LooseState::gone;
   }
   settle(scene, loose, level);
