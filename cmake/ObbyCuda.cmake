@@ -23,7 +23,7 @@ function(obby_cuda module)
     set(object ${CMAKE_CURRENT_BINARY_DIR}/cuda_${name}.o)
     # The flags of ObbyFloat.cmake, for both of nvcc's compilers.
     add_custom_command(OUTPUT ${object}
-      COMMAND ${CUDAToolkit_NVCC_EXECUTABLE} -std=c++20 -O3 --fmad=false -Xcompiler=-ffp-contract=off ${targets}
+      COMMAND ${CUDAToolkit_NVCC_EXECUTABLE} -std=c++20 -O3 --fmad=false -Xcompiler=-ffp-contract=off,-fno-tree-slp-vectorize ${targets}
         --Werror all-warnings -I${PROJECT_SOURCE_DIR}/lib -I${RANDOM123_INCLUDE}
         -MD -MF ${object}.d -c ${kernel} -o ${object}
       DEPENDS ${kernel} DEPFILE ${object}.d COMMENT "Compiling kernels of ${module}: ${name}" VERBATIM)

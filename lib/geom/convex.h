@@ -55,16 +55,4 @@ OBBY_APART Vec3 edge(const Convex& c, int i) {
          visitShape(c.kind, [&](auto s) { return decltype(s)::edge(c.shape, i); });
 }
 
-// The smallest world box around it.
-OBBY_DEVICE Box boundsOf(const Convex& c) {
-  const Mat3& r = c.pose.rotation;
-  const auto reach = [&](Vec3 d) {
-    const Vec3 local = toLocal(r, d);
-    return visitShape(c.kind, [&](auto s) { return decltype(s)::support(c.shape, local); });
-  };
-  const Vec3 lo{reach({-1, 0, 0}), reach({0, -1, 0}), reach({0, 0, -1})};
-  const Vec3 hi{reach({1, 0, 0}), reach({0, 1, 0}), reach({0, 0, 1})};
-  return {c.pose.position - lo, c.pose.position + hi};
-}
-
 }  // namespace obby::geom

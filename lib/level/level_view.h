@@ -129,6 +129,11 @@ struct Roles {
   uint32_t seatClock;
 };
 
+// Of a conveyor's surface at a point.
+OBBY_DEVICE Vec3 conveyorVelocityAt(const Roles& r, Vec3 point) {
+  return r.conveyorVelocity + cross(r.conveyorAngular, point - r.conveyorCenter);
+}
+
 // A moving part. Its pose at tick t, of the level's clock or of the clock that triggers it, is
 // keys[wrap(t, keyCount)] turned by spins[t % spinCount] about
 // the pivot. Tables hold whole repetitions, so that a period that is no whole number of ticks does

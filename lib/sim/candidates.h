@@ -63,16 +63,16 @@ OBBY_DEVICE BoxT<F> tickBounds(Vec3T<F> position, Vec3T<F> velocity, const Param
           position + Vec3T<F>{side, p.bodyTop + move, side}};
 }
 
+// Flags of parts that are away at times, as isAway() tells.
+constexpr uint32_t kLeaves = level::kVanishTimer | level::kClocked;
+
 // Flags of parts that are not the same in every tick.
-constexpr uint32_t kChanging =
-    level::kMoving | level::kVanishTimer | level::kClocked | level::kOneWay;
+constexpr uint32_t kChanging = level::kMoving | kLeaves | level::kOneWay;
 
 // Is a solid part not solid for this player now?
 OBBY_DEVICE bool lacksCollision(const World& w, const level::LevelView& level,
                                 const level::Collider& c, const Pose& pose, uint32_t flags) {
-  if ((flags & (level::kVanishTimer | level::kClocked)) && isAway(w, level, c.role, flags)) {
-    return true;
-  }
+  if ((flags & kLeaves) && isAway(w, level, c.role, flags)) return true;
   return (flags & level::kOneWay) && !isOutside(w, level, c, pose);
 }
 

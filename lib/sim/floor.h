@@ -192,8 +192,7 @@ OBBY_DEVICE void surfaceMotion(const World& w, const LooseBody* loose,
     floor.turning = body.spin.y;
   }
   if (c.flags & level::kConveyor) {
-    const level::Roles& r = level.roles[collider.role];
-    floor.velocity += r.conveyorVelocity + cross(r.conveyorAngular, w.position - r.conveyorCenter);
+    floor.velocity += conveyorVelocityAt(level.roles[collider.role], w.position);
   }
   if (c.flags & level::kCarries) {
     // From where the point under the player was a tick ago.

@@ -12,28 +12,24 @@ enum class LooseState : uint8_t {
   gone     // fell out of the world
 };
 
-// X(type, name)
-#define OBBY_LOOSE_FIELDS(X)                                  \
-  X(Vec3, position)       /* of the centre of mass, studs */  \
-  X(Quat, rotation)       /* of the part */                   \
-  X(Vec3, velocity)       /* studs/s */                       \
-  X(Vec3, spin)           /* rad/s, world */                  \
-  X(uint16_t, stillTicks) /* for how long it has been slow */ \
-  X(LooseState, state)                                        \
-  X(uint8_t, unused) /* 0: no padding, so that a body hashes as bytes */
-
+// Without padding: a body hashes as its bytes.
 struct LooseBody {
-#define OBBY_LOOSE_FIELD(type, name) type name;
-  OBBY_LOOSE_FIELDS(OBBY_LOOSE_FIELD)
-#undef OBBY_LOOSE_FIELD
+  Vec3 position;        // of the centre of mass, studs
+  Quat rotation;        // of the part
+  Vec3 velocity;        // studs/s
+  Vec3 spin;            // rad/s, world
+  uint16_t stillTicks;  // for how long it has been slow
+  LooseState state;
+  uint8_t unused;  // 0
 };
 static_assert(sizeof(LooseBody) == 56);
 
-// Of the part, whose centre need not be its centre of mass.
+// Of a body's part, whose centre need not be its centre of mass, at `center`.
+OBBY_DEVICE Pose partPose(const level::Loose& l, Vec3 center, const Mat3& axes) {
+  return {center - axes * l.center, axes};
+}
 OBBY_DEVICE Pose poseOf(const LooseBody& b, const level::Loose& l) {
-  Pose pose{{}, toMat3(b.rotation)};
-  pose.position = b.position - pose.rotation * l.center;
-  return pose;
+  return partPose(l, b.position, toMat3(b.rotation));
 }
 
 OBBY_DEVICE Vec3 velocityAt(const LooseBody& b, Vec3 point) {

@@ -81,6 +81,11 @@ OBBY_DEVICE Rigid rigidOf(const LooseBody& b, const level::Loose& l) {
           false};
 }
 
+// Of its part within the tick.
+OBBY_DEVICE Pose poseOf(const Rigid& b, const level::Loose& l) {
+  return partPose(l, b.position, b.axes);
+}
+
 // `turnA`, `turnB`: as Push has them; `inverseMass` 0: nothing but a turning.
 OBBY_DEVICE Push pushAlong(const Rigid& a, const Rigid& b, Vec3 turnA, Vec3 turnB,
                            float inverseMass) {
@@ -184,8 +189,7 @@ OBBY_DEVICE void link(LooseScene& scene, LooseBody* loose, int a, int b) {
 OBBY_APART void meet(World& w, LooseBody* loose, const level::LevelView& level, LooseScene& scene,
                      int a, const Partner& other, float margin) {
   const level::Loose& l = level.loose[a];
-  Pose pose{{}, scene.bodies[a].axes};
-  pose.position = scene.bodies[a].position - pose.rotation * l.center;
+  const Pose pose = poseOf(scene.bodies[a], l);
   for (uint32_t i = 0; i < l.colliderCount; ++i) {
     const level::Collider& own = level.colliders[l.firstCollider + i];
     const geom::Convex shape = convexOf(own, pose);
@@ -197,9 +201,7 @@ OBBY_APART void meet(World& w, LooseBody* loose, const level::LevelView& level, 
   }
 }
 
-// Flags of parts that are not always solid. One-way parts always are to a body.
-constexpr uint32_t kLeaves = level::kVanishTimer | level::kClocked;
-
+// One-way parts are solid to a body from every side.
 OBBY_APART void meetParts(World& w, LooseBody* loose, const level::LevelView& level,
                           LooseScene& scene, int a) {
   Rigid& body = scene.bodies[a];
@@ -237,8 +239,7 @@ OBBY_APART void meetBodies(World& w, LooseBody* loose, const level::LevelView& l
     const float reach = level.loose[a].radius + level.loose[b].radius + margin;
     if (dot(d, d) > reach * reach) continue;
     const level::Loose& l = level.loose[b];
-    Pose pose{{}, other.axes};
-    pose.position = other.position - pose.rotation * l.center;
+    const Pose pose = poseOf(other, l);
     for (uint32_t i = 0; i < l.colliderCount; ++i) {
       const level::Collider& c = level.colliders[l.firstCollider + i];
       meet(w, loose, level, scene, a, {convexOf(c, pose), b, &c, 0, pose}, margin);

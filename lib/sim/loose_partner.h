@@ -33,8 +33,7 @@ OBBY_DEVICE Vec3 surfaceOf(const level::LevelView& level, const Partner& part, V
                            Vec3 normal, Vec3 moved) {
   Vec3 velocity = part.flags & level::kCarries ? moved : normal * dot(moved, normal);
   if (part.flags & level::kConveyor) {
-    const level::Roles& r = level.roles[part.collider->role];
-    velocity += r.conveyorVelocity + cross(r.conveyorAngular, point - r.conveyorCenter);
+    velocity += conveyorVelocityAt(level.roles[part.collider->role], point);
   }
   return velocity;
 }

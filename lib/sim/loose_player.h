@@ -29,7 +29,6 @@ OBBY_APART bool wakeTouched(World& w, LooseBody* loose, const Floor& floor, cons
 // The weight of a player who stands on a body, and what its walking asks of it.
 OBBY_DEVICE void loadFloor(LooseScene& scene, const Motion& m, const Floor& floor, const Params& p,
                            float dt) {
-  if (floor.loose == level::kNotLoose || !m.drive.hover) return;
   Rigid& b = scene.bodies[floor.loose];
   const Vec3 pressed = acceleration(m, p) + Vec3{0, p.gravity, 0};
   const Vec3 at{m.position.x, m.floorY, m.position.z};
@@ -69,11 +68,6 @@ OBBY_DEVICE void bump(Motion& m, Rigid& b, const level::Collider& collider, cons
   m.position += n * (contact.depth - p.contactSkin);
 }
 
-// A body's part as it is within the tick.
-OBBY_DEVICE Pose poseNow(const Rigid& b, const level::Loose& l) {
-  return {b.position - b.axes * l.center, b.axes};
-}
-
 struct Solids {
   CandidateSet fixed, loose;
 };
@@ -81,7 +75,6 @@ struct Solids {
 // The speed of the floor's body within the tick: a player who stands on one that falls falls with
 // it.
 OBBY_DEVICE void followFloor(const LooseScene& scene, Motion& m, const Floor& floor) {
-  if (floor.loose == level::kNotLoose || !m.drive.hover) return;
   const Rigid& b = scene.bodies[floor.loose];
   m.floorSpeed = velocityAt(b, Vec3{m.position.x, m.floorY, m.position.z} - b.position).y;
 }
@@ -90,14 +83,17 @@ OBBY_DEVICE void followFloor(const LooseScene& scene, Motion& m, const Floor& fl
 OBBY_DEVICE void stepPlayer(LooseScene& scene, Motion& m, const Floor& floor,
                             const level::LevelView& level, const Candidates& near,
                             const Solids& solids, float dt) {
-  followFloor(scene, m, floor);
-  loadFloor(scene, m, floor, level.params, dt);
+  const bool onBody = floor.loose != level::kNotLoose && m.drive.hover;
+  if (onBody) {
+    followFloor(scene, m, floor);
+    loadFloor(scene, m, floor, level.params, dt);
+  }
   integrate(m, level, dt);
-  if (floor.loose != level::kNotLoose) m.floorY += m.floorSpeed * dt;
+  if (onBody) m.floorY += m.floorSpeed * dt;
   for (CandidateSet left = solids.loose; left != 0; left &= left - 1) {
     const level::Collider& c = level.colliders[near.items[lowestBit(left)].collider];
     Rigid& b = scene.bodies[c.loose];
-    bump(m, b, c, poseNow(b, level.loose[c.loose]), level, dt);
+    bump(m, b, c, poseOf(b, level.loose[c.loose]), level, dt);
   }
   // Parts come last: nothing presses the player into them.
   if (solids.fixed) collide(m, level, near, solids.fixed);
@@ -181,7 +177,7 @@ OBBY_APART void moveTogether(World& w, LooseBody* loose, Motion* player, const F
   putBodies(scene, w, loose, level);
   // What is touched at the tick's end is where it is then.
   for (uint32_t i = 0; i < level.looseCount; ++i) {
-    if (scene.bodies[i].moves) near.loose[i] = poseNow(scene.bodies[i], level.loose[i]);
+    if (scene.bodies[i].moves) near.loose[i] = poseOf(scene.bodies[i], level.loose[i]);
   }
 }
 

@@ -61,15 +61,20 @@ OBBY_DEVICE uint64_t runningKey(const Binning& b, const sim::World& w) {
   return key;
 }
 
+// The cell of a position in units of cells; exact for 8 million cells each way (sideways), 32,000
+// (up).
+OBBY_DEVICE uint64_t packedCell(Vec3 at) {
+  const uint64_t x = uint32_t(floorToInt(at.x)) & 0xffffffu;
+  const uint64_t y = uint32_t(floorToInt(at.y)) & 0xffffu;
+  const uint64_t z = uint32_t(floorToInt(at.z)) & 0xffffffu;
+  return x | z << 24 | y << 48;
+}
+
 // Where the loose bodies are, in cells as wide as the player's.
 OBBY_DEVICE uint64_t looseKey(const Binning& b, const sim::LooseBody* loose) {
   uint64_t key = 0;
   for (uint32_t i = 0; i < b.looseCount; ++i) {
-    const Vec3 at = loose[i].position * b.inverseWidth;
-    const uint64_t x = uint32_t(floorToInt(at.x)) & 0xffffffu;
-    const uint64_t y = uint32_t(floorToInt(at.y)) & 0xffffu;
-    const uint64_t z = uint32_t(floorToInt(at.z)) & 0xffffffu;
-    key = mixBits(key + 0x9e3779b97f4a7c15ull + (x | z << 24 | y << 48));
+    key = mixBits(key + 0x9e3779b97f4a7c15ull + packedCell(loose[i].position * b.inverseWidth));
   }
   return key;
 }
@@ -78,9 +83,7 @@ OBBY_DEVICE uint64_t looseKey(const Binning& b, const sim::LooseBody* loose) {
 // bins and 2^16 jumps; two cells share a key with probability 2^-64.
 OBBY_DEVICE uint64_t cellKey(const Binning& b, const sim::World& w,
                              const sim::LooseBody* loose = nullptr) {
-  const uint64_t x = uint32_t(floorToInt(w.position.x * b.inverseWidth)) & 0xffffffu;
-  const uint64_t y = uint32_t(floorToInt(w.position.y * b.inverseHeight)) & 0xffffu;
-  const uint64_t z = uint32_t(floorToInt(w.position.z * b.inverseWidth)) & 0xffffffu;
+  const Vec3 inCells = mul(w.position, {b.inverseWidth, b.inverseHeight, b.inverseWidth});
   uint64_t rest = 0;
   if (b.clockBin != 0) rest = clockBinOf(b, w) & 0xffffffu;
   if (b.jumps) rest |= uint64_t(w.jumps) << 24;
@@ -90,7 +93,7 @@ OBBY_DEVICE uint64_t cellKey(const Binning& b, const sim::World& w,
     rest |= uint64_t(w.health * b.inverseHealth * float(b.healthBins)) << 56;
   }
   if (b.looseCount != 0) rest ^= looseKey(b, loose);
-  uint64_t key = mixBits((x | z << 24 | y << 48) + 0x9e3779b97f4a7c15ull * mixBits(rest + 1));
+  uint64_t key = mixBits(packedCell(inCells) + 0x9e3779b97f4a7c15ull * mixBits(rest + 1));
   if (b.clocks && w.clockCount != 0) key += runningKey(b, w);
   return key != 0 ? key : 1;
 }

@@ -69,8 +69,7 @@ Status DeviceRollouts::run(std::span<const RolloutStart> starts,
   OBBY_RETURN_IF_ERROR(makeRoom(starts.size()));
   OBBY_RETURN_IF_ERROR(device_->launch(rolloutKernel(arguments_.context.level.looseCount != 0),
                                        &arguments_, uint32_t(starts.size())));
-  OBBY_RETURN_IF_ERROR(
-      device_->download(ends_.data(), arguments_.ends, ends_.size() * sizeof(RolloutEnd)));
+  OBBY_RETURN_IF_ERROR(fetch(*device_, ends_, arguments_.ends));
   OBBY_RETURN_IF_ERROR(fetch(*device_, endLoose_, arguments_.loose));
   OBBY_RETURN_IF_ERROR(fetch(*device_, visitLoose_, arguments_.visitLoose));
   return fetch(*device_, visits_, arguments_.visits);
