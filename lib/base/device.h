@@ -8,10 +8,13 @@
 
 // OBBY_APART is for what is large and runs rarely: a function of its own, which leaves the caches
 // and the compiler's time to the rest.
+// OBBY_INLINED follows the parameters of a lambda that must not become a function of its own.
 #if defined(__CUDACC__)
+#define OBBY_INLINED
 #define OBBY_DEVICE __host__ __device__ __forceinline__
 #define OBBY_APART __host__ __device__ __noinline__ inline
 #else
+#define OBBY_INLINED __attribute__((always_inline))
 #define OBBY_DEVICE OBBY_LANES
 #define OBBY_APART inline __attribute__((noinline))
 #endif

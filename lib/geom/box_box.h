@@ -7,13 +7,6 @@
 
 namespace obby::geom {
 
-// A block anywhere, for lanes of worlds: what of a part the wide tick reads.
-template <class F>
-struct BlockT {
-  PoseT<F> pose;
-  Vec3T<F> half;
-};
-
 namespace internal {
 
 // Overlap along a unit axis: `apart` is the signed distance of the centres along it, `radii` the

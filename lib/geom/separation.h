@@ -3,69 +3,22 @@
 // ones.
 #pragma once
 
+#include "geom/blocks_apart.h"
 #include "geom/closest.h"
 
 namespace obby::geom {
 
-struct Separation {
-  float distance;  // studs; negative: they overlap by that much
-  Vec3 normal;     // unit, from a to b: moving b by -distance along it makes them touch
-};
-
 namespace internal {
 
-// Faces are preferred to edges and the first shape to the second where they are as good, so that a
-// resting contact does not change its mind from one tick to the next.
-constexpr float kPreference = 1e-3f;
-// Squared sine of an angle between edges below which the faces are as good. Long edges cross at
-// angles far smaller than those that can be seen.
-constexpr float kParallel = 1e-6f;
-
-OBBY_DEVICE void keepFarthest(Separation& best, float distance, Vec3 normal, float bonus) {
-  if (distance <= best.distance + bonus) return;
-  best = {distance, normal};
-}
-
-OBBY_APART Separation blocksApart(const Convex& a, const Convex& b, float margin) {
-  const Mat3 &ra = a.pose.rotation, &rb = b.pose.rotation;
-  const Vec3 ha = a.shape.half, hb = b.shape.half, t = b.pose.position - a.pose.position;
-  const Vec3 ta = toLocal(ra, t), tb = toLocal(rb, t);
-  const Mat3 r{toLocal(ra, rb.x), toLocal(ra, rb.y), toLocal(ra, rb.z)};  // b's axes in a's frame
-  const Vec3 rx = abs(r.x), ry = abs(r.y), rz = abs(r.z);
-  const Vec3 reachB = rx * hb.x + ry * hb.y + rz * hb.z;
-  Separation best{-1e30f, {0, 1, 0}};
-  const Vec3 da = abs(ta) - ha - reachB;
-  keepFarthest(best, da.x, ta.x < 0 ? -ra.x : ra.x, 0);
-  keepFarthest(best, da.y, ta.y < 0 ? -ra.y : ra.y, kPreference);
-  keepFarthest(best, da.z, ta.z < 0 ? -ra.z : ra.z, kPreference);
-  if (best.distance > margin) return best;
-  const Vec3 db = abs(tb) - hb - Vec3{dot(rx, ha), dot(ry, ha), dot(rz, ha)};
-  keepFarthest(best, db.x, tb.x < 0 ? -rb.x : rb.x, kPreference);
-  keepFarthest(best, db.y, tb.y < 0 ? -rb.y : rb.y, kPreference);
-  keepFarthest(best, db.z, tb.z < 0 ? -rb.z : rb.z, kPreference);
-  if (best.distance > margin) return best;
-  const Vec3* const columns[3] = {&r.x, &r.y, &r.z};
-  for (int j = 0; j < 3; ++j) {
-    const Vec3 e = *columns[j];
-    const Vec3 crosses[3] = {{0, -e.z, e.y}, {e.z, 0, -e.x}, {-e.y, e.x, 0}};
-    for (const Vec3& n : crosses) {
-      const float n2 = dot(n, n);
-      if (n2 < kParallel) continue;
-      const float inverse = 1.0f / sqrtf32(n2), along = dot(n, ta);
-      const float radii = dot(abs(n), ha) + dot(abs(toLocal(r, n)), hb);
-      const float apart = (absf(along) - radii) * inverse;
-      if (apart <= best.distance + kPreference) continue;
-      best = {apart, ra * (n * (along < 0 ? -inverse : inverse))};
-    }
-  }
-  return best;
+OBBY_APART Separation twoBlocksApart(const Convex& a, const Convex& b, float margin) {
+  return blocksApart<float>({a.pose, a.shape.half}, {b.pose, b.shape.half}, margin);
 }
 
 OBBY_DEVICE void tryAxis(Separation& best, const Convex& a, const Convex& b, Vec3 n) {
   const float forward = -support(b, -n) - support(a, n);
   const float backward = -support(b, n) - support(a, -n);
-  keepFarthest(best, forward, n, kPreference);
-  keepFarthest(best, backward, -n, kPreference);
+  keepFarthest<float>(best, forward, n, kPreference);
+  keepFarthest<float>(best, backward, -n, kPreference);
 }
 
 OBBY_APART void tryCrosses(Separation& best, const Convex& a, const Convex& b) {
@@ -110,7 +63,7 @@ OBBY_APART Separation shapesApart(const Convex& a, const Convex& b, float margin
 // Exact where they overlap or faces or round parts are closest; a lower bound where they are apart
 // by corners or edges. Gives up early once they are more than `margin` apart.
 OBBY_DEVICE Separation separation(const Convex& a, const Convex& b, float margin) {
-  if (isBlock(a.kind) && isBlock(b.kind)) return internal::blocksApart(a, b, margin);
+  if (isBlock(a.kind) && isBlock(b.kind)) return internal::twoBlocksApart(a, b, margin);
   // Seen from a: far from the world's origin floats are coarser than what is measured.
   Convex fromA = a, seen = b;
   fromA.pose.position = {};

@@ -52,6 +52,13 @@ struct RayHit {
   Vec3 normal;  // unit, local, outward
 };
 
+// A block anywhere, for one world or lanes of them.
+template <class F>
+struct BlockT {
+  PoseT<F> pose;
+  Vec3T<F> half;
+};
+
 // An oriented box in a shape's local frame: what the shape's curved faces are tested against.
 template <class F>
 struct LocalBoxT {

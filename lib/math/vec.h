@@ -32,6 +32,13 @@ struct Vec3T {
     return {maxf(a.x, b.x), maxf(a.y, b.y), maxf(a.z, b.z)};
   }
   friend OBBY_DEVICE Vec3T abs(Vec3T a) { return {absf(a.x), absf(a.y), absf(a.z)}; }
+  friend OBBY_DEVICE F length(Vec3T a) { return sqrtf32(dot(a, a)); }
+  // `fallback` where `a` is too short to have a direction.
+  friend OBBY_DEVICE Vec3T normalize(Vec3T a, Vec3T fallback) {
+    const F n = length(a);
+    return select(n > 1e-12f, a * (1.0f / n), fallback);
+  }
+  friend OBBY_DEVICE Vec3T normalize(Vec3T a) { return normalize(a, Vec3T{0, 1, 0}); }
   friend OBBY_DEVICE Vec3T select(MaskOf<F> choose, Vec3T yes, Vec3T no) {
     return {select(choose, yes.x, no.x), select(choose, yes.y, no.y), select(choose, yes.z, no.z)};
   }
@@ -39,12 +46,6 @@ struct Vec3T {
 
 using Vec3 = Vec3T<float>;
 
-OBBY_DEVICE float length(Vec3 a) { return sqrtf32(dot(a, a)); }
-// `fallback` where `a` is too short to have a direction.
-OBBY_DEVICE Vec3 normalize(Vec3 a, Vec3 fallback = {0, 1, 0}) {
-  const float n = length(a);
-  return n > 1e-12f ? a * (1.0f / n) : fallback;
-}
 OBBY_DEVICE float component(Vec3 a, int i) { return i == 0 ? a.x : i == 1 ? a.y : a.z; }
 
 // Rotation matrix by columns: the axes of the rotated frame. world = local.x * x + local.y * y +
@@ -68,38 +69,39 @@ struct Mat3T {
 using Mat3 = Mat3T<float>;
 
 // Unit quaternion.
-struct Quat {
-  float x = 0, y = 0, z = 0, w = 1;
+template <class F>
+struct QuatT {
+  F x = 0, y = 0, z = 0, w = 1;
+
+  friend OBBY_DEVICE QuatT operator*(QuatT a, QuatT b) {
+    return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+            a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+            a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w,
+            a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
+  }
+  friend OBBY_DEVICE QuatT normalize(QuatT q) {
+    const F n = sqrtf32(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w), s = 1.0f / n;
+    const MaskOf<F> known = n > 1e-12f;
+    return {select(known, q.x * s, F(0)), select(known, q.y * s, F(0)),
+            select(known, q.z * s, F(0)), select(known, q.w * s, F(1))};
+  }
+  friend OBBY_DEVICE Mat3T<F> toMat3(QuatT q) {
+    const F xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
+    const F xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z;
+    const F wx = q.w * q.x, wy = q.w * q.y, wz = q.w * q.z;
+    return {{1 - 2 * (yy + zz), 2 * (xy + wz), 2 * (xz - wy)},
+            {2 * (xy - wz), 1 - 2 * (xx + zz), 2 * (yz + wx)},
+            {2 * (xz + wy), 2 * (yz - wx), 1 - 2 * (xx + yy)}};
+  }
+  // A turn by `angle`, a vector of radians: exact to its second order, and a unit again.
+  friend OBBY_DEVICE QuatT turned(QuatT q, Vec3T<F> angle) {
+    const Vec3T<F> h = angle * F(0.5f);
+    const QuatT d = QuatT{h.x, h.y, h.z, 1.0f - 0.5f * dot(h, h)} * q;
+    return normalize(d);
+  }
 };
 
-OBBY_DEVICE Quat operator*(Quat a, Quat b) {
-  return {
-      a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
-      a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
-}
-
-OBBY_DEVICE Quat normalize(Quat q) {
-  const float n = sqrtf32(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-  if (!(n > 1e-12f)) return {};
-  const float s = 1.0f / n;
-  return {q.x * s, q.y * s, q.z * s, q.w * s};
-}
-
-OBBY_DEVICE Mat3 toMat3(Quat q) {
-  const float xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
-  const float xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z;
-  const float wx = q.w * q.x, wy = q.w * q.y, wz = q.w * q.z;
-  return {{1 - 2 * (yy + zz), 2 * (xy + wz), 2 * (xz - wy)},
-          {2 * (xy - wz), 1 - 2 * (xx + zz), 2 * (yz + wx)},
-          {2 * (xz + wy), 2 * (yz - wx), 1 - 2 * (xx + yy)}};
-}
-
-// A turn by `angle`, a vector of radians: exact to its second order, and a unit again.
-OBBY_DEVICE Quat turned(Quat q, Vec3 angle) {
-  const Vec3 h = angle * 0.5f;
-  const Quat d = Quat{h.x, h.y, h.z, 1.0f - 0.5f * dot(h, h)} * q;
-  return normalize(d);
-}
+using Quat = QuatT<float>;
 
 // Where a body is: world = rotation * local + position.
 template <class F>

@@ -32,6 +32,8 @@ struct Candidates {
   int count = 0;
   int movingCount = 0;
   uint32_t anyFlags = 0;
+  uint32_t looseNear = 0;   // bodies among the items, a bit each
+  uint32_t looseApart = 0;  // bodies that are moved elsewhere in this tick (wide_loose.h)
 
   OBBY_DEVICE Candidates() {}
 };
@@ -93,6 +95,7 @@ OBBY_DEVICE void gatherLoose(World& w, const LooseBody* loose, const level::Leve
       const uint32_t flags = level.bounds[id].flags;
       out.items[out.count++] = {bounds, &out.loose[b], id, flags};
       out.anyFlags |= flags;
+      out.looseNear |= 1u << b;
     }
   }
 }

@@ -35,7 +35,7 @@ OBBY_DEVICE Vec3 surfaceOf(const level::LevelView& level, const Partner& part, V
   if (part.flags & level::kConveyor) {
     velocity += conveyorVelocityAt(level.roles[part.collider->role], point);
   }
-  return velocity;
+  return velocity + Vec3{};  // never -0, to which adding nothing makes a difference
 }
 
 }  // namespace obby::sim

@@ -3,9 +3,22 @@
 #pragma once
 
 #include "sim/body.h"
-#include "sim/loose_solver.h"
+#include "sim/loose_step.h"
 
 namespace obby::sim {
+
+// What resists an impulse along `n` at `at` from the centre.
+OBBY_DEVICE float yield(const Rigid& b, Vec3 at, Vec3 n) {
+  const Vec3 turn = cross(at, n);
+  return b.inverseMass + dot(turn, b.inverseInertia * turn);
+}
+
+OBBY_DEVICE void push(Rigid& b, Vec3 at, Vec3 impulse) {
+  b.velocity += impulse * b.inverseMass;
+  b.spin += b.inverseInertia * cross(at, impulse);
+}
+
+OBBY_DEVICE Vec3 velocityAt(const Rigid& b, Vec3 at) { return b.velocity + cross(b.spin, at); }
 
 // Wakes what the player touches. False: all loose bodies are asleep, and the player moves alone.
 OBBY_APART bool wakeTouched(World& w, LooseBody* loose, const Floor& floor, const Motion& m,
@@ -110,10 +123,8 @@ OBBY_DEVICE void settle(const LooseScene& scene, LooseBody* loose, const level::
       tired |= 1u << i;
       continue;
     }
-    const float turning = length(b.spin) * level.loose[i].radius;
-    const bool slow = length(b.velocity) < p.sleepSpeed && turning < p.sleepSpeed;
-    const uint16_t more = uint16_t(loose[i].stillTicks < 0xffff ? loose[i].stillTicks + 1 : 0xffff);
-    loose[i].stillTicks = slow && !b.restless ? more : uint16_t(0);
+    loose[i].stillTicks =
+        uint16_t(stillTicksOf<float>(b, level.loose[i].radius, b.restless, loose[i].stillTicks, p));
     if (loose[i].stillTicks >= p.sleepTicks) tired |= 1u << i;
   }
   for (int i = 0; i < count; ++i) {
@@ -130,9 +141,15 @@ OBBY_DEVICE void settle(const LooseScene& scene, LooseBody* loose, const level::
   }
 }
 
-OBBY_DEVICE void putBodies(const LooseScene& scene, World& w, LooseBody* loose,
-                           const level::LevelView& level) {
+OBBY_DEVICE void noteAwake(World& w, const LooseBody* loose, const level::LevelView& level) {
   w.flags &= uint8_t(~kLooseAwake);
+  for (uint32_t i = 0; i < level.looseCount; ++i) {
+    if (loose[i].state == LooseState::awake) w.flags |= kLooseAwake;
+  }
+}
+
+OBBY_DEVICE void putBodies(const LooseScene& scene, LooseBody* loose,
+                           const level::LevelView& level) {
   for (uint32_t i = 0; i < level.looseCount; ++i) {
     const Rigid& b = scene.bodies[i];
     if (!b.moves) continue;
@@ -143,18 +160,14 @@ OBBY_DEVICE void putBodies(const LooseScene& scene, World& w, LooseBody* loose,
     if (b.position.y < level.params.fallenPartsHeight) loose[i].state = LooseState::gone;
   }
   settle(scene, loose, level);
-  for (uint32_t i = 0; i < level.looseCount; ++i) {
-    if (loose[i].state == LooseState::awake) w.flags |= kLooseAwake;
-  }
 }
 
-// Moves the player and all bodies that are awake by one tick. `player` is null where it has moved
-// already.
-OBBY_APART void moveTogether(World& w, LooseBody* loose, Motion* player, const Floor& floor,
-                             const level::LevelView& level, Candidates& near) {
+// Moves a group of bodies by one tick, and the player with it where it is not null.
+OBBY_APART void moveGroup(World& w, LooseBody* loose, const LooseGroup& group, Motion* player,
+                          const Floor& floor, const level::LevelView& level, Candidates& near) {
   const Params& p = level.params;
   LooseScene scene;
-  findContacts(w, loose, level, scene);
+  findContacts(w, loose, level, group, scene);
   estimateLoads(scene, int(level.looseCount), p, p.substepSeconds);
   Solids solids{0, 0};
   int splits = 1;
@@ -173,12 +186,41 @@ OBBY_APART void moveTogether(World& w, LooseBody* loose, Motion* player, const F
       stepPlayer(scene, *player, floor, level, near, solids, p.substepSeconds / float(splits));
     }
   }
-  for (int i = 0; i < scene.contactCount; ++i) applyBounce(scene, scene.contacts[i]);
-  putBodies(scene, w, loose, level);
+  bounce(scene);
+  putBodies(scene, loose, level);
   // What is touched at the tick's end is where it is then.
   for (uint32_t i = 0; i < level.looseCount; ++i) {
     if (scene.bodies[i].moves) near.loose[i] = poseOf(scene.bodies[i], level.loose[i]);
   }
+}
+
+// Does the body meet no other in this tick?
+OBBY_DEVICE bool isAlone(const LooseBody* loose, const level::LevelView& level, uint32_t body) {
+  for (uint32_t i = 0; i < level.looseCount; ++i) {
+    if (i == body || loose[i].state == LooseState::gone) continue;
+    const level::Loose &one = level.loose[body], &other = level.loose[i];
+    if (mayMeet(loose[body], loose[i], one, other, level.params)) return false;
+  }
+  return true;
+}
+
+// Moves all bodies that are awake by one tick, and with them the player, which is null where it has
+// moved already. Bodies that meet nothing but parts are moved one by one, as lanes do it.
+OBBY_APART void moveTogether(World& w, LooseBody* loose, Motion* player, const Floor& floor,
+                             const level::LevelView& level, Candidates& near) {
+  LooseGroup together{0, false};
+  uint32_t alone = 0;
+  for (uint32_t i = 0; i < level.looseCount; ++i) {
+    const uint32_t bit = 1u << i;
+    if (loose[i].state != LooseState::awake || (near.looseApart & bit)) continue;
+    const bool meets = (player && (near.looseNear & bit)) || !isAlone(loose, level, i);
+    (meets ? together.bodies : alone) |= bit;
+  }
+  if (player || together.bodies) moveGroup(w, loose, together, player, floor, level, near);
+  for (; alone != 0; alone &= alone - 1) {
+    moveGroup(w, loose, {alone & (0 - alone), true}, nullptr, floor, level, near);
+  }
+  noteAwake(w, loose, level);
 }
 
 }  // namespace obby::sim

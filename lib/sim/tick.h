@@ -45,9 +45,13 @@ OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level,
   turn(player, p, floor, climbs ? facing(truss, control) : control);
   Motion motion = motionOf(player, p, floor, drive(player, p, floor, control));
   if (climbs) moveClimber(motion, truss, control, level, p, near);
+  // A player among no bodies moves as if there were none.
+  const bool among = (near.anyFlags & level::kLoose) != 0;
+  const bool moves = !climbs;
   if (kLoose && wakeTouched(w, loose, floor, motion, level, near)) {
-    moveTogether(w, loose, climbs ? nullptr : &motion, floor, level, near);
-  } else if (!climbs) {
+    moveTogether(w, loose, among && moves ? &motion : nullptr, floor, level, near);
+    if (moves && !among) moveBody(motion, level, near);
+  } else if (moves) {
     moveBody(motion, level, near);
   }
   player.position = motion.position;
@@ -55,11 +59,12 @@ OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level,
   putPlayer(w, player);
 }
 
-// `p`: with the player's boosts.
+// `p`: with the player's boosts; `apart`: see tick().
 template <bool kLoose>
 OBBY_DEVICE void tickWith(World& w, LooseBody* loose, const level::LevelView& level,
-                          const Params& p, ControlT<float> control) {
+                          const Params& p, ControlT<float> control, uint32_t apart) {
   Candidates near;
+  near.looseApart = apart;
   gather(w, loose, level, p, near);
   if (w.state == State::seated) {
     sit(w, level, p, control.jump);
@@ -77,8 +82,10 @@ OBBY_DEVICE void tickWith(World& w, LooseBody* loose, const level::LevelView& le
 
 // Advances `w` and the loose bodies beside it (null where the level has none) by one tick. Nothing
 // happens to a world whose playthrough has ended. Never allocates; overruns set bits in w.flags.
+// `apart`: bodies that the caller moves, a bit each; they meet neither the player nor another body.
 template <bool kLoose = true>
-OBBY_DEVICE void tick(World& w, LooseBody* loose, const level::LevelView& level, Action action) {
+OBBY_DEVICE void tick(World& w, LooseBody* loose, const level::LevelView& level, Action action,
+                      uint32_t apart = 0) {
   if (w.outcome != Outcome::running) return;
   ControlT<float> control = controlOf(action);
   Params boosts;
@@ -88,7 +95,7 @@ OBBY_DEVICE void tick(World& w, LooseBody* loose, const level::LevelView& level,
     p = &boosts;
     if (isHelpless(w, level)) control = {};
   }
-  tickWith<kLoose>(w, loose, level, *p, control);
+  tickWith<kLoose>(w, loose, level, *p, control, apart);
 }
 
 }  // namespace obby::sim

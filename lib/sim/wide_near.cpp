@@ -2,15 +2,11 @@
 
 #include <algorithm>
 
+#include "sim/reach.h"
 #include "sim/wide_state.h"
 
 namespace obby::sim {
 namespace {
-
-namespace stdx = std::experimental;
-
-// A row of level::Bounds against the negated corners of a box: one comparison.
-using Eight = stdx::simd<float, stdx::simd_abi::deduce_t<float, 8>>;
 
 // Of a part that only tick() knows to handle.
 constexpr uint32_t kSingly = level::kVanishTimer | level::kClocked | level::kTruss |
@@ -36,19 +32,19 @@ void WideNear::findReach(World* const* worlds, int count) {
     Rows out;
     putVector(out, 0, reach.hi);
     putVector(out, 3, -reach.lo);
-    out.word[6] = out.word[7] = bitsOf(WideFloat(1e38f));
+    out.word[6] = out.word[7] = bitsOf(WideFloat(Reach::kAny));
     out.word[8] = cellOf<WideFloat>(level_.grid, position);
     out.word[9] = world.word[kStateWord] & int32_t(0xff000000);
     const WideMask holds =
         (world.word[kStateWord] & 0xff0000) >= WideInt(int32_t(State::climbing) << 16);
-    constexpr int32_t kRemembered = 0xff00 | kArrived | kLooseAwake;
+    constexpr int32_t kRemembered = 0xff00 | kArrived;
     out.word[10] = (world.word[kFlagsWord] & kRemembered) | select(holds, WideInt(1), WideInt(0));
     out.word[11] = world.word[kTickWord];
     storeRows(out, looks);
   }
 }
 
-// Bodies at rest cost a world nothing but this, as long as its player is elsewhere.
+// As long as its player is elsewhere, loose bodies move apart from it (wide_loose.h).
 bool WideNear::nearLoose(int i, const LooseBody* loose) const {
   const Box near = looks_[i].box();
   bool found = false;
@@ -76,14 +72,14 @@ void WideNear::look(World* const* worlds, const LooseBody* const* loose, int cou
 // Notes the parts near a world. What the next look is does not depend on which parts are met: a
 // mispredicted branch costs more than the rest.
 WideNear::Turn WideNear::list(int i, const uint32_t* list) {
-  const Eight reach(looks_[i].reach, stdx::element_aligned);
+  const Reach reach(looks_[i].reach);
   const uint32_t count = list[0];
   uint32_t found = 0, some = 0, every = ~0u;
   for (uint32_t k = 1; k <= count; k += level::kListStep) {
     if (found + level::kListStep > kRowWords) return Turn::single;
     for (uint32_t j = k; j < k + level::kListStep; ++j) {
       const level::Bounds& b = level_.bounds[list[j]];
-      const uint32_t hit = all_of(Eight(&b.lo.x, stdx::element_aligned) <= reach) ? 1 : 0;
+      const uint32_t hit = reach.meets(b);
       tags_[i][found] = b.tag;
       found += hit;
       some |= b.flags & (0 - hit);

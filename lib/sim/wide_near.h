@@ -33,6 +33,7 @@ class WideNear {
   void look(World* const* worlds, const LooseBody* const* loose, int count);
 
   // Of the i-th world of the last look().
+  Box reach(int i) const { return looks_[i].box(); }  // where its player can be
   Turn turn(int i) const { return turn_[i]; }
   // Of worlds that go to the lanes.
   int count(int i) const { return count_[i]; }
@@ -58,8 +59,7 @@ class WideNear {
     float reach[8];  // corners as level::Bounds has them, and two numbers that are never exceeded
     int32_t cell;    // of the grid; -1: none
     int32_t outcome;
-    int32_t single;  // not 0: it climbs or sits, a clock runs, it has just been teleported, or a
-                     // loose body is awake
+    int32_t single;  // not 0: it climbs or sits, a clock runs, or it has just been teleported
     uint32_t tick;
     int32_t unused[4];
 

@@ -4,6 +4,7 @@
 
 #include "sim/tick.h"
 #include "sim/wide_contact.h"
+#include "sim/wide_loose.h"
 #include "sim/wide_near.h"
 
 namespace obby::sim {
@@ -17,7 +18,7 @@ constexpr int kFewWorlds = 100;
 class Ticker {
  public:
   Ticker(const level::LevelView& level, WideCounts& counts)
-      : level_(level), counts_(counts), near_(level) {}
+      : level_(level), counts_(counts), near_(level), bodies_(level, counts.looseInLanes) {}
 
   // At most kWideSlots worlds.
   void run(World* const* worlds, LooseBody* const* loose, const Action* actions, int count) {
@@ -28,6 +29,7 @@ class Ticker {
     admit(count);
     for (int slot = 0; slot < count_; slot += kLanes) decide(slot);
     moveAll();
+    moveLoose();
     for (int slot = 0; slot < count_; slot += kLanes) finish(slot);
   }
 
@@ -38,6 +40,7 @@ class Ticker {
   void addSurface(WideInt nearest, int most, const int32_t* index, FloorT<F>& floor) const;
   void findSolids(const WideMotion& motion, int slot, int most);
   void moveAll();
+  void moveLoose();
   void singly(int index);
   void glide(const int32_t* slots, int steps, float dt);
   void bump(const int32_t* slots);
@@ -54,6 +57,7 @@ class Ticker {
   World* const* worlds_ = nullptr;
   LooseBody* const* loose_ = nullptr;
   const Action* actions_ = nullptr;
+  WideLoose bodies_;
 
   // Of the worlds in lanes, in the order of work: by slot. The slots after the last repeat it.
   int count_ = 0;
@@ -234,9 +238,30 @@ void Ticker::moveAll() {
   }
 }
 
+// The bodies of worlds whose player has moved in lanes.
+void Ticker::moveLoose() {
+  if (level_.looseCount == 0) return;
+  for (int slot = 0; slot < count_; ++slot) {
+    const int index = order_[slot];
+    World& w = *worlds_[index];
+    if (done_[slot] || !(w.flags & kLooseAwake)) continue;
+    Candidates none;
+    none.looseApart = bodies_.add(w, loose_[index], near_.reach(index));
+    moveTogether(w, loose_[index], nullptr, {}, level_, none);
+  }
+  bodies_.flush();
+}
+
 void Ticker::singly(int index) {
   ++counts_.single;
-  tick(*worlds_[index], loose_ ? loose_[index] : nullptr, level_, actions_[index]);
+  World& w = *worlds_[index];
+  LooseBody* loose = loose_ ? loose_[index] : nullptr;
+  uint32_t apart = 0;
+  // Boosts make a player faster than the lanes know.
+  if ((w.flags & kLooseAwake) && w.clockCount == 0) {
+    apart = bodies_.add(w, loose, near_.reach(index));
+  }
+  tick(w, loose, level_, actions_[index], apart);
 }
 
 void Ticker::glide(const int32_t* slots, int steps, float dt) {

@@ -16,9 +16,10 @@ namespace obby::sim {
 
 // How worlds went, to see what a level costs; sums over calls.
 struct WideCounts {
-  uint64_t ticks = 0;    // of all worlds
-  uint64_t single = 0;   // of these by tick()
-  uint64_t contact = 0;  // of these with a solid part in the body's reach
+  uint64_t ticks = 0;         // of all worlds
+  uint64_t single = 0;        // of these by tick()
+  uint64_t contact = 0;       // of these with a solid part in the body's reach
+  uint64_t looseInLanes = 0;  // loose bodies that lanes moved
 };
 
 // Advances `count` worlds by one tick, world i under actions[i]. Worlds whose playthrough has ended

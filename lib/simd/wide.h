@@ -172,6 +172,11 @@ OBBY_LANES void scatter(WideFloat a, float* base, const int32_t* index) {
 #endif
 }
 
+// 0, 1, ...: the number of each lane.
+OBBY_LANES WideInt laneNumbers() {
+  return WideInt(internal::IntLanes([](auto k) { return int32_t(k); }));
+}
+
 // Bit k: lane k.
 OBBY_LANES uint32_t bitsOf(WideMask m) {
   uint32_t bits = 0;

@@ -76,9 +76,9 @@ TEST(Quat, ProductIsTheProductOfTheMatrices) {
 
 TEST(Quat, TurnsRightHandedAboutItsAxis) {
   const float h = std::sqrt(0.5f);
-  expectNear(toMat3({0, h, 0, h}) * Vec3{0, 0, -1}, {-1, 0, 0}, 1e-6f);
-  expectNear(toMat3({h, 0, 0, h}) * Vec3{0, 1, 0}, {0, 0, 1}, 1e-6f);
-  expectNear(toMat3({0, 0, h, h}) * Vec3{1, 0, 0}, {0, 1, 0}, 1e-6f);
+  expectNear(toMat3(Quat{0, h, 0, h}) * Vec3{0, 0, -1}, {-1, 0, 0}, 1e-6f);
+  expectNear(toMat3(Quat{h, 0, 0, h}) * Vec3{0, 1, 0}, {0, 0, 1}, 1e-6f);
+  expectNear(toMat3(Quat{0, 0, h, h}) * Vec3{1, 0, 0}, {0, 1, 0}, 1e-6f);
 }
 
 TEST(Quat, NormalizeOfNothingIsNoRotation) {

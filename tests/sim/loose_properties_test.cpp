@@ -111,6 +111,43 @@ RC_GTEST_PROP(LooseProperties, EveryStateIsFiniteAndWideTicksGiveTheSame, ()) {
   }
 }
 
+// Blocks that lie and tumble about in many worlds: lanes take most of them.
+RC_GTEST_PROP(LooseProperties, BlocksInLanesMoveAsAlone, ()) {
+  const auto bodies = *rc::gen::container<std::vector<Thrown>>(
+      6, thrown(rc::gen::build<Vec3>(rc::gen::set(&Vec3::x, between(-50, 50)),
+                                     rc::gen::set(&Vec3::y, between(3, 12)),
+                                     rc::gen::set(&Vec3::z, between(-50, 50))),
+                40, 1));
+  const uint64_t seed = *rc::gen::inRange<uint64_t>(0, 100000);
+  LevelBuilder b = support::movingArena(100, 8, seed);
+  for (const Thrown& t : bodies) addThrown(b, t);
+  const level::Level level = b.compile();
+  constexpr uint32_t kWorlds = 40;
+  std::vector<World> alone(kWorlds, makeWorld(level.view(), level.spawns()[0])), wide = alone;
+  std::vector<std::vector<LooseBody>> aloneLoose;
+  for (uint32_t i = 0; i < kWorlds; ++i) {
+    auto turned = bodies;  // not all lanes alike
+    for (Thrown& t : turned) t.velocity = t.velocity * (0.2f * float(i % 6));
+    aloneLoose.push_back(throwAll(level.view(), turned));
+  }
+  auto wideLoose = aloneLoose;
+  WideCounts counts;
+  for (uint32_t t = 0; t < 120; ++t) {
+    World* worlds[kWorlds];
+    LooseBody* loose[kWorlds];
+    Action actions[kWorlds];
+    for (uint32_t i = 0; i < kWorlds; ++i) {
+      worlds[i] = &wide[i], loose[i] = wideLoose[i].data(), actions[i] = actionAt(seed + i, t);
+      tick(alone[i], aloneLoose[i].data(), level.view(), actions[i]);
+    }
+    tickAll(level.view(), worlds, loose, actions, kWorlds, &counts);
+    for (uint32_t i = 0; i < kWorlds; ++i) {
+      RC_ASSERT(stateHash(alone[i], aloneLoose[i]) == stateHash(wide[i], wideLoose[i]));
+    }
+  }
+  RC_ASSERT(counts.looseInLanes > 0u);
+}
+
 // Cubes and balls: spin is kept in the air, not its momentum, so that others may gain energy from
 // turning. Measured against what a fall of a twentieth of a stud gives.
 RC_GTEST_PROP(LooseProperties, EnergyDoesNotGrow, ()) {

@@ -10,8 +10,24 @@ OBBY_DEVICE Vec3 unitAxis(int i) {
 }
 
 // The size of `half` with the signs of `d`.
-OBBY_DEVICE Vec3 withSigns(Vec3 half, Vec3 d) {
-  return {d.x < 0 ? -half.x : half.x, d.y < 0 ? -half.y : half.y, d.z < 0 ? -half.z : half.z};
+template <class F>
+OBBY_DEVICE Vec3T<F> withSigns(Vec3T<F> half, Vec3T<F> d) {
+  return {select(d.x < 0.0f, -half.x, half.x), select(d.y < 0.0f, -half.y, half.y),
+          select(d.z < 0.0f, -half.z, half.z)};
+}
+
+// The face of a block that looks along `d`: four corners, local.
+template <class F>
+OBBY_DEVICE void blockFace(Vec3T<F> half, Vec3T<F> d, Vec3T<F>* out) {
+  const Vec3T<F> size = abs(d), far = withSigns(half, d);
+  const MaskOf<F> isX = (size.x >= size.y) & (size.x >= size.z), isY = size.y >= size.z;
+  for (int k = 0; k < 4; ++k) {
+    // Along the two axes that follow the face's own.
+    const F a = k == 0 || k == 3 ? 1.0f : -1.0f, b = k < 2 ? 1.0f : -1.0f;
+    const Vec3T<F> x{far.x, half.y * a, half.z * b}, y{half.x * b, far.y, half.z * a},
+        z{half.x * a, half.y * b, far.z};
+    out[k] = select(isX, x, select(isY, y, z));
+  }
 }
 
 struct Block {
@@ -24,11 +40,7 @@ struct Block {
 
   OBBY_DEVICE static Vec3 corner(const ShapeData& s, Vec3 d) { return withSigns(s.half, d); }
   OBBY_DEVICE static int feature(const ShapeData& s, Vec3 d, Vec3* out) {
-    const Vec3 size = abs(d);
-    const int i = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const Vec3 a = mul(unitAxis((i + 1) % 3), s.half), b = mul(unitAxis((i + 2) % 3), s.half);
-    const Vec3 face = mul(unitAxis(i), s.half) * (component(d, i) < 0 ? -1.0f : 1.0f);
-    out[0] = face + a + b, out[1] = face - a + b, out[2] = face - a - b, out[3] = face + a - b;
+    blockFace(s.half, d, out);
     return 4;
   }
 

@@ -27,7 +27,7 @@ bool isAligned(const PartDraft& part, Vec3 v) {
 
 }  // namespace
 
-bool isUpward(Vec3 v) { return v.y > 0 && v.y > 2 * length({v.x, 0, v.z}); }
+bool isUpward(Vec3 v) { return v.y > 0 && v.y > 2 * length(Vec3{v.x, 0, v.z}); }
 
 void giveConveyor(PartDraft& part, Conveyor conveyor, std::string reason, bool guessed) {
   const float speed = length(conveyor.velocity), turn = length(conveyor.angular);

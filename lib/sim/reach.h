@@ -1,0 +1,34 @@
+// Does a box meet a part's bounds? In one comparison of eight numbers. Host only.
+#pragma once
+
+#include <experimental/simd>
+
+#include "level/level_view.h"
+
+namespace obby::sim {
+
+// The corners of a box as level::Bounds has those of a part, and two numbers that are never
+// exceeded.
+class Reach {
+  using Eight = std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, 8>>;
+
+ public:
+  static constexpr float kAny = 1e38f;
+
+  explicit Reach(const float* row) : row_(row, std::experimental::element_aligned) {}
+  explicit Reach(const Box& box) {
+    const float row[8] = {box.hi.x,  box.hi.y,  box.hi.z, -box.lo.x,
+                          -box.lo.y, -box.lo.z, kAny,     kAny};
+    row_.copy_from(row, std::experimental::element_aligned);
+  }
+
+  // 1 or 0: what follows need not branch.
+  uint32_t meets(const level::Bounds& b) const {
+    return all_of(Eight(&b.lo.x, std::experimental::element_aligned) <= row_) ? 1 : 0;
+  }
+
+ private:
+  Eight row_;
+};
+
+}  // namespace obby::sim

@@ -1,0 +1,362 @@
+#include "sim/wide_loose.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "sim/reach.h"
+#include "sim/wide_state.h"
+
+namespace obby::sim {
+namespace {
+
+using F = WideFloat;
+
+// Word by word as the rows have them.
+QuatT<F> quatAt(const Rows& rows, int word) {
+  return {floatOfBits(rows.word[word]), floatOfBits(rows.word[word + 1]),
+          floatOfBits(rows.word[word + 2]), floatOfBits(rows.word[word + 3])};
+}
+void putQuat(Rows& rows, int word, const QuatT<F>& q) {
+  putVector(rows, word, {q.x, q.y, q.z});
+  rows.word[word + 3] = bitsOf(q.w);
+}
+Mat3T<F> matrixAt(const Rows& rows, int word) {
+  return {vectorAt(rows, word), vectorAt(rows, word + 3), vectorAt(rows, word + 6)};
+}
+
+// Words of a body's row.
+enum BodyWord {
+  kPlace = 0,
+  kRotation = 3,
+  kSpeed = 7,
+  kSpin = 10,
+  kRest = 13,
+  kRadius,
+  kInverseMass
+};
+static_assert(offsetof(LooseBody, rotation) == 4 * kRotation &&
+              offsetof(LooseBody, velocity) == 4 * kSpeed &&
+              offsetof(LooseBody, spin) == 4 * kSpin &&
+              offsetof(LooseBody, stillTicks) == 4 * kRest);
+
+// Rows of `count` items from `first` on; past the end the last is repeated.
+template <class RowOf>
+Rows loadFrom(int first, int count, RowOf&& rowOf) {
+  const void* rows[kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) rows[lane] = rowOf(std::min(first + lane, count - 1));
+  return loadRows(rows);
+}
+
+}  // namespace
+
+uint32_t WideLoose::add(World& w, LooseBody* loose, const Box& near) {
+  const int most = int(level_.looseCount);
+  if (counts_.bodies + most > kBodies || counts_.pairs + most * kMostContacts > kPairs) flush();
+  float speeds[level::kMaxLoose];
+  const uint32_t apart = findApart(loose, speeds);
+  uint32_t taken = 0;
+  for (uint32_t i = 0; i < level_.looseCount; ++i) {
+    const LooseBody& b = loose[i];
+    if (b.state != LooseState::awake || !(apart >> i & 1)) continue;
+    if (isNear(b, level_.loose[i], near)) continue;
+    const Counts before = counts_;
+    if (take(w, loose[i], i, speeds[i])) {
+      taken |= 1u << i;
+    } else {
+      counts_ = before;
+    }
+  }
+  if (taken != 0) owners_[counts_.worlds++] = {&w, loose};
+  taken_ += uint64_t(std::popcount(taken));
+  return taken;
+}
+
+// Bodies that are too far from all others to meet them, and how fast all are. It may miss some that
+// isAlone() finds: that takes more roots.
+uint32_t WideLoose::findApart(const LooseBody* loose, float* speeds) const {
+  constexpr float kRounding = 0.01f;  // studs
+  uint32_t meets = 0;
+  for (uint32_t i = 0; i < level_.looseCount; ++i) {
+    speeds[i] = length(loose[i].velocity);
+    for (uint32_t k = 0; k < i; ++k) {
+      const Vec3 d = loose[k].position - loose[i].position;
+      const float reach = level_.loose[i].radius + level_.loose[k].radius + kRounding +
+                          contactMargin(level_.params, speeds[i] + speeds[k]);
+      const bool gone = loose[i].state == LooseState::gone || loose[k].state == LooseState::gone;
+      if (!gone && dot(d, d) <= reach * reach) meets |= 1u << i | 1u << k;
+    }
+  }
+  return ~meets;
+}
+
+// Notes a body and the parts that it may meet. False: it is not for the lanes.
+bool WideLoose::take(const World& w, LooseBody& b, uint32_t i, float speed) {
+  const level::Loose& l = level_.loose[i];
+  const level::Collider& own = level_.colliders[l.firstCollider];
+  if (l.colliderCount != 1 || !geom::isBlock(own.kind)) return false;
+  const float margin = contactMargin(level_.params, speed);
+  const Box near = reachOf(b.position, l, margin);
+  const int firstPair = counts_.pairs;
+  bool restless = false;
+  uint32_t ids[kMostNear + level::kListStep];
+  const int found = partsNear(b.position, near, ids);
+  for (int k = 0; k < found; ++k) {
+    if (!takePart(w, ids[k], near, restless)) return false;
+  }
+  if (found > int(kMostNear)) return false;
+  if (counts_.pairs - firstPair > kMostContacts) return false;
+  const int at = counts_.bodies++;
+  bodies_[at] = {b, l.radius, l.inverseMass};
+  masses_[at] = {l.inverseInertia, l.center, restless, {}};
+  blocks_[at].half = own.shape.half;
+  blocks_[at].margin = margin;
+  places_[at] = {&b, l.firstCollider, i, 0, 0};
+  for (int k = firstPair; k < counts_.pairs; ++k) added_[k].body = at;
+  return true;
+}
+
+// Parts whose bounds meet the box, at most kMostNear and some: more count as that. Without a branch
+// for each, which would be mispredicted.
+int WideLoose::partsNear(Vec3 center, const Box& near, uint32_t* ids) const {
+  const int32_t cell = cellOf<float>(level_.looseGrid, center);
+  if (cell < 0) return 0;
+  const uint32_t* list = level_.looseGrid.lists + level_.looseGrid.cells[cell];
+  const Reach reach(near);
+  uint32_t found = 0;
+  for (uint32_t k = 1; k <= list[0] && found <= kMostNear; k += level::kListStep) {
+    for (uint32_t j = k; j < k + level::kListStep; ++j) {
+      ids[found] = list[j];
+      found += reach.meets(level_.bounds[list[j]]);
+    }
+  }
+  return int(found);
+}
+
+bool WideLoose::takePart(const World& w, uint32_t id, const Box& near, bool& restless) {
+  const level::Bounds& bounds = level_.bounds[id];
+  if (!(bounds.flags & level::kSolid)) return true;
+  const level::Collider& c = level_.colliders[id];
+  const uint32_t flags = bounds.flags;
+  restless |= isRestless(flags);
+  if (isGone(w, level_, c, flags)) return true;
+  if (!geom::isBlock(c.kind) || counts_.pairs == kPairs) return false;
+  Pair pair{0, id, flags, &c, nullptr};
+  if (flags & level::kMoving) {
+    if (counts_.moved == kMoved) return false;
+    MovedPart& moved = moved_[counts_.moved];
+    moved.now.pose = poseOf(level_.movers[c.mover], w, 1);
+    moved.now.half = c.shape.half;
+    moved.before = poseOf(level_.movers[c.mover], w, 0);
+    if (!overlaps(boundsOf(moved.now.pose, c.shape.half), near)) return true;
+    pair.row = &moved.now;
+    pair.before = &moved.before;
+    ++counts_.moved;
+  }
+  added_[counts_.pairs++] = pair;
+  return true;
+}
+
+void WideLoose::flush() {
+  if (counts_.bodies > 0) {
+    placeBlocks();
+    sortPairs();
+    findHits();
+    findContacts();
+    solve();
+  }
+  put();
+  counts_ = {};
+}
+
+// Where the bodies' blocks are.
+void WideLoose::placeBlocks() {
+  for (int i = 0; i < counts_.bodies; i += kLanes) {
+    const Rows body = loadFrom(i, counts_.bodies, [this](int k) { return &bodies_[k]; });
+    const Rows mass = loadFrom(i, counts_.bodies, [this](int k) { return &masses_[k]; });
+    const Mat3T<F> axes = toMat3(quatAt(body, kRotation));
+    Rows block = loadFrom(i, counts_.bodies, [this](int k) { return &blocks_[k]; });
+    putVector(block, 0, vectorAt(body, kPlace) - axes * vectorAt(mass, 9));
+    putVector(block, 3, axes.x);
+    putVector(block, 6, axes.y);
+    putVector(block, 9, axes.z);
+    void* rows[kLanes];
+    for (int lane = 0; lane < kLanes; ++lane) rows[lane] = &blocks_[i + lane];
+    storeRows(block, rows);
+  }
+}
+
+// The same body of all worlds goes together: it is likely to be in the same place in many, and then
+// lanes do the same. Pairs of a body stay together, in their order.
+void WideLoose::sortPairs() {
+  int start[level::kMaxLoose + 1] = {};
+  const auto numberOf = [this](int pair) { return places_[added_[pair].body].number; };
+  for (int k = 0; k < counts_.pairs; ++k) ++start[numberOf(k) + 1];
+  for (int n = 0; n < level::kMaxLoose; ++n) start[n + 1] += start[n];
+  for (int k = 0; k < counts_.pairs; ++k) pairs_[start[numberOf(k)]++] = added_[k];
+}
+
+// Which pairs are close enough to touch within the tick.
+void WideLoose::findHits() {
+  hits_ = 0;
+  for (int i = 0; i < counts_.pairs; i += kLanes) {
+    const Rows own = loadFrom(i, counts_.pairs, [this](int k) { return &blocks_[pairs_[k].body]; });
+    const Rows part = loadFrom(i, counts_.pairs, [this](int k) { return pairs_[k].row; });
+    const F margin = floatOfBits(own.word[15]);
+    const auto s = geom::blocksApart<F>(blockOf(own), blockOf(part), margin);
+    store(s.distance, distance_ + i);
+    store(s.normal.x, normal_[0] + i);
+    store(s.normal.y, normal_[1] + i);
+    store(s.normal.z, normal_[2] + i);
+    for (uint32_t left = bitsOf(s.distance <= margin); left != 0; left &= left - 1) {
+      const int pair = i + lowestBit(left);
+      if (pair < counts_.pairs) touching_[hits_++] = pair;
+    }
+  }
+  std::fill_n(touching_ + hits_, kLanes, hits_ > 0 ? touching_[hits_ - 1] : 0);
+}
+
+// The points where they touch, a row a pair.
+void WideLoose::findContacts() {
+  for (int i = 0; i < hits_; i += kLanes) {
+    const int32_t* pairs = touching_ + i;
+    const Rows own = loadFrom(0, kLanes, [&](int k) { return &blocks_[pairs_[pairs[k]].body]; });
+    const Rows part = loadFrom(0, kLanes, [&](int k) { return pairs_[pairs[k]].row; });
+    const geom::SeparationT<F> s{obby::gather(distance_, pairs),
+                                 {obby::gather(normal_[0], pairs), obby::gather(normal_[1], pairs),
+                                  obby::gather(normal_[2], pairs)}};
+    const auto m =
+        geom::blockManifold<F>(blockOf(own), blockOf(part), s, floatOfBits(own.word[15]));
+    Rows out[2];
+    putVector(out[0], 0, m.normal);
+    out[0].word[3] = m.count;
+    for (int k = 0; k < geom::kMaxPoints; ++k) {
+      Rows& half = out[k / 3];
+      putVector(half, (4 + 4 * k) % kRowWords, m.points[k].position);
+      half.word[(7 + 4 * k) % kRowWords] = bitsOf(m.points[k].distance);
+    }
+    void* rows[kLanes];
+    for (int r = 0; r < 2; ++r) {
+      for (int lane = 0; lane < kLanes; ++lane) {
+        rows[lane] = reinterpret_cast<char*>(&rows_[i + lane]) + 64 * r;
+      }
+      storeRows(out[r], rows);
+    }
+    for (int k = i; k < std::min(i + kLanes, hits_); ++k) finishContact(k);
+  }
+}
+
+// What the lanes leave to each: edges that meet, materials, and how the part moves.
+void WideLoose::finishContact(int hit) {
+  ContactRow& row = rows_[hit];
+  const int at = touching_[hit];
+  const Pair& pair = pairs_[at];
+  const BlockRow& block = blocks_[pair.body];
+  Place& place = places_[pair.body];
+  const level::Collider &own = level_.colliders[place.collider],
+                        &c = level_.colliders[pair.collider];
+  const Pose& pose = *static_cast<const Pose*>(pair.row);
+  if (row.count == 0) {
+    const geom::Manifold m = geom::manifold(convexOf(own, block.pose), convexOf(c, pose),
+                                            {distance_[at], row.normal}, block.margin);
+    row.count = m.count;
+    std::copy_n(m.points, geom::kMaxPoints, row.points);
+  }
+  row.friction = 0.5f * (own.friction + c.friction);
+  row.bounce = 0.5f * (own.elasticity + c.elasticity);
+  row.comes = 0;
+  row.surface = {};
+  if (pair.flags & (level::kMoving | level::kConveyor)) addMotion(row, pair);
+  if (place.contacts++ == 0) place.firstContact = hit;
+}
+
+void WideLoose::addMotion(ContactRow& row, const Pair& pair) {
+  const level::Collider& c = level_.colliders[pair.collider];
+  const Pose& pose = *static_cast<const Pose*>(pair.row);
+  const Partner part{convexOf(c, pose), kPart, &c, pair.flags, pair.before ? *pair.before : pose};
+  geom::Manifold m;
+  m.count = row.count;
+  std::copy_n(row.points, geom::kMaxPoints, m.points);
+  const Vec3 middle = middleOf<float>(m), moved = movedBy(level_, part, middle);
+  row.surface = surfaceOf(level_, part, middle, row.normal, moved);
+  row.comes = dot(moved, row.normal);
+}
+
+// Bodies with as many contacts go together, and of those again the same body of all worlds.
+void WideLoose::solve() {
+  constexpr int kKeys = (kMostContacts + 1) * level::kMaxLoose;
+  int start[kKeys + 1] = {};
+  int32_t order[kBodies + kLanes];
+  const auto keyOf = [this](int i) {
+    return places_[i].contacts * level::kMaxLoose + int(places_[i].number);
+  };
+  for (int i = 0; i < counts_.bodies; ++i) ++start[keyOf(i) + 1];
+  for (int n = 0; n < kKeys; ++n) start[n + 1] += start[n];
+  for (int i = 0; i < counts_.bodies; ++i) order[start[keyOf(i)]++] = i;
+  std::fill_n(order + counts_.bodies, kLanes, order[counts_.bodies - 1]);
+  for (int i = 0; i < counts_.bodies; i += kLanes) {
+    solve(order + i, places_[order[i + kLanes - 1]].contacts);
+  }
+}
+
+// The k-th contacts of bodies. Those that have fewer get one without points.
+WideContact WideLoose::contactOf(const int32_t* bodies, int k, const RigidT<F>& body) const {
+  static constexpr ContactRow kNone{};
+  const void* rows[2][kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const Place& place = places_[bodies[lane]];
+    const ContactRow& row = k < place.contacts ? rows_[place.firstContact + k] : kNone;
+    rows[0][lane] = &row;
+    rows[1][lane] = reinterpret_cast<const char*>(&row) + sizeof row / 2;
+  }
+  const Rows in[2] = {loadRows(rows[0]), loadRows(rows[1])};
+  geom::ManifoldT<F> m;
+  m.normal = vectorAt(in[0], 0);
+  m.count = in[0].word[3];
+  for (int i = 0; i < geom::kMaxPoints; ++i) {
+    const int word = 4 + 4 * i;
+    const Rows& half = in[word / kRowWords];
+    m.points[i] = {vectorAt(half, word % kRowWords), floatOfBits(half.word[word % kRowWords + 3])};
+  }
+  WideContact c;
+  c.normal = m.normal;
+  c.friction = floatOfBits(in[1].word[4]);
+  c.bounce = floatOfBits(in[1].word[5]);
+  c.comes = floatOfBits(in[1].word[6]);
+  c.surface = vectorAt(in[1], 7);
+  const RigidT<F>* const own[1] = {&body};
+  prepare<F, 1>(c, own, pairOf(body, c), m, middleOf<F>(m), level_.params.tickSeconds);
+  return c;
+}
+
+// One tick of kLanes bodies, with at most `contacts` each.
+void WideLoose::solve(const int32_t* bodies, int contacts) {
+  const Params& p = level_.params;
+  Rows row = loadFrom(0, kLanes, [&](int k) { return &bodies_[bodies[k]]; });
+  const Rows mass = loadFrom(0, kLanes, [&](int k) { return &masses_[bodies[k]]; });
+  LooseLanes lanes(p, rigidOf<F>(vectorAt(row, kPlace), vectorAt(row, kSpeed), vectorAt(row, kSpin),
+                                 quatAt(row, kRotation), matrixAt(mass, 0),
+                                 floatOfBits(row.word[kInverseMass])));
+  for (int k = 0; k < contacts; ++k) lanes.add(contactOf(bodies, k, lanes.body()));
+  lanes.run();
+  const RigidT<F>& b = lanes.body();
+  const WideInt still = stillTicksOf<F>(b, floatOfBits(row.word[kRadius]), mass.word[12] != 0,
+                                        row.word[kRest] & 0xffff, p);
+  const WideMask tired = still >= WideInt(p.sleepTicks), fell = b.position.y < p.fallenPartsHeight;
+  const auto state = [](LooseState s) { return WideInt(int32_t(s) << 16); };
+  row.word[kRest] = still | select(tired, state(LooseState::asleep),
+                                   select(fell, state(LooseState::gone), WideInt(0)));
+  putVector(row, kPlace, b.position);
+  putVector(row, kSpeed, select(tired, Vec3T<F>{}, limited(b.velocity, p.maxFallSpeed)));
+  putVector(row, kSpin, select(tired, Vec3T<F>{}, limited(b.spin, kMostSpin)));
+  putQuat(row, kRotation, b.rotation);
+  void* rows[kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) rows[lane] = &bodies_[bodies[lane]];
+  storeRows(row, rows);
+}
+
+void WideLoose::put() {
+  for (int i = 0; i < counts_.bodies; ++i) *places_[i].target = bodies_[i].body;
+  for (int i = 0; i < counts_.worlds; ++i) noteAwake(*owners_[i].world, owners_[i].loose, level_);
+}
+
+}  // namespace obby::sim

@@ -1,0 +1,133 @@
+// Loose bodies of many worlds at once: a lane is a body that is awake and meets nothing but parts.
+// Such a body does not depend on the others, so that any of all worlds' go together. Worlds in
+// which bodies may meet each other, or shapes that are no blocks, take moveTogether()
+// (loose_player.h). Part of the wide tick (wide_tick.h); host only.
+#pragma once
+
+#include "sim/loose_player.h"
+#include "sim/wide_loose_solver.h"
+#include "simd/rows.h"
+
+namespace obby::sim {
+
+class WideLoose {
+ public:
+  // `taken`: all bodies that were taken on are added to it.
+  WideLoose(const level::LevelView& level, uint64_t& taken) : level_(level), taken_(taken) {}
+
+  // Takes bodies of a world on, none of those that overlap `near`: where the player can be. Gives
+  // which, a bit each: they are moved by one tick in the next flush(). The others are moved before.
+  uint32_t add(World& w, LooseBody* loose, const Box& near);
+  void flush();
+
+ private:
+  static constexpr int kBodies = 256, kPairs = 1024, kMoved = 256;
+  static constexpr int kMostContacts = LooseLanes::kMostContacts;
+  static constexpr uint32_t kMostNear = 16;  // parts near a body
+
+  // What a body is: rows.
+  struct alignas(64) BodyRow {
+    LooseBody body;
+    float radius, inverseMass;
+  };
+  struct alignas(64) MassRow {
+    Mat3 inverseInertia;
+    Vec3 center;
+    int32_t restless;
+    int32_t unused[3];
+  };
+  struct alignas(64) BlockRow {
+    Pose pose;
+    Vec3 half;
+    float margin;  // of a body: how close a part must be to be met
+  };
+  static_assert(sizeof(BodyRow) == 4 * kRowWords && sizeof(MassRow) == 4 * kRowWords &&
+                sizeof(BlockRow) == 4 * kRowWords);
+
+  struct Place {  // of a body
+    LooseBody* target;
+    uint32_t collider;
+    uint32_t number;  // in its world
+    int firstContact, contacts;
+  };
+  struct Pair {  // a body and a part
+    int body;
+    uint32_t collider, flags;
+    const void* row;     // of the part, as BlockRow
+    const Pose* before;  // of one that moves: a tick ago
+  };
+  struct MovedPart {
+    BlockRow now;
+    Pose before;
+  };
+  // What geom::ManifoldT holds, and the materials: two rows.
+  struct alignas(64) ContactRow {
+    Vec3 normal;
+    int32_t count;
+    geom::ManifoldPoint points[geom::kMaxPoints];
+    float friction, bounce, comes;
+    Vec3 surface;
+    int32_t unused[6];
+  };
+  static_assert(sizeof(ContactRow) == 2 * 4 * kRowWords);
+  struct Owner {
+    World* world;
+    LooseBody* loose;
+  };
+  struct Counts {
+    int worlds = 0, bodies = 0, pairs = 0, moved = 0;
+  };
+
+  uint32_t findApart(const LooseBody* loose, float* speeds) const;
+  bool take(const World& w, LooseBody& b, uint32_t i, float speed);
+  int partsNear(Vec3 center, const Box& near, uint32_t* ids) const;
+  bool takePart(const World& w, uint32_t id, const Box& near, bool& restless);
+  void placeBlocks();
+  void sortPairs();
+  void findHits();
+  void findContacts();
+  void finishContact(int hit);
+  void addMotion(ContactRow& row, const Pair& pair);
+  WideContact contactOf(const int32_t* bodies, int k, const RigidT<WideFloat>& body) const;
+  void solve();
+  void solve(const int32_t* bodies, int contacts);
+  void put();
+
+  const level::LevelView& level_;
+  uint64_t& taken_;
+  Counts counts_;
+  int hits_ = 0;
+  // Unions keep the arrays from being filled.
+  union {
+    Owner owners_[kBodies];  // worlds
+  };
+  union {
+    BodyRow bodies_[kBodies + kLanes];
+  };
+  union {
+    MassRow masses_[kBodies];
+  };
+  union {
+    BlockRow blocks_[kBodies + kLanes];
+  };
+  union {
+    Place places_[kBodies];
+  };
+  union {
+    Pair added_[kPairs];
+  };
+  union {
+    Pair pairs_[kPairs];  // sorted
+  };
+  union {
+    MovedPart moved_[kMoved];
+  };
+  // Of pairs; then which of them touch.
+  alignas(64) float distance_[kPairs + kLanes], normal_[3][kPairs + kLanes];
+  alignas(64) int32_t touching_[kPairs + kLanes];
+  union {
+    ContactRow rows_[kPairs + kLanes];
+  };
+};
+
+}  // namespace obby::sim
