@@ -59,6 +59,7 @@ struct LooseContactT {
   // Friction works in the middle of the points, along two tangents and about the normal.
   Vec3T<F> tangents[2];
   PushT<F, kBodies> slide[2], twist;
+  PushT<F, kBodies> press;  // all points at once: along the normal, in their middle
   F twistRadius;
 };
 
@@ -149,6 +150,7 @@ OBBY_DEVICE void prepare(LooseContactT<F, kBodies>& c, const RigidT<F>* const (&
   }
   geom::tangentsOf<F>(c.normal, c.tangents[0], c.tangents[1]);
   for (int t = 0; t < 2; ++t) c.slide[t] = through(middle, c.tangents[t]);
+  c.press = through(middle, c.normal);
   c.twist = line([&](const RigidT<F>&) { return c.normal; }, F(0.0f));
   c.twistRadius = spread / toFloat(m.count);
 }

@@ -14,6 +14,8 @@ constexpr float kBounceSpeed = 4;  // studs/s: below this nothing bounces
 constexpr float kMostSpin = 60;    // rad/s
 // Over all contacts in a substep. One is too few even for a body alone: it slides 4 % less far.
 constexpr int kRounds = 2;
+// Over what bounces. Fewer give the points one after another different speeds: it spins.
+constexpr int kBounceRounds = 4;
 // Contacts slower and closer than these are taken to be at rest.
 constexpr float kRestSpeed = 2;    // studs/s
 constexpr float kRestGap = 0.05f;  // studs
@@ -53,6 +55,18 @@ OBBY_DEVICE void pressTo(PairT<F>& s, ContactPointT<F, kBodies>& p, Vec3T<F> nor
   pushApart(s, p.push, normal, sum - p.push.impulse, asked);
   p.push.impulse = select(asked, sum, p.push.impulse);
   p.most = select(asked, maxf(p.most, sum), p.most);
+}
+
+// Takes `speed`, which is negative, away from all points at once. One after another they would make
+// a body spin.
+template <class F, int kBodies>
+OBBY_DEVICE void pressAll(PairT<F>& s, LooseContactT<F, kBodies>& c, F speed, MaskOf<F> asked) {
+  const F impulse = -c.press.mass * speed, share = impulse / toFloat(c.count);
+  pushApart(s, c.press, c.normal, impulse, asked);
+  for (ContactPointT<F, kBodies>& p : c.points) {
+    p.push.impulse = select(asked, p.push.impulse + share, p.push.impulse);
+    p.most = select(asked, maxf(p.most, p.push.impulse), p.most);
+  }
 }
 
 template <class F, int kBodies>
@@ -103,7 +117,23 @@ OBBY_DEVICE void solveFriction(PairT<F>& s, LooseContactT<F, kBodies>& c) {
 }
 
 template <class F, int kBodies>
+OBBY_DEVICE void bounceAll(PairT<F>& s, LooseContactT<F, kBodies>& c) {
+  F approach = 0.0f;
+  MaskOf<F> asked = (c.count > 0) & (c.bounce > 0.0f);
+  forPoints(c, [&](int k, MaskOf<F> has) OBBY_INLINED {
+    const ContactPointT<F, kBodies>& p = c.points[k];
+    approach = select(has, approach + p.approach, approach);
+    asked = asked & (((p.approach <= -kBounceSpeed) & (p.most > 0.0f)) | !has);
+  });
+  if (!any(asked)) return;
+  const F speed = speedOf(s, c.press, c.normal) + c.bounce * (approach / toFloat(c.count));
+  asked = asked & (speed < 0.0f);
+  if (any(asked)) pressAll(s, c, speed, asked);
+}
+
+template <class F, int kBodies>
 OBBY_DEVICE void applyBounce(PairT<F>& s, LooseContactT<F, kBodies>& c) {
+  bounceAll(s, c);
   forPoints(c, [&](int k, MaskOf<F> has) OBBY_INLINED {
     ContactPointT<F, kBodies>& p = c.points[k];
     const MaskOf<F> asked =

@@ -51,7 +51,9 @@ OBBY_DEVICE void forContacts(LooseScene& s, Work&& work) {
 }
 
 OBBY_DEVICE void bounce(LooseScene& scene) {
-  forContacts(scene, [](Pair& pair, LooseContact& c) { applyBounce<float, 2>(pair, c); });
+  for (int round = 0; round < kBounceRounds; ++round) {
+    forContacts(scene, [](Pair& pair, LooseContact& c) { applyBounce<float, 2>(pair, c); });
+  }
 }
 
 // One substep of all bodies that move.

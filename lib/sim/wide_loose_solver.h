@@ -24,7 +24,9 @@ class LooseLanes {
   void run() {
     estimateLoads();
     for (int s = 0; s < p_.substeps; ++s) step(p_.substepSeconds);
-    forContacts([](Pair& pair, WideContact& c) { applyBounce<F, 1>(pair, c); });
+    for (int round = 0; round < kBounceRounds; ++round) {
+      forContacts([](Pair& pair, WideContact& c) { applyBounce<F, 1>(pair, c); });
+    }
   }
   const RigidT<WideFloat>& body() const { return body_; }
 

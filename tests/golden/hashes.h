@@ -64,9 +64,9 @@ inline const Scene kScenes[] = {
      0x3952a2b4a872f904},
     {"clocks", clocks, 0x41391e43be50588b},
     {"places", places, 0xafed111d6072db9f},
-    {"loose bodies", looseBodies, 0x1274a9a045dcb47b},
-    {"loose stack on a carrying platform", looseStack, 0xc2148978b2bb51d9},
-    {"loose arena", [] { return support::looseArena(16, false, 3); }, 0x11c3f0ecebf2a0b7},
+    {"loose bodies", looseBodies, 0x54fc33b7b329ca5f},
+    {"loose stack on a carrying platform", looseStack, 0x36f68e84d21a7319},
+    {"loose arena", [] { return support::looseArena(16, false, 3); }, 0x4f27e08c2eb632b},
 };
 
 // What is played in each: so many worlds for so many ticks, by walkers of this seed.

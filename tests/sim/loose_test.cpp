@@ -143,6 +143,30 @@ TEST(LooseBodies, BouncesAsElasticityHasIt) {
   EXPECT_NEAR(bounce(0.5f), 0.25f, 0.06f);
 }
 
+// A hard flat landing does not tilt a body, and throws it aside by 4 % of its speed at most.
+TEST(LooseBodies, BounceStraightUp) {
+  const auto springy = [](auto p) { p.setElasticity(1); };
+  const auto level = LevelBuilder{}
+                         .block({0, -1, 0}, {200, 2, 200}, springy)
+                         .spawn({0, 0, 40})
+                         .block({3, 40, 5}, {7, 6, 3},
+                                [=](auto p) {
+                                  springy(p);
+                                  p.setAnchored(false);
+                                })
+                         .compile();
+  Play play = playOf(level);
+  float highest = 0;
+  for (int t = 0; t < 120; ++t) {
+    play.run(stand());
+    const auto& b = play.loose[0];
+    EXPECT_LT(length(b.spin), 0.2f) << t;
+    EXPECT_LT(length(Vec3{b.velocity.x, 0, b.velocity.z}), 4.8f) << t;
+    if (t > 60) highest = maxf(highest, b.position.y);
+  }
+  EXPECT_GT(highest, 36);
+}
+
 TEST(LooseBodies, FallOutOfTheWorld) {
   const auto level = room().block({150, 10, 0}, {4, 4, 4}, loosen).compile();
   Play play = playOf(level);
