@@ -71,6 +71,39 @@ float heightOf(const LooseBody& b, const level::LevelView& level, float side) {
   return side * geom::support(convexOf(c, poseOf(b, l)), {0, side, 0});
 }
 
+// The same worlds by tick() and by tickAll().
+struct Twins {
+  const level::LevelView& level;
+  std::vector<World> alone, wide;
+  std::vector<std::vector<LooseBody>> aloneLoose, wideLoose;
+  WideCounts counts;
+
+  void add(const level::StartPose& start, const std::vector<LooseBody>& loose) {
+    alone.push_back(makeWorld(level, start));
+    aloneLoose.push_back(loose);
+    wide = alone;
+    wideLoose = aloneLoose;
+  }
+  void step(uint64_t seed, uint32_t t) {
+    std::vector<World*> worlds;
+    std::vector<LooseBody*> loose;
+    std::vector<Action> actions;
+    for (size_t i = 0; i < alone.size(); ++i) {
+      worlds.push_back(&wide[i]);
+      loose.push_back(wideLoose[i].data());
+      actions.push_back(actionAt(seed + i, t));
+      tick(alone[i], aloneLoose[i].data(), level, actions[i]);
+    }
+    tickAll(level, worlds.data(), loose.data(), actions.data(), worlds.size(), &counts);
+  }
+  bool areAlike() const {
+    for (size_t i = 0; i < alone.size(); ++i) {
+      if (stateHash(alone[i], aloneLoose[i]) != stateHash(wide[i], wideLoose[i])) return false;
+    }
+    return true;
+  }
+};
+
 RC_GTEST_PROP(LooseProperties, EveryStateIsFiniteAndWideTicksGiveTheSame, ()) {
   const auto specs = *rc::gen::container<std::vector<PartSpec>>(partSpecs());
   const auto bodies =
@@ -82,32 +115,21 @@ RC_GTEST_PROP(LooseProperties, EveryStateIsFiniteAndWideTicksGiveTheSame, ()) {
   if (!compiled) RC_FAIL(compiled.error().text());
   const level::Level level = *std::move(compiled);
   const uint64_t seed = *rc::gen::inRange<uint64_t>(0, 100000);
-  constexpr uint32_t kWorlds = 5;
-  std::vector<World> alone, wide;
-  std::vector<std::vector<LooseBody>> aloneLoose(kWorlds, throwAll(level.view(), bodies));
-  auto wideLoose = aloneLoose;
-  for (uint32_t i = 0; i < kWorlds; ++i) {
-    alone.push_back(makeWorld(level.view(), {{6 * float(i) - 12, 8, 0}, 0, 0}));
+  Twins twins{level.view(), {}, {}, {}, {}, {}};
+  for (int i = 0; i < 5; ++i) {
+    twins.add({{6 * float(i) - 12, 8, 0}, 0, 0}, throwAll(level.view(), bodies));
   }
-  wide = alone;
   for (uint32_t t = 0; t < 90; ++t) {
-    World* worlds[kWorlds];
-    LooseBody* loose[kWorlds];
-    Action actions[kWorlds];
-    for (uint32_t i = 0; i < kWorlds; ++i) {
-      worlds[i] = &wide[i], loose[i] = wideLoose[i].data(), actions[i] = actionAt(seed + i, t);
-      tick(alone[i], aloneLoose[i].data(), level.view(), actions[i]);
-    }
-    tickAll(level.view(), worlds, loose, actions, kWorlds);
-    for (uint32_t i = 0; i < kWorlds; ++i) {
-      RC_ASSERT(isFinite(alone[i]));
-      for (const LooseBody& body : aloneLoose[i]) {
+    twins.step(seed, t);
+    for (size_t i = 0; i < twins.alone.size(); ++i) {
+      RC_ASSERT(isFinite(twins.alone[i]));
+      for (const LooseBody& body : twins.aloneLoose[i]) {
         RC_ASSERT(std::isfinite(dot(body.position, body.position)));
         RC_ASSERT(std::isfinite(dot(body.velocity, body.velocity) + dot(body.spin, body.spin)));
         RC_ASSERT(length(body.velocity) < 500);
       }
-      RC_ASSERT(stateHash(alone[i], aloneLoose[i]) == stateHash(wide[i], wideLoose[i]));
     }
+    RC_ASSERT(twins.areAlike());
   }
 }
 
@@ -122,30 +144,17 @@ RC_GTEST_PROP(LooseProperties, BlocksInLanesMoveAsAlone, ()) {
   LevelBuilder b = support::movingArena(100, 8, seed);
   for (const Thrown& t : bodies) addThrown(b, t);
   const level::Level level = b.compile();
-  constexpr uint32_t kWorlds = 40;
-  std::vector<World> alone(kWorlds, makeWorld(level.view(), level.spawns()[0])), wide = alone;
-  std::vector<std::vector<LooseBody>> aloneLoose;
-  for (uint32_t i = 0; i < kWorlds; ++i) {
-    auto turned = bodies;  // not all lanes alike
-    for (Thrown& t : turned) t.velocity = t.velocity * (0.2f * float(i % 6));
-    aloneLoose.push_back(throwAll(level.view(), turned));
+  Twins twins{level.view(), {}, {}, {}, {}, {}};
+  for (int i = 0; i < 40; ++i) {
+    auto thrownHere = bodies;  // not all lanes alike
+    for (Thrown& t : thrownHere) t.velocity = t.velocity * (0.2f * float(i % 6));
+    twins.add(level.spawns()[0], throwAll(level.view(), thrownHere));
   }
-  auto wideLoose = aloneLoose;
-  WideCounts counts;
   for (uint32_t t = 0; t < 120; ++t) {
-    World* worlds[kWorlds];
-    LooseBody* loose[kWorlds];
-    Action actions[kWorlds];
-    for (uint32_t i = 0; i < kWorlds; ++i) {
-      worlds[i] = &wide[i], loose[i] = wideLoose[i].data(), actions[i] = actionAt(seed + i, t);
-      tick(alone[i], aloneLoose[i].data(), level.view(), actions[i]);
-    }
-    tickAll(level.view(), worlds, loose, actions, kWorlds, &counts);
-    for (uint32_t i = 0; i < kWorlds; ++i) {
-      RC_ASSERT(stateHash(alone[i], aloneLoose[i]) == stateHash(wide[i], wideLoose[i]));
-    }
+    twins.step(seed, t);
+    RC_ASSERT(twins.areAlike());
   }
-  RC_ASSERT(counts.looseInLanes > 0u);
+  RC_ASSERT(twins.counts.looseInLanes > 0u);
 }
 
 // Cubes and balls: spin is kept in the air, not its momentum, so that others may gain energy from
