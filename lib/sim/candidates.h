@@ -71,10 +71,16 @@ constexpr uint32_t kLeaves = level::kVanishTimer | level::kClocked;
 // Flags of parts that are not the same in every tick.
 constexpr uint32_t kChanging = level::kMoving | kLeaves | level::kOneWay;
 
+// Is a part away now?
+OBBY_DEVICE bool hasLeft(const World& w, const level::LevelView& level, const level::Collider& c,
+                         uint32_t flags) {
+  return (flags & kLeaves) && isAway(w, level, c.role, flags);
+}
+
 // Is a solid part not solid for this player now?
 OBBY_DEVICE bool lacksCollision(const World& w, const level::LevelView& level,
                                 const level::Collider& c, const Pose& pose, uint32_t flags) {
-  if ((flags & kLeaves) && isAway(w, level, c.role, flags)) return true;
+  if (hasLeft(w, level, c, flags)) return true;
   return (flags & level::kOneWay) && !isOutside(w, level, c, pose);
 }
 

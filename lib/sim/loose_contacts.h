@@ -61,15 +61,11 @@ OBBY_DEVICE bool mayMeet(const Body& a, const Body& b, const level::Loose& la,
 OBBY_DEVICE bool isRestless(uint32_t flags) {
   return (flags & (kLeaves | level::kMoving | level::kConveyor)) != 0;
 }
-OBBY_DEVICE bool isGone(const World& w, const level::LevelView& level, const level::Collider& c,
-                        uint32_t flags) {
-  return (flags & kLeaves) && isAway(w, level, c.role, flags);
-}
 
 OBBY_DEVICE Rigid rigidOf(const LooseBody& b, const level::Loose& l) {
   return {
       rigidOf<float>(b.position, b.velocity, b.spin, b.rotation, l.inverseInertia, l.inverseMass),
-      0, b.state == LooseState::awake, false};
+      0, false, false};
 }
 
 // Of its part within the tick.
@@ -152,7 +148,7 @@ OBBY_APART void meetParts(World& w, LooseBody* loose, const level::LevelView& le
     const uint32_t flags = bounds.flags;
     Partner part{convexOf(c, c.pose), kPart, &c, flags, c.pose};
     if (isRestless(flags)) body.restless = true;
-    if (isGone(w, level, c, flags)) continue;
+    if (hasLeft(w, level, c, flags)) continue;
     if (flags & level::kMoving) {
       part.convex.pose = poseOf(level.movers[c.mover], w, 1);
       part.before = poseOf(level.movers[c.mover], w, 0);
@@ -178,8 +174,8 @@ OBBY_APART void meetBodies(World& w, LooseBody* loose, const level::LevelView& l
   }
 }
 
-// Which bodies of a world are moved together: `group`, a bit each, and where it is one that meets
-// no other body, nothing else is looked at.
+// Which bodies of a world are moved together: a bit each. `alone`: it is one that meets no other,
+// so that no other is looked at.
 struct LooseGroup {
   uint32_t bodies;
   bool alone;

@@ -43,9 +43,9 @@ OBBY_DEVICE void warmStart(PairT<F>& s, const LooseContactT<F, kBodies>& c) {
   forPoints(c, [&](int k, MaskOf<F> asked) OBBY_INLINED {
     pushApart(s, c.points[k].push, c.normal, c.points[k].push.impulse, asked);
   });
-  const MaskOf<F> any = c.count > 0;
-  for (int t = 0; t < 2; ++t) pushApart(s, c.slide[t], c.tangents[t], c.slide[t].impulse, any);
-  pushApart(s, c.twist, {}, c.twist.impulse, any);
+  const MaskOf<F> touches = c.count > 0;
+  for (int t = 0; t < 2; ++t) pushApart(s, c.slide[t], c.tangents[t], c.slide[t].impulse, touches);
+  pushApart(s, c.twist, {}, c.twist.impulse, touches);
 }
 
 // Raises or lowers the impulse of a point to `sum`.

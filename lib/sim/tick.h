@@ -47,11 +47,10 @@ OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level,
   if (climbs) moveClimber(motion, truss, control, level, p, near);
   // A player among no bodies moves as if there were none.
   const bool among = (near.anyFlags & level::kLoose) != 0;
-  const bool moves = !climbs;
   if (kLoose && wakeTouched(w, loose, floor, motion, level, near)) {
-    moveTogether(w, loose, among && moves ? &motion : nullptr, floor, level, near);
-    if (moves && !among) moveBody(motion, level, near);
-  } else if (moves) {
+    moveTogether(w, loose, among && !climbs ? &motion : nullptr, floor, level, near);
+    if (!climbs && !among) moveBody(motion, level, near);
+  } else if (!climbs) {
     moveBody(motion, level, near);
   }
   player.position = motion.position;

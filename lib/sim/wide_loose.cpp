@@ -34,6 +34,8 @@ enum BodyWord {
   kRadius,
   kInverseMass
 };
+constexpr int kCenter = 9, kRestless = 12;  // of a mass's
+constexpr int kMargin = 15;                 // of a block's
 static_assert(offsetof(LooseBody, rotation) == 4 * kRotation &&
               offsetof(LooseBody, velocity) == 4 * kSpeed &&
               offsetof(LooseBody, spin) == 4 * kSpin &&
@@ -138,7 +140,7 @@ bool WideLoose::takePart(const World& w, uint32_t id, const Box& near, bool& res
   const level::Collider& c = level_.colliders[id];
   const uint32_t flags = bounds.flags;
   restless |= isRestless(flags);
-  if (isGone(w, level_, c, flags)) return true;
+  if (hasLeft(w, level_, c, flags)) return true;
   if (!geom::isBlock(c.kind) || counts_.pairs == kPairs) return false;
   Pair pair{0, id, flags, &c, nullptr};
   if (flags & level::kMoving) {
@@ -175,7 +177,7 @@ void WideLoose::placeBlocks() {
     const Rows mass = loadFrom(i, counts_.bodies, [this](int k) { return &masses_[k]; });
     const Mat3T<F> axes = toMat3(quatAt(body, kRotation));
     Rows block = loadFrom(i, counts_.bodies, [this](int k) { return &blocks_[k]; });
-    putVector(block, 0, vectorAt(body, kPlace) - axes * vectorAt(mass, 9));
+    putVector(block, 0, vectorAt(body, kPlace) - axes * vectorAt(mass, kCenter));
     putVector(block, 3, axes.x);
     putVector(block, 6, axes.y);
     putVector(block, 9, axes.z);
@@ -201,7 +203,7 @@ void WideLoose::findHits() {
   for (int i = 0; i < counts_.pairs; i += kLanes) {
     const Rows own = loadFrom(i, counts_.pairs, [this](int k) { return &blocks_[pairs_[k].body]; });
     const Rows part = loadFrom(i, counts_.pairs, [this](int k) { return pairs_[k].row; });
-    const F margin = floatOfBits(own.word[15]);
+    const F margin = floatOfBits(own.word[kMargin]);
     const auto s = geom::blocksApart<F>(blockOf(own), blockOf(part), margin);
     store(s.distance, distance_ + i);
     store(s.normal.x, normal_[0] + i);
@@ -225,7 +227,7 @@ void WideLoose::findContacts() {
                                  {obby::gather(normal_[0], pairs), obby::gather(normal_[1], pairs),
                                   obby::gather(normal_[2], pairs)}};
     const auto m =
-        geom::blockManifold<F>(blockOf(own), blockOf(part), s, floatOfBits(own.word[15]));
+        geom::blockManifold<F>(blockOf(own), blockOf(part), s, floatOfBits(own.word[kMargin]));
     Rows out[2];
     putVector(out[0], 0, m.normal);
     out[0].word[3] = m.count;
@@ -339,8 +341,8 @@ void WideLoose::solve(const int32_t* bodies, int contacts) {
   for (int k = 0; k < contacts; ++k) lanes.add(contactOf(bodies, k, lanes.body()));
   lanes.run();
   const RigidT<F>& b = lanes.body();
-  const WideInt still = stillTicksOf<F>(b, floatOfBits(row.word[kRadius]), mass.word[12] != 0,
-                                        row.word[kRest] & 0xffff, p);
+  const WideInt still = stillTicksOf<F>(b, floatOfBits(row.word[kRadius]),
+                                        mass.word[kRestless] != 0, row.word[kRest] & 0xffff, p);
   const WideMask tired = still >= WideInt(p.sleepTicks), fell = b.position.y < p.fallenPartsHeight;
   const auto state = [](LooseState s) { return WideInt(int32_t(s) << 16); };
   row.word[kRest] = still | select(tired, state(LooseState::asleep),

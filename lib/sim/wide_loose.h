@@ -1,6 +1,6 @@
 // Loose bodies of many worlds at once: a lane is a body that is awake and meets nothing but parts.
-// Such a body does not depend on the others, so that any of all worlds' go together. Worlds in
-// which bodies may meet each other, or shapes that are no blocks, take moveTogether()
+// Such a body does not depend on the others, so that any of all worlds' go together. Bodies
+// that may meet each other or the player, and shapes that are no blocks, are left to moveTogether()
 // (loose_player.h). Part of the wide tick (wide_tick.h); host only.
 #pragma once
 
@@ -16,7 +16,8 @@ class WideLoose {
   WideLoose(const level::LevelView& level, uint64_t& taken) : level_(level), taken_(taken) {}
 
   // Takes bodies of a world on, none of those that overlap `near`: where the player can be. Gives
-  // which, a bit each: they are moved by one tick in the next flush(). The others are moved before.
+  // which, a bit each: they are moved by one tick in the next flush(). The caller moves the others
+  // first.
   uint32_t add(World& w, LooseBody* loose, const Box& near);
   void flush();
 

@@ -158,8 +158,8 @@ RC_GTEST_PROP(LooseProperties, BlocksInLanesMoveAsAlone, ()) {
 }
 
 // Cubes and balls: spin is kept in the air, not its momentum, so that others may gain energy from
-// turning. Measured against what a fall of half a stud gives. Landings on corners gain a little:
-// one case in 300 more than 0.05 studs, one in 7,000 more than 0.25, one of 20,000 more than 0.5.
+// turning. Measured against what a fall of a twentieth of a stud gives. Not yet so for every seed:
+// landings on corners gain more in one case of 300, up to 0.5 studs in one of 20,000.
 RC_GTEST_PROP(LooseProperties, EnergyDoesNotGrow, ()) {
   auto bodies = *rc::gen::container<std::vector<Thrown>>(
       3, thrown(rc::gen::build<Vec3>(rc::gen::set(&Vec3::x, between(-6, 6)),
@@ -188,7 +188,7 @@ RC_GTEST_PROP(LooseProperties, EnergyDoesNotGrow, ()) {
                 m * double(dot(loose[i].velocity, loose[i].velocity)) / 2 +
                 turning * double(dot(loose[i].spin, loose[i].spin)) / 2;
     }
-    if (energy > least + mass * 196.2 * 0.5) {
+    if (energy > least + mass * 196.2 * 0.05) {
       RC_FAIL("grew in tick " + std::to_string(t) + " by " +
               std::to_string((energy - least) / (mass * 196.2)) + " studs of height");
     }
