@@ -24,7 +24,8 @@ namespace obby {
   X(float, climbSpeed) X(float, climbReach) X(float, contactSkin) X(float, maxFallSpeed) \
   X(float, oneWaySlack) X(float, squeezeDepth) X(float, squeezeTime) X(float, seatHeight) \
   X(float, seatCooldown) \
-  X(float, climbLowest) X(float, climbWill) X(float, playerMass) X(float, pushForce) X(float, sleepSpeed) X(float, sleepTime)
+  X(float, climbLowest) X(float, climbWill) X(float, playerMass) X(float, pushForce) X(float, sleepSpeed) X(float, sleepTime) \
+  X(float, playerFriction)
 // clang-format on
 
 struct Params {

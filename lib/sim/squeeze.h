@@ -2,7 +2,7 @@
 // touches it, for long enough.
 #pragma once
 
-#include "sim/body.h"
+#include "sim/trip.h"
 
 namespace obby::sim {
 
@@ -14,8 +14,7 @@ struct Squeeze {
 OBBY_DEVICE Squeeze findSqueeze(const World& w, const level::LevelView& level,
                                 const Candidates& near) {
   const Params& p = level.params;
-  const float bottom = w.state == State::jumping ? p.headBottom : p.hipHeight;
-  const Motion m{w.position, w.velocity, sinCos(w.yaw), bottom, {}, 0, 0};
+  const Motion m{w.position, w.velocity, sinCos(w.yaw), bodyBottom(w.state, p), {}, 0, 0};
   const geom::UprightBox box = bodyBox(m, p);
   const Box bounds = box.bounds();
   Squeeze s;

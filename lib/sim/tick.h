@@ -7,6 +7,7 @@
 #include "sim/loose_player.h"
 #include "sim/squeeze.h"
 #include "sim/touch.h"
+#include "sim/trip.h"
 
 namespace obby::sim {
 
@@ -33,7 +34,8 @@ OBBY_DEVICE void endTick(World& w, const level::LevelView& level, const Candidat
 // The phases with and without loose bodies: `kLoose` false is for levels that have none, on GPUs,
 // where code that is never run costs registers all the same.
 
-// A tick of one who stands, walks, jumps, falls or climbs; `p`: with the player's boosts.
+// A tick of one who stands, walks, jumps, falls, climbs or has fallen down; `p`: with the player's
+// boosts.
 template <bool kLoose>
 OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level, const Params& p,
                       Candidates& near, const ControlT<float>& control) {
@@ -43,7 +45,10 @@ OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level,
   const Truss truss = updateClimbing(w, loose, player, level, p, near, floor, control);
   const bool climbs = player.is(State::climbing);
   turn(player, p, floor, climbs ? facing(truss, control) : control);
-  Motion motion = motionOf(player, p, floor, drive(player, p, floor, control));
+  const bool down = player.is(State::fallingDown);
+  Motion motion = motionOf(player, p, floor,
+                           down ? slideDown(player, p, floor) : drive(player, p, floor, control));
+  motion.bottom = bodyBottom(State(player.state), p);
   if (climbs) moveClimber(motion, truss, control, level, p, near);
   // A player among no bodies moves as if there were none.
   const bool among = (near.anyFlags & level::kLoose) != 0;
@@ -89,11 +94,14 @@ OBBY_DEVICE void tick(World& w, LooseBody* loose, const level::LevelView& level,
   ControlT<float> control = controlOf(action);
   Params boosts;
   const Params* p = &level.params;
+  bool helpless = false;
   if (w.clockCount != 0) {
     boosts = boosted(w, level);
     p = &boosts;
-    if (isHelpless(w, level)) control = {};
+    helpless = isHelpless(w, level);
+    if (helpless) control = {};
   }
+  updateFallingDown(w, helpless);
   tickWith<kLoose>(w, loose, level, *p, control, apart);
 }
 

@@ -9,7 +9,16 @@
 namespace obby::sim {
 
 // Humanoid states that an obby needs (docs/physics.md, states).
-enum class State : uint8_t { running, jumping, freefall, landed, dead, climbing, seated };
+enum class State : uint8_t {
+  running,
+  jumping,
+  freefall,
+  landed,
+  dead,
+  climbing,
+  seated,
+  fallingDown
+};
 
 // How a playthrough ended. The order of schema Outcome.
 enum class Outcome : uint8_t { running, goal, killed, fell, avoided, jumps, timeout };

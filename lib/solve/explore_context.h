@@ -54,7 +54,8 @@ OBBY_DEVICE JumpReach reachIn(const ExploreContext& c, const sim::World& w) {
 OBBY_DEVICE bool grounded(const sim::World& w) {
   if (w.state == sim::State::climbing || w.state == sim::State::seated) return true;
   return w.floorlessTicks == 0 && w.state != sim::State::jumping &&
-         w.state != sim::State::freefall && w.state != sim::State::dead;
+         w.state != sim::State::freefall && w.state != sim::State::dead &&
+         w.state != sim::State::fallingDown;
 }
 
 }  // namespace obby::solve

@@ -62,7 +62,7 @@ inline const Scene kScenes[] = {
        });
      },
      0x3952a2b4a872f904},
-    {"clocks", clocks, 0x41391e43be50588b},
+    {"clocks", clocks, 0x0423e370eca0601c},
     {"places", places, 0xafed111d6072db9f},
     {"loose bodies", looseBodies, 0x54fc33b7b329ca5f},
     {"loose stack on a carrying platform", looseStack, 0x36f68e84d21a7319},

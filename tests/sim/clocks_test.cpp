@@ -1,4 +1,4 @@
-// What touches start: buttons and the parts that respond, boosts, trips, heals, and the limit of
+// What touches start: buttons and the parts that respond, boosts, heals, and the limit of
 // clocks that run at once.
 #include <gtest/gtest.h>
 
@@ -151,25 +151,6 @@ TEST(Boost, EqualOnesShareAClock) {
   play.settle().run(walk(kNorth), 150);
   EXPECT_EQ(play.world.clockCount, 1);
   EXPECT_EQ(play.world.flags & sim::kOverruns, 0);
-}
-
-TEST(Trip, TakesControlForItsTimeAndThenLetsGo) {
-  const auto level = floorLevel()
-                         .block({0, 1, -10}, {10, 2, 1},
-                                [](Part::Builder p) {
-                                  p.setSolid(false);
-                                  p.initTrip().setSeconds(1);
-                                  p.getTrip().setAfter(2);
-                                })
-                         .compile();
-  Play play(level);
-  play.settle();
-  play.until(walk(kNorth), [](const World& w) { return w.clockCount > 0; });
-  play.run(walk(kNorth, true), 30);
-  EXPECT_NEAR(play.world.velocity.z, 0, 0.1f);
-  EXPECT_EQ(play.world.jumps, 0);
-  play.run(walk(kNorth), 90);
-  EXPECT_LT(play.world.position.z, -14) << "walks on, out of the part that tripped it";
 }
 
 TEST(Heal, GivesHealthBackUpToTheFullAndOnceACooldown) {
