@@ -84,9 +84,8 @@ void addTo(Sums& sums, Work&& work) {
 }
 
 void scene(bench::Report& report, const char* name, const level::Level& level, ThreadPool& pool) {
-  level::QueryView query{};
-  query.goal = {{{0, 500, 0}, {}}, {2, 2, 2}};
-  query.maxJumps = -1;
+  level::QueryView query;
+  query.goal.region = {{{0, 500, 0}, {}}, {2, 2, 2}};
   const solve::Problem problem{level.view(),
                                query,
                                sim::makeWorld(level.view(), level.spawns()[0]),

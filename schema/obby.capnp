@@ -80,6 +80,24 @@ struct Region {
   position @1 :Vec3;        # centre
   rotation @2 :Quat;
   size @3 :Vec3 = (x = 4, y = 4, z = 4);  # full extents, each > 0
+  # Of a query: a part in place of the box. By name, path or its end, GUID, #tag or part:INDEX, as
+  # on the command line; in lists a #tag stands for all parts that have it. The tools fill in the
+  # box, which is the room around the part, and partIndex.
+  part @4 :Text;
+  touch @5 :Bool;            # only touching the part itself counts
+  partIndex @6 :Int32 = -1;  # into the level's parts
+}
+
+enum PlayerState {
+  # Humanoid states of the engine.
+  running @0;
+  jumping @1;
+  freefall @2;
+  landed @3;
+  dead @4;
+  climbing @5;
+  seated @6;
+  fallingDown @7;
 }
 
 # ---------------------------------------------------------------------------------------------- stream framing
@@ -424,7 +442,10 @@ struct Start {
 
 struct Waypoint {
   region @0 :Region;
-  maxJumps @1 :Int32 = -1;  # jumps made on arrival, at most; -1: any
+  maxJumps @1 :Int32 = -1;      # jumps made since the start on arrival, at most; -1: any
+  segmentJumps @2 :Int32 = -1;  # jumps since the waypoint before, or the start, at most; -1: any
+  timeLimit @3 :Float32;        # seconds of game time since the start on arrival; 0: none
+  segmentTime @4 :Float32;      # seconds since the waypoint before, or the start; 0: none
 }
 
 struct Query {
@@ -436,6 +457,13 @@ struct Query {
   avoid @5 :List(Region);
   maxJumps @6 :Int32 = -1;  # -1: any
   timeLimit @7 :Float32;    # seconds of game time; 0: none
+  goals @8 :List(Region);   # any of these, or goal, ends the playthrough
+  visits @9 :List(Region);  # before the goal, in any order; at most 32
+  minJumps @10 :Int32;      # jumps before the goal counts, at least
+  segmentJumps @11 :Int32 = -1;      # jumps since the last waypoint, at most; -1: any
+  segmentTime @12 :Float32;          # seconds since the last waypoint; 0: none
+  maxDamage @13 :Float32 = -1;       # health that may be lost in all; -1: any
+  forbid @14 :List(PlayerState);     # of jumping, climbing, seated, fallingDown
 }
 
 # ---------------------------------------------------------------------------------------------- answers
@@ -456,6 +484,8 @@ enum Outcome {
   avoided @4;     # entered an avoid region
   jumps @5;       # broke a jump limit
   timeout @6;     # broke the time limit
+  hurt @7;        # lost more health than allowed
+  forbidden @8;   # was in a forbidden state
 }
 
 struct Trajectory {
@@ -473,6 +503,8 @@ struct Trajectory {
   part @11 :Int32 = -1;      # what killed the player: index into the level's parts
   stateHash @12 :UInt64;     # of the last state: a replay must give the same
   endPosition @13 :Vec3;     # feet at the end
+  avoid @14 :Int32 = -1;     # of the query's avoid list: what was entered or touched
+  visited @15 :UInt32;       # of the query's visits, a bit each
 }
 
 struct Progress {
@@ -483,7 +515,7 @@ struct Progress {
   cells @3 :UInt64;
   rounds @4 :UInt64;
   closest @5 :Float32;       # studs from the goal (or the next waypoint), least so far
-  waypoints @6 :UInt32;      # most reached so far
+  waypoints @6 :UInt32;      # most waypoints and visits reached so far
   best @7 :Trajectory;       # the attempt that came closest
 }
 
@@ -504,6 +536,7 @@ struct Tally {
   outcome @0 :Outcome $always;
   part @1 :Int32 = -1;
   count @2 :UInt64;
+  avoid @3 :Int32 = -1;    # into the query's avoid list
 }
 
 struct Result {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "level/level_view.h"
+#include "level/query_view.h"
 #include "schema/obby.capnp.h"
 
 namespace obby::level {
@@ -55,6 +55,7 @@ Result<Params> compileParams(schema::PhysicsParams::Reader record);
 // A query over a level: owns its regions.
 class Query {
  public:
+  // The places that it names must be resolved (resolve_places.h).
   static Result<Query> compile(schema::Query::Reader record, const Level& level);
 
   QueryView view() const;  // valid while this object lives
@@ -64,11 +65,11 @@ class Query {
  private:
   std::string id_;
   StartPose start_;
-  geom::Region goal_;
+  std::vector<TargetView> goals_;  // the first is QueryView::goal
   std::vector<WaypointView> waypoints_;
-  std::vector<geom::Region> avoid_;
-  int32_t maxJumps_ = -1;
-  uint32_t timeLimitTicks_ = 0;
+  std::vector<TargetView> visits_, avoid_;
+  std::vector<uint32_t> touched_;
+  QueryView limits_;  // without the lists
 };
 
 }  // namespace obby::level

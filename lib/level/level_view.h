@@ -5,7 +5,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "geom/region.h"
 #include "geom/shape.h"
 #include "level/params.h"
 #include "math/angle.h"
@@ -225,28 +224,6 @@ OBBY_DEVICE void forTables(LevelView& v, Table&& table) {
   table(v.loose, v.looseCount);
   forTables(v.grid, table);
   forTables(v.looseGrid, table);
-}
-
-// A query's regions and limits as the simulator reads them.
-struct WaypointView {
-  geom::Region region;
-  int32_t maxJumps;  // -1: any
-};
-
-struct QueryView {
-  geom::Region goal;
-  const WaypointView* waypoints;
-  const geom::Region* avoid;
-  uint32_t waypointCount, avoidCount;
-  int32_t maxJumps;         // -1: any
-  uint32_t timeLimitTicks;  // 0: none
-  uint32_t startTick;       // level clock at the start of the playthrough
-};
-
-template <class Table>
-OBBY_DEVICE void forTables(QueryView& q, Table&& table) {
-  table(q.waypoints, q.waypointCount);
-  table(q.avoid, q.avoidCount);
 }
 
 }  // namespace obby::level

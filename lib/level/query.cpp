@@ -35,52 +35,172 @@ Result<StartPose> startPose(schema::Query::Reader record, const Level& level) {
   return pose;
 }
 
-Result<uint32_t> timeLimit(schema::Query::Reader record, const Params& params) {
-  const float limit = record.getTimeLimit();
-  if (!std::isfinite(limit) || limit < 0)
-    return pathError("timeLimit", "expected seconds, 0 for none");
+// Seconds to ticks; 0: none.
+Result<uint32_t> ticksWithin(float limit, const Params& params, const std::string& path) {
+  if (!std::isfinite(limit) || limit < 0) return pathError(path, "expected seconds, 0 for none");
   if (limit == 0) return 0u;
   // Beyond the largest clock there is no difference any more.
   const double exact = std::floor(double(limit) * params.controlRate + 1e-4);
   const uint32_t ticks = uint32_t(std::min(exact, 4294967295.0));
-  if (ticks == 0) return pathError("timeLimit", "shorter than one tick");
+  if (ticks == 0) return pathError(path, "shorter than one tick");
   return ticks;
+}
+
+Result<SegmentLimits> segmentLimits(int32_t jumps, float seconds, const Params& params,
+                                    const std::string& path) {
+  SegmentLimits limits{jumps, 0};
+  OBBY_ASSIGN(limits.ticks, ticksWithin(seconds, params, path + "segmentTime"));
+  return limits;
+}
+
+// Compiles what a query names. Parts to touch are looked up among the level's colliders.
+class Targets {
+ public:
+  Targets(const LevelView& level, size_t parts, std::vector<uint32_t>& touched)
+      : level_(level), parts_(parts), touched_(touched) {}
+
+  Result<TargetView> compile(schema::Region::Reader record, const std::string& path) {
+    TargetView target;
+    const int32_t part = record.getPartIndex();
+    if (record.getPart().size() > 0 && part < 0) {
+      return pathError(path + ".part", "names a part that was not looked up");
+    }
+    OBBY_ASSIGN(target.region, region(record, path));
+    if (!record.getTouch()) return target;
+    if (part < 0) {
+      return pathError(path + ".touch", "only a part can be touched, and this is a box",
+                       "name the part: {\"part\":\"Finish\",\"touch\":true}");
+    }
+    if (size_t(part) >= parts_) return pathError(path + ".partIndex", "no such part");
+    target.firstTouch = uint32_t(touched_.size());
+    for (uint32_t i = 0; i < level_.colliderCount; ++i) {
+      if (level_.colliders[i].part == uint32_t(part)) touched_.push_back(i);
+    }
+    target.touchCount = uint32_t(touched_.size()) - target.firstTouch;
+    if (target.touchCount == 0) {
+      return pathError(path + ".touch",
+                       "this part cannot be touched: it is not solid and does "
+                       "nothing on touch",
+                       "leave touch out to ask for the room around it");
+    }
+    return target;
+  }
+
+  Result<std::vector<TargetView>> compile(capnp::List<schema::Region>::Reader list,
+                                          const char* name) {
+    std::vector<TargetView> targets;
+    for (const auto record : list) {
+      OBBY_ASSIGN(const TargetView target,
+                  compile(record, fmt::format("{}[{}]", name, targets.size())));
+      targets.push_back(target);
+    }
+    return targets;
+  }
+
+ private:
+  const LevelView& level_;
+  size_t parts_;
+  std::vector<uint32_t>& touched_;
+};
+
+Result<WaypointView> compileWaypoint(schema::Waypoint::Reader record, const Params& params,
+                                     Targets& targets, const std::string& path) {
+  if (!record.hasRegion()) return pathError(path + ".region", "a waypoint needs a region");
+  WaypointView waypoint;
+  OBBY_ASSIGN(waypoint.target, targets.compile(record.getRegion(), path + ".region"));
+  waypoint.maxJumps = record.getMaxJumps();
+  OBBY_ASSIGN(waypoint.ticks, ticksWithin(record.getTimeLimit(), params, path + ".timeLimit"));
+  OBBY_ASSIGN(waypoint.segment,
+              segmentLimits(record.getSegmentJumps(), record.getSegmentTime(), params, path + "."));
+  return waypoint;
+}
+
+// A bit for each state that ends the playthrough.
+Result<uint32_t> forbiddenStates(schema::Query::Reader record) {
+  using State = schema::PlayerState;
+  uint32_t bits = 0, i = 0;
+  for (const State state : record.getForbid()) {
+    if (state != State::JUMPING && state != State::CLIMBING && state != State::SEATED &&
+        state != State::FALLING_DOWN) {
+      return pathError(fmt::format("forbid[{}]", i), "no playthrough can do without this state",
+                       "jumping, climbing, seated and fallingDown can be forbidden");
+    }
+    bits |= 1u << uint32_t(state);
+    ++i;
+  }
+  return bits;
+}
+
+// Limits of the whole playthrough and of its last segment.
+Result<QueryView> compileLimits(schema::Query::Reader record, const Params& params) {
+  QueryView q;
+  q.maxJumps = record.getMaxJumps();
+  q.minJumps = std::max(record.getMinJumps(), 0);
+  if (q.maxJumps >= 0 && q.minJumps > q.maxJumps) {
+    return pathError("minJumps",
+                     fmt::format("{} jumps at least and {} at most", q.minJumps, q.maxJumps));
+  }
+  constexpr int32_t kMostJumps = 65535;  // World::jumps
+  if (q.minJumps > kMostJumps) return pathError("minJumps", "expected at most 65535");
+  OBBY_ASSIGN(q.timeLimitTicks, ticksWithin(record.getTimeLimit(), params, "timeLimit"));
+  OBBY_ASSIGN(q.last, segmentLimits(record.getSegmentJumps(), record.getSegmentTime(), params, ""));
+  q.maxDamage = record.getMaxDamage();
+  if (!(std::isfinite(q.maxDamage) && (q.maxDamage >= 0 || q.maxDamage == -1))) {
+    return pathError("maxDamage", "expected health that may be lost, -1 for any");
+  }
+  OBBY_ASSIGN(q.forbidden, forbiddenStates(record));
+  return q;
 }
 
 }  // namespace
 
 Result<Query> Query::compile(schema::Query::Reader record, const Level& level) {
+  const Params& params = level.view().params;
   Query q;
   q.id_ = record.getId();
   OBBY_ASSIGN(q.start_, startPose(record, level));
-  if (!record.hasGoal()) return pathError("goal", "a query needs a goal region");
-  OBBY_ASSIGN(q.goal_, region(record.getGoal(), "goal"));
+  if (!record.hasGoal() && record.getGoals().size() == 0) {
+    return pathError("goal", "a query needs a goal region");
+  }
+  Targets targets(level.view(), level.partCount(), q.touched_);
+  if (record.hasGoal()) {
+    OBBY_ASSIGN(const TargetView goal, targets.compile(record.getGoal(), "goal"));
+    q.goals_.push_back(goal);
+  }
+  OBBY_ASSIGN(const auto others, targets.compile(record.getGoals(), "goals"));
+  q.goals_.insert(q.goals_.end(), others.begin(), others.end());
   if (record.getWaypoints().size() > kMaxWaypoints)
     return pathError("waypoints", "expected at most 255");
   for (const auto waypoint : record.getWaypoints()) {
     const std::string path = fmt::format("waypoints[{}]", q.waypoints_.size());
-    if (!waypoint.hasRegion()) return pathError(path + ".region", "a waypoint needs a region");
-    OBBY_ASSIGN(const geom::Region box, region(waypoint.getRegion(), path + ".region"));
-    q.waypoints_.push_back({box, waypoint.getMaxJumps()});
+    OBBY_ASSIGN(const WaypointView view, compileWaypoint(waypoint, params, targets, path));
+    q.waypoints_.push_back(view);
   }
-  for (const auto avoid : record.getAvoid()) {
-    OBBY_ASSIGN(const geom::Region box, region(avoid, fmt::format("avoid[{}]", q.avoid_.size())));
-    q.avoid_.push_back(box);
+  if (record.getVisits().size() > kMaxVisits) {
+    return pathError("visits", fmt::format("expected at most {}, got {}", kMaxVisits,
+                                           record.getVisits().size()));
   }
-  q.maxJumps_ = record.getMaxJumps();
-  OBBY_ASSIGN(q.timeLimitTicks_, timeLimit(record, level.view().params));
+  OBBY_ASSIGN(q.visits_, targets.compile(record.getVisits(), "visits"));
+  OBBY_ASSIGN(q.avoid_, targets.compile(record.getAvoid(), "avoid"));
+  OBBY_ASSIGN(q.limits_, compileLimits(record, params));
   return q;
 }
 
 QueryView Query::view() const {
-  return {goal_,
-          waypoints_.data(),
-          avoid_.data(),
-          uint32_t(waypoints_.size()),
-          uint32_t(avoid_.size()),
-          maxJumps_,
-          timeLimitTicks_,
-          start_.tick};
+  QueryView q = limits_;
+  q.goal = goals_.front();
+  q.otherGoals = goals_.data() + 1;
+  q.otherGoalCount = uint32_t(goals_.size()) - 1;
+  q.waypoints = waypoints_.data();
+  q.waypointCount = uint32_t(waypoints_.size());
+  q.visits = visits_.data();
+  q.visitCount = uint32_t(visits_.size());
+  q.avoid = avoid_.data();
+  q.avoidCount = uint32_t(avoid_.size());
+  q.touched = touched_.data();
+  q.touchedCount = uint32_t(touched_.size());
+  q.startTick = start_.tick;
+  return q;
 }
 
 }  // namespace obby::level

@@ -16,4 +16,13 @@ OBBY_DEVICE int lowestBit(uint64_t bits) {
 #endif
 }
 
+// How many bits are set.
+OBBY_DEVICE uint32_t bitCount(uint32_t bits) {
+#if defined(__CUDA_ARCH__)
+  return uint32_t(__popc(bits));
+#else
+  return uint32_t(__builtin_popcount(bits));
+#endif
+}
+
 }  // namespace obby

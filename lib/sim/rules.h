@@ -1,47 +1,112 @@
-// The rules of a query, applied after each tick: waypoints in order, the goal, avoid regions,
-// limits.
+// The rules of a query, applied after each tick: waypoints in order, visits in any order, goals,
+// what to avoid, limits.
 #pragma once
 
-#include "level/level_view.h"
-#include "sim/world.h"
+#include "sim/targets.h"
 
 namespace obby::sim {
 
-// Jumps allowed now: in total, and on arrival at the waypoint that is next.
+// The rules' view of a world after a tick.
+struct Judged {
+  World& w;
+  const LooseBody* loose;
+  const level::LevelView& level;
+  const level::QueryView& q;
+
+  OBBY_DEVICE bool reaches(const level::TargetView& target) const {
+    return sim::reaches(w, loose, level, q, target);
+  }
+};
+
+// Limits of the segment that the player is in.
+OBBY_DEVICE const level::SegmentLimits& segmentOf(const World& w, const level::QueryView& q) {
+  return w.waypoints < q.waypointCount ? q.waypoints[w.waypoints].segment : q.last;
+}
+
+// Ticks since the start, and since the last waypoint.
+OBBY_DEVICE uint32_t ticksPlayed(const World& w, const level::QueryView& q) {
+  return w.tick - q.startTick;
+}
+OBBY_DEVICE uint32_t segmentTicks(const World& w, const level::QueryView& q) {
+  return w.waypoints == 0 ? ticksPlayed(w, q) : w.tick - w.segmentTick;
+}
+
+// Jumps allowed now: in total, on arrival at the waypoint that is next, and in this segment.
 OBBY_DEVICE bool breaksJumpLimit(const World& w, const level::QueryView& q) {
   if (q.maxJumps >= 0 && int32_t(w.jumps) > q.maxJumps) return true;
+  const int32_t most = segmentOf(w, q).jumps;
+  if (most >= 0 && int32_t(w.jumps) - int32_t(w.segmentJumps) > most) return true;
   if (w.waypoints >= q.waypointCount) return false;
   const int32_t limit = q.waypoints[w.waypoints].maxJumps;
   return limit >= 0 && int32_t(w.jumps) > limit;
 }
 
-// Ends the playthrough or notes progress. A world that died in this tick stays dead.
-OBBY_DEVICE void applyRules(World& w, const level::LevelView& level, const level::QueryView& q) {
-  if (w.outcome != Outcome::running) return;
-  const Vec3 feet = w.position, head = w.position + Vec3{0, level.params.bodyTop, 0};
-  for (uint32_t i = 0; i < q.avoidCount; ++i) {
-    if (geom::meets(q.avoid[i], feet, head)) {
-      w.outcome = Outcome::avoided;
-      return;
-    }
+// Is some time over that was left for this segment, or for arrival at the next waypoint? Arrival on
+// the last tick counts.
+OBBY_DEVICE bool isLate(const World& w, const level::QueryView& q) {
+  const uint32_t played = ticksPlayed(w, q), most = segmentOf(w, q).ticks;
+  if (q.timeLimitTicks != 0 && played >= q.timeLimitTicks) return true;
+  if (most != 0 && segmentTicks(w, q) >= most) return true;
+  if (w.waypoints >= q.waypointCount) return false;
+  const uint32_t limit = q.waypoints[w.waypoints].ticks;
+  return limit != 0 && played >= limit;
+}
+
+// What must not be. `running`: nothing of it is.
+OBBY_DEVICE Outcome violation(const Judged& j) {
+  for (uint32_t i = 0; i < j.q.avoidCount; ++i) {
+    if (!j.reaches(j.q.avoid[i])) continue;
+    j.w.part = i;
+    return Outcome::avoided;
   }
-  if (breaksJumpLimit(w, q)) {
-    w.outcome = Outcome::jumps;
-    return;
-  }
-  while (w.waypoints < q.waypointCount &&
-         geom::meets(q.waypoints[w.waypoints].region, feet, head)) {
+  if (j.q.forbidden >> uint32_t(j.w.state) & 1) return Outcome::forbidden;
+  if (j.q.maxDamage >= 0 && j.w.damage > j.q.maxDamage) return Outcome::hurt;
+  return breaksJumpLimit(j.w, j.q) ? Outcome::jumps : Outcome::running;
+}
+
+// Notes waypoints and visits. False: a jump limit of what comes next is broken already.
+OBBY_DEVICE bool noteProgress(const Judged& j) {
+  World& w = j.w;
+  while (w.waypoints < j.q.waypointCount && j.reaches(j.q.waypoints[w.waypoints].target)) {
     ++w.waypoints;
-    if (!breaksJumpLimit(w, q)) continue;
+    w.segmentTick = w.tick;
+    w.segmentJumps = w.jumps;
+    if (breaksJumpLimit(w, j.q)) return false;
+  }
+  for (uint32_t i = 0; i < j.q.visitCount; ++i) {
+    if (!(w.visited >> i & 1) && j.reaches(j.q.visits[i])) w.visited |= 1u << i;
+  }
+  return true;
+}
+
+OBBY_DEVICE uint32_t allVisits(const level::QueryView& q) {
+  return q.visitCount == 0 ? 0 : ~0u >> (level::kMaxVisits - q.visitCount);
+}
+
+OBBY_DEVICE bool atGoal(const Judged& j) {
+  const level::QueryView& q = j.q;
+  if (j.w.waypoints < q.waypointCount || j.w.visited != allVisits(q)) return false;
+  if (int32_t(j.w.jumps) < q.minJumps) return false;
+  bool reached = j.reaches(q.goal);
+  for (uint32_t i = 0; i < q.otherGoalCount && !reached; ++i) reached = j.reaches(q.otherGoals[i]);
+  return reached;
+}
+
+// Ends the playthrough or notes progress. A world that died in this tick stays dead. `loose`:
+// (level.looseCount), null where that is 0.
+OBBY_DEVICE void applyRules(World& w, const LooseBody* loose, const level::LevelView& level,
+                            const level::QueryView& q) {
+  if (w.outcome != Outcome::running) return;
+  const Judged j{w, loose, level, q};
+  w.outcome = violation(j);
+  if (w.outcome != Outcome::running) return;
+  if (!noteProgress(j)) {
     w.outcome = Outcome::jumps;
-    return;
-  }
-  if (w.waypoints == q.waypointCount && geom::meets(q.goal, feet, head)) {
+  } else if (atGoal(j)) {
     w.outcome = Outcome::goal;
-    return;
-  }
-  if (q.timeLimitTicks != 0 && w.tick - q.startTick >= q.timeLimitTicks)
+  } else if (isLate(w, q)) {
     w.outcome = Outcome::timeout;
+  }
 }
 
 }  // namespace obby::sim

@@ -11,8 +11,11 @@
 namespace obby::sim {
 
 static_assert(int(Outcome::goal) == int(schema::Outcome::GOAL) &&
-                  int(Outcome::timeout) == int(schema::Outcome::TIMEOUT),
+                  int(Outcome::forbidden) == int(schema::Outcome::FORBIDDEN),
               "the order of schema Outcome");
+static_assert(int(State::climbing) == int(schema::PlayerState::CLIMBING) &&
+                  int(State::fallingDown) == int(schema::PlayerState::FALLING_DOWN),
+              "the order of schema PlayerState");
 static_assert(int(geom::ShapeKind::hull) == int(schema::Shape::HULL), "the order of schema Shape");
 
 World makeWorld(const level::LevelView& level, const level::StartPose& start) {
@@ -38,11 +41,28 @@ std::vector<LooseBody> makeLoose(const level::LevelView& level) {
   return loose;
 }
 
+namespace {
+
+uint64_t hashProgress(const World& world, uint64_t h) {
+  bool any = false;
+#define OBBY_ANY_FIELD(type, name) any |= world.name != 0;
+  OBBY_PROGRESS_FIELDS(OBBY_ANY_FIELD)
+#undef OBBY_ANY_FIELD
+  if (!any) return h;
+#define OBBY_HASH_FIELD(type, name) h = hashBytes(&world.name, sizeof world.name, h);
+  OBBY_PROGRESS_FIELDS(OBBY_HASH_FIELD)
+#undef OBBY_HASH_FIELD
+  return h;
+}
+
+}  // namespace
+
 uint64_t stateHash(const World& world, std::span<const LooseBody> loose) {
   uint64_t h = 0;
 #define OBBY_HASH_FIELD(type, name) h = hashBytes(&world.name, sizeof world.name, h);
   OBBY_WORLD_FIELDS(OBBY_HASH_FIELD)
 #undef OBBY_HASH_FIELD
+  h = hashProgress(world, h);
   h = hashBytes(world.clocks, world.clockCount * sizeof(RunningClock), h);
   for (const LooseBody& body : loose) h = hashBytes(&body, sizeof body, h);
   return h;
@@ -70,14 +90,16 @@ void advance(World& world, LooseBody* loose, const level::LevelView& level,
              const level::QueryView* query, Action action) {
   if (world.outcome != Outcome::running) return;
   tick(world, loose, level, action);
-  if (query) applyRules(world, level, *query);
+  if (query) applyRules(world, loose, level, *query);
 }
 
 void advanceAll(const level::LevelView& level, const level::QueryView* query,
                 std::span<World* const> worlds, LooseBody* const* loose, const Action* actions) {
   tickAll(level, worlds.data(), loose, actions, worlds.size());
   if (query == nullptr) return;
-  for (World* w : worlds) applyRules(*w, level, *query);
+  for (size_t i = 0; i < worlds.size(); ++i) {
+    applyRules(*worlds[i], loose != nullptr ? loose[i] : nullptr, level, *query);
+  }
 }
 
 Replay replay(const level::LevelView& level, const level::QueryView* query, const Plan& plan) {

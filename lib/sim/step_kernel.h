@@ -41,7 +41,7 @@ OBBY_DEVICE void stepWorld(const StepArguments& a, uint32_t i) {
     tick<kKind == StepKind::loose>(
         world, loose, level, cursor.next(a.actions, {i, a.count, episode.number, t}, world.tick));
     const level::QueryView* query = queryOf(a.set, episode.level);
-    if (query != nullptr) applyRules(world, level, *query);
+    if (query != nullptr) applyRules(world, loose, level, *query);
   }
   a.worlds[i] = world;
   a.episodes[i] = episode;

@@ -30,6 +30,7 @@ OBBY_DEVICE bool touches(const level::Collider& collider, const Candidate& c,
 OBBY_DEVICE void touchKill(World& w, const level::LevelView& level, const level::Collider& c) {
   const level::Roles& r = level.roles[c.role];
   if (w.hurtTicks > 0 && r.damage < w.health) return;
+  w.damage += minf(r.damage, w.health);
   w.health -= r.damage;
   w.hurtTicks = r.cooldownTicks;
   if (w.health > 0) return;

@@ -21,7 +21,17 @@ enum class State : uint8_t {
 };
 
 // How a playthrough ended. The order of schema Outcome.
-enum class Outcome : uint8_t { running, goal, killed, fell, avoided, jumps, timeout };
+enum class Outcome : uint8_t {
+  running,
+  goal,
+  killed,
+  fell,
+  avoided,
+  jumps,
+  timeout,
+  hurt,
+  forbidden
+};
 
 // Conditions that a batch must not die of. Part of the state and its hash; an answer's reason names
 // the overruns.
@@ -52,7 +62,8 @@ struct RunningClock {
   X(Vec3, velocity) /* studs/s */                                             \
   X(float, health)                                                            \
   X(uint32_t, tick)           /* level clock */                               \
-  X(uint32_t, part)           /* that killed the player, or level::kNone */   \
+  X(uint32_t, part)           /* that killed the player; of avoided: the */   \
+                              /* query's avoid; or level::kNone */            \
   X(uint16_t, yaw)            /* facing, turns / 65536 */                     \
   X(uint16_t, jumps)          /* made so far */                               \
   X(uint16_t, floorlessTicks) /* since a floor was last sensed, saturating */ \
@@ -64,10 +75,19 @@ struct RunningClock {
   X(uint8_t, flags)                                                           \
   X(uint8_t, clockCount)
 
+// How far a playthrough has come in a query, and what it has cost. Part of the hash where any of it
+// is not 0.
+#define OBBY_PROGRESS_FIELDS(X)                                              \
+  X(uint16_t, segmentJumps) /* jumps made on arrival at the last waypoint */ \
+  X(uint32_t, segmentTick)  /* level clock then */                           \
+  X(uint32_t, visited)      /* of the query's visits, a bit each */          \
+  X(float, damage)          /* health lost to parts so far */
+
 // What every tick reads and writes is the first cache line: the wide tick loads it as a row.
 struct alignas(64) World {
 #define OBBY_WORLD_FIELD(type, name) type name;
   OBBY_WORLD_FIELDS(OBBY_WORLD_FIELD)
+  OBBY_PROGRESS_FIELDS(OBBY_WORLD_FIELD)
 #undef OBBY_WORLD_FIELD
   RunningClock clocks[kMaxClocks];  // the first clockCount run, the last started last
 };

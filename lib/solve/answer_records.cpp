@@ -7,7 +7,16 @@ namespace obby::solve {
 
 namespace {
 
-int32_t partIndex(uint32_t part) { return part == kNone ? -1 : int32_t(part); }
+// World::part is an index into one of two lists.
+template <class Record>
+void fillBlame(Record record, sim::Outcome outcome, uint32_t part) {
+  if (part == kNone) return;
+  if (outcome == sim::Outcome::avoided) {
+    record.setAvoid(int32_t(part));
+  } else {
+    record.setPart(int32_t(part));
+  }
+}
 
 void fillVec(schema::Vec3::Builder record, Vec3 v) {
   record.setX(v.x);
@@ -29,7 +38,7 @@ void fillEnds(schema::Result::Builder record, const std::vector<EndCount>& ends)
   auto tallies = record.initEnds(uint32_t(ends.size()));
   for (uint32_t i = 0; i < tallies.size(); ++i) {
     tallies[i].setOutcome(schema::Outcome(ends[i].outcome));
-    tallies[i].setPart(partIndex(ends[i].part));
+    fillBlame(tallies[i], ends[i].outcome, ends[i].part);
     tallies[i].setCount(ends[i].count);
   }
 }
@@ -50,7 +59,8 @@ void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& id
   record.setTicks(playthrough.ticks);
   record.setJumps(end.jumps);
   record.setWaypoints(end.waypoints);
-  record.setPart(partIndex(end.part));
+  record.setVisited(end.visited);
+  fillBlame(record, end.outcome, end.part);
   record.setStateHash(sim::stateHash(end, playthrough.endLoose));
   fillVec(record.initEndPosition(), end.position);
 }
@@ -64,14 +74,15 @@ void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identi
   record.setCells(view.search.archive().cellCount());
   record.setRounds(s.rounds);
   record.setClosest(s.closest.distance);
-  record.setWaypoints(s.closest.waypoints);
+  record.setWaypoints(s.closest.targets);
   if (s.closest.way.parent != kNone) {
     fillTrajectory(record.initBest(), identity, view.search.playthrough(s.closest.way), 0);
   }
 }
 
 void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
-                const SearchOutcome& outcome, const level::Level& level) {
+                const SearchOutcome& outcome, const level::Level& level,
+                schema::Query::Reader query) {
   const bool solved = !outcome.solutions.empty();
   record.setQuery(identity.query);
   record.setLevel(identity.level);
@@ -85,7 +96,7 @@ void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
   record.setCells(outcome.cells);
   record.setRounds(outcome.statistics.rounds);
   record.setClosest(solved ? 0 : outcome.statistics.closest.distance);
-  record.setReason(reasonFor(outcome, level));
+  record.setReason(reasonFor(outcome, level, query));
   fillEnds(record, outcome.ends);
   auto timing = record.initTiming();
   timing.setSeconds(float(outcome.seconds));

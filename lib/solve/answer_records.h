@@ -24,6 +24,7 @@ void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identi
 
 // Everything but timing.compile, method and seed, which the caller knows.
 void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
-                const SearchOutcome& outcome, const level::Level& level);
+                const SearchOutcome& outcome, const level::Level& level,
+                schema::Query::Reader query);
 
 }  // namespace obby::solve

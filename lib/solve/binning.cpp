@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solve/targets.h"
+
 namespace obby::solve {
 
 namespace {
@@ -25,6 +27,28 @@ bool hurts(const level::LevelView& level) {
   });
 }
 
+constexpr uint32_t kSegmentBins = 8;  // of the time that a segment may take
+constexpr float kDamageBins = 8;      // of the health that may be lost
+
+// The shortest time that a segment may take, in ticks; 0: any.
+uint32_t leastSegment(const level::QueryView& q) {
+  uint32_t least = q.last.ticks;
+  for (uint32_t i = 0; i < q.waypointCount; ++i) {
+    const uint32_t ticks = q.waypoints[i].segment.ticks;
+    if (ticks != 0 && (least == 0 || ticks < least)) least = ticks;
+  }
+  return least;
+}
+
+void binProgress(Binning& b, const level::QueryView& q) {
+  b.jumps = limitsTotalJumps(q) || q.minJumps > 0;
+  if (!limitsTotalJumps(q)) b.mostJumps = uint32_t(q.minJumps);
+  b.visits = q.visitCount > 0;
+  b.segmentJumps = limitsSegmentJumps(q);
+  if (limitsSegmentTime(q)) b.segmentBin = std::max(1u, leastSegment(q) / kSegmentBins);
+  if (q.maxDamage > 0) b.inverseDamage = kDamageBins / q.maxDamage;
+}
+
 }  // namespace
 
 Binning makeBinning(const Problem& problem, float width, const ClockMap& clock) {
@@ -37,7 +61,7 @@ Binning makeBinning(const Problem& problem, float width, const ClockMap& clock) 
   if (problem.hasClock) b.clockBin = std::max(1u, uint32_t(kClockSeconds * float(p.controlRate)));
   if (hurts(problem.level)) b.healthBins = kHealthBins;
   b.inverseHealth = 1 / std::max(p.maxHealth, 1.0f);
-  b.jumps = limitsJumps(problem.query);
+  binProgress(b, problem.query);
   b.waypoints = problem.query.waypointCount > 0;
   b.looseCount = problem.level.looseCount;
   b.clocks = anyCollider(problem.level, [&](uint32_t i) {

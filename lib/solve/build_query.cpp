@@ -1,29 +1,16 @@
 #include "solve/build_query.h"
 
+#include <capnp/schema.h>
 #include <fmt/format.h>
 
-#include "solve/select_parts.h"
+#include "level/resolve_places.h"
+#include "level/select_parts.h"
 
 namespace obby::solve {
 
 namespace {
 
-void fillRegion(schema::Region::Builder record, const PlainRegion& region) {
-  record.setName(region.name);
-  auto p = record.initPosition();
-  p.setX(region.position.x);
-  p.setY(region.position.y);
-  p.setZ(region.position.z);
-  auto q = record.initRotation();
-  q.setX(region.rotation.x);
-  q.setY(region.rotation.y);
-  q.setZ(region.rotation.z);
-  q.setW(region.rotation.w);
-  auto s = record.initSize();
-  s.setX(region.size.x);
-  s.setY(region.size.y);
-  s.setZ(region.size.z);
-}
+constexpr std::string_view kTouch = "touch:";
 
 // The option that a bad selector belongs to.
 Error inOption(Error error, const char* option) {
@@ -31,52 +18,61 @@ Error inOption(Error error, const char* option) {
   return error;
 }
 
-Result<std::vector<PlainRegion>> regionsFor(schema::Level::Reader level,
-                                            const std::string& selector, const char* option,
-                                            bool several) {
-  auto box = boxFromText(selector);
-  if (!box) return inOption(box.error(), option);
-  if (*box) return std::vector<PlainRegion>{**box};
-  std::vector<uint32_t> parts;
-  if (several) {
-    auto found = matchParts(level, selector);
-    if (!found) return inOption(found.error(), option);
-    parts = *std::move(found);
-  } else {
-    auto found = matchPart(level, selector);
-    if (!found) return inOption(found.error(), option);
-    parts.push_back(*found);
+// Which option a field of the query comes from.
+const char* optionOf(const std::string& path) {
+  constexpr std::pair<const char*, const char*> kOptions[] = {{"start", "--start"},
+                                                              {"goal", "--goal"},
+                                                              {"waypoints", "--waypoint"},
+                                                              {"visits", "--visit"},
+                                                              {"avoid", "--avoid"}};
+  for (const auto& [field, option] : kOptions) {
+    if (path.starts_with(field)) return option;
   }
-  std::vector<PlainRegion> regions;
-  for (const uint32_t part : parts) regions.push_back(regionAround(level.getParts()[part]));
-  return regions;
+  return "";
 }
 
-Status fillStart(schema::Level::Reader level, const std::string& selector,
-                 schema::Query::Builder query) {
-  if (selector.empty()) {
-    if (level.getSpawns().size() > 0) return {};
-    return inOption(makeError(fmt::format("level '{}' has no spawn", level.getName().cStr()),
-                              "name a part or a box to start from"),
-                    "--start");
+Status fillPlace(schema::Region::Builder record, std::string selector, const char* option) {
+  if (selector.starts_with(kTouch)) {
+    record.setTouch(true);
+    selector.erase(0, kTouch.size());
   }
-  auto start = query.initStart();
-  auto box = boxFromText(selector);
-  if (!box) return inOption(box.error(), "--start");
-  if (*box) {
-    fillRegion(start.initRegion(), **box);
+  const auto box = level::boxFromText(selector);
+  if (!box) return inOption(box.error(), option);
+  if (!*box) {
+    record.setPart(selector);
     return {};
   }
-  const auto part = matchPart(level, selector);
-  if (!part) return inOption(part.error(), "--start");
-  for (uint32_t i = 0; i < level.getSpawns().size(); ++i) {
-    if (level.getSpawns()[i].getPart() == int32_t(*part)) {
+  if (record.getTouch()) {
+    return inOption(makeError(fmt::format("'{}' is a box: only a part can be touched", selector)),
+                    option);
+  }
+  record.setName((*box)->name);
+  level::fillBox(record, **box);
+  return {};
+}
+
+template <class List>
+Status fillPlaces(List list, const std::vector<std::string>& selectors, const char* option) {
+  for (uint32_t i = 0; i < list.size(); ++i) {
+    OBBY_RETURN_IF_ERROR(fillPlace(list[i], selectors[i], option));
+  }
+  return {};
+}
+
+// A part with a spawn on it stands for that spawn.
+Status fillStart(schema::Level::Reader level, const std::string& selector,
+                 schema::Query::Builder query) {
+  const uint32_t tick = query.getStart().getTick();
+  auto start = query.initStart();
+  start.setTick(tick);
+  if (const auto part = level::matchPart(level, selector)) {
+    for (uint32_t i = 0; i < level.getSpawns().size(); ++i) {
+      if (level.getSpawns()[i].getPart() != int32_t(*part)) continue;
       start.setSpawn(int32_t(i));
       return {};
     }
   }
-  fillRegion(start.initRegion(), regionOnTop(level.getParts()[*part]));
-  return {};
+  return fillPlace(start.initRegion(), selector, "--start");
 }
 
 // The part where the level ends: a goal of stage 0, any goal, or the last checkpoint; -1: none.
@@ -99,13 +95,13 @@ int64_t lastPart(schema::Level::Reader level) {
   return goal >= 0 ? goal : checkpoint;
 }
 
-Status fillGoal(schema::Level::Reader level, const std::string& selector,
-                schema::Query::Builder query) {
-  if (!selector.empty()) {
-    OBBY_ASSIGN(const auto regions, regionsFor(level, selector, "--goal", false));
-    fillRegion(query.initGoal(), regions.front());
-    return {};
+Status fillDefaults(schema::Level::Reader level, schema::Query::Builder query) {
+  if (!query.hasStart() && level.getSpawns().size() == 0) {
+    return inOption(makeError(fmt::format("level '{}' has no spawn", level.getName().cStr()),
+                              "name a part or a box to start from"),
+                    "--start");
   }
+  if (query.hasGoal()) return {};
   const int64_t part = lastPart(level);
   if (part < 0) {
     return inOption(makeError(fmt::format("level '{}' has no query, no goal part and no checkpoint",
@@ -113,22 +109,62 @@ Status fillGoal(schema::Level::Reader level, const std::string& selector,
                               "name a part or a box to reach, or write a query record"),
                     "--goal");
   }
-  fillRegion(query.initGoal(), regionAround(level.getParts()[uint32_t(part)]));
+  query.initGoal().setPart(fmt::format("part:{}", part));
   return {};
 }
 
-Status fillAvoid(schema::Level::Reader level, const std::vector<std::string>& selectors,
-                 schema::Query::Builder query) {
-  std::vector<PlainRegion> all;
-  for (const std::string& selector : selectors) {
-    OBBY_ASSIGN(const auto regions,
-                regionsFor(level, selector, "--avoid", selector.starts_with("#")));
-    all.insert(all.end(), regions.begin(), regions.end());
+Status fillStates(const std::vector<std::string>& names, schema::Query::Builder query) {
+  auto forbid = query.initForbid(uint32_t(names.size()));
+  const auto known = capnp::Schema::from<schema::PlayerState>();
+  for (uint32_t i = 0; i < forbid.size(); ++i) {
+    const auto state = known.findEnumerantByName(names[i]);
+    KJ_IF_MAYBE (found, state) {
+      forbid.set(i, schema::PlayerState(found->getOrdinal()));
+    } else {
+      return inOption(makeError(fmt::format("no state '{}'", names[i]),
+                                "jumping, climbing, seated and fallingDown can be forbidden"),
+                      "--forbid");
+    }
   }
-  if (all.empty()) return {};
-  auto avoid = query.initAvoid(uint32_t(all.size()));
-  for (uint32_t i = 0; i < avoid.size(); ++i) fillRegion(avoid[i], all[i]);
   return {};
+}
+
+// What is asked for takes the place of what the query has.
+Status fill(schema::Level::Reader level, const QuickQuery& quick, schema::Query::Builder query) {
+  if (!quick.start.empty()) OBBY_RETURN_IF_ERROR(fillStart(level, quick.start, query));
+  if (!quick.goals.empty()) {
+    const std::vector<std::string> others(quick.goals.begin() + 1, quick.goals.end());
+    OBBY_RETURN_IF_ERROR(fillPlace(query.initGoal(), quick.goals.front(), "--goal"));
+    OBBY_RETURN_IF_ERROR(fillPlaces(query.initGoals(uint32_t(others.size())), others, "--goal"));
+  }
+  if (!quick.waypoints.empty()) {
+    auto waypoints = query.initWaypoints(uint32_t(quick.waypoints.size()));
+    for (uint32_t i = 0; i < waypoints.size(); ++i) {
+      OBBY_RETURN_IF_ERROR(fillPlace(waypoints[i].initRegion(), quick.waypoints[i], "--waypoint"));
+    }
+  }
+  if (!quick.visits.empty()) {
+    OBBY_RETURN_IF_ERROR(
+        fillPlaces(query.initVisits(uint32_t(quick.visits.size())), quick.visits, "--visit"));
+  }
+  if (!quick.avoid.empty()) {
+    OBBY_RETURN_IF_ERROR(
+        fillPlaces(query.initAvoid(uint32_t(quick.avoid.size())), quick.avoid, "--avoid"));
+  }
+  if (!quick.forbid.empty()) OBBY_RETURN_IF_ERROR(fillStates(quick.forbid, query));
+  if (quick.minJumps >= 0) query.setMinJumps(quick.minJumps);
+  if (quick.maxJumps >= 0) query.setMaxJumps(quick.maxJumps);
+  if (quick.timeLimit > 0) query.setTimeLimit(quick.timeLimit);
+  if (quick.maxDamage >= 0) query.setMaxDamage(quick.maxDamage);
+  return {};
+}
+
+Result<io::Record> resolved(schema::Level::Reader level, io::RecordBuilder record) {
+  if (Status status = level::resolvePlaces(level, record.root().getQuery()); !status) {
+    const char* option = optionOf(status.error().path);
+    return inOption(std::move(status).error(), option);
+  }
+  return io::Record(std::move(record));
 }
 
 }  // namespace
@@ -139,19 +175,16 @@ Result<io::Record> buildQuery(schema::Level::Reader level, const QuickQuery& qui
   auto query = record.root().initQuery();
   query.setId(id);
   query.setLevel(level.getName());
-  OBBY_RETURN_IF_ERROR(fillStart(level, quick.start, query));
-  OBBY_RETURN_IF_ERROR(fillGoal(level, quick.goal, query));
-  if (!quick.waypoints.empty()) {
-    auto waypoints = query.initWaypoints(uint32_t(quick.waypoints.size()));
-    for (uint32_t i = 0; i < waypoints.size(); ++i) {
-      OBBY_ASSIGN(const auto regions, regionsFor(level, quick.waypoints[i], "--waypoint", false));
-      fillRegion(waypoints[i].initRegion(), regions.front());
-    }
-  }
-  OBBY_RETURN_IF_ERROR(fillAvoid(level, quick.avoid, query));
-  query.setMaxJumps(quick.maxJumps);
-  query.setTimeLimit(quick.timeLimit);
-  return io::Record(std::move(record));
+  OBBY_RETURN_IF_ERROR(fill(level, quick, query));
+  OBBY_RETURN_IF_ERROR(fillDefaults(level, query));
+  return resolved(level, std::move(record));
+}
+
+Result<io::Record> changeQuery(schema::Level::Reader level, const QuickQuery& quick,
+                               const io::Record& query) {
+  io::RecordBuilder record(query.reader());
+  OBBY_RETURN_IF_ERROR(fill(level, quick, record.root().getQuery()));
+  return resolved(level, std::move(record));
 }
 
 }  // namespace obby::solve

@@ -9,19 +9,28 @@
 
 namespace obby::solve {
 
-// A query in selectors (select_parts.h). Empty start: the level's first spawn. Empty goal: the
-// level's goal part, else its last checkpoint.
+// A query in places: selectors of parts (level/select_parts.h), boxes, or touch:SELECTOR where the
+// part itself has to be touched. What is empty or negative is not asked for.
 struct QuickQuery {
-  std::string start, goal;
+  std::string start;
+  std::vector<std::string> goals;      // any of them
   std::vector<std::string> waypoints;  // in order
-  std::vector<std::string> avoid;      // a #tag may name several parts: all are avoided
-  int32_t maxJumps = -1;
+  std::vector<std::string> visits;     // in any order; a #tag stands for all its parts
+  std::vector<std::string> avoid;      // a #tag stands for all its parts
+  std::vector<std::string> forbid;     // states, as the schema spells them
+  int32_t minJumps = -1, maxJumps = -1;
   float timeLimit = 0;  // seconds
+  float maxDamage = -1;
 };
 
-// The query record; its id is `id`. Error: a selector that names no part or several, a level
-// without a spawn or goal.
+// The query record; its id is `id`. Without a start the level's first spawn, without a goal its
+// goal part, else its last checkpoint. Error: a selector that names no part or several, a level
+// without a spawn or goal; its path is the option.
 Result<io::Record> buildQuery(schema::Level::Reader level, const QuickQuery& quick,
                               const std::string& id);
+
+// The query of a stream with what `quick` asks for in place of its own. Errors as above.
+Result<io::Record> changeQuery(schema::Level::Reader level, const QuickQuery& quick,
+                               const io::Record& query);
 
 }  // namespace obby::solve

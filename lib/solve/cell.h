@@ -17,11 +17,16 @@ struct Binning {
   uint32_t clockBin = 0;        // ticks a bin; 0: no clock dimension
   uint32_t healthBins = 0;      // of full health; 0: no health dimension
   float inverseHealth = 0.01f;  // 1 / full health
-  bool jumps = false;           // the query limits jumps
+  bool jumps = false;           // the query limits jumps, or asks for some
+  uint32_t mostJumps = 0xffff;  // more than these make no difference
   bool waypoints = false;       // the query has waypoints
   bool clocks = false;          // parts start clocks when touched
   bool vanishing = false;       // parts vanish when touched
   uint32_t looseCount = 0;      // loose bodies: where each of them is
+  bool visits = false;          // the query has visits, in any order
+  bool segmentJumps = false;    // the query limits the jumps of a segment
+  uint32_t segmentBin = 0;      // ticks a bin of the time in a segment; 0: the query has no limit
+  float inverseDamage = 0;      // bins a unit of health lost; 0: the query has no limit
 };
 
 constexpr uint32_t kMostRunningBins = 16;  // after that a clock that goes on tells no more
@@ -79,6 +84,16 @@ OBBY_DEVICE uint64_t looseKey(const Binning& b, const sim::LooseBody* loose) {
   return key;
 }
 
+// What the limits and visits of a query make of a state; 0 where it has none.
+OBBY_DEVICE uint64_t progressKey(const Binning& b, const sim::World& w) {
+  uint64_t key = 0;
+  if (b.visits) key = mixBits(w.visited);
+  if (b.segmentJumps) key = mixBits(key + 1 + uint32_t(w.jumps - w.segmentJumps));
+  if (b.segmentBin != 0) key = mixBits(key + 2 + (w.tick - w.segmentTick) / b.segmentBin);
+  if (b.inverseDamage > 0) key = mixBits(key + 3 + uint64_t(w.damage * b.inverseDamage));
+  return key;
+}
+
 // Never 0. Positions are exact for 8 million cells each way, the other dimensions for 2^24 clock
 // bins and 2^16 jumps; two cells share a key with probability 2^-64.
 OBBY_DEVICE uint64_t cellKey(const Binning& b, const sim::World& w,
@@ -86,13 +101,14 @@ OBBY_DEVICE uint64_t cellKey(const Binning& b, const sim::World& w,
   const Vec3 inCells = mul(w.position, {b.inverseWidth, b.inverseHeight, b.inverseWidth});
   uint64_t rest = 0;
   if (b.clockBin != 0) rest = clockBinOf(b, w) & 0xffffffu;
-  if (b.jumps) rest |= uint64_t(w.jumps) << 24;
+  if (b.jumps) rest |= uint64_t(w.jumps < b.mostJumps ? w.jumps : b.mostJumps) << 24;
   if (b.waypoints) rest |= uint64_t(w.waypoints) << 40;
   if (b.clocks) rest |= uint64_t(w.clockCount) << 48;
   if (b.healthBins != 0) {
     rest |= uint64_t(w.health * b.inverseHealth * float(b.healthBins)) << 56;
   }
   if (b.looseCount != 0) rest ^= looseKey(b, loose);
+  rest ^= progressKey(b, w);
   uint64_t key = mixBits(packedCell(inCells) + 0x9e3779b97f4a7c15ull * mixBits(rest + 1));
   if (b.clocks && w.clockCount != 0) key += runningKey(b, w);
   return key != 0 ? key : 1;

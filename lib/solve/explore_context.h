@@ -6,6 +6,7 @@
 
 #include "solve/problem.h"
 #include "solve/surfaces.h"
+#include "solve/targets.h"
 
 namespace obby::solve {
 

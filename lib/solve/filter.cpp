@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "level/resolve_places.h"
 #include "solve/verifier.h"
 
 namespace obby::solve {
@@ -39,7 +40,7 @@ Result<io::Then> Filter::handleLevel(const io::Record& record) {
   last_ = std::make_shared<const LoadedLevel>(std::move(loaded));
   lastAsked_ = false;
   levels_[last_->level.name()] = last_;
-  if (!options_.quick || options_.verifyOnly) return io::Then::pass;
+  if (!options_.quick || options_.each || options_.verifyOnly) return io::Then::pass;
   lastAsked_ = true;
   OBBY_ASSIGN(const io::Record query,
               buildQuery(record.reader().getLevel(), *options_.quick, "command-line"));
@@ -52,15 +53,18 @@ Result<io::Then> Filter::handleQuery(const io::Record& record) {
   const auto query = record.reader().getQuery();
   OBBY_ASSIGN(const LevelPointer level, levelNamed(query.getLevel()));
   if (level == last_) lastAsked_ = true;
+  const bool asked = options_.quick && !options_.each;  // in place of the stream's queries
+  if (asked && !options_.verifyOnly) return io::Then::pass;
+  OBBY_ASSIGN(const io::Record full, resolved(*level, record));
   if (options_.verifyOnly) {
-    queries_.insert_or_assign({level->level.name(), query.getId()}, record);
+    queries_.insert_or_assign({level->level.name(), query.getId()}, full);
     return io::Then::pass;
   }
-  if (options_.quick || !wanted(query.getId())) return io::Then::pass;
+  if (!wanted(query.getId())) return io::Then::pass;
   // Compiled first: a query that makes no sense falls under --on-error before it goes out.
-  OBBY_RETURN_IF_ERROR(level::Query::compile(query, level->level));
-  OBBY_RETURN_IF_ERROR(pipeline_.output().pass(record));
-  OBBY_RETURN_IF_ERROR(answer(*level, query));
+  OBBY_RETURN_IF_ERROR(level::Query::compile(full.reader().getQuery(), level->level));
+  OBBY_RETURN_IF_ERROR(pipeline_.output().pass(full));
+  OBBY_RETURN_IF_ERROR(answer(*level, full.reader().getQuery()));
   return io::Then::drop;
 }
 
@@ -74,6 +78,17 @@ Result<Filter::LevelPointer> Filter::levelNamed(const std::string& name) const {
                name.empty() ? "no level before this record"
                             : fmt::format("no level '{}' before this record", name),
                "a level record comes before its queries in the stream"};
+}
+
+Result<io::Record> Filter::resolved(const LoadedLevel& level, const io::Record& query) const {
+  if (options_.quick && options_.each) {
+    return changeQuery(level.record.reader().getLevel(), *options_.quick, query);
+  }
+  if (!level::namesParts(query.reader().getQuery())) return query;
+  io::RecordBuilder copy(query.reader());
+  OBBY_RETURN_IF_ERROR(
+      level::resolvePlaces(level.record.reader().getLevel(), copy.root().getQuery()));
+  return io::Record(std::move(copy));
 }
 
 bool Filter::wanted(const std::string& id) {
@@ -106,7 +121,8 @@ Status Filter::askDefault() {
   if (!last_ || lastAsked_ || options_.verifyOnly || !options_.only.empty()) return {};
   lastAsked_ = true;
   const auto level = last_->record.reader().getLevel();
-  OBBY_ASSIGN(const io::Record query, buildQuery(level, QuickQuery{}, "whole"));
+  OBBY_ASSIGN(const io::Record query,
+              buildQuery(level, options_.quick.value_or(QuickQuery{}), "whole"));
   return ask(*last_, query);
 }
 

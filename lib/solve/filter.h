@@ -22,6 +22,7 @@ struct FilterOptions {
   sim::Device* device = nullptr;    // for the rollouts; must outlive the filter; null: the threads
   std::vector<std::string> only;    // ids of the queries to answer; empty: all
   std::optional<QuickQuery> quick;  // asked of every level instead of the stream's queries
+  bool each = false;                // `quick` changes the stream's queries instead
   bool verifyOnly = false;          // check the stream's trajectories, answer nothing
   std::function<void(const QueryProgress&)> progress;  // may be empty
   std::function<void(const Error&)> deviceFailed;      // the CPU went on; may be empty
@@ -55,6 +56,8 @@ class Filter {
   Status ask(const LoadedLevel& level, const io::Record& query);
   Status answer(const LoadedLevel& level, schema::Query::Reader query);
   Result<LevelPointer> levelNamed(const std::string& name) const;
+  // With the boxes of the parts that it names, and the changes of `quick`.
+  Result<io::Record> resolved(const LoadedLevel& level, const io::Record& query) const;
   bool wanted(const std::string& id);
 
   FilterOptions options_;

@@ -50,10 +50,10 @@ OBBY_DEVICE bool drawAimMacro(const ExploreContext& c, const sim::World& w, Rand
                               AimMacro& m) {
   const JumpReach reach = reachIn(c, w);
   const float radius = 1.4f * reach.distance;
-  const geom::Region& region = targetRegion(c.query, w.waypoints);
-  const bool regionNear = geom::distance(region, w.position) < 2 * radius;
+  const NextRegion next = nextRegion(c.query, w);
+  const bool regionNear = next.distance < 2 * radius;
   if (regionNear && random.unit() < c.settings.regionShare) {
-    m.target = {pointInRegion(region, random), level::kNone};
+    m.target = {pointInRegion(*next.region, random), level::kNone};
     drawAimDetails(reach, random, m.target.position.y - w.position.y, m);
     return true;
   }

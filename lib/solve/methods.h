@@ -35,11 +35,11 @@ struct SearchOutcome {
   std::vector<EndCount> ends;
   Statistics statistics;
   uint64_t cells = 0;
-  uint32_t waypointCount = 0;  // of the query
-  uint32_t refused = 0;        // playthroughs that the watcher did not accept
-  double seconds = 0;          // wall clock
-  double firstSolution = 0;    // seconds to the first accepted solution; 0: none
-  Status device;               // why the machine's device was given up, if it was
+  uint32_t targetCount = 0;  // waypoints and visits of the query
+  uint32_t refused = 0;      // playthroughs that the watcher did not accept
+  double seconds = 0;        // wall clock
+  double firstSolution = 0;  // seconds to the first accepted solution; 0: none
+  Status device;             // why the machine's device was given up, if it was
 };
 
 using RunMethod = SearchOutcome (*)(const Problem&, const Budget&, const Watcher&, const Machine&);

@@ -14,6 +14,8 @@ inline const char* outcomeName(schema::Outcome outcome) {
     case schema::Outcome::AVOIDED: return "avoided";
     case schema::Outcome::JUMPS: return "jumps";
     case schema::Outcome::TIMEOUT: return "timeout";
+    case schema::Outcome::HURT: return "hurt";
+    case schema::Outcome::FORBIDDEN: return "forbidden";
   }
   return "unknown";
 }

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "level/level_view.h"
+#include "level/query_view.h"
 #include "sim/loose.h"
 #include "sim/world.h"
 
@@ -32,30 +32,5 @@ struct Budget {
   uint32_t attempts = 24;                                    // failed ones to show
   const std::atomic<bool>* stop = nullptr;                   // set from outside
 };
-
-// The region to reach next, with `reached` waypoints behind.
-OBBY_DEVICE const geom::Region& targetRegion(const level::QueryView& query, uint32_t reached) {
-  return reached < query.waypointCount ? query.waypoints[reached].region : query.goal;
-}
-
-// Does any limit on jumps apply?
-OBBY_DEVICE bool limitsJumps(const level::QueryView& query) {
-  bool limited = query.maxJumps >= 0;
-  for (uint32_t i = 0; i < query.waypointCount; ++i) {
-    limited = limited || query.waypoints[i].maxJumps >= 0;
-  }
-  return limited;
-}
-
-// Jumps that may still be made before some limit ahead is broken; a large number where there is
-// none. Waypoints behind do not count any more.
-OBBY_DEVICE uint32_t jumpsLeft(const level::QueryView& query, const sim::World& world) {
-  uint32_t limit = query.maxJumps < 0 ? 0xffffu : uint32_t(query.maxJumps);
-  for (uint32_t i = world.waypoints; i < query.waypointCount; ++i) {
-    const int32_t most = query.waypoints[i].maxJumps;
-    if (most >= 0 && uint32_t(most) < limit) limit = uint32_t(most);
-  }
-  return limit > world.jumps ? limit - world.jumps : 0;
-}
 
 }  // namespace obby::solve

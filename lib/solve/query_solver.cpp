@@ -85,7 +85,7 @@ class Solving {
     }
     io::RecordBuilder record;
     auto result = record.root().initResult();
-    fillResult(result, identity_, outcome, level_.level);
+    fillResult(result, identity_, outcome, level_.level, query_);
     result.getTiming().setCompile(float(level_.compileSeconds));
     result.setMethod(options_.method->name);
     result.setSeed(options_.budget.seed);

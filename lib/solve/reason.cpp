@@ -23,23 +23,36 @@ std::string solvedText(const SearchOutcome& outcome, const level::Level& level) 
   std::string text = fmt::format("reached the goal in {:.2f} s with {}",
                                  double(best.ticks) / level.view().params.controlRate,
                                  plural(best.end.jumps, "jump"));
-  if (best.end.waypoints > 0) text += ", past " + plural(best.end.waypoints, "waypoint");
+  if (const uint32_t n = targetsReached(best.end)) text += ", past " + plural(n, "waypoint");
   if (outcome.solutions.size() > 1) {
     text += fmt::format("; the shortest of {} distinct ways", outcome.solutions.size());
   }
   return text;
 }
 
-std::string endText(const EndCount& end, const level::Level& level) {
+// A region or part of the query's avoid list.
+std::string avoidText(schema::Query::Reader query, uint32_t index) {
+  if (index >= query.getAvoid().size()) return "entered an avoid region";
+  const auto region = query.getAvoid()[index];
+  const std::string name = region.getName().size() > 0
+                               ? fmt::format(" '{}'", region.getName().cStr())
+                               : fmt::format(" {}", index);
+  return region.getTouch() ? fmt::format("touched part {}{}", region.getPartIndex(), name)
+                           : "entered avoid region" + name;
+}
+
+std::string endText(const EndCount& end, const level::Level& level, schema::Query::Reader query) {
   switch (end.outcome) {
     case sim::Outcome::killed:
       return end.part < level.partCount()
                  ? fmt::format("were killed by part {} '{}'", end.part, level.partName(end.part))
                  : "were killed";
     case sim::Outcome::fell: return "fell";
-    case sim::Outcome::avoided: return "entered an avoid region";
+    case sim::Outcome::avoided: return avoidText(query, end.part);
     case sim::Outcome::jumps: return "needed more jumps than allowed";
     case sim::Outcome::timeout: return "ran out of time";
+    case sim::Outcome::hurt: return "lost more health than allowed";
+    case sim::Outcome::forbidden: return "were in a forbidden state";
     case sim::Outcome::running:
     case sim::Outcome::goal: break;
   }
@@ -47,7 +60,8 @@ std::string endText(const EndCount& end, const level::Level& level) {
 }
 
 // The most frequent ends of those attempts that failed for good.
-std::string endsText(const SearchOutcome& outcome, const level::Level& level) {
+std::string endsText(const SearchOutcome& outcome, const level::Level& level,
+                     schema::Query::Reader query) {
   uint64_t all = 0;
   for (const EndCount& e : outcome.ends) all += e.count;
   std::string text;
@@ -55,20 +69,23 @@ std::string endsText(const SearchOutcome& outcome, const level::Level& level) {
   for (const EndCount& e : outcome.ends) {
     if (e.outcome == sim::Outcome::running || named == 2) continue;
     text += fmt::format("{}{:.0f} % of the attempts {}", named == 0 ? "; " : ", ",
-                        100.0 * double(e.count) / double(all), endText(e, level));
+                        100.0 * double(e.count) / double(all), endText(e, level, query));
     ++named;
   }
   return text;
 }
 
-std::string placeText(const SearchOutcome& outcome) {
+std::string placeText(const SearchOutcome& outcome, schema::Query::Reader query) {
   const Closest& c = outcome.statistics.closest;
   if (c.distance >= 1e29f) return "no attempt got anywhere";
-  return fmt::format(
-      "the closest came within {:.1f} studs of the {}{}", c.distance,
-      outcome.waypointCount > c.waypoints ? fmt::format("waypoint {}", c.waypoints + 1)
-                                          : std::string("goal"),
-      c.waypoints > 0 ? fmt::format(", past {}", plural(c.waypoints, "waypoint")) : std::string());
+  std::string to = "goal";
+  if (outcome.targetCount > c.targets) {
+    const bool ordered = query.getVisits().size() == 0;
+    to = ordered ? fmt::format("waypoint {}", c.targets + 1) : std::string("next waypoint");
+  }
+  std::string text = fmt::format("the closest came within {:.1f} studs of the {}", c.distance, to);
+  if (c.targets > 0) text += ", past " + plural(c.targets, "waypoint");
+  return text;
 }
 
 // What the simulator had to leave out.
@@ -89,13 +106,14 @@ std::string overrunText(uint8_t overruns) {
 
 }  // namespace
 
-std::string reasonFor(const SearchOutcome& outcome, const level::Level& level) {
+std::string reasonFor(const SearchOutcome& outcome, const level::Level& level,
+                      schema::Query::Reader query) {
   const std::string overruns = overrunText(outcome.statistics.overruns);
   if (!outcome.solutions.empty()) return solvedText(outcome, level) + overruns;
   std::string text =
       fmt::format("no way found in {} steps{}: ", countText(outcome.statistics.steps),
                   outcome.stopped == Stopped::interrupted ? " (interrupted)" : "");
-  text += placeText(outcome) + endsText(outcome, level);
+  text += placeText(outcome, query) + endsText(outcome, level, query);
   return text + overruns + "; this does not show that there is none";
 }
 

@@ -4,11 +4,13 @@
 #include <string>
 
 #include "level/level.h"
+#include "schema/obby.capnp.h"
 #include "solve/methods.h"
 
 namespace obby::solve {
 
 // Says nothing that depends on the clock.
-std::string reasonFor(const SearchOutcome& outcome, const level::Level& level);
+std::string reasonFor(const SearchOutcome& outcome, const level::Level& level,
+                      schema::Query::Reader query);
 
 }  // namespace obby::solve

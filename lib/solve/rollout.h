@@ -18,7 +18,7 @@ OBBY_DEVICE uint32_t runRollout(const ExploreContext& c, uint64_t seed, uint64_t
   for (uint32_t t = 1; t <= ticks; ++t) {
     const sim::Action action = explorer.next(c, world);
     sim::tick<kLoose>(world, loose, c.level, action);
-    sim::applyRules(world, c.level, c.query);
+    sim::applyRules(world, loose, c.level, c.query);
     visit(action, world);
     if (world.outcome != sim::Outcome::running) return t;
   }

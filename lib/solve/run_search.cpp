@@ -78,7 +78,7 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget,
   outcome.attempts = showAttempts(search, budget.attempts);
   outcome.ends = search.attempts().counts();
   outcome.statistics = search.statistics();
-  outcome.waypointCount = problem.query.waypointCount;
+  outcome.targetCount = targetCount(problem.query);
   outcome.cells = search.archive().cellCount();
   outcome.device = search.deviceStatus();
   return outcome;

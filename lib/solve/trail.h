@@ -9,24 +9,24 @@ namespace obby::solve {
 
 constexpr uint32_t kLookEvery = 3;  // ticks: a walking player needs seven for a cell
 
-// How close a state is to the goal, in the order of waypoints.
+// How close a state is to the goal, and how much of the way there is behind.
 struct Approach {
-  uint32_t waypoints = 0;
+  uint32_t targets = 0;    // waypoints and visits behind
   float distance = 1e30f;  // studs from the next region
   Vec3 position;           // feet
 };
 
 OBBY_DEVICE bool closer(const Approach& a, const Approach& b) {
-  return a.waypoints > b.waypoints || (a.waypoints == b.waypoints && a.distance < b.distance);
+  return a.targets > b.targets || (a.targets == b.targets && a.distance < b.distance);
 }
 
 // Studs to the next region.
 OBBY_DEVICE float distanceLeft(const level::QueryView& query, const sim::World& w) {
-  return geom::distance(targetRegion(query, w.waypoints), w.position);
+  return nextRegion(query, w).distance;
 }
 
 OBBY_DEVICE Approach approachOf(const level::QueryView& query, const sim::World& w) {
-  return {w.waypoints, distanceLeft(query, w), w.position};
+  return {targetsReached(w), distanceLeft(query, w), w.position};
 }
 
 // Which states are worth keeping.

@@ -33,6 +33,12 @@ void writeRegion(JsonText& json, schema::Region::Reader region) {
   json.close();
 }
 
+void writeRegions(JsonText& json, capnp::List<schema::Region>::Reader regions) {
+  json.open('[');
+  for (const auto region : regions) writeRegion(json, region);
+  json.close();
+}
+
 void writeConstraints(JsonText& json, const QueryEntry& entry) {
   const bool known = entry.query.has_value();
   const auto query = known ? entry.reader() : schema::Query::Reader();
@@ -49,20 +55,28 @@ void writeConstraints(JsonText& json, const QueryEntry& entry) {
     json.null();
   }
   json.field("startTick", query.getStart().getTick()).key("goal");
-  if (known) {
+  if (known && query.hasGoal()) {
     writeRegion(json, query.getGoal());
   } else {
     json.null();
   }
+  json.key("goals");
+  writeRegions(json, query.getGoals());
+  json.key("visits");
+  writeRegions(json, query.getVisits());
   json.key("waypoints").open('[');
   for (const auto waypoint : query.getWaypoints()) {
     json.open('{').field("maxJumps", waypoint.getMaxJumps()).key("region");
     writeRegion(json, waypoint.getRegion());
     json.close();
   }
-  json.close().key("avoid").open('[');
-  for (const auto region : query.getAvoid()) writeRegion(json, region);
-  json.close().field("maxJumps", query.getMaxJumps()).field("timeLimit", query.getTimeLimit());
+  json.close().key("avoid");
+  writeRegions(json, query.getAvoid());
+  json.field("maxJumps", query.getMaxJumps()).field("minJumps", query.getMinJumps());
+  json.field("timeLimit", query.getTimeLimit()).field("maxDamage", query.getMaxDamage());
+  json.key("forbid").open('[');
+  for (const auto state : query.getForbid()) json.value(enumName(state));
+  json.close();
 }
 
 void writeResult(JsonText& json, const QueryEntry& entry) {

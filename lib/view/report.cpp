@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "level/resolve_places.h"
+
 namespace obby::view {
 
 bool QueryEntry::mismatch() const {
@@ -94,6 +96,15 @@ Status Collector::compile(QueryEntry& entry) {
     error.path = "level";
     const io::Record record = *std::exchange(entry.query, std::nullopt);
     return forgive_(record, std::move(error));
+  }
+  if (level::namesParts(entry.reader())) {
+    io::RecordBuilder copy(entry.query->reader());
+    const auto level = report_.levels[size_t(entry.level)].record.reader().getLevel();
+    if (Status status = level::resolvePlaces(level, copy.root().getQuery()); !status) {
+      const io::Record record = *std::exchange(entry.query, std::nullopt);
+      return forgive_(record, std::move(status).error());
+    }
+    entry.query = io::Record(std::move(copy));
   }
   auto compiled = level::Query::compile(entry.reader(), *report_.levels[size_t(entry.level)].level);
   if (!compiled) {

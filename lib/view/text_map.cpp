@@ -79,14 +79,23 @@ std::vector<Vec2> footprint(const Corners& corners, Frame frame) {
   return convexHull(std::move(points));
 }
 
+// Calls visit(region, ink) for the query's regions, what is to be avoided first.
+template <class Visit>
+void forRegions(schema::Query::Reader query, Visit&& visit) {
+  for (const auto region : query.getAvoid()) visit(region, kAvoid);
+  for (const auto region : query.getVisits()) visit(region, kWaypoint);
+  for (const auto w : query.getWaypoints()) visit(w.getRegion(), kWaypoint);
+  for (const auto region : query.getGoals()) visit(region, kGoal);
+  if (query.hasGoal()) visit(query.getGoal(), kGoal);
+}
+
 // What the map must show: regions and trajectories, or else the whole level.
 Box extentOf(const LevelEntry& level, const QueryEntry& query) {
   std::vector<Box> boxes;
   if (query.query) {
-    const auto q = query.reader();
-    boxes.push_back(boxOf(cornersOf(q.getGoal())));
-    for (const auto w : q.getWaypoints()) boxes.push_back(boxOf(cornersOf(w.getRegion())));
-    for (const auto region : q.getAvoid()) boxes.push_back(boxOf(cornersOf(region)));
+    forRegions(query.reader(), [&](schema::Region::Reader region, const Ink&) {
+      boxes.push_back(boxOf(cornersOf(region)));
+    });
     if (query.compiled)
       boxes.push_back({query.compiled->start().feet, query.compiled->start().feet});
   }
@@ -146,11 +155,9 @@ void drawAttempts(Raster& raster, const QueryEntry& query, Frame frame) {
 
 void drawQuery(Raster& raster, const QueryEntry& query, Frame frame) {
   if (query.query) {
-    for (const auto region : query.reader().getAvoid()) outline(raster, region, frame, kAvoid);
-    for (const auto w : query.reader().getWaypoints()) {
-      outline(raster, w.getRegion(), frame, kWaypoint);
-    }
-    outline(raster, query.reader().getGoal(), frame, kGoal);
+    forRegions(query.reader(), [&](schema::Region::Reader region, const Ink& ink) {
+      outline(raster, region, frame, ink);
+    });
   }
   for (const PathEntry& path : query.paths) {
     if (path.kind == PathKind::solution) drawPath(raster, path.playback, frame, kSolution);

@@ -112,14 +112,16 @@ void compareWalkers(Parity& parity, uint32_t worlds, uint32_t ticks) {
   }
   const support::Levels all = support::everyKind();
   parity.compare("levels of every kind", all.course, worlds, ticks, sim::Actions::walker(4));
+  support::Levels ruled = support::everyKind();
+  support::addRules(ruled);
+  parity.compare("rules of every kind", ruled.course, worlds, ticks, sim::Actions::walker(6));
 }
 
 // The same search with its rollouts on threads and on the device: every cell of the archive.
 void compareSearch(Parity& parity, sim::Device& device, ThreadPool& pool, int rounds) {
   const level::Level level = support::movingArena(60, 10, 5).compile();
-  level::QueryView query{};
-  query.goal = {{{0, 500, 0}, {}}, {2, 2, 2}};
-  query.maxJumps = -1;
+  level::QueryView query;
+  query.goal.region = {{{0, 500, 0}, {}}, {2, 2, 2}};
   const solve::Problem problem{
       level.view(), query,          sim::makeWorld(level.view(), level.spawns()[0]),
       {},           level.bounds(), level.hasMotion()};

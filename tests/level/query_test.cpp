@@ -86,7 +86,69 @@ TEST(QueryLimits, AreTicksAndCounts) {
   EXPECT_EQ(v.waypoints[0].maxJumps, -1);
   EXPECT_EQ(v.waypoints[1].maxJumps, 1);
   EXPECT_EQ(v.avoidCount, 1u);
-  EXPECT_TRUE(v.goal.half == (Vec3{2, 2, 2}));
+  EXPECT_TRUE(v.goal.region.half == (Vec3{2, 2, 2}));
+}
+
+TEST(QueryLimits, OfSegmentsVisitsGoalsStatesAndHealth) {
+  const Query q = *compile([](schema::Query::Builder r) {
+    set(r.initGoals(2)[1].initPosition(), {0, 7, 0});
+    set(r.initVisits(1)[0].initPosition(), {0, 3, 0});
+    auto waypoint = r.initWaypoints(1)[0];
+    waypoint.initRegion();
+    waypoint.setSegmentJumps(2);
+    waypoint.setSegmentTime(1);
+    waypoint.setTimeLimit(1.5f);
+    r.setSegmentJumps(3);
+    r.setSegmentTime(2);
+    r.setMinJumps(4);
+    r.setMaxDamage(25);
+    r.initForbid(1).set(0, schema::PlayerState::CLIMBING);
+  });
+  const QueryView v = q.view();
+  ASSERT_EQ(v.otherGoalCount, 2u);
+  EXPECT_EQ(v.otherGoals[1].region.pose.position.y, 7);
+  ASSERT_EQ(v.visitCount, 1u);
+  EXPECT_EQ(v.visits[0].region.pose.position.y, 3);
+  EXPECT_EQ(v.waypoints[0].segment.jumps, 2);
+  EXPECT_EQ(v.waypoints[0].segment.ticks, 60u);
+  EXPECT_EQ(v.waypoints[0].ticks, 90u);
+  EXPECT_EQ(v.last.jumps, 3);
+  EXPECT_EQ(v.last.ticks, 120u);
+  EXPECT_EQ(v.minJumps, 4);
+  EXPECT_EQ(v.maxDamage, 25);
+  EXPECT_EQ(v.forbidden, 1u << 5);
+}
+
+TEST(QueryLimits, GoalsCanStandInForTheGoal) {
+  const Query q = *compile([](schema::Query::Builder r) {
+    r.disownGoal();
+    set(r.initGoals(1)[0].initPosition(), {0, 7, 0});
+  });
+  EXPECT_EQ(q.view().goal.region.pose.position.y, 7);
+  EXPECT_EQ(q.view().otherGoalCount, 0u);
+}
+
+// A part with two hulls and one that nothing can touch.
+TEST(QueryTouch, LooksUpThePartsColliders) {
+  support::LevelBuilder b;
+  b.block({0, 0, 0}, {10, 1, 10}).spawn({0, 1, 0});
+  b.block({0, 9, 0}, {1, 1, 1}, [](auto p) { p.setSolid(false); });
+  const Level level = b.compile();
+  const auto touching = [](uint32_t part) {
+    return [=](schema::Query::Builder r) {
+      r.getGoal().setTouch(true);
+      r.getGoal().setPartIndex(int32_t(part));
+    };
+  };
+  const auto floor = compile(touching(0), level);
+  ASSERT_TRUE(floor) << floor.error().text();
+  const QueryView v = floor->view();
+  ASSERT_EQ(v.goal.touchCount, 1u);
+  EXPECT_EQ(level.view().colliders[v.touched[v.goal.firstTouch]].part, 0u);
+  const auto air = compile(touching(1), level);
+  ASSERT_FALSE(air);
+  EXPECT_NE(air.error().message.find("cannot be touched"), std::string::npos);
+  EXPECT_EQ(compile(touching(7), level).error().path, "goal.partIndex");
 }
 
 TEST(QueryLimits, ATimeLimitBeyondEveryPlaythroughIsFine) {
@@ -114,6 +176,18 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
   expectRefused([](auto r) { r.initWaypoints(256); }, "waypoints", "at most 255");
   expectRefused([](auto r) { r.setTimeLimit(-1); }, "timeLimit", "seconds");
   expectRefused([](auto r) { r.setTimeLimit(kNan); }, "timeLimit", "seconds");
+  expectRefused([](auto r) { r.setSegmentTime(-1); }, "segmentTime", "seconds");
+  expectRefused(
+      [](auto r) { r.initWaypoints(1)[0].initRegion(), r.getWaypoints()[0].setSegmentTime(kNan); },
+      "waypoints[0].segmentTime", "seconds");
+  expectRefused([](auto r) { r.initVisits(33); }, "visits", "at most 32, got 33");
+  expectRefused([](auto r) { r.setMinJumps(3), r.setMaxJumps(2); }, "minJumps", "3 jumps at least");
+  expectRefused([](auto r) { r.setMinJumps(65536); }, "minJumps", "at most 65535");
+  expectRefused([](auto r) { r.setMaxDamage(-2); }, "maxDamage", "health");
+  expectRefused([](auto r) { r.initForbid(1).set(0, schema::PlayerState::FREEFALL); }, "forbid[0]",
+                "do without");
+  expectRefused([](auto r) { r.getGoal().setTouch(true); }, "goal.touch", "only a part");
+  expectRefused([](auto r) { r.initVisits(1)[0].setPart("Top"); }, "visits[0].part", "looked up");
   expectRefused([](auto r) { r.setTimeLimit(0.01f); }, "timeLimit", "one tick");
   for (const float yaw : {kNan, 1e30f}) {
     expectRefused([=](auto r) { r.initStart().initRegion(), r.getStart().setYaw(yaw); },

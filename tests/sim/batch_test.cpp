@@ -2,7 +2,9 @@
 #include "sim/batch.h"
 
 #include <gtest/gtest.h>
+
 #include <malloc.h>
+#include <set>
 
 #include <algorithm>
 #include <memory>
@@ -16,6 +18,7 @@
 namespace obby::sim {
 namespace {
 
+constexpr uint32_t kRuled = 600;  // enough that every rule ends some
 constexpr uint32_t kWorlds = 90;
 
 std::vector<uint64_t> hashesOf(const Batch& batch) {
@@ -68,6 +71,26 @@ TEST(Batch, worlds_of_many_levels_go_as_they_would_alone) {
   const auto episodes = *lanes->episodes();
   for (const Episode& e : episodes) most = std::max(most, e.number);
   EXPECT_GE(most, 3u);
+}
+
+// Every rule ends some playthroughs, and lanes, kernels and single worlds agree which.
+TEST(Batch, rules_are_the_same_in_lanes_and_on_kernels) {
+  support::Levels many = support::everyKind();
+  support::addRules(many);
+  ThreadPool pool(2);
+  HostDevice device(pool);
+  many.course.restarts = false;
+  const auto lanes = *makeCpuBatch(many.course, kRuled, pool);
+  const auto kernel = *makeKernelBatch(many.course, kRuled, device);
+  ASSERT_TRUE(lanes->step(400, Actions::walker(6)));
+  ASSERT_TRUE(kernel->step(400, Actions::walker(6)));
+  EXPECT_EQ(hashesOf(*lanes), hashesOf(*kernel));
+  std::set<Outcome> ends;
+  for (const World& w : *lanes->worlds()) ends.insert(w.outcome);
+  for (const Outcome o : {Outcome::goal, Outcome::avoided, Outcome::timeout, Outcome::hurt,
+                          Outcome::forbidden, Outcome::jumps}) {
+    EXPECT_TRUE(ends.contains(o)) << "no world ended by " << int(o);
+  }
 }
 
 TEST(Batch, how_ticks_are_cut_into_steps_does_not_show) {

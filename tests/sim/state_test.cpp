@@ -1,4 +1,4 @@
-// Snapshots, hashes, batches and rules.
+// Snapshots, hashes, batches and replays.
 #include <gtest/gtest.h>
 
 #include "sim/batch.h"
@@ -62,70 +62,6 @@ TEST(Replay, gives_the_same_worlds_as_playing) {
   Play play(level, level.spawns()[0].feet);
   for (const auto& run : plan.actions) play.run(run.action, int(run.ticks));
   EXPECT_EQ(stateHash(worlds.back()), stateHash(play.world));
-}
-
-geom::Region boxAt(Vec3 center, Vec3 half) { return {{center, {}}, half}; }
-
-struct RulesTest : testing::Test {
-  level::Level level = flatLevel();
-  level::QueryView query{boxAt({0, 2, -40}, {3, 3, 3}), nullptr, nullptr, 0, 0, -1, 0, 0};
-
-  Outcome play(int ticks, bool jump = false) {
-    sim::World w = sim::makeWorld(level.view(), {});
-    for (int t = 0; t < ticks; ++t)
-      sim::advance(w, nullptr, level.view(), &query, walk(kNorth, jump));
-    last = w;
-    return w.outcome;
-  }
-  sim::World last{};
-};
-
-TEST_F(RulesTest, goal_ends_the_playthrough) {
-  EXPECT_EQ(play(300), Outcome::goal);
-  EXPECT_NEAR(last.position.z, -37, 0.4f);
-}
-
-TEST_F(RulesTest, goal_does_not_count_before_the_waypoints) {
-  const level::WaypointView far{boxAt({50, 2, 0}, {3, 3, 3}), -1};
-  query.waypoints = &far;
-  query.waypointCount = 1;
-  EXPECT_EQ(play(300), Outcome::running);
-  EXPECT_EQ(last.waypoints, 0);
-}
-
-TEST_F(RulesTest, waypoints_are_taken_in_order) {
-  const level::WaypointView both[] = {{boxAt({0, 2, -10}, {3, 3, 1}), -1},
-                                      {boxAt({0, 2, -20}, {3, 3, 1}), -1}};
-  query.waypoints = both;
-  query.waypointCount = 2;
-  EXPECT_EQ(play(300), Outcome::goal);
-  EXPECT_EQ(last.waypoints, 2);
-}
-
-TEST_F(RulesTest, avoid_region_ends_it) {
-  const geom::Region wall = boxAt({0, 2, -20}, {10, 3, 1});
-  query.avoid = &wall;
-  query.avoidCount = 1;
-  EXPECT_EQ(play(300), Outcome::avoided);
-}
-
-TEST_F(RulesTest, jump_limit_in_total) {
-  query.maxJumps = 1;
-  EXPECT_EQ(play(300, true), Outcome::jumps);
-}
-
-TEST_F(RulesTest, jump_limit_at_a_waypoint) {
-  const level::WaypointView limited{boxAt({0, 2, -30}, {3, 30, 1}), 0};
-  query.waypoints = &limited;
-  query.waypointCount = 1;
-  EXPECT_EQ(play(300, true), Outcome::jumps);
-  EXPECT_EQ(play(300, false), Outcome::goal);
-}
-
-TEST_F(RulesTest, time_limit) {
-  query.timeLimitTicks = 100;
-  EXPECT_EQ(play(300), Outcome::timeout);
-  EXPECT_EQ(last.tick, 100u);
 }
 
 }  // namespace

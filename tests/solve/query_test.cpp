@@ -2,95 +2,24 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/json_codec.h"
 #include "scenes.h"
-#include "solve/select_parts.h"
+#include "support/tower.h"
 
 namespace obby::solve {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr const char* kLevel =
-    R"({"type":"level","name":"tower","parts":[)"
-    R"({"name":"Base","position":[0,0,0],"size":[8,1,8]},)"
-    R"({"name":"Lava","position":[0,0,-10],"size":[2,1,2],"source":{"path":"Workspace/S1/Lava"},"tags":["Kill"]},)"
-    R"({"name":"Lava","position":[0,0,-20],"size":[2,1,2],"source":{"path":"Workspace/S2/Lava"},"tags":["Kill","Hot"]},)"
-    R"({"name":"Top","position":[0,9,-30],"size":[4,1,2],"rotation":[0,0,0.70710678,0.70710678],)"
-    R"("source":{"path":"Workspace/S2/Top","guid":"AB12"},"checkpoint":{"stage":2}}],)"
-    R"("spawns":[{"position":[0,0.5,0],"part":0}]})";
-
-class SelectTest : public testing::Test {
+class QuickQueryTest : public testing::Test {
  protected:
-  SelectTest() : record(*io::recordFromJson(kLevel)) {}
   schema::Level::Reader level() { return record.reader().getLevel(); }
-  std::vector<uint32_t> parts(const std::string& selector) {
-    auto found = matchParts(level(), selector);
-    EXPECT_TRUE(found) << found.error().text();
-    return found ? *found : std::vector<uint32_t>();
-  }
-  std::string error(const std::string& selector) {
-    const auto found = matchPart(level(), selector);
-    EXPECT_FALSE(found);
-    return found ? "" : found.error().text();
-  }
-  io::RecordBuilder record;
+  io::RecordBuilder record = support::tower();
 };
 
-TEST_F(SelectTest, ByNamePathEndOfPathTagGuidAndIndex) {
-  EXPECT_THAT(parts("Base"), ElementsAre(0));
-  EXPECT_THAT(parts("Workspace/S2/Lava"), ElementsAre(2));
-  EXPECT_THAT(parts("S1/Lava"), ElementsAre(1));
-  EXPECT_THAT(parts("Lava"), ElementsAre(1, 2));
-  EXPECT_THAT(parts("#Kill"), ElementsAre(1, 2));
-  EXPECT_THAT(parts("#Hot"), ElementsAre(2));
-  EXPECT_THAT(parts("AB12"), ElementsAre(3));
-  EXPECT_THAT(parts("part:3"), ElementsAre(3));
-}
-
-TEST_F(SelectTest, SeveralMatchesAreListed) {
-  EXPECT_EQ(error("Lava"),
-            "'Lava' names 2 parts of level 'tower' "
-            "(one of part:1 Workspace/S1/Lava, part:2 Workspace/S2/Lava)");
-}
-
-TEST_F(SelectTest, NoMatchSuggestsSimilarNames) {
-  EXPECT_THAT(error("lav"), HasSubstr("similar: part:1 Workspace/S1/Lava"));
-  EXPECT_THAT(error("nothing"), HasSubstr("part:INDEX"));
-  EXPECT_THAT(error("part:9"), HasSubstr("parts 0 to 3"));
-}
-
-TEST(BoxFromText, ReadsSixNumbersAndNothingElse) {
-  const auto box = boxFromText("1,-2.5,3e1,4,5,6");
-  ASSERT_TRUE(box && *box);
-  EXPECT_TRUE((*box)->position == (Vec3{1, -2.5f, 30}));
-  EXPECT_TRUE((*box)->size == (Vec3{4, 5, 6}));
-  for (const char* text : {"", "1,2,3", "1,2,3,4,5,6,7", "1,2,3,4,5,x", "Part,1", "1;2;3;4;5;6"}) {
-    const auto other = boxFromText(text);
-    ASSERT_TRUE(other) << text;
-    EXPECT_FALSE(other->has_value()) << text;
-  }
-  EXPECT_FALSE(boxFromText("1,2,3,4,0,6"));
-  EXPECT_FALSE(boxFromText("1,2,3,4,nan,6"));
-  EXPECT_FALSE(boxFromText("inf,2,3,4,5,6"));
-}
-
-TEST_F(SelectTest, RegionsGrowUpwardAlsoForPartsThatLieOnTheirSide) {
-  const PlainRegion base = regionAround(level().getParts()[0]);
-  EXPECT_TRUE(base.size == (Vec3{10, 1.5f, 10}));
-  EXPECT_FLOAT_EQ(base.position.y, 0.25f);
-  const PlainRegion top = regionAround(level().getParts()[3]);  // local X points up
-  EXPECT_TRUE(top.size == (Vec3{4.5f, 3, 4}));
-  EXPECT_NEAR(top.position.y, 9.25f, 1e-5);
-  const PlainRegion standing = regionOnTop(level().getParts()[3]);
-  EXPECT_NEAR(standing.position.y - standing.size.y / 2, 11, 1e-5);
-}
-
-TEST_F(SelectTest, AQueryOfSelectorsBecomesARecord) {
+TEST_F(QuickQueryTest, AQueryOfSelectorsBecomesARecord) {
   QuickQuery quick;
   quick.start = "S1/Lava";
-  quick.goal = "Top";
+  quick.goals = {"Top"};
   quick.waypoints = {"S2/Lava", "0,1,-5,2,2,2"};
   quick.avoid = {"#Kill"};
   quick.maxJumps = 4;
@@ -107,7 +36,7 @@ TEST_F(SelectTest, AQueryOfSelectorsBecomesARecord) {
   EXPECT_FLOAT_EQ(query.getTimeLimit(), 2.5f);
 }
 
-TEST_F(SelectTest, AStartOnASpawnsPartIsThatSpawnAndTheGoalDefaultsToTheLastCheckpoint) {
+TEST_F(QuickQueryTest, AStartOnASpawnsPartIsThatSpawnAndTheGoalDefaultsToTheLastCheckpoint) {
   QuickQuery quick;
   quick.start = "Base";
   const auto query = buildQuery(level(), quick, "q");
@@ -116,11 +45,45 @@ TEST_F(SelectTest, AStartOnASpawnsPartIsThatSpawnAndTheGoalDefaultsToTheLastChec
   EXPECT_EQ(query->reader().getQuery().getGoal().getName(), "Top");
 }
 
-TEST_F(SelectTest, ErrorsNameTheOption) {
+TEST_F(QuickQueryTest, EveryKindOfLimitBecomesAField) {
   QuickQuery quick;
-  quick.goal = "Lava";
+  quick.goals = {"Top", "Base"};
+  quick.visits = {"touch:#Kill", "0,1,-5,2,2,2"};
+  quick.avoid = {"touch:S1/Lava"};
+  quick.forbid = {"climbing", "fallingDown"};
+  quick.minJumps = 2;
+  quick.maxDamage = 30;
+  const auto built = buildQuery(level(), quick, "q");
+  ASSERT_TRUE(built) << built.error().text();
+  const auto query = built->reader().getQuery();
+  EXPECT_EQ(query.getGoal().getName(), "Top");
+  ASSERT_EQ(query.getGoals().size(), 1u);
+  EXPECT_EQ(query.getGoals()[0].getPartIndex(), 0);
+  ASSERT_EQ(query.getVisits().size(), 3u) << "both parts with the tag, and the box";
+  EXPECT_TRUE(query.getVisits()[1].getTouch());
+  EXPECT_EQ(query.getVisits()[1].getPartIndex(), 2);
+  EXPECT_FALSE(query.getVisits()[2].getTouch());
+  EXPECT_EQ(query.getAvoid()[0].getPartIndex(), 1);
+  ASSERT_EQ(query.getForbid().size(), 2u);
+  EXPECT_EQ(query.getForbid()[1], schema::PlayerState::FALLING_DOWN);
+  EXPECT_EQ(query.getMinJumps(), 2);
+  EXPECT_EQ(query.getMaxDamage(), 30);
+}
+
+TEST_F(QuickQueryTest, ABoxCannotBeTouched) {
+  QuickQuery quick;
+  quick.avoid = {"touch:0,1,-5,2,2,2"};
+  const auto built = buildQuery(level(), quick, "q");
+  ASSERT_FALSE(built);
+  EXPECT_EQ(built.error().path, "--avoid");
+  EXPECT_THAT(built.error().text(), HasSubstr("only a part can be touched"));
+}
+
+TEST_F(QuickQueryTest, ErrorsNameTheOption) {
+  QuickQuery quick;
+  quick.goals = {"Lava"};
   EXPECT_EQ(buildQuery(level(), quick, "q").error().path, "--goal");
-  quick.goal = "Top";
+  quick.goals = {"Top"};
   quick.waypoints = {"none"};
   EXPECT_EQ(buildQuery(level(), quick, "q").error().path, "--waypoint");
   quick.waypoints = {};
@@ -172,12 +135,39 @@ TEST(Filter, ALevelThatNamesNoEndNeedsAQuery) {
 TEST(Filter, AQueryOnTheCommandLineReplacesThoseOfTheStream) {
   FilterOptions o;
   o.quick = QuickQuery{};
-  o.quick->goal = "B";
+  o.quick->goals = {"B"};
   const Filtered f = filter(stonesText(), o);
   ASSERT_TRUE(f.status) << f.status.error().text();
   EXPECT_EQ(f.counts.solved + f.counts.unknown, 1u);
   EXPECT_THAT(f.output, HasSubstr("\"query\":\"command-line\""));
   EXPECT_THAT(f.output, testing::Not(HasSubstr("\"query\":\"q\"")));
+}
+
+TEST(Filter, LimitsChangeEachQueryOfTheStream) {
+  FilterOptions o;
+  o.quick = QuickQuery{};
+  o.quick->timeLimit = 1;
+  o.each = true;
+  const Filtered f = filter(stonesText(), o);
+  ASSERT_TRUE(f.status) << f.status.error().text();
+  EXPECT_EQ(f.counts.unknown, 1u) << "26 studs in a second";
+  EXPECT_THAT(f.output, HasSubstr("\"query\":\"q\""));
+  EXPECT_THAT(f.output, HasSubstr("\"timeLimit\":1")) << "the changed query goes out";
+  o.quick->timeLimit = 5;
+  EXPECT_EQ(filter(stonesText(), o).counts.solved, 1u);
+}
+
+TEST(Filter, PartsThatAQueryNamesGoOutWithTheirBoxes) {
+  std::string text = stonesText();
+  const std::string box = R"("goal":{"position":[0,2,-28],"size":[8,4,8]})";
+  text.replace(text.find(box), box.size(), R"("goal":{"part":"C","touch":true})");
+  const Filtered f = filter(text);
+  ASSERT_TRUE(f.status) << f.status.error().text();
+  EXPECT_EQ(f.counts.solved, 1u);
+  EXPECT_THAT(f.output, HasSubstr(R"("part":"C","touch":true,"partIndex":2)"));
+  text.replace(text.find("\"part\":\"C\""), 10, "\"part\":\"D\"");
+  EXPECT_THAT(filter(text).status.error().text(),
+              HasSubstr("goal.part: no part of level 'stones'"));
 }
 
 TEST(Filter, AnswersOnlyTheNamedQueriesAndMissesUnknownNames) {

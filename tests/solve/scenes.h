@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -26,13 +27,12 @@ inline LevelBuilder steppingStones() {
   return b;
 }
 
-inline geom::Region boxAt(Vec3 center, Vec3 size) { return {{center, {}}, size * 0.5f}; }
+inline level::TargetView boxAt(Vec3 center, Vec3 size) { return {{{center, {}}, size * 0.5f}}; }
 
 // A query over a level in plain form, without limits until they are set.
 struct Question {
   explicit Question(const level::Level& l) : level(l) {
     query.goal = boxAt({0, 2, -28}, {8, 4, 8});
-    query.maxJumps = -1;
   }
   Problem problem() {
     query.waypoints = waypoints.data();
@@ -49,7 +49,7 @@ struct Question {
   const level::Level& level;
   level::QueryView query{};
   std::vector<level::WaypointView> waypoints;
-  std::vector<geom::Region> avoid;
+  std::vector<level::TargetView> avoid;
 };
 
 // What the filter makes of a stream of JSON lines.
@@ -92,8 +92,10 @@ class LinesFile {
   static std::string name() {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
     static int count = 0;
-    return std::string("obby-") + info->test_suite_name() + "-" + info->name() + "-" +
-           std::to_string(++count) + ".jsonl";
+    std::string name = std::string("obby-") + info->test_suite_name() + "-" + info->name() + "-" +
+                       std::to_string(++count) + ".jsonl";
+    std::replace(name.begin(), name.end(), '/', '-');  // of parameterised tests
+    return name;
   }
   std::string path_;
 };

@@ -152,7 +152,7 @@ TEST(Search, AGapTooWideIsUnknownWithEvidence) {
   ASSERT_FALSE(a.trajectories.empty());
   const auto end = a.trajectories[0].reader().getTrajectory().getEndPosition();
   const float off =
-      geom::distance(boxAt({0, 2, -40}, {8, 4, 8}), {end.getX(), end.getY(), end.getZ()});
+      geom::distance(boxAt({0, 2, -40}, {8, 4, 8}).region, {end.getX(), end.getY(), end.getZ()});
   EXPECT_NEAR(off, result.getClosest(), 1e-3);
 }
 

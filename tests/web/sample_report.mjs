@@ -199,10 +199,15 @@ const base = {
   start: null,
   startPosition: [0, 0.5, 0],
   goal: region('Goal', [26, 17, -102], [8, 5, 8]),
+  goals: [],
+  visits: [],
   waypoints: [],
   avoid: [],
+  minJumps: 0,
   maxJumps: -1,
   timeLimit: 0,
+  maxDamage: -1,
+  forbid: [],
 };
 const result = {
   verdict: 'solved',

@@ -51,19 +51,39 @@ OptionRow methodRow() {
   return r;
 }
 
+OptionRow forbidRow() {
+  OptionRow r =
+      row("forbid", ValueType::choice, "", "", "never be in that state; repeat", kQueryGroup);
+  r.choices = {"jumping", "climbing", "seated", "fallingDown"};
+  return r;
+}
+
 std::vector<OptionRow> queryRows() {
   return {
       row("start", ValueType::text, "PLACE", "", "start on this part or in this box", kQueryGroup),
-      row("goal", ValueType::text, "PLACE", "", "reach this part or box", kQueryGroup),
+      repeatable(row("goal", ValueType::text, "PLACE", "",
+                     "reach this part or box; repeat: any of them", kQueryGroup)),
       repeatable(row("waypoint", ValueType::text, "PLACE", "", "pass here first; repeat in order",
+                     kQueryGroup)),
+      repeatable(row("visit", ValueType::text, "PLACE", "",
+                     "pass here first, in any order; repeat; a #TAG means all its parts",
                      kQueryGroup)),
       repeatable(row("avoid", ValueType::text, "PLACE", "",
                      "never enter; repeat; a #TAG means all its parts", kQueryGroup)),
       between(row("max-jumps", ValueType::integer, "N", "", "jump at most N times", kQueryGroup), 0,
               65535),
+      between(row("min-jumps", ValueType::integer, "N", "", "jump at least N times", kQueryGroup),
+              0, 65535),
       between(row("max-time", ValueType::number, "SECONDS", "", "arrive within that game time",
                   kQueryGroup),
               0.02, 100000),
+      between(row("max-damage", ValueType::number, "HEALTH", "",
+                  "lose at most that much health, of 100", kQueryGroup),
+              0, 1e6),
+      repeatable(forbidRow()),
+      row("each", ValueType::flag, "", "",
+          "ask the stream's queries with these limits in place of their own, not a new query",
+          kQueryGroup),
   };
 }
 
@@ -118,9 +138,13 @@ std::vector<OptionRow> searchRows() {
 solve::QuickQuery quickQuery(const cli::Arguments& a) {
   solve::QuickQuery q;
   q.start = a.text("start");
-  q.goal = a.text("goal");
+  q.goals = a.list("goal");
   q.waypoints = a.list("waypoint");
+  q.visits = a.list("visit");
   q.avoid = a.list("avoid");
+  q.forbid = a.list("forbid");
+  if (a.has("min-jumps")) q.minJumps = int32_t(a.integer("min-jumps"));
+  if (a.has("max-damage")) q.maxDamage = float(a.number("max-damage"));
   if (a.has("max-jumps")) q.maxJumps = int32_t(a.integer("max-jumps"));
   if (a.has("max-time")) q.timeLimit = float(a.number("max-time"));
   return q;
@@ -128,7 +152,7 @@ solve::QuickQuery quickQuery(const cli::Arguments& a) {
 
 bool asksQuickly(const cli::Arguments& a) {
   for (const OptionRow& r : queryRows()) {
-    if (a.has(r.name)) return true;
+    if (r.name != "each" && a.has(r.name)) return true;
   }
   return false;
 }
@@ -146,6 +170,8 @@ cli::ToolSpec solveSpec() {
        "obby-import first-steps.rbxlx | obby-solve | obby-view -o report.html"},
       {"ask on the command line",
        "obby-solve several-routes.jsonl --goal Goal --max-jumps 9 --max-time 30"},
+      {"all stages of a level, each without climbing and with at most nine jumps",
+       "obby-solve --each --forbid climbing --max-jumps 9 several-routes.jsonl"},
       {"three different ways, for a script",
        "obby-solve -e --query any --solutions 3 several-routes.jsonl > ways.jsonl"},
       {"check what somebody else found",
@@ -158,7 +184,8 @@ cli::ToolSpec solveSpec() {
   }
   spec.notes =
       "A PLACE is a part's name, path or the end of its path, GUID, #TAG or part:INDEX, or a box "
-      "x,y,z,sx,sy,sz (centre and size in studs). Queries asked on the command line replace those "
+      "x,y,z,sx,sy,sz (centre and size in studs); touch:PART means that the part itself is to be "
+      "touched. Queries asked on the command line replace those "
       "of the stream. A level without any query is asked for the way from its spawn to its goal or "
       "last checkpoint.\n\n"
       "The answer to a query depends on the stream, --seed, --max-steps, --solutions, --attempts "
@@ -175,7 +202,11 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
   o.only = a.list("query");
   o.verifyOnly = a.flag("verify");
   if (asksQuickly(a)) o.quick = quickQuery(a);
-  if (o.quick && !o.only.empty()) {
+  o.each = a.flag("each");
+  if (o.each && !o.quick) {
+    return Error{{}, {}, "--each", "needs a limit, as in --each --max-jumps 3", {}};
+  }
+  if (o.quick && !o.each && !o.only.empty()) {
     return Error{{}, {}, "--query", "does not go with a query asked on the command line", {}};
   }
   o.solver.method = solve::findMethod(a.text("method"));

@@ -19,9 +19,11 @@ export const OUTCOME_STYLE = {
   goal: { label: 'Reached the goal', short: 'Goal', color: '#7fe3b5', glyph: 'ring' },
   killed: { label: 'Killed', short: 'Killed', color: '#f0484e', glyph: 'cross' },
   fell: { label: 'Fell', short: 'Fell', color: '#e29a5b', glyph: 'down' },
-  avoided: { label: 'Entered an avoid region', short: 'Avoid', color: '#d873c4', glyph: 'bar' },
+  avoided: { label: 'Met what is to be avoided', short: 'Avoid', color: '#d873c4', glyph: 'bar' },
   jumps: { label: 'Too many jumps', short: 'Jumps', color: '#c9b458', glyph: 'up' },
   timeout: { label: 'Out of time', short: 'Time', color: '#9aa4b5', glyph: 'clock' },
+  hurt: { label: 'Lost too much health', short: 'Hurt', color: '#e07a8b', glyph: 'cross' },
+  forbidden: { label: 'In a forbidden state', short: 'State', color: '#a98ad8', glyph: 'bar' },
   running: { label: 'Cut off', short: 'Cut off', color: '#8190a8', glyph: 'dot' },
 };
 

@@ -90,6 +90,8 @@ export class RegionView {
       });
     }
     if (query.goal) add(query.goal, ROLE_STYLE.goal.color, 'Goal');
+    query.goals.forEach((region) => add(region, ROLE_STYLE.goal.color, region.name || 'Goal'));
+    query.visits.forEach((region) => add(region, kWaypoint, region.name || 'Visit'));
     query.waypoints.forEach((waypoint, i) => {
       const limit = waypoint.maxJumps >= 0 ? ` · ≤ ${waypoint.maxJumps} jumps` : '';
       add(

@@ -14,6 +14,17 @@ function badge(verdict) {
   });
 }
 
+function jumpLimits({ minJumps, maxJumps }) {
+  if (maxJumps >= 0 && maxJumps === minJumps) return [`exactly ${plural(maxJumps, 'jump')}`];
+  const limits = [];
+  if (maxJumps >= 0) limits.push(`at most ${plural(maxJumps, 'jump')}`);
+  if (minJumps > 0) limits.push(`at least ${plural(minJumps, 'jump')}`);
+  return limits;
+}
+
+// fallingDown: falling down
+const stateName = (state) => state.replace(/[A-Z]/g, (c) => ` ${c.toLowerCase()}`);
+
 export class Sidebar {
   constructor(root, report, store, playback) {
     Object.assign(this, { root, report, store, playback });
@@ -135,10 +146,14 @@ export class Sidebar {
 
   limits(query) {
     const parts = [];
-    if (query.maxJumps >= 0) parts.push(`at most ${plural(query.maxJumps, 'jump')}`);
+    parts.push(...jumpLimits(query));
     if (query.timeLimit > 0) parts.push(`within ${seconds(query.timeLimit)} s`);
     if (query.waypoints.length) parts.push(plural(query.waypoints.length, 'waypoint'));
+    if (query.visits.length) parts.push(`${plural(query.visits.length, 'place')} in any order`);
+    if (query.goals.length) parts.push(`one of ${query.goals.length + (query.goal ? 1 : 0)} goals`);
     if (query.avoid.length) parts.push(`${plural(query.avoid.length, 'region')} to avoid`);
+    if (query.maxDamage >= 0) parts.push(`at most ${query.maxDamage} health lost`);
+    if (query.forbid.length) parts.push(`never ${query.forbid.map(stateName).join(' or ')}`);
     return el('p', {
       class: 'quiet limits',
       text: parts.length ? `Asked: ${parts.join(', ')}` : '',

@@ -1,4 +1,4 @@
-#include "solve/select_parts.h"
+#include "level/select_parts.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace obby::solve {
+namespace obby::level {
 
 namespace {
 
@@ -154,6 +154,22 @@ Result<std::optional<PlainRegion>> boxFromText(const std::string& text) {
   return std::optional<PlainRegion>({text, {v[0], v[1], v[2]}, {}, {v[3], v[4], v[5]}});
 }
 
+void fillBox(schema::Region::Builder record, const PlainRegion& box) {
+  auto p = record.initPosition();
+  p.setX(box.position.x);
+  p.setY(box.position.y);
+  p.setZ(box.position.z);
+  auto q = record.initRotation();
+  q.setX(box.rotation.x);
+  q.setY(box.rotation.y);
+  q.setZ(box.rotation.z);
+  q.setW(box.rotation.w);
+  auto s = record.initSize();
+  s.setX(box.size.x);
+  s.setY(box.size.y);
+  s.setZ(box.size.z);
+}
+
 PlainRegion regionAround(schema::Part::Reader part) {
   const Quat q = rotationOf(part);
   const Mat3 axes = toMat3(q);
@@ -178,4 +194,4 @@ PlainRegion regionOnTop(schema::Part::Reader part) {
   return {part.getName().cStr(), vecOf(part.getPosition()) + up, {}, {4, kStandingRoom, 4}};
 }
 
-}  // namespace obby::solve
+}  // namespace obby::level

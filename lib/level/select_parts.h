@@ -15,7 +15,7 @@
 #include "math/vec.h"
 #include "schema/obby.capnp.h"
 
-namespace obby::solve {
+namespace obby::level {
 
 // Parts that the selector names, in the level's order: at least one. Of the ways to read a name,
 // the first that fits any part counts: GUID, whole path, name, end of the path. Error: no part
@@ -36,6 +36,9 @@ struct PlainRegion {
   Vec3 size;
 };
 
+// Position, rotation and size of a region record.
+void fillBox(schema::Region::Builder record, const PlainRegion& box);
+
 // Nothing if the text is not six numbers. Error: numbers that are no box.
 Result<std::optional<PlainRegion>> boxFromText(const std::string& text);
 
@@ -46,4 +49,4 @@ PlainRegion regionAround(schema::Part::Reader part);
 // Standing room on the middle of the part's top.
 PlainRegion regionOnTop(schema::Part::Reader part);
 
-}  // namespace obby::solve
+}  // namespace obby::level

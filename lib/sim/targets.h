@@ -1,0 +1,43 @@
+// What a query names, as the world is after a tick: has the player reached it, does it touch it?
+#pragma once
+
+#include "level/query_view.h"
+#include "sim/touch.h"
+
+namespace obby::sim {
+
+// Where a collider is after the tick that led to `w`.
+OBBY_DEVICE Pose poseAfter(const level::LevelView& level, const World& w, const LooseBody* loose,
+                           const level::Collider& c) {
+  if (c.loose != level::kNotLoose) return poseOf(loose[c.loose], level.loose[c.loose]);
+  return c.mover == level::kNone ? c.pose : poseOf(level.movers[c.mover], w, 0);
+}
+
+OBBY_DEVICE bool isGone(const level::Collider& c, const LooseBody* loose) {
+  return c.loose != level::kNotLoose && loose[c.loose].state == LooseState::gone;
+}
+
+// Do the limbs touch the collider? The same test that roles are touched by, away or not.
+OBBY_DEVICE bool touchesCollider(const World& w, const LooseBody* loose,
+                                 const level::LevelView& level, uint32_t id, const Limbs& limbs) {
+  const level::Collider& c = level.colliders[id];
+  if (isGone(c, loose)) return false;
+  const Pose pose = poseAfter(level, w, loose, c);
+  const Candidate candidate{boundsOf(pose, c.shape.half), &pose, id, level.bounds[id].flags};
+  return touches(c, candidate, limbs.column) || touches(c, candidate, limbs.arms);
+}
+
+OBBY_DEVICE bool reaches(const World& w, const LooseBody* loose, const level::LevelView& level,
+                         const level::QueryView& q, const level::TargetView& target) {
+  const Vec3 feet = w.position;
+  if (target.touchCount == 0) {
+    return geom::meets(target.region, feet, feet + Vec3{0, level.params.bodyTop, 0});
+  }
+  const Limbs limbs = limbsOf(w, level.params);
+  for (uint32_t i = 0; i < target.touchCount; ++i) {
+    if (touchesCollider(w, loose, level, q.touched[target.firstTouch + i], limbs)) return true;
+  }
+  return false;
+}
+
+}  // namespace obby::sim

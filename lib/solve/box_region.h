@@ -1,0 +1,64 @@
+// Regions in the verifier's own double-precision code, read from their records. Shares nothing with
+// geom/region.h, so that an error there is not repeated here.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "schema/obby.capnp.h"
+
+namespace obby::solve {
+
+struct Point {
+  double x = 0, y = 0, z = 0;
+};
+
+inline Point point(schema::Vec3::Reader v) { return {v.getX(), v.getY(), v.getZ()}; }
+
+// An oriented box, read from its record.
+class BoxRegion {
+ public:
+  explicit BoxRegion(schema::Region::Reader region)
+      : center_(point(region.getPosition())), size_(point(region.getSize())) {
+    const auto q = region.getRotation();
+    const double n = std::sqrt(double(q.getX()) * q.getX() + double(q.getY()) * q.getY() +
+                               double(q.getZ()) * q.getZ() + double(q.getW()) * q.getW());
+    const double x = q.getX() / n, y = q.getY() / n, z = q.getZ() / n, w = q.getW() / n;
+    axes_[0] = {1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)};
+    axes_[1] = {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)};
+    axes_[2] = {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)};
+  }
+
+  // Does the vertical segment of `height` studs above the feet meet the box?
+  bool holds(Point feet, double height) const {
+    const double half[3] = {size_.x / 2, size_.y / 2, size_.z / 2};
+    double from = 0, to = height;
+    for (int i = 0; i < 3; ++i) {
+      const Point& a = axes_[i];
+      const double o =
+          a.x * (feet.x - center_.x) + a.y * (feet.y - center_.y) + a.z * (feet.z - center_.z);
+      if (std::abs(a.y) < 1e-9) {
+        if (std::abs(o) > half[i]) return false;
+        continue;
+      }
+      const double t0 = (-half[i] - o) / a.y, t1 = (half[i] - o) / a.y;
+      from = std::max(from, std::min(t0, t1));
+      to = std::min(to, std::max(t0, t1));
+    }
+    return from <= to;
+  }
+
+  // Where a player who starts here has the feet.
+  Point floor() const {
+    const double up[3] = {std::abs(axes_[0].y), std::abs(axes_[1].y), std::abs(axes_[2].y)};
+    const double drop =
+        up[1] > 0.999 ? size_.y / 2 : (up[0] * size_.x + up[1] * size_.y + up[2] * size_.z) / 2;
+    return {center_.x, center_.y - drop, center_.z};
+  }
+
+ private:
+  Point center_, size_;
+  Point axes_[3];  // of the box, in the world
+};
+
+}  // namespace obby::solve

@@ -1,0 +1,81 @@
+// Naming parts and boxes of a level.
+#include "level/select_parts.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/tower.h"
+
+namespace obby::level {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class SelectTest : public testing::Test {
+ protected:
+  schema::Level::Reader level() { return record.reader().getLevel(); }
+  std::vector<uint32_t> parts(const std::string& selector) {
+    auto found = matchParts(level(), selector);
+    EXPECT_TRUE(found) << found.error().text();
+    return found ? *found : std::vector<uint32_t>();
+  }
+  std::string error(const std::string& selector) {
+    const auto found = matchPart(level(), selector);
+    EXPECT_FALSE(found);
+    return found ? "" : found.error().text();
+  }
+  io::RecordBuilder record = support::tower();
+};
+
+TEST_F(SelectTest, ByNamePathEndOfPathTagGuidAndIndex) {
+  EXPECT_THAT(parts("Base"), ElementsAre(0));
+  EXPECT_THAT(parts("Workspace/S2/Lava"), ElementsAre(2));
+  EXPECT_THAT(parts("S1/Lava"), ElementsAre(1));
+  EXPECT_THAT(parts("Lava"), ElementsAre(1, 2));
+  EXPECT_THAT(parts("#Kill"), ElementsAre(1, 2));
+  EXPECT_THAT(parts("#Hot"), ElementsAre(2));
+  EXPECT_THAT(parts("AB12"), ElementsAre(3));
+  EXPECT_THAT(parts("part:3"), ElementsAre(3));
+}
+
+TEST_F(SelectTest, SeveralMatchesAreListed) {
+  EXPECT_EQ(error("Lava"),
+            "'Lava' names 2 parts of level 'tower' "
+            "(one of part:1 Workspace/S1/Lava, part:2 Workspace/S2/Lava)");
+}
+
+TEST_F(SelectTest, NoMatchSuggestsSimilarNames) {
+  EXPECT_THAT(error("lav"), HasSubstr("similar: part:1 Workspace/S1/Lava"));
+  EXPECT_THAT(error("nothing"), HasSubstr("part:INDEX"));
+  EXPECT_THAT(error("part:9"), HasSubstr("parts 0 to 3"));
+}
+
+TEST(BoxFromText, ReadsSixNumbersAndNothingElse) {
+  const auto box = boxFromText("1,-2.5,3e1,4,5,6");
+  ASSERT_TRUE(box && *box);
+  EXPECT_TRUE((*box)->position == (Vec3{1, -2.5f, 30}));
+  EXPECT_TRUE((*box)->size == (Vec3{4, 5, 6}));
+  for (const char* text : {"", "1,2,3", "1,2,3,4,5,6,7", "1,2,3,4,5,x", "Part,1", "1;2;3;4;5;6"}) {
+    const auto other = boxFromText(text);
+    ASSERT_TRUE(other) << text;
+    EXPECT_FALSE(other->has_value()) << text;
+  }
+  EXPECT_FALSE(boxFromText("1,2,3,4,0,6"));
+  EXPECT_FALSE(boxFromText("1,2,3,4,nan,6"));
+  EXPECT_FALSE(boxFromText("inf,2,3,4,5,6"));
+}
+
+TEST_F(SelectTest, RegionsGrowUpwardAlsoForPartsThatLieOnTheirSide) {
+  const PlainRegion base = regionAround(level().getParts()[0]);
+  EXPECT_TRUE(base.size == (Vec3{10, 1.5f, 10}));
+  EXPECT_FLOAT_EQ(base.position.y, 0.25f);
+  const PlainRegion top = regionAround(level().getParts()[3]);  // local X points up
+  EXPECT_TRUE(top.size == (Vec3{4.5f, 3, 4}));
+  EXPECT_NEAR(top.position.y, 9.25f, 1e-5);
+  const PlainRegion standing = regionOnTop(level().getParts()[3]);
+  EXPECT_NEAR(standing.position.y - standing.size.y / 2, 11, 1e-5);
+}
+
+}  // namespace
+}  // namespace obby::level
