@@ -539,6 +539,17 @@ struct Tally {
   avoid @3 :Int32 = -1;    # into the query's avoid list
 }
 
+struct Cut {
+  # Why a query is unreachable: what a player can reach at most, and the least step beyond.
+  reached @0 :List(Int32);   # indices of parts that may carry the player
+  from @1 :Int32 = -1;       # part that the step leads from; -1: the start
+  to @2 :Int32 = -1;         # part that it leads to; -1: the goal, a waypoint or a visit
+  rise @3 :Float32;          # studs of height that every player lacks, at least
+  gap @4 :Float32;           # studs of distance likewise
+  jumps @5 :UInt32;          # that every way takes at least; 0: the jumps are not what is missing
+  seconds @6 :Float32;       # of game time likewise
+}
+
 struct Result {
   query @0 :Text $always;
   level @1 :Text;
@@ -555,6 +566,7 @@ struct Result {
   timing @12 :Timing;
   method @13 :Text;
   seed @14 :UInt64;
+  cut @15 :Cut;              # of unreachable
 }
 
 # ---------------------------------------------------------------------------------------------- recordings, metrics

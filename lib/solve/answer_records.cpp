@@ -80,13 +80,18 @@ void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identi
   }
 }
 
+schema::Verdict verdictOf(const SearchOutcome& outcome) {
+  if (!outcome.solutions.empty()) return schema::Verdict::SOLVED;
+  return outcome.cut ? schema::Verdict::UNREACHABLE : schema::Verdict::UNKNOWN;
+}
+
 void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
                 const SearchOutcome& outcome, const level::Level& level,
                 schema::Query::Reader query) {
   const bool solved = !outcome.solutions.empty();
   record.setQuery(identity.query);
   record.setLevel(identity.level);
-  record.setVerdict(solved ? schema::Verdict::SOLVED : schema::Verdict::UNKNOWN);
+  record.setVerdict(verdictOf(outcome));
   record.setSolutions(uint32_t(outcome.solutions.size()));
   if (solved) {
     record.setTicks(outcome.solutions.front().ticks);
@@ -95,7 +100,8 @@ void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
   record.setSteps(outcome.statistics.steps);
   record.setCells(outcome.cells);
   record.setRounds(outcome.statistics.rounds);
-  record.setClosest(solved ? 0 : outcome.statistics.closest.distance);
+  if (!solved && !outcome.cut) record.setClosest(outcome.statistics.closest.distance);
+  if (outcome.cut) fillCut(record.initCut(), *outcome.cut, level.view());
   record.setReason(reasonFor(outcome, level, query));
   fillEnds(record, outcome.ends);
   auto timing = record.initTiming();

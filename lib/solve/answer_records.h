@@ -22,6 +22,8 @@ void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& id
 void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identity,
                   const SearchView& view);
 
+schema::Verdict verdictOf(const SearchOutcome& outcome);
+
 // Everything but timing.compile, method and seed, which the caller knows.
 void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
                 const SearchOutcome& outcome, const level::Level& level,

@@ -9,11 +9,12 @@
 #include "solve/go_explore.h"
 #include "solve/problem.h"
 #include "solve/solutions.h"
+#include "solve/unreachable.h"
 
 namespace obby::solve {
 
 // Why a search stopped.
-enum class Stopped { solved, outOfTime, outOfSteps, interrupted };
+enum class Stopped { solved, shown, outOfTime, outOfSteps, interrupted };
 
 // A search at work, as its watcher sees it between rounds.
 struct SearchView {
@@ -39,6 +40,7 @@ struct SearchOutcome {
   uint32_t refused = 0;      // playthroughs that the watcher did not accept
   double seconds = 0;        // wall clock
   double firstSolution = 0;  // seconds to the first accepted solution; 0: none
+  std::optional<Cut> cut;    // shown to be unreachable, without a search
   Status device;             // why the machine's device was given up, if it was
 };
 

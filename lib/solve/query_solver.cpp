@@ -41,16 +41,27 @@ class Solving {
                           level_.level.hasMotion()};
     const Watcher watcher{[this](const Playthrough& p) { return verified(p); },
                           [this](const SearchView& v) { look(v); }};
-    const SearchOutcome outcome = options_.method->run(problem, options_.budget, watcher, machine);
+    const SearchOutcome outcome = answer(problem, watcher, machine);
     if (!outcome.device && output_.deviceFailed) output_.deviceFailed(outcome.device.error());
     OBBY_RETURN_IF_ERROR(std::move(status_));
     OBBY_RETURN_IF_ERROR(writeAnswer(outcome));
-    return QueryAnswer{
-        outcome.solutions.empty() ? schema::Verdict::UNKNOWN : schema::Verdict::SOLVED,
-        outcome.stopped};
+    return QueryAnswer{verdictOf(outcome), outcome.stopped};
   }
 
  private:
+  // What is shown to be impossible is not searched for.
+  SearchOutcome answer(const Problem& problem, const Watcher& watcher, const Machine& machine) {
+    const double start = secondsNow();
+    if (auto cut = cutOf(problem, query_)) {
+      SearchOutcome shown;
+      shown.stopped = Stopped::shown;
+      shown.cut = std::move(cut);
+      shown.seconds = secondsNow() - start;
+      return shown;
+    }
+    return options_.method->run(problem, options_.budget, watcher, machine);
+  }
+
   bool verified(const Playthrough& p) const {
     io::RecordBuilder record;
     fillTrajectory(record.root().initTrajectory(), identity_, p, 0);

@@ -108,6 +108,7 @@ std::string overrunText(uint8_t overruns) {
 
 std::string reasonFor(const SearchOutcome& outcome, const level::Level& level,
                       schema::Query::Reader query) {
+  if (outcome.cut) return reasonFor(*outcome.cut, level);
   const std::string overruns = overrunText(outcome.statistics.overruns);
   if (!outcome.solutions.empty()) return solvedText(outcome, level) + overruns;
   std::string text =

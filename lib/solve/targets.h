@@ -70,16 +70,19 @@ OBBY_DEVICE bool limitsTotalJumps(const level::QueryView& query) {
   return limited;
 }
 
+OBBY_DEVICE bool forbidsJumping(const level::QueryView& query) {
+  return (query.forbidden >> uint32_t(sim::State::jumping) & 1) != 0;
+}
+
 // Does any limit on jumps apply?
 OBBY_DEVICE bool limitsJumps(const level::QueryView& query) {
-  return limitsTotalJumps(query) || limitsSegmentJumps(query) ||
-         (query.forbidden >> uint32_t(sim::State::jumping) & 1) != 0;
+  return limitsTotalJumps(query) || limitsSegmentJumps(query) || forbidsJumping(query);
 }
 
 // Jumps that may still be made before some limit ahead is broken; a large number where there is
 // none. Waypoints behind do not count any more.
 OBBY_DEVICE uint32_t jumpsLeft(const level::QueryView& query, const sim::World& world) {
-  if (query.forbidden >> uint32_t(sim::State::jumping) & 1) return 0;
+  if (forbidsJumping(query)) return 0;
   uint32_t limit = query.maxJumps < 0 ? 0xffffu : uint32_t(query.maxJumps);
   const int32_t segment = sim::segmentOf(world, query).jumps;
   if (segment >= 0 && world.segmentJumps + uint32_t(segment) < limit) {

@@ -150,7 +150,7 @@ TEST(Filter, LimitsChangeEachQueryOfTheStream) {
   o.each = true;
   const Filtered f = filter(stonesText(), o);
   ASSERT_TRUE(f.status) << f.status.error().text();
-  EXPECT_EQ(f.counts.unknown, 1u) << "26 studs in a second";
+  EXPECT_EQ(f.counts.unreachable, 1u) << "26 studs in a second";
   EXPECT_THAT(f.output, HasSubstr("\"query\":\"q\""));
   EXPECT_THAT(f.output, HasSubstr("\"timeLimit\":1")) << "the changed query goes out";
   o.quick->timeLimit = 5;

@@ -1,0 +1,33 @@
+// What can carry a player or set one off: every collider as the bound on reach sees it
+// (reach_bound.h). All boxes are of feet, and larger than the truth.
+#pragma once
+
+#include <vector>
+
+#include "solve/problem.h"
+
+namespace obby::solve {
+
+struct Support {
+  Box feet;                          // where the feet can be while it carries; hi.y: at the highest
+  float entry;                       // feet at least this high come to be carried
+  float top;                         // of the part
+  float upward = 0;                  // studs/s at which it lifts; a jump adds to it
+  float thrown = 0;                  // studs/s at which it lets go without a jump
+  float sideways = 0;                // studs/s that it gives, beside walking
+  uint32_t collider = level::kNone;  // none: the start, or where a teleporter leads
+  bool carries = false;              // not: only leads elsewhere
+  uint32_t leadsTo = level::kNone;   // support that touching it leads to
+};
+
+// The start first, then where teleporters lead, then each collider that does anything.
+std::vector<Support> supportsOf(const Problem& problem);
+
+// What of the level no bound is known for, in words; null: there is nothing of the kind.
+const char* unboundedPart(const level::LevelView& level);
+
+// Fastest walk, and launch speed of a jump, under all boosts of the level, studs/s.
+float fastestWalk(const level::LevelView& level);
+float fastestJump(const level::LevelView& level);
+
+}  // namespace obby::solve

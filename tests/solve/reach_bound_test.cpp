@@ -1,0 +1,171 @@
+// The bound on what a player can reach: nothing that a player does is beyond it, and what is well
+// beyond a jump is beyond it.
+#include "solve/reach_bound.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "golden/hashes.h"
+#include "scenes.h"
+#include "solve/go_explore.h"
+
+namespace obby::solve {
+namespace {
+
+Problem problemOf(const level::Level& level, const level::QueryView& query = {}) {
+  const level::StartPose start = level.spawns().empty() ? level::StartPose{} : level.spawns()[0];
+  return {level.view(),
+          query,
+          sim::makeWorld(level.view(), start),
+          sim::makeLoose(level.view()),
+          level.bounds(),
+          level.hasMotion()};
+}
+
+// Random play for a while, from the start again whenever it ends; the first position that the bound
+// does not hold, if any.
+void expectHeld(const level::Level& level, const char* name, int worlds, int ticks) {
+  if (unboundedPart(level.view()) != nullptr) return;
+  const Problem problem = problemOf(level);
+  const ReachBound bound(problem, true);
+  for (int i = 0; i < worlds; ++i) {
+    sim::World w = problem.start;
+    for (int t = 0; t < ticks; ++t) {
+      if (w.outcome != sim::Outcome::running) w = problem.start;
+      Random random(uint64_t(i), uint64_t(t / (5 + i % 36)));
+      const sim::Action action{Turns(random.next()), random.below(10) != 0, random.below(3) == 0};
+      sim::advance(w, nullptr, level.view(), nullptr, action);
+      ASSERT_TRUE(bound.holds(w.position))
+          << name << ", world " << i << ", tick " << t << ": (" << w.position.x << ", "
+          << w.position.y << ", " << w.position.z << ") in state " << int(w.state);
+    }
+  }
+}
+
+TEST(ReachBound, HoldsRandomPlayInEveryGoldenScene) {
+  for (const golden::Scene& scene : golden::kScenes) {
+    expectHeld(scene.build().compile(), scene.name, 24, 600);
+  }
+}
+
+// A search goes further than random play: every state that it keeps.
+TEST(ReachBound, HoldsEveryCellOfASearch) {
+  for (const uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+    const level::Level level =
+        (seed % 2 == 0 ? support::movingArena(30, 8, seed) : support::boxArena(30, seed)).compile();
+    level::QueryView query;
+    query.goal.region = {{{0, 5000, 0}, {}}, {1, 1, 1}};
+    const Problem problem = problemOf(level, query);
+    const ReachBound bound(problem, true);
+    ThreadPool pool(2);
+    GoExplore search(problem, seed, {}, {pool});
+    for (int round = 0; round < 60; ++round) search.round();
+    for (uint32_t c = 0; c < search.archive().cellCount(); ++c) {
+      const Vec3 at = search.archive().world(c).position;
+      ASSERT_TRUE(bound.holds(at)) << seed << ": " << at.x << ", " << at.y << ", " << at.z;
+    }
+  }
+}
+
+// Two platforms: `gap` studs apart, the second `rise` studs higher.
+level::Level platforms(float gap, float rise,
+                       std::function<void(schema::Part::Builder)> more = {}) {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {8, 1, 8}, more).spawn({0, 0, 0});
+  b.block({0, -0.5f + rise, -8 - gap}, {8, 1, 8});
+  return b.compile();
+}
+
+uint32_t jumpsAcross(const level::Level& level, bool mayJump = true) {
+  level::QueryView query;
+  const Vec3 second = level.view().colliders[1].pose.position;
+  query.goal.region = {{second + Vec3{0, 3, 0}, {}}, {4, 2, 4}};
+  const Problem problem = problemOf(level, query);
+  return ReachBound(problem, mayJump).jumpsTo(query.goal);
+}
+
+// A search finds ways up to here: 11.5 studs of gap, 8.8 of rise (docs/physics.md).
+TEST(ReachBound, AdmitsWhatAPlayerCanDo) {
+  EXPECT_EQ(jumpsAcross(platforms(9.5f, 0)), 1u);
+  EXPECT_EQ(jumpsAcross(platforms(11.5f, 0)), 1u);
+  EXPECT_EQ(jumpsAcross(platforms(1, 8.8f)), 1u);
+  EXPECT_EQ(jumpsAcross(platforms(1, 0)), 0u) << "a gap to walk across";
+  EXPECT_EQ(jumpsAcross(platforms(6, -20)), 0u) << "falls far enough";
+}
+
+TEST(ReachBound, RefusesWhatIsWellBeyondAJump) {
+  EXPECT_EQ(jumpsAcross(platforms(17, 0)), ReachBound::kNever);
+  EXPECT_EQ(jumpsAcross(platforms(1, 15)), ReachBound::kNever);
+  EXPECT_EQ(jumpsAcross(platforms(11, 0), false), ReachBound::kNever);
+}
+
+TEST(ReachBound, BoostsPadsAndBeltsReachFurther) {
+  const auto boost = [](schema::Part::Builder p) { p.initBoost().setWalkSpeed(3); };
+  EXPECT_NE(jumpsAcross(platforms(30, 0, boost)), ReachBound::kNever);
+  const auto belt = [](schema::Part::Builder p) {
+    support::set(p.initConveyor().initVelocity(), {0, 0, -40});
+  };
+  EXPECT_NE(jumpsAcross(platforms(25, 0, belt)), ReachBound::kNever);
+  const auto pad = [](schema::Part::Builder p) {
+    support::set(p.initJumpPad().initVelocity(), {0, 100, 0});
+  };
+  EXPECT_EQ(jumpsAcross(platforms(1, 24, pad)), 0u) << "thrown, not jumped";
+  const auto gate = [](schema::Part::Builder p) {
+    support::set(p.initTeleport().initPosition(), {0, 60, -70});
+  };
+  EXPECT_EQ(jumpsAcross(platforms(60, 55, gate)), 0u);
+}
+
+TEST(ReachBound, MovingPartsAreEverywhereOnTheirWay) {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
+  b.block({0, 39.5f, -20}, {8, 1, 8});
+  b.block({0, -0.5f, -10}, {4, 1, 4}, [](schema::Part::Builder p) {
+    auto keys = p.initMotion().initKeys(2);
+    support::set(keys[0].initPosition(), {0, -0.5f, -10});
+    support::set(keys[1].initPosition(), {0, 36, -10});
+    keys[1].setTime(20);
+    p.getMotion().setRepeat(schema::Repeat::PING_PONG);
+  });
+  EXPECT_NE(jumpsAcross(b.compile()), ReachBound::kNever);
+  EXPECT_EQ(jumpsAcross(platforms(12, 40)), ReachBound::kNever) << "without it";
+}
+
+TEST(ReachBound, CountsTheFewestJumps) {
+  LevelBuilder b;
+  b.spawn({0, 0, 0});
+  for (int i = 0; i < 5; ++i) b.block({0, -0.5f, -19.0f * float(i)}, {8, 1, 8});
+  const level::Level level = b.compile();
+  level::QueryView query;
+  const Problem problem = problemOf(level, query);
+  const ReachBound bound(problem, true);
+  for (int i = 0; i < 5; ++i) {
+    const level::TargetView stone = boxAt({0, 2, -19.0f * float(i)}, {4, 2, 4});
+    EXPECT_EQ(bound.jumpsTo(stone), uint32_t(i));
+  }
+}
+
+TEST(ReachBound, NamesTheLeastStepThatIsMissing) {
+  const level::Level level = platforms(1, 16);
+  const Problem problem = problemOf(level);
+  const Missing m = ReachBound(problem, true).missing(boxAt({0, 30, -9}, {4, 4, 4}));
+  EXPECT_EQ(level.view().colliders[m.from].part, 0u);
+  EXPECT_EQ(level.view().colliders[m.to].part, 1u);
+  EXPECT_GT(m.rise, 2) << "of the 16 studs 9 can be done";
+  EXPECT_LT(m.rise, 7);
+  EXPECT_EQ(m.gap, 0);
+}
+
+TEST(ReachBound, KnowsWhatItCannotBound) {
+  EXPECT_EQ(unboundedPart(platforms(1, 1).view()), nullptr);
+  EXPECT_NE(unboundedPart(platforms(1, 1, [](auto p) { p.setAnchored(false); }).view()), nullptr);
+  const auto pad = [](schema::Part::Builder p) {
+    support::set(p.initJumpPad().initVelocity(), {40, 40, 0});
+    p.getJumpPad().setKeepSideways(true);
+  };
+  EXPECT_NE(unboundedPart(platforms(1, 1, pad).view()), nullptr);
+}
+
+}  // namespace
+}  // namespace obby::solve

@@ -1,0 +1,99 @@
+// The verdict `unreachable`: what it names, and that it is not said where something may be
+// possible.
+#include "solve/unreachable.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/json_codec.h"
+#include "scenes.h"
+
+namespace obby::solve {
+namespace {
+
+using testing::HasSubstr;
+
+// Stones with gaps of 12 studs, the third 3 studs up, and a ledge far above.
+Filtered ask(const std::string& limits, const std::string& more = {}) {
+  const LinesFile file(R"({"type":"level","name":"stones","parts":[)"
+                       R"({"name":"A","position":[0,-0.5,-4],"size":[8,1,8]},)"
+                       R"({"name":"B","position":[0,-0.5,-24],"size":[8,1,8]},)"
+                       R"({"name":"C","position":[0,2.5,-44],"size":[8,1,8]},)"
+                       R"({"name":"Ledge","position":[0,29.5,-54],"size":[8,1,8]})" +
+                       more +
+                       R"(],"spawns":[{"position":[0,0,-2]}]})"
+                       "\n"
+                       R"({"type":"query","id":"q",)" +
+                       limits + "}\n");
+  FilterOptions o;
+  o.solver.budget.maxSteps = 20'000;
+  o.solver.progressRecords = false;
+  return runFilter(file.path(), std::move(o));
+}
+
+constexpr const char* kThird = R"("goal":{"name":"third","position":[0,6,-44],"size":[8,4,8]})";
+
+void expectUnreachable(const Filtered& f, const std::string& words) {
+  ASSERT_TRUE(f.status) << f.status.error().text();
+  EXPECT_EQ(f.counts.unreachable, 1u) << f.output;
+  EXPECT_THAT(f.output, HasSubstr("\"verdict\":\"unreachable\""));
+  EXPECT_THAT(f.output, HasSubstr(words));
+  EXPECT_THAT(f.output, testing::Not(HasSubstr("\"trajectory\"")));
+}
+
+TEST(Unreachable, NamesTheStepThatIsMissing) {
+  const Filtered f = ask(R"("goal":{"part":"Ledge"})");
+  expectUnreachable(
+      f, "nobody can reach the goal 'Ledge': from part 2 'C' to the goal 'Ledge' at least");
+  EXPECT_THAT(f.output, HasSubstr(R"("reached":[0,1,2],"from":2,"rise":)"));
+}
+
+TEST(Unreachable, LimitsOnTheWayToAWaypointEndThere) {
+  const Filtered f = ask(
+      std::string(kThird) +
+      R"(,"waypoints":[{"region":{"position":[0,2,-6],"size":[8,4,2]},"maxJumps":0,"segmentJumps":0}])");
+  EXPECT_EQ(f.counts.unreachable, 0u) << "the jumps come after it";
+}
+
+TEST(Unreachable, CountsTheJumpsThatEveryWayTakes) {
+  expectUnreachable(ask(std::string(kThird) + R"(,"maxJumps":1)"),
+                    "every way to the goal 'third' takes at least 2 jumps, and 1 are allowed");
+  EXPECT_EQ(ask(std::string(kThird) + R"(,"maxJumps":2)").counts.unreachable, 0u);
+}
+
+TEST(Unreachable, CountsTheJumpsToAWaypoint) {
+  expectUnreachable(
+      ask(std::string(kThird) +
+          R"(,"waypoints":[{"region":{"name":"second","position":[0,2,-24],"size":[8,4,8]},"maxJumps":0}])"),
+      "every way to waypoint 1 'second' takes at least 1 jump, and 0 are allowed");
+}
+
+TEST(Unreachable, KnowsHowLongTheWayIs) {
+  expectUnreachable(ask(std::string(kThird) + R"(,"timeLimit":2)"), "and 2.00 s are allowed");
+  EXPECT_EQ(ask(std::string(kThird) + R"(,"timeLimit":2.8)").counts.unreachable, 0u);
+  const std::string back =
+      R"(,"waypoints":[{"region":{"position":[0,2,-24],"size":[8,4,8]}},{"region":{"position":[0,2,-2],"size":[8,4,2]}}])";
+  expectUnreachable(ask(std::string(kThird) + back + R"(,"timeLimit":4)"),
+                    "and 4.00 s are allowed");
+}
+
+TEST(Unreachable, OneVisitOutOfReachIsEnough) {
+  expectUnreachable(
+      ask(std::string(kThird) + R"(,"visits":[{"part":"B"},{"part":"Ledge","touch":true}])"),
+      "nobody can reach 'Ledge'");
+}
+
+TEST(Unreachable, AnyGoalWithinReachWillDo) {
+  EXPECT_EQ(ask(std::string(kThird) + R"(,"goals":[{"part":"Ledge"}])").counts.unreachable, 0u);
+}
+
+TEST(Unreachable, IsNotSaidWhereLoosePartsCanBePiledUp) {
+  const Filtered f = ask(R"("goal":{"part":"Ledge"})",
+                         R"(,{"name":"Box","position":[0,3,-4],"size":[2,2,2],"anchored":false})");
+  ASSERT_TRUE(f.status) << f.status.error().text();
+  EXPECT_EQ(f.counts.unreachable, 0u);
+  EXPECT_EQ(f.counts.unknown, 1u);
+}
+
+}  // namespace
+}  // namespace obby::solve
