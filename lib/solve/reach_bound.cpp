@@ -1,6 +1,7 @@
 #include "solve/reach_bound.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace obby::solve {
 
@@ -11,7 +12,6 @@ ReachBound::ReachBound(const Problem& problem, bool mayJump)
       jumpSpeed_(fastestJump(problem.level)),
       supports_(supportsOf(problem)),
       flight_(p_, fastestWalk(problem.level)) {
-  for (const Support& s : supports_) hasTeleporter_ |= s.leadsTo != level::kNone;
   // What is reached makes faster, and who is faster reaches more.
   for (;;) {
     explore();
@@ -146,6 +146,16 @@ Missing ReachBound::missing(const level::TargetView& target) const {
     }
   }
   return best;
+}
+
+float ReachBound::fastest() const {
+  float pushed = 0;
+  for (size_t i = 0; i < supports_.size(); ++i) {
+    if (jumps_[i] == kNever) continue;
+    if (supports_[i].snaps) return std::numeric_limits<float>::infinity();
+    pushed = std::max(pushed, supports_[i].pushes);
+  }
+  return flight_.sideways() + pushed;
 }
 
 std::vector<uint32_t> ReachBound::reached() const {

@@ -44,9 +44,8 @@ class ReachBound {
   // Colliders that may carry the player.
   std::vector<uint32_t> reached() const;
 
-  // Fastest horizontal motion of anyone, studs/s.
-  float sideways() const { return flight_.sideways(); }
-  bool hasTeleporter() const { return hasTeleporter_; }
+  // Fastest horizontal motion of anyone, studs/s; infinite where something moves players at once.
+  float fastest() const;
 
  private:
   void explore();
@@ -59,7 +58,6 @@ class ReachBound {
   const Params& p_;
   const bool mayJump_;
   const float jumpSpeed_;
-  bool hasTeleporter_ = false;
   std::vector<Support> supports_;
   std::vector<uint32_t> jumps_;  // (supports): fewest on the way there; kNever
   Flight flight_;

@@ -11,6 +11,7 @@ namespace {
 constexpr float kSlack = 0.25f;   // studs: skin, ticks, rounding
 constexpr float kSnap = 1;        // studs a tick: movers that jump further push through things
 constexpr float kSteepSpeed = 4;  // studs/s gained on faces steeper than any slope limit
+constexpr uint32_t kLeads = level::kPad | level::kTeleport | level::kSeat;  // on touch
 constexpr float kMostVertical = 1e-3f;
 constexpr float kLeastSlope = 80;  // degrees: below, sliding down makes speeds without a bound
 
@@ -125,10 +126,12 @@ class Builder {
   bool canHoldBody(const Box& part, uint32_t flags) const {
     if (flags & (level::kVanishTimer | level::kClocked)) return true;
     const Vec3 body{p_.bodyWidth, p_.bodyTop + kSlack, p_.bodyWidth};
-    const Box around = grow(part, body);
     for (const Support& s : supports_) {
-      if (s.collider == level::kNone && overlaps(around, s.feet)) return true;
+      // Above the floor that the feet may stand on.
+      const Box there{s.feet.lo + Vec3{-body.x, 2 * kSlack, -body.z}, s.feet.hi + body};
+      if (s.collider == level::kNone && overlaps(part, there)) return true;
     }
+    const Box around = grow(part, body);
     return std::any_of(movers_.begin(), movers_.end(),
                        [&](const Motion& m) { return m.rough && overlaps(around, m.swept); });
   }
@@ -138,7 +141,7 @@ class Builder {
     const level::Bounds& bounds = level_.bounds[id];
     const Motion still{}, *motion = &still;
     if (c.mover != level::kNone) motion = &movers_[moverAt_++];
-    if (!(bounds.flags & (level::kSolid | level::kTouchRoles))) return;
+    if (!(bounds.flags & (level::kSolid | kLeads))) return;
     Support s;
     s.collider = id;
     const Box box = bounds.box();
@@ -147,8 +150,12 @@ class Builder {
     const float side = sideOf(bounds.flags);
     s.feet = grow(box, {side, 0, side});
     s.feet.hi.y += s.carries ? rise_ : kSlack;
-    s.entry = entryOf(box, bounds.flags, c.mover != level::kNone ? motion : nullptr);
+    const bool holds = canHoldBody(box, bounds.flags);
+    s.entry = holds ? besideOf(box)
+                    : entryOf(box, bounds.flags, c.mover != level::kNone ? motion : nullptr);
+    s.snaps = holds || (bounds.flags & (level::kSeat | level::kTeleport)) != 0;
     s.upward = motion->upward;
+    s.pushes = motion->sideways;
     if (bounds.flags & (level::kCarries | level::kSeat)) s.sideways = motion->sideways;
     addSurface(s, c, bounds.flags);
     if (bounds.flags & level::kTeleport) s.leadsTo = gates_[gateAt_++];
@@ -159,15 +166,16 @@ class Builder {
   float sideOf(uint32_t flags) const {
     const float half = 0.5f * length(Vec3{p_.bodyWidth, 0, p_.bodyDepth});
     float side = half;
-    if (flags & level::kTouchRoles) side = 0.5f * length(Vec3{p_.armSpan, 0, p_.bodyDepth});
+    if (flags & kLeads) side = 0.5f * length(Vec3{p_.armSpan, 0, p_.bodyDepth});
     if (flags & level::kTruss) side = std::max(side, p_.climbReach + half);
     return side + kSlack;
   }
 
+  // From any side, at any height.
+  float besideOf(const Box& box) const { return box.lo.y - p_.bodyTop - 2 * kSlack; }
+
   float entryOf(const Box& box, uint32_t flags, const Motion* motion) const {
-    const float below = p_.bodyTop + 2 * kSlack;
-    if (flags & (level::kTruss | level::kTouchRoles)) return box.lo.y - below;
-    if (canHoldBody(box, flags)) return box.lo.y - below;
+    if (flags & (level::kTruss | kLeads)) return besideOf(box);
     // Rays see a floor from here on, and push-out lifts a torso that is not deeper in it.
     const float legs = std::max(sim::rayHeight(p_), p_.hipHeight) + 0.5f * p_.bodyDepth + kSlack;
     if (!(flags & level::kUpright)) return box.lo.y - legs;

@@ -10,13 +10,15 @@ namespace obby::solve {
 
 struct Support {
   Box feet;                          // where the feet can be while it carries; hi.y: at the highest
-  float entry;                       // feet at least this high come to be carried
-  float top;                         // of the part
+  float entry = 0;                   // feet at least this high come to be carried
+  float top = 0;                     // of the part
   float upward = 0;                  // studs/s at which it lifts; a jump adds to it
   float thrown = 0;                  // studs/s at which it lets go without a jump
   float sideways = 0;                // studs/s that it gives, beside walking
-  uint32_t collider = level::kNone;  // none: the start, or where a teleporter leads
+  float pushes = 0;                  // studs/s at which it pushes who is in its way
   bool carries = false;              // not: only leads elsewhere
+  bool snaps = false;                // may move the player some studs at once
+  uint32_t collider = level::kNone;  // none: the start, or where a teleporter leads
   uint32_t leadsTo = level::kNone;   // support that touching it leads to
 };
 

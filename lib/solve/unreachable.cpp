@@ -117,9 +117,9 @@ class Prover {
   }
 
   std::optional<Cut> late() const {
-    if (q_.timeLimitTicks == 0 || bound_.hasTeleporter()) return std::nullopt;
+    if (q_.timeLimitTicks == 0) return std::nullopt;
     const Params& p = problem_.level.params;
-    const float seconds = leastDistance() / bound_.sideways() - 2 * p.tickSeconds;
+    const float seconds = leastDistance() / bound_.fastest() - 2 * p.tickSeconds;
     const float most = float(q_.timeLimitTicks) * p.tickSeconds;
     if (!(seconds > most)) return std::nullopt;
     Cut cut = start(goalName_);

@@ -86,7 +86,8 @@ TEST(Batch, rules_are_the_same_in_lanes_and_on_kernels) {
   ASSERT_TRUE(kernel->step(400, Actions::walker(6)));
   EXPECT_EQ(hashesOf(*lanes), hashesOf(*kernel));
   std::set<Outcome> ends;
-  for (const World& w : *lanes->worlds()) ends.insert(w.outcome);
+  const auto worlds = *lanes->worlds();
+  for (const World& w : worlds) ends.insert(w.outcome);
   for (const Outcome o : {Outcome::goal, Outcome::avoided, Outcome::timeout, Outcome::hurt,
                           Outcome::forbidden, Outcome::jumps}) {
     EXPECT_TRUE(ends.contains(o)) << "no world ended by " << int(o);

@@ -77,6 +77,20 @@ TEST(Unreachable, KnowsHowLongTheWayIs) {
                     "and 4.00 s are allowed");
 }
 
+TEST(Unreachable, SaysNothingOfTimeWhereSomethingMovesPlayersAtOnce) {
+  const std::string limit = std::string(kThird) + R"(,"timeLimit":2)";
+  for (const char* more :
+       {R"(,{"name":"Seat","position":[0,0.5,-6],"size":[2,1,2],"seat":{}})",
+        R"(,{"name":"Gate","position":[0,1,-6],"size":[2,1,2],"teleport":{"position":[0,3,-44]}})",
+        R"(,{"name":"Ghost","position":[0,1,-6],"size":[2,1,20],"vanish":{"delay":0.2}})"}) {
+    EXPECT_EQ(ask(limit, more).counts.unreachable, 0u) << more;
+  }
+  const char* pusher =
+      R"(,{"name":"Pusher","position":[0,2,0],"size":[8,4,1],"motion":{"carries":false,"repeat":"loop",)"
+      R"("keys":[{"position":[0,2,0]},{"time":0.5,"position":[0,2,-30]},{"time":1,"position":[0,2,0]}]}})";
+  EXPECT_EQ(ask(limit, pusher).counts.unreachable, 0u);
+}
+
 TEST(Unreachable, OneVisitOutOfReachIsEnough) {
   expectUnreachable(
       ask(std::string(kThird) + R"(,"visits":[{"part":"B"},{"part":"Ledge","touch":true}])"),
