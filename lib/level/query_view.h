@@ -23,7 +23,7 @@ struct WaypointView {
   TargetView target;
   int32_t maxJumps = -1;  // since the start, on arrival; -1: any
   uint32_t ticks = 0;     // since the start, on arrival; 0: none
-  SegmentLimits segment;
+  SegmentLimits segment{};
 };
 
 constexpr uint32_t kMaxVisits = 32;  // World::visited has a bit for each
@@ -40,7 +40,7 @@ struct QueryView {
   int32_t maxJumps = -1;        // -1: any
   uint32_t timeLimitTicks = 0;  // 0: none
   uint32_t startTick = 0;       // level clock at the start of the playthrough
-  SegmentLimits last;           // of the segment that ends at the goal
+  SegmentLimits last{};         // of the segment that ends at the goal
   float maxDamage = -1;         // -1: any
   uint32_t forbidden = 0;       // sim::State values, a bit each
 };
