@@ -62,8 +62,8 @@ TEST_F(Rules, JumpsOfASegment) {
 class TimeRules : public VerifierTest {
  protected:
   uint32_t arrivalAtTheWaypoint() {
-    const auto query = *level::Query::compile(q().asReader(), level);
-    const level::QueryView view = query.view();
+    const auto compiled = *level::Query::compile(q().asReader(), level);
+    const level::QueryView view = compiled.view();
     const auto plan = *sim::planFromRecord(trajectory.reader().getTrajectory());
     const auto worlds = sim::replay(level.view(), &view, plan).worlds;
     return worlds.back().segmentTick;
