@@ -3,7 +3,7 @@
 // CPU and GPU agree.
 #pragma once
 
-#include "level/level_view.h"
+#include "level/query_view.h"
 #include "sim/loose.h"
 #include "sim/world.h"
 
