@@ -101,10 +101,9 @@ class Builder {
  private:
   // Some teleporters leave the player the speed that anything may have given.
   void throwOutOfGates() {
+    const float jump = fastestJump(level_);
     float fastest = 0;
-    for (const Support& s : supports_) {
-      fastest = std::max({fastest, s.thrown, s.upward + fastestJump(level_)});
-    }
+    for (const Support& s : supports_) fastest = std::max({fastest, s.thrown, s.upward + jump});
     for (const Support& s : supports_) {
       if (s.leadsTo == level::kNone) continue;
       const level::Roles& r = level_.roles[level_.colliders[s.collider].role];

@@ -46,7 +46,6 @@ class Prover {
         q_(problem.query),
         targets_(targetsOf(q_, record)),
         bound_(problem, q_.maxJumps != 0 && !forbidsJumping(q_)) {
-    // The nearest of the goals stands for all.
     goals_.push_back(&q_.goal);
     for (uint32_t i = 0; i < q_.otherGoalCount; ++i) goals_.push_back(&q_.otherGoals[i]);
     goalName_ = goals_.size() > 1 ? "any of the goals"
@@ -55,28 +54,38 @@ class Prover {
 
   std::optional<Cut> prove() const {
     for (const Target& t : targets_) {
-      if (auto cut =
-              check(bound_.jumpsTo(*t.view), *t.view, t.name, lesser(t.mostJumps, q_.maxJumps)))
-        return cut;
+      const int32_t most = lesser(t.mostJumps, q_.maxJumps);
+      if (auto cut = check({t.view}, t.name, most)) return cut;
     }
-    uint32_t fewest = ReachBound::kNever;
-    for (const level::TargetView* goal : goals_) fewest = std::min(fewest, bound_.jumpsTo(*goal));
-    if (auto cut = check(fewest, *goals_.front(), goalName_, q_.maxJumps)) return cut;
+    if (auto cut = check(goals_, goalName_, q_.maxJumps)) return cut;
     return late();
   }
 
  private:
-  std::optional<Cut> check(uint32_t jumps, const level::TargetView& target, const std::string& name,
-                           int32_t most) const {
+  using Targets = std::vector<const level::TargetView*>;
+
+  // Any of the targets will do.
+  std::optional<Cut> check(const Targets& targets, const std::string& name, int32_t most) const {
+    uint32_t jumps = ReachBound::kNever;
+    for (const level::TargetView* t : targets) jumps = std::min(jumps, bound_.jumpsTo(*t));
     if (jumps != ReachBound::kNever && (most < 0 || jumps <= uint32_t(most))) return std::nullopt;
     Cut cut = start(name);
     if (jumps == ReachBound::kNever) {
-      cut.missing = bound_.missing(target);
+      cut.missing = leastMissing(targets);
     } else {
       cut.jumps = jumps;
       cut.mostJumps = uint32_t(most);
     }
     return cut;
+  }
+
+  Missing leastMissing(const Targets& targets) const {
+    Missing least = bound_.missing(*targets.front());
+    for (const level::TargetView* t : targets) {
+      const Missing m = bound_.missing(*t);
+      if (m.rise + m.gap < least.rise + least.gap) least = m;
+    }
+    return least;
   }
 
   Cut start(const std::string& name) const {
@@ -132,7 +141,7 @@ class Prover {
   const level::QueryView& q_;
   std::vector<Target> targets_;
   ReachBound bound_;
-  std::vector<const level::TargetView*> goals_;
+  Targets goals_;
   std::string goalName_;
 };
 

@@ -101,6 +101,17 @@ TEST(Unreachable, AnyGoalWithinReachWillDo) {
   EXPECT_EQ(ask(std::string(kThird) + R"(,"goals":[{"part":"Ledge"}])").counts.unreachable, 0u);
 }
 
+TEST(Unreachable, OfSeveralGoalsTheOneThatLacksLeastIsNamed) {
+  const std::string far = R"("goal":{"position":[0,900,-4]},"goals":[{"part":"Ledge"}])";
+  const Filtered both = ask(far), one = ask(R"("goal":{"part":"Ledge"})");
+  const auto cutOf = [](const Filtered& f) {
+    const size_t at = f.output.find("\"cut\":");
+    return f.output.substr(at, f.output.find('}', at) - at);
+  };
+  expectUnreachable(both, "nobody can reach any of the goals");
+  EXPECT_EQ(cutOf(both), cutOf(one));
+}
+
 TEST(Unreachable, IsNotSaidWhereLoosePartsCanBePiledUp) {
   const Filtered f = ask(R"("goal":{"part":"Ledge"})",
                          R"(,{"name":"Box","position":[0,3,-4],"size":[2,2,2],"anchored":false})");
