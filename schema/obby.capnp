@@ -505,6 +505,42 @@ struct Trajectory {
   endPosition @13 :Vec3;     # feet at the end
   avoid @14 :Int32 = -1;     # of the query's avoid list: what was entered or touched
   visited @15 :UInt32;       # of the query's visits, a bit each
+  route @16 :List(Int32);    # parts that carried the player, in order, none twice in a row
+  difficulty @17 :Difficulty;  # of a solution, where it was asked for
+}
+
+enum Band {
+  # How hard a step of a solution is, for a player as the noise model has it. An order, not a share of people.
+  trivial @0;
+  easy @1;
+  medium @2;
+  hard @3;
+  extreme @4;
+}
+
+struct Difficulty {
+  # How steadily a solution can be played, from trials with noise on what the player does.
+  band @0 :Band $always;          # of the hardest step
+  success @1 :Float32;            # share of trials that pass all steps, each from the step's own start
+  expectedAttempts @2 :Float32;   # 1 / success
+  hardest @3 :UInt32;             # index into steps
+  steps @4 :List(DifficultyStep);
+  trials @5 :UInt32;              # a step
+  noise @6 :Text;                 # the model of a player, with its numbers
+}
+
+struct DifficultyStep {
+  # From one support to the next.
+  startTick @0 :UInt32 $always;   # of the trajectory
+  ticks @1 :UInt32 $always;
+  from @2 :Int32 = -1;            # part that carries at its start; -1: none
+  to @3 :Int32 = -1;              # part that carries at its end; -1: the goal
+  jumps @4 :UInt32;
+  band @5 :Band $always;
+  success @6 :Float32;            # share of trials that come to rest on `to`, or reach the goal
+  window @7 :Float32;             # milliseconds within which its jump must be pressed; 0: no jump
+  margin @8 :Float32;             # studs from where the feet land to the nearest edge of `to`
+  clearance @9 :Float32 = -1;     # studs to the nearest kill part, least; -1: none is near
 }
 
 struct Progress {
@@ -550,6 +586,53 @@ struct Cut {
   seconds @6 :Float32;       # of game time likewise
 }
 
+enum Saturation {
+  growing @0;    # new cells are still found: more time may solve it
+  saturated @1;  # nothing new for long, at this resolution
+}
+
+struct SearchEvidence {
+  # How thorough a search was that found nothing.
+  saturation @0 :Saturation $always;
+  rollouts @1 :UInt64;
+  idleRollouts @2 :UInt64;      # since the last new cell
+  singletons @3 :UInt64;        # cells that were seen once
+  newCellChance @4 :Float32;    # that the next rollout finds a new cell, at most (Good-Turing, 97.5 %)
+  coverage @5 :List(Coverage);  # over the search, at doubling counts of steps
+}
+
+struct Coverage {
+  steps @0 :UInt64;
+  cells @1 :UInt64;
+  closest @2 :Float32;          # studs from the goal (or the next waypoint), least so far
+}
+
+enum Knob {
+  jumps @0;       # the jump limit
+  time @1;        # the time limit, seconds
+  jumpHeight @2;  # studs
+  lowered @3;     # a part, studs
+  killPart @4;    # without a part that kills or hurts
+  avoid @5;       # without an avoid region
+}
+
+struct Relaxation {
+  # A change that makes a query solvable, the least found of its knob; one knob at a time.
+  knob @0 :Knob $always;
+  amount @1 :Float32;           # how far the knob was turned, in its unit; 0 where it is off or on
+  part @2 :Int32 = -1;
+  avoid @3 :Int32 = -1;         # into the query's avoid list
+  steps @4 :UInt64;             # simulated ticks to the solution of the changed query
+  text @5 :Text;                # for people
+}
+
+struct RouteCount {
+  # Solutions that take the same way.
+  route @0 :List(Int32);        # as of a trajectory
+  count @1 :UInt64 $always;
+  ticks @2 :UInt32 $always;     # of the shortest of them
+}
+
 struct Result {
   query @0 :Text $always;
   level @1 :Text;
@@ -567,6 +650,9 @@ struct Result {
   method @13 :Text;
   seed @14 :UInt64;
   cut @15 :Cut;              # of unreachable
+  evidence @16 :SearchEvidence;    # of unknown
+  relaxations @17 :List(Relaxation);  # of a query without a solution, where it was asked for
+  routes @18 :List(RouteCount);       # of the solutions, most frequent first
 }
 
 # ---------------------------------------------------------------------------------------------- recordings, metrics

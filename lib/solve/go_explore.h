@@ -15,6 +15,7 @@
 #include "solve/explore_context.h"
 #include "solve/machine.h"
 #include "solve/playthrough.h"
+#include "solve/potential.h"
 #include "solve/problem.h"
 #include "solve/selection.h"
 #include "solve/surfaces.h"

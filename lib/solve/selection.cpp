@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "solve/trail.h"
-
 namespace obby::solve {
 
 namespace {
@@ -18,48 +16,7 @@ uint64_t below(Random& random, uint64_t n) {
   return uint64_t((__extension__ static_cast<unsigned __int128>(high << 32 | low) * n) >> 64);
 }
 
-// With one way through: legs from each region to the next.
-std::vector<float> spansInOrder(const level::QueryView& q, Vec3 from) {
-  std::vector<float> spans;
-  float size = 0;  // of the region before: it may be left on its far side
-  for (uint32_t leg = 0; leg <= q.waypointCount; ++leg) {
-    const geom::Region& to = leg < q.waypointCount ? q.waypoints[leg].target.region : q.goal.region;
-    spans.push_back(1.5f * std::max(1.0f, geom::distance(to, from) + size));
-    from = to.pose.position;
-    size = length(to.half);
-  }
-  return spans;
-}
-
-// With a choice: from wherever the leg may begin to the farthest region.
-std::vector<float> spansInAnyOrder(const level::QueryView& q, Vec3 start) {
-  std::vector<const geom::Region*> all{&q.goal.region};
-  for (uint32_t i = 0; i < q.otherGoalCount; ++i) all.push_back(&q.otherGoals[i].region);
-  for (uint32_t i = 0; i < q.waypointCount; ++i) all.push_back(&q.waypoints[i].target.region);
-  for (uint32_t i = 0; i < q.visitCount; ++i) all.push_back(&q.visits[i].region);
-  float longest = 1;
-  for (const geom::Region* to : all) {
-    longest = std::max(longest, geom::distance(*to, start));
-    for (const geom::Region* from : all) {
-      longest = std::max(longest, geom::distance(*to, from->pose.position) + length(from->half));
-    }
-  }
-  return std::vector<float>(targetCount(q) + 1, 1.5f * longest);
-}
-
 }  // namespace
-
-Potential::Potential(const Problem& problem) : query_(problem.query) {
-  const bool choice = query_.visitCount > 0 || query_.otherGoalCount > 0;
-  spans_ = choice ? spansInAnyOrder(query_, problem.start.position)
-                  : spansInOrder(query_, problem.start.position);
-}
-
-float Potential::operator()(const sim::World& world) const {
-  const uint32_t leg = std::min<uint32_t>(targetsReached(world), targetCount(query_));
-  const float near = std::max(0.0f, 1.0f - distanceLeft(query_, world) / spans_[leg]);
-  return (1.0f + 4.0f * near) * (1.0f + 3.0f * float(leg));
-}
 
 uint32_t selectionWeight(float potential, float best, uint32_t seen) {
   const float lean = std::max(potential / best, kHedge);

@@ -9,22 +9,8 @@
 #include "base/random.h"
 #include "base/thread_pool.h"
 #include "solve/archive.h"
-#include "solve/problem.h"
 
 namespace obby::solve {
-
-// How promising a state is, whatever its count: (1 + 4 max(0, 1 - d / (1.5 d0))) (1 + 3 targets),
-// targets the waypoints and visits behind, d the distance to the next region, d0 what it was when
-// that became the next; with a choice of regions, the farthest that it can have been.
-class Potential {
- public:
-  explicit Potential(const Problem& problem);
-  float operator()(const sim::World& world) const;
-
- private:
-  level::QueryView query_;
-  std::vector<float> spans_;  // (targets + 1), 1.5 d0 of each leg
-};
 
 // The weight of a cell seen `seen` times: at least 1.
 uint32_t selectionWeight(float potential, float best, uint32_t seen);

@@ -1,3 +1,4 @@
+#include "solve/potential.h"
 #include "solve/selection.h"
 
 #include <gtest/gtest.h>
