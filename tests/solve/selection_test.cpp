@@ -1,5 +1,5 @@
-#include "solve/potential.h"
 #include "solve/selection.h"
+#include "solve/potential.h"
 
 #include <gtest/gtest.h>
 
