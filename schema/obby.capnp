@@ -588,7 +588,7 @@ struct Cut {
 
 enum Saturation {
   growing @0;    # new cells are still found: more time may solve it
-  saturated @1;  # nothing new for long, at this resolution
+  saturated @1;  # as many rollouts again would find next to nothing new, at this resolution
 }
 
 struct SearchEvidence {

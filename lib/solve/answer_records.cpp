@@ -100,7 +100,10 @@ void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
   record.setSteps(outcome.statistics.steps);
   record.setCells(outcome.cells);
   record.setRounds(outcome.statistics.rounds);
-  if (!solved && !outcome.cut) record.setClosest(outcome.statistics.closest.distance);
+  if (!solved && !outcome.cut) {
+    record.setClosest(outcome.statistics.closest.distance);
+    fillEvidence(record.initEvidence(), outcome.thoroughness);
+  }
   if (outcome.cut) fillCut(record.initCut(), *outcome.cut, level.view());
   record.setReason(reasonFor(outcome, level, query));
   fillEnds(record, outcome.ends);

@@ -31,6 +31,7 @@ void Archive::addCell(size_t slot, uint64_t key, const sim::World& world) {
   loose_.resize(loose_.size() + looseCount_);
   cellNodes_.push_back(kNone);
   seen_.push_back(0);
+  sighted_.push_back(0);
   potentials_.push_back(0);
   if (size_t(cellCount()) * 2 > slots_.size()) growTable();
 }
@@ -43,9 +44,10 @@ bool Archive::offer(uint64_t key, const sim::World& world, const Node& node, flo
     if (cellCount() >= maxCells_) return false;
     cell = cellCount();
     addCell(slot, key, world);
-  } else if (!better(cell, world)) {
-    return false;
   } else {
+    // Found twice in one round, by two rollouts.
+    if (nodes_[cellNodes_[cell]].rollout != node.rollout) sighted_[cell] = 1;
+    if (!better(cell, world)) return false;
     arrivals_[cell] = {world.tick, world.jumps};
     worlds_[cell] = world;
   }
@@ -56,6 +58,10 @@ bool Archive::offer(uint64_t key, const sim::World& world, const Node& node, flo
   potentials_[cell] = potential;
   bestPotential_ = std::max(bestPotential_, potential);
   return true;
+}
+
+uint64_t Archive::singletons() const {
+  return uint64_t(std::count(sighted_.begin(), sighted_.end(), uint8_t(0)));
 }
 
 }  // namespace obby::solve

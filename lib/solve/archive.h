@@ -17,9 +17,11 @@ namespace obby::solve {
 constexpr uint32_t kNone = level::kNone;
 constexpr uint32_t kMaxCells = 4u << 20;
 
+constexpr uint64_t kKnown = 1ull << 62;  // streams of random numbers count up from 0
+
 // How a state was reached: `ticks` ticks of rollout `rollout` from the state of node `parent`.
 struct Node {
-  uint64_t rollout;  // its stream of random numbers
+  uint64_t rollout;  // its stream of random numbers, or with kKnown an index into Problem::known
   uint32_t parent;   // kNone: this is the start
   uint32_t ticks;
 };
@@ -56,6 +58,14 @@ class Archive {
     std::atomic_ref<uint32_t>(seen_[cell]).fetch_add(1, std::memory_order_relaxed);
   }
 
+  // Notes that a rollout other than its finder passed through a cell. Safe to call from several
+  // threads.
+  void noteSighted(uint32_t cell) {
+    std::atomic_ref<uint8_t>(sighted_[cell]).store(1, std::memory_order_relaxed);
+  }
+  // Cells that only their finder passed through.
+  uint64_t singletons() const;
+
   uint32_t cellCount() const { return uint32_t(worlds_.size()); }
   const sim::World& world(uint32_t cell) const { return worlds_[cell]; }
   std::span<const sim::LooseBody> loose(uint32_t cell) const {
@@ -88,6 +98,7 @@ class Archive {
   std::vector<sim::LooseBody> loose_;  // (cells, looseCount)
   std::vector<uint32_t> cellNodes_;
   std::vector<uint32_t> seen_;
+  std::vector<uint8_t> sighted_;
   std::vector<float> potentials_;
   std::vector<Node> nodes_;
   float bestPotential_ = 0;

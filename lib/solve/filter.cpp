@@ -20,7 +20,9 @@ std::string joined(const std::vector<std::string>& words) {
 }  // namespace
 
 Filter::Filter(FilterOptions options, io::Pipeline& pipeline)
-    : options_(std::move(options)), pipeline_(pipeline), pool_(options_.threads) {}
+    : options_(std::move(options)), pipeline_(pipeline), pool_(options_.threads) {
+  options_.solver.earlier = &options_.earlier;
+}
 
 Result<io::Then> Filter::handle(const io::Record& record) {
   switch (record.which()) {
@@ -99,8 +101,15 @@ bool Filter::wanted(const std::string& id) {
 }
 
 Status Filter::answer(const LoadedLevel& level, schema::Query::Reader query) {
-  const SolverOutput output{[this](schema::Record::Reader r) { return pipeline_.write(r); },
-                            options_.progress, options_.deviceFailed};
+  bool first = true;
+  const auto write = [&](schema::Record::Reader r) -> Status {
+    if (options_.remember && r.isTrajectory()) {
+      OBBY_RETURN_IF_ERROR(remember(r.getTrajectory(), first));
+      first = false;
+    }
+    return pipeline_.write(r);
+  };
+  const SolverOutput output{write, options_.progress, options_.deviceFailed};
   OBBY_ASSIGN(const QueryAnswer a,
               solveQuery(level, query, options_.solver, {pool_, options_.device}, output));
   switch (a.verdict) {
@@ -110,6 +119,12 @@ Status Filter::answer(const LoadedLevel& level, schema::Query::Reader query) {
   }
   if (a.stopped != Stopped::interrupted) pipeline_.outOfBudget();
   return {};
+}
+
+// The first trajectory of an answer takes the place of those of the answer before.
+Status Filter::remember(schema::Trajectory::Reader trajectory, bool first) {
+  if (first) options_.earlier.forget(trajectory.getLevel(), trajectory.getQuery());
+  return options_.earlier.note(trajectory);
 }
 
 Status Filter::ask(const LoadedLevel& level, const io::Record& query) {

@@ -18,6 +18,8 @@ namespace obby::solve {
 
 struct FilterOptions {
   SolverOptions solver;
+  EarlierAnswers earlier;  // of the same queries
+  bool remember = false;   // keep the answers, for takeEarlier()
   int threads = 1;
   sim::Device* device = nullptr;    // for the rollouts; must outlive the filter; null: the threads
   std::vector<std::string> only;    // ids of the queries to answer; empty: all
@@ -45,6 +47,8 @@ class Filter {
   Status finishInput();
 
   const FilterCounts& counts() const { return counts_; }
+  // What a next run can begin with: of each query the new answer, else the one before.
+  EarlierAnswers takeEarlier() { return std::move(options_.earlier); }
 
  private:
   using LevelPointer = std::shared_ptr<const LoadedLevel>;
@@ -59,6 +63,7 @@ class Filter {
   // With the boxes of the parts that it names, and the changes of `quick`.
   Result<io::Record> resolved(const LoadedLevel& level, const io::Record& query) const;
   bool wanted(const std::string& id);
+  Status remember(schema::Trajectory::Reader trajectory, bool first);
 
   FilterOptions options_;
   io::Pipeline& pipeline_;

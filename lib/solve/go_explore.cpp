@@ -183,6 +183,7 @@ void GoExplore::visit(Rollout& r, uint64_t key, uint32_t cell, const sim::World&
                       std::span<const sim::LooseBody> loose, uint32_t ticks) {
   if (cell != kNone) {
     archive_.countSeen(cell);
+    if (cell != r.cell) archive_.noteSighted(cell);
     if (!archive_.better(cell, world)) return;
   }
   r.candidates.push_back({key, world, {loose.begin(), loose.end()}, potential_(world), ticks});
@@ -199,9 +200,13 @@ void GoExplore::merge() {
   goals_.clear();
   std::vector<std::pair<uint64_t, Node>> reached;  // rank and way
   for (const Rollout& r : rollouts_) {
+    const uint32_t known = archive_.cellCount();
     for (const Candidate& c : r.candidates) {
       archive_.offer(c.key, c.world, {r.id, r.parent, c.ticks}, c.potential, c.loose.data());
     }
+    ++statistics_.rollouts;
+    ++statistics_.idleRollouts;
+    if (archive_.cellCount() != known) statistics_.idleRollouts = 0;
     mergeEnd(r);
     if (r.end.outcome == sim::Outcome::goal) {
       reached.push_back({uint64_t(r.end.tick) << 16 | r.end.jumps, {r.id, r.parent, r.ticks}});

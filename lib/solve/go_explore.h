@@ -42,7 +42,9 @@ struct Closest : Approach {
 struct Statistics {
   uint64_t steps = 0;  // simulated ticks
   uint64_t rounds = 0;
-  uint8_t overruns = 0;  // sim::Flag bits of any attempt
+  uint64_t rollouts = 0;
+  uint64_t idleRollouts = 0;  // since the last that found a new cell
+  uint8_t overruns = 0;       // sim::Flag bits of any attempt
   Closest closest;
 };
 
@@ -52,6 +54,9 @@ class GoExplore {
   // with the same results.
   GoExplore(const Problem& problem, uint64_t seed, const GoExploreSettings& settings,
             const Machine& machine);
+
+  // Tries `count` ways of Problem::known from `first` on; to be called before round(), and like it.
+  void tryKnown(size_t first, size_t count);
 
   // One round. Ways that reached the goal are appended to goals().
   void round();
@@ -78,10 +83,10 @@ class GoExplore {
     uint32_t ticks;
   };
   struct Rollout {
-    uint64_t id;
-    uint32_t cell, parent;  // where it starts: cell and node
-    uint32_t ticks;
-    uint32_t closestTicks;
+    uint64_t id = 0;
+    uint32_t cell = 0, parent = 0;  // where it starts: cell and node
+    uint32_t ticks = 0;
+    uint32_t closestTicks = 0;
     Approach closest;
     sim::World end;
     std::vector<sim::LooseBody> endLoose;
@@ -96,6 +101,7 @@ class GoExplore {
     uint32_t cell;
   };
 
+  void follow(Rollout& rollout, const KnownWay& way);
   void exploreOnThreads();
   Status openDevice();
   Status exploreOnDevice();

@@ -9,6 +9,7 @@
 #include "solve/go_explore.h"
 #include "solve/problem.h"
 #include "solve/solutions.h"
+#include "solve/thoroughness.h"
 #include "solve/unreachable.h"
 
 namespace obby::solve {
@@ -35,13 +36,15 @@ struct SearchOutcome {
   std::vector<Playthrough> attempts;   // of those that failed; the closest first
   std::vector<EndCount> ends;
   Statistics statistics;
+  Thoroughness thoroughness;
   uint64_t cells = 0;
-  uint32_t targetCount = 0;  // waypoints and visits of the query
-  uint32_t refused = 0;      // playthroughs that the watcher did not accept
-  double seconds = 0;        // wall clock
-  double firstSolution = 0;  // seconds to the first accepted solution; 0: none
-  std::optional<Cut> cut;    // shown to be unreachable, without a search
-  Status device;             // why the machine's device was given up, if it was
+  uint32_t targetCount = 0;     // waypoints and visits of the query
+  uint32_t knownSolutions = 0;  // that an earlier answer had
+  uint32_t refused = 0;         // playthroughs that the watcher did not accept
+  double seconds = 0;           // wall clock
+  double firstSolution = 0;     // seconds to the first accepted solution; 0: none
+  std::optional<Cut> cut;       // shown to be unreachable, without a search
+  Status device;                // why the machine's device was given up, if it was
 };
 
 using RunMethod = SearchOutcome (*)(const Problem&, const Budget&, const Watcher&, const Machine&);

@@ -1,5 +1,6 @@
 #include "solve/playthrough.h"
 
+#include "solve/known_way.h"
 #include "solve/rollout.h"
 
 namespace obby::solve {
@@ -20,15 +21,21 @@ Playthrough regenerate(const ExploreContext& context, uint64_t seed, const Probl
   p.end = problem.start;
   p.endLoose = problem.startLoose;
   p.path.push_back(problem.start.position);
+  const auto note = [&](const sim::Action& action, const sim::World& world) {
+    if (p.actions.empty() || !same(p.actions.back().action, action)) {
+      p.actions.push_back({action, 0});
+    }
+    p.actions.back().ticks++;
+    if (++p.ticks % kPathStep == 0) p.path.push_back(world.position);
+  };
   for (auto n = chain.rbegin(); n != chain.rend(); ++n) {
-    runRollout(context, seed, (*n)->rollout, p.end, p.endLoose.data(), (*n)->ticks,
-               [&](const sim::Action& action, const sim::World& world) {
-                 if (p.actions.empty() || !same(p.actions.back().action, action)) {
-                   p.actions.push_back({action, 0});
-                 }
-                 p.actions.back().ticks++;
-                 if (++p.ticks % kPathStep == 0) p.path.push_back(world.position);
-               });
+    const Node& node = **n;
+    if (node.rollout & kKnown) {
+      runKnown(context, problem.known[node.rollout & ~kKnown], p.end, p.endLoose.data(), node.ticks,
+               note);
+    } else {
+      runRollout(context, seed, node.rollout, p.end, p.endLoose.data(), node.ticks, note);
+    }
   }
   return p;
 }

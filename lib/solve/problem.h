@@ -12,6 +12,9 @@
 
 namespace obby::solve {
 
+// What to hold, and for how long, from the start on.
+using KnownWay = std::vector<sim::ActionRun>;
+
 // The level and the query must outlive the search.
 struct Problem {
   level::LevelView level;
@@ -20,6 +23,7 @@ struct Problem {
   std::vector<sim::LooseBody> startLoose;  // as sim::makeLoose gives them
   Box bounds;                              // of everything in the level
   bool hasClock = false;  // moving or timed parts: the outcome depends on the level clock
+  std::vector<KnownWay> known = {};  // playthroughs of an earlier answer, tried first
 };
 
 // The answer depends on seed, maxSteps, solutions and the problem only, never on the number of

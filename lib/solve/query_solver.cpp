@@ -38,7 +38,8 @@ class Solving {
                           sim::makeWorld(view, compiled_.start()),
                           sim::makeLoose(view),
                           level_.level.bounds(),
-                          level_.level.hasMotion()};
+                          level_.level.hasMotion(),
+                          knownWays()};
     const Watcher watcher{[this](const Playthrough& p) { return verified(p); },
                           [this](const SearchView& v) { look(v); }};
     const SearchOutcome outcome = answer(problem, watcher, machine);
@@ -49,6 +50,11 @@ class Solving {
   }
 
  private:
+  std::vector<KnownWay> knownWays() const {
+    if (options_.earlier == nullptr) return {};
+    return options_.earlier->waysOf(identity_.level, identity_.query);
+  }
+
   // What is shown to be impossible is not searched for.
   SearchOutcome answer(const Problem& problem, const Watcher& watcher, const Machine& machine) {
     const double start = secondsNow();

@@ -7,6 +7,7 @@
 
 #include "io/record.h"
 #include "level/level.h"
+#include "solve/earlier_answers.h"
 #include "solve/methods.h"
 
 namespace obby::solve {
@@ -24,6 +25,7 @@ struct SolverOptions {
   Budget budget;
   const Method* method = nullptr;
   bool progressRecords = true;
+  const EarlierAnswers* earlier = nullptr;  // to be tried first; may be null
 };
 
 // For the eyes of a person while a query is worked on.

@@ -27,6 +27,7 @@ std::string solvedText(const SearchOutcome& outcome, const level::Level& level) 
   if (outcome.solutions.size() > 1) {
     text += fmt::format("; the shortest of {} distinct ways", outcome.solutions.size());
   }
+  if (outcome.knownSolutions > 0) text += "; an earlier way still works";
   return text;
 }
 
@@ -88,6 +89,14 @@ std::string placeText(const SearchOutcome& outcome, schema::Query::Reader query)
   return text;
 }
 
+// Is there hope in searching on?
+std::string hopeText(const Thoroughness& t) {
+  const float more = 100 * newCellsIfTwice(t);
+  if (!saturated(t)) return "; new places were still being found: more time may help";
+  return more < 0.1f ? std::string("; searching on would find nothing new at this resolution")
+                     : fmt::format("; as long again would find about {:.1f} % new places", more);
+}
+
 // What the simulator had to leave out.
 std::string overrunText(uint8_t overruns) {
   std::string text;
@@ -115,6 +124,7 @@ std::string reasonFor(const SearchOutcome& outcome, const level::Level& level,
       fmt::format("no way found in {} steps{}: ", countText(outcome.statistics.steps),
                   outcome.stopped == Stopped::interrupted ? " (interrupted)" : "");
   text += placeText(outcome, query) + endsText(outcome, level, query);
+  text += hopeText(outcome.thoroughness);
   return text + overruns + "; this does not show that there is none";
 }
 

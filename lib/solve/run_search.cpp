@@ -63,11 +63,22 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget,
                         const Machine& machine) {
   const Clock clock;
   GoExplore search(problem, budget.seed, settings, machine);
+  CoverageLog coverage;
   Solutions solutions;
   SearchOutcome outcome;
   std::optional<Stopped> stopped;
+  // Solutions come first in an answer: mostly the first still works.
+  const size_t all = problem.known.size();
+  for (size_t first = 0, next = budget.solutions; first < all && !stopped;
+       first = next, next = all) {
+    search.tryKnown(first, std::min(next, all) - first);
+    takeGoals(search, budget.solutions, watcher, clock, solutions, outcome);
+    outcome.knownSolutions = uint32_t(solutions.all().size());
+    if (outcome.knownSolutions >= budget.solutions) stopped = Stopped::solved;
+  }
   while (!stopped) {
     search.round();
+    coverage.note(search);
     takeGoals(search, budget.solutions, watcher, clock, solutions, outcome);
     if (watcher.look) watcher.look({search, clock.seconds()});
     stopped = whyStop(budget, search, clock, solutions);
@@ -78,6 +89,7 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget,
   outcome.attempts = showAttempts(search, budget.attempts);
   outcome.ends = search.attempts().counts();
   outcome.statistics = search.statistics();
+  outcome.thoroughness = coverage.finish(search);
   outcome.targetCount = targetCount(problem.query);
   outcome.cells = search.archive().cellCount();
   outcome.device = search.deviceStatus();

@@ -77,5 +77,19 @@ TEST(Archive, CountsVisitsFromManyThreads) {
   EXPECT_EQ(archive.seen()[1], 32000u);
 }
 
+TEST(Archive, SingletonsAreCellsThatOnlyTheirFinderPassedThrough) {
+  Archive archive;
+  archive.offer(7, arrival(10), {1, 0, 10}, 1);
+  archive.offer(7, arrival(12), {1, 0, 12}, 1);  // it came by again itself
+  archive.offer(8, arrival(10), {1, 0, 10}, 1);
+  archive.offer(9, arrival(10), {1, 0, 10}, 1);
+  EXPECT_EQ(archive.singletons(), 3u);
+  archive.offer(8, arrival(11), {2, 0, 11}, 1);  // another in the same round, though no better
+  EXPECT_EQ(archive.singletons(), 2u);
+  archive.noteSighted(2);
+  archive.noteSighted(2);
+  EXPECT_EQ(archive.singletons(), 1u);
+}
+
 }  // namespace
 }  // namespace obby::solve

@@ -4,6 +4,7 @@
 #include "cli/context.h"
 #include "cli/tool.h"
 #include "options.h"
+#include "watch.h"
 
 namespace {
 
@@ -15,25 +16,43 @@ cli::ExitCode exitCode(const cli::Context& context, const solve::FilterCounts& c
   return counts.unknown > 0 ? cli::ExitCode::unknown : cli::ExitCode::ok;
 }
 
+// One stream in, one stream out. The options keep the answers for the next run.
+Status solveOnce(cli::Context& context, solve::FilterOptions& options,
+                 const std::atomic<bool>& stop, solve::FilterCounts& counts) {
+  OBBY_ASSIGN(io::StreamWriter output, context.openOutput());
+  io::SourceOptions source = context.sourceOptions();
+  source.stop = &stop;
+  io::Pipeline pipeline(std::move(source), context.identity(), std::move(output));
+  solve::Filter filter(options, pipeline);
+  Status status = pipeline.run([&](const io::Record& record) { return filter.handle(record); });
+  if (status) status = filter.finishInput();
+  const Status finished = pipeline.finish();
+  if (options.remember) options.earlier = filter.takeEarlier();
+  OBBY_RETURN_IF_ERROR(std::move(status));
+  OBBY_RETURN_IF_ERROR(finished);
+  counts = filter.counts();
+  context.note(options.verifyOnly
+                   ? fmt::format("{} trajectories replayed as recorded", counts.verified)
+                   : fmt::format("{} solved, {} unreachable, {} unknown", counts.solved,
+                                 counts.unreachable, counts.unknown));
+  return {};
+}
+
 Result<cli::ExitCode> run(cli::Context& context) {
   OBBY_ASSIGN(solve::FilterOptions options, tools::filterOptions(context));
   OBBY_ASSIGN(const sim::Backend backend, tools::searchBackend(context));
   options.device = backend.device();
   context.note(backend.note());
-  OBBY_ASSIGN(io::StreamWriter output, context.openOutput());
-  const bool verifyOnly = options.verifyOnly;
-  io::Pipeline pipeline(context.sourceOptions(), context.identity(), std::move(output));
-  solve::Filter filter(std::move(options), pipeline);
-  Status status = pipeline.run([&](const io::Record& record) { return filter.handle(record); });
-  if (status) status = filter.finishInput();
-  const Status finished = pipeline.finish();
-  OBBY_RETURN_IF_ERROR(std::move(status));
-  OBBY_RETURN_IF_ERROR(finished);
-  const solve::FilterCounts& c = filter.counts();
-  context.note(verifyOnly ? fmt::format("{} trajectories replayed as recorded", c.verified)
-                          : fmt::format("{} solved, {} unreachable, {} unknown", c.solved,
-                                        c.unreachable, c.unknown));
-  return exitCode(context, c);
+  solve::FilterCounts counts;
+  if (options.remember) {
+    OBBY_RETURN_IF_ERROR(tools::watchInputs(
+        context, options, [&](solve::FilterOptions& o, const std::atomic<bool>& stop) {
+          return solveOnce(context, o, stop, counts);
+        }));
+  } else {
+    OBBY_RETURN_IF_ERROR(solveOnce(context, options, context.stop(), counts));
+  }
+  return exitCode(context, counts);
 }
 
 }  // namespace

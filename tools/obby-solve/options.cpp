@@ -121,6 +121,13 @@ std::vector<OptionRow> searchRows() {
       methodRow(),
       repeatable(
           row("query", ValueType::text, "ID", "", "answer only this query; repeat", kSearchGroup)),
+      row("warm", ValueType::text, "FILE", "",
+          "an earlier answer of these queries: its ways are tried first, and searched on from",
+          kSearchGroup),
+      row("watch", ValueType::flag, "", "",
+          "answer again whenever an input file changes, from where the last answer was; with -o "
+          "the file is written anew, else streams follow one another",
+          kSearchGroup),
       cli::commonRow(cli::Common::seed),
       cli::commonRow(cli::Common::threads),
       backendRow(),
@@ -188,8 +195,9 @@ cli::ToolSpec solveSpec() {
       "touched. Queries asked on the command line replace those "
       "of the stream. A level without any query is asked for the way from its spawn to its goal or "
       "last checkpoint.\n\n"
-      "The answer to a query depends on the stream, --seed, --max-steps, --solutions, --attempts "
-      "and --method only, never on --threads, --backend or the machine; progress records and "
+      "The answer to a query depends on the stream, --seed, --max-steps, --solutions, --attempts, "
+      "--method and the file of --warm only, never on --threads, --backend or the machine; "
+      "progress records and "
       "result.timing "
       "do, and so does where --time-limit cuts off a search that finds nothing.";
   return spec;
@@ -208,6 +216,12 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
   }
   if (o.quick && !o.each && !o.only.empty()) {
     return Error{{}, {}, "--query", "does not go with a query asked on the command line", {}};
+  }
+  o.remember = a.flag("watch");
+  if (a.has("warm")) {
+    io::SourceOptions earlier = context.sourceOptions();
+    earlier.inputs = {a.text("warm")};
+    OBBY_ASSIGN(o.earlier, solve::EarlierAnswers::read(std::move(earlier)));
   }
   o.solver.method = solve::findMethod(a.text("method"));
   o.solver.progressRecords = !a.flag("final-only");

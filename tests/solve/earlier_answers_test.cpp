@@ -1,0 +1,145 @@
+// An earlier answer is tried first: what still works is found at once, what does not is searched on
+// from.
+#include "solve/earlier_answers.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scenes.h"
+
+namespace obby::solve {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+FilterOptions stepsOnly(uint64_t maxSteps = 2'000'000) {
+  FilterOptions o;
+  o.solver.budget.maxSteps = maxSteps;
+  o.solver.progressRecords = false;
+  return o;
+}
+
+EarlierAnswers answersIn(const std::string& text) {
+  const LinesFile file(text);
+  io::SourceOptions source;
+  source.inputs = {file.path()};
+  auto answers = EarlierAnswers::read(std::move(source));
+  EXPECT_TRUE(answers) << answers.error().text();
+  return *std::move(answers);
+}
+
+std::string answer(const std::string& text, FilterOptions options) {
+  const LinesFile file(text);
+  const Filtered f = runFilter(file.path(), std::move(options));
+  EXPECT_TRUE(f.status) << f.status.error().text();
+  return f.output;
+}
+
+std::string answerAfter(const std::string& before, const std::string& text, int threads = 1) {
+  FilterOptions o = stepsOnly();
+  o.earlier = answersIn(before);
+  o.threads = threads;
+  return answer(text, std::move(o));
+}
+
+uint64_t countIn(const std::string& output, const std::string& field) {
+  const size_t at = output.find("\"" + field + "\":\"", output.find("\"type\":\"result\""));
+  return at == std::string::npos ? 0 : std::stoull(output.substr(at + field.size() + 4));
+}
+
+uint64_t stepsOf(const std::string& output) { return countIn(output, "steps"); }
+uint64_t roundsOf(const std::string& output) { return countIn(output, "rounds"); }
+
+std::string withoutTiming(std::string text) {
+  const size_t at = text.find(",\"timing\":{");
+  if (at != std::string::npos) text.erase(at, text.find('}', at) + 1 - at);
+  return text;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+// With a fourth stone, and the goal on it.
+std::string fourStones() {
+  std::string text =
+      replaced(stonesText(), "\"goal\":{}}]",
+               R"("goal":{}},{"name":"D","position":[12,-0.5,-28],"size":[8,1,8]}])");
+  return replaced(text, "\"position\":[0,2,-28]", "\"position\":[12,2,-28]");
+}
+
+TEST(EarlierAnswer, StillWorksOnTheSameLevelAtOnce) {
+  const std::string before = answer(stonesText(), stepsOnly());
+  const std::string again = answerAfter(before, stonesText());
+  EXPECT_THAT(again, HasSubstr("an earlier way still works"));
+  EXPECT_LT(stepsOf(again), 400u);  // one playthrough, not a round of them
+  FilterOptions verify;
+  verify.verifyOnly = true;
+  const LinesFile file(again);
+  EXPECT_TRUE(runFilter(file.path(), verify).status);
+}
+
+TEST(EarlierAnswer, IsSearchedOnFromWhereItFails) {
+  const std::string before = answer(stonesText(), stepsOnly());
+  const std::string cold = answer(fourStones(), stepsOnly());
+  const std::string warm = answerAfter(before, fourStones());
+  EXPECT_THAT(warm, HasSubstr("\"verdict\":\"solved\""));
+  EXPECT_THAT(warm, Not(HasSubstr("still works")));
+  EXPECT_LT(roundsOf(warm), roundsOf(cold));
+}
+
+TEST(EarlierAnswer, NeverMakesTheUnsolvableSolved) {
+  const std::string before = answer(stonesText(), stepsOnly());
+  FilterOptions few = stepsOnly(100'000);
+  few.earlier = answersIn(before);
+  const std::string wall = R"(,"avoid":[{"position":[0,0,-10],"size":[200,200,1]}])";
+  EXPECT_THAT(answer(stonesText(wall), few), HasSubstr("\"verdict\":\"unknown\""));
+  EXPECT_THAT(answer(stonesText(R"(,"maxJumps":0)"), few), Not(HasSubstr("still works")));
+}
+
+TEST(EarlierAnswer, OfAnotherQueryIsNotUsed) {
+  const std::string before = answer(stonesText(), stepsOnly());
+  const std::string other = replaced(stonesText(), "\"id\":\"q\"", "\"id\":\"p\"");
+  EXPECT_EQ(withoutTiming(answerAfter(before, other)), withoutTiming(answer(other, stepsOnly())));
+}
+
+TEST(EarlierAnswer, GivesTheSameBytesOnAnyNumberOfThreads) {
+  const std::string before = answer(stonesText(), stepsOnly());
+  const std::string one = withoutTiming(answerAfter(before, fourStones(), 1));
+  for (const int threads : {2, 3, 8}) {
+    EXPECT_EQ(one, withoutTiming(answerAfter(before, fourStones(), threads)));
+  }
+}
+
+TEST(EarlierAnswer, OfASearchThatFoundNothingLeadsFurther) {
+  // Attempts of a search that was cut off after its first round: what they reached is kept.
+  const std::string before = answer(fourStones(), stepsOnly(1));
+  ASSERT_THAT(before, HasSubstr("\"verdict\":\"unknown\""));
+  EXPECT_LE(roundsOf(answerAfter(before, fourStones())),
+            roundsOf(answer(fourStones(), stepsOnly())));
+}
+
+TEST(EarlierAnswer, IsRememberedByAFilterThatIsAskedTo) {
+  FilterOptions o = stepsOnly();
+  o.remember = true;
+  o.solver.method = findMethod("auto");
+  const LinesFile file(stonesText());
+  std::string output;
+  io::SourceOptions source;
+  source.inputs = {file.path()};
+  io::Pipeline pipeline(std::move(source), {"test", "0", 1},
+                        io::StreamWriter::toBytes(io::Format::jsonl, &output));
+  Filter filter(o, pipeline);
+  ASSERT_TRUE(pipeline.runAndFinish([&](const io::Record& r) { return filter.handle(r); }));
+  const EarlierAnswers kept = filter.takeEarlier();
+  const EarlierAnswers read = answersIn(output);
+  ASSERT_GT(kept.waysOf("stones", "q").size(), 1u);
+  EXPECT_EQ(kept.waysOf("stones", "q").size(), read.waysOf("stones", "q").size());
+  EXPECT_TRUE(kept.waysOf("stones", "p").empty());
+}
+
+}  // namespace
+}  // namespace obby::solve

@@ -1,0 +1,56 @@
+#include "watch.h"
+
+#include <chrono>
+#include <thread>
+
+#include "io/file_watch.h"
+
+namespace obby::tools {
+
+namespace {
+
+constexpr std::chrono::milliseconds kPoll{50};
+
+Status needsFiles(const std::vector<std::string>& inputs) {
+  for (const std::string& path : inputs) {
+    if (path == "-") return Error{{}, {}, "--watch", "needs files, not standard input", {}};
+  }
+  return {};
+}
+
+// Sets `stop` once the inputs change or the process is to end: an answer to what is no longer asked
+// is not worth waiting for.
+class Guard {
+ public:
+  Guard(const io::FileWatch& files, const std::atomic<bool>& end, std::atomic<bool>& stop)
+      : thread_([&files, &end, &stop](const std::stop_token& done) {
+          while (!done.stop_requested()) {
+            if (end || files.changed()) stop = true;
+            std::this_thread::sleep_for(kPoll);
+          }
+        }) {}
+
+ private:
+  std::jthread thread_;
+};
+
+}  // namespace
+
+Status watchInputs(cli::Context& context, solve::FilterOptions& options, const SolveOnce& solve) {
+  OBBY_RETURN_IF_ERROR(needsFiles(context.inputs()));
+  io::FileWatch files(context.inputs());
+  while (!context.stop()) {
+    files.settle(context.stop());
+    std::atomic<bool> stop{context.stop().load()};
+    {
+      const Guard guard(files, context.stop(), stop);
+      options.solver.budget.stop = &stop;
+      // A mistake in a file is told, and may be mended by the next change.
+      if (const Status status = solve(options, stop); !status) context.warn(status.error().text());
+    }
+    while (!context.stop() && !files.changed()) std::this_thread::sleep_for(kPoll);
+  }
+  return {};
+}
+
+}  // namespace obby::tools

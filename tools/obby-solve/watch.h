@@ -1,0 +1,16 @@
+// --watch: answers again whenever an input file changes, each time from what the last answer found.
+#pragma once
+
+#include "cli/context.h"
+#include "options.h"
+
+namespace obby::tools {
+
+// One run over the inputs; `options` keeps what the next run can begin with.
+using SolveOnce =
+    std::function<Status(solve::FilterOptions& options, const std::atomic<bool>& stop)>;
+
+// Until the process is told to end. Error: an input that is not a file.
+Status watchInputs(cli::Context& context, solve::FilterOptions& options, const SolveOnce& solve);
+
+}  // namespace obby::tools
