@@ -56,6 +56,9 @@ Report::Report(int argc, char** argv, std::string bench) : bench_(std::move(benc
   }
 }
 
+Report::Report(std::string bench, Form form)
+    : bench_(std::move(bench)), json_(form == Form::json) {}
+
 void Report::add(std::string_view caseName, std::string_view metric, double value,
                  std::string_view unit) {
   if (json_) {

@@ -15,6 +15,10 @@ class Report {
   // prints the usage and exits with 2.
   Report(int argc, char** argv, std::string bench);
 
+  enum class Form { table, json };
+  // For a bench that reads its own options.
+  Report(std::string bench, Form form);
+
   // One measurement. `metric` in camelCase, `unit` as printed ("1/s", "ns", "" for a plain ratio).
   void add(std::string_view caseName, std::string_view metric, double value, std::string_view unit);
 

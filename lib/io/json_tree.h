@@ -1,5 +1,5 @@
 // One JSON value read into flat arrays: numbers keep their text, so that each is converted once, to
-// the type of its field. Nesting and the number of values are bounded. Private to lib/io.
+// the type of its field. Nesting and the number of values are bounded.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,174 @@
+// How fast and how surely the search methods answer the query suite of levels/: methods x queries x
+// seeds, each run logged as it ends. bench/results/README.md says how to read the report.
+#include <fmt/format.h>
+
+#include "base/hash.h"
+#include "cli/context.h"
+#include "cli/tool.h"
+#include "common/report.h"
+#include "import/filter.h"
+#include "suite/curve.h"
+#include "suite/plan.h"
+#include "suite/table.h"
+
+namespace {
+
+using namespace obby;
+using cli::OptionRow;
+using cli::ValueType;
+
+constexpr double kQuickCap = 10, kQuickUnsolvableCap = 2;  // seconds
+
+struct Option {
+  const char* name;
+  ValueType type;
+  const char *value, *defaultText, *help;
+  double min;
+  bool repeatable;
+};
+constexpr Option kOptions[] = {
+    {"method", ValueType::choice, "", "",
+     "run this method; repeat (default: auto and ge). The first one also runs the queries without "
+     "a "
+     "solution",
+     0, true},
+    {"query", ValueType::text, "FILE:ID", "", "run this query only; repeat", 0, true},
+    {"seeds", ValueType::integer, "N", "5", "run each with seeds 1 to N", 1, false},
+    {"cap", ValueType::number, "SECONDS", "90", "give up after so long", 0.01, false},
+    {"unsolvable-cap", ValueType::number, "SECONDS", "10",
+     "give up so soon on queries that have no solution", 0.01, false},
+    {"quick", ValueType::flag, "", "",
+     "under ten minutes on two cores: one seed, caps of 10 and 2 seconds; methods after the first "
+     "run every third query",
+     0, false},
+    {"report-only", ValueType::flag, "", "",
+     "run nothing; report what the results file has, of whatever build", 0, false},
+    {"list", ValueType::flag, "", "", "print the queries, one FILE:ID a line: a job each", 0,
+     false},
+    {"results", ValueType::file, "FILE", "build/bench/solve.jsonl",
+     "log of runs: appended to, and those of this build are not run again", 0, false},
+    {"svg", ValueType::file, "FILE", "", "also draw the success-against-time curve", 0, false},
+    {"levels", ValueType::file, "FOLDER", OBBY_SOURCE_DIR "/levels", "the suite", 0, false},
+    {"json", ValueType::flag, "", "", "one JSON object a figure instead of a table", 0, false},
+};
+
+std::vector<OptionRow> options() {
+  std::vector<OptionRow> rows = {cli::commonRow(cli::Common::threads),
+                                 cli::commonRow(cli::Common::progress)};
+  for (const Option& option : kOptions) {
+    OptionRow& r = rows.emplace_back();
+    r.name = option.name;
+    r.type = option.type;
+    r.value = option.value;
+    r.defaultText = option.defaultText;
+    r.help = option.help;
+    r.min = option.min;
+    r.repeatable = option.repeatable;
+    if (r.name != "method") continue;
+    for (const solve::Method& m : solve::methods()) r.choices.emplace_back(m.name);
+  }
+  return rows;
+}
+
+cli::ToolSpec spec() {
+  cli::ToolSpec s;
+  s.name = "bench_solve";
+  s.summary = "measure search methods on the query suite";
+  s.examples = {
+      {"a first look", "bench_solve --quick"},
+      {"the whole suite, with a picture", "bench_solve --svg solve.svg"},
+      {"one method on one query", "bench_solve --method auto --query teaser.jsonl:whole"}};
+  s.options = options();
+  s.takesInputs = false;
+  s.notes =
+      "par2RatioToGe is the PAR-2 of ge (seconds to the first solution, twice the cap where there "
+      "is none) divided by that of the method, over the solvable queries that both ran: 5 is five "
+      "times better than ge. falseVerdicts counts runs that say solved where the suite says that "
+      "there is no solution, or unreachable where it says that there is one. Thirds are by effort, "
+      "which is told from level and query alone (bench/suite/effort.h).";
+  return s;
+}
+
+Result<bench::Plan> planOf(const cli::Arguments& a) {
+  bench::Plan plan;
+  std::vector<std::string> methods = a.list("method");
+  if (methods.empty()) methods = {"auto", "ge"};
+  for (const std::string& name : methods) plan.methods.push_back(solve::findMethod(name));
+  const bool quick = a.flag("quick");
+  plan.seeds = quick ? 1 : uint64_t(a.integer("seeds"));
+  plan.cap = quick ? kQuickCap : a.number("cap");
+  plan.unsolvableCap = quick ? kQuickUnsolvableCap : a.number("unsolvable-cap");
+  plan.sampled = quick && a.list("query").empty();
+  OBBY_ASSIGN(plan.suite, bench::loadSuite(a.text("levels"), a.list("query")));
+  return plan;
+}
+
+// Another build may search otherwise, so its runs are not taken for this one's.
+Result<uint64_t> programDigest() {
+  OBBY_ASSIGN(const std::string bytes, importer::readAll("/proc/self/exe"));
+  return hashBytes(bytes.data(), bytes.size());
+}
+
+Status runMissing(cli::Context& context, const bench::Plan& plan, uint64_t program,
+                  bench::RunLog& log) {
+  ThreadPool pool(context.threads());
+  const std::vector<bench::Question> questions = plan.questions();
+  double done = 0;
+  for (const bench::Question& q : questions) {
+    if (context.stop()) break;
+    context.progress({fmt::format("{} {} seed {}", q.method.name, q.query.name(), q.seed),
+                      done++ / double(questions.size()),
+                      {}});
+    const bench::Run planned = bench::plannedRun(q, program);
+    if (log.find(planned.key(), program)) continue;
+    OBBY_ASSIGN(const std::optional<bench::Run> run, bench::ask(q, planned, pool, context.stop()));
+    if (run) OBBY_RETURN_IF_ERROR(log.append(*run));
+  }
+  return {};
+}
+
+Status report(const cli::Arguments& a, const bench::Results& results) {
+  const std::vector<bench::Measure> measures = bench::summarise(results);
+  if (a.flag("json")) {
+    bench::Report rows("solve", bench::Report::Form::json);
+    for (const bench::Measure& m : measures) {
+      rows.add(m.method, m.metric, m.value, m.unit);
+      if (!m.interval) continue;
+      rows.add(m.method, m.metric + "Low", m.interval->low, m.unit);
+      rows.add(m.method, m.metric + "High", m.interval->high, m.unit);
+    }
+  } else {
+    fmt::print("{}", bench::tableText(results.methods, measures));
+    for (size_t m = 0; m < results.methods.size(); ++m) {
+      fmt::print("\nslowest of {}\n{}", results.methods[m], bench::slowest(results, m, 10));
+    }
+  }
+  if (a.text("svg").empty()) return {};
+  OBBY_ASSIGN(io::Sink picture, io::Sink::open(a.text("svg")));
+  OBBY_RETURN_IF_ERROR(picture.write(bench::curveSvg(results)));
+  return picture.close();
+}
+
+Result<cli::ExitCode> run(cli::Context& context) {
+  const cli::Arguments& a = context.arguments();
+  OBBY_ASSIGN(const bench::Plan plan, planOf(a));
+  if (a.flag("list")) {
+    for (const bench::SuiteQuery& q : plan.suite) fmt::print("{}\n", q.name());
+    return cli::ExitCode::ok;
+  }
+  OBBY_ASSIGN(bench::RunLog log, bench::RunLog::open(a.text("results")));
+  if (log.unreadable() > 0) {
+    context.warn(fmt::format("{}: {} lines are no runs", a.text("results"), log.unreadable()));
+  }
+  uint64_t program = 0;
+  if (!a.flag("report-only")) {
+    OBBY_ASSIGN(program, programDigest());
+    OBBY_RETURN_IF_ERROR(runMissing(context, plan, program, log));
+  }
+  OBBY_RETURN_IF_ERROR(report(a, bench::resultsOf(plan, log, program)));
+  return cli::ExitCode::ok;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return obby::cli::runTool(spec(), argc, argv, run); }

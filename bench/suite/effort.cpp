@@ -1,0 +1,105 @@
+#include "suite/effort.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "level/level.h"
+
+namespace obby::bench {
+namespace {
+
+constexpr float kJump = 8.6f;     // studs, on the flat
+constexpr float kRise = 3;        // studs of way that a stud up counts
+constexpr float kBeside = 12;     // studs from the straight way: about a jump
+constexpr float kMostParts = 40;  // beyond that a level is a field of alike parts
+constexpr uint32_t kHazard = level::kKill | level::kPad | level::kConveyor | level::kClocked |
+                             level::kVanishTimer | level::kMoving | level::kTeleport |
+                             level::kLoose;
+
+// The point of the region's box nearest to `from`, taken along the axes of the world.
+Vec3 nearest(const geom::Region& region, Vec3 from) {
+  const Vec3 local = toLocal(region.pose, from);
+  return toWorld(region.pose, max(-region.half, min(local, region.half)));
+}
+
+float wayBetween(Vec3 from, Vec3 to) {
+  const float rise = std::max(to.y - from.y, 0.0f);
+  return std::hypot(to.x - from.x, to.z - from.z) + kRise * rise;
+}
+
+// Goes on to the nearest of the targets and gives its index.
+size_t goToNearest(const std::vector<geom::Region>& targets, std::vector<Vec3>& way) {
+  size_t best = 0;
+  for (size_t i = 1; i < targets.size(); ++i) {
+    if (wayBetween(way.back(), nearest(targets[i], way.back())) <
+        wayBetween(way.back(), nearest(targets[best], way.back()))) {
+      best = i;
+    }
+  }
+  way.push_back(nearest(targets[best], way.back()));
+  return best;
+}
+
+std::vector<Vec3> straightWay(const level::Query& query) {
+  const level::QueryView q = query.view();
+  std::vector<Vec3> way{query.start().feet};
+  for (uint32_t i = 0; i < q.waypointCount; ++i) goToNearest({q.waypoints[i].target.region}, way);
+  std::vector<geom::Region> left;
+  for (uint32_t i = 0; i < q.visitCount; ++i) left.push_back(q.visits[i].region);
+  while (!left.empty()) left.erase(left.begin() + std::ptrdiff_t(goToNearest(left, way)));
+  std::vector<geom::Region> goals{q.goal.region};
+  for (uint32_t i = 0; i < q.otherGoalCount; ++i) goals.push_back(q.otherGoals[i].region);
+  goToNearest(goals, way);
+  return way;
+}
+
+bool beside(const Box& box, const std::vector<Vec3>& way) {
+  const Vec3 room{kBeside, kBeside, kBeside};
+  for (size_t i = 1; i < way.size(); ++i) {
+    const Vec3 lo = min(way[i - 1], way[i]) - room, hi = max(way[i - 1], way[i]) + room;
+    if (box.lo.x <= hi.x && box.hi.x >= lo.x && box.lo.y <= hi.y && box.hi.y >= lo.y &&
+        box.lo.z <= hi.z && box.hi.z >= lo.z) {
+      return true;
+    }
+  }
+  return false;
+}
+
+float hazards(const level::LevelView& level, const std::vector<Vec3>& way) {
+  std::set<uint32_t> parts;
+  for (uint32_t i = 0; i < level.colliderCount; ++i) {
+    if ((level.bounds[i].flags & kHazard) && beside(level.bounds[i].box(), way)) {
+      parts.insert(level.colliders[i].part);
+    }
+  }
+  return std::min(float(parts.size()), kMostParts);
+}
+
+int limits(const level::QueryView& q) {
+  const auto segment = [](const level::SegmentLimits& s) { return (s.jumps >= 0) + (s.ticks > 0); };
+  int count = (q.minJumps > 0) + (q.maxJumps >= 0) + (q.timeLimitTicks > 0) + (q.maxDamage >= 0) +
+              (q.forbidden != 0) + (q.touchedCount > 0) + segment(q.last);
+  for (uint32_t i = 0; i < q.waypointCount; ++i) {
+    const level::WaypointView& w = q.waypoints[i];
+    count += (w.maxJumps >= 0) + (w.ticks > 0) + segment(w.segment);
+  }
+  return count;
+}
+
+}  // namespace
+
+Result<double> effortOf(schema::Level::Reader levelRecord, schema::Query::Reader queryRecord) {
+  OBBY_ASSIGN(const level::Level level, level::Level::compile(levelRecord));
+  OBBY_ASSIGN(const level::Query query, level::Query::compile(queryRecord, level));
+  const level::QueryView q = query.view();
+  const std::vector<Vec3> way = straightWay(query);
+  float studs = 0;
+  for (size_t i = 1; i < way.size(); ++i) studs += wayBetween(way[i - 1], way[i]);
+  return studs / kJump + 0.5f * hazards(level.view(), way) +
+         2.0f * float(q.waypointCount + q.visitCount) + 2.0f * float(limits(q)) +
+         float(q.avoidCount);
+}
+
+}  // namespace obby::bench

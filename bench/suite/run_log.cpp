@@ -1,0 +1,150 @@
+#include "suite/run_log.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "io/json_tree.h"
+#include "io/text.h"
+
+namespace obby::bench {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string out;
+  io::appendJsonString(out, text);
+  return out;
+}
+
+// The members of one flat object.
+class Members {
+ public:
+  explicit Members(const io::JsonTree& tree) : tree_(tree) {}
+
+  std::string text(std::string_view name) {
+    const auto value = find(name);
+    return value ? std::string(tree_.text(*value)) : "";
+  }
+  double number(std::string_view name) {
+    const auto value = find(name);
+    if (!value) return 0;
+    using Type = io::JsonTree::Type;
+    if (value->type == Type::whole) return double(value->value);
+    if (value->type == Type::yes || value->type == Type::no) return value->type == Type::yes;
+    if (value->type == Type::real)
+      return std::strtod(std::string(tree_.text(*value)).c_str(), nullptr);
+    complete_ = false;
+    return 0;
+  }
+  // 64 bits are written as text, as in the streams.
+  uint64_t digest(std::string_view name) { return std::strtoull(text(name).c_str(), nullptr, 10); }
+  bool complete() const { return complete_; }
+
+ private:
+  std::optional<io::JsonTree::Node> find(std::string_view name) {
+    uint32_t at = tree_.root().type == io::JsonTree::Type::object ? tree_.root().child : 0;
+    for (; at != 0; at = tree_.node(at).next) {
+      if (tree_.name(tree_.node(at)) == name) return tree_.node(at);
+    }
+    complete_ = false;
+    return std::nullopt;
+  }
+
+  const io::JsonTree& tree_;
+  bool complete_ = true;
+};
+
+Error fileError(const std::string& path, const char* what) {
+  return Error{path, {}, {}, fmt::format("{}: {}", what, std::strerror(errno)), {}};
+}
+
+}  // namespace
+
+std::string Run::key() const {
+  return fmt::format("{} {:016x} {} {:g}", method, content, seed, cap);
+}
+
+std::string runLine(const Run& r) {
+  return fmt::format(
+      R"({{"method":{},"file":{},"query":{},"seed":{},"verdict":{},"expected":{},"seconds":{:.4f},)"
+      R"("steps":{:.0f},"rounds":{:.0f},"cap":{:g},"threads":{},"content":"{}","program":"{}"}})"
+      "\n",
+      quoted(r.method), quoted(r.file), quoted(r.query), r.seed, quoted(r.verdict),
+      quoted(r.expected), r.timing.seconds, r.timing.steps, r.timing.rounds, r.cap, r.threads,
+      r.content, r.program);
+}
+
+Result<Run> parseRun(const std::string& line) {
+  OBBY_ASSIGN(const io::JsonTree tree, io::JsonTree::parse(line));
+  Members m(tree);
+  Run r;
+  r.method = m.text("method");
+  r.file = m.text("file");
+  r.query = m.text("query");
+  r.verdict = m.text("verdict");
+  r.expected = m.text("expected");
+  r.seed = uint64_t(m.number("seed"));
+  r.cap = m.number("cap");
+  r.threads = int(m.number("threads"));
+  r.content = m.digest("content");
+  r.program = m.digest("program");
+  r.timing = {m.number("seconds"), r.verdict == "solved", m.number("steps"), m.number("rounds")};
+  if (!m.complete()) return makeError("this line is no run");
+  return r;
+}
+
+Result<RunLog> RunLog::open(const std::string& path) {
+  RunLog log;
+  log.path_ = path;
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  while (std::getline(file, line)) {
+    log.cutOff_ = file.eof();
+    auto run = parseRun(line);
+    if (run) {
+      log.remember(*std::move(run));
+    } else {
+      ++log.unreadable_;
+    }
+  }
+  if (file.bad()) return fileError(path, "cannot read");
+  return log;
+}
+
+void RunLog::remember(Run run) {
+  byKey_[run.key()].push_back(runs_.size());
+  runs_.push_back(std::move(run));
+}
+
+const Run* RunLog::find(const std::string& key, uint64_t program) const {
+  const auto found = byKey_.find(key);
+  if (found == byKey_.end()) return nullptr;
+  for (size_t i = found->second.size(); i-- > 0;) {
+    const Run& run = runs_[found->second[i]];
+    if (program == 0 || run.program == program) return &run;
+  }
+  return nullptr;
+}
+
+Status RunLog::append(const Run& run) {
+  if (!file_) {
+    const auto folder = std::filesystem::path(path_).parent_path();
+    std::error_code ignored;  // opening says what is wrong
+    if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
+    file_.reset(std::fopen(path_.c_str(), "ab"));
+    if (!file_) return fileError(path_, "cannot open");
+  }
+  const std::string line = (cutOff_ ? "\n" : "") + runLine(run);
+  cutOff_ = false;
+  const bool written = std::fwrite(line.data(), 1, line.size(), file_.get()) == line.size();
+  if (!written || std::fflush(file_.get()) != 0) return fileError(path_, "cannot write");
+  remember(run);
+  return {};
+}
+
+}  // namespace obby::bench

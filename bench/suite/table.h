@@ -1,0 +1,14 @@
+// The report for people: figures as rows, methods as columns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "suite/summary.h"
+
+namespace obby::bench {
+
+std::string tableText(const std::vector<std::string>& methods,
+                      const std::vector<Measure>& measures);
+
+}  // namespace obby::bench

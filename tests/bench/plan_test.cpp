@@ -1,0 +1,114 @@
+// Which runs a call of bench_solve makes, and how much effort it says that a query takes.
+#include "suite/plan.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "suite/effort.h"
+
+namespace obby::bench {
+namespace {
+
+constexpr const char* kLevel =
+    R"({"type":"level","name":"flat","parts":[{"position":[0,-0.5,0],"size":[200,1,200]},)"
+    R"({"position":[20,1,0],"size":[1,1,1],"kill":{}},{"position":[20,1,90],"size":[1,1,1],"kill":{}}],)"
+    R"("spawns":[{"position":[0,0,0]}]})"
+    "\n";
+constexpr const char* kQueries =
+    R"({"type":"query","id":"walk","goal":{"position":[44,3,0],"size":[2,6,2]}})"
+    "\n"
+    R"({"type":"query","id":"by way of","goal":{"position":[44,3,0],"size":[2,6,2]},"maxJumps":1,)"
+    R"("waypoints":[{"region":{"position":[10,3,0],"size":[2,6,2]}}],)"
+    R"("avoid":[{"position":[0,3,60],"size":[2,6,2]}]})"
+    "\n"
+    R"({"type":"query","id":"up","goal":{"position":[0,503,0],"size":[2,6,2]}})"
+    "\n";
+
+// A folder with a suite of one level.
+class SuiteFolder : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directories(folder_ / "deeper");
+    std::ofstream(folder_ / "deeper" / "flat.jsonl") << kLevel << kQueries;
+    std::ofstream(folder_ / "expected.tsv") << "# a comment\n"
+                                            << "deeper/flat.jsonl\twalk\tsolved\ttest\tflat\n"
+                                            << "deeper/flat.jsonl\tby way of\tsolved\ttest\tflat\n"
+                                            << "deeper/flat.jsonl\tup\tunreachable\ttest\thigh\n";
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  Plan plan() const {
+    Plan p;
+    p.methods = {solve::findMethod("auto"), solve::findMethod("ge")};
+    p.suite = *loadSuite(folder_.string(), {});
+    p.seeds = 2;
+    return p;
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::path(::testing::TempDir()) /
+      ::testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(SuiteFolder, EffortIsWayHazardsTargetsAndLimits) {
+  const std::vector<SuiteQuery> suite = plan().suite;
+  // 43 studs to the goal's near edge in jumps of 8.6, one of the two kill parts beside the way.
+  EXPECT_NEAR(suite[0].effort, 5 + 0.5, 1e-4);
+  // And a waypoint, a limit and a region to avoid.
+  EXPECT_NEAR(suite[1].effort, 5 + 0.5 + 2 + 2 + 1, 1e-4);
+  // A stud up counts three. The column above the start has no kill part beside it.
+  EXPECT_NEAR(suite[2].effort, 500 * 3 / 8.6, 1e-3);
+}
+
+TEST_F(SuiteFolder, QueriesOfOneLevelDifferInContent) {
+  const std::vector<SuiteQuery> suite = plan().suite;
+  EXPECT_NE(suite[0].content, suite[1].content);
+  EXPECT_EQ(suite[0].content, plan().suite[0].content);
+}
+
+TEST_F(SuiteFolder, OnlyTheFirstMethodIsAskedWhatHasNoSolutionAndOnce) {
+  const Plan p = plan();
+  EXPECT_EQ(p.questions().size(), 2u * 2 * 2 + 1);
+  EXPECT_TRUE(p.asks(0, 2, 1));
+  EXPECT_FALSE(p.asks(0, 2, 2));
+  EXPECT_FALSE(p.asks(1, 2, 1));
+  EXPECT_EQ(p.capOf(p.suite[0]), 90);
+  EXPECT_EQ(p.capOf(p.suite[2]), 10);
+}
+
+TEST_F(SuiteFolder, NamesChooseQueriesAndUnknownNamesAreErrors) {
+  const auto one = loadSuite(folder_.string(), {"deeper/flat.jsonl:up"});
+  ASSERT_TRUE(one);
+  EXPECT_EQ(one->size(), 1u);
+  EXPECT_FALSE(loadSuite(folder_.string(), {"deeper/flat.jsonl:down"}));
+  EXPECT_FALSE(loadSuite((folder_ / "nowhere").string(), {}));
+}
+
+TEST_F(SuiteFolder, ARunIsAnswered) {
+  const Plan p = plan();
+  ThreadPool pool(1);
+  const std::atomic<bool> stop{false};
+  const Question question{p.suite[0], *p.methods[0], 1, 20};
+  const auto run = ask(question, plannedRun(question, 5), pool, stop);
+  ASSERT_TRUE(run) << run.error().text();
+  ASSERT_TRUE(*run);
+  EXPECT_EQ((*run)->verdict, "solved");
+  EXPECT_TRUE((*run)->timing.solved);
+  EXPECT_GT((*run)->timing.steps, 0);
+  EXPECT_EQ((*run)->key(), plannedRun(question, 6).key());
+}
+
+TEST_F(SuiteFolder, ARunThatIsInterruptedIsNone) {
+  const Plan p = plan();
+  ThreadPool pool(1);
+  const std::atomic<bool> stop{true};
+  const Question question{p.suite[0], *p.methods[0], 1, 20};
+  const auto run = ask(question, plannedRun(question, 5), pool, stop);
+  ASSERT_TRUE(run);
+  EXPECT_FALSE(*run);
+}
+
+}  // namespace
+}  // namespace obby::bench
