@@ -38,7 +38,7 @@ Result<DeviceRollouts> DeviceRollouts::open(sim::Device& device, RolloutArgument
   OBBY_ASSIGN(sim::Memory memory, sim::uploadTables(device, tables));
   arguments.context = tables.context;
   arguments.binning.clock = tables.clock;
-  arguments.room = visitRoom(arguments.ticks);
+  arguments.room = visitRoom(arguments);
   DeviceRollouts rollouts(device, arguments);
   rollouts.tables_ = std::move(memory);
   return rollouts;

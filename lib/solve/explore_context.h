@@ -37,6 +37,7 @@ struct ExploreContext {
   JumpReach reach;
   ExploreSettings settings;
   bool jumpsLimited;
+  float doomHeight;  // studs: who is off the floor with the feet below can only fall
 };
 
 template <class Table>
@@ -49,6 +50,11 @@ OBBY_DEVICE void forTables(ExploreContext& c, Table&& table) {
 // The same for a player as boosts have it now.
 OBBY_DEVICE JumpReach reachIn(const ExploreContext& c, const sim::World& w) {
   return w.clockCount == 0 ? c.reach : jumpReach(sim::boosted(w, c.level));
+}
+
+// Below everything there is: nothing more can come of this playthrough than that the player fell.
+OBBY_DEVICE bool doomed(const ExploreContext& c, const sim::World& w) {
+  return w.position.y < c.doomHeight && w.floorlessTicks > c.level.params.coyoteTicks;
 }
 
 // Standing on something, hanging on a truss or sitting, free to jump soon.

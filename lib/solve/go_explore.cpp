@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solve/binning.h"
+#include "solve/doom.h"
 #include "solve/rollout_group.h"
 
 namespace obby::solve {
@@ -13,19 +14,21 @@ namespace {
 constexpr size_t kLeastRollouts = 16, kTaskRollouts = 256;
 constexpr uint64_t kStepsPerRollout = 8000;  // of the search so far: when rounds double
 constexpr float kClockReach = 10;            // studs around moving parts where the clock matters
+constexpr uint32_t kFallTicks = 60 * 3600;   // longer than any fall
 constexpr uint64_t kSelectionStream = 1ull << 63;  // streams of rollouts count up from 0
 
 ExploreContext makeContext(const Problem& problem, const Surfaces& surfaces,
                            const ExploreSettings& settings) {
-  return {problem.level,   problem.query,
-          surfaces.view(), jumpReach(problem.level.params),
-          settings,        limitsJumps(problem.query)};
+  return {problem.level,      problem.query,
+          surfaces.view(),    jumpReach(problem.level.params),
+          settings,           limitsJumps(problem.query),
+          doomHeight(problem)};
 }
 
 }  // namespace
 
 GoExplore::GoExplore(const Problem& problem, uint64_t seed, const GoExploreSettings& settings,
-                     const Machine& machine)
+                     const Machine& machine, MakeChooser makeChooser)
     : problem_(problem),
       seed_(seed),
       settings_(settings),
@@ -38,8 +41,10 @@ GoExplore::GoExplore(const Problem& problem, uint64_t seed, const GoExploreSetti
       phaseTicks_(
           std::max(settings.leastPhase, uint32_t(settings.phaseJumps * context_.reach.airTicks))),
       rule_{settings.groundedOnly,
-            std::max(uint32_t(context_.reach.airTicks), problem.level.params.controlRate / 2u)},
-      archive_(kMaxCells, problem.level.looseCount) {
+            std::max(uint32_t(context_.reach.airTicks), problem.level.params.controlRate / 2u),
+            std::clamp(settings.lookEvery, 1u, phaseTicks_)},
+      archive_(kMaxCells, problem.level.looseCount),
+      chooser_(makeChooser(problem, context_)) {
   archive_.offer(cellKey(binning_, problem.start, problem.startLoose.data()), problem.start,
                  {0, kNone, 0}, potential_(problem.start), problem.startLoose.data());
   statistics_.closest.distance = distanceLeft(problem.query, problem.start);
@@ -82,8 +87,8 @@ Status GoExplore::exploreOnDevice() {
   std::vector<RolloutStart> starts;
   std::vector<sim::LooseBody> loose;
   for (const Rollout& r : rollouts_) {
-    starts.push_back({archive_.world(r.cell), r.id});
-    const auto bodies = archive_.loose(r.cell);
+    starts.push_back({archive_.world(r.start.cell), r.id, r.start.ticks});
+    const auto bodies = archive_.loose(r.start.cell);
     loose.insert(loose.end(), bodies.begin(), bodies.end());
   }
   OBBY_RETURN_IF_ERROR(device_->run(starts, loose));
@@ -97,7 +102,7 @@ Status GoExplore::exploreOnDevice() {
     r.end = end.world;
     const auto left = device_->endLoose(i);
     r.endLoose.assign(left.begin(), left.end());
-    archive_.countSeen(r.cell);
+    archive_.countSeen(r.start.cell);
     const std::span<const RolloutVisit> visits = device_->visits(i);
     for (size_t n = 0; n < visits.size(); ++n) {
       const RolloutVisit& v = visits[n];
@@ -115,13 +120,15 @@ uint32_t GoExplore::roundSize() const {
 }
 
 void GoExplore::chooseCells() {
-  rollouts_.resize(roundSize());
-  selector_.update(archive_, machine_.pool);
+  choices_.assign(roundSize(), {0, phaseTicks_});
+  rollouts_.resize(choices_.size());
   Random random(seed_, kSelectionStream | statistics_.rounds);
-  for (Rollout& r : rollouts_) {
+  chooser_->choose(archive_, machine_.pool, random, choices_);
+  for (size_t i = 0; i < choices_.size(); ++i) {
+    Rollout& r = rollouts_[i];
     r.id = nextRollout_++;
-    r.cell = selector_.pick(random);
-    r.parent = archive_.node(r.cell);
+    r.start = choices_[i];
+    r.parent = archive_.node(r.start.cell);
   }
 }
 
@@ -133,19 +140,19 @@ void GoExplore::explore(std::span<Rollout> rollouts) {
     r.candidates.clear();
     r.ticks = r.closestTicks = 0;
     r.closest = {};
-    r.end = archive_.world(r.cell);
-    const auto loose = archive_.loose(r.cell);
+    r.end = archive_.world(r.start.cell);
+    const auto loose = archive_.loose(r.start.cell);
     r.endLoose.assign(loose.begin(), loose.end());
     const uint64_t key = cellKey(binning_, r.end, r.endLoose.data());
     trails.push_back({key, key});
-    archive_.countSeen(r.cell);
-    group.add(seed_, r.id, r.end, r.endLoose.data());
+    archive_.countSeen(r.start.cell);
+    group.add(seed_, r.id, r.end, r.endLoose.data(), r.start.ticks);
   }
-  group.run(phaseTicks_, [&](uint32_t tick, std::span<const RolloutGroup::Member> members) {
+  group.run([&](uint32_t tick, std::span<const RolloutGroup::Member> members) {
     looks.clear();
     for (const RolloutGroup::Member& m : members) {
       rollouts[m.index].ticks = tick;
-      if (tick % kLookEvery != 0 || m.world->outcome != sim::Outcome::running) continue;
+      if (tick % rule_.lookEvery != 0 || m.world->outcome != sim::Outcome::running) continue;
       looks.push_back({cellKey(binning_, *m.world, m.loose), m.index, kNone});
     }
     look(rollouts, trails, looks);
@@ -183,7 +190,7 @@ void GoExplore::visit(Rollout& r, uint64_t key, uint32_t cell, const sim::World&
                       std::span<const sim::LooseBody> loose, uint32_t ticks) {
   if (cell != kNone) {
     archive_.countSeen(cell);
-    if (cell != r.cell) archive_.noteSighted(cell);
+    if (cell != r.start.cell) archive_.noteSighted(cell);
     if (!archive_.better(cell, world)) return;
   }
   r.candidates.push_back({key, world, {loose.begin(), loose.end()}, potential_(world), ticks});
@@ -198,15 +205,13 @@ void GoExplore::noteClosest(Rollout& r) {
 
 void GoExplore::merge() {
   goals_.clear();
+  tried_.clear();
   std::vector<std::pair<uint64_t, Node>> reached;  // rank and way
   for (const Rollout& r : rollouts_) {
-    const uint32_t known = archive_.cellCount();
-    for (const Candidate& c : r.candidates) {
-      archive_.offer(c.key, c.world, {r.id, r.parent, c.ticks}, c.potential, c.loose.data());
-    }
+    tried_.push_back(keep(r));
     ++statistics_.rollouts;
     ++statistics_.idleRollouts;
-    if (archive_.cellCount() != known) statistics_.idleRollouts = 0;
+    if (tried_.back().cells != 0) statistics_.idleRollouts = 0;
     mergeEnd(r);
     if (r.end.outcome == sim::Outcome::goal) {
       reached.push_back({uint64_t(r.end.tick) << 16 | r.end.jumps, {r.id, r.parent, r.ticks}});
@@ -215,6 +220,18 @@ void GoExplore::merge() {
   std::stable_sort(reached.begin(), reached.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [rank, way] : reached) goals_.push_back(way);
+  chooser_->learn(archive_, tried_);
+}
+
+Tried GoExplore::keep(const Rollout& r) {
+  Tried tried{r.start.cell, archive_.cellCount(), 0, 0};
+  for (const Candidate& c : r.candidates) {
+    if (!archive_.offer(c.key, c.world, {r.id, r.parent, c.ticks}, c.potential, c.loose.data()))
+      continue;
+    tried.potential = std::max(tried.potential, c.potential);
+  }
+  tried.cells = archive_.cellCount() - tried.firstCell;
+  return tried;
 }
 
 void GoExplore::mergeEnd(const Rollout& r) {
@@ -222,7 +239,12 @@ void GoExplore::mergeEnd(const Rollout& r) {
   statistics_.overruns |= uint8_t(r.end.flags & sim::kOverruns);
   const Node way{r.id, r.parent, r.ticks};
   if (r.end.outcome != sim::Outcome::goal) {
-    attempts_.add({way, r.end.position, r.end.outcome, r.end.part});
+    const bool falls = r.end.outcome == sim::Outcome::running && doomed(context_, r.end);
+    attempts_.add(falls ? AttemptEnd{{r.id, r.parent, kFallTicks},
+                                     r.end.position,
+                                     sim::Outcome::fell,
+                                     r.end.part}
+                        : AttemptEnd{way, r.end.position, r.end.outcome, r.end.part});
   }
   if (!closer(r.closest, statistics_.closest)) return;
   statistics_.closest = {r.closest, {r.id, r.parent, r.closestTicks}};

@@ -1,9 +1,10 @@
-// Go-Explore in rounds: choose cells, roll out from each on all threads against a snapshot of the
-// archive, merge what was found in the order of the rollouts. Everything follows from (problem,
-// seed, settings): threads and time only decide when it stops.
+// Go-Explore in rounds: a chooser picks cells, all threads roll out from each against a snapshot of
+// the archive, and what was found is merged in the order of the rollouts. Everything follows from
+// (problem, seed, settings, chooser): threads and time only decide when it stops.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "solve/archive.h"
 #include "solve/attempts.h"
 #include "solve/cell.h"
+#include "solve/chooser.h"
 #include "solve/device_rollouts.h"
 #include "solve/explore_context.h"
 #include "solve/machine.h"
@@ -31,6 +33,7 @@ struct GoExploreSettings {
   uint32_t leastPhase = 40;     // ticks
   float cellWidth = 2;          // studs at 16 studs/s; grows with walking speed
   bool groundedOnly = true;     // keep states that stand, or have been in the air for long
+  uint32_t lookEvery = 3;  // ticks between states that may be kept; walking, a cell takes seven
   ExploreSettings explore;
 };
 
@@ -53,7 +56,7 @@ class GoExplore {
   // `machine` is used by round() only. A device that fails is not asked again: the pool goes on,
   // with the same results.
   GoExplore(const Problem& problem, uint64_t seed, const GoExploreSettings& settings,
-            const Machine& machine);
+            const Machine& machine, MakeChooser makeChooser = hedgedSelector);
 
   // Tries `count` ways of Problem::known from `first` on; to be called before round(), and like it.
   void tryKnown(size_t first, size_t count);
@@ -84,7 +87,8 @@ class GoExplore {
   };
   struct Rollout {
     uint64_t id = 0;
-    uint32_t cell = 0, parent = 0;  // where it starts: cell and node
+    Choice start{};
+    uint32_t parent = 0;  // node of the start
     uint32_t ticks = 0;
     uint32_t closestTicks = 0;
     Approach closest;
@@ -111,6 +115,7 @@ class GoExplore {
              std::span<const sim::LooseBody> loose, uint32_t ticks);
   void noteClosest(Rollout& rollout);
   void merge();
+  Tried keep(const Rollout& rollout);
   void mergeEnd(const Rollout& rollout);
 
   const Problem problem_;
@@ -127,9 +132,11 @@ class GoExplore {
   uint32_t phaseTicks_;
   KeepRule rule_;
   Archive archive_;
-  Selector selector_;
+  std::unique_ptr<Chooser> chooser_;
   Attempts attempts_;
-  std::vector<Rollout> rollouts_;  // of this round
+  std::vector<Choice> choices_;    // of this round
+  std::vector<Rollout> rollouts_;  // (choices)
+  std::vector<Tried> tried_;       // (choices)
   uint64_t nextRollout_ = 0;
   std::vector<Node> goals_;
   Statistics statistics_;

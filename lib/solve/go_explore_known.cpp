@@ -16,15 +16,13 @@ void GoExplore::tryKnown(size_t first, size_t count) {
 }
 
 void GoExplore::follow(Rollout& r, const KnownWay& way) {
-  r.cell = 0;
-  r.parent = 0;
   r.end = problem_.start;
   r.endLoose = problem_.startLoose;
   const uint64_t key = cellKey(binning_, r.end, r.endLoose.data());
   Trail trail{key, key};
   runKnown(context_, way, r.end, r.endLoose.data(), ticksOf(way),
            [&](const sim::Action&, const sim::World& world) {
-             if (++r.ticks % kLookEvery != 0 || world.outcome != sim::Outcome::running) return;
+             if (++r.ticks % rule_.lookEvery != 0 || world.outcome != sim::Outcome::running) return;
              const uint64_t here = cellKey(binning_, world, r.endLoose.data());
              if (trail.isNew(here, rule_, world)) {
                visit(r, here, archive_.find(here), world, r.endLoose, r.ticks);

@@ -29,7 +29,7 @@ uint32_t runKnown(const ExploreContext& c, const KnownWay& way, sim::World& worl
     ++held;
     return way[run].action;
   };
-  return runTicks(c, world, loose, ticks, next, visit);
+  return runTicks<true, true>(c, world, loose, ticks, next, visit);
 }
 
 }  // namespace obby::solve

@@ -20,20 +20,19 @@ GoExploreSettings plainSettings() {
   return s;
 }
 
-SearchOutcome runAimed(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
-  return runSearch(p, b, aimedSettings(), w, m);
-}
-
-SearchOutcome runPlain(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
-  return runSearch(p, b, plainSettings(), w, m);
+template <GoExploreSettings (*settings)(), MakeChooser makeChooser>
+SearchOutcome run(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
+  return runSearch(p, b, settings(), w, m, makeChooser);
 }
 
 }  // namespace
 
 const std::vector<Method>& methods() {
   static const std::vector<Method> table = {
-      {"auto", "Go-Explore over standing states with jumps aimed at surfaces", runAimed},
-      {"ge", "Go-Explore with random actions over all states, as published", runPlain},
+      {"auto", "Go-Explore over standing states with jumps aimed at surfaces",
+       run<aimedSettings, hedgedSelector>},
+      {"ge", "Go-Explore with random actions over all states, as published",
+       run<plainSettings, hedgedSelector>},
   };
   return table;
 }

@@ -34,7 +34,8 @@ Playthrough regenerate(const ExploreContext& context, uint64_t seed, const Probl
       runKnown(context, problem.known[node.rollout & ~kKnown], p.end, p.endLoose.data(), node.ticks,
                note);
     } else {
-      runRollout(context, seed, node.rollout, p.end, p.endLoose.data(), node.ticks, note);
+      runRollout<true, true>(context, seed, node.rollout, p.end, p.endLoose.data(), node.ticks,
+                             note);
     }
   }
   return p;

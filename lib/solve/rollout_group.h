@@ -16,8 +16,10 @@ class RolloutGroup {
  public:
   explicit RolloutGroup(const ExploreContext& context) : context_(context) {}
 
-  void add(uint64_t seed, uint64_t rollout, sim::World& world, sim::LooseBody* loose) {
-    running_.push_back({Explorer(seed, rollout), &world, loose, running_.size()});
+  // A rollout of at most `ticks` ticks.
+  void add(uint64_t seed, uint64_t rollout, sim::World& world, sim::LooseBody* loose,
+           uint32_t ticks) {
+    running_.push_back({Explorer(seed, rollout), &world, loose, running_.size(), ticks});
   }
 
   struct Member {
@@ -25,17 +27,20 @@ class RolloutGroup {
     sim::World* world;
     sim::LooseBody* loose;  // null where the level has none
     size_t index;           // in the order of add()
+    uint32_t ticks;
   };
 
-  // Advances every world by at most `ticks` ticks. visit(t, members) is called after tick t = 1, 2,
-  // ... with all that took it.
+  // Advances every world to its end. visit(t, members) is called after tick t = 1, 2, ... with all
+  // that took it.
   template <class Visit>
-  void run(uint32_t ticks, Visit&& visit) {
-    for (uint32_t t = 1; t <= ticks && !running_.empty(); ++t) {
+  void run(Visit&& visit) {
+    for (uint32_t t = 1; !running_.empty(); ++t) {
       tick();
       visit(t, std::span<const Member>(running_));
-      std::erase_if(running_,
-                    [](const Member& m) { return m.world->outcome != sim::Outcome::running; });
+      std::erase_if(running_, [&](const Member& m) {
+        return t >= m.ticks || m.world->outcome != sim::Outcome::running ||
+               doomed(context_, *m.world);
+      });
     }
   }
 

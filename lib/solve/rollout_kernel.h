@@ -9,7 +9,8 @@ namespace obby::solve {
 
 struct RolloutStart {
   sim::World world;
-  uint64_t id;  // its stream of random numbers
+  uint64_t id;     // its stream of random numbers
+  uint32_t ticks;  // at most
 };
 
 // A state in a cell that the rollout had not just been kept in.
@@ -30,7 +31,7 @@ struct RolloutArguments {
   Binning binning;
   KeepRule rule;
   uint64_t seed;
-  uint32_t ticks;              // of a rollout, at most
+  uint32_t ticks;              // of any rollout, at most
   uint32_t room;               // visits of a rollout, at most
   const RolloutStart* starts;  // (rollouts)
   RolloutVisit* visits;        // (rollouts, room)
@@ -40,7 +41,7 @@ struct RolloutArguments {
 };
 
 // Visits that a rollout can have.
-OBBY_DEVICE uint32_t visitRoom(uint32_t ticks) { return ticks / kLookEvery; }
+OBBY_DEVICE uint32_t visitRoom(const RolloutArguments& a) { return a.ticks / a.rule.lookEvery; }
 
 // `kLoose`: as for sim::tick.
 template <bool kLoose>
@@ -53,7 +54,7 @@ OBBY_DEVICE void exploreOne(const RolloutArguments& a, uint32_t i) {
   Approach closest;
   uint32_t closestTicks = 0, tick = 0, visits = 0;
   const auto look = [&](const sim::Action&, const sim::World& w) {
-    if (++tick % kLookEvery != 0 || w.outcome != sim::Outcome::running) return;
+    if (++tick % a.rule.lookEvery != 0 || w.outcome != sim::Outcome::running) return;
     const uint64_t here = cellKey(a.binning, w, loose);
     if (trail.isNew(here, a.rule, w)) {
       const size_t at = size_t(i) * a.room + visits++;
@@ -68,8 +69,9 @@ OBBY_DEVICE void exploreOne(const RolloutArguments& a, uint32_t i) {
     closest = now;
     closestTicks = tick;
   };
+  const RolloutStart& start = a.starts[i];
   const uint32_t ticks =
-      runRollout<kLoose>(a.context, a.seed, a.starts[i].id, world, loose, a.ticks, look);
+      runRollout<kLoose>(a.context, a.seed, start.id, world, loose, start.ticks, look);
   a.ends[i] = {world, closest, closestTicks, ticks, visits};
 }
 

@@ -60,9 +60,9 @@ std::vector<Playthrough> showAttempts(const GoExplore& search, size_t count) {
 
 SearchOutcome runSearch(const Problem& problem, const Budget& budget,
                         const GoExploreSettings& settings, const Watcher& watcher,
-                        const Machine& machine) {
+                        const Machine& machine, MakeChooser makeChooser) {
   const Clock clock;
-  GoExplore search(problem, budget.seed, settings, machine);
+  GoExplore search(problem, budget.seed, settings, machine, makeChooser);
   CoverageLog coverage;
   Solutions solutions;
   SearchOutcome outcome;

@@ -7,6 +7,6 @@ namespace obby::solve {
 
 SearchOutcome runSearch(const Problem& problem, const Budget& budget,
                         const GoExploreSettings& settings, const Watcher& watcher,
-                        const Machine& machine);
+                        const Machine& machine, MakeChooser makeChooser);
 
 }  // namespace obby::solve

@@ -6,7 +6,6 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kHedge = 0.1f;              // least share of the best potential
 constexpr float kWeightScale = 1048576.0f;  // weight of the best potential, never seen
 constexpr uint32_t kBlock = 512;            // cells a block of running sums
 constexpr uint32_t kTaskBlocks = 16;        // blocks a task of the pool
@@ -18,8 +17,8 @@ uint64_t below(Random& random, uint64_t n) {
 
 }  // namespace
 
-uint32_t selectionWeight(float potential, float best, uint32_t seen) {
-  const float lean = std::max(potential / best, kHedge);
+uint32_t selectionWeight(float potential, float best, uint32_t seen, float hedge) {
+  const float lean = std::max(potential / best, hedge);
   return 1u + uint32_t(kWeightScale * lean / sqrtf32(float(seen) + 1.0f));
 }
 
@@ -37,7 +36,7 @@ void Selector::update(const Archive& archive, ThreadPool& pool) {
       uint64_t sum = 0;
       const uint32_t end = std::min((block + 1) * kBlock, cells);
       for (uint32_t i = block * kBlock; i < end; ++i) {
-        sum += weights_[i] = selectionWeight(potentials[i], best, seen[i]);
+        sum += weights_[i] = selectionWeight(potentials[i], best, seen[i], hedge_);
       }
       sums_[block] = sum;
     }
@@ -52,6 +51,20 @@ uint32_t Selector::pick(Random& random) const {
   uint32_t cell = uint32_t(block) * kBlock;
   while (rest >= weights_[cell]) rest -= weights_[cell++];
   return cell;
+}
+
+void Selector::choose(const Archive& archive, ThreadPool& pool, Random& random,
+                      std::span<Choice> choices) {
+  update(archive, pool);
+  for (Choice& c : choices) c.cell = pick(random);
+}
+
+std::unique_ptr<Chooser> hedgedSelector(const Problem&, const ExploreContext&) {
+  return std::make_unique<Selector>(0.1f);
+}
+
+std::unique_ptr<Chooser> plainSelector(const Problem&, const ExploreContext&) {
+  return std::make_unique<Selector>(0.0f);
 }
 
 }  // namespace obby::solve

@@ -1,30 +1,40 @@
-// Which cells a round starts from: least seen first, leaning toward the goal, hedged so that no
-// cell's lean is below a tenth of the best cell's. Integer weights, so that sums are exact and the
-// choice is the same on every machine.
+// Choice by weight: least seen cells first, leaning toward the goal, hedged so that no cell's lean
+// is below a share of the best cell's. Integer weights, so that sums are exact and the choice is
+// the same on every machine.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "base/random.h"
-#include "base/thread_pool.h"
-#include "solve/archive.h"
+#include "solve/chooser.h"
 
 namespace obby::solve {
 
-// The weight of a cell seen `seen` times: at least 1.
-uint32_t selectionWeight(float potential, float best, uint32_t seen);
+// The weight of a cell seen `seen` times: at least 1. `hedge`: the least lean, as a share of the
+// best.
+uint32_t selectionWeight(float potential, float best, uint32_t seen, float hedge);
 
-class Selector {
+class Selector : public Chooser {
  public:
+  explicit Selector(float hedge) : hedge_(hedge) {}
+
+  void choose(const Archive& archive, ThreadPool& pool, Random& random,
+              std::span<Choice> choices) override;
+
   // Reads all weights anew. O(cells), shared by the pool's threads.
   void update(const Archive& archive, ThreadPool& pool);
   // A cell with probability in proportion to its weight.
   uint32_t pick(Random& random) const;
 
  private:
+  float hedge_;
   std::vector<uint32_t> weights_;  // (cells)
   std::vector<uint64_t> sums_;     // (blocks), running sum up to and including each block
 };
+
+// A tenth: a goal that is near and out of reach must not hold the search up.
+std::unique_ptr<Chooser> hedgedSelector(const Problem& problem, const ExploreContext& context);
+// None, as published.
+std::unique_ptr<Chooser> plainSelector(const Problem& problem, const ExploreContext& context);
 
 }  // namespace obby::solve

@@ -7,8 +7,6 @@
 
 namespace obby::solve {
 
-constexpr uint32_t kLookEvery = 3;  // ticks: a walking player needs seven for a cell
-
 // How close a state is to the goal, and how much of the way there is behind.
 struct Approach {
   uint32_t targets = 0;    // waypoints and visits behind
@@ -31,8 +29,9 @@ OBBY_DEVICE Approach approachOf(const level::QueryView& query, const sim::World&
 
 // Which states are worth keeping.
 struct KeepRule {
-  bool groundedOnly;  // those that stand, or have been in the air for long
-  uint32_t airTicks;
+  bool groundedOnly;   // those that stand, or have been in the air for long
+  uint32_t airTicks;   // that long
+  uint32_t lookEvery;  // ticks: states between are passed over
 };
 
 OBBY_DEVICE bool keeps(const KeepRule& rule, const sim::World& w) {

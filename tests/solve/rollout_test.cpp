@@ -1,4 +1,5 @@
 #include "solve/rollout.h"
+#include "solve/doom.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,8 @@ struct Scene {
     const Problem p = question.problem();
     return {p.level,          p.query,
             surfaces.view(),  jumpReach(p.level.params),
-            {aimShare, 0.1f}, limitsJumps(p.query)};
+            {aimShare, 0.1f}, limitsJumps(p.query),
+            doomHeight(p)};
   }
   level::Level level;
   Question question;

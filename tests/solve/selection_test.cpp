@@ -10,16 +10,16 @@ namespace obby::solve {
 namespace {
 
 TEST(SelectionWeight, FallsWithTheRootOfTheCount) {
-  const double fresh = selectionWeight(2, 2, 0);
-  EXPECT_NEAR(selectionWeight(2, 2, 3), fresh / 2, 2);
-  EXPECT_NEAR(selectionWeight(2, 2, 99), fresh / 10, 2);
-  EXPECT_GE(selectionWeight(2, 2, 0xffffffff), 1u);
+  const double fresh = selectionWeight(2, 2, 0, 0.1f);
+  EXPECT_NEAR(selectionWeight(2, 2, 3, 0.1f), fresh / 2, 2);
+  EXPECT_NEAR(selectionWeight(2, 2, 99, 0.1f), fresh / 10, 2);
+  EXPECT_GE(selectionWeight(2, 2, 0xffffffff, 0.1f), 1u);
 }
 
 TEST(SelectionWeight, LeansTowardThePotentialButNeverBelowATenth) {
-  const double best = selectionWeight(20, 20, 0);
-  EXPECT_NEAR(selectionWeight(10, 20, 0), best / 2, 2);
-  EXPECT_NEAR(selectionWeight(0.01f, 20, 0), best / 10, 2);
+  const double best = selectionWeight(20, 20, 0, 0.1f);
+  EXPECT_NEAR(selectionWeight(10, 20, 0, 0.1f), best / 2, 2);
+  EXPECT_NEAR(selectionWeight(0.01f, 20, 0, 0.1f), best / 10, 2);
 }
 
 TEST(Potential, RisesTowardTheGoalAndWithWaypoints) {
@@ -50,7 +50,7 @@ TEST(Selector, PicksInProportionToTheWeights) {
   }
   for (uint32_t i = 0; i < 8; ++i) archive.countSeen(0);
   ThreadPool pool(2);
-  Selector selector;
+  Selector selector(0.1f);
   selector.update(archive, pool);
   Random random(1, 2);
   std::vector<double> share(3, 0);
@@ -75,7 +75,7 @@ TEST(Selector, SameChoicesForAnyNumberOfThreads) {
   std::vector<uint32_t> expected;
   for (const int threads : {1, 2, 3, 8}) {
     ThreadPool pool(threads);
-    Selector selector;
+    Selector selector(0.1f);
     selector.update(archive, pool);
     Random random(5, 6);
     std::vector<uint32_t> picks;

@@ -1,0 +1,81 @@
+// Below everything there is a search stops; whoever it gave up has indeed no way back.
+#include "solve/doom.h"
+
+#include <gtest/gtest.h>
+
+#include "scenes.h"
+#include "solve/go_explore.h"
+#include "solve/rollout.h"
+
+namespace obby::solve {
+namespace {
+
+TEST(Doom, LiesBelowThePartsTheRegionsAndTheStart) {
+  LevelBuilder b = steppingStones();
+  const level::Level stones = b.compile();
+  Question q(stones);
+  const float alone = doomHeight(q.problem());
+  EXPECT_LT(alone, -1 - stones.view().params.bodyTop);
+  q.query.goal = boxAt({0, -20, -28}, {8, 4, 8});
+  EXPECT_NEAR(doomHeight(q.problem()), alone - 21, 1e-4f);
+  q.query.goal = boxAt({0, 2, -28}, {8, 4, 8});
+  q.avoid.push_back(boxAt({0, -29, 0}, {1, 2, 1}));
+  EXPECT_NEAR(doomHeight(q.problem()), alone - 29, 1e-4f);
+}
+
+TEST(Doom, CoversTheWholeWayOfAMover) {
+  LevelBuilder b = steppingStones();
+  const level::Level still = b.compile();
+  b.block({0, -0.5f, -40}, {4, 1, 4}, [](schema::Part::Builder p) {
+    auto keys = p.initMotion().initKeys(2);
+    support::set(keys[1].initPosition(), {0, -30, 0});
+    keys[1].setTime(3);
+  });
+  const level::Level lift = b.compile();
+  EXPECT_NEAR(doomHeight(Question(lift).problem()), doomHeight(Question(still).problem()) - 30,
+              0.1f);
+}
+
+// Random rollouts that are given up are played on: all of them fall, and meet nothing.
+TEST(Doom, WhoeverIsGivenUpFalls) {
+  LevelBuilder b = steppingStones();
+  b.physics([](schema::PhysicsParams::Builder p) { p.setFallenPartsHeight(-60); });
+  const level::Level stones = b.compile();
+  Question q(stones);
+  q.query.goal = boxAt({0, 60, -28}, {4, 4, 4});
+  const Problem problem = q.problem();
+  ThreadPool pool(1);
+  const GoExplore search(problem, 1, {}, pool);
+  int doomedCount = 0;
+  for (uint64_t stream = 0; stream < 500; ++stream) {
+    sim::World given = problem.start, whole = problem.start;
+    const auto nothing = [](const sim::Action&, const sim::World&) {};
+    runRollout(search.context(), 1, stream, given, nullptr, 600, nothing);
+    runRollout<true, true>(search.context(), 1, stream, whole, nullptr, 600, nothing);
+    if (given.outcome != sim::Outcome::running || given.tick == 600) continue;
+    ++doomedCount;
+    EXPECT_EQ(whole.outcome, sim::Outcome::fell);
+    EXPECT_GT(whole.tick, given.tick);
+    EXPECT_LT(given.position.y, doomHeight(problem));
+  }
+  EXPECT_GT(doomedCount, 100);
+}
+
+// To a reader of the answer nothing has changed: attempts that were given up are shown falling.
+TEST(Doom, AttemptsAreShownToTheEndOfTheirFall) {
+  const LinesFile file(stonesText(R"(,"avoid":[{"position":[0,0,-10],"size":[200,200,1]}])"));
+  FilterOptions o;
+  o.solver.budget.maxSteps = 100'000;
+  o.solver.progressRecords = false;
+  const Filtered f = runFilter(file.path(), o);
+  ASSERT_TRUE(f.status);
+  EXPECT_NE(f.output.find("\"outcome\":\"fell\",\"position\""), std::string::npos);
+  FilterOptions verify;
+  verify.verifyOnly = true;
+  const LinesFile answered(f.output);
+  const Filtered checked = runFilter(answered.path(), verify);
+  EXPECT_TRUE(checked.status) << checked.status.error().text();
+}
+
+}  // namespace
+}  // namespace obby::solve
