@@ -24,6 +24,7 @@ struct SolverOptions {
   Budget budget;
   const Method* method = nullptr;
   bool progressRecords = true;
+  bool explain = false;  // say what change would make a query solvable; up to as long again
 };
 
 // For the eyes of a person while a query is worked on.
