@@ -62,7 +62,11 @@ class Solving {
                                                      const Machine& machine) const {
     const bool wanted = options_.explain && outcome.solutions.empty();
     if (!wanted || outcome.stopped == Stopped::interrupted) return std::nullopt;
-    return explain({posed_, outcome, footprints_}, *options_.method, options_.budget, machine);
+    const Budget& budget = options_.budget;
+    auto found = explain({posed_, outcome, footprints_}, *options_.method, budget, machine);
+    const bool interrupted = budget.stop != nullptr && budget.stop->load();
+    if (interrupted && found.empty()) return std::nullopt;
+    return found;
   }
 
   void look(const SearchView& view) {

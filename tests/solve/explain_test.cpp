@@ -264,12 +264,16 @@ TEST(Explain, SaysNothingOfWhatIsSolved) {
   EXPECT_THAT(e.reason, Not(HasSubstr("single change")));
 }
 
+// Of what is unreachable the verdict stands, and there is no word on changes that were not tried.
 TEST(Explain, StopsWhenToldTo) {
   const std::atomic<bool> stop{true};
-  const LinesFile file(kFourStones + query(kFourth + R"(,"maxJumps":1)"));
+  const LinesFile file(stepUp(40));
   FilterOptions o = explaining(600'000, 1);
   o.solver.budget.stop = &stop;
-  EXPECT_THAT(parsed(runFilter(file.path(), std::move(o))).all, IsEmpty());
+  const Explained e = parsed(runFilter(file.path(), std::move(o)));
+  EXPECT_EQ(e.verdict, schema::Verdict::UNREACHABLE);
+  EXPECT_THAT(e.all, IsEmpty());
+  EXPECT_THAT(e.reason, Not(HasSubstr("single change")));
 }
 
 TEST(Explain, GivesTheSameBytesOnAnyNumberOfThreads) {
