@@ -14,11 +14,11 @@ using Clock = std::chrono::steady_clock;
 
 // Some seconds of search: who asks what blocks waits for the answer.
 constexpr uint64_t kMostSteps = 32'000'000;
-constexpr uint64_t kFirstSteps = 128 * 1024;  // of a search whether a change helps, at first
+constexpr uint64_t kFirstSteps = 128 << 10;  // of a search whether a change helps, at first
 constexpr uint64_t kStepsGrow = 4;
 // Searches for the least amount may take longer than the one that found any: less is harder.
 constexpr uint64_t kHarder = 32;
-constexpr uint64_t kLeastRefineSteps = 1024 * 1024;
+constexpr uint64_t kLeastRefineSteps = 1 << 20;
 
 // A change, and how far it was turned so far.
 struct Trial {

@@ -108,6 +108,7 @@ class Frontier {
     }
     std::sort(ranked.begin(), ranked.end());
     std::vector<uint32_t> result;
+    result.reserve(ranked.size());
     for (const auto& [rank, i] : ranked) result.push_back(i);
     return result;
   }
