@@ -614,16 +614,19 @@ enum Knob {
   lowered @3;     # a part, studs
   killPart @4;    # without a part that kills or hurts
   avoid @5;       # without an avoid region
+  damage @6;      # the damage budget, health
+  forbidden @7;   # a forbidden state allowed
 }
 
 struct Relaxation {
   # A change that makes a query solvable, the least found of its knob; one knob at a time.
   knob @0 :Knob $always;
-  amount @1 :Float32;           # how far the knob was turned, in its unit; 0 where it is off or on
+  amount @1 :Float32;           # how far the knob was turned, in its unit; 0: what the knob limits is gone
   part @2 :Int32 = -1;
   avoid @3 :Int32 = -1;         # into the query's avoid list
   steps @4 :UInt64;             # simulated ticks to the solution of the changed query
   text @5 :Text;                # for people
+  field @6 :Text;               # of the query record, what is changed: "waypoints[1].segmentJumps"; empty: the level is
 }
 
 struct RouteCount {

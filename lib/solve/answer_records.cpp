@@ -113,4 +113,21 @@ void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
   timing.setStepsPerSecond(double(outcome.statistics.steps) / std::max(outcome.seconds, 1e-9));
 }
 
+void fillRelaxations(schema::Result::Builder record, const std::vector<Relaxation>& found) {
+  auto relaxations = record.initRelaxations(uint32_t(found.size()));
+  for (uint32_t i = 0; i < relaxations.size(); ++i) {
+    relaxations[i].setKnob(found[i].knob);
+    relaxations[i].setAmount(float(found[i].amount));
+    relaxations[i].setPart(found[i].part);
+    relaxations[i].setAvoid(found[i].avoid);
+    relaxations[i].setField(found[i].field);
+    relaxations[i].setSteps(found[i].steps);
+    relaxations[i].setText(found[i].text);
+  }
+  const std::string reason = record.getReason().cStr();
+  record.setReason(
+      reason + "; " +
+      (found.empty() ? "no single change that was tried makes it solvable" : found.front().text));
+}
+
 }  // namespace obby::solve

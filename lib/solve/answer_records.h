@@ -6,6 +6,7 @@
 #include "level/level.h"
 #include "schema/obby.capnp.h"
 #include "solve/methods.h"
+#include "solve/relaxation/explain.h"
 
 namespace obby::solve {
 
@@ -28,5 +29,8 @@ schema::Verdict verdictOf(const SearchOutcome& outcome);
 void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
                 const SearchOutcome& outcome, const level::Level& level,
                 schema::Query::Reader query);
+
+// What was found to help, also as the end of the record's reason.
+void fillRelaxations(schema::Result::Builder record, const std::vector<Relaxation>& found);
 
 }  // namespace obby::solve

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
-#include "sim/simulator.h"
 #include "solve/answer_records.h"
-#include "solve/verifier.h"
+#include "solve/posed_query.h"
+#include "solve/relaxation/explain.h"
 
 namespace obby::solve {
 
@@ -28,24 +29,18 @@ class Solving {
         query_(query),
         options_(options),
         output_(output),
-        compiled_(compiled),
+        posed_{level.level, level.record.reader().getLevel(), compiled, query},
         identity_{compiled.id(), level.level.name(), compiled.start()} {}
 
   Result<QueryAnswer> run(const Machine& machine) {
-    const auto& view = level_.level.view();
-    const Problem problem{view,
-                          compiled_.view(),
-                          sim::makeWorld(view, compiled_.start()),
-                          sim::makeLoose(view),
-                          level_.level.bounds(),
-                          level_.level.hasMotion(),
-                          knownWays()};
-    const Watcher watcher{[this](const Playthrough& p) { return verified(p); },
+    Problem problem = problemOf(posed_);
+    problem.known = knownWays();
+    const Watcher watcher{[this](const Playthrough& p) { return solves(p, posed_); },
                           [this](const SearchView& v) { look(v); }};
     const SearchOutcome outcome = answer(problem, watcher, machine);
     if (!outcome.device && output_.deviceFailed) output_.deviceFailed(outcome.device.error());
     OBBY_RETURN_IF_ERROR(std::move(status_));
-    OBBY_RETURN_IF_ERROR(writeAnswer(outcome));
+    OBBY_RETURN_IF_ERROR(writeAnswer(outcome, explanation(outcome, machine)));
     return QueryAnswer{verdictOf(outcome), outcome.stopped};
   }
 
@@ -68,14 +63,20 @@ class Solving {
     return options_.method->run(problem, options_.budget, watcher, machine);
   }
 
-  bool verified(const Playthrough& p) const {
-    io::RecordBuilder record;
-    fillTrajectory(record.root().initTrajectory(), identity_, p, 0);
-    return bool(verify(level_.level, level_.record.reader().getLevel(), query_,
-                       record.reader().getTrajectory()));
+  // Nothing: not asked for, not needed, or there is no time.
+  std::optional<std::vector<Relaxation>> explanation(const SearchOutcome& outcome,
+                                                     const Machine& machine) const {
+    const bool wanted = options_.explain && outcome.solutions.empty();
+    if (!wanted || outcome.stopped == Stopped::interrupted) return std::nullopt;
+    const Budget& budget = options_.budget;
+    auto found = explain({posed_, outcome, footprints_}, *options_.method, budget, machine);
+    const bool interrupted = budget.stop != nullptr && budget.stop->load();
+    if (interrupted && found.empty()) return std::nullopt;
+    return found;
   }
 
   void look(const SearchView& view) {
+    if (options_.explain) footprints_.note(view.search.archive());
     if (view.seconds < nextProgress_ || !status_) return;
     nextProgress_ = view.seconds + kProgressEvery;
     const Statistics& s = view.search.statistics();
@@ -91,7 +92,8 @@ class Solving {
     status_ = output_.write(record.reader());
   }
 
-  Status writeAnswer(const SearchOutcome& outcome) {
+  Status writeAnswer(const SearchOutcome& outcome,
+                     const std::optional<std::vector<Relaxation>>& relaxations) {
     uint32_t index = 0;
     for (const auto* list : {&outcome.solutions, &outcome.attempts}) {
       for (const Playthrough& p : *list) {
@@ -103,6 +105,7 @@ class Solving {
     io::RecordBuilder record;
     auto result = record.root().initResult();
     fillResult(result, identity_, outcome, level_.level, query_);
+    if (relaxations) fillRelaxations(result, *relaxations);
     result.getTiming().setCompile(float(level_.compileSeconds));
     result.setMethod(options_.method->name);
     result.setSeed(options_.budget.seed);
@@ -113,8 +116,9 @@ class Solving {
   const schema::Query::Reader query_;
   const SolverOptions& options_;
   const SolverOutput& output_;
-  const level::Query& compiled_;
+  const PosedQuery posed_;
   const AnswerIdentity identity_;
+  Footprints footprints_;
   double nextProgress_ = kFirstProgress;
   Status status_;
 };

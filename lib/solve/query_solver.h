@@ -26,6 +26,7 @@ struct SolverOptions {
   const Method* method = nullptr;
   bool progressRecords = true;
   const EarlierAnswers* earlier = nullptr;  // to be tried first; may be null
+  bool explain = false;  // say what change would make a query solvable; up to as long again
 };
 
 // For the eyes of a person while a query is worked on.

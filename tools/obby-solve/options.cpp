@@ -135,6 +135,10 @@ std::vector<OptionRow> searchRows() {
           "only check the trajectories of the stream by replaying them", kSearchGroup),
       row("final-only", ValueType::flag, "", "", "leave progress records out of the stream",
           kSearchGroup),
+      row("explain", ValueType::flag, "", "",
+          "say of a query without a solution what single change makes it solvable; takes up to as "
+          "long again",
+          kSearchGroup),
       lettered(row("exit-status", ValueType::flag, "", "",
                    "exit with 1 if a query has no solution, with 3 if a verdict is unknown",
                    kSearchGroup),
@@ -225,6 +229,7 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
   }
   o.solver.method = solve::findMethod(a.text("method"));
   o.solver.progressRecords = !a.flag("final-only");
+  o.solver.explain = a.flag("explain");
   solve::Budget& b = o.solver.budget;
   b.seed = a.seed();
   b.seconds = a.number("time-limit");

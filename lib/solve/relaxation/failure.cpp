@@ -1,0 +1,20 @@
+#include "solve/relaxation/failure.h"
+
+namespace obby::solve {
+
+void Footprints::note(const Archive& archive) {
+  for (; cells_ < archive.cellCount(); ++cells_) {
+    const Vec3 at = archive.world(cells_).position;
+    places_.emplace(floorToInt(at.x), floorToInt(at.y * 4), floorToInt(at.z));
+  }
+}
+
+std::vector<Vec3> Footprints::places() const {
+  std::vector<Vec3> all;
+  for (const auto& [x, y, z] : places_) {
+    all.push_back({float(x) + 0.5f, float(y) * 0.25f, float(z) + 0.5f});
+  }
+  return all;
+}
+
+}  // namespace obby::solve

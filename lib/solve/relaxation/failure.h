@@ -1,0 +1,30 @@
+// What is known of a query that was not solved: where to look for what blocks it.
+#pragma once
+
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include "solve/methods.h"
+#include "solve/posed_query.h"
+
+namespace obby::solve {
+
+// Where a search has been, to a stud. To be shown the archive as it grows.
+class Footprints {
+ public:
+  void note(const Archive& archive);
+  std::vector<Vec3> places() const;
+
+ private:
+  uint32_t cells_ = 0;  // of the archive that were noted
+  std::set<std::tuple<int32_t, int32_t, int32_t>> places_;
+};
+
+struct Failure {
+  const PosedQuery& posed;
+  const SearchOutcome& outcome;
+  const Footprints& footprints;  // empty where nothing was searched
+};
+
+}  // namespace obby::solve

@@ -1,0 +1,124 @@
+// Knobs that change the level's measures: higher jumps, a part lowered.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solve/flight.h"
+#include "solve/relaxation/frontier.h"
+#include "solve/relaxation/knobs.h"
+#include "solve/targets.h"
+
+namespace obby::solve {
+
+namespace {
+
+constexpr double kHigherNotch = 0.02;  // of the jump height
+constexpr uint32_t kMostHigher = 25;   // notches
+constexpr double kLowerNotch = 0.1;    // studs
+constexpr size_t kPartsToLower = 4;
+constexpr float kStandsOn = 1;  // studs between a part's top and the floor of a region on it
+
+double jumpHeight(const Params& p) {
+  return double(p.jumpSpeed) * double(p.jumpSpeed) / (2 * double(p.gravity));
+}
+
+// Does the region belong to the part: named by it, or standing on it? `box`: wherever it moves.
+bool belongsTo(schema::Region::Reader region, uint32_t part, const Box& box) {
+  if (region.getPart().size() > 0) return region.getPartIndex() == int32_t(part);
+  const auto at = region.getPosition();
+  const Vec3 middle{at.getX(), at.getY(), at.getZ()};
+  const float floor = middle.y - 0.5f * region.getSize().getY();
+  const bool stands = floor >= box.lo.y && floor <= box.hi.y + kStandsOn;
+  return stands && gapBetween({middle, middle}, box) == 0;
+}
+
+void sink(schema::Vec3::Builder position, double studs) {
+  position.setY(float(double(position.getY()) - studs));
+}
+
+void sinkPart(schema::Part::Builder part, double studs) {
+  sink(part.getPosition(), studs);
+  if (!part.hasMotion()) return;
+  for (auto key : part.getMotion().getKeys()) sink(key.getPosition(), studs);
+}
+
+// A goal on a platform goes down with it.
+void sinkRegions(schema::Query::Builder query, uint32_t part, const Box& box, double studs) {
+  const auto consider = [&](schema::Region::Builder region) {
+    if (belongsTo(region.asReader(), part, box)) sink(region.getPosition(), studs);
+  };
+  if (query.hasGoal()) consider(query.getGoal());
+  for (auto region : query.getGoals()) consider(region);
+  for (auto waypoint : query.getWaypoints()) consider(waypoint.getRegion());
+  for (auto region : query.getVisits()) consider(region);
+  for (auto region : query.getAvoid()) consider(region);
+}
+
+Box boxOf(const level::LevelView& level, uint32_t part) {
+  Box box{{1e30f, 1e30f, 1e30f}, {-1e30f, -1e30f, -1e30f}};
+  for (uint32_t i = 0; i < level.colliderCount; ++i) {
+    if (level.colliders[i].part == part) box = join(box, level.bounds[i].box());
+  }
+  return box;
+}
+
+// Lower is not always easier: the way may go on upwards from there. Where the bound on reach says
+// that height is missing, it also tells at once which amounts are too small.
+std::vector<uint32_t> amountsToTry(const SearchOutcome& outcome) {
+  if (outcome.cut && outcome.cut->missing.rise > 0) return {10, 20, 40, 80, 160};
+  return {10, 20, 40, 80};
+}
+
+Change lower(const level::Level& level, uint32_t part, const SearchOutcome& outcome) {
+  Change c;
+  c.knob = schema::Knob::LOWERED;
+  c.part = int32_t(part);
+  c.notch = kLowerNotch;
+  c.scale = std::max(jumpHeight(level.view().params), 1.0);
+  c.first = amountsToTry(outcome);
+  c.apply = [part, box = boxOf(level.view(), part)](schema::Level::Builder record,
+                                                    schema::Query::Builder query, uint32_t n) {
+    sinkPart(record.getParts()[part], n * kLowerNotch);
+    sinkRegions(query, part, box, n * kLowerNotch);
+  };
+  c.text = [part, name = level.partName(part)](uint32_t n) {
+    return fmt::format("solvable if part {} '{}' were {:.1f} studs lower", part, name,
+                       n * kLowerNotch);
+  };
+  return c;
+}
+
+}  // namespace
+
+std::vector<Change> jumpHeightChanges(const Failure& failure) {
+  const level::QueryView query = failure.posed.query.view();
+  const double height = jumpHeight(failure.posed.level.view().params);
+  if (forbidsJumping(query) || query.maxJumps == 0 || !(height > 0) || !std::isfinite(height)) {
+    return {};
+  }
+  Change c;
+  c.knob = schema::Knob::JUMP_HEIGHT;
+  c.notch = kHigherNotch * height;
+  c.scale = height;
+  c.first = {kMostHigher};
+  c.apply = [](schema::Level::Builder level, schema::Query::Builder, uint32_t n) {
+    auto physics = level.getPhysics();
+    physics.setJumpSpeed(float(double(physics.getJumpSpeed()) * std::sqrt(1 + n * kHigherNotch)));
+  };
+  c.text = [height](uint32_t n) {
+    return fmt::format("solvable if jumps were {:.1f} studs ({:.0f} %) higher",
+                       n * kHigherNotch * height, 100 * n * kHigherNotch);
+  };
+  return {c};
+}
+
+std::vector<Change> loweredChanges(const Failure& failure) {
+  std::vector<Change> changes;
+  for (const uint32_t part : partsBeyond(failure, kPartsToLower)) {
+    changes.push_back(lower(failure.posed.level, part, failure.outcome));
+  }
+  return changes;
+}
+
+}  // namespace obby::solve
