@@ -24,6 +24,7 @@ struct SolverOptions {
   Budget budget;
   const Method* method = nullptr;
   bool progressRecords = true;
+  uint32_t difficultyTrials = 0;  // a segment of a solution; 0: not asked how hard it is
 };
 
 // For the eyes of a person while a query is worked on.
