@@ -87,7 +87,7 @@ std::string describe(const NoiseModel& m) {
 
 Band bandOf(float success) {
   constexpr float kLeast[] = {0.99f, 0.9f, 0.6f, 0.2f};
-  uint8_t band = 0;
+  int band = 0;
   for (const float least : kLeast) band += success < least ? 1 : 0;
   return Band(band);
 }

@@ -8,7 +8,7 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kWalksFrom = 4;      // studs/s: faster than that, places are times
+constexpr float kSteadily = 0.75f;   // of walkSpeed: from that on, places are times
 constexpr float kNearEnough = 0.3f;  // studs: not worth a step
 constexpr float kTurnsPerDegree = 65536.0f / 360;
 
@@ -50,7 +50,8 @@ void NoisyPlayer::look(const sim::World& world) {
   sideways_ = decided_;
   const Vec3 velocity = flat(recorded.velocity);
   const float speed = length(velocity);
-  if (speed > kWalksFrom) {
+  const bool walks = leg_->actionAt(place()).walk;
+  if (walks && speed > kSteadily * leg_->problem.level.params.walkSpeed) {
     const Vec3 ahead = velocity * (1.0f / speed);
     const float behind = dot(decided_, ahead);
     sideways_ -= ahead * behind;

@@ -38,24 +38,21 @@ void Trials::tick() {
 }
 
 // A player who has come to the end of the segment must be there for as long as a part must carry to
-// count: once at one look and still at the next.
-void Trials::judge(size_t member, uint32_t ticks) {
-  Member& m = members_[member];
+// count.
+void Trials::judge(Member& m, sim::LooseBody* loose) const {
   if (m.world.outcome != sim::Outcome::running) {
     m.fate = m.world.outcome == sim::Outcome::goal ? Fate::passed : Fate::failed;
     return;
   }
-  if (ticks % kLeastStay != 0) return;
-  const bool arrives = leg_.arrivesIn(m.world, looseOf(member));
-  if (arrives && m.arrived) m.fate = Fate::passed;
-  m.arrived = arrives;
+  m.stays = leg_.arrivesIn(m.world, loose) ? m.stays + 1 : 0;
+  if (m.stays >= kLeastStay) m.fate = Fate::passed;
 }
 
 std::vector<bool> Trials::run() {
   for (size_t i = 0; i < members_.size(); ++i) playing_.push_back(i);
   for (uint32_t ticks = 1; ticks <= leg_.timeout && !playing_.empty(); ++ticks) {
     tick();
-    for (const size_t i : playing_) judge(i, ticks);
+    for (const size_t i : playing_) judge(members_[i], looseOf(i));
     std::erase_if(playing_, [this](size_t i) { return members_[i].fate != Fate::playing; });
   }
   std::vector<bool> passed;

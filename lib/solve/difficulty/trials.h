@@ -25,12 +25,12 @@ class Trials {
     NoisyPlayer player;
     sim::World world;
     Fate fate = Fate::playing;
-    bool arrived = false;  // at the last look
+    uint32_t stays = 0;  // ticks for which it has been where the segment ends
   };
 
   sim::LooseBody* looseOf(size_t member);
   void tick();
-  void judge(size_t member, uint32_t ticks);
+  void judge(Member& m, sim::LooseBody* loose) const;
 
   const Leg& leg_;
   std::vector<Member> members_;
