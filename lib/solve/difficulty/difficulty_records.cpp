@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "solve/difficulty/press_windows.h"
+
 namespace obby::solve {
 
 namespace {
@@ -50,7 +52,11 @@ std::string hardestText(const Difficulty& difficulty, const level::Level& level)
   std::string text = fmt::format("the {} from {} to {} ({}", s.jumps > 0 ? "jump" : "way",
                                  partText(s.from, level, "the start"),
                                  partText(s.to, level, "the goal"), bandName(bandOf(step.success)));
-  if (step.window > 0) text += fmt::format(", window {:.0f} ms", step.window);
+  // A window as wide as what is looked at says that the press need not be timed.
+  const float widest = float(2 * kMostShift) * 1000 / float(level.view().params.controlRate);
+  if (step.window > 0 && step.window <= widest) {
+    text += fmt::format(", window {:.0f} ms", step.window);
+  }
   return text + ")";
 }
 
