@@ -210,7 +210,64 @@ TEST(Difficulty, IsTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(one.steps[i].window, three.steps[i].window);
   }
   EXPECT_LT(one.success, 1);
-  EXPECT_NE(measured(scene.problem, course, 300, 1, 2).steps[0].passed, 0u);
+  const auto passed = [&](uint64_t seed) {
+    return measured(scene.problem, course, 300, 1, seed).steps[0].passed;
+  };
+  EXPECT_FALSE(passed(2) == passed(3) && passed(3) == passed(4) && passed(4) == passed(5));
+}
+
+TEST(Difficulty, TrialsKeepToTheQuery) {
+  const level::Level level = steppingStones().compile();
+  Question question(level);
+  const auto keys = [](const sim::World& w) {
+    const float z = w.position.z;
+    return sim::Action{0, true, (z < -7 && z > -9) || (z < -19 && z > -21)};
+  };
+  const auto successOf = [&] {
+    const Problem problem = question.problem();
+    return measured(problem, courseOf(problem, playByHand(problem, keys))).success;
+  };
+  const float free = successOf();
+  EXPECT_GT(free, 0.98f);
+  question.avoid.push_back(boxAt({5.3f, 4, -16}, {10, 20, 8}));
+  EXPECT_LT(successOf(), free - 0.05f);
+  question.avoid.clear();
+  // To be passed on the way to the second stone, and narrow.
+  question.waypoints.push_back({boxAt({0, 4, -12}, {0.5f, 20, 1})});
+  EXPECT_LT(successOf(), free - 0.05f);
+}
+
+TEST(Difficulty, OfAWayOverAMovingPlatform) {
+  LevelBuilder b = steppingStones();
+  constexpr float kSpeed = 3;  // studs/s along X, from the start on
+  b.block({-3, -0.5f, -40}, {6, 1, 8}, [](schema::Part::Builder p) {
+    auto motion = p.initMotion();
+    motion.setCarries(true);
+    motion.setRepeat(schema::Repeat::PING_PONG);
+    auto keys = motion.initKeys(2);
+    support::set(keys[0].initPosition(), {-6, -0.5f, -40});
+    support::set(keys[1].initPosition(), {6, -0.5f, -40});
+    keys[1].setTime(12 / kSpeed);
+  });
+  const level::Level level = b.compile();
+  Question question(level);
+  Problem problem = question.problem();
+  problem.query.goal = boxAt({0, 2, -43}, {40, 6, 1});
+  const Course course = courseOf(problem, playByHand(problem, [](const sim::World& w) {
+                                   const float z = w.position.z;
+                                   const bool edge = (z < -7 && z > -9) || (z < -19 && z > -21) ||
+                                                     (z < -31 && z > -33);
+                                   return sim::Action{0, true, edge};
+                                 }));
+  const Difficulty d = measured(problem, course);
+  ASSERT_EQ(routeOf(course), (std::vector<int32_t>{0, 1, 2, 3}));
+  const DifficultyStep& onto = d.steps[2];
+  EXPECT_EQ(onto.segment.to, 3);
+  EXPECT_GT(onto.success, 0.5f);
+  const uint32_t tick = onto.segment.end();
+  const Vec3 feet = course.at(tick).position;
+  const float center = -6 + kSpeed * float(course.at(tick).tick) / 60;
+  EXPECT_NEAR(onto.margin, std::min(3 - std::abs(feet.x - center), -36 - feet.z), 0.01f);
 }
 
 TEST(Difficulty, IsFiniteWhereNobodyPasses) {

@@ -15,7 +15,7 @@ struct NoiseModel {
   // press to what they see come, about a tenth of the time they see it for (Lee and Oulasvirta
   // 2016).
   float press = 0.030f;
-  // Where the player walks against where he means to, standard deviation, degrees.
+  // Direction walked against the one that is meant, standard deviation, degrees.
   float aim = 6;
   // From seeing something to doing something about it, seconds: the choice of a direction.
   float reaction = 0.250f;
