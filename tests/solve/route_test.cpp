@@ -93,6 +93,28 @@ TEST(Route, TrussesAndMovingPlatformsCarry) {
   EXPECT_EQ(route.back(), 2);
 }
 
+TEST(Route, SeatsAndLoosePartsCarry) {
+  LevelBuilder b;
+  b.block({0, -0.5f, -10}, {8, 1, 20});
+  b.block({0, 0.5f, -6}, {2, 1, 2}, [](schema::Part::Builder p) { p.initSeat(); });
+  b.block({0, 0.5f, -16}, {8, 1, 4}, [](schema::Part::Builder p) { p.setAnchored(false); });
+  b.spawn({0, 0, -2});
+  const level::Level level = b.compile();
+  Question question(level);
+  Problem problem = question.problem();
+  problem.query.goal = boxAt({0, 3, -17.5f}, {8, 4, 1});
+  const Playthrough p = playByHand(problem, [](const sim::World& w) {
+    const bool leaves = w.state == sim::State::seated && w.tick > 60;
+    return sim::Action{0, true, leaves};
+  });
+  ASSERT_EQ(p.end.outcome, sim::Outcome::goal);
+  const Route route = routeOf(courseOf(problem, p));
+  ASSERT_GE(route.size(), 3u);
+  EXPECT_EQ(route[0], 0);
+  EXPECT_EQ(route[1], 1);
+  EXPECT_EQ(route.back(), 2);
+}
+
 TEST(Route, AToeBeyondTheSeamIsNoOtherSupport) {
   LevelBuilder b;
   // Two floors side by side, and a pebble that is brushed in passing.
