@@ -519,10 +519,11 @@ enum Band {
 }
 
 struct Difficulty {
-  # How steadily a solution can be played, from trials with noise on what the player does.
+  # How steadily a solution can be played, from trials with noise on what the player does
+  # (docs/queries.md, how hard is it).
   band @0 :Band $always;          # of the hardest step
   success @1 :Float32;            # share of trials that pass all steps, each from the step's own start
-  expectedAttempts @2 :Float32;   # 1 / success
+  expectedAttempts @2 :Float32;   # 1 / success, at most 1e6; a step that no trial passed counts half a trial
   hardest @3 :UInt32;             # index into steps
   steps @4 :List(DifficultyStep);
   trials @5 :UInt32;              # a step
@@ -538,9 +539,9 @@ struct DifficultyStep {
   jumps @4 :UInt32;
   band @5 :Band $always;
   success @6 :Float32;            # share of trials that come to rest on `to`, or reach the goal
-  window @7 :Float32;             # milliseconds within which its jump must be pressed; 0: no jump
-  margin @8 :Float32;             # studs from where the feet land to the nearest edge of `to`
-  clearance @9 :Float32 = -1;     # studs to the nearest kill part, least; -1: none is near
+  window @7 :Float32;             # milliseconds within which its tightest jump must be pressed, at most 41 ticks; 0: no jump
+  margin @8 :Float32;             # studs from where the feet land to the nearest edge of `to`, negative beyond it; 0: no landing
+  clearance @9 :Float32 = -1;     # studs to the nearest kill part, least; -1: none within 10
 }
 
 struct Progress {

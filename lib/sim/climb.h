@@ -83,8 +83,9 @@ OBBY_DEVICE TrussHit castColumn(const level::LevelView& level, const Candidates&
   return best;
 }
 
-OBBY_DEVICE Truss senseTruss(const World& w, const LooseBody* loose, const Player& player,
-                             const level::LevelView& level, const Candidates& near) {
+// The truss face ahead of a player.
+OBBY_DEVICE TrussHit findTruss(const Player& player, const level::LevelView& level,
+                               const Candidates& near) {
   const Params& p = level.params;
   const SinCos yaw = sinCosOf<float>(player.yaw);
   const Vec3 ahead = directionOf(yaw);
@@ -97,6 +98,13 @@ OBBY_DEVICE Truss senseTruss(const World& w, const LooseBody* loose, const Playe
       best = castColumn(level, near, solids, player.position + aside * float(side), ahead);
     }
   }
+  return best;
+}
+
+OBBY_DEVICE Truss senseTruss(const World& w, const LooseBody* loose, const Player& player,
+                             const level::LevelView& level, const Candidates& near) {
+  const Vec3 ahead = directionOf(sinCosOf<float>(player.yaw));
+  const TrussHit best = findTruss(player, level, near);
   if (best.candidate < 0) return {};
   const Vec3 flat{-best.normal.x, 0, -best.normal.z};
   const float size = length(flat);

@@ -224,9 +224,9 @@ OBBY_DEVICE bool hasFloorBelow(const World& w, const Params& p, const Candidates
   return found;
 }
 
-OBBY_DEVICE Floor senseFloor(const World& w, const LooseBody* loose, const Player& player,
-                             const level::LevelView& level, const Candidates& near) {
-  if (!hasFloorBelow(w, level.params, near)) return {};
+// The rays at the solid parts below.
+OBBY_DEVICE FloorRaysT<float> castFloor(const Player& player, const level::LevelView& level,
+                                        const Candidates& near) {
   FloorRaysT<float> rays = makeRays(player, level.params);
   const Box box = boundsOf(rays);
   for (int k = 0; k < near.count; ++k) {
@@ -241,6 +241,13 @@ OBBY_DEVICE Floor senseFloor(const World& w, const LooseBody* loose, const Playe
       castAtTilted<float>(rays, {*c.pose, collider.shape.half}, k, true);
     }
   }
+  return rays;
+}
+
+OBBY_DEVICE Floor senseFloor(const World& w, const LooseBody* loose, const Player& player,
+                             const level::LevelView& level, const Candidates& near) {
+  if (!hasFloorBelow(w, level.params, near)) return {};
+  const FloorRaysT<float> rays = castFloor(player, level, near);
   if (rays.nearest < 0) return {};
   Floor floor = averageOf(rays, level.params);
   const Candidate& nearest = near.items[rays.nearest];

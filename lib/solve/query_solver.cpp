@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "solve/answer_records.h"
+#include "solve/difficulty/difficulty_records.h"
 #include "solve/posed_query.h"
 #include "solve/relaxation/explain.h"
 
@@ -40,7 +41,8 @@ class Solving {
     const SearchOutcome outcome = answer(problem, watcher, machine);
     if (!outcome.device && output_.deviceFailed) output_.deviceFailed(outcome.device.error());
     OBBY_RETURN_IF_ERROR(std::move(status_));
-    OBBY_RETURN_IF_ERROR(writeAnswer(outcome, explanation(outcome, machine)));
+    OBBY_RETURN_IF_ERROR(
+        writeAnswer(problem, outcome, explanation(outcome, machine), machine.pool));
     return QueryAnswer{verdictOf(outcome), outcome.stopped};
   }
 
@@ -92,24 +94,49 @@ class Solving {
     status_ = output_.write(record.reader());
   }
 
-  Status writeAnswer(const SearchOutcome& outcome,
-                     const std::optional<std::vector<Relaxation>>& relaxations) {
+  Status writeAnswer(const Problem& problem, const SearchOutcome& outcome,
+                     const std::optional<std::vector<Relaxation>>& relaxations, ThreadPool& pool) {
     uint32_t index = 0;
-    for (const auto* list : {&outcome.solutions, &outcome.attempts}) {
-      for (const Playthrough& p : *list) {
-        io::RecordBuilder record;
-        fillTrajectory(record.root().initTrajectory(), identity_, p, index++);
-        OBBY_RETURN_IF_ERROR(output_.write(record.reader()));
-      }
+    std::string hardest;  // of the shortest solution
+    for (const Playthrough& p : outcome.solutions) {
+      io::RecordBuilder record;
+      auto trajectory = record.root().initTrajectory();
+      fillTrajectory(trajectory, identity_, p, index++);
+      const std::string text = fillWay(trajectory, problem, p, pool);
+      if (index == 1) hardest = text;
+      OBBY_RETURN_IF_ERROR(output_.write(record.reader()));
+    }
+    for (const Playthrough& p : outcome.attempts) {
+      io::RecordBuilder record;
+      fillTrajectory(record.root().initTrajectory(), identity_, p, index++);
+      OBBY_RETURN_IF_ERROR(output_.write(record.reader()));
     }
     io::RecordBuilder record;
     auto result = record.root().initResult();
     fillResult(result, identity_, outcome, level_.level, query_);
     if (relaxations) fillRelaxations(result, *relaxations);
+    if (!hardest.empty()) result.setReason(result.getReason().cStr() + ("; hardest: " + hardest));
     result.getTiming().setCompile(float(level_.compileSeconds));
     result.setMethod(options_.method->name);
     result.setSeed(options_.budget.seed);
     return output_.write(record.reader());
+  }
+
+  // What only solutions have: their route, and where it is asked for, how hard they are; gives the
+  // hardest step in words, or nothing.
+  std::string fillWay(schema::Trajectory::Builder record, const Problem& problem,
+                      const Playthrough& p, ThreadPool& pool) const {
+    const Course course = courseOf(problem, p);
+    const std::vector<int32_t> route = routeOf(course);
+    auto parts = record.initRoute(uint32_t(route.size()));
+    for (uint32_t i = 0; i < parts.size(); ++i) parts.set(i, route[i]);
+    const Budget& b = options_.budget;
+    const bool interrupted = b.stop != nullptr && b.stop->load();
+    if (options_.difficultyTrials == 0 || course.ticks() == 0 || interrupted) return {};
+    const DifficultyOptions asked{options_.difficultyTrials, b.seed, {}};
+    const Difficulty difficulty = difficultyOf(problem, course, asked, pool);
+    fillDifficulty(record.initDifficulty(), difficulty, asked.noise);
+    return hardestText(difficulty, level_.level);
   }
 
   const LoadedLevel& level_;

@@ -27,6 +27,7 @@ struct SolverOptions {
   bool progressRecords = true;
   const EarlierAnswers* earlier = nullptr;  // to be tried first; may be null
   bool explain = false;  // say what change would make a query solvable; up to as long again
+  uint32_t difficultyTrials = 0;  // a segment of a solution; 0: not asked how hard it is
 };
 
 // For the eyes of a person while a query is worked on.

@@ -129,6 +129,21 @@ std::vector<uint16_t> runsOf(schema::Trajectory::Reader path) {
   return runs;
 }
 
+// How hard a solution is, where the stream says so. Of its steps the page marks the hardest.
+void writeDifficulty(JsonText& json, schema::Trajectory::Reader path) {
+  const auto difficulty = path.getDifficulty();
+  if (difficulty.getHardest() >= difficulty.getSteps().size()) return;
+  const auto hardest = difficulty.getSteps()[difficulty.getHardest()];
+  json.key("difficulty").open('{').field("band", enumName(difficulty.getBand()));
+  json.field("success", difficulty.getSuccess());
+  json.field("expectedAttempts", difficulty.getExpectedAttempts());
+  json.field("noise", std::string_view(difficulty.getNoise().cStr())).key("hardest").open('{');
+  json.field("startTick", hardest.getStartTick()).field("ticks", hardest.getTicks());
+  json.field("from", hardest.getFrom()).field("to", hardest.getTo());
+  json.field("jumps", hardest.getJumps()).field("band", enumName(hardest.getBand()));
+  json.field("window", hardest.getWindow()).close().close();
+}
+
 void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
   constexpr const char* kKinds[] = {"solution", "attempt", "progress"};
   const auto record = path.reader();
@@ -141,6 +156,7 @@ void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
   json.field("jumps", play.jumps()).field("startTick", record.getStartTick());
   json.field("stride", stride);
   if (!play.mismatch.empty()) json.field("mismatch", play.mismatch);
+  writeDifficulty(json, record);
   json.key("position").array(thinned(play.feet, stride));
   json.key("yaw").array(thinned(play.yaw, stride));
   json.key("state").array(thinned(play.state, stride)).key("runs").array(runsOf(record));

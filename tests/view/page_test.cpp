@@ -57,6 +57,27 @@ TEST(Page, MismatchIsShown) {
   EXPECT_THAT(view::pageData(*report, {}), HasSubstr(R"("mismatch":"the last state differs)"));
 }
 
+TEST(Page, NamesTheHardestStep) {
+  auto path = walk(kAhead, 200);
+  auto difficulty = path.root().getTrajectory().initDifficulty();
+  difficulty.setBand(schema::Band::HARD);
+  difficulty.setHardest(1);
+  auto steps = difficulty.initSteps(2);
+  steps[1].setStartTick(30);
+  steps[1].setTo(1);
+  steps[1].setBand(schema::Band::HARD);
+  auto report = collect({kLevel, kQuery, line(path), resultLine("solved", 80)});
+  ASSERT_TRUE(report) << report.error().text();
+  const std::string data = view::pageData(*report, {});
+  EXPECT_THAT(data, HasSubstr(R"("difficulty":{"band":"hard")"));
+  EXPECT_THAT(data, HasSubstr(R"("hardest":{"startTick":30,"ticks":0,"from":-1,"to":1)"));
+  // A record that names a step which it does not have.
+  difficulty.setHardest(2);
+  report = collect({kLevel, kQuery, line(path), resultLine("solved", 80)});
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_THAT(view::pageData(*report, {}), Not(HasSubstr("difficulty")));
+}
+
 TEST(Page, HoldsDataOnceAndEscapesTheTitle) {
   if (!view::pageAvailable()) GTEST_SKIP() << "BUILT WITHOUT THE VIEWER PAGE (npm): not tested";
   const auto page = view::htmlPage(solvedReport(), {});

@@ -109,6 +109,21 @@ test('scrubbing and stepping set the tick', async ({ page }) => {
   assert.equal((await state(page)).tick, Math.floor(tick) - 1);
 });
 
+test('the hardest step is marked in the list, the picture and the profile', async ({ page }) => {
+  await page.evaluate(() => window.obby.store.set({ path: 0 }));
+  await frames(page);
+  assert.equal(await page.locator('.path .band').allInnerTexts().then(String), 'Hard');
+  assert.match(await page.locator('.path').first().getAttribute('title'), /Step 2 to .*Lift, hard/);
+  assert.equal(await page.locator('.profile .hardest').count(), 1);
+  const marked = () => page.evaluate(() => window.obby.stage.pathView.hardest?.geometry.instanceCount);
+  assert.equal(await marked(), 45);
+  await page.evaluate(() => window.obby.store.set({ path: 1 }));
+  await frames(page);
+  assert.equal(await page.locator('.profile .hardest').count(), 0);
+  assert.equal(await marked(), undefined);
+  await page.evaluate(() => window.obby.store.set({ path: 0 }));
+});
+
 test('toggles, help and colours answer to their keys', async ({ page }) => {
   await page.keyboard.press('2');
   await frames(page);

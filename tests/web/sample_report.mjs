@@ -232,6 +232,14 @@ const result = {
   ],
 };
 
+const difficulty = {
+  band: 'hard',
+  success: 0.42,
+  expectedAttempts: 2.4,
+  noise: 'average player',
+  hardest: { startTick: 90, ticks: 45, from: 2, to: 4, jumps: 1, band: 'hard', window: 83.3 },
+};
+
 export const report = {
   format: 1,
   generator: 'sample',
@@ -246,7 +254,7 @@ export const report = {
       avoid: [region('No shortcut', [6, 8, -60], [8, 8, 20])],
       result,
       trajectories: [
-        trajectory('solution', 0, 'goal'),
+        { ...trajectory('solution', 0, 'goal'), difficulty },
         trajectory('solution', 1, 'goal', { drift: 1.2, seed: 5 }),
         ...attempts,
       ],

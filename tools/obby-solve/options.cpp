@@ -118,6 +118,11 @@ std::vector<OptionRow> searchRows() {
       between(row("attempts", ValueType::integer, "N", "24", "failed attempts to show a query",
                   kSearchGroup),
               0, 1000),
+      row("difficulty", ValueType::flag, "", "",
+          "say of each solution how hard it is to play, step by step", kSearchGroup),
+      between(row("trials", ValueType::integer, "N", "1000",
+                  "tries of each step by a player with noise, for --difficulty", kSearchGroup),
+              1, 1000000),
       methodRow(),
       repeatable(
           row("query", ValueType::text, "ID", "", "answer only this query; repeat", kSearchGroup)),
@@ -185,6 +190,8 @@ cli::ToolSpec solveSpec() {
        "obby-solve --each --forbid climbing --max-jumps 9 several-routes.jsonl"},
       {"three different ways, for a script",
        "obby-solve -e --query any --solutions 3 several-routes.jsonl > ways.jsonl"},
+      {"which moment of the way is the hardest?",
+       "obby-solve --difficulty --query posts timed-jumps.jsonl | obby-view -o posts.html"},
       {"check what somebody else found",
        "obby-solve wedge-climb.jsonl | obby-solve --verify > /dev/null"},
   };
@@ -200,8 +207,8 @@ cli::ToolSpec solveSpec() {
       "of the stream. A level without any query is asked for the way from its spawn to its goal or "
       "last checkpoint.\n\n"
       "The answer to a query depends on the stream, --seed, --max-steps, --solutions, --attempts, "
-      "--method and the file of --warm only, never on --threads, --backend or the machine; "
-      "progress records and "
+      "--trials, --method and the file of --warm only, never on --threads, --backend or the "
+      "machine; progress records and "
       "result.timing "
       "do, and so does where --time-limit cuts off a search that finds nothing.";
   return spec;
@@ -230,6 +237,7 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
   o.solver.method = solve::findMethod(a.text("method"));
   o.solver.progressRecords = !a.flag("final-only");
   o.solver.explain = a.flag("explain");
+  if (a.flag("difficulty")) o.solver.difficultyTrials = uint32_t(a.integer("trials"));
   solve::Budget& b = o.solver.budget;
   b.seed = a.seed();
   b.seconds = a.number("time-limit");

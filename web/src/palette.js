@@ -35,6 +35,15 @@ export const VERDICT_STYLE = {
   none: { label: 'No answer', color: '#8190a8', mark: '–' },
 };
 
+// How hard a step is, in the order of the stream's bands.
+export const BAND_STYLE = {
+  trivial: { label: 'Trivial', color: '#7fe3b5' },
+  easy: { label: 'Easy', color: '#9ad85f' },
+  medium: { label: 'Medium', color: '#f2c14e' },
+  hard: { label: 'Hard', color: '#f58b45' },
+  extreme: { label: 'Extreme', color: '#f0484e' },
+};
+
 export const SOLUTION_COLOR = '#ffd166';
 export const SELECTED_COLOR = '#fff3c4';
 
@@ -55,4 +64,16 @@ export function causeOf(path, level) {
   if (path.part >= 0 && level && path.part < level.count)
     return `${style.label} by ${level.names[path.part]}`;
   return style.label;
+}
+
+// The hardest step of a solution, in words; nothing where the report does not say.
+export function hardestOf(path, level) {
+  if (!path.difficulty) return '';
+  const { hardest, noise } = path.difficulty;
+  const name = (part, none) => level?.names[part] ?? none;
+  const from = name(hardest.from, 'the start');
+  const to = name(hardest.to, 'the goal');
+  const what = `Hardest: ${from} to ${to}, ${hardest.band}`;
+  const window = hardest.window > 0 ? `, press within ${Math.round(hardest.window)} ms` : '';
+  return `${what}${window} (${noise})`;
 }

@@ -13,16 +13,16 @@ import {
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-import { pathColor, SELECTED_COLOR } from '../palette.js';
+import { BAND_STYLE, pathColor, SELECTED_COLOR } from '../palette.js';
 
 export const kLift = 0.35; // studs above the feet, so that lines do not sink into the floor
 
-// Pairs of points, as line segments want them.
-function segmentsOf(path) {
-  const n = path.samples;
-  const out = new Float32Array(Math.max(0, n - 1) * 6);
-  for (let i = 0; i + 1 < n; i++) {
-    for (let k = 0; k < 6; k++) out[6 * i + k] = path.points[3 * i + k] + (k % 3 === 1 ? kLift : 0);
+// Pairs of points, as line segments want them, from one sample to another.
+function segmentsOf(path, first = 0, last = path.samples - 1) {
+  const out = new Float32Array(Math.max(0, last - first) * 6);
+  for (let i = 0; first + i < last; i++) {
+    for (let k = 0; k < 6; k++)
+      out[6 * i + k] = path.points[3 * (first + i) + k] + (k % 3 === 1 ? kLift : 0);
   }
   return out;
 }
@@ -58,9 +58,9 @@ function thinLines(paths) {
   return lines;
 }
 
-function thickLine(path, color, width, opacity, options = {}) {
+function thickLine(path, color, width, opacity, options = {}, range = []) {
   const geometry = new LineSegmentsGeometry();
-  geometry.setPositions(segmentsOf(path));
+  geometry.setPositions(segmentsOf(path, ...range));
   const material = new LineMaterial({
     color,
     linewidth: width,
@@ -125,6 +125,20 @@ export class PathView {
       line.renderOrder = 7 + i;
     });
     this.played = this.selection.children[3];
+    this.markHardest(path);
+  }
+
+  // The hardest step stands out from the rest of the selected line.
+  markHardest(path) {
+    this.hardest = null;
+    if (!path.difficulty) return;
+    const { startTick, ticks, band } = path.difficulty.hardest;
+    const sample = (tick) => Math.min(path.samples - 1, Math.round(tick / path.stride));
+    const range = [sample(startTick), sample(startTick + ticks)];
+    if (range[1] <= range[0]) return;
+    this.hardest = thickLine(path, BAND_STYLE[band].color, 9, 0.85, {}, range);
+    this.hardest.renderOrder = 8; // over the dark border, below the line itself
+    this.selection.add(this.hardest);
   }
 
   hover(path) {

@@ -1,5 +1,13 @@
 // The left column: the queries with their verdicts, the numbers of the chosen one, and its trajectories.
-import { causeOf, OUTCOME_STYLE, pathColor, VERDICT_STYLE, verdictOf } from '../palette.js';
+import {
+  BAND_STYLE,
+  causeOf,
+  hardestOf,
+  OUTCOME_STYLE,
+  pathColor,
+  VERDICT_STYLE,
+  verdictOf,
+} from '../palette.js';
 import { count, el, plural, seconds } from './dom.js';
 
 const kMostRows = 400;
@@ -252,7 +260,7 @@ export class Sidebar {
         class: `row path${path.mismatch ? ' mismatch' : ''}`,
         role: 'option',
         type: 'button',
-        title: cause,
+        title: [cause, hardestOf(path, level)].filter(Boolean).join('. '),
         data: { path: index },
         on: {
           click: () => this.choose(index),
@@ -262,12 +270,19 @@ export class Sidebar {
       },
       el('i', { class: `swatch ${path.kind}`, style: { '--tint': pathColor(path) } }),
       el('span', { class: 'name', text: path.mismatch ? `${name} ≠` : name }),
+      ...this.bandOf(path),
       el('span', { class: 'fact', text: `${plural(path.jumps, 'jump')}` }),
       el('span', {
         class: 'fact time',
         text: `${seconds(path.ticks / (level?.tickRate ?? 60))} s`,
       }),
     );
+  }
+
+  bandOf(path) {
+    if (!path.difficulty) return [];
+    const style = BAND_STYLE[path.difficulty.band];
+    return [el('span', { class: 'fact band', text: style.label, style: { color: style.color } })];
   }
 
   choose(index) {

@@ -1,5 +1,5 @@
 // The bar at the bottom: play, step, scrub over the height profile, time and speed.
-import { pathColor } from '../palette.js';
+import { BAND_STYLE, pathColor } from '../palette.js';
 import { el, icon, seconds, svg } from './dom.js';
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
@@ -107,7 +107,7 @@ export class Timeline {
     this.root.lastElementChild.append(button);
   }
 
-  // Height over time, with a mark for each jump.
+  // Height over time, with a mark for each jump, and the hardest step in the colour of its band.
   draw() {
     const path = this.selected();
     this.slider.max = String(Math.max(1, this.playback.lengthOf()));
@@ -127,6 +127,20 @@ export class Timeline {
     for (let i = 0; i < path.samples; i += skip)
       line += `L${x(i * path.stride).toFixed(1)} ${y(path.points[3 * i + 1]).toFixed(1)}`;
     const tint = pathColor(path);
+    const hardest = path.difficulty?.hardest;
+    if (hardest) {
+      this.plot.append(
+        svg('rect', {
+          class: 'hardest',
+          x: x(hardest.startTick).toFixed(1),
+          y: '0',
+          width: x(Math.min(hardest.ticks, path.ticks)).toFixed(1),
+          height: '100',
+          fill: BAND_STYLE[hardest.band].color,
+          'fill-opacity': '0.28',
+        }),
+      );
+    }
     this.plot.append(
       svg('path', { d: `M0 100${line}L1000 100Z`, fill: tint, 'fill-opacity': '0.14' }),
       svg('path', {

@@ -1,0 +1,56 @@
+// Playthroughs made by hand: keys that depend on the state of the player.
+#pragma once
+
+#include <functional>
+
+#include "scenes.h"
+#include "solve/route.h"
+
+namespace obby::solve {
+
+// Plays until the playthrough ends, for at most `most` ticks.
+inline Playthrough playByHand(const Problem& problem,
+                              const std::function<sim::Action(const sim::World&)>& keys,
+                              uint32_t most = 1500) {
+  Playthrough p;
+  p.end = problem.start;
+  p.endLoose = problem.startLoose;
+  while (p.end.outcome == sim::Outcome::running && p.ticks < most) {
+    p.actions.push_back({keys(p.end), 1});
+    sim::advance(p.end, p.endLoose.data(), problem.level, &problem.query, p.actions.back().action);
+    ++p.ticks;
+  }
+  return p;
+}
+
+// Walks along -Z and presses jump where the feet are between two places.
+inline std::function<sim::Action(const sim::World&)> walkAndJump(float from, float to) {
+  return [=](const sim::World& w) {
+    return sim::Action{0, true, w.position.z <= from && w.position.z > to};
+  };
+}
+
+// A platform from z = 0 to -8, a gap, and another of the same size; tops at 0, the goal over the
+// far half of the second.
+struct GapScene {
+  explicit GapScene(float gap, float width = 8)
+      : level(build(gap, width).compile()), question(level), problem(question.problem()) {
+    problem.query.goal = boxAt({0, 2, -14 - gap}, {width, 4, 4});
+  }
+  static LevelBuilder build(float gap, float width) {
+    LevelBuilder b;
+    b.block({0, -0.5f, -4}, {8, 1, 8}).block({0, -0.5f, -12 - gap}, {width, 1, 8});
+    b.spawn({0, 0, -2});
+    b.physics([](schema::PhysicsParams::Builder p) { p.setFallenPartsHeight(-40); });
+    return b;
+  }
+  // Presses for one tick at the first tick beyond `z`.
+  Course jumpAt(float z) const {
+    return courseOf(problem, playByHand(problem, walkAndJump(z, z - 0.26f)));
+  }
+  level::Level level;
+  Question question;
+  Problem problem;
+};
+
+}  // namespace obby::solve
