@@ -9,33 +9,47 @@ namespace obby::solve {
 namespace {
 
 // Studs: about as many blocks as a level has surfaces, with some dozens of cells each.
-constexpr float kBlock = 12;
+constexpr float kBlock = 8;
 
 float square(float v) { return v * v; }
 
 }  // namespace
 
+void NearestCells::grow(Bounds& b, size_t block, Vec3 position) {
+  const auto take = [&](std::vector<float>& low, std::vector<float>& high, float v) {
+    if (block == low.size()) {
+      low.push_back(v);
+      high.push_back(v);
+    }
+    low[block] = std::min(low[block], v);
+    high[block] = std::max(high[block], v);
+  };
+  take(b.lowX, b.highX, position.x);
+  take(b.lowY, b.highY, position.y);
+  take(b.lowZ, b.highZ, position.z);
+}
+
 void NearestCells::add(uint32_t layer, Vec3 position, uint32_t cell) {
   if (layer >= layers_.size()) layers_.resize(layer + 1);
   Layer& l = layers_[layer];
   const auto [slot, isNew] =
-      l.blockOf.try_emplace(packedCell(position * (1 / kBlock)), uint32_t(l.bounds.size()));
-  if (isNew) {
-    l.bounds.push_back({position, position});
-    l.entries.emplace_back();
-  }
-  Bounds& b = l.bounds[slot->second];
-  b.low = min(b.low, position);
-  b.high = max(b.high, position);
+      l.blockOf.try_emplace(packedCell(position * (1 / kBlock)), uint32_t(l.entries.size()));
+  if (isNew) l.entries.emplace_back();
+  grow(l.bounds, slot->second, position);
   l.entries[slot->second].push_back({position, cell});
 }
 
 // Never more than the distance of an entry: each operation is monotonic, rounding included.
-float NearestCells::distance2(const Bounds& b, Vec3 to) {
-  const float x = std::max({b.low.x - to.x, to.x - b.high.x, 0.0f});
-  const float y = std::max({b.low.y - to.y, to.y - b.high.y, 0.0f});
-  const float z = std::max({b.low.z - to.z, to.z - b.high.z, 0.0f});
-  return square(x) + square(y) + square(z);
+std::vector<float> NearestCells::distances2(const Bounds& b, Vec3 to) {
+  std::vector<float> result(b.lowX.size());
+  float* const out = result.data();
+  for (size_t i = 0; i < result.size(); ++i) {
+    const float x = maxf(maxf(b.lowX[i] - to.x, to.x - b.highX[i]), 0.0f);
+    const float y = maxf(maxf(b.lowY[i] - to.y, to.y - b.highY[i]), 0.0f);
+    const float z = maxf(maxf(b.lowZ[i] - to.z, to.z - b.highZ[i]), 0.0f);
+    out[i] = square(x) + square(y) + square(z);
+  }
+  return result;
 }
 
 void NearestCells::search(const std::vector<Entry>& block, Vec3 to, Found& found) {
@@ -49,20 +63,13 @@ void NearestCells::search(const std::vector<Entry>& block, Vec3 to, Found& found
 
 uint32_t NearestCells::nearest(uint32_t layer, Vec3 to) const {
   const Layer& l = layers_[layer];
-  if (l.bounds.empty()) return level::kNone;
-  size_t first = 0;
-  float least = distance2(l.bounds[0], to);
-  for (size_t i = 1; i < l.bounds.size() && least > 0; ++i) {
-    const float d = distance2(l.bounds[i], to);
-    if (d >= least) continue;
-    least = d;
-    first = i;
-  }
+  if (l.entries.empty()) return level::kNone;
+  const std::vector<float> bounds = distances2(l.bounds, to);
+  const size_t first = size_t(std::min_element(bounds.begin(), bounds.end()) - bounds.begin());
   Found found{1e38f, level::kNone};
   search(l.entries[first], to, found);
-  for (size_t i = 0; i < l.bounds.size(); ++i) {
-    if (i == first || distance2(l.bounds[i], to) > found.distance2) continue;
-    search(l.entries[i], to, found);
+  for (size_t i = 0; i < bounds.size(); ++i) {
+    if (i != first && bounds[i] <= found.distance2) search(l.entries[i], to, found);
   }
   return found.cell;
 }

@@ -1,6 +1,7 @@
 // The nearest of the archive's cells to a place, among those as far along a query. Host only.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -19,26 +20,27 @@ class NearestCells {
   uint32_t nearest(uint32_t layer, Vec3 to) const;
 
   uint32_t layers() const { return uint32_t(layers_.size()); }  // up to the last that has a cell
-  bool empty(uint32_t layer) const { return layers_[layer].bounds.empty(); }
+  bool empty(uint32_t layer) const { return layers_[layer].entries.empty(); }
 
  private:
   struct Entry {
     Vec3 position;
     uint32_t cell;
   };
-  struct Bounds {  // of a block's entries
-    Vec3 low, high;
+  struct Bounds {  // of blocks' entries, an array for each coordinate: scanned in SIMD lanes
+    std::vector<float> lowX, lowY, lowZ, highX, highY, highZ;
   };
   struct Found {
     float distance2;
     uint32_t cell;
   };
   struct Layer {
-    std::vector<Bounds> bounds;               // (blocks)
+    Bounds bounds;                            // (blocks)
     std::vector<std::vector<Entry>> entries;  // (blocks)
     std::unordered_map<uint64_t, uint32_t> blockOf;
   };
-  static float distance2(const Bounds& b, Vec3 to);
+  static void grow(Bounds& b, size_t block, Vec3 position);
+  static std::vector<float> distances2(const Bounds& b, Vec3 to);
   static void search(const std::vector<Entry>& block, Vec3 to, Found& found);
 
   std::vector<Layer> layers_;
