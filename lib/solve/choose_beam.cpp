@@ -43,7 +43,8 @@ float BeamChooser::ticksLeft(const sim::World& world) const {
 
 // Of equal f the older cell.
 uint64_t BeamChooser::rankOf(const Archive& archive, uint32_t cell) const {
-  const uint64_t f = uint64_t(archive.tick(cell)) + left_[cell] + rounds_[cell] * kTriedTicks;
+  const uint64_t f =
+      uint64_t(archive.tick(cell)) + left_[cell] + uint64_t(rounds_[cell]) * kTriedTicks;
   return f << 32 | cell;
 }
 

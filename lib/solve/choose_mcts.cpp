@@ -11,9 +11,9 @@ namespace {
 constexpr double kExploration = 0.125;
 constexpr float kRewardScale = 1024;  // integer rewards: their sums are exact
 
-// log2 up to 0.09, without the library, whose last bits differ between machines.
+// log2 of n > 0 up to 0.09, without the library, whose last bits differ between machines.
 double roughLog2(uint32_t n) {
-  const int whole = std::bit_width(n) - 1;
+  const int whole = std::bit_width(n | 1) - 1;
   return whole + (double(n) / double(1u << whole) - 1);
 }
 
