@@ -71,6 +71,7 @@ class Archive {
   std::span<const sim::LooseBody> loose(uint32_t cell) const {
     return std::span(loose_).subspan(size_t(cell) * looseCount_, looseCount_);
   }
+  uint32_t tick(uint32_t cell) const { return arrivals_[cell].tick; }  // of its world
   uint32_t node(uint32_t cell) const { return cellNodes_[cell]; }
   const std::vector<uint32_t>& seen() const { return seen_; }
   const std::vector<float>& potentials() const { return potentials_; }

@@ -1,5 +1,8 @@
 #include "solve/methods.h"
 
+#include "solve/choose_beam.h"
+#include "solve/choose_mcts.h"
+#include "solve/choose_rrt.h"
 #include "solve/run_search.h"
 
 namespace obby::solve {
@@ -9,12 +12,13 @@ namespace {
 // Short generations that keep standing states only, most macros aimed at surfaces.
 GoExploreSettings aimedSettings() { return {}; }
 
-// As published: every visited state is kept, actions are held at random.
+// As published: 8,192 worlds in step, every visited state is looked at, actions are held at random.
 GoExploreSettings plainSettings() {
   GoExploreSettings s;
-  s.rollouts = s.mostRollouts = 2048;
+  s.rollouts = s.mostRollouts = 8192;
   s.phaseJumps = 0;
   s.groundedOnly = false;
+  s.lookEvery = 1;
   s.cellWidth = 1;
   s.explore.aimShare = 0;
   return s;
@@ -32,7 +36,13 @@ const std::vector<Method>& methods() {
       {"auto", "Go-Explore over standing states with jumps aimed at surfaces",
        run<aimedSettings, hedgedSelector>},
       {"ge", "Go-Explore with random actions over all states, as published",
-       run<plainSettings, hedgedSelector>},
+       run<plainSettings, plainSelector>},
+      {"rrt", "random tree (RRT): from the nearest state toward a random place",
+       run<rrtSettings, makeRrtChooser>},
+      {"mcts", "Monte-Carlo tree search (UCT) whose moves are jumps aimed at surfaces",
+       run<mctsSettings, makeMctsChooser>},
+      {"beam", "beam search, A*-like: the states first that promise the shortest way",
+       run<beamSettings, makeBeamChooser>},
   };
   return table;
 }

@@ -1,5 +1,5 @@
-// The table of search methods: one row each. A new method is a file with its run function and a row
-// here.
+// The table of search methods: one row each. A new method is a file with its settings and its
+// chooser, and a row here.
 #pragma once
 
 #include <functional>

@@ -4,6 +4,7 @@
 
 #include "io/json_codec.h"
 #include "scenes.h"
+#include "untimed.h"
 
 namespace obby::solve {
 namespace {
@@ -37,11 +38,6 @@ Filtered ask(const Case& c, int threads) {
   o.solver.budget.attempts = 0;
   o.solver.progressRecords = false;
   return runFilter(file.path(), std::move(o));
-}
-
-std::string withoutTiming(std::string text) {
-  const size_t at = text.find("\"timing\"");
-  return at == std::string::npos ? text : text.erase(at, text.find('}', at) - at);
 }
 
 class Constraint : public testing::TestWithParam<Case> {};

@@ -5,6 +5,7 @@
 #include "scenes.h"
 #include "sim/host_device.h"
 #include "solve/go_explore.h"
+#include "untimed.h"
 
 namespace obby::solve {
 namespace {
@@ -22,11 +23,7 @@ std::string answers(const char* level, FilterOptions options) {
   const std::string path = std::string(OBBY_SOURCE_DIR "/levels/") + level + ".jsonl";
   const Filtered f = runFilter(path, std::move(options));
   EXPECT_TRUE(f.status);
-  std::string text = f.output;
-  for (size_t at; (at = text.find(",\"timing\":{")) != std::string::npos;) {
-    text.erase(at, text.find('}', at) + 1 - at);
-  }
-  return text;
+  return withoutTiming(f.output);
 }
 
 // A device whose launches work only so often.

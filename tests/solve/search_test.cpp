@@ -5,6 +5,7 @@
 #include "io/json_codec.h"
 #include "scenes.h"
 #include "solve/methods.h"
+#include "untimed.h"
 
 namespace obby::solve {
 namespace {
@@ -46,14 +47,6 @@ Answer answerOf(const std::string& output) {
 Filtered solve(const std::string& text, FilterOptions options) {
   const LinesFile file(text);
   return runFilter(file.path(), std::move(options));
-}
-
-// Timing is the only thing that may differ between runs.
-std::string withoutTiming(std::string text) {
-  for (size_t at; (at = text.find(",\"timing\":{")) != std::string::npos;) {
-    text.erase(at, text.find('}', at) + 1 - at);
-  }
-  return text;
 }
 
 TEST(Search, SolvesTheSteppingStonesAndEveryTrajectoryReplays) {
@@ -191,12 +184,6 @@ TEST(Search, FindsSeveralDistinctSolutionsShortestFirst) {
     EXPECT_GE(t.getTicks(), ticks);
     ticks = t.getTicks();
   }
-}
-
-TEST(Search, PlainGoExploreSolvesTheStonesToo) {
-  FilterOptions o = stepsOnly(3'000'000);
-  o.solver.method = findMethod("ge");
-  EXPECT_EQ(solve(stonesText(), o).counts.solved, 1u);
 }
 
 TEST(Search, ShowsAsManyAttemptsAsAskedAndTheyDiffer) {

@@ -1,0 +1,37 @@
+// Beam search over cells, A*-like: every round goes on from the cells with the least f = ticks so
+// far + greed * ticks that are left at best + what the cell has been tried already.
+#pragma once
+
+#include "solve/go_explore.h"
+
+namespace obby::solve {
+
+GoExploreSettings beamSettings();
+
+class BeamChooser : public Chooser {
+ public:
+  explicit BeamChooser(const Problem& problem);
+
+  void choose(const Archive& archive, ThreadPool& pool, Random& random,
+              std::span<Choice> choices) override;
+
+  // Ticks to the goal in a straight line through the waypoints ahead, walking. Visits ahead count
+  // as the nearest of them only.
+  float ticksLeft(const sim::World& world) const;
+
+ private:
+  uint64_t rankOf(const Archive& archive, uint32_t cell) const;
+  void rank(const Archive& archive, ThreadPool& pool, size_t width);
+
+  level::QueryView query_;
+  float ticksPerStud_;
+  std::vector<float> legs_;     // (waypoints + 1), studs from a waypoint to the end; 0 for the goal
+  std::vector<uint32_t> left_;  // (cells), greed * ticksLeft
+  std::vector<uint32_t> rounds_;               // (cells), in which it was gone on from
+  std::vector<std::vector<uint64_t>> blocks_;  // best ranks of each block of cells
+  std::vector<uint64_t> ranked_;               // best ranks of all, the best first
+};
+
+std::unique_ptr<Chooser> makeBeamChooser(const Problem& problem, const ExploreContext& context);
+
+}  // namespace obby::solve

@@ -1,0 +1,80 @@
+// Every row of the table of methods: it solves what is easy, keeps to what is asked, and nothing
+// but its inputs decides what it finds.
+#include "solve/methods.h"
+
+#include <gtest/gtest.h>
+
+#include "scenes.h"
+#include "sim/host_device.h"
+#include "untimed.h"
+
+namespace obby::solve {
+namespace {
+
+class MethodTest : public testing::TestWithParam<Method> {
+ protected:
+  static FilterOptions options(uint64_t maxSteps, int threads = 2) {
+    FilterOptions o;
+    o.threads = threads;
+    o.solver.method = &GetParam();
+    o.solver.budget.maxSteps = maxSteps;
+    o.solver.budget.attempts = 4;
+    o.solver.progressRecords = false;
+    return o;
+  }
+  static Filtered ask(const std::string& more, FilterOptions o) {
+    const LinesFile file(stonesText(more));
+    Filtered f = runFilter(file.path(), std::move(o));
+    EXPECT_TRUE(f.status) << f.status.error().text();
+    return f;
+  }
+};
+
+TEST_P(MethodTest, SolvesTheSteppingStones) {
+  EXPECT_EQ(ask("", options(3'000'000)).counts.solved, 1u);
+}
+
+// To the corner of the first stone and back before the jumps: the goal alone leads away from it.
+TEST_P(MethodTest, PassesWaypointsThatLieBehind) {
+  const char* more = R"(,"waypoints":[{"region":{"position":[3,2,-18],"size":[2,4,2]}},)"
+                     R"({"region":{"position":[-3,2,-1],"size":[2,4,2]}}])";
+  EXPECT_EQ(ask(more, options(6'000'000)).counts.solved, 1u);
+}
+
+TEST_P(MethodTest, VisitsInAnyOrderWithinTheJumps) {
+  const char* more =
+      R"(,"visits":[{"position":[3,2,-18],"size":[2,4,2]},{"position":[-3,2,-2],"size":[2,4,2]}],)"
+      R"("maxJumps":3)";
+  EXPECT_EQ(ask(more, options(6'000'000)).counts.solved, 1u);
+}
+
+TEST_P(MethodTest, SpendsItsStepsWhereThereIsNoWay) {
+  const char* wall = R"(,"avoid":[{"position":[0,0,-10],"size":[200,200,1]}])";
+  const Filtered f = ask(wall, options(50'000));
+  EXPECT_EQ(f.counts.unknown, 1u) << f.output;
+}
+
+TEST_P(MethodTest, SameBytesForAnyNumberOfThreadsAndAKernel) {
+  const char* more =
+      R"(,"waypoints":[{"region":{"position":[3,2,-16]},"maxJumps":1}],"maxJumps":1)";
+  const std::string expected = withoutTiming(ask(more, options(60'000, 1)).output);
+  for (const int threads : {2, 3, 8}) {
+    EXPECT_EQ(withoutTiming(ask(more, options(60'000, threads)).output), expected) << threads;
+  }
+  ThreadPool pool(2);
+  sim::HostDevice device(pool);
+  FilterOptions o = options(60'000);
+  o.device = &device;
+  EXPECT_EQ(withoutTiming(ask(more, o).output), expected) << "kernel";
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, MethodTest, testing::ValuesIn(methods()),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST(Methods, NamesAreDistinctAndFound) {
+  for (const Method& m : methods()) EXPECT_EQ(findMethod(m.name), &m) << m.name;
+  EXPECT_EQ(findMethod("none"), nullptr);
+}
+
+}  // namespace
+}  // namespace obby::solve
