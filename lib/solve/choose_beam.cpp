@@ -35,10 +35,23 @@ BeamChooser::BeamChooser(const Problem& problem)
     const bool known = i + 1 < query_.waypointCount || query_.otherGoalCount == 0;
     legs_[i] = legs_[i + 1] + (known ? std::max(leg, 0.0f) : 0.0f);
   }
+  for (uint32_t i = 0; i < query_.visitCount; ++i) {
+    const geom::Region& from = query_.visits[i].region;
+    float nearest = geom::distance(query_.goal.region, from.pose.position);
+    for (uint32_t k = 0; k < query_.visitCount; ++k) {
+      if (k == i) continue;
+      nearest = std::min(nearest, geom::distance(query_.visits[k].region, from.pose.position));
+    }
+    hops_.push_back(nearest);
+  }
 }
 
 float BeamChooser::ticksLeft(const sim::World& world) const {
-  return ticksPerStud_ * (distanceLeft(query_, world) + legs_[world.waypoints]);
+  float studs = distanceLeft(query_, world) + legs_[world.waypoints];
+  for (uint32_t i = 0; i < query_.visitCount; ++i) {
+    if (!(world.visited >> i & 1)) studs += hops_[i];
+  }
+  return ticksPerStud_ * studs;
 }
 
 // Of equal f the older cell.

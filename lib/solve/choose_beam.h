@@ -16,7 +16,7 @@ class BeamChooser : public Chooser {
               std::span<Choice> choices) override;
 
   // Ticks to the goal in a straight line through the waypoints ahead, walking. Visits ahead count
-  // as the nearest of them only.
+  // as the way to the nearest, and from each to what is nearest to it.
   float ticksLeft(const sim::World& world) const;
 
  private:
@@ -26,6 +26,7 @@ class BeamChooser : public Chooser {
   level::QueryView query_;
   float ticksPerStud_;
   std::vector<float> legs_;     // (waypoints + 1), studs from a waypoint to the end; 0 for the goal
+  std::vector<float> hops_;     // (visits), studs from a visit to the nearest other or to the goal
   std::vector<uint32_t> left_;  // (cells), greed * ticksLeft
   std::vector<uint32_t> rounds_;               // (cells), in which it was gone on from
   std::vector<std::vector<uint64_t>> blocks_;  // best ranks of each block of cells

@@ -2,6 +2,7 @@
 
 #include "solve/choose_beam.h"
 #include "solve/choose_mcts.h"
+#include "solve/choose_mixed.h"
 #include "solve/choose_rrt.h"
 #include "solve/run_search.h"
 
@@ -33,7 +34,9 @@ SearchOutcome run(const Problem& p, const Budget& b, const Watcher& w, const Mac
 
 const std::vector<Method>& methods() {
   static const std::vector<Method> table = {
-      {"auto", "Go-Explore over standing states with jumps aimed at surfaces",
+      {"auto", "aimed and beam, each with half of the attempts, over one archive",
+       run<aimedSettings, makeMixedChooser>},
+      {"aimed", "Go-Explore over standing states with jumps aimed at surfaces",
        run<aimedSettings, hedgedSelector>},
       {"ge", "Go-Explore with random actions over all states, as published",
        run<plainSettings, plainSelector>},

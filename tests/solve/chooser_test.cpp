@@ -26,7 +26,7 @@ struct Scene {
   Scene() : level(steppingStones().compile()), question(level), surfaces(level.view()) {}
   ExploreContext context() {
     const Problem p = question.problem();
-    return {p.level, p.query, surfaces.view(), jumpReach(p.level.params), {}, false};
+    return {p.level, p.query, surfaces.view(), jumpReach(p.level.params), {}, false, -1e30f};
   }
   uint32_t add(const sim::World& w, float potential = 1) {
     archive.offer(archive.cellCount() + 1, w, {}, potential);

@@ -28,8 +28,10 @@ TEST(Doom, CoversTheWholeWayOfAMover) {
   const level::Level still = b.compile();
   b.block({0, -0.5f, -40}, {4, 1, 4}, [](schema::Part::Builder p) {
     auto keys = p.initMotion().initKeys(2);
-    support::set(keys[1].initPosition(), {0, -30, 0});
+    support::set(keys[0].initPosition(), {0, -0.5f, -40});
+    support::set(keys[1].initPosition(), {0, -30.5f, -40});
     keys[1].setTime(3);
+    p.getMotion().setRepeat(schema::Repeat::PING_PONG);
   });
   const level::Level lift = b.compile();
   EXPECT_NEAR(doomHeight(Question(lift).problem()), doomHeight(Question(still).problem()) - 30,
@@ -51,7 +53,7 @@ TEST(Doom, WhoeverIsGivenUpFalls) {
     sim::World given = problem.start, whole = problem.start;
     const auto nothing = [](const sim::Action&, const sim::World&) {};
     runRollout(search.context(), 1, stream, given, nullptr, 600, nothing);
-    runRollout<true, true>(search.context(), 1, stream, whole, nullptr, 600, nothing);
+    runRollout<true, true>(search.context(), 1, stream, whole, nullptr, 1200, nothing);
     if (given.outcome != sim::Outcome::running || given.tick == 600) continue;
     ++doomedCount;
     EXPECT_EQ(whole.outcome, sim::Outcome::fell);

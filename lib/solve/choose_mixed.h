@@ -1,0 +1,25 @@
+// Two choosers over one archive, each with half of every round: what one finds the other goes on
+// from, and a level that misleads one of them costs at most about twice what the other needs.
+#pragma once
+
+#include "solve/go_explore.h"
+
+namespace obby::solve {
+
+class MixedChooser : public Chooser {
+ public:
+  MixedChooser(std::unique_ptr<Chooser> first, std::unique_ptr<Chooser> second)
+      : first_(std::move(first)), second_(std::move(second)) {}
+
+  void choose(const Archive& archive, ThreadPool& pool, Random& random,
+              std::span<Choice> choices) override;
+  void learn(const Archive& archive, std::span<const Tried> tried) override;
+
+ private:
+  std::unique_ptr<Chooser> first_, second_;
+};
+
+// The hedged selector and the beam.
+std::unique_ptr<Chooser> makeMixedChooser(const Problem& problem, const ExploreContext& context);
+
+}  // namespace obby::solve
