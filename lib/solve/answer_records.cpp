@@ -87,7 +87,7 @@ schema::Verdict verdictOf(const SearchOutcome& outcome) {
 
 void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
                 const SearchOutcome& outcome, const level::Level& level,
-                schema::Query::Reader query) {
+                schema::Level::Reader levelRecord, schema::Query::Reader query) {
   const bool solved = !outcome.solutions.empty();
   record.setQuery(identity.query);
   record.setLevel(identity.level);
@@ -105,7 +105,7 @@ void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
     fillEvidence(record.initEvidence(), outcome.thoroughness);
   }
   if (outcome.cut) fillCut(record.initCut(), *outcome.cut, level.view());
-  record.setReason(reasonFor(outcome, level, query));
+  record.setReason(reasonFor(outcome, level, levelRecord, query));
   fillEnds(record, outcome.ends);
   auto timing = record.initTiming();
   timing.setSeconds(float(outcome.seconds));

@@ -28,7 +28,7 @@ schema::Verdict verdictOf(const SearchOutcome& outcome);
 // Everything but timing.compile, method and seed, which the caller knows.
 void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
                 const SearchOutcome& outcome, const level::Level& level,
-                schema::Query::Reader query);
+                schema::Level::Reader levelRecord, schema::Query::Reader query);
 
 // What was found to help, also as the end of the record's reason.
 void fillRelaxations(schema::Result::Builder record, const std::vector<Relaxation>& found);

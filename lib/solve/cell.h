@@ -75,11 +75,13 @@ OBBY_DEVICE uint64_t packedCell(Vec3 at) {
   return x | z << 24 | y << 48;
 }
 
-// Where the loose bodies are, in cells as wide as the player's.
+// Where the loose bodies are, in cells twice as wide as the player's: every cell of a body is one
+// more of each cell of the player.
 OBBY_DEVICE uint64_t looseKey(const Binning& b, const sim::LooseBody* loose) {
   uint64_t key = 0;
   for (uint32_t i = 0; i < b.looseCount; ++i) {
-    key = mixBits(key + 0x9e3779b97f4a7c15ull + packedCell(loose[i].position * b.inverseWidth));
+    key = mixBits(key + 0x9e3779b97f4a7c15ull +
+                  packedCell(loose[i].position * (0.5f * b.inverseWidth)));
   }
   return key;
 }

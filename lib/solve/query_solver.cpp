@@ -52,10 +52,15 @@ class Solving {
     return options_.earlier->waysOf(identity_.level, identity_.query);
   }
 
-  // What is shown to be impossible is not searched for.
+  // Did the importer leave out what might carry a player?
+  bool incomplete() const { return level_.record.reader().getLevel().getUnmodelled().size() > 0; }
+
+  // What is shown to be impossible is not searched for. Nothing is shown of a place by a level that
+  // lacks some of it.
   SearchOutcome answer(const Problem& problem, const Watcher& watcher, const Machine& machine) {
     const double start = secondsNow();
-    if (auto cut = cutOf(problem, query_)) {
+    auto cut = incomplete() ? std::nullopt : cutOf(problem, query_);
+    if (cut) {
       SearchOutcome shown;
       shown.stopped = Stopped::shown;
       shown.cut = std::move(cut);
@@ -113,7 +118,8 @@ class Solving {
     }
     io::RecordBuilder record;
     auto result = record.root().initResult();
-    fillResult(result, identity_, outcome, level_.level, query_);
+    const auto levelRecord = level_.record.reader().getLevel();
+    fillResult(result, identity_, outcome, level_.level, levelRecord, query_);
     if (relaxations) fillRelaxations(result, *relaxations);
     if (!hardest.empty()) result.setReason(result.getReason().cStr() + ("; hardest: " + hardest));
     result.getTiming().setCompile(float(level_.compileSeconds));

@@ -113,10 +113,19 @@ std::string overrunText(uint8_t overruns) {
   return text;
 }
 
+// What the place has and the level has not: the way may need it.
+std::string unmodelledText(schema::Level::Reader level) {
+  std::string kinds;
+  for (const auto& u : level.getUnmodelled()) {
+    kinds += fmt::format("{}{} ({})", kinds.empty() ? "" : ", ", u.getKind().cStr(), u.getCount());
+  }
+  return kinds.empty() ? kinds : "; the place has what is not simulated: " + kinds;
+}
+
 }  // namespace
 
 std::string reasonFor(const SearchOutcome& outcome, const level::Level& level,
-                      schema::Query::Reader query) {
+                      schema::Level::Reader levelRecord, schema::Query::Reader query) {
   if (outcome.cut) return reasonFor(*outcome.cut, level);
   const std::string overruns = overrunText(outcome.statistics.overruns);
   if (!outcome.solutions.empty()) return solvedText(outcome, level) + overruns;
@@ -125,7 +134,7 @@ std::string reasonFor(const SearchOutcome& outcome, const level::Level& level,
                   outcome.stopped == Stopped::interrupted ? " (interrupted)" : "");
   text += placeText(outcome, query) + endsText(outcome, level, query);
   text += hopeText(outcome.thoroughness);
-  return text + overruns + "; this does not show that there is none";
+  return text + overruns + unmodelledText(levelRecord) + "; this does not show that there is none";
 }
 
 }  // namespace obby::solve

@@ -9,8 +9,8 @@
 
 namespace obby::solve {
 
-// Says nothing that depends on the clock.
+// Says nothing that depends on the clock. `levelRecord`: for what the importer left out.
 std::string reasonFor(const SearchOutcome& outcome, const level::Level& level,
-                      schema::Query::Reader query);
+                      schema::Level::Reader levelRecord, schema::Query::Reader query);
 
 }  // namespace obby::solve

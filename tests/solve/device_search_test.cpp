@@ -49,7 +49,7 @@ TEST(DeviceSearch, AnswersAreThoseOfThreads) {
 }
 
 TEST(DeviceSearch, AFailingDeviceIsGivenUpAndTheAnswersAreTheSame) {
-  for (const int launches : {0, 1, 7}) {
+  for (const int launches : {0, 1, 3}) {
     ThreadPool pool(2);
     FailingDevice device(pool, launches);
     FilterOptions options = onDevice(&device);

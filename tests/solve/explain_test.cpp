@@ -85,12 +85,12 @@ std::string query(const std::string& fields) {
   return R"({"type":"query","id":"q",)" + fields + "}\n";
 }
 
-// Three gaps of 6 studs, each of which takes a jump.
+// Three gaps of 8 studs, each of which takes a jump: one of 6 can be crossed in a fall that the legs still end.
 const std::string kFourStones = level(R"({"name":"A","position":[0,-0.5,-4],"size":[8,1,8]},)"
-                                      R"({"name":"B","position":[0,-0.5,-18],"size":[8,1,8]},)"
-                                      R"({"name":"C","position":[0,-0.5,-32],"size":[8,1,8]},)"
-                                      R"({"name":"D","position":[0,-0.5,-46],"size":[8,1,8]})");
-const std::string kFourth = R"("goal":{"position":[0,2,-46],"size":[8,4,8]})";
+                                      R"({"name":"B","position":[0,-0.5,-20],"size":[8,1,8]},)"
+                                      R"({"name":"C","position":[0,-0.5,-36],"size":[8,1,8]},)"
+                                      R"({"name":"D","position":[0,-0.5,-52],"size":[8,1,8]})");
+const std::string kFourth = R"("goal":{"position":[0,2,-52],"size":[8,4,8]})";
 
 TEST(Explain, CountsTheJumpsThatAreNeeded) {
   const Explained e = ask(kFourStones + query(kFourth + R"(,"maxJumps":1)"));
@@ -106,7 +106,7 @@ TEST(Explain, CountsTheJumpsOfASegment) {
   const Explained e = ask(
       kFourStones +
       query(kFourth +
-            R"(,"segmentJumps":1,"waypoints":[{"region":{"position":[0,2,-18],"size":[8,4,8]}}])"));
+            R"(,"segmentJumps":1,"waypoints":[{"region":{"position":[0,2,-20],"size":[8,4,8]}}])"));
   const Said* jumps = e.of(schema::Knob::JUMPS);
   ASSERT_NE(jumps, nullptr) << e.reason;
   EXPECT_EQ(jumps->amount, 1);

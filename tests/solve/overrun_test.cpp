@@ -41,9 +41,9 @@ TEST(Overrun, IsNotedWhereMorePartsAreNearThanAWorldLooksAt) {
 TEST(Overrun, IsNamedInTheReason) {
   const level::Level level = crowded(1);
   SearchOutcome outcome{};
-  EXPECT_EQ(reasonFor(outcome, level, {}).find("more than"), std::string::npos);
+  EXPECT_EQ(reasonFor(outcome, level, {}, {}).find("more than"), std::string::npos);
   outcome.statistics.overruns = sim::kOverruns;
-  const std::string reason = reasonFor(outcome, level, {});
+  const std::string reason = reasonFor(outcome, level, {}, {});
   EXPECT_NE(reason.find("more than 48 parts at once (16 moving)"), std::string::npos) << reason;
   EXPECT_NE(reason.find("more than 8 touched parts at work at once"), std::string::npos) << reason;
 }

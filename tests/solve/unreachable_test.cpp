@@ -120,5 +120,23 @@ TEST(Unreachable, IsNotSaidWhereLoosePartsCanBePiledUp) {
   EXPECT_EQ(f.counts.unknown, 1u);
 }
 
+// What the importer left out may be the way.
+TEST(Unreachable, IsNotSaidOfALevelThatLacksPartOfItsPlace) {
+  const auto answer = [](const std::string& text) {
+    FilterOptions o;
+    o.solver.budget.maxSteps = 20'000;
+    o.solver.progressRecords = false;
+    const LinesFile file(text);
+    return runFilter(file.path(), o).output;
+  };
+  std::string text = stonesText(R"(,"timeLimit":0.5)");
+  EXPECT_NE(answer(text).find("\"verdict\":\"unreachable\""), std::string::npos);
+  const std::string name = R"("name":"stones",)";
+  text.insert(text.find(name), R"("unmodelled":[{"kind":"terrain","count":2}],)");
+  const std::string output = answer(text);
+  EXPECT_NE(output.find("\"verdict\":\"unknown\""), std::string::npos);
+  EXPECT_NE(output.find("what is not simulated: terrain (2)"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace obby::solve
