@@ -43,6 +43,15 @@ void fillEnds(schema::Result::Builder record, const std::vector<EndCount>& ends)
   }
 }
 
+void fillRoutes(schema::Result::Builder record, const std::vector<RouteTally>& routes) {
+  auto counts = record.initRoutes(uint32_t(routes.size()));
+  for (uint32_t i = 0; i < counts.size(); ++i) {
+    fillRoute(counts[i], routes[i].route);
+    counts[i].setCount(routes[i].count);
+    counts[i].setTicks(routes[i].ticks);
+  }
+}
+
 }  // namespace
 
 void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& identity,
@@ -106,6 +115,7 @@ void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
   }
   if (outcome.cut) fillCut(record.initCut(), *outcome.cut, level.view());
   record.setReason(reasonFor(outcome, level, levelRecord, query));
+  if (!outcome.routes.empty()) fillRoutes(record, outcome.routes);
   fillEnds(record, outcome.ends);
   auto timing = record.initTiming();
   timing.setSeconds(float(outcome.seconds));

@@ -20,6 +20,13 @@ struct AnswerIdentity {
 void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& identity,
                     const Playthrough& playthrough, uint32_t index);
 
+// The parts of a route, in order; of a Trajectory or a RouteCount.
+template <class Record>
+void fillRoute(Record record, const std::vector<int32_t>& route) {
+  auto parts = record.initRoute(uint32_t(route.size()));
+  for (uint32_t i = 0; i < parts.size(); ++i) parts.set(i, route[i]);
+}
+
 void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identity,
                   const SearchView& view);
 

@@ -3,19 +3,20 @@
 // the rollouts.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <span>
-#include <vector>
 
-#include "level/level_view.h"
+#include "base/chunked_vector.h"
 #include "sim/loose.h"
 #include "sim/world.h"
+#include "solve/cell_table.h"
 
 namespace obby::solve {
 
 constexpr uint32_t kNone = level::kNone;
-constexpr uint32_t kMaxCells = 4u << 20;
+constexpr uint32_t kMaxCells = 10'000'000;
 
 constexpr uint64_t kKnown = 1ull << 62;  // streams of random numbers count up from 0
 
@@ -28,24 +29,30 @@ struct Node {
 
 class Archive {
  public:
-  // `maxCells` bounds the memory: further cells are not kept (about 160 bytes each).
-  // `looseCount`: bodies beside each world.
+  // Cells a block: what choosers keep of each block is read anew only where the block has changed.
+  static constexpr uint32_t kBlock = 64;
+
+  // `maxCells` bounds the memory: further cells are not kept (about 200 bytes each, choosers
+  // included). `looseCount`: bodies beside each world.
   explicit Archive(uint32_t maxCells = kMaxCells, uint32_t looseCount = 0);
 
   // The cell of a key, or kNone. Safe to call from several threads between changes.
-  uint32_t find(uint64_t key) const;
+  uint32_t find(uint64_t key) const { return table_.find(key); }
 
-  // Ask the memory for what find(key) will read, and then countSeen(cell) and better(cell, ...).
-  void prefetch(uint64_t key) const { __builtin_prefetch(&slots_[key & (slots_.size() - 1)]); }
-  void prefetchCell(uint32_t cell) const {
-    __builtin_prefetch(&seen_[cell], 1);
-    __builtin_prefetch(&arrivals_[cell]);
+  // Ask the memory for what prefetchCell(key) will read, and that for what find(key), countSeen()
+  // and better() of its cell will.
+  void prefetch(uint64_t key) const { table_.prefetch(key); }
+  void prefetchCell(uint64_t key) const {
+    const uint32_t cell = table_.likely(key);
+    if (cell == kNone) return;
+    __builtin_prefetch(seen_.at(cell), 1);
+    __builtin_prefetch(ticks_.at(cell));
   }
 
   // Would `world` take this cell over? Fewer ticks, or as many with fewer jumps.
   bool better(uint32_t cell, const sim::World& world) const {
-    const Arrival& a = arrivals_[cell];
-    return world.tick < a.tick || (world.tick == a.tick && world.jumps < a.jumps);
+    const uint32_t tick = ticks_[cell];
+    return world.tick < tick || (world.tick == tick && world.jumps < jumps_[cell]);
   }
 
   // Keeps `world` where its cell is new or it is better than what the cell holds. True: kept.
@@ -56,6 +63,7 @@ class Archive {
   // Counts a visit. Safe to call from several threads: the sum does not depend on their order.
   void countSeen(uint32_t cell) {
     std::atomic_ref<uint32_t>(seen_[cell]).fetch_add(1, std::memory_order_relaxed);
+    note(seenIn_, cell);
   }
 
   // Notes that a rollout other than its finder passed through a cell. Safe to call from several
@@ -66,42 +74,58 @@ class Archive {
   // Cells that only their finder passed through.
   uint64_t singletons() const;
 
-  uint32_t cellCount() const { return uint32_t(worlds_.size()); }
+  uint32_t cellCount() const { return table_.size(); }
   const sim::World& world(uint32_t cell) const { return worlds_[cell]; }
   std::span<const sim::LooseBody> loose(uint32_t cell) const {
-    return std::span(loose_).subspan(size_t(cell) * looseCount_, looseCount_);
+    if (looseCount_ == 0) return {};
+    return {loose_.at(looseAt(cell)), looseCount_};
   }
-  uint32_t tick(uint32_t cell) const { return arrivals_[cell].tick; }  // of its world
   uint32_t node(uint32_t cell) const { return cellNodes_[cell]; }
-  const std::vector<uint32_t>& seen() const { return seen_; }
-  const std::vector<float>& potentials() const { return potentials_; }
+  const ChunkedVector<uint32_t>& ticks() const { return ticks_; }  // of the worlds
+  const ChunkedVector<uint32_t>& seen() const { return seen_; }
+  const ChunkedVector<float>& potentials() const { return potentials_; }
   float bestPotential() const { return bestPotential_; }  // of all cells ever
 
-  const std::vector<Node>& nodes() const { return nodes_; }
+  const ChunkedVector<Node>& nodes() const { return nodes_; }
+
+  // Changes are dated by epochs, counted from 0. Who notes the epoch when he looks at the archive
+  // finds by these what has changed since; blocks that are new have.
+  void nextEpoch() { ++epoch_; }
+  uint32_t epoch() const { return epoch_; }
+  uint32_t blockCount() const { return uint32_t(seenIn_.size()); }
+  // A count or potential of the block's cells.
+  bool seenSince(uint32_t block, uint32_t epoch) const {
+    return std::max(seenIn_[block], arrivedIn_[block]) >= epoch;
+  }
+  // A world of the block's cells.
+  bool arrivedSince(uint32_t block, uint32_t epoch) const { return arrivedIn_[block] >= epoch; }
 
  private:
-  struct Slot {
-    uint64_t key;  // 0: free
-    uint32_t cell;
-  };
-  struct Arrival {
-    uint32_t tick;
-    uint16_t jumps;
-  };
-  size_t slotOf(uint64_t key) const;
-  void growTable();
-  void addCell(size_t slot, uint64_t key, const sim::World& world);
+  void addCell(uint64_t key);
+  size_t looseAt(uint32_t cell) const {  // a cell's bodies are in one chunk
+    const size_t cells = ChunkedVector<sim::LooseBody>::kChunk / looseCount_;
+    return cell / cells * ChunkedVector<sim::LooseBody>::kChunk + cell % cells * looseCount_;
+  }
+  // Threads that visit one block agree about what to write: most find it written.
+  void note(ChunkedVector<uint32_t>& epochs, uint32_t cell) {
+    const std::atomic_ref<uint32_t> last(epochs[cell / kBlock]);
+    if (last.load(std::memory_order_relaxed) != epoch_)
+      last.store(epoch_, std::memory_order_relaxed);
+  }
 
   uint32_t looseCount_, maxCells_;
-  std::vector<Slot> slots_;  // open addressing, at most half full, a power of two
-  std::vector<Arrival> arrivals_;
-  std::vector<sim::World> worlds_;
-  std::vector<sim::LooseBody> loose_;  // (cells, looseCount)
-  std::vector<uint32_t> cellNodes_;
-  std::vector<uint32_t> seen_;
-  std::vector<uint8_t> sighted_;
-  std::vector<float> potentials_;
-  std::vector<Node> nodes_;
+  CellTable table_;
+  ChunkedVector<uint32_t> ticks_;  // of the worlds, and their jumps: for better() alone
+  ChunkedVector<uint16_t> jumps_;
+  ChunkedVector<sim::World> worlds_;
+  ChunkedVector<sim::LooseBody> loose_;  // (cells, looseCount), see looseAt
+  ChunkedVector<uint32_t> cellNodes_;
+  ChunkedVector<uint32_t> seen_;
+  ChunkedVector<uint8_t> sighted_;
+  ChunkedVector<float> potentials_;
+  ChunkedVector<Node> nodes_;
+  ChunkedVector<uint32_t> seenIn_, arrivedIn_;  // (blocks), epochs of the last changes
+  uint32_t epoch_ = 0;
   float bestPotential_ = 0;
 };
 

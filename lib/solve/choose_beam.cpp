@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solve/block_tasks.h"
+
 namespace obby::solve {
 
 namespace {
@@ -9,14 +11,8 @@ namespace {
 constexpr size_t kTries = 4;          // rollouts from a cell in a round
 constexpr float kGreed = 5;           // more than 1: finds some way sooner, not the shortest
 constexpr uint32_t kTriedTicks = 60;  // what a round's tries add to f: no cell waits for ever
-constexpr uint32_t kBlock = 4096;     // cells a task of the pool
-
-// Keeps the least `count` of them, in order.
-void keepLeast(std::vector<uint64_t>& ranks, size_t count) {
-  count = std::min(count, ranks.size());
-  std::partial_sort(ranks.begin(), ranks.begin() + std::ptrdiff_t(count), ranks.end());
-  ranks.resize(count);
-}
+constexpr uint32_t kTaken = 0xffffffffu;
+constexpr uint64_t kNoRank = ~uint64_t(0);
 
 }  // namespace
 
@@ -54,39 +50,77 @@ float BeamChooser::ticksLeft(const sim::World& world) const {
   return ticksPerStud_ * studs;
 }
 
-// Of equal f the older cell.
-uint64_t BeamChooser::rankOf(const Archive& archive, uint32_t cell) const {
-  const uint64_t f =
-      uint64_t(archive.tick(cell)) + left_[cell] + uint64_t(rounds_[cell]) * kTriedTicks;
-  return f << 32 | cell;
+void BeamChooser::addCells(const Archive& archive) {
+  for (uint32_t cell = uint32_t(extra_.size()); cell < archive.cellCount(); ++cell) {
+    extra_.push_back(uint32_t(kGreed * ticksLeft(archive.world(cell))));
+  }
+  blocks_.resize(archive.blockCount());
+  groups_.resize(groupCount(archive));
 }
 
-void BeamChooser::rank(const Archive& archive, ThreadPool& pool, size_t width) {
-  const uint32_t cells = archive.cellCount();
-  blocks_.resize((cells + kBlock - 1) / kBlock);
-  pool.run(int(blocks_.size()), [&](int task) {
-    std::vector<uint64_t>& block = blocks_[size_t(task)];
-    block.clear();
-    const uint32_t first = uint32_t(task) * kBlock, last = std::min(first + kBlock, cells);
-    for (uint32_t cell = first; cell < last; ++cell) block.push_back(rankOf(archive, cell));
-    keepLeast(block, width);
+// A rank is f, then the cell: of equal f the older is the best.
+uint64_t BeamChooser::blockBest(const Archive& archive, uint32_t block) const {
+  const uint32_t first = block * Archive::kBlock;
+  const uint32_t count = std::min(Archive::kBlock, archive.cellCount() - first);
+  const uint32_t* const ticks = archive.ticks().at(first);
+  const uint32_t* const extra = extra_.at(first);
+  uint64_t best = kNoRank;
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint64_t rank = (uint64_t(ticks[i]) + extra[i]) << 32 | (first + i);
+    best = std::min(best, extra[i] == kTaken ? kNoRank : rank);
+  }
+  return best;
+}
+
+uint64_t BeamChooser::groupBest(uint32_t group) const {
+  const size_t first = size_t(group) * kGroupBlocks;
+  const size_t end = std::min(first + kGroupBlocks, blocks_.size());
+  uint64_t best = kNoRank;
+  for (size_t block = first; block < end; ++block) best = std::min(best, blocks_[block]);
+  return best;
+}
+
+void BeamChooser::update(const Archive& archive, ThreadPool& pool) {
+  addCells(archive);
+  forGroups(archive, pool, [&](uint32_t group, uint32_t first, uint32_t end) {
+    for (uint32_t block = first; block < end; ++block) {
+      if (archive.arrivedSince(block, epoch_)) blocks_[block] = blockBest(archive, block);
+    }
+    groups_[group] = groupBest(group);
   });
+  epoch_ = archive.epoch();
+}
+
+void BeamChooser::rerank(const Archive& archive, uint32_t cell, uint32_t extra) {
+  extra_[cell] = extra;
+  const uint32_t block = cell / Archive::kBlock;
+  blocks_[block] = blockBest(archive, block);
+  groups_[block / kGroupBlocks] = groupBest(block / kGroupBlocks);
+}
+
+// Takes the best cell so often, then gives all of them back, tried once more.
+void BeamChooser::rank(const Archive& archive, size_t width) {
   ranked_.clear();
-  for (const auto& block : blocks_) ranked_.insert(ranked_.end(), block.begin(), block.end());
-  keepLeast(ranked_, width);
+  std::vector<uint32_t> extras;
+  while (ranked_.size() < width) {
+    const uint64_t best = *std::min_element(groups_.begin(), groups_.end());
+    if (best == kNoRank) break;
+    ranked_.push_back(best);
+    extras.push_back(extra_[uint32_t(best)]);
+    rerank(archive, uint32_t(best), kTaken);
+  }
+  for (size_t i = 0; i < ranked_.size(); ++i) {
+    rerank(archive, uint32_t(ranked_[i]), extras[i] + kTriedTicks);
+  }
 }
 
 void BeamChooser::choose(const Archive& archive, ThreadPool& pool, Random&,
                          std::span<Choice> choices) {
-  for (uint32_t cell = uint32_t(left_.size()); cell < archive.cellCount(); ++cell) {
-    left_.push_back(uint32_t(kGreed * ticksLeft(archive.world(cell))));
-  }
-  rounds_.resize(archive.cellCount(), 0);
-  rank(archive, pool, (choices.size() + kTries - 1) / kTries);
+  update(archive, pool);
+  rank(archive, (choices.size() + kTries - 1) / kTries);
   for (size_t i = 0; i < choices.size(); ++i) {
     choices[i].cell = uint32_t(ranked_[i % ranked_.size()]);
   }
-  for (const uint64_t r : ranked_) ++rounds_[uint32_t(r)];
 }
 
 std::unique_ptr<Chooser> makeBeamChooser(const Problem& problem, const ExploreContext&) {

@@ -20,17 +20,22 @@ class BeamChooser : public Chooser {
   float ticksLeft(const sim::World& world) const;
 
  private:
-  uint64_t rankOf(const Archive& archive, uint32_t cell) const;
-  void rank(const Archive& archive, ThreadPool& pool, size_t width);
+  void addCells(const Archive& archive);
+  uint64_t blockBest(const Archive& archive, uint32_t block) const;
+  uint64_t groupBest(uint32_t group) const;
+  void update(const Archive& archive, ThreadPool& pool);
+  void rank(const Archive& archive, size_t width);
+  void rerank(const Archive& archive, uint32_t cell, uint32_t extra);
 
   level::QueryView query_;
   float ticksPerStud_;
-  std::vector<float> legs_;     // (waypoints + 1), studs from a waypoint to the end; 0 for the goal
-  std::vector<float> hops_;     // (visits), studs from a visit to the nearest other or to the goal
-  std::vector<uint32_t> left_;  // (cells), greed * ticksLeft
-  std::vector<uint32_t> rounds_;               // (cells), in which it was gone on from
-  std::vector<std::vector<uint64_t>> blocks_;  // best ranks of each block of cells
-  std::vector<uint64_t> ranked_;               // best ranks of all, the best first
+  std::vector<float> legs_;  // (waypoints + 1), studs from a waypoint to the end; 0 for the goal
+  std::vector<float> hops_;  // (visits), studs from a visit to the nearest other or to the goal
+  ChunkedVector<uint32_t> extra_;  // (cells), f less the ticks so far; kTaken: not to be ranked
+  std::vector<uint64_t> blocks_;   // best rank of each block of cells
+  std::vector<uint64_t> groups_;   // best rank of each group of blocks
+  uint32_t epoch_ = 0;             // of the archive, in which they were found
+  std::vector<uint64_t> ranked_;   // best ranks of all, the best first
 };
 
 std::unique_ptr<Chooser> makeBeamChooser(const Problem& problem, const ExploreContext& context);

@@ -31,8 +31,8 @@ class MctsChooser : public Chooser {
   uint32_t bestChild(const TreeNode& node) const;
   double score(const Arm& arm, double logVisits) const;
 
-  std::vector<TreeNode> nodes_;  // (cells)
-  double best_ = 1;              // potential of all cells ever, * kRewardScale
+  ChunkedVector<TreeNode> nodes_;  // (cells)
+  double best_ = 1;                // potential of all cells ever, * kRewardScale
 };
 
 std::unique_ptr<Chooser> makeMctsChooser(const Problem& problem, const ExploreContext& context);

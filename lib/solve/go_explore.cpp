@@ -123,6 +123,7 @@ void GoExplore::chooseCells() {
   choices_.assign(roundSize(), {0, phaseTicks_});
   rollouts_.resize(choices_.size());
   Random random(seed_, kSelectionStream | statistics_.rounds);
+  archive_.nextEpoch();
   chooser_->choose(archive_, machine_.pool, random, choices_);
   for (size_t i = 0; i < choices_.size(); ++i) {
     Rollout& r = rollouts_[i];
@@ -153,7 +154,7 @@ void GoExplore::explore(std::span<Rollout> rollouts) {
     for (const RolloutGroup::Member& m : members) {
       rollouts[m.index].ticks = tick;
       if (tick % rule_.lookEvery != 0 || m.world->outcome != sim::Outcome::running) continue;
-      looks.push_back({cellKey(binning_, *m.world, m.loose), m.index, kNone});
+      looks.push_back({cellKey(binning_, *m.world, m.loose), m.index});
     }
     look(rollouts, trails, looks);
   });
@@ -168,15 +169,13 @@ void GoExplore::look(std::span<Rollout> rollouts, std::span<Trail> trails, std::
   for (const Look& l : looks) {
     if (isNew(l)) archive_.prefetch(l.key);
   }
-  for (Look& l : looks) {
-    if (!isNew(l)) continue;
-    l.cell = archive_.find(l.key);
-    if (l.cell != kNone) archive_.prefetchCell(l.cell);
+  for (const Look& l : looks) {
+    if (isNew(l)) archive_.prefetchCell(l.key);
   }
   for (const Look& l : looks) {
     Rollout& r = rollouts[l.rollout];
     if (isNew(l)) {
-      visit(r, l.key, l.cell, r.end, r.endLoose, r.ticks);
+      visit(r, l.key, archive_.find(l.key), r.end, r.endLoose, r.ticks);
       trails[l.rollout].kept = l.key;
     }
     if (l.key == trails[l.rollout].last) continue;

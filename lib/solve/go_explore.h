@@ -102,7 +102,6 @@ class GoExplore {
   struct Look {  // at where a rollout is after a tick
     uint64_t key;
     size_t rollout;
-    uint32_t cell;
   };
 
   void follow(Rollout& rollout, const KnownWay& way);

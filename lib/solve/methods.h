@@ -33,6 +33,8 @@ struct Watcher {
 struct SearchOutcome {
   Stopped stopped = Stopped::outOfTime;
   std::vector<Playthrough> solutions;  // accepted, distinct, shortest first
+  std::vector<RouteTally> routes;      // of the solutions, where several were asked for
+  bool diverse = false;                // the solutions differ in route
   std::vector<Playthrough> attempts;   // of those that failed; the closest first
   std::vector<EndCount> ends;
   Statistics statistics;

@@ -14,7 +14,7 @@ bool same(const sim::Action& a, const sim::Action& b) {
 }  // namespace
 
 Playthrough regenerate(const ExploreContext& context, uint64_t seed, const Problem& problem,
-                       const std::vector<Node>& nodes, const Node& end) {
+                       const ChunkedVector<Node>& nodes, const Node& end) {
   std::vector<const Node*> chain;
   for (const Node* n = &end; n->parent != kNone; n = &nodes[n->parent]) chain.push_back(n);
   Playthrough p;

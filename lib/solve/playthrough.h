@@ -23,6 +23,6 @@ struct Playthrough {
 
 // The playthrough that ends `end.ticks` ticks into rollout `end.rollout` from node `end.parent`.
 Playthrough regenerate(const ExploreContext& context, uint64_t seed, const Problem& problem,
-                       const std::vector<Node>& nodes, const Node& end);
+                       const ChunkedVector<Node>& nodes, const Node& end);
 
 }  // namespace obby::solve

@@ -26,13 +26,14 @@ struct Problem {
   std::vector<KnownWay> known = {};  // playthroughs of an earlier answer, tried first
 };
 
-// The answer depends on seed, maxSteps, solutions and the problem only, never on the number of
-// threads, unless `seconds` or `stop` ends the search.
+// The answer depends on seed, maxSteps, solutions, diverse and the problem only, never on the
+// number of threads, unless `seconds` or `stop` ends the search.
 struct Budget {
   uint64_t seed = 1;
   double seconds = std::numeric_limits<double>::infinity();  // wall clock
   uint64_t maxSteps = std::numeric_limits<uint64_t>::max();  // simulated ticks
   uint32_t solutions = 1;                                    // distinct ones to look for
+  bool diverse = false;                                      // distinct by route, not by path
   uint32_t attempts = 24;                                    // failed ones to show
   const std::atomic<bool>* stop = nullptr;                   // set from outside
 };

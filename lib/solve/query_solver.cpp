@@ -133,9 +133,7 @@ class Solving {
   std::string fillWay(schema::Trajectory::Builder record, const Problem& problem,
                       const Playthrough& p, ThreadPool& pool) const {
     const Course course = courseOf(problem, p);
-    const std::vector<int32_t> route = routeOf(course);
-    auto parts = record.initRoute(uint32_t(route.size()));
-    for (uint32_t i = 0; i < parts.size(); ++i) parts.set(i, route[i]);
+    fillRoute(record, routeOf(course));
     const Budget& b = options_.budget;
     const bool interrupted = b.stop != nullptr && b.stop->load();
     if (options_.difficultyTrials == 0 || course.ticks() == 0 || interrupted) return {};

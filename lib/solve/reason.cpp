@@ -25,7 +25,8 @@ std::string solvedText(const SearchOutcome& outcome, const level::Level& level) 
                                  plural(best.end.jumps, "jump"));
   if (const uint32_t n = targetsReached(best.end)) text += ", past " + plural(n, "waypoint");
   if (outcome.solutions.size() > 1) {
-    text += fmt::format("; the shortest of {} distinct ways", outcome.solutions.size());
+    text += fmt::format("; the shortest of {} {}", outcome.solutions.size(),
+                        outcome.diverse ? "routes" : "distinct ways");
   }
   if (outcome.knownSolutions > 0) text += "; an earlier way still works";
   return text;

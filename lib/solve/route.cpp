@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/carrier.h"
+#include "solve/targets.h"
 
 namespace obby::solve {
 
@@ -24,6 +25,39 @@ void dropTouches(std::vector<int32_t>& carriers) {
     }
     from = to;
   }
+}
+
+struct Stay {
+  int32_t part;
+  uint32_t reached;  // waypoints and visits, when it was left
+};
+
+// For a tick of being carried by `part`; -1: by none.
+void noteStay(std::vector<Stay>& stays, int32_t part, uint32_t reached) {
+  if (part < 0) return;
+  const size_t n = stays.size();
+  const bool back = n > 1 && stays[n - 2].part == part && stays[n - 2].reached == reached;
+  if (back) stays.pop_back();
+  if (back || (n > 0 && stays.back().part == part)) {
+    stays.back().reached = reached;
+  } else {
+    stays.push_back({part, reached});
+  }
+}
+
+// The part that carries the player at the end, or first after it; -1: none.
+int32_t landingPart(const Problem& problem, const Course& course) {
+  sim::World world = course.replay.worlds.back();
+  const auto left = course.replay.looseAt(course.ticks());
+  std::vector<sim::LooseBody> loose(left.begin(), left.end());
+  world.outcome = sim::Outcome::running;  // the goal ended it
+  for (uint32_t t = 0; t <= kLandingTicks; ++t) {
+    const uint32_t collider = sim::carrierOf(world, loose.data(), problem.level);
+    if (collider != level::kNone) return int32_t(problem.level.colliders[collider].part);
+    sim::advance(world, loose.data(), problem.level, nullptr, {});
+    if (world.outcome != sim::Outcome::running) return -1;
+  }
+  return -1;
 }
 
 }  // namespace
@@ -53,6 +87,17 @@ std::vector<int32_t> routeOf(const Course& course) {
   for (const int32_t part : course.carriers) {
     if (part >= 0 && (route.empty() || route.back() != part)) route.push_back(part);
   }
+  return route;
+}
+
+std::vector<int32_t> directRouteOf(const Problem& problem, const Course& course) {
+  std::vector<Stay> stays;
+  for (uint32_t t = 0; t <= course.ticks(); ++t) {
+    noteStay(stays, course.carriers[t], targetsReached(course.at(t)));
+  }
+  noteStay(stays, landingPart(problem, course), targetsReached(course.replay.worlds.back()));
+  std::vector<int32_t> route;
+  for (const Stay& stay : stays) route.push_back(stay.part);
   return route;
 }
 

@@ -33,6 +33,15 @@ Course courseOf(const Problem& problem, const Playthrough& playthrough);
 // The parts in order, none twice in a row. A player who starts on a part is carried from the start.
 std::vector<int32_t> routeOf(const Course& course);
 
+// The same for telling routes apart. Without trivial detours: who comes back to the part before,
+// having reached no waypoint and no visit since leaving it, has not left it. 0 1 0 2 and 0 1 3 1 0
+// 2 become 0 2; a round trip 0 1 3 0 stays. And with the part that a player who ends in the air
+// comes down on within kLandingTicks without keys, if any: whether the goal is reached just before
+// or after landing makes no other route.
+std::vector<int32_t> directRouteOf(const Problem& problem, const Course& course);
+
+constexpr uint32_t kLandingTicks = 120;
+
 // From coming to be carried by one part to coming to be carried by the next. The state at its start
 // is course.at(start), with course.replay.looseAt(start), before course.actions[start].
 struct Segment {

@@ -23,21 +23,18 @@ class Clock {
 void takeGoals(const GoExplore& search, size_t wanted, const Watcher& watcher, const Clock& clock,
                Solutions& solutions, SearchOutcome& outcome) {
   for (size_t i = 0; i < std::min(search.goals().size(), kChecksPerRound); ++i) {
-    Playthrough p = search.playthrough(search.goals()[i]);
-    if (!solutions.wants(p)) continue;
-    if (watcher.accept && !watcher.accept(p)) {
-      ++outcome.refused;
-      continue;
-    }
-    if (solutions.all().empty()) outcome.firstSolution = clock.seconds();
-    solutions.add(std::move(p));
-    if (solutions.all().size() >= wanted) return;
+    const bool first = solutions.count() == 0;
+    const auto offer = solutions.offer(search.playthrough(search.goals()[i]), watcher.accept);
+    if (offer == Solutions::Offer::refused) ++outcome.refused;
+    if (offer != Solutions::Offer::kept) continue;
+    if (first) outcome.firstSolution = clock.seconds();
+    if (solutions.count() >= wanted) return;
   }
 }
 
 std::optional<Stopped> whyStop(const Budget& budget, const GoExplore& search, const Clock& clock,
                                const Solutions& solutions) {
-  if (solutions.all().size() >= budget.solutions) return Stopped::solved;
+  if (solutions.count() >= budget.solutions) return Stopped::solved;
   if (budget.stop != nullptr && budget.stop->load()) return Stopped::interrupted;
   if (search.statistics().steps >= budget.maxSteps) return Stopped::outOfSteps;
   if (clock.seconds() >= budget.seconds) return Stopped::outOfTime;
@@ -64,7 +61,7 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget,
   const Clock clock;
   GoExplore search(problem, budget.seed, settings, machine, makeChooser);
   CoverageLog coverage;
-  Solutions solutions;
+  Solutions solutions(problem, budget.diverse ? byRoute() : byPath());
   SearchOutcome outcome;
   std::optional<Stopped> stopped;
   // Solutions come first in an answer: mostly the first still works.
@@ -73,7 +70,7 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget,
        first = next, next = all) {
     search.tryKnown(first, std::min(next, all) - first);
     takeGoals(search, budget.solutions, watcher, clock, solutions, outcome);
-    outcome.knownSolutions = uint32_t(solutions.all().size());
+    outcome.knownSolutions = uint32_t(solutions.count());
     if (outcome.knownSolutions >= budget.solutions) stopped = Stopped::solved;
   }
   while (!stopped) {
@@ -86,6 +83,8 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget,
   outcome.stopped = *stopped;
   outcome.seconds = clock.seconds();
   outcome.solutions = solutions.all();
+  outcome.diverse = budget.diverse;
+  if (budget.solutions > 1) outcome.routes = solutions.routes();
   outcome.attempts = showAttempts(search, budget.attempts);
   outcome.ends = search.attempts().counts();
   outcome.statistics = search.statistics();

@@ -1,14 +1,15 @@
 #include "solve/selection.h"
 
 #include <algorithm>
+#include <numeric>
+
+#include "solve/block_tasks.h"
 
 namespace obby::solve {
 
 namespace {
 
 constexpr float kWeightScale = 1048576.0f;  // weight of the best potential, never seen
-constexpr uint32_t kBlock = 512;            // cells a block of running sums
-constexpr uint32_t kTaskBlocks = 16;        // blocks a task of the pool
 
 uint64_t below(Random& random, uint64_t n) {
   const uint64_t high = random.next(), low = random.next();
@@ -22,35 +23,47 @@ uint32_t selectionWeight(float potential, float best, uint32_t seen, float hedge
   return 1u + uint32_t(kWeightScale * lean / sqrtf32(float(seen) + 1.0f));
 }
 
+// Fits: a block has at most 2^6 cells, and a cell at most weight 2^20 + 1.
+uint32_t Selector::blockSum(const Archive& archive, uint32_t block) {
+  const uint32_t first = block * Archive::kBlock;
+  const uint32_t count = std::min(Archive::kBlock, archive.cellCount() - first);
+  const float* const potentials = archive.potentials().at(first);
+  const uint32_t* const seen = archive.seen().at(first);
+  uint32_t* const weights = weights_.at(first);
+  const float best = best_, hedge = hedge_;
+  uint32_t sum = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    sum += weights[i] = selectionWeight(potentials[i], best, seen[i], hedge);
+  }
+  return sum;
+}
+
 void Selector::update(const Archive& archive, ThreadPool& pool) {
-  const uint32_t cells = archive.cellCount();
-  const uint32_t blocks = (cells + kBlock - 1) / kBlock;
-  weights_.resize(cells);
-  sums_.resize(blocks);
-  const float best = archive.bestPotential();
-  const float* potentials = archive.potentials().data();
-  const uint32_t* seen = archive.seen().data();
-  pool.run(int((blocks + kTaskBlocks - 1) / kTaskBlocks), [&](int task) {
-    const uint32_t last = std::min((uint32_t(task) + 1) * kTaskBlocks, blocks);
-    for (uint32_t block = uint32_t(task) * kTaskBlocks; block < last; ++block) {
-      uint64_t sum = 0;
-      const uint32_t end = std::min((block + 1) * kBlock, cells);
-      for (uint32_t i = block * kBlock; i < end; ++i) {
-        sum += weights_[i] = selectionWeight(potentials[i], best, seen[i], hedge_);
-      }
-      sums_[block] = sum;
+  const uint32_t since = archive.bestPotential() == best_ ? epoch_ : 0;
+  best_ = archive.bestPotential();
+  epoch_ = archive.epoch();
+  weights_.resize(archive.cellCount());
+  sums_.resize(archive.blockCount());
+  running_.resize(groupCount(archive));
+  forGroups(archive, pool, [&](uint32_t group, uint32_t first, uint32_t end) {
+    for (uint32_t block = first; block < end; ++block) {
+      if (archive.seenSince(block, since)) sums_[block] = blockSum(archive, block);
     }
+    running_[group] = std::accumulate(sums_.begin() + first, sums_.begin() + end, uint64_t(0));
   });
-  for (uint32_t block = 1; block < blocks; ++block) sums_[block] += sums_[block - 1];
+  std::partial_sum(running_.begin(), running_.end(), running_.begin());
 }
 
 uint32_t Selector::pick(Random& random) const {
-  uint64_t rest = below(random, sums_.back());
-  const size_t block = size_t(std::upper_bound(sums_.begin(), sums_.end(), rest) - sums_.begin());
-  if (block > 0) rest -= sums_[block - 1];
-  uint32_t cell = uint32_t(block) * kBlock;
+  uint64_t rest = below(random, running_.back());
+  const size_t group =
+      size_t(std::upper_bound(running_.begin(), running_.end(), rest) - running_.begin());
+  if (group > 0) rest -= running_[group - 1];
+  size_t block = group * kGroupBlocks;
+  while (rest >= sums_[block]) rest -= sums_[block++];
+  size_t cell = block * Archive::kBlock;
   while (rest >= weights_[cell]) rest -= weights_[cell++];
-  return cell;
+  return uint32_t(cell);
 }
 
 void Selector::choose(const Archive& archive, ThreadPool& pool, Random& random,

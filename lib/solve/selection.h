@@ -21,15 +21,21 @@ class Selector : public Chooser {
   void choose(const Archive& archive, ThreadPool& pool, Random& random,
               std::span<Choice> choices) override;
 
-  // Reads all weights anew. O(cells), shared by the pool's threads.
+  // Reads the weights of all blocks anew that have changed since the last time, shared by the
+  // pool's threads; all of them if there is a new best potential.
   void update(const Archive& archive, ThreadPool& pool);
   // A cell with probability in proportion to its weight.
   uint32_t pick(Random& random) const;
 
  private:
+  uint32_t blockSum(const Archive& archive, uint32_t block);
+
   float hedge_;
-  std::vector<uint32_t> weights_;  // (cells)
-  std::vector<uint64_t> sums_;     // (blocks), running sum up to and including each block
+  float best_ = 0;                   // potential that the weights are relative to
+  uint32_t epoch_ = 0;               // of the archive, in which they were read
+  ChunkedVector<uint32_t> weights_;  // (cells)
+  std::vector<uint32_t> sums_;       // (blocks)
+  std::vector<uint64_t> running_;    // (groups of blocks), sum up to and including each
 };
 
 // A tenth: a goal that is near and out of reach must not hold the search up.

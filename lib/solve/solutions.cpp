@@ -6,42 +6,61 @@ namespace obby::solve {
 
 namespace {
 
-bool shorter(const Playthrough& a, const Playthrough& b) {
-  return a.ticks < b.ticks || (a.ticks == b.ticks && a.end.jumps < b.end.jumps);
-}
-
-bool strays(const std::vector<Vec3>& a, const std::vector<Vec3>& b, float distance) {
-  return std::any_of(a.begin(), a.end(), [&](Vec3 p) {
-    return std::none_of(b.begin(), b.end(), [&](Vec3 q) {
-      const Vec3 d = p - q;
-      return dot(d, d) <= distance * distance;
-    });
-  });
+bool shorter(const Way& a, const Way& b) {
+  const Playthrough &p = a.playthrough, &q = b.playthrough;
+  return p.ticks < q.ticks || (p.ticks == q.ticks && p.end.jumps < q.end.jumps);
 }
 
 }  // namespace
 
-bool pathsDiffer(const std::vector<Vec3>& a, const std::vector<Vec3>& b, float distance) {
-  return strays(a, b, distance) || strays(b, a, distance);
+size_t Solutions::same(const Way& way) const {
+  const auto found = std::find_if(ways_.begin(), ways_.end(),
+                                  [&](const Way& other) { return identity_.same(way, other); });
+  return size_t(found - ways_.begin());
 }
 
-size_t Solutions::similar(const Playthrough& p) const {
-  return size_t(std::find_if(all_.begin(), all_.end(),
-                             [&](const Playthrough& other) {
-                               return !pathsDiffer(p.path, other.path, kDistinct);
-                             }) -
-                all_.begin());
+Solutions::Offer Solutions::offer(Playthrough p,
+                                  const std::function<bool(const Playthrough&)>& accept) {
+  Way way{std::move(p), {}, 1};
+  if (identity_.prepare != nullptr) identity_.prepare(problem_, way);
+  const size_t i = same(way);
+  if (i < ways_.size() && !shorter(way, ways_[i])) {
+    if (identity_.counts) ++ways_[i].found;
+    return Offer::known;
+  }
+  if (accept && !accept(way.playthrough)) return Offer::refused;
+  keep(std::move(way), i);
+  return Offer::kept;
 }
 
-bool Solutions::wants(const Playthrough& p) const {
-  const size_t i = similar(p);
-  return i == all_.size() || shorter(p, all_[i]);
+void Solutions::keep(Way way, size_t replaced) {
+  if (replaced < ways_.size()) {
+    if (identity_.counts) way.found += ways_[replaced].found;
+    ways_.erase(ways_.begin() + std::ptrdiff_t(replaced));
+  }
+  ways_.insert(std::upper_bound(ways_.begin(), ways_.end(), way, shorter), std::move(way));
 }
 
-void Solutions::add(Playthrough p) {
-  const size_t i = similar(p);
-  if (i < all_.size()) all_.erase(all_.begin() + std::ptrdiff_t(i));
-  all_.insert(std::upper_bound(all_.begin(), all_.end(), p, shorter), std::move(p));
+std::vector<Playthrough> Solutions::all() const {
+  std::vector<Playthrough> result;
+  for (const Way& way : ways_) result.push_back(way.playthrough);
+  return result;
+}
+
+std::vector<RouteTally> Solutions::routes() const {
+  std::vector<RouteTally> tallies;
+  for (Way way : ways_) {
+    noteRoute(problem_, way);
+    auto tally = std::find_if(tallies.begin(), tallies.end(),
+                              [&](const RouteTally& t) { return t.route == way.route; });
+    if (tally == tallies.end()) {  // the first is the shortest
+      tally = tallies.insert(tally, {way.route, 0, way.playthrough.ticks});
+    }
+    tally->count += way.found;
+  }
+  std::stable_sort(tallies.begin(), tallies.end(),
+                   [](const RouteTally& a, const RouteTally& b) { return a.count > b.count; });
+  return tallies;
 }
 
 }  // namespace obby::solve

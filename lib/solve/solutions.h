@@ -1,29 +1,45 @@
-// The distinct solutions of a query, shortest first. Two solutions are distinct if one of them is
-// somewhere kDistinct studs away from all of the other.
+// The solutions of a query that differ, shortest first: of those that are the same by `identity`
+// the shortest is kept.
 #pragma once
 
+#include <functional>
 #include <vector>
 
-#include "solve/playthrough.h"
+#include "solve/way_identity.h"
 
 namespace obby::solve {
 
-constexpr float kDistinct = 4;  // studs
+// Solutions that take the same route.
+struct RouteTally {
+  std::vector<int32_t> route;  // directRouteOf()
+  uint64_t count = 0;
+  uint32_t ticks = 0;  // of the shortest
+};
 
 class Solutions {
  public:
-  // Would this way change the set: distinct from all, or better than the one it resembles?
-  bool wants(const Playthrough& p) const;
-  // Adds it, in place of a worse one that it resembles.
-  void add(Playthrough p);
-  const std::vector<Playthrough>& all() const { return all_; }  // fewest ticks, then jumps, first
+  enum class Offer { kept, known, refused };
+
+  // The problem must outlive it.
+  Solutions(const Problem& problem, const WayIdentity& identity)
+      : problem_(problem), identity_(identity) {}
+
+  // Keeps a way that is distinct from all, or better than the one that it is the same as and whose
+  // place it takes; those only are put to `accept`, which may be empty.
+  Offer offer(Playthrough p, const std::function<bool(const Playthrough&)>& accept);
+
+  size_t count() const { return ways_.size(); }
+  std::vector<Playthrough> all() const;  // fewest ticks, then jumps, first
+  // All solutions by route: most frequent, then shortest, first.
+  std::vector<RouteTally> routes() const;
 
  private:
-  size_t similar(const Playthrough& p) const;
-  std::vector<Playthrough> all_;
-};
+  size_t same(const Way& way) const;
+  void keep(Way way, size_t replaced);
 
-// Is some point of either path farther than `distance` from every point of the other?
-bool pathsDiffer(const std::vector<Vec3>& a, const std::vector<Vec3>& b, float distance);
+  const Problem& problem_;
+  const WayIdentity& identity_;
+  std::vector<Way> ways_;
+};
 
 }  // namespace obby::solve

@@ -85,7 +85,8 @@ std::string query(const std::string& fields) {
   return R"({"type":"query","id":"q",)" + fields + "}\n";
 }
 
-// Three gaps of 8 studs, each of which takes a jump: one of 6 can be crossed in a fall that the legs still end.
+// Three gaps of 8 studs, each of which takes a jump: one of 6 can be crossed in a fall that the
+// legs still end.
 const std::string kFourStones = level(R"({"name":"A","position":[0,-0.5,-4],"size":[8,1,8]},)"
                                       R"({"name":"B","position":[0,-0.5,-20],"size":[8,1,8]},)"
                                       R"({"name":"C","position":[0,-0.5,-36],"size":[8,1,8]},)"

@@ -115,6 +115,10 @@ std::vector<OptionRow> searchRows() {
       between(row("solutions", ValueType::integer, "K", "1", "look for K distinct solutions",
                   kSearchGroup),
               1, 1000),
+      row("diverse", ValueType::flag, "", "",
+          "of --solutions: differ in route, the parts stood on and in which order; one of each, "
+          "with counts",
+          kSearchGroup),
       between(row("attempts", ValueType::integer, "N", "24", "failed attempts to show a query",
                   kSearchGroup),
               0, 1000),
@@ -243,6 +247,7 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
   b.seconds = a.number("time-limit");
   if (a.has("max-steps")) b.maxSteps = uint64_t(a.integer("max-steps"));
   b.solutions = uint32_t(a.integer("solutions"));
+  b.diverse = a.flag("diverse");
   b.attempts = uint32_t(a.integer("attempts"));
   b.stop = &context.stop();
   o.progress = [&context](const solve::QueryProgress& p) {
