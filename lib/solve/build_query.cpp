@@ -3,6 +3,8 @@
 #include <capnp/schema.h>
 #include <fmt/format.h>
 
+#include <span>
+
 #include "level/resolve_places.h"
 #include "level/select_parts.h"
 
@@ -18,14 +20,19 @@ Error inOption(Error error, const char* option) {
   return error;
 }
 
-// Which option a field of the query comes from.
-const char* optionOf(const std::string& path) {
-  constexpr std::pair<const char*, const char*> kOptions[] = {{"start", "--start"},
-                                                              {"goal", "--goal"},
-                                                              {"waypoints", "--waypoint"},
-                                                              {"visits", "--visit"},
-                                                              {"avoid", "--avoid"}};
-  for (const auto& [field, option] : kOptions) {
+// Which options the fields of the query come from.
+struct FieldOption {
+  const char *field, *option;
+};
+constexpr FieldOption kQueryOptions[] = {{"start", "--start"},
+                                         {"goal", "--goal"},
+                                         {"waypoints", "--waypoint"},
+                                         {"visits", "--visit"},
+                                         {"avoid", "--avoid"}};
+constexpr FieldOption kPassOptions[] = {{"visits", "--pass"}, {"avoid", "--not-pass"}};
+
+const char* optionOf(const std::string& path, std::span<const FieldOption> options) {
+  for (const auto& [field, option] : options) {
     if (path.starts_with(field)) return option;
   }
   return "";
@@ -159,9 +166,10 @@ Status fill(schema::Level::Reader level, const QuickQuery& quick, schema::Query:
   return {};
 }
 
-Result<io::Record> resolved(schema::Level::Reader level, io::RecordBuilder record) {
+Result<io::Record> resolved(schema::Level::Reader level, io::RecordBuilder record,
+                            std::span<const FieldOption> options) {
   if (Status status = level::resolvePlaces(level, record.root().getQuery()); !status) {
-    const char* option = optionOf(status.error().path);
+    const char* option = optionOf(status.error().path, options);
     return inOption(std::move(status).error(), option);
   }
   return io::Record(std::move(record));
@@ -177,14 +185,24 @@ Result<io::Record> buildQuery(schema::Level::Reader level, const QuickQuery& qui
   query.setLevel(level.getName());
   OBBY_RETURN_IF_ERROR(fill(level, quick, query));
   OBBY_RETURN_IF_ERROR(fillDefaults(level, query));
-  return resolved(level, std::move(record));
+  return resolved(level, std::move(record), kQueryOptions);
+}
+
+Result<io::Record> buildPlaces(schema::Level::Reader level, const std::vector<std::string>& pass,
+                               const std::vector<std::string>& notPass) {
+  io::RecordBuilder record;
+  auto query = record.root().initQuery();
+  OBBY_RETURN_IF_ERROR(fillPlaces(query.initVisits(uint32_t(pass.size())), pass, "--pass"));
+  OBBY_RETURN_IF_ERROR(
+      fillPlaces(query.initAvoid(uint32_t(notPass.size())), notPass, "--not-pass"));
+  return resolved(level, std::move(record), kPassOptions);
 }
 
 Result<io::Record> changeQuery(schema::Level::Reader level, const QuickQuery& quick,
                                const io::Record& query) {
   io::RecordBuilder record(query.reader());
   OBBY_RETURN_IF_ERROR(fill(level, quick, record.root().getQuery()));
-  return resolved(level, std::move(record));
+  return resolved(level, std::move(record), kQueryOptions);
 }
 
 }  // namespace obby::solve

@@ -29,6 +29,11 @@ struct QuickQuery {
 Result<io::Record> buildQuery(schema::Level::Reader level, const QuickQuery& quick,
                               const std::string& id);
 
+// A query record of places alone: `visits` to pass, `avoid` not to. Errors as above, of the options
+// --pass and --not-pass.
+Result<io::Record> buildPlaces(schema::Level::Reader level, const std::vector<std::string>& pass,
+                               const std::vector<std::string>& notPass);
+
 // The query of a stream with what `quick` asks for in place of its own. Errors as above.
 Result<io::Record> changeQuery(schema::Level::Reader level, const QuickQuery& quick,
                                const io::Record& query);

@@ -28,9 +28,7 @@ Result<io::Then> Filter::handle(const io::Record& record) {
   switch (record.which()) {
     case io::Kind::LEVEL: return handleLevel(record);
     case io::Kind::QUERY: return handleQuery(record);
-    case io::Kind::TRAJECTORY:
-      if (options_.verifyOnly) OBBY_RETURN_IF_ERROR(check(record.reader().getTrajectory()));
-      return io::Then::pass;
+    case io::Kind::TRAJECTORY: return handleTrajectory(record.reader().getTrajectory());
     default: return io::Then::pass;
   }
 }
@@ -42,7 +40,11 @@ Result<io::Then> Filter::handleLevel(const io::Record& record) {
   last_ = std::make_shared<const LoadedLevel>(std::move(loaded));
   lastAsked_ = false;
   levels_[last_->level.name()] = last_;
-  if (!options_.quick || options_.each || options_.verifyOnly) return io::Then::pass;
+  if (options_.task == Task::filter) {
+    OBBY_ASSIGN(PassFilter filter, PassFilter::make(record.reader().getLevel(), options_.passes));
+    passFilters_.insert_or_assign(last_->level.name(), std::move(filter));
+  }
+  if (!options_.quick || options_.each || options_.task != Task::answer) return io::Then::pass;
   lastAsked_ = true;
   OBBY_ASSIGN(const io::Record query,
               buildQuery(record.reader().getLevel(), *options_.quick, "command-line"));
@@ -52,13 +54,14 @@ Result<io::Then> Filter::handleLevel(const io::Record& record) {
 }
 
 Result<io::Then> Filter::handleQuery(const io::Record& record) {
+  if (options_.task == Task::filter) return io::Then::pass;
   const auto query = record.reader().getQuery();
   OBBY_ASSIGN(const LevelPointer level, levelNamed(query.getLevel()));
   if (level == last_) lastAsked_ = true;
   const bool asked = options_.quick && !options_.each;  // in place of the stream's queries
-  if (asked && !options_.verifyOnly) return io::Then::pass;
+  if (asked && options_.task == Task::answer) return io::Then::pass;
   OBBY_ASSIGN(const io::Record full, resolved(*level, record));
-  if (options_.verifyOnly) {
+  if (options_.task == Task::verify) {
     queries_.insert_or_assign({level->level.name(), query.getId()}, full);
     return io::Then::pass;
   }
@@ -133,7 +136,7 @@ Status Filter::ask(const LoadedLevel& level, const io::Record& query) {
 }
 
 Status Filter::askDefault() {
-  if (!last_ || lastAsked_ || options_.verifyOnly || !options_.only.empty()) return {};
+  if (!last_ || lastAsked_ || options_.task != Task::answer || !options_.only.empty()) return {};
   lastAsked_ = true;
   const auto level = last_->record.reader().getLevel();
   OBBY_ASSIGN(const io::Record query,
@@ -153,6 +156,19 @@ Status Filter::finishInput() {
                  others_.empty() ? "there are no queries" : "there is " + joined(others_)};
   }
   return {};
+}
+
+Result<io::Then> Filter::handleTrajectory(schema::Trajectory::Reader trajectory) {
+  if (options_.task == Task::verify) OBBY_RETURN_IF_ERROR(check(trajectory));
+  if (options_.task != Task::filter) return io::Then::pass;
+  OBBY_ASSIGN(const bool kept, keeps(trajectory));
+  ++(kept ? counts_.kept : counts_.dropped);
+  return kept ? io::Then::pass : io::Then::drop;
+}
+
+Result<bool> Filter::keeps(schema::Trajectory::Reader trajectory) {
+  OBBY_ASSIGN(const LevelPointer level, levelNamed(trajectory.getLevel()));
+  return passFilters_.at(level->level.name()).keeps(level->level, trajectory);
 }
 
 Status Filter::check(schema::Trajectory::Reader trajectory) {

@@ -12,11 +12,20 @@
 
 #include "io/pipeline.h"
 #include "solve/build_query.h"
+#include "solve/pass_filter.h"
 #include "solve/query_solver.h"
 
 namespace obby::solve {
 
+// What is done with a stream's queries and trajectories.
+enum class Task {
+  answer,  // the queries
+  verify,  // check the trajectories
+  filter,  // drop trajectories that `passes` does not keep
+};
+
 struct FilterOptions {
+  Task task = Task::answer;
   SolverOptions solver;
   EarlierAnswers earlier;  // of the same queries
   bool remember = false;   // keep the answers, for takeEarlier()
@@ -25,7 +34,7 @@ struct FilterOptions {
   std::vector<std::string> only;    // ids of the queries to answer; empty: all
   std::optional<QuickQuery> quick;  // asked of every level instead of the stream's queries
   bool each = false;                // `quick` changes the stream's queries instead
-  bool verifyOnly = false;          // check the stream's trajectories, answer nothing
+  PassRule passes;
   std::function<void(const QueryProgress&)> progress;  // may be empty
   std::function<void(const Error&)> deviceFailed;      // the CPU went on; may be empty
 };
@@ -33,6 +42,7 @@ struct FilterOptions {
 struct FilterCounts {
   uint64_t solved = 0, unreachable = 0, unknown = 0;
   uint64_t verified = 0;  // trajectories that were right
+  uint64_t kept = 0, dropped = 0;
 };
 
 class Filter {
@@ -55,7 +65,9 @@ class Filter {
 
   Result<io::Then> handleLevel(const io::Record& record);
   Result<io::Then> handleQuery(const io::Record& record);
+  Result<io::Then> handleTrajectory(schema::Trajectory::Reader trajectory);
   Status check(schema::Trajectory::Reader trajectory);
+  Result<bool> keeps(schema::Trajectory::Reader trajectory);
   Status askDefault();
   Status ask(const LoadedLevel& level, const io::Record& query);
   Status answer(const LoadedLevel& level, schema::Query::Reader query);
@@ -69,6 +81,7 @@ class Filter {
   io::Pipeline& pipeline_;
   ThreadPool pool_;
   std::map<std::string, LevelPointer> levels_;
+  std::map<std::string, PassFilter> passFilters_;                      // by level
   LevelPointer last_;                                                  // the level record before
   bool lastAsked_ = false;                                             // it has a query
   std::map<std::pair<std::string, std::string>, io::Record> queries_;  // by level and id

@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/targets.h"
-
 namespace obby::solve {
 
 Judge::Judge(schema::Query::Reader query, const level::LevelView& level) : level_(level) {
-  if (query.hasGoal()) goals_.push_back(placeOf(query.getGoal()));
-  for (const auto goal : query.getGoals()) goals_.push_back(placeOf(goal));
-  for (const auto visit : query.getVisits()) visits_.push_back(placeOf(visit));
-  for (const auto avoid : query.getAvoid()) avoid_.push_back(placeOf(avoid));
+  if (query.hasGoal()) goals_.emplace_back(query.getGoal());
+  for (const auto goal : query.getGoals()) goals_.emplace_back(goal);
+  for (const auto visit : query.getVisits()) visits_.emplace_back(visit);
+  for (const auto avoid : query.getAvoid()) avoid_.emplace_back(avoid);
   for (const auto w : query.getWaypoints()) {
-    stops_.push_back({placeOf(w.getRegion()),
+    stops_.push_back({Place(w.getRegion()),
                       w.getMaxJumps(),
                       ticksOf(w.getTimeLimit()),
                       {w.getSegmentJumps(), ticksOf(w.getSegmentTime())}});
@@ -27,28 +25,9 @@ Judge::Judge(schema::Query::Reader query, const level::LevelView& level) : level
   visited_.assign(visits_.size(), false);
 }
 
-Judge::Place Judge::placeOf(schema::Region::Reader region) const {
-  return {BoxRegion(region), region.getTouch() ? region.getPartIndex() : -1};
-}
-
 int64_t Judge::ticksOf(float seconds) const {
   if (!(seconds > 0)) return -1;
   return int64_t(std::floor(double(seconds) * level_.params.controlRate + 1e-4));
-}
-
-bool Judge::touchesPart(int64_t part, const Moment& m) const {
-  const sim::Limbs limbs = sim::limbsOf(m.world, level_.params);
-  for (uint32_t i = 0; i < level_.colliderCount; ++i) {
-    if (int64_t(level_.colliders[i].part) != part) continue;
-    if (sim::touchesCollider(m.world, m.loose.data(), level_, i, limbs)) return true;
-  }
-  return false;
-}
-
-bool Judge::holds(const Place& place, const Moment& m) const {
-  if (place.touch >= 0) return touchesPart(place.touch, m);
-  const Vec3 feet = m.world.position;
-  return place.box.holds({feet.x, feet.y, feet.z}, level_.params.bodyTop);
 }
 
 bool Judge::tooManyJumps(int64_t jumps) const {

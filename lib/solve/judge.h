@@ -10,7 +10,7 @@
 #include "level/level_view.h"
 #include "sim/loose.h"
 #include "sim/world.h"
-#include "solve/box_region.h"
+#include "solve/place.h"
 
 namespace obby::solve {
 
@@ -28,10 +28,6 @@ class Judge {
   void note(sim::World& world) const;
 
  private:
-  struct Place {
-    BoxRegion box;
-    int64_t touch;  // part to be touched; -1: the box counts
-  };
   struct Segment {
     int64_t jumps, ticks;  // at most; -1: any
   };
@@ -46,10 +42,10 @@ class Judge {
     std::span<const sim::LooseBody> loose;
   };
 
-  Place placeOf(schema::Region::Reader region) const;
   int64_t ticksOf(float seconds) const;
-  bool holds(const Place& place, const Moment& m) const;
-  bool touchesPart(int64_t part, const Moment& m) const;
+  bool holds(const Place& place, const Moment& m) const {
+    return place.holds(level_, m.world, m.loose);
+  }
   bool tooManyJumps(int64_t jumps) const;
   bool tooLate(int64_t tick) const;
   bool atGoal(const Moment& m) const;

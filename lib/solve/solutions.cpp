@@ -13,32 +13,23 @@ bool shorter(const Way& a, const Way& b) {
 
 }  // namespace
 
-size_t Solutions::same(const Way& way) const {
-  const auto found = std::find_if(ways_.begin(), ways_.end(),
-                                  [&](const Way& other) { return identity_.same(way, other); });
-  return size_t(found - ways_.begin());
-}
-
 Solutions::Offer Solutions::offer(Playthrough p,
                                   const std::function<bool(const Playthrough&)>& accept) {
   Way way{std::move(p), {}, 1};
   if (identity_.prepare != nullptr) identity_.prepare(problem_, way);
-  const size_t i = same(way);
-  if (i < ways_.size() && !shorter(way, ways_[i])) {
-    if (identity_.counts) ++ways_[i].found;
+  const auto isSame = [&](const Way& other) { return identity_.same(way, other); };
+  const auto shortest = std::ranges::find_if(ways_, isSame);
+  if (shortest != ways_.end() && !shorter(way, *shortest)) {
+    if (identity_.counts) ++shortest->found;
     return Offer::known;
   }
   if (accept && !accept(way.playthrough)) return Offer::refused;
-  keep(std::move(way), i);
-  return Offer::kept;
-}
-
-void Solutions::keep(Way way, size_t replaced) {
-  if (replaced < ways_.size()) {
-    if (identity_.counts) way.found += ways_[replaced].found;
-    ways_.erase(ways_.begin() + std::ptrdiff_t(replaced));
+  for (const Way& other : ways_) {
+    if (identity_.counts && isSame(other)) way.found += other.found;
   }
+  std::erase_if(ways_, isSame);
   ways_.insert(std::upper_bound(ways_.begin(), ways_.end(), way, shorter), std::move(way));
+  return Offer::kept;
 }
 
 std::vector<Playthrough> Solutions::all() const {

@@ -24,7 +24,7 @@ class Solutions {
   Solutions(const Problem& problem, const WayIdentity& identity)
       : problem_(problem), identity_(identity) {}
 
-  // Keeps a way that is distinct from all, or better than the one that it is the same as and whose
+  // Keeps a way that is distinct from all, or better than all that it is the same as and whose
   // place it takes; those only are put to `accept`, which may be empty.
   Offer offer(Playthrough p, const std::function<bool(const Playthrough&)>& accept);
 
@@ -34,9 +34,6 @@ class Solutions {
   std::vector<RouteTally> routes() const;
 
  private:
-  size_t same(const Way& way) const;
-  void keep(Way way, size_t replaced);
-
   const Problem& problem_;
   const WayIdentity& identity_;
   std::vector<Way> ways_;

@@ -21,7 +21,16 @@ bool samePath(const Way& a, const Way& b) {
   return !pathsDiffer(a.playthrough.path, b.playthrough.path, kDistinct);
 }
 
-bool sameRoute(const Way& a, const Way& b) { return a.route == b.route; }
+// Is `longer` the same as `shorter` but for one more part?
+bool oneMore(const std::vector<int32_t>& longer, const std::vector<int32_t>& shorter) {
+  if (longer.size() != shorter.size() + 1) return false;
+  const auto [l, s] = std::mismatch(longer.begin(), longer.end(), shorter.begin(), shorter.end());
+  return std::equal(l + 1, longer.end(), s, shorter.end());
+}
+
+bool sameRoute(const Way& a, const Way& b) {
+  return a.route == b.route || oneMore(a.route, b.route) || oneMore(b.route, a.route);
+}
 
 }  // namespace
 

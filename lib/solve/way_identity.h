@@ -27,7 +27,8 @@ struct WayIdentity {
 
 // Nowhere are they farther than kDistinct apart.
 const WayIdentity& byPath();
-// The same parts carry the player, in the same order, trivial detours aside.
+// The same parts carry the player, in the same order, trivial detours aside and but for at most one
+// part more or less: who touches a second part in passing has taken no other route.
 const WayIdentity& byRoute();
 
 // Is some point of either path farther than `distance` from every point of the other?

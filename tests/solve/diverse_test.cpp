@@ -87,6 +87,23 @@ TEST(Solutions, OfOneRouteTheShortestIsKeptAndAllAreCounted) {
   EXPECT_EQ(routes[0].ticks, played(s.problem, 0).ticks);
 }
 
+Way routed(Route route) { return {Playthrough{}, std::move(route), 1}; }
+
+TEST(WayIdentity, ARouteIsTheSameWithOnePartMore) {
+  const auto same = [](const Route& a, const Route& b) {
+    EXPECT_EQ(byRoute().same(routed(a), routed(b)), byRoute().same(routed(b), routed(a)));
+    return byRoute().same(routed(a), routed(b));
+  };
+  EXPECT_TRUE(same({0, 1, 3}, {0, 1, 3}));
+  EXPECT_TRUE(same({0, 2, 1, 3}, {0, 1, 3}));
+  EXPECT_TRUE(same({0, 1, 3}, {0, 1, 3, 4}));
+  EXPECT_TRUE(same({0, 1}, {2, 0, 1}));
+  EXPECT_FALSE(same({0, 1, 3}, {0, 2, 3}));
+  EXPECT_FALSE(same({0, 1, 3}, {0, 3, 1}));
+  EXPECT_FALSE(same({0, 1, 2, 3}, {0, 3}));
+  EXPECT_FALSE(same({0, 1, 2, 3}, {0, 2, 1}));
+}
+
 TEST(Solutions, ARefusedWayCountsNowhere) {
   Stones s;
   Solutions solutions(s.problem, byRoute());
@@ -135,7 +152,7 @@ TEST(Diverse, BothSidesOfAForkAreFoundOnceEach) {
   for (size_t end; (end = output.find('\n', at)) != std::string::npos; at = end + 1) {
     const auto record = io::recordFromJson(output.substr(at, end - at));
     ASSERT_TRUE(record);
-    if (record->reader().isTrajectory()) ++trajectories;
+    trajectories += record->reader().isTrajectory();
     if (!record->reader().isResult()) continue;
     uint64_t last = ~0ull;
     for (const auto r : record->reader().getResult().getRoutes()) {

@@ -73,7 +73,7 @@ TEST(Doom, AttemptsAreShownToTheEndOfTheirFall) {
   ASSERT_TRUE(f.status);
   EXPECT_NE(f.output.find("\"outcome\":\"fell\",\"position\""), std::string::npos);
   FilterOptions verify;
-  verify.verifyOnly = true;
+  verify.task = Task::verify;
   const LinesFile answered(f.output);
   const Filtered checked = runFilter(answered.path(), verify);
   EXPECT_TRUE(checked.status) << checked.status.error().text();

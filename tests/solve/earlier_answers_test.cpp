@@ -77,7 +77,7 @@ TEST(EarlierAnswer, StillWorksOnTheSameLevelAtOnce) {
   EXPECT_THAT(again, HasSubstr("an earlier way still works"));
   EXPECT_LT(stepsOf(again), 400u);  // one playthrough, not a round of them
   FilterOptions verify;
-  verify.verifyOnly = true;
+  verify.task = Task::verify;
   const LinesFile file(again);
   EXPECT_TRUE(runFilter(file.path(), verify).status);
 }

@@ -61,7 +61,7 @@ TEST(Search, SolvesTheSteppingStonesAndEveryTrajectoryReplays) {
   EXPECT_EQ(a.trajectories[0].reader().getTrajectory().getOutcome(), schema::Outcome::GOAL);
   EXPECT_EQ(a.trajectories[0].reader().getTrajectory().getTicks(), result.getTicks());
   FilterOptions verify;
-  verify.verifyOnly = true;
+  verify.task = Task::verify;
   const Filtered checked = solve(f.output, verify);
   EXPECT_TRUE(checked.status) << checked.status.error().text();
   EXPECT_EQ(checked.counts.verified, a.trajectories.size());
@@ -73,7 +73,7 @@ TEST(Search, AVerifiedStreamThatWasTamperedWithIsRefused) {
   ASSERT_NE(at, std::string::npos);
   f.output.insert(at + 10, "1");
   FilterOptions verify;
-  verify.verifyOnly = true;
+  verify.task = Task::verify;
   EXPECT_FALSE(solve(f.output, verify).status);
 }
 

@@ -16,6 +16,18 @@ cli::ExitCode exitCode(const cli::Context& context, const solve::FilterCounts& c
   return counts.unknown > 0 ? cli::ExitCode::unknown : cli::ExitCode::ok;
 }
 
+std::string summary(solve::Task task, const solve::FilterCounts& counts) {
+  switch (task) {
+    case solve::Task::verify:
+      return fmt::format("{} trajectories replayed as recorded", counts.verified);
+    case solve::Task::filter:
+      return fmt::format("{} of {} trajectories kept", counts.kept, counts.kept + counts.dropped);
+    case solve::Task::answer: break;
+  }
+  return fmt::format("{} solved, {} unreachable, {} unknown", counts.solved, counts.unreachable,
+                     counts.unknown);
+}
+
 // One stream in, one stream out. The options keep the answers for the next run.
 Status solveOnce(cli::Context& context, solve::FilterOptions& options,
                  const std::atomic<bool>& stop, solve::FilterCounts& counts) {
@@ -31,10 +43,7 @@ Status solveOnce(cli::Context& context, solve::FilterOptions& options,
   OBBY_RETURN_IF_ERROR(std::move(status));
   OBBY_RETURN_IF_ERROR(finished);
   counts = filter.counts();
-  context.note(options.verifyOnly
-                   ? fmt::format("{} trajectories replayed as recorded", counts.verified)
-                   : fmt::format("{} solved, {} unreachable, {} unknown", counts.solved,
-                                 counts.unreachable, counts.unknown));
+  context.note(summary(options.task, counts));
   return {};
 }
 

@@ -12,6 +12,7 @@ using cli::ValueType;
 
 constexpr const char* kQueryGroup = "Asking on the command line";
 constexpr const char* kSearchGroup = "Search";
+constexpr const char* kAnsweredGroup = "Streams that are answered: nothing is searched";
 
 OptionRow row(const char* name, ValueType type, const char* value, const char* defaultText,
               const char* help, const char* group) {
@@ -140,8 +141,6 @@ std::vector<OptionRow> searchRows() {
       cli::commonRow(cli::Common::seed),
       cli::commonRow(cli::Common::threads),
       backendRow(),
-      row("verify", ValueType::flag, "", "",
-          "only check the trajectories of the stream by replaying them", kSearchGroup),
       row("final-only", ValueType::flag, "", "", "leave progress records out of the stream",
           kSearchGroup),
       row("explain", ValueType::flag, "", "",
@@ -152,6 +151,17 @@ std::vector<OptionRow> searchRows() {
                    "exit with 1 if a query has no solution, with 3 if a verdict is unknown",
                    kSearchGroup),
                'e'),
+  };
+}
+
+std::vector<OptionRow> answeredRows() {
+  return {
+      row("verify", ValueType::flag, "", "", "check the trajectories by replaying them",
+          kAnsweredGroup),
+      repeatable(row("pass", ValueType::text, "PLACE", "",
+                     "keep only trajectories that pass here; repeat: and here", kAnsweredGroup)),
+      repeatable(row("not-pass", ValueType::text, "PLACE", "",
+                     "keep only trajectories that do not pass here; repeat", kAnsweredGroup)),
   };
 }
 
@@ -196,12 +206,15 @@ cli::ToolSpec solveSpec() {
        "obby-solve -e --query any --solutions 3 several-routes.jsonl > ways.jsonl"},
       {"which moment of the way is the hardest?",
        "obby-solve --difficulty --query posts timed-jumps.jsonl | obby-view -o posts.html"},
+      {"of many ways those over the beam, without the ramp",
+       "obby-solve --query any --solutions 20 --diverse --max-steps 200000 several-routes.jsonl | "
+       "obby-solve --pass touch:Beam --not-pass 'touch:Ramp up' > beam.jsonl"},
       {"check what somebody else found",
        "obby-solve wedge-climb.jsonl | obby-solve --verify > /dev/null"},
   };
   spec.options = {cli::commonRow(cli::Common::output), cli::commonRow(cli::Common::format),
                   cli::commonRow(cli::Common::progress), cli::commonRow(cli::Common::onError)};
-  for (const auto& rows : {queryRows(), searchRows()}) {
+  for (const auto& rows : {queryRows(), searchRows(), answeredRows()}) {
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   }
   spec.notes =
@@ -223,7 +236,12 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
   solve::FilterOptions o;
   o.threads = context.threads();
   o.only = a.list("query");
-  o.verifyOnly = a.flag("verify");
+  o.passes = {a.list("pass"), a.list("not-pass")};
+  if (!o.passes.empty()) o.task = solve::Task::filter;
+  if (a.flag("verify")) o.task = solve::Task::verify;
+  if (a.flag("verify") && !o.passes.empty()) {
+    return Error{{}, {}, "--verify", "does not go with --pass and --not-pass", {}};
+  }
   if (asksQuickly(a)) o.quick = quickQuery(a);
   o.each = a.flag("each");
   if (o.each && !o.quick) {
