@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/thread_pool.h"
+#include "common/endless_problem.h"
 #include "common/report.h"
 #include "sim/simulator.h"
 #include "solve/archive.h"
@@ -136,14 +137,7 @@ class Bench {
 int main(int argc, char** argv) {
   bench::Report report(argc, argv, "archive");
   const level::Level level = support::boxArena(20, 1).compile();
-  level::QueryView query;
-  query.goal.region = {{{0, 500, 0}, {}}, {2, 2, 2}};
-  const solve::Problem problem{level.view(),
-                               query,
-                               sim::makeWorld(level.view(), level.spawns()[0]),
-                               sim::makeLoose(level.view()),
-                               level.bounds(),
-                               level.hasMotion()};
+  const solve::Problem problem = bench::endlessProblem(level);
   Bench bench(report, problem);
   bench.run("million", 1'000'000);
   bench.run("tenMillion", 10'000'000);

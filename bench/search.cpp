@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/thread_pool.h"
+#include "common/endless_problem.h"
 #include "common/report.h"
 #include "sim/simulator.h"
 #include "sim/wide_tick.h"
@@ -84,14 +85,7 @@ void addTo(Sums& sums, Work&& work) {
 }
 
 void scene(bench::Report& report, const char* name, const level::Level& level, ThreadPool& pool) {
-  level::QueryView query;
-  query.goal.region = {{{0, 500, 0}, {}}, {2, 2, 2}};
-  const solve::Problem problem{level.view(),
-                               query,
-                               sim::makeWorld(level.view(), level.spawns()[0]),
-                               sim::makeLoose(level.view()),
-                               level.bounds(),
-                               level.hasMotion()};
+  const solve::Problem problem = bench::endlessProblem(level);
   solve::GoExplore search(problem, 1, solve::GoExploreSettings{}, pool);
   Sums raw, found;
   for (int slice = 0; slice < kSlices; ++slice) {
