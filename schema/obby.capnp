@@ -554,6 +554,8 @@ struct Progress {
   closest @5 :Float32;       # studs from the goal (or the next waypoint), least so far
   waypoints @6 :UInt32;      # most waypoints and visits reached so far
   best @7 :Trajectory;       # the attempt that came closest
+  newest @8 :Trajectory;     # the way to the newest place that the search knows
+  deaths @9 :List(Trajectory);  # the last attempts that failed as or where none had before, newest first
 }
 
 enum Verdict {

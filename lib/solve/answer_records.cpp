@@ -7,6 +7,8 @@ namespace obby::solve {
 
 namespace {
 
+constexpr size_t kProgressDeaths = 3;  // of a progress record
+
 // World::part is an index into one of two lists.
 template <class Record>
 void fillBlame(Record record, sim::Outcome outcome, uint32_t part) {
@@ -84,9 +86,17 @@ void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identi
   record.setRounds(s.rounds);
   record.setClosest(s.closest.distance);
   record.setWaypoints(s.closest.targets);
-  if (s.closest.way.parent != kNone) {
-    fillTrajectory(record.initBest(), identity, view.search.playthrough(s.closest.way), 0);
-  }
+  uint32_t index = 0;
+  const auto fillWay = [&](schema::Trajectory::Builder way, const Node& end) {
+    fillTrajectory(way, identity, view.search.playthrough(end), index++);
+  };
+  if (s.closest.way.parent != kNone) fillWay(record.initBest(), s.closest.way);
+  const Archive& archive = view.search.archive();
+  const Node newest = archive.nodes()[archive.node(archive.cellCount() - 1)];
+  if (newest.parent != kNone) fillWay(record.initNewest(), newest);
+  const auto ends = view.search.attempts().newestFailures(kProgressDeaths);
+  auto deaths = record.initDeaths(uint32_t(ends.size()));
+  for (uint32_t i = 0; i < deaths.size(); ++i) fillWay(deaths[i], ends[i].way);
 }
 
 schema::Verdict verdictOf(const SearchOutcome& outcome) {

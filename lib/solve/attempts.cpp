@@ -38,6 +38,14 @@ std::vector<EndCount> Attempts::counts() const {
   return result;
 }
 
+std::vector<AttemptEnd> Attempts::newestFailures(size_t count) const {
+  std::vector<AttemptEnd> result;
+  for (size_t i = ends_.size(); i-- > 0 && result.size() < count;) {
+    if (ends_[i].outcome != sim::Outcome::running) result.push_back(ends_[i]);
+  }
+  return result;
+}
+
 std::vector<AttemptEnd> Attempts::sample(size_t count, Vec3 near) const {
   std::vector<AttemptEnd> result;
   if (ends_.empty() || count == 0) return result;

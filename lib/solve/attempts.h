@@ -33,6 +33,9 @@ class Attempts {
   // Most frequent first; ties by outcome, then part.
   std::vector<EndCount> counts() const;
 
+  // The last `count` that failed in a way or at a place that none had before, the newest first.
+  std::vector<AttemptEnd> newestFailures(size_t count) const;
+
   // At most `count` attempts that differ in place and outcome, chosen to be far apart; the one
   // nearest to `near` first.
   std::vector<AttemptEnd> sample(size_t count, Vec3 near) const;

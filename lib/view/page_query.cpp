@@ -79,6 +79,26 @@ void writeConstraints(JsonText& json, const QueryEntry& entry) {
   json.close();
 }
 
+// What an answer says beyond its verdict: changes that would help, routes, how far to trust it.
+void writeFindings(JsonText& json, schema::Result::Reader result) {
+  json.key("relaxations").open('[');
+  for (const auto relaxation : result.getRelaxations()) {
+    json.value(std::string_view(relaxation.getText().cStr()));
+  }
+  json.close().key("routes").open('[');
+  for (const auto route : result.getRoutes()) {
+    json.open('{').field("count", std::to_string(route.getCount()));
+    json.field("ticks", route.getTicks()).key("route").open('[');
+    for (const int32_t part : route.getRoute()) json.value(part);
+    json.close().close();
+  }
+  json.close();
+  if (!result.hasEvidence()) return;
+  const auto evidence = result.getEvidence();
+  json.key("evidence").open('{').field("saturation", enumName(evidence.getSaturation()));
+  json.field("newCellChance", evidence.getNewCellChance()).close();
+}
+
 void writeResult(JsonText& json, const QueryEntry& entry) {
   json.key("result");
   if (!entry.result) {
@@ -101,7 +121,9 @@ void writeResult(JsonText& json, const QueryEntry& entry) {
     json.open('{').field("outcome", enumName(end.getOutcome())).field("part", end.getPart());
     json.field("count", std::to_string(end.getCount())).close();
   }
-  json.close().close();
+  json.close();
+  writeFindings(json, result);
+  json.close();
 }
 
 // Every stride-th sample, and the last one.
@@ -145,7 +167,7 @@ void writeDifficulty(JsonText& json, schema::Trajectory::Reader path) {
 }
 
 void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
-  constexpr const char* kKinds[] = {"solution", "attempt", "progress"};
+  constexpr const char* kKinds[] = {"solution", "attempt", "closest", "newest"};
   const auto record = path.reader();
   const Playback& play = path.playback;
   // A replay without its query cannot tell why the record ended; the record can.

@@ -9,6 +9,22 @@
 
 namespace obby::view {
 
+namespace {
+
+bool ofProgress(const PathEntry& path) { return path.record.which() == io::Kind::PROGRESS; }
+
+}  // namespace
+
+schema::Trajectory::Reader PathEntry::reader() const {
+  if (!ofProgress(*this)) return record.reader().getTrajectory();
+  const auto progress = record.reader().getProgress();
+  switch (kind) {
+    case PathKind::closest: return progress.getBest();
+    case PathKind::newest: return progress.getNewest();
+    default: return progress.getDeaths()[death];
+  }
+}
+
 bool QueryEntry::mismatch() const {
   return std::any_of(paths.begin(), paths.end(), [](const PathEntry& path) {
     return path.kind == PathKind::solution && !path.playback.mismatch.empty();
@@ -75,17 +91,21 @@ Status Collector::add(const io::Record& record) {
           .paths.push_back({solved ? PathKind::solution : PathKind::attempt, record, {}});
       return {};
     }
-    case io::Kind::PROGRESS: {
-      const auto progress = record.reader().getProgress();
-      if (!progress.hasBest()) return {};
-      auto& paths =
-          queryNamed(progress.getQuery(), levelNamed(progress.getBest().getLevel())).paths;
-      // Only the last one: each came closer than the one before.
-      std::erase_if(paths, [](const PathEntry& path) { return path.kind == PathKind::progress; });
-      paths.push_back({PathKind::progress, record, {}});
-      return {};
-    }
+    case io::Kind::PROGRESS: addProgress(record); return {};
     default: return {};
+  }
+}
+
+// Only the last one of a query: it knows more than those before.
+void Collector::addProgress(const io::Record& record) {
+  const auto progress = record.reader().getProgress();
+  if (!progress.hasBest()) return;
+  auto& paths = queryNamed(progress.getQuery(), levelNamed(progress.getBest().getLevel())).paths;
+  std::erase_if(paths, ofProgress);
+  paths.push_back({PathKind::closest, record, {}});
+  if (progress.hasNewest()) paths.push_back({PathKind::newest, record, {}});
+  for (uint32_t i = 0; i < progress.getDeaths().size(); ++i) {
+    paths.push_back({PathKind::attempt, record, {}, i});
   }
 }
 
@@ -116,13 +136,13 @@ Status Collector::compile(QueryEntry& entry) {
 }
 
 Status Collector::replay(QueryEntry& entry) {
-  // A solution makes the closest attempt of the search uninteresting.
-  const bool solved =
-      std::any_of(entry.paths.begin(), entry.paths.end(),
-                  [](const PathEntry& path) { return path.kind == PathKind::solution; });
-  if (solved) {
-    std::erase_if(entry.paths, [](const PathEntry& p) { return p.kind == PathKind::progress; });
-  }
+  // An answer says more than what was known on the way to it.
+  const auto any = [&](auto&& holds) { return std::ranges::any_of(entry.paths, holds); };
+  const bool solved = any([](const PathEntry& p) { return p.kind == PathKind::solution; });
+  const bool answered = any([](const PathEntry& p) { return !ofProgress(p); });
+  std::erase_if(entry.paths, [&](const PathEntry& p) {
+    return ofProgress(p) && (p.kind == PathKind::closest ? solved : answered);
+  });
   std::stable_sort(entry.paths.begin(), entry.paths.end(),
                    [](const PathEntry& a, const PathEntry& b) { return a.kind < b.kind; });
   std::vector<PathEntry> kept;

@@ -24,17 +24,15 @@ struct LevelEntry {
   schema::Level::Reader reader() const { return record.reader().getLevel(); }
 };
 
-enum class PathKind { solution, attempt, progress };
+enum class PathKind { solution, attempt, closest, newest };
 
 struct PathEntry {
   PathKind kind;
-  io::Record record;  // a trajectory, or the progress that holds one
+  io::Record record;  // a trajectory, or the progress that holds some
   Playback playback;
+  uint32_t death = 0;  // of an attempt in a progress: which of them
 
-  schema::Trajectory::Reader reader() const {
-    return kind == PathKind::progress ? record.reader().getProgress().getBest()
-                                      : record.reader().getTrajectory();
-  }
+  schema::Trajectory::Reader reader() const;
 };
 
 // A query that the streams name, be it by its own record or by an answer to it.
@@ -73,6 +71,7 @@ class Collector {
 
  private:
   Status addLevel(const io::Record& record);
+  void addProgress(const io::Record& record);
   // The level of a query or an answer: by name, or the last one; -1 where there is none.
   int levelNamed(const std::string& name) const;
   QueryEntry& queryNamed(const std::string& id, int level);

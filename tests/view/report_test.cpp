@@ -106,12 +106,38 @@ TEST(Report, LastProgressIsShownUntilThereIsASolution) {
   auto open = collect({kLevel, kQuery, progress(9), progress(5)});
   ASSERT_TRUE(open) << open.error().text();
   ASSERT_THAT(open->queries[0].paths, SizeIs(1));
-  EXPECT_EQ(open->queries[0].paths[0].kind, view::PathKind::progress);
+  EXPECT_EQ(open->queries[0].paths[0].kind, view::PathKind::closest);
   auto solution = walk(kAhead, 200);
   auto done = collect({kLevel, kQuery, progress(9), line(solution)});
   ASSERT_TRUE(done) << done.error().text();
   ASSERT_THAT(done->queries[0].paths, SizeIs(1));
   EXPECT_EQ(done->queries[0].paths[0].kind, view::PathKind::solution);
+}
+
+TEST(Report, UnfinishedSearchesShowWhatTheyHave) {
+  auto way = walk(kAhead, 40);
+  io::RecordBuilder builder;
+  auto p = builder.root().initProgress();
+  p.setQuery("ahead");
+  p.setBest(way.reader().getTrajectory());
+  p.setNewest(way.reader().getTrajectory());
+  p.initDeaths(2);
+  p.getDeaths().setWithCaveats(0, way.reader().getTrajectory());
+  p.getDeaths().setWithCaveats(1, way.reader().getTrajectory());
+  const auto kinds = [](const view::Report& report) {
+    std::vector<view::PathKind> result;
+    for (const auto& path : report.queries[0].paths) result.push_back(path.kind);
+    return result;
+  };
+  using enum view::PathKind;
+  auto open = collect({kLevel, kQuery, line(builder)});
+  ASSERT_TRUE(open) << open.error().text();
+  EXPECT_EQ(kinds(*open), (std::vector{attempt, attempt, closest, newest}));
+  EXPECT_EQ(open->queries[0].paths[1].reader().getTicks(), 40u);
+  auto attempted = walk(kAhead, 30);
+  auto unknown = collect({kLevel, kQuery, line(builder), line(attempted)});
+  ASSERT_TRUE(unknown) << unknown.error().text();
+  EXPECT_EQ(kinds(*unknown), (std::vector{attempt, closest}));
 }
 
 TEST(Report, ChoosesQueriesById) {

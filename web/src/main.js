@@ -73,7 +73,7 @@ class App {
   firstPath() {
     const paths = this.query()?.paths ?? [];
     const solution = paths.findIndex((path) => path.kind === 'solution');
-    return solution >= 0 ? solution : paths.findIndex((path) => path.kind === 'progress');
+    return solution >= 0 ? solution : paths.findIndex((path) => path.kind === 'closest');
   }
 
   panels() {

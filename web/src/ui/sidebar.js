@@ -9,8 +9,10 @@ import {
   verdictOf,
 } from '../palette.js';
 import { count, el, plural, seconds } from './dom.js';
+import { findings } from './findings.js';
 
 const kMostRows = 400;
+const KIND_NAMES = { solution: 'Solution', closest: 'Closest', newest: 'Newest' };
 
 function badge(verdict) {
   const style = VERDICT_STYLE[verdict];
@@ -135,6 +137,7 @@ export class Sidebar {
       ...this.verdict(query),
       this.limits(query),
       this.numbers(query),
+      findings(query, this.report.levels[query.level]),
       this.ends(query),
     );
     this.fillPaths(query);
@@ -248,12 +251,7 @@ export class Sidebar {
     const index = query.paths.indexOf(path);
     const level = this.report.levels[query.level];
     const cause = path.mismatch ? `Replay mismatch: ${path.mismatch}` : causeOf(path, level);
-    const name =
-      path.kind === 'progress'
-        ? 'Closest'
-        : path.kind === 'solution'
-          ? 'Solution'
-          : OUTCOME_STYLE[path.outcome].short;
+    const name = KIND_NAMES[path.kind] ?? OUTCOME_STYLE[path.outcome].short;
     return el(
       'button',
       {

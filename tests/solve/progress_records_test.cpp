@@ -1,0 +1,76 @@
+// What a search shows of itself while it runs.
+#include <gtest/gtest.h>
+
+#include "io/json_codec.h"
+#include "scenes.h"
+#include "solve/answer_records.h"
+
+namespace obby::solve {
+namespace {
+
+constexpr Vec3 kGoal{0, 60, -28}, kGoalSize{8, 4, 8};  // far above what anybody reaches
+
+std::string lineOf(const io::RecordBuilder& record) {
+  return *io::recordToJson(record.reader()) + "\n";
+}
+
+std::string lineOf(schema::Trajectory::Reader trajectory) {
+  io::RecordBuilder record;
+  record.root().setTrajectory(trajectory);
+  return lineOf(record);
+}
+
+struct Searched {
+  io::RecordBuilder record;
+  schema::Progress::Reader progress;
+};
+
+Searched searched(int rounds) {
+  static const level::Level level = steppingStones().compile();
+  Question question(level);
+  question.query.goal = boxAt(kGoal, kGoalSize);
+  const Problem problem = question.problem();
+  ThreadPool pool(1);
+  GoExplore search(problem, 1, {}, pool);
+  for (int round = 0; round < rounds; ++round) search.round();
+  Searched s;
+  fillProgress(s.record.root().initProgress(), {"q", "stones", level.spawns()[0]}, {search, 0.5});
+  s.progress = s.record.reader().getProgress();
+  return s;
+}
+
+TEST(ProgressRecord, ShowsTheClosestTheNewestAndDeaths) {
+  const Searched s = searched(60);
+  ASSERT_TRUE(s.progress.hasBest());
+  ASSERT_TRUE(s.progress.hasNewest());
+  EXPECT_EQ(s.progress.getNewest().getOutcome(), schema::Outcome::RUNNING);
+  ASSERT_EQ(s.progress.getDeaths().size(), 3u);
+  for (const auto death : s.progress.getDeaths()) {
+    EXPECT_EQ(death.getOutcome(), schema::Outcome::FELL);
+  }
+  EXPECT_NE(s.progress.getDeaths()[0].getStateHash(), s.progress.getDeaths()[1].getStateHash());
+}
+
+TEST(ProgressRecord, EveryTrajectoryReplays) {
+  const Searched s = searched(60);
+  std::string text = stonesText();
+  text.replace(text.find(R"("position":[0,2,-28])"), 20, R"("position":[0,60,-28])");
+  text += lineOf(s.progress.getBest()) + lineOf(s.progress.getNewest());
+  for (const auto death : s.progress.getDeaths()) text += lineOf(death);
+  const LinesFile file(text);
+  FilterOptions verify;
+  verify.task = Task::verify;
+  const Filtered checked = runFilter(file.path(), verify);
+  EXPECT_TRUE(checked.status) << checked.status.error().text();
+  EXPECT_EQ(checked.counts.verified, 2 + s.progress.getDeaths().size());
+}
+
+TEST(ProgressRecord, ShowsNothingBeforeTheFirstRound) {
+  const Searched s = searched(0);
+  EXPECT_FALSE(s.progress.hasBest());
+  EXPECT_FALSE(s.progress.hasNewest());
+  EXPECT_EQ(s.progress.getDeaths().size(), 0u);
+}
+
+}  // namespace
+}  // namespace obby::solve
