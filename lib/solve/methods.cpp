@@ -4,6 +4,7 @@
 #include "solve/choose_mcts.h"
 #include "solve/choose_mixed.h"
 #include "solve/choose_rrt.h"
+#include "solve/go_explore.h"
 #include "solve/run_search.h"
 
 namespace obby::solve {
@@ -27,7 +28,8 @@ GoExploreSettings plainSettings() {
 
 template <GoExploreSettings (*settings)(), MakeChooser makeChooser>
 SearchOutcome run(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
-  return runSearch(p, b, settings(), w, m, makeChooser);
+  return runSearch(
+      p, b, w, [&] { return std::make_unique<GoExplore>(p, b.seed, settings(), m, makeChooser); });
 }
 
 }  // namespace
