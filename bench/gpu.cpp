@@ -1,5 +1,6 @@
 // How fast a GPU steps worlds: random walkers in the arena of 100 boxes, and in 64 such arenas with
-// a new one at every end, as in training. Ends with 77 where there is no GPU. With --emulate the
+// a new one at every end, as in training; and searches that live on the GPU, with everything that a
+// round needs, in the same arena. Ends with 77 where there is no GPU. With --emulate the
 // CPU takes the GPU's place, in small: a test of this program, not a measurement.
 #include <algorithm>
 #include <cstdio>
@@ -12,6 +13,7 @@
 #include "sim/backend.h"
 #include "sim/host_device.h"
 #include "solve/device_rollouts.h"
+#include "solve/resident/resident_explore.h"
 #include "support/courses.h"
 
 namespace {
@@ -19,8 +21,9 @@ namespace {
 using namespace obby;
 
 constexpr int kSkipped = 77;
-constexpr uint32_t kStep = 32;       // ticks a launch
-constexpr uint32_t kWarmTicks = 96;  // until worlds have left the start
+constexpr uint32_t kStep = 32;              // ticks a launch
+constexpr uint32_t kMostResident = 131072;  // rollouts a round that a search has memory for
+constexpr uint32_t kWarmTicks = 96;         // until worlds have left the start
 
 [[noreturn]] void fail(const Error& error) {
   std::fprintf(stderr, "bench_gpu: %s\n", error.text().c_str());
@@ -53,6 +56,31 @@ double stepsPerSecond(sim::Device& device, const sim::Course& course, uint32_t w
   return rates[2];
 }
 
+// Median of five turns of a few rounds each, once the archive has begun to fill.
+double residentStepsPerSecond(sim::Device& device, const support::Levels& arena, uint32_t rollouts,
+                              bool small) {
+  ThreadPool pool(1);
+  level::QueryView query = arena.course.queries[0];
+  query.timeLimitTicks = 0;
+  const solve::Problem problem{
+      arena.course.levels[0], query, arena.course.starts[0], {}, arena.levels[0].bounds()};
+  solve::ResidentSettings settings;
+  settings.explore.rollouts = settings.explore.mostRollouts = rollouts;
+  solve::ResidentExplore search(problem, 1, settings, {pool, &device});
+  const int rounds = small ? 1 : 8;
+  std::vector<double> rates;
+  for (int turn = -1; turn < 5; ++turn) {
+    const uint64_t before = search.statistics().steps;
+    const double seconds = bench::secondsOf([&] {
+      for (int i = 0; i < rounds; ++i) search.round();
+    });
+    if (turn >= 0) rates.push_back(double(search.statistics().steps - before) / seconds);
+  }
+  if (!search.deviceStatus()) fail(search.deviceStatus().error());
+  std::sort(rates.begin(), rates.end());
+  return rates[2];
+}
+
 void facts(bench::Report& report, const sim::Device& device, const sim::Kernel& kernel) {
   const auto f = device.facts(kernel);
   if (!f) return;
@@ -68,6 +96,9 @@ void measure(bench::Report& report, sim::Device& device, bool small) {
     facts(report, device, sim::stepKernel(kind));
   }
   for (const bool loose : {false, true}) facts(report, device, solve::rolloutKernel(loose));
+  for (const auto step : {solve::ResidentStep::explore, solve::ResidentStep::exploreLoose}) {
+    facts(report, device, solve::residentKernel(step));
+  }
   const support::Levels one = support::arenas(1, 100, 600), many = support::arenas(64, 100, 240);
   const std::vector<uint32_t> counts =
       small ? std::vector<uint32_t>{256} : std::vector<uint32_t>{8192, 131072, 1048576};
@@ -81,6 +112,9 @@ void measure(bench::Report& report, sim::Device& device, bool small) {
     const double mixed = stepsPerSecond(device, many.course, worlds, ticks, kStep);
     report.add(name, "stepsPerSecond64Levels", mixed, "1/s");
     report.add(name, "ratioToOneLevel", mixed / single, "");
+    if (worlds > kMostResident) continue;
+    report.add(name, "residentStepsPerSecond", residentStepsPerSecond(device, one, worlds, small),
+               "1/s");
   }
 }
 

@@ -33,6 +33,9 @@ class Device {
   virtual void release(void* memory) = 0;
   virtual Status upload(void* to, const void* from, size_t bytes) = 0;
   virtual Status download(void* to, const void* from, size_t bytes) const = 0;
+  // Both on the device.
+  virtual Status copy(void* to, const void* from, size_t bytes) = 0;
+  virtual Status fill(void* to, uint8_t value, size_t bytes) = 0;
 
   // Runs the kernel for 0 ... count - 1 and waits until it is done.
   virtual Status launch(const Kernel& kernel, const void* arguments, uint32_t count) = 0;
@@ -75,6 +78,24 @@ class Memory {
   void* address_ = nullptr;
   size_t bytes_ = 0;
 };
+
+// Makes room for `count` of them where there is less; what was there may be lost.
+template <class T>
+Status makeRoom(Device& device, Memory& memory, T*& table, size_t count) {
+  if (memory.bytes() < count * sizeof(T)) {
+    memory = {};  // first, so that both are never there
+    OBBY_ASSIGN(memory, Memory::of(device, count * sizeof(T)));
+  }
+  table = memory.as<T>();
+  return {};
+}
+
+template <class T>
+Result<std::vector<T>> downloadTable(const Device& device, const T* table, size_t count) {
+  std::vector<T> copy(count);
+  if (count != 0) OBBY_RETURN_IF_ERROR(device.download(copy.data(), table, count * sizeof(T)));
+  return copy;
+}
 
 // Uploads a table; `memory` grows where it is too small.
 template <class T>

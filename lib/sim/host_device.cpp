@@ -7,7 +7,7 @@
 namespace obby::sim {
 namespace {
 constexpr std::align_val_t kAlignment{256};  // as cudaMalloc's
-constexpr uint32_t kBlock = 128;
+constexpr uint32_t kBlock = 16;  // so few that a thousand rollouts keep all threads busy
 }  // namespace
 
 Result<void*> HostDevice::allocate(size_t bytes) {
@@ -26,6 +26,16 @@ Status HostDevice::upload(void* to, const void* from, size_t bytes) {
 
 Status HostDevice::download(void* to, const void* from, size_t bytes) const {
   std::memcpy(to, from, bytes);
+  return {};
+}
+
+Status HostDevice::copy(void* to, const void* from, size_t bytes) {
+  std::memcpy(to, from, bytes);
+  return {};
+}
+
+Status HostDevice::fill(void* to, uint8_t value, size_t bytes) {
+  std::memset(to, value, bytes);
   return {};
 }
 

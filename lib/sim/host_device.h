@@ -18,6 +18,8 @@ class HostDevice : public Device {
   void release(void* memory) override;
   Status upload(void* to, const void* from, size_t bytes) override;
   Status download(void* to, const void* from, size_t bytes) const override;
+  Status copy(void* to, const void* from, size_t bytes) override;
+  Status fill(void* to, uint8_t value, size_t bytes) override;
   Status launch(const Kernel& kernel, const void* arguments, uint32_t count) override;
   Result<KernelFacts> facts(const Kernel& kernel) const override;
 

@@ -82,7 +82,7 @@ void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identi
   record.setQuery(identity.query);
   record.setSeconds(float(view.seconds));
   record.setSteps(s.steps);
-  record.setCells(view.search.archive().cellCount());
+  record.setCells(view.search.cellCount());
   record.setRounds(s.rounds);
   record.setClosest(s.closest.distance);
   record.setWaypoints(s.closest.targets);

@@ -11,21 +11,12 @@
 #include "base/chunked_vector.h"
 #include "sim/loose.h"
 #include "sim/world.h"
+#include "solve/archive_node.h"
 #include "solve/cell_table.h"
 
 namespace obby::solve {
 
-constexpr uint32_t kNone = level::kNone;
 constexpr uint32_t kMaxCells = 10'000'000;
-
-constexpr uint64_t kKnown = 1ull << 62;  // streams of random numbers count up from 0
-
-// How a state was reached: `ticks` ticks of rollout `rollout` from the state of node `parent`.
-struct Node {
-  uint64_t rollout;  // its stream of random numbers, or with kKnown an index into Problem::known
-  uint32_t parent;   // kNone: this is the start
-  uint32_t ticks;
-};
 
 class Archive {
  public:

@@ -24,8 +24,7 @@ float apart(const AttemptEnd& a, const AttemptEnd& b) {
 
 }  // namespace
 
-void Attempts::add(const AttemptEnd& end) {
-  ++counts_[{end.outcome, end.part}];
+void Attempts::show(const AttemptEnd& end) {
   if (ends_.size() >= kMaxKinds) return;
   if (kinds_.emplace(kindOf(end), uint32_t(ends_.size())).second) ends_.push_back(end);
 }

@@ -6,25 +6,6 @@ namespace obby::solve {
 
 namespace {
 
-// The context and the cells' clock lie together on the device.
-struct Tables {
-  ExploreContext context;
-  ClockView clock;
-};
-
-template <class Table>
-void forTables(Tables& t, Table&& table) {
-  forTables(t.context, table);
-  forTables(t.clock, table);
-}
-
-template <class T>
-Status grow(sim::Device& device, sim::Memory& memory, size_t count) {
-  if (memory.bytes() >= count * sizeof(T)) return {};
-  OBBY_ASSIGN(memory, sim::Memory::of(device, count * sizeof(T)));
-  return {};
-}
-
 template <class T>
 Status fetch(sim::Device& device, std::vector<T>& to, const T* from) {
   if (to.empty()) return {};
@@ -33,32 +14,24 @@ Status fetch(sim::Device& device, std::vector<T>& to, const T* from) {
 
 }  // namespace
 
-Result<DeviceRollouts> DeviceRollouts::open(sim::Device& device, RolloutArguments arguments) {
-  Tables tables{arguments.context, arguments.binning.clock};
-  OBBY_ASSIGN(sim::Memory memory, sim::uploadTables(device, tables));
-  arguments.context = tables.context;
-  arguments.binning.clock = tables.clock;
-  arguments.room = visitRoom(arguments);
-  DeviceRollouts rollouts(device, arguments);
-  rollouts.tables_ = std::move(memory);
+Result<DeviceRollouts> DeviceRollouts::open(sim::Device& device, const RolloutRules& rules) {
+  DeviceRollouts rollouts(device, rules);
+  OBBY_ASSIGN(rollouts.tables_, sim::uploadTables(device, rollouts.arguments_.rules));
   return rollouts;
 }
 
 Status DeviceRollouts::makeRoom(size_t rollouts) {
-  OBBY_RETURN_IF_ERROR(grow<RolloutVisit>(*device_, visitMemory_, rollouts * arguments_.room));
-  OBBY_RETURN_IF_ERROR(grow<RolloutEnd>(*device_, endMemory_, rollouts));
-  const size_t bodies = arguments_.context.level.looseCount;
-  OBBY_RETURN_IF_ERROR(
-      grow<sim::LooseBody>(*device_, visitLooseMemory_, rollouts * arguments_.room * bodies));
+  RolloutArguments& a = arguments_;
+  const size_t bodies = a.rules.context.level.looseCount, visits = rollouts * a.room;
+  OBBY_RETURN_IF_ERROR(sim::makeRoom(*device_, visitMemory_, a.visits, visits));
+  OBBY_RETURN_IF_ERROR(sim::makeRoom(*device_, visitLooseMemory_, a.visitLoose, visits * bodies));
+  OBBY_RETURN_IF_ERROR(sim::makeRoom(*device_, endMemory_, a.ends, rollouts));
   endLoose_.resize(rollouts * bodies);
-  visitLoose_.resize(rollouts * arguments_.room * bodies);
-  arguments_.loose = looseMemory_.as<sim::LooseBody>();
-  arguments_.visitLoose = visitLooseMemory_.as<sim::LooseBody>();
+  visitLoose_.resize(visits * bodies);
   ends_.resize(rollouts);
-  visits_.resize(rollouts * arguments_.room);
-  arguments_.starts = startMemory_.as<RolloutStart>();
-  arguments_.visits = visitMemory_.as<RolloutVisit>();
-  arguments_.ends = endMemory_.as<RolloutEnd>();
+  visits_.resize(visits);
+  a.starts = startMemory_.as<RolloutStart>();
+  a.loose = looseMemory_.as<sim::LooseBody>();
   return {};
 }
 
@@ -67,8 +40,9 @@ Status DeviceRollouts::run(std::span<const RolloutStart> starts,
   OBBY_RETURN_IF_ERROR(sim::uploadTable(*device_, startMemory_, starts));
   OBBY_RETURN_IF_ERROR(sim::uploadTable(*device_, looseMemory_, loose));
   OBBY_RETURN_IF_ERROR(makeRoom(starts.size()));
-  OBBY_RETURN_IF_ERROR(device_->launch(rolloutKernel(arguments_.context.level.looseCount != 0),
-                                       &arguments_, uint32_t(starts.size())));
+  OBBY_RETURN_IF_ERROR(
+      device_->launch(rolloutKernel(arguments_.rules.context.level.looseCount != 0), &arguments_,
+                      uint32_t(starts.size())));
   OBBY_RETURN_IF_ERROR(fetch(*device_, ends_, arguments_.ends));
   OBBY_RETURN_IF_ERROR(fetch(*device_, endLoose_, arguments_.loose));
   OBBY_RETURN_IF_ERROR(fetch(*device_, visitLoose_, arguments_.visitLoose));

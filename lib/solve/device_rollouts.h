@@ -11,8 +11,7 @@ namespace obby::solve {
 
 class DeviceRollouts {
  public:
-  // `arguments` without its tables of starts, visits and ends.
-  static Result<DeviceRollouts> open(sim::Device& device, RolloutArguments arguments);
+  static Result<DeviceRollouts> open(sim::Device& device, const RolloutRules& rules);
 
   // Runs them all from `starts` with the bodies `loose`, (rollouts, level.looseCount); ends() and
   // visits() are then theirs, in that order.
@@ -30,11 +29,11 @@ class DeviceRollouts {
  private:
   std::span<const sim::LooseBody> bodiesAt(const std::vector<sim::LooseBody>& all,
                                            size_t at) const {
-    const size_t count = arguments_.context.level.looseCount;
+    const size_t count = arguments_.rules.context.level.looseCount;
     return std::span(all).subspan(at * count, count);
   }
-  DeviceRollouts(sim::Device& device, const RolloutArguments& arguments)
-      : device_(&device), arguments_(arguments) {}
+  DeviceRollouts(sim::Device& device, const RolloutRules& rules)
+      : device_(&device), arguments_{rules, visitRoom(rules), {}, {}, {}, {}, {}} {}
   Status makeRoom(size_t rollouts);
 
   sim::Device* device_;

@@ -57,6 +57,8 @@ OBBY_DEVICE bool doomed(const ExploreContext& c, const sim::World& w) {
   return w.position.y < c.doomHeight && w.floorlessTicks > c.level.params.coyoteTicks;
 }
 
+constexpr uint32_t kFallTicks = 60 * 3600;  // longer than any fall
+
 // Standing on something, hanging on a truss or sitting, free to jump soon.
 OBBY_DEVICE bool grounded(const sim::World& w) {
   if (w.state == sim::State::climbing || w.state == sim::State::seated) return true;

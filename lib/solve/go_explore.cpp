@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "solve/binning.h"
-#include "solve/doom.h"
 #include "solve/rollout_group.h"
 
 namespace obby::solve {
@@ -13,17 +11,6 @@ namespace {
 // Rollouts a task of the pool: together they fill the lanes of the wide tick.
 constexpr size_t kLeastRollouts = 16, kTaskRollouts = 256;
 constexpr uint64_t kStepsPerRollout = 8000;  // of the search so far: when rounds double
-constexpr float kClockReach = 10;            // studs around moving parts where the clock matters
-constexpr uint32_t kFallTicks = 60 * 3600;   // longer than any fall
-constexpr uint64_t kSelectionStream = 1ull << 63;  // streams of rollouts count up from 0
-
-ExploreContext makeContext(const Problem& problem, const Surfaces& surfaces,
-                           const ExploreSettings& settings) {
-  return {problem.level,      problem.query,
-          surfaces.view(),    jumpReach(problem.level.params),
-          settings,           limitsJumps(problem.query),
-          doomHeight(problem)};
-}
 
 }  // namespace
 
@@ -33,20 +20,12 @@ GoExplore::GoExplore(const Problem& problem, uint64_t seed, const GoExploreSetti
       seed_(seed),
       settings_(settings),
       machine_(machine),
-      surfaces_(problem.level),
-      context_(makeContext(problem, surfaces_, settings.explore)),
-      clock_(problem.level, kClockReach),
-      binning_(makeBinning(problem, settings.cellWidth, clock_)),
-      potential_(problem),
-      phaseTicks_(
-          std::max(settings.leastPhase, uint32_t(settings.phaseJumps * context_.reach.airTicks))),
-      rule_{settings.groundedOnly,
-            std::max(uint32_t(context_.reach.airTicks), problem.level.params.controlRate / 2u),
-            std::clamp(settings.lookEvery, 1u, phaseTicks_)},
+      setup_(problem, seed, settings),
       archive_(kMaxCells, problem.level.looseCount),
-      chooser_(makeChooser(problem, context_)) {
-  archive_.offer(cellKey(binning_, problem.start, problem.startLoose.data()), problem.start,
-                 {0, kNone, 0}, potential_(problem.start), problem.startLoose.data());
+      chooser_(makeChooser(problem, context())) {
+  archive_.offer(cellKey(setup_.rules.binning, problem.start, problem.startLoose.data()),
+                 problem.start, {0, kNone, 0}, setup_.potential(problem.start),
+                 problem.startLoose.data());
   statistics_.closest.distance = distanceLeft(problem.query, problem.start);
   statistics_.closest.position = problem.start.position;
 }
@@ -75,9 +54,7 @@ void GoExplore::exploreOnThreads() {
 
 Status GoExplore::openDevice() {
   if (device_) return {};
-  OBBY_ASSIGN(device_, DeviceRollouts::open(
-                           *machine_.device,
-                           {context_, binning_, rule_, seed_, phaseTicks_, 0, {}, {}, {}, {}, {}}));
+  OBBY_ASSIGN(device_, DeviceRollouts::open(*machine_.device, setup_.rules));
   return {};
 }
 
@@ -120,7 +97,7 @@ uint32_t GoExplore::roundSize() const {
 }
 
 void GoExplore::chooseCells() {
-  choices_.assign(roundSize(), {0, phaseTicks_});
+  choices_.assign(roundSize(), {0, setup_.rules.ticks});
   rollouts_.resize(choices_.size());
   Random random(seed_, kSelectionStream | statistics_.rounds);
   archive_.nextEpoch();
@@ -134,7 +111,7 @@ void GoExplore::chooseCells() {
 }
 
 void GoExplore::explore(std::span<Rollout> rollouts) {
-  RolloutGroup group(context_);
+  RolloutGroup group(context());
   std::vector<Trail> trails;
   std::vector<Look> looks;
   for (Rollout& r : rollouts) {
@@ -144,7 +121,7 @@ void GoExplore::explore(std::span<Rollout> rollouts) {
     r.end = archive_.world(r.start.cell);
     const auto loose = archive_.loose(r.start.cell);
     r.endLoose.assign(loose.begin(), loose.end());
-    const uint64_t key = cellKey(binning_, r.end, r.endLoose.data());
+    const uint64_t key = cellKey(setup_.rules.binning, r.end, r.endLoose.data());
     trails.push_back({key, key});
     archive_.countSeen(r.start.cell);
     group.add(seed_, r.id, r.end, r.endLoose.data(), r.start.ticks);
@@ -153,8 +130,9 @@ void GoExplore::explore(std::span<Rollout> rollouts) {
     looks.clear();
     for (const RolloutGroup::Member& m : members) {
       rollouts[m.index].ticks = tick;
-      if (tick % rule_.lookEvery != 0 || m.world->outcome != sim::Outcome::running) continue;
-      looks.push_back({cellKey(binning_, *m.world, m.loose), m.index});
+      if (tick % setup_.rules.rule.lookEvery != 0 || m.world->outcome != sim::Outcome::running)
+        continue;
+      looks.push_back({cellKey(setup_.rules.binning, *m.world, m.loose), m.index});
     }
     look(rollouts, trails, looks);
   });
@@ -164,7 +142,7 @@ void GoExplore::explore(std::span<Rollout> rollouts) {
 // first needs it.
 void GoExplore::look(std::span<Rollout> rollouts, std::span<Trail> trails, std::span<Look> looks) {
   const auto isNew = [&](const Look& l) {
-    return trails[l.rollout].isNew(l.key, rule_, rollouts[l.rollout].end);
+    return trails[l.rollout].isNew(l.key, setup_.rules.rule, rollouts[l.rollout].end);
   };
   for (const Look& l : looks) {
     if (isNew(l)) archive_.prefetch(l.key);
@@ -192,7 +170,14 @@ void GoExplore::visit(Rollout& r, uint64_t key, uint32_t cell, const sim::World&
     if (cell != r.start.cell) archive_.noteSighted(cell);
     if (!archive_.better(cell, world)) return;
   }
-  r.candidates.push_back({key, world, {loose.begin(), loose.end()}, potential_(world), ticks});
+  r.candidates.push_back(
+      {key, world, {loose.begin(), loose.end()}, setup_.potential(world), ticks});
+}
+
+std::vector<Vec3> GoExplore::places(uint32_t first) const {
+  std::vector<Vec3> result;
+  for (; first < cellCount(); ++first) result.push_back(archive_.world(first).position);
+  return result;
 }
 
 void GoExplore::noteClosest(Rollout& r) {
@@ -238,7 +223,7 @@ void GoExplore::mergeEnd(const Rollout& r) {
   statistics_.overruns |= uint8_t(r.end.flags & sim::kOverruns);
   const Node way{r.id, r.parent, r.ticks};
   if (r.end.outcome != sim::Outcome::goal) {
-    const bool falls = r.end.outcome == sim::Outcome::running && doomed(context_, r.end);
+    const bool falls = r.end.outcome == sim::Outcome::running && doomed(context(), r.end);
     attempts_.add(falls ? AttemptEnd{{r.id, r.parent, kFallTicks},
                                      r.end.position,
                                      sim::Outcome::fell,

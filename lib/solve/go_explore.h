@@ -10,71 +10,36 @@
 #include <vector>
 
 #include "solve/archive.h"
-#include "solve/attempts.h"
-#include "solve/cell.h"
 #include "solve/chooser.h"
 #include "solve/device_rollouts.h"
-#include "solve/explore_context.h"
+#include "solve/explore_setup.h"
 #include "solve/machine.h"
-#include "solve/playthrough.h"
-#include "solve/potential.h"
-#include "solve/problem.h"
+#include "solve/search.h"
 #include "solve/selection.h"
-#include "solve/surfaces.h"
-#include "solve/trail.h"
 
 namespace obby::solve {
 
-// The defaults were measured over levels/ (ticks to the first solution).
-struct GoExploreSettings {
-  uint32_t rollouts = 32;       // a round, at first: short generations answer easy queries soon
-  uint32_t mostRollouts = 512;  // a round, once the search is long: keeps all threads busy
-  float phaseJumps = 4;         // length of a rollout, in flat jumps' air time
-  uint32_t leastPhase = 40;     // ticks
-  float cellWidth = 2;          // studs at 16 studs/s; grows with walking speed
-  bool groundedOnly = true;     // keep states that stand, or have been in the air for long
-  uint32_t lookEvery = 3;  // ticks between states that may be kept; walking, a cell takes seven
-  ExploreSettings explore;
-};
-
-// How far the search has come, and the way there.
-struct Closest : Approach {
-  Node way{0, kNone, 0};
-};
-
-struct Statistics {
-  uint64_t steps = 0;  // simulated ticks
-  uint64_t rounds = 0;
-  uint64_t rollouts = 0;
-  uint64_t idleRollouts = 0;  // since the last that found a new cell
-  uint8_t overruns = 0;       // sim::Flag bits of any attempt
-  Closest closest;
-};
-
-class GoExplore {
+class GoExplore final : public Search {
  public:
   // `machine` is used by round() only. A device that fails is not asked again: the pool goes on,
   // with the same results.
   GoExplore(const Problem& problem, uint64_t seed, const GoExploreSettings& settings,
             const Machine& machine, MakeChooser makeChooser = hedgedSelector);
 
-  // Tries `count` ways of Problem::known from `first` on; to be called before round(), and like it.
-  void tryKnown(size_t first, size_t count);
+  void tryKnown(size_t first, size_t count) override;
+  void round() override;
 
-  // One round. Ways that reached the goal are appended to goals().
-  void round();
-
-  const Statistics& statistics() const { return statistics_; }
+  const Statistics& statistics() const override { return statistics_; }
   const Archive& archive() const { return archive_; }
-  const Attempts& attempts() const { return attempts_; }
-  const ExploreContext& context() const { return context_; }
-  const Status& deviceStatus() const { return deviceStatus_; }
-
-  // Ways to the goal of the last round, fewest ticks, then jumps, first.
-  const std::vector<Node>& goals() const { return goals_; }
-
-  Playthrough playthrough(const Node& end) const {
-    return regenerate(context_, seed_, problem_, archive_.nodes(), end);
+  const Attempts& attempts() const override { return attempts_; }
+  const ExploreContext& context() const { return setup_.rules.context; }
+  uint32_t cellCount() const override { return archive_.cellCount(); }
+  uint64_t singletons() const override { return archive_.singletons(); }
+  std::vector<Vec3> places(uint32_t first) const override;
+  const Status& deviceStatus() const override { return deviceStatus_; }
+  const std::vector<Node>& goals() const override { return goals_; }
+  Playthrough playthrough(const Node& end) const override {
+    return regenerate(context(), seed_, problem_, archive_.nodes(), end);
   }
 
  private:
@@ -123,13 +88,7 @@ class GoExplore {
   Machine machine_;
   std::optional<DeviceRollouts> device_;
   Status deviceStatus_;
-  Surfaces surfaces_;
-  ExploreContext context_;
-  ClockMap clock_;
-  Binning binning_;
-  Potential potential_;
-  uint32_t phaseTicks_;
-  KeepRule rule_;
+  const ExploreSetup setup_;
   Archive archive_;
   std::unique_ptr<Chooser> chooser_;
   Attempts attempts_;

@@ -18,18 +18,20 @@ void GoExplore::tryKnown(size_t first, size_t count) {
 void GoExplore::follow(Rollout& r, const KnownWay& way) {
   r.end = problem_.start;
   r.endLoose = problem_.startLoose;
-  const uint64_t key = cellKey(binning_, r.end, r.endLoose.data());
+  const uint64_t key = cellKey(setup_.rules.binning, r.end, r.endLoose.data());
   Trail trail{key, key};
-  runKnown(context_, way, r.end, r.endLoose.data(), ticksOf(way),
-           [&](const sim::Action&, const sim::World& world) {
-             if (++r.ticks % rule_.lookEvery != 0 || world.outcome != sim::Outcome::running) return;
-             const uint64_t here = cellKey(binning_, world, r.endLoose.data());
-             if (trail.isNew(here, rule_, world)) {
-               visit(r, here, archive_.find(here), world, r.endLoose, r.ticks);
-               trail.kept = here;
-             }
-             noteClosest(r);
-           });
+  runKnown(
+      context(), way, r.end, r.endLoose.data(), ticksOf(way),
+      [&](const sim::Action&, const sim::World& world) {
+        if (++r.ticks % setup_.rules.rule.lookEvery != 0 || world.outcome != sim::Outcome::running)
+          return;
+        const uint64_t here = cellKey(setup_.rules.binning, world, r.endLoose.data());
+        if (trail.isNew(here, setup_.rules.rule, world)) {
+          visit(r, here, archive_.find(here), world, r.endLoose, r.ticks);
+          trail.kept = here;
+        }
+        noteClosest(r);
+      });
 }
 
 }  // namespace obby::solve

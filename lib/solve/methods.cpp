@@ -4,6 +4,7 @@
 #include "solve/choose_mcts.h"
 #include "solve/choose_mixed.h"
 #include "solve/choose_rrt.h"
+#include "solve/resident/resident_explore.h"
 #include "solve/run_search.h"
 
 namespace obby::solve {
@@ -27,7 +28,13 @@ GoExploreSettings plainSettings() {
 
 template <GoExploreSettings (*settings)(), MakeChooser makeChooser>
 SearchOutcome run(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
-  return runSearch(p, b, settings(), w, m, makeChooser);
+  return runSearch(
+      p, b, w, [&] { return std::make_unique<GoExplore>(p, b.seed, settings(), m, makeChooser); });
+}
+
+SearchOutcome runResident(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
+  return runSearch(
+      p, b, w, [&] { return std::make_unique<ResidentExplore>(p, b.seed, ResidentSettings{}, m); });
 }
 
 }  // namespace
@@ -46,6 +53,8 @@ const std::vector<Method>& methods() {
        run<mctsSettings, makeMctsChooser>},
       {"beam", "beam search, A*-like: the states first that promise the shortest way",
        run<beamSettings, makeBeamChooser>},
+      {"resident", "archive, choice and merge in kernels, thousands of rollouts a round: for GPUs",
+       runResident},
   };
   return table;
 }

@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "solve/go_explore.h"
+#include "solve/machine.h"
 #include "solve/problem.h"
+#include "solve/search.h"
 #include "solve/solutions.h"
 #include "solve/thoroughness.h"
 #include "solve/unreachable.h"
@@ -19,7 +20,7 @@ enum class Stopped { solved, shown, outOfTime, outOfSteps, interrupted };
 
 // A search at work, as its watcher sees it between rounds.
 struct SearchView {
-  const GoExplore& search;
+  const Search& search;
   double seconds;
 };
 

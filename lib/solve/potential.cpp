@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "solve/targets.h"
-#include "solve/trail.h"
-
 namespace obby::solve {
 
 namespace {
@@ -44,12 +41,6 @@ Potential::Potential(const Problem& problem) : query_(problem.query) {
   const bool choice = query_.visitCount > 0 || query_.otherGoalCount > 0;
   spans_ = choice ? spansInAnyOrder(query_, problem.start.position)
                   : spansInOrder(query_, problem.start.position);
-}
-
-float Potential::operator()(const sim::World& world) const {
-  const uint32_t leg = std::min<uint32_t>(targetsReached(world), targetCount(query_));
-  const float near = std::max(0.0f, 1.0f - distanceLeft(query_, world) / spans_[leg]);
-  return (1.0f + 4.0f * near) * (1.0f + 3.0f * float(leg));
 }
 
 }  // namespace obby::solve

@@ -83,15 +83,15 @@ class Solving {
   }
 
   void look(const SearchView& view) {
-    if (options_.explain) footprints_.note(view.search.archive());
+    if (options_.explain) footprints_.note(view.search.places(footprints_.noted()));
     if (view.seconds < nextProgress_ || !status_) return;
     nextProgress_ = view.seconds + kProgressEvery;
     const Statistics& s = view.search.statistics();
     if (output_.progress) {
       const Budget& b = options_.budget;
       const double spent = std::max(view.seconds / b.seconds, double(s.steps) / double(b.maxSteps));
-      output_.progress({identity_.query, std::min(spent, 1.0), s.steps,
-                        view.search.archive().cellCount(), s.closest.distance});
+      output_.progress({identity_.query, std::min(spent, 1.0), s.steps, view.search.cellCount(),
+                        s.closest.distance});
     }
     if (!options_.progressRecords) return;
     io::RecordBuilder record;

@@ -20,7 +20,7 @@ class Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-void takeGoals(const GoExplore& search, size_t wanted, const Watcher& watcher, const Clock& clock,
+void takeGoals(const Search& search, size_t wanted, const Watcher& watcher, const Clock& clock,
                Solutions& solutions, SearchOutcome& outcome) {
   for (size_t i = 0; i < std::min(search.goals().size(), kChecksPerRound); ++i) {
     const bool first = solutions.count() == 0;
@@ -32,7 +32,7 @@ void takeGoals(const GoExplore& search, size_t wanted, const Watcher& watcher, c
   }
 }
 
-std::optional<Stopped> whyStop(const Budget& budget, const GoExplore& search, const Clock& clock,
+std::optional<Stopped> whyStop(const Budget& budget, const Search& search, const Clock& clock,
                                const Solutions& solutions) {
   if (solutions.count() >= budget.solutions) return Stopped::solved;
   if (budget.stop != nullptr && budget.stop->load()) return Stopped::interrupted;
@@ -42,7 +42,7 @@ std::optional<Stopped> whyStop(const Budget& budget, const GoExplore& search, co
 }
 
 // The closest approach first, then ends that are far apart.
-std::vector<Playthrough> showAttempts(const GoExplore& search, size_t count) {
+std::vector<Playthrough> showAttempts(const Search& search, size_t count) {
   std::vector<Playthrough> result;
   const Closest& closest = search.statistics().closest;
   if (count > 0 && closest.way.parent != kNone) result.push_back(search.playthrough(closest.way));
@@ -55,11 +55,11 @@ std::vector<Playthrough> showAttempts(const GoExplore& search, size_t count) {
 
 }  // namespace
 
-SearchOutcome runSearch(const Problem& problem, const Budget& budget,
-                        const GoExploreSettings& settings, const Watcher& watcher,
-                        const Machine& machine, MakeChooser makeChooser) {
+SearchOutcome runSearch(const Problem& problem, const Budget& budget, const Watcher& watcher,
+                        const MakeSearch& makeSearch) {
   const Clock clock;
-  GoExplore search(problem, budget.seed, settings, machine, makeChooser);
+  const std::unique_ptr<Search> made = makeSearch();
+  Search& search = *made;
   CoverageLog coverage;
   Solutions solutions(problem, budget.diverse ? byRoute() : byPath());
   SearchOutcome outcome;
@@ -90,7 +90,7 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget,
   outcome.statistics = search.statistics();
   outcome.thoroughness = coverage.finish(search);
   outcome.targetCount = targetCount(problem.query);
-  outcome.cells = search.archive().cellCount();
+  outcome.cells = search.cellCount();
   outcome.device = search.deviceStatus();
   return outcome;
 }

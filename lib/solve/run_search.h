@@ -1,12 +1,16 @@
-// Drives Go-Explore round by round until enough solutions are found or the budget is spent.
+// Drives a search round by round until enough solutions are found or the budget is spent.
 #pragma once
+
+#include <functional>
+#include <memory>
 
 #include "solve/methods.h"
 
 namespace obby::solve {
 
-SearchOutcome runSearch(const Problem& problem, const Budget& budget,
-                        const GoExploreSettings& settings, const Watcher& watcher,
-                        const Machine& machine, MakeChooser makeChooser);
+using MakeSearch = std::function<std::unique_ptr<Search>()>;
+
+SearchOutcome runSearch(const Problem& problem, const Budget& budget, const Watcher& watcher,
+                        const MakeSearch& makeSearch);
 
 }  // namespace obby::solve

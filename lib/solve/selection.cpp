@@ -7,22 +7,6 @@
 
 namespace obby::solve {
 
-namespace {
-
-constexpr float kWeightScale = 1048576.0f;  // weight of the best potential, never seen
-
-uint64_t below(Random& random, uint64_t n) {
-  const uint64_t high = random.next(), low = random.next();
-  return uint64_t((__extension__ static_cast<unsigned __int128>(high << 32 | low) * n) >> 64);
-}
-
-}  // namespace
-
-uint32_t selectionWeight(float potential, float best, uint32_t seen, float hedge) {
-  const float lean = std::max(potential / best, hedge);
-  return 1u + uint32_t(kWeightScale * lean / sqrtf32(float(seen) + 1.0f));
-}
-
 // Fits: a block has at most 2^6 cells, and a cell at most weight 2^20 + 1.
 uint32_t Selector::blockSum(const Archive& archive, uint32_t block) {
   const uint32_t first = block * Archive::kBlock;
@@ -55,7 +39,7 @@ void Selector::update(const Archive& archive, ThreadPool& pool) {
 }
 
 uint32_t Selector::pick(Random& random) const {
-  uint64_t rest = below(random, running_.back());
+  uint64_t rest = drawBelow(random, running_.back());
   const size_t group =
       size_t(std::upper_bound(running_.begin(), running_.end(), rest) - running_.begin());
   if (group > 0) rest -= running_[group - 1];
@@ -73,7 +57,7 @@ void Selector::choose(const Archive& archive, ThreadPool& pool, Random& random,
 }
 
 std::unique_ptr<Chooser> hedgedSelector(const Problem&, const ExploreContext&) {
-  return std::make_unique<Selector>(0.1f);
+  return std::make_unique<Selector>(kHedge);
 }
 
 std::unique_ptr<Chooser> plainSelector(const Problem&, const ExploreContext&) {

@@ -7,12 +7,9 @@
 #include <vector>
 
 #include "solve/chooser.h"
+#include "solve/selection_weight.h"
 
 namespace obby::solve {
-
-// The weight of a cell seen `seen` times: at least 1. `hedge`: the least lean, as a share of the
-// best.
-uint32_t selectionWeight(float potential, float best, uint32_t seen, float hedge);
 
 class Selector : public Chooser {
  public:
@@ -38,7 +35,7 @@ class Selector : public Chooser {
   std::vector<uint64_t> running_;    // (groups of blocks), sum up to and including each
 };
 
-// A tenth: a goal that is near and out of reach must not hold the search up.
+// With kHedge.
 std::unique_ptr<Chooser> hedgedSelector(const Problem& problem, const ExploreContext& context);
 // None, as published.
 std::unique_ptr<Chooser> plainSelector(const Problem& problem, const ExploreContext& context);

@@ -16,9 +16,9 @@ double mostNew(const Thoroughness& t) {
   return f > 0 ? f + kQuantile * std::sqrt(2 * f) : kNoneSeen;
 }
 
-CoveragePoint pointOf(const GoExplore& search) {
+CoveragePoint pointOf(const Search& search) {
   const Statistics& s = search.statistics();
-  return {s.steps, search.archive().cellCount(), s.closest.distance};
+  return {s.steps, search.cellCount(), s.closest.distance};
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ bool saturated(const Thoroughness& t) {
   return t.rollouts >= kLeastRollouts && newCellsIfTwice(t) <= kSaturated;
 }
 
-void CoverageLog::note(const GoExplore& search) {
+void CoverageLog::note(const Search& search) {
   const CoveragePoint here = pointOf(search);
   if (here.steps < next_) return;
   points_.push_back(here);
@@ -44,11 +44,11 @@ void CoverageLog::note(const GoExplore& search) {
   while (next_ <= here.steps) next_ *= 2;
 }
 
-Thoroughness CoverageLog::finish(const GoExplore& search) {
+Thoroughness CoverageLog::finish(const Search& search) {
   const CoveragePoint end = pointOf(search);
   if (points_.empty() || points_.back().steps < end.steps) points_.push_back(end);
   const Statistics& s = search.statistics();
-  return {s.rollouts, s.idleRollouts, search.archive().singletons(), std::move(points_)};
+  return {s.rollouts, s.idleRollouts, search.singletons(), std::move(points_)};
 }
 
 void fillEvidence(schema::SearchEvidence::Builder record, const Thoroughness& t) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "schema/obby.capnp.h"
-#include "solve/go_explore.h"
+#include "solve/search.h"
 
 namespace obby::solve {
 
@@ -40,9 +40,9 @@ bool saturated(const Thoroughness& t);
 // Watches a search between rounds.
 class CoverageLog {
  public:
-  void note(const GoExplore& search);
+  void note(const Search& search);
   // To be called once, at the end of the search.
-  Thoroughness finish(const GoExplore& search);
+  Thoroughness finish(const Search& search);
 
  private:
   std::vector<CoveragePoint> points_;

@@ -10,6 +10,7 @@
 #include "sim/backend.h"
 #include "sim/host_device.h"
 #include "solve/go_explore.h"
+#include "solve/resident/resident_explore.h"
 #include "support/courses.h"
 
 namespace {
@@ -117,14 +118,22 @@ void compareWalkers(Parity& parity, uint32_t worlds, uint32_t ticks) {
   parity.compare("rules of every kind", ruled.course, worlds, ticks, sim::Actions::walker(6));
 }
 
+// A goal that nobody reaches.
+solve::Problem endless(const level::Level& level) {
+  level::QueryView query;
+  query.goal.region = {{{0, 500, 0}, {}}, {2, 2, 2}};
+  return {level.view(),
+          query,
+          sim::makeWorld(level.view(), level.spawns()[0]),
+          sim::makeLoose(level.view()),
+          level.bounds(),
+          level.hasMotion()};
+}
+
 // The same search with its rollouts on threads and on the device: every cell of the archive.
 void compareSearch(Parity& parity, sim::Device& device, ThreadPool& pool, int rounds) {
   const level::Level level = support::movingArena(60, 10, 5).compile();
-  level::QueryView query;
-  query.goal.region = {{{0, 500, 0}, {}}, {2, 2, 2}};
-  const solve::Problem problem{
-      level.view(), query,          sim::makeWorld(level.view(), level.spawns()[0]),
-      {},           level.bounds(), level.hasMotion()};
+  const solve::Problem problem = endless(level);
   solve::GoExplore threads(problem, 1, {}, pool), kernel(problem, 1, {}, {pool, &device});
   for (int round = 0; round < rounds; ++round) {
     threads.round();
@@ -138,6 +147,28 @@ void compareSearch(Parity& parity, sim::Device& device, ThreadPool& pool, int ro
   const std::string cells = std::to_string(threads.archive().cellCount()) + " cells";
   parity.say(bool(status) && same, "search",
              status ? cells.c_str() : status.error().text().c_str());
+}
+
+// The search that lives on the device, there and on the CPU in its place.
+void compareResident(Parity& parity, const char* name, const level::Level& level,
+                     sim::Device& device, ThreadPool& pool, int rounds) {
+  const solve::Problem problem = endless(level);
+  solve::ResidentExplore host(problem, 1, {}, pool), there(problem, 1, {}, {pool, &device});
+  for (int round = 0; round < rounds; ++round) {
+    host.round();
+    there.round();
+  }
+  const auto expected = host.cells(), found = there.cells();
+  bool same = expected.size() == found.size() && host.singletons() == there.singletons() &&
+              host.statistics().steps == there.statistics().steps;
+  for (size_t c = 0; same && c < expected.size(); ++c) {
+    same = stateHash(expected[c].world, expected[c].loose) ==
+               stateHash(found[c].world, found[c].loose) &&
+           expected[c].node == found[c].node && expected[c].seen == found[c].seen;
+  }
+  const Status& status = there.deviceStatus();
+  const std::string cells = std::to_string(expected.size()) + " cells";
+  parity.say(bool(status) && same, name, status ? cells.c_str() : status.error().text().c_str());
 }
 
 }  // namespace
@@ -164,5 +195,10 @@ int main(int argc, char** argv) {
   compareWalkers(parity, worlds, 300);
   compareSources(parity, worlds, 120);
   compareSearch(parity, device, pool, option == "--quick" ? 4 : 40);
+  const int rounds = option.empty() ? 40 : 4;
+  compareResident(parity, "resident search", support::movingArena(60, 10, 5).compile(), device,
+                  pool, rounds);
+  compareResident(parity, "resident, loose bodies", golden::looseBodies().compile(), device, pool,
+                  rounds);
   return parity.passed() ? 0 : 1;
 }

@@ -2,8 +2,8 @@
 // fails under way.
 #include <gtest/gtest.h>
 
+#include "failing_device.h"
 #include "scenes.h"
-#include "sim/host_device.h"
 #include "solve/go_explore.h"
 #include "untimed.h"
 
@@ -25,19 +25,6 @@ std::string answers(const char* level, FilterOptions options) {
   EXPECT_TRUE(f.status);
   return withoutTiming(f.output);
 }
-
-// A device whose launches work only so often.
-class FailingDevice : public sim::HostDevice {
- public:
-  FailingDevice(ThreadPool& pool, int launches) : HostDevice(pool), left_(launches) {}
-  Status launch(const sim::Kernel& kernel, const void* arguments, uint32_t count) override {
-    if (left_-- <= 0) return makeError("CUDA: rollout: unspecified launch failure");
-    return HostDevice::launch(kernel, arguments, count);
-  }
-
- private:
-  int left_;
-};
 
 TEST(DeviceSearch, AnswersAreThoseOfThreads) {
   for (const char* level : {"kill-checkerboard", "vanishing-run", "sliding-planks", "truss-tower",

@@ -168,14 +168,7 @@ TEST(Knobs, TheOtherAvoidRegionsStay) {
 // On the floor and on the lift, never on the far platform; the lava and the crate do not count.
 TEST(Knobs, PartsToLowerLieBeyondWhereTheSearchHasBeen) {
   Scene s(kGoal);
-  Archive archive;
-  uint64_t key = 1;
-  for (const Vec3 at : {Vec3{0, 0, -2}, Vec3{0, 0, -6}, Vec3{0, 6, -14}}) {
-    sim::World w = sim::makeWorld(s.level.view(), s.level.spawns()[0]);
-    w.position = at;
-    archive.offer(key++, w, {0, kNone, 0}, 0);
-  }
-  s.footprints.note(archive);
+  s.footprints.note({{0, 0, -2}, {0, 0, -6}, {0, 6, -14}});
   EXPECT_THAT(partsBeyond(s.failure(), 4), ElementsAre(3u));
 }
 

@@ -4,6 +4,7 @@
 
 #include "io/json_codec.h"
 #include "scenes.h"
+#include "solve/go_explore.h"
 #include "solve/methods.h"
 #include "untimed.h"
 

@@ -40,6 +40,12 @@ class Gpu : public Device {
   Status download(void* to, const void* from, size_t bytes) const override {
     return check(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost), "copying from the GPU");
   }
+  Status copy(void* to, const void* from, size_t bytes) override {
+    return check(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToDevice), "copying on the GPU");
+  }
+  Status fill(void* to, uint8_t value, size_t bytes) override {
+    return check(cudaMemset(to, value, bytes), "clearing memory of the GPU");
+  }
 
   Status launch(const Kernel& kernel, const void* arguments, uint32_t count) override {
     if (count == 0) return {};

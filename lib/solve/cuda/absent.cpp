@@ -4,5 +4,6 @@
 namespace obby::solve::cuda {
 
 const void* rolloutEntry(bool) { return nullptr; }
+const void* residentEntry(ResidentStep) { return nullptr; }
 
 }  // namespace obby::solve::cuda

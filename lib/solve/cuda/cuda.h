@@ -1,8 +1,12 @@
 // What the CUDA build adds to the search.
 #pragma once
 
+#include "solve/resident/steps.h"
+
 namespace obby::solve::cuda {
 
-const void* rolloutEntry(bool loose);  // Kernel::entry of rolloutKernel; null without CUDA
+// Kernel::entry of their namesakes; null without CUDA.
+const void* rolloutEntry(bool loose);
+const void* residentEntry(ResidentStep step);
 
 }  // namespace obby::solve::cuda

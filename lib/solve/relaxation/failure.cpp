@@ -2,9 +2,9 @@
 
 namespace obby::solve {
 
-void Footprints::note(const Archive& archive) {
-  for (; cells_ < archive.cellCount(); ++cells_) {
-    const Vec3 at = archive.world(cells_).position;
+void Footprints::note(const std::vector<Vec3>& places) {
+  noted_ += uint32_t(places.size());
+  for (const Vec3 at : places) {
     places_.emplace(floorToInt(at.x), floorToInt(at.y * 4), floorToInt(at.z));
   }
 }

@@ -10,14 +10,16 @@
 
 namespace obby::solve {
 
-// Where a search has been, to a stud. To be shown the archive as it grows.
+// Where a search has been, to a stud.
 class Footprints {
  public:
-  void note(const Archive& archive);
+  // Search::places, from noted() on.
+  void note(const std::vector<Vec3>& places);
+  uint32_t noted() const { return noted_; }
   std::vector<Vec3> places() const;
 
  private:
-  uint32_t cells_ = 0;  // of the archive that were noted
+  uint32_t noted_ = 0;  // cells of the search
   std::set<std::tuple<int32_t, int32_t, int32_t>> places_;
 };
 

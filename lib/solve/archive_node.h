@@ -1,0 +1,19 @@
+// How the archive remembers the ways to its states. Plain data, for device code.
+#pragma once
+
+#include "level/level_view.h"
+
+namespace obby::solve {
+
+constexpr uint32_t kNone = level::kNone;
+
+constexpr uint64_t kKnown = 1ull << 62;  // streams of random numbers count up from 0
+
+// How a state was reached: `ticks` ticks of rollout `rollout` from the state of node `parent`.
+struct Node {
+  uint64_t rollout;  // its stream of random numbers, or with kKnown an index into Problem::known
+  uint32_t parent;   // kNone: this is the start
+  uint32_t ticks;
+};
+
+}  // namespace obby::solve

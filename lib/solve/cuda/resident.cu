@@ -1,0 +1,40 @@
+// Launch forms of the kernels of a resident search.
+#include "solve/cuda/cuda.h"
+#include "solve/resident/kernels.h"
+
+namespace obby::solve::cuda {
+namespace {
+
+template <class Arguments, void (*kFunction)(const Arguments&, uint32_t)>
+__global__ void run(const __grid_constant__ Arguments arguments, uint32_t count) {
+  const uint32_t i = blockIdx.x * blockDim.x + threadIdx.x;
+  if (i < count) kFunction(arguments, i);
+}
+
+template <class Arguments, void (*kFunction)(const Arguments&, uint32_t)>
+const void* entry() {
+  return reinterpret_cast<const void*>(run<Arguments, kFunction>);
+}
+
+}  // namespace
+
+const void* residentEntry(ResidentStep step) {
+  using A = ResidentArguments;
+  switch (step) {
+    case ResidentStep::weigh: return entry<A, weighCells>();
+    case ResidentStep::choose: return entry<A, chooseStart>();
+    case ResidentStep::explore: return entry<A, exploreFrom<false>>();
+    case ResidentStep::exploreLoose: return entry<A, exploreFrom<true>>();
+    case ResidentStep::takePlayed: return entry<A, takePlayed>();
+    case ResidentStep::claim: return entry<A, claimCells>();
+    case ResidentStep::settle: return entry<A, settleClaims>();
+    case ResidentStep::count: return entry<A, countFinds>();
+    case ResidentStep::sumFinds: return entry<A, sumFinds>();
+    case ResidentStep::place: return entry<A, placeFinds>();
+    case ResidentStep::sum: return entry<SumArguments, sumOne>();
+    case ResidentStep::rehash: break;
+  }
+  return entry<RehashArguments, rehash>();
+}
+
+}  // namespace obby::solve::cuda

@@ -1,0 +1,36 @@
+#include "solve/explore_setup.h"
+
+#include <algorithm>
+
+#include "solve/binning.h"
+#include "solve/doom.h"
+
+namespace obby::solve {
+
+namespace {
+
+constexpr float kClockReach = 10;  // studs around moving parts where the clock matters
+
+RolloutRules makeRules(const Problem& problem, uint64_t seed, const GoExploreSettings& s,
+                       const Surfaces& surfaces, const ClockMap& clock) {
+  const Params& params = problem.level.params;
+  const JumpReach reach = jumpReach(params);
+  const uint32_t ticks = std::max(s.leastPhase, uint32_t(s.phaseJumps * reach.airTicks));
+  return {{problem.level, problem.query, surfaces.view(), reach, s.explore,
+           limitsJumps(problem.query), doomHeight(problem)},
+          makeBinning(problem, s.cellWidth, clock),
+          {s.groundedOnly, std::max(uint32_t(reach.airTicks), params.controlRate / 2u),
+           std::clamp(s.lookEvery, 1u, ticks)},
+          seed,
+          ticks};
+}
+
+}  // namespace
+
+ExploreSetup::ExploreSetup(const Problem& problem, uint64_t seed, const GoExploreSettings& settings)
+    : surfaces_(problem.level),
+      clock_(problem.level, kClockReach),
+      rules(makeRules(problem, seed, settings, surfaces_, clock_)),
+      potential(problem) {}
+
+}  // namespace obby::solve

@@ -1,0 +1,39 @@
+// What the rollouts of a search read, made from its problem and settings once.
+#pragma once
+
+#include "solve/cell.h"
+#include "solve/explore_context.h"
+#include "solve/potential.h"
+#include "solve/rollout_kernel.h"
+
+namespace obby::solve {
+
+// The defaults were measured over levels/ (ticks to the first solution).
+struct GoExploreSettings {
+  uint32_t rollouts = 32;       // a round, at first: short generations answer easy queries soon
+  uint32_t mostRollouts = 512;  // a round, once the search is long: keeps all threads busy
+  float phaseJumps = 4;         // length of a rollout, in flat jumps' air time
+  uint32_t leastPhase = 40;     // ticks
+  float cellWidth = 2;          // studs at 16 studs/s; grows with walking speed
+  bool groundedOnly = true;     // keep states that stand, or have been in the air for long
+  uint32_t lookEvery = 3;  // ticks between states that may be kept; walking, a cell takes seven
+  ExploreSettings explore;
+};
+
+class ExploreSetup {
+ public:
+  // The level and the query must outlive the setup.
+  ExploreSetup(const Problem& problem, uint64_t seed, const GoExploreSettings& settings);
+  ExploreSetup(const ExploreSetup&) = delete;
+  ExploreSetup& operator=(const ExploreSetup&) = delete;
+
+ private:
+  const Surfaces surfaces_;
+  const ClockMap clock_;
+
+ public:
+  const RolloutRules rules;
+  const Potential potential;
+};
+
+}  // namespace obby::solve

@@ -1,0 +1,20 @@
+// A device whose launches work only so often.
+#pragma once
+
+#include "sim/host_device.h"
+
+namespace obby::solve {
+
+class FailingDevice : public sim::HostDevice {
+ public:
+  FailingDevice(ThreadPool& pool, int launches) : HostDevice(pool), left_(launches) {}
+  Status launch(const sim::Kernel& kernel, const void* arguments, uint32_t count) override {
+    if (left_-- <= 0) return makeError("CUDA: rollout: unspecified launch failure");
+    return HostDevice::launch(kernel, arguments, count);
+  }
+
+ private:
+  int left_;
+};
+
+}  // namespace obby::solve

@@ -1,0 +1,103 @@
+// What a resident search keeps: the same for any number of threads, every state of it regenerated
+// from its way, and no more than there is room for.
+#include <set>
+
+#include "resident_scenes.h"
+
+namespace obby::solve {
+namespace {
+
+void rounds(ResidentExplore& search, int count) {
+  for (int i = 0; i < count; ++i) search.round();
+}
+
+TEST(ResidentArchive, TheSameCellByCellForAnyNumberOfThreads) {
+  for (const auto& [name, scene] : residentScenes()) {
+    ThreadPool one(1);
+    ResidentExplore expected(scene->question.problem(), 4, smallRounds(scene->rollouts), {one});
+    rounds(expected, 8);
+    EXPECT_GT(expected.cellCount(), 20u) << name;
+    for (const int threads : {2, 3}) {
+      ThreadPool pool(threads);
+      ResidentExplore search(scene->question.problem(), 4, smallRounds(scene->rollouts), {pool});
+      rounds(search, 8);
+      expectSameArchive(search, expected, std::string(name) + ", " + std::to_string(threads));
+    }
+  }
+}
+
+TEST(ResidentArchive, EveryStateIsRegeneratedFromItsWay) {
+  for (const auto& [name, scene] : residentScenes()) {
+    ThreadPool pool(2);
+    ResidentExplore search(scene->question.problem(), 9, smallRounds(scene->rollouts), {pool});
+    rounds(search, 6);
+    const std::vector<ArchivedCell> cells = search.cells();
+    for (size_t c = 0; c < cells.size(); ++c) {
+      const Playthrough p = search.playthrough(search.nodes()[cells[c].node]);
+      ASSERT_EQ(sim::stateHash(p.end, p.endLoose), sim::stateHash(cells[c].world, cells[c].loose))
+          << name << ", cell " << c;
+    }
+  }
+}
+
+// Nodes are neither lost nor doubled: each is that of a cell, or was until a better arrival.
+TEST(ResidentArchive, CellsAreDistinctAndSoAreTheirNodes) {
+  ResidentScene scene(support::movingArena(40, 8, 3));
+  ThreadPool pool(2);
+  ResidentExplore search(scene.question.problem(), 2, smallRounds(), {pool});
+  rounds(search, 10);
+  const Problem problem = scene.question.problem();
+  const ExploreSetup setup(problem, 2, smallRounds().explore);
+  std::set<uint64_t> keys;
+  std::set<uint32_t> nodes;
+  for (const ArchivedCell& c : search.cells()) {
+    keys.insert(cellKey(setup.rules.binning, c.world, c.loose.data()));
+    nodes.insert(c.node);
+  }
+  EXPECT_EQ(keys.size(), search.cellCount());
+  EXPECT_EQ(nodes.size(), search.cellCount());
+  EXPECT_LT(*nodes.rbegin(), search.nodes().size());
+  for (size_t n = 1; n < search.nodes().size(); ++n) {
+    ASSERT_LT(search.nodes()[n].parent, n) << n;
+    ASSERT_GT(search.nodes()[n].ticks, 0u) << n;
+  }
+}
+
+TEST(ResidentArchive, AFullArchiveKeepsTheSameCellsForAnyNumberOfThreads) {
+  ResidentScene scene(support::movingArena(40, 8, 3));
+  ResidentSettings settings = smallRounds();
+  settings.maxCells = 100;
+  ThreadPool one(1), three(3);
+  ResidentExplore expected(scene.question.problem(), 4, settings, {one});
+  ResidentExplore search(scene.question.problem(), 4, settings, {three});
+  uint64_t nodes = 0;
+  for (int i = 0; i < 12; ++i) {
+    expected.round();
+    search.round();
+    ASSERT_LE(search.cellCount(), 100u);
+    nodes = search.nodes().size();
+  }
+  EXPECT_EQ(search.cellCount(), 100u);
+  EXPECT_GT(nodes, 100u);  // better ways to what is there are kept on
+  expectSameArchive(search, expected, "full");
+}
+
+// Far more cells than the memory that a search begins with has room for.
+TEST(ResidentArchive, GrowsWithWhatItHolds) {
+  ResidentScene scene(support::movingArena(60, 12, 3));
+  ResidentSettings settings = smallRounds(1024);
+  settings.explore.groundedOnly = false;
+  settings.explore.cellWidth = 0.5f;
+  ThreadPool pool(2);
+  ResidentExplore search(scene.question.problem(), 4, settings, {pool});
+  rounds(search, 4);
+  ASSERT_GT(search.cellCount(), 20'000u);
+  const std::vector<ArchivedCell> cells = search.cells();
+  for (size_t c = 0; c < cells.size(); c += 97) {
+    const Playthrough p = search.playthrough(search.nodes()[cells[c].node]);
+    ASSERT_EQ(sim::stateHash(p.end), sim::stateHash(cells[c].world)) << c;
+  }
+}
+
+}  // namespace
+}  // namespace obby::solve

@@ -1,0 +1,65 @@
+// What the tests of the resident search share.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "golden/loose_scenes.h"
+#include "scenes.h"
+#include "solve/resident/resident_explore.h"
+
+namespace obby::solve {
+
+inline ResidentSettings smallRounds(uint32_t rollouts = 256) {
+  ResidentSettings s;
+  s.explore.rollouts = rollouts;
+  s.explore.mostRollouts = 4 * rollouts;
+  return s;
+}
+
+// A level and a question about it.
+struct ResidentScene {
+  explicit ResidentScene(LevelBuilder builder) : level(builder.compile()), question(level) {
+    question.query.goal = boxAt({0, 500, 0}, {2, 2, 2});  // out of reach
+  }
+  level::Level level;
+  Question question;
+  uint32_t rollouts = 256;  // a round
+};
+
+// Courses with what makes cells differ: moving parts, jumps, waypoints, loose bodies.
+inline std::vector<std::pair<const char*, std::unique_ptr<ResidentScene>>> residentScenes() {
+  std::vector<std::pair<const char*, std::unique_ptr<ResidentScene>>> all;
+  all.emplace_back("stones", std::make_unique<ResidentScene>(steppingStones()));
+  all.emplace_back("moving", std::make_unique<ResidentScene>(support::movingArena(40, 8, 3)));
+  all.emplace_back("jumps", std::make_unique<ResidentScene>(support::boxArena(40, 5)));
+  all.back().second->question.query.maxJumps = 3;
+  all.emplace_back("waypoints", std::make_unique<ResidentScene>(steppingStones()));
+  Question& q = all.back().second->question;
+  q.waypoints = {{boxAt({3, 2, -18}, {2, 4, 2})}, {boxAt({-3, 2, -1}, {2, 4, 2})}};
+  q.query.goal = boxAt({0, 2, -28}, {8, 4, 8});
+  all.emplace_back("loose", std::make_unique<ResidentScene>(golden::looseBodies()));
+  all.back().second->rollouts = 48;  // they take long
+  return all;
+}
+
+inline void expectSameArchive(const ResidentExplore& a, const ResidentExplore& b,
+                              const std::string& name) {
+  const std::vector<ArchivedCell> left = a.cells(), right = b.cells();
+  ASSERT_EQ(left.size(), right.size()) << name;
+  ASSERT_EQ(left.size(), a.cellCount()) << name;
+  for (size_t c = 0; c < left.size(); ++c) {
+    ASSERT_EQ(sim::stateHash(left[c].world, left[c].loose),
+              sim::stateHash(right[c].world, right[c].loose))
+        << name << ", cell " << c;
+    ASSERT_EQ(left[c].node, right[c].node) << name << ", cell " << c;
+    ASSERT_EQ(left[c].seen, right[c].seen) << name << ", cell " << c;
+  }
+  EXPECT_EQ(a.singletons(), b.singletons()) << name;
+  const Statistics &s = a.statistics(), &t = b.statistics();
+  EXPECT_EQ(s.steps, t.steps) << name;
+  EXPECT_EQ(s.idleRollouts, t.idleRollouts) << name;
+  EXPECT_EQ(s.closest.distance, t.closest.distance) << name;
+  EXPECT_EQ(s.closest.way.rollout, t.closest.way.rollout) << name;
+}
+
+}  // namespace obby::solve
