@@ -151,9 +151,12 @@ void compareSearch(Parity& parity, sim::Device& device, ThreadPool& pool, int ro
 
 // The search that lives on the device, there and on the CPU in its place.
 void compareResident(Parity& parity, const char* name, const level::Level& level,
-                     sim::Device& device, ThreadPool& pool, int rounds) {
+                     sim::Device& device, ThreadPool& pool, int rounds, uint32_t rollouts) {
   const solve::Problem problem = endless(level);
-  solve::ResidentExplore host(problem, 1, {}, pool), there(problem, 1, {}, {pool, &device});
+  solve::ResidentSettings settings;
+  settings.explore.rollouts = rollouts;
+  solve::ResidentExplore host(problem, 1, settings, pool);
+  solve::ResidentExplore there(problem, 1, settings, {pool, &device});
   for (int round = 0; round < rounds; ++round) {
     host.round();
     there.round();
@@ -196,9 +199,10 @@ int main(int argc, char** argv) {
   compareSources(parity, worlds, 120);
   compareSearch(parity, device, pool, option == "--quick" ? 4 : 40);
   const int rounds = option.empty() ? 40 : 4;
+  const uint32_t rollouts = option.empty() ? 1024 : 64;
   compareResident(parity, "resident search", support::movingArena(60, 10, 5).compile(), device,
-                  pool, rounds);
+                  pool, rounds, rollouts);
   compareResident(parity, "resident, loose bodies", golden::looseBodies().compile(), device, pool,
-                  rounds);
+                  rounds / 4, rollouts);
   return parity.passed() ? 0 : 1;
 }

@@ -32,7 +32,7 @@ TEST(ResidentArchive, EveryStateIsRegeneratedFromItsWay) {
     ResidentExplore search(scene->question.problem(), 9, smallRounds(scene->rollouts), {pool});
     rounds(search, 6);
     const std::vector<ArchivedCell> cells = search.cells();
-    for (size_t c = 0; c < cells.size(); ++c) {
+    for (size_t c = 0; c < cells.size(); c += scene->replayed) {
       const Playthrough p = search.playthrough(search.nodes()[cells[c].node]);
       ASSERT_EQ(sim::stateHash(p.end, p.endLoose), sim::stateHash(cells[c].world, cells[c].loose))
           << name << ", cell " << c;
