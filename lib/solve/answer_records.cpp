@@ -91,8 +91,7 @@ void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identi
     fillTrajectory(way, identity, view.search.playthrough(end), index++);
   };
   if (s.closest.way.parent != kNone) fillWay(record.initBest(), s.closest.way);
-  const Archive& archive = view.search.archive();
-  const Node newest = archive.nodes()[archive.node(archive.cellCount() - 1)];
+  const Node newest = view.search.newest();
   if (newest.parent != kNone) fillWay(record.initNewest(), newest);
   const auto ends = view.search.attempts().newestFailures(kProgressDeaths);
   auto deaths = record.initDeaths(uint32_t(ends.size()));

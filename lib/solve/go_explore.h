@@ -34,6 +34,7 @@ class GoExplore final : public Search {
   const Attempts& attempts() const override { return attempts_; }
   const ExploreContext& context() const { return setup_.rules.context; }
   uint32_t cellCount() const override { return archive_.cellCount(); }
+  Node newest() const override { return archive_.nodes()[archive_.node(cellCount() - 1)]; }
   uint64_t singletons() const override { return archive_.singletons(); }
   std::vector<Vec3> places(uint32_t first) const override;
   const Status& deviceStatus() const override { return deviceStatus_; }

@@ -38,6 +38,8 @@ class Search {
   virtual const Statistics& statistics() const = 0;
   virtual const Attempts& attempts() const = 0;
   virtual uint32_t cellCount() const = 0;
+  // The way to the newest cell.
+  virtual Node newest() const = 0;
   // Cells that only their finder passed through.
   virtual uint64_t singletons() const = 0;
   // Feet in the cells from `first` on.

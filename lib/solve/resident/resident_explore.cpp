@@ -119,6 +119,13 @@ void ResidentExplore::takeEnds(const RoundFindings& found, uint64_t firstRollout
   }
 }
 
+// A device that cannot be asked any more leaves the start.
+Node ResidentExplore::newest() const {
+  if (!rounds_) return nodes_[0];
+  const auto cells = rounds_->cells(cells_ - 1);
+  return nodes_[cells && !cells->empty() ? cells->front().node : 0];
+}
+
 // The cells that the device cannot be asked for are asked for again with the next.
 std::vector<Vec3> ResidentExplore::places(uint32_t first) const {
   std::vector<Vec3> result;

@@ -39,6 +39,7 @@ class ResidentExplore final : public Search {
   const Statistics& statistics() const override { return statistics_; }
   const Attempts& attempts() const override { return attempts_; }
   uint32_t cellCount() const override { return cells_; }
+  Node newest() const override;
   uint64_t singletons() const override { return cells_ - sightings_; }
   std::vector<Vec3> places(uint32_t first) const override;
   const Status& deviceStatus() const override { return deviceStatus_; }
