@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/thread_pool.h"
-#include "common/endless_problem.h"
 #include "common/report.h"
 #include "sim/simulator.h"
 #include "solve/archive.h"
@@ -17,6 +16,7 @@
 #include "solve/choose_beam.h"
 #include "solve/selection.h"
 #include "support/level_builder.h"
+#include "support/plain_problem.h"
 
 namespace {
 
@@ -137,7 +137,7 @@ class Bench {
 int main(int argc, char** argv) {
   bench::Report report(argc, argv, "archive");
   const level::Level level = support::boxArena(20, 1).compile();
-  const solve::Problem problem = bench::endlessProblem(level);
+  const solve::Problem problem = support::endlessProblem(level);
   Bench bench(report, problem);
   bench.run("million", 1'000'000);
   bench.run("tenMillion", 10'000'000);

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "base/thread_pool.h"
-#include "common/endless_problem.h"
 #include "common/report.h"
 #include "sim/simulator.h"
 #include "sim/wide_tick.h"
 #include "solve/go_explore.h"
 #include "solve/rollout.h"
 #include "support/level_builder.h"
+#include "support/plain_problem.h"
 
 namespace {
 
@@ -85,7 +85,7 @@ void addTo(Sums& sums, Work&& work) {
 }
 
 void scene(bench::Report& report, const char* name, const level::Level& level, ThreadPool& pool) {
-  const solve::Problem problem = bench::endlessProblem(level);
+  const solve::Problem problem = support::endlessProblem(level);
   solve::GoExplore search(problem, 1, solve::GoExploreSettings{}, pool);
   Sums raw, found;
   for (int slice = 0; slice < kSlices; ++slice) {

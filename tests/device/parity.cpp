@@ -12,6 +12,7 @@
 #include "solve/go_explore.h"
 #include "solve/resident/resident_explore.h"
 #include "support/courses.h"
+#include "support/plain_problem.h"
 
 namespace {
 
@@ -118,22 +119,10 @@ void compareWalkers(Parity& parity, uint32_t worlds, uint32_t ticks) {
   parity.compare("rules of every kind", ruled.course, worlds, ticks, sim::Actions::walker(6));
 }
 
-// A goal that nobody reaches.
-solve::Problem endless(const level::Level& level) {
-  level::QueryView query;
-  query.goal.region = {{{0, 500, 0}, {}}, {2, 2, 2}};
-  return {level.view(),
-          query,
-          sim::makeWorld(level.view(), level.spawns()[0]),
-          sim::makeLoose(level.view()),
-          level.bounds(),
-          level.hasMotion()};
-}
-
 // The same search with its rollouts on threads and on the device: every cell of the archive.
 void compareSearch(Parity& parity, sim::Device& device, ThreadPool& pool, int rounds) {
   const level::Level level = support::movingArena(60, 10, 5).compile();
-  const solve::Problem problem = endless(level);
+  const solve::Problem problem = support::endlessProblem(level);
   solve::GoExplore threads(problem, 1, {}, pool), kernel(problem, 1, {}, {pool, &device});
   for (int round = 0; round < rounds; ++round) {
     threads.round();
@@ -152,7 +141,7 @@ void compareSearch(Parity& parity, sim::Device& device, ThreadPool& pool, int ro
 // The search that lives on the device, there and on the CPU in its place.
 void compareResident(Parity& parity, const char* name, const level::Level& level,
                      sim::Device& device, ThreadPool& pool, int rounds, uint32_t rollouts) {
-  const solve::Problem problem = endless(level);
+  const solve::Problem problem = support::endlessProblem(level);
   solve::ResidentSettings settings;
   settings.explore.rollouts = rollouts;
   solve::ResidentExplore host(problem, 1, settings, pool);

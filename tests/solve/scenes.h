@@ -12,6 +12,7 @@
 #include "solve/filter.h"
 #include "solve/problem.h"
 #include "support/level_builder.h"
+#include "support/plain_problem.h"
 
 namespace obby::solve {
 
@@ -39,12 +40,7 @@ struct Question {
     query.waypointCount = uint32_t(waypoints.size());
     query.avoid = avoid.data();
     query.avoidCount = uint32_t(avoid.size());
-    return {level.view(),
-            query,
-            sim::makeWorld(level.view(), level.spawns()[0]),
-            sim::makeLoose(level.view()),
-            level.bounds(),
-            level.hasMotion()};
+    return support::plainProblem(level, query);
   }
   const level::Level& level;
   level::QueryView query{};

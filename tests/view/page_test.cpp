@@ -78,6 +78,20 @@ TEST(Page, NamesTheHardestStep) {
   EXPECT_THAT(view::pageData(*report, {}), Not(HasSubstr("difficulty")));
 }
 
+TEST(Page, SaysWhatWouldHelpWhichRoutesThereAreAndHowFarToTrustIt) {
+  const std::string answer =
+      R"({"type":"result","query":"ahead","level":"Course </script><b>","verdict":"unknown",)"
+      R"("relaxations":[{"knob":"jumps","text":"solvable with 3 jumps instead of 2"}],)"
+      R"("routes":[{"route":[0,2],"count":"7","ticks":90}],)"
+      R"("evidence":{"saturation":"growing","newCellChance":0.5}})";
+  auto report = collect({kLevel, kQuery, answer});
+  ASSERT_TRUE(report) << report.error().text();
+  const std::string data = view::pageData(*report, {});
+  EXPECT_THAT(data, HasSubstr(R"("relaxations":["solvable with 3 jumps instead of 2"])"));
+  EXPECT_THAT(data, HasSubstr(R"("routes":[{"count":"7","ticks":90,"route":[0,2]}])"));
+  EXPECT_THAT(data, HasSubstr(R"("evidence":{"saturation":"growing","newCellChance":0.5})"));
+}
+
 TEST(Page, HoldsDataOnceAndEscapesTheTitle) {
   if (!view::pageAvailable()) GTEST_SKIP() << "BUILT WITHOUT THE VIEWER PAGE (npm): not tested";
   const auto page = view::htmlPage(solvedReport(), {});
