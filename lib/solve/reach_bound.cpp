@@ -1,7 +1,6 @@
 #include "solve/reach_bound.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace obby::solve {
 
@@ -12,6 +11,7 @@ ReachBound::ReachBound(const Problem& problem, bool mayJump)
       jumpSpeed_(fastestJump(problem.level)),
       supports_(supportsOf(problem)),
       flight_(p_, fastestWalk(problem.level)) {
+  for (const Support& s : supports_) lowest_ = std::min(lowest_, s.entry);
   // What is reached makes faster, and who is faster reaches more.
   for (;;) {
     explore();
@@ -74,8 +74,12 @@ void ReachBound::spread(uint32_t from, std::vector<uint32_t>& now, std::vector<u
   if (s.leadsTo != level::kNone) arrive(s.leadsTo, made);
   const Launch falling = launch(s, false), leaping = launch(s, true);
   const bool leaps = mayJump_ && s.carries;
+  // Nobody comes farther than down to the lowest of all: most supports need no closer look.
+  const float lowest = std::min(lowest_, s.feet.hi.y);
+  const float farthest = flight_.reach(leaps ? leaping : falling, lowest);
   for (uint32_t to = 0; to < supports_.size(); ++to) {
     if (supports_[to].collider == level::kNone || jumps_[to] <= made) continue;
+    if (gapBetween(s.feet, supports_[to].feet) > farthest) continue;
     if (crosses(falling, supports_[to], false)) {
       arrive(to, made);
     } else if (leaps && crosses(leaping, supports_[to], true)) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "solve/flight.h"
@@ -59,6 +60,7 @@ class ReachBound {
   const bool mayJump_;
   const float jumpSpeed_;
   std::vector<Support> supports_;
+  float lowest_ = std::numeric_limits<float>::infinity();  // entry of all supports
   std::vector<uint32_t> jumps_;  // (supports): fewest on the way there; kNever
   Flight flight_;
 };
