@@ -8,9 +8,6 @@ namespace obby::solve {
 
 namespace {
 
-constexpr size_t kTries = 4;          // rollouts from a cell in a round
-constexpr float kGreed = 5;           // more than 1: finds some way sooner, not the shortest
-constexpr uint32_t kTriedTicks = 60;  // what a round's tries add to f: no cell waits for ever
 constexpr uint32_t kTaken = 0xffffffffu;
 constexpr uint64_t kNoRank = ~uint64_t(0);
 
@@ -18,41 +15,9 @@ constexpr uint64_t kNoRank = ~uint64_t(0);
 
 GoExploreSettings beamSettings() { return {}; }
 
-BeamChooser::BeamChooser(const Problem& problem)
-    : query_(problem.query),
-      ticksPerStud_(float(problem.level.params.controlRate) /
-                    std::max(problem.level.params.walkSpeed, 1.0f)),
-      legs_(problem.query.waypointCount + 1, 0.0f) {
-  const geom::Region* to = &query_.goal.region;
-  for (uint32_t i = query_.waypointCount; i-- > 0; to = &query_.waypoints[i].target.region) {
-    const geom::Region& from = query_.waypoints[i].target.region;
-    const float leg = geom::distance(*to, from.pose.position) - length(from.half);
-    // With a choice of goals the leg to the first would not be the least.
-    const bool known = i + 1 < query_.waypointCount || query_.otherGoalCount == 0;
-    legs_[i] = legs_[i + 1] + (known ? std::max(leg, 0.0f) : 0.0f);
-  }
-  for (uint32_t i = 0; i < query_.visitCount; ++i) {
-    const geom::Region& from = query_.visits[i].region;
-    float nearest = geom::distance(query_.goal.region, from.pose.position);
-    for (uint32_t k = 0; k < query_.visitCount; ++k) {
-      if (k == i) continue;
-      nearest = std::min(nearest, geom::distance(query_.visits[k].region, from.pose.position));
-    }
-    hops_.push_back(nearest);
-  }
-}
-
-float BeamChooser::ticksLeft(const sim::World& world) const {
-  float studs = distanceLeft(query_, world) + legs_[world.waypoints];
-  for (uint32_t i = 0; i < query_.visitCount; ++i) {
-    if (!(world.visited >> i & 1)) studs += hops_[i];
-  }
-  return ticksPerStud_ * studs;
-}
-
 void BeamChooser::addCells(const Archive& archive) {
   for (uint32_t cell = uint32_t(extra_.size()); cell < archive.cellCount(); ++cell) {
-    extra_.push_back(uint32_t(kGreed * ticksLeft(archive.world(cell))));
+    extra_.push_back(greedyTicks(way_.view(), query_, archive.world(cell)));
   }
   blocks_.resize(archive.blockCount());
   groups_.resize(groupCount(archive));
@@ -117,7 +82,7 @@ void BeamChooser::rank(const Archive& archive, size_t width) {
 void BeamChooser::choose(const Archive& archive, ThreadPool& pool, Random&,
                          std::span<Choice> choices) {
   update(archive, pool);
-  rank(archive, (choices.size() + kTries - 1) / kTries);
+  rank(archive, (choices.size() + kBeamTries - 1) / kBeamTries);
   for (size_t i = 0; i < choices.size(); ++i) {
     choices[i].cell = uint32_t(ranked_[i % ranked_.size()]);
   }

@@ -1,7 +1,8 @@
-// Beam search over cells, A*-like: every round goes on from the cells with the least f = ticks so
-// far + greed * ticks that are left at best + what the cell has been tried already.
+// Beam search over cells, A*-like: every round goes on from the cells with the least f
+// (beam_rank.h).
 #pragma once
 
+#include "solve/beam_rank.h"
 #include "solve/go_explore.h"
 
 namespace obby::solve {
@@ -10,14 +11,14 @@ GoExploreSettings beamSettings();
 
 class BeamChooser : public Chooser {
  public:
-  explicit BeamChooser(const Problem& problem);
+  explicit BeamChooser(const Problem& problem) : query_(problem.query), way_(problem) {}
 
   void choose(const Archive& archive, ThreadPool& pool, Random& random,
               std::span<Choice> choices) override;
 
-  // Ticks to the goal in a straight line through the waypoints ahead, walking. Visits ahead count
-  // as the way to the nearest, and from each to what is nearest to it.
-  float ticksLeft(const sim::World& world) const;
+  float ticksLeft(const sim::World& world) const {
+    return solve::ticksLeft(way_.view(), query_, world);
+  }
 
  private:
   void addCells(const Archive& archive);
@@ -28,9 +29,7 @@ class BeamChooser : public Chooser {
   void rerank(const Archive& archive, uint32_t cell, uint32_t extra);
 
   level::QueryView query_;
-  float ticksPerStud_;
-  std::vector<float> legs_;  // (waypoints + 1), studs from a waypoint to the end; 0 for the goal
-  std::vector<float> hops_;  // (visits), studs from a visit to the nearest other or to the goal
+  BeamWay way_;
   ChunkedVector<uint32_t> extra_;  // (cells), f less the ticks so far; kTaken: not to be ranked
   std::vector<uint64_t> blocks_;   // best rank of each block of cells
   std::vector<uint64_t> groups_;   // best rank of each group of blocks

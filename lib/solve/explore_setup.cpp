@@ -31,6 +31,7 @@ ExploreSetup::ExploreSetup(const Problem& problem, uint64_t seed, const GoExplor
     : surfaces_(problem.level),
       clock_(problem.level, kClockReach),
       rules(makeRules(problem, seed, settings, surfaces_, clock_)),
-      potential(problem) {}
+      potential(problem),
+      beam(problem) {}
 
 }  // namespace obby::solve

@@ -1,6 +1,7 @@
 // What the rollouts of a search read, made from its problem and settings once.
 #pragma once
 
+#include "solve/beam_rank.h"
 #include "solve/cell.h"
 #include "solve/explore_context.h"
 #include "solve/potential.h"
@@ -34,6 +35,7 @@ class ExploreSetup {
  public:
   const RolloutRules rules;
   const Potential potential;
+  const BeamWay beam;
 };
 
 }  // namespace obby::solve

@@ -63,6 +63,7 @@ TEST(ResidentSearch, SolvesLevels) {
       {"vanishing-run", ""},
       {"truss-tower", ""},
       {"push-box", "onto-the-wall"},
+      {"suite/needle-tower", "ten-in-fourteen-jumps"},
   };
   for (const auto& [level, query] : queries) {
     FilterOptions options = resident(4'000'000);

@@ -22,6 +22,9 @@ const void* residentEntry(ResidentStep step) {
   using A = ResidentArguments;
   switch (step) {
     case ResidentStep::weigh: return entry<A, weighCells>();
+    case ResidentStep::countRanks: return entry<A, countRanks>();
+    case ResidentStep::sumRanks: return entry<A, sumRanks>();
+    case ResidentStep::markBest: return entry<A, markBest>();
     case ResidentStep::choose: return entry<A, chooseStart>();
     case ResidentStep::explore: return entry<A, exploreFrom<false>>();
     case ResidentStep::exploreLoose: return entry<A, exploreFrom<true>>();

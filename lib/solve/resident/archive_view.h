@@ -24,6 +24,7 @@ struct ArchiveView {
   uint32_t* nodes;        // (cells)
   uint32_t* seen;         // (cells)
   uint32_t* sighted;      // (cells), a bit each: others than their finder passed through
+  uint32_t* waits;        // (cells), the beam's f less the ticks so far
   float* potentials;      // (cells)
   uint32_t slotMask, looseCount, cellCount;
 };

@@ -22,7 +22,8 @@ DeviceArchive::DeviceArchive(sim::Device& device, uint32_t looseCount) : device_
   view_.looseCount = looseCount;
 }
 
-Status DeviceArchive::addStart(const Problem& problem, uint64_t key, float potential) {
+Status DeviceArchive::addStart(const Problem& problem, uint64_t key, float potential,
+                               uint32_t wait) {
   OBBY_RETURN_IF_ERROR(grow(1));
   sim::Device& d = *device_;
   OBBY_RETURN_IF_ERROR(put(d, view_.slots + (key & view_.slotMask), {key, 0}));
@@ -30,6 +31,7 @@ Status DeviceArchive::addStart(const Problem& problem, uint64_t key, float poten
   OBBY_RETURN_IF_ERROR(put(d, view_.ranks, arrivalRank(problem.start)));
   OBBY_RETURN_IF_ERROR(put(d, view_.nodes, 0u));
   OBBY_RETURN_IF_ERROR(put(d, view_.seen, 0u));
+  OBBY_RETURN_IF_ERROR(put(d, view_.waits, wait));
   OBBY_RETURN_IF_ERROR(put(d, view_.potentials, potential));
   view_.cellCount = 1;
   const std::vector<sim::LooseBody>& loose = problem.startLoose;
@@ -73,10 +75,12 @@ Status DeviceArchive::grow(uint32_t cells) {
   OBBY_RETURN_IF_ERROR(widen(nodes_, view_.nodes, capacity));
   OBBY_RETURN_IF_ERROR(widen(seen_, view_.seen, capacity));
   OBBY_RETURN_IF_ERROR(widen(sighted_, view_.sighted, capacity / 32));
+  OBBY_RETURN_IF_ERROR(widen(waits_, view_.waits, capacity));
   OBBY_RETURN_IF_ERROR(widen(potentials_, view_.potentials, capacity));
   uint64_t* sums = nullptr;
   const SumTree largest = makeSumTree(nullptr, capacity);
   OBBY_RETURN_IF_ERROR(sim::makeRoom(*device_, sums_, sums, largest.firsts[largest.levels]));
+  OBBY_RETURN_IF_ERROR(sim::makeRoom(*device_, bestSums_, sums, largest.firsts[largest.levels]));
   capacity_ = capacity;
   return {};
 }

@@ -14,7 +14,7 @@ class DeviceArchive {
   DeviceArchive(sim::Device& device, uint32_t looseCount);
 
   // Makes the start of the problem the first cell, node 0.
-  Status addStart(const Problem& problem, uint64_t key, float potential);
+  Status addStart(const Problem& problem, uint64_t key, float potential, uint32_t wait);
 
   // Makes room for that many cells.
   Status grow(uint32_t cells);
@@ -22,7 +22,9 @@ class DeviceArchive {
   void setCellCount(uint32_t cells) { view_.cellCount = cells; }
 
   const ArchiveView& view() const { return view_; }
+  // Trees over the cells: their weights, and which of them are the beam's.
   SumTree weights() const { return makeSumTree(sums_.as<uint64_t>(), view_.cellCount); }
+  SumTree bestCells() const { return makeSumTree(bestSums_.as<uint64_t>(), view_.cellCount); }
 
  private:
   template <class T>
@@ -32,7 +34,8 @@ class DeviceArchive {
   sim::Device* device_;
   ArchiveView view_{};
   uint32_t capacity_ = 0;  // cells
-  sim::Memory slots_, worlds_, loose_, ranks_, nodes_, seen_, sighted_, potentials_, sums_;
+  sim::Memory slots_, worlds_, loose_, ranks_, nodes_, seen_, sighted_, waits_, potentials_, sums_,
+      bestSums_;
 };
 
 }  // namespace obby::solve

@@ -17,9 +17,46 @@ OBBY_DEVICE void weighCells(const ResidentArguments& a, uint32_t i) {
   sumLeaves(a.weights, i, [&](uint32_t cell) { return cellWeight(a, cell); });
 }
 
+OBBY_DEVICE uint32_t beamRank(const ResidentArguments& a, uint32_t cell) {
+  const uint32_t ticks = uint32_t(a.archive.ranks[cell] >> 16);
+  const uint32_t rank = (ticks + a.archive.waits[cell]) / kRankTicks;
+  return rank < kRanks ? rank : kRanks - 1;
+}
+
+// Counts the ranks of 64 cells.
+OBBY_DEVICE void countRanks(const ResidentArguments& a, uint32_t i) {
+  const uint32_t end = a.archive.cellCount - i * kFan < kFan ? a.archive.cellCount : (i + 1) * kFan;
+  for (uint32_t cell = i * kFan; cell < end; ++cell) {
+    fetchAdd(a.rankCounts + beamRank(a, cell), 1u);
+  }
+}
+
+OBBY_DEVICE void sumRanks(const ResidentArguments& a, uint32_t i) {
+  sumLeaves(a.rankSums, i, [&](uint32_t rank) { return a.rankCounts[rank]; });
+}
+
+// The beam takes the cells up to this rank: all of it, so that their order does not matter.
+OBBY_DEVICE uint32_t lastRank(const ResidentArguments& a) {
+  const uint32_t cells = a.archive.cellCount;
+  const uint32_t width = a.beamWidth < cells ? a.beamWidth : cells;
+  return leafAt(a.rankSums, width - 1, [&](uint32_t rank) { return a.rankCounts[rank]; });
+}
+
+// One of the lowest sums of the beam's cells.
+OBBY_DEVICE void markBest(const ResidentArguments& a, uint32_t i) {
+  const uint32_t last = lastRank(a);
+  sumLeaves(a.bestCells, i, [&](uint32_t cell) { return beamRank(a, cell) <= last ? 1u : 0u; });
+}
+
 // Where rollout i starts.
 OBBY_DEVICE void chooseStart(const ResidentArguments& a, uint32_t i) {
   Random random(a.rules.seed, kSelectionStream | (a.firstRollout + i));
+  if (i >= a.firstBeam) {
+    const uint32_t last = lastRank(a);
+    a.starts[i] = leafAt(a.bestCells, drawBelow(random, totalOf(a.bestCells)),
+                         [&](uint32_t cell) { return beamRank(a, cell) <= last ? 1u : 0u; });
+    return;
+  }
   const uint64_t rest = drawBelow(random, totalOf(a.weights));
   a.starts[i] = leafAt(a.weights, rest, [&](uint32_t cell) { return cellWeight(a, cell); });
 }
@@ -72,6 +109,7 @@ OBBY_DEVICE void exploreFrom(const ResidentArguments& a, uint32_t i) {
   sim::LooseBody* const loose = a.loose + size_t(i) * bodies;
   for (uint32_t b = 0; b < bodies; ++b) loose[b] = a.archive.loose[size_t(start) * bodies + b];
   fetchAdd(a.archive.seen + start, 1u);
+  if (i >= a.firstBeam) fetchAdd(a.archive.waits + start, kTriedTicks / kBeamTries);
   uint32_t count = 0;
   const auto visit = [&](uint64_t key, const sim::World& w, uint32_t tick) {
     const uint32_t cell = cellOf(a.archive, key);
@@ -178,6 +216,8 @@ OBBY_DEVICE void placeState(const ResidentArguments& a, uint32_t candidate, uint
 OBBY_DEVICE void addCell(const ResidentArguments& a, uint32_t candidate, uint32_t cell) {
   addKey(a.archive, a.candidates.keys[candidate], cell);
   a.archive.seen[cell] = 0;
+  a.archive.waits[cell] =
+      greedyTicks(a.beam, a.rules.context.query, a.candidates.worlds[candidate]);
   if (a.claims.shared[a.candidates.slots[candidate]] != 0 && noteSighted(a.archive, cell)) {
     fetchAdd(&a.report->sightings, 1u);
   }

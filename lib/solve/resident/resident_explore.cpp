@@ -15,7 +15,7 @@ uint64_t stateBytes(const Problem& problem) {
 }
 
 uint32_t fittingCells(const Problem& problem, uint32_t most) {
-  constexpr uint64_t kBeside = 2 * sizeof(CellSlot) + 24;  // table, rank, node, counts, potential
+  constexpr uint64_t kBeside = 2 * sizeof(CellSlot) + 48;  // table, sums, what else a cell has
   return uint32_t(std::min<uint64_t>(most, kArchiveBytes / (stateBytes(problem) + kBeside)));
 }
 

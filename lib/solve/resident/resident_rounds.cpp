@@ -22,12 +22,14 @@ uint32_t endPartsOf(const ExploreContext& c) {
 struct Tables {
   RolloutRules rules;
   PotentialView potential;
+  BeamView beam;
 };
 
 template <class Table>
 void forTables(Tables& t, Table&& table) {
   forTables(t.rules, table);
   forTables(t.potential, table);
+  forTables(t.beam, table);
 }
 
 }  // namespace
@@ -37,6 +39,7 @@ ResidentRounds::ResidentRounds(sim::Device& device, const ExploreSetup& setup,
     : device_(&device), maxCells_(maxCells), archive_(device, problem.level.looseCount) {
   arguments_.rules = setup.rules;
   arguments_.potential = setup.potential.view();
+  arguments_.beam = setup.beam.view();
   arguments_.endParts = endPartsOf(setup.rules.context);
   arguments_.firstNode = 1;  // the start has node 0
 }
@@ -44,18 +47,21 @@ ResidentRounds::ResidentRounds(sim::Device& device, const ExploreSetup& setup,
 Result<ResidentRounds> ResidentRounds::open(sim::Device& device, const ExploreSetup& setup,
                                             const Problem& problem, uint32_t maxCells) {
   ResidentRounds rounds(device, setup, problem, maxCells);
-  OBBY_RETURN_IF_ERROR(rounds.openTables(problem, setup.potential(problem.start)));
+  OBBY_RETURN_IF_ERROR(rounds.openTables(setup, problem));
   return rounds;
 }
 
-Status ResidentRounds::openTables(const Problem& problem, float potential) {
+Status ResidentRounds::openTables(const ExploreSetup& setup, const Problem& problem) {
   const uint64_t key = cellKey(arguments_.rules.binning, problem.start, problem.startLoose.data());
-  OBBY_RETURN_IF_ERROR(archive_.addStart(problem, key, potential));
+  const float potential = setup.potential(problem.start);
+  const uint32_t wait = greedyTicks(setup.beam.view(), problem.query, problem.start);
+  OBBY_RETURN_IF_ERROR(archive_.addStart(problem, key, potential, wait));
   arguments_.best = potential;
-  Tables tables{arguments_.rules, arguments_.potential};
+  Tables tables{arguments_.rules, arguments_.potential, arguments_.beam};
   OBBY_ASSIGN(tables_, sim::uploadTables(*device_, tables));
   arguments_.rules = tables.rules;
   arguments_.potential = tables.potential;
+  arguments_.beam = tables.beam;
   return {};
 }
 
@@ -107,10 +113,28 @@ Status ResidentRounds::begin(uint64_t firstRollout, uint32_t rollouts, uint32_t 
   return device_->upload(a.report, &fresh, sizeof fresh);
 }
 
+// For the second half of the rollouts.
+Status ResidentRounds::rankCells(uint32_t rollouts) {
+  ResidentArguments& a = arguments_;
+  a.firstBeam = (rollouts + 1) / 2;
+  a.beamWidth = std::max(1u, (rollouts - a.firstBeam) / kBeamTries);
+  a.bestCells = archive_.bestCells();
+  a.rankSums = makeSumTree(nullptr, kRanks);
+  OBBY_RETURN_IF_ERROR(room(rankCounts_, a.rankCounts, kRanks));
+  OBBY_RETURN_IF_ERROR(room(rankSums_, a.rankSums.sums, a.rankSums.firsts[a.rankSums.levels]));
+  OBBY_RETURN_IF_ERROR(device_->fill(a.rankCounts, 0, rankCounts_.bytes()));
+  OBBY_RETURN_IF_ERROR(launch(ResidentStep::countRanks, sumCount(a.bestCells, 0)));
+  OBBY_RETURN_IF_ERROR(launch(ResidentStep::sumRanks, sumCount(a.rankSums, 0)));
+  OBBY_RETURN_IF_ERROR(sumUp(a.rankSums));
+  OBBY_RETURN_IF_ERROR(launch(ResidentStep::markBest, sumCount(a.bestCells, 0)));
+  return sumUp(a.bestCells);
+}
+
 Status ResidentRounds::chooseStarts(uint32_t rollouts) {
   arguments_.weights = archive_.weights();
   OBBY_RETURN_IF_ERROR(launch(ResidentStep::weigh, sumCount(arguments_.weights, 0)));
   OBBY_RETURN_IF_ERROR(sumUp(arguments_.weights));
+  OBBY_RETURN_IF_ERROR(rankCells(rollouts));
   return launch(ResidentStep::choose, rollouts);
 }
 

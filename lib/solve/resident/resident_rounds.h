@@ -57,7 +57,8 @@ class ResidentRounds {
  private:
   ResidentRounds(sim::Device& device, const ExploreSetup& setup, const Problem& problem,
                  uint32_t maxCells);
-  Status openTables(const Problem& problem, float potential);
+  Status openTables(const ExploreSetup& setup, const Problem& problem);
+  Status rankCells(uint32_t rollouts);
   Status begin(uint64_t firstRollout, uint32_t rollouts, uint32_t room);
   Status makeRoundRoom(uint32_t rollouts, uint32_t room);
   Status chooseStarts(uint32_t rollouts);
@@ -79,7 +80,7 @@ class ResidentRounds {
   DeviceArchive archive_;
   sim::Memory tables_, starts_, loose_, played_, worlds_, candidateLoose_, keys_, ticks_, cells_,
       slots_, finds_, findSums_, ends_, goals_, endCounts_, nodes_, report_, claimKeys_,
-      claimRanks_, claimants_, shared_;
+      claimRanks_, claimants_, shared_, rankCounts_, rankSums_;
 };
 
 }  // namespace obby::solve

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solve/archive_node.h"
+#include "solve/beam_rank.h"
 #include "solve/potential.h"
 #include "solve/resident/archive_view.h"
 #include "solve/resident/sum_tree.h"
@@ -67,9 +68,15 @@ struct RoundReport {
 struct ResidentArguments {
   RolloutRules rules;
   PotentialView potential;
+  BeamView beam;
   ArchiveView archive;
-  SumTree weights;  // of the cells
-  float best;       // potential that the weights are relative to
+  SumTree weights;       // of the cells
+  float best;            // potential that the weights are relative to
+  uint32_t* rankCounts;  // (kRanks), cells of each rank of the beam
+  SumTree rankSums;      // of those
+  SumTree bestCells;     // 1 for the beam's cells
+  uint32_t beamWidth;    // cells that it has at least, if there are so many
+  uint32_t firstBeam;    // the first rollout of the round that starts from one of them
   uint64_t firstRollout;
   uint32_t room;            // candidates of a rollout, at most
   uint32_t freeCells;       // that the archive may still get
@@ -100,6 +107,7 @@ struct RehashArguments {
 };
 
 constexpr uint32_t kOutcomes = 9;
+constexpr uint32_t kRanks = 65536, kRankTicks = 8;  // f of the beam, in ranks
 
 OBBY_DEVICE uint32_t floatBits(float v) {
   uint32_t bits = 0;

@@ -26,6 +26,9 @@ const sim::Kernel& residentKernel(ResidentStep step) {
   static const sim::Kernel kernels[] = {
       // in the order of ResidentStep
       roundKernel<weighCells>("residentWeigh", weigh),
+      roundKernel<solve::countRanks>("residentCountRanks", countRanks),
+      roundKernel<solve::sumRanks>("residentSumRanks", sumRanks),
+      roundKernel<solve::markBest>("residentMarkBest", markBest),
       roundKernel<chooseStart>("residentChoose", choose),
       roundKernel<exploreFrom<false>>("residentExplore", explore),
       roundKernel<exploreFrom<true>>("residentExploreLoose", exploreLoose),

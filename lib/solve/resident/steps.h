@@ -7,6 +7,9 @@ namespace obby::solve {
 
 enum class ResidentStep {
   weigh,
+  countRanks,
+  sumRanks,
+  markBest,
   choose,
   explore,
   exploreLoose,  // for levels with loose bodies
