@@ -183,7 +183,7 @@ export class Sidebar {
       add('Play time', `${seconds(r.ticks / rate)} s`);
       add('Jumps', String(r.jumps));
       if (r.firstSolution > 0) add('Found after', `${seconds(r.firstSolution)} s`);
-    } else {
+    } else if (Number(r.steps) > 0) {
       add('Closest', `${r.closest.toFixed(1)} studs`);
       if (r.seconds > 0) add('Searched', `${seconds(r.seconds)} s`);
     }
