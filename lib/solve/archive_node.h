@@ -2,6 +2,7 @@
 #pragma once
 
 #include "level/level_view.h"
+#include "sim/world.h"
 
 namespace obby::solve {
 
@@ -15,5 +16,9 @@ struct Node {
   uint32_t parent;   // kNone: this is the start
   uint32_t ticks;
 };
+
+// Of two arrivals in a cell, or at the goal, the lesser is better: fewer ticks, or as many with
+// fewer jumps.
+OBBY_DEVICE uint64_t arrivalRank(const sim::World& w) { return uint64_t(w.tick) << 16 | w.jumps; }
 
 }  // namespace obby::solve

@@ -57,6 +57,11 @@ OBBY_DEVICE bool doomed(const ExploreContext& c, const sim::World& w) {
   return w.position.y < c.doomHeight && w.floorlessTicks > c.level.params.coyoteTicks;
 }
 
+// Does a rollout that stopped here end as a fall?
+OBBY_DEVICE bool fallsOn(const ExploreContext& c, const sim::World& w) {
+  return w.outcome == sim::Outcome::running && doomed(c, w);
+}
+
 constexpr uint32_t kFallTicks = 60 * 3600;  // longer than any fall
 
 // Standing on something, hanging on a truss or sitting, free to jump soon.

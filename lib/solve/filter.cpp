@@ -37,13 +37,14 @@ Result<io::Then> Filter::handleLevel(const io::Record& record) {
   OBBY_RETURN_IF_ERROR(askDefault());
   last_ = nullptr;
   OBBY_ASSIGN(LoadedLevel loaded, loadLevel(record));
+  // First: a level without the places is none that trajectories can be judged by.
+  if (options_.task == Task::filter) {
+    OBBY_ASSIGN(PassFilter filter, PassFilter::make(record.reader().getLevel(), options_.passes));
+    passFilters_.insert_or_assign(loaded.level.name(), std::move(filter));
+  }
   last_ = std::make_shared<const LoadedLevel>(std::move(loaded));
   lastAsked_ = false;
   levels_[last_->level.name()] = last_;
-  if (options_.task == Task::filter) {
-    OBBY_ASSIGN(PassFilter filter, PassFilter::make(record.reader().getLevel(), options_.passes));
-    passFilters_.insert_or_assign(last_->level.name(), std::move(filter));
-  }
   if (!options_.quick || options_.each || options_.task != Task::answer) return io::Then::pass;
   lastAsked_ = true;
   OBBY_ASSIGN(const io::Record query,

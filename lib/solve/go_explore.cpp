@@ -198,7 +198,7 @@ void GoExplore::merge() {
     if (tried_.back().cells != 0) statistics_.idleRollouts = 0;
     mergeEnd(r);
     if (r.end.outcome == sim::Outcome::goal) {
-      reached.push_back({uint64_t(r.end.tick) << 16 | r.end.jumps, {r.id, r.parent, r.ticks}});
+      reached.push_back({arrivalRank(r.end), {r.id, r.parent, r.ticks}});
     }
   }
   std::stable_sort(reached.begin(), reached.end(),
@@ -221,14 +221,12 @@ Tried GoExplore::keep(const Rollout& r) {
 void GoExplore::mergeEnd(const Rollout& r) {
   statistics_.steps += r.ticks;
   statistics_.overruns |= uint8_t(r.end.flags & sim::kOverruns);
-  const Node way{r.id, r.parent, r.ticks};
   if (r.end.outcome != sim::Outcome::goal) {
-    const bool falls = r.end.outcome == sim::Outcome::running && doomed(context(), r.end);
-    attempts_.add(falls ? AttemptEnd{{r.id, r.parent, kFallTicks},
-                                     r.end.position,
-                                     sim::Outcome::fell,
-                                     r.end.part}
-                        : AttemptEnd{way, r.end.position, r.end.outcome, r.end.part});
+    const bool falls = fallsOn(context(), r.end);
+    attempts_.add({{r.id, r.parent, falls ? kFallTicks : r.ticks},
+                   r.end.position,
+                   falls ? sim::Outcome::fell : r.end.outcome,
+                   r.end.part});
   }
   if (!closer(r.closest, statistics_.closest)) return;
   statistics_.closest = {r.closest, {r.id, r.parent, r.closestTicks}};

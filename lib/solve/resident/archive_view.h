@@ -4,12 +4,10 @@
 
 #include "sim/loose.h"
 #include "sim/world.h"
+#include "solve/archive_node.h"
 #include "solve/resident/atomics.h"
 
 namespace obby::solve {
-
-// Of two arrivals in a cell the lesser is kept: fewer ticks, or as many with fewer jumps.
-OBBY_DEVICE uint64_t arrivalRank(const sim::World& w) { return uint64_t(w.tick) << 16 | w.jumps; }
 
 struct CellSlot {
   uint64_t key;  // 0: free

@@ -70,11 +70,6 @@ OBBY_DEVICE bool wouldKeep(const ArchiveView& archive, uint32_t start, uint32_t 
   return arrivalRank(w) < archive.ranks[cell];
 }
 
-// Does a rollout that stopped here end as a fall?
-OBBY_DEVICE bool fallsOn(const ResidentArguments& a, const sim::World& w) {
-  return w.outcome == sim::Outcome::running && doomed(a.rules.context, w);
-}
-
 OBBY_DEVICE void noteGoal(const ResidentArguments& a, uint32_t i, const sim::World& w) {
   const ResidentEnd& end = a.ends[i];
   a.goals[fetchAdd(&a.report->goals, 1u)] = {arrivalRank(w), i, end.parent, end.ticks};
@@ -82,7 +77,7 @@ OBBY_DEVICE void noteGoal(const ResidentArguments& a, uint32_t i, const sim::Wor
 
 OBBY_DEVICE void noteEnd(const ResidentArguments& a, uint32_t i, const sim::World& w,
                          const RolloutPath& path, uint32_t parent, uint32_t candidates) {
-  const bool falls = fallsOn(a, w);
+  const bool falls = fallsOn(a.rules.context, w);
   const sim::Outcome outcome = falls ? sim::Outcome::fell : w.outcome;
   a.ends[i] = {
       path.closest, w.position, path.closestTicks, path.ticks, falls ? kFallTicks : path.ticks,
