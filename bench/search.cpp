@@ -98,6 +98,8 @@ void scene(bench::Report& report, const char* name, const level::Level& level, T
   found.steps = double(search.statistics().steps);
   report.add(name, "stepsPerSecond", found.steps / found.wall, "1/s");
   report.add(name, "stepsPerCpuSecond", found.steps / found.cpu, "1/s");
+  report.add(name, "busyThreads", found.cpu / found.wall, "");
+  report.add(name, "rawBusyThreads", raw.cpu / raw.wall, "");
   report.add(name, "shareOfRaw", (found.steps / found.wall) / (raw.steps / raw.wall), "");
   report.add(name, "cells", search.archive().cellCount(), "");
 }

@@ -26,7 +26,7 @@ float apart(const AttemptEnd& a, const AttemptEnd& b) {
 
 void Attempts::show(const AttemptEnd& end) {
   if (ends_.size() >= kMaxKinds) return;
-  if (kinds_.emplace(kindOf(end), uint32_t(ends_.size())).second) ends_.push_back(end);
+  if (kinds_.insert(kindOf(end)).second) ends_.push_back(end);
 }
 
 std::vector<EndCount> Attempts::counts() const {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <map>
-#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -50,7 +50,7 @@ class Attempts {
 
  private:
   std::map<std::pair<sim::Outcome, uint32_t>, uint64_t> counts_;
-  std::unordered_map<uint64_t, uint32_t> kinds_;  // place and outcome to index into ends_
+  std::unordered_set<uint64_t> kinds_;  // place and outcome
   std::vector<AttemptEnd> ends_;
 };
 

@@ -64,12 +64,15 @@ OBBY_DEVICE bool fallsOn(const ExploreContext& c, const sim::World& w) {
 
 constexpr uint32_t kFallTicks = 60 * 3600;  // longer than any fall
 
-// Standing on something, hanging on a truss or sitting, free to jump soon.
+// Standing on something, hanging on a truss or sitting, free to jump soon. No branches: searches
+// ask this of every world at every tick.
 OBBY_DEVICE bool grounded(const sim::World& w) {
-  if (w.state == sim::State::climbing || w.state == sim::State::seated) return true;
-  return w.floorlessTicks == 0 && w.state != sim::State::jumping &&
-         w.state != sim::State::freefall && w.state != sim::State::dead &&
-         w.state != sim::State::fallingDown;
+  using sim::State;
+  const auto in = [&](State s) { return uint32_t(w.state == s); };
+  const uint32_t holds = in(State::climbing) | in(State::seated);
+  const uint32_t off =
+      in(State::jumping) | in(State::freefall) | in(State::dead) | in(State::fallingDown);
+  return (holds | (uint32_t(w.floorlessTicks == 0) & (off ^ 1u))) != 0;
 }
 
 }  // namespace obby::solve

@@ -12,16 +12,16 @@ class Explorer {
   OBBY_DEVICE Explorer(uint64_t seed, uint64_t stream) : random_(seed, stream) {}
 
   OBBY_DEVICE sim::Action next(const ExploreContext& c, const sim::World& w) {
+    const bool plans = tick_ == 0;  // all rollouts at the same ticks: lanes and groups agree
+    tick_ = tick_ + 1 == kSteerEvery ? 0 : tick_ + 1;
+    if (plans && kind_ == Kind::aim && !planAimMacro(c, w, aim_)) kind_ = Kind::none;
     if (kind_ == Kind::none) draw(c, w);
-    sim::Action action;
-    if (kind_ == Kind::aim) {
-      bool done = false;
-      action = stepAimMacro(c, w, aim_, done);
-      if (done) kind_ = Kind::none;
-    } else {
-      action = held_.action;
-      if (--held_.ticks == 0) kind_ = Kind::none;
-    }
+    // Both kinds are gone through, without a branch: which it is is as good as random.
+    const bool aims = kind_ == Kind::aim;
+    sim::Action action = aims ? aim_.action : held_.action;
+    action.jump = aims ? jumpsNow(w, aim_) : held_.action.jump;
+    held_.ticks -= aims ? 0 : 1;
+    kind_ = aims || held_.ticks != 0 ? kind_ : Kind::none;
     // A jump beyond the limit would end the attempt.
     if (c.jumpsLimited && action.jump && jumpsLeft(c.query, w) == 0) action.jump = false;
     return action;
@@ -33,6 +33,7 @@ class Explorer {
   OBBY_DEVICE void draw(const ExploreContext& c, const sim::World& w) {
     if (c.settings.aimShare > 0 && random_.unit() < c.settings.aimShare &&
         drawAimMacro(c, w, random_, aim_)) {
+      steer(c, w, grounded(w), aim_);
       kind_ = Kind::aim;
       return;
     }
@@ -40,10 +41,12 @@ class Explorer {
     kind_ = Kind::held;
   }
 
-  Random random_;
+  // What every tick reads comes first.
   Kind kind_ = Kind::none;
+  uint8_t tick_ = 0;  // since the last at which it planned
   RandomMacro held_{};
   AimMacro aim_{};
+  Random random_;
 };
 
 }  // namespace obby::solve

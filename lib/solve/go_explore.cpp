@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "solve/rollout_group.h"
-
 namespace obby::solve {
 
 namespace {
@@ -115,50 +113,64 @@ void GoExplore::explore(std::span<Rollout> rollouts) {
   std::vector<Trail> trails;
   std::vector<Look> looks;
   for (Rollout& r : rollouts) {
-    r.candidates.clear();
-    r.ticks = r.closestTicks = 0;
-    r.closest = {};
-    r.end = archive_.world(r.start.cell);
+    const sim::World& start = archive_.world(r.start.cell);
     const auto loose = archive_.loose(r.start.cell);
+    r.candidates.clear();
+    r.closestTicks = 0;
+    r.closest = {};
     r.endLoose.assign(loose.begin(), loose.end());
-    const uint64_t key = cellKey(setup_.rules.binning, r.end, r.endLoose.data());
+    const uint64_t key = cellKey(setup_.rules.binning, start, r.endLoose.data());
     trails.push_back({key, key});
     archive_.countSeen(r.start.cell);
-    group.add(seed_, r.id, r.end, r.endLoose.data(), r.start.ticks);
+    group.add(seed_, r.id, start, r.endLoose.data(), r.start.ticks);
   }
-  group.run([&](uint32_t tick, std::span<const RolloutGroup::Member> members) {
-    looks.clear();
-    for (const RolloutGroup::Member& m : members) {
-      rollouts[m.index].ticks = tick;
-      if (tick % setup_.rules.rule.lookEvery != 0 || m.world->outcome != sim::Outcome::running)
-        continue;
-      looks.push_back({cellKey(setup_.rules.binning, *m.world, m.loose), m.index});
-    }
-    look(rollouts, trails, looks);
-  });
+  group.run(
+      [&](uint32_t tick) {
+        if (tick % setup_.rules.rule.lookEvery != 0) return;
+        listLooks(group, trails, looks);
+        look(group, rollouts, trails, looks, tick);
+      },
+      [&](uint32_t tick, size_t member) {
+        Rollout& r = rollouts[group.index(member)];
+        r.end = group.world(member);
+        r.ticks = tick;
+      });
 }
 
-// The archive is far larger than the caches: what all rollouts ask of it is fetched before the
-// first needs it.
-void GoExplore::look(std::span<Rollout> rollouts, std::span<Trail> trails, std::span<Look> looks) {
-  const auto isNew = [&](const Look& l) {
-    return trails[l.rollout].isNew(l.key, setup_.rules.rule, rollouts[l.rollout].end);
-  };
-  for (const Look& l : looks) {
-    if (isNew(l)) archive_.prefetch(l.key);
+// Those in a cell that they were not in at the last look, or whose cell may have become worth
+// keeping. The archive is far larger than the caches: what they will ask of it is fetched from here
+// on.
+void GoExplore::listLooks(const RolloutGroup& group, std::span<const Trail> trails,
+                          std::vector<Look>& looks) const {
+  looks.clear();
+  for (size_t i = 0; i < group.size(); ++i) {
+    const sim::World& world = group.world(i);
+    if (world.outcome != sim::Outcome::running) continue;
+    const Trail& trail = trails[group.index(i)];
+    const uint64_t key = cellKey(setup_.rules.binning, world, group.loose(i));
+    const bool isNew = trail.isNew(key, setup_.rules.rule, world);
+    if (!isNew && key == trail.last) continue;
+    looks.push_back({key, uint32_t(i), isNew});
+    if (isNew) archive_.prefetch(key);
   }
   for (const Look& l : looks) {
-    if (isNew(l)) archive_.prefetchCell(l.key);
+    if (l.isNew) archive_.prefetchCell(l.key);
   }
+}
+
+void GoExplore::look(const RolloutGroup& group, std::span<Rollout> rollouts,
+                     std::span<Trail> trails, std::span<const Look> looks, uint32_t tick) {
   for (const Look& l : looks) {
-    Rollout& r = rollouts[l.rollout];
-    if (isNew(l)) {
-      visit(r, l.key, archive_.find(l.key), r.end, r.endLoose, r.ticks);
-      trails[l.rollout].kept = l.key;
+    Rollout& r = rollouts[group.index(l.member)];
+    Trail& trail = trails[group.index(l.member)];
+    const sim::World& world = group.world(l.member);
+    if (l.isNew) {
+      visit(r, l.key, archive_.find(l.key), world, r.endLoose, tick);
+      trail.kept = l.key;
     }
-    if (l.key == trails[l.rollout].last) continue;
-    trails[l.rollout].last = l.key;
-    noteClosest(r);
+    if (l.key == trail.last) continue;
+    trail.last = l.key;
+    noteClosest(r, world, tick);
   }
 }
 
@@ -180,11 +192,11 @@ std::vector<Vec3> GoExplore::places(uint32_t first) const {
   return result;
 }
 
-void GoExplore::noteClosest(Rollout& r) {
-  const Approach here = approachOf(problem_.query, r.end);
+void GoExplore::noteClosest(Rollout& r, const sim::World& world, uint32_t tick) {
+  const Approach here = approachOf(problem_.query, world);
   if (!closer(here, r.closest)) return;
   r.closest = here;
-  r.closestTicks = r.ticks;
+  r.closestTicks = tick;
 }
 
 void GoExplore::merge() {

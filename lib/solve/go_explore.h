@@ -14,6 +14,7 @@
 #include "solve/device_rollouts.h"
 #include "solve/explore_setup.h"
 #include "solve/machine.h"
+#include "solve/rollout_group.h"
 #include "solve/search.h"
 #include "solve/selection.h"
 
@@ -67,7 +68,8 @@ class GoExplore final : public Search {
   void chooseCells();
   struct Look {  // at where a rollout is after a tick
     uint64_t key;
-    size_t rollout;
+    uint32_t member;  // of the group
+    bool isNew;       // see Trail
   };
 
   void follow(Rollout& rollout, const KnownWay& way);
@@ -75,10 +77,13 @@ class GoExplore final : public Search {
   Status openDevice();
   Status exploreOnDevice();
   void explore(std::span<Rollout> rollouts);
-  void look(std::span<Rollout> rollouts, std::span<Trail> trails, std::span<Look> looks);
+  void listLooks(const RolloutGroup& group, std::span<const Trail> trails,
+                 std::vector<Look>& looks) const;
+  void look(const RolloutGroup& group, std::span<Rollout> rollouts, std::span<Trail> trails,
+            std::span<const Look> looks, uint32_t tick);
   void visit(Rollout& rollout, uint64_t key, uint32_t cell, const sim::World& world,
              std::span<const sim::LooseBody> loose, uint32_t ticks);
-  void noteClosest(Rollout& rollout);
+  void noteClosest(Rollout& rollout, const sim::World& world, uint32_t tick);
   void merge();
   Tried keep(const Rollout& rollout);
   void mergeEnd(const Rollout& rollout);

@@ -30,7 +30,7 @@ void GoExplore::follow(Rollout& r, const KnownWay& way) {
           visit(r, here, archive_.find(here), world, r.endLoose, r.ticks);
           trail.kept = here;
         }
-        noteClosest(r);
+        noteClosest(r, world, r.ticks);
       });
 }
 

@@ -8,17 +8,18 @@
 namespace obby::solve {
 
 struct AimMacro {
-  SurfacePoint target;
-  Vec3 error;          // studs off the target, so that repeated aims differ
-  float jumpDistance;  // jump at this distance to the target; negative: not for distance
+  // What every tick reads comes first.
+  sim::Action action;  // held until its heading is off by kHeadingSlack: actions come in runs
   bool jumpAtEdge;     // jump once no floor is sensed any more (within the coyote time)
   bool jumped;
-  sim::Action action;  // held until its heading is off by kHeadingSlack: actions come in runs
   float distance;      // studs to the target when last looked at
+  float jumpDistance;  // jump at this distance to the target; negative: not for distance
   uint32_t ticks;      // left before giving up
+  SurfacePoint target;
+  Vec3 error;  // studs off the target, so that repeated aims differ
 };
 
-constexpr uint32_t kSteerEvery = 3;  // ticks between two looks at the target
+constexpr uint32_t kSteerEvery = 3;  // ticks between two looks at the target: 20 Hz
 constexpr int kHeadingSlack = 512;   // turns / 65536: 2.8 degrees
 
 OBBY_DEVICE float within(Random& random, float most) { return most * (2 * random.unit() - 1); }
@@ -87,19 +88,21 @@ OBBY_DEVICE void steer(const ExploreContext& c, const sim::World& w, bool onGrou
   }
 }
 
-// The action of this tick; `done` when the macro has served.
-OBBY_DEVICE sim::Action stepAimMacro(const ExploreContext& c, const sim::World& w, AimMacro& m,
-                                     bool& done) {
+// Before the ticks at which a rollout plans. False: the macro has served.
+OBBY_DEVICE bool planAimMacro(const ExploreContext& c, const sim::World& w, AimMacro& m) {
   const bool onGround = grounded(w);
-  if (m.ticks % kSteerEvery == 0) steer(c, w, onGround, m);
-  const bool edge = m.jumpAtEdge && w.state == sim::State::running && w.floorlessTicks > 0;
-  const bool early = onGround && m.distance <= m.jumpDistance;
-  if (w.state == sim::State::jumping) m.jumped = true;
-  sim::Action action = m.action;
-  action.jump = !m.jumped && (edge || early);
-  m.ticks = m.ticks > 0 ? m.ticks - 1 : 0;
-  done = m.ticks == 0 || (onGround && m.distance < 0.7f);
-  return action;
+  steer(c, w, onGround, m);
+  if (m.ticks == 0 || (onGround && m.distance < 0.7f)) return false;
+  m.ticks -= kSteerEvery;
+  return true;
+}
+
+// Is it time to jump? No branches: what this asks is as good as random.
+OBBY_DEVICE bool jumpsNow(const sim::World& w, AimMacro& m) {
+  const bool edge = m.jumpAtEdge & (w.state == sim::State::running) & (w.floorlessTicks > 0);
+  const bool early = grounded(w) & (m.distance <= m.jumpDistance);
+  m.jumped |= w.state == sim::State::jumping;
+  return (edge | early) & !bool(m.jumped);
 }
 
 }  // namespace obby::solve

@@ -17,16 +17,17 @@ struct Case {
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.what; }
 
-// Stones with gaps of 6 studs, which nobody crosses without a jump: A, B, C at z = -4, -18, -32.
+// Stones with gaps of 8 studs, which nobody crosses without a jump (6 can be crossed in a fall that
+// the legs still end): A, B, C at z = -4, -20, -36.
 std::string wideStones(const char* more) {
   return std::string(
              R"({"type":"level","name":"stones","physics":{"fallenPartsHeight":-40},"parts":[)"
              R"({"name":"A","position":[0,-0.5,-4],"size":[8,1,8]},)"
-             R"({"name":"B","position":[0,-0.5,-18],"size":[8,1,8]},)"
-             R"({"name":"C","position":[0,-0.5,-32],"size":[8,1,8]}],)"
+             R"({"name":"B","position":[0,-0.5,-20],"size":[8,1,8]},)"
+             R"({"name":"C","position":[0,-0.5,-36],"size":[8,1,8]}],)"
              R"("spawns":[{"position":[0,0,-2]}]})"
              "\n"
-             R"({"type":"query","id":"q","goal":{"position":[0,2,-32],"size":[8,4,8]})") +
+             R"({"type":"query","id":"q","goal":{"position":[0,2,-36],"size":[8,4,8]})") +
          more + "}\n";
 }
 
@@ -64,24 +65,24 @@ INSTANTIATE_TEST_SUITE_P(
             R"(,"visits":[{"position":[3,2,-20],"size":[2,4,2]},{"position":[-3,2,-2],"size":[2,4,2]},)"
             R"({"position":[3,2,-2],"size":[2,4,2]}])",
             true},
-        Case{"a place off the stones", R"(,"visits":[{"position":[30,2,-18],"size":[2,4,2]}])",
+        Case{"a place off the stones", R"(,"visits":[{"position":[30,2,-20],"size":[2,4,2]}])",
              false},
         Case{"any of two goals",
              R"(,"goals":[{"position":[3.5,2,-21.5],"size":[1,4,1]},{"position":[0,90,0]}])", true},
         Case{
             "one jump each segment",
-            R"(,"waypoints":[{"region":{"position":[0,2,-18],"size":[8,4,6]},"segmentJumps":1}],"segmentJumps":1)",
+            R"(,"waypoints":[{"region":{"position":[0,2,-20],"size":[8,4,6]},"segmentJumps":1}],"segmentJumps":1)",
             true},
         Case{"no jump in the last segment",
-             R"(,"waypoints":[{"region":{"position":[0,2,-18],"size":[8,4,6]}}],"segmentJumps":0)",
+             R"(,"waypoints":[{"region":{"position":[0,2,-20],"size":[8,4,6]}}],"segmentJumps":0)",
              false},
         Case{
             "there and back in time",
-            R"(,"waypoints":[{"region":{"position":[0,2,-18],"size":[8,4,6]},"segmentTime":1.3},)"
+            R"(,"waypoints":[{"region":{"position":[0,2,-20],"size":[8,4,6]},"segmentTime":1.3},)"
             R"({"region":{"position":[0,2,-2],"size":[8,4,2]},"segmentTime":1.6}],"segmentTime":2.6)",
             true},
         Case{"faster than walking",
-             R"(,"waypoints":[{"region":{"position":[0,2,-18],"size":[8,4,6]},"segmentTime":0.5}])",
+             R"(,"waypoints":[{"region":{"position":[0,2,-20],"size":[8,4,6]},"segmentTime":0.5}])",
              false},
         Case{"without jumping", R"(,"forbid":["jumping"])", false},
         Case{"without climbing", R"(,"forbid":["climbing","seated"])", true},
