@@ -7,6 +7,7 @@
 #include "cli/tool.h"
 #include "common/report.h"
 #include "import/filter.h"
+#include "solve/ablations.h"
 #include "suite/curve.h"
 #include "suite/plan.h"
 #include "suite/table.h"
@@ -66,6 +67,7 @@ std::vector<OptionRow> options() {
     r.repeatable = option.repeatable;
     if (r.name != "method") continue;
     for (const solve::Method& m : solve::methods()) r.choices.emplace_back(m.name);
+    for (const solve::Method& m : solve::ablations()) r.choices.emplace_back(m.name);
   }
   return rows;
 }
@@ -89,11 +91,18 @@ cli::ToolSpec spec() {
   return s;
 }
 
+const solve::Method* methodOf(const std::string& name) {
+  for (const solve::Method& m : solve::ablations()) {
+    if (name == m.name) return &m;
+  }
+  return solve::findMethod(name);
+}
+
 Result<bench::Plan> planOf(const cli::Arguments& a) {
   bench::Plan plan;
   std::vector<std::string> methods = a.list("method");
   if (methods.empty()) methods = {"auto", "ge"};
-  for (const std::string& name : methods) plan.methods.push_back(solve::findMethod(name));
+  for (const std::string& name : methods) plan.methods.push_back(methodOf(name));
   const bool quick = a.flag("quick");
   plan.seeds = quick ? 1 : uint64_t(a.integer("seeds"));
   plan.cap = quick ? kQuickCap : a.number("cap");

@@ -51,7 +51,7 @@ OBBY_DEVICE bool drawAimMacro(const ExploreContext& c, const sim::World& w, Rand
                               AimMacro& m) {
   const JumpReach reach = reachIn(c, w);
   const float radius = 1.4f * reach.distance;
-  const NextRegion next = nextRegion(c.query, w);
+  const sim::NextRegion next = nextRegion(c.query, w);
   const bool regionNear = next.distance < 2 * radius;
   if (regionNear && random.unit() < c.settings.regionShare) {
     m.target = {pointInRegion(*next.region, random), level::kNone};

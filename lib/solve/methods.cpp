@@ -4,15 +4,12 @@
 #include "solve/choose_mcts.h"
 #include "solve/choose_mixed.h"
 #include "solve/choose_rrt.h"
+#include "solve/go_explore_method.h"
 #include "solve/resident/resident_explore.h"
-#include "solve/run_search.h"
 
 namespace obby::solve {
 
 namespace {
-
-// Short generations that keep standing states only, most macros aimed at surfaces.
-GoExploreSettings aimedSettings() { return {}; }
 
 // As published: 8,192 worlds in step, every visited state is looked at, actions are held at random.
 GoExploreSettings plainSettings() {
@@ -26,12 +23,6 @@ GoExploreSettings plainSettings() {
   return s;
 }
 
-template <GoExploreSettings (*settings)(), MakeChooser makeChooser>
-SearchOutcome run(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
-  return runSearch(
-      p, b, w, [&] { return std::make_unique<GoExplore>(p, b.seed, settings(), m, makeChooser); });
-}
-
 SearchOutcome runResident(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
   return runSearch(
       p, b, w, [&] { return std::make_unique<ResidentExplore>(p, b.seed, ResidentSettings{}, m); });
@@ -42,17 +33,17 @@ SearchOutcome runResident(const Problem& p, const Budget& b, const Watcher& w, c
 const std::vector<Method>& methods() {
   static const std::vector<Method> table = {
       {"auto", "aimed and beam, each with half of the attempts, over one archive",
-       run<aimedSettings, makeMixedChooser>},
+       runGoExplore<aimedSettings, makeMixedChooser>},
       {"aimed", "Go-Explore over standing states with jumps aimed at surfaces",
-       run<aimedSettings, hedgedSelector>},
+       runGoExplore<aimedSettings, hedgedSelector>},
       {"ge", "Go-Explore with random actions over all states, as published",
-       run<plainSettings, plainSelector>},
+       runGoExplore<plainSettings, plainSelector>},
       {"rrt", "random tree (RRT): from the nearest state toward a random place",
-       run<rrtSettings, makeRrtChooser>},
+       runGoExplore<rrtSettings, makeRrtChooser>},
       {"mcts", "Monte-Carlo tree search (UCT) whose moves are jumps aimed at surfaces",
-       run<mctsSettings, makeMctsChooser>},
+       runGoExplore<mctsSettings, makeMctsChooser>},
       {"beam", "beam search, A*-like: the states first that promise the shortest way",
-       run<beamSettings, makeBeamChooser>},
+       runGoExplore<beamSettings, makeBeamChooser>},
       {"resident", "archive, choice and merge in kernels, thousands of rollouts a round: for GPUs",
        runResident},
   };

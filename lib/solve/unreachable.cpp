@@ -45,7 +45,7 @@ class Prover {
       : problem_(problem),
         q_(problem.query),
         targets_(targetsOf(q_, record)),
-        bound_(problem, q_.maxJumps != 0 && !forbidsJumping(q_)) {
+        bound_(problem, q_.maxJumps != 0 && !sim::forbidsJumping(q_)) {
     goals_.push_back(&q_.goal);
     for (uint32_t i = 0; i < q_.otherGoalCount; ++i) goals_.push_back(&q_.otherGoals[i]);
     goalName_ = goals_.size() > 1 ? "any of the goals"

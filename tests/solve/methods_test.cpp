@@ -1,11 +1,13 @@
 // Every row of the table of methods: it solves what is easy, keeps to what is asked, and nothing
 // but its inputs decides what it finds.
 #include "solve/methods.h"
+#include "solve/ablations.h"
 
 #include <gtest/gtest.h>
 
 #include "scenes.h"
 #include "sim/host_device.h"
+#include "support/plain_problem.h"
 #include "untimed.h"
 
 namespace obby::solve {
@@ -70,6 +72,30 @@ TEST_P(MethodTest, SameBytesForAnyNumberOfThreadsAndAKernel) {
 
 INSTANTIATE_TEST_SUITE_P(Rows, MethodTest, testing::ValuesIn(methods()),
                          [](const auto& row) { return std::string(row.param.name); });
+
+// What a bench leaves out changes the search, and leaves it one that solves.
+TEST(Ablations, SolveAndDifferFromAutoAndFromEachOther) {
+  const level::Level stones = steppingStones().compile();
+  Question easy(stones);
+  const level::Level arena = support::boxArena(30, 1).compile();
+  Problem endless = support::endlessProblem(arena);
+  level::WaypointView waypoints[5];  // a hedge makes a difference where some cells have passed many
+  for (level::WaypointView& w : waypoints) w.target = boxAt({8, 2, 0}, {4, 4, 4});
+  endless.query.waypoints = waypoints;
+  endless.query.waypointCount = 5;
+  ThreadPool pool(1);
+  std::set<std::pair<uint64_t, uint64_t>> work;
+  const auto run = [&](const Method& m) {
+    Budget budget;
+    budget.maxSteps = 3'000'000;
+    EXPECT_EQ(m.run(easy.problem(), budget, {}, {pool}).solutions.size(), 1u) << m.name;
+    budget.maxSteps = 100'000;
+    const SearchOutcome found = m.run(endless, budget, {}, {pool});
+    EXPECT_TRUE(work.insert({found.statistics.steps, found.cells}).second) << m.name;
+  };
+  run(*findMethod("auto"));
+  for (const Method& m : ablations()) run(m);
+}
 
 TEST(Methods, NamesAreDistinctAndFound) {
   for (const Method& m : methods()) EXPECT_EQ(findMethod(m.name), &m) << m.name;

@@ -94,7 +94,8 @@ Change lower(const level::Level& level, uint32_t part, const SearchOutcome& outc
 std::vector<Change> jumpHeightChanges(const Failure& failure) {
   const level::QueryView query = failure.posed.query.view();
   const double height = jumpHeight(failure.posed.level.view().params);
-  if (forbidsJumping(query) || query.maxJumps == 0 || !(height > 0) || !std::isfinite(height)) {
+  if (sim::forbidsJumping(query) || query.maxJumps == 0 || !(height > 0) ||
+      !std::isfinite(height)) {
     return {};
   }
   Change c;

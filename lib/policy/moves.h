@@ -1,0 +1,69 @@
+// What the policy can do at each decision: 16 directions or standing, each with and without jump.
+#pragma once
+
+#include "base/random.h"
+#include "policy/observation.h"
+
+namespace obby::policy {
+
+constexpr int kHeadings = 16;
+constexpr int kMoves = 2 * (kHeadings + 1);  // 34; odd ones jump
+constexpr uint32_t kDecisionTicks = 3;       // a move is held so long: 20 Hz
+
+OBBY_DEVICE bool jumps(int move) { return (move & 1) != 0; }
+
+// `ahead`: of the observation that led to the move.
+OBBY_DEVICE sim::Action actionOf(int move, Turns ahead) {
+  const int direction = move >> 1;
+  const bool walk = direction < kHeadings;
+  return {walk ? Turns(ahead + direction * (65536 / kHeadings)) : Turns(0), walk, jumps(move)};
+}
+
+// Is jumping of any use, and within the query's limits?
+OBBY_DEVICE bool jumpAllowed(const Scene& s, const sim::World& w) {
+  return mayJump(s.level, w) && sim::jumpsLeft(s.query, w) > 0;
+}
+
+// The likeliest of the moves that are allowed; the first of several.
+OBBY_DEVICE int likeliest(const float* logits, bool mayJump) {
+  int best = 0;
+  for (int m = 1; m < kMoves; ++m) {
+    if (jumps(m) && !mayJump) continue;
+    if (logits[m] > logits[best]) best = m;
+  }
+  return best;
+}
+
+// e^x for x <= 0 without libm: relative error below 3e-7; 0 below -80.
+OBBY_DEVICE float expNegative(float x) {
+  if (!(x > -80.0f)) return 0;
+  const float t = x * 1.44269504f;
+  const int32_t whole = int32_t(t - 0.5f);  // nearest, as t <= 0
+  const float r = (x - float(whole) * 0.693359375f) + float(whole) * 2.12194440e-4f;
+  const float e =
+      1.0f +
+      r * (1.0f + r * (0.5f + r * (1.6666667e-1f +
+                                   r * (4.1666668e-2f + r * (8.3333477e-3f + r * 1.3930436e-3f)))));
+  const uint32_t bits = uint32_t(whole + 127) << 23;
+  return e * __builtin_bit_cast(float, bits);
+}
+
+// A move with the probability that the logits give it among those that are allowed.
+OBBY_DEVICE int draw(const float* logits, bool mayJump, Random& random) {
+  const float most = logits[likeliest(logits, mayJump)];
+  float sum = 0;
+  for (int m = 0; m < kMoves; ++m) {
+    if (!jumps(m) || mayJump) sum += expNegative(logits[m] - most);
+  }
+  float rest = random.unit() * sum;
+  int last = 0;
+  for (int m = 0; m < kMoves; ++m) {
+    if (jumps(m) && !mayJump) continue;
+    last = m;
+    rest -= expNegative(logits[m] - most);
+    if (rest < 0) break;
+  }
+  return last;
+}
+
+}  // namespace obby::policy

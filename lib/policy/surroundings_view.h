@@ -1,0 +1,29 @@
+// Which parts are near a place, as the policy reads it: for each square of ground the colliders
+// that a player there can see.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "level/level_view.h"
+
+namespace obby::policy {
+
+// Plain spans, for device code.
+struct SurroundingsView {
+  Vec3 origin;  // y does not matter
+  float inverseCell = 1;
+  int32_t nx = 0, nz = 0;
+  const uint32_t* starts = nullptr;   // (nx * nz + 1), into entries
+  const uint32_t* entries = nullptr;  // colliders, ascending
+  bool changes = false;               // some part moves or comes and goes
+};
+
+template <class Table>
+OBBY_DEVICE void forTables(SurroundingsView& s, Table&& table) {
+  const size_t cells = size_t(s.nx) * size_t(s.nz);
+  table(s.entries, s.starts[cells]);
+  table(s.starts, cells + 1);
+}
+
+}  // namespace obby::policy

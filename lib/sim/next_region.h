@@ -1,0 +1,64 @@
+// Where a player has to go next in a query, and how many jumps are left for it.
+#pragma once
+
+#include "sim/rules.h"
+
+namespace obby::sim {
+
+// How many waypoints and visits are behind.
+OBBY_DEVICE uint32_t targetsReached(const World& world) {
+  return world.waypoints + bitCount(world.visited);
+}
+
+// A region that may be the next to reach, by its distance from the player.
+struct NextRegion {
+  const geom::Region* region = nullptr;
+  float distance = 1e30f;  // studs
+
+  OBBY_DEVICE void consider(const geom::Region& r, Vec3 from) {
+    const float d = geom::distance(r, from);
+    if (region != nullptr && !(d < distance)) return;
+    region = &r;
+    distance = d;
+  }
+};
+
+// The nearest of what can be reached next: the next waypoint and the visits that are left, or when
+// there are none, the goals.
+OBBY_DEVICE NextRegion nextRegion(const level::QueryView& query, const World& world) {
+  NextRegion next;
+  if (world.waypoints < query.waypointCount) {
+    next.consider(query.waypoints[world.waypoints].target.region, world.position);
+  }
+  for (uint32_t i = 0; i < query.visitCount; ++i) {
+    if (!(world.visited >> i & 1)) next.consider(query.visits[i].region, world.position);
+  }
+  if (next.region != nullptr) return next;
+  next.consider(query.goal.region, world.position);
+  for (uint32_t i = 0; i < query.otherGoalCount; ++i) {
+    next.consider(query.otherGoals[i].region, world.position);
+  }
+  return next;
+}
+
+OBBY_DEVICE bool forbidsJumping(const level::QueryView& query) {
+  return (query.forbidden >> uint32_t(State::jumping) & 1) != 0;
+}
+
+// Jumps that may still be made before some limit ahead is broken; a large number where there is
+// none. Waypoints behind do not count any more.
+OBBY_DEVICE uint32_t jumpsLeft(const level::QueryView& query, const World& world) {
+  if (forbidsJumping(query)) return 0;
+  uint32_t limit = query.maxJumps < 0 ? 0xffffu : uint32_t(query.maxJumps);
+  const int32_t segment = segmentOf(world, query).jumps;
+  if (segment >= 0 && world.segmentJumps + uint32_t(segment) < limit) {
+    limit = world.segmentJumps + uint32_t(segment);
+  }
+  for (uint32_t i = world.waypoints; i < query.waypointCount; ++i) {
+    const int32_t most = query.waypoints[i].maxJumps;
+    if (most >= 0 && uint32_t(most) < limit) limit = uint32_t(most);
+  }
+  return limit > world.jumps ? limit - world.jumps : 0;
+}
+
+}  // namespace obby::sim

@@ -1,0 +1,80 @@
+#include "solve/ablations.h"
+
+#include "solve/choose_beam.h"
+#include "solve/choose_mixed.h"
+#include "solve/go_explore_method.h"
+
+namespace obby::solve {
+
+namespace {
+
+// The defaults with one of them changed: to what `ge` has, or to nothing.
+template <auto member, auto value>
+GoExploreSettings with() {
+  GoExploreSettings s;
+  s.*member = value;
+  return s;
+}
+
+GoExploreSettings nothingAimed() {
+  GoExploreSettings s;
+  s.explore.aimShare = 0;
+  return s;
+}
+
+GoExploreSettings noRegionAimed() {
+  GoExploreSettings s;
+  s.explore.regionShare = 0;
+  return s;
+}
+
+GoExploreSettings narrowCells() {
+  GoExploreSettings s;
+  s.cellWidth = 1;
+  return s;
+}
+
+GoExploreSettings shortRollouts() {
+  GoExploreSettings s;
+  s.phaseJumps = 0;
+  return s;
+}
+
+GoExploreSettings lockStep() {
+  GoExploreSettings s;
+  s.rollouts = s.mostRollouts = 8192;
+  return s;
+}
+
+std::unique_ptr<Chooser> mixedWithoutHedge(const Problem& problem, const ExploreContext& context) {
+  return std::make_unique<MixedChooser>(plainSelector(problem, context),
+                                        makeBeamChooser(problem, context));
+}
+
+using Settings = GoExploreSettings;
+
+}  // namespace
+
+const std::vector<Method>& ablations() {
+  static const std::vector<Method> table = {
+      {"auto-aims", "auto with random actions only", runGoExplore<nothingAimed, makeMixedChooser>},
+      {"auto-regions", "auto with no macro aimed at the next region",
+       runGoExplore<noRegionAimed, makeMixedChooser>},
+      {"auto-grounded", "auto that keeps states in the air, too",
+       runGoExplore<with<&Settings::groundedOnly, false>, makeMixedChooser>},
+      {"auto-cohorts", "auto with 8,192 rollouts in step",
+       runGoExplore<lockStep, makeMixedChooser>},
+      {"auto-phase", "auto with rollouts of 40 ticks",
+       runGoExplore<shortRollouts, makeMixedChooser>},
+      {"auto-width", "auto with cells of 1 stud", runGoExplore<narrowCells, makeMixedChooser>},
+      {"auto-looks", "auto that looks at every tick",
+       runGoExplore<with<&Settings::lookEvery, 1u>, makeMixedChooser>},
+      {"auto-beam", "auto with the selector alone", runGoExplore<aimedSettings, hedgedSelector>},
+      {"auto-selector", "auto with the beam alone", runGoExplore<aimedSettings, makeBeamChooser>},
+      {"auto-hedge", "auto whose selector is not hedged",
+       runGoExplore<aimedSettings, mixedWithoutHedge>},
+  };
+  return table;
+}
+
+}  // namespace obby::solve

@@ -1,0 +1,18 @@
+// A row of a method table that is Go-Explore in rounds: its settings and its chooser.
+#pragma once
+
+#include "solve/go_explore.h"
+#include "solve/run_search.h"
+
+namespace obby::solve {
+
+template <GoExploreSettings (*settings)(), MakeChooser makeChooser>
+SearchOutcome runGoExplore(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
+  return runSearch(
+      p, b, w, [&] { return std::make_unique<GoExplore>(p, b.seed, settings(), m, makeChooser); });
+}
+
+// Short generations that keep standing states only, most macros aimed at surfaces.
+inline GoExploreSettings aimedSettings() { return {}; }
+
+}  // namespace obby::solve

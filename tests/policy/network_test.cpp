@@ -1,0 +1,99 @@
+// The network against a plain one in double precision, and what becomes of its answers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "policy/policy.h"
+
+namespace obby::policy {
+namespace {
+
+Network randomNetwork(uint64_t seed) {
+  Network n;
+  Random random(seed, 0);
+  for (float& v : n.numbers()) v = 0.4f * (random.unit() - 0.5f);
+  for (int i = 0; i < kInputs; ++i) n.numbers()[size_t(kInputs + i)] = 0.5f + random.unit();
+  return n;
+}
+
+std::vector<float> randomInputs(uint64_t seed) {
+  std::vector<float> in(kInputs);
+  Random random(seed, 1);
+  for (float& v : in) v = 4 * random.unit() - 2;
+  return in;
+}
+
+std::vector<double> plain(const NetworkView& n, const std::vector<float>& in) {
+  std::vector<double> x;
+  for (int i = 0; i < kInputs; ++i) x.push_back(normalised(n, i, in[size_t(i)]));
+  const int widths[] = {kHidden, kHidden, kPaddedOutputs};
+  for (int l = 0; l < 3; ++l) {
+    std::vector<double> y;
+    for (int o = 0; o < widths[l]; ++o) {
+      double sum = n.layers[l].biases[o];
+      for (size_t i = 0; i < x.size(); ++i)
+        sum += double(n.layers[l].weights[i * size_t(widths[l]) + size_t(o)]) * x[i];
+      y.push_back(l < 2 ? std::max(sum, 0.0) : sum);
+    }
+    x = y;
+  }
+  return x;
+}
+
+TEST(Network, IsTheOneInDoublePrecision) {
+  const Network n = randomNetwork(3);
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    const std::vector<float> in = randomInputs(seed);
+    float out[kPaddedOutputs];
+    think(n.view(), in.data(), out);
+    const std::vector<double> expected = plain(n.view(), in);
+    for (int o = 0; o < kPaddedOutputs; ++o) EXPECT_NEAR(out[o], expected[size_t(o)], 2e-4) << o;
+  }
+}
+
+TEST(Network, HasTheSameBitsInOneLaneAndInMany) {
+  const Network n = randomNetwork(4);
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    const std::vector<float> in = randomInputs(seed);
+    float wide[kPaddedOutputs], narrow[kPaddedOutputs];
+    think(n.view(), in.data(), wide);
+    think<float>(n.view(), in.data(), narrow);
+    EXPECT_EQ(std::memcmp(wide, narrow, sizeof wide), 0);
+  }
+}
+
+TEST(Moves, ExponentialIsAccurate) {
+  for (float x = 0; x > -79; x -= 0.0137f) {
+    EXPECT_NEAR(expNegative(x) / std::exp(double(x)), 1, 1e-6) << x;
+  }
+  EXPECT_EQ(expNegative(-100), 0);
+  EXPECT_EQ(expNegative(0), 1);
+}
+
+TEST(Moves, AreDrawnAsTheirLogitsSay) {
+  float logits[kMoves] = {};
+  logits[4] = std::log(3.0f);
+  logits[7] = 9;  // jumps
+  Random random(5, 5);
+  int count[kMoves] = {};
+  for (int i = 0; i < 38000; ++i) ++count[draw(logits, false, random)];
+  for (int m = 1; m < kMoves; m += 2) EXPECT_EQ(count[m], 0) << "jumping is not allowed";
+  EXPECT_NEAR(count[4], 6000, 300);  // 3 of 19
+  EXPECT_NEAR(count[32], 2000, 200);
+  EXPECT_EQ(likeliest(logits, false), 4);
+  EXPECT_EQ(likeliest(logits, true), 7);
+}
+
+TEST(Moves, AreHeadingsInTheFrame) {
+  EXPECT_EQ(actionOf(0, 1000).heading, 1000);
+  EXPECT_TRUE(actionOf(0, 1000).walk);
+  EXPECT_FALSE(actionOf(0, 1000).jump);
+  EXPECT_EQ(actionOf(9, 1000).heading, 1000 + 4 * 4096);
+  EXPECT_TRUE(actionOf(9, 1000).jump);
+  EXPECT_FALSE(actionOf(33, 1000).walk);
+  EXPECT_TRUE(actionOf(33, 1000).jump);
+}
+
+}  // namespace
+}  // namespace obby::policy

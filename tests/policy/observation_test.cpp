@@ -1,0 +1,177 @@
+// What the policy sees: the ground as it is, whatever the order of parts, the heading of the level
+// or the number of lanes.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "policy/policy.h"
+#include "policy/surroundings.h"
+#include "sim/simulator.h"
+#include "support/level_builder.h"
+
+namespace obby::policy {
+namespace {
+
+using support::LevelBuilder;
+
+struct Look {
+  explicit Look(const level::Level& level, Vec3 goal = {0, 0, -30})
+      : around(level.view(), kSight), world(sim::makeWorld(level.view(), {})) {
+    scene.level = level.view();
+    scene.query.goal.region = {{goal, {}}, {2, 2, 2}};
+    scene.surroundings = around.view();
+  }
+  std::vector<float> inputs() const {
+    std::vector<float> in(kInputs);
+    observe(scene, world, nullptr, in.data());
+    return in;
+  }
+  // Height that a map shows at a point of a ring, studs from the feet.
+  float height(int map, int ring, int direction) const {
+    return inputs()[size_t(kStateInputs + map * kPoints + 1 + ring * kDirections + direction)] * 8;
+  }
+  Surroundings around;
+  Scene scene;
+  sim::World world;
+};
+
+// A start, a gap of five studs, then more ground, half a stud higher.
+LevelBuilder gap() {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {8, 1, 8});  // to z = -4
+  b.block({0, 0, -13}, {8, 1, 8});    // from z = -9 to -17
+  return b;
+}
+
+TEST(Observation, ShowsGroundAndGapsAtTheirHeights) {
+  const level::Level level = gap().compile();
+  const Look look(level);
+  EXPECT_FLOAT_EQ(look.height(0, 0, 0), 0) << "ahead, 1.5 studs";
+  EXPECT_FLOAT_EQ(look.height(0, 2, 0), kDeepest) << "ahead, 5.9 studs: the gap";
+  EXPECT_FLOAT_EQ(look.height(0, 4, 0), 0.5f) << "ahead, 13.1 studs: the other side";
+  EXPECT_FLOAT_EQ(look.height(0, 4, 6), kDeepest) << "behind";
+  EXPECT_FLOAT_EQ(look.height(1, 0, 0), kDeepest) << "no danger";
+}
+
+TEST(Observation, ShowsWhatKillsAndWhatIsToBeAvoided) {
+  LevelBuilder b = gap();
+  b.block({0, 1, -3.35f}, {4, 2, 0.5f}, [](schema::Part::Builder p) { p.initKill(); });
+  const level::Level level = b.compile();
+  Look look(level);
+  EXPECT_FLOAT_EQ(look.height(1, 1, 0), 2) << "ahead, 3.35 studs";
+  EXPECT_FLOAT_EQ(look.height(0, 1, 0), 0) << "nothing to stand on";
+  level::TargetView avoid{{{{0, 2, -13.1f}, {}}, {1, 1, 1}}};
+  look.scene.query.avoid = &avoid;
+  look.scene.query.avoidCount = 1;
+  EXPECT_FLOAT_EQ(look.height(1, 4, 0), 3);
+}
+
+TEST(Observation, ShowsCeilingsOnlyWhereTheyAreInTheWay) {
+  LevelBuilder b = gap();
+  b.block({0, 9, 0}, {30, 1, 30});     // high above
+  b.block({0, 3, -3.35f}, {4, 2, 1});  // at the height of the chest
+  const level::Level level = b.compile();
+  const Look look(level);
+  EXPECT_FLOAT_EQ(look.height(0, 0, 0), 0);
+  EXPECT_FLOAT_EQ(look.height(0, 1, 0), 4);
+}
+
+TEST(Observation, ShowsTheSlopeOfAWedge) {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {3, 1, 3});
+  b.part([](schema::Part::Builder p) {
+    p.setShape(schema::Shape::WEDGE);
+    support::set(p.initPosition(), {0, 2, -6});
+    support::set(p.initSize(), {8, 4, 8});  // rises from 0 at z = -10 to 4 at z = -2
+  });
+  const level::Level level = b.compile();
+  const Look look(level);
+  EXPECT_NEAR(look.height(0, 2, 0), 4 * (10 - 5.9f) / 8, 1e-4f);
+  EXPECT_NEAR(look.height(0, 1, 0), 4 * (10 - 3.35f) / 8, 1e-4f);
+}
+
+TEST(Observation, SeesMoversNowAndSoon) {
+  LevelBuilder b = gap();
+  b.block({0, 0.5f, -5.9f}, {4, 1, 1}, [](schema::Part::Builder p) {
+    auto keys = p.initMotion().initKeys(2);
+    support::set(keys[0].initPosition(), {0, 0.5f, -5.9f});
+    support::set(keys[1].initPosition(), {0, 4.5f, -5.9f});
+    keys[1].setTime(1);
+  });
+  const level::Level level = b.compile();
+  const Look look(level);
+  EXPECT_NEAR(look.height(0, 2, 0), 1, 1e-3f);
+  EXPECT_NEAR(look.height(2, 2, 0), 1 + 4 * 0.4f, 0.05f);
+}
+
+TEST(Observation, DoesNotDependOnTheOrderOfParts) {
+  LevelBuilder forth, back;
+  const auto part = [](LevelBuilder& b, int i) {
+    const float at = float(i);
+    b.block({3 * at - 12, at * 0.3f, -2 * at}, {5, 1, 4}, [i](schema::Part::Builder p) {
+      support::setRotation(p.initRotation(), float(i), 0.2f * float(i % 3));
+      if (i % 4 == 0) p.initKill();
+    });
+  };
+  for (int i = 0; i < 9; ++i) {
+    part(forth, i);
+    part(back, 8 - i);
+  }
+  const level::Level one = forth.compile(), two = back.compile();
+  EXPECT_EQ(Look(one).inputs(), Look(two).inputs());
+}
+
+TEST(Observation, TurnsWithTheLevel) {
+  const auto quarter = [](Vec3 v) { return Vec3{v.z, v.y, -v.x}; };
+  LevelBuilder plain, turned;
+  const Vec3 centers[] = {{0, -0.5f, 0}, {3, 0, -8}, {-2, 1, -12}};
+  for (const Vec3 c : centers) {
+    plain.block(c, {6.1f, 1, 4.1f});
+    turned.block(quarter(c), {4.1f, 1, 6.1f});
+  }
+  const level::Level one = plain.compile(), two = turned.compile();
+  const Look a(one, {0, 0, -30});
+  Look b(two, quarter({0, 0, -30}));
+  b.world.yaw = Turns(b.world.yaw + headingOf(-30, 0));
+  const std::vector<float> x = a.inputs(), y = b.inputs();
+  for (size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(x[i], y[i], 2e-4f) << i;
+}
+
+TEST(Observation, HasTheSameBitsInOneLaneAndInMany) {
+  const level::Level level = support::boxArena(100, 3).compile();
+  Look look(level);
+  Random random(1, 1);
+  for (int n = 0; n < 200; ++n) {
+    look.world.position = {40 * random.unit() - 20, 8 * random.unit(), 40 * random.unit() - 20};
+    look.world.velocity = {random.unit(), random.unit(), random.unit()};
+    look.world.yaw = Turns(random.next());
+    std::vector<float> wide(kInputs), narrow(kInputs);
+    const Turns a = observe(look.scene, look.world, nullptr, wide.data());
+    const Turns b = observe<float>(look.scene, look.world, nullptr, narrow.data());
+    EXPECT_EQ(a, b);
+    EXPECT_EQ(std::memcmp(wide.data(), narrow.data(), kInputs * sizeof(float)), 0);
+  }
+}
+
+TEST(Surroundings, ListAPartWhereverItIsInSight) {
+  const level::Level level = support::boxArena(60, 7).compile();
+  const level::LevelView view = level.view();
+  const Surroundings around(view, kSight);
+  const SurroundingsView s = around.view();
+  Random random(2, 2);
+  for (int n = 0; n < 500; ++n) {
+    const Vec3 feet{60 * random.unit() - 30, 2, 60 * random.unit() - 30};
+    const float cx = (feet.x - s.origin.x) * s.inverseCell,
+                cz = (feet.z - s.origin.z) * s.inverseCell;
+    ASSERT_TRUE(cx >= 0 && cz >= 0 && cx < float(s.nx) && cz < float(s.nz));
+    const uint32_t cell = uint32_t(cz) * uint32_t(s.nx) + uint32_t(cx);
+    const std::vector<uint32_t> listed(s.entries + s.starts[cell], s.entries + s.starts[cell + 1]);
+    for (uint32_t i = 0; i < view.colliderCount; ++i) {
+      if (!inSight(view.bounds[i].box(), feet)) continue;
+      EXPECT_TRUE(std::binary_search(listed.begin(), listed.end(), i)) << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace obby::policy
