@@ -1,7 +1,5 @@
 #include "gen/generator.h"
 
-#include <capnp/message.h>
-
 #include <algorithm>
 
 #include "gen/physics.h"

@@ -27,6 +27,11 @@ Status setPhysics(schema::PhysicsParams::Builder to, const std::vector<NamedNumb
                               near.empty() ? "obby-gen --schema lists them under PhysicsParams"
                                            : "did you mean " + near + "?");
     }
+    const bool whole = known.getType().isUInt16();
+    if (whole && !(change.value >= 0 && change.value <= 65535 &&
+                   change.value == float(uint16_t(change.value)))) {
+      return level::pathError("physics." + change.name, "expected a whole number from 0 to 65535");
+    }
     capnp::DynamicStruct::Builder(to).set(known, double(change.value));
   }
   return {};

@@ -21,6 +21,8 @@ float Reach::riseFrom(float upward) const {
   return minf(upward * upward / (2 * gravity()) + legs(), kMostRise);
 }
 
+float Reach::apex() const { return maxf(rise() - legs(), 0.5f); }
+
 float Reach::gap(float rise) const {
   const float g = gravity(), v = p_.jumpSpeed;
   float best = -1;

@@ -14,7 +14,9 @@ class Reach {
   float gap(float rise) const;
   // Highest ledge that a jump and the legs get onto. Studs.
   float rise() const { return riseFrom(p_.jumpSpeed); }
-  // The same for a player who is thrown upward with that many studs/s.
+  // Highest that the feet come in a jump. Studs, at least half a one.
+  float apex() const;
+  // The same as rise() for a player who is thrown upward with that many studs/s.
   float riseFrom(float upward) const;
   // Widest gap that is crossed by walking off the edge.
   float walkedGap() const;

@@ -36,7 +36,7 @@ struct Recipe {
   std::vector<NamedNumber> styles;        // with weights; empty: every style alike
   Range difficulty{0.25f, 0.75f};         // 0 to 1; drawn anew for each level
   Count obstacles{1, 3};                  // of a level of one style
-  Count courseObstacles{3, 6};            // of a course
+  Count courseObstacles{3, 5};            // of a course
   std::vector<NamedNumber> courseStyles;  // that courses are made of; empty: every style alike
   float courseFirst = 0.4f;               // share of its difficulty that a course begins with
   float turns = 0.5f;                     // share of landings behind which the way turns

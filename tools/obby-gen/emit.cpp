@@ -6,9 +6,8 @@ namespace obby::tools {
 
 namespace {
 
-constexpr uint64_t kTaskLevels = 32;     // that a thread makes in a go
-constexpr uint64_t kMostRefused = 2000;  // in a row
-constexpr uint64_t kLevelWords = 4096;   // room for most levels
+constexpr uint64_t kTaskLevels = 32;    // that a thread makes in a go
+constexpr uint64_t kLevelWords = 4096;  // room for most levels
 
 using Slot = Result<std::optional<Emitted>>;
 

@@ -25,6 +25,9 @@ struct Emitted {
   std::vector<io::Record> records;  // level, query, answer
 };
 
+// Levels in a row that --check may refuse before it gives up.
+constexpr uint64_t kMostRefused = 300;
+
 enum class Ended { complete, stopped, noneKept };
 
 // Calls `take` for each level in the order of the indices, until `count` were kept or `stop` is

@@ -1,4 +1,8 @@
 // obby-gen: levels with queries. Wiring only; lib/gen makes them.
+#include <fmt/format.h>
+
+#include <string_view>
+
 #include "cli/context.h"
 #include "cli/tool.h"
 #include "emit.h"
@@ -10,7 +14,12 @@ namespace {
 
 using namespace obby;
 
-constexpr const char* kPlaceFormat = "rbxlx";
+constexpr std::string_view kPlaceFormat = "rbxlx", kPlaceEnding = ".rbxlx";
+
+bool wantsPlace(const cli::Arguments& a) {
+  if (!a.text("format").empty()) return a.text("format") == kPlaceFormat;
+  return a.text("output").ends_with(kPlaceEnding);
+}
 
 tools::EmitOptions emitOptions(const cli::Context& context) {
   const cli::Arguments& a = context.arguments();
@@ -24,7 +33,7 @@ tools::EmitOptions emitOptions(const cli::Context& context) {
 }
 
 Status noneKept() {
-  return makeError("--check keeps none of 2000 levels in a row",
+  return makeError(fmt::format("--check keeps none of {} levels in a row", tools::kMostRefused),
                    "give it more --check-steps, another style or another difficulty");
 }
 
@@ -44,8 +53,9 @@ Status writeStream(cli::Context& context, const gen::Generator& generator,
     for (const io::Record& record : level.records) {
       OBBY_RETURN_IF_ERROR(pipeline.output().pass(record));
     }
-    const double share = options.count == 0 ? 0 : double(++levels) / double(options.count);
-    context.progress({"levels", share, {}});
+    ++levels;
+    const double share = options.count == 0 ? -1 : double(levels) / double(options.count);
+    context.progress({"levels", share, {{"made", double(levels)}}});
     return {};
   };
   const auto ended = tools::emit(generator, options, pool, context.stop(), take);
@@ -91,9 +101,8 @@ Result<cli::ExitCode> run(cli::Context& context) {
   OBBY_ASSIGN(const gen::Generator generator, gen::Generator::make(recipe, a.flag("unsolvable")));
   ThreadPool pool(context.threads());
   const tools::EmitOptions options = emitOptions(context);
-  const bool place = a.text("format") == kPlaceFormat;
-  OBBY_RETURN_IF_ERROR(place ? writePlace(context, generator, options, pool)
-                             : writeStream(context, generator, options, pool));
+  OBBY_RETURN_IF_ERROR(wantsPlace(a) ? writePlace(context, generator, options, pool)
+                                     : writeStream(context, generator, options, pool));
   return cli::ExitCode::ok;
 }
 

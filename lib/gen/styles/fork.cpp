@@ -24,7 +24,7 @@ void beam(Sketch& s, float right) {
 }
 
 void hurdles(Sketch& s, float right) {
-  const float width = s.mix(8, 5), high = clampf(s.mix(1, 4.5f), 0.5f, s.reach().rise() * 0.55f);
+  const float width = s.mix(8, 5), high = minf(s.mix(1, 4.5f), s.reach().apex() * 0.7f);
   s.part("Lane", {right, -0.5f, kLong / 2}, {width, 1, kLong}).colored(s.shade());
   for (int i = 0; i < 3; ++i) {
     Sketch::deadly(s.wall("Hurdle", right, 8 + 10 * float(i), width, high, 1));
@@ -33,7 +33,7 @@ void hurdles(Sketch& s, float right) {
 }
 
 void hill(Sketch& s, float right) {
-  const float width = s.mix(8, 5), up = s.reach().rise() * 0.5f, half = kLong / 2;
+  const float width = s.mix(8, 5), up = maxf(s.reach().rise() * 0.5f, 1.0f), half = kLong / 2;
   s.part("Hill up", {right, up / 2, half / 2}, {width, up, half})
       .shaped(schema::Shape::WEDGE)
       .turned(kAbout)

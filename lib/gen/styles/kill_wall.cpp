@@ -5,7 +5,7 @@ namespace obby::gen {
 
 void buildKillWall(Sketch& s) {
   const uint32_t walls = s.mixCount(1, 4);
-  const float width = s.mix(12, 6), apex = s.reach().rise() - 1.8f;
+  const float width = s.mix(12, 6), apex = s.reach().apex();
   for (uint32_t i = 0; i < walls; ++i) {
     const float height = clampf(apex * (0.15f + 0.55f * s.difficulty()), 0.5f, apex);
     const float run = s.mix(14, 9);
