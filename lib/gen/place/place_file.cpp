@@ -83,7 +83,8 @@ void PlaceFile::writeScript(const char* name, const std::string& source) {
   xml_.end();
 }
 
-void PlaceFile::writeCarrier(const MotionSketch& motion, Vec3 shift) {
+void PlaceFile::writeCarrier(const PartSketch& part, Vec3 shift) {
+  const MotionSketch& motion = *part.motion;
   constexpr float kForce = 1e7f, kResponse = 200;
   xml_.begin("Attachment", "Attachment");
   xml_.endProperties();
@@ -102,6 +103,7 @@ void PlaceFile::writeCarrier(const MotionSketch& motion, Vec3 shift) {
   xml_.begin("AlignOrientation", "AlignOrientation");
   xml_.reference("Attachment0", attachment);
   xml_.token("Mode", 0);
+  xml_.frame("CFrame", {}, toMat3(part.rotation));
   xml_.flag("RigidityEnabled", true);
   xml_.endProperties();
   xml_.end();
@@ -112,7 +114,7 @@ void PlaceFile::writePart(const PartSketch& part, const std::vector<PartSketch>&
   xml_.begin(classOf(part, spawn), part.name);
   writeProperties(part, shift);
   xml_.endProperties();
-  if (isDriven(part)) writeCarrier(*part.motion, shift);
+  if (isDriven(part)) writeCarrier(part, shift);
   for (const PlaceScript& script : scriptsOf(part, all, shift)) {
     writeScript(script.name, script.source);
   }

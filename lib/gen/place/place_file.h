@@ -24,7 +24,7 @@ class PlaceFile {
  private:
   void writePart(const PartSketch& part, const std::vector<PartSketch>& all, Vec3 shift);
   void writeProperties(const PartSketch& part, Vec3 shift);
-  void writeCarrier(const MotionSketch& motion, Vec3 shift);
+  void writeCarrier(const PartSketch& part, Vec3 shift);
   void writeScript(const char* name, const std::string& source);
 
   const Params params_;
