@@ -6,7 +6,7 @@
 #include "cli/context.h"
 #include "cli/tool.h"
 #include "common/report.h"
-#include "import/filter.h"
+#include "io/read_file.h"
 #include "solve/ablations.h"
 #include "suite/curve.h"
 #include "suite/plan.h"
@@ -114,7 +114,7 @@ Result<bench::Plan> planOf(const cli::Arguments& a) {
 
 // Another build may search otherwise, so its runs are not taken for this one's.
 Result<uint64_t> programDigest() {
-  OBBY_ASSIGN(const std::string bytes, importer::readAll("/proc/self/exe"));
+  OBBY_ASSIGN(const std::string bytes, io::readFile("/proc/self/exe"));
   return hashBytes(bytes.data(), bytes.size());
 }
 

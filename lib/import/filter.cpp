@@ -2,29 +2,14 @@
 #include "import/filter.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 
 #include "import/read_document.h"
+#include "io/read_file.h"
 
 namespace obby::importer {
 namespace {
 
 std::string nameInErrors(const std::string& path) { return path == "-" ? "stdin" : path; }
-
-Error inputError(const std::string& path, const std::string& message) {
-  Error error = makeError(message);
-  error.input = nameInErrors(path);
-  return error;
-}
-
-struct Close {
-  void operator()(std::FILE* file) const {
-    if (file != stdin) std::fclose(file);
-  }
-};
 
 Result<std::string> recordBytes(Import& import) {
   std::string bytes;
@@ -36,19 +21,6 @@ Result<std::string> recordBytes(Import& import) {
 }
 
 }  // namespace
-
-Result<std::string> readAll(const std::string& path) {
-  const std::unique_ptr<std::FILE, Close> file(path == "-" ? stdin
-                                                           : std::fopen(path.c_str(), "rb"));
-  if (!file) return inputError(path, std::string("cannot open: ") + std::strerror(errno));
-  std::string bytes;
-  char buffer[1 << 16];
-  while (const size_t got = std::fread(buffer, 1, sizeof buffer, file.get()))
-    bytes.append(buffer, got);
-  if (std::ferror(file.get()))
-    return inputError(path, std::string("cannot read: ") + std::strerror(errno));
-  return bytes;
-}
 
 InputOpener::InputOpener(ImportOptions options, std::function<void(const std::string&)> say,
                          std::function<void(const std::string&)> explain)
@@ -63,7 +35,7 @@ std::string InputOpener::freeName(const std::string& wanted) {
 }
 
 Result<io::StreamReader> InputOpener::open(const std::string& path) {
-  OBBY_ASSIGN(std::string bytes, readAll(path));
+  OBBY_ASSIGN(std::string bytes, io::readFile(path));
   const std::string name = nameInErrors(path);
   if (!looksLikeRoblox(bytes)) {
     if (options_.explain) explain_(name + ": a stream of records, no place: nothing to explain\n");

@@ -29,7 +29,4 @@ class InputOpener {
   std::vector<std::string> names_;
 };
 
-// All bytes of a file, or of standard input for "-".
-Result<std::string> readAll(const std::string& path);
-
 }  // namespace obby::importer

@@ -55,6 +55,10 @@ class StreamReader {
   std::unique_ptr<Impl> impl_;
 };
 
+// A record made here with its bytes in `format`, so that StreamWriter::pass has nothing left to do:
+// for records that are encoded by several threads and written by one. Errors as of write().
+Result<Record> encoded(RecordBuilder builder, Format format);
+
 // Writes one stream. Every record goes out in whole lines (or messages). A file is written under a
 // temporary name and renamed by close(); destroying an unclosed writer removes it.
 class StreamWriter {

@@ -6,6 +6,27 @@
 
 namespace obby::io {
 
+namespace {
+
+// A line with its newline, or a message.
+Result<std::string> bytesOf(schema::Record::Reader record, Format format) {
+  if (format != Format::jsonl) return messageFromRecord(record, format == Format::capnpPacked);
+  OBBY_ASSIGN(std::string line, recordToJson(record));
+  line += '\n';
+  return line;
+}
+
+}  // namespace
+
+Result<Record> encoded(RecordBuilder builder, Format format) {
+  auto storage = std::make_shared<Record::Storage>();
+  OBBY_ASSIGN(storage->raw, bytesOf(builder.reader(), format));
+  if (format == Format::jsonl) storage->raw.pop_back();
+  storage->format = format;
+  storage->decoded = std::move(builder);
+  return Record(std::move(storage));
+}
+
 struct StreamWriter::Impl {
   Sink sink;
   Format format;
@@ -15,13 +36,6 @@ struct StreamWriter::Impl {
     OBBY_RETURN_IF_ERROR(sink.write(piece));
     records++;
     return {};
-  }
-
-  Result<std::string> encode(schema::Record::Reader record) const {
-    if (format != Format::jsonl) return messageFromRecord(record, format == Format::capnpPacked);
-    OBBY_ASSIGN(std::string line, recordToJson(record));
-    line += '\n';
-    return line;
   }
 };
 
@@ -40,7 +54,7 @@ StreamWriter& StreamWriter::operator=(StreamWriter&&) noexcept = default;
 StreamWriter::~StreamWriter() = default;
 
 Status StreamWriter::write(schema::Record::Reader record) {
-  OBBY_ASSIGN(const std::string piece, impl_->encode(record));
+  OBBY_ASSIGN(const std::string piece, bytesOf(record, impl_->format));
   return impl_->send(piece);
 }
 

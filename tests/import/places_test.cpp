@@ -8,6 +8,7 @@
 
 #include "import/filter.h"
 #include "import/importer.h"
+#include "io/read_file.h"
 #include "io/stream.h"
 #include "level/level.h"
 
@@ -25,7 +26,7 @@ const fs::path kPlaces = fs::path(OBBY_SOURCE_DIR) / ".." / "shared" / "places";
   }
 
 importer::Import import(const fs::path& path) {
-  const auto bytes = importer::readAll(path.string());
+  const auto bytes = io::readFile(path.string());
   EXPECT_TRUE(bytes) << path;
   importer::ImportOptions options;
   options.explain = true;

@@ -1,0 +1,163 @@
+#include "gen/place/place_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gen/place/place_scripts.h"
+
+namespace obby::gen {
+
+namespace {
+
+constexpr float kBetween = 60;                      // studs from one level to the next
+constexpr float kFallRoom = 40;                     // studs below everything, where a fall ends
+constexpr float kDensity = 0.7f, kFriction = 0.3f;  // of plastic
+constexpr float kJumpPower = 1.06f;                 // launch speed over JumpPower
+constexpr uint32_t kPlastic = 256, kNeon = 288;
+
+// Extent of a part in every direction, at most; of a mover with its way.
+Box boundsOf(const PartSketch& part) {
+  const Vec3 half = abs(part.size) * 0.5f;
+  const float radius = length(half);
+  const Vec3 around{radius, radius, radius};
+  Box box{part.position - around, part.position + around};
+  if (part.motion) {
+    for (const MotionSketch::Key& key : part.motion->keys) {
+      box = join(box, {key.position - around, key.position + around});
+    }
+  }
+  return box;
+}
+
+const char* classOf(const PartSketch& part, bool spawn) {
+  if (spawn) return "SpawnLocation";
+  switch (part.shape) {
+    case schema::Shape::WEDGE: return "WedgePart";
+    case schema::Shape::CORNER_WEDGE: return "CornerWedgePart";
+    case schema::Shape::TRUSS: return "TrussPart";
+    default: return "Part";
+  }
+}
+
+const char* tagOf(const PartSketch& part) {
+  if (part.goal) return "Goal";
+  if (part.checkpoint > 0) return "Checkpoint";
+  return part.kill ? "KillBrick" : nullptr;
+}
+
+// A carrier is moved by physics, so that it carries: it is loose, and held by an AlignPosition.
+bool isDriven(const PartSketch& part) {
+  return part.motion && part.motion->carries && !part.motion->keys.empty();
+}
+
+}  // namespace
+
+PlaceFile::PlaceFile(const Generator& generator) : params_(generator.reach().params()) {}
+
+void PlaceFile::writeProperties(const PartSketch& part, Vec3 shift) {
+  xml_.flag("Anchored", part.anchored && !isDriven(part));
+  xml_.frame("CFrame", part.position + shift, toMat3(part.rotation));
+  xml_.vector("size", part.size);
+  xml_.color("Color3uint8",
+             uint32_t(part.color.r) << 16 | uint32_t(part.color.g) << 8 | part.color.b);
+  xml_.token("Material", part.kill ? kNeon : kPlastic);
+  if (part.shape == schema::Shape::CYLINDER) xml_.token("shape", 2);
+  if (part.shape == schema::Shape::BALL) xml_.token("shape", 0);
+  // A part that a signal makes is away until then.
+  const bool there = part.solid && !(part.vanish && part.vanish->inverted);
+  xml_.flag("CanCollide", there);
+  xml_.number("Transparency", there ? part.transparency : 0.8f);
+  if (part.friction >= 0 || part.density >= 0 || part.kill) {
+    xml_.physical(part.density >= 0 ? part.density : kDensity,
+                  part.friction >= 0 ? part.friction : kFriction);
+  }
+  if (!(part.conveyor == Vec3{})) xml_.vector("Velocity", part.conveyor);
+  if (const char* tag = tagOf(part)) xml_.tags(tag);
+}
+
+void PlaceFile::writeScript(const char* name, const std::string& source) {
+  xml_.begin("Script", name);
+  xml_.source(source);
+  xml_.endProperties();
+  xml_.end();
+}
+
+void PlaceFile::writeCarrier(const PartSketch& part, Vec3 shift) {
+  const MotionSketch& motion = *part.motion;
+  constexpr float kForce = 1e7f, kResponse = 200;
+  xml_.begin("Attachment", "Attachment");
+  xml_.endProperties();
+  xml_.end();
+  const uint32_t attachment = xml_.lastReferent();
+  const float way = length(motion.keys.back().position - motion.keys.front().position);
+  xml_.begin("AlignPosition", "AlignPosition");
+  xml_.reference("Attachment0", attachment);
+  xml_.token("Mode", 0);
+  xml_.vector("Position", motion.keys.front().position + shift);
+  xml_.number("MaxForce", kForce);
+  xml_.number("Responsiveness", kResponse);
+  xml_.number("MaxVelocity", way / maxf(motion.keys.back().time, 0.1f));
+  xml_.endProperties();
+  xml_.end();
+  xml_.begin("AlignOrientation", "AlignOrientation");
+  xml_.reference("Attachment0", attachment);
+  xml_.token("Mode", 0);
+  xml_.frame("CFrame", {}, toMat3(part.rotation));
+  xml_.flag("RigidityEnabled", true);
+  xml_.endProperties();
+  xml_.end();
+}
+
+void PlaceFile::writePart(const PartSketch& part, const std::vector<PartSketch>& all, Vec3 shift) {
+  const bool spawn = first_ && &part == &all.front();
+  xml_.begin(classOf(part, spawn), part.name);
+  writeProperties(part, shift);
+  xml_.endProperties();
+  if (isDriven(part)) writeCarrier(part, shift);
+  for (const PlaceScript& script : scriptsOf(part, all, shift)) {
+    writeScript(script.name, script.source);
+  }
+  xml_.end();
+}
+
+void PlaceFile::add(const Generated& level) {
+  const std::vector<PartSketch>& parts = level.sketch.parts();
+  Box box = boundsOf(parts.front());
+  for (const PartSketch& part : parts) box = join(box, boundsOf(part));
+  const Vec3 shift{first_ ? 0.0f : float(int32_t(next_ - box.lo.x + 1)), 0, 0};
+  xml_.begin("Model", level.name);
+  xml_.endProperties();
+  for (const PartSketch& part : parts) writePart(part, parts, shift);
+  xml_.end();
+  next_ = box.hi.x + shift.x + kBetween;
+  lowest_ = std::min(lowest_, box.lo.y);
+  first_ = false;
+}
+
+std::string PlaceFile::finish() {
+  std::string levels;
+  levels.swap(levels_);
+  levels_ += "<roblox version=\"4\">\n";
+  xml_.begin("Workspace", "Workspace");
+  xml_.number("Gravity", params_.gravity);
+  xml_.number("FallenPartsDestroyHeight", float(int32_t(lowest_ - kFallRoom)));
+  xml_.endProperties();
+  levels_ += levels;
+  xml_.end();
+  xml_.begin("StarterPlayer", "StarterPlayer");
+  xml_.number("CharacterWalkSpeed", params_.walkSpeed);
+  xml_.flag("CharacterUseJumpPower", true);
+  xml_.number("CharacterJumpPower", params_.jumpSpeed / kJumpPower);
+  xml_.endProperties();
+  xml_.end();
+  xml_.begin("ServerScriptService", "ServerScriptService");
+  xml_.endProperties();
+  const PlaceScript script = checkpointScript();
+  writeScript(script.name, script.source);
+  xml_.end();
+  levels_ += "</roblox>\n";
+  return std::move(levels_);
+}
+
+}  // namespace obby::gen

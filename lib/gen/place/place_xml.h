@@ -1,0 +1,39 @@
+// The XML of a place file: items that nest, one element a property. Private to lib/gen.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "math/vec.h"
+
+namespace obby::gen {
+
+class PlaceXml {
+ public:
+  explicit PlaceXml(std::string& out) : out_(out) {}
+
+  // An item, its name, and then its properties, until endProperties(). Referents count up.
+  void begin(const char* className, std::string_view name);
+  void endProperties() { out_ += "</Properties>\n"; }
+  void end() { out_ += "</Item>\n"; }
+
+  void flag(const char* name, bool value);
+  void number(const char* name, float value);
+  void token(const char* name, uint32_t value);
+  void vector(const char* name, Vec3 value);
+  void frame(const char* name, Vec3 position, const Mat3& rotation);
+  void color(const char* name, uint32_t rgb);
+  void source(std::string_view script);
+  void tags(std::string_view tags);  // one tag
+  void reference(const char* name, uint32_t referent);
+  void physical(float density, float friction);
+
+  uint32_t lastReferent() const { return referents_; }
+
+ private:
+  std::string& out_;
+  uint32_t referents_ = 0;
+};
+
+}  // namespace obby::gen

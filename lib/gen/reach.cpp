@@ -1,0 +1,47 @@
+#include "gen/reach.h"
+
+#include "math/vec.h"
+
+namespace obby::gen {
+
+namespace {
+
+// Worlds with next to no gravity would get levels of millions of studs.
+constexpr float kLeastGravity = 4;
+constexpr float kMostRise = 120, kMostGap = 200;  // studs
+constexpr float kLegsUsed = 0.9f;  // of the hip height: a floor further up hits the torso
+constexpr int kDelays = 4;         // a jump may come late by any share of the coyote time
+
+}  // namespace
+
+float Reach::legs() const { return kLegsUsed * p_.hipHeight; }
+float Reach::gravity() const { return maxf(p_.gravity, kLeastGravity); }
+
+float Reach::riseFrom(float upward) const {
+  return minf(upward * upward / (2 * gravity()) + legs(), kMostRise);
+}
+
+float Reach::apex() const { return maxf(rise() - legs(), 0.5f); }
+
+float Reach::gap(float rise) const {
+  const float g = gravity(), v = p_.jumpSpeed;
+  float best = -1;
+  for (int i = 0; i <= kDelays; ++i) {
+    const float delay = p_.coyoteTime * float(i) / float(kDelays);
+    const float height = rise - legs() + 0.5f * g * delay * delay;
+    const float end2 = v * v - 2 * g * height;
+    if (end2 >= 0) best = maxf(best, p_.walkSpeed * (delay + (v + sqrtf32(end2)) / g));
+  }
+  if (best < 0) return 0;
+  return minf(best + 2 * p_.floorRaySpread * p_.bodyDepth, kMostGap);
+}
+
+float Reach::walkedGap() const {
+  const float seconds = sqrtf32(2 * legs() / gravity());
+  return minf(p_.walkSpeed * seconds + 2 * p_.floorRaySpread * p_.bodyDepth, kMostGap);
+}
+
+float Reach::speedFor(float height) const { return sqrtf32(2 * gravity() * maxf(height, 0.0f)); }
+float Reach::flight() const { return 2 * p_.jumpSpeed / gravity() + p_.coyoteTime; }
+
+}  // namespace obby::gen

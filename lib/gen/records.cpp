@@ -1,0 +1,160 @@
+// Sketches as records. Fields that have their default stay unset.
+#include <algorithm>
+
+#include "gen/generator.h"
+#include "gen/physics.h"
+
+namespace obby::gen {
+
+namespace {
+
+constexpr float kFallRoom = 24;  // studs below the lowest part, where a fall ends
+
+void set(schema::Vec3::Builder to, Vec3 v) {
+  to.setX(v.x);
+  to.setY(v.y);
+  to.setZ(v.z);
+}
+
+void set(schema::Quat::Builder to, Quat q) {
+  to.setX(q.x);
+  to.setY(q.y);
+  to.setZ(q.z);
+  to.setW(q.w);
+}
+
+bool isZero(Vec3 v) { return v == Vec3{}; }
+bool isIdentity(Quat q) { return q.x == 0 && q.y == 0 && q.z == 0; }
+
+void writeMotion(const MotionSketch& from, const PartSketch& part, schema::Motion::Builder to) {
+  if (!from.keys.empty()) {
+    auto keys = to.initKeys(uint32_t(from.keys.size()));
+    for (uint32_t i = 0; i < keys.size(); ++i) {
+      set(keys[i].initPosition(), from.keys[i].position);
+      if (!isIdentity(part.rotation)) set(keys[i].initRotation(), part.rotation);
+      keys[i].setTime(from.keys[i].time);
+      if (!from.smooth) continue;
+      keys[i].setEasing(schema::Easing::SINE);
+      keys[i].setDirection(schema::EasingDirection::IN_OUT);
+    }
+    to.setRepeat(schema::Repeat::PING_PONG);
+  }
+  if (from.spin != 0) {
+    auto spin = to.initSpin();
+    spin.setSpeed(from.spin);
+    set(spin.initAxis(), from.spinAxis);
+    if (!isZero(from.spinPivot)) set(spin.initPivot(), from.spinPivot);
+  }
+  to.setOffset(from.offset);
+  to.setCarries(from.carries);
+}
+
+void writeVanish(const PartSketch& from, schema::Vanish::Builder to) {
+  to.setTrigger(from.vanish->trigger);
+  to.setDelay(from.vanish->delay);
+  if (from.vanish->trigger == schema::VanishTrigger::SIGNAL) {
+    to.setSignal(from.signal);
+  } else {
+    to.setAway(from.vanish->away);
+  }
+  to.setPhase(from.vanish->phase);
+  to.setInverted(from.vanish->inverted);
+}
+
+void writeRoles(const PartSketch& from, schema::Part::Builder to) {
+  if (from.kill) to.initKill();
+  if (from.goal) to.initGoal();
+  if (from.checkpoint > 0) to.initCheckpoint().setStage(from.checkpoint);
+  if (!isZero(from.conveyor)) set(to.initConveyor().initVelocity(), from.conveyor);
+  if (!isZero(from.pad)) set(to.initJumpPad().initVelocity(), from.pad);
+  if (from.vanish) writeVanish(from, to.initVanish());
+  if (from.motion) writeMotion(*from.motion, from, to.initMotion());
+  if (from.button) {
+    auto button = to.initButton();
+    button.setSignal(from.signal);
+    button.setSeconds(from.button->seconds);
+  }
+}
+
+void writePart(const PartSketch& from, schema::Part::Builder to) {
+  to.setName(from.name);
+  to.setShape(from.shape);
+  set(to.initPosition(), from.position);
+  if (!isIdentity(from.rotation)) set(to.initRotation(), from.rotation);
+  set(to.initSize(), from.size);
+  auto color = to.initColor();
+  color.setR(from.color.r);
+  color.setG(from.color.g);
+  color.setB(from.color.b);
+  if (!from.solid) to.setSolid(false);
+  if (!from.anchored) to.setAnchored(false);
+  if (from.friction >= 0) to.setFriction(from.friction);
+  if (from.density >= 0) to.setDensity(from.density);
+  to.setTransparency(from.transparency);
+  writeRoles(from, to);
+}
+
+void writeRegion(const Stop& from, const Quat& facing, schema::Region::Builder to) {
+  set(to.initPosition(), from.feet + Vec3{0, from.room.y / 2, 0});
+  if (!isIdentity(facing)) set(to.initRotation(), facing);
+  set(to.initSize(), from.room);
+}
+
+Quat facingOf(const Stop& stop, const Sketch& sketch) {
+  return sketch.parts()[stop.part].shape == schema::Shape::BLOCK
+             ? sketch.parts()[stop.part].rotation
+             : Quat{};
+}
+
+float lowest(const Sketch& sketch) {
+  float y = 0;
+  for (const PartSketch& p : sketch.parts()) {
+    const Vec3 half = p.size * 0.5f;
+    y = std::min(y, p.position.y - maxf(half.x, maxf(half.y, half.z)) * 0.5f);
+  }
+  return y;
+}
+
+}  // namespace
+
+void Generator::writeLevel(const Generated& from, schema::Level::Builder to) const {
+  const Sketch& sketch = from.sketch;
+  to.setName(from.name);
+  auto physics = to.initPhysics();
+  // The names were checked when the generator was made.
+  (void)setPhysics(physics, recipe_.physics);
+  physics.setFallenPartsHeight(float(int32_t(lowest(sketch) - kFallRoom)));
+  auto parts = to.initParts(uint32_t(sketch.parts().size()));
+  for (uint32_t i = 0; i < parts.size(); ++i) writePart(sketch.parts()[i], parts[i]);
+  auto spawns = to.initSpawns(uint32_t(sketch.stops().size()) - 1);
+  for (uint32_t i = 0; i < spawns.size(); ++i) {
+    const Stop& stop = sketch.stops()[i];
+    spawns[i].setName(sketch.parts()[stop.part].name);
+    spawns[i].setStage(int32_t(i));
+    set(spawns[i].initPosition(), stop.feet);
+    spawns[i].setYaw(radiansFromTurns(stop.heading));
+    spawns[i].setPart(int32_t(stop.part));
+  }
+}
+
+void Generator::writeQuery(const Generated& from, schema::Query::Builder to) {
+  const auto& stops = from.sketch.stops();
+  to.setId(from.query);
+  to.setLevel(from.name);
+  auto start = to.initStart();
+  writeRegion(stops.front(), facingOf(stops.front(), from.sketch), start.initRegion());
+  start.getRegion().setName("Start");
+  auto goal = to.initGoal();
+  writeRegion(stops.back(), facingOf(stops.back(), from.sketch), goal);
+  goal.setName("Goal");
+  auto waypoints = to.initWaypoints(uint32_t(from.limits.waypoints.size()));
+  for (uint32_t i = 0; i < waypoints.size(); ++i) {
+    const Stop& stop = stops[from.limits.waypoints[i]];
+    writeRegion(stop, facingOf(stop, from.sketch), waypoints[i].initRegion());
+    waypoints[i].getRegion().setName(from.sketch.parts()[stop.part].name);
+  }
+  if (from.limits.maxJumps > 0) to.setMaxJumps(int32_t(from.limits.maxJumps));
+  to.setTimeLimit(from.limits.timeLimit);
+}
+
+}  // namespace obby::gen

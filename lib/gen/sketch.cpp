@@ -1,0 +1,229 @@
+#include "gen/sketch.h"
+
+#include <cstring>
+
+namespace obby::gen {
+
+namespace {
+
+// Shares of the widest gap and the highest ledge, from trivial to limit.
+constexpr float kLeastShare = 0.25f, kMostShare = 0.93f, kShareSpread = 0.05f;
+constexpr float kMixSpread = 0.08f;  // of the difficulty
+constexpr float kThick = 1;          // of floors
+constexpr float kRoom = 6;           // of a region above a floor
+constexpr float kProof = 1.15f;      // what a proof of `unreachable` allows a falling player more
+constexpr float kAskew = 7;          // studs likewise, where the way is turned by an eighth
+constexpr uint64_t kExcessStream = 0x9e3779b97f4a7c15u;
+
+// Two shades of floor for each theme.
+constexpr Color kThemes[][2] = {
+    {{196, 199, 206}, {168, 173, 184}}, {{214, 190, 150}, {190, 164, 122}},
+    {{160, 190, 140}, {134, 166, 116}}, {{186, 170, 210}, {160, 142, 190}},
+    {{230, 170, 160}, {206, 146, 138}}, {{140, 186, 196}, {114, 162, 174}}};
+constexpr uint32_t kThemeCount = sizeof(kThemes) / sizeof(kThemes[0]);
+
+float rounded(float v, float unit) {
+  const float n = v / unit;
+  return float(int32_t(n + (n < 0 ? -0.5f : 0.5f))) * unit;
+}
+
+}  // namespace
+
+Sketch::Sketch(const Reach& reach, const Recipe& recipe, Random random, SketchPlan plan)
+    : reach_(&reach),
+      recipe_(&recipe),
+      random_(random),
+      excess_(random.next(), kExcessStream),
+      plan_(plan) {
+  random_.next();
+  parts_.reserve(24);
+  theme_ = random_.below(kThemeCount);
+  bendSide_ = side();
+}
+
+// ------------------------------------------------------------------------------------ measures
+
+float Sketch::mix(float easy, float hard) {
+  const float t = clampf(difficulty_ + kMixSpread * (2 * unit() - 1), 0.0f, 1.0f);
+  return rounded(easy + (hard - easy) * t, 0.25f);
+}
+
+uint32_t Sketch::mixCount(uint32_t easy, uint32_t hard) {
+  const float t = clampf(difficulty_ + 0.3f * (2 * unit() - 1), 0.0f, 1.0f);
+  return uint32_t(float(easy) + (float(hard) - float(easy)) * t + 0.5f);
+}
+
+float Sketch::share(float spread) {
+  const float middle = kLeastShare + (kMostShare - kLeastShare) * difficulty_;
+  return minf(middle + spread * (2 * unit() - 1), kMostShare);
+}
+
+float Sketch::beyond() {
+  return recipe_->excess.lo + (recipe_->excess.hi - recipe_->excess.lo) * excess_.unit();
+}
+
+bool Sketch::broken(const char* what) {
+  const bool here = crossings_++ == plan_.planted;
+  if (here) plantedWhat_ = std::string(what) + "-" + std::to_string(crossings_);
+  return here;
+}
+
+float Sketch::gap(float rise, float share) {
+  const float most = reach_->gap(rise),
+              mine = rounded(most * this->share(kShareSpread) * share, 0.125f);
+  ++jumps_;
+  if (!broken("gap")) return mine;
+  // A proof sees a part that is turned as the upright box around it.
+  const bool askew = heading_ % 0x4000 != 0;
+  const float more = plan_.fastest * reach_->flight() + (askew ? kAskew : 0);
+  return rounded(kProof * most + beyond() + more, 0.125f);
+}
+
+float Sketch::sideGap(float share) {
+  return rounded(reach_->gap(0) * this->share(kShareSpread) * share, 0.125f);
+}
+
+float Sketch::rise(float share) {
+  const float mine = rounded(reach_->rise() * this->share(kShareSpread) * share, 0.125f);
+  ++jumps_;
+  return broken("rise") ? rounded(reach_->rise() + beyond(), 0.125f) : mine;
+}
+
+float Sketch::highLedge(float least, float most) {
+  return rounded(reach_->rise(), 0.5f) + mix(least, most);
+}
+
+// ------------------------------------------------------------------------------------ places
+
+Vec3 Sketch::direction(Vec3 local) const {
+  const SinCos a = sinCos(heading_);
+  const Vec3 forward = directionOf(a), right{a.cos, 0, -a.sin};
+  return right * local.x + Vec3{0, local.y, 0} + forward * local.z;
+}
+
+Vec3 Sketch::at(Vec3 from) const { return edge_ + direction(from); }
+
+Quat Sketch::facing() const {
+  const SinCos half = sinCos(Turns(int16_t(heading_) / 2));
+  return {0, half.sin, 0, half.cos};
+}
+
+void Sketch::advance(float forward, float up, float right) {
+  edge_ = at({right, up, forward});
+  way_ += absf(forward) + absf(right) + (up > 0 ? up : 0);
+}
+
+// To another of the headings straight on, half aside, and aside; never back.
+void Sketch::bend(float diameter) {
+  const Vec3 middle = at({0, 0, -diameter / 2});
+  constexpr uint32_t kHeadings = 3;
+  const int16_t step = int16_t(0x2000 * (bendSide_ < 0 ? -1 : 1));
+  const uint32_t now = uint32_t(int16_t(heading_) / step);
+  const uint32_t next = (now + 1 + below(kHeadings - 1)) % kHeadings;
+  heading_ = Turns(int16_t(next) * step);
+  edge_ = middle;
+  edge_ = at({0, 0, diameter / 2});
+}
+
+// ------------------------------------------------------------------------------------ parts
+
+std::string Sketch::numbered(const char* name) {
+  for (Numbered& n : names_) {
+    if (std::strcmp(n.name, name) == 0) return std::string(name) + ' ' + std::to_string(++n.used);
+  }
+  names_.push_back({name, 1});
+  return std::string(name) + " 1";
+}
+
+std::string Sketch::signal(const char* kind) { return numbered(kind); }
+
+Color Sketch::shade() { return kThemes[theme_][shades_++ % 2]; }
+
+PartSketch& Sketch::part(const char* name, Vec3 from, Vec3 size) {
+  PartSketch& p = parts_.emplace_back();
+  p.name = numbered(name);
+  p.position = at(from);
+  p.rotation = facing();
+  p.size = size;
+  p.color = kThemes[theme_][0];
+  return p;
+}
+
+PartSketch& Sketch::floor(const char* name, float length, float width, float gap, float up,
+                          float right) {
+  PartSketch& p = part(name, {right, up - kThick / 2, gap + length / 2}, {width, kThick, length})
+                      .colored(shade());
+  advance(gap + length, up, right);
+  return p;
+}
+
+PartSketch& Sketch::disc(const char* name, float diameter, float gap, float up) {
+  PartSketch& p = part(name, {0, up - kThick / 2, gap + diameter / 2}, {kThick, diameter, diameter})
+                      .shaped(schema::Shape::CYLINDER)
+                      .turned(kUpright)
+                      .colored(shade());
+  advance(gap + diameter, up);
+  return p;
+}
+
+PartSketch& Sketch::wall(const char* name, float right, float forward, float width, float height,
+                         float thickness, float up) {
+  constexpr float kFoot = 0.5f;
+  return part(name, {right, up + (height - kFoot) / 2, forward}, {width, height + kFoot, thickness})
+      .colored(colors::kWall);
+}
+
+MotionSketch Sketch::slide(Vec3 from, Vec3 to, float seconds, float offset) {
+  MotionSketch m;
+  m.keys = {{0, at(from)}, {seconds, at(to)}};
+  m.offset = offset;
+  waits_ += seconds;
+  return m;
+}
+
+PartSketch& Sketch::deadly(PartSketch& part) {
+  part.kill = true;
+  return part.colored(colors::kKill);
+}
+
+// ------------------------------------------------------------------------------------ the frame
+
+Stop Sketch::stop(uint32_t part, Vec3 feet, float width, float length) const {
+  return {part, feet, {width, kRoom, length}, heading_};
+}
+
+void Sketch::start() {
+  constexpr float kSize = 10;
+  edge_ = {0, 0, kSize / 2};
+  PartSketch& p = floor("Start", kSize, kSize);
+  p.name = "Start";
+  p.color = colors::kStart;
+  stops_.push_back(stop(0, at({0, 0, -kSize / 2}), kSize, kSize));
+}
+
+void Sketch::begin(float difficulty) { difficulty_ = clampf(difficulty, 0.0f, 1.0f); }
+
+// Close enough to walk on to, so that an obstacle is what it is named for and nothing else.
+void Sketch::rest(bool last, bool mayTurn) {
+  const float near = reach_->walkedGap() * (0.4f + 0.5f * difficulty_);
+  const float mine = gap();
+  --jumps_;
+  const float across = mine > reach_->gap(0) ? mine : rounded(minf(near, mine), 0.125f);
+  const bool turns = chance(recipe_->turns) && mayTurn && !last;
+  const float size = turns ? 10 : mix(10, 7);
+  PartSketch& p =
+      turns ? disc("Checkpoint", size, across) : floor("Checkpoint", size, size, across);
+  p.color = last ? colors::kGoal : colors::kCheckpoint;
+  p.goal = last;
+  if (last) p.name = "Goal";
+  if (!last) p.checkpoint = int32_t(stops_.size());
+  const float room = turns ? size * kHalfRoot : size;
+  stops_.push_back(stop(uint32_t(parts_.size()) - 1, at({0, 0, -size / 2}), room, room));
+  if (turns) bend(size);
+}
+
+float Sketch::seconds() const {
+  return way_ / maxf(reach_->params().walkSpeed, 1.0f) + waits_ + 0.5f * float(jumps_);
+}
+
+}  // namespace obby::gen

@@ -1,0 +1,58 @@
+// Buttons that open a door, or make a bridge, for a while.
+#include "gen/styles/all.h"
+
+namespace obby::gen {
+
+namespace {
+
+PartSketch& button(Sketch& s, float right, float forward, float seconds) {
+  PartSketch& p = s.part("Button", {right, 0.25f, forward}, {3, 0.5f, 3}).colored(colors::kButton);
+  p.button = ButtonSketch{seconds};
+  return p;
+}
+
+void buildDoor(Sketch& s) {
+  constexpr float kRoundabout = 20, kDoor = 6, kRun = 12;
+  const float width = 20, seconds = s.mix(12, 3), high = maxf(14.0f, s.reach().rise() + 5);
+  const float side = (width - kDoor) / 2 + kRoundabout, middle = (kDoor + side) / 2;
+  const float aside = s.mix(3, 8) * s.side();
+  s.wall("Wall", -middle, kRun, side, high, 1);
+  s.wall("Wall", middle, kRun, side, high, 1);
+  PartSketch& door = s.part("Door", {0, high / 2, kRun}, {kDoor, high, 1}).colored(colors::kFading);
+  if (!s.broken("button")) {
+    door.signal = s.signal("door");
+    VanishSketch away{schema::VanishTrigger::SIGNAL, 0, 0, 0, false};
+    door.vanishing(away);
+    const std::string name = door.signal;
+    button(s, aside, 4, seconds).signal = name;
+  }
+  s.floor("Hall", kRun + 8, width);
+}
+
+void buildBridge(Sketch& s) {
+  const float seconds = s.mix(12, 5), gap = s.reach().gap(0) + s.mix(6, 10);
+  const bool there = !s.broken("bridge");
+  s.floor("Near bank", 10, 12);
+  if (there) {
+    PartSketch& bridge =
+        s.part("Bridge", {0, -0.5f, gap / 2}, {s.mix(6, 2), 1, gap}).colored(colors::kFading);
+    VanishSketch away{schema::VanishTrigger::SIGNAL, 0, 0, 0, true};
+    bridge.vanishing(away).signal = s.signal("bridge");
+    const std::string name = bridge.signal;
+    button(s, s.mix(0, 4) * s.side(), -7, seconds).signal = name;
+  }
+  s.floor("Far bank", 8, 10, gap);
+}
+
+}  // namespace
+
+void buildButton(Sketch& s) {
+  if (s.chance(0.5f)) {
+    buildDoor(s);
+  } else {
+    buildBridge(s);
+  }
+  s.expectWait(2);
+}
+
+}  // namespace obby::gen

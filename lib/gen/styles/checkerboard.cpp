@@ -1,0 +1,35 @@
+// Safe and deadly tiles in turn: hops from corner to corner. The harder, the more of the safe ones
+// are deadly, too, until one way is left.
+#include "gen/styles/all.h"
+
+namespace obby::gen {
+
+void buildCheckerboard(Sketch& s) {
+  constexpr int kFiles = 3;
+  constexpr float kLower = 0.2f;  // deadly tiles lie a little lower: their edges are seen
+  const uint32_t rows = s.mixCount(3, 5);
+  const float tile = s.mix(7, 4.5f), taken = 0.9f * s.difficulty();
+  int way = s.below(2) == 0 ? 0 : 2;  // the file of the tile that stays safe
+  for (uint32_t row = 0; row < rows; ++row) {
+    for (int file = 0; file < kFiles; ++file) {
+      const bool spared = (file - way) % 2 == 0 && !s.chance(taken);
+      const bool safe = file == way || spared;
+      const float down = safe ? 0 : kLower;
+      PartSketch& p = s.part(safe ? "Tile" : "Deadly tile",
+                             {tile * float(file - 1), -0.5f - down, tile / 2}, {tile, 1, tile});
+      if (safe) {
+        p.color = s.shade();
+      } else {
+        Sketch::deadly(p);
+      }
+    }
+    way = way == 1 ? (s.below(2) == 0 ? 0 : 2) : 1;
+    s.advance(tile);
+    s.expectJumps(1);
+  }
+  s.expectWay(tile * float(rows) / 2);
+  // Not from a corner straight on to the landing.
+  s.floor("Strip", 5, tile * kFiles);
+}
+
+}  // namespace obby::gen

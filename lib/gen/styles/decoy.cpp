@@ -1,0 +1,35 @@
+// A road that points at the goal and ends before it; the way leaves it sideways and goes round on
+// planks.
+#include "gen/styles/all.h"
+
+namespace obby::gen {
+
+void buildDecoy(Sketch& s) {
+  constexpr float kPad = 8, kSpare = 6;  // studs beyond a jump: nobody gets across from the road
+  const float widest = s.reach().gap(0), long_ = s.mix(12, 9), width = s.mix(6, 3.5f);
+  const float hop = s.sideGap(0.75f), step = long_ + hop, side = s.side();
+  const uint32_t out = 1 + uint32_t((widest + kSpare) / step), along = out + 1;
+  s.floor("Fork", kPad, kPad);
+  // Planks out to the side, along, and back, from the middle of the pad.
+  const float row = -kPad / 2, far = kPad / 2 + step * float(out) + width / 2;
+  const auto across = [&](uint32_t i, float ahead) {
+    const float right = kPad / 2 + hop + long_ / 2 + step * float(i);
+    s.part("Plank", {side * right, -0.5f, ahead}, {long_, 1, width}).colored(s.shade());
+  };
+  const float length = step * float(along) + hop + width;
+  for (uint32_t i = 0; i < out; ++i) across(i, row);
+  for (uint32_t i = 0; i < along; ++i) {
+    const float ahead = row + width / 2 + hop + long_ / 2 + step * float(i);
+    if (s.broken("plank")) continue;
+    s.part("Plank", {side * far, -0.5f, ahead}, {width, 1, long_}).colored(s.shade());
+  }
+  for (uint32_t i = 0; i < out; ++i) across(out - 1 - i, row + length);
+  const float end = row + length - kPad / 2, road = maxf(end - widest - kSpare - s.mix(0, 4), 4.0f);
+  s.part("Dead end", {0, -0.5f, road / 2}, {s.mix(6, 3), 1, road}).colored(s.shade());
+  s.expectJumps(2 * out + along + 2);
+  s.expectWay(2 * far);
+  s.advance(end);
+  s.floor("Way out", kPad, kPad);
+}
+
+}  // namespace obby::gen

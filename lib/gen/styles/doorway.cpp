@@ -1,0 +1,26 @@
+// High walls with a gap that has to be found.
+#include "gen/styles/all.h"
+
+namespace obby::gen {
+
+void buildDoorway(Sketch& s) {
+  constexpr float kRoundabout = 30, kHigh = 14, kDeep = 12;
+  const uint32_t walls = s.mixCount(1, 3);
+  const float width = 18;
+  const float height = maxf(kHigh, s.reach().rise() + 5);
+  for (uint32_t i = 0; i < walls; ++i) {
+    const float hole = s.mix(6, 3), room = width - hole - 2;
+    const float left = 1 + room * s.unit();
+    if (s.broken("door")) {
+      s.wall("Wall", 0, kDeep - 3, width + 2 * kRoundabout, height, 1);
+    } else {
+      const float right = width - hole - left;
+      s.wall("Wall", (left - width) / 2, kDeep - 3, left, height, 1);
+      s.wall("Wall", (width - right) / 2, kDeep - 3, right, height, 1);
+    }
+    s.floor("Floor", kDeep, width);
+    s.expectWay(width / 2);
+  }
+}
+
+}  // namespace obby::gen

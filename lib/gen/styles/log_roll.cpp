@@ -1,0 +1,31 @@
+// Along a log round which spikes turn.
+#include "gen/styles/all.h"
+
+namespace obby::gen {
+
+void buildLogRoll(Sketch& s) {
+  constexpr float kOffRound = 4;  // studs/s that a player gains on its sides
+  const float long_ = s.mix(16, 34), across = s.mix(8, 5), gap = s.gap(0, 0.4f);
+  s.part("Log", {0, -across / 2, gap + long_ / 2}, {long_, across, across})
+      .shaped(schema::Shape::CYLINDER)
+      .turned(kAlong)
+      .colored(colors::kWood);
+  const uint32_t spikes = s.mixCount(2, 8);
+  const float speed = s.mix(0.5f, 2) * s.side(), step = (long_ - 4) / float(spikes);
+  for (uint32_t i = 0; i < spikes; ++i) {
+    // Stands on top of the log and turns about its axis, each ahead of the one before.
+    const float high = s.mix(2, 4), arm = across / 2 + high / 2;
+    MotionSketch m;
+    m.spin = speed;
+    m.spinAxis = {0, 0, 1};
+    m.spinPivot = {0, -arm, 0};
+    s.noteCarrier(kOffRound + 2 * absf(speed) * arm);
+    m.offset = float(i) * 1.1f + 2 * s.unit();
+    Sketch::deadly(s.part("Spike", {0, high / 2, gap + 4 + step * float(i)}, {1, high, 1}))
+        .moving(m);
+  }
+  s.advance(gap + long_);
+  s.expectWait(float(spikes) * 3);
+}
+
+}  // namespace obby::gen

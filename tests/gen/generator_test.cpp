@@ -1,0 +1,116 @@
+// Levels as functions of seed and index; twins; constraints of queries; margins from the physics.
+#include <gtest/gtest.h>
+
+#include "gen/made.h"
+#include "level/level.h"
+
+namespace obby::test {
+namespace {
+
+TEST(Generator, ALevelDependsOnSeedAndIndexAlone) {
+  const gen::Generator generator = generatorOf({}), other = generatorOf({});
+  const std::string tenth = bytesOf(makeRecords(generator, 7, 10));
+  for (uint64_t i = 0; i < 20; ++i) makeRecords(other, 7, i);
+  EXPECT_EQ(bytesOf(makeRecords(other, 7, 10)), tenth);
+  EXPECT_NE(bytesOf(makeRecords(other, 8, 10)), tenth);
+  EXPECT_NE(bytesOf(makeRecords(other, 7, 11)), tenth);
+}
+
+TEST(Generator, StylesComeByTheirWeights) {
+  gen::Recipe recipe;
+  recipe.styles = {{"gaps", 3}, {"wall", 1}, {"beam", 0}};
+  const gen::Generator generator = generatorOf(recipe);
+  int gaps = 0, walls = 0;
+  for (uint64_t i = 0; i < 2000; ++i) {
+    const std::string name = generator.generate(1, i).name;
+    gaps += name.rfind("gaps-", 0) == 0;
+    walls += name.rfind("wall-", 0) == 0;
+  }
+  EXPECT_EQ(gaps + walls, 2000);
+  EXPECT_NEAR(gaps, 1500, 100);
+}
+
+TEST(Generator, ATwinLacksOneCrossingAndNamesIt) {
+  const gen::Recipe recipe = recipeFor("gaps", 0.5f);
+  const gen::Generator solvable = generatorOf(recipe), twins = generatorOf(recipe, true);
+  for (uint64_t seed = 0; seed < 40; ++seed) {
+    const gen::Generated a = solvable.generate(seed, 0), b = twins.generate(seed, 0);
+    ASSERT_EQ(a.sketch.parts().size(), b.sketch.parts().size());
+    EXPECT_EQ(b.name, a.name + "-without-" + b.sketch.plantedWhat());
+    EXPECT_EQ(b.query, "beyond-" + b.sketch.plantedWhat());
+    // One step from part to part is longer, all others are as they were.
+    int longer = 0;
+    for (size_t i = 1; i < a.sketch.parts().size(); ++i) {
+      const auto step = [&](const gen::Generated& g) {
+        return length(g.sketch.parts()[i].position - g.sketch.parts()[i - 1].position);
+      };
+      EXPECT_EQ(a.sketch.parts()[i].size, b.sketch.parts()[i].size);
+      if (step(b) > step(a) + 3)
+        ++longer;
+      else
+        EXPECT_NEAR(step(b), step(a), 1e-3f);
+    }
+    EXPECT_EQ(longer, 1);
+  }
+}
+
+TEST(Generator, SharesOfQueriesHaveConstraints) {
+  gen::Recipe recipe = recipeFor("course", 0.5f);
+  const auto count = [&](auto has) {
+    const gen::Generator generator = generatorOf(recipe);
+    int found = 0;
+    for (uint64_t i = 0; i < 200; ++i) {
+      const Made made = makeRecords(generator, 1, i);
+      found += has(made.query.reader().getQuery());
+    }
+    return found;
+  };
+  const auto jumps = [](schema::Query::Reader q) { return q.getMaxJumps() >= 0; };
+  const auto time = [](schema::Query::Reader q) { return q.getTimeLimit() > 0; };
+  const auto waypoints = [](schema::Query::Reader q) { return q.getWaypoints().size() > 0; };
+  EXPECT_EQ(count(jumps) + count(time) + count(waypoints), 0);
+  recipe.jumpLimits = recipe.timeLimits = 0.5f;
+  recipe.waypoints = 1;
+  EXPECT_NEAR(count(jumps), 100, 30);
+  EXPECT_NEAR(count(time), 100, 30);
+  EXPECT_GT(count(waypoints), 120);
+}
+
+TEST(Generator, CoursesGetHarderAndHaveEachSingleStyleOnce) {
+  gen::Recipe recipe = recipeFor("course", 1);
+  recipe.courseObstacles = {12, 12};
+  recipe.courseStyles = {{"push-block", 1}, {"gaps", 1}};
+  const gen::Generator generator = generatorOf(recipe);
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    const gen::Generated g = generator.generate(seed, 0);
+    int blocks = 0;
+    for (const gen::PartSketch& p : g.sketch.parts()) blocks += !p.anchored;
+    EXPECT_LE(blocks, 1);
+    EXPECT_EQ(g.sketch.stops().size(), 13u);
+  }
+}
+
+TEST(Reach, FollowsThePhysics) {
+  gen::Recipe recipe;
+  const gen::Reach plain = generatorOf(recipe).reach();
+  EXPECT_NEAR(plain.gap(0), 11.5f, 0.3f);
+  EXPECT_NEAR(plain.rise(), 9, 0.3f);
+  EXPECT_GT(plain.gap(-5), plain.gap(0));
+  EXPECT_LT(plain.gap(5), plain.gap(0));
+  EXPECT_EQ(plain.gap(plain.rise() + 1), 0);
+  recipe.physics = {{"gravity", 80}};
+  const gen::Reach light = generatorOf(recipe).reach();
+  EXPECT_GT(light.gap(0), 1.8f * plain.gap(0));
+  EXPECT_GT(light.rise(), 1.8f * plain.rise());
+}
+
+TEST(Generator, LevelsStateThePhysicsTheyWereMadeFor) {
+  gen::Recipe recipe = recipeFor("gaps", 0.5f);
+  recipe.physics = {{"gravity", 80}, {"walkSpeed", 54}};
+  const Made made = makeRecords(generatorOf(recipe), 1, 0);
+  EXPECT_EQ(made.level.reader().getLevel().getPhysics().getGravity(), 80);
+  EXPECT_EQ(made.level.reader().getLevel().getPhysics().getWalkSpeed(), 54);
+}
+
+}  // namespace
+}  // namespace obby::test

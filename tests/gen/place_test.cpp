@@ -1,0 +1,127 @@
+// Place files as the importer reads them back.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "gen/made.h"
+#include "gen/place/place_file.h"
+#include "import/importer.h"
+
+namespace obby::test {
+namespace {
+
+using Parts = std::map<std::string, schema::Part::Reader>;
+
+Parts partsOf(schema::Level::Reader level) {
+  Parts parts;
+  for (const auto part : level.getParts()) parts.emplace(part.getName().cStr(), part);
+  EXPECT_EQ(parts.size(), level.getParts().size());
+  return parts;
+}
+
+void expectNear(schema::Vec3::Reader a, schema::Vec3::Reader b, const std::string& what) {
+  EXPECT_NEAR(a.getX(), b.getX(), 1e-4) << what;
+  EXPECT_NEAR(a.getY(), b.getY(), 1e-4) << what;
+  EXPECT_NEAR(a.getZ(), b.getZ(), 1e-4) << what;
+}
+
+// Up to its sign.
+void expectSame(schema::Quat::Reader a, schema::Quat::Reader b, const std::string& what) {
+  const float same =
+      a.getX() * b.getX() + a.getY() * b.getY() + a.getZ() * b.getZ() + a.getW() * b.getW();
+  EXPECT_NEAR(absf(same), 1, 1e-4) << what;
+}
+
+Vec3 turn(schema::Spin::Reader spin) {
+  const auto axis = spin.getAxis();
+  return Vec3{axis.getX(), axis.getY(), axis.getZ()} * spin.getSpeed();
+}
+
+void expectSame(schema::Part::Reader a, schema::Part::Reader b) {
+  const std::string what = a.getName().cStr();
+  EXPECT_EQ(int(a.getShape()), int(b.getShape())) << what;
+  expectNear(a.getPosition(), b.getPosition(), what);
+  expectNear(a.getSize(), b.getSize(), what);
+  expectSame(a.getRotation(), b.getRotation(), what);
+  EXPECT_EQ(a.getFriction(), b.getFriction()) << what;
+  EXPECT_EQ(a.getDensity(), b.getDensity()) << what;
+  EXPECT_EQ(a.hasKill(), b.hasKill()) << what;
+  EXPECT_EQ(a.hasGoal(), b.hasGoal()) << what;
+  EXPECT_EQ(a.hasCheckpoint(), b.hasCheckpoint()) << what;
+  EXPECT_EQ(a.getCheckpoint().getStage(), b.getCheckpoint().getStage()) << what;
+  EXPECT_EQ(a.hasConveyor(), b.hasConveyor()) << what;
+  expectNear(a.getConveyor().getVelocity(), b.getConveyor().getVelocity(), what);
+  EXPECT_EQ(a.hasJumpPad(), b.hasJumpPad()) << what;
+  expectNear(a.getJumpPad().getVelocity(), b.getJumpPad().getVelocity(), what);
+  EXPECT_EQ(a.hasMotion(), b.hasMotion()) << what;
+  EXPECT_EQ(a.getMotion().getCarries(), b.getMotion().getCarries()) << what;
+  const Vec3 turning = turn(a.getMotion().getSpin()), back = turn(b.getMotion().getSpin());
+  // What turns about a point beside it comes back as keys.
+  if (a.getMotion().getSpin().hasPivot()) {
+    EXPECT_GT(b.getMotion().getKeys().size(), 2u) << what;
+  } else {
+    EXPECT_LT(length(turning - back), 0.02f) << what;
+  }
+  const bool byButton = a.getVanish().getTrigger() == schema::VanishTrigger::SIGNAL;
+  EXPECT_EQ(a.hasVanish() && !byButton, b.hasVanish()) << what;
+  // Loose parts stay loose; carriers are loose in the place, and known by what drives them.
+  if (!a.hasMotion()) {
+    EXPECT_EQ(a.getAnchored(), b.getAnchored()) << what;
+  }
+}
+
+class Places : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Places, ComeBackFromTheImporterAsTheyWere) {
+  const gen::Generator generator = generatorOf(recipeFor(GetParam(), 0.5f));
+  for (uint64_t i = 0; i < 5; ++i) {
+    gen::PlaceFile place(generator);
+    place.add(generator.generate(1, i));
+    const auto back = importer::importPlace(place.finish(), "made.rbxlx", {});
+    ASSERT_TRUE(back) << back.error().text();
+    // Buttons are not among what the importer models.
+    EXPECT_TRUE(back->warnings.empty() || GetParam() == "button") << back->warnings.front();
+    const Made made = makeRecords(generator, 1, i);
+    const auto level = back->level.reader().getLevel();
+    const Parts before = partsOf(made.level.reader().getLevel()), after = partsOf(level);
+    ASSERT_EQ(before.size(), after.size());
+    for (const auto& [name, part] : before) {
+      ASSERT_TRUE(after.count(name)) << name;
+      expectSame(part, after.at(name));
+    }
+    EXPECT_EQ(level.getSpawns().size(), made.level.reader().getLevel().getSpawns().size());
+    EXPECT_NEAR(level.getPhysics().getJumpSpeed(), 53, 1e-3);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Places, ::testing::ValuesIn(styleNames()), testName);
+
+TEST(PlaceFile, SeveralLevelsStandApart) {
+  const gen::Generator generator = generatorOf({});
+  gen::PlaceFile place(generator);
+  size_t parts = 0;
+  for (uint64_t i = 0; i < 8; ++i) {
+    place.add(generator.generate(3, i));
+    parts += generator.generate(3, i).sketch.parts().size();
+  }
+  const auto back = importer::importPlace(place.finish(), "made.rbxlx", {});
+  ASSERT_TRUE(back) << back.error().text();
+  EXPECT_EQ(back->level.reader().getLevel().getParts().size(), parts);
+  std::map<std::string, std::pair<float, float>> along;  // of each level, least and most X
+  for (const auto part : back->level.reader().getLevel().getParts()) {
+    const std::string path = part.getSource().getPath().cStr();
+    const std::string level = path.substr(0, path.rfind('/'));
+    const float x = part.getPosition().getX();
+    const auto [it, isNew] = along.try_emplace(level, x, x);
+    it->second = {std::min(it->second.first, x), std::max(it->second.second, x)};
+  }
+  ASSERT_EQ(along.size(), 8u);
+  std::vector<std::pair<float, float>> spans;
+  for (const auto& [level, span] : along) spans.push_back(span);
+  std::sort(spans.begin(), spans.end());
+  for (size_t i = 1; i < spans.size(); ++i) EXPECT_GT(spans[i].first, spans[i - 1].second + 30);
+}
+
+}  // namespace
+}  // namespace obby::test

@@ -1,0 +1,128 @@
+// Every style is solved about as often as its difficulty promises, its twins never, and needs what
+// it is named for. Budgets are steps, so that this is the same on every machine.
+#include <gtest/gtest.h>
+
+#include "gen/made.h"
+#include "solve/query_solver.h"
+
+namespace obby::test {
+namespace {
+
+using schema::Verdict;
+
+struct Tally {
+  int solved = 0, unreachable = 0, unknown = 0;
+};
+
+Verdict verdictOf(const Made& made, uint64_t steps) {
+  io::RecordBuilder copy(made.level.reader());
+  const auto level = solve::loadLevel(io::Record(std::move(copy)));
+  EXPECT_TRUE(level) << level.error().text();
+  solve::SolverOptions options;
+  options.method = solve::findMethod("auto");
+  options.progressRecords = false;
+  options.budget.maxSteps = steps;
+  options.budget.attempts = 0;
+  ThreadPool pool(1);
+  const auto answer = solve::solveQuery(*level, made.query.reader().getQuery(), options, {pool},
+                                        {[](schema::Record::Reader) { return Status(); }, {}, {}});
+  EXPECT_TRUE(answer) << answer.error().text();
+  return answer->verdict;
+}
+
+Tally tally(const gen::Recipe& recipe, bool unsolvable, int levels, uint64_t steps) {
+  const gen::Generator generator = generatorOf(recipe, unsolvable);
+  Tally t;
+  for (int i = 0; i < levels; ++i) {
+    switch (verdictOf(makeRecords(generator, 5, uint64_t(i)), steps)) {
+      case Verdict::SOLVED: ++t.solved; break;
+      case Verdict::UNREACHABLE: ++t.unreachable; break;
+      case Verdict::UNKNOWN: ++t.unknown; break;
+    }
+  }
+  return t;
+}
+
+class Solved : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Solved, EasyLevelsNearlyAlways) {
+  const Tally t = tally(recipeFor(GetParam(), 0.25f), false, 40, 1'000'000);
+  EXPECT_GE(t.solved, 38) << t.unknown << " unknown";
+  EXPECT_EQ(t.unreachable, 0);
+}
+
+TEST_P(Solved, MediumLevelsMostly) {
+  const Tally t = tally(recipeFor(GetParam(), 0.5f), false, 40, 1'000'000);
+  EXPECT_GE(t.solved, 36) << t.unknown << " unknown";
+  EXPECT_EQ(t.unreachable, 0);
+}
+
+// Jumps at the limit take the search long; a few levels show that they can be done.
+TEST_P(Solved, LimitLevelsByHalfAtLeast) {
+  const Tally t = tally(recipeFor(GetParam(), 1), false, 8, 3'000'000);
+  EXPECT_GE(t.solved, 4) << t.unknown << " unknown";
+  EXPECT_EQ(t.unreachable, 0);
+}
+
+TEST_P(Solved, TwinsNever) {
+  const Tally t = tally(recipeFor(GetParam(), 0.25f), true, 40, 60'000);
+  EXPECT_EQ(t.solved, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Solved, ::testing::ValuesIn(styleNames()), testName);
+
+// What a style needs: without it nobody gets through.
+int solvedWithout(const std::string& style, const std::function<void(Made&)>& take) {
+  const gen::Generator generator = generatorOf(recipeFor(style, 0.5f));
+  int solved = 0;
+  for (uint64_t i = 0; i < 10; ++i) {
+    Made made = makeRecords(generator, 5, i);
+    take(made);
+    solved += verdictOf(made, 60'000) == Verdict::SOLVED;
+  }
+  return solved;
+}
+
+TEST(Needs, StylesOfJumpsNeedJumps) {
+  for (const char* style : {"gaps", "stairs-up", "wall", "kill-floor", "kill-wall"}) {
+    EXPECT_EQ(solvedWithout(style, [](Made& m) { m.query.root().getQuery().setMaxJumps(0); }), 0)
+        << style;
+  }
+}
+
+TEST(Needs, WalksNeedNone) {
+  for (const char* style : {"walkway", "doorway", "beam", "wedge"}) {
+    EXPECT_EQ(solvedWithout(style, [](Made& m) { m.query.root().getQuery().setMaxJumps(0); }), 10)
+        << style;
+  }
+}
+
+// Takes a role off all parts.
+template <class Strip>
+std::function<void(Made&)> stripped(Strip strip) {
+  return [strip](Made& m) {
+    for (auto part : m.level.root().getLevel().getParts()) strip(part);
+  };
+}
+
+TEST(Needs, StylesNeedTheirParts) {
+  using Part = schema::Part::Builder;
+  EXPECT_EQ(solvedWithout("truss", stripped([](Part p) {
+                            if (p.getShape() == schema::Shape::TRUSS)
+                              p.setShape(schema::Shape::BLOCK);
+                          })),
+            0);
+  EXPECT_EQ(solvedWithout("jump-pad", stripped([](Part p) { p.disownJumpPad(); })), 0);
+  EXPECT_EQ(solvedWithout("elevator", stripped([](Part p) { p.disownMotion(); })), 0);
+  EXPECT_EQ(solvedWithout("carrier", stripped([](Part p) { p.disownMotion(); })), 0);
+  EXPECT_EQ(solvedWithout("push-block", stripped([](Part p) { p.setAnchored(true); })), 0);
+  EXPECT_EQ(solvedWithout("button", stripped([](Part p) {
+                            p.disownButton();
+                            if (p.getVanish().getInverted()) p.setSolid(false);
+                            p.disownVanish();
+                          })),
+            0);
+}
+
+}  // namespace
+}  // namespace obby::test

@@ -1,0 +1,148 @@
+// What every style must be: valid levels, unlike part names, margins that follow the difficulty,
+// the committed bytes. After a change that is meant to change levels:
+//   OBBY_WRITE_GOLDEN=1 test_gen && git diff tests/gen
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "base/hash.h"
+#include "gen/made.h"
+#include "level/level.h"
+
+namespace obby::test {
+namespace {
+
+constexpr uint64_t kSeeds = 40;
+constexpr const char* kFile = OBBY_SOURCE_DIR "/tests/gen/golden.tsv";
+
+class Styles : public ::testing::TestWithParam<std::string> {};
+
+void expectSound(const Made& made) {
+  const auto record = made.level.reader().getLevel();
+  const auto level = level::Level::compile(record);
+  ASSERT_TRUE(level) << level.error().text();
+  const auto query = level::Query::compile(made.query.reader().getQuery(), *level);
+  ASSERT_TRUE(query) << query.error().text();
+  EXPECT_EQ(query->id(), made.query.reader().getQuery().getId().cStr());
+  std::set<std::string> names;
+  for (const auto part : record.getParts()) names.insert(part.getName().cStr());
+  EXPECT_EQ(names.size(), record.getParts().size()) << "part names repeat";
+  EXPECT_LT(record.getPhysics().getFallenPartsHeight(), level->bounds().lo.y - 1);
+}
+
+TEST_P(Styles, LevelsCompileAtEveryDifficulty) {
+  for (const bool unsolvable : {false, true}) {
+    for (const gen::NamedNumber& d : gen::namedDifficulties()) {
+      const gen::Generator generator = generatorOf(recipeFor(GetParam(), d.value), unsolvable);
+      for (uint64_t seed = 0; seed < kSeeds; ++seed) {
+        SCOPED_TRACE(fmt::format("{} seed {}", d.name, seed));
+        expectSound(makeRecords(generator, seed, 0));
+      }
+    }
+  }
+}
+
+TEST_P(Styles, LevelsOfOtherWorldsCompileToo) {
+  gen::Recipe recipe = recipeFor(GetParam(), 1);
+  for (const auto& physics : std::vector<std::vector<gen::NamedNumber>>{
+           {{"gravity", 0}},
+           {{"gravity", 2000}},
+           {{"walkSpeed", 0}},
+           {{"walkSpeed", 500}, {"jumpSpeed", 1000}},
+           {{"jumpSpeed", 0}},
+           {{"hipHeight", 20}, {"headBottom", 30}, {"bodyTop", 40}}}) {
+    recipe.physics = physics;
+    const gen::Generator generator = generatorOf(recipe);
+    for (uint64_t seed = 0; seed < 5; ++seed) {
+      SCOPED_TRACE(fmt::format("{} {}, seed {}", physics[0].name, physics[0].value, seed));
+      expectSound(makeRecords(generator, seed, 0));
+    }
+  }
+}
+
+TEST_P(Styles, LevelsBeginAtTheStartAndEndAtTheGoal) {
+  const gen::Generator generator = generatorOf(recipeFor(GetParam(), 0.5f));
+  for (uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const Made made = makeRecords(generator, seed, 0);
+    const auto level = made.level.reader().getLevel();
+    ASSERT_GE(level.getSpawns().size(), 1u);
+    EXPECT_EQ(level.getSpawns()[0].getPart(), 0);
+    EXPECT_STREQ(level.getParts()[0].getName().cStr(), "Start");
+    uint32_t goals = 0;
+    for (const auto part : level.getParts()) {
+      if (!part.hasGoal()) continue;
+      ++goals;
+      const auto region = made.query.reader().getQuery().getGoal();
+      const float top = part.getPosition().getY() + 0.5f;
+      EXPECT_NEAR(region.getPosition().getY() - region.getSize().getY() / 2, top, 0.01);
+      EXPECT_NEAR(region.getPosition().getX(), part.getPosition().getX(), 0.01);
+      EXPECT_NEAR(region.getPosition().getZ(), part.getPosition().getZ(), 0.01);
+    }
+    EXPECT_EQ(goals, 1u);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Styles, ::testing::ValuesIn(styleNames()), testName);
+
+TEST(StyleTable, NamesAndDescriptionsAreThereOnce) {
+  std::set<std::string> names;
+  for (const gen::Style& s : gen::styles()) {
+    EXPECT_TRUE(names.insert(s.name).second) << s.name;
+    EXPECT_NE(std::string(s.description), "");
+    EXPECT_EQ(s.build == nullptr, s.chains) << s.name;
+  }
+  EXPECT_EQ(gen::findStyle("no-such-style"), nullptr);
+}
+
+// The widest and narrowest that a style's own measures come out, by the difficulty.
+TEST(Measures, GapsAndRisesGrowWithTheDifficulty) {
+  const gen::Generator generator = generatorOf({});
+  const gen::Recipe recipe;
+  for (uint64_t seed = 0; seed < kSeeds; ++seed) {
+    float gap = 0, rise = 0;
+    for (const gen::NamedNumber& d : gen::namedDifficulties()) {
+      gen::Sketch s(generator.reach(), recipe, Random(seed, 0), {});
+      s.begin(d.value);
+      const float wider = s.gap(), higher = s.rise();
+      EXPECT_GT(wider, gap) << d.name;
+      EXPECT_GT(higher, rise) << d.name;
+      gap = wider;
+      rise = higher;
+    }
+    EXPECT_LT(gap, generator.reach().gap(0));
+    EXPECT_LT(rise, generator.reach().rise());
+  }
+}
+
+TEST(Golden, FirstLevelsOfEveryStyleAreAsCommitted) {
+  std::string now;
+  for (const gen::Style& s : gen::styles()) {
+    gen::Recipe recipe;
+    recipe.styles = {{s.name, 1}};
+    recipe.difficulty = {0, 1};
+    recipe.waypoints = recipe.jumpLimits = recipe.timeLimits = 0.5f;
+    const gen::Generator generator = generatorOf(recipe), twins = generatorOf(recipe, true);
+    uint64_t hash = 0;
+    for (uint64_t i = 0; i < 32; ++i) {
+      for (const gen::Generator* from : {&generator, &twins}) {
+        const std::string bytes = bytesOf(makeRecords(*from, 1, i));
+        hash = hashBytes(bytes.data(), bytes.size(), hash);
+      }
+    }
+    now += fmt::format("{}\t{:016x}\n", s.name, hash);
+  }
+  if (std::getenv("OBBY_WRITE_GOLDEN") != nullptr) {
+    std::ofstream(kFile) << now;
+    GTEST_SKIP() << "wrote " << kFile;
+  }
+  std::ifstream file(kFile);
+  std::ostringstream committed;
+  committed << file.rdbuf();
+  EXPECT_EQ(committed.str(), now);
+}
+
+}  // namespace
+}  // namespace obby::test

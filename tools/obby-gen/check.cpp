@@ -1,0 +1,42 @@
+#include "check.h"
+
+namespace obby::tools {
+
+namespace {
+
+// Of an answer what does not depend on the machine.
+io::RecordBuilder lasting(schema::Record::Reader record) {
+  io::RecordBuilder copy(record);
+  if (copy.root().isResult()) copy.root().getResult().disownTiming();
+  return copy;
+}
+
+}  // namespace
+
+Result<std::optional<std::vector<io::RecordBuilder>>> checkLevel(const io::Record& level,
+                                                                 schema::Query::Reader query,
+                                                                 const CheckOptions& options) {
+  OBBY_ASSIGN(const solve::LoadedLevel loaded, solve::loadLevel(level));
+  solve::SolverOptions solver;
+  solver.method = solve::findMethod("auto");
+  solver.progressRecords = false;
+  solver.budget.seed = options.seed;
+  // What is shown without a search is all that an unsolvable level needs.
+  solver.budget.maxSteps = options.unsolvable ? 1 : options.steps;
+  solver.budget.attempts = 0;
+  solver.budget.stop = options.stop;
+  std::vector<io::RecordBuilder> answer;
+  solve::SolverOutput output;
+  output.write = [&answer](schema::Record::Reader record) -> Status {
+    answer.push_back(lasting(record));
+    return {};
+  };
+  ThreadPool alone(1);
+  OBBY_ASSIGN(const solve::QueryAnswer verdict,
+              solve::solveQuery(loaded, query, solver, {alone}, output));
+  const auto wanted = options.unsolvable ? schema::Verdict::UNREACHABLE : schema::Verdict::SOLVED;
+  if (verdict.verdict != wanted) return std::optional<std::vector<io::RecordBuilder>>();
+  return std::optional(std::move(answer));
+}
+
+}  // namespace obby::tools

@@ -1,0 +1,75 @@
+#include "emit.h"
+
+#include <algorithm>
+
+namespace obby::tools {
+
+namespace {
+
+constexpr uint64_t kTaskLevels = 32;    // that a thread makes in a go
+constexpr uint64_t kLevelWords = 4096;  // room for most levels
+
+using Slot = Result<std::optional<Emitted>>;
+
+Result<std::optional<Emitted>> make(const gen::Generator& generator, const EmitOptions& options,
+                                    uint64_t index) {
+  Emitted out{generator.generate(options.seed, index), {}};
+  io::RecordBuilder level(kLevelWords), query;
+  generator.writeLevel(out.level, level.root().initLevel());
+  gen::Generator::writeQuery(out.level, query.root().initQuery());
+  OBBY_ASSIGN(const io::Record levelRecord, io::encoded(std::move(level), options.format));
+  OBBY_ASSIGN(const io::Record queryRecord, io::encoded(std::move(query), options.format));
+  out.records = {levelRecord, queryRecord};
+  if (!options.check.wanted) return std::optional(std::move(out));
+  OBBY_ASSIGN(auto answer, checkLevel(levelRecord, queryRecord.reader().getQuery(), options.check));
+  if (!answer) return std::optional<Emitted>();
+  for (io::RecordBuilder& record : *answer) {
+    OBBY_ASSIGN(const io::Record done, io::encoded(std::move(record), options.format));
+    out.records.push_back(done);
+  }
+  return std::optional(std::move(out));
+}
+
+// Levels from `begin` on, in order.
+std::vector<Slot> makeBatch(const gen::Generator& generator, const EmitOptions& options,
+                            ThreadPool& pool, const std::atomic<bool>& stop, uint64_t begin,
+                            uint64_t count) {
+  std::vector<Slot> slots(count, Slot(std::optional<Emitted>()));
+  const uint64_t each = options.check.wanted ? 1 : kTaskLevels;
+  pool.run(int((count + each - 1) / each), [&](int task) {
+    const uint64_t from = uint64_t(task) * each;
+    for (uint64_t i = from; i < std::min(from + each, count) && !stop; ++i) {
+      slots[i] = make(generator, options, begin + i);
+    }
+  });
+  return slots;
+}
+
+}  // namespace
+
+Result<Ended> emit(const gen::Generator& generator, const EmitOptions& options, ThreadPool& pool,
+                   const std::atomic<bool>& stop,
+                   const std::function<Status(const Emitted&)>& take) {
+  const uint64_t each = options.check.wanted ? 2 : kTaskLevels;
+  const uint64_t batch = each * uint64_t(pool.size());
+  uint64_t kept = 0, refused = 0;
+  for (uint64_t begin = options.first; !stop; begin += batch) {
+    const uint64_t left = options.count == 0 ? batch : options.count - kept;
+    const uint64_t size = options.check.wanted ? batch : std::min(batch, left);
+    std::vector<Slot> slots = makeBatch(generator, options, pool, stop, begin, size);
+    if (stop) break;  // what is not whole is not written
+    for (Slot& slot : slots) {
+      if (!slot) return slot.error();
+      if (!*slot) {
+        if (++refused >= kMostRefused) return Ended::noneKept;
+        continue;
+      }
+      refused = 0;
+      OBBY_RETURN_IF_ERROR(take(**slot));
+      if (++kept == options.count) return Ended::complete;
+    }
+  }
+  return Ended::stopped;
+}
+
+}  // namespace obby::tools

@@ -1,0 +1,113 @@
+// obby-gen: levels with queries. Wiring only; lib/gen makes them.
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "cli/context.h"
+#include "cli/tool.h"
+#include "emit.h"
+#include "gen/place/place_file.h"
+#include "io/pipeline.h"
+#include "options.h"
+
+namespace {
+
+using namespace obby;
+
+constexpr std::string_view kPlaceFormat = "rbxlx", kPlaceEnding = ".rbxlx";
+
+bool wantsPlace(const cli::Arguments& a) {
+  if (!a.text("format").empty()) return a.text("format") == kPlaceFormat;
+  return a.text("output").ends_with(kPlaceEnding);
+}
+
+tools::EmitOptions emitOptions(const cli::Context& context) {
+  const cli::Arguments& a = context.arguments();
+  tools::EmitOptions o;
+  o.seed = a.seed();
+  o.first = uint64_t(a.integer("first"));
+  o.count = uint64_t(a.integer("count"));
+  o.check = {a.flag("check"), a.flag("unsolvable"), uint64_t(a.integer("check-steps")), a.seed(),
+             &context.stop()};
+  return o;
+}
+
+Status noneKept() {
+  return makeError(fmt::format("--check keeps none of {} levels in a row", tools::kMostRefused),
+                   "give it more --check-steps, another style or another difficulty");
+}
+
+// One stream of records, with what was made before an interruption.
+Status writeStream(cli::Context& context, const gen::Generator& generator,
+                   tools::EmitOptions options, ThreadPool& pool) {
+  OBBY_ASSIGN(io::StreamWriter output, context.openOutput());
+  options.format = output.format();
+  io::SourceOptions nothing;
+  nothing.inputs.clear();
+  nothing.stop = &context.stop();
+  io::Pipeline pipeline(std::move(nothing), context.identity(), std::move(output));
+  OBBY_RETURN_IF_ERROR(
+      pipeline.run([](const io::Record&) -> Result<io::Then> { return io::Then::pass; }));
+  uint64_t levels = 0;
+  const auto take = [&](const tools::Emitted& level) -> Status {
+    for (const io::Record& record : level.records) {
+      OBBY_RETURN_IF_ERROR(pipeline.output().pass(record));
+    }
+    ++levels;
+    const double share = options.count == 0 ? -1 : double(levels) / double(options.count);
+    context.progress({"levels", share, {{"made", double(levels)}}});
+    return {};
+  };
+  const auto ended = tools::emit(generator, options, pool, context.stop(), take);
+  if (!ended && pipeline.output().failed()) return ended.error();
+  if (ended && *ended == tools::Ended::noneKept) pipeline.outOfBudget();
+  OBBY_RETURN_IF_ERROR(pipeline.finish());
+  if (!ended) return ended.error();
+  return *ended == tools::Ended::noneKept ? noneKept() : Status();
+}
+
+// One place file; an interruption leaves none.
+Status writePlace(cli::Context& context, const gen::Generator& generator,
+                  const tools::EmitOptions& options, ThreadPool& pool) {
+  if (options.count == 0) {
+    return Error{{}, {}, "--count", "a place file needs an end", "give a number above 0"};
+  }
+  gen::PlaceFile place(generator);
+  OBBY_ASSIGN(const tools::Ended ended,
+              tools::emit(generator, options, pool, context.stop(), [&](const tools::Emitted& e) {
+                place.add(e.level);
+                return Status();
+              }));
+  if (ended == tools::Ended::stopped) return {};
+  if (ended == tools::Ended::noneKept) return noneKept();
+  OBBY_ASSIGN(io::Sink sink, context.openSink());
+  OBBY_RETURN_IF_ERROR(sink.write(place.finish()));
+  return sink.close();
+}
+
+Status writeList(const cli::Context& context) {
+  OBBY_ASSIGN(io::Sink sink, context.openSink());
+  OBBY_RETURN_IF_ERROR(sink.write(tools::listOfStyles()));
+  return sink.close();
+}
+
+Result<cli::ExitCode> run(cli::Context& context) {
+  const cli::Arguments& a = context.arguments();
+  if (a.flag("list")) {
+    OBBY_RETURN_IF_ERROR(writeList(context));
+    return cli::ExitCode::ok;
+  }
+  OBBY_ASSIGN(const gen::Recipe recipe, tools::recipeOf(a));
+  OBBY_ASSIGN(const gen::Generator generator, gen::Generator::make(recipe, a.flag("unsolvable")));
+  ThreadPool pool(context.threads());
+  const tools::EmitOptions options = emitOptions(context);
+  OBBY_RETURN_IF_ERROR(wantsPlace(a) ? writePlace(context, generator, options, pool)
+                                     : writeStream(context, generator, options, pool));
+  return cli::ExitCode::ok;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return obby::cli::runTool(obby::tools::genSpec(), argc, argv, run);
+}
