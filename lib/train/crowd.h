@@ -1,0 +1,111 @@
+// Worlds that learn together: some levels, on each of them a few worlds. What becomes of a crowd
+// follows from its seed, its levels and the moves alone.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "policy/moves.h"
+#include "train/training_level.h"
+
+namespace obby::train {
+
+// What is worth how much.
+struct RewardSettings {
+  float stud = 0.1f;  // of the way left, less than ever before in this playthrough
+  float goal = 5;
+  float death = -1;         // and anything else that ends a playthrough
+  float decision = -0.01f;  // time passes
+};
+
+struct CrowdSettings {
+  uint32_t levels = 8;         // at a time
+  uint32_t worlds = 32;        // on each level
+  uint32_t playthroughs = 64;  // on a level, before the next takes its place
+  float restartShare = 0.3f;   // of playthroughs that begin where another had come to
+  float patience = 3;  // times what walking the way takes, and ten seconds, before it is cut
+  RewardSettings reward;
+};
+
+// What came of a world's move.
+struct Step {
+  float reward = 0;
+  bool ended = false;  // by a goal, a death, a broken rule
+  bool cut = false;    // for lack of time: more could have come of it
+};
+
+// Playthroughs that began at the start of their level, since the last look.
+struct Tally {
+  uint64_t played = 0, solved = 0;
+};
+
+class Crowd {
+ public:
+  // `number`: of this crowd among `crowds`, which share the levels of `source` in turns. The source
+  // must outlive it.
+  Crowd(const LevelSource& source, const CrowdSettings& settings, uint64_t seed, uint32_t number,
+        uint32_t crowds);
+
+  // Difficulty of the levels that come next.
+  void setHardest(float hardest) { hardest_ = hardest; }
+
+  // Takes the first levels; an error is the source's.
+  Status begin();
+
+  uint32_t size() const { return settings_.levels * settings_.worlds; }
+
+  // `rows`: (size, kInputs), raw; `mayJump`: (size).
+  void observe(float* rows, uint8_t* mayJump);
+
+  // After observe(): `moves`, `steps`: (size). For those that are cut, what they saw last:
+  // cutRows() and whose it is, cutWorlds().
+  Status step(std::span<const int> moves, std::span<Step> steps);
+  const std::vector<float>& cutRows() const { return cutRows_; }
+  const std::vector<uint32_t>& cutWorlds() const { return cutWorlds_; }
+
+  Tally takeTally() { return std::exchange(tally_, {}); }
+
+ private:
+  struct Player {
+    sim::World world;
+    Turns ahead = 0;
+    float least = 0;     // studs of the way left, the least in this playthrough
+    uint32_t ticks = 0;  // of this playthrough
+    bool fromStart = true;
+  };
+  struct Place {  // a level with its worlds
+    std::shared_ptr<const TrainingLevel> level;
+    uint64_t taken = 0;  // levels so far
+    uint32_t played = 0;
+    uint32_t mostTicks = 0;
+    std::vector<Player> players;
+    std::vector<sim::LooseBody> loose;  // (players, looseCount)
+    std::vector<sim::World> reached;    // by somebody, to begin from
+  };
+
+  Status takeLevel(uint32_t place);
+  void restart(Place& place, uint32_t player);
+  void remember(Place& place, const sim::World& world);
+  void advance(Place& place, std::span<const int> moves);
+  Step judge(Place& place, uint32_t player);
+  void noteCut(const Place& place, uint32_t player, uint32_t row);
+  sim::LooseBody* looseOf(Place& place, uint32_t player) const;
+
+  const LevelSource& source_;
+  CrowdSettings settings_;
+  Random random_;
+  uint32_t number_, crowds_;
+  float hardest_ = 1;
+  std::vector<Place> places_;
+  std::vector<float> cutRows_;
+  std::vector<uint32_t> cutWorlds_;
+  Tally tally_;
+  // Of a tick.
+  std::vector<sim::World*> worlds_;
+  std::vector<sim::LooseBody*> loose_;
+  std::vector<sim::Action> actions_;
+};
+
+}  // namespace obby::train

@@ -1,0 +1,7 @@
+#include "train/mlp.h"
+
+namespace obby::train {
+
+template class Pass<float>;
+
+}  // namespace obby::train

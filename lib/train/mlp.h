@@ -1,0 +1,94 @@
+// The network in training: batches of rows, forward and back, on Eigen. Weights are laid out as
+// policy::Network has them, so that a trained network is a copy. A template on the scalar, so that
+// tests can hold gradients against double precision.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "policy/network.h"
+
+namespace obby::train {
+
+template <class S>
+using Rows = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+template <class S>
+using Line = Eigen::Matrix<S, 1, Eigen::Dynamic>;
+
+// Weights and biases of the three layers; also their gradients.
+template <class S>
+struct Weights {
+  Rows<S> w[3];
+  Line<S> b[3];
+
+  Weights() {
+    constexpr int kSizes[] = {policy::kInputs, policy::kHidden, policy::kHidden,
+                              policy::kPaddedOutputs};
+    for (int l = 0; l < 3; ++l) {
+      w[l] = Rows<S>::Zero(kSizes[l], kSizes[l + 1]);
+      b[l] = Line<S>::Zero(kSizes[l + 1]);
+    }
+  }
+  void setZero() {
+    for (int l = 0; l < 3; ++l) {
+      w[l].setZero();
+      b[l].setZero();
+    }
+  }
+  // Calls visit(data, count) for the six blocks in their order.
+  template <class Visit>
+  void blocks(Visit&& visit) {
+    for (int l = 0; l < 3; ++l) {
+      visit(w[l].data(), size_t(w[l].size()));
+      visit(b[l].data(), size_t(b[l].size()));
+    }
+  }
+};
+
+// What a batch of rows became on its way through, kept for the way back. Grows to the largest
+// batch and is used again: no allocation in a loop.
+template <class S>
+class Pass {
+ public:
+  // `inputs`: (rows, kInputs), normalised. The outputs: (rows, kPaddedOutputs).
+  template <class Inputs>
+  const Rows<S>& forward(const Weights<S>& net, const Inputs& inputs) {
+    a_.noalias() = inputs * net.w[0];
+    rectify(a_, net.b[0]);
+    b_.noalias() = a_ * net.w[1];
+    rectify(b_, net.b[1]);
+    out_.noalias() = b_ * net.w[2];
+    out_.rowwise() += net.b[2];
+    return out_;
+  }
+
+  // Adds the gradients to `sums`. `slope`: (rows, kPaddedOutputs), of the loss by the outputs.
+  template <class Inputs>
+  void backward(const Weights<S>& net, const Inputs& inputs, const Rows<S>& slope,
+                Weights<S>& sums) {
+    sums.w[2].noalias() += b_.transpose() * slope;
+    sums.b[2] += slope.colwise().sum();
+    slopeB_.noalias() = slope * net.w[2].transpose();
+    stop(slopeB_, b_);
+    sums.w[1].noalias() += a_.transpose() * slopeB_;
+    sums.b[1] += slopeB_.colwise().sum();
+    slopeA_.noalias() = slopeB_ * net.w[1].transpose();
+    stop(slopeA_, a_);
+    sums.w[0].noalias() += inputs.transpose() * slopeA_;
+    sums.b[0] += slopeA_.colwise().sum();
+  }
+
+ private:
+  static void rectify(Rows<S>& rows, const Line<S>& bias) {
+    rows = (rows.rowwise() + bias).cwiseMax(S(0));
+  }
+  // No slope where a unit was off.
+  static void stop(Rows<S>& slope, const Rows<S>& unit) {
+    slope = (unit.array() > S(0)).select(slope, S(0));
+  }
+
+  Rows<S> a_, b_, out_, slopeA_, slopeB_;
+};
+
+extern template class Pass<float>;
+
+}  // namespace obby::train

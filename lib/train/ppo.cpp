@@ -1,0 +1,191 @@
+#include "train/ppo.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace obby::train {
+
+namespace {
+
+constexpr uint32_t kShares = 8;
+constexpr float kMomentum = 0.9f, kSquares = 0.999f, kTiny = 1e-5f;  // of Adam
+constexpr double kFade = 0.95;  // of what returns were, at each batch
+
+// Sum of two draws' logarithm and cosine would need libm; the sum of twelve is near enough.
+float normalDraw(Random& random) {
+  float sum = -6;
+  for (int i = 0; i < 12; ++i) sum += random.unit();
+  return sum;
+}
+
+}  // namespace
+
+void fillOrthogonal(Rows<float>& matrix, int columns, float gain, Random& random) {
+  const Eigen::Index rows = matrix.rows(), most = std::max<Eigen::Index>(rows, columns);
+  const Eigen::Index least = std::min<Eigen::Index>(rows, columns);
+  Eigen::MatrixXf draws(most, least);
+  for (Eigen::Index i = 0; i < draws.size(); ++i) draws.data()[i] = normalDraw(random);
+  const Eigen::HouseholderQR<Eigen::MatrixXf> qr(draws);
+  const Eigen::MatrixXf q = qr.householderQ() * Eigen::MatrixXf::Identity(most, least);
+  if (rows >= columns) {
+    matrix.leftCols(columns) = gain * q;
+  } else {
+    matrix.leftCols(columns) = gain * q.transpose();
+  }
+}
+
+Ppo::Ppo(const PpoSettings& settings, uint64_t seed, ThreadPool& pool)
+    : settings_(settings), pool_(pool), random_(seed, 0x50504f), shares_(kShares) {
+  const float gain = std::sqrt(2.0f);
+  fillOrthogonal(weights_.w[0], policy::kHidden, gain, random_);
+  fillOrthogonal(weights_.w[1], policy::kHidden, gain, random_);
+  fillOrthogonal(weights_.w[2], policy::kMoves, 0.01f, random_);
+  Rows<float> value(policy::kHidden, 1);
+  fillOrthogonal(value, 1, 1, random_);
+  weights_.w[2].col(policy::kMoves) = value;
+}
+
+// Generalised advantage estimation (Schulman et al. 2015).
+void Ppo::fillAdvantages(Batch& b) {
+  advantages_.resize(b.values.size());
+  targets_.resize(b.values.size());
+  for (uint32_t w = 0; w < b.worlds; ++w) {
+    float next = b.last[w], advantage = 0;
+    for (uint32_t t = b.ticks; t-- > 0;) {
+      const size_t i = size_t(t) * b.worlds + w;
+      const float goesOn = b.done[i] ? 0.0f : 1.0f;
+      const float surprise = b.rewards[i] + settings_.discount * next * goesOn - b.values[i];
+      advantage = surprise + settings_.discount * settings_.lambda * goesOn * advantage;
+      advantages_[i] = advantage;
+      targets_[i] = advantage + b.values[i];
+      next = b.values[i];
+    }
+  }
+}
+
+// The value head learns returns of mean 0 and deviation 1; when these move, its weights move along,
+// so that what it says stays as it was (Pop-Art, van Hasselt et al. 2016).
+void Ppo::rescaleValues(const Batch& batch) {
+  returns_.fade(kFade);
+  for (size_t i = 0; i < batch.values.size(); ++i) returns_.add(&targets_[i]);
+  const float mean = float(returns_.mean(0));
+  const float deviation = std::max(float(returns_.deviation(0)), 1e-3f);
+  weights_.w[2].col(policy::kMoves) *= valueDeviation_ / deviation;
+  float& bias = weights_.b[2](policy::kMoves);
+  bias = (bias * valueDeviation_ + valueMean_ - mean) / deviation;
+  valueMean_ = mean;
+  valueDeviation_ = deviation;
+}
+
+Progress Ppo::learn(Batch& batch, float rate) {
+  fillAdvantages(batch);
+  rescaleValues(batch);
+  for (size_t i = 0; i < batch.decisions.size(); ++i)
+    batch.decisions[i].target = (targets_[i] - valueMean_) / valueDeviation_;
+  std::vector<uint32_t> order(batch.decisions.size());
+  std::iota(order.begin(), order.end(), 0u);
+  Progress sums;
+  uint32_t parts = 0;
+  for (uint32_t pass = 0; pass < settings_.passes; ++pass) {
+    for (size_t i = order.size(); i > 1; --i)
+      std::swap(order[i - 1], order[random_.below(uint32_t(i))]);
+    for (size_t first = 0; first < order.size(); first += settings_.part, ++parts) {
+      const size_t count = std::min<size_t>(settings_.part, order.size() - first);
+      learnPart(batch, std::span(order).subspan(first, count), rate, sums);
+    }
+  }
+  const double decisions = double(order.size()) * settings_.passes;
+  for (double* mean :
+       {&sums.loss, &sums.entropy, &sums.divergence, &sums.clipped, &sums.valueError})
+    *mean /= decisions;
+  sums.norm /= parts;
+  return sums;
+}
+
+void Ppo::learnPart(const Batch& batch, std::span<const uint32_t> rows, float rate,
+                    Progress& sums) {
+  double sum = 0, squares = 0;
+  for (const uint32_t r : rows) {
+    sum += double(advantages_[r]);
+    squares += double(advantages_[r]) * double(advantages_[r]);
+  }
+  const double mean = sum / double(rows.size());
+  const double deviation = std::sqrt(std::max(squares / double(rows.size()) - mean * mean, 0.0));
+  const float scale = float(1 / (deviation + 1e-8));
+  const size_t each = (rows.size() + kShares - 1) / kShares;
+  pool_.run(int(kShares), [&](int s) {
+    const size_t first = std::min(size_t(s) * each, rows.size());
+    learnShare(batch, rows.subspan(first, std::min(each, rows.size() - first)), float(mean), scale,
+               shares_[size_t(s)]);
+  });
+  Weights<float>& all = shares_[0].gradient;
+  for (uint32_t s = 0; s < kShares; ++s) {
+    const Progress& p = shares_[s].sums;
+    sums.loss += p.loss, sums.entropy += p.entropy, sums.divergence += p.divergence;
+    sums.clipped += p.clipped, sums.valueError += p.valueError;
+    if (s == 0) continue;
+    for (int l = 0; l < 3; ++l) {
+      all.w[l] += shares_[s].gradient.w[l];
+      all.b[l] += shares_[s].gradient.b[l];
+    }
+  }
+  float norm = 0;
+  for (int l = 0; l < 3; ++l) {
+    all.w[l] /= float(rows.size());
+    all.b[l] /= float(rows.size());
+    norm += all.w[l].squaredNorm() + all.b[l].squaredNorm();
+  }
+  norm = std::sqrt(norm);
+  sums.norm += double(norm);
+  if (norm > settings_.mostNorm) {
+    for (int l = 0; l < 3; ++l) {
+      all.w[l] *= settings_.mostNorm / norm;
+      all.b[l] *= settings_.mostNorm / norm;
+    }
+  }
+  step(all, settings_.rate * rate);
+}
+
+void Ppo::learnShare(const Batch& batch, std::span<const uint32_t> rows, float mean, float scale,
+                     Share& share) const {
+  share.gradient.setZero();
+  share.sums = {};
+  if (rows.empty()) return;
+  share.inputs.resize(Eigen::Index(rows.size()), policy::kInputs);
+  share.slope.resize(Eigen::Index(rows.size()), policy::kPaddedOutputs);
+  for (size_t i = 0; i < rows.size(); ++i)
+    share.inputs.row(Eigen::Index(i)) = batch.inputs.row(Eigen::Index(rows[i]));
+  const Rows<float>& out = share.pass.forward(weights_, share.inputs);
+  for (size_t i = 0; i < rows.size(); ++i) {
+    Decision d = batch.decisions[rows[i]];
+    d.advantage = (advantages_[rows[i]] - mean) * scale;
+    const auto r = lossOf(out.row(Eigen::Index(i)).data(), d, settings_.loss,
+                          share.slope.row(Eigen::Index(i)).data());
+    share.sums.loss += double(r.loss);
+    share.sums.entropy += double(r.entropy);
+    share.sums.divergence += double(r.divergence);
+    share.sums.clipped += r.clipped ? 1 : 0;
+    share.sums.valueError += double(r.valueError * r.valueError);
+  }
+  share.pass.backward(weights_, share.inputs, share.slope, share.gradient);
+}
+
+// Adam (Kingma and Ba 2015).
+void Ppo::step(Weights<float>& gradient, float rate) {
+  ++steps_;
+  const float momentumBias = 1 - std::pow(kMomentum, float(steps_));
+  const float squaresBias = 1 - std::pow(kSquares, float(steps_));
+  const auto update = [&](auto& w, auto& m, auto& v, const auto& g) {
+    m = kMomentum * m + (1 - kMomentum) * g;
+    v = kSquares * v + (1 - kSquares) * g.cwiseProduct(g);
+    w.array() -= rate * (m.array() / momentumBias) / ((v.array() / squaresBias).sqrt() + kTiny);
+  };
+  for (int l = 0; l < 3; ++l) {
+    update(weights_.w[l], momentum_.w[l], squares_.w[l], gradient.w[l]);
+    update(weights_.b[l], momentum_.b[l], squares_.b[l], gradient.b[l]);
+  }
+}
+
+}  // namespace obby::train

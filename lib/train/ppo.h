@@ -1,0 +1,93 @@
+// Proximal policy optimisation over a batch of decisions: advantages, then a few passes over the
+// batch in small parts. The same bits for any number of threads: a part is cut into a fixed number
+// of shares, whose gradients are added in order.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/thread_pool.h"
+#include "train/loss.h"
+#include "train/mlp.h"
+#include "train/normaliser.h"
+
+namespace obby::train {
+
+struct PpoSettings {
+  LossSettings loss;
+  float discount = 0.99f;  // a decision
+  float lambda = 0.95f;    // of generalised advantage estimation
+  uint32_t passes = 2;     // over a batch
+  uint32_t part = 8192;    // decisions a step of the optimiser
+  float rate = 7e-4f;      // of Adam, at first
+  float mostNorm = 0.5f;   // of a gradient
+};
+
+// Decisions of some worlds, a row each: (ticks, worlds), the worlds of one tick side by side.
+struct Batch {
+  Batch(uint32_t tickCount, uint32_t worldCount)
+      : ticks(tickCount),
+        worlds(worldCount),
+        inputs(size_t(ticks) * worlds, policy::kInputs),
+        decisions(size_t(ticks) * worlds),
+        values(size_t(ticks) * worlds),
+        rewards(size_t(ticks) * worlds),
+        last(worlds),
+        done(size_t(ticks) * worlds) {}
+
+  uint32_t ticks, worlds;
+  Rows<float> inputs;  // normalised, as they were seen
+  std::vector<Decision> decisions;
+  std::vector<float> values;   // what the network expected, in rewards
+  std::vector<float> rewards;  // with what was to be expected after a cut
+  std::vector<float> last;     // (worlds), value of the state after the last tick
+  std::vector<uint8_t> done;   // the playthrough ended, or was cut
+};
+
+// Of all passes over a batch, means.
+struct Progress {
+  double loss = 0, entropy = 0, divergence = 0, clipped = 0, valueError = 0, norm = 0;
+};
+
+class Ppo {
+ public:
+  Ppo(const PpoSettings& settings, uint64_t seed, ThreadPool& pool);
+
+  const Weights<float>& weights() const { return weights_; }
+  // Of the value head: a reward is mean + deviation x output.
+  float valueMean() const { return valueMean_; }
+  float valueDeviation() const { return valueDeviation_; }
+
+  // `rate`: of what settings say. The batch's advantages and targets are filled in.
+  Progress learn(Batch& batch, float rate);
+
+ private:
+  struct Share {  // of a part
+    Pass<float> pass;
+    Rows<float> inputs, slope;
+    Weights<float> gradient;
+    Progress sums;
+  };
+
+  void fillAdvantages(Batch& batch);
+  void rescaleValues(const Batch& batch);
+  void learnPart(const Batch& batch, std::span<const uint32_t> rows, float rate, Progress& sums);
+  void learnShare(const Batch& batch, std::span<const uint32_t> rows, float mean, float scale,
+                  Share& share) const;
+  void step(Weights<float>& gradient, float rate);
+
+  PpoSettings settings_;
+  ThreadPool& pool_;
+  Random random_;
+  Weights<float> weights_, momentum_, squares_;
+  uint64_t steps_ = 0;
+  float valueMean_ = 0, valueDeviation_ = 1;
+  Sums returns_{1};
+  std::vector<Share> shares_;
+  std::vector<float> advantages_, targets_;  // (rows), in rewards
+};
+
+// Orthogonal columns or rows, whichever are fewer, of length `gain`.
+void fillOrthogonal(Rows<float>& matrix, int columns, float gain, Random& random);
+
+}  // namespace obby::train

@@ -1,0 +1,86 @@
+// Learning, an iteration at a time: all worlds play for a while under the policy as it is, then the
+// policy learns from what came of it. Everything follows from the settings and the levels: the
+// number of threads does not show.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "policy/policy.h"
+#include "train/crowd.h"
+#include "train/ppo.h"
+
+namespace obby::train {
+
+struct TrainerSettings {
+  uint64_t seed = 1;
+  uint32_t crowds = 8;  // tasks of the pool
+  CrowdSettings crowd;  // 8 x 32 worlds
+  uint32_t ticks = 32;  // decisions of each world an iteration
+  PpoSettings ppo;
+  uint64_t decisions = 50'000'000;  // after so many the rate is down to a tenth
+  float easiest = 0.1f;             // difficulty that levels begin with
+  float raiseAt = 0.7f;             // share of playthroughs solved above which levels become harder
+  float lowerAt = 0.45f;            // below which easier
+};
+
+// Of one iteration.
+struct Iteration {
+  uint64_t number = 0, decisions = 0;  // so far
+  double seconds = 0, playSeconds = 0;
+  double reward = 0;    // a decision
+  double solved = 0;    // share of playthroughs from the start, smoothed
+  uint64_t played = 0;  // such playthroughs
+  float hardest = 0;    // difficulty of levels, at most
+  Progress progress;
+};
+
+class Trainer {
+ public:
+  // `source` and `pool` must outlive it.
+  static Result<std::unique_ptr<Trainer>> make(const TrainerSettings& settings,
+                                               const LevelSource& source, ThreadPool& pool);
+
+  Result<Iteration> iterate();
+
+  // The policy as it is now, to be used elsewhere.
+  policy::Network network() const;
+
+ private:
+  Trainer(const TrainerSettings& settings, const LevelSource& source, ThreadPool& pool);
+
+  struct Group {  // a crowd with its part of the batch
+    Group(const LevelSource& source, const TrainerSettings& s, uint32_t number);
+    Crowd crowd;
+    Random random;
+    Batch batch;
+    Pass<float> pass, cutPass;
+    Sums seen{policy::kInputs};
+    std::vector<uint8_t> mayJump;
+    std::vector<int> moves;
+    std::vector<Step> steps;
+    Rows<float> row;  // of a tick, normalised
+    Status status;
+  };
+
+  void play(Group& group) const;
+  void decide(Group& group, uint32_t tick) const;
+  Status take(Group& group, uint32_t tick) const;
+  template <class Row>
+  void normalise(Row&& row) const;
+  void gather(Iteration& out);
+  void adapt(double solvedNow, uint64_t played);
+
+  TrainerSettings settings_;
+  ThreadPool& pool_;
+  Ppo ppo_;
+  std::vector<std::unique_ptr<Group>> groups_;
+  Batch all_;
+  Sums seen_{policy::kInputs};
+  std::vector<float> means_, scales_;
+  uint64_t iterations_ = 0, decisions_ = 0;
+  double solved_ = 0;
+  float hardest_;
+};
+
+}  // namespace obby::train

@@ -1,0 +1,37 @@
+#include "train/training_level.h"
+
+namespace obby::train {
+
+namespace {
+
+std::vector<Vec3> wayOf(std::vector<Vec3> way, const level::Query& query) {
+  if (way.size() >= 2) return way;
+  const level::QueryView q = query.view();
+  way = {query.start().feet};
+  for (uint32_t i = 0; i < q.waypointCount; ++i)
+    way.push_back(q.waypoints[i].target.region.pose.position);
+  way.push_back(q.goal.region.pose.position);
+  return way;
+}
+
+}  // namespace
+
+TrainingLevel::TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> way)
+    : level_(std::move(level)),
+      query_(std::move(query)),
+      surroundings_(level_.view(), policy::kSight),
+      scene_{level_.view(), query_.view(), surroundings_.view()},
+      start_(sim::makeWorld(level_.view(), query_.start())),
+      startLoose_(sim::makeLoose(level_.view())),
+      guide_(wayOf(std::move(way), query_)) {}
+
+Result<std::shared_ptr<const TrainingLevel>> TrainingLevel::make(schema::Level::Reader level,
+                                                                 schema::Query::Reader query,
+                                                                 std::vector<Vec3> way) {
+  OBBY_ASSIGN(level::Level compiled, level::Level::compile(level));
+  OBBY_ASSIGN(level::Query asked, level::Query::compile(query, compiled));
+  return std::shared_ptr<const TrainingLevel>(
+      new TrainingLevel(std::move(compiled), std::move(asked), std::move(way)));
+}
+
+}  // namespace obby::train

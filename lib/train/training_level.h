@@ -1,0 +1,49 @@
+// A level to learn on, with its query, compiled once and shared by the worlds that play it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "level/level.h"
+#include "policy/observation.h"
+#include "policy/surroundings.h"
+#include "sim/simulator.h"
+#include "train/guide.h"
+
+namespace obby::train {
+
+class TrainingLevel {
+ public:
+  // `way`: places along a way through, from the start to the goal, which only rewards know of;
+  // empty: start, waypoints and goal of the query. Errors as of Level::compile and Query::compile.
+  static Result<std::shared_ptr<const TrainingLevel>> make(schema::Level::Reader level,
+                                                           schema::Query::Reader query,
+                                                           std::vector<Vec3> way);
+
+  const policy::Scene& scene() const { return scene_; }
+  const sim::World& start() const { return start_; }
+  const std::vector<sim::LooseBody>& startLoose() const { return startLoose_; }
+  const Guide& guide() const { return guide_; }
+
+ private:
+  TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> way);
+
+  level::Level level_;
+  level::Query query_;
+  policy::Surroundings surroundings_;
+  policy::Scene scene_;
+  sim::World start_;
+  std::vector<sim::LooseBody> startLoose_;
+  Guide guide_;
+};
+
+// Levels without end. Level `index` must be the same whoever asks, whenever, from whichever thread.
+class LevelSource {
+ public:
+  virtual ~LevelSource() = default;
+  // `hardest`: difficulty that the level has at most, 0 to 1, where the source knows of any.
+  virtual Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index,
+                                                             float hardest) const = 0;
+};
+
+}  // namespace obby::train
