@@ -33,10 +33,7 @@ Status Crowd::takeLevel(uint32_t p) {
   const uint64_t all = uint64_t(crowds_) * places_.size();
   const uint64_t index = place.taken++ * all + uint64_t(number_) * places_.size() + p;
   OBBY_ASSIGN(place.level, source_.level(index, hardest_));
-  const Params& params = place.level->scene().level.params;
-  const float seconds =
-      settings_.patience * place.level->guide().studs() / std::max(params.walkSpeed, 1.0f) + 10;
-  place.mostTicks = ticksFromSeconds(params, seconds);
+  place.mostTicks = mostTicksOf(*place.level, settings_.patience);
   place.played = 0;
   place.reached.clear();
   place.players.assign(settings_.worlds, {});

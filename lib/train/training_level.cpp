@@ -1,5 +1,7 @@
 #include "train/training_level.h"
 
+#include <algorithm>
+
 namespace obby::train {
 
 namespace {
@@ -32,6 +34,12 @@ Result<std::shared_ptr<const TrainingLevel>> TrainingLevel::make(schema::Level::
   OBBY_ASSIGN(level::Query asked, level::Query::compile(query, compiled));
   return std::shared_ptr<const TrainingLevel>(
       new TrainingLevel(std::move(compiled), std::move(asked), std::move(way)));
+}
+
+uint32_t mostTicksOf(const TrainingLevel& level, float patience) {
+  const Params& params = level.scene().level.params;
+  const float walk = level.guide().studs() / std::max(params.walkSpeed, 1.0f);
+  return ticksFromSeconds(params, patience * walk + 10);
 }
 
 }  // namespace obby::train

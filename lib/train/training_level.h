@@ -37,6 +37,10 @@ class TrainingLevel {
   Guide guide_;
 };
 
+// Ticks after which a playthrough is given up: `patience` times what walking the way takes, and ten
+// seconds.
+uint32_t mostTicksOf(const TrainingLevel& level, float patience);
+
 // Levels without end. Level `index` must be the same whoever asks, whenever, from whichever thread.
 class LevelSource {
  public:

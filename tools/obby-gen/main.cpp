@@ -9,6 +9,7 @@
 #include "gen/place/place_file.h"
 #include "io/pipeline.h"
 #include "options.h"
+#include "shared/recipe_options.h"
 
 namespace {
 

@@ -3,44 +3,22 @@
 
 #include <limits>
 
+#include "cli/rows.h"
+
 namespace obby::tools {
 
 namespace {
 
+using cli::between;
+using cli::lettered;
 using cli::OptionRow;
+using cli::repeatable;
+using cli::row;
 using cli::ValueType;
 
 constexpr const char* kQueryGroup = "Asking on the command line";
 constexpr const char* kSearchGroup = "Search";
 constexpr const char* kAnsweredGroup = "Streams that are answered: nothing is searched";
-
-OptionRow row(const char* name, ValueType type, const char* value, const char* defaultText,
-              const char* help, const char* group) {
-  OptionRow r;
-  r.name = name;
-  r.type = type;
-  r.value = value;
-  r.defaultText = defaultText;
-  r.help = help;
-  r.group = group;
-  return r;
-}
-
-OptionRow repeatable(OptionRow r) {
-  r.repeatable = true;
-  return r;
-}
-
-OptionRow between(OptionRow r, double min, double max) {
-  r.min = min;
-  r.max = max;
-  return r;
-}
-
-OptionRow lettered(OptionRow r, char letter) {
-  r.letter = letter;
-  return r;
-}
 
 OptionRow methodRow() {
   OptionRow r = row("method", ValueType::choice, "", "auto", "", kSearchGroup);

@@ -1,0 +1,38 @@
+// Rows of an option table in a line each.
+#pragma once
+
+#include <utility>
+
+#include "cli/tool.h"
+
+namespace obby::cli {
+
+inline OptionRow row(const char* name, ValueType type, const char* value, const char* defaultText,
+                     const char* help, const char* group) {
+  OptionRow r;
+  r.name = name;
+  r.type = type;
+  r.value = value;
+  r.defaultText = defaultText;
+  r.help = help;
+  r.group = group;
+  return r;
+}
+
+inline OptionRow repeatable(OptionRow r) {
+  r.repeatable = true;
+  return r;
+}
+
+inline OptionRow between(OptionRow r, double min, double max) {
+  r.min = min;
+  r.max = max;
+  return r;
+}
+
+inline OptionRow lettered(OptionRow r, char letter) {
+  r.letter = letter;
+  return r;
+}
+
+}  // namespace obby::cli

@@ -1,0 +1,147 @@
+#include "policy/policy_file.h"
+
+#include <capnp/message.h>
+#include <capnp/serialize.h>
+#include <fmt/format.h>
+#include <kj/exception.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "base/hash.h"
+#include "schema/policy.capnp.h"
+
+namespace obby::policy {
+
+namespace {
+
+constexpr uint32_t kVersion = 1;
+constexpr size_t kMostBytes = 1 << 26;
+
+struct LayerSize {
+  int inputs, outputs;
+};
+constexpr LayerSize kLayers[] = {{kInputs, kHidden}, {kHidden, kHidden}, {kHidden, kPaddedOutputs}};
+
+uint64_t digest(const Network& network) {
+  return hashBytes(network.numbers().data(), network.numbers().size() * sizeof(float));
+}
+
+const float* fill(const float* from, capnp::List<float>::Builder to) {
+  for (uint32_t i = 0; i < to.size(); ++i) to.set(i, *from++);
+  return from;
+}
+
+Error refused(const std::string& name, const std::string& what) {
+  return Error{name,
+               {},
+               {},
+               "not a policy that this program can use: " + what,
+               "train one with obby-train of this version"};
+}
+
+// Numbers of a list into `to`, which moves on.
+Status take(capnp::List<float>::Reader from, size_t expected, const std::string& what, float*& to) {
+  if (from.size() != expected)
+    return makeError(fmt::format("{} {}, expected {}", from.size(), what, expected));
+  for (const float v : from) {
+    if (!std::isfinite(v)) return makeError(fmt::format("{} that are not finite", what));
+    *to++ = v;
+  }
+  return {};
+}
+
+Status takeNumbers(schema::PolicyFile::Reader file, Network& network) {
+  float* to = network.numbers().data();
+  OBBY_RETURN_IF_ERROR(take(file.getMeans(), kInputs, "means", to));
+  OBBY_RETURN_IF_ERROR(take(file.getScales(), kInputs, "scales", to));
+  const auto layers = file.getLayers();
+  if (layers.size() != std::size(kLayers))
+    return makeError(fmt::format("{} layers, expected {}", layers.size(), std::size(kLayers)));
+  for (uint32_t l = 0; l < layers.size(); ++l) {
+    const LayerSize size = kLayers[l];
+    if (int64_t(layers[l].getInputs()) != size.inputs ||
+        int64_t(layers[l].getOutputs()) != size.outputs) {
+      return makeError(fmt::format("layers[{}] is {} x {}, expected {} x {}", l,
+                                   layers[l].getInputs(), layers[l].getOutputs(), size.inputs,
+                                   size.outputs));
+    }
+    OBBY_RETURN_IF_ERROR(take(layers[l].getWeights(), size_t(size.inputs) * size_t(size.outputs),
+                              fmt::format("weights of layers[{}]", l), to));
+    OBBY_RETURN_IF_ERROR(take(layers[l].getBiases(), size_t(size.outputs),
+                              fmt::format("biases of layers[{}]", l), to));
+  }
+  return {};
+}
+
+Status decode(schema::PolicyFile::Reader file, PolicyFile& out) {
+  if (file.getVersion() != kVersion)
+    return makeError(fmt::format("layout version {}, expected {}", file.getVersion(), kVersion));
+  if (file.getObservationVersion() != kObservationVersion) {
+    return makeError(fmt::format("made for observations of version {}, here they are of version {}",
+                                 file.getObservationVersion(), kObservationVersion));
+  }
+  if (file.getMoves() != uint32_t(kMoves))
+    return makeError(fmt::format("{} moves, expected {}", file.getMoves(), kMoves));
+  OBBY_RETURN_IF_ERROR(takeNumbers(file, out.network));
+  if (file.getHash() != digest(out.network)) return makeError("its hash is wrong: it is damaged");
+  const auto t = file.getTraining();
+  out.training = {t.getCommand(), t.getVersion(), t.getSeed(),  t.getDecisions(),
+                  t.getSeconds(), t.getHardest(), t.getSolved()};
+  return {};
+}
+
+}  // namespace
+
+std::string writePolicy(const PolicyFile& policy) {
+  capnp::MallocMessageBuilder message(1 << 16);
+  auto file = message.initRoot<schema::PolicyFile>();
+  file.setVersion(kVersion);
+  file.setObservationVersion(kObservationVersion);
+  file.setMoves(kMoves);
+  const float* from = policy.network.numbers().data();
+  from = fill(from, file.initMeans(kInputs));
+  from = fill(from, file.initScales(kInputs));
+  auto layers = file.initLayers(uint32_t(std::size(kLayers)));
+  for (uint32_t l = 0; l < layers.size(); ++l) {
+    const LayerSize size = kLayers[l];
+    layers[l].setInputs(uint32_t(size.inputs));
+    layers[l].setOutputs(uint32_t(size.outputs));
+    from = fill(from, layers[l].initWeights(uint32_t(size.inputs * size.outputs)));
+    from = fill(from, layers[l].initBiases(uint32_t(size.outputs)));
+  }
+  file.setHash(digest(policy.network));
+  auto t = file.initTraining();
+  t.setCommand(policy.training.command);
+  t.setVersion(policy.training.version);
+  t.setSeed(policy.training.seed);
+  t.setDecisions(policy.training.decisions);
+  t.setSeconds(policy.training.seconds);
+  t.setHardest(policy.training.hardest);
+  t.setSolved(policy.training.solved);
+  const auto words = capnp::messageToFlatArray(message);
+  const auto bytes = words.asBytes();
+  return std::string(reinterpret_cast<const char*>(bytes.begin()), bytes.size());
+}
+
+Result<PolicyFile> readPolicy(std::string_view bytes, const std::string& name) {
+  if (bytes.size() > kMostBytes) return refused(name, "it is larger than 64 MiB");
+  if (bytes.empty() || bytes.size() % sizeof(capnp::word) != 0)
+    return refused(name, "its length is no whole number of words");
+  auto words = kj::heapArray<capnp::word>(bytes.size() / sizeof(capnp::word));
+  std::memcpy(words.asBytes().begin(), bytes.data(), bytes.size());
+  PolicyFile out;
+  Status status;
+  // Cap'n Proto says by exceptions what a message lacks.
+  const auto failure = kj::runCatchingExceptions([&] {
+    capnp::FlatArrayMessageReader reader(words);
+    status = decode(reader.getRoot<schema::PolicyFile>(), out);
+  });
+  KJ_IF_MAYBE (e, failure) {
+    return refused(name, e->getDescription().cStr());
+  }
+  if (!status) return refused(name, status.error().message);
+  return out;
+}
+
+}  // namespace obby::policy

@@ -1,0 +1,31 @@
+// Policy files (schema/policy.capnp). Reading checks everything: a file is refused, or what it
+// holds can be used. Host only.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "policy/policy.h"
+
+namespace obby::policy {
+
+// How a policy came to be, for people.
+struct Training {
+  std::string command, version;
+  uint64_t seed = 0, decisions = 0;
+  double seconds = 0;
+  float hardest = 0, solved = 0;
+};
+
+struct PolicyFile {
+  Network network;
+  Training training;
+};
+
+std::string writePolicy(const PolicyFile& policy);
+
+// The error says what of the file is wrong; its input is `name`.
+Result<PolicyFile> readPolicy(std::string_view bytes, const std::string& name);
+
+}  // namespace obby::policy

@@ -1,0 +1,62 @@
+// Policy files: what was written is read, and whatever is wrong with one is said.
+#include "policy/policy_file.h"
+
+#include <gtest/gtest.h>
+
+namespace obby::policy {
+namespace {
+
+PolicyFile sample() {
+  PolicyFile file;
+  Random random(1, 1);
+  for (float& v : file.network.numbers()) v = random.unit() - 0.5f;
+  file.training = {"obby-train -o x.obp", "0.1.0", 7, 123456789012ull, 61.5, 0.7f, 0.55f};
+  return file;
+}
+
+TEST(PolicyFileTest, IsReadAsItWasWritten) {
+  const PolicyFile file = sample();
+  const std::string bytes = writePolicy(file);
+  const auto read = readPolicy(bytes, "x.obp");
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_EQ(read->network.numbers(), file.network.numbers());
+  EXPECT_EQ(read->training.command, file.training.command);
+  EXPECT_EQ(read->training.decisions, file.training.decisions);
+  EXPECT_EQ(read->training.hardest, file.training.hardest);
+  EXPECT_EQ(writePolicy(*read), bytes);
+  EXPECT_LT(bytes.size(), 2u << 20);
+}
+
+TEST(PolicyFileTest, RefusesEveryTruncationAndWhatIsNoPolicy) {
+  const std::string bytes = writePolicy(sample());
+  for (size_t size = 0; size < bytes.size(); size += 997) {
+    const auto read = readPolicy(std::string_view(bytes).substr(0, size), "x.obp");
+    ASSERT_FALSE(read) << size;
+    EXPECT_NE(read.error().text().find("x.obp"), std::string::npos);
+  }
+  EXPECT_FALSE(readPolicy("{\"type\":\"header\"}       ", "x"));
+  EXPECT_FALSE(readPolicy(std::string(4096, '\0'), "x"));
+  EXPECT_FALSE(readPolicy(std::string(4096, '\xff'), "x"));
+}
+
+TEST(PolicyFileTest, RefusesDamage) {
+  const std::string bytes = writePolicy(sample());
+  int refused = 0, tried = 0;
+  for (size_t at = 8; at < bytes.size(); at += 1009, ++tried) {
+    std::string damaged = bytes;
+    damaged[at] = char(damaged[at] ^ 0x10);
+    refused += !readPolicy(damaged, "x");
+  }
+  EXPECT_GT(refused, tried * 9 / 10) << "all but what is not hashed: texts, padding";
+}
+
+TEST(PolicyFileTest, RefusesNumbersThatAreNone) {
+  PolicyFile file = sample();
+  file.network.numbers()[1000] = std::numeric_limits<float>::quiet_NaN();
+  const auto read = readPolicy(writePolicy(file), "x");
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().text().find("not finite"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace obby::policy

@@ -1,0 +1,129 @@
+// The option table of obby-train and what its options mean to lib/train.
+#include "options.h"
+
+#include "cli/rows.h"
+#include "shared/recipe_options.h"
+
+namespace obby::tools {
+
+namespace {
+
+using cli::between;
+using cli::OptionRow;
+using cli::row;
+using cli::ValueType;
+
+constexpr const char* kLevelGroup = "Levels";
+constexpr const char* kLearnGroup = "Learning";
+constexpr const char* kEvaluateGroup = "Evaluating";
+
+OptionRow outputRow() {
+  OptionRow r = cli::commonRow(cli::Common::output);
+  r.defaultText = "policy.obp";
+  r.help = "write the policy to FILE, each minute and in the end";
+  return r;
+}
+
+OptionRow timeLimitRow() {
+  OptionRow r = cli::commonRow(cli::Common::timeLimit);
+  r.help = "stop after so much wall-clock time, whatever --decisions says";
+  r.group = kLearnGroup;
+  return r;
+}
+
+std::vector<OptionRow> levelRows() {
+  return {row("generate", ValueType::flag, "", "",
+              "make the levels, always new ones, instead of reading a stream; --style, "
+              "--difficulty and --recipe say this too",
+              kLevelGroup)};
+}
+
+std::vector<OptionRow> learnRows() {
+  return {
+      between(row("decisions", ValueType::integer, "N", "100000000",
+                  "decisions to learn from, 20 a second of play", kLearnGroup),
+              1, 9e15),
+      timeLimitRow(),
+      between(
+          row("worlds", ValueType::integer, "N", "2048", "worlds that play at a time", kLearnGroup),
+          256, 1 << 20),
+      between(row("rate", ValueType::number, "R", "0.002",
+                  "of the optimiser at first; falls to a tenth", kLearnGroup),
+              1e-7, 1),
+      between(row("passes", ValueType::integer, "N", "2", "over each batch", kLearnGroup), 1, 100),
+      between(row("part", ValueType::integer, "N", "4096", "decisions a step of the optimiser",
+                  kLearnGroup),
+              64, 1 << 20),
+      between(row("entropy", ValueType::number, "SHARE", "0.005",
+                  "of the loss: how much trying things out is worth", kLearnGroup),
+              0, 10),
+      between(row("discount", ValueType::number, "SHARE", "0.99", "of a decision", kLearnGroup), 0,
+              1),
+  };
+}
+
+std::vector<OptionRow> evaluateRows() {
+  return {
+      row("eval", ValueType::file, "FILE", "",
+          "learn nothing: let the policy of FILE play levels by itself and say how many it solves",
+          kEvaluateGroup),
+      between(row("eval-levels", ValueType::integer, "N", "1000", "levels to evaluate on",
+                  kEvaluateGroup),
+              1, 1 << 24),
+      between(row("eval-tries", ValueType::integer, "N", "8",
+                  "playthroughs of each level: one of the likeliest moves, the others drawn",
+                  kEvaluateGroup),
+              1, 1 << 16),
+  };
+}
+
+}  // namespace
+
+cli::ToolSpec trainSpec() {
+  cli::ToolSpec spec;
+  spec.name = "obby-train";
+  spec.summary = "learn to play levels, for the search to be guided by";
+  spec.examples = {
+      {"learn from the levels of a stream",
+       "obby-gen --count 2000 --seed 7 | obby-train --time-limit 60 -o policy.obp"},
+      {"learn from levels that are always new",
+       "obby-train --generate --difficulty trivial..limit -o policy.obp"},
+      {"how good is it, on levels that it has never seen?",
+       "obby-train --eval policy.obp --generate --seed 12345"},
+  };
+  spec.options = {outputRow(), cli::commonRow(cli::Common::progress),
+                  cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)};
+  for (const auto& rows : {levelRows(), recipeRows(kLevelGroup), learnRows(), evaluateRows()}) {
+    spec.options.insert(spec.options.end(), rows.begin(), rows.end());
+  }
+  spec.notes =
+      "Metrics go to standard output, a record each few seconds. The same seed, levels and number "
+      "of --worlds give the same policy on this machine, for any number of --threads. Levels begin "
+      "easy, and become harder up to --difficulty as the policy learns.";
+  return spec;
+}
+
+train::TrainerSettings trainerSettings(const cli::Context& context) {
+  const cli::Arguments& a = context.arguments();
+  train::TrainerSettings s;
+  s.seed = a.seed();
+  s.crowds = uint32_t(a.integer("worlds")) / (s.crowd.levels * s.crowd.worlds);
+  s.decisions = uint64_t(a.integer("decisions"));
+  s.ppo.rate = float(a.number("rate"));
+  s.ppo.passes = uint32_t(a.integer("passes"));
+  s.ppo.part = uint32_t(a.integer("part"));
+  s.ppo.discount = float(a.number("discount"));
+  s.ppo.loss.entropyShare = float(a.number("entropy"));
+  return s;
+}
+
+train::EvaluationSettings evaluationSettings(const cli::Context& context) {
+  const cli::Arguments& a = context.arguments();
+  train::EvaluationSettings s;
+  s.seed = a.seed();
+  s.levels = uint32_t(a.integer("eval-levels"));
+  s.tries = uint32_t(a.integer("eval-tries"));
+  return s;
+}
+
+}  // namespace obby::tools

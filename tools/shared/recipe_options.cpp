@@ -1,0 +1,88 @@
+#include "shared/recipe_options.h"
+
+#include "cli/rows.h"
+#include "gen/styles.h"
+#include "io/read_file.h"
+#include "io/text.h"
+
+namespace obby::tools {
+
+namespace {
+
+using cli::OptionRow;
+using cli::row;
+using cli::ValueType;
+
+OptionRow styleRow(const char* group) {
+  OptionRow r = row("style", ValueType::text, "NAME", "",
+                    "make levels of this style only; repeat: of these, alike in number; --list "
+                    "names them",
+                    group);
+  r.repeatable = true;
+  return r;
+}
+
+Result<gen::Range> rangeOf(const std::string& text) {
+  const size_t dots = text.find("..");
+  const auto one = [](const std::string& word) {
+    auto value = gen::parseDifficulty(word);
+    if (!value) value.error().path = "--difficulty";
+    return value;
+  };
+  OBBY_ASSIGN(const float lo, one(text.substr(0, dots)));
+  if (dots == std::string::npos) return gen::Range{lo, lo};
+  OBBY_ASSIGN(const float hi, one(text.substr(dots + 2)));
+  return gen::Range{lo, hi};
+}
+
+Result<gen::Recipe> readRecipe(const std::string& path) {
+  OBBY_ASSIGN(const std::string text, io::readFile(path));
+  auto recipe = gen::Recipe::fromJson(text);
+  if (!recipe) recipe.error().input = path == "-" ? "stdin" : path;
+  return recipe;
+}
+
+Status checkStyle(const std::string& name) {
+  if (gen::findStyle(name) != nullptr) return {};
+  std::vector<std::string> names;
+  for (const gen::Style& s : gen::styles()) names.push_back(s.name);
+  const std::string near = io::nearest(name, names);
+  return Error{{},
+               {},
+               "--style",
+               "there is no style " + io::quoted(name),
+               near.empty() ? "obby-gen --list names them" : "did you mean " + near + "?"};
+}
+
+}  // namespace
+
+std::vector<OptionRow> recipeRows(const char* group) {
+  return {
+      styleRow(group),
+      row("difficulty", ValueType::text, "D", "",
+          "trivial, easy, medium, hard, limit or a number from 0 to 1; D..D draws between two "
+          "[default: easy..hard]",
+          group),
+      row("recipe", ValueType::file, "FILE", "",
+          "styles with weights, lengths, limits and physics from a JSON file (docs/generator.md)",
+          group),
+  };
+}
+
+Result<gen::Recipe> recipeOf(const cli::Arguments& a) {
+  gen::Recipe recipe;
+  if (a.has("recipe")) {
+    OBBY_ASSIGN(recipe, readRecipe(a.text("recipe")));
+  }
+  if (a.has("style")) recipe.styles.clear();
+  for (const std::string& name : a.list("style")) {
+    OBBY_RETURN_IF_ERROR(checkStyle(name));
+    recipe.styles.push_back({name, 1});
+  }
+  if (a.has("difficulty")) {
+    OBBY_ASSIGN(recipe.difficulty, rangeOf(a.text("difficulty")));
+  }
+  return recipe;
+}
+
+}  // namespace obby::tools
