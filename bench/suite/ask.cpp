@@ -1,6 +1,7 @@
 #include "suite/ask.h"
 
 #include "common/report.h"
+#include "policy/shipped_policy.h"
 #include "solve/query_solver.h"
 
 namespace obby::bench {
@@ -37,6 +38,7 @@ Result<std::optional<Run>> ask(const Question& question, Run run, ThreadPool& po
   options.budget.seconds = question.cap;
   options.budget.stop = &stop;
   options.method = &question.method;
+  options.policy = &policy::shippedPolicy().network;
   options.progressRecords = false;
   const auto write = [&](schema::Record::Reader record) -> Status {
     if (record.isResult()) {

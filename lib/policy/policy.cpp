@@ -39,4 +39,20 @@ void think(const NetworkView& network, const float* inputs, float* outputs) {
   think<WideFloat>(network, inputs, outputs);
 }
 
+Pilot::Pilot(const level::LevelView& level, const level::QueryView& query, const Network& network)
+    : surroundings_(level, kSight),
+      scene_{level, query, surroundings_.view()},
+      network_(network.view()) {}
+
+sim::Action Pilot::decide(const sim::World& world, const sim::LooseBody* loose,
+                          Random* random) const {
+  float inputs[kInputs], outputs[kPaddedOutputs];
+  const Turns ahead = observe(scene_, world, loose, inputs);
+  think(network_, inputs, outputs);
+  const bool mayJump = jumpAllowed(scene_, world);
+  const int move =
+      random == nullptr ? likeliest(outputs, mayJump) : draw(outputs, mayJump, *random);
+  return actionOf(move, ahead);
+}
+
 }  // namespace obby::policy

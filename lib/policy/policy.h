@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "policy/policy_view.h"
+#include "policy/surroundings.h"
 
 namespace obby::policy {
 
@@ -40,5 +41,23 @@ Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody*
 
 // `outputs`: (kPaddedOutputs), logits and value, of raw inputs.
 void think(const NetworkView& network, const float* inputs, float* outputs);
+
+// A policy at the controls of players in one level under one query.
+class Pilot {
+ public:
+  // The views' tables and the network must outlive it.
+  Pilot(const level::LevelView& level, const level::QueryView& query, const Network& network);
+  Pilot(const Pilot&) = delete;
+  Pilot& operator=(const Pilot&) = delete;
+
+  // What to hold for the next kDecisionTicks ticks: a move drawn with `random`, or the likeliest
+  // where that is null. `loose`: (level.looseCount).
+  sim::Action decide(const sim::World& world, const sim::LooseBody* loose, Random* random) const;
+
+ private:
+  const Surroundings surroundings_;
+  const Scene scene_;
+  const NetworkView network_;
+};
 
 }  // namespace obby::policy

@@ -8,7 +8,10 @@ namespace obby::solve {
 
 constexpr uint32_t kNone = level::kNone;
 
-constexpr uint64_t kKnown = 1ull << 62;  // streams of random numbers count up from 0
+// Streams of random numbers count up from 0; these bits say what a rollout is instead of random.
+constexpr uint64_t kKnown = 1ull << 62;      // a way of an earlier answer
+constexpr uint64_t kByPolicy = 1ull << 61;   // moves of the policy, drawn from that stream
+constexpr uint64_t kLikeliest = 1ull << 60;  // with kByPolicy: its likeliest moves
 
 // How a state was reached: `ticks` ticks of rollout `rollout` from the state of node `parent`.
 struct Node {

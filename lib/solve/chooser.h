@@ -15,8 +15,9 @@ namespace obby::solve {
 
 // Where a rollout starts.
 struct Choice {
-  uint32_t cell;   // of the archive
-  uint32_t ticks;  // its length at most; at least 1
+  uint32_t cell;    // of the archive
+  uint32_t ticks;   // its length at most; at least 1
+  uint64_t by = 0;  // kByPolicy, with kLikeliest or without: whose moves; 0: random
 };
 
 // What came of a rollout.

@@ -8,6 +8,10 @@
 #include "solve/surfaces.h"
 #include "solve/targets.h"
 
+namespace obby::policy {
+class Pilot;
+}
+
 namespace obby::solve {
 
 // How far one jump on level ground takes a player.
@@ -38,6 +42,7 @@ struct ExploreContext {
   ExploreSettings settings;
   bool jumpsLimited;
   float doomHeight;  // studs: who is off the floor with the feet below can only fall
+  const policy::Pilot* pilot = nullptr;  // on the host only; null: no policy
 };
 
 template <class Table>

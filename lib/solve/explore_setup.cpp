@@ -12,12 +12,13 @@ namespace {
 constexpr float kClockReach = 10;  // studs around moving parts where the clock matters
 
 RolloutRules makeRules(const Problem& problem, uint64_t seed, const GoExploreSettings& s,
-                       const Surfaces& surfaces, const ClockMap& clock) {
+                       const Surfaces& surfaces, const ClockMap& clock,
+                       const policy::Pilot* pilot) {
   const Params& params = problem.level.params;
   const JumpReach reach = jumpReach(params);
   const uint32_t ticks = std::max(s.leastPhase, uint32_t(s.phaseJumps * reach.airTicks));
   return {{problem.level, problem.query, surfaces.view(), reach, s.explore,
-           limitsJumps(problem.query), doomHeight(problem)},
+           limitsJumps(problem.query), doomHeight(problem), pilot},
           makeBinning(problem, s.cellWidth, clock),
           {s.groundedOnly, std::max(uint32_t(reach.airTicks), params.controlRate / 2u),
            std::clamp(s.lookEvery, 1u, ticks)},
@@ -30,7 +31,10 @@ RolloutRules makeRules(const Problem& problem, uint64_t seed, const GoExploreSet
 ExploreSetup::ExploreSetup(const Problem& problem, uint64_t seed, const GoExploreSettings& settings)
     : surfaces_(problem.level),
       clock_(problem.level, kClockReach),
-      rules(makeRules(problem, seed, settings, surfaces_, clock_)),
+      pilot(problem.policy == nullptr ? nullptr
+                                      : std::make_unique<const policy::Pilot>(
+                                            problem.level, problem.query, *problem.policy)),
+      rules(makeRules(problem, seed, settings, surfaces_, clock_, pilot.get())),
       potential(problem),
       beam(problem) {}
 

@@ -1,6 +1,9 @@
 // What the rollouts of a search read, made from its problem and settings once.
 #pragma once
 
+#include <memory>
+
+#include "policy/policy.h"
 #include "solve/beam_rank.h"
 #include "solve/cell.h"
 #include "solve/explore_context.h"
@@ -33,6 +36,7 @@ class ExploreSetup {
   const ClockMap clock_;
 
  public:
+  const std::unique_ptr<const policy::Pilot> pilot;  // null: the problem has no policy
   const RolloutRules rules;
   const Potential potential;
   const BeamWay beam;

@@ -2,21 +2,41 @@
 // own stream of random numbers. The same (seed, stream, start) gives the same actions.
 #pragma once
 
+#include "solve/archive_node.h"
 #include "solve/macro_aim.h"
 #include "solve/macro_random.h"
 
 namespace obby::solve {
 
+#if defined(__CUDACC__)
+OBBY_DEVICE sim::Action moveOfPolicy(const ExploreContext&, const sim::World&,
+                                     const sim::LooseBody*, Random*) {
+  return {};  // rollouts by a policy are kept on the host
+}
+#else
+// What the policy holds for the next kSteerEvery ticks (policy::Pilot).
+sim::Action moveOfPolicy(const ExploreContext& c, const sim::World& w, const sim::LooseBody* loose,
+                         Random* random);
+#endif
+
 class Explorer {
  public:
-  OBBY_DEVICE Explorer(uint64_t seed, uint64_t stream) : random_(seed, stream) {}
+  OBBY_DEVICE Explorer(uint64_t seed, uint64_t stream)
+      : kind_((stream & kByPolicy) != 0 ? Kind::policy : Kind::none),
+        likeliest_((stream & kLikeliest) != 0),
+        random_(seed, stream) {}
 
-  OBBY_DEVICE sim::Action next(const ExploreContext& c, const sim::World& w) {
+  // `loose`: (level.looseCount).
+  OBBY_DEVICE sim::Action next(const ExploreContext& c, const sim::World& w,
+                               const sim::LooseBody* loose) {
     const bool plans = tick_ == 0;  // all rollouts at the same ticks: lanes and groups agree
     tick_ = tick_ + 1 == kSteerEvery ? 0 : tick_ + 1;
+    if (plans && kind_ == Kind::policy) {
+      held_.action = moveOfPolicy(c, w, loose, likeliest_ ? nullptr : &random_);
+    }
     if (plans && kind_ == Kind::aim && !planAimMacro(c, w, aim_)) kind_ = Kind::none;
     if (kind_ == Kind::none) draw(c, w);
-    // Both kinds are gone through, without a branch: which it is is as good as random.
+    // All kinds are gone through, without a branch: which it is is as good as random.
     const bool aims = kind_ == Kind::aim;
     sim::Action action = aims ? aim_.action : held_.action;
     action.jump = aims ? jumpsNow(w, aim_) : held_.action.jump;
@@ -28,7 +48,7 @@ class Explorer {
   }
 
  private:
-  enum class Kind : uint8_t { none, held, aim };
+  enum class Kind : uint8_t { none, held, aim, policy };
 
   OBBY_DEVICE void draw(const ExploreContext& c, const sim::World& w) {
     if (c.settings.aimShare > 0 && random_.unit() < c.settings.aimShare &&
@@ -42,9 +62,10 @@ class Explorer {
   }
 
   // What every tick reads comes first.
-  Kind kind_ = Kind::none;
+  Kind kind_;
   uint8_t tick_ = 0;  // since the last at which it planned
-  RandomMacro held_{};
+  bool likeliest_;
+  RandomMacro held_{};  // of a policy: without end
   AimMacro aim_{};
   Random random_;
 };

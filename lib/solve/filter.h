@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/pipeline.h"
+#include "policy/policy_file.h"
 #include "solve/build_query.h"
 #include "solve/pass_filter.h"
 #include "solve/query_solver.h"
@@ -27,8 +28,9 @@ enum class Task {
 struct FilterOptions {
   Task task = Task::answer;
   SolverOptions solver;
-  EarlierAnswers earlier;  // of the same queries
-  bool remember = false;   // keep the answers, for takeEarlier()
+  std::shared_ptr<const policy::PolicyFile> policy;  // what `solver` points to, if it was read
+  EarlierAnswers earlier;                            // of the same queries
+  bool remember = false;                             // keep the answers, for takeEarlier()
   int threads = 1;
   sim::Device* device = nullptr;    // for the rollouts; must outlive the filter; null: the threads
   std::vector<std::string> only;    // ids of the queries to answer; empty: all

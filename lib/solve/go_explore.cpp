@@ -24,6 +24,7 @@ GoExplore::GoExplore(const Problem& problem, uint64_t seed, const GoExploreSetti
   archive_.offer(cellKey(setup_.rules.binning, problem.start, problem.startLoose.data()),
                  problem.start, {0, kNone, 0}, setup_.potential(problem.start),
                  problem.startLoose.data());
+  if (setup_.pilot) machine_.device = nullptr;  // policies play on the host
   statistics_.closest.distance = distanceLeft(problem.query, problem.start);
   statistics_.closest.position = problem.start.position;
 }
@@ -102,7 +103,7 @@ void GoExplore::chooseCells() {
   chooser_->choose(archive_, machine_.pool, random, choices_);
   for (size_t i = 0; i < choices_.size(); ++i) {
     Rollout& r = rollouts_[i];
-    r.id = nextRollout_++;
+    r.id = nextRollout_++ | choices_[i].by;
     r.start = choices_[i];
     r.parent = archive_.node(r.start.cell);
   }

@@ -3,6 +3,7 @@
 #include "solve/choose_beam.h"
 #include "solve/choose_mcts.h"
 #include "solve/choose_mixed.h"
+#include "solve/choose_policy.h"
 #include "solve/choose_rrt.h"
 #include "solve/go_explore_method.h"
 #include "solve/resident/resident_explore.h"
@@ -44,6 +45,10 @@ const std::vector<Method>& methods() {
        runGoExplore<mctsSettings, makeMctsChooser>},
       {"beam", "beam search, A*-like: the states first that promise the shortest way",
        runGoExplore<beamSettings, makeBeamChooser>},
+      {"ge-ps", "ge whose rollouts from a state that is new are a trained policy's",
+       runGoExplore<plainSettings, makePolicyFirstChooser>},
+      {"rl", "a trained policy alone, from the start, again and again",
+       runGoExplore<aloneSettings, makePolicyAloneChooser>},
       {"resident", "archive, choice and merge in kernels, thousands of rollouts a round: for GPUs",
        runResident},
   };

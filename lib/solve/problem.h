@@ -10,6 +10,10 @@
 #include "sim/loose.h"
 #include "sim/world.h"
 
+namespace obby::policy {
+class Network;
+}
+
 namespace obby::solve {
 
 // What to hold, and for how long, from the start on.
@@ -23,7 +27,8 @@ struct Problem {
   std::vector<sim::LooseBody> startLoose;  // as sim::makeLoose gives them
   Box bounds;                              // of everything in the level
   bool hasClock = false;  // moving or timed parts: the outcome depends on the level clock
-  std::vector<KnownWay> known = {};  // playthroughs of an earlier answer, tried first
+  std::vector<KnownWay> known = {};         // playthroughs of an earlier answer, tried first
+  const policy::Network* policy = nullptr;  // for methods that use one; must outlive the search
 };
 
 // The answer depends on seed, maxSteps, solutions, diverse and the problem only, never on the

@@ -36,6 +36,7 @@ class Solving {
   Result<QueryAnswer> run(const Machine& machine) {
     Problem problem = problemOf(posed_);
     problem.known = knownWays();
+    problem.policy = options_.policy;
     const Watcher watcher{[this](const Playthrough& p) { return solves(p, posed_); },
                           [this](const SearchView& v) { look(v); }};
     const SearchOutcome outcome = answer(problem, watcher, machine);

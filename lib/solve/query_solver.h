@@ -24,6 +24,7 @@ Result<LoadedLevel> loadLevel(const io::Record& record);
 struct SolverOptions {
   Budget budget;
   const Method* method = nullptr;
+  const policy::Network* policy = nullptr;  // for methods that use one; null: they do without
   bool progressRecords = true;
   const EarlierAnswers* earlier = nullptr;  // to be tried first; may be null
   bool explain = false;  // say what change would make a query solvable; up to as long again

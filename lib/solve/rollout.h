@@ -32,7 +32,7 @@ OBBY_DEVICE uint32_t runRollout(const ExploreContext& c, uint64_t seed, uint64_t
                                 sim::World& world, sim::LooseBody* loose, uint32_t ticks,
                                 Visit&& visit) {
   Explorer explorer(seed, rollout);
-  const auto next = [&](const sim::World& w) { return explorer.next(c, w); };
+  const auto next = [&](const sim::World& w) { return explorer.next(c, w, loose); };
   return runTicks<kLoose, kToTheEnd>(c, world, loose, ticks, next, visit);
 }
 

@@ -61,7 +61,7 @@ class RolloutGroup {
 
   void tick() {
     for (size_t i = 0; i < size(); ++i)
-      actions_[i] = members_[i].explorer.next(context_, worlds_[i]);
+      actions_[i] = members_[i].explorer.next(context_, worlds_[i], loose_[i]);
     sim::advanceAll(context_.level, &context_.query, std::span(pointers_).first(size()),
                     loose_.data(), actions_.data());
   }

@@ -7,18 +7,13 @@ namespace obby::train {
 bool playAlone(const policy::Network& network, const TrainingLevel& level, Random* random,
                uint32_t mostTicks) {
   const policy::Scene& scene = level.scene();
-  const policy::NetworkView view = network.view();
+  const policy::Pilot pilot(scene.level, scene.query, network);
   sim::World world = level.start();
   std::vector<sim::LooseBody> loose = level.startLoose();
-  std::vector<float> inputs(policy::kInputs), outputs(policy::kPaddedOutputs);
   for (uint32_t t = 0; t < mostTicks; t += policy::kDecisionTicks) {
-    const Turns ahead = policy::observe(scene, world, loose.data(), inputs.data());
-    policy::think(view, inputs.data(), outputs.data());
-    const bool mayJump = policy::jumpAllowed(scene, world);
-    const int move = random == nullptr ? policy::likeliest(outputs.data(), mayJump)
-                                       : policy::draw(outputs.data(), mayJump, *random);
+    const sim::Action action = pilot.decide(world, loose.data(), random);
     for (uint32_t k = 0; k < policy::kDecisionTicks; ++k) {
-      sim::advance(world, loose.data(), scene.level, &scene.query, policy::actionOf(move, ahead));
+      sim::advance(world, loose.data(), scene.level, &scene.query, action);
     }
     if (world.outcome != sim::Outcome::running) return world.outcome == sim::Outcome::goal;
   }

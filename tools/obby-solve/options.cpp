@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "cli/rows.h"
+#include "io/read_file.h"
+#include "policy/shipped_policy.h"
 
 namespace obby::tools {
 
@@ -119,6 +121,10 @@ std::vector<OptionRow> searchRows() {
       cli::commonRow(cli::Common::seed),
       cli::commonRow(cli::Common::threads),
       backendRow(),
+      row("policy", ValueType::file, "FILE", "",
+          "what ge-ps and rl play by, from obby-train [default: the one that comes with the "
+          "program]",
+          kSearchGroup),
       row("final-only", ValueType::flag, "", "", "leave progress records out of the stream",
           kSearchGroup),
       row("explain", ValueType::flag, "", "",
@@ -163,6 +169,13 @@ bool asksQuickly(const cli::Arguments& a) {
     if (r.name != "each" && a.has(r.name)) return true;
   }
   return false;
+}
+
+Result<std::shared_ptr<const policy::PolicyFile>> policyOf(const cli::Arguments& a) {
+  if (!a.has("policy")) return std::shared_ptr<const policy::PolicyFile>();
+  OBBY_ASSIGN(const std::string bytes, io::readFile(a.text("policy")));
+  OBBY_ASSIGN(policy::PolicyFile file, policy::readPolicy(bytes, a.text("policy")));
+  return std::make_shared<const policy::PolicyFile>(std::move(file));
 }
 
 }  // namespace
@@ -235,6 +248,8 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
     OBBY_ASSIGN(o.earlier, solve::EarlierAnswers::read(std::move(earlier)));
   }
   o.solver.method = solve::findMethod(a.text("method"));
+  OBBY_ASSIGN(o.policy, policyOf(a));
+  o.solver.policy = o.policy ? &o.policy->network : &policy::shippedPolicy().network;
   o.solver.progressRecords = !a.flag("final-only");
   o.solver.explain = a.flag("explain");
   if (a.flag("difficulty")) o.solver.difficultyTrials = uint32_t(a.integer("trials"));

@@ -1,0 +1,46 @@
+#include "solve/choose_policy.h"
+
+namespace obby::solve {
+
+void PolicyFirstChooser::choose(const Archive& archive, ThreadPool& pool, Random& random,
+                                std::span<Choice> choices) {
+  inner_->choose(archive, pool, random, choices);
+  const uint32_t known = uint32_t(explored_.size());
+  explored_.resize(archive.cellCount());
+  for (uint32_t cell = known; cell < archive.cellCount(); ++cell) explored_[cell] = kNone;
+  for (Choice& c : choices) {
+    const uint32_t node = archive.node(c.cell);
+    if (explored_[c.cell] == node) continue;
+    explored_[c.cell] = node;
+    c.by = kByPolicy;
+  }
+}
+
+void PolicyAloneChooser::choose(const Archive&, ThreadPool&, Random&, std::span<Choice> choices) {
+  for (Choice& c : choices) {
+    c.cell = 0;
+    c.by = began_ ? kByPolicy : kByPolicy | kLikeliest;
+    began_ = true;
+  }
+}
+
+std::unique_ptr<Chooser> makePolicyFirstChooser(const Problem& problem,
+                                                const ExploreContext& context) {
+  auto inner = plainSelector(problem, context);
+  if (problem.policy == nullptr) return inner;
+  return std::make_unique<PolicyFirstChooser>(std::move(inner));
+}
+
+std::unique_ptr<Chooser> makePolicyAloneChooser(const Problem& problem,
+                                                const ExploreContext& context) {
+  if (problem.policy == nullptr) return plainSelector(problem, context);
+  return std::make_unique<PolicyAloneChooser>();
+}
+
+GoExploreSettings aloneSettings() {
+  GoExploreSettings s;
+  s.phaseJumps = 110;  // about a minute
+  return s;
+}
+
+}  // namespace obby::solve

@@ -1,0 +1,45 @@
+// Rollouts by a trained policy: once from each state that is new (GE-PS), or from the start only.
+#pragma once
+
+#include "solve/go_explore.h"
+
+namespace obby::solve {
+
+// Chooses as another does. The first time that a cell is chosen since it was found or improved the
+// policy explores from it: as it plays nearly alike each time, once is enough. Later, and wherever
+// there is no policy, exploration is random.
+class PolicyFirstChooser : public Chooser {
+ public:
+  explicit PolicyFirstChooser(std::unique_ptr<Chooser> inner) : inner_(std::move(inner)) {}
+
+  void choose(const Archive& archive, ThreadPool& pool, Random& random,
+              std::span<Choice> choices) override;
+  void learn(const Archive& archive, std::span<const Tried> tried) override {
+    inner_->learn(archive, tried);
+  }
+
+ private:
+  std::unique_ptr<Chooser> inner_;
+  ChunkedVector<uint32_t> explored_;  // (cells), node of the state that the policy explored from
+};
+
+// Always the start: first the policy's likeliest moves, then drawn ones.
+class PolicyAloneChooser : public Chooser {
+ public:
+  void choose(const Archive& archive, ThreadPool& pool, Random& random,
+              std::span<Choice> choices) override;
+
+ private:
+  bool began_ = false;
+};
+
+// GE-PS of the paper: its Go-Explore, with the policy first.
+std::unique_ptr<Chooser> makePolicyFirstChooser(const Problem& problem,
+                                                const ExploreContext& context);
+std::unique_ptr<Chooser> makePolicyAloneChooser(const Problem& problem,
+                                                const ExploreContext& context);
+
+// Rollouts that last as long as a playthrough may.
+GoExploreSettings aloneSettings();
+
+}  // namespace obby::solve
