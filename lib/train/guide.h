@@ -12,8 +12,8 @@ class Guide {
  public:
   explicit Guide(std::vector<Vec3> places);  // at least two
 
-  // Studs to the end: to the line, then along it. The least over all of the line, so that short
-  // cuts count.
+  // Studs to the end: thrice those to the line, then along it. The least over all of the line, so
+  // that short cuts count, once they come near to it again.
   float left(Vec3 from) const;
   float studs() const { return behind_.front(); }  // of the whole way
 

@@ -1,0 +1,130 @@
+// The loss and its slope, held against finite differences in double precision; the whole network
+// likewise.
+#include "train/loss.h"
+
+#include <gtest/gtest.h>
+
+#include "policy/policy.h"
+#include "train/mlp.h"
+
+namespace obby::train {
+namespace {
+
+constexpr int kOut = policy::kPaddedOutputs;
+
+Decision sample(Random& random) {
+  Decision d;
+  d.mayJump = random.below(2) != 0;
+  d.move = int(random.below(policy::kMoves / 2)) * 2 + (d.mayJump ? int(random.below(2)) : 0);
+  d.logChance = -1 - 4 * random.unit();
+  d.advantage = 4 * random.unit() - 2;
+  d.target = 2 * random.unit() - 1;
+  return d;
+}
+
+TEST(Loss, SlopesAreThoseOfFiniteDifferences) {
+  Random random(1, 1);
+  for (int n = 0; n < 200; ++n) {
+    const Decision d = sample(random);
+    double outputs[kOut], slope[kOut], unused[kOut];
+    for (double& o : outputs) o = 3 * double(random.unit()) - 1.5;
+    const auto at = lossOf(outputs, d, LossSettings{}, slope);
+    for (int m = 0; m < kOut; ++m) {
+      const double step = 1e-6, old = outputs[m];
+      outputs[m] = old + step;
+      const auto more = lossOf(outputs, d, LossSettings{}, unused);
+      outputs[m] = old - step;
+      const auto less = lossOf(outputs, d, LossSettings{}, unused);
+      outputs[m] = old;
+      if (more.clipped != at.clipped || less.clipped != at.clipped) continue;  // at the kink
+      EXPECT_NEAR(slope[m], (more.loss - less.loss) / (2 * step), 1e-6) << n << " " << m;
+    }
+  }
+}
+
+TEST(Loss, NeverLeansTowardWhatIsNotAllowed) {
+  Random random(2, 2);
+  Decision d = sample(random);
+  d.mayJump = false;
+  d.move = 4;
+  float outputs[kOut] = {}, slope[kOut];
+  lossOf(outputs, d, LossSettings{}, slope);
+  for (int m = 1; m < policy::kMoves; m += 2) EXPECT_EQ(slope[m], 0);
+  float chances[policy::kMoves], sum = 0;
+  chancesOf(outputs, false, chances);
+  for (const float c : chances) sum += c;
+  EXPECT_NEAR(sum, 1, 1e-6f);
+  EXPECT_EQ(chances[1], 0);
+}
+
+// Sum of the losses of a few rows.
+double total(const Weights<double>& net, const Rows<double>& inputs,
+             const std::vector<Decision>& decisions, Rows<double>* slope, Pass<double>& pass) {
+  const Rows<double>& out = pass.forward(net, inputs);
+  Rows<double> unused(out.rows(), kOut);
+  Rows<double>& to = slope != nullptr ? *slope : unused;
+  double sum = 0;
+  for (Eigen::Index i = 0; i < out.rows(); ++i)
+    sum += lossOf(out.row(i).data(), decisions[size_t(i)], LossSettings{}, to.row(i).data()).loss;
+  return sum;
+}
+
+TEST(Network, GradientsAreThoseOfFiniteDifferences) {
+  constexpr Eigen::Index kRows = 6;
+  Random random(3, 3);
+  Weights<double> net;
+  net.blocks([&](double* w, size_t count) {
+    for (size_t i = 0; i < count; ++i) w[i] = 0.3 * (double(random.unit()) - 0.5);
+  });
+  Rows<double> inputs(kRows, policy::kInputs), slope(kRows, kOut);
+  for (Eigen::Index i = 0; i < inputs.size(); ++i) inputs.data()[i] = double(random.unit()) - 0.5;
+  std::vector<Decision> decisions;
+  for (int i = 0; i < kRows; ++i) decisions.push_back(sample(random));
+  Pass<double> pass, probe;
+  Weights<double> gradient;
+  total(net, inputs, decisions, &slope, pass);
+  pass.backward(net, inputs, slope, gradient);
+  std::vector<double*> weights;
+  std::vector<double> slopes;
+  net.blocks([&](double* w, size_t count) {
+    for (size_t i = 0; i < count; ++i) weights.push_back(w + i);
+  });
+  gradient.blocks(
+      [&](const double* g, size_t count) { slopes.insert(slopes.end(), g, g + count); });
+  int compared = 0;
+  for (size_t i = 0; i < weights.size(); i += 37) {
+    const double step = 1e-6, old = *weights[i];
+    *weights[i] = old + step;
+    const double more = total(net, inputs, decisions, nullptr, probe);
+    *weights[i] = old - step;
+    const double less = total(net, inputs, decisions, nullptr, probe);
+    *weights[i] = old;
+    EXPECT_NEAR(slopes[i], (more - less) / (2 * step), 2e-6) << i;
+    compared += std::abs(slopes[i]) > 1e-6;
+  }
+  EXPECT_GT(compared, 100);
+}
+
+// What the search runs and what learns are the same network.
+TEST(Network, InTrainingIsTheOneInUse) {
+  Random random(4, 4);
+  Weights<float> weights;
+  policy::Network network;
+  float* to = network.numbers().data() + 2 * policy::kInputs;
+  for (int i = 0; i < policy::kInputs; ++i) network.numbers()[size_t(policy::kInputs + i)] = 1;
+  weights.blocks([&](float* w, size_t count) {
+    for (size_t i = 0; i < count; ++i) *to++ = w[i] = 0.3f * (random.unit() - 0.5f);
+  });
+  Rows<float> inputs(5, policy::kInputs);
+  for (Eigen::Index i = 0; i < inputs.size(); ++i) inputs.data()[i] = random.unit() - 0.5f;
+  Pass<float> pass;
+  const Rows<float>& out = pass.forward(weights, inputs);
+  for (Eigen::Index i = 0; i < inputs.rows(); ++i) {
+    float outputs[kOut];
+    policy::think(network.view(), inputs.row(i).data(), outputs);
+    for (int m = 0; m < kOut; ++m) EXPECT_NEAR(outputs[m], out(i, m), 1e-4f);
+  }
+}
+
+}  // namespace
+}  // namespace obby::train
