@@ -2,7 +2,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <thread>
+#include <functional>
+#include <span>
 
 #include "io/pipeline.h"
 #include "io/read_file.h"
@@ -132,31 +133,8 @@ class Session {
   double toldAt_ = 0, savedAt_ = 0;
 };
 
-Status learn(cli::Context& context, io::StreamWriter& output) {
-  OBBY_ASSIGN(const auto source, levelSource(context, context.arguments().seed()));
-  ThreadPool pool(context.threads());
-  OBBY_ASSIGN(const auto trainer,
-              train::Trainer::make(tools::trainerSettings(context), *source, pool));
-  return Session(context, *trainer, output).run();
-}
-
-Status evaluate(cli::Context& context, io::StreamWriter& output) {
-  const std::string& path = context.arguments().text("eval");
-  OBBY_ASSIGN(const std::string bytes, io::readFile(path));
-  OBBY_ASSIGN(const policy::PolicyFile file, policy::readPolicy(bytes, path));
-  OBBY_ASSIGN(const auto source, levelSource(context, context.arguments().seed() ^ kHeldOut));
-  ThreadPool pool(context.threads());
-  OBBY_ASSIGN(const train::Evaluation e,
-              train::evaluate(file.network, *source, tools::evaluationSettings(context), pool,
-                              context.stop()));
-  const NamedValue values[] = {{"levels", double(e.levels), ""},
-                               {"solvedLikeliest", e.likeliest, ""},
-                               {"solvedDrawn", e.drawn, ""},
-                               {"solvedAny", e.any, ""}};
-  return writeMetrics(output, "obby-train --eval", file.training.decisions, values);
-}
-
-Result<cli::ExitCode> run(cli::Context& context) {
+// The stream of metrics. What can go wrong before the work begins leaves none.
+Status withMetrics(cli::Context& context, const std::function<Status(io::StreamWriter&)>& work) {
   OBBY_ASSIGN(io::StreamWriter output, io::StreamWriter::open("-", io::Format::jsonl));
   io::SourceOptions nothing;
   nothing.inputs.clear();
@@ -164,12 +142,42 @@ Result<cli::ExitCode> run(cli::Context& context) {
   io::Pipeline pipeline(std::move(nothing), context.identity(), std::move(output));
   OBBY_RETURN_IF_ERROR(
       pipeline.run([](const io::Record&) -> Result<io::Then> { return io::Then::pass; }));
-  const bool evaluates = context.arguments().has("eval");
-  const Status done =
-      evaluates ? evaluate(context, pipeline.output()) : learn(context, pipeline.output());
+  Status done = work(pipeline.output());
+  if (!done) pipeline.outOfBudget();
   const Status finished = pipeline.finish();
-  OBBY_RETURN_IF_ERROR(Status(done));
-  OBBY_RETURN_IF_ERROR(Status(finished));
+  OBBY_RETURN_IF_ERROR(std::move(done));
+  return finished;
+}
+
+Status learn(cli::Context& context) {
+  OBBY_ASSIGN(const auto source, levelSource(context, context.arguments().seed()));
+  ThreadPool pool(context.threads());
+  OBBY_ASSIGN(const auto trainer,
+              train::Trainer::make(tools::trainerSettings(context), *source, pool));
+  return withMetrics(
+      context, [&](io::StreamWriter& output) { return Session(context, *trainer, output).run(); });
+}
+
+Status evaluate(cli::Context& context) {
+  const std::string& path = context.arguments().text("eval");
+  OBBY_ASSIGN(const std::string bytes, io::readFile(path));
+  OBBY_ASSIGN(const policy::PolicyFile file, policy::readPolicy(bytes, path));
+  OBBY_ASSIGN(const auto source, levelSource(context, context.arguments().seed() ^ kHeldOut));
+  ThreadPool pool(context.threads());
+  return withMetrics(context, [&](io::StreamWriter& output) -> Status {
+    OBBY_ASSIGN(const train::Evaluation e,
+                train::evaluate(file.network, *source, tools::evaluationSettings(context), pool,
+                                context.stop()));
+    const NamedValue values[] = {{"levels", double(e.levels), ""},
+                                 {"solvedLikeliest", e.likeliest, ""},
+                                 {"solvedDrawn", e.drawn, ""},
+                                 {"solvedAny", e.any, ""}};
+    return writeMetrics(output, "obby-train --eval", file.training.decisions, values);
+  });
+}
+
+Result<cli::ExitCode> run(cli::Context& context) {
+  OBBY_RETURN_IF_ERROR(context.arguments().has("eval") ? evaluate(context) : learn(context));
   return cli::ExitCode::ok;
 }
 

@@ -85,11 +85,12 @@ cli::ToolSpec trainSpec() {
   spec.summary = "learn to play levels, for the search to be guided by";
   spec.examples = {
       {"learn from the levels of a stream",
-       "obby-gen --count 2000 --seed 7 | obby-train --time-limit 60 -o policy.obp"},
-      {"learn from levels that are always new",
-       "obby-train --generate --difficulty trivial..limit -o policy.obp"},
-      {"how good is it, on levels that it has never seen?",
-       "obby-train --eval policy.obp --generate --seed 12345"},
+       "obby-gen --count 2000 --seed 7 | obby-train --time-limit 30 -o policy.obp"},
+      {"learn a minute long from levels that are always new",
+       "obby-train --generate --difficulty trivial..limit --time-limit 60 -o policy.obp"},
+      {"how good is it on levels that it has never seen?",
+       "obby-train --style gaps --time-limit 5 && obby-train --eval policy.obp --style gaps "
+       "--eval-levels 100"},
   };
   spec.options = {outputRow(), cli::commonRow(cli::Common::progress),
                   cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)};

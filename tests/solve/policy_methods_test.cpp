@@ -1,0 +1,97 @@
+// Methods that a trained policy guides: whose moves a rollout makes, and that nothing but the
+// inputs decides what is found.
+#include <gtest/gtest.h>
+
+#include "policy/shipped_policy.h"
+#include "scenes.h"
+#include "sim/host_device.h"
+#include "solve/choose_policy.h"
+#include "untimed.h"
+
+namespace obby::solve {
+namespace {
+
+FilterOptions guided(const char* method, int threads) {
+  FilterOptions o;
+  o.threads = threads;
+  o.solver.method = findMethod(method);
+  o.solver.policy = &policy::shippedPolicy().network;
+  o.solver.budget.maxSteps = 400'000;
+  o.solver.progressRecords = false;
+  return o;
+}
+
+TEST(ShippedPolicy, IsOneAndCameToSomething) {
+  const policy::PolicyFile& file = policy::shippedPolicy();
+  EXPECT_GT(file.training.decisions, 0u);
+  EXPECT_NE(file.training.command.find("obby-train"), std::string::npos);
+}
+
+TEST(PolicyMethods, SolveStonesByThemselves) {
+  for (const char* method : {"rl", "ge-ps"}) {
+    const LinesFile file(stonesText());
+    FilterOptions o = guided(method, 2);
+    o.solver.budget.maxSteps = 3'000'000;
+    const Filtered f = runFilter(file.path(), std::move(o));
+    ASSERT_TRUE(f.status) << f.status.error().text();
+    EXPECT_EQ(f.counts.solved, 1u) << method << f.output;
+  }
+}
+
+TEST(PolicyMethods, GiveTheSameBytesOnAnyNumberOfThreadsAndBesideADevice) {
+  ThreadPool pool(2);
+  sim::HostDevice device(pool);
+  for (const char* method : {"rl", "ge-ps"}) {
+    const LinesFile file(stonesText(R"(,"maxJumps":1)"));
+    const auto answer = [&](int threads, sim::Device* on) {
+      FilterOptions o = guided(method, threads);
+      o.device = on;
+      return withoutTiming(runFilter(file.path(), std::move(o)).output);
+    };
+    const std::string expected = answer(1, nullptr);
+    EXPECT_EQ(answer(3, nullptr), expected) << method;
+    EXPECT_EQ(answer(2, &device), expected) << method << " beside a device";
+  }
+}
+
+TEST(PolicyMethods, DifferFromTheSameWithoutAPolicy) {
+  const LinesFile file(stonesText(R"(,"maxJumps":0)"));
+  FilterOptions without = guided("ge-ps", 1), with = guided("ge-ps", 1);
+  without.solver.policy = nullptr;
+  EXPECT_NE(withoutTiming(runFilter(file.path(), std::move(with)).output),
+            withoutTiming(runFilter(file.path(), std::move(without)).output));
+}
+
+// A chooser that always takes the first cells in turn.
+class InTurn : public Chooser {
+ public:
+  void choose(const Archive& archive, ThreadPool&, Random&, std::span<Choice> choices) override {
+    for (size_t i = 0; i < choices.size(); ++i) choices[i].cell = uint32_t(i) % archive.cellCount();
+  }
+};
+
+TEST(PolicyFirst, IsOncePerStateUntilItIsImproved) {
+  Archive archive;
+  sim::World world{};
+  world.tick = 10;
+  archive.offer(7, world, {0, kNone, 0}, 1);
+  archive.offer(8, world, {1, 0, 5}, 1);
+  PolicyFirstChooser chooser(std::make_unique<InTurn>());
+  ThreadPool pool(1);
+  Random random(1, 1);
+  const auto policies = [&] {
+    std::vector<Choice> choices(4);
+    chooser.choose(archive, pool, random, choices);
+    std::vector<bool> by;
+    for (const Choice& c : choices) by.push_back(c.by == kByPolicy);
+    return by;
+  };
+  EXPECT_EQ(policies(), (std::vector<bool>{true, true, false, false}));
+  EXPECT_EQ(policies(), (std::vector<bool>{false, false, false, false}));
+  world.tick = 5;
+  ASSERT_TRUE(archive.offer(8, world, {2, 0, 3}, 1));
+  EXPECT_EQ(policies(), (std::vector<bool>{false, true, false, false}));
+}
+
+}  // namespace
+}  // namespace obby::solve
