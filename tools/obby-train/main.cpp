@@ -7,10 +7,11 @@
 
 #include "io/pipeline.h"
 #include "io/read_file.h"
-#include "level_sources.h"
 #include "options.h"
 #include "policy/policy_file.h"
+#include "shared/generated_levels.h"
 #include "shared/recipe_options.h"
+#include "streamed_levels.h"
 
 namespace {
 

@@ -1,42 +1,12 @@
-#include "level_sources.h"
+#include "streamed_levels.h"
 
-#include <algorithm>
 #include <map>
 
-#include "gen/generator.h"
 #include "io/record.h"
 
 namespace obby::tools {
 
 namespace {
-
-using Levels = Result<std::shared_ptr<const train::TrainingLevel>>;
-
-// A generator for each step of the difficulty.
-class GeneratedLevels : public train::LevelSource {
- public:
-  static constexpr int kSteps = 20;
-
-  GeneratedLevels(std::vector<gen::Generator> generators, uint64_t seed)
-      : generators_(std::move(generators)), seed_(seed) {}
-
-  Levels level(uint64_t index, float hardest) const override {
-    const int step = std::clamp(int(hardest * float(kSteps) + 0.5f), 0, kSteps);
-    const gen::Generator& generator = generators_[size_t(step)];
-    const gen::Generated made = generator.generate(seed_, index);
-    io::RecordBuilder level(4096), query;
-    generator.writeLevel(made, level.root().initLevel());
-    gen::Generator::writeQuery(made, query.root().initQuery());
-    std::vector<Vec3> way;
-    for (const gen::Stop& stop : made.sketch.stops()) way.push_back(stop.feet);
-    return train::TrainingLevel::make(level.reader().getLevel(), query.reader().getQuery(),
-                                      std::move(way));
-  }
-
- private:
-  std::vector<gen::Generator> generators_;  // (kSteps + 1)
-  uint64_t seed_;
-};
 
 // Every query of a stream with its level, compiled when they are read: what is wrong with one is
 // said at once.
@@ -45,7 +15,9 @@ class StreamedLevels : public train::LevelSource {
   explicit StreamedLevels(std::vector<std::shared_ptr<const train::TrainingLevel>> levels)
       : levels_(std::move(levels)) {}
 
-  Levels level(uint64_t index, float) const override { return levels_[index % levels_.size()]; }
+  Result<std::shared_ptr<const train::TrainingLevel>> level(uint64_t index, float) const override {
+    return levels_[index % levels_.size()];
+  }
 
  private:
   std::vector<std::shared_ptr<const train::TrainingLevel>> levels_;
@@ -57,20 +29,6 @@ Error inRecord(Error error, const io::Record& record) {
 }
 
 }  // namespace
-
-Result<std::unique_ptr<train::LevelSource>> generatedLevels(const gen::Recipe& recipe,
-                                                            uint64_t seed) {
-  std::vector<gen::Generator> generators;
-  for (int step = 0; step <= GeneratedLevels::kSteps; ++step) {
-    gen::Recipe r = recipe;
-    const float share = float(step) / GeneratedLevels::kSteps;
-    r.difficulty.hi = recipe.difficulty.lo + share * (recipe.difficulty.hi - recipe.difficulty.lo);
-    OBBY_ASSIGN(gen::Generator generator, gen::Generator::make(r, false));
-    generators.push_back(std::move(generator));
-  }
-  return std::unique_ptr<train::LevelSource>(
-      std::make_unique<GeneratedLevels>(std::move(generators), seed));
-}
 
 Result<std::unique_ptr<train::LevelSource>> streamedLevels(cli::Context& context) {
   io::RecordSource source(context.sourceOptions());
