@@ -83,7 +83,7 @@ OBBY_DEVICE void cut(const Solid& s, F x, F z, F& bottom, F& top) {
   }
 }
 
-// Lanes of a row: the one lane of a float. WideFloat has its own (wide_rows.h).
+// Lanes of a row: the one lane of a float. WideFloat has its own (policy.cpp).
 OBBY_DEVICE void loadRow(const float* from, float& row) { row = *from; }
 OBBY_DEVICE void storeRow(float row, float* to) { *to = row; }
 

@@ -8,10 +8,9 @@
 
 namespace obby::policy {
 
-constexpr int kHidden = 64;           // units a layer
-constexpr int kOutputs = kMoves + 1;  // logits, then the value
-constexpr int kPaddedOutputs = 48;    // a multiple of every number of lanes
-constexpr float kMostInput = 5;       // normalised inputs are clamped to this
+constexpr int kHidden = 64;         // units a layer
+constexpr int kPaddedOutputs = 48;  // logits, the value, and padding for every number of lanes
+constexpr float kMostInput = 5;     // normalised inputs are clamped to this
 
 // One layer: y = W x + b. Weights by input, (inputs, padded), so that a row is a run of lanes.
 struct LayerView {
@@ -26,20 +25,8 @@ struct NetworkView {
   LayerView layers[3];            // kInputs -> kHidden -> kHidden -> kPaddedOutputs
 };
 
-template <class Table>
-OBBY_DEVICE void forTables(NetworkView& n, Table&& table) {
-  table(n.means, kInputs);
-  table(n.scales, kInputs);
-  table(n.layers[0].weights, kInputs * kHidden);
-  table(n.layers[0].biases, kHidden);
-  table(n.layers[1].weights, kHidden * kHidden);
-  table(n.layers[1].biases, kHidden);
-  table(n.layers[2].weights, kHidden * kPaddedOutputs);
-  table(n.layers[2].biases, kPaddedOutputs);
-}
-
-OBBY_DEVICE float normalised(const NetworkView& n, int i, float v) {
-  return clampf((v - n.means[i]) * n.scales[i], -kMostInput, kMostInput);
+OBBY_DEVICE float normalised(float v, float mean, float scale) {
+  return clampf((v - mean) * scale, -kMostInput, kMostInput);
 }
 
 // `in`: (inputs), `out`: (outputs). kGroups of lanes at a time share the reads of the inputs.
@@ -72,7 +59,9 @@ template <class F>
 OBBY_DEVICE void think(const NetworkView& network, const float* inputs, float* outputs) {
   constexpr int kLanesOf = Lanes<F>::kCount;
   alignas(64) float x[kInputs], a[kHidden], b[kHidden];
-  for (int i = 0; i < kInputs; ++i) x[i] = normalised(network, i, inputs[i]);
+  for (int i = 0; i < kInputs; ++i) {
+    x[i] = normalised(inputs[i], network.means[i], network.scales[i]);
+  }
   layer<F, least(kHidden / kLanesOf, 4)>(network.layers[0], x, kInputs, kHidden, true, a);
   layer<F, least(kHidden / kLanesOf, 4)>(network.layers[1], a, kHidden, kHidden, true, b);
   layer<F, least(kPaddedOutputs / kLanesOf, 3)>(network.layers[2], b, kHidden, kPaddedOutputs,

@@ -22,13 +22,6 @@ struct Scene {
   SurroundingsView surroundings;
 };
 
-template <class Table>
-OBBY_DEVICE void forTables(Scene& s, Table&& table) {
-  forTables(s.level, table);
-  forTables(s.query, table);
-  forTables(s.surroundings, table);
-}
-
 // Where the frame looks: toward the centre of the next region; from right above or below it, where
 // the player looks.
 OBBY_DEVICE Turns aheadOf(const geom::Region& next, const sim::World& w) {

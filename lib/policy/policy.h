@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "policy/policy_view.h"
+#include "policy/network.h"
 #include "policy/surroundings.h"
 
 namespace obby::policy {

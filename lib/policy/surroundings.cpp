@@ -23,12 +23,10 @@ Box within(const Box& box) {
 }  // namespace
 
 Surroundings::Surroundings(const level::LevelView& level, float reach) {
-  constexpr uint32_t kChanging = level::kMoving | level::kVanishTimer | level::kClocked;
   Box all{};
   bool any = false;
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     if (!isSeen(level.bounds[i].flags)) continue;
-    changes_ = changes_ || (level.bounds[i].flags & kChanging) != 0;
     const Box box = within(level.bounds[i].box());
     all = any ? Box{min(all.lo, box.lo), max(all.hi, box.hi)} : box;
     any = true;
@@ -67,7 +65,7 @@ Surroundings::Square Surroundings::squareOf(const Box& box, float reach) const {
 }
 
 SurroundingsView Surroundings::view() const {
-  return {origin_, 1 / cell_, nx_, nz_, starts_.data(), entries_.data(), changes_};
+  return {origin_, 1 / cell_, nx_, nz_, starts_.data(), entries_.data()};
 }
 
 }  // namespace obby::policy

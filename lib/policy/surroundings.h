@@ -23,7 +23,6 @@ class Surroundings {
   Vec3 origin_{};
   float cell_ = 8;
   int32_t nx_ = 0, nz_ = 0;
-  bool changes_ = false;
   std::vector<uint32_t> starts_, entries_;
 };
 

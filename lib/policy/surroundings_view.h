@@ -2,7 +2,6 @@
 // that a player there can see.
 #pragma once
 
-#include <stddef.h>
 #include <stdint.h>
 
 #include "level/level_view.h"
@@ -16,14 +15,6 @@ struct SurroundingsView {
   int32_t nx = 0, nz = 0;
   const uint32_t* starts = nullptr;   // (nx * nz + 1), into entries
   const uint32_t* entries = nullptr;  // colliders, ascending
-  bool changes = false;               // some part moves or comes and goes
 };
-
-template <class Table>
-OBBY_DEVICE void forTables(SurroundingsView& s, Table&& table) {
-  const size_t cells = size_t(s.nx) * size_t(s.nz);
-  table(s.entries, s.starts[cells]);
-  table(s.starts, cells + 1);
-}
 
 }  // namespace obby::policy

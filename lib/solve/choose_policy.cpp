@@ -5,9 +5,7 @@ namespace obby::solve {
 void PolicyFirstChooser::choose(const Archive& archive, ThreadPool& pool, Random& random,
                                 std::span<Choice> choices) {
   inner_->choose(archive, pool, random, choices);
-  const uint32_t known = uint32_t(explored_.size());
-  explored_.resize(archive.cellCount());
-  for (uint32_t cell = known; cell < archive.cellCount(); ++cell) explored_[cell] = kNone;
+  explored_.resize(archive.cellCount(), kNone);
   for (Choice& c : choices) {
     const uint32_t node = archive.node(c.cell);
     if (explored_[c.cell] == node) continue;
@@ -40,6 +38,7 @@ std::unique_ptr<Chooser> makePolicyAloneChooser(const Problem& problem,
 GoExploreSettings aloneSettings() {
   GoExploreSettings s;
   s.phaseJumps = 110;  // about a minute
+  s.byPolicy = true;
   return s;
 }
 

@@ -31,9 +31,10 @@ RolloutRules makeRules(const Problem& problem, uint64_t seed, const GoExploreSet
 ExploreSetup::ExploreSetup(const Problem& problem, uint64_t seed, const GoExploreSettings& settings)
     : surfaces_(problem.level),
       clock_(problem.level, kClockReach),
-      pilot(problem.policy == nullptr ? nullptr
-                                      : std::make_unique<const policy::Pilot>(
-                                            problem.level, problem.query, *problem.policy)),
+      pilot(!settings.byPolicy || problem.policy == nullptr
+                ? nullptr
+                : std::make_unique<const policy::Pilot>(problem.level, problem.query,
+                                                        *problem.policy)),
       rules(makeRules(problem, seed, settings, surfaces_, clock_, pilot.get())),
       potential(problem),
       beam(problem) {}

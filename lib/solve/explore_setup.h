@@ -22,6 +22,7 @@ struct GoExploreSettings {
   bool groundedOnly = true;     // keep states that stand, or have been in the air for long
   uint32_t lookEvery = 3;  // ticks between states that may be kept; walking, a cell takes seven
   ExploreSettings explore;
+  bool byPolicy = false;  // some rollouts are the policy's, if the problem has one
 };
 
 class ExploreSetup {
@@ -36,7 +37,7 @@ class ExploreSetup {
   const ClockMap clock_;
 
  public:
-  const std::unique_ptr<const policy::Pilot> pilot;  // null: the problem has no policy
+  const std::unique_ptr<const policy::Pilot> pilot;  // null: no rollout is a policy's
   const RolloutRules rules;
   const Potential potential;
   const BeamWay beam;

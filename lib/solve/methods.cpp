@@ -24,6 +24,12 @@ GoExploreSettings plainSettings() {
   return s;
 }
 
+GoExploreSettings policyFirstSettings() {
+  GoExploreSettings s = plainSettings();
+  s.byPolicy = true;
+  return s;
+}
+
 SearchOutcome runResident(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
   return runSearch(
       p, b, w, [&] { return std::make_unique<ResidentExplore>(p, b.seed, ResidentSettings{}, m); });
@@ -46,7 +52,7 @@ const std::vector<Method>& methods() {
       {"beam", "beam search, A*-like: the states first that promise the shortest way",
        runGoExplore<beamSettings, makeBeamChooser>},
       {"ge-ps", "ge whose rollouts from a state that is new are a trained policy's",
-       runGoExplore<plainSettings, makePolicyFirstChooser>},
+       runGoExplore<policyFirstSettings, makePolicyFirstChooser>},
       {"rl", "a trained policy alone, from the start, again and again",
        runGoExplore<aloneSettings, makePolicyAloneChooser>},
       {"resident", "archive, choice and merge in kernels, thousands of rollouts a round: for GPUs",

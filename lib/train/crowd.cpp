@@ -120,13 +120,10 @@ Step Crowd::judge(Place& place, uint32_t player) {
   return step;
 }
 
-void Crowd::noteCut(const Place& place, uint32_t player, uint32_t row) {
-  const Player& p = place.players[player];
-  const size_t count = place.level->startLoose().size();
+void Crowd::noteCut(Place& place, uint32_t player, uint32_t row) {
   cutWorlds_.push_back(row);
   cutRows_.resize(cutRows_.size() + policy::kInputs);
-  policy::observe(place.level->scene(), p.world,
-                  count == 0 ? nullptr : place.loose.data() + player * count,
+  policy::observe(place.level->scene(), place.players[player].world, looseOf(place, player),
                   cutRows_.data() + cutRows_.size() - policy::kInputs);
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "policy/moves.h"
@@ -90,7 +91,7 @@ class Crowd {
   void remember(Place& place, const sim::World& world);
   void advance(Place& place, std::span<const int> moves);
   Step judge(Place& place, uint32_t player);
-  void noteCut(const Place& place, uint32_t player, uint32_t row);
+  void noteCut(Place& place, uint32_t player, uint32_t row);
   sim::LooseBody* looseOf(Place& place, uint32_t player) const;
 
   const LevelSource& source_;

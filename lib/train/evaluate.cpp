@@ -4,10 +4,13 @@
 
 namespace obby::train {
 
-bool playAlone(const policy::Network& network, const TrainingLevel& level, Random* random,
+namespace {
+
+// One playthrough by the policy alone; true: it reaches the goal. `random` null: the likeliest
+// moves.
+bool playAlone(const policy::Pilot& pilot, const TrainingLevel& level, Random* random,
                uint32_t mostTicks) {
   const policy::Scene& scene = level.scene();
-  const policy::Pilot pilot(scene.level, scene.query, network);
   sim::World world = level.start();
   std::vector<sim::LooseBody> loose = level.startLoose();
   for (uint32_t t = 0; t < mostTicks; t += policy::kDecisionTicks) {
@@ -19,6 +22,8 @@ bool playAlone(const policy::Network& network, const TrainingLevel& level, Rando
   }
   return false;
 }
+
+}  // namespace
 
 Result<Evaluation> evaluate(const policy::Network& network, const LevelSource& source,
                             const EvaluationSettings& settings, ThreadPool& pool,
@@ -38,11 +43,13 @@ Result<Evaluation> evaluate(const policy::Network& network, const LevelSource& s
       score.status = level.error();
       return;
     }
+    const policy::Scene& scene = (*level)->scene();
+    const policy::Pilot pilot(scene.level, scene.query, network);
     const uint32_t most = mostTicksOf(**level, settings.patience);
-    score.likeliest = playAlone(network, **level, nullptr, most);
+    score.likeliest = playAlone(pilot, **level, nullptr, most);
     Random random(settings.seed, index);
     for (uint32_t k = 1; k < settings.tries; ++k)
-      score.drawn += playAlone(network, **level, &random, most);
+      score.drawn += playAlone(pilot, **level, &random, most);
     score.done = true;
   });
   Evaluation out;

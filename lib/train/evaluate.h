@@ -30,9 +30,4 @@ Result<Evaluation> evaluate(const policy::Network& network, const LevelSource& s
                             const EvaluationSettings& settings, ThreadPool& pool,
                             const std::atomic<bool>& stop);
 
-// One playthrough by the policy alone; true: it reaches the goal. `random` null: the likeliest
-// moves.
-bool playAlone(const policy::Network& network, const TrainingLevel& level, Random* random,
-               uint32_t mostTicks);
-
 }  // namespace obby::train

@@ -89,6 +89,4 @@ class Pass {
   Rows<S> a_, b_, out_, slopeA_, slopeB_;
 };
 
-extern template class Pass<float>;
-
 }  // namespace obby::train

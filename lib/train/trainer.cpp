@@ -26,17 +26,18 @@ double secondsSince(Clock::time_point then) {
 Trainer::Group::Group(const LevelSource& source, const TrainerSettings& s, uint32_t number)
     : crowd(source, s.crowd, s.seed, number, s.crowds),
       random(s.seed, 1'000'000u + number),
-      batch(s.ticks, s.crowd.levels * s.crowd.worlds),
-      mayJump(batch.worlds),
-      moves(batch.worlds),
-      steps(batch.worlds),
-      row(batch.worlds, policy::kInputs) {}
+      first(number * crowd.size()),
+      worlds(crowd.size()),
+      mayJump(worlds),
+      moves(worlds),
+      steps(worlds),
+      row(worlds, policy::kInputs) {}
 
 Trainer::Trainer(const TrainerSettings& settings, const LevelSource& source, ThreadPool& pool)
     : settings_(settings),
       pool_(pool),
       ppo_(settings.ppo, settings.seed, pool),
-      all_(settings.ticks, settings.crowds * settings.crowd.levels * settings.crowd.worlds),
+      batch_(settings.ticks, settings.crowds * settings.crowd.levels * settings.crowd.worlds),
       means_(policy::kInputs, 0.0f),
       scales_(policy::kInputs, 1.0f),
       hardest_(settings.easiest) {
@@ -54,28 +55,32 @@ Result<std::unique_ptr<Trainer>> Trainer::make(const TrainerSettings& settings,
   return trainer;
 }
 
-template <class Row>
-void Trainer::normalise(Row&& row) const {
-  for (int i = 0; i < policy::kInputs; ++i) {
-    row[i] = clampf((row[i] - means_[size_t(i)]) * scales_[size_t(i)], -policy::kMostInput,
-                    policy::kMostInput);
-  }
+void Trainer::normalise(float* row) const {
+  for (size_t i = 0; i < means_.size(); ++i)
+    row[i] = policy::normalised(row[i], means_[i], scales_[i]);
 }
 
-// Rows of the batch of all: (ticks, groups, worlds).
-void Trainer::decide(Group& g, uint32_t tick) const {
+// Rows of the batch: (ticks, groups, worlds).
+size_t Trainer::rowOf(const Group& g, uint32_t tick) const {
+  return size_t(tick) * batch_.worlds + g.first;
+}
+
+float Trainer::valueOf(const Rows<float>& outputs, size_t row) const {
+  return ppo_.valueMean() + ppo_.valueDeviation() * outputs(Eigen::Index(row), policy::kMoves);
+}
+
+void Trainer::decide(Group& g, uint32_t tick) {
   g.crowd.observe(g.row.data(), g.mayJump.data());
-  for (uint32_t w = 0; w < g.batch.worlds; ++w) {
+  for (uint32_t w = 0; w < g.worlds; ++w) {
     if (tick % kCountEvery == 0) g.seen.add(g.row.row(w).data());
     normalise(g.row.row(w).data());
   }
   const Rows<float>& out = g.pass.forward(ppo_.weights(), g.row);
-  const size_t first = size_t(tick) * g.batch.worlds;
-  g.batch.inputs.middleRows(Eigen::Index(first), g.batch.worlds) = g.row;
-  for (uint32_t w = 0; w < g.batch.worlds; ++w) {
-    const float* const logits = out.row(w).data();
+  const size_t first = rowOf(g, tick);
+  batch_.inputs.middleRows(Eigen::Index(first), g.worlds) = g.row;
+  for (uint32_t w = 0; w < g.worlds; ++w) {
     float chances[policy::kMoves];
-    chancesOf(logits, g.mayJump[w] != 0, chances);
+    chancesOf(out.row(w).data(), g.mayJump[w] != 0, chances);
     float rest = g.random.unit();
     int move = 0;
     for (int m = 0; m < policy::kMoves && rest >= 0; ++m) {
@@ -84,18 +89,18 @@ void Trainer::decide(Group& g, uint32_t tick) const {
       rest -= chances[m];
     }
     g.moves[w] = move;
-    g.batch.decisions[first + w] = {move, g.mayJump[w] != 0, std::log(chances[move]), 0, 0};
-    g.batch.values[first + w] = ppo_.valueMean() + ppo_.valueDeviation() * logits[policy::kMoves];
+    batch_.decisions[first + w] = {move, g.mayJump[w] != 0, std::log(chances[move]), 0, 0};
+    batch_.values[first + w] = valueOf(out, w);
   }
 }
 
 // After a cut the value of what was seen last stands for what would have come.
-Status Trainer::take(Group& g, uint32_t tick) const {
+Status Trainer::take(Group& g, uint32_t tick) {
   OBBY_RETURN_IF_ERROR(g.crowd.step(g.moves, g.steps));
-  const size_t first = size_t(tick) * g.batch.worlds;
-  for (uint32_t w = 0; w < g.batch.worlds; ++w) {
-    g.batch.rewards[first + w] = g.steps[w].reward;
-    g.batch.done[first + w] = g.steps[w].ended || g.steps[w].cut;
+  const size_t first = rowOf(g, tick);
+  for (uint32_t w = 0; w < g.worlds; ++w) {
+    batch_.rewards[first + w] = g.steps[w].reward;
+    batch_.done[first + w] = g.steps[w].ended || g.steps[w].cut;
   }
   const auto& cut = g.crowd.cutWorlds();
   if (cut.empty()) return {};
@@ -103,15 +108,12 @@ Status Trainer::take(Group& g, uint32_t tick) const {
                                                    Eigen::Index(cut.size()), policy::kInputs);
   for (size_t i = 0; i < cut.size(); ++i) normalise(rows.row(Eigen::Index(i)).data());
   const Rows<float>& out = g.cutPass.forward(ppo_.weights(), rows);
-  for (size_t i = 0; i < cut.size(); ++i) {
-    const float value = out(Eigen::Index(i), policy::kMoves);
-    g.batch.rewards[first + cut[i]] +=
-        settings_.ppo.discount * (ppo_.valueMean() + ppo_.valueDeviation() * value);
-  }
+  for (size_t i = 0; i < cut.size(); ++i)
+    batch_.rewards[first + cut[i]] += settings_.ppo.discount * valueOf(out, i);
   return {};
 }
 
-void Trainer::play(Group& g) const {
+void Trainer::play(Group& g) {
   g.crowd.setHardest(hardest_);
   g.status = Status{};
   for (uint32_t t = 0; t < settings_.ticks && g.status; ++t) {
@@ -119,40 +121,23 @@ void Trainer::play(Group& g) const {
     g.status = take(g, t);
   }
   g.crowd.observe(g.row.data(), g.mayJump.data());
-  for (uint32_t w = 0; w < g.batch.worlds; ++w) normalise(g.row.row(w).data());
+  for (uint32_t w = 0; w < g.worlds; ++w) normalise(g.row.row(w).data());
   const Rows<float>& out = g.pass.forward(ppo_.weights(), g.row);
-  for (uint32_t w = 0; w < g.batch.worlds; ++w)
-    g.batch.last[w] = ppo_.valueMean() + ppo_.valueDeviation() * out(w, policy::kMoves);
+  for (uint32_t w = 0; w < g.worlds; ++w) batch_.last[g.first + w] = valueOf(out, w);
 }
 
 void Trainer::gather(Iteration& out) {
-  const uint32_t each = groups_[0]->batch.worlds;
   Tally tally;
   double reward = 0;
-  for (size_t n = 0; n < groups_.size(); ++n) {
-    Group& g = *groups_[n];
-    const size_t column = n * each;
-    for (uint32_t t = 0; t < settings_.ticks; ++t) {
-      const size_t from = size_t(t) * each, to = size_t(t) * all_.worlds + column;
-      all_.inputs.middleRows(Eigen::Index(to), each) =
-          g.batch.inputs.middleRows(Eigen::Index(from), each);
-      const auto copy = [&](const auto& a, auto& b) {
-        std::copy_n(a.begin() + ptrdiff_t(from), each, b.begin() + ptrdiff_t(to));
-      };
-      copy(g.batch.decisions, all_.decisions);
-      copy(g.batch.values, all_.values);
-      copy(g.batch.rewards, all_.rewards);
-      copy(g.batch.done, all_.done);
-    }
-    std::copy_n(g.batch.last.begin(), each, all_.last.begin() + ptrdiff_t(column));
-    const Tally t = g.crowd.takeTally();
+  for (const auto& g : groups_) {
+    const Tally t = g->crowd.takeTally();
     tally.played += t.played;
     tally.solved += t.solved;
-    seen_.add(g.seen);
-    g.seen = Sums(policy::kInputs);
+    seen_.add(g->seen);
+    g->seen = Sums(policy::kInputs);
   }
-  for (const float r : all_.rewards) reward += double(r);
-  out.reward = reward / double(all_.rewards.size());
+  for (const float r : batch_.rewards) reward += double(r);
+  out.reward = reward / double(batch_.rewards.size());
   out.played = tally.played;
   adapt(tally.played > 0 ? double(tally.solved) / double(tally.played) : 0, tally.played);
 }
@@ -174,12 +159,12 @@ Result<Iteration> Trainer::iterate() {
   out.playSeconds = secondsSince(begin);
   gather(out);
   const float share = std::min(float(double(decisions_) / double(settings_.decisions)), 1.0f);
-  out.progress = ppo_.learn(all_, 1 - 0.9f * share);
+  out.progress = ppo_.learn(batch_, 1 - 0.9f * share);
   for (size_t i = 0; i < means_.size(); ++i) {
     means_[i] = float(seen_.mean(i));
     scales_[i] = 1 / std::max(float(seen_.deviation(i)), kLeastDeviation);
   }
-  decisions_ += all_.decisions.size();
+  decisions_ += batch_.decisions.size();
   out.number = ++iterations_;
   out.decisions = decisions_;
   out.solved = solved_;

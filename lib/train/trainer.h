@@ -53,7 +53,7 @@ class Trainer {
     Group(const LevelSource& source, const TrainerSettings& s, uint32_t number);
     Crowd crowd;
     Random random;
-    Batch batch;
+    uint32_t first, worlds;  // of the batch's worlds: its own
     Pass<float> pass, cutPass;
     Sums seen{policy::kInputs};
     std::vector<uint8_t> mayJump;
@@ -63,11 +63,12 @@ class Trainer {
     Status status;
   };
 
-  void play(Group& group) const;
-  void decide(Group& group, uint32_t tick) const;
-  Status take(Group& group, uint32_t tick) const;
-  template <class Row>
-  void normalise(Row&& row) const;
+  void play(Group& group);
+  void decide(Group& group, uint32_t tick);
+  Status take(Group& group, uint32_t tick);
+  size_t rowOf(const Group& group, uint32_t tick) const;  // of its first world
+  float valueOf(const Rows<float>& outputs, size_t row) const;
+  void normalise(float* row) const;
   void gather(Iteration& out);
   void adapt(double solvedNow, uint64_t played);
 
@@ -75,7 +76,7 @@ class Trainer {
   ThreadPool& pool_;
   Ppo ppo_;
   std::vector<std::unique_ptr<Group>> groups_;
-  Batch all_;
+  Batch batch_;
   Sums seen_{policy::kInputs};
   std::vector<float> means_, scales_;
   uint64_t iterations_ = 0, decisions_ = 0;

@@ -26,7 +26,7 @@ std::vector<float> randomInputs(uint64_t seed) {
 
 std::vector<double> plain(const NetworkView& n, const std::vector<float>& in) {
   std::vector<double> x;
-  for (int i = 0; i < kInputs; ++i) x.push_back(normalised(n, i, in[size_t(i)]));
+  for (int i = 0; i < kInputs; ++i) x.push_back(normalised(in[size_t(i)], n.means[i], n.scales[i]));
   const int widths[] = {kHidden, kHidden, kPaddedOutputs};
   for (int l = 0; l < 3; ++l) {
     std::vector<double> y;

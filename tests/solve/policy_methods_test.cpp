@@ -11,6 +11,15 @@
 namespace obby::solve {
 namespace {
 
+struct CountingDevice : sim::HostDevice {
+  using HostDevice::HostDevice;
+  Status launch(const sim::Kernel& kernel, const void* arguments, uint32_t count) override {
+    ++launches;
+    return HostDevice::launch(kernel, arguments, count);
+  }
+  int launches = 0;
+};
+
 FilterOptions guided(const char* method, int threads) {
   FilterOptions o;
   o.threads = threads;
@@ -52,6 +61,25 @@ TEST(PolicyMethods, GiveTheSameBytesOnAnyNumberOfThreadsAndBesideADevice) {
     EXPECT_EQ(answer(3, nullptr), expected) << method;
     EXPECT_EQ(answer(2, &device), expected) << method << " beside a device";
   }
+}
+
+// A policy that a method does not use takes nothing from it, the device least of all.
+TEST(PolicyMethods, LeaveTheOthersTheirDevice) {
+  const level::Level stones = steppingStones().compile();
+  Question q(stones);
+  ThreadPool pool(1);
+  Problem problem = q.problem();
+  problem.policy = &policy::shippedPolicy().network;
+  EXPECT_EQ(ExploreSetup(problem, 1, GoExploreSettings{}).pilot, nullptr);
+  EXPECT_NE(ExploreSetup(problem, 1, aloneSettings()).pilot, nullptr);
+  CountingDevice device(pool);
+  Budget budget;
+  budget.maxSteps = 20'000;
+  findMethod("auto")->run(problem, budget, {}, {pool, &device});
+  EXPECT_GT(device.launches, 0);
+  device.launches = 0;
+  findMethod("rl")->run(problem, budget, {}, {pool, &device});
+  EXPECT_EQ(device.launches, 0);
 }
 
 TEST(PolicyMethods, DifferFromTheSameWithoutAPolicy) {
