@@ -86,6 +86,7 @@ OBBY_DEVICE void cut(const Solid& s, F x, F z, F& bottom, F& top) {
 // Lanes of a row: the one lane of a float. WideFloat has its own (policy.cpp).
 OBBY_DEVICE void loadRow(const float* from, float& row) { row = *from; }
 OBBY_DEVICE void storeRow(float row, float* to) { *to = row; }
+OBBY_DEVICE uint32_t laneBits(bool m) { return m ? 1 : 0; }
 
 constexpr int kMaps = 4;  // floor, danger; the same soon
 

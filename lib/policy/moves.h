@@ -51,16 +51,18 @@ OBBY_DEVICE float expNegative(float x) {
 // A move with the probability that the logits give it among those that are allowed.
 OBBY_DEVICE int draw(const float* logits, bool mayJump, Random& random) {
   const float most = logits[likeliest(logits, mayJump)];
+  float odds[kMoves];
   float sum = 0;
   for (int m = 0; m < kMoves; ++m) {
-    if (!jumps(m) || mayJump) sum += expNegative(logits[m] - most);
+    odds[m] = !jumps(m) || mayJump ? expNegative(logits[m] - most) : 0.0f;
+    sum += odds[m];
   }
   float rest = random.unit() * sum;
   int last = 0;
   for (int m = 0; m < kMoves; ++m) {
     if (jumps(m) && !mayJump) continue;
     last = m;
-    rest -= expNegative(logits[m] - most);
+    rest -= odds[m];
     if (rest < 0) break;
   }
   return last;

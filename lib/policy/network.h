@@ -1,8 +1,10 @@
 // The policy's network: two hidden layers of rectified units, a logit for each move and the value.
 // Sums run over the inputs in their order, without contraction, so that an answer has the same bits
-// on every machine and in every number of lanes.
+// on every machine and in every number of lanes. Most of a level is empty: inputs are taken as what
+// they differ by from those of an empty one.
 #pragma once
 
+#include "math/bits.h"
 #include "math/lanes.h"
 #include "policy/moves.h"
 
@@ -22,14 +24,42 @@ struct LayerView {
 struct NetworkView {
   const float* means = nullptr;   // (kInputs), of the observations that it was trained on
   const float* scales = nullptr;  // (kInputs), 1 / their spread
-  LayerView layers[3];            // kInputs -> kHidden -> kHidden -> kPaddedOutputs
+  const float* voids = nullptr;   // (kInputs), what normalised inputs are where nothing is in sight
+  LayerView layers[3];            // kInputs -> kHidden -> kHidden -> kPaddedOutputs; the first is
+                                  // given inputs less `voids`, which its biases make up for
 };
+
+template <class Table>
+OBBY_DEVICE void forTables(NetworkView& n, Table&& table) {
+  table(n.means, kInputs);
+  table(n.scales, kInputs);
+  table(n.voids, kInputs);
+  const uint32_t sizes[] = {uint32_t(kInputs), kHidden, kHidden, kPaddedOutputs};
+  for (int l = 0; l < 3; ++l) {
+    table(n.layers[l].weights, sizes[l] * sizes[l + 1]);
+    table(n.layers[l].biases, sizes[l + 1]);
+  }
+}
 
 OBBY_DEVICE float normalised(float v, float mean, float scale) {
   return clampf((v - mean) * scale, -kMostInput, kMostInput);
 }
 
+// Calls visit(i) for the inputs that are not zero, in their order. `in`: (inputs), a multiple of
+// the lanes.
+template <class F, class Visit>
+OBBY_DEVICE void forNonZero(const float* in, int inputs, Visit&& visit) {
+  for (int first = 0; first < inputs; first += Lanes<F>::kCount) {
+    F row;
+    loadRow(in + first, row);
+    for (uint32_t bits = laneBits(row != F(0.0f)); bits != 0; bits &= bits - 1) {
+      visit(first + lowestBit(bits));
+    }
+  }
+}
+
 // `in`: (inputs), `out`: (outputs). kGroups of lanes at a time share the reads of the inputs.
+// Inputs that are zero add nothing, and are most: they are passed over.
 template <class F, int kGroups>
 OBBY_DEVICE void layer(const LayerView& l, const float* in, int inputs, int outputs, bool rectified,
                        float* out) {
@@ -37,7 +67,7 @@ OBBY_DEVICE void layer(const LayerView& l, const float* in, int inputs, int outp
   for (int first = 0; first < outputs; first += kStep * kGroups) {
     F sums[kGroups];
     for (int g = 0; g < kGroups; ++g) loadRow(l.biases + first + g * kStep, sums[g]);
-    for (int i = 0; i < inputs; ++i) {
+    forNonZero<F>(in, inputs, [&](int i) OBBY_INLINED {
       const float* const row = l.weights + i * outputs + first;
 #pragma GCC unroll 4
       for (int g = 0; g < kGroups; ++g) {
@@ -45,7 +75,7 @@ OBBY_DEVICE void layer(const LayerView& l, const float* in, int inputs, int outp
         loadRow(row + g * kStep, w);
         sums[g] = sums[g] + w * F(in[i]);
       }
-    }
+    });
     for (int g = 0; g < kGroups; ++g) {
       storeRow(rectified ? maxf(sums[g], F(0.0f)) : sums[g], out + first + g * kStep);
     }
@@ -60,7 +90,7 @@ OBBY_DEVICE void think(const NetworkView& network, const float* inputs, float* o
   constexpr int kLanesOf = Lanes<F>::kCount;
   alignas(64) float x[kInputs], a[kHidden], b[kHidden];
   for (int i = 0; i < kInputs; ++i) {
-    x[i] = normalised(inputs[i], network.means[i], network.scales[i]);
+    x[i] = normalised(inputs[i], network.means[i], network.scales[i]) - network.voids[i];
   }
   layer<F, least(kHidden / kLanesOf, 4)>(network.layers[0], x, kInputs, kHidden, true, a);
   layer<F, least(kHidden / kLanesOf, 4)>(network.layers[1], a, kHidden, kHidden, true, b);

@@ -15,11 +15,11 @@ constexpr uint32_t kSoonTicks = 24;  // 0.4 s: about when a jump that begins now
 constexpr int kStateInputs = 28;
 constexpr int kInputs = kStateInputs + kMaps * kPoints;  // 272
 
-// A level and a query, as the policy sees them. Plain data, for device code.
+// A level and a query, as the policy sees them.
 struct Scene {
-  level::LevelView level;
-  level::QueryView query;
-  SurroundingsView surroundings;
+  const level::LevelView& level;
+  const level::QueryView& query;
+  const SurroundingsView& surroundings;
 };
 
 // Where the frame looks: toward the centre of the next region; from right above or below it, where

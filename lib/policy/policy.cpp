@@ -3,31 +3,38 @@
 #include "simd/wide.h"
 
 namespace obby {
-// WideFloat's rows, for policy::layer.
+// WideFloat's rows and masks, for policy::layer.
 OBBY_LANES void loadRow(const float* from, WideFloat& row) { row = load(from); }
 OBBY_LANES void storeRow(WideFloat row, float* to) { store(row, to); }
+OBBY_LANES uint32_t laneBits(WideMask m) { return bitsOf(m); }
 }  // namespace obby
 
 namespace obby::policy {
 
-static_assert(kPaddedPoints % kLanes == 0 && kHidden % kLanes == 0 && kPaddedOutputs % kLanes == 0);
+static_assert(kPaddedPoints % kLanes == 0 && kInputs % kLanes == 0 && kHidden % kLanes == 0 &&
+              kPaddedOutputs % kLanes == 0);
 
-NetworkView Network::view() const {
-  const float* at = numbers_.data();
-  const size_t* size = kSizes;
+Thinker::Thinker(const Network& network) : voids_(kInputs), biases_(kHidden) {
+  const float* at = network.numbers().data();
+  const size_t* size = Network::kSizes;
   const auto next = [&] {
     const float* const table = at;
     at += *size++;
     return table;
   };
-  NetworkView v;
-  v.means = next();
-  v.scales = next();
-  for (LayerView& l : v.layers) {
+  view_.means = next();
+  view_.scales = next();
+  for (LayerView& l : view_.layers) {
     l.weights = next();
     l.biases = next();
   }
-  return v;
+  for (int i = kStateInputs; i < kInputs; ++i) {
+    voids_[size_t(i)] = normalised(scaledHeight(kDeepest), view_.means[i], view_.scales[i]);
+  }
+  LayerView& first = view_.layers[0];
+  layer<float, kHidden>(first, voids_.data(), kInputs, kHidden, false, biases_.data());
+  view_.voids = voids_.data();
+  first.biases = biases_.data();
 }
 
 Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
@@ -39,20 +46,9 @@ void think(const NetworkView& network, const float* inputs, float* outputs) {
   think<WideFloat>(network, inputs, outputs);
 }
 
-Pilot::Pilot(const level::LevelView& level, const level::QueryView& query, const Network& network)
-    : surroundings_(level, kSight),
-      scene_{level, query, surroundings_.view()},
-      network_(network.view()) {}
-
-sim::Action Pilot::decide(const sim::World& world, const sim::LooseBody* loose,
-                          Random* random) const {
-  float inputs[kInputs], outputs[kPaddedOutputs];
-  const Turns ahead = observe(scene_, world, loose, inputs);
-  think(network_, inputs, outputs);
-  const bool mayJump = jumpAllowed(scene_, world);
-  const int move =
-      random == nullptr ? likeliest(outputs, mayJump) : draw(outputs, mayJump, *random);
-  return actionOf(move, ahead);
+sim::Action decide(const Scene& scene, const NetworkView& network, const sim::World& world,
+                   const sim::LooseBody* loose, Random* random) {
+  return decide<WideFloat>(scene, network, world, loose, random);
 }
 
 }  // namespace obby::policy

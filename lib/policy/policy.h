@@ -4,12 +4,12 @@
 
 #include <vector>
 
-#include "policy/network.h"
+#include "policy/decide.h"
 #include "policy/surroundings.h"
 
 namespace obby::policy {
 
-// The weights, in one block: what NetworkView points to.
+// Normalisers, weights and biases, in one block.
 class Network {
  public:
   static constexpr size_t kSizes[] = {size_t(kInputs),
@@ -28,10 +28,23 @@ class Network {
 
   std::vector<float>& numbers() { return numbers_; }  // in the order of kSizes
   const std::vector<float>& numbers() const { return numbers_; }
-  NetworkView view() const;  // valid while this object lives and stays where it is
 
  private:
   std::vector<float> numbers_;
+};
+
+// A network as it thinks. `network` must outlive it, and keep its numbers.
+class Thinker {
+ public:
+  explicit Thinker(const Network& network);
+  Thinker(const Thinker&) = delete;
+  Thinker& operator=(const Thinker&) = delete;
+
+  const NetworkView& view() const { return view_; }
+
+ private:
+  NetworkView view_;
+  std::vector<float> voids_, biases_;  // (kInputs), (kHidden), see NetworkView
 };
 
 // Fills `inputs` (kInputs) with what the policy sees; gives the direction that its frame looks in.
@@ -42,22 +55,22 @@ Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody*
 // `outputs`: (kPaddedOutputs), logits and value, of raw inputs.
 void think(const NetworkView& network, const float* inputs, float* outputs);
 
-// A policy at the controls of players in one level under one query.
+sim::Action decide(const Scene& scene, const NetworkView& network, const sim::World& world,
+                   const sim::LooseBody* loose, Random* random);
+
+// A policy made ready for one level: what decide() needs beside it and a query. The level's tables
+// and the network must outlive it.
 class Pilot {
  public:
-  // The views' tables and the network must outlive it.
-  Pilot(const level::LevelView& level, const level::QueryView& query, const Network& network);
-  Pilot(const Pilot&) = delete;
-  Pilot& operator=(const Pilot&) = delete;
+  Pilot(const level::LevelView& level, const Network& network)
+      : surroundings_(level, kSight), thinker_(network) {}
 
-  // What to hold for the next kDecisionTicks ticks: a move drawn with `random`, or the likeliest
-  // where that is null. `loose`: (level.looseCount).
-  sim::Action decide(const sim::World& world, const sim::LooseBody* loose, Random* random) const;
+  // Valid while this object lives and stays where it is.
+  PilotView view() const { return {surroundings_.view(), thinker_.view()}; }
 
  private:
   const Surroundings surroundings_;
-  const Scene scene_;
-  const NetworkView network_;
+  const Thinker thinker_;
 };
 
 }  // namespace obby::policy

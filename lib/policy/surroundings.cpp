@@ -65,7 +65,7 @@ Surroundings::Square Surroundings::squareOf(const Box& box, float reach) const {
 }
 
 SurroundingsView Surroundings::view() const {
-  return {origin_, 1 / cell_, nx_, nz_, starts_.data(), entries_.data()};
+  return {origin_, 1 / cell_, nx_, nz_, starts_.data(), entries_.data(), uint32_t(entries_.size())};
 }
 
 }  // namespace obby::policy

@@ -15,6 +15,13 @@ struct SurroundingsView {
   int32_t nx = 0, nz = 0;
   const uint32_t* starts = nullptr;   // (nx * nz + 1), into entries
   const uint32_t* entries = nullptr;  // colliders, ascending
+  uint32_t entryCount = 0;
 };
+
+template <class Table>
+OBBY_DEVICE void forTables(SurroundingsView& s, Table&& table) {
+  table(s.starts, size_t(s.nx) * size_t(s.nz) + 1);
+  table(s.entries, s.entryCount);
+}
 
 }  // namespace obby::policy

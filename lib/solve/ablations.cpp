@@ -2,6 +2,7 @@
 
 #include "solve/choose_beam.h"
 #include "solve/choose_mixed.h"
+#include "solve/choose_policy.h"
 #include "solve/go_explore_method.h"
 
 namespace obby::solve {
@@ -11,43 +12,47 @@ namespace {
 // The defaults with one of them changed: to what `ge` has, or to nothing.
 template <auto member, auto value>
 GoExploreSettings with() {
-  GoExploreSettings s;
+  GoExploreSettings s = guidedSettings();
   s.*member = value;
   return s;
 }
 
 GoExploreSettings nothingAimed() {
-  GoExploreSettings s;
+  GoExploreSettings s = guidedSettings();
   s.explore.aimShare = 0;
   return s;
 }
 
 GoExploreSettings noRegionAimed() {
-  GoExploreSettings s;
+  GoExploreSettings s = guidedSettings();
   s.explore.regionShare = 0;
   return s;
 }
 
 GoExploreSettings narrowCells() {
-  GoExploreSettings s;
+  GoExploreSettings s = guidedSettings();
   s.cellWidth = 1;
   return s;
 }
 
 GoExploreSettings shortRollouts() {
-  GoExploreSettings s;
+  GoExploreSettings s = guidedSettings();
   s.phaseJumps = 0;
   return s;
 }
 
 GoExploreSettings lockStep() {
-  GoExploreSettings s;
+  GoExploreSettings s = guidedSettings();
   s.rollouts = s.mostRollouts = 8192;
   return s;
 }
 
+std::unique_ptr<Chooser> selectorAlone(const Problem& problem, const ExploreContext& context) {
+  return policyFirst(hedgedSelector(problem, context), context);
+}
+
 std::unique_ptr<Chooser> mixedWithoutHedge(const Problem& problem, const ExploreContext& context) {
-  return std::make_unique<MixedChooser>(plainSelector(problem, context),
+  return std::make_unique<MixedChooser>(policyFirst(plainSelector(problem, context), context),
                                         makeBeamChooser(problem, context));
 }
 
@@ -69,10 +74,11 @@ const std::vector<Method>& ablations() {
       {"auto-width", "auto with cells of 1 stud", runGoExplore<narrowCells, makeMixedChooser>},
       {"auto-looks", "auto that looks at every tick",
        runGoExplore<with<&Settings::lookEvery, 1u>, makeMixedChooser>},
-      {"auto-beam", "auto with the selector alone", runGoExplore<aimedSettings, hedgedSelector>},
+      {"auto-beam", "auto with the selector alone", runGoExplore<guidedSettings, selectorAlone>},
       {"auto-selector", "auto with the beam alone", runGoExplore<aimedSettings, makeBeamChooser>},
       {"auto-hedge", "auto whose selector is not hedged",
-       runGoExplore<aimedSettings, mixedWithoutHedge>},
+       runGoExplore<guidedSettings, mixedWithoutHedge>},
+      {"auto-policy", "auto without a policy", runGoExplore<aimedSettings, makeMixedChooser>},
   };
   return table;
 }

@@ -1,6 +1,7 @@
 #include "solve/choose_mixed.h"
 
 #include "solve/choose_beam.h"
+#include "solve/choose_policy.h"
 
 namespace obby::solve {
 
@@ -18,7 +19,7 @@ void MixedChooser::learn(const Archive& archive, std::span<const Tried> tried) {
 }
 
 std::unique_ptr<Chooser> makeMixedChooser(const Problem& problem, const ExploreContext& context) {
-  return std::make_unique<MixedChooser>(hedgedSelector(problem, context),
+  return std::make_unique<MixedChooser>(policyFirst(hedgedSelector(problem, context), context),
                                         makeBeamChooser(problem, context));
 }
 

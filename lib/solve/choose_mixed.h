@@ -19,7 +19,7 @@ class MixedChooser : public Chooser {
   std::unique_ptr<Chooser> first_, second_;
 };
 
-// The hedged selector and the beam.
+// The hedged selector, with the policy first where there is one, and the beam.
 std::unique_ptr<Chooser> makeMixedChooser(const Problem& problem, const ExploreContext& context);
 
 }  // namespace obby::solve

@@ -22,16 +22,20 @@ void PolicyAloneChooser::choose(const Archive&, ThreadPool&, Random&, std::span<
   }
 }
 
+std::unique_ptr<Chooser> policyFirst(std::unique_ptr<Chooser> inner,
+                                     const ExploreContext& context) {
+  if (!context.pilot.exists()) return inner;
+  return std::make_unique<PolicyFirstChooser>(std::move(inner));
+}
+
 std::unique_ptr<Chooser> makePolicyFirstChooser(const Problem& problem,
                                                 const ExploreContext& context) {
-  auto inner = plainSelector(problem, context);
-  if (problem.policy == nullptr) return inner;
-  return std::make_unique<PolicyFirstChooser>(std::move(inner));
+  return policyFirst(plainSelector(problem, context), context);
 }
 
 std::unique_ptr<Chooser> makePolicyAloneChooser(const Problem& problem,
                                                 const ExploreContext& context) {
-  if (problem.policy == nullptr) return plainSelector(problem, context);
+  if (!context.pilot.exists()) return plainSelector(problem, context);
   return std::make_unique<PolicyAloneChooser>();
 }
 

@@ -33,6 +33,9 @@ class PolicyAloneChooser : public Chooser {
   bool began_ = false;
 };
 
+// `inner` with the context's policy first, or as it is where there is none.
+std::unique_ptr<Chooser> policyFirst(std::unique_ptr<Chooser> inner, const ExploreContext& context);
+
 // GE-PS of the paper: its Go-Explore, with the policy first.
 std::unique_ptr<Chooser> makePolicyFirstChooser(const Problem& problem,
                                                 const ExploreContext& context);

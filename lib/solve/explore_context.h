@@ -4,13 +4,10 @@
 
 #include <stdint.h>
 
+#include "policy/decide.h"
 #include "solve/problem.h"
 #include "solve/surfaces.h"
 #include "solve/targets.h"
-
-namespace obby::policy {
-class Pilot;
-}
 
 namespace obby::solve {
 
@@ -41,8 +38,8 @@ struct ExploreContext {
   JumpReach reach;
   ExploreSettings settings;
   bool jumpsLimited;
-  float doomHeight;  // studs: who is off the floor with the feet below can only fall
-  const policy::Pilot* pilot = nullptr;  // on the host only; null: no policy
+  float doomHeight;           // studs: who is off the floor with the feet below can only fall
+  policy::PilotView pilot{};  // makes the moves of rollouts by the policy, if there are any
 };
 
 template <class Table>
@@ -50,6 +47,7 @@ OBBY_DEVICE void forTables(ExploreContext& c, Table&& table) {
   forTables(c.level, table);
   forTables(c.query, table);
   forTables(c.surfaces, table);
+  forTables(c.pilot, table);
 }
 
 // The same for a player as boosts have it now.

@@ -13,7 +13,7 @@ constexpr float kClockReach = 10;  // studs around moving parts where the clock 
 
 RolloutRules makeRules(const Problem& problem, uint64_t seed, const GoExploreSettings& s,
                        const Surfaces& surfaces, const ClockMap& clock,
-                       const policy::Pilot* pilot) {
+                       const policy::PilotView& pilot) {
   const Params& params = problem.level.params;
   const JumpReach reach = jumpReach(params);
   const uint32_t ticks = std::max(s.leastPhase, uint32_t(s.phaseJumps * reach.airTicks));
@@ -31,11 +31,11 @@ RolloutRules makeRules(const Problem& problem, uint64_t seed, const GoExploreSet
 ExploreSetup::ExploreSetup(const Problem& problem, uint64_t seed, const GoExploreSettings& settings)
     : surfaces_(problem.level),
       clock_(problem.level, kClockReach),
-      pilot(!settings.byPolicy || problem.policy == nullptr
-                ? nullptr
-                : std::make_unique<const policy::Pilot>(problem.level, problem.query,
-                                                        *problem.policy)),
-      rules(makeRules(problem, seed, settings, surfaces_, clock_, pilot.get())),
+      pilot_(!settings.byPolicy || problem.policy == nullptr
+                 ? nullptr
+                 : std::make_unique<const policy::Pilot>(problem.level, *problem.policy)),
+      rules(makeRules(problem, seed, settings, surfaces_, clock_,
+                      pilot_ ? pilot_->view() : policy::PilotView())),
       potential(problem),
       beam(problem) {}
 

@@ -14,7 +14,7 @@ namespace obby::solve {
 
 // The defaults were measured over levels/ (ticks to the first solution).
 struct GoExploreSettings {
-  uint32_t rollouts = 32;       // a round, at first: short generations answer easy queries soon
+  uint32_t rollouts = 8;        // a round, at first: short generations answer easy queries soon
   uint32_t mostRollouts = 512;  // a round, once the search is long: keeps all threads busy
   float phaseJumps = 4;         // length of a rollout, in flat jumps' air time
   uint32_t leastPhase = 40;     // ticks
@@ -35,9 +35,9 @@ class ExploreSetup {
  private:
   const Surfaces surfaces_;
   const ClockMap clock_;
+  const std::unique_ptr<const policy::Pilot> pilot_;
 
  public:
-  const std::unique_ptr<const policy::Pilot> pilot;  // null: no rollout is a policy's
   const RolloutRules rules;
   const Potential potential;
   const BeamWay beam;

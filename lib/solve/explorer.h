@@ -8,13 +8,16 @@
 
 namespace obby::solve {
 
+static_assert(policy::kDecisionTicks == kSteerEvery, "a policy decides when rollouts plan");
+
 #if defined(__CUDACC__)
-OBBY_DEVICE sim::Action moveOfPolicy(const ExploreContext&, const sim::World&,
-                                     const sim::LooseBody*, Random*) {
-  return {};  // rollouts by a policy are kept on the host
+OBBY_DEVICE sim::Action moveOfPolicy(const ExploreContext& c, const sim::World& w,
+                                     const sim::LooseBody* loose, Random* random) {
+  const policy::Scene scene{c.level, c.query, c.pilot.surroundings};
+  return policy::decide<float>(scene, c.pilot.network, w, loose, random);
 }
 #else
-// What the policy holds for the next kSteerEvery ticks (policy::Pilot).
+// What the policy holds for the next kSteerEvery ticks: as above, in SIMD lanes.
 sim::Action moveOfPolicy(const ExploreContext& c, const sim::World& w, const sim::LooseBody* loose,
                          Random* random);
 #endif

@@ -24,7 +24,6 @@ GoExplore::GoExplore(const Problem& problem, uint64_t seed, const GoExploreSetti
   archive_.offer(cellKey(setup_.rules.binning, problem.start, problem.startLoose.data()),
                  problem.start, {0, kNone, 0}, setup_.potential(problem.start),
                  problem.startLoose.data());
-  if (setup_.pilot) machine_.device = nullptr;  // policies play on the host
   statistics_.closest.distance = distanceLeft(problem.query, problem.start);
   statistics_.closest.position = problem.start.position;
 }

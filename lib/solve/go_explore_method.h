@@ -15,4 +15,11 @@ SearchOutcome runGoExplore(const Problem& p, const Budget& b, const Watcher& w, 
 // Short generations that keep standing states only, most macros aimed at surfaces.
 inline GoExploreSettings aimedSettings() { return {}; }
 
+// The same with a policy that explores from what is new, where there is one.
+inline GoExploreSettings guidedSettings() {
+  GoExploreSettings s;
+  s.byPolicy = true;
+  return s;
+}
+
 }  // namespace obby::solve

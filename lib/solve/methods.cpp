@@ -39,8 +39,9 @@ SearchOutcome runResident(const Problem& p, const Budget& b, const Watcher& w, c
 
 const std::vector<Method>& methods() {
   static const std::vector<Method> table = {
-      {"auto", "aimed and beam, each with half of the attempts, over one archive",
-       runGoExplore<aimedSettings, makeMixedChooser>},
+      {"auto",
+       "aimed and beam, each with half of the attempts; a trained policy tries new states first",
+       runGoExplore<guidedSettings, makeMixedChooser>},
       {"aimed", "Go-Explore over standing states with jumps aimed at surfaces",
        runGoExplore<aimedSettings, hedgedSelector>},
       {"ge", "Go-Explore with random actions over all states, as published",

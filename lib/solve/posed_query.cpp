@@ -14,7 +14,9 @@ Problem problemOf(const PosedQuery& posed) {
           sim::makeWorld(view, posed.query.start()),
           sim::makeLoose(view),
           posed.level.bounds(),
-          posed.level.hasMotion()};
+          posed.level.hasMotion(),
+          {},
+          posed.policy};
 }
 
 bool solves(const Playthrough& playthrough, const PosedQuery& posed) {

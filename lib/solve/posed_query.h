@@ -15,6 +15,7 @@ struct PosedQuery {
   schema::Level::Reader levelRecord;
   const level::Query& query;
   schema::Query::Reader queryRecord;
+  const policy::Network* policy = nullptr;  // for methods that use one
 };
 
 // Valid while what it was made of lives.

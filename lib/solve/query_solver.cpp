@@ -30,13 +30,12 @@ class Solving {
         query_(query),
         options_(options),
         output_(output),
-        posed_{level.level, level.record.reader().getLevel(), compiled, query},
+        posed_{level.level, level.record.reader().getLevel(), compiled, query, options.policy},
         identity_{compiled.id(), level.level.name(), compiled.start()} {}
 
   Result<QueryAnswer> run(const Machine& machine) {
     Problem problem = problemOf(posed_);
     problem.known = knownWays();
-    problem.policy = options_.policy;
     const Watcher watcher{[this](const Playthrough& p) { return solves(p, posed_); },
                           [this](const SearchView& v) { look(v); }};
     const SearchOutcome outcome = answer(problem, watcher, machine);

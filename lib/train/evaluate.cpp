@@ -8,13 +8,13 @@ namespace {
 
 // One playthrough by the policy alone; true: it reaches the goal. `random` null: the likeliest
 // moves.
-bool playAlone(const policy::Pilot& pilot, const TrainingLevel& level, Random* random,
+bool playAlone(const policy::NetworkView& network, const TrainingLevel& level, Random* random,
                uint32_t mostTicks) {
   const policy::Scene& scene = level.scene();
   sim::World world = level.start();
   std::vector<sim::LooseBody> loose = level.startLoose();
   for (uint32_t t = 0; t < mostTicks; t += policy::kDecisionTicks) {
-    const sim::Action action = pilot.decide(world, loose.data(), random);
+    const sim::Action action = policy::decide(scene, network, world, loose.data(), random);
     for (uint32_t k = 0; k < policy::kDecisionTicks; ++k) {
       sim::advance(world, loose.data(), scene.level, &scene.query, action);
     }
@@ -34,6 +34,7 @@ Result<Evaluation> evaluate(const policy::Network& network, const LevelSource& s
     uint32_t drawn = 0;
   };
   std::vector<Score> scores(settings.levels);
+  const policy::Thinker thinker(network);
   pool.run(int(settings.levels), [&](int i) {
     if (stop) return;
     Score& score = scores[size_t(i)];
@@ -43,13 +44,11 @@ Result<Evaluation> evaluate(const policy::Network& network, const LevelSource& s
       score.status = level.error();
       return;
     }
-    const policy::Scene& scene = (*level)->scene();
-    const policy::Pilot pilot(scene.level, scene.query, network);
     const uint32_t most = mostTicksOf(**level, settings.patience);
-    score.likeliest = playAlone(pilot, **level, nullptr, most);
+    score.likeliest = playAlone(thinker.view(), **level, nullptr, most);
     Random random(settings.seed, index);
     for (uint32_t k = 1; k < settings.tries; ++k)
-      score.drawn += playAlone(pilot, **level, &random, most);
+      score.drawn += playAlone(thinker.view(), **level, &random, most);
     score.done = true;
   });
   Evaluation out;

@@ -22,7 +22,9 @@ TrainingLevel::TrainingLevel(level::Level level, level::Query query, std::vector
     : level_(std::move(level)),
       query_(std::move(query)),
       surroundings_(level_.view(), policy::kSight),
-      scene_{level_.view(), query_.view(), surroundings_.view()},
+      queryView_(query_.view()),
+      around_(surroundings_.view()),
+      scene_{level_.view(), queryView_, around_},
       start_(sim::makeWorld(level_.view(), query_.start())),
       startLoose_(sim::makeLoose(level_.view())),
       guide_(wayOf(std::move(way), query_)) {}

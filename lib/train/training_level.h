@@ -31,6 +31,9 @@ class TrainingLevel {
   level::Level level_;
   level::Query query_;
   policy::Surroundings surroundings_;
+  // What the scene refers to.
+  level::QueryView queryView_;
+  policy::SurroundingsView around_;
   policy::Scene scene_;
   sim::World start_;
   std::vector<sim::LooseBody> startLoose_;

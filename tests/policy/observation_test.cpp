@@ -16,10 +16,11 @@ using support::LevelBuilder;
 
 struct Look {
   explicit Look(const level::Level& level, Vec3 goal = {0, 0, -30})
-      : around(level.view(), kSight), world(sim::makeWorld(level.view(), {})) {
-    scene.level = level.view();
-    scene.query.goal.region = {{goal, {}}, {2, 2, 2}};
-    scene.surroundings = around.view();
+      : around(level.view(), kSight),
+        seen(around.view()),
+        scene{level.view(), query, seen},
+        world(sim::makeWorld(level.view(), {})) {
+    query.goal.region = {{goal, {}}, {2, 2, 2}};
   }
   std::vector<float> inputs() const {
     std::vector<float> in(kInputs);
@@ -31,6 +32,8 @@ struct Look {
     return inputs()[size_t(kStateInputs + map * kPoints + 1 + ring * kDirections + direction)] * 8;
   }
   Surroundings around;
+  SurroundingsView seen;
+  level::QueryView query;
   Scene scene;
   sim::World world;
 };
@@ -61,8 +64,8 @@ TEST(Observation, ShowsWhatKillsAndWhatIsToBeAvoided) {
   EXPECT_FLOAT_EQ(look.height(1, 1, 0), 2) << "ahead, 3.35 studs";
   EXPECT_FLOAT_EQ(look.height(0, 1, 0), 0) << "nothing to stand on";
   level::TargetView avoid{{{{0, 2, -13.1f}, {}}, {1, 1, 1}}};
-  look.scene.query.avoid = &avoid;
-  look.scene.query.avoidCount = 1;
+  look.query.avoid = &avoid;
+  look.query.avoidCount = 1;
   EXPECT_FLOAT_EQ(look.height(1, 4, 0), 3);
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "policy/shipped_policy.h"
 #include "scenes.h"
 #include "sim/host_device.h"
 #include "support/plain_problem.h"
@@ -86,6 +87,7 @@ TEST(Ablations, SolveAndDifferFromAutoAndFromEachOther) {
   for (level::WaypointView& w : waypoints) w.target = boxAt({8, 2, 0}, {4, 4, 4});
   endless.query.waypoints = waypoints;
   endless.query.waypointCount = 5;
+  endless.policy = &policy::shippedPolicy().network;
   ThreadPool pool(1);
   std::set<std::pair<uint64_t, uint64_t>> work;
   const auto run = [&](const Method& m) {

@@ -47,10 +47,10 @@ TEST(PolicyMethods, SolveStonesByThemselves) {
   }
 }
 
-TEST(PolicyMethods, GiveTheSameBytesOnAnyNumberOfThreadsAndBesideADevice) {
+TEST(PolicyMethods, GiveTheSameBytesOnAnyNumberOfThreadsAndOnADevice) {
   ThreadPool pool(2);
   sim::HostDevice device(pool);
-  for (const char* method : {"rl", "ge-ps"}) {
+  for (const char* method : {"auto", "rl", "ge-ps"}) {
     const LinesFile file(stonesText(R"(,"maxJumps":1)"));
     const auto answer = [&](int threads, sim::Device* on) {
       FilterOptions o = guided(method, threads);
@@ -59,27 +59,27 @@ TEST(PolicyMethods, GiveTheSameBytesOnAnyNumberOfThreadsAndBesideADevice) {
     };
     const std::string expected = answer(1, nullptr);
     EXPECT_EQ(answer(3, nullptr), expected) << method;
-    EXPECT_EQ(answer(2, &device), expected) << method << " beside a device";
+    EXPECT_EQ(answer(2, &device), expected) << method << " on a device";
   }
 }
 
-// A policy that a method does not use takes nothing from it, the device least of all.
-TEST(PolicyMethods, LeaveTheOthersTheirDevice) {
+// Rollouts by a policy are kernels like the others: the device keeps all of them.
+TEST(PolicyMethods, RunOnTheDevice) {
   const level::Level stones = steppingStones().compile();
   Question q(stones);
   ThreadPool pool(1);
   Problem problem = q.problem();
   problem.policy = &policy::shippedPolicy().network;
-  EXPECT_EQ(ExploreSetup(problem, 1, GoExploreSettings{}).pilot, nullptr);
-  EXPECT_NE(ExploreSetup(problem, 1, aloneSettings()).pilot, nullptr);
-  CountingDevice device(pool);
-  Budget budget;
-  budget.maxSteps = 20'000;
-  findMethod("auto")->run(problem, budget, {}, {pool, &device});
-  EXPECT_GT(device.launches, 0);
-  device.launches = 0;
-  findMethod("rl")->run(problem, budget, {}, {pool, &device});
-  EXPECT_EQ(device.launches, 0);
+  EXPECT_FALSE(ExploreSetup(problem, 1, GoExploreSettings{}).rules.context.pilot.exists());
+  EXPECT_TRUE(ExploreSetup(problem, 1, aloneSettings()).rules.context.pilot.exists());
+  for (const char* method : {"auto", "rl"}) {
+    CountingDevice device(pool);
+    Budget budget;
+    budget.maxSteps = 20'000;
+    const SearchOutcome out = findMethod(method)->run(problem, budget, {}, {pool, &device});
+    EXPECT_TRUE(out.device);
+    EXPECT_GE(uint64_t(device.launches), out.statistics.rounds) << method;
+  }
 }
 
 TEST(PolicyMethods, DifferFromTheSameWithoutAPolicy) {

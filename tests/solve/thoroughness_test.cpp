@@ -89,7 +89,7 @@ TEST(Thoroughness, ASmallPlaceIsSaturatedALargeOneGrows) {
   small.block({0, -0.5f, 0}, {4, 1, 4}).spawn({0, 0, 0});
   small.physics([](schema::PhysicsParams::Builder p) { p.setFallenPartsHeight(-8); });
   large.block({0, -0.5f, 0}, {1500, 1, 1500}).spawn({0, 0, 0});
-  const SearchOutcome few = searched(small.compile(), 5'000'000);
+  const SearchOutcome few = searched(small.compile(), 10'000'000);
   EXPECT_TRUE(saturated(few.thoroughness)) << few.thoroughness.singletons << " of " << few.cells;
   EXPECT_FALSE(saturated(searched(large.compile(), 2'000'000).thoroughness));
 }

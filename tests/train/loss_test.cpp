@@ -119,9 +119,10 @@ TEST(Network, InTrainingIsTheOneInUse) {
   for (Eigen::Index i = 0; i < inputs.size(); ++i) inputs.data()[i] = random.unit() - 0.5f;
   Pass<float> pass;
   const Rows<float>& out = pass.forward(weights, inputs);
+  const policy::Thinker thinker(network);
   for (Eigen::Index i = 0; i < inputs.rows(); ++i) {
     float outputs[kOut];
-    policy::think(network.view(), inputs.row(i).data(), outputs);
+    policy::think(thinker.view(), inputs.row(i).data(), outputs);
     for (int m = 0; m < kOut; ++m) EXPECT_NEAR(outputs[m], out(i, m), 1e-4f);
   }
 }
