@@ -1,0 +1,30 @@
+#include "metrics.h"
+
+namespace obby::tools {
+
+std::vector<Metric> metricsOf(const train::Iteration& i, double seconds, double rate) {
+  return {{"decisions", double(i.decisions), ""}, {"seconds", seconds, "s"},
+          {"decisionsPerSecond", rate, "1/s"},    {"solved", i.solved, ""},
+          {"hardest", double(i.hardest), ""},     {"reward", i.reward, ""},
+          {"entropy", i.progress.entropy, "nat"}, {"divergence", i.progress.divergence, "nat"},
+          {"clipped", i.progress.clipped, ""},    {"valueError", i.progress.valueError, ""},
+          {"gradient", i.progress.norm, ""}};
+}
+
+Status writeMetrics(io::StreamWriter& output, const char* source, uint64_t step,
+                    std::span<const Metric> values) {
+  io::RecordBuilder record;
+  auto metrics = record.root().initMetrics();
+  metrics.setSource(source);
+  metrics.setStep(step);
+  auto list = metrics.initValues(uint32_t(values.size()));
+  for (uint32_t i = 0; i < list.size(); ++i) {
+    list[i].setName(values[i].name);
+    list[i].setValue(values[i].value);
+    list[i].setUnit(values[i].unit);
+  }
+  OBBY_RETURN_IF_ERROR(output.write(record.reader()));
+  return output.flush();
+}
+
+}  // namespace obby::tools
