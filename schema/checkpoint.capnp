@@ -23,11 +23,26 @@ struct SavedTraining {
   seen @11 :SavedSums;  # of observations
   learner @12 :SavedLearner;
   crowds @13 :List(SavedCrowd);  # those of rank 0, then of rank 1, ...
+  history @14 :SavedHistory;     # for the learning curve; nothing is decided by it
 }
 
 struct SavedSetting {
   name @0 :Text;
   value @1 :Text;  # numbers as their shortest decimal that reads back the same
+}
+
+struct SavedHistory {
+  each @0 :UInt32;        # iterations a point
+  iterations @1 :UInt32;  # since the last point
+  reward @2 :Float64;     # their sum
+  points @3 :List(SavedPoint);
+}
+
+struct SavedPoint {
+  decisions @0 :UInt64;
+  solved @1 :Float32;
+  hardest @2 :Float32;
+  reward @3 :Float32;  # a decision, mean since the last point
 }
 
 struct SavedSums {

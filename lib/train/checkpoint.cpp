@@ -52,6 +52,12 @@ Status decode(schema::SavedTraining::Reader file, Checkpoint& out) {
   OBBY_RETURN_IF_ERROR(readLearner(file.getLearner(), state.learner));
   for (const auto crowd : file.getCrowds())
     OBBY_RETURN_IF_ERROR(readCrowd(crowd, state.crowds.emplace_back()));
+  const auto history = file.getHistory();
+  if (history.getEach() == 0 || history.getPoints().size() >= History::kMostPoints)
+    return makeError("a history that cannot be");
+  out.history = {{}, history.getEach(), history.getIterations(), history.getReward()};
+  for (const auto p : history.getPoints())
+    out.history.points.push_back({p.getDecisions(), p.getSolved(), p.getHardest(), p.getReward()});
   return {};
 }
 
@@ -66,6 +72,19 @@ Status checkHash(Words& words, const capnp::ReaderOptions& options) {
   std::memcpy(&hash, words.asBytes().begin() + at, sizeof hash);
   std::memset(words.asBytes().begin() + at, 0, sizeof hash);
   return digest(words) == hash ? Status() : makeError("its hash is wrong: it is damaged");
+}
+
+void writeHistory(const History& history, schema::SavedHistory::Builder to) {
+  to.setEach(history.each);
+  to.setIterations(history.iterations);
+  to.setReward(history.reward);
+  auto points = to.initPoints(uint32_t(history.points.size()));
+  for (uint32_t i = 0; i < points.size(); ++i) {
+    points[i].setDecisions(history.points[i].decisions);
+    points[i].setSolved(history.points[i].solved);
+    points[i].setHardest(history.points[i].hardest);
+    points[i].setReward(history.points[i].reward);
+  }
 }
 
 void encode(const Checkpoint& checkpoint, schema::SavedTraining::Builder file) {
@@ -88,6 +107,7 @@ void encode(const Checkpoint& checkpoint, schema::SavedTraining::Builder file) {
   writeLearner(state.learner, file.initLearner());
   auto crowds = file.initCrowds(uint32_t(state.crowds.size()));
   for (uint32_t i = 0; i < crowds.size(); ++i) writeCrowd(state.crowds[i], crowds[i]);
+  writeHistory(checkpoint.history, file.initHistory());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "train/history.h"
 #include "train/settings.h"
 #include "train/state.h"
 
@@ -17,6 +18,7 @@ struct Checkpoint {
   std::vector<Setting> settings;
   double seconds = 0;  // wall clock so far, of all runs
   TrainerState state;
+  History history;
 };
 
 std::string writeCheckpoint(const Checkpoint& checkpoint);

@@ -51,7 +51,9 @@ class Trainer {
 
   // Between two iterations; resume() goes on from it with the same bits.
   TrainerState state() const;
-  uint64_t decisions() const { return decisions_; }  // so far
+  // So far.
+  uint64_t iterations() const { return iterations_; }
+  uint64_t decisions() const { return decisions_; }
 
   // The policy as it is now, to be used elsewhere.
   policy::Network network() const;

@@ -31,7 +31,8 @@ Learned learn(const LevelSource& source, int threads, bool broken) {
   EXPECT_TRUE(trainer);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE((*trainer)->iterate());
   if (broken) {
-    const std::string bytes = writeCheckpoint({"1", settingsOf(small()), 3, (*trainer)->state()});
+    const std::string bytes =
+        writeCheckpoint({"1", settingsOf(small()), 3, (*trainer)->state(), {}});
     *trainer = nullptr;
     auto read = readCheckpoint(bytes, "test");
     EXPECT_TRUE(read) << read.error().text();
@@ -67,7 +68,7 @@ std::string sample() {
   settings.crowds = 1;
   const auto trainer = Trainer::make(settings, gaps, pool);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE((*trainer)->iterate());
-  return writeCheckpoint({"1", settingsOf(settings), 3, (*trainer)->state()});
+  return writeCheckpoint({"1", settingsOf(settings), 3, (*trainer)->state(), {}});
 }
 
 TEST(Checkpoint, IsRefusedWhenCutShort) {

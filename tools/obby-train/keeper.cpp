@@ -67,6 +67,7 @@ Status Keeper::find() {
   }
   OBBY_ASSIGN(found_, train::readCheckpoint(*bytes, checkpointPath_));
   secondsBefore_ = found_->seconds;
+  historyBefore_ = found_->history;
   return {};
 }
 
@@ -88,12 +89,13 @@ Result<std::unique_ptr<train::Trainer>> Keeper::trainer(const train::LevelSource
   return trainer;
 }
 
-Status Keeper::save(const train::Trainer& trainer, double seconds) const {
+Status Keeper::save(const train::Trainer& trainer, const train::History& history,
+                    double seconds) const {
   const train::TrainerState state = trainer.state();
   if (!checkpointPath_.empty()) {
-    OBBY_RETURN_IF_ERROR(
-        writeFile(checkpointPath_,
-                  train::writeCheckpoint({context_.identity().version, run_, seconds, state})));
+    OBBY_RETURN_IF_ERROR(writeFile(
+        checkpointPath_,
+        train::writeCheckpoint({context_.identity().version, run_, seconds, state, history})));
   }
   return savePolicy(trainer, state, seconds);
 }

@@ -23,11 +23,13 @@ class Keeper {
   Result<std::unique_ptr<train::Trainer>> trainer(const train::LevelSource& source,
                                                   ThreadPool& pool);
 
-  double secondsBefore() const { return secondsBefore_; }  // of the runs that this one goes on from
+  // Of the runs that this one goes on from.
+  double secondsBefore() const { return secondsBefore_; }
+  const train::History& historyBefore() const { return historyBefore_; }
 
   // The checkpoint first: killed between the two, the next run goes on from what is newer than the
   // policy, and writes the policy that belongs to it. `seconds`: of all runs.
-  Status save(const train::Trainer& trainer, double seconds) const;
+  Status save(const train::Trainer& trainer, const train::History& history, double seconds) const;
 
  private:
   Status savePolicy(const train::Trainer& trainer, const train::TrainerState& state,
@@ -39,6 +41,7 @@ class Keeper {
   std::vector<train::Setting> run_;
   std::optional<train::Checkpoint> found_;
   double secondsBefore_ = 0;
+  train::History historyBefore_;
 };
 
 }  // namespace obby::tools

@@ -5,7 +5,7 @@
 #include "io/read_file.h"
 #include "keeper.h"
 #include "levels.h"
-#include "metrics.h"
+#include "metric_records.h"
 #include "options.h"
 #include "policy/policy_file.h"
 #include "session.h"
@@ -39,8 +39,10 @@ Status learn(cli::Context& context) {
   keeper.setRun(tools::trainerSettings(context), levels.settings);
   ThreadPool pool(context.threads());
   OBBY_ASSIGN(const auto trainer, keeper.trainer(*levels.source, pool));
+  OBBY_ASSIGN(tools::Logs logs, tools::Logs::open(context.arguments(), trainer->iterations(),
+                                                  keeper.historyBefore()));
   return withMetrics(context, [&](io::StreamWriter& output) {
-    return tools::Session(context, *trainer, keeper, output).run();
+    return tools::Session(context, *trainer, keeper, std::move(logs), output).run();
   });
 }
 
@@ -55,7 +57,7 @@ Status evaluate(cli::Context& context) {
     OBBY_ASSIGN(const train::Evaluation e,
                 train::evaluate(file.network, *levels.source, tools::evaluationSettings(context),
                                 pool, context.stop()));
-    const tools::Metric values[] = {{"levels", double(e.levels), ""},
+    const train::Metric values[] = {{"levels", double(e.levels), ""},
                                     {"solvedLikeliest", e.likeliest, ""},
                                     {"solvedDrawn", e.drawn, ""},
                                     {"solvedAny", e.any, ""}};

@@ -16,6 +16,7 @@ using cli::ValueType;
 constexpr const char* kLevelGroup = "Levels";
 constexpr const char* kLearnGroup = "Learning";
 constexpr const char* kKeepGroup = "Keeping and going on";
+constexpr const char* kLogGroup = "Looking on";
 constexpr const char* kEvaluateGroup = "Evaluating";
 
 OptionRow outputRow() {
@@ -84,6 +85,21 @@ std::vector<OptionRow> keepRows() {
                   0, 1e6)};
 }
 
+std::vector<OptionRow> logRows() {
+  return {
+      row("log", ValueType::file, "FILE", "",
+          "write metrics to FILE as comma-separated values; with --resume it goes on", kLogGroup),
+      row("tensorboard", ValueType::file, "DIR", "",
+          "write metrics into the folder DIR for TensorBoard", kLogGroup),
+      between(row("log-every", ValueType::integer, "N", "10",
+                  "iterations between two rows of --log and --tensorboard", kLogGroup),
+              1, 1e9),
+      row("curve", ValueType::file, "FILE", "",
+          "draw success, difficulty and reward over decisions to FILE, an SVG; as often as "
+          "--save-every says",
+          kLogGroup)};
+}
+
 std::vector<OptionRow> evaluateRows() {
   return {
       row("eval", ValueType::file, "FILE", "",
@@ -113,6 +129,9 @@ cli::ToolSpec trainSpec() {
       {"go on with learning that was broken off, as if it had not been",
        "obby-train --style gaps --decisions 300000 --time-limit 1 && "
        "obby-train --style gaps --decisions 300000 --resume"},
+      {"look on, by a table, by TensorBoard and by a picture",
+       "obby-train --style gaps --time-limit 2 --log learning.csv --tensorboard runs/gaps "
+       "--curve learning.svg"},
       {"how good is it on levels that it has never seen?",
        "obby-train --style gaps --time-limit 5 && obby-train --eval policy.obp --style gaps "
        "--eval-levels 100"},
@@ -120,7 +139,7 @@ cli::ToolSpec trainSpec() {
   spec.options = {outputRow(), cli::commonRow(cli::Common::progress),
                   cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)};
   for (const auto& rows :
-       {levelRows(), recipeRows(kLevelGroup), learnRows(), keepRows(), evaluateRows()}) {
+       {levelRows(), recipeRows(kLevelGroup), learnRows(), keepRows(), logRows(), evaluateRows()}) {
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   }
   spec.notes =

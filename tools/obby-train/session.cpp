@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "metrics.h"
+#include "metric_records.h"
 
 namespace obby::tools {
 
@@ -12,11 +12,12 @@ constexpr double kMetricsSeconds = 5;
 
 }  // namespace
 
-Session::Session(cli::Context& context, train::Trainer& trainer, const Keeper& keeper,
+Session::Session(cli::Context& context, train::Trainer& trainer, const Keeper& keeper, Logs logs,
                  io::StreamWriter& output)
     : context_(context),
       trainer_(trainer),
       keeper_(keeper),
+      logs_(std::move(logs)),
       output_(output),
       decisionsBefore_(trainer.decisions()),
       most_(uint64_t(context.arguments().integer("decisions"))) {}
@@ -34,6 +35,7 @@ Status Session::run() {
   while (!context_.stop() && trainer_.decisions() < most_ && seconds() < mostSeconds) {
     OBBY_ASSIGN(last_, trainer_.iterate());
     showProgress(mostSeconds);
+    OBBY_RETURN_IF_ERROR(logs_.add(last_, allSeconds(), rate(), last_.decisions >= most_));
     if (seconds() - toldAt_ >= kMetricsSeconds) OBBY_RETURN_IF_ERROR(tell());
     if (seconds() - savedAt_ >= saveSeconds) OBBY_RETURN_IF_ERROR(save());
   }
@@ -56,12 +58,14 @@ void Session::showProgress(double mostSeconds) {
 
 Status Session::tell() {
   toldAt_ = seconds();
-  return writeMetrics(output_, "obby-train", last_.number, metricsOf(last_, allSeconds(), rate()));
+  return writeMetrics(output_, "obby-train", last_.number,
+                      train::metricsOf(last_, allSeconds(), rate()));
 }
 
 Status Session::save() {
   savedAt_ = seconds();
-  return keeper_.save(trainer_, allSeconds());
+  OBBY_RETURN_IF_ERROR(keeper_.save(trainer_, logs_.history(), allSeconds()));
+  return logs_.save();
 }
 
 }  // namespace obby::tools

@@ -6,13 +6,14 @@
 #include "cli/context.h"
 #include "io/stream.h"
 #include "keeper.h"
+#include "logs.h"
 
 namespace obby::tools {
 
 class Session {
  public:
-  // All must outlive it. `output`: of metrics.
-  Session(cli::Context& context, train::Trainer& trainer, const Keeper& keeper,
+  // What it refers to must outlive it. `output`: of metrics.
+  Session(cli::Context& context, train::Trainer& trainer, const Keeper& keeper, Logs logs,
           io::StreamWriter& output);
 
   // Until --decisions, --time-limit (of this run) or a signal.
@@ -29,6 +30,7 @@ class Session {
   cli::Context& context_;
   train::Trainer& trainer_;
   const Keeper& keeper_;
+  Logs logs_;
   io::StreamWriter& output_;
   uint64_t decisionsBefore_, most_;
   train::Iteration last_;
