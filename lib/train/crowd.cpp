@@ -9,7 +9,6 @@ namespace obby::train {
 
 namespace {
 
-constexpr size_t kMostReached = 16;      // states to begin from that a level keeps
 constexpr uint32_t kRememberEvery = 64;  // about one state in so many decisions
 
 }  // namespace
@@ -28,12 +27,23 @@ Status Crowd::begin() {
   return {};
 }
 
+uint64_t Crowd::indexOf(uint32_t p) const {
+  const uint64_t all = uint64_t(crowds_) * places_.size();
+  return (places_[p].taken - 1) * all + uint64_t(number_) * places_.size() + p;
+}
+
+Status Crowd::findLevel(uint32_t p) {
+  Place& place = places_[p];
+  OBBY_ASSIGN(place.level, source_.level(indexOf(p), place.hardest));
+  place.mostTicks = mostTicksOf(*place.level, settings_.patience);
+  return {};
+}
+
 Status Crowd::takeLevel(uint32_t p) {
   Place& place = places_[p];
-  const uint64_t all = uint64_t(crowds_) * places_.size();
-  const uint64_t index = place.taken++ * all + uint64_t(number_) * places_.size() + p;
-  OBBY_ASSIGN(place.level, source_.level(index, hardest_));
-  place.mostTicks = mostTicksOf(*place.level, settings_.patience);
+  ++place.taken;
+  place.hardest = hardest_;
+  OBBY_RETURN_IF_ERROR(findLevel(p));
   place.played = 0;
   place.reached.clear();
   place.players.assign(settings_.worlds, {});

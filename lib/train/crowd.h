@@ -9,9 +9,12 @@
 #include <vector>
 
 #include "policy/moves.h"
+#include "train/state.h"
 #include "train/training_level.h"
 
 namespace obby::train {
+
+constexpr uint32_t kMostReached = 16;  // states to begin from that a level keeps
 
 // What is worth how much.
 struct RewardSettings {
@@ -37,11 +40,6 @@ struct Step {
   bool cut = false;    // for lack of time: more could have come of it
 };
 
-// Playthroughs that began at the start of their level, since the last look.
-struct Tally {
-  uint64_t played = 0, solved = 0;
-};
-
 class Crowd {
  public:
   // `number`: of this crowd among `crowds`, which share the levels of `source` in turns. The source
@@ -54,6 +52,11 @@ class Crowd {
 
   // Takes the first levels; an error is the source's.
   Status begin();
+
+  // What restore() goes on from, in another crowd of the same source, settings and number; `draws`
+  // is the caller's. Errors of restore(): the source's, and what does not fit settings and levels.
+  CrowdState state() const;
+  Status restore(CrowdState state);
 
   uint32_t size() const { return settings_.levels * settings_.worlds; }
 
@@ -69,23 +72,13 @@ class Crowd {
   Tally takeTally() { return std::exchange(tally_, {}); }
 
  private:
-  struct Player {
-    sim::World world;
-    Turns ahead = 0;
-    float least = 0;     // studs of the way left, the least in this playthrough
-    uint32_t ticks = 0;  // of this playthrough
-    bool fromStart = true;
-  };
-  struct Place {  // a level with its worlds
+  struct Place : PlaceState {  // a level with its worlds
     std::shared_ptr<const TrainingLevel> level;
-    uint64_t taken = 0;  // levels so far
-    uint32_t played = 0;
     uint32_t mostTicks = 0;
-    std::vector<Player> players;
-    std::vector<sim::LooseBody> loose;  // (players, looseCount)
-    std::vector<sim::World> reached;    // by somebody, to begin from
   };
 
+  uint64_t indexOf(uint32_t place) const;  // of its level in the source
+  Status findLevel(uint32_t place);
   Status takeLevel(uint32_t place);
   void restart(Place& place, uint32_t player);
   void remember(Place& place, const sim::World& world);

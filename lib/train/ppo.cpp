@@ -47,6 +47,21 @@ Ppo::Ppo(const PpoSettings& settings, uint64_t seed, ThreadPool& pool)
   weights_.w[2].col(policy::kMoves) = value;
 }
 
+LearnerState Ppo::state() const {
+  return {weights_, momentum_, squares_, steps_, valueMean_, valueDeviation_, returns_, random_};
+}
+
+void Ppo::restore(const LearnerState& s) {
+  weights_ = s.weights;
+  momentum_ = s.momentum;
+  squares_ = s.squares;
+  steps_ = s.steps;
+  valueMean_ = s.valueMean;
+  valueDeviation_ = s.valueDeviation;
+  returns_ = s.returns;
+  random_ = s.random;
+}
+
 // Generalised advantage estimation (Schulman et al. 2015).
 void Ppo::fillAdvantages(Batch& b) {
   advantages_.resize(b.values.size());

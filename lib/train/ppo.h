@@ -10,6 +10,7 @@
 #include "train/loss.h"
 #include "train/mlp.h"
 #include "train/normaliser.h"
+#include "train/state.h"
 
 namespace obby::train {
 
@@ -57,6 +58,10 @@ class Ppo {
   // Of the value head: a reward is mean + deviation x output.
   float valueMean() const { return valueMean_; }
   float valueDeviation() const { return valueDeviation_; }
+
+  // What restore() goes on from, under the same settings.
+  LearnerState state() const;
+  void restore(const LearnerState& state);
 
   // `rate`: of what settings say. The batch's advantages and targets are filled in.
   Progress learn(Batch& batch, float rate);

@@ -1,5 +1,7 @@
 #include "train/trainer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -53,6 +55,36 @@ Result<std::unique_ptr<Trainer>> Trainer::make(const TrainerSettings& settings,
     OBBY_RETURN_IF_ERROR(group->crowd.begin());
   }
   return trainer;
+}
+
+Result<std::unique_ptr<Trainer>> Trainer::resume(const TrainerSettings& settings,
+                                                 const LevelSource& source, ThreadPool& pool,
+                                                 TrainerState state) {
+  std::unique_ptr<Trainer> trainer(new Trainer(settings, source, pool));
+  Trainer& t = *trainer;
+  if (state.crowds.size() != t.groups_.size())
+    return makeError(fmt::format("{} crowds, expected {}", state.crowds.size(), t.groups_.size()));
+  for (size_t i = 0; i < t.groups_.size(); ++i) {
+    t.groups_[i]->random = state.crowds[i].draws;
+    OBBY_RETURN_IF_ERROR(t.groups_[i]->crowd.restore(std::move(state.crowds[i])));
+  }
+  t.iterations_ = state.iterations;
+  t.decisions_ = state.decisions;
+  t.solved_ = state.solved;
+  t.hardest_ = state.hardest;
+  t.seen_ = std::move(state.seen);
+  t.ppo_.restore(state.learner);
+  t.refreshNormaliser();
+  return trainer;
+}
+
+TrainerState Trainer::state() const {
+  TrainerState out{iterations_, decisions_, solved_, hardest_, seen_, ppo_.state(), {}};
+  for (const auto& group : groups_) {
+    out.crowds.push_back(group->crowd.state());
+    out.crowds.back().draws = group->random;
+  }
+  return out;
 }
 
 void Trainer::normalise(float* row) const {
@@ -151,6 +183,13 @@ void Trainer::adapt(double solvedNow, uint64_t played) {
     hardest_ = std::max(hardest_ - kHarder, settings_.easiest);
 }
 
+void Trainer::refreshNormaliser() {
+  for (size_t i = 0; i < means_.size(); ++i) {
+    means_[i] = float(seen_.mean(i));
+    scales_[i] = 1 / std::max(float(seen_.deviation(i)), kLeastDeviation);
+  }
+}
+
 Result<Iteration> Trainer::iterate() {
   const auto begin = Clock::now();
   pool_.run(int(groups_.size()), [&](int i) { play(*groups_[size_t(i)]); });
@@ -160,10 +199,7 @@ Result<Iteration> Trainer::iterate() {
   gather(out);
   const float share = std::min(float(double(decisions_) / double(settings_.decisions)), 1.0f);
   out.progress = ppo_.learn(batch_, 1 - 0.9f * share);
-  for (size_t i = 0; i < means_.size(); ++i) {
-    means_[i] = float(seen_.mean(i));
-    scales_[i] = 1 / std::max(float(seen_.deviation(i)), kLeastDeviation);
-  }
+  refreshNormaliser();
   decisions_ += batch_.decisions.size();
   out.number = ++iterations_;
   out.decisions = decisions_;

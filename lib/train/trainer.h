@@ -41,7 +41,19 @@ class Trainer {
   static Result<std::unique_ptr<Trainer>> make(const TrainerSettings& settings,
                                                const LevelSource& source, ThreadPool& pool);
 
+  // Goes on from a state of a trainer with the same settings and source. Errors also: the state
+  // does not fit them.
+  static Result<std::unique_ptr<Trainer>> resume(const TrainerSettings& settings,
+                                                 const LevelSource& source, ThreadPool& pool,
+                                                 TrainerState state);
+
   Result<Iteration> iterate();
+
+  // Between two iterations; resume() goes on from it with the same bits.
+  TrainerState state() const;
+  // So far.
+  uint64_t iterations() const { return iterations_; }
+  uint64_t decisions() const { return decisions_; }
 
   // The policy as it is now, to be used elsewhere.
   policy::Network network() const;
@@ -71,6 +83,7 @@ class Trainer {
   void normalise(float* row) const;
   void gather(Iteration& out);
   void adapt(double solvedNow, uint64_t played);
+  void refreshNormaliser();
 
   TrainerSettings settings_;
   ThreadPool& pool_;

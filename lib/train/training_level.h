@@ -24,6 +24,7 @@ class TrainingLevel {
   const sim::World& start() const { return start_; }
   const std::vector<sim::LooseBody>& startLoose() const { return startLoose_; }
   const Guide& guide() const { return guide_; }
+  uint64_t hash() const { return level_.hash(); }  // of the level, as Level::hash
 
  private:
   TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> way);

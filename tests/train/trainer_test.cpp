@@ -3,43 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "support/level_builder.h"
 #include "train/evaluate.h"
+#include "train/gaps.h"
 
 namespace obby::train {
 namespace {
-
-// A gap of four to seven studs between two floors, a goal behind it.
-class Gaps : public LevelSource {
- public:
-  Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float) const override {
-    Random random(99, index);
-    const float gap = 4 + 3 * random.unit(), far = -8 - gap;
-    support::LevelBuilder b;
-    b.block({0, -0.5f, -3}, {8, 1, 10});  // to z = -8
-    b.block({0, -0.5f, far - 4}, {8, 1, 8});
-    b.physics([](schema::PhysicsParams::Builder p) { p.setFallenPartsHeight(-30); });
-    b.spawn({0, 0, 0});
-    capnp::MallocMessageBuilder query;
-    auto q = query.initRoot<schema::Query>();
-    q.setId("across");
-    support::set(q.initGoal().initPosition(), {0, 2, far - 5});
-    support::set(q.getGoal().initSize(), {8, 4, 4});
-    return TrainingLevel::make(b.record(), q.asReader(), {});
-  }
-};
-
-TrainerSettings small() {
-  TrainerSettings s;
-  s.crowds = 2;
-  s.crowd.levels = 4;
-  s.crowd.worlds = 32;
-  s.ppo.part = 1024;
-  s.ppo.rate = 2e-3f;
-  s.ppo.loss.entropyShare = 0.005f;
-  s.decisions = 2'000'000;
-  return s;
-}
 
 TEST(Trainer, GivesTheSamePolicyOnAnyNumberOfThreads) {
   const Gaps gaps;

@@ -15,12 +15,14 @@ using cli::ValueType;
 
 constexpr const char* kLevelGroup = "Levels";
 constexpr const char* kLearnGroup = "Learning";
+constexpr const char* kKeepGroup = "Keeping and going on";
+constexpr const char* kLogGroup = "Looking on";
 constexpr const char* kEvaluateGroup = "Evaluating";
 
 OptionRow outputRow() {
   OptionRow r = cli::commonRow(cli::Common::output);
   r.defaultText = "policy.obp";
-  r.help = "write the policy to FILE, each minute and in the end";
+  r.help = "write the policy to FILE, now and then and in the end";
   return r;
 }
 
@@ -62,6 +64,42 @@ std::vector<OptionRow> learnRows() {
   };
 }
 
+OptionRow resumeRow() {
+  OptionRow r = row("resume", ValueType::mode, "MODE", "no",
+                    "go on from the checkpoint, with the options of then; =auto: begin anew where "
+                    "there is none yet",
+                    kKeepGroup);
+  r.choices = {"no", "yes", "auto"};
+  r.bare = "yes";
+  return r;
+}
+
+std::vector<OptionRow> keepRows() {
+  return {row("checkpoint", ValueType::file, "FILE", "",
+              "keep in FILE what is needed to go on; otherwise beside the policy, with .checkpoint "
+              "behind its name",
+              kKeepGroup),
+          resumeRow(),
+          between(row("save-every", ValueType::number, "SECONDS", "60",
+                      "between two writes of checkpoint and policy", kKeepGroup),
+                  0, 1e6)};
+}
+
+std::vector<OptionRow> logRows() {
+  return {
+      row("log", ValueType::file, "FILE", "",
+          "write metrics to FILE as comma-separated values; with --resume it goes on", kLogGroup),
+      row("tensorboard", ValueType::file, "DIR", "",
+          "write metrics into the folder DIR for TensorBoard", kLogGroup),
+      between(row("log-every", ValueType::integer, "N", "10",
+                  "iterations between two rows of --log and --tensorboard", kLogGroup),
+              1, 1e9),
+      row("curve", ValueType::file, "FILE", "",
+          "draw success, difficulty and reward over decisions to FILE, an SVG; as often as "
+          "--save-every says",
+          kLogGroup)};
+}
+
 std::vector<OptionRow> evaluateRows() {
   return {
       row("eval", ValueType::file, "FILE", "",
@@ -88,13 +126,20 @@ cli::ToolSpec trainSpec() {
        "obby-gen --count 2000 --seed 7 | obby-train --time-limit 30 -o policy.obp"},
       {"learn a minute long from levels that are always new",
        "obby-train --generate --difficulty trivial..limit --time-limit 60 -o policy.obp"},
+      {"go on with learning that was broken off, as if it had not been",
+       "obby-train --style gaps --decisions 300000 --time-limit 1 && "
+       "obby-train --style gaps --decisions 300000 --resume"},
+      {"look on, by a table, by TensorBoard and by a picture",
+       "obby-train --style gaps --time-limit 2 --log learning.csv --tensorboard runs/gaps "
+       "--curve learning.svg"},
       {"how good is it on levels that it has never seen?",
        "obby-train --style gaps --time-limit 5 && obby-train --eval policy.obp --style gaps "
        "--eval-levels 100"},
   };
   spec.options = {outputRow(), cli::commonRow(cli::Common::progress),
                   cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)};
-  for (const auto& rows : {levelRows(), recipeRows(kLevelGroup), learnRows(), evaluateRows()}) {
+  for (const auto& rows :
+       {levelRows(), recipeRows(kLevelGroup), learnRows(), keepRows(), logRows(), evaluateRows()}) {
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   }
   spec.notes =

@@ -1,8 +1,10 @@
-#include "streamed_levels.h"
+#include <fmt/format.h>
 
 #include <map>
 
+#include "base/hash.h"
 #include "io/record.h"
+#include "levels.h"
 
 namespace obby::tools {
 
@@ -30,14 +32,18 @@ Error inRecord(Error error, const io::Record& record) {
 
 }  // namespace
 
-Result<std::unique_ptr<train::LevelSource>> streamedLevels(cli::Context& context) {
+Result<Levels> streamedLevels(cli::Context& context) {
   io::RecordSource source(context.sourceOptions());
+  std::string bytes;  // of the levels and queries, whatever the stream's encoding
+  io::StreamWriter writer = io::StreamWriter::toBytes(io::Format::capnp, &bytes);
   std::map<std::string, io::Record> levels;
   std::vector<std::shared_ptr<const train::TrainingLevel>> made;
   while (true) {
     OBBY_ASSIGN(const std::optional<io::Record> record, source.next());
     if (!record) break;
     if (!record->known()) continue;
+    if (record->which() == io::Kind::LEVEL || record->which() == io::Kind::QUERY)
+      OBBY_RETURN_IF_ERROR(writer.write(record->reader()));
     if (record->which() == io::Kind::LEVEL) {
       levels.insert_or_assign(record->reader().getLevel().getName(), *record);
     }
@@ -61,7 +67,10 @@ Result<std::unique_ptr<train::LevelSource>> streamedLevels(cli::Context& context
     return makeError("no levels with queries to learn from",
                      "pipe obby-gen into obby-train, or let it make levels with --generate");
   }
-  return std::unique_ptr<train::LevelSource>(std::make_unique<StreamedLevels>(std::move(made)));
+  OBBY_RETURN_IF_ERROR(writer.close());
+  const auto hash = hashBytes(bytes.data(), bytes.size());
+  return Levels{std::make_unique<StreamedLevels>(std::move(made)),
+                {{"levels", fmt::format("a stream of hash {:016x}", hash)}}};
 }
 
 }  // namespace obby::tools

@@ -1,0 +1,30 @@
+// A file that grows while others read it, a log: whatever ends the process, what append() was given
+// is in the file, whole.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace obby::io {
+
+class Appender {
+ public:
+  // Adds to what is there. The error names the file and the reason.
+  static Result<Appender> open(const std::string& path);
+
+  Appender(Appender&& other) noexcept;
+  Appender& operator=(Appender&& other) noexcept;
+  ~Appender();
+
+  Status append(std::string_view piece);
+
+ private:
+  Appender(std::string path, int fd) : path_(std::move(path)), fd_(fd) {}
+
+  std::string path_;
+  int fd_;
+};
+
+}  // namespace obby::io

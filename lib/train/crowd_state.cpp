@@ -1,0 +1,74 @@
+// What a crowd keeps of itself, and how it goes on from there. A state that no crowd of these
+// levels could have is refused: it would index what is not there.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "train/crowd.h"
+
+namespace obby::train {
+
+namespace {
+
+bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+bool isSound(const sim::World& w, const level::LevelView& level, const level::QueryView& query) {
+  if (!finite(w.position) || !finite(w.velocity) || !std::isfinite(w.health)) return false;
+  if (!std::isfinite(w.damage) || w.state > sim::State::fallingDown) return false;
+  if (w.outcome != sim::Outcome::running || w.clockCount > sim::kMaxClocks) return false;
+  for (uint8_t i = 0; i < w.clockCount; ++i) {
+    if (w.clocks[i].clock >= level.clockCount) return false;
+  }
+  return w.waypoints <= query.waypointCount;
+}
+
+bool isSound(const sim::LooseBody& b) {
+  return finite(b.position) && finite(b.velocity) && finite(b.spin) &&
+         std::isfinite(b.rotation.x) && std::isfinite(b.rotation.y) &&
+         std::isfinite(b.rotation.z) && std::isfinite(b.rotation.w) &&
+         b.state <= sim::LooseState::gone;
+}
+
+Status check(const PlaceState& s, const TrainingLevel& level, const CrowdSettings& settings) {
+  if (s.levelHash != level.hash())
+    return makeError("one of its levels is not the one that it was",
+                     "give the same levels as then");
+  const auto& scene = level.scene();
+  bool sound = s.players.size() == settings.worlds && s.reached.size() <= kMostReached &&
+               s.loose.size() == s.players.size() * level.startLoose().size();
+  for (const Player& p : s.players)
+    sound = sound && isSound(p.world, scene.level, scene.query) && std::isfinite(p.least);
+  for (const sim::World& w : s.reached) sound = sound && isSound(w, scene.level, scene.query);
+  for (const sim::LooseBody& b : s.loose) sound = sound && isSound(b);
+  return sound ? Status() : makeError("its worlds are none that its levels could have");
+}
+
+}  // namespace
+
+CrowdState Crowd::state() const {
+  CrowdState out;
+  out.random = random_;
+  out.tally = tally_;
+  for (const Place& place : places_) {
+    out.places.push_back(place);
+    out.places.back().levelHash = place.level->hash();
+  }
+  return out;
+}
+
+Status Crowd::restore(CrowdState state) {
+  if (state.places.size() != places_.size())
+    return makeError(
+        fmt::format("{} levels of a crowd, expected {}", state.places.size(), places_.size()));
+  random_ = state.random;
+  tally_ = state.tally;
+  for (uint32_t p = 0; p < places_.size(); ++p) {
+    static_cast<PlaceState&>(places_[p]) = std::move(state.places[p]);
+    if (places_[p].taken == 0) return makeError("a place that never had a level");
+    OBBY_RETURN_IF_ERROR(findLevel(p));
+    OBBY_RETURN_IF_ERROR(check(places_[p], *places_[p].level, settings_));
+  }
+  return {};
+}
+
+}  // namespace obby::train

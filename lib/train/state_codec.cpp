@@ -1,0 +1,212 @@
+#include "train/state_codec.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+#include "base/hash.h"
+
+namespace obby::train {
+
+namespace {
+
+using sim::Outcome, sim::State;  // as the table of a world's fields names them
+
+// key, counter, block, used
+using RandomWords = std::array<uint32_t, 11>;
+static_assert(sizeof(RandomWords) == sizeof(Random));
+constexpr uint32_t kBlock = 4;  // numbers of a block
+
+#define OBBY_SIZE_OF(type, name) +sizeof(type)
+static_assert(sizeof(sim::World) == OBBY_WORLD_FIELDS(OBBY_SIZE_OF)
+                                            OBBY_PROGRESS_FIELDS(OBBY_SIZE_OF) +
+                                        sizeof(sim::World::clocks),
+              "a world has padding: its bytes would differ between equal worlds");
+#undef OBBY_SIZE_OF
+
+template <class From, class List>
+void fill(const From* from, List to) {
+  for (uint32_t i = 0; i < to.size(); ++i) to.set(i, from[i]);
+}
+
+template <class List, class To>
+Status take(const List& from, const char* what, size_t expected, To* to) {
+  if (from.size() != expected)
+    return makeError(fmt::format("{} {}, expected {}", from.size(), what, expected));
+  for (const auto v : from) {
+    if (!std::isfinite(double(v))) return makeError(fmt::format("{} that are not finite", what));
+    *to++ = v;
+  }
+  return {};
+}
+
+template <class T>
+capnp::Data::Reader bytesOf(const std::vector<T>& rows) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  return {reinterpret_cast<const kj::byte*>(rows.data()), rows.size() * sizeof(T)};
+}
+
+template <class T>
+Status rowsOf(capnp::Data::Reader bytes, const char* what, std::vector<T>& rows) {
+  if (bytes.size() % sizeof(T) != 0)
+    return makeError(fmt::format("{} bytes of {}, of {} each", bytes.size(), what, sizeof(T)));
+  rows.resize(bytes.size() / sizeof(T));
+  if (!rows.empty()) std::memcpy(rows.data(), bytes.begin(), bytes.size());
+  return {};
+}
+
+void writeRandom(const Random& random, capnp::List<uint32_t>::Builder to) {
+  fill(std::bit_cast<RandomWords>(random).data(), to);
+}
+
+Status readRandom(capnp::List<uint32_t>::Reader from, Random& out) {
+  RandomWords words;
+  OBBY_RETURN_IF_ERROR(take(from, "words of a random-number state", words.size(), words.data()));
+  if (words.back() > kBlock) return makeError("a random-number state that cannot be");
+  out = std::bit_cast<Random>(words);
+  return {};
+}
+
+size_t countOf(Weights<float>& weights) {
+  size_t count = 0;
+  weights.blocks([&](const float*, size_t more) { count += more; });
+  return count;
+}
+
+template <class List>
+void writeWeights(Weights<float> weights, List to) {
+  uint32_t at = 0;
+  weights.blocks([&](const float* from, size_t count) {
+    for (size_t i = 0; i < count; ++i) to.set(at++, from[i]);
+  });
+}
+
+Status readWeights(capnp::List<float>::Reader from, const char* what, Weights<float>& out) {
+  std::vector<float> numbers(countOf(out));
+  OBBY_RETURN_IF_ERROR(take(from, what, numbers.size(), numbers.data()));
+  const float* next = numbers.data();
+  out.blocks([&](float* to, size_t count) {
+    std::memcpy(to, next, count * sizeof(float));
+    next += count;
+  });
+  return {};
+}
+
+void writePlace(const PlaceState& s, schema::SavedPlace::Builder to) {
+  to.setTaken(s.taken);
+  to.setHardest(s.hardest);
+  to.setLevelHash(s.levelHash);
+  to.setPlayed(s.played);
+  std::vector<sim::World> worlds;
+  for (const Player& p : s.players) worlds.push_back(p.world);
+  to.setWorlds(bytesOf(worlds));
+  to.setLoose(bytesOf(s.loose));
+  to.setReached(bytesOf(s.reached));
+  const auto players = uint32_t(s.players.size());
+  auto least = to.initLeast(players);
+  auto ticks = to.initTicks(players);
+  auto fromStart = to.initFromStart(players);
+  for (uint32_t i = 0; i < players; ++i) {
+    least.set(i, s.players[i].least);
+    ticks.set(i, s.players[i].ticks);
+    fromStart.set(i, s.players[i].fromStart);
+  }
+}
+
+Status readPlace(schema::SavedPlace::Reader from, PlaceState& out) {
+  out.taken = from.getTaken();
+  out.hardest = from.getHardest();
+  out.levelHash = from.getLevelHash();
+  out.played = from.getPlayed();
+  std::vector<sim::World> worlds;
+  OBBY_RETURN_IF_ERROR(rowsOf(from.getWorlds(), "worlds", worlds));
+  OBBY_RETURN_IF_ERROR(rowsOf(from.getLoose(), "loose bodies", out.loose));
+  OBBY_RETURN_IF_ERROR(rowsOf(from.getReached(), "worlds to begin from", out.reached));
+  const auto least = from.getLeast();
+  const auto ticks = from.getTicks();
+  const auto fromStart = from.getFromStart();
+  if (least.size() != worlds.size() || ticks.size() != worlds.size() ||
+      fromStart.size() != worlds.size())
+    return makeError("lists of a place's players that differ in length");
+  for (uint32_t i = 0; i < worlds.size(); ++i)
+    out.players.push_back({worlds[i], 0, least[i], ticks[i], fromStart[i]});
+  return {};
+}
+
+}  // namespace
+
+uint64_t stateLayout() {
+#define OBBY_NAME_OF(type, name) #type " " #name ";"
+  const std::string text = fmt::format(
+      OBBY_WORLD_FIELDS(OBBY_NAME_OF) OBBY_PROGRESS_FIELDS(
+          OBBY_NAME_OF) "clocks {}; world {}; position {} rotation {} velocity {} spin {} "
+                        "stillTicks {} state {}; body {}",
+      sim::kMaxClocks, sizeof(sim::World), offsetof(sim::LooseBody, position),
+      offsetof(sim::LooseBody, rotation), offsetof(sim::LooseBody, velocity),
+      offsetof(sim::LooseBody, spin), offsetof(sim::LooseBody, stillTicks),
+      offsetof(sim::LooseBody, state), sizeof(sim::LooseBody));
+#undef OBBY_NAME_OF
+  return hashBytes(text.data(), text.size());
+}
+
+void writeSums(const Sums& sums, schema::SavedSums::Builder to) {
+  fill(sums.sum.data(), to.initSum(uint32_t(sums.sum.size())));
+  fill(sums.squares.data(), to.initSquares(uint32_t(sums.squares.size())));
+  to.setRows(sums.rows);
+}
+
+Status readSums(schema::SavedSums::Reader from, Sums& out) {
+  OBBY_RETURN_IF_ERROR(take(from.getSum(), "sums", out.sum.size(), out.sum.data()));
+  OBBY_RETURN_IF_ERROR(
+      take(from.getSquares(), "sums of squares", out.squares.size(), out.squares.data()));
+  out.rows = from.getRows();
+  return {};
+}
+
+void writeLearner(const LearnerState& state, schema::SavedLearner::Builder to) {
+  Weights<float> weights = state.weights;
+  const auto count = uint32_t(countOf(weights));
+  writeWeights(state.weights, to.initWeights(count));
+  writeWeights(state.momentum, to.initMomentum(count));
+  writeWeights(state.squares, to.initSquares(count));
+  to.setSteps(state.steps);
+  to.setValueMean(state.valueMean);
+  to.setValueDeviation(state.valueDeviation);
+  writeSums(state.returns, to.initReturns());
+  writeRandom(state.random, to.initRandom(uint32_t(RandomWords().size())));
+}
+
+Status readLearner(schema::SavedLearner::Reader from, LearnerState& out) {
+  OBBY_RETURN_IF_ERROR(readWeights(from.getWeights(), "weights", out.weights));
+  OBBY_RETURN_IF_ERROR(readWeights(from.getMomentum(), "means of gradients", out.momentum));
+  OBBY_RETURN_IF_ERROR(readWeights(from.getSquares(), "means of squares", out.squares));
+  out.steps = from.getSteps();
+  out.valueMean = from.getValueMean();
+  out.valueDeviation = from.getValueDeviation();
+  OBBY_RETURN_IF_ERROR(readSums(from.getReturns(), out.returns));
+  return readRandom(from.getRandom(), out.random);
+}
+
+void writeCrowd(const CrowdState& state, schema::SavedCrowd::Builder to) {
+  writeRandom(state.random, to.initRandom(uint32_t(RandomWords().size())));
+  writeRandom(state.draws, to.initDraws(uint32_t(RandomWords().size())));
+  to.setPlayed(state.tally.played);
+  to.setSolved(state.tally.solved);
+  auto places = to.initPlaces(uint32_t(state.places.size()));
+  for (uint32_t i = 0; i < places.size(); ++i) writePlace(state.places[i], places[i]);
+}
+
+Status readCrowd(schema::SavedCrowd::Reader from, CrowdState& out) {
+  OBBY_RETURN_IF_ERROR(readRandom(from.getRandom(), out.random));
+  OBBY_RETURN_IF_ERROR(readRandom(from.getDraws(), out.draws));
+  out.tally = {from.getPlayed(), from.getSolved()};
+  for (const auto place : from.getPlaces())
+    OBBY_RETURN_IF_ERROR(readPlace(place, out.places.emplace_back()));
+  return {};
+}
+
+}  // namespace obby::train

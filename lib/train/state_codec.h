@@ -1,0 +1,23 @@
+// The parts of a checkpoint to and from its schema (schema/checkpoint.capnp). Private to lib/train.
+#pragma once
+
+#include "base/result.h"
+#include "schema/checkpoint.capnp.h"
+#include "train/state.h"
+
+namespace obby::train {
+
+// Digest of how sim::World and sim::LooseBody are laid out: their bytes mean the same where it is
+// equal.
+uint64_t stateLayout();
+
+void writeSums(const Sums& sums, schema::SavedSums::Builder to);
+void writeLearner(const LearnerState& state, schema::SavedLearner::Builder to);
+void writeCrowd(const CrowdState& state, schema::SavedCrowd::Builder to);
+
+// The error says which list has another length than it must. `out` says how wide sums are.
+Status readSums(schema::SavedSums::Reader from, Sums& out);
+Status readLearner(schema::SavedLearner::Reader from, LearnerState& out);
+Status readCrowd(schema::SavedCrowd::Reader from, CrowdState& out);
+
+}  // namespace obby::train

@@ -1,0 +1,146 @@
+// Learning that goes on from a checkpoint is learning that was never broken off; a checkpoint that
+// is not as it was written, or not of this run, is refused.
+#include "train/checkpoint.h"
+
+#include <gtest/gtest.h>
+
+#include "train/gaps.h"
+
+namespace obby::train {
+namespace {
+
+using Trainers = Result<std::unique_ptr<Trainer>>;
+
+// What an iteration says, without its times.
+std::vector<double> figuresOf(const Iteration& i) {
+  const Progress& p = i.progress;
+  return {double(i.number), double(i.decisions), i.reward,     i.solved,
+          double(i.played), double(i.hardest),   p.loss,       p.entropy,
+          p.divergence,     p.clipped,           p.valueError, p.norm};
+}
+
+struct Learned {
+  std::vector<std::vector<double>> figures;
+  std::vector<float> numbers;  // of the network
+};
+
+// Iterations 4 to 6 and what comes of them; broken off after the third, if asked for.
+Learned learn(const LevelSource& source, int threads, bool broken) {
+  ThreadPool pool(threads);
+  Trainers trainer = Trainer::make(small(), source, pool);
+  EXPECT_TRUE(trainer);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE((*trainer)->iterate());
+  if (broken) {
+    const std::string bytes =
+        writeCheckpoint({"1", settingsOf(small()), 3, (*trainer)->state(), {}});
+    *trainer = nullptr;
+    auto read = readCheckpoint(bytes, "test");
+    EXPECT_TRUE(read) << read.error().text();
+    EXPECT_EQ(writeCheckpoint(*read), bytes);
+    trainer = Trainer::resume(small(), source, pool, std::move(read->state));
+    EXPECT_TRUE(trainer) << trainer.error().text();
+  }
+  Learned out;
+  for (int i = 0; i < 3; ++i) out.figures.push_back(figuresOf(*(*trainer)->iterate()));
+  out.numbers = (*trainer)->network().numbers();
+  return out;
+}
+
+class GoingOn : public testing::TestWithParam<bool> {};
+
+TEST_P(GoingOn, FromACheckpointIsAsIfNothingHadBeen) {
+  const Gaps gaps(GetParam());
+  const Learned whole = learn(gaps, 1, false);
+  for (const int threads : {1, 2}) {
+    const Learned broken = learn(gaps, threads, true);
+    EXPECT_EQ(broken.figures, whole.figures) << threads;
+    EXPECT_EQ(broken.numbers, whole.numbers) << threads;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutLooseBodies, GoingOn, testing::Bool());
+
+// After a few iterations, so that nothing in it is as it was in the beginning.
+std::string sample() {
+  ThreadPool pool(1);
+  const Gaps gaps(true);
+  TrainerSettings settings = small();
+  settings.crowds = 1;
+  const auto trainer = Trainer::make(settings, gaps, pool);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE((*trainer)->iterate());
+  return writeCheckpoint({"1", settingsOf(settings), 3, (*trainer)->state(), {}});
+}
+
+TEST(Checkpoint, IsRefusedWhenCutShort) {
+  const std::string bytes = sample();
+  ASSERT_TRUE(readCheckpoint(bytes, "whole"));
+  for (size_t size = 0; size < bytes.size(); size += size < 256 ? 1 : 1016) {
+    const auto read = readCheckpoint(std::string_view(bytes).substr(0, size), "short");
+    ASSERT_FALSE(read) << size;
+    EXPECT_EQ(read.error().input, "short");
+    EXPECT_FALSE(read.error().hint.empty());
+  }
+}
+
+TEST(Checkpoint, IsRefusedWithAnyBitOfItWrong) {
+  std::string bytes = sample();
+  for (size_t at = 0; at < bytes.size(); at += at < 512 ? 1 : 331) {
+    const char old = bytes[at];
+    bytes[at] = char(old ^ (1 << (at % 8)));
+    EXPECT_FALSE(readCheckpoint(bytes, "flipped")) << at;
+    bytes[at] = old;
+  }
+  EXPECT_FALSE(readCheckpoint(bytes + std::string(8, '\0'), "longer"));
+  EXPECT_TRUE(readCheckpoint(bytes, "whole"));
+}
+
+TEST(Checkpoint, IsRefusedUnderOtherSettingsByName) {
+  const std::vector<Setting> then = settingsOf(small());
+  EXPECT_TRUE(sameSettings(then, settingsOf(small())));
+  TrainerSettings other = small();
+  other.ppo.discount = 0.98f;
+  const Status status = sameSettings(then, settingsOf(other));
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().message,
+            "made under another setting: discount was 0.99, now it is 0.98");
+  std::vector<Setting> more = then;
+  more.push_back({"style", "gaps"});
+  EXPECT_FALSE(sameSettings(then, more));
+  EXPECT_FALSE(sameSettings(more, then));
+}
+
+TEST(Checkpoint, IsRefusedOnOtherLevels) {
+  ThreadPool pool(1);
+  const Gaps gaps, others(false, 98), loose(true);
+  const auto trainer = Trainer::make(small(), gaps, pool);
+  ASSERT_TRUE((*trainer)->iterate());
+  EXPECT_TRUE(Trainer::resume(small(), gaps, pool, (*trainer)->state()));
+  EXPECT_FALSE(Trainer::resume(small(), others, pool, (*trainer)->state()));
+  EXPECT_FALSE(Trainer::resume(small(), loose, pool, (*trainer)->state()));
+}
+
+// What no crowd of these levels could have must not be played on.
+TEST(Checkpoint, IsRefusedWithWorldsThatCannotBe) {
+  ThreadPool pool(1);
+  const Gaps gaps(true);
+  const auto trainer = Trainer::make(small(), gaps, pool);
+  ASSERT_TRUE((*trainer)->iterate());
+  const auto refused = [&](auto&& spoil) {
+    TrainerState state = (*trainer)->state();
+    spoil(state.crowds[1].places[2]);
+    return !Trainer::resume(small(), gaps, pool, std::move(state));
+  };
+  EXPECT_FALSE(refused([](PlaceState&) {}));
+  EXPECT_TRUE(refused([](PlaceState& s) { s.players.pop_back(); }));
+  EXPECT_TRUE(refused([](PlaceState& s) { s.loose.pop_back(); }));
+  EXPECT_TRUE(refused([](PlaceState& s) { s.taken = 0; }));
+  EXPECT_TRUE(refused([](PlaceState& s) { s.players[3].world.clockCount = 1; }));
+  EXPECT_TRUE(refused([](PlaceState& s) { s.players[3].world.clockCount = 200; }));
+  EXPECT_TRUE(refused([](PlaceState& s) { s.players[3].world.waypoints = 9; }));
+  EXPECT_TRUE(refused([](PlaceState& s) { s.players[3].world.position.x = NAN; }));
+  EXPECT_TRUE(refused([](PlaceState& s) { s.loose[3].velocity.y = NAN; }));
+  EXPECT_TRUE(refused([](PlaceState& s) { s.reached.resize(17, s.players[0].world); }));
+}
+
+}  // namespace
+}  // namespace obby::train

@@ -1,0 +1,49 @@
+// A small thing to learn: a gap of four to seven studs between two floors, a goal behind it.
+#pragma once
+
+#include "support/level_builder.h"
+#include "train/trainer.h"
+
+namespace obby::train {
+
+class Gaps : public LevelSource {
+ public:
+  // `loose`: a body lies in the way that can be pushed. `seed`: of the levels.
+  explicit Gaps(bool loose = false, uint64_t seed = 99) : loose_(loose), seed_(seed) {}
+
+  Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float) const override {
+    Random random(seed_, index);
+    const float gap = 4 + 3 * random.unit(), far = -8 - gap;
+    support::LevelBuilder b;
+    b.block({0, -0.5f, -3}, {8, 1, 10});  // to z = -8
+    b.block({0, -0.5f, far - 4}, {8, 1, 8});
+    if (loose_)
+      b.block({0, 1, -4}, {2, 2, 2}, [](schema::Part::Builder p) { p.setAnchored(false); });
+    b.physics([](schema::PhysicsParams::Builder p) { p.setFallenPartsHeight(-30); });
+    b.spawn({0, 0, 0});
+    capnp::MallocMessageBuilder query;
+    auto q = query.initRoot<schema::Query>();
+    q.setId("across");
+    support::set(q.initGoal().initPosition(), {0, 2, far - 5});
+    support::set(q.getGoal().initSize(), {8, 4, 4});
+    return TrainingLevel::make(b.record(), q.asReader(), {});
+  }
+
+ private:
+  bool loose_;
+  uint64_t seed_;
+};
+
+inline TrainerSettings small() {
+  TrainerSettings s;
+  s.crowds = 2;
+  s.crowd.levels = 4;
+  s.crowd.worlds = 32;
+  s.ppo.part = 1024;
+  s.ppo.rate = 2e-3f;
+  s.ppo.loss.entropyShare = 0.005f;
+  s.decisions = 2'000'000;
+  return s;
+}
+
+}  // namespace obby::train

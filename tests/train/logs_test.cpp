@@ -1,0 +1,87 @@
+// Logs of learning: what stays of them when learning goes on, and what others read.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "io/read_file.h"
+#include "train/csv_log.h"
+#include "train/event_log.h"
+#include "train/history.h"
+
+namespace obby::train {
+namespace {
+
+class CsvLogs : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::remove(path_); }
+  void TearDown() override { std::filesystem::remove(path_); }
+
+  // Rows for these iterations behind those up to `kept`.
+  void write(uint64_t kept, std::vector<uint64_t> iterations) {
+    auto log = CsvLog::open(path_, kept);
+    ASSERT_TRUE(log) << log.error().text();
+    for (const uint64_t i : iterations) {
+      Iteration iteration;
+      iteration.decisions = 100 * i;
+      ASSERT_TRUE(log->add(i, metricsOf(iteration, 7, 8)));
+    }
+  }
+  std::string text() const { return *io::readFile(path_); }
+
+  std::string path_ = testing::TempDir() + "obby_csv_log_test_" +
+                      testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv";
+};
+
+TEST_F(CsvLogs, GoOnBehindWhatIsKept) {
+  write(0, {1, 2, 3, 4});
+  const std::string whole = text();
+  EXPECT_EQ(whole.substr(0, whole.find(',')), "iteration");
+  EXPECT_NE(whole.find(",seconds,decisionsPerSecond\n1,100,"), std::string::npos) << whole;
+  write(2, {3, 4});
+  EXPECT_EQ(text(), whole);
+  std::ofstream(path_, std::ios::app) << "5,50";  // cut by a kill
+  write(4, {});
+  EXPECT_EQ(text(), whole);
+  write(0, {1});
+  EXPECT_EQ(text(), whole.substr(0, text().size())) << "it begins anew";
+  EXPECT_LT(text().size(), whole.size());
+}
+
+TEST_F(CsvLogs, AreNotMadeOfOtherFiles) {
+  std::ofstream(path_) << "my notes\n";
+  const auto log = CsvLog::open(path_, 3);
+  ASSERT_FALSE(log);
+  EXPECT_EQ(log.error().input, path_);
+  EXPECT_EQ(text(), "my notes\n");
+}
+
+// The check values of RFC 3720, B.4, and of the polynomial's registry.
+TEST(EventLogs, ChecksumsAreThoseOfTheStandard) {
+  EXPECT_EQ(crc32c("123456789"), 0xe3069283u);
+  EXPECT_EQ(crc32c(std::string(32, '\0')), 0x8a9136aau);
+  EXPECT_EQ(crc32c(std::string(32, '\xff')), 0x62a8ab43u);
+}
+
+TEST(Histories, BecomeCoarserInsteadOfLonger) {
+  History history;
+  Iteration iteration;
+  for (int i = 1; i <= 5000; ++i) {
+    iteration.decisions = uint64_t(i) * 10;
+    iteration.reward = i % 2;
+    iteration.solved = i / 5000.0;
+    history.add(iteration);
+  }
+  EXPECT_LT(history.points.size(), History::kMostPoints);
+  EXPECT_GT(history.points.size(), History::kMostPoints / 4);
+  EXPECT_EQ(history.each, 8u);
+  for (size_t i = 0; i < history.points.size(); ++i) {
+    EXPECT_EQ(history.points[i].decisions, (i + 1) * 80);
+    EXPECT_FLOAT_EQ(history.points[i].reward, 0.5f);
+  }
+  EXPECT_NE(curveSvg(history).find("40 k"), std::string::npos);
+  EXPECT_NE(curveSvg({}).find("</svg>"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace obby::train

@@ -1,0 +1,112 @@
+#include "keeper.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "io/read_file.h"
+#include "policy/policy_file.h"
+
+namespace obby::tools {
+
+namespace {
+
+// Beside the policy; none where the policy goes to a device or a pipe.
+std::string checkpointPathOf(const cli::Arguments& a) {
+  if (a.has("checkpoint")) return a.text("checkpoint");
+  const std::string& output = a.text("output");
+  std::error_code none;
+  const auto kind = std::filesystem::status(output, none).type();
+  const bool file =
+      kind == std::filesystem::file_type::regular || kind == std::filesystem::file_type::not_found;
+  return output == "-" || !file ? std::string() : output + ".checkpoint";
+}
+
+// What was asked for, as a command that asks for it again.
+std::string commandOf(const cli::Arguments& arguments) {
+  std::string command = "obby-train";
+  for (const auto& [name, value] : arguments.values) {
+    if (!value.given || name == "resume") continue;
+    if (value.row.type == cli::ValueType::flag) {
+      command += " --" + name;
+      continue;
+    }
+    for (const std::string& text : value.texts) command += fmt::format(" --{} {}", name, text);
+  }
+  return command;
+}
+
+Error inFile(Error error, const std::string& path) {
+  if (error.input.empty()) error.input = path;
+  return error;
+}
+
+Status writeFile(const std::string& path, std::string_view bytes) {
+  OBBY_ASSIGN(io::Sink sink, io::Sink::open(path));
+  OBBY_RETURN_IF_ERROR(sink.write(bytes));
+  return sink.close();
+}
+
+}  // namespace
+
+Keeper::Keeper(const cli::Context& context)
+    : context_(context), checkpointPath_(checkpointPathOf(context.arguments())) {}
+
+Status Keeper::find() {
+  const std::string& resume = context_.arguments().text("resume");
+  if (resume == "no") return {};
+  if (checkpointPath_.empty())
+    return makeError("--resume: there is no checkpoint to go on from",
+                     "name it by --checkpoint, or write the policy to a file");
+  std::error_code none;
+  if (resume == "auto" && !std::filesystem::exists(checkpointPath_, none)) return {};
+  auto bytes = io::readFile(checkpointPath_);
+  if (!bytes) {
+    bytes.error().hint = "--resume=auto begins anew where there is no checkpoint";
+    return bytes.error();
+  }
+  OBBY_ASSIGN(found_, train::readCheckpoint(*bytes, checkpointPath_));
+  secondsBefore_ = found_->seconds;
+  historyBefore_ = found_->history;
+  return {};
+}
+
+void Keeper::setRun(const train::TrainerSettings& trainer,
+                    const std::vector<train::Setting>& levels) {
+  settings_ = trainer;
+  run_ = levels;
+  for (train::Setting& setting : train::settingsOf(trainer)) run_.push_back(std::move(setting));
+}
+
+Result<std::unique_ptr<train::Trainer>> Keeper::trainer(const train::LevelSource& source,
+                                                        ThreadPool& pool) {
+  if (!found_) return train::Trainer::make(settings_, source, pool);
+  if (Status same = train::sameSettings(found_->settings, run_); !same)
+    return inFile(same.error(), checkpointPath_);
+  auto trainer = train::Trainer::resume(settings_, source, pool, std::move(found_->state));
+  found_.reset();
+  if (!trainer) return inFile(trainer.error(), checkpointPath_);
+  return trainer;
+}
+
+Status Keeper::save(const train::Trainer& trainer, const train::History& history,
+                    double seconds) const {
+  const train::TrainerState state = trainer.state();
+  if (!checkpointPath_.empty()) {
+    OBBY_RETURN_IF_ERROR(writeFile(
+        checkpointPath_,
+        train::writeCheckpoint({context_.identity().version, run_, seconds, state, history})));
+  }
+  return savePolicy(trainer, state, seconds);
+}
+
+Status Keeper::savePolicy(const train::Trainer& trainer, const train::TrainerState& state,
+                          double seconds) const {
+  const io::StreamIdentity identity = context_.identity();
+  const policy::PolicyFile file{trainer.network(),
+                                {commandOf(context_.arguments()), identity.version, identity.seed,
+                                 state.decisions, seconds, state.hardest, float(state.solved)}};
+  return writeFile(context_.arguments().text("output"), policy::writePolicy(file));
+}
+
+}  // namespace obby::tools

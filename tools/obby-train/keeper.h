@@ -1,0 +1,47 @@
+// What learning leaves on disk to be used and to go on from: the policy and its checkpoint.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "cli/context.h"
+#include "train/checkpoint.h"
+
+namespace obby::tools {
+
+class Keeper {
+ public:
+  explicit Keeper(const cli::Context& context);
+
+  // With --resume: reads the checkpoint. Done before levels are read, so that a wrong name is said
+  // at once. Errors: those of the file.
+  Status find();
+  // What is learned under, the levels' settings included.
+  void setRun(const train::TrainerSettings& trainer, const std::vector<train::Setting>& levels);
+  // One that goes on from what find() found, or a new one. Errors: other settings than then, and
+  // those of Trainer.
+  Result<std::unique_ptr<train::Trainer>> trainer(const train::LevelSource& source,
+                                                  ThreadPool& pool);
+
+  // Of the runs that this one goes on from.
+  double secondsBefore() const { return secondsBefore_; }
+  const train::History& historyBefore() const { return historyBefore_; }
+
+  // The checkpoint first: killed between the two, the next run goes on from what is newer than the
+  // policy, and writes the policy that belongs to it. `seconds`: of all runs.
+  Status save(const train::Trainer& trainer, const train::History& history, double seconds) const;
+
+ private:
+  Status savePolicy(const train::Trainer& trainer, const train::TrainerState& state,
+                    double seconds) const;
+
+  const cli::Context& context_;
+  std::string checkpointPath_;  // empty: none is written
+  train::TrainerSettings settings_;
+  std::vector<train::Setting> run_;
+  std::optional<train::Checkpoint> found_;
+  double secondsBefore_ = 0;
+  train::History historyBefore_;
+};
+
+}  // namespace obby::tools

@@ -1,0 +1,24 @@
+// The levels that the command line asks for.
+#pragma once
+
+#include <memory>
+
+#include "cli/context.h"
+#include "train/settings.h"
+#include "train/training_level.h"
+
+namespace obby::tools {
+
+struct Levels {
+  std::unique_ptr<train::LevelSource> source;
+  std::vector<train::Setting> settings;  // tell these levels from others
+};
+
+// Made anew, or those of the stream; `seed`: of those that are made.
+Result<Levels> levelsOf(cli::Context& context, uint64_t seed);
+
+// The queries of the context's inputs with their levels, read whole before anything is learned;
+// asked for more they begin again. Error: none.
+Result<Levels> streamedLevels(cli::Context& context);
+
+}  // namespace obby::tools

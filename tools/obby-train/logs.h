@@ -1,0 +1,33 @@
+// Where people look how learning goes: --log, --tensorboard, --curve.
+#pragma once
+
+#include <optional>
+
+#include "cli/arguments.h"
+#include "train/csv_log.h"
+#include "train/event_log.h"
+#include "train/history.h"
+
+namespace obby::tools {
+
+class Logs {
+ public:
+  // `kept`: iterations before, of which `history` knows. Errors: those of the files.
+  static Result<Logs> open(const cli::Arguments& arguments, uint64_t kept, train::History history);
+
+  // To be called after each iteration; `last`: no more will come.
+  Status add(const train::Iteration& iteration, double seconds, double rate, bool last);
+  // Writes the curve.
+  Status save() const;
+
+  const train::History& history() const { return history_; }
+
+ private:
+  std::optional<train::CsvLog> csv_;
+  std::optional<train::EventLog> events_;
+  std::string curvePath_;
+  uint64_t every_ = 1;
+  train::History history_;
+};
+
+}  // namespace obby::tools

@@ -1,0 +1,41 @@
+// A run of learning: iterations until enough, and what is told and kept on the way.
+#pragma once
+
+#include <chrono>
+
+#include "cli/context.h"
+#include "io/stream.h"
+#include "keeper.h"
+#include "logs.h"
+
+namespace obby::tools {
+
+class Session {
+ public:
+  // What it refers to must outlive it. `output`: of metrics.
+  Session(cli::Context& context, train::Trainer& trainer, const Keeper& keeper, Logs logs,
+          io::StreamWriter& output);
+
+  // Until --decisions, --time-limit (of this run) or a signal.
+  Status run();
+
+ private:
+  double seconds() const;  // of this run
+  double allSeconds() const { return keeper_.secondsBefore() + seconds(); }
+  double rate() const;
+  void showProgress(double mostSeconds);
+  Status tell();
+  Status save();
+
+  cli::Context& context_;
+  train::Trainer& trainer_;
+  const Keeper& keeper_;
+  Logs logs_;
+  io::StreamWriter& output_;
+  uint64_t decisionsBefore_, most_;
+  train::Iteration last_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  double toldAt_ = 0, savedAt_ = 0;
+};
+
+}  // namespace obby::tools
