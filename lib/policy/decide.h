@@ -2,24 +2,10 @@
 // of lanes gives the same bits.
 #pragma once
 
+#include "policy/moves.h"
 #include "policy/network.h"
 
 namespace obby::policy {
-
-// What a policy needs beside level and query. Plain data, for device code.
-struct PilotView {
-  SurroundingsView surroundings;
-  NetworkView network;
-
-  OBBY_DEVICE bool exists() const { return network.means != nullptr; }
-};
-
-template <class Table>
-OBBY_DEVICE void forTables(PilotView& p, Table&& table) {
-  if (!p.exists()) return;
-  forTables(p.surroundings, table);
-  forTables(p.network, table);
-}
 
 // What to hold for the next kDecisionTicks ticks: a move drawn with `random`, or the likeliest
 // where that is null. `loose`: (level.looseCount).

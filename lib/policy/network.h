@@ -6,40 +6,11 @@
 
 #include "math/bits.h"
 #include "math/lanes.h"
-#include "policy/moves.h"
+#include "policy/pilot_view.h"
 
 namespace obby::policy {
 
-constexpr int kHidden = 64;         // units a layer
-constexpr int kPaddedOutputs = 48;  // logits, the value, and padding for every number of lanes
-constexpr float kMostInput = 5;     // normalised inputs are clamped to this
-
-// One layer: y = W x + b. Weights by input, (inputs, padded), so that a row is a run of lanes.
-struct LayerView {
-  const float* weights = nullptr;  // (inputs, padded)
-  const float* biases = nullptr;   // (padded)
-};
-
-// Plain spans, for device code.
-struct NetworkView {
-  const float* means = nullptr;   // (kInputs), of the observations that it was trained on
-  const float* scales = nullptr;  // (kInputs), 1 / their spread
-  const float* voids = nullptr;   // (kInputs), what normalised inputs are where nothing is in sight
-  LayerView layers[3];            // kInputs -> kHidden -> kHidden -> kPaddedOutputs; the first is
-                                  // given inputs less `voids`, which its biases make up for
-};
-
-template <class Table>
-OBBY_DEVICE void forTables(NetworkView& n, Table&& table) {
-  table(n.means, kInputs);
-  table(n.scales, kInputs);
-  table(n.voids, kInputs);
-  const uint32_t sizes[] = {uint32_t(kInputs), kHidden, kHidden, kPaddedOutputs};
-  for (int l = 0; l < 3; ++l) {
-    table(n.layers[l].weights, sizes[l] * sizes[l + 1]);
-    table(n.layers[l].biases, sizes[l + 1]);
-  }
-}
+constexpr float kMostInput = 5;  // normalised inputs are clamped to this
 
 OBBY_DEVICE float normalised(float v, float mean, float scale) {
   return clampf((v - mean) * scale, -kMostInput, kMostInput);
@@ -69,7 +40,9 @@ OBBY_DEVICE void layer(const LayerView& l, const float* in, int inputs, int outp
     for (int g = 0; g < kGroups; ++g) loadRow(l.biases + first + g * kStep, sums[g]);
     forNonZero<F>(in, inputs, [&](int i) OBBY_INLINED {
       const float* const row = l.weights + i * outputs + first;
+#if !defined(__CUDACC__)
 #pragma GCC unroll 4
+#endif
       for (int g = 0; g < kGroups; ++g) {
         F w;
         loadRow(row + g * kStep, w);
@@ -82,7 +55,7 @@ OBBY_DEVICE void layer(const LayerView& l, const float* in, int inputs, int outp
   }
 }
 
-constexpr int least(int a, int b) { return a < b ? a : b; }
+OBBY_DEVICE constexpr int least(int a, int b) { return a < b ? a : b; }
 
 // `outputs`: (kPaddedOutputs), logits and value, of raw inputs.
 template <class F>

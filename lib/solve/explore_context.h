@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "policy/decide.h"
+#include "policy/pilot_view.h"
 #include "solve/problem.h"
 #include "solve/surfaces.h"
 #include "solve/targets.h"

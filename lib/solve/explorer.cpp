@@ -4,6 +4,8 @@
 
 namespace obby::solve {
 
+static_assert(policy::kDecisionTicks == kSteerEvery, "a policy decides when rollouts plan");
+
 sim::Action moveOfPolicy(const ExploreContext& c, const sim::World& w, const sim::LooseBody* loose,
                          Random* random) {
   const policy::Scene scene{c.level, c.query, c.pilot.surroundings};

@@ -5,10 +5,11 @@
 #include "solve/archive_node.h"
 #include "solve/macro_aim.h"
 #include "solve/macro_random.h"
+#if defined(__CUDACC__)
+#include "policy/decide.h"
+#endif
 
 namespace obby::solve {
-
-static_assert(policy::kDecisionTicks == kSteerEvery, "a policy decides when rollouts plan");
 
 #if defined(__CUDACC__)
 OBBY_DEVICE sim::Action moveOfPolicy(const ExploreContext& c, const sim::World& w,

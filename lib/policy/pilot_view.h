@@ -1,0 +1,53 @@
+// A policy's numbers as rollouts read them: plain spans, for device code.
+#pragma once
+
+#include "policy/observation.h"
+
+namespace obby::policy {
+
+constexpr int kHidden = 64;         // units a layer
+constexpr int kPaddedOutputs = 48;  // logits, the value, and padding for every number of lanes
+
+// One layer: y = W x + b. Weights by input, (inputs, padded), so that a row is a run of lanes.
+struct LayerView {
+  const float* weights = nullptr;  // (inputs, padded)
+  const float* biases = nullptr;   // (padded)
+};
+
+// Plain spans, for device code.
+struct NetworkView {
+  const float* means = nullptr;   // (kInputs), of the observations that it was trained on
+  const float* scales = nullptr;  // (kInputs), 1 / their spread
+  const float* voids = nullptr;   // (kInputs), what normalised inputs are where nothing is in sight
+  LayerView layers[3];            // kInputs -> kHidden -> kHidden -> kPaddedOutputs; the first is
+                                  // given inputs less `voids`, which its biases make up for
+};
+
+template <class Table>
+OBBY_DEVICE void forTables(NetworkView& n, Table&& table) {
+  table(n.means, kInputs);
+  table(n.scales, kInputs);
+  table(n.voids, kInputs);
+  const uint32_t sizes[] = {uint32_t(kInputs), kHidden, kHidden, kPaddedOutputs};
+  for (int l = 0; l < 3; ++l) {
+    table(n.layers[l].weights, sizes[l] * sizes[l + 1]);
+    table(n.layers[l].biases, sizes[l + 1]);
+  }
+}
+
+// What a policy needs beside level and query. Plain data, for device code.
+struct PilotView {
+  SurroundingsView surroundings;
+  NetworkView network;
+
+  OBBY_DEVICE bool exists() const { return network.means != nullptr; }
+};
+
+template <class Table>
+OBBY_DEVICE void forTables(PilotView& p, Table&& table) {
+  if (!p.exists()) return;
+  forTables(p.surroundings, table);
+  forTables(p.network, table);
+}
+
+}  // namespace obby::policy
