@@ -19,7 +19,8 @@ void scene(bench::Report& report, uint32_t passes, ThreadPool& pool) {
   train::TrainerSettings settings;
   settings.easiest = 0.5f;
   settings.ppo.passes = passes;
-  const auto trainer = train::Trainer::make(settings, **source, pool);
+  train::OneRank alone;
+  const auto trainer = train::Trainer::make(settings, **source, pool, alone);
   uint64_t decisions = 0;
   double seconds = 0, playing = 0;
   for (int i = 0; i < kWarmUp + kIterations; ++i) {

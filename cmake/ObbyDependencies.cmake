@@ -11,6 +11,9 @@ pkg_check_modules(lz4 REQUIRED IMPORTED_TARGET liblz4)     # import
 pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)   # import
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)  # base: digests
 find_path(RANDOM123_INCLUDE Random123/philox.h REQUIRED)   # base: counter-based random numbers
+if(NOT OBBY_PORTABLE)
+  find_package(MPI QUIET COMPONENTS C)  # tools/obby-train: wanted, not needed
+endif()
 if(OBBY_BUILD_TESTS)
   find_package(GTest REQUIRED)
   include(ObbyReferences)

@@ -71,6 +71,11 @@ struct SavedCrowd {
   places @4 :List(SavedPlace);
 }
 
+struct SavedCrowds {
+  # What a rank sends to the first one, for the file.
+  crowds @0 :List(SavedCrowd);
+}
+
 struct SavedPlace {
   # A level with its worlds. Worlds and loose bodies are the bytes of sim::World (lib/sim/world.h) and sim::LooseBody
   # (lib/sim/loose.h), which have no padding, one after another.

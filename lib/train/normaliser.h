@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "train/ranks.h"
+
 namespace obby::train {
 
 // Sums of some rows; added up in a fixed order they give the same bits whoever made them.
@@ -25,6 +27,12 @@ struct Sums {
       squares[i] += other.squares[i];
     }
     rows += other.rows;
+  }
+  // Those of all ranks, in their order.
+  void add(Ranks& ranks) {
+    ranks.add(sum);
+    ranks.add(squares);
+    ranks.add({&rows, 1});
   }
   // What was counted so far counts a share only from now on.
   void fade(double share) {

@@ -36,8 +36,8 @@ void fillOrthogonal(Rows<float>& matrix, int columns, float gain, Random& random
   }
 }
 
-Ppo::Ppo(const PpoSettings& settings, uint64_t seed, ThreadPool& pool)
-    : settings_(settings), pool_(pool), random_(seed, 0x50504f), shares_(kShares) {
+Ppo::Ppo(const PpoSettings& settings, uint64_t seed, ThreadPool& pool, Ranks& ranks)
+    : settings_(settings), pool_(pool), ranks_(ranks), random_(seed, 0x50504f), shares_(kShares) {
   const float gain = std::sqrt(2.0f);
   fillOrthogonal(weights_.w[0], policy::kHidden, gain, random_);
   fillOrthogonal(weights_.w[1], policy::kHidden, gain, random_);
@@ -84,7 +84,10 @@ void Ppo::fillAdvantages(Batch& b) {
 // so that what it says stays as it was (Pop-Art, van Hasselt et al. 2016).
 void Ppo::rescaleValues(const Batch& batch) {
   returns_.fade(kFade);
-  for (size_t i = 0; i < batch.values.size(); ++i) returns_.add(&targets_[i]);
+  Sums now(1);
+  for (size_t i = 0; i < batch.values.size(); ++i) now.add(&targets_[i]);
+  now.add(ranks_);
+  returns_.add(now);
   const float mean = float(returns_.mean(0));
   const float deviation = std::max(float(returns_.deviation(0)), 1e-3f);
   weights_.w[2].col(policy::kMoves) *= valueDeviation_ / deviation;
@@ -111,10 +114,13 @@ Progress Ppo::learn(Batch& batch, float rate) {
       learnPart(batch, std::span(order).subspan(first, count), rate, sums);
     }
   }
-  const double decisions = double(order.size()) * settings_.passes;
+  double all[] = {sums.loss, sums.entropy, sums.divergence, sums.clipped, sums.valueError};
+  ranks_.add(all);
+  const double* next = all;
+  const double decisions = double(order.size()) * settings_.passes * ranks_.count();
   for (double* mean :
        {&sums.loss, &sums.entropy, &sums.divergence, &sums.clipped, &sums.valueError})
-    *mean /= decisions;
+    *mean = *next++ / decisions;
   sums.norm /= parts;
   return sums;
 }
@@ -126,8 +132,10 @@ void Ppo::learnPart(const Batch& batch, std::span<const uint32_t> rows, float ra
     sum += double(advantages_[r]);
     squares += double(advantages_[r]) * double(advantages_[r]);
   }
-  const double mean = sum / double(rows.size());
-  const double deviation = std::sqrt(std::max(squares / double(rows.size()) - mean * mean, 0.0));
+  double moments[] = {sum, squares, double(rows.size())};
+  ranks_.add(moments);
+  const double count = moments[2], mean = moments[0] / count;
+  const double deviation = std::sqrt(std::max(moments[1] / count - mean * mean, 0.0));
   const float scale = float(1 / (deviation + 1e-8));
   const size_t each = (rows.size() + kShares - 1) / kShares;
   pool_.run(int(kShares), [&](int s) {
@@ -146,10 +154,11 @@ void Ppo::learnPart(const Batch& batch, std::span<const uint32_t> rows, float ra
       all.b[l] += shares_[s].gradient.b[l];
     }
   }
+  addRanks(all);
   float norm = 0;
   for (int l = 0; l < 3; ++l) {
-    all.w[l] /= float(rows.size());
-    all.b[l] /= float(rows.size());
+    all.w[l] /= float(count);
+    all.b[l] /= float(count);
     norm += all.w[l].squaredNorm() + all.b[l].squaredNorm();
   }
   norm = std::sqrt(norm);
@@ -185,6 +194,18 @@ void Ppo::learnShare(const Batch& batch, std::span<const uint32_t> rows, float m
     share.sums.valueError += double(r.valueError * r.valueError);
   }
   share.pass.backward(weights_, share.inputs, share.slope, share.gradient);
+}
+
+void Ppo::addRanks(Weights<float>& gradient) {
+  if (ranks_.count() == 1) return;
+  flat_.clear();
+  gradient.blocks([&](const float* g, size_t n) { flat_.insert(flat_.end(), g, g + n); });
+  ranks_.add(flat_);
+  const float* from = flat_.data();
+  gradient.blocks([&](float* g, size_t n) {
+    std::copy_n(from, n, g);
+    from += n;
+  });
 }
 
 // Adam (Kingma and Ba 2015).

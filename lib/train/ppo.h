@@ -1,6 +1,6 @@
 // Proximal policy optimisation over a batch of decisions: advantages, then a few passes over the
 // batch in small parts. The same bits for any number of threads: a part is cut into a fixed number
-// of shares, whose gradients are added in order.
+// of shares, whose gradients are added in order, and then those of the ranks.
 #pragma once
 
 #include <span>
@@ -10,6 +10,7 @@
 #include "train/loss.h"
 #include "train/mlp.h"
 #include "train/normaliser.h"
+#include "train/ranks.h"
 #include "train/state.h"
 
 namespace obby::train {
@@ -19,7 +20,7 @@ struct PpoSettings {
   float discount = 0.99f;  // a decision
   float lambda = 0.95f;    // of generalised advantage estimation
   uint32_t passes = 2;     // over a batch
-  uint32_t part = 8192;    // decisions a step of the optimiser
+  uint32_t part = 8192;    // decisions a step of the optimiser, of each rank
   float rate = 7e-4f;      // of Adam, at first
   float mostNorm = 0.5f;   // of a gradient
 };
@@ -52,7 +53,8 @@ struct Progress {
 
 class Ppo {
  public:
-  Ppo(const PpoSettings& settings, uint64_t seed, ThreadPool& pool);
+  // The ranks learn one network, each from batches of its own.
+  Ppo(const PpoSettings& settings, uint64_t seed, ThreadPool& pool, Ranks& ranks);
 
   const Weights<float>& weights() const { return weights_; }
   // Of the value head: a reward is mean + deviation x output.
@@ -79,10 +81,12 @@ class Ppo {
   void learnPart(const Batch& batch, std::span<const uint32_t> rows, float rate, Progress& sums);
   void learnShare(const Batch& batch, std::span<const uint32_t> rows, float mean, float scale,
                   Share& share) const;
+  void addRanks(Weights<float>& gradient);
   void step(Weights<float>& gradient, float rate);
 
   PpoSettings settings_;
   ThreadPool& pool_;
+  Ranks& ranks_;
   Random random_;
   Weights<float> weights_, momentum_, squares_;
   uint64_t steps_ = 0;
@@ -90,6 +94,7 @@ class Ppo {
   Sums returns_{1};
   std::vector<Share> shares_;
   std::vector<float> advantages_, targets_;  // (rows), in rewards
+  std::vector<float> flat_;                  // a gradient as one row
 };
 
 // Orthogonal columns or rows, whichever are fewer, of length `gain`.

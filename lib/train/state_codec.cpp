@@ -1,5 +1,7 @@
 #include "train/state_codec.h"
 
+#include <capnp/message.h>
+#include <capnp/serialize.h>
 #include <fmt/format.h>
 
 #include <array>
@@ -8,6 +10,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "base/check.h"
 #include "base/hash.h"
 
 namespace obby::train {
@@ -207,6 +210,27 @@ Status readCrowd(schema::SavedCrowd::Reader from, CrowdState& out) {
   for (const auto place : from.getPlaces())
     OBBY_RETURN_IF_ERROR(readPlace(place, out.places.emplace_back()));
   return {};
+}
+
+std::string packCrowds(const std::vector<CrowdState>& crowds) {
+  capnp::MallocMessageBuilder message(1 << 18);
+  auto list = message.initRoot<schema::SavedCrowds>().initCrowds(uint32_t(crowds.size()));
+  for (uint32_t i = 0; i < list.size(); ++i) writeCrowd(crowds[i], list[i]);
+  const auto words = capnp::messageToFlatArray(message);
+  const auto bytes = words.asBytes();
+  return std::string(reinterpret_cast<const char*>(bytes.begin()), bytes.size());
+}
+
+void unpackCrowds(const std::string& bytes, std::vector<CrowdState>& crowds) {
+  auto words = kj::heapArray<capnp::word>(bytes.size() / sizeof(capnp::word));
+  std::memcpy(words.asBytes().begin(), bytes.data(), words.asBytes().size());
+  capnp::ReaderOptions options;
+  options.traversalLimitInWords = 2 * words.size() + 1024;
+  capnp::FlatArrayMessageReader reader(words, options);
+  for (const auto crowd : reader.getRoot<schema::SavedCrowds>().getCrowds()) {
+    const Status read = readCrowd(crowd, crowds.emplace_back());
+    OBBY_CHECK_EQ(bool(read), true);
+  }
 }
 
 }  // namespace obby::train

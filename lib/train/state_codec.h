@@ -1,6 +1,8 @@
 // The parts of a checkpoint to and from its schema (schema/checkpoint.capnp). Private to lib/train.
 #pragma once
 
+#include <string>
+
 #include "base/result.h"
 #include "schema/checkpoint.capnp.h"
 #include "train/state.h"
@@ -14,6 +16,10 @@ uint64_t stateLayout();
 void writeSums(const Sums& sums, schema::SavedSums::Builder to);
 void writeLearner(const LearnerState& state, schema::SavedLearner::Builder to);
 void writeCrowd(const CrowdState& state, schema::SavedCrowd::Builder to);
+
+// Crowds as bytes, between processes of the same program; unpackCrowds() appends.
+std::string packCrowds(const std::vector<CrowdState>& crowds);
+void unpackCrowds(const std::string& bytes, std::vector<CrowdState>& crowds);
 
 // The error says which list has another length than it must. `out` says how wide sums are.
 Status readSums(schema::SavedSums::Reader from, Sums& out);

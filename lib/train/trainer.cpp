@@ -1,7 +1,5 @@
 #include "train/trainer.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -25,9 +23,11 @@ double secondsSince(Clock::time_point then) {
 
 }  // namespace
 
-Trainer::Group::Group(const LevelSource& source, const TrainerSettings& s, uint32_t number)
-    : crowd(source, s.crowd, s.seed, number, s.crowds),
-      random(s.seed, 1'000'000u + number),
+// Crowds are numbered over all ranks.
+Trainer::Group::Group(const LevelSource& source, const TrainerSettings& s, uint32_t number,
+                      const Ranks& ranks)
+    : crowd(source, s.crowd, s.seed, ranks.number() * s.crowds + number, s.crowds * ranks.count()),
+      random(s.seed, 1'000'000u + ranks.number() * s.crowds + number),
       first(number * crowd.size()),
       worlds(crowd.size()),
       mayJump(worlds),
@@ -35,56 +35,34 @@ Trainer::Group::Group(const LevelSource& source, const TrainerSettings& s, uint3
       steps(worlds),
       row(worlds, policy::kInputs) {}
 
-Trainer::Trainer(const TrainerSettings& settings, const LevelSource& source, ThreadPool& pool)
+Trainer::Trainer(const TrainerSettings& settings, const LevelSource& source, ThreadPool& pool,
+                 Ranks& ranks)
     : settings_(settings),
       pool_(pool),
-      ppo_(settings.ppo, settings.seed, pool),
+      ranks_(ranks),
+      ppo_(settings.ppo, settings.seed, pool, ranks),
       batch_(settings.ticks, settings.crowds * settings.crowd.levels * settings.crowd.worlds),
       means_(policy::kInputs, 0.0f),
       scales_(policy::kInputs, 1.0f),
       hardest_(settings.easiest) {
   for (uint32_t i = 0; i < settings.crowds; ++i)
-    groups_.push_back(std::make_unique<Group>(source, settings_, i));
+    groups_.push_back(std::make_unique<Group>(source, settings_, i, ranks));
 }
 
 Result<std::unique_ptr<Trainer>> Trainer::make(const TrainerSettings& settings,
-                                               const LevelSource& source, ThreadPool& pool) {
-  std::unique_ptr<Trainer> trainer(new Trainer(settings, source, pool));
-  for (auto& group : trainer->groups_) {
-    group->crowd.setHardest(settings.easiest);
+                                               const LevelSource& source, ThreadPool& pool,
+                                               Ranks& ranks) {
+  std::unique_ptr<Trainer> trainer(new Trainer(settings, source, pool, ranks));
+  OBBY_RETURN_IF_ERROR(ranks.agree(trainer->begin()));
+  return trainer;
+}
+
+Status Trainer::begin() {
+  for (auto& group : groups_) {
+    group->crowd.setHardest(settings_.easiest);
     OBBY_RETURN_IF_ERROR(group->crowd.begin());
   }
-  return trainer;
-}
-
-Result<std::unique_ptr<Trainer>> Trainer::resume(const TrainerSettings& settings,
-                                                 const LevelSource& source, ThreadPool& pool,
-                                                 TrainerState state) {
-  std::unique_ptr<Trainer> trainer(new Trainer(settings, source, pool));
-  Trainer& t = *trainer;
-  if (state.crowds.size() != t.groups_.size())
-    return makeError(fmt::format("{} crowds, expected {}", state.crowds.size(), t.groups_.size()));
-  for (size_t i = 0; i < t.groups_.size(); ++i) {
-    t.groups_[i]->random = state.crowds[i].draws;
-    OBBY_RETURN_IF_ERROR(t.groups_[i]->crowd.restore(std::move(state.crowds[i])));
-  }
-  t.iterations_ = state.iterations;
-  t.decisions_ = state.decisions;
-  t.solved_ = state.solved;
-  t.hardest_ = state.hardest;
-  t.seen_ = std::move(state.seen);
-  t.ppo_.restore(state.learner);
-  t.refreshNormaliser();
-  return trainer;
-}
-
-TrainerState Trainer::state() const {
-  TrainerState out{iterations_, decisions_, solved_, hardest_, seen_, ppo_.state(), {}};
-  for (const auto& group : groups_) {
-    out.crowds.push_back(group->crowd.state());
-    out.crowds.back().draws = group->random;
-  }
-  return out;
+  return {};
 }
 
 void Trainer::normalise(float* row) const {
@@ -160,18 +138,23 @@ void Trainer::play(Group& g) {
 
 void Trainer::gather(Iteration& out) {
   Tally tally;
+  Sums seen(policy::kInputs);
   double reward = 0;
   for (const auto& g : groups_) {
     const Tally t = g->crowd.takeTally();
     tally.played += t.played;
     tally.solved += t.solved;
-    seen_.add(g->seen);
+    seen.add(g->seen);
     g->seen = Sums(policy::kInputs);
   }
   for (const float r : batch_.rewards) reward += double(r);
-  out.reward = reward / double(batch_.rewards.size());
-  out.played = tally.played;
-  adapt(tally.played > 0 ? double(tally.solved) / double(tally.played) : 0, tally.played);
+  seen.add(ranks_);
+  seen_.add(seen);
+  double sums[] = {reward, double(tally.played), double(tally.solved)};
+  ranks_.add(sums);
+  out.reward = sums[0] / (double(batch_.rewards.size()) * ranks_.count());
+  out.played = uint64_t(sums[1]);
+  adapt(sums[1] > 0 ? sums[2] / sums[1] : 0, out.played);
 }
 
 // Levels become harder while most are solved, easier while few are.
@@ -193,14 +176,19 @@ void Trainer::refreshNormaliser() {
 Result<Iteration> Trainer::iterate() {
   const auto begin = Clock::now();
   pool_.run(int(groups_.size()), [&](int i) { play(*groups_[size_t(i)]); });
-  for (const auto& g : groups_) OBBY_RETURN_IF_ERROR(Status(g->status));
+  Status played;
+  for (const auto& g : groups_) {
+    if (played) played = g->status;
+  }
+  OBBY_RETURN_IF_ERROR(ranks_.agree(std::move(played)));
   Iteration out;
   out.playSeconds = secondsSince(begin);
   gather(out);
   const float share = std::min(float(double(decisions_) / double(settings_.decisions)), 1.0f);
   out.progress = ppo_.learn(batch_, 1 - 0.9f * share);
+  OBBY_RETURN_IF_ERROR(sameNetwork());
   refreshNormaliser();
-  decisions_ += batch_.decisions.size();
+  decisions_ += batch_.decisions.size() * ranks_.count();
   out.number = ++iterations_;
   out.decisions = decisions_;
   out.solved = solved_;

@@ -14,7 +14,7 @@ namespace obby::train {
 
 struct TrainerSettings {
   uint64_t seed = 1;
-  uint32_t crowds = 8;  // tasks of the pool
+  uint32_t crowds = 8;  // of each rank; tasks of the pool
   CrowdSettings crowd;  // 8 x 32 worlds
   uint32_t ticks = 32;  // decisions of each world an iteration
   PpoSettings ppo;
@@ -37,19 +37,22 @@ struct Iteration {
 
 class Trainer {
  public:
-  // `source` and `pool` must outlive it.
+  // What it refers to must outlive it. Ranks learn together: each makes a trainer, of the same
+  // settings and source, and calls the same functions; an error of one is an error of all.
   static Result<std::unique_ptr<Trainer>> make(const TrainerSettings& settings,
-                                               const LevelSource& source, ThreadPool& pool);
+                                               const LevelSource& source, ThreadPool& pool,
+                                               Ranks& ranks);
 
-  // Goes on from a state of a trainer with the same settings and source. Errors also: the state
-  // does not fit them.
+  // Goes on from a state of trainers with the same settings, source and number of ranks. Errors
+  // also: the state does not fit them.
   static Result<std::unique_ptr<Trainer>> resume(const TrainerSettings& settings,
                                                  const LevelSource& source, ThreadPool& pool,
-                                                 TrainerState state);
+                                                 Ranks& ranks, TrainerState state);
 
   Result<Iteration> iterate();
 
-  // Between two iterations; resume() goes on from it with the same bits.
+  // Between two iterations; resume() goes on from it with the same bits. All crowds are in that of
+  // the first rank.
   TrainerState state() const;
   // So far.
   uint64_t iterations() const { return iterations_; }
@@ -59,10 +62,11 @@ class Trainer {
   policy::Network network() const;
 
  private:
-  Trainer(const TrainerSettings& settings, const LevelSource& source, ThreadPool& pool);
+  Trainer(const TrainerSettings& settings, const LevelSource& source, ThreadPool& pool,
+          Ranks& ranks);
 
   struct Group {  // a crowd with its part of the batch
-    Group(const LevelSource& source, const TrainerSettings& s, uint32_t number);
+    Group(const LevelSource& source, const TrainerSettings& s, uint32_t number, const Ranks& ranks);
     Crowd crowd;
     Random random;
     uint32_t first, worlds;  // of the batch's worlds: its own
@@ -84,9 +88,13 @@ class Trainer {
   void gather(Iteration& out);
   void adapt(double solvedNow, uint64_t played);
   void refreshNormaliser();
+  Status restore(TrainerState state);
+  Status begin();
+  Status sameNetwork() const;
 
   TrainerSettings settings_;
   ThreadPool& pool_;
+  Ranks& ranks_;
   Ppo ppo_;
   std::vector<std::unique_ptr<Group>> groups_;
   Batch batch_;

@@ -27,7 +27,7 @@ struct Learned {
 // Iterations 4 to 6 and what comes of them; broken off after the third, if asked for.
 Learned learn(const LevelSource& source, int threads, bool broken) {
   ThreadPool pool(threads);
-  Trainers trainer = Trainer::make(small(), source, pool);
+  Trainers trainer = Trainer::make(small(), source, pool, alone());
   EXPECT_TRUE(trainer);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE((*trainer)->iterate());
   if (broken) {
@@ -37,7 +37,7 @@ Learned learn(const LevelSource& source, int threads, bool broken) {
     auto read = readCheckpoint(bytes, "test");
     EXPECT_TRUE(read) << read.error().text();
     EXPECT_EQ(writeCheckpoint(*read), bytes);
-    trainer = Trainer::resume(small(), source, pool, std::move(read->state));
+    trainer = Trainer::resume(small(), source, pool, alone(), std::move(read->state));
     EXPECT_TRUE(trainer) << trainer.error().text();
   }
   Learned out;
@@ -66,7 +66,7 @@ std::string sample() {
   const Gaps gaps(true);
   TrainerSettings settings = small();
   settings.crowds = 1;
-  const auto trainer = Trainer::make(settings, gaps, pool);
+  const auto trainer = Trainer::make(settings, gaps, pool, alone());
   for (int i = 0; i < 3; ++i) EXPECT_TRUE((*trainer)->iterate());
   return writeCheckpoint({"1", settingsOf(settings), 3, (*trainer)->state(), {}});
 }
@@ -112,23 +112,23 @@ TEST(Checkpoint, IsRefusedUnderOtherSettingsByName) {
 TEST(Checkpoint, IsRefusedOnOtherLevels) {
   ThreadPool pool(1);
   const Gaps gaps, others(false, 98), loose(true);
-  const auto trainer = Trainer::make(small(), gaps, pool);
+  const auto trainer = Trainer::make(small(), gaps, pool, alone());
   ASSERT_TRUE((*trainer)->iterate());
-  EXPECT_TRUE(Trainer::resume(small(), gaps, pool, (*trainer)->state()));
-  EXPECT_FALSE(Trainer::resume(small(), others, pool, (*trainer)->state()));
-  EXPECT_FALSE(Trainer::resume(small(), loose, pool, (*trainer)->state()));
+  EXPECT_TRUE(Trainer::resume(small(), gaps, pool, alone(), (*trainer)->state()));
+  EXPECT_FALSE(Trainer::resume(small(), others, pool, alone(), (*trainer)->state()));
+  EXPECT_FALSE(Trainer::resume(small(), loose, pool, alone(), (*trainer)->state()));
 }
 
 // What no crowd of these levels could have must not be played on.
 TEST(Checkpoint, IsRefusedWithWorldsThatCannotBe) {
   ThreadPool pool(1);
   const Gaps gaps(true);
-  const auto trainer = Trainer::make(small(), gaps, pool);
+  const auto trainer = Trainer::make(small(), gaps, pool, alone());
   ASSERT_TRUE((*trainer)->iterate());
   const auto refused = [&](auto&& spoil) {
     TrainerState state = (*trainer)->state();
     spoil(state.crowds[1].places[2]);
-    return !Trainer::resume(small(), gaps, pool, std::move(state));
+    return !Trainer::resume(small(), gaps, pool, alone(), std::move(state));
   };
   EXPECT_FALSE(refused([](PlaceState&) {}));
   EXPECT_TRUE(refused([](PlaceState& s) { s.players.pop_back(); }));

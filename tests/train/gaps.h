@@ -34,6 +34,11 @@ class Gaps : public LevelSource {
   uint64_t seed_;
 };
 
+inline Ranks& alone() {
+  static OneRank one;
+  return one;
+}
+
 inline TrainerSettings small() {
   TrainerSettings s;
   s.crowds = 2;

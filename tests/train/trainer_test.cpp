@@ -14,7 +14,7 @@ TEST(Trainer, GivesTheSamePolicyOnAnyNumberOfThreads) {
   std::vector<float> expected;
   for (const int threads : {1, 2, 3}) {
     ThreadPool pool(threads);
-    const auto trainer = Trainer::make(small(), gaps, pool);
+    const auto trainer = Trainer::make(small(), gaps, pool, alone());
     ASSERT_TRUE(trainer) << trainer.error().text();
     for (int i = 0; i < 4; ++i) ASSERT_TRUE((*trainer)->iterate());
     const std::vector<float> numbers = (*trainer)->network().numbers();
@@ -32,7 +32,7 @@ TEST(Trainer, LearnsToCrossAGapThatChanceDoesNot) {
   how.firstLevel = 1'000'000;
   const auto chance = evaluate(policy::Network(), gaps, how, pool, stop);
   ASSERT_TRUE(chance) << chance.error().text();
-  const auto trainer = Trainer::make(small(), gaps, pool);
+  const auto trainer = Trainer::make(small(), gaps, pool, alone());
   ASSERT_TRUE(trainer);
   for (int i = 0; i < 60; ++i) ASSERT_TRUE((*trainer)->iterate());
   const auto learned = evaluate((*trainer)->network(), gaps, how, pool, stop);

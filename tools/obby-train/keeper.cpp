@@ -49,41 +49,56 @@ Status writeFile(const std::string& path, std::string_view bytes) {
 
 }  // namespace
 
-Keeper::Keeper(const cli::Context& context)
-    : context_(context), checkpointPath_(checkpointPathOf(context.arguments())) {}
+Keeper::Keeper(const cli::Context& context, train::Ranks& ranks)
+    : context_(context), ranks_(ranks), checkpointPath_(checkpointPathOf(context.arguments())) {}
 
-Status Keeper::find() {
+// Empty: learning begins anew.
+Result<std::string> Keeper::findBytes() const {
   const std::string& resume = context_.arguments().text("resume");
-  if (resume == "no") return {};
+  if (resume == "no") return std::string();
   if (checkpointPath_.empty())
     return makeError("--resume: there is no checkpoint to go on from",
                      "name it by --checkpoint, or write the policy to a file");
   std::error_code none;
-  if (resume == "auto" && !std::filesystem::exists(checkpointPath_, none)) return {};
+  if (resume == "auto" && !std::filesystem::exists(checkpointPath_, none)) return std::string();
   auto bytes = io::readFile(checkpointPath_);
-  if (!bytes) {
-    bytes.error().hint = "--resume=auto begins anew where there is no checkpoint";
-    return bytes.error();
-  }
-  OBBY_ASSIGN(found_, train::readCheckpoint(*bytes, checkpointPath_));
+  if (!bytes) bytes.error().hint = "--resume=auto begins anew where there is no checkpoint";
+  // A file that holds nothing is no beginning either.
+  if (bytes && bytes->empty()) return train::readCheckpoint(*bytes, checkpointPath_).error();
+  return bytes;
+}
+
+Status Keeper::find() {
+  OBBY_ASSIGN(std::string bytes,
+              ranks_.agree(ranks_.first() ? findBytes() : Result<std::string>(std::string())));
+  bytes = ranks_.share(std::move(bytes));
+  if (bytes.empty()) return {};
+  OBBY_ASSIGN(found_, ranks_.agree(train::readCheckpoint(bytes, checkpointPath_)));
   secondsBefore_ = found_->seconds;
   historyBefore_ = found_->history;
   return {};
 }
 
-void Keeper::setRun(const train::TrainerSettings& trainer,
-                    const std::vector<train::Setting>& levels) {
+Status Keeper::setRun(const train::TrainerSettings& trainer,
+                      const std::vector<train::Setting>& levels) {
   settings_ = trainer;
   run_ = levels;
   for (train::Setting& setting : train::settingsOf(trainer)) run_.push_back(std::move(setting));
+  run_.push_back({"ranks", fmt::format("{}", ranks_.count())});
+  std::string text;
+  for (const train::Setting& s : run_) text += fmt::format("{} {}\n", s.name, s.value);
+  const bool same = ranks_.share(text) == text;
+  return ranks_.agree(same ? Status()
+                           : Status(makeError("it was started with other options than rank 0",
+                                              "give all ranks the same options and files")));
 }
 
 Result<std::unique_ptr<train::Trainer>> Keeper::trainer(const train::LevelSource& source,
                                                         ThreadPool& pool) {
-  if (!found_) return train::Trainer::make(settings_, source, pool);
+  if (!found_) return train::Trainer::make(settings_, source, pool, ranks_);
   if (Status same = train::sameSettings(found_->settings, run_); !same)
     return inFile(same.error(), checkpointPath_);
-  auto trainer = train::Trainer::resume(settings_, source, pool, std::move(found_->state));
+  auto trainer = train::Trainer::resume(settings_, source, pool, ranks_, std::move(found_->state));
   found_.reset();
   if (!trainer) return inFile(trainer.error(), checkpointPath_);
   return trainer;
@@ -92,6 +107,7 @@ Result<std::unique_ptr<train::Trainer>> Keeper::trainer(const train::LevelSource
 Status Keeper::save(const train::Trainer& trainer, const train::History& history,
                     double seconds) const {
   const train::TrainerState state = trainer.state();
+  if (!ranks_.first()) return {};
   if (!checkpointPath_.empty()) {
     OBBY_RETURN_IF_ERROR(writeFile(
         checkpointPath_,

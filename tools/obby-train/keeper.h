@@ -11,13 +11,14 @@ namespace obby::tools {
 
 class Keeper {
  public:
-  explicit Keeper(const cli::Context& context);
+  // The first rank reads and writes for all. Every rank calls all of this.
+  Keeper(const cli::Context& context, train::Ranks& ranks);
 
   // With --resume: reads the checkpoint. Done before levels are read, so that a wrong name is said
   // at once. Errors: those of the file.
   Status find();
-  // What is learned under, the levels' settings included.
-  void setRun(const train::TrainerSettings& trainer, const std::vector<train::Setting>& levels);
+  // What is learned under, the levels' settings included. Error: ranks that differ in it.
+  Status setRun(const train::TrainerSettings& trainer, const std::vector<train::Setting>& levels);
   // One that goes on from what find() found, or a new one. Errors: other settings than then, and
   // those of Trainer.
   Result<std::unique_ptr<train::Trainer>> trainer(const train::LevelSource& source,
@@ -32,10 +33,12 @@ class Keeper {
   Status save(const train::Trainer& trainer, const train::History& history, double seconds) const;
 
  private:
+  Result<std::string> findBytes() const;
   Status savePolicy(const train::Trainer& trainer, const train::TrainerState& state,
                     double seconds) const;
 
   const cli::Context& context_;
+  train::Ranks& ranks_;
   std::string checkpointPath_;  // empty: none is written
   train::TrainerSettings settings_;
   std::vector<train::Setting> run_;

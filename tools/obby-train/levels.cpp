@@ -29,10 +29,10 @@ Result<std::vector<train::Setting>> settingsOf(const cli::Arguments& a) {
 
 }  // namespace
 
-Result<Levels> levelsOf(cli::Context& context, uint64_t seed) {
+Result<Levels> levelsOf(cli::Context& context, train::Ranks& ranks, uint64_t seed) {
   const cli::Arguments& a = context.arguments();
   const bool makes = a.flag("generate") || a.has("style") || a.has("difficulty") || a.has("recipe");
-  if (!makes) return streamedLevels(context);
+  if (!makes) return streamedLevels(context, ranks);
   OBBY_ASSIGN(gen::Recipe recipe, recipeOf(a));
   if (!a.has("difficulty") && !a.has("recipe")) recipe.difficulty = {0, 1};
   Levels levels;

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/context.h"
+#include "train/ranks.h"
 #include "train/settings.h"
 #include "train/training_level.h"
 
@@ -15,10 +16,11 @@ struct Levels {
 };
 
 // Made anew, or those of the stream; `seed`: of those that are made.
-Result<Levels> levelsOf(cli::Context& context, uint64_t seed);
+// The same on every rank.
+Result<Levels> levelsOf(cli::Context& context, train::Ranks& ranks, uint64_t seed);
 
-// The queries of the context's inputs with their levels, read whole before anything is learned;
-// asked for more they begin again. Error: none.
-Result<Levels> streamedLevels(cli::Context& context);
+// The queries of the context's inputs with their levels, read whole by the first rank before
+// anything is learned; asked for more they begin again. Error: none.
+Result<Levels> streamedLevels(cli::Context& context, train::Ranks& ranks);
 
 }  // namespace obby::tools

@@ -1,11 +1,15 @@
 // obby-train: learns a policy from levels. Wiring only; lib/train does the work.
-#include <functional>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <optional>
 
 #include "io/pipeline.h"
 #include "io/read_file.h"
 #include "keeper.h"
 #include "levels.h"
 #include "metric_records.h"
+#include "mpi/join_ranks.h"
 #include "options.h"
 #include "policy/policy_file.h"
 #include "session.h"
@@ -16,8 +20,8 @@ using namespace obby;
 // Levels to evaluate on are of another seed than those to learn from.
 constexpr uint64_t kHeldOut = 0x68656c64;
 
-// The stream of metrics. What can go wrong before the work begins leaves none.
-Status withMetrics(cli::Context& context, const std::function<Status(io::StreamWriter&)>& work) {
+// The stream of metrics, its header written. What can go wrong before leaves none.
+Result<io::Pipeline> metricsStream(cli::Context& context) {
   OBBY_ASSIGN(io::StreamWriter output, io::StreamWriter::open("-", io::Format::jsonl));
   io::SourceOptions nothing;
   nothing.inputs.clear();
@@ -25,35 +29,51 @@ Status withMetrics(cli::Context& context, const std::function<Status(io::StreamW
   io::Pipeline pipeline(std::move(nothing), context.identity(), std::move(output));
   OBBY_RETURN_IF_ERROR(
       pipeline.run([](const io::Record&) -> Result<io::Then> { return io::Then::pass; }));
-  Status done = work(pipeline.output());
+  return pipeline;
+}
+
+// `done`: what came of the work that the metrics are of.
+Status finish(io::Pipeline& pipeline, Status done) {
   if (!done) pipeline.outOfBudget();
   const Status finished = pipeline.finish();
   OBBY_RETURN_IF_ERROR(std::move(done));
   return finished;
 }
 
-Status learn(cli::Context& context) {
-  tools::Keeper keeper(context);
+Status learn(cli::Context& context, train::Ranks& ranks) {
+  const cli::Arguments& a = context.arguments();
+  tools::Keeper keeper(context, ranks);
   OBBY_RETURN_IF_ERROR(keeper.find());
-  OBBY_ASSIGN(const tools::Levels levels, tools::levelsOf(context, context.arguments().seed()));
-  keeper.setRun(tools::trainerSettings(context), levels.settings);
+  OBBY_ASSIGN(const tools::Levels levels, ranks.agree(tools::levelsOf(context, ranks, a.seed())));
+  OBBY_RETURN_IF_ERROR(keeper.setRun(tools::trainerSettings(context), levels.settings));
   ThreadPool pool(context.threads());
   OBBY_ASSIGN(const auto trainer, keeper.trainer(*levels.source, pool));
-  OBBY_ASSIGN(tools::Logs logs, tools::Logs::open(context.arguments(), trainer->iterations(),
-                                                  keeper.historyBefore()));
-  return withMetrics(context, [&](io::StreamWriter& output) {
-    return tools::Session(context, *trainer, keeper, std::move(logs), output).run();
-  });
+  tools::Logs logs;
+  std::optional<io::Pipeline> stream;  // the first rank's
+  const auto open = [&]() -> Status {
+    OBBY_ASSIGN(logs, tools::Logs::open(a, trainer->iterations(), keeper.historyBefore()));
+    OBBY_ASSIGN(io::Pipeline opened, metricsStream(context));
+    stream.emplace(std::move(opened));
+    return {};
+  };
+  OBBY_RETURN_IF_ERROR(ranks.agree(ranks.first() ? open() : Status()));
+  tools::Session session(context, *trainer, ranks, keeper, std::move(logs),
+                         stream ? &stream->output() : nullptr);
+  Status done = session.run();
+  return stream ? finish(*stream, std::move(done)) : done;
 }
 
-Status evaluate(cli::Context& context) {
+Status evaluate(cli::Context& context, train::Ranks& ranks) {
+  if (ranks.count() > 1)
+    return makeError("--eval is done by one process", "start it without mpirun");
   const std::string& path = context.arguments().text("eval");
   OBBY_ASSIGN(const std::string bytes, io::readFile(path));
   OBBY_ASSIGN(const policy::PolicyFile file, policy::readPolicy(bytes, path));
   OBBY_ASSIGN(const tools::Levels levels,
-              tools::levelsOf(context, context.arguments().seed() ^ kHeldOut));
+              tools::levelsOf(context, ranks, context.arguments().seed() ^ kHeldOut));
   ThreadPool pool(context.threads());
-  return withMetrics(context, [&](io::StreamWriter& output) -> Status {
+  OBBY_ASSIGN(io::Pipeline stream, metricsStream(context));
+  const auto work = [&]() -> Status {
     OBBY_ASSIGN(const train::Evaluation e,
                 train::evaluate(file.network, *levels.source, tools::evaluationSettings(context),
                                 pool, context.stop()));
@@ -61,17 +81,66 @@ Status evaluate(cli::Context& context) {
                                     {"solvedLikeliest", e.likeliest, ""},
                                     {"solvedDrawn", e.drawn, ""},
                                     {"solvedAny", e.any, ""}};
-    return tools::writeMetrics(output, "obby-train --eval", file.training.decisions, values);
-  });
+    return tools::writeMetrics(stream.output(), "obby-train --eval", file.training.decisions,
+                               values);
+  };
+  return finish(stream, work());
 }
 
-Result<cli::ExitCode> run(cli::Context& context) {
-  OBBY_RETURN_IF_ERROR(context.arguments().has("eval") ? evaluate(context) : learn(context));
+// An error that all ranks know of is told by the first.
+Result<cli::ExitCode> run(cli::Context& context, train::Ranks& ranks) {
+  Status done = context.arguments().has("eval") ? evaluate(context, ranks) : learn(context, ranks);
+  if (!done && !ranks.first()) return cli::ExitCode::failed;
+  OBBY_RETURN_IF_ERROR(std::move(done));
   return cli::ExitCode::ok;
+}
+
+// A standard stream that goes nowhere while this lives.
+class Silence {
+ public:
+  explicit Silence(int stream) : stream_(stream), kept_(dup(stream)) {
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    dup2(nowhere, stream_);
+    close(nowhere);
+  }
+  ~Silence() {
+    dup2(kept_, stream_);
+    close(kept_);
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  int stream_, kept_;
+};
+
+int runRank(int argc, char** argv, tools::JoinedRanks& joined) {
+  train::Ranks& ranks = joined.ranks();
+  // Help, and what is wrong with the options, are the same on every rank: the first one says it.
+  // Later each may say how it dies.
+  std::optional<Silence> silent, mute;
+  if (!ranks.first()) {
+    silent.emplace(STDERR_FILENO);
+    mute.emplace(STDOUT_FILENO);
+  }
+  bool begun = false, ended = false;
+  const int code = cli::runTool(tools::trainSpec(), argc, argv, [&](cli::Context& context) {
+    begun = true;
+    silent.reset();
+    auto result = run(context, ranks);
+    ended = true;
+    return result;
+  });
+  if (begun && !ended) joined.abandon(code);  // it threw: the others wait for it
+  return code;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return obby::cli::runTool(obby::tools::trainSpec(), argc, argv, run);
+  const auto joined = obby::tools::joinRanks(&argc, &argv);
+  if (joined) return runRank(argc, argv, **joined);
+  return obby::cli::runTool(
+      obby::tools::trainSpec(), argc, argv,
+      [&](obby::cli::Context&) -> obby::Result<obby::cli::ExitCode> { return joined.error(); });
 }

@@ -145,7 +145,8 @@ cli::ToolSpec trainSpec() {
   spec.notes =
       "Metrics go to standard output, a record each few seconds. The same seed, levels and number "
       "of --worlds give the same policy on this machine, for any number of --threads. Levels begin "
-      "easy, and become harder up to --difficulty as the policy learns.";
+      "easy, and become harder up to --difficulty as the policy learns.\n\n"
+      "Started by mpirun, the ranks learn one network together, each with --worlds of its own.";
   return spec;
 }
 

@@ -12,15 +12,19 @@ constexpr double kMetricsSeconds = 5;
 
 }  // namespace
 
-Session::Session(cli::Context& context, train::Trainer& trainer, const Keeper& keeper, Logs logs,
-                 io::StreamWriter& output)
+Session::Session(cli::Context& context, train::Trainer& trainer, train::Ranks& ranks,
+                 const Keeper& keeper, Logs logs, io::StreamWriter* output)
     : context_(context),
       trainer_(trainer),
+      ranks_(ranks),
       keeper_(keeper),
       logs_(std::move(logs)),
       output_(output),
       decisionsBefore_(trainer.decisions()),
-      most_(uint64_t(context.arguments().integer("decisions"))) {}
+      most_(uint64_t(context.arguments().integer("decisions"))),
+      mostSeconds_(context.arguments().has("time-limit") ? context.arguments().number("time-limit")
+                                                         : 1e30),
+      saveSeconds_(context.arguments().number("save-every")) {}
 
 double Session::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
@@ -29,27 +33,43 @@ double Session::seconds() const {
 double Session::rate() const { return double(last_.decisions - decisionsBefore_) / seconds(); }
 
 Status Session::run() {
-  const cli::Arguments& a = context_.arguments();
-  const double mostSeconds = a.has("time-limit") ? a.number("time-limit") : 1e30;
-  const double saveSeconds = a.number("save-every");
-  while (!context_.stop() && trainer_.decisions() < most_ && seconds() < mostSeconds) {
+  while (true) {
+    const Votes votes = vote();
+    if (votes.save) OBBY_RETURN_IF_ERROR(save());
+    if (votes.stop) break;
     OBBY_ASSIGN(last_, trainer_.iterate());
-    showProgress(mostSeconds);
-    OBBY_RETURN_IF_ERROR(logs_.add(last_, allSeconds(), rate(), last_.decisions >= most_));
-    if (seconds() - toldAt_ >= kMetricsSeconds) OBBY_RETURN_IF_ERROR(tell());
-    if (seconds() - savedAt_ >= saveSeconds) OBBY_RETURN_IF_ERROR(save());
+    OBBY_RETURN_IF_ERROR(ranks_.agree(note()));
   }
-  if (last_.number > 0) OBBY_RETURN_IF_ERROR(tell());
+  OBBY_RETURN_IF_ERROR(ranks_.agree(tell()));
   return save();
 }
 
-void Session::showProgress(double mostSeconds) {
+// A signal may reach the ranks at different times, and their clocks differ: all do the same after
+// the same iteration. The first rank's clock counts.
+Session::Votes Session::vote() {
+  const bool timeUp = seconds() >= mostSeconds_;
+  const bool due = last_.number > 0 && seconds() - savedAt_ >= saveSeconds_;
+  double votes[] = {double(context_.stop() || (ranks_.first() && timeUp)),
+                    double(ranks_.first() && due)};
+  ranks_.add(votes);
+  return {votes[0] > 0 || trainer_.decisions() >= most_, votes[1] > 0};
+}
+
+// Says what came of an iteration.
+Status Session::note() {
+  if (output_ == nullptr) return {};
+  showProgress();
+  OBBY_RETURN_IF_ERROR(logs_.add(last_, allSeconds(), rate(), last_.decisions >= most_));
+  return seconds() - toldAt_ >= kMetricsSeconds ? tell() : Status();
+}
+
+void Session::showProgress() {
   const double toDo = double(most_ - decisionsBefore_);
   const double share =
-      std::max(double(last_.decisions - decisionsBefore_) / toDo, seconds() / mostSeconds);
+      std::max(double(last_.decisions - decisionsBefore_) / toDo, seconds() / mostSeconds_);
   const double left = share > 0 ? std::max(seconds() * (1 - share) / share, 0.0) : 0;
   context_.progress({"learning",
-                     std::max(double(last_.decisions) / double(most_), seconds() / mostSeconds),
+                     std::max(double(last_.decisions) / double(most_), seconds() / mostSeconds_),
                      {{"decisions/s", rate()},
                       {"solved", last_.solved},
                       {"difficulty", double(last_.hardest)},
@@ -57,15 +77,16 @@ void Session::showProgress(double mostSeconds) {
 }
 
 Status Session::tell() {
+  if (output_ == nullptr || last_.number == 0) return {};
   toldAt_ = seconds();
-  return writeMetrics(output_, "obby-train", last_.number,
+  return writeMetrics(*output_, "obby-train", last_.number,
                       train::metricsOf(last_, allSeconds(), rate()));
 }
 
 Status Session::save() {
   savedAt_ = seconds();
-  OBBY_RETURN_IF_ERROR(keeper_.save(trainer_, logs_.history(), allSeconds()));
-  return logs_.save();
+  OBBY_RETURN_IF_ERROR(ranks_.agree(keeper_.save(trainer_, logs_.history(), allSeconds())));
+  return ranks_.agree(output_ == nullptr ? Status() : logs_.save());
 }
 
 }  // namespace obby::tools

@@ -12,9 +12,10 @@ namespace obby::tools {
 
 class Session {
  public:
-  // What it refers to must outlive it. `output`: of metrics.
-  Session(cli::Context& context, train::Trainer& trainer, const Keeper& keeper, Logs logs,
-          io::StreamWriter& output);
+  // What it refers to must outlive it. `output`: of metrics; null on all ranks but the first, which
+  // alone tells and keeps anything.
+  Session(cli::Context& context, train::Trainer& trainer, train::Ranks& ranks, const Keeper& keeper,
+          Logs logs, io::StreamWriter* output);
 
   // Until --decisions, --time-limit (of this run) or a signal.
   Status run();
@@ -23,16 +24,23 @@ class Session {
   double seconds() const;  // of this run
   double allSeconds() const { return keeper_.secondsBefore() + seconds(); }
   double rate() const;
-  void showProgress(double mostSeconds);
+  void showProgress();
+  struct Votes {  // of all ranks
+    bool stop, save;
+  };
+  Votes vote();
+  Status note();
   Status tell();
   Status save();
 
   cli::Context& context_;
   train::Trainer& trainer_;
+  train::Ranks& ranks_;
   const Keeper& keeper_;
   Logs logs_;
-  io::StreamWriter& output_;
+  io::StreamWriter* output_;
   uint64_t decisionsBefore_, most_;
+  double mostSeconds_, saveSeconds_;
   train::Iteration last_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   double toldAt_ = 0, savedAt_ = 0;

@@ -30,22 +30,19 @@ Error inRecord(Error error, const io::Record& record) {
   return error;
 }
 
-}  // namespace
+using Made = std::vector<std::shared_ptr<const train::TrainingLevel>>;
 
-Result<Levels> streamedLevels(cli::Context& context) {
-  io::RecordSource source(context.sourceOptions());
-  std::string bytes;  // of the levels and queries, whatever the stream's encoding
-  io::StreamWriter writer = io::StreamWriter::toBytes(io::Format::capnp, &bytes);
+// What is of use goes to `copy`, too.
+Result<Made> readLevels(io::RecordSource& source, io::StreamWriter& copy) {
   std::map<std::string, io::Record> levels;
-  std::vector<std::shared_ptr<const train::TrainingLevel>> made;
+  Made made;
   while (true) {
     OBBY_ASSIGN(const std::optional<io::Record> record, source.next());
-    if (!record) break;
+    if (!record) return made;
     if (!record->known()) continue;
-    if (record->which() == io::Kind::LEVEL || record->which() == io::Kind::QUERY)
-      OBBY_RETURN_IF_ERROR(writer.write(record->reader()));
     if (record->which() == io::Kind::LEVEL) {
       levels.insert_or_assign(record->reader().getLevel().getName(), *record);
+      OBBY_RETURN_IF_ERROR(copy.write(record->reader()));
     }
     if (record->which() != io::Kind::QUERY) continue;
     const auto query = record->reader().getQuery();
@@ -59,16 +56,42 @@ Result<Levels> streamedLevels(cli::Context& context) {
     auto one = train::TrainingLevel::make(level->second.reader().getLevel(), query, {});
     if (one) {
       made.push_back(*std::move(one));
+      OBBY_RETURN_IF_ERROR(copy.write(record->reader()));
     } else {
       OBBY_RETURN_IF_ERROR(source.forgive(*record, inRecord(one.error(), *record)));
     }
   }
+}
+
+// Reads `options`; `copy` becomes the stream that gives the same levels.
+Result<Made> readAll(io::SourceOptions options, std::string& copy) {
+  io::RecordSource source(std::move(options));
+  io::StreamWriter writer = io::StreamWriter::toBytes(io::Format::capnp, &copy);
+  OBBY_ASSIGN(Made made, readLevels(source, writer));
+  OBBY_RETURN_IF_ERROR(writer.close());
   if (made.empty()) {
     return makeError("no levels with queries to learn from",
                      "pipe obby-gen into obby-train, or let it make levels with --generate");
   }
-  OBBY_RETURN_IF_ERROR(writer.close());
-  const auto hash = hashBytes(bytes.data(), bytes.size());
+  return made;
+}
+
+}  // namespace
+
+// Standard input is the first rank's alone, and a file may be.
+Result<Levels> streamedLevels(cli::Context& context, train::Ranks& ranks) {
+  std::string copy, unused;
+  OBBY_ASSIGN(Made made, ranks.agree(ranks.first() ? readAll(context.sourceOptions(), copy)
+                                                   : Result<Made>(Made())));
+  copy = ranks.share(std::move(copy));
+  if (!ranks.first()) {
+    io::SourceOptions options;
+    options.open = [&](const std::string&) {
+      return Result<io::StreamReader>(io::StreamReader::overBytes(copy, "the first rank's levels"));
+    };
+    OBBY_ASSIGN(made, readAll(std::move(options), unused));
+  }
+  const auto hash = hashBytes(copy.data(), copy.size());
   return Levels{std::make_unique<StreamedLevels>(std::move(made)),
                 {{"levels", fmt::format("a stream of hash {:016x}", hash)}}};
 }
