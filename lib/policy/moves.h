@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/random.h"
+#include "math/exponential.h"
 #include "policy/observation.h"
 
 namespace obby::policy {
@@ -32,20 +33,6 @@ OBBY_DEVICE int likeliest(const float* logits, bool mayJump) {
     if (logits[m] > logits[best]) best = m;
   }
   return best;
-}
-
-// e^x for x <= 0 without libm: relative error below 3e-7; 0 below -80.
-OBBY_DEVICE float expNegative(float x) {
-  if (!(x > -80.0f)) return 0;
-  const float t = x * 1.44269504f;
-  const int32_t whole = int32_t(t - 0.5f);  // nearest, as t <= 0
-  const float r = (x - float(whole) * 0.693359375f) + float(whole) * 2.12194440e-4f;
-  const float e =
-      1.0f +
-      r * (1.0f + r * (0.5f + r * (1.6666667e-1f +
-                                   r * (4.1666668e-2f + r * (8.3333477e-3f + r * 1.3930436e-3f)))));
-  const uint32_t bits = uint32_t(whole + 127) << 23;
-  return e * __builtin_bit_cast(float, bits);
 }
 
 // A move with the probability that the logits give it among those that are allowed.

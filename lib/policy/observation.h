@@ -146,13 +146,11 @@ OBBY_DEVICE void lookAround(const Scene& s, const sim::World& w, const sim::Loos
   }
 }
 
-// Fills `inputs` (kInputs) with what the policy sees; gives the direction that its frame looks in.
-// `loose`: (level.looseCount).
+// Fills `inputs` (kInputs) with what the policy sees of a player who is to reach `next`, in a frame
+// that looks `ahead`. `loose`: (level.looseCount).
 template <class F>
-OBBY_DEVICE Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
-                          float* inputs) {
-  const sim::NextRegion next = nextRegion(scene.query, world);
-  const Turns ahead = aheadOf(*next.region, world);
+OBBY_DEVICE void observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+                         const sim::NextRegion& next, Turns ahead, float* inputs) {
   observeState(scene, world, next, ahead, inputs);
   Rosette rosette;
   placePoints(ahead, rosette);
@@ -164,6 +162,15 @@ OBBY_DEVICE Turns observe(const Scene& scene, const sim::World& world, const sim
   for (const auto& map : maps.heights) {
     for (int i = 0; i < kPoints; ++i) *out++ = scaledHeight(map[i]);
   }
+}
+
+// The same of the query's next region, looking toward it; gives that direction.
+template <class F>
+OBBY_DEVICE Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+                          float* inputs) {
+  const sim::NextRegion next = nextRegion(scene.query, world);
+  const Turns ahead = aheadOf(*next.region, world);
+  observe<F>(scene, world, loose, next, ahead, inputs);
   return ahead;
 }
 

@@ -42,6 +42,11 @@ Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody*
   return observe<WideFloat>(scene, world, loose, inputs);
 }
 
+void observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+             const sim::NextRegion& next, Turns ahead, float* inputs) {
+  observe<WideFloat>(scene, world, loose, next, ahead, inputs);
+}
+
 void think(const NetworkView& network, const float* inputs, float* outputs) {
   think<WideFloat>(network, inputs, outputs);
 }

@@ -52,6 +52,10 @@ class Thinker {
 Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
               float* inputs);
 
+// The same of a player who is to reach `next`, in a frame that looks `ahead`.
+void observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+             const sim::NextRegion& next, Turns ahead, float* inputs);
+
 // `outputs`: (kPaddedOutputs), logits and value, of raw inputs.
 void think(const NetworkView& network, const float* inputs, float* outputs);
 

@@ -24,9 +24,10 @@ float apart(const AttemptEnd& a, const AttemptEnd& b) {
 
 }  // namespace
 
-void Attempts::show(const AttemptEnd& end) {
-  if (ends_.size() >= kMaxKinds) return;
-  if (kinds_.insert(kindOf(end)).second) ends_.push_back(end);
+bool Attempts::show(const AttemptEnd& end) {
+  if (ends_.size() >= kMaxKinds || !kinds_.insert(kindOf(end)).second) return false;
+  ends_.push_back(end);
+  return true;
 }
 
 std::vector<EndCount> Attempts::counts() const {

@@ -28,15 +28,16 @@ struct EndCount {
 class Attempts {
  public:
   // To be called in a fixed order: of two attempts with the same kind of end the first is kept.
-  void add(const AttemptEnd& end) {
+  // True: this one may be shown.
+  bool add(const AttemptEnd& end) {
     count(end.outcome, end.part, 1);
-    show(end);
+    return show(end);
   }
   // The two halves of that: `count` attempts that ended so, and one that may be shown.
   void count(sim::Outcome outcome, uint32_t part, uint64_t count) {
     counts_[{outcome, part}] += count;
   }
-  void show(const AttemptEnd& end);
+  bool show(const AttemptEnd& end);
 
   // Most frequent first; ties by outcome, then part.
   std::vector<EndCount> counts() const;

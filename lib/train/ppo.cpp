@@ -5,12 +5,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "policy/advantages.h"
+
 namespace obby::train {
 
 namespace {
 
 constexpr uint32_t kShares = 8;
-constexpr float kMomentum = 0.9f, kSquares = 0.999f, kTiny = 1e-5f;  // of Adam
 constexpr double kFade = 0.95;  // of what returns were, at each batch
 
 // Sum of two draws' logarithm and cosine would need libm; the sum of twelve is near enough.
@@ -48,36 +49,27 @@ Ppo::Ppo(const PpoSettings& settings, uint64_t seed, ThreadPool& pool, Ranks& ra
 }
 
 LearnerState Ppo::state() const {
-  return {weights_, momentum_, squares_, steps_, valueMean_, valueDeviation_, returns_, random_};
+  return {weights_,   momentum_,       squares_, adam_.steps(),
+          valueMean_, valueDeviation_, returns_, random_};
 }
 
 void Ppo::restore(const LearnerState& s) {
   weights_ = s.weights;
   momentum_ = s.momentum;
   squares_ = s.squares;
-  steps_ = s.steps;
+  adam_ = policy::Adam(s.steps);
   valueMean_ = s.valueMean;
   valueDeviation_ = s.valueDeviation;
   returns_ = s.returns;
   random_ = s.random;
 }
 
-// Generalised advantage estimation (Schulman et al. 2015).
 void Ppo::fillAdvantages(Batch& b) {
   advantages_.resize(b.values.size());
   targets_.resize(b.values.size());
-  for (uint32_t w = 0; w < b.worlds; ++w) {
-    float next = b.last[w], advantage = 0;
-    for (uint32_t t = b.ticks; t-- > 0;) {
-      const size_t i = size_t(t) * b.worlds + w;
-      const float goesOn = b.done[i] ? 0.0f : 1.0f;
-      const float surprise = b.rewards[i] + settings_.discount * next * goesOn - b.values[i];
-      advantage = surprise + settings_.discount * settings_.lambda * goesOn * advantage;
-      advantages_[i] = advantage;
-      targets_[i] = advantage + b.values[i];
-      next = b.values[i];
-    }
-  }
+  policy::fillAdvantages(
+      {b.ticks, b.worlds, b.values.data(), b.rewards.data(), b.done.data(), b.last.data()},
+      settings_.discount, settings_.lambda, advantages_, targets_);
 }
 
 // The value head learns returns of mean 0 and deviation 1; when these move, its weights move along,
@@ -208,15 +200,10 @@ void Ppo::addRanks(Weights<float>& gradient) {
   });
 }
 
-// Adam (Kingma and Ba 2015).
 void Ppo::step(Weights<float>& gradient, float rate) {
-  ++steps_;
-  const float momentumBias = 1 - std::pow(kMomentum, float(steps_));
-  const float squaresBias = 1 - std::pow(kSquares, float(steps_));
+  adam_.next();
   const auto update = [&](auto& w, auto& m, auto& v, const auto& g) {
-    m = kMomentum * m + (1 - kMomentum) * g;
-    v = kSquares * v + (1 - kSquares) * g.cwiseProduct(g);
-    w.array() -= rate * (m.array() / momentumBias) / ((v.array() / squaresBias).sqrt() + kTiny);
+    adam_.update(w.data(), g.data(), m.data(), v.data(), size_t(w.size()), rate);
   };
   for (int l = 0; l < 3; ++l) {
     update(weights_.w[l], momentum_.w[l], squares_.w[l], gradient.w[l]);

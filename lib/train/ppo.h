@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "base/thread_pool.h"
-#include "train/loss.h"
+#include "policy/adam.h"
+#include "policy/ppo_loss.h"
 #include "train/mlp.h"
 #include "train/normaliser.h"
 #include "train/ranks.h"
@@ -15,8 +16,10 @@
 
 namespace obby::train {
 
+using policy::Decision;
+
 struct PpoSettings {
-  LossSettings loss;
+  policy::LossSettings loss;
   float discount = 0.99f;  // a decision
   float lambda = 0.95f;    // of generalised advantage estimation
   uint32_t passes = 2;     // over a batch
@@ -89,7 +92,7 @@ class Ppo {
   Ranks& ranks_;
   Random random_;
   Weights<float> weights_, momentum_, squares_;
-  uint64_t steps_ = 0;
+  policy::Adam adam_;
   float valueMean_ = 0, valueDeviation_ = 1;
   Sums returns_{1};
   std::vector<Share> shares_;

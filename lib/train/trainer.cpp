@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "policy/policy.h"
 
@@ -90,7 +89,7 @@ void Trainer::decide(Group& g, uint32_t tick) {
   batch_.inputs.middleRows(Eigen::Index(first), g.worlds) = g.row;
   for (uint32_t w = 0; w < g.worlds; ++w) {
     float chances[policy::kMoves];
-    chancesOf(out.row(w).data(), g.mayJump[w] != 0, chances);
+    policy::chancesOf(out.row(w).data(), g.mayJump[w] != 0, chances);
     float rest = g.random.unit();
     int move = 0;
     for (int m = 0; m < policy::kMoves && rest >= 0; ++m) {
@@ -99,7 +98,7 @@ void Trainer::decide(Group& g, uint32_t tick) {
       rest -= chances[m];
     }
     g.moves[w] = move;
-    batch_.decisions[first + w] = {move, g.mayJump[w] != 0, std::log(chances[move]), 0, 0};
+    batch_.decisions[first + w] = {move, g.mayJump[w] != 0, logOf(chances[move]), 0, 0};
     batch_.values[first + w] = valueOf(out, w);
   }
 }

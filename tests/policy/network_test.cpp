@@ -73,14 +73,6 @@ TEST(Network, HasTheSameBitsInOneLaneAndInMany) {
   }
 }
 
-TEST(Moves, ExponentialIsAccurate) {
-  for (float x = 0; x > -79; x -= 0.0137f) {
-    EXPECT_NEAR(expNegative(x) / std::exp(double(x)), 1, 1e-6) << x;
-  }
-  EXPECT_EQ(expNegative(-100), 0);
-  EXPECT_EQ(expNegative(0), 1);
-}
-
 TEST(Moves, AreDrawnAsTheirLogitsSay) {
   float logits[kMoves] = {};
   logits[4] = std::log(3.0f);

@@ -1,6 +1,6 @@
 // The loss and its slope, held against finite differences in double precision; the whole network
 // likewise.
-#include "train/loss.h"
+#include "policy/ppo_loss.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,11 @@
 
 namespace obby::train {
 namespace {
+
+using policy::chancesOf;
+using policy::Decision;
+using policy::lossOf;
+using policy::LossSettings;
 
 constexpr int kOut = policy::kPaddedOutputs;
 
