@@ -22,4 +22,16 @@ inline GoExploreSettings guidedSettings() {
   return s;
 }
 
+// As published: 8,192 worlds in step, every visited state is looked at, actions are held at random.
+inline GoExploreSettings plainSettings() {
+  GoExploreSettings s;
+  s.rollouts = s.mostRollouts = 8192;
+  s.phaseJumps = 0;
+  s.groundedOnly = false;
+  s.lookEvery = 1;
+  s.cellWidth = 1;
+  s.explore.aimShare = 0;
+  return s;
+}
+
 }  // namespace obby::solve

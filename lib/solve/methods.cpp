@@ -6,23 +6,13 @@
 #include "solve/choose_policy.h"
 #include "solve/choose_rrt.h"
 #include "solve/go_explore_method.h"
+#include "solve/learned/cflge.h"
+#include "solve/learned/pbge.h"
 #include "solve/resident/resident_explore.h"
 
 namespace obby::solve {
 
 namespace {
-
-// As published: 8,192 worlds in step, every visited state is looked at, actions are held at random.
-GoExploreSettings plainSettings() {
-  GoExploreSettings s;
-  s.rollouts = s.mostRollouts = 8192;
-  s.phaseJumps = 0;
-  s.groundedOnly = false;
-  s.lookEvery = 1;
-  s.cellWidth = 1;
-  s.explore.aimShare = 0;
-  return s;
-}
 
 GoExploreSettings policyFirstSettings() {
   GoExploreSettings s = plainSettings();
@@ -33,6 +23,18 @@ GoExploreSettings policyFirstSettings() {
 SearchOutcome runResident(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
   return runSearch(
       p, b, w, [&] { return std::make_unique<ResidentExplore>(p, b.seed, ResidentSettings{}, m); });
+}
+
+SearchOutcome runPbge(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
+  return runSearch(p, b, w, [&] {
+    return std::make_unique<learned::Pbge>(p, b.seed, learned::PbgeSettings{}, m);
+  });
+}
+
+SearchOutcome runCflge(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
+  return runSearch(p, b, w, [&] {
+    return std::make_unique<learned::Cflge>(p, b.seed, learned::CflgeSettings{}, m);
+  });
 }
 
 }  // namespace
@@ -56,6 +58,12 @@ const std::vector<Method>& methods() {
        runGoExplore<policyFirstSettings, makePolicyFirstChooser>},
       {"rl", "a trained policy alone, from the start, again and again",
        runGoExplore<aloneSettings, makePolicyAloneChooser>},
+      {"pbge",
+       "ge that restores nothing: returns and explores by a policy that it trains meanwhile",
+       runPbge},
+      {"cflge",
+       "draws goals where a latent space that it learns is sparse, returns by a policy it trains",
+       runCflge},
       {"resident", "archive, choice and merge in kernels, thousands of rollouts a round: for GPUs",
        runResident},
   };

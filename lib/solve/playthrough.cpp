@@ -5,14 +5,6 @@
 
 namespace obby::solve {
 
-namespace {
-
-bool same(const sim::Action& a, const sim::Action& b) {
-  return a.heading == b.heading && a.walk == b.walk && a.jump == b.jump;
-}
-
-}  // namespace
-
 Playthrough regenerate(const ExploreContext& context, uint64_t seed, const Problem& problem,
                        const ChunkedVector<Node>& nodes, const Node& end) {
   std::vector<const Node*> chain;
@@ -22,10 +14,7 @@ Playthrough regenerate(const ExploreContext& context, uint64_t seed, const Probl
   p.endLoose = problem.startLoose;
   p.path.push_back(problem.start.position);
   const auto note = [&](const sim::Action& action, const sim::World& world) {
-    if (p.actions.empty() || !same(p.actions.back().action, action)) {
-      p.actions.push_back({action, 0});
-    }
-    p.actions.back().ticks++;
+    hold(p.actions, action);
     if (++p.ticks % kPathStep == 0) p.path.push_back(world.position);
   };
   for (auto n = chain.rbegin(); n != chain.rend(); ++n) {

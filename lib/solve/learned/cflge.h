@@ -1,0 +1,90 @@
+// Cell-Free Latent Go-Explore (Gallouedec and Dellandrea 2023): a latent space is learned from how
+// moves change places; players are sent by a policy that is learned, too, to where that space is
+// sparse, along sub-goals, and explore from there at random. The archive's cells are counted for
+// the record and decide nothing. Host only.
+#pragma once
+
+#include "solve/learned/goal_pool.h"
+#include "solve/learned/learned_search.h"
+#include "solve/learned/quantile_policy.h"
+
+namespace obby::solve::learned {
+
+struct CflgeSettings {
+  uint32_t groups = 2;            // of kGroup players; a group is one thread's
+  uint32_t decisions = 16;        // of each player, a round
+  uint32_t explore = 50;          // random decisions after the goal
+  uint32_t patience = 100;        // decisions without a sub-goal until a player gives up
+  float chance = 0.05f;           // of a random move instead of the best
+  uint64_t begin = 2048;          // decisions before anything is learned
+  uint64_t refresh = 5000;        // decisions until goals are ranked anew
+  float moduleSteps = 0.1f;       // steps of the module a decision
+  float policySteps = 1.0f / 32;  // steps of the policy a decision
+  size_t room = 40'000;           // decisions that the policy learns from
+  bool learns = true;             // false: module and policy stay as they were at first
+  QuantileSettings policy;
+};
+
+class Cflge final : public LearnedSearch {
+ public:
+  static constexpr uint32_t kGroup = 16;  // players
+
+  Cflge(const Problem& problem, uint64_t seed, const CflgeSettings& settings,
+        const Machine& machine);
+
+  const Returns& returns() const { return returns_; }
+  // Mean losses of the inverse dynamics, one for each round in which they were learned.
+  const std::vector<float>& moduleLosses() const { return moduleLosses_; }
+
+ private:
+  struct Player {
+    Player(uint64_t seed, uint64_t stream) : random(seed, stream) {}
+
+    Random random;
+    Episode episode;
+    std::shared_ptr<Path> path;
+    Track track;
+    std::vector<float> subgoals, points;  // (sub-goals, kPlace), (sub-goals, kLatent)
+    size_t next = 0;                      // of the sub-goals
+    size_t count = 0;                     // of the sub-goals; 0: explores from the start
+    uint32_t waited = 0;                  // decisions since the last sub-goal
+    uint32_t explored = 0;                // decisions
+    RandomKeys keys;
+    int move = 0;
+    sim::Action action;
+    bool explores() const { return next == count; }
+  };
+  struct Group {
+    std::vector<Player> players;
+    std::vector<Episode> ended;
+    std::vector<Track> tracks;  // of these
+    Pass<float> pass, encoder;
+    std::vector<float> inputs, places, points;
+    Returns returns;
+    uint64_t steps = 0;
+  };
+
+  void playAndLearn() override;
+  void play(Group& g);
+  void see(Player& p, float* inputs) const;
+  void decide(Player& p, const float* outputs);
+  void tick(Group& g);
+  void reach(Group& g);
+  void endDecision(Group& g, Player& p);
+  void restart(Group& g, Player& p);
+  bool isOver(const Player& p) const;
+  void learn();
+
+  const CflgeSettings settings_;
+  InverseDynamics module_;
+  QuantilePolicy policy_;
+  GoalPool goals_;
+  Memory memory_;
+  std::vector<Group> groups_;
+  Returns returns_;
+  std::vector<float> moduleLosses_;
+  uint64_t decided_ = 0, ranked_ = 0;       // decisions so far, and when goals were ranked last
+  double moduleDebt_ = 0, policyDebt_ = 0;  // steps of learning that are due
+};
+
+}  // namespace obby::solve::learned

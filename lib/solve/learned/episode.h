@@ -1,0 +1,68 @@
+// One playthrough of a method that never restores a state: from the start on, tick by tick, with
+// what the search notes of it on the way. Host only.
+#pragma once
+
+#include <unordered_set>
+#include <vector>
+
+#include "base/random.h"
+#include "policy/moves.h"
+#include "sim/loose.h"
+#include "solve/macro_random.h"
+#include "solve/problem.h"
+#include "solve/trail.h"
+
+namespace obby::solve::learned {
+
+// The player stood in a cell for the first time.
+struct Passed {
+  uint64_t key;   // of the cell
+  Vec3 place;     // feet
+  uint32_t tick;  // since the start
+};
+
+// A state that the archive lacked, or held a later arrival of.
+struct Find {
+  uint64_t key;
+  sim::World world;
+  std::vector<sim::LooseBody> loose;
+  float potential;
+  uint32_t ticks;
+};
+
+struct Episode {
+  sim::World world;
+  std::vector<sim::LooseBody> loose;
+  uint32_t ticks = 0;
+  KnownWay actions;                          // all so far
+  std::unordered_set<uint64_t> been, stood;  // keys of the cells that the player was, stood in
+  std::vector<Passed> passed;                // those of `stood`, in their order
+  uint32_t newCells = 0;                     // the archive lacked so many of `been`
+  std::vector<Find> finds;
+  uint64_t key = 0;       // of the cell that the player is in
+  uint32_t cell = kNone;  // of the archive, if it has that
+  bool repeats = false;   // plays what was played before: nothing of it is noted
+  Approach closest;
+  uint32_t closestTicks = 0;
+};
+
+// Random keys, each held for a while, in whole decisions.
+class RandomKeys {
+ public:
+  sim::Action next(Random& random) {
+    if (left_ == 0) {
+      const RandomMacro macro = drawRandomMacro(random);
+      action_ = macro.action;
+      left_ = (macro.ticks + policy::kDecisionTicks - 1) / policy::kDecisionTicks;
+    }
+    --left_;
+    return action_;
+  }
+  void letGo() { left_ = 0; }
+
+ private:
+  sim::Action action_{};
+  uint32_t left_ = 0;  // decisions
+};
+
+}  // namespace obby::solve::learned

@@ -1,0 +1,80 @@
+// The goal-conditioned policy of PBGE: a network trained while the search goes on, by PPO on what
+// it played itself and by imitation of kept playthroughs. Host only.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "policy/ppo_loss.h"
+#include "solve/learned/learner.h"
+
+namespace obby::solve::learned {
+
+struct GoalPolicySettings {
+  policy::LossSettings loss{.entropyShare = 0.003f};
+  LearnerSettings learner{.rate = 1e-3f, .mostNorm = 0.5f};
+  float imitation = 0.1f;  // share of its loss
+  float discount = 0.99f;  // a decision
+  float lambda = 0.95f;    // of generalised advantage estimation
+  uint32_t passes = 2;     // over the decisions of a round
+  uint32_t part = 256;     // decisions a step of the optimiser
+};
+
+// Who made a decision: nothing is learned from random ones.
+enum class Maker : uint8_t { random, policy, kept };
+
+// The decisions of a round, a row each: (ticks, players), those of one tick side by side.
+struct Decisions {
+  Decisions(uint32_t tickCount, uint32_t playerCount)
+      : ticks(tickCount),
+        players(playerCount),
+        inputs(rows() * policy::kInputs),
+        made(rows()),
+        makers(rows()),
+        sharpness(rows(), 1.0f),
+        values(rows()),
+        rewards(rows()),
+        done(rows()),
+        last(players) {}
+  size_t rows() const { return size_t(ticks) * players; }
+
+  uint32_t ticks, players;
+  std::vector<float> inputs;  // (rows, kInputs), as policy::observe gives them
+  std::vector<policy::Decision> made;
+  std::vector<Maker> makers;
+  std::vector<float> sharpness;  // what the logits were multiplied by
+  std::vector<float> values;     // that the network expected
+  std::vector<float> rewards;
+  std::vector<uint8_t> done;  // what comes after does not count
+  std::vector<float> last;    // (players), value of the state after the last tick
+};
+
+class GoalPolicy {
+ public:
+  GoalPolicy(const GoalPolicySettings& settings, uint64_t seed);
+
+  // (kInputs) to (kPaddedOutputs), logits and value.
+  const Net<float>& net() const { return learner_.net(); }
+
+  void learn(ThreadPool& pool, const Decisions& d);
+
+ private:
+  struct Share {
+    Pass<float> pass;
+    std::vector<float> inputs, slope;
+  };
+
+  void learnPart(ThreadPool& pool, const Decisions& d, std::span<const uint32_t> rows);
+  void learnShare(const Decisions& d, std::span<const uint32_t> rows, float mean, float scale,
+                  size_t s);
+
+  GoalPolicySettings settings_;
+  Random random_;
+  Learner learner_;
+  Share shares_[kShares];
+  std::vector<float> advantages_, targets_, returns_;  // (rows)
+  std::vector<float> unused_;
+};
+
+}  // namespace obby::solve::learned

@@ -1,0 +1,78 @@
+#include "solve/learned/inverse_dynamics.h"
+
+#include <algorithm>
+
+namespace obby::solve::learned {
+
+namespace {
+
+constexpr uint64_t kStream = 0x4c4745;  // of the seed's random numbers
+constexpr size_t kUnits = 64;           // a hidden layer
+constexpr size_t kOut = padded(policy::kMoves);
+constexpr float kTargetApart = 1000;  // more than latent space is wide
+constexpr float kFollow = 0.02f;      // of the new in the mean of distances
+constexpr LearnerSettings kSettings{.rate = 1e-3f, .decay = 1e-5f};
+
+}  // namespace
+
+InverseDynamics::InverseDynamics(uint64_t seed)
+    : random_(seed, kStream),
+      encoder_({kPlace, kUnits, kUnits, kLatent}, kSettings),
+      head_({2 * kLatent, kUnits, kUnits, kOut}, kSettings) {
+  fillRandom(encoder_.net(), 1, random_);
+  fillRandom(head_.net(), 0.1f, random_);
+}
+
+float InverseDynamics::learn(ThreadPool& pool, const Memory& memory) {
+  size_t rows[kBatch];
+  for (size_t& r : rows) r = random_.below(uint32_t(memory.size()));
+  forShares(pool, kBatch, [&](size_t s, size_t first, size_t count) {
+    learnShare(memory, std::span(rows).subspan(first, count), s);
+  });
+  encoder_.step(1.0f / kBatch);
+  head_.step(1.0f / kBatch);
+  float loss = 0, apart = 0;
+  for (const Share& s : shares_) {
+    loss += s.loss;
+    apart += s.apart;
+  }
+  apart_ += kFollow * (apart / kBatch - apart_);
+  return loss / kBatch;
+}
+
+void InverseDynamics::encode(const float* places, size_t count, Pass<float>& pass,
+                             std::vector<float>& points) const {
+  const float* const encoded = pass.forward(encoder_.net(), places, count);
+  points.assign(encoded, encoded + count * kLatent);
+  for (size_t i = 0; i < count; ++i) points[i * kLatent] += kTargetApart * places[i * kPlace + 6];
+}
+
+// Both places of a decision go through the encoder, one below the other.
+void InverseDynamics::learnShare(const Memory& memory, std::span<const size_t> rows, size_t s) {
+  Share& share = shares_[s];
+  const size_t count = rows.size();
+  share.places.resize(2 * count * kPlace);
+  share.moves.resize(count);
+  for (size_t i = 0; i < count; ++i) {
+    const auto [track, decision] = memory.at(rows[i]);
+    std::copy_n(track->path->place(decision), 2 * kPlace, share.places.data() + 2 * i * kPlace);
+    share.moves[i] = track->moves[decision];
+  }
+  // A row of 2 kLatent is a pair of points as it lies.
+  const float* const pairs = share.encoder.forward(encoder_.net(), share.places.data(), 2 * count);
+  share.apart = 0;
+  for (size_t i = 0; i < count; ++i) {
+    const float* const pair = pairs + 2 * i * kLatent;
+    share.apart += sqrtf32(latentDistance2(pair, pair + kLatent));
+  }
+  const float* const logits = share.head.forward(head_.net(), pairs, count);
+  share.slope.resize(count * kOut);
+  share.loss = crossEntropy(logits, share.moves.data(), count, share.slope.data());
+  share.pairSlope.assign(2 * count * kLatent, 0.0f);
+  share.head.backward(head_.net(), pairs, count, share.slope.data(), head_.gradient(s),
+                      share.pairSlope.data());
+  share.encoder.backward(encoder_.net(), share.places.data(), 2 * count, share.pairSlope.data(),
+                         encoder_.gradient(s));
+}
+
+}  // namespace obby::solve::learned

@@ -1,0 +1,66 @@
+// The module that makes CFLGE's latent space: an encoder of places, trained together with a network
+// that tells from two successive places which move was made between them. What moves cannot change
+// has no part in it. Host only.
+#pragma once
+
+#include <span>
+
+#include "policy/ppo_loss.h"
+#include "solve/learned/latent.h"
+#include "solve/learned/learner.h"
+#include "solve/learned/track.h"
+
+namespace obby::solve::learned {
+
+// The summed loss of predicting `moves`, (rows), from logits, (rows, padded(kMoves)); fills their
+// slope.
+template <class S>
+S crossEntropy(const S* logits, const uint8_t* moves, size_t rows, S* slope) {
+  constexpr size_t kWidth = padded(policy::kMoves);
+  S sum = 0;
+  for (size_t r = 0; r < rows; ++r, logits += kWidth, slope += kWidth) {
+    S p[policy::kMoves];
+    policy::chancesOf(logits, true, p);
+    for (size_t m = 0; m < kWidth; ++m) slope[m] = m < size_t(policy::kMoves) ? p[m] : S(0);
+    slope[moves[r]] -= 1;
+    sum -= logOf(p[moves[r]]);
+  }
+  return sum;
+}
+
+class InverseDynamics {
+ public:
+  static constexpr size_t kBatch = 32;  // decisions a step
+
+  explicit InverseDynamics(uint64_t seed);
+
+  // One step on decisions drawn from the memory. Gives their mean loss, log(moves) when nothing is
+  // known.
+  float learn(ThreadPool& pool, const Memory& memory);
+
+  // Who is nearer to a goal than this has reached it: what players move in the latent space in
+  // four decisions, on average.
+  float reach() const { return 4 * apart_; }
+
+  // Fills `points`, (count, kLatent), with those of `count` places, (count, kPlace). No move alone
+  // tells the waypoints and visits behind, so these set points apart by themselves. Safe to call
+  // from several threads, each with a pass of its own.
+  void encode(const float* places, size_t count, Pass<float>& pass,
+              std::vector<float>& points) const;
+
+ private:
+  struct Share {
+    Pass<float> encoder, head;
+    std::vector<float> places, slope, pairSlope;
+    std::vector<uint8_t> moves;
+    float loss = 0, apart = 0;
+  };
+  void learnShare(const Memory& memory, std::span<const size_t> rows, size_t s);
+
+  Random random_;
+  Learner encoder_, head_;
+  Share shares_[kShares];
+  float apart_ = 0.25f;  // how far apart the points around a decision are, lately
+};
+
+}  // namespace obby::solve::learned

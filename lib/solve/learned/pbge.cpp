@@ -1,0 +1,230 @@
+#include "solve/learned/pbge.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "policy/policy.h"
+#include "solve/learned/soft_window.h"
+
+namespace obby::solve::learned {
+
+namespace {
+
+constexpr int kAims = 8;                   // places looked at for one in a cell that is new
+constexpr uint32_t kFarthest = 8;          // of these, in cells
+constexpr uint32_t kAimFor = 20;           // decisions before another is taken
+constexpr uint64_t kPlayers = 1ull << 32;  // streams of random numbers
+
+geom::Region around(Vec3 place, float width) {
+  return {{place, {}}, {0.5f * width, width, 0.5f * width}};
+}
+
+// The move that comes nearest to `action` in the frame.
+int moveOf(const sim::Action& action, Turns ahead, bool mayJump) {
+  constexpr int kStep = 65536 / policy::kHeadings;
+  const int direction = int(Turns(action.heading - ahead + kStep / 2)) / kStep;
+  const int jump = action.jump && mayJump ? 1 : 0;
+  return (action.walk ? direction : policy::kHeadings) * 2 + jump;
+}
+
+}  // namespace
+
+Pbge::Pbge(const Problem& problem, uint64_t seed, const PbgeSettings& settings,
+           const Machine& machine)
+    : LearnedSearch(problem, seed, machine),
+      settings_(settings),
+      policy_(settings.policy, seed),
+      made_(settings.decisions, settings.groups * kGroup),
+      groups_(settings.groups) {
+  choice_.update(archive());
+  for (uint32_t i = 0; i < made_.players; ++i) {
+    Group& g = groups_[i / kGroup];
+    g.players.emplace_back(seed, kPlayers + i, (i + 1) % kGroup == 0);
+    restart(g, g.players.back());
+  }
+}
+
+void Pbge::playAndLearn() {
+  pool().run(int(groups_.size()), [&](int g) { play(groups_[size_t(g)], uint32_t(g) * kGroup); });
+  for (Group& g : groups_) {
+    for (Episode& e : g.ended) take(e);
+    for (const uint32_t cell : g.acted) choice_.act(cell);
+    count(g.steps);
+    returns_.add(g.returns);
+    g.ended.clear();
+    g.acted.clear();
+    g.returns = {};
+    g.steps = 0;
+  }
+  choice_.update(archive());
+  if (settings_.learns) policy_.learn(pool(), made_);
+}
+
+// `first`: of the group's players among all.
+void Pbge::play(Group& g, uint32_t first) {
+  std::vector<float> beyond(kGroup * size_t(policy::kInputs));
+  for (uint32_t t = 0; t <= settings_.decisions; ++t) {
+    const size_t row = size_t(t) * made_.players + first;
+    const bool last = t == settings_.decisions;
+    float* const inputs = last ? beyond.data() : made_.inputs.data() + row * policy::kInputs;
+    for (uint32_t i = 0; i < kGroup; ++i) see(g.players[i], inputs + i * policy::kInputs);
+    const float* outputs = g.pass.forward(policy_.net(), inputs, kGroup);
+    for (uint32_t i = 0; i < kGroup; ++i, outputs += policy::kPaddedOutputs) {
+      if (last) {
+        made_.last[first + i] = outputs[policy::kMoves];
+      } else {
+        decide(g, g.players[i], outputs, row + i);
+      }
+    }
+    if (last) return;
+    for (uint32_t k = 0; k < policy::kDecisionTicks; ++k) tick(g);
+    for (uint32_t i = 0; i < kGroup; ++i) endDecision(g, g.players[i], row + i);
+  }
+}
+
+// The place to reach next stands in for the query's next region.
+void Pbge::see(Player& p, float* inputs) const {
+  const bool explores = p.mode == Mode::exploring;
+  const Vec3 place = explores          ? p.aim
+                     : p.subgoals == 0 ? p.episode.world.position
+                                       : passed(p.way)[p.next].place;
+  const geom::Region region = around(place, cellWidth());
+  const sim::NextRegion next{&region, geom::distance(region, p.episode.world.position)};
+  p.ahead = policy::aheadOf(region, p.episode.world);
+  policy::observe(scene(), p.episode.world, p.episode.loose.data(), next, p.ahead, inputs);
+}
+
+void Pbge::decide(Group& g, Player& p, const float* outputs, size_t row) {
+  if (p.episode.cell != kNone && p.mode != Mode::repeating) g.acted.push_back(p.episode.cell);
+  p.reward = 0;
+  p.done = false;
+  made_.values[row] = outputs[policy::kMoves];
+  if (p.mode == Mode::repeating) {
+    decideAsKept(p, row);
+  } else if (p.mode == Mode::exploring && !p.byPolicy) {
+    made_.makers[row] = Maker::random;
+    p.action = allowed(p.keys.next(p.random), p.episode.world);
+  } else {
+    decideByPolicy(p, outputs, row);
+  }
+}
+
+// The longer it has not come to a sub-goal, the more it leaves to chance.
+void Pbge::decideByPolicy(Player& p, const float* outputs, size_t row) {
+  const uint32_t over = p.waited > settings_.calm ? p.waited - settings_.calm : 0;
+  const float unrest = settings_.unrest * float(over);
+  const float sharpness = 1 / (1 + unrest * unrest);
+  float logits[policy::kMoves], chances[policy::kMoves];
+  for (int m = 0; m < policy::kMoves; ++m) logits[m] = outputs[m] * sharpness;
+  const bool mayJump = policy::jumpAllowed(scene(), p.episode.world);
+  policy::chancesOf(logits, mayJump, chances);
+  const int move = policy::draw(logits, mayJump, p.random);
+  p.action = policy::actionOf(move, p.ahead);
+  made_.makers[row] = Maker::policy;
+  made_.sharpness[row] = sharpness;
+  made_.made[row] = {move, mayJump, logOf(chances[move]), 0, 0};
+}
+
+// What it did then is what the policy is to do; the actions themselves are repeated tick by tick.
+void Pbge::decideAsKept(Player& p, size_t row) {
+  const bool mayJump = policy::jumpAllowed(scene(), p.episode.world);
+  WayCursor ahead = p.cursor;
+  const sim::Action action = ahead.next(actions(p.way));
+  made_.makers[row] = Maker::kept;
+  made_.made[row] = {moveOf(action, p.ahead, mayJump), mayJump, 0, 0, 0};
+}
+
+void Pbge::tick(Group& g) {
+  std::vector<Player*> players;
+  std::vector<Episode*> episodes;
+  std::vector<sim::Action> held;
+  for (Player& p : g.players) {
+    if (isOver(p)) continue;
+    players.push_back(&p);
+    episodes.push_back(&p.episode);
+    if (p.mode == Mode::repeating) p.action = p.cursor.next(actions(p.way));
+    p.action = allowed(p.action, p.episode.world);
+    held.push_back(p.action);
+  }
+  advance(episodes, held.data());
+  g.steps += players.size();
+  for (Player* p : players) reach(g, *p);
+}
+
+// Has the player come to a sub-goal?
+void Pbge::reach(Group& g, Player& p) const {
+  if (p.mode == Mode::exploring) {
+    if (!p.byPolicy) return;
+    if (geom::distance(around(p.aim, cellWidth()), p.episode.world.position) > 0) return;
+    aim(p);
+  } else {
+    const std::vector<Passed>& way = passed(p.way);
+    const auto reached = [&](size_t i) { return way[i].key == p.episode.key; };
+    if (!passSubgoals(p.next, p.subgoals, reached)) return;
+  }
+  p.reward += settings_.subgoal;
+  p.waited = p.barren = 0;
+  if (p.mode != Mode::returning || p.next < p.subgoals) return;
+  ++g.returns.reached;
+  explore(p);
+}
+
+bool Pbge::isOver(const Player& p) const {
+  if (!goesOn(p.episode)) return true;
+  if (p.mode == Mode::repeating) return p.next == p.subgoals;
+  if (p.mode == Mode::exploring && p.explored >= settings_.explore) return true;
+  return p.barren >= settings_.patience;
+}
+
+void Pbge::endDecision(Group& g, Player& p, size_t row) {
+  ++p.waited;
+  ++p.barren;
+  if (p.episode.newCells != p.newCells) p.barren = 0;
+  p.newCells = p.episode.newCells;
+  if (p.mode == Mode::exploring && ++p.explored % kAimFor == 0) aim(p);
+  const bool over = isOver(p);
+  made_.rewards[row] = p.reward;
+  made_.done[row] = p.done || over;
+  if (!over) return;
+  if (!p.episode.repeats) g.ended.push_back(std::move(p.episode));
+  restart(g, p);
+}
+
+void Pbge::restart(Group& g, Player& p) const {
+  p.episode = begin();
+  p.next = 0;
+  p.waited = p.barren = p.newCells = 0;
+  p.cursor = {};
+  std::tie(p.way, p.subgoals) = wayTo(choice_.pick(p.random));
+  p.episode.repeats = p.repeats && p.subgoals > 0;
+  if (p.episode.repeats) {
+    p.mode = Mode::repeating;
+  } else if (p.subgoals == 0) {
+    explore(p);
+  } else {
+    p.mode = Mode::returning;
+    ++g.returns.tried;
+  }
+}
+
+// From here on; half of the players at random, whose decisions the policy does not learn from.
+void Pbge::explore(Player& p) const {
+  p.mode = Mode::exploring;
+  p.byPolicy = p.random.below(2) == 0;
+  p.explored = p.waited = 0;
+  p.keys.letGo();
+  p.done = !p.byPolicy;
+  aim(p);
+}
+
+// At a place nearby, in a cell that the archive lacks if one is found.
+void Pbge::aim(Player& p) const {
+  for (int i = 0; i < kAims; ++i) {
+    const SinCos way = sinCos(Turns(p.random.below(policy::kHeadings) << 12));
+    const float cells = 1 + float(p.random.below(kFarthest));
+    p.aim = p.episode.world.position + directionOf(way) * (cells * cellWidth());
+    if (archive().find(keyAt(p.episode, p.aim)) == kNone) return;
+  }
+}
+
+}  // namespace obby::solve::learned

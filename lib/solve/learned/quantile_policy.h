@@ -1,0 +1,64 @@
+// The goal-conditioned policy of CFLGE: QR-DQN (Dabney et al. 2018) with hindsight goals
+// (Andrychowicz et al. 2017). It costs 1 a decision until the player is within reach of the goal.
+// Host only.
+#pragma once
+
+#include <span>
+
+#include "policy/moves.h"
+#include "solve/learned/inverse_dynamics.h"
+#include "solve/learned/quantile_loss.h"
+
+namespace obby::solve::learned {
+
+constexpr size_t kGoalInputs = 16;  // where the goal lies from here
+constexpr size_t kPolicyInputs = size_t(policy::kInputs) + kGoalInputs;
+
+// Fills `out`, (kGoalInputs), with where `goal` lies from `place`, (kPlace) both.
+void observeGoal(const float* place, const float* goal, float* out);
+
+// The best of the moves that are allowed by the mean of its quantiles; `quantiles`: (kMoves,
+// kQuantiles). The first of several.
+int bestMove(const float* quantiles, bool mayJump);
+
+struct QuantileSettings {
+  LearnerSettings learner{.rate = 1e-3f, .mostNorm = 10};
+  float discount = 0.95f;
+  float hindsight = 0.8f;  // of the decisions learned from get a goal reached later
+  uint32_t refresh = 200;  // steps until what is aimed for is computed by the newest weights
+};
+
+class QuantilePolicy {
+ public:
+  static constexpr size_t kBatch = 64;  // decisions a step
+
+  QuantilePolicy(const QuantileSettings& settings, uint64_t seed);
+
+  // (kPolicyInputs) to (kMoves, kQuantiles).
+  const Net<float>& net() const { return learner_.net(); }
+
+  // One step on decisions drawn from the memory.
+  void learn(ThreadPool& pool, const Memory& memory, const InverseDynamics& module);
+
+ private:
+  struct Lesson {
+    const Track* track;
+    size_t decision;
+    const float* goal;  // (kPlace)
+  };
+  struct Share {
+    Pass<float> pass, next, encoder;
+    std::vector<float> inputs, nextInputs, places, points, slope;
+  };
+  void draw(const Memory& memory, std::span<Lesson> lessons);
+  void learnShare(const InverseDynamics& module, std::span<const Lesson> lessons, size_t s);
+
+  QuantileSettings settings_;
+  Random random_;
+  Learner learner_;
+  Net<float> target_;
+  uint32_t steps_ = 0;
+  Share shares_[kShares];
+};
+
+}  // namespace obby::solve::learned

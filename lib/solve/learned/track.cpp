@@ -1,0 +1,48 @@
+#include "solve/learned/track.h"
+
+#include <algorithm>
+
+namespace obby::solve::learned {
+
+namespace {
+
+constexpr float kUnit = 0.25f;  // a stud
+
+void write(Vec3 v, float* to) {
+  to[0] = v.x * kUnit;
+  to[1] = v.y * kUnit;
+  to[2] = v.z * kUnit;
+}
+
+}  // namespace
+
+void placeOf(const Problem& problem, const sim::World& world, const sim::LooseBody* loose,
+             float* place) {
+  write(world.position - problem.start.position, place);
+  Vec3 moved;
+  const uint32_t bodies = problem.level.looseCount;
+  for (uint32_t i = 0; i < bodies; ++i) {
+    if (loose[i].state == sim::LooseState::gone) continue;
+    moved += loose[i].position - problem.startLoose[i].position;
+  }
+  write(moved * (bodies == 0 ? 0.0f : 1 / float(bodies)), place + 3);
+  place[6] = float(targetsReached(world));
+}
+
+void Memory::add(std::shared_ptr<const Track> track) {
+  if (track->decisions() == 0) return;
+  const size_t count = track->decisions();
+  tracks_.push_back({end_, std::move(track)});
+  end_ += count;
+  while (tracks_.size() > 1 && size() > room_) tracks_.pop_front();
+}
+
+Memory::Place Memory::at(size_t i) const {
+  const uint64_t at = tracks_.front().first + i;
+  const auto after = std::upper_bound(tracks_.begin(), tracks_.end(), at,
+                                      [](uint64_t a, const Kept& k) { return a < k.first; });
+  const Kept& kept = *std::prev(after);
+  return {kept.track.get(), size_t(at - kept.first)};
+}
+
+}  // namespace obby::solve::learned

@@ -1,0 +1,244 @@
+// What learning within a search runs on: products in a fixed order, gradients held against finite
+// differences in double precision, losses, the latent space.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+#include "solve/learned/cell_choice.h"
+#include "solve/learned/imitation_loss.h"
+#include "solve/learned/inverse_dynamics.h"
+#include "solve/learned/quantile_loss.h"
+#include "solve/learned/quantile_policy.h"
+#include "solve/learned/soft_window.h"
+
+namespace obby::solve::learned {
+namespace {
+
+template <class S>
+std::vector<S> drawn(size_t count, Random& random) {
+  std::vector<S> v(count);
+  for (S& x : v) x = S(2 * random.unit() - 1);
+  return v;
+}
+
+// Whatever the lanes: each number is summed as a loop would.
+TEST(Product, HasTheBitsOfALoop) {
+  Random random(1, 1);
+  for (const size_t rows : {1u, 7u, 8u, 19u}) {
+    const size_t inner = 37, columns = 48;
+    const auto a = drawn<float>(rows * inner, random), b = drawn<float>(inner * columns, random);
+    auto c = drawn<float>(rows * columns, random), expected = c;
+    addProduct<float>({a.data(), inner, 1}, rows, inner, b.data(), columns, c.data());
+    for (size_t r = 0; r < rows; ++r) {
+      for (size_t o = 0; o < columns; ++o) {
+        for (size_t k = 0; k < inner; ++k)
+          expected[r * columns + o] += a[r * inner + k] * b[k * columns + o];
+      }
+    }
+    EXPECT_EQ(std::memcmp(c.data(), expected.data(), c.size() * sizeof(float)), 0) << rows;
+  }
+}
+
+// The sum of the outputs, each times a weight of its own: its slope by them is these.
+TEST(Net, GradientsAreThoseOfFiniteDifferences) {
+  constexpr size_t kRows = 5;
+  Random random(2, 2);
+  Net<double> net({16, 32, 32, 16});
+  net.numbers() = drawn<double>(net.numbers().size(), random);
+  auto inputs = drawn<double>(kRows * 16, random);
+  const auto slope = drawn<double>(kRows * 16, random);
+  Pass<double> pass;
+  const auto total = [&] {
+    const double* out = pass.forward(net, inputs.data(), kRows);
+    return std::inner_product(slope.begin(), slope.end(), out, 0.0);
+  };
+  std::vector<double> gradient(net.numbers().size(), 0.0), inputSlope(inputs.size(), 0.0);
+  total();
+  pass.backward(net, inputs.data(), kRows, slope.data(), gradient, inputSlope.data());
+  const auto check = [&](std::vector<double>& numbers, const std::vector<double>& slopes) {
+    for (int n = 0; n < 200; ++n) {
+      const size_t i = random.below(uint32_t(numbers.size()));
+      const double step = 1e-6, old = numbers[i];
+      numbers[i] = old + step;
+      const double more = total();
+      numbers[i] = old - step;
+      const double less = total();
+      numbers[i] = old;
+      EXPECT_NEAR(slopes[i], (more - less) / (2 * step), 1e-6) << i;
+    }
+  };
+  check(net.numbers(), gradient);
+  check(inputs, inputSlope);
+}
+
+// Holds the slope that loss(at, slope) fills against its differences.
+template <class Loss>
+void checkSlope(std::vector<double> at, Loss&& loss, double within = 1e-6) {
+  std::vector<double> slope(at.size()), unused(at.size());
+  loss(at.data(), slope.data());
+  for (size_t i = 0; i < at.size(); ++i) {
+    const double step = 1e-6, old = at[i];
+    at[i] = old + step;
+    const double more = loss(at.data(), unused.data());
+    at[i] = old - step;
+    const double less = loss(at.data(), unused.data());
+    at[i] = old;
+    EXPECT_NEAR(slope[i], (more - less) / (2 * step), within) << i;
+  }
+}
+
+TEST(ImitationLoss, SlopesAreThoseOfFiniteDifferences) {
+  Random random(3, 3);
+  for (int n = 0; n < 20; ++n) {
+    const auto at = drawn<double>(policy::kPaddedOutputs, random);
+    const policy::Decision d{int(random.below(policy::kMoves)), true, 0, 0, 2};
+    // How much better it went is a constant to the likelihood's slope, not to the value's.
+    const double better = double(d.target) - at[policy::kMoves];
+    checkSlope(at, [&](const double* out, double* slope) {
+      imitationLoss<double>(out, d, 0.1, 0.5, slope);
+      double p[policy::kMoves];
+      policy::chancesOf(out, true, p);
+      const double error = double(d.target) - out[policy::kMoves];
+      return 0.1 * (-std::log(p[d.move]) * better + 0.5 * error * error / 2);
+    });
+  }
+}
+
+TEST(ImitationLoss, LearnsNothingFromWhatWentWorseThanExpected) {
+  float outputs[policy::kPaddedOutputs] = {}, slope[policy::kPaddedOutputs];
+  outputs[policy::kMoves] = 1;
+  EXPECT_EQ(imitationLoss(outputs, {3, true, 0, 0, 0.5f}, 0.1f, 0.5f, slope), 0);
+  for (const float s : slope) EXPECT_EQ(s, 0);
+}
+
+TEST(QuantileLoss, SlopesAreThoseOfFiniteDifferences) {
+  Random random(4, 4);
+  for (int n = 0; n < 20; ++n) {
+    const auto targets = drawn<double>(kQuantiles, random);
+    auto at = drawn<double>(kQuantiles, random);
+    for (double& v : at) v *= 3;  // on both sides of where the loss becomes straight
+    checkSlope(at, [&](const double* predicted, double* slope) {
+      return quantileLoss(predicted, targets.data(), slope);
+    });
+  }
+}
+
+// Followed downhill, predictions come to the quantiles of the targets.
+TEST(QuantileLoss, EndsAtTheQuantiles) {
+  double targets[kQuantiles], predicted[kQuantiles] = {}, slope[kQuantiles];
+  for (size_t i = 0; i < kQuantiles; ++i) targets[i] = 100 * double(i);
+  for (int n = 0; n < 20000; ++n) {
+    quantileLoss(predicted, targets, slope);
+    for (size_t i = 0; i < kQuantiles; ++i) predicted[i] -= slope[i];
+  }
+  for (size_t i = 0; i < kQuantiles; ++i) EXPECT_NEAR(predicted[i], targets[i], 5) << i;
+}
+
+TEST(CrossEntropy, SlopesAreThoseOfFiniteDifferences) {
+  Random random(5, 5);
+  const uint8_t moves[] = {4, 33};
+  checkSlope(
+      drawn<double>(2 * padded(policy::kMoves), random),
+      [&](const double* logits, double* slope) { return crossEntropy(logits, moves, 2, slope); });
+}
+
+TEST(SoftWindow, PassesSubgoalsInOrderOrAheadWithinIt) {
+  size_t next = 0;
+  const auto at = [](size_t place) { return [place](size_t i) { return i == place; }; };
+  EXPECT_TRUE(passSubgoals(next, 30, at(0)));
+  EXPECT_EQ(next, 1u);
+  EXPECT_TRUE(passSubgoals(next, 30, at(kWindow)));  // the last of the window
+  EXPECT_EQ(next, kWindow + 1);
+  EXPECT_FALSE(passSubgoals(next, 30, at(next + kWindow)));  // the first beyond
+  EXPECT_FALSE(passSubgoals(next, 30, at(next - 1)));        // behind
+  EXPECT_EQ(next, kWindow + 1);
+  EXPECT_TRUE(passSubgoals(next, 14, [](size_t) { return true; }));  // the farthest of several
+  EXPECT_EQ(next, 14u);
+  EXPECT_FALSE(passSubgoals(next, 14, [](size_t) { return true; }));
+}
+
+std::vector<float> line(std::initializer_list<float> places) {
+  std::vector<float> points;
+  for (const float x : places) {
+    points.push_back(x);
+    points.resize(points.size() + kLatent - 1, 0.0f);
+  }
+  return points;
+}
+
+TEST(Thinning, KeepsTheGoalAndWhatIsFarEnoughGoingBack) {
+  const auto points = line({0, 0.5f, 1.2f, 1.3f, 2.4f, 2.5f, 3});
+  EXPECT_EQ(thinned(points.data(), 7, 1), (std::vector<uint32_t>{0, 3, 6}));
+  EXPECT_EQ(thinned(points.data(), 7, 0.05f).size(), 7u);
+  EXPECT_EQ(thinned(points.data(), 7, 100), (std::vector<uint32_t>{6}));
+}
+
+TEST(Geometric, RanksAreDrawnAsTheirChancesSay) {
+  constexpr uint32_t kCount = 12, kDraws = 200'000;
+  constexpr float kP = 0.2f;
+  Random random(6, 6);
+  uint32_t counts[kCount] = {};
+  for (uint32_t n = 0; n < kDraws; ++n) ++counts[drawGeometric(random, kP, kCount)];
+  const double all = 1 - std::pow(1 - double(kP), kCount);
+  for (uint32_t r = 0; r < kCount; ++r) {
+    const double expected = double(kP) * std::pow(1 - double(kP), r) / all;
+    EXPECT_NEAR(counts[r] / double(kDraws), expected, 0.004) << r;
+  }
+  for (int n = 0; n < 100; ++n) EXPECT_EQ(drawGeometric(random, 0.005f, 1), 0u);
+}
+
+TEST(Neighbours, DistancesAreThoseOfASort) {
+  EXPECT_EQ(neighbourFor(1), 2u);
+  EXPECT_EQ(neighbourFor(1u << 16), 4u);
+  constexpr size_t kCount = 150;
+  Random random(7, 7);
+  const auto points = drawn<float>(kCount * kLatent, random);
+  for (const int threads : {1, 3}) {
+    ThreadPool pool(threads);
+    const std::vector<float> found = neighbourDistances2(pool, points, 3);
+    for (size_t i = 0; i < kCount; ++i) {
+      std::vector<float> others;
+      for (size_t j = 0; j < kCount; ++j) {
+        const float* const a = points.data() + i * kLatent;
+        if (j != i) others.push_back(latentDistance2(a, points.data() + j * kLatent));
+      }
+      std::nth_element(others.begin(), others.begin() + 2, others.end());
+      ASSERT_EQ(found[i], others[2]) << i;
+    }
+  }
+}
+
+// Standing states only, by 1 / (1 + actions / 2); the start always.
+TEST(CellChoice, WeighsCellsByTheActionsTakenThere) {
+  Archive archive;
+  sim::World world{};
+  world.state = sim::State::freefall;
+  world.floorlessTicks = 100;
+  archive.offer(7, world, {0, kNone, 0}, 1);
+  archive.offer(8, world, {1, 0, 5}, 1);
+  world.state = sim::State::running;
+  world.floorlessTicks = 0;
+  archive.offer(9, world, {1, 0, 5}, 1);
+  CellChoice choice;
+  for (int n = 0; n < 6; ++n) choice.act(2);
+  choice.update(archive);
+  Random random(8, 8);
+  uint32_t counts[3] = {};
+  for (int n = 0; n < 50'000; ++n) ++counts[choice.pick(random)];
+  EXPECT_EQ(counts[1], 0u);
+  EXPECT_NEAR(counts[0] / 50'000.0, 0.8, 0.01);  // 1 against 1/4
+}
+
+TEST(BestMove, IsTheOneOfTheHighestMeanThatIsAllowed) {
+  std::vector<float> quantiles(size_t(policy::kMoves) * kQuantiles, -1.0f);
+  quantiles[6 * kQuantiles] = 0;
+  quantiles[9 * kQuantiles] = quantiles[9 * kQuantiles + 1] = 0;
+  EXPECT_EQ(bestMove(quantiles.data(), true), 9);
+  EXPECT_EQ(bestMove(quantiles.data(), false), 6);
+}
+
+}  // namespace
+}  // namespace obby::solve::learned

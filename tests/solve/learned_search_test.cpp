@@ -1,0 +1,190 @@
+// The methods `pbge` and `cflge` as searches: what they keep replays, they learn, and nothing but
+// problem and seed decides what they find.
+#include <gtest/gtest.h>
+
+#include "scenes.h"
+#include "solve/learned/cflge.h"
+#include "solve/learned/pbge.h"
+
+namespace obby::solve::learned {
+namespace {
+
+// Six studs wide, 124 long, with nothing beside it; the goal is out of reach.
+level::Level corridor() {
+  LevelBuilder b;
+  b.block({0, -0.5f, -60}, {6, 1, 124});
+  b.spawn({0, 0, -2});
+  b.physics([](schema::PhysicsParams::Builder p) { p.setFallenPartsHeight(-40); });
+  return b.compile();
+}
+
+// Of the rounds from `first` to `last`.
+template <class S>
+double returnRate(S& search, int first, int last) {
+  for (int r = 0; r < first; ++r) search.round();
+  const Returns before = search.returns();
+  for (int r = first; r < last; ++r) search.round();
+  const Returns after = search.returns();
+  EXPECT_GT(after.tried - before.tried, 50u);
+  return double(after.reached - before.reached) / double(after.tried - before.tried);
+}
+
+template <class S>
+void expectKeptWaysToReplay(S& search) {
+  const Archive& archive = search.archive();
+  ASSERT_GT(archive.cellCount(), 200u);
+  for (uint32_t c = 0; c < archive.cellCount(); ++c) {
+    const Playthrough p = search.playthrough(archive.nodes()[archive.node(c)]);
+    const auto loose = archive.loose(c);
+    ASSERT_EQ(sim::stateHash(p.end, p.endLoose), sim::stateHash(archive.world(c), loose)) << c;
+  }
+  const Closest& closest = search.statistics().closest;
+  const Playthrough p = search.playthrough(closest.way);
+  EXPECT_EQ(p.end.position.x, closest.position.x);
+  EXPECT_EQ(p.end.position.z, closest.position.z);
+}
+
+template <class S>
+void expectTruthfulStatistics(S& search, uint64_t rollouts) {
+  uint64_t ends = 0;
+  for (const EndCount& e : search.attempts().counts()) ends += e.count;
+  EXPECT_EQ(ends, search.statistics().rollouts);
+  EXPECT_GT(search.statistics().rollouts, rollouts);
+  EXPECT_LE(search.singletons(), search.cellCount());
+  for (const AttemptEnd& e : search.attempts().sample(20, {})) {
+    EXPECT_EQ(search.playthrough(e.way).end.outcome, e.outcome);
+  }
+}
+
+TEST(Pbge, KeepsWaysThatReplayAndCountsWhatItDid) {
+  const level::Level level = corridor();
+  const Problem problem = support::endlessProblem(level);
+  ThreadPool pool(2);
+  Pbge search(problem, 1, {}, {pool});
+  for (int r = 0; r < 20; ++r) search.round();
+  expectKeptWaysToReplay(search);
+  expectTruthfulStatistics(search, 50);
+  EXPECT_EQ(search.statistics().rounds, 20u);
+  EXPECT_GT(search.statistics().steps, 20u * 32 * 32 * 2);
+  EXPECT_LE(search.statistics().steps, 20u * 32 * 32 * policy::kDecisionTicks);
+}
+
+TEST(Cflge, KeepsWaysThatReplayAndCountsWhatItDid) {
+  const level::Level level = corridor();
+  const Problem problem = support::endlessProblem(level);
+  ThreadPool pool(2);
+  Cflge search(problem, 1, {}, {pool});
+  for (int r = 0; r < 20; ++r) search.round();
+  expectKeptWaysToReplay(search);
+  expectTruthfulStatistics(search, 50);
+}
+
+// Without learning hardly anybody comes back to where the player before fell off the edges.
+TEST(Pbge, LearnsToReturn) {
+  const level::Level level = corridor();
+  const Problem problem = support::endlessProblem(level);
+  ThreadPool pool(2);
+  PbgeSettings dull;
+  dull.learns = false;
+  Pbge learned(problem, 1, {}, {pool}), untaught(problem, 1, dull, {pool});
+  const double without = returnRate(untaught, 0, 60), with = returnRate(learned, 60, 120);
+  EXPECT_LT(without, 0.05);
+  EXPECT_GT(with, 4 * without + 0.1);
+  EXPECT_GT(learned.cellCount(), untaught.cellCount());
+}
+
+TEST(Cflge, LearnsTheModuleAndToReturn) {
+  const level::Level level = corridor();
+  const Problem problem = support::endlessProblem(level);
+  ThreadPool pool(2);
+  Cflge search(problem, 1, {}, {pool});
+  const double early = returnRate(search, 60, 110), late = returnRate(search, 150, 220);
+  const std::vector<float>& losses = search.moduleLosses();
+  EXPECT_NEAR(losses.front(), logOf(float(policy::kMoves)), 0.5f);
+  EXPECT_LT(losses.back(), 0.65f * losses.front());
+  EXPECT_GT(late, 1.5 * early);
+  EXPECT_GT(late, 0.6);
+  float farthest = 0;
+  for (const Vec3 place : search.places(0)) farthest = std::max(farthest, -place.z);
+  EXPECT_GT(farthest, 60);  // twice as far as players get by chance
+}
+
+template <class S, class Settings>
+std::vector<Vec3> placesOf(const Problem& problem, int threads, int rounds) {
+  ThreadPool pool(threads);
+  S search(problem, 3, Settings{}, {pool});
+  for (int r = 0; r < rounds; ++r) search.round();
+  std::vector<Vec3> places = search.places(0);
+  places.push_back({float(search.statistics().steps), float(search.singletons()), 0});
+  return places;
+}
+
+// Long enough to have learned: weights decide what is played.
+TEST(LearnedSearches, AreTheSameOnAnyNumberOfThreads) {
+  const level::Level level = corridor();
+  const Problem problem = support::endlessProblem(level);
+  const auto pbge = placesOf<Pbge, PbgeSettings>(problem, 1, 12);
+  const auto cflge = placesOf<Cflge, CflgeSettings>(problem, 1, 16);
+  for (const int threads : {2, 3}) {
+    EXPECT_TRUE((placesOf<Pbge, PbgeSettings>(problem, threads, 12) == pbge)) << threads;
+    EXPECT_TRUE((placesOf<Cflge, CflgeSettings>(problem, threads, 16) == cflge)) << threads;
+  }
+}
+
+// What worked is found again before any round, and led on from.
+TEST(LearnedSearches, TryEarlierAnswersFirst) {
+  const level::Level stones = steppingStones().compile();
+  Question question(stones);
+  Problem problem = question.problem();
+  ThreadPool pool(2);
+  Pbge search(problem, 1, {}, {pool});
+  while (search.goals().empty()) {
+    ASSERT_LT(search.statistics().steps, 3'000'000u);
+    search.round();
+  }
+  const Playthrough found = search.playthrough(search.goals()[0]);
+  EXPECT_EQ(found.end.outcome, sim::Outcome::goal);
+  problem.known = {found.actions};
+  const auto again = [&](LearnedSearch& s) {
+    s.tryKnown(0, 1);
+    ASSERT_EQ(s.goals().size(), 1u);
+    EXPECT_EQ(sim::stateHash(s.playthrough(s.goals()[0]).end), sim::stateHash(found.end));
+    EXPECT_GT(s.cellCount(), 20u);
+    for (int r = 0; r < 3; ++r) s.round();
+    for (uint32_t c = 0; c < s.cellCount(); ++c) {
+      const Playthrough p = s.playthrough(s.archive().nodes()[s.archive().node(c)]);
+      ASSERT_EQ(sim::stateHash(p.end), sim::stateHash(s.archive().world(c)));
+    }
+  };
+  Pbge pbge(problem, 2, {}, {pool});
+  again(pbge);
+  Cflge cflge(problem, 2, {}, {pool});
+  again(cflge);
+}
+
+// With waypoints, movers and parts to touch; each way is checked by the verifier before it counts.
+TEST(LearnedSearches, SolveLevels) {
+  const std::tuple<const char*, const char*, const char*> queries[] = {
+      {"pbge", "kill-checkerboard", "left-file"},
+      {"cflge", "kill-checkerboard", "left-file"},
+      {"pbge", "truss-tower", "landing-on-foot"},
+      {"cflge", "presses", "through"},
+      {"pbge", "touch-lift", "up"},
+      {"cflge", "touch-lift", "up"},
+  };
+  for (const auto& [method, level, query] : queries) {
+    FilterOptions o;
+    o.threads = 2;
+    o.solver.method = findMethod(method);
+    o.solver.budget.maxSteps = 3'000'000;
+    o.solver.progressRecords = false;
+    o.only = {query};
+    const Filtered f =
+        runFilter(std::string(OBBY_SOURCE_DIR "/levels/") + level + ".jsonl", std::move(o));
+    EXPECT_TRUE(f.status);
+    EXPECT_EQ(f.counts.solved, 1u) << method << " " << level << " " << query;
+  }
+}
+
+}  // namespace
+}  // namespace obby::solve::learned
