@@ -22,14 +22,13 @@ class Adam {
   // Moves `count` weights against their gradient. `momentum`, `squares`: (count), zero at first.
   void update(float* weights, const float* gradient, float* momentum, float* squares, size_t count,
               float rate) const {
-    const float momentumBias = 1 - power(kMomentum, steps_),
-                squaresBias = 1 - power(kSquares, steps_);
+    const float step = rate / (1 - power(kMomentum, steps_));
+    const float unbias = 1 / (1 - power(kSquares, steps_));
     for (size_t i = 0; i < count; ++i) {
       const float g = gradient[i];
       momentum[i] = kMomentum * momentum[i] + (1 - kMomentum) * g;
       squares[i] = kSquares * squares[i] + (1 - kSquares) * (g * g);
-      weights[i] -=
-          rate * (momentum[i] / momentumBias) / (sqrtf32(squares[i] / squaresBias) + kTiny);
+      weights[i] -= step * momentum[i] / (sqrtf32(squares[i] * unbias) + kTiny);
     }
   }
 

@@ -116,8 +116,10 @@ class Pass {
     const size_t inner = net.inputs(l), width = net.outputs(l);
     turned_.resize(inner * width);
     const S* const w = net.weights(l);
-    for (size_t i = 0; i < inner; ++i) {
-      for (size_t o = 0; o < width; ++o) turned_[o * inner + i] = w[i * width + o];
+    for (size_t first = 0; first < inner; first += kColumns) {
+      for (size_t o = 0; o < width; ++o) {
+        for (size_t i = first; i < first + kColumns; ++i) turned_[o * inner + i] = w[i * width + o];
+      }
     }
     addProduct<S>({slope, width, 1}, rows, width, turned_.data(), inner, to);
   }
