@@ -14,7 +14,8 @@ LearnedSearch::LearnedSearch(const Problem& problem, uint64_t seed, const Machin
       pool_(machine.pool),
       setup_(problem_, seed, plainSettings()),
       surroundings_(problem_.level, policy::kSight),
-      scene_{problem_.level, problem_.query, surroundings_.view()},
+      around_(surroundings_.view()),
+      scene_{problem_.level, problem_.query, around_},
       passed_(problem_.known.size()),
       archive_(kMaxCells, problem_.level.looseCount) {
   const Episode e = begin();

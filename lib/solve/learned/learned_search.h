@@ -98,7 +98,8 @@ class LearnedSearch : public Search {
   ThreadPool& pool_;
   const ExploreSetup setup_;
   const policy::Surroundings surroundings_;
-  const policy::Scene scene_;
+  const policy::SurroundingsView around_;
+  const policy::Scene scene_;                // of these
   std::vector<std::vector<Passed>> passed_;  // (problem_.known)
   Archive archive_;
   Attempts attempts_;
