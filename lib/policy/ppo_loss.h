@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "policy/exponential_double.h"
+#include "policy/moves.h"
 #include "policy/network.h"
 
 namespace obby::policy {
