@@ -48,12 +48,13 @@ GoExploreSettings lockStep() {
 }
 
 std::unique_ptr<Chooser> selectorAlone(const Problem& problem, const ExploreContext& context) {
-  return policyFirst(hedgedSelector(problem, context), context);
+  return policyFirst(hedgedSelector(problem, context), context, kPolicyFrom);
 }
 
 std::unique_ptr<Chooser> mixedWithoutHedge(const Problem& problem, const ExploreContext& context) {
-  return std::make_unique<MixedChooser>(policyFirst(plainSelector(problem, context), context),
-                                        makeBeamChooser(problem, context));
+  return std::make_unique<MixedChooser>(
+      policyFirst(plainSelector(problem, context), context, kPolicyFrom),
+      makeBeamChooser(problem, context));
 }
 
 using Settings = GoExploreSettings;

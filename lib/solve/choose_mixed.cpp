@@ -19,8 +19,9 @@ void MixedChooser::learn(const Archive& archive, std::span<const Tried> tried) {
 }
 
 std::unique_ptr<Chooser> makeMixedChooser(const Problem& problem, const ExploreContext& context) {
-  return std::make_unique<MixedChooser>(policyFirst(hedgedSelector(problem, context), context),
-                                        makeBeamChooser(problem, context));
+  return std::make_unique<MixedChooser>(
+      policyFirst(hedgedSelector(problem, context), context, kPolicyFrom),
+      makeBeamChooser(problem, context));
 }
 
 }  // namespace obby::solve

@@ -19,6 +19,9 @@ class MixedChooser : public Chooser {
   std::unique_ptr<Chooser> first_, second_;
 };
 
+// The round from which on the policy plays: what is solved before is solved sooner without.
+constexpr uint32_t kPolicyFrom = 8;
+
 // The hedged selector, with the policy first where there is one, and the beam.
 std::unique_ptr<Chooser> makeMixedChooser(const Problem& problem, const ExploreContext& context);
 

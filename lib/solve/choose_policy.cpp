@@ -5,6 +5,7 @@ namespace obby::solve {
 void PolicyFirstChooser::choose(const Archive& archive, ThreadPool& pool, Random& random,
                                 std::span<Choice> choices) {
   inner_->choose(archive, pool, random, choices);
+  if (archive.epoch() < fromRound_) return;
   explored_.resize(archive.cellCount(), kNone);
   for (Choice& c : choices) {
     const uint32_t node = archive.node(c.cell);
@@ -22,10 +23,10 @@ void PolicyAloneChooser::choose(const Archive&, ThreadPool&, Random&, std::span<
   }
 }
 
-std::unique_ptr<Chooser> policyFirst(std::unique_ptr<Chooser> inner,
-                                     const ExploreContext& context) {
+std::unique_ptr<Chooser> policyFirst(std::unique_ptr<Chooser> inner, const ExploreContext& context,
+                                     uint32_t fromRound) {
   if (!context.pilot.exists()) return inner;
-  return std::make_unique<PolicyFirstChooser>(std::move(inner));
+  return std::make_unique<PolicyFirstChooser>(std::move(inner), fromRound);
 }
 
 std::unique_ptr<Chooser> makePolicyFirstChooser(const Problem& problem,

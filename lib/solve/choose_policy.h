@@ -7,10 +7,12 @@ namespace obby::solve {
 
 // Chooses as another does. The first time that a cell is chosen since it was found or improved the
 // policy explores from it: as it plays nearly alike each time, once is enough. Later, and wherever
-// there is no policy, exploration is random.
+// there is no policy, exploration is random. So it is before round `fromRound`,
+// counted from 1.
 class PolicyFirstChooser : public Chooser {
  public:
-  explicit PolicyFirstChooser(std::unique_ptr<Chooser> inner) : inner_(std::move(inner)) {}
+  explicit PolicyFirstChooser(std::unique_ptr<Chooser> inner, uint32_t fromRound = 0)
+      : inner_(std::move(inner)), fromRound_(fromRound) {}
 
   void choose(const Archive& archive, ThreadPool& pool, Random& random,
               std::span<Choice> choices) override;
@@ -20,6 +22,7 @@ class PolicyFirstChooser : public Chooser {
 
  private:
   std::unique_ptr<Chooser> inner_;
+  uint32_t fromRound_;
   ChunkedVector<uint32_t> explored_;  // (cells), node of the state that the policy explored from
 };
 
@@ -34,7 +37,8 @@ class PolicyAloneChooser : public Chooser {
 };
 
 // `inner` with the context's policy first, or as it is where there is none.
-std::unique_ptr<Chooser> policyFirst(std::unique_ptr<Chooser> inner, const ExploreContext& context);
+std::unique_ptr<Chooser> policyFirst(std::unique_ptr<Chooser> inner, const ExploreContext& context,
+                                     uint32_t fromRound = 0);
 
 // GE-PS of the paper: its Go-Explore, with the policy first.
 std::unique_ptr<Chooser> makePolicyFirstChooser(const Problem& problem,

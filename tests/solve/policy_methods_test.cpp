@@ -121,5 +121,19 @@ TEST(PolicyFirst, IsOncePerStateUntilItIsImproved) {
   EXPECT_EQ(policies(), (std::vector<bool>{false, true, false, false}));
 }
 
+TEST(PolicyFirst, IsNotBeforeItsRound) {
+  Archive archive;
+  archive.offer(7, sim::World{}, {0, kNone, 0}, 1);
+  PolicyFirstChooser chooser(std::make_unique<InTurn>(), 3);
+  ThreadPool pool(1);
+  Random random(1, 1);
+  for (uint32_t round = 1; round <= 4; ++round) {
+    archive.nextEpoch();
+    std::vector<Choice> choices(1);
+    chooser.choose(archive, pool, random, choices);
+    EXPECT_EQ(choices[0].by, round == 3 ? kByPolicy : 0) << round;
+  }
+}
+
 }  // namespace
 }  // namespace obby::solve
