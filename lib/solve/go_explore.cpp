@@ -14,19 +14,10 @@ constexpr uint64_t kStepsPerRollout = 8000;  // of the search so far: when round
 
 GoExplore::GoExplore(const Problem& problem, uint64_t seed, const GoExploreSettings& settings,
                      const Machine& machine, MakeChooser makeChooser)
-    : problem_(problem),
-      seed_(seed),
+    : ArchiveSearch(problem, seed, settings),
       settings_(settings),
       machine_(machine),
-      setup_(problem, seed, settings),
-      archive_(kMaxCells, problem.level.looseCount),
-      chooser_(makeChooser(problem, context())) {
-  archive_.offer(cellKey(setup_.rules.binning, problem.start, problem.startLoose.data()),
-                 problem.start, {0, kNone, 0}, setup_.potential(problem.start),
-                 problem.startLoose.data());
-  statistics_.closest.distance = distanceLeft(problem.query, problem.start);
-  statistics_.closest.position = problem.start.position;
-}
+      chooser_(makeChooser(problem, context())) {}
 
 void GoExplore::round() {
   chooseCells();
@@ -186,12 +177,6 @@ void GoExplore::visit(Rollout& r, uint64_t key, uint32_t cell, const sim::World&
       {key, world, {loose.begin(), loose.end()}, setup_.potential(world), ticks});
 }
 
-std::vector<Vec3> GoExplore::places(uint32_t first) const {
-  std::vector<Vec3> result;
-  for (; first < cellCount(); ++first) result.push_back(archive_.world(first).position);
-  return result;
-}
-
 void GoExplore::noteClosest(Rollout& r, const sim::World& world, uint32_t tick) {
   const Approach here = approachOf(problem_.query, world);
   if (!closer(here, r.closest)) return;
@@ -200,22 +185,17 @@ void GoExplore::noteClosest(Rollout& r, const sim::World& world, uint32_t tick) 
 }
 
 void GoExplore::merge() {
-  goals_.clear();
   tried_.clear();
-  std::vector<std::pair<uint64_t, Node>> reached;  // rank and way
   for (const Rollout& r : rollouts_) {
     tried_.push_back(keep(r));
     ++statistics_.rollouts;
     ++statistics_.idleRollouts;
     if (tried_.back().cells != 0) statistics_.idleRollouts = 0;
-    mergeEnd(r);
-    if (r.end.outcome == sim::Outcome::goal) {
-      reached.push_back({arrivalRank(r.end), {r.id, r.parent, r.ticks}});
-    }
+    statistics_.steps += r.ticks;
+    countEnd(r.end, {r.id, r.parent, r.ticks});
+    countApproach(r.closest, {r.id, r.parent, r.closestTicks});
   }
-  std::stable_sort(reached.begin(), reached.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& [rank, way] : reached) goals_.push_back(way);
+  takeGoals();
   chooser_->learn(archive_, tried_);
 }
 
@@ -228,20 +208,6 @@ Tried GoExplore::keep(const Rollout& r) {
   }
   tried.cells = archive_.cellCount() - tried.firstCell;
   return tried;
-}
-
-void GoExplore::mergeEnd(const Rollout& r) {
-  statistics_.steps += r.ticks;
-  statistics_.overruns |= uint8_t(r.end.flags & sim::kOverruns);
-  if (r.end.outcome != sim::Outcome::goal) {
-    const bool falls = fallsOn(context(), r.end);
-    attempts_.add({{r.id, r.parent, falls ? kFallTicks : r.ticks},
-                   r.end.position,
-                   falls ? sim::Outcome::fell : r.end.outcome,
-                   r.end.part});
-  }
-  if (!closer(r.closest, statistics_.closest)) return;
-  statistics_.closest = {r.closest, {r.id, r.parent, r.closestTicks}};
 }
 
 }  // namespace obby::solve

@@ -9,18 +9,16 @@
 #include <span>
 #include <vector>
 
-#include "solve/archive.h"
+#include "solve/archive_search.h"
 #include "solve/chooser.h"
 #include "solve/device_rollouts.h"
-#include "solve/explore_setup.h"
 #include "solve/machine.h"
 #include "solve/rollout_group.h"
-#include "solve/search.h"
 #include "solve/selection.h"
 
 namespace obby::solve {
 
-class GoExplore final : public Search {
+class GoExplore final : public ArchiveSearch {
  public:
   // `machine` is used by round() only. A device that fails is not asked again: the pool goes on,
   // with the same results.
@@ -29,20 +27,6 @@ class GoExplore final : public Search {
 
   void tryKnown(size_t first, size_t count) override;
   void round() override;
-
-  const Statistics& statistics() const override { return statistics_; }
-  const Archive& archive() const { return archive_; }
-  const Attempts& attempts() const override { return attempts_; }
-  const ExploreContext& context() const { return setup_.rules.context; }
-  uint32_t cellCount() const override { return archive_.cellCount(); }
-  Node newest() const override { return archive_.nodes()[archive_.node(cellCount() - 1)]; }
-  uint64_t singletons() const override { return archive_.singletons(); }
-  std::vector<Vec3> places(uint32_t first) const override;
-  const Status& deviceStatus() const override { return deviceStatus_; }
-  const std::vector<Node>& goals() const override { return goals_; }
-  Playthrough playthrough(const Node& end) const override {
-    return regenerate(context(), seed_, problem_, archive_.nodes(), end);
-  }
 
  private:
   struct Candidate {  // a state that is new or better than what the archive held
@@ -86,24 +70,15 @@ class GoExplore final : public Search {
   void noteClosest(Rollout& rollout, const sim::World& world, uint32_t tick);
   void merge();
   Tried keep(const Rollout& rollout);
-  void mergeEnd(const Rollout& rollout);
 
-  const Problem problem_;
-  const uint64_t seed_;
   const GoExploreSettings settings_;
   Machine machine_;
   std::optional<DeviceRollouts> device_;
-  Status deviceStatus_;
-  const ExploreSetup setup_;
-  Archive archive_;
   std::unique_ptr<Chooser> chooser_;
-  Attempts attempts_;
   std::vector<Choice> choices_;    // of this round
   std::vector<Rollout> rollouts_;  // (choices)
   std::vector<Tried> tried_;       // (choices)
   uint64_t nextRollout_ = 0;
-  std::vector<Node> goals_;
-  Statistics statistics_;
 };
 
 }  // namespace obby::solve

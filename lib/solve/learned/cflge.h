@@ -50,7 +50,6 @@ class Cflge final : public LearnedSearch {
     uint32_t waited = 0;                  // decisions since the last sub-goal
     uint32_t explored = 0;                // decisions
     RandomKeys keys;
-    int move = 0;
     sim::Action action;
     bool explores() const { return next == count; }
   };

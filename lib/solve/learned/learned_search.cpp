@@ -9,33 +9,18 @@
 namespace obby::solve::learned {
 
 LearnedSearch::LearnedSearch(const Problem& problem, uint64_t seed, const Machine& machine)
-    : problem_(problem),
-      seed_(seed),
+    : ArchiveSearch(problem, seed, plainSettings()),
       pool_(machine.pool),
-      setup_(problem_, seed, plainSettings()),
       surroundings_(problem_.level, policy::kSight),
       around_(surroundings_.view()),
       scene_{problem_.level, problem_.query, around_},
-      passed_(problem_.known.size()),
-      archive_(kMaxCells, problem_.level.looseCount) {
-  const Episode e = begin();
-  archive_.offer(e.key, e.world, {0, kNone, 0}, setup_.potential(e.world), e.loose.data());
-  statistics_.closest.distance = distanceLeft(problem_.query, problem_.start);
-  statistics_.closest.position = problem_.start.position;
-}
+      passed_(problem_.known.size()) {}
 
 void LearnedSearch::round() {
-  goals_.clear();
   archive_.nextEpoch();
   playAndLearn();
-  sortGoals();
+  takeGoals();
   ++statistics_.rounds;
-}
-
-std::vector<Vec3> LearnedSearch::places(uint32_t first) const {
-  std::vector<Vec3> result;
-  for (; first < cellCount(); ++first) result.push_back(archive_.world(first).position);
-  return result;
 }
 
 Episode LearnedSearch::begin() const {
@@ -117,38 +102,14 @@ void LearnedSearch::take(Episode& e, size_t way) {
   ++statistics_.rollouts;
   ++statistics_.idleRollouts;
   if (cellCount() != cells) statistics_.idleRollouts = 0;
-  takeEnd(e, {id, 0, e.ticks}, needed);
+  needed |= countApproach(e.closest, {id, 0, e.closestTicks});
+  needed |= countEnd(e.world, {id, 0, e.ticks});
   if (!needed) return;
   if (way == problem_.known.size()) {
     problem_.known.push_back(std::move(e.actions));
     passed_.emplace_back();
   }
   passed_[way] = std::move(e.passed);
-}
-
-void LearnedSearch::takeEnd(const Episode& e, const Node& end, bool& needed) {
-  statistics_.overruns |= uint8_t(e.world.flags & sim::kOverruns);
-  if (closer(e.closest, statistics_.closest)) {
-    statistics_.closest = {e.closest, {end.rollout, end.parent, e.closestTicks}};
-    needed = true;
-  }
-  if (e.world.outcome == sim::Outcome::goal) {
-    reached_.push_back({arrivalRank(e.world), end});
-    needed = true;
-    return;
-  }
-  const bool falls = fallsOn(context(), e.world);
-  needed |= attempts_.add({{end.rollout, end.parent, falls ? kFallTicks : end.ticks},
-                           e.world.position,
-                           falls ? sim::Outcome::fell : e.world.outcome,
-                           e.world.part});
-}
-
-void LearnedSearch::sortGoals() {
-  std::stable_sort(reached_.begin(), reached_.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& [rank, way] : reached_) goals_.push_back(way);
-  reached_.clear();
 }
 
 // The ways of an earlier answer are episodes like any other: what they came to is returned to.
@@ -164,12 +125,11 @@ void LearnedSearch::tryKnown(size_t first, size_t count) {
                look(e);
              });
   });
-  goals_.clear();
   for (size_t i = 0; i < count; ++i) {
     statistics_.steps += episodes[i].ticks;
     take(episodes[i], first + i);
   }
-  sortGoals();
+  takeGoals();
 }
 
 std::pair<size_t, size_t> LearnedSearch::wayTo(uint32_t cell) const {

@@ -9,11 +9,9 @@
 
 #include "policy/observation.h"
 #include "policy/surroundings.h"
-#include "solve/archive.h"
-#include "solve/explore_setup.h"
+#include "solve/archive_search.h"
 #include "solve/learned/episode.h"
 #include "solve/machine.h"
-#include "solve/search.h"
 
 namespace obby::solve::learned {
 
@@ -27,24 +25,11 @@ struct Returns {
   }
 };
 
-class LearnedSearch : public Search {
+class LearnedSearch : public ArchiveSearch {
  public:
   void tryKnown(size_t first, size_t count) override;
   // Players play, what came of it is taken, then is learned from.
   void round() final;
-
-  const Statistics& statistics() const override { return statistics_; }
-  const Attempts& attempts() const override { return attempts_; }
-  uint32_t cellCount() const override { return archive_.cellCount(); }
-  Node newest() const override { return archive_.nodes()[archive_.node(cellCount() - 1)]; }
-  uint64_t singletons() const override { return archive_.singletons(); }
-  std::vector<Vec3> places(uint32_t first) const override;
-  const Status& deviceStatus() const override { return deviceStatus_; }
-  const std::vector<Node>& goals() const override { return goals_; }
-  Playthrough playthrough(const Node& end) const override {
-    return regenerate(context(), seed_, problem_, archive_.nodes(), end);
-  }
-  const Archive& archive() const { return archive_; }
 
  protected:
   // Of `machine`, the pool is used.
@@ -54,7 +39,6 @@ class LearnedSearch : public Search {
   // learns.
   virtual void playAndLearn() = 0;
 
-  const ExploreContext& context() const { return setup_.rules.context; }
   const policy::Scene& scene() const { return scene_; }
   const Problem& problem() const { return problem_; }
   uint64_t seed() const { return seed_; }
@@ -90,23 +74,13 @@ class LearnedSearch : public Search {
   void look(Episode& e);
   void enter(Episode& e);
   void take(Episode& e, size_t way);
-  void takeEnd(const Episode& e, const Node& end, bool& needed);
-  void sortGoals();
 
-  Problem problem_;  // its known ways are followed by those of the episodes that are of use
-  const uint64_t seed_;
+  // The problem's known ways are followed by those of the episodes that are of use.
   ThreadPool& pool_;
-  const ExploreSetup setup_;
   const policy::Surroundings surroundings_;
   const policy::SurroundingsView around_;
   const policy::Scene scene_;                // of these
   std::vector<std::vector<Passed>> passed_;  // (problem_.known)
-  Archive archive_;
-  Attempts attempts_;
-  Statistics statistics_;
-  Status deviceStatus_;
-  std::vector<std::pair<uint64_t, Node>> reached_;  // rank and way, of this round
-  std::vector<Node> goals_;
 };
 
 }  // namespace obby::solve::learned
