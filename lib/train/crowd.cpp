@@ -27,14 +27,14 @@ Status Crowd::begin() {
   return {};
 }
 
-uint64_t Crowd::indexOf(uint32_t p) const {
+uint64_t Crowd::indexOf(uint32_t p, uint64_t taken) const {
   const uint64_t all = uint64_t(crowds_) * places_.size();
-  return (places_[p].taken - 1) * all + uint64_t(number_) * places_.size() + p;
+  return (taken - 1) * all + uint64_t(number_) * places_.size() + p;
 }
 
 Status Crowd::findLevel(uint32_t p) {
   Place& place = places_[p];
-  OBBY_ASSIGN(place.level, source_.level(indexOf(p), place.hardest));
+  OBBY_ASSIGN(place.level, source_.level(indexOf(p, place.taken), place.hardest));
   place.mostTicks = mostTicksOf(*place.level, settings_.patience);
   return {};
 }

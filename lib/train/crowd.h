@@ -2,6 +2,7 @@
 // follows from its seed, its levels and the moves alone.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -57,6 +58,9 @@ class Crowd {
   // is the caller's. Errors of restore(): the source's, and what does not fit settings and levels.
   CrowdState state() const;
   Status restore(CrowdState state);
+  // No level of the source before this one is played, or will be.
+  uint64_t firstLevel() const { return firstLevel(places_); }
+  uint64_t firstLevelOf(const CrowdState& state) const { return firstLevel(state.places); }
 
   uint32_t size() const { return settings_.levels * settings_.worlds; }
 
@@ -77,7 +81,15 @@ class Crowd {
     uint32_t mostTicks = 0;
   };
 
-  uint64_t indexOf(uint32_t place) const;  // of its level in the source
+  // Of a place's level in the source, the taken-th that it has.
+  uint64_t indexOf(uint32_t place, uint64_t taken) const;
+  template <class Places>
+  uint64_t firstLevel(const Places& places) const {
+    uint64_t first = ~uint64_t(0);
+    for (uint32_t p = 0; p < places.size(); ++p)
+      first = std::min(first, indexOf(p, places[p].taken));
+    return first;
+  }
   Status findLevel(uint32_t place);
   Status takeLevel(uint32_t place);
   void restart(Place& place, uint32_t player);

@@ -37,6 +37,7 @@ Trainer::Group::Group(const LevelSource& source, const TrainerSettings& s, uint3
 Trainer::Trainer(const TrainerSettings& settings, const LevelSource& source, ThreadPool& pool,
                  Ranks& ranks)
     : settings_(settings),
+      source_(source),
       pool_(pool),
       ranks_(ranks),
       ppo_(settings.ppo, settings.seed, pool, ranks),
@@ -172,6 +173,12 @@ void Trainer::refreshNormaliser() {
   }
 }
 
+void Trainer::dropPastLevels() {
+  uint64_t first = ~uint64_t(0);
+  for (const auto& g : groups_) first = std::min(first, g->crowd.firstLevel());
+  source_.past(first);
+}
+
 Result<Iteration> Trainer::iterate() {
   const auto begin = Clock::now();
   pool_.run(int(groups_.size()), [&](int i) { play(*groups_[size_t(i)]); });
@@ -187,6 +194,7 @@ Result<Iteration> Trainer::iterate() {
   out.progress = ppo_.learn(batch_, 1 - 0.9f * share);
   OBBY_RETURN_IF_ERROR(sameNetwork());
   refreshNormaliser();
+  dropPastLevels();
   decisions_ += batch_.decisions.size() * ranks_.count();
   out.number = ++iterations_;
   out.decisions = decisions_;

@@ -88,11 +88,13 @@ class Trainer {
   void gather(Iteration& out);
   void adapt(double solvedNow, uint64_t played);
   void refreshNormaliser();
+  void dropPastLevels();
   Status restore(TrainerState state);
   Status begin();
   Status sameNetwork() const;
 
   TrainerSettings settings_;
+  const LevelSource& source_;
   ThreadPool& pool_;
   Ranks& ranks_;
   Ppo ppo_;

@@ -19,6 +19,12 @@ Status Trainer::restore(TrainerState state) {
   const size_t each = groups_.size(), all = each * ranks_.count();
   if (state.crowds.size() != all)
     return makeError(fmt::format("{} crowds, expected {}", state.crowds.size(), all));
+  // A stream is read from its beginning: what was played then need not be kept again.
+  uint64_t first = ~uint64_t(0);
+  for (size_t i = 0; i < each; ++i)
+    first =
+        std::min(first, groups_[i]->crowd.firstLevelOf(state.crowds[ranks_.number() * each + i]));
+  source_.past(first);
   for (size_t i = 0; i < each; ++i) {
     CrowdState& crowd = state.crowds[ranks_.number() * each + i];
     groups_[i]->random = crowd.draws;

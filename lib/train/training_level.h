@@ -52,6 +52,8 @@ class LevelSource {
   // `hardest`: difficulty that the level has at most, 0 to 1, where the source knows of any.
   virtual Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index,
                                                              float hardest) const = 0;
+  // No level before this one will be asked for any more.
+  virtual void past(uint64_t) const {}
 };
 
 }  // namespace obby::train

@@ -40,6 +40,12 @@ Status finish(io::Pipeline& pipeline, Status done) {
   return finished;
 }
 
+// Interrupted while it waited for the first levels.
+Status nothingLearned(cli::Context& context) {
+  OBBY_ASSIGN(io::Pipeline stream, metricsStream(context));
+  return stream.finish();
+}
+
 Status learn(cli::Context& context, train::Ranks& ranks) {
   const cli::Arguments& a = context.arguments();
   tools::Keeper keeper(context, ranks);
@@ -47,7 +53,9 @@ Status learn(cli::Context& context, train::Ranks& ranks) {
   OBBY_ASSIGN(const tools::Levels levels, ranks.agree(tools::levelsOf(context, ranks, a.seed())));
   OBBY_RETURN_IF_ERROR(keeper.setRun(tools::trainerSettings(context), levels.settings));
   ThreadPool pool(context.threads());
-  OBBY_ASSIGN(const auto trainer, keeper.trainer(*levels.source, pool));
+  auto made = keeper.trainer(*levels.source, pool);
+  if (!made && ranks.count() == 1 && context.stop()) return nothingLearned(context);
+  OBBY_ASSIGN(const auto trainer, std::move(made));
   tools::Logs logs;
   std::optional<io::Pipeline> stream;  // the first rank's
   const auto open = [&]() -> Status {

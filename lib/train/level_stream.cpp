@@ -1,0 +1,105 @@
+#include "train/level_stream.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace obby::train {
+
+namespace {
+
+size_t bytesOf(const io::Record& record) {
+  return record.reader().totalSize().wordCount * sizeof(capnp::word);
+}
+
+Result<std::shared_ptr<const TrainingLevel>> compile(const io::Record& level,
+                                                     const io::Record& query) {
+  return TrainingLevel::make(level.reader().getLevel(), query.reader().getQuery(), {});
+}
+
+}  // namespace
+
+LevelStream::LevelStream(io::SourceOptions options, const LevelStreamSettings& settings)
+    : reader_(std::move(options), settings) {}
+
+Result<std::shared_ptr<const TrainingLevel>> LevelStream::level(uint64_t index, float) const {
+  std::optional<Item> item;
+  {
+    const std::lock_guard hold(lock_);
+    OBBY_RETURN_IF_ERROR(reader_.readTo(index));
+    if (index >= reader_.read) index %= reader_.kept;
+    const auto found = reader_.items.find(index);
+    if (found == reader_.items.end())
+      return makeError(fmt::format("level {} of the stream is past", index));
+    if (Playable compiled = std::move(found->second.compiled)) return compiled;
+    item = found->second;
+  }
+  return compile(item->level, item->query);
+}
+
+void LevelStream::past(uint64_t index) const {
+  const std::lock_guard hold(lock_);
+  reader_.forget(index);
+}
+
+Status LevelStream::Reader::readTo(uint64_t index) {
+  while (!ended && read <= index) {
+    OBBY_ASSIGN(const std::optional<io::Record> record, source.next());
+    if (record) {
+      OBBY_RETURN_IF_ERROR(take(*record));
+    } else {
+      ended = true;
+      levels.clear();
+    }
+  }
+  if (read > 0) return {};
+  return makeError("no levels with queries to learn from",
+                   "pipe obby-gen into obby-train, or let it make levels with --generate");
+}
+
+Status LevelStream::Reader::take(const io::Record& record) {
+  if (!record.known()) return {};
+  if (record.which() == io::Kind::LEVEL) know(record);
+  return record.which() == io::Kind::QUERY ? takeQuery(record) : Status();
+}
+
+void LevelStream::Reader::know(const io::Record& level) {
+  levels.push_back({level.reader().getLevel().getName(), level});
+  if (levels.size() > settings.levelsInReach) levels.pop_front();
+}
+
+// The last of that name.
+const io::Record* LevelStream::Reader::levelNamed(const std::string& name) const {
+  const auto found = std::find_if(levels.rbegin(), levels.rend(),
+                                  [&](const Known& level) { return level.name == name; });
+  return found == levels.rend() ? nullptr : &found->record;
+}
+
+Status LevelStream::Reader::takeQuery(const io::Record& record) {
+  const std::string name = record.reader().getQuery().getLevel();
+  const io::Record* level = levelNamed(name);
+  if (level == nullptr) {
+    return source.forgive(
+        record, makeError(fmt::format("there is no level '{}' among the {} before this query", name,
+                                      settings.levelsInReach)));
+  }
+  auto compiled = compile(*level, record);
+  if (!compiled) return source.forgive(record, compiled.error());
+  return add({*level, record, *std::move(compiled)});
+}
+
+Status LevelStream::Reader::add(Item item) {
+  bytes += bytesOf(item.level) + bytesOf(item.query);
+  full = full || (kept > 0 && bytes > settings.keptBytes);
+  if (!full) ++kept;
+  const uint64_t index = read++;
+  if (!full || index >= needed) items.emplace(index, std::move(item));
+  return {};
+}
+
+void LevelStream::Reader::forget(uint64_t before) {
+  needed = std::max(needed, before);
+  items.erase(items.lower_bound(kept), items.lower_bound(std::max(needed, kept)));
+}
+
+}  // namespace obby::train

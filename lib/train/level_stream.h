@@ -1,0 +1,73 @@
+// Levels to learn on as a stream gives them, read as they are asked for: the stream may be endless.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "io/pipeline.h"
+#include "train/training_level.h"
+
+namespace obby::train {
+
+struct LevelStreamSettings {
+  // Of records, kept to begin again with once the stream is at its end; of a longer stream the
+  // first so many.
+  size_t keptBytes = size_t(256) << 20;
+  // A query may be of any of so many levels before it.
+  size_t levelsInReach = 1024;
+};
+
+// Level `index` is that of the index-th query that can be played.
+class LevelStream : public LevelSource {
+ public:
+  LevelStream(io::SourceOptions options, const LevelStreamSettings& settings = {});
+
+  // Errors: those of the stream up to there, a query without a level, a level or query that does
+  // not compile, as `options` forgive them; no query that can be played in the whole stream. Waits
+  // for the stream. Difficulties are as they come.
+  Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override;
+  void past(uint64_t index) const override;
+
+ private:
+  using Playable = std::shared_ptr<const TrainingLevel>;
+  struct Item {
+    io::Record level, query;
+    Playable compiled;  // null once it was given away
+  };
+  struct Known {  // a level that queries may be of
+    std::string name;
+    io::Record record;
+  };
+
+  struct Reader {  // all of it under the lock
+    Reader(io::SourceOptions options, const LevelStreamSettings& s)
+        : source(std::move(options)), settings(s) {}
+
+    Status readTo(uint64_t index);
+    Status take(const io::Record& record);
+    Status takeQuery(const io::Record& record);
+    Status add(Item item);
+    void know(const io::Record& level);
+    const io::Record* levelNamed(const std::string& name) const;
+    void forget(uint64_t before);
+
+    io::RecordSource source;
+    LevelStreamSettings settings;
+    std::deque<Known> levels;  // the last ones, oldest first
+    std::map<uint64_t, Item> items;
+    uint64_t read = 0;    // queries so far
+    uint64_t kept = 0;    // the first so many stay
+    uint64_t needed = 0;  // of the others those before will not be asked for
+    size_t bytes = 0;     // of what is kept
+    bool full = false;    // no more of them
+    bool ended = false;
+  };
+
+  mutable std::mutex lock_;
+  mutable Reader reader_;
+};
+
+}  // namespace obby::train

@@ -1,0 +1,113 @@
+// Levels of a stream: read no further than they are asked for, played again from the first when the
+// stream is at its end, not kept when they are past.
+#include "train/level_stream.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace obby::train {
+namespace {
+
+// The floor of level `number` is so wide that no other has its hash.
+std::string lineOf(uint64_t number) {
+  return fmt::format(
+      R"({{"type":"level","name":"{0}","parts":[{{"shape":"block",)"
+      R"("position":[0,-0.5,0],"size":[{1},1,40]}}]}})"
+      "\n"
+      R"({{"type":"query","id":"q","level":"{0}","start":{{"region":{{"position":[0,2.5,0],"size":[4,5,4]}}}},)"
+      R"("goal":{{"position":[0,2,-12],"size":[4,4,4]}}}})"
+      "\n",
+      number, 8 + number);
+}
+
+std::string linesOf(uint64_t count) {
+  std::string text = R"({"type":"header","schemaVersion":1})"
+                     "\n";
+  for (uint64_t i = 0; i < count; ++i) text += lineOf(i);
+  return text + R"({"type":"end","status":"complete"})" + "\n";
+}
+
+io::SourceOptions optionsOf(std::string text) {
+  io::SourceOptions options;
+  options.open = [text = std::move(text)](const std::string&) {
+    return Result<io::StreamReader>(io::StreamReader::overBytes(text, "levels"));
+  };
+  return options;
+}
+
+uint64_t hashOf(const LevelStream& stream, uint64_t index) {
+  const auto level = stream.level(index, 1);
+  EXPECT_TRUE(level) << (level ? "" : level.error().text());
+  return level ? (*level)->hash() : 0;
+}
+
+TEST(LevelStream, GivesLevelsByTheirNumbersInWhateverOrder) {
+  const LevelStream up(optionsOf(linesOf(6))), down(optionsOf(linesOf(6)));
+  std::vector<uint64_t> hashes;
+  for (uint64_t i = 0; i < 6; ++i) hashes.push_back(hashOf(up, i));
+  for (uint64_t i = 6; i-- > 0;) EXPECT_EQ(hashOf(down, i), hashes[i]) << i;
+  for (uint64_t i = 1; i < 6; ++i) EXPECT_NE(hashes[i], hashes[i - 1]);
+  EXPECT_EQ(hashOf(up, 6), hashes[0]) << "it begins again";
+  EXPECT_EQ(hashOf(up, 17), hashes[5]);
+}
+
+TEST(LevelStream, BeginsAgainWithWhatItKept) {
+  const LevelStream all(optionsOf(linesOf(4)));
+  const LevelStream some(optionsOf(linesOf(4)), {.keptBytes = 1});  // the first, at least
+  EXPECT_EQ(hashOf(some, 1), hashOf(all, 1));
+  EXPECT_EQ(hashOf(some, 4), hashOf(all, 0));
+  EXPECT_EQ(hashOf(some, 9), hashOf(all, 0));
+}
+
+TEST(LevelStream, DropsWhatIsPastAndNotKept) {
+  const LevelStream all(optionsOf(linesOf(8)));
+  const LevelStream stream(optionsOf(linesOf(8)), {.keptBytes = 1});
+  EXPECT_EQ(hashOf(stream, 5), hashOf(all, 5));
+  stream.past(4);
+  EXPECT_FALSE(stream.level(3, 1));
+  EXPECT_EQ(hashOf(stream, 4), hashOf(all, 4));
+  EXPECT_EQ(hashOf(stream, 0), hashOf(all, 0)) << "is kept to begin again";
+}
+
+TEST(LevelStream, SkipsToWhereItWasLeft) {
+  const LevelStream all(optionsOf(linesOf(8)));
+  const LevelStream stream(optionsOf(linesOf(8)), {.keptBytes = 1});
+  stream.past(6);
+  EXPECT_EQ(hashOf(stream, 6), hashOf(all, 6));
+  EXPECT_FALSE(stream.level(5, 1));
+}
+
+// What is behind the level asked for is not looked at: here it is no record at all.
+TEST(LevelStream, ReadsNoFurtherThanAskedFor) {
+  const LevelStream stream(optionsOf(linesOf(0).substr(0, linesOf(0).find('\n') + 1) + lineOf(0) +
+                                     lineOf(1) + "this is no record\n"));
+  hashOf(stream, 1);
+  const auto broken = stream.level(2, 1);
+  ASSERT_FALSE(broken);
+  EXPECT_NE(broken.error().text().find("levels:6"), std::string::npos) << broken.error().text();
+}
+
+TEST(LevelStream, NamesTheQueryWhoseLevelIsOutOfReach) {
+  std::string text = linesOf(1);
+  const std::string query = lineOf(0).substr(lineOf(0).find('\n') + 1);
+  text.insert(text.find(R"({"type":"end")"),
+              lineOf(1) + lineOf(2) + query);  // of level 0, two levels before
+  const LevelStream far(optionsOf(text), {.levelsInReach = 2}), near(optionsOf(text));
+  const auto level = far.level(3, 1);
+  ASSERT_FALSE(level);
+  EXPECT_NE(level.error().text().find("no level '0' among the 2 before"), std::string::npos)
+      << level.error().text();
+  EXPECT_EQ(hashOf(near, 3), hashOf(near, 0));
+}
+
+TEST(LevelStream, HasToHaveOne) {
+  const LevelStream empty(optionsOf(linesOf(0)));
+  const auto none = empty.level(0, 1);
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().text().find("no levels"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace obby::train
