@@ -47,6 +47,7 @@ Trainer::Trainer(const TrainerSettings& settings, const LevelSource& source, Thr
       hardest_(settings.easiest) {
   for (uint32_t i = 0; i < settings.crowds; ++i)
     groups_.push_back(std::make_unique<Group>(source, settings_, i, ranks));
+  hide();
 }
 
 Result<std::unique_ptr<Trainer>> Trainer::make(const TrainerSettings& settings,
@@ -171,6 +172,12 @@ void Trainer::refreshNormaliser() {
     means_[i] = float(seen_.mean(i));
     scales_[i] = 1 / std::max(float(seen_.deviation(i)), kLeastDeviation);
   }
+  hide();
+}
+
+// Wherever the network is used, what it was not shown is zero.
+void Trainer::hide() {
+  for (const int i : settings_.hidden) scales_[size_t(i)] = 0;
 }
 
 void Trainer::dropPastLevels() {

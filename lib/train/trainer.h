@@ -22,6 +22,7 @@ struct TrainerSettings {
   float easiest = 0.1f;             // difficulty that levels begin with
   float raiseAt = 0.7f;             // share of playthroughs solved above which levels become harder
   float lowerAt = 0.45f;            // below which easier
+  std::vector<int> hidden;          // inputs that the policy does not see, to learn their worth
 };
 
 // Of one iteration.
@@ -88,6 +89,7 @@ class Trainer {
   void gather(Iteration& out);
   void adapt(double solvedNow, uint64_t played);
   void refreshNormaliser();
+  void hide();
   void dropPastLevels();
   Status restore(TrainerState state);
   Status begin();
