@@ -1,0 +1,109 @@
+#include "calibrate/evidence.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace obby::calibrate {
+
+namespace {
+
+// Wide enough that an event which moves by a tick does not look like a slope, narrow beside what a
+// parameter is known to.
+constexpr double kStep = 0.004;
+constexpr double kNear = 0.25;  // studs, as ObjectiveSettings::near
+// Samples that follow each other are not independent: so many count as one.
+constexpr double kAlike = 30;
+constexpr double kLeast = 1e-9;  // of an eigenvalue, beside the largest: less is nothing
+constexpr int kRounds = 12;
+
+std::vector<double> moved(std::vector<double> point, size_t at, double by) {
+  point[at] = std::clamp(point[at] + by, 0.0, 1.0);
+  return point;
+}
+
+double weightOf(float residual) {
+  const double size = std::fabs(double(residual));
+  return size <= kNear ? 1 : kNear / size;
+}
+
+}  // namespace
+
+Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& point) {
+  const Eigen::Index n = Eigen::Index(point.size());
+  OBBY_ASSIGN(const std::vector<float> r, objective.residuals(point));
+  const Eigen::Index rows = Eigen::Index(r.size());
+  Eigen::MatrixXf slopes(rows, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto up = moved(point, size_t(i), kStep), down = moved(point, size_t(i), -kStep);
+    OBBY_ASSIGN(const std::vector<float> above, objective.residuals(up));
+    OBBY_ASSIGN(const std::vector<float> below, objective.residuals(down));
+    const float width = float(up[size_t(i)] - down[size_t(i)]);
+    for (Eigen::Index k = 0; k < rows; ++k)
+      slopes(k, i) = (above[size_t(k)] - below[size_t(k)]) / width;
+  }
+  Slopes out{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n), 0};
+  double squares = 0, weights = 0;
+  for (Eigen::Index k = 0; k < rows; ++k) {
+    const double w = weightOf(r[size_t(k)]), value = double(r[size_t(k)]);
+    const Eigen::VectorXd row = slopes.row(k).cast<double>();
+    out.normal.selfadjointView<Eigen::Lower>().rankUpdate(row, w);
+    out.gradient += w * value * row;
+    squares += w * value * value;
+    weights += w;
+  }
+  out.normal = Eigen::MatrixXd(out.normal.selfadjointView<Eigen::Lower>());
+  out.noise = std::sqrt(squares / std::max(weights, 1.0));
+  return out;
+}
+
+// A direction that the recordings do not see has no information; one unit of the bounds stands for
+// what was known before.
+Evidence evidenceOf(const Slopes& s) {
+  const Eigen::Index n = s.normal.rows();
+  const double variance = std::max(s.noise * s.noise, 1e-10) * kAlike;
+  const Eigen::MatrixXd information =
+      s.normal / variance + Eigen::MatrixXd::Identity(n, n) * 4;  // before: half a unit
+  const Eigen::MatrixXd covariance = information.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
+  Evidence out{std::vector<double>(size_t(n)), Eigen::MatrixXd::Identity(n, n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    out.half[size_t(i)] = std::min(1.96 * std::sqrt(covariance(i, i)), 1.0);
+    for (Eigen::Index k = 0; k < n; ++k)
+      out.correlation(i, k) = covariance(i, k) / std::sqrt(covariance(i, i) * covariance(k, k));
+  }
+  return out;
+}
+
+Result<std::vector<double>> refined(const Objective& objective, std::vector<double> point,
+                                    uint64_t& evaluations) {
+  double loss = objective.loss(point), damping = 1e-3;
+  for (int round = 0; round < kRounds; ++round) {
+    OBBY_ASSIGN(const Slopes s, slopesAt(objective, point));
+    evaluations += 2 * point.size() + 1;
+    const double scale = std::max(s.normal.diagonal().maxCoeff() * kLeast, 1e-12);
+    bool better = false;
+    for (int tries = 0; tries < 5 && !better; ++tries, damping *= 8) {
+      Eigen::MatrixXd damped = s.normal;
+      damped.diagonal() += damping * s.normal.diagonal();
+      damped.diagonal().array() += scale;
+      const Eigen::VectorXd step = damped.ldlt().solve(-s.gradient);
+      std::vector<double> next = point;
+      for (size_t i = 0; i < next.size(); ++i)
+        next[i] = std::clamp(next[i] + std::clamp(step(Eigen::Index(i)), -0.1, 0.1), 0.0, 1.0);
+      const double now = objective.loss(next);
+      ++evaluations;
+      if (!(now < loss)) continue;
+      better = true;
+      const bool little = loss - now < 1e-4 * loss;
+      loss = now;
+      point = std::move(next);
+      damping /= 64;
+      if (little) return point;
+    }
+    if (!better) break;
+  }
+  return point;
+}
+
+}  // namespace obby::calibrate

@@ -1,0 +1,57 @@
+// Finds the parameters under which the simulator does what the recordings show, and says what is
+// known of each.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/thread_pool.h"
+#include "calibrate/objective.h"
+
+namespace obby::calibrate {
+
+struct FitSettings {
+  uint64_t seed = 1;
+  uint32_t restarts = 3;       // searches, one after another, each from a place of its own
+  uint32_t population = 32;    // of each
+  uint32_t generations = 100;  // of each, at most
+  // The searches go by short windows, in which one early miss hides nothing; what they find is
+  // refined on longer ones, to which an error of a single sample matters less.
+  ObjectiveSettings objective;
+  double longSeconds = 1.5;
+};
+
+// What the recordings say of a parameter.
+struct Fitted {
+  Parameter parameter;
+  double value = 0;
+  double low = 0, high = 0;  // 95 % interval, within the bounds
+  bool known = false;        // the interval is narrow enough to be of use
+  double before = 0;         // what it was
+};
+
+// Two parameters of which the recordings know a combination only.
+struct Tied {
+  std::string one, other;
+  double correlation = 0;
+};
+
+struct Fit {
+  std::vector<Fitted> parameters;
+  std::vector<Tied> tied;
+  double delay = 0;  // seconds from an input to what comes of it
+  double lossBefore = 0, loss = 0;
+  uint64_t evaluations = 0;
+  bool stopped = false;  // from outside: it is the best so far
+};
+
+// `takes` must not be empty. `progress`: generations done of all, and the best loss so far; called
+// from this thread. Errors: what does not compile, and what the optimiser says.
+Result<Fit> fit(std::span<const Take> takes, std::vector<Parameter> parameters,
+                schema::PhysicsParams::Reader now, const FitSettings& settings, ThreadPool& pool,
+                const std::atomic<bool>& stop,
+                const std::function<void(uint32_t done, uint32_t all, double loss)>& progress);
+
+}  // namespace obby::calibrate

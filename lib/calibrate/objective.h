@@ -1,0 +1,67 @@
+// How far the simulator is from the recordings under given parameters.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "calibrate/parameters.h"
+#include "calibrate/playback.h"
+#include "io/record.h"
+
+namespace obby::calibrate {
+
+// A recording and the level that it was made in.
+struct Take {
+  Track track;
+  io::Record level;
+};
+
+struct ObjectiveSettings {
+  double windowSeconds = 0.5;  // the simulator goes on by itself for so long; 0: to the end
+  double near = 0.25;          // studs: errors above count by their size, not by their square
+  double speedSeconds = 0.1;   // an error in speed counts as what it comes to in so long
+};
+
+// Per frame and axis: how far off the position is, then the velocity, in studs.
+constexpr uint32_t kResiduals = 6;
+
+class Objective {
+ public:
+  // The takes must outlive it. `now`: what the parameters that are not fitted are. The last of what
+  // is fitted is the delay from an input to what comes of it, in seconds.
+  Objective(std::span<const Take> takes, std::vector<Parameter> parameters,
+            schema::PhysicsParams::Reader now, const ObjectiveSettings& settings);
+
+  const std::vector<Parameter>& parameters() const { return parameters_; }
+  size_t dimensions() const { return parameters_.size() + 1; }
+
+  // `point`: (dimensions), shares of the bounds. Huber's loss, a mean over frames, in studs^2; the
+  // largest number there is where a level does not compile with these parameters.
+  double loss(std::span<const double> point) const;
+  // (frames, kResiduals), of each take's windows in order. Errors as of Level::compile.
+  Result<std::vector<float>> residuals(std::span<const double> point) const;
+
+  // What a point stands for.
+  void apply(std::span<const double> point, schema::PhysicsParams::Builder to) const;
+  double delayAt(std::span<const double> point) const;
+  // The parameters as they are now, and no delay.
+  std::vector<double> start() const;
+
+ private:
+  Result<level::Level> levelAt(std::span<const double> point, const Take& take) const;
+
+  std::span<const Take> takes_;
+  std::vector<Parameter> parameters_;
+  io::RecordBuilder now_;
+  ObjectiveSettings settings_;
+};
+
+// How far off a take that plays to its end is.
+struct Miss {
+  double mean = 0, last = 0, most = 0;  // studs
+  double parted = -1;                   // seconds until half a stud off; negative: never
+};
+Result<Miss> missOf(const Take& take, schema::PhysicsParams::Reader params, double delay);
+
+}  // namespace obby::calibrate

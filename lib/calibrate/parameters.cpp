@@ -1,0 +1,117 @@
+#include "calibrate/parameters.h"
+
+#include <capnp/dynamic.h>
+#include <capnp/schema.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "level/level.h"
+
+namespace obby::calibrate {
+
+namespace {
+
+// Id of the `unit` annotation in schema/obby.capnp.
+constexpr uint64_t kUnitAnnotation = 0xb0f5e1a7d9c3a2e4;
+
+struct Row {
+  const char* name;
+  double factor;  // bounds are the value of now by and times this
+  const char* manoeuvre;
+};
+
+// What a walking, jumping body shows of itself, each with the manoeuvre that shows it best.
+constexpr Row kRows[] = {
+    {"walkSpeed", 2, "run straight on for two seconds"},
+    {"groundAccel", 4, "start running, stop, turn back on the flat"},
+    {"airAccel", 4, "jump, and turn back in the air"},
+    {"moveGain", 4, "start running from rest, and stop"},
+    {"gravity", 2, "jump on the flat, and fall from a ledge"},
+    {"jumpSpeed", 2, "jump on the flat"},
+    {"hipHeight", 1.5, "stand on the flat"},
+    {"hoverStiffness", 4, "land from a jump and from a ledge"},
+    {"hoverDamping", 4, "land from a jump and from a ledge"},
+    {"floorKeep", 1.3, "walk off a ledge"},
+    {"floorAcquire", 1.3, "land from a jump"},
+    {"landedTime", 4, "hold jump for several jumps"},
+    {"coyoteTime", 3, "walk off a ledge and jump at once, later each time"},
+    {"offFloorGrace", 3, "walk off a ledge"},
+    {"iceFriction", 5, "run and stop on parts of several frictions"},
+    {"maxSlope", 1.5, "walk up ramps, steeper each time"},
+    {"climbSpeed", 2, "climb a truss up and down"},
+    {"bodyWidth", 1.5, "run into walls and through gaps"},
+    {"bodyDepth", 1.5, "run into walls and through gaps"},
+    {"pushForce", 10, "push a box"},
+};
+
+std::string unitOf(capnp::StructSchema::Field field) {
+  for (auto annotation : field.getProto().getAnnotations()) {
+    if (annotation.getId() == kUnitAnnotation) return annotation.getValue().getText();
+  }
+  return {};
+}
+
+Parameter parameterOf(const Row& row, schema::PhysicsParams::Reader now) {
+  const auto field = capnp::Schema::from<schema::PhysicsParams>().getFieldByName(row.name);
+  const double value = valueOf(now, row.name);
+  return {row.name, unitOf(field), value / row.factor, value * row.factor, row.manoeuvre};
+}
+
+}  // namespace
+
+std::vector<Parameter> parametersAround(schema::PhysicsParams::Reader now) {
+  std::vector<Parameter> out;
+  for (const Row& row : kRows) {
+    if (valueOf(now, row.name) > 0) out.push_back(parameterOf(row, now));
+  }
+  return out;
+}
+
+Result<std::vector<Parameter>> parametersNamed(const std::vector<std::string>& names,
+                                               schema::PhysicsParams::Reader now) {
+  std::vector<Parameter> out;
+  const std::vector<Parameter> all = parametersAround(now);
+  for (const std::string& name : names) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Parameter& p) { return p.name == name; });
+    if (found == all.end()) {
+      std::string known;
+      for (const Parameter& p : all) known += (known.empty() ? "" : ", ") + p.name;
+      return makeError(fmt::format("'{}' cannot be fitted", name), "there are " + known);
+    }
+    out.push_back(*found);
+  }
+  return out;
+}
+
+double valueOf(schema::PhysicsParams::Reader params, std::string_view name) {
+  return capnp::DynamicStruct::Reader(params)
+      .get(kj::StringPtr(std::string(name).c_str()))
+      .as<double>();
+}
+
+void setValue(schema::PhysicsParams::Builder params, std::string_view name, double value) {
+  capnp::DynamicStruct::Builder(params).set(kj::StringPtr(std::string(name).c_str()), value);
+}
+
+Status setNamed(schema::PhysicsParams::Builder params, const std::string& name, double value) {
+  const auto schema = capnp::Schema::from<schema::PhysicsParams>();
+  if (schema.findFieldByName(name.c_str()) == nullptr)
+    return makeError(fmt::format("there is no physics parameter '{}'", name),
+                     "docs/physics.md lists them");
+  setValue(params, name, value);
+  OBBY_RETURN_IF_ERROR(level::compileParams(params.asReader()));
+  return {};
+}
+
+double shareOf(const Parameter& p, double value) {
+  return std::log(value / p.lowest) / std::log(p.highest / p.lowest);
+}
+
+double valueAt(const Parameter& p, double share) {
+  return p.lowest * std::pow(p.highest / p.lowest, std::clamp(share, 0.0, 1.0));
+}
+
+}  // namespace obby::calibrate

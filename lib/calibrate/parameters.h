@@ -1,0 +1,37 @@
+// The physics parameters that a recording can tell something about.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "schema/obby.capnp.h"
+
+namespace obby::calibrate {
+
+struct Parameter {
+  std::string name;        // of PhysicsParams
+  std::string unit;        // of the schema
+  double lowest, highest;  // that are tried
+  std::string manoeuvre;   // what to record to learn of it
+};
+
+// All that can be fitted, with bounds around `now` within the schema's ranges.
+std::vector<Parameter> parametersAround(schema::PhysicsParams::Reader now);
+
+// The error names those there are.
+Result<std::vector<Parameter>> parametersNamed(const std::vector<std::string>& names,
+                                               schema::PhysicsParams::Reader now);
+
+double valueOf(schema::PhysicsParams::Reader params, std::string_view name);
+void setValue(schema::PhysicsParams::Builder params, std::string_view name, double value);
+
+// The same of a name and a value that somebody typed. Errors: no such parameter, out of range.
+Status setNamed(schema::PhysicsParams::Builder params, const std::string& name, double value);
+
+// Bounds are to 0 and 1 as logarithms: a parameter's share is what the optimiser sees.
+double shareOf(const Parameter& parameter, double value);
+double valueAt(const Parameter& parameter, double share);
+
+}  // namespace obby::calibrate

@@ -1,0 +1,163 @@
+#include "calibrate/playback.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace obby::calibrate {
+
+namespace {
+
+// One window on its way. It begins a little earlier, held to the track tick by tick, to come by
+// what no frame shows: where the player faces, how long ago a floor was sensed.
+struct Player {
+  const Track& track;
+  Window window;
+  double origin;  // time of the track at tick 0
+  int tick;       // negative: before the window
+  sim::World world;
+  std::vector<sim::LooseBody> loose;
+  uint32_t held = 0;  // frame whose input is in force
+  uint32_t next = 0;  // frame that is met next
+  Vec3 before, velocityBefore;
+
+  bool over() const { return next > window.last; }
+
+  sim::Action actionAt(double time) {
+    while (held + 1 < track.frames.size() && track.frames[held + 1].time <= time) ++held;
+    while (held > 0 && track.frames[held].time > time) --held;
+    return actionOf(track.frames[held]);
+  }
+};
+
+// Ticks from the level's start to a time of the track.
+uint32_t tickOf(double time, const Params& params) {
+  return uint32_t(std::max(0.0, std::floor(time * params.controlRate + 0.5)));
+}
+
+constexpr double kLead = 0.4;  // seconds before a window
+
+// What a frame shows of a world.
+void show(const Frame& f, const Params& p, sim::World& world) {
+  world.position = feetOf(f, p);
+  world.velocity = f.velocity;
+  world.state = f.state;
+}
+
+uint32_t nearestFrame(const Track& track, uint32_t from, double time) {
+  while (from > 0 && track.frames[from].time > time) --from;
+  const bool later = from + 1 < track.frames.size() &&
+                     track.frames[from + 1].time - time < time - track.frames[from].time;
+  return later ? from + 1 : from;
+}
+
+}  // namespace
+
+std::vector<Window> windowsOf(const Track& track, double seconds, bool loose) {
+  const uint32_t end = uint32_t(track.frames.size()) - 1;
+  if (loose) return {{0, end}};
+  std::vector<Window> out;
+  for (uint32_t first = 0; first < end;) {
+    uint32_t last = first + 1;
+    while (last < end && track.frames[last].time - track.frames[first].time < seconds) ++last;
+    out.push_back({first, last});
+    first = last;
+  }
+  return out;
+}
+
+namespace {
+
+// Who stands still faces where they went, and who climbs where they went when they came to the
+// truss.
+Turns facingAt(const Track& track, uint32_t index) {
+  while (index > 0 && track.frames[index].state == sim::State::climbing) --index;
+  while (index > 0 && !actionOf(track.frames[index]).walk) --index;
+  return actionOf(track.frames[index]).heading;
+}
+
+}  // namespace
+
+sim::World worldAt(const Track& track, uint32_t index, const level::LevelView& level) {
+  const Params& p = level.params;
+  const Frame& f = track.frames[index];
+  sim::World w = sim::makeWorld(level, {feetOf(f, p), 0, tickOf(f.time, p)});
+  w.velocity = f.velocity;
+  w.state = f.state;
+  w.yaw = facingAt(track, index);
+  const auto grounded = [](sim::State s) {
+    return s == sim::State::running || s == sim::State::landed;
+  };
+  uint32_t since = index;
+  while (since > 0 && !grounded(track.frames[since].state)) --since;
+  if (grounded(track.frames[since].state))
+    w.floorlessTicks = uint16_t(std::min(tickOf(f.time - track.frames[since].time, p), 0xffffu));
+  if (w.floorlessTicks == 0) w.flags |= sim::kFloorSensed;
+  if (f.state != sim::State::landed) return w;
+  uint32_t landed = index;
+  while (landed > 0 && track.frames[landed - 1].state == sim::State::landed) --landed;
+  const uint32_t gone = tickOf(f.time - track.frames[landed].time, p);
+  w.landedTicks = uint8_t(std::clamp(int(p.landedTicks) - int(gone), 1, 255));
+  return w;
+}
+
+namespace {
+
+Player playerOf(const Track& track, const Window& window, const level::LevelView& level) {
+  const double origin = track.frames[window.first].time;
+  const int lead = int(tickOf(std::min(kLead, origin), level.params));
+  const double begin = origin - lead * double(level.params.tickSeconds);
+  const uint32_t first = nearestFrame(track, window.first, begin);
+  return {
+      track, window,           origin, -lead, worldAt(track, first, level), sim::makeLoose(level),
+      first, window.first + 1, {},     {}};
+}
+
+// Visits the frames that the last tick went past.
+void meetFrames(Player& player, const Params& p, uint32_t number, const Visit& visit) {
+  const Vec3 after = rootOf(player.world.position, p);
+  for (; !player.over(); ++player.next) {
+    const double ticks =
+        (player.track.frames[player.next].time - player.origin) * p.controlRate - player.tick;
+    if (ticks > 1) return;
+    const float share = float(std::max(ticks, 0.0));
+    visit(number, player.next, player.before + (after - player.before) * share,
+          player.velocityBefore + (player.world.velocity - player.velocityBefore) * share);
+  }
+}
+
+}  // namespace
+
+void playBack(const level::LevelView& level, const Track& track, const std::vector<Window>& windows,
+              double delay, const Visit& visit) {
+  const Params& p = level.params;
+  std::vector<Player> players;
+  for (const Window& w : windows) players.push_back(playerOf(track, w, level));
+  std::vector<sim::World*> worlds;
+  std::vector<sim::LooseBody*> loose;
+  std::vector<sim::Action> actions;
+  std::vector<uint32_t> whose;
+  do {
+    worlds.clear(), loose.clear(), actions.clear(), whose.clear();
+    for (uint32_t i = 0; i < players.size(); ++i) {
+      Player& player = players[i];
+      if (player.over()) continue;
+      const double now = player.origin + player.tick * double(p.tickSeconds);
+      if (player.tick <= 0)
+        show(track.frames[nearestFrame(track, player.window.first, now)], p, player.world);
+      player.before = rootOf(player.world.position, p);
+      player.velocityBefore = player.world.velocity;
+      worlds.push_back(&player.world);
+      loose.push_back(player.loose.data());
+      // An input counts for a tick if it is there for most of it.
+      actions.push_back(player.actionAt(now - delay + 0.5 * double(p.tickSeconds)));
+      whose.push_back(i);
+    }
+    sim::advanceAll(level, nullptr, worlds, loose.data(), actions.data());
+    for (const uint32_t i : whose) {
+      if (players[i].tick >= 0) meetFrames(players[i], p, i, visit);
+      ++players[i].tick;
+    }
+  } while (!worlds.empty());
+}
+
+}  // namespace obby::calibrate

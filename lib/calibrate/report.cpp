@@ -1,0 +1,63 @@
+#include "calibrate/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace obby::calibrate {
+
+namespace {
+
+std::string lineOf(const Fitted& f) {
+  const Parameter& p = f.parameter;
+  if (f.low == p.lowest && f.high == p.highest)
+    return fmt::format("  {:<15} {:>10.5g}   not known; to learn of it: {}\n", p.name, f.value,
+                       p.manoeuvre);
+  return fmt::format("  {:<15} {:>10.5g}   {:.5g} to {:.5g} {}{}\n", p.name, f.value, f.low, f.high,
+                     p.unit, f.known ? "" : fmt::format("; to know it better: {}", p.manoeuvre));
+}
+
+std::string lineOf(const Outcome& o) {
+  const Miss& m = o.miss;
+  return fmt::format("  {:<32} {:>8.3f} {:>8.3f} {:>8.3f}   {}{}\n", o.name, m.mean, m.last, m.most,
+                     m.parted < 0 ? "" : fmt::format("half a stud off after {:.2f} s", m.parted),
+                     o.heldOut ? (m.parted < 0 ? "held out" : ", held out") : "");
+}
+
+}  // namespace
+
+double meanMiss(const std::vector<Outcome>& outcomes) {
+  const bool any =
+      std::any_of(outcomes.begin(), outcomes.end(), [](const Outcome& o) { return o.heldOut; });
+  double sum = 0, count = 0;
+  for (const Outcome& o : outcomes) {
+    if (any && !o.heldOut) continue;
+    sum += o.miss.mean;
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+std::string textOf(const Fit& fit, const std::vector<Outcome>& outcomes, double tolerance) {
+  std::string out = "Parameters, with what they are in 95 of 100 cases\n";
+  for (const Fitted& f : fit.parameters) out += lineOf(f);
+  out +=
+      fmt::format("  {:<15} {:>10.5g}   s from an input to what comes of it\n", "delay", fit.delay);
+  for (const Tied& t : fit.tied)
+    out +=
+        fmt::format("  {} and {} cannot be told apart by these recordings (correlation {:.2f})\n",
+                    t.one, t.other, t.correlation);
+  out += fmt::format("\nRecordings, played to their ends: studs off\n  {:<32} {:>8} {:>8} {:>8}\n",
+                     "", "mean", "at last", "at most");
+  for (const Outcome& o : outcomes) out += lineOf(o);
+  const double mean = meanMiss(outcomes);
+  const auto worst = std::max_element(
+      outcomes.begin(), outcomes.end(),
+      [](const Outcome& a, const Outcome& b) { return a.miss.mean < b.miss.mean; });
+  if (mean <= tolerance)
+    return out + fmt::format("\n{:.3f} studs off, within the tolerance of {:g}\n", mean, tolerance);
+  return out + fmt::format("\n{:.3f} studs off, above the tolerance of {:g}: most in '{}'\n", mean,
+                           tolerance, worst->name);
+}
+
+}  // namespace obby::calibrate

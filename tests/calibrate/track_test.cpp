@@ -1,0 +1,90 @@
+// Recordings as the real engine leaves them: late frames, doubled ones, frames missing, inputs of
+// other rates; and recordings that are none.
+#include "calibrate/track.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/random.h"
+#include "calibrate/course.h"
+
+namespace obby::calibrate {
+namespace {
+
+schema::Recording::Builder recordOf(io::RecordBuilder& record, uint32_t frames) {
+  auto recording = record.root().initRecording();
+  auto list = recording.initFrames(frames);
+  for (uint32_t i = 0; i < frames; ++i) list[i].setTime(i / 60.0);
+  return recording;
+}
+
+TEST(Track, ReadsBackWhatWasWritten) {
+  const std::vector<Take> takes = takesUnder(defaults());
+  io::RecordBuilder record;
+  writeRecording(takes[3].track, record.root().initRecording());
+  const auto read = trackOf(record.reader().getRecording());
+  ASSERT_TRUE(read) << read.error().text();
+  ASSERT_EQ(read->frames.size(), takes[3].track.frames.size());
+  for (size_t i = 0; i < read->frames.size(); ++i) {
+    const Frame &a = read->frames[i], &b = takes[3].track.frames[i];
+    EXPECT_EQ(a.time, b.time);
+    EXPECT_EQ(a.position.y, b.position.y);
+    EXPECT_EQ(a.state, b.state);
+  }
+}
+
+TEST(Track, DropsFramesThatCameTwice) {
+  io::RecordBuilder record;
+  auto recording = recordOf(record, 4);
+  recording.getFrames()[2].setTime(1 / 60.0);
+  const auto read = trackOf(recording);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->frames.size(), 3u);
+}
+
+TEST(Track, NamesTheFrameWhoseTimeGoesBack) {
+  io::RecordBuilder record;
+  auto recording = recordOf(record, 4);
+  recording.getFrames()[3].setTime(0.01);
+  const auto read = trackOf(recording);
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().text().find("frames[3]"), std::string::npos) << read.error().text();
+}
+
+TEST(Track, NeedsTwoFrames) {
+  io::RecordBuilder record;
+  EXPECT_FALSE(trackOf(recordOf(record, 1)));
+}
+
+// With the parameters that made them, windows that begin anywhere follow the recording.
+double worstOf(const std::vector<Take>& takes) {
+  const std::vector<Parameter> none;
+  const Objective objective(takes, none, defaults(), {});
+  const auto r = objective.residuals(objective.start());
+  double worst = 0;
+  for (const float v : *r) worst = std::max(worst, std::fabs(double(v)));
+  return worst;
+}
+
+TEST(Playback, FollowsItsOwnRecordings) { EXPECT_LT(worstOf(takesUnder(defaults())), 0.01); }
+
+// A tenth of the frames is missing.
+TEST(Playback, FollowsARecordingWithFramesMissing) {
+  std::vector<Take> takes = takesUnder(defaults());
+  Random random(5, 0);
+  for (Take& take : takes) {
+    std::vector<Frame> kept;
+    for (const Frame& f : take.track.frames) {
+      if (!kept.empty() && random.unit() < 0.1f && f.move.x == kept.back().move.x &&
+          f.move.z == kept.back().move.z && f.jump == kept.back().jump)
+        continue;
+      kept.push_back(f);
+    }
+    take.track.frames = std::move(kept);
+  }
+  EXPECT_LT(worstOf(takes), 0.02);
+}
+
+}  // namespace
+}  // namespace obby::calibrate

@@ -1,0 +1,167 @@
+// obby-calibrate: physics parameters from recordings. Wiring only; lib/calibrate does the work.
+#include <fmt/format.h>
+
+#include "calibrate/manoeuvres.h"
+#include "calibrate/report.h"
+#include "calibrate/takes.h"
+#include "io/sink.h"
+#include "options.h"
+
+namespace {
+
+using namespace obby;
+
+Status writeMetrics(io::Pipeline& pipeline, const calibrate::Fit& fit,
+                    const std::vector<calibrate::Outcome>& outcomes) {
+  struct Value {
+    std::string name;
+    double value;
+    std::string unit;
+  };
+  std::vector<Value> values = {{"delay", fit.delay, "s"},
+                               {"meanMiss", calibrate::meanMiss(outcomes), "studs"}};
+  for (const calibrate::Fitted& f : fit.parameters) {
+    const std::string& unit = f.parameter.unit;
+    values.push_back({f.parameter.name, f.value, unit});
+    values.push_back({f.parameter.name + ".low", f.low, unit});
+    values.push_back({f.parameter.name + ".high", f.high, unit});
+  }
+  for (const calibrate::Outcome& o : outcomes) {
+    values.push_back({"mean miss of " + o.name, o.miss.mean, "studs"});
+    values.push_back({"last miss of " + o.name, o.miss.last, "studs"});
+  }
+  io::RecordBuilder record;
+  auto metrics = record.root().initMetrics();
+  metrics.setSource("obby-calibrate");
+  metrics.setStep(fit.evaluations);
+  auto list = metrics.initValues(uint32_t(values.size()));
+  for (uint32_t i = 0; i < list.size(); ++i) {
+    list[i].setName(values[i].name);
+    list[i].setValue(values[i].value);
+    list[i].setUnit(values[i].unit);
+  }
+  return pipeline.write(record.reader());
+}
+
+Status rehearse(cli::Context& context, io::Pipeline& pipeline) {
+  io::RecordBuilder plain, level;
+  calibrate::writeCourse(plain.root().initLevel());
+  calibrate::writeCourse(level.root().initLevel());
+  OBBY_RETURN_IF_ERROR(tools::applySet(context.arguments(), level.root().getLevel().initPhysics()));
+  OBBY_ASSIGN(const level::Level compiled, level::Level::compile(level.reader().getLevel()));
+  OBBY_RETURN_IF_ERROR(
+      pipeline.run([](const io::Record&) -> Result<io::Then> { return io::Then::pass; }));
+  // Without the parameters: they are what is to be found.
+  OBBY_RETURN_IF_ERROR(pipeline.write(plain.reader()));
+  uint64_t number = context.arguments().seed();
+  for (const calibrate::Manoeuvre& m : calibrate::manoeuvres()) {
+    io::RecordBuilder record;
+    const float noise = float(context.arguments().number("noise"));
+    calibrate::writeRecording(calibrate::rehearse(compiled, m, noise, number++),
+                              record.root().initRecording());
+    OBBY_RETURN_IF_ERROR(pipeline.write(record.reader()));
+  }
+  return {};
+}
+
+Status writeText(const std::string& path, const std::string& text) {
+  OBBY_ASSIGN(io::Sink sink, io::Sink::open(path));
+  OBBY_RETURN_IF_ERROR(sink.write(text));
+  return sink.close();
+}
+
+Result<std::vector<calibrate::Outcome>> outcomesOf(const std::vector<calibrate::Take>& takes,
+                                                   bool heldOut,
+                                                   schema::PhysicsParams::Reader params,
+                                                   double delay) {
+  std::vector<calibrate::Outcome> out;
+  for (const calibrate::Take& take : takes) {
+    OBBY_ASSIGN(const calibrate::Miss miss, calibrate::missOf(take, params, delay));
+    out.push_back({take.track.name, heldOut, miss});
+  }
+  return out;
+}
+
+Status tell(cli::Context& context, io::Pipeline& pipeline, const calibrate::Fit& fit,
+            const std::vector<calibrate::Take>& takes, const std::vector<calibrate::Take>& heldOut,
+            schema::PhysicsParams::Builder params) {
+  for (const calibrate::Fitted& f : fit.parameters)
+    calibrate::setValue(params, f.parameter.name, f.value);
+  io::RecordBuilder record;
+  record.root().setParams(params.asReader());
+  OBBY_RETURN_IF_ERROR(pipeline.write(record.reader()));
+  OBBY_ASSIGN(auto outcomes, outcomesOf(takes, false, params.asReader(), fit.delay));
+  OBBY_ASSIGN(const auto others, outcomesOf(heldOut, true, params.asReader(), fit.delay));
+  outcomes.insert(outcomes.end(), others.begin(), others.end());
+  OBBY_RETURN_IF_ERROR(writeMetrics(pipeline, fit, outcomes));
+  const cli::Arguments& a = context.arguments();
+  const double tolerance = a.number("tolerance");
+  if (calibrate::meanMiss(outcomes) > tolerance)
+    context.warn(fmt::format("the recordings are {:.3f} studs off, more than the tolerance of {:g}",
+                             calibrate::meanMiss(outcomes), tolerance));
+  const std::string text = calibrate::textOf(fit, outcomes, tolerance);
+  context.note(text);
+  return a.has("report") ? writeText(a.text("report"), text) : Status();
+}
+
+// What the command line says of parameters, read before any output is begun.
+struct Asked {
+  io::RecordBuilder now;
+  std::vector<calibrate::Parameter> parameters;
+};
+
+Result<Asked> askedOf(const cli::Arguments& a) {
+  Asked out;
+  auto params = out.now.root().initParams();
+  OBBY_RETURN_IF_ERROR(tools::applySet(a, params));
+  out.parameters = calibrate::parametersAround(params.asReader());
+  if (a.has("fit")) {
+    OBBY_ASSIGN(out.parameters, calibrate::parametersNamed(a.list("fit"), params.asReader()));
+  }
+  return out;
+}
+
+Status calibrateFrom(cli::Context& context, io::Pipeline& pipeline, Asked asked) {
+  calibrate::Takes source;
+  OBBY_RETURN_IF_ERROR(pipeline.run([&](const io::Record& r) { return source.handle(r); }));
+  std::vector<calibrate::Take> takes = source.take();
+  if (context.stop()) return {};
+  if (takes.empty())
+    return makeError("no recordings to fit to",
+                     "record some in Studio, or try obby-calibrate --rehearse | obby-calibrate");
+  const uint32_t every = uint32_t(context.arguments().integer("held-out"));
+  const auto heldOut = every == 0 || takes.size() < every ? std::vector<calibrate::Take>()
+                                                          : calibrate::holdOut(takes, every);
+  if (takes.empty()) return makeError("--held-out 1 leaves nothing to fit to", "give 2 or more");
+  ThreadPool pool(context.threads());
+  auto params = asked.now.root().getParams();
+  OBBY_ASSIGN(const calibrate::Fit fit,
+              calibrate::fit(takes, std::move(asked.parameters), params.asReader(),
+                             tools::fitSettings(context), pool, context.stop(),
+                             [&](uint32_t done, uint32_t all, double loss) {
+                               context.progress({"fitting", double(done) / all, {{"loss", loss}}});
+                             }));
+  return tell(context, pipeline, fit, takes, heldOut, params);
+}
+
+Result<cli::ExitCode> run(cli::Context& context) {
+  OBBY_ASSIGN(Asked asked, askedOf(context.arguments()));
+  OBBY_ASSIGN(io::StreamWriter output, context.openOutput());
+  const bool rehearses = context.arguments().flag("rehearse");
+  io::SourceOptions source = context.sourceOptions();
+  if (rehearses) source.inputs.clear();
+  io::Pipeline pipeline(std::move(source), context.identity(), std::move(output));
+  Status done =
+      rehearses ? rehearse(context, pipeline) : calibrateFrom(context, pipeline, std::move(asked));
+  if (!done) pipeline.outOfBudget();
+  const Status finished = pipeline.finish();
+  OBBY_RETURN_IF_ERROR(std::move(done));
+  OBBY_RETURN_IF_ERROR(Status(finished));
+  return cli::ExitCode::ok;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return obby::cli::runTool(obby::tools::calibrateSpec(), argc, argv, run);
+}

@@ -1,0 +1,113 @@
+// The option table of obby-calibrate and what its options mean to lib/calibrate.
+#include "options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "cli/rows.h"
+
+namespace obby::tools {
+
+namespace {
+
+using cli::between;
+using cli::OptionRow;
+using cli::repeatable;
+using cli::row;
+using cli::ValueType;
+
+constexpr const char* kFitGroup = "Fitting";
+constexpr const char* kRehearseGroup = "Rehearsing";
+
+std::vector<OptionRow> fitRows() {
+  return {
+      repeatable(row("fit", ValueType::text, "NAME", "",
+                     "fit this parameter; repeat (default: all that the recordings can show)",
+                     kFitGroup)),
+      repeatable(row("set", ValueType::text, "NAME=VALUE", "",
+                     "begin with this value; what is not fitted keeps it; repeat", kFitGroup)),
+      between(row("held-out", ValueType::integer, "N", "4",
+                  "keep every N-th recording from the fit, to measure on; 0: none", kFitGroup),
+              0, 1000),
+      between(row("tolerance", ValueType::number, "STUDS", "0.1",
+                  "mean distance from the recordings that is good enough", kFitGroup),
+              0, 1000),
+      between(row("restarts", ValueType::integer, "N", "3", "searches, from different places",
+                  kFitGroup),
+              1, 1000),
+      between(
+          row("generations", ValueType::integer, "N", "100", "of each search, at most", kFitGroup),
+          1, 100000),
+      row("report", ValueType::file, "FILE", "",
+          "write what was found, and how well it is known, as a text to FILE", kFitGroup),
+  };
+}
+
+std::vector<OptionRow> rehearseRows() {
+  return {
+      row("rehearse", ValueType::flag, "", "",
+          "record nothing real: write the calibration course and what the simulator makes of its "
+          "manoeuvres, with the parameters of --set",
+          kRehearseGroup),
+      between(row("noise", ValueType::number, "STUDS", "0",
+                  "that a recorded position may be off, each axis", kRehearseGroup),
+              0, 10),
+  };
+}
+
+}  // namespace
+
+cli::ToolSpec calibrateSpec() {
+  cli::ToolSpec spec;
+  spec.name = "obby-calibrate";
+  spec.summary = "find the physics parameters that recordings of the real game show";
+  spec.inputHelp = "streams with levels and recordings of them";
+  spec.examples = {
+      {"can these manoeuvres tell how strong gravity is?",
+       "obby-calibrate --rehearse --set gravity=180 | obby-calibrate --fit gravity --fit jumpSpeed "
+       "--report found.txt > params.jsonl"},
+      {"how well, if positions are a hundredth of a stud off?",
+       "obby-calibrate --rehearse --noise 0.01 > takes.jsonl && obby-calibrate takes.jsonl --fit "
+       "walkSpeed --fit airAccel --restarts 1 --report found.txt > params.jsonl"},
+  };
+  spec.options = {cli::commonRow(cli::Common::output),  cli::commonRow(cli::Common::format),
+                  cli::commonRow(cli::Common::onError), cli::commonRow(cli::Common::progress),
+                  cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)};
+  for (const auto& rows : {fitRows(), rehearseRows()})
+    spec.options.insert(spec.options.end(), rows.begin(), rows.end());
+  spec.notes =
+      "Writes a params record, and metrics with each parameter's interval and each recording's "
+      "error. Levels and recordings are used up, other records pass.";
+  return spec;
+}
+
+calibrate::FitSettings fitSettings(const cli::Context& context) {
+  const cli::Arguments& a = context.arguments();
+  calibrate::FitSettings s;
+  s.seed = a.seed();
+  s.restarts = uint32_t(a.integer("restarts"));
+  s.generations = uint32_t(a.integer("generations"));
+  return s;
+}
+
+Status applySet(const cli::Arguments& a, schema::PhysicsParams::Builder params) {
+  for (const std::string& text : a.list("set")) {
+    const size_t sign = text.find('=');
+    double value = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = sign == std::string::npos
+                          ? std::from_chars_result{nullptr, std::errc::invalid_argument}
+                          : std::from_chars(text.data() + sign + 1, end, value);
+    if (read.ec != std::errc() || read.ptr != end)
+      return Error{{},
+                   {},
+                   "--set",
+                   fmt::format("'{}' is not NAME=VALUE", text),
+                   "for example --set gravity=180"};
+    OBBY_RETURN_IF_ERROR(calibrate::setNamed(params, text.substr(0, sign), value));
+  }
+  return {};
+}
+
+}  // namespace obby::tools
