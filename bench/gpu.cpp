@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/need.h"
 #include "common/report.h"
 #include "sim/backend.h"
 #include "sim/host_device.h"
@@ -19,25 +20,15 @@
 namespace {
 
 using namespace obby;
+using bench::need;
 
 constexpr int kSkipped = 77;
 constexpr uint32_t kStep = 32;              // ticks a launch
 constexpr uint32_t kMostResident = 131072;  // rollouts a round that a search has memory for
 constexpr uint32_t kWarmTicks = 96;         // until worlds have left the start
 
-[[noreturn]] void fail(const Error& error) {
-  std::fprintf(stderr, "bench_gpu: %s\n", error.text().c_str());
-  std::exit(1);
-}
-
-template <class T>
-T need(Result<T> result) {
-  if (!result) fail(result.error());
-  return *std::move(result);
-}
-
 void stepOrFail(sim::Batch& batch, uint32_t ticks) {
-  if (const Status s = batch.step(ticks, sim::Actions::walker(1)); !s) fail(s.error());
+  need(batch.step(ticks, sim::Actions::walker(1)));
 }
 
 // Median of five turns of about `ticks` ticks each.
@@ -76,7 +67,7 @@ double residentStepsPerSecond(sim::Device& device, const support::Levels& arena,
     });
     if (turn >= 0) rates.push_back(double(search.statistics().steps - before) / seconds);
   }
-  if (!search.deviceStatus()) fail(search.deviceStatus().error());
+  need(search.deviceStatus());
   std::sort(rates.begin(), rates.end());
   return rates[2];
 }

@@ -10,7 +10,7 @@ $Cxx.namespace("obby::schema");
 
 struct SavedTraining {
   hash @0 :UInt64;     # XXH3 (64 bit) over the whole file with these eight bytes as 0
-  version @1 :UInt32;  # of this layout: 1
+  version @1 :UInt32;  # of this layout: 2
   observationVersion @2 :UInt32;  # as in policy.capnp
   stateLayout @3 :UInt64;  # XXH3 over names, types and sizes of the fields of sim::World and sim::LooseBody
   program @4 :Text;    # version of the program, for people
@@ -60,15 +60,10 @@ struct SavedLearner {
   valueMean @4 :Float32;  # of the value head (Pop-Art)
   valueDeviation @5 :Float32;
   returns @6 :SavedSums;
-  random @7 :List(UInt32);  # a random-number state: key (2), counter (4), block (4), used of the block
 }
 
 struct SavedCrowd {
-  random @0 :List(UInt32);  # of its playthroughs
-  draws @1 :List(UInt32);   # of its moves
-  played @2 :UInt64;  # playthroughs from the start since the last iteration
-  solved @3 :UInt64;
-  places @4 :List(SavedPlace);
+  places @0 :List(SavedPlace);
 }
 
 struct SavedCrowds {
@@ -89,4 +84,5 @@ struct SavedPlace {
   least @7 :List(Float32);   # (players), studs of the way left, the least in this playthrough
   ticks @8 :List(UInt32);    # (players), of this playthrough
   fromStart @9 :List(Bool);  # (players)
+  nextHardest @10 :Float32;  # difficulty that the next level will be asked for with
 }

@@ -1,35 +1,46 @@
-// Adam (Kingma and Ba 2015): one step of an optimiser. Host only.
+// Adam (Kingma and Ba 2015): one step of an optimiser.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include <stddef.h>
+#include <stdint.h>
 
 #include "math/lanes.h"
 
 namespace obby::policy {
 
+// What a step multiplies moments by, and moves one weight against its gradient.
+struct AdamStep {
+  static constexpr float kMomentum = 0.9f, kSquares = 0.999f, kTiny = 1e-5f;
+
+  float step, unbias;
+
+  OBBY_DEVICE void update(float g, float& weight, float& momentum, float& squares) const {
+    momentum = kMomentum * momentum + (1 - kMomentum) * g;
+    squares = kSquares * squares + (1 - kSquares) * (g * g);
+    weight -= step * momentum / (sqrtf32(squares * unbias) + kTiny);
+  }
+};
+
 // Counts the steps, which say how much the moments are too small yet.
 class Adam {
  public:
-  static constexpr float kMomentum = 0.9f, kSquares = 0.999f, kTiny = 1e-5f;
-
   // `steps`: done before, to go on from there.
   explicit Adam(uint64_t steps = 0) : steps_(steps) {}
   uint64_t steps() const { return steps_; }
 
   // To be called before the updates of each step.
   void next() { ++steps_; }
+  // This step at the learning rate `rate`.
+  AdamStep at(float rate) const {
+    return {rate / (1 - power(AdamStep::kMomentum, steps_)),
+            1 / (1 - power(AdamStep::kSquares, steps_))};
+  }
   // Moves `count` weights against their gradient. `momentum`, `squares`: (count), zero at first.
   void update(float* weights, const float* gradient, float* momentum, float* squares, size_t count,
               float rate) const {
-    const float step = rate / (1 - power(kMomentum, steps_));
-    const float unbias = 1 / (1 - power(kSquares, steps_));
-    for (size_t i = 0; i < count; ++i) {
-      const float g = gradient[i];
-      momentum[i] = kMomentum * momentum[i] + (1 - kMomentum) * g;
-      squares[i] = kSquares * squares[i] + (1 - kSquares) * (g * g);
-      weights[i] -= step * momentum[i] / (sqrtf32(squares[i] * unbias) + kTiny);
-    }
+    const AdamStep step = at(rate);
+    for (size_t i = 0; i < count; ++i)
+      step.update(gradient[i], weights[i], momentum[i], squares[i]);
   }
 
  private:

@@ -29,11 +29,15 @@ struct Rosette {
   float x[kPaddedPoints], z[kPaddedPoints];
 };
 
-// `ahead`: the direction of the first point of each ring.
+// Direction `d` of the rosette; `ahead`: the first one, of each ring.
+OBBY_DEVICE Vec3 rosetteDirection(Turns ahead, int d) {
+  return directionOf(sinCos(Turns(ahead + d * 65536 / kDirections)));
+}
+
 OBBY_DEVICE void placePoints(Turns ahead, Rosette& r) {
   r.x[0] = r.z[0] = 0;
   for (int d = 0; d < kDirections; ++d) {
-    const Vec3 way = directionOf(sinCos(Turns(ahead + d * 65536 / kDirections)));
+    const Vec3 way = rosetteDirection(ahead, d);
     for (int ring = 0; ring < kRings; ++ring) {
       const int i = 1 + ring * kDirections + d;
       r.x[i] = way.x * ringRadius(ring);
@@ -88,6 +92,18 @@ OBBY_DEVICE void loadRow(const float* from, float& row) { row = *from; }
 OBBY_DEVICE void storeRow(float row, float* to) { *to = row; }
 OBBY_DEVICE uint32_t laneBits(bool m) { return m ? 1 : 0; }
 
+// Height of the solid's top where it is in the way of somebody who walks or jumps there, elsewhere
+// kDeepest. False: it is so nowhere.
+template <class F>
+OBBY_DEVICE bool heightAt(const Solid& solid, F x, F z, F& height) {
+  F bottom, top;
+  cut<F>(solid, x, z, bottom, top);
+  const MaskOf<F> met = (bottom <= top) & (bottom < F(kHeadroom));
+  if (!any(met)) return false;
+  height = select(met, minf(top, F(kHighest)), F(kDeepest));
+  return true;
+}
+
 constexpr int kMaps = 4;  // floor, danger; the same soon
 
 // Heights of the rosette's points.
@@ -107,13 +123,10 @@ struct Maps {
                        bool soon) {
     const int map = danger ? 1 : 0;
     for (int i = 0; i < kPaddedPoints; i += Lanes<F>::kCount) {
-      F x, z, bottom, top;
+      F x, z, height;
       loadRow(rosette.x + i, x);
       loadRow(rosette.z + i, z);
-      cut<F>(solid, x, z, bottom, top);
-      const MaskOf<F> met = (bottom <= top) & (bottom < F(kHeadroom));
-      if (!any(met)) continue;
-      const F height = select(met, minf(top, F(kHighest)), F(kDeepest));
+      if (!heightAt<F>(solid, x, z, height)) continue;
       if (now) raise(heights[map] + i, height);
       if (soon) raise(heights[map + 2] + i, height);
     }
@@ -124,6 +137,33 @@ struct Maps {
     F old;
     loadRow(row, old);
     storeRow(maxf(old, height), row);
+  }
+};
+
+// The heights of one point of the rosette.
+struct PointMaps {
+  float x = 0, z = 0;
+  float heights[kMaps] = {kDeepest, kDeepest, kDeepest, kDeepest};
+
+  OBBY_DEVICE PointMaps(Turns ahead, int point) {
+    if (point == 0) return;
+    const int ring = (point - 1) / kDirections;
+    const Vec3 way = rosetteDirection(ahead, (point - 1) % kDirections);
+    x = way.x * ringRadius(ring);
+    z = way.z * ringRadius(ring);
+  }
+
+  // As Maps::see.
+  OBBY_DEVICE void see(const Solid& solid, bool danger, bool now, bool soon) {
+    float height;
+    if (!heightAt<float>(solid, x, z, height)) return;
+    const auto raise = [&](bool seen, float& floor, float& harm) {
+      if (!seen) return;
+      float& old = danger ? harm : floor;
+      old = maxf(old, height);
+    };
+    raise(now, heights[0], heights[1]);
+    raise(soon, heights[2], heights[3]);
   }
 };
 

@@ -164,7 +164,27 @@ OBBY_DEVICE void observe(const Scene& scene, const sim::World& world, const sim:
   }
 }
 
-// The same of the query's next region, looking toward it; gives that direction.
+// Parts of an observation that can be filled in by themselves: the points, then the state.
+constexpr int kViewParts = kPoints + 1;
+
+// One part of it. All together have the bits of observe(): for devices that have a thread for each.
+OBBY_DEVICE void observePart(const Scene& scene, const sim::World& world,
+                             const sim::LooseBody* loose, const sim::NextRegion& next, Turns ahead,
+                             int part, float* inputs) {
+  if (part == kPoints) {
+    observeState(scene, world, next, ahead, inputs);
+    return;
+  }
+  PointMaps maps(ahead, part);
+  lookAround(scene, world, loose, [&](const Solid& solid, bool danger, bool now, bool soon) {
+    maps.see(solid, danger, now, soon);
+  });
+  float* const out = inputs + kStateInputs + part;
+  for (int map = 0; map < kMaps; ++map) out[map * kPoints] = scaledHeight(maps.heights[map]);
+}
+
+// Fills `inputs` with what is seen of the query's next region, looking toward it; gives that
+// direction.
 template <class F>
 OBBY_DEVICE Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
                           float* inputs) {

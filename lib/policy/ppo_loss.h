@@ -2,9 +2,6 @@
 // surrogate, value error, entropy; and its slope by the network's outputs.
 #pragma once
 
-#include <algorithm>
-#include <limits>
-
 #include "policy/exponential_double.h"
 #include "policy/moves.h"
 #include "policy/network.h"
@@ -35,10 +32,10 @@ struct LossOf {
 
 // Probabilities of the moves; those that are not allowed get 0. `chances`: (kMoves).
 template <class S>
-void chancesOf(const S* logits, bool mayJump, S* chances) {
-  S most = -std::numeric_limits<S>::infinity(), sum = 0;
-  for (int m = 0; m < kMoves; ++m) {
-    if (!jumps(m) || mayJump) most = std::max(most, logits[m]);
+OBBY_DEVICE void chancesOf(const S* logits, bool mayJump, S* chances) {
+  S most = logits[0], sum = 0;  // the first is always allowed
+  for (int m = 1; m < kMoves; ++m) {
+    if ((!jumps(m) || mayJump) && most < logits[m]) most = logits[m];
   }
   for (int m = 0; m < kMoves; ++m) {
     chances[m] = !jumps(m) || mayJump ? expOf(logits[m] - most) : S(0);
@@ -47,20 +44,42 @@ void chancesOf(const S* logits, bool mayJump, S* chances) {
   for (int m = 0; m < kMoves; ++m) chances[m] /= sum;
 }
 
+// A move drawn, and the logarithm of its chance.
+struct Drawn {
+  int move;
+  float logChance;
+};
+
+// `draw`: uniform over [0, 1).
+OBBY_DEVICE Drawn drawMove(const float* logits, bool mayJump, float draw) {
+  float chances[kMoves];
+  chancesOf(logits, mayJump, chances);
+  int move = 0;
+  for (int m = 0; m < kMoves && draw >= 0; ++m) {
+    if (!(chances[m] > 0)) continue;
+    move = m;
+    draw -= chances[m];
+  }
+  return {move, logOf(chances[move])};
+}
+
 // `outputs`, `slope`: (kPaddedOutputs). Slopes of what is padding are 0.
 template <class S>
-LossOf<S> lossOf(const S* outputs, const Decision& d, const LossSettings& settings, S* slope) {
+OBBY_DEVICE LossOf<S> lossOf(const S* outputs, const Decision& d, const LossSettings& settings,
+                             S* slope) {
   S p[kMoves];
   chancesOf(outputs, d.mayJump, p);
   LossOf<S> r;
   for (const S c : p) r.entropy -= c > 0 ? c * logOf(c) : S(0);
   const S logRatio = logOf(p[d.move]) - S(d.logChance), ratio = expOf(logRatio);
   const S a = S(d.advantage), clip = S(settings.clip);
-  const S plain = ratio * a, bounded = std::min(std::max(ratio, 1 - clip), 1 + clip) * a;
+  const S floor = ratio < 1 - clip ? 1 - clip : ratio;
+  const S plain = ratio * a, bounded = (1 + clip < floor ? 1 + clip : floor) * a;
   r.clipped = bounded < plain;
   r.divergence = ratio - 1 - logRatio;
   r.valueError = outputs[kMoves] - S(d.target);
-  r.loss = -std::min(plain, bounded) + S(settings.valueShare) * r.valueError * r.valueError / 2 -
+  r.loss = -(bounded < plain ? bounded : plain) +
+           S(settings.valueShare) * r.valueError * r.valueError / 2 -
            S(settings.entropyShare) * r.entropy;
   const S pull = r.clipped ? S(0) : -ratio * a;  // by the log chance of the move
   for (int m = 0; m < kPaddedOutputs; ++m) slope[m] = 0;

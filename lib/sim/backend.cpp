@@ -13,9 +13,9 @@ Result<BackendKind> backendKind(const std::string& name) {
   return makeError(fmt::format("no backend '{}'", name), "auto, cpu or cuda");
 }
 
-Result<Backend> Backend::open(BackendKind kind) {
+Result<Backend> Backend::open(BackendKind kind, uint32_t which) {
   if (kind == BackendKind::cpu) return Backend(nullptr, "simulating on the CPU");
-  auto device = cuda::openDevice();
+  auto device = cuda::openDevice(which);
   if (device) {
     std::string note = "simulating on " + (*device)->name();
     return Backend(*std::move(device), std::move(note));

@@ -17,7 +17,8 @@ Result<BackendKind> backendKind(const std::string& name);  // "auto", "cpu", "cu
 class Backend {
  public:
   // `cuda` without a GPU is an error; `automatic` then takes the CPU and says why in note().
-  static Result<Backend> open(BackendKind kind);
+  // `which`: of several GPUs, counted round.
+  static Result<Backend> open(BackendKind kind, uint32_t which = 0);
 
   bool onDevice() const { return device_ != nullptr; }
   Device* device() const { return device_.get(); }   // null: the CPU's lanes

@@ -29,9 +29,13 @@ class Device {
 
   virtual std::string name() const = 0;
 
-  virtual Result<void*> allocate(size_t bytes) = 0;  // aligned to at least 128 bytes
+  // Aligned to at least 128 bytes. From any thread.
+  virtual Result<void*> allocate(size_t bytes) = 0;
   virtual void release(void* memory) = 0;
   virtual Status upload(void* to, const void* from, size_t bytes) = 0;
+  // The same beside kernels that are running, from any thread: done when it returns. No kernel that
+  // was asked for before may use that memory.
+  virtual Status uploadAside(void* to, const void* from, size_t bytes) = 0;
   virtual Status download(void* to, const void* from, size_t bytes) const = 0;
   // Both on the device.
   virtual Status copy(void* to, const void* from, size_t bytes) = 0;
@@ -39,6 +43,11 @@ class Device {
 
   // Runs the kernel for 0 ... count - 1 and waits until it is done.
   virtual Status launch(const Kernel& kernel, const void* arguments, uint32_t count) = 0;
+  // The same, but may return before it is done. What is asked of the device later comes after it,
+  // and may say what went wrong with it.
+  virtual Status enqueue(const Kernel& kernel, const void* arguments, uint32_t count) {
+    return launch(kernel, arguments, count);
+  }
   virtual Result<KernelFacts> facts(const Kernel& kernel) const = 0;
 };
 

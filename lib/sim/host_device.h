@@ -17,6 +17,9 @@ class HostDevice : public Device {
   Result<void*> allocate(size_t bytes) override;
   void release(void* memory) override;
   Status upload(void* to, const void* from, size_t bytes) override;
+  Status uploadAside(void* to, const void* from, size_t bytes) override {
+    return upload(to, from, bytes);
+  }
   Status download(void* to, const void* from, size_t bytes) const override;
   Status copy(void* to, const void* from, size_t bytes) override;
   Status fill(void* to, uint8_t value, size_t bytes) override;

@@ -16,7 +16,7 @@ namespace obby::train {
 
 namespace {
 
-constexpr uint32_t kVersion = 1;
+constexpr uint32_t kVersion = 2;
 using Words = kj::Array<capnp::word>;
 
 uint64_t digest(const Words& words) {

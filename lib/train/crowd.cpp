@@ -1,83 +1,62 @@
 #include "train/crowd.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "policy/policy.h"
 
 namespace obby::train {
 
-namespace {
-
-constexpr uint32_t kRememberEvery = 64;  // about one state in so many decisions
-
-}  // namespace
+uint64_t levelIndex(const CrowdSettings& settings, uint32_t crowd, uint32_t crowds, uint32_t place,
+                    uint64_t taken) {
+  const uint64_t all = uint64_t(crowds) * settings.levels;
+  return (taken - 1) * all + uint64_t(crowd) * settings.levels + place;
+}
 
 Crowd::Crowd(const LevelSource& source, const CrowdSettings& settings, uint64_t seed,
              uint32_t number, uint32_t crowds)
     : source_(source),
       settings_(settings),
-      random_(seed, number),
+      seed_(seed),
       number_(number),
       crowds_(crowds),
       places_(settings.levels) {}
 
-Status Crowd::begin() {
-  for (uint32_t p = 0; p < places_.size(); ++p) OBBY_RETURN_IF_ERROR(takeLevel(p));
+Status Crowd::begin(float hardest) {
+  for (uint32_t p = 0; p < places_.size(); ++p) {
+    places_[p].nextHardest = hardest;
+    OBBY_RETURN_IF_ERROR(takeLevel(p, hardest));
+  }
   return {};
 }
 
 uint64_t Crowd::indexOf(uint32_t p, uint64_t taken) const {
-  const uint64_t all = uint64_t(crowds_) * places_.size();
-  return (taken - 1) * all + uint64_t(number_) * places_.size() + p;
+  return levelIndex(settings_, number_, crowds_, p, taken);
 }
 
 Status Crowd::findLevel(uint32_t p) {
   Place& place = places_[p];
   OBBY_ASSIGN(place.level, source_.level(indexOf(p, place.taken), place.hardest));
-  place.mostTicks = mostTicksOf(*place.level, settings_.patience);
+  place.view = place.level->view(settings_.patience);
   return {};
 }
 
-Status Crowd::takeLevel(uint32_t p) {
+Status Crowd::takeLevel(uint32_t p, float nextHardest) {
   Place& place = places_[p];
   ++place.taken;
-  place.hardest = hardest_;
+  place.hardest = std::exchange(place.nextHardest, nextHardest);
   OBBY_RETURN_IF_ERROR(findLevel(p));
-  place.played = 0;
-  place.reached.clear();
-  place.players.assign(settings_.worlds, {});
-  place.loose.assign(size_t(settings_.worlds) * place.level->startLoose().size(), {});
-  for (uint32_t i = 0; i < settings_.worlds; ++i) restart(place, i);
+  place.players.resize(settings_.worlds);
+  place.loose.resize(size_t(settings_.worlds) * place.level->startLoose().size());
+  place.reached.resize(kMostReached);
+  beginLevel(viewOf(place));
   return {};
+}
+
+PlaceView Crowd::viewOf(Place& place) const {
+  return {&place.view,   place.players.data(), place.loose.data(),         place.reached.data(),
+          &place.counts, settings_.worlds,     place.view.level.looseCount};
 }
 
 sim::LooseBody* Crowd::looseOf(Place& place, uint32_t player) const {
-  const size_t count = place.level->startLoose().size();
-  return count == 0 ? nullptr : place.loose.data() + player * count;
-}
-
-void Crowd::restart(Place& place, uint32_t player) {
-  Player& p = place.players[player];
-  const bool elsewhere = !place.reached.empty() && random_.unit() < settings_.restartShare;
-  p.world = elsewhere ? place.reached[random_.below(uint32_t(place.reached.size()))]
-                      : place.level->start();
-  p.fromStart = !elsewhere;
-  p.least = place.level->guide().left(p.world.position);
-  p.ticks = 0;
-  const auto& loose = place.level->startLoose();
-  std::copy(loose.begin(), loose.end(), place.loose.begin() + ptrdiff_t(player * loose.size()));
-}
-
-// States in which the player stands; bodies are not kept, so levels with such begin at the start.
-void Crowd::remember(Place& place, const sim::World& world) {
-  if (random_.below(kRememberEvery) != 0) return;
-  if (world.floorlessTicks != 0 || !place.level->startLoose().empty()) return;
-  if (place.reached.size() < kMostReached) {
-    place.reached.push_back(world);
-  } else {
-    place.reached[random_.below(kMostReached)] = world;
-  }
+  return place.view.level.looseCount == 0 ? nullptr : viewOf(place).looseOf(player);
 }
 
 void Crowd::observe(float* rows, uint8_t* mayJump) {
@@ -101,64 +80,42 @@ void Crowd::advance(Place& place, std::span<const int> moves) {
     loose_.push_back(looseOf(place, i));
     actions_.push_back(policy::actionOf(moves[i], place.players[i].ahead));
   }
-  const policy::Scene& scene = place.level->scene();
   for (uint32_t t = 0; t < policy::kDecisionTicks; ++t) {
-    sim::advanceAll(scene.level, &scene.query, worlds_, loose_.data(), actions_.data());
+    sim::advanceAll(place.view.level, &place.view.query, worlds_, loose_.data(), actions_.data());
   }
 }
 
-Step Crowd::judge(Place& place, uint32_t player) {
-  Player& p = place.players[player];
-  const RewardSettings& worth = settings_.reward;
-  Step step;
-  step.reward = worth.decision;
-  const float left = place.level->guide().left(p.world.position);
-  if (left < p.least) {
-    step.reward += worth.stud * (p.least - left);
-    p.least = left;
-  }
-  p.ticks += policy::kDecisionTicks;
-  step.ended = p.world.outcome != sim::Outcome::running;
-  step.cut = !step.ended && p.ticks >= place.mostTicks;
-  const bool solved = p.world.outcome == sim::Outcome::goal;
-  if (step.ended) step.reward += solved ? worth.goal : worth.death;
-  if (!step.ended && !step.cut) return step;
-  ++place.played;
-  if (!p.fromStart) return step;
-  ++tally_.played;
-  tally_.solved += solved;
-  return step;
-}
-
-void Crowd::noteCut(Place& place, uint32_t player, uint32_t row) {
-  cutWorlds_.push_back(row);
-  cutRows_.resize(cutRows_.size() + policy::kInputs);
-  policy::observe(place.level->scene(), place.players[player].world, looseOf(place, player),
-                  cutRows_.data() + cutRows_.size() - policy::kInputs);
-}
-
-Status Crowd::step(std::span<const int> moves, std::span<Step> steps) {
-  cutRows_.clear();
-  cutWorlds_.clear();
+void Crowd::step(std::span<const int> moves, std::span<Step> steps) {
   for (uint32_t p = 0; p < places_.size(); ++p) {
     Place& place = places_[p];
     const uint32_t first = p * settings_.worlds;
     advance(place, moves.subspan(first, settings_.worlds));
-    for (uint32_t i = 0; i < settings_.worlds; ++i) steps[first + i] = judge(place, i);
-    const bool over = place.played >= settings_.playthroughs;
-    for (uint32_t i = 0; i < settings_.worlds; ++i) {
-      Step& s = steps[first + i];
-      s.cut = s.cut || (over && !s.ended);
-      if (s.cut) noteCut(place, i, first + i);
-      if (s.ended || s.cut) {
-        if (!over) restart(place, i);
-      } else {
-        remember(place, place.players[i].world);
-      }
-    }
-    if (over) OBBY_RETURN_IF_ERROR(takeLevel(p));
+    for (uint32_t i = 0; i < settings_.worlds; ++i)
+      steps[first + i] = judge(place.view, settings_.reward, place.players[i]);
+  }
+}
+
+void Crowd::settle(uint64_t decision, bool endOfIteration) {
+  const SettleRules rules{seed_, settings_.restartShare, decision, endOfIteration};
+  for (uint32_t p = 0; p < places_.size(); ++p)
+    train::settle(viewOf(places_[p]), rules, firstWorld() + p * settings_.worlds);
+}
+
+void Crowd::settle(uint64_t decision) { settle(decision, false); }
+
+Status Crowd::settleIteration(uint64_t decision, float hardest) {
+  settle(decision, true);
+  for (uint32_t p = 0; p < places_.size(); ++p) {
+    if (!isOver(places_[p].counts, settings_)) continue;
+    tally_.add(places_[p].counts);
+    OBBY_RETURN_IF_ERROR(takeLevel(p, hardest));
   }
   return {};
+}
+
+Tally Crowd::takeTally() {
+  for (Place& place : places_) tally_.add(place.counts);
+  return std::exchange(tally_, {});
 }
 
 }  // namespace obby::train

@@ -29,7 +29,9 @@ bool isSound(const sim::LooseBody& b) {
          b.state <= sim::LooseState::gone;
 }
 
-Status check(const PlaceState& s, const TrainingLevel& level, const CrowdSettings& settings) {
+}  // namespace
+
+Status checkPlace(const PlaceState& s, const TrainingLevel& level, const CrowdSettings& settings) {
   if (s.levelHash != level.hash())
     return makeError("one of its levels is not the one that it was",
                      "give the same levels as then");
@@ -43,15 +45,12 @@ Status check(const PlaceState& s, const TrainingLevel& level, const CrowdSetting
   return sound ? Status() : makeError("its worlds are none that its levels could have");
 }
 
-}  // namespace
-
 CrowdState Crowd::state() const {
   CrowdState out;
-  out.random = random_;
-  out.tally = tally_;
   for (const Place& place : places_) {
-    out.places.push_back(place);
-    out.places.back().levelHash = place.level->hash();
+    PlaceState& state = out.places.emplace_back(place);
+    state.levelHash = place.level->hash();
+    state.reached.resize(place.counts.reached);
   }
   return out;
 }
@@ -60,13 +59,13 @@ Status Crowd::restore(CrowdState state) {
   if (state.places.size() != places_.size())
     return makeError(
         fmt::format("{} levels of a crowd, expected {}", state.places.size(), places_.size()));
-  random_ = state.random;
-  tally_ = state.tally;
   for (uint32_t p = 0; p < places_.size(); ++p) {
     static_cast<PlaceState&>(places_[p]) = std::move(state.places[p]);
     if (places_[p].taken == 0) return makeError("a place that never had a level");
     OBBY_RETURN_IF_ERROR(findLevel(p));
-    OBBY_RETURN_IF_ERROR(check(places_[p], *places_[p].level, settings_));
+    OBBY_RETURN_IF_ERROR(checkPlace(places_[p], *places_[p].level, settings_));
+    places_[p].counts.reached = uint32_t(places_[p].reached.size());
+    places_[p].reached.resize(kMostReached);
   }
   return {};
 }

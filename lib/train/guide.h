@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "math/vec.h"
+#include "train/guide_view.h"
 
 namespace obby::train {
 
@@ -12,10 +12,11 @@ class Guide {
  public:
   explicit Guide(std::vector<Vec3> places);  // at least two
 
-  // Studs to the end: thrice those to the line, then along it. The least over all of the line, so
-  // that short cuts count, once they come near to it again.
-  float left(Vec3 from) const;
-  float studs() const { return behind_.front(); }  // of the whole way
+  float left(Vec3 from) const { return view().left(from); }  // as GuideView
+  float studs() const { return behind_.front(); }            // of the whole way
+
+  // Valid while this object lives and stays where it is.
+  GuideView view() const { return {places_.data(), behind_.data(), uint32_t(places_.size())}; }
 
  private:
   std::vector<Vec3> places_;

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <vector>
 
 #include "policy/network.h"
 
@@ -33,6 +35,21 @@ struct Weights {
       w[l].setZero();
       b[l].setZero();
     }
+  }
+  // All of them, in the order of blocks().
+  std::vector<S> flat() const {
+    std::vector<S> all;
+    for (int l = 0; l < 3; ++l) {
+      all.insert(all.end(), w[l].data(), w[l].data() + w[l].size());
+      all.insert(all.end(), b[l].data(), b[l].data() + b[l].size());
+    }
+    return all;
+  }
+  void setFlat(const S* from) {
+    blocks([&](S* to, size_t count) {
+      std::copy_n(from, count, to);
+      from += count;
+    });
   }
   // Calls visit(data, count) for the six blocks in their order.
   template <class Visit>

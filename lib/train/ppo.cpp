@@ -3,7 +3,6 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "policy/advantages.h"
 
@@ -12,7 +11,6 @@ namespace obby::train {
 namespace {
 
 constexpr uint32_t kShares = 8;
-constexpr double kFade = 0.95;  // of what returns were, at each batch
 
 // Sum of two draws' logarithm and cosine would need libm; the sum of twelve is near enough.
 float normalDraw(Random& random) {
@@ -21,8 +19,7 @@ float normalDraw(Random& random) {
   return sum;
 }
 
-}  // namespace
-
+// Orthogonal columns or rows, whichever are fewer, of length `gain`.
 void fillOrthogonal(Rows<float>& matrix, int columns, float gain, Random& random) {
   const Eigen::Index rows = matrix.rows(), most = std::max<Eigen::Index>(rows, columns);
   const Eigen::Index least = std::min<Eigen::Index>(rows, columns);
@@ -37,31 +34,37 @@ void fillOrthogonal(Rows<float>& matrix, int columns, float gain, Random& random
   }
 }
 
-Ppo::Ppo(const PpoSettings& settings, uint64_t seed, ThreadPool& pool, Ranks& ranks)
-    : settings_(settings), pool_(pool), ranks_(ranks), random_(seed, 0x50504f), shares_(kShares) {
+}  // namespace
+
+Weights<float> firstWeights(uint64_t seed) {
+  Random random(seed, 0x50504f);
+  Weights<float> weights;
   const float gain = std::sqrt(2.0f);
-  fillOrthogonal(weights_.w[0], policy::kHidden, gain, random_);
-  fillOrthogonal(weights_.w[1], policy::kHidden, gain, random_);
-  fillOrthogonal(weights_.w[2], policy::kMoves, 0.01f, random_);
+  fillOrthogonal(weights.w[0], policy::kHidden, gain, random);
+  fillOrthogonal(weights.w[1], policy::kHidden, gain, random);
+  fillOrthogonal(weights.w[2], policy::kMoves, 0.01f, random);
   Rows<float> value(policy::kHidden, 1);
-  fillOrthogonal(value, 1, 1, random_);
-  weights_.w[2].col(policy::kMoves) = value;
+  fillOrthogonal(value, 1, 1, random);
+  weights.w[2].col(policy::kMoves) = value;
+  return weights;
 }
 
-LearnerState Ppo::state() const {
-  return {weights_,   momentum_,       squares_, adam_.steps(),
-          valueMean_, valueDeviation_, returns_, random_};
-}
+Ppo::Ppo(const PpoSettings& settings, uint64_t seed, ThreadPool& pool, Ranks& ranks)
+    : settings_(settings),
+      pool_(pool),
+      ranks_(ranks),
+      seed_(seed),
+      weights_(firstWeights(seed)),
+      shares_(kShares) {}
+
+LearnerState Ppo::state() const { return {weights_, momentum_, squares_, adam_.steps(), values_}; }
 
 void Ppo::restore(const LearnerState& s) {
   weights_ = s.weights;
   momentum_ = s.momentum;
   squares_ = s.squares;
   adam_ = policy::Adam(s.steps);
-  valueMean_ = s.valueMean;
-  valueDeviation_ = s.valueDeviation;
-  returns_ = s.returns;
-  random_ = s.random;
+  values_ = s.values;
 }
 
 void Ppo::fillAdvantages(Batch& b) {
@@ -69,52 +72,53 @@ void Ppo::fillAdvantages(Batch& b) {
   targets_.resize(b.values.size());
   policy::fillAdvantages(
       {b.ticks, b.worlds, b.values.data(), b.rewards.data(), b.done.data(), b.last.data()},
-      settings_.discount, settings_.lambda, advantages_, targets_);
+      settings_.discount, settings_.lambda, advantages_.data(), targets_.data());
 }
 
-// The value head learns returns of mean 0 and deviation 1; when these move, its weights move along,
-// so that what it says stays as it was (Pop-Art, van Hasselt et al. 2016).
 void Ppo::rescaleValues(const Batch& batch) {
-  returns_.fade(kFade);
   Sums now(1);
   for (size_t i = 0; i < batch.values.size(); ++i) now.add(&targets_[i]);
-  now.add(ranks_);
-  returns_.add(now);
-  const float mean = float(returns_.mean(0));
-  const float deviation = std::max(float(returns_.deviation(0)), 1e-3f);
-  weights_.w[2].col(policy::kMoves) *= valueDeviation_ / deviation;
+  const ValueScale old = values_;
+  values_.take(std::move(now), ranks_);
+  weights_.w[2].col(policy::kMoves) *= old.deviation / values_.deviation;
   float& bias = weights_.b[2](policy::kMoves);
-  bias = (bias * valueDeviation_ + valueMean_ - mean) / deviation;
-  valueMean_ = mean;
-  valueDeviation_ = deviation;
+  bias = (bias * old.deviation + old.mean - values_.mean) / values_.deviation;
 }
 
 Progress Ppo::learn(Batch& batch, float rate) {
   fillAdvantages(batch);
   rescaleValues(batch);
   for (size_t i = 0; i < batch.decisions.size(); ++i)
-    batch.decisions[i].target = (targets_[i] - valueMean_) / valueDeviation_;
+    batch.decisions[i].target = (targets_[i] - values_.mean) / values_.deviation;
   std::vector<uint32_t> order(batch.decisions.size());
-  std::iota(order.begin(), order.end(), 0u);
   Progress sums;
   uint32_t parts = 0;
   for (uint32_t pass = 0; pass < settings_.passes; ++pass) {
-    for (size_t i = order.size(); i > 1; --i)
-      std::swap(order[i - 1], order[random_.below(uint32_t(i))]);
+    const Shuffle shuffle = orderOf(seed_, adam_.steps(), order.size());
+    for (size_t i = 0; i < order.size(); ++i) order[i] = shuffle(uint32_t(i));
     for (size_t first = 0; first < order.size(); first += settings_.part, ++parts) {
       const size_t count = std::min<size_t>(settings_.part, order.size() - first);
       learnPart(batch, std::span(order).subspan(first, count), rate, sums);
     }
   }
-  double all[] = {sums.loss, sums.entropy, sums.divergence, sums.clipped, sums.valueError};
-  ranks_.add(all);
-  const double* next = all;
-  const double decisions = double(order.size()) * settings_.passes * ranks_.count();
-  for (double* mean :
-       {&sums.loss, &sums.entropy, &sums.divergence, &sums.clipped, &sums.valueError})
-    *mean = *next++ / decisions;
-  sums.norm /= parts;
+  sums.finish(order.size() * settings_.passes, parts, ranks_);
   return sums;
+}
+
+void Progress::finish(size_t decisions, uint32_t parts, Ranks& ranks) {
+  double all[] = {loss, entropy, divergence, clipped, valueError};
+  ranks.add(all);
+  const double* next = all;
+  for (double* mean : {&loss, &entropy, &divergence, &clipped, &valueError})
+    *mean = *next++ / (double(decisions) * ranks.count());
+  norm /= parts;
+}
+
+AdvantageScale::AdvantageScale(double sum, double squares, double rows) : count(float(rows)) {
+  const double average = sum / rows;
+  const double deviation = std::sqrt(std::max(squares / rows - average * average, 0.0));
+  mean = float(average);
+  scale = float(1 / (deviation + 1e-8));
 }
 
 void Ppo::learnPart(const Batch& batch, std::span<const uint32_t> rows, float rate,
@@ -126,13 +130,11 @@ void Ppo::learnPart(const Batch& batch, std::span<const uint32_t> rows, float ra
   }
   double moments[] = {sum, squares, double(rows.size())};
   ranks_.add(moments);
-  const double count = moments[2], mean = moments[0] / count;
-  const double deviation = std::sqrt(std::max(moments[1] / count - mean * mean, 0.0));
-  const float scale = float(1 / (deviation + 1e-8));
+  const AdvantageScale scale(moments[0], moments[1], moments[2]);
   const size_t each = (rows.size() + kShares - 1) / kShares;
   pool_.run(int(kShares), [&](int s) {
     const size_t first = std::min(size_t(s) * each, rows.size());
-    learnShare(batch, rows.subspan(first, std::min(each, rows.size() - first)), float(mean), scale,
+    learnShare(batch, rows.subspan(first, std::min(each, rows.size() - first)), scale,
                shares_[size_t(s)]);
   });
   Weights<float>& all = shares_[0].gradient;
@@ -149,8 +151,8 @@ void Ppo::learnPart(const Batch& batch, std::span<const uint32_t> rows, float ra
   addRanks(all);
   float norm = 0;
   for (int l = 0; l < 3; ++l) {
-    all.w[l] /= float(count);
-    all.b[l] /= float(count);
+    all.w[l] /= scale.count;
+    all.b[l] /= scale.count;
     norm += all.w[l].squaredNorm() + all.b[l].squaredNorm();
   }
   norm = std::sqrt(norm);
@@ -164,8 +166,8 @@ void Ppo::learnPart(const Batch& batch, std::span<const uint32_t> rows, float ra
   step(all, settings_.rate * rate);
 }
 
-void Ppo::learnShare(const Batch& batch, std::span<const uint32_t> rows, float mean, float scale,
-                     Share& share) const {
+void Ppo::learnShare(const Batch& batch, std::span<const uint32_t> rows,
+                     const AdvantageScale& scale, Share& share) const {
   share.gradient.setZero();
   share.sums = {};
   if (rows.empty()) return;
@@ -176,7 +178,7 @@ void Ppo::learnShare(const Batch& batch, std::span<const uint32_t> rows, float m
   const Rows<float>& out = share.pass.forward(weights_, share.inputs);
   for (size_t i = 0; i < rows.size(); ++i) {
     Decision d = batch.decisions[rows[i]];
-    d.advantage = (advantages_[rows[i]] - mean) * scale;
+    d.advantage = (advantages_[rows[i]] - scale.mean) * scale.scale;
     const auto r = lossOf(out.row(Eigen::Index(i)).data(), d, settings_.loss,
                           share.slope.row(Eigen::Index(i)).data());
     share.sums.loss += double(r.loss);
@@ -190,14 +192,9 @@ void Ppo::learnShare(const Batch& batch, std::span<const uint32_t> rows, float m
 
 void Ppo::addRanks(Weights<float>& gradient) {
   if (ranks_.count() == 1) return;
-  flat_.clear();
-  gradient.blocks([&](const float* g, size_t n) { flat_.insert(flat_.end(), g, g + n); });
-  ranks_.add(flat_);
-  const float* from = flat_.data();
-  gradient.blocks([&](float* g, size_t n) {
-    std::copy_n(from, n, g);
-    from += n;
-  });
+  std::vector<float> flat = gradient.flat();
+  ranks_.add(flat);
+  gradient.setFlat(flat.data());
 }
 
 void Ppo::step(Weights<float>& gradient, float rate) {

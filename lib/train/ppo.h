@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/shuffle.h"
 #include "base/thread_pool.h"
 #include "policy/adam.h"
 #include "policy/ppo_loss.h"
@@ -43,15 +44,24 @@ struct Batch {
   uint32_t ticks, worlds;
   Rows<float> inputs;  // normalised, as they were seen
   std::vector<Decision> decisions;
-  std::vector<float> values;   // what the network expected, in rewards
-  std::vector<float> rewards;  // with what was to be expected after a cut
-  std::vector<float> last;     // (worlds), value of the state after the last tick
-  std::vector<uint8_t> done;   // the playthrough ended, or was cut
+  std::vector<float> values;  // what the network expected, in rewards
+  std::vector<float> rewards;
+  std::vector<float> last;    // (worlds), value of the state after the last tick
+  std::vector<uint8_t> done;  // the playthrough ended with this decision
 };
 
 // Of all passes over a batch, means.
 struct Progress {
   double loss = 0, entropy = 0, divergence = 0, clipped = 0, valueError = 0, norm = 0;
+
+  // From the sums of this rank's decisions, and of the parts' norms.
+  void finish(size_t decisions, uint32_t parts, Ranks& ranks);
+};
+
+// How the advantages of a part are normalised, by the sums of all ranks.
+struct AdvantageScale {
+  AdvantageScale(double sum, double squares, double rows);
+  float mean, scale, count;
 };
 
 class Ppo {
@@ -60,9 +70,8 @@ class Ppo {
   Ppo(const PpoSettings& settings, uint64_t seed, ThreadPool& pool, Ranks& ranks);
 
   const Weights<float>& weights() const { return weights_; }
-  // Of the value head: a reward is mean + deviation x output.
-  float valueMean() const { return valueMean_; }
-  float valueDeviation() const { return valueDeviation_; }
+  // What the value head says, in rewards.
+  float valueOf(float output) const { return values_.mean + values_.deviation * output; }
 
   // What restore() goes on from, under the same settings.
   LearnerState state() const;
@@ -82,7 +91,7 @@ class Ppo {
   void fillAdvantages(Batch& batch);
   void rescaleValues(const Batch& batch);
   void learnPart(const Batch& batch, std::span<const uint32_t> rows, float rate, Progress& sums);
-  void learnShare(const Batch& batch, std::span<const uint32_t> rows, float mean, float scale,
+  void learnShare(const Batch& batch, std::span<const uint32_t> rows, const AdvantageScale& scale,
                   Share& share) const;
   void addRanks(Weights<float>& gradient);
   void step(Weights<float>& gradient, float rate);
@@ -90,17 +99,20 @@ class Ppo {
   PpoSettings settings_;
   ThreadPool& pool_;
   Ranks& ranks_;
-  Random random_;
+  uint64_t seed_;
   Weights<float> weights_, momentum_, squares_;
   policy::Adam adam_;
-  float valueMean_ = 0, valueDeviation_ = 1;
-  Sums returns_{1};
+  ValueScale values_;
   std::vector<Share> shares_;
   std::vector<float> advantages_, targets_;  // (rows), in rewards
-  std::vector<float> flat_;                  // a gradient as one row
 };
 
-// Orthogonal columns or rows, whichever are fewer, of length `gain`.
-void fillOrthogonal(Rows<float>& matrix, int columns, float gain, Random& random);
+// The order of decisions in a pass, by what Adam has done before it.
+inline Shuffle orderOf(uint64_t seed, uint64_t steps, size_t decisions) {
+  return {seed ^ 0x6f72646572, steps, uint32_t(decisions)};
+}
+
+// Weights that nothing was learned with yet: orthogonal columns or rows, whichever are fewer.
+Weights<float> firstWeights(uint64_t seed);
 
 }  // namespace obby::train

@@ -4,8 +4,6 @@
 #include <capnp/serialize.h>
 #include <fmt/format.h>
 
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -18,11 +16,6 @@ namespace obby::train {
 namespace {
 
 using sim::Outcome, sim::State;  // as the table of a world's fields names them
-
-// key, counter, block, used
-using RandomWords = std::array<uint32_t, 11>;
-static_assert(sizeof(RandomWords) == sizeof(Random));
-constexpr uint32_t kBlock = 4;  // numbers of a block
 
 #define OBBY_SIZE_OF(type, name) +sizeof(type)
 static_assert(sizeof(sim::World) == OBBY_WORLD_FIELDS(OBBY_SIZE_OF)
@@ -62,48 +55,19 @@ Status rowsOf(capnp::Data::Reader bytes, const char* what, std::vector<T>& rows)
   return {};
 }
 
-void writeRandom(const Random& random, capnp::List<uint32_t>::Builder to) {
-  fill(std::bit_cast<RandomWords>(random).data(), to);
-}
-
-Status readRandom(capnp::List<uint32_t>::Reader from, Random& out) {
-  RandomWords words;
-  OBBY_RETURN_IF_ERROR(take(from, "words of a random-number state", words.size(), words.data()));
-  if (words.back() > kBlock) return makeError("a random-number state that cannot be");
-  out = std::bit_cast<Random>(words);
-  return {};
-}
-
-size_t countOf(Weights<float>& weights) {
-  size_t count = 0;
-  weights.blocks([&](const float*, size_t more) { count += more; });
-  return count;
-}
-
-template <class List>
-void writeWeights(Weights<float> weights, List to) {
-  uint32_t at = 0;
-  weights.blocks([&](const float* from, size_t count) {
-    for (size_t i = 0; i < count; ++i) to.set(at++, from[i]);
-  });
-}
-
 Status readWeights(capnp::List<float>::Reader from, const char* what, Weights<float>& out) {
-  std::vector<float> numbers(countOf(out));
+  std::vector<float> numbers(out.flat().size());
   OBBY_RETURN_IF_ERROR(take(from, what, numbers.size(), numbers.data()));
-  const float* next = numbers.data();
-  out.blocks([&](float* to, size_t count) {
-    std::memcpy(to, next, count * sizeof(float));
-    next += count;
-  });
+  out.setFlat(numbers.data());
   return {};
 }
 
 void writePlace(const PlaceState& s, schema::SavedPlace::Builder to) {
   to.setTaken(s.taken);
   to.setHardest(s.hardest);
+  to.setNextHardest(s.nextHardest);
   to.setLevelHash(s.levelHash);
-  to.setPlayed(s.played);
+  to.setPlayed(s.counts.played);
   std::vector<sim::World> worlds;
   for (const Player& p : s.players) worlds.push_back(p.world);
   to.setWorlds(bytesOf(worlds));
@@ -123,12 +87,14 @@ void writePlace(const PlaceState& s, schema::SavedPlace::Builder to) {
 Status readPlace(schema::SavedPlace::Reader from, PlaceState& out) {
   out.taken = from.getTaken();
   out.hardest = from.getHardest();
+  out.nextHardest = from.getNextHardest();
   out.levelHash = from.getLevelHash();
-  out.played = from.getPlayed();
+  out.counts.played = from.getPlayed();
   std::vector<sim::World> worlds;
   OBBY_RETURN_IF_ERROR(rowsOf(from.getWorlds(), "worlds", worlds));
   OBBY_RETURN_IF_ERROR(rowsOf(from.getLoose(), "loose bodies", out.loose));
   OBBY_RETURN_IF_ERROR(rowsOf(from.getReached(), "worlds to begin from", out.reached));
+  out.counts.reached = uint32_t(out.reached.size());
   const auto least = from.getLeast();
   const auto ticks = from.getTicks();
   const auto fromStart = from.getFromStart();
@@ -171,16 +137,17 @@ Status readSums(schema::SavedSums::Reader from, Sums& out) {
 }
 
 void writeLearner(const LearnerState& state, schema::SavedLearner::Builder to) {
-  Weights<float> weights = state.weights;
-  const auto count = uint32_t(countOf(weights));
-  writeWeights(state.weights, to.initWeights(count));
-  writeWeights(state.momentum, to.initMomentum(count));
-  writeWeights(state.squares, to.initSquares(count));
+  const auto write = [](const Weights<float>& weights, auto init) {
+    const std::vector<float> numbers = weights.flat();
+    fill(numbers.data(), init(uint32_t(numbers.size())));
+  };
+  write(state.weights, [&](uint32_t count) { return to.initWeights(count); });
+  write(state.momentum, [&](uint32_t count) { return to.initMomentum(count); });
+  write(state.squares, [&](uint32_t count) { return to.initSquares(count); });
   to.setSteps(state.steps);
-  to.setValueMean(state.valueMean);
-  to.setValueDeviation(state.valueDeviation);
-  writeSums(state.returns, to.initReturns());
-  writeRandom(state.random, to.initRandom(uint32_t(RandomWords().size())));
+  to.setValueMean(state.values.mean);
+  to.setValueDeviation(state.values.deviation);
+  writeSums(state.values.returns, to.initReturns());
 }
 
 Status readLearner(schema::SavedLearner::Reader from, LearnerState& out) {
@@ -188,25 +155,17 @@ Status readLearner(schema::SavedLearner::Reader from, LearnerState& out) {
   OBBY_RETURN_IF_ERROR(readWeights(from.getMomentum(), "means of gradients", out.momentum));
   OBBY_RETURN_IF_ERROR(readWeights(from.getSquares(), "means of squares", out.squares));
   out.steps = from.getSteps();
-  out.valueMean = from.getValueMean();
-  out.valueDeviation = from.getValueDeviation();
-  OBBY_RETURN_IF_ERROR(readSums(from.getReturns(), out.returns));
-  return readRandom(from.getRandom(), out.random);
+  out.values.mean = from.getValueMean();
+  out.values.deviation = from.getValueDeviation();
+  return readSums(from.getReturns(), out.values.returns);
 }
 
 void writeCrowd(const CrowdState& state, schema::SavedCrowd::Builder to) {
-  writeRandom(state.random, to.initRandom(uint32_t(RandomWords().size())));
-  writeRandom(state.draws, to.initDraws(uint32_t(RandomWords().size())));
-  to.setPlayed(state.tally.played);
-  to.setSolved(state.tally.solved);
   auto places = to.initPlaces(uint32_t(state.places.size()));
   for (uint32_t i = 0; i < places.size(); ++i) writePlace(state.places[i], places[i]);
 }
 
 Status readCrowd(schema::SavedCrowd::Reader from, CrowdState& out) {
-  OBBY_RETURN_IF_ERROR(readRandom(from.getRandom(), out.random));
-  OBBY_RETURN_IF_ERROR(readRandom(from.getDraws(), out.draws));
-  out.tally = {from.getPlayed(), from.getSolved()};
   for (const auto place : from.getPlaces())
     OBBY_RETURN_IF_ERROR(readPlace(place, out.places.emplace_back()));
   return {};

@@ -7,23 +7,9 @@
 #include <vector>
 
 #include "policy/policy.h"
-#include "train/crowd.h"
-#include "train/ppo.h"
+#include "train/engine.h"
 
 namespace obby::train {
-
-struct TrainerSettings {
-  uint64_t seed = 1;
-  uint32_t crowds = 8;  // of each rank; tasks of the pool
-  CrowdSettings crowd;  // 8 x 32 worlds
-  uint32_t ticks = 32;  // decisions of each world an iteration
-  PpoSettings ppo;
-  uint64_t decisions = 50'000'000;  // after so many the rate is down to a tenth
-  float easiest = 0.1f;             // difficulty that levels begin with
-  float raiseAt = 0.7f;             // share of playthroughs solved above which levels become harder
-  float lowerAt = 0.45f;            // below which easier
-  std::vector<int> hidden;          // inputs that the policy does not see, to learn their worth
-};
 
 // Of one iteration.
 struct Iteration {
@@ -43,18 +29,24 @@ class Trainer {
   static Result<std::unique_ptr<Trainer>> make(const TrainerSettings& settings,
                                                const LevelSource& source, ThreadPool& pool,
                                                Ranks& ranks);
+  // The same with another engine than the CPU.
+  static Result<std::unique_ptr<Trainer>> make(const TrainerSettings& settings,
+                                               std::unique_ptr<Engine> engine, Ranks& ranks);
 
   // Goes on from a state of trainers with the same settings, source and number of ranks. Errors
   // also: the state does not fit them.
   static Result<std::unique_ptr<Trainer>> resume(const TrainerSettings& settings,
                                                  const LevelSource& source, ThreadPool& pool,
                                                  Ranks& ranks, TrainerState state);
+  static Result<std::unique_ptr<Trainer>> resume(const TrainerSettings& settings,
+                                                 std::unique_ptr<Engine> engine, Ranks& ranks,
+                                                 TrainerState state);
 
   Result<Iteration> iterate();
 
   // Between two iterations; resume() goes on from it with the same bits. All crowds are in that of
-  // the first rank.
-  TrainerState state() const;
+  // the first rank. Error: the engine's.
+  Result<TrainerState> state() const;
   // So far.
   uint64_t iterations() const { return iterations_; }
   uint64_t decisions() const { return decisions_; }
@@ -63,45 +55,20 @@ class Trainer {
   policy::Network network() const;
 
  private:
-  Trainer(const TrainerSettings& settings, const LevelSource& source, ThreadPool& pool,
-          Ranks& ranks);
+  Trainer(const TrainerSettings& settings, std::unique_ptr<Engine> engine, Ranks& ranks);
 
-  struct Group {  // a crowd with its part of the batch
-    Group(const LevelSource& source, const TrainerSettings& s, uint32_t number, const Ranks& ranks);
-    Crowd crowd;
-    Random random;
-    uint32_t first, worlds;  // of the batch's worlds: its own
-    Pass<float> pass, cutPass;
-    Sums seen{policy::kInputs};
-    std::vector<uint8_t> mayJump;
-    std::vector<int> moves;
-    std::vector<Step> steps;
-    Rows<float> row;  // of a tick, normalised
-    Status status;
-  };
-
-  void play(Group& group);
-  void decide(Group& group, uint32_t tick);
-  Status take(Group& group, uint32_t tick);
-  size_t rowOf(const Group& group, uint32_t tick) const;  // of its first world
-  float valueOf(const Rows<float>& outputs, size_t row) const;
-  void normalise(float* row) const;
-  void gather(Iteration& out);
+  void gather(const Played& played, Iteration& out);
   void adapt(double solvedNow, uint64_t played);
   void refreshNormaliser();
   void hide();
-  void dropPastLevels();
   Status restore(TrainerState state);
-  Status begin();
+  Status takeWeights();
   Status sameNetwork() const;
 
   TrainerSettings settings_;
-  const LevelSource& source_;
-  ThreadPool& pool_;
   Ranks& ranks_;
-  Ppo ppo_;
-  std::vector<std::unique_ptr<Group>> groups_;
-  Batch batch_;
+  std::unique_ptr<Engine> engine_;
+  Weights<float> weights_;  // the engine's, as they are now
   Sums seen_{policy::kInputs};
   std::vector<float> means_, scales_;
   uint64_t iterations_ = 0, decisions_ = 0;

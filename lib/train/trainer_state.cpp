@@ -10,42 +10,36 @@ namespace obby::train {
 Result<std::unique_ptr<Trainer>> Trainer::resume(const TrainerSettings& settings,
                                                  const LevelSource& source, ThreadPool& pool,
                                                  Ranks& ranks, TrainerState state) {
-  std::unique_ptr<Trainer> trainer(new Trainer(settings, source, pool, ranks));
+  return resume(settings, makeCpuEngine(settings, source, pool, ranks), ranks, std::move(state));
+}
+
+Result<std::unique_ptr<Trainer>> Trainer::resume(const TrainerSettings& settings,
+                                                 std::unique_ptr<Engine> engine, Ranks& ranks,
+                                                 TrainerState state) {
+  std::unique_ptr<Trainer> trainer(new Trainer(settings, std::move(engine), ranks));
   OBBY_RETURN_IF_ERROR(ranks.agree(trainer->restore(std::move(state))));
   return trainer;
 }
 
 Status Trainer::restore(TrainerState state) {
-  const size_t each = groups_.size(), all = each * ranks_.count();
+  const size_t each = settings_.crowds, all = each * ranks_.count();
   if (state.crowds.size() != all)
     return makeError(fmt::format("{} crowds, expected {}", state.crowds.size(), all));
-  // A stream is read from its beginning: what was played then need not be kept again.
-  uint64_t first = ~uint64_t(0);
-  for (size_t i = 0; i < each; ++i)
-    first =
-        std::min(first, groups_[i]->crowd.firstLevelOf(state.crowds[ranks_.number() * each + i]));
-  source_.past(first);
-  for (size_t i = 0; i < each; ++i) {
-    CrowdState& crowd = state.crowds[ranks_.number() * each + i];
-    groups_[i]->random = crowd.draws;
-    OBBY_RETURN_IF_ERROR(groups_[i]->crowd.restore(std::move(crowd)));
-  }
+  OBBY_RETURN_IF_ERROR(engine_->restore(
+      state.learner, std::span(state.crowds).subspan(ranks_.number() * each, each)));
   iterations_ = state.iterations;
   decisions_ = state.decisions;
   solved_ = state.solved;
   hardest_ = state.hardest;
   seen_ = std::move(state.seen);
-  ppo_.restore(state.learner);
   refreshNormaliser();
-  return {};
+  return takeWeights();
 }
 
-TrainerState Trainer::state() const {
-  TrainerState out{iterations_, decisions_, solved_, hardest_, seen_, ppo_.state(), {}};
-  for (const auto& group : groups_) {
-    out.crowds.push_back(group->crowd.state());
-    out.crowds.back().draws = group->random;
-  }
+Result<TrainerState> Trainer::state() const {
+  TrainerState out{iterations_, decisions_, solved_, hardest_, seen_, {}, {}};
+  OBBY_ASSIGN(out.learner, ranks_.agree(engine_->learner()));
+  OBBY_ASSIGN(out.crowds, ranks_.agree(engine_->crowds()));
   if (ranks_.count() == 1) return out;
   const std::vector<std::string> all = ranks_.collect(packCrowds(out.crowds));
   for (size_t rank = 1; rank < all.size(); ++rank) unpackCrowds(all[rank], out.crowds);
@@ -55,10 +49,8 @@ TrainerState Trainer::state() const {
 // Ranks of another kind of machine may round otherwise; their networks would part unseen.
 Status Trainer::sameNetwork() const {
   if (ranks_.count() == 1) return {};
-  Weights<float> weights = ppo_.weights();
-  uint64_t hash = 0;
-  weights.blocks(
-      [&](const float* w, size_t count) { hash = hashBytes(w, count * sizeof(float), hash); });
+  const std::vector<float> weights = weights_.flat();
+  const uint64_t hash = hashBytes(weights.data(), weights.size() * sizeof(float));
   std::vector<uint64_t> all(ranks_.count());
   ranks_.exchange(&hash, sizeof hash, all.data());
   for (size_t rank = 1; rank < all.size(); ++rank) {

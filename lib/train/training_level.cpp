@@ -38,6 +38,11 @@ Result<std::shared_ptr<const TrainingLevel>> TrainingLevel::make(schema::Level::
       new TrainingLevel(std::move(compiled), std::move(asked), std::move(way)));
 }
 
+TrainingView TrainingLevel::view(float patience) const {
+  return {scene_.level, scene_.query,       scene_.surroundings,         guide_.view(),
+          start_,       startLoose_.data(), mostTicksOf(*this, patience)};
+}
+
 uint32_t mostTicksOf(const TrainingLevel& level, float patience) {
   const Params& params = level.scene().level.params;
   const float walk = level.guide().studs() / std::max(params.walkSpeed, 1.0f);

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "level/level.h"
-#include "policy/observation.h"
 #include "policy/surroundings.h"
 #include "sim/simulator.h"
 #include "train/guide.h"
+#include "train/play.h"
 
 namespace obby::train {
 
@@ -24,6 +24,8 @@ class TrainingLevel {
   const sim::World& start() const { return start_; }
   const std::vector<sim::LooseBody>& startLoose() const { return startLoose_; }
   const Guide& guide() const { return guide_; }
+  // Valid while this object lives. `patience`: as CrowdSettings::patience.
+  TrainingView view(float patience) const;
   uint64_t hash() const { return level_.hash(); }  // of the level, as Level::hash
 
  private:

@@ -13,6 +13,8 @@
 #include "solve/resident/resident_explore.h"
 #include "support/courses.h"
 #include "support/plain_problem.h"
+#include "train/device/device_engine.h"
+#include "train/gaps.h"
 
 namespace {
 
@@ -163,6 +165,42 @@ void compareResident(Parity& parity, const char* name, const level::Level& level
   parity.say(bool(status) && same, name, status ? cells.c_str() : status.error().text().c_str());
 }
 
+// Learning: its kernels have the bits of their bodies on the CPU, what is learned included.
+void compareLearning(Parity& parity, const char* name, bool loose, sim::Device& device,
+                     ThreadPool& pool, uint32_t crowds) {
+  const train::Gaps gaps(loose);
+  train::TrainerSettings settings = train::small();
+  settings.crowds = crowds;
+  sim::HostDevice host(pool);
+  std::vector<float> numbers[2];
+  std::vector<uint64_t> worlds[2];
+  Status status;
+  for (int i = 0; i < 2 && status; ++i) {
+    sim::Device& where = i == 0 ? host : device;
+    auto made = train::Trainer::make(
+        settings, train::makeDeviceEngine(settings, gaps, where, pool, train::alone()),
+        train::alone());
+    status = made ? Status() : Status(made.error());
+    for (int n = 0; n < 3 && status; ++n) {
+      const auto iteration = (*made)->iterate();
+      if (!iteration) status = iteration.error();
+    }
+    if (!status) break;
+    const auto state = (*made)->state();
+    status = state ? Status() : Status(state.error());
+    if (!status) break;
+    numbers[i] = (*made)->network().numbers();
+    for (const train::CrowdState& crowd : state->crowds) {
+      for (const train::PlaceState& place : crowd.places) {
+        for (const train::Player& p : place.players) worlds[i].push_back(stateHash(p.world));
+      }
+    }
+  }
+  const std::string what = std::to_string(worlds[0].size()) + " worlds, and the network";
+  parity.say(bool(status) && worlds[0] == worlds[1] && numbers[0] == numbers[1], name,
+             status ? what.c_str() : status.error().text().c_str());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -193,5 +231,8 @@ int main(int argc, char** argv) {
                   pool, rounds, rollouts);
   compareResident(parity, "resident, loose bodies", golden::looseBodies().compile(), device, pool,
                   rounds / 4, rollouts);
+  const uint32_t crowds = option.empty() ? 16 : 1;
+  compareLearning(parity, "learning", false, device, pool, crowds);
+  compareLearning(parity, "learning, loose bodies", true, device, pool, crowds);
   return parity.passed() ? 0 : 1;
 }

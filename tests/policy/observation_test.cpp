@@ -2,6 +2,7 @@
 // or the number of lanes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "policy/policy.h"
@@ -154,6 +155,31 @@ TEST(Observation, HasTheSameBitsInOneLaneAndInMany) {
     EXPECT_EQ(a, b);
     EXPECT_EQ(std::memcmp(wide.data(), narrow.data(), kInputs * sizeof(float)), 0);
   }
+}
+
+TEST(Observation, HasTheSameBitsPartByPart) {
+  const level::Level levels[] = {support::boxArena(100, 3).compile(),
+                                 support::movingArena(60, 14, 2).compile()};
+  Random random(2, 2);
+  int seen = 0;
+  for (const level::Level& level : levels) {
+    Look look(level);
+    for (int n = 0; n < 100; ++n) {
+      look.world.position = {40 * random.unit() - 20, 8 * random.unit(), 40 * random.unit() - 20};
+      look.world.yaw = Turns(random.next());
+      look.world.tick = random.below(1000);
+      std::vector<float> parts(kInputs, -1);
+      const sim::NextRegion next = sim::nextRegion(look.scene.query, look.world);
+      const Turns ahead = aheadOf(*next.region, look.world);
+      for (int part = 0; part < kViewParts; ++part)
+        observePart(look.scene, look.world, nullptr, next, ahead, part, parts.data());
+      const std::vector<float> whole = look.inputs();
+      EXPECT_EQ(std::memcmp(whole.data(), parts.data(), kInputs * sizeof(float)), 0);
+      seen += int(std::count_if(whole.begin() + kStateInputs, whole.end(),
+                                [](float h) { return h > scaledHeight(kDeepest); }));
+    }
+  }
+  EXPECT_GT(seen, 1000) << "something was in sight";
 }
 
 TEST(Surroundings, ListAPartWhereverItIsInSight) {

@@ -2,9 +2,9 @@
 // fails under way.
 #include <gtest/gtest.h>
 
-#include "failing_device.h"
 #include "scenes.h"
 #include "solve/go_explore.h"
+#include "support/failing_device.h"
 #include "untimed.h"
 
 namespace obby::solve {
@@ -38,7 +38,7 @@ TEST(DeviceSearch, AnswersAreThoseOfThreads) {
 TEST(DeviceSearch, AFailingDeviceIsGivenUpAndTheAnswersAreTheSame) {
   for (const int launches : {0, 1, 3}) {
     ThreadPool pool(2);
-    FailingDevice device(pool, launches);
+    support::FailingDevice device(pool, launches);
     FilterOptions options = onDevice(&device);
     std::vector<std::string> failures;
     options.deviceFailed = [&](const Error& e) { failures.push_back(e.text()); };

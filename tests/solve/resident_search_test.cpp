@@ -1,7 +1,7 @@
 // Answers of the method `resident`: the same bytes whatever runs it, also with a device that fails
 // under way, and solutions of the levels.
-#include "failing_device.h"
 #include "resident_scenes.h"
+#include "support/failing_device.h"
 #include "untimed.h"
 
 namespace obby::solve {
@@ -43,7 +43,7 @@ TEST(ResidentSearch, AFailingDeviceIsGivenUpAndTheAnswersAreTheSame) {
   const std::string expected = answers("sliding-planks", resident(300'000));
   for (const int launches : {0, 5, 20}) {
     ThreadPool pool(2);
-    FailingDevice device(pool, launches);
+    support::FailingDevice device(pool, launches);
     FilterOptions options = resident(300'000, 2, &device);
     std::vector<std::string> failures;
     options.deviceFailed = [&](const Error& e) { failures.push_back(e.text()); };
@@ -96,7 +96,7 @@ TEST(ResidentSearch, TriesEarlierAnswersFirst) {
               sim::stateHash(c.world));
   }
   // A device that fails after that begins anew with them.
-  FailingDevice failing(pool, 12);
+  support::FailingDevice failing(pool, 12);
   ResidentExplore restarted(problem, 2, smallRounds(), {pool, &failing});
   restarted.tryKnown(0, 1);
   restarted.round();

@@ -32,7 +32,7 @@ Learned learn(const LevelSource& source, int threads, bool broken) {
   for (int i = 0; i < 3; ++i) EXPECT_TRUE((*trainer)->iterate());
   if (broken) {
     const std::string bytes =
-        writeCheckpoint({"1", settingsOf(small()), 3, (*trainer)->state(), {}});
+        writeCheckpoint({"1", settingsOf(small()), 3, *(*trainer)->state(), {}});
     *trainer = nullptr;
     auto read = readCheckpoint(bytes, "test");
     EXPECT_TRUE(read) << read.error().text();
@@ -68,7 +68,7 @@ std::string sample() {
   settings.crowds = 1;
   const auto trainer = Trainer::make(settings, gaps, pool, alone());
   for (int i = 0; i < 3; ++i) EXPECT_TRUE((*trainer)->iterate());
-  return writeCheckpoint({"1", settingsOf(settings), 3, (*trainer)->state(), {}});
+  return writeCheckpoint({"1", settingsOf(settings), 3, *(*trainer)->state(), {}});
 }
 
 TEST(Checkpoint, IsRefusedWhenCutShort) {
@@ -114,9 +114,9 @@ TEST(Checkpoint, IsRefusedOnOtherLevels) {
   const Gaps gaps, others(false, 98), loose(true);
   const auto trainer = Trainer::make(small(), gaps, pool, alone());
   ASSERT_TRUE((*trainer)->iterate());
-  EXPECT_TRUE(Trainer::resume(small(), gaps, pool, alone(), (*trainer)->state()));
-  EXPECT_FALSE(Trainer::resume(small(), others, pool, alone(), (*trainer)->state()));
-  EXPECT_FALSE(Trainer::resume(small(), loose, pool, alone(), (*trainer)->state()));
+  EXPECT_TRUE(Trainer::resume(small(), gaps, pool, alone(), *(*trainer)->state()));
+  EXPECT_FALSE(Trainer::resume(small(), others, pool, alone(), *(*trainer)->state()));
+  EXPECT_FALSE(Trainer::resume(small(), loose, pool, alone(), *(*trainer)->state()));
 }
 
 // What no crowd of these levels could have must not be played on.
@@ -126,7 +126,7 @@ TEST(Checkpoint, IsRefusedWithWorldsThatCannotBe) {
   const auto trainer = Trainer::make(small(), gaps, pool, alone());
   ASSERT_TRUE((*trainer)->iterate());
   const auto refused = [&](auto&& spoil) {
-    TrainerState state = (*trainer)->state();
+    TrainerState state = *(*trainer)->state();
     spoil(state.crowds[1].places[2]);
     return !Trainer::resume(small(), gaps, pool, alone(), std::move(state));
   };

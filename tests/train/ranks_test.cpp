@@ -52,7 +52,7 @@ Learned learn(uint32_t count, const std::string& from = {}) {
     for (uint64_t i = (*trainer)->iterations(); i < 6; ++i) {
       last = *(*trainer)->iterate();
       if (i != 2) continue;
-      const TrainerState state = (*trainer)->state();
+      const TrainerState state = *(*trainer)->state();
       if (ranks.first()) out.checkpoint = writeCheckpoint({"1", {}, 0, state, {}});
     }
     if (ranks.first()) {

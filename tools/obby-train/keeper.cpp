@@ -80,9 +80,10 @@ Status Keeper::find() {
 }
 
 Status Keeper::setRun(const train::TrainerSettings& trainer,
-                      const std::vector<train::Setting>& levels) {
+                      const std::vector<train::Setting>& levels, bool onDevice) {
   settings_ = trainer;
   run_ = levels;
+  run_.push_back({"backend", onDevice ? "cuda" : "cpu"});
   for (train::Setting& setting : train::settingsOf(trainer)) run_.push_back(std::move(setting));
   run_.push_back({"ranks", fmt::format("{}", ranks_.count())});
   std::string text;
@@ -93,12 +94,12 @@ Status Keeper::setRun(const train::TrainerSettings& trainer,
                                               "give all ranks the same options and files")));
 }
 
-Result<std::unique_ptr<train::Trainer>> Keeper::trainer(const train::LevelSource& source,
-                                                        ThreadPool& pool) {
-  if (!found_) return train::Trainer::make(settings_, source, pool, ranks_);
+Result<std::unique_ptr<train::Trainer>> Keeper::trainer(std::unique_ptr<train::Engine> engine) {
+  if (!found_) return train::Trainer::make(settings_, std::move(engine), ranks_);
   if (Status same = train::sameSettings(found_->settings, run_); !same)
     return inFile(same.error(), checkpointPath_);
-  auto trainer = train::Trainer::resume(settings_, source, pool, ranks_, std::move(found_->state));
+  auto trainer =
+      train::Trainer::resume(settings_, std::move(engine), ranks_, std::move(found_->state));
   found_.reset();
   if (!trainer) return inFile(trainer.error(), checkpointPath_);
   return trainer;
@@ -106,7 +107,7 @@ Result<std::unique_ptr<train::Trainer>> Keeper::trainer(const train::LevelSource
 
 Status Keeper::save(const train::Trainer& trainer, const train::History& history,
                     double seconds) const {
-  const train::TrainerState state = trainer.state();
+  OBBY_ASSIGN(const train::TrainerState state, trainer.state());
   if (!ranks_.first()) return {};
   if (!checkpointPath_.empty()) {
     OBBY_RETURN_IF_ERROR(writeFile(

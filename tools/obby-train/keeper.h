@@ -17,12 +17,13 @@ class Keeper {
   // With --resume: reads the checkpoint. Done before levels are read, so that a wrong name is said
   // at once. Errors: those of the file.
   Status find();
-  // What is learned under, the levels' settings included. Error: ranks that differ in it.
-  Status setRun(const train::TrainerSettings& trainer, const std::vector<train::Setting>& levels);
+  // What is learned under, the levels' settings included, and on a device or not. Error: ranks that
+  // differ in it.
+  Status setRun(const train::TrainerSettings& trainer, const std::vector<train::Setting>& levels,
+                bool onDevice);
   // One that goes on from what find() found, or a new one. Errors: other settings than then, and
   // those of Trainer.
-  Result<std::unique_ptr<train::Trainer>> trainer(const train::LevelSource& source,
-                                                  ThreadPool& pool);
+  Result<std::unique_ptr<train::Trainer>> trainer(std::unique_ptr<train::Engine> engine);
 
   // Of the runs that this one goes on from.
   double secondsBefore() const { return secondsBefore_; }

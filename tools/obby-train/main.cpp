@@ -10,9 +10,11 @@
 #include "levels.h"
 #include "metric_records.h"
 #include "mpi/join_ranks.h"
+#include "nccl/join_devices.h"
 #include "options.h"
 #include "policy/policy_file.h"
 #include "session.h"
+#include "train/device/device_engine.h"
 
 namespace {
 
@@ -46,14 +48,40 @@ Status nothingLearned(cli::Context& context) {
   return stream.finish();
 }
 
-Status learn(cli::Context& context, train::Ranks& ranks) {
+// Where to learn. `direct`: how ranks exchange gradients on devices.
+std::unique_ptr<train::Engine> engineOf(const train::TrainerSettings& settings,
+                                        const train::LevelSource& source,
+                                        const sim::Backend& backend, ThreadPool& pool,
+                                        train::Ranks& ranks, train::DeviceRanks* direct) {
+  if (!backend.onDevice()) return train::makeCpuEngine(settings, source, pool, ranks);
+  return train::makeDeviceEngine(settings, source, *backend.device(), pool, ranks, direct);
+}
+
+// Ranks whose GPUs cannot join, as several on one GPU, go through the host.
+std::unique_ptr<train::DeviceRanks> directOf(cli::Context& context, const sim::Backend& backend,
+                                             train::Ranks& ranks) {
+  if (!backend.onDevice()) return nullptr;
+  auto direct = tools::joinDevices(ranks);
+  if (direct) return *std::move(direct);
+  if (ranks.first()) context.note(direct.error().text() + "; gradients go through the host");
+  return nullptr;
+}
+
+Status learn(cli::Context& context, tools::JoinedRanks& joined) {
+  train::Ranks& ranks = joined.ranks();
   const cli::Arguments& a = context.arguments();
   tools::Keeper keeper(context, ranks);
   OBBY_RETURN_IF_ERROR(keeper.find());
   OBBY_ASSIGN(const tools::Levels levels, ranks.agree(tools::levelsOf(context, ranks, a.seed())));
-  OBBY_RETURN_IF_ERROR(keeper.setRun(tools::trainerSettings(context), levels.settings));
+  OBBY_ASSIGN(const sim::Backend backend,
+              ranks.agree(tools::trainBackend(context, joined.neighbour())));
+  if (ranks.first()) context.note(backend.note());
+  const train::TrainerSettings settings = tools::trainerSettings(context);
+  OBBY_RETURN_IF_ERROR(keeper.setRun(settings, levels.settings, backend.onDevice()));
   ThreadPool pool(context.threads());
-  auto made = keeper.trainer(*levels.source, pool);
+  const auto direct = directOf(context, backend, ranks);
+  auto made =
+      keeper.trainer(engineOf(settings, *levels.source, backend, pool, ranks, direct.get()));
   if (!made && ranks.count() == 1 && context.stop()) return nothingLearned(context);
   OBBY_ASSIGN(const auto trainer, std::move(made));
   tools::Logs logs;
@@ -96,8 +124,9 @@ Status evaluate(cli::Context& context, train::Ranks& ranks) {
 }
 
 // An error that all ranks know of is told by the first.
-Result<cli::ExitCode> run(cli::Context& context, train::Ranks& ranks) {
-  Status done = context.arguments().has("eval") ? evaluate(context, ranks) : learn(context, ranks);
+Result<cli::ExitCode> run(cli::Context& context, tools::JoinedRanks& joined) {
+  train::Ranks& ranks = joined.ranks();
+  Status done = context.arguments().has("eval") ? evaluate(context, ranks) : learn(context, joined);
   if (!done && !ranks.first()) return cli::ExitCode::failed;
   OBBY_RETURN_IF_ERROR(std::move(done));
   return cli::ExitCode::ok;
@@ -135,7 +164,7 @@ int runRank(int argc, char** argv, tools::JoinedRanks& joined) {
   const int code = cli::runTool(tools::trainSpec(), argc, argv, [&](cli::Context& context) {
     begun = true;
     silent.reset();
-    auto result = run(context, ranks);
+    auto result = run(context, joined);
     ended = true;
     return result;
   });

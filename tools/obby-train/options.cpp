@@ -33,6 +33,15 @@ OptionRow timeLimitRow() {
   return r;
 }
 
+OptionRow backendRow() {
+  OptionRow r = cli::commonRow(cli::Common::backend);
+  r.help =
+      "where worlds play and the policy learns; auto takes a GPU where there is one. Networks "
+      "learned here and there differ by rounding";
+  r.group = kLearnGroup;
+  return r;
+}
+
 std::vector<OptionRow> levelRows() {
   return {row("generate", ValueType::flag, "", "",
               "make the levels, always new ones, instead of reading a stream; --style, "
@@ -46,6 +55,7 @@ std::vector<OptionRow> learnRows() {
                   "decisions to learn from, 20 a second of play", kLearnGroup),
               1, 9e15),
       timeLimitRow(),
+      backendRow(),
       between(
           row("worlds", ValueType::integer, "N", "2048", "worlds that play at a time", kLearnGroup),
           256, 1 << 20),
@@ -144,7 +154,8 @@ cli::ToolSpec trainSpec() {
   }
   spec.notes =
       "Metrics go to standard output, a record each few seconds. The same seed, levels and number "
-      "of --worlds give the same policy on this machine, for any number of --threads. Levels begin "
+      "of --worlds give the same policy on this machine and backend, for any number of --threads. "
+      "Levels begin "
       "easy, and become harder up to --difficulty as the policy learns.\n\n"
       "Started by mpirun, the ranks learn one network together, each with --worlds of its own.";
   return spec;
@@ -162,6 +173,11 @@ train::TrainerSettings trainerSettings(const cli::Context& context) {
   s.ppo.discount = float(a.number("discount"));
   s.ppo.loss.entropyShare = float(a.number("entropy"));
   return s;
+}
+
+Result<sim::Backend> trainBackend(const cli::Context& context, uint32_t which) {
+  OBBY_ASSIGN(const sim::BackendKind kind, sim::backendKind(context.arguments().text("backend")));
+  return sim::Backend::open(kind, which);
 }
 
 train::EvaluationSettings evaluationSettings(const cli::Context& context) {

@@ -3,6 +3,7 @@
 
 #include "cli/context.h"
 #include "cli/tool.h"
+#include "sim/backend.h"
 #include "train/evaluate.h"
 #include "train/trainer.h"
 
@@ -10,6 +11,8 @@ namespace obby::tools {
 
 cli::ToolSpec trainSpec();
 train::TrainerSettings trainerSettings(const cli::Context& context);
+// `which`: of several GPUs.
+Result<sim::Backend> trainBackend(const cli::Context& context, uint32_t which);
 train::EvaluationSettings evaluationSettings(const cli::Context& context);
 
 }  // namespace obby::tools

@@ -3,7 +3,7 @@
 
 namespace obby::sim::cuda {
 
-Result<std::unique_ptr<Device>> openDevice() {
+Result<std::unique_ptr<Device>> openDevice(uint32_t) {
   return makeError("this build has no CUDA", "build with nvcc: cmake --preset cuda");
 }
 

@@ -9,8 +9,9 @@
 
 namespace obby::sim::cuda {
 
-// The first GPU. Without CUDA in this build, a driver or a GPU: an error that says which.
-Result<std::unique_ptr<Device>> openDevice();
+// GPU `which`, counted round where there are fewer. Without CUDA in this build, a driver or a GPU:
+// an error that says which.
+Result<std::unique_ptr<Device>> openDevice(uint32_t which);
 
 const void* stepEntry(StepKind kind);  // Kernel::entry of stepKernel
 

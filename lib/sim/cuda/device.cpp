@@ -16,18 +16,26 @@ Status check(cudaError_t code, const char* what) {
 
 class Gpu : public Device {
  public:
-  Status open() {
+  ~Gpu() override {
+    if (aside_ != nullptr) cudaStreamDestroy(aside_);
+  }
+
+  Status open(uint32_t which) {
     int count = 0;
     OBBY_RETURN_IF_ERROR(check(cudaGetDeviceCount(&count), "no GPU to use"));
     if (count == 0) return makeError("CUDA: no GPU to use");
-    OBBY_RETURN_IF_ERROR(check(cudaSetDevice(0), "cannot use the GPU"));
-    return check(cudaGetDeviceProperties(&properties_, 0), "cannot ask the GPU what it is");
+    number_ = int(which % uint32_t(count));
+    OBBY_RETURN_IF_ERROR(check(cudaSetDevice(number_), "cannot use the GPU"));
+    OBBY_RETURN_IF_ERROR(
+        check(cudaStreamCreateWithFlags(&aside_, cudaStreamNonBlocking), "cannot use the GPU"));
+    return check(cudaGetDeviceProperties(&properties_, number_), "cannot ask the GPU what it is");
   }
 
   std::string name() const override { return properties_.name; }
 
   Result<void*> allocate(size_t bytes) override {
     void* memory = nullptr;
+    OBBY_RETURN_IF_ERROR(check(cudaSetDevice(number_), "cannot use the GPU"));  // of this thread
     const cudaError_t code = cudaMalloc(&memory, bytes);
     if (code == cudaErrorMemoryAllocation) cudaGetLastError();  // this one is over and done with
     OBBY_RETURN_IF_ERROR(check(code, fmt::format("allocating {} bytes", bytes).c_str()));
@@ -36,6 +44,12 @@ class Gpu : public Device {
   void release(void* memory) override { cudaFree(memory); }
   Status upload(void* to, const void* from, size_t bytes) override {
     return check(cudaMemcpy(to, from, bytes, cudaMemcpyHostToDevice), "copying to the GPU");
+  }
+  Status uploadAside(void* to, const void* from, size_t bytes) override {
+    OBBY_RETURN_IF_ERROR(check(cudaSetDevice(number_), "cannot use the GPU"));  // of this thread
+    OBBY_RETURN_IF_ERROR(check(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, aside_),
+                               "copying to the GPU"));
+    return check(cudaStreamSynchronize(aside_), "copying to the GPU");
   }
   Status download(void* to, const void* from, size_t bytes) const override {
     return check(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost), "copying from the GPU");
@@ -48,13 +62,16 @@ class Gpu : public Device {
   }
 
   Status launch(const Kernel& kernel, const void* arguments, uint32_t count) override {
+    OBBY_RETURN_IF_ERROR(enqueue(kernel, arguments, count));
+    return check(cudaDeviceSynchronize(), kernel.name);
+  }
+
+  Status enqueue(const Kernel& kernel, const void* arguments, uint32_t count) override {
     if (count == 0) return {};
     const uint32_t threads = threadsFor(count), blocks = (count + threads - 1) / threads;
     void* values[] = {const_cast<void*>(arguments), &count};
-    OBBY_RETURN_IF_ERROR(
-        check(cudaLaunchKernel(kernel.entry, dim3(blocks), dim3(threads), values, 0, nullptr),
-              kernel.name));
-    return check(cudaDeviceSynchronize(), kernel.name);
+    return check(cudaLaunchKernel(kernel.entry, dim3(blocks), dim3(threads), values, 0, nullptr),
+                 kernel.name);
   }
 
   Result<KernelFacts> facts(const Kernel& kernel) const override {
@@ -79,13 +96,15 @@ class Gpu : public Device {
   }
 
   cudaDeviceProp properties_{};
+  int number_ = 0;
+  cudaStream_t aside_ = nullptr;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<Device>> openDevice() {
+Result<std::unique_ptr<Device>> openDevice(uint32_t which) {
   auto gpu = std::make_unique<Gpu>();
-  OBBY_RETURN_IF_ERROR(gpu->open());
+  OBBY_RETURN_IF_ERROR(gpu->open(which));
   return std::unique_ptr<Device>(std::move(gpu));
 }
 

@@ -1,22 +1,10 @@
 // Launch forms of the kernels of a resident search.
+#include "sim/cuda/launch.h"
 #include "solve/cuda/cuda.h"
 #include "solve/resident/kernels.h"
 
 namespace obby::solve::cuda {
-namespace {
-
-template <class Arguments, void (*kFunction)(const Arguments&, uint32_t)>
-__global__ void run(const __grid_constant__ Arguments arguments, uint32_t count) {
-  const uint32_t i = blockIdx.x * blockDim.x + threadIdx.x;
-  if (i < count) kFunction(arguments, i);
-}
-
-template <class Arguments, void (*kFunction)(const Arguments&, uint32_t)>
-const void* entry() {
-  return reinterpret_cast<const void*>(run<Arguments, kFunction>);
-}
-
-}  // namespace
+using sim::cuda::entry;
 
 const void* residentEntry(ResidentStep step) {
   using A = ResidentArguments;

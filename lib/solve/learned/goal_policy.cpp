@@ -25,8 +25,9 @@ void GoalPolicy::learn(ThreadPool& pool, const Decisions& d) {
   for (auto* v : {&advantages_, &targets_, &returns_, &unused_}) v->resize(d.rows());
   const policy::Played played{d.ticks,          d.players,     d.values.data(),
                               d.rewards.data(), d.done.data(), d.last.data()};
-  policy::fillAdvantages(played, settings_.discount, settings_.lambda, advantages_, targets_);
-  policy::fillAdvantages(played, settings_.discount, 1, unused_, returns_);
+  policy::fillAdvantages(played, settings_.discount, settings_.lambda, advantages_.data(),
+                         targets_.data());
+  policy::fillAdvantages(played, settings_.discount, 1, unused_.data(), returns_.data());
   std::vector<uint32_t> order;
   for (uint32_t r = 0; r < d.rows(); ++r) {
     if (d.makers[r] != Maker::random) order.push_back(r);

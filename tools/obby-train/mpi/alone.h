@@ -10,6 +10,7 @@ namespace obby::tools {
 class Alone : public JoinedRanks {
  public:
   train::Ranks& ranks() override { return one_; }
+  uint32_t neighbour() const override { return 0; }
   void abandon(int) override {}
 
  private:

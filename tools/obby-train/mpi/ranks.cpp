@@ -75,6 +75,14 @@ class Joined : public JoinedRanks {
  public:
   ~Joined() override { MPI_Finalize(); }
   train::Ranks& ranks() override { return ranks_; }
+  uint32_t neighbour() const override {
+    MPI_Comm machine = MPI_COMM_NULL;
+    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+    int number = 0;
+    MPI_Comm_rank(machine, &number);
+    MPI_Comm_free(&machine);
+    return uint32_t(number);
+  }
   void abandon(int code) override {
     if (ranks_.count() > 1) MPI_Abort(MPI_COMM_WORLD, code);
   }

@@ -3,7 +3,7 @@
 
 #include "sim/host_device.h"
 
-namespace obby::solve {
+namespace obby::support {
 
 class FailingDevice : public sim::HostDevice {
  public:
@@ -17,4 +17,4 @@ class FailingDevice : public sim::HostDevice {
   int left_;
 };
 
-}  // namespace obby::solve
+}  // namespace obby::support

@@ -1,0 +1,176 @@
+// Learning on the CPU: crowds play on the threads of a pool.
+#include "train/engine.h"
+
+namespace obby::train {
+
+namespace {
+
+class CpuEngine : public Engine {
+ public:
+  CpuEngine(const TrainerSettings& settings, const LevelSource& source, ThreadPool& pool,
+            Ranks& ranks);
+
+  Status begin(float hardest) override;
+  Status restore(const LearnerState& learner, std::span<CrowdState> crowds) override;
+  Result<Played> play(const PlayOrder& order) override;
+  Result<Progress> learn(float rate) override { return ppo_.learn(batch_, rate); }
+  Result<LearnerState> learner() const override { return ppo_.state(); }
+  Result<std::vector<CrowdState>> crowds() const override;
+
+ private:
+  struct Group {  // a crowd with its part of the batch
+    Group(const LevelSource& source, const TrainerSettings& s, uint32_t number, const Ranks& ranks);
+    Crowd crowd;
+    uint32_t first, worlds;  // of the batch's worlds: its own
+    Pass<float> pass;
+    Sums seen{policy::kInputs};
+    std::vector<uint8_t> mayJump;
+    std::vector<int> moves;
+    std::vector<Step> steps;
+    Rows<float> row;  // of a tick, normalised
+    Status status;
+  };
+
+  void play(Group& group, const PlayOrder& order);
+  void look(Group& group, const PlayOrder& order, bool count);
+  void decide(Group& group, const PlayOrder& order, uint32_t tick);
+  void take(Group& group, uint32_t tick);
+  uint64_t decisionOf(const PlayOrder& order, uint32_t tick) const {
+    return order.iteration * settings_.ticks + tick;
+  }
+  size_t rowOf(const Group& group, uint32_t tick) const;  // of its first world
+
+  TrainerSettings settings_;
+  const LevelSource& source_;
+  ThreadPool& pool_;
+  Ppo ppo_;
+  std::vector<std::unique_ptr<Group>> groups_;
+  Batch batch_;
+};
+
+// Crowds are numbered over all ranks.
+CpuEngine::Group::Group(const LevelSource& source, const TrainerSettings& s, uint32_t number,
+                        const Ranks& ranks)
+    : crowd(source, s.crowd, s.seed, ranks.number() * s.crowds + number, s.crowds * ranks.count()),
+      first(number * crowd.size()),
+      worlds(crowd.size()),
+      mayJump(worlds),
+      moves(worlds),
+      steps(worlds),
+      row(worlds, policy::kInputs) {}
+
+CpuEngine::CpuEngine(const TrainerSettings& settings, const LevelSource& source, ThreadPool& pool,
+                     Ranks& ranks)
+    : settings_(settings),
+      source_(source),
+      pool_(pool),
+      ppo_(settings.ppo, settings.seed, pool, ranks),
+      batch_(settings.ticks, settings.worlds()) {
+  for (uint32_t i = 0; i < settings.crowds; ++i)
+    groups_.push_back(std::make_unique<Group>(source, settings_, i, ranks));
+}
+
+Status CpuEngine::begin(float hardest) {
+  for (auto& group : groups_) OBBY_RETURN_IF_ERROR(group->crowd.begin(hardest));
+  return {};
+}
+
+Status CpuEngine::restore(const LearnerState& learner, std::span<CrowdState> crowds) {
+  // A stream is read from its beginning: what was played then need not be kept again.
+  uint64_t first = ~uint64_t(0);
+  for (size_t i = 0; i < groups_.size(); ++i)
+    first = std::min(first, groups_[i]->crowd.firstLevelOf(crowds[i]));
+  source_.past(first);
+  for (size_t i = 0; i < groups_.size(); ++i)
+    OBBY_RETURN_IF_ERROR(groups_[i]->crowd.restore(std::move(crowds[i])));
+  ppo_.restore(learner);
+  return {};
+}
+
+Result<std::vector<CrowdState>> CpuEngine::crowds() const {
+  std::vector<CrowdState> out;
+  for (const auto& group : groups_) out.push_back(group->crowd.state());
+  return out;
+}
+
+// Rows of the batch: (ticks, groups, worlds).
+size_t CpuEngine::rowOf(const Group& g, uint32_t tick) const {
+  return size_t(tick) * batch_.worlds + g.first;
+}
+
+void CpuEngine::look(Group& g, const PlayOrder& order, bool count) {
+  g.crowd.observe(g.row.data(), g.mayJump.data());
+  for (uint32_t w = 0; w < g.worlds; ++w) {
+    float* const row = g.row.row(w).data();
+    if (count) g.seen.add(row);
+    for (size_t i = 0; i < order.means.size(); ++i)
+      row[i] = policy::normalised(row[i], order.means[i], order.scales[i]);
+  }
+}
+
+void CpuEngine::decide(Group& g, const PlayOrder& order, uint32_t tick) {
+  look(g, order, tick % kCountEvery == 0);
+  const Rows<float>& out = g.pass.forward(ppo_.weights(), g.row);
+  const size_t first = rowOf(g, tick);
+  batch_.inputs.middleRows(Eigen::Index(first), g.worlds) = g.row;
+  for (uint32_t w = 0; w < g.worlds; ++w) {
+    const bool mayJump = g.mayJump[w] != 0;
+    const float draw =
+        drawsOf(settings_.seed, Draw::move, decisionOf(order, tick), g.crowd.firstWorld() + w)
+            .unit();
+    const policy::Drawn drawn = policy::drawMove(out.row(w).data(), mayJump, draw);
+    g.moves[w] = drawn.move;
+    batch_.decisions[first + w] = {drawn.move, mayJump, drawn.logChance, 0, 0};
+    batch_.values[first + w] = ppo_.valueOf(out(w, policy::kMoves));
+  }
+}
+
+void CpuEngine::take(Group& g, uint32_t tick) {
+  g.crowd.step(g.moves, g.steps);
+  const size_t first = rowOf(g, tick);
+  for (uint32_t w = 0; w < g.worlds; ++w) {
+    batch_.rewards[first + w] = g.steps[w].reward;
+    batch_.done[first + w] = g.steps[w].ended;
+  }
+}
+
+// The value of what is seen last stands for what would have come, also where a playthrough is cut.
+void CpuEngine::play(Group& g, const PlayOrder& order) {
+  for (uint32_t t = 0; t < settings_.ticks; ++t) {
+    if (t > 0) g.crowd.settle(decisionOf(order, t - 1));
+    decide(g, order, t);
+    take(g, t);
+  }
+  look(g, order, false);
+  const Rows<float>& out = g.pass.forward(ppo_.weights(), g.row);
+  for (uint32_t w = 0; w < g.worlds; ++w)
+    batch_.last[g.first + w] = ppo_.valueOf(out(w, policy::kMoves));
+  g.status = g.crowd.settleIteration(decisionOf(order, settings_.ticks - 1), order.hardest);
+}
+
+Result<Played> CpuEngine::play(const PlayOrder& order) {
+  pool_.run(int(groups_.size()), [&](int i) { play(*groups_[size_t(i)], order); });
+  Played out;
+  uint64_t first = ~uint64_t(0);  // level that is still played
+  for (const auto& g : groups_) {
+    OBBY_RETURN_IF_ERROR(std::move(g->status));
+    first = std::min(first, g->crowd.firstLevel());
+    const Tally t = g->crowd.takeTally();
+    out.tally.played += t.played;
+    out.tally.solved += t.solved;
+    out.seen.add(g->seen);
+    g->seen = Sums(policy::kInputs);
+  }
+  source_.past(first);
+  for (const float r : batch_.rewards) out.reward += double(r);
+  return out;
+}
+
+}  // namespace
+
+std::unique_ptr<Engine> makeCpuEngine(const TrainerSettings& settings, const LevelSource& source,
+                                      ThreadPool& pool, Ranks& ranks) {
+  return std::make_unique<CpuEngine>(settings, source, pool, ranks);
+}
+
+}  // namespace obby::train

@@ -1,0 +1,17 @@
+// Launch forms of the other kernels of learning.
+#include "sim/cuda/launch.h"
+#include "train/cuda/cuda.h"
+#include "train/device/learn_kernels.h"
+#include "train/device/play_kernels.h"
+
+namespace obby::train::cuda {
+
+const void* trainEntry(TrainStep step) {
+#define OBBY_ENTRY(name, arguments, function) \
+  if (step == TrainStep::name) return sim::cuda::entry<arguments, function>();
+  OBBY_LEARN_KERNELS(OBBY_ENTRY)
+#undef OBBY_ENTRY
+  return playEntry(step);
+}
+
+}  // namespace obby::train::cuda

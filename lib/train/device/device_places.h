@@ -1,0 +1,68 @@
+// The places of a rank on a device: which levels they have, and their worlds' state there and back.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "train/device/next_levels.h"
+#include "train/device/table.h"
+#include "train/engine.h"
+
+namespace obby::train {
+
+class DevicePlaces {
+ public:
+  // What it refers to must outlive it.
+  DevicePlaces(const TrainerSettings& settings, const LevelSource& source, sim::Device& device,
+               ThreadPool& pool, uint32_t rank, uint32_t ranks);
+
+  // One of these comes first; see Engine.
+  Status begin(float hardest);
+  Status restore(std::span<CrowdState> crowds);
+
+  // Fills in what is known of places and worlds.
+  void describe(PlayArguments& to) const;
+  bool anyLoose() const { return anyLoose_; }
+
+  // After an iteration: takes tallies, and new levels where enough was played; asks for the levels
+  // after those with difficulty `hardest`, which are made while these are played. `play`: as
+  // described.
+  Result<Tally> endIteration(float hardest, const PlayArguments& play);
+
+  Result<std::vector<CrowdState>> state() const;
+
+ private:
+  struct Place {
+    uint64_t taken = 0;
+    float hardest = 0, nextHardest = 0;
+    uint64_t levelHash = 0;
+    std::shared_ptr<const sim::Memory> memory;  // where its level is, with others
+  };
+
+  uint64_t indexOf(size_t place, uint64_t taken) const;
+  std::vector<size_t> allPlaces() const;
+  void dropPastLevels() const;
+  void askForNext(std::span<const size_t> places);
+  Status make();
+  Status takeLevels(std::span<const size_t> places, float nextHardest);
+  void putIn(size_t place, NextLevel level);
+  Status putPlaces();
+  Status putState(size_t place, const PlaceState& state);
+  Result<PlaceState> stateOf(size_t place) const;
+
+  TrainerSettings settings_;
+  const LevelSource& source_;
+  sim::Device& device_;
+  uint32_t rank_, ranks_;
+  std::vector<Place> places_;
+  std::vector<DevicePlace> described_;
+  bool anyLoose_ = false;
+  NextLevels next_;
+  DeviceTable<DevicePlace> table_;
+  DeviceTable<Player> players_;
+  DeviceTable<sim::World> reached_;
+  DeviceTable<PlaceCounts> counts_;
+};
+
+}  // namespace obby::train

@@ -1,0 +1,62 @@
+// Levels made ahead, on threads of their own, and brought to a device while it plays others.
+#pragma once
+
+#include <thread>
+#include <vector>
+
+#include "train/crowd.h"
+#include "train/device/delivery.h"
+
+namespace obby::train {
+
+// A level that is ready to be played.
+struct NextLevel {
+  std::shared_ptr<const TrainingLevel> level;
+  DevicePlace place;
+  std::shared_ptr<const sim::Memory> memory;  // where it is, with others
+};
+
+class NextLevels {
+ public:
+  struct Wanted {
+    size_t place;
+    uint64_t index;
+    float hardest;
+  };
+
+  // Source and device must outlive it.
+  NextLevels(const LevelSource& source, const CrowdSettings& settings, sim::Device& device,
+             size_t places, int threads)
+      : source_(source), settings_(settings), device_(device), next_(places), pool_(threads) {}
+  ~NextLevels() { wait(); }
+  NextLevels(const NextLevels&) = delete;
+  NextLevels& operator=(const NextLevels&) = delete;
+
+  // Begins to make them, one a place; returns at once, when those that were asked for are made.
+  void ask(std::vector<Wanted> wanted);
+  // That of a place, once all are made. The error is the source's or the device's.
+  Result<NextLevel> take(size_t place);
+
+ private:
+  struct Slot {
+    Status status;  // of making it
+    NextLevel next;
+  };
+
+  void wait() {
+    if (maker_.joinable()) maker_.join();
+  }
+  void make();
+  Status bring();
+
+  const LevelSource& source_;
+  CrowdSettings settings_;
+  sim::Device& device_;
+  std::vector<Wanted> wanted_;
+  std::vector<Slot> next_;  // (places)
+  Status brought_;
+  ThreadPool pool_;
+  std::thread maker_;
+};
+
+}  // namespace obby::train

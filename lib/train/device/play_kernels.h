@@ -1,0 +1,133 @@
+// An iteration's play as kernels. A tick: every world looks (a thread for each part of what it
+// sees), the network thinks (product.h), every world moves, every place begins anew what is over.
+#pragma once
+
+#include "policy/ppo_loss.h"
+#include "sim/rules.h"
+#include "sim/tick.h"
+#include "train/play.h"
+
+namespace obby::train {
+
+// A place on a device: its level's tables and its worlds' bodies are there, too.
+struct DevicePlace {
+  TrainingView on;
+  sim::LooseBody* loose;  // (worldsOfPlace, on.level.looseCount)
+  bool isNew;             // its worlds are to begin
+};
+
+struct PlayArguments {
+  const DevicePlace* places;
+  Player* players;      // (places, worldsOfPlace)
+  sim::World* reached;  // (places, kMostReached)
+  PlaceCounts* counts;  // (places)
+  uint32_t worldsOfPlace, worlds;
+  uint32_t firstWorld;  // its number among those of all ranks
+  RewardSettings reward;
+  SettleRules rules;  // with the decision that is made
+  const float *means, *scales;
+  float valueMean, valueDeviation;
+  // Of the tick, (worlds).
+  float* inputs;         // (worlds, kInputs)
+  const float* outputs;  // (worlds, kPaddedOutputs)
+  policy::Decision* decisions;
+  float *values, *rewards;
+  uint8_t* done;
+  // Of inputs so far: (crowds, kInputs).
+  double *sums, *squares;
+  uint32_t worldsOfCrowd;
+};
+
+OBBY_DEVICE PlaceView placeView(const PlayArguments& a, uint32_t place) {
+  const DevicePlace& p = a.places[place];
+  return {&p.on,
+          a.players + size_t(place) * a.worldsOfPlace,
+          p.loose,
+          a.reached + size_t(place) * kMostReached,
+          a.counts + place,
+          a.worldsOfPlace,
+          p.on.level.looseCount};
+}
+
+// Parts of what a world sees, rounded up so that a warp has those of one world only: all its
+// threads go through the same colliders.
+constexpr uint32_t kViewThreads = 64;
+
+OBBY_DEVICE void observeWorld(const PlayArguments& a, uint32_t i) {
+  const uint32_t w = i / kViewThreads, part = i % kViewThreads;
+  if (part >= uint32_t(policy::kViewParts)) return;
+  const PlaceView place = placeView(a, w / a.worldsOfPlace);
+  Player& player = place.players[w % a.worldsOfPlace];
+  const policy::Scene scene = place.on->scene();
+  const sim::NextRegion next = sim::nextRegion(scene.query, player.world);
+  const Turns ahead = policy::aheadOf(*next.region, player.world);
+  policy::observePart(scene, player.world, place.looseOf(w % a.worldsOfPlace), next, ahead,
+                      int(part), a.inputs + size_t(w) * policy::kInputs);
+  if (part == 0) player.ahead = ahead;
+}
+
+// Adds the raw inputs of a crowd's worlds, in the order of the CPU.
+OBBY_DEVICE void countInputs(const PlayArguments& a, uint32_t i) {
+  const uint32_t first = i / policy::kInputs * a.worldsOfCrowd, column = i % policy::kInputs;
+  double sum = a.sums[i], squares = a.squares[i];
+  for (uint32_t w = first; w < first + a.worldsOfCrowd; ++w) {
+    const double v = double(a.inputs[size_t(w) * policy::kInputs + column]);
+    sum += v;
+    squares += v * v;
+  }
+  a.sums[i] = sum;
+  a.squares[i] = squares;
+}
+
+// `i`: of (worlds, kInputs).
+OBBY_DEVICE void normaliseInput(const PlayArguments& a, uint32_t i) {
+  const uint32_t column = i % policy::kInputs;
+  a.inputs[i] = policy::normalised(a.inputs[i], a.means[column], a.scales[column]);
+}
+
+OBBY_DEVICE void expectValue(const PlayArguments& a, uint32_t w) {
+  const float* const out = a.outputs + size_t(w) * policy::kPaddedOutputs;
+  a.values[w] = a.valueMean + a.valueDeviation * out[policy::kMoves];
+}
+
+OBBY_DEVICE policy::Drawn decideMove(const PlayArguments& a, const policy::Scene& scene,
+                                     const sim::World& world, uint32_t w) {
+  const bool mayJump = policy::jumpAllowed(scene, world);
+  const float draw = drawsOf(a.rules.seed, Draw::move, a.rules.decision, a.firstWorld + w).unit();
+  const policy::Drawn drawn =
+      policy::drawMove(a.outputs + size_t(w) * policy::kPaddedOutputs, mayJump, draw);
+  a.decisions[w] = {drawn.move, mayJump, drawn.logChance, 0, 0};
+  expectValue(a, w);
+  return drawn;
+}
+
+// Draws a move and plays it. `kLoose`: only worlds whose level has loose bodies, otherwise only the
+// others; see sim::tick.
+template <bool kLoose>
+OBBY_DEVICE void actOne(const PlayArguments& a, uint32_t w) {
+  const PlaceView place = placeView(a, w / a.worldsOfPlace);
+  const TrainingView& on = *place.on;
+  if ((on.level.looseCount != 0) != kLoose) return;
+  Player player = place.players[w % a.worldsOfPlace];
+  sim::LooseBody* const loose = kLoose ? place.looseOf(w % a.worldsOfPlace) : nullptr;
+  const policy::Drawn drawn = decideMove(a, on.scene(), player.world, w);
+  const sim::Action action = policy::actionOf(drawn.move, player.ahead);
+  for (uint32_t t = 0; t < policy::kDecisionTicks; ++t) {
+    sim::tick<kLoose>(player.world, loose, on.level, action);
+    sim::applyRules(player.world, loose, on.level, on.query);
+  }
+  const Step step = judge(on, a.reward, player);
+  a.rewards[w] = step.reward;
+  a.done[w] = step.ended;
+  place.players[w % a.worldsOfPlace] = player;
+}
+
+OBBY_DEVICE void settlePlace(const PlayArguments& a, uint32_t place) {
+  settle(placeView(a, place), a.rules, a.firstWorld + place * a.worldsOfPlace);
+}
+
+OBBY_DEVICE void beginPlace(const PlayArguments& a, uint32_t place) {
+  if (a.places[place].isNew) beginLevel(placeView(a, place));
+}
+
+}  // namespace obby::train

@@ -1,0 +1,132 @@
+// Products of matrices as kernels: a tile of the result a thread, so that little is read for what
+// is computed. Sums run in a fixed order by fused multiplication and addition, so that the CPU in a
+// GPU's place gives the same bits. Matrices are row by row; all widths are multiples of kTile.
+#pragma once
+
+#include <stddef.h>
+
+#include "math/lanes.h"
+
+namespace obby::train {
+
+constexpr int kTile = 8;  // rows and columns
+
+// Neighbours in a row, which a GPU reads at once.
+struct alignas(16) Four {
+  float v[4];
+};
+struct alignas(16) Eight {
+  float v[8];
+};
+
+// out = a x b + bias, after which what is below 0, or where `unit` is not above 0, becomes 0.
+struct ProductArguments {
+  const float* a;     // (rows, inner)
+  const float* b;     // (inner, columns)
+  const float* bias;  // (columns), or null
+  const float* unit;  // (rows, columns), or null
+  float* out;         // (rows, columns)
+  uint32_t rows, inner, columns;
+  bool rectified;
+};
+
+OBBY_DEVICE uint32_t productTiles(const ProductArguments& p) {
+  return (p.rows + kTile - 1) / kTile * (p.columns / kTile);
+}
+
+// Sums of a tile, in registers on a GPU.
+struct Tile {
+  float v[kTile][kTile];
+
+  OBBY_DEVICE explicit Tile(const float* row) {
+    for (auto& sums : v) {
+      for (int c = 0; c < kTile; ++c) sums[c] = row != nullptr ? row[c] : 0.0f;
+    }
+  }
+  // Adds a column of the one matrix times a row of the other.
+  OBBY_DEVICE void add(const float (&column)[kTile], const float* row) {
+    const Eight values = *reinterpret_cast<const Eight*>(row);
+    for (int r = 0; r < kTile; ++r) {
+#if !defined(__CUDACC__)
+#pragma GCC unroll 1  // so that a CPU takes a row at once
+#endif
+      for (int c = 0; c < kTile; ++c) v[r][c] = __builtin_fmaf(column[r], values.v[c], v[r][c]);
+    }
+  }
+};
+
+OBBY_DEVICE void productTile(const ProductArguments& p, uint32_t i) {
+  const uint32_t across = p.columns / kTile;
+  const uint32_t row = i / across * kTile, column = i % across * kTile;
+  const float* rows[kTile];
+  for (int r = 0; r < kTile; ++r) {  // what is below the last row is read from it, and dropped
+    const uint32_t at = row + uint32_t(r) < p.rows ? row + uint32_t(r) : p.rows - 1;
+    rows[r] = p.a + size_t(at) * p.inner;
+  }
+  Tile sums(p.bias != nullptr ? p.bias + column : nullptr);
+  for (uint32_t k = 0; k < p.inner; k += 4) {
+    Four a[kTile];
+    for (int r = 0; r < kTile; ++r) a[r] = *reinterpret_cast<const Four*>(rows[r] + k);
+    for (int j = 0; j < 4; ++j) {
+      float values[kTile];
+      for (int r = 0; r < kTile; ++r) values[r] = a[r].v[j];
+      sums.add(values, p.b + size_t(k + uint32_t(j)) * p.columns + column);
+    }
+  }
+  for (int r = 0; r < kTile && row + uint32_t(r) < p.rows; ++r) {
+    const size_t first = size_t(row + uint32_t(r)) * p.columns + column;
+    for (int c = 0; c < kTile; ++c) {
+      const float sum = sums.v[r][c];
+      const bool off =
+          (p.rectified && !(sum > 0)) || (p.unit != nullptr && !(p.unit[first + size_t(c)] > 0));
+      p.out[first + size_t(c)] = off ? 0.0f : sum;
+    }
+  }
+}
+
+constexpr uint32_t kChunk = 256;  // rows whose sum is one thread's
+
+OBBY_DEVICE uint32_t chunksOf(uint32_t rows) { return (rows + kChunk - 1) / kChunk; }
+
+// Sums over chunks of rows: of a's columns times b's, transposed(a) x b.
+struct GradientArguments {
+  const float* a;  // (rows, inner)
+  const float* b;  // (rows, columns)
+  float* sums;     // (chunks, inner, columns)
+  uint32_t rows, inner, columns;
+};
+
+OBBY_DEVICE uint32_t gradientTiles(const GradientArguments& g) {
+  return g.inner / kTile * (g.columns / kTile) * chunksOf(g.rows);
+}
+
+OBBY_DEVICE void gradientTile(const GradientArguments& g, uint32_t i) {
+  const uint32_t across = g.columns / kTile, tiles = g.inner / kTile * across;
+  const uint32_t chunk = i / tiles, tile = i % tiles;
+  const uint32_t row = tile / across * kTile, column = tile % across * kTile;
+  const uint32_t first = chunk * kChunk, last = first + kChunk < g.rows ? first + kChunk : g.rows;
+  Tile sums(nullptr);
+  for (uint32_t r = first; r < last; ++r) {
+    const float* const from = g.a + size_t(r) * g.inner + row;
+    const Eight values = *reinterpret_cast<const Eight*>(from);
+    sums.add(values.v, g.b + size_t(r) * g.columns + column);
+  }
+  float* const out = g.sums + size_t(chunk) * g.inner * g.columns;
+  for (int r = 0; r < kTile; ++r) {
+    for (int c = 0; c < kTile; ++c)
+      out[size_t(row + uint32_t(r)) * g.columns + column + uint32_t(c)] = sums.v[r][c];
+  }
+}
+
+// out = transposed(a).
+struct TransposeArguments {
+  const float* a;  // (rows, columns)
+  float* out;
+  uint32_t rows, columns;
+};
+
+OBBY_DEVICE void transposeOne(const TransposeArguments& t, uint32_t i) {
+  t.out[size_t(i % t.columns) * t.rows + i / t.columns] = t.a[i];
+}
+
+}  // namespace obby::train

@@ -1,0 +1,85 @@
+// Sums in a fixed order as kernels: chunks of rows, a chunk and column a thread, then the chunks.
+#pragma once
+
+#include "base/shuffle.h"
+#include "train/device/product.h"
+
+namespace obby::train {
+
+struct ColumnSumArguments {
+  const float* rows;  // (count, width)
+  double* sums;       // (chunks, width)
+  uint32_t count, width;
+};
+
+OBBY_DEVICE void sumColumnChunk(const ColumnSumArguments& s, uint32_t i) {
+  const uint32_t chunk = i / s.width, column = i % s.width, first = chunk * kChunk;
+  const uint32_t last = first + kChunk < s.count ? first + kChunk : s.count;
+  double sum = 0;
+  for (uint32_t r = first; r < last; ++r) sum += double(s.rows[size_t(r) * s.width + column]);
+  s.sums[i] = sum;
+}
+
+// Sums of several rows of numbers; of floats to a float, or of doubles to what was there.
+struct RowSumArguments {
+  const float* floats;    // (rows, width), or null
+  const double* doubles;  // (rows, width), where `floats` is null
+  float* out;             // (width), becomes the sum; or null
+  double* added;          // (width), grows by the sum; or null
+  uint32_t rows, width;
+};
+
+OBBY_DEVICE void sumRows(const RowSumArguments& s, uint32_t i) {
+  double wide = 0;
+  float sum = 0;
+  for (uint32_t r = 0; r < s.rows; ++r) {
+    const size_t at = size_t(r) * s.width + i;
+    if (s.floats != nullptr) {
+      sum = r == 0 ? s.floats[at] : sum + s.floats[at];
+    } else {
+      wide += s.doubles[at];
+    }
+  }
+  if (s.out != nullptr) s.out[i] = s.floats != nullptr ? sum : float(wide);
+  if (s.added != nullptr) s.added[i] += wide;
+}
+
+struct Moments {
+  double sum, squares;
+};
+
+// Sum and sum of squares of parts of `values`, in their order or shuffled.
+struct MomentArguments {
+  const float* values;  // (count)
+  Moments* chunks;      // (parts, chunks of a part)
+  Moments* parts;       // (parts)
+  Shuffle shuffle;
+  bool shuffled;
+  uint32_t count, part;  // numbers in all, and of each part but perhaps the last
+
+  OBBY_DEVICE uint32_t partCount() const { return (count + part - 1) / part; }
+};
+
+OBBY_DEVICE void momentsOfChunk(const MomentArguments& m, uint32_t i) {
+  const uint32_t each = chunksOf(m.part), first = i / each * m.part + i % each * kChunk;
+  const uint32_t end = (i / each + 1) * m.part < m.count ? (i / each + 1) * m.part : m.count;
+  Moments sums{0, 0};
+  for (uint32_t k = first; k < end && k < first + kChunk; ++k) {
+    const double v = double(m.values[m.shuffled ? m.shuffle(k) : k]);
+    sums.sum += v;
+    sums.squares += v * v;
+  }
+  m.chunks[i] = sums;
+}
+
+OBBY_DEVICE void momentsOfPart(const MomentArguments& m, uint32_t i) {
+  const uint32_t each = chunksOf(m.part);
+  Moments sums{0, 0};
+  for (uint32_t c = i * each; c < (i + 1) * each; ++c) {
+    sums.sum += m.chunks[c].sum;
+    sums.squares += m.chunks[c].squares;
+  }
+  m.parts[i] = sums;
+}
+
+}  // namespace obby::train

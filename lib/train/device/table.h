@@ -1,0 +1,46 @@
+// A table in a device's memory, and kernels asked to run on such.
+#pragma once
+
+#include <span>
+
+#include "sim/device.h"
+#include "train/device/kernels.h"
+
+namespace obby::train {
+
+template <class T>
+class DeviceTable {
+ public:
+  // Room for so many; what was there is lost.
+  Status make(sim::Device& device, size_t count) {
+    device_ = &device;
+    count_ = count;
+    return sim::makeRoom(device, memory_, data_, count);
+  }
+  // The same, and every byte 0.
+  Status makeZero(sim::Device& device, size_t count) {
+    OBBY_RETURN_IF_ERROR(make(device, count));
+    return clear();
+  }
+  Status clear() { return device_->fill(data_, 0, count_ * sizeof(T)); }
+  Status put(std::span<const T> from) {
+    return device_->upload(data_, from.data(), from.size_bytes());
+  }
+  Result<std::vector<T>> get() const { return sim::downloadTable(*device_, data_, count_); }
+
+  T* data() const { return data_; }
+  size_t size() const { return count_; }
+
+ private:
+  sim::Device* device_ = nullptr;
+  sim::Memory memory_;
+  T* data_ = nullptr;
+  size_t count_ = 0;
+};
+
+template <class Arguments>
+Status enqueue(sim::Device& device, TrainStep step, const Arguments& arguments, size_t count) {
+  return device.enqueue(trainKernel(step), &arguments, uint32_t(count));
+}
+
+}  // namespace obby::train

@@ -1,0 +1,27 @@
+// What the value head's outputs mean. It learns returns of mean 0 and deviation 1; when these move,
+// its weights move along, so that what it says stays as it was (Pop-Art, van Hasselt et al. 2016).
+#pragma once
+
+#include <algorithm>
+
+#include "train/normaliser.h"
+
+namespace obby::train {
+
+struct ValueScale {
+  float mean = 0, deviation = 1;  // a reward is mean + deviation x output
+  Sums returns{1};
+
+  // Those of another batch, in this rank.
+  void take(Sums now, Ranks& ranks) {
+    constexpr double kFade = 0.95;  // of what returns were, at each batch
+    constexpr float kLeast = 1e-3f;
+    returns.fade(kFade);
+    now.add(ranks);
+    returns.add(now);
+    mean = float(returns.mean(0));
+    deviation = std::max(float(returns.deviation(0)), kLeast);
+  }
+};
+
+}  // namespace obby::train

@@ -1,0 +1,307 @@
+// Learning by kernels is learning on the CPU: the same play, the same bits in where worlds are and
+// in what they draw, and networks that differ by rounding. The CPU takes the GPU's place.
+#include "train/device/device_engine.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/host_device.h"
+#include "sim/simulator.h"
+#include "support/failing_device.h"
+#include "train/checkpoint.h"
+#include "train/evaluate.h"
+#include "train/gaps.h"
+#include "train/thread_ranks.h"
+
+namespace obby::train {
+namespace {
+
+using Trainers = Result<std::unique_ptr<Trainer>>;
+
+// A device with a pool of its own.
+struct Machine {
+  explicit Machine(int threads = 1) : pool(threads), device(pool) {}
+
+  Trainers make(const LevelSource& source, const TrainerSettings& settings = small(),
+                Ranks& ranks = alone()) {
+    return Trainer::make(settings, makeDeviceEngine(settings, source, device, pool, ranks), ranks);
+  }
+  Trainers resume(const LevelSource& source, TrainerState state, Ranks& ranks = alone()) {
+    return Trainer::resume(small(), makeDeviceEngine(small(), source, device, pool, ranks), ranks,
+                           std::move(state));
+  }
+
+  ThreadPool pool;
+  sim::HostDevice device;
+};
+
+struct Difference {
+  uint32_t worlds = 0, different = 0;
+};
+
+Difference differenceOf(const TrainerState& a, const TrainerState& b) {
+  Difference out;
+  for (size_t c = 0; c < a.crowds.size(); ++c) {
+    for (size_t p = 0; p < a.crowds[c].places.size(); ++p) {
+      const PlaceState &one = a.crowds[c].places[p], &other = b.crowds[c].places[p];
+      for (size_t i = 0; i < one.players.size(); ++i) {
+        const Player &x = one.players[i], &y = other.players[i];
+        const bool same = stateHash(x.world) == stateHash(y.world) && x.least == y.least &&
+                          x.ticks == y.ticks && x.fromStart == y.fromStart;
+        out.different += !same;
+        ++out.worlds;
+      }
+    }
+  }
+  return out;
+}
+
+// Everything of two places that does not round.
+void expectSamePlaces(const TrainerState& a, const TrainerState& b) {
+  ASSERT_EQ(a.crowds.size(), b.crowds.size());
+  for (size_t c = 0; c < a.crowds.size(); ++c) {
+    ASSERT_EQ(a.crowds[c].places.size(), b.crowds[c].places.size());
+    for (size_t p = 0; p < a.crowds[c].places.size(); ++p) {
+      const PlaceState &x = a.crowds[c].places[p], &y = b.crowds[c].places[p];
+      EXPECT_EQ(x.taken, y.taken);
+      EXPECT_EQ(x.hardest, y.hardest);
+      EXPECT_EQ(x.nextHardest, y.nextHardest);
+      EXPECT_EQ(x.levelHash, y.levelHash);
+      EXPECT_EQ(x.counts.played, y.counts.played);
+      ASSERT_EQ(x.reached.size(), y.reached.size());
+      for (size_t i = 0; i < x.reached.size(); ++i)
+        EXPECT_EQ(stateHash(x.reached[i]), stateHash(y.reached[i]));
+      ASSERT_EQ(x.loose.size(), y.loose.size());
+      EXPECT_TRUE(x.loose.empty() || std::memcmp(x.loose.data(), y.loose.data(),
+                                                 x.loose.size() * sizeof x.loose[0]) == 0);
+    }
+  }
+}
+
+double farthest(const std::vector<float>& a, const std::vector<float>& b) {
+  double most = 0;
+  for (size_t i = 0; i < a.size(); ++i)
+    most = std::max(most, std::abs(double(a[i]) - double(b[i])));
+  return most;
+}
+
+class Parity : public testing::TestWithParam<bool> {};
+
+// The first iteration is played by equal networks: but for a draw that falls between two roundings
+// of a chance, all worlds make the same moves. Then the networks are within rounding.
+TEST_P(Parity, OfTheFirstIteration) {
+  const Gaps gaps(GetParam());
+  ThreadPool pool(1);
+  const auto cpu = Trainer::make(small(), gaps, pool, alone());
+  Machine machine;
+  const auto gpu = machine.make(gaps);
+  ASSERT_TRUE(gpu) << gpu.error().text();
+  EXPECT_EQ((*cpu)->network().numbers(), (*gpu)->network().numbers());
+  const auto here = (*cpu)->iterate(), there = (*gpu)->iterate();
+  ASSERT_TRUE(there) << there.error().text();
+  const TrainerState a = *(*cpu)->state(), b = *(*gpu)->state();
+  const Difference d = differenceOf(a, b);
+  EXPECT_EQ(d.worlds, small().worlds());
+  EXPECT_EQ(d.different, 0u);
+  expectSamePlaces(a, b);
+  EXPECT_EQ(a.seen.sum, b.seen.sum) << "what was seen";
+  EXPECT_EQ(a.seen.squares, b.seen.squares);
+  EXPECT_EQ(a.seen.rows, b.seen.rows);
+  EXPECT_NEAR(here->reward, there->reward, 1e-9);
+  EXPECT_EQ(here->played, there->played);
+  EXPECT_EQ(here->solved, there->solved);
+  EXPECT_EQ(here->decisions, there->decisions);
+  EXPECT_NEAR(here->progress.loss, there->progress.loss, 1e-5);
+  EXPECT_NEAR(here->progress.entropy, there->progress.entropy, 1e-5);
+  EXPECT_NEAR(here->progress.divergence, there->progress.divergence, 1e-5);
+  EXPECT_NEAR(here->progress.clipped, there->progress.clipped, 1e-3);
+  EXPECT_NEAR(here->progress.valueError, there->progress.valueError, 1e-5);
+  EXPECT_NEAR(here->progress.norm, there->progress.norm, 1e-5);
+  EXPECT_NEAR(a.learner.values.mean, b.learner.values.mean, 1e-6);
+  EXPECT_NEAR(a.learner.values.deviation, b.learner.values.deviation, 1e-6);
+  EXPECT_EQ(a.learner.steps, b.learner.steps);
+  EXPECT_LT(farthest(a.learner.weights.flat(), b.learner.weights.flat()), 1e-5);
+}
+
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutLooseBodies, Parity, testing::Bool());
+
+// Without learning, through playthroughs that end or are cut, and through many levels. Half a world
+// in a hundred such runs would draw a move between two roundings of a chance.
+TEST_P(Parity, OfPlayThroughManyLevels) {
+  const Gaps gaps(GetParam());
+  TrainerSettings settings = small();
+  settings.ppo.rate = 0;
+  settings.crowd.playthroughs = 24;
+  settings.crowd.patience = -5;  // cut after some four seconds
+  ThreadPool pool(1);
+  const auto cpu = Trainer::make(settings, gaps, pool, alone());
+  Machine machine;
+  const auto gpu = machine.make(gaps, settings);
+  uint64_t played = 0;
+  for (int i = 0; i < 8; ++i) {
+    const auto here = (*cpu)->iterate(), there = (*gpu)->iterate();
+    ASSERT_TRUE(here && there);
+    EXPECT_NEAR(here->reward, there->reward, 1e-4);
+    EXPECT_EQ(here->played, there->played);
+    played += here->played;
+  }
+  const TrainerState a = *(*cpu)->state(), b = *(*gpu)->state();
+  EXPECT_EQ(differenceOf(a, b).different, 0u);
+  expectSamePlaces(a, b);
+  EXPECT_EQ(a.seen.sum, b.seen.sum);
+  EXPECT_GT(played, 2u * settings.worlds());
+  for (const CrowdState& crowd : a.crowds) {
+    for (const PlaceState& place : crowd.places) EXPECT_GT(place.taken, 2u);
+  }
+}
+
+// Later a move differs here and there, and its world goes another way; what is learned stays alike.
+TEST(DeviceEngine, StaysNearTheCpu) {
+  const Gaps gaps;
+  ThreadPool pool(1);
+  const auto cpu = Trainer::make(small(), gaps, pool, alone());
+  Machine machine;
+  const auto gpu = machine.make(gaps);
+  for (int i = 0; i < 5; ++i) {
+    const auto here = (*cpu)->iterate(), there = (*gpu)->iterate();
+    ASSERT_TRUE(there) << there.error().text();
+    EXPECT_NEAR(here->reward, there->reward, 5e-3) << i;
+    EXPECT_NEAR(here->progress.entropy, there->progress.entropy, 2e-2) << i;
+  }
+  const Difference d = differenceOf(*(*cpu)->state(), *(*gpu)->state());
+  EXPECT_LT(d.different, d.worlds / 2);
+}
+
+TEST(DeviceEngine, GivesTheSameBitsOnAnyNumberOfThreads) {
+  const Gaps gaps(true);
+  std::vector<float> expected;
+  for (const int threads : {1, 3}) {
+    Machine machine(threads);
+    const auto trainer = machine.make(gaps);
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE((*trainer)->iterate());
+    const std::vector<float> numbers = (*trainer)->network().numbers();
+    if (expected.empty()) expected = numbers;
+    EXPECT_EQ(numbers, expected) << threads;
+  }
+}
+
+TEST(DeviceEngine, LearnsToCrossAGap) {
+  const Gaps gaps;
+  Machine machine(2);
+  const auto trainer = machine.make(gaps);
+  for (int i = 0; i < 40; ++i) ASSERT_TRUE((*trainer)->iterate());
+  EvaluationSettings how;
+  how.levels = 50;
+  how.firstLevel = 1'000'000;
+  const std::atomic<bool> stop{false};
+  const auto learned = evaluate((*trainer)->network(), gaps, how, machine.pool, stop);
+  ASSERT_TRUE(learned);
+  EXPECT_GT(learned->drawn, 0.5);
+}
+
+TEST(DeviceEngine, GoesOnFromACheckpointAsIfNothingHadBeen) {
+  for (const bool loose : {false, true}) {
+    const Gaps gaps(loose);
+    Machine machine, other;
+    const auto whole = machine.make(gaps);
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE((*whole)->iterate());
+    const std::string bytes = writeCheckpoint({"1", {}, 0, *(*whole)->state(), {}});
+    auto read = readCheckpoint(bytes, "test");
+    ASSERT_TRUE(read) << read.error().text();
+    const auto broken = other.resume(gaps, std::move(read->state));
+    ASSERT_TRUE(broken) << broken.error().text();
+    for (int i = 0; i < 3; ++i) {
+      const auto a = (*whole)->iterate(), b = (*broken)->iterate();
+      ASSERT_TRUE(a && b);
+      EXPECT_EQ(a->reward, b->reward);
+      EXPECT_EQ(a->progress.loss, b->progress.loss);
+    }
+    EXPECT_EQ((*whole)->network().numbers(), (*broken)->network().numbers());
+    const TrainerState a = *(*whole)->state(), b = *(*broken)->state();
+    EXPECT_EQ(differenceOf(a, b).different, 0u);
+    expectSamePlaces(a, b);
+  }
+}
+
+TEST(DeviceEngine, RefusesAStateOfOtherLevels) {
+  const Gaps gaps, others(false, 98);
+  Machine machine;
+  const auto trainer = machine.make(gaps);
+  ASSERT_TRUE((*trainer)->iterate());
+  EXPECT_TRUE(machine.resume(gaps, *(*trainer)->state()));
+  EXPECT_FALSE(machine.resume(others, *(*trainer)->state()));
+  TrainerState spoilt = *(*trainer)->state();
+  spoilt.crowds[1].places[2].players[3].world.position.x = NAN;
+  EXPECT_FALSE(machine.resume(gaps, std::move(spoilt)));
+}
+
+TEST(DeviceEngine, LearnsTogetherWithOtherRanks) {
+  const Gaps gaps;
+  std::vector<float> learned[2], again;
+  for (auto* first : {&learned[0], &again}) {
+    ThreadRanks::run(2, [&](Ranks& ranks) {
+      Machine machine;
+      const auto trainer = machine.make(gaps, small(), ranks);
+      ASSERT_TRUE(trainer) << trainer.error().text();
+      for (int i = 0; i < 2; ++i) ASSERT_TRUE((*trainer)->iterate());
+      (ranks.first() ? *first : learned[1]) = (*trainer)->network().numbers();
+    });
+  }
+  EXPECT_EQ(learned[0], learned[1]) << "every rank has the same network";
+  EXPECT_EQ(learned[0], again);
+  Machine machine;
+  const auto one = machine.make(gaps);
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE((*one)->iterate());
+  EXPECT_NE((*one)->network().numbers(), learned[0]);
+}
+
+TEST(DeviceEngine, SaysWhatTheDeviceSays) {
+  const Gaps gaps;
+  ThreadPool pool(1);
+  for (const int launches : {0, 5, 400}) {
+    support::FailingDevice device(pool, launches);
+    const auto trainer =
+        Trainer::make(small(), makeDeviceEngine(small(), gaps, device, pool, alone()), alone());
+    Status status = trainer ? Status() : Status(trainer.error());
+    for (int i = 0; i < 3 && status; ++i) {
+      const auto iteration = (*trainer)->iterate();
+      if (!iteration) status = iteration.error();
+    }
+    ASSERT_FALSE(status) << launches;
+    EXPECT_EQ(status.error().text(), "CUDA: rollout: unspecified launch failure");
+  }
+}
+
+// Levels of which one is bad.
+class OneBad : public Gaps {
+ public:
+  explicit OneBad(uint64_t bad) : bad_(bad) {}
+  Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override {
+    if (index == bad_) return makeError("this level is bad");
+    return Gaps::level(index, hardest);
+  }
+
+ private:
+  uint64_t bad_;
+};
+
+// A level that is made ahead may never be played: what is wrong with it is said when it would be.
+TEST(DeviceEngine, SaysWhatTheSourceSaysOnceALevelIsPlayed) {
+  Machine machine;
+  const OneBad first(5), second(8 + 5);  // of eight places
+  EXPECT_EQ(machine.make(first).error().text(), "this level is bad");
+  TrainerSettings settings = small();
+  settings.crowd.playthroughs = 100;
+  const auto trainer = machine.make(second, settings);
+  ASSERT_TRUE(trainer) << trainer.error().text();
+  ASSERT_TRUE((*trainer)->iterate());
+  Status status;
+  for (int i = 0; i < 40 && status; ++i) {
+    const auto iteration = (*trainer)->iterate();
+    if (!iteration) status = iteration.error();
+  }
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().text(), "this level is bad");
+}
+
+}  // namespace
+}  // namespace obby::train

@@ -1,0 +1,105 @@
+// The network's kernels against Eigen: outputs, gradients, sums.
+#include "train/device/device_network.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/host_device.h"
+#include "train/device/sums.h"
+
+namespace obby::train {
+namespace {
+
+template <class Numbers>
+void fill(Numbers& numbers, Random& random, float scale) {
+  for (Eigen::Index i = 0; i < numbers.size(); ++i)
+    numbers.data()[i] = scale * (random.unit() - 0.5f);
+}
+
+// Of numbers that are sums of many, relative to the largest.
+void expectNear(const std::vector<float>& found, const float* expected, const char* what) {
+  float largest = 0;
+  for (size_t i = 0; i < found.size(); ++i) largest = std::max(largest, std::abs(expected[i]));
+  ASSERT_GT(largest, 0) << what;
+  for (size_t i = 0; i < found.size(); ++i)
+    ASSERT_NEAR(found[i], expected[i], 2e-6f * largest) << what << " " << i;
+}
+
+class OfRows : public testing::TestWithParam<uint32_t> {};
+
+// One row, less than a tile, not a multiple of it, several chunks.
+INSTANTIATE_TEST_SUITE_P(DeviceNetwork, OfRows, testing::Values(1, 7, 8, 255, 256, 700));
+
+TEST_P(OfRows, HasTheOutputsAndGradientsOfEigen) {
+  const uint32_t rows = GetParam();
+  Random random(5, rows);
+  Weights<float> weights, gradient;
+  weights.blocks([&](float* w, size_t count) {
+    for (size_t i = 0; i < count; ++i) w[i] = 0.3f * (random.unit() - 0.5f);
+  });
+  Rows<float> inputs(rows, policy::kInputs), slopes(rows, policy::kPaddedOutputs);
+  fill(inputs, random, 2);
+  fill(slopes, random, 1);
+  Pass<float> pass;
+  const Rows<float>& outputs = pass.forward(weights, inputs);
+  pass.backward(weights, inputs, slopes, gradient);
+
+  ThreadPool pool(2);
+  sim::HostDevice device(pool);
+  DeviceNetwork network;
+  ASSERT_TRUE(network.make(device, 700, 700));
+  ASSERT_TRUE(network.put(weights));
+  EXPECT_EQ(network.get()->flat(), weights.flat());
+  DeviceTable<float> in;
+  ASSERT_TRUE(in.make(device, size_t(inputs.size())));
+  ASSERT_TRUE(in.put({inputs.data(), size_t(inputs.size())}));
+  ASSERT_TRUE(network.forward(in.data(), rows));
+  const auto found =
+      sim::downloadTable(device, network.outputs(), size_t(rows) * policy::kPaddedOutputs);
+  expectNear(*found, outputs.data(), "outputs");
+  ASSERT_TRUE(
+      device.upload(network.slopes(), slopes.data(), size_t(slopes.size()) * sizeof(float)));
+  ASSERT_TRUE(network.backward(in.data(), rows));
+  const auto learned = sim::downloadTable(device, network.gradient(), network.size());
+  size_t at = 0;
+  gradient.blocks([&](const float* g, size_t count) {
+    expectNear({learned->begin() + ptrdiff_t(at), learned->begin() + ptrdiff_t(at + count)}, g,
+               "gradient");
+    at += count;
+  });
+}
+
+TEST(DeviceSums, AreThoseOfPartsShuffledOrNot) {
+  ThreadPool pool(2);
+  sim::HostDevice device(pool);
+  constexpr uint32_t kCount = 1500, kPart = 400;
+  Random random(6, 6);
+  std::vector<float> values(kCount);
+  for (float& v : values) v = random.unit();
+  DeviceTable<float> there;
+  DeviceTable<Moments> chunks, parts;
+  ASSERT_TRUE(there.make(device, kCount));
+  ASSERT_TRUE(there.put(values));
+  ASSERT_TRUE(chunks.make(device, 4 * chunksOf(kPart)));
+  ASSERT_TRUE(parts.make(device, 4));
+  for (const bool shuffled : {false, true}) {
+    const MomentArguments m{there.data(), chunks.data(), parts.data(), Shuffle(1, 2, kCount),
+                            shuffled,     kCount,        kPart};
+    ASSERT_EQ(m.partCount(), 4u);
+    ASSERT_TRUE(enqueue(device, TrainStep::chunkMoments, m, 4 * chunksOf(kPart)));
+    ASSERT_TRUE(enqueue(device, TrainStep::partMoments, m, 4));
+    const auto found = parts.get();
+    for (uint32_t part = 0; part < 4; ++part) {
+      double sum = 0, squares = 0;
+      for (uint32_t i = part * kPart; i < std::min((part + 1) * kPart, kCount); ++i) {
+        const double v = double(values[shuffled ? m.shuffle(i) : i]);
+        sum += v;
+        squares += v * v;
+      }
+      EXPECT_NEAR((*found)[part].sum, sum, 1e-9) << part;
+      EXPECT_NEAR((*found)[part].squares, squares, 1e-9) << part;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace obby::train

@@ -1,0 +1,132 @@
+// The game that worlds learn from: what a move is worth, when a playthrough is over, and where the
+// next one begins.
+#include "train/play.h"
+
+#include <gtest/gtest.h>
+
+#include "train/gaps.h"
+
+namespace obby::train {
+namespace {
+
+constexpr uint32_t kWorlds = 64;
+
+// A place with worlds at the start of a level.
+struct Place {
+  explicit Place(bool loose = false)
+      : level(*Gaps(loose).level(1, 1)),
+        view(level->view(3)),
+        players(kWorlds),
+        bodies(kWorlds * view.level.looseCount),
+        reached(kMostReached) {
+    beginLevel(here());
+  }
+  PlaceView here() {
+    return {&view,   players.data(), bodies.data(),        reached.data(),
+            &counts, kWorlds,        view.level.looseCount};
+  }
+  void settleAt(uint64_t decision, bool endOfIteration = false, float share = 0) {
+    settle(here(), {7, share, decision, endOfIteration}, 0);
+  }
+
+  std::shared_ptr<const TrainingLevel> level;
+  TrainingView view;
+  std::vector<Player> players;
+  std::vector<sim::LooseBody> bodies;
+  std::vector<sim::World> reached;
+  PlaceCounts counts;
+};
+
+TEST(Play, AMoveIsWorthTheWayThatIsLessThanEver) {
+  Place place;
+  const RewardSettings worth;
+  Player& p = place.players[0];
+  const float whole = p.least;
+  EXPECT_EQ(whole, place.view.guide.left(p.world.position));
+  p.world.position.z -= 3;
+  const float less = place.view.guide.left(p.world.position);
+  ASSERT_LT(less, whole - 1);
+  EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.stud * (whole - less) + worth.decision);
+  p.world.position.z += 1;
+  EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision) << "back";
+  p.world.position.z -= 2;
+  const float least = place.view.guide.left(p.world.position);
+  ASSERT_LT(least, less);
+  EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.stud * (less - least) + worth.decision);
+  EXPECT_EQ(p.ticks, 3 * policy::kDecisionTicks);
+  p.world.outcome = sim::Outcome::goal;
+  const Step step = judge(place.view, worth, p);
+  EXPECT_TRUE(step.ended);
+  EXPECT_FLOAT_EQ(step.reward, worth.goal + worth.decision);
+  p.world.outcome = sim::Outcome::fell;
+  EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.death + worth.decision);
+}
+
+TEST(Play, WhatHasEndedBeginsAnewAndIsCounted) {
+  Place place(true);
+  place.players[3].world.outcome = sim::Outcome::goal;
+  place.players[5].world.outcome = sim::Outcome::killed;
+  place.players[6].world.outcome = sim::Outcome::goal;
+  place.players[6].fromStart = false;
+  place.players[5].ticks = 30;
+  place.bodies[5].position.x = 99;
+  place.settleAt(0);
+  EXPECT_EQ(place.counts.played, 3u);
+  EXPECT_EQ(place.counts.fromStart, 2u);
+  EXPECT_EQ(place.counts.solved, 1u);
+  EXPECT_EQ(place.players[5].world.outcome, sim::Outcome::running);
+  EXPECT_EQ(place.players[5].ticks, 0u);
+  EXPECT_TRUE(place.players[6].fromStart);
+  EXPECT_EQ(place.bodies[5].position.x, place.view.startLoose[0].position.x);
+}
+
+TEST(Play, WhatTakesTooLongIsCutAtTheEndOfAnIteration) {
+  Place place;
+  place.players[2].ticks = place.view.mostTicks;
+  place.players[4].ticks = place.view.mostTicks - 1;
+  place.settleAt(0);
+  EXPECT_EQ(place.counts.played, 0u);
+  place.settleAt(1, true);
+  EXPECT_EQ(place.counts.played, 1u);
+  EXPECT_EQ(place.counts.solved, 0u);
+  EXPECT_EQ(place.players[2].ticks, 0u);
+  EXPECT_EQ(place.players[4].ticks, place.view.mostTicks - 1);
+}
+
+TEST(Play, BeginsWhereOthersStood) {
+  Place place;
+  for (Player& p : place.players) {
+    p.world.position.z = -5;
+    p.world.floorlessTicks = 1;
+  }
+  for (uint64_t d = 0; d < 100; ++d) place.settleAt(d);
+  EXPECT_EQ(place.counts.reached, 0u) << "in the air";
+  for (Player& p : place.players) p.world.floorlessTicks = 0;
+  place.settleAt(100);
+  EXPECT_LT(place.counts.reached, 8u) << "one in 64";
+  for (uint64_t d = 101; d < 150; ++d) place.settleAt(d);
+  EXPECT_EQ(place.counts.reached, kMostReached);
+  for (Player& p : place.players) p.world.outcome = sim::Outcome::fell;
+  place.settleAt(150, false, 0.5f);
+  int elsewhere = 0;
+  for (const Player& p : place.players) {
+    elsewhere += !p.fromStart;
+    EXPECT_EQ(p.world.position.z, p.fromStart ? place.view.start.position.z : -5);
+    EXPECT_EQ(p.least, place.view.guide.left(p.world.position));
+  }
+  EXPECT_GT(elsewhere, 16);
+  EXPECT_LT(elsewhere, 48);
+}
+
+TEST(Play, DrawsAreOfTheWorldAndItsDecision) {
+  const auto draw = [](Draw use, uint64_t decision, uint32_t world) {
+    return drawsOf(3, use, decision, world).next();
+  };
+  EXPECT_EQ(draw(Draw::move, 5, 6), draw(Draw::move, 5, 6));
+  EXPECT_NE(draw(Draw::move, 5, 6), draw(Draw::move, 5, 7));
+  EXPECT_NE(draw(Draw::move, 5, 6), draw(Draw::move, 6, 5));
+  EXPECT_NE(draw(Draw::move, 5, 6), draw(Draw::begin, 5, 6));
+}
+
+}  // namespace
+}  // namespace obby::train
