@@ -121,6 +121,10 @@ class JsonTreeBuilder {
 };
 
 Result<JsonTree> JsonTree::parse(std::string_view text) {
+  // The parser takes a zero byte for the end of the text, and would pass over what follows it.
+  if (const size_t zero = text.find('\0'); zero != std::string_view::npos) {
+    return makeError(fmt::format("column {}: a zero byte", zero + 1));
+  }
   JsonTree tree;
   JsonTreeBuilder builder(tree, text);
   if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) {

@@ -93,6 +93,13 @@ TEST(JsonErrors, NameThePathTheExpectationAndWhatWasThere) {
   for (const Case& c : cases) EXPECT_EQ(errorOf(c.line), c.expected) << c.line;
 }
 
+TEST(JsonErrors, NothingMayFollowBehindAZeroByte) {
+  const std::string line = R"({"type":"query"})";
+  EXPECT_EQ(errorOf(line), "no error");
+  EXPECT_EQ(errorOf(line + '\0'), "column 17: a zero byte");
+  EXPECT_EQ(errorOf(line + '\0' + "junk"), "column 17: a zero byte");
+}
+
 TEST(JsonErrors, NestingIsBounded) {
   for (int depth : {63, 64, 65, 1000, 1000000}) {
     const std::string open(size_t(depth - 1), '['), shut(size_t(depth - 1), ']');
