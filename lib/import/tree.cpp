@@ -28,13 +28,6 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-  return out;
-}
-
 bool containsWord(std::string_view text, std::string_view word) {
   return text.find(word) != std::string_view::npos;
 }

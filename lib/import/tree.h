@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "import/document.h"
+#include "io/text.h"
 
 namespace obby::importer {
 
@@ -55,8 +56,7 @@ class Tree {
   std::unordered_map<std::string, std::vector<InstanceId>> byTag_;
 };
 
-// Lower case of ASCII letters; other bytes unchanged.
-std::string lower(std::string_view text);
+using io::lower;
 // True if `word` is in `text`, both lower case.
 bool containsWord(std::string_view text, std::string_view word);
 // The first whole number in a text ("Checkpoint 12" is 12).

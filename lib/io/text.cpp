@@ -53,6 +53,13 @@ bool isUtf8(std::string_view text) {
   return true;
 }
 
+std::string lower(std::string_view text) {
+  std::string out(text);
+  for (char& c : out)
+    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+  return out;
+}
+
 void appendJsonString(std::string& out, std::string_view text) {
   out += '"';
   for (const char c : text) {

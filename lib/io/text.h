@@ -14,6 +14,9 @@ size_t utf8Length(std::string_view text);
 // Well-formed UTF-8: no overlong forms, no surrogates, at most U+10FFFF.
 bool isUtf8(std::string_view text);
 
+// Lower case of ASCII letters; other bytes unchanged.
+std::string lower(std::string_view text);
+
 // Appends `text` as a JSON string with its quotes. `text` must be UTF-8.
 void appendJsonString(std::string& out, std::string_view text);
 
