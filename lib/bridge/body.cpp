@@ -1,0 +1,93 @@
+#include "bridge/body.h"
+
+#include <fmt/format.h>
+#include <kj/compat/gzip.h>
+
+#include <memory>
+
+namespace obby::bridge {
+namespace {
+
+using Body = std::variant<std::string, Reply>;
+
+Reply tooLarge(uint64_t limit, const char* what) {
+  return refuse(413, fmt::format("{} is larger than {} MiB", what, limit / kMiB),
+                "send less, or start obby-bridge with a larger --max-body");
+}
+
+// Counts what passes: a gzip stream can be long without giving anything.
+class Counting final : public kj::AsyncInputStream {
+ public:
+  Counting(kj::AsyncInputStream& from, uint64_t limit) : from_(from), limit_(limit) {}
+  bool over() const { return bytes_ > limit_; }
+  bool ended() const { return ended_; }
+
+  kj::Promise<size_t> tryRead(void* buffer, size_t minBytes, size_t maxBytes) override {
+    return from_.tryRead(buffer, minBytes, maxBytes).then([this](size_t n) -> size_t {
+      bytes_ += n;
+      ended_ = n == 0;
+      return over() ? 0 : n;  // ends here; whoever asked looks at over()
+    });
+  }
+
+ private:
+  kj::AsyncInputStream& from_;
+  uint64_t limit_, bytes_ = 0;
+  bool ended_ = false;
+};
+
+struct Reader {
+  Reader(kj::AsyncInputStream& from, bool gzip, const Limits& limits)
+      : limits_(limits),
+        sent_(from, limits.bodyBytes),
+        limit_(gzip ? limits.inflatedBytes : limits.bodyBytes) {
+    if (gzip) inflated_ = kj::heap<kj::GzipAsyncInputStream>(sent_);
+  }
+
+  kj::Promise<Body> read() {
+    kj::AsyncInputStream& from =
+        inflated_.get() ? static_cast<kj::AsyncInputStream&>(*inflated_) : sent_;
+    return from.tryRead(buffer_, 1, sizeof buffer_).then([this](size_t n) -> kj::Promise<Body> {
+      if (sent_.over()) return Body(tooLarge(limits_.bodyBytes, "the body"));
+      if (n == 0) return Body(std::move(out_));
+      if (out_.size() + n > limit_) return Body(tooLarge(limit_, "the inflated body"));
+      out_.append(buffer_, n);
+      return read();
+    });
+  }
+
+  const Limits& limits_;
+  Counting sent_;
+  uint64_t limit_;
+  kj::Own<kj::GzipAsyncInputStream> inflated_;
+  std::string out_;
+  char buffer_[32768];
+};
+
+}  // namespace
+
+kj::Promise<Body> readBody(kj::AsyncInputStream& body, bool gzip, const Limits& limits,
+                           kj::Timer& timer) {
+  KJ_IF_MAYBE (length, body.tryGetLength()) {
+    if (*length > limits.bodyBytes) return Body(tooLarge(limits.bodyBytes, "the body"));
+  }
+  auto reader = kj::heap<Reader>(body, gzip, limits);
+  auto read = reader->read();
+  if (gzip) {
+    Reader* r = reader.get();
+    read = read.catch_([r](kj::Exception&& e) -> Body {
+      // The library says DISCONNECTED of a stream that is cut, too.
+      const bool gone = e.getType() == kj::Exception::Type::DISCONNECTED && !r->sent_.ended();
+      if (gone) kj::throwFatalException(kj::mv(e));
+      if (r->sent_.over()) return tooLarge(r->limits_.bodyBytes, "the body");
+      return refuse(400, "the body is no gzip stream", "send it plain, or as gzip throughout");
+    });
+  }
+  const auto late = uint64_t(limits.requestSeconds * 1000) * kj::MILLISECONDS;
+  return read
+      .exclusiveJoin(timer.afterDelay(late).then(
+          [] { return Body(refuse(408, "the body came too slowly", "send it at once")); }))
+      .attach(kj::mv(reader));
+}
+
+}  // namespace obby::bridge

@@ -1,0 +1,120 @@
+#include "bridge/bridge.h"
+
+#include <fmt/format.h>
+#include <kj/exception.h>
+#include <signal.h>
+
+#include "bridge/http.h"
+#include "bridge/stdio.h"
+
+namespace obby::bridge {
+namespace {
+
+constexpr auto kLook = 50 * kj::MILLISECONDS;  // how often `stop` is looked at
+constexpr auto kSweep = 1 * kj::SECONDS;
+
+// What the event loop's library would print, said as a note.
+class Quiet : public kj::ExceptionCallback {
+ public:
+  explicit Quiet(const Reports& reports) : reports_(reports) {}
+  void logMessage(kj::LogSeverity, const char*, int, int, kj::String&& text) override {
+    reports_.note(text.cStr());
+  }
+
+ private:
+  const Reports& reports_;
+};
+
+// The event loop and the service on it.
+class Host {
+ public:
+  Host(const Options& options, const Reports& reports, const std::atomic<bool>& stop)
+      : quiet_(reports),
+        io_(kj::setupAsyncIo()),
+        loop_{*io_.lowLevelProvider, io_.unixEventPort, io_.provider->getTimer()},
+        options_(options),
+        stop_(stop) {
+    signal(SIGCHLD, SIG_DFL);  // a parent may have left it ignored: then exits would be lost
+  }
+
+  Status open(bool needToken) {
+    OBBY_ASSIGN(Programs programs, findPrograms(options_.solve));
+    OBBY_ASSIGN(Store store, Store::open(options_.stateDir, options_.limits));
+    Tokens tokens;
+    if (needToken) {
+      OBBY_ASSIGN(tokens, Tokens::open(store.tokensPath(), options_.limits.clients));
+    }
+    service_ = std::make_unique<Service>(loop_, options_.limits, std::move(programs),
+                                         std::move(store), std::move(tokens), needToken);
+    return {};
+  }
+
+  Service& service() { return *service_; }
+
+  // Runs the event loop until `work` ends, `stop` is set, or nobody has been there for too long.
+  Status serve(kj::Promise<void> work) {
+    try {
+      work.exclusiveJoin(untilStopped()).exclusiveJoin(untilIdle()).wait(io_.waitScope);
+      service_->jobs().cancelAll(nullptr, "the bridge ends");
+      const auto most = uint64_t((options_.limits.stopSeconds + 1) * 1000) * kj::MILLISECONDS;
+      service_->jobs().whenIdle().exclusiveJoin(loop_.timer.afterDelay(most)).wait(io_.waitScope);
+    } catch (const kj::Exception& e) {
+      return makeError(e.getDescription().cStr());
+    }
+    return {};
+  }
+
+ private:
+  kj::Promise<void> untilStopped() {
+    if (stop_) return kj::READY_NOW;
+    return loop_.timer.afterDelay(kLook).then([this] { return untilStopped(); });
+  }
+
+  kj::Promise<void> untilIdle() {
+    service_->sweep();
+    const double most = options_.idleSeconds;
+    if (most > 0 && service_->quietFor() >= most) return kj::READY_NOW;
+    return loop_.timer.afterDelay(kSweep).then([this] { return untilIdle(); });
+  }
+
+  Quiet quiet_;
+  kj::AsyncIoContext io_;
+  Loop loop_;
+  const Options& options_;
+  const std::atomic<bool>& stop_;
+  std::unique_ptr<Service> service_;
+};
+
+}  // namespace
+
+Status serveHttp(const Options& options, const std::atomic<bool>& stop, const Reports& reports) {
+  Host host(options, reports, stop);
+  OBBY_RETURN_IF_ERROR(host.open(options.needToken));
+  Service& service = host.service();
+  if (options.needToken && !options.pair && !service.paired()) {
+    return makeError("no client is paired yet, so nobody could ask",
+                     "--pair shows a code for a new one");
+  }
+  OBBY_ASSIGN(Listener listener, listenOn(options.port));
+  reports.say(fmt::format("listening on http://127.0.0.1:{}", listener.port));
+  if (!options.needToken) {
+    reports.warn("--no-token: every program on this machine may ask, whoever runs it");
+  } else if (options.pair) {
+    reports.say(fmt::format("pairing code, for {} minutes: {}", int(Pairing::kSeconds) / 60,
+                            service.offerPairing().shown()));
+  }
+  HttpFront front(service, std::move(listener), reports.note);
+  return host.serve(front.run());
+}
+
+Status serveStdio(const Options& options, const std::atomic<bool>& stop, const Reports& reports,
+                  io::Sink output) {
+  Host host(options, reports, stop);
+  OBBY_RETURN_IF_ERROR(host.open(false));
+  StdioFront front(host.service(), std::move(output));
+  const Status served = host.serve(front.run());
+  const Status finished = front.finish();
+  return served ? finished : served;
+}
+
+}  // namespace obby::bridge

@@ -1,0 +1,49 @@
+// One client: what it is told, and when it last spoke.
+#pragma once
+
+#include <kj/async.h>
+#include <kj/vector.h>
+
+#include <functional>
+#include <string>
+
+#include "bridge/ring.h"
+
+namespace obby::bridge {
+
+class Client {
+ public:
+  Client(int number, uint64_t ringBytes) : number_(number), ring_(ringBytes) {}
+
+  int number() const { return number_; }
+  const Ring& ring() const { return ring_; }
+
+  // A message to the client; whoever waits for one is woken.
+  void tell(uint64_t job, const std::string& members) {
+    ring_.push(job, members);
+    wake();
+  }
+  // When the next message is there, or something else is to be looked at.
+  kj::Promise<void> whenWoken() {
+    auto waiting = kj::newPromiseAndFulfiller<void>();
+    waiters_.add(kj::mv(waiting.fulfiller));
+    return kj::mv(waiting.promise);
+  }
+  void wake() {
+    auto waiters = kj::mv(waiters_);
+    waiters_ = {};
+    for (auto& waiter : waiters) waiter->fulfill();
+  }
+
+  double lastSeen = 0;      // seconds of Loop::now()
+  bool socketOpen = false;  // one WebSocket at a time
+  bool dropSocket = false;  // asks that WebSocket to close
+  uint64_t polls = 0;       // long polls so far: an older one ends when a newer one comes
+
+ private:
+  int number_;
+  Ring ring_;
+  kj::Vector<kj::Own<kj::PromiseFulfiller<void>>> waiters_;
+};
+
+}  // namespace obby::bridge

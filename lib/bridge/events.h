@@ -1,0 +1,21 @@
+// Messages to a client over its WebSocket, from a cursor on, until either side ends it.
+#pragma once
+
+#include <kj/compat/http.h>
+
+#include <memory>
+
+#include "bridge/client.h"
+#include "bridge/service.h"
+
+namespace obby::bridge {
+
+// Close codes of ours.
+enum CloseCode : uint16_t { kNormal = 1000, kSilent = 4408, kReload = 4410 };
+
+// Ends with the WebSocket, without an exception. The client has said that it has all messages up to
+// `cursor`, and they are still kept.
+kj::Promise<void> sendEvents(kj::Own<kj::WebSocket> socket, std::shared_ptr<Client> client,
+                             Service& service, uint64_t cursor);
+
+}  // namespace obby::bridge

@@ -1,0 +1,55 @@
+#include "bridge/fragments.h"
+
+#include "bridge/json.h"
+#include "io/text.h"
+
+namespace obby::bridge {
+namespace {
+
+constexpr uint64_t kFrame = 200;  // what a message holds beside its text, at most
+
+// Pieces of whole characters, each at most `limit` bytes as a JSON string. A control character
+// takes six bytes there, a quote or backslash two.
+std::vector<std::string_view> pieces(std::string_view text, uint64_t limit) {
+  std::vector<std::string_view> out;
+  size_t begin = 0, at = 0;
+  uint64_t size = 0;
+  while (at < text.size()) {
+    const size_t length = std::max<size_t>(io::utf8Length(text.substr(at, 4)), 1);
+    const uint8_t c = uint8_t(text[at]);
+    const uint64_t cost = c < 0x20 || c == 0x7f ? 6 : c == '"' || c == '\\' ? 2 : length;
+    if (size + cost > limit) {
+      out.push_back(text.substr(begin, at - begin));
+      begin = at;
+      size = 0;
+    }
+    size += cost;
+    at += length;
+  }
+  out.push_back(text.substr(begin));
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> recordMessages(std::string_view job, std::string_view record,
+                                        uint64_t limit) {
+  const auto about = [&](const char* type) {
+    return JsonObject().text("job", job).text("type", type);
+  };
+  if (record.size() + kFrame <= limit) {
+    return {about("record").json("record", record).members()};
+  }
+  std::vector<std::string> out;
+  const auto parts = pieces(record, limit - kFrame);
+  for (const std::string_view part : parts) {
+    out.push_back(about("fragment")
+                      .number("index", out.size())
+                      .number("count", parts.size())
+                      .text("text", part)
+                      .members());
+  }
+  return out;
+}
+
+}  // namespace obby::bridge

@@ -1,0 +1,165 @@
+#include "bridge/job.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <cstring>
+
+#include "bridge/fragments.h"
+#include "bridge/json.h"
+#include "bridge/store.h"
+#include "io/json_tree.h"
+
+namespace obby::bridge {
+namespace {
+
+constexpr size_t kMaxReport = 64 << 10;  // bytes of a line of stderr that are handed on
+constexpr int kInterrupted = 130;        // what our tools give after SIGINT
+
+// What the client itself sent, or what only frames the stream.
+bool worthTelling(std::string_view type) {
+  return type != "header" && type != "level" && type != "query";
+}
+
+std::string endingOf(const Exit& how) {
+  if (how.signal == 0) return fmt::format("the program ended with {}", how.code);
+  if (how.signal == SIGXCPU) return "the program used more processor time than it may";
+  return fmt::format("the program was ended by signal {} ({})", how.signal, strsignal(how.signal));
+}
+
+}  // namespace
+
+const char* nameOf(JobState state) {
+  switch (state) {
+    case JobState::waiting: return "waiting";
+    case JobState::running: return "running";
+    case JobState::done: return "done";
+    case JobState::cancelled: return "cancelled";
+    case JobState::failed: break;
+  }
+  return "failed";
+}
+
+Job::Job(uint64_t number, std::shared_ptr<Client> client, JobPlan plan, const Limits& limits)
+    : number_(number),
+      client_(std::move(client)),
+      plan_(std::move(plan)),
+      limits_(limits),
+      firstCursor_(client_->ring().last()) {
+  enter(JobState::waiting, {});
+}
+
+std::string Job::id() const { return fmt::format("j{}", number_); }
+
+void Job::enter(JobState state, const std::string& why) {
+  state_ = state;
+  JsonObject out;
+  out.text("job", id()).text("type", "state").text("state", nameOf(state));
+  if (!why.empty()) out.text("reason", why);
+  client_->tell(number_, out.members());
+}
+
+void Job::tell(const char* type, const char* member, std::string_view json) {
+  client_->tell(number_,
+                JsonObject().text("job", id()).text("type", type).json(member, json).members());
+}
+
+void Job::fail(const Error& error) { enter(JobState::failed, error.text()); }
+
+kj::Promise<void> Job::start(Loop& loop) {
+  loop_ = &loop;
+  auto process = Process::start(plan_.command);
+  if (!process) {
+    fail(process.error());
+    return kj::READY_NOW;
+  }
+  if (!plan_.answerPath.empty()) {
+    if (auto sink = io::Sink::open(plan_.answerPath)) answer_ = *std::move(sink);
+  }
+  enter(JobState::running, {});
+  run_ = std::make_unique<Run>(
+      loop, *std::move(process), std::move(plan_.input),
+      [this](std::string_view line) { onRecord(line); },
+      [this](std::string_view line) { onReport(line); });
+  return run_->done().then([this](Exit how) { ending(how); },
+                           [this](kj::Exception&& e) {
+                             fail(makeError(asUtf8(e.getDescription().cStr())));
+                             run_ = nullptr;
+                           });
+}
+
+void Job::onRecord(std::string_view line) {
+  const std::string_view type = typeOfLine(line);
+  if (type.empty()) return;  // our programs write nothing else; another's noise is not passed on
+  keep(line);
+  if (type == "end") complete_ = true;
+  if (!worthTelling(type)) return;
+  for (const std::string& members : recordMessages(id(), line, limits_.messageBytes)) {
+    client_->tell(number_, members);
+  }
+}
+
+// A line of stderr: progress and errors are objects, see --progress=json and --json-errors.
+void Job::onReport(std::string_view line) {
+  if (line.size() > kMaxReport) line = line.substr(0, kMaxReport);
+  const auto tree = io::JsonTree::parse(line);
+  if (!tree || tree->root().type != io::JsonTree::Type::object) {
+    lastReport_ = asUtf8(line);
+    client_->tell(
+        number_,
+        JsonObject().text("job", id()).text("type", "report").text("text", line).members());
+    return;
+  }
+  if (typeOfLine(line) == "progress") return tell("progress", "progress", line);
+  for (uint32_t i = tree->root().child; i != 0; i = tree->node(i).next) {
+    if (tree->name(tree->node(i)) == "message") lastReport_ = tree->text(tree->node(i));
+  }
+  tell("report", "report", line);
+}
+
+void Job::keep(std::string_view line) {
+  if (!answer_) return;
+  answerBytes_ += line.size() + 1;
+  const bool written =
+      answerBytes_ <= limits_.answerBytes && answer_->write(line) && answer_->write("\n");
+  if (!written) keepNothing();
+}
+
+void Job::keepNothing() {
+  answer_.reset();  // takes the file away: half an answer is none
+  tell("report", "report",
+       JsonObject().text("message", "this answer is not kept for a warm start").whole());
+}
+
+void Job::closeAnswer() {
+  if (!answer_) return;
+  kept_ = complete_ && answer_->close();
+  if (complete_ && !kept_) keepNothing();  // a disk can say only now that it is full
+  answer_.reset();
+}
+
+void Job::ending(const Exit& how) {
+  closeAnswer();
+  run_ = nullptr;
+  kill_ = nullptr;
+  if (!cancelled_.empty()) return enter(JobState::cancelled, cancelled_);
+  const bool interrupted = how.signal == 0 && how.code == kInterrupted;
+  if (how.signal == 0 && how.code == 0) return enter(JobState::done, {});
+  if (interrupted) return enter(JobState::cancelled, "the program was interrupted");
+  enter(JobState::failed, lastReport_.empty() ? endingOf(how) : lastReport_);
+}
+
+void Job::cancel(const char* why) {
+  if (ended() || !cancelled_.empty()) return;
+  cancelled_ = why;
+  if (!run_) return enter(JobState::cancelled, why);
+  run_->signal(SIGINT);
+  const uint64_t milliseconds = uint64_t(limits_.stopSeconds * 1000);
+  kill_ = loop_->timer.afterDelay(milliseconds * kj::MILLISECONDS)
+              .then([this] {
+                if (run_) run_->signal(SIGKILL);
+              })
+              .eagerlyEvaluate(nullptr);
+}
+
+}  // namespace obby::bridge

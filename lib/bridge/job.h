@@ -1,0 +1,72 @@
+// One job of a client, from its order to its end, and what the client hears of it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "bridge/client.h"
+#include "bridge/limits.h"
+#include "bridge/run.h"
+#include "io/sink.h"
+
+namespace obby::bridge {
+
+enum class JobState { waiting, running, done, cancelled, failed };
+const char* nameOf(JobState state);
+
+// What a job runs, decided before it waits for its turn.
+struct JobPlan {
+  Command command;
+  std::string input;
+  std::string answerPath;  // where the answer is kept for a warm start; empty: it is not
+};
+
+class Job {
+ public:
+  Job(uint64_t number, std::shared_ptr<Client> client, JobPlan plan, const Limits& limits);
+
+  std::string id() const;
+  uint64_t number() const { return number_; }
+  JobState state() const { return state_; }
+  bool ended() const { return state_ > JobState::running; }
+  bool answerKept() const { return kept_; }
+  const std::string& answerPath() const { return plan_.answerPath; }
+  Client& client() { return *client_; }
+  uint64_t firstCursor() const { return firstCursor_; }  // messages of this job come after it
+
+  // Starts the program; the promise is fulfilled when the job has ended, whatever came of it.
+  kj::Promise<void> start(Loop& loop);
+  // SIGINT, so that what is finished still comes; SIGKILL if that does not help in time.
+  void cancel(const char* why);
+
+ private:
+  void enter(JobState state, const std::string& why);
+  void fail(const Error& error);
+  void onRecord(std::string_view line);
+  void onReport(std::string_view line);
+  void keep(std::string_view line);
+  void keepNothing();
+  void closeAnswer();
+  void ending(const Exit& how);
+  void tell(const char* type, const char* member, std::string_view json);
+
+  uint64_t number_;
+  std::shared_ptr<Client> client_;
+  JobPlan plan_;
+  const Limits& limits_;
+  JobState state_ = JobState::waiting;
+  uint64_t firstCursor_;
+  std::string cancelled_;   // why; empty: it is not
+  std::string lastReport_;  // the program's last error
+  bool complete_ = false;   // its end record has come
+  bool kept_ = false;
+  uint64_t answerBytes_ = 0;
+  std::optional<io::Sink> answer_;
+  Loop* loop_ = nullptr;
+  std::unique_ptr<Run> run_;
+  kj::Promise<void> kill_ = nullptr;
+};
+
+}  // namespace obby::bridge

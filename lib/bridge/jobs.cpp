@@ -1,0 +1,102 @@
+#include "bridge/jobs.h"
+
+#include <algorithm>
+
+namespace obby::bridge {
+
+Jobs::Jobs(Loop& loop, const Limits& limits, std::function<void(const Job&)> forgotten)
+    : loop_(loop),
+      limits_(limits),
+      forgotten_(std::move(forgotten)),
+      tasks_(kj::heap<kj::TaskSet>(static_cast<kj::TaskSet::ErrorHandler&>(*this))) {}
+
+Job* Jobs::submit(std::shared_ptr<Client> client, JobPlan plan, uint64_t number) {
+  const auto waits = std::count_if(waiting_.begin(), waiting_.end(), [&](uint64_t n) {
+    return &jobs_.at(n)->client() == client.get();
+  });
+  if (waits >= int64_t(limits_.waiting)) return nullptr;
+  auto job = std::make_unique<Job>(number, std::move(client), std::move(plan), limits_);
+  Job* out = job.get();
+  jobs_.emplace(number, std::move(job));
+  waiting_.push_back(number);
+  startMore();
+  return out;
+}
+
+Job* Jobs::find(const Client& client, const std::string& id) {
+  for (const auto& [number, job] : jobs_) {
+    if (&job->client() == &client && job->id() == id) return job.get();
+  }
+  return nullptr;
+}
+
+std::vector<Job*> Jobs::of(const Client& client) {
+  std::vector<Job*> out;
+  for (const auto& [number, job] : jobs_) {
+    if (&job->client() == &client) out.push_back(job.get());
+  }
+  return out;
+}
+
+void Jobs::startMore() {
+  // Some may have been cancelled before their turn.
+  std::erase_if(waiting_, [this](uint64_t number) { return jobs_.at(number)->ended(); });
+  while (running_ < limits_.jobs && !waiting_.empty()) {
+    Job& job = *jobs_.at(waiting_.front());
+    waiting_.erase(waiting_.begin());
+    running_++;
+    tasks_->add(job.start(loop_).then([this, &job] {
+      running_--;
+      forgetOld(job.client());
+      startMore();
+    }));
+  }
+  if (!idle()) return;
+  auto waiters = kj::mv(idleWaiters_);
+  idleWaiters_ = {};
+  for (auto& waiter : waiters) waiter->fulfill();
+}
+
+void Jobs::forgetOld(const Client& client) {
+  std::vector<uint64_t> ended;
+  for (Job* job : of(client)) {
+    if (job->ended()) ended.push_back(job->number());
+  }
+  for (size_t i = 0; i + limits_.keptJobs < ended.size(); i++) {
+    forgotten_(*jobs_.at(ended[i]));
+    jobs_.erase(ended[i]);
+  }
+}
+
+void Jobs::cancel(Job& job, const char* why) {
+  const Client& client = job.client();
+  job.cancel(why);
+  startMore();
+  forgetOld(client);
+}
+
+void Jobs::cancelAll(const Client* client, const char* why) {
+  for (const auto& [number, job] : jobs_) {
+    if (!client || &job->client() == client) job->cancel(why);
+  }
+  startMore();
+}
+
+void Jobs::forgetAll() {
+  tasks_ = nullptr;
+  for (const auto& [number, job] : jobs_) forgotten_(*job);
+  jobs_.clear();
+  waiting_.clear();
+}
+
+kj::Promise<void> Jobs::whenIdle() {
+  if (idle()) return kj::READY_NOW;
+  auto waiting = kj::newPromiseAndFulfiller<void>();
+  idleWaiters_.add(kj::mv(waiting.fulfiller));
+  return kj::mv(waiting.promise);
+}
+
+// Jobs report their own failures; what comes here would be a mistake in this program.
+void Jobs::taskFailed(kj::Exception&& exception) { kj::throwFatalException(kj::mv(exception)); }
+
+}  // namespace obby::bridge

@@ -1,0 +1,230 @@
+#include "bridge/order.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "bridge/json.h"
+#include "bridge/request.h"
+#include "io/json_codec.h"
+
+namespace obby::bridge {
+namespace {
+
+using io::JsonTree;
+using Node = JsonTree::Node;
+using Type = JsonTree::Type;
+
+// The budget: its members and the options of our programs that they are. Bounds are those of its
+// option table, but for the time, which a bridge that others share must bound.
+enum class Shape { number, whole, seed, truth };
+struct Knob {
+  const char* name;
+  const char* option;
+  Shape shape;
+  double min = 0, max = 0;
+  bool solves = true, calibrates = false;  // which programs have it
+};
+constexpr Knob kKnobs[] = {
+    {"timeLimit", "--time-limit", Shape::number, 0.01, 600},
+    {"maxSteps", "--max-steps", Shape::whole, 1, 9e15},
+    {"solutions", "--solutions", Shape::whole, 1, 1000},
+    {"diverse", "--diverse", Shape::truth},
+    {"attempts", "--attempts", Shape::whole, 0, 1000},
+    {"difficulty", "--difficulty", Shape::truth},
+    {"trials", "--trials", Shape::whole, 1, 1000000},
+    {"explain", "--explain", Shape::truth},
+    {"restarts", "--restarts", Shape::whole, 1, 1000, false, true},
+    {"generations", "--generations", Shape::whole, 1, 100000, false, true},
+    {"seed", "--seed", Shape::seed, 0, 0, true, true},
+};
+
+class OrderReader {
+ public:
+  OrderReader(const JsonTree& tree, const Limits& limits) : tree_(tree), limits_(limits) {}
+
+  Result<Order> read() {
+    OBBY_RETURN_IF_ERROR(
+        forMembers(tree_, tree_.root(), "",
+                   [&](std::string_view name, const Node& value) { return member(name, value); }));
+    OBBY_RETURN_IF_ERROR(check());
+    return std::move(order_);
+  }
+
+ private:
+  Status member(std::string_view name, const Node& value) {
+    if (name == "task") return task(value);
+    if (name == "level") return text(value, "level", order_.level);
+    if (name == "warm") return text(value, "warm", order_.warm);
+    if (name == "queries") return records(value, "queries", "query", io::Kind::QUERY);
+    if (name == "recordings") return records(value, "recordings", "recording", io::Kind::RECORDING);
+    if (name == "ask") return ask(value);
+    if (name == "budget") {
+      return forMembers(tree_, value, "budget", [&](std::string_view knob, const Node& setting) {
+        return budget(knob, setting);
+      });
+    }
+    return unknownMember("", name,
+                         {"task", "level", "queries", "ask", "warm", "budget", "recordings"});
+  }
+
+  Status task(const Node& value) {
+    std::string name;
+    OBBY_RETURN_IF_ERROR(text(value, "task", name));
+    if (name != "solve" && name != "calibrate") {
+      return pathError("task", "expected solve or calibrate, found " + tree_.describe(value));
+    }
+    order_.task = name == "solve" ? Task::solve : Task::calibrate;
+    return {};
+  }
+
+  Status text(const Node& value, const char* path, std::string& out) {
+    OBBY_ASSIGN(out, jsonString(tree_, value, path));
+    return {};
+  }
+
+  Status ask(const Node& value) {
+    return forElements(tree_, value, "ask", [&](uint32_t i, const Node& id) -> Status {
+      OBBY_RETURN_IF_ERROR(countOf(order_.ask.size() + 1, "ask"));
+      OBBY_ASSIGN(std::string wanted, jsonString(tree_, id, fmt::format("ask[{}]", i)));
+      order_.ask.push_back(std::move(wanted));
+      return {};
+    });
+  }
+
+  Status records(const Node& value, const char* name, const char* type, io::Kind kind) {
+    if (recordsName_) return pathError(name, fmt::format("does not go with {}", recordsName_));
+    recordsName_ = name;
+    return forElements(tree_, value, name, [&](uint32_t i, const Node& record) -> Status {
+      OBBY_RETURN_IF_ERROR(countOf(order_.records.size() + 1, name));
+      return this->record(record, fmt::format("{}[{}]", name, i), type, kind);
+    });
+  }
+
+  // The record through lib/io and back: whatever its fields say, they are the schema's.
+  Status record(const Node& value, const std::string& path, const char* type, io::Kind kind) {
+    JsonObject out;
+    out.text("type", type);
+    OBBY_RETURN_IF_ERROR(
+        forMembers(tree_, value, path, [&](std::string_view name, const Node& field) -> Status {
+          if (name != "type") {
+            out.json(name, jsonText(tree_, field));
+          } else if (field.type != Type::text || tree_.text(field) != type) {
+            return pathError(path + ".type", fmt::format("expected \"{}\"", type));
+          }
+          return {};
+        }));
+    auto built = io::recordFromJson(out.whole());
+    if (!built) return placed(built.error(), path);
+    if (built->reader().which() != kind) return pathError(path, "not a record of that kind");
+    auto line = io::recordToJson(built->reader());
+    if (!line) return placed(line.error(), path);
+    order_.records.push_back(*std::move(line));
+    return {};
+  }
+
+  static Error placed(Error error, const std::string& path) {
+    error.path = error.path.empty() ? path : path + "." + error.path;
+    return error;
+  }
+
+  Status countOf(size_t count, const char* name) const {
+    if (count <= limits_.queries) return {};
+    return pathError(name, fmt::format("more than {}", limits_.queries), "ask in several jobs");
+  }
+
+  Status budget(std::string_view name, const Node& value) {
+    std::vector<std::string> known;
+    for (const Knob& knob : kKnobs) {
+      if (name == knob.name) return this->knob(knob, value);
+      known.emplace_back(knob.name);
+    }
+    return unknownMember("budget", name, known);
+  }
+
+  Status knob(const Knob& knob, const Node& value) {
+    const std::string path = std::string("budget.") + knob.name;
+    knobs_.push_back(&knob);
+    if (knob.shape == Shape::truth) {
+      if (value.type == Type::yes) order_.arguments.emplace_back(knob.option);
+      if (value.type == Type::yes || value.type == Type::no) return {};
+      return pathError(path, "expected true or false, found " + tree_.describe(value));
+    }
+    const auto setting = knob.shape == Shape::seed ? seed(value) : number(knob, value);
+    if (setting.empty()) {
+      const std::string wanted =
+          knob.shape == Shape::seed
+              ? "a whole number or, beyond 2^53, its digits as a text"
+              : fmt::format("a {}number from {} to {}", knob.shape == Shape::whole ? "whole " : "",
+                            knob.min, knob.max);
+      return pathError(path, fmt::format("expected {}, found {}", wanted, tree_.describe(value)));
+    }
+    order_.arguments.push_back(fmt::format("{}={}", knob.option, setting));
+    return {};
+  }
+
+  // The value as an argument; empty: it is none.
+  std::string number(const Knob& knob, const Node& value) const {
+    double found = NAN;
+    if (value.type == Type::whole) found = double(value.value);
+    if (value.type == Type::real) {
+      const std::string_view text = tree_.text(value);
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), found);
+      if (error != std::errc() || end != text.data() + text.size()) return {};
+    }
+    if (!(found >= knob.min && found <= knob.max)) return {};
+    if (knob.shape == Shape::number) return fmt::format("{}", found);
+    return std::floor(found) == found ? fmt::format("{:.0f}", found) : "";
+  }
+
+  std::string seed(const Node& value) const {
+    if (value.type == Type::whole) return fmt::format("{}", value.value);
+    if (value.type != Type::text) return {};
+    const std::string_view text = tree_.text(value);
+    uint64_t found = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), found);
+    const bool right = !text.empty() && error == std::errc() && end == text.data() + text.size();
+    return right ? fmt::format("{}", found) : "";
+  }
+
+  Status check() const {
+    const bool solve = order_.task == Task::solve;
+    if (recordsName_ && (std::string_view(recordsName_) == "queries") != solve) {
+      return pathError(recordsName_, "does not go with this task");
+    }
+    for (const Knob* knob : knobs_) {
+      if (solve ? knob->solves : knob->calibrates) continue;
+      return pathError(std::string("budget.") + knob->name, "does not go with this task");
+    }
+    if (!isLevelId(order_.level)) {
+      return pathError("level", "needed: the id of a level", "POST /v1/levels gives it");
+    }
+    if (!order_.warm.empty() && (!solve || !isJobId(order_.warm))) {
+      return pathError("warm", "expected the id of an earlier job that solved");
+    }
+    if (!solve && order_.records.empty()) {
+      return pathError("recordings", "needed to calibrate");
+    }
+    if (!solve && !order_.ask.empty()) return pathError("ask", "does not go with this task");
+    if (!order_.ask.empty() && !order_.records.empty()) {
+      return pathError("ask", "does not go with queries");
+    }
+    return {};
+  }
+
+  const JsonTree& tree_;
+  const Limits& limits_;
+  Order order_;
+  const char* recordsName_ = nullptr;
+  std::vector<const Knob*> knobs_;  // those given
+};
+
+}  // namespace
+
+Result<Order> parseOrder(std::string_view json, const Limits& limits) {
+  OBBY_ASSIGN(const JsonTree tree, JsonTree::parse(json));
+  return OrderReader(tree, limits).read();
+}
+
+}  // namespace obby::bridge

@@ -1,0 +1,36 @@
+#include "bridge/programs.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+
+namespace obby::bridge {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isProgram(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored) && access(path.c_str(), X_OK) == 0;
+}
+
+}  // namespace
+
+Result<Programs> findPrograms(const std::string& solve) {
+  std::error_code error;
+  const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
+  const auto beside = [&](const char* name) {
+    return !error && isProgram(here / name) ? (here / name).string() : std::string();
+  };
+  Programs out{beside("obby-solve"), beside("obby-import"), beside("obby-calibrate")};
+  if (!solve.empty()) {
+    out.solve = fs::absolute(solve, error).string();
+    if (error || !isProgram(out.solve)) return Error{solve, {}, {}, "is not a program", {}};
+  }
+  if (out.solve.empty()) {
+    return makeError("there is no obby-solve beside this program", "--solve names it");
+  }
+  return out;
+}
+
+}  // namespace obby::bridge

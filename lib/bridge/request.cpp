@@ -1,0 +1,221 @@
+#include "bridge/request.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <vector>
+
+#include "io/text.h"
+
+namespace obby::bridge {
+namespace {
+
+constexpr uint64_t kMaxCursor = (uint64_t(1) << 53) - 1;  // what a JSON number can say
+constexpr uint64_t kMaxWait = 3600;                       // the service waits less: limits.h
+constexpr size_t kMaxTarget = 512;
+
+using io::lower;
+
+bool allOf(std::string_view text, std::string_view allowed) {
+  return text.find_first_not_of(allowed) == std::string_view::npos;
+}
+
+// --- who asks
+
+bool hostAllowed(std::string_view host, uint16_t port) {
+  const std::string found = lower(host);
+  for (const char* name : {"127.0.0.1", "localhost", "[::1]"}) {
+    if (found == fmt::format("{}:{}", name, port)) return true;
+    if (port == 80 && found == name) return true;
+  }
+  return false;
+}
+
+std::optional<Reply> checkSender(const RequestHead& head, const Access& access) {
+  if (!head.host || !hostAllowed(*head.host, access.port)) {
+    return refuse(421, "this is not the host that was asked for",
+                  fmt::format("ask http://127.0.0.1:{}", access.port));
+  }
+  // Programs send neither; a page in a browser cannot leave them out.
+  if (head.origin || head.fetchSite) {
+    return refuse(403, "web pages may not use the bridge", "ask from a plugin or a program");
+  }
+  return {};
+}
+
+// The token of "Bearer TOKEN"; nothing if the header has another form.
+std::optional<std::string_view> bearer(std::string_view header) {
+  constexpr std::string_view kScheme = "bearer ";
+  if (lower(header.substr(0, kScheme.size())) != kScheme) return {};
+  return header.substr(kScheme.size());
+}
+
+std::optional<Reply> checkToken(const RequestHead& head, const Access& access, Call& call) {
+  if (!access.needToken) {
+    call.client = 0;
+    return {};
+  }
+  const bool open = call.endpoint == Endpoint::info || call.endpoint == Endpoint::pair;
+  if (!head.authorization && open) return {};
+  const auto token = head.authorization ? bearer(*head.authorization) : std::nullopt;
+  call.client = token ? access.clientOf(*token) : -1;
+  if (call.client >= 0) return {};
+  return refuse(401, head.authorization ? "the token is not known" : "a token is needed",
+                "pair: start obby-bridge --pair and send its code to /v1/pair");
+}
+
+// --- what is asked
+
+struct Route {
+  const char* method;
+  const char* path;  // a trailing * stands for an id
+  Endpoint endpoint;
+  std::array<std::string_view, 3> parameters;  // those there are; the rest is empty
+};
+
+constexpr Route kRoutes[] = {
+    {"GET", "/v1/info", Endpoint::info, {}},
+    {"POST", "/v1/pair", Endpoint::pair, {}},
+    {"POST", "/v1/levels", Endpoint::putLevel, {}},
+    {"GET", "/v1/levels/*", Endpoint::getLevel, {}},
+    {"POST", "/v1/jobs", Endpoint::putJob, {}},
+    {"GET", "/v1/jobs/*", Endpoint::getJob, {"cursor", "session", "wait"}},
+    {"DELETE", "/v1/jobs/*", Endpoint::cancelJob, {}},
+    {"GET", "/v1/events", Endpoint::events, {"cursor", "session"}},
+};
+
+bool fits(const Route& row, std::string_view path, std::string& id) {
+  const std::string_view pattern = row.path;
+  if (pattern.back() != '*') return path == pattern;
+  const std::string_view prefix = pattern.substr(0, pattern.size() - 1);
+  if (path.substr(0, prefix.size()) != prefix) return false;
+  id = path.substr(prefix.size());
+  return row.endpoint == Endpoint::getLevel ? isLevelId(id) : isJobId(id);
+}
+
+std::optional<uint64_t> wholeNumber(std::string_view text, uint64_t most) {
+  uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return {};
+  return value <= most ? std::optional(value) : std::nullopt;
+}
+
+bool setParameter(Call& call, std::string_view name, std::string_view value) {
+  if (name == "session") {
+    call.session = value;
+    return value.size() <= 64 && allOf(lower(value), "0123456789abcdef");
+  }
+  const auto number = wholeNumber(value, name == "wait" ? kMaxWait : kMaxCursor);
+  if (!number) return false;
+  if (name == "wait") {
+    call.wait = double(*number);
+  } else {
+    call.cursor = *number;
+  }
+  return true;
+}
+
+std::optional<Reply> readParameters(std::string_view text, const Route& row, Call& call) {
+  std::vector<std::string_view> seen;
+  while (!text.empty()) {
+    const std::string_view pair = text.substr(0, text.find('&'));
+    text.remove_prefix(std::min(text.size(), pair.size() + 1));
+    const std::string_view name = pair.substr(0, pair.find('='));
+    const std::string_view value = pair.substr(std::min(pair.size(), name.size() + 1));
+    const auto& names = row.parameters;
+    const bool known = !name.empty() && std::find(names.begin(), names.end(), name) != names.end();
+    const bool twice = std::find(seen.begin(), seen.end(), name) != seen.end();
+    if (!known || twice || !setParameter(call, name, value)) {
+      return refuse(400, "parameter not understood: " + io::quoted(pair),
+                    "cursor and wait are whole numbers, session is what /v1/info said");
+    }
+    seen.push_back(name);
+  }
+  return {};
+}
+
+// --- how it is sent
+
+std::optional<Reply> checkHandshake(const RequestHead& head, const Call& call) {
+  if (call.endpoint != Endpoint::events) {
+    if (!head.upgrade) return {};
+    return refuse(400, "only /v1/events is a WebSocket", "leave the Upgrade header out");
+  }
+  if (head.webSocket && head.webSocketVersion == "13" && head.webSocketKey) return {};
+  return refuse(426, "/v1/events is a WebSocket of version 13",
+                "open it as one, or poll /v1/jobs/ID?cursor=N&wait=20");
+}
+
+std::optional<Content> contentOf(std::string_view type) {
+  const std::string name = lower(type.substr(0, type.find_first_of("; ")));
+  if (name == "application/json") return Content::json;
+  if (name == "application/x-ndjson") return Content::records;
+  if (name == "application/octet-stream") return Content::bytes;
+  return {};
+}
+
+std::optional<Reply> checkContent(const RequestHead& head, Call& call) {
+  if (head.method != "POST") return {};
+  const bool level = call.endpoint == Endpoint::putLevel;
+  const auto content = head.contentType ? contentOf(*head.contentType) : std::nullopt;
+  const bool right = content && (*content == Content::json) != level;
+  if (!right) {
+    return refuse(415, "this content type is not taken here",
+                  level ? "send a place as application/octet-stream, records as "
+                          "application/x-ndjson"
+                        : "send application/json");
+  }
+  call.content = *content;
+  const std::string encoding = lower(head.encoding.value_or("identity"));
+  call.gzip = encoding == "gzip";
+  if (call.gzip || encoding == "identity") return {};
+  return refuse(415, "this content encoding is not taken", "send it plain or as gzip");
+}
+
+}  // namespace
+
+bool isLevelId(std::string_view text) {
+  return text.size() == 32 && allOf(text, "0123456789abcdef");
+}
+
+bool isJobId(std::string_view text) {
+  return text.size() >= 2 && text.size() <= 16 && text[0] == 'j' &&
+         allOf(text.substr(1), "0123456789");
+}
+
+std::variant<Call, Reply> route(std::string_view method, std::string_view target) {
+  if (target.size() > kMaxTarget || target.empty() || target[0] != '/') {
+    return refuse(400, "not an address of the bridge", "docs/bridge.md lists them");
+  }
+  const std::string_view path = target.substr(0, target.find('?'));
+  bool found = false;
+  for (const Route& row : kRoutes) {
+    Call call;
+    if (!fits(row, path, call.id)) continue;
+    found = true;
+    if (method != row.method) continue;
+    call.endpoint = row.endpoint;
+    const std::string_view rest = target.substr(std::min(target.size(), path.size() + 1));
+    if (auto wrong = readParameters(rest, row, call)) return *std::move(wrong);
+    return call;
+  }
+  if (found) return refuse(405, "not that method here", "docs/bridge.md lists them");
+  return refuse(404, "there is nothing at this address", "docs/bridge.md lists what there is");
+}
+
+std::variant<Call, Reply> checkRequest(const RequestHead& head, const Access& access) {
+  if (auto wrong = checkSender(head, access)) return *std::move(wrong);
+  std::variant<Call, Reply> routed = route(head.method, head.target);
+  Call stranger;  // asks for what needs a token: strangers do not learn what is here
+  stranger.endpoint = Endpoint::events;
+  Call* call = std::get_if<Call>(&routed);
+  if (auto wrong = checkToken(head, access, call ? *call : stranger)) return *std::move(wrong);
+  if (!call) return routed;
+  if (auto wrong = checkHandshake(head, *call)) return *std::move(wrong);
+  if (auto wrong = checkContent(head, *call)) return *std::move(wrong);
+  return routed;
+}
+
+}  // namespace obby::bridge

@@ -1,0 +1,23 @@
+#include "bridge/ring.h"
+
+#include <fmt/format.h>
+
+namespace obby::bridge {
+
+void Ring::push(uint64_t job, const std::string& members) {
+  messages_.push_back({next_, job, fmt::format("{{\"number\":{},{}}}", next_, members)});
+  next_++;
+  bytes_ += messages_.back().text.size();
+  while (bytes_ > limit_ && messages_.size() > 1) {
+    bytes_ -= messages_.front().text.size();
+    messages_.pop_front();
+  }
+}
+
+const Message* Ring::after(uint64_t cursor) const {
+  const uint64_t first = next_ - messages_.size();
+  if (cursor >= last()) return nullptr;
+  return &messages_[cursor + 1 - first];
+}
+
+}  // namespace obby::bridge

@@ -1,0 +1,35 @@
+// The last messages to a client, numbered, so that it can go on from where it was.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+
+namespace obby::bridge {
+
+struct Message {
+  uint64_t number = 0;
+  uint64_t job = 0;
+  std::string text;  // `{"number":7,...}`
+};
+
+class Ring {
+ public:
+  explicit Ring(uint64_t bytes) : limit_(bytes) {}
+
+  // Keeps `{"number":N,<members>}` about that job; the oldest messages go when the ring is full.
+  void push(uint64_t job, const std::string& members);
+
+  uint64_t last() const { return next_ - 1; }  // number of the newest message ever; 0: none
+  // Whether all messages after `cursor` are still here.
+  bool reaches(uint64_t cursor) const { return cursor + 1 >= next_ - messages_.size(); }
+  // The first message after `cursor`; null: there is none yet. Only if reaches(cursor).
+  const Message* after(uint64_t cursor) const;
+  uint64_t bytes() const { return bytes_; }
+
+ private:
+  uint64_t limit_, bytes_ = 0, next_ = 1;
+  std::deque<Message> messages_;
+};
+
+}  // namespace obby::bridge

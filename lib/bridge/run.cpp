@@ -1,0 +1,80 @@
+#include "bridge/run.h"
+
+#include <signal.h>
+
+namespace obby::bridge {
+namespace {
+
+constexpr uint kFdFlags =
+    kj::LowLevelAsyncIoProvider::TAKE_OWNERSHIP | kj::LowLevelAsyncIoProvider::ALREADY_CLOEXEC;
+
+// Hands on the whole lines of `rest`.
+void takeLines(std::string& rest, size_t searchFrom, const Run::OnLine& onLine) {
+  size_t begin = 0;
+  for (size_t end = rest.find('\n', searchFrom); end != std::string::npos;
+       end = rest.find('\n', begin)) {
+    onLine(std::string_view(rest).substr(begin, end - begin));
+    begin = end + 1;
+  }
+  rest.erase(0, begin);
+}
+
+}  // namespace
+
+double Loop::now() const {
+  return double((timer.now() - kj::origin<kj::TimePoint>()) / kj::MILLISECONDS) / 1000;
+}
+
+Run::Run(Loop& loop, Process process, std::string input, OnLine onOutput, OnLine onError)
+    : loop_(loop),
+      process_(std::move(process)),
+      text_(std::move(input)),
+      onOutput_(std::move(onOutput)),
+      onError_(std::move(onError)),
+      input_(loop.io.wrapOutputFd(process_.input.release(), kFdFlags)),
+      output_(loop.io.wrapInputFd(process_.output.release(), kFdFlags)),
+      errors_(loop.io.wrapInputFd(process_.errors.release(), kFdFlags)),
+      exited_(loop.events, process_.exitFd(), kj::UnixEventPort::FdObserver::OBSERVE_READ) {}
+
+kj::Promise<void> Run::feed() {
+  // A program that ends before it has read everything is no error here: its exit says what was.
+  return input_->write(text_.data(), text_.size())
+      .catch_([](kj::Exception&&) {})
+      .then([this] {
+        input_ = nullptr;
+        text_ = {};
+      })
+      .eagerlyEvaluate(nullptr);  // the program waits for the end of its input
+}
+
+kj::Promise<void> Run::lines(kj::AsyncInputStream& from, std::string& rest, const OnLine& onLine) {
+  const bool out = &from == output_.get();
+  char* buffer = out ? outBuffer_ : errBuffer_;
+  const size_t size = out ? sizeof outBuffer_ : sizeof errBuffer_;
+  return from.tryRead(buffer, 1, size)
+      .then([this, &from, &rest, &onLine, buffer](size_t n) -> kj::Promise<void> {
+        if (n == 0) {
+          if (!rest.empty()) onLine(rest);
+          return kj::READY_NOW;
+        }
+        const size_t searchFrom = rest.size();
+        rest.append(buffer, n);
+        takeLines(rest, searchFrom, onLine);
+        if (rest.size() > kMaxLine) signal(SIGKILL);
+        return lines(from, rest, onLine);
+      });
+}
+
+kj::Promise<Exit> Run::done() {
+  // Who ends first does not matter; but once the program has ended, what is left of its group must
+  // not hold its streams open.
+  auto exit = exited_.whenBecomesReadable().then([this] { return process_.reap(); });
+  auto streams = kj::heapArrayBuilder<kj::Promise<void>>(3);
+  streams.add(feed());
+  streams.add(lines(*output_, outRest_, onOutput_));
+  streams.add(lines(*errors_, errRest_, onError_));
+  return exit.then([all = kj::joinPromises(streams.finish()).eagerlyEvaluate(nullptr)](
+                       Exit how) mutable { return all.then([how] { return how; }); });
+}
+
+}  // namespace obby::bridge

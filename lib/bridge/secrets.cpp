@@ -1,0 +1,152 @@
+#include "bridge/secrets.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+
+#include "io/read_file.h"
+
+namespace obby::bridge {
+namespace {
+
+constexpr std::string_view kLetters = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789";
+static_assert(kLetters.size() == 32, "five bits a letter, all alike");
+
+std::string randomBytes(size_t bytes) {
+  std::string out(bytes, '\0');
+  size_t done = 0;
+  while (done < bytes) {
+    const ssize_t n = getrandom(out.data() + done, bytes - done, 0);
+    if (n > 0) done += size_t(n);
+    // Without randomness there is no secret: nothing that goes on from here would be right.
+    if (n < 0 && errno != EINTR) throw std::runtime_error("the system gives no random numbers");
+  }
+  return out;
+}
+
+// What somebody typed, as the code is kept.
+std::string plain(std::string_view typed) {
+  std::string out;
+  for (const char c : typed) {
+    if (c == '-' || c == ' ') continue;
+    out += c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c;
+  }
+  return out;
+}
+
+Error fileError(const std::string& path, const char* what) {
+  return Error{path, {}, {}, fmt::format("{}: {}", what, std::strerror(errno)), {}};
+}
+
+bool isToken(std::string_view text) {
+  return text.size() == 2 * kTokenBytes &&
+         text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+}  // namespace
+
+std::string randomHex(size_t bytes) {
+  std::string out;
+  for (const char c : randomBytes(bytes)) out += fmt::format("{:02x}", uint8_t(c));
+  return out;
+}
+
+bool equalInConstantTime(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  volatile uint8_t differences = 0;  // volatile: no early way out for the compiler either
+  for (size_t i = 0; i < a.size(); i++) differences = differences | uint8_t(a[i] ^ b[i]);
+  return differences == 0;
+}
+
+Pairing::Pairing(double now) : until_(now + kSeconds) {
+  for (const char c : randomBytes(kCodeLetters)) code_ += kLetters[uint8_t(c) % kLetters.size()];
+}
+
+std::string Pairing::shown() const { return code_.substr(0, 4) + "-" + code_.substr(4); }
+
+const char* Pairing::closed(double now) const {
+  if (used_) return "the code has been used";
+  if (tries_ <= 0) return "the code was tried too often";
+  return now > until_ ? "the code has expired" : "";
+}
+
+bool Pairing::answer(std::string_view code, double now) {
+  if (*closed(now) != 0) return false;
+  tries_--;
+  used_ = equalInConstantTime(plain(code), code_);
+  return used_;
+}
+
+Result<Tokens> Tokens::open(std::string path, size_t most) {
+  Tokens out;
+  out.path_ = std::move(path);
+  out.most_ = most;
+  struct stat about {};
+  if (stat(out.path_.c_str(), &about) != 0) {
+    if (errno == ENOENT) return out;
+    return fileError(out.path_, "cannot look at it");
+  }
+  if ((about.st_mode & 077) != 0) {
+    return Error{out.path_, {}, {}, "others may read the tokens", "chmod 600, then pair anew"};
+  }
+  OBBY_ASSIGN(const std::string text, io::readFile(out.path_));
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = std::min(text.find('\n', at), text.size());
+    const std::string line = text.substr(at, end - at);
+    at = end + 1;
+    if (!isToken(line)) return Error{out.path_, {}, {}, "not a file of tokens", "remove it"};
+    out.entries_.push_back({line, out.next_++});
+  }
+  return out;
+}
+
+int Tokens::clientOf(std::string_view token) const {
+  int found = -1;
+  for (const Entry& entry : entries_) {  // all of them: the time tells nothing
+    if (equalInConstantTime(entry.token, token)) found = entry.client;
+  }
+  return found;
+}
+
+Result<std::string> Tokens::add() {
+  std::vector<Entry> entries = entries_;
+  int next = next_;
+  if (!path_.empty()) {  // another bridge with this folder may have added some
+    OBBY_ASSIGN(const Tokens there, open(path_, most_));
+    for (const Entry& entry : there.entries_) {
+      if (clientOf(entry.token) < 0) entries.push_back({entry.token, next++});
+    }
+  }
+  entries.push_back({randomHex(kTokenBytes), next++});
+  if (entries.size() > most_) entries.erase(entries.begin(), entries.end() - ptrdiff_t(most_));
+  OBBY_RETURN_IF_ERROR(write(entries));
+  entries_ = std::move(entries);
+  next_ = next;
+  return entries_.back().token;
+}
+
+// A whole new file under a temporary name: a full disk loses no token.
+Status Tokens::write(const std::vector<Entry>& entries) const {
+  if (path_.empty()) return {};
+  std::string text;
+  for (const Entry& entry : entries) text += entry.token + "\n";
+  const std::string temporary = path_ + "." + randomHex(4);
+  const int fd =
+      ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600);
+  if (fd < 0) return fileError(path_, "cannot write");
+  const bool written = ::write(fd, text.data(), text.size()) == ssize_t(text.size());
+  const bool closed = close(fd) == 0;
+  if (written && closed && rename(temporary.c_str(), path_.c_str()) == 0) return {};
+  const Error error = fileError(path_, "cannot write");
+  unlink(temporary.c_str());
+  return error;
+}
+
+}  // namespace obby::bridge

@@ -1,0 +1,269 @@
+#include "bridge/service.h"
+
+#include <fmt/format.h>
+
+#include "bridge/importing.h"
+#include "bridge/json.h"
+#include "io/version.h"
+
+namespace obby::bridge {
+namespace {
+
+constexpr size_t kSessionBytes = 8;
+constexpr uint32_t kImports = 2;  // at a time
+
+Reply noSuchJob() {
+  return refuse(404, "no such job", "it may have ended long ago, or the bridge was restarted");
+}
+
+Reply levelReply(int status, const std::string& id, const std::vector<std::string>& queries,
+                 const std::vector<std::string>& warnings) {
+  std::vector<std::string> ids;
+  for (const std::string& query : queries) {
+    const std::string text = JsonObject().text("", query).members();
+    ids.push_back(text.substr(3));  // the value alone: behind `"":`
+  }
+  return {status, JsonObject()
+                      .text("level", id)
+                      .json("queries", jsonArray(ids))
+                      .json("warnings", jsonArray(warnings))
+                      .whole()};
+}
+
+}  // namespace
+
+Service::Service(Loop& loop, const Limits& limits, Programs programs, Store store, Tokens tokens,
+                 bool needToken)
+    : loop_(loop),
+      limits_(limits),
+      programs_(std::move(programs)),
+      store_(std::move(store)),
+      tokens_(std::move(tokens)),
+      needToken_(needToken),
+      session_(randomHex(kSessionBytes)),
+      lastSeen_(loop.now()),
+      jobs_(loop, limits, [this](const Job& job) {
+        if (!job.answerPath().empty()) store_.removeAnswer(job.answerPath());
+      }) {}
+
+Service::~Service() { jobs_.forgetAll(); }
+
+const Pairing& Service::offerPairing() { return pairing_.emplace(loop_.now()); }
+
+std::shared_ptr<Client> Service::client(int number) {
+  auto& out = clients_[number];
+  if (!out) out = std::make_shared<Client>(number, limits_.ringBytes);
+  out->lastSeen = lastSeen_ = loop_.now();
+  return out;
+}
+
+kj::Promise<Reply> Service::handle(const Call& call, std::string body) {
+  if (call.endpoint == Endpoint::info) return info(call);
+  if (call.endpoint == Endpoint::pair) return pair(body);
+  std::shared_ptr<Client> who = client(call.client);
+  switch (call.endpoint) {
+    case Endpoint::putLevel: return putLevel(std::move(body));
+    case Endpoint::getLevel: return getLevel(call.id);
+    case Endpoint::putJob: return putJob(std::move(who), body);
+    case Endpoint::cancelJob: return cancelJob(*who, call.id);
+    case Endpoint::getJob: break;
+    default: return refuse(426, "events come over a WebSocket", "open one");
+  }
+  const uint64_t poll = ++who->polls;
+  who->wake();  // an older long poll ends now: it would only hold a connection
+  const double wait = std::min(call.wait, limits_.maxWaitSeconds);
+  return getJob(std::move(who), call, loop_.now() + wait, poll);
+}
+
+Reply Service::info(const Call& call) {
+  JsonObject out;
+  out.text("name", "obby-bridge").number("protocol", kProtocol).text("version", io::toolVersion());
+  out.truth("needsToken", needToken_);
+  const bool pairing = pairing_ && *pairing_->closed(loop_.now()) == 0;
+  out.truth("pairing", pairing);
+  if (call.client < 0) return {200, out.whole()};
+  const std::shared_ptr<Client> who = client(call.client);
+  std::vector<std::string> jobs;
+  for (const Job* job : jobs_.of(*who)) {
+    jobs.push_back(JsonObject().text("job", job->id()).text("state", nameOf(job->state())).whole());
+  }
+  out.text("session", session_).number("cursor", who->ring().last()).json("jobs", jsonArray(jobs));
+  out.json("limits", JsonObject()
+                         .number("bodyBytes", limits_.bodyBytes)
+                         .number("inflatedBytes", limits_.inflatedBytes)
+                         .number("messageBytes", limits_.messageBytes)
+                         .number("ringBytes", limits_.ringBytes)
+                         .number("jobs", limits_.jobs)
+                         .number("waiting", limits_.waiting)
+                         .real("pingSeconds", limits_.pingSeconds)
+                         .real("silenceSeconds", limits_.silenceSeconds)
+                         .real("graceSeconds", limits_.graceSeconds)
+                         .whole());
+  out.json("tools", JsonObject()
+                        .truth("solve", !programs_.solve.empty())
+                        .truth("import", !programs_.import.empty())
+                        .truth("calibrate", !programs_.calibrate.empty())
+                        .whole());
+  return {200, out.whole()};
+}
+
+Reply Service::pair(const std::string& body) {
+  std::string code;
+  const auto tree = io::JsonTree::parse(body);
+  if (!tree) return refuse(400, tree.error());
+  const Status read = forMembers(*tree, tree->root(), "",
+                                 [&](std::string_view name, const io::JsonTree::Node& value) {
+                                   if (name != "code")
+                                     return Status(unknownMember("", name, {"code"}));
+                                   auto text = jsonString(*tree, value, "code");
+                                   if (!text) return Status(text.error());
+                                   code = *std::move(text);
+                                   return Status();
+                                 });
+  if (!read) return refuse(400, read.error());
+  constexpr const char* kCure = "start obby-bridge --pair and send the code that it shows";
+  const double now = loop_.now();
+  if (!pairing_) return refuse(403, "no code has been offered", kCure);
+  if (*pairing_->closed(now) != 0) return refuse(403, pairing_->closed(now), kCure);
+  if (!pairing_->answer(code, now)) {
+    return refuse(403, "that is not the code",
+                  fmt::format("{} tries are left", pairing_->triesLeft()));
+  }
+  auto token = tokens_.add();
+  if (!token) return refuse(507, token.error().text(), "make room on the disk, then pair anew");
+  return {200, JsonObject().text("token", *token).whole()};
+}
+
+kj::Promise<Reply> Service::putLevel(std::string body) {
+  if (programs_.import.empty()) {
+    return refuse(501, "there is no obby-import beside obby-bridge", "install the whole of obby");
+  }
+  const std::string id = Store::idOf(body);
+  if (const auto known = store_.get(id); known && *known) {
+    std::vector<std::string> queries;
+    for (const std::string& line : (*known)->queries) queries.push_back(queryIdOfLine(line));
+    return levelReply(200, id, queries, {});
+  }
+  if (imports_ >= kImports) return refuse(503, "other levels are being read", "try again");
+  imports_++;
+  return importLevel(loop_, programs_.import, std::move(body), limits_)
+      .then([this, id](Imported in) -> Reply {
+        if (in.refusal.status != 200) return in.refusal;
+        if (const Status kept = store_.put(id, in.lines); !kept) {
+          return refuse(507, kept.error().text(), "make room on the disk, or use --state-dir");
+        }
+        return levelReply(201, id, in.queries, in.warnings);
+      })
+      .attach(kj::defer([this] { imports_--; }));
+}
+
+Reply Service::getLevel(const std::string& id) const {
+  const auto level = store_.get(id);
+  if (!level) return refuse(500, level.error());
+  if (!*level) return refuse(404, "no such level", "send it to /v1/levels again");
+  std::string lines = std::move((*level)->levels);
+  for (const std::string& query : (*level)->queries) lines.append(query).append("\n");
+  return {200, std::move(lines), "application/x-ndjson"};
+}
+
+Reply Service::cancelJob(Client& client, const std::string& id) {
+  Job* job = jobs_.find(client, id);
+  if (!job) return noSuchJob();
+  jobs_.cancel(*job, "the client cancelled it");
+  job = jobs_.find(client, id);  // it may have been the one too many that is remembered
+  const JobState state = job ? job->state() : JobState::cancelled;
+  return {202, JsonObject().text("job", id).text("state", nameOf(state)).whole()};
+}
+
+std::optional<Reply> Service::checkCursor(const Call& call, const Client& client,
+                                          uint64_t cursor) const {
+  constexpr const char* kCure = "reload: ask /v1/info for session and cursor, and ask anew";
+  if (!call.session.empty() && call.session != session_) {
+    return refuse(410, "the bridge was restarted since", kCure);
+  }
+  if (cursor > client.ring().last()) return refuse(410, "that cursor is yet to come", kCure);
+  if (client.ring().reaches(cursor)) return {};
+  return refuse(410, "messages after that cursor are no longer kept", kCure);
+}
+
+kj::Promise<Reply> Service::getJob(std::shared_ptr<Client> client, Call call, double until,
+                                   uint64_t poll) {
+  const Job* job = jobs_.find(*client, call.id);
+  if (!job) return noSuchJob();
+  const uint64_t cursor = call.cursor.value_or(job->firstCursor());
+  if (auto wrong = checkCursor(call, *client, cursor)) return *std::move(wrong);
+  bool news = job->ended() || client->polls != poll || loop_.now() >= until;
+  for (const Message* m = client->ring().after(cursor); m && !news;
+       m = client->ring().after(m->number)) {
+    news = m->job == job->number();
+  }
+  if (news) {
+    client->lastSeen = lastSeen_ = loop_.now();
+    return jobReply(*job, *client, cursor);
+  }
+  const auto left = uint64_t((until - loop_.now()) * 1000) + 1;
+  auto woken = client->whenWoken().exclusiveJoin(loop_.timer.afterDelay(left * kj::MILLISECONDS));
+  return woken.then(
+      [this, client = std::move(client), call = std::move(call), until, poll]() mutable {
+        return getJob(std::move(client), std::move(call), until, poll);
+      });
+}
+
+Reply Service::jobReply(const Job& job, const Client& client, uint64_t cursor) const {
+  std::vector<std::string> messages;
+  uint64_t bytes = 0;
+  const Message* m = client.ring().after(cursor);
+  for (; m && bytes <= kMiB; m = client.ring().after(m->number)) {
+    cursor = m->number;
+    if (m->job != job.number()) continue;
+    messages.push_back(m->text);
+    bytes += m->text.size();
+  }
+  return {200, JsonObject()
+                   .text("job", job.id())
+                   .text("state", nameOf(job.state()))
+                   .text("session", session_)
+                   .number("cursor", cursor)
+                   .truth("more", m != nullptr)
+                   .json("messages", jsonArray(messages))
+                   .whole()};
+}
+
+std::variant<std::shared_ptr<Client>, Reply> Service::events(const Call& call) {
+  std::shared_ptr<Client> who = client(call.client);
+  const uint64_t cursor = call.cursor.value_or(who->ring().last());
+  if (auto wrong = checkCursor(call, *who, cursor)) return *std::move(wrong);
+  if (who->socketOpen) {
+    return refuse(409, "this client has a WebSocket already", "close it, or poll /v1/jobs/ID");
+  }
+  return who;
+}
+
+std::string Service::hello(const Client& client, uint64_t cursor) const {
+  return JsonObject()
+      .text("type", "hello")
+      .number("protocol", kProtocol)
+      .text("session", session_)
+      .number("cursor", cursor)
+      .number("last", client.ring().last())
+      .whole();
+}
+
+void Service::sweep() {
+  const double now = loop_.now();
+  for (const auto& [number, who] : clients_) {
+    const double silent = now - who->lastSeen;
+    if (silent > limits_.silenceSeconds && who->socketOpen) {
+      who->dropSocket = true;
+      who->wake();
+    }
+    if (silent > limits_.silenceSeconds + limits_.graceSeconds) {
+      jobs_.cancelAll(who.get(), "the client has gone silent");
+    }
+  }
+  if (!jobs_.idle()) lastSeen_ = now;
+}
+
+double Service::quietFor() const { return loop_.now() - lastSeen_; }
+
+}  // namespace obby::bridge

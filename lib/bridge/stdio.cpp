@@ -1,0 +1,108 @@
+#include "bridge/stdio.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstring>
+
+#include "bridge/stdio_request.h"
+
+namespace obby::bridge {
+namespace {
+
+// The event loop can wait for pipes, sockets and terminals, but not for files.
+bool canWait(int fd) {
+  struct stat about {};
+  if (fstat(fd, &about) != 0) return false;
+  return S_ISFIFO(about.st_mode) || S_ISSOCK(about.st_mode) || isatty(fd) == 1;
+}
+
+}  // namespace
+
+StdioFront::StdioFront(Service& service, io::Sink output)
+    : service_(service),
+      output_(std::move(output)),
+      client_(service.client(0)),
+      flags_(fcntl(STDIN_FILENO, F_GETFL)) {
+  if (canWait(STDIN_FILENO)) input_ = service.loop().io.wrapInputFd(STDIN_FILENO);
+}
+
+StdioFront::~StdioFront() {
+  if (flags_ >= 0) fcntl(STDIN_FILENO, F_SETFL, flags_);
+}
+
+kj::Promise<void> StdioFront::run() {
+  auto all = requests().then([this] { return service_.jobs().whenIdle(); });
+  return all.exclusiveJoin(events());
+}
+
+kj::Promise<size_t> StdioFront::readSome() {
+  if (input_.get() != nullptr) return input_->tryRead(buffer_, 1, sizeof buffer_);
+  ssize_t n = 0;
+  while ((n = read(STDIN_FILENO, buffer_, sizeof buffer_)) < 0 && errno == EINTR) {
+  }
+  return size_t(std::max<ssize_t>(n, 0));
+}
+
+kj::Promise<void> StdioFront::requests() {
+  if (const size_t end = rest_.find('\n'); end != std::string::npos || inputEnded_) {
+    std::string line = rest_.substr(0, end);
+    rest_.erase(0, end == std::string::npos ? end : end + 1);
+    const bool last = inputEnded_ && rest_.empty();
+    auto answered = line.empty() ? kj::Promise<void>(kj::READY_NOW) : answer(std::move(line));
+    if (last) return answered;
+    return answered.then([this] { return requests(); });
+  }
+  // A place of the largest size takes a third more in base64.
+  if (rest_.size() > 2 * service_.limits().bodyBytes) {
+    write(stdioReply("null", refuse(413, "the line is too long", "send a smaller place")));
+    return kj::READY_NOW;
+  }
+  return readSome().then([this](size_t n) {
+    rest_.append(buffer_, n);
+    inputEnded_ = n == 0;
+    return requests();
+  });
+}
+
+kj::Promise<void> StdioFront::answer(std::string line) {
+  StdioRequest request = parseStdioRequest(line);
+  if (const Reply* refusal = std::get_if<Reply>(&request.call)) {
+    write(stdioReply(request.id, *refusal));
+    return kj::READY_NOW;
+  }
+  const Call call = std::get<Call>(request.call);
+  return service_.handle(call, std::move(request.body))
+      .then([this, id = std::move(request.id)](Reply reply) { write(stdioReply(id, reply)); });
+}
+
+// Ends only when the output fails.
+kj::Promise<void> StdioFront::events() {
+  writeEvents();
+  if (!outputStatus_) return kj::READY_NOW;
+  return client_->whenWoken().then([this] { return events(); });
+}
+
+void StdioFront::writeEvents() {
+  while (const Message* message = client_->ring().after(cursor_)) {
+    cursor_ = message->number;
+    write(message->text);
+  }
+}
+
+void StdioFront::write(std::string line) {
+  client_->lastSeen = service_.loop().now();
+  line += '\n';
+  if (outputStatus_) outputStatus_ = output_.write(line);
+}
+
+Status StdioFront::finish() {
+  writeEvents();
+  if (outputStatus_) outputStatus_ = output_.close();
+  return outputStatus_;
+}
+
+}  // namespace obby::bridge

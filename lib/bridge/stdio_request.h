@@ -1,0 +1,25 @@
+// A request as a line of JSON, for programs that can start the bridge themselves.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "bridge/request.h"
+
+namespace obby::bridge {
+
+struct StdioRequest {
+  std::string id = "null";                   // JSON, given back with the answer
+  std::variant<Call, Reply> call = Reply{};  // or why it is refused
+  std::string body;
+};
+
+// `{"id":1,"method":"POST","path":"/v1/jobs","body":{...}}`; instead of `body`, `text` holds
+// records as they are, and `base64` any bytes.
+StdioRequest parseStdioRequest(std::string_view line);
+
+// `{"id":1,"status":200,"body":{...}}`; records come as `text`.
+std::string stdioReply(const std::string& id, const Reply& reply);
+
+}  // namespace obby::bridge

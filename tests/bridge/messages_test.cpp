@@ -1,0 +1,109 @@
+// The ring of messages, and records cut into messages.
+#include <gtest/gtest.h>
+
+#include "bridge/fragments.h"
+#include "bridge/json.h"
+#include "bridge/ring.h"
+#include "io/json_tree.h"
+#include "io/text.h"
+
+namespace obby::bridge {
+namespace {
+
+TEST(Ring, numbers_from_one_and_goes_on_from_any_cursor) {
+  Ring ring(1000);
+  EXPECT_EQ(ring.last(), 0u);
+  EXPECT_TRUE(ring.reaches(0));
+  EXPECT_EQ(ring.after(0), nullptr);
+  ring.push(1, "\"a\":1");
+  ring.push(2, "\"a\":2");
+  EXPECT_EQ(ring.last(), 2u);
+  EXPECT_EQ(ring.after(0)->text, "{\"number\":1,\"a\":1}");
+  EXPECT_EQ(ring.after(1)->text, "{\"number\":2,\"a\":2}");
+  EXPECT_EQ(ring.after(1)->job, 2u);
+  EXPECT_EQ(ring.after(2), nullptr);
+  EXPECT_EQ(ring.after(99), nullptr);
+}
+
+TEST(Ring, forgets_the_oldest_and_knows_it) {
+  Ring ring(1000);
+  const std::string members = "\"a\":\"" + std::string(80, 'x') + "\"";
+  for (int i = 0; i < 50; i++) {
+    ring.push(1, members);
+    EXPECT_LE(ring.bytes(), 1000u);
+  }
+  EXPECT_EQ(ring.last(), 50u);
+  EXPECT_FALSE(ring.reaches(0));
+  uint64_t oldest = 0;
+  while (!ring.reaches(oldest)) oldest++;
+  EXPECT_GT(oldest, 35u);
+  EXPECT_EQ(ring.after(oldest)->number, oldest + 1);
+  for (uint64_t c = oldest; c < 50; c++) EXPECT_EQ(ring.after(c)->number, c + 1);
+}
+
+TEST(Ring, keeps_at_least_the_newest_however_long) {
+  Ring ring(100);
+  ring.push(1, "\"a\":1");
+  ring.push(1, "\"a\":\"" + std::string(1000, 'x') + "\"");
+  EXPECT_TRUE(ring.reaches(1));
+  EXPECT_EQ(ring.after(1)->number, 2u);
+}
+
+// The text that the messages carry, put together as a client would.
+std::string joined(const std::vector<std::string>& messages) {
+  std::string out;
+  for (size_t i = 0; i < messages.size(); i++) {
+    const auto tree = io::JsonTree::parse("{" + messages[i] + "}");
+    EXPECT_TRUE(tree);
+    if (!tree) return {};
+    uint64_t index = 0, count = 0;
+    const Status read =
+        forMembers(*tree, tree->root(), "", [&](std::string_view name, const auto& value) {
+          if (name == "index") index = value.value;
+          if (name == "count") count = value.value;
+          if (name == "text") out += tree->text(value);
+          return Status();
+        });
+    EXPECT_TRUE(read);
+    EXPECT_EQ(index, i);
+    EXPECT_EQ(count, messages.size());
+  }
+  return out;
+}
+
+TEST(Fragments, short_records_stay_whole) {
+  const auto messages = recordMessages("j1", "{\"type\":\"end\"}", 1024);
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_EQ(messages[0], "\"job\":\"j1\",\"type\":\"record\",\"record\":{\"type\":\"end\"}");
+}
+
+TEST(Fragments, long_records_come_back_from_their_pieces) {
+  std::string record = "{\"type\":\"metrics\",\"name\":\"";
+  for (int i = 0; i < 3000; i++)
+    record += i % 3 == 0 ? "\\\"" : i % 3 == 1 ? "\xf0\x9f\x98\x80" : "a";
+  record += "\"}";
+  for (const uint64_t limit : {1024u, 1025u, 1026u, 1027u, 4096u}) {
+    const auto messages = recordMessages("j123456789012345", record, limit);
+    EXPECT_GT(messages.size(), 1u);
+    for (const std::string& members : messages) {
+      EXPECT_LE(members.size() + 2, limit);
+      EXPECT_TRUE(io::isUtf8(members));
+    }
+    EXPECT_EQ(joined(messages), record);
+  }
+}
+
+TEST(Json, what_is_no_utf8_is_replaced) {
+  EXPECT_EQ(asUtf8("a\xff\xc3z"), "a\xef\xbf\xbd\xef\xbf\xbdz");
+  EXPECT_EQ(JsonObject().text("a", "\xff").whole(), "{\"a\":\"\xef\xbf\xbd\"}");
+}
+
+TEST(Json, trees_become_text_again) {
+  const std::string text = "{\"a\":[1,-2,0.1,1e300,\"x\\n\\\"\",null,true,false,{},[]]}";
+  const auto tree = io::JsonTree::parse(text);
+  ASSERT_TRUE(tree);
+  EXPECT_EQ(jsonText(*tree, tree->root()), text);
+}
+
+}  // namespace
+}  // namespace obby::bridge

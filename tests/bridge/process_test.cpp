@@ -1,0 +1,92 @@
+// Programs that are started, and what is left of them.
+#include "bridge/process.h"
+
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <signal.h>
+#include <unistd.h>
+
+namespace obby::bridge {
+namespace {
+
+Result<Process> shell(const std::string& script) {
+  return Process::start({"/bin/sh", {"-c", script}, 0, 0});
+}
+
+std::string readAll(int fd) {
+  std::string out;
+  char buffer[4096];
+  for (ssize_t n = 0; (n = read(fd, buffer, sizeof buffer)) > 0;) out.append(buffer, size_t(n));
+  return out;
+}
+
+Exit waitFor(Process& process) {
+  pollfd wait{process.exitFd(), POLLIN, 0};
+  EXPECT_EQ(poll(&wait, 1, 20000), 1);
+  return process.reap();
+}
+
+TEST(Process, streams_and_exit_code_come_through) {
+  auto process = shell("cat; echo oh >&2; exit 3");
+  ASSERT_TRUE(process);
+  ASSERT_EQ(write(process->input.get(), "hello", 5), 5);
+  process->input = OwnedFd();
+  EXPECT_EQ(readAll(process->output.get()), "hello");
+  EXPECT_EQ(readAll(process->errors.get()), "oh\n");
+  const Exit how = waitFor(*process);
+  EXPECT_EQ(how.code, 3);
+  EXPECT_EQ(how.signal, 0);
+}
+
+TEST(Process, arguments_are_no_shell_text) {
+  auto process = Process::start({"/bin/echo", {"$(id)", "a b", "; touch x", ""}, 0, 0});
+  ASSERT_TRUE(process);
+  EXPECT_EQ(readAll(process->output.get()), "$(id) a b ; touch x \n");
+  waitFor(*process);
+}
+
+TEST(Process, what_cannot_be_started_says_why) {
+  const auto process = Process::start({"/nowhere/obby-solve", {}, 0, 0});
+  ASSERT_FALSE(process);
+  EXPECT_NE(process.error().text().find("No such file"), std::string::npos);
+}
+
+TEST(Process, signals_reach_the_whole_group) {
+  auto process = shell("sleep 100 & echo ready; wait; sleep 100");
+  ASSERT_TRUE(process);
+  char first = 0;
+  ASSERT_EQ(read(process->output.get(), &first, 1), 1);
+  process->signal(SIGKILL);
+  EXPECT_EQ(waitFor(*process).signal, SIGKILL);
+  EXPECT_EQ(readAll(process->output.get()), "eady\n");  // nobody holds it open
+}
+
+TEST(Process, descendants_end_with_the_leader) {
+  auto process = shell("sleep 100 & exit 0");
+  ASSERT_TRUE(process);
+  EXPECT_EQ(waitFor(*process).code, 0);
+  EXPECT_EQ(readAll(process->output.get()), "");  // would wait for the sleep otherwise
+}
+
+TEST(Process, dropped_ones_are_gone) {
+  pid_t id = 0;
+  {
+    auto process = shell("sleep 100");
+    ASSERT_TRUE(process);
+    id = process->id();
+    EXPECT_EQ(getpgid(id), id);
+    EXPECT_EQ(kill(id, 0), 0);
+  }
+  EXPECT_NE(kill(id, 0), 0);
+}
+
+TEST(Process, ignored_signals_of_the_bridge_are_not_inherited) {
+  signal(SIGPIPE, SIG_IGN);
+  auto process = shell("kill -PIPE $$; echo alive");
+  signal(SIGPIPE, SIG_DFL);
+  ASSERT_TRUE(process);
+  EXPECT_EQ(waitFor(*process).signal, SIGPIPE);
+}
+
+}  // namespace
+}  // namespace obby::bridge

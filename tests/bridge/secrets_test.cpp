@@ -1,0 +1,126 @@
+// Codes and tokens.
+#include "bridge/secrets.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <set>
+
+#include "io/scratch_folder.h"
+
+namespace obby::bridge {
+namespace {
+
+TEST(Secrets, random_digits_are_as_many_as_asked_and_differ) {
+  std::set<std::string> seen;
+  for (int i = 0; i < 100; i++) {
+    const std::string digits = randomHex(32);
+    EXPECT_EQ(digits.size(), 64u);
+    EXPECT_EQ(digits.find_first_not_of("0123456789abcdef"), std::string::npos);
+    seen.insert(digits);
+  }
+  EXPECT_EQ(seen.size(), 100u);
+}
+
+TEST(Secrets, comparison_sees_every_byte) {
+  const std::string a = randomHex(32);
+  EXPECT_TRUE(equalInConstantTime(a, a));
+  for (size_t i = 0; i < a.size(); i++) {
+    std::string b = a;
+    b[i] = char(b[i] ^ 1);
+    EXPECT_FALSE(equalInConstantTime(a, b)) << i;
+  }
+  EXPECT_FALSE(equalInConstantTime(a, a.substr(1)));
+  EXPECT_TRUE(equalInConstantTime("", ""));
+}
+
+TEST(Pairing, code_is_good_once) {
+  Pairing pairing(100);
+  EXPECT_EQ(pairing.shown().size(), kCodeLetters + 1);
+  EXPECT_TRUE(pairing.answer(pairing.shown(), 101));
+  EXPECT_STREQ(pairing.closed(101), "the code has been used");
+  EXPECT_FALSE(pairing.answer(pairing.shown(), 101));
+}
+
+TEST(Pairing, code_may_be_typed_carelessly) {
+  Pairing pairing(0);
+  std::string typed = " " + pairing.shown();
+  for (char& c : typed)
+    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+  EXPECT_TRUE(pairing.answer(typed, 1));
+}
+
+TEST(Pairing, few_tries_then_even_the_right_code_is_wrong) {
+  Pairing pairing(0);
+  for (int i = 0; i < Pairing::kTries; i++) EXPECT_FALSE(pairing.answer("0000-0000", 1));
+  EXPECT_FALSE(pairing.answer(pairing.shown(), 1));
+  EXPECT_STREQ(pairing.closed(1), "the code was tried too often");
+}
+
+TEST(Pairing, code_expires) {
+  Pairing pairing(1000);
+  EXPECT_STREQ(pairing.closed(1000 + Pairing::kSeconds), "");
+  EXPECT_FALSE(pairing.answer(pairing.shown(), 1001 + Pairing::kSeconds));
+}
+
+TEST(Tokens, survive_in_a_file_that_only_the_user_reads) {
+  const test::ScratchFolder folder;
+  const std::string path = folder / "tokens";
+  auto tokens = Tokens::open(path, 16);
+  ASSERT_TRUE(tokens);
+  EXPECT_TRUE(tokens->empty());
+  const auto first = tokens->add(), second = tokens->add();
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->size(), 2 * kTokenBytes);
+  struct stat about {};
+  ASSERT_EQ(stat(path.c_str(), &about), 0);
+  EXPECT_EQ(about.st_mode & 0777, 0600u);
+  const auto again = Tokens::open(path, 16);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->clientOf(*first), 0);
+  EXPECT_EQ(again->clientOf(*second), 1);
+  EXPECT_EQ(again->clientOf(randomHex(kTokenBytes)), -1);
+  EXPECT_EQ(again->clientOf(""), -1);
+  EXPECT_EQ(folder.entries(), 1u);  // no temporary file is left
+}
+
+TEST(Tokens, oldest_goes_and_the_others_stay_who_they_are) {
+  const test::ScratchFolder folder;
+  auto tokens = Tokens::open(folder / "tokens", 2);
+  ASSERT_TRUE(tokens);
+  const auto a = tokens->add(), b = tokens->add(), c = tokens->add();
+  ASSERT_TRUE(a && b && c);
+  EXPECT_EQ(tokens->clientOf(*a), -1);
+  EXPECT_EQ(tokens->clientOf(*b), 1);
+  EXPECT_EQ(tokens->clientOf(*c), 2);
+}
+
+TEST(Tokens, two_bridges_with_one_file_lose_none) {
+  const test::ScratchFolder folder;
+  auto one = Tokens::open(folder / "tokens", 16), other = Tokens::open(folder / "tokens", 16);
+  ASSERT_TRUE(one && other);
+  const auto a = one->add(), b = other->add(), c = one->add();
+  ASSERT_TRUE(a && b && c);
+  const auto all = Tokens::open(folder / "tokens", 16);
+  ASSERT_TRUE(all);
+  for (const auto& token : {*a, *b, *c}) EXPECT_GE(all->clientOf(token), 0);
+  EXPECT_EQ(one->clientOf(*a), 0);
+  EXPECT_NE(one->clientOf(*b), one->clientOf(*c));
+}
+
+TEST(Tokens, files_that_others_may_read_or_that_hold_else_are_refused) {
+  const test::ScratchFolder folder;
+  const std::string path = folder / "tokens";
+  std::ofstream(path) << "hello\n";
+  ASSERT_EQ(chmod(path.c_str(), 0600), 0);
+  EXPECT_FALSE(Tokens::open(path, 16));
+  std::ofstream(path) << randomHex(kTokenBytes) << "\n";
+  EXPECT_TRUE(Tokens::open(path, 16));
+  ASSERT_EQ(chmod(path.c_str(), 0640), 0);
+  const auto open = Tokens::open(path, 16);
+  ASSERT_FALSE(open);
+  EXPECT_NE(open.error().text().find("others may read"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace obby::bridge

@@ -1,0 +1,108 @@
+// Requests to the bridge: whatever comes, it is refused, or it is one that may come in. The first
+// byte says what the rest is: h the head of a request (method, address, then `Name: value` lines),
+// j the order of a job, s a line of standard input, r a record to be sent in messages.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "bridge/fragments.h"
+#include "bridge/order.h"
+#include "bridge/request.h"
+#include "bridge/stdio_request.h"
+#include "io/json_codec.h"
+#include "io/json_tree.h"
+#include "io/text.h"
+
+namespace {
+
+using namespace obby;
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+std::string_view takeLine(std::string_view& text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  text.remove_prefix(std::min(text.size(), line.size() + 1));
+  return line;
+}
+
+bridge::RequestHead headOf(std::string_view text) {
+  bridge::RequestHead head;
+  head.method = takeLine(text);
+  head.target = takeLine(text);
+  while (!text.empty()) {
+    const std::string_view line = takeLine(text);
+    const size_t colon = line.find(": ");
+    if (colon == std::string_view::npos) continue;
+    const std::string_view name = line.substr(0, colon), value = line.substr(colon + 2);
+    if (name == "Host") head.host = value;
+    if (name == "Origin") head.origin = value;
+    if (name == "Sec-Fetch-Site") head.fetchSite = value;
+    if (name == "Authorization") head.authorization = value;
+    if (name == "Content-Type") head.contentType = value;
+    if (name == "Content-Encoding") head.encoding = value;
+    if (name == "Upgrade") head.upgrade = true;
+    if (name == "Upgrade" && value == "websocket") head.webSocket = true;
+    if (name == "Sec-WebSocket-Version") head.webSocketVersion = value;
+    if (name == "Sec-WebSocket-Key") head.webSocketKey = value;
+  }
+  return head;
+}
+
+void checkHead(std::string_view text) {
+  const bridge::RequestHead head = headOf(text);
+  const bridge::Access access{34990, true,
+                              [](std::string_view token) { return token == "right" ? 0 : -1; }};
+  const auto checked = bridge::checkRequest(head, access);
+  const auto* call = std::get_if<bridge::Call>(&checked);
+  if (!call) return require(std::get<bridge::Reply>(checked).status >= 400);
+  require(head.host && !head.origin && !head.fetchSite);
+  const bool open =
+      call->endpoint == bridge::Endpoint::info || call->endpoint == bridge::Endpoint::pair;
+  require(open || head.authorization.value_or("").ends_with("right"));
+  require((head.method == "POST") == (call->content != bridge::Content::none));
+  require(call->id.empty() || bridge::isJobId(call->id) || bridge::isLevelId(call->id));
+}
+
+void checkOrder(std::string_view text) {
+  const auto order = bridge::parseOrder(text, bridge::Limits());
+  if (!order) return;
+  for (const std::string& argument : order->arguments) {
+    require(argument.starts_with("--") && argument.find_first_of(" \n/") == std::string::npos);
+  }
+  for (const std::string& record : order->records) {
+    require(record.find('\n') == std::string::npos && bool(io::recordFromJson(record)));
+  }
+}
+
+void checkLine(std::string_view text) {
+  const auto request = bridge::parseStdioRequest(text);
+  const auto* refusal = std::get_if<bridge::Reply>(&request.call);
+  const std::string answer =
+      bridge::stdioReply(request.id, refusal ? *refusal : bridge::Reply{200, "{}"});
+  require(answer.find('\n') == std::string::npos && bool(io::JsonTree::parse(answer)));
+}
+
+void checkRecord(std::string_view text) {
+  if (!io::isUtf8(text) || !io::JsonTree::parse(text)) return;
+  for (const std::string& members : bridge::recordMessages("j1", text, 1024)) {
+    require(members.size() <= 1024 && bool(io::JsonTree::parse("{" + members + "}")));
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  if (size == 0) return 0;
+  const std::string_view rest(reinterpret_cast<const char*>(data) + 1, size - 1);
+  switch (data[0]) {
+    case 'h': checkHead(rest); break;
+    case 'j': checkOrder(rest); break;
+    case 's': checkLine(rest); break;
+    case 'r': checkRecord(rest); break;
+    default: break;
+  }
+  return 0;
+}
