@@ -1,0 +1,249 @@
+"""Starts an obby-bridge for a test and speaks to it: HTTP, WebSockets and raw bytes, by Python's
+standard library alone. Every test file is run as `NAME_test.py BIN_DIR LEVELS_DIR`."""
+import base64
+import http.client
+import json
+import os
+import select
+import shutil
+import signal
+import socket
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+BIN, LEVELS = None, None
+
+
+def main():
+    global BIN, LEVELS
+    # The test files import this module by its name; as it is the same object, they see the folders.
+    BIN, LEVELS = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+    unittest.main(module="__main__", argv=sys.argv[:1] + sys.argv[3:], verbosity=2)
+
+
+def level_bytes(name):
+    with open(os.path.join(LEVELS, name), "rb") as file:
+        return file.read()
+
+
+def children(pid):
+    """Processes that `pid` has started and that still are there, as (pid, command line)."""
+    out = []
+    for entry in os.listdir("/proc"):
+        if not entry.isdigit():
+            continue
+        try:
+            with open(f"/proc/{entry}/stat", "rb") as file:
+                fields = file.read().rpartition(b")")[2].split()
+            if int(fields[1]) == pid:
+                with open(f"/proc/{entry}/cmdline", "rb") as file:
+                    out.append((int(entry), file.read().replace(b"\0", b" ").decode()))
+        except (FileNotFoundError, ProcessLookupError):
+            pass
+    return out
+
+
+def sanitized():
+    """Whether the tools are built with sanitizers, which take address space without bound."""
+    config = subprocess.run([os.path.join(BIN, "obby-bridge"), "--print-config"],
+                            capture_output=True, check=True).stdout.decode()
+    return "memory = 0" in config
+
+
+def eventually(what, seconds=20):
+    """Whether what() becomes true."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        if what():
+            return True
+        time.sleep(0.02)
+    return what()
+
+
+class Answer:
+    def __init__(self, status, headers, body):
+        self.status, self.headers, self.body = status, headers, body
+
+    def json(self):
+        return json.loads(self.body)
+
+
+class Bridge:
+    """A bridge on a free port with a folder of its own, and one paired client."""
+
+    def __init__(self, *options, pair=True, state=None, folder=None, **popen):
+        self.folder = tempfile.mkdtemp(prefix="obby-bridge-")
+        self.state = state or os.path.join(self.folder, "state")
+        command = [os.path.join(folder or BIN, "obby-bridge"), "--port", "0", "--state-dir", self.state]
+        command += (["--pair"] if pair else []) + list(options)
+        environment = {k: v for k, v in os.environ.items() if not k.startswith("OBBY_")}
+        self.errors = open(os.path.join(self.folder, "stderr"), "w+b")
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=self.errors,
+                                        env=environment, **popen)
+        first = self.process.stdout.readline().decode()
+        if "http://127.0.0.1:" not in first:
+            raise RuntimeError(f"obby-bridge did not start: {self.said()}")
+        self.port = int(first.rpartition(":")[2])
+        self.token = None
+        if pair:
+            self.code = self.process.stdout.readline().decode().rpartition(": ")[2].strip()
+            self.token = self.post("/v1/pair", {"code": self.code}, token=None).json()["token"]
+
+    def said(self):
+        self.errors.seek(0)
+        return self.errors.read().decode(errors="replace")
+
+    def close(self):
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGTERM)
+            try:
+                self.process.wait(20)
+            except subprocess.TimeoutExpired:
+                self.process.kill()
+                self.process.wait()
+        self.process.stdout.close()
+        self.errors.close()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def jobs_running(self):
+        return children(self.process.pid)
+
+    # --- HTTP
+
+    OWN = object()
+
+    def request(self, method, path, body=None, headers=None, token=OWN, timeout=60):
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=timeout)
+        try:
+            headers = dict(headers or {})
+            if token is Bridge.OWN:
+                token = self.token
+            if token:
+                headers["Authorization"] = "Bearer " + token
+            connection.request(method, path, body=body, headers=headers)
+            response = connection.getresponse()
+            return Answer(response.status, dict(response.getheaders()), response.read())
+        finally:
+            connection.close()
+
+    def get(self, path, **more):
+        return self.request("GET", path, **more)
+
+    def delete(self, path, **more):
+        return self.request("DELETE", path, **more)
+
+    def post(self, path, value, **more):
+        return self.request("POST", path, json.dumps(value).encode(),
+                            {"Content-Type": "application/json"}, **more)
+
+    def place(self, data, kind="application/x-ndjson", **headers):
+        return self.request("POST", "/v1/levels", data, {"Content-Type": kind, **headers})
+
+    def place_level(self, name):
+        answer = self.place(level_bytes(name))
+        assert answer.status in (200, 201), answer.body
+        return answer.json()["level"]
+
+    def ask(self, **order):
+        answer = self.post("/v1/jobs", order)
+        assert answer.status == 202, answer.body
+        return answer.json()
+
+    def messages(self, job, cursor=None, until=lambda m: False, seconds=60):
+        """All messages of a job by long polls, until it has ended or until() is true of one."""
+        out, end = [], time.monotonic() + seconds
+        while time.monotonic() < end:
+            query = "?wait=5" + (f"&cursor={cursor}" if cursor is not None else "")
+            answer = self.get(f"/v1/jobs/{job}{query}")
+            assert answer.status == 200, answer.body
+            part = answer.json()
+            out += part["messages"]
+            cursor = part["cursor"]
+            ended = part["state"] in ("done", "cancelled", "failed") and not part["more"]
+            if ended or any(until(m) for m in part["messages"]):
+                return out
+        raise AssertionError(f"job {job} did not end")
+
+    # --- WebSocket
+
+    def socket(self, timeout=30):
+        return socket.create_connection(("127.0.0.1", self.port), timeout=timeout)
+
+    def events(self, query="", **headers):
+        return WebSocket(self, query, headers)
+
+
+def exchange(connection, head, body=b""):
+    """Sends a request as it is given; the status of the answer, or None if there is none."""
+    try:
+        connection.sendall(head.encode() + body)
+        answer = connection.recv(65536)
+    except (ConnectionResetError, BrokenPipeError):
+        return None
+    return int(answer.split(b" ", 2)[1]) if answer.startswith(b"HTTP/1.1 ") else None
+
+
+class WebSocket:
+    def __init__(self, bridge, query="", headers=None):
+        self.socket, self.data = bridge.socket(), b""
+        fields = {"Host": f"127.0.0.1:{bridge.port}", "Upgrade": "websocket",
+                  "Connection": "Upgrade", "Sec-WebSocket-Version": "13",
+                  "Sec-WebSocket-Key": base64.b64encode(os.urandom(16)).decode(),
+                  "Authorization": f"Bearer {bridge.token}", **(headers or {})}
+        lines = "".join(f"{name}: {value}\r\n" for name, value in fields.items())
+        self.socket.sendall(f"GET /v1/events{query} HTTP/1.1\r\n{lines}\r\n".encode())
+        while b"\r\n\r\n" not in self.data:
+            more = self.socket.recv(65536)
+            if not more:
+                break
+            self.data += more
+        head, _, self.data = self.data.partition(b"\r\n\r\n")
+        self.status = int(head.split(b" ", 2)[1])
+
+    def take(self, count):
+        while len(self.data) < count:
+            more = self.socket.recv(65536)
+            if not more:
+                raise ConnectionError("closed")
+            self.data += more
+        out, self.data = self.data[:count], self.data[count:]
+        return out
+
+    def receive(self):
+        """The next message; a close frame gives ("close", code)."""
+        first, length = self.take(2)
+        if length == 126:
+            length = struct.unpack(">H", self.take(2))[0]
+        elif length == 127:
+            length = struct.unpack(">Q", self.take(8))[0]
+        payload = self.take(length)
+        if first & 15 == 8:
+            return ("close", struct.unpack(">H", payload[:2])[0])
+        return json.loads(payload)
+
+    def until(self, wanted, seconds=60):
+        """Messages up to the first one that is wanted."""
+        out, end = [], time.monotonic() + seconds
+        while time.monotonic() < end:
+            message = self.receive()
+            out.append(message)
+            if isinstance(message, tuple) or wanted(message):
+                return out
+        raise AssertionError("the message did not come")
+
+    def send(self, text, opcode=1):
+        mask, data = os.urandom(4), text if isinstance(text, bytes) else text.encode()
+        size = struct.pack(">BB", 128 | opcode, 128 | len(data)) if len(data) < 126 else \
+            struct.pack(">BBH", 128 | opcode, 254, len(data))
+        self.socket.sendall(size + mask + bytes(b ^ mask[i % 4] for i, b in enumerate(data)))
+
+    def silent_for(self, seconds):
+        """Whether nothing comes for so long."""
+        return not self.data and not select.select([self.socket], [], [], seconds)[0]
+
+    def close(self):
+        self.socket.close()

@@ -1,0 +1,245 @@
+"""What a plugin does with the bridge when all is well: place, ask, stream, cancel, resume."""
+import gzip
+import json
+import os
+import subprocess
+import unittest
+
+import driver
+from driver import Bridge, level_bytes
+
+LEVEL = "several-routes.jsonl"
+
+
+def ended(message):
+    return message.get("type") == "state" and message["state"] in ("done", "cancelled", "failed")
+
+
+def impossible():
+    """A query that no playthrough answers and no bound refutes: it searches until its time is up."""
+    return {"goal": {"position": [0, 3, -68], "size": [20, 6, 10]}, "maxJumps": 1,
+            "forbid": ["fallingDown"], "id": "endless", "maxDamage": 0,
+            "waypoints": [{"region": {"position": [-14, 3, -30], "size": [6, 6, 6]}}]}
+
+
+class ProtocolTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.bridge = Bridge("--jobs", "2")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.bridge.close()
+
+    def verdicts(self, messages):
+        return {m["record"]["query"]: m["record"]["verdict"] for m in messages
+                if m.get("type") == "record" and m["record"]["type"] == "result"}
+
+    def test_info_says_little_to_strangers(self):
+        stranger = self.bridge.get("/v1/info", token=None)
+        self.assertEqual(stranger.status, 200)
+        self.assertEqual(sorted(stranger.json()),
+                         ["name", "needsToken", "pairing", "protocol", "version"])
+        own = self.bridge.get("/v1/info").json()
+        self.assertTrue({"session", "cursor", "limits", "tools"} <= set(own))
+        self.assertNotIn("Access-Control-Allow-Origin", stranger.headers)
+
+    def test_records_are_placed_once_and_given_back(self):
+        data = level_bytes(LEVEL)
+        first = self.bridge.place(data)
+        again = self.bridge.place(data)
+        self.assertIn(first.status, (200, 201))
+        self.assertEqual(again.status, 200)
+        self.assertEqual(first.json()["level"], again.json()["level"])
+        self.assertIn("no-jumps", again.json()["queries"])
+        back = self.bridge.get("/v1/levels/" + first.json()["level"])
+        types = [json.loads(line)["type"] for line in back.body.splitlines()]
+        self.assertEqual(types[0], "level")
+        self.assertEqual(types.count("query"), len(again.json()["queries"]))
+
+    def test_records_may_be_written_by_hand(self):
+        level = json.loads(level_bytes(LEVEL).splitlines()[0])
+        del level["type"]
+        by_hand = json.dumps({**level, "type": "level"}, indent=None, separators=(" , ", " : "))
+        answer = self.bridge.place(by_hand.encode() + b'\n { "id" : "q" , "type" : "query" }\n')
+        self.assertEqual(answer.status, 201, answer.body)
+        self.assertEqual(answer.json()["queries"], ["q"])
+        back = self.bridge.get("/v1/levels/" + answer.json()["level"]).body
+        self.assertTrue(back.startswith(b'{"type":"level"'))
+
+    def test_a_place_file_is_imported(self):
+        answer = self.bridge.place(level_bytes("demo.rbxlx"), "application/octet-stream")
+        self.assertEqual(answer.status, 201, answer.body)
+        self.assertEqual(answer.json()["queries"], ["stage1", "stage2", "stage3", "stage4"])
+
+    def test_gzip_is_inflated(self):
+        plain = self.bridge.place(level_bytes(LEVEL)).json()["level"]
+        packed = self.bridge.place(gzip.compress(level_bytes(LEVEL)), **{"Content-Encoding": "gzip"})
+        self.assertEqual(packed.status, 200, packed.body)
+        self.assertEqual(packed.json()["level"], plain)
+        cut = self.bridge.place(gzip.compress(level_bytes(LEVEL))[:-20],
+                                **{"Content-Encoding": "gzip"})
+        self.assertEqual(cut.status, 400)
+
+    def test_damaged_levels_are_explained(self):
+        bad = self.bridge.place(b'{"type":"level","parts":[{"size":[1,2]}]}\n')
+        self.assertEqual(bad.status, 422)
+        self.assertEqual(bad.json()["path"], "parts[0].size")
+        nothing = self.bridge.place(b'{"type":"query","id":"q"}\n')
+        self.assertEqual(nothing.status, 422)
+        self.assertIn("no level", nothing.json()["error"])
+
+    def test_own_queries_are_answered_by_long_polls(self):
+        level = self.bridge.place_level(LEVEL)
+        job = self.bridge.ask(level=level, ask=["any", "no-jumps"], budget={"seed": "7"})
+        messages = self.bridge.messages(job["job"])
+        self.assertEqual(self.verdicts(messages)["any"], "solved")
+        self.assertEqual(set(self.verdicts(messages)), {"any", "no-jumps"})
+        self.assertEqual([m["state"] for m in messages if m["type"] == "state"],
+                         ["waiting", "running", "done"])
+        self.assertEqual(messages[-2]["record"]["type"], "end")
+        numbers = [m["number"] for m in messages]
+        self.assertEqual(numbers, sorted(set(numbers)))
+
+    def test_a_new_query_streams_over_a_websocket(self):
+        level = self.bridge.place_level(LEVEL)
+        events = self.bridge.events()
+        self.assertEqual(events.status, 101)
+        hello = events.receive()
+        self.assertEqual(hello["type"], "hello")
+        query = {"id": "mine", "goal": {"position": [0, 3, -68], "size": [20, 6, 10]},
+                 "avoid": [], "start": []}
+        job = self.bridge.ask(level=level, queries=[query], budget={"attempts": 2})
+        messages = events.until(ended)
+        self.assertEqual({m["job"] for m in messages if "job" in m}, {job["job"]})
+        self.assertEqual(self.verdicts(messages), {"mine": "solved"})
+        events.close()
+        # and again from a cursor, as after a lost connection
+        middle = messages[len(messages) // 2]["number"]
+        self.assertTrue(driver.eventually(lambda: self.resumed(hello, middle, messages)))
+
+    def resumed(self, hello, cursor, messages):
+        events = self.bridge.events(f"?session={hello['session']}&cursor={cursor}")
+        try:
+            if events.status == 409:  # the other end of the last one is not noticed yet
+                return False
+            events.receive()
+            after = events.until(lambda m: m.get("number") == messages[-1]["number"])
+            return after == [m for m in messages if m["number"] > cursor]
+        finally:
+            events.close()
+
+    def test_cursors_of_other_times_are_refused(self):
+        session = self.bridge.get("/v1/info").json()["session"]
+        for query in (f"?session={session}&cursor=999999", "?session=0123456789abcdef&cursor=0"):
+            events = self.bridge.events(query)
+            self.assertEqual(events.status, 410)
+            events.close()
+
+    def test_cancelled_jobs_end_properly(self):
+        level = self.bridge.place_level(LEVEL)
+        job = self.bridge.ask(level=level, queries=[impossible()], budget={"timeLimit": 60})["job"]
+        self.bridge.messages(job, until=lambda m: m["type"] in ("progress", "record"))
+        self.assertEqual(self.bridge.delete(f"/v1/jobs/{job}").status, 202)
+        messages = self.bridge.messages(job)
+        self.assertEqual(messages[-1]["state"], "cancelled")
+        ends = [m["record"] for m in messages
+                if m["type"] == "record" and m["record"]["type"] == "end"]
+        self.assertEqual([e["status"] for e in ends], ["interrupted"])
+
+    def test_a_newer_long_poll_ends_the_older(self):
+        level = self.bridge.place_level(LEVEL)
+        job = self.bridge.ask(level=level, queries=[impossible()], budget={"timeLimit": 60})["job"]
+        script = ("import sys,urllib.request as u; r=u.Request(sys.argv[1],headers={'Authorization':"
+                  "'Bearer '+sys.argv[2]}); print(u.urlopen(r).status)")
+        last = self.bridge.get("/v1/info").json()["cursor"] + 10**6
+        self.assertEqual(self.bridge.get(f"/v1/jobs/{job}?cursor={last}&wait=1").status, 410)
+        quiet = self.bridge.ask(level=level, queries=[impossible()], budget={"timeLimit": 60})
+        third = self.bridge.ask(level=level, queries=[impossible()])["job"]  # waits: says nothing
+        cursor = self.bridge.get(f"/v1/jobs/{third}").json()["cursor"]
+        url = f"http://127.0.0.1:{self.bridge.port}/v1/jobs/{third}?cursor={cursor}&wait=20"
+        older = subprocess.Popen([driver.sys.executable, "-c", script, url, self.bridge.token],
+                                 stdout=subprocess.PIPE)
+        driver.time.sleep(1)
+        begin = driver.time.monotonic()
+        self.bridge.get(f"/v1/jobs/{third}?cursor={cursor}&wait=1")
+        self.assertEqual(older.communicate(timeout=10)[0].strip(), b"200")
+        self.assertLess(driver.time.monotonic() - begin, 10)
+        for one in (third, job, quiet["job"]):
+            self.bridge.delete(f"/v1/jobs/{one}")
+        for one in (third, job, quiet["job"]):
+            self.bridge.messages(one)
+
+    def test_warm_starts_use_an_earlier_answer(self):
+        level = self.bridge.place_level(LEVEL)
+        first = self.bridge.ask(level=level, ask=["any"])["job"]
+        self.bridge.messages(first)
+        second = self.bridge.ask(level=level, ask=["any"], warm=first)["job"]
+        self.assertEqual(self.verdicts(self.bridge.messages(second)), {"any": "solved"})
+        refused = self.bridge.post("/v1/jobs", {"level": level, "warm": "j999"})
+        self.assertEqual(refused.status, 409)
+
+    def test_bad_orders_are_explained(self):
+        level = self.bridge.place_level(LEVEL)
+        for order, status, path in [
+                ({"level": "0" * 32}, 404, None),
+                ({"level": "../../etc/passwd"}, 400, "level"),
+                ({"level": level, "ask": ["nay"]}, 404, None),
+                ({"level": level, "budget": {"timeLimit": "5"}}, 400, "budget.timeLimit"),
+                ({"level": level, "budget": {"policy": "/etc/passwd"}}, 400, 'budget."policy"'),
+                ({"level": level, "budget": {"solutions": 1.5}}, 400, "budget.solutions"),
+                ({"level": level, "queries": [{"goal": {"size": [1]}}]}, 400,
+                 "queries[0].goal.size"),
+                ({"level": level, "queries": [{"type": "level"}]}, 400, "queries[0].type"),
+                ({"level": level, "arguments": ["-o", "x"]}, 400, '"arguments"'),
+                ({"level": level, "warm": "../j1"}, 400, "warm")]:
+            answer = self.bridge.post("/v1/jobs", order)
+            self.assertEqual(answer.status, status, (order, answer.body))
+            self.assertTrue(answer.json()["error"])
+            self.assertEqual(answer.json().get("path"), path)
+
+    def test_calibration_without_its_tool_is_refused_by_name(self):
+        folder = driver.tempfile.mkdtemp(prefix="obby-bridge-")  # with all tools but that one
+        self.addCleanup(driver.shutil.rmtree, folder)
+        for tool in ("obby-bridge", "obby-solve", "obby-import"):
+            driver.shutil.copy(os.path.join(driver.BIN, tool), folder)
+        bridge = Bridge(folder=folder)
+        self.addCleanup(bridge.close)
+        answer = bridge.post("/v1/jobs", {"task": "calibrate", "level": "0" * 32,
+                                          "recordings": [{}]})
+        self.assertEqual(answer.status, 501)
+        self.assertIn("obby-calibrate", answer.json()["error"])
+
+    def test_recordings_are_calibrated(self):
+        tool = os.path.join(driver.BIN, "obby-calibrate")
+        if not os.path.exists(tool):
+            self.skipTest("no obby-calibrate here")
+        rehearsed = subprocess.run([tool, "--rehearse"], input=b"", capture_output=True, check=True)
+        records = [json.loads(line) for line in rehearsed.stdout.splitlines()]
+        level = self.bridge.place(b"\n".join(json.dumps(r).encode() for r in records
+                                             if r["type"] == "level") + b"\n").json()["level"]
+        job = self.bridge.ask(task="calibrate", level=level,
+                              recordings=[r for r in records if r["type"] == "recording"],
+                              budget={"restarts": 1, "generations": 1, "seed": 3})["job"]
+        messages = self.bridge.messages(job, seconds=120)
+        self.assertEqual(messages[-1]["state"], "done", messages[-1])
+        types = {m["record"]["type"] for m in messages if m["type"] == "record"}
+        self.assertTrue({"params", "end"} <= types, types)
+
+    def test_a_second_client_sees_nothing_of_the_first(self):
+        level = self.bridge.place_level(LEVEL)
+        job = self.bridge.ask(level=level, ask=["any"])["job"]
+        self.bridge.messages(job)
+        path = os.path.join(self.bridge.state, "tokens")
+        self.assertEqual(os.stat(path).st_mode & 0o777, 0o600)
+        other = Bridge(state=self.bridge.state)  # another bridge over the same folder
+        try:
+            self.assertNotEqual(other.token, self.bridge.token)
+            self.assertEqual(other.get("/v1/info", token=self.bridge.token).status, 200)
+            self.assertEqual(other.get(f"/v1/jobs/{job}").status, 404)
+        finally:
+            other.close()
+
+
+if __name__ == "__main__":
+    driver.main()

@@ -1,0 +1,115 @@
+"""The same protocol as JSON lines, for a program that starts the bridge itself."""
+import base64
+import json
+import os
+import subprocess
+import unittest
+
+import driver
+from driver import eventually, level_bytes
+from protocol_test import ended, impossible
+
+
+class StdioTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = driver.tempfile.mkdtemp(prefix="obby-bridge-")
+        self.addCleanup(driver.shutil.rmtree, self.folder)
+        self.command = [os.path.join(driver.BIN, "obby-bridge"), "--stdio", "--state-dir",
+                        os.path.join(self.folder, "state")]
+        self.counter, self.seen = 0, []
+
+    def start(self, **popen):
+        process = subprocess.Popen(self.command, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                   **popen)
+        self.addCleanup(self.end, process)
+        return process
+
+    def end(self, process):
+        if process.poll() is None:
+            process.kill()
+        process.wait()
+        process.stdin.close()
+        process.stdout.close()
+
+    def call(self, process, method, path, **body):
+        self.counter += 1
+        line = json.dumps({"id": self.counter, "method": method, "path": path, **body})
+        process.stdin.write(line.encode() + b"\n")
+        process.stdin.flush()
+        while True:
+            message = json.loads(process.stdout.readline())
+            if message.get("id") == self.counter:
+                return message
+            self.seen.append(message)
+
+    def test_level_job_and_messages(self):
+        process = self.start()
+        level = self.call(process, "POST", "/v1/levels",
+                          base64=base64.b64encode(level_bytes("demo.rbxlx")).decode())
+        self.assertEqual(level["status"], 201)
+        again = self.call(process, "POST", "/v1/levels",
+                          base64=base64.b64encode(level_bytes("demo.rbxlx")).decode())
+        self.assertEqual((again["status"], again["body"]["level"]), (200, level["body"]["level"]))
+        back = self.call(process, "GET", "/v1/levels/" + level["body"]["level"])
+        self.assertTrue(back["text"].startswith('{"type":"level"'))
+        job = self.call(process, "POST", "/v1/jobs",
+                        body={"level": level["body"]["level"], "ask": ["stage1"]})
+        self.assertEqual(job["status"], 202)
+        while not any(ended(m) for m in self.seen):
+            self.seen.append(json.loads(process.stdout.readline()))
+        verdicts = [m["record"]["verdict"] for m in self.seen
+                    if m.get("type") == "record" and m["record"]["type"] == "result"]
+        self.assertEqual(verdicts, ["solved"])
+        self.assertEqual([m["number"] for m in self.seen], list(range(1, len(self.seen) + 1)))
+        process.stdin.close()
+        self.assertEqual(process.wait(20), 0)
+
+    def test_jobs_end_before_the_bridge_does(self):
+        lines = [{"id": 1, "method": "POST", "path": "/v1/levels",
+                  "text": level_bytes("several-routes.jsonl").decode()}]
+        first = subprocess.run(self.command, input=json.dumps(lines[0]).encode(),
+                               capture_output=True, check=True)
+        level = json.loads(first.stdout)["body"]["level"]
+        lines.append({"id": 2, "method": "POST", "path": "/v1/jobs",
+                      "body": {"level": level, "ask": ["any"]}})
+        path = os.path.join(self.folder, "requests")
+        with open(path, "w", encoding="ascii") as file:  # a file, which no event loop waits for
+            file.write("\n".join(json.dumps(line) for line in lines))
+        with open(path, "rb") as file:
+            done = subprocess.run(self.command, stdin=file, capture_output=True, check=True)
+        messages = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertTrue(ended(messages[-1]))
+        self.assertEqual(messages[-1]["state"], "done")
+
+    def test_a_reader_that_goes_away_ends_all(self):
+        process = self.start(stderr=subprocess.DEVNULL)
+        level = self.call(process, "POST", "/v1/levels",
+                          text=level_bytes("several-routes.jsonl").decode())["body"]["level"]
+        self.call(process, "POST", "/v1/jobs", body={"level": level, "queries": [impossible()],
+                                                     "budget": {"timeLimit": 300}})
+        self.assertTrue(eventually(lambda: driver.children(process.pid)))
+        programs = [pid for pid, _ in driver.children(process.pid)]
+        process.stdout.close()
+        self.assertEqual(process.wait(60), 141)
+        self.assertFalse([pid for pid in programs if os.path.exists(f"/proc/{pid}")])
+
+    def test_nonsense_is_answered_and_survived(self):
+        process = self.start()
+        for line in (b"nonsense", b"[]", b"{}", b'{"id":[1]}', b"\xff\xfe", b"[" * 100000,
+                     b'{"method":"GET","path":"/v1/events"}'):
+            process.stdin.write(line + b"\n")
+            process.stdin.flush()
+            answer = json.loads(process.stdout.readline())
+            self.assertGreaterEqual(answer["status"], 400, line)
+            self.assertTrue(answer["body"]["error"])
+        self.assertEqual(self.call(process, "GET", "/v1/info")["status"], 200)
+
+    def test_options_of_servers_do_not_go_with_it(self):
+        for option in (["--pair"], ["--no-token"]):
+            done = subprocess.run(self.command + option, capture_output=True, check=False)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(option[0].encode(), done.stderr)
+
+
+if __name__ == "__main__":
+    driver.main()

@@ -1,0 +1,139 @@
+// The option table of obby-bridge and what its options mean to lib/bridge.
+#include "options.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "cli/rows.h"
+
+namespace obby::tools {
+namespace {
+
+using bridge::kMiB;
+using cli::between;
+using cli::OptionRow;
+using cli::row;
+using cli::ValueType;
+
+constexpr const char* kClients = "Clients";
+constexpr const char* kJobs = "Jobs";
+constexpr const char* kLimits = "Limits";
+constexpr const char* kPort = "34990";  // clients look for it there
+
+// Limits are options with the library's defaults.
+OptionRow limitRow(const char* name, const char* value, double fallback, const char* help,
+                   double min, double max) {
+  const bool whole = std::string(value) != "SECONDS";
+  return between(row(name, whole ? ValueType::integer : ValueType::number, value,
+                     fmt::format("{:g}", fallback).c_str(), help, kLimits),
+                 min, max);
+}
+
+std::vector<OptionRow> limitRows() {
+  const bridge::Limits d;
+  return {
+      limitRow("max-body", "MIB", double(d.bodyBytes / kMiB),
+               "size of a request; inflated, four times that", 1, 1024),
+      limitRow("memory", "MIB", double(d.memoryBytes / kMiB),
+               "address space of a program that is started; 0: not bounded", 0, 1e6),
+      limitRow("cpu-time", "SECONDS", double(d.cpuSeconds),
+               "processor time of a program that is started", 1, 1e6),
+      limitRow("request-timeout", "SECONDS", d.requestSeconds,
+               "for a request to arrive, and for its answer to be taken", 0.1, 3600),
+      limitRow("ping", "SECONDS", d.pingSeconds, "between pings on a WebSocket", 0.1, 3600),
+      limitRow("silence", "SECONDS", d.silenceSeconds,
+               "without a word of a client: its WebSocket is closed", 0.1, 3600),
+      limitRow("grace", "SECONDS", d.graceSeconds, "after that: its jobs are cancelled", 0.1, 3600),
+  };
+}
+
+std::string stateDir(const cli::Arguments& a) {
+  if (a.has("state-dir")) return a.text("state-dir");
+  const auto variable = [](const char* name) {
+    const char* value = getenv(name);
+    return std::string(value ? value : "");
+  };
+  // The XDG base directory rules: a relative path is ignored.
+  if (const std::string state = variable("XDG_STATE_HOME"); !state.empty() && state[0] == '/') {
+    return state + "/obby";
+  }
+  const std::string home = variable("HOME");
+  return home.empty() ? "" : home + "/.local/state/obby";
+}
+
+}  // namespace
+
+cli::ToolSpec bridgeSpec() {
+  cli::ToolSpec spec;
+  spec.name = "obby-bridge";
+  spec.summary = "let plugins of Roblox Studio and other editors ask obby-solve";
+  spec.takesInputs = false;
+  spec.examples = {
+      {"serve on this machine, and show a code that pairs a plugin", "obby-bridge --pair"},
+      {"for an editor that starts programs itself: a request a line, answers and messages a line",
+       "echo '{\"id\":1,\"method\":\"GET\",\"path\":\"/v1/info\"}' | obby-bridge --stdio"},
+  };
+  spec.options = {
+      between(row("port", ValueType::integer, "PORT", kPort,
+                  "listen there, on the loopback interface only; 0: on any free one", kClients),
+              0, 65535),
+      row("pair", ValueType::flag, "", "", "show a code with which one new client gets a token",
+          kClients),
+      row("no-token", ValueType::flag, "", "",
+          "ask for no token: whoever runs a program on this machine may ask", kClients),
+      row("stdio", ValueType::flag, "", "",
+          "serve the program that started this one, over standard input and output", kClients),
+      between(row("idle", ValueType::number, "SECONDS", "0",
+                  "end when no client was there for so long; 0: never", kClients),
+              0, 1e9),
+      between(row("jobs", ValueType::integer, "N", "2", "searches at a time", kJobs), 1, 64),
+      row("solve", ValueType::file, "PATH", "",
+          "obby-solve to start [default: the one beside this program]", kJobs),
+      row("state-dir", ValueType::file, "DIR", "",
+          "folder for tokens, levels and answers [default: obby in XDG_STATE_HOME, or in "
+          "~/.local/state]",
+          kJobs),
+  };
+  for (OptionRow& limit : limitRows()) spec.options.push_back(std::move(limit));
+  spec.notes =
+      "Requests are taken from this machine only, never from web pages, and only with the token of "
+      "a paired client. docs/bridge.md describes the protocol.";
+  return spec;
+}
+
+Result<bridge::Options> bridgeOptions(const cli::Context& context) {
+  const cli::Arguments& a = context.arguments();
+  if (a.flag("stdio")) {
+    for (const char* other : {"pair", "no-token"}) {
+      if (a.has(other))
+        return Error{{}, {}, "--stdio", fmt::format("does not go with --{}", other), {}};
+    }
+  }
+  if (a.flag("pair") && a.flag("no-token")) {
+    return Error{{}, {}, "--pair", "does not go with --no-token", {}};
+  }
+  bridge::Options out;
+  out.port = uint16_t(a.integer("port"));
+  out.pair = a.flag("pair");
+  out.needToken = !a.flag("no-token");
+  out.idleSeconds = a.number("idle");
+  out.solve = a.text("solve");
+  out.stateDir = stateDir(a);
+  if (out.stateDir.empty()) {
+    return Error{{}, {}, "--state-dir", "needed: neither XDG_STATE_HOME nor HOME is set", {}};
+  }
+  bridge::Limits& l = out.limits;
+  l.jobs = uint32_t(a.integer("jobs"));
+  l.bodyBytes = uint64_t(a.integer("max-body")) * kMiB;
+  l.inflatedBytes = 4 * l.bodyBytes;
+  l.memoryBytes = uint64_t(a.integer("memory")) * kMiB;
+  l.cpuSeconds = uint64_t(a.number("cpu-time"));
+  l.requestSeconds = a.number("request-timeout");
+  l.pingSeconds = a.number("ping");
+  l.silenceSeconds = a.number("silence");
+  l.graceSeconds = a.number("grace");
+  return out;
+}
+
+}  // namespace obby::tools
