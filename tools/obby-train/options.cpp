@@ -133,7 +133,7 @@ cli::ToolSpec trainSpec() {
   spec.summary = "learn to play levels, for the search to be guided by";
   spec.examples = {
       {"learn from the levels of a stream",
-       "obby-gen --count 2000 --seed 7 | obby-train --time-limit 30 -o policy.obp"},
+       "obby-gen --count 60 --seed 7 | obby-train --time-limit 20 -o policy.obp"},
       {"learn a minute long from levels that are always new",
        "obby-train --generate --difficulty trivial..limit --time-limit 60 -o policy.obp"},
       {"go on with learning that was broken off, as if it had not been",
