@@ -663,6 +663,11 @@ struct Result {
 
 # ---------------------------------------------------------------------------------------------- recordings, metrics
 
+struct RecordedPose {
+  position @0 :Vec3;     # centre of the part, world
+  rotation @1 :Quat;     # world
+}
+
 struct RecordingFrame {
   time @0 :Float64;      # seconds since the first frame
   move @1 :Vec3;         # move direction as the player gave it, world frame, length 0 to 1
@@ -670,6 +675,8 @@ struct RecordingFrame {
   position @3 :Vec3;     # centre of the root part
   velocity @4 :Vec3;
   state @5 :Text;        # HumanoidStateType name
+  facing @6 :Vec3;       # look vector of the root part, world frame; all 0: not recorded
+  poses @7 :List(RecordedPose);  # of the recording's parts, in their order; empty: as in the frame before
 }
 
 struct Recording {
@@ -678,6 +685,8 @@ struct Recording {
   level @1 :Text;
   rate @2 :Float32;      # frames per second, nominal
   frames @3 :List(RecordingFrame);
+  engine @4 :Text;       # what made it, with its version
+  parts @5 :List(Text);  # moving and loose parts whose poses the frames have; each as Region.part names one
 }
 
 struct Metric {
