@@ -12,9 +12,10 @@ namespace {
 // Wide enough that an event which moves by a tick does not look like a slope, narrow beside what a
 // parameter is known to.
 constexpr double kStep = 0.004;
-constexpr double kNear = 0.25;  // studs, as ObjectiveSettings::near
 // Samples that follow each other are not independent: so many count as one.
 constexpr double kAlike = 30;
+// Frames whose errors share a cause: those of a window share its first sample.
+constexpr Eigen::Index kStretch = 90;
 constexpr double kLeast = 1e-9;  // of an eigenvalue, beside the largest: less is nothing
 constexpr int kRounds = 12;
 
@@ -23,9 +24,9 @@ std::vector<double> moved(std::vector<double> point, size_t at, double by) {
   return point;
 }
 
-double weightOf(float residual) {
-  const double size = std::fabs(double(residual));
-  return size <= kNear ? 1 : kNear / size;
+double weightOf(float residual, double near) {
+  const double size = double(residual) / near;
+  return 1 / (1 + size * size);
 }
 
 }  // namespace
@@ -43,13 +44,21 @@ Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& p
     for (Eigen::Index k = 0; k < rows; ++k)
       slopes(k, i) = (above[size_t(k)] - below[size_t(k)]) / width;
   }
-  Slopes out{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n), 0};
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n);
+  Slopes out{none, Eigen::VectorXd::Zero(n), none, 0};
   double squares = 0, weights = 0;
+  Eigen::VectorXd stretch = Eigen::VectorXd::Zero(n);
   for (Eigen::Index k = 0; k < rows; ++k) {
-    const double w = weightOf(r[size_t(k)]), value = double(r[size_t(k)]);
+    const double w = weightOf(r[size_t(k)], objective.settings().near),
+                 value = double(r[size_t(k)]);
     const Eigen::VectorXd row = slopes.row(k).cast<double>();
     out.normal.selfadjointView<Eigen::Lower>().rankUpdate(row, w);
-    out.gradient += w * value * row;
+    stretch += w * value * row;
+    if (k + 1 == rows || (k + 1) % (kStretch * kResiduals) == 0) {
+      out.gradient += stretch;
+      out.scatter += stretch * stretch.transpose();
+      stretch.setZero();
+    }
     squares += w * value * value;
     weights += w;
   }
@@ -59,16 +68,23 @@ Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& p
 }
 
 // A direction that the recordings do not see has no information; one unit of the bounds stands for
-// what was known before.
+// what was known before. Errors are not alike: positions are read less well than facings, and some
+// stretches fit worse than others. So the larger counts of what all errors' size would give and of
+// how much the stretches disagree.
 Evidence evidenceOf(const Slopes& s) {
   const Eigen::Index n = s.normal.rows();
   const double variance = std::max(s.noise * s.noise, 1e-10) * kAlike;
   const Eigen::MatrixXd information =
       s.normal / variance + Eigen::MatrixXd::Identity(n, n) * 4;  // before: half a unit
   const Eigen::MatrixXd covariance = information.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
+  const Eigen::MatrixXd inverse = (s.normal + Eigen::MatrixXd::Identity(n, n) * (4 * variance))
+                                      .ldlt()
+                                      .solve(Eigen::MatrixXd::Identity(n, n));
+  const Eigen::MatrixXd disagreement = inverse * s.scatter * inverse;
   Evidence out{std::vector<double>(size_t(n)), Eigen::MatrixXd::Identity(n, n)};
   for (Eigen::Index i = 0; i < n; ++i) {
-    out.half[size_t(i)] = std::min(1.96 * std::sqrt(covariance(i, i)), 1.0);
+    out.half[size_t(i)] =
+        std::min(1.96 * std::sqrt(std::max(covariance(i, i), disagreement(i, i))), 1.0);
     for (Eigen::Index k = 0; k < n; ++k)
       out.correlation(i, k) = covariance(i, k) / std::sqrt(covariance(i, i) * covariance(k, k));
   }

@@ -7,10 +7,11 @@
 
 namespace obby::calibrate {
 
-// Slopes of all residuals by the coordinates of the point, weighted as Huber's loss weighs them.
+// Slopes of all residuals by the coordinates of the point, weighted as the loss weighs them.
 struct Slopes {
   Eigen::MatrixXd normal;    // (n, n): J^T W J
   Eigen::VectorXd gradient;  // (n): J^T W r
+  Eigen::MatrixXd scatter;   // (n, n): of the gradients of stretches of the recordings
   double noise = 0;          // a residual's deviation, studs
 };
 Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& point);

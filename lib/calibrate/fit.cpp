@@ -16,7 +16,10 @@ constexpr double kNothing = 0.5;   // half an interval, in shares: all that was 
 constexpr double kTied = 0.95;     // correlation
 constexpr double kWide = 0.25;     // deviation of a search's first generation, in shares
 constexpr double kResting = 1e-5;  // of a search that goes nowhere any more
-constexpr double kUnfit = 1e300;   // loss of what was not tried
+constexpr double kDeviation = 1.4826;  // of a normal distribution, beside the middle of its sizes
+constexpr double kOutside = 4;         // deviations that noise does not explain
+constexpr double kFinest = 0.01;       // studs
+constexpr double kUnfit = 1e300;       // loss of what was not tried
 
 // Those that change anything that was recorded, at the start or near it.
 Result<std::vector<Parameter>> shown(std::span<const Take> takes,
@@ -78,6 +81,19 @@ void search(const Objective& objective, const FitSettings& settings, ThreadPool&
   }
 }
 
+// Studs that the positions are off where the simulator does what was recorded: a middle one of all
+// errors, which a window in which something else happened does not move.
+Result<double> noiseAt(const Objective& objective, const std::vector<double>& point) {
+  OBBY_ASSIGN(const std::vector<float> all, objective.residuals(point));
+  std::vector<float> sizes;
+  for (size_t i = 0; i < all.size(); ++i) {
+    if (i % kResiduals < 3) sizes.push_back(std::fabs(all[i]));
+  }
+  const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return kDeviation * double(*middle);
+}
+
 // What no recording shows stays as it was.
 Fitted unseen(const Parameter& p, double before) {
   return {p, before, p.lowest, p.highest, false, before};
@@ -101,19 +117,22 @@ Result<Fit> fit(std::span<const Take> takes, std::vector<Parameter> parameters,
   const Objective brief(takes, seen, now, settings.objective);
   ObjectiveSettings longer = settings.objective;
   longer.windowSeconds = settings.longSeconds;
-  const Objective objective(takes, seen, now, longer);
   Fit out;
   Best best{brief.start(), brief.loss(brief.start()), 1};
-  out.lossBefore = objective.loss(best.point);
+  out.lossBefore = brief.loss(best.point);
   search(brief, settings, pool, stop, progress, best);
   out.stopped = stop;
   std::vector<double> point = best.point;
+  // Whoever misses a ledge by the noise in one sample tells nothing of slopes.
+  OBBY_ASSIGN(const double noise, noiseAt(brief, point));
+  longer.near = std::clamp(kOutside * noise, kFinest, settings.objective.near);
+  const Objective objective(takes, seen, now, longer);
   for (const Objective* stage : {&brief, &objective}) {
     if (stop) break;
     OBBY_ASSIGN(point, refined(*stage, std::move(point), best.evaluations));
   }
   out.evaluations = best.evaluations;
-  out.loss = objective.loss(point);
+  out.loss = brief.loss(point);
   out.delay = objective.delayAt(point);
   OBBY_ASSIGN(const Slopes slopes, slopesAt(objective, point));
   const Evidence evidence = evidenceOf(slopes);

@@ -1,37 +1,19 @@
 #include "calibrate/manoeuvres.h"
 
+#include <algorithm>
+
 #include "base/random.h"
+#include "level/record_values.h"
+#include "level/rotation.h"
 #include "sim/simulator.h"
 
 namespace obby::calibrate {
 
 namespace {
 
-constexpr float kSlippery = 0.02f, kIcy = 0.05f;  // frictions, below PhysicsParams::iceFriction
+using level::set;
 
-void set(schema::Vec3::Builder to, Vec3 v) {
-  to.setX(v.x);
-  to.setY(v.y);
-  to.setZ(v.z);
-}
-
-struct Block {
-  const char* name;
-  Vec3 center, size;
-  float friction = -1;  // negative: the usual
-  bool truss = false;
-};
-
-constexpr Block kBlocks[] = {
-    {"Ground", {0, -0.5f, 0}, {120, 1, 120}},
-    {"Ice", {80, -0.5f, 0}, {40, 1, 120}, kSlippery},
-    {"Less ice", {120, -0.5f, 0}, {40, 1, 120}, kIcy},
-    {"Ledge", {-30, 4, 0}, {20, 8, 20}},
-    {"Low ledge", {-16, 1, 0}, {8, 2, 20}},
-    {"Wall", {0, 5, 40}, {20, 10, 2}},
-    {"Truss", {0, 20, -40}, {2, 40, 2}, -1, true},
-};
-
+// Of a frame's humanoid state: the engine's word.
 const char* nameOf(sim::State state) {
   switch (state) {
     case sim::State::running: return "Running";
@@ -46,22 +28,56 @@ const char* nameOf(sim::State state) {
   return "Dead";
 }
 
-}  // namespace
-
-void writeCourse(schema::Level::Builder level) {
-  level.setName(kCourseName);
-  auto parts = level.initParts(uint32_t(std::size(kBlocks)));
-  for (uint32_t i = 0; i < parts.size(); ++i) {
-    const Block& b = kBlocks[i];
-    parts[i].setName(b.name);
-    if (b.truss) parts[i].setShape(schema::Shape::TRUSS);
-    set(parts[i].initPosition(), b.center);
-    set(parts[i].initSize(), b.size);
-    if (b.friction >= 0) parts[i].setFriction(b.friction);
-  }
-  auto spawn = level.initSpawns(1)[0];
-  set(spawn.initPosition(), {0, 0, 0});
+std::vector<sim::ActionRun> actionsOf(const Manoeuvre& manoeuvre, const Params& params) {
+  std::vector<sim::ActionRun> out;
+  for (const Hold& h : manoeuvre.holds)
+    out.push_back(
+        {actionOf({0, {h.x, 0, h.z}, h.jump, {}, {}}), ticksFromSeconds(params, h.seconds)});
+  return out;
 }
+
+// Parts that move or are loose, each once.
+void showMoving(const level::Level& level, Track& track) {
+  for (uint32_t i = 0; i < level.view().colliderCount; ++i) {
+    const level::Collider& c = level.view().colliders[i];
+    const bool again =
+        std::find(track.parts.begin(), track.parts.end(), c.part) != track.parts.end();
+    if (again || (c.mover == level::kNone && c.loose == level::kNotLoose)) continue;
+    track.parts.push_back(c.part);
+    track.shown.push_back("part:" + std::to_string(c.part));
+  }
+}
+
+PartPose poseOf(const level::LevelView& level, uint32_t part, uint32_t tick,
+                const std::vector<sim::LooseBody>& loose) {
+  const auto* const end = level.colliders + level.colliderCount;
+  const level::Collider& c =
+      *std::find_if(level.colliders, end, [&](const level::Collider& x) { return x.part == part; });
+  if (c.loose != level::kNotLoose)
+    return {sim::poseOf(loose[c.loose], level.loose[c.loose]).position, loose[c.loose].rotation};
+  const Pose pose = level::moverPose(level.movers[c.mover], tick);
+  return {pose.position, toQuat(pose.rotation)};
+}
+
+// None where they are as in the frame before.
+void writePoses(const Track& track, uint32_t frame, schema::RecordingFrame::Builder to) {
+  const auto moved = [&](size_t i) {
+    const PartPose &now = track.pose(frame, i), &before = track.pose(frame - 1, i);
+    const Quat a = now.rotation, b = before.rotation;
+    return !(now.position == before.position) || a.x != b.x || a.y != b.y || a.z != b.z ||
+           a.w != b.w;
+  };
+  bool any = frame == 0;
+  for (size_t i = 0; i < track.shown.size() && !any; ++i) any = moved(i);
+  if (!any) return;
+  auto poses = to.initPoses(uint32_t(track.shown.size()));
+  for (uint32_t i = 0; i < poses.size(); ++i) {
+    set(poses[i].initPosition(), track.pose(frame, i).position);
+    set(poses[i].initRotation(), track.pose(frame, i).rotation);
+  }
+}
+
+}  // namespace
 
 std::vector<Manoeuvre> manoeuvres() {
   return {
@@ -97,6 +113,54 @@ std::vector<Manoeuvre> manoeuvres() {
       {"climb up and down",
        {0, 0.1f, -20},
        {{0.3f, 0, 0}, {2.5f, 0, -1}, {0.5f, 0, 0}, {1, 0, 1}, {1, 0, -1}}},
+      {"turn a little and about",
+       {0, 0.1f, 0},
+       {{0.5f, 0, 0},
+        {0.3f, 0, -1},
+        {0.3f, 0.3f, -1},
+        {0.3f, 1, -1},
+        {0.5f, 0, 0},
+        {0.2f, -1, 0},
+        {0.6f, 0, 0},
+        {0.5f, 0, 1}}},
+      {"jump over gaps",
+       {-56, 0.1f, -90},
+       {{0.4f, 0, 0},
+        {0.68f, 1, 0},
+        {0.1f, 1, 0, true},
+        {1.0f, 1, 0},
+        {0.1f, 1, 0, true},
+        {1.08f, 1, 0},
+        {0.1f, 1, 0, true},
+        {1.16f, 1, 0},
+        {0.1f, 1, 0, true},
+        {0.8f, 1, 0},
+        {0.4f, 0, 0}}},
+      {"jump onto a step of 5",
+       {-10, 0.1f, 80},
+       {{0.4f, 0, 0}, {0.1f, 0, 1}, {0.1f, 0, 1, true}, {0.55f, 0, 1}, {0.6f, 0, 0}}},
+      {"jump onto a step of 7",
+       {4, 0.1f, 80},
+       {{0.4f, 0, 0}, {0.1f, 0, 1}, {0.1f, 0, 1, true}, {0.55f, 0, 1}, {0.6f, 0, 0}}},
+      {"jump at a step of 8.5",
+       {18, 0.1f, 80},
+       {{0.4f, 0, 0}, {0.1f, 0, 1}, {0.1f, 0, 1, true}, {0.55f, 0, 1}, {0.6f, 0, 0}}},
+      {"walk up a ramp of 21", {-50, 0.1f, 84}, {{0.3f, 0, 0}, {1.1f, 0, 1}, {0.6f, 0, 0}}},
+      {"walk up a ramp of 41", {-38, 0.1f, 85}, {{0.3f, 0, 0}, {1, 0, 1}, {0.6f, 0, 0}}},
+      {"walk up a ramp of 61", {-26, 0.1f, 86}, {{0.3f, 0, 0}, {1, 0, 1}, {0.6f, 0, 0}}},
+      {"ride the belt",
+       {-85, 0.1f, -6},
+       {{0.8f, 0, 0}, {1, 0, -1}, {0.5f, 1, 0}, {0.1f, 0, 0, true}, {0.8f, 0, 0}, {0.8f, 0, 1}}},
+      {"ride the ferry",
+       {-120, 0.1f, -35},
+       {{1.5f, 0, 0},
+        {0.15f, 1, 0},
+        {1, 0, 0},
+        {0.1f, 0, 0, true},
+        {0.8f, 0, 0},
+        {0.1f, -1, 0},
+        {0.8f, 0, 0}}},
+      {"push the box", {-12, 0.1f, -25}, {{0.4f, 0, 0}, {2, 1, 0}, {0.6f, 0, 0}}},
   };
 }
 
@@ -107,7 +171,8 @@ Track rehearse(const level::Level& level, const Manoeuvre& manoeuvre, float nois
   std::vector<sim::LooseBody> loose = sim::makeLoose(view);
   Random random(seed, 0);
   const auto off = [&] { return noise * (2 * random.unit() - 1); };
-  Track track{manoeuvre.name, level.name(), {}};
+  Track track{manoeuvre.name, level.name()};
+  showMoving(level, track);
   for (const Hold& hold : manoeuvre.holds) {
     for (uint32_t t = ticksFromSeconds(p, hold.seconds); t > 0; --t) {
       Frame f;
@@ -117,11 +182,29 @@ Track rehearse(const level::Level& level, const Manoeuvre& manoeuvre, float nois
       f.position = rootOf(world.position, p) + Vec3{off(), off(), off()};
       f.velocity = world.velocity;
       f.state = world.state;
+      f.facing = directionOf(sinCos(world.yaw));
       track.frames.push_back(f);
+      for (const uint32_t part : track.parts)
+        track.poses.push_back(poseOf(view, part, world.tick, loose));
       sim::advance(world, loose.data(), view, nullptr, actionOf(f));
     }
   }
   return track;
+}
+
+void writePlan(const level::Level& level, const Manoeuvre& manoeuvre,
+               schema::Trajectory::Builder to) {
+  const sim::Plan plan{{manoeuvre.feet, 0, 0}, 0, actionsOf(manoeuvre, level.view().params)};
+  const sim::Replay replay = sim::replay(level.view(), nullptr, plan);
+  const sim::World& end = replay.worlds.back();
+  to.setQuery(manoeuvre.name);
+  to.setLevel(level.name());
+  sim::writePlan(plan, to);
+  to.setOutcome(schema::Outcome(end.outcome));
+  to.setTicks(uint32_t(replay.worlds.size()) - 1);
+  to.setJumps(end.jumps);
+  to.setStateHash(sim::stateHash(end, replay.looseAt(replay.worlds.size() - 1)));
+  set(to.initEndPosition(), end.position);
 }
 
 void writeRecording(const Track& track, schema::Recording::Builder to) {
@@ -129,6 +212,9 @@ void writeRecording(const Track& track, schema::Recording::Builder to) {
   to.setLevel(track.level);
   const double seconds = track.frames.back().time;
   to.setRate(float(double(track.frames.size() - 1) / seconds));
+  to.setEngine("obby's own simulator");
+  auto shown = to.initParts(uint32_t(track.shown.size()));
+  for (uint32_t i = 0; i < shown.size(); ++i) shown.set(i, track.shown[i]);
   auto frames = to.initFrames(uint32_t(track.frames.size()));
   for (uint32_t i = 0; i < frames.size(); ++i) {
     const Frame& f = track.frames[i];
@@ -138,6 +224,8 @@ void writeRecording(const Track& track, schema::Recording::Builder to) {
     set(frames[i].initPosition(), f.position);
     set(frames[i].initVelocity(), f.velocity);
     frames[i].setState(nameOf(f.state));
+    set(frames[i].initFacing(), f.facing);
+    writePoses(track, i, frames[i]);
   }
 }
 

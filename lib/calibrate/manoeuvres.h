@@ -1,4 +1,4 @@
-// What to record: a course, and what a player does there so that each parameter shows in one
+// What to record: what a player does on the calibration course, so that each parameter shows in one
 // manoeuvre at least.
 #pragma once
 
@@ -22,16 +22,17 @@ struct Manoeuvre {
   std::vector<Hold> holds;
 };
 
-constexpr const char* kCourseName = "calibration";
-
-// Flat ground, ice of two frictions, a ledge, steps, a ramp, a wall and a truss.
-void writeCourse(schema::Level::Builder level);
-// On that course.
+// On the course (course_level.h). Each shows some of the parameters: parameters.cpp says which.
 std::vector<Manoeuvre> manoeuvres();
 
-// What the simulator makes of it, a frame a tick: to see what can be learned of a recording before
-// it is made. `noise`: studs that a position may be off, each axis.
+// What the simulator makes of it, a frame a tick, with the poses of all that moves or is loose: to
+// see what can be learned of a recording before it is made. `noise`: studs that a position may be
+// off, each axis.
 Track rehearse(const level::Level& level, const Manoeuvre& manoeuvre, float noise, uint64_t seed);
+
+// Its inputs, for a recorder to play: start, actions, and where they lead in the simulator.
+void writePlan(const level::Level& level, const Manoeuvre& manoeuvre,
+               schema::Trajectory::Builder to);
 
 void writeRecording(const Track& track, schema::Recording::Builder to);
 

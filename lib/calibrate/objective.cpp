@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace obby::calibrate {
 
@@ -18,9 +19,9 @@ Result<level::Level> levelWith(const Take& take, schema::PhysicsParams::Reader p
   return level::Level::compile(level.asReader());
 }
 
-double huber(double error, double near) {
-  const double size = std::fabs(error);
-  return size <= near ? 0.5 * size * size : near * (size - 0.5 * near);
+// Cauchy's: half the square of a small error, and ever less of a large one.
+double costOf(double error, double near) {
+  return 0.5 * near * near * std::log1p((error / near) * (error / near));
 }
 
 }  // namespace
@@ -57,22 +58,30 @@ Result<level::Level> Objective::levelAt(std::span<const double> point, const Tak
 Result<std::vector<float>> Objective::residuals(std::span<const double> point) const {
   std::vector<float> out;
   const double delay = delayAt(point);
-  const float speed = float(settings_.speedSeconds);
+  const float speed = float(settings_.speedSeconds), reach = float(settings_.reach);
+  std::optional<level::Level> level;
+  const Take* before = nullptr;
   for (const Take& take : takes_) {
-    OBBY_ASSIGN(const level::Level level, levelAt(point, take));
-    const level::LevelView& view = level.view();
+    // Compiling a level takes longer than playing in it.
+    if (!before || &before->level.storage() != &take.level.storage()) {
+      OBBY_ASSIGN(level, levelAt(point, take));
+    }
+    before = &take;
+    const level::LevelView& view = level->view();
     const double seconds = settings_.windowSeconds > 0 ? settings_.windowSeconds : 1e30;
-    const auto windows = windowsOf(take.track, seconds, view.looseCount > 0);
+    const auto windows = windowsOf(take.track, seconds, view);
     const size_t first = out.size();
     const auto& frames = take.track.frames;
     out.resize(first + (frames.size() - 1) * kResiduals);
-    playBack(view, take.track, windows, delay,
-             [&](uint32_t, uint32_t frame, Vec3 position, Vec3 velocity) {
-               float* to = out.data() + first + (frame - 1) * kResiduals;
-               const Vec3 p = position - frames[frame].position;
-               const Vec3 v = (velocity - frames[frame].velocity) * speed;
-               for (const float r : {p.x, p.y, p.z, v.x, v.y, v.z}) *to++ = r;
-             });
+    playBack(view, take.track, windows, delay, [&](uint32_t, uint32_t frame, const Moment& now) {
+      float* to = out.data() + first + (frame - 1) * kResiduals;
+      const Frame& then = frames[frame];
+      const Vec3 p = now.position - then.position;
+      const Vec3 v = (now.velocity - then.velocity) * speed;
+      const bool faces = then.facing.x != 0 || then.facing.z != 0;
+      const Vec3 f = faces ? (now.facing - then.facing) * reach : Vec3{};
+      for (const float r : {p.x, p.y, p.z, v.x, v.y, v.z, f.x, f.z}) *to++ = r;
+    });
   }
   return out;
 }
@@ -81,7 +90,7 @@ double Objective::loss(std::span<const double> point) const {
   const auto all = residuals(point);
   if (!all) return std::numeric_limits<double>::max();
   double sum = 0;
-  for (const float r : *all) sum += huber(double(r), settings_.near);
+  for (const float r : *all) sum += costOf(double(r), settings_.near);
   return sum / double(all->size() / kResiduals);
 }
 
@@ -90,8 +99,8 @@ Result<Miss> missOf(const Take& take, schema::PhysicsParams::Reader params, doub
   const auto& frames = take.track.frames;
   Miss out;
   playBack(level.view(), take.track, {{0, uint32_t(frames.size()) - 1}}, delay,
-           [&](uint32_t, uint32_t frame, Vec3 position, Vec3) {
-             const double off = double(length(position - frames[frame].position));
+           [&](uint32_t, uint32_t frame, const Moment& now) {
+             const double off = double(length(now.position - frames[frame].position));
              out.mean += off / double(frames.size() - 1);
              out.most = std::max(out.most, off);
              out.last = off;

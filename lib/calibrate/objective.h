@@ -19,12 +19,14 @@ struct Take {
 
 struct ObjectiveSettings {
   double windowSeconds = 0.5;  // the simulator goes on by itself for so long; 0: to the end
-  double near = 0.25;          // studs: errors above count by their size, not by their square
-  double speedSeconds = 0.1;   // an error in speed counts as what it comes to in so long
+  double near = 0.25;  // studs: of errors above only the order counts: another thing happened there
+  double speedSeconds = 0.1;  // an error in speed counts as what it comes to in so long
+  double reach = 0.5;         // studs: an error in facing counts as what it comes to so far ahead
 };
 
-// Per frame and axis: how far off the position is, then the velocity, in studs.
-constexpr uint32_t kResiduals = 6;
+// Per frame, in studs: how far off the position is, the velocity (three axes each), and the facing
+// (two; 0 where it is not recorded).
+constexpr uint32_t kResiduals = 8;
 
 class Objective {
  public:
@@ -34,9 +36,10 @@ class Objective {
             schema::PhysicsParams::Reader now, const ObjectiveSettings& settings);
 
   const std::vector<Parameter>& parameters() const { return parameters_; }
+  const ObjectiveSettings& settings() const { return settings_; }
   size_t dimensions() const { return parameters_.size() + 1; }
 
-  // `point`: (dimensions), shares of the bounds. Huber's loss, a mean over frames, in studs^2; the
+  // `point`: (dimensions), shares of the bounds. Cauchy's loss, a mean over frames, in studs^2; the
   // largest number there is where a level does not compile with these parameters.
   double loss(std::span<const double> point) const;
   // (frames, kResiduals), of each take's windows in order. Errors as of Level::compile.

@@ -28,6 +28,8 @@ constexpr Row kRows[] = {
     {"groundAccel", 4, "start running, stop, turn back on the flat"},
     {"airAccel", 4, "jump, and turn back in the air"},
     {"moveGain", 4, "start running from rest, and stop"},
+    {"turnGain", 4, "turn a little, standing and running"},
+    {"turnSpeed", 4, "turn about, standing and running"},
     {"gravity", 2, "jump on the flat, and fall from a ledge"},
     {"jumpSpeed", 2, "jump on the flat"},
     {"hipHeight", 1.5, "stand on the flat"},

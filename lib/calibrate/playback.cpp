@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibrate/surroundings.h"
+
 namespace obby::calibrate {
 
 namespace {
@@ -18,7 +20,7 @@ struct Player {
   std::vector<sim::LooseBody> loose;
   uint32_t held = 0;  // frame whose input is in force
   uint32_t next = 0;  // frame that is met next
-  Vec3 before, velocityBefore;
+  Moment before = {};
 
   bool over() const { return next > window.last; }
 
@@ -36,11 +38,26 @@ uint32_t tickOf(double time, const Params& params) {
 
 constexpr double kLead = 0.4;  // seconds before a window
 
-// What a frame shows of a world.
-void show(const Frame& f, const Params& p, sim::World& world) {
-  world.position = feetOf(f, p);
-  world.velocity = f.velocity;
-  world.state = f.state;
+bool showsFacing(const Frame& f) { return f.facing.x != 0 || f.facing.z != 0; }
+
+// Holds a player to what a frame shows.
+void hold(Player& player, uint32_t frame, const level::LevelView& level) {
+  const Frame& f = player.track.frames[frame];
+  player.world.position = feetOf(f, level.params);
+  player.world.velocity = f.velocity;
+  player.world.state = f.state;
+  if (showsFacing(f)) player.world.yaw = headingOf(f.facing.x, f.facing.z);
+  if (showLoose(player.track, frame, level, player.loose)) player.world.flags |= sim::kLooseAwake;
+}
+
+Moment momentOf(const sim::World& world, const Params& p) {
+  return {rootOf(world.position, p), world.velocity, directionOf(sinCos(world.yaw)), world.state};
+}
+
+Moment between(const Moment& a, const Moment& b, float share) {
+  const auto mix = [share](Vec3 x, Vec3 y) { return x + (y - x) * share; };
+  return {mix(a.position, b.position), mix(a.velocity, b.velocity), mix(a.facing, b.facing),
+          b.state};
 }
 
 uint32_t nearestFrame(const Track& track, uint32_t from, double time) {
@@ -52,9 +69,9 @@ uint32_t nearestFrame(const Track& track, uint32_t from, double time) {
 
 }  // namespace
 
-std::vector<Window> windowsOf(const Track& track, double seconds, bool loose) {
+std::vector<Window> windowsOf(const Track& track, double seconds, const level::LevelView& level) {
   const uint32_t end = uint32_t(track.frames.size()) - 1;
-  if (loose) return {{0, end}};
+  if (!showsLoose(track, level)) return {{0, end}};
   std::vector<Window> out;
   for (uint32_t first = 0; first < end;) {
     uint32_t last = first + 1;
@@ -70,6 +87,8 @@ namespace {
 // Who stands still faces where they went, and who climbs where they went when they came to the
 // truss.
 Turns facingAt(const Track& track, uint32_t index) {
+  const Vec3 facing = track.frames[index].facing;
+  if (showsFacing(track.frames[index])) return headingOf(facing.x, facing.z);
   while (index > 0 && track.frames[index].state == sim::State::climbing) --index;
   while (index > 0 && !actionOf(track.frames[index]).walk) --index;
   return actionOf(track.frames[index]).heading;
@@ -80,7 +99,7 @@ Turns facingAt(const Track& track, uint32_t index) {
 sim::World worldAt(const Track& track, uint32_t index, const level::LevelView& level) {
   const Params& p = level.params;
   const Frame& f = track.frames[index];
-  sim::World w = sim::makeWorld(level, {feetOf(f, p), 0, tickOf(f.time, p)});
+  sim::World w = sim::makeWorld(level, {feetOf(f, p), 0, track.phase + tickOf(f.time, p)});
   w.velocity = f.velocity;
   w.state = f.state;
   w.yaw = facingAt(track, index);
@@ -108,20 +127,18 @@ Player playerOf(const Track& track, const Window& window, const level::LevelView
   const double begin = origin - lead * double(level.params.tickSeconds);
   const uint32_t first = nearestFrame(track, window.first, begin);
   return {
-      track, window,           origin, -lead, worldAt(track, first, level), sim::makeLoose(level),
-      first, window.first + 1, {},     {}};
+      track, window,          origin, -lead, worldAt(track, first, level), sim::makeLoose(level),
+      first, window.first + 1};
 }
 
 // Visits the frames that the last tick went past.
 void meetFrames(Player& player, const Params& p, uint32_t number, const Visit& visit) {
-  const Vec3 after = rootOf(player.world.position, p);
+  const Moment after = momentOf(player.world, p);
   for (; !player.over(); ++player.next) {
     const double ticks =
         (player.track.frames[player.next].time - player.origin) * p.controlRate - player.tick;
     if (ticks > 1) return;
-    const float share = float(std::max(ticks, 0.0));
-    visit(number, player.next, player.before + (after - player.before) * share,
-          player.velocityBefore + (player.world.velocity - player.velocityBefore) * share);
+    visit(number, player.next, between(player.before, after, float(std::max(ticks, 0.0))));
   }
 }
 
@@ -142,10 +159,8 @@ void playBack(const level::LevelView& level, const Track& track, const std::vect
       Player& player = players[i];
       if (player.over()) continue;
       const double now = player.origin + player.tick * double(p.tickSeconds);
-      if (player.tick <= 0)
-        show(track.frames[nearestFrame(track, player.window.first, now)], p, player.world);
-      player.before = rootOf(player.world.position, p);
-      player.velocityBefore = player.world.velocity;
+      if (player.tick <= 0) hold(player, nearestFrame(track, player.window.first, now), level);
+      player.before = momentOf(player.world, p);
       worlds.push_back(&player.world);
       loose.push_back(player.loose.data());
       // An input counts for a tick if it is there for most of it.

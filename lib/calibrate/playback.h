@@ -16,17 +16,24 @@ struct Window {
   uint32_t first, last;
 };
 
-// Side by side, of about so many seconds each; with loose bodies in the level, whose poses a frame
-// does not say, one from the start to the end.
-std::vector<Window> windowsOf(const Track& track, double seconds, bool loose);
+// Side by side, of about so many seconds each; with loose bodies in the level that the track does
+// not show, one from the start to the end.
+std::vector<Window> windowsOf(const Track& track, double seconds, const level::LevelView& level);
 
 // The state that a frame shows, as far as it shows it.
 sim::World worldAt(const Track& track, uint32_t frame, const level::LevelView& level);
 
-// `delay`: seconds from an input to what comes of it. Calls visit(window, frame, position,
-// velocity) for every frame but the first of each window, frames ascending within a window:
-// position of the root part's centre between the two nearest ticks.
-using Visit = std::function<void(uint32_t window, uint32_t frame, Vec3 position, Vec3 velocity)>;
+// The simulator's player at the time of a frame, between the two nearest ticks.
+struct Moment {
+  Vec3 position;  // of the root part's centre
+  Vec3 velocity;
+  Vec3 facing;                             // level, about unit
+  sim::State state = sim::State::running;  // after the later of the two ticks
+};
+
+// `delay`: seconds from an input to what comes of it. Calls visit(window, frame, moment) for every
+// frame but the first of each window, frames ascending within a window.
+using Visit = std::function<void(uint32_t window, uint32_t frame, const Moment& moment)>;
 void playBack(const level::LevelView& level, const Track& track, const std::vector<Window>& windows,
               double delay, const Visit& visit);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/surroundings.h"
+
 namespace obby::calibrate {
 
 Result<io::Then> Takes::handle(const io::Record& record) {
@@ -28,6 +30,9 @@ Status Takes::add(schema::Recording::Reader recording) {
                  "level",
                  fmt::format("there is no level '{}' before", track.level),
                  "give the level that it was recorded in, too"};
+  const auto record = level->second.reader().getLevel();
+  OBBY_ASSIGN(const level::Level compiled, level::Level::compile(record));
+  OBBY_RETURN_IF_ERROR(place(track, record, compiled));
   takes_.push_back({std::move(track), level->second});
   return {};
 }

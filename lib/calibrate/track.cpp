@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "level/record_values.h"
+
 namespace obby::calibrate {
 
 namespace {
@@ -11,9 +13,8 @@ namespace {
 constexpr float kLeastMove = 0.1f;
 constexpr float kRising = 5;  // studs/s: faster than this upward is no walk
 
-Vec3 vecOf(schema::Vec3::Reader v) { return {v.getX(), v.getY(), v.getZ()}; }
-
-bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+using level::isFinite;
+using level::vec;
 
 Error inFrame(uint32_t i, std::string what, std::string cure) {
   return Error{{}, {}, fmt::format("frames[{}]", i), std::move(what), std::move(cure)};
@@ -50,25 +51,71 @@ sim::Action actionOf(const Frame& frame) {
   return {walk ? headingOf(frame.move.x, frame.move.z) : Turns(0), walk, frame.jump};
 }
 
+namespace {
+
+Frame frameOf(schema::RecordingFrame::Reader f) {
+  Vec3 facing = vec(f.getFacing());
+  facing.y = 0;
+  if (const float size = length(facing); size > 0 && std::isfinite(size))
+    facing = facing * (1 / size);
+  return {f.getTime(),
+          vec(f.getMove()),
+          f.getJump(),
+          vec(f.getPosition()),
+          vec(f.getVelocity()),
+          stateOf(f.getState(), vec(f.getVelocity())),
+          facing};
+}
+
+bool finite(const Frame& f) {
+  return std::isfinite(f.time) && isFinite(f.move) && isFinite(f.position) &&
+         isFinite(f.velocity) && isFinite(f.facing);
+}
+
+// A frame without poses has those of the one before.
+Status addPoses(schema::RecordingFrame::Reader frame, uint32_t number, Track& track) {
+  const auto poses = frame.getPoses();
+  const size_t count = track.shown.size();
+  if (poses.size() == 0 && !track.poses.empty()) {
+    for (size_t i = 0; i < count; ++i)
+      track.poses.push_back(track.poses[track.poses.size() - count]);
+    return {};
+  }
+  if (poses.size() != count)
+    return inFrame(number, fmt::format("{} poses of {} parts", poses.size(), count),
+                   "give one for each of the recording's parts, or none where none has moved");
+  for (const auto pose : poses) {
+    const auto q = pose.getRotation();
+    const PartPose to{vec(pose.getPosition()),
+                      normalize(Quat{q.getX(), q.getY(), q.getZ(), q.getW()})};
+    if (!isFinite(to.position) || !std::isfinite(to.rotation.w))
+      return inFrame(number, "a pose with a number that is none", "leave such frames out");
+    track.poses.push_back(to);
+  }
+  return {};
+}
+
+}  // namespace
+
+void Track::drop(size_t frame) {
+  frames.erase(frames.begin() + std::ptrdiff_t(frame));
+  const auto first = poses.begin() + std::ptrdiff_t(frame * shown.size());
+  poses.erase(first, first + std::ptrdiff_t(shown.size()));
+}
+
 Result<Track> trackOf(schema::Recording::Reader record) {
-  Track track{record.getName(), record.getLevel(), {}};
+  Track track{record.getName(), record.getLevel()};
+  for (const auto part : record.getParts()) track.shown.emplace_back(part);
   const auto frames = record.getFrames();
   for (uint32_t i = 0; i < frames.size(); ++i) {
-    const auto f = frames[i];
-    const Frame frame{f.getTime(),
-                      vecOf(f.getMove()),
-                      f.getJump(),
-                      vecOf(f.getPosition()),
-                      vecOf(f.getVelocity()),
-                      stateOf(f.getState(), vecOf(f.getVelocity()))};
-    if (!std::isfinite(frame.time) || !finite(frame.move) || !finite(frame.position) ||
-        !finite(frame.velocity))
-      return inFrame(i, "a number that is none", "leave such frames out");
+    const Frame frame = frameOf(frames[i]);
+    if (!finite(frame)) return inFrame(i, "a number that is none", "leave such frames out");
     if (!track.frames.empty() && frame.time < track.frames.back().time)
       return inFrame(i, fmt::format("time {} comes after {}", frame.time, track.frames.back().time),
                      "give the frames in the order of their times");
     if (!track.frames.empty() && frame.time == track.frames.back().time) continue;
     track.frames.push_back(frame);
+    OBBY_RETURN_IF_ERROR(addPoses(frames[i], i, track));
   }
   if (track.frames.size() < 2)
     return Error{{},

@@ -20,15 +20,33 @@ struct Frame {
   Vec3 position;  // of the root part's centre, studs
   Vec3 velocity;  // studs/s
   sim::State state = sim::State::freefall;
+  Vec3 facing = {};  // level look vector of the root part, unit; all 0: not recorded
+};
+
+// Where a part is.
+struct PartPose {
+  Vec3 position;  // of its centre, studs
+  Quat rotation;
 };
 
 struct Track {
   std::string name, level;
-  std::vector<Frame> frames;  // at least two, times ascending
+  std::vector<Frame> frames = {};       // at least two, times ascending
+  std::vector<std::string> shown = {};  // parts whose poses are recorded
+  std::vector<PartPose> poses = {};     // (frames, shown)
+  std::vector<uint32_t> parts = {};     // of `shown`, in the level (surroundings.h)
+  uint32_t phase = 0;                   // level clock at the first frame, ticks (surroundings.h)
+
+  // Without a frame, as a recorder that was too late leaves it.
+  void drop(size_t frame);
+
+  const PartPose& pose(size_t frame, size_t part) const {
+    return poses[frame * shown.size() + part];
+  }
 };
 
 // Frames that the recorder wrote twice are left out. Errors: fewer than two frames, a time that
-// goes back, what is not finite.
+// goes back, what is not finite, poses of other parts than the recording names.
 Result<Track> trackOf(schema::Recording::Reader record);
 
 // Of an engine's name for it; whoever is in none that a course needs is taken by how they move.

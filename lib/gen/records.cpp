@@ -3,6 +3,7 @@
 
 #include "gen/generator.h"
 #include "gen/physics.h"
+#include "level/record_values.h"
 
 namespace obby::gen {
 
@@ -10,18 +11,7 @@ namespace {
 
 constexpr float kFallRoom = 24;  // studs below the lowest part, where a fall ends
 
-void set(schema::Vec3::Builder to, Vec3 v) {
-  to.setX(v.x);
-  to.setY(v.y);
-  to.setZ(v.z);
-}
-
-void set(schema::Quat::Builder to, Quat q) {
-  to.setX(q.x);
-  to.setY(q.y);
-  to.setZ(q.z);
-  to.setW(q.w);
-}
+using level::set;
 
 bool isZero(Vec3 v) { return v == Vec3{}; }
 bool isIdentity(Quat q) { return q.x == 0 && q.y == 0 && q.z == 0; }

@@ -1,7 +1,7 @@
 // Rotations as place files hold them: nine numbers that may be off, or a reflection.
 #pragma once
 
-#include "math/vec.h"
+#include "level/rotation.h"
 
 namespace obby::importer {
 
@@ -10,17 +10,9 @@ namespace obby::importer {
 // is symmetric in X). A singular matrix gives the identity.
 Mat3 repairedRotation(const Mat3& rotation, bool* reflected);
 
-// Unit quaternion with w >= 0 of an orthonormal matrix.
-Quat toQuat(const Mat3& rotation);
-
 // Rotation by `angle` radians about a unit axis.
 Mat3 rotationAbout(Vec3 axis, double angle);
 
-// Axis (unit) times angle (0 to pi) of a rotation.
-Vec3 rotationVector(const Mat3& rotation);
-
-// Transpose, which is the inverse of a rotation.
-Mat3 inverse(const Mat3& rotation);
 Pose operator*(const Pose& a, const Pose& b);
 Pose inverse(const Pose& pose);
 

@@ -20,6 +20,19 @@ inline Error pathError(std::string path, std::string message, std::string hint =
 
 inline Vec3 vec(schema::Vec3::Reader v) { return {v.getX(), v.getY(), v.getZ()}; }
 
+inline void set(schema::Vec3::Builder to, Vec3 v) {
+  to.setX(v.x);
+  to.setY(v.y);
+  to.setZ(v.z);
+}
+
+inline void set(schema::Quat::Builder to, Quat q) {
+  to.setX(q.x);
+  to.setY(q.y);
+  to.setZ(q.z);
+  to.setW(q.w);
+}
+
 inline bool isFinite(Vec3 v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }

@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "level/record_values.h"
+
 namespace obby::level {
 
 namespace {
@@ -91,8 +93,6 @@ int64_t indexFromText(const std::string& selector) {
   return error == std::errc() && at == end ? index : -1;
 }
 
-Vec3 vecOf(schema::Vec3::Reader v) { return {v.getX(), v.getY(), v.getZ()}; }
-
 Quat rotationOf(schema::Part::Reader part) {
   const auto q = part.getRotation();
   return normalize(Quat{q.getX(), q.getY(), q.getZ(), q.getW()});
@@ -100,7 +100,7 @@ Quat rotationOf(schema::Part::Reader part) {
 
 // Half the part's height in the world.
 float halfHeight(schema::Part::Reader part) {
-  return boundsOf(Pose{{}, toMat3(rotationOf(part))}, vecOf(part.getSize()) * 0.5f).hi.y;
+  return boundsOf(Pose{{}, toMat3(rotationOf(part))}, vec(part.getSize()) * 0.5f).hi.y;
 }
 
 }  // namespace
@@ -155,25 +155,15 @@ Result<std::optional<PlainRegion>> boxFromText(const std::string& text) {
 }
 
 void fillBox(schema::Region::Builder record, const PlainRegion& box) {
-  auto p = record.initPosition();
-  p.setX(box.position.x);
-  p.setY(box.position.y);
-  p.setZ(box.position.z);
-  auto q = record.initRotation();
-  q.setX(box.rotation.x);
-  q.setY(box.rotation.y);
-  q.setZ(box.rotation.z);
-  q.setW(box.rotation.w);
-  auto s = record.initSize();
-  s.setX(box.size.x);
-  s.setY(box.size.y);
-  s.setZ(box.size.z);
+  set(record.initPosition(), box.position);
+  set(record.initRotation(), box.rotation);
+  set(record.initSize(), box.size);
 }
 
 PlainRegion regionAround(schema::Part::Reader part) {
   const Quat q = rotationOf(part);
   const Mat3 axes = toMat3(q);
-  const Vec3 size = vecOf(part.getSize());
+  const Vec3 size = vec(part.getSize());
   const Vec3 up{absf(axes.x.y), absf(axes.y.y), absf(axes.z.y)};  // of each axis
   Vec3 grow{2 * kGrowSide, 2 * kGrowSide, 2 * kGrowSide}, lift;
   if (up.y >= up.x && up.y >= up.z) {
@@ -186,12 +176,12 @@ PlainRegion regionAround(schema::Part::Reader part) {
     grow.z = kGrowUp;
     lift = axes.z * (axes.z.y < 0 ? -1.0f : 1.0f);
   }
-  return {part.getName().cStr(), vecOf(part.getPosition()) + lift * (kGrowUp / 2), q, size + grow};
+  return {part.getName().cStr(), vec(part.getPosition()) + lift * (kGrowUp / 2), q, size + grow};
 }
 
 PlainRegion regionOnTop(schema::Part::Reader part) {
   const Vec3 up{0, halfHeight(part) + kStandingRoom / 2, 0};
-  return {part.getName().cStr(), vecOf(part.getPosition()) + up, {}, {4, kStandingRoom, 4}};
+  return {part.getName().cStr(), vec(part.getPosition()) + up, {}, {4, kStandingRoom, 4}};
 }
 
 }  // namespace obby::level

@@ -86,6 +86,19 @@ Result<Plan> planFromRecord(schema::Trajectory::Reader record) {
   return plan;
 }
 
+void writePlan(const Plan& plan, schema::Trajectory::Builder to) {
+  level::set(to.initPosition(), plan.start.feet);
+  to.setYawTurns(plan.yaw);
+  to.setStartTick(plan.start.tick);
+  auto runs = to.initActions(uint32_t(plan.actions.size()));
+  for (uint32_t i = 0; i < runs.size(); ++i) {
+    runs[i].setTicks(plan.actions[i].ticks);
+    runs[i].setWalk(plan.actions[i].action.walk);
+    runs[i].setHeading(plan.actions[i].action.heading);
+    runs[i].setJump(plan.actions[i].action.jump);
+  }
+}
+
 void advance(World& world, LooseBody* loose, const level::LevelView& level,
              const level::QueryView* query, Action action) {
   if (world.outcome != Outcome::running) return;

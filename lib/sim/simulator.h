@@ -35,6 +35,7 @@ struct Plan {
 constexpr uint64_t kMaxReplayTicks = 4ull * 3600 * 60;
 
 Result<Plan> planFromRecord(schema::Trajectory::Reader record);
+void writePlan(const Plan& plan, schema::Trajectory::Builder to);
 
 // Advances one tick under the query's rules; does nothing once the playthrough has ended. `loose`:
 // (level.looseCount), null where that is 0. `query` may be null.

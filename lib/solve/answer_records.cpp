@@ -1,5 +1,6 @@
 #include "solve/answer_records.h"
 
+#include "level/record_values.h"
 #include "sim/simulator.h"
 #include "solve/reason.h"
 
@@ -17,22 +18,6 @@ void fillBlame(Record record, sim::Outcome outcome, uint32_t part) {
     record.setAvoid(int32_t(part));
   } else {
     record.setPart(int32_t(part));
-  }
-}
-
-void fillVec(schema::Vec3::Builder record, Vec3 v) {
-  record.setX(v.x);
-  record.setY(v.y);
-  record.setZ(v.z);
-}
-
-void fillActions(schema::Trajectory::Builder record, const std::vector<sim::ActionRun>& actions) {
-  auto runs = record.initActions(uint32_t(actions.size()));
-  for (uint32_t i = 0; i < runs.size(); ++i) {
-    runs[i].setTicks(actions[i].ticks);
-    runs[i].setWalk(actions[i].action.walk);
-    runs[i].setHeading(actions[i].action.heading);
-    runs[i].setJump(actions[i].action.jump);
   }
 }
 
@@ -63,17 +48,15 @@ void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& id
   record.setLevel(identity.level);
   record.setIndex(index);
   record.setOutcome(schema::Outcome(end.outcome));
-  fillVec(record.initPosition(), identity.start.feet);
-  record.setYawTurns(turnsFromRadians(identity.start.yaw));
-  record.setStartTick(identity.start.tick);
-  fillActions(record, playthrough.actions);
+  sim::writePlan({identity.start, turnsFromRadians(identity.start.yaw), playthrough.actions},
+                 record);
   record.setTicks(playthrough.ticks);
   record.setJumps(end.jumps);
   record.setWaypoints(end.waypoints);
   record.setVisited(end.visited);
   fillBlame(record, end.outcome, end.part);
   record.setStateHash(sim::stateHash(end, playthrough.endLoose));
-  fillVec(record.initEndPosition(), end.position);
+  level::set(record.initEndPosition(), end.position);
 }
 
 void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identity,

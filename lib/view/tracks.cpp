@@ -4,27 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "level/rotation.h"
+
 namespace obby::view {
 namespace {
-
-// Shepperd's method: the largest component first, so that nothing cancels.
-Quat toQuat(const Mat3& m) {
-  const float xx = m.x.x, yy = m.y.y, zz = m.z.z;
-  if (xx + yy + zz > 0) {
-    const float s = 2 * std::sqrt(1 + xx + yy + zz);
-    return {(m.y.z - m.z.y) / s, (m.z.x - m.x.z) / s, (m.x.y - m.y.x) / s, s / 4};
-  }
-  if (xx > yy && xx > zz) {
-    const float s = 2 * std::sqrt(1 + xx - yy - zz);
-    return {s / 4, (m.y.x + m.x.y) / s, (m.z.x + m.x.z) / s, (m.y.z - m.z.y) / s};
-  }
-  if (yy > zz) {
-    const float s = 2 * std::sqrt(1 + yy - xx - zz);
-    return {(m.y.x + m.x.y) / s, s / 4, (m.z.y + m.y.z) / s, (m.z.x - m.x.z) / s};
-  }
-  const float s = 2 * std::sqrt(1 + zz - xx - yy);
-  return {(m.z.x + m.x.z) / s, (m.z.y + m.y.z) / s, s / 4, (m.x.y - m.y.x) / s};
-}
 
 // How many ticks to tabulate, and whether they repeat.
 void setExtent(Track& track, const level::Mover& mover, uint32_t ticks, uint32_t stride) {

@@ -2,6 +2,7 @@
 // know.
 #pragma once
 
+#include "calibrate/course_level.h"
 #include "calibrate/manoeuvres.h"
 #include "calibrate/objective.h"
 
@@ -12,8 +13,9 @@ inline schema::PhysicsParams::Reader defaults() {
   return record.root().initParams().asReader();
 }
 
-// The levels of the takes do not say the parameters.
-inline std::vector<Take> takesUnder(schema::PhysicsParams::Reader params, float noise = 0) {
+// Of the first `count` manoeuvres. The levels of the takes do not say the parameters.
+inline std::vector<Take> takesUnder(schema::PhysicsParams::Reader params, float noise = 0,
+                                    size_t count = SIZE_MAX) {
   io::RecordBuilder plain, hidden;
   writeCourse(plain.root().initLevel());
   writeCourse(hidden.root().initLevel());
@@ -21,8 +23,10 @@ inline std::vector<Take> takesUnder(schema::PhysicsParams::Reader params, float 
   const auto level = level::Level::compile(hidden.reader().getLevel());
   const io::Record record(std::move(plain));
   std::vector<Take> out;
-  for (const Manoeuvre& m : manoeuvres())
+  for (const Manoeuvre& m : manoeuvres()) {
+    if (out.size() == count) break;
     out.push_back({rehearse(*level, m, noise, out.size()), record});
+  }
   return out;
 }
 

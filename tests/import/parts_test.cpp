@@ -176,9 +176,9 @@ TEST(PoseMath, QuaternionsAndVectorsOfRotationsAgree) {
   for (const Vec3 axis : axes)
     for (const double angle : {0.1, 1.0, 2.0, 3.1}) {
       const Mat3 m = importer::rotationAbout(axis, angle);
-      const Vec3 back = importer::rotationVector(m);
+      const Vec3 back = rotationVector(m);
       EXPECT_NEAR(length(back - axis * float(angle)), 0, 2e-5);
-      const Mat3 again = toMat3(importer::toQuat(m));
+      const Mat3 again = toMat3(toQuat(m));
       EXPECT_NEAR(length(again.x - m.x) + length(again.y - m.y) + length(again.z - m.z), 0, 1e-5);
     }
   EXPECT_FLOAT_EQ(importer::yawOf({0, 0, -1}), 0);

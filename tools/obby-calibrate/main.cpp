@@ -1,6 +1,7 @@
 // obby-calibrate: physics parameters from recordings. Wiring only; lib/calibrate does the work.
 #include <fmt/format.h>
 
+#include "calibrate/course_level.h"
 #include "calibrate/manoeuvres.h"
 #include "calibrate/report.h"
 #include "calibrate/takes.h"
@@ -43,22 +44,28 @@ Status writeMetrics(io::Pipeline& pipeline, const calibrate::Fit& fit,
   return pipeline.write(record.reader());
 }
 
-Status rehearse(cli::Context& context, io::Pipeline& pipeline) {
+// The course, and its manoeuvres as recordings or, for a recorder to play, as trajectories.
+Status writeCourse(cli::Context& context, io::Pipeline& pipeline) {
+  const cli::Arguments& a = context.arguments();
   io::RecordBuilder plain, level;
   calibrate::writeCourse(plain.root().initLevel());
   calibrate::writeCourse(level.root().initLevel());
-  OBBY_RETURN_IF_ERROR(tools::applySet(context.arguments(), level.root().getLevel().initPhysics()));
+  OBBY_RETURN_IF_ERROR(tools::applySet(a, level.root().getLevel().initPhysics()));
   OBBY_ASSIGN(const level::Level compiled, level::Level::compile(level.reader().getLevel()));
   OBBY_RETURN_IF_ERROR(
       pipeline.run([](const io::Record&) -> Result<io::Then> { return io::Then::pass; }));
   // Without the parameters: they are what is to be found.
   OBBY_RETURN_IF_ERROR(pipeline.write(plain.reader()));
-  uint64_t number = context.arguments().seed();
+  uint64_t number = a.seed();
   for (const calibrate::Manoeuvre& m : calibrate::manoeuvres()) {
     io::RecordBuilder record;
-    const float noise = float(context.arguments().number("noise"));
-    calibrate::writeRecording(calibrate::rehearse(compiled, m, noise, number++),
-                              record.root().initRecording());
+    if (a.flag("course")) {
+      calibrate::writePlan(compiled, m, record.root().initTrajectory());
+    } else {
+      calibrate::writeRecording(
+          calibrate::rehearse(compiled, m, float(a.number("noise")), number++),
+          record.root().initRecording());
+    }
     OBBY_RETURN_IF_ERROR(pipeline.write(record.reader()));
   }
   return {};
@@ -147,12 +154,12 @@ Status calibrateFrom(cli::Context& context, io::Pipeline& pipeline, Asked asked)
 Result<cli::ExitCode> run(cli::Context& context) {
   OBBY_ASSIGN(Asked asked, askedOf(context.arguments()));
   OBBY_ASSIGN(io::StreamWriter output, context.openOutput());
-  const bool rehearses = context.arguments().flag("rehearse");
+  const bool makes = context.arguments().flag("rehearse") || context.arguments().flag("course");
   io::SourceOptions source = context.sourceOptions();
-  if (rehearses) source.inputs.clear();
+  if (makes) source.inputs.clear();
   io::Pipeline pipeline(std::move(source), context.identity(), std::move(output));
   Status done =
-      rehearses ? rehearse(context, pipeline) : calibrateFrom(context, pipeline, std::move(asked));
+      makes ? writeCourse(context, pipeline) : calibrateFrom(context, pipeline, std::move(asked));
   if (!done) pipeline.outOfBudget();
   const Status finished = pipeline.finish();
   OBBY_RETURN_IF_ERROR(std::move(done));

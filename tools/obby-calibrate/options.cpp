@@ -18,7 +18,7 @@ using cli::row;
 using cli::ValueType;
 
 constexpr const char* kFitGroup = "Fitting";
-constexpr const char* kRehearseGroup = "Rehearsing";
+constexpr const char* kRehearseGroup = "The course";
 
 std::vector<OptionRow> fitRows() {
   return {
@@ -46,6 +46,10 @@ std::vector<OptionRow> fitRows() {
 
 std::vector<OptionRow> rehearseRows() {
   return {
+      row("course", ValueType::flag, "", "",
+          "write the calibration course and what to do there, as trajectories that a recorder "
+          "plays",
+          kRehearseGroup),
       row("rehearse", ValueType::flag, "", "",
           "record nothing real: write the calibration course and what the simulator makes of its "
           "manoeuvres, with the parameters of --set",

@@ -1,0 +1,116 @@
+// Recordings that show more than their player: where moving and loose parts are, where the player
+// faces.
+#include "calibrate/surroundings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "calibrate/course.h"
+
+namespace obby::calibrate {
+namespace {
+
+struct Course {
+  io::RecordBuilder record;
+  level::Level level = [this] {
+    writeCourse(record.root().initLevel());
+    return *level::Level::compile(record.reader().getLevel());
+  }();
+
+  Track rehearsed(const std::string& name) const {
+    for (const Manoeuvre& m : manoeuvres()) {
+      if (m.name == name) return rehearse(level, m, 0, 1);
+    }
+    ADD_FAILURE() << "no manoeuvre " << name;
+    return {};
+  }
+  schema::Level::Reader reader() const { return record.reader().getLevel(); }
+};
+
+size_t shown(const Track& track, uint32_t part) {
+  return size_t(std::find(track.parts.begin(), track.parts.end(), part) - track.parts.begin());
+}
+
+uint32_t partNamed(const Course& course, const std::string& name) {
+  const auto parts = course.reader().getParts();
+  for (uint32_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].getName() == name.c_str()) return i;
+  }
+  return 0;
+}
+
+TEST(Surroundings, TheClockOfARecordingIsFoundFromItsMovingParts) {
+  const Course course;
+  Track track = course.rehearsed("ride the ferry");
+  for (int i = 0; i < 50; ++i) track.drop(0);
+  const double begin = track.frames.front().time;
+  for (Frame& f : track.frames) f.time -= begin;
+  ASSERT_TRUE(place(track, course.reader(), course.level));
+  EXPECT_EQ(track.phase, 50u);
+  EXPECT_TRUE(straysOf(track, course.level.view()).empty());
+}
+
+TEST(Surroundings, APartThatMovesOtherwiseIsNamed) {
+  const Course course;
+  Track track = course.rehearsed("ride the ferry");
+  const size_t ferry = shown(track, partNamed(course, "Ferry"));
+  for (size_t f = 0; f < track.frames.size(); ++f)
+    track.poses[f * track.shown.size() + ferry].position.y += float(f) * 0.02f;
+  ASSERT_TRUE(place(track, course.reader(), course.level));
+  const auto strays = straysOf(track, course.level.view());
+  ASSERT_EQ(strays.size(), 1u);
+  EXPECT_EQ(strays[0].part, track.shown[ferry]);
+  EXPECT_GT(strays[0].studs, 2);
+}
+
+TEST(Surroundings, APartThatTheLevelHasNotIsAnError) {
+  const Course course;
+  Track track = course.rehearsed("push the box");
+  track.shown[0] = "Bxo";
+  const Status wrong = place(track, course.reader(), course.level);
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.error().text().find("parts[0]"), std::string::npos) << wrong.error().text();
+}
+
+// Windows that begin while the box is on its way see it there, and as fast.
+TEST(Surroundings, ABoxIsPushedFromTheMiddleOn) {
+  const Course course;
+  const Track track = course.rehearsed("push the box");
+  ASSERT_TRUE(showsLoose(track, course.level.view()));
+  const auto windows = windowsOf(track, 0.5, course.level.view());
+  ASSERT_GT(windows.size(), 4u);
+  float most = 0;
+  playBack(course.level.view(), track, windows, 0, [&](uint32_t, uint32_t frame, const Moment& m) {
+    most = std::max(most, length(m.position - track.frames[frame].position));
+  });
+  EXPECT_LT(most, 0.05f);
+}
+
+TEST(Surroundings, WithoutTheBoxARecordingBesideItIsOnePiece) {
+  const Course course;
+  Track pushed = course.rehearsed("push the box"), other = course.rehearsed("jump over gaps");
+  for (Track* t : {&pushed, &other}) {
+    t->shown.clear(), t->parts.clear(), t->poses.clear();
+  }
+  EXPECT_EQ(windowsOf(pushed, 0.5, course.level.view()).size(), 1u);
+  EXPECT_GT(windowsOf(other, 0.5, course.level.view()).size(), 4u);
+}
+
+// A player who is shown facing away turns before a truss is met: no guess from where they walk.
+TEST(Surroundings, FacingIsTakenFromTheRecording) {
+  const Course course;
+  const Track track = course.rehearsed("turn a little and about");
+  const uint32_t middle = uint32_t(track.frames.size()) / 2;
+  EXPECT_EQ(worldAt(track, middle, course.level.view()).yaw,
+            headingOf(track.frames[middle].facing.x, track.frames[middle].facing.z));
+  float most = 0;
+  playBack(course.level.view(), track, windowsOf(track, 0.5, course.level.view()), 0,
+           [&](uint32_t, uint32_t frame, const Moment& m) {
+             most = std::max(most, length(m.facing - track.frames[frame].facing));
+           });
+  EXPECT_LT(most, 0.02f);
+}
+
+}  // namespace
+}  // namespace obby::calibrate
