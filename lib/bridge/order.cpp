@@ -60,13 +60,17 @@ class OrderReader {
     if (name == "queries") return records(value, "queries", "query", io::Kind::QUERY);
     if (name == "recordings") return records(value, "recordings", "recording", io::Kind::RECORDING);
     if (name == "ask") return ask(value);
+    if (name == "physics") {
+      OBBY_ASSIGN(order_.physics, lineOf(value, "physics", "params", io::Kind::PARAMS));
+      return {};
+    }
     if (name == "budget") {
       return forMembers(tree_, value, "budget", [&](std::string_view knob, const Node& setting) {
         return budget(knob, setting);
       });
     }
-    return unknownMember("", name,
-                         {"task", "level", "queries", "ask", "warm", "budget", "recordings"});
+    return unknownMember(
+        "", name, {"task", "level", "queries", "ask", "warm", "physics", "budget", "recordings"});
   }
 
   Status task(const Node& value) {
@@ -98,12 +102,15 @@ class OrderReader {
     recordsName_ = name;
     return forElements(tree_, value, name, [&](uint32_t i, const Node& record) -> Status {
       OBBY_RETURN_IF_ERROR(countOf(order_.records.size() + 1, name));
-      return this->record(record, fmt::format("{}[{}]", name, i), type, kind);
+      OBBY_ASSIGN(std::string line, lineOf(record, fmt::format("{}[{}]", name, i), type, kind));
+      order_.records.push_back(std::move(line));
+      return {};
     });
   }
 
   // The record through lib/io and back: whatever its fields say, they are the schema's.
-  Status record(const Node& value, const std::string& path, const char* type, io::Kind kind) {
+  Result<std::string> lineOf(const Node& value, const std::string& path, const char* type,
+                             io::Kind kind) const {
     JsonObject out;
     out.text("type", type);
     OBBY_RETURN_IF_ERROR(
@@ -120,8 +127,7 @@ class OrderReader {
     if (built->reader().which() != kind) return pathError(path, "not a record of that kind");
     auto line = io::recordToJson(built->reader());
     if (!line) return placed(line.error(), path);
-    order_.records.push_back(*std::move(line));
-    return {};
+    return *std::move(line);
   }
 
   static Error placed(Error error, const std::string& path) {
@@ -207,6 +213,9 @@ class OrderReader {
       return pathError("recordings", "needed to calibrate");
     }
     if (!solve && !order_.ask.empty()) return pathError("ask", "does not go with this task");
+    if (!solve && !order_.physics.empty()) {
+      return pathError("physics", "does not go with this task", "it is what calibrating finds");
+    }
     if (!order_.ask.empty() && !order_.records.empty()) {
       return pathError("ask", "does not go with queries");
     }

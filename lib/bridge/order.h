@@ -15,10 +15,11 @@ enum class Task { solve, calibrate };
 
 struct Order {
   Task task = Task::solve;
-  std::string level;                   // id: to play, or that the recordings were made on
-  std::string warm;                    // id of an earlier job; empty: none
-  std::vector<std::string> ask;        // ids of the level's own queries; empty: all of them, or
-  std::vector<std::string> records;    // queries, or recordings, in the JSON of lib/io
+  std::string level;                 // id: to play, or that the recordings were made on
+  std::string warm;                  // id of an earlier job; empty: none
+  std::vector<std::string> ask;      // ids of the level's own queries; empty: all of them, or
+  std::vector<std::string> records;  // queries, or recordings, in the JSON of lib/io
+  std::string physics;               // a params record that the level is played under; empty: none
   std::vector<std::string> arguments;  // "--max-steps=1000"
 };
 

@@ -68,7 +68,8 @@ std::variant<JobPlan, Reply> Service::plan(const Order& order, Client& client, u
                  limits_.cpuSeconds};
   std::vector<std::string>& arguments = out.command.arguments;
   arguments.insert(arguments.end(), order.arguments.begin(), order.arguments.end());
-  out.input = (*level)->levels;
+  if (!order.physics.empty()) out.input = order.physics + "\n";
+  out.input += (*level)->levels;
   if (solve) {
     out.answerPath = store_.answerPath(session_, fmt::format("j{}", number));
     if (auto wrong = addWarmStart(order, client, arguments)) return *std::move(wrong);

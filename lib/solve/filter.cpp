@@ -26,11 +26,21 @@ Filter::Filter(FilterOptions options, io::Pipeline& pipeline)
 
 Result<io::Then> Filter::handle(const io::Record& record) {
   switch (record.which()) {
-    case io::Kind::LEVEL: return handleLevel(record);
+    case io::Kind::PARAMS: physics_.know(record); return io::Then::pass;
+    case io::Kind::LEVEL: return handleCalibrated(record);
     case io::Kind::QUERY: return handleQuery(record);
     case io::Kind::TRAJECTORY: return handleTrajectory(record.reader().getTrajectory());
     default: return io::Then::pass;
   }
+}
+
+// It goes out as it is played: what comes behind must replay the same.
+Result<io::Then> Filter::handleCalibrated(const io::Record& level) {
+  if (!physics_.known()) return handleLevel(level);
+  const io::Record calibrated = physics_.applied(level);
+  OBBY_ASSIGN(const io::Then then, handleLevel(calibrated));
+  if (then == io::Then::pass) OBBY_RETURN_IF_ERROR(pipeline_.output().pass(calibrated));
+  return io::Then::drop;
 }
 
 Result<io::Then> Filter::handleLevel(const io::Record& record) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/physics.h"
 #include "io/pipeline.h"
 #include "policy/policy_file.h"
 #include "solve/build_query.h"
@@ -65,6 +66,7 @@ class Filter {
  private:
   using LevelPointer = std::shared_ptr<const LoadedLevel>;
 
+  Result<io::Then> handleCalibrated(const io::Record& level);
   Result<io::Then> handleLevel(const io::Record& record);
   Result<io::Then> handleQuery(const io::Record& record);
   Result<io::Then> handleTrajectory(schema::Trajectory::Reader trajectory);
@@ -82,6 +84,7 @@ class Filter {
   FilterOptions options_;
   io::Pipeline& pipeline_;
   ThreadPool pool_;
+  io::Physics physics_;
   std::map<std::string, LevelPointer> levels_;
   std::map<std::string, PassFilter> passFilters_;                      // by level
   LevelPointer last_;                                                  // the level record before

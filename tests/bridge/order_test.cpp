@@ -64,6 +64,15 @@ TEST(Order, queries_go_through_the_schema) {
   EXPECT_EQ(pathOf(parse("\"queries\":{\"a\":1}")), "queries");
 }
 
+TEST(Order, physics_are_a_params_record) {
+  const auto order = parse("\"physics\":{\"gravity\":190.50,\"unheardOf\":1}");
+  ASSERT_TRUE(order) << order.error().text();
+  EXPECT_EQ(order->physics, "{\"type\":\"params\",\"gravity\":190.5}");
+  EXPECT_EQ(pathOf(parse("\"physics\":{\"gravity\":\"x\"}")), "physics.gravity");
+  EXPECT_EQ(pathOf(parse("\"physics\":7")), "physics");
+  EXPECT_EQ(pathOf(parse("\"task\":\"calibrate\",\"recordings\":[{}],\"physics\":{}")), "physics");
+}
+
 TEST(Order, numbers_of_things_are_bounded) {
   std::string many = "\"ask\":[\"q\"";
   for (int i = 0; i < 1000; i++) many += ",\"q\"";

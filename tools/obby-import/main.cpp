@@ -2,6 +2,7 @@
 #include "cli/context.h"
 #include "cli/tool.h"
 #include "import/filter.h"
+#include "io/physics.h"
 #include "io/pipeline.h"
 #include "options.h"
 
@@ -37,8 +38,13 @@ Result<cli::ExitCode> run(cli::Context& context) {
   io::SourceOptions source = context.sourceOptions();
   source.open = [&](const std::string& path) { return opener.open(path); };
   io::Pipeline pipeline(std::move(source), context.identity(), std::move(output));
-  const Status done =
-      pipeline.runAndFinish([](const io::Record&) -> Result<io::Then> { return io::Then::pass; });
+  io::Physics physics;
+  const Status done = pipeline.runAndFinish([&](const io::Record& record) -> Result<io::Then> {
+    if (record.which() == io::Kind::PARAMS) physics.know(record);
+    if (record.which() != io::Kind::LEVEL || !physics.known()) return io::Then::pass;
+    OBBY_RETURN_IF_ERROR(pipeline.write(physics.applied(record).reader()));
+    return io::Then::drop;
+  });
   if (!done) return done.error();
   return cli::ExitCode::ok;
 }

@@ -37,6 +37,8 @@ cli::ToolSpec importSpec() {
        "obby-import demo.rbxlx | obby-solve --time-limit 5 | obby-view --format text"},
       {"Keep the level only, as Cap'n Proto, under a name of its own",
        "obby-import --no-queries --name intro -o intro.capnp first-steps.rbxlx"},
+      {"Under physics that obby-calibrate found: a params record holds for the levels behind it",
+       "echo '{\"type\":\"params\",\"gravity\":190}' | obby-import - first-steps.rbxlx"},
       {"Several inputs at once, hand-written levels among them",
        "obby-import first-steps.rbxlx teaser.jsonl -o all.jsonl"},
   };
