@@ -1,11 +1,15 @@
 // From bytes to records.
 #include "import/importer.h"
 
+#include <algorithm>
+
 #include "import/build_level.h"
+#include "import/designer_queries.h"
 #include "import/explain.h"
 #include "import/level_record.h"
 #include "import/queries.h"
 #include "import/read_document.h"
+#include "io/physics.h"
 
 namespace obby::importer {
 namespace {
@@ -26,6 +30,25 @@ void warn(const LevelDraft& level, const std::vector<io::RecordBuilder>& queries
 
 }  // namespace
 
+namespace {
+
+// The designer's, then one a stage.
+std::vector<io::RecordBuilder> queriesOf(const LevelDraft& level, const Tree& tree,
+                                         std::vector<std::string>& warnings) {
+  std::vector<io::RecordBuilder> queries = designerQueries(level, tree, warnings);
+  const size_t own = queries.size();
+  for (io::RecordBuilder& stage : stageQueries(level, tree)) {
+    const bool taken = std::any_of(
+        queries.begin(), queries.begin() + std::ptrdiff_t(own), [&](const io::RecordBuilder& q) {
+          return q.reader().getQuery().getId() == stage.reader().getQuery().getId();
+        });
+    if (!taken) queries.push_back(std::move(stage));
+  }
+  return queries;
+}
+
+}  // namespace
+
 std::string levelName(const std::string& file) {
   if (file == "-" || file.empty() || file == "stdin") return "level";
   std::string stem = file.substr(file.find_last_of('/') + 1);
@@ -41,7 +64,12 @@ Import importDocument(const Document& document, const ImportOptions& options) {
   Import result;
   result.warnings = document.warnings;
   result.level = levelRecord(level, tree);
-  if (options.queries) result.queries = stageQueries(level, tree);
+  if (options.queries) result.queries = queriesOf(level, tree, result.warnings);
+  if (const auto found = designerPhysics(tree, result.warnings)) {
+    io::Physics physics;
+    physics.know(*found);
+    physics.apply(result.level.root().getLevel());
+  }
   warn(level, result.queries, options.queries, result.warnings);
   if (options.explain) result.explanation = explain(level, tree);
   return result;

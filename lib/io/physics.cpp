@@ -5,9 +5,14 @@
 namespace obby::io {
 
 Record Physics::applied(const Record& level) const {
-  if (!params_) return level;
   RecordBuilder copy(level.reader());
-  capnp::DynamicStruct::Builder physics(copy.root().getLevel().getPhysics());
+  apply(copy.root().getLevel());
+  return Record(std::move(copy));
+}
+
+void Physics::apply(schema::Level::Builder level) const {
+  if (!params_) return;
+  capnp::DynamicStruct::Builder physics(level.getPhysics());
   const capnp::DynamicStruct::Reader found(params_->reader().getParams());
   RecordBuilder fresh;
   const capnp::DynamicStruct::Reader usual(fresh.root().initParams().asReader());
@@ -15,7 +20,6 @@ Record Physics::applied(const Record& level) const {
     if (physics.asReader().get(field).as<double>() == usual.get(field).as<double>())
       physics.set(field, found.get(field));
   }
-  return Record(std::move(copy));
 }
 
 }  // namespace obby::io

@@ -17,6 +17,7 @@ class Physics {
   // The level with the known parameters where it leaves the simulator's defaults. A number that it
   // states otherwise (a place of its own walk speed) stays; so applying twice changes nothing.
   Record applied(const Record& level) const;
+  void apply(schema::Level::Builder level) const;
 
  private:
   std::optional<Record> params_;

@@ -88,6 +88,7 @@ void vanishFromScripts(RoleContext&);
 void teleportFromScripts(RoleContext&);
 void seatFromClass(RoleContext&);
 void ladderFromStacks(RoleContext&);
+void movingFromRecordings(RoleContext&);
 void movingFromTags(RoleContext&);
 void movingFromMarkers(RoleContext&);
 void movingFromScripts(RoleContext&);

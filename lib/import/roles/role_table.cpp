@@ -18,6 +18,7 @@ constexpr RoleRow kRoles[] = {
     {"teleport", nullptr, nullptr, teleportFromScripts, nullptr},
     {"seat", seatFromClass, nullptr, nullptr, nullptr},
     {"ladder", nullptr, nullptr, nullptr, ladderFromStacks},
+    {"motion, recorded", movingFromRecordings, nullptr, nullptr, nullptr},
     {"motion", movingFromTags, movingFromMarkers, movingFromScripts, movingFromConstraints},
 };
 

@@ -1,0 +1,195 @@
+#include "import/designer_queries.h"
+
+#include <capnp/dynamic.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "import/level_record.h"
+#include "import/pose_math.h"
+#include "import/record_values.h"
+#include "io/json_codec.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr const char* kFolder = "ObbyQueries";
+constexpr const char* kPhysics = "physics";
+constexpr const char* kOwnAttributes[] = {"kind", "order", "cframe", "size", "part", "touch"};
+
+InstanceId folderOf(const Tree& tree) {
+  const InstanceId storage = tree.service("ServerStorage");
+  if (storage != kNoInstance) return tree.child(storage, kFolder);
+  for (const InstanceId root : tree.document().roots) {
+    if (tree.at(root).name == kFolder) return root;
+  }
+  return kNoInstance;
+}
+
+template <class T>
+const T* attribute(const Instance& instance, const char* name) {
+  const auto found = instance.attributes.find(name);
+  return found == instance.attributes.end() ? nullptr : std::get_if<T>(&found->second);
+}
+
+std::string textOf(const Instance& instance, const char* name) {
+  const auto* text = attribute<std::string>(instance, name);
+  return text ? validUtf8(*text) : "";
+}
+
+double orderOf(const Instance& instance) {
+  const auto* order = attribute<double>(instance, "order");
+  return order && std::isfinite(*order) ? *order : HUGE_VAL;
+}
+
+class Reader {
+ public:
+  Reader(const LevelDraft& level, const Tree& tree, std::vector<std::string>& warnings)
+      : level_(level), tree_(tree), warnings_(warnings) {}
+
+  std::optional<io::RecordBuilder> query(InstanceId id) {
+    io::RecordBuilder record;
+    auto query = record.root().initQuery();
+    query.setId(validUtf8(tree_.at(id).name));
+    query.setLevel(validUtf8(level_.name));
+    fillNumbers(id, query);
+    const auto goals = regions(id, "goal");
+    if (goals.empty()) {
+      warn(id, "has no goal and is not asked");
+      return {};
+    }
+    fillRegion(goals[0], query.initGoal());
+    fillRegions({goals.begin() + 1, goals.end()}, [&](uint32_t n) { return query.initGoals(n); });
+    if (const auto starts = regions(id, "start"); !starts.empty())
+      fillRegion(starts[0], query.initStart().initRegion());
+    fillRegions(regions(id, "avoid"), [&](uint32_t n) { return query.initAvoid(n); });
+    fillRegions(regions(id, "visit"), [&](uint32_t n) { return query.initVisits(n); });
+    fillWaypoints(regions(id, "waypoint"), query);
+    return record;
+  }
+
+ private:
+  void warn(InstanceId id, const std::string& what) {
+    warnings_.push_back(level_.file + ": " + tree_.path(id) + " " + what);
+  }
+
+  // Those of a kind that say where they are, by their order.
+  std::vector<InstanceId> regions(InstanceId query, std::string_view kind) {
+    std::vector<InstanceId> out;
+    for (const InstanceId child : tree_.at(query).children) {
+      const Instance& region = tree_.at(child);
+      if (region.className != "Configuration" || textOf(region, "kind") != kind) continue;
+      const auto* size = attribute<Vec3>(region, "size");
+      const bool box =
+          attribute<CFrame>(region, "cframe") && size && size->x > 0 && size->y > 0 && size->z > 0;
+      if (box || !textOf(region, "part").empty()) {
+        out.push_back(child);
+      } else {
+        warn(child, "says neither a part nor a box (cframe, size) and is left out");
+      }
+    }
+    std::stable_sort(out.begin(), out.end(), [&](InstanceId a, InstanceId b) {
+      return orderOf(tree_.at(a)) < orderOf(tree_.at(b));
+    });
+    return out;
+  }
+
+  void fillRegion(InstanceId id, schema::Region::Builder to) {
+    const Instance& region = tree_.at(id);
+    to.setName(validUtf8(region.name));
+    if (const std::string part = textOf(region, "part"); !part.empty()) {
+      to.setPart(part);
+      const bool* touch = attribute<bool>(region, "touch");
+      to.setTouch(touch && *touch);
+      return;
+    }
+    const CFrame& frame = *attribute<CFrame>(region, "cframe");
+    setVector(to.initPosition(), frame.position);
+    bool reflected = false;
+    setRotation(to.initRotation(), repairedRotation(frame.rotation, &reflected));
+    setVector(to.initSize(), *attribute<Vec3>(region, "size"));
+  }
+
+  template <class Init>
+  void fillRegions(const std::vector<InstanceId>& ids, const Init& init) {
+    if (ids.empty()) return;
+    auto list = init(uint32_t(ids.size()));
+    for (uint32_t i = 0; i < ids.size(); ++i) fillRegion(ids[i], list[i]);
+  }
+
+  void fillWaypoints(const std::vector<InstanceId>& ids, schema::Query::Builder query) {
+    if (ids.empty()) return;
+    auto list = query.initWaypoints(uint32_t(ids.size()));
+    for (uint32_t i = 0; i < ids.size(); ++i) {
+      fillRegion(ids[i], list[i].initRegion());
+      fillNumbers(ids[i], list[i]);
+    }
+  }
+
+  // Attributes that are named as number fields of the record; the values are checked where it is
+  // compiled, as those of any query.
+  void fillNumbers(InstanceId id, capnp::DynamicStruct::Builder to) {
+    for (const auto& [name, value] : tree_.at(id).attributes) {
+      if (std::find(std::begin(kOwnAttributes), std::end(kOwnAttributes), name) !=
+          std::end(kOwnAttributes))
+        continue;
+      const double* number = std::get_if<double>(&value);
+      KJ_IF_MAYBE (field, to.getSchema().findFieldByName(name.c_str())) {
+        if (number && setNumber(to, *field, *number)) continue;
+        warn(id, fmt::format("has an attribute {} that is no number of its range", name));
+      } else {
+        warn(id, fmt::format("has an attribute {} that means nothing here", name));
+      }
+    }
+  }
+
+  static bool setNumber(capnp::DynamicStruct::Builder to, capnp::StructSchema::Field field,
+                        double number) {
+    switch (field.getType().which()) {
+      case capnp::schema::Type::INT32:
+        if (!(std::fabs(number) <= 1e9) || std::floor(number) != number) return false;
+        to.set(field, int32_t(number));
+        return true;
+      case capnp::schema::Type::FLOAT32:
+        if (!(std::fabs(number) <= 1e9)) return false;
+        to.set(field, number);
+        return true;
+      default: return false;
+    }
+  }
+
+  const LevelDraft& level_;
+  const Tree& tree_;
+  std::vector<std::string>& warnings_;
+};
+
+}  // namespace
+
+std::vector<io::RecordBuilder> designerQueries(const LevelDraft& level, const Tree& tree,
+                                               std::vector<std::string>& warnings) {
+  std::vector<io::RecordBuilder> out;
+  const InstanceId folder = folderOf(tree);
+  if (folder == kNoInstance) return out;
+  Reader reader(level, tree, warnings);
+  for (const InstanceId child : tree.at(folder).children) {
+    if (tree.at(child).className != "Configuration") continue;
+    if (auto query = reader.query(child)) out.push_back(std::move(*query));
+  }
+  return out;
+}
+
+std::optional<io::Record> designerPhysics(const Tree& tree, std::vector<std::string>& warnings) {
+  const InstanceId folder = folderOf(tree);
+  if (folder == kNoInstance) return {};
+  const auto* text = attribute<std::string>(tree.at(folder), kPhysics);
+  if (!text) return {};
+  auto read = io::recordFromJson(*text);
+  if (read && read->reader().isParams()) return io::Record(*std::move(read));
+  warnings.push_back(
+      tree.document().file + ": " + tree.path(folder) +
+      " has physics that are no params record: " + (read ? "another record" : read.error().text()));
+  return {};
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,29 @@
+// The queries that a designer keeps in the place, as the Studio plugin writes them: a folder
+// ObbyQueries in ServerStorage (or a root of a model file), in it a Configuration for each query,
+// named by its id, and below that one for each region.
+//   query    attributes named as the number fields of the schema's Query: maxJumps, timeLimit, ...
+//   region   kind: start, goal, waypoint, avoid or visit; order: a number; the box as cframe and
+//            size, or part (a name, path, GUID or #tag) and touch; on a waypoint also the number
+//            fields of the schema's Waypoint
+// The folder's own attribute `physics` holds calibrated parameters, a params record as JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "import/draft.h"
+#include "import/tree.h"
+#include "io/record.h"
+
+namespace obby::importer {
+
+// In the order of the file. What cannot be used is left out, with a warning that names it; a query
+// without a goal likewise.
+std::vector<io::RecordBuilder> designerQueries(const LevelDraft& level, const Tree& tree,
+                                               std::vector<std::string>& warnings);
+
+// Nothing where the place has none, or (with a warning) none that can be read.
+std::optional<io::Record> designerPhysics(const Tree& tree, std::vector<std::string>& warnings);
+
+}  // namespace obby::importer

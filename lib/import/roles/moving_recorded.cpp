@@ -1,0 +1,63 @@
+// Moving parts whose way was recorded in the running game: an attribute ObbyMotion, which the
+// Studio plugin writes, holds the schema's Motion as JSON. Stronger than what a script seems to do.
+#include <fmt/format.h>
+
+#include "import/motion.h"
+#include "io/json_codec.h"
+#include "level/record_values.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr const char* kAttribute = "ObbyMotion";
+
+Pose poseOf(schema::MotionKey::Reader key) {
+  const auto q = key.getRotation();
+  return {level::vec(key.getPosition()),
+          toMat3(normalize(Quat{q.getX(), q.getY(), q.getZ(), q.getW()}))};
+}
+
+Motion motionOf(schema::Motion::Reader record) {
+  Motion motion;
+  for (const auto key : record.getKeys()) {
+    motion.keys.push_back(
+        {key.getTime(), poseOf(key), Easing(key.getEasing()), EasingDirection(key.getDirection())});
+  }
+  motion.repeat = Repeat(record.getRepeat());
+  motion.offset = record.getOffset();
+  motion.carries = record.getCarries();
+  return motion;
+}
+
+void give(RoleContext& context, PartDraft& part, const std::string& text) {
+  const auto read =
+      io::recordFromJson(fmt::format("{{\"type\":\"level\",\"parts\":[{{\"motion\":{}}}]}}", text));
+  const bool whole = read && read->reader().isLevel() &&
+                     read->reader().getLevel().getParts().size() == 1 &&
+                     read->reader().getLevel().getParts()[0].getMotion().getKeys().size() > 0;
+  if (!whole) {
+    context.level.noteUnmodelled(
+        "recorded motion", context.tree.path(part.id),
+        read ? "the attribute ObbyMotion has no keys; record it again" : read.error().text());
+    return;
+  }
+  const auto record = read->reader().getLevel().getParts()[0].getMotion();
+  giveMotion(context, part.id, motionOf(record),
+             fmt::format("attribute {}: {} poses recorded in the game", kAttribute,
+                         record.getKeys().size()),
+             false);
+}
+
+}  // namespace
+
+void movingFromRecordings(RoleContext& context) {
+  for (InstanceId id = 0; id < context.tree.size(); ++id) {
+    const auto& attributes = context.tree.at(id).attributes;
+    const auto found = attributes.find(kAttribute);
+    PartDraft* part = found == attributes.end() ? nullptr : context.part(id);
+    const auto* text = part ? std::get_if<std::string>(&found->second) : nullptr;
+    if (text) give(context, *part, *text);
+  }
+}
+
+}  // namespace obby::importer

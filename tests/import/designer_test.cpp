@@ -1,0 +1,132 @@
+// What the Studio plugin keeps in a place: queries, calibrated physics, recorded motion.
+#include "import/designer_queries.h"
+
+#include "import/importer.h"
+#include "import/scene.h"
+#include "level/level.h"
+#include "level/resolve_places.h"
+
+namespace obby::test {
+namespace {
+
+struct Place : Scene {
+  Place() {
+    part("Spawn", {}, workspace, "SpawnLocation");
+    tag(part("Gate", {60, 0, 0}), "Goal");
+    folder = add("Folder", "ObbyQueries", add("ServerStorage", "ServerStorage", kNoInstance));
+  }
+  InstanceId query(const std::string& id) { return add("Configuration", id, folder); }
+  InstanceId region(InstanceId query, const std::string& name, const std::string& kind) {
+    const InstanceId id = add("Configuration", name, query);
+    attribute(id, "kind", kind);
+    attribute(id, "cframe", CFrame{{10, 5, 0}, {}});
+    attribute(id, "size", Vec3{4, 6, 4});
+    return id;
+  }
+  importer::Import imported() const { return importer::importDocument(document, {}); }
+
+  InstanceId folder;
+};
+
+TEST(DesignerQueries, AreReadWithTheirRegionsAndLimits) {
+  Place place;
+  const InstanceId query = place.query("two jumps");
+  place.attribute(query, "maxJumps", 2.0);
+  place.attribute(query, "timeLimit", 8.5);
+  place.region(query, "from", "start");
+  const InstanceId later = place.region(query, "second", "waypoint");
+  place.attribute(later, "order", 2.0);
+  place.attribute(later, "segmentJumps", 1.0);
+  place.attribute(place.region(query, "first", "waypoint"), "order", 1.0);
+  const InstanceId goal = place.add("Configuration", "the gate", query);
+  place.attribute(goal, "kind", std::string("goal"));
+  place.attribute(goal, "part", std::string("Gate"));
+  place.attribute(goal, "touch", true);
+  place.region(query, "not here", "avoid");
+  const importer::Import import = place.imported();
+  EXPECT_TRUE(import.warnings.empty()) << import.warnings.front();
+  ASSERT_EQ(import.queries.size(), 2u) << "the designer's, and the stage's";
+  const auto q = import.queries[0].reader().getQuery();
+  EXPECT_EQ(q.getId(), "two jumps");
+  EXPECT_EQ(q.getMaxJumps(), 2);
+  EXPECT_FLOAT_EQ(q.getTimeLimit(), 8.5f);
+  EXPECT_EQ(q.getStart().getRegion().getName(), "from");
+  ASSERT_EQ(q.getWaypoints().size(), 2u);
+  EXPECT_EQ(q.getWaypoints()[0].getRegion().getName(), "first");
+  EXPECT_EQ(q.getWaypoints()[1].getSegmentJumps(), 1);
+  EXPECT_EQ(q.getGoal().getPart(), "Gate");
+  EXPECT_TRUE(q.getGoal().getTouch());
+  EXPECT_EQ(q.getAvoid()[0].getSize().getY(), 6);
+  // What goes out is a query that the level takes.
+  const auto level = level::Level::compile(import.level.reader().getLevel());
+  ASSERT_TRUE(level);
+  io::RecordBuilder copy(import.queries[0].reader());
+  ASSERT_TRUE(level::resolvePlaces(import.level.reader().getLevel(), copy.root().getQuery()));
+  const auto compiled = level::Query::compile(copy.reader().getQuery(), *level);
+  EXPECT_TRUE(compiled) << compiled.error().text();
+}
+
+TEST(DesignerQueries, WhatCannotBeUsedIsNamed) {
+  Place place;
+  place.query("no goal");
+  const InstanceId query = place.query("odd");
+  place.attribute(query, "maxJumps", 2.5);
+  place.attribute(query, "colour", std::string("red"));
+  place.region(query, "goal", "goal");
+  place.attribute(place.region(query, "flat", "avoid"), "size", Vec3{4, 0, 4});
+  const importer::Import import = place.imported();
+  ASSERT_EQ(import.warnings.size(), 4u);
+  std::string all;
+  for (const std::string& warning : import.warnings) all += warning + "\n";
+  for (const char* word : {"no goal", "maxJumps", "colour", "flat"})
+    EXPECT_NE(all.find(word), std::string::npos) << word << " in\n" << all;
+  EXPECT_EQ(import.queries[0].reader().getQuery().getId(), "odd");
+  EXPECT_EQ(import.queries[0].reader().getQuery().getMaxJumps(), -1);
+}
+
+TEST(DesignerQueries, TakeTheirIdsFromTheStages) {
+  Place place;
+  place.region(place.query("stage1"), "goal", "goal");
+  const importer::Import import = place.imported();
+  ASSERT_EQ(import.queries.size(), 1u);
+  EXPECT_EQ(import.queries[0].reader().getQuery().getGoal().getName(), "goal");
+}
+
+TEST(DesignerPhysics, HoldForTheLevel) {
+  Place place;
+  place.attribute(place.folder, "physics", std::string(R"({"type":"params","gravity":190})"));
+  EXPECT_EQ(place.imported().level.reader().getLevel().getPhysics().getGravity(), 190);
+  place.attribute(place.folder, "physics", std::string(R"({"gravity":190)"));
+  const importer::Import broken = place.imported();
+  EXPECT_EQ(broken.level.reader().getLevel().getPhysics().getGravity(), 196.2f);
+  ASSERT_EQ(broken.warnings.size(), 1u);
+  EXPECT_NE(broken.warnings[0].find("physics"), std::string::npos);
+}
+
+TEST(RecordedMotion, BecomesThePartsTrack) {
+  Place place;
+  const InstanceId id = place.part("Ferry", {0, 4, 0});
+  place.attribute(id, "ObbyMotion",
+                  std::string(R"({"keys":[{"position":[0,4,0]},{"time":2,"position":[9,4,0]}],)"
+                              R"("repeat":"pingPong","carries":true})"));
+  const LevelDraft& level = place.level();
+  ASSERT_TRUE(place[id].motion);
+  EXPECT_EQ(place[id].motion->keys.size(), 2u);
+  EXPECT_EQ(place[id].motion->keys[1].pose.position.x, 9);
+  EXPECT_EQ(place[id].motion->repeat, importer::Repeat::pingPong);
+  EXPECT_TRUE(place[id].motion->carries);
+  EXPECT_NE(place.evidence(id, "motion").find("recorded"), std::string::npos);
+  EXPECT_EQ(level.unmodelled.count("recorded motion"), 0u);
+}
+
+TEST(RecordedMotion, ThatIsNoneIsNamed) {
+  Place place;
+  const InstanceId id = place.part("Ferry");
+  place.attribute(id, "ObbyMotion", std::string("{\"keys\":[{\"time\":\"soon\"}]}"));
+  place.level();
+  EXPECT_FALSE(place[id].motion);
+  EXPECT_EQ(place.unmodelled("recorded motion"), 1u);
+}
+
+}  // namespace
+}  // namespace obby::test
