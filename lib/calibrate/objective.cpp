@@ -94,18 +94,29 @@ double Objective::loss(std::span<const double> point) const {
   return sum / double(all->size() / kResiduals);
 }
 
-Result<Miss> missOf(const Take& take, schema::PhysicsParams::Reader params, double delay) {
+Result<Path> pathOf(const Take& take, schema::PhysicsParams::Reader params, double delay) {
   OBBY_ASSIGN(const level::Level level, levelWith(take, params));
   const auto& frames = take.track.frames;
-  Miss out;
+  Path out;
   playBack(level.view(), take.track, {{0, uint32_t(frames.size()) - 1}}, delay,
            [&](uint32_t, uint32_t frame, const Moment& now) {
-             const double off = double(length(now.position - frames[frame].position));
-             out.mean += off / double(frames.size() - 1);
-             out.most = std::max(out.most, off);
-             out.last = off;
-             if (off > kParted && out.parted < 0) out.parted = frames[frame].time;
+             out.seconds.push_back(frames[frame].time);
+             out.recorded.push_back(frames[frame].position);
+             out.simulated.push_back(now.position);
            });
+  return out;
+}
+
+Miss missOf(const Path& path) {
+  Miss out;
+  const size_t count = path.seconds.size();
+  for (size_t i = 0; i < count; ++i) {
+    const double off = double(length(path.simulated[i] - path.recorded[i]));
+    out.mean += off / double(count);
+    out.most = std::max(out.most, off);
+    out.last = off;
+    if (off > kParted && out.parted < 0) out.parted = path.seconds[i];
+  }
   return out;
 }
 

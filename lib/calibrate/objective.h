@@ -65,6 +65,13 @@ struct Miss {
   double mean = 0, last = 0, most = 0;  // studs
   double parted = -1;                   // seconds until half a stud off; negative: never
 };
-Result<Miss> missOf(const Take& take, schema::PhysicsParams::Reader params, double delay);
+
+// A take and what the simulator makes of its inputs, from its start to its end.
+struct Path {
+  std::vector<double> seconds;
+  std::vector<Vec3> recorded, simulated;  // of the root part's centre
+};
+Result<Path> pathOf(const Take& take, schema::PhysicsParams::Reader params, double delay);
+Miss missOf(const Path& path);
 
 }  // namespace obby::calibrate

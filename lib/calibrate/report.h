@@ -12,6 +12,7 @@ namespace obby::calibrate {
 struct Outcome {
   std::string name;
   bool heldOut = false;  // the fit has not seen it
+  Path path;
   Miss miss;
 };
 

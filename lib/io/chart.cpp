@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/text.h"
+
 namespace obby::io {
 namespace {
 
@@ -32,17 +34,9 @@ std::string style() {
       colorRules(kColors), colorRules(kDarkColors));
 }
 
-std::string escaped(const std::string& words) {
-  std::string out;
-  for (const char c : words) {
-    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
-  }
-  return out;
-}
-
 std::string label(double x, double y, const char* anchor, const std::string& words) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
-                     escaped(words));
+                     escapeMarkup(words));
 }
 
 std::string line(double x1, double y1, double x2, double y2, const std::string& kind) {

@@ -60,6 +60,20 @@ std::string lower(std::string_view text) {
   return out;
 }
 
+std::string escapeMarkup(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      default: out += uint8_t(c) < 32 ? ' ' : c;
+    }
+  }
+  return out;
+}
+
 void appendJsonString(std::string& out, std::string_view text) {
   out += '"';
   for (const char c : text) {

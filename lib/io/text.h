@@ -17,6 +17,9 @@ bool isUtf8(std::string_view text);
 // Lower case of ASCII letters; other bytes unchanged.
 std::string lower(std::string_view text);
 
+// UTF-8 `text` for HTML and SVG: markup as entities, control characters as spaces.
+std::string escapeMarkup(std::string_view text);
+
 // Appends `text` as a JSON string with its quotes. `text` must be UTF-8.
 void appendJsonString(std::string& out, std::string_view text);
 

@@ -3,29 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "io/text.h"
 #include "view/page_parts.h"
 #include "view/page_template.h"
-#include "view/utf8.h"
 
 namespace obby::view {
-namespace {
-
-std::string htmlText(const std::string& text) {
-  std::string out;
-  for (size_t at = 0; at < text.size();) {
-    const Utf8Char c = nextChar(text, at);
-    at += c.bytes;
-    switch (c.code) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      default: appendUtf8(out, c.code < 32 ? U' ' : c.code);
-    }
-  }
-  return out;
-}
-
-}  // namespace
 
 bool pageAvailable() { return !pageTemplate().empty(); }
 
@@ -64,7 +46,7 @@ Result<std::string> htmlPage(const Report& report, const PageOptions& options) {
   }
   // The data last: its text must not be searched for markers.
   const size_t title = page.find(kTitleMarker);
-  page.replace(title, kTitleMarker.size(), htmlText(report.title()));
+  page.replace(title, kTitleMarker.size(), io::escapeMarkup(report.title()));
   const size_t at = page.rfind(kDataMarker);
   page.replace(at, kDataMarker.size(), data);
   return page;

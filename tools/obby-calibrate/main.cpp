@@ -3,6 +3,7 @@
 
 #include "calibrate/course_level.h"
 #include "calibrate/manoeuvres.h"
+#include "calibrate/page.h"
 #include "calibrate/report.h"
 #include "calibrate/takes.h"
 #include "io/sink.h"
@@ -83,8 +84,9 @@ Result<std::vector<calibrate::Outcome>> outcomesOf(const std::vector<calibrate::
                                                    double delay) {
   std::vector<calibrate::Outcome> out;
   for (const calibrate::Take& take : takes) {
-    OBBY_ASSIGN(const calibrate::Miss miss, calibrate::missOf(take, params, delay));
-    out.push_back({take.track.name, heldOut, miss});
+    OBBY_ASSIGN(calibrate::Path path, calibrate::pathOf(take, params, delay));
+    const calibrate::Miss miss = calibrate::missOf(path);
+    out.push_back({take.track.name, heldOut, std::move(path), miss});
   }
   return out;
 }
@@ -108,7 +110,10 @@ Status tell(cli::Context& context, io::Pipeline& pipeline, const calibrate::Fit&
                              calibrate::meanMiss(outcomes), tolerance));
   const std::string text = calibrate::textOf(fit, outcomes, tolerance);
   context.note(text);
-  return a.has("report") ? writeText(a.text("report"), text) : Status();
+  if (!a.has("report")) return {};
+  const std::string path = a.text("report");
+  const bool page = path.ends_with(".html") || path.ends_with(".htm");
+  return writeText(path, page ? calibrate::pageOf(fit, outcomes, tolerance) : text);
 }
 
 // What the command line says of parameters, read before any output is begun.

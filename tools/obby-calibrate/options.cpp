@@ -40,7 +40,9 @@ std::vector<OptionRow> fitRows() {
           row("generations", ValueType::integer, "N", "100", "of each search, at most", kFitGroup),
           1, 100000),
       row("report", ValueType::file, "FILE", "",
-          "write what was found, and how well it is known, as a text to FILE", kFitGroup),
+          "write what was found, and how well it is known, to FILE: a page with the paths if it "
+          "ends in .html, else a text",
+          kFitGroup),
   };
 }
 

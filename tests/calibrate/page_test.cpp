@@ -1,0 +1,57 @@
+// The page says what was found, and draws the ways.
+#include "calibrate/page.h"
+
+#include <gtest/gtest.h>
+
+namespace obby::calibrate {
+namespace {
+
+Outcome outcome(const std::string& name, float off) {
+  Outcome out{name, false, {}, {}};
+  for (int i = 0; i < 2000; ++i) {
+    out.path.seconds.push_back(i / 60.0);
+    out.path.recorded.push_back({float(i) * 0.1f, 3, 0});
+    out.path.simulated.push_back({float(i) * 0.1f, 3 + off, 0});
+  }
+  out.miss = missOf(out.path);
+  return out;
+}
+
+Fit fitOf() {
+  Fit fit;
+  const Parameter gravity{"gravity", "studs/s^2", 98.1, 392.4, "jump on the flat"};
+  const Parameter slope{"max<Slope>", "rad", 1, 2, "walk up ramps"};
+  fit.parameters = {{gravity, 190, 189.5, 190.5, true, 196.2}, {slope, 1.5, 1, 2, false, 1.5}};
+  return fit;
+}
+
+TEST(Miss, MeasuresHowFarAPathIsOff) {
+  const Miss near = missOf(outcome("near", 0.25f).path), far = missOf(outcome("far", 2).path);
+  EXPECT_NEAR(near.mean, 0.25, 1e-5);
+  EXPECT_NEAR(near.most, 0.25, 1e-5);
+  EXPECT_LT(near.parted, 0);
+  EXPECT_EQ(far.parted, 0);
+}
+
+TEST(Page, ShowsParametersAndTheWorstRecordingFirst) {
+  const std::string page =
+      pageOf(fitOf(), {outcome("near", 0.01f), outcome("a <far> one", 2)}, 0.1);
+  EXPECT_NE(page.find("189.5 to 190.5"), std::string::npos);
+  EXPECT_NE(page.find("not known; to learn of it: walk up ramps"), std::string::npos);
+  EXPECT_NE(page.find("max&lt;Slope&gt;"), std::string::npos);
+  EXPECT_EQ(page.find("<far>"), std::string::npos) << "names are no markup";
+  EXPECT_LT(page.find("a &lt;far&gt; one"), page.find("near: "));
+  EXPECT_NE(page.find("above the tolerance of 0.1"), std::string::npos);
+  EXPECT_NE(page.find("half a stud off after 0.00 s"), std::string::npos);
+}
+
+// No script, nothing from elsewhere, and curves of no more points than are seen.
+TEST(Page, IsOneFileThatNeedsNothing) {
+  const std::string page = pageOf(fitOf(), {outcome("near", 0.01f)}, 0.1);
+  for (const char* reference : {"<script", "src=", "href=", "url(", "@import"})
+    EXPECT_EQ(page.find(reference), std::string::npos) << reference;
+  EXPECT_LT(page.size(), 60000u);
+}
+
+}  // namespace
+}  // namespace obby::calibrate
