@@ -1,5 +1,6 @@
-// npm_install.mjs FOLDER: puts the folder's locked packages into its node_modules, and does nothing (needs no network)
-// when they are there already. Install scripts are never run: programs come as optional packages of their own.
+// npm_install.mjs FOLDER: puts the folder's locked packages into its node_modules, and does
+// nothing (needs no network) when they are there already. Install scripts are never run: programs
+// come as optional packages of their own.
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -13,7 +14,8 @@ const wanted = createHash('sha256')
   .digest('hex');
 const inPlace = () => existsSync(stamp) && readFileSync(stamp, 'utf8') === wanted;
 
-// Two build folders may configure at once: the first one installs, the other waits until it is done or gone.
+// Two build folders may configure at once: the first one installs, the other waits until it is
+// done or gone.
 const guard = join(here, '.installing');
 
 function alive(pid) {

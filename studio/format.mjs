@@ -1,4 +1,5 @@
-// Luau in one layout, by StyLua: node format.mjs rewrites the files, with --check it fails where one would change.
+// Luau in one layout, by StyLua: node format.mjs rewrites the files, with --check it fails where
+// one would change.
 import { spawnSync } from 'node:child_process';
 import { dirname } from 'node:path';
 import { fileURLToPath } from 'node:url';

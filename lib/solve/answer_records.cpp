@@ -63,7 +63,7 @@ void fillPath(schema::Trajectory::Builder record, const Playthrough& playthrough
   auto path = record.initPath();
   path.setStep(kPathStep);
   auto points = path.initPoints(uint32_t(playthrough.path.size()));
-  for (uint32_t i = 0; i < points.size(); ++i) fillVec(points[i], playthrough.path[i]);
+  for (uint32_t i = 0; i < points.size(); ++i) level::set(points[i], playthrough.path[i]);
   auto ticks = path.initJumpTicks(uint32_t(playthrough.jumpTicks.size()));
   for (uint32_t i = 0; i < ticks.size(); ++i) ticks.set(i, playthrough.jumpTicks[i]);
 }

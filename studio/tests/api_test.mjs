@@ -1,11 +1,12 @@
-// What the plugin and the mock use of the engine, beside its published API (npm @rbxts/types, made from the engine's own
-// dump): classes, their properties, methods and events, and items of enums. node api_test.mjs; exits 1 on a mismatch.
+// What the plugin and the mock use of the engine, beside its published API (npm @rbxts/types, made
+// from the engine's own dump): classes, their properties, methods and events, and items of enums.
+// node api_test.mjs; exits 1 on a mismatch.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { luauFiles, src, start } from './harness/luau.mjs';
 
-const include = join(fileURLToPath(import.meta.resolve('@rbxts/types/package.json')), '..', 'include');
+const include = fileURLToPath(new URL('include', import.meta.resolve('@rbxts/types/package.json')));
 const read = (name) => readFileSync(join(include, name), 'utf8').replace(/\/\*[\s\S]*?\*\//g, '');
 
 // Not in those typings, but in the engine's documentation, and used by plugins everywhere.
@@ -26,8 +27,9 @@ function interfaces(texts) {
       /^\s*(?:declare )?interface (\w+)(?:<[^{]*?>)?(?: extends ([\w, <>]+))? \{\n([\s\S]*?)\n\t?\}/gm,
     )) {
       const known = all.get(name) ?? { bases: [], members: new Set() };
-      known.bases.push(...(bases ?? '').split(',').map((base) => base.replace(/<.*/, '').trim()).filter(Boolean));
-      for (const [, member] of body.matchAll(/^\s*(?:readonly |[gs]et )?(\w+)\??\s*[:(<]/gm)) known.members.add(member);
+      for (const base of (bases ?? '').split(',')) known.bases.push(base.replace(/<.*/, '').trim());
+      const members = body.matchAll(/^\s*(?:readonly |[gs]et )?(\w+)\??\s*[:(<]/gm);
+      for (const [, member] of members) known.members.add(member);
       all.set(name, known);
     }
   }
@@ -38,12 +40,13 @@ const api = interfaces(['generated/None.d.ts', 'generated/PluginSecurity.d.ts', 
 
 function has(className, member) {
   const known = api.get(className);
-  return Boolean(known) && (known.members.has(member) || known.bases.some((base) => has(base, member)));
+  if (!known) return false;
+  return known.members.has(member) || known.bases.some((base) => has(base, member));
 }
 
 const enumText = read('generated/enums.d.ts');
 function hasItem(name, item) {
-  const block = new RegExp(`namespace ${name} \\{([\\s\\S]*?)\\n    \\}|namespace ${name} \\{([\\s\\S]*?)\\n\\t\\}`).exec(enumText);
+  const block = new RegExp(`namespace ${name} \\{[\\s\\S]*?\\n(?:    |\\t)\\}`).exec(enumText);
   return Boolean(block) && new RegExp(`interface ${item} `).test(block[0]);
 }
 
@@ -62,6 +65,19 @@ for (const line of listed) {
   check(member ? has(className, member) : api.has(className), line);
 }
 
+// The members of Host that are services.
+const services = {
+  game: 'DataModel',
+  gui: 'CoreGui',
+  history: 'ChangeHistoryService',
+  http: 'HttpService',
+  plugin: 'Plugin',
+  run: 'RunService',
+  selection: 'Selection',
+  serialization: 'SerializationService',
+  storage: 'ServerStorage',
+  workspace: 'Workspace',
+};
 let items = 0;
 for (const file of luauFiles(src)) {
   const text = readFileSync(join(src, file), 'utf8');
@@ -73,17 +89,9 @@ for (const file of luauFiles(src)) {
     items += 1;
     check(hasItem('StudioStyleGuideColor', item), `Enum.StudioStyleGuideColor.${item}`);
   }
-  for (const [, service, method] of text.matchAll(/host\.(history|http|serialization|selection|plugin|run)\s*:\s*(\w+)\(/g)) {
+  for (const [, service, method] of text.matchAll(/host\.(\w+)\s*:\s*(\w+)\(/g)) {
     items += 1;
-    const classOf = {
-      history: 'ChangeHistoryService',
-      http: 'HttpService',
-      serialization: 'SerializationService',
-      selection: 'Selection',
-      plugin: 'Plugin',
-      run: 'RunService',
-    };
-    check(has(classOf[service], method), `${classOf[service]}.${method}`);
+    check(has(services[service], method), `${services[service]}.${method}`);
   }
 }
 console.log(`${listed.length} classes and members, ${items} uses: ${problems} are not in the API`);

@@ -7,8 +7,8 @@ namespace obby::importer {
 namespace {
 
 constexpr const char* kPlace = "ObbyPlace";
-constexpr std::string_view kServices[] = {"Workspace", "StarterPlayer", "ServerScriptService",
-                                          "StarterGui", "ReplicatedFirst"};
+constexpr std::string_view kServices[] = {"Workspace",  "StarterPlayer",   "ServerScriptService",
+                                          "StarterGui", "ReplicatedFirst", "ServerStorage"};
 
 bool isServiceStandIn(const Instance& instance) {
   const bool known =

@@ -15,13 +15,15 @@ export class Bridges {
   // Gives the port and, with --pair among the options, the code.
   async start(port, options) {
     const command = ['--port', String(port), '--state-dir', join(this.folder, 'state'), ...options];
-    const child = spawn(join(this.bin, 'obby-bridge'), command, { stdio: ['ignore', 'pipe', 'inherit'] });
+    const program = join(this.bin, 'obby-bridge');
+    const child = spawn(program, command, { stdio: ['ignore', 'pipe', 'inherit'] });
     this.running = child;
     const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
     const first = (await lines.next()).value ?? '';
     const where = /http:\/\/127\.0\.0\.1:(\d+)/.exec(first);
     if (!where) throw new Error(`obby-bridge did not start: ${first}`);
-    const code = options.includes('--pair') ? (await lines.next()).value.split(': ').pop().trim() : '';
+    const offers = options.includes('--pair');
+    const code = offers ? (await lines.next()).value.split(': ').pop().trim() : '';
     return { port: Number(where[1]), code };
   }
 

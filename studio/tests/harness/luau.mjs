@@ -1,5 +1,6 @@
-// Luau in this process: plugin sources and tests are compiled as they lie on disk, and what they ask of
-// the outside goes through `native`. One call into Luau at a time: its own coroutines do the rest.
+// Luau in this process: plugin sources and tests are compiled as they lie on disk, and what they
+// ask of the outside goes through `native`. One call into Luau at a time: its own coroutines do
+// the rest.
 import { readFileSync, readdirSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -7,6 +8,10 @@ import { LuauState } from 'luau-web';
 
 export const tests = dirname(dirname(fileURLToPath(import.meta.url)));
 export const src = join(dirname(tests), 'src');
+// The module that the build makes, as tests have it.
+export const built = {
+  'version.luau': 'return table.freeze({ version = "0.0.0-test", protocol = 1 })',
+};
 const entry = 'init.server.luau';
 
 export function luauFiles(folder) {
@@ -16,8 +21,7 @@ export function luauFiles(folder) {
     .sort();
 }
 
-// `built`: modules that the build makes, {"version.luau": text}, beside those of src/.
-export async function start(native, built = {}) {
+export async function start(native) {
   const state = await LuauState.createAsync({});
   native.compile = (path) => {
     const name = path.replace(/^src\//, '');
@@ -29,5 +33,5 @@ export async function start(native, built = {}) {
     .map((name) => name.slice(0, -'.luau'.length))
     .join('\n');
   const [boot] = await native.compile('harness/boot.luau')(native);
-  return { state, call: async (name, ...values) => (await boot.get(name)(...values))[0] };
+  return { call: async (name, ...values) => (await boot.get(name)(...values))[0] };
 }

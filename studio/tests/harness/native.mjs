@@ -1,5 +1,6 @@
-// What live tests ask of Node: requests, sockets, bridges, files. Each call takes an id under which the
-// answer arrives later; bytes travel as hexadecimal digits, because texts between Luau and Node are UTF-8.
+// What live tests ask of Node: requests, sockets, bridges, files. Each call takes an id under
+// which the answer arrives later; bytes travel as hexadecimal digits, because texts between Luau
+// and Node are UTF-8.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Bridges } from './bridge.mjs';
@@ -55,7 +56,8 @@ export class Native {
           ({ port: taken, code }) => this.arrive(id, true, taken, code),
           (error) => this.arrive(id, false, 0, error.message),
         ),
-      stopBridge: (id, signal) => void this.bridges.stop(signal).then(() => this.arrive(id, true, 0, '')),
+      stopBridge: (id, signal) =>
+        void this.bridges.stop(signal).then(() => this.arrive(id, true, 0, '')),
       levelFile: (name) => readFileSync(join(this.levels, name)).toString('hex'),
     };
   }

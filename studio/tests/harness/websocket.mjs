@@ -1,4 +1,5 @@
-// A WebSocket client with headers of one's own, which Node's has not: texts both ways, over node:http.
+// A WebSocket client with headers of one's own, which Node's has not: texts both ways, over
+// node:http.
 import { randomBytes } from 'node:crypto';
 import { request } from 'node:http';
 
@@ -22,7 +23,9 @@ function parse(data) {
   let size = data[1] & 127;
   let at = 2;
   if (size === 126) [size, at] = [data.length < 4 ? Infinity : data.readUInt16BE(2), 4];
-  else if (size === 127) [size, at] = [data.length < 10 ? Infinity : Number(data.readBigUInt64BE(2)), 10];
+  else if (size === 127) {
+    [size, at] = [data.length < 10 ? Infinity : Number(data.readBigUInt64BE(2)), 10];
+  }
   if (data.length < at + size) return null;
   return { opcode: data[0] & 15, payload: data.subarray(at, at + size), end: at + size };
 }
@@ -35,7 +38,13 @@ export function openSocket(url, headers, on) {
     host: hostname,
     port,
     path: pathname + search,
-    headers: { ...headers, Connection: 'Upgrade', Upgrade: 'websocket', 'Sec-WebSocket-Version': 13, 'Sec-WebSocket-Key': key },
+    headers: {
+      ...headers,
+      Connection: 'Upgrade',
+      Upgrade: 'websocket',
+      'Sec-WebSocket-Version': 13,
+      'Sec-WebSocket-Key': key,
+    },
   });
   let socket = null;
   outgoing.on('response', (response) => {
