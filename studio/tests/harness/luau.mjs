@@ -8,9 +8,11 @@ import { LuauState } from 'luau-web';
 
 export const tests = dirname(dirname(fileURLToPath(import.meta.url)));
 export const src = join(dirname(tests), 'src');
-// The module that the build makes, as tests have it.
+const course = join(dirname(dirname(tests)), 'levels', 'calibration', 'course.jsonl');
+// The modules that the build makes, as tests have them.
 export const built = {
   'version.luau': 'return table.freeze({ version = "0.0.0-test", protocol = 1 })',
+  'courseText.luau': `return table.freeze({ text = [==[${readFileSync(course, 'utf8')}]==] })`,
 };
 const entry = 'init.server.luau';
 
