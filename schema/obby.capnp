@@ -507,6 +507,14 @@ struct Trajectory {
   visited @15 :UInt32;       # of the query's visits, a bit each
   route @16 :List(Int32);    # parts that carried the player, in order, none twice in a row
   difficulty @17 :Difficulty;  # of a solution, where it was asked for
+  path @18 :Path;            # where it was asked for, for readers that cannot replay
+}
+
+struct Path {
+  # Where a playthrough leads.
+  step @0 :UInt32 $always;      # ticks between two points
+  points @1 :List(Vec3);        # feet, the start first
+  jumpTicks @2 :List(UInt32);   # since the start, of the jumps that were made
 }
 
 enum Band {

@@ -59,8 +59,17 @@ void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& id
   level::set(record.initEndPosition(), end.position);
 }
 
+void fillPath(schema::Trajectory::Builder record, const Playthrough& playthrough) {
+  auto path = record.initPath();
+  path.setStep(kPathStep);
+  auto points = path.initPoints(uint32_t(playthrough.path.size()));
+  for (uint32_t i = 0; i < points.size(); ++i) level::set(points[i], playthrough.path[i]);
+  auto ticks = path.initJumpTicks(uint32_t(playthrough.jumpTicks.size()));
+  for (uint32_t i = 0; i < ticks.size(); ++i) ticks.set(i, playthrough.jumpTicks[i]);
+}
+
 void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identity,
-                  const SearchView& view) {
+                  const SearchView& view, bool paths) {
   const Statistics& s = view.search.statistics();
   record.setQuery(identity.query);
   record.setSeconds(float(view.seconds));
@@ -71,7 +80,9 @@ void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identi
   record.setWaypoints(s.closest.targets);
   uint32_t index = 0;
   const auto fillWay = [&](schema::Trajectory::Builder way, const Node& end) {
-    fillTrajectory(way, identity, view.search.playthrough(end), index++);
+    const Playthrough playthrough = view.search.playthrough(end);
+    fillTrajectory(way, identity, playthrough, index++);
+    if (paths) fillPath(way, playthrough);
   };
   if (s.closest.way.parent != kNone) fillWay(record.initBest(), s.closest.way);
   const Node newest = view.search.newest();

@@ -20,6 +20,9 @@ struct AnswerIdentity {
 void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& identity,
                     const Playthrough& playthrough, uint32_t index);
 
+// For readers that cannot replay the actions.
+void fillPath(schema::Trajectory::Builder record, const Playthrough& playthrough);
+
 // The parts of a route, in order; of a Trajectory or a RouteCount.
 template <class Record>
 void fillRoute(Record record, const std::vector<int32_t>& route) {
@@ -27,8 +30,9 @@ void fillRoute(Record record, const std::vector<int32_t>& route) {
   for (uint32_t i = 0; i < parts.size(); ++i) parts.set(i, route[i]);
 }
 
+// `paths`: with the path of each trajectory.
 void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identity,
-                  const SearchView& view);
+                  const SearchView& view, bool paths);
 
 schema::Verdict verdictOf(const SearchOutcome& outcome);
 

@@ -13,9 +13,12 @@ Playthrough regenerate(const ExploreContext& context, uint64_t seed, const Probl
   p.end = problem.start;
   p.endLoose = problem.startLoose;
   p.path.push_back(problem.start.position);
+  uint32_t jumps = problem.start.jumps;
   const auto note = [&](const sim::Action& action, const sim::World& world) {
     hold(p.actions, action);
     if (++p.ticks % kPathStep == 0) p.path.push_back(world.position);
+    if (world.jumps > jumps) p.jumpTicks.push_back(p.ticks);
+    jumps = world.jumps;
   };
   for (auto n = chain.rbegin(); n != chain.rend(); ++n) {
     const Node& node = **n;

@@ -95,7 +95,7 @@ class Solving {
     }
     if (!options_.progressRecords) return;
     io::RecordBuilder record;
-    fillProgress(record.root().initProgress(), identity_, view);
+    fillProgress(record.root().initProgress(), identity_, view, options_.paths);
     status_ = output_.write(record.reader());
   }
 
@@ -107,13 +107,16 @@ class Solving {
       io::RecordBuilder record;
       auto trajectory = record.root().initTrajectory();
       fillTrajectory(trajectory, identity_, p, index++);
+      if (options_.paths) fillPath(trajectory, p);
       const std::string text = fillWay(trajectory, problem, p, pool);
       if (index == 1) hardest = text;
       OBBY_RETURN_IF_ERROR(output_.write(record.reader()));
     }
     for (const Playthrough& p : outcome.attempts) {
       io::RecordBuilder record;
-      fillTrajectory(record.root().initTrajectory(), identity_, p, index++);
+      auto trajectory = record.root().initTrajectory();
+      fillTrajectory(trajectory, identity_, p, index++);
+      if (options_.paths) fillPath(trajectory, p);
       OBBY_RETURN_IF_ERROR(output_.write(record.reader()));
     }
     io::RecordBuilder record;

@@ -26,7 +26,7 @@ struct Searched {
   schema::Progress::Reader progress;
 };
 
-Searched searched(int rounds) {
+Searched searched(int rounds, bool paths = false) {
   static const level::Level level = steppingStones().compile();
   Question question(level);
   question.query.goal = boxAt(kGoal, kGoalSize);
@@ -35,7 +35,8 @@ Searched searched(int rounds) {
   GoExplore search(problem, 1, {}, pool);
   for (int round = 0; round < rounds; ++round) search.round();
   Searched s;
-  fillProgress(s.record.root().initProgress(), {"q", "stones", level.spawns()[0]}, {search, 0.5});
+  fillProgress(s.record.root().initProgress(), {"q", "stones", level.spawns()[0]}, {search, 0.5},
+               paths);
   s.progress = s.record.reader().getProgress();
   return s;
 }
@@ -50,6 +51,34 @@ TEST(ProgressRecord, ShowsTheClosestTheNewestAndDeaths) {
     EXPECT_EQ(death.getOutcome(), schema::Outcome::FELL);
   }
   EXPECT_NE(s.progress.getDeaths()[0].getStateHash(), s.progress.getDeaths()[1].getStateHash());
+}
+
+// Whether the record's path is where a replay of its actions leads.
+void expectPathOfReplay(schema::Trajectory::Reader trajectory) {
+  const level::Level level = steppingStones().compile();
+  const auto plan = sim::planFromRecord(trajectory);
+  ASSERT_TRUE(plan);
+  const auto worlds = sim::replay(level.view(), nullptr, *plan).worlds;
+  const auto path = trajectory.getPath();
+  ASSERT_EQ(path.getPoints().size(), trajectory.getTicks() / path.getStep() + 1);
+  for (uint32_t i = 0; i < path.getPoints().size(); ++i) {
+    const Vec3 feet = worlds[size_t(i) * path.getStep()].position;
+    EXPECT_EQ(path.getPoints()[i].getX(), feet.x);
+    EXPECT_EQ(path.getPoints()[i].getY(), feet.y);
+    EXPECT_EQ(path.getPoints()[i].getZ(), feet.z);
+  }
+  ASSERT_EQ(path.getJumpTicks().size(), trajectory.getJumps());
+  for (const uint32_t tick : path.getJumpTicks()) {
+    EXPECT_EQ(worlds[tick].jumps, worlds[tick - 1].jumps + 1);
+  }
+}
+
+TEST(ProgressRecord, PathsAreThoseOfTheReplayAndOnlyThereWhenAskedFor) {
+  const Searched s = searched(60, true);
+  expectPathOfReplay(s.progress.getBest());
+  expectPathOfReplay(s.progress.getNewest());
+  EXPECT_GT(s.progress.getBest().getJumps(), 0u);
+  EXPECT_FALSE(searched(60).progress.getBest().hasPath());
 }
 
 TEST(ProgressRecord, EveryTrajectoryReplays) {

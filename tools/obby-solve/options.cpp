@@ -127,6 +127,9 @@ std::vector<OptionRow> searchRows() {
           kSearchGroup),
       row("final-only", ValueType::flag, "", "", "leave progress records out of the stream",
           kSearchGroup),
+      row("paths", ValueType::flag, "", "",
+          "write with each trajectory where the player is, for readers that cannot replay it",
+          kSearchGroup),
       row("explain", ValueType::flag, "", "",
           "say of a query without a solution what single change makes it solvable; takes up to as "
           "long again",
@@ -252,6 +255,7 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
   o.solver.policy = o.policy ? &o.policy->network : &policy::shippedPolicy().network;
   o.solver.progressRecords = !a.flag("final-only");
   o.solver.explain = a.flag("explain");
+  o.solver.paths = a.flag("paths");
   if (a.flag("difficulty")) o.solver.difficultyTrials = uint32_t(a.integer("trials"));
   solve::Budget& b = o.solver.budget;
   b.seed = a.seed();

@@ -75,8 +75,15 @@ void PlaceXml::color(const char* name, uint32_t rgb) {
 }
 
 void PlaceXml::source(std::string_view script) {
-  out_ +=
-      fmt::format("<ProtectedString name=\"Source\"><![CDATA[{}]]></ProtectedString>\n", script);
+  // What ends a CDATA section is cut in two, each half in a section of its own.
+  out_ += "<ProtectedString name=\"Source\"><![CDATA[";
+  for (size_t end; (end = script.find("]]>")) != std::string_view::npos;) {
+    out_ += script.substr(0, end + 2);
+    out_ += "]]><![CDATA[";
+    script.remove_prefix(end + 2);
+  }
+  out_ += script;
+  out_ += "]]></ProtectedString>\n";
 }
 
 void PlaceXml::tags(std::string_view tag) {

@@ -1,4 +1,5 @@
-// The XML of a place file: items that nest, one element a property. Private to lib/gen.
+// The XML of a place or model file: items that nest, one element a property. The items stand
+// between kXmlBegin and kXmlEnd.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,9 @@
 #include "math/vec.h"
 
 namespace obby::gen {
+
+inline constexpr const char* kXmlBegin = "<roblox version=\"4\">\n";
+inline constexpr const char* kXmlEnd = "</roblox>\n";
 
 class PlaceXml {
  public:

@@ -7,6 +7,7 @@
 
 #include "import/format/attributes.h"
 #include "import/format/class_defaults.h"
+#include "import/format/studio_place.h"
 
 namespace obby::importer {
 namespace {
@@ -156,6 +157,7 @@ Status DocumentBuilder::checkDepth(const std::vector<InstanceId>& order) const {
 }
 
 Result<Document> DocumentBuilder::finish(std::string file, bool binary) {
+  unpackStudioPlace(document_);
   std::vector<Instance>& old = document_.instances;
   std::vector<InstanceId> order, stack(document_.roots.rbegin(), document_.roots.rend());
   order.reserve(old.size());

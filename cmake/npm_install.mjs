@@ -1,12 +1,12 @@
-// Puts the locked packages into node_modules, and does nothing (needs no network) when they are there already.
-// Install scripts are never run: esbuild's program comes as an optional package of its own.
+// npm_install.mjs FOLDER: puts the folder's locked packages into its node_modules, and does
+// nothing (needs no network) when they are there already. Install scripts are never run: programs
+// come as optional packages of their own.
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { join, resolve } from 'node:path';
 
-const here = dirname(fileURLToPath(import.meta.url));
+const here = resolve(process.argv[2]);
 const stamp = join(here, 'node_modules', '.obby-lock');
 const wanted = createHash('sha256')
   .update(readFileSync(join(here, 'package-lock.json')))
@@ -14,7 +14,8 @@ const wanted = createHash('sha256')
   .digest('hex');
 const inPlace = () => existsSync(stamp) && readFileSync(stamp, 'utf8') === wanted;
 
-// Two build folders may configure at once: the first one installs, the other waits until it is done or gone.
+// Two build folders may configure at once: the first one installs, the other waits until it is
+// done or gone.
 const guard = join(here, '.installing');
 
 function alive(pid) {

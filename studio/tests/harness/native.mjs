@@ -1,0 +1,81 @@
+// What live tests ask of Node: requests, sockets, bridges, files. Each call takes an id under
+// which the answer arrives later; bytes travel as hexadecimal digits, because texts between Luau
+// and Node are UTF-8.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { Bridges } from './bridge.mjs';
+import { openSocket } from './websocket.mjs';
+
+export class Native {
+  constructor(bin, levels) {
+    this.bridges = new Bridges(bin);
+    this.levels = levels;
+    this.queue = [];
+    this.wake = () => {};
+    this.sockets = new Map();
+  }
+
+  arrive(...values) {
+    this.queue.push(values);
+    this.wake();
+  }
+
+  async request(id, url, method, headers, body) {
+    try {
+      const answer = await fetch(url, {
+        method,
+        headers: JSON.parse(headers),
+        body: body ? Buffer.from(body, 'hex') : undefined,
+      });
+      this.arrive(id, true, answer.status, await answer.text());
+    } catch (error) {
+      this.arrive(id, false, 0, `HttpError: ${error.cause?.code ?? error.message}`);
+    }
+  }
+
+  open(id, url, headers) {
+    const socket = openSocket(url, JSON.parse(headers), {
+      opened: (status) => this.arrive(id, 'opened', status),
+      message: (text) => this.arrive(id, 'message', text),
+      error: (status, text) => this.arrive(id, 'error', status, text),
+      closed: () => this.arrive(id, 'closed'),
+    });
+    this.sockets.set(id, socket);
+  }
+
+  // The functions that Luau sees.
+  table() {
+    return {
+      request: (...values) => void this.request(...values),
+      open: (...values) => this.open(...values),
+      say: (id, text) => this.sockets.get(id)?.send(text),
+      shut: (id) => this.sockets.get(id)?.close(),
+      drop: () => this.sockets.forEach((socket) => socket.drop()),
+      startBridge: (id, port, options) =>
+        void this.bridges.start(port, options.split(' ').filter(Boolean)).then(
+          ({ port: taken, code }) => this.arrive(id, true, taken, code),
+          (error) => this.arrive(id, false, 0, error.message),
+        ),
+      stopBridge: (id, signal) =>
+        void this.bridges.stop(signal).then(() => this.arrive(id, true, 0, '')),
+      levelFile: (name) => readFileSync(join(this.levels, name)).toString('hex'),
+    };
+  }
+
+  // Until something arrives, at most so many seconds.
+  async pause(seconds) {
+    if (this.queue.length > 0) return;
+    let timer;
+    await new Promise((resolve) => {
+      this.wake = resolve;
+      timer = setTimeout(resolve, seconds * 1000);
+    });
+    clearTimeout(timer);
+    this.wake = () => {};
+  }
+
+  async close() {
+    this.sockets.forEach((socket) => socket.drop());
+    await this.bridges.close();
+  }
+}

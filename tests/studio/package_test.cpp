@@ -1,0 +1,126 @@
+// The plugin as one model file, read back by the importer's own reader.
+#include "package/package.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include "bridge/limits.h"
+#include "import/read_document.h"
+#include "io/read_file.h"
+#include "io/version.h"
+
+namespace obby::studio {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Source {
+  std::string path, text;
+};
+
+// A folder of plugin sources that goes with the test.
+class Sources {
+ public:
+  explicit Sources(const std::vector<Source>& sources)
+      : folder_(fs::path(testing::TempDir()) /
+                ("obby-" +
+                 std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+    fs::remove_all(folder_);
+    for (const Source& source : sources) {
+      fs::create_directories((folder_ / source.path).parent_path());
+      std::ofstream(folder_ / source.path, std::ios::binary) << source.text;
+    }
+  }
+  Sources(const Sources&) = delete;
+  Sources& operator=(const Sources&) = delete;
+  ~Sources() { fs::remove_all(folder_); }
+  std::string folder() const { return folder_.string(); }
+
+ private:
+  fs::path folder_;
+};
+
+importer::Document readBack(const std::string& folder) {
+  auto bytes = packagePlugin(folder);
+  EXPECT_TRUE(bytes) << bytes.error().text();
+  auto document = importer::readDocument(*bytes, "obby.rbxmx");
+  EXPECT_TRUE(document) << document.error().text();
+  return *std::move(document);
+}
+
+// The instance at a path below the roots, or null.
+const importer::Instance* find(const importer::Document& document, const fs::path& path) {
+  const std::vector<importer::InstanceId>* among = &document.roots;
+  const importer::Instance* found = nullptr;
+  for (const auto& name : path) {
+    found = nullptr;
+    for (const auto id : *among) {
+      if (document.instances[id].name == name) found = &document.instances[id];
+    }
+    if (!found) return nullptr;
+    among = &found->children;
+  }
+  return found;
+}
+
+std::string sourceOf(const importer::Instance* script) {
+  return script ? importer::propertyOr<std::string>(*script, "Source", "no source") : "absent";
+}
+
+TEST(Package, texts_that_mean_something_in_xml_survive) {
+  const std::string text = "return a < b and c > d, \"x & y\", t[t[1]]>2, [[<![CDATA[]]>]]\n\t]]>";
+  const Sources sources(std::vector<Source>{{"init.server.luau", "--<&>\n"}, {"odd.luau", text}});
+  const auto document = readBack(sources.folder());
+  EXPECT_EQ(sourceOf(find(document, "obby")), "--<&>\n");
+  EXPECT_EQ(sourceOf(find(document, "obby/odd")), text);
+}
+
+TEST(Package, folders_nest_and_other_files_stay_out) {
+  const Sources sources(std::vector<Source>{
+      {"init.server.luau", "x"}, {"views/list.luau", "list"}, {"notes.md", "no script"}});
+  const auto document = readBack(sources.folder());
+  ASSERT_EQ(document.roots.size(), 1u);
+  EXPECT_EQ(document.instances[document.roots[0]].className, "Script");
+  ASSERT_NE(find(document, "obby/views"), nullptr);
+  EXPECT_EQ(find(document, "obby/views")->className, "Folder");
+  EXPECT_EQ(find(document, "obby/views/list")->className, "ModuleScript");
+  EXPECT_EQ(document.instances.size(), 4u);  // and the version
+}
+
+TEST(Package, the_version_is_that_of_the_build) {
+  const Sources sources(std::vector<Source>{{"init.server.luau", "x"}});
+  const std::string text = sourceOf(find(readBack(sources.folder()), "obby/version"));
+  EXPECT_NE(text.find("\"" + std::string(io::toolVersion()) + "\""), std::string::npos) << text;
+  const std::string protocol = "protocol = " + std::to_string(bridge::kProtocol) + " ";
+  EXPECT_NE(text.find(protocol), std::string::npos) << text;
+}
+
+TEST(Package, a_folder_without_a_script_is_an_error_that_names_it) {
+  const Sources sources(std::vector<Source>{{"other.luau", "x"}});
+  const auto plugin = packagePlugin(sources.folder());
+  ASSERT_FALSE(plugin);
+  EXPECT_NE(plugin.error().text().find("init.server.luau"), std::string::npos);
+}
+
+TEST(Package, every_source_of_the_plugin_is_in_it_and_the_bytes_repeat) {
+  const std::string folder = OBBY_SOURCE_DIR "/studio/src";
+  const auto document = readBack(folder);
+  size_t files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() != ".luau" || entry.path().filename() == "init.server.luau")
+      continue;
+    ++files;
+    const fs::path inside = fs::relative(entry.path(), folder).replace_extension();
+    const auto text = io::readFile(entry.path().string());
+    ASSERT_TRUE(text);
+    EXPECT_EQ(sourceOf(find(document, "obby" / inside)), *text) << inside;
+  }
+  EXPECT_GT(files, 1u);
+  EXPECT_EQ(*packagePlugin(folder), *packagePlugin(folder));
+}
+
+}  // namespace
+}  // namespace obby::studio
