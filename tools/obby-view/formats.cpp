@@ -1,10 +1,13 @@
 #include "formats.h"
 
+#include <algorithm>
+
 #include "options.h"
 #include "view/page.h"
 #include "view/picture/drawing.h"
 #include "view/picture/picture.h"
 #include "view/picture/png.h"
+#include "view/ways_model.h"
 
 namespace obby {
 namespace {
@@ -47,11 +50,17 @@ Result<std::string> svg(const view::Report& report, const cli::Context& context)
                    {beside ? view::Side::beside : view::Side::above, options.width});
 }
 
+Result<std::string> rbxmx(const view::Report& report, const cli::Context&) {
+  const bool any = std::any_of(report.queries.begin(), report.queries.end(),
+                               [](const view::QueryEntry& q) { return !q.paths.empty(); });
+  if (!any) return makeError("there is no trajectory to write", "solve a query first: obby-solve");
+  return waysModel(report);
+}
+
 constexpr ViewFormat kFormats[] = {
-    {"html", ".html .htm ", false, page},
-    {"text", ".txt ", false, text},
-    {"png", ".png ", true, png},
-    {"svg", ".svg ", false, svg},
+    {"html", ".html .htm ", false, page}, {"text", ".txt ", false, text},
+    {"png", ".png ", true, png},          {"svg", ".svg ", false, svg},
+    {"rbxmx", ".rbxmx ", false, rbxmx},
 };
 
 bool endsIn(const std::string& path, const std::string& endings) {

@@ -27,7 +27,8 @@ OptionRow make(std::string name, ValueType type, std::string value, std::string 
 
 OptionRow formatRow() {
   OptionRow row = make("format", ValueType::choice, "",
-                       "a page for a browser, a text, or a picture of the first query [default: "
+                       "a page for a browser, a text, a picture of the first query, or the "
+                       "trajectories as a model for Roblox Studio [default: "
                        "by the ending of FILE, else text]");
   for (const ViewFormat& format : viewFormats()) row.choices.emplace_back(format.name);
   return row;

@@ -11,6 +11,7 @@
 #include "view/extent.h"
 #include "view/picture/world.h"
 #include "view/raster.h"
+#include "view/thinning.h"
 
 namespace obby::view {
 
@@ -142,33 +143,13 @@ float distanceTo(Vec2 a, Vec2 b, Vec2 p) {
   return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
-// Douglas and Peucker: the points between `first` and `last` that a line leaves by more than
-// `least`.
-void keepFarthest(const std::vector<Vec2>& points, size_t first, size_t last, float least,
-                  std::vector<bool>& kept) {
-  size_t farthest = first;
-  float most = least;
-  for (size_t i = first + 1; i < last; ++i) {
-    const float off = distanceTo(points[first], points[last], points[i]);
-    if (off <= most) continue;
-    most = off;
-    farthest = i;
-  }
-  if (farthest == first) return;
-  kept[farthest] = true;
-  keepFarthest(points, first, farthest, least, kept);
-  keepFarthest(points, farthest, last, least, kept);
-}
-
-std::vector<Vec2> thinned(const Playback& play, const Paper& paper) {
+std::vector<Vec2> lineOf(const Playback& play, const Paper& paper) {
   std::vector<Vec2> all, out;
   for (const Vec3 feet : play.feet) all.push_back(paper.of(feet));
-  std::vector<bool> kept(all.size(), false);
-  kept.front() = kept.back() = true;
-  keepFarthest(all, 0, all.size() - 1, kThinned, kept);
-  for (size_t i = 0; i < all.size(); ++i) {
-    if (kept[i]) out.push_back(all[i]);
-  }
+  const auto distance = [&](size_t a, size_t b, size_t p) {
+    return distanceTo(all[a], all[b], all[p]);
+  };
+  for (const size_t i : thinned(all.size(), kThinned, distance)) out.push_back(all[i]);
   return out;
 }
 
@@ -185,7 +166,7 @@ std::string cross(Vec2 at) {
 std::string wayOf(const PathEntry& path, const Paper& paper) {
   const bool solves = path.kind == PathKind::solution;
   std::string out = fmt::format("<path class=\"{}\" d=\"{}\"/>\n", solves ? "solution" : "attempt",
-                                pathData(thinned(path.playback, paper), false));
+                                pathData(lineOf(path.playback, paper), false));
   if (!solves && path.playback.outcome != schema::Outcome::RUNNING)
     out += cross(paper.of(path.playback.feet.back()));
   if (!solves) return out;
