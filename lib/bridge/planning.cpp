@@ -70,6 +70,7 @@ std::variant<JobPlan, Reply> Service::plan(const Order& order, Client& client, u
   arguments.insert(arguments.end(), order.arguments.begin(), order.arguments.end());
   if (!order.physics.empty()) out.input = order.physics + "\n";
   out.input += (*level)->levels;
+  if (!solve) arguments.emplace_back("--verbose");  // what it found, in words, is a note
   if (solve) {
     out.answerPath = store_.answerPath(session_, fmt::format("j{}", number));
     if (auto wrong = addWarmStart(order, client, arguments)) return *std::move(wrong);

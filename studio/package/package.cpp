@@ -33,6 +33,15 @@ std::string versionModule() {
       io::toolVersion(), bridge::kProtocol);
 }
 
+// The calibration course, as it lies in levels/: its records are read when they are needed.
+Result<std::string> courseModule(const std::string& file) {
+  OBBY_ASSIGN(const std::string text, io::readFile(file));
+  return fmt::format(
+      "--!strict\n-- The calibration course and its manoeuvres, records a line each.\n"
+      "return table.freeze({{ text = [==[\n{}]==] }})\n",
+      text);
+}
+
 Status addFolder(io::PlaceXml& xml, const fs::path& folder);
 
 Status addEntry(io::PlaceXml& xml, const fs::directory_entry& entry) {
@@ -61,13 +70,16 @@ Status addFolder(io::PlaceXml& xml, const fs::path& folder) {
 
 }  // namespace
 
-Result<std::string> packagePlugin(const std::string& folder) {
+Result<std::string> packagePlugin(const std::string& folder, const std::string& course) {
+  OBBY_ASSIGN(const std::string courseText, courseModule(course));
   OBBY_ASSIGN(const std::string entry, io::readFile((fs::path(folder) / kEntry).string()));
   std::string items = io::kXmlBegin;
   io::PlaceXml xml(items);
   open(xml, "Script", "obby", entry);
   OBBY_RETURN_IF_ERROR(addFolder(xml, folder));
   open(xml, "ModuleScript", "version", versionModule());
+  xml.end();
+  open(xml, "ModuleScript", "courseText", courseText);
   xml.end();
   xml.end();
   return items + io::kXmlEnd;

@@ -70,12 +70,15 @@ const services = {
   game: 'DataModel',
   gui: 'CoreGui',
   history: 'ChangeHistoryService',
+  players: 'Players',
+  replicated: 'ReplicatedStorage',
   http: 'HttpService',
   plugin: 'Plugin',
   run: 'RunService',
   selection: 'Selection',
   serialization: 'SerializationService',
   storage: 'ServerStorage',
+  test: 'StudioTestService',
   workspace: 'Workspace',
 };
 let items = 0;
@@ -89,7 +92,7 @@ for (const file of luauFiles(src)) {
     items += 1;
     check(hasItem('StudioStyleGuideColor', item), `Enum.StudioStyleGuideColor.${item}`);
   }
-  for (const [, service, method] of text.matchAll(/host\.(\w+)\s*:\s*(\w+)\(/g)) {
+  for (const [, service, method] of text.matchAll(/host\.(\w+)\s*(?:::\s*\w+\))?\s*:\s*(\w+)\(/g)) {
     items += 1;
     check(has(services[service], method), `${services[service]}.${method}`);
   }

@@ -14,7 +14,8 @@ async function play(luau, native, index) {
     while (native.queue.length > 0) await luau.call('deliver', ...native.queue.shift());
     const next = await luau.call('step', seconds());
     if (await luau.call('done')) return luau.call('failure');
-    if (seconds() > LONGEST) return `not done after ${LONGEST} s`;
+    const late = `not done after ${LONGEST} s`;
+    if (seconds() > LONGEST) return [late, await luau.call('failure')].filter(Boolean).join('\n');
     await native.pause(next < 0 ? 1 : Math.min(next, 1));
   }
 }

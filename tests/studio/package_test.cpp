@@ -43,8 +43,10 @@ class Sources {
   fs::path folder_;
 };
 
+constexpr const char* kCourse = OBBY_SOURCE_DIR "/levels/calibration/course.jsonl";
+
 importer::Document readBack(const std::string& folder) {
-  auto bytes = packagePlugin(folder);
+  auto bytes = packagePlugin(folder, kCourse);
   EXPECT_TRUE(bytes) << bytes.error().text();
   auto document = importer::readDocument(*bytes, "obby.rbxmx");
   EXPECT_TRUE(document) << document.error().text();
@@ -87,7 +89,7 @@ TEST(Package, folders_nest_and_other_files_stay_out) {
   ASSERT_NE(find(document, "obby/views"), nullptr);
   EXPECT_EQ(find(document, "obby/views")->className, "Folder");
   EXPECT_EQ(find(document, "obby/views/list")->className, "ModuleScript");
-  EXPECT_EQ(document.instances.size(), 4u);  // and the version
+  EXPECT_EQ(document.instances.size(), 5u);  // and the version, and the course
 }
 
 TEST(Package, the_version_is_that_of_the_build) {
@@ -98,9 +100,19 @@ TEST(Package, the_version_is_that_of_the_build) {
   EXPECT_NE(text.find(protocol), std::string::npos) << text;
 }
 
+TEST(Package, the_calibration_course_is_in_it_as_it_lies_in_levels) {
+  const Sources sources(std::vector<Source>{{"init.server.luau", "x"}});
+  const std::string text = sourceOf(find(readBack(sources.folder()), "obby/courseText"));
+  const auto course = io::readFile(kCourse);
+  ASSERT_TRUE(course);
+  EXPECT_NE(text.find("[==[\n" + *course + "]==]"), std::string::npos);
+  EXPECT_EQ(course->find("]==]"), std::string::npos);
+  EXPECT_FALSE(packagePlugin(sources.folder(), sources.folder() + "/no course"));
+}
+
 TEST(Package, a_folder_without_a_script_is_an_error_that_names_it) {
   const Sources sources(std::vector<Source>{{"other.luau", "x"}});
-  const auto plugin = packagePlugin(sources.folder());
+  const auto plugin = packagePlugin(sources.folder(), kCourse);
   ASSERT_FALSE(plugin);
   EXPECT_NE(plugin.error().text().find("init.server.luau"), std::string::npos);
 }
@@ -119,7 +131,7 @@ TEST(Package, every_source_of_the_plugin_is_in_it_and_the_bytes_repeat) {
     EXPECT_EQ(sourceOf(find(document, "obby" / inside)), *text) << inside;
   }
   EXPECT_GT(files, 1u);
-  EXPECT_EQ(*packagePlugin(folder), *packagePlugin(folder));
+  EXPECT_EQ(*packagePlugin(folder, kCourse), *packagePlugin(folder, kCourse));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // What live tests ask of Node: requests, sockets, bridges, files. Each call takes an id under
 // which the answer arrives later; bytes travel as hexadecimal digits, because texts between Luau
 // and Node are UTF-8.
+import { execFile } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Bridges } from './bridge.mjs';
@@ -8,6 +9,7 @@ import { openSocket } from './websocket.mjs';
 
 export class Native {
   constructor(bin, levels) {
+    this.bin = bin;
     this.bridges = new Bridges(bin);
     this.levels = levels;
     this.queue = [];
@@ -43,6 +45,16 @@ export class Native {
     this.sockets.set(id, socket);
   }
 
+  // The lines that match `keep` of what a built tool writes, given that input: a VM has little room.
+  tool(id, name, options, input, keep) {
+    const command = join(this.bin, name);
+    const wanted = (line) => new RegExp(keep).test(line);
+    const done = (error, out) =>
+      this.arrive(id, !error, 0, error?.message ?? out.split('\n').filter(wanted).join('\n'));
+    const words = options.split(' ').filter(Boolean);
+    execFile(command, words, { maxBuffer: 64 << 20 }, done).stdin.end(input);
+  }
+
   // The functions that Luau sees.
   table() {
     return {
@@ -58,6 +70,7 @@ export class Native {
         ),
       stopBridge: (id, signal) =>
         void this.bridges.stop(signal).then(() => this.arrive(id, true, 0, '')),
+      tool: (...values) => this.tool(...values),
       levelFile: (name) => readFileSync(join(this.levels, name)).toString('hex'),
     };
   }

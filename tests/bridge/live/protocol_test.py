@@ -225,6 +225,9 @@ class ProtocolTest(unittest.TestCase):
         self.assertEqual(messages[-1]["state"], "done", messages[-1])
         types = {m["record"]["type"] for m in messages if m["type"] == "record"}
         self.assertTrue({"params", "end"} <= types, types)
+        notes = [m["report"]["message"] for m in messages
+                 if m["type"] == "report" and m["report"].get("type") == "note"]
+        self.assertTrue(any("gravity" in note and "studs off" in note for note in notes), notes)
 
     def test_a_second_client_sees_nothing_of_the_first(self):
         level = self.bridge.place_level(LEVEL)
