@@ -8,6 +8,7 @@ find_package(Eigen3 REQUIRED)          # import, train, calibrate
 find_package(pugixml REQUIRED)         # import
 set(ZLIB_USE_STATIC_LIBS ${OBBY_PORTABLE})
 find_package(ZLIB REQUIRED)            # bridge: under Cap'n Proto's gzip streams
+find_package(PNG REQUIRED)             # view: pictures
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(lz4 REQUIRED IMPORTED_TARGET liblz4)     # import
 pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)   # import

@@ -19,7 +19,7 @@ Error pageMissing() {
 std::string pageData(const Report& report, const PageOptions& options) {
   const Budget budget = options.full ? Budget{} : budgetFor(report, kPageTarget);
   JsonText json;
-  json.open('{').field("format", 1).field("generator", options.generator);
+  json.open('{').field("format", 2).field("generator", options.generator);
   json.field("title", report.title());
   json.key("notes").open('[');
   for (const std::string& note : report.notes) json.value(note);

@@ -79,20 +79,38 @@ void writeConstraints(JsonText& json, const QueryEntry& entry) {
   json.close();
 }
 
-// What an answer says beyond its verdict: changes that would help, routes, how far to trust it.
+void writeInts(JsonText& json, capnp::List<int32_t>::Reader values) {
+  json.open('[');
+  for (const int32_t value : values) json.value(value);
+  json.close();
+}
+
+// Why a query is unreachable: the parts within reach and the least step beyond them.
+void writeCut(JsonText& json, schema::Cut::Reader cut) {
+  json.key("cut").open('{').key("reached");
+  writeInts(json, cut.getReached());
+  json.field("from", cut.getFrom()).field("to", cut.getTo()).field("rise", cut.getRise());
+  json.field("gap", cut.getGap()).field("jumps", cut.getJumps());
+  json.field("seconds", cut.getSeconds()).close();
+}
+
+// What an answer says beyond its verdict: the proof's cut, changes that would help, routes, how far
+// to trust it.
 void writeFindings(JsonText& json, schema::Result::Reader result) {
   json.key("relaxations").open('[');
   for (const auto relaxation : result.getRelaxations()) {
-    json.value(std::string_view(relaxation.getText().cStr()));
+    json.open('{').field("text", std::string_view(relaxation.getText().cStr()));
+    json.field("part", relaxation.getPart()).field("avoid", relaxation.getAvoid()).close();
   }
   json.close().key("routes").open('[');
   for (const auto route : result.getRoutes()) {
     json.open('{').field("count", std::to_string(route.getCount()));
-    json.field("ticks", route.getTicks()).key("route").open('[');
-    for (const int32_t part : route.getRoute()) json.value(part);
-    json.close().close();
+    json.field("ticks", route.getTicks()).key("route");
+    writeInts(json, route.getRoute());
+    json.close();
   }
   json.close();
+  if (result.hasCut()) writeCut(json, result.getCut());
   if (!result.hasEvidence()) return;
   const auto evidence = result.getEvidence();
   json.key("evidence").open('{').field("saturation", enumName(evidence.getSaturation()));
@@ -119,7 +137,7 @@ void writeResult(JsonText& json, const QueryEntry& entry) {
   json.field("seed", std::to_string(result.getSeed())).key("ends").open('[');
   for (const auto end : result.getEnds()) {
     json.open('{').field("outcome", enumName(end.getOutcome())).field("part", end.getPart());
-    json.field("count", std::to_string(end.getCount())).close();
+    json.field("avoid", end.getAvoid()).field("count", std::to_string(end.getCount())).close();
   }
   json.close();
   writeFindings(json, result);
@@ -176,7 +194,8 @@ void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
   json.field("outcome", enumName(told ? record.getOutcome() : play.outcome));
   json.field("part", told ? record.getPart() : play.part).field("ticks", play.ticks());
   json.field("jumps", play.jumps()).field("startTick", record.getStartTick());
-  json.field("stride", stride);
+  json.field("stride", stride).field("avoid", record.getAvoid()).key("route");
+  writeInts(json, record.getRoute());
   if (!play.mismatch.empty()) json.field("mismatch", play.mismatch);
   writeDifficulty(json, record);
   json.key("position").array(thinned(play.feet, stride));

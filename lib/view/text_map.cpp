@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <vector>
 
+#include "view/extent.h"
 #include "view/raster.h"
 #include "view/roles.h"
 #include "view/text_report.h"
@@ -17,7 +17,6 @@ namespace obby::view {
 namespace {
 
 constexpr size_t kMostColumns = 110, kMostRows = 36;
-constexpr float kAround = 6;  // studs of surroundings
 
 constexpr Ink kPart{':', "░", {84, 92, 106}}, kKill{'x', "▒", {214, 60, 64}},
     kMoving{'~', "~", {164, 139, 250}}, kStart{'S', "S", {53, 196, 141}},
@@ -45,70 +44,20 @@ struct Frame {
   Vec2 of(Vec3 v) const { return along ? Vec2{-v.z, v.x} : Vec2{v.x, v.z}; }
 };
 
-using Corners = std::array<Vec3, 8>;
-
-Corners cornersOf(Vec3 centre, Quat rotation, Vec3 size) {
-  const Mat3 axes = toMat3(normalize(rotation));
-  Corners corners;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 local{(i & 1 ? 0.5f : -0.5f) * size.x, (i & 2 ? 0.5f : -0.5f) * size.y,
-                     (i & 4 ? 0.5f : -0.5f) * size.z};
-    corners[size_t(i)] = centre + axes * local;
-  }
-  return corners;
-}
-
-template <class T>  // Part or Region
-Corners cornersOf(T reader) {
-  const auto p = reader.getPosition();
-  const auto q = reader.getRotation();
-  const auto s = reader.getSize();
-  return cornersOf({p.getX(), p.getY(), p.getZ()}, {q.getX(), q.getY(), q.getZ(), q.getW()},
-                   {s.getX(), s.getY(), s.getZ()});
-}
-
-Box boxOf(const Corners& corners) {
-  Box box{corners[0], corners[0]};
-  for (const Vec3 c : corners) box = join(box, {c, c});
-  return box;
-}
-
 std::vector<Vec2> footprint(const Corners& corners, Frame frame) {
   std::vector<Vec2> points;
   for (const Vec3 c : corners) points.push_back(frame.of(c));
   return convexHull(std::move(points));
 }
 
-// Calls visit(region, ink) for the query's regions, what is to be avoided first.
-template <class Visit>
-void forRegions(schema::Query::Reader query, Visit&& visit) {
-  for (const auto region : query.getAvoid()) visit(region, kAvoid);
-  for (const auto region : query.getVisits()) visit(region, kWaypoint);
-  for (const auto w : query.getWaypoints()) visit(w.getRegion(), kWaypoint);
-  for (const auto region : query.getGoals()) visit(region, kGoal);
-  if (query.hasGoal()) visit(query.getGoal(), kGoal);
-}
-
-// What the map must show: regions and trajectories, or else the whole level.
-Box extentOf(const LevelEntry& level, const QueryEntry& query) {
-  std::vector<Box> boxes;
-  if (query.query) {
-    forRegions(query.reader(), [&](schema::Region::Reader region, const Ink&) {
-      boxes.push_back(boxOf(cornersOf(region)));
-    });
-    if (query.compiled)
-      boxes.push_back({query.compiled->start().feet, query.compiled->start().feet});
+const Ink& inkOf(RegionKind kind) {
+  switch (kind) {
+    case RegionKind::avoid: return kAvoid;
+    case RegionKind::visit:
+    case RegionKind::waypoint: return kWaypoint;
+    case RegionKind::goal: break;
   }
-  for (const PathEntry& path : query.paths) {
-    // Attempts may fall far away: their starts and the solutions count.
-    const size_t last = path.kind == PathKind::attempt ? 1 : path.playback.feet.size();
-    for (size_t i = 0; i < last; ++i)
-      boxes.push_back({path.playback.feet[i], path.playback.feet[i]});
-  }
-  if (boxes.empty()) return level.level->bounds();
-  Box all = boxes[0];
-  for (const Box& box : boxes) all = join(all, box);
-  return grow(all, {kAround, kAround, kAround});
+  return kGoal;
 }
 
 void drawParts(Raster& raster, const LevelEntry& level, Frame frame, const Box& extent) {
@@ -155,8 +104,8 @@ void drawAttempts(Raster& raster, const QueryEntry& query, Frame frame) {
 
 void drawQuery(Raster& raster, const QueryEntry& query, Frame frame) {
   if (query.query) {
-    forRegions(query.reader(), [&](schema::Region::Reader region, const Ink& ink) {
-      outline(raster, region, frame, ink);
+    forRegions(query.reader(), [&](schema::Region::Reader region, RegionKind kind) {
+      outline(raster, region, frame, inkOf(kind));
     });
   }
   for (const PathEntry& path : query.paths) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bridge/limits.h"
-#include "gen/place/place_xml.h"
+#include "io/place_xml.h"
 #include "io/read_file.h"
 #include "io/version.h"
 
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr const char* kEntry = "init.server.luau";
 constexpr const char* kEnding = ".luau";
 
-void open(gen::PlaceXml& xml, const char* className, const std::string& name,
+void open(io::PlaceXml& xml, const char* className, const std::string& name,
           std::string_view source = {}) {
   xml.begin(className, name);
   if (!source.empty()) xml.source(source);
@@ -42,9 +42,9 @@ Result<std::string> courseModule(const std::string& file) {
       text);
 }
 
-Status addFolder(gen::PlaceXml& xml, const fs::path& folder);
+Status addFolder(io::PlaceXml& xml, const fs::path& folder);
 
-Status addEntry(gen::PlaceXml& xml, const fs::directory_entry& entry) {
+Status addEntry(io::PlaceXml& xml, const fs::directory_entry& entry) {
   if (entry.is_directory()) {
     open(xml, "Folder", entry.path().filename());
     OBBY_RETURN_IF_ERROR(addFolder(xml, entry.path()));
@@ -58,7 +58,7 @@ Status addEntry(gen::PlaceXml& xml, const fs::directory_entry& entry) {
   return {};
 }
 
-Status addFolder(gen::PlaceXml& xml, const fs::path& folder) {
+Status addFolder(io::PlaceXml& xml, const fs::path& folder) {
   std::error_code failed;
   std::vector<fs::directory_entry> entries;
   for (const auto& entry : fs::directory_iterator(folder, failed)) entries.push_back(entry);
@@ -73,8 +73,8 @@ Status addFolder(gen::PlaceXml& xml, const fs::path& folder) {
 Result<std::string> packagePlugin(const std::string& folder, const std::string& course) {
   OBBY_ASSIGN(const std::string courseText, courseModule(course));
   OBBY_ASSIGN(const std::string entry, io::readFile((fs::path(folder) / kEntry).string()));
-  std::string items = gen::kXmlBegin;
-  gen::PlaceXml xml(items);
+  std::string items = io::kXmlBegin;
+  io::PlaceXml xml(items);
   open(xml, "Script", "obby", entry);
   OBBY_RETURN_IF_ERROR(addFolder(xml, folder));
   open(xml, "ModuleScript", "version", versionModule());
@@ -82,7 +82,7 @@ Result<std::string> packagePlugin(const std::string& folder, const std::string& 
   open(xml, "ModuleScript", "courseText", courseText);
   xml.end();
   xml.end();
-  return items + gen::kXmlEnd;
+  return items + io::kXmlEnd;
 }
 
 }  // namespace obby::studio

@@ -81,15 +81,41 @@ TEST(Page, NamesTheHardestStep) {
 TEST(Page, SaysWhatWouldHelpWhichRoutesThereAreAndHowFarToTrustIt) {
   const std::string answer =
       R"({"type":"result","query":"ahead","level":"Course </script><b>","verdict":"unknown",)"
-      R"("relaxations":[{"knob":"jumps","text":"solvable with 3 jumps instead of 2"}],)"
+      R"("relaxations":[{"knob":"jumps","part":2,"text":"solvable with 3 jumps instead of 2"}],)"
       R"("routes":[{"route":[0,2],"count":"7","ticks":90}],)"
       R"("evidence":{"saturation":"growing","newCellChance":0.5}})";
   auto report = collect({kLevel, kQuery, answer});
   ASSERT_TRUE(report) << report.error().text();
   const std::string data = view::pageData(*report, {});
-  EXPECT_THAT(data, HasSubstr(R"("relaxations":["solvable with 3 jumps instead of 2"])"));
+  EXPECT_THAT(
+      data,
+      HasSubstr(
+          R"("relaxations":[{"text":"solvable with 3 jumps instead of 2","part":2,"avoid":-1}])"));
   EXPECT_THAT(data, HasSubstr(R"("routes":[{"count":"7","ticks":90,"route":[0,2]}])"));
   EXPECT_THAT(data, HasSubstr(R"("evidence":{"saturation":"growing","newCellChance":0.5})"));
+}
+
+TEST(Page, HoldsTheProofsCut) {
+  const std::string answer =
+      R"({"type":"result","query":"ahead","level":"Course </script><b>","verdict":"unreachable",)"
+      R"("cut":{"reached":[0,2],"from":2,"rise":4.5,"gap":1,"jumps":3,"seconds":2},)"
+      R"("ends":[{"outcome":"avoided","avoid":1,"count":"9"}]})";
+  auto report = collect({kLevel, kQuery, answer});
+  ASSERT_TRUE(report) << report.error().text();
+  const std::string data = view::pageData(*report, {});
+  EXPECT_THAT(data, HasSubstr(R"("cut":{"reached":[0,2],"from":2,"to":-1,"rise":4.5,"gap":1,)"
+                              R"("jumps":3,"seconds":2})"));
+  EXPECT_THAT(data, HasSubstr(R"({"outcome":"avoided","part":-1,"avoid":1,"count":"9"})"));
+}
+
+TEST(Page, TellsTheRouteOfATrajectory) {
+  auto path = walk(kAhead, 200);
+  auto route = path.root().getTrajectory().initRoute(2);
+  route.set(0, 0);
+  route.set(1, 4);
+  auto report = collect({kLevel, kQuery, line(path), resultLine("solved", 80)});
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_THAT(view::pageData(*report, {}), HasSubstr(R"("avoid":-1,"route":[0,4])"));
 }
 
 TEST(Page, HoldsDataOnceAndEscapesTheTitle) {

@@ -1,24 +1,14 @@
 // The page as a reader meets it: opened from a file, looked at, clicked, played, scrubbed.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { colours, fillTemplate, frames, launch, openReport, state } from './browser.mjs';
+import { colours, frames, openReport, state } from './browser.mjs';
+import { harness } from './harness.mjs';
 import { report } from './sample_report.mjs';
 
-const options = Object.fromEntries(
-  process.argv
-    .slice(2)
-    .map((word, i, all) => [word.replace(/^--/, ''), all[i + 1]])
-    .filter((_, i) => i % 2 === 0),
-);
-mkdirSync(options.out, { recursive: true });
-const template = readFileSync(options.page, 'utf8');
-const sample = join(options.out, 'sample.html');
-writeFileSync(sample, fillTemplate(template, report, report.title));
-
-const tests = [];
-const test = (name, body) => tests.push({ name, body });
+const { options, test, run } = harness();
+const sample = options.sample(report);
 
 test('opens without errors, warnings or requests, and shows a picture', async ({
   page,
@@ -207,20 +197,4 @@ test('what obby-view writes opens, too', async ({ browser }) => {
   assert.equal(requests.length, 1);
 });
 
-const browser = await launch(options.web, options.chromium);
-let failed = 0;
-try {
-  const opened = await openReport(browser, sample);
-  for (const { name, body } of tests) {
-    try {
-      await body({ ...opened, browser });
-      console.log(`ok   ${name}`);
-    } catch (error) {
-      failed += 1;
-      console.log(`FAIL ${name}\n${error.stack}`);
-    }
-  }
-} finally {
-  await browser.close();
-}
-process.exit(failed ? 1 : 0);
+await run(sample);

@@ -72,7 +72,7 @@ function trajectory(
   kind,
   index,
   outcome,
-  { stop = 1, drift = 0, seed = 0, killer = -1, mismatch } = {},
+  { stop = 1, drift = 0, seed = 0, killer = -1, mismatch, route = [] } = {},
 ) {
   const points = [];
   const yaw = [];
@@ -113,6 +113,8 @@ function trajectory(
     index,
     outcome,
     part: killer,
+    avoid: -1,
+    route,
     ticks: last,
     jumps: Math.ceil(last / 45),
     waypoints: 0,
@@ -145,7 +147,7 @@ for (let i = 0; i < 60; i++) {
       stop: 0.12 + (0.8 * ((i * 37) % 60)) / 60,
       drift: 2 + (i % 7),
       seed: i,
-      killer: outcome === 'killed' ? (i % 2 ? lava : bar) : -1,
+      killer: outcome === 'killed' ? (i % 16 === 1 ? lava : bar) : -1,
     }),
   );
 }
@@ -227,6 +229,7 @@ const result = {
   ends: [
     { outcome: 'fell', part: -1, count: '61234' },
     { outcome: 'killed', part: lava, count: '20311' },
+    { outcome: 'killed', part: bar, count: '912' },
     { outcome: 'running', part: -1, count: '15002' },
     { outcome: 'timeout', part: -1, count: '310' },
   ],
@@ -241,7 +244,7 @@ const difficulty = {
 };
 
 export const report = {
-  format: 1,
+  format: 2,
   generator: 'sample',
   title: 'Sample course',
   notes: [],
@@ -254,8 +257,8 @@ export const report = {
       avoid: [region('No shortcut', [6, 8, -60], [8, 8, 20])],
       result,
       trajectories: [
-        { ...trajectory('solution', 0, 'goal'), difficulty },
-        trajectory('solution', 1, 'goal', { drift: 1.2, seed: 5 }),
+        { ...trajectory('solution', 0, 'goal', { route: [0, 1, 2, 6] }), difficulty },
+        trajectory('solution', 1, 'goal', { drift: 1.2, seed: 5, route: [0, 6] }),
         ...attempts,
       ],
     },
@@ -269,6 +272,11 @@ export const report = {
         reason: 'The goal is 14 studs up and no jump is allowed.',
         closest: 96.2,
         solutions: 0,
+        cut: { reached: [0, 1, 2], from: 2, to: 6, rise: 1.5, gap: 0, jumps: 0, seconds: 0 },
+        relaxations: [
+          { text: 'solvable with 12 jumps instead of 0', part: -1, avoid: -1 },
+          { text: 'solvable without Lava', part: lava, avoid: -1 },
+        ],
       },
       trajectories: attempts.slice(0, 6),
     },

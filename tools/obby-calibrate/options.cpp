@@ -72,6 +72,7 @@ cli::ToolSpec calibrateSpec() {
   spec.examples = {
       {"can these manoeuvres tell how strong gravity is?",
        "obby-calibrate --rehearse --set gravity=180 | obby-calibrate --fit gravity --fit jumpSpeed "
+       "--restarts 1 "
        "--report found.txt > params.jsonl"},
       {"how well, if positions are a hundredth of a stud off?",
        "obby-calibrate --rehearse --noise 0.01 > takes.jsonl && obby-calibrate takes.jsonl --fit "

@@ -1,4 +1,5 @@
 // obby-view: streams in, a page or a text out.
+#include "formats.h"
 #include "options.h"
 #include "view/page.h"
 
@@ -35,16 +36,10 @@ Result<view::Report> readReport(cli::Context& context) {
   return report;
 }
 
-Result<std::string> render(const view::Report& report, const cli::Context& context) {
-  if (!wantsPage(context.arguments())) return textReport(report, textOptions(context));
-  const io::StreamIdentity self = context.identity();
-  return htmlPage(report, {context.arguments().flag("full"), self.tool + " " + self.version});
-}
-
 Result<cli::ExitCode> run(cli::Context& context) {
-  if (wantsPage(context.arguments()) && !view::pageAvailable()) {
-    return view::pageMissing();
-  }
+  const ViewFormat& format = wantedFormat(context.arguments());
+  const bool page = format.name == std::string("html");
+  if (page && !view::pageAvailable()) return view::pageMissing();
   OBBY_ASSIGN(const view::Report report, readReport(context));
   if (report.levels.empty() && report.queries.empty()) {
     if (context.errors() > 0) return cli::ExitCode::failed;
@@ -53,11 +48,13 @@ Result<cli::ExitCode> run(cli::Context& context) {
   for (const view::QueryEntry& query : report.queries) {
     if (query.mismatch()) context.warn("query " + query.id + ": a solution does not replay");
   }
-  OBBY_ASSIGN(const std::string text, render(report, context));
-  if (wantsPage(context.arguments()) && text.size() > view::kPageWarning) {
+  OBBY_ASSIGN(const std::string text, format.render(report, context));
+  if (page && text.size() > view::kPageWarning) {
     context.warn("the page is " + std::to_string(text.size() >> 20) + " MB; browsers may be slow");
   }
   OBBY_ASSIGN(io::Sink sink, context.openSink());
+  if (format.binary && sink.terminal())
+    return makeError("a picture is nothing for a terminal", "name a file: -o picture.png");
   OBBY_RETURN_IF_ERROR(sink.write(text));
   OBBY_RETURN_IF_ERROR(sink.close());
   return cli::ExitCode::ok;

@@ -1,6 +1,11 @@
 // What obby-view can be asked for.
 #include "options.h"
 
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "formats.h"
 #include "view/terminal.h"
 
 namespace obby {
@@ -8,6 +13,8 @@ namespace {
 
 using cli::OptionRow;
 using cli::ValueType;
+
+constexpr int kLeastPicture = 16, kMostPicture = 8192;  // pixels
 
 OptionRow make(std::string name, ValueType type, std::string value, std::string help) {
   OptionRow row;
@@ -20,9 +27,10 @@ OptionRow make(std::string name, ValueType type, std::string value, std::string 
 
 OptionRow formatRow() {
   OptionRow row = make("format", ValueType::choice, "",
-                       "the page for a browser, or text [default: html for a FILE that ends in "
-                       ".html or .htm, else text]");
-  row.choices = {"html", "text"};
+                       "a page for a browser, a text, a picture of the first query, or the "
+                       "trajectories as a model for Roblox Studio [default: "
+                       "by the ending of FILE, else text]");
+  for (const ViewFormat& format : viewFormats()) row.choices.emplace_back(format.name);
   return row;
 }
 
@@ -40,9 +48,15 @@ OptionRow widthRow() {
   return row;
 }
 
-bool endsIn(const std::string& text, const std::string& ending) {
-  return text.size() >= ending.size() &&
-         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+OptionRow sizeRow() {
+  return make("size", ValueType::text, "WIDTHxHEIGHT",
+              "pixels of a picture; of an svg the width counts [default: 1280x720]");
+}
+
+OptionRow fromRow() {
+  OptionRow row = make("from", ValueType::choice, "", "svg: seen from here [default: above]");
+  row.choices = {"above", "side"};
+  return row;
 }
 
 }  // namespace
@@ -55,6 +69,10 @@ cli::ToolSpec viewSpec() {
       {"Write a page that opens in any browser, without a network",
        "obby-import first-steps.rbxlx | obby-solve | obby-view -o report.html"},
       {"Print a table and a map", "obby-solve several-routes.jsonl | obby-view"},
+      {"Draw the way through a level, for a README or an issue",
+       "obby-solve several-routes.jsonl | obby-view -o routes.png"},
+      {"The same from the side, as a drawing",
+       "obby-solve several-routes.jsonl | obby-view --from side -o routes.svg"},
       {"Look at a level before anything is solved", "obby-view -o level.html teaser.jsonl"},
   };
   spec.options = {
@@ -65,6 +83,8 @@ cli::ToolSpec viewSpec() {
       make("no-map", ValueType::flag, "", "text: the table only"),
       make("ascii", ValueType::flag, "", "text: ASCII characters only"),
       widthRow(),
+      sizeRow(),
+      fromRow(),
       commonRow(cli::Common::onError),
   };
   spec.notes =
@@ -73,10 +93,24 @@ cli::ToolSpec viewSpec() {
   return spec;
 }
 
-bool wantsPage(const cli::Arguments& arguments) {
-  if (arguments.has("format")) return arguments.text("format") == "html";
-  const std::string& path = arguments.text("output");
-  return endsIn(path, ".html") || endsIn(path, ".htm");
+Result<view::PictureOptions> pictureOptions(const cli::Arguments& arguments) {
+  view::PictureOptions options;
+  if (!arguments.has("size")) return options;
+  const std::string& text = arguments.text("size");
+  const char* const end = text.data() + text.size();
+  const auto [cross, wrong] = std::from_chars(text.data(), end, options.width);
+  const bool first = wrong == std::errc() && cross != end && *cross == 'x';
+  const auto [rest, also] = first ? std::from_chars(cross + 1, end, options.height)
+                                  : std::from_chars_result{cross, std::errc::invalid_argument};
+  const auto fits = [](int v) { return v >= kLeastPicture && v <= kMostPicture; };
+  if (also != std::errc() || rest != end || !fits(options.width) || !fits(options.height))
+    return Error{{},
+                 {},
+                 "--size",
+                 fmt::format("expected WIDTHxHEIGHT from {0} to {1} each, found '{2}'",
+                             kLeastPicture, kMostPicture, text),
+                 "for example --size 1280x720"};
+  return options;
 }
 
 view::TextOptions textOptions(const cli::Context& context) {

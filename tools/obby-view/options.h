@@ -3,14 +3,15 @@
 
 #include "cli/context.h"
 #include "cli/tool.h"
+#include "view/picture/picture.h"
 #include "view/text_report.h"
 
 namespace obby {
 
 cli::ToolSpec viewSpec();
 
-// True if the user asked for the page, by --format or by the output's name.
-bool wantsPage(const cli::Arguments& arguments);
+// Error: --size is none.
+Result<view::PictureOptions> pictureOptions(const cli::Arguments& arguments);
 view::TextOptions textOptions(const cli::Context& context);
 
 }  // namespace obby

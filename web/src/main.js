@@ -3,17 +3,22 @@ import { Vector3 } from 'three';
 import { readReport } from './data.js';
 import { readFragment, writeFragment } from './fragment.js';
 import { Playback } from './playback.js';
-import { causeOf, OUTCOME_STYLE } from './palette.js';
+import { OUTCOME_STYLE } from './palette.js';
+import { Pointer } from './pointer.js';
 import { Stage } from './scene/stage.js';
 import { bindKeys } from './shortcuts.js';
 import { INITIAL, Store } from './store.js';
-import { el, seconds } from './ui/dom.js';
+import { Comparison } from './ui/comparison.js';
+import { el } from './ui/dom.js';
+import { FilterPanel } from './ui/filter_panel.js';
 import { Help } from './ui/help.js';
 import { Hud } from './ui/hud.js';
 import { Labels } from './ui/labels.js';
+import { PathList } from './ui/path_list.js';
 import { ScenePanel } from './ui/scene_panel.js';
 import { Sidebar } from './ui/sidebar.js';
 import { Timeline } from './ui/timeline.js';
+import { Ways } from './ways.js';
 
 const byId = (id) => document.getElementById(id);
 
@@ -28,7 +33,8 @@ class App {
     );
     this.stage = new Stage(byId('view'));
     this.labels = new Labels(byId('labels'));
-    this.tip = byId('tip');
+    this.pointer = new Pointer(this, byId('view'), byId('tip'));
+    this.ways = new Ways(this);
     this.dirty = true;
     const found = readFragment(report);
     if (found.query !== undefined) this.store.state.query = found.query;
@@ -36,8 +42,12 @@ class App {
     this.store.state.path = found.path ?? this.firstPath();
     if (found.time !== undefined)
       this.store.state.tick = Math.min(found.time * this.playback.rateOf(), this.length());
+    // Before the panels, which show the colours.
+    this.store.on(['colorBy'], () => this.ways.color());
     this.panels();
     this.bind();
+    this.filters.fill();
+    this.ways.choose();
     this.showSelection();
     this.applyToggles();
     this.stage.resize();
@@ -59,9 +69,15 @@ class App {
     return this.query()?.paths[this.store.state.path];
   }
 
+  // The one that the chosen is compared with.
+  ghost() {
+    const { path, ghost } = this.store.state;
+    return path >= 0 && ghost !== path ? this.query()?.paths[ghost] : undefined;
+  }
+
   length() {
     const path = this.path();
-    if (path) return path.ticks;
+    if (path) return Math.max(path.ticks, this.ghost()?.ticks ?? 0);
     return Math.max(
       1,
       ...(this.query()?.paths ?? []).map((each) => each.ticks),
@@ -77,13 +93,25 @@ class App {
   }
 
   panels() {
-    this.sidebar = new Sidebar(byId('side'), this.report, this.store, this.playback);
+    const source = () => ({ query: this.query(), level: this.level() });
+    const tint = (path) => this.ways.coloring.of(path);
+    this.list = new PathList(this.store, source, tint);
+    this.filters = new FilterPanel(this.store, source, () => this.ways.addBox());
+    const lists = [this.filters.root, this.list.root];
+    this.sidebar = new Sidebar(byId('side'), this.report, this.store, lists);
+    this.comparison = new Comparison(
+      byId('comparison'),
+      this.store,
+      () => (this.ghost() ? [this.path(), this.ghost()] : null),
+      () => this.level(),
+      tint,
+    );
     this.timeline = new Timeline(byId('timeline'), this.store, this.playback, () => this.path());
     this.scenePanel = new ScenePanel(
       byId('scene-panel'),
       this.store,
       () => this.level(),
-      () => this.query(),
+      () => this.ways.coloring,
     );
     this.hud = new Hud(byId('hud'));
     this.help = new Help(byId('help'));
@@ -93,6 +121,7 @@ class App {
   openQuery() {
     const level = this.level();
     if (level && this.stage.level !== level) this.stage.setLevel(level);
+    this.ways.color();
     if (this.query()) {
       this.stage.setQuery(this.query());
       this.labels.set(this.stage.regionView.labels);
@@ -101,9 +130,13 @@ class App {
 
   bind() {
     const { store } = this;
+    this.ways.bind();
     store.on(['query'], () => {
       this.openQuery();
-      store.set({ path: this.firstPath(), tick: 0, playing: false, part: -1, hoverPath: -1 });
+      const none = { part: -1, hoverPath: -1, ghost: -1, route: '', killer: -1 };
+      store.set({ path: this.firstPath(), tick: 0, playing: false, ...none });
+      this.filters.fill();
+      this.ways.choose();
       this.showSelection();
       this.applyToggles();
       this.stage.frameQuery(false);
@@ -122,69 +155,7 @@ class App {
       this.dirty = true;
     });
     bindKeys(this);
-    this.bindPointer(byId('view'));
     this.stage.rig.onUserMove = () => store.set({ follow: false });
-  }
-
-  bindPointer(canvas) {
-    let down = null;
-    canvas.addEventListener('pointerdown', (event) => {
-      down = { x: event.clientX, y: event.clientY };
-      canvas.focus({ preventScroll: true });
-    });
-    canvas.addEventListener('pointerup', (event) => {
-      const still = down && Math.hypot(event.clientX - down.x, event.clientY - down.y) < 4;
-      down = null;
-      if (still && event.button === 0) this.click(event);
-    });
-    canvas.addEventListener('pointermove', (event) => {
-      this.pointer = event.buttons ? null : event;
-    });
-    canvas.addEventListener('pointerleave', () => {
-      this.pointer = null;
-      this.store.set({ hoverPath: -1 });
-      this.tip.hidden = true;
-    });
-  }
-
-  click(event) {
-    const [x, y] = this.inCanvas(event);
-    const hit = this.stage.pick(this.store.state, x, y);
-    if (hit) {
-      const same = this.store.state.path === hit.path;
-      this.store.set({
-        path: hit.path,
-        tick: Math.min(hit.tick, this.query().paths[hit.path].ticks),
-        playing: same && this.store.state.playing,
-      });
-      return;
-    }
-    const part = this.stage.pickPart(x, y);
-    this.store.set({ part: part === this.store.state.part ? -1 : part });
-  }
-
-  inCanvas(event) {
-    const box = byId('view').getBoundingClientRect();
-    return [event.clientX - box.left, event.clientY - box.top];
-  }
-
-  hover() {
-    const event = this.pointer;
-    this.pointer = null;
-    if (!event || !this.query()) return;
-    const [x, y] = this.inCanvas(event);
-    const hit = this.stage.pick(this.store.state, x, y);
-    this.store.set({ hoverPath: hit ? hit.path : -1 });
-    byId('view').style.cursor = hit ? 'pointer' : '';
-    this.tip.hidden = !hit;
-    if (!hit) return;
-    const path = this.query().paths[hit.path];
-    const rate = this.playback.rateOf();
-    this.tip.replaceChildren(
-      el('strong', { text: path.mismatch ? 'Replay mismatch' : causeOf(path, this.level()) }),
-      el('span', { text: `at ${seconds(hit.tick / rate)} of ${seconds(path.ticks / rate)} s` }),
-    );
-    this.tip.style.transform = `translate(${event.clientX + 14}px, ${event.clientY + 14}px)`;
   }
 
   showSelection() {
@@ -230,7 +201,7 @@ class App {
     const passed = Math.min((now - this.lastFrame) / 1000, 0.25);
     this.lastFrame = now;
     this.playback.advance(passed);
-    this.hover();
+    this.pointer.hover();
     const { state } = this.store;
     const tick = Math.min(state.tick, this.length());
     const path = this.path();
@@ -255,7 +226,8 @@ class App {
   draw(tick, path) {
     this.dirty = false;
     if (!this.level()) return;
-    this.stage.showTick(path, tick);
+    this.stage.showTick(path, tick, this.ghost());
+    this.comparison.update(tick);
     this.stage.render();
     this.labels.update(
       this.stage.rig.camera,

@@ -44,8 +44,15 @@ export const BAND_STYLE = {
   extreme: { label: 'Extreme', color: '#f0484e' },
 };
 
+// Its place in that order; what was not measured comes last.
+export function bandRank(path) {
+  const bands = Object.keys(BAND_STYLE);
+  return path.difficulty ? bands.indexOf(path.difficulty.band) : bands.length;
+}
+
 export const SOLUTION_COLOR = '#ffd166';
 export const SELECTED_COLOR = '#fff3c4';
+export const GHOST_COLOR = '#7fd4ff'; // the other one of a comparison
 
 // The colour of a path in lists and in the scene.
 export function pathColor(path) {

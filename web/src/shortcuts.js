@@ -3,7 +3,7 @@
 function typing(target) {
   return (
     target instanceof HTMLElement &&
-    (target.matches('input[type=search], select, textarea') || target.isContentEditable)
+    (target.matches('input[type=search], input[type=number], select, textarea') || target.isContentEditable)
   );
 }
 
@@ -13,9 +13,19 @@ function move(app, name, by, most) {
   app.store.set({ [name]: (Math.max(0, at + (at < 0 ? Math.max(by, 0) : by)) + most) % most });
 }
 
+// In the order of the list.
 function neighbour(app, by) {
-  move(app, 'path', by, app.query()?.paths.length ?? 0);
-  app.store.set({ tick: 0 });
+  const { order, path } = app.store.state;
+  if (!order.length) return;
+  const at = order.indexOf(path);
+  const next = at < 0 ? (by > 0 ? 0 : order.length - 1) : (at + by + order.length) % order.length;
+  app.store.set({ path: order[next], tick: 0 });
+}
+
+// Keeps the chosen one as the ghost that others are compared with.
+function pin({ store }) {
+  const { path, ghost } = store.state;
+  store.set({ ghost: ghost >= 0 ? -1 : path });
 }
 
 const kToggles = [
@@ -27,6 +37,8 @@ const kToggles = [
   'labels',
   'motionPaths',
   'grid',
+  'heat',
+  'cut',
 ];
 
 // By what is printed on the key, for those whose place differs between keyboards.
@@ -44,7 +56,15 @@ const kByKey = {
   ArrowDown: (app) => neighbour(app, 1),
   Home: (app) => app.playback.seek(0),
   End: (app) => app.playback.seek(app.length()),
-  Escape: (app) => app.store.set({ path: -1, part: -1, playing: false, follow: false }),
+  Escape: (app) =>
+    app.store.set(
+      app.store.state.drawing
+        ? { drawing: false }
+        : { path: -1, part: -1, ghost: -1, playing: false, follow: false },
+    ),
+  b: (app) => app.store.set({ drawing: !app.store.state.drawing }),
+  i: (app) => app.store.set({ isolate: !app.store.state.isolate }),
+  x: (app) => pin(app),
   l: (app) => app.store.set({ loop: !app.store.state.loop }),
   c: (app) => app.store.set({ colors: app.store.state.colors === 'roles' ? 'level' : 'roles' }),
   f: (app) => app.focusSelection(),
@@ -60,7 +80,7 @@ export function bindKeys(app) {
     if (app.help.dialog.open && event.key !== '?') return;
     if (app.stage.rig.key(event.code, true)) return;
     const act = kByKey[event.key.length === 1 ? event.key.toLowerCase() : event.key];
-    const toggle = kToggles[Number(event.key) - 1];
+    const toggle = /^\d$/.test(event.key) ? kToggles[(Number(event.key) + 9) % 10] : undefined;
     if (!act && !toggle) return;
     event.preventDefault();
     if (act) act(app, event);

@@ -1,4 +1,5 @@
 // The page's state: one flat object. `set` tells listeners which names changed; nothing else holds state.
+import { UNFILTERED } from './choice.js';
 
 export class Store {
   constructor(initial) {
@@ -26,6 +27,17 @@ export class Store {
 }
 
 export const INITIAL = {
+  ...UNFILTERED,
+  sort: 'found',
+  descending: false,
+  order: [], // indices of the listed trajectories, set by main.js from filters and sorting
+  colorBy: 'outcome',
+  isolate: false, // draw the chosen one only
+  ghost: -1, // trajectory that runs beside the chosen one
+  frame: -1, // part that the camera is to look at; main.js sets it back
+  drawing: false, // the next drag draws a box
+  heat: false,
+  cut: true,
   query: 0,
   path: -1,
   tick: 0,

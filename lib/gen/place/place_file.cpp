@@ -138,7 +138,7 @@ void PlaceFile::add(const Generated& level) {
 std::string PlaceFile::finish() {
   std::string levels;
   levels.swap(levels_);
-  levels_ += kXmlBegin;
+  levels_ += io::kXmlBegin;
   xml_.begin("Workspace", "Workspace");
   xml_.number("Gravity", params_.gravity);
   xml_.number("FallenPartsDestroyHeight", float(int32_t(lowest_ - kFallRoom)));
@@ -156,7 +156,7 @@ std::string PlaceFile::finish() {
   const PlaceScript script = checkpointScript();
   writeScript(script.name, script.source);
   xml_.end();
-  levels_ += kXmlEnd;
+  levels_ += io::kXmlEnd;
   return std::move(levels_);
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "gen/generator.h"
-#include "gen/place/place_xml.h"
+#include "io/place_xml.h"
 
 namespace obby::gen {
 
@@ -29,7 +29,7 @@ class PlaceFile {
 
   const Params params_;
   std::string levels_;
-  PlaceXml xml_{levels_};
+  io::PlaceXml xml_{levels_};
   float next_ = 0;    // studs along X from which on nothing is built yet
   float lowest_ = 0;  // studs, of all parts
   bool first_ = true;

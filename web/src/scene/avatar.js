@@ -10,6 +10,7 @@ import {
   Points,
   PointsMaterial,
 } from 'three';
+import { GHOST_COLOR } from '../palette.js';
 import { glyphTexture } from './markers.js';
 
 function limb(width, height, depth, material, x, y) {
@@ -20,11 +21,15 @@ function limb(width, height, depth, material, x, y) {
   return mesh;
 }
 
+// Of the one that the chosen is compared with: of one colour, and parts shine through.
+const kGhost = { color: GHOST_COLOR, emissive: '#16384a', transparent: true, opacity: 0.5 };
+
 export class Avatar {
-  constructor(body) {
-    const skin = new MeshLambertMaterial({ color: '#ffd7a3', emissive: '#3a2c18' });
-    const shirt = new MeshLambertMaterial({ color: '#f4f6fb', emissive: '#3c4048' });
-    const trousers = new MeshLambertMaterial({ color: '#2f3c5c', emissive: '#0c0f16' });
+  constructor(body, ghost = false) {
+    const material = (look) => new MeshLambertMaterial(ghost ? kGhost : look);
+    const skin = material({ color: '#ffd7a3', emissive: '#3a2c18' });
+    const shirt = material({ color: '#f4f6fb', emissive: '#3c4048' });
+    const trousers = material({ color: '#2f3c5c', emissive: '#0c0f16' });
     const w = body.width / 2;
     const hip = body.hip;
     const neck = body.neck;
@@ -44,18 +49,18 @@ export class Avatar {
       limb(w * 0.98, hip, body.depth * 0.98, trousers, (side * w) / 2, hip),
     );
     this.group.add(torso, head, visor, ...this.arms, ...this.legs);
-    this.group.add(this.pointer(body.top + 1.6));
+    this.group.add(this.pointer(body.top + 1.6, ghost ? GHOST_COLOR : '#ffffff'));
     this.stride = Math.max(2, hip * 2.4);
   }
 
   // A sign over the head, seen through everything: where is the player?
-  pointer(height) {
+  pointer(height, color) {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new Float32BufferAttribute([0, height, 0], 3));
     const sign = new Points(
       geometry,
       new PointsMaterial({
-        map: glyphTexture('down', '#ffffff'),
+        map: glyphTexture('down', color),
         size: 22 * Math.min(devicePixelRatio, 2),
         sizeAttenuation: false,
         transparent: true,

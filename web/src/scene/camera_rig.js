@@ -20,6 +20,7 @@ export class CameraRig {
     this.keys = new Set();
     this.flySpeed = 40;
     this.drag = null;
+    this.locked = false; // the left button is for something else
     this.free = 1; // share of the width that no panel covers
     this.onUserMove = () => {};
     this.listen(canvas);
@@ -29,6 +30,7 @@ export class CameraRig {
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     canvas.addEventListener('pointerdown', (event) => {
       canvas.setPointerCapture(event.pointerId);
+      if (this.locked && event.button === 0) return;
       this.drag = {
         button: event.shiftKey && event.button === 0 ? 1 : event.button,
         x: event.clientX,

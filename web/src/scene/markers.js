@@ -1,5 +1,6 @@
 // Where attempts ended, one glyph an outcome, and the runners: a dot for every trajectory at the clock's tick.
 import {
+  BufferAttribute,
   BufferGeometry,
   CanvasTexture,
   Color,
@@ -9,7 +10,7 @@ import {
   Points,
   PointsMaterial,
 } from 'three';
-import { OUTCOME_STYLE, pathColor } from '../palette.js';
+import { OUTCOME_STYLE } from '../palette.js';
 
 const kDraw = {
   ring: (g) => {
@@ -71,6 +72,7 @@ export function glyphTexture(glyph, color) {
 function points(positions, material) {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new Float32BufferAttribute(positions, 3));
+  geometry.setIndex(new BufferAttribute(new Uint32Array(positions.length / 3), 1));
   const cloud = new Points(geometry, material);
   cloud.frustumCulled = false;
   cloud.renderOrder = 9;
@@ -81,29 +83,33 @@ export class Markers {
   constructor(query, pixelRatio) {
     this.paths = query.paths;
     this.ends = new Group();
+    this.clouds = []; // {cloud, indices}: what a filter thins
     for (const [outcome, style] of Object.entries(OUTCOME_STYLE)) {
-      const at = query.paths
-        .filter((path) => path.outcome === outcome && outcome !== 'goal')
-        .flatMap((path) => {
-          const [x, y, z] = path.end();
-          return [x, y + 0.35, z];
-        });
+      const indices = [];
+      const at = [];
+      query.paths.forEach((path, index) => {
+        if (path.outcome !== outcome || outcome === 'goal') return;
+        indices.push(index);
+        const [x, y, z] = path.end();
+        at.push(x, y + 0.35, z);
+      });
       if (!at.length) continue;
-      this.ends.add(
-        points(
-          at,
-          new PointsMaterial({
-            map: glyphTexture(style.glyph, style.color),
-            size: 15 * pixelRatio,
-            sizeAttenuation: false,
-            transparent: true,
-            depthTest: true,
-            depthWrite: false,
-          }),
-        ),
+      const cloud = points(
+        at,
+        new PointsMaterial({
+          map: glyphTexture(style.glyph, style.color),
+          size: 15 * pixelRatio,
+          sizeAttenuation: false,
+          transparent: true,
+          depthTest: true,
+          depthWrite: false,
+        }),
       );
+      this.clouds.push({ cloud, indices });
+      this.ends.add(cloud);
     }
     this.runners = this.runnerCloud(pixelRatio);
+    this.clouds.push({ cloud: this.runners, indices: query.paths.map((_, i) => i) });
     this.group = new Group();
     this.group.add(this.ends, this.runners);
   }
@@ -121,19 +127,33 @@ export class Markers {
       }),
     );
     cloud.material.size = 13 * pixelRatio;
-    const color = new Color();
     cloud.geometry.setAttribute(
       'color',
-      new Float32BufferAttribute(
-        this.paths.flatMap((path) => {
-          color.set(pathColor(path));
-          return [color.r, color.g, color.b];
-        }),
-        3,
-      ),
+      new Float32BufferAttribute(new Float32Array(3 * this.paths.length), 3),
     );
     cloud.geometry.attributes.position.setUsage(DynamicDrawUsage);
     return cloud;
+  }
+
+  // `tint`: path -> colour, of the runners; ends keep the colour of their outcome.
+  setColors(tint) {
+    const { color } = this.runners.geometry.attributes;
+    const mixed = new Color();
+    this.paths.forEach((path, i) => mixed.set(tint(path)).toArray(color.array, 3 * i));
+    color.needsUpdate = true;
+  }
+
+  // `shown`: set of indices.
+  setShown(shown) {
+    for (const { cloud, indices } of this.clouds) {
+      const { index } = cloud.geometry;
+      let at = 0;
+      indices.forEach((path, i) => {
+        if (shown.has(path)) index.array[at++] = i;
+      });
+      index.needsUpdate = true;
+      cloud.geometry.setDrawRange(0, at);
+    }
   }
 
   update(tick) {

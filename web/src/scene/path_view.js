@@ -1,21 +1,13 @@
 // Trajectories of a query as lines: attempts thin and faint in one buffer, solutions bright, the selected one thick,
 // with the part already played brighter than what is to come.
-import {
-  AdditiveBlending,
-  BufferGeometry,
-  Color,
-  Float32BufferAttribute,
-  Group,
-  LineBasicMaterial,
-  LineSegments,
-  NormalBlending,
-} from 'three';
+import { AdditiveBlending, Group } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-import { BAND_STYLE, pathColor, SELECTED_COLOR } from '../palette.js';
+import { BAND_STYLE, GHOST_COLOR, pathColor, SELECTED_COLOR } from '../palette.js';
+import { kLift, ThinLines } from './thin_lines.js';
 
-export const kLift = 0.35; // studs above the feet, so that lines do not sink into the floor
+const kMostThick = 64; // solutions; more are thin lines, too, for a thick one takes a draw call
 
 // Pairs of points, as line segments want them, from one sample to another.
 function segmentsOf(path, first = 0, last = path.samples - 1) {
@@ -25,37 +17,6 @@ function segmentsOf(path, first = 0, last = path.samples - 1) {
       out[6 * i + k] = path.points[3 * (first + i) + k] + (k % 3 === 1 ? kLift : 0);
   }
   return out;
-}
-
-function thinLines(paths) {
-  const position = [];
-  const color = [];
-  const tint = new Color();
-  for (const path of paths) {
-    const segments = segmentsOf(path);
-    tint.set(pathColor(path));
-    for (let i = 0; i < segments.length; i += 3) {
-      position.push(segments[i], segments[i + 1], segments[i + 2]);
-      color.push(tint.r, tint.g, tint.b);
-    }
-  }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new Float32BufferAttribute(position, 3));
-  geometry.setAttribute('color', new Float32BufferAttribute(color, 3));
-  // Many attempts add up to a cloud, few stay readable.
-  const opacity = Math.min(0.6, Math.max(0.16, 6 / Math.sqrt(paths.length * 4 + 1)));
-  const lines = new LineSegments(
-    geometry,
-    new LineBasicMaterial({
-      vertexColors: true,
-      transparent: true,
-      opacity,
-      depthWrite: false,
-      blending: NormalBlending,
-    }),
-  );
-  lines.renderOrder = 5;
-  return lines;
 }
 
 function thickLine(path, color, width, opacity, options = {}, range = []) {
@@ -77,30 +38,52 @@ function thickLine(path, color, width, opacity, options = {}, range = []) {
 export class PathView {
   constructor(query) {
     this.paths = query.paths;
+    this.tint = pathColor;
     this.group = new Group();
-    this.attempts = thinLines(
-      query.paths.filter((path) => path.outcome !== 'goal' || path.kind !== 'solution'),
-    );
+    const indices = query.paths.map((_, i) => i);
+    const isSolution = (i) => query.paths[i].kind === 'solution';
+    const solutions = indices.filter(isSolution);
+    this.failed = new ThinLines(query.paths, indices.filter((i) => !isSolution(i)));
+    this.further = new ThinLines(query.paths, solutions.slice(kMostThick));
+    this.attempts = this.failed.lines;
     this.solutions = new Group();
-    for (const path of query.paths) {
-      if (path.kind === 'solution') this.solutions.add(this.solutionLine(path));
-    }
+    this.thick = new Map(); // index -> line
+    for (const i of solutions.slice(0, kMostThick)) this.addSolution(i);
+    this.solutions.add(this.further.lines);
     this.selection = new Group();
+    this.rival = new Group(); // the other one of a comparison
     this.hovered = new Group();
-    this.group.add(this.attempts, this.solutions, this.hovered, this.selection);
+    this.group.add(this.attempts, this.solutions, this.rival, this.hovered, this.selection);
   }
 
-  solutionLine(path) {
+  addSolution(index) {
+    const path = this.paths[index];
     const dashes = path.mismatch ? { dashed: true, dashSize: 1, gapSize: 0.6 } : {};
     const line = thickLine(path, pathColor(path), 2.2, 0.75, dashes);
     if (path.mismatch) line.computeLineDistances();
-    return line;
+    this.thick.set(index, line);
+    this.solutions.add(line);
   }
 
   show({ solutions, attempts }, dimmed) {
     this.solutions.visible = solutions;
     this.attempts.visible = attempts;
-    for (const line of this.solutions.children) line.material.opacity = dimmed ? 0.28 : 0.75;
+    for (const line of this.thick.values()) line.material.opacity = dimmed ? 0.28 : 0.75;
+  }
+
+  // `shown`: set of indices.
+  setShown(shown) {
+    this.failed.setShown(shown);
+    this.further.setShown(shown);
+    for (const [index, line] of this.thick) line.visible = shown.has(index);
+  }
+
+  // `tint`: path -> colour.
+  setColors(tint) {
+    this.tint = tint;
+    this.failed.setColors(tint);
+    this.further.setColors(tint);
+    for (const [index, line] of this.thick) line.material.color.set(tint(this.paths[index]));
   }
 
   empty(group) {
@@ -113,12 +96,14 @@ export class PathView {
 
   select(path) {
     this.empty(this.selection);
+    this.played = null;
     if (!path) return;
+    const tint = this.tint(path);
     // What lies behind parts shines through faintly.
     this.selection.add(
-      thickLine(path, pathColor(path), 2.5, 0.3, { depthTest: false, blending: AdditiveBlending }),
+      thickLine(path, tint, 2.5, 0.3, { depthTest: false, blending: AdditiveBlending }),
       thickLine(path, '#0b0e14', 7.5, 0.45),
-      thickLine(path, pathColor(path), 3.6, 0.75),
+      thickLine(path, tint, 3.6, 0.75),
       thickLine(path, path.outcome === 'goal' ? SELECTED_COLOR : '#ffffff', 4.2, 1),
     );
     this.selection.children.forEach((line, i) => {
@@ -141,6 +126,16 @@ export class PathView {
     this.selection.add(this.hardest);
   }
 
+  // The one that the selected is compared with: dashed.
+  compare(path) {
+    this.empty(this.rival);
+    if (!path) return;
+    const dashes = { dashed: true, dashSize: 0.9, gapSize: 0.5 };
+    const line = thickLine(path, GHOST_COLOR, 3.2, 0.95, dashes);
+    line.computeLineDistances();
+    this.rival.add(line);
+  }
+
   hover(path) {
     this.empty(this.hovered);
     if (path) this.hovered.add(thickLine(path, '#ffffff', 3, 0.9));
@@ -155,10 +150,9 @@ export class PathView {
   }
 
   dispose() {
-    this.empty(this.selection);
-    this.empty(this.hovered);
-    this.empty(this.solutions);
-    this.attempts.geometry.dispose();
-    this.attempts.material.dispose();
+    this.solutions.remove(this.further.lines);
+    for (const group of [this.selection, this.rival, this.hovered, this.solutions]) this.empty(group);
+    this.failed.dispose();
+    this.further.dispose();
   }
 }

@@ -1,6 +1,6 @@
 // What is under the pointer: trajectories by distance on the screen (lines are thin, a hand is not), then parts.
-import { Matrix4, Raycaster, Vector2 } from 'three';
-import { kLift } from './path_view.js';
+import { Matrix4, Plane, Raycaster, Vector2, Vector3 } from 'three';
+import { kLift } from './thin_lines.js';
 
 const kReach = 9; // pixels
 const kMostPoints = 150000; // tested a pick; beyond it, every k-th sample
@@ -54,7 +54,7 @@ export function pickPath(paths, camera, width, height, x, y, visible) {
   const skip = Math.max(1, Math.ceil(total / kMostPoints));
   let best = null;
   paths.forEach((path, index) => {
-    if (!visible(path)) return;
+    if (!visible(path, index)) return;
     const found = approach(path, matrix, width, height, x, y, skip);
     const distance = found.distance - (path.kind === 'solution' ? 4 : 0);
     if (found.distance <= kReach && (!best || distance < best.distance))
@@ -63,9 +63,25 @@ export function pickPath(paths, camera, width, height, x, y, visible) {
   return best;
 }
 
-export function pickPart(group, camera, width, height, x, y) {
+function rayThrough(camera, width, height, x, y) {
   const ray = new Raycaster();
   ray.setFromCamera(new Vector2((x / width) * 2 - 1, 1 - (y / height) * 2), camera);
-  const hit = ray.intersectObject(group, true)[0];
+  return ray;
+}
+
+// Where the ray through a point of the screen meets the height `y`; null where it does not.
+export function pointAtHeight(camera, width, height, at, y) {
+  const { ray } = rayThrough(camera, width, height, ...at);
+  return ray.intersectPlane(new Plane(new Vector3(0, 1, 0), -y), new Vector3());
+}
+
+// Where it meets a part, or else that height.
+export function pointOnParts(group, camera, width, height, at, y) {
+  const hit = rayThrough(camera, width, height, ...at).intersectObject(group, true)[0];
+  return hit ? hit.point : pointAtHeight(camera, width, height, at, y);
+}
+
+export function pickPart(group, camera, width, height, x, y) {
+  const hit = rayThrough(camera, width, height, x, y).intersectObject(group, true)[0];
   return hit ? hit.object.userData.parts[hit.instanceId] : -1;
 }

@@ -4,24 +4,20 @@ import {
   DirectionalLight,
   Fog,
   GridHelper,
-  Group,
   HemisphereLight,
-  Line,
-  BufferGeometry,
-  Float32BufferAttribute,
-  LineDashedMaterial,
   PCFShadowMap,
   Scene,
   Vector3,
   WebGLRenderer,
 } from 'three';
-import { ROLE_STYLE } from '../palette.js';
 import { Avatar } from './avatar.js';
 import { CameraRig } from './camera_rig.js';
+import { FilterBoxes } from './filter_boxes.js';
 import { LevelView } from './level_view.js';
 import { Markers } from './markers.js';
+import { pathsOfMotion } from './motion_paths.js';
 import { PathView } from './path_view.js';
-import { pickPart, pickPath } from './picking.js';
+import { pickPart, pickPath, pointAtHeight, pointOnParts } from './picking.js';
 import { RegionView } from './regions.js';
 
 const kHaze = '#141821';
@@ -53,11 +49,19 @@ export class Stage {
     rim.position.set(-0.6, 0.35, -0.7);
     this.scene.add(new HemisphereLight('#dfe8ff', '#2a2c36', 1.15), this.sun, this.sun.target, rim);
     this.bounds = new Box3();
+    this.filterBoxes = new FilterBoxes();
+    this.scene.add(this.filterBoxes.group);
   }
 
   clear() {
     if (this.levelView)
-      this.scene.remove(this.levelView.group, this.avatar.group, this.grid, this.motionPaths);
+      this.scene.remove(
+        this.levelView.group,
+        this.avatar.group,
+        this.ghost.group,
+        this.grid,
+        this.motionPaths,
+      );
   }
 
   setLevel(level) {
@@ -66,6 +70,8 @@ export class Stage {
     this.levelView = new LevelView(level);
     this.avatar = new Avatar(level.body);
     this.avatar.group.visible = false;
+    this.ghost = new Avatar(level.body, true);
+    this.ghost.group.visible = false;
     this.renderer.shadowMap.enabled = level.count <= kMostShadowed;
     this.avatar.group.traverse((node) => {
       node.castShadow = true;
@@ -75,8 +81,14 @@ export class Stage {
     this.grid = new GridHelper(size, Math.min(200, size / 8), '#262c38', '#1a1f28');
     this.grid.position.set(this.centre.x, this.bounds.min.y - 4, this.centre.z);
     this.scene.fog = new Fog(kHaze, this.radius * 4, this.radius * 14);
-    this.motionPaths = this.pathsOfMotion(level);
-    this.scene.add(this.levelView.group, this.avatar.group, this.grid, this.motionPaths);
+    this.motionPaths = pathsOfMotion(level);
+    this.scene.add(
+      this.levelView.group,
+      this.avatar.group,
+      this.ghost.group,
+      this.grid,
+      this.motionPaths,
+    );
   }
 
   // A sphere around the level that a few strays cannot blow up.
@@ -92,29 +104,6 @@ export class Stage {
     this.bounds.expandByScalar(4);
     this.centre = this.bounds.getCenter(new Vector3());
     this.radius = Math.max(10, this.bounds.getSize(new Vector3()).length() / 2);
-  }
-
-  pathsOfMotion(level) {
-    const group = new Group();
-    for (const track of level.tracks) {
-      if (!track.position) continue;
-      const geometry = new BufferGeometry();
-      geometry.setAttribute('position', new Float32BufferAttribute(track.position, 3));
-      const line = new Line(
-        geometry,
-        new LineDashedMaterial({
-          color: ROLE_STYLE.moving.color,
-          dashSize: 0.6,
-          gapSize: 0.5,
-          transparent: true,
-          opacity: 0.45,
-          depthWrite: false,
-        }),
-      );
-      line.computeLineDistances();
-      group.add(line);
-    }
-    return group;
   }
 
   setQuery(query) {
@@ -175,8 +164,31 @@ export class Stage {
     eye.updateProjectionMatrix();
   }
 
+  // `shown`: set of indices; `tint`: path -> colour.
+  showPaths(shown, tint) {
+    this.shown = shown;
+    for (const view of [this.pathView, this.markers]) {
+      view?.setColors(tint);
+      view?.setShown(shown);
+    }
+  }
+
   visibleOf(state) {
-    return (path) => (path.kind === 'solution' ? state.solutions : state.attempts);
+    return (path, index) =>
+      index === state.path ||
+      index === state.ghost ||
+      (this.shown.has(index) && (path.kind === 'solution' ? state.solutions : state.attempts));
+  }
+
+  // What the pointer is over: a point of a part, or of the height that the camera turns about.
+  pointAt(x, y) {
+    const { camera, goal } = this.rig;
+    const size = [this.width, this.height];
+    return pointOnParts(this.levelView.group, camera, ...size, [x, y], goal.target.y);
+  }
+
+  pointAtHeight(x, y, height) {
+    return pointAtHeight(this.rig.camera, this.width, this.height, [x, y], height);
   }
 
   pick(state, x, y) {
@@ -214,17 +226,23 @@ export class Stage {
     );
   }
 
-  showTick(path, tick) {
+  // `other`: of a comparison; it runs from its own start, and stays at its end.
+  showTick(path, tick, other) {
     const clock = (path?.startTick ?? this.query?.startTick ?? 0) + tick;
     const moved = path ? this.movedAt(path, tick) : new Map();
     this.levelView.update(clock, path ? this.goneAt(path, tick) : new Set(), moved);
     this.markers?.update(tick);
-    this.avatar.group.visible = Boolean(path);
+    this.poseAvatar(this.avatar, path, tick);
+    this.poseAvatar(this.ghost, other, Math.min(tick, other?.ticks ?? 0));
+    if (path) this.pathView.play(path, tick);
+  }
+
+  poseAvatar(avatar, path, tick) {
+    avatar.group.visible = Boolean(path);
     if (!path) return;
     const pose = path.poseAt(tick);
     const speed = Math.hypot(pose.perTick[0], pose.perTick[2]) * this.level.tickRate;
-    this.avatar.pose(pose, speed, (pose.state & kAirborne) !== 0, this.travelled(path, tick));
-    this.pathView.play(path, tick);
+    avatar.pose(pose, speed, (pose.state & kAirborne) !== 0, this.travelled(path, tick));
   }
 
   goneAt(path, tick) {

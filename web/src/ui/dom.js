@@ -59,3 +59,49 @@ export function count(value) {
 }
 
 export const plural = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
+
+// A labelled list of choices that is bound to one name of the store. `options`: value -> text.
+export function choice(store, name, label, options) {
+  const select = el('select', {
+    on: {
+      change: () => {
+        const numeric = typeof store.state[name] === 'number';
+        store.set({ [name]: numeric ? Number(select.value) : select.value });
+      },
+    },
+  });
+  const field = el('label', { class: `choice ${name}` }, el('span', { text: label }), select);
+  field.offer = (offered) => {
+    select.replaceChildren(
+      ...Object.entries(offered).map(([value, text]) => el('option', { value, text })),
+    );
+    select.value = String(store.state[name]);
+  };
+  field.offer(options);
+  store.on([name], (state) => {
+    select.value = String(state[name]);
+  });
+  return field;
+}
+
+// A number that is bound to one name of the store; an empty field means `none`.
+export function numberField(store, name, label, none, limits) {
+  const input = el('input', {
+    type: 'number',
+    placeholder: 'any',
+    ...limits,
+    on: {
+      input: () => {
+        const value = input.valueAsNumber;
+        store.set({ [name]: Number.isFinite(value) && value >= 0 ? value : none });
+      },
+    },
+  });
+  const show = () => {
+    const value = store.state[name];
+    if (input !== document.activeElement) input.value = value === none ? '' : String(value);
+  };
+  store.on([name], show);
+  show();
+  return el('label', { class: `choice ${name}` }, el('span', { text: label }), input);
+}

@@ -1,4 +1,4 @@
-// What an answer says beyond its verdict: what would have to change, by which routes it goes, how far to trust it.
+// What an answer says beyond its verdict: why there is no way, what would have to change, by which routes it goes, how far to trust it.
 import { el, plural, seconds } from './dom.js';
 
 const SATURATION = {
@@ -6,11 +6,48 @@ const SATURATION = {
   growing: 'The search was still finding new places: more time may solve it.',
 };
 
-function help(result) {
+const shortName = (level, part) => level?.names[part]?.split('/').pop() || `part ${part}`;
+
+// A line that shows its part in the picture, where it has one.
+function line(text, part, store) {
+  if (!(part >= 0)) return el('li', { text });
+  const show = { click: () => store.set({ part, frame: part }) };
+  return el('li', {}, el('button', { class: 'plain text', type: 'button', text, data: { part }, on: show }));
+}
+
+function help(result, store) {
   if (!result.relaxations?.length) return [];
   return [
     el('h3', { text: 'What would help' }),
-    el('ul', {}, ...result.relaxations.map((text) => el('li', { text }))),
+    el('ul', {}, ...result.relaxations.map(({ text, part }) => line(text, part, store))),
+  ];
+}
+
+// What the least step beyond everything that can be reached lacks.
+export function lackOf({ rise, gap, jumps, seconds: time }) {
+  const lacks = [];
+  if (rise > 0) lacks.push(`${rise.toFixed(1)} studs of height`);
+  if (gap > 0) lacks.push(`${gap.toFixed(1)} studs of distance`);
+  if (jumps > 0) lacks.push(`every way takes ${plural(jumps, 'jump')} at least`);
+  if (time > 0) lacks.push(`every way takes ${seconds(time)} s at least`);
+  return lacks.join(', ');
+}
+
+function proof(result, level, store) {
+  const { cut } = result;
+  if (!cut) return [];
+  const from = cut.from >= 0 ? shortName(level, cut.from) : 'the start';
+  const to = cut.to >= 0 ? shortName(level, cut.to) : 'the goal';
+  const lack = lackOf(cut);
+  return [
+    el('h3', { text: 'Why there is no way' }),
+    el(
+      'ul',
+      { class: 'proof' },
+      line(`${plural(cut.reached.length, 'part')} can be reached at most`, -1, store),
+      line(`Least step beyond: ${from} to ${to}`, cut.from, store),
+      ...(lack ? [line(`Missing: ${lack}`, cut.to, store)] : []),
+    ),
   ];
 }
 
@@ -18,7 +55,7 @@ function routes(result, level) {
   if (!(result.routes?.length > 1)) return [];
   const rate = level?.tickRate ?? 60;
   const name = (part) => level?.names[part] || `part ${part}`;
-  const line = ({ route, count, ticks }) =>
+  const routeLine = ({ route, count, ticks }) =>
     el(
       'li',
       { title: route.map(name).join(' → ') },
@@ -27,7 +64,7 @@ function routes(result, level) {
         text: `${plural(Number(count), 'solution')}, shortest ${seconds(ticks / rate)} s`,
       }),
     );
-  return [el('h3', { text: 'Routes' }), el('ul', {}, ...result.routes.map(line))];
+  return [el('h3', { text: 'Routes' }), el('ul', {}, ...result.routes.map(routeLine))];
 }
 
 function trust(result) {
@@ -37,9 +74,14 @@ function trust(result) {
 }
 
 // Nothing where the stream says nothing of the kind.
-export function findings(query, level) {
+export function findings(query, level, store) {
   const result = query.result;
   if (!result) return el('div', { hidden: true });
-  const parts = [...help(result), ...routes(result, level), ...trust(result)];
+  const parts = [
+    ...proof(result, level, store),
+    ...help(result, store),
+    ...routes(result, level),
+    ...trust(result),
+  ];
   return el('div', { class: 'findings', hidden: parts.length === 0 }, ...parts);
 }

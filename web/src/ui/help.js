@@ -19,6 +19,10 @@ const kSections = [
       ['click', 'a line, a row or a part'],
       ['↑ ↓', 'trajectory before, after'],
       ['[ ]', 'query before, after'],
+      ['X', 'keep it as a ghost, to compare others with'],
+      ['Shift click', 'compare with this one'],
+      ['I', 'draw the chosen one only'],
+      ['B', 'draw a box that ways must (not) pass'],
       ['Esc', 'nothing'],
     ],
   ],
@@ -39,7 +43,7 @@ const kSections = [
   [
     'Show',
     [
-      ['1 … 8', 'toggles of the legend'],
+      ['1 … 9, 0', 'toggles under Display'],
       ['C', 'colours of roles or of the level'],
       ['?', 'this list'],
     ],

@@ -1,11 +1,12 @@
 // The floating panel on the right: legend of the roles that this level has, what is shown, and the chosen part.
 import { ROLES } from '../data.js';
-import { OUTCOME_STYLE, ROLE_STYLE, SOLUTION_COLOR, VERDICT_STYLE } from '../palette.js';
+import { ROLE_STYLE } from '../palette.js';
 import { el } from './dom.js';
 
 export class ScenePanel {
-  constructor(root, store, levelOf, queryOf) {
-    Object.assign(this, { root, store, levelOf, queryOf });
+  // `coloringOf`: how trajectories are coloured now.
+  constructor(root, store, levelOf, coloringOf) {
+    Object.assign(this, { root, store, levelOf, coloringOf });
     this.legend = el('div', { class: 'legend' });
     this.inspector = el('section', { class: 'inspector', hidden: true });
     root.append(
@@ -13,7 +14,7 @@ export class ScenePanel {
       this.card('Legend', this.legend, true),
       this.card('Display', this.toggles(), false),
     );
-    store.on(['query'], () => this.fillLegend());
+    store.on(['order', 'colorBy'], () => this.fillLegend());
     store.on(['part', 'query'], () => this.inspect());
     this.fillLegend();
   }
@@ -54,26 +55,17 @@ export class ScenePanel {
         ),
       );
     });
-    const paths = this.queryOf()?.paths ?? [];
-    const outcomes = new Set(paths.filter((path) => !path.mismatch).map((path) => path.outcome));
-    const mismatch = paths.some((path) => path.mismatch);
-    const line = (label, tint, kind) =>
-      el(
-        'div',
-        {},
-        el('i', { class: `swatch ${kind}`, style: { '--tint': tint } }),
-        el('span', { text: label }),
-      );
-    if (paths.length) this.legend.append(el('hr'));
-    if (outcomes.has('goal')) this.legend.append(line('Solution', SOLUTION_COLOR, 'solution'));
-    if (mismatch)
+    const { legend } = this.coloringOf();
+    if (legend.length) this.legend.append(el('hr'));
+    for (const [label, tint, kind] of legend)
       this.legend.append(
-        line(VERDICT_STYLE.mismatch.label, VERDICT_STYLE.mismatch.color, 'solution'),
+        el(
+          'div',
+          {},
+          el('i', { class: `swatch ${kind}`, style: { '--tint': tint } }),
+          el('span', { text: label }),
+        ),
       );
-    for (const [outcome, style] of Object.entries(OUTCOME_STYLE)) {
-      if (outcome !== 'goal' && outcomes.has(outcome))
-        this.legend.append(line(style.label, style.color, 'attempt'));
-    }
   }
 
   toggles() {
@@ -110,6 +102,9 @@ export class ScenePanel {
     add('labels', 'Labels', '6');
     add('motionPaths', 'Motion paths', '7');
     add('grid', 'Grid', '8');
+    add('heat', 'Heat map of visits', '9');
+    add('cut', 'What is missing', '0');
+    add('isolate', 'Chosen one only', 'I');
     const original = el('input', {
       type: 'checkbox',
       on: {

@@ -1,18 +1,8 @@
-// The left column: the queries with their verdicts, the numbers of the chosen one, and its trajectories.
-import {
-  BAND_STYLE,
-  causeOf,
-  hardestOf,
-  OUTCOME_STYLE,
-  pathColor,
-  VERDICT_STYLE,
-  verdictOf,
-} from '../palette.js';
+// The left column: the queries with their verdicts, and the numbers of the chosen one.
+import { VERDICT_STYLE, verdictOf } from '../palette.js';
+import { deaths } from './deaths.js';
 import { count, el, plural, seconds } from './dom.js';
 import { findings } from './findings.js';
-
-const kMostRows = 400;
-const KIND_NAMES = { solution: 'Solution', closest: 'Closest', newest: 'Newest' };
 
 function badge(verdict) {
   const style = VERDICT_STYLE[verdict];
@@ -36,19 +26,19 @@ function jumpLimits({ minJumps, maxJumps }) {
 const stateName = (state) => state.replace(/[A-Z]/g, (c) => ` ${c.toLowerCase()}`);
 
 export class Sidebar {
-  constructor(root, report, store, playback) {
-    Object.assign(this, { root, report, store, playback });
+  // `lists`: what stands below the query.
+  constructor(root, report, store, lists) {
+    Object.assign(this, { root, report, store });
     this.queries = el('div', { class: 'queries', role: 'listbox', 'aria-label': 'Queries' });
     this.detail = el('div', { class: 'detail' });
-    this.list = el('div', { class: 'paths', role: 'listbox', 'aria-label': 'Trajectories' });
-    root.append(this.header(), ...this.notes(), this.querySection(), this.detail, this.list);
+    root.append(this.header(), ...this.notes(), this.querySection(), this.detail, ...lists);
     this.fillQueries();
     this.fillQuery();
     store.on(['query'], () => {
       this.markQuery();
       this.fillQuery();
     });
-    store.on(['path', 'hoverPath'], () => this.markPaths());
+    store.on(['query', 'killer'], () => this.markKillers());
   }
 
   header() {
@@ -128,19 +118,23 @@ export class Sidebar {
     }
   }
 
+  markKillers() {
+    for (const row of this.detail.querySelectorAll('.ends .killer'))
+      row.setAttribute('aria-pressed', String(Number(row.dataset.part) === this.store.state.killer));
+  }
+
   fillQuery() {
     const query = this.report.queries[this.store.state.query];
     this.detail.replaceChildren();
-    this.list.replaceChildren();
     if (!query) return;
+    const level = this.report.levels[query.level];
     this.detail.append(
       ...this.verdict(query),
       this.limits(query),
       this.numbers(query),
-      findings(query, this.report.levels[query.level]),
-      this.ends(query),
+      findings(query, level, this.store),
+      deaths(query, level, this.store),
     );
-    this.fillPaths(query);
   }
 
   verdict(query) {
@@ -191,110 +185,5 @@ export class Sidebar {
     if (Number(r.cells) > 0) add('Cells', count(r.cells));
     if (r.stepsPerSecond > 0) add('Steps/s', count(Math.round(r.stepsPerSecond)));
     return grid;
-  }
-
-  // How the attempts ended, as one bar.
-  ends(query) {
-    const totals = new Map();
-    for (const end of query.result?.ends ?? [])
-      totals.set(end.outcome, (totals.get(end.outcome) ?? 0) + Number(end.count));
-    const all = [...totals.values()].reduce((a, b) => a + b, 0);
-    const box = el('div', { class: 'ends', hidden: all === 0 });
-    const bar = el('div', { class: 'bar' });
-    const key = el('div', { class: 'key' });
-    for (const [outcome, n] of [...totals].sort((a, b) => b[1] - a[1])) {
-      const style = OUTCOME_STYLE[outcome];
-      const share = (100 * n) / all;
-      bar.append(
-        el('i', {
-          style: { '--tint': style.color, 'flex-grow': String(Math.max(share, 0.6)) },
-          title: `${style.label}: ${n}`,
-        }),
-      );
-      key.append(
-        el('span', {
-          style: { '--tint': style.color },
-          text: `${style.short} ${share < 1 ? '<1' : Math.round(share)} %`,
-        }),
-      );
-    }
-    box.append(el('h3', { text: 'How attempts ended' }), bar, key);
-    return box;
-  }
-
-  fillPaths(query) {
-    const groups = [
-      ['Solutions', query.paths.filter((path) => path.kind === 'solution')],
-      ['Attempts', query.paths.filter((path) => path.kind !== 'solution')],
-    ];
-    for (const [title, paths] of groups) {
-      if (!paths.length) continue;
-      this.list.append(el('h3', {}, title, el('small', { text: ` ${paths.length}` })));
-      for (const path of paths.slice(0, kMostRows)) this.list.append(this.pathRow(query, path));
-      if (paths.length > kMostRows) {
-        this.list.append(
-          el('p', {
-            class: 'quiet',
-            text: `and ${paths.length - kMostRows} more: click their lines`,
-          }),
-        );
-      }
-    }
-    if (!query.paths.length)
-      this.list.append(
-        el('p', { class: 'quiet', text: 'The stream holds no trajectory of this query.' }),
-      );
-    this.markPaths();
-  }
-
-  pathRow(query, path) {
-    const index = query.paths.indexOf(path);
-    const level = this.report.levels[query.level];
-    const cause = path.mismatch ? `Replay mismatch: ${path.mismatch}` : causeOf(path, level);
-    const name = KIND_NAMES[path.kind] ?? OUTCOME_STYLE[path.outcome].short;
-    return el(
-      'button',
-      {
-        class: `row path${path.mismatch ? ' mismatch' : ''}`,
-        role: 'option',
-        type: 'button',
-        title: [cause, hardestOf(path, level)].filter(Boolean).join('. '),
-        data: { path: index },
-        on: {
-          click: () => this.choose(index),
-          pointerenter: () => this.store.set({ hoverPath: index }),
-          pointerleave: () => this.store.set({ hoverPath: -1 }),
-        },
-      },
-      el('i', { class: `swatch ${path.kind}`, style: { '--tint': pathColor(path) } }),
-      el('span', { class: 'name', text: path.mismatch ? `${name} ≠` : name }),
-      ...this.bandOf(path),
-      el('span', { class: 'fact', text: `${plural(path.jumps, 'jump')}` }),
-      el('span', {
-        class: 'fact time',
-        text: `${seconds(path.ticks / (level?.tickRate ?? 60))} s`,
-      }),
-    );
-  }
-
-  bandOf(path) {
-    if (!path.difficulty) return [];
-    const style = BAND_STYLE[path.difficulty.band];
-    return [el('span', { class: 'fact band', text: style.label, style: { color: style.color } })];
-  }
-
-  choose(index) {
-    const same = this.store.state.path === index;
-    this.store.set(same ? { path: -1, playing: false } : { path: index, tick: 0 });
-  }
-
-  markPaths() {
-    const { path, hoverPath } = this.store.state;
-    for (const row of this.list.querySelectorAll('.path')) {
-      const index = Number(row.dataset.path);
-      row.setAttribute('aria-selected', String(index === path));
-      row.classList.toggle('hover', index === hoverPath);
-      if (index === path) row.scrollIntoView({ block: 'nearest' });
-    }
   }
 }

@@ -8,7 +8,7 @@
 
 #include "math/vec.h"
 
-namespace obby::gen {
+namespace obby::io {
 
 inline constexpr const char* kXmlBegin = "<roblox version=\"4\">\n";
 inline constexpr const char* kXmlEnd = "</roblox>\n";
@@ -40,4 +40,4 @@ class PlaceXml {
   uint32_t referents_ = 0;
 };
 
-}  // namespace obby::gen
+}  // namespace obby::io

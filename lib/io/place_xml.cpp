@@ -1,10 +1,10 @@
-#include "gen/place/place_xml.h"
+#include "io/place_xml.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace obby::gen {
+namespace obby::io {
 
 namespace {
 
@@ -103,4 +103,4 @@ void PlaceXml::physical(float density, float friction) {
       density, friction);
 }
 
-}  // namespace obby::gen
+}  // namespace obby::io

@@ -1,0 +1,55 @@
+#include "view/extent.h"
+
+namespace obby::view {
+namespace {
+
+constexpr float kAround = 6;  // studs of surroundings
+
+template <class T>  // Part or Region
+Corners cornersFrom(T reader) {
+  const auto p = reader.getPosition();
+  const auto q = reader.getRotation();
+  const auto s = reader.getSize();
+  const Mat3 axes = toMat3(normalize(Quat{q.getX(), q.getY(), q.getZ(), q.getW()}));
+  Corners corners;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 local{(i & 1 ? 0.5f : -0.5f) * s.getX(), (i & 2 ? 0.5f : -0.5f) * s.getY(),
+                     (i & 4 ? 0.5f : -0.5f) * s.getZ()};
+    corners[size_t(i)] = Vec3{p.getX(), p.getY(), p.getZ()} + axes * local;
+  }
+  return corners;
+}
+
+}  // namespace
+
+Corners cornersOf(schema::Part::Reader part) { return cornersFrom(part); }
+Corners cornersOf(schema::Region::Reader region) { return cornersFrom(region); }
+
+Box boxOf(const Corners& corners) {
+  Box box{corners[0], corners[0]};
+  for (const Vec3 c : corners) box = join(box, {c, c});
+  return box;
+}
+
+Box extentOf(const LevelEntry& level, const QueryEntry& query) {
+  std::vector<Box> boxes;
+  if (query.query) {
+    forRegions(query.reader(), [&](schema::Region::Reader region, RegionKind) {
+      boxes.push_back(boxOf(cornersOf(region)));
+    });
+    if (query.compiled)
+      boxes.push_back({query.compiled->start().feet, query.compiled->start().feet});
+  }
+  for (const PathEntry& path : query.paths) {
+    // Attempts may fall far away: their starts and the solutions count.
+    const size_t last = path.kind == PathKind::attempt ? 1 : path.playback.feet.size();
+    for (size_t i = 0; i < last; ++i)
+      boxes.push_back({path.playback.feet[i], path.playback.feet[i]});
+  }
+  if (boxes.empty()) return level.level->bounds();
+  Box all = boxes[0];
+  for (const Box& box : boxes) all = join(all, box);
+  return grow(all, {kAround, kAround, kAround});
+}
+
+}  // namespace obby::view

@@ -1,0 +1,63 @@
+// A picture being drawn: for each sample what is seen, how far away, and its colour.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "level/level_view.h"
+#include "view/picture/camera.h"
+#include "view/terminal.h"
+
+namespace obby::view {
+
+// Linear in what is written to files: 0 to 1 each, as sRGB has it.
+struct Color {
+  float r = 0, g = 0, b = 0;
+};
+Color colorOf(Rgb c);
+Rgb rgbOf(Color c);
+Color mix(Color a, Color b, float share);  // share of b
+
+// A convex shape where it is now.
+struct Solid {
+  Pose pose;
+  geom::ShapeKind kind = geom::ShapeKind::block;
+  geom::ShapeData shape;
+  float coverage = 1;  // of the samples that it takes: less than 1 looks translucent
+};
+
+constexpr uint32_t kNothing = 0xffffffffu;
+
+// What samples see of solids.
+class Depths {
+ public:
+  Depths(const Camera& camera, int width, int height);
+
+  // `id` is what the samples that see it get.
+  void add(const Solid& solid, uint32_t id);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  const Camera& camera() const { return camera_; }
+  uint32_t id(int x, int y) const { return ids_[at(x, y)]; }
+  float depth(int x, int y) const { return depths_[at(x, y)]; }  // studs; far for nothing
+  Vec3 normal(int x, int y) const { return normals_[at(x, y)]; }
+  Vec3 point(int x, int y) const;  // of the world
+
+ private:
+  size_t at(int x, int y) const { return size_t(y) * size_t(width_) + size_t(x); }
+
+  Camera camera_;
+  int width_, height_;
+  std::vector<float> depths_;
+  std::vector<uint32_t> ids_;
+  std::vector<Vec3> normals_;
+};
+
+// Pixels, row by row from the top.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<Rgb> pixels;
+};
+
+}  // namespace obby::view

@@ -1,0 +1,234 @@
+#include "view/picture/drawing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "geom/shapes/table.h"
+#include "io/text.h"
+#include "view/extent.h"
+#include "view/picture/world.h"
+#include "view/raster.h"
+#include "view/thinning.h"
+
+namespace obby::view {
+
+namespace {
+
+constexpr int kOutline = 48;        // directions in which a shape's outline is asked for
+constexpr float kMargin = 12;       // pixels
+constexpr float kLegend = 30;       // pixels below the drawing
+constexpr float kLeastHeight = 80;  // pixels
+constexpr float kThinned = 0.15f;   // studs: a path's points nearer to their line are left out
+
+constexpr const char* kStyle =
+    "<style>.page{fill:#fff}text{font:13px system-ui,sans-serif;fill:#222}.part{stroke:#0006;"
+    "stroke-width:.8}path{fill:none;stroke-linejoin:round}.solution{stroke:#d98a00;stroke-width:3}"
+    ".attempt{stroke:#8a6250;stroke-width:1;opacity:.6}.death{stroke:#c81e24;stroke-width:2}"
+    ".goal{stroke:#2868d8}.avoid{stroke:#b02896}.waypoint{stroke:#a87000}.region{fill:none;"
+    "stroke-width:2;stroke-dasharray:5 4}.start{fill:#188c5c}.jump{fill:#fff;stroke:#222}"
+    "@media(prefers-color-scheme:dark){.page{fill:#181a1f}text{fill:#ddd}.part{stroke:#fff6}"
+    ".solution{stroke:#ffb81c}.attempt{stroke:#c49a86}}</style>\n";
+
+// The world on paper: along the course to the right, and down.
+struct Paper {
+  Vec3 across, down;  // unit, of the world
+  float scale = 1;    // pixels a stud
+  Vec2 origin;        // paper coordinates, studs, of the upper left corner
+
+  Vec2 of(Vec3 v) const {
+    return {(dot(v, across) - origin.x) * scale + kMargin,
+            (dot(v, down) - origin.y) * scale + kMargin};
+  }
+  Vec3 toward() const { return -cross(across, -down); }  // the way that is looked
+};
+
+struct Sheet {
+  Paper paper;
+  float width, height;  // pixels
+};
+
+Sheet sheetOf(const Box& extent, const QueryEntry* query, const DrawingOptions& options) {
+  const Vec3 size = extent.hi - extent.lo;
+  Vec3 along = size.x >= size.z ? Vec3{1, 0, 0} : Vec3{0, 0, -1};
+  if (query && query->compiled && query->query) {
+    const auto goal = query->reader().getGoal().getPosition();
+    const Vec3 way = Vec3{goal.getX(), goal.getY(), goal.getZ()} - query->compiled->start().feet;
+    if (dot(way, along) < 0) along = -along;
+  }
+  Paper paper;
+  paper.across = along;
+  // Never mirrored: seen from above the side to the right of who walks along is down.
+  paper.down = options.side == Side::above ? cross(along, Vec3{0, 1, 0}) : Vec3{0, -1, 0};
+  float x0 = 1e30f, x1 = -1e30f, y0 = 1e30f, y1 = -1e30f;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 corner{i & 1 ? extent.hi.x : extent.lo.x, i & 2 ? extent.hi.y : extent.lo.y,
+                      i & 4 ? extent.hi.z : extent.lo.z};
+    x0 = std::min(x0, dot(corner, paper.across)), x1 = std::max(x1, dot(corner, paper.across));
+    y0 = std::min(y0, dot(corner, paper.down)), y1 = std::max(y1, dot(corner, paper.down));
+  }
+  paper.scale = (float(options.width) - 2 * kMargin) / (x1 - x0);
+  paper.origin = {x0, y0};
+  return {paper, float(options.width),
+          std::max((y1 - y0) * paper.scale + 2 * kMargin, kLeastHeight) + kLegend};
+}
+
+std::string pathData(const std::vector<Vec2>& points, bool closed) {
+  std::string out;
+  for (const Vec2 p : points)
+    out += fmt::format("{}{:.1f} {:.1f}", out.empty() ? "M" : "L", double(p.x), double(p.y));
+  return out + (closed ? "Z" : "");
+}
+
+std::vector<Vec2> outlineOf(const Solid& solid, const Paper& paper) {
+  std::vector<Vec2> points;
+  geom::visitShape(solid.kind, [&](auto shape) {
+    for (int i = 0; i < kOutline; ++i) {
+      const float angle = float(i) * 6.2831853f / kOutline;
+      const Vec3 toward = paper.across * std::cos(angle) + paper.down * std::sin(angle);
+      const Vec3 local = toLocal(solid.pose.rotation, toward);
+      points.push_back(paper.of(toWorld(solid.pose, shape.corner(solid.shape, local))));
+    }
+    return 0;
+  });
+  return convexHull(std::move(points));
+}
+
+std::string hex(Color c) {
+  const Rgb rgb = rgbOf(c);
+  return fmt::format("#{:02x}{:02x}{:02x}", rgb.r, rgb.g, rgb.b);
+}
+
+bool meetsPage(const std::vector<Vec2>& hull, float width, float height) {
+  Vec2 lo = hull[0], hi = hull[0];
+  for (const Vec2 p : hull) {
+    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
+    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
+  }
+  return hi.x > 0 && lo.x < width && hi.y > 0 && lo.y < height;
+}
+
+// The farthest first.
+std::string partsOf(const World& world, const Paper& paper, float width, float height) {
+  const Vec3 toward = paper.toward();
+  std::vector<size_t> order(world.solids.size());
+  std::iota(order.begin(), order.end(), size_t(0));
+  std::vector<float> near(order.size());
+  for (const size_t i : order) {
+    const Solid& solid = world.solids[i];
+    near[i] = geom::visitShape(solid.kind, [&](auto shape) {
+      const Vec3 local = toLocal(solid.pose.rotation, -toward);
+      return dot(toWorld(solid.pose, shape.corner(solid.shape, local)), -toward);
+    });
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return near[a] < near[b]; });
+  std::string out;
+  for (const size_t i : order) {
+    const std::vector<Vec2> hull = outlineOf(world.solids[i], paper);
+    if (hull.size() < 3 || !meetsPage(hull, width, height)) continue;
+    out += fmt::format("<path class=\"part\" d=\"{}\" style=\"fill:{};fill-opacity:{:.2f}\"/>\n",
+                       pathData(hull, true), hex(world.surfaces[i].color),
+                       double(world.solids[i].coverage));
+  }
+  return out;
+}
+
+float distanceTo(Vec2 a, Vec2 b, Vec2 p) {
+  const float dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
+  const float t =
+      squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0f, 1.0f) : 0;
+  return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
+}
+
+std::vector<Vec2> lineOf(const Playback& play, const Paper& paper) {
+  std::vector<Vec2> all, out;
+  for (const Vec3 feet : play.feet) all.push_back(paper.of(feet));
+  const auto distance = [&](size_t a, size_t b, size_t p) {
+    return distanceTo(all[a], all[b], all[p]);
+  };
+  for (const size_t i : thinned(all.size(), kThinned, distance)) out.push_back(all[i]);
+  return out;
+}
+
+std::string circle(Vec2 at, double radius, const char* kind) {
+  return fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>\n", kind,
+                     double(at.x), double(at.y), radius);
+}
+
+std::string cross(Vec2 at) {
+  return fmt::format("<path class=\"death\" d=\"M{0:.1f} {1:.1f}l8 8m0 -8l-8 8\"/>\n",
+                     double(at.x) - 4, double(at.y) - 4);
+}
+
+std::string wayOf(const PathEntry& path, const Paper& paper) {
+  const bool solves = path.kind == PathKind::solution;
+  std::string out = fmt::format("<path class=\"{}\" d=\"{}\"/>\n", solves ? "solution" : "attempt",
+                                pathData(lineOf(path.playback, paper), false));
+  if (!solves && path.playback.outcome != schema::Outcome::RUNNING)
+    out += cross(paper.of(path.playback.feet.back()));
+  if (!solves) return out;
+  for (const uint32_t tick : path.playback.jumpTicks)
+    out +=
+        circle(paper.of(path.playback.feet[std::min<size_t>(tick, path.playback.feet.size() - 1)]),
+               3, "jump");
+  return out;
+}
+
+std::string regionsOf(schema::Query::Reader query, const Paper& paper) {
+  std::string out;
+  int number = 0;
+  forRegions(query, [&](schema::Region::Reader region, RegionKind kind) {
+    std::vector<Vec2> points;
+    for (const Vec3 c : cornersOf(region)) points.push_back(paper.of(c));
+    const char* name = kind == RegionKind::avoid  ? "avoid"
+                       : kind == RegionKind::goal ? "goal"
+                                                  : "waypoint";
+    const std::vector<Vec2> hull = convexHull(std::move(points));
+    out += fmt::format("<path class=\"region {}\" d=\"{}\"/>\n", name, pathData(hull, true));
+    if (kind != RegionKind::waypoint || hull.empty()) return;
+    out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", double(hull[0].x) + 4,
+                       double(hull[0].y) + 14, ++number);
+  });
+  return out;
+}
+
+std::string queryOf(const QueryEntry& query, const Paper& paper) {
+  std::string out = query.query ? regionsOf(query.reader(), paper) : std::string();
+  for (const bool solutions : {false, true}) {
+    for (const PathEntry& path : query.paths) {
+      if ((path.kind == PathKind::solution) == solutions) out += wayOf(path, paper);
+    }
+  }
+  if (query.compiled) out += circle(paper.of(query.compiled->start().feet), 6, "start");
+  return out;
+}
+
+}  // namespace
+
+std::string drawingOf(const LevelEntry& level, const QueryEntry* query,
+                      const DrawingOptions& options) {
+  const Box extent = query ? extentOf(level, *query) : level.level->bounds();
+  const Sheet sheet = sheetOf(extent, query, options);
+  const uint32_t tick = query && query->compiled ? query->compiled->start().tick : 0;
+  const std::string title = query ? level.level->name() + ": " + query->id : level.level->name();
+  return fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
+             "width=\"{0:.0f}\" height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n",
+             double(sheet.width), double(sheet.height), io::escapeMarkup(title)) +
+         kStyle + "<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n" +
+         // An inner picture of its own: what falls out of the course does not cross the words.
+         fmt::format("<svg width=\"{:.0f}\" height=\"{:.0f}\">\n", double(sheet.width),
+                     double(sheet.height - kLegend)) +
+         partsOf(worldOf(level, tick), sheet.paper, sheet.width, sheet.height - kLegend) +
+         (query ? queryOf(*query, sheet.paper) : "") +
+         fmt::format(
+             "</svg>\n<text x=\"{:.0f}\" y=\"{:.1f}\">{}, {}; {:.3g} studs across</text>\n</svg>\n",
+             double(kMargin), double(sheet.height) - 10, io::escapeMarkup(title),
+             options.side == Side::above ? "from above" : "from the side",
+             double((sheet.width - 2 * kMargin) / sheet.paper.scale));
+}
+
+}  // namespace obby::view

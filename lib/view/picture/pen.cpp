@@ -1,0 +1,99 @@
+#include "view/picture/pen.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace obby::view {
+
+namespace {
+
+constexpr float kNear = 0.2f;   // studs: nearer points are not drawn
+constexpr float kBias = 0.35f;  // studs that a line may lie behind what it lies on
+
+// Edges of a box as pairs of corners, whose bits say which side of X, Y and Z they are on.
+constexpr int kEdges[12][2] = {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3},
+                               {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+
+}  // namespace
+
+Pen::Pen(const Depths& seen, std::vector<Color>& colors)
+    : seen_(seen), colors_(colors), strokes_(colors.size(), 0) {}
+
+void Pen::put(int x, int y, float depth, const Stroke& stroke) {
+  if (x < 0 || y < 0 || x >= seen_.width() || y >= seen_.height()) return;
+  const size_t i = size_t(y) * size_t(seen_.width()) + size_t(x);
+  if (strokes_[i] == stroke_) return;
+  strokes_[i] = stroke_;
+  const bool hidden = depth > seen_.depth(x, y) + kBias;
+  colors_[i] = mix(colors_[i], stroke.color, stroke.opacity * (hidden ? stroke.behind : 1));
+}
+
+void Pen::segment(Vec3 a, Vec3 b, const Stroke& stroke) {
+  if (a.z < kNear || b.z < kNear) return;
+  const float r = stroke.width / 2, w = float(seen_.width()), h = float(seen_.height());
+  if (std::max(a.x, b.x) < -r || std::max(a.y, b.y) < -r || std::min(a.x, b.x) > w + r ||
+      std::min(a.y, b.y) > h + r)
+    return;
+  const float dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
+  const auto clamped = [](float v, float most) { return int(std::clamp(v, 0.0f, most)); };
+  const int y0 = clamped(std::min(a.y, b.y) - r, h), y1 = clamped(std::max(a.y, b.y) + r + 1, h);
+  for (int y = y0; y < y1; ++y) {
+    // The part of the row that can be near enough, by where the line is in it.
+    float from = std::min(a.x, b.x), to = std::max(a.x, b.x);
+    if (std::fabs(dy) > 1e-3f) {
+      const float t0 = std::clamp((float(y) - r - a.y) / dy, 0.0f, 1.0f);
+      const float t1 = std::clamp((float(y) + 1 + r - a.y) / dy, 0.0f, 1.0f);
+      from = a.x + dx * std::min(t0, t1), to = a.x + dx * std::max(t0, t1);
+      if (from > to) std::swap(from, to);
+    }
+    for (int x = clamped(from - r, w); x < clamped(to + r + 1, w); ++x) {
+      const float px = float(x) + 0.5f - a.x, py = float(y) + 0.5f - a.y;
+      const float t = squared > 0 ? std::clamp((px * dx + py * dy) / squared, 0.0f, 1.0f) : 0;
+      const float ex = px - t * dx, ey = py - t * dy;
+      if (ex * ex + ey * ey <= r * r) put(x, y, a.z + (b.z - a.z) * t, stroke);
+    }
+  }
+}
+
+void Pen::line(const std::vector<Vec3>& points, const Stroke& stroke) {
+  begin();
+  for (size_t i = 0; i + 1 < points.size(); ++i)
+    segment(seen_.camera().project(points[i]), seen_.camera().project(points[i + 1]), stroke);
+}
+
+void Pen::cross(Vec3 at, float size, const Stroke& stroke) {
+  begin();
+  const Vec3 p = seen_.camera().project(at);
+  segment({p.x - size, p.y - size, p.z}, {p.x + size, p.y + size, p.z}, stroke);
+  segment({p.x - size, p.y + size, p.z}, {p.x + size, p.y - size, p.z}, stroke);
+}
+
+void Pen::disc(Vec3 at, float size, const Stroke& stroke) {
+  begin();
+  const Vec3 p = seen_.camera().project(at);
+  Stroke wide = stroke;
+  wide.width = 2 * size;
+  segment(p, p, wide);
+}
+
+void Pen::box(const Solid& box, const Stroke& stroke, float veil) {
+  Depths alone(seen_.camera(), seen_.width(), seen_.height());
+  alone.add(box, 0);
+  begin();
+  Stroke thin = stroke;
+  thin.opacity = veil;
+  for (int y = 0; y < seen_.height(); ++y) {
+    for (int x = 0; x < seen_.width(); ++x) {
+      if (alone.id(x, y) != kNothing) put(x, y, alone.depth(x, y), thin);
+    }
+  }
+  begin();
+  Vec3 corners[8];
+  const Vec3 h = box.shape.half;
+  for (int i = 0; i < 8; ++i)
+    corners[i] = seen_.camera().project(
+        toWorld(box.pose, {i & 1 ? h.x : -h.x, i & 2 ? h.y : -h.y, i & 4 ? h.z : -h.z}));
+  for (const auto& edge : kEdges) segment(corners[edge[0]], corners[edge[1]], stroke);
+}
+
+}  // namespace obby::view

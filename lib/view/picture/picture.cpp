@@ -1,0 +1,197 @@
+#include "view/picture/picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "level/record_values.h"
+#include "view/extent.h"
+#include "view/picture/pen.h"
+#include "view/picture/shade.h"
+#include "view/picture/world.h"
+
+namespace obby::view {
+
+namespace {
+
+constexpr int kSamples = 2;        // of a pixel, each way
+constexpr int kSunSamples = 2048;  // each way
+constexpr float kDown = 0.62f;     // of the look downward, beside one stud across
+constexpr float kTurned = 0.45f;   // of the look along the course
+constexpr float kSteep = 1.2f;
+constexpr float kWorthIt = 0.08f;  // share of a path that another look must show more of
+constexpr float kAboveFeet = 1;    // studs: paths run through the body, not along the floor
+constexpr float kVeil = 0.16f;
+
+constexpr Rgb kSolution{255, 184, 28}, kOtherSolution{214, 160, 60}, kAttempt{120, 78, 60},
+    kDeath{200, 30, 36}, kStart{24, 140, 92}, kGoal{40, 110, 235}, kAvoid{176, 40, 150},
+    kWaypoint{190, 130, 10};
+
+Rgb regionColor(RegionKind kind) {
+  switch (kind) {
+    case RegionKind::avoid: return kAvoid;
+    case RegionKind::goal: return kGoal;
+    default: return kWaypoint;
+  }
+}
+
+std::vector<Vec3> boxCorners(const Box& box) {
+  std::vector<Vec3> out;
+  for (int i = 0; i < 8; ++i)
+    out.push_back(
+        {i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z});
+  return out;
+}
+
+std::vector<Vec3> wayOf(const Playback& play) {
+  std::vector<Vec3> out;
+  for (const Vec3 feet : play.feet) out.push_back(feet + Vec3{0, kAboveFeet, 0});
+  return out;
+}
+
+// A look is a direction to look along: from the side, so that the course runs across with its start
+// to the left; from further along, from behind, and steeper, where less is hidden so.
+std::vector<Vec3> looksOf(const Box& extent, const QueryEntry* query) {
+  const Vec3 size = extent.hi - extent.lo;
+  Vec3 along = size.x > size.z ? Vec3{1, 0, 0} : Vec3{0, 0, -1};
+  if (query && query->compiled) {
+    const Vec3 goal = level::vec(query->reader().getGoal().getPosition());
+    if (dot(goal - query->compiled->start().feet, along) < 0) along = -along;
+  }
+  const Vec3 across = cross(Vec3{0, 1, 0}, along);  // to the left of who walks along
+  std::vector<Vec3> out;
+  for (const float down : {kDown, kSteep}) {
+    for (const float turned : {kTurned, -kTurned, 2.0f, -2.0f})
+      out.push_back(across + along * turned - Vec3{0, down * length(across + along * turned), 0});
+  }
+  for (const float turned : {kTurned, -kTurned})
+    out.push_back(along * turned - across - Vec3{0, kDown, 0});
+  return out;
+}
+
+// Share of the points that no solid hides.
+float visible(const std::vector<Vec3>& points, const Camera& camera, int width, int height,
+              const std::vector<Solid>& solids) {
+  Depths seen(camera, width, height);
+  for (const Solid& solid : solids) {
+    if (solid.coverage > 0.5f) seen.add(solid, 0);
+  }
+  float count = 0;
+  for (const Vec3 point : points) {
+    const Vec3 p = camera.project(point);
+    const int x = std::clamp(int(p.x), 0, width - 1), y = std::clamp(int(p.y), 0, height - 1);
+    count += p.z <= seen.depth(x, y) + 0.5f ? 1.0f : 0.0f;
+  }
+  return count / float(points.size());
+}
+
+// The first look that shows about as much of the first path as any does.
+Vec3 bestLook(const Box& extent, const QueryEntry* query, const std::vector<Solid>& solids) {
+  const std::vector<Vec3> looks = looksOf(extent, query);
+  if (!query || query->paths.empty()) return looks[0];
+  const std::vector<Vec3> way = wayOf(query->paths[0].playback), corners = boxCorners(extent);
+  constexpr int kWidth = 160, kHeight = 90;
+  size_t best = 0;
+  float most = -1;
+  for (size_t i = 0; i < looks.size(); ++i) {
+    const Camera camera = framed(corners, looks[i], kWidth, kHeight, true);
+    const float share = visible(way, camera, kWidth, kHeight, solids);
+    if (share <= most + kWorthIt) continue;
+    most = share;
+    best = i;
+  }
+  return looks[best];
+}
+
+void drawPath(Pen& pen, const PathEntry& path, bool first) {
+  const bool solves = path.kind == PathKind::solution;
+  const Stroke stroke{colorOf(first    ? kSolution
+                              : solves ? kOtherSolution
+                                       : kAttempt),
+                      first    ? 7.0f
+                      : solves ? 4.0f
+                               : 2.5f,
+                      solves ? 1 : 0.4f};
+  if (first) {
+    Stroke under = stroke;
+    under.color = {0, 0, 0};
+    under.width = 11;
+    under.opacity = 0.5f;
+    pen.line(wayOf(path.playback), under);
+  }
+  pen.line(wayOf(path.playback), stroke);
+  if (!solves && path.playback.outcome != schema::Outcome::RUNNING)
+    pen.cross(wayOf(path.playback).back(), 7, {colorOf(kDeath), 4, 0.9f});
+  if (!first) return;
+  for (const uint32_t tick : path.playback.jumpTicks) {
+    const size_t at = std::min<size_t>(tick, path.playback.feet.size() - 1);
+    pen.disc(wayOf(path.playback)[at], 7, {{0, 0, 0}, 1, 0.8f});
+    pen.disc(wayOf(path.playback)[at], 5, {{1, 1, 1}, 1, 1});
+  }
+}
+
+void drawRegions(Pen& pen, const QueryEntry& query) {
+  forRegions(query.reader(), [&](schema::Region::Reader record, RegionKind kind) {
+    const auto region = level::region(record, "");
+    if (!region) return;
+    Solid box;
+    box.pose = region->pose;
+    box.shape.half = region->half;
+    pen.box(box, {colorOf(regionColor(kind)), 3, 0.9f, 0.35f}, kVeil);
+  });
+}
+
+void drawQuery(Pen& pen, const QueryEntry& query) {
+  if (query.query) drawRegions(pen, query);
+  for (const PathEntry& path : query.paths) {
+    if (path.kind != PathKind::solution) drawPath(pen, path, false);
+  }
+  // The first solution lies on top.
+  for (size_t i = query.paths.size(); i-- > 0;) {
+    if (query.paths[i].kind == PathKind::solution) drawPath(pen, query.paths[i], i == 0);
+  }
+  if (!query.compiled) return;
+  const Vec3 start = query.compiled->start().feet + Vec3{0, kAboveFeet, 0};
+  pen.disc(start, 13, {{0, 0, 0}, 1, 0.6f});
+  pen.disc(start, 10, {colorOf(kStart), 1, 1});
+}
+
+Image reduced(const std::vector<Color>& samples, int width, int height) {
+  Image out{width, height, {}};
+  const float share = 1.0f / (kSamples * kSamples);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      Color sum;
+      for (int k = 0; k < kSamples * kSamples; ++k) {
+        const Color& c = samples[size_t(y * kSamples + k / kSamples) * size_t(width * kSamples) +
+                                 size_t(x * kSamples + k % kSamples)];
+        sum = {sum.r + c.r * share, sum.g + c.g * share, sum.b + c.b * share};
+      }
+      out.pixels.push_back(rgbOf(sum));
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+Image pictureOf(const LevelEntry& level, const QueryEntry* query, const PictureOptions& options) {
+  const Box extent = query ? extentOf(level, *query) : level.level->bounds();
+  const std::vector<Vec3> corners = boxCorners(extent);
+  const uint32_t tick = query && query->compiled ? query->compiled->start().tick : 0;
+  const World world = worldOf(level, tick);
+  const int width = options.width * kSamples, height = options.height * kSamples;
+  const Vec3 look = bestLook(extent, query, world.solids);
+  Depths seen(framed(corners, look, width, height, true), width, height);
+  Depths sun(framed(corners, -sunward(), kSunSamples, kSunSamples, false), kSunSamples,
+             kSunSamples);
+  for (uint32_t i = 0; i < world.solids.size(); ++i) {
+    seen.add(world.solids[i], i);
+    if (world.solids[i].coverage > 0.5f) sun.add(world.solids[i], i);
+  }
+  std::vector<Color> colors = shade(seen, sun, world.surfaces);
+  Pen pen(seen, colors);
+  if (query) drawQuery(pen, *query);
+  return reduced(colors, options.width, options.height);
+}
+
+}  // namespace obby::view

@@ -1,0 +1,17 @@
+// A query and its trajectories in the level, as a picture that needs no display.
+#pragma once
+
+#include "view/picture/canvas.h"
+#include "view/report.h"
+
+namespace obby::view {
+
+struct PictureOptions {
+  int width = 1280, height = 720;  // pixels
+};
+
+// From a place beside the course from which all of it is seen, the start to the left. Moving parts
+// are where they are when the query starts. `query` may be null: the whole level then.
+Image pictureOf(const LevelEntry& level, const QueryEntry* query, const PictureOptions& options);
+
+}  // namespace obby::view

@@ -1,0 +1,61 @@
+#include "view/picture/world.h"
+
+#include <algorithm>
+
+#include "sim/loose.h"
+#include "sim/simulator.h"
+#include "view/roles.h"
+
+namespace obby::view {
+
+namespace {
+
+constexpr float kLeastCoverage = 0.12f;  // of the most transparent part
+
+// As the page has them (web/src/palette.js).
+constexpr Rgb kRoleColors[] = {{119, 128, 143}, {53, 196, 141}, {63, 140, 255}, {221, 65, 73},
+                               {164, 139, 250}, {230, 200, 90}, {76, 195, 221}, {245, 154, 76},
+                               {143, 227, 196}, {91, 100, 114}, {185, 143, 111}};
+
+Surface surfaceOf(schema::Part::Reader part, Role role) {
+  const Pattern pattern = role == Role::kill   ? Pattern::stripes
+                          : role == Role::goal ? Pattern::checks
+                                               : Pattern::plain;
+  const auto c = part.getColor();
+  const bool own = role == Role::plain || role == Role::ghost;
+  return {colorOf(own ? Rgb{c.getR(), c.getG(), c.getB()} : kRoleColors[size_t(role)]), pattern};
+}
+
+Solid solidOf(const level::LevelView& level, const level::Collider& c,
+              const std::vector<sim::LooseBody>& loose, uint32_t tick) {
+  Pose pose = c.pose;
+  if (c.loose != level::kNotLoose) {
+    pose = sim::poseOf(loose[c.loose], level.loose[c.loose]);
+  } else if (c.mover != level::kNone) {
+    const level::Mover& m = level.movers[c.mover];
+    pose = level::moverPose(m, m.trigger == level::kNone ? tick : 0);
+  }
+  return {pose, c.kind, c.shape};
+}
+
+}  // namespace
+
+World worldOf(const LevelEntry& entry, uint32_t tick) {
+  const level::LevelView& level = entry.level->view();
+  const auto parts = entry.reader().getParts();
+  const std::vector<Role> roles = rolesOf(entry.reader());
+  const std::vector<sim::LooseBody> loose = sim::makeLoose(level);
+  World out;
+  for (uint32_t i = 0; i < level.colliderCount; ++i) {
+    const level::Collider& c = level.colliders[i];
+    Solid solid = solidOf(level, c, loose, tick);
+    const float clear = parts[c.part].getTransparency();
+    // Nobody sees an invisible wall in the game; here it is hinted at.
+    solid.coverage = clear > 0 ? std::max(1 - clear, kLeastCoverage) : 1;
+    out.solids.push_back(solid);
+    out.surfaces.push_back(surfaceOf(parts[c.part], roles[c.part]));
+  }
+  return out;
+}
+
+}  // namespace obby::view

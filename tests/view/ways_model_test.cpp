@@ -1,0 +1,59 @@
+// What Studio gets to open: parts along the ways that nothing meets.
+#include "view/ways_model.h"
+
+#include <gtest/gtest.h>
+#include <pugixml.hpp>
+
+#include "view/course.h"
+#include "view/thinning.h"
+
+namespace obby::view {
+namespace {
+
+TEST(Thinning, KeepsWhatALineWouldMiss) {
+  const std::vector<float> heights = {0, 0.01f, 0, 5, 0, 0, 0};
+  const auto distance = [&](size_t a, size_t b, size_t p) {
+    const float t = float(p - a) / float(b - a);
+    return std::abs(heights[p] - (heights[a] + (heights[b] - heights[a]) * t));
+  };
+  EXPECT_EQ(thinned(heights.size(), 0.1f, distance), (std::vector<size_t>{0, 2, 3, 4, 6}));
+  EXPECT_EQ(thinned(1, 0.1f, distance), (std::vector<size_t>{0}));
+}
+
+struct Counts {
+  int stretches = 0, jumps = 0, ends = 0, solid = 0;
+};
+
+void count(pugi::xml_node item, Counts& counts) {
+  for (const pugi::xml_node child : item.children("Item")) {
+    if (std::string(child.attribute("class").value()) == "Part") {
+      const auto properties = child.child("Properties");
+      const std::string name = properties.find_child_by_attribute("name", "Name").child_value();
+      counts.stretches += name == "Stretch";
+      counts.jumps += name == "Jump";
+      counts.ends += name == "End";
+      counts.solid += properties.find_child_by_attribute("name", "CanCollide").text().as_string() !=
+                      std::string("false");
+    }
+    count(child, counts);
+  }
+}
+
+TEST(WaysModel, HasEveryWayWithItsMarks) {
+  const Report report = view_test::solvedReport();
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(waysModel(report).c_str()));
+  Counts counts;
+  count(document.child("roblox"), counts);
+  EXPECT_GT(counts.stretches, 6);
+  EXPECT_EQ(counts.ends, 2) << "the fall and the death";
+  EXPECT_EQ(counts.solid, 0);
+  const auto top = document.child("roblox").child("Item");
+  EXPECT_EQ(std::distance(top.child("Item").children("Item").begin(),
+                          top.child("Item").children("Item").end()),
+            3)
+      << "a model a way";
+}
+
+}  // namespace
+}  // namespace obby::view

@@ -1,0 +1,47 @@
+// Collects a file's tests and runs them in one page; every failure is printed and makes the exit code 1.
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
+import { fillTemplate, launch, openReport } from './browser.mjs';
+
+// Words of the command line: --web FOLDER --page TEMPLATE --viewer, --solver, --chromium PROGRAM --out FOLDER.
+function readOptions() {
+  const words = process.argv.slice(2);
+  const options = {};
+  for (let i = 0; i + 1 < words.length; i += 2) options[words[i].replace(/^--/, '')] = words[i + 1];
+  mkdirSync(options.out, { recursive: true });
+  return options;
+}
+
+export function harness() {
+  const options = readOptions();
+  const tests = [];
+  const test = (name, body) => tests.push({ name, body });
+
+  // A report in the page that the build made; its file.
+  options.sample = (report) => {
+    const file = join(options.out, `${basename(process.argv[1], '.mjs')}.html`);
+    writeFileSync(file, fillTemplate(readFileSync(options.page, 'utf8'), report, report.title));
+    return file;
+  };
+
+  const run = async (file) => {
+    const browser = await launch(options.web, options.chromium);
+    let failed = 0;
+    try {
+      const opened = file ? await openReport(browser, file) : {};
+      for (const { name, body } of tests) {
+        try {
+          await body({ ...opened, browser });
+          console.log(`ok   ${name}`);
+        } catch (error) {
+          failed += 1;
+          console.log(`FAIL ${name}\n${error.stack}`);
+        }
+      }
+    } finally {
+      await browser.close();
+    }
+    process.exit(failed ? 1 : 0);
+  };
+  return { options, test, run };
+}

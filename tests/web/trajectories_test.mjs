@@ -1,0 +1,176 @@
+// Trajectories: the list with its filters and sorting, colours, isolation, comparison, boxes, deaths.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { frames, state } from './browser.mjs';
+import { harness } from './harness.mjs';
+import { report } from './sample_report.mjs';
+
+const { options, test, run } = harness();
+const set = (page, values) => page.evaluate((v) => window.obby.store.set(v), values);
+const paths = report.queries[0].trajectories;
+const picture = (page, name) => page.screenshot({ path: join(options.out, `${name}.png`) });
+
+// Line segments of attempts that are drawn.
+const drawn = (page) =>
+  page.evaluate(() => window.obby.stage.pathView.attempts.geometry.drawRange.count / 2);
+
+test('filters by outcome thin the list and the picture, and say how many are left', async ({ page }) => {
+  await page.locator('.filters .fold').click();
+  const all = await drawn(page);
+  await page.locator('.choice.outcome select').selectOption('killed');
+  const killed = paths.filter((path) => path.outcome === 'killed');
+  assert.equal(await page.locator('.path').count(), killed.length);
+  assert.equal(await page.locator('.count').innerText(), `${killed.length} of ${paths.length} ways`);
+  assert.equal(
+    await drawn(page),
+    killed.reduce((sum, path) => sum + path.ticks, 0),
+  );
+  await page.locator('.filters .text', { hasText: 'Clear all' }).click();
+  assert.equal(await drawn(page), all);
+});
+
+test('filters by jumps, time and route', async ({ page }) => {
+  await page.locator('.choice.mostJumps input').fill('4');
+  assert.equal((await state(page)).order.length, paths.filter((path) => path.jumps <= 4).length);
+  await page.locator('.choice.mostJumps input').fill('');
+  await page.locator('.choice.mostSeconds input').fill('3.5');
+  assert.equal((await state(page)).order.length, paths.filter((path) => path.ticks <= 210).length);
+  await page.locator('.choice.mostSeconds input').fill('');
+  await page.locator('.choice.route select').selectOption({ label: 'Spawn → Landing (1)' });
+  assert.deepEqual((await state(page)).order, [1]);
+  await page.locator('.choice.route select').selectOption('');
+});
+
+test('sorts by time, both ways, and the arrow keys follow the list', async ({ page }) => {
+  await page.locator('.choice.sort select').selectOption('time');
+  const ticks = async () => (await state(page)).order.map((i) => paths[i].ticks);
+  const sorted = [...paths.map((path) => path.ticks)].sort((a, b) => a - b);
+  assert.deepEqual(await ticks(), sorted);
+  await page.locator('.direction').click();
+  assert.deepEqual(await ticks(), sorted.reverse());
+  const { order } = await state(page);
+  await set(page, { path: order[2] });
+  await page.locator('#view').focus();
+  await page.keyboard.press('ArrowDown');
+  assert.equal((await state(page)).path, order[3]);
+  await set(page, { sort: 'found', descending: false });
+});
+
+test('colours by time, jumps, route and difficulty, with a legend', async ({ page }) => {
+  const colourOf = (index) =>
+    page.evaluate((i) => window.obby.ways.coloring.of(window.obby.query().paths[i]), index);
+  for (const mode of ['time', 'jumps', 'route', 'difficulty']) {
+    await page.locator('.choice.colorBy select').selectOption(mode);
+    assert.ok((await page.locator('.legend .swatch').count()) >= 2, mode);
+    assert.notEqual(await colourOf(0), await colourOf(2), mode);
+    await frames(page);
+    await picture(page, `colours-${mode}`);
+  }
+  await page.locator('.choice.colorBy select').selectOption('outcome');
+});
+
+test('isolating draws the chosen one only', async ({ page }) => {
+  await page.locator('#view').focus();
+  await page.keyboard.press('i');
+  assert.equal(await drawn(page), 0);
+  assert.equal((await state(page)).order.length, paths.length, 'the list stays');
+  await page.keyboard.press('i');
+  assert.ok((await drawn(page)) > 0);
+});
+
+test('a click on a killer shows the ways that it ended', async ({ page }) => {
+  await page.locator('.ends .killer', { hasText: 'Spinner' }).click();
+  const { order, part } = await state(page);
+  assert.ok(order.length > 0);
+  assert.ok(order.every((i) => paths[i].part === part && paths[i].outcome === 'killed'));
+  assert.match(await page.locator('.inspector').innerText(), /Spinner/);
+  await page.locator('.ends .killer', { hasText: 'Spinner' }).click();
+  assert.equal((await state(page)).order.length, paths.length);
+});
+
+test('two ways run side by side from their starts', async ({ page }) => {
+  await set(page, { path: 0, tick: 0 });
+  await page.locator('.path[data-path="1"]').click({ modifiers: ['Shift'] });
+  assert.equal((await state(page)).ghost, 1);
+  await set(page, { tick: 200 });
+  await frames(page, 3);
+  const [where, wanted, shown] = await page.evaluate(() => {
+    const { stage } = window.obby;
+    const pose = window.obby.query().paths[1].poseAt(200);
+    return [stage.ghost.group.position.toArray(), [pose.x, pose.y, pose.z], stage.ghost.group.visible];
+  });
+  assert.equal(shown, true);
+  assert.deepEqual(where, wanted);
+  assert.match(await page.locator('#comparison').innerText(), /Chosen[\s\S]*Ghost[\s\S]*studs apart now/);
+  await picture(page, 'comparison');
+  await page.locator('#view').focus();
+  await page.keyboard.press('x');
+  assert.equal(await page.locator('#comparison').isVisible(), false);
+});
+
+test('a drawn box keeps what passes it, then drops it', async ({ page }) => {
+  await page.locator('#view').focus();
+  await page.keyboard.press('t');
+  await page.waitForTimeout(800);
+  // Over the second step, which every way but the shortest passes.
+  const corners = await page.evaluate(() => {
+    const { rig, width, height } = window.obby.stage;
+    const frame = document.getElementById('view').getBoundingClientRect();
+    return [
+      [-2.4, 1.5, -13.4],
+      [2.4, 1.5, -8.6],
+    ].map((corner) => {
+      const p = rig.camera.position.clone().fromArray(corner).project(rig.camera);
+      return [frame.left + ((p.x + 1) / 2) * width, frame.top + ((1 - p.y) / 2) * height];
+    });
+  });
+  await page.keyboard.press('b');
+  await page.mouse.move(...corners[0]);
+  await page.mouse.down();
+  await page.mouse.move(...corners[1], { steps: 4 });
+  await page.mouse.up();
+  const { boxes, order, drawing } = await state(page);
+  assert.equal(drawing, false);
+  assert.equal(boxes.length, 1);
+  for (const [got, wanted] of [
+    [boxes[0].min[0], -2.4],
+    [boxes[0].max[0], 2.4],
+    [boxes[0].min[2], -13.4],
+    [boxes[0].max[2], -8.6],
+  ])
+    assert.ok(Math.abs(got - wanted) < 0.3, `${got}, drawn at ${wanted}`);
+  assert.ok(order.length > 0 && order.length < paths.length, `${order.length} pass`);
+  assert.match(await page.locator('.box output').innerText(), new RegExp(`^${order.length} ways pass`));
+  await frames(page);
+  await picture(page, 'box');
+  await page.locator('.box select').selectOption('drop');
+  const dropped = (await state(page)).order;
+  assert.deepEqual([...order, ...dropped].sort((a, b) => a - b), paths.map((_, i) => i));
+});
+
+test('a box moves by its numbers and meets ways between two samples', async ({ page }) => {
+  for (const end of ['from', 'to']) {
+    const field = page.getByLabel(`Box 1 ${end} y`);
+    await field.fill(end === 'from' ? '-60' : '-50');
+    await field.press('Enter');
+  }
+  assert.equal((await state(page)).order.length, paths.length, 'nothing passes so far down');
+  const between = await page.evaluate(() => {
+    const { store } = window.obby;
+    const { points } = window.obby.query().paths[0];
+    const at = [0, 1, 2].map((k) => (points[3 * 20 + k] + points[3 * 21 + k]) / 2);
+    const box = { min: at.map((v) => v - 0.01), max: at.map((v) => v + 0.01), keep: true };
+    store.set({ boxes: [box] });
+    return store.state.order;
+  });
+  assert.ok(between.includes(0));
+  await page.getByLabel('Remove box 1').click();
+  assert.equal((await state(page)).order.length, paths.length);
+});
+
+test('all of that raised no error and no request', async ({ trouble, requests }) => {
+  assert.deepEqual(trouble, []);
+  assert.equal(requests.length, 1, requests.join());
+});
+
+await run(options.sample(report));

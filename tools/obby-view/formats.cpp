@@ -1,0 +1,86 @@
+#include "formats.h"
+
+#include <algorithm>
+
+#include "options.h"
+#include "view/page.h"
+#include "view/picture/drawing.h"
+#include "view/picture/picture.h"
+#include "view/picture/png.h"
+#include "view/ways_model.h"
+
+namespace obby {
+namespace {
+
+Result<std::string> page(const view::Report& report, const cli::Context& context) {
+  const io::StreamIdentity self = context.identity();
+  return htmlPage(report, {context.arguments().flag("full"), self.tool + " " + self.version});
+}
+
+Result<std::string> text(const view::Report& report, const cli::Context& context) {
+  return textReport(report, textOptions(context));
+}
+
+// What a picture shows: the first query whose level is there; without queries the first level.
+struct Subject {
+  const view::LevelEntry* level;
+  const view::QueryEntry* query;
+};
+
+Result<Subject> subjectOf(const view::Report& report) {
+  for (const view::QueryEntry& query : report.queries) {
+    if (query.level >= 0) return Subject{&report.levels[size_t(query.level)], &query};
+  }
+  if (report.levels.empty())
+    return makeError("there is no level to draw", "put the level before its answers");
+  return Subject{&report.levels[0], nullptr};
+}
+
+Result<std::string> png(const view::Report& report, const cli::Context& context) {
+  OBBY_ASSIGN(const view::PictureOptions options, pictureOptions(context.arguments()));
+  OBBY_ASSIGN(const Subject subject, subjectOf(report));
+  return pngOf(pictureOf(*subject.level, subject.query, options));
+}
+
+Result<std::string> svg(const view::Report& report, const cli::Context& context) {
+  OBBY_ASSIGN(const view::PictureOptions options, pictureOptions(context.arguments()));
+  OBBY_ASSIGN(const Subject subject, subjectOf(report));
+  const bool beside = context.arguments().text("from") == "side";
+  return drawingOf(*subject.level, subject.query,
+                   {beside ? view::Side::beside : view::Side::above, options.width});
+}
+
+Result<std::string> rbxmx(const view::Report& report, const cli::Context&) {
+  const bool any = std::any_of(report.queries.begin(), report.queries.end(),
+                               [](const view::QueryEntry& q) { return !q.paths.empty(); });
+  if (!any) return makeError("there is no trajectory to write", "solve a query first: obby-solve");
+  return waysModel(report);
+}
+
+constexpr ViewFormat kFormats[] = {
+    {"html", ".html .htm ", false, page}, {"text", ".txt ", false, text},
+    {"png", ".png ", true, png},          {"svg", ".svg ", false, svg},
+    {"rbxmx", ".rbxmx ", false, rbxmx},
+};
+
+bool endsIn(const std::string& path, const std::string& endings) {
+  const size_t dot = path.find_last_of("./");
+  if (dot == std::string::npos || path[dot] != '.') return false;
+  return endings.find(path.substr(dot) + " ") != std::string::npos;
+}
+
+}  // namespace
+
+std::span<const ViewFormat> viewFormats() { return kFormats; }
+
+const ViewFormat& wantedFormat(const cli::Arguments& arguments) {
+  const bool asked = arguments.has("format");
+  const std::string& path = arguments.text("output");
+  for (const ViewFormat& format : kFormats) {
+    if (asked ? arguments.text("format") == format.name : endsIn(path, format.endings))
+      return format;
+  }
+  return kFormats[1];
+}
+
+}  // namespace obby

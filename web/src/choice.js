@@ -1,0 +1,110 @@
+// Which trajectories of a query are listed and drawn, and in which order.
+import { bandRank, OUTCOME_STYLE } from './palette.js';
+
+// Filters that let everything pass. `killer`: part, -1 for any; `boxes`: of `boxOf` below.
+export const UNFILTERED = {
+  outcome: '',
+  route: '',
+  killer: -1,
+  mostJumps: -1,
+  mostSeconds: 0,
+  boxes: Object.freeze([]),
+};
+
+export const SORTS = {
+  found: 'as found',
+  time: 'time',
+  jumps: 'jumps',
+  outcome: 'outcome',
+  difficulty: 'difficulty',
+  route: 'route',
+};
+
+// A box in the axes of the world, in studs. `keep`: what passes it stays; else what passes it goes.
+export function boxOf(a, b, keep = true) {
+  return {
+    min: a.map((value, k) => Math.min(value, b[k])),
+    max: a.map((value, k) => Math.max(value, b[k])),
+    keep,
+  };
+}
+
+// Whether the feet are in the box somewhere between two samples.
+function segmentMeets({ min, max }, points, i, j) {
+  let enter = 0;
+  let leave = 1;
+  for (let k = 0; k < 3; k++) {
+    const from = points[3 * i + k];
+    const by = points[3 * j + k] - from;
+    if (by === 0) {
+      if (from < min[k] || from > max[k]) return false;
+      continue;
+    }
+    const [a, b] = [(min[k] - from) / by, (max[k] - from) / by];
+    enter = Math.max(enter, Math.min(a, b));
+    leave = Math.min(leave, Math.max(a, b));
+    if (enter > leave) return false;
+  }
+  return true;
+}
+
+export function meets(path, box) {
+  if (path.samples === 1) return segmentMeets(box, path.points, 0, 0);
+  for (let i = 0; i + 1 < path.samples; i++)
+    if (segmentMeets(box, path.points, i, i + 1)) return true;
+  return false;
+}
+
+// Box -> query -> indices of the paths that meet it; boxes are never changed, only replaced.
+const passed = new WeakMap();
+
+export function pathsThrough(query, box) {
+  if (!passed.has(box)) passed.set(box, new Map());
+  const byQuery = passed.get(box);
+  if (!byQuery.has(query)) {
+    const found = new Set();
+    query.paths.forEach((path, index) => {
+      if (meets(path, box)) found.add(index);
+    });
+    byQuery.set(query, found);
+  }
+  return byQuery.get(query);
+}
+
+export const routeKey = (path) => (path.route ?? []).join(' ');
+
+function fits(query, path, index, filters, rate) {
+  const { outcome, route, killer, mostJumps, mostSeconds, boxes } = filters;
+  if (outcome && path.outcome !== outcome) return false;
+  if (route && routeKey(path) !== route) return false;
+  if (killer >= 0 && !(path.outcome === 'killed' && path.part === killer)) return false;
+  if (mostJumps >= 0 && path.jumps > mostJumps) return false;
+  if (mostSeconds > 0 && path.ticks > mostSeconds * rate + 1e-6) return false;
+  return boxes.every((box) => pathsThrough(query, box).has(index) === box.keep);
+}
+
+const outcomes = Object.keys(OUTCOME_STYLE);
+const kRanks = {
+  found: () => 0,
+  time: (path) => path.ticks,
+  jumps: (path) => path.jumps,
+  outcome: (path) => outcomes.indexOf(path.outcome),
+  difficulty: bandRank,
+};
+
+// Indices of the paths that pass all filters, sorted; equals keep the stream's order.
+export function listed(query, state, rate) {
+  const order = query.paths.map((_, i) => i).filter((i) => fits(query, query.paths[i], i, state, rate));
+  const sign = state.descending ? -1 : 1;
+  if (state.sort === 'route') {
+    const keys = query.paths.map(routeKey);
+    return order.sort((a, b) => sign * keys[a].localeCompare(keys[b]) || a - b);
+  }
+  const rank = kRanks[state.sort];
+  return order.sort((a, b) => sign * (rank(query.paths[a]) - rank(query.paths[b])) || a - b);
+}
+
+export const filtered = (state) =>
+  Object.entries(UNFILTERED).some(([name, value]) =>
+    name === 'boxes' ? state.boxes.length > 0 : state[name] !== value,
+  );

@@ -1,0 +1,92 @@
+// Colours of trajectories by outcome, route, time, jumps or difficulty, and what they mean.
+import { routeKey } from './choice.js';
+import { BAND_STYLE, OUTCOME_STYLE, pathColor, SOLUTION_COLOR, VERDICT_STYLE } from './palette.js';
+
+export const COLORINGS = {
+  outcome: 'outcome',
+  route: 'route',
+  time: 'time',
+  jumps: 'jumps',
+  difficulty: 'difficulty',
+};
+
+// From little to much: lightness rises throughout, so that the order is seen without hue.
+const kRamp = [
+  [76, 99, 176],
+  [33, 145, 140],
+  [94, 201, 98],
+  [253, 231, 37],
+];
+// Okabe and Ito's palette, made for colour-blind eyes (https://jfly.uni-koeln.de/color/), without its black.
+const kRoutes = ['#e69f00', '#56b4e9', '#009e73', '#f0e442', '#0072b2', '#d55e00', '#cc79a7'];
+const kNone = '#8190a8';
+
+export function rampColor(share) {
+  const s = Math.min(Math.max(share, 0), 1) * (kRamp.length - 1);
+  const i = Math.min(kRamp.length - 2, Math.floor(s));
+  const mix = kRamp[i].map((v, k) => Math.round(v + (kRamp[i + 1][k] - v) * (s - i)));
+  return `#${mix.map((v) => v.toString(16).padStart(2, '0')).join('')}`;
+}
+
+function byOutcome(query) {
+  const outcomes = new Set(query.paths.filter((p) => !p.mismatch).map((p) => p.outcome));
+  const legend = [];
+  if (outcomes.has('goal')) legend.push(['Solution', SOLUTION_COLOR, 'solution']);
+  if (query.paths.some((path) => path.mismatch))
+    legend.push([VERDICT_STYLE.mismatch.label, VERDICT_STYLE.mismatch.color, 'solution']);
+  for (const [outcome, { label, color }] of Object.entries(OUTCOME_STYLE))
+    if (outcome !== 'goal' && outcomes.has(outcome)) legend.push([label, color, 'attempt']);
+  return { of: pathColor, legend };
+}
+
+function byNumber(query, valueOf, label) {
+  const values = query.paths.map(valueOf);
+  const least = values.reduce((a, b) => Math.min(a, b), Infinity);
+  const most = values.reduce((a, b) => Math.max(a, b), -Infinity);
+  const share = (value) => (most > least ? (value - least) / (most - least) : 0);
+  const legend = [0, 0.5, 1].map((s) => [
+    label(least + s * (most - least)),
+    rampColor(most > least ? s : 0),
+    'solution',
+  ]);
+  return { of: (path) => rampColor(share(valueOf(path))), legend: most > least ? legend : legend.slice(0, 1) };
+}
+
+function byRoute(query, level) {
+  const counts = new Map();
+  for (const path of query.paths)
+    if (path.route?.length) counts.set(routeKey(path), (counts.get(routeKey(path)) ?? 0) + 1);
+  const keys = [...counts].sort((a, b) => b[1] - a[1]).map(([key]) => key);
+  const colors = new Map(keys.slice(0, kRoutes.length).map((key, i) => [key, kRoutes[i]]));
+  const legend = [...colors].map(([key, color]) => [routeName(key, level), color, 'solution']);
+  if (keys.length > colors.size || query.paths.some((path) => !path.route?.length))
+    legend.push(['Other or unknown', kNone, 'attempt']);
+  return { of: (path) => colors.get(routeKey(path)) ?? kNone, legend };
+}
+
+function byDifficulty(query) {
+  const bands = new Set(query.paths.map((path) => path.difficulty?.band));
+  const legend = Object.entries(BAND_STYLE)
+    .filter(([band]) => bands.has(band))
+    .map(([, { label, color }]) => [label, color, 'solution']);
+  if (bands.has(undefined)) legend.push(['Not measured', kNone, 'attempt']);
+  return { of: (path) => BAND_STYLE[path.difficulty?.band]?.color ?? kNone, legend };
+}
+
+// Last words of the parts' names, first and last of a long way.
+export function routeName(key, level) {
+  const names = key.split(' ').map((part) => (level?.names[part] ?? `part ${part}`).split('/').pop());
+  return names.length > 4
+    ? [...names.slice(0, 2), '…', ...names.slice(-2)].join(' → ')
+    : names.join(' → ');
+}
+
+// {of: path -> colour, legend: [label, colour, class of the swatch]}
+export function coloring(query, level, mode) {
+  const rate = level?.tickRate ?? 60;
+  if (mode === 'route') return byRoute(query, level);
+  if (mode === 'time') return byNumber(query, (p) => p.ticks, (v) => `${(v / rate).toFixed(1)} s`);
+  if (mode === 'jumps') return byNumber(query, (p) => p.jumps, (v) => `${v.toFixed(0)} jumps`);
+  if (mode === 'difficulty') return byDifficulty(query);
+  return byOutcome(query);
+}

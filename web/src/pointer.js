@@ -1,0 +1,104 @@
+// The pointer over the picture: what lies under it, what a click chooses, and a box that a drag draws.
+import { boxOf } from './choice.js';
+import { causeOf } from './palette.js';
+import { el, seconds } from './ui/dom.js';
+
+const kBoxBelow = 1; // studs under the floor that a drawn box reaches
+const kBoxAbove = 12;
+
+export class Pointer {
+  constructor(app, canvas, tip) {
+    Object.assign(this, { app, canvas, tip, store: app.store, stage: app.stage });
+    this.moved = null;
+    this.down = null;
+    this.corner = null; // first corner of the box that is being drawn
+    canvas.addEventListener('pointerdown', (event) => this.press(event));
+    canvas.addEventListener('pointerup', (event) => this.release(event));
+    canvas.addEventListener('pointermove', (event) => {
+      this.moved = event.buttons ? null : event;
+      if (this.corner) this.drawTo(event);
+    });
+    canvas.addEventListener('pointerleave', () => {
+      this.moved = null;
+      this.store.set({ hoverPath: -1 });
+      tip.hidden = true;
+    });
+    this.store.on(['drawing'], ({ drawing }) => {
+      this.stage.rig.locked = drawing;
+      canvas.style.cursor = drawing ? 'crosshair' : '';
+      if (!drawing) this.corner = null;
+    });
+  }
+
+  press(event) {
+    this.down = { x: event.clientX, y: event.clientY };
+    this.canvas.focus({ preventScroll: true });
+    if (!this.store.state.drawing || event.button !== 0) return;
+    this.corner = this.stage.pointAt(...this.inCanvas(event));
+    this.before = this.store.state.boxes;
+  }
+
+  release(event) {
+    const { down } = this;
+    const still = down && Math.hypot(event.clientX - down.x, event.clientY - down.y) < 4;
+    this.down = null;
+    if (this.store.state.drawing) this.store.set({ drawing: Boolean(still) });
+    else if (still && event.button === 0) this.click(event);
+  }
+
+  // The box from the first corner to the pointer, at the height of that corner.
+  drawTo(event) {
+    const { corner } = this;
+    const to = this.stage.pointAtHeight(...this.inCanvas(event), corner.y);
+    if (!to) return;
+    const box = boxOf(
+      [corner.x, corner.y - kBoxBelow, corner.z],
+      [to.x, corner.y + kBoxAbove, to.z],
+    );
+    this.store.set({ boxes: [...this.before, box] });
+  }
+
+  click(event) {
+    const { state } = this.store;
+    const [x, y] = this.inCanvas(event);
+    const hit = this.stage.pick(state, x, y);
+    if (hit && event.shiftKey) {
+      this.store.set({ ghost: hit.path === state.path ? -1 : hit.path });
+    } else if (hit) {
+      const same = state.path === hit.path;
+      this.store.set({
+        path: hit.path,
+        tick: Math.min(hit.tick, this.app.query().paths[hit.path].ticks),
+        playing: same && state.playing,
+      });
+    } else {
+      const part = this.stage.pickPart(x, y);
+      this.store.set({ part: part === state.part ? -1 : part });
+    }
+  }
+
+  inCanvas(event) {
+    const box = this.canvas.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+
+  // Once a frame, for where the pointer came to rest.
+  hover() {
+    const event = this.moved;
+    this.moved = null;
+    const { app } = this;
+    if (!event || !app.query() || this.store.state.drawing) return;
+    const hit = this.stage.pick(this.store.state, ...this.inCanvas(event));
+    this.store.set({ hoverPath: hit ? hit.path : -1 });
+    this.canvas.style.cursor = hit ? 'pointer' : '';
+    this.tip.hidden = !hit;
+    if (!hit) return;
+    const path = app.query().paths[hit.path];
+    const rate = app.playback.rateOf();
+    this.tip.replaceChildren(
+      el('strong', { text: path.mismatch ? 'Replay mismatch' : causeOf(path, app.level()) }),
+      el('span', { text: `at ${seconds(hit.tick / rate)} of ${seconds(path.ticks / rate)} s` }),
+    );
+    this.tip.style.transform = `translate(${event.clientX + 14}px, ${event.clientY + 14}px)`;
+  }
+}

@@ -1,0 +1,96 @@
+// The boxes of the filter: each with its place, whether what passes it stays or goes, and how many pass it.
+import { boxOf, pathsThrough } from '../choice.js';
+import { el, plural } from './dom.js';
+
+const kAxes = ['x', 'y', 'z'];
+
+export class BoxList {
+  constructor(store, sourceOf, addBox) {
+    Object.assign(this, { store, sourceOf });
+    this.items = el('div', {});
+    this.draw = el('button', {
+      class: 'plain text',
+      type: 'button',
+      text: 'Draw a box',
+      title: 'Drag over the floor (B)',
+      on: { click: () => store.set({ drawing: !store.state.drawing }) },
+    });
+    const add = el('button', {
+      class: 'plain text',
+      type: 'button',
+      text: 'Box here',
+      title: 'Around the player, or where the camera turns about',
+      on: { click: addBox },
+    });
+    this.root = el('div', { class: 'boxes' }, el('div', { class: 'box-bar' }, this.draw, add), this.items);
+    store.on(['boxes', 'query'], () => this.fill());
+    store.on(['drawing'], ({ drawing }) => {
+      this.draw.setAttribute('aria-pressed', String(drawing));
+      this.draw.textContent = drawing ? 'Drag over the floor …' : 'Draw a box';
+    });
+  }
+
+  replace(index, box) {
+    const boxes = this.store.state.boxes.map((each, i) => (i === index ? box : each));
+    this.store.set({ boxes: boxes.filter(Boolean) });
+  }
+
+  fill() {
+    // The field that is being typed into must outlive the change that it makes.
+    const focus = document.activeElement?.dataset?.field;
+    this.items.replaceChildren(...this.store.state.boxes.map((box, index) => this.item(box, index)));
+    if (focus) this.items.querySelector(`[data-field="${focus}"]`)?.focus();
+  }
+
+  item(box, index) {
+    const { query } = this.sourceOf();
+    const n = query ? pathsThrough(query, box).size : 0;
+    const keep = el(
+      'select',
+      {
+        'aria-label': `Box ${index + 1}`,
+        data: { field: `${index} keep` },
+        on: { change: () => this.replace(index, { ...box, keep: keep.value === 'keep' }) },
+      },
+      el('option', { value: 'keep', text: 'keep what passes', selected: box.keep }),
+      el('option', { value: 'drop', text: 'drop what passes', selected: !box.keep }),
+    );
+    const remove = el('button', {
+      class: 'plain close',
+      type: 'button',
+      'aria-label': `Remove box ${index + 1}`,
+      text: '×',
+      on: { click: () => this.replace(index, null) },
+    });
+    return el(
+      'div',
+      { class: 'box' },
+      el('div', { class: 'box-bar' }, el('strong', { text: `Box ${index + 1}` }), keep, remove),
+      el('output', { class: 'quiet', text: `${plural(n, 'way')} ${n === 1 ? 'passes' : 'pass'} it` }),
+      this.corner(box, index, 'min', 'from'),
+      this.corner(box, index, 'max', 'to'),
+    );
+  }
+
+  corner(box, index, end, label) {
+    const field = (axis, k) => {
+      const input = el('input', {
+        type: 'number',
+        step: '1',
+        value: Number(box[end][k].toFixed(2)),
+        'aria-label': `Box ${index + 1} ${label} ${axis}`,
+        data: { field: `${index} ${end} ${k}` },
+        on: {
+          change: () => {
+            if (!Number.isFinite(input.valueAsNumber)) return;
+            const corner = box[end].map((v, i) => (i === k ? input.valueAsNumber : v));
+            const other = end === 'min' ? box.max : box.min;
+            this.replace(index, boxOf(corner, other, box.keep));
+          },
+        },
+      });
+      return input;
+    };
+    return el('div', { class: 'corner' }, el('small', { text: label }), ...kAxes.map(field));
+  }
+}

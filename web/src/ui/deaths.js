@@ -1,0 +1,92 @@
+// How attempts ended, as one bar, and what killed them: a click shows the ways that ended there.
+import { OUTCOME_STYLE } from '../palette.js';
+import { count, el } from './dom.js';
+
+const kMostKillers = 8;
+
+// [{outcome, part, avoid, count}] of the whole search, or of the trajectories where the result has none.
+function endsOf(query) {
+  if (query.result?.ends.length) return query.result.ends;
+  return query.paths
+    .filter((path) => path.outcome !== 'goal')
+    .map(({ outcome, part, avoid }) => ({ outcome, part, avoid: avoid ?? -1, count: 1 }));
+}
+
+function sums(ends, keyOf) {
+  const totals = new Map();
+  for (const end of ends) {
+    const key = keyOf(end);
+    if (key !== undefined) totals.set(key, (totals.get(key) ?? 0) + Number(end.count));
+  }
+  return [...totals].sort((a, b) => b[1] - a[1]);
+}
+
+const percent = (share) => `${share < 1 ? '<1' : Math.round(share)} %`;
+
+function bar(totals, all) {
+  const line = el('div', { class: 'bar' });
+  const key = el('div', { class: 'key' });
+  for (const [outcome, n] of totals) {
+    const style = OUTCOME_STYLE[outcome];
+    const share = (100 * n) / all;
+    line.append(
+      el('i', {
+        style: { '--tint': style.color, 'flex-grow': String(Math.max(share, 0.6)) },
+        title: `${style.label}: ${n}`,
+      }),
+    );
+    const text = `${style.short} ${percent(share)}`;
+    key.append(el('span', { style: { '--tint': style.color }, text }));
+  }
+  return [line, key];
+}
+
+function killers(query, level, store, ends) {
+  const totals = sums(ends, ({ outcome, part }) =>
+    outcome === 'killed' && part >= 0 ? part : undefined,
+  );
+  if (!totals.length) return [];
+  const most = totals[0][1];
+  const row = ([part, n]) => {
+    const shown = query.paths.filter((p) => p.outcome === 'killed' && p.part === part).length;
+    const name = level?.names[part] || `part ${part}`;
+    return el(
+      'button',
+      {
+        class: 'killer',
+        type: 'button',
+        title: `${name}: ${n} of the attempts, ${shown} of them in this report`,
+        style: { '--share': `${(100 * n) / most}%` },
+        data: { part },
+        on: {
+          click: () => {
+            const again = store.state.killer === part;
+            store.set({ killer: again ? -1 : part, part: again ? -1 : part });
+          },
+        },
+      },
+      el('span', { class: 'name', text: name.split('/').pop() }),
+      el('span', { class: 'fact', text: count(n) }),
+    );
+  };
+  const rest = totals.length - kMostKillers;
+  return [
+    el('h3', { text: 'Killed by' }),
+    ...totals.slice(0, kMostKillers).map(row),
+    ...(rest > 0 ? [el('p', { class: 'quiet', text: `and ${rest} more parts` })] : []),
+  ];
+}
+
+export function deaths(query, level, store) {
+  const ends = endsOf(query);
+  const totals = sums(ends, ({ outcome }) => outcome);
+  const all = totals.reduce((sum, [, n]) => sum + n, 0);
+  const box = el('div', { class: 'ends', hidden: all === 0 });
+  if (all)
+    box.append(
+      el('h3', { text: 'How attempts ended' }),
+      ...bar(totals, all),
+      ...killers(query, level, store, ends),
+    );
+  return box;
+}

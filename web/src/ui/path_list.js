@@ -1,0 +1,152 @@
+// The trajectories of the chosen query that pass the filters: how many, sorted how, coloured by what, and a row each.
+import { SORTS } from '../choice.js';
+import { COLORINGS } from '../coloring.js';
+import { BAND_STYLE, causeOf, hardestOf, OUTCOME_STYLE } from '../palette.js';
+import { choice, el, plural, seconds } from './dom.js';
+
+const kMostRows = 400;
+const KIND_NAMES = { solution: 'Solution', closest: 'Closest', newest: 'Newest' };
+
+export class PathList {
+  // `sourceOf`: {query, level} of now; `tintOf`: path -> colour.
+  constructor(store, sourceOf, tintOf) {
+    Object.assign(this, { store, sourceOf, tintOf });
+    this.count = el('output', { class: 'count' });
+    this.rows = el('div', { class: 'paths', role: 'listbox', 'aria-label': 'Trajectories' });
+    this.root = el('section', { class: 'list' }, this.bar(), this.rows);
+    store.on(['order', 'colorBy'], () => this.fill());
+    store.on(['path', 'hoverPath', 'ghost', 'order', 'colorBy'], () => this.mark());
+    store.on(['path', 'order'], () => this.reveal());
+  }
+
+  bar() {
+    const { store } = this;
+    this.direction = el('button', {
+      class: 'plain direction',
+      type: 'button',
+      on: { click: () => store.set({ descending: !store.state.descending }) },
+    });
+    const showDirection = () => {
+      const { descending } = store.state;
+      this.direction.textContent = descending ? '↓' : '↑';
+      this.direction.setAttribute('aria-label', descending ? 'Largest first' : 'Smallest first');
+      this.direction.title = descending ? 'Largest first' : 'Smallest first';
+    };
+    store.on(['descending'], showDirection);
+    showDirection();
+    return el(
+      'div',
+      { class: 'list-bar' },
+      this.count,
+      choice(store, 'sort', 'Sort by', SORTS),
+      this.direction,
+      choice(store, 'colorBy', 'Colour by', COLORINGS),
+    );
+  }
+
+  fill() {
+    const { query } = this.sourceOf();
+    this.rows.replaceChildren();
+    this.count.textContent = '';
+    if (!query) return;
+    const { order, sort } = this.store.state;
+    const all = query.paths.length;
+    this.count.textContent =
+      order.length === all ? plural(all, 'way') : `${order.length} of ${plural(all, 'way')}`;
+    for (const [title, indices] of this.groups(query, order, sort)) {
+      if (title)
+        this.rows.append(el('h3', {}, title, el('small', { text: ` ${indices.length}` })));
+      for (const index of indices.slice(0, kMostRows)) this.rows.append(this.row(index));
+      if (indices.length > kMostRows)
+        this.rows.append(
+          el('p', {
+            class: 'quiet',
+            text: `and ${indices.length - kMostRows} more: filter, or click their lines`,
+          }),
+        );
+    }
+    if (!order.length)
+      this.rows.append(
+        el('p', {
+          class: 'quiet',
+          text: all
+            ? 'No trajectory passes the filter.'
+            : 'The stream holds no trajectory of this query.',
+        }),
+      );
+  }
+
+  // As found, solutions stand apart; sorted, it is one list.
+  groups(query, order, sort) {
+    if (sort !== 'found') return [['', order]];
+    const solution = (index) => query.paths[index].kind === 'solution';
+    return [
+      ['Solutions', order.filter(solution)],
+      ['Attempts', order.filter((index) => !solution(index))],
+    ].filter(([, indices]) => indices.length);
+  }
+
+  row(index) {
+    const { query, level } = this.sourceOf();
+    const path = query.paths[index];
+    const cause = path.mismatch ? `Replay mismatch: ${path.mismatch}` : causeOf(path, level);
+    const name = KIND_NAMES[path.kind] ?? OUTCOME_STYLE[path.outcome].short;
+    const help = [cause, hardestOf(path, level), 'Shift + click compares'].filter(Boolean);
+    return el(
+      'button',
+      {
+        class: `row path${path.mismatch ? ' mismatch' : ''}`,
+        role: 'option',
+        type: 'button',
+        title: help.join('. '),
+        data: { path: index },
+        on: {
+          click: (event) => this.choose(index, event.shiftKey),
+          pointerenter: () => this.store.set({ hoverPath: index }),
+          pointerleave: () => this.store.set({ hoverPath: -1 }),
+        },
+      },
+      el('i', { class: `swatch ${path.kind}`, style: { '--tint': this.tintOf(path) } }),
+      el('span', { class: 'name', text: path.mismatch ? `${name} ≠` : name }),
+      ...this.bandOf(path),
+      el('span', { class: 'fact', text: plural(path.jumps, 'jump') }),
+      el('span', {
+        class: 'fact time',
+        text: `${seconds(path.ticks / (level?.tickRate ?? 60))} s`,
+      }),
+    );
+  }
+
+  bandOf(path) {
+    if (!path.difficulty) return [];
+    const style = BAND_STYLE[path.difficulty.band];
+    const tint = { '--tint': style.color };
+    return [el('span', { class: 'fact band', text: style.label, style: tint })];
+  }
+
+  choose(index, beside) {
+    const { path, ghost } = this.store.state;
+    if (beside) this.store.set({ ghost: ghost === index || path === index ? -1 : index });
+    else if (path === index) this.store.set({ path: -1, playing: false });
+    else this.store.set({ path: index, tick: 0 });
+  }
+
+  mark() {
+    const { path, hoverPath, ghost } = this.store.state;
+    for (const row of this.rows.querySelectorAll('.path')) {
+      const index = Number(row.dataset.path);
+      row.setAttribute('aria-selected', String(index === path));
+      row.classList.toggle('hover', index === hoverPath);
+      row.classList.toggle('ghost', index === ghost);
+    }
+  }
+
+  reveal() {
+    const row = this.rows.querySelector('[aria-selected=true]');
+    if (!row) return;
+    const [top, height] = [row.offsetTop, row.offsetHeight];
+    const { scrollTop, clientHeight } = this.rows;
+    if (top < scrollTop) this.rows.scrollTop = top;
+    else if (top + height > scrollTop + clientHeight) this.rows.scrollTop = top + height - clientHeight;
+  }
+}

@@ -1,0 +1,55 @@
+// Which trajectories are listed and drawn, in which colours: keeps list and picture as filters and sorting say.
+import { boxOf, listed, UNFILTERED } from './choice.js';
+import { coloring } from './coloring.js';
+
+const kBox = [10, 10, 10]; // studs, of a box that is not drawn
+
+export class Ways {
+  constructor(app) {
+    this.app = app;
+    this.store = app.store;
+  }
+
+  color() {
+    const query = this.app.query();
+    this.coloring = query
+      ? coloring(query, this.app.level(), this.store.state.colorBy)
+      : { of: () => '', legend: [] };
+  }
+
+  choose() {
+    const { app, store } = this;
+    const query = app.query();
+    store.set({ order: query ? listed(query, store.state, app.playback.rateOf()) : [] });
+  }
+
+  show() {
+    const { order, isolate } = this.store.state;
+    if (!this.app.query()) return;
+    this.app.stage.showPaths(new Set(isolate ? [] : order), (path) => this.coloring.of(path));
+  }
+
+  // Around the player, or where the camera turns about.
+  addBox() {
+    const path = this.app.path();
+    const { target } = this.app.stage.rig.goal;
+    const { x, y, z } = path ? path.poseAt(this.store.state.tick) : target;
+    const low = [x - kBox[0] / 2, y - 2, z - kBox[2] / 2];
+    const box = boxOf(low, low.map((v, k) => v + kBox[k]));
+    this.store.set({ boxes: [...this.store.state.boxes, box] });
+  }
+
+  bind() {
+    const { app, store } = this;
+    store.on([...Object.keys(UNFILTERED), 'sort', 'descending'], () => this.choose());
+    store.on(['order', 'isolate', 'colorBy'], () => this.show());
+    store.on(['path', 'ghost'], () => app.stage.pathView?.compare(app.ghost()));
+    store.on(['colorBy'], () => app.stage.pathView?.select(app.path()));
+    store.on(['boxes'], ({ boxes }) => app.stage.filterBoxes.set(boxes));
+    store.on(['frame'], ({ frame }) => {
+      if (frame < 0) return;
+      app.stage.rig.frame(app.stage.levelView.centreOf(frame), 14);
+      store.set({ frame: -1 });
+    });
+  }
+}
