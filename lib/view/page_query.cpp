@@ -94,7 +94,8 @@ void writeCut(JsonText& json, schema::Cut::Reader cut) {
   json.field("seconds", cut.getSeconds()).close();
 }
 
-// What an answer says beyond its verdict: the proof's cut, changes that would help, routes, how far to trust it.
+// What an answer says beyond its verdict: the proof's cut, changes that would help, routes, how far
+// to trust it.
 void writeFindings(JsonText& json, schema::Result::Reader result) {
   json.key("relaxations").open('[');
   for (const auto relaxation : result.getRelaxations()) {

@@ -87,7 +87,10 @@ TEST(Page, SaysWhatWouldHelpWhichRoutesThereAreAndHowFarToTrustIt) {
   auto report = collect({kLevel, kQuery, answer});
   ASSERT_TRUE(report) << report.error().text();
   const std::string data = view::pageData(*report, {});
-  EXPECT_THAT(data, HasSubstr(R"("relaxations":[{"text":"solvable with 3 jumps instead of 2","part":2,"avoid":-1}])"));
+  EXPECT_THAT(
+      data,
+      HasSubstr(
+          R"("relaxations":[{"text":"solvable with 3 jumps instead of 2","part":2,"avoid":-1}])"));
   EXPECT_THAT(data, HasSubstr(R"("routes":[{"count":"7","ticks":90,"route":[0,2]}])"));
   EXPECT_THAT(data, HasSubstr(R"("evidence":{"saturation":"growing","newCellChance":0.5})"));
 }
