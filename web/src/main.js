@@ -229,6 +229,7 @@ class App {
     this.stage.showTick(path, tick, this.ghost());
     this.comparison.update(tick);
     this.stage.render();
+    this.firstDrawn ??= performance.now(); // ms since the page was asked for
     this.labels.update(
       this.stage.rig.camera,
       this.stage.width,

@@ -7,7 +7,7 @@ import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js
 import { BAND_STYLE, GHOST_COLOR, pathColor, SELECTED_COLOR } from '../palette.js';
 import { kLift, ThinLines } from './thin_lines.js';
 
-const kMostThick = 64; // solutions; more are thin lines, too, for a thick one takes a draw call
+const kMostThick = 12; // solutions; more are thin lines, for thick ones take a draw call and many pixels each
 
 // Pairs of points, as line segments want them, from one sample to another.
 function segmentsOf(path, first = 0, last = path.samples - 1) {

@@ -40,6 +40,7 @@ export class Stage {
     this.renderer.setClearAlpha(0); // the page's own gradient lies behind
     this.rig = new CameraRig(canvas);
     this.renderer.shadowMap.type = PCFShadowMap;
+    this.renderer.shadowMap.autoUpdate = false; // a turn of the camera moves no shadow
     this.sun = new DirectionalLight('#fff4e0', 2.2);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
@@ -226,8 +227,16 @@ export class Stage {
     );
   }
 
+  // Whether what throws shadows may have moved since the last picture.
+  castShadows(...posed) {
+    if (this.cast?.every((value, i) => value === posed[i])) return;
+    this.cast = posed;
+    this.renderer.shadowMap.needsUpdate = true;
+  }
+
   // `other`: of a comparison; it runs from its own start, and stays at its end.
   showTick(path, tick, other) {
+    this.castShadows(path, tick, other, this.level, this.query);
     const clock = (path?.startTick ?? this.query?.startTick ?? 0) + tick;
     const moved = path ? this.movedAt(path, tick) : new Map();
     this.levelView.update(clock, path ? this.goneAt(path, tick) : new Set(), moved);
