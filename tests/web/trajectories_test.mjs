@@ -102,6 +102,8 @@ test('two ways run side by side from their starts', async ({ page }) => {
   assert.equal(shown, true);
   assert.deepEqual(where, wanted);
   assert.match(await page.locator('#comparison').innerText(), /Chosen[\s\S]*Ghost[\s\S]*studs apart now/);
+  // The belt's box begins 6 studs along the leg from 0 to 18 in 0.75 s, which starts at 3.75 s.
+  assert.match(await page.locator('#comparison').innerText(), /Belt\s+4\.00 s/);
   await picture(page, 'comparison');
   await page.locator('#view').focus();
   await page.keyboard.press('x');

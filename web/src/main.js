@@ -105,7 +105,7 @@ class App {
       byId('comparison'),
       this.store,
       () => (this.ghost() ? [this.path(), this.ghost()] : null),
-      () => this.level(),
+      source,
       tint,
     );
     this.timeline = new Timeline(byId('timeline'), this.store, this.playback, () => this.path());
