@@ -102,6 +102,8 @@ test('two ways run side by side from their starts', async ({ page }) => {
   assert.equal(shown, true);
   assert.deepEqual(where, wanted);
   assert.match(await page.locator('#comparison').innerText(), /Chosen[\s\S]*Ghost[\s\S]*studs apart now/);
+  // The belt's box begins 6 studs along the leg from 0 to 18 in 0.75 s, which starts at 3.75 s.
+  assert.match(await page.locator('#comparison').innerText(), /Belt\s+4\.00 s/);
   await picture(page, 'comparison');
   await page.locator('#view').focus();
   await page.keyboard.press('x');
@@ -166,6 +168,54 @@ test('a box moves by its numbers and meets ways between two samples', async ({ p
   assert.ok(between.includes(0));
   await page.getByLabel('Remove box 1').click();
   assert.equal((await state(page)).order.length, paths.length);
+});
+
+test('deaths are labelled with the killer, by what is shown', async ({ page }) => {
+  const labels = () => page.locator('#labels .label').allTextContents();
+  assert.ok((await labels()).includes('✕ Lava · 4'), String(await labels()));
+  await set(page, { outcome: 'fell' });
+  assert.ok(!(await labels()).some((text) => text.includes('Lava')));
+  await set(page, { outcome: '' });
+});
+
+test('the heat map counts each way once a cell, of those that are listed', async ({ page }) => {
+  await page.locator('#view').focus();
+  await page.keyboard.press('9');
+  const most = () => page.evaluate(() => window.obby.stage.heat.most);
+  assert.equal(await most(), paths.length, 'all start in one cell');
+  await set(page, { outcome: 'killed' });
+  assert.equal(await most(), paths.filter((path) => path.outcome === 'killed').length);
+  await set(page, { outcome: '' });
+  await frames(page);
+  await picture(page, 'heat');
+  await page.keyboard.press('9');
+  assert.equal(await page.evaluate(() => window.obby.stage.heat.group.children.length), 0);
+});
+
+test('jumps and landings of the chosen way are marked', async ({ page }) => {
+  await set(page, { path: 0 });
+  const marked = await page.evaluate(() =>
+    window.obby.stage.marks.group.children.map((cloud) => cloud.geometry.attributes.position.count),
+  );
+  assert.deepEqual(marked, [1, 12]); // it walks one leg only, on the belt
+  assert.equal(await page.locator('.mark.jump').count(), 12);
+  assert.equal(await page.locator('.mark.event').count(), 2);
+});
+
+test('the cut of an unreachable query is drawn and told, and what would help shows its part', async ({ page }) => {
+  await set(page, { query: 1 });
+  await frames(page, 3);
+  assert.match(
+    await page.locator('.findings').innerText(),
+    /Why there is no way[\s\S]*3 parts[\s\S]*Step 2 to Landing[\s\S]*1.5 studs of height/,
+  );
+  assert.ok((await page.locator('#labels').textContent()).includes('✕ 1.5 studs of height'));
+  await page.locator('.findings .text', { hasText: 'without Lava' }).click();
+  assert.match(await page.locator('.inspector').innerText(), /Lava/);
+  await page.waitForTimeout(700);
+  await frames(page);
+  await picture(page, 'cut');
+  await set(page, { query: 0 });
 });
 
 test('all of that raised no error and no request', async ({ trouble, requests }) => {

@@ -128,6 +128,22 @@ class Path {
     return actionAt(this.runs, Math.floor(tick));
   }
 
+  // Studs walked so far, on the level; sums once.
+  travelled(tick) {
+    if (!this.sums) {
+      this.sums = new Float32Array(this.samples);
+      for (let i = 1; i < this.samples; i++) {
+        const p = this.points;
+        this.sums[i] =
+          this.sums[i - 1] + Math.hypot(p[3 * i] - p[3 * i - 3], p[3 * i + 2] - p[3 * i - 1]);
+      }
+    }
+    const s = Math.min(tick / this.stride, this.samples - 1);
+    const i = Math.floor(s);
+    const next = this.sums[Math.min(i + 1, this.samples - 1)];
+    return this.sums[i] + (next - this.sums[i]) * (s - i);
+  }
+
   end() {
     const k = 3 * (this.samples - 1);
     return [this.points[k], this.points[k + 1], this.points[k + 2]];

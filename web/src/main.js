@@ -8,6 +8,7 @@ import { Pointer } from './pointer.js';
 import { Stage } from './scene/stage.js';
 import { bindKeys } from './shortcuts.js';
 import { INITIAL, Store } from './store.js';
+import { bindTheme, nextTheme } from './theme.js';
 import { Comparison } from './ui/comparison.js';
 import { el } from './ui/dom.js';
 import { FilterPanel } from './ui/filter_panel.js';
@@ -31,6 +32,7 @@ class App {
       () => this.length(),
       () => this.level()?.tickRate ?? 60,
     );
+    bindTheme(this.store);
     this.stage = new Stage(byId('view'));
     this.labels = new Labels(byId('labels'));
     this.pointer = new Pointer(this, byId('view'), byId('tip'));
@@ -103,7 +105,7 @@ class App {
       byId('comparison'),
       this.store,
       () => (this.ghost() ? [this.path(), this.ghost()] : null),
-      () => this.level(),
+      source,
       tint,
     );
     this.timeline = new Timeline(byId('timeline'), this.store, this.playback, () => this.path());
@@ -115,6 +117,7 @@ class App {
     );
     this.hud = new Hud(byId('hud'));
     this.help = new Help(byId('help'));
+    this.timeline.addButton('◐', 'Light, dark, as the system (Y)', () => nextTheme(this.store));
     this.timeline.addButton('?', 'Shortcuts (?)', () => this.help.toggle());
   }
 
@@ -124,7 +127,6 @@ class App {
     this.ways.color();
     if (this.query()) {
       this.stage.setQuery(this.query());
-      this.labels.set(this.stage.regionView.labels);
     }
   }
 
@@ -161,6 +163,7 @@ class App {
   showSelection() {
     const path = this.path();
     this.stage.pathView?.select(path);
+    this.stage.marks.set(path);
     if (this.store.state.tick > this.length()) this.store.set({ tick: this.length() });
     document.title = path
       ? `${this.report.title}: ${OUTCOME_STYLE[path.outcome].label}`

@@ -52,6 +52,8 @@ export function bandRank(path) {
 
 export const SOLUTION_COLOR = '#ffd166';
 export const SELECTED_COLOR = '#fff3c4';
+export const CUT_COLOR = '#ff8f6b'; // the step that nobody can take
+export const REACHED_COLOR = '#8fe3c4'; // parts that can be reached
 export const GHOST_COLOR = '#7fd4ff'; // the other one of a comparison
 
 // The colour of a path in lists and in the scene.

@@ -1,4 +1,5 @@
 // The keyboard. No shortcut fires while something is typed, or with Ctrl, Alt or Meta held.
+import { nextTheme } from './theme.js';
 
 function typing(target) {
   return (
@@ -65,6 +66,7 @@ const kByKey = {
   b: (app) => app.store.set({ drawing: !app.store.state.drawing }),
   i: (app) => app.store.set({ isolate: !app.store.state.isolate }),
   x: (app) => pin(app),
+  y: (app) => nextTheme(app.store),
   l: (app) => app.store.set({ loop: !app.store.state.loop }),
   c: (app) => app.store.set({ colors: app.store.state.colors === 'roles' ? 'level' : 'roles' }),
   f: (app) => app.focusSelection(),

@@ -36,6 +36,7 @@ export const INITIAL = {
   ghost: -1, // trajectory that runs beside the chosen one
   frame: -1, // part that the camera is to look at; main.js sets it back
   drawing: false, // the next drag draws a box
+  theme: 'auto', // or 'light', 'dark'
   heat: false,
   cut: true,
   query: 0,

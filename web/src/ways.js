@@ -1,7 +1,10 @@
 // Which trajectories are listed and drawn, in which colours: keeps list and picture as filters and sorting say.
+import { Vector3 } from 'three';
 import { boxOf, listed, UNFILTERED } from './choice.js';
 import { coloring } from './coloring.js';
+import { deathLabels } from './death_labels.js';
 
+const kMostDeaths = 6; // labels
 const kBox = [10, 10, 10]; // studs, of a box that is not drawn
 
 export class Ways {
@@ -27,6 +30,30 @@ export class Ways {
     const { order, isolate } = this.store.state;
     if (!this.app.query()) return;
     this.app.stage.showPaths(new Set(isolate ? [] : order), (path) => this.coloring.of(path));
+    this.label();
+    this.warm();
+  }
+
+  // Regions, the proof's step, and what killed the shown ways.
+  label() {
+    const { stage, labels } = this.app;
+    const { order, attempts, markers, cut, isolate } = this.store.state;
+    const { paths } = this.app.query();
+    const shown = attempts && markers && !isolate ? order.map((index) => paths[index]) : [];
+    const deaths = deathLabels(shown, this.app.level(), kMostDeaths).map((label) => ({
+      ...label,
+      at: new Vector3(...label.at),
+    }));
+    stage.cutView.group.visible = cut;
+    labels.set([...stage.regionView.labels, ...(cut ? stage.cutView.labels : []), ...deaths]);
+  }
+
+  // Counting takes a while, so only for those who look.
+  warm() {
+    const { heat, order } = this.store.state;
+    const { paths } = this.app.query();
+    if (heat) this.app.stage.heat.set(order.map((index) => paths[index]));
+    else this.app.stage.heat.clear();
   }
 
   // Around the player, or where the camera turns about.
@@ -43,6 +70,8 @@ export class Ways {
     const { app, store } = this;
     store.on([...Object.keys(UNFILTERED), 'sort', 'descending'], () => this.choose());
     store.on(['order', 'isolate', 'colorBy'], () => this.show());
+    store.on(['heat'], () => this.warm());
+    store.on(['cut', 'attempts', 'markers'], () => this.app.query() && this.label());
     store.on(['path', 'ghost'], () => app.stage.pathView?.compare(app.ghost()));
     store.on(['colorBy'], () => app.stage.pathView?.select(app.path()));
     store.on(['boxes'], ({ boxes }) => app.stage.filterBoxes.set(boxes));

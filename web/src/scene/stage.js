@@ -10,9 +10,12 @@ import {
   Vector3,
   WebGLRenderer,
 } from 'three';
+import { ActionMarks } from './action_marks.js';
 import { Avatar } from './avatar.js';
 import { CameraRig } from './camera_rig.js';
+import { CutView } from './cut_view.js';
 import { FilterBoxes } from './filter_boxes.js';
+import { HeatView } from './heat_view.js';
 import { LevelView } from './level_view.js';
 import { Markers } from './markers.js';
 import { pathsOfMotion } from './motion_paths.js';
@@ -51,7 +54,9 @@ export class Stage {
     this.scene.add(new HemisphereLight('#dfe8ff', '#2a2c36', 1.15), this.sun, this.sun.target, rim);
     this.bounds = new Box3();
     this.filterBoxes = new FilterBoxes();
-    this.scene.add(this.filterBoxes.group);
+    this.heat = new HeatView();
+    this.marks = new ActionMarks();
+    this.scene.add(this.filterBoxes.group, this.heat.group, this.marks.group);
   }
 
   clear() {
@@ -108,16 +113,18 @@ export class Stage {
   }
 
   setQuery(query) {
-    for (const view of [this.regionView, this.pathView, this.markers]) {
+    for (const view of [this.regionView, this.cutView, this.pathView, this.markers]) {
       if (!view) continue;
       this.scene.remove(view.group);
       view.dispose();
     }
     this.query = query;
     this.regionView = new RegionView(query);
+    this.cutView = new CutView(query, this.level);
     this.pathView = new PathView(query);
     this.markers = new Markers(query, this.renderer.getPixelRatio());
-    this.scene.add(this.regionView.group, this.pathView.group, this.markers.group);
+    for (const view of [this.regionView, this.cutView, this.pathView, this.markers])
+      this.scene.add(view.group);
   }
 
   // Where play of this query happens: its regions and trajectories, or else the level.
@@ -251,7 +258,7 @@ export class Stage {
     if (!path) return;
     const pose = path.poseAt(tick);
     const speed = Math.hypot(pose.perTick[0], pose.perTick[2]) * this.level.tickRate;
-    avatar.pose(pose, speed, (pose.state & kAirborne) !== 0, this.travelled(path, tick));
+    avatar.pose(pose, speed, (pose.state & kAirborne) !== 0, path.travelled(tick));
   }
 
   goneAt(path, tick) {
@@ -272,22 +279,6 @@ export class Stage {
       else moved.set(part, tick - start);
     }
     return moved;
-  }
-
-  // Studs walked so far; sums once per path.
-  travelled(path, tick) {
-    if (!path.sums) {
-      path.sums = new Float32Array(path.samples);
-      for (let i = 1; i < path.samples; i++) {
-        const p = path.points;
-        path.sums[i] =
-          path.sums[i - 1] + Math.hypot(p[3 * i] - p[3 * i - 3], p[3 * i + 2] - p[3 * i - 1]);
-      }
-    }
-    const s = Math.min(tick / path.stride, path.samples - 1);
-    const i = Math.floor(s);
-    const next = path.sums[Math.min(i + 1, path.samples - 1)];
-    return path.sums[i] + (next - path.sums[i]) * (s - i);
   }
 
   render() {

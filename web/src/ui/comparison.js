@@ -1,4 +1,5 @@
-// Two trajectories side by side: their numbers, and how far apart they are now.
+// Two trajectories side by side: their numbers, when they passed what the query names, and how far apart they are now.
+import { Quaternion, Vector3 } from 'three';
 import { causeOf, GHOST_COLOR } from '../palette.js';
 import { el, seconds } from './dom.js';
 
@@ -14,10 +15,33 @@ function lengthOf({ points, samples }) {
   return sum;
 }
 
+// [name, region] of the places that a query wants passed, in order.
+function placesOf(query) {
+  const waypoints = (query?.waypoints ?? []).map(({ region }) => region);
+  return [...waypoints, ...(query?.visits ?? [])].map((region, i) => [
+    region.name || `Waypoint ${i + 1}`,
+    region,
+  ]);
+}
+
+// First tick at which the middle of the player is in an oriented box; -1 for never.
+function tickAt(path, region, height) {
+  const turn = new Quaternion().fromArray(region.rotation).normalize().invert();
+  const middle = new Vector3().fromArray(region.position);
+  const at = new Vector3();
+  for (let i = 0; i < path.samples; i++) {
+    at.fromArray(path.points, 3 * i).setY(path.points[3 * i + 1] + height / 2);
+    const local = at.sub(middle).applyQuaternion(turn).toArray();
+    if (local.every((value, k) => Math.abs(value) <= region.size[k] / 2))
+      return Math.min(i * path.stride, path.ticks);
+  }
+  return -1;
+}
+
 export class Comparison {
-  // `pairOf`: [chosen, the other] or null; `tintOf`: path -> colour.
-  constructor(root, store, pairOf, levelOf, tintOf) {
-    Object.assign(this, { root, store, pairOf, levelOf, tintOf });
+  // `pairOf`: [chosen, the other] or null; `sourceOf`: {query, level} of now; `tintOf`: path -> colour.
+  constructor(root, store, pairOf, sourceOf, tintOf) {
+    Object.assign(this, { root, store, pairOf, sourceOf, tintOf });
     store.on(['path', 'ghost', 'colorBy', 'order'], () => this.fill());
     this.fill();
   }
@@ -27,7 +51,7 @@ export class Comparison {
     this.root.hidden = !pair;
     this.root.replaceChildren();
     if (!pair) return;
-    const level = this.levelOf();
+    const { query, level } = this.sourceOf();
     const rate = level?.tickRate ?? 60;
     const table = el('table', {});
     const row = (label, valueOf) =>
@@ -54,6 +78,11 @@ export class Comparison {
     row('Time', (path) => `${seconds(path.ticks / rate)} s`);
     row('Jumps', (path) => String(path.jumps));
     row('Way', (path) => `${lengthOf(path).toFixed(0)} studs`);
+    for (const [name, region] of placesOf(query))
+      row(name, (path) => {
+        const tick = tickAt(path, region, level?.body.top ?? 0);
+        return tick < 0 ? 'not passed' : `${seconds(tick / rate)} s`;
+      });
     this.gap = el('output', { class: 'quiet' });
     this.root.append(
       el(

@@ -45,6 +45,7 @@ const kSections = [
     [
       ['1 … 9, 0', 'toggles under Display'],
       ['C', 'colours of roles or of the level'],
+      ['Y', 'light, dark, as the system'],
       ['?', 'this list'],
     ],
   ],

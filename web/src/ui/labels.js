@@ -1,5 +1,8 @@
-// Names of regions, kept over their boxes as the camera moves.
+// Names of regions and places, kept over them as the camera moves; those that would cover one another are stacked.
 import { el } from './dom.js';
+
+const kLineHeight = 22; // pixels
+const kMostStacked = 6;
 
 export class Labels {
   constructor(root) {
@@ -12,19 +15,37 @@ export class Labels {
     this.items = labels.map(({ text, at, color }) => {
       const node = el('span', { class: 'label', text, style: { '--tint': color } });
       this.root.append(node);
-      return { node, at };
+      return { node, at, halfWidth: 9 + 3.4 * text.length };
     });
   }
 
   update(camera, width, height, visible) {
     this.root.hidden = !visible;
     if (!visible) return;
-    for (const { node, at } of this.items) {
+    const placed = [];
+    for (const { node, at, halfWidth } of this.items) {
       const p = at.clone().project(camera);
       const inside = p.z < 1 && Math.abs(p.x) < 1.1 && Math.abs(p.y) < 1.1;
       node.hidden = !inside;
-      if (inside)
-        node.style.transform = `translate(${((p.x + 1) / 2) * width}px, ${((1 - p.y) / 2) * height}px) translate(-50%, -100%)`;
+      if (!inside) continue;
+      const x = ((p.x + 1) / 2) * width;
+      const y = this.freeHeight(placed, x, ((1 - p.y) / 2) * height, halfWidth);
+      placed.push({ x, y, halfWidth });
+      node.style.transform = `translate(${x}px, ${y}px) translate(-50%, -100%)`;
     }
+  }
+
+  // Above the labels that are already there.
+  freeHeight(placed, x, wanted, halfWidth) {
+    let y = wanted;
+    for (let tries = 0; tries < kMostStacked; tries++) {
+      const other = placed.find(
+        (each) =>
+          Math.abs(each.x - x) < each.halfWidth + halfWidth && Math.abs(each.y - y) < kLineHeight,
+      );
+      if (!other) break;
+      y = other.y - kLineHeight;
+    }
+    return y;
   }
 }

@@ -1,8 +1,13 @@
 // The bar at the bottom: play, step, scrub over the height profile, time and speed.
 import { BAND_STYLE, pathColor } from '../palette.js';
+import { landings } from '../scene/action_marks.js';
 import { el, icon, seconds, svg } from './dom.js';
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
+
+// A short line at the profile's lower or upper edge.
+const tickMark = (kind, x, from, to) =>
+  svg('path', { class: `mark ${kind}`, d: `M${x} ${from}V${to}`, 'vector-effect': 'non-scaling-stroke' });
 
 export class Timeline {
   constructor(root, store, playback, selected) {
@@ -30,7 +35,8 @@ export class Timeline {
           store.set({ playing: false });
           playback.seek(Number(this.slider.value));
         },
-        keydown: (event) => event.preventDefault(),
+        // Its keys are the page's; Tab still leaves it.
+        keydown: (event) => event.key !== 'Tab' && event.preventDefault(),
       },
     });
     this.plot = svg('svg', {
@@ -107,7 +113,7 @@ export class Timeline {
     this.root.lastElementChild.append(button);
   }
 
-  // Height over time, with a mark for each jump, and the hardest step in the colour of its band.
+  // Height over time, with marks for jumps, landings and what the player set off, and the hardest step in the colour of its band.
   draw() {
     const path = this.selected();
     this.slider.max = String(Math.max(1, this.playback.lengthOf()));
@@ -151,15 +157,9 @@ export class Timeline {
         'stroke-width': '1.5',
         'vector-effect': 'non-scaling-stroke',
       }),
-      ...path.jumpTicks.map((tick) =>
-        svg('path', {
-          d: `M${x(tick)} 100V88`,
-          stroke: '#e8ecf4',
-          'stroke-opacity': '0.7',
-          'stroke-width': '1.5',
-          'vector-effect': 'non-scaling-stroke',
-        }),
-      ),
+      ...path.jumpTicks.map((tick) => tickMark('jump', x(tick), 100, 88)),
+      ...landings(path).map((tick) => tickMark('landing', x(tick), 100, 95)),
+      ...path.events.map(([tick]) => tickMark('event', x(tick), 0, 12)),
     );
   }
 

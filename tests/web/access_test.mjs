@@ -1,0 +1,119 @@
+// The page for every reader: light and dark, at 200 % zoom, by keyboard alone, without hue.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { frames, openReport, state } from './browser.mjs';
+import { harness } from './harness.mjs';
+import { report } from './sample_report.mjs';
+
+const { options, test, run } = harness();
+const file = options.sample(report);
+const kLeastContrast = 4.5; // of text to what it stands on (WCAG 2.2, 1.4.3)
+
+// The worst contrast of the side's texts, and whose it is.
+const contrast = (page) =>
+  page.evaluate(() => {
+    const pen = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
+    const over = (colors) => {
+      pen.clearRect(0, 0, 1, 1);
+      for (const color of colors) {
+        pen.fillStyle = color;
+        pen.fillRect(0, 0, 1, 1);
+      }
+      return [...pen.getImageData(0, 0, 1, 1).data].slice(0, 3);
+    };
+    const light = (rgb) =>
+      rgb
+        .map((v) => (v / 255 <= 0.04045 ? v / 255 / 12.92 : ((v / 255 + 0.055) / 1.055) ** 2.4))
+        .reduce((sum, v, k) => sum + v * [0.2126, 0.7152, 0.0722][k], 0);
+    let worst = { ratio: Infinity };
+    for (const node of document.querySelectorAll('#side *, #scene-panel *, #timeline output')) {
+      const own = [...node.childNodes].some((child) => child.nodeType === 3 && child.data.trim());
+      if (!own || !node.checkVisibility()) continue;
+      const grounds = [];
+      for (let up = node; up; up = up.parentElement)
+        grounds.unshift(getComputedStyle(up).backgroundColor);
+      const ground = over(grounds);
+      const [a, b] = [light(over([...grounds, getComputedStyle(node).color])), light(ground)];
+      const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+      if (ratio < worst.ratio) worst = { ratio, text: node.textContent, name: node.className };
+    }
+    return worst;
+  });
+
+for (const theme of ['dark', 'light']) {
+  test(`${theme}: every text can be read`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme: theme });
+    await frames(page, 3);
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), theme);
+    const worst = await contrast(page);
+    console.log(`     least contrast ${worst.ratio.toFixed(2)} (${worst.text})`);
+    assert.ok(worst.ratio >= kLeastContrast, JSON.stringify(worst));
+    await page.screenshot({ path: join(options.out, `${theme}.png`) });
+  });
+}
+
+test('the reader chooses the theme', async ({ page }) => {
+  const shown = () => page.evaluate(() => document.documentElement.dataset.theme);
+  await page.locator('#view').focus();
+  await page.keyboard.press('y');
+  assert.equal(await shown(), 'light');
+  await page.keyboard.press('y');
+  assert.equal(await shown(), 'dark');
+  await page.keyboard.press('y');
+  assert.equal((await state(page)).theme, 'auto');
+});
+
+test('at 200 % zoom nothing is cut off or out of reach', async ({ browser }) => {
+  const { page, trouble } = await openReport(browser, file);
+  await page.setViewportSize({ width: 640, height: 400 }); // what 1280 x 800 leaves
+  await frames(page, 3);
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 640);
+  for (const name of ['.play', '.scrub', '.verdict', '.choice.sort select', '#scene-panel .fold'])
+    await page.locator(name).first().scrollIntoViewIfNeeded();
+  await page.locator('.path').nth(3).click();
+  assert.equal((await state(page)).path, 3);
+  await page.locator('#scene-panel .fold', { hasText: 'Display' }).click();
+  await page.locator('.toggles label', { hasText: 'Heat map' }).click();
+  assert.equal((await state(page)).heat, true);
+  await page.screenshot({ path: join(options.out, 'zoom.png'), fullPage: true });
+  assert.deepEqual(trouble, []);
+  await page.context().close();
+});
+
+test('the keyboard reaches every control, and each has a name', async ({ page }) => {
+  await page.locator('.filters .fold').click();
+  const seen = new Set();
+  await page.locator('#view').focus();
+  for (let i = 0; i < 160; i++) {
+    await page.keyboard.press('Tab');
+    const what = await page.evaluate(() => {
+      const node = document.activeElement;
+      const name = node.ariaLabel || node.labels?.[0]?.textContent || node.textContent || node.title;
+      node.dataset.reached = 'yes';
+      return `${node.tagName} ${name.trim()}`;
+    });
+    assert.match(what, /^\w+ \S/, 'a control without a name');
+    seen.add(what);
+  }
+  const missed = await page.evaluate(() =>
+    [...document.querySelectorAll('button, select, input')]
+      .filter((node) => node.checkVisibility() && !node.dataset.reached)
+      .map((node) => node.className || node.ariaLabel),
+  );
+  assert.deepEqual(missed, []);
+});
+
+test('colours from little to much get lighter throughout', async ({ page }) => {
+  const colors = await page.evaluate(() => {
+    window.obby.store.set({ colorBy: 'time' });
+    return window.obby.query().paths.map((path) => [path.ticks, window.obby.ways.coloring.of(path)]);
+  });
+  const light = (hex) =>
+    [1, 3, 5].reduce((sum, at, k) => sum + parseInt(hex.slice(at, at + 2), 16) * [0.21, 0.72, 0.07][k], 0);
+  const sorted = colors.sort((a, b) => a[0] - b[0]).map(([, color]) => light(color));
+  sorted.forEach((value, i) => assert.ok(i === 0 || value >= sorted[i - 1] - 0.8, `${sorted}`));
+});
+
+test('all of that raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
+
+await run(file);

@@ -1,0 +1,61 @@
+// Marks along the chosen way: a dot where the player jumped, a small ring where they came down.
+import { Group, Points, PointsMaterial, BufferGeometry, Float32BufferAttribute } from 'three';
+import { glyphTexture } from './markers.js';
+import { kLift } from './thin_lines.js';
+
+const kAirborne = 1; // bit of a sample's state
+
+function marks(path, ticks, glyph, color, size) {
+  const points = ticks.flatMap((tick) => {
+    const { x, y, z } = path.poseAt(tick);
+    return [x, y + kLift, z];
+  });
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new Float32BufferAttribute(points, 3));
+  const cloud = new Points(
+    geometry,
+    new PointsMaterial({
+      map: glyphTexture(glyph, color),
+      size: size * Math.min(devicePixelRatio, 2),
+      sizeAttenuation: false,
+      transparent: true,
+      depthWrite: false,
+    }),
+  );
+  cloud.frustumCulled = false;
+  cloud.renderOrder = 12;
+  return cloud;
+}
+
+// Ticks at which the player touches down.
+export function landings(path) {
+  const ticks = [];
+  for (let i = 1; i < path.samples; i++)
+    if (path.state[i - 1] & kAirborne && !(path.state[i] & kAirborne))
+      ticks.push(Math.min(i * path.stride, path.ticks));
+  return ticks;
+}
+
+export class ActionMarks {
+  constructor() {
+    this.group = new Group();
+  }
+
+  set(path) {
+    this.clear();
+    if (!path) return;
+    this.group.add(
+      marks(path, landings(path), 'ring', '#c8d2e4', 8),
+      marks(path, path.jumpTicks, 'dot', '#ffffff', 11),
+    );
+  }
+
+  clear() {
+    for (const cloud of [...this.group.children]) {
+      cloud.geometry.dispose();
+      cloud.material.map.dispose();
+      cloud.material.dispose();
+      this.group.remove(cloud);
+    }
+  }
+}

@@ -1,0 +1,97 @@
+// Why a query is unreachable, in the picture: a frame around every part that can be reached, and an arrow over the least
+// step beyond them.
+import {
+  ArrowHelper,
+  BoxGeometry,
+  BufferGeometry,
+  EdgesGeometry,
+  Float32BufferAttribute,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Quaternion,
+  Vector3,
+} from 'three';
+import { CUT_COLOR, REACHED_COLOR } from '../palette.js';
+import { lackOf } from '../ui/findings.js';
+
+const kAbove = 1.2; // studs over the parts that the arrow joins
+const kHead = 1.6; // studs of the arrow's head
+
+function centreOf(level, part) {
+  const { position, rotation, size } = level;
+  const turn = new Quaternion().fromArray(rotation, 4 * part).normalize();
+  // Half the height of the turned box.
+  const up = [0, 1, 2].reduce((sum, k) => {
+    const axis = new Vector3().setComponent(k, size[3 * part + k] / 2).applyQuaternion(turn);
+    return sum + Math.abs(axis.y);
+  }, 0);
+  return new Vector3().fromArray(position, 3 * part).add(new Vector3(0, up + kAbove, 0));
+}
+
+// The edges of all reached parts in one buffer.
+function frames(level, parts) {
+  const edges = new EdgesGeometry(new BoxGeometry(1, 1, 1)).attributes.position;
+  const points = [];
+  const corner = new Vector3();
+  for (const part of parts) {
+    if (part < 0 || part >= level.count) continue;
+    const turn = new Quaternion().fromArray(level.rotation, 4 * part).normalize();
+    const size = new Vector3().fromArray(level.size, 3 * part).addScalar(0.15);
+    const at = new Vector3().fromArray(level.position, 3 * part);
+    for (let i = 0; i < edges.count; i++)
+      points.push(
+        ...corner.fromBufferAttribute(edges, i).multiply(size).applyQuaternion(turn).add(at),
+      );
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new Float32BufferAttribute(points, 3));
+  const lines = new LineSegments(geometry, new LineBasicMaterial({ color: REACHED_COLOR }));
+  lines.renderOrder = 4;
+  lines.frustumCulled = false;
+  return lines;
+}
+
+export class CutView {
+  constructor(query, level) {
+    this.group = new Group();
+    this.labels = []; // as those of the regions
+    const cut = query.result?.cut;
+    if (!cut || !level) return;
+    this.group.add(frames(level, cut.reached));
+    const ends = [this.place(level, cut.from, query.startPosition), this.place(level, cut.to, query.goal?.position)];
+    const known = ends.filter(Boolean);
+    if (!known.length) return;
+    if (known.length === 2) this.group.add(this.arrow(...ends));
+    const middle = known.reduce((sum, end) => sum.add(end), new Vector3());
+    this.labels.push({
+      text: `✕ ${lackOf(cut) || 'no way on'}`,
+      at: middle.divideScalar(known.length).add(new Vector3(0, 1, 0)),
+      color: CUT_COLOR,
+    });
+  }
+
+  // A part's top, or else a place that the query names.
+  place(level, part, otherwise) {
+    if (part >= 0 && part < level.count) return centreOf(level, part);
+    return otherwise ? new Vector3(...otherwise).add(new Vector3(0, kAbove, 0)) : null;
+  }
+
+  arrow(from, to) {
+    const way = to.clone().sub(from);
+    const length = Math.max(way.length(), 0.1);
+    const head = Math.min(kHead, length / 2);
+    const arrow = new ArrowHelper(way.normalize(), from, length, CUT_COLOR, head, head * 0.7);
+    for (const { material } of [arrow.line, arrow.cone]) material.depthTest = false;
+    arrow.line.renderOrder = 10;
+    arrow.cone.renderOrder = 10;
+    return arrow;
+  }
+
+  dispose() {
+    this.group.traverse((node) => {
+      node.geometry?.dispose();
+      node.material?.dispose();
+    });
+  }
+}
