@@ -88,7 +88,8 @@ test('the keyboard reaches every control, and each has a name', async ({ page })
     await page.keyboard.press('Tab');
     const what = await page.evaluate(() => {
       const node = document.activeElement;
-      const name = node.ariaLabel || node.labels?.[0]?.textContent || node.textContent || node.title;
+      const name =
+        node.ariaLabel || node.labels?.[0]?.textContent || node.textContent || node.title;
       node.dataset.reached = 'yes';
       return `${node.tagName} ${name.trim()}`;
     });
@@ -106,10 +107,15 @@ test('the keyboard reaches every control, and each has a name', async ({ page })
 test('colours from little to much get lighter throughout', async ({ page }) => {
   const colors = await page.evaluate(() => {
     window.obby.store.set({ colorBy: 'time' });
-    return window.obby.query().paths.map((path) => [path.ticks, window.obby.ways.coloring.of(path)]);
+    return window.obby
+      .query()
+      .paths.map((path) => [path.ticks, window.obby.ways.coloring.of(path)]);
   });
   const light = (hex) =>
-    [1, 3, 5].reduce((sum, at, k) => sum + parseInt(hex.slice(at, at + 2), 16) * [0.21, 0.72, 0.07][k], 0);
+    [1, 3, 5].reduce(
+      (sum, at, k) => sum + parseInt(hex.slice(at, at + 2), 16) * [0.21, 0.72, 0.07][k],
+      0,
+    );
   const sorted = colors.sort((a, b) => a[0] - b[0]).map(([, color]) => light(color));
   sorted.forEach((value, i) => assert.ok(i === 0 || value >= sorted[i - 1] - 0.8, `${sorted}`));
 });

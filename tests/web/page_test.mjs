@@ -105,7 +105,8 @@ test('the hardest step is marked in the list, the picture and the profile', asyn
   assert.equal(await page.locator('.path .band').allInnerTexts().then(String), 'Hard');
   assert.match(await page.locator('.path').first().getAttribute('title'), /Step 2 to .*Lift, hard/);
   assert.equal(await page.locator('.profile .hardest').count(), 1);
-  const marked = () => page.evaluate(() => window.obby.stage.pathView.hardest?.geometry.instanceCount);
+  const marked = () =>
+    page.evaluate(() => window.obby.stage.pathView.hardest?.geometry.instanceCount);
   assert.equal(await marked(), 45);
   await page.evaluate(() => window.obby.store.set({ path: 1 }));
   await frames(page);

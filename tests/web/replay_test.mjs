@@ -17,7 +17,10 @@ function solved(level, words) {
   const input = join(options.levels, `${level}.jsonl`);
   execFileSync(options.solver, ['--paths=1', ...words, input, '-o', stream], { stdio: 'inherit' });
   execFileSync(options.viewer, [stream, '-o', page], { stdio: 'inherit' });
-  const records = readFileSync(stream, 'utf8').trim().split('\n').map((line) => JSON.parse(line));
+  const records = readFileSync(stream, 'utf8')
+    .trim()
+    .split('\n')
+    .map((line) => JSON.parse(line));
   return { page, paths: records.filter((record) => record.type === 'trajectory') };
 }
 
@@ -46,7 +49,9 @@ for (const [level, ...words] of [
   ['conveyor-and-pad'],
   ['carousel'],
 ]) {
-  test(`${level}: the player in the picture is where the simulator had them`, async ({ browser }) => {
+  test(`${level}: the player in the picture is where the simulator had them`, async ({
+    browser,
+  }) => {
     const { page: file, paths } = solved(level, ['--max-steps', '3000000', ...words]);
     assert.ok(paths.length > 0, 'nothing was solved');
     const { page, trouble } = await openReport(browser, file);
@@ -60,7 +65,9 @@ for (const [level, ...words] of [
       total += count;
     }
     assert.ok(paths.some((path) => path.outcome === 'goal'));
-    console.log(`     ${paths.length} ways, ${total} points, at most ${worst.toExponential(1)} studs apart`);
+    console.log(
+      `     ${paths.length} ways, ${total} points, at most ${worst.toExponential(1)} studs apart`,
+    );
     assert.deepEqual(trouble, []);
     await page.context().close();
   });

@@ -47,8 +47,9 @@ test('answers in time', async ({ browser }) => {
     scrub: (i) => ({ tick: 50 + i }),
     filter: (i) => ({ mostSeconds: 8 - i }),
     box: (i) => ({ boxes: [{ min: [10 * i, 0, 0], max: [10 * i + 20, 20, 60], keep: true }] }),
+    heat: (i) => ({ boxes: [], heat: true, mostSeconds: 9.9 - 0.1 * i }),
     colour: (i) => ({ colorBy: ['time', 'jumps', 'outcome'][i] }),
-    sort: (i) => ({ sort: ['time', 'jumps', 'found'][i], mostSeconds: 0, boxes: [] }),
+    sort: (i) => ({ sort: ['time', 'jumps', 'found'][i], mostSeconds: 0, boxes: [], heat: false }),
   };
   for (const [name, values] of Object.entries(asked)) {
     let i = 0;

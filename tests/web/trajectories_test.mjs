@@ -14,13 +14,18 @@ const picture = (page, name) => page.screenshot({ path: join(options.out, `${nam
 const drawn = (page) =>
   page.evaluate(() => window.obby.stage.pathView.attempts.geometry.drawRange.count / 2);
 
-test('filters by outcome thin the list and the picture, and say how many are left', async ({ page }) => {
+test('filters by outcome thin the list and the picture, and say how many are left', async ({
+  page,
+}) => {
   await page.locator('.filters .fold').click();
   const all = await drawn(page);
   await page.locator('.choice.outcome select').selectOption('killed');
   const killed = paths.filter((path) => path.outcome === 'killed');
   assert.equal(await page.locator('.path').count(), killed.length);
-  assert.equal(await page.locator('.count').innerText(), `${killed.length} of ${paths.length} ways`);
+  assert.equal(
+    await page.locator('.count').innerText(),
+    `${killed.length} of ${paths.length} ways`,
+  );
   assert.equal(
     await drawn(page),
     killed.reduce((sum, path) => sum + path.ticks, 0),
@@ -97,11 +102,18 @@ test('two ways run side by side from their starts', async ({ page }) => {
   const [where, wanted, shown] = await page.evaluate(() => {
     const { stage } = window.obby;
     const pose = window.obby.query().paths[1].poseAt(200);
-    return [stage.ghost.group.position.toArray(), [pose.x, pose.y, pose.z], stage.ghost.group.visible];
+    return [
+      stage.ghost.group.position.toArray(),
+      [pose.x, pose.y, pose.z],
+      stage.ghost.group.visible,
+    ];
   });
   assert.equal(shown, true);
   assert.deepEqual(where, wanted);
-  assert.match(await page.locator('#comparison').innerText(), /Chosen[\s\S]*Ghost[\s\S]*studs apart now/);
+  assert.match(
+    await page.locator('#comparison').innerText(),
+    /Chosen[\s\S]*Ghost[\s\S]*studs apart now/,
+  );
   // The belt's box begins 6 studs along the leg from 0 to 18 in 0.75 s, which starts at 3.75 s.
   assert.match(await page.locator('#comparison').innerText(), /Belt\s+4\.00 s/);
   await picture(page, 'comparison');
@@ -142,12 +154,18 @@ test('a drawn box keeps what passes it, then drops it', async ({ page }) => {
   ])
     assert.ok(Math.abs(got - wanted) < 0.3, `${got}, drawn at ${wanted}`);
   assert.ok(order.length > 0 && order.length < paths.length, `${order.length} pass`);
-  assert.match(await page.locator('.box output').innerText(), new RegExp(`^${order.length} ways pass`));
+  assert.match(
+    await page.locator('.box output').innerText(),
+    new RegExp(`^${order.length} ways pass`),
+  );
   await frames(page);
   await picture(page, 'box');
   await page.locator('.box select').selectOption('drop');
   const dropped = (await state(page)).order;
-  assert.deepEqual([...order, ...dropped].sort((a, b) => a - b), paths.map((_, i) => i));
+  assert.deepEqual(
+    [...order, ...dropped].sort((a, b) => a - b),
+    paths.map((_, i) => i),
+  );
 });
 
 test('a box moves by its numbers and meets ways between two samples', async ({ page }) => {
@@ -202,7 +220,9 @@ test('jumps and landings of the chosen way are marked', async ({ page }) => {
   assert.equal(await page.locator('.mark.event').count(), 2);
 });
 
-test('the cut of an unreachable query is drawn and told, and what would help shows its part', async ({ page }) => {
+test('the cut of an unreachable query is drawn and told, and what would help shows its part', async ({
+  page,
+}) => {
   await set(page, { query: 1 });
   await frames(page, 3);
   assert.match(

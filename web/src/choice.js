@@ -94,7 +94,9 @@ const kRanks = {
 
 // Indices of the paths that pass all filters, sorted; equals keep the stream's order.
 export function listed(query, state, rate) {
-  const order = query.paths.map((_, i) => i).filter((i) => fits(query, query.paths[i], i, state, rate));
+  const order = query.paths
+    .map((_, i) => i)
+    .filter((i) => fits(query, query.paths[i], i, state, rate));
   const sign = state.descending ? -1 : 1;
   if (state.sort === 'route') {
     const keys = query.paths.map(routeKey);

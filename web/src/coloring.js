@@ -49,7 +49,10 @@ function byNumber(query, valueOf, label) {
     rampColor(most > least ? s : 0),
     'solution',
   ]);
-  return { of: (path) => rampColor(share(valueOf(path))), legend: most > least ? legend : legend.slice(0, 1) };
+  return {
+    of: (path) => rampColor(share(valueOf(path))),
+    legend: most > least ? legend : legend.slice(0, 1),
+  };
 }
 
 function byRoute(query, level) {
@@ -75,7 +78,9 @@ function byDifficulty(query) {
 
 // Last words of the parts' names, first and last of a long way.
 export function routeName(key, level) {
-  const names = key.split(' ').map((part) => (level?.names[part] ?? `part ${part}`).split('/').pop());
+  const names = key
+    .split(' ')
+    .map((part) => (level?.names[part] ?? `part ${part}`).split('/').pop());
   return names.length > 4
     ? [...names.slice(0, 2), '…', ...names.slice(-2)].join(' → ')
     : names.join(' → ');
@@ -85,8 +90,18 @@ export function routeName(key, level) {
 export function coloring(query, level, mode) {
   const rate = level?.tickRate ?? 60;
   if (mode === 'route') return byRoute(query, level);
-  if (mode === 'time') return byNumber(query, (p) => p.ticks, (v) => `${(v / rate).toFixed(1)} s`);
-  if (mode === 'jumps') return byNumber(query, (p) => p.jumps, (v) => `${v.toFixed(0)} jumps`);
+  if (mode === 'time')
+    return byNumber(
+      query,
+      (p) => p.ticks,
+      (v) => `${(v / rate).toFixed(1)} s`,
+    );
+  if (mode === 'jumps')
+    return byNumber(
+      query,
+      (p) => p.jumps,
+      (v) => `${v.toFixed(0)} jumps`,
+    );
   if (mode === 'difficulty') return byDifficulty(query);
   return byOutcome(query);
 }

@@ -4,7 +4,8 @@ import { nextTheme } from './theme.js';
 function typing(target) {
   return (
     target instanceof HTMLElement &&
-    (target.matches('input[type=search], input[type=number], select, textarea') || target.isContentEditable)
+    (target.matches('input[type=search], input[type=number], select, textarea') ||
+      target.isContentEditable)
   );
 }
 

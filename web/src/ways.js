@@ -62,7 +62,10 @@ export class Ways {
     const { target } = this.app.stage.rig.goal;
     const { x, y, z } = path ? path.poseAt(this.store.state.tick) : target;
     const low = [x - kBox[0] / 2, y - 2, z - kBox[2] / 2];
-    const box = boxOf(low, low.map((v, k) => v + kBox[k]));
+    const box = boxOf(
+      low,
+      low.map((v, k) => v + kBox[k]),
+    );
     this.store.set({ boxes: [...this.store.state.boxes, box] });
   }
 

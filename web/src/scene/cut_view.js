@@ -59,7 +59,10 @@ export class CutView {
     const cut = query.result?.cut;
     if (!cut || !level) return;
     this.group.add(frames(level, cut.reached));
-    const ends = [this.place(level, cut.from, query.startPosition), this.place(level, cut.to, query.goal?.position)];
+    const ends = [
+      this.place(level, cut.from, query.startPosition),
+      this.place(level, cut.to, query.goal?.position),
+    ];
     const known = ends.filter(Boolean);
     if (!known.length) return;
     if (known.length === 2) this.group.add(this.arrow(...ends));

@@ -7,24 +7,28 @@ const kCell = 2; // studs
 const kMostTiles = 20000; // the most visited are kept
 const kLift = 0.12; // studs above the lowest feet of the cell
 
+// One number for a cell, whole up to 65,536 studs from the middle of the world; farther ones fall together.
+const keyOf = (x, y, z) =>
+  (((x + 32768) & 65535) * 65536 + ((y + 32768) & 65535)) * 65536 + ((z + 32768) & 65535);
+
 // [{x, y, z, ways}] in studs: the cell's middle, and the lowest feet in it.
 export function visits(paths) {
   const cells = new Map();
   for (const path of paths) {
-    const seen = new Set();
-    for (let i = 0; i < path.samples; i++) {
-      const at = [0, 1, 2].map((k) => Math.floor(path.points[3 * i + k] / kCell));
-      const key = at.join(' ');
-      const feet = path.points[3 * i + 1];
+    for (let i = 0; i < 3 * path.samples; i += 3) {
+      const feet = path.points[i + 1];
+      const x = Math.floor(path.points[i] / kCell);
+      const z = Math.floor(path.points[i + 2] / kCell);
+      const key = keyOf(x, Math.floor(feet / kCell), z);
       let cell = cells.get(key);
       if (!cell) {
-        const [x, z] = [at[0], at[2]].map((v) => (v + 0.5) * kCell);
-        cell = { x, y: feet, z, ways: 0 };
+        cell = { x: (x + 0.5) * kCell, y: feet, z: (z + 0.5) * kCell, ways: 0, last: null };
         cells.set(key, cell);
       }
-      cell.y = Math.min(cell.y, feet);
-      if (!seen.has(key)) cell.ways += 1;
-      seen.add(key);
+      if (feet < cell.y) cell.y = feet;
+      // Ways come one after another, so that the last visitor tells whether this one was here.
+      if (cell.last !== path) cell.ways += 1;
+      cell.last = path;
     }
   }
   return [...cells.values()];

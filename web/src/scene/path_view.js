@@ -43,7 +43,10 @@ export class PathView {
     const indices = query.paths.map((_, i) => i);
     const isSolution = (i) => query.paths[i].kind === 'solution';
     const solutions = indices.filter(isSolution);
-    this.failed = new ThinLines(query.paths, indices.filter((i) => !isSolution(i)));
+    this.failed = new ThinLines(
+      query.paths,
+      indices.filter((i) => !isSolution(i)),
+    );
     this.further = new ThinLines(query.paths, solutions.slice(kMostThick));
     this.attempts = this.failed.lines;
     this.solutions = new Group();
@@ -151,7 +154,8 @@ export class PathView {
 
   dispose() {
     this.solutions.remove(this.further.lines);
-    for (const group of [this.selection, this.rival, this.hovered, this.solutions]) this.empty(group);
+    for (const group of [this.selection, this.rival, this.hovered, this.solutions])
+      this.empty(group);
     this.failed.dispose();
     this.further.dispose();
   }

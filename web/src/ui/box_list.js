@@ -22,7 +22,12 @@ export class BoxList {
       title: 'Around the player, or where the camera turns about',
       on: { click: addBox },
     });
-    this.root = el('div', { class: 'boxes' }, el('div', { class: 'box-bar' }, this.draw, add), this.items);
+    this.root = el(
+      'div',
+      { class: 'boxes' },
+      el('div', { class: 'box-bar' }, this.draw, add),
+      this.items,
+    );
     store.on(['boxes', 'query'], () => this.fill());
     store.on(['drawing'], ({ drawing }) => {
       this.draw.setAttribute('aria-pressed', String(drawing));
@@ -38,7 +43,9 @@ export class BoxList {
   fill() {
     // The field that is being typed into must outlive the change that it makes.
     const focus = document.activeElement?.dataset?.field;
-    this.items.replaceChildren(...this.store.state.boxes.map((box, index) => this.item(box, index)));
+    this.items.replaceChildren(
+      ...this.store.state.boxes.map((box, index) => this.item(box, index)),
+    );
     if (focus) this.items.querySelector(`[data-field="${focus}"]`)?.focus();
   }
 
@@ -66,7 +73,10 @@ export class BoxList {
       'div',
       { class: 'box' },
       el('div', { class: 'box-bar' }, el('strong', { text: `Box ${index + 1}` }), keep, remove),
-      el('output', { class: 'quiet', text: `${plural(n, 'way')} ${n === 1 ? 'passes' : 'pass'} it` }),
+      el('output', {
+        class: 'quiet',
+        text: `${plural(n, 'way')} ${n === 1 ? 'passes' : 'pass'} it`,
+      }),
       this.corner(box, index, 'min', 'from'),
       this.corner(box, index, 'max', 'to'),
     );

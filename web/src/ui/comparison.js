@@ -70,7 +70,15 @@ export class Comparison {
         {},
         el('td'),
         ...['Chosen', 'Ghost'].map((text, i) =>
-          el('th', { scope: 'col' }, el('i', { class: `swatch ${i ? 'closest' : 'solution'}`, style: { '--tint': tints[i] } }), text),
+          el(
+            'th',
+            { scope: 'col' },
+            el('i', {
+              class: `swatch ${i ? 'closest' : 'solution'}`,
+              style: { '--tint': tints[i] },
+            }),
+            text,
+          ),
         ),
       ),
     );

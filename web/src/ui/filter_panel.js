@@ -30,7 +30,13 @@ export class FilterPanel {
       on: { click: () => store.set(UNFILTERED) },
     });
     this.boxes = new BoxList(store, sourceOf, addBox);
-    this.body = el('div', { class: 'filter-body', hidden: true }, this.fields, this.boxes.root, this.clear);
+    this.body = el(
+      'div',
+      { class: 'filter-body', hidden: true },
+      this.fields,
+      this.boxes.root,
+      this.clear,
+    );
     this.fold = el('button', {
       class: 'fold',
       type: 'button',

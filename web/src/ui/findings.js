@@ -12,7 +12,11 @@ const shortName = (level, part) => level?.names[part]?.split('/').pop() || `part
 function line(text, part, store) {
   if (!(part >= 0)) return el('li', { text });
   const show = { click: () => store.set({ part, frame: part }) };
-  return el('li', {}, el('button', { class: 'plain text', type: 'button', text, data: { part }, on: show }));
+  return el(
+    'li',
+    {},
+    el('button', { class: 'plain text', type: 'button', text, data: { part }, on: show }),
+  );
 }
 
 function help(result, store) {

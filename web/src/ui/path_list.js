@@ -54,8 +54,7 @@ export class PathList {
     this.count.textContent =
       order.length === all ? plural(all, 'way') : `${order.length} of ${plural(all, 'way')}`;
     for (const [title, indices] of this.groups(query, order, sort)) {
-      if (title)
-        this.rows.append(el('h3', {}, title, el('small', { text: ` ${indices.length}` })));
+      if (title) this.rows.append(el('h3', {}, title, el('small', { text: ` ${indices.length}` })));
       for (const index of indices.slice(0, kMostRows)) this.rows.append(this.row(index));
       if (indices.length > kMostRows)
         this.rows.append(
@@ -147,6 +146,7 @@ export class PathList {
     const [top, height] = [row.offsetTop, row.offsetHeight];
     const { scrollTop, clientHeight } = this.rows;
     if (top < scrollTop) this.rows.scrollTop = top;
-    else if (top + height > scrollTop + clientHeight) this.rows.scrollTop = top + height - clientHeight;
+    else if (top + height > scrollTop + clientHeight)
+      this.rows.scrollTop = top + height - clientHeight;
   }
 }

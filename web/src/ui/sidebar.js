@@ -120,7 +120,10 @@ export class Sidebar {
 
   markKillers() {
     for (const row of this.detail.querySelectorAll('.ends .killer'))
-      row.setAttribute('aria-pressed', String(Number(row.dataset.part) === this.store.state.killer));
+      row.setAttribute(
+        'aria-pressed',
+        String(Number(row.dataset.part) === this.store.state.killer),
+      );
   }
 
   fillQuery() {

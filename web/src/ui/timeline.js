@@ -7,7 +7,11 @@ const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
 
 // A short line at the profile's lower or upper edge.
 const tickMark = (kind, x, from, to) =>
-  svg('path', { class: `mark ${kind}`, d: `M${x} ${from}V${to}`, 'vector-effect': 'non-scaling-stroke' });
+  svg('path', {
+    class: `mark ${kind}`,
+    d: `M${x} ${from}V${to}`,
+    'vector-effect': 'non-scaling-stroke',
+  });
 
 export class Timeline {
   constructor(root, store, playback, selected) {
