@@ -15,6 +15,12 @@ struct Parameter {
   std::string unit;        // of the schema
   double lowest, highest;  // that are tried
   std::string manoeuvre;   // what to record to learn of it
+  enum class Kind {
+    smooth,  // errors have a slope by it
+    ticks,   // a time that the simulator counts in whole ticks
+    event,   // decides when something happens, and nothing else
+  };
+  Kind kind = Kind::smooth;
 };
 
 // All that can be fitted, with bounds around `now` within the schema's ranges.
