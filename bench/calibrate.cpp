@@ -2,7 +2,8 @@
 // under twelve sets drawn at random, as they are and as recorders spoil them, and of recordings by
 // Bullet, an engine with other rules. A fit takes about a minute on two cores, those to Bullet
 // three, so that all cases with twelve sets take hours: name some.
-//   bench_calibrate [--json] [--each] [--sets N] [CASE...]     --each: every parameter of every set
+//   bench_calibrate [--json] [--each] [--from SET] [--sets N] [CASE...]     --each: every parameter
+//   of every set
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 
 #include "calibrate/course.h"
 #include "calibrate/fit.h"
+#include "calibrate/shortfall.h"
 #include "common/need.h"
 #include "common/report.h"
 #ifdef OBBY_HAS_BULLET_PLAYER
@@ -45,7 +47,7 @@ constexpr Case kCases[] = {
 
 struct Options {
   bool each = false;
-  uint64_t sets = 12;
+  uint64_t from = 1, sets = 12;
   bench::Report::Form form = bench::Report::Form::table;
   std::vector<std::string> wanted;
 };
@@ -79,11 +81,25 @@ std::vector<Take> spoilt(std::vector<Take> takes, const test::Faults& faults, ui
   return takes;
 }
 
-double meanMissOf(const std::vector<Take>& takes, const calibrate::Fit& fit) {
+io::RecordBuilder paramsOf(const calibrate::Fit& fit) {
   io::RecordBuilder params;
   params.root().initParams();
   for (const Fitted& f : fit.parameters)
     calibrate::setValue(params.root().getParams(), f.parameter.name, f.value);
+  return params;
+}
+
+// Where the simulator does something else than the recordings that were fitted.
+std::vector<std::string> reasonsAgainst(const std::vector<Take>& takes, const calibrate::Fit& fit) {
+  constexpr double kTolerance = 0.01;
+  const io::RecordBuilder params = paramsOf(fit);
+  return reasonsOf(
+      bench::need(calibrate::shortfallOf(takes, fit, params.reader().getParams(), kTolerance)),
+      kTolerance);
+}
+
+double meanMissOf(const std::vector<Take>& takes, const calibrate::Fit& fit) {
+  const io::RecordBuilder params = paramsOf(fit);
   double sum = 0;
   for (const Take& take : takes)
     sum += missOf(bench::need(pathOf(take, params.reader().getParams(), fit.delay))).mean;
@@ -136,6 +152,8 @@ void measure(const Trial& trial, bool each, ThreadPool& pool, Tally& tally) {
                trial.seed, missed, fit.delay, fit.loss, seconds);
     for (const Take& take : trial.heldOut)
       fmt::print(stderr, "   {} {:.4f}\n", take.track.name, meanMissOf({take}, fit));
+    for (const std::string& why : reasonsAgainst(trial.takes, fit))
+      fmt::print(stderr, "   {}\n", why);
   }
   tally.seconds += seconds;
   tally.missed += missed;
@@ -229,6 +247,8 @@ Options optionsOf(int argc, char** argv) {
       out.each = true;
     } else if (!strcmp(argv[i], "--sets") && i + 1 < argc) {
       out.sets = std::strtoull(argv[++i], nullptr, 10);
+    } else if (!strcmp(argv[i], "--from") && i + 1 < argc) {
+      out.from = std::strtoull(argv[++i], nullptr, 10);
     } else {
       out.wanted.push_back(argv[i]);
     }
@@ -249,7 +269,7 @@ int main(int argc, char** argv) {
   const auto add = [&](const char* name, const auto& measureOne) {
     if (!asked(name)) return;
     Tally tally;
-    for (uint64_t seed = 1; seed <= options.sets; ++seed) measureOne(seed, tally);
+    for (uint64_t i = 0; i < options.sets; ++i) measureOne(options.from + i, tally);
     write(name, tally, double(options.sets), report);
   };
   for (const Case& c : kCases)

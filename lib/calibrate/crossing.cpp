@@ -42,6 +42,16 @@ std::vector<double> sharesAllOver() {
   return out;
 }
 
+std::vector<double> sharesAround(double share) {
+  constexpr int kAround = 4;
+  std::vector<double> out;
+  for (int i = -kAround; i <= kAround; ++i) {
+    const double there = share + i / (kValues * 2.0 * kAround);
+    if (there >= 0 && there <= 1) out.push_back(there);
+  }
+  return out;
+}
+
 Crossing crossingOf(const Objective& objective, const std::vector<double>& point, size_t coordinate,
                     const std::vector<double>& shares, int rounds, ThreadPool& pool) {
   const size_t count = shares.size();

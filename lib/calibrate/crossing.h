@@ -21,7 +21,8 @@ struct Crossing {
 Crossing crossingOf(const Objective& objective, const std::vector<double>& point, size_t coordinate,
                     const std::vector<double>& shares, int rounds, ThreadPool& pool);
 
-// All over the bounds.
+// All over the bounds; and finer, up to halfway to the next of those.
 std::vector<double> sharesAllOver();
+std::vector<double> sharesAround(double share);
 
 }  // namespace obby::calibrate

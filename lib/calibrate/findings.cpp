@@ -96,7 +96,7 @@ Result<Findings> findingsOf(const Objective& objective, const std::vector<double
   const Weighing weighing{objective, point, pool, slopes.noise};
   for (size_t i = 0; i < shown.size(); ++i) {
     const Parameter::Kind kind = shown[i]->parameter.kind;
-    if (kind == Parameter::Kind::smooth) *shown[i] = bySlope(*shown[i], point[i], evidence.half[i]);
+    if (hasSlope(kind)) *shown[i] = bySlope(*shown[i], point[i], evidence.half[i]);
     if (kind == Parameter::Kind::event && !stop) weighing.byCrossing(i, *shown[i]);
     for (size_t k = 0; k < i; ++k) {
       const double c = evidence.correlation(Eigen::Index(i), Eigen::Index(k));

@@ -228,20 +228,28 @@ class Fitter {
   Status cross(const Objective& plain) {
     const Objective objective = plain.of(seen_);
     for (size_t i = 0; i < seen_.size() && !stop_; ++i) {
-      if (seen_[i].kind == Parameter::Kind::smooth) continue;
-      const std::vector<double> point = found_.in(objective);
-      const bool event = seen_[i].kind == Parameter::Kind::event;
-      const Crossing crossing =
-          event ? crossingOf(objective, point, i, sharesAllOver(), kEventRounds, pool_)
-                : crossingOf(objective, point, i, countsAround(objective, point, i), kSlopeRounds,
-                             pool_);
-      evaluations_ += crossing.evaluations;
-      found_.take(objective, crossing.best);
+      const Parameter::Kind kind = seen_[i].kind;
+      if (kind == Parameter::Kind::smooth) continue;
+      if (kind == Parameter::Kind::ticks) {
+        const auto counts = countsAround(objective, found_.in(objective), i);
+        crossBy(objective, i, counts, kSlopeRounds);
+        continue;
+      }
+      crossBy(objective, i, sharesAllOver(), kEventRounds);
+      crossBy(objective, i, sharesAround(found_.in(objective)[i]), kEventRounds);
     }
     std::vector<double> point = found_.in(objective);
     settle(objective, point, Tried::inPairs, pool_, evaluations_);
     found_.take(objective, point);
     return refine(plain);
+  }
+
+  void crossBy(const Objective& objective, size_t coordinate, const std::vector<double>& shares,
+               int rounds) {
+    const Crossing crossing =
+        crossingOf(objective, found_.in(objective), coordinate, shares, rounds, pool_);
+    evaluations_ += crossing.evaluations;
+    found_.take(objective, crossing.best);
   }
 
   // What the recordings do not tell goes back to where it was, if the others can make up for it.
@@ -253,7 +261,7 @@ class Fitter {
     std::vector<Parameter> told;
     Found trial{io::RecordBuilder(found_.values.reader()), found_.delay};
     for (size_t i = 0; i < seen_.size(); ++i) {
-      if (seen_[i].kind != Parameter::Kind::smooth || evidence.half[i] < kNothing) {
+      if (!hasSlope(seen_[i].kind) || evidence.half[i] < kNothing) {
         told.push_back(seen_[i]);
       } else {
         setValue(trial.values.root().getParams(), seen_[i].name, valueOf(now_, seen_[i].name));

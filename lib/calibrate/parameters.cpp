@@ -47,8 +47,8 @@ constexpr Row kRows[] = {
     {"iceFriction", 5, "run and stop on parts of several frictions"},
     {"maxSlope", 1.5, "walk up ramps, steeper each time", Parameter::Kind::event},
     {"climbSpeed", 2, "climb a truss up and down"},
-    {"bodyWidth", 2.5, "run into walls and through gaps"},
-    {"bodyDepth", 2.5, "run into walls and through gaps"},
+    {"bodyWidth", 2.5, "run into walls and through gaps", Parameter::Kind::touch},
+    {"bodyDepth", 2.5, "run into walls and through gaps", Parameter::Kind::touch},
     {"pushForce", 10, "push a box"},
 };
 
