@@ -66,6 +66,49 @@ TEST(DesignerQueries, AreReadWithTheirRegionsAndLimits) {
   EXPECT_TRUE(compiled) << compiled.error().text();
 }
 
+TEST(DesignerQueries, ForbidStatesAndStartLaterWithAndWithoutAStartRegion) {
+  Place place;
+  for (const char* id : {"at the spawn", "at a region"}) {
+    const InstanceId query = place.query(id);
+    place.attribute(query, "forbid", std::string("climbing, fallingDown"));
+    place.attribute(query, "startTick", 90.0);
+    place.region(query, "goal", "goal");
+  }
+  place.region(place.document.instances[place.folder].children[1], "from", "start");
+  const importer::Import import = place.imported();
+  EXPECT_TRUE(import.warnings.empty()) << import.warnings.front();
+  const auto level = level::Level::compile(import.level.reader().getLevel());
+  ASSERT_TRUE(level);
+  for (size_t i = 0; i < 2; ++i) {
+    const auto q = import.queries[i].reader().getQuery();
+    ASSERT_EQ(q.getForbid().size(), 2u);
+    EXPECT_EQ(q.getForbid()[0], schema::PlayerState::CLIMBING);
+    EXPECT_EQ(q.getForbid()[1], schema::PlayerState::FALLING_DOWN);
+    EXPECT_EQ(q.getStart().getTick(), 90u);
+    EXPECT_EQ(q.getStart().hasRegion(), i == 1);
+    const auto compiled = level::Query::compile(q, *level);
+    ASSERT_TRUE(compiled) << compiled.error().text();
+    EXPECT_EQ(compiled->view().startTick, 90u);
+  }
+}
+
+TEST(DesignerQueries, StatesAndTicksThatAreNoneAreNamed) {
+  Place place;
+  const InstanceId query = place.query("odd");
+  place.attribute(query, "forbid", std::string("climbing,flying"));
+  place.attribute(query, "startTick", -3.0);
+  place.region(query, "goal", "goal");
+  place.attribute(place.query("worse"), "forbid", 3.0);
+  const importer::Import import = place.imported();
+  std::string all;
+  for (const std::string& warning : import.warnings) all += warning + "\n";
+  for (const char* word : {"flying", "startTick", "forbid that is no text"})
+    EXPECT_NE(all.find(word), std::string::npos) << word << " in\n" << all;
+  const auto q = import.queries[0].reader().getQuery();
+  EXPECT_EQ(q.getForbid().size(), 1u);
+  EXPECT_FALSE(q.hasStart());
+}
+
 TEST(DesignerQueries, WhatCannotBeUsedIsNamed) {
   Place place;
   place.query("no goal");
