@@ -183,6 +183,10 @@ const result = {
   stepsPerSecond: 4381423,
   method: 'go-explore',
   seed: '1',
+  routes: [
+    { route: [0, 1, 2, 6], count: '3', ticks: 540 },
+    { route: [0, 6], count: '1', ticks: 544 },
+  ],
   heatMap: {
     size: 4,
     feet: encode(new Float32Array([1, 2, 3, -3, 2, 3, 1, 2, -9])),

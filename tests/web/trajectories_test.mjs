@@ -80,6 +80,16 @@ test('colours by time, jumps, route, method and difficulty, with a legend', asyn
   await page.locator('.choice.colorBy select').selectOption('outcome');
 });
 
+test('a click on a route lists its ways only, and all again', async ({ page }) => {
+  const route = page.locator('.findings .way').nth(1);
+  assert.equal(await route.innerText(), 'Spawn → Landing');
+  await route.click();
+  const only = paths.filter((path) => path.route.join(' ') === '0 6');
+  assert.equal(await page.locator('.path').count(), only.length);
+  await route.click();
+  assert.equal(await page.locator('.path').count(), paths.length);
+});
+
 test('isolating draws the chosen one only', async ({ page }) => {
   await page.locator('#view').focus();
   await page.keyboard.press('i');

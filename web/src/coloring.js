@@ -1,6 +1,7 @@
 // Colours of trajectories by outcome, route, method, time, jumps or difficulty, and what they mean.
 import { routeKey } from './choice.js';
 import { BAND_STYLE, OUTCOME_STYLE, pathColor, SOLUTION_COLOR, VERDICT_STYLE } from './palette.js';
+import { routeText } from './route_text.js';
 
 export const COLORINGS = {
   outcome: 'outcome',
@@ -87,15 +88,7 @@ function byDifficulty(query) {
   return { of: (path) => BAND_STYLE[path.difficulty?.band]?.color ?? kNone, legend };
 }
 
-// Last words of the parts' names, first and last of a long way.
-export function routeName(key, level) {
-  const names = key
-    .split(' ')
-    .map((part) => (level?.names[part] ?? `part ${part}`).split('/').pop());
-  return names.length > 4
-    ? [...names.slice(0, 2), '…', ...names.slice(-2)].join(' → ')
-    : names.join(' → ');
-}
+export const routeName = (key, level) => routeText(key.split(' '), level, 4);
 
 // {of: path -> colour, legend: [label, colour, class of the swatch]}
 export function coloring(query, level, mode) {

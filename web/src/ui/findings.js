@@ -1,5 +1,9 @@
 // What an answer says beyond its verdict: why there is no way, what would have to change, by which routes it goes, how far to trust it.
+import { routeText } from '../route_text.js';
 import { el, plural, seconds } from './dom.js';
+
+const kMostRoutes = 6;
+const kMostNames = 5; // of a route
 
 const SATURATION = {
   saturated: 'The search found nearly all there is to find at this resolution.',
@@ -55,20 +59,30 @@ function proof(result, level, store) {
   ];
 }
 
-function routes(result, level) {
+// Each shows its own ways only, and all again.
+function routes(result, level, store) {
   if (!(result.routes?.length > 1)) return [];
   const rate = level?.tickRate ?? 60;
-  const name = (part) => level?.names[part] || `part ${part}`;
+  const toggle = (key) => store.set({ route: store.state.route === key ? '' : key });
   const routeLine = ({ route, count, ticks }) =>
     el(
       'li',
-      { title: route.map(name).join(' → ') },
-      el('span', { class: 'way', text: route.map(name).join(' → ') }),
+      {},
+      el('button', {
+        class: 'plain text way',
+        type: 'button',
+        title: `List these only: ${routeText(route, level)}`,
+        text: routeText(route, level, kMostNames),
+        on: { click: () => toggle(route.join(' ')) },
+      }),
       el('small', {
         text: `${plural(Number(count), 'solution')}, shortest ${seconds(ticks / rate)} s`,
       }),
     );
-  return [el('h3', { text: 'Routes' }), el('ul', {}, ...result.routes.map(routeLine))];
+  const told = result.routes.slice(0, kMostRoutes).map(routeLine);
+  const left = result.routes.length - told.length;
+  if (left > 0) told.push(el('li', { class: 'quiet', text: `and ${left} more` }));
+  return [el('h3', { text: 'Routes' }), el('ul', {}, ...told)];
 }
 
 function trust(result) {
@@ -84,7 +98,7 @@ export function findings(query, level, store) {
   const parts = [
     ...proof(result, level, store),
     ...help(result, store),
-    ...routes(result, level),
+    ...routes(result, level, store),
     ...trust(result),
   ];
   return el('div', { class: 'findings', hidden: parts.length === 0 }, ...parts);

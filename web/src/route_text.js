@@ -1,0 +1,16 @@
+// Routes in words: the last words of the parts' names, those alike in a row told once.
+
+const nameOf = (level, part) => (level?.names[part] || `part ${part}`).split('/').pop();
+
+// `most`: so many names; of more the first and last two are told.
+export function routeText(route, level, most = Infinity) {
+  const steps = [];
+  for (const name of route.map((part) => nameOf(level, part))) {
+    const last = steps.at(-1);
+    if (last?.name === name) last.count += 1;
+    else steps.push({ name, count: 1 });
+  }
+  const words = steps.map(({ name, count }) => (count > 1 ? `${name} ×${count}` : name));
+  const told = words.length > most ? [...words.slice(0, 2), '…', ...words.slice(-2)] : words;
+  return told.join(' → ');
+}
