@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/text.h"
+#include "loopback/sender.h"
 
 namespace obby::bridge {
 namespace {
@@ -24,17 +25,8 @@ bool allOf(std::string_view text, std::string_view allowed) {
 
 // --- who asks
 
-bool hostAllowed(std::string_view host, uint16_t port) {
-  const std::string found = lower(host);
-  for (const char* name : {"127.0.0.1", "localhost", "[::1]"}) {
-    if (found == fmt::format("{}:{}", name, port)) return true;
-    if (port == 80 && found == name) return true;
-  }
-  return false;
-}
-
 std::optional<Reply> checkSender(const RequestHead& head, const Access& access) {
-  if (!head.host || !hostAllowed(*head.host, access.port)) {
+  if (!head.host || !loopback::hostAllowed(*head.host, access.port)) {
     return refuse(421, "this is not the host that was asked for",
                   fmt::format("ask http://127.0.0.1:{}", access.port));
   }
