@@ -75,9 +75,13 @@ kj::Promise<void> Server::inTime(kj::Promise<void> written) {
 }
 
 kj::Promise<void> Server::send(Reply reply, Response& response) {
+  const kj::HttpHeaders headers = answerHeaders(reply.type);
+  return send(std::move(reply), headers, response);
+}
+
+kj::Promise<void> Server::send(Reply reply, const kj::HttpHeaders& headers, Response& response) {
   auto body = kj::heap<std::string>(std::move(reply.body));
-  auto stream = response.send(uint(reply.status), reason(reply.status), answerHeaders(reply.type),
-                              body->size());
+  auto stream = response.send(uint(reply.status), reason(reply.status), headers, body->size());
   auto written = stream->write(body->data(), body->size());
   return inTime(kj::mv(written)).attach(kj::mv(stream), kj::mv(body));
 }

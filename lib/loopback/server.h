@@ -35,6 +35,7 @@ class Server : protected kj::HttpService,
   virtual Reply failure(int status, const char* message, const char* cure) const = 0;
 
   kj::Promise<void> send(Reply reply, Response& response);
+  kj::Promise<void> send(Reply reply, const kj::HttpHeaders& headers, Response& response);
   // Those of every answer: its type, no cache, no guessing at the type. More may be set.
   kj::HttpHeaders answerHeaders(const std::string& type) const;
   // As a kj exception of type OVERLOADED if it takes too long.

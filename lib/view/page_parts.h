@@ -8,6 +8,10 @@
 namespace obby::view {
 
 void writeLevel(JsonText& json, const LevelEntry& entry, uint32_t ticksShown, uint32_t trackStride);
+// The members of a query's object but its trajectories.
+void writeQueryFacts(JsonText& json, const QueryEntry& entry);
+// Every `stride`-th tick of it.
+void writePath(JsonText& json, const PathEntry& path, uint32_t stride);
 void writeQuery(JsonText& json, const QueryEntry& entry, const Budget& budget);
 
 }  // namespace obby::view

@@ -1,40 +1,11 @@
 // obby-view: streams in, a page or a text out.
 #include "formats.h"
 #include "options.h"
+#include "reading.h"
 #include "view/page.h"
 
 namespace obby {
 namespace {
-
-// Reads the inputs to their end. A broken input is reported, and what came before it is shown.
-Result<view::Report> readReport(cli::Context& context) {
-  io::RecordSource source(context.sourceOptions());
-  const std::vector<std::string>& inputs = context.inputs();
-  view::Collector collector([&](const io::Record& record, Error error) {
-    // The source knows which input it reads, but not where a record of before came from.
-    if (inputs.size() == 1) error.input = inputs[0] == "-" ? "stdin" : inputs[0];
-    return source.forgive(record, std::move(error));
-  });
-  std::vector<std::string> notes;
-  for (;;) {
-    auto next = source.next();
-    if (!next) {
-      context.error(next.error());
-      notes.push_back("The input broke off: " + next.error().text());
-      break;
-    }
-    if (!*next) break;
-    OBBY_RETURN_IF_ERROR(collector.add(**next));
-  }
-  OBBY_ASSIGN(view::Report report, collector.finish(context.arguments().list("query")));
-  if (source.status() == schema::EndStatus::INTERRUPTED) {
-    notes.push_back("The work was interrupted before every query had its answer.");
-  } else if (source.status() == schema::EndStatus::BUDGET) {
-    notes.push_back("A budget was spent before every query had its answer.");
-  }
-  report.notes.insert(report.notes.end(), notes.begin(), notes.end());
-  return report;
-}
 
 Result<cli::ExitCode> run(cli::Context& context) {
   const ViewFormat& format = wantedFormat(context.arguments());
