@@ -18,13 +18,8 @@ Reply HttpFront::failure(int status, const char* message, const char* cure) cons
 
 std::variant<Call, Reply> HttpFront::check(kj::HttpMethod method, kj::StringPtr url,
                                            const kj::HttpHeaders& headers) const {
-  const kj::String name = kj::str(method);
   RequestHead head;
-  head.method = std::string_view(name.begin(), name.size());
-  head.target = std::string_view(url.begin(), url.size());
-  head.host = valueOf(headers, kj::HttpHeaderId::HOST);
-  head.origin = valueOf(headers, "Origin");
-  head.fetchSite = valueOf(headers, "Sec-Fetch-Site");
+  readHead(method, url, headers, head);
   head.authorization = valueOf(headers, authorization);
   head.contentType = valueOf(headers, kj::HttpHeaderId::CONTENT_TYPE);
   head.encoding = valueOf(headers, contentEncoding);

@@ -25,6 +25,16 @@ std::optional<std::string_view> Server::valueOf(const kj::HttpHeaders& headers, 
   return out;
 }
 
+void Server::readHead(kj::HttpMethod method, kj::StringPtr url, const kj::HttpHeaders& headers,
+                      Head& out) {
+  const kj::StringPtr name = kj::toCharSequence(method);  // of the library, for good
+  out.method = std::string_view(name.begin(), name.size());
+  out.target = std::string_view(url.begin(), url.size());
+  out.host = valueOf(headers, kj::HttpHeaderId::HOST);
+  out.origin = valueOf(headers, "Origin");
+  out.fetchSite = valueOf(headers, "Sec-Fetch-Site");
+}
+
 Server::Server(kj::LowLevelAsyncIoProvider& io, kj::Timer& timer, Listener listener,
                ServerLimits limits, Note note)
     : timer_(timer), note_(std::move(note)), limits_(limits), port_(listener.port), tasks_(*this) {

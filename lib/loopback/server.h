@@ -10,6 +10,7 @@
 #include "loopback/event_loop.h"
 #include "loopback/listener.h"
 #include "loopback/reply.h"
+#include "loopback/sender.h"
 
 namespace obby::loopback {
 
@@ -48,6 +49,8 @@ class Server : protected kj::HttpService,
   static std::optional<std::string_view> valueOf(const kj::HttpHeaders& headers,
                                                  kj::HttpHeaderId id);
   static std::optional<std::string_view> valueOf(const kj::HttpHeaders& headers, const char* name);
+  static void readHead(kj::HttpMethod method, kj::StringPtr url, const kj::HttpHeaders& headers,
+                       Head& out);
   kj::HttpHeaderId authorization, contentEncoding;
 
  private:

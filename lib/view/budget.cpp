@@ -24,12 +24,17 @@ size_t total(const PageSizes& sizes, const Budget& b) {
 
 }  // namespace
 
+uint32_t leastTicksShown(const Report& report, int level) {
+  return kLeastSeconds * report.levels[size_t(level)].level->view().params.controlRate;
+}
+
 uint32_t ticksShown(const Report& report, int level) {
   const auto& view = report.levels[size_t(level)].level->view();
-  uint64_t ticks = uint64_t(kLeastSeconds) * view.params.controlRate;
+  uint64_t ticks = leastTicksShown(report, level);
   for (const QueryEntry& query : report.queries) {
     if (query.level != level) continue;
     for (const PathEntry& path : query.paths) {
+      if (!path.played()) continue;
       ticks =
           std::max<uint64_t>(ticks, uint64_t(path.reader().getStartTick()) + path.playback.ticks());
     }
@@ -61,8 +66,9 @@ Budget budgetFor(const Report& report, size_t target) {
   return budgetFor(sizes, target);
 }
 
-Budget budgetFor(const PageSizes& sizes, size_t target) {
-  Budget b;
+Budget budgetFor(const PageSizes& sizes, size_t target, Budget least) {
+  Budget b = std::move(least);
+  b.notes.clear();
   while (total(sizes, b) > target && b.attemptStride < kMaxStride) b.attemptStride *= 2;
   while (total(sizes, b) > target && b.trackStride < kMaxStride) b.trackStride *= 2;
   while (total(sizes, b) > target &&

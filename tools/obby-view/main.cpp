@@ -1,6 +1,8 @@
 // obby-view: streams in, a page or a text out.
 #include "formats.h"
+#include "live.h"
 #include "options.h"
+#include "output.h"
 #include "reading.h"
 #include "view/page.h"
 
@@ -8,26 +10,12 @@ namespace obby {
 namespace {
 
 Result<cli::ExitCode> run(cli::Context& context) {
-  const ViewFormat& format = wantedFormat(context.arguments());
-  const bool page = format.name == std::string("html");
-  if (page && !view::pageAvailable()) return view::pageMissing();
+  if (wantedFormat(context.arguments()).page && !view::pageAvailable()) return view::pageMissing();
+  if (context.arguments().flag("live")) return runLive(context);
   OBBY_ASSIGN(const view::Report report, readReport(context));
-  if (report.levels.empty() && report.queries.empty()) {
-    if (context.errors() > 0) return cli::ExitCode::failed;
-    return makeError("the input holds nothing to show", "give it levels, queries or results");
-  }
-  for (const view::QueryEntry& query : report.queries) {
-    if (query.mismatch()) context.warn("query " + query.id + ": a solution does not replay");
-  }
-  OBBY_ASSIGN(const std::string text, format.render(report, context));
-  if (page && text.size() > view::kPageWarning) {
-    context.warn("the page is " + std::to_string(text.size() >> 20) + " MB; browsers may be slow");
-  }
-  OBBY_ASSIGN(io::Sink sink, context.openSink());
-  if (format.binary && sink.terminal())
-    return makeError("a picture is nothing for a terminal", "name a file: -o picture.png");
-  OBBY_RETURN_IF_ERROR(sink.write(text));
-  OBBY_RETURN_IF_ERROR(sink.close());
+  const bool empty = report.levels.empty() && report.queries.empty();
+  if (empty && context.errors() > 0) return cli::ExitCode::failed;
+  OBBY_RETURN_IF_ERROR(writeReport(report, context));
   return cli::ExitCode::ok;
 }
 

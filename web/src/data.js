@@ -68,7 +68,7 @@ class Track {
   }
 }
 
-function levelOf(raw) {
+export function levelOf(raw) {
   const parts = raw.parts;
   return {
     ...raw,
@@ -96,7 +96,7 @@ function actionAt(runs, tick) {
   return { walk: false, jump: false, heading: 0 };
 }
 
-class Path {
+export class Path {
   constructor(raw, query) {
     Object.assign(this, raw);
     this.query = query;
@@ -150,8 +150,7 @@ class Path {
   }
 }
 
-export function readReport(text) {
-  const raw = JSON.parse(text);
+export function readReport(raw) {
   const levels = raw.levels.map(levelOf);
   const queries = raw.queries.map((query, index) => {
     const own = { ...query, index };
