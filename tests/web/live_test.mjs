@@ -50,6 +50,7 @@ const kept = (page) =>
       ghost: app.ghost()?.serial,
       camera: [...position.toArray(), ...quaternion.toArray()].map((v) => v.toFixed(3)).join(),
       scroll: list.rows.scrollTop,
+      focus: document.activeElement.dataset.path,
     };
   });
 
@@ -76,6 +77,12 @@ test('counts grow with the stream, the choice stays, and the end is said', async
   await waysAre(page, 3);
   assert.match(await page.locator('.detail').innerText(), /Steps\s+300 k/);
   assert.match(await page.locator('.detail').innerText(), /Cells\s+150/);
+  await page.evaluate(() => {
+    window.drawn = window.obby.stage.pathView;
+  });
+  viewer.write(progress(4, attempts[2], [attempts[3], attempts[1]]));
+  await page.locator('.detail .numbers', { hasText: '400 k' }).waitFor();
+  assert.ok(await page.evaluate(() => window.drawn === window.obby.stage.pathView), 'numbers only');
   await picture(page, 'live-searching');
 
   viewer.write(...attempts.slice(0, 10));
@@ -86,9 +93,10 @@ test('counts grow with the stream, the choice stays, and the end is said', async
   await page.waitForTimeout(600);
   await page.evaluate(() => {
     window.obby.list.rows.scrollTop = 7;
+    document.querySelector('.path:last-child').focus({ preventScroll: true });
   });
   const before = await kept(page);
-  assert.ok(before.chosen > 0 && before.ghost > 0);
+  assert.ok(before.chosen > 0 && before.ghost > 0 && before.focus !== undefined);
   for (let i = 10; i < 20; i += 2) {
     viewer.write(...attempts.slice(i, i + 2));
     await waysAre(page, i + 3);

@@ -5,6 +5,13 @@ import { LiveReport } from './live_report.js';
 import { keepingPlace } from './ui/dom.js';
 import { LiveMark } from './ui/live_mark.js';
 
+// A search that runs tells its numbers often; what is drawn need not be made anew for those.
+function onlyNumbers(before, now) {
+  if (before?.paths.length !== now.paths.length) return false;
+  const rest = ({ paths, progress, running, ...facts }) => JSON.stringify(facts);
+  return rest(before) === rest(now) && before.paths.every((path, i) => path === now.paths[i]);
+}
+
 export class Live {
   // `begin`: report -> app.
   constructor(side, begin) {
@@ -37,11 +44,11 @@ export class Live {
     const { app, live } = this;
     const chosen = app?.path();
     const ghost = app?.ghost();
-    const hadQuery = Boolean(app?.query());
+    const before = app?.query();
     const changed = live.take(raw, [chosen, ghost]);
     if (app) {
-      this.refresh(changed, chosen, ghost);
-      if (!hadQuery && app.query() && !app.moved) app.stage.frameQuery(true);
+      this.refresh(changed, before, chosen, ghost);
+      if (!before && app.query() && !app.moved) app.stage.frameQuery(true);
       this.followNewest(changed.fresh);
     } else if (live.report.levels.length) {
       this.app = this.begin(live.report);
@@ -52,10 +59,11 @@ export class Live {
     this.show();
   }
 
-  refresh({ levels, queries }, chosen, ghost) {
+  refresh({ levels, queries }, before, chosen, ghost) {
     const { app } = this;
     const { state } = app.store;
-    if (queries.has(state.query) || levels.has(app.query()?.level ?? 0))
+    const news = queries.has(state.query) && !onlyNumbers(before, app.query());
+    if (news || levels.has(app.query()?.level ?? 0))
       keepingPlace(app.list.rows, () => this.refreshQuery(chosen, ghost));
     app.sidebar.refresh();
     app.dirty = true;
