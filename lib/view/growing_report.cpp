@@ -14,7 +14,7 @@ Status GrowingReport::add(const io::Record& record) {
 Status GrowingReport::end(StreamState state, const std::vector<std::string>& notes) {
   const std::lock_guard lock(mutex_);
   for (const std::string& note : notes) collector_.note(note);
-  const Status chosen = collector_.checkChosen();
+  Status chosen = collector_.checkChosen();
   if (!chosen) collector_.note(chosen.error().text());
   state_ = chosen ? state : StreamState::broken;
   changed_ = true;
