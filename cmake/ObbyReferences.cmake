@@ -12,6 +12,11 @@ if(BULLET_INCLUDE AND BULLET_COLLISION AND BULLET_DYNAMICS AND BULLET_MATH)
   target_compile_definitions(bullet INTERFACE BT_USE_DOUBLE_PRECISION)
   target_link_libraries(bullet INTERFACE ${BULLET_DYNAMICS} ${BULLET_COLLISION} ${BULLET_MATH})
 endif()
+# The single-precision build, as games have it: a player of another engine in tests/calibrate, and in benches. Not of one
+# program with the target above.
+if(NOT OBBY_PORTABLE)
+  pkg_check_modules(bullet IMPORTED_TARGET bullet)
+endif()
 
 # obby_absent_test(name packages...): a ctest entry that is skipped, with the packages it wants.
 function(obby_absent_test name)

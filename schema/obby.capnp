@@ -508,6 +508,7 @@ struct Trajectory {
   route @16 :List(Int32);    # parts that carried the player, in order, none twice in a row
   difficulty @17 :Difficulty;  # of a solution, where it was asked for
   path @18 :Path;            # where it was asked for, for readers that cannot replay
+  method @19 :Text;          # of the search that found it
 }
 
 struct Path {
@@ -618,6 +619,17 @@ struct Coverage {
   closest @2 :Float32;          # studs from the goal (or the next waypoint), least so far
 }
 
+struct HeatMap {
+  # Where a search has been, in cubes beside one another.
+  size @0 :Float32;          # studs, a cube's edge: 2, doubled until there are at most 4,096 cubes
+  cubes @1 :List(HeatCube);
+}
+
+struct HeatCube {
+  feet @0 :Vec3;             # the lowest that were in it
+  cells @1 :UInt32;          # that the search tells apart there
+}
+
 enum Knob {
   jumps @0;       # the jump limit
   time @1;        # the time limit, seconds
@@ -667,6 +679,7 @@ struct Result {
   evidence @16 :SearchEvidence;    # of unknown
   relaxations @17 :List(Relaxation);  # of a query without a solution, where it was asked for
   routes @18 :List(RouteCount);       # of the solutions, most frequent first
+  heatMap @19 :HeatMap;      # of a search, where it was asked for
 }
 
 # ---------------------------------------------------------------------------------------------- recordings, metrics

@@ -4,18 +4,12 @@
 
 #include <vector>
 
+#include "support/bullet_pose.h"
+
 namespace obby::bench {
 namespace {
 
 constexpr float kRadius = 1, kHeight = 5;  // studs
-
-btVector3 vector(Vec3 v) { return {v.x, v.y, v.z}; }
-
-btTransform transform(const Pose& pose) {
-  const Mat3& r = pose.rotation;
-  const btMatrix3x3 basis(r.x.x, r.y.x, r.z.x, r.x.y, r.y.y, r.z.y, r.x.z, r.y.z, r.z.z);
-  return btTransform(basis, vector(pose.position));
-}
 
 }  // namespace
 
@@ -54,11 +48,12 @@ BulletWorld::BulletWorld(const level::LevelView& level, Vec3 feet)
   impl_->world.setGravity({0, -level.params.gravity, 0});
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     const level::Collider& c = level.colliders[i];
-    impl_->add(std::make_unique<btBoxShape>(vector(c.shape.half)), 0, transform(c.pose));
+    impl_->add(std::make_unique<btBoxShape>(test::bulletVector(c.shape.half)), 0,
+               test::bulletTransform(c.pose.rotation, c.pose.position));
   }
   const Pose start{feet + Vec3{0, kHeight / 2, 0}, {}};
   impl_->player = impl_->add(std::make_unique<btCapsuleShape>(kRadius, kHeight - 2 * kRadius), 1,
-                             transform(start));
+                             test::bulletTransform(start.rotation, start.position));
   impl_->player->setAngularFactor(0);
   impl_->player->setActivationState(DISABLE_DEACTIVATION);
 }

@@ -114,6 +114,7 @@ void Job::onReport(std::string_view line) {
   for (uint32_t i = tree->root().child; i != 0; i = tree->node(i).next) {
     if (tree->name(tree->node(i)) == "message") lastReport_ = tree->text(tree->node(i));
   }
+  if (typeOfLine(line) == "error" && firstError_.empty()) firstError_ = lastReport_;
   tell("report", "report", line);
 }
 
@@ -146,7 +147,8 @@ void Job::ending(const Exit& how) {
   const bool interrupted = how.signal == 0 && how.code == kInterrupted;
   if (how.signal == 0 && how.code == 0) return enter(JobState::done, {});
   if (interrupted) return enter(JobState::cancelled, "the program was interrupted");
-  enter(JobState::failed, lastReport_.empty() ? endingOf(how) : lastReport_);
+  const std::string& why = firstError_.empty() ? lastReport_ : firstError_;
+  enter(JobState::failed, why.empty() ? endingOf(how) : why);
 }
 
 void Job::cancel(const char* why) {

@@ -59,7 +59,8 @@ class Job {
   JobState state_ = JobState::waiting;
   uint64_t firstCursor_;
   std::string cancelled_;   // why; empty: it is not
-  std::string lastReport_;  // the program's last error
+  std::string firstError_;  // the program's: later ones may follow from it
+  std::string lastReport_;  // the program's
   bool complete_ = false;   // its end record has come
   bool kept_ = false;
   uint64_t answerBytes_ = 0;

@@ -36,6 +36,7 @@ constexpr Knob kKnobs[] = {
     {"trials", "--trials", Shape::whole, 1, 1000000},
     {"explain", "--explain", Shape::truth},
     {"paths", "--paths", Shape::truth},
+    {"heatMap", "--heat-map", Shape::truth},
     {"restarts", "--restarts", Shape::whole, 1, 1000, false, true},
     {"generations", "--generations", Shape::whole, 1, 100000, false, true},
     {"seed", "--seed", Shape::seed, 0, 0, true, true},

@@ -72,6 +72,7 @@ std::variant<JobPlan, Reply> Service::plan(const Order& order, Client& client, u
   out.input += (*level)->levels;
   if (!solve) arguments.emplace_back("--verbose");  // what it found, in words, is a note
   if (solve) {
+    arguments.emplace_back("--on-error=skip");  // a question that cannot be asked stops no other
     out.answerPath = store_.answerPath(session_, fmt::format("j{}", number));
     if (auto wrong = addWarmStart(order, client, arguments)) return *std::move(wrong);
     if (order.records.empty()) {

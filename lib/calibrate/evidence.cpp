@@ -17,11 +17,19 @@ constexpr double kAlike = 30;
 // Frames whose errors share a cause: those of a window share its first sample.
 constexpr Eigen::Index kStretch = 90;
 constexpr double kLeast = 1e-9;  // of an eigenvalue, beside the largest: less is nothing
-constexpr int kRounds = 12;
+// Studs: no recorder is better. Between two frames a fall bends by more.
+constexpr double kLeastNoise = 1e-3;
+constexpr double kDeviation = 1.4826;  // of a normal distribution, beside the middle of its sizes
+constexpr float kShows = 1e-3f;        // studs that some frame must move by
 
 std::vector<double> moved(std::vector<double> point, size_t at, double by) {
   point[at] = std::clamp(point[at] + by, 0.0, 1.0);
   return point;
+}
+
+// Of the mean of what counts as one sample, as if each of its members had it.
+double varianceOf(double noise) {
+  return std::max(noise * noise, kLeastNoise * kLeastNoise) * kAlike;
 }
 
 double weightOf(float residual, double near) {
@@ -29,20 +37,31 @@ double weightOf(float residual, double near) {
   return 1 / (1 + size * size);
 }
 
+Status writeSlope(const Objective& objective, const std::vector<double>& point, int i,
+                  Eigen::MatrixXf& slopes) {
+  const auto up = moved(point, size_t(i), kStep), down = moved(point, size_t(i), -kStep);
+  OBBY_ASSIGN(const std::vector<float> above, objective.residuals(up));
+  OBBY_ASSIGN(const std::vector<float> below, objective.residuals(down));
+  const float width = float(up[size_t(i)] - down[size_t(i)]);
+  for (Eigen::Index k = 0; k < slopes.rows(); ++k)
+    slopes(k, i) = (above[size_t(k)] - below[size_t(k)]) / width;
+  return {};
+}
+
 }  // namespace
 
-Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& point) {
+Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& point,
+                        ThreadPool* pool) {
   const Eigen::Index n = Eigen::Index(point.size());
   OBBY_ASSIGN(const std::vector<float> r, objective.residuals(point));
   const Eigen::Index rows = Eigen::Index(r.size());
   Eigen::MatrixXf slopes(rows, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto up = moved(point, size_t(i), kStep), down = moved(point, size_t(i), -kStep);
-    OBBY_ASSIGN(const std::vector<float> above, objective.residuals(up));
-    OBBY_ASSIGN(const std::vector<float> below, objective.residuals(down));
-    const float width = float(up[size_t(i)] - down[size_t(i)]);
-    for (Eigen::Index k = 0; k < rows; ++k)
-      slopes(k, i) = (above[size_t(k)] - below[size_t(k)]) / width;
+  std::vector<Status> status(point.size());
+  const auto column = [&](int i) { status[size_t(i)] = writeSlope(objective, point, i, slopes); };
+  if (pool != nullptr) pool->run(int(n), column);
+  for (int i = 0; i < int(n); ++i) {
+    if (pool == nullptr) column(i);
+    OBBY_RETURN_IF_ERROR(std::move(status[size_t(i)]));
   }
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n);
   Slopes out{none, Eigen::VectorXd::Zero(n), none, 0};
@@ -73,7 +92,7 @@ Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& p
 // how much the stretches disagree.
 Evidence evidenceOf(const Slopes& s) {
   const Eigen::Index n = s.normal.rows();
-  const double variance = std::max(s.noise * s.noise, 1e-10) * kAlike;
+  const double variance = varianceOf(s.noise);
   const Eigen::MatrixXd information =
       s.normal / variance + Eigen::MatrixXd::Identity(n, n) * 4;  // before: half a unit
   const Eigen::MatrixXd covariance = information.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
@@ -91,11 +110,41 @@ Evidence evidenceOf(const Slopes& s) {
   return out;
 }
 
+bool shows(const Objective& objective, const std::vector<double>& point, size_t coordinate,
+           const std::vector<float>& here) {
+  for (const double share : {0.15, 0.85}) {
+    std::vector<double> moved = point;
+    moved[coordinate] = share;
+    const auto there = objective.residuals(moved);
+    if (!there) continue;  // a body that cannot be
+    for (size_t k = 0; k < here.size(); ++k) {
+      if (std::fabs((*there)[k] - here[k]) > kShows) return true;
+    }
+  }
+  return false;
+}
+
+Result<double> noiseAt(const Objective& objective, const std::vector<double>& point) {
+  OBBY_ASSIGN(const std::vector<float> all, objective.residuals(point));
+  std::vector<float> sizes;
+  for (size_t i = 0; i < all.size(); ++i) {
+    if (i % kResiduals < 3) sizes.push_back(std::fabs(all[i]));
+  }
+  const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return kDeviation * double(*middle);
+}
+
+double slackOf(double noise, size_t frames) {
+  constexpr double kHalfChiSquare = 1.92;
+  return kHalfChiSquare * varianceOf(noise) / double(frames);
+}
+
 Result<std::vector<double>> refined(const Objective& objective, std::vector<double> point,
-                                    uint64_t& evaluations) {
+                                    int rounds, uint64_t& evaluations, ThreadPool* pool) {
   double loss = objective.loss(point), damping = 1e-3;
-  for (int round = 0; round < kRounds; ++round) {
-    OBBY_ASSIGN(const Slopes s, slopesAt(objective, point));
+  for (int round = 0; round < rounds; ++round) {
+    OBBY_ASSIGN(const Slopes s, slopesAt(objective, point, pool));
     evaluations += 2 * point.size() + 1;
     const double scale = std::max(s.normal.diagonal().maxCoeff() * kLeast, 1e-12);
     bool better = false;

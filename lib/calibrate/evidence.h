@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "base/thread_pool.h"
 #include "calibrate/objective.h"
 
 namespace obby::calibrate {
@@ -14,7 +15,9 @@ struct Slopes {
   Eigen::MatrixXd scatter;   // (n, n): of the gradients of stretches of the recordings
   double noise = 0;          // a residual's deviation, studs
 };
-Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& point);
+// `pool`: null within a task of one.
+Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& point,
+                        ThreadPool* pool);
 
 // Half widths of the 95 % intervals and correlations, both in shares of the bounds; a coordinate
 // that shows nowhere has a half width of 1.
@@ -24,9 +27,22 @@ struct Evidence {
 };
 Evidence evidenceOf(const Slopes& slopes);
 
-// Gauss-Newton with a trust region around `point`, as long as the loss falls. The evaluations that
-// it took are added.
+// Whether a coordinate changes anything that was recorded, between its bounds; `here`: the
+// residuals at the point.
+bool shows(const Objective& objective, const std::vector<double>& point, size_t coordinate,
+           const std::vector<float>& here);
+
+// Studs that the positions are off where the simulator does what was recorded: a middle one of all
+// errors, which a window in which something else happened does not move.
+Result<double> noiseAt(const Objective& objective, const std::vector<double>& point);
+
+// By how much a loss over so many frames may exceed the least one, before what it belongs to can be
+// ruled out with 95 % (the likelihood ratio's chi-square bound, of one degree of freedom).
+double slackOf(double noise, size_t frames);
+
+// Gauss-Newton with a trust region around `point`, as long as the loss falls, in so many rounds at
+// most. The evaluations that it took are added.
 Result<std::vector<double>> refined(const Objective& objective, std::vector<double> point,
-                                    uint64_t& evaluations);
+                                    int rounds, uint64_t& evaluations, ThreadPool* pool);
 
 }  // namespace obby::calibrate

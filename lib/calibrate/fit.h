@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/thread_pool.h"
-#include "calibrate/objective.h"
+#include "calibrate/findings.h"
 
 namespace obby::calibrate {
 
@@ -21,21 +21,10 @@ struct FitSettings {
   // refined on longer ones, to which an error of a single sample matters less.
   ObjectiveSettings objective;
   double longSeconds = 1.5;
-};
-
-// What the recordings say of a parameter.
-struct Fitted {
-  Parameter parameter;
-  double value = 0;
-  double low = 0, high = 0;  // 95 % interval, within the bounds
-  bool known = false;        // the interval is narrow enough to be of use
-  double before = 0;         // what it was
-};
-
-// Two parameters of which the recordings know a combination only.
-struct Tied {
-  std::string one, other;
-  double correlation = 0;
+  // Studs. The search goes on no longer once takes that play to their ends are off by no more, on
+  // average: those held out, or all where none is. 0: it goes on to its end.
+  double tolerance = 0;
+  std::span<const Take> heldOut = {};
 };
 
 struct Fit {

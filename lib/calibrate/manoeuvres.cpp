@@ -13,21 +13,6 @@ namespace {
 
 using level::set;
 
-// Of a frame's humanoid state: the engine's word.
-const char* nameOf(sim::State state) {
-  switch (state) {
-    case sim::State::running: return "Running";
-    case sim::State::jumping: return "Jumping";
-    case sim::State::freefall: return "Freefall";
-    case sim::State::landed: return "Landed";
-    case sim::State::climbing: return "Climbing";
-    case sim::State::seated: return "Seated";
-    case sim::State::fallingDown: return "FallingDown";
-    case sim::State::dead: break;
-  }
-  return "Dead";
-}
-
 std::vector<sim::ActionRun> actionsOf(const Manoeuvre& manoeuvre, const Params& params) {
   std::vector<sim::ActionRun> out;
   for (const Hold& h : manoeuvre.holds)

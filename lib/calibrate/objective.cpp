@@ -5,19 +5,14 @@
 #include <limits>
 #include <optional>
 
+#include "io/physics.h"
+
 namespace obby::calibrate {
 
 namespace {
 
 constexpr double kEarliest = -0.05, kLatest = 0.15;  // seconds of delay that are tried
 constexpr double kParted = 0.5;                      // studs
-
-Result<level::Level> levelWith(const Take& take, schema::PhysicsParams::Reader params) {
-  io::RecordBuilder record(take.level.reader());
-  auto level = record.root().getLevel();
-  level.setPhysics(params);
-  return level::Level::compile(level.asReader());
-}
 
 // Cauchy's: half the square of a small error, and ever less of a large one.
 double costOf(double error, double near) {
@@ -26,11 +21,26 @@ double costOf(double error, double near) {
 
 }  // namespace
 
+Result<level::Level> levelWith(const Take& take, schema::PhysicsParams::Reader params) {
+  io::RecordBuilder record(take.level.reader());
+  auto level = record.root().getLevel();
+  io::applyParams(params, level);
+  return level::Level::compile(level.asReader());
+}
+
 Objective::Objective(std::span<const Take> takes, std::vector<Parameter> parameters,
                      schema::PhysicsParams::Reader now, const ObjectiveSettings& settings)
     : takes_(takes), parameters_(std::move(parameters)), settings_(settings) {
   now_.root().setParams(now);
 }
+
+size_t Objective::frames() const {
+  size_t sum = 0;
+  for (const Take& take : takes_) sum += take.track.frames.size() - 1;
+  return sum;
+}
+
+double Objective::controlRate() const { return double(now_.reader().getParams().getControlRate()); }
 
 void Objective::apply(std::span<const double> point, schema::PhysicsParams::Builder to) const {
   for (size_t i = 0; i < parameters_.size(); ++i)
@@ -41,11 +51,33 @@ double Objective::delayAt(std::span<const double> point) const {
   return kEarliest + (kLatest - kEarliest) * std::clamp(point[parameters_.size()], 0.0, 1.0);
 }
 
-std::vector<double> Objective::start() const {
+Objective Objective::of(std::span<const Take> takes) const {
+  return Objective(takes, parameters_, now_.reader().getParams(), settings_);
+}
+
+Objective Objective::of(std::vector<Parameter> parameters) const {
+  return Objective(takes_, std::move(parameters), now_.reader().getParams(), settings_);
+}
+
+Objective Objective::from(std::span<const double> point, std::vector<Parameter> parameters) const {
+  io::RecordBuilder params(now_.reader());
+  apply(point, params.root().getParams());
+  return Objective(takes_, std::move(parameters), params.reader().getParams(), settings_);
+}
+
+std::vector<double> Objective::start() const { return pointAt(now_.reader().getParams(), 0); }
+
+std::vector<double> Objective::pointAt(schema::PhysicsParams::Reader params, double delay) const {
   std::vector<double> out;
-  for (const Parameter& p : parameters_)
-    out.push_back(shareOf(p, valueOf(now_.reader().getParams(), p.name)));
-  out.push_back(-kEarliest / (kLatest - kEarliest));
+  for (const Parameter& p : parameters_) out.push_back(shareOf(p, valueOf(params, p.name)));
+  out.push_back((delay - kEarliest) / (kLatest - kEarliest));
+  return out;
+}
+
+std::vector<double> Objective::delayShares(double step) const {
+  std::vector<double> out;
+  const int steps = int((kLatest - kEarliest) / step);
+  for (int i = 0; i <= steps; ++i) out.push_back(i * step / (kLatest - kEarliest));
   return out;
 }
 
@@ -89,6 +121,7 @@ Result<std::vector<float>> Objective::residuals(std::span<const double> point) c
 double Objective::loss(std::span<const double> point) const {
   const auto all = residuals(point);
   if (!all) return std::numeric_limits<double>::max();
+  if (all->empty()) return 0;
   double sum = 0;
   for (const float r : *all) sum += costOf(double(r), settings_.near);
   return sum / double(all->size() / kResiduals);

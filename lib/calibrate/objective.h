@@ -17,6 +17,9 @@ struct Take {
   io::Record level;
 };
 
+// Its level under other parameters, but for what the level states itself (io/physics.h).
+Result<level::Level> levelWith(const Take& take, schema::PhysicsParams::Reader params);
+
 struct ObjectiveSettings {
   double windowSeconds = 0.5;  // the simulator goes on by itself for so long; 0: to the end
   double near = 0.25;  // studs: of errors above only the order counts: another thing happened there
@@ -35,9 +38,18 @@ class Objective {
   Objective(std::span<const Take> takes, std::vector<Parameter> parameters,
             schema::PhysicsParams::Reader now, const ObjectiveSettings& settings);
 
+  // The same of other takes, of other parameters.
+  Objective of(std::span<const Take> takes) const;
+  Objective of(std::vector<Parameter> parameters) const;
+  // The same of other parameters, begun at a point of these.
+  Objective from(std::span<const double> point, std::vector<Parameter> parameters) const;
+
+  std::span<const Take> takes() const { return takes_; }
   const std::vector<Parameter>& parameters() const { return parameters_; }
   const ObjectiveSettings& settings() const { return settings_; }
   size_t dimensions() const { return parameters_.size() + 1; }
+  size_t frames() const;       // that are held against the recordings
+  double controlRate() const;  // ticks a second
 
   // `point`: (dimensions), shares of the bounds. Cauchy's loss, a mean over frames, in studs^2; the
   // largest number there is where a level does not compile with these parameters.
@@ -50,6 +62,10 @@ class Objective {
   double delayAt(std::span<const double> point) const;
   // The parameters as they are now, and no delay.
   std::vector<double> start() const;
+  // The point that stands for these.
+  std::vector<double> pointAt(schema::PhysicsParams::Reader params, double delay) const;
+  // Shares of delays so many seconds apart, over all that are tried.
+  std::vector<double> delayShares(double step) const;
 
  private:
   Result<level::Level> levelAt(std::span<const double> point, const Take& take) const;

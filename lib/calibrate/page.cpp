@@ -172,9 +172,17 @@ std::string recordingOf(const Outcome& o, bool open) {
       o.heldOut ? " <span class=\"faint\">(held out from the fit)</span>" : "", waysOf(o.path));
 }
 
+std::string reasonsIn(const std::vector<std::string>& why) {
+  if (why.empty()) return {};
+  std::string out = "<h2>Why not nearer</h2>\n<ul>\n";
+  for (const std::string& reason : why) out += "<li>" + io::escapeMarkup(reason) + "</li>\n";
+  return out + "</ul>\n";
+}
+
 }  // namespace
 
-std::string pageOf(const Fit& fit, const std::vector<Outcome>& outcomes, double tolerance) {
+std::string pageOf(const Fit& fit, const std::vector<Outcome>& outcomes, double tolerance,
+                   const std::vector<std::string>& why) {
   const double mean = meanMiss(outcomes);
   std::string out = kHead;
   out += fmt::format(
@@ -183,6 +191,7 @@ std::string pageOf(const Fit& fit, const std::vector<Outcome>& outcomes, double 
       "studs</strong> off the recordings, <span class=\"{}\">{} the tolerance of "
       "{:g}</span>.</p>\n",
       mean, mean <= tolerance ? "good" : "bad", mean <= tolerance ? "within" : "above", tolerance);
+  out += reasonsIn(why);
   out += parametersOf(fit);
   out += "<h2>Recordings, played to their ends</h2><p class=\"faint\">The worst first.</p>\n";
   std::vector<const Outcome*> byMiss;

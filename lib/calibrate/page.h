@@ -10,6 +10,8 @@
 
 namespace obby::calibrate {
 
-std::string pageOf(const Fit& fit, const std::vector<Outcome>& outcomes, double tolerance);
+// `why`: as textOf() in report.h has it.
+std::string pageOf(const Fit& fit, const std::vector<Outcome>& outcomes, double tolerance,
+                   const std::vector<std::string>& why);
 
 }  // namespace obby::calibrate

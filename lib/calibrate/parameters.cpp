@@ -18,8 +18,10 @@ constexpr uint64_t kUnitAnnotation = 0xb0f5e1a7d9c3a2e4;
 
 struct Row {
   const char* name;
-  double factor;  // bounds are the value of now by and times this
+  double factor;  // the upper bound is the value of now times this
   const char* manoeuvre;
+  Parameter::Kind kind = Parameter::Kind::smooth;
+  double divisor = factor;  // the lower bound is the value of now by this
 };
 
 // What a walking, jumping body shows of itself, each with the manoeuvre that shows it best.
@@ -27,7 +29,7 @@ constexpr Row kRows[] = {
     {"walkSpeed", 2, "run straight on for two seconds"},
     {"groundAccel", 4, "start running, stop, turn back on the flat"},
     {"airAccel", 4, "jump, and turn back in the air"},
-    {"moveGain", 4, "start running from rest, and stop"},
+    {"moveGain", 16, "start running from rest, and stop"},
     {"turnGain", 4, "turn a little, standing and running"},
     {"turnSpeed", 4, "turn about, standing and running"},
     {"gravity", 2, "jump on the flat, and fall from a ledge"},
@@ -35,16 +37,18 @@ constexpr Row kRows[] = {
     {"hipHeight", 1.5, "stand on the flat"},
     {"hoverStiffness", 4, "land from a jump and from a ledge"},
     {"hoverDamping", 4, "land from a jump and from a ledge"},
-    {"floorKeep", 1.3, "walk off a ledge"},
-    {"floorAcquire", 1.3, "land from a jump"},
-    {"landedTime", 4, "hold jump for several jumps"},
-    {"coyoteTime", 3, "walk off a ledge and jump at once, later each time"},
-    {"offFloorGrace", 3, "walk off a ledge"},
+    {"floorKeep", 1.3, "walk off a ledge", Parameter::Kind::event},
+    {"floorAcquire", 1.3, "land from a jump", Parameter::Kind::event},
+    {"floorRaySpread", 2, "walk off ledges, forward and sideways", Parameter::Kind::event},
+    {"landedTime", 4, "hold jump for several jumps", Parameter::Kind::ticks, 8},
+    {"coyoteTime", 3, "walk off a ledge and jump at once, later each time", Parameter::Kind::ticks,
+     8},
+    {"offFloorGrace", 3, "walk off a ledge", Parameter::Kind::ticks, 8},
     {"iceFriction", 5, "run and stop on parts of several frictions"},
-    {"maxSlope", 1.5, "walk up ramps, steeper each time"},
+    {"maxSlope", 1.5, "walk up ramps, steeper each time", Parameter::Kind::event},
     {"climbSpeed", 2, "climb a truss up and down"},
-    {"bodyWidth", 1.5, "run into walls and through gaps"},
-    {"bodyDepth", 1.5, "run into walls and through gaps"},
+    {"bodyWidth", 2.5, "run into walls and through gaps", Parameter::Kind::touch},
+    {"bodyDepth", 2.5, "run into walls and through gaps", Parameter::Kind::touch},
     {"pushForce", 10, "push a box"},
 };
 
@@ -58,7 +62,13 @@ std::string unitOf(capnp::StructSchema::Field field) {
 Parameter parameterOf(const Row& row, schema::PhysicsParams::Reader now) {
   const auto field = capnp::Schema::from<schema::PhysicsParams>().getFieldByName(row.name);
   const double value = valueOf(now, row.name);
-  return {row.name, unitOf(field), value / row.factor, value * row.factor, row.manoeuvre};
+  const auto range = level::paramRange(row.name);
+  return {row.name,
+          unitOf(field),
+          std::max(value / row.divisor, double(range.getMin())),
+          std::min(value * row.factor, double(range.getMax())),
+          row.manoeuvre,
+          row.kind};
 }
 
 }  // namespace

@@ -15,7 +15,18 @@ struct Parameter {
   std::string unit;        // of the schema
   double lowest, highest;  // that are tried
   std::string manoeuvre;   // what to record to learn of it
+  enum class Kind {
+    smooth,  // errors have a slope by it
+    ticks,   // a time that the simulator counts in whole ticks
+    event,   // decides when something happens, and nothing else
+    touch,   // errors have a slope by it, and leap where it decides what is touched
+  };
+  Kind kind = Kind::smooth;
 };
+
+constexpr bool hasSlope(Parameter::Kind kind) {
+  return kind == Parameter::Kind::smooth || kind == Parameter::Kind::touch;
+}
 
 // All that can be fitted, with bounds around `now` within the schema's ranges.
 std::vector<Parameter> parametersAround(schema::PhysicsParams::Reader now);

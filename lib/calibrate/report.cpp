@@ -3,18 +3,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace obby::calibrate {
 
 namespace {
+
+// A time that the simulator counts in whole ticks.
+std::string ticksOf(const Fitted& f) {
+  const long least = std::lround(f.low / f.tick), most = std::lround(f.high / f.tick);
+  if (least == most) return fmt::format("{} ticks", least);
+  return fmt::format("{} to {} ticks", least, most);
+}
 
 std::string lineOf(const Fitted& f) {
   const Parameter& p = f.parameter;
   if (f.low == p.lowest && f.high == p.highest)
     return fmt::format("  {:<15} {:>10.5g}   not known; to learn of it: {}\n", p.name, f.value,
                        p.manoeuvre);
+  const std::string more = f.known ? "" : fmt::format("; to know it better: {}", p.manoeuvre);
+  if (f.tick > 0)
+    return fmt::format("  {:<15} {:>10.5g}   {}{}\n", p.name, f.value, ticksOf(f), more);
   return fmt::format("  {:<15} {:>10.5g}   {:.5g} to {:.5g} {}{}\n", p.name, f.value, f.low, f.high,
-                     p.unit, f.known ? "" : fmt::format("; to know it better: {}", p.manoeuvre));
+                     p.unit, more);
 }
 
 std::string lineOf(const Outcome& o) {
@@ -38,7 +49,8 @@ double meanMiss(const std::vector<Outcome>& outcomes) {
   return count > 0 ? sum / count : 0;
 }
 
-std::string textOf(const Fit& fit, const std::vector<Outcome>& outcomes, double tolerance) {
+std::string textOf(const Fit& fit, const std::vector<Outcome>& outcomes, double tolerance,
+                   const std::vector<std::string>& why) {
   std::string out = "Parameters, with what they are in 95 of 100 cases\n";
   for (const Fitted& f : fit.parameters) out += lineOf(f);
   out +=
@@ -56,8 +68,10 @@ std::string textOf(const Fit& fit, const std::vector<Outcome>& outcomes, double 
       [](const Outcome& a, const Outcome& b) { return a.miss.mean < b.miss.mean; });
   if (mean <= tolerance)
     return out + fmt::format("\n{:.3f} studs off, within the tolerance of {:g}\n", mean, tolerance);
-  return out + fmt::format("\n{:.3f} studs off, above the tolerance of {:g}: most in '{}'\n", mean,
-                           tolerance, worst->name);
+  out += fmt::format("\n{:.3f} studs off, above the tolerance of {:g}: most in '{}'\n", mean,
+                     tolerance, worst->name);
+  if (!why.empty()) out += fmt::format("\nWhy not nearer\n  {}\n", fmt::join(why, "\n  "));
+  return out;
 }
 
 }  // namespace obby::calibrate

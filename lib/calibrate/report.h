@@ -19,6 +19,8 @@ struct Outcome {
 // Mean over those that are held out, or over all where none is.
 double meanMiss(const std::vector<Outcome>& outcomes);
 
-std::string textOf(const Fit& fit, const std::vector<Outcome>& outcomes, double tolerance);
+// `why`: it is not nearer, a reason each (reasonsOf() in shortfall.h); none within the tolerance.
+std::string textOf(const Fit& fit, const std::vector<Outcome>& outcomes, double tolerance,
+                   const std::vector<std::string>& why);
 
 }  // namespace obby::calibrate

@@ -37,6 +37,20 @@ sim::State stateOf(const std::string& name, Vec3 velocity) {
   return velocity.y > 0 ? sim::State::jumping : sim::State::freefall;
 }
 
+const char* nameOf(sim::State state) {
+  switch (state) {
+    case sim::State::running: return "Running";
+    case sim::State::jumping: return "Jumping";
+    case sim::State::freefall: return "Freefall";
+    case sim::State::landed: return "Landed";
+    case sim::State::climbing: return "Climbing";
+    case sim::State::seated: return "Seated";
+    case sim::State::fallingDown: return "FallingDown";
+    case sim::State::dead: break;
+  }
+  return "Dead";
+}
+
 Vec3 rootOf(Vec3 feet, const Params& p) {
   return feet + Vec3{0, p.hipHeight + 0.5f * p.rootHeight, 0};
 }

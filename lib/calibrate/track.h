@@ -51,6 +51,7 @@ Result<Track> trackOf(schema::Recording::Reader record);
 
 // Of an engine's name for it; whoever is in none that a course needs is taken by how they move.
 sim::State stateOf(const std::string& name, Vec3 velocity);
+const char* nameOf(sim::State state);  // the engine's
 
 // The root part's centre above the feet, and back.
 Vec3 rootOf(Vec3 feet, const Params& params);

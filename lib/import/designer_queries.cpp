@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "import/level_record.h"
 #include "import/pose_math.h"
@@ -16,7 +17,10 @@ namespace {
 
 constexpr const char* kFolder = "ObbyQueries";
 constexpr const char* kPhysics = "physics";
-constexpr const char* kOwnAttributes[] = {"kind", "order", "cframe", "size", "part", "touch"};
+constexpr const char* kForbid = "forbid";
+constexpr const char* kStartTick = "startTick";
+constexpr const char* kOwnOfQueries[] = {kForbid, kStartTick};
+constexpr const char* kOwnOfRegions[] = {"kind", "order", "cframe", "size", "part", "touch"};
 
 InstanceId folderOf(const Tree& tree) {
   const InstanceId storage = tree.service("ServerStorage");
@@ -53,7 +57,9 @@ class Reader {
     auto query = record.root().initQuery();
     query.setId(validUtf8(tree_.at(id).name));
     query.setLevel(validUtf8(level_.name));
-    fillNumbers(id, query);
+    fillNumbers(id, query, kOwnOfQueries);
+    fillForbidden(id, query);
+    fillStartTick(id, query);
     const auto goals = regions(id, "goal");
     if (goals.empty()) {
       warn(id, "has no goal and is not asked");
@@ -62,7 +68,7 @@ class Reader {
     fillRegion(goals[0], query.initGoal());
     fillRegions({goals.begin() + 1, goals.end()}, [&](uint32_t n) { return query.initGoals(n); });
     if (const auto starts = regions(id, "start"); !starts.empty())
-      fillRegion(starts[0], query.initStart().initRegion());
+      fillRegion(starts[0], query.getStart().initRegion());
     fillRegions(regions(id, "avoid"), [&](uint32_t n) { return query.initAvoid(n); });
     fillRegions(regions(id, "visit"), [&](uint32_t n) { return query.initVisits(n); });
     fillWaypoints(regions(id, "waypoint"), query);
@@ -123,17 +129,51 @@ class Reader {
     auto list = query.initWaypoints(uint32_t(ids.size()));
     for (uint32_t i = 0; i < ids.size(); ++i) {
       fillRegion(ids[i], list[i].initRegion());
-      fillNumbers(ids[i], list[i]);
+      fillNumbers(ids[i], list[i], kOwnOfRegions);
+    }
+  }
+
+  // A text of the schema's states, with commas or blanks between them.
+  void fillForbidden(InstanceId id, schema::Query::Builder query) {
+    if (!tree_.at(id).attributes.contains(kForbid)) return;
+    if (!attribute<std::string>(tree_.at(id), kForbid)) {
+      warn(id, "has an attribute forbid that is no text");
+      return;
+    }
+    std::vector<schema::PlayerState> states;
+    const auto known = capnp::Schema::from<schema::PlayerState>();
+    const std::string text = textOf(tree_.at(id), kForbid);
+    for (size_t from = 0; (from = text.find_first_not_of(", ", from)) != std::string::npos;) {
+      const std::string name = text.substr(from, text.find_first_of(", ", from) - from);
+      from += name.size();
+      KJ_IF_MAYBE (state, known.findEnumerantByName(name)) {
+        states.push_back(schema::PlayerState(state->getOrdinal()));
+      } else {
+        warn(id, fmt::format("forbids {}, which is no state of a player", name));
+      }
+    }
+    if (states.empty()) return;
+    auto list = query.initForbid(uint32_t(states.size()));
+    for (uint32_t i = 0; i < states.size(); ++i) list.set(i, states[i]);
+  }
+
+  // Kept with the query: a start that is the level's spawn has no region to keep it.
+  void fillStartTick(InstanceId id, schema::Query::Builder query) {
+    if (!tree_.at(id).attributes.contains(kStartTick)) return;
+    const double* tick = attribute<double>(tree_.at(id), kStartTick);
+    if (tick && *tick >= 0 && *tick <= 1e9 && std::floor(*tick) == *tick) {
+      query.initStart().setTick(uint32_t(*tick));
+    } else {
+      warn(id, "has an attribute startTick that is no whole number from 0 on");
     }
   }
 
   // Attributes that are named as number fields of the record; the values are checked where it is
   // compiled, as those of any query.
-  void fillNumbers(InstanceId id, capnp::DynamicStruct::Builder to) {
+  void fillNumbers(InstanceId id, capnp::DynamicStruct::Builder to,
+                   std::span<const char* const> own) {
     for (const auto& [name, value] : tree_.at(id).attributes) {
-      if (std::find(std::begin(kOwnAttributes), std::end(kOwnAttributes), name) !=
-          std::end(kOwnAttributes))
-        continue;
+      if (std::find(own.begin(), own.end(), name) != own.end()) continue;
       const double* number = std::get_if<double>(&value);
       KJ_IF_MAYBE (field, to.getSchema().findFieldByName(name.c_str())) {
         if (number && setNumber(to, *field, *number)) continue;

@@ -1,7 +1,8 @@
 // The queries that a designer keeps in the place, as the Studio plugin writes them: a folder
 // ObbyQueries in ServerStorage (or a root of a model file), in it a Configuration for each query,
 // named by its id, and below that one for each region.
-//   query    attributes named as the number fields of the schema's Query: maxJumps, timeLimit, ...
+//   query    attributes named as the number fields of the schema's Query: maxJumps, timeLimit, ...;
+//            forbid: its states as a text, "climbing, seated"; startTick: start.tick
 //   region   kind: start, goal, waypoint, avoid or visit; order: a number; the box as cframe and
 //            size, or part (a name, path, GUID or #tag) and touch; on a waypoint also the number
 //            fields of the schema's Waypoint

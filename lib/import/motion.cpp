@@ -109,12 +109,16 @@ namespace {
 // What the simulator takes: ten minutes for a round or a turn, places within the world.
 bool isBounded(const Motion& motion) {
   constexpr float kLongest = 600, kFarthest = 1e6f;
-  for (const MotionKey& key : motion.keys)
-    if (!isFinite(key.pose.position) || length(key.pose.position) > kFarthest || !(key.time >= 0))
-      return false;
+  float before = 0;
+  for (const MotionKey& key : motion.keys) {
+    if (!isFinite(key.pose.position) || length(key.pose.position) > kFarthest) return false;
+    if (!(key.time >= before)) return false;
+    before = key.time;
+  }
   const float rounds = motion.repeat == Repeat::pingPong ? 2 : 1;
   if (!motion.keys.empty() && motion.keys.back().time * rounds > kLongest) return false;
   if (!motion.spin) return true;
+  if (!isFinite(motion.spin->axis) || length(motion.spin->axis) < 1e-6f) return false;
   const float speed = absf(motion.spin->speed);
   return std::isfinite(speed) && speed * kLongest > 2 * 3.1416f && isFinite(motion.spin->pivot);
 }
@@ -136,10 +140,11 @@ int giveMotion(RoleContext& context, InstanceId moved, const Motion& motion,
       own.spin->pivot = toLocal(inPivot, motion.spin->pivot);
     }
     if (!isBounded(own)) {
-      context.level.noteUnmodelled("motion without bounds", context.tree.path(id),
-                                   "slower than a round in ten minutes, or out of the world; left "
-                                   "where the file has it; " +
-                                       reason);
+      context.level.noteUnmodelled(
+          "motion without bounds", context.tree.path(id),
+          "slower than a round in ten minutes, back in time, about no axis "
+          "or out of the world; left where the file has it; " +
+              reason);
       continue;
     }
     part->motion = std::move(own);

@@ -4,6 +4,17 @@
 
 namespace obby::io {
 
+void applyParams(schema::PhysicsParams::Reader params, schema::Level::Builder level) {
+  capnp::DynamicStruct::Builder physics(level.getPhysics());
+  const capnp::DynamicStruct::Reader found(params);
+  RecordBuilder fresh;
+  const capnp::DynamicStruct::Reader usual(fresh.root().initParams().asReader());
+  for (const auto field : found.getSchema().getFields()) {
+    if (physics.asReader().get(field).as<double>() == usual.get(field).as<double>())
+      physics.set(field, found.get(field));
+  }
+}
+
 Record Physics::applied(const Record& level) const {
   RecordBuilder copy(level.reader());
   apply(copy.root().getLevel());
@@ -11,15 +22,7 @@ Record Physics::applied(const Record& level) const {
 }
 
 void Physics::apply(schema::Level::Builder level) const {
-  if (!params_) return;
-  capnp::DynamicStruct::Builder physics(level.getPhysics());
-  const capnp::DynamicStruct::Reader found(params_->reader().getParams());
-  RecordBuilder fresh;
-  const capnp::DynamicStruct::Reader usual(fresh.root().initParams().asReader());
-  for (const auto field : found.getSchema().getFields()) {
-    if (physics.asReader().get(field).as<double>() == usual.get(field).as<double>())
-      physics.set(field, found.get(field));
-  }
+  if (params_) applyParams(params_->reader().getParams(), level);
 }
 
 }  // namespace obby::io

@@ -52,6 +52,9 @@ class Level {
 // filled in.
 Result<Params> compileParams(schema::PhysicsParams::Reader record);
 
+// What the schema allows a parameter to be, by its name there.
+schema::Interval::Reader paramRange(const std::string& name);
+
 // A query over a level: owns its regions.
 class Query {
  public:

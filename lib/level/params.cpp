@@ -58,6 +58,11 @@ void derive(Params& p) {
 
 }  // namespace
 
+schema::Interval::Reader paramRange(const std::string& name) {
+  const auto field = capnp::Schema::from<schema::PhysicsParams>().getFieldByName(name.c_str());
+  return rangeOf(field).value();  // tests/level/params_test.cpp: every field has one
+}
+
 Result<Params> compileParams(schema::PhysicsParams::Reader record) {
   OBBY_RETURN_IF_ERROR(checkRanges(record));
   const capnp::DynamicStruct::Reader dynamic(record);

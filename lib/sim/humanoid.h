@@ -35,7 +35,7 @@ OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& fl
   next = select((landed | running) & floorLost, to(State::freefall), next);
   // Never while rising: this is what prevents double jumps.
   const Mask lands = falling & floor.sensed & (w.velocity.y <= floor.velocity.y);
-  next = select(lands, to(State::landed), next);
+  next = select(lands, to(p.landedTicks > 0 ? State::landed : State::running), next);
   w.landedTicks =
       select(lands, Int(p.landedTicks < 255 ? int32_t(p.landedTicks) : 255), w.landedTicks);
   // Until the floor is out of reach, or a ceiling has stopped the rise.

@@ -46,6 +46,7 @@ void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& id
   const sim::World& end = playthrough.end;
   record.setQuery(identity.query);
   record.setLevel(identity.level);
+  record.setMethod(identity.method);
   record.setIndex(index);
   record.setOutcome(schema::Outcome(end.outcome));
   sim::writePlan({identity.start, turnsFromRadians(identity.start.yaw), playthrough.actions},
@@ -103,6 +104,7 @@ void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
   const bool solved = !outcome.solutions.empty();
   record.setQuery(identity.query);
   record.setLevel(identity.level);
+  record.setMethod(identity.method);
   record.setVerdict(verdictOf(outcome));
   record.setSolutions(uint32_t(outcome.solutions.size()));
   if (solved) {

@@ -15,6 +15,7 @@ struct AnswerIdentity {
   std::string query;
   std::string level;
   level::StartPose start;
+  std::string method;  // name of its row
 };
 
 void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& identity,
@@ -36,7 +37,7 @@ void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identi
 
 schema::Verdict verdictOf(const SearchOutcome& outcome);
 
-// Everything but timing.compile, method and seed, which the caller knows.
+// Everything but timing.compile, seed and heatMap, which the caller knows.
 void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
                 const SearchOutcome& outcome, const level::Level& level,
                 schema::Level::Reader levelRecord, schema::Query::Reader query);

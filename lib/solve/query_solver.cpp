@@ -6,6 +6,7 @@
 
 #include "solve/answer_records.h"
 #include "solve/difficulty/difficulty_records.h"
+#include "solve/heat_map.h"
 #include "solve/posed_query.h"
 #include "solve/relaxation/explain.h"
 
@@ -31,7 +32,7 @@ class Solving {
         options_(options),
         output_(output),
         posed_{level.level, level.record.reader().getLevel(), compiled, query, options.policy},
-        identity_{compiled.id(), level.level.name(), compiled.start()} {}
+        identity_{compiled.id(), level.level.name(), compiled.start(), options.method->name} {}
 
   Result<QueryAnswer> run(const Machine& machine) {
     Problem problem = problemOf(posed_);
@@ -84,6 +85,7 @@ class Solving {
 
   void look(const SearchView& view) {
     if (options_.explain) footprints_.note(view.search.places(footprints_.noted()));
+    if (options_.heatMap) heatMap_.note(view.search.places(heatMap_.noted()));
     if (view.seconds < nextProgress_ || !status_) return;
     nextProgress_ = view.seconds + kProgressEvery;
     const Statistics& s = view.search.statistics();
@@ -106,17 +108,14 @@ class Solving {
     for (const Playthrough& p : outcome.solutions) {
       io::RecordBuilder record;
       auto trajectory = record.root().initTrajectory();
-      fillTrajectory(trajectory, identity_, p, index++);
-      if (options_.paths) fillPath(trajectory, p);
+      writeTrajectory(trajectory, p, index++);
       const std::string text = fillWay(trajectory, problem, p, pool);
       if (index == 1) hardest = text;
       OBBY_RETURN_IF_ERROR(output_.write(record.reader()));
     }
     for (const Playthrough& p : outcome.attempts) {
       io::RecordBuilder record;
-      auto trajectory = record.root().initTrajectory();
-      fillTrajectory(trajectory, identity_, p, index++);
-      if (options_.paths) fillPath(trajectory, p);
+      writeTrajectory(record.root().initTrajectory(), p, index++);
       OBBY_RETURN_IF_ERROR(output_.write(record.reader()));
     }
     io::RecordBuilder record;
@@ -125,10 +124,16 @@ class Solving {
     fillResult(result, identity_, outcome, level_.level, levelRecord, query_);
     if (relaxations) fillRelaxations(result, *relaxations);
     if (!hardest.empty()) result.setReason(result.getReason().cStr() + ("; hardest: " + hardest));
+    if (heatMap_.noted() > 0) heatMap_.fill(result.initHeatMap());
     result.getTiming().setCompile(float(level_.compileSeconds));
-    result.setMethod(options_.method->name);
     result.setSeed(options_.budget.seed);
     return output_.write(record.reader());
+  }
+
+  void writeTrajectory(schema::Trajectory::Builder record, const Playthrough& p,
+                       uint32_t index) const {
+    fillTrajectory(record, identity_, p, index);
+    if (options_.paths) fillPath(record, p);
   }
 
   // What only solutions have: their route, and where it is asked for, how hard they are; gives the
@@ -153,6 +158,7 @@ class Solving {
   const PosedQuery posed_;
   const AnswerIdentity identity_;
   Footprints footprints_;
+  HeatMap heatMap_;
   double nextProgress_ = kFirstProgress;
   Status status_;
 };

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "level/record_values.h"
 #include "view/page_parts.h"
 
 namespace obby::view {
@@ -94,6 +95,18 @@ void writeCut(JsonText& json, schema::Cut::Reader cut) {
   json.field("seconds", cut.getSeconds()).close();
 }
 
+// Where the search has been.
+void writeHeatMap(JsonText& json, schema::HeatMap::Reader map) {
+  std::vector<Vec3> feet;
+  std::vector<uint32_t> counts;
+  for (const auto cube : map.getCubes()) {
+    feet.push_back(level::vec(cube.getFeet()));
+    counts.push_back(cube.getCells());
+  }
+  json.key("heatMap").open('{').field("size", map.getSize()).key("feet").array(feet);
+  json.key("counts").array(counts).close();
+}
+
 // What an answer says beyond its verdict: the proof's cut, changes that would help, routes, how far
 // to trust it.
 void writeFindings(JsonText& json, schema::Result::Reader result) {
@@ -111,6 +124,7 @@ void writeFindings(JsonText& json, schema::Result::Reader result) {
   }
   json.close();
   if (result.hasCut()) writeCut(json, result.getCut());
+  if (result.hasHeatMap()) writeHeatMap(json, result.getHeatMap());
   if (!result.hasEvidence()) return;
   const auto evidence = result.getEvidence();
   json.key("evidence").open('{').field("saturation", enumName(evidence.getSaturation()));
@@ -204,6 +218,7 @@ void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
   // A replay without its query cannot tell why the record ended; the record can.
   const bool told = play.outcome == schema::Outcome::RUNNING && play.mismatch.empty();
   json.open('{').field("kind", kKinds[size_t(path.kind)]).field("index", record.getIndex());
+  json.field("method", std::string_view(record.getMethod().cStr()));
   json.field("outcome", enumName(told ? record.getOutcome() : play.outcome));
   json.field("part", told ? record.getPart() : play.part).field("ticks", play.ticks());
   json.field("jumps", play.jumps()).field("startTick", record.getStartTick());

@@ -78,6 +78,7 @@ const services = {
   selection: 'Selection',
   serialization: 'SerializationService',
   storage: 'ServerStorage',
+  tags: 'CollectionService',
   test: 'StudioTestService',
   workspace: 'Workspace',
 };

@@ -30,11 +30,11 @@ TEST(Order, budget_becomes_arguments_of_one_table) {
   const auto order = parse(
       "\"budget\":{\"timeLimit\":2.5,\"maxSteps\":9000000000000000,\"solutions\":3,\"diverse\":"
       "true,"
-      "\"explain\":false,\"paths\":true,\"seed\":\"18446744073709551615\"}");
+      "\"explain\":false,\"paths\":true,\"heatMap\":true,\"seed\":\"18446744073709551615\"}");
   ASSERT_TRUE(order) << order.error().text();
   EXPECT_THAT(order->arguments,
               ElementsAre("--time-limit=2.5", "--max-steps=9000000000000000", "--solutions=3",
-                          "--diverse", "--paths", "--seed=18446744073709551615"));
+                          "--diverse", "--paths", "--heat-map", "--seed=18446744073709551615"));
 }
 
 TEST(Order, budget_is_bounded_and_knows_its_names) {

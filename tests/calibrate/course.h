@@ -2,6 +2,9 @@
 // know.
 #pragma once
 
+#include <algorithm>
+
+#include "base/random.h"
 #include "calibrate/course_level.h"
 #include "calibrate/manoeuvres.h"
 #include "calibrate/objective.h"
@@ -13,9 +16,29 @@ inline schema::PhysicsParams::Reader defaults() {
   return record.root().initParams().asReader();
 }
 
-// Of the first `count` manoeuvres. The levels of the takes do not say the parameters.
+// Others than the defaults: every one that can be fitted, drawn within a share of it, but so that
+// the fit's bounds hold it well.
+inline io::RecordBuilder drawnParams(uint64_t seed, double spread) {
+  io::RecordBuilder out;
+  auto params = out.root().initParams();
+  Random random(seed, 0x9a3d);
+  for (const Parameter& p : parametersAround(defaults())) {
+    const double value =
+        valueOf(defaults(), p.name) * (1 + spread * (2 * double(random.unit()) - 1));
+    setValue(params, p.name, std::clamp(value, valueAt(p, 0.05), valueAt(p, 0.95)));
+  }
+  return out;
+}
+
+inline std::vector<Manoeuvre> firstManoeuvres(size_t count) {
+  std::vector<Manoeuvre> out = manoeuvres();
+  out.resize(count);
+  return out;
+}
+
+// The levels of the takes do not say the parameters.
 inline std::vector<Take> takesUnder(schema::PhysicsParams::Reader params, float noise = 0,
-                                    size_t count = SIZE_MAX) {
+                                    const std::vector<Manoeuvre>& played = manoeuvres()) {
   io::RecordBuilder plain, hidden;
   writeCourse(plain.root().initLevel());
   writeCourse(hidden.root().initLevel());
@@ -23,10 +46,7 @@ inline std::vector<Take> takesUnder(schema::PhysicsParams::Reader params, float 
   const auto level = level::Level::compile(hidden.reader().getLevel());
   const io::Record record(std::move(plain));
   std::vector<Take> out;
-  for (const Manoeuvre& m : manoeuvres()) {
-    if (out.size() == count) break;
-    out.push_back({rehearse(*level, m, noise, out.size()), record});
-  }
+  for (const Manoeuvre& m : played) out.push_back({rehearse(*level, m, noise, out.size()), record});
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include "base/random.h"
 
 #include "calibrate/course.h"
+#include "support/recording_faults.h"
 
 namespace obby::calibrate {
 namespace {
@@ -33,6 +34,7 @@ Fit fitted(const std::vector<Take>& takes, const std::vector<std::string>& names
   const std::atomic<bool> stop{false};
   FitSettings settings;
   settings.restarts = 1;
+  settings.tolerance = 0.05;
   auto out = fit(takes, *parametersNamed(names, defaults()), defaults(), settings, pool, stop,
                  [](uint32_t, uint32_t, double) {});
   EXPECT_TRUE(out) << out.error().text();
@@ -43,7 +45,8 @@ class Drawn : public testing::TestWithParam<uint64_t> {};
 
 TEST_P(Drawn, ParametersAreFoundAgain) {
   const io::RecordBuilder truth = drawn(GetParam());
-  const Fit found = fitted(takesUnder(truth.reader().getParams(), 0, kEnough), kFitted);
+  const Fit found =
+      fitted(takesUnder(truth.reader().getParams(), 0, firstManoeuvres(kEnough)), kFitted);
   EXPECT_LT(found.loss, 1e-4 * found.lossBefore);
   for (const Fitted& f : found.parameters) {
     const double value = valueOf(truth.reader().getParams(), f.parameter.name);
@@ -68,11 +71,29 @@ TEST(Fit, SaysWhatNoRecordingShows) {
   }
 }
 
+// A place of its own walk speed keeps it, and tells nothing of the game's.
+TEST(Fit, LeavesWhatTheLevelStates) {
+  io::RecordBuilder truth;
+  setValue(truth.root().initParams(), "walkSpeed", 24);
+  setValue(truth.root().getParams(), "gravity", 180);
+  std::vector<Take> takes = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(3));
+  io::RecordBuilder fast(takes[0].level.reader());
+  fast.root().getLevel().getPhysics().setWalkSpeed(24);
+  const io::Record level(std::move(fast));
+  for (Take& take : takes) take.level = level;
+  const Fit found = fitted(takes, {"walkSpeed", "gravity"});
+  EXPECT_EQ(found.parameters[0].value, 16);
+  EXPECT_FALSE(found.parameters[0].known);
+  EXPECT_NEAR(found.parameters[1].value, 180, 0.5);
+  EXPECT_LT(found.loss, 1e-6);
+}
+
 // A standing jump's height alone does not tell gravity from launch speed; its time does. Both are
 // in the interval when positions are off by a fiftieth of a stud.
 TEST(Fit, IntervalsHoldTheTruthUnderNoise) {
   const io::RecordBuilder truth = drawn(4);
-  const Fit found = fitted(takesUnder(truth.reader().getParams(), 0.02f, kEnough), kFitted);
+  const Fit found =
+      fitted(takesUnder(truth.reader().getParams(), 0.02f, firstManoeuvres(kEnough)), kFitted);
   int outside = 0;
   for (const Fitted& f : found.parameters) {
     const double value = valueOf(truth.reader().getParams(), f.parameter.name);
@@ -80,6 +101,32 @@ TEST(Fit, IntervalsHoldTheTruthUnderNoise) {
     EXPECT_NEAR(f.value, value, 0.05 * value) << f.parameter.name;
   }
   EXPECT_LE(outside, 1) << "of eight intervals of 95 %";
+}
+
+// Frames missing and at uneven times, positions off, sixteen directions, and what comes of an input
+// shows two frames later.
+TEST(Fit, CopesWithABadRecorder) {
+  const io::RecordBuilder truth = drawn(5);
+  std::vector<Take> takes = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(4));
+  const test::Faults faults{
+      .noise = 0.01f, .dropped = 0.1f, .jitter = 0.004, .late = 2, .directions = 16};
+  for (Take& take : takes) take.track = test::spoiled(take.track, faults, take.track.frames.size());
+  const Fit found =
+      fitted(takes, {"walkSpeed", "groundAccel", "airAccel", "gravity", "jumpSpeed", "hipHeight"});
+  EXPECT_NEAR(found.delay, 2 / 60.0, 0.75 / 60);
+  for (const Fitted& f : found.parameters) {
+    const double value = valueOf(truth.reader().getParams(), f.parameter.name);
+    EXPECT_NEAR(f.value, value, 0.03 * value) << f.parameter.name;
+  }
+}
+
+TEST(Parameters, AreTriedWithinTheSchemasRanges) {
+  for (const Parameter& p : parametersAround(defaults())) {
+    for (const double value : {p.lowest, p.highest}) {
+      io::RecordBuilder params;
+      EXPECT_TRUE(setNamed(params.root().initParams(), p.name, value)) << p.name << " " << value;
+    }
+  }
 }
 
 }  // namespace

@@ -34,20 +34,21 @@ TEST(Miss, MeasuresHowFarAPathIsOff) {
 }
 
 TEST(Page, ShowsParametersAndTheWorstRecordingFirst) {
-  const std::string page =
-      pageOf(fitOf(), {outcome("near", 0.01f), outcome("a <far> one", 2)}, 0.1);
+  const std::string page = pageOf(fitOf(), {outcome("near", 0.01f), outcome("a <far> one", 2)}, 0.1,
+                                  {"in '<far>' they swim"});
   EXPECT_NE(page.find("189.5 to 190.5"), std::string::npos);
   EXPECT_NE(page.find("not known; to learn of it: walk up ramps"), std::string::npos);
   EXPECT_NE(page.find("max&lt;Slope&gt;"), std::string::npos);
   EXPECT_EQ(page.find("<far>"), std::string::npos) << "names are no markup";
   EXPECT_LT(page.find("a &lt;far&gt; one"), page.find("near: "));
   EXPECT_NE(page.find("above the tolerance of 0.1"), std::string::npos);
+  EXPECT_LT(page.find("Why not nearer"), page.find("they swim"));
   EXPECT_NE(page.find("half a stud off after 0.00 s"), std::string::npos);
 }
 
 // No script, nothing from elsewhere, and curves of no more points than are seen.
 TEST(Page, IsOneFileThatNeedsNothing) {
-  const std::string page = pageOf(fitOf(), {outcome("near", 0.01f)}, 0.1);
+  const std::string page = pageOf(fitOf(), {outcome("near", 0.01f)}, 0.1, {});
   for (const char* reference : {"<script", "src=", "href=", "url(", "@import"})
     EXPECT_EQ(page.find(reference), std::string::npos) << reference;
   EXPECT_LT(page.size(), 60000u);

@@ -1,6 +1,8 @@
 // What the Studio plugin keeps in a place: queries, calibrated physics, recorded motion.
 #include "import/designer_queries.h"
 
+#include <map>
+
 #include "import/importer.h"
 #include "import/scene.h"
 #include "level/level.h"
@@ -66,6 +68,49 @@ TEST(DesignerQueries, AreReadWithTheirRegionsAndLimits) {
   EXPECT_TRUE(compiled) << compiled.error().text();
 }
 
+TEST(DesignerQueries, ForbidStatesAndStartLaterWithAndWithoutAStartRegion) {
+  Place place;
+  for (const char* id : {"at the spawn", "at a region"}) {
+    const InstanceId query = place.query(id);
+    place.attribute(query, "forbid", std::string("climbing, fallingDown"));
+    place.attribute(query, "startTick", 90.0);
+    place.region(query, "goal", "goal");
+  }
+  place.region(place.document.instances[place.folder].children[1], "from", "start");
+  const importer::Import import = place.imported();
+  EXPECT_TRUE(import.warnings.empty()) << import.warnings.front();
+  const auto level = level::Level::compile(import.level.reader().getLevel());
+  ASSERT_TRUE(level);
+  for (size_t i = 0; i < 2; ++i) {
+    const auto q = import.queries[i].reader().getQuery();
+    ASSERT_EQ(q.getForbid().size(), 2u);
+    EXPECT_EQ(q.getForbid()[0], schema::PlayerState::CLIMBING);
+    EXPECT_EQ(q.getForbid()[1], schema::PlayerState::FALLING_DOWN);
+    EXPECT_EQ(q.getStart().getTick(), 90u);
+    EXPECT_EQ(q.getStart().hasRegion(), i == 1);
+    const auto compiled = level::Query::compile(q, *level);
+    ASSERT_TRUE(compiled) << compiled.error().text();
+    EXPECT_EQ(compiled->view().startTick, 90u);
+  }
+}
+
+TEST(DesignerQueries, StatesAndTicksThatAreNoneAreNamed) {
+  Place place;
+  const InstanceId query = place.query("odd");
+  place.attribute(query, "forbid", std::string("climbing,flying"));
+  place.attribute(query, "startTick", -3.0);
+  place.region(query, "goal", "goal");
+  place.attribute(place.query("worse"), "forbid", 3.0);
+  const importer::Import import = place.imported();
+  std::string all;
+  for (const std::string& warning : import.warnings) all += warning + "\n";
+  for (const char* word : {"flying", "startTick", "forbid that is no text"})
+    EXPECT_NE(all.find(word), std::string::npos) << word << " in\n" << all;
+  const auto q = import.queries[0].reader().getQuery();
+  EXPECT_EQ(q.getForbid().size(), 1u);
+  EXPECT_FALSE(q.hasStart());
+}
+
 TEST(DesignerQueries, WhatCannotBeUsedIsNamed) {
   Place place;
   place.query("no goal");
@@ -126,6 +171,45 @@ TEST(RecordedMotion, ThatIsNoneIsNamed) {
   place.level();
   EXPECT_FALSE(place[id].motion);
   EXPECT_EQ(place.unmodelled("recorded motion"), 1u);
+}
+
+TEST(RecordedMotion, WhatTheSimulatorWouldRefuseIsLeftOut) {
+  for (const char* motion : {R"({"spin":{"axis":[0,0,0],"speed":1}})", R"({"spin":{}})",
+                             R"({"keys":[{"time":2},{"time":1,"position":[0,4,0]}]})"}) {
+    Place place;
+    const InstanceId id = place.part("Ferry");
+    place.attribute(id, "ObbyMotion", std::string(motion));
+    const importer::Import import = place.imported();
+    const auto level = level::Level::compile(import.level.reader().getLevel());
+    EXPECT_TRUE(level) << motion << ": " << level.error().text();
+    place.level();
+    EXPECT_FALSE(place[id].motion);
+    EXPECT_EQ(place.unmodelled("motion without bounds"), 1u);
+  }
+}
+
+TEST(RecordedMotion, HasASpinWithAndWithoutKeys) {
+  Place place;
+  const InstanceId log = place.part("Log", {60, 0, 0}), drum = place.part("Drum", {90, 0, 0});
+  place.attribute(log, "ObbyMotion",
+                  std::string(R"({"spin":{"axis":[0,0,1],"speed":1.5,"pivot":[0,2,0]}})"));
+  place.attribute(drum, "ObbyMotion",
+                  std::string(R"({"keys":[{"position":[90,0,0]},{"time":2,"position":[90,4,0]}],)"
+                              R"("spin":{"speed":2},"offset":0.25})"));
+  const importer::Import import = place.imported();
+  std::map<std::string, schema::Motion::Reader> motions;
+  for (const auto part : import.level.reader().getLevel().getParts())
+    if (part.hasMotion()) motions[part.getName()] = part.getMotion();
+  ASSERT_EQ(motions.size(), 2u);
+  EXPECT_EQ(motions["Log"].getKeys().size(), 0u);
+  EXPECT_EQ(motions["Log"].getSpin().getAxis().getZ(), 1);
+  EXPECT_EQ(motions["Log"].getSpin().getSpeed(), 1.5f);
+  EXPECT_EQ(motions["Log"].getSpin().getPivot().getY(), 2);
+  EXPECT_EQ(motions["Drum"].getKeys().size(), 2u);
+  EXPECT_EQ(motions["Drum"].getSpin().getSpeed(), 2);
+  EXPECT_EQ(motions["Drum"].getOffset(), 0.25f);
+  const auto level = level::Level::compile(import.level.reader().getLevel());
+  EXPECT_TRUE(level) << level.error().text();
 }
 
 }  // namespace

@@ -8,18 +8,12 @@
 #include <memory>
 
 #include "geom/random_shapes.h"
+#include "support/bullet_pose.h"
 
 namespace obby::parity {
 
-inline btVector3 bulletVector(Vec3 v) { return {btScalar(v.x), btScalar(v.y), btScalar(v.z)}; }
-
-inline btTransform bulletTransform(const Mat3& r, Vec3 at) {
-  // Rows of columns.
-  const btMatrix3x3 basis(btScalar(r.x.x), btScalar(r.y.x), btScalar(r.z.x), btScalar(r.x.y),
-                          btScalar(r.y.y), btScalar(r.z.y), btScalar(r.x.z), btScalar(r.y.z),
-                          btScalar(r.z.z));
-  return btTransform(basis, bulletVector(at));
-}
+using test::bulletTransform;
+using test::bulletVector;
 
 // The same shape as Bullet has it; margin 0, but for the ball, whose margin is its radius.
 inline std::unique_ptr<btConvexShape> bulletShape(geom::ShapeKind kind,

@@ -65,6 +65,21 @@ TEST(Jump, held_jump_repeats_0_05_seconds_after_landing) {
   EXPECT_LE(ticks, 4);
 }
 
+TEST(Jump, without_landing_time_the_tick_after_the_landing_jumps) {
+  const auto level = support::LevelBuilder()
+                         .block({0, -1, 0}, {400, 2, 400})
+                         .physics([](auto p) { p.setLandedTime(0); })
+                         .compile();
+  Play play(level);
+  play.settle();
+  play.until(stand(true), [](const sim::World& w) { return w.state == State::freefall; });
+  play.until(stand(true), [](const sim::World& w) { return w.state != State::freefall; });
+  EXPECT_EQ(play.world.state, State::running);
+  EXPECT_EQ(play.world.jumps, 1);
+  play.run(stand(true), 1);
+  EXPECT_EQ(play.world.jumps, 2);
+}
+
 TEST(Jump, coyote_jump_works_until_0_13_seconds_off_the_ledge) {
   const auto level = support::LevelBuilder().block({0, -1, 0}, {10, 2, 10}).compile();
   const auto jumpsAfter = [&](int ticksOff) {

@@ -35,8 +35,8 @@ Searched searched(int rounds, bool paths = false) {
   GoExplore search(problem, 1, {}, pool);
   for (int round = 0; round < rounds; ++round) search.round();
   Searched s;
-  fillProgress(s.record.root().initProgress(), {"q", "stones", level.spawns()[0]}, {search, 0.5},
-               paths);
+  fillProgress(s.record.root().initProgress(), {"q", "stones", level.spawns()[0], "ge"},
+               {search, 0.5}, paths);
   s.progress = s.record.reader().getProgress();
   return s;
 }

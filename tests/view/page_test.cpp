@@ -83,6 +83,7 @@ TEST(Page, SaysWhatWouldHelpWhichRoutesThereAreAndHowFarToTrustIt) {
       R"({"type":"result","query":"ahead","level":"Course </script><b>","verdict":"unknown",)"
       R"("relaxations":[{"knob":"jumps","part":2,"text":"solvable with 3 jumps instead of 2"}],)"
       R"("routes":[{"route":[0,2],"count":"7","ticks":90}],)"
+      R"("heatMap":{"size":4,"cubes":[{"feet":[1,2,3],"cells":7}]},)"
       R"("evidence":{"saturation":"growing","newCellChance":0.5}})";
   auto report = collect({kLevel, kQuery, answer});
   ASSERT_TRUE(report) << report.error().text();
@@ -92,6 +93,8 @@ TEST(Page, SaysWhatWouldHelpWhichRoutesThereAreAndHowFarToTrustIt) {
       HasSubstr(
           R"("relaxations":[{"text":"solvable with 3 jumps instead of 2","part":2,"avoid":-1}])"));
   EXPECT_THAT(data, HasSubstr(R"("routes":[{"count":"7","ticks":90,"route":[0,2]}])"));
+  EXPECT_THAT(data,
+              HasSubstr(R"("heatMap":{"size":4,"feet":"AACAPwAAAEAAAEBA","counts":"BwAAAA=="})"));
   EXPECT_THAT(data, HasSubstr(R"("evidence":{"saturation":"growing","newCellChance":0.5})"));
 }
 

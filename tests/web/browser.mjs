@@ -14,14 +14,16 @@ const kFlags = [
   '--no-first-run',
 ];
 
+const kViewport = { width: 1280, height: 800 };
+
 export async function launch(webFolder, executablePath) {
   const { chromium } = createRequire(resolve(webFolder, 'package.json'))('playwright-core');
   return chromium.launch({ executablePath, headless: true, args: kFlags });
 }
 
-export async function openReport(browser, file, fragment = '') {
+export async function openReport(browser, file, fragment = '', viewport = kViewport) {
   const context = await browser.newContext({
-    viewport: { width: 1280, height: 800 },
+    viewport,
     offline: true,
   });
   const page = await context.newPage();

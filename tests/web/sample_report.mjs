@@ -28,7 +28,7 @@ function trajectory(
   kind,
   index,
   outcome,
-  { stop = 1, drift = 0, seed = 0, killer = -1, mismatch, route = [] } = {},
+  { stop = 1, drift = 0, seed = 0, killer = -1, mismatch, route = [], method = 'auto' } = {},
 ) {
   const points = [];
   const yaw = [];
@@ -65,6 +65,7 @@ function trajectory(
     );
   }
   return {
+    method,
     kind,
     index,
     outcome,
@@ -182,6 +183,11 @@ const result = {
   stepsPerSecond: 4381423,
   method: 'go-explore',
   seed: '1',
+  heatMap: {
+    size: 4,
+    feet: encode(new Float32Array([1, 2, 3, -3, 2, 3, 1, 2, -9])),
+    counts: encode(new Uint32Array([7, 90, 1])),
+  },
   ends: [
     { outcome: 'fell', part: -1, count: '61234' },
     { outcome: 'killed', part: lava, count: '20311' },
@@ -214,7 +220,7 @@ export const report = {
       result,
       trajectories: [
         { ...trajectory('solution', 0, 'goal', { route: [0, 1, 2, 6] }), difficulty },
-        trajectory('solution', 1, 'goal', { drift: 1.2, seed: 5, route: [0, 6] }),
+        trajectory('solution', 1, 'goal', { drift: 1.2, seed: 5, route: [0, 6], method: 'ge' }),
         ...attempts,
       ],
     },

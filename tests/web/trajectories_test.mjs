@@ -61,7 +61,7 @@ test('sorts by time, both ways, and the arrow keys follow the list', async ({ pa
   await set(page, { sort: 'found', descending: false });
 });
 
-test('colours by time, jumps, route and difficulty, with a legend', async ({ page }) => {
+test('colours by time, jumps, route, method and difficulty, with a legend', async ({ page }) => {
   const colourOf = (index) =>
     page.evaluate((i) => window.obby.ways.coloring.of(window.obby.query().paths[i]), index);
   for (const mode of ['time', 'jumps', 'route', 'difficulty']) {
@@ -71,6 +71,12 @@ test('colours by time, jumps, route and difficulty, with a legend', async ({ pag
     await frames(page);
     await picture(page, `colours-${mode}`);
   }
+  await page.locator('.choice.colorBy select').selectOption('method');
+  assert.notEqual(await colourOf(0), await colourOf(1));
+  assert.deepEqual(await page.locator('.legend').getByText(/^(auto|ge)$/).allTextContents(), [
+    'auto',
+    'ge',
+  ]);
   await page.locator('.choice.colorBy select').selectOption('outcome');
 });
 
@@ -199,6 +205,7 @@ test('deaths are labelled with the killer, by what is shown', async ({ page }) =
 test('the heat map counts each way once a cell, of those that are listed', async ({ page }) => {
   await page.locator('#view').focus();
   await page.keyboard.press('9');
+  await set(page, { heatWays: true });
   const most = () => page.evaluate(() => window.obby.stage.heat.most);
   assert.equal(await most(), paths.length, 'all start in one cell');
   await set(page, { outcome: 'killed' });
@@ -206,6 +213,13 @@ test('the heat map counts each way once a cell, of those that are listed', async
   await set(page, { outcome: '' });
   await frames(page);
   await picture(page, 'heat');
+  const fold = page.getByRole('button', { name: 'Display' });
+  await fold.click();
+  await page.getByText('not of the search').click();
+  assert.equal(await most(), 90, "the search's own cells");
+  await frames(page);
+  await picture(page, 'heat-search');
+  await fold.click();
   await page.keyboard.press('9');
   assert.equal(await page.evaluate(() => window.obby.stage.heat.group.children.length), 0);
 });

@@ -5,6 +5,7 @@
 #include "calibrate/manoeuvres.h"
 #include "calibrate/page.h"
 #include "calibrate/report.h"
+#include "calibrate/shortfall.h"
 #include "calibrate/takes.h"
 #include "io/sink.h"
 #include "options.h"
@@ -91,6 +92,23 @@ Result<std::vector<calibrate::Outcome>> outcomesOf(const std::vector<calibrate::
   return out;
 }
 
+// Above the tolerance: a warning, and why it is so, for the report.
+Result<std::vector<std::string>> whyNotNearer(cli::Context& context, const calibrate::Fit& fit,
+                                              const std::vector<calibrate::Outcome>& outcomes,
+                                              const std::vector<calibrate::Take>& takes,
+                                              const std::vector<calibrate::Take>& heldOut,
+                                              schema::PhysicsParams::Reader params) {
+  const double tolerance = context.arguments().number("tolerance");
+  const double miss = calibrate::meanMiss(outcomes);
+  if (miss <= tolerance) return std::vector<std::string>();
+  OBBY_ASSIGN(const calibrate::Shortfall shortfall,
+              calibrate::shortfallOf(heldOut.empty() ? takes : heldOut, fit, params, tolerance));
+  context.warn(
+      fmt::format("the recordings are {:.3f} studs off, more than the tolerance of {:g}: {}", miss,
+                  tolerance, calibrate::shortOf(shortfall, tolerance)));
+  return calibrate::reasonsOf(shortfall, tolerance);
+}
+
 Status tell(cli::Context& context, io::Pipeline& pipeline, const calibrate::Fit& fit,
             const std::vector<calibrate::Take>& takes, const std::vector<calibrate::Take>& heldOut,
             schema::PhysicsParams::Builder params) {
@@ -103,17 +121,16 @@ Status tell(cli::Context& context, io::Pipeline& pipeline, const calibrate::Fit&
   OBBY_ASSIGN(const auto others, outcomesOf(heldOut, true, params.asReader(), fit.delay));
   outcomes.insert(outcomes.end(), others.begin(), others.end());
   OBBY_RETURN_IF_ERROR(writeMetrics(pipeline, fit, outcomes));
+  OBBY_ASSIGN(const std::vector<std::string> why,
+              whyNotNearer(context, fit, outcomes, takes, heldOut, params));
   const cli::Arguments& a = context.arguments();
-  const double tolerance = a.number("tolerance");
-  if (calibrate::meanMiss(outcomes) > tolerance)
-    context.warn(fmt::format("the recordings are {:.3f} studs off, more than the tolerance of {:g}",
-                             calibrate::meanMiss(outcomes), tolerance));
-  const std::string text = calibrate::textOf(fit, outcomes, tolerance);
+  const std::string text = calibrate::textOf(fit, outcomes, a.number("tolerance"), why);
   context.note(text);
   if (!a.has("report")) return {};
   const std::string path = a.text("report");
   const bool page = path.ends_with(".html") || path.ends_with(".htm");
-  return writeText(path, page ? calibrate::pageOf(fit, outcomes, tolerance) : text);
+  return writeText(path,
+                   page ? calibrate::pageOf(fit, outcomes, a.number("tolerance"), why) : text);
 }
 
 // What the command line says of parameters, read before any output is begun.
@@ -146,11 +163,12 @@ Status calibrateFrom(cli::Context& context, io::Pipeline& pipeline, Asked asked)
                                                           : calibrate::holdOut(takes, every);
   if (takes.empty()) return makeError("--held-out 1 leaves nothing to fit to", "give 2 or more");
   ThreadPool pool(context.threads());
+  calibrate::FitSettings settings = tools::fitSettings(context);
+  settings.heldOut = heldOut;
   auto params = asked.now.root().getParams();
   OBBY_ASSIGN(const calibrate::Fit fit,
-              calibrate::fit(takes, std::move(asked.parameters), params.asReader(),
-                             tools::fitSettings(context), pool, context.stop(),
-                             [&](uint32_t done, uint32_t all, double loss) {
+              calibrate::fit(takes, std::move(asked.parameters), params.asReader(), settings, pool,
+                             context.stop(), [&](uint32_t done, uint32_t all, double loss) {
                                context.progress({"fitting", double(done) / all, {{"loss", loss}}});
                              }));
   return tell(context, pipeline, fit, takes, heldOut, params);

@@ -31,7 +31,9 @@ std::vector<OptionRow> fitRows() {
                   "keep every N-th recording from the fit, to measure on; 0: none", kFitGroup),
               0, 1000),
       between(row("tolerance", ValueType::number, "STUDS", "0.1",
-                  "mean distance from the recordings that is good enough", kFitGroup),
+                  "mean distance from the recordings that is good enough: the search ends there, "
+                  "or the report says what keeps it away",
+                  kFitGroup),
               0, 1000),
       between(row("restarts", ValueType::integer, "N", "3", "searches, from different places",
                   kFitGroup),
@@ -95,6 +97,7 @@ calibrate::FitSettings fitSettings(const cli::Context& context) {
   s.seed = a.seed();
   s.restarts = uint32_t(a.integer("restarts"));
   s.generations = uint32_t(a.integer("generations"));
+  s.tolerance = a.number("tolerance");
   return s;
 }
 

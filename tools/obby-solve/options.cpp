@@ -130,6 +130,8 @@ std::vector<OptionRow> searchRows() {
       row("paths", ValueType::flag, "", "",
           "write with each trajectory where the player is, for readers that cannot replay it",
           kSearchGroup),
+      row("heat-map", ValueType::flag, "", "", "write with each result where the search has been",
+          kSearchGroup),
       row("explain", ValueType::flag, "", "",
           "say of a query without a solution what single change makes it solvable; takes up to as "
           "long again",
@@ -256,6 +258,7 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
   o.solver.progressRecords = !a.flag("final-only");
   o.solver.explain = a.flag("explain");
   o.solver.paths = a.flag("paths");
+  o.solver.heatMap = a.flag("heat-map");
   if (a.flag("difficulty")) o.solver.difficultyTrials = uint32_t(a.integer("trials"));
   solve::Budget& b = o.solver.budget;
   b.seed = a.seed();

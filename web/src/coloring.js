@@ -1,10 +1,11 @@
-// Colours of trajectories by outcome, route, time, jumps or difficulty, and what they mean.
+// Colours of trajectories by outcome, route, method, time, jumps or difficulty, and what they mean.
 import { routeKey } from './choice.js';
 import { BAND_STYLE, OUTCOME_STYLE, pathColor, SOLUTION_COLOR, VERDICT_STYLE } from './palette.js';
 
 export const COLORINGS = {
   outcome: 'outcome',
   route: 'route',
+  method: 'method',
   time: 'time',
   jumps: 'jumps',
   difficulty: 'difficulty',
@@ -18,7 +19,7 @@ const kRamp = [
   [253, 231, 37],
 ];
 // Okabe and Ito's palette, made for colour-blind eyes (https://jfly.uni-koeln.de/color/), without its black.
-const kRoutes = ['#e69f00', '#56b4e9', '#009e73', '#f0e442', '#0072b2', '#d55e00', '#cc79a7'];
+const kDistinct = ['#e69f00', '#56b4e9', '#009e73', '#f0e442', '#0072b2', '#d55e00', '#cc79a7'];
 const kNone = '#8190a8';
 
 export function rampColor(share) {
@@ -60,11 +61,21 @@ function byRoute(query, level) {
   for (const path of query.paths)
     if (path.route?.length) counts.set(routeKey(path), (counts.get(routeKey(path)) ?? 0) + 1);
   const keys = [...counts].sort((a, b) => b[1] - a[1]).map(([key]) => key);
-  const colors = new Map(keys.slice(0, kRoutes.length).map((key, i) => [key, kRoutes[i]]));
+  const colors = new Map(keys.slice(0, kDistinct.length).map((key, i) => [key, kDistinct[i]]));
   const legend = [...colors].map(([key, color]) => [routeName(key, level), color, 'solution']);
   if (keys.length > colors.size || query.paths.some((path) => !path.route?.length))
     legend.push(['Other or unknown', kNone, 'attempt']);
   return { of: (path) => colors.get(routeKey(path)) ?? kNone, legend };
+}
+
+// Of answers by several methods to the same query.
+function byMethod(query) {
+  const names = [...new Set(query.paths.map((path) => path.method))].filter(Boolean).sort();
+  const colors = new Map(names.slice(0, kDistinct.length).map((name, i) => [name, kDistinct[i]]));
+  const legend = [...colors].map(([name, color]) => [name, color, 'solution']);
+  if (query.paths.some((path) => !colors.has(path.method)))
+    legend.push(['Other or unknown', kNone, 'attempt']);
+  return { of: (path) => colors.get(path.method) ?? kNone, legend };
 }
 
 function byDifficulty(query) {
@@ -89,6 +100,7 @@ export function routeName(key, level) {
 // {of: path -> colour, legend: [label, colour, class of the swatch]}
 export function coloring(query, level, mode) {
   const rate = level?.tickRate ?? 60;
+  if (mode === 'method') return byMethod(query);
   if (mode === 'route') return byRoute(query, level);
   if (mode === 'time')
     return byNumber(

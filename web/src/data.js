@@ -9,6 +9,7 @@ function bytesOf(text) {
 }
 const floats = (text) => new Float32Array(bytesOf(text).buffer);
 const shorts = (text) => new Int16Array(bytesOf(text).buffer);
+const longs = (text) => new Uint32Array(bytesOf(text).buffer);
 const words = (text) => new Uint16Array(bytesOf(text).buffer);
 
 export const SHAPES = ['block', 'ball', 'cylinder', 'wedge', 'cornerWedge', 'truss', 'hull'];
@@ -150,10 +151,19 @@ export class Path {
   }
 }
 
+function resultOf(raw) {
+  if (!raw?.heatMap) return raw;
+  const { size, feet, counts } = raw.heatMap;
+  return { ...raw, heatMap: { size, feet: floats(feet), counts: longs(counts) } };
+}
+
+// A query but for its trajectories.
+export const queryOf = (facts, index) => ({ ...facts, index, result: resultOf(facts.result) });
+
 export function readReport(raw) {
   const levels = raw.levels.map(levelOf);
   const queries = raw.queries.map((query, index) => {
-    const own = { ...query, index };
+    const own = queryOf(query, index);
     own.paths = query.trajectories.map((path) => new Path(path, own));
     return own;
   });

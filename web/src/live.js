@@ -7,7 +7,7 @@ import { LiveMark } from './ui/live_mark.js';
 
 // A search that runs tells its numbers often; what is drawn need not be made anew for those.
 function onlyNumbers(before, now) {
-  if (before?.paths.length !== now.paths.length) return false;
+  if (before?.paths.length !== now.paths.length || before.result || now.result) return false;
   const rest = ({ paths, progress, running, ...facts }) => JSON.stringify(facts);
   return rest(before) === rest(now) && before.paths.every((path, i) => path === now.paths[i]);
 }

@@ -1,5 +1,5 @@
 // A report that comes in pieces: what the server says is new is put in its place, and what is there keeps its identity.
-import { levelOf, Path } from './data.js';
+import { levelOf, Path, queryOf } from './data.js';
 
 const kFormat = 2; // of the data, as of a page in a file
 
@@ -39,7 +39,7 @@ export class LiveReport {
   takeQuery({ index, facts, serials, trajectories }, kept) {
     const { queries } = this.report;
     // A new object: what was worked out of the old one does not hold any more.
-    const own = { ...facts, index };
+    const own = queryOf(facts, index);
     const bySerial = new Map((queries[index]?.paths ?? []).map((path) => [path.serial, path]));
     const fresh = [];
     for (const { serial, data } of trajectories) {

@@ -114,8 +114,11 @@ class App {
     this.scenePanel = new ScenePanel(
       byId('scene-panel'),
       this.store,
-      () => this.level(),
-      () => this.ways.coloring,
+      {
+        queryOf: () => this.query(),
+        levelOf: () => this.level(),
+        coloringOf: () => this.ways.coloring,
+      },
     );
     this.hud = new Hud(byId('hud'));
     this.help = new Help(byId('help'));

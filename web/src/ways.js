@@ -3,6 +3,7 @@ import { Vector3 } from 'three';
 import { boxOf, listed, UNFILTERED } from './choice.js';
 import { coloring } from './coloring.js';
 import { deathLabels } from './death_labels.js';
+import { searched, visits } from './scene/heat_view.js';
 
 const kMostDeaths = 6; // labels
 const kBox = [10, 10, 10]; // studs, of a box that is not drawn
@@ -50,10 +51,11 @@ export class Ways {
 
   // Counting takes a while, so only for those who look.
   warm() {
-    const { heat, order } = this.store.state;
-    const { paths } = this.app.query();
-    if (heat) this.app.stage.heat.set(order.map((index) => paths[index]));
-    else this.app.stage.heat.clear();
+    const { heat, heatWays, order } = this.store.state;
+    const { paths, result } = this.app.query();
+    const map = heatWays ? null : result?.heatMap;
+    if (!heat) this.app.stage.heat.clear();
+    else this.app.stage.heat.set(map ? searched(map) : visits(order.map((i) => paths[i])));
   }
 
   // Around the player, or where the camera turns about.
@@ -73,7 +75,7 @@ export class Ways {
     const { app, store } = this;
     store.on([...Object.keys(UNFILTERED), 'sort', 'descending'], () => this.choose());
     store.on(['order', 'isolate', 'colorBy'], () => this.show());
-    store.on(['heat'], () => this.warm());
+    store.on(['heat', 'heatWays'], () => this.warm());
     store.on(['cut', 'attempts', 'markers'], () => this.app.query() && this.label());
     store.on(['path', 'ghost'], () => app.stage.pathView?.compare(app.ghost()));
     store.on(['colorBy'], () => app.stage.pathView?.select(app.path()));

@@ -24,9 +24,17 @@ Motion motionOf(schema::Motion::Reader record) {
         {key.getTime(), poseOf(key), Easing(key.getEasing()), EasingDirection(key.getDirection())});
   }
   motion.repeat = Repeat(record.getRepeat());
+  if (record.hasSpin()) {
+    const auto spin = record.getSpin();
+    motion.spin = {level::vec(spin.getAxis()), spin.getSpeed(), level::vec(spin.getPivot())};
+  }
   motion.offset = record.getOffset();
   motion.carries = record.getCarries();
   return motion;
+}
+
+bool moves(schema::Motion::Reader record) {
+  return record.getKeys().size() > 0 || record.hasSpin();
 }
 
 void give(RoleContext& context, PartDraft& part, const std::string& text) {
@@ -34,17 +42,18 @@ void give(RoleContext& context, PartDraft& part, const std::string& text) {
       io::recordFromJson(fmt::format("{{\"type\":\"level\",\"parts\":[{{\"motion\":{}}}]}}", text));
   const bool whole = read && read->reader().isLevel() &&
                      read->reader().getLevel().getParts().size() == 1 &&
-                     read->reader().getLevel().getParts()[0].getMotion().getKeys().size() > 0;
+                     moves(read->reader().getLevel().getParts()[0].getMotion());
   if (!whole) {
     context.level.noteUnmodelled(
         "recorded motion", context.tree.path(part.id),
-        read ? "the attribute ObbyMotion has no keys; record it again" : read.error().text());
+        read ? "the attribute ObbyMotion has neither keys nor a spin; record it again"
+             : read.error().text());
     return;
   }
   const auto record = read->reader().getLevel().getParts()[0].getMotion();
   giveMotion(context, part.id, motionOf(record),
-             fmt::format("attribute {}: {} poses recorded in the game", kAttribute,
-                         record.getKeys().size()),
+             fmt::format("attribute {}: {} poses{} recorded in the game", kAttribute,
+                         record.getKeys().size(), record.hasSpin() ? " and a spin" : ""),
              false);
 }
 

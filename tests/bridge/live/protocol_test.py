@@ -179,6 +179,19 @@ class ProtocolTest(unittest.TestCase):
         refused = self.bridge.post("/v1/jobs", {"level": level, "warm": "j999"})
         self.assertEqual(refused.status, 409)
 
+    def test_a_query_that_cannot_be_asked_stops_no_other(self):
+        level = self.bridge.place_level(LEVEL)
+        good = {"id": "good", "goal": {"position": [0, 2, 0], "size": [8, 8, 8]}}
+        lost = [{"id": name, "goal": {"part": "No " + name}} for name in ("first", "second")]
+        job = self.bridge.ask(level=level, queries=[lost[0], good, lost[1]])
+        messages = self.bridge.messages(job["job"])
+        self.assertEqual(self.verdicts(messages), {"good": "solved"})
+        self.assertEqual(messages[-1]["state"], "failed")
+        self.assertIn("No first", messages[-1]["reason"])
+        errors = [m["report"] for m in messages if m["type"] == "report"
+                  and m["report"]["type"] == "error"]
+        self.assertEqual([e["place"] for e in errors], ["2", "4"])
+
     def test_bad_orders_are_explained(self):
         level = self.bridge.place_level(LEVEL)
         for order, status, path in [

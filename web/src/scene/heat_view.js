@@ -1,9 +1,9 @@
-// Where the listed ways go: a tile for each cell of two studs, the brighter the more ways pass it. Cells of the search
-// are not in the stream; these are counted from the ways' positions, each way once a cell.
+// Where the search has been, or where the listed ways go: a tile for each cube, the brighter the more of the search's
+// cells are in it, or the more ways pass it. Of ways each counts once a cube.
 import { Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial, PlaneGeometry } from 'three';
 import { rampColor } from '../coloring.js';
 
-const kCell = 2; // studs
+const kCell = 2; // studs, of ways
 const kMostTiles = 20000; // the most visited are kept
 const kLift = 0.12; // studs above the lowest feet of the cell
 
@@ -11,7 +11,7 @@ const kLift = 0.12; // studs above the lowest feet of the cell
 const keyOf = (x, y, z) =>
   (((x + 32768) & 65535) * 65536 + ((y + 32768) & 65535)) * 65536 + ((z + 32768) & 65535);
 
-// [{x, y, z, ways}] in studs: the cell's middle, and the lowest feet in it.
+// {size, cells: [{x, y, z, count}]} in studs: the cube's middle, and the lowest feet in it.
 export function visits(paths) {
   const cells = new Map();
   for (const path of paths) {
@@ -22,16 +22,28 @@ export function visits(paths) {
       const key = keyOf(x, Math.floor(feet / kCell), z);
       let cell = cells.get(key);
       if (!cell) {
-        cell = { x: (x + 0.5) * kCell, y: feet, z: (z + 0.5) * kCell, ways: 0, last: null };
+        cell = { x: (x + 0.5) * kCell, y: feet, z: (z + 0.5) * kCell, count: 0, last: null };
         cells.set(key, cell);
       }
       if (feet < cell.y) cell.y = feet;
       // Ways come one after another, so that the last visitor tells whether this one was here.
-      if (cell.last !== path) cell.ways += 1;
+      if (cell.last !== path) cell.count += 1;
       cell.last = path;
     }
   }
-  return [...cells.values()];
+  return { size: kCell, cells: [...cells.values()] };
+}
+
+// The same of a result's heat map.
+export function searched({ size, feet, counts }) {
+  const middle = (v) => (Math.floor(v / size) + 0.5) * size;
+  const cells = Array.from(counts, (count, i) => ({
+    x: middle(feet[3 * i]),
+    y: feet[3 * i + 1],
+    z: middle(feet[3 * i + 2]),
+    count,
+  }));
+  return { size, cells };
 }
 
 export class HeatView {
@@ -39,28 +51,26 @@ export class HeatView {
     this.group = new Group();
   }
 
-  set(paths) {
+  set({ size, cells: all }) {
     this.clear();
-    const cells = visits(paths)
-      .sort((a, b) => b.ways - a.ways)
-      .slice(0, kMostTiles);
+    const cells = all.sort((a, b) => b.count - a.count).slice(0, kMostTiles);
     if (!cells.length) return;
     const mesh = new InstancedMesh(
-      new PlaneGeometry(kCell * 0.92, kCell * 0.92).rotateX(-Math.PI / 2),
+      new PlaneGeometry(size * 0.92, size * 0.92).rotateX(-Math.PI / 2),
       new MeshBasicMaterial({ transparent: true, opacity: 0.6, depthWrite: false }),
       cells.length,
     );
     // Counts spread over orders of magnitude.
-    const scale = Math.log(cells[0].ways + 1);
+    const scale = Math.log(cells[0].count + 1);
     const color = new Color();
     const place = new Matrix4();
-    cells.forEach(({ x, y, z, ways }, i) => {
+    cells.forEach(({ x, y, z, count }, i) => {
       mesh.setMatrixAt(i, place.makeTranslation(x, y + kLift, z));
-      mesh.setColorAt(i, color.set(rampColor(Math.log(ways + 1) / scale)));
+      mesh.setColorAt(i, color.set(rampColor(Math.log(count + 1) / scale)));
     });
     mesh.renderOrder = 4;
     mesh.frustumCulled = false;
-    this.most = cells[0].ways;
+    this.most = cells[0].count;
     this.group.add(mesh);
   }
 

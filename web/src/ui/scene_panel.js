@@ -5,8 +5,8 @@ import { el } from './dom.js';
 
 export class ScenePanel {
   // `coloringOf`: how trajectories are coloured now.
-  constructor(root, store, levelOf, coloringOf) {
-    Object.assign(this, { root, store, levelOf, coloringOf });
+  constructor(root, store, { queryOf, levelOf, coloringOf }) {
+    Object.assign(this, { root, store, queryOf, levelOf, coloringOf });
     this.legend = el('div', { class: 'legend' });
     this.inspector = el('section', { class: 'inspector', hidden: true });
     root.append(
@@ -70,7 +70,7 @@ export class ScenePanel {
 
   toggles() {
     const box = el('div', { class: 'toggles' });
-    const add = (name, label, key) => {
+    const add = (name, label, key, isShown = () => true) => {
       const input = el('input', {
         type: 'checkbox',
         on: {
@@ -84,15 +84,19 @@ export class ScenePanel {
       this.store.on([name], (state) => {
         input.checked = state[name];
       });
-      box.append(
-        el(
-          'label',
-          { title: key ? `Key ${key}` : undefined },
-          input,
-          el('span', { text: label }),
-          key ? el('kbd', { text: key }) : null,
-        ),
+      const row = el(
+        'label',
+        { title: key ? `Key ${key}` : undefined },
+        input,
+        el('span', { text: label }),
+        key ? el('kbd', { text: key }) : null,
       );
+      const show = () => {
+        row.hidden = !isShown();
+      };
+      this.store.on(['query', 'heat'], show);
+      show();
+      box.append(row);
     };
     add('solutions', 'Solutions', '1');
     add('attempts', 'Attempts', '2');
@@ -102,7 +106,9 @@ export class ScenePanel {
     add('labels', 'Labels', '6');
     add('motionPaths', 'Motion paths', '7');
     add('grid', 'Grid', '8');
-    add('heat', 'Heat map of visits', '9');
+    add('heat', 'Heat map', '9');
+    const searched = () => this.store.state.heat && Boolean(this.queryOf()?.result?.heatMap);
+    add('heatWays', '… of the listed ways, not of the search', '', searched);
     add('cut', 'What is missing', '0');
     add('isolate', 'Chosen one only', 'I');
     const original = el('input', {

@@ -1,0 +1,288 @@
+// How well calibration finds parameters that nobody told it: of recordings by our own simulator
+// under twelve sets drawn at random, as they are and as recorders spoil them, and of recordings by
+// Bullet, an engine with other rules. A fit takes about a minute on two cores, those to Bullet
+// three, so that all cases with twelve sets take hours: name some.
+//   bench_calibrate [--json] [--each] [--from SET] [--sets N] [CASE...]     --each: every parameter
+//   of every set
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+
+#include "calibrate/course.h"
+#include "calibrate/fit.h"
+#include "calibrate/shortfall.h"
+#include "common/need.h"
+#include "common/report.h"
+#ifdef OBBY_HAS_BULLET_PLAYER
+#include "support/bullet_player.h"
+#endif
+#include "support/recording_faults.h"
+#include "support/varied_manoeuvre.h"
+
+namespace {
+
+using namespace obby;
+using calibrate::Fitted;
+using calibrate::Take;
+
+struct Case {
+  const char* name;
+  test::Faults faults;
+};
+
+constexpr Case kCases[] = {
+    {"clean", {}},
+    {"noise0.01", {.noise = 0.01f}},
+    {"noise0.02", {.noise = 0.02f}},
+    {"dropped", {.dropped = 0.1f}},
+    {"jitter", {.jitter = 0.004}},
+    {"late", {.late = 3}},
+    {"directions16", {.directions = 16}},
+    {"all", {.noise = 0.01f, .dropped = 0.1f, .jitter = 0.004, .late = 2, .directions = 16}},
+};
+
+struct Options {
+  bool each = false;
+  uint64_t from = 1, sets = 12;
+  bench::Report::Form form = bench::Report::Form::table;
+  std::vector<std::string> wanted;
+};
+
+// What all sets of a case add up to.
+struct Tally {
+  struct Of {
+    int known = 0, sharp = 0, near = 0;
+    double worst = 0;  // of those that are sharp
+  };
+  std::map<std::string, Of> parameters;
+  int outside = 0;
+  double missed = 0, mostMissed = 0, seconds = 0;
+};
+
+// A share of the truth. What counts in whole ticks is right if it comes to as many.
+double errorOf(const Fitted& f, double truth) {
+  const auto counted = [&](double value) {
+    return f.tick > 0 ? std::round(value / f.tick) : value;
+  };
+  return std::fabs(counted(f.value) - counted(truth)) / counted(truth);
+}
+
+bool holds(const Fitted& f, double truth) {
+  const double slack = 0.5 * f.tick;
+  return truth >= f.low - slack && truth <= f.high + slack;
+}
+
+std::vector<Take> spoilt(std::vector<Take> takes, const test::Faults& faults, uint64_t seed) {
+  for (Take& take : takes) take.track = test::spoiled(take.track, faults, ++seed);
+  return takes;
+}
+
+io::RecordBuilder paramsOf(const calibrate::Fit& fit) {
+  io::RecordBuilder params;
+  params.root().initParams();
+  for (const Fitted& f : fit.parameters)
+    calibrate::setValue(params.root().getParams(), f.parameter.name, f.value);
+  return params;
+}
+
+// Where the simulator does something else than the recordings that were fitted.
+std::vector<std::string> reasonsAgainst(const std::vector<Take>& takes, const calibrate::Fit& fit) {
+  constexpr double kTolerance = 0.01;
+  const io::RecordBuilder params = paramsOf(fit);
+  return reasonsOf(
+      bench::need(calibrate::shortfallOf(takes, fit, params.reader().getParams(), kTolerance)),
+      kTolerance);
+}
+
+double meanMissOf(const std::vector<Take>& takes, const calibrate::Fit& fit) {
+  const io::RecordBuilder params = paramsOf(fit);
+  double sum = 0;
+  for (const Take& take : takes)
+    sum += missOf(bench::need(pathOf(take, params.reader().getParams(), fit.delay))).mean;
+  return sum / double(takes.size());
+}
+
+// What is fitted, what the fit is held against, and the truth where there is one.
+struct Trial {
+  std::string name;
+  uint64_t seed;
+  std::vector<Take> takes, heldOut;
+  const schema::PhysicsParams::Reader* hidden = nullptr;
+};
+
+void count(const Trial& trial, const Fitted& f, Tally& tally, bool each) {
+  const std::string& name = f.parameter.name;
+  const double truth = trial.hidden == nullptr ? 0 : calibrate::valueOf(*trial.hidden, name);
+  if (each)
+    fmt::print(stderr, "{} {} {:<15} {:>9.5g} {:>9.5g} {:>9.5g} {:>9.5g} {}\n", trial.name,
+               trial.seed, name, truth, f.value, f.low, f.high, f.known ? "known" : "");
+  if (!f.known || trial.hidden == nullptr) return;
+  Tally::Of& of = tally.parameters[name];
+  ++of.known;
+  tally.outside += !holds(f, truth);
+  // By its own interval it is told to a percent, or to the very tick.
+  if (std::max(f.high - f.value, f.value - f.low) > 0.01 * f.value) return;
+  const double error = errorOf(f, truth);
+  ++of.sharp;
+  of.near += error <= 0.01;
+  of.worst = std::max(of.worst, error);
+}
+
+void measure(const Trial& trial, bool each, ThreadPool& pool, Tally& tally) {
+  calibrate::FitSettings settings;
+  settings.seed = trial.seed;
+  settings.tolerance = 0.1;  // as the tool's default
+  settings.restarts = 1;
+  settings.heldOut = trial.heldOut;
+  const std::atomic<bool> stop{false};
+  calibrate::Fit fit;
+  const double seconds = bench::secondsOf([&] {
+    fit = bench::need(calibrate::fit(
+        trial.takes, calibrate::parametersAround(calibrate::defaults()), calibrate::defaults(),
+        settings, pool, stop, [](uint32_t, uint32_t, double) {}));
+  });
+  for (const Fitted& f : fit.parameters) count(trial, f, tally, each);
+  const double missed = meanMissOf(trial.heldOut, fit);
+  if (each) {
+    fmt::print(stderr, "{} {} missed {:.4f} delay {:.4f} loss {:.3g} seconds {:.1f}\n", trial.name,
+               trial.seed, missed, fit.delay, fit.loss, seconds);
+    for (const Take& take : trial.heldOut)
+      fmt::print(stderr, "   {} {:.4f}\n", take.track.name, meanMissOf({take}, fit));
+    for (const std::string& why : reasonsAgainst(trial.takes, fit))
+      fmt::print(stderr, "   {}\n", why);
+  }
+  tally.seconds += seconds;
+  tally.missed += missed;
+  tally.mostMissed = std::max(tally.mostMissed, missed);
+}
+
+std::vector<calibrate::Manoeuvre> others(std::vector<calibrate::Manoeuvre> manoeuvres,
+                                         uint64_t seed) {
+  for (calibrate::Manoeuvre& m : manoeuvres) m = test::varied(std::move(m), ++seed);
+  return manoeuvres;
+}
+
+void measureOurs(const Case& c, uint64_t seed, bool each, ThreadPool& pool, Tally& tally) {
+  const io::RecordBuilder truth = calibrate::drawnParams(seed, 0.3);
+  const auto hidden = truth.reader().getParams();
+  std::vector<calibrate::Manoeuvre> played = calibrate::manoeuvres();
+  std::erase_if(played, [](const auto& m) { return m.name == "push the box"; });
+  const auto unlike = others(played, 100 * seed);
+  const Trial trial{
+      c.name, seed, spoilt(calibrate::takesUnder(hidden, 0, played), c.faults, 100 * seed),
+      spoilt(calibrate::takesUnder(hidden, 0, unlike), c.faults, 100 * seed + 50), &hidden};
+  measure(trial, each, pool, tally);
+}
+
+#ifdef OBBY_HAS_BULLET_PLAYER
+std::vector<Take> playedByBullet(const test::BulletGame& game,
+                                 const std::vector<calibrate::Manoeuvre>& manoeuvres) {
+  io::RecordBuilder plain;
+  calibrate::writeCourse(plain.root().initLevel());
+  const auto level = bench::need(level::Level::compile(plain.reader().getLevel()));
+  const io::Record record(std::move(plain));
+  std::vector<Take> out;
+  for (const calibrate::Manoeuvre& m : manoeuvres)
+    out.push_back({test::playedByBullet(game, level, m), record});
+  return out;
+}
+
+void measureBullet(const char* name, test::BulletGame::Body body, uint64_t seed, bool each,
+                   ThreadPool& pool, Tally& tally) {
+  const test::BulletGame game = test::drawnGame(body, seed, 0.25f);
+  const auto manoeuvres = test::bulletManoeuvres();
+  // Each three times, never quite alike, as somebody would who records.
+  std::vector<calibrate::Manoeuvre> session = manoeuvres;
+  for (const uint64_t again : {10, 20}) {
+    for (calibrate::Manoeuvre& m : others(manoeuvres, 100 * seed + again)) {
+      m.name += fmt::format(" {}", again / 10 + 1);
+      session.push_back(std::move(m));
+    }
+  }
+  const test::Faults faults{.noise = 0.01f};
+  const Trial trial{
+      name, seed, spoilt(playedByBullet(game, session), faults, 100 * seed),
+      spoilt(playedByBullet(game, others(manoeuvres, 100 * seed + 90)), faults, 100 * seed + 50)};
+  if (each)
+    fmt::print(stderr, "{} {} walk {} jump {} gravity {} accel {} {} gain {} {} damping {}\n", name,
+               seed, game.walkSpeed, game.jumpSpeed, game.gravity, game.groundAccel, game.airAccel,
+               game.groundGain, game.airGain, game.damping);
+  measure(trial, each, pool, tally);
+}
+#endif
+
+void write(const std::string& name, const Tally& tally, double sets, bench::Report& report) {
+  Tally::Of sum;
+  for (const auto& [parameter, of] : tally.parameters) {
+    const std::string row = fmt::format("{}.{}", name, parameter);
+    report.add(row, "known", of.known, "sets");
+    report.add(row, "sharp", of.sharp, "sets");
+    report.add(row, "withinPercent", of.near, "sets");
+    if (of.sharp > 0) report.add(row, "largestError", of.worst, "");
+    sum.known += of.known, sum.sharp += of.sharp, sum.near += of.near;
+    sum.worst = std::max(sum.worst, of.worst);
+  }
+  if (!tally.parameters.empty()) {
+    report.add(name, "known", sum.known, "parameters");
+    report.add(name, "sharp", sum.sharp, "parameters");
+    report.add(name, "withinPercent", sum.near, "parameters");
+    report.add(name, "largestError", sum.worst, "");
+    report.add(name, "outsideInterval", tally.outside, "parameters");
+  }
+  report.add(name, "heldOutMean", tally.missed / sets, "studs");
+  report.add(name, "heldOutWorst", tally.mostMissed, "studs");
+  report.add(name, "seconds", tally.seconds / sets, "s");
+}
+
+Options optionsOf(int argc, char** argv) {
+  Options out;
+  for (int i = 1; i < argc; ++i) {
+    if (!strcmp(argv[i], "--json")) {
+      out.form = bench::Report::Form::json;
+    } else if (!strcmp(argv[i], "--each")) {
+      out.each = true;
+    } else if (!strcmp(argv[i], "--sets") && i + 1 < argc) {
+      out.sets = std::strtoull(argv[++i], nullptr, 10);
+    } else if (!strcmp(argv[i], "--from") && i + 1 < argc) {
+      out.from = std::strtoull(argv[++i], nullptr, 10);
+    } else {
+      out.wanted.push_back(argv[i]);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Options options = optionsOf(argc, argv);
+  bench::Report report("calibrate", options.form);
+  ThreadPool pool(availableThreads());
+  const auto asked = [&](const char* name) {
+    return options.wanted.empty() ||
+           std::count(options.wanted.begin(), options.wanted.end(), name) > 0;
+  };
+  const auto add = [&](const char* name, const auto& measureOne) {
+    if (!asked(name)) return;
+    Tally tally;
+    for (uint64_t i = 0; i < options.sets; ++i) measureOne(options.from + i, tally);
+    write(name, tally, double(options.sets), report);
+  };
+  for (const Case& c : kCases)
+    add(c.name,
+        [&](uint64_t seed, Tally& tally) { measureOurs(c, seed, options.each, pool, tally); });
+#ifdef OBBY_HAS_BULLET_PLAYER
+  using Body = test::BulletGame::Body;
+  for (const auto& [name, body] :
+       {std::pair("bulletKinematic", Body::kinematic), std::pair("bulletDynamic", Body::dynamic)})
+    add(name, [&](uint64_t seed, Tally& tally) {
+      measureBullet(name, body, seed, options.each, pool, tally);
+    });
+#else
+  fmt::print(stderr, "bench_calibrate: built without Bullet: no recordings by it\n");
+#endif
+}

@@ -1,0 +1,83 @@
+#include "calibrate/crossing.h"
+
+#include <algorithm>
+
+#include "calibrate/evidence.h"
+
+namespace obby::calibrate {
+
+namespace {
+
+constexpr size_t kValues = 16;  // that are tried
+
+// Where it cannot be refined the point stays as it is.
+std::vector<double> refinedWithout(const Objective& objective, std::vector<double> point,
+                                   size_t coordinate, int rounds, uint64_t& evaluations) {
+  const auto at = std::ptrdiff_t(coordinate);
+  std::vector<Parameter> others = objective.parameters();
+  others.erase(others.begin() + at);
+  const Objective less = objective.from(point, std::move(others));
+  std::vector<double> there = point;
+  there.erase(there.begin() + at);
+  auto found = refined(less, std::move(there), rounds, evaluations, nullptr);
+  if (!found) return point;
+  found->insert(found->begin() + at, point[coordinate]);
+  return *std::move(found);
+}
+
+// The first value of each run between two leaps: it stands for all of its run.
+std::vector<size_t> runsOf(const std::vector<double>& losses) {
+  std::vector<size_t> out;
+  for (size_t i = 0; i < losses.size(); ++i) {
+    if (i == 0 || losses[i] != losses[i - 1]) out.push_back(i);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<double> sharesAllOver() {
+  std::vector<double> out;
+  for (size_t i = 0; i < kValues; ++i) out.push_back((double(i) + 0.5) / kValues);
+  return out;
+}
+
+std::vector<double> sharesAround(double share) {
+  constexpr int kAround = 4;
+  std::vector<double> out;
+  for (int i = -kAround; i <= kAround; ++i) {
+    const double there = share + i / (kValues * 2.0 * kAround);
+    if (there >= 0 && there <= 1) out.push_back(there);
+  }
+  return out;
+}
+
+Crossing crossingOf(const Objective& objective, const std::vector<double>& point, size_t coordinate,
+                    const std::vector<double>& shares, int rounds, ThreadPool& pool) {
+  const size_t count = shares.size();
+  Crossing out{{coordinate, shares, std::vector<double>(count)}, point, objective.loss(point), 0};
+  std::vector<double>& losses = out.profile.losses;
+  std::vector<std::vector<double>> points(count, point);
+  for (size_t i = 0; i < count; ++i) points[i][coordinate] = shares[i];
+  pool.run(int(count), [&](int i) { losses[size_t(i)] = objective.loss(points[size_t(i)]); });
+  const std::vector<size_t> runs = runsOf(losses);
+  std::vector<uint64_t> evaluations(runs.size(), 1);
+  pool.run(int(runs.size()), [&](int i) {
+    std::vector<double>& there = points[runs[size_t(i)]];
+    there = refinedWithout(objective, std::move(there), coordinate, rounds, evaluations[size_t(i)]);
+    losses[runs[size_t(i)]] = objective.loss(there);
+  });
+  for (size_t k = 0; k < runs.size(); ++k) {
+    const size_t first = runs[k], end = k + 1 < runs.size() ? runs[k + 1] : count;
+    for (size_t i = first; i < end; ++i) losses[i] = losses[first];
+    out.evaluations += evaluations[k] + end - first;
+    if (alike(out.loss, losses[first])) continue;
+    out.loss = losses[first];
+    // The middle of what cannot be told apart.
+    out.best = points[first];
+    out.best[coordinate] = shares[(first + end - 1) / 2];
+  }
+  return out;
+}
+
+}  // namespace obby::calibrate

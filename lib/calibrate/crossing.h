@@ -1,0 +1,28 @@
+// Parameters that decide when something happens, such as from how high a floor is sensed. Errors
+// leap by these, and do not change between two leaps; and before it leaps, other parameters bend to
+// make up for what happens a tick too late. So values all over the bounds are tried.
+#pragma once
+
+#include "base/thread_pool.h"
+#include "calibrate/objective.h"
+#include "calibrate/profile.h"
+
+namespace obby::calibrate {
+
+struct Crossing {
+  Profile profile;           // with the other parameters refined at each value
+  std::vector<double> best;  // the whole point
+  double loss = 0;           // there
+  uint64_t evaluations = 0;
+};
+
+// `shares`: the values that are tried, ascending. `rounds`: of Gauss-Newton at each, at most.
+// `point` stays the best where none is better.
+Crossing crossingOf(const Objective& objective, const std::vector<double>& point, size_t coordinate,
+                    const std::vector<double>& shares, int rounds, ThreadPool& pool);
+
+// All over the bounds; and finer, up to halfway to the next of those.
+std::vector<double> sharesAllOver();
+std::vector<double> sharesAround(double share);
+
+}  // namespace obby::calibrate

@@ -1,0 +1,111 @@
+#include "calibrate/findings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "calibrate/crossing.h"
+#include "calibrate/evidence.h"
+#include "calibrate/ticks.h"
+
+namespace obby::calibrate {
+
+namespace {
+
+constexpr double kKnown = 0.1;  // of the value: an interval within this much of it is of use
+constexpr int kRounds = 3;      // of refining the others beside what decides an event
+constexpr double kTied = 0.95;  // correlation
+
+// By how wide its interval is: as above, or to one tick.
+Fitted judged(Fitted f) {
+  const double half = std::max(f.high - f.value, f.value - f.low);
+  f.known = f.tick > 0 ? f.high - f.low < 1.5 * f.tick : half <= kKnown * f.value;
+  return f;
+}
+
+Fitted bySlope(Fitted f, double share, double half) {
+  if (half >= kNothing) return f;
+  f.low = valueAt(f.parameter, share - half);
+  f.high = valueAt(f.parameter, share + half);
+  return judged(f);
+}
+
+// `between`: a value as far from one that was tried may be possible, too.
+Fitted byProfile(Fitted f, const Profile& profile, double slack, double between) {
+  const Possible possible = possibleOf(profile, slack);
+  if (possible.all) return f;
+  f.low = std::min(f.value, valueAt(f.parameter, possible.least - between));
+  f.high = std::max(f.value, valueAt(f.parameter, possible.most + between));
+  return judged(f);
+}
+
+// No ticks are what is rounded to none.
+Fitted byCount(Fitted f, const Profile& profile, double slack, double tick) {
+  if (possibleOf(profile, slack).all) return f;
+  f.tick = tick;
+  f = byProfile(f, profile, slack, 0);
+  for (double* time : {&f.value, &f.low, &f.high}) *time = tick * std::round(*time / tick);
+  return f;
+}
+
+// An objective at a point, and what is made of it.
+struct Weighing {
+  const Objective& objective;
+  const std::vector<double>& point;
+  ThreadPool& pool;
+  double noise;
+
+  void byCrossing(size_t coordinate, Fitted& f) const {
+    const Crossing crossing =
+        crossingOf(objective, point, coordinate, sharesAllOver(), kRounds, pool);
+    const auto& shares = crossing.profile.shares;
+    f = byProfile(f, crossing.profile, slackOf(noise, objective.frames()), shares[1] - shares[0]);
+  }
+
+  void byScan(const std::vector<Fitted*>& fitted) const {
+    const Scan scan = scanOf(objective, point, Tried::inPairs, pool);
+    for (const Profile& p : scan.profiles) {
+      Fitted& f = *fitted[p.coordinate];
+      f = byCount(f, p, slackOf(noise, scan.frames), 1 / objective.controlRate());
+    }
+  }
+};
+
+// Of the objective's parameters, in its order.
+std::vector<Fitted*> shownOf(const Objective& objective, std::vector<Fitted>& all) {
+  std::vector<Fitted*> out;
+  for (const Parameter& p : objective.parameters())
+    out.push_back(&*std::find_if(all.begin(), all.end(),
+                                 [&](const Fitted& f) { return f.parameter.name == p.name; }));
+  return out;
+}
+
+}  // namespace
+
+Result<Findings> findingsOf(const Objective& objective, const std::vector<double>& point,
+                            const std::vector<Parameter>& asked,
+                            schema::PhysicsParams::Reader before,
+                            schema::PhysicsParams::Reader found, ThreadPool& pool,
+                            const std::atomic<bool>& stop) {
+  Findings out;
+  for (const Parameter& p : asked)
+    out.parameters.push_back(
+        {p, valueOf(found, p.name), p.lowest, p.highest, false, valueOf(before, p.name)});
+  const std::vector<Fitted*> shown = shownOf(objective, out.parameters);
+  OBBY_ASSIGN(const Slopes slopes, slopesAt(objective, point, &pool));
+  const Evidence evidence = evidenceOf(slopes);
+  const Weighing weighing{objective, point, pool, slopes.noise};
+  for (size_t i = 0; i < shown.size(); ++i) {
+    const Parameter::Kind kind = shown[i]->parameter.kind;
+    if (hasSlope(kind)) *shown[i] = bySlope(*shown[i], point[i], evidence.half[i]);
+    if (kind == Parameter::Kind::event && !stop) weighing.byCrossing(i, *shown[i]);
+    for (size_t k = 0; k < i; ++k) {
+      const double c = evidence.correlation(Eigen::Index(i), Eigen::Index(k));
+      if (std::fabs(c) > kTied)
+        out.tied.push_back({shown[k]->parameter.name, shown[i]->parameter.name, c});
+    }
+  }
+  if (!stop) weighing.byScan(shown);
+  return out;
+}
+
+}  // namespace obby::calibrate

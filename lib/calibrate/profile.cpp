@@ -1,0 +1,25 @@
+#include "calibrate/profile.h"
+
+#include <algorithm>
+
+namespace obby::calibrate {
+
+namespace {
+
+constexpr double kAlike = 1e-9;  // of a loss
+
+}  // namespace
+
+bool alike(double loss, double least) { return loss <= least * (1 + kAlike); }
+
+Possible possibleOf(const Profile& profile, double slack) {
+  const double least = *std::min_element(profile.losses.begin(), profile.losses.end());
+  const auto possible = [&](double loss) { return loss <= least + slack || alike(loss, least); };
+  size_t first = 0, last = profile.losses.size() - 1;
+  while (!possible(profile.losses[first])) ++first;
+  while (!possible(profile.losses[last])) --last;
+  return {profile.shares[first], profile.shares[last],
+          first == 0 && last + 1 == profile.losses.size()};
+}
+
+}  // namespace obby::calibrate

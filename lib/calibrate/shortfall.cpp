@@ -1,0 +1,159 @@
+#include "calibrate/shortfall.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace obby::calibrate {
+
+namespace {
+
+constexpr double kSeconds = 0.5;  // of a window
+constexpr double kEnd = 0.005;    // share of the bounds that counts as their end
+constexpr size_t kMost = 3;
+constexpr double kLittle = 0.01;  // studs: no window that is off by less is worth a word
+constexpr double kElsewhere[] = {0.1, 0.3, 0.5, 0.7, 0.9};  // shares that are tried
+constexpr double kNearer = 0.7;  // of the distance: another value explains some of it
+
+// Positions between their neighbours, off by more than any motion explains: the middle one of all
+// sizes is hardly moved by landings and turns.
+double noiseOf(std::span<const Take> takes) {
+  std::vector<double> sizes;
+  for (const Take& take : takes) {
+    const auto& f = take.track.frames;
+    for (size_t i = 1; i + 1 < f.size(); ++i) {
+      const float share = float((f[i].time - f[i - 1].time) / (f[i + 1].time - f[i - 1].time));
+      const Vec3 between = f[i - 1].position + (f[i + 1].position - f[i - 1].position) * share;
+      sizes.push_back(double(length(f[i].position - between)));
+    }
+  }
+  if (sizes.empty()) return 0;
+  const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  // The difference from a mean of two has one and a half times the variance of each.
+  return *middle / std::sqrt(1.5);
+}
+
+std::vector<std::string> endsOf(const Fit& fit) {
+  std::vector<std::string> out;
+  for (const Fitted& f : fit.parameters) {
+    const double share = shareOf(f.parameter, f.value);
+    const bool shown = f.low > f.parameter.lowest || f.high < f.parameter.highest;
+    if (shown && (share < kEnd || share > 1 - kEnd)) out.push_back(f.parameter.name);
+  }
+  return out;
+}
+
+// Of one recording, window by window.
+std::vector<Strange> windowsOff(const Take& take, const level::LevelView& level, double delay) {
+  const auto& frames = take.track.frames;
+  const std::vector<Window> windows = windowsOf(take.track, kSeconds, level);
+  std::vector<Strange> out;
+  for (const Window& w : windows)
+    out.push_back({take.track.name, frames[w.first].time, frames[w.last].time});
+  std::vector<double> most(windows.size(), 0);
+  playBack(level, take.track, windows, delay,
+           [&](uint32_t window, uint32_t frame, const Moment& now) {
+             const double off = double(length(now.position - frames[frame].position));
+             const Window& w = windows[window];
+             out[window].off += off / double(w.last - w.first);
+             if (off <= most[window]) return;
+             most[window] = off;
+             out[window].state = frames[frame].state;
+           });
+  return out;
+}
+
+const Take& takeOf(std::span<const Take> takes, const std::string& name) {
+  return *std::find_if(takes.begin(), takes.end(),
+                       [&](const Take& t) { return t.track.name == name; });
+}
+
+// The same window under other parameters.
+Result<double> offUnder(const Take& take, const Strange& strange, double delay,
+                        schema::PhysicsParams::Reader params) {
+  OBBY_ASSIGN(const level::Level level, levelWith(take, params));
+  for (const Strange& s : windowsOff(take, level.view(), delay)) {
+    if (s.from == strange.from) return s.off;
+  }
+  return strange.off;
+}
+
+void addUntold(const Take& take, const Fit& fit, schema::PhysicsParams::Reader params,
+               Strange& strange) {
+  for (const Fitted& f : fit.parameters) {
+    if (f.low > f.parameter.lowest || f.high < f.parameter.highest) continue;
+    for (const double share : kElsewhere) {
+      io::RecordBuilder other;
+      other.root().setParams(params);
+      setValue(other.root().getParams(), f.parameter.name, valueAt(f.parameter, share));
+      const auto off = offUnder(take, strange, fit.delay, other.reader().getParams());
+      if (!off || *off > kNearer * strange.off) continue;  // an error: a body that cannot be
+      strange.untold.push_back(f.parameter.name);
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+Result<Shortfall> shortfallOf(std::span<const Take> takes, const Fit& fit,
+                              schema::PhysicsParams::Reader params, double tolerance) {
+  Shortfall out{noiseOf(takes), endsOf(fit), {}};
+  for (const Take& take : takes) {
+    OBBY_ASSIGN(const level::Level level, levelWith(take, params));
+    for (const Strange& s : windowsOff(take, level.view(), fit.delay)) {
+      if (s.off > std::max({tolerance, 2 * out.noise, kLittle})) out.strange.push_back(s);
+    }
+  }
+  std::stable_sort(out.strange.begin(), out.strange.end(),
+                   [](const Strange& a, const Strange& b) { return a.off > b.off; });
+  out.strange.resize(std::min(out.strange.size(), kMost));
+  for (Strange& s : out.strange) addUntold(takeOf(takes, s.recording), fit, params, s);
+  return out;
+}
+
+std::string shortOf(const Shortfall& s, double tolerance) {
+  if (s.noise > tolerance)
+    return fmt::format("their positions alone jump by {:.2g} from frame to frame", s.noise);
+  if (!s.strange.empty()) {
+    const Strange& worst = s.strange.front();
+    if (!worst.untold.empty())
+      return fmt::format("the fitted ones do not tell {}, on which '{}' depends",
+                         fmt::join(worst.untold, ", "), worst.recording);
+    return fmt::format("'{}' is another thing from {:.2f} to {:.2f} s, in {}", worst.recording,
+                       worst.from, worst.to, nameOf(worst.state));
+  }
+  if (!s.ends.empty())
+    return fmt::format("{} would go beyond what was tried", fmt::join(s.ends, ", "));
+  return "small errors add up";
+}
+
+namespace {
+
+std::string causeOf(const Strange& w) {
+  if (w.untold.empty()) return "whatever the parameters";
+  return fmt::format("by {}, which the fitted recordings do not tell", fmt::join(w.untold, " or "));
+}
+
+}  // namespace
+
+std::vector<std::string> reasonsOf(const Shortfall& s, double tolerance) {
+  std::vector<std::string> out;
+  if (s.noise > tolerance)
+    out.push_back(fmt::format(
+        "positions jump by {:.2g} studs from frame to frame: no parameters come nearer than that",
+        s.noise));
+  for (const std::string& name : s.ends)
+    out.push_back(fmt::format("{} is at an end of the values that were tried", name));
+  for (const Strange& w : s.strange)
+    out.push_back(
+        fmt::format("'{}', {:.2f} to {:.2f} s: begun as recorded, {:.2g} studs off in {}, {}",
+                    w.recording, w.from, w.to, w.off, nameOf(w.state), causeOf(w)));
+  if (out.empty())
+    out.emplace_back("no half second is that far off by itself: small errors add up");
+  return out;
+}
+
+}  // namespace obby::calibrate

@@ -1,0 +1,36 @@
+// Where a search has been, coarsely, for people to look at: cubes of studs, however far it went.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "math/vec.h"
+#include "schema/obby.capnp.h"
+
+namespace obby::solve {
+
+class HeatMap {
+ public:
+  // Search::places, from noted() on.
+  void note(const std::vector<Vec3>& places);
+  uint32_t noted() const { return noted_; }
+  void fill(schema::HeatMap::Builder record) const;  // in order of x, y, z
+
+ private:
+  using Key = std::tuple<int32_t, int32_t, int32_t>;
+  struct Cube {
+    Vec3 feet;
+    uint32_t cells = 0;
+  };
+
+  void add(Vec3 feet, uint32_t cells);
+  void coarsen();
+
+  uint32_t noted_ = 0;  // cells of the search
+  float size_ = 2;      // studs
+  std::map<Key, Cube> cubes_;
+};
+
+}  // namespace obby::solve

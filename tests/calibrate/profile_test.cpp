@@ -1,0 +1,106 @@
+// What has no slope is found by trying: times in whole ticks, and what decides when something
+// happens.
+#include "calibrate/profile.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "calibrate/course.h"
+#include "calibrate/crossing.h"
+#include "calibrate/ticks.h"
+
+namespace obby::calibrate {
+namespace {
+
+TEST(Profile, LeavesPossibleWhatIsWithinTheSlack) {
+  const Profile profile{0, {0.1, 0.2, 0.3, 0.4}, {5, 1.2, 1, 3}};
+  const Possible some = possibleOf(profile, 0.3), one = possibleOf(profile, 0.1);
+  EXPECT_EQ(some.least, 0.2);
+  EXPECT_EQ(some.most, 0.3);
+  EXPECT_FALSE(some.all);
+  EXPECT_EQ(one.least, 0.3);
+  EXPECT_TRUE(possibleOf(profile, 10).all);
+}
+
+io::RecordBuilder with(std::initializer_list<std::pair<const char*, double>> values) {
+  io::RecordBuilder out;
+  auto params = out.root().initParams();
+  for (const auto& [name, value] : values) setValue(params, name, value);
+  return out;
+}
+
+// Somebody runs off the ledge and presses jump three times, later each time.
+std::vector<Take> lateJumps(schema::PhysicsParams::Reader params) {
+  std::vector<Manoeuvre> played;
+  for (const float wait : {0.84f, 0.87f, 0.90f})
+    played.push_back({"late", {-30, 8.1f, 4}, {{0.3f, 0, 0}, {wait, 1, 0}, {0.3f, 1, 0, true}}});
+  return takesUnder(params, 0, played);
+}
+
+std::vector<Profile> scanned(const std::vector<Take>& takes, const std::vector<std::string>& names,
+                             std::vector<uint32_t>& best) {
+  ThreadPool pool(availableThreads());
+  const Objective objective(takes, *parametersNamed(names, defaults()), defaults(), {});
+  Scan scan = scanOf(objective, objective.start(), Tried::inPairs, pool);
+  for (size_t i = 0; i < names.size(); ++i) {
+    const double seconds = valueAt(objective.parameters()[i], scan.best[i]);
+    best.push_back(uint32_t(std::lround(seconds * 60)));
+  }
+  return std::move(scan.profiles);
+}
+
+TEST(Ticks, OfLandingAreCounted) {
+  for (const int ticks : {0, 1, 6}) {
+    const io::RecordBuilder truth = with({{"landedTime", ticks / 60.0}});
+    const Manoeuvre jumps{"jumps", {0, 0.1f, 0}, {{0.5f, 0, 0}, {2.5f, 0, 0, true}}};
+    std::vector<uint32_t> best;
+    scanned(takesUnder(truth.reader().getParams(), 0, {jumps}), {"landedTime"}, best);
+    EXPECT_EQ(best[0], uint32_t(ticks));
+  }
+}
+
+// Both must last for the jump: none of the two shows without the other.
+TEST(Ticks, OfTwoTimesThatHideOneAnotherAreFound) {
+  const io::RecordBuilder truth = with({{"coyoteTime", 0.25}, {"offFloorGrace", 0.25}});
+  const auto takes = lateJumps(truth.reader().getParams());
+  std::vector<uint32_t> best;
+  const auto profiles = scanned(takes, {"coyoteTime", "offFloorGrace"}, best);
+  std::vector<uint32_t> alone;
+  scanned(takes, {"coyoteTime"}, alone);
+  EXPECT_EQ(alone[0], 8u) << "as at the start: the other time hides it";
+  for (size_t i = 0; i < 2; ++i) {
+    EXPECT_GT(best[i], 8u);
+    EXPECT_LE(best[i], 15u);
+    const Possible possible = possibleOf(profiles[i], 1e-6);
+    EXPECT_FALSE(possible.all);
+    EXPECT_EQ(possible.most, profiles[i].shares.back()) << "nobody jumped still later";
+  }
+}
+
+TEST(Ticks, ThatNothingShowsStayAsTheyWere) {
+  const Manoeuvre stands{"stands", {0, 0.1f, 0}, {{1, 0, 0}}};
+  std::vector<uint32_t> best;
+  const auto profiles =
+      scanned(takesUnder(defaults(), 0, {stands}), {"coyoteTime", "landedTime"}, best);
+  EXPECT_EQ(best, (std::vector<uint32_t>{8, 3}));
+  for (const Profile& p : profiles) EXPECT_TRUE(possibleOf(p, 0).all);
+}
+
+// Who falls a little lands when the floor is sensed, and that is all that this number does.
+TEST(Crossing, FindsFromHowHighAFloorIsSensed) {
+  const io::RecordBuilder truth = with({{"floorAcquire", 1.02}});
+  const auto takes = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(4));
+  const Objective objective(takes, *parametersNamed({"floorAcquire"}, defaults()), defaults(), {});
+  ThreadPool pool(availableThreads());
+  const double before = objective.loss(objective.start());
+  const Crossing crossing = crossingOf(objective, objective.start(), 0, sharesAllOver(), 3, pool);
+  EXPECT_LT(crossing.loss, 1e-6 * before);
+  const Possible possible = possibleOf(crossing.profile, 1e-6 * before);
+  const Parameter& p = objective.parameters()[0];
+  EXPECT_LE(valueAt(p, possible.least), 1.02);
+  EXPECT_LT(valueAt(p, possible.most), 1.1) << "what it was is ruled out";
+}
+
+}  // namespace
+}  // namespace obby::calibrate

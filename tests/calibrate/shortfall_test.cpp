@@ -1,0 +1,68 @@
+// Why a fit cannot come near enough is said.
+#include "calibrate/shortfall.h"
+
+#include <gtest/gtest.h>
+
+#include "calibrate/course.h"
+
+namespace obby::calibrate {
+namespace {
+
+// Of one parameter of which nothing is known.
+Fit fitOf(const std::string& name) {
+  Fit out;
+  const Parameter p = parametersNamed({name}, defaults())->front();
+  out.parameters.push_back({p, valueOf(defaults(), name), p.lowest, p.highest});
+  return out;
+}
+
+Shortfall shortfall(const std::vector<Take>& takes, const Fit& fit, double tolerance) {
+  auto out = shortfallOf(takes, fit, defaults(), tolerance);
+  EXPECT_TRUE(out) << out.error().text();
+  return *std::move(out);
+}
+
+TEST(Shortfall, NoiseOfThePositionsIsMeasured) {
+  const auto takes = takesUnder(defaults(), 0.2f, firstManoeuvres(3));
+  const Shortfall s = shortfall(takes, fitOf("walkSpeed"), 0.01);
+  EXPECT_NEAR(s.noise, 0.19, 0.02) << "of a cube of 0.2 to each side";
+  EXPECT_NE(shortOf(s, 0.01).find("jump"), std::string::npos);
+}
+
+// The player of the recording is faster: the walk differs, whatever gravity is.
+TEST(Shortfall, NamesWhatNoParameterExplains) {
+  io::RecordBuilder truth;
+  setValue(truth.root().initParams(), "walkSpeed", 24);
+  const auto takes = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(2));
+  const Shortfall s = shortfall(takes, fitOf("gravity"), 0.05);
+  ASSERT_FALSE(s.strange.empty());
+  EXPECT_EQ(s.strange[0].recording, "run, stop, turn");
+  EXPECT_EQ(s.strange[0].state, sim::State::running);
+  EXPECT_TRUE(s.strange[0].untold.empty());
+  EXPECT_NE(reasonsOf(s, 0.05).at(0).find("whatever the parameters"), std::string::npos);
+}
+
+// Held out, it can be seen to depend on a parameter that nothing else shows.
+TEST(Shortfall, NamesWhatTheFittedRecordingsDoNotTell) {
+  io::RecordBuilder truth;
+  setValue(truth.root().initParams(), "landedTime", 0.1);
+  const auto all = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(4));
+  const Shortfall s = shortfall({all[3]}, fitOf("landedTime"), 0.05);
+  ASSERT_FALSE(s.strange.empty());
+  EXPECT_EQ(s.strange[0].untold, std::vector<std::string>{"landedTime"});
+  EXPECT_NE(shortOf(s, 0.05).find("do not tell landedTime"), std::string::npos);
+}
+
+TEST(Shortfall, NamesParametersAtAnEnd) {
+  Fit fit = fitOf("walkSpeed");
+  Fitted& f = fit.parameters[0];
+  f.value = f.high = f.parameter.highest;
+  f.low = 31;
+  const auto takes = takesUnder(defaults(), 0, firstManoeuvres(2));
+  const Shortfall s = shortfall(takes, fit, 0.1);
+  EXPECT_EQ(s.ends, std::vector<std::string>{"walkSpeed"});
+  EXPECT_TRUE(s.strange.empty()) << "the recordings are followed";
+}
+
+}  // namespace
+}  // namespace obby::calibrate

@@ -1,0 +1,96 @@
+// What recorders do to recordings: positions a little off, frames missing or at uneven times,
+// inputs that show late or are rounded to a few directions.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/random.h"
+#include "calibrate/track.h"
+
+namespace obby::test {
+
+struct Faults {
+  float noise = 0;          // studs that a position may be off, each axis
+  float dropped = 0;        // share of the frames that are missing
+  double jitter = 0;        // seconds that a frame may come early or late
+  uint32_t late = 0;        // frames from an input to what comes of it
+  uint32_t directions = 0;  // that an input can have; 0: any
+};
+
+namespace detail {
+
+inline Vec3 mixed(Vec3 a, Vec3 b, float share) { return a + (b - a) * share; }
+
+// A time of a recording: between a frame and the next.
+struct Moment {
+  size_t frame;
+  float share;
+};
+
+inline Moment momentAt(const std::vector<calibrate::Frame>& frames, double time) {
+  size_t i = 0;
+  while (i + 2 < frames.size() && frames[i + 1].time <= time) ++i;
+  const double from = frames[i].time, to = frames[i + 1].time;
+  return {i, float(std::clamp((time - from) / (to - from), 0.0, 1.0))};
+}
+
+// The player as they are then; inputs, facing and state are those in force.
+inline calibrate::Frame frameAt(const std::vector<calibrate::Frame>& frames, double time) {
+  const Moment m = momentAt(frames, time);
+  const calibrate::Frame &a = frames[m.frame], &b = frames[m.frame + 1];
+  calibrate::Frame out = m.share < 1 ? a : b;
+  out.time = time;
+  out.position = mixed(a.position, b.position, m.share);
+  out.velocity = mixed(a.velocity, b.velocity, m.share);
+  return out;
+}
+
+inline void addPoses(const calibrate::Track& from, double time, calibrate::Track& to) {
+  const Moment m = momentAt(from.frames, time);
+  for (size_t i = 0; i < from.shown.size(); ++i) {
+    const calibrate::PartPose &a = from.pose(m.frame, i), &b = from.pose(m.frame + 1, i);
+    to.poses.push_back(
+        {mixed(a.position, b.position, m.share), m.share < 0.5f ? a.rotation : b.rotation});
+  }
+}
+
+inline Vec3 roundedTo(Vec3 move, uint32_t directions) {
+  if (move.x == 0 && move.z == 0) return move;
+  const double part = 2 * std::numbers::pi / directions;
+  const double angle = part * std::round(std::atan2(double(move.x), double(move.z)) / part);
+  const double size = std::hypot(double(move.x), double(move.z));
+  return {float(size * std::sin(angle)), 0, float(size * std::cos(angle))};
+}
+
+}  // namespace detail
+
+// The same recording by a worse recorder.
+inline calibrate::Track spoiled(const calibrate::Track& track, const Faults& faults,
+                                uint64_t seed) {
+  Random random(seed, 0x5b01);
+  const auto between = [&] { return 2 * random.unit() - 1; };
+  calibrate::Track out = track;
+  out.frames.clear();
+  out.poses.clear();
+  const auto& from = track.frames;
+  for (size_t i = 0; i < from.size(); ++i) {
+    const bool end = i == 0 || i + 1 == from.size();
+    if (random.unit() < faults.dropped && !end) continue;
+    const double shift = end ? 0 : faults.jitter * double(between());
+    calibrate::Frame f = detail::frameAt(from, from[i].time + shift);
+    // Written down when it was given; what came of it shows `late` frames on.
+    const double late = faults.late * (from[1].time - from[0].time);
+    const calibrate::Frame input = detail::frameAt(from, std::min(f.time + late, from.back().time));
+    f.move = input.move;
+    f.jump = input.jump;
+    if (faults.directions > 0) f.move = detail::roundedTo(f.move, faults.directions);
+    f.position += Vec3{between(), between(), between()} * faults.noise;
+    detail::addPoses(track, f.time, out);
+    out.frames.push_back(f);
+  }
+  return out;
+}
+
+}  // namespace obby::test
