@@ -111,15 +111,11 @@ class App {
       tint,
     );
     this.timeline = new Timeline(byId('timeline'), this.store, this.playback, () => this.path());
-    this.scenePanel = new ScenePanel(
-      byId('scene-panel'),
-      this.store,
-      {
-        queryOf: () => this.query(),
-        levelOf: () => this.level(),
-        coloringOf: () => this.ways.coloring,
-      },
-    );
+    this.scenePanel = new ScenePanel(byId('scene-panel'), this.store, {
+      queryOf: () => this.query(),
+      levelOf: () => this.level(),
+      coloringOf: () => this.ways.coloring,
+    });
     this.hud = new Hud(byId('hud'));
     this.help = new Help(byId('help'));
     this.timeline.addButton('◐', 'Light, dark, as the system (Y)', () => nextTheme(this.store));
