@@ -90,7 +90,7 @@ const page = fill(readFileSync(join(here, 'src/page.html'), 'utf8'), {
   STYLE: style,
   SCRIPT: script,
 });
-for (const marker of ['@@OBBY_TITLE@@', '@@OBBY_DATA@@']) {
+for (const marker of ['@@OBBY_TITLE@@', '@@OBBY_DATA@@', "default-src 'none'"]) {
   if (page.split(marker).length !== 2) throw new Error(`the page must hold ${marker} exactly once`);
 }
 mkdirSync(out, { recursive: true });

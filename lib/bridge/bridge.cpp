@@ -1,37 +1,24 @@
 #include "bridge/bridge.h"
 
 #include <fmt/format.h>
-#include <kj/exception.h>
 #include <signal.h>
 
 #include "bridge/http.h"
 #include "bridge/stdio.h"
+#include "loopback/event_loop.h"
 
 namespace obby::bridge {
 namespace {
 
-constexpr auto kLook = 50 * kj::MILLISECONDS;  // how often `stop` is looked at
 constexpr auto kSweep = 1 * kj::SECONDS;
-
-// What the event loop's library would print, said as a note.
-class Quiet : public kj::ExceptionCallback {
- public:
-  explicit Quiet(const Reports& reports) : reports_(reports) {}
-  void logMessage(kj::LogSeverity, const char*, int, int, kj::String&& text) override {
-    reports_.note(text.cStr());
-  }
-
- private:
-  const Reports& reports_;
-};
 
 // The event loop and the service on it.
 class Host {
  public:
   Host(const Options& options, const Reports& reports, const std::atomic<bool>& stop)
-      : quiet_(reports),
-        io_(kj::setupAsyncIo()),
-        loop_{*io_.lowLevelProvider, io_.unixEventPort, io_.provider->getTimer()},
+      : events_(reports.note),
+        loop_{*events_.io.lowLevelProvider, events_.io.unixEventPort,
+              events_.io.provider->getTimer()},
         options_(options),
         stop_(stop) {
     signal(SIGCHLD, SIG_DFL);  // a parent may have left it ignored: then exits would be lost
@@ -54,10 +41,15 @@ class Host {
   // Runs the event loop until `work` ends, `stop` is set, or nobody has been there for too long.
   Status serve(kj::Promise<void> work) {
     try {
-      work.exclusiveJoin(untilStopped()).exclusiveJoin(untilIdle()).wait(io_.waitScope);
+      work.exclusiveJoin(events_.untilSet(stop_))
+          .exclusiveJoin(untilIdle())
+          .wait(events_.io.waitScope);
       service_->jobs().cancelAll(nullptr, "the bridge ends");
       const auto most = uint64_t((options_.limits.stopSeconds + 1) * 1000) * kj::MILLISECONDS;
-      service_->jobs().whenIdle().exclusiveJoin(loop_.timer.afterDelay(most)).wait(io_.waitScope);
+      service_->jobs()
+          .whenIdle()
+          .exclusiveJoin(loop_.timer.afterDelay(most))
+          .wait(events_.io.waitScope);
     } catch (const kj::Exception& e) {
       return makeError(e.getDescription().cStr());
     }
@@ -65,11 +57,6 @@ class Host {
   }
 
  private:
-  kj::Promise<void> untilStopped() {
-    if (stop_) return kj::READY_NOW;
-    return loop_.timer.afterDelay(kLook).then([this] { return untilStopped(); });
-  }
-
   kj::Promise<void> untilIdle() {
     service_->sweep();
     const double most = options_.idleSeconds;
@@ -77,8 +64,7 @@ class Host {
     return loop_.timer.afterDelay(kSweep).then([this] { return untilIdle(); });
   }
 
-  Quiet quiet_;
-  kj::AsyncIoContext io_;
+  loopback::EventLoop events_;
   Loop loop_;
   const Options& options_;
   const std::atomic<bool>& stop_;
@@ -95,7 +81,7 @@ Status serveHttp(const Options& options, const std::atomic<bool>& stop, const Re
     return makeError("no client is paired yet, so nobody could ask",
                      "--pair shows a code for a new one");
   }
-  OBBY_ASSIGN(Listener listener, listenOn(options.port));
+  OBBY_ASSIGN(loopback::Listener listener, loopback::listenOn(options.port));
   reports.say(fmt::format("listening on http://127.0.0.1:{}", listener.port));
   if (!options.needToken) {
     reports.warn("--no-token: every program on this machine may ask, whoever runs it");

@@ -110,18 +110,6 @@ void reapNow(pid_t pid) {
 
 }  // namespace
 
-OwnedFd& OwnedFd::operator=(OwnedFd&& other) noexcept {
-  const int old = std::exchange(fd_, other.release());
-  if (old >= 0) close(old);
-  return *this;
-}
-
-OwnedFd::~OwnedFd() {
-  if (fd_ >= 0) close(fd_);
-}
-
-int OwnedFd::release() { return std::exchange(fd_, -1); }
-
 Process::Process(Process&& other) noexcept
     : input(std::move(other.input)),
       output(std::move(other.output)),

@@ -9,23 +9,11 @@
 #include <vector>
 
 #include "base/result.h"
+#include "loopback/owned_fd.h"
 
 namespace obby::bridge {
 
-// A file descriptor with one owner.
-class OwnedFd {
- public:
-  OwnedFd() = default;
-  explicit OwnedFd(int fd) : fd_(fd) {}
-  OwnedFd(OwnedFd&& other) noexcept : fd_(other.release()) {}
-  OwnedFd& operator=(OwnedFd&& other) noexcept;
-  ~OwnedFd();
-  int get() const { return fd_; }
-  int release();
-
- private:
-  int fd_ = -1;
-};
+using loopback::OwnedFd;
 
 struct Command {
   std::string path;                    // absolute

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <vector>
 
 #include "io/text.h"
+#include "loopback/sender.h"
+#include "loopback/target.h"
 
 namespace obby::bridge {
 namespace {
@@ -24,17 +25,8 @@ bool allOf(std::string_view text, std::string_view allowed) {
 
 // --- who asks
 
-bool hostAllowed(std::string_view host, uint16_t port) {
-  const std::string found = lower(host);
-  for (const char* name : {"127.0.0.1", "localhost", "[::1]"}) {
-    if (found == fmt::format("{}:{}", name, port)) return true;
-    if (port == 80 && found == name) return true;
-  }
-  return false;
-}
-
 std::optional<Reply> checkSender(const RequestHead& head, const Access& access) {
-  if (!head.host || !hostAllowed(*head.host, access.port)) {
+  if (!head.host || !loopback::hostAllowed(*head.host, access.port)) {
     return refuse(421, "this is not the host that was asked for",
                   fmt::format("ask http://127.0.0.1:{}", access.port));
   }
@@ -95,19 +87,12 @@ bool fits(const Route& row, std::string_view path, std::string& id) {
   return row.endpoint == Endpoint::getLevel ? isLevelId(id) : isJobId(id);
 }
 
-std::optional<uint64_t> wholeNumber(std::string_view text, uint64_t most) {
-  uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return {};
-  return value <= most ? std::optional(value) : std::nullopt;
-}
-
 bool setParameter(Call& call, std::string_view name, std::string_view value) {
   if (name == "session") {
     call.session = value;
     return value.size() <= 64 && allOf(lower(value), "0123456789abcdef");
   }
-  const auto number = wholeNumber(value, name == "wait" ? kMaxWait : kMaxCursor);
+  const auto number = loopback::wholeNumber(value, name == "wait" ? kMaxWait : kMaxCursor);
   if (!number) return false;
   if (name == "wait") {
     call.wait = double(*number);
@@ -117,18 +102,15 @@ bool setParameter(Call& call, std::string_view name, std::string_view value) {
   return true;
 }
 
-std::optional<Reply> readParameters(std::string_view text, const Route& row, Call& call) {
+std::optional<Reply> readParameters(const std::vector<loopback::Parameter>& given, const Route& row,
+                                    Call& call) {
   std::vector<std::string_view> seen;
-  while (!text.empty()) {
-    const std::string_view pair = text.substr(0, text.find('&'));
-    text.remove_prefix(std::min(text.size(), pair.size() + 1));
-    const std::string_view name = pair.substr(0, pair.find('='));
-    const std::string_view value = pair.substr(std::min(pair.size(), name.size() + 1));
+  for (const auto& [name, value, text] : given) {
     const auto& names = row.parameters;
     const bool known = !name.empty() && std::find(names.begin(), names.end(), name) != names.end();
     const bool twice = std::find(seen.begin(), seen.end(), name) != seen.end();
     if (!known || twice || !setParameter(call, name, value)) {
-      return refuse(400, "parameter not understood: " + io::quoted(pair),
+      return refuse(400, "parameter not understood: " + io::quoted(text),
                     "cursor and wait are whole numbers, session is what /v1/info said");
     }
     seen.push_back(name);
@@ -189,7 +171,7 @@ std::variant<Call, Reply> route(std::string_view method, std::string_view target
   if (target.size() > kMaxTarget || target.empty() || target[0] != '/') {
     return refuse(400, "not an address of the bridge", "docs/bridge.md lists them");
   }
-  const std::string_view path = target.substr(0, target.find('?'));
+  const auto [path, parameters] = loopback::targetOf(target);
   bool found = false;
   for (const Route& row : kRoutes) {
     Call call;
@@ -197,8 +179,7 @@ std::variant<Call, Reply> route(std::string_view method, std::string_view target
     found = true;
     if (method != row.method) continue;
     call.endpoint = row.endpoint;
-    const std::string_view rest = target.substr(std::min(target.size(), path.size() + 1));
-    if (auto wrong = readParameters(rest, row, call)) return *std::move(wrong);
+    if (auto wrong = readParameters(parameters, row, call)) return *std::move(wrong);
     return call;
   }
   if (found) return refuse(405, "not that method here", "docs/bridge.md lists them");

@@ -10,13 +10,13 @@
 #include <variant>
 
 #include "bridge/reply.h"
+#include "loopback/sender.h"
 
 namespace obby::bridge {
 
 // The head of a request as it came; texts belong to the caller.
-struct RequestHead {
-  std::string_view method, target;  // "GET", "/v1/info?..."
-  std::optional<std::string_view> host, origin, fetchSite, authorization, contentType, encoding;
+struct RequestHead : loopback::Head {
+  std::optional<std::string_view> authorization, contentType, encoding;
   bool upgrade = false;                              // has an Upgrade header
   bool webSocket = false;                            // and it asks for a WebSocket
   std::optional<std::string_view> webSocketVersion;  // "13"

@@ -3,33 +3,25 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <cstring>
-#include <stdexcept>
 
 #include "io/read_file.h"
+#include "loopback/secrets.h"
 
 namespace obby::bridge {
 namespace {
 
+using loopback::equalInConstantTime;
+using loopback::kTokenBytes;
+using loopback::randomBytes;
+using loopback::randomHex;
+
 constexpr std::string_view kLetters = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789";
 static_assert(kLetters.size() == 32, "five bits a letter, all alike");
-
-std::string randomBytes(size_t bytes) {
-  std::string out(bytes, '\0');
-  size_t done = 0;
-  while (done < bytes) {
-    const ssize_t n = getrandom(out.data() + done, bytes - done, 0);
-    if (n > 0) done += size_t(n);
-    // Without randomness there is no secret: nothing that goes on from here would be right.
-    if (n < 0 && errno != EINTR) throw std::runtime_error("the system gives no random numbers");
-  }
-  return out;
-}
 
 // What somebody typed, as the code is kept.
 std::string plain(std::string_view typed) {
@@ -51,19 +43,6 @@ bool isToken(std::string_view text) {
 }
 
 }  // namespace
-
-std::string randomHex(size_t bytes) {
-  std::string out;
-  for (const char c : randomBytes(bytes)) out += fmt::format("{:02x}", uint8_t(c));
-  return out;
-}
-
-bool equalInConstantTime(std::string_view a, std::string_view b) {
-  if (a.size() != b.size()) return false;
-  volatile uint8_t differences = 0;  // volatile: no early way out for the compiler either
-  for (size_t i = 0; i < a.size(); i++) differences = differences | uint8_t(a[i] ^ b[i]);
-  return differences == 0;
-}
 
 Pairing::Pairing(double now) : until_(now + kSeconds) {
   for (const char c : randomBytes(kCodeLetters)) code_ += kLetters[uint8_t(c) % kLetters.size()];

@@ -1,4 +1,4 @@
-// Pairing codes and tokens: random, compared in constant time, few tries.
+// Pairing codes and tokens: who may ask the bridge, after few tries.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,6 @@
 
 namespace obby::bridge {
 
-// So many bytes of the system's randomness, as twice as many hexadecimal digits.
-std::string randomHex(size_t bytes);
-
-// Takes as long whatever the difference is. The lengths are no secret.
-bool equalInConstantTime(std::string_view a, std::string_view b);
-
-inline constexpr size_t kTokenBytes = 32;
 inline constexpr size_t kCodeLetters = 8;
 
 // The code that a person carries from the terminal to the plugin. One token for one code.

@@ -5,6 +5,7 @@
 #include "bridge/importing.h"
 #include "bridge/json.h"
 #include "io/version.h"
+#include "loopback/secrets.h"
 
 namespace obby::bridge {
 namespace {
@@ -40,7 +41,7 @@ Service::Service(Loop& loop, const Limits& limits, Programs programs, Store stor
       store_(std::move(store)),
       tokens_(std::move(tokens)),
       needToken_(needToken),
-      session_(randomHex(kSessionBytes)),
+      session_(loopback::randomHex(kSessionBytes)),
       lastSeen_(loop.now()),
       jobs_(loop, limits, [this](const Job& job) {
         if (!job.answerPath().empty()) store_.removeAnswer(job.answerPath());

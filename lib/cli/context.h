@@ -51,6 +51,8 @@ class Context {
   void warn(const std::string& message);
   // Only with --verbose.
   void note(const std::string& message);
+  // What the user has to know to go on, on stderr, even with --quiet.
+  void say(const std::string& message);
   // Drawn, printed or dropped as --progress says; call it as often as you like.
   void progress(const ProgressState& state);
 

@@ -17,41 +17,24 @@ constexpr size_t kSampleBytes = 20;     // position, yaw, state in base64
 
 size_t base64Size(size_t bytes) { return (bytes + 2) / 3 * 4; }
 
-struct Sizes {
-  size_t fixed = 0, attempts = 0, tracks = 0;
-
-  size_t total(const Budget& b) const {
-    return fixed + attempts / b.attemptStride / b.attemptsOneOf + tracks / b.trackStride;
-  }
-};
-
-Sizes measure(const Report& report) {
-  Sizes sizes;
-  for (size_t i = 0; i < report.levels.size(); ++i) {
-    const auto record = report.levels[i].reader();
-    sizes.fixed += record.totalSize().wordCount * 8;
-    const auto& view = report.levels[i].level->view();
-    for (const Track& track : tracksOf(view, ticksShown(report, int(i)), 1)) {
-      sizes.tracks += base64Size(track.bytes());
-    }
-  }
-  for (const QueryEntry& query : report.queries) {
-    for (const PathEntry& path : query.paths) {
-      const size_t bytes = path.playback.feet.size() * kSampleBytes;
-      (path.kind == PathKind::attempt ? sizes.attempts : sizes.fixed) += bytes;
-    }
-  }
-  return sizes;
+size_t total(const PageSizes& sizes, const Budget& b) {
+  return sizes.fixed + sizes.attempts / b.attemptStride / b.attemptsOneOf +
+         sizes.tracks / b.trackStride;
 }
 
 }  // namespace
 
+uint32_t leastTicksShown(const Report& report, int level) {
+  return kLeastSeconds * report.levels[size_t(level)].level->view().params.controlRate;
+}
+
 uint32_t ticksShown(const Report& report, int level) {
   const auto& view = report.levels[size_t(level)].level->view();
-  uint64_t ticks = uint64_t(kLeastSeconds) * view.params.controlRate;
+  uint64_t ticks = leastTicksShown(report, level);
   for (const QueryEntry& query : report.queries) {
     if (query.level != level) continue;
     for (const PathEntry& path : query.paths) {
+      if (!path.played()) continue;
       ticks =
           std::max<uint64_t>(ticks, uint64_t(path.reader().getStartTick()) + path.playback.ticks());
     }
@@ -60,12 +43,35 @@ uint32_t ticksShown(const Report& report, int level) {
   return uint32_t(std::min<uint64_t>(ticks, 600ull * view.params.controlRate));
 }
 
+void PageSizes::add(const LevelEntry& level, uint32_t ticks) {
+  fixed += level.reader().totalSize().wordCount * 8;
+  for (const Track& track : tracksOf(level.level->view(), ticks, 1)) {
+    tracks += base64Size(track.bytes());
+  }
+}
+
+void PageSizes::add(const QueryEntry& query) {
+  for (const PathEntry& path : query.paths) {
+    const size_t bytes = path.playback.feet.size() * kSampleBytes;
+    (path.kind == PathKind::attempt ? attempts : fixed) += bytes;
+  }
+}
+
 Budget budgetFor(const Report& report, size_t target) {
-  const Sizes sizes = measure(report);
-  Budget b;
-  while (sizes.total(b) > target && b.attemptStride < kMaxStride) b.attemptStride *= 2;
-  while (sizes.total(b) > target && b.trackStride < kMaxStride) b.trackStride *= 2;
-  while (sizes.total(b) > target &&
+  PageSizes sizes;
+  for (size_t i = 0; i < report.levels.size(); ++i) {
+    sizes.add(report.levels[i], ticksShown(report, int(i)));
+  }
+  for (const QueryEntry& query : report.queries) sizes.add(query);
+  return budgetFor(sizes, target);
+}
+
+Budget budgetFor(const PageSizes& sizes, size_t target, Budget least) {
+  Budget b = std::move(least);
+  b.notes.clear();
+  while (total(sizes, b) > target && b.attemptStride < kMaxStride) b.attemptStride *= 2;
+  while (total(sizes, b) > target && b.trackStride < kMaxStride) b.trackStride *= 2;
+  while (total(sizes, b) > target &&
          sizes.attempts / b.attemptStride / b.attemptsOneOf > target / 8) {
     b.attemptsOneOf *= 2;
   }

@@ -21,8 +21,20 @@ struct Budget {
 
 // Ticks of the level clock that the page has to show.
 uint32_t ticksShown(const Report& report, int level);
+// Of a level without trajectories.
+uint32_t leastTicksShown(const Report& report, int level);
 
-// The least thinning with which the page's data stays within `target` bytes.
+// How large the page's data is when nothing is thinned out, about, in bytes.
+struct PageSizes {
+  size_t fixed = 0, attempts = 0, tracks = 0;
+
+  // `ticks` of motion are shown.
+  void add(const LevelEntry& level, uint32_t ticks);
+  void add(const QueryEntry& query);
+};
+
+// The least thinning, from `least` on, with which the page's data stays within `target` bytes.
+Budget budgetFor(const PageSizes& sizes, size_t target, Budget least = {});
 Budget budgetFor(const Report& report, size_t target);
 
 }  // namespace obby::view

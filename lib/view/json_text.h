@@ -41,10 +41,12 @@ class JsonText {
     return key(name).value(v);
   }
 
+  // What is JSON already.
+  JsonText& raw(std::string_view text);
+
   const std::string& text() const { return text_; }
 
  private:
-  JsonText& raw(std::string_view text);
   JsonText& base64(std::span<const uint8_t> bytes);
   void separate();
 

@@ -16,15 +16,38 @@ Error pageMissing() {
                    "install npm and build again from a fresh cmake run; or use --format text");
 }
 
+namespace {
+
+// The page with its data. `connects`: it may ask the server that it came from, and nobody else.
+std::string filled(std::string_view title, std::string_view data, bool connects) {
+  std::string page;
+  for (const std::string_view piece : pageTemplate()) page += piece;
+  if (connects) {
+    page.insert(page.find(kPolicyStart) + kPolicyStart.size(), "; connect-src 'self'");
+  }
+  // The data last: its text must not be searched for markers.
+  page.replace(page.find(kTitleMarker), kTitleMarker.size(), io::escapeMarkup(std::string(title)));
+  page.replace(page.rfind(kDataMarker), kDataMarker.size(), data);
+  return page;
+}
+
+}  // namespace
+
+void writeNotes(JsonText& json, const Report& report, const Budget& budget) {
+  json.open('[');
+  for (const std::string& note : report.notes) json.value(note);
+  for (const std::string& note : budget.notes) json.value(note);
+  json.close();
+}
+
 std::string pageData(const Report& report, const PageOptions& options) {
   const Budget budget = options.full ? Budget{} : budgetFor(report, kPageTarget);
   JsonText json;
-  json.open('{').field("format", 2).field("generator", options.generator);
+  json.open('{').field("format", kPageFormat).field("generator", options.generator);
   json.field("title", report.title());
-  json.key("notes").open('[');
-  for (const std::string& note : report.notes) json.value(note);
-  for (const std::string& note : budget.notes) json.value(note);
-  json.close().key("levels").open('[');
+  json.key("notes");
+  writeNotes(json, report, budget);
+  json.key("levels").open('[');
   for (size_t i = 0; i < report.levels.size(); ++i) {
     writeLevel(json, report.levels[i], ticksShown(report, int(i)), budget.trackStride);
   }
@@ -36,20 +59,20 @@ std::string pageData(const Report& report, const PageOptions& options) {
 
 Result<std::string> htmlPage(const Report& report, const PageOptions& options) {
   if (!pageAvailable()) return pageMissing();
-  std::string page;
-  for (const std::string_view piece : pageTemplate()) page += piece;
   const std::string data = pageData(report, options);
   if (data.size() > kPageLimit) {
     return makeError(
         fmt::format("the page would hold {} MB, which no browser opens", data.size() >> 20),
         "leave out --full, or choose queries with --query");
   }
-  // The data last: its text must not be searched for markers.
-  const size_t title = page.find(kTitleMarker);
-  page.replace(title, kTitleMarker.size(), io::escapeMarkup(report.title()));
-  const size_t at = page.rfind(kDataMarker);
-  page.replace(at, kDataMarker.size(), data);
-  return page;
+  return filled(report.title(), data, false);
+}
+
+Result<std::string> livePage() {
+  if (!pageAvailable()) return pageMissing();
+  JsonText json;
+  json.open('{').field("format", kPageFormat).field("live", true).close();
+  return filled("obby-view", json.text(), true);
 }
 
 }  // namespace obby::view

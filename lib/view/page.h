@@ -27,4 +27,8 @@ std::string pageData(const Report& report, const PageOptions& options);
 // The whole page. Errors: a build without the bundle; a page over the limit of budget.h.
 Result<std::string> htmlPage(const Report& report, const PageOptions& options);
 
+// The page without data: it asks the server that it came from for them. Error: a build without the
+// bundle.
+Result<std::string> livePage();
+
 }  // namespace obby::view

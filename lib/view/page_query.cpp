@@ -158,6 +158,17 @@ void writeResult(JsonText& json, const QueryEntry& entry) {
   json.close();
 }
 
+// How far a search had come that has no answer yet.
+void writeProgress(JsonText& json, const QueryEntry& entry) {
+  if (entry.result || !entry.progress) return;
+  const auto progress = entry.progress->reader().getProgress();
+  json.key("progress").open('{').field("seconds", progress.getSeconds());
+  json.field("steps", std::to_string(progress.getSteps()));
+  json.field("cells", std::to_string(progress.getCells()));
+  json.field("rounds", std::to_string(progress.getRounds()));
+  json.field("closest", progress.getClosest()).field("waypoints", progress.getWaypoints()).close();
+}
+
 // Every stride-th sample, and the last one.
 template <class T>
 std::vector<T> thinned(const std::vector<T>& all, uint32_t stride) {
@@ -198,6 +209,8 @@ void writeDifficulty(JsonText& json, schema::Trajectory::Reader path) {
   json.field("window", hardest.getWindow()).close().close();
 }
 
+}  // namespace
+
 void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
   constexpr const char* kKinds[] = {"solution", "attempt", "closest", "newest"};
   const auto record = path.reader();
@@ -229,12 +242,16 @@ void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
   json.close().close();
 }
 
-}  // namespace
-
-void writeQuery(JsonText& json, const QueryEntry& entry, const Budget& budget) {
-  json.open('{').field("id", entry.id).field("level", entry.level);
+void writeQueryFacts(JsonText& json, const QueryEntry& entry) {
+  json.field("id", entry.id).field("level", entry.level);
   writeConstraints(json, entry);
   writeResult(json, entry);
+  writeProgress(json, entry);
+}
+
+void writeQuery(JsonText& json, const QueryEntry& entry, const Budget& budget) {
+  json.open('{');
+  writeQueryFacts(json, entry);
   json.key("trajectories").open('[');
   uint32_t attempts = 0;
   for (const PathEntry& path : entry.paths) {

@@ -8,9 +8,11 @@ namespace obby::view {
 
 inline constexpr std::string_view kTitleMarker = "@@OBBY_TITLE@@";
 inline constexpr std::string_view kDataMarker = "@@OBBY_DATA@@";
+// The content security policy begins so.
+inline constexpr std::string_view kPolicyStart = "default-src 'none'";
 
-// The page in pieces, to be put together; empty in a build without the page bundle. Each marker
-// occurs exactly once in the whole.
+// The page in pieces, to be put together; empty in a build without the page bundle. Each of
+// these occurs exactly once in the whole.
 std::span<const std::string_view> pageTemplate();
 
 }  // namespace obby::view

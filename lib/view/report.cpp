@@ -1,15 +1,29 @@
 // Which record belongs to which query and level.
 #include "view/report.h"
 
+#include <capnp/any.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "level/resolve_places.h"
 
 namespace obby::view {
 
 namespace {
+
+// The id of the query that a record is or belongs to.
+std::string queryOf(const io::Record& record) {
+  switch (record.which()) {
+    case io::Kind::QUERY: return record.reader().getQuery().getId();
+    case io::Kind::RESULT: return record.reader().getResult().getQuery();
+    case io::Kind::TRAJECTORY: return record.reader().getTrajectory().getQuery();
+    case io::Kind::PROGRESS: return record.reader().getProgress().getQuery();
+    default: return "";
+  }
+}
 
 bool ofProgress(const PathEntry& path) { return path.record.which() == io::Kind::PROGRESS; }
 
@@ -67,18 +81,22 @@ QueryEntry& Collector::queryNamed(const std::string& id, int level) {
     report_.queries.back().id = id;
     report_.queries.back().level = level;
   }
+  touched_.insert(at->second);
   return report_.queries[at->second];
+}
+
+bool Collector::wanted(const io::Record& record) const {
+  if (only_.empty()) return true;
+  const std::string id = queryOf(record);
+  return std::find(only_.begin(), only_.end(), id) != only_.end();
 }
 
 Status Collector::add(const io::Record& record) {
   if (!record.known()) return {};
+  if (record.which() == io::Kind::LEVEL) return addLevel(record);
+  if (!wanted(record)) return {};
   switch (record.which()) {
-    case io::Kind::LEVEL: return addLevel(record);
-    case io::Kind::QUERY: {
-      const auto query = record.reader().getQuery();
-      queryNamed(query.getId(), levelNamed(query.getLevel())).query = record;
-      return {};
-    }
+    case io::Kind::QUERY: addQuery(record); return {};
     case io::Kind::RESULT: {
       const auto result = record.reader().getResult();
       queryNamed(result.getQuery(), levelNamed(result.getLevel())).result = record;
@@ -87,8 +105,8 @@ Status Collector::add(const io::Record& record) {
     case io::Kind::TRAJECTORY: {
       const auto path = record.reader().getTrajectory();
       const bool solved = path.getOutcome() == schema::Outcome::GOAL;
-      queryNamed(path.getQuery(), levelNamed(path.getLevel()))
-          .paths.push_back({solved ? PathKind::solution : PathKind::attempt, record, {}});
+      addPath(queryNamed(path.getQuery(), levelNamed(path.getLevel())),
+              {solved ? PathKind::solution : PathKind::attempt, record, {}});
       return {};
     }
     case io::Kind::PROGRESS: addProgress(record); return {};
@@ -96,21 +114,55 @@ Status Collector::add(const io::Record& record) {
   }
 }
 
+void Collector::addQuery(const io::Record& record) {
+  const auto query = record.reader().getQuery();
+  QueryEntry& entry = queryNamed(query.getId(), levelNamed(query.getLevel()));
+  // The same again, from a concatenated stream.
+  if (entry.query && capnp::toAny(entry.reader()) == capnp::toAny(query)) return;
+  entry.query = record;
+  entry.compiled.reset();
+  // What came before its query was played without its regions and limits.
+  for (PathEntry& path : entry.paths) {
+    path.playback = {};
+    path.serial = ++serial_;
+  }
+}
+
 // Only the last one of a query: it knows more than those before.
 void Collector::addProgress(const io::Record& record) {
   const auto progress = record.reader().getProgress();
   if (!progress.hasBest()) return;
-  auto& paths = queryNamed(progress.getQuery(), levelNamed(progress.getBest().getLevel())).paths;
-  std::erase_if(paths, ofProgress);
-  paths.push_back({PathKind::closest, record, {}});
-  if (progress.hasNewest()) paths.push_back({PathKind::newest, record, {}});
-  for (uint32_t i = 0; i < progress.getDeaths().size(); ++i) {
-    paths.push_back({PathKind::attempt, record, {}, i});
-  }
+  QueryEntry& entry = queryNamed(progress.getQuery(), levelNamed(progress.getBest().getLevel()));
+  entry.progress = record;
+  const auto kept = std::stable_partition(entry.paths.begin(), entry.paths.end(),
+                                          [](const PathEntry& path) { return !ofProgress(path); });
+  std::vector<PathEntry> before(std::make_move_iterator(kept),
+                                std::make_move_iterator(entry.paths.end()));
+  entry.paths.erase(kept, entry.paths.end());
+  // A way that the one before had told, too, is not played again.
+  const auto put = [&](PathKind kind, uint32_t death) {
+    PathEntry path{kind, record, {}, death};
+    const auto same = std::ranges::find_if(before, [&](const PathEntry& old) {
+      return old.kind == kind && old.serial != 0 &&
+             capnp::toAny(old.reader()) == capnp::toAny(path.reader());
+    });
+    if (same == before.end()) return addPath(entry, std::move(path));
+    path.playback = std::move(same->playback);
+    path.serial = std::exchange(same->serial, 0);
+    entry.paths.push_back(std::move(path));
+  };
+  put(PathKind::closest, 0);
+  if (progress.hasNewest()) put(PathKind::newest, 0);
+  for (uint32_t i = 0; i < progress.getDeaths().size(); ++i) put(PathKind::attempt, i);
+}
+
+void Collector::addPath(QueryEntry& entry, PathEntry path) {
+  path.serial = ++serial_;
+  entry.paths.push_back(std::move(path));
 }
 
 Status Collector::compile(QueryEntry& entry) {
-  if (!entry.query) return {};
+  if (!entry.query || entry.compiled) return {};
   if (entry.level < 0) {
     Error error = makeError("the stream holds no level for this query", "put the level before it");
     error.path = "level";
@@ -145,44 +197,48 @@ Status Collector::replay(QueryEntry& entry) {
   });
   std::stable_sort(entry.paths.begin(), entry.paths.end(),
                    [](const PathEntry& a, const PathEntry& b) { return a.kind < b.kind; });
-  std::vector<PathEntry> kept;
-  for (PathEntry& path : entry.paths) {
-    Result<Playback> playback = makeError("the stream holds no level for this trajectory",
-                                          "view the stream that holds the level too");
-    if (entry.level >= 0) {
-      playback =
-          playBack(*report_.levels[size_t(entry.level)].level, entry.compiled.get(), path.reader());
-    }
-    if (!playback) {
-      OBBY_RETURN_IF_ERROR(forgive_(path.record, std::move(playback).error()));
+  for (auto path = entry.paths.begin(); path != entry.paths.end();) {
+    Result<Playback> playback = playbackOf(entry, *path);
+    if (playback) {
+      (path++)->playback = *std::move(playback);
       continue;
     }
-    path.playback = *std::move(playback);
-    kept.push_back(std::move(path));
+    const io::Record record = path->record;
+    path = entry.paths.erase(path);
+    OBBY_RETURN_IF_ERROR(forgive_(record, std::move(playback).error()));
   }
-  entry.paths = std::move(kept);
   return {};
 }
 
-Status Collector::select(const std::vector<std::string>& only) {
-  for (const std::string& id : only) {
+Result<Playback> Collector::playbackOf(QueryEntry& entry, PathEntry& path) const {
+  if (path.played()) return std::move(path.playback);
+  if (entry.level < 0) {
+    return makeError("the stream holds no level for this trajectory",
+                     "view the stream that holds the level too");
+  }
+  return playBack(*report_.levels[size_t(entry.level)].level, entry.compiled.get(), path.reader());
+}
+
+Status Collector::update() {
+  for (const size_t index : std::exchange(touched_, {})) {
+    OBBY_RETURN_IF_ERROR(compile(report_.queries[index]));
+    OBBY_RETURN_IF_ERROR(replay(report_.queries[index]));
+  }
+  return {};
+}
+
+Status Collector::checkChosen() const {
+  for (const std::string& id : only_) {
     const bool found = std::any_of(report_.queries.begin(), report_.queries.end(),
                                    [&](const QueryEntry& entry) { return entry.id == id; });
     if (!found) return makeError(fmt::format("there is no query \"{}\" in the input", id));
   }
-  if (only.empty()) return {};
-  std::erase_if(report_.queries, [&](const QueryEntry& entry) {
-    return std::find(only.begin(), only.end(), entry.id) == only.end();
-  });
   return {};
 }
 
-Result<Report> Collector::finish(const std::vector<std::string>& only) {
-  OBBY_RETURN_IF_ERROR(select(only));
-  for (QueryEntry& entry : report_.queries) {
-    OBBY_RETURN_IF_ERROR(compile(entry));
-    OBBY_RETURN_IF_ERROR(replay(entry));
-  }
+Result<Report> Collector::finish() {
+  OBBY_RETURN_IF_ERROR(checkChosen());
+  OBBY_RETURN_IF_ERROR(update());
   return std::move(report_);
 }
 

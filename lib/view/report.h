@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,8 +31,10 @@ struct PathEntry {
   PathKind kind;
   io::Record record;  // a trajectory, or the progress that holds some
   Playback playback;
-  uint32_t death = 0;  // of an attempt in a progress: which of them
+  uint32_t death = 0;   // of an attempt in a progress: which of them
+  uint64_t serial = 0;  // names this replay within a collector, from 1 on, whatever comes and goes
 
+  bool played() const { return !playback.feet.empty(); }
   schema::Trajectory::Reader reader() const;
 };
 
@@ -42,7 +45,8 @@ struct QueryEntry {
   std::optional<io::Record> query;
   std::shared_ptr<const level::Query> compiled;  // set if `query` and the level are
   std::optional<io::Record> result;
-  std::vector<PathEntry> paths;  // solutions first
+  std::optional<io::Record> progress;  // the last one
+  std::vector<PathEntry> paths;        // solutions first
 
   schema::Query::Reader reader() const { return query->reader().getQuery(); }
   schema::Result::Reader answer() const { return result->reader().getResult(); }
@@ -57,31 +61,48 @@ struct Report {
   std::string title() const;
 };
 
-// Takes the records of a stream in order, in one pass; answers may come before their query.
+// Takes the records of a stream in order, in one pass; answers may come before their query. What is
+// there may be looked at on the way.
 class Collector {
  public:
   // Decides about a record that cannot be shown: success goes on without it.
   using Forgive = std::function<Status(const io::Record&, Error)>;
-  explicit Collector(Forgive forgive) : forgive_(std::move(forgive)) {}
+  // Where `only` is not empty, other queries and what belongs to them are left out.
+  explicit Collector(Forgive forgive, std::vector<std::string> only = {})
+      : forgive_(std::move(forgive)), only_(std::move(only)) {}
 
   Status add(const io::Record& record);
-  // Compiles queries and replays trajectories. The collector is used up. Where `only` is not empty,
-  // other queries are left out; an id that is not there is an error.
-  Result<Report> finish(const std::vector<std::string>& only = {});
+  // Compiles queries and replays trajectories that came since the last time.
+  Status update();
+  // As of the last update().
+  const Report& report() const { return report_; }
+  // A sentence for the report's readers.
+  void note(std::string text) { report_.notes.push_back(std::move(text)); }
+  // Error: no record named an id of `only`.
+  Status checkChosen() const;
+  // Checks that, and updates. The collector is used up.
+  Result<Report> finish();
 
  private:
   Status addLevel(const io::Record& record);
+  void addQuery(const io::Record& record);
   void addProgress(const io::Record& record);
+  void addPath(QueryEntry& entry, PathEntry path);
+  bool wanted(const io::Record& record) const;
   // The level of a query or an answer: by name, or the last one; -1 where there is none.
   int levelNamed(const std::string& name) const;
   QueryEntry& queryNamed(const std::string& id, int level);
-  Status select(const std::vector<std::string>& only);
   Status compile(QueryEntry& entry);
   Status replay(QueryEntry& entry);
+  // The one that it has, or a new one.
+  Result<Playback> playbackOf(QueryEntry& entry, PathEntry& path) const;
 
   Forgive forgive_;
+  std::vector<std::string> only_;
   Report report_;
   std::map<std::pair<int, std::string>, size_t> byName_;
+  std::set<size_t> touched_;  // queries that came or got something since the last update
+  uint64_t serial_ = 0;
 };
 
 }  // namespace obby::view

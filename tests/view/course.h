@@ -91,13 +91,15 @@ inline std::string resultLine(const std::string& verdict, uint32_t ticks) {
 inline Result<view::Report> collect(const std::vector<std::string>& lines,
                                     std::vector<Error>* errors = nullptr,
                                     const std::vector<std::string>& only = {}) {
-  view::Collector collector([&](const io::Record&, Error error) -> Status {
-    if (errors == nullptr) return error;
-    errors->push_back(std::move(error));
-    return {};
-  });
+  view::Collector collector(
+      [&](const io::Record&, Error error) -> Status {
+        if (errors == nullptr) return error;
+        errors->push_back(std::move(error));
+        return {};
+      },
+      only);
   for (const std::string& text : lines) OBBY_RETURN_IF_ERROR(collector.add(recordOf(text)));
-  return collector.finish(only);
+  return collector.finish();
 }
 
 // The course with a solution, a fall and a death.

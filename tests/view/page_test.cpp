@@ -132,6 +132,16 @@ TEST(Page, HoldsDataOnceAndEscapesTheTitle) {
   EXPECT_THAT(*page, Not(HasSubstr("<script src")));
 }
 
+TEST(Page, OnlyTheLiveOneMayAskItsServer) {
+  if (!view::pageAvailable()) GTEST_SKIP() << "BUILT WITHOUT THE VIEWER PAGE (npm): not tested";
+  const auto live = view::livePage(), file = view::htmlPage(solvedReport(), {});
+  ASSERT_TRUE(live && file);
+  EXPECT_THAT(*live, HasSubstr("default-src 'none'; connect-src 'self'; script-src"));
+  EXPECT_THAT(*file, Not(HasSubstr("connect-src")));
+  EXPECT_THAT(*live, HasSubstr(R"({"format":2,"live":true})"));
+  EXPECT_THAT(*live, Not(HasSubstr("@@OBBY_")));
+}
+
 TEST(Page, MarkersInNamesStayText) {
   if (!view::pageAvailable()) GTEST_SKIP() << "BUILT WITHOUT THE VIEWER PAGE (npm): not tested";
   std::string level = kLevel;

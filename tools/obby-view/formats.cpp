@@ -58,9 +58,9 @@ Result<std::string> rbxmx(const view::Report& report, const cli::Context&) {
 }
 
 constexpr ViewFormat kFormats[] = {
-    {"html", ".html .htm ", false, page}, {"text", ".txt ", false, text},
-    {"png", ".png ", true, png},          {"svg", ".svg ", false, svg},
-    {"rbxmx", ".rbxmx ", false, rbxmx},
+    {"html", ".html .htm ", false, true, page}, {"text", ".txt ", false, false, text},
+    {"png", ".png ", true, false, png},         {"svg", ".svg ", false, false, svg},
+    {"rbxmx", ".rbxmx ", false, false, rbxmx},
 };
 
 bool endsIn(const std::string& path, const std::string& endings) {

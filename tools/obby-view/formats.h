@@ -13,6 +13,7 @@ struct ViewFormat {
   const char* name;     // of --format
   const char* endings;  // of file names that choose it, each with a dot before and a space behind
   bool binary;          // not for a terminal
+  bool page;            // needs the page's bundle
   Result<std::string> (*render)(const view::Report& report, const cli::Context& context);
 };
 

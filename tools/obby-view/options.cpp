@@ -5,6 +5,7 @@
 
 #include <charconv>
 
+#include "cli/rows.h"
 #include "formats.h"
 #include "view/terminal.h"
 
@@ -59,6 +60,23 @@ OptionRow fromRow() {
   return row;
 }
 
+constexpr const char* kLive = "Live page";
+
+std::vector<OptionRow> liveRows() {
+  return {
+      cli::row("live", ValueType::flag, "", "",
+               "serve the page on this machine, print its address, and show the input as it comes; "
+               "-o is written when the input has ended",
+               kLive),
+      cli::between(
+          cli::row("port", ValueType::integer, "PORT", "0",
+                   "listen there, on the loopback interface only; 0: on any free one", kLive),
+          0, 65535),
+      cli::row("live-exit", ValueType::flag, "", "",
+               "end when the input has ended and no page is open, not only at Ctrl-C", kLive),
+  };
+}
+
 }  // namespace
 
 cli::ToolSpec viewSpec() {
@@ -73,6 +91,8 @@ cli::ToolSpec viewSpec() {
        "obby-solve several-routes.jsonl | obby-view -o routes.png"},
       {"The same from the side, as a drawing",
        "obby-solve several-routes.jsonl | obby-view --from side -o routes.svg"},
+      {"Watch a search in the browser: open the address that is printed",
+       "obby-solve --time-limit 5 several-routes.jsonl | obby-view --live --live-exit"},
       {"Look at a level before anything is solved", "obby-view -o level.html teaser.jsonl"},
   };
   spec.options = {
@@ -87,6 +107,7 @@ cli::ToolSpec viewSpec() {
       fromRow(),
       commonRow(cli::Common::onError),
   };
+  for (OptionRow& live : liveRows()) spec.options.push_back(std::move(live));
   spec.notes =
       "A trajectory holds actions only: it is played again here, and one that does not end as its "
       "record says is shown as a mismatch.";

@@ -69,7 +69,7 @@ class Track {
   }
 }
 
-function levelOf(raw) {
+export function levelOf(raw) {
   const parts = raw.parts;
   return {
     ...raw,
@@ -97,7 +97,7 @@ function actionAt(runs, tick) {
   return { walk: false, jump: false, heading: 0 };
 }
 
-class Path {
+export class Path {
   constructor(raw, query) {
     Object.assign(this, raw);
     this.query = query;
@@ -157,12 +157,13 @@ function resultOf(raw) {
   return { ...raw, heatMap: { size, feet: floats(feet), counts: longs(counts) } };
 }
 
-export function readReport(text) {
-  const raw = JSON.parse(text);
+// A query but for its trajectories.
+export const queryOf = (facts, index) => ({ ...facts, index, result: resultOf(facts.result) });
+
+export function readReport(raw) {
   const levels = raw.levels.map(levelOf);
   const queries = raw.queries.map((query, index) => {
-    const own = { ...query, index };
-    own.result = resultOf(query.result);
+    const own = queryOf(query, index);
     own.paths = query.trajectories.map((path) => new Path(path, own));
     return own;
   });

@@ -3,6 +3,7 @@ import { Vector3 } from 'three';
 import { readReport } from './data.js';
 import { readFragment, writeFragment } from './fragment.js';
 import { Playback } from './playback.js';
+import { Live } from './live.js';
 import { OUTCOME_STYLE } from './palette.js';
 import { Pointer } from './pointer.js';
 import { Stage } from './scene/stage.js';
@@ -55,6 +56,7 @@ class App {
     this.stage.resize();
     this.stage.frameQuery(true);
     if (found.camera) this.stage.rig.restore(found.camera);
+    this.moved = Boolean(found.camera); // the reader has chosen where to look from
     this.lastFrame = performance.now();
     requestAnimationFrame((now) => this.frame(now));
   }
@@ -109,15 +111,11 @@ class App {
       tint,
     );
     this.timeline = new Timeline(byId('timeline'), this.store, this.playback, () => this.path());
-    this.scenePanel = new ScenePanel(
-      byId('scene-panel'),
-      this.store,
-      {
-        queryOf: () => this.query(),
-        levelOf: () => this.level(),
-        coloringOf: () => this.ways.coloring,
-      },
-    );
+    this.scenePanel = new ScenePanel(byId('scene-panel'), this.store, {
+      queryOf: () => this.query(),
+      levelOf: () => this.level(),
+      coloringOf: () => this.ways.coloring,
+    });
     this.hud = new Hud(byId('hud'));
     this.help = new Help(byId('help'));
     this.timeline.addButton('◐', 'Light, dark, as the system (Y)', () => nextTheme(this.store));
@@ -160,7 +158,10 @@ class App {
       this.dirty = true;
     });
     bindKeys(this);
-    this.stage.rig.onUserMove = () => store.set({ follow: false });
+    this.stage.rig.onUserMove = () => {
+      this.moved = true;
+      store.set({ follow: false });
+    };
   }
 
   showSelection() {
@@ -254,8 +255,11 @@ class App {
 
 function start() {
   try {
-    const report = readReport(byId('obby-data').textContent);
-    window.obby = new App(report); // for tests and for people at the console
+    // For tests and for people at the console.
+    const begin = (report) => (window.obby = new App(report));
+    const raw = JSON.parse(byId('obby-data').textContent);
+    if (raw.live) new Live(byId('side'), begin);
+    else begin(readReport(raw));
   } catch (error) {
     document.body.replaceChildren(
       el('p', { class: 'fatal', text: `This report cannot be shown: ${error.message}` }),

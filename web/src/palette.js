@@ -32,6 +32,7 @@ export const VERDICT_STYLE = {
   unreachable: { label: 'Unreachable', color: '#f0484e', mark: '✕' },
   unknown: { label: 'Unknown', color: '#e6c85a', mark: '?' },
   mismatch: { label: 'Replay mismatch', color: '#ff7ad9', mark: '≠' },
+  running: { label: 'Searching', color: '#7fd4ff', mark: '…' },
   none: { label: 'No answer', color: '#8190a8', mark: '–' },
 };
 
@@ -64,7 +65,8 @@ export function pathColor(path) {
 
 export function verdictOf(query) {
   if (query.paths.some((path) => path.mismatch && path.kind === 'solution')) return 'mismatch';
-  return query.result ? query.result.verdict : 'none';
+  if (query.result) return query.result.verdict;
+  return query.running ? 'running' : 'none';
 }
 
 // Why a path ended, in words.

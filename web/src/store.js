@@ -47,6 +47,7 @@ export const INITIAL = {
   speed: 1,
   loop: true,
   follow: false,
+  followNewest: false, // live: choose each new solution
   hoverPath: -1,
   hoverPart: -1,
   part: -1,

@@ -60,6 +60,19 @@ export function count(value) {
 
 export const plural = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
 
+// Runs `refill`, which replaces what is in `root`; scroll and keyboard stay where they were.
+export function keepingPlace(root, refill) {
+  const top = root.scrollTop;
+  const focused = root.contains(document.activeElement) ? document.activeElement : null;
+  const names = Object.entries(focused?.dataset ?? {}).map(
+    ([key, v]) => `[data-${key}="${CSS.escape(v)}"]`,
+  );
+  refill();
+  root.scrollTop = top;
+  if (names.length)
+    root.querySelector(focused.tagName + names.join(''))?.focus({ preventScroll: true });
+}
+
 // A labelled list of choices that is bound to one name of the store. `options`: value -> text.
 export function choice(store, name, label, options) {
   const select = el('select', {

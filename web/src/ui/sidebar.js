@@ -1,8 +1,10 @@
 // The left column: the queries with their verdicts, and the numbers of the chosen one.
 import { VERDICT_STYLE, verdictOf } from '../palette.js';
 import { deaths } from './deaths.js';
-import { count, el, plural, seconds } from './dom.js';
+import { count, el, keepingPlace, plural, seconds } from './dom.js';
 import { findings } from './findings.js';
+
+const kMostUnsearched = 8; // queries that need no field to find one
 
 function badge(verdict) {
   const style = VERDICT_STYLE[verdict];
@@ -31,9 +33,10 @@ export class Sidebar {
     Object.assign(this, { root, report, store });
     this.queries = el('div', { class: 'queries', role: 'listbox', 'aria-label': 'Queries' });
     this.detail = el('div', { class: 'detail' });
-    root.append(this.header(), ...this.notes(), this.querySection(), this.detail, ...lists);
-    this.fillQueries();
-    this.fillQuery();
+    this.head = el('header', { class: 'head' });
+    this.notes = el('div', {});
+    root.append(this.head, this.notes, this.querySection(), this.detail, ...lists);
+    this.fill();
     store.on(['query'], () => {
       this.markQuery();
       this.fillQuery();
@@ -41,40 +44,46 @@ export class Sidebar {
     store.on(['query', 'killer'], () => this.markKillers());
   }
 
-  header() {
+  fill() {
+    this.fillHead();
+    this.notes.replaceChildren(
+      ...this.report.notes.map((note) => el('p', { class: 'note', text: note })),
+    );
+    this.section.hidden = this.report.queries.length === 0;
+    this.search.hidden = this.report.queries.length <= kMostUnsearched;
+    this.fillQueries();
+    this.filter(this.search.value);
+    this.fillQuery();
+  }
+
+  // The report has changed.
+  refresh() {
+    keepingPlace(this.queries, () => keepingPlace(this.detail, () => this.fill()));
+    this.markKillers();
+  }
+
+  fillHead() {
     const solved = this.report.queries.filter((query) => verdictOf(query) === 'solved').length;
     const total = this.report.queries.length;
     const summary = total
       ? `${solved} of ${plural(total, 'query').replace('querys', 'queries')} solved`
       : 'Level only';
-    return el(
-      'header',
-      { class: 'head' },
+    this.head.replaceChildren(
       el('h1', { text: this.report.title }),
       el('p', { class: 'quiet', text: summary }),
     );
   }
 
-  notes() {
-    return this.report.notes.map((note) => el('p', { class: 'note', text: note }));
-  }
-
   querySection() {
-    const section = el('section', { class: 'block grow-little' });
-    if (this.report.queries.length > 8) {
-      section.append(
-        el('input', {
-          class: 'search',
-          type: 'search',
-          placeholder: 'Find a query',
-          'aria-label': 'Find a query',
-          on: { input: (event) => this.filter(event.target.value) },
-        }),
-      );
-    }
-    section.append(this.queries);
-    section.hidden = this.report.queries.length === 0;
-    return section;
+    this.search = el('input', {
+      class: 'search',
+      type: 'search',
+      placeholder: 'Find a query',
+      'aria-label': 'Find a query',
+      on: { input: (event) => this.filter(event.target.value) },
+    });
+    this.section = el('section', { class: 'block grow-little' }, this.search, this.queries);
+    return this.section;
   }
 
   filter(text) {
@@ -83,6 +92,7 @@ export class Sidebar {
   }
 
   fillQueries() {
+    this.queries.replaceChildren();
     this.report.queries.forEach((query, index) => {
       const level = this.report.levels[query.level];
       const result = query.result;
@@ -171,7 +181,7 @@ export class Sidebar {
 
   numbers(query) {
     const grid = el('dl', { class: 'numbers' });
-    const r = query.result;
+    const r = query.result ?? query.progress; // of a search that runs, how far it is
     if (!r) return grid;
     const rate = this.report.levels[query.level]?.tickRate ?? 60;
     const add = (label, value) =>

@@ -1,0 +1,325 @@
+"""obby-view --live from outside: hostile requests, pages that come, go and read slowly, how it ends. Run as
+`live_test.py BIN_DIR LEVELS_DIR`, with tests/bridge/live in PYTHONPATH."""
+import http.client
+import itertools
+import json
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import driver
+from driver import eventually, exchange
+
+LEVEL = (b'{"type":"level","name":"L","spawns":[{"position":[0,0,0]}],'
+         b'"parts":[{"name":"Floor","position":[0,-0.5,0],"size":[20,1,20]}]}\n')
+QUERY = b'{"type":"query","id":"q","level":"L","goal":{"position":[0,2,-8],"size":[4,4,4]}}\n'
+
+
+class Viewer:
+    def __init__(self, *options, stdin=subprocess.PIPE):
+        self.process = subprocess.Popen([os.path.join(driver.BIN, "obby-view"), "--live", *options],
+                                        stdin=stdin, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        line = self.process.stderr.readline().decode()
+        found = re.fullmatch(r"obby-view: http://127\.0\.0\.1:(\d+)/\?token=([0-9a-f]{64})\n", line)
+        assert found, line
+        self.port, self.token = int(found[1]), found[2]
+
+    def write(self, data):
+        self.process.stdin.write(data)
+        self.process.stdin.flush()
+
+    def get(self, path, more=""):
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=30)
+        try:
+            connection.request("GET", f"{path}?token={self.token}{more}")
+            answer = connection.getresponse()
+            return answer.status, dict(answer.getheaders()), answer.read()
+        finally:
+            connection.close()
+
+    def data(self, revision=0):
+        return json.loads(self.get("/data", f"&from={revision}")[2])
+
+    def socket(self):
+        return socket.create_connection(("127.0.0.1", self.port), timeout=30)
+
+    def listen(self):
+        """A connection that has the head of /events behind it."""
+        connection = self.socket()
+        connection.sendall(f"GET /events?token={self.token} HTTP/1.1\r\n"
+                           f"Host: 127.0.0.1:{self.port}\r\n\r\n".encode())
+        seen = b""
+        while b"retry:" not in seen:
+            more = connection.recv(4096)
+            assert more, seen
+            seen += more
+        return connection, seen
+
+    def end(self, number=signal.SIGINT):
+        """The exit code, and what was said on stderr."""
+        if number:
+            self.process.send_signal(number)
+        try:
+            self.process.wait(30)  # before its input is closed, which would be an end of the stream
+            said = self.process.communicate()[1]
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            raise
+        return self.process.returncode, said.decode()
+
+    def close_input(self):
+        self.process.stdin.close()
+        self.process.stdin = None
+
+
+class HostileTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.viewer = Viewer()
+        cls.viewer.write(LEVEL)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.viewer.end()
+
+    def send(self, method, target, headers, body=b""):
+        lines = "".join(f"{name}: {value}\r\n" for name, value in headers if value is not None)
+        with self.viewer.socket() as connection:
+            return exchange(connection, f"{method} {target} HTTP/1.1\r\n{lines}\r\n", body)
+
+    def cases(self):
+        port, token = self.viewer.port, self.viewer.token
+        hosts = [(f"127.0.0.1:{port}", 0), (f"localhost:{port}", 0), ("127.0.0.1", 421), (None, 421),
+                 (f"evil.example:{port}", 421), (f"127.0.0.1:{port + 1}", 421)]
+        origins = [(None, 0), (f"http://127.0.0.1:{port}", 0), ("null", 403), ("", 403),
+                   ("http://evil.example", 403), (f"http://127.0.0.1:{port + 1}", 403)]
+        sites = [(None, 0), ("same-origin", 0), ("same-site", 403), ("cross-site", 403)]
+        flipped = "0" if token[0] != "0" else "1"
+        tokens = [(token, 0), ("", 403), (None, 403), (token[1:], 403), (flipped + token[1:], 403)]
+        asked = [("GET", "/data", 0), ("POST", "/data", 405), ("GET", "/none", 404),
+                 ("DELETE", "/events", 405)]
+        for host, origin, site, given, (method, path, status) in itertools.product(
+                hosts, origins, sites, tokens, asked):
+            wrong = [s for s in (host[1], origin[1] or site[1], given[1], status) if s]
+            target = path if given[0] is None else f"{path}?token={given[0]}"
+            headers = [("Host", host[0]), ("Origin", origin[0]), ("Sec-Fetch-Site", site[0]),
+                       ("Connection", "close")]
+            yield (wrong or [200])[0], method, target, headers
+
+    def test_only_honest_requests_pass(self):
+        count = 0
+        for status, method, target, headers in self.cases():
+            self.assertEqual(self.send(method, target, headers), status, (method, target, headers))
+            count += status != 200
+        sys.stderr.write(f"{count} hostile requests refused ... ")
+        self.assertGreater(count, 2000)
+
+    def test_refusals_tell_nothing(self):
+        with self.viewer.socket() as connection:
+            connection.sendall(f"GET / HTTP/1.1\r\nHost: 127.0.0.1:{self.viewer.port}\r\n"
+                               "Connection: close\r\n\r\n".encode())
+            answer = b"".join(iter(lambda: connection.recv(65536), b""))
+        head, _, body = answer.partition(b"\r\n\r\n")
+        self.assertTrue(head.startswith(b"HTTP/1.1 403 "), head)
+        self.assertLess(len(body), 100)
+        self.assertNotIn(self.viewer.token.encode(), answer)
+        self.assertNotIn(b"Access-Control", answer)
+
+    def test_the_page_is_not_to_be_framed_kept_or_guessed_at(self):
+        status, headers, body = self.viewer.get("/")
+        self.assertEqual(status, 200)
+        self.assertEqual(headers["Content-Security-Policy"], "frame-ancestors 'none'")
+        self.assertEqual(headers["Referrer-Policy"], "no-referrer")
+        self.assertEqual(headers["Cache-Control"], "no-store")
+        self.assertEqual(headers["X-Content-Type-Options"], "nosniff")
+        self.assertNotIn("Access-Control-Allow-Origin", headers)
+        self.assertIn(b"default-src 'none'; connect-src 'self';", body)
+        self.assertNotIn(self.viewer.token.encode(), body)
+
+    def test_what_is_too_large_or_no_http_is_refused(self):
+        host = [("Host", f"127.0.0.1:{self.viewer.port}")]
+        target = f"/data?token={self.viewer.token}"
+        large = [*host, ("Content-Length", "1000000000")]
+        self.assertIn(self.send("POST", target, large, b"x" * 100000), (405, None))
+        endless = f"/data?token={self.viewer.token}&from=" + "1" * 200000
+        self.assertIn(self.send("GET", endless, host), (400, 414, 431, None))
+        for text in ("\x16\x03\x01\x02\x00\r\n\r\n", "GET\r\n\r\n", "\0" * 100 + "\r\n\r\n"):
+            with self.viewer.socket() as connection:
+                self.assertIn(exchange(connection, text), (400, 421, 501, 505, None), text)
+        self.assertEqual(self.viewer.get("/")[0], 200)
+
+    def test_it_listens_on_the_loopback_interface_alone(self):
+        with open(f"/proc/{self.viewer.process.pid}/net/tcp", encoding="ascii") as file:
+            local = [line.split()[1] for line in file if line.split()[3] == "0A"]
+        port = f"{self.viewer.port:04X}"
+        self.assertEqual([each for each in local if each.endswith(port)], [f"0100007F:{port}"])
+
+
+class PagesTest(unittest.TestCase):
+    def test_events_tell_of_newer_data(self):
+        viewer = Viewer()
+        connection, seen = viewer.listen()
+        viewer.write(LEVEL)
+        while b'"revision":1}' not in seen:
+            seen += connection.recv(4096)
+        self.assertTrue(eventually(lambda: viewer.data()["levels"]))
+        viewer.write(QUERY)
+        while b'"revision":2}' not in seen:
+            seen += connection.recv(4096)
+        news = viewer.data(1)
+        self.assertEqual((len(news["levels"]), len(news["queries"])), (0, 1))
+        connection.close()
+        self.assertEqual(viewer.end()[0], 130)
+
+    def test_at_most_five_revisions_a_second(self):
+        viewer = Viewer()
+        viewer.write(LEVEL)
+        begun, count = time.monotonic(), 0
+        while time.monotonic() < begun + 2:
+            viewer.write(QUERY.replace(b'"q"', f'"q{count}"'.encode()))
+            count += 1
+            time.sleep(0.005)
+        self.assertTrue(eventually(lambda: len(viewer.data()["queries"]) == count))
+        passed = time.monotonic() - begun
+        self.assertLessEqual(viewer.data()["revision"], 5 * passed + 2)
+        viewer.end()
+
+    def test_a_hundred_pages_come_and_go(self):
+        viewer = Viewer()
+        viewer.write(LEVEL)
+        for i in range(100):
+            # That one has gone is noticed in a second or two; until then its place is taken.
+            self.assertTrue(eventually(lambda: self.passes(viewer)))
+            connection, _ = viewer.listen()
+            if i % 2:  # with a reset
+                connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\1\0\0\0\0\0\0\0")
+            connection.close()
+        descriptors = f"/proc/{viewer.process.pid}/fd"
+        self.assertTrue(eventually(lambda: len(os.listdir(descriptors)) < 20))
+        self.assertEqual(viewer.get("/")[0], 200)
+        viewer.end()
+
+    def test_more_pages_than_it_takes_are_turned_away(self):
+        viewer = Viewer()
+        open_ = [viewer.listen()[0] for _ in range(32)]
+        with viewer.socket() as connection:
+            self.assertEqual(connection.recv(100), b"")
+        for each in open_:
+            each.close()
+        self.assertTrue(eventually(lambda: self.passes(viewer)))
+        viewer.end()
+
+    def passes(self, viewer):
+        try:
+            return viewer.get("/")[0] == 200
+        except (http.client.HTTPException, OSError):
+            return False
+
+    def test_who_reads_slowly_holds_nobody_up(self):
+        viewer = Viewer()
+        parts = ",".join(f'{{"name":"Part {i}","position":[{i},0,0],"size":[1,1,1]}}'
+                         for i in range(40000))
+        viewer.write(f'{{"type":"level","name":"L","spawns":[{{"position":[0,0,0]}}],"parts":[{parts}]}}\n'.encode())
+        self.assertTrue(eventually(lambda: viewer.data()["levels"]))
+        slow = viewer.socket()
+        slow.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        slow.sendall(f"GET /data?token={viewer.token} HTTP/1.1\r\n"
+                     f"Host: 127.0.0.1:{viewer.port}\r\n\r\n".encode())
+        listener, seen = viewer.listen()
+        begun = time.monotonic()
+        viewer.write(QUERY)
+        while b'"revision":2}' not in seen:
+            seen += listener.recv(4096)
+        self.assertLess(time.monotonic() - begun, 5)
+        slow.close()
+        listener.close()
+        self.assertEqual(viewer.end()[0], 130)
+
+
+class EndTest(unittest.TestCase):
+    def test_live_exit_waits_for_pages_and_no_longer(self):
+        viewer = Viewer("--live-exit")
+        viewer.write(LEVEL)
+        connection, _ = viewer.listen()
+        viewer.close_input()
+        time.sleep(4)
+        self.assertIsNone(viewer.process.poll())
+        connection.close()
+        self.assertEqual(viewer.end(0), (0, ""))
+
+    def test_it_stays_after_the_end_until_it_is_stopped(self):
+        for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            viewer = Viewer()
+            viewer.write(LEVEL)
+            viewer.close_input()
+            self.assertTrue(eventually(lambda: viewer.data()["head"]["state"] == "ended"))
+            time.sleep(2.5)
+            self.assertIsNone(viewer.process.poll())
+            self.assertEqual(viewer.end(number), (code, ""))
+
+    def test_it_stops_at_once_while_the_stream_runs(self):
+        viewer = Viewer()
+        viewer.write(LEVEL)
+        begun = time.monotonic()
+        self.assertEqual(viewer.end()[0], 130)
+        self.assertLess(time.monotonic() - begun, 1)
+
+    def test_the_file_is_written_when_the_stream_ends_or_is_interrupted(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "report.html")
+            viewer = Viewer("-o", path)
+            viewer.write(LEVEL + QUERY)
+            self.assertTrue(eventually(lambda: viewer.data()["queries"]))
+            self.assertFalse(os.path.exists(path))
+            viewer.close_input()
+            self.assertTrue(eventually(lambda: os.path.exists(path)))
+            with open(path, encoding="utf-8") as file:
+                self.assertIn('"id":"q"', file.read())
+            viewer.end()
+            os.remove(path)
+            viewer = Viewer("-o", path)
+            viewer.write(LEVEL + QUERY)
+            self.assertTrue(eventually(lambda: viewer.data()["queries"]))
+            self.assertEqual(viewer.end()[0], 130)
+            with open(path, encoding="utf-8") as file:
+                self.assertIn("was interrupted", file.read())
+
+    def test_a_malformed_record_is_said_at_once_and_it_stays(self):
+        viewer = Viewer()
+        viewer.write(LEVEL + b'{"type":"query","id":7}\n')
+        self.assertIn(b"obby-view: stdin:2: id: expected", viewer.process.stderr.readline())
+        data = viewer.data
+        self.assertTrue(eventually(lambda: data()["head"]["state"] == "broken"))
+        self.assertIn("stdin:2", data()["head"]["notes"][0])
+        self.assertEqual(len(data()["levels"]), 1)
+        self.assertEqual(viewer.end()[0], 2)
+
+    def test_skipped_records_are_said_and_the_rest_comes(self):
+        viewer = Viewer("--on-error", "skip")
+        viewer.write(LEVEL + b'{"type":"query","id":7}\n' + QUERY)
+        self.assertTrue(eventually(lambda: viewer.data()["queries"]))
+        self.assertEqual(viewer.data()["head"]["state"], "live")
+        self.assertEqual(viewer.end()[0], 2)
+
+    def test_all_encodings_are_read(self):
+        level = os.path.join(driver.LEVELS, "goal-too-high.jsonl")
+        for name in ("capnp", "packed", "jsonl"):
+            solver = subprocess.run([os.path.join(driver.BIN, "obby-solve"), "--format", name, level],
+                                    capture_output=True, check=True)
+            viewer = Viewer()
+            viewer.write(solver.stdout)
+            viewer.close_input()
+            self.assertTrue(eventually(lambda: viewer.data()["head"]["state"] == "ended"), name)
+            data = viewer.data()
+            self.assertEqual(data["queries"][0]["facts"]["result"]["verdict"], "unreachable", name)
+            viewer.end()
+
+
+if __name__ == "__main__":
+    driver.main()

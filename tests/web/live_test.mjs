@@ -1,0 +1,245 @@
+// obby-view --live: the page grows with the stream, keeps what its reader has chosen, and says how the stream stands.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { join } from 'node:path';
+import { frames, openReport, state } from './browser.mjs';
+import { harness } from './harness.mjs';
+import { openLive, recordsOf, started, Viewer, waysAre } from './live_driver.mjs';
+
+const { options, test, run } = harness();
+const set = (page, values) => page.evaluate((v) => window.obby.store.set(v), values);
+const mark = (page) => page.locator('.live .name').innerText();
+const picture = (page, name) => page.screenshot({ path: join(options.out, `${name}.png`) });
+
+const kUnsolved = 'hops-without-jumps'; // that level's query which takes all the time there is
+
+const stream = recordsOf(
+  options.solver,
+  ...['--query', 'any', '--solutions', '4', '--attempts', '40', '--max-steps', '300000'],
+  join(options.levels, 'several-routes.jsonl'),
+);
+const of = (type) => stream.filter((record) => record.type === type);
+const header = of('header')[0];
+const level = of('level')[0];
+const query = of('query').find(({ id }) => id === 'any');
+const result = of('result')[0];
+const ways = of('trajectory').filter((record) => record.query === 'any');
+const solutions = ways.filter(({ outcome }) => outcome === 'goal');
+const attempts = ways.filter(({ outcome }) => outcome !== 'goal');
+
+const progress = (seconds, best, deaths) => ({
+  type: 'progress',
+  query: 'any',
+  seconds,
+  steps: String(seconds * 100000),
+  cells: String(seconds * 50),
+  closest: 20 - seconds,
+  best,
+  deaths,
+});
+
+// Everything about a page that its reader has set, and that nothing but they may change.
+const kept = (page) =>
+  page.evaluate(() => {
+    const { app, store, stage, list } = { app: window.obby, ...window.obby };
+    const { tick, playing, outcome, sort, boxes, isolate, query } = store.state;
+    const { position, quaternion } = stage.rig.camera;
+    return {
+      ...{ tick, playing, outcome, sort, isolate, query, boxes: JSON.stringify(boxes) },
+      chosen: app.path()?.serial,
+      ghost: app.ghost()?.serial,
+      camera: [...position.toArray(), ...quaternion.toArray()].map((v) => v.toFixed(3)).join(),
+      scroll: list.rows.scrollTop,
+      focus: document.activeElement.dataset.path,
+    };
+  });
+
+test('there are enough ways to send', () => {
+  assert.ok(solutions.length >= 3 && attempts.length >= 20, `${solutions.length} and more`);
+});
+
+test('counts grow with the stream, the choice stays, and the end is said', async ({ browser }) => {
+  const out = join(options.out, 'live-at-the-end.html');
+  const viewer = new Viewer(options.viewer, ['-o', out]);
+  const address = await viewer.address;
+  const { page, trouble, requests, pieces } = await openLive(browser, address);
+  await page.waitForFunction(() => document.querySelector('.live .name')?.textContent === 'Live');
+  assert.match(await page.locator('.live').innerText(), /Waiting for the first level/);
+
+  viewer.write(header, level, query);
+  await started(page);
+  await page.waitForFunction(() => window.obby.query());
+  viewer.write(progress(1, attempts[0], [attempts[1]]));
+  await waysAre(page, 2);
+  assert.match(await page.locator('.detail').innerText(), /Searching[\s\S]*Closest\s+19.0 studs/i);
+  assert.match(await page.locator('.detail').innerText(), /Steps\s+100 k/);
+  viewer.write(progress(3, attempts[2], [attempts[3], attempts[1]]));
+  await waysAre(page, 3);
+  assert.match(await page.locator('.detail').innerText(), /Steps\s+300 k/);
+  assert.match(await page.locator('.detail').innerText(), /Cells\s+150/);
+  await page.evaluate(() => {
+    window.drawn = window.obby.stage.pathView;
+  });
+  viewer.write(progress(4, attempts[2], [attempts[3], attempts[1]]));
+  await page.locator('.detail .numbers', { hasText: '400 k' }).waitFor();
+  assert.ok(await page.evaluate(() => window.drawn === window.obby.stage.pathView), 'numbers only');
+  await picture(page, 'live-searching');
+
+  viewer.write(...attempts.slice(0, 10));
+  await waysAre(page, 11); // and the closest, while nothing is solved
+  await page.locator('.path').nth(4).click();
+  await set(page, { tick: 12.5, ghost: 2, outcome: attempts[0].outcome, sort: 'time' });
+  await page.evaluate(() => window.obby.stage.rig.restore([5, 30, 40, 0.4, -0.6, 30]));
+  await page.waitForTimeout(600);
+  await page.evaluate(() => {
+    window.obby.list.rows.scrollTop = 7;
+    document.querySelector('.path:last-child').focus({ preventScroll: true });
+  });
+  const before = await kept(page);
+  assert.ok(before.chosen > 0 && before.ghost > 0 && before.focus !== undefined);
+  for (let i = 10; i < 20; i += 2) {
+    viewer.write(...attempts.slice(i, i + 2));
+    await waysAre(page, i + 3);
+    assert.deepEqual(await kept(page), before, `after ${i + 2} attempts`);
+  }
+  // A replaced one stays as long as it is looked at.
+  await set(page, { outcome: '', sort: 'found', ghost: -1 });
+  await page.locator('.path', { hasText: 'Closest' }).click();
+  const closest = (await kept(page)).chosen;
+  await page.locator('.live label').click();
+  await set(page, { playing: true, loop: true });
+  viewer.write(result, solutions[0]);
+  await page.waitForFunction(() => window.obby.path()?.kind === 'solution');
+  assert.notEqual((await kept(page)).chosen, closest);
+  assert.equal((await state(page)).playing, true);
+  await page.locator('.live label').click();
+  const chosen = (await kept(page)).chosen;
+  viewer.write(...solutions.slice(1));
+  await waysAre(page, 20 + solutions.length);
+  assert.equal((await kept(page)).chosen, chosen);
+  assert.equal(await page.locator('.detail .verdict').innerText(), 'Solved');
+
+  viewer.write({ type: 'end', records: String(viewer.records) });
+  viewer.end();
+  await page.waitForFunction(() => document.querySelector('.live .name').textContent === 'Ended');
+  await frames(page);
+  await picture(page, 'live-ended');
+
+  // One who comes late sees the same, and so does one who opens the file.
+  const late = await openLive(browser, address);
+  await started(late.page);
+  const file = await openReport(browser, out);
+  const list = (opened) =>
+    opened.page.evaluate(() =>
+      window.obby.report.queries.map(({ paths, trajectories, index, running, ...facts }) => [
+        JSON.stringify(facts),
+        paths.map(({ kind, ticks, outcome, part }) => `${kind} ${ticks} ${outcome} ${part}`).sort(),
+      ]),
+    );
+  assert.deepEqual(await list({ page }), await list(file));
+  assert.deepEqual(await list(late), await list(file));
+  assert.equal(await mark(late.page), 'Ended');
+
+  // The level came once, no way twice.
+  const levels = pieces.filter((piece) => piece.levels.length);
+  assert.equal(levels.length, 1);
+  const serials = pieces.flatMap((piece) =>
+    piece.queries.flatMap((each) => each.trajectories.map(({ serial }) => serial)),
+  );
+  assert.equal(new Set(serials).size, serials.length);
+  const sent = pieces.reduce((sum, piece) => sum + piece.bytes, 0);
+  const { pieces: whole } = late;
+  assert.ok(sent < 1.5 * whole[0].bytes, `${sent} bytes in pieces, ${whole[0].bytes} at once`);
+
+  const origin = new URL(address).origin;
+  assert.deepEqual(
+    [...requests, ...late.requests].filter(
+      (url) => !url.startsWith(`${origin}/`) && url !== 'data:,',
+    ),
+    [],
+  );
+  assert.deepEqual([...trouble, ...late.trouble], []);
+  for (const each of [page, late.page, file.page]) await each.context().close();
+  assert.equal(await viewer.stop(), 130);
+});
+
+test('a page that loses the server says so, tries again and catches up', async ({ browser }) => {
+  const viewer = new Viewer(options.viewer);
+  const { page } = await openLive(browser, await viewer.address);
+  viewer.write(header, level, query, attempts[0]);
+  await started(page);
+  await waysAre(page, 1);
+  const cdp = await page.context().newCDPSession(page);
+  await cdp.send('Network.enable');
+  await page.context().setOffline(true);
+  // What is open already stays open there: it is lost as a broken connection would be.
+  await page.evaluate(() => window.obby.live.feed.events.close());
+  await page.evaluate(() => window.obby.live.feed.events.onerror());
+  await page.waitForFunction(() => /lost/.test(document.querySelector('.live .name').textContent));
+  viewer.write(attempts[1], attempts[2]);
+  await page.waitForTimeout(1500);
+  assert.equal(await page.evaluate(() => window.obby.query().paths.length), 1);
+  await page.context().setOffline(false);
+  await waysAre(page, 3);
+  await page.waitForFunction(() => document.querySelector('.live .name').textContent === 'Live');
+  await page.context().close();
+  await viewer.stop();
+});
+
+test('a stream that breaks off, and a record that is none, are said', async ({ browser }) => {
+  const viewer = new Viewer(options.viewer, ['--live-exit']);
+  const { page, trouble } = await openLive(browser, await viewer.address);
+  viewer.write(header, level, query, attempts[0], { type: 'trajectory', query: 5 });
+  await started(page);
+  const name = page.locator('.live .name');
+  await name.filter({ hasText: 'Broken off' }).waitFor();
+  assert.match(await page.locator('.note').innerText(), /broke off: stdin:5: query/);
+  assert.match(viewer.errors, /^obby-view: stdin:5: query/m);
+  await waysAre(page, 1);
+  assert.deepEqual(trouble, []);
+  await page.context().close();
+  viewer.end();
+  assert.equal(await viewer.ended, 2); // nobody is there any more
+});
+
+test('a stream of nothing is said to be one', async ({ browser }) => {
+  const viewer = new Viewer(options.viewer);
+  const { page } = await openLive(browser, await viewer.address);
+  viewer.end();
+  await page.locator('.live p', { hasText: 'There is nothing to show' }).waitFor();
+  await page.context().close();
+  await viewer.stop();
+});
+
+test('a search is seen to grow', async ({ browser }) => {
+  const input = join(options.levels, 'several-routes.jsonl');
+  const solver = spawn(
+    options.solver,
+    ['--query', kUnsolved, '--time-limit', '8', '--attempts', '30', input],
+    { stdio: ['ignore', 'pipe', 'inherit'] },
+  );
+  const viewer = new Viewer(options.viewer, ['--query', kUnsolved]);
+  solver.stdout.pipe(viewer.process.stdin);
+  const { page, trouble } = await openLive(browser, await viewer.address);
+  await started(page);
+  const seen = new Set();
+  while ((await mark(page)) === 'Live') {
+    const steps = await page.evaluate(() => Number(window.obby.query()?.progress?.steps ?? 0));
+    if (steps > 0) seen.add(steps);
+    await page.waitForTimeout(100);
+  }
+  const numbers = [...seen];
+  assert.ok(numbers.length >= 3, `steps: ${numbers.join(', ')}`);
+  assert.deepEqual(
+    numbers,
+    [...numbers].sort((a, b) => a - b),
+  );
+  assert.equal(await mark(page), 'Ended');
+  await frames(page);
+  await picture(page, 'live-search');
+  assert.deepEqual(trouble, []);
+  await page.context().close();
+  await viewer.stop();
+});
+
+await run();

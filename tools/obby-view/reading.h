@@ -1,0 +1,40 @@
+// The inputs of obby-view become a report.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/context.h"
+#include "io/pipeline.h"
+#include "view/report.h"
+
+namespace obby {
+
+class Reading {
+ public:
+  // `stop` ends the inputs early.
+  Reading(cli::Context& context, const std::atomic<bool>& stop);
+
+  // The next record; nothing at the end. An input that is broken is said to be, and is an end.
+  std::optional<io::Record> next();
+  // Whether that end was a broken input.
+  bool broken() const { return broken_; }
+
+  // For view::Collector.
+  Status forgive(const io::Record& record, Error error);
+
+  // Behind the end, for the reader of the report: what is missing and why.
+  std::vector<std::string> notes() const;
+
+ private:
+  cli::Context& context_;
+  io::RecordSource source_;
+  std::vector<std::string> notes_;
+  bool broken_ = false;
+};
+
+// Reads all of it. A broken input is reported, and what came before it is shown.
+Result<view::Report> readReport(cli::Context& context);
+
+}  // namespace obby

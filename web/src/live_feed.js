@@ -1,0 +1,68 @@
+// The connection to obby-view --live: events say that there is something new, and then it is fetched.
+
+const kAgain = 1000; // ms until a lost connection is tried again
+const kIdle = 2; // so many times as long as a piece took to show, the page is left to its reader
+
+const pause = (ms) => new Promise((done) => setTimeout(done, ms));
+
+export class LiveFeed {
+  // `revisionOf`: that the page has; `take`: takes an answer of /data; `tell`: whether there is a connection.
+  constructor({ revisionOf, take, tell }) {
+    Object.assign(this, { revisionOf, take, tell });
+    this.token = new URLSearchParams(location.search).get('token') ?? '';
+    this.newest = 0; // revision that the server has
+    this.closed = false;
+  }
+
+  address(path, more = '') {
+    return `${path}?token=${encodeURIComponent(this.token)}${more}`;
+  }
+
+  open() {
+    this.events = new EventSource(this.address('events'));
+    this.events.onopen = () => this.tell(true);
+    this.events.onmessage = ({ data }) => {
+      this.newest = JSON.parse(data).revision;
+      this.fetchNews();
+    };
+    this.events.onerror = () => this.lost();
+  }
+
+  // The browser tries again by itself, unless it was refused.
+  lost() {
+    if (this.closed) return;
+    this.tell(false);
+    if (this.closed || this.events.readyState !== EventSource.CLOSED) return;
+    clearTimeout(this.again);
+    this.again = setTimeout(() => this.closed || this.open(), kAgain);
+  }
+
+  // Nothing more will come: the browser need not try again.
+  close() {
+    this.closed = true;
+    this.events.close();
+  }
+
+  async fetchNews() {
+    if (this.busy) return;
+    this.busy = true;
+    while (this.newest > this.revisionOf() && !this.closed) {
+      let raw = null;
+      try {
+        const answer = await fetch(this.address('data', `&from=${this.revisionOf()}`));
+        if (answer.ok) raw = await answer.json();
+      } catch {
+        // Told of below.
+      }
+      if (!raw) {
+        this.lost();
+        await pause(kAgain);
+        continue;
+      }
+      const begun = performance.now();
+      this.take(raw);
+      await pause(kIdle * (performance.now() - begun));
+    }
+    this.busy = false;
+  }
+}

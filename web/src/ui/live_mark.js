@@ -1,0 +1,50 @@
+// Whether the stream behind the page still runs, and whether the newest solution is chosen as it comes.
+import { el } from './dom.js';
+
+const kStates = {
+  live: { text: 'Live', title: 'The stream runs: what comes is shown' },
+  ended: { text: 'Ended', title: 'The stream has ended: this is all of it' },
+  broken: { text: 'Broken off', title: 'The stream broke off; a note says why' },
+  lost: { text: 'Connection lost, trying again', title: 'obby-view does not answer' },
+};
+
+export class LiveMark {
+  constructor() {
+    this.text = el('span', { class: 'name', role: 'status' });
+    this.waiting = el('p', { class: 'quiet' });
+    this.newest = el('input', { type: 'checkbox' });
+    this.follow = el(
+      'label',
+      { hidden: true, title: 'Choose each new solution as it comes' },
+      this.newest,
+      el('span', { text: 'Follow newest' }),
+    );
+    this.root = el(
+      'section',
+      { class: 'live', 'aria-label': 'Live' },
+      el('div', { class: 'live-bar' }, el('i', { class: 'lamp' }), this.text, this.follow),
+      this.waiting,
+    );
+  }
+
+  bind(store) {
+    this.newest.addEventListener('change', () => store.set({ followNewest: this.newest.checked }));
+    store.on(['followNewest'], (state) => {
+      this.newest.checked = state.followNewest;
+    });
+  }
+
+  // `started`: there is something to look at.
+  show(state, connected, report, started) {
+    const name = state === 'live' && !connected && started ? 'lost' : state;
+    this.root.dataset.state = name;
+    if (this.text.textContent !== kStates[name].text) this.text.textContent = kStates[name].text;
+    this.text.title = kStates[name].title;
+    this.follow.hidden = !started || state !== 'live';
+    this.waiting.hidden = started;
+    this.waiting.textContent =
+      state === 'live'
+        ? 'Waiting for the first level.'
+        : ['There is nothing to show.', ...report.notes].join(' ');
+  }
+}
