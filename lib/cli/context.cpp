@@ -58,6 +58,7 @@ io::SourceOptions Context::sourceOptions() {
   out.onError = onErrorFor(textOr(arguments_, "on-error", "stop"));
   out.stop = &stopFlag();
   out.report = [this](const Error& problem) { error(problem); };
+  out.warn = [this](const Error& slip) { warn(slip.text()); };
   return out;
 }
 

@@ -36,6 +36,7 @@ Status Framing::acceptHeader(schema::Header::Reader header, const std::string& p
                  "use tools of one version"};
   }
   inside_ = true;
+  later_ = header.getSchemaMinor() > kSchemaMinor;
   headerPlace_ = place;
   inStream_ = 1;
   return {};
@@ -44,7 +45,7 @@ Status Framing::acceptHeader(schema::Header::Reader header, const std::string& p
 Status Framing::acceptEnd(schema::End::Reader end) {
   const uint64_t came = inStream_;
   const bool counted = inside_ && end.getRecords() != 0;
-  inside_ = false;
+  inside_ = later_ = false;
   inStream_ = 0;
   if (!counted || end.getRecords() == came) return {};
   return Error{{},

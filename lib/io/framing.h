@@ -20,12 +20,14 @@ class Framing {
   Status atEnd() const;
   // Inside a stream that has a header: a line without its newline is then a cut.
   bool inside() const { return inside_; }
+  // The stream's header is of a later minor version: it may have fields that the schema lacks.
+  bool later() const { return later_; }
 
  private:
   Status acceptHeader(schema::Header::Reader header, const std::string& place);
   Status acceptEnd(schema::End::Reader end);
 
-  bool inside_ = false;
+  bool inside_ = false, later_ = false;
   std::string headerPlace_;
   uint64_t inStream_ = 0;  // records since the header, it included
   uint64_t total_ = 0;

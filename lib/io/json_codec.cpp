@@ -43,13 +43,14 @@ Result<std::string_view> typeOf(const JsonTree& tree) {
 
 }  // namespace
 
-Result<std::optional<RecordBuilder>> recordFromJsonIfKnown(std::string_view line) {
+Result<std::optional<RecordBuilder>> recordFromJsonIfKnown(std::string_view line,
+                                                           std::vector<Error>* misspelt) {
   OBBY_ASSIGN(const JsonTree tree, JsonTree::parse(line));
   OBBY_ASSIGN(const std::string_view type, typeOf(tree));
   const FieldPlan* kind = recordPlan().find(type);
   if (!kind) return std::optional<RecordBuilder>();
   RecordBuilder out(std::min<uint64_t>(line.size() / 8 + 64, kMaxMessageWords));
-  JsonDecoder decoder(tree);
+  JsonDecoder decoder(tree, misspelt);
   capnp::DynamicStruct::Builder root(out.root());
   auto target = root.init(kind->field).as<capnp::DynamicStruct>();
   if (!decoder.fill(*kind->type.record, target, tree.root(), Path{}, kTypeMember))

@@ -1,12 +1,13 @@
 // JSON lines to records and back, by reflection over the schema: no code here knows any single
 // record. The rules are at the top of schema/obby.capnp. On reading, fields that the schema does
-// not have are ignored (later minor versions add some), null means absent, a field given twice is
-// refused, a 64-bit integer may also be a number up to 2^53, and nesting is at most 64 deep.
+// not have are passed over (later minor versions add some), null means absent, a field given twice
+// is refused, a 64-bit integer may also be a number up to 2^53, and nesting is at most 64 deep.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 #include "io/record.h"
@@ -16,8 +17,10 @@ namespace obby::io {
 // One line without its newline. Errors carry the path in the record and what was expected.
 Result<RecordBuilder> recordFromJson(std::string_view line);
 
-// Likewise; nothing for a kind that the schema does not have.
-Result<std::optional<RecordBuilder>> recordFromJsonIfKnown(std::string_view line);
+// Likewise; nothing for a kind that the schema does not have. `misspelt` gets the first few fields
+// that were passed over but are nearly the name of one that there is; may be null.
+Result<std::optional<RecordBuilder>> recordFromJsonIfKnown(std::string_view line,
+                                                           std::vector<Error>* misspelt = nullptr);
 
 // One line without its newline; shortest numbers that read back to the same bits, defaults left
 // out. Error: a number that is not finite or out of range, text that is not UTF-8, an unknown kind.

@@ -38,15 +38,33 @@ bool JsonDecoder::fill(const StructPlan& plan, capnp::DynamicStruct::Builder out
   for (uint32_t at = node.child; at != 0; at = tree_.node(at).next) {
     const Node& member = tree_.node(at);
     const std::string_view name = tree_.name(member);
-    const FieldPlan* known = name == skip ? nullptr : plan.find(name);
-    if (!known || member.type == Type::null) continue;  // later minor versions add fields
+    if (name == skip) continue;
+    const FieldPlan* known = plan.find(name);
     const Path here{&path, name};
+    if (!known) passOver(plan, here);
+    if (!known || member.type == Type::null) continue;
     const size_t number = size_t(known - plan.fields.data());
     if (number < kMaxFields && seen[number]) return fail(here, "given twice");
     if (number < kMaxFields) seen[number] = true;
     if (!field(*known, out, member, here)) return false;
   }
   return true;
+}
+
+// Later minor versions add fields, and people notes of their own; so only what looks like a slip
+// is told.
+void JsonDecoder::passOver(const StructPlan& plan, const Path& path) {
+  constexpr size_t kMost = 4;  // of a record
+  if (misspelt_ == nullptr || misspelt_->size() == kMost) return;
+  std::vector<std::string> names;
+  for (const FieldPlan& field : plan.fields) names.push_back(field.name);
+  const std::string near = nearest(path.name, names);
+  if (near.empty()) return;
+  misspelt_->push_back({{},
+                        {},
+                        path.text(),
+                        "there is no such field, and it is passed over",
+                        fmt::format("did you mean \"{}\"?", near)});
 }
 
 bool JsonDecoder::field(const FieldPlan& plan, capnp::DynamicStruct::Builder out, const Node& node,

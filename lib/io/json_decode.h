@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "io/checks.h"
@@ -16,7 +17,9 @@ namespace obby::io {
 // then holds.
 class JsonDecoder {
  public:
-  explicit JsonDecoder(const JsonTree& tree) : tree_(tree) {}
+  // `misspelt`: as of recordFromJsonIfKnown().
+  JsonDecoder(const JsonTree& tree, std::vector<Error>* misspelt)
+      : tree_(tree), misspelt_(misspelt) {}
 
   using Node = JsonTree::Node;
   using Value = capnp::DynamicValue::Reader;
@@ -47,9 +50,11 @@ class JsonDecoder {
   bool enumerant(const TypePlan& type, const Node& node, const Path& path, Value& out);
   bool take(uint64_t words, const Path& path);
   bool unexpected(const TypePlan& type, const Node& node, const Path& path);
+  void passOver(const StructPlan& plan, const Path& path);
   bool fail(const Path& path, std::string message, std::string hint = {});
 
   const JsonTree& tree_;
+  std::vector<Error>* misspelt_;
   WordBudget budget_;
 };
 

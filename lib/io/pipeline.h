@@ -35,6 +35,8 @@ struct SourceOptions {
   OnError onError = OnError::stop;
   const std::atomic<bool>* stop = nullptr;        // set from outside: end the input early
   std::function<void(const Error&)> report = {};  // errors that did not stop the run
+  // Fields that look misspelt, the first few of a run.
+  std::function<void(const Error&)> warn = {};
   // How an input becomes a stream of records; absent: StreamReader::open. A tool that reads other
   // files than streams turns them into one here.
   std::function<Result<StreamReader>(const std::string& path)> open = {};

@@ -2,9 +2,12 @@
 #include <algorithm>
 
 #include "io/pipeline.h"
+#include "io/record_storage.h"
 
 namespace obby::io {
 namespace {
+
+constexpr uint64_t kMostWarnings = 10;
 
 // How much an end status says against completeness.
 int gravity(schema::EndStatus status) {
@@ -23,7 +26,7 @@ struct RecordSource::Impl {
   std::optional<StreamReader> reader;
   size_t nextInput = 0;
   schema::EndStatus status = schema::EndStatus::COMPLETE;
-  uint64_t skipped = 0, errors = 0;
+  uint64_t skipped = 0, errors = 0, warnings = 0;
 
   bool stopped() const {
     return (options.stop && options.stop->load()) || (reader && reader->stopped());
@@ -42,6 +45,15 @@ struct RecordSource::Impl {
   void report(const Error& error) {
     errors++;
     if (options.report) options.report(error);
+  }
+
+  void warnOf(const Record& record) {
+    for (Error error : record.storage().misspelt) {
+      if (!options.warn || warnings++ >= kMostWarnings) return;
+      error.input = reader->name();
+      error.place = record.place();
+      options.warn(error);
+    }
   }
 
   // Opens the next input; false when there is none.
@@ -84,6 +96,7 @@ struct RecordSource::Impl {
         takeEnd(record.reader().getEnd());
         continue;
       }
+      warnOf(record);
       return got;
     }
     worsen(schema::EndStatus::INTERRUPTED);

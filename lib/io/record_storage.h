@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/record.h"
 #include "io/stream.h"
@@ -14,6 +15,7 @@ struct Record::Storage {
   Format format = Format::jsonl;
   std::string raw;  // the line without its newline, or the message; empty: made here
   std::string place;
+  std::vector<Error> misspelt;  // as of recordFromJsonIfKnown()
 };
 
 }  // namespace obby::io

@@ -131,7 +131,8 @@ struct StreamReader::Impl {
     auto storage = std::make_shared<Record::Storage>();
     storage->place = std::to_string(line);
     storage->raw = std::move(**text);
-    auto decoded = recordFromJsonIfKnown(storage->raw);
+    auto decoded =
+        recordFromJsonIfKnown(storage->raw, framing.later() ? nullptr : &storage->misspelt);
     return deliver(std::move(storage), std::move(decoded));
   }
 

@@ -163,6 +163,19 @@ TEST(JsonMeaning, AnUnknownKindIsToldApartFromAnError) {
   EXPECT_FALSE(unknown->has_value());
 }
 
+// A slip of the pen, but neither a note of somebody's own nor what a later version may add.
+TEST(JsonMeaning, FieldsThatLookMisspeltAreTold) {
+  std::vector<Error> slips;
+  const auto record = recordFromJsonIfKnown(
+      R"({"type":"query","id":"q","maxJump":2,"reviewedBy":"Ada","goal":{"positon":[1,2,3]}})",
+      &slips);
+  ASSERT_TRUE(record && *record);
+  ASSERT_EQ(slips.size(), 2u);
+  EXPECT_EQ(slips[0].text(),
+            "maxJump: there is no such field, and it is passed over (did you mean \"maxJumps\"?)");
+  EXPECT_EQ(slips[1].path, "goal.positon");
+}
+
 TEST(JsonWriting, RefusesWhatNoReaderWouldTake) {
   RecordBuilder nan, range, text;
   nan.root().initQuery().setTimeLimit(__builtin_nanf(""));
