@@ -10,6 +10,7 @@
 #include "bridge/order.h"
 #include "bridge/request.h"
 #include "bridge/stdio_request.h"
+#include "head_lines.h"
 #include "io/json_codec.h"
 #include "io/json_tree.h"
 #include "io/text.h"
@@ -22,24 +23,9 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
-std::string_view takeLine(std::string_view& text) {
-  const std::string_view line = text.substr(0, text.find('\n'));
-  text.remove_prefix(std::min(text.size(), line.size() + 1));
-  return line;
-}
-
 bridge::RequestHead headOf(std::string_view text) {
   bridge::RequestHead head;
-  head.method = takeLine(text);
-  head.target = takeLine(text);
-  while (!text.empty()) {
-    const std::string_view line = takeLine(text);
-    const size_t colon = line.find(": ");
-    if (colon == std::string_view::npos) continue;
-    const std::string_view name = line.substr(0, colon), value = line.substr(colon + 2);
-    if (name == "Host") head.host = value;
-    if (name == "Origin") head.origin = value;
-    if (name == "Sec-Fetch-Site") head.fetchSite = value;
+  fuzz::readHead(text, head, [&](std::string_view name, std::string_view value) {
     if (name == "Authorization") head.authorization = value;
     if (name == "Content-Type") head.contentType = value;
     if (name == "Content-Encoding") head.encoding = value;
@@ -47,7 +33,7 @@ bridge::RequestHead headOf(std::string_view text) {
     if (name == "Upgrade" && value == "websocket") head.webSocket = true;
     if (name == "Sec-WebSocket-Version") head.webSocketVersion = value;
     if (name == "Sec-WebSocket-Key") head.webSocketKey = value;
-  }
+  });
   return head;
 }
 
