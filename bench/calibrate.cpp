@@ -106,11 +106,12 @@ double meanMissOf(const std::vector<Take>& takes, const calibrate::Fit& fit) {
   return sum / double(takes.size());
 }
 
-// What is fitted, what the fit is held against, and the truth where there is one.
+// What is fitted, what tells the fit that it is near enough, what it is held against in the end,
+// and the truth where there is one.
 struct Trial {
   std::string name;
   uint64_t seed;
-  std::vector<Take> takes, heldOut;
+  std::vector<Take> takes, heldOut, unseen;
   const schema::PhysicsParams::Reader* hidden = nullptr;
 };
 
@@ -146,11 +147,11 @@ void measure(const Trial& trial, bool each, ThreadPool& pool, Tally& tally) {
         settings, pool, stop, [](uint32_t, uint32_t, double) {}));
   });
   for (const Fitted& f : fit.parameters) count(trial, f, tally, each);
-  const double missed = meanMissOf(trial.heldOut, fit);
+  const double missed = meanMissOf(trial.unseen, fit);
   if (each) {
     fmt::print(stderr, "{} {} missed {:.4f} delay {:.4f} loss {:.3g} seconds {:.1f}\n", trial.name,
                trial.seed, missed, fit.delay, fit.loss, seconds);
-    for (const Take& take : trial.heldOut)
+    for (const Take& take : trial.unseen)
       fmt::print(stderr, "   {} {:.4f}\n", take.track.name, meanMissOf({take}, fit));
     for (const std::string& why : reasonsAgainst(trial.takes, fit))
       fmt::print(stderr, "   {}\n", why);
@@ -171,11 +172,13 @@ void measureOurs(const Case& c, uint64_t seed, bool each, ThreadPool& pool, Tall
   const auto hidden = truth.reader().getParams();
   std::vector<calibrate::Manoeuvre> played = calibrate::manoeuvres();
   std::erase_if(played, [](const auto& m) { return m.name == "push the box"; });
-  const auto unlike = others(played, 100 * seed);
-  const Trial trial{
-      c.name, seed, spoilt(calibrate::takesUnder(hidden, 0, played), c.faults, 100 * seed),
-      spoilt(calibrate::takesUnder(hidden, 0, unlike), c.faults, 100 * seed + 50), &hidden};
-  measure(trial, each, pool, tally);
+  const auto recorded = [&](const std::vector<calibrate::Manoeuvre>& manoeuvres, uint64_t noise) {
+    return spoilt(calibrate::takesUnder(hidden, 0, manoeuvres), c.faults, noise);
+  };
+  measure({c.name, seed, recorded(played, 100 * seed),
+           recorded(others(played, 100 * seed), 100 * seed + 50),
+           recorded(others(played, 100 * seed + 50), 100 * seed + 75), &hidden},
+          each, pool, tally);
 }
 
 #ifdef OBBY_HAS_BULLET_PLAYER
@@ -203,10 +206,12 @@ void measureBullet(const char* name, test::BulletGame::Body body, uint64_t seed,
       session.push_back(std::move(m));
     }
   }
-  const test::Faults faults{.noise = 0.01f};
-  const Trial trial{
-      name, seed, spoilt(playedByBullet(game, session), faults, 100 * seed),
-      spoilt(playedByBullet(game, others(manoeuvres, 100 * seed + 90)), faults, 100 * seed + 50)};
+  const auto recorded = [&](const std::vector<calibrate::Manoeuvre>& played, uint64_t noise) {
+    return spoilt(playedByBullet(game, played), {.noise = 0.01f}, noise);
+  };
+  const Trial trial{name, seed, recorded(session, 100 * seed),
+                    recorded(others(manoeuvres, 100 * seed + 90), 100 * seed + 50),
+                    recorded(others(manoeuvres, 100 * seed + 70), 100 * seed + 75)};
   if (each)
     fmt::print(stderr, "{} {} walk {} jump {} gravity {} accel {} {} gain {} {} damping {}\n", name,
                seed, game.walkSpeed, game.jumpSpeed, game.gravity, game.groundAccel, game.airAccel,
@@ -233,8 +238,8 @@ void write(const std::string& name, const Tally& tally, double sets, bench::Repo
     report.add(name, "largestError", sum.worst, "");
     report.add(name, "outsideInterval", tally.outside, "parameters");
   }
-  report.add(name, "heldOutMean", tally.missed / sets, "studs");
-  report.add(name, "heldOutWorst", tally.mostMissed, "studs");
+  report.add(name, "unseenMean", tally.missed / sets, "studs");
+  report.add(name, "unseenWorst", tally.mostMissed, "studs");
   report.add(name, "seconds", tally.seconds / sets, "s");
 }
 

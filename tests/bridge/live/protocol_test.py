@@ -231,8 +231,8 @@ class ProtocolTest(unittest.TestCase):
         records = [json.loads(line) for line in rehearsed.stdout.splitlines()]
         level = self.bridge.place(b"\n".join(json.dumps(r).encode() for r in records
                                              if r["type"] == "level") + b"\n").json()["level"]
-        job = self.bridge.ask(task="calibrate", level=level,
-                              recordings=[r for r in records if r["type"] == "recording"],
+        recordings = [r for r in records if r["type"] == "recording"][:4]  # for the time it takes
+        job = self.bridge.ask(task="calibrate", level=level, recordings=recordings,
                               budget={"restarts": 1, "generations": 1, "seed": 3})["job"]
         messages = self.bridge.messages(job, seconds=120)
         self.assertEqual(messages[-1]["state"], "done", messages[-1])
