@@ -34,6 +34,29 @@ test('lists queries with their verdicts and names as plain text', async ({ page 
   assert.match(await page.locator('.inspector').innerText(), /Glass <\/script><b>/);
 });
 
+test('the pointer at rest on a part tells its name, role and reason', async ({ page }) => {
+  const at = await page.evaluate(() => {
+    const { stage } = window.obby;
+    const view = document.getElementById('view').getBoundingClientRect();
+    const level = window.obby.level();
+    // A point of the picture where a part with a reason is seen and no line.
+    for (let y = 0.2; y < 0.8; y += 0.01)
+      for (let x = 0.1; x < 0.7; x += 0.01) {
+        const [px, py] = [x * view.width, y * view.height];
+        const part = stage.pickPart(px, py);
+        if (part < 0 || !level.notes[part]?.length) continue;
+        if (!stage.pick(window.obby.store.state, px, py))
+          return { x: view.left + px, y: view.top + py, name: level.names[part].split('/').pop() };
+      }
+    return null;
+  });
+  assert.ok(at, 'there is such a part');
+  await page.mouse.move(at.x - 1, at.y);
+  await page.mouse.move(at.x, at.y);
+  await page.locator('#tip strong', { hasText: at.name }).waitFor();
+  assert.ok((await page.locator('#tip span').count()) >= 2, 'role and reason');
+});
+
 test('a click in the list selects a trajectory', async ({ page }) => {
   await page.locator('.path').nth(4).click();
   assert.equal((await state(page)).path, 4);

@@ -208,7 +208,7 @@ class App {
     const passed = Math.min((now - this.lastFrame) / 1000, 0.25);
     this.lastFrame = now;
     this.playback.advance(passed);
-    this.pointer.hover();
+    this.pointer.hover(now);
     const { state } = this.store;
     const tick = Math.min(state.tick, this.length());
     const path = this.path();

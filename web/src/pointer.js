@@ -1,15 +1,19 @@
 // The pointer over the picture: what lies under it, what a click chooses, and a box that a drag draws.
 import { boxOf } from './choice.js';
-import { causeOf } from './palette.js';
+import { ROLES } from './data.js';
+import { causeOf, ROLE_STYLE } from './palette.js';
 import { el, seconds } from './ui/dom.js';
 
 const kBoxBelow = 1; // studs under the floor that a drawn box reaches
 const kBoxAbove = 12;
+const kRest = 200; // ms until a part under the pointer is told
+const kMostNotes = 3;
 
 export class Pointer {
   constructor(app, canvas, tip) {
     Object.assign(this, { app, canvas, tip, store: app.store, stage: app.stage });
     this.moved = null;
+    this.rest = null; // where the pointer stays, and since when
     this.down = null;
     this.corner = null; // first corner of the box that is being drawn
     canvas.addEventListener('pointerdown', (event) => this.press(event));
@@ -20,6 +24,7 @@ export class Pointer {
     });
     canvas.addEventListener('pointerleave', () => {
       this.moved = null;
+      this.rest = null;
       this.store.set({ hoverPath: -1 });
       tip.hidden = true;
     });
@@ -82,23 +87,50 @@ export class Pointer {
     return [event.clientX - box.left, event.clientY - box.top];
   }
 
-  // Once a frame, for where the pointer came to rest.
-  hover() {
+  // Once a frame: a line is told at once, a part where the pointer rests.
+  hover(now) {
     const event = this.moved;
     this.moved = null;
+    if (!this.app.level() || this.store.state.drawing) return;
+    if (event) {
+      const hit = this.hoverPath(event);
+      this.rest = hit ? null : { event, since: now };
+    } else if (this.rest && now - this.rest.since > kRest) {
+      this.hoverPart(this.rest.event);
+      this.rest = null;
+    }
+  }
+
+  hoverPath(event) {
     const { app } = this;
-    if (!event || !app.query() || this.store.state.drawing) return;
-    const hit = this.stage.pick(this.store.state, ...this.inCanvas(event));
+    const hit = app.query() && this.stage.pick(this.store.state, ...this.inCanvas(event));
     this.store.set({ hoverPath: hit ? hit.path : -1 });
     this.canvas.style.cursor = hit ? 'pointer' : '';
     this.tip.hidden = !hit;
-    if (!hit) return;
+    if (!hit) return false;
     const path = app.query().paths[hit.path];
     const rate = app.playback.rateOf();
+    const at = `at ${seconds(hit.tick / rate)} of ${seconds(path.ticks / rate)} s`;
+    this.tell(event, path.mismatch ? 'Replay mismatch' : causeOf(path, app.level()), [at]);
+    return true;
+  }
+
+  // Name and role, and the importer's reason for the role.
+  hoverPart(event) {
+    const level = this.app.level();
+    const part = this.stage.pickPart(...this.inCanvas(event));
+    if (part < 0) return;
+    const name = level.names[part]?.split('/').pop() || `Part ${part}`;
+    const notes = (level.notes[part] ?? []).slice(0, kMostNotes);
+    this.tell(event, name, [ROLE_STYLE[ROLES[level.role[part]]].label, ...notes]);
+  }
+
+  tell(event, title, lines) {
     this.tip.replaceChildren(
-      el('strong', { text: path.mismatch ? 'Replay mismatch' : causeOf(path, app.level()) }),
-      el('span', { text: `at ${seconds(hit.tick / rate)} of ${seconds(path.ticks / rate)} s` }),
+      el('strong', { text: title }),
+      ...lines.map((text) => el('span', { text })),
     );
+    this.tip.hidden = false;
     this.tip.style.transform = `translate(${event.clientX + 14}px, ${event.clientY + 14}px)`;
   }
 }

@@ -49,7 +49,6 @@ export const INITIAL = {
   follow: false,
   followNewest: false, // live: choose each new solution
   hoverPath: -1,
-  hoverPart: -1,
   part: -1,
   colors: 'roles',
   solutions: true,
