@@ -13,6 +13,7 @@ namespace obby::test {
 namespace {
 
 constexpr int kRate = 60, kSteps = 4;
+constexpr float kLost = 10;  // studs below the start: the game is over for them
 constexpr btScalar kStep = btScalar(1) / (kRate * kSteps);
 
 Vec3 plain(const btVector3& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
@@ -202,6 +203,7 @@ calibrate::Track playedByBullet(const BulletGame& game, const level::Level& leve
     const bool held = stick.length() > 0;
     const Hands hands{held ? stick.normalized() * game.walkSpeed : stick, hold.jump};
     for (int ticks = int(std::lround(hold.seconds * kRate)); ticks > 0; --ticks) {
+      if (float(player->position().y()) < manoeuvre.feet.y - kLost) return track;
       calibrate::Frame f;
       f.time = double(track.frames.size()) / kRate;
       f.move = {hold.x, 0, hold.z};

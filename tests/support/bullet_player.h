@@ -30,7 +30,8 @@ BulletGame drawnGame(BulletGame::Body body, uint64_t seed, float spread);
 std::vector<calibrate::Manoeuvre> bulletManoeuvres();
 
 // The manoeuvre in this game, in steps of 1/240 s, a frame every fourth. Positions are of the
-// capsule's centre. Of the level it has the blocks that stand still, and nothing else.
+// capsule's centre; whoever falls far below the start is out, and not recorded further. Of the
+// level it has the blocks that stand still, and nothing else.
 calibrate::Track playedByBullet(const BulletGame& game, const level::Level& level,
                                 const calibrate::Manoeuvre& manoeuvre);
 
