@@ -1,7 +1,7 @@
 // How well calibration finds parameters that nobody told it: of recordings by our own simulator
 // under twelve sets drawn at random, as they are and as recorders spoil them, and of recordings by
-// Bullet, an engine with other rules. A fit takes about a minute on two cores, those to Bullet
-// three, so that all cases with twelve sets take hours: name some.
+// Bullet, an engine with other rules. A fit takes two to three minutes on two
+// cores, so that all cases with twelve sets take hours: name some.
 //   bench_calibrate [--json] [--each] [--from SET] [--sets N] [CASE...]     --each: every parameter
 //   of every set
 #include <fmt/format.h>
