@@ -13,18 +13,13 @@ namespace {
 
 constexpr std::string_view kTypeMember = "type";
 
-std::vector<std::string> kindNames() {
-  std::vector<std::string> out;
-  for (const FieldPlan& kind : recordPlan().fields) out.push_back(kind.name);
-  return out;
-}
-
 Error noType(std::string found) {
-  return Error{{},
-               {},
-               std::string(kTypeMember),
-               fmt::format("expected one of {}, found {}", fmt::join(kindNames(), ", "), found),
-               {}};
+  return Error{
+      {},
+      {},
+      std::string(kTypeMember),
+      fmt::format("expected one of {}, found {}", fmt::join(recordPlan().names(), ", "), found),
+      {}};
 }
 
 // The text of the member `type`.
@@ -64,7 +59,7 @@ Result<RecordBuilder> recordFromJson(std::string_view line) {
   OBBY_ASSIGN(const JsonTree tree, JsonTree::parse(line));
   OBBY_ASSIGN(const std::string_view type, typeOf(tree));
   Error error = noType(quoted(type));
-  const std::string near = nearest(type, kindNames());
+  const std::string near = nearest(type, recordPlan().names());
   if (!near.empty()) error.hint = fmt::format("did you mean \"{}\"?", near);
   return error;
 }

@@ -56,9 +56,7 @@ bool JsonDecoder::fill(const StructPlan& plan, capnp::DynamicStruct::Builder out
 void JsonDecoder::passOver(const StructPlan& plan, const Path& path) {
   constexpr size_t kMost = 4;  // of a record
   if (misspelt_ == nullptr || misspelt_->size() == kMost) return;
-  std::vector<std::string> names;
-  for (const FieldPlan& field : plan.fields) names.push_back(field.name);
-  const std::string near = nearest(path.name, names);
+  const std::string near = nearest(path.name, plan.names());
   if (near.empty()) return;
   misspelt_->push_back({{},
                         {},

@@ -122,6 +122,12 @@ const FieldPlan* StructPlan::find(std::string_view name) const {
   return found == byName.end() ? nullptr : &fields[found->second];
 }
 
+std::vector<std::string> StructPlan::names() const {
+  std::vector<std::string> out;
+  for (const FieldPlan& field : fields) out.push_back(field.name);
+  return out;
+}
+
 const StructPlan& recordPlan() {
   static Planner planner;
   static const StructPlan* plan = planner.plan(capnp::Schema::from<schema::Record>());

@@ -57,6 +57,7 @@ struct StructPlan {
 
   uint32_t words() const { return dataWords + pointers; }
   const FieldPlan* find(std::string_view name) const;
+  std::vector<std::string> names() const;  // of the fields
 };
 
 // The plan of schema::Record; its fields are the kinds.

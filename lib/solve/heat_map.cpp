@@ -14,7 +14,6 @@ constexpr size_t kMostCubes = 4096;  // about 200 kB of JSON
 }  // namespace
 
 void HeatMap::note(const std::vector<Vec3>& places) {
-  noted_ += uint32_t(places.size());
   for (const Vec3 feet : places) {
     add(feet, 1);
     while (cubes_.size() > kMostCubes) coarsen();

@@ -13,9 +13,9 @@ namespace obby::solve {
 
 class HeatMap {
  public:
-  // Search::places, from noted() on.
+  // Of further cells of a search: Search::places.
   void note(const std::vector<Vec3>& places);
-  uint32_t noted() const { return noted_; }
+  bool empty() const { return cubes_.empty(); }
   void fill(schema::HeatMap::Builder record) const;  // in order of x, y, z
 
  private:
@@ -28,8 +28,7 @@ class HeatMap {
   void add(Vec3 feet, uint32_t cells);
   void coarsen();
 
-  uint32_t noted_ = 0;  // cells of the search
-  float size_ = 2;      // studs
+  float size_ = 2;  // studs
   std::map<Key, Cube> cubes_;
 };
 

@@ -84,8 +84,7 @@ class Solving {
   }
 
   void look(const SearchView& view) {
-    if (options_.explain) footprints_.note(view.search.places(footprints_.noted()));
-    if (options_.heatMap) heatMap_.note(view.search.places(heatMap_.noted()));
+    if (options_.explain || options_.heatMap) noteNewCells(view.search);
     if (view.seconds < nextProgress_ || !status_) return;
     nextProgress_ = view.seconds + kProgressEvery;
     const Statistics& s = view.search.statistics();
@@ -99,6 +98,13 @@ class Solving {
     io::RecordBuilder record;
     fillProgress(record.root().initProgress(), identity_, view, options_.paths);
     status_ = output_.write(record.reader());
+  }
+
+  void noteNewCells(const Search& search) {
+    const std::vector<Vec3> places = search.places(noted_);
+    noted_ += uint32_t(places.size());
+    if (options_.explain) footprints_.note(places);
+    if (options_.heatMap) heatMap_.note(places);
   }
 
   Status writeAnswer(const Problem& problem, const SearchOutcome& outcome,
@@ -124,7 +130,7 @@ class Solving {
     fillResult(result, identity_, outcome, level_.level, levelRecord, query_);
     if (relaxations) fillRelaxations(result, *relaxations);
     if (!hardest.empty()) result.setReason(result.getReason().cStr() + ("; hardest: " + hardest));
-    if (heatMap_.noted() > 0) heatMap_.fill(result.initHeatMap());
+    if (!heatMap_.empty()) heatMap_.fill(result.initHeatMap());
     result.getTiming().setCompile(float(level_.compileSeconds));
     result.setSeed(options_.budget.seed);
     return output_.write(record.reader());
@@ -157,6 +163,7 @@ class Solving {
   const SolverOutput& output_;
   const PosedQuery posed_;
   const AnswerIdentity identity_;
+  uint32_t noted_ = 0;  // cells of the search
   Footprints footprints_;
   HeatMap heatMap_;
   double nextProgress_ = kFirstProgress;

@@ -64,7 +64,9 @@ void LiveData::thin(const Report& report) {
   for (size_t i = 0; i < levels_.size(); ++i) {
     LevelPiece& level = levels_[i];
     const uint32_t ticks = ticksAhead(report, int(i));
-    if (level.revision == 0 || ticks != level.ticks) {
+    if (ticks != level.ticks) {
+      level.ticks = ticks;
+      level.stride = 0;
       level.sizes = {};
       level.sizes.add(report.levels[i], ticks);
     }
@@ -78,15 +80,12 @@ void LiveData::thin(const Report& report) {
 void LiveData::takeLevels(const Report& report) {
   for (size_t i = 0; i < levels_.size(); ++i) {
     LevelPiece& level = levels_[i];
-    const uint32_t ticks = ticksAhead(report, int(i));
     const bool moves = level.sizes.tracks > 0;
-    const bool same = ticks == level.ticks && budget_.trackStride == level.stride;
-    const bool stale = level.revision == 0 || (moves && !same);
-    level.ticks = ticks;
+    const bool stale = level.revision == 0 || (moves && level.stride != budget_.trackStride);
     level.stride = budget_.trackStride;
     if (!stale) continue;
     JsonText json;
-    writeLevel(json, report.levels[i], ticks, budget_.trackStride);
+    writeLevel(json, report.levels[i], level.ticks, level.stride);
     put(level, json.text());
   }
 }
@@ -98,7 +97,8 @@ void LiveData::takeQuery(const QueryEntry& entry, QueryPieces& out) {
   facts.close();
   bool changed = put(out.facts, facts.text());
   std::map<uint64_t, Piece> before = std::exchange(out.paths, {});
-  const bool thinner = std::exchange(out.attemptStride, budget_.attemptStride) != out.attemptStride;
+  const bool thinner = out.attemptStride != budget_.attemptStride;
+  out.attemptStride = budget_.attemptStride;
   for (const PathEntry& path : entry.paths) {
     if (!shown(path, budget_)) continue;
     const bool attempt = path.kind == PathKind::attempt;

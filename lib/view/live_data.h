@@ -36,7 +36,7 @@ class LiveData {
   };
   struct LevelPiece : Piece {
     PageSizes sizes;
-    uint32_t ticks = 0, stride = 0;
+    uint32_t ticks = 0, stride = 0;  // of the motion in it; stride 0: it has other ticks
   };
   struct QueryPieces {
     Piece facts;

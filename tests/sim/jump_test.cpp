@@ -16,10 +16,7 @@ TEST(Jump, apex_of_jump_power_50_is_7_16_studs) {
 }
 
 TEST(Jump, apex_of_jump_height_7_2_is_7_2_studs) {
-  const auto level = support::LevelBuilder()
-                         .block({0, -1, 0}, {400, 2, 400})
-                         .physics([](auto p) { p.setJumpSpeed(53.1534f); })
-                         .compile();
+  const auto level = flatLevel([](auto p) { p.setJumpSpeed(53.1534f); });
   Play play(level);
   play.settle().run(stand(true), 1).run(stand(), 40);
   EXPECT_NEAR(play.highest(), 7.2f, 0.02f);
@@ -66,10 +63,7 @@ TEST(Jump, held_jump_repeats_0_05_seconds_after_landing) {
 }
 
 TEST(Jump, without_landing_time_the_tick_after_the_landing_jumps) {
-  const auto level = support::LevelBuilder()
-                         .block({0, -1, 0}, {400, 2, 400})
-                         .physics([](auto p) { p.setLandedTime(0); })
-                         .compile();
+  const auto level = flatLevel([](auto p) { p.setLandedTime(0); });
   Play play(level);
   play.settle();
   play.until(stand(true), [](const sim::World& w) { return w.state == State::freefall; });

@@ -63,4 +63,10 @@ inline level::Level flatLevel() {
   return support::LevelBuilder().block({0, -1, 0}, {400, 2, 400}).compile();
 }
 
+// `change`: sets parameters of the level.
+template <class Change>
+level::Level flatLevel(const Change& change) {
+  return support::LevelBuilder().block({0, -1, 0}, {400, 2, 400}).physics(change).compile();
+}
+
 }  // namespace obby::test

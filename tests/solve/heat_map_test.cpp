@@ -73,9 +73,12 @@ TEST(HeatMap, HasEachCellOfASearch) {
   ThreadPool pool(1);
   GoExplore search(problem, 1, {}, pool);
   HeatMap map;
+  uint32_t noted = 0;
   for (int round = 0; round < 5; ++round) {
     search.round();
-    map.note(search.places(map.noted()));
+    const std::vector<Vec3> places = search.places(noted);
+    noted += uint32_t(places.size());
+    map.note(places);
   }
   const auto record = filled(map);
   EXPECT_EQ(cellsOf(record.reader().getResult().getHeatMap()), search.cellCount());

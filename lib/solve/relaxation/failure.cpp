@@ -3,7 +3,6 @@
 namespace obby::solve {
 
 void Footprints::note(const std::vector<Vec3>& places) {
-  noted_ += uint32_t(places.size());
   for (const Vec3 at : places) {
     places_.emplace(floorToInt(at.x), floorToInt(at.y * 4), floorToInt(at.z));
   }

@@ -13,13 +13,11 @@ namespace obby::solve {
 // Where a search has been, to a stud.
 class Footprints {
  public:
-  // Search::places, from noted() on.
+  // Of further cells of the search: Search::places.
   void note(const std::vector<Vec3>& places);
-  uint32_t noted() const { return noted_; }
   std::vector<Vec3> places() const;
 
  private:
-  uint32_t noted_ = 0;  // cells of the search
   std::set<std::tuple<int32_t, int32_t, int32_t>> places_;
 };
 
