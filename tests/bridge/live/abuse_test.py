@@ -56,6 +56,17 @@ class AbuseTest(unittest.TestCase):
             self.assertIn(exchange(connection, chunked, chunk * 20), (413, None))
         self.assertEqual(bridge.get("/v1/info").status, 200)
 
+    def test_who_is_still_sending_is_told_why_it_is_refused(self):
+        bridge = self.bridge("--max-body", "1")
+        head = self.head(bridge, "/v1/levels", "Content-Type: application/octet-stream",
+                         f"Content-Length: {8 << 20}")
+        with bridge.socket() as connection:
+            connection.sendall(head.encode())
+            for _ in range(32):
+                connection.sendall(b"x" * (256 << 10))
+                time.sleep(0.005)
+            self.assertEqual(exchange(connection, ""), 413)
+
     def test_gzip_bombs_are_refused(self):
         bridge = self.bridge("--max-body", "1")
         bomb = gzip.compress(b"\0" * (64 << 20))
