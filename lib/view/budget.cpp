@@ -52,7 +52,8 @@ void PageSizes::add(const LevelEntry& level, uint32_t ticks) {
 
 void PageSizes::add(const QueryEntry& query) {
   for (const PathEntry& path : query.paths) {
-    const size_t bytes = path.playback.feet.size() * kSampleBytes;
+    size_t bytes = path.playback.feet.size() * kSampleBytes;
+    for (const LooseTrack& track : path.playback.loose) bytes += base64Size(track.bytes());
     (path.kind == PathKind::attempt ? attempts : fixed) += bytes;
   }
 }

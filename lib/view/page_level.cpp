@@ -109,6 +109,15 @@ void writeTracks(JsonText& json, const std::vector<Track>& tracks) {
   json.close();
 }
 
+// Parts that trajectories may move.
+void writeLoose(JsonText& json, const level::LevelView& level) {
+  json.key("loose").open('[');
+  for (uint32_t i = 0; i < level.looseCount; ++i) {
+    json.value(level.colliders[level.loose[i].firstCollider].part);
+  }
+  json.close();
+}
+
 }  // namespace
 
 void writeLevel(JsonText& json, const LevelEntry& entry, uint32_t ticksShown,
@@ -128,6 +137,7 @@ void writeLevel(JsonText& json, const LevelEntry& entry, uint32_t ticksShown,
   writeHulls(json, level);
   writeRules(json, level);
   writeTracks(json, tracksOf(entry.level->view(), ticksShown, trackStride));
+  writeLoose(json, entry.level->view());
   json.close();
 }
 

@@ -209,6 +209,15 @@ void writeDifficulty(JsonText& json, schema::Trajectory::Reader path) {
   json.field("window", hardest.getWindow()).close().close();
 }
 
+void writeLoose(JsonText& json, const std::vector<LooseTrack>& tracks) {
+  json.key("loose").open('[');
+  for (const LooseTrack& track : tracks) {
+    json.open('{').field("part", track.part).key("ticks").array(track.ticks);
+    json.key("position").array(track.positions).key("rotation").array(track.rotations).close();
+  }
+  json.close();
+}
+
 }  // namespace
 
 void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
@@ -239,7 +248,9 @@ void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
   for (const MotionEvent& event : play.motions) {
     json.open('[').value(event.tick).value(event.part).value(event.start).close();
   }
-  json.close().close();
+  json.close();
+  if (!play.loose.empty()) writeLoose(json, play.loose);
+  json.close();
 }
 
 void writeQueryFacts(JsonText& json, const QueryEntry& entry) {

@@ -107,6 +107,7 @@ Result<Playback> playBack(const level::Level& level, const level::Query* query,
   const uint64_t hash = sim::stateHash(last, replay.looseAt(worlds.size() - 1));
   out.events = eventsOf(worlds, level.view());
   out.motions = motionsOf(worlds, level.view());
+  out.loose = looseTracksOf(replay, level.view());
   out.outcome = schema::Outcome(uint16_t(last.outcome));
   out.part = last.part == level::kNone ? -1 : int32_t(last.part);
   out.mismatch = compare(out, hash, record, query != nullptr);

@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "level/level.h"
 #include "schema/obby.capnp.h"
+#include "view/loose_track.h"
 
 namespace obby::view {
 
@@ -38,6 +39,7 @@ struct Playback {
   std::vector<uint8_t> state;
   std::vector<PartEvent> events;
   std::vector<MotionEvent> motions;
+  std::vector<LooseTrack> loose;
   std::vector<uint32_t> jumpTicks;  // at which a jump was made
   schema::Outcome outcome = schema::Outcome::RUNNING;
   int32_t part = -1;  // that killed the player

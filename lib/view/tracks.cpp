@@ -1,7 +1,6 @@
 // Tabulates level::moverPose.
 #include "view/tracks.h"
 
-#include <cmath>
 #include <numeric>
 
 #include "level/rotation.h"
@@ -39,13 +38,7 @@ Track trackOf(const level::Mover& mover, uint32_t part, uint32_t ticks, uint32_t
     const Pose pose = level::moverPose(mover, i * track.stride);
     moves = moves || !(pose.position == first.position);
     turns = turns || !sameRotation(pose.rotation, first.rotation);
-    const Quat q = toQuat(pose.rotation);
-    for (const float v : {pose.position.x, pose.position.y, pose.position.z}) {
-      track.positions.push_back(v);
-    }
-    for (const float v : {q.x, q.y, q.z, q.w}) {
-      track.rotations.push_back(int16_t(std::lround(clampf(v, -1.0f, 1.0f) * 32767)));
-    }
+    track.add(pose.position, toQuat(pose.rotation));
   }
   if (!moves) track.positions.clear();
   if (!turns) track.rotations.clear();

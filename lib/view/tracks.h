@@ -5,20 +5,18 @@
 #include <vector>
 
 #include "level/level.h"
+#include "view/poses.h"
 
 namespace obby::view {
 
-// Samples of one part for ticks 0, stride, 2 stride, ...
-struct Track {
+// Samples of one part for ticks 0, stride, 2 stride, ... Without positions it stays where the level
+// has it, without rotations it keeps its own.
+struct Track : Poses {
   uint32_t part = 0;
   bool triggered = false;  // ticks count from its start; a playthrough's motions say when that is
   uint32_t stride = 1;
   uint32_t count = 0;
-  int32_t loopFrom = -1;           // sample that follows the last one; -1: the last one stays
-  std::vector<float> positions;    // (count x 3), studs; empty: stays where the level has it
-  std::vector<int16_t> rotations;  // (count x 4), quaternion x 32767; empty: keeps its rotation
-
-  size_t bytes() const { return positions.size() * 4 + rotations.size() * 2; }
+  int32_t loopFrom = -1;  // sample that follows the last one; -1: the last one stays
 };
 
 // One track a moving part. Motion that repeats within `ticks` is stored once round; other motion is

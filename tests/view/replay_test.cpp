@@ -5,6 +5,9 @@
 
 #include <capnp/message.h>
 
+#include <tuple>
+
+#include "sim/loose.h"
 #include "support/level_builder.h"
 
 namespace obby::view {
@@ -64,6 +67,86 @@ TEST(Replay, TellsWhenSignalsOpenCloseAndMoveParts) {
   EXPECT_EQ(p.motions[0].start, int64_t(pressed));
   EXPECT_EQ(p.motions[1].tick, pressed + 60) << "starts anew: the player still stands there";
   EXPECT_EQ(p.motions[1].start, int64_t(pressed) + 60);
+}
+
+// A crate ahead of the spawn, another that nothing meets, and one in the air above the first.
+level::Level crateLevel() {
+  const auto loose = [](Part::Builder p) { p.setAnchored(false); };
+  support::LevelBuilder b;
+  b.block({0, -0.5f, 0}, {60, 1, 60});
+  b.block({0, 2, -6}, {4, 4, 4}, loose);
+  b.block({20, 1, 0}, {2, 2, 2}, loose);
+  b.block({-20, 9, 0}, {2, 2, 2}, loose);
+  return b.compile();
+}
+
+struct Pushed {
+  level::Level level = crateLevel();
+  Playback playback;
+  sim::Replay replay;
+
+  Pushed() {
+    capnp::MallocMessageBuilder message;
+    auto path = message.initRoot<schema::Trajectory>();
+    auto run = path.initActions(1)[0];
+    run.setTicks(150);
+    run.setWalk(true);
+    playback = *playBack(level, nullptr, path.asReader());
+    replay = sim::replay(level.view(), nullptr, *sim::planFromRecord(path.asReader()));
+  }
+
+  const LooseTrack* trackOf(uint32_t part) const {
+    for (const LooseTrack& track : playback.loose) {
+      if (track.part == part) return &track;
+    }
+    return nullptr;
+  }
+};
+
+// Where a corner of the part is by its track, mixed as a page does.
+Vec3 cornerAt(const LooseTrack& track, uint32_t tick, Vec3 corner) {
+  size_t i = 0;
+  while (i + 2 < track.ticks.size() && track.ticks[i + 1] <= tick) ++i;
+  const float share = float(tick - track.ticks[i]) / float(track.ticks[i + 1] - track.ticks[i]);
+  const auto mixed = [&](const auto& values, size_t width, size_t k) {
+    return float(values[width * i + k]) * (1 - share) + float(values[width * (i + 1) + k]) * share;
+  };
+  const auto& [p, q] = std::tie(track.positions, track.rotations);
+  const Quat turn = normalize(Quat{mixed(q, 4, 0), mixed(q, 4, 1), mixed(q, 4, 2), mixed(q, 4, 3)});
+  return Vec3{mixed(p, 3, 0), mixed(p, 3, 1), mixed(p, 3, 2)} + toMat3(turn) * corner;
+}
+
+TEST(Replay, LoosePartsAreWhereTheSimulatorPushedThem) {
+  const Pushed pushed;
+  const level::LevelView& view = pushed.level.view();
+  ASSERT_EQ(view.looseCount, 3u);
+  const LooseTrack* track = pushed.trackOf(1);
+  ASSERT_NE(track, nullptr);
+  const uint32_t ticks = pushed.playback.ticks();
+  ASSERT_EQ(track->ticks.back(), ticks);
+  EXPECT_LT(track->positions.end()[-1], -10) << "pushed some studs ahead";
+  for (uint32_t tick = 0; tick <= ticks; ++tick) {
+    const Pose pose = sim::poseOf(pushed.replay.looseAt(tick)[0], view.loose[0]);
+    for (const Vec3 corner : {Vec3{2, 2, 2}, Vec3{-2, 2, -2}, Vec3{2, -2, -2}}) {
+      const Vec3 truth = pose.position + pose.rotation * corner;
+      ASSERT_LT(length(cornerAt(*track, tick, corner) - truth), 2 * kLooseMiss) << tick;
+    }
+  }
+}
+
+TEST(Replay, OnlyLoosePartsThatMoveHaveTracks) {
+  const Pushed pushed;
+  const LooseTrack* falls = pushed.trackOf(3);
+  ASSERT_NE(falls, nullptr);
+  EXPECT_NEAR(falls->positions[1], 9, 1e-4);
+  EXPECT_NEAR(falls->positions.end()[-2], 1, 0.05);
+  EXPECT_LT(falls->ticks.size(), pushed.playback.ticks() / 2) << "rest needs no samples";
+  const LooseTrack* rests = pushed.trackOf(2);
+  if (rests != nullptr) {  // settles by less than one sees
+    EXPECT_NEAR(rests->positions.end()[-2], rests->positions[1], 0.02);
+    EXPECT_LT(rests->ticks.size(), 60u);
+  }
+  EXPECT_TRUE(standing(buttonLevel(), 100).loose.empty());
 }
 
 }  // namespace

@@ -3,7 +3,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { fillTemplate, launch, openReport } from './browser.mjs';
 
-// Words of the command line: --web FOLDER --page TEMPLATE --viewer, --solver, --chromium PROGRAM --out FOLDER.
+// Words of the command line: --web FOLDER --page TEMPLATE --viewer, --solver, --calibrator, --chromium PROGRAM --out FOLDER.
 function readOptions() {
   const words = process.argv.slice(2);
   const options = {};

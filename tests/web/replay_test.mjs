@@ -73,4 +73,81 @@ for (const [level, ...words] of [
   });
 }
 
+// Largest difference between where the level's parts are in the picture and where a recording of the same manoeuvre has
+// them, at its frames, which are ticks.
+async function compareParts(page, recording) {
+  return page.evaluate(({ name, parts, frames }) => {
+    const { obby } = window;
+    obby.store.set({ query: obby.report.queries.findIndex((each) => each.id === name) });
+    const [shown] = obby.query().paths;
+    const { levelView } = obby.stage;
+    const Matrix = levelView.group.matrix.constructor;
+    let [most, moved] = [0, 0];
+    const begin = parts.map(() => null);
+    frames.forEach((frame, tick) => {
+      if (tick > shown.ticks) return;
+      obby.stage.showTick(shown, tick);
+      parts.forEach((part, k) => {
+        const { mesh, at } = levelView.slots[part][0];
+        const matrix = new Matrix();
+        mesh.getMatrixAt(at, matrix);
+        const is = matrix.elements.slice(12, 15);
+        const truth = frame.poses[k].position;
+        begin[k] ??= truth;
+        is.forEach((value, axis) => {
+          most = Math.max(most, Math.abs(value - truth[axis]));
+          if (levelView.loose.has(part))
+            moved = Math.max(moved, Math.abs(truth[axis] - begin[k][axis]));
+        });
+      });
+    });
+    return { most, moved, count: frames.length, loose: shown.loose.length };
+  }, recording);
+}
+
+// What is under the pointer in the middle of a part, before and after the trajectory has moved it.
+async function pickedWhereItIs(page, part) {
+  return page.evaluate((which) => {
+    const { obby } = window;
+    const { stage } = obby;
+    const [shown] = obby.query().paths;
+    return [0, shown.ticks].map((tick) => {
+      stage.showTick(shown, tick);
+      const at = stage.levelView.centreOf(which);
+      stage.rig.frameBox(new stage.bounds.constructor(at, at).expandByScalar(6), { yaw: 0.5, pitch: -1.2 }, true);
+      stage.rig.camera.updateMatrixWorld();
+      const seen = at.project(stage.rig.camera);
+      const x = ((seen.x + 1) / 2) * stage.width;
+      return stage.pickPart(x, ((1 - seen.y) / 2) * stage.height);
+    });
+  }, part);
+}
+
+test('a box that the player pushes is where a recording of the simulator has it', async ({
+  browser,
+}) => {
+  const course = join(options.levels, 'calibration', 'course.jsonl');
+  const file = join(options.out, 'replay-course.html');
+  execFileSync(options.viewer, [course, '-o', file], { stdio: 'inherit' });
+  const recording = execFileSync(options.calibrator, ['--rehearse', '-q'], {
+    encoding: 'utf8',
+    maxBuffer: 1 << 28,
+  })
+    .trim()
+    .split('\n')
+    .map((line) => JSON.parse(line))
+    .find((record) => record.type === 'recording' && record.name === 'push the box');
+  const { page, trouble } = await openReport(browser, file);
+  const parts = recording.parts.map((path) => Number(path.replace('part:', '')));
+  const found = await compareParts(page, { ...recording, parts });
+  assert.ok(found.loose > 0, 'nothing is pushed');
+  assert.ok(found.moved > 4, `pushed ${found.moved} studs`);
+  assert.ok(found.most <= kMostStuds, `${found.most} studs`);
+  console.log(`     ${found.count} frames, at most ${found.most.toExponential(1)} studs apart`);
+  const box = await page.evaluate(() => window.obby.report.levels[0].loose[0]);
+  assert.deepEqual(await pickedWhereItIs(page, box), [box, box]);
+  assert.deepEqual(trouble, []);
+  await page.context().close();
+});
+
 await run();

@@ -69,6 +69,29 @@ class Track {
   }
 }
 
+// Poses of one loose part at some ticks of a playthrough; even motion between them.
+class LooseTrack {
+  constructor(raw) {
+    this.part = raw.part;
+    this.ticks = longs(raw.ticks);
+    this.position = floats(raw.position);
+    this.rotation = shorts(raw.rotation);
+  }
+
+  // As Track's.
+  at(tick) {
+    const { ticks } = this;
+    let [i, end] = [0, ticks.length - 1];
+    while (end - i > 1) {
+      const middle = (i + end) >> 1;
+      if (ticks[middle] <= tick) i = middle;
+      else end = middle;
+    }
+    const share = (tick - ticks[i]) / (ticks[end] - ticks[i] || 1);
+    return { i, next: end, share: Math.min(1, Math.max(0, share)) };
+  }
+}
+
 export function levelOf(raw) {
   const parts = raw.parts;
   return {
@@ -105,6 +128,7 @@ export class Path {
     this.yaw = words(raw.yaw);
     this.state = bytesOf(raw.state);
     this.runs = words(raw.runs);
+    this.loose = (raw.loose ?? []).map((track) => new LooseTrack(track));
     this.samples = this.points.length / 3;
   }
 

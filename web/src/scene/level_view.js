@@ -27,6 +27,8 @@ export class LevelView {
     this.slots = new Array(level.count); // part -> [{mesh, at}]
     this.trackOf = new Map(level.tracks.map((track) => [track.part, track]));
     this.vanishOf = new Map(level.vanish.map((rule) => [rule.part, rule]));
+    this.loose = new Set(level.loose);
+    this.displaced = []; // loose parts that are not where the level has them
     this.flowOf = new Map(level.conveyors.map((belt) => [belt.part, belt.velocity]));
     this.build();
     this.setColors('roles');
@@ -44,7 +46,8 @@ export class LevelView {
   keyOf(part) {
     const alpha = this.level.look[4 * part + 3];
     const translucent = alpha < 250 || this.vanishOf.has(part) || this.roleOf(part) === 'ghost';
-    return `${this.shapeOf(part)} ${translucent ? 'translucent' : 'opaque'} ${this.trackOf.has(part) ? 'moving' : 'still'}`;
+    const moves = this.trackOf.has(part) || this.loose.has(part);
+    return `${this.shapeOf(part)} ${translucent ? 'translucent' : 'opaque'} ${moves ? 'moving' : 'still'}`;
   }
 
   build() {
@@ -144,6 +147,14 @@ export class LevelView {
     }
   }
 
+  // `tracks`: of the loose parts that the trajectory moves; `tick`: since its start.
+  updateLoose(tracks, tick) {
+    for (const part of this.displaced)
+      this.pose(part, { i: part, next: part, share: 0 }, this.level);
+    for (const track of tracks) this.pose(track.part, track.at(tick), track);
+    this.displaced = tracks.map((track) => track.part);
+  }
+
   timedAway(rule, tick) {
     const period = rule.delay + rule.away;
     const away = period > 0 && (tick / this.level.tickRate + rule.phase) % period >= rule.delay;
@@ -171,6 +182,7 @@ export class LevelView {
       }
       mesh.setMatrixAt(at, matrix.compose(position, rotation, scale));
       mesh.instanceMatrix.needsUpdate = true;
+      mesh.boundingSphere = null; // of the parts as they were: rays would pass by those that moved
     }
   }
 

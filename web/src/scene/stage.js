@@ -247,6 +247,7 @@ export class Stage {
     const clock = (path?.startTick ?? this.query?.startTick ?? 0) + tick;
     const moved = path ? this.movedAt(path, tick) : new Map();
     this.levelView.update(clock, path ? this.goneAt(path, tick) : new Set(), moved);
+    this.levelView.updateLoose(path?.loose ?? [], tick);
     this.markers?.update(tick);
     this.poseAvatar(this.avatar, path, tick);
     this.poseAvatar(this.ghost, other, Math.min(tick, other?.ticks ?? 0));
