@@ -207,6 +207,7 @@ struct Part {
   seat @30 :Seat;
   trip @31 :Trip;
   climbable @32 :Bool;    # a rung of a ladder built of parts: climbed like a truss
+  material @33 :Text;     # how it looks, by the engine's names ("WoodPlanks"); empty: plastic. Physics has numbers of its own
 }
 
 struct PartSource {

@@ -90,6 +90,7 @@ struct PartDraft {
   float friction = 0.3f, elasticity = 0.5f, density = 0.7f;
   ColorRgb color = {163, 162, 165};
   float transparency = 0;
+  std::string_view material;  // as in the record
 
   std::optional<Kill> kill;
   std::optional<Conveyor> conveyor;

@@ -117,6 +117,7 @@ void setPart(schema::Part::Builder to, const PartDraft& part, const Tree& tree) 
   color.setG(part.color.g);
   color.setB(part.color.b);
   to.setTransparency(part.transparency);
+  if (!part.material.empty()) to.setMaterial(std::string(part.material));
   setSource(to.initSource(), part, tree);
   setRoles(to, part);
   auto evidence = to.initEvidence(unsigned(part.evidence.size()));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "import/document.h"
 
@@ -9,5 +10,8 @@ namespace obby::importer {
 
 // By the value of the Material enum; an unknown material counts as Plastic (256).
 PhysicalProperties materialProperties(uint32_t material);
+
+// As the engine calls it ("WoodPlanks"); empty for Plastic, which most parts are made of.
+std::string_view materialName(uint32_t material);
 
 }  // namespace obby::importer

@@ -41,7 +41,9 @@ float within(double value, float low, float high, float fallback) {
 
 void setSurface(const Instance& instance, PartDraft& part) {
   auto physical = get<PhysicalProperties>(instance, "CustomPhysicalProperties");
-  if (!physical.custom) physical = materialProperties(get<EnumItem>(instance, "Material").value);
+  const uint32_t material = get<EnumItem>(instance, "Material").value;
+  if (!physical.custom) physical = materialProperties(material);
+  part.material = materialName(material);
   part.density = within(physical.density, 1e-4f, 100, part.density);
   part.friction = within(physical.friction, 0, 2, part.friction);
   part.elasticity = within(physical.elasticity, 0, 1, part.elasticity);

@@ -1,7 +1,9 @@
 // A level in the page's data: parts as columns, names, hulls, motion.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "view/page_parts.h"
 #include "view/roles.h"
@@ -12,6 +14,27 @@ namespace {
 
 void push(std::vector<float>& out, schema::Vec3::Reader v) {
   out.insert(out.end(), {v.getX(), v.getY(), v.getZ()});
+}
+
+// The names that parts have, the first empty, and for each part where its own is in them.
+void writeMaterials(JsonText& json, schema::Level::Reader level) {
+  constexpr size_t kMost =
+      256;  // what a column's byte can tell; what is beyond it looks like plastic
+  std::vector<std::string_view> names = {""};
+  std::map<std::string_view, uint8_t> places = {{"", 0}};
+  std::vector<uint8_t> column;
+  for (const auto part : level.getParts()) {
+    const std::string_view name = part.getMaterial().cStr();
+    auto place = places.find(name);
+    if (place == places.end() && names.size() < kMost) {
+      place = places.emplace(name, uint8_t(names.size())).first;
+      names.push_back(name);
+    }
+    column.push_back(place == places.end() ? 0 : place->second);
+  }
+  json.key("material").array(column).key("materials").open('[');
+  for (const std::string_view name : names) json.value(name);
+  json.close();
 }
 
 void writeColumns(JsonText& json, schema::Level::Reader level) {
@@ -32,7 +55,9 @@ void writeColumns(JsonText& json, schema::Level::Reader level) {
   json.key("parts").open('{').field("count", level.getParts().size());
   json.key("position").array(position).key("rotation").array(rotation).key("size").array(size);
   json.key("shape").array(shape).key("role").array(rolesOf(level));
-  json.key("look").array(look).key("flags").array(flags).close();
+  json.key("look").array(look).key("flags").array(flags);
+  writeMaterials(json, level);
+  json.close();
 }
 
 void writeNames(JsonText& json, schema::Level::Reader level) {

@@ -66,6 +66,18 @@ TEST(Parts, SurfaceComesFromTheMaterialUnlessThePartHasItsOwn) {
   EXPECT_FLOAT_EQ(scene[odd].friction, 0.3f);
 }
 
+TEST(Parts, MaterialsAreNamedAsTheEngineDoes) {
+  Scene scene;
+  const auto planks = scene.part("Planks"), plain = scene.part("Plain"), odd = scene.part("Odd");
+  scene.set(planks, "Material", EnumItem{528, {}});
+  scene.set(plain, "Material", EnumItem{256, {}});
+  scene.set(odd, "Material", EnumItem{4711, {}});
+  scene.level();
+  EXPECT_EQ(scene[planks].material, "WoodPlanks");
+  EXPECT_EQ(scene[plain].material, "") << "which most are: not worth a word";
+  EXPECT_EQ(scene[odd].material, "");
+}
+
 TEST(Parts, AReflectionIsRepairedAndCounted) {
   Scene scene;
   const auto id = scene.part("Mirror");

@@ -49,6 +49,18 @@ TEST(Page, DataNamesLevelQueryAndTrajectories) {
   EXPECT_THAT(data, Not(HasSubstr("mismatch")));
 }
 
+TEST(Page, MaterialsAreNamedOnceAndNoMoreThanAByteTells) {
+  std::string level = R"({"type":"level","name":"L","parts":[{},{"material":"Wood"})";
+  for (int i = 0; i < 300; ++i) level += R"(,{"material":"M)" + std::to_string(i) + R"("})";
+  auto report = collect({level + R"(,{"material":"Wood"}]})"});
+  ASSERT_TRUE(report) << report.error().text();
+  const std::string data = view::pageData(*report, {});
+  EXPECT_THAT(data, HasSubstr(R"("material":"AAECAwQF)")) << "0, 1, 2, ...";
+  EXPECT_THAT(data, HasSubstr(R"("materials":["","Wood","M0","M1")"));
+  EXPECT_THAT(data, HasSubstr(R"("M253"])")) << "255 names and none";
+  EXPECT_THAT(data, HasSubstr(R"(AAAAAAAAAAB")")) << "plastic beyond, and Wood is found again";
+}
+
 TEST(Page, MismatchIsShown) {
   auto path = walk(kAhead, 200);
   path.root().getTrajectory().setStateHash(1);

@@ -34,6 +34,21 @@ test('lists queries with their verdicts and names as plain text', async ({ page 
   assert.match(await page.locator('.inspector').innerText(), /Glass <\/script><b>/);
 });
 
+test('a part tells its material, and has its grain in the picture', async ({ page }) => {
+  const of = (part) =>
+    page.evaluate((chosen) => {
+      const { store, stage } = window.obby;
+      store.set({ part: chosen });
+      const [{ mesh, at }] = stage.levelView.slots[chosen];
+      return mesh.geometry.attributes.aGrain.getX(at);
+    }, part);
+  const inspector = page.locator('.inspector');
+  assert.equal(await of(0), 0);
+  assert.doesNotMatch(await inspector.innerText(), /Material/);
+  assert.ok((await of(1)) > 0);
+  assert.match(await inspector.innerText(), /Material\s+Wood Planks/);
+});
+
 test('the pointer at rest on a part tells its name, role and reason', async ({ page }) => {
   const at = await page.evaluate(() => {
     const { stage } = window.obby;

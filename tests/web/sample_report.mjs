@@ -120,6 +120,8 @@ const spin = Array.from({ length: 180 }, (_, t) => {
 }).flat();
 const crystal = [-2, -3, -2, 2, -3, -2, 2, -3, 2, -2, -3, 2, 0, 3, 0, -2.4, 0, 0, 2.4, 0, 0];
 
+const materials = [...new Set(['', ...parts.map((p) => p.material)])];
+
 const level = {
   name: 'Sample',
   file: 'sample.rbxlx',
@@ -137,6 +139,8 @@ const level = {
     role: encode(Uint8Array.from(parts, (p) => roles.indexOf(p.role))),
     look: encode(Uint8Array.from(parts.flatMap((p) => [...p.color, p.alpha]))),
     flags: encode(Uint8Array.from(parts, (p) => (p.role === 'ghost' ? 2 : 3))),
+    material: encode(Uint8Array.from(parts, (p) => materials.indexOf(p.material))),
+    materials,
   },
   names: parts.map((p) => `Workspace/Course/${p.name}`),
   notes: {

@@ -104,6 +104,8 @@ export function levelOf(raw) {
     role: bytesOf(parts.role),
     look: bytesOf(parts.look),
     flags: bytesOf(parts.flags),
+    material: bytesOf(parts.material),
+    materials: parts.materials ?? [''],
     tracks: raw.tracks.map((track) => new Track(track)),
     hulls: raw.hulls.map((hull) => ({ part: hull.part, pieces: hull.pieces.map(floats) })),
   };

@@ -13,6 +13,7 @@ import {
 } from 'three';
 import { ROLES, SHAPES } from '../data.js';
 import { ROLE_STYLE } from '../palette.js';
+import { grainOf } from './material_hints.js';
 import { partMaterial, ROLE_PATTERN } from './part_material.js';
 import { hullGeometry, scaleOf, unitGeometry } from './shapes.js';
 
@@ -23,7 +24,7 @@ export class LevelView {
   constructor(level) {
     this.level = level;
     this.group = new Group();
-    this.uniforms = { uTime: { value: 0 }, uPatterns: { value: 1 } };
+    this.uniforms = { uTime: { value: 0 }, uPatterns: { value: 1 }, uGrain: { value: 1 } };
     this.slots = new Array(level.count); // part -> [{mesh, at}]
     this.trackOf = new Map(level.tracks.map((track) => [track.part, track]));
     this.vanishOf = new Map(level.vanish.map((rule) => [rule.part, rule]));
@@ -88,6 +89,7 @@ export class LevelView {
     attribute('aPattern', 1);
     attribute('aAlpha', 1);
     attribute('aGlow', 1);
+    attribute('aGrain', 1);
     attribute('aFlow', 3);
     parts.forEach((part, at) => this.place(mesh, at, part));
     this.group.add(mesh);
@@ -105,6 +107,8 @@ export class LevelView {
     );
     mesh.geometry.attributes.aPattern.setX(at, ROLE_PATTERN[this.roleOf(part)] ?? 0);
     mesh.geometry.attributes.aAlpha.setX(at, this.alphaOf(part));
+    const material = this.level.materials[this.level.material[part] ?? 0];
+    mesh.geometry.attributes.aGrain.setX(at, grainOf(material));
     const flow = this.flowOf.get(part);
     if (flow) {
       const local = new Vector3(...flow).applyQuaternion(turn.clone().invert());
@@ -122,6 +126,7 @@ export class LevelView {
     const color = new Color();
     const own = new Color();
     this.uniforms.uPatterns.value = mode === 'roles' ? 1 : 0.5;
+    this.uniforms.uGrain.value = mode === 'roles' ? 0.5 : 1;
     for (let part = 0; part < this.level.count; part++) {
       const look = this.level.look;
       own.setRGB(look[4 * part] / 255, look[4 * part + 1] / 255, look[4 * part + 2] / 255, 'srgb');

@@ -1,6 +1,7 @@
 // How parts look: soft light, fine edges, and a pattern per role in studs (stripes kill, chevrons carry, rings throw,
 // checks are the goal, dots vanish), so that a role is told without its colour too.
 import { DoubleSide, FrontSide, MeshLambertMaterial } from 'three';
+import { GRAIN_SHADER } from './material_hints.js';
 
 export const PATTERN = { none: 0, stripes: 1, chevrons: 2, rings: 3, checks: 4, dots: 5 };
 export const ROLE_PATTERN = {
@@ -12,23 +13,25 @@ export const ROLE_PATTERN = {
 };
 
 const VERTEX_HEAD = `
-attribute float aPattern; attribute float aAlpha; attribute float aGlow; attribute vec3 aFlow;
+attribute float aPattern; attribute float aAlpha; attribute float aGlow; attribute float aGrain;
+attribute vec3 aFlow;
 varying vec3 vLocal; varying vec3 vHalf; varying vec3 vFace; varying vec3 vFlow;
-varying float vPattern; varying float vAlpha; varying float vGlow;
+varying float vPattern; varying float vAlpha; varying float vGlow; varying float vGrain;
 `;
 const VERTEX_BODY = `
 vec3 partScale = vec3(length(instanceMatrix[0].xyz), length(instanceMatrix[1].xyz), length(instanceMatrix[2].xyz));
 vLocal = position * partScale; vHalf = 0.5 * partScale; vFace = normal; vFlow = aFlow;
-vPattern = aPattern; vAlpha = aAlpha; vGlow = aGlow;
+vPattern = aPattern; vAlpha = aAlpha; vGlow = aGlow; vGrain = aGrain;
 `;
 const FRAGMENT_HEAD = `
 varying vec3 vLocal; varying vec3 vHalf; varying vec3 vFace; varying vec3 vFlow;
-varying float vPattern; varying float vAlpha; varying float vGlow;
-uniform float uTime; uniform float uPatterns;
+varying float vPattern; varying float vAlpha; varying float vGlow; varying float vGrain;
+uniform float uTime; uniform float uPatterns; uniform float uGrain;
 vec2 faceUv(vec3 p) {
   vec3 n = abs(vFace);
   return n.y > n.x && n.y > n.z ? p.xz : n.x > n.z ? p.zy : p.xy;
 }
+${GRAIN_SHADER}
 // 0 to 1 across an edge at 0.5, smooth at any distance, and its mean where it is finer than a pixel.
 float band(float v) {
   float w = fwidth(v);
@@ -61,6 +64,7 @@ float edge() {
 }
 `;
 const FRAGMENT_BODY = `
+diffuseColor.rgb *= 1.0 + uGrain * grain(faceUv(vLocal), faceUv(vHalf));
 float mark = pattern() * uPatterns;
 diffuseColor.rgb = mix(diffuseColor.rgb, vPattern > 3.5 && vPattern < 4.5 ? diffuseColor.rgb * 1.5 + 0.05
   : diffuseColor.rgb * (vPattern < 1.5 ? 0.74 : 0.62), mark);
@@ -76,7 +80,12 @@ diffuseColor.rgb += vGlow * vec3(0.16, 0.16, 0.13);
 diffuseColor.a *= vAlpha;
 `;
 
-// `uniforms` is shared by all materials: uTime in seconds of play, uPatterns 0 or 1.
+const SHINE = `
+if (vGrain > 0.5 && vGrain < 1.5) totalEmissiveRadiance += uGrain * 0.5 * diffuseColor.rgb;
+`;
+
+// `uniforms` is shared by all materials: uTime in seconds of play; uPatterns, of the roles, and uGrain, of what parts are
+// made of, from 0 to 1.
 export function partMaterial(shape, translucent, uniforms) {
   const lattice = shape === 'truss';
   const material = new MeshLambertMaterial({
@@ -101,6 +110,10 @@ export function partMaterial(shape, translucent, uniforms) {
         '#include <color_fragment>',
         `#include <color_fragment>\n${FRAGMENT_BODY}`,
       );
+    shader.fragmentShader = shader.fragmentShader.replace(
+      '#include <emissivemap_fragment>',
+      `#include <emissivemap_fragment>\n${SHINE}`,
+    );
   };
   material.customProgramCacheKey = () => `${lattice} ${'OBBY_EDGES' in material.defines}`;
   return material;

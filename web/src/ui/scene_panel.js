@@ -152,6 +152,8 @@ export class ScenePanel {
     const add = (label, value) =>
       facts.append(el('dt', { text: label }), el('dd', { text: value }));
     add('Role', ROLE_STYLE[role].label);
+    const material = level.materials[level.material[part] ?? 0];
+    if (material) add('Material', material.replace(/(?<=[a-z])(?=[A-Z])/g, ' '));
     add('Size', size);
     add('At', at);
     for (const note of level.notes[part] ?? []) add('Why', note);
