@@ -208,6 +208,17 @@ test('all of that raised no error and no request', async ({ trouble, requests })
   assert.equal(requests.length, 1, requests.join());
 });
 
+test('a level alone has nothing to sort, filter or answer', async ({ browser }) => {
+  const file = options.sample({ ...report, title: 'Level', queries: [] });
+  const { page, trouble } = await openReport(browser, file);
+  const words = await page.locator('#side').innerText();
+  assert.match(words, /Level only/);
+  assert.doesNotMatch(words, /Sort by|Filter|No answer/);
+  assert.ok((await colours(page)).different > 40);
+  assert.deepEqual(trouble, []);
+  await page.context().close();
+});
+
 test('what obby-view writes opens, too', async ({ browser }) => {
   const stream = join(options.out, 'level.jsonl');
   const file = join(options.out, 'level.html');

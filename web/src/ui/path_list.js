@@ -48,6 +48,7 @@ export class PathList {
     const { query } = this.sourceOf();
     this.rows.replaceChildren();
     this.count.textContent = '';
+    this.root.hidden = !query; // a level alone has no ways to sort
     if (!query) return;
     const { order, sort } = this.store.state;
     const all = query.paths.length;

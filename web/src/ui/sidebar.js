@@ -139,6 +139,7 @@ export class Sidebar {
   fillQuery() {
     const query = this.report.queries[this.store.state.query];
     this.detail.replaceChildren();
+    this.detail.hidden = !query;
     if (!query) return;
     const level = this.report.levels[query.level];
     this.detail.append(
