@@ -1,6 +1,6 @@
 // How well calibration finds parameters that nobody told it: of recordings by our own simulator
 // under twelve sets drawn at random, as they are and as recorders spoil them, and of recordings by
-// Bullet, an engine with other rules. A fit takes two to three minutes on two
+// Bullet, an engine with other rules. A fit takes three to five minutes on two
 // cores, so that all cases with twelve sets take hours: name some.
 //   bench_calibrate [--json] [--each] [--from SET] [--sets N] [CASE...]     --each: every parameter
 //   of every set
@@ -64,12 +64,17 @@ struct Tally {
   double seconds = 0;
 };
 
-// A share of the truth. What counts in whole ticks is right if it comes to as many.
+// What an error is a share of: the truth, or the most that was tried where that may be none.
+double sizeOf(const Fitted& f, double truth) {
+  return f.parameter.lowest > 0 ? truth : f.parameter.highest;
+}
+
+// What counts in whole ticks is right if it comes to as many.
 double errorOf(const Fitted& f, double truth) {
   const auto counted = [&](double value) {
     return f.tick > 0 ? std::round(value / f.tick) : value;
   };
-  return std::fabs(counted(f.value) - counted(truth)) / counted(truth);
+  return std::fabs(counted(f.value) - counted(truth)) / counted(sizeOf(f, truth));
 }
 
 bool holds(const Fitted& f, double truth) {
@@ -87,6 +92,8 @@ io::RecordBuilder paramsOf(const calibrate::Fit& fit) {
   params.root().initParams();
   for (const Fitted& f : fit.parameters)
     calibrate::setValue(params.root().getParams(), f.parameter.name, f.value);
+  params.root().getParams().setControlRate(uint16_t(fit.controlRate));
+  params.root().getParams().setSubsteps(uint16_t(fit.substeps));
   return params;
 }
 
@@ -130,7 +137,7 @@ void count(const Trial& trial, const Fitted& f, Tally& tally, bool each) {
   ++of.known;
   tally.outside += !holds(f, truth);
   // By its own interval it is told to a percent, or to the very tick.
-  if (std::max(f.high - f.value, f.value - f.low) > 0.01 * f.value) return;
+  if (std::max(f.high - f.value, f.value - f.low) > 0.01 * sizeOf(f, f.value)) return;
   const double error = errorOf(f, truth);
   ++of.sharp;
   of.near += error <= 0.01;
@@ -153,9 +160,10 @@ void measure(const Trial& trial, bool each, ThreadPool& pool, Tally& tally) {
   const double again = meanMissOf(trial.again, fit);
   const double elsewhere = meanMissOf(trial.elsewhere, fit);
   if (each) {
-    fmt::print(stderr,
-               "{} {} again {:.4f} elsewhere {:.4f} delay {:.4f} loss {:.3g} seconds {:.1f}\n",
-               trial.name, trial.seed, again, elsewhere, fit.delay, fit.loss, seconds);
+    fmt::print(
+        stderr,
+        "{} {} again {:.4f} elsewhere {:.4f} delay {:.4f} rate {} loss {:.3g} seconds {:.1f}\n",
+        trial.name, trial.seed, again, elsewhere, fit.delay, fit.controlRate, fit.loss, seconds);
     for (size_t i = 0; i < trial.again.size(); ++i)
       fmt::print(stderr, "   {} {:.4f} {:.4f}\n", trial.again[i].track.name,
                  meanMissOf({trial.again[i]}, fit), meanMissOf({trial.elsewhere[i]}, fit));
@@ -194,7 +202,7 @@ void measureOurs(const Case& c, uint64_t seed, bool each, ThreadPool& pool, Tall
 std::vector<Take> playedByBullet(const test::BulletGame& game,
                                  const std::vector<calibrate::Manoeuvre>& manoeuvres) {
   io::RecordBuilder plain;
-  calibrate::writeCourse(plain.root().initLevel());
+  test::writeBulletCourse(plain.root().initLevel());
   const auto level = bench::need(level::Level::compile(plain.reader().getLevel()));
   const io::Record record(std::move(plain));
   std::vector<Take> out;

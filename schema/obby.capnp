@@ -429,6 +429,7 @@ struct PhysicsParams {
   climbLowest @48 :Float32 = 0.25 $unit("share of hipHeight") $range((min = 0, max = 1)) $source("L lowest row of the climb sensor: legs that sink into a floor of trusses do not meet the next one");
   climbWill @49 :Float32 = 0.01 $unit("share of the move direction") $range((min = 0, max = 1)) $source("H into the truss or away from it: dot of +-0.01");
   playerFriction @50 :Float32 = 0.3 $unit("friction") $range((min = 0, max = 2)) $source("M Plastic; of one who has fallen down, averaged with the floor's");
+  jumpAccel @51 :Float32 = 0 $unit("studs/s^2") $range((min = 0, max = 5000)) $source("M while Jumping keys do nothing");
 }
 
 # ---------------------------------------------------------------------------------------------- query

@@ -14,6 +14,10 @@ constexpr size_t kValues = 16;  // that are tried
 std::vector<double> refinedWithout(const Objective& objective, std::vector<double> point,
                                    size_t coordinate, int rounds, uint64_t& evaluations) {
   const auto at = std::ptrdiff_t(coordinate);
+  if (coordinate == objective.parameters().size()) {
+    auto found = refined(objective, point, rounds, evaluations, nullptr);
+    return found ? *std::move(found) : point;
+  }
   std::vector<Parameter> others = objective.parameters();
   others.erase(others.begin() + at);
   const Objective less = objective.from(point, std::move(others));
@@ -48,6 +52,18 @@ std::vector<double> sharesAround(double share) {
   for (int i = -kAround; i <= kAround; ++i) {
     const double there = share + i / (kValues * 2.0 * kAround);
     if (there >= 0 && there <= 1) out.push_back(there);
+  }
+  return out;
+}
+
+std::vector<double> delaysAround(const Objective& objective, double share) {
+  constexpr int kAround = 2;
+  const std::vector<double> ticks = objective.delayShares(1 / objective.controlRate());
+  const double tick = ticks[1] - ticks[0];
+  std::vector<double> out;
+  for (int i = -kAround; i <= kAround; ++i) {
+    const double there = share + i * tick;
+    if (i != 0 && there >= 0 && there <= 1) out.push_back(there);
   }
   return out;
 }

@@ -17,12 +17,17 @@ struct Crossing {
 };
 
 // `shares`: the values that are tried, ascending. `rounds`: of Gauss-Newton at each, at most.
-// `point` stays the best where none is better.
+// `point` stays the best where none is better. The coordinate behind the parameters' is the delay:
+// errors hardly have a slope by it within a tick, so that it may be refined with the others.
 Crossing crossingOf(const Objective& objective, const std::vector<double>& point, size_t coordinate,
                     const std::vector<double>& shares, int rounds, ThreadPool& pool);
 
 // All over the bounds; and finer, up to halfway to the next of those.
 std::vector<double> sharesAllOver();
 std::vector<double> sharesAround(double share);
+
+// Delays one and two ticks beside that: a wrong one is made up for by accelerations and jumps, and
+// shows only once these are refined with it.
+std::vector<double> delaysAround(const Objective& objective, double share);
 
 }  // namespace obby::calibrate

@@ -11,14 +11,17 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr double kKnown = 0.1;  // of the value: an interval within this much of it is of use
+// Of the value, or of the upper bound where it may be none: an interval within this much of it is
+// of use.
+constexpr double kKnown = 0.1;
 constexpr int kRounds = 3;      // of refining the others beside what decides an event
 constexpr double kTied = 0.95;  // correlation
 
 // By how wide its interval is: as above, or to one tick.
 Fitted judged(Fitted f) {
   const double half = std::max(f.high - f.value, f.value - f.low);
-  f.known = f.tick > 0 ? f.high - f.low < 1.5 * f.tick : half <= kKnown * f.value;
+  const double size = f.parameter.lowest > 0 ? f.value : f.parameter.highest;
+  f.known = f.tick > 0 ? f.high - f.low < 1.5 * f.tick : half <= kKnown * size;
   return f;
 }
 

@@ -6,6 +6,8 @@
 #include "calibrate/cma_es.h"
 #include "calibrate/crossing.h"
 #include "calibrate/evidence.h"
+#include "calibrate/found.h"
+#include "calibrate/instants.h"
 #include "calibrate/ticks.h"
 
 namespace obby::calibrate {
@@ -19,27 +21,14 @@ constexpr double kResting = 1e-5;          // of a search that goes nowhere any 
 constexpr uint32_t kLooks = 10;            // generations after which the tolerance is looked at
 constexpr int kSlopeRounds = 12;
 constexpr int kEventRounds = 3;
-constexpr int kRounds = 4;        // of refining what has slopes and what counts in ticks
-constexpr int kPasses = 6;        // searches at most, the first with its restarts counted once
-constexpr double kOutside = 4;    // deviations that noise does not explain
-constexpr double kFinest = 0.01;  // studs
-constexpr double kNoLoss = 1e-6;  // studs^2: less than any recorder shows
-constexpr double kUnfit = 1e300;  // loss of what was not tried
-
-// What is found on the way: a value of each parameter, and the delay.
-struct Found {
-  io::RecordBuilder values;
-  double delay = 0;
-
-  schema::PhysicsParams::Reader params() const { return values.reader().getParams(); }
-  std::vector<double> in(const Objective& objective) const {
-    return objective.pointAt(params(), delay);
-  }
-  void take(const Objective& objective, const std::vector<double>& point) {
-    objective.apply(point, values.root().getParams());
-    delay = objective.delayAt(point);
-  }
-};
+constexpr int kDelayRounds = 6;      // accelerations have far to go
+constexpr int kRounds = 4;           // of refining what has slopes and what counts in ticks
+constexpr int kPasses = 6;           // searches at most, the first with its restarts counted once
+constexpr double kOutside = 4;       // deviations that noise does not explain
+constexpr double kFinest = 0.01;     // studs
+constexpr double kNoLoss = 1e-6;     // studs^2: less than any recorder shows
+constexpr double kUnfit = 1e300;     // loss of what was not tried
+constexpr uint32_t kMostRate = 480;  // rules a second: the most that levels admit
 
 // Everything that one fit needs, from its beginning to its end.
 class Fitter {
@@ -65,6 +54,7 @@ class Fitter {
     OBBY_RETURN_IF_ERROR(approach());
     out.stopped = stop_;
     OBBY_RETURN_IF_ERROR(focus());
+    OBBY_RETURN_IF_ERROR(quicken());
     OBBY_RETURN_IF_ERROR(sharpen(settings_.longSeconds));
     if (!stop_) {
       OBBY_RETURN_IF_ERROR(refine(sharp_));
@@ -79,6 +69,8 @@ class Fitter {
     out.evaluations = evaluations_;
     out.loss = lossNow();
     out.delay = found_.delay;
+    out.controlRate = found_.params().getControlRate();
+    out.substeps = found_.params().getSubsteps();
     return out;
   }
 
@@ -123,6 +115,30 @@ class Fitter {
     return {};
   }
 
+  // Some engines run the character's rules in each step of their physics, not once a frame: then
+  // who holds jump leaves at a step. Kept if it comes nearer.
+  Status quicken() {
+    const uint32_t substeps = now_.getSubsteps(), rate = now_.getControlRate() * substeps;
+    if (stop_ || substeps <= 1 || rate > kMostRate || lossNow() < kNoLoss) return {};
+    const double before = lossNow();
+    Found kept{io::RecordBuilder(found_.values.reader()), found_.delay};
+    found_.setRate(rate, 1);
+    begin();
+    OBBY_RETURN_IF_ERROR(sharpen(settings_.objective.windowSeconds));
+    OBBY_RETURN_IF_ERROR(refine(sharp_));
+    OBBY_RETURN_IF_ERROR(cross(sharp_));
+    if (lossNow() < (1 - kGain) * before) return {};
+    found_ = std::move(kept);
+    begin();
+    return {};
+  }
+
+  // Objectives at the rate that is found.
+  void begin() {
+    brief_ = Objective(brief_.takes(), {}, found_.params(), settings_.objective);
+    sharp_ = brief_.of(std::vector<Parameter>());
+  }
+
   // Whoever misses a ledge by the noise in one sample tells nothing of slopes.
   Status sharpen(double windowSeconds) {
     const Objective objective = brief_.of(seen_);
@@ -130,7 +146,7 @@ class Fitter {
     ObjectiveSettings settings = settings_.objective;
     settings.windowSeconds = windowSeconds;
     settings.near = std::clamp(kOutside * noise, kFinest, settings.near);
-    sharp_ = Objective(brief_.takes(), {}, now_, settings);
+    sharp_ = Objective(brief_.takes(), {}, found_.params(), settings);
     return {};
   }
 
@@ -227,6 +243,8 @@ class Fitter {
   // Over the leaps of what decides events, and of pairs of times.
   Status cross(const Objective& plain) {
     const Objective objective = plain.of(seen_);
+    const std::vector<double> delays = delaysAround(objective, found_.in(objective)[seen_.size()]);
+    if (!stop_) crossBy(objective, seen_.size(), delays, kDelayRounds);
     for (size_t i = 0; i < seen_.size() && !stop_; ++i) {
       const Parameter::Kind kind = seen_[i].kind;
       if (kind == Parameter::Kind::smooth) continue;
@@ -284,7 +302,7 @@ class Fitter {
   ThreadPool& pool_;
   const std::atomic<bool>& stop_;
   const std::function<void(uint32_t, uint32_t, double)>& progress_;
-  const Objective brief_;        // of no parameters, and so is the next
+  Objective brief_;              // of no parameters, and so is the next
   Objective sharp_;              // of longer windows
   std::vector<Parameter> seen_;  // those that show
   Found found_;
@@ -298,7 +316,8 @@ Result<Fit> fit(std::span<const Take> takes, std::vector<Parameter> parameters,
                 schema::PhysicsParams::Reader now, const FitSettings& settings, ThreadPool& pool,
                 const std::atomic<bool>& stop,
                 const std::function<void(uint32_t, uint32_t, double)>& progress) {
-  return Fitter(takes, std::move(parameters), now, settings, pool, stop, progress).run();
+  const std::vector<Take> timed = withVelocitiesOfNow(takes);
+  return Fitter(timed, std::move(parameters), now, settings, pool, stop, progress).run();
 }
 
 }  // namespace obby::calibrate

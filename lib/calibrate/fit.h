@@ -31,6 +31,8 @@ struct Fit {
   std::vector<Fitted> parameters;
   std::vector<Tied> tied;
   double delay = 0;  // seconds from an input to what comes of it
+  // As they were, or a run of the rules for every physics step, if that came nearer.
+  uint32_t controlRate = 0, substeps = 0;
   double lossBefore = 0, loss = 0;
   uint64_t evaluations = 0;
   bool stopped = false;  // from outside: it is the best so far

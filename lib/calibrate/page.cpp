@@ -83,9 +83,14 @@ std::string parametersOf(const Fit& fit) {
   for (const Fitted& f : fit.parameters) out += rowOf(f);
   out += fmt::format(
       "<tr><td>delay</td><td class=\"n\">{}</td><td class=\"n faint\">0</td><td>s</td>"
-      "<td></td><td class=\"faint\">from an input to what comes of it</td></tr>\n"
-      "</table></div>\n",
+      "<td></td><td class=\"faint\">from an input to what comes of it</td></tr>\n",
       number(fit.delay));
+  if (fit.controlRate > 0)
+    out += fmt::format(
+        "<tr><td>controlRate</td><td class=\"n\">{}</td><td></td><td>1/s</td><td></td>"
+        "<td class=\"faint\">runs of the rules, with {} physics steps in each</td></tr>\n",
+        fit.controlRate, fit.substeps);
+  out += "</table></div>\n";
   if (fit.tied.empty()) return out;
   out += "<p>Of these pairs the recordings tell a combination only:</p><ul>\n";
   for (const Tied& t : fit.tied)

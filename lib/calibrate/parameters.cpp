@@ -22,6 +22,7 @@ struct Row {
   const char* manoeuvre;
   Parameter::Kind kind = Parameter::Kind::smooth;
   double divisor = factor;  // the lower bound is the value of now by this
+  double most = 0;          // where it may be 0: that and this are the bounds
 };
 
 // What a walking, jumping body shows of itself, each with the manoeuvre that shows it best.
@@ -40,7 +41,8 @@ constexpr Row kRows[] = {
     {"floorKeep", 1.3, "walk off a ledge", Parameter::Kind::event},
     {"floorAcquire", 1.3, "land from a jump", Parameter::Kind::event},
     {"floorRaySpread", 2, "walk off ledges, forward and sideways", Parameter::Kind::event},
-    {"landedTime", 4, "hold jump for several jumps", Parameter::Kind::ticks, 8},
+    // Down to what is none at 240 ticks a second, too.
+    {"landedTime", 4, "hold jump for several jumps", Parameter::Kind::ticks, 30},
     {"coyoteTime", 3, "walk off a ledge and jump at once, later each time", Parameter::Kind::ticks,
      8},
     {"offFloorGrace", 3, "walk off a ledge", Parameter::Kind::ticks, 8},
@@ -50,6 +52,7 @@ constexpr Row kRows[] = {
     {"bodyWidth", 2.5, "run into walls and through gaps", Parameter::Kind::touch},
     {"bodyDepth", 2.5, "run into walls and through gaps", Parameter::Kind::touch},
     {"pushForce", 10, "push a box"},
+    {"jumpAccel", 0, "jump and start running at once", Parameter::Kind::smooth, 1, 500},
 };
 
 std::string unitOf(capnp::StructSchema::Field field) {
@@ -63,10 +66,12 @@ Parameter parameterOf(const Row& row, schema::PhysicsParams::Reader now) {
   const auto field = capnp::Schema::from<schema::PhysicsParams>().getFieldByName(row.name);
   const double value = valueOf(now, row.name);
   const auto range = level::paramRange(row.name);
+  const double lowest = row.most > 0 ? 0 : value / row.divisor;
+  const double highest = row.most > 0 ? std::max(row.most, value) : value * row.factor;
   return {row.name,
           unitOf(field),
-          std::max(value / row.divisor, double(range.getMin())),
-          std::min(value * row.factor, double(range.getMax())),
+          std::max(lowest, double(range.getMin())),
+          std::min(highest, double(range.getMax())),
           row.manoeuvre,
           row.kind};
 }
@@ -76,7 +81,7 @@ Parameter parameterOf(const Row& row, schema::PhysicsParams::Reader now) {
 std::vector<Parameter> parametersAround(schema::PhysicsParams::Reader now) {
   std::vector<Parameter> out;
   for (const Row& row : kRows) {
-    if (valueOf(now, row.name) > 0) out.push_back(parameterOf(row, now));
+    if (row.most > 0 || valueOf(now, row.name) > 0) out.push_back(parameterOf(row, now));
   }
   return out;
 }
@@ -119,11 +124,13 @@ Status setNamed(schema::PhysicsParams::Builder params, const std::string& name, 
 }
 
 double shareOf(const Parameter& p, double value) {
+  if (p.lowest <= 0) return value / p.highest;
   return std::log(value / p.lowest) / std::log(p.highest / p.lowest);
 }
 
 double valueAt(const Parameter& p, double share) {
-  return p.lowest * std::pow(p.highest / p.lowest, std::clamp(share, 0.0, 1.0));
+  const double within = std::clamp(share, 0.0, 1.0);
+  return p.lowest > 0 ? p.lowest * std::pow(p.highest / p.lowest, within) : p.highest * within;
 }
 
 }  // namespace obby::calibrate

@@ -13,7 +13,7 @@ namespace obby::calibrate {
 struct Parameter {
   std::string name;        // of PhysicsParams
   std::string unit;        // of the schema
-  double lowest, highest;  // that are tried
+  double lowest, highest;  // that are tried; from a lowest of 0 on shares are no logarithms
   std::string manoeuvre;   // what to record to learn of it
   enum class Kind {
     smooth,  // errors have a slope by it
@@ -41,7 +41,8 @@ void setValue(schema::PhysicsParams::Builder params, std::string_view name, doub
 // The same of a name and a value that somebody typed. Errors: no such parameter, out of range.
 Status setNamed(schema::PhysicsParams::Builder params, const std::string& name, double value);
 
-// Bounds are to 0 and 1 as logarithms: a parameter's share is what the optimiser sees.
+// A parameter's share is what the optimiser sees: its bounds are 0 and 1, and what is between them
+// goes by logarithms, which 0 has none of.
 double shareOf(const Parameter& parameter, double value);
 double valueAt(const Parameter& parameter, double share);
 

@@ -55,6 +55,9 @@ std::string textOf(const Fit& fit, const std::vector<Outcome>& outcomes, double 
   for (const Fitted& f : fit.parameters) out += lineOf(f);
   out +=
       fmt::format("  {:<15} {:>10.5g}   s from an input to what comes of it\n", "delay", fit.delay);
+  if (fit.controlRate > 0)
+    out += fmt::format("  {:<15} {:>10}   1/s runs of the rules, with {} physics steps in each\n",
+                       "controlRate", fit.controlRate, fit.substeps);
   for (const Tied& t : fit.tied)
     out +=
         fmt::format("  {} and {} cannot be told apart by these recordings (correlation {:.2f})\n",

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibrate/instants.h"
+
 namespace obby::calibrate {
 
 namespace {
@@ -98,8 +100,9 @@ void addUntold(const Take& take, const Fit& fit, schema::PhysicsParams::Reader p
 
 }  // namespace
 
-Result<Shortfall> shortfallOf(std::span<const Take> takes, const Fit& fit,
+Result<Shortfall> shortfallOf(std::span<const Take> recorded, const Fit& fit,
                               schema::PhysicsParams::Reader params, double tolerance) {
+  const std::vector<Take> takes = withVelocitiesOfNow(recorded);
   Shortfall out{noiseOf(takes), endsOf(fit), {}};
   for (const Take& take : takes) {
     OBBY_ASSIGN(const level::Level level, levelWith(take, params));

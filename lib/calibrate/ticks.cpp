@@ -10,6 +10,7 @@ namespace obby::calibrate {
 namespace {
 
 constexpr int kRounds = 3;
+constexpr size_t kForPairs = 150;  // counts in all: pairs of more take too long
 
 uint32_t countAt(const Objective& objective, const std::vector<double>& point, size_t i) {
   return uint32_t(
@@ -74,7 +75,9 @@ struct Choice {
 std::vector<Choice> choicesOf(const std::vector<Profile>& profiles, Tried tried) {
   std::vector<Choice> out;
   const size_t n = profiles.size();
-  const bool pairs = tried == Tried::inPairs && n > 1;
+  size_t counts = 0;
+  for (const Profile& p : profiles) counts += p.shares.size();
+  const bool pairs = tried == Tried::inPairs && n > 1 && counts <= kForPairs;
   for (size_t a = 0; a < n; ++a) {
     for (size_t i = 0; i < profiles[a].shares.size(); ++i) {
       if (!pairs) out.push_back({{a, a}, {i, i}});

@@ -18,7 +18,7 @@ struct Scan {
 };
 
 // Two of these times can hide one another: a jump after the edge takes that neither of two has run
-// out. So the counts can be tried in pairs, which takes a while.
+// out. So the counts can be tried in pairs, which takes a while; of very many they are not.
 enum class Tried { singly, inPairs };
 
 // All other coordinates stay.

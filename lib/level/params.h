@@ -25,7 +25,7 @@ namespace obby {
   X(float, oneWaySlack) X(float, squeezeDepth) X(float, squeezeTime) X(float, seatHeight) \
   X(float, seatCooldown) \
   X(float, climbLowest) X(float, climbWill) X(float, playerMass) X(float, pushForce) X(float, sleepSpeed) X(float, sleepTime) \
-  X(float, playerFriction)
+  X(float, playerFriction) X(float, jumpAccel)
 // clang-format on
 
 struct Params {

@@ -93,13 +93,18 @@ OBBY_DEVICE void integrate(MotionT<F>& m, const level::LevelView& level, F dt) {
   m.velocity.z = clampf<F>(m.velocity.z, -side, side);
 }
 
+// Horizontal acceleration by keys, at most.
+OBBY_DEVICE float mostDrive(const Params& p) {
+  return maxf(maxf(p.groundAccel, p.airAccel), p.jumpAccel);
+}
+
 // Where the body can be during this tick.
 template <class F>
 OBBY_DEVICE BoxT<F> bodyReach(const MotionT<F>& m, const Params& p) {
   const float dt = p.tickSeconds;
   // Speed now, and what gravity and drive can add in a tick. The spring adds more upward only where
   // the floor is above the feet, and then no more than that.
-  const float side = maxf(p.groundAccel, p.airAccel) * dt * dt + p.contactSkin;
+  const float side = mostDrive(p) * dt * dt + p.contactSkin;
   const F lift = select(m.drive.hover, maxf(m.floorY - m.position.y, F(0.0f)), F(0.0f));
   const Vec3T<F> move =
       abs(m.velocity) * F(dt) + Vec3T<F>{side, p.gravity * dt * dt + p.contactSkin, side};
@@ -182,7 +187,7 @@ OBBY_DEVICE F safeTravel(const MotionT<F>& m, const Params& p) {
 template <class F>
 OBBY_DEVICE F substepTravel(const MotionT<F>& m, const Params& p) {
   const F fastest = maxf(maxf(absf(m.velocity.x), absf(m.velocity.z)), absf(m.velocity.y));
-  const float more = maxf(maxf(p.groundAccel, p.airAccel), p.gravity) * p.tickSeconds;
+  const float more = maxf(mostDrive(p), p.gravity) * p.tickSeconds;
   return (fastest + more) * p.substepSeconds;
 }
 

@@ -77,12 +77,14 @@ OBBY_DEVICE DriveT<F> drive(const PlayerT<F>& w, const Params& p, const FloorT<F
   d.hover = standing;
   d.velocity = select(control.walk, directionOf(sinCosOf<F>(control.heading)) * p.walkSpeed, none);
   d.velocity += select(standing, Vec3T<F>{floor.velocity.x, 0, floor.velocity.z}, none);
-  // Where it is too steep the player slides; while jumping, move input is ignored.
-  d.velocity = select(steep | jumping, own, d.velocity);
+  // Where it is too steep the player slides; while jumping, move input is ignored, unless the
+  // engine is known to heed it.
+  const Mask ignored = jumping & (F(p.jumpAccel) <= 0.0f);
+  d.velocity = select(steep | ignored, own, d.velocity);
   d.limit = select(standing, F(p.groundAccel), F(p.airAccel));
   d.limit = select(standing & (floor.friction < p.iceFriction),
                    d.limit * (floor.friction / p.iceFriction), d.limit);
-  d.limit = select(steep | jumping, F(0.0f), d.limit);
+  d.limit = select(steep, F(0.0f), select(jumping, F(p.jumpAccel), d.limit));
   d.slide = select(
       steep, Vec3T<F>{floor.normal.x, 0, floor.normal.z} * (p.gravity * floor.normal.y), none);
   return d;

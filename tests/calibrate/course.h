@@ -17,12 +17,13 @@ inline schema::PhysicsParams::Reader defaults() {
 }
 
 // Others than the defaults: every one that can be fitted, drawn within a share of it, but so that
-// the fit's bounds hold it well.
+// the fit's bounds hold it well. What is none stays so.
 inline io::RecordBuilder drawnParams(uint64_t seed, double spread) {
   io::RecordBuilder out;
   auto params = out.root().initParams();
   Random random(seed, 0x9a3d);
   for (const Parameter& p : parametersAround(defaults())) {
+    if (valueOf(defaults(), p.name) <= 0) continue;
     const double value =
         valueOf(defaults(), p.name) * (1 + spread * (2 * double(random.unit()) - 1));
     setValue(params, p.name, std::clamp(value, valueAt(p, 0.05), valueAt(p, 0.95)));

@@ -101,6 +101,8 @@ TEST(Fit, IntervalsHoldTheTruthUnderNoise) {
     EXPECT_NEAR(f.value, value, 0.05 * value) << f.parameter.name;
   }
   EXPECT_LE(outside, 1) << "of eight intervals of 95 %";
+  EXPECT_EQ(found.controlRate, 60u);
+  EXPECT_EQ(found.substeps, 4u);
 }
 
 // Frames missing and at uneven times, positions off, sixteen directions, and what comes of an input
@@ -117,6 +119,45 @@ TEST(Fit, CopesWithABadRecorder) {
   for (const Fitted& f : found.parameters) {
     const double value = valueOf(truth.reader().getParams(), f.parameter.name);
     EXPECT_NEAR(f.value, value, 0.03 * value) << f.parameter.name;
+  }
+}
+
+// An engine that integrates with the velocity at a step's end says one that is half a step older
+// than the path, here by a quarter of a frame: gravity and jumps do not make up for it.
+TEST(Fit, TakesVelocitiesForAsOldAsTheyAre) {
+  io::RecordBuilder truth;
+  setValue(truth.root().initParams(), "gravity", 180);
+  setValue(truth.root().getParams(), "jumpSpeed", 48);
+  std::vector<Take> takes = takesUnder(truth.reader().getParams(), 0.01f, firstManoeuvres(4));
+  for (Take& take : takes) take.track = test::withLateVelocities(take.track, 0.25f);
+  const Fit found = fitted(takes, {"gravity", "jumpSpeed"});
+  EXPECT_NEAR(found.parameters[0].value, 180, 0.9);
+  EXPECT_NEAR(found.parameters[1].value, 48, 0.24);
+}
+
+// Jumps end between frames there, and who holds jump leaves again at once.
+TEST(Fit, FindsThatTheRulesRunInEachStep) {
+  io::RecordBuilder truth;
+  setValue(truth.root().initParams(), "gravity", 185);
+  setValue(truth.root().getParams(), "controlRate", 240);
+  setValue(truth.root().getParams(), "substeps", 1);
+  const Fit found = fitted(takesUnder(truth.reader().getParams(), 0.01f, firstManoeuvres(4)),
+                           {"gravity", "jumpSpeed"});
+  EXPECT_EQ(found.controlRate, 240u);
+  EXPECT_EQ(found.substeps, 1u);
+  EXPECT_NEAR(found.parameters[0].value, 185, 0.2);
+}
+
+// By default it is none, which has no logarithm.
+TEST(Fit, FindsWhatKeysDoWhileJumping) {
+  for (const double accel : {0.0, 110.0}) {
+    io::RecordBuilder truth;
+    setValue(truth.root().initParams(), "jumpAccel", accel);
+    setValue(truth.root().getParams(), "walkSpeed", 18);
+    const Fit found = fitted(takesUnder(truth.reader().getParams(), 0.01f, firstManoeuvres(4)),
+                             {"walkSpeed", "jumpAccel"});
+    EXPECT_NEAR(found.parameters[1].value, accel, 5);
+    EXPECT_TRUE(found.parameters[1].known);
   }
 }
 

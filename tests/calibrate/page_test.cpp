@@ -19,6 +19,8 @@ Outcome outcome(const std::string& name, float off) {
 
 Fit fitOf() {
   Fit fit;
+  fit.controlRate = 240;
+  fit.substeps = 1;
   const Parameter gravity{"gravity", "studs/s^2", 98.1, 392.4, "jump on the flat"};
   const Parameter slope{"max<Slope>", "rad", 1, 2, "walk up ramps"};
   fit.parameters = {{gravity, 190, 189.5, 190.5, true, 196.2}, {slope, 1.5, 1, 2, false, 1.5}};
@@ -39,6 +41,7 @@ TEST(Page, ShowsParametersAndTheWorstRecordingFirst) {
   EXPECT_NE(page.find("189.5 to 190.5"), std::string::npos);
   EXPECT_NE(page.find("not known; to learn of it: walk up ramps"), std::string::npos);
   EXPECT_NE(page.find("max&lt;Slope&gt;"), std::string::npos);
+  EXPECT_NE(page.find("runs of the rules, with 1 physics steps"), std::string::npos);
   EXPECT_EQ(page.find("<far>"), std::string::npos) << "names are no markup";
   EXPECT_LT(page.find("a &lt;far&gt; one"), page.find("near: "));
   EXPECT_NE(page.find("above the tolerance of 0.1"), std::string::npos);

@@ -43,6 +43,20 @@ TEST(Jump, walking_jump_covers_8_64_studs) {
   EXPECT_NEAR(from - play.world.position.z, 16 * 2 * 53.0f / 196.2f, 0.3f);
 }
 
+// Of one who starts to walk in the tick of the jump: after it, and four ticks later.
+TEST(Jump, keys_do_nothing_while_jumping_unless_the_engine_heeds_them) {
+  for (const float accel : {0.0f, 120.0f}) {
+    const auto level = flatLevel([&](auto p) { p.setJumpAccel(accel); });
+    Play play(level);
+    play.settle().run(walk(kNorth, true), 1);
+    EXPECT_EQ(play.world.state, State::jumping);
+    EXPECT_NEAR(-play.world.velocity.z, accel * kTick, 1e-3f);
+    play.run(walk(kNorth), 4);
+    EXPECT_NE(play.world.state, State::jumping);
+    EXPECT_GT(-play.world.velocity.z, 4);
+  }
+}
+
 TEST(Jump, is_not_possible_in_the_air_without_coyote_time) {
   const auto level = flatLevel();
   Play play(level, {0, 30, 0});

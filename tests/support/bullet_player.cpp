@@ -4,9 +4,12 @@
 #include <BulletDynamics/Character/btKinematicCharacterController.h>
 #include <btBulletDynamicsCommon.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/random.h"
+#include "calibrate/course_level.h"
+#include "io/record.h"
 #include "support/bullet_pose.h"
 
 namespace obby::test {
@@ -64,6 +67,17 @@ class Scene {
   btDiscreteDynamicsWorld world{&dispatcher_, &broadphase_, &solver_, &configuration_};
 };
 
+// What walls have left of the velocity that was asked for, from how far a step went. They take at
+// most what went into them: the controller also pushes whoever has got into a part out of it, all
+// at once, which is no speed, and would throw them back at up to a hundred studs a second.
+btVector3 leftOf(const btVector3& asked, const btVector3& gone) {
+  btVector3 pushed = gone / kStep - asked;
+  pushed.setY(0);
+  if (pushed.length() < SIMD_EPSILON) return asked;
+  const btVector3 normal = pushed.normalized();
+  return asked + normal * std::min(pushed.length(), std::max(-asked.dot(normal), btScalar(0)));
+}
+
 struct Hands {
   btVector3 wanted{0, 0, 0};  // velocity
   bool jump = false;
@@ -101,23 +115,28 @@ class KinematicPlayer : public Player {
   }
 
   void step(const Hands& hands) override {
-    if (hands.jump && controller_->canJump()) controller_->jump();
+    if (hands.jump && stands()) controller_->jump();
+    const bool rises = controller_->getLinearVelocity().y() > 0;
     const btScalar most = (stands() ? game_.groundAccel : game_.airAccel) * kStep;
     btVector3 lacking = hands.wanted - velocity_;
     if (lacking.length() > most) lacking *= most / lacking.length();
-    const btVector3 before = position();
-    controller_->setWalkDirection((velocity_ + lacking) * kStep);
+    // The controller lifts whoever goes down by this, lets them go on, and puts them down again. In
+    // the air that put them into the part above, from where they were thrown half a stud in a step.
+    controller_->setStepHeight(stands() ? game_.stepHeight : 0);
+    const btVector3 before = position(), asked = velocity_ + lacking;
+    controller_->setWalkDirection(asked * kStep);
     scene_.world.stepSimulation(kStep, 0);
-    velocity_ = (position() - before) / kStep;  // what walls have left of it
-    velocity_.setY(0);
+    velocity_ = leftOf(asked, position() - before);
+    bumped_ = rises && controller_->onGround();
   }
   btVector3 position() const override { return ghost_.getWorldTransform().getOrigin(); }
-  bool stands() const override { return controller_->onGround(); }
+  bool stands() const override { return controller_->onGround() && !bumped_; }
 
  private:
   const BulletGame& game_;
   Scene& scene_;
   btCapsuleShape capsule_;
+  bool bumped_ = false;  // their head: the controller takes whoever stops rising for one on a floor
   btPairCachingGhostObject ghost_;
   std::unique_ptr<btKinematicCharacterController> controller_;
   btVector3 velocity_{0, 0, 0};
@@ -175,6 +194,25 @@ BulletGame drawnGame(BulletGame::Body body, uint64_t seed, float spread) {
     *value *= 1 + spread * (2 * random.unit() - 1);
   out.damping = 0.2f * random.unit();
   return out;
+}
+
+void writeBulletCourse(schema::Level::Builder to) {
+  io::RecordBuilder record;
+  const auto course = record.root().initLevel();
+  calibrate::writeCourse(course);
+  std::vector<schema::Part::Reader> blocks;
+  for (const auto part : course.asReader().getParts()) {
+    const bool stands = part.getAnchored() && !part.hasMotion() && !part.hasConveyor();
+    if (stands && part.getShape() == schema::Shape::BLOCK) blocks.push_back(part);
+  }
+  to.setName(course.asReader().getName());
+  to.setSpawns(course.asReader().getSpawns());
+  auto parts = to.initParts(uint32_t(blocks.size()));
+  for (uint32_t i = 0; i < parts.size(); ++i) {
+    parts[i].setName(blocks[i].getName());
+    parts[i].setPosition(blocks[i].getPosition());
+    parts[i].setSize(blocks[i].getSize());
+  }
 }
 
 std::vector<calibrate::Manoeuvre> bulletManoeuvres() {

@@ -24,6 +24,10 @@ struct BulletGame {
 // Others than the defaults above, each drawn within a share of it.
 BulletGame drawnGame(BulletGame::Body body, uint64_t seed, float spread);
 
+// The calibration course as such a game has it: the blocks that stand still, none of them ice. What
+// its player goes through must not be in the level that is fitted.
+void writeBulletCourse(schema::Level::Builder to);
+
 // Manoeuvres of the calibration course that need no more than such a game has: it knows no trusses,
 // no ice, and nothing that moves, and its player climbs no step higher than `stepHeight`, where
 // legs would take them up.

@@ -66,6 +66,15 @@ inline Vec3 roundedTo(Vec3 move, uint32_t directions) {
 
 }  // namespace detail
 
+// Velocities that are older than the positions beside them, by a share of a frame.
+inline calibrate::Track withLateVelocities(const calibrate::Track& track, float share) {
+  calibrate::Track out = track;
+  for (size_t i = 1; i < track.frames.size(); ++i)
+    out.frames[i].velocity =
+        detail::mixed(track.frames[i].velocity, track.frames[i - 1].velocity, share);
+  return out;
+}
+
 // The same recording by a worse recorder.
 inline calibrate::Track spoiled(const calibrate::Track& track, const Faults& faults,
                                 uint64_t seed) {

@@ -114,6 +114,8 @@ Status tell(cli::Context& context, io::Pipeline& pipeline, const calibrate::Fit&
             schema::PhysicsParams::Builder params) {
   for (const calibrate::Fitted& f : fit.parameters)
     calibrate::setValue(params, f.parameter.name, f.value);
+  params.setControlRate(uint16_t(fit.controlRate));
+  params.setSubsteps(uint16_t(fit.substeps));
   io::RecordBuilder record;
   record.root().setParams(params.asReader());
   OBBY_RETURN_IF_ERROR(pipeline.write(record.reader()));

@@ -1,0 +1,30 @@
+// What a fit has found on its way.
+#pragma once
+
+#include <vector>
+
+#include "calibrate/objective.h"
+
+namespace obby::calibrate {
+
+// A value of each parameter, and the delay.
+struct Found {
+  io::RecordBuilder values;
+  double delay = 0;
+
+  schema::PhysicsParams::Reader params() const { return values.reader().getParams(); }
+  std::vector<double> in(const Objective& objective) const {
+    return objective.pointAt(params(), delay);
+  }
+  void take(const Objective& objective, const std::vector<double>& point) {
+    objective.apply(point, values.root().getParams());
+    delay = objective.delayAt(point);
+  }
+  // Runs of the character's rules a second, and physics steps in each.
+  void setRate(uint32_t controlRate, uint32_t substeps) {
+    values.root().getParams().setControlRate(uint16_t(controlRate));
+    values.root().getParams().setSubsteps(uint16_t(substeps));
+  }
+};
+
+}  // namespace obby::calibrate

@@ -1,0 +1,106 @@
+#include "calibrate/instants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace obby::calibrate {
+
+namespace {
+
+constexpr double kSteady = 0.1;   // share by which a steady acceleration may change between frames
+constexpr double kLeast = 0.1;    // studs/s that the velocity must change by
+constexpr double kMost = 0.05;    // seconds: no engine is later
+constexpr double kSure = 4;       // standard errors
+constexpr double kNoTime = 1e-5;  // seconds that no recording tells apart
+constexpr double kDeviation = 1.4826;  // of a normal distribution, beside the middle of its sizes
+
+// Between two frames, along one axis: how far the path is from what the velocities say, and by how
+// much these change. One is the age times the other.
+struct Stride {
+  double off, change;
+  double age() const { return off / change; }
+};
+
+double along(Vec3 v, int axis) { return double(axis == 0 ? v.x : axis == 1 ? v.y : v.z); }
+
+// A second of it, from a frame to the next.
+double slopeAt(const std::vector<Frame>& f, size_t i, int axis) {
+  return (along(f[i + 1].velocity, axis) - along(f[i].velocity, axis)) /
+         (f[i + 1].time - f[i].time);
+}
+
+void addStrides(const std::vector<Frame>& f, int axis, std::vector<Stride>& to) {
+  for (size_t i = 1; i + 2 < f.size(); ++i) {
+    const double slope = slopeAt(f, i, axis), slack = kSteady * std::fabs(slope);
+    if (std::fabs(slopeAt(f, i - 1, axis) - slope) > slack ||
+        std::fabs(slopeAt(f, i + 1, axis) - slope) > slack)
+      continue;
+    const double seconds = f[i + 1].time - f[i].time, change = slope * seconds;
+    if (std::fabs(change) < kLeast) continue;
+    const double sum = along(f[i].velocity + f[i + 1].velocity, axis);
+    const double way = along(f[i + 1].position - f[i].position, axis);
+    to.push_back({way - 0.5 * sum * seconds, change});
+  }
+}
+
+// The one that the weights of those before and after hold in balance.
+double balanceOf(std::vector<Stride>& strides) {
+  std::sort(strides.begin(), strides.end(),
+            [](const Stride& a, const Stride& b) { return a.age() < b.age(); });
+  double all = 0, sum = 0;
+  for (const Stride& s : strides) all += std::fabs(s.change);
+  for (const Stride& s : strides) {
+    sum += std::fabs(s.change);
+    if (2 * sum >= all) return s.age();
+  }
+  return 0;
+}
+
+double standardError(const std::vector<Stride>& strides, double age) {
+  std::vector<double> sizes;
+  double squares = 0;
+  for (const Stride& s : strides) {
+    sizes.push_back(std::fabs(s.off - age * s.change));
+    squares += s.change * s.change;
+  }
+  const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return kDeviation * *middle / std::sqrt(squares);
+}
+
+// The acceleration there. Where it leaps, as in a landing, the steadier side's: the lesser one.
+Vec3 accelerationAt(const std::vector<Frame>& f, size_t i) {
+  const auto at = [&](int axis) {
+    const double before = i > 0 ? slopeAt(f, i - 1, axis) : 0;
+    const double after = i + 1 < f.size() ? slopeAt(f, i, axis) : 0;
+    return float(std::fabs(before) < std::fabs(after) ? before : after);
+  };
+  return {at(0), at(1), at(2)};
+}
+
+}  // namespace
+
+double velocityAgeOf(std::span<const Take> takes) {
+  std::vector<Stride> strides;
+  for (const Take& take : takes) {
+    for (const int axis : {0, 1, 2}) addStrides(take.track.frames, axis, strides);
+  }
+  if (strides.empty()) return 0;
+  const double age = balanceOf(strides);
+  const double least = std::max(kSure * standardError(strides, age), kNoTime);
+  return std::fabs(age) < least ? 0 : std::clamp(age, -kMost, kMost);
+}
+
+std::vector<Take> withVelocitiesOfNow(std::span<const Take> takes) {
+  const float age = float(velocityAgeOf(takes));
+  std::vector<Take> out(takes.begin(), takes.end());
+  if (age == 0) return out;
+  for (size_t i = 0; i < out.size(); ++i) {
+    const std::vector<Frame>& before = takes[i].track.frames;
+    for (size_t k = 0; k < before.size(); ++k)
+      out[i].track.frames[k].velocity += accelerationAt(before, k) * age;
+  }
+  return out;
+}
+
+}  // namespace obby::calibrate
