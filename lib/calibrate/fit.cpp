@@ -8,6 +8,7 @@
 #include "calibrate/evidence.h"
 #include "calibrate/found.h"
 #include "calibrate/instants.h"
+#include "calibrate/noise.h"
 #include "calibrate/ticks.h"
 
 namespace obby::calibrate {
@@ -116,11 +117,14 @@ class Fitter {
   }
 
   // Some engines run the character's rules in each step of their physics, not once a frame: then
-  // who holds jump leaves at a step. Kept if it comes nearer.
+  // who holds jump leaves at a step. Kept if it comes nearer; not tried where noise explains what
+  // is left (it leaves half of its square), since it takes as long as
+  // all that came before.
   Status quicken() {
     const uint32_t substeps = now_.getSubsteps(), rate = now_.getControlRate() * substeps;
-    if (stop_ || substeps <= 1 || rate > kMostRate || lossNow() < kNoLoss) return {};
-    const double before = lossNow();
+    const double before = lossNow(), noise = noiseOf(brief_.takes());
+    if (stop_ || substeps <= 1 || rate > kMostRate || before < std::max(kNoLoss, noise * noise))
+      return {};
     Found kept{io::RecordBuilder(found_.values.reader()), found_.delay};
     found_.setRate(rate, 1);
     begin();
