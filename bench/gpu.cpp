@@ -13,8 +13,8 @@
 #include "common/report.h"
 #include "sim/backend.h"
 #include "sim/host_device.h"
-#include "solve/device_rollouts.h"
 #include "solve/resident/resident_explore.h"
+#include "solve/rollouts/device_rollouts.h"
 #include "support/courses.h"
 
 namespace {

@@ -10,7 +10,7 @@
 #include "sim/simulator.h"
 #include "sim/wide_tick.h"
 #include "solve/go_explore.h"
-#include "solve/rollout.h"
+#include "solve/rollouts/rollout.h"
 #include "support/level_builder.h"
 #include "support/plain_problem.h"
 

@@ -48,7 +48,9 @@ constexpr Option kOptions[] = {
      false},
     {"results", ValueType::file, "FILE", "build/bench/solve.jsonl",
      "log of runs: appended to, and those of this build are not run again", 0, false},
-    {"svg", ValueType::file, "FILE", "", "also draw the success-against-time curve", 0, false},
+    {"svg", ValueType::file, "FILE", "",
+     "also draw the success-against-time curve and, with ge, the thirds of the paper's figure", 0,
+     false},
     {"levels", ValueType::file, "FOLDER", OBBY_SOURCE_DIR "/levels", "the suite", 0, false},
     {"json", ValueType::flag, "", "", "one JSON object a figure instead of a table", 0, false},
 };
@@ -154,7 +156,7 @@ Status report(const cli::Arguments& a, const bench::Results& results) {
   }
   if (a.text("svg").empty()) return {};
   OBBY_ASSIGN(io::Sink picture, io::Sink::open(a.text("svg")));
-  OBBY_RETURN_IF_ERROR(picture.write(bench::curveSvg(results)));
+  OBBY_RETURN_IF_ERROR(picture.write(bench::suiteSvg(results, measures)));
   return picture.close();
 }
 

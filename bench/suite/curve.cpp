@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/chart.h"
@@ -18,10 +19,10 @@ io::ChartCurve curveOf(const Results& results, size_t method) {
     limits.push_back(kFirst * std::pow(results.cap / kFirst, double(i) / kPoints));
   }
   const std::vector<Share> shares = solvedShares(results, method, limits);
-  io::ChartCurve curve{results.methods[method], {}, {}, {}};
+  io::ChartCurve curve{results.methods[method], {}, {}, {}, {}};
   for (size_t i = 0; i < limits.size(); ++i) {
     if (std::isnan(shares[i].value))
-      return {results.methods[method], {}, {}, {}};  // it has no runs
+      return {results.methods[method], {}, {}, {}, {}};  // it has no runs
     curve.points.emplace_back(limits[i], shares[i].value);
     curve.above.emplace_back(limits[i], shares[i].interval.high);
     curve.below.emplace_back(limits[i], shares[i].interval.low);
@@ -29,19 +30,69 @@ io::ChartCurve curveOf(const Results& results, size_t method) {
   return curve;
 }
 
-}  // namespace
+constexpr double kTicks[] = {0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 90};
 
-std::string curveSvg(const Results& results) {
-  io::ChartPlot plot;
-  plot.x = {"seconds to the first solution", kFirst, results.cap, true, {}};
-  for (const double tick : {0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 90.0}) {
-    if (tick <= results.cap * 1.001) plot.x.ticks.emplace_back(tick, fmt::format("{:g}", tick));
+io::ChartAxis secondsAxis(std::string title, double from, double to) {
+  io::ChartAxis axis{std::move(title), from, to, true, {}};
+  for (const double tick : kTicks) {
+    if (tick >= from && tick <= to * 1.001)
+      axis.ticks.emplace_back(tick, fmt::format("{:g}", tick));
   }
+  return axis;
+}
+
+io::ChartPlot solvedPlot(const Results& results) {
+  io::ChartPlot plot;
+  plot.x = secondsAxis("seconds to the first solution", kFirst, results.cap);
   plot.y = {"runs of solvable queries that are solved", 0, 1, false, {}};
   for (int percent = 0; percent <= 100; percent += 20)
     plot.y.ticks.emplace_back(percent / 100.0, fmt::format("{} %", percent));
   for (size_t m = 0; m < results.methods.size(); ++m) plot.curves.push_back(curveOf(results, m));
-  return io::chartSvg({plot});
+  return plot;
+}
+
+double valueOf(const std::vector<Measure>& measures, const std::string& method,
+               const std::string& metric) {
+  for (const Measure& m : measures) {
+    if (m.method == method && m.metric == metric) return m.value;
+  }
+  return std::nan("");
+}
+
+io::ChartPlot thirdsPlot(const Results& results, const std::vector<Measure>& measures) {
+  constexpr double kFoot = 0.01, kGroup = 0.8;  // seconds; of a third's width
+  const char* const thirds[] = {"Short", "Medium", "Long"};
+  io::ChartPlot plot;
+  plot.x = {"queries by the time that ge takes", -0.5, 2.5, false, {}};
+  plot.y = secondsAxis("mean seconds to the first solution, and quartiles", kFoot, results.cap);
+  const double width = kGroup / double(results.methods.size());
+  for (int t = 0; t < 3; ++t) plot.x.ticks.emplace_back(t, thirds[t]);
+  for (size_t m = 0; m < results.methods.size(); ++m) {
+    io::ChartCurve& bars = plot.curves.emplace_back();
+    bars.name = results.methods[m];
+    for (int t = 0; t < 3; ++t) {
+      const auto read = [&](const char* what) {
+        const std::string metric = fmt::format("ge{}{}Seconds", thirds[t], what);
+        return std::clamp(valueOf(measures, bars.name, metric), kFoot, results.cap);
+      };
+      const double from = t - kGroup / 2 + width * double(m);
+      const double mean = read("Mean");
+      if (std::isnan(mean)) continue;  // it has no runs
+      bars.bars.push_back(
+          {from, from + 0.9 * width, mean, read("LowerQuartile"), read("UpperQuartile")});
+    }
+  }
+  return plot;
+}
+
+}  // namespace
+
+std::string suiteSvg(const Results& results, const std::vector<Measure>& measures) {
+  std::vector<io::ChartPlot> plots = {solvedPlot(results)};
+  const auto& methods = results.methods;
+  if (std::find(methods.begin(), methods.end(), "ge") != methods.end())
+    plots.push_back(thirdsPlot(results, measures));
+  return io::chartSvg(plots);
 }
 
 }  // namespace obby::bench

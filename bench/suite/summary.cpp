@@ -109,9 +109,13 @@ class Summary {
     return [cap = cap_](const Timing& run) { return par2(run, cap); };
   }
 
-  void addTimes(const Sample& s) {
-    addWithInterval("par2Seconds", "s", s.size(),
+  void addPar2(const char* metric, const Sample& s) {
+    addWithInterval(metric, "s", s.size(),
                     [&](const Picks& picks) { return s.mean(picks, penalised()); });
+  }
+
+  void addTimes(const Sample& s) {
+    addPar2("par2Seconds", s);
     addWithInterval("medianSeconds", "s", s.size(),
                     [&](const Picks& picks) { return quantile(s.values(picks, capped()), 0.5); });
     addMeanAndQuartiles("mean", "lowerQuartile", "upperQuartile", s);
@@ -162,6 +166,8 @@ class Summary {
       addMeanAndQuartiles(name + "Mean", name + "LowerQuartile", name + "UpperQuartile",
                           Sample(results_, method_, [&](size_t q) { return third[q] == t; }));
     }
+    addPar2("geLongPar2Seconds",
+            Sample(results_, method_, [&](size_t q) { return third[q] == 2; }));
   }
 
   void addThirdsByEffort() {
@@ -175,6 +181,7 @@ class Summary {
     }
     const Sample hard(results_, method_, [&](size_t q) { return third[q] == 2; });
     const auto solved = [&](const Timing& run) { return par2(run, cap_) <= cap_ ? 1.0 : 0.0; };
+    addPar2("hardThirdPar2Seconds", hard);
     add("hardThirdSolvedShare", hard.mean(hard.all(), solved), "");
   }
 

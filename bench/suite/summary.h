@@ -41,8 +41,10 @@ struct Measure {
 //   meanSeconds, lowerQuartileSeconds, upperQuartileSeconds   unsolved = cap, as the paper has it
 //   medianSteps, medianRounds     simulated ticks and generations, solved or not
 //   ge{Short,Medium,Long}MeanSeconds, ...LowerQuartile, ...UpperQuartile   of the thirds of the
-//                                 queries by ge's own mean time, as the paper has it
-//   {easy,middle,hard}ThirdMeanSeconds, hardThirdSolvedShare   of the thirds by effort (effort.h)
+//                                 queries by ge's own mean time, as the paper has it;
+//                                 geLongPar2Seconds with an interval
+//   {easy,middle,hard}ThirdMeanSeconds, hardThirdPar2Seconds, hardThirdSolvedShare   of the thirds
+//                                 by effort (effort.h)
 //   par2RatioToGe                 par2Seconds of ge by that of the method, over the queries that
 //                                 both were asked: 5 is five times better than ge
 //   falseVerdicts                 solved where the suite says that there is no solution, and

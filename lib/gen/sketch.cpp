@@ -188,8 +188,10 @@ PartSketch& Sketch::deadly(PartSketch& part) {
 
 // ------------------------------------------------------------------------------------ the frame
 
-Stop Sketch::stop(uint32_t part, Vec3 feet, float width, float length) const {
-  return {part, feet, {width, kRoom, length}, heading_};
+// On the floor that ends at the edge.
+void Sketch::stop(uint32_t part, float length, Vec3 room) {
+  via({0, 0, -length / 2});
+  stops_.push_back({part, line_.back(), room, heading_});
 }
 
 void Sketch::start() {
@@ -198,7 +200,7 @@ void Sketch::start() {
   PartSketch& p = floor("Start", kSize, kSize);
   p.name = "Start";
   p.color = colors::kStart;
-  stops_.push_back(stop(0, at({0, 0, -kSize / 2}), kSize, kSize));
+  stop(0, kSize, {kSize, kRoom, kSize});
 }
 
 void Sketch::begin(float difficulty) { difficulty_ = clampf(difficulty, 0.0f, 1.0f); }
@@ -218,7 +220,7 @@ void Sketch::rest(bool last, bool mayTurn) {
   if (last) p.name = "Goal";
   if (!last) p.checkpoint = int32_t(stops_.size());
   const float room = turns ? size * kHalfRoot : size;
-  stops_.push_back(stop(uint32_t(parts_.size()) - 1, at({0, 0, -size / 2}), room, room));
+  stop(uint32_t(parts_.size()) - 1, size, {room, kRoom, room});
   if (turns) bend(size);
 }
 

@@ -83,6 +83,9 @@ class Sketch {
   Vec3 direction(Vec3 local) const;  // right, up, forward as a vector of the world
   Turns heading() const { return heading_; }
   Quat facing() const;
+  // Where a player passes between two stops, for those who are to learn: the way is no straight
+  // line.
+  void via(Vec3 from) { line_.push_back(at(from)); }
   // For the limits of the query.
   void expectJumps(uint32_t jumps) { jumps_ += jumps; }
   void expectWait(float seconds) { waits_ += seconds; }
@@ -98,6 +101,8 @@ class Sketch {
   const Reach& reach() const { return *reach_; }
   const std::vector<PartSketch>& parts() const { return parts_; }
   const std::vector<Stop>& stops() const { return stops_; }  // the start first, the goal last
+  // From the start to the goal, through all stops and what lies between.
+  const std::vector<Vec3>& line() const { return line_; }
   int crossings() const { return crossings_; }
   const std::string& plantedWhat() const { return plantedWhat_; }
   float fastest() const { return fastest_; }
@@ -114,7 +119,7 @@ class Sketch {
   std::string numbered(const char* name);
   float share(float spread);
   float beyond();
-  Stop stop(uint32_t part, Vec3 feet, float width, float length) const;
+  void stop(uint32_t part, float length, Vec3 room);
 
   struct Numbered {
     const char* name;
@@ -134,6 +139,7 @@ class Sketch {
   uint32_t shades_ = 0;
   std::vector<PartSketch> parts_;
   std::vector<Stop> stops_;
+  std::vector<Vec3> line_;
   std::vector<Numbered> names_;
   int crossings_ = 0;
   std::string plantedWhat_;

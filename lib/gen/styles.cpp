@@ -32,6 +32,8 @@ const std::vector<Style>& styles() {
       {"push-block", "a block to push to a wall that is too high", buildPushBlock, false, true},
       {"fork", "several routes side by side", buildFork, false, false, true},
       {"decoy", "a road to nowhere, and the way round", buildDecoy, false, true, true},
+      {"zigzag", "stones to this side and that, up and down", buildZigzag},
+      {"spiral", "ledges that wind up a core", buildSpiral, false, false, true},
       {"course", "several of the others in a row, ever harder", nullptr, true},
   };
   return table;

@@ -45,15 +45,16 @@ std::string line(double x1, double y1, double x2, double y2, const std::string& 
       y2, kind);
 }
 
-// One plot whose upper edge lies at `top`, with colours from `first` on.
+// One plot whose upper edge lies at `top`. The place of a curve's name in `names` is its colour's.
 class Drawing {
  public:
-  Drawing(const ChartPlot& plot, double top, size_t first)
-      : plot_(plot), top_(top), first_(first) {}
+  Drawing(const ChartPlot& plot, double top, const std::vector<std::string>& names)
+      : plot_(plot), top_(top), names_(names) {}
 
   std::string svg() const {
     std::string text = axes();
-    for (size_t i = 0; i < plot_.curves.size(); ++i) text += curve(plot_.curves[i], colorOf(i));
+    for (size_t i = 0; i < plot_.curves.size(); ++i)
+      text += bars(plot_.curves[i], colorOf(i)) + curve(plot_.curves[i], colorOf(i));
     return text + legend();
   }
 
@@ -83,7 +84,25 @@ class Drawing {
     return text;
   }
 
-  size_t colorOf(size_t curve) const { return (first_ + curve) % std::size(kColors); }
+  size_t colorOf(size_t curve) const {
+    const auto found = std::find(names_.begin(), names_.end(), plot_.curves[curve].name);
+    return size_t(found - names_.begin()) % std::size(kColors);
+  }
+
+  std::string bars(const ChartCurve& c, size_t color) const {
+    std::string text;
+    for (const ChartBar& b : c.bars) {
+      const double left = x(b.from), right = x(b.to), middle = (left + right) / 2;
+      text += fmt::format(
+          "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" class=\"f{}\" "
+          "fill-opacity=\"0.55\"/>\n",
+          left, y(b.value), right - left, top_ + plot_.height - y(b.value), color);
+      text += line(middle, y(b.low), middle, y(b.high), "axis");
+      for (const double end : {b.low, b.high})
+        text += line(middle - 4, y(end), middle + 4, y(end), "axis");
+    }
+    return text;
+  }
 
   std::string curve(const ChartCurve& c, size_t color) const {
     if (c.points.empty()) return {};
@@ -108,8 +127,19 @@ class Drawing {
 
   const ChartPlot& plot_;
   double top_;
-  size_t first_;
+  const std::vector<std::string>& names_;
 };
+
+// Of all curves, each once.
+std::vector<std::string> namesOf(const std::vector<ChartPlot>& plots) {
+  std::vector<std::string> names;
+  for (const ChartPlot& plot : plots) {
+    for (const ChartCurve& c : plot.curves) {
+      if (std::find(names.begin(), names.end(), c.name) == names.end()) names.push_back(c.name);
+    }
+  }
+  return names;
+}
 
 std::string spoken(double value, const std::string& unit) {
   const double size = std::abs(value);
@@ -142,12 +172,12 @@ ChartAxis roundAxis(std::string title, double from, double to, bool outward, dou
 std::string chartSvg(const std::vector<ChartPlot>& plots) {
   std::string body;
   double top = kTop;
-  size_t longest = 0, color = 0;
+  size_t longest = 0;
+  const std::vector<std::string> names = namesOf(plots);
+  for (const std::string& name : names) longest = std::max(longest, name.size());
   for (const ChartPlot& plot : plots) {
-    body += Drawing(plot, top, color).svg();
-    color += plot.curves.size();
+    body += Drawing(plot, top, names).svg();
     top += plot.height + kBetween;
-    for (const ChartCurve& c : plot.curves) longest = std::max(longest, c.name.size());
   }
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:g}\" height=\"{1:g}\" "

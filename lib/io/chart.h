@@ -17,10 +17,17 @@ struct ChartAxis {
 
 using ChartPoints = std::vector<std::pair<double, double>>;
 
+// From the foot of the plot up to a value, with a whisker.
+struct ChartBar {
+  double from, to;  // along x
+  double value, low, high;
+};
+
 struct ChartCurve {
   std::string name;
   ChartPoints points;
-  ChartPoints above, below;  // of a band around it; may be empty
+  ChartPoints above, below;    // of a band around it; may be empty
+  std::vector<ChartBar> bars;  // instead of points, or beside them
 };
 
 struct ChartPlot {
@@ -35,7 +42,8 @@ struct ChartPlot {
 ChartAxis roundAxis(std::string title, double from, double to, bool outward, double scale = 1,
                     const std::string& unit = "");
 
-// Colours are given in order, from the first curve of the first plot to the last of the last.
+// Colours are given in order, from the first curve of the first plot to the last of the last;
+// curves of one name have one colour.
 std::string chartSvg(const std::vector<ChartPlot>& plots);
 
 }  // namespace obby::io

@@ -1,8 +1,8 @@
 #include "solve/ablations.h"
 
-#include "solve/choose_beam.h"
-#include "solve/choose_mixed.h"
-#include "solve/choose_policy.h"
+#include "solve/choosers/choose_beam.h"
+#include "solve/choosers/choose_mixed.h"
+#include "solve/choosers/choose_policy.h"
 #include "solve/go_explore_method.h"
 
 namespace obby::solve {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "solve/archive.h"
-#include "solve/explore_setup.h"
+#include "solve/archive/archive.h"
+#include "solve/rollouts/explore_setup.h"
 #include "solve/search.h"
 
 namespace obby::solve {

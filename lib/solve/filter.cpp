@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "level/resolve_places.h"
-#include "solve/verifier.h"
+#include "solve/verify/verifier.h"
 
 namespace obby::solve {
 

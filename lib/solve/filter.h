@@ -13,8 +13,8 @@
 #include "io/physics.h"
 #include "io/pipeline.h"
 #include "policy/policy_file.h"
-#include "solve/build_query.h"
-#include "solve/pass_filter.h"
+#include "solve/answers/pass_filter.h"
+#include "solve/query/build_query.h"
 #include "solve/query_solver.h"
 
 namespace obby::solve {

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "solve/archive_search.h"
-#include "solve/chooser.h"
-#include "solve/device_rollouts.h"
+#include "solve/choosers/chooser.h"
+#include "solve/choosers/selection.h"
 #include "solve/machine.h"
-#include "solve/rollout_group.h"
-#include "solve/selection.h"
+#include "solve/rollouts/device_rollouts.h"
+#include "solve/rollouts/rollout_group.h"
 
 namespace obby::solve {
 

@@ -1,7 +1,7 @@
 // The ways of an earlier answer, tried before the first round: what still works is found at once,
 // and the states along the rest are kept like those of any rollout.
 #include "solve/go_explore.h"
-#include "solve/known_way.h"
+#include "solve/rollouts/known_way.h"
 
 namespace obby::solve {
 

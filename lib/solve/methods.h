@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "solve/answers/solutions.h"
+#include "solve/archive/thoroughness.h"
 #include "solve/machine.h"
-#include "solve/problem.h"
+#include "solve/proof/unreachable.h"
+#include "solve/query/problem.h"
 #include "solve/search.h"
-#include "solve/solutions.h"
-#include "solve/thoroughness.h"
-#include "solve/unreachable.h"
 
 namespace obby::solve {
 

@@ -4,10 +4,10 @@
 #include <chrono>
 #include <optional>
 
-#include "solve/answer_records.h"
+#include "solve/answers/answer_records.h"
+#include "solve/archive/heat_map.h"
 #include "solve/difficulty/difficulty_records.h"
-#include "solve/heat_map.h"
-#include "solve/posed_query.h"
+#include "solve/query/posed_query.h"
 #include "solve/relaxation/explain.h"
 
 namespace obby::solve {

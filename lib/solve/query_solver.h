@@ -7,7 +7,7 @@
 
 #include "io/record.h"
 #include "level/level.h"
-#include "solve/earlier_answers.h"
+#include "solve/answers/earlier_answers.h"
 #include "solve/methods.h"
 
 namespace obby::solve {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/result.h"
-#include "solve/attempts.h"
-#include "solve/playthrough.h"
-#include "solve/trail.h"
+#include "solve/answers/playthrough.h"
+#include "solve/rollouts/attempts.h"
+#include "solve/rollouts/trail.h"
 
 namespace obby::solve {
 

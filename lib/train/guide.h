@@ -12,8 +12,9 @@ class Guide {
  public:
   explicit Guide(std::vector<Vec3> places);  // at least two
 
-  float left(Vec3 from) const { return view().left(from); }  // as GuideView
-  float studs() const { return behind_.front(); }            // of the whole way
+  // As GuideView.
+  float left(Vec3 position, float from = 0) const { return view().left(position, from); }
+  float studs() const { return view().studs(); }
 
   // Valid while this object lives and stays where it is.
   GuideView view() const { return {places_.data(), behind_.data(), uint32_t(places_.size())}; }

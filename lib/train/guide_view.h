@@ -19,12 +19,16 @@ struct GuideView {
   const float* behind = nullptr;  // (count), studs from each place to the end
   uint32_t count = 0;
 
+  OBBY_DEVICE float studs() const { return behind[0]; }  // of the whole way
+
   // Studs to the end: thrice those to the line, then along it. The least over all of the line, so
-  // that short cuts count, once they come near to it again.
-  OBBY_DEVICE float left(Vec3 from) const {
+  // that short cuts count, once they come near to it again; but for what begins with less than
+  // `from` studs left: where a way winds up a tower, the next round is overhead, not near.
+  OBBY_DEVICE float left(Vec3 position, float from = 0) const {
     float least = 1e30f;
     for (uint32_t i = 0; i + 1 < count; ++i) {
-      const Vec3 along = places[i + 1] - places[i], to = from - places[i];
+      if (i > 0 && behind[i] < from) break;
+      const Vec3 along = places[i + 1] - places[i], to = position - places[i];
       const float squared = dot(along, along);
       const float share = squared > 0 ? clampf(dot(to, along) / squared, 0.0f, 1.0f) : 0;
       const float off = length(to - along * share);

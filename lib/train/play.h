@@ -10,6 +10,7 @@
 namespace obby::train {
 
 constexpr uint32_t kMostReached = 16;    // states to begin from that a level keeps
+constexpr float kNear = 24;              // studs of the way at a time that a playthrough can get on
 constexpr uint32_t kRememberEvery = 64;  // about one state in so many decisions
 
 // What is worth how much.
@@ -18,6 +19,7 @@ struct RewardSettings {
   float goal = 5;
   float death = -1;         // and anything else that ends a playthrough
   float decision = -0.01f;  // time passes
+  float jump = -0.05f;      // each that is made
 };
 
 // One world that learns.
@@ -27,6 +29,7 @@ struct Player {
   float least = 0;     // studs of the way left, the least in this playthrough
   uint32_t ticks = 0;  // of this playthrough
   bool fromStart = true;
+  uint32_t jumps = 0;  // of the world, that have been judged
 };
 
 // A level to learn on, as its worlds read it. Plain spans, for device code.
@@ -93,11 +96,13 @@ OBBY_DEVICE bool hasEnded(const Player& p) { return p.world.outcome != sim::Outc
 OBBY_DEVICE Step judge(const TrainingView& on, const RewardSettings& worth, Player& p) {
   Step step;
   step.reward = worth.decision;
-  const float left = on.guide.left(p.world.position);
+  const float left = on.guide.left(p.world.position, p.least - kNear);
   if (left < p.least) {
     step.reward += worth.stud * (p.least - left);
     p.least = left;
   }
+  step.reward += worth.jump * float(p.world.jumps - p.jumps);
+  p.jumps = p.world.jumps;
   p.ticks += policy::kDecisionTicks;
   step.ended = hasEnded(p);
   if (step.ended) step.reward += p.world.outcome == sim::Outcome::goal ? worth.goal : worth.death;
@@ -112,8 +117,10 @@ OBBY_DEVICE void restart(const PlaceView& place, uint32_t player, float restartS
   const bool elsewhere = reached != 0 && random.unit() < restartShare;
   p.world = elsewhere ? place.reached[random.below(reached)] : place.on->start;
   p.fromStart = !elsewhere;
-  p.least = place.on->guide.left(p.world.position);
+  const GuideView& guide = place.on->guide;
+  p.least = guide.left(p.world.position, elsewhere ? 0 : guide.studs() - kNear);
   p.ticks = 0;
+  p.jumps = p.world.jumps;
   sim::LooseBody* const loose = place.looseOf(player);
   for (uint32_t b = 0; b < place.on->level.looseCount; ++b) loose[b] = place.on->startLoose[b];
 }

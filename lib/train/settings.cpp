@@ -21,6 +21,7 @@ std::vector<Setting> settingsOf(const TrainerSettings& s) {
   add("reward of the goal", s.crowd.reward.goal);
   add("reward of a death", s.crowd.reward.death);
   add("reward of a decision", s.crowd.reward.decision);
+  add("reward of a jump", s.crowd.reward.jump);
   add("ticks", s.ticks);
   add("clip", s.ppo.loss.clip);
   add("value share", s.ppo.loss.valueShare);

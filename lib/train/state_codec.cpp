@@ -102,7 +102,7 @@ Status readPlace(schema::SavedPlace::Reader from, PlaceState& out) {
       fromStart.size() != worlds.size())
     return makeError("lists of a place's players that differ in length");
   for (uint32_t i = 0; i < worlds.size(); ++i)
-    out.players.push_back({worlds[i], 0, least[i], ticks[i], fromStart[i]});
+    out.players.push_back({worlds[i], 0, least[i], ticks[i], fromStart[i], worlds[i].jumps});
   return {};
 }
 

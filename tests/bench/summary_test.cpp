@@ -81,6 +81,28 @@ TEST(Summary, ThirdsByGeAreOfGesTime) {
   EXPECT_DOUBLE_EQ(figure(r, "auto", "geLongMeanSeconds"), 3);
 }
 
+TEST(Summary, TheLastThirdsPenaliseWhatIsNotSolved) {
+  const Results r = example();
+  EXPECT_DOUBLE_EQ(figure(r, "ge", "hardThirdPar2Seconds"), 20);
+  EXPECT_DOUBLE_EQ(figure(r, "ge", "geLongPar2Seconds"), 20);
+  EXPECT_DOUBLE_EQ(figure(r, "auto", "geLongPar2Seconds"), 3);
+}
+
+TEST(Summary, ThePictureHasABarForEachMethodAndThird) {
+  const auto bars = [](const Results& r) {
+    const std::string svg = suiteSvg(r, summarise(r));
+    size_t count = 0;
+    for (size_t at = 0; (at = svg.find("<rect x=", at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  Results r = example();
+  EXPECT_EQ(bars(r), 6u);
+  for (auto& runs : r.runs[0]) runs.clear();
+  EXPECT_EQ(bars(r), 3u) << "no bars for what has no runs";
+  r.methods = {"auto", "beam"};
+  EXPECT_EQ(bars(r), 0u) << "thirds are by ge";
+}
+
 TEST(Summary, EveryQueryWeighsTheSameHoweverManySeeds) {
   Results r = example();
   r.runs[0][0] = {ran("solved", 1), ran("solved", 1), ran("solved", 1)};
@@ -101,7 +123,7 @@ TEST(Summary, AMethodWithoutRunsHasNoFigures) {
   for (auto& runs : r.runs[1]) runs.clear();
   EXPECT_TRUE(std::isnan(figure(r, "ge", "par2Seconds")));
   EXPECT_NE(tableText(r.methods, summarise(r)).find("par2Seconds"), std::string::npos);
-  EXPECT_NE(curveSvg(r).find("</svg>"), std::string::npos);
+  EXPECT_NE(suiteSvg(r, summarise(r)).find("</svg>"), std::string::npos);
 }
 
 TEST(Summary, SlowestQueriesComeFirst) {

@@ -80,11 +80,13 @@ TEST_P(Places, ComeBackFromTheImporterAsTheyWere) {
     place.add(generator.generate(1, i));
     const auto back = importer::importPlace(place.finish(), "made.rbxlx", {});
     ASSERT_TRUE(back) << back.error().text();
-    // Buttons are not among what the importer models.
-    EXPECT_TRUE(back->warnings.empty() || GetParam() == "button") << back->warnings.front();
     const Made made = makeRecords(generator, 1, i);
     const auto level = back->level.reader().getLevel();
     const Parts before = partsOf(made.level.reader().getLevel()), after = partsOf(level);
+    // Buttons are not among what the importer models.
+    const bool pressed = std::any_of(before.begin(), before.end(),
+                                     [](const auto& named) { return named.second.hasButton(); });
+    EXPECT_EQ(back->warnings.empty(), !pressed);
     ASSERT_EQ(before.size(), after.size());
     for (const auto& [name, part] : before) {
       ASSERT_TRUE(after.count(name)) << name;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gen/made.h"
+#include "policy/shipped_policy.h"
 #include "solve/query_solver.h"
 
 namespace obby::test {
@@ -20,6 +21,7 @@ Verdict verdictOf(const Made& made, uint64_t steps) {
   EXPECT_TRUE(level) << level.error().text();
   solve::SolverOptions options;
   options.method = solve::findMethod("auto");
+  options.policy = &policy::shippedPolicy().network;
   options.progressRecords = false;
   options.budget.maxSteps = steps;
   options.budget.attempts = 0;

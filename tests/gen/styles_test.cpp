@@ -3,6 +3,7 @@
 //   OBBY_WRITE_GOLDEN=1 test_gen && git diff tests/gen
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <set>
@@ -85,6 +86,23 @@ TEST_P(Styles, LevelsBeginAtTheStartAndEndAtTheGoal) {
   }
 }
 
+// Who learns is led along it.
+TEST_P(Styles, TheLineGoesFromTheStartThroughAllStopsToTheGoal) {
+  const gen::Generator generator = generatorOf(recipeFor(GetParam(), 0.5f));
+  for (uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const gen::Generated made = generator.generate(seed, 0);
+    const std::vector<Vec3>& line = made.sketch.line();
+    ASSERT_GE(line.size(), 2u);
+    EXPECT_EQ(line.front(), made.sketch.stops().front().feet);
+    EXPECT_EQ(line.back(), made.sketch.stops().back().feet);
+    size_t next = 0;
+    for (const gen::Stop& stop : made.sketch.stops()) {
+      while (next < line.size() && !(line[next] == stop.feet)) ++next;
+      EXPECT_LT(next, line.size()) << "a stop beside the line";
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Styles, ::testing::ValuesIn(styleNames()), testName);
 
 TEST(StyleTable, NamesAndDescriptionsAreThereOnce) {
@@ -114,6 +132,22 @@ TEST(Measures, GapsAndRisesGrowWithTheDifficulty) {
     }
     EXPECT_LT(gap, generator.reach().gap(0));
     EXPECT_LT(rise, generator.reach().rise());
+  }
+}
+
+// A straight line would lead through the core.
+TEST(Spiral, TheLineKeepsRoundTheCore) {
+  const gen::Generator generator = generatorOf(recipeFor("spiral", 0.5f));
+  for (uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const gen::Generated made = generator.generate(seed, 0);
+    const auto& parts = made.sketch.parts();
+    const auto core = std::find_if(parts.begin(), parts.end(),
+                                   [](const auto& p) { return p.name.rfind("Core", 0) == 0; });
+    ASSERT_NE(core, parts.end());
+    for (const Vec3& at : made.sketch.line()) {
+      const float x = at.x - core->position.x, z = at.z - core->position.z;
+      EXPECT_GT(x * x + z * z, 81) << seed;
+    }
   }
 }
 

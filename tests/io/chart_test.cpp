@@ -35,8 +35,8 @@ TEST(Chart, DrawsCurvesWhereTheirValuesAre) {
   ChartPlot plot;
   plot.x = {"time", 1, 100, true, {{1, "one"}, {100, "hundred"}}};
   plot.y = {"a < b & c", 0, 1, false, {}};
-  plot.curves = {{"mine", {{1, 0}, {10, 0.5}, {100, 1}}, {{1, 0.1}}, {{1, 0}}},
-                 {"none", {}, {}, {}}};
+  plot.curves = {{"mine", {{1, 0}, {10, 0.5}, {100, 1}}, {{1, 0.1}}, {{1, 0}}, {}},
+                 {"none", {}, {}, {}, {}}};
   const std::string svg = chartSvg({plot});
   // 640 x 340 pixels at (62, 48); ten is half way from 1 to 100.
   EXPECT_THAT(svg,
@@ -47,6 +47,27 @@ TEST(Chart, DrawsCurvesWhereTheirValuesAre) {
   EXPECT_THAT(svg, HasSubstr("prefers-color-scheme:dark"));
   EXPECT_THAT(svg, HasSubstr(">none<")) << "in the legend, though it has no points";
   EXPECT_EQ(svg.find("l1\" points"), std::string::npos);
+}
+
+TEST(Chart, DrawsBarsFromTheFootWithWhiskers) {
+  ChartPlot plot;
+  plot.x = {"", 0, 10, false, {}};
+  plot.y = {"", 1, 100, true, {}};
+  plot.curves = {{"mine", {}, {}, {}, {{0, 5, 10, 1, 100}}}};
+  const std::string svg = chartSvg({plot});
+  EXPECT_THAT(svg, HasSubstr("<rect x=\"62.0\" y=\"218.0\" width=\"320.0\" height=\"170.0\" "
+                             "class=\"f0\""));
+  EXPECT_THAT(svg, HasSubstr("<line x1=\"222.0\" y1=\"388.0\" x2=\"222.0\" y2=\"48.0\""));
+}
+
+TEST(Chart, CurvesOfOneNameHaveOneColour) {
+  ChartPlot first, second;
+  first.curves = {{"a", {{0, 0}}, {}, {}, {}}, {"b", {{0, 0}}, {}, {}, {}}};
+  second.curves = {{"b", {{1, 1}}, {}, {}, {}}};
+  const std::string svg = chartSvg({first, second});
+  const size_t plots = svg.rfind("<polyline");
+  EXPECT_NE(svg.find("class=\"l1\"", plots), std::string::npos);
+  EXPECT_EQ(svg.find("class=\"l2\""), std::string::npos);
 }
 
 }  // namespace

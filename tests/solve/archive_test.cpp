@@ -1,4 +1,4 @@
-#include "solve/archive.h"
+#include "solve/archive/archive.h"
 
 #include <gtest/gtest.h>
 

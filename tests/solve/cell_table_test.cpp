@@ -1,8 +1,8 @@
-#include "solve/cell_table.h"
+#include "solve/archive/cell_table.h"
 
 #include <gtest/gtest.h>
 
-#include "solve/cell.h"
+#include "solve/archive/cell.h"
 
 namespace obby::solve {
 namespace {

@@ -1,11 +1,11 @@
-#include "solve/cell.h"
+#include "solve/archive/cell.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "scenes.h"
-#include "solve/binning.h"
+#include "solve/archive/binning.h"
 
 namespace obby::solve {
 namespace {

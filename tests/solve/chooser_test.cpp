@@ -1,14 +1,14 @@
 // Which cells the choosers of the rival methods pick from archives made by hand.
-#include "solve/chooser.h"
+#include "solve/choosers/chooser.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "scenes.h"
-#include "solve/choose_beam.h"
-#include "solve/choose_mcts.h"
-#include "solve/choose_rrt.h"
+#include "solve/choosers/choose_beam.h"
+#include "solve/choosers/choose_mcts.h"
+#include "solve/choosers/choose_rrt.h"
 
 namespace obby::solve {
 namespace {

@@ -1,11 +1,11 @@
 // Below everything there is a search stops; whoever it gave up has indeed no way back.
-#include "solve/doom.h"
+#include "solve/rollouts/doom.h"
 
 #include <gtest/gtest.h>
 
 #include "scenes.h"
 #include "solve/go_explore.h"
-#include "solve/rollout.h"
+#include "solve/rollouts/rollout.h"
 
 namespace obby::solve {
 namespace {

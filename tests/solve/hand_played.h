@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "scenes.h"
-#include "solve/route.h"
+#include "solve/answers/route.h"
 
 namespace obby::solve {
 

@@ -1,5 +1,5 @@
 // Where a search has been, coarsely: nothing is lost but where exactly.
-#include "solve/heat_map.h"
+#include "solve/archive/heat_map.h"
 
 #include <gtest/gtest.h>
 

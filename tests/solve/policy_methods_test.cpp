@@ -5,7 +5,7 @@
 #include "policy/shipped_policy.h"
 #include "scenes.h"
 #include "sim/host_device.h"
-#include "solve/choose_policy.h"
+#include "solve/choosers/choose_policy.h"
 #include "untimed.h"
 
 namespace obby::solve {

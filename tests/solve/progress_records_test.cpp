@@ -3,7 +3,7 @@
 
 #include "io/json_codec.h"
 #include "scenes.h"
-#include "solve/answer_records.h"
+#include "solve/answers/answer_records.h"
 #include "solve/go_explore.h"
 
 namespace obby::solve {

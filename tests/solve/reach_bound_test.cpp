@@ -1,6 +1,6 @@
 // The bound on what a player can reach: nothing that a player does is beyond it, and what is well
 // beyond a jump is beyond it.
-#include "solve/reach_bound.h"
+#include "solve/proof/reach_bound.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 
 #include "sim/random_level.h"
 #include "solve/go_explore.h"
-#include "solve/reach_bound.h"
+#include "solve/proof/reach_bound.h"
 
 namespace obby::test {
 namespace {

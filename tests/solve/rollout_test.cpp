@@ -1,5 +1,5 @@
-#include "solve/rollout.h"
-#include "solve/doom.h"
+#include "solve/rollouts/rollout.h"
+#include "solve/rollouts/doom.h"
 
 #include <gtest/gtest.h>
 

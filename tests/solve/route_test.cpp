@@ -1,4 +1,4 @@
-#include "solve/route.h"
+#include "solve/answers/route.h"
 
 #include <gtest/gtest.h>
 

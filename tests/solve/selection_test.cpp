@@ -1,10 +1,10 @@
-#include "solve/selection.h"
-#include "solve/potential.h"
+#include "solve/choosers/selection.h"
+#include "solve/choosers/potential.h"
 
 #include <gtest/gtest.h>
 
 #include "scenes.h"
-#include "solve/trail.h"
+#include "solve/rollouts/trail.h"
 
 namespace obby::solve {
 namespace {

@@ -1,6 +1,6 @@
 // The verdict `unreachable`: what it names, and that it is not said where something may be
 // possible.
-#include "solve/unreachable.h"
+#include "solve/proof/unreachable.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "io/json_codec.h"
 #include "scenes.h"
 #include "sim/rules.h"
-#include "solve/verifier.h"
+#include "solve/verify/verifier.h"
 
 namespace obby::solve {
 

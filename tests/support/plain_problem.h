@@ -3,7 +3,7 @@
 
 #include "level/level.h"
 #include "sim/simulator.h"
-#include "solve/problem.h"
+#include "solve/query/problem.h"
 
 namespace obby::support {
 

@@ -62,6 +62,23 @@ TEST(Play, AMoveIsWorthTheWayThatIsLessThanEver) {
   EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.death + worth.decision);
 }
 
+TEST(Play, AJumpCostsOnce) {
+  Place place;
+  RewardSettings worth;
+  worth.jump = -0.25f;
+  Player& p = place.players[0];
+  p.world.jumps = 2;
+  EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision + 2 * worth.jump);
+  EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision) << "paid already";
+  p.world.jumps = 3;
+  place.reached[0] = p.world;
+  place.counts.reached = 1;
+  p.world.outcome = sim::Outcome::fell;
+  place.settleAt(0, false, 1);
+  ASSERT_EQ(p.world.jumps, 3) << "begins where somebody stood who had jumped";
+  EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision) << "another's jumps";
+}
+
 TEST(Play, WhatHasEndedBeginsAnewAndIsCounted) {
   Place place(true);
   place.players[3].world.outcome = sim::Outcome::goal;

@@ -53,6 +53,17 @@ TEST(Guide, LeftIsAlongTheLineAndToIt) {
   EXPECT_FLOAT_EQ(guide.left({10, 0, -9}), 3) << "a short cut counts";
 }
 
+TEST(Guide, TheNextRoundOfASpiralIsNotNearYet) {
+  const Guide guide({{0, 0, 0}, {10, 2, 0}, {10, 4, 10}, {0, 6, 10}, {0, 8, 0}, {10, 10, 0}});
+  const float whole = guide.studs();
+  EXPECT_FLOAT_EQ(guide.left({0, 0, 0}, whole - 5), whole);
+  // Straight up from the start, the way that it leads along four sides later.
+  EXPECT_LT(guide.left({0, 7, 0}), whole / 2);
+  EXPECT_FLOAT_EQ(guide.left({0, 7, 0}, whole - 5),
+                  whole - 14 / std::sqrt(104.0f) + 3 * std::sqrt(49 - 196.0f / 104));
+  EXPECT_GT(guide.left({-50, 0, 0}, 2 * whole), whole) << "far off there is still a way";
+}
+
 TEST(Sums, AreMeanAndDeviation) {
   Sums sums(2);
   const float rows[][2] = {{1, 5}, {3, 5}, {5, 5}};

@@ -25,10 +25,8 @@ class GeneratedLevels : public train::LevelSource {
     io::RecordBuilder level(4096), query;
     generator.writeLevel(made, level.root().initLevel());
     gen::Generator::writeQuery(made, query.root().initQuery());
-    std::vector<Vec3> way;
-    for (const gen::Stop& stop : made.sketch.stops()) way.push_back(stop.feet);
     return train::TrainingLevel::make(level.reader().getLevel(), query.reader().getQuery(),
-                                      std::move(way));
+                                      made.sketch.line());
   }
 
  private:

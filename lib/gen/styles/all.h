@@ -31,5 +31,7 @@ void buildButton(Sketch& s);
 void buildPushBlock(Sketch& s);
 void buildFork(Sketch& s);
 void buildDecoy(Sketch& s);
+void buildZigzag(Sketch& s);
+void buildSpiral(Sketch& s);
 
 }  // namespace obby::gen

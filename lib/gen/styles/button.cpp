@@ -26,6 +26,8 @@ void buildDoor(Sketch& s) {
     const std::string name = door.signal;
     button(s, aside, 4, seconds).signal = name;
   }
+  s.via({aside, 0, 4});
+  s.via({0, 0, kRun});
   s.floor("Hall", kRun + 8, width);
 }
 
@@ -39,7 +41,9 @@ void buildBridge(Sketch& s) {
     VanishSketch away{schema::VanishTrigger::SIGNAL, 0, 0, 0, true};
     bridge.vanishing(away).signal = s.signal("bridge");
     const std::string name = bridge.signal;
-    button(s, s.mix(0, 4) * s.side(), -7, seconds).signal = name;
+    const float aside = s.mix(0, 4) * s.side();
+    button(s, aside, -7, seconds).signal = name;
+    s.via({aside, 0, -7});
   }
   s.floor("Far bank", 8, 10, gap);
 }

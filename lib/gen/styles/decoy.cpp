@@ -28,6 +28,10 @@ void buildDecoy(Sketch& s) {
   s.part("Dead end", {0, -0.5f, road / 2}, {s.mix(6, 3), 1, road}).colored(s.shade());
   s.expectJumps(2 * out + along + 2);
   s.expectWay(2 * far);
+  s.via({0, 0, row});
+  s.via({side * far, 0, row});
+  s.via({side * far, 0, row + length});
+  s.via({0, 0, row + length});
   s.advance(end);
   s.floor("Way out", kPad, kPad);
 }

@@ -18,6 +18,7 @@ void buildDoorway(Sketch& s) {
       s.wall("Wall", (left - width) / 2, kDeep - 3, left, height, 1);
       s.wall("Wall", (width - right) / 2, kDeep - 3, right, height, 1);
     }
+    s.via({left + (hole - width) / 2, 0, kDeep - 3});
     s.floor("Floor", kDeep, width);
     s.expectWay(width / 2);
   }

@@ -18,6 +18,8 @@ void buildElevator(Sketch& s) {
           .moving(s.slide({0, -0.5f, ahead}, {0, up - 0.5f, ahead}, seconds, 0));
       s.expectWait(2 * seconds);
     }
+    s.via({0, 0, ahead});
+    s.via({0, up, ahead});
     s.advance(gap + size, up);
     const float edge = s.mix(1, 3);
     s.floor("Ledge", 8, s.mix(10, 6), edge);

@@ -16,6 +16,9 @@ void buildPushBlock(Sketch& s) {
                           .colored(colors::kWood);
   block.anchored = fixed;
   block.density = 0.3f;
+  s.via({aside, 0, kYard - away - kBlock});
+  s.via({aside, 0, kYard - kBlock});
+  s.via({aside, high, kYard});
   s.floor("Yard", kYard, width);
   s.part("Wall", {0, high / 2 - 0.5f, kTerrace / 2}, {width, high + 1, kTerrace})
       .colored(colors::kWall);

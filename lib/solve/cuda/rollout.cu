@@ -1,6 +1,6 @@
 // Launch form of the rollout kernel.
 #include "solve/cuda/cuda.h"
-#include "solve/rollout_kernel.h"
+#include "solve/rollouts/rollout_kernel.h"
 
 namespace obby::solve::cuda {
 namespace {

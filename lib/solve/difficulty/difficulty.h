@@ -7,8 +7,8 @@
 
 #include "base/thread_pool.h"
 #include "schema/obby.capnp.h"
+#include "solve/answers/route.h"
 #include "solve/difficulty/noise.h"
-#include "solve/route.h"
 
 namespace obby::solve {
 

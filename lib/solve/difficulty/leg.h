@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "solve/problem.h"
-#include "solve/route.h"
+#include "solve/answers/route.h"
+#include "solve/query/problem.h"
 
 namespace obby::solve {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solve/explore_context.h"
+#include "solve/rollouts/explore_context.h"
 
 namespace obby::solve {
 

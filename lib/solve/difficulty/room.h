@@ -1,7 +1,7 @@
 // How much room a recorded playthrough leaves: to the edge of what it lands on, and to what kills.
 #pragma once
 
-#include "solve/route.h"
+#include "solve/answers/route.h"
 
 namespace obby::solve {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "solve/explore_context.h"
-#include "solve/selection_weight.h"
+#include "solve/choosers/selection_weight.h"
+#include "solve/rollouts/explore_context.h"
 
 namespace obby::solve::learned {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "solve/archive.h"
+#include "solve/archive/archive.h"
 
 namespace obby::solve::learned {
 

@@ -8,9 +8,9 @@
 #include "base/random.h"
 #include "policy/moves.h"
 #include "sim/loose.h"
-#include "solve/macro_random.h"
-#include "solve/problem.h"
-#include "solve/trail.h"
+#include "solve/query/problem.h"
+#include "solve/rollouts/macro_random.h"
+#include "solve/rollouts/trail.h"
 
 namespace obby::solve::learned {
 

@@ -4,7 +4,7 @@
 
 #include "sim/simulator.h"
 #include "solve/go_explore_method.h"
-#include "solve/known_way.h"
+#include "solve/rollouts/known_way.h"
 
 namespace obby::solve::learned {
 

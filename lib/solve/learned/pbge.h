@@ -3,10 +3,10 @@
 // them by the policy, half at random. Nothing is ever restored. Host only.
 #pragma once
 
-#include "solve/known_way.h"
 #include "solve/learned/cell_choice.h"
 #include "solve/learned/goal_policy.h"
 #include "solve/learned/learned_search.h"
+#include "solve/rollouts/known_way.h"
 
 namespace obby::solve::learned {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/record.h"
-#include "solve/posed_query.h"
+#include "solve/query/posed_query.h"
 
 namespace obby::solve {
 

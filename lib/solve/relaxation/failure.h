@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solve/methods.h"
-#include "solve/posed_query.h"
+#include "solve/query/posed_query.h"
 
 namespace obby::solve {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "solve/flight.h"
-#include "solve/supports.h"
+#include "solve/proof/flight.h"
+#include "solve/proof/supports.h"
 
 namespace obby::solve {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solve/flight.h"
+#include "solve/proof/flight.h"
+#include "solve/query/targets.h"
 #include "solve/relaxation/frontier.h"
 #include "solve/relaxation/knobs.h"
-#include "solve/targets.h"
 
 namespace obby::solve {
 

@@ -4,7 +4,7 @@
 
 #include "sim/loose.h"
 #include "sim/world.h"
-#include "solve/archive_node.h"
+#include "solve/archive/archive_node.h"
 #include "solve/resident/atomics.h"
 
 namespace obby::solve {

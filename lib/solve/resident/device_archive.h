@@ -3,7 +3,7 @@
 #pragma once
 
 #include "sim/device.h"
-#include "solve/problem.h"
+#include "solve/query/problem.h"
 #include "solve/resident/archive_view.h"
 #include "solve/resident/sum_tree.h"
 

@@ -3,8 +3,8 @@
 // that a round's outcome is the same on every machine.
 #pragma once
 
+#include "solve/choosers/selection_weight.h"
 #include "solve/resident/round_view.h"
-#include "solve/selection_weight.h"
 
 namespace obby::solve {
 

@@ -12,10 +12,10 @@
 
 #include "base/chunked_vector.h"
 #include "sim/host_device.h"
-#include "solve/archive.h"
-#include "solve/explore_setup.h"
+#include "solve/archive/archive.h"
 #include "solve/machine.h"
 #include "solve/resident/resident_rounds.h"
+#include "solve/rollouts/explore_setup.h"
 #include "solve/search.h"
 
 namespace obby::solve {

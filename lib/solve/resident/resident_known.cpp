@@ -1,7 +1,7 @@
 // The ways of an earlier answer: the host plays them, as it does for GoExplore, and the device
 // takes their visits like those of a rollout.
-#include "solve/known_way.h"
 #include "solve/resident/resident_explore.h"
+#include "solve/rollouts/known_way.h"
 
 namespace obby::solve {
 

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "solve/explore_setup.h"
 #include "solve/resident/device_archive.h"
 #include "solve/resident/round_view.h"
 #include "solve/resident/steps.h"
+#include "solve/rollouts/explore_setup.h"
 
 namespace obby::solve {
 

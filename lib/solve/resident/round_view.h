@@ -1,12 +1,12 @@
 // What the kernels of a resident search read and write: plain data, one struct for all of them.
 #pragma once
 
-#include "solve/archive_node.h"
-#include "solve/beam_rank.h"
-#include "solve/potential.h"
+#include "solve/archive/archive_node.h"
+#include "solve/choosers/beam_rank.h"
+#include "solve/choosers/potential.h"
 #include "solve/resident/archive_view.h"
 #include "solve/resident/sum_tree.h"
-#include "solve/rollout_kernel.h"
+#include "solve/rollouts/rollout_kernel.h"
 
 namespace obby::solve {
 

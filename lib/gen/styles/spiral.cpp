@@ -1,0 +1,41 @@
+// Ledges that wind up a core, once or one and a half times round it, as towers are built.
+#include "gen/styles/all.h"
+
+namespace obby::gen {
+
+namespace {
+
+constexpr float kCore = 8, kBehind = 6;  // studs across; between the core and the ledges' middles
+constexpr float kRadius = kCore / 2 + kBehind;
+constexpr float kShare = 0.7f;  // of the highest ledge: the jump goes round a corner, too
+
+// Turns round the core from one ledge to the next that leave about `gap` studs between them.
+float stepOf(float size, float gap) {
+  const float chord = (size + gap) / (2 * kRadius);
+  return chord < 0.5f ? chord / kPi : 1.0f / 6;
+}
+
+}  // namespace
+
+void buildSpiral(Sketch& s) {
+  const float size = s.mix(5, 3), foot = 6, side = s.side();
+  s.floor("Foot", foot, s.mix(10, 6));
+  const float round = s.chance(0.5f) ? 0.5f : 1.5f;
+  const float most = 0.6f * s.reach().gap(s.reach().rise() * kShare);
+  const float step = stepOf(size, minf(s.mix(1, 5), most));
+  const uint32_t last = uint32_t(round / step + 0.5f);
+  const float middle = 1 + size / 2 + kRadius;  // of the core, ahead
+  float height = 0;
+  for (uint32_t i = 0; i <= last; ++i) {
+    const SinCos a = sinCos(turnsFromRadians(2 * kPi * side * round * float(i) / float(last)));
+    const Vec3 at{kRadius * a.sin, height += s.rise(kShare), middle - kRadius * a.cos};
+    s.part("Ledge", {at.x, at.y - 0.5f, at.z}, {size, 1, size}).colored(s.shade());
+    s.via(at);
+  }
+  s.part("Core", {0, height / 2, middle}, {kCore, height + 1, kCore}).colored(colors::kWall);
+  s.advance(middle + kRadius + size / 2, height);
+  s.expectWay(2 * kPi * kRadius * round);
+  s.floor("Landing", 5, s.mix(8, 5), s.mix(0, 1));
+}
+
+}  // namespace obby::gen

@@ -1,0 +1,148 @@
+#include "solve/answers/answer_records.h"
+
+#include "level/record_values.h"
+#include "sim/simulator.h"
+#include "solve/answers/reason.h"
+
+namespace obby::solve {
+
+namespace {
+
+constexpr size_t kProgressDeaths = 3;  // of a progress record
+
+// World::part is an index into one of two lists.
+template <class Record>
+void fillBlame(Record record, sim::Outcome outcome, uint32_t part) {
+  if (part == kNone) return;
+  if (outcome == sim::Outcome::avoided) {
+    record.setAvoid(int32_t(part));
+  } else {
+    record.setPart(int32_t(part));
+  }
+}
+
+void fillEnds(schema::Result::Builder record, const std::vector<EndCount>& ends) {
+  auto tallies = record.initEnds(uint32_t(ends.size()));
+  for (uint32_t i = 0; i < tallies.size(); ++i) {
+    tallies[i].setOutcome(schema::Outcome(ends[i].outcome));
+    fillBlame(tallies[i], ends[i].outcome, ends[i].part);
+    tallies[i].setCount(ends[i].count);
+  }
+}
+
+void fillRoutes(schema::Result::Builder record, const std::vector<RouteTally>& routes) {
+  auto counts = record.initRoutes(uint32_t(routes.size()));
+  for (uint32_t i = 0; i < counts.size(); ++i) {
+    fillRoute(counts[i], routes[i].route);
+    counts[i].setCount(routes[i].count);
+    counts[i].setTicks(routes[i].ticks);
+  }
+}
+
+}  // namespace
+
+void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& identity,
+                    const Playthrough& playthrough, uint32_t index) {
+  const sim::World& end = playthrough.end;
+  record.setQuery(identity.query);
+  record.setLevel(identity.level);
+  record.setMethod(identity.method);
+  record.setIndex(index);
+  record.setOutcome(schema::Outcome(end.outcome));
+  sim::writePlan({identity.start, turnsFromRadians(identity.start.yaw), playthrough.actions},
+                 record);
+  record.setTicks(playthrough.ticks);
+  record.setJumps(end.jumps);
+  record.setWaypoints(end.waypoints);
+  record.setVisited(end.visited);
+  fillBlame(record, end.outcome, end.part);
+  record.setStateHash(sim::stateHash(end, playthrough.endLoose));
+  level::set(record.initEndPosition(), end.position);
+}
+
+void fillPath(schema::Trajectory::Builder record, const Playthrough& playthrough) {
+  auto path = record.initPath();
+  path.setStep(kPathStep);
+  auto points = path.initPoints(uint32_t(playthrough.path.size()));
+  for (uint32_t i = 0; i < points.size(); ++i) level::set(points[i], playthrough.path[i]);
+  auto ticks = path.initJumpTicks(uint32_t(playthrough.jumpTicks.size()));
+  for (uint32_t i = 0; i < ticks.size(); ++i) ticks.set(i, playthrough.jumpTicks[i]);
+}
+
+void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identity,
+                  const SearchView& view, bool paths) {
+  const Statistics& s = view.search.statistics();
+  record.setQuery(identity.query);
+  record.setSeconds(float(view.seconds));
+  record.setSteps(s.steps);
+  record.setCells(view.search.cellCount());
+  record.setRounds(s.rounds);
+  record.setClosest(s.closest.distance);
+  record.setWaypoints(s.closest.targets);
+  uint32_t index = 0;
+  const auto fillWay = [&](schema::Trajectory::Builder way, const Node& end) {
+    const Playthrough playthrough = view.search.playthrough(end);
+    fillTrajectory(way, identity, playthrough, index++);
+    if (paths) fillPath(way, playthrough);
+  };
+  if (s.closest.way.parent != kNone) fillWay(record.initBest(), s.closest.way);
+  const Node newest = view.search.newest();
+  if (newest.parent != kNone) fillWay(record.initNewest(), newest);
+  const auto ends = view.search.attempts().newestFailures(kProgressDeaths);
+  auto deaths = record.initDeaths(uint32_t(ends.size()));
+  for (uint32_t i = 0; i < deaths.size(); ++i) fillWay(deaths[i], ends[i].way);
+}
+
+schema::Verdict verdictOf(const SearchOutcome& outcome) {
+  if (!outcome.solutions.empty()) return schema::Verdict::SOLVED;
+  return outcome.cut ? schema::Verdict::UNREACHABLE : schema::Verdict::UNKNOWN;
+}
+
+void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
+                const SearchOutcome& outcome, const level::Level& level,
+                schema::Level::Reader levelRecord, schema::Query::Reader query) {
+  const bool solved = !outcome.solutions.empty();
+  record.setQuery(identity.query);
+  record.setLevel(identity.level);
+  record.setMethod(identity.method);
+  record.setVerdict(verdictOf(outcome));
+  record.setSolutions(uint32_t(outcome.solutions.size()));
+  if (solved) {
+    record.setTicks(outcome.solutions.front().ticks);
+    record.setJumps(outcome.solutions.front().end.jumps);
+  }
+  record.setSteps(outcome.statistics.steps);
+  record.setCells(outcome.cells);
+  record.setRounds(outcome.statistics.rounds);
+  if (!solved && !outcome.cut) {
+    record.setClosest(outcome.statistics.closest.distance);
+    fillEvidence(record.initEvidence(), outcome.thoroughness);
+  }
+  if (outcome.cut) fillCut(record.initCut(), *outcome.cut, level.view());
+  record.setReason(reasonFor(outcome, level, levelRecord, query));
+  if (!outcome.routes.empty()) fillRoutes(record, outcome.routes);
+  fillEnds(record, outcome.ends);
+  auto timing = record.initTiming();
+  timing.setSeconds(float(outcome.seconds));
+  timing.setFirstSolution(float(outcome.firstSolution));
+  timing.setStepsPerSecond(double(outcome.statistics.steps) / std::max(outcome.seconds, 1e-9));
+}
+
+void fillRelaxations(schema::Result::Builder record, const std::vector<Relaxation>& found) {
+  auto relaxations = record.initRelaxations(uint32_t(found.size()));
+  for (uint32_t i = 0; i < relaxations.size(); ++i) {
+    relaxations[i].setKnob(found[i].knob);
+    relaxations[i].setAmount(float(found[i].amount));
+    relaxations[i].setPart(found[i].part);
+    relaxations[i].setAvoid(found[i].avoid);
+    relaxations[i].setField(found[i].field);
+    relaxations[i].setSteps(found[i].steps);
+    relaxations[i].setText(found[i].text);
+  }
+  const std::string reason = record.getReason().cStr();
+  record.setReason(
+      reason + "; " +
+      (found.empty() ? "no single change that was tried makes it solvable" : found.front().text));
+}
+
+}  // namespace obby::solve

@@ -1,0 +1,50 @@
+#include "solve/choosers/choose_policy.h"
+
+namespace obby::solve {
+
+void PolicyFirstChooser::choose(const Archive& archive, ThreadPool& pool, Random& random,
+                                std::span<Choice> choices) {
+  inner_->choose(archive, pool, random, choices);
+  if (archive.epoch() < fromRound_) return;
+  explored_.resize(archive.cellCount(), kNone);
+  for (Choice& c : choices) {
+    const uint32_t node = archive.node(c.cell);
+    if (explored_[c.cell] == node) continue;
+    explored_[c.cell] = node;
+    c.by = kByPolicy;
+  }
+}
+
+void PolicyAloneChooser::choose(const Archive&, ThreadPool&, Random&, std::span<Choice> choices) {
+  for (Choice& c : choices) {
+    c.cell = 0;
+    c.by = began_ ? kByPolicy : kByPolicy | kLikeliest;
+    began_ = true;
+  }
+}
+
+std::unique_ptr<Chooser> policyFirst(std::unique_ptr<Chooser> inner, const ExploreContext& context,
+                                     uint32_t fromRound) {
+  if (!context.pilot.exists()) return inner;
+  return std::make_unique<PolicyFirstChooser>(std::move(inner), fromRound);
+}
+
+std::unique_ptr<Chooser> makePolicyFirstChooser(const Problem& problem,
+                                                const ExploreContext& context) {
+  return policyFirst(plainSelector(problem, context), context);
+}
+
+std::unique_ptr<Chooser> makePolicyAloneChooser(const Problem& problem,
+                                                const ExploreContext& context) {
+  if (!context.pilot.exists()) return plainSelector(problem, context);
+  return std::make_unique<PolicyAloneChooser>();
+}
+
+GoExploreSettings aloneSettings() {
+  GoExploreSettings s;
+  s.phaseJumps = 110;  // about a minute
+  s.byPolicy = true;
+  return s;
+}
+
+}  // namespace obby::solve

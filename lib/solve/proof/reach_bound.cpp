@@ -1,0 +1,173 @@
+#include "solve/proof/reach_bound.h"
+
+#include <algorithm>
+
+namespace obby::solve {
+
+ReachBound::ReachBound(const Problem& problem, bool mayJump)
+    : problem_(problem),
+      p_(problem.level.params),
+      mayJump_(mayJump),
+      jumpSpeed_(fastestJump(problem.level)),
+      supports_(supportsOf(problem)),
+      flight_(p_, fastestWalk(problem.level)) {
+  for (const Support& s : supports_) lowest_ = std::min(lowest_, s.entry);
+  // What is reached makes faster, and who is faster reaches more.
+  for (;;) {
+    explore();
+    const float fastest = fastestReached();
+    if (!(fastest > flight_.sideways())) return;
+    flight_ = Flight(p_, fastest);
+  }
+}
+
+// Speed is kept in the air, on ice and for a moment after landing: what is gained anywhere counts
+// everywhere.
+float ReachBound::fastestReached() const {
+  float more = 0;
+  for (size_t i = 0; i < supports_.size(); ++i) {
+    if (jumps_[i] != kNever) more = std::max(more, supports_[i].sideways);
+  }
+  const float most = 1.42f * problem_.level.maxSideSpeed;  // clamped along each axis
+  return std::min(fastestWalk(problem_.level) + more, std::max(most, flight_.sideways()));
+}
+
+Launch ReachBound::launch(const Support& s, bool jumping) const {
+  const float lifted = s.upward + (jumping ? jumpSpeed_ : 0.0f);
+  return {s.feet, std::min(std::max(lifted, s.thrown), p_.maxFallSpeed)};
+}
+
+bool ReachBound::crosses(const Launch& l, const Support& to, bool jumping) const {
+  float height = to.entry;
+  // The torso does not collide as a jump begins: it can be inside of what is beside it then, and be
+  // lifted out of that.
+  if (jumping && to.carries && to.collider != level::kNone) {
+    const float early = l.from.hi.y + 3 * l.upward * p_.tickSeconds + p_.headBottom;
+    if (to.top <= early) height = std::min(height, l.from.hi.y);
+  }
+  return flight_.reach(l, height) >= gapBetween(l.from, to.feet);
+}
+
+// Breadth first by the number of jumps.
+void ReachBound::explore() {
+  jumps_.assign(supports_.size(), kNever);
+  jumps_[0] = 0;
+  std::vector<uint32_t> now{0}, later;
+  for (uint32_t made = 0; !now.empty(); ++made) {
+    for (size_t i = 0; i < now.size(); ++i) {
+      // Else it was reached with fewer jumps after it was noted down.
+      if (jumps_[now[i]] == made) spread(now[i], now, later);
+    }
+    now.swap(later);
+    later.clear();
+  }
+}
+
+void ReachBound::spread(uint32_t from, std::vector<uint32_t>& now, std::vector<uint32_t>& later) {
+  const Support& s = supports_[from];
+  const uint32_t made = jumps_[from];
+  const auto arrive = [&](uint32_t to, uint32_t jumps) {
+    if (jumps >= jumps_[to]) return;
+    jumps_[to] = jumps;
+    (jumps == made ? now : later).push_back(to);
+  };
+  if (s.leadsTo != level::kNone) arrive(s.leadsTo, made);
+  const Launch falling = launch(s, false), leaping = launch(s, true);
+  const bool leaps = mayJump_ && s.carries;
+  // Nobody comes farther than down to the lowest of all: most supports need no closer look.
+  const float lowest = std::min(lowest_, s.feet.hi.y);
+  const float farthest = flight_.reach(leaps ? leaping : falling, lowest);
+  for (uint32_t to = 0; to < supports_.size(); ++to) {
+    if (supports_[to].collider == level::kNone || jumps_[to] <= made) continue;
+    if (gapBetween(s.feet, supports_[to].feet) > farthest) continue;
+    if (crosses(falling, supports_[to], false)) {
+      arrive(to, made);
+    } else if (leaps && crosses(leaping, supports_[to], true)) {
+      arrive(to, made + 1);
+    }
+  }
+}
+
+Box ReachBound::boxOf(const level::TargetView& target) const {
+  if (target.touchCount == 0) return boundsOf(target.region.pose, target.region.half);
+  const level::LevelView& level = problem_.level;
+  Box all = level.bounds[problem_.query.touched[target.firstTouch]].box();
+  for (uint32_t i = 1; i < target.touchCount; ++i) {
+    all = join(all, level.bounds[problem_.query.touched[target.firstTouch + i]].box());
+  }
+  const float limbs = 0.5f * (p_.armSpan + p_.bodyDepth) + p_.touchMargin;
+  return grow(all, {limbs, p_.touchMargin, limbs});
+}
+
+uint32_t ReachBound::jumpsTo(const level::TargetView& target) const {
+  const Box box = boxOf(target);
+  const float height = box.lo.y - p_.bodyTop;
+  uint32_t fewest = kNever;
+  for (size_t i = 0; i < supports_.size(); ++i) {
+    if (jumps_[i] >= fewest) continue;
+    const Support& s = supports_[i];
+    const float gap = gapBetween(s.feet, box);
+    if (flight_.reach(launch(s, false), height) >= gap) fewest = jumps_[i];
+    const bool leaps = mayJump_ && s.carries && jumps_[i] + 1 < fewest;
+    if (leaps && flight_.reach(launch(s, true), height) >= gap) fewest = jumps_[i] + 1;
+  }
+  return fewest;
+}
+
+bool ReachBound::holds(Vec3 feet) const {
+  const Box point{feet, feet};
+  for (size_t i = 0; i < supports_.size(); ++i) {
+    if (jumps_[i] == kNever) continue;
+    const Launch l = launch(supports_[i], mayJump_ && supports_[i].carries);
+    if (flight_.reach(l, feet.y) >= gapBetween(l.from, point)) return true;
+  }
+  return false;
+}
+
+Missing ReachBound::missing(const level::TargetView& target) const {
+  Missing best;
+  float least = 1e30f;
+  const auto consider = [&](const Launch& l, uint32_t from, const Box& to, float height,
+                            uint32_t collider) {
+    const float rise = std::max(height - flight_.apex(l), 0.0f);
+    const float reach = flight_.reach(l, std::min(height, flight_.apex(l)));
+    const float gap = std::max(gapBetween(l.from, to) - reach, 0.0f);
+    if (!(rise + gap < least)) return;
+    least = rise + gap;
+    best = {from, collider, rise, gap};
+  };
+  const Box box = boxOf(target);
+  for (size_t i = 0; i < supports_.size(); ++i) {
+    if (jumps_[i] == kNever) continue;
+    const Support& from = supports_[i];
+    const Launch l = launch(from, mayJump_ && from.carries);
+    consider(l, from.collider, box, box.lo.y - p_.bodyTop, level::kNone);
+    for (size_t j = 0; j < supports_.size(); ++j) {
+      const Support& to = supports_[j];
+      if (jumps_[j] == kNever && to.collider != level::kNone) {
+        consider(l, from.collider, to.feet, to.entry, to.collider);
+      }
+    }
+  }
+  return best;
+}
+
+float ReachBound::fastest() const {
+  float pushed = 0;
+  for (size_t i = 0; i < supports_.size(); ++i) {
+    if (jumps_[i] == kNever) continue;
+    if (supports_[i].snaps) return std::numeric_limits<float>::infinity();
+    pushed = std::max(pushed, supports_[i].pushes);
+  }
+  return flight_.sideways() + pushed;
+}
+
+std::vector<uint32_t> ReachBound::reached() const {
+  std::vector<uint32_t> colliders;
+  for (size_t i = 0; i < supports_.size(); ++i) {
+    if (jumps_[i] != kNever && supports_[i].carries) colliders.push_back(supports_[i].collider);
+  }
+  return colliders;
+}
+
+}  // namespace obby::solve

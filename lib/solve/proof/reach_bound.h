@@ -1,0 +1,68 @@
+// What a player can reach at most, whatever the keys: a sound over-approximation, from which alone
+// a query is said to be unreachable.
+//
+// A playthrough is a sequence of flights from one thing that carries the player to the next. Each
+// flight is a parabola that starts as high and as fast as anything reachable allows; walls, kill
+// parts, avoid regions and timing are ignored; moving parts are everywhere on their way at once;
+// parts that vanish, open or fall are there and away. docs/queries.md says what is left out.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "solve/proof/flight.h"
+#include "solve/proof/supports.h"
+
+namespace obby::solve {
+
+// A step that nobody can make: the least of those that lead out of what is reached.
+struct Missing {
+  uint32_t from = level::kNone, to = level::kNone;  // colliders; none: the start, the region
+  float rise = 0, gap = 0;                          // studs that a player lacks, at least
+};
+
+class ReachBound {
+ public:
+  static constexpr uint32_t kNever = 0xffffffffu;
+
+  // `mayJump`: the query admits jumps. The problem must outlive the bound, and its level have no
+  // unboundedPart().
+  ReachBound(const Problem& problem, bool mayJump);
+
+  // Fewest jumps on the way into the region, or to touching the part; kNever: there is no way.
+  uint32_t jumpsTo(const level::TargetView& target) const;
+
+  // Could the feet be there at any time?
+  bool holds(Vec3 feet) const;
+
+  // The step out of what is reached that lacks least, to another part or into the target.
+  Missing missing(const level::TargetView& target) const;
+
+  // Where the feet are when the target is reached, at the least height its floor less a body's.
+  Box boxOf(const level::TargetView& target) const;
+
+  // Colliders that may carry the player.
+  std::vector<uint32_t> reached() const;
+
+  // Fastest horizontal motion of anyone, studs/s; infinite where something moves players at once.
+  float fastest() const;
+
+ private:
+  void explore();
+  void spread(uint32_t from, std::vector<uint32_t>& now, std::vector<uint32_t>& later);
+  Launch launch(const Support& s, bool jumping) const;
+  bool crosses(const Launch& l, const Support& to, bool jumping) const;
+  float fastestReached() const;
+
+  const Problem& problem_;
+  const Params& p_;
+  const bool mayJump_;
+  const float jumpSpeed_;
+  std::vector<Support> supports_;
+  float lowest_ = std::numeric_limits<float>::infinity();  // entry of all supports
+  std::vector<uint32_t> jumps_;  // (supports): fewest on the way there; kNever
+  Flight flight_;
+};
+
+}  // namespace obby::solve

@@ -1,0 +1,248 @@
+#include "solve/proof/supports.h"
+
+#include <algorithm>
+
+#include "sim/floor.h"
+
+namespace obby::solve {
+
+namespace {
+
+constexpr float kSlack = 0.25f;   // studs: skin, ticks, rounding
+constexpr float kSnap = 1;        // studs a tick: movers that jump further push through things
+constexpr float kSteepSpeed = 4;  // studs/s gained on faces steeper than any slope limit
+constexpr uint32_t kLeads = level::kPad | level::kTeleport | level::kSeat;  // on touch
+constexpr float kMostVertical = 1e-3f;
+constexpr float kLeastSlope = 80;  // degrees: below, sliding down makes speeds without a bound
+
+// How far above the floor the legs can leave the feet, or throw them: the hover spring let go at
+// its deepest, and the reach in which it keeps a floor.
+float springRise(const Params& p) {
+  const float keep =
+      p.floorReachBase * p.rootHeight + p.floorKeep * p.hipHeight - sim::rayHeight(p);
+  float gap = -(sim::rayHeight(p) + kSlack), speed = 0, most = std::max(keep, 0.0f);
+  for (int i = 0; i < 2 * p.controlRate * p.substeps; ++i) {
+    const float a =
+        std::clamp(-p.hoverStiffness * gap - p.hoverDamping * speed, -p.gravity, p.hoverLimit);
+    gap += speed * p.substepSeconds + a * (0.5f * p.substepSeconds * p.substepSeconds);
+    speed += a * p.substepSeconds;
+    const float up = std::max(speed, 0.0f);
+    most = std::max(most, gap + up * up / (2 * p.gravity));
+  }
+  return most + kSlack;
+}
+
+// What a mover does to those around it.
+struct Motion {
+  float upward = 0, sideways = 0;  // fastest of any of its points, studs/s
+  float lowestTop = 0;             // of an upright block: its top at its lowest
+  Box swept;
+  bool rough = false;  // turns over, rises, or jumps: may push a player through other parts
+};
+
+void noteStep(Motion& m, Vec3 step, float turned, float rate) {
+  const float side = length(Vec3{step.x, 0, step.z}) + turned;
+  m.upward = std::max(m.upward, (absf(step.y) + turned) * rate);
+  m.sideways = std::max(m.sideways, side * rate);
+  m.rough |= side > kSnap || absf(step.y) > kMostVertical;
+}
+
+// Bound on how far a tick of spin moves a point at `radius`.
+float spinStep(const Mat3& a, const Mat3& b, float radius) {
+  const Vec3 x = b.x - a.x, y = b.y - a.y, z = b.z - a.z;
+  return radius * sqrtf32(dot(x, x) + dot(y, y) + dot(z, z));
+}
+
+Motion motionOf(const level::LevelView& level, uint32_t collider) {
+  const level::Collider& c = level.colliders[collider];
+  const level::Mover& m = level.movers[c.mover];
+  const bool upright = (level.bounds[collider].flags & level::kUpright) != 0;
+  const float radius = length(c.shape.half) + length(m.pivot), rate = level.params.controlRate;
+  Motion motion;
+  motion.swept = level.bounds[collider].box();
+  motion.rough = !upright;
+  motion.lowestTop = 1e30f;
+  for (uint32_t k = 0; k < m.keyCount; ++k) {
+    motion.lowestTop = std::min(motion.lowestTop, m.keys[k].position.y + c.shape.half.y);
+    if (k + 1 == m.keyCount && m.once) break;
+    const Pose &from = m.keys[k], &to = m.keys[(k + 1) % m.keyCount];
+    noteStep(motion, to.position - from.position, spinStep(from.rotation, to.rotation, radius),
+             rate);
+  }
+  float spin = 0;
+  for (uint32_t k = 0; k < m.spinCount; ++k) {
+    spin = std::max(spin, spinStep(m.spins[k], m.spins[(k + 1) % m.spinCount], radius));
+  }
+  motion.sideways += spin * rate;
+  if (!upright) motion.upward += spin * rate;
+  motion.rough |= spin > kSnap;
+  return motion;
+}
+
+class Builder {
+ public:
+  explicit Builder(const Problem& problem)
+      : problem_(problem), level_(problem.level), p_(level_.params), rise_(springRise(p_)) {}
+
+  std::vector<Support> build() {
+    for (uint32_t i = 0; i < level_.colliderCount; ++i) {
+      if (level_.colliders[i].mover != level::kNone) movers_.push_back(motionOf(level_, i));
+    }
+    addPoint(problem_.start.position);
+    for (uint32_t i = 0; i < level_.colliderCount; ++i) {
+      if (!(level_.bounds[i].flags & level::kTeleport)) continue;
+      gates_.push_back(addPoint(level_.roles[level_.colliders[i].role].teleportTo));
+    }
+    for (uint32_t i = 0; i < level_.colliderCount; ++i) add(i);
+    throwOutOfGates();
+    return std::move(supports_);
+  }
+
+ private:
+  // Some teleporters leave the player the speed that anything may have given.
+  void throwOutOfGates() {
+    const float jump = fastestJump(level_);
+    float fastest = 0;
+    for (const Support& s : supports_) fastest = std::max({fastest, s.thrown, s.upward + jump});
+    for (const Support& s : supports_) {
+      if (s.leadsTo == level::kNone) continue;
+      const level::Roles& r = level_.roles[level_.colliders[s.collider].role];
+      if (r.teleportKeepsVelocity) supports_[s.leadsTo].thrown = fastest;
+    }
+  }
+
+  // Where a player appears: nothing carries there.
+  uint32_t addPoint(Vec3 feet) {
+    Support s;
+    s.feet = grow(Box{feet, feet}, {kSlack, kSlack, kSlack});
+    s.entry = 1e30f;
+    s.top = feet.y;
+    supports_.push_back(s);
+    return uint32_t(supports_.size()) - 1;
+  }
+
+  // Could the body be inside of it without having come in from the side or top?
+  bool canHoldBody(const Box& part, uint32_t flags) const {
+    if (flags & (level::kVanishTimer | level::kClocked)) return true;
+    const Vec3 body{p_.bodyWidth, p_.bodyTop + kSlack, p_.bodyWidth};
+    for (const Support& s : supports_) {
+      // Above the floor that the feet may stand on.
+      const Box there{s.feet.lo + Vec3{-body.x, 2 * kSlack, -body.z}, s.feet.hi + body};
+      if (s.collider == level::kNone && overlaps(part, there)) return true;
+    }
+    const Box around = grow(part, body);
+    return std::any_of(movers_.begin(), movers_.end(),
+                       [&](const Motion& m) { return m.rough && overlaps(around, m.swept); });
+  }
+
+  void add(uint32_t id) {
+    const level::Collider& c = level_.colliders[id];
+    const level::Bounds& bounds = level_.bounds[id];
+    const Motion still{}, *motion = &still;
+    if (c.mover != level::kNone) motion = &movers_[moverAt_++];
+    if (!(bounds.flags & (level::kSolid | kLeads))) return;
+    Support s;
+    s.collider = id;
+    const Box box = bounds.box();
+    s.carries = (bounds.flags & (level::kSolid | level::kSeat)) != 0;
+    s.top = box.hi.y;
+    const float side = sideOf(bounds.flags);
+    s.feet = grow(box, {side, 0, side});
+    s.feet.hi.y += s.carries ? rise_ : kSlack;
+    const bool holds = canHoldBody(box, bounds.flags);
+    s.entry = holds ? besideOf(box)
+                    : entryOf(box, bounds.flags, c.mover != level::kNone ? motion : nullptr);
+    s.snaps = holds || (bounds.flags & (level::kSeat | level::kTeleport)) != 0;
+    s.upward = motion->upward;
+    s.pushes = motion->sideways;
+    if (bounds.flags & (level::kCarries | level::kSeat)) s.sideways = motion->sideways;
+    addSurface(s, c, bounds.flags);
+    if (bounds.flags & level::kTeleport) s.leadsTo = gates_[gateAt_++];
+    supports_.push_back(s);
+  }
+
+  // How far from the part's box its player can be, seen from above: body, limbs or climb sensor.
+  float sideOf(uint32_t flags) const {
+    const float half = 0.5f * length(Vec3{p_.bodyWidth, 0, p_.bodyDepth});
+    float side = half;
+    if (flags & kLeads) side = 0.5f * length(Vec3{p_.armSpan, 0, p_.bodyDepth});
+    if (flags & level::kTruss) side = std::max(side, p_.climbReach + half);
+    return side + kSlack;
+  }
+
+  // From any side, at any height.
+  float besideOf(const Box& box) const { return box.lo.y - p_.bodyTop - 2 * kSlack; }
+
+  float entryOf(const Box& box, uint32_t flags, const Motion* motion) const {
+    if (flags & (level::kTruss | kLeads)) return besideOf(box);
+    // Rays see a floor from here on, and push-out lifts a torso that is not deeper in it.
+    const float legs = std::max(sim::rayHeight(p_), p_.hipHeight) + 0.5f * p_.bodyDepth + kSlack;
+    if (!(flags & level::kUpright)) return box.lo.y - legs;
+    return (motion != nullptr ? motion->lowestTop : box.hi.y) - legs;
+  }
+
+  void addSurface(Support& s, const level::Collider& c, uint32_t flags) const {
+    const level::Roles* roles = level_.roles;
+    if (flags & level::kConveyor) {
+      const level::Roles& r = roles[c.role];
+      const Box around = grow(s.feet, {0, p_.bodyTop, 0});
+      const Vec3 far = max(abs(around.lo - r.conveyorCenter), abs(around.hi - r.conveyorCenter));
+      const float turning = length(r.conveyorAngular) * length(far);
+      s.sideways += length(Vec3{r.conveyorVelocity.x, 0, r.conveyorVelocity.z}) + turning;
+      s.upward += absf(r.conveyorVelocity.y) + turning;
+    }
+    if (flags & level::kPad) {
+      const Vec3 v = roles[c.role].padVelocity;
+      s.thrown = std::max(s.thrown, v.y);
+      s.sideways = std::max(s.sideways, length(Vec3{v.x, 0, v.z}));
+    }
+    if (flags & level::kTruss) {
+      s.thrown = std::max(s.thrown, s.upward + p_.climbSpeed * fastestWalk(level_));
+    }
+    if (!(flags & level::kUpright) && s.carries) s.sideways = std::max(s.sideways, kSteepSpeed);
+  }
+
+  const Problem& problem_;
+  const level::LevelView& level_;
+  const Params& p_;
+  const float rise_;
+  std::vector<Motion> movers_;   // of the colliders that move, in their order
+  std::vector<uint32_t> gates_;  // where teleporters lead, in their order
+  size_t moverAt_ = 0, gateAt_ = 0;
+  std::vector<Support> supports_;
+};
+
+}  // namespace
+
+std::vector<Support> supportsOf(const Problem& problem) { return Builder(problem).build(); }
+
+const char* unboundedPart(const level::LevelView& level) {
+  if (level.looseCount != 0) return "loose parts, which can be pushed anywhere";
+  if (!(level.params.gravity > 1)) return "next to no gravity";
+  if (level.params.maxSlope < kLeastSlope * kPi / 180) return "slopes to slide down";
+  for (uint32_t i = 0; i < level.colliderCount; ++i) {
+    if (!(level.bounds[i].flags & level::kPad)) continue;
+    const level::Roles& r = level.roles[level.colliders[i].role];
+    const bool slanted = r.padVelocity.x != 0 || r.padVelocity.z != 0 || r.padVelocity.y < 0;
+    if (r.padKeepsSideways && slanted) return "jump pads that add to the player's speed";
+  }
+  return nullptr;
+}
+
+float fastestWalk(const level::LevelView& level) {
+  float factor = 1;
+  for (uint32_t i = 0; i < level.clockCount; ++i) {
+    factor = std::max(factor, level.clocks[i].walkFactor);
+  }
+  return level.params.walkSpeed * factor;
+}
+
+float fastestJump(const level::LevelView& level) {
+  float fastest = level.params.jumpSpeed;
+  for (uint32_t i = 0; i < level.clockCount; ++i) {
+    fastest = std::max(fastest, level::jumpSpeedUnder(level.clocks[i], level.params));
+  }
+  return fastest;
+}
+
+}  // namespace obby::solve

@@ -1,0 +1,198 @@
+#include "solve/proof/unreachable.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "solve/query/targets.h"
+
+namespace obby::solve {
+
+namespace {
+
+std::string quoted(schema::Region::Reader region) {
+  return region.getName().size() > 0 ? fmt::format(" '{}'", region.getName().cStr())
+                                     : std::string();
+}
+
+// One of the regions that a playthrough has to be in.
+struct Target {
+  const level::TargetView* view;
+  std::string name;
+  int32_t mostJumps;  // on arrival; -1: any
+};
+
+std::vector<Target> targetsOf(const level::QueryView& q, schema::Query::Reader record) {
+  std::vector<Target> targets;
+  for (uint32_t i = 0; i < q.waypointCount; ++i) {
+    const std::string name = quoted(record.getWaypoints()[i].getRegion());
+    targets.push_back({&q.waypoints[i].target, fmt::format("waypoint {}{}", i + 1, name),
+                       q.waypoints[i].maxJumps});
+  }
+  for (uint32_t i = 0; i < q.visitCount; ++i) {
+    const std::string name = quoted(record.getVisits()[i]);
+    targets.push_back(
+        {&q.visits[i], name.empty() ? fmt::format("visit {}", i + 1) : name.substr(1), -1});
+  }
+  return targets;
+}
+
+int32_t lesser(int32_t a, int32_t b) { return a < 0 ? b : b < 0 ? a : std::min(a, b); }
+
+class Prover {
+ public:
+  Prover(const Problem& problem, schema::Query::Reader record)
+      : problem_(problem),
+        q_(problem.query),
+        targets_(targetsOf(q_, record)),
+        bound_(problem, q_.maxJumps != 0 && !sim::forbidsJumping(q_)) {
+    goals_.push_back(&q_.goal);
+    for (uint32_t i = 0; i < q_.otherGoalCount; ++i) goals_.push_back(&q_.otherGoals[i]);
+    goalName_ = goals_.size() > 1 ? "any of the goals"
+                                  : "the goal" + (record.hasGoal() ? quoted(record.getGoal()) : "");
+  }
+
+  std::optional<Cut> prove() const {
+    for (const Target& t : targets_) {
+      const int32_t most = lesser(t.mostJumps, q_.maxJumps);
+      if (auto cut = check({t.view}, t.name, most)) return cut;
+    }
+    if (auto cut = check(goals_, goalName_, q_.maxJumps)) return cut;
+    return late();
+  }
+
+ private:
+  using Targets = std::vector<const level::TargetView*>;
+
+  // Any of the targets will do.
+  std::optional<Cut> check(const Targets& targets, const std::string& name, int32_t most) const {
+    uint32_t jumps = ReachBound::kNever;
+    for (const level::TargetView* t : targets) jumps = std::min(jumps, bound_.jumpsTo(*t));
+    if (jumps != ReachBound::kNever && (most < 0 || jumps <= uint32_t(most))) return std::nullopt;
+    Cut cut = start(name);
+    if (jumps == ReachBound::kNever) {
+      cut.missing = leastMissing(targets);
+    } else {
+      cut.jumps = jumps;
+      cut.mostJumps = uint32_t(most);
+    }
+    return cut;
+  }
+
+  Missing leastMissing(const Targets& targets) const {
+    Missing least = bound_.missing(*targets.front());
+    for (const level::TargetView* t : targets) {
+      const Missing m = bound_.missing(*t);
+      if (m.rise + m.gap < least.rise + least.gap) least = m;
+    }
+    return least;
+  }
+
+  Cut start(const std::string& name) const {
+    Cut cut;
+    cut.target = name;
+    for (const uint32_t collider : bound_.reached()) {
+      cut.reached.push_back(problem_.level.colliders[collider].part);
+    }
+    std::sort(cut.reached.begin(), cut.reached.end());
+    cut.reached.erase(std::unique(cut.reached.begin(), cut.reached.end()), cut.reached.end());
+    return cut;
+  }
+
+  Box boxOf(const level::TargetView& t) const { return bound_.boxOf(t); }
+
+  // Along the waypoints in order, and by any one visit, at the fastest speed and straight.
+  float leastDistance() const {
+    Box at{problem_.start.position, problem_.start.position};
+    const Box from = at;
+    float walked = 0;
+    for (uint32_t i = 0; i < q_.waypointCount; ++i) {
+      const Box next = boxOf(q_.waypoints[i].target);
+      walked += gapBetween(at, next);
+      at = next;
+    }
+    float home = 1e30f, around = 0;
+    for (const level::TargetView* goal : goals_)
+      home = std::min(home, gapBetween(at, boxOf(*goal)));
+    for (uint32_t i = 0; i < q_.visitCount; ++i) {
+      const Box visit = boxOf(q_.visits[i]);
+      float last = 1e30f;
+      for (const level::TargetView* goal : goals_) {
+        last = std::min(last, gapBetween(visit, boxOf(*goal)));
+      }
+      around = std::max(around, gapBetween(from, visit) + last);
+    }
+    return std::max(walked + home, around);
+  }
+
+  std::optional<Cut> late() const {
+    if (q_.timeLimitTicks == 0) return std::nullopt;
+    const Params& p = problem_.level.params;
+    const float seconds = leastDistance() / bound_.fastest() - 2 * p.tickSeconds;
+    const float most = float(q_.timeLimitTicks) * p.tickSeconds;
+    if (!(seconds > most)) return std::nullopt;
+    Cut cut = start(goalName_);
+    cut.seconds = seconds;
+    cut.mostSeconds = most;
+    return cut;
+  }
+
+  const Problem& problem_;
+  const level::QueryView& q_;
+  std::vector<Target> targets_;
+  ReachBound bound_;
+  Targets goals_;
+  std::string goalName_;
+};
+
+std::string partText(uint32_t collider, const level::Level& level) {
+  const uint32_t part = level.view().colliders[collider].part;
+  return fmt::format("part {} '{}'", part, level.partName(part));
+}
+
+std::string stepText(const Cut& cut, const level::Level& level) {
+  const Missing& m = cut.missing;
+  std::string text = m.from == level::kNone ? "from the start" : "from " + partText(m.from, level);
+  text += " to " + (m.to == level::kNone ? cut.target : partText(m.to, level));
+  if (m.rise > 0) text += fmt::format(" at least {:.1f} studs of height", m.rise);
+  if (m.gap > 0) {
+    text += fmt::format("{} at least {:.1f} studs of reach", m.rise > 0 ? " and" : "", m.gap);
+  }
+  return text + " are missing";
+}
+
+}  // namespace
+
+std::optional<Cut> cutOf(const Problem& problem, schema::Query::Reader record) {
+  if (unboundedPart(problem.level) != nullptr) return std::nullopt;
+  return Prover(problem, record).prove();
+}
+
+std::string reasonFor(const Cut& cut, const level::Level& level) {
+  if (cut.jumps > 0) {
+    return fmt::format("every way to {} takes at least {} jump{}, and {} are allowed", cut.target,
+                       cut.jumps, cut.jumps == 1 ? "" : "s", cut.mostJumps);
+  }
+  if (cut.seconds > 0) {
+    return fmt::format("every way to {} takes at least {:.2f} s, and {:.2f} s are allowed",
+                       cut.target, cut.seconds, cut.mostSeconds);
+  }
+  return fmt::format("nobody can reach {}: {}; {} part{} can be reached at most", cut.target,
+                     stepText(cut, level), cut.reached.size(), cut.reached.size() == 1 ? "" : "s");
+}
+
+void fillCut(schema::Cut::Builder record, const Cut& cut, const level::LevelView& level) {
+  auto reached = record.initReached(uint32_t(cut.reached.size()));
+  for (uint32_t i = 0; i < reached.size(); ++i) reached.set(i, int32_t(cut.reached[i]));
+  const auto partOf = [&](uint32_t collider) {
+    return collider == level::kNone ? -1 : int32_t(level.colliders[collider].part);
+  };
+  record.setFrom(partOf(cut.missing.from));
+  record.setTo(partOf(cut.missing.to));
+  record.setRise(cut.missing.rise);
+  record.setGap(cut.missing.gap);
+  record.setJumps(cut.jumps);
+  record.setSeconds(cut.seconds);
+}
+
+}  // namespace obby::solve

@@ -1,0 +1,34 @@
+// Queries that nobody can solve, shown without a search by the bound on what a player can reach.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "level/level.h"
+#include "schema/obby.capnp.h"
+#include "solve/proof/reach_bound.h"
+
+namespace obby::solve {
+
+// Why a query is unreachable. One of the three: a step that is missing, too few jumps, too little
+// time.
+struct Cut {
+  std::string target;             // "the goal", "waypoint 2 'Bridge'"
+  std::vector<uint32_t> reached;  // parts
+  Missing missing;                // where `jumps` and `seconds` are 0
+  uint32_t jumps = 0;             // that the way to the target takes at least
+  uint32_t mostJumps = 0;         // that are allowed
+  float seconds = 0;              // that it takes at least
+  float mostSeconds = 0;          // that are allowed
+};
+
+// Nothing: the query may be solvable. `record`: for the names of its regions.
+std::optional<Cut> cutOf(const Problem& problem, schema::Query::Reader record);
+
+// One sentence for people.
+std::string reasonFor(const Cut& cut, const level::Level& level);
+
+void fillCut(schema::Cut::Builder record, const Cut& cut, const level::LevelView& level);
+
+}  // namespace obby::solve

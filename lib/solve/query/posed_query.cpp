@@ -1,0 +1,31 @@
+#include "solve/query/posed_query.h"
+
+#include "io/record.h"
+#include "sim/simulator.h"
+#include "solve/answers/answer_records.h"
+#include "solve/verify/verifier.h"
+
+namespace obby::solve {
+
+Problem problemOf(const PosedQuery& posed) {
+  const auto& view = posed.level.view();
+  return {view,
+          posed.query.view(),
+          sim::makeWorld(view, posed.query.start()),
+          sim::makeLoose(view),
+          posed.level.bounds(),
+          posed.level.hasMotion(),
+          {},
+          posed.policy};
+}
+
+bool solves(const Playthrough& playthrough, const PosedQuery& posed) {
+  if (playthrough.end.outcome != sim::Outcome::goal) return false;
+  io::RecordBuilder record;
+  const AnswerIdentity identity{posed.query.id(), posed.level.name(), posed.query.start(), {}};
+  fillTrajectory(record.root().initTrajectory(), identity, playthrough, 0);
+  return bool(
+      verify(posed.level, posed.levelRecord, posed.queryRecord, record.reader().getTrajectory()));
+}
+
+}  // namespace obby::solve

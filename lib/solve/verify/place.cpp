@@ -1,0 +1,28 @@
+#include "solve/verify/place.h"
+
+#include "sim/targets.h"
+
+namespace obby::solve {
+
+namespace {
+
+bool touchesPart(int64_t part, const level::LevelView& level, const sim::World& world,
+                 std::span<const sim::LooseBody> loose) {
+  const sim::Limbs limbs = sim::limbsOf(world, level.params);
+  for (uint32_t i = 0; i < level.colliderCount; ++i) {
+    if (int64_t(level.colliders[i].part) != part) continue;
+    if (sim::touchesCollider(world, loose.data(), level, i, limbs)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool Place::holds(const level::LevelView& level, const sim::World& world,
+                  std::span<const sim::LooseBody> loose) const {
+  if (touch_ >= 0) return touchesPart(touch_, level, world, loose);
+  const Vec3 feet = world.position;
+  return box_.holds({feet.x, feet.y, feet.z}, level.params.bodyTop);
+}
+
+}  // namespace obby::solve

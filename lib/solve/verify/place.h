@@ -1,0 +1,30 @@
+// A region of a record as the verifier reads it: a box, or a part to be touched. That a limb
+// touches a part is physics, and the simulator's to say.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "level/level_view.h"
+#include "sim/loose.h"
+#include "sim/world.h"
+#include "solve/verify/box_region.h"
+
+namespace obby::solve {
+
+class Place {
+ public:
+  // The parts that it names are resolved.
+  explicit Place(schema::Region::Reader region)
+      : box_(region), touch_(region.getTouch() ? region.getPartIndex() : -1) {}
+
+  // Is the player there now?
+  bool holds(const level::LevelView& level, const sim::World& world,
+             std::span<const sim::LooseBody> loose) const;
+
+ private:
+  BoxRegion box_;
+  int64_t touch_;  // part to be touched; -1: the box counts
+};
+
+}  // namespace obby::solve
