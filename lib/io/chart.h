@@ -26,8 +26,8 @@ struct ChartBar {
 struct ChartCurve {
   std::string name;
   ChartPoints points;
-  ChartPoints above, below;    // of a band around it; may be empty
-  std::vector<ChartBar> bars;  // instead of points, or beside them
+  ChartPoints above, below;         // of a band around it; may be empty
+  std::vector<ChartBar> bars = {};  // instead of points, or beside them
 };
 
 struct ChartPlot {
