@@ -3,6 +3,7 @@
 #include "train/device/device_engine.h"
 
 #include <gtest/gtest.h>
+
 #include <algorithm>
 
 #include "sim/host_device.h"
