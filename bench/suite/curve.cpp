@@ -51,14 +51,6 @@ io::ChartPlot solvedPlot(const Results& results) {
   return plot;
 }
 
-double valueOf(const std::vector<Measure>& measures, const std::string& method,
-               const std::string& metric) {
-  for (const Measure& m : measures) {
-    if (m.method == method && m.metric == metric) return m.value;
-  }
-  return std::nan("");
-}
-
 io::ChartPlot thirdsPlot(const Results& results, const std::vector<Measure>& measures) {
   constexpr double kFoot = 0.01, kGroup = 0.8;  // seconds; of a third's width
   const char* const thirds[] = {"Short", "Medium", "Long"};
@@ -73,7 +65,7 @@ io::ChartPlot thirdsPlot(const Results& results, const std::vector<Measure>& mea
     for (int t = 0; t < 3; ++t) {
       const auto read = [&](const char* what) {
         const std::string metric = fmt::format("ge{}{}Seconds", thirds[t], what);
-        return std::clamp(valueOf(measures, bars.name, metric), kFoot, results.cap);
+        return std::clamp(findMeasure(measures, bars.name, metric)->value, kFoot, results.cap);
       };
       const double from = t - kGroup / 2 + width * double(m);
       const double mean = read("Mean");
@@ -89,8 +81,7 @@ io::ChartPlot thirdsPlot(const Results& results, const std::vector<Measure>& mea
 
 std::string suiteSvg(const Results& results, const std::vector<Measure>& measures) {
   std::vector<io::ChartPlot> plots = {solvedPlot(results)};
-  const auto& methods = results.methods;
-  if (std::find(methods.begin(), methods.end(), "ge") != methods.end())
+  if (findMeasure(measures, "ge", "geLongMeanSeconds"))
     plots.push_back(thirdsPlot(results, measures));
   return io::chartSvg(plots);
 }

@@ -163,11 +163,10 @@ class Summary {
     const char* const names[] = {"geShort", "geMedium", "geLong"};
     for (int t = 0; t < 3; ++t) {
       const std::string name = names[t];
-      addMeanAndQuartiles(name + "Mean", name + "LowerQuartile", name + "UpperQuartile",
-                          Sample(results_, method_, [&](size_t q) { return third[q] == t; }));
+      const Sample s(results_, method_, [&](size_t q) { return third[q] == t; });
+      addMeanAndQuartiles(name + "Mean", name + "LowerQuartile", name + "UpperQuartile", s);
+      if (t == 2) addPar2("geLongPar2Seconds", s);
     }
-    addPar2("geLongPar2Seconds",
-            Sample(results_, method_, [&](size_t q) { return third[q] == 2; }));
   }
 
   void addThirdsByEffort() {
@@ -225,6 +224,14 @@ std::vector<Measure> summarise(const Results& results) {
   std::vector<Measure> measures;
   for (size_t m = 0; m < results.methods.size(); ++m) Summary(results, m, measures).addAll();
   return measures;
+}
+
+const Measure* findMeasure(const std::vector<Measure>& measures, const std::string& method,
+                           const std::string& metric) {
+  for (const Measure& m : measures) {
+    if (m.method == method && m.metric == metric) return &m;
+  }
+  return nullptr;
 }
 
 std::vector<Share> solvedShares(const Results& results, size_t method,

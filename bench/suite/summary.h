@@ -52,6 +52,10 @@ struct Measure {
 //   provedShare                   of the queries that the suite says can be shown to be unreachable
 std::vector<Measure> summarise(const Results& results);
 
+// Null where the method has no such figure.
+const Measure* findMeasure(const std::vector<Measure>& measures, const std::string& method,
+                           const std::string& metric);
+
 // The queries that took the method longest, or that it did not solve, as lines for people.
 std::string slowest(const Results& results, size_t method, size_t count);
 

@@ -36,11 +36,9 @@ std::string tableText(const std::vector<std::string>& methods,
   for (const std::string& metric : metrics) {
     std::string unit, cells;
     for (const std::string& method : methods) {
-      const auto found = std::find_if(measures.begin(), measures.end(), [&](const Measure& m) {
-        return m.metric == metric && m.method == method;
-      });
-      cells += fmt::format("{:>24}", found == measures.end() ? "-" : cell(*found));
-      if (found != measures.end()) unit = found->unit;
+      const Measure* const found = findMeasure(measures, method, metric);
+      cells += fmt::format("{:>24}", found ? cell(*found) : "-");
+      if (found) unit = found->unit;
     }
     text += fmt::format("\n{:<30}{:<6}{}", metric, unit, cells);
   }

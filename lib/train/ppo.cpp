@@ -121,6 +121,29 @@ AdvantageScale::AdvantageScale(double sum, double squares, double rows) : count(
   scale = float(1 / (deviation + 1e-8));
 }
 
+namespace {
+
+// Makes the sum of `count` decisions' gradients their mean, no longer than `most`; how long it was.
+// Squares are added as doubles, as on a GPU: as floats a network's thousands would cost two digits.
+float meanCut(Weights<float>& gradient, float count, float most) {
+  double squares = 0;
+  for (int l = 0; l < 3; ++l) {
+    gradient.w[l] /= count;
+    gradient.b[l] /= count;
+    squares += gradient.w[l].cast<double>().squaredNorm();
+    squares += gradient.b[l].cast<double>().squaredNorm();
+  }
+  const float norm = std::sqrt(float(squares));
+  if (norm <= most) return norm;
+  for (int l = 0; l < 3; ++l) {
+    gradient.w[l] *= most / norm;
+    gradient.b[l] *= most / norm;
+  }
+  return norm;
+}
+
+}  // namespace
+
 void Ppo::learnPart(const Batch& batch, std::span<const uint32_t> rows, float rate,
                     Progress& sums) {
   double sum = 0, squares = 0;
@@ -149,20 +172,7 @@ void Ppo::learnPart(const Batch& batch, std::span<const uint32_t> rows, float ra
     }
   }
   addRanks(all);
-  float norm = 0;
-  for (int l = 0; l < 3; ++l) {
-    all.w[l] /= scale.count;
-    all.b[l] /= scale.count;
-    norm += all.w[l].squaredNorm() + all.b[l].squaredNorm();
-  }
-  norm = std::sqrt(norm);
-  sums.norm += double(norm);
-  if (norm > settings_.mostNorm) {
-    for (int l = 0; l < 3; ++l) {
-      all.w[l] *= settings_.mostNorm / norm;
-      all.b[l] *= settings_.mostNorm / norm;
-    }
-  }
+  sums.norm += double(meanCut(all, scale.count, settings_.mostNorm));
   step(all, settings_.rate * rate);
 }
 

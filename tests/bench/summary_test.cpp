@@ -38,9 +38,8 @@ Results example() {
 }
 
 double figure(const Results& results, const std::string& method, const std::string& metric) {
-  for (const Measure& m : summarise(results)) {
-    if (m.method == method && m.metric == metric) return m.value;
-  }
+  const std::vector<Measure> measures = summarise(results);
+  if (const Measure* const found = findMeasure(measures, method, metric)) return found->value;
   ADD_FAILURE() << method << " has no " << metric;
   return std::nan("");
 }

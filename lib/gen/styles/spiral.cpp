@@ -1,4 +1,4 @@
-// Ledges that wind up a core, once or one and a half times round it, as towers are built.
+// Ledges that wind up a core, half or one and a half times round it, as towers are built.
 #include "gen/styles/all.h"
 
 namespace obby::gen {
