@@ -2,8 +2,10 @@
 // beyond a jump is beyond it.
 #include "solve/proof/reach_bound.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 #include "golden/hashes.h"
@@ -130,6 +132,106 @@ TEST(ReachBound, MovingPartsAreEverywhereOnTheirWay) {
   });
   EXPECT_NE(jumpsAcross(b.compile()), ReachBound::kNever);
   EXPECT_EQ(jumpsAcross(platforms(12, 40)), ReachBound::kNever) << "without it";
+}
+
+// Runs up a slope with all keys held; jumps at `jumpAt`, if ever.
+void expectRunHeld(float degrees, float walkSpeed, uint32_t jumpAt) {
+  SCOPED_TRACE(fmt::format("{} degrees, {} studs/s, jump at tick {}", degrees, walkSpeed, jumpAt));
+  const bool jumps = jumpAt != ReachBound::kNever;
+  constexpr float kHigh = 10;
+  const float run = kHigh / std::tan(degrees * kPi / 180);
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {8, 1, 40}).spawn({0, 0, 15});
+  b.part([=](schema::Part::Builder p) {
+    support::set(p.initPosition(), {0, kHigh / 2, -20 - run / 2});
+    support::set(p.initSize(), {8, kHigh, run});
+    support::setRotation(p.initRotation(), kPi);
+    p.setShape(schema::Shape::WEDGE);
+  });
+  b.physics([=](schema::PhysicsParams::Builder p) { p.setWalkSpeed(walkSpeed); });
+  const level::Level level = b.compile();
+  const Problem problem = problemOf(level);
+  const ReachBound bound(problem, jumps);
+  sim::World w = problem.start;
+  for (uint32_t t = 0; t < 300 && w.outcome == sim::Outcome::running; ++t) {
+    sim::advance(w, nullptr, level.view(), nullptr, {0, true, t == jumpAt});
+    ASSERT_TRUE(bound.holds(w.position)) << "tick " << t << ", height " << w.position.y;
+  }
+}
+
+TEST(ReachBound, HoldsWhoeverIsFastOnARamp) {
+  for (const float degrees : {20.0f, 30.0f, 40.0f, 45.0f, 50.0f, 60.0f, 70.0f, 80.0f}) {
+    for (const float speed : {16.0f, 32.0f, 64.0f, 100.0f, 200.0f, 400.0f}) {
+      expectRunHeld(degrees, speed, ReachBound::kNever);
+      for (uint32_t t = 0; t < 160; t += 2) expectRunHeld(degrees, speed, t);
+    }
+  }
+}
+
+// A slab that slides off when somebody stands on the button is back there at once when that ends,
+// with whoever took its place inside.
+TEST(ReachBound, HoldsWhomASlabThatComesBackLiftsOut) {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {60, 1, 60}).spawn({0, 0, 20});
+  b.block({0, 0.1f, 20}, {4, 0.2f, 4}, [](schema::Part::Builder p) {
+    p.setSolid(false);
+    auto button = p.initButton();
+    button.setSignal("go");
+    button.setSeconds(2);
+  });
+  b.block({0, 3, 0}, {20, 6, 20}, [](schema::Part::Builder p) {
+    auto motion = p.initMotion();
+    auto keys = motion.initKeys(2);
+    support::set(keys[0].initPosition(), {0, 3, 0});
+    support::set(keys[1].initPosition(), {30, 3, 0});
+    keys[1].setTime(1);
+    motion.setRepeat(schema::Repeat::ONCE);
+    motion.setTrigger(schema::MotionTrigger::SIGNAL);
+    motion.setSignal("go");
+  });
+  const level::Level level = b.compile();
+  const Problem problem = problemOf(level);
+  const ReachBound bound(problem, false);
+  sim::World w = problem.start;
+  float highest = 0;
+  for (uint32_t t = 0; t < 400; ++t) {
+    sim::advance(w, nullptr, level.view(), nullptr, {0, t < 72, false});
+    highest = std::max(highest, w.position.y);
+    ASSERT_TRUE(bound.holds(w.position)) << "tick " << t << ", height " << w.position.y;
+  }
+  EXPECT_GT(highest, 5) << "nobody was lifted";
+}
+
+// Tripped at its top, somebody slides down a slope without legs to hold on with.
+TEST(ReachBound, HoldsWhoSlidesHelpless) {
+  constexpr float kYaw = kPi / 4;  // speed is bounded along each axis: most of it goes aslant
+  const Vec3 ahead{-std::sin(kYaw), 0, -std::cos(kYaw)};
+  const auto turned = [](schema::Part::Builder p) { support::setRotation(p.initRotation(), kYaw); };
+  LevelBuilder b;
+  b.block({0, 150, 0}, {12, 1, 12}, turned).spawn({0, 150.5f, 0});
+  b.block(Vec3{0, 146.5f, 0} + ahead * 21, {12, 8, 30}, [&](schema::Part::Builder p) {
+    turned(p);
+    p.setShape(schema::Shape::WEDGE);
+  });
+  b.block(Vec3{0, 151.5f, 0} + ahead * 5.5f, {12, 2, 0.5f}, [&](schema::Part::Builder p) {
+    turned(p);
+    p.setSolid(false);
+    p.initTrip();
+  });
+  const level::Level level = b.compile();
+  const Problem problem = problemOf(level);
+  const ReachBound bound(problem, true);
+  float fastest = 0;
+  for (int aside = -8; aside <= 8; ++aside) {
+    sim::World w = problem.start;
+    const Turns direction = Turns(turnsFromRadians(kYaw) + Turns(aside * 200));
+    for (uint32_t t = 0; t < 500 && w.outcome == sim::Outcome::running; ++t) {
+      sim::advance(w, nullptr, level.view(), nullptr, {direction, true, false});
+      fastest = std::max(fastest, length(Vec3{w.velocity.x, 0, w.velocity.z}));
+      ASSERT_TRUE(bound.holds(w.position)) << "aside " << aside << ", tick " << t;
+    }
+  }
+  EXPECT_GT(fastest, 30) << "nobody slid";
 }
 
 TEST(ReachBound, CountsTheFewestJumps) {

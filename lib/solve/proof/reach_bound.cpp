@@ -29,12 +29,33 @@ float ReachBound::fastestReached() const {
     if (jumps_[i] != kNever) more = std::max(more, supports_[i].sideways);
   }
   const float most = 1.42f * problem_.level.maxSideSpeed;  // clamped along each axis
+  if (slidesHelpless()) return std::max(most, flight_.sideways());
   return std::min(fastestWalk(problem_.level) + more, std::max(most, flight_.sideways()));
 }
 
+// Who fell over has no legs to brace: slopes let the body slide as fast as anything may be.
+bool ReachBound::slidesHelpless() const {
+  const level::LevelView& level = problem_.level;
+  bool helpless = false, slopes = false;
+  for (uint32_t i = 0; i < level.clockCount; ++i) helpless |= level.clocks[i].helpless != 0;
+  for (size_t i = 0; i < supports_.size(); ++i)
+    slopes |= supports_[i].tilted && jumps_[i] != kNever;
+  return helpless && slopes;
+}
+
+// Studs/s upward at which a slope lets go of somebody who runs up it: it turns half of the speed
+// upward at once, and on the way up keys hold as much against gravity.
+float ReachBound::rampSpeed(const Support& s) const {
+  constexpr float kSpare = 1.05f;
+  if (!s.tilted) return 0;
+  return flight_.sideways() * std::max(0.5f, kSpare * p_.groundAccel / p_.gravity);
+}
+
 Launch ReachBound::launch(const Support& s, bool jumping) const {
-  const float lifted = s.upward + (jumping ? jumpSpeed_ : 0.0f);
-  return {s.feet, std::min(std::max(lifted, s.thrown), p_.maxFallSpeed)};
+  const float lifted = s.upward + (jumping ? jumpSpeed_ : 0.0f), ramp = rampSpeed(s);
+  Box from = s.feet;
+  if (jumping) from.hi.y += ramp * (p_.coyoteTime + 2 * p_.tickSeconds);
+  return {from, std::min(std::max({lifted, s.thrown, ramp}), p_.maxFallSpeed)};
 }
 
 bool ReachBound::crosses(const Launch& l, const Support& to, bool jumping) const {

@@ -54,6 +54,8 @@ class ReachBound {
   Launch launch(const Support& s, bool jumping) const;
   bool crosses(const Launch& l, const Support& to, bool jumping) const;
   float fastestReached() const;
+  bool slidesHelpless() const;
+  float rampSpeed(const Support& s) const;
 
   const Problem& problem_;
   const Params& p_;

@@ -53,6 +53,24 @@ float spinStep(const Mat3& a, const Mat3& b, float radius) {
   return radius * sqrtf32(dot(x, x) + dot(y, y) + dot(z, z));
 }
 
+// Once its clock has run out a mover is back at its beginning, wherever it was, in one tick.
+void noteReturn(Motion& motion, const level::Mover& m, float radius, float rate, bool carries) {
+  if (m.trigger == level::kNone) return;
+  Motion back;
+  for (uint32_t k = 0; k < m.keyCount; ++k) {
+    const Vec3 step = m.keys[0].position - m.keys[k].position;
+    noteStep(back, step, spinStep(m.keys[k].rotation, m.keys[0].rotation, radius), rate);
+  }
+  for (uint32_t k = 0; k < m.spinCount; ++k) {
+    const float turned = spinStep(m.spins[k], m.spins[0], radius);
+    noteStep(back, {}, turned, rate);
+  }
+  motion.rough |= back.rough;
+  if (!carries) return;
+  motion.upward = std::max(motion.upward, back.upward);
+  motion.sideways = std::max(motion.sideways, back.sideways);
+}
+
 Motion motionOf(const level::LevelView& level, uint32_t collider) {
   const level::Collider& c = level.colliders[collider];
   const level::Mover& m = level.movers[c.mover];
@@ -76,6 +94,8 @@ Motion motionOf(const level::LevelView& level, uint32_t collider) {
   motion.sideways += spin * rate;
   if (!upright) motion.upward += spin * rate;
   motion.rough |= spin > kSnap;
+  const bool carries = (level.bounds[collider].flags & (level::kCarries | level::kSeat)) != 0;
+  noteReturn(motion, m, radius, rate, carries);
   return motion;
 }
 
@@ -199,7 +219,8 @@ class Builder {
     if (flags & level::kTruss) {
       s.thrown = std::max(s.thrown, s.upward + p_.climbSpeed * fastestWalk(level_));
     }
-    if (!(flags & level::kUpright) && s.carries) s.sideways = std::max(s.sideways, kSteepSpeed);
+    s.tilted = !(flags & level::kUpright) && s.carries;
+    if (s.tilted) s.sideways = std::max(s.sideways, kSteepSpeed);
   }
 
   const Problem& problem_;

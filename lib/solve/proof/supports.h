@@ -18,6 +18,7 @@ struct Support {
   float pushes = 0;                  // studs/s at which it pushes who is in its way
   bool carries = false;              // not: only leads elsewhere
   bool snaps = false;                // may move the player some studs at once
+  bool tilted = false;               // has slopes, which turn speed upward
   uint32_t collider = level::kNone;  // none: the start, or where a teleporter leads
   uint32_t leadsTo = level::kNone;   // support that touching it leads to
 };
