@@ -65,8 +65,9 @@ Result<io::Then> Filter::handleLevel(const io::Record& record) {
 }
 
 Result<io::Then> Filter::handleQuery(const io::Record& record) {
-  if (options_.task == Task::filter) return io::Then::pass;
   const auto query = record.reader().getQuery();
+  if (options_.task != Task::answer) note(query.getId());
+  if (options_.task == Task::filter) return io::Then::pass;
   OBBY_ASSIGN(const LevelPointer level, levelNamed(query.getLevel()));
   if (level == last_) lastAsked_ = true;
   const bool asked = options_.quick && !options_.each;  // in place of the stream's queries
@@ -76,6 +77,7 @@ Result<io::Then> Filter::handleQuery(const io::Record& record) {
     queries_.insert_or_assign({level->level.name(), query.getId()}, full);
     return io::Then::pass;
   }
+  note(query.getId());
   if (!wanted(query.getId())) return io::Then::pass;
   // Compiled first: a query that makes no sense falls under --on-error before it goes out.
   OBBY_RETURN_IF_ERROR(level::Query::compile(full.reader().getQuery(), level->level));
@@ -107,11 +109,13 @@ Result<io::Record> Filter::resolved(const LoadedLevel& level, const io::Record& 
   return io::Record(std::move(copy));
 }
 
-bool Filter::wanted(const std::string& id) {
-  if (options_.only.empty()) return true;
-  const bool yes = std::find(options_.only.begin(), options_.only.end(), id) != options_.only.end();
-  (yes ? met_ : others_).push_back(id);
-  return yes;
+bool Filter::wanted(const std::string& id) const {
+  const std::vector<std::string>& only = options_.only;
+  return only.empty() || std::find(only.begin(), only.end(), id) != only.end();
+}
+
+void Filter::note(const std::string& id) {
+  if (!options_.only.empty()) (wanted(id) ? met_ : others_).push_back(id);
 }
 
 Status Filter::answer(const LoadedLevel& level, schema::Query::Reader query) {
@@ -170,6 +174,7 @@ Status Filter::finishInput() {
 }
 
 Result<io::Then> Filter::handleTrajectory(schema::Trajectory::Reader trajectory) {
+  if (!wanted(trajectory.getQuery())) return io::Then::pass;
   if (options_.task == Task::verify) OBBY_RETURN_IF_ERROR(check(trajectory));
   if (options_.task != Task::filter) return io::Then::pass;
   OBBY_ASSIGN(const bool kept, keeps(trajectory));

@@ -78,7 +78,8 @@ class Filter {
   Result<LevelPointer> levelNamed(const std::string& name) const;
   // With the boxes of the parts that it names, and the changes of `quick`.
   Result<io::Record> resolved(const LoadedLevel& level, const io::Record& query) const;
-  bool wanted(const std::string& id);
+  bool wanted(const std::string& id) const;
+  void note(const std::string& id);  // that the stream has a query of that name
   Status remember(schema::Trajectory::Reader trajectory, bool first);
 
   FilterOptions options_;

@@ -149,10 +149,11 @@ class Solving {
     const Course course = courseOf(problem, p);
     fillRoute(record, routeOf(course));
     const Budget& b = options_.budget;
-    const bool interrupted = b.stop != nullptr && b.stop->load();
-    if (options_.difficultyTrials == 0 || course.ticks() == 0 || interrupted) return {};
-    const DifficultyOptions asked{options_.difficultyTrials, b.seed, {}};
+    const auto interrupted = [&] { return b.stop != nullptr && b.stop->load(); };
+    if (options_.difficultyTrials == 0 || course.ticks() == 0 || interrupted()) return {};
+    const DifficultyOptions asked{options_.difficultyTrials, b.seed, {}, b.stop};
     const Difficulty difficulty = difficultyOf(problem, course, asked, pool);
+    if (interrupted()) return {};
     fillDifficulty(record.initDifficulty(), difficulty, asked.noise);
     return hardestText(difficulty, level_.level);
   }

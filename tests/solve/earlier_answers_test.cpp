@@ -5,7 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "policy/shipped_policy.h"
 #include "scenes.h"
+#include "solve/methods.h"
 
 namespace obby::solve {
 namespace {
@@ -111,6 +113,19 @@ TEST(EarlierAnswer, GivesTheSameBytesOnAnyNumberOfThreads) {
   const std::string one = withoutTiming(answerAfter(before, fourStones(), 1));
   for (const int threads : {2, 3, 8}) {
     EXPECT_EQ(one, withoutTiming(answerAfter(before, fourStones(), threads)));
+  }
+}
+
+TEST(EarlierAnswer, IsOfUseToEveryMethod) {
+  const std::string before = answer(stonesText(), stepsOnly());
+  for (const Method& method : methods()) {
+    FilterOptions o = stepsOnly(20'000);
+    o.solver.method = &method;
+    o.solver.policy = &policy::shippedPolicy().network;
+    o.earlier = answersIn(before);
+    EXPECT_THAT(answer(stonesText(), o), HasSubstr("\"verdict\":\"solved\"")) << method.name;
+    EXPECT_THAT(answer(fourStones(), std::move(o)), HasSubstr("\"type\":\"result\""))
+        << method.name;
   }
 }
 

@@ -109,8 +109,8 @@ std::vector<OptionRow> searchRows() {
                   "tries of each step by a player with noise, for --difficulty", kSearchGroup),
               1, 1000000),
       methodRow(),
-      repeatable(
-          row("query", ValueType::text, "ID", "", "answer only this query; repeat", kSearchGroup)),
+      repeatable(row("query", ValueType::text, "ID", "",
+                     "answer, check or filter only this query; repeat", kSearchGroup)),
       row("warm", ValueType::text, "FILE", "",
           "an earlier answer of these queries: its ways are tried first, and searched on from",
           kSearchGroup),
@@ -122,7 +122,7 @@ std::vector<OptionRow> searchRows() {
       cli::commonRow(cli::Common::threads),
       backendRow(),
       row("policy", ValueType::file, "FILE", "",
-          "what ge-ps and rl play by, from obby-train [default: the one that comes with the "
+          "what auto, ge-ps and rl play by, from obby-train [default: the one that comes with the "
           "program]",
           kSearchGroup),
       row("final-only", ValueType::flag, "", "", "leave progress records out of the stream",
@@ -220,8 +220,8 @@ cli::ToolSpec solveSpec() {
       "of the stream. A level without any query is asked for the way from its spawn to its goal or "
       "last checkpoint.\n\n"
       "The answer to a query depends on the stream, --seed, --max-steps, --solutions, --attempts, "
-      "--trials, --method and the file of --warm only, never on --threads, --backend or the "
-      "machine; progress records and "
+      "--diverse, --trials, --method and the files of --policy and --warm only, never on "
+      "--threads, --backend or the machine; progress records and "
       "result.timing "
       "do, and so does where --time-limit cuts off a search that finds nothing.";
   return spec;

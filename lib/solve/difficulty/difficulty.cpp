@@ -103,8 +103,12 @@ Difficulty difficultyOf(const Problem& problem, const Course& course,
                      {},
                      std::vector<uint32_t>(tasks)});
   }
-  pool.run(int(steps.size()), [&](int i) { measure(problem, options.noise, steps[size_t(i)]); });
+  const auto givenUp = [&] { return options.stop != nullptr && *options.stop; };
+  pool.run(int(steps.size()), [&](int i) {
+    if (!givenUp()) measure(problem, options.noise, steps[size_t(i)]);
+  });
   pool.run(int(steps.size() * tasks), [&](int n) {
+    if (givenUp()) return;
     const size_t step = size_t(n) / tasks;
     const uint32_t task = uint32_t(n) % tasks, first = task * kTogether;
     steps[step].passed[task] =

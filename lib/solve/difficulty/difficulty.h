@@ -2,6 +2,7 @@
 // (noisy_player.h), each time from where the recorded one begins it.
 #pragma once
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct DifficultyOptions {
   uint32_t trials = 1000;  // a segment, >= 1
   uint64_t seed = 1;
   NoiseModel noise;
+  const std::atomic<bool>* stop = nullptr;  // set from outside: give it up
 };
 
 // In the order of the schema.
@@ -46,7 +48,8 @@ struct Difficulty {
 
 constexpr float kMostAttempts = 1e6f;
 
-// Of a solution with at least one tick. The same for any number of threads.
+// Of a solution with at least one tick. The same for any number of threads; of no use once
+// `options.stop` is set.
 Difficulty difficultyOf(const Problem& problem, const Course& course,
                         const DifficultyOptions& options, ThreadPool& pool);
 
