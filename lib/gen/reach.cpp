@@ -17,6 +17,11 @@ constexpr int kDelays = 4;         // a jump may come late by any share of the c
 float Reach::legs() const { return kLegsUsed * p_.hipHeight; }
 float Reach::gravity() const { return maxf(p_.gravity, kLeastGravity); }
 
+bool Reach::cut() const {
+  constexpr float kDeepest = -12;  // studs down, that gaps of styles have
+  return p_.gravity < kLeastGravity || rise() >= kMostRise || gap(kDeepest) >= kMostGap;
+}
+
 float Reach::riseFrom(float upward) const {
   return minf(upward * upward / (2 * gravity()) + legs(), kMostRise);
 }

@@ -22,6 +22,9 @@ class Reach {
   float walkedGap() const;
   // Studs/s upward that bring the feet that high.
   float speedFor(float height) const;
+  // Are these measures cut, as those of such a world would make levels of thousands of studs? What
+  // is planted beyond them may then be within reach.
+  bool cut() const;
   // Longest time in the air between floors of one height, seconds.
   float flight() const;
 

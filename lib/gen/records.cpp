@@ -113,7 +113,9 @@ void Generator::writeLevel(const Generated& from, schema::Level::Builder to) con
   auto physics = to.initPhysics();
   // The names were checked when the generator was made.
   (void)setPhysics(physics, recipe_.physics);
-  physics.setFallenPartsHeight(float(int32_t(lowest(sketch) - kFallRoom)));
+  const auto saysWhereFallsEnd = [](const NamedNumber& n) { return n.name == "fallenPartsHeight"; };
+  if (std::none_of(recipe_.physics.begin(), recipe_.physics.end(), saysWhereFallsEnd))
+    physics.setFallenPartsHeight(float(int32_t(lowest(sketch) - kFallRoom)));
   auto parts = to.initParts(uint32_t(sketch.parts().size()));
   for (uint32_t i = 0; i < parts.size(); ++i) writePart(sketch.parts()[i], parts[i]);
   auto spawns = to.initSpawns(uint32_t(sketch.stops().size()) - 1);

@@ -48,6 +48,11 @@ float Sketch::mix(float easy, float hard) {
   return rounded(easy + (hard - easy) * t, 0.25f);
 }
 
+float Sketch::mixAside(float easy, float hard) {
+  const float far = mix(easy, hard);
+  return far * side();
+}
+
 uint32_t Sketch::mixCount(uint32_t easy, uint32_t hard) {
   const float t = clampf(difficulty_ + 0.3f * (2 * unit() - 1), 0.0f, 1.0f);
   return uint32_t(float(easy) + (float(hard) - float(easy)) * t + 0.5f);
@@ -83,9 +88,13 @@ float Sketch::sideGap(float share) {
   return rounded(reach_->gap(0) * this->share(kShareSpread) * share, 0.125f);
 }
 
-float Sketch::rise(float share) {
-  const float mine = rounded(reach_->rise() * this->share(kShareSpread) * share, 0.125f);
+float Sketch::easyRise(float share) {
   ++jumps_;
+  return rounded(reach_->rise() * this->share(kShareSpread) * share, 0.125f);
+}
+
+float Sketch::rise(float share) {
+  const float mine = easyRise(share);
   return broken("rise") ? rounded(reach_->rise() + beyond(), 0.125f) : mine;
 }
 
@@ -121,6 +130,7 @@ void Sketch::bend(float diameter) {
   const uint32_t now = uint32_t(int16_t(heading_) / step);
   const uint32_t next = (now + 1 + below(kHeadings - 1)) % kHeadings;
   heading_ = Turns(int16_t(next) * step);
+  turned_ = true;
   edge_ = middle;
   edge_ = at({0, 0, diameter / 2});
 }

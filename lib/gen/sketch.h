@@ -38,7 +38,8 @@ class Sketch {
   // Both must outlive the sketch.
   Sketch(const Reach& reach, const Recipe& recipe, Random random, SketchPlan plan);
 
-  // --- random numbers
+  // --- random numbers. At most one draw an expression: compilers evaluate operands and arguments
+  // in orders of their own, and levels would differ.
   float unit() { return random_.unit(); }
   uint32_t below(uint32_t n) { return random_.below(n); }
   uint32_t count(Count c) { return c.lo + random_.below(c.hi - c.lo + 1); }
@@ -46,16 +47,24 @@ class Sketch {
   float side() { return random_.below(2) == 0 ? -1.0f : 1.0f; }
   // From what is easy to what is hard, by the difficulty and a little chance; whole quarters.
   float mix(float easy, float hard);
+  // The same to the right or, negative, to the left.
+  float mixAside(float easy, float hard);
   // The same as a whole number.
   uint32_t mixCount(uint32_t easy, uint32_t hard);
 
   // --- measures: each is a crossing, which can be planted to be beyond reach
   float gap(float rise = 0, float share = 1);
   float rise(float share = 1);
+  // The same, never planted.
+  float easyRise(float share = 1);
   // A ledge that needs something: `least` studs beyond a jump and more.
   float highLedge(float least, float most);
-  // Is this crossing to be made impossible? The style leaves out what it takes.
+  // Is this crossing to be made impossible? The style leaves out what it takes, and draws the same
+  // numbers nevertheless: all else of a twin is as it was.
   bool broken(const char* what);
+  // Has the way come straight so far? Beside a lane that comes from aside, a wall that is too wide
+  // to go round is near enough to be jumped onto.
+  bool straight() const { return !turned_; }
   // A gap that is never planted: there are other ways.
   float sideGap(float share = 1);
 
@@ -134,6 +143,7 @@ class Sketch {
   float difficulty_ = 0;
   Vec3 edge_;
   Turns heading_ = 0;
+  bool turned_ = false;
   float bendSide_ = 1;  // a level turns to one side only, so that its lanes never meet
   uint32_t theme_ = 0;
   uint32_t shades_ = 0;

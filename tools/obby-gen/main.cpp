@@ -33,9 +33,11 @@ tools::EmitOptions emitOptions(const cli::Context& context) {
   return o;
 }
 
-Status noneKept() {
+Status noneKept(const tools::CheckOptions& check) {
   return makeError(fmt::format("--check keeps none of {} levels in a row", tools::kMostRefused),
-                   "give it more --check-steps, another style or another difficulty");
+                   check.unsolvable
+                       ? "of another style or with more excess in its recipe more can be proved"
+                       : "give it more --check-steps, another style or another difficulty");
 }
 
 // One stream of records, with what was made before an interruption.
@@ -64,7 +66,7 @@ Status writeStream(cli::Context& context, const gen::Generator& generator,
   if (ended && *ended == tools::Ended::noneKept) pipeline.outOfBudget();
   OBBY_RETURN_IF_ERROR(pipeline.finish());
   if (!ended) return ended.error();
-  return *ended == tools::Ended::noneKept ? noneKept() : Status();
+  return *ended == tools::Ended::noneKept ? noneKept(options.check) : Status();
 }
 
 // One place file; an interruption leaves none.
@@ -80,7 +82,7 @@ Status writePlace(cli::Context& context, const gen::Generator& generator,
                 return Status();
               }));
   if (ended == tools::Ended::stopped) return {};
-  if (ended == tools::Ended::noneKept) return noneKept();
+  if (ended == tools::Ended::noneKept) return noneKept(options.check);
   OBBY_ASSIGN(io::Sink sink, context.openSink());
   OBBY_RETURN_IF_ERROR(sink.write(place.finish()));
   return sink.close();

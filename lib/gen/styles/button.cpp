@@ -15,7 +15,7 @@ void buildDoor(Sketch& s) {
   constexpr float kRoundabout = 20, kDoor = 6, kRun = 12;
   const float width = 20, seconds = s.mix(12, 3), high = maxf(14.0f, s.reach().rise() + 5);
   const float side = (width - kDoor) / 2 + kRoundabout, middle = (kDoor + side) / 2;
-  const float aside = s.mix(3, 8) * s.side();
+  const float aside = s.mixAside(3, 8);
   s.wall("Wall", -middle, kRun, side, high, 1);
   s.wall("Wall", middle, kRun, side, high, 1);
   PartSketch& door = s.part("Door", {0, high / 2, kRun}, {kDoor, high, 1}).colored(colors::kFading);
@@ -33,15 +33,15 @@ void buildDoor(Sketch& s) {
 
 void buildBridge(Sketch& s) {
   const float seconds = s.mix(12, 5), gap = s.reach().gap(0) + s.mix(6, 10);
+  const float width = s.mix(6, 2), aside = s.mixAside(0, 4);
   const bool there = !s.broken("bridge");
   s.floor("Near bank", 10, 12);
   if (there) {
     PartSketch& bridge =
-        s.part("Bridge", {0, -0.5f, gap / 2}, {s.mix(6, 2), 1, gap}).colored(colors::kFading);
+        s.part("Bridge", {0, -0.5f, gap / 2}, {width, 1, gap}).colored(colors::kFading);
     VanishSketch away{schema::VanishTrigger::SIGNAL, 0, 0, 0, true};
     bridge.vanishing(away).signal = s.signal("bridge");
     const std::string name = bridge.signal;
-    const float aside = s.mix(0, 4) * s.side();
     button(s, aside, -7, seconds).signal = name;
     s.via({aside, 0, -7});
   }

@@ -5,9 +5,12 @@
 namespace obby::gen {
 
 void buildDecoy(Sketch& s) {
+  constexpr float kTooWide = 1.3f;
   constexpr float kPad = 8, kSpare = 6;  // studs beyond a jump: nobody gets across from the road
-  const float widest = s.reach().gap(0), long_ = s.mix(12, 9), width = s.mix(6, 3.5f);
-  const float hop = s.sideGap(0.75f), step = long_ + hop, side = s.side();
+  const float widest = s.reach().gap(0), plank = s.mix(12, 9), width = s.mix(6, 3.5f);
+  // Without one of the planks nobody gets along.
+  const float hop = s.sideGap(0.75f), long_ = maxf(plank, kTooWide * widest - 2 * hop);
+  const float step = long_ + hop, side = s.side();
   const uint32_t out = 1 + uint32_t((widest + kSpare) / step), along = out + 1;
   s.floor("Fork", kPad, kPad);
   // Planks out to the side, along, and back, from the middle of the pad.

@@ -11,7 +11,7 @@ void buildDoorway(Sketch& s) {
   for (uint32_t i = 0; i < walls; ++i) {
     const float hole = s.mix(6, 3), room = width - hole - 2;
     const float left = 1 + room * s.unit();
-    if (s.broken("door")) {
+    if (s.straight() && s.broken("door")) {
       s.wall("Wall", 0, kDeep - 3, width + 2 * kRoundabout, height, 1);
     } else {
       const float right = width - hole - left;

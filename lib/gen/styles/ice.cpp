@@ -7,9 +7,8 @@ void buildIce(Sketch& s) {
   const uint32_t lanes = s.mixCount(1, 3);
   for (uint32_t i = 0; i < lanes; ++i) {
     const float width = s.mix(10, 5), friction = 0.09f - 0.07f * s.difficulty();
-    s.floor("Ice", s.mix(10, 18), width, i == 0 ? 0 : s.gap(0, 0.5f))
-        .colored(colors::kIce)
-        .friction = friction;
+    const float gap = i == 0 ? 0 : s.gap(0, 0.5f), long_ = s.mix(10, 18);
+    s.floor("Ice", long_, width, gap).colored(colors::kIce).friction = friction;
     const float corner = width + 2;
     PartSketch& p = s.disc("Ice corner", corner, -width / 4, 0.1f);
     p.colored(colors::kIce).friction = friction;

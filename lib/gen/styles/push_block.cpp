@@ -5,21 +5,23 @@ namespace obby::gen {
 
 void buildPushBlock(Sketch& s) {
   constexpr float kYard = 34, kBlock = 4, kTerrace = 12;
+  constexpr float kBehind = 12;  // studs to stand behind the block
   constexpr float kTooHigh = 9;  // studs more: beyond a jump from the block, too
   const bool fixed = s.broken("block");
   const float width = s.mix(16, 22), over = s.mix(1.25f, 2);
   const float high = s.reach().rise() + over + (fixed ? kTooHigh : 0);
   // So far that nobody jumps from it to the wall where it stands.
   const float away = kBlock / 2 + s.reach().gap(s.reach().rise() + over - kBlock) + s.mix(3, 7);
-  const float aside = s.mix(0, width / 2 - 5) * s.side();
-  PartSketch& block = s.part("Block", {aside, kBlock / 2, kYard - away}, {kBlock, kBlock, kBlock})
+  const float yard = maxf(kYard, away + kBehind);
+  const float aside = s.mixAside(0, width / 2 - 5);
+  PartSketch& block = s.part("Block", {aside, kBlock / 2, yard - away}, {kBlock, kBlock, kBlock})
                           .colored(colors::kWood);
   block.anchored = fixed;
   block.density = 0.3f;
-  s.via({aside, 0, kYard - away - kBlock});
-  s.via({aside, 0, kYard - kBlock});
-  s.via({aside, high, kYard});
-  s.floor("Yard", kYard, width);
+  s.via({aside, 0, yard - away - kBlock});
+  s.via({aside, 0, yard - kBlock});
+  s.via({aside, high, yard});
+  s.floor("Yard", yard, width);
   s.part("Wall", {0, high / 2 - 0.5f, kTerrace / 2}, {width, high + 1, kTerrace})
       .colored(colors::kWall);
   s.advance(kTerrace, high);

@@ -35,7 +35,8 @@ void buildSpiral(Sketch& s) {
   s.part("Core", {0, height / 2, middle}, {kCore, height + 1, kCore}).colored(colors::kWall);
   s.advance(middle + kRadius + size / 2, height);
   s.expectWay(2 * kPi * kRadius * round);
-  s.floor("Landing", 5, s.mix(8, 5), s.mix(0, 1));
+  const float gap = s.mix(0, 1), wide = s.mix(8, 5);
+  s.floor("Landing", 5, wide, gap);
 }
 
 }  // namespace obby::gen

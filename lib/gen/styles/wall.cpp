@@ -9,7 +9,8 @@ void buildWall(Sketch& s) {
   const float width = s.mix(12, 8), before = 9, thick = s.mix(2, 1);
   const float behind = 9;
   for (uint32_t i = 0; i < walls; ++i) {
-    const float height = maxf(s.rise(), s.reach().params().hipHeight + 1);
+    const float rise = s.straight() ? s.rise() : s.easyRise();
+    const float height = maxf(rise, s.reach().params().hipHeight + 1);
     const bool high = height > s.reach().rise();
     s.wall("Wall", 0, before, high ? width + 2 * kRoundabout : width, height, thick);
     s.floor("Floor", before + behind, width);

@@ -8,8 +8,9 @@ void buildWedge(Sketch& s) {
   const float width = s.mix(10, 4), up = s.highLedge(2, 8), steep = s.mix(0.5f, 2);
   s.floor("Foot", 6, width);
   if (s.broken("ramp")) {
-    s.wall("Cliff", 0, 2, width, up + s.mix(3, 3), 4);
-    s.advance(4, up + s.mix(3, 3));
+    constexpr float kTooHigh = 3;
+    s.wall("Cliff", 0, 2, width, up + kTooHigh, 4);
+    s.advance(4, up + kTooHigh);
   } else {
     // Its vertical face is at its back: turned about, it rises ahead.
     const float run = up / steep;

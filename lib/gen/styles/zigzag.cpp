@@ -11,7 +11,8 @@ void buildZigzag(Sketch& s) {
     const float size = s.mix(6, 3), up = s.chance(0.5f) ? minf(s.mix(0, 4), most) : -s.mix(0, 3);
     const float gap = s.gap(up);
     // What nobody can cross goes straight on, where it is as wide as it was measured to be.
-    const float aim = gap < s.reach().gap(up) ? side * s.mix(0.25f, 0.85f) * s.unit() : 0;
+    const float slant = side * s.mix(0.25f, 0.85f), lean = slant * s.unit();
+    const float aim = gap < s.reach().gap(up) ? lean : 0;
     const float ahead = sqrtf32(1 - aim * aim);
     s.floor("Stone", size, size, gap * ahead, up, (gap + size) * aim);
     s.via({0, 0, -size / 2});

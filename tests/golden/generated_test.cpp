@@ -1,0 +1,48 @@
+// Generated levels are the same bytes on every machine and by every compiler: the first ones of each
+// style, and their twins, as tests/golden/generated.tsv has their hashes. After a change that is
+// meant to change levels:
+//   OBBY_WRITE_GOLDEN=1 test_golden --gtest_filter='Generated*' && git diff tests/golden
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "base/hash.h"
+#include "gen/made.h"
+
+namespace obby::test {
+namespace {
+
+constexpr const char* kFile = OBBY_SOURCE_DIR "/tests/golden/generated.tsv";
+
+TEST(GeneratedLevels, AreTheCommittedOnes) {
+  std::string now;
+  for (const gen::Style& s : gen::styles()) {
+    gen::Recipe recipe;
+    recipe.styles = {{s.name, 1}};
+    recipe.difficulty = {0, 1};
+    recipe.waypoints = recipe.jumpLimits = recipe.timeLimits = 0.5f;
+    const gen::Generator generator = generatorOf(recipe), twins = generatorOf(recipe, true);
+    const auto hashOf = [](const gen::Generator& from) {
+      uint64_t hash = 0;
+      for (uint64_t i = 0; i < 32; ++i) {
+        const std::string bytes = bytesOf(makeRecords(from, 1, i));
+        hash = hashBytes(bytes.data(), bytes.size(), hash);
+      }
+      return hash;
+    };
+    now += fmt::format("{}\t{:016x}\t{:016x}\n", s.name, hashOf(generator), hashOf(twins));
+  }
+  if (std::getenv("OBBY_WRITE_GOLDEN") != nullptr) {
+    std::ofstream(kFile) << now;
+    GTEST_SKIP() << "wrote " << kFile;
+  }
+  std::ifstream file(kFile);
+  std::ostringstream committed;
+  committed << file.rdbuf();
+  EXPECT_EQ(committed.str(), now);
+}
+
+}  // namespace
+}  // namespace obby::test
