@@ -10,7 +10,7 @@ $Cxx.namespace("obby::schema");
 
 struct SavedTraining {
   hash @0 :UInt64;     # XXH3 (64 bit) over the whole file with these eight bytes as 0
-  version @1 :UInt32;  # of this layout: 2
+  version @1 :UInt32;  # of this layout: 3
   observationVersion @2 :UInt32;  # as in policy.capnp
   stateLayout @3 :UInt64;  # XXH3 over names, types and sizes of the fields of sim::World and sim::LooseBody
   program @4 :Text;    # version of the program, for people

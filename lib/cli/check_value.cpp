@@ -26,7 +26,9 @@ bool contains(const std::vector<std::string>& choices, const std::string& text) 
 std::string bounds(const OptionRow& row) {
   const bool low = row.min > std::numeric_limits<double>::lowest();
   const bool high = row.max < std::numeric_limits<double>::max();
-  if (low && high) return fmt::format(" from {} to {}", row.min, row.max);
+  const std::string multiple =
+      row.multiple > 1 ? fmt::format(", a multiple of {}", row.multiple) : std::string();
+  if (low && high) return fmt::format(" from {} to {}{}", row.min, row.max, multiple);
   if (low) return fmt::format(" of at least {}", row.min);
   return high ? fmt::format(" of at most {}", row.max) : std::string();
 }
@@ -59,7 +61,8 @@ std::optional<std::string> checkValue(const OptionRow& row, std::string& text) {
     case ValueType::file: return std::nullopt;
     case ValueType::integer: {
       int64_t value = 0;
-      if (!parseAll(text, value) || double(value) < row.min || double(value) > row.max)
+      if (!parseAll(text, value) || double(value) < row.min || double(value) > row.max ||
+          value % row.multiple != 0)
         return expected("a whole number" + bounds(row));
       return std::nullopt;
     }

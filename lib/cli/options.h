@@ -2,6 +2,7 @@
 // --print-config all come from these rows, so an option is described in one place only.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -29,6 +30,7 @@ struct OptionRow {
   std::string group = "Options";  // heading in help
   double min = std::numeric_limits<double>::lowest();
   double max = std::numeric_limits<double>::max();
+  int64_t multiple = 1;  // integer: of which it must be one
   std::vector<std::string> choices;
   bool repeatable = false;  // may be given more than once: Arguments::list()
   std::string bare;         // mode: the value when none is given

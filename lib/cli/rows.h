@@ -30,6 +30,11 @@ inline OptionRow between(OptionRow r, double min, double max) {
   return r;
 }
 
+inline OptionRow multipleOf(OptionRow r, int64_t multiple) {
+  r.multiple = multiple;
+  return r;
+}
+
 inline OptionRow lettered(OptionRow r, char letter) {
   r.letter = letter;
   return r;

@@ -12,6 +12,7 @@
 #include "cli/help.h"
 #include "cli/parse.h"
 #include "cli/stop.h"
+#include "io/text.h"
 
 namespace obby::schema {
 extern const char* const kText;  // the schema's source, from schema/CMakeLists.txt
@@ -66,7 +67,11 @@ int run(const ToolSpec& spec, int argc, char** argv, const RunFunction& body, Co
   if (arguments->has("completion"))
     return print(console, completionScript(spec, rows, arguments->text("completion")));
   if (arguments->flag("print-config")) return print(console, configText(spec, rows, *arguments));
-  if (spec.takesInputs && line.inputs.empty() && isatty(STDIN_FILENO) == 1) {
+  const bool reads = spec.takesInputs && (!spec.readsInputs || spec.readsInputs(*arguments));
+  if (!reads && !line.inputs.empty())
+    return fail(console, makeError("unexpected argument " + io::quoted(line.inputs.front()),
+                                   "with these options nothing is read"));
+  if (reads && line.inputs.empty() && isatty(STDIN_FILENO) == 1) {
     console.line(shortHelp(spec));
     return int(ExitCode::failed);
   }

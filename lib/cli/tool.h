@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "cli/arguments.h"
 #include "cli/options.h"
 
 namespace obby::cli {
@@ -25,7 +26,10 @@ struct ToolSpec {
   std::string summary;  // one line, no full stop
   std::vector<Example> examples;
   std::vector<OptionRow> options;
-  bool takesInputs = true;                  // positional files; standard input when none
+  bool takesInputs = true;  // positional files; standard input when none
+  // Do these options leave anything to be read? Where they do not, a file is refused and a terminal
+  // is not waited for. Null: they always do.
+  std::function<bool(const Arguments&)> readsInputs;
   std::string inputHelp = "input streams";  // what the positional files are
   std::string notes;                        // paragraphs at the end of help; may be empty
 };

@@ -23,6 +23,7 @@ Status Crowd::begin(float hardest) {
   for (uint32_t p = 0; p < places_.size(); ++p) {
     places_[p].nextHardest = hardest;
     OBBY_RETURN_IF_ERROR(takeLevel(p, hardest));
+    OBBY_RETURN_IF_ERROR(needLevel(p));
   }
   return {};
 }
@@ -34,8 +35,12 @@ uint64_t Crowd::indexOf(uint32_t p, uint64_t taken) const {
 Status Crowd::findLevel(uint32_t p) {
   Place& place = places_[p];
   OBBY_ASSIGN(place.level, source_.level(indexOf(p, place.taken), place.hardest));
-  place.view = place.level->view(settings_.patience);
+  if (place.level) place.view = place.level->view(settings_.patience);
   return {};
+}
+
+Status Crowd::needLevel(uint32_t p) {
+  return places_[p].level ? Status() : Status(makeError(kInterrupted));
 }
 
 Status Crowd::takeLevel(uint32_t p, float nextHardest) {
@@ -43,11 +48,22 @@ Status Crowd::takeLevel(uint32_t p, float nextHardest) {
   ++place.taken;
   place.hardest = std::exchange(place.nextHardest, nextHardest);
   OBBY_RETURN_IF_ERROR(findLevel(p));
+  beginPlace(place);
+  return {};
+}
+
+void Crowd::beginPlace(Place& place) {
+  place.counts = {};
+  if (!place.level) {
+    place.players.clear();
+    place.loose.clear();
+    place.reached.clear();
+    return;
+  }
   place.players.resize(settings_.worlds);
   place.loose.resize(size_t(settings_.worlds) * place.level->startLoose().size());
   place.reached.resize(kMostReached);
   beginLevel(viewOf(place));
-  return {};
 }
 
 PlaceView Crowd::viewOf(Place& place) const {

@@ -30,7 +30,7 @@ struct CrowdSettings {
 uint64_t levelIndex(const CrowdSettings& settings, uint32_t crowd, uint32_t crowds, uint32_t place,
                     uint64_t taken);
 
-// Error: a state that no place with this level could have.
+// Error: a state that no place with this level could have, and that does not wait for it.
 Status checkPlace(const PlaceState& state, const TrainingLevel& level,
                   const CrowdSettings& settings);
 
@@ -45,12 +45,12 @@ class Crowd {
   Crowd(const LevelSource& source, const CrowdSettings& settings, uint64_t seed, uint32_t number,
         uint32_t crowds);
 
-  // Takes the first levels; an error is the source's. `hardest`: difficulty of the first two of
-  // each place.
+  // Takes the first levels. Errors: the source's, or that it was told to stop. `hardest`:
+  // difficulty of the first two of each place.
   Status begin(float hardest);
 
   // What restore() goes on from, in another crowd of the same source, settings and number. Errors
-  // of restore(): the source's, and what does not fit settings and levels.
+  // of restore(): those of begin(), and what does not fit settings and levels.
   CrowdState state() const;
   Status restore(CrowdState state);
   // No level of the source before this one is played, or will be.
@@ -71,14 +71,14 @@ class Crowd {
   // The same after the last decision of an iteration: cuts what takes too long, and takes new
   // levels where enough was played. The level after each of them will be asked for with difficulty
   // `hardest`: a level ahead, so that it can be made while others are played. The error is the
-  // source's.
+  // source's. If it was told to stop there is nothing more to observe: state() is left.
   Status settleIteration(uint64_t decision, float hardest);
 
   Tally takeTally();
 
  private:
-  struct Place : PlaceState {  // a level with its worlds
-    std::shared_ptr<const TrainingLevel> level;
+  struct Place : PlaceState {                    // a level with its worlds
+    std::shared_ptr<const TrainingLevel> level;  // null: it waits
     TrainingView view;
   };
 
@@ -93,7 +93,9 @@ class Crowd {
     return first;
   }
   Status findLevel(uint32_t place);
+  Status needLevel(uint32_t place);
   Status takeLevel(uint32_t place, float nextHardest);
+  void beginPlace(Place& place);
   void settle(uint64_t decision, bool endOfIteration);
   void advance(Place& place, std::span<const int> moves);
   sim::LooseBody* looseOf(Place& place, uint32_t player) const;

@@ -32,6 +32,7 @@ bool isSound(const sim::LooseBody& b) {
 }  // namespace
 
 Status checkPlace(const PlaceState& s, const TrainingLevel& level, const CrowdSettings& settings) {
+  if (s.waits() && s.loose.empty() && s.reached.empty()) return {};
   if (s.levelHash != level.hash())
     return makeError("one of its levels is not the one that it was",
                      "give the same levels as then");
@@ -49,7 +50,7 @@ CrowdState Crowd::state() const {
   CrowdState out;
   for (const Place& place : places_) {
     PlaceState& state = out.places.emplace_back(place);
-    state.levelHash = place.level->hash();
+    state.levelHash = place.level ? place.level->hash() : 0;
     state.reached.resize(place.counts.reached);
   }
   return out;
@@ -63,7 +64,12 @@ Status Crowd::restore(CrowdState state) {
     static_cast<PlaceState&>(places_[p]) = std::move(state.places[p]);
     if (places_[p].taken == 0) return makeError("a place that never had a level");
     OBBY_RETURN_IF_ERROR(findLevel(p));
+    OBBY_RETURN_IF_ERROR(needLevel(p));
     OBBY_RETURN_IF_ERROR(checkPlace(places_[p], *places_[p].level, settings_));
+    if (places_[p].waits()) {
+      beginPlace(places_[p]);
+      continue;
+    }
     places_[p].counts.reached = uint32_t(places_[p].reached.size());
     places_[p].reached.resize(kMostReached);
   }

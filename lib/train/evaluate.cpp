@@ -44,6 +44,7 @@ Result<Evaluation> evaluate(const policy::Network& network, const LevelSource& s
       score.status = level.error();
       return;
     }
+    if (*level == nullptr) return;
     const uint32_t most = mostTicksOf(**level, settings.patience);
     score.likeliest = playAlone(thinker.view(), **level, nullptr, most);
     Random random(settings.seed, index);

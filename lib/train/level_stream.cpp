@@ -27,6 +27,8 @@ Result<std::shared_ptr<const TrainingLevel>> LevelStream::level(uint64_t index, 
   {
     const std::lock_guard hold(lock_);
     OBBY_RETURN_IF_ERROR(reader_.readTo(index));
+    const bool broken = index >= reader_.read && !reader_.ended;  // off, by `options.stop`
+    if (broken) return Playable();
     if (index >= reader_.read) index %= reader_.kept;
     const auto found = reader_.items.find(index);
     if (found == reader_.items.end())
@@ -47,6 +49,8 @@ Status LevelStream::Reader::readTo(uint64_t index) {
     OBBY_ASSIGN(const std::optional<io::Record> record, source.next());
     if (record) {
       OBBY_RETURN_IF_ERROR(take(*record));
+    } else if (stop != nullptr && *stop) {
+      return {};
     } else {
       ended = true;
       levels.clear();

@@ -1,6 +1,7 @@
 // Levels to learn on as a stream gives them, read as they are asked for: the stream may be endless.
 #pragma once
 
+#include <atomic>
 #include <deque>
 #include <map>
 #include <mutex>
@@ -27,7 +28,8 @@ class LevelStream : public LevelSource {
 
   // Errors: those of the stream up to there, a query without a level, a level or query that does
   // not compile, as `options` forgive them; no query that can be played in the whole stream. Waits
-  // for the stream. Difficulties are as they come.
+  // for the stream; null if `options.stop` was set before it came to the level. Difficulties are as
+  // they come.
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override;
   void past(uint64_t index) const override;
 
@@ -44,7 +46,7 @@ class LevelStream : public LevelSource {
 
   struct Reader {  // all of it under the lock
     Reader(io::SourceOptions options, const LevelStreamSettings& s)
-        : source(std::move(options)), settings(s) {}
+        : stop(options.stop), source(std::move(options)), settings(s) {}
 
     Status readTo(uint64_t index);
     Status take(const io::Record& record);
@@ -54,6 +56,7 @@ class LevelStream : public LevelSource {
     const io::Record* levelNamed(const std::string& name) const;
     void forget(uint64_t before);
 
+    const std::atomic<bool>* stop;  // may be null
     io::RecordSource source;
     LevelStreamSettings settings;
     std::deque<Known> levels;  // the last ones, oldest first

@@ -11,7 +11,8 @@
 
 namespace obby::train {
 
-// Worlds on a level.
+// Worlds on a level. Without players it waits: its source was told to stop before it gave the
+// level, and learning ended with that iteration.
 struct PlaceState {
   uint64_t taken = 0;      // levels so far, the one it has included
   float hardest = 0;       // difficulty that the level was asked for with
@@ -21,6 +22,8 @@ struct PlaceState {
   std::vector<Player> players;
   std::vector<sim::LooseBody> loose;  // (players, looseCount)
   std::vector<sim::World> reached;    // (counts.reached), by somebody, to begin from
+
+  bool waits() const { return players.empty(); }
 };
 
 // Playthroughs that began at the start of their level, since the last look.

@@ -84,10 +84,14 @@ void writePlace(const PlaceState& s, schema::SavedPlace::Builder to) {
   }
 }
 
+bool isShare(double v) { return v >= 0 && v <= 1; }  // false of what is no number
+
 Status readPlace(schema::SavedPlace::Reader from, PlaceState& out) {
   out.taken = from.getTaken();
   out.hardest = from.getHardest();
   out.nextHardest = from.getNextHardest();
+  if (!isShare(out.hardest) || !isShare(out.nextHardest))
+    return makeError("a level of a difficulty that cannot be");
   out.levelHash = from.getLevelHash();
   out.counts.played = from.getPlayed();
   std::vector<sim::World> worlds;
@@ -133,7 +137,8 @@ Status readSums(schema::SavedSums::Reader from, Sums& out) {
   OBBY_RETURN_IF_ERROR(
       take(from.getSquares(), "sums of squares", out.squares.size(), out.squares.data()));
   out.rows = from.getRows();
-  return {};
+  const bool sound = std::isfinite(out.rows) && out.rows >= 0;
+  return sound ? Status() : Status(makeError("sums of a number of rows that cannot be"));
 }
 
 void writeLearner(const LearnerState& state, schema::SavedLearner::Builder to) {
@@ -157,6 +162,9 @@ Status readLearner(schema::SavedLearner::Reader from, LearnerState& out) {
   out.steps = from.getSteps();
   out.values.mean = from.getValueMean();
   out.values.deviation = from.getValueDeviation();
+  if (!std::isfinite(out.values.mean) || !std::isfinite(out.values.deviation) ||
+      !(out.values.deviation > 0))
+    return makeError("values of a mean and spread that cannot be");
   return readSums(from.getReturns(), out.values.returns);
 }
 

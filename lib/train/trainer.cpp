@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
 
 #include "policy/policy.h"
 
@@ -84,6 +85,13 @@ void Trainer::hide() {
   for (const int i : settings_.hidden) scales_[size_t(i)] = 0;
 }
 
+// A rank that could not learn left the others in the midst of an exchange, where there is nothing
+// to agree on: it has to be known that it is gone.
+Result<Progress> Trainer::learned(Result<Progress> mine) const {
+  if (!mine && ranks_.count() > 1) throw std::runtime_error(mine.error().text());
+  return mine;
+}
+
 Result<Iteration> Trainer::iterate() {
   const auto begin = Clock::now();
   OBBY_ASSIGN(const Played played,
@@ -92,7 +100,7 @@ Result<Iteration> Trainer::iterate() {
   out.playSeconds = secondsSince(begin);
   gather(played, out);
   const float share = std::min(float(double(decisions_) / double(settings_.decisions)), 1.0f);
-  OBBY_ASSIGN(out.progress, ranks_.agree(engine_->learn(1 - 0.9f * share)));
+  OBBY_ASSIGN(out.progress, learned(engine_->learn(1 - 0.9f * share)));
   OBBY_RETURN_IF_ERROR(ranks_.agree(takeWeights()));
   OBBY_RETURN_IF_ERROR(sameNetwork());
   refreshNormaliser();

@@ -42,6 +42,7 @@ class Trainer {
                                                  std::unique_ptr<Engine> engine, Ranks& ranks,
                                                  TrainerState state);
 
+  // Throws std::runtime_error on a rank of several that could not learn: the others wait for it.
   Result<Iteration> iterate();
 
   // Between two iterations; resume() goes on from it with the same bits. All crowds are in that of
@@ -63,6 +64,7 @@ class Trainer {
   void hide();
   Status restore(TrainerState state);
   Status takeWeights();
+  Result<Progress> learned(Result<Progress> mine) const;
   Status sameNetwork() const;
 
   TrainerSettings settings_;

@@ -1,6 +1,10 @@
 #include "train/training_level.h"
 
+#include <capnp/message.h>
+
 #include <algorithm>
+
+#include "base/hash.h"
 
 namespace obby::train {
 
@@ -16,11 +20,20 @@ std::vector<Vec3> wayOf(std::vector<Vec3> way, const level::Query& query) {
   return way;
 }
 
+uint64_t hashOf(const level::Level& level, schema::Query::Reader query,
+                const std::vector<Vec3>& way) {
+  const auto words = capnp::canonicalize(query);
+  const uint64_t hash = hashBytes(words.asBytes().begin(), words.asBytes().size(), level.hash());
+  return hashBytes(way.data(), way.size() * sizeof(Vec3), hash);
+}
+
 }  // namespace
 
-TrainingLevel::TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> way)
+TrainingLevel::TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> way,
+                             uint64_t hash)
     : level_(std::move(level)),
       query_(std::move(query)),
+      hash_(hash),
       surroundings_(level_.view(), policy::kSight),
       queryView_(query_.view()),
       around_(surroundings_.view()),
@@ -34,8 +47,9 @@ Result<std::shared_ptr<const TrainingLevel>> TrainingLevel::make(schema::Level::
                                                                  std::vector<Vec3> way) {
   OBBY_ASSIGN(level::Level compiled, level::Level::compile(level));
   OBBY_ASSIGN(level::Query asked, level::Query::compile(query, compiled));
+  const uint64_t hash = hashOf(compiled, query, way);
   return std::shared_ptr<const TrainingLevel>(
-      new TrainingLevel(std::move(compiled), std::move(asked), std::move(way)));
+      new TrainingLevel(std::move(compiled), std::move(asked), std::move(way), hash));
 }
 
 TrainingView TrainingLevel::view(float patience) const {

@@ -26,13 +26,14 @@ class TrainingLevel {
   const Guide& guide() const { return guide_; }
   // Valid while this object lives. `patience`: as CrowdSettings::patience.
   TrainingView view(float patience) const;
-  uint64_t hash() const { return level_.hash(); }  // of the level, as Level::hash
+  uint64_t hash() const { return hash_; }  // of all that it was made from, whatever the encoding
 
  private:
-  TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> way);
+  TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> way, uint64_t hash);
 
   level::Level level_;
   level::Query query_;
+  uint64_t hash_;
   policy::Surroundings surroundings_;
   // What the scene refers to.
   level::QueryView queryView_;
@@ -47,11 +48,15 @@ class TrainingLevel {
 // seconds.
 uint32_t mostTicksOf(const TrainingLevel& level, float patience);
 
+// The error of who cannot do without the level that a source did not give.
+inline constexpr const char* kInterrupted = "interrupted while it read levels";
+
 // Levels without end. Level `index` must be the same whoever asks, whenever, from whichever thread.
 class LevelSource {
  public:
   virtual ~LevelSource() = default;
-  // `hardest`: difficulty that the level has at most, 0 to 1, where the source knows of any.
+  // `hardest`: difficulty that the level has at most, 0 to 1, where the source knows of any. Null:
+  // the source was told to stop, and will give no more.
   virtual Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index,
                                                              float hardest) const = 0;
   // No level before this one will be asked for any more.

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "train/gaps.h"
 
 namespace obby::train {
@@ -56,6 +58,31 @@ TEST_P(GoingOn, FromACheckpointIsAsIfNothingHadBeen) {
     EXPECT_EQ(broken.figures, whole.figures) << threads;
     EXPECT_EQ(broken.numbers, whole.numbers) << threads;
   }
+}
+
+// Where the source was told to stop in the midst of an iteration, what that learned is kept.
+TEST_P(GoingOn, WhereLevelsWereStillToComeIsAsIfNothingHadBeen) {
+  ThreadPool pool(1);
+  const Gaps gaps(GetParam());
+  const GapsTo stopped(12, GetParam());  // eight places
+  const auto whole = Trainer::make(small(), gaps, pool, alone());
+  const auto part = Trainer::make(small(), stopped, pool, alone());
+  ASSERT_TRUE(whole && part);
+  do {
+    ASSERT_LT((*part)->iterations(), 100u);
+    ASSERT_TRUE((*whole)->iterate() && (*part)->iterate());
+  } while (waitingIn(*(*part)->state()) == 0);
+  auto read = readCheckpoint(writeCheckpoint({"1", {}, 0, *(*part)->state(), {}}), "test");
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_FALSE(Trainer::resume(small(), stopped, pool, alone(), read->state));
+  const auto resumed = Trainer::resume(small(), gaps, pool, alone(), std::move(read->state));
+  ASSERT_TRUE(resumed) << resumed.error().text();
+  for (int i = 0; i < 3; ++i) {
+    const auto a = (*whole)->iterate(), b = (*resumed)->iterate();
+    ASSERT_TRUE(a && b);
+    EXPECT_EQ(figuresOf(*a), figuresOf(*b));
+  }
+  EXPECT_EQ((*whole)->network().numbers(), (*resumed)->network().numbers());
 }
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutLooseBodies, GoingOn, testing::Bool());
@@ -117,6 +144,27 @@ TEST(Checkpoint, IsRefusedOnOtherLevels) {
   EXPECT_TRUE(Trainer::resume(small(), gaps, pool, alone(), *(*trainer)->state()));
   EXPECT_FALSE(Trainer::resume(small(), others, pool, alone(), *(*trainer)->state()));
   EXPECT_FALSE(Trainer::resume(small(), loose, pool, alone(), *(*trainer)->state()));
+}
+
+// Numbers of which other numbers are made.
+TEST(Checkpoint, IsRefusedWithFiguresThatCannotBe) {
+  ThreadPool pool(1);
+  const Gaps gaps;
+  const auto trainer = Trainer::make(small(), gaps, pool, alone());
+  ASSERT_TRUE((*trainer)->iterate());
+  const auto refused = [&](auto&& spoil) {
+    Checkpoint checkpoint{"1", {}, 0, *(*trainer)->state(), {}};
+    spoil(checkpoint.state);
+    return !readCheckpoint(writeCheckpoint(checkpoint), "test");
+  };
+  EXPECT_FALSE(refused([](TrainerState&) {}));
+  EXPECT_TRUE(refused([](TrainerState& s) { s.hardest = NAN; }));
+  EXPECT_TRUE(refused([](TrainerState& s) { s.solved = 2; }));
+  EXPECT_TRUE(refused([](TrainerState& s) { s.seen.rows = -1; }));
+  EXPECT_TRUE(refused([](TrainerState& s) { s.learner.values.deviation = 0; }));
+  EXPECT_TRUE(refused([](TrainerState& s) { s.learner.values.mean = INFINITY; }));
+  EXPECT_TRUE(refused([](TrainerState& s) { s.crowds[0].places[0].hardest = 1e9f; }));
+  EXPECT_TRUE(refused([](TrainerState& s) { s.crowds[0].places[0].nextHardest = -1; }));
 }
 
 // What no crowd of these levels could have must not be played on.

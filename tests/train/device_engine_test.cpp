@@ -222,6 +222,27 @@ TEST(DeviceEngine, GoesOnFromACheckpointAsIfNothingHadBeen) {
   }
 }
 
+TEST(DeviceEngine, GoesOnWhereLevelsWereStillToComeAsIfNothingHadBeen) {
+  for (const bool loose : {false, true}) {
+    const Gaps gaps(loose);
+    const GapsTo stopped(12, loose);  // eight places
+    Machine machine, other, third;
+    const auto whole = machine.make(gaps), part = other.make(stopped);
+    ASSERT_TRUE(whole && part);
+    do {
+      ASSERT_LT((*part)->iterations(), 100u);
+      ASSERT_TRUE((*whole)->iterate() && (*part)->iterate());
+    } while (waitingIn(*(*part)->state()) == 0);
+    const auto resumed = third.resume(gaps, *(*part)->state());
+    ASSERT_TRUE(resumed) << resumed.error().text();
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE((*whole)->iterate() && (*resumed)->iterate());
+    EXPECT_EQ((*whole)->network().numbers(), (*resumed)->network().numbers());
+    const TrainerState a = *(*whole)->state(), b = *(*resumed)->state();
+    EXPECT_EQ(differenceOf(a, b).different, 0u);
+    expectSamePlaces(a, b);
+  }
+}
+
 TEST(DeviceEngine, RefusesAStateOfOtherLevels) {
   const Gaps gaps, others(false, 98);
   Machine machine;

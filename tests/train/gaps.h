@@ -34,6 +34,28 @@ class Gaps : public LevelSource {
   uint64_t seed_;
 };
 
+// A source that was told to stop before it came to one of its levels.
+class GapsTo : public Gaps {
+ public:
+  GapsTo(uint64_t count, bool loose) : Gaps(loose), count_(count) {}
+  Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override {
+    if (index >= count_) return std::shared_ptr<const TrainingLevel>();
+    return Gaps::level(index, hardest);
+  }
+
+ private:
+  uint64_t count_;
+};
+
+// Places that wait for their level.
+inline uint32_t waitingIn(const TrainerState& state) {
+  uint32_t waiting = 0;
+  for (const CrowdState& crowd : state.crowds) {
+    for (const PlaceState& place : crowd.places) waiting += place.waits();
+  }
+  return waiting;
+}
+
 inline Ranks& alone() {
   static OneRank one;
   return one;

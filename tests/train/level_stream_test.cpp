@@ -102,6 +102,20 @@ TEST(LevelStream, NamesTheQueryWhoseLevelIsOutOfReach) {
   EXPECT_EQ(hashOf(near, 3), hashOf(near, 0));
 }
 
+TEST(LevelStream, GivesNoneOnceItIsToldToStop) {
+  std::atomic<bool> stop = false;
+  io::SourceOptions options = optionsOf(linesOf(6));
+  options.stop = &stop;
+  const LevelStream stream(std::move(options));
+  const uint64_t first = hashOf(stream, 0);
+  hashOf(stream, 2);
+  stop = true;
+  const auto none = stream.level(4, 1);
+  ASSERT_TRUE(none) << none.error().text();
+  EXPECT_EQ(*none, nullptr) << "not one of those before, as at the end of the stream";
+  EXPECT_EQ(hashOf(stream, 0), first) << "what was read is there";
+}
+
 TEST(LevelStream, HasToHaveOne) {
   const LevelStream empty(optionsOf(linesOf(0)));
   const auto none = empty.level(0, 1);

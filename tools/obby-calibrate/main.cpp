@@ -179,7 +179,7 @@ Status calibrateFrom(cli::Context& context, io::Pipeline& pipeline, Asked asked)
 Result<cli::ExitCode> run(cli::Context& context) {
   OBBY_ASSIGN(Asked asked, askedOf(context.arguments()));
   OBBY_ASSIGN(io::StreamWriter output, context.openOutput());
-  const bool makes = context.arguments().flag("rehearse") || context.arguments().flag("course");
+  const bool makes = tools::makesTakes(context.arguments());
   io::SourceOptions source = context.sourceOptions();
   if (makes) source.inputs.clear();
   io::Pipeline pipeline(std::move(source), context.identity(), std::move(output));

@@ -71,6 +71,7 @@ cli::ToolSpec calibrateSpec() {
   spec.name = "obby-calibrate";
   spec.summary = "find the physics parameters that recordings of the real game show";
   spec.inputHelp = "streams with levels and recordings of them";
+  spec.readsInputs = [](const cli::Arguments& a) { return !makesTakes(a); };
   spec.examples = {
       {"can these manoeuvres tell how strong gravity is?",
        "obby-calibrate --rehearse --set gravity=180 | obby-calibrate --fit gravity --fit jumpSpeed "
@@ -90,6 +91,8 @@ cli::ToolSpec calibrateSpec() {
       "error. Levels and recordings are used up, other records pass.";
   return spec;
 }
+
+bool makesTakes(const cli::Arguments& a) { return a.flag("rehearse") || a.flag("course"); }
 
 calibrate::FitSettings fitSettings(const cli::Context& context) {
   const cli::Arguments& a = context.arguments();

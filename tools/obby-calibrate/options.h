@@ -7,6 +7,8 @@
 namespace obby::tools {
 
 cli::ToolSpec calibrateSpec();
+// Is the course written, and nothing fitted?
+bool makesTakes(const cli::Arguments& arguments);
 calibrate::FitSettings fitSettings(const cli::Context& context);
 
 // Physics parameters with the changes of --set. Errors: no such parameter, no number.

@@ -29,10 +29,13 @@ Result<std::vector<train::Setting>> settingsOf(const cli::Arguments& a) {
 
 }  // namespace
 
+bool makesLevels(const cli::Arguments& a) {
+  return a.flag("generate") || a.has("style") || a.has("difficulty") || a.has("recipe");
+}
+
 Result<Levels> levelsOf(cli::Context& context, train::Ranks& ranks, uint64_t seed) {
   const cli::Arguments& a = context.arguments();
-  const bool makes = a.flag("generate") || a.has("style") || a.has("difficulty") || a.has("recipe");
-  if (!makes) return streamedLevels(context, ranks);
+  if (!makesLevels(a)) return streamedLevels(context, ranks);
   OBBY_ASSIGN(gen::Recipe recipe, recipeOf(a));
   if (!a.has("difficulty") && !a.has("recipe")) recipe.difficulty = {0, 1};
   Levels levels;

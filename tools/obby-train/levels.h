@@ -15,6 +15,9 @@ struct Levels {
   std::vector<train::Setting> settings;  // tell these levels from others
 };
 
+// Is no stream read, for the levels are made?
+bool makesLevels(const cli::Arguments& arguments);
+
 // Made anew, or those of the stream; `seed`: of those that are made.
 // The same on every rank.
 Result<Levels> levelsOf(cli::Context& context, train::Ranks& ranks, uint64_t seed);

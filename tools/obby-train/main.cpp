@@ -1,5 +1,6 @@
 // obby-train: learns a policy from levels. Wiring only; lib/train does the work.
 #include <fcntl.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <optional>
@@ -68,11 +69,14 @@ std::unique_ptr<train::DeviceRanks> directOf(cli::Context& context, const sim::B
 }
 
 Status learn(cli::Context& context, tools::JoinedRanks& joined) {
+  signal(SIGPIPE, SIG_IGN);  // who stops reading the metrics does not end learning unsaved
   train::Ranks& ranks = joined.ranks();
   const cli::Arguments& a = context.arguments();
   tools::Keeper keeper(context, ranks);
   OBBY_RETURN_IF_ERROR(keeper.find());
-  OBBY_ASSIGN(const tools::Levels levels, ranks.agree(tools::levelsOf(context, ranks, a.seed())));
+  auto found = ranks.agree(tools::levelsOf(context, ranks, a.seed()));
+  if (!found && ranks.first() && context.stop()) return nothingLearned(context);
+  OBBY_ASSIGN(const tools::Levels levels, std::move(found));
   OBBY_ASSIGN(const sim::Backend backend,
               ranks.agree(tools::trainBackend(context, joined.neighbour())));
   if (ranks.first()) context.note(backend.note());
@@ -126,6 +130,7 @@ Status evaluate(cli::Context& context, train::Ranks& ranks) {
 // An error that all ranks know of is told by the first.
 Result<cli::ExitCode> run(cli::Context& context, tools::JoinedRanks& joined) {
   train::Ranks& ranks = joined.ranks();
+  OBBY_RETURN_IF_ERROR(ranks.agree(Status()));  // with those whose options were refused
   Status done = context.arguments().has("eval") ? evaluate(context, ranks) : learn(context, joined);
   if (!done && !ranks.first()) return cli::ExitCode::failed;
   OBBY_RETURN_IF_ERROR(std::move(done));
@@ -169,6 +174,10 @@ int runRank(int argc, char** argv, tools::JoinedRanks& joined) {
     return result;
   });
   if (begun && !ended) joined.abandon(code);  // it threw: the others wait for it
+  if (!begun) {
+    const bool refused = code != int(cli::ExitCode::ok);
+    (void)ranks.agree(refused ? Status(makeError("a rank's options were refused")) : Status());
+  }
   return code;
 }
 

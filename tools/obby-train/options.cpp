@@ -2,6 +2,7 @@
 #include "options.h"
 
 #include "cli/rows.h"
+#include "levels.h"
 #include "shared/recipe_options.h"
 
 namespace obby::tools {
@@ -9,10 +10,12 @@ namespace obby::tools {
 namespace {
 
 using cli::between;
+using cli::multipleOf;
 using cli::OptionRow;
 using cli::row;
 using cli::ValueType;
 
+constexpr int kCrowd = int(train::CrowdSettings{}.levels * train::CrowdSettings{}.worlds);
 constexpr const char* kLevelGroup = "Levels";
 constexpr const char* kLearnGroup = "Learning";
 constexpr const char* kKeepGroup = "Keeping and going on";
@@ -56,9 +59,10 @@ std::vector<OptionRow> learnRows() {
               1, 9e15),
       timeLimitRow(),
       backendRow(),
-      between(
-          row("worlds", ValueType::integer, "N", "2048", "worlds that play at a time", kLearnGroup),
-          256, 1 << 20),
+      multipleOf(between(row("worlds", ValueType::integer, "N", "2048",
+                             "worlds that play at a time; a multiple of 256", kLearnGroup),
+                         kCrowd, 1 << 20),
+                 kCrowd),
       between(row("rate", ValueType::number, "R", "0.002",
                   "of the optimiser at first; falls to a tenth", kLearnGroup),
               1e-7, 1),
@@ -146,6 +150,7 @@ cli::ToolSpec trainSpec() {
        "obby-train --style gaps --time-limit 5 && obby-train --eval policy.obp --style gaps "
        "--eval-levels 100"},
   };
+  spec.readsInputs = [](const cli::Arguments& a) { return !makesLevels(a); };
   spec.options = {outputRow(), cli::commonRow(cli::Common::progress),
                   cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)};
   for (const auto& rows :

@@ -38,10 +38,16 @@ Status Session::run() {
     if (votes.save) OBBY_RETURN_IF_ERROR(save());
     if (votes.stop) break;
     OBBY_ASSIGN(last_, trainer_.iterate());
-    OBBY_RETURN_IF_ERROR(ranks_.agree(note()));
+    Status told = ranks_.agree(note());
+    if (!told) return saveAfter(std::move(told));
   }
-  OBBY_RETURN_IF_ERROR(ranks_.agree(tell()));
-  return save();
+  return saveAfter(ranks_.agree(tell()));
+}
+
+// Who could not be told, as at the end of a pipe that was closed: what was learned is kept.
+Status Session::saveAfter(Status told) {
+  OBBY_RETURN_IF_ERROR(save());
+  return told;
 }
 
 // A signal may reach the ranks at different times, and their clocks differ: all do the same after

@@ -32,6 +32,7 @@ class Session {
   Status note();
   Status tell();
   Status save();
+  Status saveAfter(Status told);
 
   cli::Context& context_;
   train::Trainer& trainer_;

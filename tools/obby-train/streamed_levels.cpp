@@ -8,6 +8,7 @@ namespace {
 
 // Levels and queries of the whole stream.
 Result<std::string> copyOf(io::SourceOptions options) {
+  const std::atomic<bool>* const stop = options.stop;
   std::string copy;
   io::RecordSource source(std::move(options));
   io::StreamWriter writer = io::StreamWriter::toBytes(io::Format::capnp, &copy);
@@ -18,6 +19,7 @@ Result<std::string> copyOf(io::SourceOptions options) {
     if (record->which() != io::Kind::LEVEL && record->which() != io::Kind::QUERY) continue;
     OBBY_RETURN_IF_ERROR(writer.write(record->reader()));
   }
+  if (stop != nullptr && *stop) return makeError(train::kInterrupted);
   OBBY_RETURN_IF_ERROR(writer.close());
   return copy;
 }
@@ -32,6 +34,7 @@ Result<Levels> streamedLevels(cli::Context& context, train::Ranks& ranks) {
                 ranks.agree(ranks.first() ? copyOf(options) : Result<std::string>(std::string())));
     copy = ranks.share(std::move(copy));
     options.inputs = {"the first rank's levels"};
+    options.stop = nullptr;  // they are here already; all ranks end after the same iteration
     options.open = [copy](const std::string& name) {
       return Result<io::StreamReader>(io::StreamReader::overBytes(copy, name));
     };

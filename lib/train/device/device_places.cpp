@@ -69,9 +69,23 @@ Status DevicePlaces::begin(float hardest) {
   for (Place& p : places_) p.nextHardest = hardest;
   askForNext(all);
   OBBY_RETURN_IF_ERROR(takeLevels(all, hardest));
+  for (const Place& p : places_) {
+    if (p.waits) return makeError(kInterrupted);
+  }
+  return beginNew();
+}
+
+// The worlds of levels that have just been put in their places.
+Status DevicePlaces::beginNew() {
   PlayArguments play{};
   describe(play);
   return enqueue(device_, TrainStep::begin, play, places_.size());
+}
+
+Result<NextLevel> DevicePlaces::needed(size_t p) {
+  OBBY_ASSIGN(NextLevel level, next_.take(p));
+  if (!level.level) return makeError(kInterrupted);
+  return level;
 }
 
 // Puts the levels that were asked for in their places, and asks for those after them.
@@ -79,7 +93,8 @@ Status DevicePlaces::takeLevels(std::span<const size_t> places, float nextHardes
   for (DevicePlace& place : described_) place.isNew = false;
   for (const size_t p : places) {
     OBBY_ASSIGN(NextLevel level, next_.take(p));
-    putIn(p, std::move(level));
+    places_[p].waits = !level.level;
+    if (level.level) putIn(p, std::move(level));
     ++places_[p].taken;
     places_[p].hardest = std::exchange(places_[p].nextHardest, nextHardest);
   }
@@ -122,6 +137,7 @@ Result<PlaceState> DevicePlaces::stateOf(size_t p) const {
   out.taken = place.taken;
   out.hardest = place.hardest;
   out.nextHardest = place.nextHardest;
+  if (place.waits) return out;
   out.levelHash = place.levelHash;
   OBBY_RETURN_IF_ERROR(device_.download(&out.counts, counts_.data() + p, sizeof out.counts));
   OBBY_ASSIGN(out.players, sim::downloadTable(device_, players_.data() + p * worlds, worlds));
@@ -156,23 +172,26 @@ Status DevicePlaces::restore(std::span<CrowdState> crowds) {
   for (const size_t p : all) {
     const PlaceState& s = *states[p];
     if (s.taken == 0) return makeError("a place that never had a level");
-    places_[p] = {s.taken, 0, s.hardest, 0, nullptr};
+    places_[p] = {s.taken, 0, s.hardest, 0, nullptr, false};
   }
   dropPastLevels();
   for (Place& place : places_) --place.taken;
   askForNext(all);
-  for (const size_t p : all) {
-    const PlaceState& s = *states[p];
-    OBBY_ASSIGN(NextLevel level, next_.take(p));
-    OBBY_RETURN_IF_ERROR(checkPlace(s, *level.level, settings_.crowd));
-    putIn(p, std::move(level));
-    places_[p].taken = s.taken;
-    places_[p].hardest = s.hardest;
-    places_[p].nextHardest = s.nextHardest;
-    OBBY_RETURN_IF_ERROR(putState(p, s));
-  }
+  for (const size_t p : all) OBBY_RETURN_IF_ERROR(restorePlace(p, *states[p]));
   askForNext(all);
-  return putPlaces();
+  OBBY_RETURN_IF_ERROR(putPlaces());
+  return beginNew();
+}
+
+Status DevicePlaces::restorePlace(size_t p, const PlaceState& s) {
+  OBBY_ASSIGN(NextLevel level, needed(p));
+  OBBY_RETURN_IF_ERROR(checkPlace(s, *level.level, settings_.crowd));
+  putIn(p, std::move(level));
+  described_[p].isNew = s.waits();
+  places_[p].taken = s.taken;
+  places_[p].hardest = s.hardest;
+  places_[p].nextHardest = s.nextHardest;
+  return s.waits() ? Status() : putState(p, s);
 }
 
 Status DevicePlaces::putState(size_t p, const PlaceState& s) {

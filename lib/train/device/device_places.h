@@ -27,7 +27,7 @@ class DevicePlaces {
 
   // After an iteration: takes tallies, and new levels where enough was played; asks for the levels
   // after those with difficulty `hardest`, which are made while these are played. `play`: as
-  // described.
+  // described. If the source was told to stop nothing more can be played: state() is left.
   Result<Tally> endIteration(float hardest, const PlayArguments& play);
 
   Result<std::vector<CrowdState>> state() const;
@@ -38,6 +38,7 @@ class DevicePlaces {
     float hardest = 0, nextHardest = 0;
     uint64_t levelHash = 0;
     std::shared_ptr<const sim::Memory> memory;  // where its level is, with others
+    bool waits = false;                         // for its level, as PlaceState
   };
 
   uint64_t indexOf(size_t place, uint64_t taken) const;
@@ -45,9 +46,12 @@ class DevicePlaces {
   void dropPastLevels() const;
   void askForNext(std::span<const size_t> places);
   Status make();
+  Result<NextLevel> needed(size_t place);
   Status takeLevels(std::span<const size_t> places, float nextHardest);
   void putIn(size_t place, NextLevel level);
   Status putPlaces();
+  Status beginNew();
+  Status restorePlace(size_t place, const PlaceState& state);
   Status putState(size_t place, const PlaceState& state);
   Result<PlaceState> stateOf(size_t place) const;
 

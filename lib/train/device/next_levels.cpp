@@ -21,16 +21,17 @@ void NextLevels::make() {
   if (brought_) brought_ = bring();
 }
 
-// Those that could be made.
+// Those that could be made, if the source was not told to stop.
 Status NextLevels::bring() {
   std::vector<NextLevel*> made;
   std::vector<const TrainingLevel*> levels;
   for (const Wanted& w : wanted_) {
     Slot& slot = next_[w.place];
-    if (!slot.status) continue;
+    if (!slot.status || !slot.next.level) continue;
     made.push_back(&slot.next);
     levels.push_back(slot.next.level.get());
   }
+  if (made.empty()) return {};
   OBBY_ASSIGN(const Delivery delivery,
               deliver(device_, levels, settings_.patience, settings_.worlds, pool_));
   for (size_t i = 0; i < made.size(); ++i) {

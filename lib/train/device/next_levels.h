@@ -34,7 +34,8 @@ class NextLevels {
 
   // Begins to make them, one a place; returns at once, when those that were asked for are made.
   void ask(std::vector<Wanted> wanted);
-  // That of a place, once all are made. The error is the source's or the device's.
+  // That of a place, once all are made; without a level if the source was told to stop. The error
+  // is the source's or the device's.
   Result<NextLevel> take(size_t place);
 
  private:
