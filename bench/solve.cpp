@@ -2,6 +2,8 @@
 // seeds, each run logged as it ends. bench/results/README.md says how to read the report.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/hash.h"
 #include "cli/context.h"
 #include "cli/tool.h"
@@ -42,6 +44,13 @@ constexpr Option kOptions[] = {
      "under ten minutes on two cores: one seed, caps of 10 and 2 seconds; methods after the first "
      "run every third query",
      0, false},
+    {"shuffle", ValueType::flag, "", "",
+     "ask the queries in an order by chance, always the same one: whatever is done at an "
+     "interruption is a fair sample",
+     0, false},
+    {"any-build", ValueType::flag, "", "",
+     "runs of other builds count, too: for what takes longer than a machine is to be had", 0,
+     false},
     {"report-only", ValueType::flag, "", "",
      "run nothing; report what the results file has, of whatever build", 0, false},
     {"list", ValueType::flag, "", "", "print the queries, one FILE:ID a line: a job each", 0,
@@ -111,6 +120,10 @@ Result<bench::Plan> planOf(const cli::Arguments& a) {
   plan.unsolvableCap = quick ? kQuickUnsolvableCap : a.number("unsolvable-cap");
   plan.sampled = quick && a.list("query").empty();
   OBBY_ASSIGN(plan.suite, bench::loadSuite(a.text("levels"), a.list("query")));
+  if (a.flag("shuffle")) {
+    std::sort(plan.suite.begin(), plan.suite.end(),
+              [](const auto& x, const auto& y) { return x.content < y.content; });
+  }
   return plan;
 }
 
@@ -120,7 +133,8 @@ Result<uint64_t> programDigest() {
   return hashBytes(bytes.data(), bytes.size());
 }
 
-Status runMissing(cli::Context& context, const bench::Plan& plan, uint64_t program,
+// `known`: digest of the program whose runs are done; 0: of any.
+Status runMissing(cli::Context& context, const bench::Plan& plan, uint64_t program, uint64_t known,
                   bench::RunLog& log) {
   ThreadPool pool(context.threads());
   const std::vector<bench::Question> questions = plan.questions();
@@ -131,7 +145,7 @@ Status runMissing(cli::Context& context, const bench::Plan& plan, uint64_t progr
                       done++ / double(questions.size()),
                       {}});
     const bench::Run planned = bench::plannedRun(q, program);
-    if (log.find(planned.key(), program)) continue;
+    if (log.find(planned.key(), known)) continue;
     OBBY_ASSIGN(const std::optional<bench::Run> run, bench::ask(q, planned, pool, context.stop()));
     if (run) OBBY_RETURN_IF_ERROR(log.append(*run));
   }
@@ -171,12 +185,13 @@ Result<cli::ExitCode> run(cli::Context& context) {
   if (log.unreadable() > 0) {
     context.warn(fmt::format("{}: {} lines are no runs", a.text("results"), log.unreadable()));
   }
-  uint64_t program = 0;
+  uint64_t known = 0;
   if (!a.flag("report-only")) {
-    OBBY_ASSIGN(program, programDigest());
-    OBBY_RETURN_IF_ERROR(runMissing(context, plan, program, log));
+    OBBY_ASSIGN(const uint64_t program, programDigest());
+    if (!a.flag("any-build")) known = program;
+    OBBY_RETURN_IF_ERROR(runMissing(context, plan, program, known, log));
   }
-  OBBY_RETURN_IF_ERROR(report(a, bench::resultsOf(plan, log, program)));
+  OBBY_RETURN_IF_ERROR(report(a, bench::resultsOf(plan, log, known)));
   return cli::ExitCode::ok;
 }
 
