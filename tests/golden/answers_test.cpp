@@ -5,11 +5,10 @@
 //   OBBY_WRITE_GOLDEN=1 test_golden && git diff tests/golden
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <sstream>
 
 #include "base/thread_pool.h"
+#include "golden/committed.h"
 #include "io/stream.h"
 #include "sim/simulator.h"
 #include "solve/methods.h"
@@ -71,14 +70,7 @@ std::string answer(const Asked& asked) {
 TEST(Golden, AnswersOfTheSuiteAreBitForBitAsCommitted) {
   std::string now;
   for (const Asked& asked : kAsked) now += answer(asked) + "\n";
-  if (std::getenv("OBBY_WRITE_GOLDEN") != nullptr) {
-    std::ofstream(kFile) << now;
-    GTEST_SKIP() << "wrote " << kFile;
-  }
-  std::ifstream file(kFile);
-  std::ostringstream committed;
-  committed << file.rdbuf();
-  EXPECT_EQ(now, committed.str());
+  golden::expectCommitted(kFile, now);
 }
 
 }  // namespace

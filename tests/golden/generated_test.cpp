@@ -4,12 +4,9 @@
 //   OBBY_WRITE_GOLDEN=1 test_golden --gtest_filter='Generated*' && git diff tests/golden
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
-
 #include "base/hash.h"
 #include "gen/made.h"
+#include "golden/committed.h"
 
 namespace obby::test {
 namespace {
@@ -34,14 +31,7 @@ TEST(GeneratedLevels, AreTheCommittedOnes) {
     };
     now += fmt::format("{}\t{:016x}\t{:016x}\n", s.name, hashOf(generator), hashOf(twins));
   }
-  if (std::getenv("OBBY_WRITE_GOLDEN") != nullptr) {
-    std::ofstream(kFile) << now;
-    GTEST_SKIP() << "wrote " << kFile;
-  }
-  std::ifstream file(kFile);
-  std::ostringstream committed;
-  committed << file.rdbuf();
-  EXPECT_EQ(committed.str(), now);
+  golden::expectCommitted(kFile, now);
 }
 
 }  // namespace
