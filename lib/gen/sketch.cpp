@@ -48,7 +48,7 @@ float Sketch::mix(float easy, float hard) {
   return rounded(easy + (hard - easy) * t, 0.25f);
 }
 
-float Sketch::mixAside(float easy, float hard) {
+float Sketch::mixEitherSign(float easy, float hard) {
   const float far = mix(easy, hard);
   return far * side();
 }

@@ -47,8 +47,8 @@ class Sketch {
   float side() { return random_.below(2) == 0 ? -1.0f : 1.0f; }
   // From what is easy to what is hard, by the difficulty and a little chance; whole quarters.
   float mix(float easy, float hard);
-  // The same to the right or, negative, to the left.
-  float mixAside(float easy, float hard);
+  // The same, with either sign.
+  float mixEitherSign(float easy, float hard);
   // The same as a whole number.
   uint32_t mixCount(uint32_t easy, uint32_t hard);
 

@@ -15,11 +15,11 @@ void buildDoor(Sketch& s) {
   constexpr float kRoundabout = 20, kDoor = 6, kRun = 12;
   const float width = 20, seconds = s.mix(12, 3), high = maxf(14.0f, s.reach().rise() + 5);
   const float side = (width - kDoor) / 2 + kRoundabout, middle = (kDoor + side) / 2;
-  const float aside = s.mixAside(3, 8);
+  const float aside = s.mixEitherSign(3, 8);
   s.wall("Wall", -middle, kRun, side, high, 1);
   s.wall("Wall", middle, kRun, side, high, 1);
   PartSketch& door = s.part("Door", {0, high / 2, kRun}, {kDoor, high, 1}).colored(colors::kFading);
-  if (!s.broken("button")) {
+  if (!(s.straight() && s.broken("button"))) {
     door.signal = s.signal("door");
     VanishSketch away{schema::VanishTrigger::SIGNAL, 0, 0, 0, false};
     door.vanishing(away);
@@ -33,7 +33,7 @@ void buildDoor(Sketch& s) {
 
 void buildBridge(Sketch& s) {
   const float seconds = s.mix(12, 5), gap = s.reach().gap(0) + s.mix(6, 10);
-  const float width = s.mix(6, 2), aside = s.mixAside(0, 4);
+  const float width = s.mix(6, 2), aside = s.mixEitherSign(0, 4);
   const bool there = !s.broken("bridge");
   s.floor("Near bank", 10, 12);
   if (there) {

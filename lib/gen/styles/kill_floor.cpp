@@ -11,7 +11,7 @@ void buildKillFloor(Sketch& s) {
     // A gap that nobody crosses has its lava further down, where it is no step.
     const float depth = gap > s.reach().gap(0) ? kDeeper + kDepth : kDepth;
     Sketch::deadly(s.part("Lava", {0, -depth - 0.5f, (gap + size) / 2}, {kWide, 1, gap + size}));
-    s.floor("Stone", size, size, gap, 0, s.mixAside(0, 2));
+    s.floor("Stone", size, size, gap, 0, s.mixEitherSign(0, 2));
   }
 }
 

@@ -13,7 +13,7 @@ void buildPushBlock(Sketch& s) {
   // So far that nobody jumps from it to the wall where it stands.
   const float away = kBlock / 2 + s.reach().gap(s.reach().rise() + over - kBlock) + s.mix(3, 7);
   const float yard = maxf(kYard, away + kBehind);
-  const float aside = s.mixAside(0, width / 2 - 5);
+  const float aside = s.mixEitherSign(0, width / 2 - 5);
   PartSketch& block = s.part("Block", {aside, kBlock / 2, yard - away}, {kBlock, kBlock, kBlock})
                           .colored(colors::kWood);
   block.anchored = fixed;

@@ -11,7 +11,7 @@ void buildTruss(Sketch& s) {
     const float up = 2 * float(int32_t((s.highLedge(4, 24) + 1) / 2));  // trusses come in twos
     s.floor("Foot", foot, width);
     s.part("Tower", {0, up / 2 - 0.5f, kDeep / 2}, {width, up + 1, kDeep}).colored(colors::kWall);
-    const float aside = s.mixAside(0, width / 2 - 2);
+    const float aside = s.mixEitherSign(0, width / 2 - 2);
     if (!s.broken("truss")) {
       s.part("Truss", {aside, up / 2, -kTruss / 2}, {kTruss, up, kTruss})
           .shaped(schema::Shape::TRUSS)
