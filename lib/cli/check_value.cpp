@@ -26,11 +26,13 @@ bool contains(const std::vector<std::string>& choices, const std::string& text) 
 std::string bounds(const OptionRow& row) {
   const bool low = row.min > std::numeric_limits<double>::lowest();
   const bool high = row.max < std::numeric_limits<double>::max();
-  const std::string multiple =
-      row.multiple > 1 ? fmt::format(", a multiple of {}", row.multiple) : std::string();
-  if (low && high) return fmt::format(" from {} to {}{}", row.min, row.max, multiple);
+  if (low && high) return fmt::format(" from {} to {}", row.min, row.max);
   if (low) return fmt::format(" of at least {}", row.min);
   return high ? fmt::format(" of at most {}", row.max) : std::string();
+}
+
+std::string multiples(const OptionRow& row) {
+  return row.multiple > 1 ? fmt::format(", a multiple of {}", row.multiple) : std::string();
 }
 
 std::optional<std::string> checkFlag(std::string& text) {
@@ -63,7 +65,7 @@ std::optional<std::string> checkValue(const OptionRow& row, std::string& text) {
       int64_t value = 0;
       if (!parseAll(text, value) || double(value) < row.min || double(value) > row.max ||
           value % row.multiple != 0)
-        return expected("a whole number" + bounds(row));
+        return expected("a whole number" + bounds(row) + multiples(row));
       return std::nullopt;
     }
     case ValueType::number: {

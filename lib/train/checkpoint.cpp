@@ -48,9 +48,8 @@ Status decode(schema::SavedTraining::Reader file, Checkpoint& out) {
   state.decisions = file.getDecisions();
   state.solved = file.getSolved();
   state.hardest = file.getHardest();
-  const bool shares = state.solved >= 0 && state.solved <= 1 && state.hardest >= 0 &&
-                      state.hardest <= 1;  // false of what is no number
-  if (!shares) return makeError("a share or a difficulty that cannot be");
+  if (!isShare(state.solved) || !isShare(state.hardest))
+    return makeError("a share or a difficulty that cannot be");
   OBBY_RETURN_IF_ERROR(readSums(file.getSeen(), state.seen));
   OBBY_RETURN_IF_ERROR(readLearner(file.getLearner(), state.learner));
   for (const auto crowd : file.getCrowds())

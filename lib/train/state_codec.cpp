@@ -84,8 +84,6 @@ void writePlace(const PlaceState& s, schema::SavedPlace::Builder to) {
   }
 }
 
-bool isShare(double v) { return v >= 0 && v <= 1; }  // false of what is no number
-
 Status readPlace(schema::SavedPlace::Reader from, PlaceState& out) {
   out.taken = from.getTaken();
   out.hardest = from.getHardest();
@@ -111,6 +109,8 @@ Status readPlace(schema::SavedPlace::Reader from, PlaceState& out) {
 }
 
 }  // namespace
+
+bool isShare(double v) { return v >= 0 && v <= 1; }
 
 uint64_t stateLayout() {
 #define OBBY_NAME_OF(type, name) #type " " #name ";"

@@ -21,6 +21,9 @@ void writeCrowd(const CrowdState& state, schema::SavedCrowd::Builder to);
 std::string packCrowds(const std::vector<CrowdState>& crowds);
 void unpackCrowds(const std::string& bytes, std::vector<CrowdState>& crowds);
 
+// From 0 to 1; not so of what is no number.
+bool isShare(double value);
+
 // The error says which list has another length than it must. `out` says how wide sums are.
 Status readSums(schema::SavedSums::Reader from, Sums& out);
 Status readLearner(schema::SavedLearner::Reader from, LearnerState& out);

@@ -66,14 +66,12 @@ uint32_t MctsChooser::descend() {
 }
 
 void MctsChooser::choose(const Archive& archive, ThreadPool&, Random&, std::span<Choice> choices) {
-  if (nodes_.empty()) addNode(kNone);  // the start
   best_ = std::max(1.0, double(archive.bestPotential() * kRewardScale));
   for (Choice& c : choices) c.cell = descend();
 }
 
 // New cells hang one behind the other, as the rollout came to them.
 void MctsChooser::learn(const Archive&, std::span<const Tried> tried) {
-  if (nodes_.empty()) addNode(kNone);  // the start: earlier answers are tried before any choice
   for (const Tried& t : tried) {
     const uint64_t reward = uint64_t(t.potential * kRewardScale);
     nodes_[t.cell].own.reward += reward;

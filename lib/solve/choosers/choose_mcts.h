@@ -11,6 +11,8 @@ GoExploreSettings mctsSettings();
 
 class MctsChooser : public Chooser {
  public:
+  MctsChooser() { addNode(kNone); }  // the start: earlier answers are learned before any choice
+
   void choose(const Archive& archive, ThreadPool& pool, Random& random,
               std::span<Choice> choices) override;
   void learn(const Archive& archive, std::span<const Tried> tried) override;
