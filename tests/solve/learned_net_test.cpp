@@ -7,7 +7,9 @@
 #include <cstring>
 #include <numeric>
 
+#include "scenes.h"
 #include "solve/learned/cell_choice.h"
+#include "solve/learned/goal_policy.h"
 #include "solve/learned/imitation_loss.h"
 #include "solve/learned/inverse_dynamics.h"
 #include "solve/learned/quantile_loss.h"
@@ -213,23 +215,60 @@ TEST(Neighbours, DistancesAreThoseOfASort) {
 
 // Standing states only, by 1 / (1 + actions / 2); the start always.
 TEST(CellChoice, WeighsCellsByTheActionsTakenThere) {
-  Archive archive;
-  sim::World world{};
-  world.state = sim::State::freefall;
-  world.floorlessTicks = 100;
-  archive.offer(7, world, {0, kNone, 0}, 1);
-  archive.offer(8, world, {1, 0, 5}, 1);
-  world.state = sim::State::running;
-  world.floorlessTicks = 0;
-  archive.offer(9, world, {1, 0, 5}, 1);
   CellChoice choice;
-  for (int n = 0; n < 6; ++n) choice.act(2);
-  choice.update(archive);
+  for (int n = 0; n < 6; ++n) choice.act(1);
+  choice.update(2);
   Random random(8, 8);
-  uint32_t counts[3] = {};
+  uint32_t counts[2] = {};
   for (int n = 0; n < 50'000; ++n) ++counts[choice.pick(random)];
-  EXPECT_EQ(counts[1], 0u);
   EXPECT_NEAR(counts[0] / 50'000.0, 0.8, 0.01);  // 1 against 1/4
+}
+
+// Rows of a policy that is sure of itself, at one place; returned: how far learning moved it.
+float movedBy(Maker maker) {
+  GoalPolicy policy({}, 1);
+  const std::vector<float> before = policy.net().numbers();
+  Decisions d(8, 2);
+  Random random(9, 9);
+  d.inputs = drawn<float>(d.inputs.size(), random);
+  for (size_t r = 0; r < d.rows(); ++r) {
+    d.made[r] = {int(r) % policy::kMoves, true, logOf(1.0f / policy::kMoves), 0, 0};
+    d.makers[r] = maker;
+    d.rewards[r] = r % 3 == 0 ? 1.0f : 0.0f;
+  }
+  ThreadPool pool(1);
+  policy.learn(pool, d);
+  float moved = 0;
+  for (size_t i = 0; i < before.size(); ++i)
+    moved = std::max(moved, std::abs(policy.net().numbers()[i] - before[i]));
+  return moved;
+}
+
+TEST(GoalPolicy, LearnsFromReturnsAndKeptWaysButNotFromExploring) {
+  EXPECT_EQ(movedBy(Maker::explorer), 0);
+  EXPECT_GT(movedBy(Maker::policy), 1e-4f);
+  EXPECT_GT(movedBy(Maker::kept), 1e-4f);
+}
+
+// Two visits in opposite arms: who has been in the one is elsewhere than who has been in the other.
+TEST(InverseDynamics, TellsWhichVisitsAreBehind) {
+  const level::Level level = steppingStones().compile();
+  const Problem problem = support::endlessProblem(level);
+  const InverseDynamics module(1);
+  Pass<float> pass;
+  std::vector<float> points, places(4 * kPlace);
+  sim::World worlds[4] = {problem.start, problem.start, problem.start, problem.start};
+  worlds[1].visited = 1;
+  worlds[2].visited = 2;
+  worlds[3].waypoints = 1;
+  for (size_t i = 0; i < 4; ++i) placeOf(problem, worlds[i], nullptr, places.data() + i * kPlace);
+  module.encode(places.data(), 4, pass, points);
+  for (size_t i = 0; i < 4; ++i) {
+    for (size_t j = 0; j < i; ++j) {
+      const float* const a = points.data() + i * kLatent;
+      EXPECT_GT(latentDistance2(a, points.data() + j * kLatent), 500 * 500) << i << " " << j;
+    }
+  }
 }
 
 TEST(BestMove, IsTheOneOfTheHighestMeanThatIsAllowed) {

@@ -79,6 +79,59 @@ TEST(Cflge, KeepsWaysThatReplayAndCountsWhatItDid) {
   expectTruthfulStatistics(search, 50);
 }
 
+// Nobody can be told to go to where players only fly by.
+TEST(LearnedSearches, KeepCellsInWhichThePlayerStands) {
+  const level::Level stones = steppingStones().compile();
+  Question question(stones);
+  ThreadPool pool(2);
+  Pbge search(question.problem(), 1, {}, {pool});
+  for (int r = 0; r < 30; ++r) search.round();
+  ASSERT_GT(search.cellCount(), 20u);
+  for (uint32_t c = 1; c < search.cellCount(); ++c)
+    EXPECT_TRUE(grounded(search.archive().world(c))) << c;
+}
+
+// Forgetting changes nothing but the memory: what is left is all that is asked for.
+template <class S, class Settings>
+void expectForgettingToShowNowhere(const Problem& problem) {
+  ThreadPool pool(2);
+  Settings forgetful;
+  forgetful.forgetFrom = 1;
+  S keeps(problem, 1, Settings{}, {pool}), forgets(problem, 1, forgetful, {pool});
+  for (int r = 0; r < 60; ++r) {
+    keeps.round();
+    forgets.round();
+  }
+  EXPECT_LT(forgets.bytesKept(), keeps.bytesKept());
+  EXPECT_TRUE(forgets.places(0) == keeps.places(0));
+  expectKeptWaysToReplay(forgets);
+  expectTruthfulStatistics(forgets, 50);
+}
+
+TEST(LearnedSearches, ForgetWaysThatNothingLeadsAlong) {
+  const level::Level level = corridor();
+  const Problem problem = support::endlessProblem(level);
+  expectForgettingToShowNowhere<Pbge, PbgeSettings>(problem);
+  expectForgettingToShowNowhere<Cflge, CflgeSettings>(problem);
+}
+
+// What it plays depends on nothing but its start, its seed and what it remembers.
+TEST(Cflge, RemembersWhatAnEarlierAnswerCameThrough) {
+  const level::Level level = corridor();
+  Problem problem = support::endlessProblem(level);
+  ThreadPool pool(2);
+  const auto stepsPlayed = [&](uint32_t ticks) {
+    problem.known = {{{{0, true, false}, ticks}}};  // a walk down the corridor
+    Cflge search(problem, 1, {}, {pool});
+    search.tryKnown(0, 1);
+    const uint64_t before = search.statistics().steps;
+    for (int r = 0; r < 20; ++r) search.round();
+    return search.statistics().steps - before;
+  };
+  EXPECT_EQ(stepsPlayed(1), stepsPlayed(1));
+  EXPECT_NE(stepsPlayed(375), stepsPlayed(1));
+}
+
 // Without learning hardly anybody comes back to where the player before fell off the edges.
 TEST(Pbge, LearnsToReturn) {
   const level::Level level = corridor();

@@ -4,19 +4,20 @@
 
 #include "policy/policy.h"
 #include "solve/learned/soft_window.h"
+#include "solve/rollouts/known_way.h"
 
 namespace obby::solve::learned {
 
 namespace {
 
-constexpr uint64_t kPlayers = 1ull << 32;  // streams of random numbers
-constexpr Turns kNorth = 0;                // all observations look that way: moves mean the same
+constexpr uint64_t kPlayers = 1ull << 32, kFollowers = 2ull << 32;  // streams of random numbers
+constexpr Turns kNorth = 0;  // all observations look that way: moves mean the same
 
 }  // namespace
 
 Cflge::Cflge(const Problem& problem, uint64_t seed, const CflgeSettings& settings,
              const Machine& machine)
-    : LearnedSearch(problem, seed, machine),
+    : LearnedSearch(problem, seed, machine, settings.forgetFrom),
       settings_(settings),
       module_(seed),
       policy_(settings.policy, seed),
@@ -37,10 +38,7 @@ void Cflge::playAndLearn() {
   pool().run(int(groups_.size()), [&](int g) { play(groups_[size_t(g)]); });
   for (Group& g : groups_) {
     for (Episode& e : g.ended) take(e);
-    for (Track& t : g.tracks) {
-      goals_.add(t.path);
-      memory_.add(std::make_shared<const Track>(std::move(t)));
-    }
+    for (Track& t : g.tracks) remember(std::move(t));
     count(g.steps);
     returns_.add(g.returns);
     g.ended.clear();
@@ -50,6 +48,39 @@ void Cflge::playAndLearn() {
   }
   decided_ += settings_.decisions * settings_.groups * kGroup;
   if (decided_ >= settings_.begin && memory_.size() > 0) learn();
+}
+
+void Cflge::remember(Track track) {
+  goals_.add(track.path);
+  memory_.add(std::make_shared<const Track>(std::move(track)));
+}
+
+void Cflge::tryKnown(size_t first, size_t count) {
+  LearnedSearch::tryKnown(first, count);
+  for (size_t way = first; way < first + count; ++way) {
+    Player p(seed(), kFollowers + way);
+    begin(p);
+    follow(p, actions(way));
+    remember(endOf(p));
+  }
+}
+
+// Plays it a second time, decision by decision: the first of a decision's actions names its move.
+void Cflge::follow(Player& p, const KnownWay& way) {
+  std::vector<float> inputs(kPolicyInputs);
+  Episode* const episode = &p.episode;
+  WayCursor cursor;
+  for (uint32_t ticks = ticksOf(way); ticks > 0 && goesOn(p.episode);) {
+    see(p, inputs.data());
+    WayCursor ahead = cursor;
+    p.track.moves.push_back(uint8_t(nearestMove(ahead.next(way), kNorth, true)));
+    for (uint32_t k = 0; k < policy::kDecisionTicks && ticks > 0 && goesOn(p.episode); ++k) {
+      const sim::Action action = cursor.next(way);
+      advance({&episode, 1}, &action);
+      count(1);
+      --ticks;
+    }
+  }
 }
 
 // As many steps for a decision as were settled, a few each round; goals are ranked anew rarely.
@@ -70,6 +101,7 @@ void Cflge::learn() {
 }
 
 void Cflge::play(Group& g) {
+  for (Player& p : g.players) encode(g, p);
   for (uint32_t t = 0; t < settings_.decisions; ++t) {
     for (size_t i = 0; i < kGroup; ++i) see(g.players[i], g.inputs.data() + i * kPolicyInputs);
     const float* outputs = g.pass.forward(policy_.net(), g.inputs.data(), kGroup);
@@ -90,7 +122,7 @@ void Cflge::see(Player& p, float* inputs) const {
   float place[kPlace];
   placeOf(problem(), world, loose, place);
   p.path->places.insert(p.path->places.end(), place, place + kPlace);
-  p.path->stands.push_back(grounded(world));
+  p.path->stands.push_back(grounded(world) && goesOn(p.episode));
   p.track.inputs.insert(p.track.inputs.end(), inputs, inputs + policy::kInputs);
   p.track.mayJump.push_back(policy::jumpAllowed(scene(), world));
   const float nowhere[kPlace] = {};
@@ -109,8 +141,7 @@ void Cflge::decide(Player& p, const float* outputs) {
     if (p.random.unit() < settings_.chance) move = int(p.random.below(policy::kMoves));
     p.action = allowed(policy::actionOf(move, kNorth), p.episode.world);
   }
-  const int direction = p.action.walk ? p.action.heading >> 12 : policy::kHeadings;
-  p.track.moves.push_back(uint8_t(direction * 2 + (p.action.jump ? 1 : 0)));
+  p.track.moves.push_back(uint8_t(nearestMove(p.action, kNorth, true)));
 }
 
 void Cflge::tick(Group& g) {
@@ -156,23 +187,33 @@ bool Cflge::isOver(const Player& p) const {
 
 void Cflge::endDecision(Group& g, Player& p) {
   if (!isOver(p)) return;
-  float inputs[kPolicyInputs];
-  see(p, inputs);
-  p.track.ended = !goesOn(p.episode);
-  p.track.path = std::move(p.path);
-  g.tracks.push_back(std::move(p.track));
+  g.tracks.push_back(endOf(p));
   g.ended.push_back(std::move(p.episode));
   restart(g, p);
 }
 
-// Sets out for a goal along the way that led there, thinned.
-void Cflge::restart(Group& g, Player& p) {
-  p.episode = begin();
+// Whoever came to the query's goal did not die there.
+Track Cflge::endOf(Player& p) const {
+  float inputs[kPolicyInputs];
+  see(p, inputs);
+  p.track.ended = !goesOn(p.episode) && p.episode.world.outcome != sim::Outcome::goal;
+  p.track.path = std::move(p.path);
+  return std::move(p.track);
+}
+
+void Cflge::begin(Player& p) const {
+  p.episode = LearnedSearch::begin();
   p.path = std::make_shared<Path>();
   p.track = {};
   p.next = p.count = 0;
   p.waited = p.explored = 0;
   p.keys.letGo();
+  p.subgoals.clear();
+}
+
+// Sets out for a goal along the way that led there, thinned.
+void Cflge::restart(Group& g, Player& p) {
+  begin(p);
   if (goals_.empty()) return;
   const Goal& goal = goals_.draw(p.random);
   const float* const places = goal.path->place(0);
@@ -180,13 +221,17 @@ void Cflge::restart(Group& g, Player& p) {
   const float* const points = g.points.data();
   const std::vector<uint32_t> kept = thinned(points, goal.index + 1, module_.reach());
   p.count = kept.size();
-  p.subgoals.clear();
-  p.points.clear();
   for (const uint32_t i : kept) {
     p.subgoals.insert(p.subgoals.end(), places + i * kPlace, places + (i + 1) * kPlace);
-    p.points.insert(p.points.end(), points + i * kLatent, points + (i + 1) * kLatent);
   }
+  encode(g, p);
   ++g.returns.tried;
+}
+
+// The module goes on learning while players are on their way: by what it made of sub-goals before,
+// nobody would ever come to them.
+void Cflge::encode(Group& g, Player& p) const {
+  if (p.count > 0) module_.encode(p.subgoals.data(), p.count, g.encoder, p.points);
 }
 
 }  // namespace obby::solve::learned

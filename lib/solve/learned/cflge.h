@@ -22,6 +22,7 @@ struct CflgeSettings {
   float policySteps = 1.0f / 32;  // steps of the policy a decision
   size_t room = 40'000;           // decisions that the policy learns from
   bool learns = true;             // false: module and policy stay as they were at first
+  size_t forgetFrom = kForgetFrom;
   QuantileSettings policy;
 };
 
@@ -31,6 +32,9 @@ class Cflge final : public LearnedSearch {
 
   Cflge(const Problem& problem, uint64_t seed, const CflgeSettings& settings,
         const Machine& machine);
+
+  // The ways of an earlier answer are playthroughs like any other.
+  void tryKnown(size_t first, size_t count) override;
 
   const Returns& returns() const { return returns_; }
   // Mean losses of the inverse dynamics, one for each round in which they were learned.
@@ -44,7 +48,7 @@ class Cflge final : public LearnedSearch {
     Episode episode;
     std::shared_ptr<Path> path;
     Track track;
-    std::vector<float> subgoals, points;  // (sub-goals, kPlace), (sub-goals, kLatent)
+    std::vector<float> subgoals, points;  // (sub-goals, kPlace); (sub-goals, kLatent), this round's
     size_t next = 0;                      // of the sub-goals
     size_t count = 0;                     // of the sub-goals; 0: explores from the start
     uint32_t waited = 0;                  // decisions since the last sub-goal
@@ -64,13 +68,18 @@ class Cflge final : public LearnedSearch {
   };
 
   void playAndLearn() override;
+  void remember(Track track);
+  void follow(Player& p, const KnownWay& way);
   void play(Group& g);
   void see(Player& p, float* inputs) const;
   void decide(Player& p, const float* outputs);
   void tick(Group& g);
   void reach(Group& g);
   void endDecision(Group& g, Player& p);
+  Track endOf(Player& p) const;
+  void begin(Player& p) const;
   void restart(Group& g, Player& p);
+  void encode(Group& g, Player& p) const;
   bool isOver(const Player& p) const;
   void learn();
 

@@ -21,7 +21,7 @@ struct Passed {
   uint32_t tick;  // since the start
 };
 
-// A state that the archive lacked, or held a later arrival of.
+// A state in which the player stands and that the archive lacked, or held a later arrival of.
 struct Find {
   uint64_t key;
   sim::World world;
@@ -34,10 +34,10 @@ struct Episode {
   sim::World world;
   std::vector<sim::LooseBody> loose;
   uint32_t ticks = 0;
-  KnownWay actions;                          // all so far
-  std::unordered_set<uint64_t> been, stood;  // keys of the cells that the player was, stood in
-  std::vector<Passed> passed;                // those of `stood`, in their order
-  uint32_t newCells = 0;                     // the archive lacked so many of `been`
+  KnownWay actions;                    // all so far
+  std::unordered_set<uint64_t> stood;  // keys of the cells that the player stood in
+  std::vector<Passed> passed;          // these, in their order
+  uint32_t newCells = 0;               // the archive lacked so many of them
   std::vector<Find> finds;
   uint64_t key = 0;       // of the cell that the player is in
   uint32_t cell = kNone;  // of the archive, if it has that
@@ -45,6 +45,14 @@ struct Episode {
   Approach closest;
   uint32_t closestTicks = 0;
 };
+
+// The move that comes nearest to `action` where `ahead` is ahead.
+inline int nearestMove(const sim::Action& action, Turns ahead, bool mayJump) {
+  constexpr int kStep = 65536 / policy::kHeadings;
+  const int direction = int(Turns(action.heading - ahead + kStep / 2)) / kStep;
+  const int jump = action.jump && mayJump ? 1 : 0;
+  return (action.walk ? direction : policy::kHeadings) * 2 + jump;
+}
 
 // Random keys, each held for a while, in whole decisions.
 class RandomKeys {

@@ -30,7 +30,7 @@ void GoalPolicy::learn(ThreadPool& pool, const Decisions& d) {
   policy::fillAdvantages(played, settings_.discount, 1, unused_.data(), returns_.data());
   std::vector<uint32_t> order;
   for (uint32_t r = 0; r < d.rows(); ++r) {
-    if (d.makers[r] != Maker::random) order.push_back(r);
+    if (d.makers[r] != Maker::explorer) order.push_back(r);
   }
   for (uint32_t pass = 0; pass < settings_.passes; ++pass) {
     for (size_t i = order.size(); i > 1; --i)
@@ -73,7 +73,7 @@ void GoalPolicy::learnShare(const Decisions& d, std::span<const uint32_t> rows, 
     policy::Decision made = d.made[r];
     if (d.makers[r] == Maker::kept) {
       made.target = returns_[r];
-      imitationLoss(out, made, settings_.imitation, settings_.loss.valueShare, slope);
+      imitationLoss(out, made, settings_.imitation, settings_.imitationValue, slope);
       continue;
     }
     made.advantage = (advantages_[r] - mean) * scale;

@@ -14,15 +14,16 @@ namespace obby::solve::learned {
 struct GoalPolicySettings {
   policy::LossSettings loss{.entropyShare = 0.003f};
   LearnerSettings learner{.rate = 1e-3f, .mostNorm = 0.5f};
-  float imitation = 0.1f;  // share of its loss
-  float discount = 0.99f;  // a decision
-  float lambda = 0.95f;    // of generalised advantage estimation
-  uint32_t passes = 2;     // over the decisions of a round
-  uint32_t part = 256;     // decisions a step of the optimiser
+  float imitation = 0.1f;        // share of its loss
+  float imitationValue = 0.01f;  // of that, share of the value's
+  float discount = 0.99f;        // a decision
+  float lambda = 0.95f;          // of generalised advantage estimation
+  uint32_t passes = 2;           // over the decisions of a round
+  uint32_t part = 256;           // decisions a step of the optimiser
 };
 
-// Who made a decision: nothing is learned from random ones.
-enum class Maker : uint8_t { random, policy, kept };
+// Who made a decision: nothing is learned from those of explorers.
+enum class Maker : uint8_t { explorer, policy, kept };
 
 // The decisions of a round, a row each: (ticks, players), those of one tick side by side.
 struct Decisions {

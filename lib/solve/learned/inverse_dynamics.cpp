@@ -9,8 +9,8 @@ namespace {
 constexpr uint64_t kStream = 0x4c4745;  // of the seed's random numbers
 constexpr size_t kUnits = 64;           // a hidden layer
 constexpr size_t kOut = padded(policy::kMoves);
-constexpr float kTargetApart = 1000;  // more than latent space is wide
-constexpr float kFollow = 0.02f;      // of the new in the mean of distances
+constexpr float kApart = 1000;    // more than latent space is wide
+constexpr float kFollow = 0.02f;  // of the new in the mean of distances
 constexpr LearnerSettings kSettings{.rate = 1e-3f, .decay = 1e-5f};
 
 }  // namespace
@@ -44,7 +44,12 @@ void InverseDynamics::encode(const float* places, size_t count, Pass<float>& pas
                              std::vector<float>& points) const {
   const float* const encoded = pass.forward(encoder_.net(), places, count);
   points.assign(encoded, encoded + count * kLatent);
-  for (size_t i = 0; i < count; ++i) points[i * kLatent] += kTargetApart * places[i * kPlace + 6];
+  for (size_t i = 0; i < count; ++i, places += kPlace) {
+    const uint32_t code = uint32_t(places[kCode] * float(kCodes));
+    for (size_t d = 0; d < kLatent; ++d) {
+      if (code >> d & 1) points[i * kLatent + d] += kApart;
+    }
+  }
 }
 
 // Both places of a decision go through the encoder, one below the other.

@@ -43,8 +43,8 @@ class InverseDynamics {
   float reach() const { return 4 * apart_; }
 
   // Fills `points`, (count, kLatent), with those of `count` places, (count, kPlace). No move alone
-  // tells the waypoints and visits behind, so these set points apart by themselves. Safe to call
-  // from several threads, each with a pass of its own.
+  // tells the waypoints and visits behind, so each set of these shifts points by a step of its own.
+  // Safe to call from several threads, each with a pass of its own.
   void encode(const float* places, size_t count, Pass<float>& pass,
               std::vector<float>& points) const;
 

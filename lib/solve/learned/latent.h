@@ -11,8 +11,7 @@
 
 namespace obby::solve::learned {
 
-constexpr size_t kLatent = 16;       // numbers
-constexpr float kReachedWithin = 1;  // latent units: who is nearer to a goal has reached it
+constexpr size_t kLatent = 16;  // numbers
 
 // Squared distance of two points, (kLatent) each.
 float latentDistance2(const float* a, const float* b);

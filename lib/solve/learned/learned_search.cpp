@@ -8,17 +8,29 @@
 
 namespace obby::solve::learned {
 
-LearnedSearch::LearnedSearch(const Problem& problem, uint64_t seed, const Machine& machine)
+namespace {
+
+size_t bytesOf(const KnownWay& actions, const std::vector<Passed>& passed) {
+  return actions.capacity() * sizeof(actions[0]) + passed.capacity() * sizeof(Passed);
+}
+
+}  // namespace
+
+LearnedSearch::LearnedSearch(const Problem& problem, uint64_t seed, const Machine& machine,
+                             size_t forgetFrom)
     : ArchiveSearch(problem, seed, plainSettings()),
       pool_(machine.pool),
       surroundings_(problem_.level, policy::kSight),
       around_(surroundings_.view()),
       scene_{problem_.level, problem_.query, around_},
-      passed_(problem_.known.size()) {}
+      passed_(problem_.known.size()),
+      shown_(problem_.known.size(), 1),
+      forgetFrom_(forgetFrom) {}
 
 void LearnedSearch::round() {
   archive_.nextEpoch();
   playAndLearn();
+  forget();
   takeGoals();
   ++statistics_.rounds;
 }
@@ -29,7 +41,6 @@ Episode LearnedSearch::begin() const {
   e.loose = problem_.startLoose;
   e.key = cellKey(setup_.rules.binning, e.world, e.loose.data());
   e.cell = archive_.find(e.key);
-  e.been.insert(e.key);
   e.stood.insert(e.key);
   return e;
 }
@@ -69,19 +80,23 @@ void LearnedSearch::look(Episode& e) {
   if (key != e.key) {
     e.key = key;
     e.cell = archive_.find(key);
-    if (!e.repeats && e.been.insert(key).second) enter(e);
+    if (!e.repeats) approach(e);
   }
-  if (e.repeats || !grounded(e.world) || !e.stood.insert(key).second) return;
-  e.passed.push_back({key, e.world.position, e.ticks});
+  if (e.repeats || !grounded(e.world) || !goesOn(e)) return;
+  if (e.stood.insert(key).second) stand(e);
 }
 
-// Once for each cell that the player comes into.
-void LearnedSearch::enter(Episode& e) {
+// Each time the player comes into a cell, standing or not.
+void LearnedSearch::approach(Episode& e) const {
   const Approach here = approachOf(problem_.query, e.world);
-  if (closer(here, e.closest)) {
-    e.closest = here;
-    e.closestTicks = e.ticks;
-  }
+  if (!closer(here, e.closest)) return;
+  e.closest = here;
+  e.closestTicks = e.ticks;
+}
+
+// Once for each cell that the player stands in.
+void LearnedSearch::stand(Episode& e) {
+  e.passed.push_back({e.key, e.world.position, e.ticks});
   if (e.cell != kNone) {
     archive_.countSeen(e.cell);
     archive_.noteSighted(e.cell);
@@ -103,13 +118,45 @@ void LearnedSearch::take(Episode& e, size_t way) {
   ++statistics_.idleRollouts;
   if (cellCount() != cells) statistics_.idleRollouts = 0;
   needed |= countApproach(e.closest, {id, 0, e.closestTicks});
-  needed |= countEnd(e.world, {id, 0, e.ticks});
-  if (!needed) return;
+  const bool shown = countEnd(e.world, {id, 0, e.ticks});
+  if (!needed && !shown) return;
+  keep(e, way);
+  shown_[way] |= uint8_t(shown);
+}
+
+void LearnedSearch::keep(Episode& e, size_t way) {
   if (way == problem_.known.size()) {
+    e.actions.shrink_to_fit();
     problem_.known.push_back(std::move(e.actions));
     passed_.emplace_back();
+    shown_.push_back(0);
   }
+  e.passed.shrink_to_fit();
   passed_[way] = std::move(e.passed);
+  bytesKept_ += bytesOf(problem_.known[way], passed_[way]);
+}
+
+// A way is of use as long as it is the best to some cell, the closest approach, to be shown, or
+// followed. Looked at when there is twice as much as was left the last time.
+void LearnedSearch::forget() {
+  if (bytesKept_ < forgetFrom_) return;
+  std::vector<uint8_t> used = shown_;
+  const auto mark = [&](const Node& node) {
+    if (node.parent != kNone) used[node.rollout & ~kKnown] = 1;
+  };
+  for (uint32_t c = 0; c < cellCount(); ++c) mark(archive_.nodes()[archive_.node(c)]);
+  mark(statistics_.closest.way);
+  markFollowed(used);
+  size_t left = 0;
+  for (size_t way = 0; way < used.size(); ++way) {
+    if (!used[way]) {
+      KnownWay().swap(problem_.known[way]);
+      std::vector<Passed>().swap(passed_[way]);
+    }
+    left += bytesOf(problem_.known[way], passed_[way]);
+  }
+  bytesKept_ = left;
+  forgetFrom_ = std::max(forgetFrom_, 2 * left);
 }
 
 // The ways of an earlier answer are episodes like any other: what they came to is returned to.

@@ -1,6 +1,7 @@
 // What methods have in common that learn while they search: players who always begin at the start,
-// an archive of the cells that they came to with the ways there as they were played, and what a
-// search tells of itself. Host only.
+// an archive of the cells that they stood in with the ways there as they were played, and what a
+// search tells of itself. Who is in the air is on the way to elsewhere, mostly down: nobody could
+// be told to return there. Host only.
 #pragma once
 
 #include <span>
@@ -25,19 +26,26 @@ struct Returns {
   }
 };
 
+// Bytes of kept playthroughs from which on those are forgotten that nothing leads along any more.
+constexpr size_t kForgetFrom = 64 << 20;
+
 class LearnedSearch : public ArchiveSearch {
  public:
   void tryKnown(size_t first, size_t count) override;
   // Players play, what came of it is taken, then is learned from.
   void round() final;
+  size_t bytesKept() const { return bytesKept_; }  // of playthroughs
 
  protected:
   // Of `machine`, the pool is used.
-  LearnedSearch(const Problem& problem, uint64_t seed, const Machine& machine);
+  LearnedSearch(const Problem& problem, uint64_t seed, const Machine& machine,
+                size_t forgetFrom = kForgetFrom);
 
   // Plays for a while on the pool's threads, takes the episodes that ended, in a fixed order, and
   // learns.
   virtual void playAndLearn() = 0;
+  // Marks the kept ways that players are on.
+  virtual void markFollowed(std::vector<uint8_t>&) const {}
 
   const policy::Scene& scene() const { return scene_; }
   const Problem& problem() const { return problem_; }
@@ -72,8 +80,11 @@ class LearnedSearch : public ArchiveSearch {
 
  private:
   void look(Episode& e);
-  void enter(Episode& e);
+  void approach(Episode& e) const;
+  void stand(Episode& e);
   void take(Episode& e, size_t way);
+  void keep(Episode& e, size_t way);
+  void forget();
 
   // The problem's known ways are followed by those of the episodes that are of use.
   ThreadPool& pool_;
@@ -81,6 +92,8 @@ class LearnedSearch : public ArchiveSearch {
   const policy::SurroundingsView around_;
   const policy::Scene scene_;                // of these
   std::vector<std::vector<Passed>> passed_;  // (problem_.known)
+  std::vector<uint8_t> shown_;  // (problem_.known), kept for ever: an end to show, or a goal
+  size_t bytesKept_ = 0, forgetFrom_;
 };
 
 }  // namespace obby::solve::learned

@@ -10,33 +10,26 @@ namespace obby::solve::learned {
 
 namespace {
 
+constexpr float kNewNearby = 0.1f;         // of the aims, where there is any
+constexpr float kNearby = 0.25f;           // of the rest
 constexpr int kAims = 8;                   // places looked at for one in a cell that is new
 constexpr uint32_t kFarthest = 8;          // of these, in cells
-constexpr uint32_t kAimFor = 20;           // decisions before another is taken
 constexpr uint64_t kPlayers = 1ull << 32;  // streams of random numbers
 
 geom::Region around(Vec3 place, float width) {
   return {{place, {}}, {0.5f * width, width, 0.5f * width}};
 }
 
-// The move that comes nearest to `action` in the frame.
-int moveOf(const sim::Action& action, Turns ahead, bool mayJump) {
-  constexpr int kStep = 65536 / policy::kHeadings;
-  const int direction = int(Turns(action.heading - ahead + kStep / 2)) / kStep;
-  const int jump = action.jump && mayJump ? 1 : 0;
-  return (action.walk ? direction : policy::kHeadings) * 2 + jump;
-}
-
 }  // namespace
 
 Pbge::Pbge(const Problem& problem, uint64_t seed, const PbgeSettings& settings,
            const Machine& machine)
-    : LearnedSearch(problem, seed, machine),
+    : LearnedSearch(problem, seed, machine, settings.forgetFrom),
       settings_(settings),
       policy_(settings.policy, seed),
       made_(settings.decisions, settings.groups * kGroup),
       groups_(settings.groups) {
-  choice_.update(archive());
+  choice_.update(cellCount());
   for (uint32_t i = 0; i < made_.players; ++i) {
     Group& g = groups_[i / kGroup];
     g.players.emplace_back(seed, kPlayers + i, (i + 1) % kGroup == 0);
@@ -56,8 +49,16 @@ void Pbge::playAndLearn() {
     g.returns = {};
     g.steps = 0;
   }
-  choice_.update(archive());
+  choice_.update(cellCount());
   if (settings_.learns) policy_.learn(pool(), made_);
+}
+
+void Pbge::markFollowed(std::vector<uint8_t>& used) const {
+  for (const Group& g : groups_) {
+    for (const Player& p : g.players) {
+      if (p.subgoals > 0) used[p.way] = 1;
+    }
+  }
 }
 
 // `first`: of the group's players among all.
@@ -102,16 +103,26 @@ void Pbge::decide(Group& g, Player& p, const float* outputs, size_t row) {
   if (p.mode == Mode::repeating) {
     decideAsKept(p, row);
   } else if (p.mode == Mode::exploring && !p.byPolicy) {
-    made_.makers[row] = Maker::random;
+    made_.makers[row] = Maker::explorer;
     p.action = allowed(p.keys.next(p.random), p.episode.world);
   } else {
     decideByPolicy(p, outputs, row);
   }
 }
 
-// The longer it has not come to a sub-goal, the more it leaves to chance.
+// In which the way that is followed came to the next sub-goal.
+uint32_t Pbge::decisionsDue(const Player& p) const {
+  const std::vector<Passed>& way = passed(p.way);
+  const uint32_t before = p.next == 0 ? 0 : way[p.next - 1].tick;
+  return (way[p.next].tick - before) / policy::kDecisionTicks;
+}
+
+// The longer than due it has not come to a sub-goal, or found nothing, the more it leaves to
+// chance.
 void Pbge::decideByPolicy(Player& p, const float* outputs, size_t row) {
-  const uint32_t over = p.waited > settings_.calm ? p.waited - settings_.calm : 0;
+  const bool explores = p.mode == Mode::exploring;
+  const uint32_t calm = explores ? settings_.calm : decisionsDue(p);
+  const uint32_t over = p.waited > calm ? p.waited - calm : 0;
   const float unrest = settings_.unrest * float(over);
   const float sharpness = 1 / (1 + unrest * unrest);
   float logits[policy::kMoves], chances[policy::kMoves];
@@ -120,7 +131,7 @@ void Pbge::decideByPolicy(Player& p, const float* outputs, size_t row) {
   policy::chancesOf(logits, mayJump, chances);
   const int move = policy::draw(logits, mayJump, p.random);
   p.action = policy::actionOf(move, p.ahead);
-  made_.makers[row] = Maker::policy;
+  made_.makers[row] = explores ? Maker::explorer : Maker::policy;
   made_.sharpness[row] = sharpness;
   made_.made[row] = {move, mayJump, logOf(chances[move]), 0, 0};
 }
@@ -131,7 +142,7 @@ void Pbge::decideAsKept(Player& p, size_t row) {
   WayCursor ahead = p.cursor;
   const sim::Action action = ahead.next(actions(p.way));
   made_.makers[row] = Maker::kept;
-  made_.made[row] = {moveOf(action, p.ahead, mayJump), mayJump, 0, 0, 0};
+  made_.made[row] = {nearestMove(action, p.ahead, mayJump), mayJump, 0, 0, 0};
 }
 
 void Pbge::tick(Group& g) {
@@ -154,17 +165,17 @@ void Pbge::tick(Group& g) {
 // Has the player come to a sub-goal?
 void Pbge::reach(Group& g, Player& p) const {
   if (p.mode == Mode::exploring) {
-    if (!p.byPolicy) return;
-    if (geom::distance(around(p.aim, cellWidth()), p.episode.world.position) > 0) return;
-    aim(p);
-  } else {
-    const std::vector<Passed>& way = passed(p.way);
-    const auto reached = [&](size_t i) { return way[i].key == p.episode.key; };
-    if (!passSubgoals(p.next, p.subgoals, reached)) return;
+    const geom::Region there = around(p.aim, cellWidth());
+    if (p.byPolicy && geom::distance(there, p.episode.world.position) <= 0) aim(p);
+    return;
   }
-  p.reward += settings_.subgoal;
-  p.waited = p.barren = 0;
-  if (p.mode != Mode::returning || p.next < p.subgoals) return;
+  const std::vector<Passed>& way = passed(p.way);
+  const auto reached = [&](size_t i) { return way[i].key == p.episode.key; };
+  if (!passSubgoals(p.next, p.subgoals, reached)) return;
+  const bool last = p.next == p.subgoals;
+  p.reward += last ? settings_.last : settings_.subgoal;
+  p.waited = 0;
+  if (p.mode != Mode::returning || !last) return;
   ++g.returns.reached;
   explore(p);
 }
@@ -172,16 +183,16 @@ void Pbge::reach(Group& g, Player& p) const {
 bool Pbge::isOver(const Player& p) const {
   if (!goesOn(p.episode)) return true;
   if (p.mode == Mode::repeating) return p.next == p.subgoals;
-  if (p.mode == Mode::exploring && p.explored >= settings_.explore) return true;
-  return p.barren >= settings_.patience;
+  return p.waited >= settings_.patience + (p.mode == Mode::returning ? decisionsDue(p) : 0);
 }
 
 void Pbge::endDecision(Group& g, Player& p, size_t row) {
   ++p.waited;
-  ++p.barren;
-  if (p.episode.newCells != p.newCells) p.barren = 0;
-  p.newCells = p.episode.newCells;
-  if (p.mode == Mode::exploring && ++p.explored % kAimFor == 0) aim(p);
+  if (p.mode == Mode::exploring) {
+    if (p.episode.newCells != p.newCells) p.waited = 0;
+    p.newCells = p.episode.newCells;
+    if (++p.explored % settings_.aimFor == 0) aim(p);
+  }
   const bool over = isOver(p);
   made_.rewards[row] = p.reward;
   made_.done[row] = p.done || over;
@@ -193,7 +204,7 @@ void Pbge::endDecision(Group& g, Player& p, size_t row) {
 void Pbge::restart(Group& g, Player& p) const {
   p.episode = begin();
   p.next = 0;
-  p.waited = p.barren = p.newCells = 0;
+  p.waited = 0;
   p.cursor = {};
   std::tie(p.way, p.subgoals) = wayTo(choice_.pick(p.random));
   p.episode.repeats = p.repeats && p.subgoals > 0;
@@ -207,24 +218,34 @@ void Pbge::restart(Group& g, Player& p) const {
   }
 }
 
-// From here on; half of the players at random, whose decisions the policy does not learn from.
+// From here on, half of the players at random.
 void Pbge::explore(Player& p) const {
   p.mode = Mode::exploring;
   p.byPolicy = p.random.below(2) == 0;
   p.explored = p.waited = 0;
+  p.newCells = p.episode.newCells;
   p.keys.letGo();
-  p.done = !p.byPolicy;
+  p.done = true;
   aim(p);
 }
 
-// At a place nearby, in a cell that the archive lacks if one is found.
+// Seldom at a place nearby in a cell that the archive lacks, sometimes at any place nearby, mostly
+// at a cell of the archive.
 void Pbge::aim(Player& p) const {
-  for (int i = 0; i < kAims; ++i) {
-    const SinCos way = sinCos(Turns(p.random.below(policy::kHeadings) << 12));
-    const float cells = 1 + float(p.random.below(kFarthest));
-    p.aim = p.episode.world.position + directionOf(way) * (cells * cellWidth());
-    if (archive().find(keyAt(p.episode, p.aim)) == kNone) return;
+  if (p.random.unit() < kNewNearby) {
+    for (int i = 0; i < kAims; ++i) {
+      p.aim = placeNear(p);
+      if (archive().find(keyAt(p.episode, p.aim)) == kNone) return;
+    }
   }
+  p.aim =
+      p.random.unit() < kNearby ? placeNear(p) : archive().world(choice_.pick(p.random)).position;
+}
+
+Vec3 Pbge::placeNear(Player& p) const {
+  const SinCos way = sinCos(Turns(p.random.below(policy::kHeadings) << 12));
+  const float cells = 1 + float(p.random.below(kFarthest));
+  return p.episode.world.position + directionOf(way) * (cells * cellWidth());
 }
 
 }  // namespace obby::solve::learned

@@ -1,6 +1,7 @@
 // Policy-Based Go-Explore (Ecoffet et al. 2021): players return to a chosen cell of the archive by
 // a policy that learns meanwhile to reach the cells on the way there, and explore from it, half of
-// them by the policy, half at random. Nothing is ever restored. Host only.
+// them by the policy, half at random. Nothing is learned from exploring, nothing ever restored.
+// Host only.
 #pragma once
 
 #include "solve/learned/cell_choice.h"
@@ -13,12 +14,15 @@ namespace obby::solve::learned {
 struct PbgeSettings {
   uint32_t groups = 2;      // of kGroup players; a group is one thread's
   uint32_t decisions = 32;  // of each player, a round
-  uint32_t patience = 100;  // decisions without a new sub-goal or cell until a player gives up
-  uint32_t explore = 100;   // decisions after the return
-  uint32_t calm = 50;       // decisions without a new sub-goal before entropy is raised
+  uint32_t patience = 100;  // decisions until a player gives up: beyond those that a sub-goal took
+                            // at first, or of exploring without a new cell
+  uint32_t aimFor = 20;     // decisions of exploring until another place is aimed at
+  uint32_t calm = 50;       // decisions of exploring without a new cell before entropy is raised
   float unrest = 0.01f;     // then the temperature is 1 + (unrest x decisions)^2
   float subgoal = 0.1f;     // reward
+  float last = 0.3f;        // that of the last sub-goal
   bool learns = true;       // false: the policy stays as it was at first
+  size_t forgetFrom = kForgetFrom;
   GoalPolicySettings policy;
 };
 
@@ -46,8 +50,7 @@ class Pbge final : public LearnedSearch {
     bool byPolicy = true;          // explores so
     Vec3 aim{};                    // where to, then
     uint32_t explored = 0;         // decisions
-    uint32_t waited = 0;           // decisions since the last sub-goal
-    uint32_t barren = 0;           // decisions since the last sub-goal or new cell
+    uint32_t waited = 0;           // decisions since the last sub-goal; exploring, new cell
     uint32_t newCells = 0;         // that the episode had found then
     RandomKeys keys;
     WayCursor cursor;  // of what it repeats
@@ -68,6 +71,7 @@ class Pbge final : public LearnedSearch {
   };
 
   void playAndLearn() override;
+  void markFollowed(std::vector<uint8_t>& used) const override;
   void play(Group& g, uint32_t first);
   void see(Player& p, float* inputs) const;
   void decide(Group& g, Player& p, const float* outputs, size_t row);
@@ -75,11 +79,13 @@ class Pbge final : public LearnedSearch {
   void decideAsKept(Player& p, size_t row);
   void tick(Group& g);
   void reach(Group& g, Player& p) const;
+  uint32_t decisionsDue(const Player& p) const;
   bool isOver(const Player& p) const;
   void endDecision(Group& g, Player& p, size_t row);
   void restart(Group& g, Player& p) const;
   void explore(Player& p) const;
   void aim(Player& p) const;
+  Vec3 placeNear(Player& p) const;
 
   const PbgeSettings settings_;
   GoalPolicy policy_;

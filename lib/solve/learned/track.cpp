@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solve/archive/cell.h"
+
 namespace obby::solve::learned {
 
 namespace {
@@ -12,6 +14,12 @@ void write(Vec3 v, float* to) {
   to[0] = v.x * kUnit;
   to[1] = v.y * kUnit;
   to[2] = v.z * kUnit;
+}
+
+// 0 of nothing. One in kCodes of two different sets have the same.
+uint32_t codeOf(const sim::World& world) {
+  static_assert(kCodes == 1u << 16);
+  return uint32_t(mixBits(uint64_t(world.waypoints) << 32 | world.visited) >> 48);
 }
 
 }  // namespace
@@ -26,7 +34,8 @@ void placeOf(const Problem& problem, const sim::World& world, const sim::LooseBo
     moved += loose[i].position - problem.startLoose[i].position;
   }
   write(moved * (bodies == 0 ? 0.0f : 1 / float(bodies)), place + 3);
-  place[6] = float(targetsReached(world));
+  place[kReached] = float(targetsReached(world));
+  place[kCode] = float(codeOf(world)) / float(kCodes);
 }
 
 void Memory::add(std::shared_ptr<const Track> track) {

@@ -13,9 +13,12 @@
 namespace obby::solve::learned {
 
 // A state as latent space sees it: where the player is and where the loose bodies are, on average;
-// both from the start, in units of four studs; and the waypoints and visits behind. Velocities are
-// left out: from them alone an action could be told, and all places would look alike.
-constexpr size_t kPlace = 7;
+// both from the start, in units of four studs; how many waypoints and visits are behind, and which:
+// a code below kCodes, as a share of that, 0 for none. Velocities are left out: from them alone an
+// action could be told, and all places would look alike.
+constexpr size_t kPlace = 8;
+constexpr size_t kReached = 6, kCode = 7;  // of it
+constexpr uint32_t kCodes = 1u << 16;
 
 // `loose`: (problem.level.looseCount).
 void placeOf(const Problem& problem, const sim::World& world, const sim::LooseBody* loose,
