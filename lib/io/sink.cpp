@@ -42,6 +42,7 @@ struct Sink::Impl {
   int fd = -1;
   std::string* memory = nullptr;
   std::string finalPath, temporaryPath;  // of a regular file until it is closed
+  bool durable = false;                  // that file
   bool block = false;                    // collect pieces
   std::string buffer;
   std::optional<Error> failed;
@@ -105,10 +106,35 @@ struct Sink::Impl {
     buffer.clear();
     return sent;
   }
+
+  // Before the file is renamed: otherwise its name may be on the disk before what is in it.
+  Status syncFile() {
+    if (!durable || temporaryPath.empty()) return {};
+    int result = 0;
+    do {
+      result = ::fsync(fd);
+    } while (result != 0 && errno == EINTR);
+    return result == 0 ? Status() : fail("cannot write");
+  }
+
+  // The new name. Some file systems cannot, and some folders not be opened: then the old file may
+  // be back after a failure, whole.
+  Status syncFolder() {
+    if (!durable) return {};
+    const size_t slash = finalPath.rfind('/');
+    const std::string folder = slash == std::string::npos ? "." : finalPath.substr(0, slash + 1);
+    const int folderFd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folderFd < 0) return {};
+    const bool synced = ::fsync(folderFd) == 0 || errno == EINVAL || errno == EINTR;
+    Status status = synced ? Status() : fail("cannot write");
+    ::close(folderFd);
+    return status;
+  }
 };
 
-Result<Sink> Sink::open(const std::string& path) {
+Result<Sink> Sink::open(const std::string& path, Durable durable) {
   auto impl = std::make_unique<Impl>();
+  impl->durable = durable == Durable::yes;
   OBBY_RETURN_IF_ERROR(path == "-" ? impl->openStandardOutput() : impl->openFile(path));
   return Sink(std::move(impl));
 }
@@ -141,6 +167,7 @@ Status Sink::flush() { return impl_->flush(); }
 Status Sink::close() {
   OBBY_RETURN_IF_ERROR(impl_->flush());
   if (impl_->fd < 0) return {};
+  OBBY_RETURN_IF_ERROR(impl_->syncFile());
   const int result = ::close(impl_->fd);
   impl_->fd = -1;
   if (result != 0 && errno != EINTR) return impl_->fail("cannot write");
@@ -148,7 +175,7 @@ Status Sink::close() {
   if (::rename(impl_->temporaryPath.c_str(), impl_->finalPath.c_str()) != 0)
     return impl_->fail("cannot rename the finished file");
   impl_->temporaryPath.clear();
-  return {};
+  return impl_->syncFolder();
 }
 
 bool Sink::terminal() const { return impl_->fd >= 0 && isatty(impl_->fd) == 1; }

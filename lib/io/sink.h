@@ -10,11 +10,15 @@
 
 namespace obby::io {
 
+// Does close() wait until a regular file is on the disk under its name, so that it stays whole if
+// the machine fails? That takes milliseconds.
+enum class Durable { no, yes };
+
 class Sink {
  public:
   // "-" is standard output. A regular file is written under a temporary name beside it; devices and
   // named pipes are written directly.
-  static Result<Sink> open(const std::string& path);
+  static Result<Sink> open(const std::string& path, Durable durable = Durable::no);
   // Appends to `bytes`, which must outlive the sink.
   static Sink toBytes(std::string* bytes);
 

@@ -9,7 +9,7 @@ namespace obby::policy {
 
 constexpr int kHeadings = 16;
 constexpr int kMoves = 2 * (kHeadings + 1);  // 34; odd ones jump
-constexpr uint32_t kDecisionTicks = 3;       // a move is held so long: 20 Hz
+constexpr uint32_t kDecisionTicks = 3;       // a move is held so long: 20 a second at 60 ticks
 
 OBBY_DEVICE bool jumps(int move) { return (move & 1) != 0; }
 

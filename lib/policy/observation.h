@@ -11,7 +11,7 @@ namespace obby::policy {
 
 constexpr uint32_t kObservationVersion = 1;
 
-constexpr uint32_t kSoonTicks = 24;  // 0.4 s: about when a jump that begins now is at its end
+constexpr float kSoon = 0.4f;  // seconds: about when a jump that begins now is at its end
 constexpr int kStateInputs = 28;
 constexpr int kInputs = kStateInputs + kMaps * kPoints;  // 272
 
@@ -41,6 +41,11 @@ OBBY_DEVICE float scaledHeight(float studs) { return studs * 0.125f; }
 
 OBBY_DEVICE float squashed(float v, float half) { return v / (absf(v) + half); }
 
+// Times are told in ticks of 1/60 s, whatever the level's are: a tick of its in those.
+OBBY_DEVICE float ticksOfSixty(const level::LevelView& level) {
+  return 60.0f / float(level.params.controlRate);
+}
+
 // The state's part of the observation: kStateInputs numbers of order 1.
 OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::NextRegion& next,
                               Turns ahead, float* out) {
@@ -49,13 +54,14 @@ OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::Ne
   const Params p = w.clockCount == 0 ? s.level.params : sim::boosted(w, s.level);
   const Vec3 to = next.region->pose.position - w.position;
   const float flat = sqrtf32(to.x * to.x + to.z * to.z);
+  const float tick = ticksOfSixty(s.level);
   const auto in = [&](sim::State state) { return w.state == state ? 1.0f : 0.0f; };
   int i = 0;
   out[i++] = dot(w.velocity, forward) * 0.0625f;
   out[i++] = dot(w.velocity, right) * 0.0625f;
   out[i++] = clampf(w.velocity.y * 0.02f, -3.0f, 3.0f);
   out[i++] = w.floorlessTicks == 0 ? 1.0f : 0.0f;
-  out[i++] = minf(float(w.floorlessTicks), 30.0f) * 0.0333f;
+  out[i++] = minf(float(w.floorlessTicks) * tick, 30.0f) * 0.0333f;
   out[i++] = in(sim::State::running) + in(sim::State::landed);
   out[i++] = in(sim::State::landed);
   out[i++] = in(sim::State::jumping);
@@ -75,7 +81,8 @@ OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::Ne
   const uint32_t jumps = sim::jumpsLeft(s.query, w);
   out[i++] = float(jumps < 4 ? jumps : 4) * 0.25f;
   const uint32_t limit = s.query.timeLimitTicks;
-  const float left = limit == 0 ? 600.0f : float(limit) - float(sim::ticksPlayed(w, s.query));
+  const float left =
+      limit == 0 ? 600.0f : (float(limit) - float(sim::ticksPlayed(w, s.query))) * tick;
   out[i++] = squashed(maxf(left, 0.0f), 240.0f);
   out[i++] = w.health / p.maxHealth;
   out[i++] = p.walkSpeed * 0.0625f;
@@ -109,8 +116,9 @@ OBBY_DEVICE void lookAround(const Scene& s, const sim::World& w, const sim::Loos
   const float cx = (w.position.x - around.origin.x) * around.inverseCell;
   const float cz = (w.position.z - around.origin.z) * around.inverseCell;
   sim::World later = w;
-  later.tick += kSoonTicks;
-  for (int i = 0; i < later.clockCount; ++i) later.clocks[i].ticks += kSoonTicks;
+  const uint32_t soonTicks = ticksFromSeconds(s.level.params, kSoon);
+  later.tick += soonTicks;
+  for (int i = 0; i < later.clockCount; ++i) later.clocks[i].ticks += soonTicks;
   if (cx >= 0 && cz >= 0 && cx < float(around.nx) && cz < float(around.nz)) {
     const uint32_t cell = uint32_t(cz) * uint32_t(around.nx) + uint32_t(cx);
     for (uint32_t e = around.starts[cell]; e < around.starts[cell + 1]; ++e) {

@@ -28,7 +28,7 @@ class CpuEngine : public Engine {
     std::vector<int> moves;
     std::vector<Step> steps;
     Rows<float> row;  // of a tick, normalised
-    Status status;
+    Status missing;   // of what is played next
   };
 
   void play(Group& group, const PlayOrder& order);
@@ -145,7 +145,7 @@ void CpuEngine::play(Group& g, const PlayOrder& order) {
   const Rows<float>& out = g.pass.forward(ppo_.weights(), g.row);
   for (uint32_t w = 0; w < g.worlds; ++w)
     batch_.last[g.first + w] = ppo_.valueOf(out(w, policy::kMoves));
-  g.status = g.crowd.settleIteration(decisionOf(order, settings_.ticks - 1), order.hardest);
+  g.missing = g.crowd.settleIteration(decisionOf(order, settings_.ticks - 1), order.hardest);
 }
 
 Result<Played> CpuEngine::play(const PlayOrder& order) {
@@ -153,7 +153,7 @@ Result<Played> CpuEngine::play(const PlayOrder& order) {
   Played out;
   uint64_t first = ~uint64_t(0);  // level that is still played
   for (const auto& g : groups_) {
-    OBBY_RETURN_IF_ERROR(std::move(g->status));
+    if (out.missing) out.missing = std::move(g->missing);
     first = std::min(first, g->crowd.firstLevel());
     const Tally t = g->crowd.takeTally();
     out.tally.played += t.played;

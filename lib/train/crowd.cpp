@@ -34,6 +34,7 @@ uint64_t Crowd::indexOf(uint32_t p, uint64_t taken) const {
 
 Status Crowd::findLevel(uint32_t p) {
   Place& place = places_[p];
+  place.level = nullptr;
   OBBY_ASSIGN(place.level, source_.level(indexOf(p, place.taken), place.hardest));
   if (place.level) place.view = place.level->view(settings_.patience);
   return {};
@@ -47,9 +48,9 @@ Status Crowd::takeLevel(uint32_t p, float nextHardest) {
   Place& place = places_[p];
   ++place.taken;
   place.hardest = std::exchange(place.nextHardest, nextHardest);
-  OBBY_RETURN_IF_ERROR(findLevel(p));
+  Status found = findLevel(p);
   beginPlace(place);
-  return {};
+  return found;
 }
 
 void Crowd::beginPlace(Place& place) {
@@ -121,12 +122,14 @@ void Crowd::settle(uint64_t decision) { settle(decision, false); }
 
 Status Crowd::settleIteration(uint64_t decision, float hardest) {
   settle(decision, true);
+  Status said;  // first; all places end the iteration, so that learning can go on from there
   for (uint32_t p = 0; p < places_.size(); ++p) {
     if (!isOver(places_[p].counts, settings_)) continue;
     tally_.add(places_[p].counts);
-    OBBY_RETURN_IF_ERROR(takeLevel(p, hardest));
+    Status taken = takeLevel(p, hardest);
+    if (said) said = std::move(taken);
   }
-  return {};
+  return said;
 }
 
 Tally Crowd::takeTally() {

@@ -71,7 +71,7 @@ class Crowd {
   // The same after the last decision of an iteration: cuts what takes too long, and takes new
   // levels where enough was played. The level after each of them will be asked for with difficulty
   // `hardest`: a level ahead, so that it can be made while others are played. The error is the
-  // source's. If it was told to stop there is nothing more to observe: state() is left.
+  // source's. Then, and if it was told to stop, there is nothing more to observe: state() is left.
   Status settleIteration(uint64_t decision, float hardest);
 
   Tally takeTally();

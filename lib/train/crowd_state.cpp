@@ -41,7 +41,8 @@ Status checkPlace(const PlaceState& s, const TrainingLevel& level, const CrowdSe
                s.loose.size() == s.players.size() * level.startLoose().size();
   for (const Player& p : s.players)
     sound = sound && isSound(p.world, scene.level, scene.query) && std::isfinite(p.least);
-  for (const sim::World& w : s.reached) sound = sound && isSound(w, scene.level, scene.query);
+  for (const Reached& r : s.reached)
+    sound = sound && isSound(r.world, scene.level, scene.query) && std::isfinite(r.least);
   for (const sim::LooseBody& b : s.loose) sound = sound && isSound(b);
   return sound ? Status() : makeError("its worlds are none that its levels could have");
 }

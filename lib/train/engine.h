@@ -40,6 +40,9 @@ struct Played {
   double reward = 0;  // sum
   Tally tally;
   Sums seen{policy::kInputs};  // raw inputs
+  // What the source said instead of a level that comes next: this can be learned from, but nothing
+  // more be played. The places wait in crowds().
+  Status missing;
 };
 
 class Engine {

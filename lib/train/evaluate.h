@@ -12,10 +12,10 @@ namespace obby::train {
 struct EvaluationSettings {
   uint64_t seed = 1;
   uint64_t firstLevel = 0;
-  uint32_t levels = 1000;
-  uint32_t tries = 8;  // playthroughs of each level: the first takes the likeliest moves
-  float hardest = 1;   // difficulty
-  float patience = 3;  // as CrowdSettings::patience
+  uint32_t levels = 1000;  // at most
+  uint32_t tries = 8;      // playthroughs of each level: the first takes the likeliest moves
+  float hardest = 1;       // difficulty
+  float patience = 3;      // as CrowdSettings::patience
 };
 
 struct Evaluation {
@@ -25,7 +25,8 @@ struct Evaluation {
   double any = 0;        // share of levels that any of them solves
 };
 
-// Ends early, with the levels so far, once `stop` is set. The error is the source's.
+// Ends early, with the levels so far, once `stop` is set or the source has no more. The error is
+// the source's.
 Result<Evaluation> evaluate(const policy::Network& network, const LevelSource& source,
                             const EvaluationSettings& settings, ThreadPool& pool,
                             const std::atomic<bool>& stop);

@@ -2,6 +2,7 @@
 // only; the policy never sees it.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "train/guide_view.h"
@@ -10,18 +11,26 @@ namespace obby::train {
 
 class Guide {
  public:
-  explicit Guide(std::vector<Vec3> places);  // at least two
+  // `places`: at least two. `waypoints`: of the query; each is taken to be at the place nearest to
+  // it that does not come before the one before.
+  explicit Guide(std::vector<Vec3> places, std::span<const Vec3> waypoints = {});
 
   // As GuideView.
-  float left(Vec3 position, float from = 0) const { return view().left(position, from); }
+  float left(Vec3 position, float from, uint32_t waypoints) const {
+    return view().left(position, from, waypoints);
+  }
   float studs() const { return view().studs(); }
 
   // Valid while this object lives and stays where it is.
-  GuideView view() const { return {places_.data(), behind_.data(), uint32_t(places_.size())}; }
+  GuideView view() const {
+    return {places_.data(), behind_.data(), stops_.data(), uint32_t(places_.size()),
+            uint32_t(stops_.size())};
+  }
 
  private:
   std::vector<Vec3> places_;
-  std::vector<float> behind_;  // (places), studs from each place to the end
+  std::vector<float> behind_;    // (places), studs from each place to the end
+  std::vector<uint32_t> stops_;  // (waypoints), their places
 };
 
 }  // namespace obby::train

@@ -27,9 +27,11 @@ Result<std::shared_ptr<const TrainingLevel>> LevelStream::level(uint64_t index, 
   {
     const std::lock_guard hold(lock_);
     OBBY_RETURN_IF_ERROR(reader_.readTo(index));
-    const bool broken = index >= reader_.read && !reader_.ended;  // off, by `options.stop`
-    if (broken) return Playable();
-    if (index >= reader_.read) index %= reader_.kept;
+    if (index >= reader_.read) {
+      const bool broken = !reader_.ended;  // off, by `options.stop`
+      if (broken || !reader_.settings.again) return Playable();
+      index %= reader_.kept;
+    }
     const auto found = reader_.items.find(index);
     if (found == reader_.items.end())
       return makeError(fmt::format("level {} of the stream is past", index));
@@ -44,21 +46,24 @@ void LevelStream::past(uint64_t index) const {
   reader_.forget(index);
 }
 
+// Nothing is read behind an error: levels there would have the numbers of others.
 Status LevelStream::Reader::readTo(uint64_t index) {
-  while (!ended && read <= index) {
-    OBBY_ASSIGN(const std::optional<io::Record> record, source.next());
-    if (record) {
-      OBBY_RETURN_IF_ERROR(take(*record));
-    } else if (stop != nullptr && *stop) {
-      return {};
-    } else {
-      ended = true;
-      levels.clear();
-    }
+  while (!ended && !stopped() && read <= index) {
+    if (said) said = readOne();
+    if (!said) return said;
   }
-  if (read > 0) return {};
+  if (read > 0 || !ended) return {};
   return makeError("no levels with queries to learn from",
                    "pipe obby-gen into obby-train, or let it make levels with --generate");
+}
+
+Status LevelStream::Reader::readOne() {
+  OBBY_ASSIGN(const std::optional<io::Record> record, source.next());
+  if (record) return take(*record);
+  if (stopped()) return {};
+  ended = true;
+  levels.clear();
+  return {};
 }
 
 Status LevelStream::Reader::take(const io::Record& record) {

@@ -19,6 +19,7 @@ struct LevelStreamSettings {
   size_t keptBytes = size_t(256) << 20;
   // A query may be of any of so many levels before it.
   size_t levelsInReach = 1024;
+  bool again = true;  // at its end; otherwise there are no more levels
 };
 
 // Level `index` is that of the index-th query that can be played.
@@ -28,8 +29,8 @@ class LevelStream : public LevelSource {
 
   // Errors: those of the stream up to there, a query without a level, a level or query that does
   // not compile, as `options` forgive them; no query that can be played in the whole stream. Waits
-  // for the stream; null if `options.stop` was set before it came to the level. Difficulties are as
-  // they come.
+  // for the stream; null if `options.stop` was set before it came to the level, or if it ends
+  // before and is not to begin again. Difficulties are as they come.
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override;
   void past(uint64_t index) const override;
 
@@ -49,6 +50,8 @@ class LevelStream : public LevelSource {
         : stop(options.stop), source(std::move(options)), settings(s) {}
 
     Status readTo(uint64_t index);
+    Status readOne();
+    bool stopped() const { return stop != nullptr && *stop; }
     Status take(const io::Record& record);
     Status takeQuery(const io::Record& record);
     Status add(Item item);
@@ -67,6 +70,7 @@ class LevelStream : public LevelSource {
     size_t bytes = 0;     // of what is kept
     bool full = false;    // no more of them
     bool ended = false;
+    Status said;  // an error ends it
   };
 
   mutable std::mutex lock_;

@@ -32,6 +32,12 @@ struct Player {
   uint32_t jumps = 0;  // of the world, that have been judged
 };
 
+// A state to begin from, as somebody had come to it.
+struct Reached {
+  sim::World world;
+  float least;  // as theirs: from the place alone nobody knows how far along the way it is
+};
+
 // A level to learn on, as its worlds read it. Plain spans, for device code.
 struct TrainingView {
   level::LevelView level;
@@ -67,7 +73,7 @@ struct PlaceView {
   const TrainingView* on;
   Player* players;        // (worlds)
   sim::LooseBody* loose;  // (worlds, looseStride)
-  sim::World* reached;    // (kMostReached), of which counts->reached are there
+  Reached* reached;       // (kMostReached), of which counts->reached are there
   PlaceCounts* counts;
   uint32_t worlds, looseStride;
 
@@ -96,7 +102,7 @@ OBBY_DEVICE bool hasEnded(const Player& p) { return p.world.outcome != sim::Outc
 OBBY_DEVICE Step judge(const TrainingView& on, const RewardSettings& worth, Player& p) {
   Step step;
   step.reward = worth.decision;
-  const float left = on.guide.left(p.world.position, p.least - kNear);
+  const float left = on.guide.left(p.world.position, p.least - kNear, p.world.waypoints);
   if (left < p.least) {
     step.reward += worth.stud * (p.least - left);
     p.least = left;
@@ -114,11 +120,16 @@ OBBY_DEVICE void restart(const PlaceView& place, uint32_t player, float restartS
                          Random& random) {
   Player& p = place.players[player];
   const uint32_t reached = place.counts->reached;
-  const bool elsewhere = reached != 0 && random.unit() < restartShare;
-  p.world = elsewhere ? place.reached[random.below(reached)] : place.on->start;
-  p.fromStart = !elsewhere;
   const GuideView& guide = place.on->guide;
-  p.least = guide.left(p.world.position, elsewhere ? 0 : guide.studs() - kNear);
+  p.fromStart = reached == 0 || random.unit() >= restartShare;
+  if (p.fromStart) {
+    p.world = place.on->start;
+    p.least = guide.left(p.world.position, guide.studs() - kNear, 0);
+  } else {
+    const Reached& from = place.reached[random.below(reached)];
+    p.world = from.world;
+    p.least = from.least;
+  }
   p.ticks = 0;
   p.jumps = p.world.jumps;
   sim::LooseBody* const loose = place.looseOf(player);
@@ -127,11 +138,12 @@ OBBY_DEVICE void restart(const PlaceView& place, uint32_t player, float restartS
 
 // Keeps a state in which the player stands, now and then; bodies are not kept, so levels with such
 // begin at the start.
-OBBY_DEVICE void remember(const PlaceView& place, const sim::World& world, Random& random) {
-  if (world.floorlessTicks != 0 || place.on->level.looseCount != 0) return;
+OBBY_DEVICE void remember(const PlaceView& place, const Player& p, Random& random) {
+  if (p.world.floorlessTicks != 0 || place.on->level.looseCount != 0) return;
   if (random.below(kRememberEvery) != 0) return;
   uint32_t& reached = place.counts->reached;
-  place.reached[reached < kMostReached ? reached++ : random.below(kMostReached)] = world;
+  place.reached[reached < kMostReached ? reached++ : random.below(kMostReached)] = {p.world,
+                                                                                    p.least};
 }
 
 // What numbers settle() draws with.
@@ -149,7 +161,7 @@ OBBY_DEVICE void settle(const PlaceView& place, const SettleRules& rules, uint32
     const Player& p = place.players[i];
     Random random = drawsOf(rules.seed, Draw::begin, rules.decision, first + i);
     if (!hasEnded(p) && !(rules.endOfIteration && p.ticks >= place.on->mostTicks)) {
-      remember(place, p.world, random);
+      remember(place, p, random);
       continue;
     }
     ++place.counts->played;

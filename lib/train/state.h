@@ -11,8 +11,8 @@
 
 namespace obby::train {
 
-// Worlds on a level. Without players it waits: its source was told to stop before it gave the
-// level, and learning ended with that iteration.
+// Worlds on a level. Without players it waits: its source did not give the level, for it was told
+// to stop or had an error, and learning ended with that iteration.
 struct PlaceState {
   uint64_t taken = 0;      // levels so far, the one it has included
   float hardest = 0;       // difficulty that the level was asked for with
@@ -21,7 +21,7 @@ struct PlaceState {
   PlaceCounts counts;
   std::vector<Player> players;
   std::vector<sim::LooseBody> loose;  // (players, looseCount)
-  std::vector<sim::World> reached;    // (counts.reached), by somebody, to begin from
+  std::vector<Reached> reached;       // (counts.reached), to begin from
 
   bool waits() const { return players.empty(); }
 };

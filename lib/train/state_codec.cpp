@@ -4,6 +4,7 @@
 #include <capnp/serialize.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -29,6 +30,11 @@ void fill(const From* from, List to) {
   for (uint32_t i = 0; i < to.size(); ++i) to.set(i, from[i]);
 }
 
+template <class T>
+bool allFinite(const std::vector<T>& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](T v) { return std::isfinite(v); });
+}
+
 template <class List, class To>
 Status take(const List& from, const char* what, size_t expected, To* to) {
   if (from.size() != expected)
@@ -44,6 +50,13 @@ template <class T>
 capnp::Data::Reader bytesOf(const std::vector<T>& rows) {
   static_assert(std::is_trivially_copyable_v<T>);
   return {reinterpret_cast<const kj::byte*>(rows.data()), rows.size() * sizeof(T)};
+}
+
+template <class T>  // Player or Reached
+std::vector<sim::World> worldsOf(const std::vector<T>& rows) {
+  std::vector<sim::World> worlds;
+  for (const T& row : rows) worlds.push_back(row.world);
+  return worlds;
 }
 
 template <class T>
@@ -68,11 +81,11 @@ void writePlace(const PlaceState& s, schema::SavedPlace::Builder to) {
   to.setNextHardest(s.nextHardest);
   to.setLevelHash(s.levelHash);
   to.setPlayed(s.counts.played);
-  std::vector<sim::World> worlds;
-  for (const Player& p : s.players) worlds.push_back(p.world);
-  to.setWorlds(bytesOf(worlds));
+  to.setWorlds(bytesOf(worldsOf(s.players)));
   to.setLoose(bytesOf(s.loose));
-  to.setReached(bytesOf(s.reached));
+  to.setReached(bytesOf(worldsOf(s.reached)));
+  auto reachedLeast = to.initReachedLeast(uint32_t(s.reached.size()));
+  for (uint32_t i = 0; i < reachedLeast.size(); ++i) reachedLeast.set(i, s.reached[i].least);
   const auto players = uint32_t(s.players.size());
   auto least = to.initLeast(players);
   auto ticks = to.initTicks(players);
@@ -82,6 +95,16 @@ void writePlace(const PlaceState& s, schema::SavedPlace::Builder to) {
     ticks.set(i, s.players[i].ticks);
     fromStart.set(i, s.players[i].fromStart);
   }
+}
+
+Status readReached(schema::SavedPlace::Reader from, std::vector<Reached>& out) {
+  std::vector<sim::World> worlds;
+  OBBY_RETURN_IF_ERROR(rowsOf(from.getReached(), "worlds to begin from", worlds));
+  const auto least = from.getReachedLeast();
+  if (least.size() != worlds.size())
+    return makeError("lists of worlds to begin from that differ in length");
+  for (uint32_t i = 0; i < worlds.size(); ++i) out.push_back({worlds[i], least[i]});
+  return {};
 }
 
 Status readPlace(schema::SavedPlace::Reader from, PlaceState& out) {
@@ -95,7 +118,7 @@ Status readPlace(schema::SavedPlace::Reader from, PlaceState& out) {
   std::vector<sim::World> worlds;
   OBBY_RETURN_IF_ERROR(rowsOf(from.getWorlds(), "worlds", worlds));
   OBBY_RETURN_IF_ERROR(rowsOf(from.getLoose(), "loose bodies", out.loose));
-  OBBY_RETURN_IF_ERROR(rowsOf(from.getReached(), "worlds to begin from", out.reached));
+  OBBY_RETURN_IF_ERROR(readReached(from, out.reached));
   out.counts.reached = uint32_t(out.reached.size());
   const auto least = from.getLeast();
   const auto ticks = from.getTicks();
@@ -111,6 +134,16 @@ Status readPlace(schema::SavedPlace::Reader from, PlaceState& out) {
 }  // namespace
 
 bool isShare(double v) { return v >= 0 && v <= 1; }
+
+bool isFinite(const Sums& sums) {
+  return allFinite(sums.sum) && allFinite(sums.squares) && std::isfinite(sums.rows);
+}
+
+bool isFinite(const LearnerState& s) {
+  return allFinite(s.weights.flat()) && allFinite(s.momentum.flat()) &&
+         allFinite(s.squares.flat()) && std::isfinite(s.values.mean) &&
+         std::isfinite(s.values.deviation) && isFinite(s.values.returns);
+}
 
 uint64_t stateLayout() {
 #define OBBY_NAME_OF(type, name) #type " " #name ";"

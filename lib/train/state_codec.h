@@ -24,6 +24,10 @@ void unpackCrowds(const std::string& bytes, std::vector<CrowdState>& crowds);
 // From 0 to 1; not so of what is no number.
 bool isShare(double value);
 
+// Has it only numbers that can be read back?
+bool isFinite(const Sums& sums);
+bool isFinite(const LearnerState& state);
+
 // The error says which list has another length than it must. `out` says how wide sums are.
 Status readSums(schema::SavedSums::Reader from, Sums& out);
 Status readLearner(schema::SavedLearner::Reader from, LearnerState& out);

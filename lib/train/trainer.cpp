@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "policy/policy.h"
+#include "train/state_codec.h"
 
 namespace obby::train {
 
@@ -48,6 +49,7 @@ Result<std::unique_ptr<Trainer>> Trainer::make(const TrainerSettings& settings,
 
 Status Trainer::takeWeights() {
   OBBY_ASSIGN(LearnerState learner, engine_->learner());
+  finite_ = isFinite(learner);
   weights_ = std::move(learner.weights);
   return {};
 }
@@ -93,6 +95,7 @@ Result<Progress> Trainer::learned(Result<Progress> mine) const {
 }
 
 Result<Iteration> Trainer::iterate() {
+  if (!more_) return more_.error();
   const auto begin = Clock::now();
   OBBY_ASSIGN(const Played played,
               ranks_.agree(engine_->play({iterations_, hardest_, means_, scales_})));
@@ -103,6 +106,8 @@ Result<Iteration> Trainer::iterate() {
   OBBY_ASSIGN(out.progress, learned(engine_->learn(1 - 0.9f * share)));
   OBBY_RETURN_IF_ERROR(ranks_.agree(takeWeights()));
   OBBY_RETURN_IF_ERROR(sameNetwork());
+  OBBY_RETURN_IF_ERROR(ranks_.agree(stillFinite()));
+  more_ = ranks_.agree(Status(played.missing));
   refreshNormaliser();
   decisions_ += uint64_t(settings_.worlds()) * settings_.ticks * ranks_.count();
   out.number = ++iterations_;

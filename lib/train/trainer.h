@@ -43,7 +43,11 @@ class Trainer {
                                                  TrainerState state);
 
   // Throws std::runtime_error on a rank of several that could not learn: the others wait for it.
+  // Error also: learning diverged. Then state() is none that could be gone on from.
   Result<Iteration> iterate();
+  // Is there another? Error: what a source said that gave no more levels. What was learned stays,
+  // and state() can be gone on from.
+  const Status& more() const { return more_; }
 
   // Between two iterations; resume() goes on from it with the same bits. All crowds are in that of
   // the first rank. Error: the engine's.
@@ -66,16 +70,19 @@ class Trainer {
   Status takeWeights();
   Result<Progress> learned(Result<Progress> mine) const;
   Status sameNetwork() const;
+  Status stillFinite() const;
 
   TrainerSettings settings_;
   Ranks& ranks_;
   std::unique_ptr<Engine> engine_;
   Weights<float> weights_;  // the engine's, as they are now
+  bool finite_ = true;      // all that the engine learned
   Sums seen_{policy::kInputs};
   std::vector<float> means_, scales_;
   uint64_t iterations_ = 0, decisions_ = 0;
   double solved_ = 0;
   float hardest_;
+  Status more_;
 };
 
 }  // namespace obby::train

@@ -46,6 +46,13 @@ Result<TrainerState> Trainer::state() const {
   return out;
 }
 
+// Files of such a network could be written over good ones, and read by nobody.
+Status Trainer::stillFinite() const {
+  if (finite_ && isFinite(seen_)) return {};
+  return makeError("learning diverged: the network is no longer finite",
+                   "lower --rate; --resume goes on from the last checkpoint");
+}
+
 // Ranks of another kind of machine may round otherwise; their networks would part unseen.
 Status Trainer::sameNetwork() const {
   if (ranks_.count() == 1) return {};

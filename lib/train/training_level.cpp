@@ -10,14 +10,17 @@ namespace obby::train {
 
 namespace {
 
-std::vector<Vec3> wayOf(std::vector<Vec3> way, const level::Query& query) {
-  if (way.size() >= 2) return way;
+Guide guideOf(std::vector<Vec3> way, const level::Query& query) {
   const level::QueryView q = query.view();
-  way = {query.start().feet};
+  std::vector<Vec3> waypoints;
   for (uint32_t i = 0; i < q.waypointCount; ++i)
-    way.push_back(q.waypoints[i].target.region.pose.position);
-  way.push_back(q.goal.region.pose.position);
-  return way;
+    waypoints.push_back(q.waypoints[i].target.region.pose.position);
+  if (way.size() < 2) {
+    way = {query.start().feet};
+    way.insert(way.end(), waypoints.begin(), waypoints.end());
+    way.push_back(q.goal.region.pose.position);
+  }
+  return Guide(std::move(way), waypoints);
 }
 
 uint64_t hashOf(const level::Level& level, schema::Query::Reader query,
@@ -40,7 +43,7 @@ TrainingLevel::TrainingLevel(level::Level level, level::Query query, std::vector
       scene_{level_.view(), queryView_, around_},
       start_(sim::makeWorld(level_.view(), query_.start())),
       startLoose_(sim::makeLoose(level_.view())),
-      guide_(wayOf(std::move(way), query_)) {}
+      guide_(guideOf(std::move(way), query_)) {}
 
 Result<std::shared_ptr<const TrainingLevel>> TrainingLevel::make(schema::Level::Reader level,
                                                                  schema::Query::Reader query,

@@ -56,7 +56,7 @@ class LevelSource {
  public:
   virtual ~LevelSource() = default;
   // `hardest`: difficulty that the level has at most, 0 to 1, where the source knows of any. Null:
-  // the source was told to stop, and will give no more.
+  // the source was told to stop, or has no more, and will give none.
   virtual Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index,
                                                              float hardest) const = 0;
   // No level before this one will be asked for any more.

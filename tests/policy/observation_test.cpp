@@ -94,8 +94,18 @@ TEST(Observation, ShowsTheSlopeOfAWedge) {
   EXPECT_NEAR(look.height(0, 1, 0), 4 * (10 - 3.35f) / 8, 1e-4f);
 }
 
-TEST(Observation, SeesMoversNowAndSoon) {
+void setRate(LevelBuilder& b, int rate) {
+  b.physics([rate](schema::PhysicsParams::Builder p) {
+    p.setControlRate(uint16_t(rate));
+    p.setSubsteps(uint16_t(240 / rate));
+  });
+}
+
+class SeesMovers : public testing::TestWithParam<int> {};  // at so many ticks a second
+
+TEST_P(SeesMovers, NowAndSoon) {
   LevelBuilder b = gap();
+  setRate(b, GetParam());
   b.block({0, 0.5f, -5.9f}, {4, 1, 1}, [](schema::Part::Builder p) {
     auto keys = p.initMotion().initKeys(2);
     support::set(keys[0].initPosition(), {0, 0.5f, -5.9f});
@@ -106,6 +116,28 @@ TEST(Observation, SeesMoversNowAndSoon) {
   const Look look(level);
   EXPECT_NEAR(look.height(0, 2, 0), 1, 1e-3f);
   EXPECT_NEAR(look.height(2, 2, 0), 1 + 4 * 0.4f, 0.05f);
+}
+
+INSTANTIATE_TEST_SUITE_P(Observation, SeesMovers, testing::Values(30, 60, 240));
+
+// The same moment of the same level, in longer and in shorter ticks.
+TEST(Observation, IsOfSecondsWhateverATickIs) {
+  std::vector<float> expected;
+  for (const int rate : {60, 30, 120, 240}) {
+    LevelBuilder b = gap();
+    setRate(b, rate);
+    const level::Level level = b.compile();
+    Look look(level);
+    const uint32_t tenth = uint32_t(rate) / 10;
+    look.world.floorlessTicks = uint16_t(2 * tenth);
+    look.world.tick = 5 * tenth;
+    look.query.timeLimitTicks = 40 * tenth;
+    const std::vector<float> seen = look.inputs();
+    if (expected.empty()) expected = seen;
+    for (size_t i = 0; i < seen.size(); ++i)
+      EXPECT_FLOAT_EQ(seen[i], expected[i]) << i << " at " << rate;
+  }
+  EXPECT_FLOAT_EQ(expected[4], 12 * 0.0333f) << "0.2 s without a floor";
 }
 
 TEST(Observation, DoesNotDependOnTheOrderOfParts) {

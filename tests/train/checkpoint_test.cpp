@@ -60,18 +60,24 @@ TEST_P(GoingOn, FromACheckpointIsAsIfNothingHadBeen) {
   }
 }
 
-// Where the source was told to stop in the midst of an iteration, what that learned is kept.
-TEST_P(GoingOn, WhereLevelsWereStillToComeIsAsIfNothingHadBeen) {
+// Where the source was told to stop in the midst of an iteration, or failed, what that learned is
+// kept.
+void goOnWhereLevelsWereStillToCome(bool loose, bool fails) {
   ThreadPool pool(1);
-  const Gaps gaps(GetParam());
-  const GapsTo stopped(12, GetParam());  // eight places
+  const Gaps gaps(loose);
+  const GapsTo stopped(12, loose, fails);  // eight places
   const auto whole = Trainer::make(small(), gaps, pool, alone());
   const auto part = Trainer::make(small(), stopped, pool, alone());
   ASSERT_TRUE(whole && part);
   do {
     ASSERT_LT((*part)->iterations(), 100u);
+    ASSERT_TRUE((*part)->more());
     ASSERT_TRUE((*whole)->iterate() && (*part)->iterate());
   } while (waitingIn(*(*part)->state()) == 0);
+  EXPECT_EQ(bool((*part)->more()), !fails);
+  if (fails) {
+    EXPECT_EQ((*part)->iterate().error().text(), "this level is bad");
+  }
   auto read = readCheckpoint(writeCheckpoint({"1", {}, 0, *(*part)->state(), {}}), "test");
   ASSERT_TRUE(read) << read.error().text();
   EXPECT_FALSE(Trainer::resume(small(), stopped, pool, alone(), read->state));
@@ -83,6 +89,14 @@ TEST_P(GoingOn, WhereLevelsWereStillToComeIsAsIfNothingHadBeen) {
     EXPECT_EQ(figuresOf(*a), figuresOf(*b));
   }
   EXPECT_EQ((*whole)->network().numbers(), (*resumed)->network().numbers());
+}
+
+TEST_P(GoingOn, WhereTheSourceWasStoppedIsAsIfNothingHadBeen) {
+  goOnWhereLevelsWereStillToCome(GetParam(), false);
+}
+
+TEST_P(GoingOn, WhereTheSourceFailedIsAsIfNothingHadBeen) {
+  goOnWhereLevelsWereStillToCome(GetParam(), true);
 }
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutLooseBodies, GoingOn, testing::Bool());
@@ -187,7 +201,7 @@ TEST(Checkpoint, IsRefusedWithWorldsThatCannotBe) {
   EXPECT_TRUE(refused([](PlaceState& s) { s.players[3].world.waypoints = 9; }));
   EXPECT_TRUE(refused([](PlaceState& s) { s.players[3].world.position.x = NAN; }));
   EXPECT_TRUE(refused([](PlaceState& s) { s.loose[3].velocity.y = NAN; }));
-  EXPECT_TRUE(refused([](PlaceState& s) { s.reached.resize(17, s.players[0].world); }));
+  EXPECT_TRUE(refused([](PlaceState& s) { s.reached.resize(17, {s.players[0].world, 0}); }));
 }
 
 }  // namespace

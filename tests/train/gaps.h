@@ -8,7 +8,8 @@ namespace obby::train {
 
 class Gaps : public LevelSource {
  public:
-  // `loose`: a body lies in the way that can be pushed. `seed`: of the levels.
+  // `loose`: a body lies in the way that can be pushed, and behind it a waypoint. `seed`: of the
+  // levels.
   explicit Gaps(bool loose = false, uint64_t seed = 99) : loose_(loose), seed_(seed) {}
 
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float) const override {
@@ -26,6 +27,11 @@ class Gaps : public LevelSource {
     q.setId("across");
     support::set(q.initGoal().initPosition(), {0, 2, far - 5});
     support::set(q.getGoal().initSize(), {8, 4, 4});
+    if (loose_) {
+      auto waypoint = q.initWaypoints(1)[0].initRegion();
+      support::set(waypoint.initPosition(), {0, 2, -7});
+      support::set(waypoint.initSize(), {8, 4, 2});
+    }
     return TrainingLevel::make(b.record(), q.asReader(), {});
   }
 
@@ -34,17 +40,20 @@ class Gaps : public LevelSource {
   uint64_t seed_;
 };
 
-// A source that was told to stop before it came to one of its levels.
+// A source that was told to stop, or failed, before it came to one of its levels.
 class GapsTo : public Gaps {
  public:
-  GapsTo(uint64_t count, bool loose) : Gaps(loose), count_(count) {}
+  GapsTo(uint64_t count, bool loose, bool fails = false)
+      : Gaps(loose), count_(count), fails_(fails) {}
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override {
-    if (index >= count_) return std::shared_ptr<const TrainingLevel>();
-    return Gaps::level(index, hardest);
+    if (index < count_) return Gaps::level(index, hardest);
+    if (fails_) return makeError("this level is bad");
+    return std::shared_ptr<const TrainingLevel>();
   }
 
  private:
   uint64_t count_;
+  bool fails_;
 };
 
 // Places that wait for their level.

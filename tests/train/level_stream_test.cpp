@@ -79,14 +79,19 @@ TEST(LevelStream, SkipsToWhereItWasLeft) {
   EXPECT_FALSE(stream.level(5, 1));
 }
 
-// What is behind the level asked for is not looked at: here it is no record at all.
-TEST(LevelStream, ReadsNoFurtherThanAskedFor) {
+// What is behind the level asked for is not looked at: here it is no record at all. Levels behind
+// that would be counted as others than they are.
+TEST(LevelStream, ReadsNoFurtherThanAskedForNorBehindAnError) {
   const LevelStream stream(optionsOf(linesOf(0).substr(0, linesOf(0).find('\n') + 1) + lineOf(0) +
-                                     lineOf(1) + "this is no record\n"));
+                                     lineOf(1) + "this is no record\n" + lineOf(2) + lineOf(3)));
+  const uint64_t first = hashOf(stream, 0);
   hashOf(stream, 1);
-  const auto broken = stream.level(2, 1);
-  ASSERT_FALSE(broken);
-  EXPECT_NE(broken.error().text().find("levels:6"), std::string::npos) << broken.error().text();
+  for (const uint64_t index : {3, 2, 2}) {
+    const auto broken = stream.level(index, 1);
+    ASSERT_FALSE(broken);
+    EXPECT_NE(broken.error().text().find("levels:6"), std::string::npos) << broken.error().text();
+  }
+  EXPECT_EQ(hashOf(stream, 0), first) << "what was read is there";
 }
 
 TEST(LevelStream, NamesTheQueryWhoseLevelIsOutOfReach) {
@@ -114,6 +119,15 @@ TEST(LevelStream, GivesNoneOnceItIsToldToStop) {
   ASSERT_TRUE(none) << none.error().text();
   EXPECT_EQ(*none, nullptr) << "not one of those before, as at the end of the stream";
   EXPECT_EQ(hashOf(stream, 0), first) << "what was read is there";
+}
+
+TEST(LevelStream, HasEachLevelOnceIfItIsNotToBeginAgain) {
+  const LevelStream all(optionsOf(linesOf(3)));
+  const LevelStream once(optionsOf(linesOf(3)), {.again = false});
+  const auto past = once.level(3, 1);
+  ASSERT_TRUE(past) << past.error().text();
+  EXPECT_EQ(*past, nullptr);
+  for (uint64_t i = 0; i < 3; ++i) EXPECT_EQ(hashOf(once, i), hashOf(all, i)) << i;
 }
 
 TEST(LevelStream, HasToHaveOne) {

@@ -33,24 +33,28 @@ struct Place {
   TrainingView view;
   std::vector<Player> players;
   std::vector<sim::LooseBody> bodies;
-  std::vector<sim::World> reached;
+  std::vector<Reached> reached;
   PlaceCounts counts;
 };
+
+float leftOf(const Place& place, const Player& p) {
+  return place.view.guide.left(p.world.position, 0, 0);
+}
 
 TEST(Play, AMoveIsWorthTheWayThatIsLessThanEver) {
   Place place;
   const RewardSettings worth;
   Player& p = place.players[0];
   const float whole = p.least;
-  EXPECT_EQ(whole, place.view.guide.left(p.world.position));
+  EXPECT_EQ(whole, leftOf(place, p));
   p.world.position.z -= 3;
-  const float less = place.view.guide.left(p.world.position);
+  const float less = leftOf(place, p);
   ASSERT_LT(less, whole - 1);
   EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.stud * (whole - less) + worth.decision);
   p.world.position.z += 1;
   EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision) << "back";
   p.world.position.z -= 2;
-  const float least = place.view.guide.left(p.world.position);
+  const float least = leftOf(place, p);
   ASSERT_LT(least, less);
   EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.stud * (less - least) + worth.decision);
   EXPECT_EQ(p.ticks, 3 * policy::kDecisionTicks);
@@ -71,7 +75,7 @@ TEST(Play, AJumpCostsOnce) {
   EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision + 2 * worth.jump);
   EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision) << "paid already";
   p.world.jumps = 3;
-  place.reached[0] = p.world;
+  place.reached[0] = {p.world, p.least};
   place.counts.reached = 1;
   p.world.outcome = sim::Outcome::fell;
   place.settleAt(0, false, 1);
@@ -118,7 +122,10 @@ TEST(Play, BeginsWhereOthersStood) {
   }
   for (uint64_t d = 0; d < 100; ++d) place.settleAt(d);
   EXPECT_EQ(place.counts.reached, 0u) << "in the air";
-  for (Player& p : place.players) p.world.floorlessTicks = 0;
+  for (Player& p : place.players) {
+    p.world.floorlessTicks = 0;
+    p.least = 7;
+  }
   place.settleAt(100);
   EXPECT_LT(place.counts.reached, 8u) << "one in 64";
   for (uint64_t d = 101; d < 150; ++d) place.settleAt(d);
@@ -129,10 +136,35 @@ TEST(Play, BeginsWhereOthersStood) {
   for (const Player& p : place.players) {
     elsewhere += !p.fromStart;
     EXPECT_EQ(p.world.position.z, p.fromStart ? place.view.start.position.z : -5);
-    EXPECT_EQ(p.least, place.view.guide.left(p.world.position));
+    EXPECT_EQ(p.least, p.fromStart ? leftOf(place, p) : 7);
   }
   EXPECT_GT(elsewhere, 16);
   EXPECT_LT(elsewhere, 48);
+}
+
+// A way that doubles back: its later lane is near, but not come to yet.
+TEST(Play, WhoBeginsElsewhereHasLeftWhatWasLeftThere) {
+  const Guide guide({{0, 0, 0}, {-60, 0, 0}, {70, 0, 0}});
+  Place place;
+  place.view.guide = guide.view();
+  beginLevel(place.here());
+  for (Player& p : place.players) p.world.floorlessTicks = 1;
+  Player &there = place.players[0], &other = place.players[1];
+  there.world.floorlessTicks = 0;
+  there.world.position = {-10, 0, 0};
+  const RewardSettings worth;
+  judge(place.view, worth, there);
+  ASSERT_FLOAT_EQ(there.least, 180);
+  for (uint64_t d = 0; place.counts.reached == 0; ++d) {
+    ASSERT_LT(d, 10000u);
+    place.settleAt(d);
+  }
+  other.world.outcome = sim::Outcome::fell;
+  place.settleAt(10000, false, 1);
+  ASSERT_FALSE(other.fromStart);
+  EXPECT_EQ(other.world.position.x, -10);
+  EXPECT_FLOAT_EQ(other.least, 180);
+  EXPECT_FLOAT_EQ(judge(place.view, worth, other).reward, worth.decision) << "nothing is won yet";
 }
 
 TEST(Play, DrawsAreOfTheWorldAndItsDecision) {

@@ -44,24 +44,25 @@ TEST(Trainer, LearnsToCrossAGapThatChanceDoesNot) {
   EXPECT_GE(learned->any, learned->likeliest);
 }
 
-TEST(Guide, LeftIsAlongTheLineAndToIt) {
-  const Guide guide({{0, 0, 0}, {0, 0, -10}, {10, 0, -10}});
-  EXPECT_FLOAT_EQ(guide.studs(), 20);
-  EXPECT_FLOAT_EQ(guide.left({0, 0, 0}), 20);
-  EXPECT_FLOAT_EQ(guide.left({0, 3, -4}), 3 * 3 + 16);
-  EXPECT_FLOAT_EQ(guide.left({10, 0, -10}), 0);
-  EXPECT_FLOAT_EQ(guide.left({10, 0, -9}), 3) << "a short cut counts";
-}
-
-TEST(Guide, TheNextRoundOfASpiralIsNotNearYet) {
-  const Guide guide({{0, 0, 0}, {10, 2, 0}, {10, 4, 10}, {0, 6, 10}, {0, 8, 0}, {10, 10, 0}});
-  const float whole = guide.studs();
-  EXPECT_FLOAT_EQ(guide.left({0, 0, 0}, whole - 5), whole);
-  // Straight up from the start, the way that it leads along four sides later.
-  EXPECT_LT(guide.left({0, 7, 0}), whole / 2);
-  EXPECT_FLOAT_EQ(guide.left({0, 7, 0}, whole - 5),
-                  whole - 14 / std::sqrt(104.0f) + 3 * std::sqrt(49 - 196.0f / 104));
-  EXPECT_GT(guide.left({-50, 0, 0}, 2 * whole), whole) << "far off there is still a way";
+// Numbers that are none could be written over good files, and read by nobody.
+TEST(Trainer, GoesNoFurtherOnceItHasDiverged) {
+  const Gaps gaps;
+  ThreadPool pool(1);
+  const auto trainer = Trainer::make(small(), gaps, pool, alone());
+  ASSERT_TRUE((*trainer)->iterate());
+  const auto error = [&](auto&& spoil) {
+    TrainerState state = *(*trainer)->state();
+    spoil(state);
+    const auto resumed = Trainer::resume(small(), gaps, pool, alone(), std::move(state));
+    EXPECT_TRUE(resumed);
+    const auto iteration = (*resumed)->iterate();
+    return iteration ? std::string() : iteration.error().message;
+  };
+  const std::string diverged = "learning diverged: the network is no longer finite";
+  EXPECT_EQ(error([](TrainerState&) {}), "");
+  EXPECT_EQ(error([](TrainerState& s) { s.learner.weights.w[1](3, 4) = NAN; }), diverged);
+  EXPECT_EQ(error([](TrainerState& s) { s.learner.squares.b[0](5) = INFINITY; }), diverged);
+  EXPECT_EQ(error([](TrainerState& s) { s.seen.sum[7] = NAN; }), diverged);
 }
 
 TEST(Sums, AreMeanAndDeviation) {

@@ -42,7 +42,7 @@ Error inFile(Error error, const std::string& path) {
 }
 
 Status writeFile(const std::string& path, std::string_view bytes) {
-  OBBY_ASSIGN(io::Sink sink, io::Sink::open(path));
+  OBBY_ASSIGN(io::Sink sink, io::Sink::open(path, io::Durable::yes));
   OBBY_RETURN_IF_ERROR(sink.write(bytes));
   return sink.close();
 }

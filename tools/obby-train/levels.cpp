@@ -33,9 +33,9 @@ bool makesLevels(const cli::Arguments& a) {
   return a.flag("generate") || a.has("style") || a.has("difficulty") || a.has("recipe");
 }
 
-Result<Levels> levelsOf(cli::Context& context, train::Ranks& ranks, uint64_t seed) {
+Result<Levels> levelsOf(cli::Context& context, train::Ranks& ranks, uint64_t seed, bool again) {
   const cli::Arguments& a = context.arguments();
-  if (!makesLevels(a)) return streamedLevels(context, ranks);
+  if (!makesLevels(a)) return streamedLevels(context, ranks, again);
   OBBY_ASSIGN(gen::Recipe recipe, recipeOf(a));
   if (!a.has("difficulty") && !a.has("recipe")) recipe.difficulty = {0, 1};
   Levels levels;

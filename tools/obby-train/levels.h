@@ -18,12 +18,12 @@ struct Levels {
 // Is no stream read, for the levels are made?
 bool makesLevels(const cli::Arguments& arguments);
 
-// Made anew, or those of the stream; `seed`: of those that are made.
-// The same on every rank.
-Result<Levels> levelsOf(cli::Context& context, train::Ranks& ranks, uint64_t seed);
+// Made anew, or those of the stream; `seed`: of those that are made; `again`: asked for more than a
+// stream has it begins again. The same on every rank.
+Result<Levels> levelsOf(cli::Context& context, train::Ranks& ranks, uint64_t seed, bool again);
 
-// The queries of the context's inputs with their levels, read whole by the first rank before
-// anything is learned; asked for more they begin again. Error: none.
-Result<Levels> streamedLevels(cli::Context& context, train::Ranks& ranks);
+// The queries of the context's inputs with their levels; of several ranks the first reads all of
+// them before anything is learned. Error: none.
+Result<Levels> streamedLevels(cli::Context& context, train::Ranks& ranks, bool again);
 
 }  // namespace obby::tools

@@ -74,7 +74,7 @@ Status learn(cli::Context& context, tools::JoinedRanks& joined) {
   const cli::Arguments& a = context.arguments();
   tools::Keeper keeper(context, ranks);
   OBBY_RETURN_IF_ERROR(keeper.find());
-  auto found = ranks.agree(tools::levelsOf(context, ranks, a.seed()));
+  auto found = ranks.agree(tools::levelsOf(context, ranks, a.seed(), true));
   if (!found && ranks.first() && context.stop()) return nothingLearned(context);
   OBBY_ASSIGN(const tools::Levels levels, std::move(found));
   OBBY_ASSIGN(const sim::Backend backend,
@@ -110,7 +110,7 @@ Status evaluate(cli::Context& context, train::Ranks& ranks) {
   OBBY_ASSIGN(const std::string bytes, io::readFile(path));
   OBBY_ASSIGN(const policy::PolicyFile file, policy::readPolicy(bytes, path));
   OBBY_ASSIGN(const tools::Levels levels,
-              tools::levelsOf(context, ranks, context.arguments().seed() ^ kHeldOut));
+              tools::levelsOf(context, ranks, context.arguments().seed() ^ kHeldOut, false));
   ThreadPool pool(context.threads());
   OBBY_ASSIGN(io::Pipeline stream, metricsStream(context));
   const auto work = [&]() -> Status {

@@ -40,14 +40,17 @@ Status Session::run() {
     OBBY_ASSIGN(last_, trainer_.iterate());
     Status told = ranks_.agree(note());
     if (!told) return saveAfter(std::move(told));
+    if (!trainer_.more()) break;
   }
-  return saveAfter(ranks_.agree(tell()));
+  Status told = ranks_.agree(tell());
+  return saveAfter(told ? trainer_.more() : std::move(told));
 }
 
-// Who could not be told, as at the end of a pipe that was closed: what was learned is kept.
-Status Session::saveAfter(Status told) {
+// Who could not be told, as at the end of a pipe that was closed, or levels that could not be read:
+// what was learned is kept.
+Status Session::saveAfter(Status ended) {
   OBBY_RETURN_IF_ERROR(save());
-  return told;
+  return ended;
 }
 
 // A signal may reach the ranks at different times, and their clocks differ: all do the same after

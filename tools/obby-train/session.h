@@ -17,7 +17,8 @@ class Session {
   Session(cli::Context& context, train::Trainer& trainer, train::Ranks& ranks, const Keeper& keeper,
           Logs logs, io::StreamWriter* output);
 
-  // Until --decisions, --time-limit (of this run) or a signal.
+  // Until --decisions, --time-limit (of this run), a signal, or an error. Saves in the end but
+  // where the error is that nothing can be learned any more.
   Status run();
 
  private:
@@ -32,7 +33,7 @@ class Session {
   Status note();
   Status tell();
   Status save();
-  Status saveAfter(Status told);
+  Status saveAfter(Status ended);
 
   cli::Context& context_;
   train::Trainer& trainer_;

@@ -27,7 +27,7 @@ Result<std::string> copyOf(io::SourceOptions options) {
 }  // namespace
 
 // Standard input is the first rank's alone, and a file may be: it reads for all of them.
-Result<Levels> streamedLevels(cli::Context& context, train::Ranks& ranks) {
+Result<Levels> streamedLevels(cli::Context& context, train::Ranks& ranks, bool again) {
   io::SourceOptions options = context.sourceOptions();
   if (ranks.count() > 1) {
     OBBY_ASSIGN(std::string copy,
@@ -39,7 +39,9 @@ Result<Levels> streamedLevels(cli::Context& context, train::Ranks& ranks) {
       return Result<io::StreamReader>(io::StreamReader::overBytes(copy, name));
     };
   }
-  return Levels{std::make_unique<train::LevelStream>(std::move(options)),
+  train::LevelStreamSettings settings;
+  settings.again = again;
+  return Levels{std::make_unique<train::LevelStream>(std::move(options), settings),
                 {{"levels", "of a stream"}}};
 }
 

@@ -123,6 +123,7 @@ Result<Played> DeviceEngine::play(const PlayOrder& order) {
   OBBY_RETURN_IF_ERROR(playTicks(a));
   Played out;
   OBBY_ASSIGN(out.tally, places_.endIteration(order.hardest, a));
+  out.missing = places_.missing();
   OBBY_ASSIGN(out.seen, seen());
   OBBY_ASSIGN(const Moments rewards, learner_.momentsOf(learner_.batch().rewards.data()));
   out.reward = rewards.sum;

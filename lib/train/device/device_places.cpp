@@ -8,6 +8,13 @@
 
 namespace obby::train {
 
+namespace {
+
+// Why who cannot do without a level ends.
+Error noneFor(const Status& said) { return said ? makeError(kInterrupted) : said.error(); }
+
+}  // namespace
+
 DevicePlaces::DevicePlaces(const TrainerSettings& settings, const LevelSource& source,
                            sim::Device& device, ThreadPool& pool, uint32_t rank, uint32_t ranks)
     : settings_(settings),
@@ -70,7 +77,7 @@ Status DevicePlaces::begin(float hardest) {
   askForNext(all);
   OBBY_RETURN_IF_ERROR(takeLevels(all, hardest));
   for (const Place& p : places_) {
-    if (p.waits) return makeError(kInterrupted);
+    if (p.waits) return noneFor(missing_);
   }
   return beginNew();
 }
@@ -84,7 +91,7 @@ Status DevicePlaces::beginNew() {
 
 Result<NextLevel> DevicePlaces::needed(size_t p) {
   OBBY_ASSIGN(NextLevel level, next_.take(p));
-  if (!level.level) return makeError(kInterrupted);
+  if (!level.level) return noneFor(level.said);
   return level;
 }
 
@@ -94,6 +101,7 @@ Status DevicePlaces::takeLevels(std::span<const size_t> places, float nextHardes
   for (const size_t p : places) {
     OBBY_ASSIGN(NextLevel level, next_.take(p));
     places_[p].waits = !level.level;
+    if (missing_) missing_ = level.said;
     if (level.level) putIn(p, std::move(level));
     ++places_[p].taken;
     places_[p].hardest = std::exchange(places_[p].nextHardest, nextHardest);

@@ -27,8 +27,10 @@ class DevicePlaces {
 
   // After an iteration: takes tallies, and new levels where enough was played; asks for the levels
   // after those with difficulty `hardest`, which are made while these are played. `play`: as
-  // described. If the source was told to stop nothing more can be played: state() is left.
+  // described. If the source gave none nothing more can be played: state() is left.
   Result<Tally> endIteration(float hardest, const PlayArguments& play);
+  // What the source said where it gave none, if it was not told to stop.
+  const Status& missing() const { return missing_; }
 
   Result<std::vector<CrowdState>> state() const;
 
@@ -62,10 +64,11 @@ class DevicePlaces {
   std::vector<Place> places_;
   std::vector<DevicePlace> described_;
   bool anyLoose_ = false;
+  Status missing_;
   NextLevels next_;
   DeviceTable<DevicePlace> table_;
   DeviceTable<Player> players_;
-  DeviceTable<sim::World> reached_;
+  DeviceTable<Reached> reached_;
   DeviceTable<PlaceCounts> counts_;
 };
 

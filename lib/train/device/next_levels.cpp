@@ -13,23 +13,23 @@ void NextLevels::ask(std::vector<Wanted> wanted) {
 void NextLevels::make() {
   pool_.run(int(wanted_.size()), [this](int i) {
     const Wanted& w = wanted_[size_t(i)];
-    Slot& slot = next_[w.place];
+    NextLevel& next = next_[w.place];
     auto level = source_.level(w.index, w.hardest);
-    slot.status = level ? Status() : Status(level.error());
-    if (level) slot.next.level = *std::move(level);
+    next.said = level ? Status() : Status(level.error());
+    if (level) next.level = *std::move(level);
   });
   if (brought_) brought_ = bring();
 }
 
-// Those that could be made, if the source was not told to stop.
+// Those that the source gave.
 Status NextLevels::bring() {
   std::vector<NextLevel*> made;
   std::vector<const TrainingLevel*> levels;
   for (const Wanted& w : wanted_) {
-    Slot& slot = next_[w.place];
-    if (!slot.status || !slot.next.level) continue;
-    made.push_back(&slot.next);
-    levels.push_back(slot.next.level.get());
+    NextLevel& next = next_[w.place];
+    if (!next.level) continue;
+    made.push_back(&next);
+    levels.push_back(next.level.get());
   }
   if (made.empty()) return {};
   OBBY_ASSIGN(const Delivery delivery,
@@ -43,10 +43,8 @@ Status NextLevels::bring() {
 
 Result<NextLevel> NextLevels::take(size_t place) {
   wait();
-  Slot& slot = next_[place];
-  OBBY_RETURN_IF_ERROR(slot.status);
   OBBY_RETURN_IF_ERROR(brought_);
-  return std::exchange(slot.next, {});
+  return std::exchange(next_[place], {});
 }
 
 }  // namespace obby::train

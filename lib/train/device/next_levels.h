@@ -14,6 +14,7 @@ struct NextLevel {
   std::shared_ptr<const TrainingLevel> level;
   DevicePlace place;
   std::shared_ptr<const sim::Memory> memory;  // where it is, with others
+  Status said;                                // by the source: without a level, why
 };
 
 class NextLevels {
@@ -34,16 +35,11 @@ class NextLevels {
 
   // Begins to make them, one a place; returns at once, when those that were asked for are made.
   void ask(std::vector<Wanted> wanted);
-  // That of a place, once all are made; without a level if the source was told to stop. The error
-  // is the source's or the device's.
+  // That of a place, once all are made; without a level if the source was told to stop, or had an
+  // error. The error is the device's.
   Result<NextLevel> take(size_t place);
 
  private:
-  struct Slot {
-    Status status;  // of making it
-    NextLevel next;
-  };
-
   void wait() {
     if (maker_.joinable()) maker_.join();
   }
@@ -54,7 +50,7 @@ class NextLevels {
   CrowdSettings settings_;
   sim::Device& device_;
   std::vector<Wanted> wanted_;
-  std::vector<Slot> next_;  // (places)
+  std::vector<NextLevel> next_;  // (places)
   Status brought_;
   ThreadPool pool_;
   std::thread maker_;

@@ -19,7 +19,7 @@ struct DevicePlace {
 struct PlayArguments {
   const DevicePlace* places;
   Player* players;      // (places, worldsOfPlace)
-  sim::World* reached;  // (places, kMostReached)
+  Reached* reached;     // (places, kMostReached)
   PlaceCounts* counts;  // (places)
   uint32_t worldsOfPlace, worlds;
   uint32_t firstWorld;  // its number among those of all ranks

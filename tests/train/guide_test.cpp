@@ -1,0 +1,93 @@
+// How much of a way is left, and to whom which part of it counts.
+#include "train/guide.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "train/gaps.h"
+
+namespace obby::train {
+namespace {
+
+TEST(Guide, LeftIsAlongTheLineAndToIt) {
+  const Guide guide({{0, 0, 0}, {0, 0, -10}, {10, 0, -10}});
+  EXPECT_FLOAT_EQ(guide.studs(), 20);
+  EXPECT_FLOAT_EQ(guide.left({0, 0, 0}, 0, 0), 20);
+  EXPECT_FLOAT_EQ(guide.left({0, 3, -4}, 0, 0), 3 * 3 + 16);
+  EXPECT_FLOAT_EQ(guide.left({10, 0, -10}, 0, 0), 0);
+  EXPECT_FLOAT_EQ(guide.left({10, 0, -9}, 0, 0), 3) << "a short cut counts";
+}
+
+TEST(Guide, TheNextRoundOfASpiralIsNotNearYet) {
+  const Guide guide({{0, 0, 0}, {10, 2, 0}, {10, 4, 10}, {0, 6, 10}, {0, 8, 0}, {10, 10, 0}});
+  const float whole = guide.studs();
+  EXPECT_FLOAT_EQ(guide.left({0, 0, 0}, whole - 5, 0), whole);
+  // Straight up from the start, the way that it leads along four sides later.
+  EXPECT_LT(guide.left({0, 7, 0}, 0, 0), whole / 2);
+  EXPECT_FLOAT_EQ(guide.left({0, 7, 0}, whole - 5, 0),
+                  whole - 14 / std::sqrt(104.0f) + 3 * std::sqrt(49 - 196.0f / 104));
+  EXPECT_GT(guide.left({-50, 0, 0}, 2 * whole, 0), whole) << "far off there is still a way";
+}
+
+// The later lane of a way that doubles back is near, but leads on from a waypoint.
+TEST(Guide, NothingIsWonBehindAWaypointThatWasNotPassed) {
+  const Vec3 waypoint{-61, 2, 0};
+  const Guide guide({{0, 0, 0}, {-60, 0, 0}, {70, 0, 0}}, std::span(&waypoint, 1));
+  EXPECT_FLOAT_EQ(guide.left({-40, 0, 0}, 130, 0), 150);
+  EXPECT_FLOAT_EQ(guide.left({-40, 0, 0}, 130, 1), 110);
+  EXPECT_FLOAT_EQ(guide.left({-60, 0, 0}, 130, 0), 130) << "as far as it goes";
+}
+
+TEST(Guide, WaypointsAreInTheOrderOfTheWay) {
+  // Twice to the same place, by a way round.
+  const Vec3 waypoints[] = {{10, 0, 0}, {20, 0, 0}, {10, 0, 1}};
+  const Guide guide({{0, 0, 0}, {10, 0, 0}, {20, 0, 0}, {10, 0, 0}, {10, 0, 50}}, waypoints);
+  const GuideView view = guide.view();
+  ASSERT_EQ(view.stopCount, 3u);
+  EXPECT_EQ(view.stops[0], 1u);
+  EXPECT_EQ(view.stops[1], 2u);
+  EXPECT_EQ(view.stops[2], 3u);
+}
+
+TEST(Guide, WhoIsAtAWaypointFromTheStartHasTheWholeWayLeft) {
+  const Vec3 waypoint{0, 0, 0};
+  const Guide guide({{0, 0, 0}, {-60, 0, 0}, {70, 0, 0}}, std::span(&waypoint, 1));
+  EXPECT_FLOAT_EQ(guide.left({0, 0, 0}, 0, 0), 190);
+}
+
+// Start, a waypoint far out, a goal near the start.
+std::shared_ptr<const TrainingLevel> outAndBack(std::vector<Vec3> way) {
+  support::LevelBuilder b;
+  b.block({-30, -0.5f, 0}, {80, 1, 8});
+  b.spawn({0, 0, 0});
+  capnp::MallocMessageBuilder query;
+  auto q = query.initRoot<schema::Query>();
+  q.setId("out and back");
+  auto region = q.initWaypoints(1)[0].initRegion();
+  support::set(region.initPosition(), {-60, 2, 0});
+  support::set(region.initSize(), {4, 4, 4});
+  support::set(q.initGoal().initPosition(), {5, 2, 0});
+  support::set(q.getGoal().initSize(), {4, 4, 4});
+  return *TrainingLevel::make(b.record(), q.asReader(), std::move(way));
+}
+
+TEST(Guide, KnowsTheWaypointsOfItsQuery) {
+  for (const auto& level :
+       {outAndBack({}),
+        outAndBack({{0, 0, 0}, {-30, 0, 0}, {-60, 0, 0}, {-30, 0, 0}, {5, 0, 0}})}) {
+    const TrainingView view = level->view(3);
+    Player p;
+    p.world = level->start();
+    p.world.position = {-40, 0, 0};
+    p.least = 88;  // so that the lane back is in reach
+    judge(view, {}, p);
+    EXPECT_GT(p.least, 65 + 19) << "out";
+    p.world.waypoints = 1;
+    judge(view, {}, p);
+    EXPECT_LT(p.least, 45 + 7) << "back";
+  }
+}
+
+}  // namespace
+}  // namespace obby::train
