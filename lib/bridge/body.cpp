@@ -10,9 +10,27 @@ namespace {
 
 using Body = std::variant<std::string, Reply>;
 
-Reply tooLarge(uint64_t limit, const char* what) {
-  return refuse(413, fmt::format("{} is larger than {} MiB", what, limit / kMiB),
-                "send less, or start obby-bridge with a larger --max-body");
+struct Bounds {
+  uint64_t sent;      // bytes
+  uint64_t inflated;  // the same where it comes plain
+  const char* cure;
+};
+
+Bounds boundsOf(const Call& call, const Limits& limits) {
+  // Anybody may send that: it must not cost memory.
+  if (call.endpoint == Endpoint::pair) {
+    return {limits.pairBytes, limits.pairBytes, "send the code and nothing else"};
+  }
+  return {limits.bodyBytes, call.gzip ? limits.inflatedBytes : limits.bodyBytes,
+          "send less, or start obby-bridge with a larger --max-body"};
+}
+
+Reply tooLarge(uint64_t limit, const char* what, const char* cure) {
+  const bool whole = limit % kMiB == 0;
+  return refuse(413,
+                fmt::format("{} is larger than {} {}", what, limit / (whole ? kMiB : 1024),
+                            whole ? "MiB" : "KiB"),
+                cure);
 }
 
 // Counts what passes: a gzip stream can be long without giving anything.
@@ -37,10 +55,8 @@ class Counting final : public kj::AsyncInputStream {
 };
 
 struct Reader {
-  Reader(kj::AsyncInputStream& from, bool gzip, const Limits& limits)
-      : limits_(limits),
-        sent_(from, limits.bodyBytes),
-        limit_(gzip ? limits.inflatedBytes : limits.bodyBytes) {
+  Reader(kj::AsyncInputStream& from, bool gzip, const Bounds& bounds)
+      : bounds_(bounds), sent_(from, bounds.sent) {
     if (gzip) inflated_ = kj::heap<kj::GzipAsyncInputStream>(sent_);
   }
 
@@ -48,17 +64,20 @@ struct Reader {
     kj::AsyncInputStream& from =
         inflated_.get() ? static_cast<kj::AsyncInputStream&>(*inflated_) : sent_;
     return from.tryRead(buffer_, 1, sizeof buffer_).then([this](size_t n) -> kj::Promise<Body> {
-      if (sent_.over()) return Body(tooLarge(limits_.bodyBytes, "the body"));
+      if (sent_.over()) return Body(sentTooMuch());
       if (n == 0) return Body(std::move(out_));
-      if (out_.size() + n > limit_) return Body(tooLarge(limit_, "the inflated body"));
+      if (out_.size() + n > bounds_.inflated) {
+        return Body(tooLarge(bounds_.inflated, "the inflated body", bounds_.cure));
+      }
       out_.append(buffer_, n);
       return read();
     });
   }
 
-  const Limits& limits_;
+  Reply sentTooMuch() const { return tooLarge(bounds_.sent, "the body", bounds_.cure); }
+
+  const Bounds bounds_;
   Counting sent_;
-  uint64_t limit_;
   kj::Own<kj::GzipAsyncInputStream> inflated_;
   std::string out_;
   char buffer_[32768];
@@ -66,20 +85,20 @@ struct Reader {
 
 }  // namespace
 
-kj::Promise<Body> readBody(kj::AsyncInputStream& body, bool gzip, const Limits& limits,
+kj::Promise<Body> readBody(kj::AsyncInputStream& body, const Call& call, const Limits& limits,
                            kj::Timer& timer) {
+  auto reader = kj::heap<Reader>(body, call.gzip, boundsOf(call, limits));
   KJ_IF_MAYBE (length, body.tryGetLength()) {
-    if (*length > limits.bodyBytes) return Body(tooLarge(limits.bodyBytes, "the body"));
+    if (*length > reader->bounds_.sent) return Body(reader->sentTooMuch());
   }
-  auto reader = kj::heap<Reader>(body, gzip, limits);
   auto read = reader->read();
-  if (gzip) {
+  if (call.gzip) {
     Reader* r = reader.get();
     read = read.catch_([r](kj::Exception&& e) -> Body {
       // The library says DISCONNECTED of a stream that is cut, too.
       const bool gone = e.getType() == kj::Exception::Type::DISCONNECTED && !r->sent_.ended();
       if (gone) kj::throwFatalException(kj::mv(e));
-      if (r->sent_.over()) return tooLarge(r->limits_.bodyBytes, "the body");
+      if (r->sent_.over()) return r->sentTooMuch();
       return refuse(400, "the body is no gzip stream", "send it plain, or as gzip throughout");
     });
   }

@@ -8,12 +8,13 @@
 
 #include "bridge/limits.h"
 #include "bridge/reply.h"
+#include "bridge/request.h"
 
 namespace obby::bridge {
 
-// The bytes, inflated if they came as gzip; or why they are refused: too many, too slow, no gzip.
-// A client that goes away is a kj exception.
-kj::Promise<std::variant<std::string, Reply>> readBody(kj::AsyncInputStream& body, bool gzip,
+// The bytes, inflated if they came as gzip; or why they are refused: too many for what is asked,
+// too slow, no gzip. A client that goes away is a kj exception.
+kj::Promise<std::variant<std::string, Reply>> readBody(kj::AsyncInputStream& body, const Call& call,
                                                        const Limits& limits, kj::Timer& timer);
 
 }  // namespace obby::bridge

@@ -35,10 +35,11 @@ class Client {
     for (auto& waiter : waiters) waiter->fulfill();
   }
 
-  double lastSeen = 0;      // seconds of Loop::now()
-  bool socketOpen = false;  // one WebSocket at a time
-  bool dropSocket = false;  // asks that WebSocket to close
-  uint64_t polls = 0;       // long polls so far: an older one ends when a newer one comes
+  double lastSeen = 0;       // seconds of Loop::now()
+  bool mayBeSilent = false;  // its carrier tells when it has gone: silence means nothing
+  bool socketOpen = false;   // one WebSocket at a time
+  bool dropSocket = false;   // asks that WebSocket to close
+  uint64_t polls = 0;        // long polls so far: an older one ends when a newer one comes
 
  private:
   int number_;

@@ -45,8 +45,8 @@ kj::Promise<void> HttpFront::request(kj::HttpMethod method, kj::StringPtr url,
     return service_.handle(call, {}).then(
         [this, &response](Reply reply) { return send(std::move(reply), response); });
   }
-  const bool gzip = call.gzip;
-  return readBody(requestBody, gzip, service_.limits(), service_.loop().timer)
+  if (auto closed = service_.closedTo(call)) return send(*std::move(closed), response);
+  return readBody(requestBody, call, service_.limits(), service_.loop().timer)
       .then([this, call = std::move(call)](std::variant<std::string, Reply> body) mutable {
         if (Reply* refusal = std::get_if<Reply>(&body)) {
           return kj::Promise<Reply>(std::move(*refusal));

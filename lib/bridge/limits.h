@@ -14,6 +14,7 @@ struct Limits {
   // requests
   uint64_t bodyBytes = 64 * kMiB;       // of a request as it is sent
   uint64_t inflatedBytes = 256 * kMiB;  // of a gzip body, inflated
+  uint64_t pairBytes = 4 << 10;         // of a request to pair, which needs no token
   double requestSeconds = 60;           // until a request's head, and then its body, has come
   double maxWaitSeconds = 20;           // a long poll
   uint32_t connections = 64;            // open at a time

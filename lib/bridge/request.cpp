@@ -151,9 +151,11 @@ std::optional<Reply> checkContent(const RequestHead& head, Call& call) {
   }
   call.content = *content;
   const std::string encoding = lower(head.encoding.value_or("identity"));
-  call.gzip = encoding == "gzip";
+  const bool stranger = call.endpoint == Endpoint::pair;  // nothing is inflated for them
+  call.gzip = encoding == "gzip" && !stranger;
   if (call.gzip || encoding == "identity") return {};
-  return refuse(415, "this content encoding is not taken", "send it plain or as gzip");
+  return refuse(415, "this content encoding is not taken",
+                stranger ? "send it plain" : "send it plain or as gzip");
 }
 
 }  // namespace

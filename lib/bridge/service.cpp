@@ -59,6 +59,7 @@ std::shared_ptr<Client> Service::client(int number) {
 }
 
 kj::Promise<Reply> Service::handle(const Call& call, std::string body) {
+  if (auto closed = closedTo(call)) return *std::move(closed);
   if (call.endpoint == Endpoint::info) return info(call);
   if (call.endpoint == Endpoint::pair) return pair(body);
   std::shared_ptr<Client> who = client(call.client);
@@ -108,6 +109,13 @@ Reply Service::info(const Call& call) {
   return {200, out.whole()};
 }
 
+std::optional<Reply> Service::closedTo(const Call& call) const {
+  if (call.endpoint != Endpoint::pair) return {};
+  const char* why = pairing_ ? pairing_->closed(loop_.now()) : "no code has been offered";
+  if (*why == 0) return {};
+  return refuse(403, why, "start obby-bridge --pair and send the code that it shows");
+}
+
 Reply Service::pair(const std::string& body) {
   std::string code;
   const auto tree = io::JsonTree::parse(body);
@@ -122,11 +130,7 @@ Reply Service::pair(const std::string& body) {
                                    return Status();
                                  });
   if (!read) return refuse(400, read.error());
-  constexpr const char* kCure = "start obby-bridge --pair and send the code that it shows";
-  const double now = loop_.now();
-  if (!pairing_) return refuse(403, "no code has been offered", kCure);
-  if (*pairing_->closed(now) != 0) return refuse(403, pairing_->closed(now), kCure);
-  if (!pairing_->answer(code, now)) {
+  if (!pairing_->answer(code, loop_.now())) {
     return refuse(403, "that is not the code",
                   fmt::format("{} tries are left", pairing_->triesLeft()));
   }
@@ -143,14 +147,14 @@ kj::Promise<Reply> Service::putLevel(std::string body) {
   if (const auto known = store_.get(id); known && *known) {
     std::vector<std::string> queries;
     for (const std::string& line : (*known)->queries) queries.push_back(queryIdOfLine(line));
-    return levelReply(200, id, queries, {});
+    return levelReply(200, id, queries, (*known)->reports);
   }
   if (imports_ >= kImports) return refuse(503, "other levels are being read", "try again");
   imports_++;
   return importLevel(loop_, programs_.import, std::move(body), limits_)
       .then([this, id](Imported in) -> Reply {
         if (in.refusal.status != 200) return in.refusal;
-        if (const Status kept = store_.put(id, in.lines); !kept) {
+        if (const Status kept = store_.put(id, in.lines, in.warnings); !kept) {
           return refuse(507, kept.error().text(), "make room on the disk, or use --state-dir");
         }
         return levelReply(201, id, in.queries, in.warnings);
@@ -253,6 +257,7 @@ std::string Service::hello(const Client& client, uint64_t cursor) const {
 void Service::sweep() {
   const double now = loop_.now();
   for (const auto& [number, who] : clients_) {
+    if (who->mayBeSilent) continue;
     const double silent = now - who->lastSeen;
     if (silent > limits_.silenceSeconds && who->socketOpen) {
       who->dropSocket = true;

@@ -30,6 +30,9 @@ class Service {
   // A new code for /v1/pair; it replaces the one before.
   const Pairing& offerPairing();
 
+  // Before a body is read: why there is no use in it.
+  std::optional<Reply> closedTo(const Call& call) const;
+
   // Everything but events, which is the carrier's. `body` is inflated. The promise may be dropped
   // at any time.
   kj::Promise<Reply> handle(const Call& call, std::string body);

@@ -27,7 +27,13 @@ StdioFront::StdioFront(Service& service, io::Sink output)
       output_(std::move(output)),
       client_(service.client(0)),
       flags_(fcntl(STDIN_FILENO, F_GETFL)) {
+  // Who waits for a quiet program says nothing, and owes no pong.
+  client_->mayBeSilent = true;
   if (canWait(STDIN_FILENO)) input_ = service.loop().io.wrapInputFd(STDIN_FILENO);
+  if (canWait(STDOUT_FILENO)) {
+    using Observer = kj::UnixEventPort::FdObserver;
+    reader_ = kj::heap<Observer>(service.loop().events, STDOUT_FILENO, Observer::OBSERVE_WRITE);
+  }
 }
 
 StdioFront::~StdioFront() {
@@ -36,7 +42,7 @@ StdioFront::~StdioFront() {
 
 kj::Promise<void> StdioFront::run() {
   auto all = requests().then([this] { return service_.jobs().whenIdle(); });
-  return all.exclusiveJoin(events());
+  return all.exclusiveJoin(events()).exclusiveJoin(readerGone());
 }
 
 kj::Promise<size_t> StdioFront::readSome() {
@@ -93,8 +99,13 @@ void StdioFront::writeEvents() {
   }
 }
 
+// A program may have nothing to write for long: that it would be for nobody is known before.
+kj::Promise<void> StdioFront::readerGone() {
+  if (reader_.get() == nullptr) return kj::NEVER_DONE;
+  return reader_->whenWriteDisconnected();
+}
+
 void StdioFront::write(std::string line) {
-  client_->lastSeen = service_.loop().now();
   line += '\n';
   if (outputStatus_) outputStatus_ = output_.write(line);
 }

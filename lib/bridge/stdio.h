@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kj/async-io.h>
+#include <kj/async-unix.h>
 
 #include <memory>
 #include <string>
@@ -28,6 +29,7 @@ class StdioFront {
   kj::Promise<void> answer(std::string line);
   kj::Promise<void> events();
   void writeEvents();
+  kj::Promise<void> readerGone();
   void write(std::string line);
 
   Service& service_;
@@ -35,8 +37,9 @@ class StdioFront {
   Status outputStatus_;
   std::shared_ptr<Client> client_;
   uint64_t cursor_ = 0;
-  int flags_;                            // of standard input, to be put back
-  kj::Own<kj::AsyncInputStream> input_;  // null: a file, which is always ready
+  int flags_;                                      // of standard input, to be put back
+  kj::Own<kj::AsyncInputStream> input_;            // null: a file, which is always ready
+  kj::Own<kj::UnixEventPort::FdObserver> reader_;  // of the output; null: a file has none
   std::string rest_;
   bool inputEnded_ = false;
   char buffer_[65536];

@@ -106,10 +106,14 @@ void Store::makeRoom(uint64_t bytes) const {
   }
 }
 
-Status Store::put(const std::string& id, std::string_view lines) const {
-  makeRoom(lines.size());
+Status Store::put(const std::string& id, std::string_view lines,
+                  const std::vector<std::string>& reports) const {
+  uint64_t bytes = lines.size();
+  for (const std::string& report : reports) bytes += report.size() + 1;
+  makeRoom(bytes);
   OBBY_ASSIGN(io::Sink sink, io::Sink::open(levelPath(id)));
   OBBY_RETURN_IF_ERROR(sink.write(lines));
+  for (const std::string& report : reports) OBBY_RETURN_IF_ERROR(sink.write(report + "\n"));
   return sink.close();
 }
 
@@ -123,10 +127,11 @@ Result<std::optional<StoredLevel>> Store::get(const std::string& id) const {
   for (size_t at = 0; at < text.size();) {
     const size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
     const std::string_view line = std::string_view(text).substr(at, end - at);
-    if (typeOfLine(line) == "query") {
-      out.queries.emplace_back(line.substr(0, line.find('\n')));
-    } else {
+    const std::string_view type = typeOfLine(line);
+    if (type == "level") {
       out.levels += line;
+    } else {
+      (type == "query" ? out.queries : out.reports).emplace_back(line.substr(0, line.find('\n')));
     }
     at = end;
   }

@@ -17,6 +17,7 @@ namespace obby::bridge {
 struct StoredLevel {
   std::string levels;                // its level records
   std::vector<std::string> queries;  // a line each
+  std::vector<std::string> reports;  // what was said when it was read, a line each
 };
 
 class Store {
@@ -30,8 +31,10 @@ class Store {
   // The id that those bytes have: the same bytes and version of our tools, the same id.
   static std::string idOf(std::string_view bytes);
   bool has(const std::string& id) const;
-  // Keeps the lines of a level; the longest unused ones go when there is too much. Error: the disk.
-  Status put(const std::string& id, std::string_view lines) const;
+  // Keeps the lines of a level, and the reports on it: JSON objects that are no level and no query.
+  // The longest unused levels go when there is too much. Error: the disk.
+  Status put(const std::string& id, std::string_view lines,
+             const std::vector<std::string>& reports) const;
   // Nothing: not here, or no longer.
   Result<std::optional<StoredLevel>> get(const std::string& id) const;
 

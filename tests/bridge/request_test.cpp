@@ -106,6 +106,17 @@ TEST(Request, content_types_are_those_of_the_endpoint) {
   EXPECT_EQ(check(level), 415);
 }
 
+TEST(Request, a_code_comes_plain) {
+  RequestHead head = honest("POST", "/v1/pair");
+  EXPECT_EQ(check(head), 0);
+  head.encoding = "identity";
+  EXPECT_EQ(check(head), 0);
+  head.encoding = "gzip";
+  EXPECT_EQ(check(head), 415);
+  head.authorization.reset();
+  EXPECT_EQ(check(head), 415);
+}
+
 TEST(Request, events_are_a_websocket_and_nothing_else_is) {
   RequestHead head = honest("GET", "/v1/events");
   EXPECT_EQ(check(head), 426);

@@ -47,7 +47,7 @@ TEST(Store, levels_come_back_in_their_parts) {
   EXPECT_EQ(id, Store::idOf("some bytes"));
   EXPECT_NE(id, Store::idOf("some byteS"));
   EXPECT_FALSE(store->has(id));
-  ASSERT_TRUE(store->put(id, kLines));
+  ASSERT_TRUE(store->put(id, kLines, {}));
   const auto level = store->get(id);
   ASSERT_TRUE(level && *level);
   EXPECT_EQ((*level)->levels,
@@ -58,6 +58,24 @@ TEST(Store, levels_come_back_in_their_parts) {
   EXPECT_EQ(queryIdOfLine((*level)->queries[1]), "");
 }
 
+TEST(Store, reports_on_a_level_are_kept_beside_it) {
+  const std::vector<std::string> reports = {"{\"type\":\"warning\",\"message\":\"no start\"}",
+                                            "{\"message\":\"odd\"}"};
+  const test::ScratchFolder folder;
+  Limits limits;
+  limits.storeBytes = 2 * kLines.size();
+  const auto store = Store::open(folder / "state", limits);
+  ASSERT_TRUE(store);
+  ASSERT_TRUE(store->put("a", kLines, reports));
+  const auto level = store->get("a");
+  ASSERT_TRUE(level && *level);
+  EXPECT_EQ((*level)->reports, reports);
+  EXPECT_EQ((*level)->queries.size(), 2u);
+  EXPECT_EQ((*level)->levels.find("no start"), std::string::npos);
+  ASSERT_TRUE(store->put("b", kLines, {}));  // there is no room for both and the reports
+  EXPECT_FALSE(store->has("a"));
+}
+
 TEST(Store, longest_unused_levels_go_first) {
   const test::ScratchFolder folder;
   Limits limits;
@@ -66,12 +84,12 @@ TEST(Store, longest_unused_levels_go_first) {
   ASSERT_TRUE(store);
   const auto pause = [] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
   for (const char* id : {"a", "b", "c"}) {
-    ASSERT_TRUE(store->put(id, kLines));
+    ASSERT_TRUE(store->put(id, kLines, {}));
     pause();
   }
   ASSERT_TRUE(store->get("a"));  // used last
   pause();
-  ASSERT_TRUE(store->put("d", kLines));
+  ASSERT_TRUE(store->put("d", kLines, {}));
   EXPECT_TRUE(store->has("a"));
   EXPECT_FALSE(store->has("b"));
   EXPECT_TRUE(store->has("c"));

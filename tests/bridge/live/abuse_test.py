@@ -9,7 +9,7 @@ import time
 import unittest
 
 import driver
-from driver import Bridge, eventually, exchange, level_bytes
+from driver import Bridge, eventually, exchange, level_bytes, program
 from protocol_test import impossible
 
 LEVEL = "several-routes.jsonl"
@@ -20,16 +20,6 @@ class AbuseTest(unittest.TestCase):
         out = Bridge(*options, **more)
         self.addCleanup(out.close)
         return out
-
-    def program(self, text):
-        """A stand-in for obby-solve: a shell script."""
-        folder = driver.tempfile.mkdtemp(prefix="obby-bridge-")
-        self.addCleanup(driver.shutil.rmtree, folder)
-        path = os.path.join(folder, "solve")
-        with open(path, "w", encoding="ascii") as file:
-            file.write("#!/bin/sh\n" + text)
-        os.chmod(path, 0o755)
-        return path
 
     def endless(self, bridge):
         level = bridge.place_level(LEVEL)
@@ -84,7 +74,7 @@ class AbuseTest(unittest.TestCase):
     def test_records_longer_than_a_message_come_in_fragments(self):
         record = json.dumps({"type": "result", "query": "q", "reason": 'a"\\\u00e9' * 100000},
                             ensure_ascii=False, separators=(",", ":"))
-        script = self.program("cat >/dev/null\ncat \"$0.txt\"\n")
+        script = program(self, "cat >/dev/null\ncat \"$0.txt\"\n")
         with open(script + ".txt", "w", encoding="utf-8") as file:
             file.write(record + "\n")
         bridge = self.bridge("--solve", script)
@@ -96,7 +86,7 @@ class AbuseTest(unittest.TestCase):
 
     def test_what_the_ring_has_lost_is_said(self):
         line = '{"type":"metrics","name":"' + "x" * 100000 + '"}'
-        script = self.program("cat >/dev/null\nfor i in $(seq 60); do cat \"$0.txt\"; done\n")
+        script = program(self, "cat >/dev/null\nfor i in $(seq 60); do cat \"$0.txt\"; done\n")
         with open(script + ".txt", "w", encoding="ascii") as file:
             file.write(line + "\n")
         bridge = self.bridge("--solve", script)
@@ -174,7 +164,7 @@ class AbuseTest(unittest.TestCase):
 
     def test_a_client_that_reads_nothing_is_dropped(self):
         line = '{"type":"metrics","name":"' + "x" * 100000 + '"}'
-        script = self.program("cat >/dev/null\nwhile cat \"$0.txt\"; do :; done\n")
+        script = program(self, "cat >/dev/null\nwhile cat \"$0.txt\"; do :; done\n")
         with open(script + ".txt", "w", encoding="ascii") as file:
             file.write(line + "\n")
         bridge = self.bridge("--solve", script, "--silence", "2", "--grace", "1")
@@ -201,7 +191,7 @@ class AbuseTest(unittest.TestCase):
         self.assertEqual(again[-1]["state"], "done")
 
     def test_a_program_that_ignores_sigint_is_killed_with_its_group(self):
-        script = self.program("trap '' INT\nsleep 1000 &\nsleep 1000 &\nwait\nsleep 1000\n")
+        script = program(self, "trap '' INT\nsleep 1000 &\nsleep 1000 &\nwait\nsleep 1000\n")
         bridge = self.bridge("--solve", script)
         job = bridge.ask(level=bridge.place_level(LEVEL))["job"]
         self.assertTrue(eventually(bridge.jobs_running))
@@ -235,19 +225,19 @@ class AbuseTest(unittest.TestCase):
     def test_processor_time_and_memory_are_bounded(self):
         if driver.sanitized():
             self.skipTest("sanitizers take more address space than any bound")
-        script = self.program("cat >/dev/null\nulimit -v\nulimit -t\nulimit -v >&2\nulimit -t >&2\n")
+        script = program(self, "cat >/dev/null\nulimit -v\nulimit -t\nulimit -v >&2\nulimit -t >&2\n")
         bridge = self.bridge("--solve", script, "--memory", "512", "--cpu-time", "77")
         job = bridge.ask(level=bridge.place_level(LEVEL))["job"]
         said = [m["text"] for m in bridge.messages(job) if m["type"] == "report"]
         self.assertEqual(said, [str(512 << 10), "77"])
 
     def test_a_program_that_takes_too_long_is_ended_and_it_is_said(self):
-        bridge = self.bridge("--solve", self.program("while :; do :; done\n"), "--cpu-time", "1")
+        bridge = self.bridge("--solve", program(self, "while :; do :; done\n"), "--cpu-time", "1")
         job = bridge.ask(level=bridge.place_level(LEVEL))["job"]
         self.assertIn("processor time", bridge.messages(job)[-1]["reason"])
 
     def test_programs_inherit_no_descriptor_and_no_secret(self):
-        script = self.program("cat >/dev/null\nls -l /proc/self/fd >&2\nenv >&2\n")
+        script = program(self, "cat >/dev/null\nls -l /proc/self/fd >&2\nenv >&2\n")
         bridge = self.bridge("--solve", script)
         job = bridge.ask(level=bridge.place_level(LEVEL))["job"]
         said = [m["text"] for m in bridge.messages(job) if m["type"] == "report"]

@@ -47,6 +47,17 @@ def children(pid):
     return out
 
 
+def program(test, text):
+    """A stand-in for obby-solve: a shell script, which goes with the test."""
+    folder = tempfile.mkdtemp(prefix="obby-bridge-")
+    test.addCleanup(shutil.rmtree, folder)
+    path = os.path.join(folder, "solve")
+    with open(path, "w", encoding="ascii") as file:
+        file.write("#!/bin/sh\n" + text)
+    os.chmod(path, 0o755)
+    return path
+
+
 def sanitized():
     """Whether the tools are built with sanitizers, which take address space without bound."""
     config = subprocess.run([os.path.join(BIN, "obby-bridge"), "--print-config"],
@@ -90,8 +101,12 @@ class Bridge:
         self.port = int(first.rpartition(":")[2])
         self.token = None
         if pair:
-            self.code = self.process.stdout.readline().decode().rpartition(": ")[2].strip()
+            self.code = self.shown_code()
             self.token = self.post("/v1/pair", {"code": self.code}, token=None).json()["token"]
+
+    def shown_code(self):
+        """What --pair says, to be called once."""
+        return self.process.stdout.readline().decode().rpartition(": ")[2].strip()
 
     def said(self):
         self.errors.seek(0)

@@ -1,5 +1,6 @@
 """Requests that must not get through: every one of a product of Host, Origin, token, content type,
 method and WebSocket in which at least one thing is wrong, and bodies that lie."""
+import gzip
 import itertools
 import json
 import os
@@ -164,6 +165,28 @@ class HostileTest(unittest.TestCase):
         for _ in range(8):
             answer = self.bridge.post("/v1/pair", {"code": "AAAAAAAA"}, token=None)
             self.assertEqual(answer.status, 403)
+
+    def test_strangers_can_make_it_keep_little(self):
+        other = Bridge("--pair", pair=False)
+        self.addCleanup(other.close)
+        code = other.shown_code()
+        kind = {"Content-Type": "application/json"}
+        large = b'{"code":"' + b"A" * (1 << 20) + b'"}'
+        for body in (large, iter([large])):  # as long as its head says; in chunks
+            answer = other.request("POST", "/v1/pair", body, kind, token=None)
+            self.assertEqual(answer.status, 413)
+            self.assertIn("4 KiB", answer.json()["error"])
+        packed = other.request("POST", "/v1/pair", gzip.compress(large),
+                               {**kind, "Content-Encoding": "gzip"}, token=None)
+        self.assertEqual(packed.status, 415)
+        # None of them was a try.
+        self.assertEqual(other.post("/v1/pair", {"code": code}, token=None).status, 200)
+
+    def test_where_no_code_is_on_offer_none_is_read(self):
+        headers = [("Host", f"127.0.0.1:{self.bridge.port}"), ("Content-Type", "application/json")]
+        for length in (1000, 1 << 40):  # that never come
+            self.assertEqual(
+                self.send("POST", "/v1/pair", headers + [("Content-Length", str(length))]), 403)
 
     def test_one_websocket_a_client(self):
         first = self.bridge.events()

@@ -72,6 +72,17 @@ class ProtocolTest(unittest.TestCase):
         self.assertEqual(answer.status, 201, answer.body)
         self.assertEqual(answer.json()["queries"], ["stage1", "stage2", "stage3", "stage4"])
 
+    def test_warnings_come_each_time_that_a_level_is_placed(self):
+        place = (b'<roblox version="4"><Item class="Part" referent="A"><Properties>'
+                 b'<string name="Name">Floor</string></Properties></Item></roblox>')
+        first = self.bridge.place(place, "application/octet-stream")
+        again = self.bridge.place(place, "application/octet-stream")
+        self.assertEqual((first.status, again.status), (201, 200))
+        self.assertIn("no start found", first.json()["warnings"][0]["message"])
+        self.assertEqual(again.json(), first.json())
+        back = self.bridge.get("/v1/levels/" + first.json()["level"])
+        self.assertEqual([json.loads(line)["type"] for line in back.body.splitlines()], ["level"])
+
     def test_gzip_is_inflated(self):
         plain = self.bridge.place(level_bytes(LEVEL)).json()["level"]
         packed = self.bridge.place(gzip.compress(level_bytes(LEVEL)), **{"Content-Encoding": "gzip"})

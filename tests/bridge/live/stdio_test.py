@@ -6,7 +6,7 @@ import subprocess
 import unittest
 
 import driver
-from driver import eventually, level_bytes
+from driver import eventually, level_bytes, program
 from protocol_test import ended, impossible
 
 
@@ -18,9 +18,9 @@ class StdioTest(unittest.TestCase):
                         os.path.join(self.folder, "state")]
         self.counter, self.seen = 0, []
 
-    def start(self, **popen):
-        process = subprocess.Popen(self.command, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                   **popen)
+    def start(self, *options, **popen):
+        process = subprocess.Popen(self.command + list(options), stdin=subprocess.PIPE,
+                                   stdout=subprocess.PIPE, **popen)
         self.addCleanup(self.end, process)
         return process
 
@@ -42,6 +42,16 @@ class StdioTest(unittest.TestCase):
                 return message
             self.seen.append(message)
 
+    def place(self, process):
+        return self.call(process, "POST", "/v1/levels",
+                         text=level_bytes("several-routes.jsonl").decode())["body"]["level"]
+
+    def hear(self, process, wanted):
+        """Reads on until a message is wanted, and gives it."""
+        while not any(wanted(m) for m in self.seen):
+            self.seen.append(json.loads(process.stdout.readline()))
+        return next(m for m in self.seen if wanted(m))
+
     def test_level_job_and_messages(self):
         process = self.start()
         level = self.call(process, "POST", "/v1/levels",
@@ -55,8 +65,7 @@ class StdioTest(unittest.TestCase):
         job = self.call(process, "POST", "/v1/jobs",
                         body={"level": level["body"]["level"], "ask": ["stage1"]})
         self.assertEqual(job["status"], 202)
-        while not any(ended(m) for m in self.seen):
-            self.seen.append(json.loads(process.stdout.readline()))
+        self.hear(process, ended)
         verdicts = [m["record"]["verdict"] for m in self.seen
                     if m.get("type") == "record" and m["record"]["type"] == "result"]
         self.assertEqual(verdicts, ["solved"])
@@ -83,15 +92,30 @@ class StdioTest(unittest.TestCase):
 
     def test_a_reader_that_goes_away_ends_all(self):
         process = self.start(stderr=subprocess.DEVNULL)
-        level = self.call(process, "POST", "/v1/levels",
-                          text=level_bytes("several-routes.jsonl").decode())["body"]["level"]
-        self.call(process, "POST", "/v1/jobs", body={"level": level, "queries": [impossible()],
-                                                     "budget": {"timeLimit": 300}})
+        self.call(process, "POST", "/v1/jobs",
+                  body={"level": self.place(process), "queries": [impossible()],
+                        "budget": {"timeLimit": 300}})
+        self.ends_when_unread(process)
+
+    def ends_when_unread(self, process):
         self.assertTrue(eventually(lambda: driver.children(process.pid)))
         programs = [pid for pid, _ in driver.children(process.pid)]
         process.stdout.close()
         self.assertEqual(process.wait(60), 141)
         self.assertFalse([pid for pid in programs if os.path.exists(f"/proc/{pid}")])
+
+    def test_a_reader_that_goes_away_ends_what_is_quiet_too(self):
+        script = program(self, "cat >/dev/null\nexec sleep 1000\n")
+        process = self.start("--solve", script, stderr=subprocess.DEVNULL)
+        self.call(process, "POST", "/v1/jobs", body={"level": self.place(process)})
+        self.hear(process, lambda m: m.get("state") == "running")  # the last that it says
+        self.ends_when_unread(process)
+
+    def test_who_waits_for_a_quiet_program_is_not_silent(self):
+        script = program(self, "cat >/dev/null\nsleep 3\necho '{\"type\":\"end\"}'\n")
+        process = self.start("--silence", "0.5", "--grace", "0.5", "--solve", script)
+        self.call(process, "POST", "/v1/jobs", body={"level": self.place(process)})
+        self.assertEqual(self.hear(process, ended)["state"], "done", self.seen[-1])
 
     def test_nonsense_is_answered_and_survived(self):
         process = self.start()
