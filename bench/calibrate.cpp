@@ -154,7 +154,7 @@ void measure(const Trial& trial, bool each, ThreadPool& pool, Tally& tally) {
   calibrate::Fit fit;
   const double seconds = bench::secondsOf([&] {
     fit = bench::need(calibrate::fit(trial.takes, trial.parameters, calibrate::defaults(), settings,
-                                     pool, stop, [](uint32_t, uint32_t, double) {}));
+                                     pool, stop, [](const calibrate::FitProgress&) {}));
   });
   for (const Fitted& f : fit.parameters) count(trial, f, tally, each);
   const double again = meanMissOf(trial.again, fit);

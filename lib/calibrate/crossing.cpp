@@ -1,6 +1,7 @@
 #include "calibrate/crossing.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "calibrate/evidence.h"
 
@@ -12,10 +13,10 @@ constexpr size_t kValues = 16;  // that are tried
 
 // Where it cannot be refined the point stays as it is.
 std::vector<double> refinedWithout(const Objective& objective, std::vector<double> point,
-                                   size_t coordinate, int rounds, uint64_t& evaluations) {
+                                   size_t coordinate, int rounds, const Work& work) {
   const auto at = std::ptrdiff_t(coordinate);
   if (coordinate == objective.parameters().size()) {
-    auto found = refined(objective, point, rounds, evaluations, nullptr);
+    auto found = refined(objective, point, rounds, work);
     return found ? *std::move(found) : point;
   }
   std::vector<Parameter> others = objective.parameters();
@@ -23,7 +24,7 @@ std::vector<double> refinedWithout(const Objective& objective, std::vector<doubl
   const Objective less = objective.from(point, std::move(others));
   std::vector<double> there = point;
   there.erase(there.begin() + at);
-  auto found = refined(less, std::move(there), rounds, evaluations, nullptr);
+  auto found = refined(less, std::move(there), rounds, work);
   if (!found) return point;
   found->insert(found->begin() + at, point[coordinate]);
   return *std::move(found);
@@ -69,24 +70,28 @@ std::vector<double> delaysAround(const Objective& objective, double share) {
 }
 
 Crossing crossingOf(const Objective& objective, const std::vector<double>& point, size_t coordinate,
-                    const std::vector<double>& shares, int rounds, ThreadPool& pool) {
+                    const std::vector<double>& shares, int rounds, const Work& work) {
   const size_t count = shares.size();
-  Crossing out{{coordinate, shares, std::vector<double>(count)}, point, objective.loss(point), 0};
+  const std::vector<double> untried(count, std::numeric_limits<double>::max());
+  Crossing out{{coordinate, shares, untried}, point, objective.loss(point)};
   std::vector<double>& losses = out.profile.losses;
   std::vector<std::vector<double>> points(count, point);
   for (size_t i = 0; i < count; ++i) points[i][coordinate] = shares[i];
-  pool.run(int(count), [&](int i) { losses[size_t(i)] = objective.loss(points[size_t(i)]); });
+  const auto measure = [&](size_t i) {
+    losses[i] = objective.loss(points[i]);
+    work.account().count(1);
+  };
+  work.run(int(count), [&](int i) { measure(size_t(i)); });
+  if (work.stopped()) return out;
   const std::vector<size_t> runs = runsOf(losses);
-  std::vector<uint64_t> evaluations(runs.size(), 1);
-  pool.run(int(runs.size()), [&](int i) {
-    std::vector<double>& there = points[runs[size_t(i)]];
-    there = refinedWithout(objective, std::move(there), coordinate, rounds, evaluations[size_t(i)]);
-    losses[runs[size_t(i)]] = objective.loss(there);
+  work.run(int(runs.size()), [&](int k) {
+    const size_t i = runs[size_t(k)];
+    points[i] = refinedWithout(objective, std::move(points[i]), coordinate, rounds, work.inTask());
+    measure(i);
   });
   for (size_t k = 0; k < runs.size(); ++k) {
     const size_t first = runs[k], end = k + 1 < runs.size() ? runs[k + 1] : count;
     for (size_t i = first; i < end; ++i) losses[i] = losses[first];
-    out.evaluations += evaluations[k] + end - first;
     if (alike(out.loss, losses[first])) continue;
     out.loss = losses[first];
     // The middle of what cannot be told apart.

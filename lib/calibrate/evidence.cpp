@@ -51,18 +51,19 @@ Status writeSlope(const Objective& objective, const std::vector<double>& point, 
 }  // namespace
 
 Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& point,
-                        ThreadPool* pool) {
+                        const Work& work) {
   const Eigen::Index n = Eigen::Index(point.size());
   OBBY_ASSIGN(const std::vector<float> r, objective.residuals(point));
   const Eigen::Index rows = Eigen::Index(r.size());
   Eigen::MatrixXf slopes(rows, n);
   std::vector<Status> status(point.size());
-  const auto column = [&](int i) { status[size_t(i)] = writeSlope(objective, point, i, slopes); };
-  if (pool != nullptr) pool->run(int(n), column);
-  for (int i = 0; i < int(n); ++i) {
-    if (pool == nullptr) column(i);
-    OBBY_RETURN_IF_ERROR(std::move(status[size_t(i)]));
-  }
+  work.account().count(1);
+  work.run(int(n), [&](int i) {
+    status[size_t(i)] = writeSlope(objective, point, i, slopes);
+    work.account().count(2);
+  });
+  if (work.stopped()) return Slopes{};
+  for (Status& column : status) OBBY_RETURN_IF_ERROR(std::move(column));
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n);
   Slopes out{none, Eigen::VectorXd::Zero(n), none, 0};
   double squares = 0, weights = 0;
@@ -141,14 +142,14 @@ double slackOf(double noise, size_t frames) {
 }
 
 Result<std::vector<double>> refined(const Objective& objective, std::vector<double> point,
-                                    int rounds, uint64_t& evaluations, ThreadPool* pool) {
+                                    int rounds, const Work& work) {
   double loss = objective.loss(point), damping = 1e-3;
   for (int round = 0; round < rounds; ++round) {
-    OBBY_ASSIGN(const Slopes s, slopesAt(objective, point, pool));
-    evaluations += 2 * point.size() + 1;
+    OBBY_ASSIGN(const Slopes s, slopesAt(objective, point, work));
+    if (work.stopped()) break;
     const double scale = std::max(s.normal.diagonal().maxCoeff() * kLeast, 1e-12);
     bool better = false;
-    for (int tries = 0; tries < 5 && !better; ++tries, damping *= 8) {
+    for (int tries = 0; tries < 5 && !better && !work.stopped(); ++tries, damping *= 8) {
       Eigen::MatrixXd damped = s.normal;
       damped.diagonal() += damping * s.normal.diagonal();
       damped.diagonal().array() += scale;
@@ -157,7 +158,7 @@ Result<std::vector<double>> refined(const Objective& objective, std::vector<doub
       for (size_t i = 0; i < next.size(); ++i)
         next[i] = std::clamp(next[i] + std::clamp(step(Eigen::Index(i)), -0.1, 0.1), 0.0, 1.0);
       const double now = objective.loss(next);
-      ++evaluations;
+      work.account().count(1);
       if (!(now < loss)) continue;
       better = true;
       const bool little = loss - now < 1e-4 * loss;

@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 
-#include "base/thread_pool.h"
 #include "calibrate/objective.h"
+#include "calibrate/work.h"
 
 namespace obby::calibrate {
 
@@ -15,9 +15,9 @@ struct Slopes {
   Eigen::MatrixXd scatter;   // (n, n): of the gradients of stretches of the recordings
   double noise = 0;          // a residual's deviation, studs
 };
-// `pool`: null within a task of one.
+// Empty after a stop.
 Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& point,
-                        ThreadPool* pool);
+                        const Work& work);
 
 // Half widths of the 95 % intervals and correlations, both in shares of the bounds; a coordinate
 // that shows nowhere has a half width of 1.
@@ -41,8 +41,8 @@ Result<double> noiseAt(const Objective& objective, const std::vector<double>& po
 double slackOf(double noise, size_t frames);
 
 // Gauss-Newton with a trust region around `point`, as long as the loss falls, in so many rounds at
-// most. The evaluations that it took are added.
+// most. A stop ends it at the best point until then.
 Result<std::vector<double>> refined(const Objective& objective, std::vector<double> point,
-                                    int rounds, uint64_t& evaluations, ThreadPool* pool);
+                                    int rounds, const Work& work);
 
 }  // namespace obby::calibrate

@@ -54,18 +54,20 @@ Fitted byCount(Fitted f, const Profile& profile, double slack, double tick) {
 struct Weighing {
   const Objective& objective;
   const std::vector<double>& point;
-  ThreadPool& pool;
+  const Work& work;
   double noise;
 
   void byCrossing(size_t coordinate, Fitted& f) const {
     const Crossing crossing =
-        crossingOf(objective, point, coordinate, sharesAllOver(), kRounds, pool);
+        crossingOf(objective, point, coordinate, sharesAllOver(), kRounds, work);
+    if (work.stopped()) return;
     const auto& shares = crossing.profile.shares;
     f = byProfile(f, crossing.profile, slackOf(noise, objective.frames()), shares[1] - shares[0]);
   }
 
   void byScan(const std::vector<Fitted*>& fitted) const {
-    const Scan scan = scanOf(objective, point, Tried::inPairs, pool);
+    const Scan scan = scanOf(objective, point, Tried::inPairs, work);
+    if (work.stopped()) return;
     for (const Profile& p : scan.profiles) {
       Fitted& f = *fitted[p.coordinate];
       f = byCount(f, p, slackOf(noise, scan.frames), 1 / objective.controlRate());
@@ -87,27 +89,27 @@ std::vector<Fitted*> shownOf(const Objective& objective, std::vector<Fitted>& al
 Result<Findings> findingsOf(const Objective& objective, const std::vector<double>& point,
                             const std::vector<Parameter>& asked,
                             schema::PhysicsParams::Reader before,
-                            schema::PhysicsParams::Reader found, ThreadPool& pool,
-                            const std::atomic<bool>& stop) {
+                            schema::PhysicsParams::Reader found, const Work& work) {
   Findings out;
   for (const Parameter& p : asked)
     out.parameters.push_back(
         {p, valueOf(found, p.name), p.lowest, p.highest, false, valueOf(before, p.name)});
   const std::vector<Fitted*> shown = shownOf(objective, out.parameters);
-  OBBY_ASSIGN(const Slopes slopes, slopesAt(objective, point, &pool));
+  OBBY_ASSIGN(const Slopes slopes, slopesAt(objective, point, work.toItsEnd()));
   const Evidence evidence = evidenceOf(slopes);
-  const Weighing weighing{objective, point, pool, slopes.noise};
+  const Weighing weighing{objective, point, work, slopes.noise};
   for (size_t i = 0; i < shown.size(); ++i) {
     const Parameter::Kind kind = shown[i]->parameter.kind;
     if (hasSlope(kind)) *shown[i] = bySlope(*shown[i], point[i], evidence.half[i]);
-    if (kind == Parameter::Kind::event && !stop) weighing.byCrossing(i, *shown[i]);
+    if (kind == Parameter::Kind::event && !work.stopped()) weighing.byCrossing(i, *shown[i]);
+    work.account().step(i + 1, shown.size() + 1);
     for (size_t k = 0; k < i; ++k) {
       const double c = evidence.correlation(Eigen::Index(i), Eigen::Index(k));
       if (std::fabs(c) > kTied)
         out.tied.push_back({shown[k]->parameter.name, shown[i]->parameter.name, c});
     }
   }
-  if (!stop) weighing.byScan(shown);
+  if (!work.stopped()) weighing.byScan(shown);
   return out;
 }
 

@@ -1,12 +1,11 @@
 // What recordings tell of each parameter, at the point that a fit has found.
 #pragma once
 
-#include <atomic>
 #include <string>
 #include <vector>
 
-#include "base/thread_pool.h"
 #include "calibrate/objective.h"
+#include "calibrate/work.h"
 
 namespace obby::calibrate {
 
@@ -32,13 +31,12 @@ struct Findings {
 };
 
 // `asked`: those of the objective and others, which show nowhere. `before`, `found`: all parameters
-// as they were, and at the point. `stop`: nothing more is tried of those without a slope. Errors as
-// of Level::compile.
+// as they were, and at the point. After a stop nothing more is tried of those without a slope, and
+// nothing is said of them. Errors as of Level::compile.
 Result<Findings> findingsOf(const Objective& objective, const std::vector<double>& point,
                             const std::vector<Parameter>& asked,
                             schema::PhysicsParams::Reader before,
-                            schema::PhysicsParams::Reader found, ThreadPool& pool,
-                            const std::atomic<bool>& stop);
+                            schema::PhysicsParams::Reader found, const Work& work);
 
 // Half of an interval, in shares of the bounds, that is all that was known before.
 constexpr double kNothing = 0.5;

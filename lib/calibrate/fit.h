@@ -2,13 +2,11 @@
 // known of each.
 #pragma once
 
-#include <atomic>
-#include <functional>
-#include <string>
+#include <span>
 #include <vector>
 
-#include "base/thread_pool.h"
 #include "calibrate/findings.h"
+#include "calibrate/work.h"
 
 namespace obby::calibrate {
 
@@ -35,14 +33,15 @@ struct Fit {
   uint32_t controlRate = 0, substeps = 0;
   double lossBefore = 0, loss = 0;
   uint64_t evaluations = 0;
-  bool stopped = false;  // from outside: it is the best so far
+  bool stopped = false;  // from outside: it is the best so far, and not all of it was judged
 };
 
-// `takes` must not be empty. `progress`: generations done of all, and the best loss so far; called
-// from this thread. Errors: what does not compile, and what the optimiser says.
+// `takes` must not be empty. `progress` is called from this thread, in all that takes long. A stop
+// is heeded within some evaluations; what it costs, beside what was still to be done, is the
+// intervals of what has no slope. Errors: what does not compile, and what the optimiser says.
 Result<Fit> fit(std::span<const Take> takes, std::vector<Parameter> parameters,
                 schema::PhysicsParams::Reader now, const FitSettings& settings, ThreadPool& pool,
                 const std::atomic<bool>& stop,
-                const std::function<void(uint32_t done, uint32_t all, double loss)>& progress);
+                const std::function<void(const FitProgress&)>& progress);
 
 }  // namespace obby::calibrate

@@ -12,6 +12,7 @@ struct Found {
   io::RecordBuilder values;
   double delay = 0;
 
+  Found copy() const { return {io::RecordBuilder(values.reader()), delay}; }
   schema::PhysicsParams::Reader params() const { return values.reader().getParams(); }
   std::vector<double> in(const Objective& objective) const {
     return objective.pointAt(params(), delay);

@@ -196,6 +196,7 @@ std::string pageOf(const Fit& fit, const std::vector<Outcome>& outcomes, double 
       "studs</strong> off the recordings, <span class=\"{}\">{} the tolerance of "
       "{:g}</span>.</p>\n",
       mean, mean <= tolerance ? "good" : "bad", mean <= tolerance ? "within" : "above", tolerance);
+  if (fit.stopped) out += "<p class=\"bad\">" + interruptionOf(fit) + "</p>\n";
   out += reasonsIn(why);
   out += parametersOf(fit);
   out += "<h2>Recordings, played to their ends</h2><p class=\"faint\">The worst first.</p>\n";

@@ -124,8 +124,9 @@ Status setNamed(schema::PhysicsParams::Builder params, const std::string& name, 
 }
 
 double shareOf(const Parameter& p, double value) {
-  if (p.lowest <= 0) return value / p.highest;
-  return std::log(value / p.lowest) / std::log(p.highest / p.lowest);
+  const double within = std::clamp(value, p.lowest, p.highest);
+  if (p.lowest <= 0) return within / p.highest;
+  return std::log(within / p.lowest) / std::log(p.highest / p.lowest);
 }
 
 double valueAt(const Parameter& p, double share) {

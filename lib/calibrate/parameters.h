@@ -42,7 +42,7 @@ void setValue(schema::PhysicsParams::Builder params, std::string_view name, doub
 Status setNamed(schema::PhysicsParams::Builder params, const std::string& name, double value);
 
 // A parameter's share is what the optimiser sees: its bounds are 0 and 1, and what is between them
-// goes by logarithms, which 0 has none of.
+// goes by logarithms, which 0 has none of. What is beyond a bound has the share of the bound.
 double shareOf(const Parameter& parameter, double value);
 double valueAt(const Parameter& parameter, double share);
 

@@ -31,11 +31,6 @@ struct Player {
   }
 };
 
-// Ticks from the level's start to a time of the track.
-uint32_t tickOf(double time, const Params& params) {
-  return uint32_t(std::max(0.0, std::floor(time * params.controlRate + 0.5)));
-}
-
 constexpr double kLead = 0.4;  // seconds before a window
 
 bool showsFacing(const Frame& f) { return f.facing.x != 0 || f.facing.z != 0; }
@@ -99,7 +94,7 @@ Turns facingAt(const Track& track, uint32_t index) {
 sim::World worldAt(const Track& track, uint32_t index, const level::LevelView& level) {
   const Params& p = level.params;
   const Frame& f = track.frames[index];
-  sim::World w = sim::makeWorld(level, {feetOf(f, p), 0, track.phase + tickOf(f.time, p)});
+  sim::World w = sim::makeWorld(level, {feetOf(f, p), 0, track.tickAt(f.time, p)});
   w.velocity = f.velocity;
   w.state = f.state;
   w.yaw = facingAt(track, index);
@@ -109,12 +104,13 @@ sim::World worldAt(const Track& track, uint32_t index, const level::LevelView& l
   uint32_t since = index;
   while (since > 0 && !grounded(track.frames[since].state)) --since;
   if (grounded(track.frames[since].state))
-    w.floorlessTicks = uint16_t(std::min(tickOf(f.time - track.frames[since].time, p), 0xffffu));
+    w.floorlessTicks =
+        uint16_t(std::min(wholeTicks(f.time - track.frames[since].time, p), 0xffffu));
   if (w.floorlessTicks == 0) w.flags |= sim::kFloorSensed;
   if (f.state != sim::State::landed) return w;
   uint32_t landed = index;
   while (landed > 0 && track.frames[landed - 1].state == sim::State::landed) --landed;
-  const uint32_t gone = tickOf(f.time - track.frames[landed].time, p);
+  const uint32_t gone = wholeTicks(f.time - track.frames[landed].time, p);
   w.landedTicks = uint8_t(std::clamp(int(p.landedTicks) - int(gone), 1, 255));
   return w;
 }
@@ -123,12 +119,13 @@ namespace {
 
 Player playerOf(const Track& track, const Window& window, const level::LevelView& level) {
   const double origin = track.frames[window.first].time;
-  const int lead = int(tickOf(std::min(kLead, origin), level.params));
+  const int lead = int(wholeTicks(std::min(kLead, origin), level.params));
   const double begin = origin - lead * double(level.params.tickSeconds);
   const uint32_t first = nearestFrame(track, window.first, begin);
-  return {
-      track, window,          origin, -lead, worldAt(track, first, level), sim::makeLoose(level),
-      first, window.first + 1};
+  sim::World world = worldAt(track, first, level);
+  // Its frame may be some ticks away from there; what moves by the clock is not.
+  world.tick = track.tickAt(begin, level.params);
+  return {track, window, origin, -lead, world, sim::makeLoose(level), first, window.first + 1};
 }
 
 // Visits the frames that the last tick went past.

@@ -37,6 +37,12 @@ std::string lineOf(const Outcome& o) {
 
 }  // namespace
 
+std::string interruptionOf(const Fit& fit) {
+  if (!fit.stopped) return {};
+  return "The fit was interrupted: this is the best so far, and what is not known of it may not "
+         "have been looked at.";
+}
+
 double meanMiss(const std::vector<Outcome>& outcomes) {
   const bool any =
       std::any_of(outcomes.begin(), outcomes.end(), [](const Outcome& o) { return o.heldOut; });
@@ -51,7 +57,9 @@ double meanMiss(const std::vector<Outcome>& outcomes) {
 
 std::string textOf(const Fit& fit, const std::vector<Outcome>& outcomes, double tolerance,
                    const std::vector<std::string>& why) {
-  std::string out = "Parameters, with what they are in 95 of 100 cases\n";
+  std::string out = interruptionOf(fit);
+  if (!out.empty()) out += "\n\n";
+  out += "Parameters, with what they are in 95 of 100 cases\n";
   for (const Fitted& f : fit.parameters) out += lineOf(f);
   out +=
       fmt::format("  {:<15} {:>10.5g}   s from an input to what comes of it\n", "delay", fit.delay);

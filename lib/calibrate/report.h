@@ -16,6 +16,9 @@ struct Outcome {
   Miss miss;
 };
 
+// That a fit was interrupted, and what this means; nothing of one that was not.
+std::string interruptionOf(const Fit& fit);
+
 // Mean over those that are held out, or over all where none is.
 double meanMiss(const std::vector<Outcome>& outcomes);
 

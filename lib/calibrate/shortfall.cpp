@@ -24,18 +24,22 @@ std::vector<std::string> endsOf(const Fit& fit) {
   for (const Fitted& f : fit.parameters) {
     const double share = shareOf(f.parameter, f.value);
     const bool shown = f.low > f.parameter.lowest || f.high < f.parameter.highest;
-    if (shown && (share < kEnd || share > 1 - kEnd)) out.push_back(f.parameter.name);
+    // Nothing is below none.
+    const bool none = f.parameter.lowest <= 0 || f.value <= 0;
+    if (shown && ((share < kEnd && !none) || share > 1 - kEnd)) out.push_back(f.parameter.name);
   }
   return out;
 }
 
 // Of one recording, window by window.
-std::vector<Strange> windowsOff(const Take& take, const level::LevelView& level, double delay) {
+std::vector<Strange> windowsOff(std::span<const Take> takes, size_t index,
+                                const level::LevelView& level, double delay) {
+  const Take& take = takes[index];
   const auto& frames = take.track.frames;
   const std::vector<Window> windows = windowsOf(take.track, kSeconds, level);
   std::vector<Strange> out;
   for (const Window& w : windows)
-    out.push_back({take.track.name, frames[w.first].time, frames[w.last].time});
+    out.push_back({index, take.track.name, frames[w.first].time, frames[w.last].time});
   std::vector<double> most(windows.size(), 0);
   playBack(level, take.track, windows, delay,
            [&](uint32_t window, uint32_t frame, const Moment& now) {
@@ -49,22 +53,17 @@ std::vector<Strange> windowsOff(const Take& take, const level::LevelView& level,
   return out;
 }
 
-const Take& takeOf(std::span<const Take> takes, const std::string& name) {
-  return *std::find_if(takes.begin(), takes.end(),
-                       [&](const Take& t) { return t.track.name == name; });
-}
-
 // The same window under other parameters.
-Result<double> offUnder(const Take& take, const Strange& strange, double delay,
+Result<double> offUnder(std::span<const Take> takes, const Strange& strange, double delay,
                         schema::PhysicsParams::Reader params) {
-  OBBY_ASSIGN(const level::Level level, levelWith(take, params));
-  for (const Strange& s : windowsOff(take, level.view(), delay)) {
+  OBBY_ASSIGN(const level::Level level, levelWith(takes[strange.take], params));
+  for (const Strange& s : windowsOff(takes, strange.take, level.view(), delay)) {
     if (s.from == strange.from) return s.off;
   }
   return strange.off;
 }
 
-void addUntold(const Take& take, const Fit& fit, schema::PhysicsParams::Reader params,
+void addUntold(std::span<const Take> takes, const Fit& fit, schema::PhysicsParams::Reader params,
                Strange& strange) {
   for (const Fitted& f : fit.parameters) {
     if (f.low > f.parameter.lowest || f.high < f.parameter.highest) continue;
@@ -72,7 +71,7 @@ void addUntold(const Take& take, const Fit& fit, schema::PhysicsParams::Reader p
       io::RecordBuilder other;
       other.root().setParams(params);
       setValue(other.root().getParams(), f.parameter.name, valueAt(f.parameter, share));
-      const auto off = offUnder(take, strange, fit.delay, other.reader().getParams());
+      const auto off = offUnder(takes, strange, fit.delay, other.reader().getParams());
       if (!off || *off > kNearer * strange.off) continue;  // an error: a body that cannot be
       strange.untold.push_back(f.parameter.name);
       break;
@@ -85,21 +84,23 @@ void addUntold(const Take& take, const Fit& fit, schema::PhysicsParams::Reader p
 Result<Shortfall> shortfallOf(std::span<const Take> recorded, const Fit& fit,
                               schema::PhysicsParams::Reader params, double tolerance) {
   const std::vector<Take> takes = withVelocitiesOfNow(recorded);
-  Shortfall out{noiseOf(takes), endsOf(fit), {}};
-  for (const Take& take : takes) {
-    OBBY_ASSIGN(const level::Level level, levelWith(take, params));
-    for (const Strange& s : windowsOff(take, level.view(), fit.delay)) {
+  Shortfall out{noiseOf(takes), endsOf(fit), {}, fit.stopped};
+  if (out.stopped) return out;
+  for (size_t i = 0; i < takes.size(); ++i) {
+    OBBY_ASSIGN(const level::Level level, levelWith(takes[i], params));
+    for (const Strange& s : windowsOff(takes, i, level.view(), fit.delay)) {
       if (s.off > std::max({tolerance, 2 * out.noise, kLittle})) out.strange.push_back(s);
     }
   }
   std::stable_sort(out.strange.begin(), out.strange.end(),
                    [](const Strange& a, const Strange& b) { return a.off > b.off; });
   out.strange.resize(std::min(out.strange.size(), kMost));
-  for (Strange& s : out.strange) addUntold(takeOf(takes, s.recording), fit, params, s);
+  for (Strange& s : out.strange) addUntold(takes, fit, params, s);
   return out;
 }
 
 std::string shortOf(const Shortfall& s, double tolerance) {
+  if (s.stopped) return "the fit was interrupted";
   if (s.noise > tolerance)
     return fmt::format("their positions alone jump by {:.2g} from frame to frame", s.noise);
   if (!s.strange.empty()) {
@@ -126,6 +127,7 @@ std::string causeOf(const Strange& w) {
 
 std::vector<std::string> reasonsOf(const Shortfall& s, double tolerance) {
   std::vector<std::string> out;
+  if (s.stopped) out.emplace_back("the fit was interrupted");
   if (s.noise > tolerance)
     out.push_back(fmt::format(
         "positions jump by {:.2g} studs from frame to frame: no parameters come nearer than that",

@@ -11,6 +11,7 @@ namespace obby::calibrate {
 // Half a second of a recording in which the simulator, begun as the player was, does something
 // else.
 struct Strange {
+  size_t take = 0;  // of those that were given: several may have one name
   std::string recording;
   double from = 0, to = 0;                 // seconds
   double off = 0;                          // studs, on average
@@ -24,6 +25,7 @@ struct Shortfall {
   double noise = 0;  // studs that positions are off by themselves: they jump from frame to frame
   std::vector<std::string> ends;  // parameters at an end of the values that were tried
   std::vector<Strange> strange;  // those off by more than the tolerance, the worst first; 3 at most
+  bool stopped = false;          // the fit was: that is reason enough, and nothing is looked for
 };
 
 // Errors as of Level::compile.

@@ -13,11 +13,10 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr uint32_t kLongest = 120 * 60;  // ticks of a clock that are tried
-constexpr uint32_t kSamples = 48;        // frames that tell the clock
-constexpr float kStray = 0.5f;           // studs off: no noise, but another motion
-constexpr float kResting = 0.05f;        // studs/s: slower than this a body rests
-constexpr float kFar = 10;               // studs from a body that are no contact
+constexpr uint32_t kSamples = 48;  // frames that tell the clock
+constexpr float kStray = 0.5f;     // studs off: no noise, but another motion
+constexpr float kResting = 0.05f;  // studs/s: slower than this a body rests
+constexpr float kFar = 10;         // studs from a body that are no contact
 
 // Nothing where the part is none that moves, or loose.
 const level::Collider* colliderOf(const level::LevelView& level, uint32_t part) {
@@ -44,19 +43,15 @@ float squaredOff(const PartPose& shown, const Pose& pose) {
   return dot(moved, moved) + dot(one, one) + dot(two, two);
 }
 
-uint32_t ticksInto(const Track& track, size_t frame, const Params& p) {
-  return uint32_t(std::lround(track.frames[frame].time * p.controlRate));
-}
-
 // Mean square over some frames; past `enough` it is not counted to its end.
 float squaredOff(const Track& track, size_t part, const level::Mover& mover, const Params& params,
-                 uint32_t phase, float enough) {
+                 double phase, float enough) {
   const size_t step = std::max<size_t>(1, track.frames.size() / kSamples);
   float sum = 0;
   size_t count = 0;
   for (size_t f = 0; f < track.frames.size(); f += step, ++count) {
     sum += squaredOff(track.pose(f, part),
-                      level::moverPose(mover, phase + ticksInto(track, f, params)));
+                      level::moverPose(mover, wholeTicks(phase + track.frames[f].time, params)));
     if (sum > enough * float(kSamples * 2)) return std::numeric_limits<float>::max();
   }
   return sum / float(count);
@@ -75,13 +70,16 @@ std::vector<Shown> clockworks(const Track& track, const level::LevelView& level)
   return out;
 }
 
-uint32_t phaseOf(const Track& track, const level::LevelView& level, uint32_t period) {
+// Seconds; `period`: ticks.
+double phaseOf(const Track& track, const level::LevelView& level, uint32_t period) {
   const std::vector<Shown> moving = clockworks(track, level);
   if (moving.empty()) return 0;
-  const uint32_t end = period == 0 ? kLongest : std::min(period, kLongest);
-  uint32_t best = 0;
+  const uint32_t rate = level.params.controlRate, longest = kLongestClock * rate;
+  const uint32_t end = period == 0 ? longest : std::min(period, longest);
+  double best = 0;
   float least = std::numeric_limits<float>::max();
-  for (uint32_t phase = 0; phase < end; ++phase) {
+  for (uint32_t tick = 0; tick < end; ++tick) {
+    const double phase = double(tick) / rate;
     float sum = 0;
     for (const Shown& s : moving) {
       sum += squaredOff(track, s.index, *s.mover, level.params, phase, least);
@@ -125,7 +123,7 @@ std::vector<Stray> straysOf(const Track& track, const level::LevelView& level) {
   for (const Shown& s : clockworks(track, level)) {
     const float off = std::sqrt(squaredOff(track, s.index, *s.mover, level.params, track.phase,
                                            std::numeric_limits<float>::infinity()));
-    if (off > kStray) out.push_back({track.shown[s.index], off});
+    if (off > kStray) out.push_back({track.shown[s.index], track.parts[s.index], off});
   }
   return out;
 }

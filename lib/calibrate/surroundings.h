@@ -11,6 +11,8 @@
 
 namespace obby::calibrate {
 
+constexpr uint32_t kLongestClock = 120;  // seconds of the level's clock that are tried
+
 // Finds the recorded parts in the level, and the level clock at the first frame: the tick from
 // which moving parts of the level come nearest to where the recording has them. Errors: a part that
 // the level has not, or has more than once.
@@ -18,8 +20,9 @@ Status place(Track& track, schema::Level::Reader record, const level::Level& lev
 
 // A moving part that does not move as the level says.
 struct Stray {
-  std::string part;
-  float studs;  // off, the root of the mean square
+  std::string part;  // as the recording names it
+  uint32_t number;   // in the level
+  float studs;       // off, the root of the mean square
 };
 std::vector<Stray> straysOf(const Track& track, const level::LevelView& level);
 

@@ -33,8 +33,46 @@ Status Takes::add(schema::Recording::Reader recording) {
   const auto record = level->second.reader().getLevel();
   OBBY_ASSIGN(const level::Level compiled, level::Level::compile(record));
   OBBY_RETURN_IF_ERROR(place(track, record, compiled));
+  track.name = unlike(track.name);
+  lookForStrays(track, compiled);
   takes_.push_back({std::move(track), level->second});
   return {};
+}
+
+// A manoeuvre is done several times: "hold jump", "hold jump (2)".
+std::string Takes::unlike(const std::string& name) {
+  uint32_t& number = numbers_[name];
+  for (;;) {
+    ++number;
+    const std::string out = number == 1 ? name : fmt::format("{} ({})", name, number);
+    if (names_.insert(out).second) return out;
+  }
+}
+
+void Takes::lookForStrays(const Track& track, const level::Level& level) {
+  for (const Stray& stray : straysOf(track, level.view())) {
+    Astray& a = astray_[{track.level, stray.number}];
+    ++a.recordings;
+    if (stray.studs <= a.studs) continue;
+    a.studs = stray.studs;
+    a.recording = track.name;
+    const std::string& name = level.partName(stray.number);
+    const bool same = stray.part.find(name) != std::string::npos;
+    a.part = same ? stray.part : fmt::format("{} ({})", stray.part, name);
+  }
+}
+
+std::vector<std::string> Takes::warnings() const {
+  std::vector<std::string> out;
+  for (const auto& [where, a] : astray_) {
+    const std::string more =
+        a.recordings == 1 ? "" : fmt::format(" and less in {} more", a.recordings - 1);
+    out.push_back(fmt::format(
+        "level '{}': by no clock of {} seconds does '{}' move as recorded: {:.2g} studs off in "
+        "'{}'{} (record its motion and import the level anew, or leave such recordings out)",
+        where.first, kLongestClock, a.part, a.studs, a.recording, more));
+  }
+  return out;
 }
 
 std::vector<Take> holdOut(std::vector<Take>& takes, uint32_t n) {

@@ -17,10 +17,8 @@ uint32_t countAt(const Objective& objective, const std::vector<double>& point, s
       std::lround(valueAt(objective.parameters()[i], point[i]) * objective.controlRate()));
 }
 
-// No ticks are what is rounded to none.
 double shareOfCount(const Objective& objective, size_t i, uint32_t count) {
-  const Parameter& p = objective.parameters()[i];
-  return count == 0 ? 0 : shareOf(p, count / objective.controlRate());
+  return shareOf(objective.parameters()[i], count / objective.controlRate());
 }
 
 // Without losses yet.
@@ -48,9 +46,10 @@ bool differ(const Result<std::vector<float>>& a, const Result<std::vector<float>
 
 // Recordings in which any of these times shows, at the shortest or longest that they can be.
 std::vector<Take> telling(const Objective& objective, const std::vector<double>& point,
-                          const std::vector<Profile>& profiles) {
+                          const std::vector<Profile>& profiles, const Work& work) {
   std::vector<Take> out;
   for (const Take& take : objective.takes()) {
+    if (work.stopped()) break;
     const Objective one = objective.of({&take, 1});
     const auto here = one.residuals(point);
     bool shows = false;
@@ -109,18 +108,25 @@ double wayOf(const Choice& choice, const std::vector<Profile>& profiles,
   return way;
 }
 
-// The delay by quarters of a tick; of alike ones the middle.
-bool settleDelay(const Objective& objective, std::vector<double>& point, ThreadPool& pool,
-                 uint64_t& evaluations) {
-  const size_t at = objective.parameters().size();
-  std::vector<double> shares = objective.delayShares(0.25 / objective.controlRate());
-  std::vector<double> losses(shares.size());
-  pool.run(int(shares.size()), [&](int i) {
-    std::vector<double> there = point;
-    there[at] = shares[size_t(i)];
-    losses[size_t(i)] = objective.loss(there);
+// Of each point; the largest number there is of those that a stop left out.
+std::vector<double> lossesOf(const Objective& objective,
+                             const std::vector<std::vector<double>>& points, const Work& work) {
+  std::vector<double> losses(points.size(), std::numeric_limits<double>::max());
+  work.run(int(points.size()), [&](int i) {
+    losses[size_t(i)] = objective.loss(points[size_t(i)]);
+    work.account().count(1);
   });
-  evaluations += shares.size();
+  return losses;
+}
+
+// The delay by quarters of a tick; of alike ones the middle.
+bool settleDelay(const Objective& objective, std::vector<double>& point, const Work& work) {
+  const size_t at = objective.parameters().size();
+  const std::vector<double> shares = objective.delayShares(0.25 / objective.controlRate());
+  std::vector<std::vector<double>> points(shares.size(), point);
+  for (size_t i = 0; i < shares.size(); ++i) points[i][at] = shares[i];
+  const std::vector<double> losses = lossesOf(objective, points, work);
+  if (work.stopped()) return false;
   const double least = *std::min_element(losses.begin(), losses.end());
   if (alike(objective.loss(point), least)) return false;
   size_t first = 0, last = 0;
@@ -133,21 +139,21 @@ bool settleDelay(const Objective& objective, std::vector<double>& point, ThreadP
 }  // namespace
 
 Scan scanOf(const Objective& objective, const std::vector<double>& point, Tried tried,
-            ThreadPool& pool) {
-  Scan out{profilesOf(objective), point, false, 0, 0};
-  for (const Profile& p : out.profiles)
-    out.best[p.coordinate] =
-        shareOfCount(objective, p.coordinate, countAt(objective, point, p.coordinate));
+            const Work& work) {
+  Scan out{profilesOf(objective), point, false, 0};
   const std::vector<Choice> choices = choicesOf(out.profiles, tried);
-  if (choices.empty()) return out;
-  const std::vector<Take> told = telling(objective, point, out.profiles);
+  std::vector<double> whole = point;
+  for (const Profile& p : out.profiles)
+    whole[p.coordinate] =
+        shareOfCount(objective, p.coordinate, countAt(objective, point, p.coordinate));
+  if (choices.empty() || work.stopped()) return out;
+  const std::vector<Take> told = telling(objective, point, out.profiles, work);
   const Objective some = objective.of(told);
   out.frames = some.frames();
-  std::vector<double> losses(choices.size());
-  pool.run(int(choices.size()), [&](int i) {
-    losses[size_t(i)] = some.loss(pointOf(choices[size_t(i)], out.profiles, out.best));
-  });
-  out.evaluations = choices.size();
+  std::vector<std::vector<double>> points;
+  for (const Choice& choice : choices) points.push_back(pointOf(choice, out.profiles, whole));
+  const std::vector<double> losses = lossesOf(some, points, work);
+  if (work.stopped()) return out;
   const double least = *std::min_element(losses.begin(), losses.end());
   out.better = !alike(some.loss(point), least);
   const std::vector<double> start = objective.start();
@@ -160,7 +166,7 @@ Scan scanOf(const Objective& objective, const std::vector<double>& point, Tried 
     const auto way = [&](size_t c) { return wayOf(choices[c], out.profiles, start); };
     if (alike(losses[i], least) && (best == choices.size() || way(i) < way(best))) best = i;
   }
-  out.best = pointOf(choices[best], out.profiles, out.best);
+  out.best = std::move(points[best]);
   return out;
 }
 
@@ -181,13 +187,11 @@ std::vector<double> countsAround(const Objective& objective, const std::vector<d
   return out;
 }
 
-bool settle(const Objective& objective, std::vector<double>& point, Tried tried, ThreadPool& pool,
-            uint64_t& evaluations) {
+bool settle(const Objective& objective, std::vector<double>& point, Tried tried, const Work& work) {
   bool fell = false;
-  for (int round = 0; round < kRounds; ++round) {
-    const bool delayed = settleDelay(objective, point, pool, evaluations);
-    Scan scan = scanOf(objective, point, tried, pool);
-    evaluations += scan.evaluations;
+  for (int round = 0; round < kRounds && !work.stopped(); ++round) {
+    const bool delayed = settleDelay(objective, point, work);
+    Scan scan = scanOf(objective, point, tried, work);
     point = std::move(scan.best);
     fell |= delayed || scan.better;
     if (!delayed && !scan.better) break;

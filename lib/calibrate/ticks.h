@@ -1,9 +1,9 @@
 // Times that the simulator counts in whole ticks: each count between their bounds is tried.
 #pragma once
 
-#include "base/thread_pool.h"
 #include "calibrate/objective.h"
 #include "calibrate/profile.h"
+#include "calibrate/work.h"
 
 namespace obby::calibrate {
 
@@ -14,16 +14,15 @@ struct Scan {
                                   // those nearest to where the fit began
   bool better = false;            // that loss is less than the point's
   size_t frames = 0;  // that the losses are means over: of recordings in which any such time shows
-  uint64_t evaluations = 0;
 };
 
 // Two of these times can hide one another: a jump after the edge takes that neither of two has run
 // out. So the counts can be tried in pairs, which takes a while; of very many they are not.
 enum class Tried { singly, inPairs };
 
-// All other coordinates stay.
+// All other coordinates stay. After a stop all do, and the profiles are of no use.
 Scan scanOf(const Objective& objective, const std::vector<double>& point, Tried tried,
-            ThreadPool& pool);
+            const Work& work);
 
 // Of one such time: the counts up to two beside that of the point.
 std::vector<double> countsAround(const Objective& objective, const std::vector<double>& point,
@@ -31,8 +30,7 @@ std::vector<double> countsAround(const Objective& objective, const std::vector<d
 
 // Goes to the best counts, and to the best delay by quarters of a tick, as long as the loss falls:
 // an input counts for a whole tick or not at all, so that the delay may show no slope either. True:
-// it fell. Evaluations are added.
-bool settle(const Objective& objective, std::vector<double>& point, Tried tried, ThreadPool& pool,
-            uint64_t& evaluations);
+// it fell.
+bool settle(const Objective& objective, std::vector<double>& point, Tried tried, const Work& work);
 
 }  // namespace obby::calibrate

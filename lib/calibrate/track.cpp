@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "level/record_values.h"
@@ -110,6 +111,15 @@ Status addPoses(schema::RecordingFrame::Reader frame, uint32_t number, Track& tr
 }
 
 }  // namespace
+
+uint32_t wholeTicks(double seconds, const Params& params) {
+  constexpr double kMost = 0xffffffff;
+  return uint32_t(std::clamp(std::floor(seconds * params.controlRate + 0.5), 0.0, kMost));
+}
+
+uint32_t Track::tickAt(double time, const Params& params) const {
+  return wholeTicks(phase + time, params);
+}
 
 void Track::drop(size_t frame) {
   frames.erase(frames.begin() + std::ptrdiff_t(frame));

@@ -35,7 +35,7 @@ struct Track {
   std::vector<std::string> shown = {};  // parts whose poses are recorded
   std::vector<PartPose> poses = {};     // (frames, shown)
   std::vector<uint32_t> parts = {};     // of `shown`, in the level (surroundings.h)
-  uint32_t phase = 0;                   // level clock at the first frame, ticks (surroundings.h)
+  double phase = 0;                     // level clock at the first frame, seconds (surroundings.h)
 
   // Without a frame, as a recorder that was too late leaves it.
   void drop(size_t frame);
@@ -43,7 +43,12 @@ struct Track {
   const PartPose& pose(size_t frame, size_t part) const {
     return poses[frame * shown.size() + part];
   }
+  // The level clock at a time of the track, in ticks of the level that is played.
+  uint32_t tickAt(double time, const Params& params) const;
 };
+
+// To the nearest; of a negative time none.
+uint32_t wholeTicks(double seconds, const Params& params);
 
 // Frames that the recorder wrote twice are left out. Errors: fewer than two frames, a time that
 // goes back, what is not finite, poses of other parts than the recording names.

@@ -8,6 +8,7 @@
 #include "calibrate/course_level.h"
 #include "calibrate/manoeuvres.h"
 #include "calibrate/objective.h"
+#include "calibrate/work.h"
 
 namespace obby::calibrate {
 
@@ -30,6 +31,14 @@ inline io::RecordBuilder drawnParams(uint64_t seed, double spread) {
   }
   return out;
 }
+
+// Of nobody who stops it or looks on.
+struct Undisturbed {
+  ThreadPool pool{availableThreads()};
+  const std::atomic<bool> stop{false};
+  Account account{[](const FitProgress&) {}};
+  const Work work{pool, stop, account};
+};
 
 inline std::vector<Manoeuvre> firstManoeuvres(size_t count) {
   std::vector<Manoeuvre> out = manoeuvres();

@@ -36,7 +36,7 @@ Fit fitted(const std::vector<Take>& takes, const std::vector<std::string>& names
   settings.restarts = 1;
   settings.tolerance = 0.05;
   auto out = fit(takes, *parametersNamed(names, defaults()), defaults(), settings, pool, stop,
-                 [](uint32_t, uint32_t, double) {});
+                 [](const FitProgress&) {});
   EXPECT_TRUE(out) << out.error().text();
   return *std::move(out);
 }
@@ -158,6 +158,13 @@ TEST(Fit, FindsWhatKeysDoWhileJumping) {
                              {"walkSpeed", "jumpAccel"});
     EXPECT_NEAR(found.parameters[1].value, accel, 5);
     EXPECT_TRUE(found.parameters[1].known);
+  }
+}
+
+TEST(Parameters, BeyondABoundHaveItsShare) {
+  for (const Parameter& p : parametersAround(defaults())) {
+    EXPECT_EQ(shareOf(p, 0), 0) << p.name;
+    EXPECT_EQ(shareOf(p, 2 * p.highest), 1) << p.name;
   }
 }
 

@@ -83,7 +83,7 @@ TEST(OtherEngine, IsPredictedOnceFittedTo) {
   ThreadPool pool(availableThreads());
   const std::atomic<bool> stop{false};
   const auto found =
-      fit(takes, parameters, defaults(), settings, pool, stop, [](uint32_t, uint32_t, double) {});
+      fit(takes, parameters, defaults(), settings, pool, stop, [](const FitProgress&) {});
   ASSERT_TRUE(found) << found.error().text();
   io::RecordBuilder params;
   params.root().initParams();

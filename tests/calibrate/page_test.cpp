@@ -49,6 +49,25 @@ TEST(Page, ShowsParametersAndTheWorstRecordingFirst) {
   EXPECT_NE(page.find("half a stud off after 0.00 s"), std::string::npos);
 }
 
+// What takes no tick has no logarithm.
+TEST(Page, NoTicksAreDrawnAtTheEndOfTheBar) {
+  Fit fit = fitOf();
+  const Parameter landed{"landedTime",          "s", 0.002, 0.2, "hold jump for several jumps",
+                         Parameter::Kind::ticks};
+  fit.parameters = {{landed, 0, 0, 1 / 60.0, true, 0.05, 1 / 60.0}};
+  const std::string page = pageOf(fit, {outcome("near", 0.01f)}, 0.1, {});
+  EXPECT_NE(page.find("class=\"is\" x=\"0.0\""), std::string::npos);
+  EXPECT_EQ(page.find("inf"), std::string::npos);
+  EXPECT_EQ(page.find("nan"), std::string::npos);
+}
+
+TEST(Page, SaysThatTheFitWasInterrupted) {
+  Fit fit = fitOf();
+  EXPECT_EQ(pageOf(fit, {outcome("near", 0.01f)}, 0.1, {}).find("interrupted"), std::string::npos);
+  fit.stopped = true;
+  EXPECT_NE(pageOf(fit, {outcome("near", 0.01f)}, 0.1, {}).find("interrupted"), std::string::npos);
+}
+
 // No script, nothing from elsewhere, and curves of no more points than are seen.
 TEST(Page, IsOneFileThatNeedsNothing) {
   const std::string page = pageOf(fitOf(), {outcome("near", 0.01f)}, 0.1, {});

@@ -40,9 +40,9 @@ std::vector<Take> lateJumps(schema::PhysicsParams::Reader params) {
 
 std::vector<Profile> scanned(const std::vector<Take>& takes, const std::vector<std::string>& names,
                              std::vector<uint32_t>& best) {
-  ThreadPool pool(availableThreads());
+  Undisturbed hands;
   const Objective objective(takes, *parametersNamed(names, defaults()), defaults(), {});
-  Scan scan = scanOf(objective, objective.start(), Tried::inPairs, pool);
+  Scan scan = scanOf(objective, objective.start(), Tried::inPairs, hands.work);
   for (size_t i = 0; i < names.size(); ++i) {
     const double seconds = valueAt(objective.parameters()[i], scan.best[i]);
     best.push_back(uint32_t(std::lround(seconds * 60)));
@@ -92,9 +92,10 @@ TEST(Crossing, FindsFromHowHighAFloorIsSensed) {
   const io::RecordBuilder truth = with({{"floorAcquire", 1.02}});
   const auto takes = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(4));
   const Objective objective(takes, *parametersNamed({"floorAcquire"}, defaults()), defaults(), {});
-  ThreadPool pool(availableThreads());
+  Undisturbed hands;
   const double before = objective.loss(objective.start());
-  const Crossing crossing = crossingOf(objective, objective.start(), 0, sharesAllOver(), 3, pool);
+  const Crossing crossing =
+      crossingOf(objective, objective.start(), 0, sharesAllOver(), 3, hands.work);
   EXPECT_LT(crossing.loss, 1e-6 * before);
   const Possible possible = possibleOf(crossing.profile, 1e-6 * before);
   const Parameter& p = objective.parameters()[0];

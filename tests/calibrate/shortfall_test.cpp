@@ -64,5 +64,44 @@ TEST(Shortfall, NamesParametersAtAnEnd) {
   EXPECT_TRUE(s.strange.empty()) << "the recordings are followed";
 }
 
+// Below no ticks there is nothing that could have been tried, nor below keys that do nothing.
+TEST(Shortfall, NoneIsNoEnd) {
+  const auto takes = takesUnder(defaults(), 0, firstManoeuvres(2));
+  Fit none = fitOf("landedTime");
+  Fitted& f = none.parameters[0];
+  f.value = f.low = f.high = 0;
+  f.tick = 1 / 60.0;
+  EXPECT_TRUE(shortfall(takes, none, 0.1).ends.empty());
+  none = fitOf("jumpAccel");
+  none.parameters[0].high = 1;
+  EXPECT_TRUE(shortfall(takes, none, 0.1).ends.empty());
+}
+
+// The first take of that name is followed whatever it is played with.
+TEST(Shortfall, TakesOfOneNameAreToldApart) {
+  io::RecordBuilder fast;
+  setValue(fast.root().initParams(), "walkSpeed", 24);
+  auto takes = takesUnder(defaults(), 0, firstManoeuvres(1));
+  const auto second = takesUnder(fast.reader().getParams(), 0, firstManoeuvres(1));
+  takes.insert(takes.end(), second.begin(), second.end());
+  const Shortfall s = shortfall(takes, fitOf("landedTime"), 0.05);
+  ASSERT_FALSE(s.strange.empty());
+  EXPECT_EQ(s.strange[0].take, 1u);
+  EXPECT_TRUE(s.strange[0].untold.empty());
+}
+
+// What is unknown then may not have been looked at: no recording is to blame.
+TEST(Shortfall, OfAnInterruptedFitIsTheInterruption) {
+  io::RecordBuilder truth;
+  setValue(truth.root().initParams(), "walkSpeed", 24);
+  const auto takes = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(2));
+  Fit fit = fitOf("gravity");
+  fit.stopped = true;
+  const Shortfall s = shortfall(takes, fit, 0.05);
+  EXPECT_TRUE(s.strange.empty());
+  EXPECT_EQ(shortOf(s, 0.05), "the fit was interrupted");
+  EXPECT_EQ(reasonsOf(s, 0.05), std::vector<std::string>{"the fit was interrupted"});
+}
+
 }  // namespace
 }  // namespace obby::calibrate

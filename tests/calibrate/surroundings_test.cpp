@@ -25,8 +25,26 @@ struct Course {
     ADD_FAILURE() << "no manoeuvre " << name;
     return {};
   }
+  // Of a recorder that came 50 ticks late.
+  Track lateRide() const {
+    Track track = rehearsed("ride the ferry");
+    for (int i = 0; i < 50; ++i) track.drop(0);
+    const double begin = track.frames.front().time;
+    for (Frame& f : track.frames) f.time -= begin;
+    return track;
+  }
   schema::Level::Reader reader() const { return record.reader().getLevel(); }
 };
+
+// Studs, of the positions.
+float mostOff(const Track& track, const std::vector<Window>& windows,
+              const level::LevelView& level) {
+  float most = 0;
+  playBack(level, track, windows, 0, [&](uint32_t, uint32_t frame, const Moment& m) {
+    most = std::max(most, length(m.position - track.frames[frame].position));
+  });
+  return most;
+}
 
 size_t shown(const Track& track, uint32_t part) {
   return size_t(std::find(track.parts.begin(), track.parts.end(), part) - track.parts.begin());
@@ -42,13 +60,36 @@ uint32_t partNamed(const Course& course, const std::string& name) {
 
 TEST(Surroundings, TheClockOfARecordingIsFoundFromItsMovingParts) {
   const Course course;
-  Track track = course.rehearsed("ride the ferry");
-  for (int i = 0; i < 50; ++i) track.drop(0);
-  const double begin = track.frames.front().time;
-  for (Frame& f : track.frames) f.time -= begin;
+  Track track = course.lateRide();
   ASSERT_TRUE(place(track, course.reader(), course.level));
-  EXPECT_EQ(track.phase, 50u);
+  EXPECT_EQ(track.tickAt(0, course.level.view().params), 50u);
   EXPECT_TRUE(straysOf(track, course.level.view()).empty());
+}
+
+// A clock that was found in frames is the same time where the rules run in each step.
+TEST(Surroundings, TheClockIsATimeWhateverTheRate) {
+  const Course course;
+  Track track = course.lateRide();
+  ASSERT_TRUE(place(track, course.reader(), course.level));
+  io::RecordBuilder plain(course.record.reader()), params;
+  params.root().initParams().setControlRate(240);
+  params.root().getParams().setSubsteps(1);
+  const Take take{track, io::Record(std::move(plain))};
+  const auto quick = levelWith(take, params.reader().getParams());
+  ASSERT_TRUE(quick) << quick.error().text();
+  EXPECT_EQ(worldAt(take.track, 0, quick->view()).tick, 200u);
+  EXPECT_TRUE(straysOf(take.track, quick->view()).empty());
+}
+
+// Where the recorder left out what a window begins with, the ferry is where it was nevertheless.
+TEST(Surroundings, TheClockGoesOnWhereFramesAreMissing) {
+  const Course course;
+  Track track = course.rehearsed("ride the ferry");
+  ASSERT_TRUE(place(track, course.reader(), course.level));
+  const uint32_t first = 30;
+  const size_t begin = 6;  // 0.4 s before
+  for (int i = 0; i < 5; ++i) track.drop(begin - 2);
+  EXPECT_LT(mostOff(track, {{first - 5, first + 20}}, course.level.view()), 0.02f);
 }
 
 TEST(Surroundings, APartThatMovesOtherwiseIsNamed) {
@@ -80,11 +121,7 @@ TEST(Surroundings, ABoxIsPushedFromTheMiddleOn) {
   ASSERT_TRUE(showsLoose(track, course.level.view()));
   const auto windows = windowsOf(track, 0.5, course.level.view());
   ASSERT_GT(windows.size(), 4u);
-  float most = 0;
-  playBack(course.level.view(), track, windows, 0, [&](uint32_t, uint32_t frame, const Moment& m) {
-    most = std::max(most, length(m.position - track.frames[frame].position));
-  });
-  EXPECT_LT(most, 0.05f);
+  EXPECT_LT(mostOff(track, windows, course.level.view()), 0.05f);
 }
 
 TEST(Surroundings, WithoutTheBoxARecordingBesideItIsOnePiece) {

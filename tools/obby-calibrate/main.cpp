@@ -23,6 +23,7 @@ Status writeMetrics(io::Pipeline& pipeline, const calibrate::Fit& fit,
   };
   std::vector<Value> values = {{"delay", fit.delay, "s"},
                                {"meanMiss", calibrate::meanMiss(outcomes), "studs"}};
+  if (fit.stopped) values.push_back({"interrupted", 1, ""});
   for (const calibrate::Fitted& f : fit.parameters) {
     const std::string& unit = f.parameter.unit;
     values.push_back({f.parameter.name, f.value, unit});
@@ -155,6 +156,7 @@ Result<Asked> askedOf(const cli::Arguments& a) {
 Status calibrateFrom(cli::Context& context, io::Pipeline& pipeline, Asked asked) {
   calibrate::Takes source;
   OBBY_RETURN_IF_ERROR(pipeline.run([&](const io::Record& r) { return source.handle(r); }));
+  for (const std::string& warning : source.warnings()) context.warn(warning);
   std::vector<calibrate::Take> takes = source.take();
   if (context.stop()) return {};
   if (takes.empty())
@@ -170,8 +172,11 @@ Status calibrateFrom(cli::Context& context, io::Pipeline& pipeline, Asked asked)
   auto params = asked.now.root().getParams();
   OBBY_ASSIGN(const calibrate::Fit fit,
               calibrate::fit(takes, std::move(asked.parameters), params.asReader(), settings, pool,
-                             context.stop(), [&](uint32_t done, uint32_t all, double loss) {
-                               context.progress({"fitting", double(done) / all, {{"loss", loss}}});
+                             context.stop(), [&](const calibrate::FitProgress& progress) {
+                               context.progress({progress.task,
+                                                 progress.share,
+                                                 {{"loss", progress.loss},
+                                                  {"evaluations", double(progress.evaluations)}}});
                              }));
   return tell(context, pipeline, fit, takes, heldOut, params);
 }

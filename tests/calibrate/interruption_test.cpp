@@ -1,0 +1,116 @@
+// A fit that is told to stop ends soon, at the best so far, and says so; and it is heard of all the
+// time.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "calibrate/course.h"
+#include "calibrate/fit.h"
+#include "calibrate/report.h"
+
+namespace obby::calibrate {
+namespace {
+
+// Of each kind: with slopes, in ticks, deciding events and touches.
+const std::vector<std::string> kOfAllKinds = {
+    "walkSpeed", "gravity", "jumpSpeed", "landedTime", "floorAcquire", "coyoteTime", "bodyWidth"};
+
+std::vector<Take> takesOfAnother() {
+  io::RecordBuilder truth;
+  setValue(truth.root().initParams(), "walkSpeed", 18);
+  setValue(truth.root().getParams(), "landedTime", 0.1);
+  setValue(truth.root().getParams(), "floorAcquire", 1.05);
+  return takesUnder(truth.reader().getParams(), 0.02f, firstManoeuvres(4));
+}
+
+Fit fitted(const std::atomic<bool>& stop, const std::function<void(const FitProgress&)>& progress) {
+  ThreadPool pool(2);
+  FitSettings settings;
+  settings.restarts = 1;
+  settings.generations = 2;
+  auto out = fit(takesOfAnother(), *parametersNamed(kOfAllKinds, defaults()), defaults(), settings,
+                 pool, stop, progress);
+  EXPECT_TRUE(out) << out.error().text();
+  return *std::move(out);
+}
+
+// So many evaluations into a task, once a share of all is done.
+struct When {
+  std::string task;
+  double share;
+  uint64_t evaluations;
+};
+
+struct Stopped {
+  FitProgress progress;  // in which it was stopped
+  Fit fit;
+};
+
+Stopped stoppedAt(const When& when) {
+  std::atomic<bool> stop{false};
+  Stopped out;
+  uint64_t begun = 0;
+  out.fit = fitted(stop, [&](const FitProgress& progress) {
+    if (stop || progress.task != when.task || progress.share < when.share) return;
+    if (begun == 0) begun = progress.evaluations;
+    if (progress.evaluations < begun + when.evaluations) return;
+    out.progress = progress;
+    stop = true;
+  });
+  EXPECT_TRUE(stop) << when.task << " was over sooner";
+  return out;
+}
+
+class Interruption : public testing::TestWithParam<When> {};
+
+TEST_P(Interruption, EndsAFitSoonAtTheBestSoFar) {
+  const Stopped at = stoppedAt(GetParam());
+  EXPECT_TRUE(at.fit.stopped);
+  EXPECT_LT(at.fit.evaluations - at.progress.evaluations, 100u);
+  EXPECT_LE(at.fit.loss, at.progress.loss * (1 + 1e-6));
+  EXPECT_NE(textOf(at.fit, {}, 1, {}).find("interrupted"), std::string::npos);
+}
+
+// The last by long windows, which may go away from what comes nearest by short ones.
+INSTANTIATE_TEST_SUITE_P(Tasks, Interruption,
+                         testing::Values(When{"searching", 0, 1}, When{"refining", 0, 100},
+                                         When{"crossing", 0, 1}, When{"crossing", 0, 300},
+                                         When{"crossing", 0.5, 100}, When{"crossing", 0.86, 100}),
+                         [](const auto& named) {
+                           return named.param.task + std::to_string(int(100 * named.param.share)) +
+                                  "after" + std::to_string(named.param.evaluations);
+                         });
+
+// All is found by then; but what a half tried value would say of an interval is not said.
+TEST(Fit, LeavesUnknownWhatWasNotWeighed) {
+  const Stopped at = stoppedAt({"weighing", 0, 40});
+  EXPECT_TRUE(at.fit.stopped);
+  EXPECT_LT(at.fit.evaluations - at.progress.evaluations, 100u);
+  for (const Fitted& f : at.fit.parameters) {
+    if (hasSlope(f.parameter.kind)) continue;
+    EXPECT_EQ(f.low, f.parameter.lowest) << f.parameter.name;
+    EXPECT_EQ(f.high, f.parameter.highest) << f.parameter.name;
+  }
+}
+
+TEST(Fit, IsHeardOfAllTheTime) {
+  const std::atomic<bool> stop{false};
+  std::vector<FitProgress> told;
+  const Fit whole = fitted(stop, [&](const FitProgress& progress) { told.push_back(progress); });
+  EXPECT_FALSE(whole.stopped);
+  EXPECT_EQ(textOf(whole, {}, 1, {}).find("interrupted"), std::string::npos);
+  std::set<std::string> tasks;
+  uint64_t longest = 0;
+  for (size_t i = 1; i < told.size(); ++i) {
+    EXPECT_GE(told[i].share, told[i - 1].share);
+    EXPECT_LE(told[i].share, 1);
+    longest = std::max(longest, told[i].evaluations - told[i - 1].evaluations);
+    tasks.insert(told[i].task);
+  }
+  EXPECT_EQ(tasks, (std::set<std::string>{"searching", "refining", "crossing", "weighing"}));
+  EXPECT_LT(longest, whole.evaluations / 20) << "never silent for long";
+}
+
+}  // namespace
+}  // namespace obby::calibrate
