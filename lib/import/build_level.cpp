@@ -8,6 +8,7 @@
 #include "import/parts.h"
 #include "import/roles/role.h"
 #include "import/scene.h"
+#include "import/scripted_world.h"
 #include "import/unmodelled.h"
 #include "import/world.h"
 

@@ -65,17 +65,44 @@ bool samePose(const Pose& a, const Pose& b) {
          length(rotationVector(a.rotation * inverse(b.rotation))) < kUnturned;
 }
 
+namespace {
+
+// The point that a turn leaves where it is, in the frame that is turned.
+Vec3 fixedPoint(const Pose& turned) {
+  const Vec3 turn = rotationVector(turned.rotation);
+  const Vec3 axis = normalize(turn);
+  const Vec3 way = turned.position - axis * dot(turned.position, axis);
+  const double half = double(length(turn)) / 2;
+  return way * 0.5f + cross(axis, way) * float(0.5 / std::tan(half));
+}
+
+// The fixed point of samples that turn by `step` radians each; the origin of `start` where that
+// stays. A large part of a turn shows it best.
+Vec3 pivotFrom(const Pose& start, const std::vector<PoseSample>& samples, float step) {
+  constexpr float kQuarter = 1.57f;
+  const bool stays = std::all_of(samples.begin(), samples.end(), [&](const PoseSample& s) {
+    return length(s.pose.position - start.position) <= kStill;
+  });
+  if (stays || step < 1e-5f) return {};
+  const size_t turns = std::max<size_t>(1, size_t(kQuarter / step));
+  return fixedPoint(inverse(start) * samples[std::min(turns, samples.size()) - 1].pose);
+}
+
+}  // namespace
+
 std::optional<Spin> spinFrom(const Pose& start, const std::vector<PoseSample>& samples,
                              double period) {
   if (samples.size() < 3 || !(period > 0)) return std::nullopt;
   Pose last = start;
-  Vec3 first;
   double total = 0;
   const double step = period / double(samples.size());
+  const Vec3 first = rotationVector(inverse(start.rotation) * samples[0].pose.rotation);
+  const Vec3 pivot = pivotFrom(start, samples, length(first));
+  const float slack = kStill + 1e-4f * length(pivot);
   for (size_t i = 0; i < samples.size(); ++i) {
-    if (length(samples[i].pose.position - start.position) > kStill) return std::nullopt;
+    const Vec3 off = toWorld(samples[i].pose, pivot) - toWorld(start, pivot);
+    if (!(length(off) <= slack)) return std::nullopt;
     const Vec3 turn = rotationVector(inverse(last.rotation) * samples[i].pose.rotation);
-    if (i == 0) first = turn;
     if (length(turn) < 1e-5f || length(turn - first) > 0.02f * length(first) + 1e-4f)
       return std::nullopt;
     if (i > 0 && std::abs(samples[i].time - samples[i - 1].time - step) > 0.2 * step + 1e-3)
@@ -86,6 +113,7 @@ std::optional<Spin> spinFrom(const Pose& start, const std::vector<PoseSample>& s
   Spin spin;
   spin.axis = normalize(first);
   spin.speed = float(total / period);
+  spin.pivot = pivot;
   return spin;
 }
 

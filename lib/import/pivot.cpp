@@ -8,9 +8,8 @@ namespace obby::importer {
 Pose pivotOf(const Tree& tree, InstanceId id) {
   if (id == kNoInstance) return {};
   if (tree.isPart(id)) return get<CFrame>(tree.at(id), "CFrame");
-  const Ref primary = get<Ref>(tree.at(id), "PrimaryPart");
-  if (primary.target < tree.size() && tree.isPart(primary.target))
-    return get<CFrame>(tree.at(primary.target), "CFrame");
+  const InstanceId primary = primaryPartOf(tree, id);
+  if (primary != kNoInstance) return get<CFrame>(tree.at(primary), "CFrame");
   for (const char* name : {"WorldPivotData", "WorldPivot"})
     if (const auto* stored = property<CFrame>(tree.at(id), name)) return *stored;
   const auto parts = tree.partsOf(id);
@@ -22,6 +21,13 @@ Pose pivotOf(const Tree& tree, InstanceId id) {
     box = i == 0 ? own : join(box, own);
   }
   return {(box.lo + box.hi) * 0.5f, {}};
+}
+
+InstanceId primaryPartOf(const Tree& tree, InstanceId id) {
+  if (tree.isPart(id)) return kNoInstance;
+  const InstanceId primary = get<Ref>(tree.at(id), "PrimaryPart").target;
+  const bool below = primary < tree.size() && tree.isPart(primary) && tree.isUnder(primary, id);
+  return below ? primary : kNoInstance;
 }
 
 }  // namespace obby::importer

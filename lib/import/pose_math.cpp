@@ -10,6 +10,8 @@ bool isFinite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::
 
 namespace {
 
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
 bool isExact(const Mat3& m) {
   constexpr float kSlack = 1e-6f;
   return absf(dot(m.x, m.x) - 1) < kSlack && absf(dot(m.y, m.y) - 1) < kSlack &&
@@ -59,6 +61,21 @@ Pose between(const Pose& a, const Pose& b, float t) {
   const Mat3 part =
       angle < 1e-7f ? Mat3{} : rotationAbout(turn * (1 / angle), double(angle) * double(t));
   return {a.position + (b.position - a.position) * t, part * a.rotation};
+}
+
+Mat3 fromOrientation(Vec3 degrees) {
+  return rotationAbout({0, 1, 0}, double(degrees.y) * kDegree) *
+         rotationAbout({1, 0, 0}, double(degrees.x) * kDegree) *
+         rotationAbout({0, 0, 1}, double(degrees.z) * kDegree);
+}
+
+Vec3 toOrientation(const Mat3& r) {
+  const double pitch = std::asin(std::clamp(-double(r.z.y), -1.0, 1.0));
+  const bool locked = std::abs(r.z.y) > 0.999999f;
+  const double yaw =
+      locked ? std::atan2(-double(r.x.z), double(r.x.x)) : std::atan2(double(r.z.x), double(r.z.z));
+  const double roll = locked ? 0 : std::atan2(double(r.x.y), double(r.y.y));
+  return Vec3{float(pitch / kDegree), float(yaw / kDegree), float(roll / kDegree)};
 }
 
 float yawOf(Vec3 look) {

@@ -19,6 +19,11 @@ Pose inverse(const Pose& pose);
 // The pose a share `t` of the straight way and the shortest turn from `a` to `b`.
 Pose between(const Pose& a, const Pose& b, float t);
 
+// The engine's Orientation: degrees about X, Y and Z; the rotation is that about Y, times X, times
+// Z.
+Mat3 fromOrientation(Vec3 degrees);
+Vec3 toOrientation(const Mat3& rotation);
+
 // Radians of the horizontal direction: 0 looks along -Z, counter-clockwise seen from above.
 float yawOf(Vec3 look);
 

@@ -35,7 +35,8 @@ bool runs(const Tree& tree, InstanceId id) {
   if (script.className == "LocalScript")
     return root.rfind("Starter", 0) == 0 || root == "ReplicatedFirst";
   const bool isModelFile = tree.service("Workspace") == kNoInstance;
-  return isModelFile || root == "Workspace" || root == "ServerScriptService";
+  return isModelFile || root == "Workspace" || root == "ServerScriptService" ||
+         isInStarterCharacter(tree, id);
 }
 
 std::vector<std::string> linesOf(const std::string& source) {
@@ -50,6 +51,12 @@ std::vector<std::string> linesOf(const std::string& source) {
 }
 
 }  // namespace
+
+bool isInStarterCharacter(const Tree& tree, InstanceId id) {
+  for (; id != kNoInstance; id = tree.at(id).parent)
+    if (tree.at(id).className == "StarterCharacterScripts") return true;
+  return false;
+}
 
 std::vector<ScriptReading> readScripts(const Tree& tree) {
   std::vector<ScriptReading> readings;

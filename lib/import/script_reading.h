@@ -28,7 +28,7 @@ struct TweenTiming {
 
 enum class EventKind {
   set,        // a property of a known instance gets a value
-  tween,      // a known instance is tweened: one event for each goal property
+  tween,      // a known instance is tweened: one event for the pose, one for each other goal
   destroy,    // a known instance is removed
   damage,     // a character loses `number` health, or all; outside of a touch `target` is the
               // part whose contents the script asked for
@@ -47,7 +47,8 @@ struct ScriptEvent {
   std::optional<bool> flag;
   std::optional<Vec3> vector;
   std::optional<Pose> frame;
-  InstanceId from = kNoInstance;  // the instance whose pose the value is, unchanged
+  std::optional<Vec3> orientation;  // degrees, of a tween whose goal states them: how `frame` turns
+  InstanceId from = kNoInstance;    // the instance whose pose the value is, unchanged
   TweenTiming tween;
   double time = 0;      // seconds after the trigger
   bool unsure = false;  // under a condition that the text does not decide
@@ -89,6 +90,9 @@ struct ScriptReading {
 
 // Reads every enabled script that runs in the place. Disabled ones and those in storage do nothing.
 std::vector<ScriptReading> readScripts(const Tree& tree);
+
+// True for the scripts that each new character gets.
+bool isInStarterCharacter(const Tree& tree, InstanceId id);
 
 // "script KillScript line 3: hit.Parent.Humanoid.Health = 0"
 std::string scriptReason(const Tree& tree, const ScriptReading& reading, int line);

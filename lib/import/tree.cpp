@@ -18,6 +18,9 @@ bool equalNoCase(std::string_view a, std::string_view b) {
          });
 }
 
+constexpr size_t kLongestPath = 1000;  // bytes, and a little more
+constexpr size_t kKeptOfPath = 400;    // of its beginning
+
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())))
     text.remove_prefix(1);
@@ -127,10 +130,22 @@ const std::vector<InstanceId>& Tree::tagged(const std::string& tag) const {
 std::string Tree::path(InstanceId id) const {
   std::vector<InstanceId> chain;
   for (; id != kNoInstance; id = at(id).parent) chain.push_back(id);
+  std::reverse(chain.begin(), chain.end());
+  size_t size = 0;
+  for (InstanceId step : chain) size += at(step).name.size() + 1;
   std::string text;
-  for (auto it = chain.rbegin(); it != chain.rend(); ++it) {
+  const size_t tooMuch = size > kLongestPath ? size - kLongestPath : 0;
+  size_t left = 0;  // bytes left out: of the names in the middle
+  for (size_t i = 0; i < chain.size(); ++i) {
+    const std::string& name = at(chain[i]).name;
+    const bool between = text.size() >= kKeptOfPath && i + 1 < chain.size();
+    if (between && left < tooMuch) {
+      if (left == 0) text += "/...";
+      left += name.size() + 1;
+      continue;
+    }
     if (!text.empty()) text += '/';
-    text += at(*it).name;
+    text += name;
   }
   return text;
 }

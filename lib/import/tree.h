@@ -38,7 +38,8 @@ class Tree {
   std::vector<InstanceId> partsOf(InstanceId id) const;
   const std::vector<InstanceId>& tagged(const std::string& tag) const;
 
-  std::string path(InstanceId id) const;               // "Workspace/Stage 1/Lava"
+  // "Workspace/Stage 1/Lava". Of more than 1000 bytes the middle becomes "...".
+  std::string path(InstanceId id) const;
   std::vector<uint32_t> indices(InstanceId id) const;  // sibling indices from the root
 
   // A setting called `name` on the instance: an attribute, else a value object below it or in its

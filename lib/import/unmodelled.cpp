@@ -2,7 +2,6 @@
 #include "import/unmodelled.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "import/classes.h"
@@ -197,46 +196,7 @@ void noteTimelines(RoleContext& context, const ScriptReading& reading) {
   }
 }
 
-bool givesCharacter(const RoleContext& context, const ScriptReading& reading,
-                    const Timeline& timeline) {
-  if (timeline.signal == "CharacterAdded" || timeline.signal == "characterAdded") return true;
-  if (timeline.trigger != Trigger::start) return false;
-  for (InstanceId id = reading.script; id != kNoInstance; id = context.tree.at(id).parent)
-    if (context.tree.at(id).className == "StarterCharacterScripts") return true;
-  return false;
-}
-
 }  // namespace
-
-void applyScriptedWorld(RoleContext& context) {
-  World& world = context.level.world;
-  const InstanceId workspace = context.tree.service("Workspace");
-  for (const ScriptReading& reading : context.scripts)
-    for (const Timeline& timeline : reading.timelines) {
-      const bool character = givesCharacter(context, reading, timeline);
-      for (const ScriptEvent& event : timeline.events) {
-        const std::string reason = scriptReason(context.tree, reading, event.line);
-        const bool stated = event.number && std::isfinite(*event.number);
-        if (event.kind == EventKind::set && event.target == workspace &&
-            event.property == "Gravity" && timeline.trigger == Trigger::start && stated) {
-          world.gravity = float(*event.number);
-          context.level.noteIgnored("gravity set by a script", reason, "taken for the whole level");
-        } else if (event.kind == EventKind::character && character && stated) {
-          if (event.property == "WalkSpeed")
-            world.walkSpeed = float(*event.number);
-          else if (event.property == "JumpPower")
-            world.jumpSpeed = float(1.06 * *event.number);
-          else if (event.property == "JumpHeight")
-            world.jumpSpeed =
-                float(std::sqrt(2.0 * double(world.gravity) * std::max(0.0, *event.number)));
-          else
-            continue;
-          context.level.noteIgnored(event.property + " set by a script", reason,
-                                    "taken for the whole level");
-        }
-      }
-    }
-}
 
 void noteUnmodelled(RoleContext& context) {
   noteTerrain(context);

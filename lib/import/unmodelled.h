@@ -9,8 +9,4 @@ namespace obby::importer {
 // Call it after findRoles.
 void noteUnmodelled(RoleContext& context);
 
-// What scripts do to the world's constants as play starts: gravity, and the speed, jump and health
-// that they give to each new character. Call it before findRoles.
-void applyScriptedWorld(RoleContext& context);
-
 }  // namespace obby::importer

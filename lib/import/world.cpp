@@ -26,13 +26,14 @@ constexpr MoverNames kHumanoid = {"WalkSpeed", "JumpPower", "JumpHeight", "UseJu
 
 void readMover(const Instance& from, const MoverNames& names, World& world) {
   world.walkSpeed = float(get<double>(from, names.walkSpeed));
-  const double power = std::clamp(get<double>(from, names.jumpPower), 0.0, 1000.0);
-  const double height = std::max(0.0, get<double>(from, names.jumpHeight));
-  world.jumpSpeed = get<bool>(from, names.useJumpPower)
-                        ? float(kJumpPowerGain * power)
-                        : float(std::sqrt(2.0 * double(world.gravity) * height));
   const double degrees = std::clamp(get<double>(from, names.maxSlope), 0.0, 89.0);
   world.maxSlope = std::min(World{}.maxSlope, float(degrees * kPi / 180.0));
+}
+
+InstanceId starterHumanoid(const Tree& tree, InstanceId player) {
+  const InstanceId humanoid = tree.child(player, "StarterHumanoid");
+  const bool is = humanoid != kNoInstance && tree.at(humanoid).className == "Humanoid";
+  return is ? humanoid : kNoInstance;
 }
 
 void readHealthScript(const Tree& tree, InstanceId player, LevelDraft& level) {
@@ -67,6 +68,21 @@ void noteCharacter(const Tree& tree, InstanceId player, LevelDraft& level) {
 
 }  // namespace
 
+float Jump::speed(float gravity) const {
+  if (usesPower) return float(kJumpPowerGain * std::clamp(power, 0.0, 1000.0));
+  return float(std::sqrt(2.0 * std::max(0.0, double(gravity)) * std::max(0.0, height)));
+}
+
+Jump jumpOf(const Tree& tree) {
+  const InstanceId player = tree.service("StarterPlayer");
+  if (player == kNoInstance) return {};
+  const InstanceId humanoid = starterHumanoid(tree, player);
+  const MoverNames& names = humanoid == kNoInstance ? kStarterPlayer : kHumanoid;
+  const Instance& from = tree.at(humanoid == kNoInstance ? player : humanoid);
+  return {get<bool>(from, names.useJumpPower), get<double>(from, names.jumpPower),
+          get<double>(from, names.jumpHeight)};
+}
+
 void readWorld(const Tree& tree, LevelDraft& level) {
   World& world = level.world;
   const InstanceId workspace = tree.service("Workspace");
@@ -77,11 +93,11 @@ void readWorld(const Tree& tree, LevelDraft& level) {
     else
       world.fallenPartsHeight = -50000;
   }
+  world.jumpSpeed = jumpOf(tree).speed(world.gravity);
   const InstanceId player = tree.service("StarterPlayer");
   if (player == kNoInstance) return;
   readMover(tree.at(player), kStarterPlayer, world);
-  const InstanceId humanoid = tree.child(player, "StarterHumanoid");
-  if (humanoid != kNoInstance && tree.at(humanoid).className == "Humanoid") {
+  if (const InstanceId humanoid = starterHumanoid(tree, player); humanoid != kNoInstance) {
     readMover(tree.at(humanoid), kHumanoid, world);
     world.maxHealth = float(std::max(1.0, get<double>(tree.at(humanoid), "MaxHealth")));
   }

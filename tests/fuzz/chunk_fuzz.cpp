@@ -14,7 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   chunk.compressed = true;
   std::memcpy(&chunk.rawLength, data, 4);
   chunk.body = std::string_view(reinterpret_cast<const char*>(data) + 4, size - 4);
-  const auto raw = decompress(chunk, size);
+  size_t total = 0;
+  const auto raw = decompress(chunk, size, total);
   if (raw && raw->bytes.size() != chunk.rawLength) __builtin_trap();
   return 0;
 }

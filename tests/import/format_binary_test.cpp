@@ -36,6 +36,20 @@ Mat3 quarterTurns(int axis, int degrees) {
   return {{c, s, 0}, {-s, c, 0}, {0, 0, 1}};
 }
 
+TEST(FormatBinary, AnEditedPivotIsKeptAndAPlainOneTakesNoRoom) {
+  PlaceWriter place;
+  place.set(place.add("Part", "Edited"), "PivotOffset", cframe(0, 0, -10));
+  place.set(place.add("Part", "Plain"), "PivotOffset", cframe(0, 0, 0));
+  for (const std::string& bytes : {place.binary(), place.xml()}) {
+    const auto document = readDocument(bytes, "pivots");
+    ASSERT_TRUE(document) << document.error().text();
+    const auto* offset = property<CFrame>(document->instances[0], "PivotOffset");
+    ASSERT_NE(offset, nullptr);
+    EXPECT_EQ(offset->position, (Vec3{0, 0, -10}));
+    EXPECT_FALSE(document->instances[1].properties.contains("PivotOffset"));
+  }
+}
+
 TEST(FormatBinary, AllTwentyFourRotationIdsMatchTheAnglesOfTheFormat) {
   struct Row {
     uint8_t id;

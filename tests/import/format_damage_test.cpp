@@ -3,7 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "import/importer.h"
 #include "import/read_document.h"
+#include "support/place_binary.h"
 #include "support/sample_place.h"
 
 namespace obby::test {
@@ -72,6 +76,59 @@ TEST(DamagedXml, EveryFlippedBitGivesADocumentOrAnError) {
     if (!readDocument(damaged, "flipped")) ++refused;
   }
   EXPECT_GT(refused, whole.size());
+}
+
+// A name of a megabyte over many parts, as files have it that are made to exhaust memory.
+TEST(LongNames, AreCutAtAHundredCharactersWithOneWarning) {
+  PlaceWriter place;
+  const auto workspace = place.add("Workspace", "Workspace");
+  std::string name;
+  while (name.size() < 100000) name += "\xc3\xa4";  // two bytes each
+  const auto folder = place.add("Folder", name, workspace);
+  place.add("Folder", std::string(100, 'x'), workspace);
+  for (int i = 0; i < 100; ++i) place.set(place.add("Part", "P", folder), "Anchored", flag(true));
+  for (const std::string& bytes : {place.binary(), place.xml()}) {
+    auto made = importPlace(bytes, "long", {});
+    ASSERT_TRUE(made) << made.error().text();
+    const auto parts = made->level.reader().getLevel().getParts();
+    ASSERT_EQ(parts.size(), 100u);
+    EXPECT_EQ(std::string(parts[99].getSource().getPath().cStr()),
+              "Workspace/" + name.substr(0, 200) + "/P");
+    EXPECT_EQ(std::count_if(made->warnings.begin(), made->warnings.end(),
+                            [](const auto& w) { return w.find("100 characters") != w.npos; }),
+              1);
+  }
+}
+
+TEST(LongNames, PathsOfDeepTreesKeepTheirEnds) {
+  PlaceWriter place;
+  auto parent = place.add("Workspace", "Workspace");
+  for (int i = 0; i < 400; ++i)
+    parent = place.add("Folder", std::to_string(i) + std::string(90, 'f'), parent);
+  place.set(place.add("Part", "Last", parent), "Anchored", flag(true));
+  auto made = importPlace(place.binary(), "deep", {});
+  ASSERT_TRUE(made) << made.error().text();
+  const std::string path =
+      made->level.reader().getLevel().getParts()[0].getSource().getPath().cStr();
+  EXPECT_LT(path.size(), 1200u);
+  EXPECT_THAT(path, testing::StartsWith("Workspace/0ff"));
+  EXPECT_THAT(path, HasSubstr("/.../"));
+  EXPECT_THAT(path, testing::EndsWith("f/Last"));
+}
+
+// Each of them may grow to 16 MiB; a file of a few kilobytes may not hold any number of them.
+TEST(HostileBinary, ManySmallChunksThatGrowAreRefused) {
+  const std::string grown =
+      propertyChunk(0, "Unknown", 0xee, std::string(16 << 20, 0), Packing::Zstd);
+  const auto file = [&](int count) {
+    std::string bytes = fileHeader(1, 1) + instanceChunk(0, "Part", {0});
+    for (int i = 0; i < count; ++i) bytes += grown;
+    return bytes + parentChunk({0}, {-1}) + endChunk();
+  };
+  EXPECT_TRUE(readDocument(file(5), "some"));
+  const Result<Document> many = readDocument(file(20), "many");
+  ASSERT_FALSE(many);
+  EXPECT_THAT(many.error().text(), HasSubstr("the chunks up to this one claim to hold"));
 }
 
 TEST(DamagedXml, WrongValuesNameInstancePropertyAndPart) {

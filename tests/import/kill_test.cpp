@@ -52,6 +52,28 @@ TEST(Kill, EveryWayToTakeHealth) {
   }
 }
 
+TEST(Kill, WhatALoopPassesOverIsSafe) {
+  const char* const loops[] = {
+      "for _, v in workspace.Stage:GetChildren() do if v.Name == 'Safe' then continue end "
+      "v.Touched:Connect(kill) end",
+      "local all = workspace.Stage:GetChildren() for i = 1, #all do "
+      "if all[i].Name == 'Safe' then continue end all[i].Touched:Connect(kill) end",
+      "for _, v in workspace.Stage:GetChildren() do repeat if v.Name == 'Safe' then break end "
+      "v.Touched:Connect(kill) until true end"};
+  for (const char* loop : loops) {
+    Scene scene;
+    const auto stage = scene.add("Folder", "Stage", scene.workspace);
+    const auto first = scene.part("Red", {}, stage), safe = scene.part("Safe", {}, stage),
+               last = scene.part("Red", {}, stage);
+    scene.script("local function kill(h) h.Parent.Humanoid.Health = 0 end\n" + std::string(loop),
+                 scene.scripts);
+    scene.level();
+    EXPECT_TRUE(scene[first].kill) << loop;
+    EXPECT_FALSE(scene[safe].kill) << loop;
+    EXPECT_TRUE(scene[last].kill) << loop;
+  }
+}
+
 TEST(Kill, WaitAfterTheHitIsTheCooldown) {
   Scene scene;
   const auto part = scene.part("Part");

@@ -64,6 +64,7 @@ TEST(Luau, HostileTextsEndSoon) {
                                repeated("[", 100000),
                                "function f(" + repeated("a: ", 50000),
                                "local x: " + repeated("{", 100000),
+                               "local x: " + repeated("...", 300000),
                                std::string(100000, '\0'),
                                repeated("\xff\xfe", 50000)};
   for (const auto& text : texts) {

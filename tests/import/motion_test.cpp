@@ -185,19 +185,79 @@ TEST(Motion, WeldedPlatformsFollowTheirHub) {
 }
 
 TEST(Motion, ModelsTurnAboutTheirPivot) {
+  const char* const turns[] = {
+      "m:PivotTo(m:GetPivot() * CFrame.Angles(0, 0, math.rad(3)))",
+      "m:SetPrimaryPartCFrame(m.PrimaryPart.CFrame * CFrame.Angles(0, 0, math.rad(3)))",
+      "m:PivotTo(m.Centre.CFrame * CFrame.Angles(0, 0, math.rad(3)))",
+      "m:SetPrimaryPartCFrame(m:GetPrimaryPartCFrame() * CFrame.Angles(0, 0, math.rad(3)))"};
+  for (const char* turn : turns) {
+    Scene scene;
+    const auto model = scene.add("Model", "Windmill", scene.workspace);
+    const auto centre = scene.part("Centre", {0, 5, 0}, model),
+               blade = scene.part("Blade", {6, 5, 0}, model);
+    scene.set(model, "PrimaryPart", Ref{centre});
+    scene.script("local m = script.Parent while task.wait() do " + std::string(turn) + " end",
+                 model);
+    scene.level();
+    ASSERT_TRUE(scene[blade].motion && scene[blade].motion->spin) << turn;
+    expectNear(scene[blade].motion->spin->pivot, {-6, 0, 0});
+    expectNear(scene[blade].motion->spin->axis, {0, 0, 1});
+  }
+}
+
+TEST(Motion, WhatIsInAModelIsReadWhereTheModelHasTakenIt) {
   Scene scene;
-  const auto model = scene.add("Model", "Windmill", scene.workspace);
-  const auto centre = scene.part("Centre", {0, 5, 0}, model),
-             blade = scene.part("Blade", {6, 5, 0}, model);
-  scene.set(model, "PrimaryPart", Ref{centre});
+  const auto model = scene.add("Model", "Train", scene.workspace);
+  const auto engine = scene.part("Engine", {0, 5, 0}, model);
+  scene.part("Wagon", {0, 5, 6}, model);
+  scene.part("Flag", {0, 9, 6}, scene.add("Model", "Roof", model));
+  scene.set(model, "PrimaryPart", Ref{engine});
+  const auto mark = scene.part("Mark", {90, 0, 0});
+  scene.script(R"(local m = workspace.Train
+m.Wagon.Position = m.Wagon.Position + Vector3.new(0, 0, 2)
+m:PivotTo(CFrame.new(10, 5, 0))
+m.Roof:TranslateBy(Vector3.new(0, 1, 0))
+m.Engine.Position = m.Engine.Position + Vector3.new(3, 0, 0)
+local at = Vector3.new(m:GetPivot().Position.X, m.Roof.Flag.Position.Y, m.Wagon.Position.Z)
+game:GetService("TweenService"):Create(workspace.Mark, TweenInfo.new(1), {Position = at}):Play())",
+               scene.scripts);
+  scene.level();
+  ASSERT_TRUE(scene[mark].motion);
+  expectNear(scene[mark].motion->keys.back().pose.position, {13, 10, 8});
+}
+
+TEST(Motion, PartsTurnAboutTheirEditedPivot) {
+  Scene scene;
+  const auto part = scene.part("Door", {20, 5, 3}), other = scene.part("Door", {40, 5, 3});
+  for (const auto id : {part, other}) scene.set(id, "PivotOffset", CFrame{{0, 0, -10}, {}});
+  scene.script(
+      "while task.wait() do local p = script.Parent "
+      "p:PivotTo(p:GetPivot() * CFrame.Angles(0, 0.05, 0)) end",
+      part);
+  scene.script("while task.wait() do script.Parent.CFrame *= CFrame.Angles(0, 0.05, 0) end", other);
+  scene.level();
+  ASSERT_TRUE(scene[part].motion && scene[part].motion->spin);
+  expectNear(scene[part].motion->spin->pivot, {0, 0, -10});
+  expectNear(scene[part].motion->spin->axis, {0, 1, 0});
+  EXPECT_NEAR(scene[part].motion->spin->speed, 3, 0.05);
+  ASSERT_TRUE(scene[other].motion && scene[other].motion->spin);
+  expectNear(scene[other].motion->spin->pivot, {});
+}
+
+TEST(Motion, ModelsTurnAboutTheEditedPivotOfTheirPrimaryPart) {
+  Scene scene;
+  const auto model = scene.add("Model", "Gate", scene.workspace);
+  const auto post = scene.part("Post", {0, 5, 0}, model),
+             leaf = scene.part("Leaf", {6, 5, 0}, model);
+  scene.set(model, "PrimaryPart", Ref{post});
+  scene.set(post, "PivotOffset", CFrame{{-2, 0, 0}, {}});
   scene.script(
       "while task.wait() do local m = script.Parent "
-      "m:PivotTo(m:GetPivot() * CFrame.Angles(0, 0, math.rad(3))) end",
+      "m:PivotTo(m:GetPivot() * CFrame.Angles(0, 0.05, 0)) end",
       model);
   scene.level();
-  ASSERT_TRUE(scene[blade].motion && scene[blade].motion->spin);
-  expectNear(scene[blade].motion->spin->pivot, {-6, 0, 0});
-  expectNear(scene[blade].motion->spin->axis, {0, 0, 1});
+  ASSERT_TRUE(scene[leaf].motion && scene[leaf].motion->spin);
+  expectNear(scene[leaf].motion->spin->pivot, {-8, 0, 0});
 }
 
 TEST(Motion, WhatATouchStartsIsNamedNotMoved) {

@@ -1,5 +1,6 @@
 // Start, checkpoints in their order, goal.
 #include <algorithm>
+#include <chrono>
 
 #include "import/scene.h"
 
@@ -187,6 +188,16 @@ TEST(Stages, GoalByTagBeatsGoalsByName) {
   scene.level();
   EXPECT_TRUE(scene[tagged].goal);
   EXPECT_FALSE(scene[named].goal);
+}
+
+TEST(Stages, AModelOfManyPartsIsOneCheckpoint) {
+  Scene scene;
+  spawn(scene, "Start", {});
+  const auto model = scene.add("Model", "Checkpoint 1", scene.workspace);
+  for (int i = 0; i < 10000; ++i) scene.part("Block", {float(i % 100), 0, float(i / 100)}, model);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(order(scene.level()), (Names{"Start", "Block"}));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
 TEST(Stages, GoalNamesInAnyOfTheirForms) {

@@ -16,14 +16,31 @@ using importer::Value;
 using Id = PlaceWriter::Id;
 
 constexpr float kGravity = 90, kSpeed = 24;
+constexpr const char* kCharacterScripts = "StarterCharacterScripts";
 const std::string kScript =
     "workspace.Stage.Lava.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end)";
 
 void addWorld(PlaceWriter& writer, Id workspace) {
   const Id start = writer.add("SpawnLocation", "Start", workspace);
   writer.set(start, "Anchored", flag(true)).set(start, "size", vec3(8, 1, 8));
+  const Id other = writer.add("SpawnLocation", "Pad", workspace);
+  writer.set(other, "Anchored", flag(true)).set(other, "size", vec3(8, 1, 8));
+  writer.set(other, "CFrame", cframe(90, 0, 0)).set(other, "Neutral", flag(false));
+  writer.set(other, "TeamColor", brickNumber(21));
   const Id lava = writer.add("Part", "Lava", writer.add("Folder", "Stage", workspace));
   writer.set(lava, "Anchored", flag(true)).set(lava, "size", vec3(4, 1, 4));
+}
+
+// The team that players begin in.
+void addTeams(PlaceWriter& writer, Id service) {
+  writer.set(writer.add("Team", "Beginners", service), "TeamColor", brickNumber(21));
+}
+
+// Health that does not come back, and a jump.
+void addCharacterScript(PlaceWriter& writer, Id folder) {
+  writer.set(writer.add("Script", "Health", folder), "Source", source("-- none"));
+  writer.set(writer.add("Script", "Jump", folder), "Source",
+             source("script.Parent.Humanoid.JumpPower = 70"));
 }
 
 void addScript(PlaceWriter& writer, Id service) {
@@ -37,11 +54,13 @@ PlaceWriter wholePlace() {
   addWorld(writer, workspace);
   const Id player = writer.add("StarterPlayer", "StarterPlayer");
   writer.set(player, "CharacterWalkSpeed", float32(kSpeed));
+  addCharacterScript(writer, writer.add("StarterCharacterScripts", kCharacterScripts, player));
+  addTeams(writer, writer.add("Teams", "Teams"));
   addScript(writer, writer.add("ServerScriptService", "ServerScriptService"));
   return writer;
 }
 
-// The same as the plugin sends it.
+// The same as the plugin sends it: a Folder stands for what scripts cannot make.
 PlaceWriter sentPlace() {
   PlaceWriter writer;
   const Id place = writer.add("Configuration", "ObbyPlace");
@@ -49,6 +68,8 @@ PlaceWriter sentPlace() {
   writer.attribute(workspace, "Gravity", double(kGravity));
   const Id player = writer.add("Configuration", "StarterPlayer", place);
   writer.attribute(player, "CharacterWalkSpeed", double(kSpeed));
+  addCharacterScript(writer, writer.add("Folder", kCharacterScripts, player));
+  addTeams(writer, writer.add("Configuration", "Teams", place));
   addScript(writer, writer.add("Configuration", "ServerScriptService", place));
   addWorld(writer, kNoInstance);
   return writer;
@@ -74,6 +95,9 @@ TEST(StudioPlace, is_read_as_the_place_that_it_is_of) {
   EXPECT_THAT(level, testing::HasSubstr("\"gravity\":90"));
   EXPECT_THAT(level, testing::HasSubstr("\"walkSpeed\":24"));
   EXPECT_THAT(level, testing::HasSubstr("script Kill line 1"));
+  EXPECT_THAT(level, testing::HasSubstr("\"healthRegeneration\":0}"));
+  EXPECT_THAT(level, testing::HasSubstr("\"jumpSpeed\":74.2"));
+  EXPECT_THAT(level, testing::HasSubstr("\"spawns\":[{\"name\":\"Pad\""));
 }
 
 TEST(StudioPlace, what_only_looks_like_it_stays_a_model) {

@@ -87,5 +87,71 @@ workspace.Gravity = 100
   EXPECT_FLOAT_EQ(world.gravity, 100);
 }
 
+TEST(World, ScriptsInTheStarterCharacterGiveToEachCharacter) {
+  Scene scene;
+  const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
+  const auto folder = scene.add("StarterCharacterScripts", "StarterCharacterScripts", player);
+  scene.script("script.Parent:WaitForChild('Humanoid').JumpPower = 80", folder);
+  scene.script("local h = script.Parent:FindFirstChild('Humanoid') if h then h.WalkSpeed = 20 end",
+               folder);
+  scene.script("script.Parent.Humanoid.WalkSpeed = 99",
+               scene.add("StarterPlayerScripts", "StarterPlayerScripts", player));
+  EXPECT_FLOAT_EQ(scene.level().world.jumpSpeed, 1.06f * 80);
+  EXPECT_FLOAT_EQ(scene.level().world.walkSpeed, 20);
+}
+
+// A new place, as Studio saves it, with a script for each new character.
+Scene withJumpHeight(const std::string& forCharacter, const std::string& atStart = {}) {
+  Scene scene;
+  const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
+  scene.set(player, "CharacterUseJumpPower", false);
+  scene.script(
+      "game.Players.PlayerAdded:Connect(function(player)\n"
+      "  player.CharacterAdded:Connect(function(character)\n"
+      "    local h = character:WaitForChild('Humanoid')\n" +
+          forCharacter + "\nend) end)\n" + atStart,
+      scene.scripts);
+  return scene;
+}
+
+TEST(World, ScriptedJumpsFollowWhicheverSettingApplies) {
+  struct Case {
+    const char *forCharacter, *atStart;
+    float speed;
+  };
+  const float usual = std::sqrt(2 * 196.2f * 7.2f);
+  const Case cases[] = {{"", "workspace.Gravity = 100", std::sqrt(2 * 100 * 7.2f)},
+                        {"h.JumpPower = 100", "", usual},
+                        {"h.JumpHeight = 20", "", std::sqrt(2 * 196.2f * 20)},
+                        {"h.JumpPower = 100 h.UseJumpPower = true", "", 106},
+                        {"h.UseJumpPower = true h.JumpHeight = 20", "", 53},
+                        {"h.JumpHeight = 20", "workspace.Gravity = 100", std::sqrt(2 * 100 * 20.f)},
+                        {"if h then h.JumpHeight = 20 end", "", std::sqrt(2 * 196.2f * 20)}};
+  for (const Case& now : cases) {
+    Scene scene = withJumpHeight(now.forCharacter, now.atStart);
+    EXPECT_NEAR(scene.level().world.jumpSpeed, now.speed, 1e-3) << now.forCharacter << now.atStart;
+    EXPECT_TRUE(scene.level().unmodelled.empty()) << now.forCharacter;
+  }
+}
+
+TEST(World, TheJumpDoesNotDependOnTheOrderOfScripts) {
+  Scene scene = withJumpHeight("h.JumpHeight = 20");
+  scene.script("workspace.Gravity = 100", scene.scripts);
+  EXPECT_NEAR(scene.level().world.jumpSpeed, std::sqrt(2 * 100 * 20.f), 1e-3);
+}
+
+TEST(World, WhatAScriptSetsUnderAConditionIsNamedNotTaken) {
+  Scene scene = withJumpHeight(
+      "if player.IsVip.Value then h.JumpHeight = 20 h.WalkSpeed = 40 end h.UseJumpPower = other()",
+      "if math.random() > 0.5 then workspace.Gravity = 50 end");
+  const auto& world = scene.level().world;
+  EXPECT_FLOAT_EQ(world.walkSpeed, 16);
+  EXPECT_FLOAT_EQ(world.gravity, 196.2f);
+  EXPECT_NEAR(world.jumpSpeed, std::sqrt(2 * 196.2f * 7.2f), 1e-3);
+  for (const char* kind : {"JumpHeight that a script may set", "WalkSpeed that a script may set",
+                           "Gravity that a script may set", "UseJumpPower that a script computes"})
+    EXPECT_EQ(scene.unmodelled(kind), 1u) << kind;
+}
+
 }  // namespace
 }  // namespace obby::test

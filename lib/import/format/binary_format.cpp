@@ -53,7 +53,7 @@ class BinaryReader {
   Status readAll(const std::vector<Chunk>& chunks, std::string_view name, ReadChunk readChunk) {
     for (const Chunk& chunk : chunks) {
       if (chunk.name != name) continue;
-      OBBY_ASSIGN(const ChunkData data, decompress(chunk, file_.size()));
+      OBBY_ASSIGN(const ChunkData data, decompress(chunk, file_.size(), decompressed_));
       ByteReader reader(data.bytes);
       OBBY_RETURN_IF_ERROR((this->*readChunk)(chunk, reader));
     }
@@ -171,6 +171,7 @@ class BinaryReader {
   std::unordered_map<uint32_t, ClassGroup> classes_;
   std::vector<bool> placed_;  // which instances have been given their place in the tree
   size_t placedCount_ = 0;
+  size_t decompressed_ = 0;  // bytes of all chunks so far
 };
 
 }  // namespace

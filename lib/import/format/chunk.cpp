@@ -16,6 +16,9 @@ constexpr size_t kMaxRaw = size_t{256} << 20;
 // equal values shrink a thousandfold and more, so a plain ratio would refuse good files.
 constexpr size_t kAlwaysAllowed = size_t{16} << 20;
 constexpr size_t kAllowedPerByte = 16;
+// All chunks together: a few times what the document made of them may take.
+constexpr size_t kTotalAlwaysAllowed = size_t{192} << 20;
+constexpr size_t kTotalAllowedPerByte = 256;
 constexpr size_t kLz4MaxRatio = 255;
 constexpr std::string_view kZstdMagic("\x28\xb5\x2f\xfd", 4);
 
@@ -71,9 +74,14 @@ Result<std::vector<Chunk>> listChunks(std::string_view file, size_t firstOffset)
   }
 }
 
-Result<ChunkData> decompress(const Chunk& chunk, size_t fileSize) {
+Result<ChunkData> decompress(const Chunk& chunk, size_t fileSize, size_t& total) {
   if (!chunk.compressed) return ChunkData{chunk.body, nullptr};
   OBBY_RETURN_IF_ERROR(checkRawLength(chunk, fileSize));
+  total += chunk.rawLength;
+  if (total > kTotalAlwaysAllowed + kTotalAllowedPerByte * fileSize) {
+    return chunkError(chunk, "the chunks up to this one claim to hold " + std::to_string(total) +
+                                 " bytes in a file of " + std::to_string(fileSize));
+  }
   ChunkData out;
   // Not cleared: pages that the data does not reach cost nothing.
   out.owned.reset(new char[chunk.rawLength > 0 ? chunk.rawLength : 1]);

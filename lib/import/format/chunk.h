@@ -28,8 +28,9 @@ struct ChunkData {
 // The chunks from `firstOffset` to the END chunk, which is the last one. Nothing is decompressed.
 Result<std::vector<Chunk>> listChunks(std::string_view file, size_t firstOffset);
 
-// `fileSize` bounds what a chunk may grow to: at most 256 MiB, and not much more than the file.
-Result<ChunkData> decompress(const Chunk& chunk, size_t fileSize);
+// `fileSize` bounds what a chunk may grow to: at most 256 MiB, and not much more than the file; and
+// what all may: `total`, 0 before the first, counts their bytes.
+Result<ChunkData> decompress(const Chunk& chunk, size_t fileSize, size_t& total);
 
 // An Error at the chunk's place: "byte 4711: PROP".
 Error chunkError(const Chunk& chunk, std::string message);

@@ -32,6 +32,7 @@ std::span<const DefaultRow> defaultRows() {
       {"BasePart", "Massless", false},
       {"BasePart", "Material", token(256)},
       {"BasePart", "MaterialVariant", std::string()},
+      {"BasePart", "PivotOffset", CFrame{}},
       {"BasePart", "RotVelocity", Vec3{}},
       {"BasePart", "Size", Vec3{4, 1.2f, 2}},
       {"BasePart", "Transparency", 0.0},

@@ -18,6 +18,8 @@ constexpr size_t kBaseBudget = size_t{48} << 20;
 constexpr size_t kBudgetPerByte = 64;
 constexpr size_t kMaxDepth = 512;
 constexpr size_t kMaxWarnings = 100;
+constexpr size_t kMaxName = 100;  // characters: the engine's own limit
+constexpr size_t kMaxNameBytes = 4 * kMaxName;
 constexpr size_t kMaxProperties = 1000;  // of one instance; the engine's classes have less than 200
 constexpr std::string_view kServices[] = {
     "Workspace",     "Lighting",   "Players",     "StarterPlayer",      "ReplicatedStorage",
@@ -45,8 +47,24 @@ bool sameValue(const Value& a, const Value& b) {
   if (const auto* v = std::get_if<std::string>(&a)) return *v == std::get<std::string>(b);
   if (const auto* v = std::get_if<EnumItem>(&a)) return v->value == std::get<EnumItem>(b).value;
   if (const auto* v = std::get_if<Vec3>(&a)) return *v == std::get<Vec3>(b);
+  if (const auto* v = std::get_if<CFrame>(&a)) {
+    const CFrame& other = std::get<CFrame>(b);
+    const Mat3 &m = v->rotation, &n = other.rotation;
+    return v->position == other.position && m.x == n.x && m.y == n.y && m.z == n.z;
+  }
   const auto* physics = std::get_if<PhysicalProperties>(&a);
   return physics != nullptr && !physics->custom && !std::get<PhysicalProperties>(b).custom;
+}
+
+// Bytes of the name that count; a character is not cut in two.
+size_t nameSize(std::string_view name) {
+  if (name.size() <= kMaxName) return name.size();
+  size_t at = 0, characters = 0;
+  for (; at < name.size() && at < kMaxNameBytes; ++at) {
+    const bool begins = (static_cast<unsigned char>(name[at]) & 0xc0) != 0x80;
+    if (begins && ++characters > kMaxName) break;
+  }
+  return at;
 }
 
 bool isService(const std::string& className) {
@@ -68,7 +86,11 @@ bool DocumentBuilder::set(InstanceId id, std::string_view name, Value value) {
   Instance& instance = document_.instances[id];
   if (overBudget()) return false;
   if (name == "Name") {
-    if (const std::string* text = bytesOf(value)) instance.name = *text;
+    if (const std::string* text = bytesOf(value)) {
+      const size_t size = nameSize(*text);
+      if (size < text->size()) ++cutNames_;
+      instance.name.assign(*text, 0, size);
+    }
     used_ += instance.name.size();
     return !overBudget();
   }
@@ -197,6 +219,10 @@ Result<Document> DocumentBuilder::finish(std::string file, bool binary) {
   }
   document_.file = std::move(file);
   document_.format = std::string(place ? "rbxl" : "rbxm") + (binary ? "" : "x");
+  if (cutNames_ > 0) {
+    document_.warnings.push_back(std::to_string(cutNames_) + " names were cut at " +
+                                 std::to_string(kMaxName) + " characters, as the engine does");
+  }
   if (droppedWarnings_ > 0) {
     document_.warnings.push_back("and " + std::to_string(droppedWarnings_) + " more warnings");
   }

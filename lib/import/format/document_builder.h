@@ -55,7 +55,7 @@ class DocumentBuilder {
 
   Document document_;
   std::unordered_map<std::string, PropertyPlan> plans_;  // by class and name
-  size_t droppedWarnings_ = 0;
+  size_t droppedWarnings_ = 0, cutNames_ = 0;
   size_t used_ = 0, budget_;
 };
 

@@ -47,23 +47,23 @@ constexpr std::array kSpellings = {
 };
 
 // Surfaces, render data and editor bookkeeping. Sorted.
-constexpr std::array<std::string_view, 47> kDropped = {
-    "BackParamA",         "BackParamB",         "BackSurface",
-    "BackSurfaceInput",   "BottomParamA",       "BottomParamB",
-    "BottomSurface",      "BottomSurfaceInput", "Capabilities",
-    "CastShadow",         "ChildData",          "ChildData2",
-    "FrontParamA",        "FrontParamB",        "FrontSurface",
-    "FrontSurfaceInput",  "HistoryId",          "LODData",
-    "LeftParamA",         "LeftParamB",         "LeftSurface",
-    "LeftSurfaceInput",   "LevelOfDetail",      "MeshData",
-    "MeshData2",          "ModelInPrimary",     "ModelMeshCFrame",
-    "ModelMeshData",      "ModelMeshSize",      "NeedsPivotMigration",
-    "PivotOffset",        "Reflectance",        "RenderFidelity",
-    "RightParamA",        "RightParamB",        "RightSurface",
-    "RightSurfaceInput",  "RootPriority",       "ScriptGuid",
-    "SerializedMeshData", "SourceAssetId",      "TopParamA",
-    "TopParamB",          "TopSurface",         "TopSurfaceInput",
-    "UsePartColor",       "VertexCount",
+constexpr std::array<std::string_view, 46> kDropped = {
+    "BackParamA",        "BackParamB",         "BackSurface",
+    "BackSurfaceInput",  "BottomParamA",       "BottomParamB",
+    "BottomSurface",     "BottomSurfaceInput", "Capabilities",
+    "CastShadow",        "ChildData",          "ChildData2",
+    "FrontParamA",       "FrontParamB",        "FrontSurface",
+    "FrontSurfaceInput", "HistoryId",          "LODData",
+    "LeftParamA",        "LeftParamB",         "LeftSurface",
+    "LeftSurfaceInput",  "LevelOfDetail",      "MeshData",
+    "MeshData2",         "ModelInPrimary",     "ModelMeshCFrame",
+    "ModelMeshData",     "ModelMeshSize",      "NeedsPivotMigration",
+    "Reflectance",       "RenderFidelity",     "RightParamA",
+    "RightParamB",       "RightSurface",       "RightSurfaceInput",
+    "RootPriority",      "ScriptGuid",         "SerializedMeshData",
+    "SourceAssetId",     "TopParamA",          "TopParamB",
+    "TopSurface",        "TopSurfaceInput",    "UsePartColor",
+    "VertexCount",
 };
 
 }  // namespace

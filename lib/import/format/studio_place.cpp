@@ -8,7 +8,10 @@ namespace {
 
 constexpr const char* kPlace = "ObbyPlace";
 constexpr std::string_view kServices[] = {"Workspace",  "StarterPlayer",   "ServerScriptService",
-                                          "StarterGui", "ReplicatedFirst", "ServerStorage"};
+                                          "StarterGui", "ReplicatedFirst", "ServerStorage",
+                                          "Teams"};
+// Children of StarterPlayer that come as a Folder of that name.
+constexpr std::string_view kContainers[] = {"StarterPlayerScripts", "StarterCharacterScripts"};
 
 bool isServiceStandIn(const Instance& instance) {
   const bool known =
@@ -21,6 +24,14 @@ void becomeService(Instance& instance) {
   for (auto& [name, value] : instance.attributes) instance.properties[name] = std::move(value);
   instance.attributes.clear();
   instance.parent = kNoInstance;
+}
+
+void unpackContainers(std::vector<Instance>& all, const Instance& player) {
+  for (const InstanceId id : player.children) {
+    const bool known = std::find(std::begin(kContainers), std::end(kContainers), all[id].name) !=
+                       std::end(kContainers);
+    if (known && all[id].className == "Folder") all[id].className = all[id].name;
+  }
 }
 
 }  // namespace
@@ -39,7 +50,10 @@ void unpackStudioPlace(Document& document) {
                                       [&](InstanceId id) { return all[id].name == "Workspace"; });
   if (workspace == services.end()) return;
   all[*place].children = std::move(kept);
-  for (const InstanceId id : services) becomeService(all[id]);
+  for (const InstanceId id : services) {
+    becomeService(all[id]);
+    if (all[id].className == "StarterPlayer") unpackContainers(all, all[id]);
+  }
   for (const InstanceId id : document.roots) {
     if (id == *place) continue;
     all[id].parent = *workspace;

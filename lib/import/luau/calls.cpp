@@ -115,14 +115,15 @@ void Reader::play(Tween* tween, int line) {
     return;
   }
   played_.push_back({tween, time_, timeline_.events.size()});
-  for (const auto& [name, value] : tween->goals) {
-    if (tween->target == kNoInstance) continue;
-    const size_t first = timeline_.events.size();
-    setInstance(tween->target, name, value, line);
-    for (size_t i = first; i < timeline_.events.size(); ++i) {
-      timeline_.events[i].kind = EventKind::tween;
-      timeline_.events[i].tween = tween->timing;
-    }
+  if (tween->target == kNoInstance) return;
+  const size_t first = timeline_.events.size();
+  const bool part = tree_.isPart(tween->target);
+  if (part) setPoseGoals(*tween, line);
+  for (const auto& [name, value] : tween->goals)
+    if (!part || !isPoseProperty(name)) setInstance(tween->target, name, value, line);
+  for (size_t i = first; i < timeline_.events.size(); ++i) {
+    timeline_.events[i].kind = EventKind::tween;
+    timeline_.events[i].tween = tween->timing;
   }
 }
 

@@ -1,5 +1,4 @@
 // What the assignments of a script do: events of the timeline.
-#include <cmath>
 #include <limits>
 
 #include "import/classes.h"
@@ -56,17 +55,6 @@ void Reader::setField(const Datum& object, const std::string& name, const Datum&
   if (object.as<Unknown>()) setStranger("", name, value, line);
 }
 
-void Reader::setFrame(InstanceId id, const Datum& value, int line) {
-  ScriptEvent& event = emit(EventKind::set, id, "CFrame", line);
-  const auto* frame = value.as<Frame>();
-  const bool known = frame && !std::isnan(frame->pose.position.x + frame->pose.position.y +
-                                          frame->pose.position.z);
-  if (!known) return;
-  event.frame = frame->pose;
-  event.from = frame->from;
-  write(id, "CFrame", {Frame{frame->pose, kNoInstance}});
-}
-
 void Reader::setInstance(InstanceId id, const std::string& spelled, const Datum& value, int line) {
   std::string name = spelled;
   if (name == "AssemblyLinearVelocity" || name == "velocity") name = "Velocity";
@@ -77,16 +65,8 @@ void Reader::setInstance(InstanceId id, const std::string& spelled, const Datum&
     return;
   }
   if (isA(instance.className, "Humanoid")) return;  // an NPC
-  if (tree_.isPart(id) && (name == "CFrame" || lower(name) == "cframe"))
-    return setFrame(id, value, line);
-  const auto* vector = value.as<Vector>();
-  if (tree_.isPart(id) &&
-      (lower(name) == "position" || name == "Orientation" || name == "Rotation")) {
-    Pose pose = frameOf(id);
-    if (vector && lower(name) == "position") pose.position = vector->value;
-    if (vector && lower(name) != "position") pose.rotation = fromOrientation(vector->value);
-    return setFrame(id, vector ? Datum{Frame{pose, vector->from}} : Datum{}, line);
-  }
+  if (tree_.isPart(id) && isPoseProperty(name))
+    return setFrame(id, posed(frameOf(id), name, value), line);
   write(id, name, value);
   const auto* ref = value.as<Ref>();
   if (instance.className == "ObjectValue" && name == "Value" && ref && tree_.isPart(ref->target)) {
@@ -96,7 +76,7 @@ void Reader::setInstance(InstanceId id, const std::string& spelled, const Datum&
   ScriptEvent& event = emit(EventKind::set, id, name, line);
   if (const auto* number = value.as<double>()) event.number = *number;
   if (const auto* flag = value.as<bool>()) event.flag = *flag;
-  if (vector) event.vector = vector->value;
+  if (const auto* vector = value.as<Vector>()) event.vector = vector->value;
 }
 
 void Reader::setStranger(const std::string& owner, const std::string& name, const Datum& value,

@@ -242,9 +242,10 @@ void Parser::skipTypeAtom() {
       next();
     } while (!atEnd() && depth > 0);
   };
+  while (accept("...")) {
+  }
   if (isSymbol("{")) return skipPair("{", "}");
   if (isSymbol("(")) return skipPair("(", ")");
-  if (accept("...")) return skipTypeAtom();
   if (peek().kind == TokenKind::string || isKeyword("nil") || isKeyword("true") ||
       isKeyword("false")) {
     next();

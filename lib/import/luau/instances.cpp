@@ -4,7 +4,6 @@
 #include "import/classes.h"
 #include "import/format/class_defaults.h"
 #include "import/luau/reader.h"
-#include "import/pivot.h"
 #include "import/pose_math.h"
 
 namespace obby::importer::luau {
@@ -43,27 +42,25 @@ Datum Reader::serviceNamed(const std::string& name) const {
   return {Library{name}};
 }
 
-Pose Reader::frameOf(InstanceId id) {
-  const auto it = written_.find({id, "CFrame"});
-  if (it != written_.end())
-    if (const auto* frame = it->second.as<Frame>()) return frame->pose;
-  return pivotOf(tree_, id);
-}
-
 Datum Reader::instanceField(InstanceId id, const std::string& spelled) {
   const Instance& instance = tree_.at(id);
   const std::string name = canonical(spelled);
-  if (name == "Parent")
-    return instance.parent == kNoInstance ? Datum{Library{"workspace"}}
-                                          : Datum{Ref{instance.parent}};
+  if (name == "Parent") {
+    if (instance.parent == kNoInstance) return {Library{"workspace"}};
+    // What is in there is put into each new character.
+    if (tree_.at(instance.parent).className == "StarterCharacterScripts")
+      return {Stranger{"Character"}};
+    return {Ref{instance.parent}};
+  }
   if (name == "Name") return {instance.name};
   if (name == "ClassName") return {instance.className};
-  const bool moved = written_.count({id, "CFrame"}) != 0;
-  if (tree_.isPart(id)) {
+  if (tree_.isPart(id) && isPoseProperty(name)) {
+    const auto moved = movedFrame(id);
+    const Pose pose = moved ? *moved : fileFrame(id);
     const InstanceId from = moved ? kNoInstance : id;
-    if (name == "CFrame") return {Frame{frameOf(id), from}};
-    if (name == "Position") return {Vector{frameOf(id).position, from}};
-    if (name == "Orientation") return {Vector{toOrientation(frameOf(id).rotation), kNoInstance}};
+    if (name == "CFrame") return {Frame{pose, from}};
+    if (name == "Position") return {Vector{pose.position, from}};
+    return {Vector{toOrientation(pose.rotation), kNoInstance}};
   }
   const auto it = written_.find({id, name});
   if (it != written_.end()) return it->second;
@@ -160,9 +157,12 @@ Datum Reader::instanceMethod(InstanceId id, const std::string& name,
     const auto it = instance.attributes.find(*text);
     return it == instance.attributes.end() ? Datum{Nil{}} : datumFrom(it->second, kNoInstance);
   }
-  if (name == "GetPivot" || name == "GetPrimaryPartCFrame" || name == "GetModelCFrame")
-    return {Frame{frameOf(id), tree_.isPart(id) ? id : kNoInstance}};
-  if (name == "PivotTo" || name == "SetPrimaryPartCFrame") {
+  const InstanceId own = tree_.isPart(id) ? id : kNoInstance;
+  if (name == "GetPivot") return {Frame{frameOf(id) * pivotOffset(id), own}};
+  if (name == "GetPrimaryPartCFrame" || name == "GetModelCFrame") return {Frame{frameOf(id), own}};
+  if (name == "PivotTo") {
+    setPivot(id, first, line);
+  } else if (name == "SetPrimaryPartCFrame") {
     setFrame(id, first, line);
   } else if (name == "MoveTo" || name == "TranslateBy") {
     Pose pose = frameOf(id);

@@ -47,6 +47,11 @@ bool sameState(const std::map<std::pair<InstanceId, std::string>, Datum>& a,
 
 }  // namespace
 
+Reader::Flow Reader::walkRound(const Block& body) {
+  const Flow flow = walk(body);
+  return flow == Flow::nextRound ? Flow::on : flow;
+}
+
 Reader::Flow Reader::whileLoop(const Stat& stat) {
   const Expr& condition = *stat.values[0];
   const bool repeats = stat.kind == StatKind::repeatLoop;
@@ -55,11 +60,11 @@ Reader::Flow Reader::whileLoop(const Stat& stat) {
   Truth truth = truthOf(evaluate(condition));
   time_ = start;
   if (repeats) truth = negated(truth);
-  if (truth == Truth::no && !waits) return repeats ? walk(stat.blocks[0]) : Flow::on;
+  if (truth == Truth::no && !waits && !repeats) return Flow::on;
   const bool endless = truth == Truth::yes || waits ||
                        (timeline_.trigger == Trigger::start && depth_ == 0 && !repeats);
   if (endless) return foreverLoop(stat.blocks[0], waits ? &condition : nullptr);
-  const Flow flow = walk(stat.blocks[0]);
+  const Flow flow = walkRound(stat.blocks[0]);
   return flow == Flow::leaveLoop ? Flow::on : flow;
 }
 
@@ -90,7 +95,7 @@ Reader::Flow Reader::foreverLoop(const Block& body, const Expr* condition) {
     const double roundStart = time_;
     const size_t event = timeline_.events.size();
     if (condition) evaluate(*condition);
-    const Flow flow = walk(body);
+    const Flow flow = walkRound(body);
     if (timeline_.trigger == Trigger::frame) time_ = std::max(time_, roundStart + kFrame);
     if (flow == Flow::leaveLoop && !nested) timeline_.forever = false;
     if (flow == Flow::leaveLoop) return Flow::on;
@@ -130,7 +135,7 @@ Reader::Flow Reader::numericFor(const Stat& stat) {
     const auto outer = scope_;
     scope_ = newScope(outer);
     scope_->names[stat.names[0]] = known ? Datum{*from + by * i} : Datum{};
-    const Flow flow = walk(stat.blocks[0]);
+    const Flow flow = walkRound(stat.blocks[0]);
     scope_ = outer;
     if (flow == Flow::leaveLoop) return Flow::on;
     if (flow != Flow::on) return flow;
@@ -147,7 +152,7 @@ Reader::Flow Reader::genericFor(const Stat& stat) {
     scope_ = newScope(outer);
     scope_->names[stat.names[0]] = std::move(key);
     if (stat.names.size() > 1) scope_->names[stat.names[1]] = std::move(value);
-    const Flow flow = walk(stat.blocks[0]);
+    const Flow flow = walkRound(stat.blocks[0]);
     scope_ = outer;
     return flow;
   };

@@ -9,6 +9,13 @@ namespace {
 constexpr int kMaxCalls = 12;
 constexpr size_t kMaxTimelines = 50000;
 
+// `if humanoid then`: asked of whatever comes along, and so for every player.
+bool isOfEveryPlayer(const Datum& condition) {
+  const auto* stranger = condition.as<Stranger>();
+  return stranger && (stranger->name == "Humanoid" || stranger->name == "Character" ||
+                      stranger->name == "HumanoidRootPart");
+}
+
 }  // namespace
 
 Reader::Reader(const Tree& tree, InstanceId script, size_t& budget) : tree_(tree), budget_(budget) {
@@ -126,7 +133,7 @@ Reader::Flow Reader::statement(const Stat& stat) {
     case StatKind::returns:
       returned_ = stat.values.empty() ? Datum{Nil{}} : evaluate(*stat.values[0]);
       return Flow::leaveFunction;
-    case StatKind::leaves: return stat.text == "break" ? Flow::leaveLoop : Flow::on;
+    case StatKind::leaves: return stat.text == "break" ? Flow::leaveLoop : Flow::nextRound;
   }
   return Flow::on;
 }
@@ -136,10 +143,11 @@ Reader::Flow Reader::branch(const Stat& stat) {
   const double start = time_;
   double latest = time_;
   for (size_t i = 0; i < stat.blocks.size(); ++i) {
-    const Truth truth = i < stat.values.size() ? truthOf(evaluate(*stat.values[i])) : Truth::yes;
+    const Datum condition = i < stat.values.size() ? evaluate(*stat.values[i]) : Datum{true};
+    const Truth truth = truthOf(condition);
     if (truth == Truth::no) continue;
     if (unsure) time_ = start;
-    const bool open = unsure || truth == Truth::unknown;
+    const bool open = unsure || (truth == Truth::unknown && !isOfEveryPlayer(condition));
     if (open) ++unsure_;
     const Flow flow = walk(stat.blocks[i]);
     if (open) --unsure_;

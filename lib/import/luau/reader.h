@@ -25,7 +25,7 @@ class Reader {
   ScriptReading read(const Chunk& chunk);
 
  private:
-  enum class Flow { on, leaveLoop, leaveFunction, stop };
+  enum class Flow { on, nextRound, leaveLoop, leaveFunction, stop };
   struct Pending {
     Trigger trigger = Trigger::start;
     InstanceId touched = kNoInstance;
@@ -52,6 +52,8 @@ class Reader {
   Scope* newScope(Scope* parent);
 
   // loops.cpp
+  // One round of a loop; what ends only the round shows no more.
+  Flow walkRound(const Block& body);
   Flow whileLoop(const Stat& stat);
   void beginLoop();
   // `condition` is evaluated in each round, for its waits; may be null.
@@ -95,14 +97,23 @@ class Reader {
   Datum createTween(const std::vector<Datum>& arguments, int line);
   Datum children(InstanceId id, bool all);
   Datum serviceNamed(const std::string& name) const;
+
+  // frames.cpp: poses of parts, and of models by what pivotOf takes for theirs
   Pose frameOf(InstanceId id);
+  std::optional<Pose> movedFrame(InstanceId id);  // nothing: as in the file
+  const Pose* writtenFrame(InstanceId id) const;
+  const Pose& fileFrame(InstanceId id);
+  Pose pivotOffset(InstanceId id) const;
+  void setFrame(InstanceId id, const Datum& value, int line);
+  void setPivot(InstanceId id, const Datum& value, int line);
+  void takeAlong(InstanceId model, const Pose& by);
+  void setPoseGoals(const Tween& tween, int line);
 
   // effects.cpp: what assignments do
   void setField(const Datum& object, const std::string& name, const Datum& value, int line);
   void setInstance(InstanceId id, const std::string& name, const Datum& value, int line);
   void setStranger(const std::string& owner, const std::string& name, const Datum& value, int line);
   void setMade(Made* made, const std::string& name, const Datum& value, int line);
-  void setFrame(InstanceId id, const Datum& value, int line);
   void write(InstanceId id, const std::string& name, Datum value);
   ScriptEvent& emit(EventKind kind, InstanceId target, std::string property, int line);
 
@@ -124,6 +135,7 @@ class Reader {
   using Old = std::map<Key, std::optional<Datum>>;
   std::map<Key, Datum> written_;
   Old beforeHandler_, beforeLoop_;
+  std::map<InstanceId, Pose> fileFrames_;
   bool inHandler_ = false;
   Arena arena_;
   Datum returned_;
@@ -140,7 +152,10 @@ Datum libraryField(const std::string& path);
 Datum libraryCall(const std::string& path, const std::vector<Datum>& arguments);
 Datum valueMethod(const Datum& object, const std::string& name,
                   const std::vector<Datum>& arguments);
-Mat3 fromOrientation(Vec3 degrees);
-Vec3 toOrientation(const Mat3& rotation);
+
+// frames.cpp: the properties of a part that say where it is, and its pose once one of them has
+// `value`; unknown if that is.
+bool isPoseProperty(const std::string& name);
+Datum posed(Pose pose, const std::string& name, const Datum& value);
 
 }  // namespace obby::importer::luau

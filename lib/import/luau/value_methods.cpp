@@ -8,8 +8,6 @@
 namespace obby::importer::luau {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
-
 Datum vector(Vec3 v) { return {Vector{v, kNoInstance}}; }
 
 Datum ofVector(const Vector& v, const std::string& name, const std::vector<Datum>& a) {
@@ -85,21 +83,6 @@ Datum ofText(const std::string& text, const std::string& name, const std::vector
 }
 
 }  // namespace
-
-Mat3 fromOrientation(Vec3 degrees) {
-  return rotationAbout({0, 1, 0}, double(degrees.y) * kDegree) *
-         rotationAbout({1, 0, 0}, double(degrees.x) * kDegree) *
-         rotationAbout({0, 0, 1}, double(degrees.z) * kDegree);
-}
-
-Vec3 toOrientation(const Mat3& r) {
-  const double pitch = std::asin(std::clamp(-double(r.z.y), -1.0, 1.0));
-  const bool locked = std::abs(r.z.y) > 0.999999f;
-  const double yaw =
-      locked ? std::atan2(-double(r.x.z), double(r.x.x)) : std::atan2(double(r.z.x), double(r.z.z));
-  const double roll = locked ? 0 : std::atan2(double(r.x.y), double(r.y.y));
-  return Vec3{float(pitch / kDegree), float(yaw / kDegree), float(roll / kDegree)};
-}
 
 Datum valueMethod(const Datum& object, const std::string& name, const std::vector<Datum>& a) {
   if (const auto* v = object.as<Vector>()) return ofVector(*v, name, a);

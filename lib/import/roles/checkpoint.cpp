@@ -1,5 +1,7 @@
 // Parts at which a player comes back. The stage is first the number that the maker gave, or
 // kUnnumbered; checkpoints.cpp puts them in order afterwards.
+#include <unordered_map>
+
 #include "import/checkpoints.h"
 #include "import/format/class_defaults.h"
 #include "import/roles/role.h"
@@ -80,6 +82,7 @@ void checkpointFromNames(RoleContext& context) {
   const Tree& tree = context.tree;
   for (const PartDraft& part : context.level.parts)
     if (part.checkpoint) return;  // stated checkpoints make guesses needless
+  std::unordered_map<InstanceId, const PartDraft*> touched;  // of each model
   for (size_t i = 0; i < context.level.parts.size(); ++i) {
     PartDraft& part = context.level.parts[i];
     const Instance& instance = tree.at(part.id);
@@ -94,8 +97,9 @@ void checkpointFromNames(RoleContext& context) {
     if (model == kNoInstance || tree.at(model).className != "Model") continue;
     const std::string& name = tree.at(model).name;
     if (wordsOf(name).empty() || wordsOf(name).front() != "checkpoint") continue;
-    if (touchPart(context, model) == &part)
-      give(part, stageNumber(tree, model, part.id), "name " + name, true);
+    const auto [known, isNew] = touched.try_emplace(model);
+    if (isNew) known->second = touchPart(context, model);
+    if (known->second == &part) give(part, stageNumber(tree, model, part.id), "name " + name, true);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "import/motion.h"
 #include "import/pivot.h"
 #include "import/pose_math.h"
+#include "import/tween_motion.h"
 
 namespace obby::importer {
 namespace {
@@ -12,7 +13,8 @@ namespace {
 constexpr double kInstant = 1e-4;  // seconds
 
 struct Moved {
-  Pose start;  // when the loop begins
+  Pose rest;   // in the file
+  Pose start;  // when the loop or the first tween begins
   std::vector<const ScriptEvent*> sets, tweens;
   bool unknown = false;  // a pose that the text does not tell
 };
@@ -29,12 +31,13 @@ std::map<InstanceId, Moved> movedBy(const Tree& tree, const Timeline& timeline) 
     if (!isPose(event) || event.target == kNoInstance) continue;
     const auto [it, isNew] = all.try_emplace(event.target);
     Moved& moved = it->second;
-    if (isNew) moved.start = pivotOf(tree, event.target);
+    if (isNew) moved.rest = moved.start = pivotOf(tree, event.target);
     if (!event.frame) {
       moved.unknown = true;
     } else if (i < loop) {
       moved.start = *event.frame;
     } else if (event.kind == EventKind::set) {
+      if (!timeline.forever && moved.tweens.empty()) moved.start = *event.frame;
       moved.sets.push_back(&event);
     } else {
       moved.tweens.push_back(&event);
@@ -43,25 +46,18 @@ std::map<InstanceId, Moved> movedBy(const Tree& tree, const Timeline& timeline) 
   return all;
 }
 
-// Appends one tween from the last key on; the pose before it is held until it begins.
-void appendTween(std::vector<MotionKey>& keys, const ScriptEvent& event, double time) {
-  const TweenTiming& t = event.tween;
-  const Pose from = keys.back().pose;
-  double now = std::max(time + t.delay, double(keys.back().time));
-  const auto add = [&](double at, const Pose& pose, Easing easing) {
-    keys.push_back({float(at), pose, easing, t.direction});
-  };
-  if (now > double(keys.back().time)) add(now, from, Easing::linear);
-  for (int round = 0; round <= std::clamp(t.repeats, 0, 100); ++round) {
-    if (round > 0 && !t.reverses) add(now, from, Easing::linear);
-    add(now += t.seconds, *event.frame, t.easing);
-    if (t.reverses) add(now += t.seconds, from, t.easing);
-  }
+Motion spinning(const Spin& spin, const Moved& moved) {
+  Motion motion;
+  motion.spin = spin;
+  if (!samePose(moved.start, moved.rest))
+    motion.keys = {{0, moved.start, Easing::linear, EasingDirection::out}};
+  return motion;
 }
 
 std::optional<Motion> endlessTween(const Moved& moved) {
   for (const ScriptEvent* event : moved.tweens) {
     if (event->tween.repeats >= 0) continue;
+    if (const auto spin = spinOfTween(moved.start, *event)) return spinning(*spin, moved);
     Motion motion;
     motion.keys = {{0, moved.start, Easing::linear, EasingDirection::out}};
     ScriptEvent once = *event;
@@ -134,7 +130,7 @@ std::optional<LoopMotion> loopMotion(const Timeline& timeline, const Moved& move
   };
   if (timeline.closed) cut(timeline.period);
   if (auto spin = spinFrom(moved.start, samples, loop.period)) {
-    loop.motion.spin = spin;
+    loop.motion = spinning(*spin, moved);
     return loop;
   }
   const auto near = timeline.closed ? std::nullopt : nearPeriod(samples);
