@@ -26,8 +26,7 @@ double Loop::now() const {
 }
 
 Run::Run(Loop& loop, Process process, std::string input, OnLine onOutput, OnLine onError)
-    : loop_(loop),
-      process_(std::move(process)),
+    : process_(std::move(process)),
       text_(std::move(input)),
       onOutput_(std::move(onOutput)),
       onError_(std::move(onError)),

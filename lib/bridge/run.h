@@ -42,7 +42,6 @@ class Run {
   kj::Promise<void> feed();
   kj::Promise<void> lines(kj::AsyncInputStream& from, std::string& rest, const OnLine& onLine);
 
-  Loop& loop_;
   Process process_;
   std::string text_, outRest_, errRest_;
   OnLine onOutput_, onError_;

@@ -36,7 +36,7 @@ JointEnds jointEnds(const Tree& tree, InstanceId joint) {
           partEnd(tree, joint, "Part1", "Part1Internal", "Attachment1")};
 }
 
-Assemblies::Assemblies(const Tree& tree) : tree_(&tree), parent_(tree.size()) {
+Assemblies::Assemblies(const Tree& tree) : parent_(tree.size()) {
   for (InstanceId id = 0; id < parent_.size(); ++id) parent_[id] = id;
   for (InstanceId id = 0; id < tree.size(); ++id) {
     if (!isRigidJointClass(tree.at(id).className) || !isSwitchedOn(tree.at(id))) continue;

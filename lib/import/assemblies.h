@@ -24,7 +24,6 @@ class Assemblies {
   InstanceId find(InstanceId id) const;
   void join(InstanceId a, InstanceId b);
 
-  const Tree* tree_;
   mutable std::vector<InstanceId> parent_;
   std::vector<char> anchored_;  // by representative
   std::unordered_map<InstanceId, std::vector<InstanceId>> members_;

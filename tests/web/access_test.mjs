@@ -104,6 +104,61 @@ test('the keyboard reaches every control, and each has a name', async ({ page })
   assert.deepEqual(missed, []);
 });
 
+test('Space ticks the box that the keyboard is on; after the mouse it plays', async ({ page }) => {
+  const fold = page.getByRole('button', { name: 'Display' });
+  const onBox = () => page.evaluate(() => document.activeElement.type === 'checkbox');
+  await fold.click();
+  await page.keyboard.press('Tab');
+  for (const solutions of [false, true]) {
+    await page.keyboard.press('Space');
+    const now = await state(page);
+    assert.deepEqual([now.solutions, now.playing, await onBox()], [solutions, false, true]);
+  }
+  const attempts = page.locator('.toggles label', { hasText: 'Attempts' });
+  await page.locator('#view').focus();
+  await attempts.click();
+  assert.deepEqual([(await state(page)).attempts, await onBox()], [false, false]);
+  for (const playing of [true, false]) {
+    await page.keyboard.press('Space');
+    const now = await state(page);
+    assert.deepEqual([now.attempts, now.playing], [false, playing]);
+  }
+  await attempts.click();
+  await fold.click();
+});
+
+test('the time takes the keys that move it and leaves the browser its own', async ({ page }) => {
+  const taken = (init) =>
+    page.locator('.scrub').evaluate((slider, how) => {
+      const event = new KeyboardEvent('keydown', { ...how, bubbles: true, cancelable: true });
+      return !slider.dispatchEvent(event);
+    }, init);
+  for (const key of ['ArrowLeft', 'ArrowUp', 'PageDown', 'Home', 'End'])
+    assert.equal(await taken({ key }), true, key);
+  for (const how of [{ key: 'F5' }, { key: 'r', ctrlKey: true }, { key: 'Tab' }])
+    assert.equal(await taken(how), false, how.key);
+});
+
+test('a report that is told anew leaves the keyboard where it is', async ({ page }) => {
+  const focused = () =>
+    page.evaluate(() => {
+      const { className, innerText } = document.activeElement;
+      return `${className}: ${innerText.slice(0, 40)}`;
+    });
+  const lasts = async (button) => {
+    await button.focus();
+    const before = await focused();
+    await page.evaluate(() => window.obby.sidebar.refresh());
+    assert.equal(await focused(), before);
+  };
+  await lasts(page.locator('.findings .way').nth(1));
+  await lasts(page.locator('.query').nth(2));
+  await page.evaluate(() => window.obby.store.set({ query: 1 }));
+  await lasts(page.locator('.findings .text', { hasText: 'without Lava' }));
+  await lasts(page.locator('.ends .killer', { hasText: 'Lava' })); // of the same part
+  await page.evaluate(() => window.obby.store.set({ query: 0 }));
+});
+
 test('colours from little to much get lighter throughout', async ({ page }) => {
   const colors = await page.evaluate(() => {
     window.obby.store.set({ colorBy: 'time' });

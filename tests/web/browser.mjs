@@ -55,10 +55,10 @@ export async function frames(page, count = 2) {
 
 export const state = (page) => page.evaluate(() => ({ ...window.obby.store.state }));
 
-// How many different colours the 3D view shows, and the share of its most frequent one.
-export async function colours(page) {
-  return page.evaluate(() => {
-    window.obby.stage.render();
+// How many different colours the 3D view shows, and the share of its most frequent one; `anew`: drawn for this look.
+export async function colours(page, anew = true) {
+  return page.evaluate((draw) => {
+    if (draw) window.obby.stage.render();
     const view = document.getElementById('view');
     const copy = document.createElement('canvas');
     [copy.width, copy.height] = [320, 200];
@@ -71,7 +71,7 @@ export async function colours(page) {
       counts.set(key, (counts.get(key) ?? 0) + 1);
     }
     return { different: counts.size, share: Math.max(...counts.values()) / (data.length / 4) };
-  });
+  }, anew);
 }
 
 // A report in the page that the build made.

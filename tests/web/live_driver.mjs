@@ -46,7 +46,8 @@ export class Viewer {
   }
 }
 
-export async function openLive(browser, address) {
+// `prepare`: is given the page before it has loaded anything.
+export async function openLive(browser, address, prepare = async () => {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
   const page = await context.newPage();
   const trouble = [];
@@ -62,6 +63,7 @@ export async function openLive(browser, address) {
     const text = await response.text().catch(() => '');
     if (text) pieces.push({ bytes: text.length, ...JSON.parse(text) });
   });
+  await prepare(page);
   await page.goto(address);
   return { page, trouble, requests, pieces };
 }

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { Path } from '../../web/src/data.js';
 import { openReport } from './browser.mjs';
 import { harness } from './harness.mjs';
 
@@ -72,6 +73,39 @@ for (const [level, ...words] of [
     await page.context().close();
   });
 }
+
+// What obby-view keeps of even motion: every eighth tick, and the last.
+function thinned() {
+  const encode = (array) => Buffer.from(array.buffer).toString('base64');
+  const ticks = [0, 8, 10];
+  return new Path({
+    stride: 8,
+    ticks: 10,
+    position: encode(Float32Array.from(ticks.flatMap((tick) => [3 * tick, tick, 4 * tick]))),
+    yaw: encode(Uint16Array.from(ticks, (tick) => 1000 * tick)),
+    state: encode(Uint8Array.from([0, 1, 2])),
+    runs: '',
+  });
+}
+
+test('a way that was thinned out goes on evenly to its end', () => {
+  const path = thinned();
+  const near = (is, wanted, what) => assert.ok(Math.abs(is - wanted) < 1e-3, `${what}: ${is}`);
+  for (let tick = 0; tick <= 10; tick += 0.5) {
+    const { x, y, z, yaw, state, perTick } = path.poseAt(tick);
+    [x, y, z].forEach((value, k) => near(value, [3, 1, 4][k] * tick, `axis ${k} at ${tick}`));
+    near((yaw / (2 * Math.PI)) * 65536, 1000 * tick, `yaw at ${tick}`);
+    near(path.travelled(tick), 5 * tick, `travelled at ${tick}`);
+    if (tick < 10) perTick.forEach((value, k) => near(value, [3, 1, 4][k], `speed at ${tick}`));
+    assert.equal(state, tick < 8 ? 0 : tick < 10 ? 1 : 2);
+  }
+  const { x, y, z } = path.poseAt(10);
+  assert.deepEqual([x, y, z], path.end());
+  assert.deepEqual(
+    [0, 1, 2].map((sample) => path.tickOf(sample)),
+    [0, 8, 10],
+  );
+});
 
 // Largest difference between where the level's parts are in the picture and where a recording of the same manoeuvre has
 // them, at its frames, which are ticks.

@@ -1,4 +1,4 @@
-// Trajectories: the list with its filters and sorting, colours, isolation, comparison, boxes, deaths.
+// Trajectories: the list with its filters and sorting, colours, isolation, boxes, deaths.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { frames, state } from './browser.mjs';
@@ -109,35 +109,6 @@ test('a click on a killer shows the ways that it ended', async ({ page }) => {
   assert.equal((await state(page)).order.length, paths.length);
 });
 
-test('two ways run side by side from their starts', async ({ page }) => {
-  await set(page, { path: 0, tick: 0 });
-  await page.locator('.path[data-path="1"]').click({ modifiers: ['Shift'] });
-  assert.equal((await state(page)).ghost, 1);
-  await set(page, { tick: 200 });
-  await frames(page, 3);
-  const [where, wanted, shown] = await page.evaluate(() => {
-    const { stage } = window.obby;
-    const pose = window.obby.query().paths[1].poseAt(200);
-    return [
-      stage.ghost.group.position.toArray(),
-      [pose.x, pose.y, pose.z],
-      stage.ghost.group.visible,
-    ];
-  });
-  assert.equal(shown, true);
-  assert.deepEqual(where, wanted);
-  assert.match(
-    await page.locator('#comparison').innerText(),
-    /Chosen[\s\S]*Ghost[\s\S]*studs apart now/,
-  );
-  // The belt's box begins 6 studs along the leg from 0 to 18 in 0.75 s, which starts at 3.75 s.
-  assert.match(await page.locator('#comparison').innerText(), /Belt\s+4\.00 s/);
-  await picture(page, 'comparison');
-  await page.locator('#view').focus();
-  await page.keyboard.press('x');
-  assert.equal(await page.locator('#comparison').isVisible(), false);
-});
-
 test('a drawn box keeps what passes it, then drops it', async ({ page }) => {
   await page.locator('#view').focus();
   await page.keyboard.press('t');
@@ -202,6 +173,18 @@ test('a box moves by its numbers and meets ways between two samples', async ({ p
   assert.ok(between.includes(0));
   await page.getByLabel('Remove box 1').click();
   assert.equal((await state(page)).order.length, paths.length);
+});
+
+test('a click is no drag: it draws no box', async ({ page }) => {
+  await page.locator('#view').focus();
+  await page.keyboard.press('b');
+  await page.mouse.move(700, 300);
+  await page.mouse.down();
+  await page.mouse.up();
+  await page.mouse.move(780, 340, { steps: 4 });
+  const { boxes, drawing } = await state(page);
+  assert.deepEqual([boxes.length, drawing], [0, true], 'the drag is still to come');
+  await page.keyboard.press('Escape');
 });
 
 test('deaths are labelled with the killer, by what is shown', async ({ page }) => {

@@ -55,11 +55,12 @@ export function meets(path, box) {
   return false;
 }
 
-// Box -> query -> indices of the paths that meet it; boxes are never changed, only replaced.
+// Box -> query -> indices of the paths that meet it; boxes are never changed, only replaced. Neither is kept by it: a
+// stream that goes on replaces queries several times a second.
 const passed = new WeakMap();
 
 export function pathsThrough(query, box) {
-  if (!passed.has(box)) passed.set(box, new Map());
+  if (!passed.has(box)) passed.set(box, new WeakMap());
   const byQuery = passed.get(box);
   if (!byQuery.has(query)) {
     const found = new Set();

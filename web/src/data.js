@@ -134,20 +134,31 @@ export class Path {
     this.samples = this.points.length / 3;
   }
 
+  // Tick of a sample: every `stride`-th, and the last whatever its distance from the one before.
+  tickOf(sample) {
+    return Math.min(sample * this.stride, this.ticks);
+  }
+
+  // The two samples around a tick, the share of the second, and the ticks between them.
+  at(tick) {
+    const last = this.samples - 1;
+    const now = Math.min(Math.max(0, tick), this.ticks);
+    const i = now < this.ticks ? Math.floor(now / this.stride) : last;
+    const j = Math.min(i + 1, last);
+    const gap = this.tickOf(j) - this.tickOf(i) || 1;
+    return { i, j, gap, share: (now - this.tickOf(i)) / gap };
+  }
+
   // The pose at a tick, between samples where playback is.
   poseAt(tick) {
-    const s = Math.min(Math.max(0, tick / this.stride), this.samples - 1);
-    const i = Math.floor(s);
-    const j = Math.min(i + 1, this.samples - 1);
-    const f = s - i;
+    const { i, j, gap, share } = this.at(tick);
     const p = this.points;
-    const mix = (k) => p[3 * i + k] + (p[3 * j + k] - p[3 * i + k]) * f;
+    const mix = (k) => p[3 * i + k] + (p[3 * j + k] - p[3 * i + k]) * share;
     let turn = this.yaw[j] - this.yaw[i];
     if (turn > 32768) turn -= 65536;
     if (turn < -32768) turn += 65536;
-    const yaw = ((this.yaw[i] + turn * f) / 65536) * 2 * Math.PI;
-    const rate = 1 / this.stride;
-    const speed = [0, 1, 2].map((k) => (p[3 * j + k] - p[3 * i + k]) * rate);
+    const yaw = ((this.yaw[i] + turn * share) / 65536) * 2 * Math.PI;
+    const speed = [0, 1, 2].map((k) => (p[3 * j + k] - p[3 * i + k]) / gap);
     return { x: mix(0), y: mix(1), z: mix(2), yaw, state: this.state[i], perTick: speed };
   }
 
@@ -165,10 +176,8 @@ export class Path {
           this.sums[i - 1] + Math.hypot(p[3 * i] - p[3 * i - 3], p[3 * i + 2] - p[3 * i - 1]);
       }
     }
-    const s = Math.min(tick / this.stride, this.samples - 1);
-    const i = Math.floor(s);
-    const next = this.sums[Math.min(i + 1, this.samples - 1)];
-    return this.sums[i] + (next - this.sums[i]) * (s - i);
+    const { i, j, share } = this.at(tick);
+    return this.sums[i] + (this.sums[j] - this.sums[i]) * share;
   }
 
   end() {

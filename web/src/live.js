@@ -13,8 +13,8 @@ function onlyNumbers(before, now) {
 }
 
 export class Live {
-  // `begin`: report -> app.
-  constructor(side, begin) {
+  // `begin`: report -> app. `fail`: says why there is nothing to see.
+  constructor(side, begin, fail) {
     Object.assign(this, { side, begin });
     this.live = new LiveReport();
     this.connected = false;
@@ -24,6 +24,7 @@ export class Live {
       revisionOf: () => this.live.revision,
       take: (raw) => this.take(raw),
       tell: (connected) => this.tell(connected),
+      fail,
     });
     this.show();
     this.feed.open();
@@ -78,7 +79,7 @@ export class Live {
     const indexOf = (path) =>
       path ? app.query().paths.findIndex(({ serial }) => serial === path.serial) : -1;
     store.set({ path: indexOf(chosen), ghost: indexOf(ghost), hoverPath: -1 });
-    if (!app.filters.root.contains(document.activeElement)) app.filters.fill();
+    app.filters.refresh();
     app.ways.choose();
     app.showSelection();
     stage.pathView?.compare(app.ghost());

@@ -6,9 +6,10 @@ const kIdle = 2; // so many times as long as a piece took to show, the page is l
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 
 export class LiveFeed {
-  // `revisionOf`: that the page has; `take`: takes an answer of /data; `tell`: whether there is a connection.
-  constructor({ revisionOf, take, tell }) {
-    Object.assign(this, { revisionOf, take, tell });
+  // `revisionOf`: that the page has; `take`: takes an answer of /data; `tell`: whether there is a connection; `fail`: told
+  // the error where `take` cannot go on.
+  constructor({ revisionOf, take, tell, fail }) {
+    Object.assign(this, { revisionOf, take, tell, fail });
     this.token = new URLSearchParams(location.search).get('token') ?? '';
     this.newest = 0; // revision that the server has
     this.closed = false;
@@ -59,10 +60,21 @@ export class LiveFeed {
         await pause(kAgain);
         continue;
       }
+      this.tell(true); // a fetch alone may have failed, while the events went on
       const begun = performance.now();
-      this.take(raw);
+      this.show(raw);
       await pause(kIdle * (performance.now() - begun));
     }
     this.busy = false;
+  }
+
+  // What cannot be shown once cannot be shown again: nobody is to wait for more.
+  show(raw) {
+    try {
+      this.take(raw);
+    } catch (error) {
+      this.close();
+      this.fail(error);
+    }
   }
 }

@@ -124,7 +124,8 @@ class App {
 
   openQuery() {
     const level = this.level();
-    if (level && this.stage.level !== level) this.stage.setLevel(level);
+    if (level && this.stage.level !== level)
+      this.stage.setLevel(level, this.store.state.colors);
     this.ways.color();
     if (this.query()) {
       this.stage.setQuery(this.query());
@@ -152,9 +153,14 @@ class App {
       ['solutions', 'attempts', 'markers', 'runners', 'regions', 'grid', 'motionPaths', 'path'],
       () => this.applyToggles(),
     );
-    store.on(['colors'], (state) => this.stage.levelView.setColors(state.colors));
+    store.on(['colors'], (state) => this.stage.levelView?.setColors(state.colors));
     store.on(['part'], () => this.showPart());
     store.on(Object.keys(INITIAL), () => {
+      this.dirty = true;
+    });
+    // The browser took the GPU away for a while: all of the picture is gone, shadows too.
+    byId('view').addEventListener('webglcontextrestored', () => {
+      this.stage.cast = null;
       this.dirty = true;
     });
     bindKeys(this);
@@ -177,9 +183,10 @@ class App {
 
   showPart() {
     const { part } = this.store.state;
-    if (this.glowing >= 0) this.stage.levelView.glow(this.glowing, false);
+    const view = this.stage.levelView; // none where the stream holds no level
+    if (this.glowing >= 0) view?.glow(this.glowing, false);
     this.glowing = part;
-    this.stage.levelView.glow(part, true);
+    view?.glow(part, true);
   }
 
   applyToggles() {
@@ -205,6 +212,7 @@ class App {
   }
 
   frame(now) {
+    if (!this.stage.canvas.isConnected) return; // the page says why it shows nothing
     const passed = Math.min((now - this.lastFrame) / 1000, 0.25);
     this.lastFrame = now;
     this.playback.advance(passed);
@@ -253,18 +261,23 @@ class App {
   }
 }
 
+// In place of everything: half of a report would mislead.
+function fail(error) {
+  document.body.replaceChildren(
+    el('p', { class: 'fatal', text: `This report cannot be shown: ${error.message}` }),
+  );
+  reportError(error); // to the console
+}
+
 function start() {
   try {
     // For tests and for people at the console.
     const begin = (report) => (window.obby = new App(report));
     const raw = JSON.parse(byId('obby-data').textContent);
-    if (raw.live) new Live(byId('side'), begin);
+    if (raw.live) new Live(byId('side'), begin, fail);
     else begin(readReport(raw));
   } catch (error) {
-    document.body.replaceChildren(
-      el('p', { class: 'fatal', text: `This report cannot be shown: ${error.message}` }),
-    );
-    throw error;
+    fail(error);
   }
 }
 

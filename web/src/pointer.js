@@ -20,7 +20,7 @@ export class Pointer {
     canvas.addEventListener('pointerup', (event) => this.release(event));
     canvas.addEventListener('pointermove', (event) => {
       this.moved = event.buttons ? null : event;
-      if (this.corner) this.drawTo(event);
+      if (this.corner && event.buttons & 1) this.drawTo(event); // a click is no drag
     });
     canvas.addEventListener('pointerleave', () => {
       this.moved = null;
@@ -36,8 +36,9 @@ export class Pointer {
   }
 
   press(event) {
-    this.down = { x: event.clientX, y: event.clientY };
     this.canvas.focus({ preventScroll: true });
+    if (!this.app.level()) return;
+    this.down = { x: event.clientX, y: event.clientY };
     if (!this.store.state.drawing || event.button !== 0) return;
     this.corner = this.stage.pointAt(...this.inCanvas(event));
     this.before = this.store.state.boxes;
@@ -47,8 +48,9 @@ export class Pointer {
     const { down } = this;
     const still = down && Math.hypot(event.clientX - down.x, event.clientY - down.y) < 4;
     this.down = null;
+    if (event.button !== 0) return; // the camera's
     if (this.store.state.drawing) this.store.set({ drawing: Boolean(still) });
-    else if (still && event.button === 0) this.click(event);
+    else if (still) this.click(event);
   }
 
   // The box from the first corner to the pointer, at the height of that corner.
@@ -73,7 +75,7 @@ export class Pointer {
       const same = state.path === hit.path;
       this.store.set({
         path: hit.path,
-        tick: Math.min(hit.tick, this.app.query().paths[hit.path].ticks),
+        tick: hit.tick,
         playing: same && state.playing,
       });
     } else {

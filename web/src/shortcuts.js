@@ -1,4 +1,5 @@
-// The keyboard. No shortcut fires while something is typed, or with Ctrl, Alt or Meta held.
+// The keyboard. No shortcut fires while something is typed, or with Ctrl, Alt or Meta held; Space ticks the box that the
+// keyboard is on.
 import { nextTheme } from './theme.js';
 
 function typing(target) {
@@ -8,6 +9,9 @@ function typing(target) {
       target.isContentEditable)
   );
 }
+
+const ticking = ({ key, target }) =>
+  key === ' ' && target instanceof HTMLElement && target.matches('input[type=checkbox]');
 
 function move(app, name, by, most) {
   if (most <= 0) return;
@@ -79,7 +83,8 @@ const kByKey = {
 export function bindKeys(app) {
   window.addEventListener('keydown', (event) => {
     app.shift = event.shiftKey;
-    if (typing(event.target) || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (typing(event.target) || ticking(event)) return;
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
     if (app.help.dialog.open && event.key !== '?') return;
     if (app.stage.rig.key(event.code, true)) return;
     const act = kByKey[event.key.length === 1 ? event.key.toLowerCase() : event.key];

@@ -32,7 +32,7 @@ export function landings(path) {
   const ticks = [];
   for (let i = 1; i < path.samples; i++)
     if (path.state[i - 1] & kAirborne && !(path.state[i] & kAirborne))
-      ticks.push(Math.min(i * path.stride, path.ticks));
+      ticks.push(path.tickOf(i));
   return ticks;
 }
 

@@ -14,6 +14,7 @@ import {
 } from 'three';
 import { CUT_COLOR, REACHED_COLOR } from '../palette.js';
 import { lackOf } from '../ui/findings.js';
+import { dispose } from './dispose.js';
 
 const kAbove = 1.2; // studs over the parts that the arrow joins
 const kHead = 1.6; // studs of the arrow's head
@@ -92,9 +93,6 @@ export class CutView {
   }
 
   dispose() {
-    this.group.traverse((node) => {
-      node.geometry?.dispose();
-      node.material?.dispose();
-    });
+    dispose(this.group);
   }
 }

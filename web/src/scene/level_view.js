@@ -21,7 +21,8 @@ const kNeutral = new Color('#808998');
 const kFaint = 0.1; // opacity of a part while it has vanished
 
 export class LevelView {
-  constructor(level) {
+  // `colors`: 'roles', or 'level' for the parts' own.
+  constructor(level, colors) {
     this.level = level;
     this.group = new Group();
     this.uniforms = { uTime: { value: 0 }, uPatterns: { value: 1 }, uGrain: { value: 1 } };
@@ -32,7 +33,7 @@ export class LevelView {
     this.displaced = []; // loose parts that are not where the level has them
     this.flowOf = new Map(level.conveyors.map((belt) => [belt.part, belt.velocity]));
     this.build();
-    this.setColors('roles');
+    this.setColors(colors);
   }
 
   shapeOf(part) {

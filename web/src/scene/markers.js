@@ -11,6 +11,7 @@ import {
   PointsMaterial,
 } from 'three';
 import { OUTCOME_STYLE } from '../palette.js';
+import { dispose } from './dispose.js';
 
 const kDraw = {
   ring: (g) => {
@@ -167,10 +168,6 @@ export class Markers {
   }
 
   dispose() {
-    this.group.traverse((node) => {
-      node.geometry?.dispose();
-      node.material?.map?.dispose();
-      node.material?.dispose();
-    });
+    dispose(this.group);
   }
 }

@@ -121,7 +121,10 @@ export class PathView {
     this.hardest = null;
     if (!path.difficulty) return;
     const { startTick, ticks, band } = path.difficulty.hardest;
-    const sample = (tick) => Math.min(path.samples - 1, Math.round(tick / path.stride));
+    const sample = (tick) => {
+      const { i, j, share } = path.at(tick);
+      return share < 0.5 ? i : j;
+    };
     const range = [sample(startTick), sample(startTick + ticks)];
     if (range[1] <= range[0]) return;
     this.hardest = thickLine(path, BAND_STYLE[band].color, 9, 0.85, {}, range);
@@ -147,8 +150,9 @@ export class PathView {
   // How much of the selected line has been played.
   play(path, tick) {
     if (!path || !this.played) return;
-    const count = Math.min(path.samples - 1, Math.ceil(tick / path.stride));
-    this.played.geometry.instanceCount = Math.max(0, count);
+    const { i, j, share } = path.at(tick);
+    const count = share > 0 ? j : i;
+    this.played.geometry.instanceCount = count;
     this.played.visible = count > 0;
   }
 

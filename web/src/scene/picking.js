@@ -40,7 +40,7 @@ function approach(path, matrix, width, height, x, y, skip) {
     const d = valid ? distanceToSegment(x, y, lastX, lastY, sx, sy) : Math.hypot(x - sx, y - sy);
     if (d < best) {
       best = d;
-      tick = i * path.stride;
+      tick = path.tickOf(i);
     }
     [lastX, lastY, valid] = [sx, sy, true];
   }

@@ -14,6 +14,7 @@ import {
   Vector3,
 } from 'three';
 import { ROLE_STYLE } from '../palette.js';
+import { dispose } from './dispose.js';
 
 const kAvoid = '#d873c4';
 const kWaypoint = '#ffd166';
@@ -104,9 +105,6 @@ export class RegionView {
   }
 
   dispose() {
-    this.group.traverse((node) => {
-      node.geometry?.dispose();
-      node.material?.dispose();
-    });
+    dispose(this.group);
   }
 }

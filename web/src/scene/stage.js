@@ -14,6 +14,7 @@ import { ActionMarks } from './action_marks.js';
 import { Avatar } from './avatar.js';
 import { CameraRig } from './camera_rig.js';
 import { CutView } from './cut_view.js';
+import { dispose } from './dispose.js';
 import { FilterBoxes } from './filter_boxes.js';
 import { HeatView } from './heat_view.js';
 import { LevelView } from './level_view.js';
@@ -59,21 +60,20 @@ export class Stage {
     this.scene.add(this.filterBoxes.group, this.heat.group, this.marks.group);
   }
 
-  clear() {
-    if (this.levelView)
-      this.scene.remove(
-        this.levelView.group,
-        this.avatar.group,
-        this.ghost.group,
-        this.grid,
-        this.motionPaths,
-      );
+  // What comes and goes with the level.
+  ofLevel() {
+    const { levelView, avatar, ghost, grid, motionPaths } = this;
+    return levelView ? [levelView.group, avatar.group, ghost.group, grid, motionPaths] : [];
   }
 
-  setLevel(level) {
-    this.clear();
+  // `colors`: as LevelView's.
+  setLevel(level, colors) {
+    for (const node of this.ofLevel()) {
+      this.scene.remove(node);
+      dispose(node);
+    }
     this.level = level;
-    this.levelView = new LevelView(level);
+    this.levelView = new LevelView(level, colors);
     this.avatar = new Avatar(level.body);
     this.avatar.group.visible = false;
     this.ghost = new Avatar(level.body, true);
@@ -88,13 +88,7 @@ export class Stage {
     this.grid.position.set(this.centre.x, this.bounds.min.y - 4, this.centre.z);
     this.scene.fog = new Fog(kHaze, this.radius * 4, this.radius * 14);
     this.motionPaths = pathsOfMotion(level);
-    this.scene.add(
-      this.levelView.group,
-      this.avatar.group,
-      this.ghost.group,
-      this.grid,
-      this.motionPaths,
-    );
+    this.scene.add(...this.ofLevel());
   }
 
   // A sphere around the level that a few strays cannot blow up.

@@ -1,8 +1,13 @@
 // The boxes of the filter: each with its place, whether what passes it stays or goes, and how many pass it.
 import { boxOf, pathsThrough } from '../choice.js';
-import { el, plural } from './dom.js';
+import { el, keepingFocus, plural } from './dom.js';
 
 const kAxes = ['x', 'y', 'z'];
+
+function passing(query, box) {
+  const n = query ? pathsThrough(query, box).size : 0;
+  return `${plural(n, 'way')} ${n === 1 ? 'passes' : 'pass'} it`;
+}
 
 export class BoxList {
   constructor(store, sourceOf, addBox) {
@@ -28,7 +33,9 @@ export class BoxList {
       el('div', { class: 'box-bar' }, this.draw, add),
       this.items,
     );
-    store.on(['boxes', 'query'], () => this.fill());
+    // The field that is being typed into must outlive the change that it makes.
+    store.on(['boxes', 'query'], () => keepingFocus(this.items, () => this.fill()));
+    store.on(['order'], () => this.count());
     store.on(['drawing'], ({ drawing }) => {
       this.draw.setAttribute('aria-pressed', String(drawing));
       this.draw.textContent = drawing ? 'Drag over the floor …' : 'Draw a box';
@@ -41,22 +48,25 @@ export class BoxList {
   }
 
   fill() {
-    // The field that is being typed into must outlive the change that it makes.
-    const focus = document.activeElement?.dataset?.field;
     this.items.replaceChildren(
       ...this.store.state.boxes.map((box, index) => this.item(box, index)),
     );
-    if (focus) this.items.querySelector(`[data-field="${focus}"]`)?.focus();
+  }
+
+  // There may be more ways than before; what is half typed stays.
+  count() {
+    const { query } = this.sourceOf();
+    this.items.querySelectorAll('output').forEach((output, index) => {
+      output.textContent = passing(query, this.store.state.boxes[index]);
+    });
   }
 
   item(box, index) {
-    const { query } = this.sourceOf();
-    const n = query ? pathsThrough(query, box).size : 0;
     const keep = el(
       'select',
       {
         'aria-label': `Box ${index + 1}`,
-        data: { field: `${index} keep` },
+        data: { key: `${index} keep` },
         on: { change: () => this.replace(index, { ...box, keep: keep.value === 'keep' }) },
       },
       el('option', { value: 'keep', text: 'keep what passes', selected: box.keep }),
@@ -73,10 +83,7 @@ export class BoxList {
       'div',
       { class: 'box' },
       el('div', { class: 'box-bar' }, el('strong', { text: `Box ${index + 1}` }), keep, remove),
-      el('output', {
-        class: 'quiet',
-        text: `${plural(n, 'way')} ${n === 1 ? 'passes' : 'pass'} it`,
-      }),
+      el('output', { class: 'quiet', text: passing(this.sourceOf().query, box) }),
       this.corner(box, index, 'min', 'from'),
       this.corner(box, index, 'max', 'to'),
     );
@@ -89,7 +96,7 @@ export class BoxList {
         step: '1',
         value: Number(box[end][k].toFixed(2)),
         'aria-label': `Box ${index + 1} ${label} ${axis}`,
-        data: { field: `${index} ${end} ${k}` },
+        data: { key: `${index} ${end} ${k}` },
         on: {
           change: () => {
             if (!Number.isFinite(input.valueAsNumber)) return;

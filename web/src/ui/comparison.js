@@ -1,7 +1,7 @@
 // Two trajectories side by side: their numbers, when they passed what the query names, and how far apart they are now.
 import { Quaternion, Vector3 } from 'three';
 import { causeOf, GHOST_COLOR } from '../palette.js';
-import { el, seconds } from './dom.js';
+import { el, keepingFocus, seconds } from './dom.js';
 
 // Studs walked, flown and fallen.
 function lengthOf({ points, samples }) {
@@ -32,8 +32,7 @@ function tickAt(path, region, height) {
   for (let i = 0; i < path.samples; i++) {
     at.fromArray(path.points, 3 * i).setY(path.points[3 * i + 1] + height / 2);
     const local = at.sub(middle).applyQuaternion(turn).toArray();
-    if (local.every((value, k) => Math.abs(value) <= region.size[k] / 2))
-      return Math.min(i * path.stride, path.ticks);
+    if (local.every((value, k) => Math.abs(value) <= region.size[k] / 2)) return path.tickOf(i);
   }
   return -1;
 }
@@ -42,7 +41,7 @@ export class Comparison {
   // `pairOf`: [chosen, the other] or null; `sourceOf`: {query, level} of now; `tintOf`: path -> colour.
   constructor(root, store, pairOf, sourceOf, tintOf) {
     Object.assign(this, { root, store, pairOf, sourceOf, tintOf });
-    store.on(['path', 'ghost', 'colorBy', 'order'], () => this.fill());
+    store.on(['path', 'ghost', 'colorBy', 'order'], () => keepingFocus(root, () => this.fill()));
     this.fill();
   }
 
@@ -101,6 +100,7 @@ export class Comparison {
           class: 'plain text',
           type: 'button',
           text: 'Swap',
+          data: { key: 'swap' },
           on: { click: () => this.swap() },
         }),
         el('button', {
@@ -108,6 +108,7 @@ export class Comparison {
           type: 'button',
           'aria-label': 'End the comparison',
           text: '×',
+          data: { key: 'end' },
           on: { click: () => this.store.set({ ghost: -1 }) },
         }),
       ),

@@ -57,11 +57,11 @@ function killers(query, level, store, ends) {
         type: 'button',
         title: `${name}: ${n} of the attempts, ${shown} of them in this report`,
         style: { '--share': `${(100 * n) / most}%` },
-        data: { part },
+        data: { part, key: `killer ${part}` },
         on: {
           click: () => {
             const again = store.state.killer === part;
-            store.set({ killer: again ? -1 : part, part: again ? -1 : part });
+            store.set({ killer: again ? -1 : part, part: again || !level ? -1 : part });
           },
         },
       },

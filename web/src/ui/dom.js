@@ -60,20 +60,38 @@ export function count(value) {
 
 export const plural = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
 
-// Runs `refill`, which replaces what is in `root`; scroll and keyboard stay where they were.
-export function keepingPlace(root, refill) {
-  const top = root.scrollTop;
-  const focused = root.contains(document.activeElement) ? document.activeElement : null;
-  const names = Object.entries(focused?.dataset ?? {}).map(
-    ([key, v]) => `[data-${key}="${CSS.escape(v)}"]`,
-  );
+// Runs `refill`, which replaces what is in `root`; the keyboard stays on what has the same data-key as what it was on.
+export function keepingFocus(root, refill) {
+  const focused = document.activeElement;
+  const key = root.contains(focused) ? focused.dataset.key : undefined;
   refill();
-  root.scrollTop = top;
-  if (names.length)
-    root.querySelector(focused.tagName + names.join(''))?.focus({ preventScroll: true });
+  if (key === undefined) return;
+  root.querySelector(`[data-key="${CSS.escape(key)}"]`)?.focus({ preventScroll: true });
 }
 
-// A labelled list of choices that is bound to one name of the store. `options`: value -> text.
+// Scroll stays where it was, too; to ask for that takes a layout of the page.
+export function keepingPlace(root, refill) {
+  const top = root.scrollTop;
+  keepingFocus(root, refill);
+  root.scrollTop = top;
+}
+
+// A box to tick; `set` is told whether it is. The mouse leaves no focus on it, so that Space plays again.
+export function checkbox(set) {
+  const input = el('input', {
+    type: 'checkbox',
+    on: {
+      change: () => {
+        set(input.checked);
+        if (!input.matches(':focus-visible')) input.blur();
+      },
+    },
+  });
+  return input;
+}
+
+// A labelled list of choices that is bound to one name of the store. `options`: [value, text] in their order, which
+// an object would change where a value is a number.
 export function choice(store, name, label, options) {
   const select = el('select', {
     on: {
@@ -86,7 +104,7 @@ export function choice(store, name, label, options) {
   const field = el('label', { class: `choice ${name}` }, el('span', { text: label }), select);
   field.offer = (offered) => {
     select.replaceChildren(
-      ...Object.entries(offered).map(([value, text]) => el('option', { value, text })),
+      ...offered.map(([value, text]) => el('option', { value, text })),
     );
     select.value = String(store.state[name]);
   };

@@ -11,9 +11,9 @@ export class FilterPanel {
   // `sourceOf`: {query, level} of now; `addBox`: puts one where the reader looks.
   constructor(store, sourceOf, addBox) {
     Object.assign(this, { store, sourceOf });
-    this.outcome = choice(store, 'outcome', 'Outcome', {});
-    this.route = choice(store, 'route', 'Route', {});
-    this.killer = choice(store, 'killer', 'Killed by', {});
+    this.outcome = choice(store, 'outcome', 'Outcome', []);
+    this.route = choice(store, 'route', 'Route', []);
+    this.killer = choice(store, 'killer', 'Killed by', []);
     this.fields = el(
       'div',
       { class: 'fields' },
@@ -45,6 +45,7 @@ export class FilterPanel {
       on: { click: () => this.open(this.body.hidden) },
     });
     this.root = el('section', { class: 'filters' }, this.fold, this.body);
+    this.root.addEventListener('focusout', () => this.stale && this.fill());
     store.on(['order'], () => this.show());
     store.on(['boxes', 'drawing'], ({ boxes, drawing }) => {
       if (boxes.length || drawing) this.open(true);
@@ -56,8 +57,15 @@ export class FilterPanel {
     this.fold.setAttribute('aria-expanded', String(wanted));
   }
 
+  // The query has changed; a list of choices under somebody's hands stays as it is until they let go.
+  refresh() {
+    this.stale = this.root.contains(document.activeElement);
+    if (!this.stale) this.fill();
+  }
+
   // The choices that a query offers.
   fill() {
+    this.stale = false;
     const { query, level } = this.sourceOf();
     this.root.hidden = !query?.paths.length;
     if (!query) return;
@@ -67,7 +75,7 @@ export class FilterPanel {
     );
     const offer = (field, none, counts, nameOf) => {
       const named = counts.map(([key, n]) => [key, `${nameOf(key)} (${n})`]);
-      field.offer({ [none]: 'any', ...Object.fromEntries(named) });
+      field.offer([[none, 'any'], ...named]);
       field.hidden = counts.length < 2;
     };
     const outcomes = tally(query.paths.map((path) => path.outcome));

@@ -12,22 +12,22 @@ const SATURATION = {
 
 const shortName = (level, part) => level?.names[part]?.split('/').pop() || `part ${part}`;
 
-// A line that shows its part in the picture, where it has one.
-function line(text, part, store) {
-  if (!(part >= 0)) return el('li', { text });
+// A line that shows its part in the picture, where it has one and there is one.
+function line(text, part, level, store) {
+  if (!(part >= 0) || !level) return el('li', { text });
   const show = { click: () => store.set({ part, frame: part }) };
   return el(
     'li',
     {},
-    el('button', { class: 'plain text', type: 'button', text, data: { part }, on: show }),
+    el('button', { class: 'plain text', type: 'button', text, data: { key: text }, on: show }),
   );
 }
 
-function help(result, store) {
+function help(result, level, store) {
   if (!result.relaxations?.length) return [];
   return [
     el('h3', { text: 'What would help' }),
-    el('ul', {}, ...result.relaxations.map(({ text, part }) => line(text, part, store))),
+    el('ul', {}, ...result.relaxations.map(({ text, part }) => line(text, part, level, store))),
   ];
 }
 
@@ -52,9 +52,9 @@ function proof(result, level, store) {
     el(
       'ul',
       { class: 'proof' },
-      line(`${plural(cut.reached.length, 'part')} can be reached at most`, -1, store),
-      line(`Least step beyond: ${from} to ${to}`, cut.from, store),
-      ...(lack ? [line(`Missing: ${lack}`, cut.to, store)] : []),
+      line(`${plural(cut.reached.length, 'part')} can be reached at most`, -1, level, store),
+      line(`Least step beyond: ${from} to ${to}`, cut.from, level, store),
+      ...(lack ? [line(`Missing: ${lack}`, cut.to, level, store)] : []),
     ),
   ];
 }
@@ -71,6 +71,7 @@ function routes(result, level, store) {
       el('button', {
         class: 'plain text way',
         type: 'button',
+        data: { key: `route ${route.join(' ')}` },
         title: `List these only: ${routeText(route, level)}`,
         text: routeText(route, level, kMostNames),
         on: { click: () => toggle(route.join(' ')) },
@@ -97,7 +98,7 @@ export function findings(query, level, store) {
   if (!result) return el('div', { hidden: true });
   const parts = [
     ...proof(result, level, store),
-    ...help(result, store),
+    ...help(result, level, store),
     ...routes(result, level, store),
     ...trust(result),
   ];

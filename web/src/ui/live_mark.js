@@ -1,5 +1,5 @@
 // Whether the stream behind the page still runs, and whether the newest solution is chosen as it comes.
-import { el } from './dom.js';
+import { checkbox, el } from './dom.js';
 
 const kStates = {
   live: { text: 'Live', title: 'The stream runs: what comes is shown' },
@@ -12,7 +12,7 @@ export class LiveMark {
   constructor() {
     this.text = el('span', { class: 'name', role: 'status' });
     this.waiting = el('p', { class: 'quiet' });
-    this.newest = el('input', { type: 'checkbox' });
+    this.newest = checkbox((checked) => this.store.set({ followNewest: checked }));
     this.follow = el(
       'label',
       { hidden: true, title: 'Choose each new solution as it comes' },
@@ -28,7 +28,7 @@ export class LiveMark {
   }
 
   bind(store) {
-    this.newest.addEventListener('change', () => store.set({ followNewest: this.newest.checked }));
+    this.store = store;
     store.on(['followNewest'], (state) => {
       this.newest.checked = state.followNewest;
     });

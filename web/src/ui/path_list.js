@@ -38,9 +38,9 @@ export class PathList {
       'div',
       { class: 'list-bar' },
       this.count,
-      choice(store, 'sort', 'Sort by', SORTS),
+      choice(store, 'sort', 'Sort by', Object.entries(SORTS)),
       this.direction,
-      choice(store, 'colorBy', 'Colour by', COLORINGS),
+      choice(store, 'colorBy', 'Colour by', Object.entries(COLORINGS)),
     );
   }
 
@@ -99,7 +99,7 @@ export class PathList {
         role: 'option',
         type: 'button',
         title: help.join('. '),
-        data: { path: index },
+        data: { path: index, key: `way ${path.serial ?? index}` },
         on: {
           click: (event) => this.choose(index, event.shiftKey),
           pointerenter: () => this.store.set({ hoverPath: index }),

@@ -1,7 +1,7 @@
 // The floating panel on the right: legend of the roles that this level has, what is shown, and the chosen part.
 import { ROLES } from '../data.js';
 import { ROLE_STYLE } from '../palette.js';
-import { el } from './dom.js';
+import { checkbox, el } from './dom.js';
 
 export class ScenePanel {
   // `coloringOf`: how trajectories are coloured now.
@@ -71,15 +71,7 @@ export class ScenePanel {
   toggles() {
     const box = el('div', { class: 'toggles' });
     const add = (name, label, key, isShown = () => true) => {
-      const input = el('input', {
-        type: 'checkbox',
-        on: {
-          change: () => {
-            this.store.set({ [name]: input.checked });
-            input.blur();
-          },
-        },
-      });
+      const input = checkbox((checked) => this.store.set({ [name]: checked }));
       input.checked = this.store.state[name];
       this.store.on([name], (state) => {
         input.checked = state[name];
@@ -111,15 +103,9 @@ export class ScenePanel {
     add('heatWays', '… of the listed ways, not of the search', '', searched);
     add('cut', 'What is missing', '0');
     add('isolate', 'Chosen one only', 'I');
-    const original = el('input', {
-      type: 'checkbox',
-      on: {
-        change: () => {
-          this.store.set({ colors: original.checked ? 'level' : 'roles' });
-          original.blur();
-        },
-      },
-    });
+    const original = checkbox((checked) =>
+      this.store.set({ colors: checked ? 'level' : 'roles' }),
+    );
     this.store.on(['colors'], (state) => {
       original.checked = state.colors === 'level';
     });

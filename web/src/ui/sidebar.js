@@ -107,7 +107,7 @@ export class Sidebar {
             class: 'row query',
             role: 'option',
             type: 'button',
-            data: { name: query.id.toLowerCase(), query: index },
+            data: { name: query.id.toLowerCase(), query: index, key: `query ${index}` },
             on: { click: () => this.store.set({ query: index }) },
           },
           badge(verdictOf(query)),

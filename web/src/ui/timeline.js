@@ -4,6 +4,7 @@ import { landings } from '../scene/action_marks.js';
 import { el, icon, seconds, svg } from './dom.js';
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
+const kSliderKeys = /^(Arrow|Page|Home$|End$)/;
 
 // A short line at the profile's lower or upper edge.
 const tickMark = (kind, x, from, to) =>
@@ -12,6 +13,65 @@ const tickMark = (kind, x, from, to) =>
     d: `M${x} ${from}V${to}`,
     'vector-effect': 'non-scaling-stroke',
   });
+
+// Below, `x` is where a tick stands in the plot.
+
+// The hardest step in the colour of its band.
+function hardestStep(path, x) {
+  const hardest = path.difficulty?.hardest;
+  if (!hardest) return [];
+  return [
+    svg('rect', {
+      class: 'hardest',
+      x: x(hardest.startTick).toFixed(1),
+      y: '0',
+      width: x(Math.min(hardest.ticks, path.ticks)).toFixed(1),
+      height: '100',
+      fill: BAND_STYLE[hardest.band].color,
+      'fill-opacity': '0.28',
+    }),
+  ];
+}
+
+// Height over time.
+function heights(path, x) {
+  let low = Infinity;
+  let high = -Infinity;
+  for (let i = 0; i < path.samples; i++) {
+    low = Math.min(low, path.points[3 * i + 1]);
+    high = Math.max(high, path.points[3 * i + 1]);
+  }
+  const range = Math.max(high - low, 6);
+  const point = (i) => {
+    const y = 92 - (78 * (path.points[3 * i + 1] - low)) / range;
+    return `L${x(path.tickOf(i)).toFixed(1)} ${y.toFixed(1)}`;
+  };
+  const last = path.samples - 1;
+  const skip = Math.max(1, Math.floor(path.samples / 600));
+  let line = '';
+  for (let i = 0; i < last; i += skip) line += point(i);
+  line += point(last);
+  const tint = pathColor(path);
+  const end = x(path.ticks).toFixed(1);
+  return [
+    svg('path', { d: `M0 100${line}L${end} 100Z`, fill: tint, 'fill-opacity': '0.14' }),
+    svg('path', {
+      d: `M${line.slice(1)}`,
+      fill: 'none',
+      stroke: tint,
+      'stroke-opacity': '0.75',
+      'stroke-width': '1.5',
+      'vector-effect': 'non-scaling-stroke',
+    }),
+  ];
+}
+
+// Jumps and landings, and what the player set off.
+const marksOf = (path, x) => [
+  ...path.jumpTicks.map((tick) => tickMark('jump', x(tick), 100, 88)),
+  ...landings(path).map((tick) => tickMark('landing', x(tick), 100, 95)),
+  ...path.events.map(([tick]) => tickMark('event', x(tick), 0, 12)),
+];
 
 export class Timeline {
   constructor(root, store, playback, selected) {
@@ -39,8 +99,8 @@ export class Timeline {
           store.set({ playing: false });
           playback.seek(Number(this.slider.value));
         },
-        // Its keys are the page's; Tab still leaves it.
-        keydown: (event) => event.key !== 'Tab' && event.preventDefault(),
+        // The keys that would move it are the page's; all others stay the browser's.
+        keydown: (event) => kSliderKeys.test(event.key) && event.preventDefault(),
       },
     });
     this.plot = svg('svg', {
@@ -82,8 +142,9 @@ export class Timeline {
       el('div', { class: 'track' }, this.plot, this.slider),
       el('div', { class: 'buttons' }, this.speed, this.loop),
     );
-    store.on(['query', 'path'], () => this.draw());
-    store.on(['tick', 'path', 'query'], () => this.showTime());
+    // A ghost may be longer than the chosen one.
+    store.on(['query', 'path', 'ghost'], () => this.draw());
+    store.on(['tick', 'path', 'query', 'ghost'], () => this.showTime());
     store.on(['playing', 'speed', 'loop'], () => this.showState());
     this.draw();
     this.showTime();
@@ -117,54 +178,15 @@ export class Timeline {
     this.root.lastElementChild.append(button);
   }
 
-  // Height over time, with marks for jumps, landings and what the player set off, and the hardest step in the colour of its band.
+  // The profile of the chosen way over the clock's whole length, which a longer ghost stretches.
   draw() {
     const path = this.selected();
-    this.slider.max = String(Math.max(1, this.playback.lengthOf()));
+    const length = Math.max(1, this.playback.lengthOf());
+    this.slider.max = String(length);
     this.plot.replaceChildren();
     if (!path || path.samples < 2) return;
-    let low = Infinity;
-    let high = -Infinity;
-    for (let i = 0; i < path.samples; i++) {
-      low = Math.min(low, path.points[3 * i + 1]);
-      high = Math.max(high, path.points[3 * i + 1]);
-    }
-    const range = Math.max(high - low, 6);
-    const x = (tick) => (1000 * tick) / Math.max(1, path.ticks);
-    const y = (value) => 92 - (78 * (value - low)) / range;
-    let line = '';
-    const skip = Math.max(1, Math.floor(path.samples / 600));
-    for (let i = 0; i < path.samples; i += skip)
-      line += `L${x(i * path.stride).toFixed(1)} ${y(path.points[3 * i + 1]).toFixed(1)}`;
-    const tint = pathColor(path);
-    const hardest = path.difficulty?.hardest;
-    if (hardest) {
-      this.plot.append(
-        svg('rect', {
-          class: 'hardest',
-          x: x(hardest.startTick).toFixed(1),
-          y: '0',
-          width: x(Math.min(hardest.ticks, path.ticks)).toFixed(1),
-          height: '100',
-          fill: BAND_STYLE[hardest.band].color,
-          'fill-opacity': '0.28',
-        }),
-      );
-    }
-    this.plot.append(
-      svg('path', { d: `M0 100${line}L1000 100Z`, fill: tint, 'fill-opacity': '0.14' }),
-      svg('path', {
-        d: `M${line.slice(1)}`,
-        fill: 'none',
-        stroke: tint,
-        'stroke-opacity': '0.75',
-        'stroke-width': '1.5',
-        'vector-effect': 'non-scaling-stroke',
-      }),
-      ...path.jumpTicks.map((tick) => tickMark('jump', x(tick), 100, 88)),
-      ...landings(path).map((tick) => tickMark('landing', x(tick), 100, 95)),
-      ...path.events.map(([tick]) => tickMark('event', x(tick), 0, 12)),
-    );
+    const x = (tick) => (1000 * tick) / length;
+    this.plot.append(...hardestStep(path, x), ...heights(path, x), ...marksOf(path, x));
   }
 
   showTime() {

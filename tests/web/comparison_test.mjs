@@ -1,0 +1,108 @@
+// Two ways side by side: the ghost, one clock for both, the table.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { frames, state } from './browser.mjs';
+import { harness } from './harness.mjs';
+import { report } from './sample_report.mjs';
+
+const { options, test, run } = harness();
+const set = (page, values) => page.evaluate((v) => window.obby.store.set(v), values);
+const paths = report.queries[0].trajectories;
+const picture = (page, name) => page.screenshot({ path: join(options.out, `${name}.png`) });
+
+const kLong = 0; // a way of the sample
+const kShort = 4; // one of a fraction of its ticks
+
+// Of the bar at the bottom: its last tick, and the places of the chosen way's jumps in thousandths of it.
+const bar = (page) =>
+  page.evaluate(() => ({
+    last: Number(document.querySelector('.scrub').max),
+    jumps: [...document.querySelectorAll('.mark.jump')].map((mark) =>
+      parseFloat(mark.getAttribute('d').slice(1)),
+    ),
+  }));
+
+// That it spans so many ticks, with the jumps of that way where they belong.
+async function assertBar(page, ticks, way) {
+  const { last, jumps } = await bar(page);
+  assert.equal(last, ticks);
+  assert.equal(last, await page.evaluate(() => window.obby.length()));
+  const wanted = way.jumpTicks.map((tick) => (1000 * tick) / ticks);
+  assert.equal(jumps.length, wanted.length);
+  jumps.forEach((at, i) => assert.ok(Math.abs(at - wanted[i]) < 0.01, `${at}, not ${wanted[i]}`));
+}
+
+test('two ways run side by side from their starts', async ({ page }) => {
+  await set(page, { path: 0, tick: 0 });
+  await page.locator('.path[data-path="1"]').click({ modifiers: ['Shift'] });
+  assert.equal((await state(page)).ghost, 1);
+  await set(page, { tick: 200 });
+  await frames(page, 3);
+  const [where, wanted, shown] = await page.evaluate(() => {
+    const { stage } = window.obby;
+    const pose = window.obby.query().paths[1].poseAt(200);
+    return [
+      stage.ghost.group.position.toArray(),
+      [pose.x, pose.y, pose.z],
+      stage.ghost.group.visible,
+    ];
+  });
+  assert.equal(shown, true);
+  assert.deepEqual(where, wanted);
+  assert.match(
+    await page.locator('#comparison').innerText(),
+    /Chosen[\s\S]*Ghost[\s\S]*studs apart now/,
+  );
+  // The belt's box begins 6 studs along the leg from 0 to 18 in 0.75 s, which starts at 3.75 s.
+  assert.match(await page.locator('#comparison').innerText(), /Belt\s+4\.00 s/);
+  await picture(page, 'comparison');
+  await page.locator('#view').focus();
+  await page.keyboard.press('x');
+  assert.equal(await page.locator('#comparison').isVisible(), false);
+});
+
+test('the bar is as long as the longer of the two', async ({ page }) => {
+  const [long, short] = [paths[kLong], paths[kShort]];
+  assert.ok(short.ticks < 0.8 * long.ticks && short.jumpTicks.length > 1);
+  await set(page, { path: kShort, ghost: -1, tick: 0 });
+  await assertBar(page, short.ticks, short);
+  await page.locator(`.path[data-path="${kLong}"]`).click({ modifiers: ['Shift'] });
+  await assertBar(page, long.ticks, short);
+  assert.match(
+    await page.locator('.clock .time').innerText(),
+    new RegExp(` / ${(long.ticks / 60).toFixed(2)} s$`),
+  );
+  const box = await page.locator('.scrub').boundingBox();
+  await page.mouse.click(box.x + box.width - 2, box.y + box.height / 2);
+  const { tick } = await state(page);
+  assert.ok(tick > 0.98 * long.ticks, `scrubbed to ${tick} of ${long.ticks}`);
+  assert.equal(Number(await page.locator('.scrub').inputValue()), tick);
+  await page.getByLabel('End the comparison').click();
+  await assertBar(page, short.ticks, short);
+});
+
+test('a ghost that stays while others are chosen keeps the bar as long', async ({ page }) => {
+  await set(page, { path: kLong, ghost: -1, tick: 0 });
+  await page.locator('#view').focus();
+  await page.keyboard.press('x');
+  await assertBar(page, paths[kLong].ticks, paths[kLong]);
+  for (let down = 0; down < kShort - kLong; down++) await page.keyboard.press('ArrowDown');
+  assert.equal((await state(page)).path, kShort);
+  await assertBar(page, paths[kLong].ticks, paths[kShort]);
+});
+
+test('swapping leaves the keyboard on its button', async ({ page }) => {
+  await page.getByRole('button', { name: 'Swap' }).focus();
+  await page.keyboard.press('Enter');
+  const { path, ghost } = await state(page);
+  assert.deepEqual([path, ghost], [kLong, kShort]);
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.key), 'swap');
+  await assertBar(page, paths[kLong].ticks, paths[kLong]);
+});
+
+test('all of that raised no error and no request', async ({ trouble, requests }) => {
+  assert.deepEqual(trouble, []);
+  assert.equal(requests.length, 1, requests.join());
+});
+
+await run(options.sample(report));
