@@ -21,7 +21,7 @@ void setExtent(Track& track, const level::Mover& mover, uint32_t ticks, uint32_t
     if (mover.once) track.count += 1;
   } else {
     track.stride = stride;
-    track.count = ticks / stride + 1;
+    track.count = (ticks + stride - 1) / stride + 1;  // up to the last tick, if not beyond
   }
 }
 
