@@ -25,7 +25,8 @@ struct Machine {
                 Ranks& ranks = alone()) {
     return Trainer::make(settings, makeDeviceEngine(settings, source, device, pool, ranks), ranks);
   }
-  Trainers resume(const LevelSource& source, TrainerState state, Ranks& ranks = alone()) {
+  Trainers resume(const LevelSource& source, TrainerState state) {
+    Ranks& ranks = alone();
     return Trainer::resume(small(), makeDeviceEngine(small(), source, device, pool, ranks), ranks,
                            std::move(state));
   }
@@ -84,6 +85,12 @@ double farthest(const std::vector<float>& a, const std::vector<float>& b) {
   for (size_t i = 0; i < a.size(); ++i)
     most = std::max(most, std::abs(double(a[i]) - double(b[i])));
   return most;
+}
+
+double farApart(const std::vector<float>& a, const std::vector<float>& b) {  // the mean weight
+  double sum = 0;
+  for (size_t i = 0; i < a.size(); ++i) sum += std::abs(double(a[i]) - double(b[i]));
+  return sum / double(a.size());
 }
 
 class Parity : public testing::TestWithParam<bool> {};
@@ -156,21 +163,26 @@ TEST_P(Parity, OfPlayThroughManyLevels) {
   }
 }
 
-// Later a move differs here and there, and its world goes another way; what is learned stays alike.
-TEST(DeviceEngine, StaysNearTheCpu) {
+// Each iteration begins from what the CPU has learned, with Adam's moments: left alone, two learners
+// that differ by rounding soon go two ways. A decision between two roundings of the clip moves some
+// weights by a few hundred thousandths.
+TEST(DeviceEngine, LearnsInEachIterationWhatTheCpuDoes) {
   const Gaps gaps;
   ThreadPool pool(1);
   const auto cpu = Trainer::make(small(), gaps, pool, alone());
   Machine machine;
-  const auto gpu = machine.make(gaps);
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 8; ++i) {
+    const auto gpu = machine.resume(gaps, *(*cpu)->state());
+    ASSERT_TRUE(gpu) << gpu.error().text();
     const auto here = (*cpu)->iterate(), there = (*gpu)->iterate();
     ASSERT_TRUE(there) << there.error().text();
-    EXPECT_NEAR(here->reward, there->reward, 5e-3) << i;
-    EXPECT_NEAR(here->progress.entropy, there->progress.entropy, 2e-2) << i;
+    EXPECT_NEAR(here->reward, there->reward, 1e-9) << i;
+    EXPECT_NEAR(here->progress.entropy, there->progress.entropy, 1e-5) << i;
+    const TrainerState a = *(*cpu)->state(), b = *(*gpu)->state();
+    EXPECT_EQ(differenceOf(a, b).different, 0u) << i;
+    EXPECT_LT(farthest(a.learner.weights.flat(), b.learner.weights.flat()), 1e-3) << i;
+    EXPECT_LT(farApart(a.learner.weights.flat(), b.learner.weights.flat()), 1e-6) << i;
   }
-  const Difference d = differenceOf(*(*cpu)->state(), *(*gpu)->state());
-  EXPECT_LT(d.different, d.worlds / 2);
 }
 
 TEST(DeviceEngine, GivesTheSameBitsOnAnyNumberOfThreads) {
@@ -190,14 +202,14 @@ TEST(DeviceEngine, LearnsToCrossAGap) {
   const Gaps gaps;
   Machine machine(2);
   const auto trainer = machine.make(gaps);
-  for (int i = 0; i < 40; ++i) ASSERT_TRUE((*trainer)->iterate());
+  for (int i = 0; i < 30; ++i) ASSERT_TRUE((*trainer)->iterate());
   EvaluationSettings how;
   how.levels = 50;
   how.firstLevel = 1'000'000;
   const std::atomic<bool> stop{false};
   const auto learned = evaluate((*trainer)->network(), gaps, how, machine.pool, stop);
   ASSERT_TRUE(learned);
-  EXPECT_GT(learned->drawn, 0.5);
+  EXPECT_GT(learned->drawn, 0.9);
 }
 
 TEST(DeviceEngine, GoesOnFromACheckpointAsIfNothingHadBeen) {

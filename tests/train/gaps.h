@@ -70,13 +70,15 @@ inline Ranks& alone() {
   return one;
 }
 
+// Of 24 seeds, all cross more than 96 of 100 gaps after 30 iterations; at twice the rate, one in
+// some twenty learns to stand still first.
 inline TrainerSettings small() {
   TrainerSettings s;
   s.crowds = 2;
   s.crowd.levels = 4;
   s.crowd.worlds = 32;
   s.ppo.part = 1024;
-  s.ppo.rate = 2e-3f;
+  s.ppo.rate = 1e-3f;
   s.ppo.loss.entropyShare = 0.005f;
   s.decisions = 2'000'000;
   return s;
