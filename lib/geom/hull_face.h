@@ -48,7 +48,8 @@ OBBY_DEVICE int hullFace(const Hull& hull, Vec3 d, Vec3* out) {
   for (uint32_t i = 0; i < hull.vertexCount && count < internal::kMaxRing; ++i) {
     const Vec3 v = hull.vertices[i];
     const float below = hull.offsets[face] - dot(normal, v);
-    if (below < 1e-3f + 1e-5f * hull.offsets[face]) ring[count++] = v;
+    // Negative where the face looks toward the part's centre, which need not be in the hull.
+    if (below < 1e-3f + 1e-5f * absf(hull.offsets[face])) ring[count++] = v;
   }
   if (count == 0) return 0;
   internal::sortRing(ring, count, normal);

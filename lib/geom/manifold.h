@@ -86,6 +86,7 @@ OBBY_APART Manifold manifold(const Convex& a, const Convex& b, const Separation&
   Ring ringA, ringB;
   see(ringA, a, s.normal, view);
   see(ringB, b, -s.normal, view);
+  if (ringA.count == 0 || ringB.count == 0) return out;  // a hull without a face on that side
   // The second of two blocks is the frame: bodies lie on parts that are larger, and what lies
   // within the frame is not cut. Of other shapes the first is: rims are cut best by themselves.
   const bool aIsFrame = ringA.count >= 3 && !(isBlock(a.kind) && isBlock(b.kind));

@@ -31,6 +31,8 @@ int loosen(const Tree& tree, const Assemblies& assemblies, LevelDraft& level) {
     if (!isLoose(part)) continue;
     if (assemblies.members(part.id).size() > 1) {
       anchor(tree, level, part, "joined to other loose parts");
+    } else if (part.vanish) {
+      anchor(tree, level, part, "only parts that stand still lose their collision");
     } else {
       ++count;
     }

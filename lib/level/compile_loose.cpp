@@ -11,6 +11,10 @@ bool isLoose(schema::Part::Reader part) {
 
 Result<Loose> looseFrom(schema::Part::Reader part, Vec3 at, const std::vector<Collider>& colliders,
                         size_t first) {
+  if (part.hasVanish() || part.hasOneWay()) {
+    return pathError(part.hasVanish() ? "vanish" : "oneWay", "a loose part is always solid",
+                     "anchor it");
+  }
   if (!(part.getDensity() >= 1e-4f && part.getDensity() <= 100))
     return pathError("density", "expected a number from 0.0001 to 100");
   std::vector<SolidShape> shapes;

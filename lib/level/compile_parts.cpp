@@ -69,7 +69,7 @@ Result<MotionTables> PartCompiler::tables(const PartContext& c) const {
 
 // The clock that moves a part; kNone: the level's.
 Result<uint32_t> PartCompiler::trigger(PartContext& c, const MotionTables& tables) {
-  if (c.part.hasFall()) return c.own.length == 0 ? kNone : kOwnClock;
+  if (c.part.hasFall()) return kOwnClock;
   const auto motion = c.part.getMotion();
   const bool signal = motion.getTrigger() == schema::MotionTrigger::SIGNAL;
   if (signal) return clocks_.signal(motion.getSignal(), "motion.signal");
@@ -208,8 +208,8 @@ Status PartCompiler::shapes(schema::Part::Reader part, Collider collider, uint32
 Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
   if (uint16_t(part.getShape()) > uint16_t(schema::Shape::HULL))
     return pathError("shape", "unknown shape");
-  if (!(part.getFriction() >= 0))
-    return pathError("friction", "expected a number that is not negative");
+  if (!(part.getFriction() >= 0 && part.getFriction() <= kMaxFriction))
+    return pathError("friction", fmt::format("expected a number from 0 to {}", kMaxFriction));
   if (!(part.getElasticity() >= 0 && part.getElasticity() <= 1))
     return pathError("elasticity", "expected a number from 0 to 1");
   OBBY_ASSIGN(const Vec3 half, halfExtents(part));
@@ -232,7 +232,8 @@ Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
     collider.loose = uint8_t(out_.loose.size());
     c.flags |= kLoose;
   }
-  if (part.hasMotion() || part.hasFall()) OBBY_RETURN_IF_ERROR(mover(c, collider));
+  const bool falls = part.hasFall() && part.getTouch();
+  if (part.hasMotion() || falls) OBBY_RETURN_IF_ERROR(mover(c, collider));
   if ((c.flags & (kSolid | kTouchRoles)) == 0) return {};  // scenery
   if (c.flags & kWithRole) {
     collider.role = uint32_t(out_.roles.size());

@@ -11,6 +11,7 @@
 #include "level/compile_parts.h"
 #include "level/grid_build.h"
 #include "level/record_values.h"
+#include "level/speeds.h"
 
 namespace obby::level {
 
@@ -28,30 +29,6 @@ namespace {
 
 // A player may be this much faster sideways than walking and parts together make it.
 constexpr float kSpeedMargin = 1.5f;
-
-// Fastest sideways motion that parts can give a player, studs/s.
-float fastestSideways(const PartTables& tables, const Params& params) {
-  float fastest = 0, walk = 1;
-  for (const Clock& c : tables.clocks) walk = maxf(walk, c.walkFactor);
-  for (const Roles& r : tables.roles) {
-    fastest = maxf(fastest, length(Vec3{r.padVelocity.x, 0, r.padVelocity.z}));
-    fastest = maxf(fastest, length(Vec3{r.conveyorVelocity.x, 0, r.conveyorVelocity.z}));
-  }
-  for (const Mover& m : tables.movers) {
-    for (uint32_t k = 0; k + 1 < m.keyCount; ++k) {
-      const Vec3 step = m.keys[k + 1].position - m.keys[k].position;
-      fastest = maxf(fastest, length(Vec3{step.x, 0, step.z}) * float(params.controlRate));
-    }
-  }
-  return params.walkSpeed * walk + minf(fastest, 500.0f);
-}
-
-// Highest launch speed of a jump that parts can give a player, studs/s.
-float fastestJump(const PartTables& tables, const Params& params) {
-  float fastest = params.jumpSpeed;
-  for (const Clock& c : tables.clocks) fastest = maxf(fastest, jumpSpeedUnder(c, params));
-  return fastest;
-}
 
 // Covers what a player looks at during a tick, at any speed, so that one grid look-up serves a tick
 // (tickBounds in sim/candidates.h; tests/level/grid_test.cpp holds the two together).

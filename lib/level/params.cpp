@@ -6,11 +6,11 @@
 #include <capnp/schema.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "level/level.h"
-#include "math/vec.h"
 
 namespace obby::level {
 namespace {
@@ -50,10 +50,14 @@ void derive(Params& p) {
   // cosine.
   p.slopeNormalY = float(std::round(std::cos(double(p.maxSlope)) * 1e6) / 1e6);
   p.landedTicks = uint16_t(ticksFromSeconds(p, p.landedTime));
-  p.coyoteTicks = uint16_t(ticksFromSeconds(p, p.coyoteTime));
-  p.graceTicks = uint16_t(ticksFromSeconds(p, p.offFloorGrace));
-  p.squeezeTicks = uint16_t(maxf(1.0f, float(ticksFromSeconds(p, p.squeezeTime))));
-  p.sleepTicks = uint16_t(ticksFromSeconds(p, p.sleepTime));
+  // What is counted up to these starts at 0 while nothing is amiss: none of them may be over then.
+  const auto atLeastOne = [&p](float seconds) {
+    return uint16_t(std::max(1u, ticksFromSeconds(p, seconds)));
+  };
+  p.coyoteTicks = atLeastOne(p.coyoteTime);
+  p.graceTicks = atLeastOne(p.offFloorGrace);
+  p.squeezeTicks = atLeastOne(p.squeezeTime);
+  p.sleepTicks = atLeastOne(p.sleepTime);
 }
 
 }  // namespace

@@ -38,6 +38,19 @@ struct Candidates {
   OBBY_DEVICE Candidates() {}
 };
 
+// Where a collider is, `later` ticks after the state `w` where a mover moves it; where its body is
+// now if that is loose. `loose`: null where the level has none.
+OBBY_DEVICE Pose poseOf(const level::Collider& c, const World& w, const LooseBody* loose,
+                        const level::LevelView& level, uint32_t later) {
+  if (loose && c.loose != level::kNotLoose) return poseOf(loose[c.loose], level.loose[c.loose]);
+  return c.mover == level::kNone ? c.pose : poseOf(level.movers[c.mover], w, later);
+}
+
+// Has it fallen out of the world?
+OBBY_DEVICE bool isGone(const level::Collider& c, const LooseBody* loose) {
+  return loose && c.loose != level::kNotLoose && loose[c.loose].state == LooseState::gone;
+}
+
 // The grid cell that holds `feet`; -1 outside the grid, where nothing is near.
 template <class F>
 OBBY_DEVICE IntOf<F> cellOf(const level::Grid& g, Vec3T<F> feet) {

@@ -15,6 +15,7 @@ struct Rigid : RigidT<float> {
   uint32_t linked;  // bodies that it touches, itself included: a bit each
   bool moves;       // awake in this tick
   bool restless;    // something near it moves or may vanish: must not fall asleep
+  bool touches;     // has a contact
 };
 
 using Pair = PairT<float>;
@@ -65,7 +66,7 @@ OBBY_DEVICE bool isRestless(uint32_t flags) {
 OBBY_DEVICE Rigid rigidOf(const LooseBody& b, const level::Loose& l) {
   return {
       rigidOf<float>(b.position, b.velocity, b.spin, b.rotation, l.inverseInertia, l.inverseMass),
-      0, false, false};
+      0, false, false, false};
 }
 
 // Of its part within the tick.
@@ -96,6 +97,7 @@ OBBY_APART void addContact(World& w, const level::LevelView& level, LooseScene& 
   }
   LooseContact& c = scene.contacts[scene.contactCount++];
   c.a = a, c.b = other.body;
+  scene.bodies[c.a].touches = scene.bodies[c.b].touches = true;
   c.normal = m.normal;
   c.friction = 0.5f * (own.friction + other.collider->friction);
   c.bounce = 0.5f * (own.elasticity + other.collider->elasticity);

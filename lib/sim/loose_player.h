@@ -123,8 +123,8 @@ OBBY_DEVICE void settle(const LooseScene& scene, LooseBody* loose, const level::
       tired |= 1u << i;
       continue;
     }
-    loose[i].stillTicks =
-        uint16_t(stillTicksOf<float>(b, level.loose[i].radius, b.restless, loose[i].stillTicks, p));
+    loose[i].stillTicks = uint16_t(stillTicksOf<float>(
+        b, level.loose[i].radius, b.restless || !b.touches, loose[i].stillTicks, p));
     if (loose[i].stillTicks >= p.sleepTicks) tired |= 1u << i;
   }
   for (int i = 0; i < count; ++i) {

@@ -159,7 +159,8 @@ OBBY_DEVICE void move(RigidT<F>& b, const Params& p, float dt) {
   b.axes = toMat3(b.rotation);
 }
 
-// For how many ticks it has been slow, this one included. `restless`: what it lies on may go.
+// For how many ticks it has been slow, this one included. `restless`: what it lies on may go, or it
+// lies on nothing, as at the top of a throw.
 template <class F>
 OBBY_DEVICE IntOf<F> stillTicksOf(const RigidT<F>& b, F radius, MaskOf<F> restless, IntOf<F> before,
                                   const Params& p) {

@@ -33,16 +33,17 @@ OBBY_DEVICE bool sitDown(World& w, const level::LevelView& level, uint32_t clock
   return true;
 }
 
-// A tick on a seat, which may move; `p`: with the player's boosts.
-OBBY_DEVICE void sit(World& w, const level::LevelView& level, const Params& p, bool jump) {
+// A tick on a seat, which may move; comes after the loose bodies' motion. `loose`: null where the
+// level has none; `p`: with the player's boosts.
+OBBY_DEVICE void sit(World& w, const LooseBody* loose, const level::LevelView& level,
+                     const Params& p, bool jump) {
   const int i = heldSeat(w, level);
-  if (i < 0) {
+  const uint32_t held = i < 0 ? level::kNone : level.clocks[w.clocks[i].clock].seat;
+  if (held == level::kNone || isGone(level.colliders[held], loose)) {
     w.state = State::freefall;
     return;
   }
-  const level::Collider& seat = level.colliders[level.clocks[w.clocks[i].clock].seat];
-  const bool moves = seat.mover != level::kNone;
-  const Pose pose = moves ? poseOf(level.movers[seat.mover], w, 1) : seat.pose;
+  const Pose pose = poseOf(level.colliders[held], w, loose, level, 1);
   const Vec3 feet = feetOnSeat(pose, p);
   w.velocity = (feet - w.position) * float(p.controlRate);
   w.position = feet;

@@ -9,12 +9,7 @@ namespace obby::sim {
 // Where a collider is after the tick that led to `w`.
 OBBY_DEVICE Pose poseAfter(const level::LevelView& level, const World& w, const LooseBody* loose,
                            const level::Collider& c) {
-  if (c.loose != level::kNotLoose) return poseOf(loose[c.loose], level.loose[c.loose]);
-  return c.mover == level::kNone ? c.pose : poseOf(level.movers[c.mover], w, 0);
-}
-
-OBBY_DEVICE bool isGone(const level::Collider& c, const LooseBody* loose) {
-  return c.loose != level::kNotLoose && loose[c.loose].state == LooseState::gone;
+  return poseOf(c, w, loose, level, 0);
 }
 
 // Do the limbs touch the collider? The same test that roles are touched by, away or not.

@@ -71,8 +71,8 @@ OBBY_DEVICE void tickWith(World& w, LooseBody* loose, const level::LevelView& le
   near.looseApart = apart;
   gather(w, loose, level, p, near);
   if (w.state == State::seated) {
-    sit(w, level, p, control.jump);
     if (kLoose && (w.flags & kLooseAwake)) moveTogether(w, loose, nullptr, {}, level, near);
+    sit(w, kLoose ? loose : nullptr, level, p, control.jump);
   } else {
     move<kLoose>(w, loose, level, p, near, control);
     squeeze(w, level, near);

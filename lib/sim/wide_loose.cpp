@@ -34,8 +34,8 @@ enum BodyWord {
   kRadius,
   kInverseMass
 };
-constexpr int kCenter = 9, kRestless = 12;  // of a mass's
-constexpr int kMargin = 15;                 // of a block's
+constexpr int kCenter = 9, kRestless = 12, kTouches = 13;  // of a mass's
+constexpr int kMargin = 15;                                // of a block's
 static_assert(offsetof(LooseBody, rotation) == 4 * kRotation &&
               offsetof(LooseBody, velocity) == 4 * kSpeed &&
               offsetof(LooseBody, spin) == 4 * kSpin &&
@@ -109,7 +109,7 @@ bool WideLoose::take(const World& w, LooseBody& b, uint32_t i, float speed) {
   if (counts_.pairs - firstPair > kMostContacts) return false;
   const int at = counts_.bodies++;
   bodies_[at] = {b, l.radius, l.inverseMass};
-  masses_[at] = {l.inverseInertia, l.center, restless, {}};
+  masses_[at] = {l.inverseInertia, l.center, restless, 0, {}};
   blocks_[at].half = own.shape.half;
   blocks_[at].margin = margin;
   places_[at] = {&b, l.firstCollider, i, 0, 0};
@@ -269,6 +269,7 @@ void WideLoose::finishContact(int hit) {
   row.surface = {};
   if (pair.flags & (level::kMoving | level::kConveyor)) addMotion(row, pair);
   if (place.contacts++ == 0) place.firstContact = hit;
+  masses_[pair.body].touches |= row.count;
 }
 
 void WideLoose::addMotion(ContactRow& row, const Pair& pair) {
@@ -341,8 +342,9 @@ void WideLoose::solve(const int32_t* bodies, int contacts) {
   for (int k = 0; k < contacts; ++k) lanes.add(contactOf(bodies, k, lanes.body()));
   lanes.run();
   const RigidT<F>& b = lanes.body();
-  const WideInt still = stillTicksOf<F>(b, floatOfBits(row.word[kRadius]),
-                                        mass.word[kRestless] != 0, row.word[kRest] & 0xffff, p);
+  const WideMask restless = (mass.word[kRestless] != 0) | (mass.word[kTouches] == WideInt(0));
+  const WideInt still =
+      stillTicksOf<F>(b, floatOfBits(row.word[kRadius]), restless, row.word[kRest] & 0xffff, p);
   const WideMask tired = still >= WideInt(p.sleepTicks), fell = b.position.y < p.fallenPartsHeight;
   const auto state = [](LooseState s) { return WideInt(int32_t(s) << 16); };
   row.word[kRest] = still | select(tired, state(LooseState::asleep),

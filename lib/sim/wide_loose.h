@@ -35,7 +35,8 @@ class WideLoose {
     Mat3 inverseInertia;
     Vec3 center;
     int32_t restless;
-    int32_t unused[3];
+    int32_t touches;  // not 0: it has a contact
+    int32_t unused[2];
   };
   struct alignas(64) BlockRow {
     Pose pose;

@@ -45,4 +45,20 @@ inline LevelBuilder looseStack() {
   return b;
 }
 
+// Seats that a turning floor carries off, some of them over its edge.
+inline LevelBuilder looseSeats() {
+  LevelBuilder b = floorWith([](Part::Builder p) {
+    support::set(p.initConveyor().initAngular(), {0, 1.5f, 0});
+  });
+  for (int i = 0; i < 12; ++i) {
+    const Vec3 at{float(i % 4) * 9 - 13, 1.5f + float(i % 3), float(i / 4) * 9 - 9};
+    b.block(at, {3, 1, 3}, [=](Part::Builder p) {
+      p.setAnchored(false);
+      p.initSeat();
+      support::setRotation(p.initRotation(), 0.5f * float(i));
+    });
+  }
+  return b;
+}
+
 }  // namespace obby::golden

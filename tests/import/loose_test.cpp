@@ -29,6 +29,19 @@ TEST(LooseParts, ThoseThatAreJoinedStandStillAndTheLevelSaysSo) {
   EXPECT_EQ(scene.unmodelled("loose part"), 2u);
 }
 
+TEST(LooseParts, ThoseThatVanishStandStillAndTheLevelSaysSo) {
+  Scene scene;
+  const InstanceId plank = loosePart(scene, "Plank"), crate = loosePart(scene, "Crate");
+  scene.tag(plank, "Disappearing");
+  scene.level();
+  EXPECT_TRUE(scene[plank].anchored);
+  EXPECT_TRUE(scene[plank].vanish);
+  EXPECT_EQ(scene.evidence(plank, "anchored"),
+            "guessed: only parts that stand still lose their collision");
+  EXPECT_FALSE(scene[crate].anchored);
+  EXPECT_EQ(scene.unmodelled("loose part"), 1u);
+}
+
 TEST(LooseParts, APushboxIsLooseThoughKitsSaveItAnchored) {
   Scene scene;
   const InstanceId kit = scene.add("Model", "PushboxSpawnButton", scene.workspace);

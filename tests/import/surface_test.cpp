@@ -291,5 +291,22 @@ TEST(Vanish, TowerKitValues) {
   EXPECT_NEAR(scene[v6].vanish->away, 2, 1e-6);
 }
 
+TEST(Vanish, TowerKitValuesBelowZeroAreAsIfThereWereNone) {
+  Scene scene;
+  const auto platform = scene.part("Platform");
+  scene.value("NumberValue", "FadeTime", -2.0, platform);
+  scene.value("NumberValue", "RespawnTime", -1.0, platform);
+  const auto v6 = scene.part("V6");
+  const auto configuration = scene.add("Configuration", "VanisherConfiguration", v6);
+  scene.attribute(configuration, "BlinkCount", -1.0);
+  scene.attribute(configuration, "RespawnTime", -1.0);
+  scene.level();
+  ASSERT_TRUE(scene[platform].vanish && scene[v6].vanish);
+  EXPECT_NEAR(scene[platform].vanish->delay, 2, 1e-6);
+  EXPECT_NEAR(scene[platform].vanish->away, 1, 1e-6);
+  EXPECT_NEAR(scene[v6].vanish->delay, 0.6, 1e-6);
+  EXPECT_NEAR(scene[v6].vanish->away, 2, 1e-6);
+}
+
 }  // namespace
 }  // namespace obby::test

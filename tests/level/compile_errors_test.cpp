@@ -52,9 +52,11 @@ TEST(CompileErrors, Rotation) {
 }
 
 TEST(CompileErrors, Friction) {
-  for (const float f : {-0.1f, kNan}) {
-    expectRefused([=](auto p) { p.setFriction(f); }, ".friction", "not negative");
+  for (const float f : {-0.1f, kNan, 100.5f, 3e38f, kInf}) {
+    expectRefused([=](auto p) { p.setFriction(f); }, ".friction", "from 0 to 100");
   }
+  LevelBuilder most;
+  EXPECT_TRUE(bool(most.part([](auto p) { p.setFriction(100); }).tryCompile()));
 }
 
 TEST(CompileErrors, Roles) {
@@ -78,18 +80,21 @@ TEST(CompileErrors, Roles) {
 }
 
 TEST(CompileErrors, VanishTimerWithoutAPeriod) {
-  const auto timer = [](float delay, float away) {
+  const auto timer = [](float delay, float away, float phase) {
     return [=](schema::Part::Builder p) {
       auto v = p.initVanish();
       v.setTrigger(schema::VanishTrigger::TIMER);
       v.setDelay(delay);
       v.setAway(away);
+      v.setPhase(phase);
     };
   };
-  expectRefused(timer(0, 0), ".vanish", "period of 0");
-  expectRefused(timer(kNan, -3), ".vanish", "period of 0");
+  expectRefused(timer(0, 0, 0), ".vanish", "period of 0");
+  for (const float phase : {kNan, kInf, -kInf}) {
+    expectRefused(timer(0, 1, phase), ".vanish.phase", "seconds");
+  }
   LevelBuilder fine;
-  EXPECT_TRUE(bool(fine.part(timer(0, 1)).tryCompile()));
+  EXPECT_TRUE(bool(fine.part(timer(0, 1, -5)).tryCompile()));
 }
 
 TEST(CompileErrors, Teleport) {
@@ -117,9 +122,36 @@ TEST(CompileErrors, NegativeSeconds) {
   expectRefused([](auto p) { p.initFall().setAway(kNan); }, ".fall.away", "not negative");
   expectRefused([](auto p) { p.initFall().setSeconds(0); }, ".fall.seconds", "at least a tick");
   expectRefused([](auto p) { p.initFall().setSpeed(-1); }, ".fall.speed", "not negative");
+  for (const float bad : {-1.0f, kNan}) {
+    expectRefused([=](auto p) { p.initVanish().setDelay(bad); }, ".vanish.delay", "not negative");
+    expectRefused([=](auto p) { p.initVanish().setAway(bad); }, ".vanish.away", "not negative");
+  }
   expectRefused([](auto p) { p.initTrip().setSeconds(-1); }, ".trip.seconds", "not negative");
   expectRefused([](auto p) { p.initTrip().setAfter(-1); }, ".trip.after", "not negative");
   expectRefused([](auto p) { p.initMotion().setSeconds(-1); }, ".motion.seconds", "not negative");
+}
+
+TEST(CompileErrors, FallsOfPartsThatNothingCanTouch) {
+  const auto fall = [](float delay, float seconds, float speed) {
+    return [=](schema::Part::Builder p) {
+      p.setTouch(false);
+      auto f = p.initFall();
+      f.setDelay(delay);
+      f.setSeconds(seconds);
+      f.setSpeed(speed);
+    };
+  };
+  expectRefused(fall(-1, 1, 0), ".fall.delay", "not negative");
+  expectRefused(fall(1, 0, 0), ".fall.seconds", "at least a tick");
+  expectRefused(fall(1, 1, -1), ".fall.speed", "not negative");
+  expectRefused(fall(1e6f, 1e6f, 0), ".fall", "longer than 10 minutes");
+  expectRefused([](auto p) { p.setTouch(false), p.initFall(), p.initMotion(); }, ".fall",
+                "no other motion");
+}
+
+TEST(CompileErrors, LoosePartsThatLoseTheirCollision) {
+  expectRefused([](auto p) { p.setAnchored(false), p.initVanish(); }, ".vanish", "always solid");
+  expectRefused([](auto p) { p.setAnchored(false), p.initOneWay(); }, ".oneWay", "always solid");
 }
 
 TEST(CompileErrors, OneWayWithoutADirection) {

@@ -131,6 +131,14 @@ TEST(Params, DerivedTimesAreWholeTicks) {
   EXPECT_NEAR(p->slopeNormalY, std::cos(1.5533431), 1e-6);
 }
 
+TEST(Params, WhatIsCountedUpToATimeTakesATickAtLeast) {
+  EXPECT_EQ(compileWith("landedTime", 0)->landedTicks, 0);
+  EXPECT_EQ(compileWith("coyoteTime", 0)->coyoteTicks, 1);
+  EXPECT_EQ(compileWith("offFloorGrace", 0)->graceTicks, 1);
+  EXPECT_EQ(compileWith("squeezeTime", 0)->squeezeTicks, 1);
+  EXPECT_EQ(compileWith("sleepTime", 0)->sleepTicks, 1);
+}
+
 TEST(TicksFromSeconds, RoundsAndStaysInRange) {
   const Params p = *compileWith("controlRate", 60);
   EXPECT_EQ(ticksFromSeconds(p, 1), 60u);

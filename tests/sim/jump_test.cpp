@@ -103,6 +103,35 @@ TEST(Jump, coyote_jump_works_until_0_13_seconds_off_the_ledge) {
   EXPECT_EQ(jumpsAfter(8), 0);  // 8 ticks = 0.133 s
 }
 
+// One who stands stays Running and jumps; the tick after the last floor is too late.
+TEST(Jump, coyote_and_grace_times_of_0_end_with_the_floor) {
+  struct Times {
+    float coyote, grace;
+  };
+  for (const Times& times : {Times{0, 0.125f}, Times{0.13f, 0}, Times{0, 0}}) {
+    const auto set = [&](auto p) {
+      p.setCoyoteTime(times.coyote);
+      p.setOffFloorGrace(times.grace);
+    };
+    const auto level = flatLevel(set);
+    Play play(level);
+    play.settle();
+    for (int i = 0; i < 60; ++i) {
+      play.run(walk(kNorth));
+      ASSERT_EQ(play.world.state, State::running) << "tick " << i;
+    }
+    play.run(stand(true));
+    EXPECT_EQ(play.world.jumps, 1) << times.coyote << ", " << times.grace;
+    const auto ledge =
+        support::LevelBuilder().block({0, -1, 0}, {10, 2, 10}).physics(set).compile();
+    Play late(ledge);
+    late.settle();
+    late.until(walk(kNorth), [](const sim::World& w) { return w.floorlessTicks > 0; });
+    late.run(walk(kNorth, true));
+    EXPECT_EQ(late.world.jumps, 0) << times.coyote << ", " << times.grace;
+  }
+}
+
 TEST(Jump, rising_through_the_floor_rays_does_not_land) {
   const auto level = flatLevel();
   Play play(level);

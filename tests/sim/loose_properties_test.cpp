@@ -37,12 +37,14 @@ rc::Gen<Thrown> thrown(const rc::Gen<Vec3>& positions, float fastest, int shapes
                                 rc::gen::set(&Thrown::shape, rc::gen::inRange(0, shapes)));
 }
 
-void addThrown(LevelBuilder& b, const Thrown& t) {
-  b.block(t.position, t.size, [t](auto p) {
+// `more` sets what else it is.
+void addThrown(LevelBuilder& b, const Thrown& t, const LevelBuilder::PartSetter& more = {}) {
+  b.block(t.position, t.size, [t, more](auto p) {
     p.setAnchored(false);
     p.setShape(schema::Shape(t.shape));
     p.setElasticity(0);
     support::setRotation(p.initRotation(), t.turn.x, t.turn.y);
+    if (more) more(p);
   });
 }
 
@@ -104,12 +106,24 @@ struct Twins {
   }
 };
 
+bool areTame(const std::vector<LooseBody>& bodies) {
+  for (const LooseBody& b : bodies) {
+    if (!std::isfinite(dot(b.position, b.position) + dot(b.spin, b.spin))) return false;
+    if (!(length(b.velocity) < 500)) return false;
+  }
+  return true;
+}
+
 RC_GTEST_PROP(LooseProperties, EveryStateIsFiniteAndWideTicksGiveTheSame, ()) {
   const auto specs = *rc::gen::container<std::vector<PartSpec>>(partSpecs());
   const auto bodies =
       *rc::gen::container<std::vector<Thrown>>(4, thrown(vecOf(between(-15, 15)), 100));
   LevelBuilder b;
-  for (const Thrown& t : bodies) addThrown(b, t);
+  for (size_t i = 0; i < bodies.size(); ++i) {
+    addThrown(b, bodies[i], [i](auto p) {
+      if (i % 2 == 1) p.initSeat();
+    });
+  }
   addParts(b, specs);
   auto compiled = b.spawn({0, 8, 0}).tryCompile();
   if (!compiled) RC_FAIL(compiled.error().text());
@@ -123,12 +137,28 @@ RC_GTEST_PROP(LooseProperties, EveryStateIsFiniteAndWideTicksGiveTheSame, ()) {
     twins.step(seed, t);
     for (size_t i = 0; i < twins.alone.size(); ++i) {
       RC_ASSERT(isFinite(twins.alone[i]));
-      for (const LooseBody& body : twins.aloneLoose[i]) {
-        RC_ASSERT(std::isfinite(dot(body.position, body.position)));
-        RC_ASSERT(std::isfinite(dot(body.velocity, body.velocity) + dot(body.spin, body.spin)));
-        RC_ASSERT(length(body.velocity) < 500);
-      }
+      RC_ASSERT(areTame(twins.aloneLoose[i]));
     }
+    RC_ASSERT(twins.areAlike());
+  }
+}
+
+RC_GTEST_PROP(LooseProperties, WithAllFrictionThatThereIsEveryStateIsFinite, ()) {
+  const auto rough = [](schema::Part::Builder p) { p.setFriction(100); };
+  const auto bodies = *rc::gen::container<std::vector<Thrown>>(
+      3, thrown(rc::gen::build<Vec3>(rc::gen::set(&Vec3::x, between(-5, 5)),
+                                     rc::gen::set(&Vec3::y, between(3, 12)),
+                                     rc::gen::set(&Vec3::z, between(-5, 5))),
+                100));
+  LevelBuilder b;
+  b.block({0, -1, 0}, {300, 2, 300}, rough);
+  for (const Thrown& t : bodies) addThrown(b, t, rough);
+  const level::Level level = b.compile();
+  Twins twins{level.view(), {}, {}, {}, {}, {}};
+  twins.add({{0, 0, 140}, 0, 0}, throwAll(level.view(), bodies));
+  for (uint32_t t = 0; t < 120; ++t) {
+    twins.step(1, t);
+    RC_ASSERT(areTame(twins.aloneLoose[0]));
     RC_ASSERT(twins.areAlike());
   }
 }

@@ -26,12 +26,17 @@ Play playOf(const level::Level& level) { return Play(level, {0, 0, 40}); }
 float speedOf(const sim::LooseBody& b) { return length(b.velocity) + length(b.spin); }
 
 TEST(LooseBodies, FallAsGravityHasIt) {
-  const auto level = room().block({0, 50, 0}, {4, 4, 4}, loosen).compile();
-  Play play = playOf(level);
-  play.run(stand(), 30);
-  const double t = 0.5;
-  EXPECT_NEAR(play.loose[0].position.y, 50 - 0.5 * 196.2 * t * t, 0.25);  // semi-implicit substeps
-  EXPECT_NEAR(play.loose[0].velocity.y, -196.2 * t, 1e-2);
+  for (const float sleepTime : {0.5f, 0.0f}) {
+    const auto level = room()
+                           .block({0, 50, 0}, {4, 4, 4}, loosen)
+                           .physics([=](auto p) { p.setSleepTime(sleepTime); })
+                           .compile();
+    Play play = playOf(level);
+    play.run(stand(), 30);
+    const double t = 0.5;
+    EXPECT_NEAR(play.loose[0].position.y, 50 - 0.5 * 196.2 * t * t, 0.25);  // semi-implicit
+    EXPECT_NEAR(play.loose[0].velocity.y, -196.2 * t, 1e-2);
+  }
 }
 
 TEST(LooseBodies, ComeToRestOnTheFloorAndSleep) {
@@ -65,6 +70,32 @@ TEST(LooseBodies, OfEveryShapeRestOnTheirLowestFace) {
     const Pose pose = poseOf(play.loose[0], level.view().loose[0]);
     EXPECT_NEAR(pose.position.y, c.height, 0.02) << int(c.shape);
     EXPECT_NEAR(play.loose[0].velocity.y, 0, 0.05) << int(c.shape);
+  }
+}
+
+// As of a union: one hull, far from the part's centre, with its top at 0.
+TEST(LooseBodies, RestOnAHullFarFromItsPartsCentre) {
+  const auto slab = [](schema::Part::Builder p) {
+    p.setShape(schema::Shape::HULL);
+    auto vertices = p.initHulls(1)[0].initVertices(8);
+    for (uint32_t i = 0; i < 8; ++i) {
+      support::set(vertices[i],
+                   {i & 1 ? 200.0f : -200.0f, i & 2 ? -190.0f : -200.0f, i & 4 ? 200.0f : -200.0f});
+    }
+  };
+  for (const auto shape : {schema::Shape::BLOCK, schema::Shape::BALL}) {
+    const auto level = LevelBuilder{}
+                           .block({0, 190, 0}, {400, 400, 400}, slab)
+                           .block({0, 5, 0}, {2, 2, 2},
+                                  [=](auto p) {
+                                    p.setAnchored(false);
+                                    p.setShape(shape);
+                                  })
+                           .compile();
+    Play play = playOf(level);
+    play.run(stand(), 240);
+    EXPECT_NEAR(play.loose[0].position.y, 1, 0.02) << int(shape);
+    EXPECT_NEAR(play.loose[0].velocity.y, 0, 0.05) << int(shape);
   }
 }
 

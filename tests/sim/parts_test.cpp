@@ -145,6 +145,28 @@ TEST(Vanish, timer_part_is_solid_in_its_phase_only) {
   EXPECT_LT(play.world.position.y, -1);
 }
 
+LevelBuilder blinking(float phase) {
+  return LevelBuilder().block({0, -1, 0}, {6, 2, 6}, [=](Part::Builder p) {
+    auto v = p.initVanish();
+    v.setTrigger(schema::VanishTrigger::TIMER);
+    v.setDelay(2);
+    v.setAway(1);
+    v.setPhase(phase);
+  });
+}
+
+TEST(Vanish, a_negative_phase_counts_back_from_the_end_of_the_period) {
+  const uint64_t expected = blinking(2.5f).compile().hash();
+  for (const float phase : {-0.5f, -3.5f, -6.5f}) {
+    EXPECT_EQ(blinking(phase).compile().hash(), expected) << phase;
+  }
+  EXPECT_EQ(blinking(-3).compile().hash(), blinking(0).compile().hash());
+  const auto level = blinking(-0.5f).compile();
+  Play play(level);
+  play.run(stand(), 25);
+  EXPECT_LT(play.world.position.y, -1) << "away for half a second";
+}
+
 LevelBuilder platform(bool carries, Vec3 to) {
   return LevelBuilder().block({0, -1, 0}, {8, 2, 8}, [=](Part::Builder p) {
     auto motion = p.initMotion();
@@ -210,6 +232,57 @@ TEST(Motion, spinning_carrier_turns_the_player_with_it) {
   EXPECT_NEAR(sqrtf32(at.x * at.x + at.z * at.z), 5, 0.5f);
   EXPECT_NEAR(radiansFromTurns(play.world.yaw), 1, 0.15f);
   EXPECT_LT(at.z, -3) << "counter-clockwise from above: +X goes toward -Z";
+}
+
+// One who stands on a floor that turns at `speed` rad/s about the origin is as fast as the floor
+// below, and goes once round with it.
+void expectToTurnAlong(const level::Level& level, float radius, float speed, float drift) {
+  Play play(level, {radius, 0, 0});
+  play.world.velocity = {0, 0, -speed * radius};
+  const int ticks = int(2 * kPi / speed * 60 + 0.5f);
+  for (int i = 0; i < ticks; ++i) {
+    play.run(stand());
+    const Vec3 v = play.world.velocity, at = play.world.position;
+    ASSERT_EQ(play.world.floorlessTicks, 0) << "tick " << i;
+    if (i < 10) continue;  // lands
+    ASSERT_GT(length(Vec3{v.x, 0, v.z}), 0.97f * speed * length(Vec3{at.x, 0, at.z})) << i;
+  }
+  EXPECT_NEAR(play.world.position.x, radius, drift);
+  EXPECT_NEAR(play.world.position.z, 0, 2);
+}
+
+void setSpin(Part::Builder p, float speed, Vec3 pivot = {}) {
+  p.initMotion().setCarries(true);
+  p.getMotion().initSpin().setSpeed(speed);
+  support::set(p.getMotion().getSpin().initPivot(), pivot);
+}
+
+// The drive follows a floor that turns with a lag, and so drifts outward by a stud or so a turn.
+TEST(Motion, carriers_that_turn_fast_take_the_player_round) {
+  const auto disc =
+      LevelBuilder().block({0, -1, 0}, {40, 2, 40}, [](auto p) { setSpin(p, 3); }).compile();
+  expectToTurnAlong(disc, 12, 3, 2);
+}
+
+TEST(Motion, carriers_about_a_far_pivot_take_the_player_round) {
+  const auto arm = LevelBuilder()
+                       .block({20, -1, 0}, {8, 2, 8},
+                              [](auto p) {
+                                setSpin(p, 2, {-20, 0, 0});
+                              })
+                       .compile();
+  expectToTurnAlong(arm, 20, 2, 2);
+}
+
+// Its surface has a velocity, and does not lead round: each tick goes straight on.
+TEST(Conveyor, that_turns_fast_takes_the_player_round) {
+  const auto disc = LevelBuilder()
+                        .block({0, -1, 0}, {40, 2, 40},
+                               [](auto p) {
+                                 support::set(p.initConveyor().initAngular(), {0, 3, 0});
+                               })
+                        .compile();
+  expectToTurnAlong(disc, 12, 3, 4.5f);
 }
 
 TEST(Motion, spinning_bar_of_kill_parts_hits_a_player_who_stands_in_its_way) {

@@ -112,6 +112,56 @@ TEST(Seat, RidesWithAMovingSeat) {
   EXPECT_NEAR(play.world.velocity.x, 10, 0.01f);
 }
 
+bool isSeated(const World& w) { return w.state == State::seated; }
+
+void looseSeat(Part::Builder p) {
+  p.initSeat();
+  p.setAnchored(false);
+}
+
+Pose seatOf(const Play& play) { return poseOf(play.loose[0], play.level.view().loose[0]); }
+
+TEST(Seat, ThatIsLooseHoldsThePlayerWhereItLies) {
+  const auto level = floorLevel().block({0, 3, -8}, {3, 1, 3}, looseSeat).compile();
+  Play play(level);
+  play.run(stand(), 90);  // it falls
+  ASSERT_GE(play.until(walk(kNorth), isSeated), 0);
+  play.run(walk(kNorth), 30);
+  const Pose seat = seatOf(play);
+  EXPECT_NEAR(seat.position.y, 0.5f, 0.02f);
+  const Vec3 root = seat.position + seat.rotation.y * 2.0f;
+  EXPECT_NEAR(length(play.world.position - (root - Vec3{0, 3, 0})), 0, 1e-3f);
+  EXPECT_NEAR(length(play.world.velocity), 0, 0.1f);
+  play.run(stand(true));
+  EXPECT_EQ(play.world.state, State::jumping);
+  EXPECT_NEAR(play.world.velocity.y, 53, 0.1f);
+}
+
+TEST(Seat, ThatFallsTakesThePlayerAlongAndLetsGoWhereItIsGone) {
+  LevelBuilder b;
+  b.block({0, 0, 0}, {3, 1, 3}, looseSeat).physics([](auto p) {
+    p.setSeatHeight(10);
+    p.setFallenPartsHeight(-50);
+  });
+  const auto level = b.compile();
+  Play play(level, {0, 0.5f, 0});
+  ASSERT_GE(play.until(stand(), isSeated, 5), 0);
+  const auto isGone = [&] { return play.loose[0].state == sim::LooseState::gone; };
+  for (int i = 0; i < 120; ++i) {
+    play.run(stand());
+    if (isGone()) break;
+    ASSERT_TRUE(isSeated(play.world)) << i;
+    EXPECT_NEAR(play.world.position.y, seatOf(play).position.y + 7, 1e-3f) << i;
+    EXPECT_NEAR(play.world.velocity.y, play.loose[0].velocity.y, 3.5f) << i;
+  }
+  ASSERT_TRUE(isGone());
+  EXPECT_EQ(play.world.state, State::freefall);
+  const float left = play.world.position.y;
+  EXPECT_LT(left, -30);
+  play.run(stand());
+  EXPECT_LT(play.world.position.y, left - 1) << "falls on";
+}
+
 // A press that comes down to 1 stud above the floor.
 LevelBuilder pressLevel(schema::Squeeze squeeze, float lowest = 1) {
   return floorLevel().block({0, 12, 0}, {20, 4, 20}, [=](Part::Builder p) {

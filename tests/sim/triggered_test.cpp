@@ -51,6 +51,21 @@ TEST(Fall, FreelyUnderGravityAndLosesItsCollisionWhereItSaysSo) {
   EXPECT_LT(through.world.position.y, -3) << "through a part that sinks slowly";
 }
 
+TEST(Fall, StaysForGoodWhereNothingCanTouchIt) {
+  const auto level = LevelBuilder()
+                         .block({0, -1, 0}, {6, 2, 6},
+                                [](Part::Builder p) {
+                                  p.initFall();
+                                  p.setTouch(false);
+                                })
+                         .compile();
+  EXPECT_FALSE(level.hasMotion());
+  EXPECT_EQ(level.view().moverCount, 0u);
+  Play play(level);
+  play.run(stand(), 600);
+  EXPECT_NEAR(play.world.position.y, 0, 0.05f);
+}
+
 void slideTo(schema::Motion::Builder motion, Vec3 from, Vec3 to, float seconds) {
   auto keys = motion.initKeys(2);
   support::set(keys[0].initPosition(), from);

@@ -116,6 +116,35 @@ TEST(WideTick, LeavesEndedWorldsAlone) {
   EXPECT_EQ(running.tick, 1u);
 }
 
+// A body that sleeps as soon as it is slow does not in the air: neither where its fall begins nor
+// at the top of a throw.
+TEST(WideTick, LetsLooseBodiesSleepOnlyWhereTheyLie) {
+  const level::Level level = LevelBuilder()
+                                 .block({0, -1, 0}, {200, 2, 200})
+                                 .block({0, 20, 0}, {4, 4, 4}, [](auto p) { p.setAnchored(false); })
+                                 .spawn({0, 0, 60})
+                                 .physics([](auto p) { p.setSleepTime(0); })
+                                 .compile();
+  for (const float up : {0.0f, 196.2f / 6}) {  // at rest after ten ticks
+    World wide = makeWorld(level.view(), level.spawns()[0]), single = wide;
+    std::vector<LooseBody> wideLoose = makeLoose(level.view());
+    wideLoose[0].velocity.y = up;
+    std::vector<LooseBody> singleLoose = wideLoose;
+    World* worlds[] = {&wide};
+    LooseBody* loose[] = {wideLoose.data()};
+    const Action action{};
+    WideCounts counts;
+    for (int t = 0; t < 120; ++t) {
+      tickAll(level.view(), worlds, loose, &action, 1, &counts);
+      tick(single, singleLoose.data(), level.view(), action);
+      ASSERT_EQ(stateHash(wide, wideLoose), stateHash(single, singleLoose)) << up << ", tick " << t;
+    }
+    EXPECT_NEAR(wideLoose[0].position.y, 2, 0.03f) << up;
+    EXPECT_EQ(wideLoose[0].state, LooseState::asleep) << up;
+    EXPECT_GT(counts.looseInLanes, 0u);
+  }
+}
+
 // Lanes do not know the Climbing state: a climber goes singly even where its truss is out of reach.
 TEST(WideTick, TakesClimbersSingly) {
   const level::Level level = arena();

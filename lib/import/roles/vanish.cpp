@@ -25,6 +25,7 @@ void give(PartDraft& part, Vanish vanish, std::string reason, bool guessed) {
   part.evidence.push_back({"vanish", std::move(reason), guessed});
 }
 
+// Of several numbers the first that can be a time or a count.
 std::optional<double> firstOf(const Tree& tree, InstanceId id,
                               std::initializer_list<const char*> names) {
   for (const char* name : names)
@@ -118,12 +119,12 @@ void vanishFromMarkers(RoleContext& context) {
     const std::string words = markerWords(tree, marker);
     Vanish vanish;
     if (containsWord(words, "vanisher")) {
-      const auto blinks = tree.number(marker, "BlinkCount").value_or(kKit6Count);
+      const auto blinks = firstOf(tree, marker, {"BlinkCount"}).value_or(kKit6Count);
       vanish.delay = float(blinks) * kKit6Blink;
-      vanish.away = float(tree.number(marker, "RespawnTime").value_or(kKit6Away));
+      vanish.away = float(firstOf(tree, marker, {"RespawnTime"}).value_or(kKit6Away));
     } else if (lower(tree.at(marker).name) == "fadetime") {
-      vanish.delay = float(tree.number(owner, "FadeTime").value_or(kKitFade));
-      vanish.away = float(tree.number(owner, "RespawnTime").value_or(kKitAway));
+      vanish.delay = float(firstOf(tree, owner, {"FadeTime"}).value_or(kKitFade));
+      vanish.away = float(firstOf(tree, owner, {"RespawnTime"}).value_or(kKitAway));
     } else {
       return;
     }

@@ -13,7 +13,7 @@ const Behaviour kBehaviours[] = {
     {[](Part p) { return p.getSqueeze() != schema::Squeeze::PUSH; }, compileSqueeze, false},
     {[](Part p) { return p.hasKill(); }, compileKill, true},
     {[](Part p) { return p.hasJumpPad(); }, compileJumpPad, true},
-    {[](Part p) { return p.hasFall(); }, compileFall, true},
+    {[](Part p) { return p.hasFall(); }, compileFall, false},
     {[](Part p) { return p.hasButton(); }, compileButton, true},
     {[](Part p) { return p.hasTeleport(); }, compileTeleport, true},
     {[](Part p) { return p.hasBoost(); }, compileBoost, true},

@@ -36,6 +36,7 @@ Status compileFall(PartContext& c) {
     return pathError("fall.speed", "expected studs/s that are not negative");
   }
   OBBY_ASSIGN(const FallTicks t, fallTicks(record, c.params));
+  if (!c.part.getTouch()) return {};
   OBBY_RETURN_IF_ERROR(startOwn(c, t.delay + t.fall + t.away, "fall"));
   c.roles.awayClock = kOwnClock;
   c.roles.awayFrom = t.delay + (record.getSolid() ? t.fall : 0);

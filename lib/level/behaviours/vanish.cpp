@@ -1,14 +1,23 @@
 // Loses its collision for a time: by the level's clock, after a touch, or while a signal lasts.
+#include <cmath>
+
 #include "level/behaviours/behaviour.h"
 #include "level/record_values.h"
 
 namespace obby::level {
 namespace {
 
+// Ticks into the period at tick 0: a negative phase counts back from the period's end.
+Result<uint32_t> phaseOf(const Params& params, float phase, uint32_t period) {
+  if (!std::isfinite(phase)) return pathError("vanish.phase", "expected seconds");
+  const uint32_t ticks = ticksFromSeconds(params, std::fabs(phase));
+  return phase < 0 ? (period - ticks % period) % period : ticks;
+}
+
 Status byTimer(PartContext& c) {
-  if (c.roles.vanishDelay + c.roles.vanishAway == 0) {
-    return pathError("vanish", "a period of 0 ticks", "give delay or away");
-  }
+  const uint32_t period = c.roles.vanishDelay + c.roles.vanishAway;
+  if (period == 0) return pathError("vanish", "a period of 0 ticks", "give delay or away");
+  OBBY_ASSIGN(c.roles.vanishPhase, phaseOf(c.params, c.part.getVanish().getPhase(), period));
   c.flags |= kVanishTimer;
   return {};
 }
@@ -31,9 +40,8 @@ Status byTouch(PartContext& c) {
 
 Status compileVanish(PartContext& c) {
   const auto record = c.part.getVanish();
-  c.roles.vanishDelay = ticksFromSeconds(c.params, record.getDelay());
-  c.roles.vanishAway = ticksFromSeconds(c.params, record.getAway());
-  c.roles.vanishPhase = ticksFromSeconds(c.params, record.getPhase());
+  OBBY_ASSIGN(c.roles.vanishDelay, ticksOf(c.params, record.getDelay(), "vanish.delay"));
+  OBBY_ASSIGN(c.roles.vanishAway, ticksOf(c.params, record.getAway(), "vanish.away"));
   c.roles.vanishInverted = record.getInverted();
   c.roles.awayFrom = c.roles.vanishDelay;
   const bool signal = record.getTrigger() == schema::VanishTrigger::SIGNAL;
