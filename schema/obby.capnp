@@ -23,7 +23,7 @@ annotation always @0x9f4b2c6d81e3a705 (field) :Void;
 # In JSON this field is written even where it has its default: scripts look for it.
 
 annotation unit @0xb0f5e1a7d9c3a2e4 (field) :Text;
-# Unit of a number, for people and for --print-params.
+# Unit of a number, for people and for obby-calibrate's reports.
 
 annotation range @0xd2a9f8e3b7c61a55 (field) :Interval;
 # Values outside are refused on input; calibration searches inside.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace obby {
 
@@ -18,7 +19,12 @@ int availableThreads() {
 }
 
 ThreadPool::ThreadPool(int threads) {
-  for (int i = 1; i < threads; ++i) workers_.emplace_back([this] { work(); });
+  workers_.reserve(size_t(std::max(threads, 1)) - 1);
+  try {
+    for (int i = 1; i < threads; ++i) workers_.emplace_back([this] { work(); });
+  } catch (const std::exception&) {
+    // No thread or no memory left. Those that run could not be destroyed here, but can do the work.
+  }
 }
 
 ThreadPool::~ThreadPool() {
@@ -48,10 +54,17 @@ void ThreadPool::run(int count, const std::function<void(int)>& task) {
   std::unique_lock lock(mutex_);
   done_.wait(lock, [this] { return busy_ == 0; });
   task_ = nullptr;
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
 void ThreadPool::drain() {
-  for (int i; (i = next_.fetch_add(1, std::memory_order_relaxed)) < count_;) (*task_)(i);
+  try {
+    for (int i; (i = next_.fetch_add(1, std::memory_order_relaxed)) < count_;) (*task_)(i);
+  } catch (...) {
+    next_.store(count_, std::memory_order_relaxed);  // nobody begins another
+    std::lock_guard lock(mutex_);
+    if (!failure_) failure_ = std::current_exception();
+  }
 }
 
 void ThreadPool::work() {

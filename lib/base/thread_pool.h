@@ -6,6 +6,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -19,14 +20,18 @@ int availableThreads();
 
 class ThreadPool {
  public:
-  explicit ThreadPool(int threads);  // threads >= 1; the caller of run() is one of them
+  // threads >= 1; the caller of run() is one of them. Fewer where the system gives no more: the
+  // results are the same.
+  explicit ThreadPool(int threads);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
   int size() const { return int(workers_.size()) + 1; }
 
-  // Runs task(0) ... task(count - 1), each once, and returns when all are done. Not reentrant.
+  // Runs task(0) ... task(count - 1), each once, and returns when all are done. After a task that
+  // throws no other begins; what the first one threw is thrown here once all threads are idle, and
+  // the pool can be used again. Not reentrant.
   void run(int count, const std::function<void(int)>& task);
 
  private:
@@ -40,6 +45,7 @@ class ThreadPool {
   int count_ = 0;
   std::atomic<int> next_{0};
   int busy_ = 0;
+  std::exception_ptr failure_;  // the first of a run
   uint64_t generation_ = 0;
   bool stop_ = false;
 };

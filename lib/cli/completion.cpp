@@ -19,6 +19,9 @@ std::string quotedHelp(const std::string& text) {
   return out;
 }
 
+// A line each, so that names may have blanks.
+constexpr const char* kBashFiles = "mapfile -t COMPREPLY < <(compgen -f -- \"$word\")";
+
 bool takesWord(const OptionRow& row) {
   return row.type != ValueType::flag && row.type != ValueType::mode;
 }
@@ -33,21 +36,22 @@ std::string bash(const ToolSpec& spec, const std::vector<OptionRow>& rows) {
     if (!takesWord(row)) continue;
     std::string pattern = "--" + row.name;
     if (row.letter) pattern += std::string("|-") + row.letter;
-    const std::string reply = row.type == ValueType::file ? "compgen -f -- \"$word\""
-                              : row.choices.empty()       ? std::string(":")
-                                                    : fmt::format("compgen -W '{}' -- \"$word\"",
-                                                                  fmt::join(row.choices, " "));
-    cases += fmt::format("    {}) COMPREPLY=($({})); return ;;\n", pattern, reply);
+    const std::string reply = row.type == ValueType::file ? kBashFiles
+                              : row.choices.empty()
+                                  ? "COMPREPLY=()"
+                                  : fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$word\"))",
+                                                fmt::join(row.choices, " "));
+    cases += fmt::format("    {}) {}; return ;;\n", pattern, reply);
   }
   return fmt::format(
       "{0}() {{\n"
       "  local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}}\n"
       "  case $before in\n{1}  esac\n"
       "  if [[ $word == -* ]]; then COMPREPLY=($(compgen -W '{2}' -- \"$word\")); return; fi\n"
-      "  COMPREPLY=($(compgen -f -- \"$word\"))\n"
+      "  {4}\n"
       "}}\n"
       "complete -o filenames -F {0} {3}\n",
-      identifier(spec), cases, words.substr(1), spec.name);
+      identifier(spec), cases, words.substr(1), spec.name, kBashFiles);
 }
 
 // Brackets and colons have a meaning in zsh's specifications.

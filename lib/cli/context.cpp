@@ -17,6 +17,16 @@ std::string textOr(const Arguments& arguments, const std::string& name,
   return found->second.texts.back();
 }
 
+bool toStandardOutput(const ToolSpec& spec, const Arguments& arguments) {
+  return spec.alwaysToStandardOutput || textOr(arguments, "output", "-") == "-";
+}
+
+// A line that is drawn over and over would be torn by records on the same terminal.
+bool canDraw(const ToolSpec& spec, const Arguments& arguments) {
+  if (isatty(STDERR_FILENO) != 1) return false;
+  return !toStandardOutput(spec, arguments) || isatty(STDOUT_FILENO) != 1;
+}
+
 io::OnError onErrorFor(const std::string& text) {
   if (text == "skip") return io::OnError::skip;
   return text == "emit" ? io::OnError::emit : io::OnError::stop;
@@ -27,7 +37,7 @@ io::OnError onErrorFor(const std::string& text) {
 Context::Context(const ToolSpec& spec, Arguments arguments, Console& console)
     : spec_(spec), arguments_(std::move(arguments)), console_(console) {
   const ProgressMode mode = progressMode(textOr(arguments_, "progress", "none"),
-                                         isatty(STDERR_FILENO) == 1, console_.quiet);
+                                         canDraw(spec_, arguments_), console_.quiet);
   progress_ = std::make_unique<Progress>(mode, console_);
 }
 

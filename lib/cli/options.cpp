@@ -47,7 +47,8 @@ std::vector<OptionRow> makeUniversalRows() {
                     "no colours (also: NO_COLOR set, TERM=dumb, no terminal)")),
       universal(row("json-errors", 0, ValueType::flag, "", "errors as JSON objects on stderr")),
       universal(row("config", 0, ValueType::file, "FILE",
-                    "read options from FILE: lines `name = value`, [TOOL] sections for one tool")),
+                    "read options from FILE: lines `name = value`, 'text with blanks' in quotes, "
+                    "several values in [brackets]; below [TOOL] those of one tool")),
       universal(row("print-config", 0, ValueType::flag, "",
                     "print the options in force, as --config reads them, and exit")),
       universal(row("schema", 0, ValueType::flag, "", "print the schema of the streams and exit")),
@@ -92,8 +93,8 @@ OptionRow commonRow(Common option) {
     case Common::progress: {
       OptionRow out =
           choiceRow("progress", ValueType::mode, {"auto", "line", "json", "none"}, "auto",
-                    "signs of life on stderr: redrawn on a terminal, a line each ten "
-                    "seconds, or JSON objects");
+                    "signs of life on stderr: redrawn on a terminal that gets no records, a line "
+                    "each ten seconds, or JSON objects");
       out.bare = "line";
       return out;
     }

@@ -1,4 +1,4 @@
-// From argv, the environment and a configuration file to Arguments. The only code that sees CLI11.
+// From argv, the environment and a configuration file to Arguments. parse.cpp alone sees CLI11.
 #pragma once
 
 #include <string>
@@ -12,6 +12,9 @@ namespace obby::cli {
 
 // The tool's rows and the universal ones.
 std::vector<OptionRow> allRows(const ToolSpec& spec);
+
+// Options that only make sense when typed: --help, --config and their like.
+bool onlyTyped(const OptionRow& row);
 
 // "OBBY_TIME_LIMIT" for "time-limit".
 std::string environmentName(const std::string& option);

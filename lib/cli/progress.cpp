@@ -36,10 +36,10 @@ std::string brief(double value) {
 
 }  // namespace
 
-ProgressMode progressMode(const std::string& text, bool terminal, bool quiet) {
+ProgressMode progressMode(const std::string& text, bool canDraw, bool quiet) {
   if (text == "json") return ProgressMode::json;
   if (quiet || text == "none") return ProgressMode::none;
-  if (terminal) return ProgressMode::bar;
+  if (canDraw) return ProgressMode::bar;
   return text == "line" ? ProgressMode::line : ProgressMode::none;
 }
 

@@ -21,8 +21,9 @@ struct ProgressState {
 
 enum class ProgressMode { none, bar, line, json };
 
-// "auto" is bar on a terminal and none elsewhere; quiet silences all but json.
-ProgressMode progressMode(const std::string& text, bool terminal, bool quiet);
+// `canDraw`: stderr is a terminal on which nothing else is written. There "auto" is bar, elsewhere
+// none; quiet silences all but json.
+ProgressMode progressMode(const std::string& text, bool canDraw, bool quiet);
 
 // `query stage3  43 %  steps 1.2G  cells 4711`, at most `width` columns.
 std::string progressLine(const ProgressState& state, size_t width);

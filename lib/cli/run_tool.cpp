@@ -1,7 +1,9 @@
 // The life of a tool, from argv to the exit code.
+#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -12,6 +14,7 @@
 #include "cli/help.h"
 #include "cli/parse.h"
 #include "cli/stop.h"
+#include "io/read_file.h"
 #include "io/text.h"
 
 namespace obby::schema {
@@ -23,9 +26,21 @@ namespace {
 
 constexpr int kSignalExit = 128;
 
-// Reports an error that ends the tool. A reader that went away is no error to speak of.
+// A file that is opened would take the number of a standard stream that is closed, and get what is
+// meant for that stream. What takes it here is open the wrong way round, so that using it stays an
+// error.
+void occupyStandardStreams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) < 0 && errno == EBADF)
+      open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
+// Reports an error that ends the tool. A reader that went away, or a signal, is no error to speak
+// of.
 int fail(Console& console, const Error& error) {
   if (io::isBrokenPipe(error)) return kSignalExit + SIGPIPE;
+  if (io::isInterrupted(error) && stopSignal() != 0) return kSignalExit + stopSignal();
   console.error(error);
   return int(ExitCode::failed);
 }
@@ -92,6 +107,7 @@ bool wantsJsonErrors(int argc, char** argv) {
 }  // namespace
 
 int runTool(const ToolSpec& spec, int argc, char** argv, const RunFunction& body) {
+  occupyStandardStreams();
   Console console(spec.name);
   console.jsonErrors = wantsJsonErrors(argc, argv);
   try {

@@ -30,6 +30,8 @@ struct ToolSpec {
   // Do these options leave anything to be read? Where they do not, a file is refused and a terminal
   // is not waited for. Null: they always do.
   std::function<bool(const Arguments&)> readsInputs;
+  // Records go to standard output whatever --output says.
+  bool alwaysToStandardOutput = false;
   std::string inputHelp = "input streams";  // what the positional files are
   std::string notes;                        // paragraphs at the end of help; may be empty
 };

@@ -23,8 +23,12 @@ Result<std::string> recordBytes(Import& import) {
 }  // namespace
 
 InputOpener::InputOpener(ImportOptions options, std::function<void(const std::string&)> say,
-                         std::function<void(const std::string&)> explain)
-    : options_(std::move(options)), say_(std::move(say)), explain_(std::move(explain)) {}
+                         std::function<void(const std::string&)> explain,
+                         const std::atomic<bool>* stop)
+    : options_(std::move(options)),
+      say_(std::move(say)),
+      explain_(std::move(explain)),
+      stop_(stop) {}
 
 std::string InputOpener::freeName(const std::string& wanted) {
   std::string name = wanted;
@@ -35,7 +39,7 @@ std::string InputOpener::freeName(const std::string& wanted) {
 }
 
 Result<io::StreamReader> InputOpener::open(const std::string& path) {
-  OBBY_ASSIGN(std::string bytes, io::readFile(path));
+  OBBY_ASSIGN(std::string bytes, io::readFile(path, stop_));
   const std::string name = nameInErrors(path);
   if (!looksLikeRoblox(bytes)) {
     if (options_.explain) explain_(name + ": a stream of records, no place: nothing to explain\n");

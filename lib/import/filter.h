@@ -1,6 +1,7 @@
 // obby-import as a filter: opens each input, whatever it is, as a stream of records.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <string>
 
@@ -13,9 +14,11 @@ namespace obby::importer {
 // Gives levels of several inputs different names and tells the user what to know about each.
 class InputOpener {
  public:
-  // `say` gets the warnings of an import; `explain` its table, if options.explain is set.
+  // `say` gets the warnings of an import; `explain` its table, if options.explain is set; `stop` as
+  // io::readFile has it.
   InputOpener(ImportOptions options, std::function<void(const std::string&)> say,
-              std::function<void(const std::string&)> explain);
+              std::function<void(const std::string&)> explain,
+              const std::atomic<bool>* stop = nullptr);
 
   // A place or model file becomes its level and queries; anything else is read as a stream of
   // records. `path` "-" is standard input. Errors name the input.
@@ -26,6 +29,7 @@ class InputOpener {
 
   ImportOptions options_;
   std::function<void(const std::string&)> say_, explain_;
+  const std::atomic<bool>* stop_;
   std::vector<std::string> names_;
 };
 

@@ -18,9 +18,17 @@ constexpr size_t kLargestChunk = size_t(16) << 20;
 constexpr int kStopCheckMilliseconds = 100;
 
 Error fileError(const std::string& name, const char* doing) {
-  Error error = makeError(std::string(doing) + ": " + std::strerror(errno));
+  Error error = makeError(errno == EINTR ? std::string(kInterrupted)
+                                         : std::string(doing) + ": " + std::strerror(errno));
   error.input = name;
   return error;
+}
+
+// To open a named pipe waits for a writer; where somebody may say stop, the first read does.
+int openFile(const std::string& path, bool mayStop) {
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | (mayStop ? O_NONBLOCK : 0));
+  if (fd >= 0 && mayStop) fcntl(fd, F_SETFL, O_RDONLY);
+  return fd;
 }
 
 }  // namespace
@@ -30,7 +38,7 @@ Result<ByteSource> ByteSource::open(const std::string& path, const std::atomic<b
   const bool standard = path == "-";
   out.name_ = standard ? "stdin" : path;
   out.stop_ = stop;
-  out.fd_ = standard ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
+  out.fd_ = standard ? STDIN_FILENO : openFile(path, stop != nullptr);
   if (out.fd_ < 0) return fileError(out.name_, "cannot open");
   struct stat info {};
   if (fstat(out.fd_, &info) != 0) return fileError(out.name_, "cannot read");
@@ -101,11 +109,21 @@ Result<size_t> ByteSource::fill() {
   do {
     stopped_ = !waitReadable();
     got = stopped_ ? 0 : ::read(fd_, buffer_.data() + before, chunk);
-  } while (got < 0 && (errno == EINTR || errno == EAGAIN));
+  } while (got < 0 && (errno == EAGAIN || (errno == EINTR && stop_)));
   buffer_.resize(before + size_t(std::max<ssize_t>(got, 0)));
   if (got < 0) return fileError(name_, "cannot read");
   ended_ = got == 0;
   return size_t(got);
+}
+
+Result<std::string> ByteSource::rest() {
+  for (;;) {
+    OBBY_ASSIGN(const size_t came, fill());
+    if (came == 0) break;
+  }
+  buffer_.erase(0, std::exchange(begin_, 0));
+  offset_ += buffer_.size();
+  return std::exchange(buffer_, {});
 }
 
 Result<bool> ByteSource::need(size_t bytes) {

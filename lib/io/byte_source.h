@@ -11,9 +11,14 @@
 
 namespace obby::io {
 
+// The message of isInterrupted().
+inline constexpr const char* kInterrupted = "interrupted";
+
 class ByteSource {
  public:
-  // "-" is standard input. Once `stop` is set a waiting read ends and stopped() is true.
+  // "-" is standard input. Once `stop` is set a waiting read ends and stopped() is true; a named
+  // pipe need not have a writer yet. Without `stop` a signal whose handler lets calls come back
+  // breaks off a call that waits, with an error of isInterrupted().
   static Result<ByteSource> open(const std::string& path, const std::atomic<bool>* stop);
   static ByteSource overBytes(std::string bytes, std::string name);
 
@@ -34,6 +39,8 @@ class ByteSource {
   Result<size_t> fill();
   // fill() until `bytes` are buffered; false if the input ends before.
   Result<bool> need(size_t bytes);
+  // All that is not yet consumed, up to the end (or until stopped); consumes it.
+  Result<std::string> rest();
 
  private:
   ByteSource() = default;

@@ -36,6 +36,24 @@ Result<std::string_view> typeOf(const JsonTree& tree) {
   return noType("none");
 }
 
+// Empty: no kind is called nearly so.
+std::string hintFor(std::string_view type) {
+  const std::string near = nearest(type, recordPlan().names());
+  return near.empty() ? near : fmt::format("did you mean \"{}\"?", near);
+}
+
+// As of fields (JsonDecoder::passOver): only what looks like a slip is told.
+void passOver(std::string_view type, std::vector<Error>* misspelt) {
+  if (misspelt == nullptr) return;
+  std::string hint = hintFor(type);
+  if (hint.empty()) return;
+  misspelt->push_back({{},
+                       {},
+                       std::string(kTypeMember),
+                       "there is no such kind, and it is passed over",
+                       std::move(hint)});
+}
+
 }  // namespace
 
 Result<std::optional<RecordBuilder>> recordFromJsonIfKnown(std::string_view line,
@@ -43,7 +61,10 @@ Result<std::optional<RecordBuilder>> recordFromJsonIfKnown(std::string_view line
   OBBY_ASSIGN(const JsonTree tree, JsonTree::parse(line));
   OBBY_ASSIGN(const std::string_view type, typeOf(tree));
   const FieldPlan* kind = recordPlan().find(type);
-  if (!kind) return std::optional<RecordBuilder>();
+  if (!kind) {
+    passOver(type, misspelt);
+    return std::optional<RecordBuilder>();
+  }
   RecordBuilder out(std::min<uint64_t>(line.size() / 8 + 64, kMaxMessageWords));
   JsonDecoder decoder(tree, misspelt);
   capnp::DynamicStruct::Builder root(out.root());
@@ -59,8 +80,7 @@ Result<RecordBuilder> recordFromJson(std::string_view line) {
   OBBY_ASSIGN(const JsonTree tree, JsonTree::parse(line));
   OBBY_ASSIGN(const std::string_view type, typeOf(tree));
   Error error = noType(quoted(type));
-  const std::string near = nearest(type, recordPlan().names());
-  if (!near.empty()) error.hint = fmt::format("did you mean \"{}\"?", near);
+  error.hint = hintFor(type);
   return error;
 }
 

@@ -17,8 +17,8 @@ namespace obby::io {
 // One line without its newline. Errors carry the path in the record and what was expected.
 Result<RecordBuilder> recordFromJson(std::string_view line);
 
-// Likewise; nothing for a kind that the schema does not have. `misspelt` gets the first few fields
-// that were passed over but are nearly the name of one that there is; may be null.
+// Likewise; nothing for a kind that the schema does not have. `misspelt` gets the kind or the first
+// few fields that were passed over but are nearly the name of one that there is; may be null.
 Result<std::optional<RecordBuilder>> recordFromJsonIfKnown(std::string_view line,
                                                            std::vector<Error>* misspelt = nullptr);
 

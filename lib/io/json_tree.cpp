@@ -100,11 +100,11 @@ class JsonTreeBuilder {
 
   // The parser's own words without its prefix and the echo of the input.
   std::string explain(size_t column, std::string_view what) const {
+    const bool inText = what.find("invalid string") != std::string_view::npos;
     for (const char* word : {"NaN", "-nan", "nan", "-Infinity", "Infinity", "-inf", "inf"}) {
-      const size_t from = column < 10 ? 0 : column - 10;
-      const size_t at = source_.find(word, from);
-      if (at != std::string_view::npos && at <= column)
-        return fmt::format("expected a finite number, found {}", word);
+      // The parser stops at the first or the second letter, or at a sign before the word.
+      const size_t at = source_.find(word, column < 2 ? 0 : column - 2);
+      if (at <= column && !inText) return fmt::format("expected a finite number, found {}", word);
     }
     if (column > source_.size()) return "the line ends in the middle of a value: cut off?";
     if (what.find("number overflow") != std::string_view::npos) return "number too large";

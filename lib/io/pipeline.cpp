@@ -9,6 +9,7 @@ struct Pipeline::Impl {
   StreamIdentity identity;
   StreamWriter output;
   bool begun = false, budgetSpent = false, stoppedByError = false;
+  int64_t leftOut = 0;  // beyond what the source counts
 
   Status begin() {
     if (begun) return {};
@@ -25,12 +26,28 @@ struct Pipeline::Impl {
   }
 
   Status one(const Record& record, const Handler& handle) {
-    if (!record.known()) return output.pass(record);
+    if (!record.known()) return pass(record);
     Result<Then> then = handle(record);
-    if (then) return *then == Then::pass ? output.pass(record) : Status();
+    if (then) return *then == Then::pass ? pass(record) : Status();
     if (output.failed()) return then.error();
-    OBBY_RETURN_IF_ERROR(source.forgive(record, std::move(then.error())));
-    return source.onError() == OnError::emit ? output.pass(record) : Status();
+    OBBY_RETURN_IF_ERROR(source.forgive(record, std::move(then).error()));
+    return source.onError() == OnError::emit ? pass(record) : Status();
+  }
+
+  // A record that the output's format cannot hold is left out, whatever onError.
+  Status pass(const Record& record) {
+    Status passed = output.pass(record);
+    if (passed || output.failed()) return passed;
+    if (source.onError() == OnError::emit) leftOut++;
+    return source.forgive(record, std::move(passed).error());
+  }
+
+  Status forgiveLate(const Record& record, Error error) {
+    if (output.failed()) return error;
+    if (error.input.empty()) error.input = record.input();
+    OBBY_RETURN_IF_ERROR(source.forgive(record, std::move(error)));
+    if (source.onError() == OnError::skip) leftOut--;
+    return {};
   }
 
   Status run(const Handler& handle) {
@@ -56,7 +73,7 @@ struct Pipeline::Impl {
     auto end = builder.root().initEnd();
     end.setStatus(status());
     end.setRecords(output.recordsWritten());
-    end.setSkipped(source.skipped());
+    end.setSkipped(uint64_t(int64_t(source.skipped()) + leftOut));
     end.setErrors(source.errors() + (stoppedByError ? 1 : 0));
     OBBY_RETURN_IF_ERROR(output.write(builder.reader()));
     return output.close();
@@ -81,14 +98,19 @@ Status Pipeline::write(schema::Record::Reader record) {
 }
 
 void Pipeline::outOfBudget() { impl_->budgetSpent = true; }
-Status Pipeline::finish() { return impl_->finish(); }
 
-Status Pipeline::runAndFinish(const Handler& handle) {
-  const Status ran = run(handle);
-  if (impl_->output.failed()) return ran;
-  const Status finished = finish();
-  return ran ? finished : ran;
+Status Pipeline::forgiveLate(const Record& record, Error error) {
+  return impl_->forgiveLate(record, std::move(error));
 }
+
+Status Pipeline::finish(Status work) {
+  if (work) return impl_->finish();
+  impl_->stoppedByError = true;
+  if (!impl_->output.failed()) (void)impl_->finish();  // the first error is the one to tell
+  return work;
+}
+
+Status Pipeline::runAndFinish(const Handler& handle) { return finish(run(handle)); }
 
 StreamWriter& Pipeline::output() { return impl_->output; }
 RecordSource& Pipeline::source() { return impl_->source; }

@@ -35,7 +35,7 @@ struct SourceOptions {
   OnError onError = OnError::stop;
   const std::atomic<bool>* stop = nullptr;        // set from outside: end the input early
   std::function<void(const Error&)> report = {};  // errors that did not stop the run
-  // Fields that look misspelt, the first few of a run.
+  // Fields and kinds that look misspelt, the first few of a run.
   std::function<void(const Error&)> warn = {};
   // How an input becomes a stream of records; absent: StreamReader::open. A tool that reads other
   // files than streams turns them into one here.
@@ -87,8 +87,13 @@ class Pipeline {
   ~Pipeline();
 
   // Writes the header, then gives every record of a known kind to `handle` and passes the others.
-  // An error of `handle` is about the record and falls under onError, unless the output failed.
+  // An error of `handle`, or of passing the record on, is about the record and falls under onError,
+  // unless the output failed.
   Status run(const Handler& handle);
+
+  // To be asked about an error that shows only behind `record`, which went out: likewise, but it is
+  // not counted as left out. Names its input and place.
+  Status forgiveLate(const Record& record, Error error);
 
   // Records of the tool's own, between those passed through.
   Status write(schema::Record::Reader record);
@@ -96,12 +101,13 @@ class Pipeline {
   // The work ended before every query had its verdict (a budget was spent).
   void outOfBudget();
 
-  // Writes the end record and closes the output. After an error of run() the end record says
-  // `interrupted`, so that what was finished is not lost; an error before the first record leaves
-  // no output at all.
-  Status finish();
+  // Writes the end record and closes the output. `work` is what came of the run, and of what was
+  // done since. After an error of either the end record says `interrupted` and counts it, so that
+  // what was finished is not lost; an error before the first record leaves no output at all. Gives
+  // the error of `work`, else its own.
+  Status finish(Status work = {});
 
-  // run() and finish(), also after an error; the first error of the two.
+  // run() and finish(), also after an error.
   Status runAndFinish(const Handler& handle);
 
   StreamWriter& output();

@@ -1,13 +1,18 @@
 // A whole file in memory, for inputs that are no streams of records.
 #pragma once
 
+#include <atomic>
 #include <string>
 
 #include "base/result.h"
 
 namespace obby::io {
 
-// `path` "-" is standard input. Errors name the file and the reason.
-Result<std::string> readFile(const std::string& path);
+// `path` "-" is standard input. Errors name the file and the reason. Once `stop` is set a call that
+// waits ends with an error of isInterrupted(); without `stop` a signal does that to it.
+Result<std::string> readFile(const std::string& path, const std::atomic<bool>* stop = nullptr);
+
+// True for the error of a read that was told to stop: end as the signal says.
+bool isInterrupted(const Error& error);
 
 }  // namespace obby::io

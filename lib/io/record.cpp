@@ -15,6 +15,7 @@ Record::Record(RecordBuilder builder) {
 bool Record::known() const { return storage_->decoded.has_value(); }
 Kind Record::which() const { return reader().which(); }
 schema::Record::Reader Record::reader() const { return storage_->decoded->reader(); }
+const std::string& Record::input() const { return storage_->input; }
 const std::string& Record::place() const { return storage_->place; }
 
 }  // namespace obby::io

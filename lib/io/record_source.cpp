@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "io/pipeline.h"
+#include "io/read_file.h"
 #include "io/record_storage.h"
 
 namespace obby::io {
@@ -63,7 +64,7 @@ struct RecordSource::Impl {
     auto opened = options.open ? options.open(path) : StreamReader::open(path, options.stop);
     if (opened) {
       reader = *std::move(opened);
-    } else {
+    } else if (!stopped() || !isInterrupted(opened.error())) {  // told to stop: no error
       if (!options.open || options.onError == OnError::stop) return opened.error();
       report(opened.error());
       skipped++;

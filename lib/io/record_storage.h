@@ -14,7 +14,7 @@ struct Record::Storage {
   std::optional<RecordBuilder> decoded;  // nothing: a kind that the schema does not have
   Format format = Format::jsonl;
   std::string raw;  // the line without its newline, or the message; empty: made here
-  std::string place;
+  std::string input, place;
   std::vector<Error> misspelt;  // as of recordFromJsonIfKnown()
 };
 

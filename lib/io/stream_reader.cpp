@@ -116,6 +116,7 @@ struct StreamReader::Impl {
     if (Status status = framing.accept(reader, placeName(storage->place)); !status)
       return fatal(status.error(), storage->place);
     if (!got) return located(got.error(), storage->place);
+    storage->input = source.name();
     storage->decoded = std::move(*got);
     return std::optional<Record>(Record(std::move(storage)));
   }

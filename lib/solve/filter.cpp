@@ -17,6 +17,13 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+// Compiled, too: what makes no sense falls under --on-error before anything goes out.
+Result<io::Record> queryOf(const LoadedLevel& level, const QuickQuery& quick, const char* id) {
+  OBBY_ASSIGN(io::Record query, buildQuery(level.record.reader().getLevel(), quick, id));
+  OBBY_RETURN_IF_ERROR(level::Query::compile(query.reader().getQuery(), level.level));
+  return query;
+}
+
 }  // namespace
 
 Filter::Filter(FilterOptions options, io::Pipeline& pipeline)
@@ -27,7 +34,7 @@ Filter::Filter(FilterOptions options, io::Pipeline& pipeline)
 Result<io::Then> Filter::handle(const io::Record& record) {
   switch (record.which()) {
     case io::Kind::PARAMS: physics_.know(record); return io::Then::pass;
-    case io::Kind::LEVEL: return handleCalibrated(record);
+    case io::Kind::LEVEL: return handleLevel(record);
     case io::Kind::QUERY: return handleQuery(record);
     case io::Kind::TRAJECTORY: return handleTrajectory(record.reader().getTrajectory());
     default: return io::Then::pass;
@@ -35,32 +42,31 @@ Result<io::Then> Filter::handle(const io::Record& record) {
 }
 
 // It goes out as it is played: what comes behind must replay the same.
-Result<io::Then> Filter::handleCalibrated(const io::Record& level) {
-  if (!physics_.known()) return handleLevel(level);
-  const io::Record calibrated = physics_.applied(level);
-  OBBY_ASSIGN(const io::Then then, handleLevel(calibrated));
+Result<io::Then> Filter::handleLevel(const io::Record& read) {
+  OBBY_RETURN_IF_ERROR(finishLevel());
+  last_.reset();
+  if (!physics_.known()) return take(read, read);
+  const io::Record calibrated = physics_.applied(read);
+  OBBY_ASSIGN(const io::Then then, take(calibrated, read));
   if (then == io::Then::pass) OBBY_RETURN_IF_ERROR(pipeline_.output().pass(calibrated));
   return io::Then::drop;
 }
 
-Result<io::Then> Filter::handleLevel(const io::Record& record) {
-  OBBY_RETURN_IF_ERROR(askDefault());
-  last_ = nullptr;
-  OBBY_ASSIGN(LoadedLevel loaded, loadLevel(record));
+Result<io::Then> Filter::take(const io::Record& played, const io::Record& read) {
+  OBBY_ASSIGN(LoadedLevel loaded, loadLevel(played));
   // First: a level without the places is none that trajectories can be judged by.
   if (options_.task == Task::filter) {
-    OBBY_ASSIGN(PassFilter filter, PassFilter::make(record.reader().getLevel(), options_.passes));
+    OBBY_ASSIGN(PassFilter filter, PassFilter::make(played.reader().getLevel(), options_.passes));
     passFilters_.insert_or_assign(loaded.level.name(), std::move(filter));
   }
-  last_ = std::make_shared<const LoadedLevel>(std::move(loaded));
-  lastAsked_ = false;
-  levels_[last_->level.name()] = last_;
-  if (!options_.quick || options_.each || options_.task != Task::answer) return io::Then::pass;
-  lastAsked_ = true;
-  OBBY_ASSIGN(const io::Record query,
-              buildQuery(record.reader().getLevel(), *options_.quick, "command-line"));
-  OBBY_RETURN_IF_ERROR(pipeline_.output().pass(record));
-  OBBY_RETURN_IF_ERROR(ask(*last_, query));
+  const auto level = std::make_shared<const LoadedLevel>(std::move(loaded));
+  const bool quick = options_.quick && !options_.each && options_.task == Task::answer;
+  last_ = Last{level, read, quick};
+  levels_[level->level.name()] = level;
+  if (!quick) return io::Then::pass;
+  OBBY_ASSIGN(const io::Record query, queryOf(*level, *options_.quick, "command-line"));
+  OBBY_RETURN_IF_ERROR(pipeline_.output().pass(played));
+  OBBY_RETURN_IF_ERROR(ask(*level, query));
   return io::Then::drop;
 }
 
@@ -69,7 +75,7 @@ Result<io::Then> Filter::handleQuery(const io::Record& record) {
   if (options_.task != Task::answer) note(query.getId());
   if (options_.task == Task::filter) return io::Then::pass;
   OBBY_ASSIGN(const LevelPointer level, levelNamed(query.getLevel()));
-  if (level == last_) lastAsked_ = true;
+  if (last_ && level == last_->level) last_->asked = true;
   const bool asked = options_.quick && !options_.each;  // in place of the stream's queries
   if (asked && options_.task == Task::answer) return io::Then::pass;
   OBBY_ASSIGN(const io::Record full, resolved(*level, record));
@@ -81,13 +87,12 @@ Result<io::Then> Filter::handleQuery(const io::Record& record) {
   if (!wanted(query.getId())) return io::Then::pass;
   // Compiled first: a query that makes no sense falls under --on-error before it goes out.
   OBBY_RETURN_IF_ERROR(level::Query::compile(full.reader().getQuery(), level->level));
-  OBBY_RETURN_IF_ERROR(pipeline_.output().pass(full));
-  OBBY_RETURN_IF_ERROR(answer(*level, full.reader().getQuery()));
+  OBBY_RETURN_IF_ERROR(ask(*level, full));
   return io::Then::drop;
 }
 
 Result<Filter::LevelPointer> Filter::levelNamed(const std::string& name) const {
-  if (name.empty() && last_) return last_;
+  if (name.empty() && last_) return last_->level;
   const auto found = levels_.find(name);
   if (!name.empty() && found != levels_.end()) return found->second;
   return Error{{},
@@ -146,21 +151,26 @@ Status Filter::remember(schema::Trajectory::Reader trajectory, bool first) {
 }
 
 Status Filter::ask(const LoadedLevel& level, const io::Record& query) {
-  OBBY_RETURN_IF_ERROR(pipeline_.write(query.reader()));
+  OBBY_RETURN_IF_ERROR(pipeline_.output().pass(query));
   return answer(level, query.reader().getQuery());
 }
 
+// What cannot be asked of a level is found out behind it, and is not about what comes there.
+Status Filter::finishLevel() {
+  Status asked = askDefault();
+  return asked ? asked : pipeline_.forgiveLate(last_->read, std::move(asked).error());
+}
+
 Status Filter::askDefault() {
-  if (!last_ || lastAsked_ || options_.task != Task::answer || !options_.only.empty()) return {};
-  lastAsked_ = true;
-  const auto level = last_->record.reader().getLevel();
-  OBBY_ASSIGN(const io::Record query,
-              buildQuery(level, options_.quick.value_or(QuickQuery{}), "whole"));
-  return ask(*last_, query);
+  if (!last_ || last_->asked || options_.task != Task::answer || !options_.only.empty()) return {};
+  last_->asked = true;
+  const QuickQuery quick = options_.quick.value_or(QuickQuery{});
+  OBBY_ASSIGN(const io::Record query, queryOf(*last_->level, quick, "whole"));
+  return ask(*last_->level, query);
 }
 
 Status Filter::finishInput() {
-  OBBY_RETURN_IF_ERROR(askDefault());
+  OBBY_RETURN_IF_ERROR(finishLevel());
   for (const std::string& id : options_.only) {
     if (std::find(met_.begin(), met_.end(), id) != met_.end()) continue;
     if (others_.size() > 5) others_.resize(5);

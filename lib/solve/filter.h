@@ -55,8 +55,8 @@ class Filter {
 
   // The pipeline's handler.
   Result<io::Then> handle(const io::Record& record);
-  // After the last record: a level without queries is asked for the way from its spawn to its end;
-  // an id of `only` that was not met is an error.
+  // After the last record, unless the input was stopped before: a level without queries is asked
+  // for the way from its spawn to its end; an id of `only` that was not met is an error.
   Status finishInput();
 
   const FilterCounts& counts() const { return counts_; }
@@ -66,12 +66,20 @@ class Filter {
  private:
   using LevelPointer = std::shared_ptr<const LoadedLevel>;
 
-  Result<io::Then> handleCalibrated(const io::Record& level);
-  Result<io::Then> handleLevel(const io::Record& record);
+  // The level record before.
+  struct Last {
+    LevelPointer level;
+    io::Record read;     // as it came: has the place that errors about it name
+    bool asked = false;  // it has a query
+  };
+
+  Result<io::Then> handleLevel(const io::Record& read);
+  Result<io::Then> take(const io::Record& played, const io::Record& read);
   Result<io::Then> handleQuery(const io::Record& record);
   Result<io::Then> handleTrajectory(schema::Trajectory::Reader trajectory);
   Status check(schema::Trajectory::Reader trajectory);
   Result<bool> keeps(schema::Trajectory::Reader trajectory);
+  Status finishLevel();
   Status askDefault();
   Status ask(const LoadedLevel& level, const io::Record& query);
   Status answer(const LoadedLevel& level, schema::Query::Reader query);
@@ -87,9 +95,8 @@ class Filter {
   ThreadPool pool_;
   io::Physics physics_;
   std::map<std::string, LevelPointer> levels_;
-  std::map<std::string, PassFilter> passFilters_;                      // by level
-  LevelPointer last_;                                                  // the level record before
-  bool lastAsked_ = false;                                             // it has a query
+  std::map<std::string, PassFilter> passFilters_;  // by level
+  std::optional<Last> last_;
   std::map<std::pair<std::string, std::string>, io::Record> queries_;  // by level and id
   std::vector<std::string> met_, others_;  // ids of `only` that came by; other ids
   FilterCounts counts_;

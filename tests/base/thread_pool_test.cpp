@@ -1,10 +1,14 @@
-// The thread pool: every task once, for any number of threads and tasks, run after run.
+// The thread pool: every task once, for any number of threads and tasks, run after run; what tasks
+// throw; too few threads.
 #include "base/thread_pool.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <atomic>
+#include <chrono>
 #include <mutex>
+#include <new>
 #include <set>
 #include <vector>
 
@@ -62,6 +66,85 @@ TEST(ThreadPool, OneThreadRunsTasksInOrderOnTheCaller) {
 
 TEST(ThreadPool, APoolThatWasNeverUsedEnds) {
   for (int i = 0; i < 50; ++i) ThreadPool pool(6);
+}
+
+int sumOfTasks(ThreadPool& pool, int count) {
+  std::atomic<int> sum = 0;
+  pool.run(count, [&](int i) { sum += i; });
+  return sum;
+}
+
+TEST(ThreadPool, WhatATaskThrowsIsThrownByRunAndThePoolGoesOn) {
+  for (const int threads : {1, 2, 8}) {
+    ThreadPool pool(threads);
+    for (int round = 0; round < 50; ++round) {
+      EXPECT_THROW(pool.run(100, [](int) { throw std::bad_alloc(); }), std::bad_alloc);
+      EXPECT_EQ(sumOfTasks(pool, 100), 4950);
+    }
+  }
+}
+
+TEST(ThreadPool, WhatAWorkerThrowsReachesTheCaller) {
+  ThreadPool pool(3);
+  const auto caller = std::this_thread::get_id();
+  std::atomic<bool> thrown = false;
+  const auto task = [&](int) {
+    if (std::this_thread::get_id() != caller) {
+      thrown = true;
+      throw std::bad_alloc();
+    }
+    while (!thrown) std::this_thread::yield();
+  };
+  EXPECT_THROW(pool.run(1000, task), std::bad_alloc);
+  EXPECT_EQ(sumOfTasks(pool, 10), 45);
+}
+
+TEST(ThreadPool, RunThrowsOnlyWhenNoTaskIsAtWorkAndNoneBeginsAfterwards) {
+  ThreadPool pool(4);
+  const auto caller = std::this_thread::get_id();
+  std::atomic<int> begun = 0, inside = 0;
+  const auto task = [&](int) {
+    ++begun;
+    if (std::this_thread::get_id() == caller) {
+      while (inside == 0) std::this_thread::yield();
+      throw std::bad_alloc();
+    }
+    ++inside;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    --inside;
+  };
+  EXPECT_THROW(pool.run(1000, task), std::bad_alloc);
+  EXPECT_EQ(inside, 0);
+  EXPECT_LT(begun, 1000);
+}
+
+// Where no thread can have the stack that it is to have, none starts.
+class NoMoreThreads {
+ public:
+  NoMoreThreads() {
+    pthread_getattr_default_np(&usual_);
+    pthread_attr_t vast;
+    pthread_attr_init(&vast);
+    pthread_attr_setstacksize(&vast, size_t(1) << 48);
+    pthread_setattr_default_np(&vast);
+    pthread_attr_destroy(&vast);
+  }
+  ~NoMoreThreads() {
+    pthread_setattr_default_np(&usual_);
+    pthread_attr_destroy(&usual_);
+  }
+  NoMoreThreads(const NoMoreThreads&) = delete;
+  NoMoreThreads& operator=(const NoMoreThreads&) = delete;
+
+ private:
+  pthread_attr_t usual_;
+};
+
+TEST(ThreadPool, GoesOnWithTheThreadsThatItGets) {
+  const NoMoreThreads limit;
+  ThreadPool pool(4);
+  EXPECT_EQ(pool.size(), 1);
+  EXPECT_EQ(sumOfTasks(pool, 100), 4950);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "scratch_folder.h"
+
 namespace obby::io {
 namespace {
 
@@ -12,9 +14,9 @@ void put(const std::string& path, const std::string& text) { std::ofstream(path)
 
 class FileWatchTest : public testing::Test {
  protected:
-  const std::string path_ = testing::TempDir() + "obby-file-watch";
   void SetUp() override { put(path_, "one"); }
-  void TearDown() override { std::filesystem::remove(path_); }
+  const test::ScratchFolder folder_;  // tests of one binary run side by side
+  const std::string path_ = folder_ / "watched";
   std::atomic<bool> never_{false};
 };
 
@@ -46,7 +48,6 @@ TEST_F(FileWatchTest, AnyOfSeveralFilesCounts) {
   EXPECT_FALSE(watch.changed());
   put(other, "now it is there");
   EXPECT_TRUE(watch.changed());
-  std::filesystem::remove(other);
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ TEST(JsonErrors, NameThePathTheExpectationAndWhatWasThere) {
       {R"({"type":"query","timeLimit":1e999})", "column 33: number too large"},
       {R"({"type":"query","timeLimit":-Infinity})",
        "column 30: expected a finite number, found -Infinity"},
+      {R"({"type":"query","timeLimit":nan})", "column 30: expected a finite number, found nan"},
       {R"({"type":"result","steps":1.5})",
        "steps: expected a whole number written as text, found 1.5"},
       {R"({"type":"result","steps":9007199254740993})",
@@ -82,6 +83,9 @@ TEST(JsonErrors, NameThePathTheExpectationAndWhatWasThere) {
       {R"("level")", "expected a record (an object), found text \"level\""},
       {R"({"type":"level"} {)", "column 18: not JSON: unexpected '{'"},
       {R"({"type":"level",})", "column 17: not JSON: unexpected '}'"},
+      {R"({"type":"level","name":"Banana",})", "column 33: not JSON: unexpected '}'"},
+      {R"({"type":"level","name":"\NaN"})",
+       "column 26: not JSON: invalid string: forbidden character after backslash"},
       {R"({type:"level"})", "column 3: not JSON: invalid literal"},
       {R"({"type":"le)", "column 12: the line ends in the middle of a value: cut off?"},
       {"{\"type\":\"level\",\"name\":\"\xff\"}",
@@ -174,6 +178,19 @@ TEST(JsonMeaning, FieldsThatLookMisspeltAreTold) {
   EXPECT_EQ(slips[0].text(),
             "maxJump: there is no such field, and it is passed over (did you mean \"maxJumps\"?)");
   EXPECT_EQ(slips[1].path, "goal.positon");
+}
+
+TEST(JsonMeaning, KindsThatLookMisspeltAreTold) {
+  std::vector<Error> slips;
+  auto unknown = recordFromJsonIfKnown(R"({"type":"weather","id":"q"})", &slips);
+  ASSERT_TRUE(unknown);
+  EXPECT_TRUE(slips.empty());
+  unknown = recordFromJsonIfKnown(R"({"type":"qery","id":"q"})", &slips);
+  ASSERT_TRUE(unknown);
+  EXPECT_FALSE(unknown->has_value());
+  ASSERT_EQ(slips.size(), 1u);
+  EXPECT_EQ(slips[0].text(),
+            "type: there is no such kind, and it is passed over (did you mean \"query\"?)");
 }
 
 TEST(JsonWriting, RefusesWhatNoReaderWouldTake) {

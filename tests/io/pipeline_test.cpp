@@ -13,21 +13,34 @@ using test::ScratchFolder;
 struct Fixture {
   ScratchFolder folder;
   std::string output;
-  std::vector<std::string> reports;
+  std::vector<std::string> reports, places;
   SourceOptions options;
 
   Fixture() {
     options.inputs.clear();
-    options.report = [this](const Error& error) { reports.push_back(error.message); };
+    options.report = [this](const Error& error) {
+      reports.push_back(error.message);
+      places.push_back(error.input + ":" + error.place);
+    };
   }
   void input(const std::string& text) {
     const std::string path = folder / std::to_string(options.inputs.size());
     std::ofstream(path) << text;
     options.inputs.push_back(path);
   }
-  Pipeline pipeline() {
-    return Pipeline(options, {"obby-test", "1.2.3", 42},
-                    StreamWriter::toBytes(Format::jsonl, &output));
+  Pipeline pipeline(Format format = Format::jsonl) {
+    return Pipeline(options, {"obby-test", "1.2.3", 42}, StreamWriter::toBytes(format, &output));
+  }
+  // The output's end record in JSON.
+  std::string end() const {
+    StreamReader reader = StreamReader::overBytes(output, "output");
+    std::string line;
+    for (auto record = reader.next(); record && *record; record = reader.next()) {
+      if (!(*record)->known() || (*record)->which() != Kind::END) continue;
+      StreamWriter writer = StreamWriter::toBytes(Format::jsonl, &line);
+      EXPECT_TRUE(writer.write((*record)->reader()));
+    }
+    return line;
   }
 };
 
@@ -105,6 +118,70 @@ TEST(Pipeline, ForgivenErrorsAreReportedAndCounted) {
                                   : "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"2\","
                                     "\"skipped\":\"2\",\"errors\":\"2\"}\n"));
   }
+}
+
+// Under stop it ends the run, under emit it cannot be passed on all the same.
+TEST(Pipeline, ARecordThatTheOutputCannotHoldIsAnErrorAboutThatRecord) {
+  for (OnError policy : {OnError::stop, OnError::skip, OnError::emit}) {
+    Fixture f;
+    f.options.onError = policy;
+    f.input("{\"type\":\"level\"}\n{\"type\":\"weather\"}\n{\"type\":\"query\"}\n");
+    const std::string where = f.options.inputs[0] + ":2";
+    const Status status = f.pipeline(Format::capnp).runAndFinish(passAll);
+    if (policy == OnError::stop) {
+      ASSERT_FALSE(status);
+      EXPECT_EQ(status.error().input + ":" + status.error().place, where);
+      EXPECT_EQ(f.end(),
+                "{\"type\":\"end\",\"status\":\"interrupted\",\"records\":\"2\","
+                "\"errors\":\"1\"}\n");
+      continue;
+    }
+    ASSERT_TRUE(status);
+    EXPECT_EQ(f.places, std::vector<std::string>{where});
+    EXPECT_EQ(f.end(),
+              "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"3\",\"skipped\":\"1\","
+              "\"errors\":\"1\"}\n");
+  }
+}
+
+// It has gone out: nothing is left out on its account. The next input is being read by then.
+TEST(Pipeline, ALateErrorNamesTheRecordThatItIsAbout) {
+  for (OnError policy : {OnError::stop, OnError::skip, OnError::emit}) {
+    Fixture f;
+    f.options.onError = policy;
+    f.input("\n{\"type\":\"level\"}\n");
+    f.input("{\"type\":\"query\"}\n");
+    const std::string where = f.options.inputs[0] + ":2";
+    std::optional<Record> level;
+    Pipeline pipeline = f.pipeline();
+    const Status status = pipeline.runAndFinish([&](const Record& record) -> Result<Then> {
+      if (record.which() == Kind::LEVEL) level = record;
+      if (record.which() != Kind::QUERY) return Then::pass;
+      OBBY_RETURN_IF_ERROR(pipeline.forgiveLate(*level, makeError("no goal")));
+      return Then::pass;
+    });
+    if (policy == OnError::stop) {
+      ASSERT_FALSE(status);
+      EXPECT_EQ(status.error().input + ":" + status.error().place, where);
+      continue;
+    }
+    ASSERT_TRUE(status);
+    EXPECT_EQ(f.places, std::vector<std::string>{where});
+    EXPECT_EQ(f.end(),
+              "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"3\",\"errors\":\"1\"}\n");
+  }
+}
+
+TEST(Pipeline, AnErrorOfWorkAfterTheRunIsInTheEnd) {
+  Fixture f;
+  f.input("{\"type\":\"level\"}\n");
+  Pipeline pipeline = f.pipeline();
+  ASSERT_TRUE(pipeline.run(passAll));
+  const Status status = pipeline.finish(makeError("no query of that name"));
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().message, "no query of that name");
+  EXPECT_EQ(f.end(),
+            "{\"type\":\"end\",\"status\":\"interrupted\",\"records\":\"2\",\"errors\":\"1\"}\n");
 }
 
 TEST(Pipeline, ABrokenFrameIsNeverForgiven) {

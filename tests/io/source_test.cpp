@@ -76,7 +76,8 @@ TEST(Source, PipesMayDeliverSingleBytesAmongSignals) {
       }
       close(fd);
     });
-    auto reader = StreamReader::open(path);
+    const std::atomic<bool> stop{false};
+    auto reader = StreamReader::open(path, &stop);
     ASSERT_TRUE(reader);
     EXPECT_EQ(countRecords(*reader), 6u);
     writer.join();
@@ -101,6 +102,34 @@ TEST(Source, AStopEndsAWaitingRead) {
   EXPECT_FALSE(record->has_value());
   EXPECT_TRUE(reader->stopped());
   close(keptOpen);
+}
+
+TEST(Source, ANamedPipeCanWaitForItsWriter) {
+  ScratchFolder folder;
+  const std::string path = folder / "pipe", bytes = stream(Format::jsonl);
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  const std::atomic<bool> stop{false};
+  auto reader = StreamReader::open(path, &stop);
+  ASSERT_TRUE(reader);
+  std::thread writer([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    std::ofstream(path) << bytes;
+  });
+  EXPECT_EQ(countRecords(*reader), 6u);
+  writer.join();
+}
+
+TEST(Source, AStopEndsTheWaitForAWriter) {
+  ScratchFolder folder;
+  const std::string path = folder / "pipe";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  const std::atomic<bool> stop{true};
+  auto reader = StreamReader::open(path, &stop);
+  ASSERT_TRUE(reader);
+  auto record = reader->next();
+  ASSERT_TRUE(record) << record.error().text();
+  EXPECT_FALSE(record->has_value());
+  EXPECT_TRUE(reader->stopped());
 }
 
 TEST(Source, ALineOfManyMegabytesIsRead) {

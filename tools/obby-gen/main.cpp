@@ -62,10 +62,8 @@ Status writeStream(cli::Context& context, const gen::Generator& generator,
     return {};
   };
   const auto ended = tools::emit(generator, options, pool, context.stop(), take);
-  if (!ended && pipeline.output().failed()) return ended.error();
   if (ended && *ended == tools::Ended::noneKept) pipeline.outOfBudget();
-  OBBY_RETURN_IF_ERROR(pipeline.finish());
-  if (!ended) return ended.error();
+  OBBY_RETURN_IF_ERROR(pipeline.finish(ended ? Status() : Status(ended.error())));
   return *ended == tools::Ended::noneKept ? noneKept(options.check) : Status();
 }
 

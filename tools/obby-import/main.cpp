@@ -16,7 +16,8 @@ Result<cli::ExitCode> explain(cli::Context& context, importer::ImportOptions opt
   std::string table;
   importer::InputOpener opener(
       options, [&](const std::string& warning) { context.note(warning); },
-      [&](const std::string& text) { table += (table.empty() ? "" : "\n") + text; });
+      [&](const std::string& text) { table += (table.empty() ? "" : "\n") + text; },
+      &context.stop());
   for (const std::string& path : context.inputs()) {
     auto opened = opener.open(path);
     if (!opened) return opened.error();
@@ -33,7 +34,7 @@ Result<cli::ExitCode> run(cli::Context& context) {
   if (context.arguments().flag("explain")) return explain(context, options);
   importer::InputOpener opener(
       options, [&](const std::string& warning) { context.warn(warning); },
-      [](const std::string&) {});
+      [](const std::string&) {}, &context.stop());
   OBBY_ASSIGN(io::StreamWriter output, context.openOutput());
   io::SourceOptions source = context.sourceOptions();
   source.open = [&](const std::string& path) { return opener.open(path); };

@@ -37,11 +37,11 @@ Status solveOnce(cli::Context& context, solve::FilterOptions& options,
   io::Pipeline pipeline(std::move(source), context.identity(), std::move(output));
   solve::Filter filter(options, pipeline);
   Status status = pipeline.run([&](const io::Record& record) { return filter.handle(record); });
-  if (status) status = filter.finishInput();
-  const Status finished = pipeline.finish();
+  // Of a stopped input nobody knows what would have come.
+  if (status && !stop) status = filter.finishInput();
+  status = pipeline.finish(std::move(status));
   if (options.remember) options.earlier = filter.takeEarlier();
   OBBY_RETURN_IF_ERROR(std::move(status));
-  OBBY_RETURN_IF_ERROR(finished);
   counts = filter.counts();
   context.note(summary(options.task, counts));
   return {};

@@ -1,11 +1,7 @@
-// The option table of obby-solve and what its options mean to lib/solve.
+// The option table of obby-solve.
 #include "options.h"
 
-#include <limits>
-
 #include "cli/rows.h"
-#include "io/read_file.h"
-#include "policy/shipped_policy.h"
 
 namespace obby::tools {
 
@@ -37,35 +33,6 @@ OptionRow forbidRow() {
       row("forbid", ValueType::choice, "", "", "never be in that state; repeat", kQueryGroup);
   r.choices = {"jumping", "climbing", "seated", "fallingDown"};
   return r;
-}
-
-std::vector<OptionRow> queryRows() {
-  return {
-      row("start", ValueType::text, "PLACE", "", "start on this part or in this box", kQueryGroup),
-      repeatable(row("goal", ValueType::text, "PLACE", "",
-                     "reach this part or box; repeat: any of them", kQueryGroup)),
-      repeatable(row("waypoint", ValueType::text, "PLACE", "", "pass here first; repeat in order",
-                     kQueryGroup)),
-      repeatable(row("visit", ValueType::text, "PLACE", "",
-                     "pass here first, in any order; repeat; a #TAG means all its parts",
-                     kQueryGroup)),
-      repeatable(row("avoid", ValueType::text, "PLACE", "",
-                     "never enter; repeat; a #TAG means all its parts", kQueryGroup)),
-      between(row("max-jumps", ValueType::integer, "N", "", "jump at most N times", kQueryGroup), 0,
-              65535),
-      between(row("min-jumps", ValueType::integer, "N", "", "jump at least N times", kQueryGroup),
-              0, 65535),
-      between(row("max-time", ValueType::number, "SECONDS", "", "arrive within that game time",
-                  kQueryGroup),
-              0.02, 100000),
-      between(row("max-damage", ValueType::number, "HEALTH", "",
-                  "lose at most that much health, of 100", kQueryGroup),
-              0, 1e6),
-      repeatable(forbidRow()),
-      row("each", ValueType::flag, "", "",
-          "ask the stream's queries with these limits in place of their own, not a new query",
-          kQueryGroup),
-  };
 }
 
 OptionRow timeLimitRow() {
@@ -154,36 +121,36 @@ std::vector<OptionRow> answeredRows() {
   };
 }
 
-solve::QuickQuery quickQuery(const cli::Arguments& a) {
-  solve::QuickQuery q;
-  q.start = a.text("start");
-  q.goals = a.list("goal");
-  q.waypoints = a.list("waypoint");
-  q.visits = a.list("visit");
-  q.avoid = a.list("avoid");
-  q.forbid = a.list("forbid");
-  if (a.has("min-jumps")) q.minJumps = int32_t(a.integer("min-jumps"));
-  if (a.has("max-damage")) q.maxDamage = float(a.number("max-damage"));
-  if (a.has("max-jumps")) q.maxJumps = int32_t(a.integer("max-jumps"));
-  if (a.has("max-time")) q.timeLimit = float(a.number("max-time"));
-  return q;
-}
-
-bool asksQuickly(const cli::Arguments& a) {
-  for (const OptionRow& r : queryRows()) {
-    if (r.name != "each" && a.has(r.name)) return true;
-  }
-  return false;
-}
-
-Result<std::shared_ptr<const policy::PolicyFile>> policyOf(const cli::Arguments& a) {
-  if (!a.has("policy")) return std::shared_ptr<const policy::PolicyFile>();
-  OBBY_ASSIGN(const std::string bytes, io::readFile(a.text("policy")));
-  OBBY_ASSIGN(policy::PolicyFile file, policy::readPolicy(bytes, a.text("policy")));
-  return std::make_shared<const policy::PolicyFile>(std::move(file));
-}
-
 }  // namespace
+
+std::vector<OptionRow> queryRows() {
+  return {
+      row("start", ValueType::text, "PLACE", "", "start on this part or in this box", kQueryGroup),
+      repeatable(row("goal", ValueType::text, "PLACE", "",
+                     "reach this part or box; repeat: any of them", kQueryGroup)),
+      repeatable(row("waypoint", ValueType::text, "PLACE", "", "pass here first; repeat in order",
+                     kQueryGroup)),
+      repeatable(row("visit", ValueType::text, "PLACE", "",
+                     "pass here first, in any order; repeat; a #TAG means all its parts",
+                     kQueryGroup)),
+      repeatable(row("avoid", ValueType::text, "PLACE", "",
+                     "never enter; repeat; a #TAG means all its parts", kQueryGroup)),
+      between(row("max-jumps", ValueType::integer, "N", "", "jump at most N times", kQueryGroup), 0,
+              65535),
+      between(row("min-jumps", ValueType::integer, "N", "", "jump at least N times", kQueryGroup),
+              0, 65535),
+      between(row("max-time", ValueType::number, "SECONDS", "", "arrive within that game time",
+                  kQueryGroup),
+              0.02, 100000),
+      between(row("max-damage", ValueType::number, "HEALTH", "",
+                  "lose at most that much health, of 100", kQueryGroup),
+              0, 1e6),
+      repeatable(forbidRow()),
+      row("each", ValueType::flag, "", "",
+          "ask the stream's queries with these limits in place of their own, not a new query",
+          kQueryGroup),
+  };
+}
 
 cli::ToolSpec solveSpec() {
   cli::ToolSpec spec;
@@ -225,65 +192,6 @@ cli::ToolSpec solveSpec() {
       "result.timing "
       "do, and so does where --time-limit cuts off a search that finds nothing.";
   return spec;
-}
-
-Result<solve::FilterOptions> filterOptions(cli::Context& context) {
-  const cli::Arguments& a = context.arguments();
-  solve::FilterOptions o;
-  o.threads = context.threads();
-  o.only = a.list("query");
-  o.passes = {a.list("pass"), a.list("not-pass")};
-  if (!o.passes.empty()) o.task = solve::Task::filter;
-  if (a.flag("verify")) o.task = solve::Task::verify;
-  if (a.flag("verify") && !o.passes.empty()) {
-    return Error{{}, {}, "--verify", "does not go with --pass and --not-pass", {}};
-  }
-  if (asksQuickly(a)) o.quick = quickQuery(a);
-  o.each = a.flag("each");
-  if (o.each && !o.quick) {
-    return Error{{}, {}, "--each", "needs a limit, as in --each --max-jumps 3", {}};
-  }
-  if (o.quick && !o.each && !o.only.empty()) {
-    return Error{{}, {}, "--query", "does not go with a query asked on the command line", {}};
-  }
-  o.remember = a.flag("watch");
-  if (a.has("warm")) {
-    io::SourceOptions earlier = context.sourceOptions();
-    earlier.inputs = {a.text("warm")};
-    OBBY_ASSIGN(o.earlier, solve::EarlierAnswers::read(std::move(earlier)));
-  }
-  o.solver.method = solve::findMethod(a.text("method"));
-  OBBY_ASSIGN(o.policy, policyOf(a));
-  o.solver.policy = o.policy ? &o.policy->network : &policy::shippedPolicy().network;
-  o.solver.progressRecords = !a.flag("final-only");
-  o.solver.explain = a.flag("explain");
-  o.solver.paths = a.flag("paths");
-  o.solver.heatMap = a.flag("heat-map");
-  if (a.flag("difficulty")) o.solver.difficultyTrials = uint32_t(a.integer("trials"));
-  solve::Budget& b = o.solver.budget;
-  b.seed = a.seed();
-  b.seconds = a.number("time-limit");
-  if (a.has("max-steps")) b.maxSteps = uint64_t(a.integer("max-steps"));
-  b.solutions = uint32_t(a.integer("solutions"));
-  b.diverse = a.flag("diverse");
-  b.attempts = uint32_t(a.integer("attempts"));
-  b.stop = &context.stop();
-  o.progress = [&context](const solve::QueryProgress& p) {
-    context.progress(
-        {"query " + p.query,
-         p.fraction,
-         {{"steps", double(p.steps)}, {"cells", double(p.cells)}, {"closest", double(p.closest)}}});
-  };
-  o.deviceFailed = [&context](const Error& error) {
-    context.warn(error.text() + "; went on with the CPU");
-  };
-  return o;
-}
-
-Result<sim::Backend> searchBackend(const cli::Context& context) {
-  OBBY_ASSIGN(const sim::BackendKind kind, sim::backendKind(context.arguments().text("backend")));
-  const bool gpu = kind == sim::BackendKind::cuda;
-  return sim::Backend::open(gpu ? kind : sim::BackendKind::cpu);
 }
 
 }  // namespace obby::tools

@@ -1,6 +1,8 @@
 // obby-solve's command line.
 #pragma once
 
+#include <vector>
+
 #include "cli/context.h"
 #include "cli/tool.h"
 #include "sim/backend.h"
@@ -9,6 +11,8 @@
 namespace obby::tools {
 
 cli::ToolSpec solveSpec();
+// Those of its options that ask on the command line.
+std::vector<cli::OptionRow> queryRows();
 Result<solve::FilterOptions> filterOptions(cli::Context& context);
 // Where rollouts run; --backend auto is the CPU.
 Result<sim::Backend> searchBackend(const cli::Context& context);

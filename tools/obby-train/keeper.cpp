@@ -11,6 +11,16 @@ namespace obby::tools {
 
 namespace {
 
+// Metrics go to standard output, and would spoil a file there as it would spoil them.
+Status filesHaveNames(const cli::Arguments& a) {
+  for (const char* name : {"output", "checkpoint", "log", "curve"}) {
+    if (a.text(name) == "-")
+      return Error{
+          std::string("--") + name, {}, {}, "metrics go to standard output", "name a file"};
+  }
+  return {};
+}
+
 // Beside the policy; none where the policy goes to a device or a pipe.
 std::string checkpointPathOf(const cli::Arguments& a) {
   if (a.has("checkpoint")) return a.text("checkpoint");
@@ -19,7 +29,7 @@ std::string checkpointPathOf(const cli::Arguments& a) {
   const auto kind = std::filesystem::status(output, none).type();
   const bool file =
       kind == std::filesystem::file_type::regular || kind == std::filesystem::file_type::not_found;
-  return output == "-" || !file ? std::string() : output + ".checkpoint";
+  return file ? output + ".checkpoint" : std::string();
 }
 
 // What was asked for, as a command that asks for it again.
@@ -61,7 +71,7 @@ Result<std::string> Keeper::findBytes() const {
                      "name it by --checkpoint, or write the policy to a file");
   std::error_code none;
   if (resume == "auto" && !std::filesystem::exists(checkpointPath_, none)) return std::string();
-  auto bytes = io::readFile(checkpointPath_);
+  auto bytes = io::readFile(checkpointPath_, &context_.stop());
   if (!bytes) bytes.error().hint = "--resume=auto begins anew where there is no checkpoint";
   // A file that holds nothing is no beginning either.
   if (bytes && bytes->empty()) return train::readCheckpoint(*bytes, checkpointPath_).error();
@@ -69,6 +79,8 @@ Result<std::string> Keeper::findBytes() const {
 }
 
 Status Keeper::find() {
+  OBBY_RETURN_IF_ERROR(
+      ranks_.agree(ranks_.first() ? filesHaveNames(context_.arguments()) : Status()));
   OBBY_ASSIGN(std::string bytes,
               ranks_.agree(ranks_.first() ? findBytes() : Result<std::string>(std::string())));
   bytes = ranks_.share(std::move(bytes));

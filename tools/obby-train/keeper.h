@@ -15,7 +15,7 @@ class Keeper {
   Keeper(const cli::Context& context, train::Ranks& ranks);
 
   // With --resume: reads the checkpoint. Done before levels are read, so that a wrong name is said
-  // at once. Errors: those of the file.
+  // at once. Errors: those of the file, and standard output as a file.
   Status find();
   // What is learned under, the levels' settings included, and on a device or not. Error: ranks that
   // differ in it.

@@ -107,7 +107,7 @@ Status evaluate(cli::Context& context, train::Ranks& ranks) {
   if (ranks.count() > 1)
     return makeError("--eval is done by one process", "start it without mpirun");
   const std::string& path = context.arguments().text("eval");
-  OBBY_ASSIGN(const std::string bytes, io::readFile(path));
+  OBBY_ASSIGN(const std::string bytes, io::readFile(path, &context.stop()));
   OBBY_ASSIGN(const policy::PolicyFile file, policy::readPolicy(bytes, path));
   OBBY_ASSIGN(const tools::Levels levels,
               tools::levelsOf(context, ranks, context.arguments().seed() ^ kHeldOut, false));

@@ -151,6 +151,7 @@ cli::ToolSpec trainSpec() {
        "--eval-levels 100"},
   };
   spec.readsInputs = [](const cli::Arguments& a) { return !makesLevels(a); };
+  spec.alwaysToStandardOutput = true;  // the metrics
   spec.options = {outputRow(), cli::commonRow(cli::Common::progress),
                   cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)};
   for (const auto& rows :

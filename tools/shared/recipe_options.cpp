@@ -15,8 +15,8 @@ using cli::ValueType;
 
 OptionRow styleRow(const char* group) {
   OptionRow r = row("style", ValueType::text, "NAME", "",
-                    "make levels of this style only; repeat: of these, alike in number; --list "
-                    "names them",
+                    "make levels of this style only; repeat: of these, alike in number; obby-gen "
+                    "--list names them",
                     group);
   r.repeatable = true;
   return r;
@@ -61,7 +61,7 @@ std::vector<OptionRow> recipeRows(const char* group) {
       styleRow(group),
       row("difficulty", ValueType::text, "D", "",
           "trivial, easy, medium, hard, limit or a number from 0 to 1; D..D draws between two "
-          "[default: easy..hard]",
+          "[default: the recipe's, else easy..hard; in obby-train trivial..limit]",
           group),
       row("recipe", ValueType::file, "FILE", "",
           "styles with weights, lengths, limits and physics from a JSON file (docs/generator.md)",

@@ -1,0 +1,132 @@
+// What obby-solve's options mean to lib/solve.
+#include "io/read_file.h"
+#include "options.h"
+#include "policy/shipped_policy.h"
+
+namespace obby::tools {
+
+namespace {
+
+Error refused(const std::string& option, std::string message, std::string hint = {}) {
+  return Error{{}, {}, "--" + option, std::move(message), std::move(hint)};
+}
+
+Result<solve::Task> taskOf(const cli::Arguments& a, const solve::PassRule& passes) {
+  if (!a.flag("verify")) return passes.empty() ? solve::Task::answer : solve::Task::filter;
+  if (!passes.empty()) return refused("verify", "does not go with --pass and --not-pass");
+  return solve::Task::verify;
+}
+
+solve::QuickQuery quickQuery(const cli::Arguments& a) {
+  solve::QuickQuery q;
+  q.start = a.text("start");
+  q.goals = a.list("goal");
+  q.waypoints = a.list("waypoint");
+  q.visits = a.list("visit");
+  q.avoid = a.list("avoid");
+  q.forbid = a.list("forbid");
+  if (a.has("min-jumps")) q.minJumps = int32_t(a.integer("min-jumps"));
+  if (a.has("max-damage")) q.maxDamage = float(a.number("max-damage"));
+  if (a.has("max-jumps")) q.maxJumps = int32_t(a.integer("max-jumps"));
+  if (a.has("max-time")) q.timeLimit = float(a.number("max-time"));
+  return q;
+}
+
+// The first option that is given of those that ask; empty: none.
+std::string asking(const cli::Arguments& a) {
+  for (const cli::OptionRow& r : queryRows()) {
+    if (r.name != "each" && a.has(r.name)) return r.name;
+  }
+  return {};
+}
+
+// What is asked on the command line must hold for something.
+Status readQuick(const cli::Arguments& a, solve::FilterOptions& o) {
+  const std::string option = asking(a);
+  if (!option.empty()) o.quick = quickQuery(a);
+  o.each = a.flag("each");
+  if (o.task == solve::Task::filter && (o.quick || o.each)) {
+    return refused(option.empty() ? "each" : option, "does not go with --pass and --not-pass",
+                   "they look at where trajectories go, whatever was asked");
+  }
+  if (o.task == solve::Task::verify && o.quick && !o.each) {
+    return refused(option, "does not go with --verify",
+                   "with --each trajectories are checked against the stream's queries so changed");
+  }
+  if (o.each && !o.quick) {
+    return refused("each", "needs a limit, as in --each --max-jumps 3");
+  }
+  if (o.quick && !o.each && !o.only.empty()) {
+    return refused("query", "does not go with a query asked on the command line");
+  }
+  return {};
+}
+
+Result<std::shared_ptr<const policy::PolicyFile>> policyOf(const cli::Arguments& a) {
+  if (!a.has("policy")) return std::shared_ptr<const policy::PolicyFile>();
+  OBBY_ASSIGN(const std::string bytes, io::readFile(a.text("policy")));
+  OBBY_ASSIGN(policy::PolicyFile file, policy::readPolicy(bytes, a.text("policy")));
+  return std::make_shared<const policy::PolicyFile>(std::move(file));
+}
+
+solve::Budget budgetOf(const cli::Context& context) {
+  const cli::Arguments& a = context.arguments();
+  solve::Budget b;
+  b.seed = a.seed();
+  b.seconds = a.number("time-limit");
+  if (a.has("max-steps")) b.maxSteps = uint64_t(a.integer("max-steps"));
+  b.solutions = uint32_t(a.integer("solutions"));
+  b.diverse = a.flag("diverse");
+  b.attempts = uint32_t(a.integer("attempts"));
+  b.stop = &context.stop();
+  return b;
+}
+
+void report(cli::Context& context, solve::FilterOptions& o) {
+  o.progress = [&context](const solve::QueryProgress& p) {
+    context.progress(
+        {"query " + p.query,
+         p.fraction,
+         {{"steps", double(p.steps)}, {"cells", double(p.cells)}, {"closest", double(p.closest)}}});
+  };
+  o.deviceFailed = [&context](const Error& error) {
+    context.warn(error.text() + "; went on with the CPU");
+  };
+}
+
+}  // namespace
+
+Result<solve::FilterOptions> filterOptions(cli::Context& context) {
+  const cli::Arguments& a = context.arguments();
+  solve::FilterOptions o;
+  o.threads = context.threads();
+  o.only = a.list("query");
+  o.passes = {a.list("pass"), a.list("not-pass")};
+  OBBY_ASSIGN(o.task, taskOf(a, o.passes));
+  OBBY_RETURN_IF_ERROR(readQuick(a, o));
+  o.remember = a.flag("watch");
+  if (a.has("warm")) {
+    io::SourceOptions earlier = context.sourceOptions();
+    earlier.inputs = {a.text("warm")};
+    OBBY_ASSIGN(o.earlier, solve::EarlierAnswers::read(std::move(earlier)));
+  }
+  o.solver.method = solve::findMethod(a.text("method"));
+  OBBY_ASSIGN(o.policy, policyOf(a));
+  o.solver.policy = o.policy ? &o.policy->network : &policy::shippedPolicy().network;
+  o.solver.progressRecords = !a.flag("final-only");
+  o.solver.explain = a.flag("explain");
+  o.solver.paths = a.flag("paths");
+  o.solver.heatMap = a.flag("heat-map");
+  if (a.flag("difficulty")) o.solver.difficultyTrials = uint32_t(a.integer("trials"));
+  o.solver.budget = budgetOf(context);
+  report(context, o);
+  return o;
+}
+
+Result<sim::Backend> searchBackend(const cli::Context& context) {
+  OBBY_ASSIGN(const sim::BackendKind kind, sim::backendKind(context.arguments().text("backend")));
+  const bool gpu = kind == sim::BackendKind::cuda;
+  return sim::Backend::open(gpu ? kind : sim::BackendKind::cpu);
+}
+
+}  // namespace obby::tools
