@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <map>
+#include <string_view>
 
 #include "calibrate/course.h"
 #include "calibrate/fit.h"
@@ -265,6 +266,12 @@ void write(const std::string& name, const Tally& tally, double sets, bench::Repo
   report.add(name, "seconds", tally.seconds / sets, "s");
 }
 
+bool isCase(std::string_view name) {
+  const auto named = [&](const Case& c) { return c.name == name; };
+  return std::any_of(std::begin(kCases), std::end(kCases), named) || name == "bulletKinematic" ||
+         name == "bulletDynamic";
+}
+
 Options optionsOf(int argc, char** argv) {
   Options out;
   for (int i = 1; i < argc; ++i) {
@@ -277,6 +284,10 @@ Options optionsOf(int argc, char** argv) {
     } else if (!strcmp(argv[i], "--from") && i + 1 < argc) {
       out.from = std::strtoull(argv[++i], nullptr, 10);
     } else {
+      if (!isCase(argv[i])) {
+        fmt::print(stderr, "bench_calibrate: no case '{}'\n", argv[i]);
+        std::exit(2);
+      }
       out.wanted.push_back(argv[i]);
     }
   }

@@ -103,6 +103,13 @@ int main(int argc, char** argv) {
       wanted.push_back(argv[i]);
     }
   }
+  for (const std::string& name : wanted) {
+    const std::vector<Row> all = rows();
+    if (std::any_of(all.begin(), all.end(), [&](const Row& row) { return row.name == name; }))
+      continue;
+    fmt::print(stderr, "bench_observation: no case '{}'\n", name);
+    return 2;
+  }
   bench::Report report("observation", form);
   ThreadPool pool(availableThreads());
   for (const Row& row : rows()) {

@@ -133,10 +133,9 @@ Result<uint64_t> programDigest() {
   return hashBytes(bytes.data(), bytes.size());
 }
 
-// `known`: digest of the program whose runs are done; 0: of any.
-Status runMissing(cli::Context& context, const bench::Plan& plan, uint64_t program, uint64_t known,
-                  bench::RunLog& log) {
-  ThreadPool pool(context.threads());
+// `known`: whose runs are done.
+Status runMissing(cli::Context& context, const bench::Plan& plan, uint64_t program,
+                  const bench::Maker& known, ThreadPool& pool, bench::RunLog& log) {
   const std::vector<bench::Question> questions = plan.questions();
   double done = 0;
   for (const bench::Question& q : questions) {
@@ -185,11 +184,13 @@ Result<cli::ExitCode> run(cli::Context& context) {
   if (log.unreadable() > 0) {
     context.warn(fmt::format("{}: {} lines are no runs", a.text("results"), log.unreadable()));
   }
-  uint64_t known = 0;
+  bench::Maker known;
   if (!a.flag("report-only")) {
     OBBY_ASSIGN(const uint64_t program, programDigest());
-    if (!a.flag("any-build")) known = program;
-    OBBY_RETURN_IF_ERROR(runMissing(context, plan, program, known, log));
+    if (!a.flag("any-build")) known.program = program;
+    ThreadPool pool(context.threads());
+    known.threads = pool.size();
+    OBBY_RETURN_IF_ERROR(runMissing(context, plan, program, known, pool, log));
   }
   OBBY_RETURN_IF_ERROR(report(a, bench::resultsOf(plan, log, known)));
   return cli::ExitCode::ok;

@@ -30,7 +30,7 @@ std::vector<Question> Plan::questions() const {
   return all;
 }
 
-Results resultsOf(const Plan& plan, const RunLog& log, uint64_t program) {
+Results resultsOf(const Plan& plan, const RunLog& log, const Maker& maker) {
   Results results;
   results.cap = plan.cap;
   for (const SuiteQuery& q : plan.suite)
@@ -41,7 +41,7 @@ Results resultsOf(const Plan& plan, const RunLog& log, uint64_t program) {
     for (const SuiteQuery& q : plan.suite) {
       auto& ofQuery = ofMethod.emplace_back();
       for (uint64_t seed = 1; seed <= plan.seeds; ++seed) {
-        const Run* run = log.find(plannedRun({q, *method, seed, plan.capOf(q)}, 0).key(), program);
+        const Run* run = log.find(plannedRun({q, *method, seed, plan.capOf(q)}, 0).key(), maker);
         if (run) ofQuery.push_back(*run);
       }
     }

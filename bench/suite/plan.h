@@ -28,6 +28,6 @@ struct Plan {
 };
 
 // The planned runs that the log has; `program` 0: of whatever program.
-Results resultsOf(const Plan& plan, const RunLog& log, uint64_t program);
+Results resultsOf(const Plan& plan, const RunLog& log, const Maker& maker);
 
 }  // namespace obby::bench

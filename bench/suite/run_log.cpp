@@ -121,12 +121,13 @@ void RunLog::remember(Run run) {
   runs_.push_back(std::move(run));
 }
 
-const Run* RunLog::find(const std::string& key, uint64_t program) const {
+const Run* RunLog::find(const std::string& key, const Maker& maker) const {
   const auto found = byKey_.find(key);
   if (found == byKey_.end()) return nullptr;
   for (size_t i = found->second.size(); i-- > 0;) {
     const Run& run = runs_[found->second[i]];
-    if (program == 0 || run.program == program) return &run;
+    if (maker.program != 0 && run.program != maker.program) continue;
+    if (maker.threads == 0 || run.threads == maker.threads) return &run;
   }
   return nullptr;
 }

@@ -28,6 +28,12 @@ struct Run {
   std::string key() const;
 };
 
+// Whose runs count as made. 0: any.
+struct Maker {
+  uint64_t program = 0;
+  int threads = 0;
+};
+
 // One line, with its newline.
 std::string runLine(const Run& run);
 Result<Run> parseRun(const std::string& line);
@@ -37,8 +43,8 @@ class RunLog {
   // Reads what is there. Lines that are no runs, as a cut-off write leaves them, are counted only.
   static Result<RunLog> open(const std::string& path);
 
-  // The last run of that key; null if there is none. `program` 0: of any program.
-  const Run* find(const std::string& key, uint64_t program) const;
+  // The last run of that key; null if there is none.
+  const Run* find(const std::string& key, const Maker& maker) const;
   Status append(const Run& run);
   size_t unreadable() const { return unreadable_; }
 
