@@ -77,13 +77,14 @@ TEST_F(RunLogFile, IsFoundAgainByTheSameProgramOnly) {
     auto log = RunLog::open(path_);
     ASSERT_TRUE(log);
     ASSERT_TRUE(log->append(run));
-    EXPECT_NE(log->find(run.key(), run.program), nullptr);
+    EXPECT_NE(log->find(run.key(), {run.program, 2}), nullptr);
   }
   const auto again = RunLog::open(path_);
   ASSERT_TRUE(again);
-  EXPECT_NE(again->find(run.key(), run.program), nullptr);
-  EXPECT_EQ(again->find(run.key(), run.program + 1), nullptr);
-  EXPECT_NE(again->find(run.key(), 0), nullptr);
+  EXPECT_NE(again->find(run.key(), {run.program, 2}), nullptr);
+  EXPECT_EQ(again->find(run.key(), {run.program + 1, 2}), nullptr);
+  EXPECT_EQ(again->find(run.key(), {run.program, 1}), nullptr) << "one thread takes longer";
+  EXPECT_NE(again->find(run.key(), {}), nullptr);
 }
 
 TEST_F(RunLogFile, TheLastRunOfAKeyCounts) {
@@ -93,7 +94,7 @@ TEST_F(RunLogFile, TheLastRunOfAKeyCounts) {
   ASSERT_TRUE(log->append(run));
   run.timing.seconds = 2;
   ASSERT_TRUE(log->append(run));
-  EXPECT_EQ(log->find(run.key(), 0)->timing.seconds, 2);
+  EXPECT_EQ(log->find(run.key(), {})->timing.seconds, 2);
 }
 
 TEST_F(RunLogFile, GoesOnBehindALineThatWasCutOff) {
@@ -110,8 +111,8 @@ TEST_F(RunLogFile, GoesOnBehindALineThatWasCutOff) {
   const auto again = RunLog::open(path_);
   ASSERT_TRUE(again);
   EXPECT_EQ(again->unreadable(), 1u);
-  EXPECT_NE(again->find(run.key(), 0), nullptr);
-  EXPECT_NE(again->find(someRun().key(), 0), nullptr);
+  EXPECT_NE(again->find(run.key(), {}), nullptr);
+  EXPECT_NE(again->find(someRun().key(), {}), nullptr);
 }
 
 TEST_F(RunLogFile, AFolderInItsPlaceIsAnErrorThatNamesIt) {

@@ -3,8 +3,8 @@
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { join, resolve } from 'node:path';
-import { pathToFileURL } from 'node:url';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { colours, frames, openReport } from './browser.mjs';
 import { harness } from './harness.mjs';
 import { report } from './sample_report.mjs';
@@ -15,7 +15,7 @@ const { PNG } = require('pngjs');
 const { default: pixelmatch } = await import(pathToFileURL(require.resolve('pixelmatch')));
 const sample = options.sample(report);
 
-const kGolden = join(import.meta.dirname ?? new URL('.', import.meta.url).pathname, 'golden');
+const kGolden = join(dirname(fileURLToPath(import.meta.url)), 'golden');
 const kSize = { width: 960, height: 600 };
 const kDifferent = 0.005; // share of the pixels: drivers and versions round edges otherwise
 const kThreshold = 0.15; // of a colour's distance, below which a pixel is the same
