@@ -28,6 +28,24 @@ OBBY_DEVICE bool meets(const Region& region, Vec3 a, Vec3 b) {
   return enter <= leave;
 }
 
+// Does the segment a..b meet the region anywhere on its way by `shift`? What it sweeps is a
+// parallelogram, which is apart from a box just where it is along one of ten directions: the box's
+// three, across the parallelogram, and across one edge of each.
+OBBY_DEVICE bool meetsOnTheWay(const Region& region, Vec3 a, Vec3 b, Vec3 shift) {
+  const Vec3 u = toLocal(region.pose.rotation, (b - a) * 0.5f);
+  const Vec3 v = toLocal(region.pose.rotation, shift * 0.5f);
+  const Vec3 middle = toLocal(region.pose, a) + u + v;
+  const auto apart = [&](Vec3 along) {
+    return absf(dot(middle, along)) >
+           absf(dot(u, along)) + absf(dot(v, along)) + dot(region.half, abs(along));
+  };
+  const Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const Vec3& axis : axes) {
+    if (apart(axis) || apart(cross(u, axis)) || apart(cross(v, axis))) return false;
+  }
+  return !apart(cross(u, v));
+}
+
 // Distance from a point to the region, 0 inside.
 OBBY_DEVICE float distance(const Region& region, Vec3 p) {
   const Vec3 d = abs(toLocal(region.pose, p)) - region.half;

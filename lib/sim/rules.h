@@ -6,15 +6,34 @@
 
 namespace obby::sim {
 
+// What the rules have to know of a world as it was before the tick.
+struct Before {
+  Vec3 feet;
+  uint8_t flags;
+};
+
+OBBY_DEVICE Before beforeOf(const World& w) { return {w.position, w.flags}; }
+
 // The rules' view of a world after a tick.
 struct Judged {
   World& w;
+  const Before& before;
   const LooseBody* loose;
   const level::LevelView& level;
   const level::QueryView& q;
 
   OBBY_DEVICE bool reaches(const level::TargetView& target) const {
     return sim::reaches(w, loose, level, q, target);
+  }
+
+  // Has the player been in a region on the way through the tick? Nothing is between the two ends
+  // of a teleport, and parts are touched at the end of a tick, as in the engine.
+  OBBY_DEVICE bool passes(const level::TargetView& target) const {
+    const bool teleported = (w.flags & ~before.flags & kArrived) != 0;
+    if (target.touchCount != 0 || teleported) return false;
+    const Vec3 up{0, level.params.bodyTop, 0};
+    return geom::meetsOnTheWay(target.region, before.feet, before.feet + up,
+                               w.position - before.feet);
   }
 };
 
@@ -52,10 +71,11 @@ OBBY_DEVICE bool isLate(const World& w, const level::QueryView& q) {
   return limit != 0 && played >= limit;
 }
 
-// What must not be. `running`: nothing of it is.
+// What must not be. `running`: nothing of it is. What is to be reached must be so at the end of a
+// tick; what is to be avoided, in between too, or a thin region would be stepped over.
 OBBY_DEVICE Outcome violation(const Judged& j) {
   for (uint32_t i = 0; i < j.q.avoidCount; ++i) {
-    if (!j.reaches(j.q.avoid[i])) continue;
+    if (!j.reaches(j.q.avoid[i]) && !j.passes(j.q.avoid[i])) continue;
     j.w.part = i;
     return Outcome::avoided;
   }
@@ -92,12 +112,12 @@ OBBY_DEVICE bool atGoal(const Judged& j) {
   return reached;
 }
 
-// Ends the playthrough or notes progress. A world that died in this tick stays dead. `loose`:
-// (level.looseCount), null where that is 0.
-OBBY_DEVICE void applyRules(World& w, const LooseBody* loose, const level::LevelView& level,
-                            const level::QueryView& q) {
+// Ends the playthrough or notes progress. A world that died in this tick stays dead. `before`: the
+// tick. `loose`: (level.looseCount), null where that is 0.
+OBBY_DEVICE void applyRules(World& w, const Before& before, const LooseBody* loose,
+                            const level::LevelView& level, const level::QueryView& q) {
   if (w.outcome != Outcome::running) return;
-  const Judged j{w, loose, level, q};
+  const Judged j{w, before, loose, level, q};
   w.outcome = violation(j);
   if (w.outcome != Outcome::running) return;
   if (!noteProgress(j)) {

@@ -102,16 +102,21 @@ void writePlan(const Plan& plan, schema::Trajectory::Builder to) {
 void advance(World& world, LooseBody* loose, const level::LevelView& level,
              const level::QueryView* query, Action action) {
   if (world.outcome != Outcome::running) return;
+  const Before before = beforeOf(world);
   tick(world, loose, level, action);
-  if (query) applyRules(world, loose, level, *query);
+  if (query) applyRules(world, before, loose, level, *query);
 }
 
 void advanceAll(const level::LevelView& level, const level::QueryView* query,
                 std::span<World* const> worlds, LooseBody* const* loose, const Action* actions) {
+  thread_local std::vector<Before> before;  // kept, so that a tick asks for no memory
+  before.clear();
+  if (query != nullptr) {
+    for (const World* world : worlds) before.push_back(beforeOf(*world));
+  }
   tickAll(level, worlds.data(), loose, actions, worlds.size());
-  if (query == nullptr) return;
-  for (size_t i = 0; i < worlds.size(); ++i) {
-    applyRules(*worlds[i], loose != nullptr ? loose[i] : nullptr, level, *query);
+  for (size_t i = 0; i < before.size(); ++i) {
+    applyRules(*worlds[i], before[i], loose != nullptr ? loose[i] : nullptr, level, *query);
   }
 }
 

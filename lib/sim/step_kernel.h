@@ -38,10 +38,11 @@ OBBY_DEVICE void stepWorld(const StepArguments& a, uint32_t i) {
     }
     const level::LevelView& level =
         kKind == StepKind::oneLevel ? a.only : a.set.levels[episode.level];
+    const Before before = beforeOf(world);
     tick<kKind == StepKind::loose>(
         world, loose, level, cursor.next(a.actions, {i, a.count, episode.number, t}, world.tick));
     const level::QueryView* query = queryOf(a.set, episode.level);
-    if (query != nullptr) applyRules(world, loose, level, *query);
+    if (query != nullptr) applyRules(world, before, loose, level, *query);
   }
   a.worlds[i] = world;
   a.episodes[i] = episode;

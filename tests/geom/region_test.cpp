@@ -52,6 +52,41 @@ TEST(Region, ALineThroughWithBothEndsOutsideMeets) {
   EXPECT_TRUE(meets(r, {0, 1, 0}, {0, 5, 0}));  // faces belong to it
 }
 
+TEST(Region, ALineOnItsWayMeetsExactlyWhereItMeetsSomewhere) {
+  Dice dice(303);
+  int swept = 0, between = 0;
+  for (int i = 0; i < 12000; ++i) {
+    const Vec3 half = dice.half();
+    const Region r{{dice.vec(3), dice.rotation()}, i % 2 ? half : Vec3{half.x, half.y, 0.02f}};
+    const Region larger{r.pose, r.half + Vec3{0.05f, 0.05f, 0.05f}};
+    const Vec3 a = dice.vec(8), b = a + (i % 3 ? Vec3{0, 5, 0} : dice.vec(5)), shift = dice.vec(5);
+    bool met = false, nearlyMet = false;
+    for (int k = 0; k <= 300; ++k) {
+      const Vec3 gone = shift * (float(k) / 300);
+      met |= meets(r, a + gone, b + gone);
+      nearlyMet |= meets(larger, a + gone, b + gone);
+    }
+    const bool onTheWay = meetsOnTheWay(r, a, b, shift);
+    ASSERT_GE(onTheWay, met) << i;
+    ASSERT_LE(onTheWay, nearlyMet) << i;
+    swept += onTheWay;
+    between += onTheWay && !meets(r, a, b) && !meets(r, a + shift, b + shift);
+  }
+  EXPECT_GT(swept, 500);
+  EXPECT_GT(between, 100);
+}
+
+TEST(Region, OnNoWayIsWhereItIs) {
+  Dice dice(304);
+  for (int i = 0; i < 2000; ++i) {
+    const Region r{{dice.vec(3), dice.rotation()}, dice.half()};
+    const Region larger{r.pose, r.half * 1.001f}, smaller{r.pose, r.half * 0.999f};
+    const Vec3 a = dice.vec(6), b = a + Vec3{0, 5, 0};
+    ASSERT_LE(meets(smaller, a, b), meetsOnTheWay(r, a, b, {}));
+    ASSERT_LE(meetsOnTheWay(r, a, b, {}), meets(larger, a, b));
+  }
+}
+
 TEST(Region, DistanceIsTheLeastOverItsPoints) {
   Dice dice(302);
   for (int i = 0; i < 2000; ++i) {

@@ -70,6 +70,67 @@ TEST_F(RulesTest, AnAvoidRegionEndsIt) {
   EXPECT_EQ(last.part, 0u);
 }
 
+TEST_F(RulesTest, AThinAvoidRegionIsNotSteppedOver) {
+  for (int i = 0; i < 60; ++i) {  // a tick's walk is 0.27 studs
+    const float z = -20 - 0.01f * float(i);
+    avoid = {boxAt(z, {3, 3, 0.001f})};
+    ASSERT_EQ(play(), Outcome::avoided) << z;
+    ASSERT_LT(last.position.z, z);
+    ASSERT_GT(last.position.z, z - 0.28f);
+    avoid = {boxAt(z, {3, 3, 0.001f}), boxAt(z, {3, 3, 1})};
+    avoid[0].region.pose.position.x = 3.01f;  // beside the way
+    ASSERT_EQ(play(), Outcome::avoided);
+    ASSERT_EQ(last.part, 1u);
+  }
+}
+
+TEST_F(RulesTest, AThinRegionIsReachedAtATickOnly) {
+  int reached = 0;
+  for (int i = 0; i < 30; ++i) {
+    query.goal = boxAt(-20 - 0.01f * float(i), {3, 3, 0.03f});
+    reached += play() == Outcome::goal;
+  }
+  EXPECT_GT(reached, 0);
+  EXPECT_LT(reached, 30);
+}
+
+TEST_F(RulesTest, NothingIsBetweenTheEndsOfATeleport) {
+  LevelBuilder b = LevelBuilder().block({0, -1, 0}, {400, 2, 400});
+  b.block({0, 2, -10}, {4, 4, 1}, [](schema::Part::Builder p) {
+    p.setSolid(false);
+    support::set(p.initTeleport().initPosition(), {0, 0, -30});
+  });
+  level = b.compile();
+  avoid = {boxAt(-20)};
+  EXPECT_EQ(play(), Outcome::goal);
+  avoid = {boxAt(-30)};
+  EXPECT_EQ(play(), Outcome::avoided) << "it ends in there";
+  avoid = {boxAt(-35)};
+  EXPECT_EQ(play(), Outcome::avoided) << "and goes on from there";
+}
+
+TEST_F(RulesTest, LanesStepOverNothingEither) {
+  avoid = {boxAt(-20, {3, 3, 0.001f})};
+  query.avoid = avoid.data(), query.avoidCount = 1;
+  constexpr size_t kWorlds = 1100;  // several blocks
+  std::vector<World> worlds(kWorlds, sim::makeWorld(level.view(), {}));
+  std::vector<World*> pointers;
+  for (size_t i = 0; i < kWorlds; ++i) {
+    worlds[i].position.z -= 0.25f * float(i) / kWorlds;  // another step crosses it
+    pointers.push_back(&worlds[i]);
+  }
+  std::vector<World> alone = worlds;
+  const std::vector<sim::Action> actions(kWorlds, walk(kNorth));
+  for (int t = 0; t < 150; ++t) {
+    sim::advanceAll(level.view(), &query, pointers, nullptr, actions.data());
+    for (World& w : alone) sim::advance(w, nullptr, level.view(), &query, walk(kNorth));
+  }
+  for (size_t i = 0; i < kWorlds; ++i) {
+    ASSERT_EQ(worlds[i].outcome, Outcome::avoided) << i;
+    ASSERT_EQ(sim::stateHash(worlds[i]), sim::stateHash(alone[i])) << i;
+  }
+}
+
 TEST_F(RulesTest, JumpsInTotal) {
   query.maxJumps = 1;
   EXPECT_EQ(play(300, 2), Outcome::jumps);

@@ -37,6 +37,20 @@ TEST_F(Rules, VisitsCountInAnyOrderAndAllOfThem) {
   expectWrong("outcome");
 }
 
+TEST_F(Rules, AThinRegionToAvoidIsPassedBetweenTicks) {
+  auto avoid = q().initAvoid(1);
+  for (int i = 0; i < 30; ++i) {
+    const float z = -16 - 0.01f * float(i);
+    setRegion(avoid[0], {40, 2, z}, {8, 4, 0.002f});
+    ASSERT_EQ(makeTrajectory().getOutcome(), Outcome::GOAL);
+    ASSERT_TRUE(check()) << check().error().text();
+    setRegion(avoid[0], {0, 2, z}, {8, 4, 0.002f});
+    expectWrong("outcome");
+    ASSERT_EQ(makeTrajectory().getOutcome(), Outcome::AVOIDED);
+    ASSERT_TRUE(check()) << check().error().text();
+  }
+}
+
 TEST_F(Rules, AtLeastSoManyJumps) {
   q().setMinJumps(2);
   ASSERT_EQ(makeTrajectory().getOutcome(), Outcome::GOAL);

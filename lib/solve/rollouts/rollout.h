@@ -16,8 +16,9 @@ OBBY_DEVICE uint32_t runTicks(const ExploreContext& c, sim::World& world, sim::L
                               uint32_t ticks, Next&& next, Visit&& visit) {
   for (uint32_t t = 1; t <= ticks; ++t) {
     const sim::Action action = next(world);
+    const sim::Before before = sim::beforeOf(world);
     sim::tick<kLoose>(world, loose, c.level, action);
-    sim::applyRules(world, loose, c.level, c.query);
+    sim::applyRules(world, before, loose, c.level, c.query);
     visit(action, world);
     if (world.outcome != sim::Outcome::running) return t;
     if (!kToTheEnd && doomed(c, world)) return t;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "schema/obby.capnp.h"
 
@@ -35,8 +36,7 @@ class BoxRegion {
     double from = 0, to = height;
     for (int i = 0; i < 3; ++i) {
       const Point& a = axes_[i];
-      const double o =
-          a.x * (feet.x - center_.x) + a.y * (feet.y - center_.y) + a.z * (feet.z - center_.z);
+      const double o = along(a, minus(feet, center_));
       if (std::abs(a.y) < 1e-9) {
         if (std::abs(o) > half[i]) return false;
         continue;
@@ -48,6 +48,20 @@ class BoxRegion {
     return from <= to;
   }
 
+  // Likewise, anywhere on the straight way between two places of the feet. Share s of the way and t
+  // of the height: of the square of all (s, t) six half planes leave what is inside the box.
+  bool holdsOnTheWay(Point from, Point to, double height) const {
+    const double half[3] = {size_.x / 2, size_.y / 2, size_.z / 2};
+    std::vector<Share> left = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (int i = 0; i < 3; ++i) {
+      const Point& a = axes_[i];
+      const double o = along(a, minus(from, center_));
+      const double s = along(a, minus(to, from)), t = a.y * height;
+      left = cut(cut(left, half[i] - o, s, t), half[i] + o, -s, -t);
+    }
+    return !left.empty();
+  }
+
   // Where a player who starts here has the feet.
   Point floor() const {
     const double up[3] = {std::abs(axes_[0].y), std::abs(axes_[1].y), std::abs(axes_[2].y)};
@@ -57,6 +71,28 @@ class BoxRegion {
   }
 
  private:
+  struct Share {
+    double s, t;
+  };
+
+  static Point minus(Point a, Point b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  static double along(Point a, Point b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+  // What of a convex polygon has s * ofS + t * ofT <= most.
+  static std::vector<Share> cut(const std::vector<Share>& polygon, double most, double ofS,
+                                double ofT) {
+    std::vector<Share> out;
+    for (size_t i = 0; i < polygon.size(); ++i) {
+      const Share a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+      const double roomA = most - a.s * ofS - a.t * ofT, roomB = most - b.s * ofS - b.t * ofT;
+      if (roomA >= 0) out.push_back(a);
+      if ((roomA >= 0) == (roomB >= 0)) continue;
+      const double part = roomA / (roomA - roomB);
+      out.push_back({a.s + (b.s - a.s) * part, a.t + (b.t - a.t) * part});
+    }
+    return out;
+  }
+
   Point center_, size_;
   Point axes_[3];  // of the box, in the world
 };

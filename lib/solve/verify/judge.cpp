@@ -53,6 +53,14 @@ bool Judge::atGoal(const Moment& m) const {
   return std::any_of(goals_.begin(), goals_.end(), [&](const Place& g) { return holds(g, m); });
 }
 
+// Also in the middle of a tick; a teleport has none.
+bool Judge::enters(const Place& place, const Moment& m) const {
+  if (holds(place, m)) return true;
+  const bool teleported =
+      (m.world.flags & sim::kArrived) != 0 && (m.before.flags & sim::kArrived) == 0;
+  return !teleported && place.holdsOnTheWay(level_, m.before, m.world);
+}
+
 // Waypoints and visits that are reached now.
 schema::Outcome Judge::reach(const Moment& m) {
   while (reached_ < stops_.size() && holds(stops_[reached_].place, m)) {
@@ -68,11 +76,11 @@ schema::Outcome Judge::reach(const Moment& m) {
   return schema::Outcome::RUNNING;
 }
 
-schema::Outcome Judge::after(size_t tick, const sim::World& world,
+schema::Outcome Judge::after(size_t tick, const sim::World& before, const sim::World& world,
                              std::span<const sim::LooseBody> loose) {
-  const Moment m{int64_t(tick), world, loose};
+  const Moment m{int64_t(tick), before, world, loose};
   for (size_t i = 0; i < avoid_.size(); ++i) {
-    if (!holds(avoid_[i], m)) continue;
+    if (!enters(avoid_[i], m)) continue;
     avoided_ = int64_t(i);
     return schema::Outcome::AVOIDED;
   }

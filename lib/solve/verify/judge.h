@@ -19,9 +19,9 @@ class Judge {
   // The level must outlive the judge.
   Judge(schema::Query::Reader query, const level::LevelView& level);
 
-  // The player is alive in `world` after `tick` ticks, tick 1 first. Gives how the playthrough ends
-  // here, or RUNNING.
-  schema::Outcome after(size_t tick, const sim::World& world,
+  // The player is alive in `world` after `tick` ticks, tick 1 first, and was as in `before` one
+  // tick earlier. Gives how the playthrough ends here, or RUNNING.
+  schema::Outcome after(size_t tick, const sim::World& before, const sim::World& world,
                         std::span<const sim::LooseBody> loose);
 
   // Writes what was reached, when, and what was entered that is to be avoided.
@@ -38,7 +38,7 @@ class Judge {
   };
   struct Moment {
     int64_t tick;
-    const sim::World& world;
+    const sim::World &before, &world;
     std::span<const sim::LooseBody> loose;
   };
 
@@ -46,6 +46,7 @@ class Judge {
   bool holds(const Place& place, const Moment& m) const {
     return place.holds(level_, m.world, m.loose);
   }
+  bool enters(const Place& place, const Moment& m) const;
   bool tooManyJumps(int64_t jumps) const;
   bool tooLate(int64_t tick) const;
   bool atGoal(const Moment& m) const;

@@ -6,6 +6,10 @@ namespace obby::solve {
 
 namespace {
 
+Point feetOf(const sim::World& world) {
+  return {world.position.x, world.position.y, world.position.z};
+}
+
 bool touchesPart(int64_t part, const level::LevelView& level, const sim::World& world,
                  std::span<const sim::LooseBody> loose) {
   const sim::Limbs limbs = sim::limbsOf(world, level.params);
@@ -21,8 +25,12 @@ bool touchesPart(int64_t part, const level::LevelView& level, const sim::World& 
 bool Place::holds(const level::LevelView& level, const sim::World& world,
                   std::span<const sim::LooseBody> loose) const {
   if (touch_ >= 0) return touchesPart(touch_, level, world, loose);
-  const Vec3 feet = world.position;
-  return box_.holds({feet.x, feet.y, feet.z}, level.params.bodyTop);
+  return box_.holds(feetOf(world), level.params.bodyTop);
+}
+
+bool Place::holdsOnTheWay(const level::LevelView& level, const sim::World& before,
+                          const sim::World& world) const {
+  return touch_ < 0 && box_.holdsOnTheWay(feetOf(before), feetOf(world), level.params.bodyTop);
 }
 
 }  // namespace obby::solve

@@ -21,6 +21,9 @@ class Place {
   // Is the player there now?
   bool holds(const level::LevelView& level, const sim::World& world,
              std::span<const sim::LooseBody> loose) const;
+  // Was the player in the box, on the straight way from where a tick began? Parts are not asked.
+  bool holdsOnTheWay(const level::LevelView& level, const sim::World& before,
+                     const sim::World& world) const;
 
  private:
   BoxRegion box_;

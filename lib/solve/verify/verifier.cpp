@@ -78,8 +78,9 @@ Status verify(const level::Level& level, schema::Level::Reader levelRecord,
   size_t tick = 0;
   while (outcome == schema::Outcome::RUNNING && ++tick < worlds.size()) {
     const sim::World& w = worlds[tick];
-    outcome = w.outcome != sim::Outcome::running ? schema::Outcome(w.outcome)
-                                                 : judge.after(tick, w, replay.looseAt(tick));
+    outcome = w.outcome != sim::Outcome::running
+                  ? schema::Outcome(w.outcome)
+                  : judge.after(tick, worlds[tick - 1], w, replay.looseAt(tick));
   }
   tick = std::min(tick, worlds.size() - 1);
   if (outcome != trajectory.getOutcome()) {

@@ -113,8 +113,9 @@ OBBY_DEVICE void actOne(const PlayArguments& a, uint32_t w) {
   const policy::Drawn drawn = decideMove(a, on.scene(), player.world, w);
   const sim::Action action = policy::actionOf(drawn.move, player.ahead);
   for (uint32_t t = 0; t < policy::kDecisionTicks; ++t) {
+    const sim::Before before = sim::beforeOf(player.world);
     sim::tick<kLoose>(player.world, loose, on.level, action);
-    sim::applyRules(player.world, loose, on.level, on.query);
+    sim::applyRules(player.world, before, loose, on.level, on.query);
   }
   const Step step = judge(on, a.reward, player);
   a.rewards[w] = step.reward;
