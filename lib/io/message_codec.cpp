@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <kj/io.h>
 
+#include <algorithm>
+
 #include "io/normal_form.h"
 #include "io/unpacker.h"
 
@@ -112,7 +114,7 @@ Result<std::optional<RecordBuilder>> recordFromWords(const Words& words) {
     const auto record = message.getRoot<schema::Record>();
     if (capnp::DynamicStruct::Reader(record).which() == nullptr)
       return std::optional<RecordBuilder>();
-    OBBY_ASSIGN(RecordBuilder copy, normalForm(record, words.size() + 1));
+    OBBY_ASSIGN(RecordBuilder copy, normalForm(record, words.size()));
     return std::optional<RecordBuilder>(std::move(copy));
   } catch (const kj::Exception& e) {
     return unsoundMessage(e);
@@ -120,8 +122,7 @@ Result<std::optional<RecordBuilder>> recordFromWords(const Words& words) {
 }
 
 Result<std::string> messageFromRecord(schema::Record::Reader record, bool packed) {
-  const uint64_t words = normalWords(record);
-  if (words > kMaxMessageWords) return makeError(WordBudget::kMessage);
+  const uint64_t words = std::min<uint64_t>(record.totalSize().wordCount, kMaxMessageWords);
   OBBY_ASSIGN(RecordBuilder copy, normalForm(record, words));
   kj::VectorOutputStream out;
   if (packed) {

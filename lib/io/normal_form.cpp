@@ -10,37 +10,6 @@ namespace {
 using Reader = capnp::DynamicStruct::Reader;
 using Builder = capnp::DynamicStruct::Builder;
 
-uint64_t wordsOfFields(const StructPlan& plan, Reader in);
-
-uint64_t wordsOfList(const TypePlan& element, capnp::DynamicList::Reader in) {
-  uint64_t words = listWords(element, in.size());
-  for (uint32_t i = 0; i < in.size(); i++) {
-    if (element.kind == ValueKind::record)
-      words += wordsOfFields(*element.record, in[i].as<capnp::DynamicStruct>());
-    if (element.kind == ValueKind::text && in[i].as<capnp::Text>().size() > 0)
-      words += textWords(in[i].as<capnp::Text>().size());
-  }
-  return words;
-}
-
-// What the pointers of one struct lead to.
-uint64_t wordsOfFields(const StructPlan& plan, Reader in) {
-  uint64_t words = 0;
-  for (const FieldPlan& field : plan.fields) {
-    const TypePlan& type = field.type;
-    if (type.elementBits != 0 && type.elementBits < 64) continue;
-    if (!isSet(field, in)) continue;
-    if (type.kind == ValueKind::text)
-      words += textWords(in.get(field.field).as<capnp::Text>().size());
-    if (type.kind == ValueKind::list)
-      words += wordsOfList(type.element[0], in.get(field.field).as<capnp::DynamicList>());
-    if (type.kind == ValueKind::record)
-      words += type.record->words() +
-               wordsOfFields(*type.record, in.get(field.field).as<capnp::DynamicStruct>());
-  }
-  return words;
-}
-
 class Copier {
  public:
   Error error;
@@ -121,20 +90,12 @@ const FieldPlan* kindOf(Reader in) {
 
 }  // namespace
 
-uint64_t normalWords(schema::Record::Reader in) {
-  const Reader record(in);
-  const FieldPlan* kind = kindOf(record);
-  uint64_t words = 1 + recordPlan().words();
-  if (!kind) return words;
-  return words + kind->type.record->words() +
-         wordsOfFields(*kind->type.record, record.get(kind->field).as<capnp::DynamicStruct>());
-}
-
-Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t firstWords) {
+Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t words) {
   const Reader record(in);
   const FieldPlan* kind = kindOf(record);
   if (!kind) return makeError("a record of an unknown kind cannot be converted");
-  RecordBuilder out(firstWords);
+  // The copy has nothing that `in` lacks but the kind.
+  RecordBuilder out(1 + words + kind->type.record->words());
   Copier copier;
   const Builder root(out.root());
   // The kind itself counts as present even where its pointer is null.

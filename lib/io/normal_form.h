@@ -16,12 +16,10 @@
 
 namespace obby::io {
 
-// Exact words of the normal form, without the segment table. `in` must be sound.
-uint64_t normalWords(schema::Record::Reader in);
-
-// The copy; `firstWords` is the size of its first segment. The kind must be known. Errors name the
-// path. May throw kj::Exception where `in` is an unsound message.
-Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t firstWords);
+// The copy, in one segment if `in` was written by this version and has `words` words, or fewer. The
+// kind must be known. Errors name the path. May throw kj::Exception where `in` is an unsound
+// message.
+Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t words);
 
 // What Cap'n Proto found wrong with a message, in its words without its source code.
 Error unsoundMessage(const kj::Exception& exception);
