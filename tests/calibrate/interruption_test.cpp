@@ -24,8 +24,9 @@ std::vector<Take> takesOfAnother() {
   return takesUnder(truth.reader().getParams(), 0.02f, firstManoeuvres(4));
 }
 
-Fit fitted(const std::atomic<bool>& stop, const std::function<void(const FitProgress&)>& progress) {
-  ThreadPool pool(2);
+Fit fitted(const std::atomic<bool>& stop, const std::function<void(const FitProgress&)>& progress,
+           int threads = 2) {
+  ThreadPool pool(threads);
   FitSettings settings;
   settings.restarts = 1;
   settings.generations = 2;
@@ -94,10 +95,12 @@ TEST(Fit, LeavesUnknownWhatWasNotWeighed) {
   }
 }
 
+// By one thread: it tells after each of its tasks, and how many others do in between is up to them.
 TEST(Fit, IsHeardOfAllTheTime) {
   const std::atomic<bool> stop{false};
   std::vector<FitProgress> told;
-  const Fit whole = fitted(stop, [&](const FitProgress& progress) { told.push_back(progress); });
+  const Fit whole = fitted(
+      stop, [&](const FitProgress& progress) { told.push_back(progress); }, 1);
   EXPECT_FALSE(whole.stopped);
   EXPECT_EQ(textOf(whole, {}, 1, {}).find("interrupted"), std::string::npos);
   std::set<std::string> tasks;
