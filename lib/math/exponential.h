@@ -10,15 +10,16 @@ namespace obby {
 
 // e^x for x <= 0: relative error below 3e-7; 0 below -80.
 OBBY_DEVICE float expNegative(float x) {
-  if (!(x > -80.0f)) return 0;
-  const float t = x * 1.44269504f;
+  const bool some = x > -80.0f;  // no branch by it, so that loops over this become lanes
+  const float y = some ? x : -80.0f;
+  const float t = y * 1.44269504f;
   const int32_t whole = int32_t(t - 0.5f);  // nearest, as t <= 0
-  const float r = (x - float(whole) * 0.693359375f) + float(whole) * 2.12194440e-4f;
+  const float r = (y - float(whole) * 0.693359375f) + float(whole) * 2.12194440e-4f;
   const float e =
       1.0f +
       r * (1.0f + r * (0.5f + r * (1.6666667e-1f +
                                    r * (4.1666668e-2f + r * (8.3333477e-3f + r * 1.3930436e-3f)))));
-  const uint32_t bits = uint32_t(whole + 127) << 23;
+  const uint32_t bits = some ? uint32_t(whole + 127) << 23 : 0;
   return e * __builtin_bit_cast(float, bits);
 }
 

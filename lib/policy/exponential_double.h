@@ -6,6 +6,7 @@
 
 namespace obby {
 
+inline double expNegative(double x) { return __builtin_exp(x); }
 inline double expOf(double x) { return __builtin_exp(x); }
 inline double logOf(double x) { return __builtin_log(x); }
 

@@ -30,17 +30,22 @@ struct LossOf {
   bool clipped = false;
 };
 
-// Probabilities of the moves; those that are not allowed get 0. `chances`: (kMoves).
+constexpr float kNever = -1000;  // of which expNegative() makes 0
+
+OBBY_DEVICE bool isAllowed(int move, bool mayJump) { return !jumps(move) | mayJump; }
+
+// Probabilities of the moves; those that are not allowed get 0. `chances`: (kMoves). Sums have
+// loops of their own, so that the compiler makes lanes of the others.
 template <class S>
 OBBY_DEVICE void chancesOf(const S* logits, bool mayJump, S* chances) {
   S most = logits[0], sum = 0;  // the first is always allowed
   for (int m = 1; m < kMoves; ++m) {
-    if ((!jumps(m) || mayJump) && most < logits[m]) most = logits[m];
+    if (isAllowed(m, mayJump) && most < logits[m]) most = logits[m];
   }
-  for (int m = 0; m < kMoves; ++m) {
-    chances[m] = !jumps(m) || mayJump ? expOf(logits[m] - most) : S(0);
-    sum += chances[m];
-  }
+  for (int m = 0; m < kMoves; ++m)
+    chances[m] = isAllowed(m, mayJump) ? logits[m] - most : S(kNever);
+  for (int m = 0; m < kMoves; ++m) chances[m] = expNegative(chances[m]);
+  for (int m = 0; m < kMoves; ++m) sum += chances[m];
   for (int m = 0; m < kMoves; ++m) chances[m] /= sum;
 }
 
@@ -67,11 +72,13 @@ OBBY_DEVICE Drawn drawMove(const float* logits, bool mayJump, float draw) {
 template <class S>
 OBBY_DEVICE LossOf<S> lossOf(const S* outputs, const Decision& d, const LossSettings& settings,
                              S* slope) {
-  S p[kMoves];
+  S p[kMoves], logs[kMoves], parts[kMoves];
   chancesOf(outputs, d.mayJump, p);
   LossOf<S> r;
-  for (const S c : p) r.entropy -= c > 0 ? c * logOf(c) : S(0);
-  const S logRatio = logOf(p[d.move]) - S(d.logChance), ratio = expOf(logRatio);
+  for (int m = 0; m < kMoves; ++m) logs[m] = logOf(p[m]);  // of 0: some number that nobody uses
+  for (int m = 0; m < kMoves; ++m) parts[m] = p[m] > 0 ? p[m] * logs[m] : S(0);
+  for (const S part : parts) r.entropy -= part;
+  const S logRatio = logs[d.move] - S(d.logChance), ratio = expOf(logRatio);
   const S a = S(d.advantage), clip = S(settings.clip);
   const S floor = ratio < 1 - clip ? 1 - clip : ratio;
   const S plain = ratio * a, bounded = (1 + clip < floor ? 1 + clip : floor) * a;
@@ -82,12 +89,12 @@ OBBY_DEVICE LossOf<S> lossOf(const S* outputs, const Decision& d, const LossSett
            S(settings.valueShare) * r.valueError * r.valueError / 2 -
            S(settings.entropyShare) * r.entropy;
   const S pull = r.clipped ? S(0) : -ratio * a;  // by the log chance of the move
-  for (int m = 0; m < kPaddedOutputs; ++m) slope[m] = 0;
   for (int m = 0; m < kMoves; ++m) {
-    if (!(p[m] > 0)) continue;
-    slope[m] = pull * ((m == d.move ? S(1) : S(0)) - p[m]) +
-               S(settings.entropyShare) * p[m] * (logOf(p[m]) + r.entropy);
+    const S along = pull * ((m == d.move ? S(1) : S(0)) - p[m]) +
+                    S(settings.entropyShare) * p[m] * (logs[m] + r.entropy);
+    slope[m] = p[m] > 0 ? along : S(0);
   }
+  for (int m = kMoves; m < kPaddedOutputs; ++m) slope[m] = 0;
   slope[kMoves] = S(settings.valueShare) * r.valueError;
   return r;
 }

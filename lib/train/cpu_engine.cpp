@@ -21,18 +21,19 @@ class CpuEngine : public Engine {
   struct Group {  // a crowd with its part of the batch
     Group(const LevelSource& source, const TrainerSettings& s, uint32_t number, const Ranks& ranks);
     Crowd crowd;
-    uint32_t first, worlds;  // of the batch's worlds: its own
+    uint32_t first, worlds;      // of the batch's worlds: its own
+    std::vector<uint32_t> rows;  // of the batch: its worlds' in a tick
     Pass<float> pass;
     Sums seen{policy::kInputs};
     std::vector<uint8_t> mayJump;
     std::vector<int> moves;
     std::vector<Step> steps;
-    Rows<float> row;  // of a tick, normalised
+    Rows<float> raw;  // what they see in a tick
     Status missing;   // of what is played next
   };
 
   void play(Group& group, const PlayOrder& order);
-  void look(Group& group, const PlayOrder& order, bool count);
+  const Rows<float>& look(Group& group, uint32_t tick, bool count);
   void decide(Group& group, const PlayOrder& order, uint32_t tick);
   void take(Group& group, uint32_t tick);
   uint64_t decisionOf(const PlayOrder& order, uint32_t tick) const {
@@ -46,6 +47,7 @@ class CpuEngine : public Engine {
   Ppo ppo_;
   std::vector<std::unique_ptr<Group>> groups_;
   Batch batch_;
+  Line<float> void_;  // what the first layer makes of empty surroundings, in this iteration
 };
 
 // Crowds are numbered over all ranks.
@@ -54,10 +56,11 @@ CpuEngine::Group::Group(const LevelSource& source, const TrainerSettings& s, uin
     : crowd(source, s.crowd, s.seed, ranks.number() * s.crowds + number, s.crowds * ranks.count()),
       first(number * crowd.size()),
       worlds(crowd.size()),
+      rows(worlds),
       mayJump(worlds),
       moves(worlds),
       steps(worlds),
-      row(worlds, policy::kInputs) {}
+      raw(worlds, policy::kInputs) {}
 
 CpuEngine::CpuEngine(const TrainerSettings& settings, const LevelSource& source, ThreadPool& pool,
                      Ranks& ranks)
@@ -98,21 +101,21 @@ size_t CpuEngine::rowOf(const Group& g, uint32_t tick) const {
   return size_t(tick) * batch_.worlds + g.first;
 }
 
-void CpuEngine::look(Group& g, const PlayOrder& order, bool count) {
-  g.crowd.observe(g.row.data(), g.mayJump.data());
+// What the network says of it.
+const Rows<float>& CpuEngine::look(Group& g, uint32_t tick, bool count) {
+  g.crowd.observe(g.raw.data(), g.mayJump.data());
   for (uint32_t w = 0; w < g.worlds; ++w) {
-    float* const row = g.row.row(w).data();
-    if (count) g.seen.add(row);
-    for (size_t i = 0; i < order.means.size(); ++i)
-      row[i] = policy::normalised(row[i], order.means[i], order.scales[i]);
+    const float* const raw = g.raw.row(w).data();
+    if (count) g.seen.add(raw);
+    g.rows[w] = uint32_t(rowOf(g, tick) + w);
+    batch_.seen.take(g.rows[w], raw);
   }
+  return g.pass.forward(ppo_.weights(), SeenPart(batch_.seen, g.rows, void_));
 }
 
 void CpuEngine::decide(Group& g, const PlayOrder& order, uint32_t tick) {
-  look(g, order, tick % kCountEvery == 0);
-  const Rows<float>& out = g.pass.forward(ppo_.weights(), g.row);
+  const Rows<float>& out = look(g, tick, tick % kCountEvery == 0);
   const size_t first = rowOf(g, tick);
-  batch_.inputs.middleRows(Eigen::Index(first), g.worlds) = g.row;
   for (uint32_t w = 0; w < g.worlds; ++w) {
     const bool mayJump = g.mayJump[w] != 0;
     const float draw =
@@ -141,14 +144,15 @@ void CpuEngine::play(Group& g, const PlayOrder& order) {
     decide(g, order, t);
     take(g, t);
   }
-  look(g, order, false);
-  const Rows<float>& out = g.pass.forward(ppo_.weights(), g.row);
+  const Rows<float>& out = look(g, settings_.ticks, false);
   for (uint32_t w = 0; w < g.worlds; ++w)
     batch_.last[g.first + w] = ppo_.valueOf(out(w, policy::kMoves));
   g.missing = g.crowd.settleIteration(decisionOf(order, settings_.ticks - 1), order.hardest);
 }
 
 Result<Played> CpuEngine::play(const PlayOrder& order) {
+  batch_.seen.normaliseBy(order.means, order.scales);
+  void_ = voidSums(batch_.seen, ppo_.weights());
   pool_.run(int(groups_.size()), [&](int i) { play(*groups_[size_t(i)], order); });
   Played out;
   uint64_t first = ~uint64_t(0);  // level that is still played

@@ -61,18 +61,37 @@ struct Weights {
   }
 };
 
+// What goes into a Pass, in full: (rows, kInputs), normalised. seen_rows.h has another.
+template <class S>
+class FullRows {
+ public:
+  explicit FullRows(const Rows<S>& inputs) : inputs_(inputs) {}  // which must outlive it
+
+  // The first hidden layer.
+  void firstLayer(const Weights<S>& net, Rows<S>& out) const {
+    out.noalias() = inputs_ * net.w[0];
+    out = (out.rowwise() + net.b[0]).cwiseMax(S(0));
+  }
+  // Adds the gradients of its weights, by the slopes of its sums.
+  void addFirstSlopes(const Rows<S>& slope, Weights<S>& sums) const {
+    sums.w[0].noalias() += inputs_.transpose() * slope;
+  }
+
+ private:
+  const Rows<S>& inputs_;
+};
+
 // What a batch of rows became on its way through, kept for the way back. Grows to the largest
 // batch and is used again: no allocation in a loop.
 template <class S>
 class Pass {
  public:
-  // `inputs`: (rows, kInputs), normalised. The outputs: (rows, kPaddedOutputs).
+  // The outputs: (rows, kPaddedOutputs).
   template <class Inputs>
   const Rows<S>& forward(const Weights<S>& net, const Inputs& inputs) {
-    a_.noalias() = inputs * net.w[0];
-    rectify(a_, net.b[0]);
+    inputs.firstLayer(net, a_);
     b_.noalias() = a_ * net.w[1];
-    rectify(b_, net.b[1]);
+    b_ = (b_.rowwise() + net.b[1]).cwiseMax(S(0));
     out_.noalias() = b_ * net.w[2];
     out_.rowwise() += net.b[2];
     return out_;
@@ -90,14 +109,11 @@ class Pass {
     sums.b[1] += slopeB_.colwise().sum();
     slopeA_.noalias() = slopeB_ * net.w[1].transpose();
     stop(slopeA_, a_);
-    sums.w[0].noalias() += inputs.transpose() * slopeA_;
+    inputs.addFirstSlopes(slopeA_, sums);
     sums.b[0] += slopeA_.colwise().sum();
   }
 
  private:
-  static void rectify(Rows<S>& rows, const Line<S>& bias) {
-    rows = (rows.rowwise() + bias).cwiseMax(S(0));
-  }
   // No slope where a unit was off.
   static void stop(Rows<S>& slope, const Rows<S>& unit) {
     slope = (unit.array() > S(0)).select(slope, S(0));

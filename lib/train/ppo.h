@@ -13,6 +13,7 @@
 #include "train/mlp.h"
 #include "train/normaliser.h"
 #include "train/ranks.h"
+#include "train/seen_rows.h"
 #include "train/state.h"
 
 namespace obby::train {
@@ -34,7 +35,7 @@ struct Batch {
   Batch(uint32_t tickCount, uint32_t worldCount)
       : ticks(tickCount),
         worlds(worldCount),
-        inputs(size_t(ticks) * worlds, policy::kInputs),
+        seen((size_t(ticks) + 1) * worlds),
         decisions(size_t(ticks) * worlds),
         values(size_t(ticks) * worlds),
         rewards(size_t(ticks) * worlds),
@@ -42,7 +43,7 @@ struct Batch {
         done(size_t(ticks) * worlds) {}
 
   uint32_t ticks, worlds;
-  Rows<float> inputs;  // normalised, as they were seen
+  SeenRows seen;  // before each decision, and at last
   std::vector<Decision> decisions;
   std::vector<float> values;  // what the network expected, in rewards
   std::vector<float> rewards;
@@ -83,7 +84,7 @@ class Ppo {
  private:
   struct Share {  // of a part
     Pass<float> pass;
-    Rows<float> inputs, slope;
+    Rows<float> slope;
     Weights<float> gradient;
     Progress sums;
   };
@@ -93,6 +94,8 @@ class Ppo {
   void learnPart(const Batch& batch, std::span<const uint32_t> rows, float rate, Progress& sums);
   void learnShare(const Batch& batch, std::span<const uint32_t> rows, const AdvantageScale& scale,
                   Share& share) const;
+  void learnTile(const Batch& batch, std::span<const uint32_t> rows, const AdvantageScale& scale,
+                 Share& share) const;
   void addRanks(Weights<float>& gradient);
   void step(Weights<float>& gradient, float rate);
 
@@ -103,6 +106,7 @@ class Ppo {
   Weights<float> weights_, momentum_, squares_;
   policy::Adam adam_;
   ValueScale values_;
+  Line<float> void_;  // what the first layer makes of empty surroundings, of a part
   std::vector<Share> shares_;
   std::vector<float> advantages_, targets_;  // (rows), in rewards
 };

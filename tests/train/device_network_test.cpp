@@ -40,8 +40,8 @@ TEST_P(OfRows, HasTheOutputsAndGradientsOfEigen) {
   fill(inputs, random, 2);
   fill(slopes, random, 1);
   Pass<float> pass;
-  const Rows<float>& outputs = pass.forward(weights, inputs);
-  pass.backward(weights, inputs, slopes, gradient);
+  const Rows<float>& outputs = pass.forward(weights, FullRows(inputs));
+  pass.backward(weights, FullRows(inputs), slopes, gradient);
 
   ThreadPool pool(2);
   sim::HostDevice device(pool);

@@ -65,7 +65,7 @@ TEST(Loss, NeverLeansTowardWhatIsNotAllowed) {
 // Sum of the losses of a few rows.
 double total(const Weights<double>& net, const Rows<double>& inputs,
              const std::vector<Decision>& decisions, Rows<double>* slope, Pass<double>& pass) {
-  const Rows<double>& out = pass.forward(net, inputs);
+  const Rows<double>& out = pass.forward(net, FullRows(inputs));
   Rows<double> unused(out.rows(), kOut);
   Rows<double>& to = slope != nullptr ? *slope : unused;
   double sum = 0;
@@ -88,7 +88,7 @@ TEST(Network, GradientsAreThoseOfFiniteDifferences) {
   Pass<double> pass, probe;
   Weights<double> gradient;
   total(net, inputs, decisions, &slope, pass);
-  pass.backward(net, inputs, slope, gradient);
+  pass.backward(net, FullRows(inputs), slope, gradient);
   std::vector<double*> weights;
   std::vector<double> slopes;
   net.blocks([&](double* w, size_t count) {
@@ -123,7 +123,7 @@ TEST(Network, InTrainingIsTheOneInUse) {
   Rows<float> inputs(5, policy::kInputs);
   for (Eigen::Index i = 0; i < inputs.size(); ++i) inputs.data()[i] = random.unit() - 0.5f;
   Pass<float> pass;
-  const Rows<float>& out = pass.forward(weights, inputs);
+  const Rows<float>& out = pass.forward(weights, FullRows(inputs));
   const policy::Thinker thinker(network);
   for (Eigen::Index i = 0; i < inputs.rows(); ++i) {
     float outputs[kOut];

@@ -1,0 +1,79 @@
+// Rows of the network's inputs as learning keeps them. Most of a level is empty, and so are two of
+// three inputs: a row is what differs from empty surroundings, and which inputs those are, and the
+// first layer's sums run over that alone. Host only; the order of sums is fixed, and the same for
+// any number of lanes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/huge_pages.h"
+#include "train/mlp.h"
+
+namespace obby::train {
+
+class SeenRows {
+ public:
+  explicit SeenRows(size_t rows) : rows_(rows) {}
+
+  // By which rows that are taken from now on are normalised: kInputs numbers each. Rows that were
+  // taken before mean something else then.
+  void normaliseBy(std::span<const float> means, std::span<const float> scales);
+
+  // `raw`: (kInputs), as policy::observe() gives them.
+  void take(size_t row, const float* raw);
+
+  // Row `row` in full, normalised. `out`: (kInputs).
+  void expand(size_t row, float* out) const;
+
+  const Line<float>& voids() const { return voids_; }  // empty surroundings, normalised
+
+ private:
+  friend class SeenPart;
+
+  static constexpr int kBits = 64;
+  static constexpr int kWords = (policy::kInputs + kBits - 1) / kBits;
+
+  struct alignas(64) Row {
+    uint64_t seen[kWords];          // a bit an input: it has a value
+    float values[policy::kInputs];  // normalised, less those of empty surroundings; side by side
+  };
+
+  std::vector<float> means_, scales_;
+  Line<float> voids_ = Line<float>::Zero(policy::kInputs);
+  std::vector<Row, HugePages<Row>> rows_;
+};
+
+// What the first layer makes of empty surroundings: the sums begin with it. To be made again when
+// the weights or the rows' normaliser change.
+Line<float> voidSums(const SeenRows& rows, const Weights<float>& net);
+
+// Adds to the first layer's slopes what empty surroundings contribute, once for all rows of which
+// `sums` has the slopes of the first biases.
+void addVoidSlopes(const SeenRows& rows, Weights<float>& sums);
+
+// Some of the rows, as inputs of a Pass (mlp.h).
+class SeenPart {
+ public:
+  // All three must outlive it. `which`: rows.
+  SeenPart(const SeenRows& rows, std::span<const uint32_t> which, const Line<float>& voidSums)
+      : rows_(rows), which_(which), voidSums_(voidSums) {}
+
+  void firstLayer(const Weights<float>& net, Rows<float>& out) const;
+  void addFirstSlopes(const Rows<float>& slope, Weights<float>& sums) const;
+
+ private:
+  static constexpr size_t kBlock = 64;  // rows whose inputs are gone through together
+
+  const SeenRows::Row& row(size_t i) const { return rows_.rows_[which_[i]]; }
+  void ask(size_t i) const;
+  void blockLayer(size_t first, size_t count, const float* weights, float* out) const;
+  void addBlockSlopes(size_t first, size_t count, const float* slope, float* sums) const;
+
+  const SeenRows& rows_;
+  std::span<const uint32_t> which_;
+  const Line<float>& voidSums_;
+};
+
+}  // namespace obby::train
