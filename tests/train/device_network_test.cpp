@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "sim/host_device.h"
 #include "train/device/sums.h"
 
@@ -66,6 +68,40 @@ TEST_P(OfRows, HasTheOutputsAndGradientsOfEigen) {
                "gradient");
     at += count;
   });
+}
+
+// Whichever way the CPU in a GPU's place multiplies and adds (kernels.cpp), it is in one step.
+TEST(DeviceProducts, AreFusedWhateverTheBuild) {
+  Random random(7, 7);
+  Rows<float> a(16, 24), b(24, 8), c(16, 8), out(16, 8), sums(24, 8);
+  fill(a, random, 2);
+  fill(b, random, 2);
+  fill(c, random, 2);
+  const ProductArguments product{a.data(), b.data(), nullptr, nullptr, out.data(),
+                                 16,       24,       8,       false};
+  for (uint32_t i = 0; i < productTiles(product); ++i)
+    trainKernel(TrainStep::product).body(&product, i);
+  const GradientArguments gradient{a.data(), c.data(), sums.data(), 16, 24, 8};
+  for (uint32_t i = 0; i < gradientTiles(gradient); ++i)
+    trainKernel(TrainStep::gradient).body(&gradient, i);
+  const auto fused = [](const Rows<float>& x, const Rows<float>& y, Eigen::Index r,
+                        Eigen::Index col) {
+    float sum = 0;
+    for (Eigen::Index k = 0; k < x.cols(); ++k) sum = std::fma(x(r, k), y(k, col), sum);
+    return sum;
+  };
+  const Rows<float> turned = a.transpose();
+  int rounded = 0;
+  for (Eigen::Index col = 0; col < 8; ++col) {
+    for (Eigen::Index r = 0; r < 16; ++r) {
+      ASSERT_EQ(out(r, col), fused(a, b, r, col));
+      float apart = 0;
+      for (Eigen::Index k = 0; k < a.cols(); ++k) apart += a(r, k) * b(k, col);
+      rounded += apart != out(r, col);
+    }
+    for (Eigen::Index r = 0; r < 24; ++r) ASSERT_EQ(sums(r, col), fused(turned, c, r, col));
+  }
+  EXPECT_GT(rounded, 10) << "two steps would do";
 }
 
 TEST(DeviceSums, AreThoseOfPartsShuffledOrNot) {
