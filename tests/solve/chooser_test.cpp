@@ -9,6 +9,7 @@
 #include "solve/choosers/choose_beam.h"
 #include "solve/choosers/choose_mcts.h"
 #include "solve/choosers/choose_rrt.h"
+#include "solve/rollouts/surfaces.h"
 
 namespace obby::solve {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "scenes.h"
 #include "solve/go_explore.h"
+#include "solve/rollouts/surfaces.h"
 
 namespace obby::solve {
 namespace {

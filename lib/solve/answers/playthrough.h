@@ -7,6 +7,7 @@
 
 #include "sim/simulator.h"
 #include "solve/archive/archive.h"
+#include "solve/query/problem.h"
 #include "solve/rollouts/explore_context.h"
 
 namespace obby::solve {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solve/archive/cell.h"
+#include "solve/archive/clock_map.h"
 #include "solve/query/problem.h"
 
 namespace obby::solve {

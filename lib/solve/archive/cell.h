@@ -6,7 +6,7 @@
 
 #include "sim/loose.h"
 #include "sim/world.h"
-#include "solve/archive/clock_map.h"
+#include "solve/archive/clock_view.h"
 
 namespace obby::solve {
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solve/query/targets.h"
+
 namespace obby::solve {
 
 BeamWay::BeamWay(const Problem& problem)

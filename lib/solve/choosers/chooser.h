@@ -9,6 +9,7 @@
 #include "base/random.h"
 #include "base/thread_pool.h"
 #include "solve/archive/archive.h"
+#include "solve/query/problem.h"
 #include "solve/rollouts/explore_context.h"
 
 namespace obby::solve {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "solve/archive/archive_node.h"
-#include "solve/choosers/beam_rank.h"
-#include "solve/choosers/potential.h"
+#include "solve/choosers/beam_view.h"
+#include "solve/choosers/potential_view.h"
 #include "solve/resident/archive_view.h"
 #include "solve/resident/sum_tree.h"
 #include "solve/rollouts/rollout_kernel.h"

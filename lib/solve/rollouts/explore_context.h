@@ -5,9 +5,8 @@
 #include <stdint.h>
 
 #include "policy/pilot_view.h"
-#include "solve/query/problem.h"
 #include "solve/query/targets.h"
-#include "solve/rollouts/surfaces.h"
+#include "solve/rollouts/surface_view.h"
 
 namespace obby::solve {
 

@@ -5,10 +5,13 @@
 
 #include "policy/policy.h"
 #include "solve/archive/cell.h"
+#include "solve/archive/clock_map.h"
 #include "solve/choosers/beam_rank.h"
 #include "solve/choosers/potential.h"
+#include "solve/query/problem.h"
 #include "solve/rollouts/explore_context.h"
 #include "solve/rollouts/rollout_kernel.h"
+#include "solve/rollouts/surfaces.h"
 
 namespace obby::solve {
 
