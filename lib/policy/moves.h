@@ -12,6 +12,8 @@ constexpr int kMoves = 2 * (kHeadings + 1);  // 34; odd ones jump
 constexpr uint32_t kDecisionTicks = 3;       // a move is held so long: 20 a second at 60 ticks
 
 OBBY_DEVICE bool jumps(int move) { return (move & 1) != 0; }
+// No branch, so that loops over the moves become lanes.
+OBBY_DEVICE bool isAllowed(int move, bool mayJump) { return !jumps(move) | mayJump; }
 
 // `ahead`: of the observation that led to the move.
 OBBY_DEVICE sim::Action actionOf(int move, Turns ahead) {
@@ -29,7 +31,7 @@ OBBY_DEVICE bool jumpAllowed(const Scene& s, const sim::World& w) {
 OBBY_DEVICE int likeliest(const float* logits, bool mayJump) {
   int best = 0;
   for (int m = 1; m < kMoves; ++m) {
-    if (jumps(m) && !mayJump) continue;
+    if (!isAllowed(m, mayJump)) continue;
     if (logits[m] > logits[best]) best = m;
   }
   return best;
@@ -41,13 +43,13 @@ OBBY_DEVICE int draw(const float* logits, bool mayJump, Random& random) {
   float odds[kMoves];
   float sum = 0;
   for (int m = 0; m < kMoves; ++m) {
-    odds[m] = !jumps(m) || mayJump ? expNegative(logits[m] - most) : 0.0f;
+    odds[m] = isAllowed(m, mayJump) ? expNegative(logits[m] - most) : 0.0f;
     sum += odds[m];
   }
   float rest = random.unit() * sum;
   int last = 0;
   for (int m = 0; m < kMoves; ++m) {
-    if (jumps(m) && !mayJump) continue;
+    if (!isAllowed(m, mayJump)) continue;
     last = m;
     rest -= odds[m];
     if (rest < 0) break;

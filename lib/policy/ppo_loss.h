@@ -32,8 +32,6 @@ struct LossOf {
 
 constexpr float kNever = -1000;  // of which expNegative() makes 0
 
-OBBY_DEVICE bool isAllowed(int move, bool mayJump) { return !jumps(move) | mayJump; }
-
 // Probabilities of the moves; those that are not allowed get 0. `chances`: (kMoves). Sums have
 // loops of their own, so that the compiler makes lanes of the others.
 template <class S>

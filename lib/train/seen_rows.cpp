@@ -1,9 +1,8 @@
 #include "train/seen_rows.h"
 
 #include <algorithm>
-#include <bit>
-#include <limits>
 
+#include "math/bits.h"
 #include "simd/wide.h"
 
 namespace obby::train {
@@ -26,8 +25,8 @@ struct Units {
   OBBY_LANES void add(const float* row, WideFloat times) {
     for (int g = 0; g < kGroups; ++g) group[g] = group[g] + load(row + g * kLanes) * times;
   }
-  OBBY_LANES void raise(WideFloat least) {
-    for (WideFloat& g : group) g = maxf(g, least);
+  OBBY_LANES void rectify() {
+    for (WideFloat& g : group) g = maxf(g, WideFloat(0.0f));
   }
   OBBY_LANES void put(float* to) const {
     for (int g = 0; g < kGroups; ++g) store(group[g], to + g * kLanes);
@@ -37,7 +36,7 @@ struct Units {
 // Calls visit(number of the bit) from the lowest on.
 template <class Visit>
 OBBY_LANES void forBits(uint64_t bits, Visit&& visit) {
-  for (; bits != 0; bits &= bits - 1) visit(std::countr_zero(bits));
+  for (; bits != 0; bits &= bits - 1) visit(lowestBit(bits));
 }
 
 // Bit j of word i becomes bit i of word j: blocks of 32, 16, ... 1 change sides.
@@ -107,12 +106,8 @@ void SeenPart::firstLayer(const Weights<float>& net, Rows<float>& out) const {
 // A word of inputs after the other: its weights stay in a core's nearest cache while all rows pass.
 void SeenPart::blockLayer(size_t first, size_t count, const float* weights, float* out) const {
   const float* values[kBlock];
-  for (size_t i = 0; i < count; ++i) {
-    values[i] = row(first + i).values;
-  }
+  for (size_t i = 0; i < count; ++i) values[i] = row(first + i).values;
   for (int w = 0; w < SeenRows::kWords; ++w, weights += SeenRows::kBits * kUnits) {
-    const bool last = w + 1 == SeenRows::kWords;
-    const WideFloat least(last ? 0 : -std::numeric_limits<float>::infinity());
     for (size_t i = 0; i < count; ++i) {
       if (w == 0 && first + i + kAhead < which_.size()) ask(first + i + kAhead);
       Units sums(w == 0 ? voidSums_.data() : out + i * kUnits);
@@ -120,7 +115,7 @@ void SeenPart::blockLayer(size_t first, size_t count, const float* weights, floa
       forBits(row(first + i).seen[w],
               [&](int bit) OBBY_INLINED { sums.add(weights + bit * kUnits, WideFloat(*value++)); });
       values[i] = value;
-      sums.raise(least);
+      if (w + 1 == SeenRows::kWords) sums.rectify();
       sums.put(out + i * kUnits);
     }
   }

@@ -32,7 +32,7 @@ int bestMove(const float* quantiles, bool mayJump) {
   int best = 0;
   float most = 0;
   for (int m = 0; m < policy::kMoves; ++m, quantiles += kQuantiles) {
-    if (policy::jumps(m) && !mayJump) continue;
+    if (!policy::isAllowed(m, mayJump)) continue;
     float sum = 0;
     for (size_t q = 0; q < kQuantiles; ++q) sum += quantiles[q];
     if (m > 0 && !(sum > most)) continue;
