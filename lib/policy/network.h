@@ -12,8 +12,9 @@ namespace obby::policy {
 
 constexpr float kMostInput = 5;  // normalised inputs are clamped to this
 
-OBBY_DEVICE float normalised(float v, float mean, float scale) {
-  return clampf((v - mean) * scale, -kMostInput, kMostInput);
+template <class F>
+OBBY_DEVICE F normalised(F v, F mean, F scale) {
+  return clampf((v - mean) * scale, F(-kMostInput), F(kMostInput));
 }
 
 // Calls visit(i) for the inputs that are not zero, in their order. `in`: (inputs), a multiple of

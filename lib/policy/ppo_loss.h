@@ -30,20 +30,40 @@ struct LossOf {
   bool clipped = false;
 };
 
-constexpr float kNever = -1000;  // of which expNegative() makes 0
+constexpr float kNever = -1e6f;  // added to a logit: e^ of it is 0
 
-// Probabilities of the moves; those that are not allowed get 0. `chances`: (kMoves). Sums have
-// loops of their own, so that the compiler makes lanes of the others.
+// What `fold` makes of a number for each move: of eight of them side by side, so that the compiler
+// makes lanes of it, then of these, in the same order everywhere.
+template <class S, class Fold>
+OBBY_DEVICE S folded(const S* x, Fold&& fold) {
+  constexpr int kAbreast = 8;
+  S parts[kAbreast];
+  for (int i = 0; i < kAbreast; ++i) parts[i] = x[i];
+  for (int m = kAbreast; m + kAbreast <= kMoves; m += kAbreast) {
+    for (int i = 0; i < kAbreast; ++i) parts[i] = fold(parts[i], x[m + i]);
+  }
+  constexpr int kRest = kMoves % kAbreast;
+  for (int i = 0; i < kRest; ++i) parts[i] = fold(parts[i], x[kMoves - kRest + i]);
+  for (int half = kAbreast / 2; half > 0; half /= 2) {
+    for (int i = 0; i < half; ++i) parts[i] = fold(parts[i], parts[i + half]);
+  }
+  return parts[0];
+}
+
+template <class S>
+OBBY_DEVICE S sumOf(const S* x) {
+  return folded(x, [](S a, S b) OBBY_INLINED { return a + b; });
+}
+
+// Probabilities of the moves; those that are not allowed get 0. `chances`: (kMoves). No branch in a
+// loop, so that the compiler makes lanes of them.
 template <class S>
 OBBY_DEVICE void chancesOf(const S* logits, bool mayJump, S* chances) {
-  S most = logits[0], sum = 0;  // the first is always allowed
-  for (int m = 1; m < kMoves; ++m) {
-    if (isAllowed(m, mayJump) && most < logits[m]) most = logits[m];
-  }
-  for (int m = 0; m < kMoves; ++m)
-    chances[m] = isAllowed(m, mayJump) ? logits[m] - most : S(kNever);
-  for (int m = 0; m < kMoves; ++m) chances[m] = expNegative(chances[m]);
-  for (int m = 0; m < kMoves; ++m) sum += chances[m];
+  const S jumping = mayJump ? S(0) : S(kNever);
+  for (int m = 0; m < kMoves; ++m) chances[m] = logits[m] + jumping * S(jumps(m) ? 1 : 0);
+  const S most = folded(chances, [](S a, S b) OBBY_INLINED { return a < b ? b : a; });
+  for (int m = 0; m < kMoves; ++m) chances[m] = expNegative(chances[m] - most);
+  const S sum = sumOf(chances);
   for (int m = 0; m < kMoves; ++m) chances[m] /= sum;
 }
 
@@ -75,7 +95,7 @@ OBBY_DEVICE LossOf<S> lossOf(const S* outputs, const Decision& d, const LossSett
   LossOf<S> r;
   for (int m = 0; m < kMoves; ++m) logs[m] = logOf(p[m]);  // of 0: some number that nobody uses
   for (int m = 0; m < kMoves; ++m) parts[m] = p[m] > 0 ? p[m] * logs[m] : S(0);
-  for (const S part : parts) r.entropy -= part;
+  r.entropy = -sumOf(parts);
   const S logRatio = logs[d.move] - S(d.logChance), ratio = expOf(logRatio);
   const S a = S(d.advantage), clip = S(settings.clip);
   const S floor = ratio < 1 - clip ? 1 - clip : ratio;
@@ -87,11 +107,12 @@ OBBY_DEVICE LossOf<S> lossOf(const S* outputs, const Decision& d, const LossSett
            S(settings.valueShare) * r.valueError * r.valueError / 2 -
            S(settings.entropyShare) * r.entropy;
   const S pull = r.clipped ? S(0) : -ratio * a;  // by the log chance of the move
+  const S share = S(settings.entropyShare), common = share * r.entropy - pull;
   for (int m = 0; m < kMoves; ++m) {
-    const S along = pull * ((m == d.move ? S(1) : S(0)) - p[m]) +
-                    S(settings.entropyShare) * p[m] * (logs[m] + r.entropy);
+    const S along = p[m] * (share * logs[m] + common);
     slope[m] = p[m] > 0 ? along : S(0);
   }
+  if (p[d.move] > 0) slope[d.move] += pull;
   for (int m = kMoves; m < kPaddedOutputs; ++m) slope[m] = 0;
   slope[kMoves] = S(settings.valueShare) * r.valueError;
   return r;

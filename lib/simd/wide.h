@@ -188,4 +188,15 @@ OBBY_LANES uint32_t bitsOf(WideMask m) {
   return bits;
 }
 
+// Writes the lanes of `chosen` side by side, and numbers that mean nothing after them: kLanes in
+// all.
+OBBY_LANES void storeChosen(WideFloat a, uint32_t chosen, float* to) {
+#if defined(__AVX512F__)
+  const auto lanes = _mm512_maskz_compress_ps(__mmask16(chosen), static_cast<__m512>(a.v));
+  _mm512_storeu_ps(to, lanes);
+#else
+  for (; chosen != 0; chosen &= chosen - 1) *to++ = a.v[size_t(__builtin_ctz(chosen))];
+#endif
+}
+
 }  // namespace obby

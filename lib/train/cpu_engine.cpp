@@ -23,7 +23,7 @@ class CpuEngine : public Engine {
     Crowd crowd;
     uint32_t first, worlds;      // of the batch's worlds: its own
     std::vector<uint32_t> rows;  // of the batch: its worlds' in a tick
-    Pass<float> pass;
+    Pass pass;
     Sums seen{policy::kInputs};
     std::vector<uint8_t> mayJump;
     std::vector<int> moves;

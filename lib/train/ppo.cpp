@@ -11,7 +11,6 @@ namespace obby::train {
 namespace {
 
 constexpr uint32_t kShares = 8;
-constexpr size_t kAhead = 8;   // decisions that are asked for before they are read
 constexpr size_t kTile = 256;  // decisions whose layers stay in a core's cache on their way through
 
 // Sum of two draws' logarithm and cosine would need libm; the sum of twelve is near enough.
@@ -69,17 +68,34 @@ void Ppo::restore(const LearnerState& s) {
   values_ = s.values;
 }
 
-void Ppo::fillAdvantages(Batch& b) {
-  advantages_.resize(b.values.size());
-  targets_.resize(b.values.size());
-  policy::fillAdvantages(
-      {b.ticks, b.worlds, b.values.data(), b.rewards.data(), b.done.data(), b.last.data()},
-      settings_.discount, settings_.lambda, advantages_.data(), targets_.data());
+template <class Task>
+void Ppo::inShares(size_t count, Task&& task) {
+  const size_t each = (count + kShares - 1) / kShares;
+  pool_.run(int(kShares), [&](int s) {
+    const size_t first = std::min(size_t(s) * each, count);
+    task(first, std::min(each, count - first), shares_[size_t(s)]);
+  });
 }
 
-void Ppo::rescaleValues(const Batch& batch) {
+void Ppo::fillAdvantages(const Batch& b) {
+  advantages_.resize(b.values.size());
+  targets_.resize(b.values.size());
+  const policy::Played played{b.ticks,          b.worlds,      b.values.data(),
+                              b.rewards.data(), b.done.data(), b.last.data()};
+  inShares(b.worlds, [&](size_t first, size_t count, Share&) {
+    for (size_t w = first; w < first + count; ++w)
+      policy::fillAdvantagesOf(played, uint32_t(w), settings_.discount, settings_.lambda,
+                               advantages_.data(), targets_.data());
+  });
+}
+
+void Ppo::rescaleValues() {
+  inShares(targets_.size(), [&](size_t first, size_t count, Share& share) {
+    share.returns = Sums(1);
+    for (size_t i = first; i < first + count; ++i) share.returns.add(&targets_[i]);
+  });
   Sums now(1);
-  for (size_t i = 0; i < batch.values.size(); ++i) now.add(&targets_[i]);
+  for (const Share& share : shares_) now.add(share.returns);
   const ValueScale old = values_;
   values_.take(std::move(now), ranks_);
   weights_.w[2].col(policy::kMoves) *= old.deviation / values_.deviation;
@@ -89,21 +105,25 @@ void Ppo::rescaleValues(const Batch& batch) {
 
 Progress Ppo::learn(Batch& batch, float rate) {
   fillAdvantages(batch);
-  rescaleValues(batch);
-  for (size_t i = 0; i < batch.decisions.size(); ++i)
-    batch.decisions[i].target = (targets_[i] - values_.mean) / values_.deviation;
-  std::vector<uint32_t> order(batch.decisions.size());
+  rescaleValues();
+  order_.resize(batch.decisions.size());
+  inShares(order_.size(), [&](size_t first, size_t count, Share&) {
+    for (size_t i = first; i < first + count; ++i)
+      batch.decisions[i].target = (targets_[i] - values_.mean) / values_.deviation;
+  });
   Progress sums;
   uint32_t parts = 0;
   for (uint32_t pass = 0; pass < settings_.passes; ++pass) {
-    const Shuffle shuffle = orderOf(seed_, adam_.steps(), order.size());
-    for (size_t i = 0; i < order.size(); ++i) order[i] = shuffle(uint32_t(i));
-    for (size_t first = 0; first < order.size(); first += settings_.part, ++parts) {
-      const size_t count = std::min<size_t>(settings_.part, order.size() - first);
-      learnPart(batch, std::span(order).subspan(first, count), rate, sums);
+    const Shuffle shuffle = orderOf(seed_, adam_.steps(), order_.size());
+    inShares(order_.size(), [&](size_t first, size_t count, Share&) {
+      for (size_t i = first; i < first + count; ++i) order_[i] = shuffle(uint32_t(i));
+    });
+    for (size_t first = 0; first < order_.size(); first += settings_.part, ++parts) {
+      const size_t count = std::min<size_t>(settings_.part, order_.size() - first);
+      learnPart(batch, std::span(order_).subspan(first, count), rate, sums);
     }
   }
-  sums.finish(order.size() * settings_.passes, parts, ranks_);
+  sums.finish(order_.size() * settings_.passes, parts, ranks_);
   return sums;
 }
 
@@ -156,12 +176,10 @@ void Ppo::learnPart(const Batch& batch, std::span<const uint32_t> rows, float ra
   double moments[] = {sum, squares, double(rows.size())};
   ranks_.add(moments);
   const AdvantageScale scale(moments[0], moments[1], moments[2]);
+  back_ = WeightsBack(weights_);
   void_ = voidSums(batch.seen, weights_);
-  const size_t each = (rows.size() + kShares - 1) / kShares;
-  pool_.run(int(kShares), [&](int s) {
-    const size_t first = std::min(size_t(s) * each, rows.size());
-    learnShare(batch, rows.subspan(first, std::min(each, rows.size() - first)), scale,
-               shares_[size_t(s)]);
+  inShares(rows.size(), [&](size_t first, size_t count, Share& share) {
+    learnShare(batch, rows.subspan(first, count), scale, share);
   });
   Weights<float>& all = shares_[0].gradient;
   for (uint32_t s = 0; s < kShares; ++s) {
@@ -194,9 +212,9 @@ void Ppo::learnTile(const Batch& batch, std::span<const uint32_t> rows, const Ad
   share.slope.resize(Eigen::Index(rows.size()), policy::kPaddedOutputs);
   const Rows<float>& out = share.pass.forward(weights_, inputs);
   for (size_t i = 0; i < rows.size(); ++i) {
-    if (i + kAhead < rows.size()) {
-      __builtin_prefetch(&batch.decisions[rows[i + kAhead]]);
-      __builtin_prefetch(&advantages_[rows[i + kAhead]]);
+    if (i + kRowsAhead < rows.size()) {
+      __builtin_prefetch(&batch.decisions[rows[i + kRowsAhead]]);
+      __builtin_prefetch(&advantages_[rows[i + kRowsAhead]]);
     }
     Decision d = batch.decisions[rows[i]];
     d.advantage = (advantages_[rows[i]] - scale.mean) * scale.scale;
@@ -208,7 +226,7 @@ void Ppo::learnTile(const Batch& batch, std::span<const uint32_t> rows, const Ad
     share.sums.clipped += r.clipped ? 1 : 0;
     share.sums.valueError += double(r.valueError * r.valueError);
   }
-  share.pass.backward(weights_, inputs, share.slope, share.gradient);
+  share.pass.backward(back_, inputs, share.slope, share.gradient);
 }
 
 void Ppo::addRanks(Weights<float>& gradient) {

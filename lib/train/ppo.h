@@ -10,10 +10,9 @@
 #include "base/thread_pool.h"
 #include "policy/adam.h"
 #include "policy/ppo_loss.h"
-#include "train/mlp.h"
 #include "train/normaliser.h"
+#include "train/pass.h"
 #include "train/ranks.h"
-#include "train/seen_rows.h"
 #include "train/state.h"
 
 namespace obby::train {
@@ -82,15 +81,19 @@ class Ppo {
   Progress learn(Batch& batch, float rate);
 
  private:
-  struct Share {  // of a part
-    Pass<float> pass;
+  struct Share {  // of the work
+    Pass pass;
     Rows<float> slope;
     Weights<float> gradient;
     Progress sums;
+    Sums returns{1};
   };
 
-  void fillAdvantages(Batch& batch);
-  void rescaleValues(const Batch& batch);
+  // Calls task(first, count, share) for runs of numbers below `count`, a share each, on the pool.
+  template <class Task>
+  void inShares(size_t count, Task&& task);
+  void fillAdvantages(const Batch& batch);
+  void rescaleValues();
   void learnPart(const Batch& batch, std::span<const uint32_t> rows, float rate, Progress& sums);
   void learnShare(const Batch& batch, std::span<const uint32_t> rows, const AdvantageScale& scale,
                   Share& share) const;
@@ -106,9 +109,11 @@ class Ppo {
   Weights<float> weights_, momentum_, squares_;
   policy::Adam adam_;
   ValueScale values_;
+  WeightsBack back_;
   Line<float> void_;  // what the first layer makes of empty surroundings, of a part
   std::vector<Share> shares_;
   std::vector<float> advantages_, targets_;  // (rows), in rewards
+  std::vector<uint32_t> order_;              // (rows), of a pass
 };
 
 // The order of decisions in a pass, by what Adam has done before it.

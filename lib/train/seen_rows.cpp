@@ -2,54 +2,19 @@
 
 #include <algorithm>
 
-#include "math/bits.h"
-#include "simd/wide.h"
+#include "train/unit_sums.h"
 
 namespace obby::train {
 
 namespace {
 
 constexpr int kUnits = policy::kHidden;
-constexpr int kGroups = kUnits / kLanes;
-constexpr size_t kAhead = 8;    // rows that are asked for before they are read
+constexpr uint32_t kAllLanes = (uint64_t(1) << kLanes) - 1;
 constexpr int kAskedLines = 8;  // of cache: what is likely to be read of a row
 const float kEmpty = policy::scaledHeight(policy::kDeepest);
-static_assert(policy::kInputs % kLanes == 0 && kUnits % kLanes == 0);
+static_assert(policy::kInputs % kLanes == 0);
 
-struct Units {
-  WideFloat group[kGroups];
-
-  OBBY_LANES explicit Units(const float* from) {
-    for (int g = 0; g < kGroups; ++g) group[g] = load(from + g * kLanes);
-  }
-  OBBY_LANES void add(const float* row, WideFloat times) {
-    for (int g = 0; g < kGroups; ++g) group[g] = group[g] + load(row + g * kLanes) * times;
-  }
-  OBBY_LANES void rectify() {
-    for (WideFloat& g : group) g = maxf(g, WideFloat(0.0f));
-  }
-  OBBY_LANES void put(float* to) const {
-    for (int g = 0; g < kGroups; ++g) store(group[g], to + g * kLanes);
-  }
-};
-
-// Calls visit(number of the bit) from the lowest on.
-template <class Visit>
-OBBY_LANES void forBits(uint64_t bits, Visit&& visit) {
-  for (; bits != 0; bits &= bits - 1) visit(lowestBit(bits));
-}
-
-// Bit j of word i becomes bit i of word j: blocks of 32, 16, ... 1 change sides.
-void transpose(uint64_t words[64]) {
-  uint64_t mask = 0xffffffffu;
-  for (int size = 32; size != 0; size /= 2, mask ^= mask << size) {
-    for (int i = 0; i < 64; i = (i + size + 1) & ~size) {
-      const uint64_t swap = (words[i] >> size ^ words[i + size]) & mask;
-      words[i] ^= swap << size;
-      words[i + size] ^= swap;
-    }
-  }
-}
+using Units = UnitSums<kUnits>;
 
 }  // namespace
 
@@ -62,28 +27,30 @@ void SeenRows::normaliseBy(std::span<const float> means, std::span<const float> 
 
 // The player's state is kept whatever it is.
 void SeenRows::take(size_t row, const float* raw) {
+  constexpr uint64_t kState = (uint64_t(1) << policy::kStateInputs) - 1;
+  static_assert(policy::kStateInputs < kBits && kBits % kLanes == 0);
   Row& to = rows_[row];
   std::fill_n(to.seen, kWords, uint64_t(0));
-  to.seen[0] = (uint64_t(1) << policy::kStateInputs) - 1;
-  for (int i = 0; i < policy::kInputs; i += kLanes)
-    to.seen[i / kBits] |= uint64_t(bitsOf(load(raw + i) != WideFloat(kEmpty))) << i % kBits;
-  float shown[policy::kInputs];
-  for (int i = 0; i < policy::kInputs; ++i)
-    shown[i] = policy::normalised(raw[i], means_[size_t(i)], scales_[size_t(i)]) - voids_(i);
   float* value = to.values;
-  for (int w = 0; w < kWords; ++w)
-    forBits(to.seen[w], [&](int bit) OBBY_INLINED { *value++ = shown[w * kBits + bit]; });
-}
-
-void SeenRows::expand(size_t row, float* out) const {
-  std::copy_n(voids_.data(), policy::kInputs, out);
-  const float* value = rows_[row].values;
-  for (int w = 0; w < kWords; ++w)
-    forBits(rows_[row].seen[w], [&](int bit) { out[w * kBits + bit] += *value++; });
+  for (int i = 0; i < policy::kInputs; i += kLanes) {
+    const WideFloat is = load(raw + i);
+    const auto state = i < kBits ? uint32_t(kState >> i) & kAllLanes : 0;
+    const uint32_t chosen = bitsOf(is != WideFloat(kEmpty)) | state;
+    const WideFloat shown =
+        policy::normalised(is, load(&means_[size_t(i)]), load(&scales_[size_t(i)]));
+    storeChosen(shown - load(voids_.data() + i), chosen, value);
+    value += bitCount(chosen);
+    to.seen[i / kBits] |= uint64_t(chosen) << i % kBits;
+  }
 }
 
 Line<float> voidSums(const SeenRows& rows, const Weights<float>& net) {
-  return net.b[0] + rows.voids() * net.w[0];
+  Units sums(net.b[0].data());
+  for (int i = policy::kStateInputs; i < policy::kInputs; ++i)
+    sums.add(net.w[0].data() + i * kUnits, rows.voids()(i));
+  Line<float> out(kUnits);
+  sums.put(out.data());
+  return out;
 }
 
 void addVoidSlopes(const SeenRows& rows, Weights<float>& sums) {
@@ -109,11 +76,11 @@ void SeenPart::blockLayer(size_t first, size_t count, const float* weights, floa
   for (size_t i = 0; i < count; ++i) values[i] = row(first + i).values;
   for (int w = 0; w < SeenRows::kWords; ++w, weights += SeenRows::kBits * kUnits) {
     for (size_t i = 0; i < count; ++i) {
-      if (w == 0 && first + i + kAhead < which_.size()) ask(first + i + kAhead);
+      if (w == 0 && first + i + kRowsAhead < which_.size()) ask(first + i + kRowsAhead);
       Units sums(w == 0 ? voidSums_.data() : out + i * kUnits);
       const float* value = values[i];
       forBits(row(first + i).seen[w],
-              [&](int bit) OBBY_INLINED { sums.add(weights + bit * kUnits, WideFloat(*value++)); });
+              [&](int bit) OBBY_INLINED { sums.add(weights + bit * kUnits, *value++); });
       values[i] = value;
       if (w + 1 == SeenRows::kWords) sums.rectify();
       sums.put(out + i * kUnits);
@@ -122,6 +89,9 @@ void SeenPart::blockLayer(size_t first, size_t count, const float* weights, floa
 }
 
 void SeenPart::addFirstSlopes(const Rows<float>& slope, Weights<float>& sums) const {
+  Units biases(sums.b[0].data());
+  for (size_t i = 0; i < which_.size(); ++i) biases.add(slope.data() + i * kUnits);
+  biases.put(sums.b[0].data());
   for (size_t first = 0; first < which_.size(); first += kBlock) {
     const size_t count = std::min(kBlock, which_.size() - first);
     addBlockSlopes(first, count, slope.data() + first * kUnits, sums.w[0].data());
@@ -142,7 +112,7 @@ void SeenPart::addBlockSlopes(size_t first, size_t count, const float* slope, fl
       if (seenBy[input] == 0) continue;
       Units sum(sums);
       forBits(seenBy[input],
-              [&](int i) OBBY_INLINED { sum.add(slope + i * kUnits, WideFloat(*values[i]++)); });
+              [&](int i) OBBY_INLINED { sum.add(slope + i * kUnits, *values[i]++); });
       sum.put(sums);
     }
   }

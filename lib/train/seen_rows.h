@@ -9,9 +9,12 @@
 #include <vector>
 
 #include "base/huge_pages.h"
-#include "train/mlp.h"
+#include "train/weights.h"
 
 namespace obby::train {
+
+// Rows that are asked for before they are read, where they are read in any order.
+constexpr size_t kRowsAhead = 8;
 
 class SeenRows {
  public:
@@ -23,9 +26,6 @@ class SeenRows {
 
   // `raw`: (kInputs), as policy::observe() gives them.
   void take(size_t row, const float* raw);
-
-  // Row `row` in full, normalised. `out`: (kInputs).
-  void expand(size_t row, float* out) const;
 
   const Line<float>& voids() const { return voids_; }  // empty surroundings, normalised
 
@@ -46,21 +46,24 @@ class SeenRows {
 };
 
 // What the first layer makes of empty surroundings: the sums begin with it. To be made again when
-// the weights or the rows' normaliser change.
+// the weights or the rows' normaliser change. In the order of policy::Thinker, so that a layer has
+// the bits that the search knows.
 Line<float> voidSums(const SeenRows& rows, const Weights<float>& net);
 
 // Adds to the first layer's slopes what empty surroundings contribute, once for all rows of which
 // `sums` has the slopes of the first biases.
 void addVoidSlopes(const SeenRows& rows, Weights<float>& sums);
 
-// Some of the rows, as inputs of a Pass (mlp.h).
+// Some of the rows, as inputs of a Pass (pass.h).
 class SeenPart {
  public:
   // All three must outlive it. `which`: rows.
   SeenPart(const SeenRows& rows, std::span<const uint32_t> which, const Line<float>& voidSums)
       : rows_(rows), which_(which), voidSums_(voidSums) {}
 
+  // The first hidden layer.
   void firstLayer(const Weights<float>& net, Rows<float>& out) const;
+  // Adds the gradients of its weights and biases, by the slopes of its sums.
   void addFirstSlopes(const Rows<float>& slope, Weights<float>& sums) const;
 
  private:

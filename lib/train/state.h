@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "train/mlp.h"
 #include "train/play.h"
 #include "train/value_scale.h"
+#include "train/weights.h"
 
 namespace obby::train {
 

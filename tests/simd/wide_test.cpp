@@ -146,6 +146,20 @@ TEST_F(Wide, GathersAndScatters) {
   for (size_t k = 0; k < size_t(kLanes); ++k) EXPECT_EQ(out[mirror(k)], a[k]);
 }
 
+TEST_F(Wide, ChosenLanesAreStoredSideBySide) {
+  draw();
+  for (uint32_t chosen : {0u, 1u, 0x9au, 0x5e31u, 0xffffu}) {
+    chosen &= (uint64_t(1) << kLanes) - 1;
+    Floats out;
+    storeChosen(wa, chosen, out.data());
+    const float* next = out.data();
+    for (size_t k = 0; k < size_t(kLanes); ++k) {
+      if ((chosen >> k & 1) == 0) continue;
+      EXPECT_EQ(*next++, a[k]);
+    }
+  }
+}
+
 TEST_F(Wide, RowsBecomeWordsAndRowsAgain) {
   int32_t rows[kLanes][kRowWords], back[kLanes][kRowWords] = {};
   const void* from[kLanes];

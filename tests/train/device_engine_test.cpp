@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "sim/host_device.h"
 #include "sim/simulator.h"
 #include "support/failing_device.h"
@@ -81,11 +83,14 @@ void expectSamePlaces(const TrainerState& a, const TrainerState& b) {
   }
 }
 
+// How far apart all weights are but one in a hundred: a decision on the edge of clipping may fall
+// to either side, and then pulls at its move's weights or does not.
 double farthest(const std::vector<float>& a, const std::vector<float>& b) {
-  double most = 0;
-  for (size_t i = 0; i < a.size(); ++i)
-    most = std::max(most, std::abs(double(a[i]) - double(b[i])));
-  return most;
+  std::vector<double> apart(a.size());
+  for (size_t i = 0; i < a.size(); ++i) apart[i] = std::abs(double(a[i]) - double(b[i]));
+  const auto last = apart.end() - ptrdiff_t(apart.size() / 100) - 1;
+  std::nth_element(apart.begin(), last, apart.end());
+  return *last;
 }
 
 double farApart(const std::vector<float>& a, const std::vector<float>& b) {  // the mean weight

@@ -7,6 +7,7 @@
 
 #include "sim/host_device.h"
 #include "train/device/sums.h"
+#include "train/full_pass.h"
 
 namespace obby::train {
 namespace {
@@ -41,9 +42,9 @@ TEST_P(OfRows, HasTheOutputsAndGradientsOfEigen) {
   Rows<float> inputs(rows, policy::kInputs), slopes(rows, policy::kPaddedOutputs);
   fill(inputs, random, 2);
   fill(slopes, random, 1);
-  Pass<float> pass;
-  const Rows<float>& outputs = pass.forward(weights, FullRows(inputs));
-  pass.backward(weights, FullRows(inputs), slopes, gradient);
+  FullPass<float> pass;
+  const Rows<float>& outputs = pass.forward(weights, inputs);
+  pass.backward(weights, inputs, slopes, gradient);
 
   ThreadPool pool(2);
   sim::HostDevice device(pool);

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "policy/policy.h"
-#include "train/mlp.h"
+#include "policy/moves.h"
+#include "train/full_pass.h"
 
 namespace obby::train {
 namespace {
@@ -64,8 +64,8 @@ TEST(Loss, NeverLeansTowardWhatIsNotAllowed) {
 
 // Sum of the losses of a few rows.
 double total(const Weights<double>& net, const Rows<double>& inputs,
-             const std::vector<Decision>& decisions, Rows<double>* slope, Pass<double>& pass) {
-  const Rows<double>& out = pass.forward(net, FullRows(inputs));
+             const std::vector<Decision>& decisions, Rows<double>* slope, FullPass<double>& pass) {
+  const Rows<double>& out = pass.forward(net, inputs);
   Rows<double> unused(out.rows(), kOut);
   Rows<double>& to = slope != nullptr ? *slope : unused;
   double sum = 0;
@@ -85,10 +85,10 @@ TEST(Network, GradientsAreThoseOfFiniteDifferences) {
   for (Eigen::Index i = 0; i < inputs.size(); ++i) inputs.data()[i] = double(random.unit()) - 0.5;
   std::vector<Decision> decisions;
   for (int i = 0; i < kRows; ++i) decisions.push_back(sample(random));
-  Pass<double> pass, probe;
+  FullPass<double> pass, probe;
   Weights<double> gradient;
   total(net, inputs, decisions, &slope, pass);
-  pass.backward(net, FullRows(inputs), slope, gradient);
+  pass.backward(net, inputs, slope, gradient);
   std::vector<double*> weights;
   std::vector<double> slopes;
   net.blocks([&](double* w, size_t count) {
@@ -108,28 +108,6 @@ TEST(Network, GradientsAreThoseOfFiniteDifferences) {
     compared += std::abs(slopes[i]) > 1e-6;
   }
   EXPECT_GT(compared, 100);
-}
-
-// What the search runs and what learns are the same network.
-TEST(Network, InTrainingIsTheOneInUse) {
-  Random random(4, 4);
-  Weights<float> weights;
-  policy::Network network;
-  float* to = network.numbers().data() + 2 * policy::kInputs;
-  for (int i = 0; i < policy::kInputs; ++i) network.numbers()[size_t(policy::kInputs + i)] = 1;
-  weights.blocks([&](float* w, size_t count) {
-    for (size_t i = 0; i < count; ++i) *to++ = w[i] = 0.3f * (random.unit() - 0.5f);
-  });
-  Rows<float> inputs(5, policy::kInputs);
-  for (Eigen::Index i = 0; i < inputs.size(); ++i) inputs.data()[i] = random.unit() - 0.5f;
-  Pass<float> pass;
-  const Rows<float>& out = pass.forward(weights, FullRows(inputs));
-  const policy::Thinker thinker(network);
-  for (Eigen::Index i = 0; i < inputs.rows(); ++i) {
-    float outputs[kOut];
-    policy::think(thinker.view(), inputs.row(i).data(), outputs);
-    for (int m = 0; m < kOut; ++m) EXPECT_NEAR(outputs[m], out(i, m), 1e-4f);
-  }
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include "train/device/product.h"
 #include "train/device/table.h"
-#include "train/mlp.h"
+#include "train/weights.h"
 
 namespace obby::train {
 
