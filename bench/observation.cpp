@@ -73,9 +73,6 @@ Result<train::Evaluation> measure(const Row& row, uint64_t decisions, ThreadPool
   train::TrainerSettings settings;
   settings.seed = row.seed;
   settings.decisions = decisions;
-  settings.ppo.rate = 2e-3f;  // as the defaults of obby-train
-  settings.ppo.part = 4096;
-  settings.ppo.loss.entropyShare = 0.005f;
   for (const Range& range : row.hidden) {
     for (int i = 0; i < range.count; ++i) settings.hidden.push_back(range.first + i);
   }

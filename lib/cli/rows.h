@@ -7,13 +7,13 @@
 
 namespace obby::cli {
 
-inline OptionRow row(const char* name, ValueType type, const char* value, const char* defaultText,
+inline OptionRow row(const char* name, ValueType type, const char* value, std::string defaultText,
                      const char* help, const char* group) {
   OptionRow r;
   r.name = name;
   r.type = type;
   r.value = value;
-  r.defaultText = defaultText;
+  r.defaultText = std::move(defaultText);
   r.help = help;
   r.group = group;
   return r;

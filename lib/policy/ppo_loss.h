@@ -37,6 +37,7 @@ constexpr float kNever = -1e6f;  // added to a logit: e^ of it is 0
 template <class S, class Fold>
 OBBY_DEVICE S folded(const S* x, Fold&& fold) {
   constexpr int kAbreast = 8;
+  static_assert(kMoves >= kAbreast);
   S parts[kAbreast];
   for (int i = 0; i < kAbreast; ++i) parts[i] = x[i];
   for (int m = kAbreast; m + kAbreast <= kMoves; m += kAbreast) {
@@ -55,8 +56,8 @@ OBBY_DEVICE S sumOf(const S* x) {
   return folded(x, [](S a, S b) OBBY_INLINED { return a + b; });
 }
 
-// Probabilities of the moves; those that are not allowed get 0. `chances`: (kMoves). No branch in a
-// loop, so that the compiler makes lanes of them.
+// Probabilities of the moves; those that are not allowed (isAllowed) get 0. `chances`: (kMoves). No
+// branch in a loop, so that the compiler makes lanes of them.
 template <class S>
 OBBY_DEVICE void chancesOf(const S* logits, bool mayJump, S* chances) {
   const S jumping = mayJump ? S(0) : S(kNever);

@@ -17,11 +17,11 @@ struct TrainerSettings {
   CrowdSettings crowd;  // 8 x 32 worlds
   uint32_t ticks = 32;  // decisions of each world an iteration
   PpoSettings ppo;
-  uint64_t decisions = 50'000'000;  // after so many the rate is down to a tenth
-  float easiest = 0.1f;             // difficulty that levels begin with
-  float raiseAt = 0.7f;             // share of playthroughs solved above which levels become harder
-  float lowerAt = 0.45f;            // below which easier
-  std::vector<int> hidden;          // inputs that the policy does not see, to learn their worth
+  uint64_t decisions = 100'000'000;  // after so many the rate is down to a tenth
+  float easiest = 0.1f;              // difficulty that levels begin with
+  float raiseAt = 0.7f;     // share of playthroughs solved above which levels become harder
+  float lowerAt = 0.45f;    // below which easier
+  std::vector<int> hidden;  // inputs that the policy does not see, to learn their worth
 
   uint32_t worlds() const { return crowds * crowd.size(); }  // of each rank
 };

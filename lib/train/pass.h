@@ -1,10 +1,7 @@
 // Rows on their way through the network and back, as learning does it on the CPU. About half of the
-// rectified units are off, and add nothing: all sums run over what is not zero. Host only; the
+// rectified units are off, and add nothing: products run over what is not zero. Host only; the
 // order of sums is fixed, and the same for any number of lanes.
 #pragma once
-
-#include <cstdint>
-#include <vector>
 
 #include "train/seen_rows.h"
 
@@ -20,8 +17,8 @@ struct WeightsBack {
   Rows<float> second, third;  // (kHidden, kHidden), (kPaddedOutputs, kHidden)
 };
 
-// Keeps on the way there what the way back asks for. Grows to the most rows and is used again: no
-// allocation in a loop.
+// Keeps on the way there what the way back asks for. To be used again: as long as the number of
+// rows stays, nothing is allocated.
 class Pass {
  public:
   // The outputs: (rows, kPaddedOutputs).

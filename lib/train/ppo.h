@@ -20,12 +20,12 @@ namespace obby::train {
 using policy::Decision;
 
 struct PpoSettings {
-  policy::LossSettings loss;
+  policy::LossSettings loss{.entropyShare = 0.005f};
   float discount = 0.99f;  // a decision
   float lambda = 0.95f;    // of generalised advantage estimation
   uint32_t passes = 2;     // over a batch
-  uint32_t part = 8192;    // decisions a step of the optimiser, of each rank
-  float rate = 7e-4f;      // of Adam, at first
+  uint32_t part = 4096;    // decisions a step of the optimiser, of each rank
+  float rate = 2e-3f;      // of Adam, at first
   float mostNorm = 0.5f;   // of a gradient
 };
 

@@ -83,14 +83,11 @@ void expectSamePlaces(const TrainerState& a, const TrainerState& b) {
   }
 }
 
-// How far apart all weights are but one in a hundred: a decision on the edge of clipping may fall
-// to either side, and then pulls at its move's weights or does not.
 double farthest(const std::vector<float>& a, const std::vector<float>& b) {
-  std::vector<double> apart(a.size());
-  for (size_t i = 0; i < a.size(); ++i) apart[i] = std::abs(double(a[i]) - double(b[i]));
-  const auto last = apart.end() - ptrdiff_t(apart.size() / 100) - 1;
-  std::nth_element(apart.begin(), last, apart.end());
-  return *last;
+  double most = 0;
+  for (size_t i = 0; i < a.size(); ++i)
+    most = std::max(most, std::abs(double(a[i]) - double(b[i])));
+  return most;
 }
 
 double farApart(const std::vector<float>& a, const std::vector<float>& b) {  // the mean weight
@@ -134,7 +131,9 @@ TEST_P(Parity, OfTheFirstIteration) {
   EXPECT_NEAR(a.learner.values.mean, b.learner.values.mean, 1e-6);
   EXPECT_NEAR(a.learner.values.deviation, b.learner.values.deviation, 1e-6);
   EXPECT_EQ(a.learner.steps, b.learner.steps);
-  EXPECT_LT(farthest(a.learner.weights.flat(), b.learner.weights.flat()), 1e-5);
+  // A decision on the edge of clipping may fall to either side, and moves some weights then.
+  EXPECT_LT(farApart(a.learner.weights.flat(), b.learner.weights.flat()), 1e-7);
+  EXPECT_LT(farthest(a.learner.weights.flat(), b.learner.weights.flat()), 2e-4);
 }
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutLooseBodies, Parity, testing::Bool());

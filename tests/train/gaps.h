@@ -79,7 +79,6 @@ inline TrainerSettings small() {
   s.crowd.worlds = 32;
   s.ppo.part = 1024;
   s.ppo.rate = 1e-3f;
-  s.ppo.loss.entropyShare = 0.005f;
   s.decisions = 2'000'000;
   return s;
 }

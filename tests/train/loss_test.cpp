@@ -55,6 +55,7 @@ TEST(Loss, NeverLeansTowardWhatIsNotAllowed) {
   float outputs[kOut] = {}, slope[kOut];
   lossOf(outputs, d, LossSettings{}, slope);
   for (int m = 1; m < policy::kMoves; m += 2) EXPECT_EQ(slope[m], 0);
+  for (int m = 1; m < policy::kMoves; m += 2) outputs[m] = 1000;
   float chances[policy::kMoves], sum = 0;
   chancesOf(outputs, false, chances);
   for (const float c : chances) sum += c;

@@ -1,6 +1,8 @@
 // The option table of obby-train and what its options mean to lib/train.
 #include "options.h"
 
+#include <fmt/format.h>
+
 #include "cli/rows.h"
 #include "levels.h"
 #include "shared/recipe_options.h"
@@ -52,29 +54,31 @@ std::vector<OptionRow> levelRows() {
               kLevelGroup)};
 }
 
+template <class Number>
+OptionRow learnRow(const char* name, ValueType type, const char* value, Number standard,
+                   const char* help, double least, double most) {
+  return between(row(name, type, value, fmt::format("{}", standard), help, kLearnGroup), least,
+                 most);
+}
+
 std::vector<OptionRow> learnRows() {
+  const train::TrainerSettings s;
   return {
-      between(row("decisions", ValueType::integer, "N", "100000000",
-                  "decisions to learn from, 20 a second of play", kLearnGroup),
-              1, 9e15),
+      learnRow("decisions", ValueType::integer, "N", s.decisions,
+               "decisions to learn from, 20 a second of play", 1, 9e15),
       timeLimitRow(),
       backendRow(),
-      multipleOf(between(row("worlds", ValueType::integer, "N", "2048",
-                             "worlds that play at a time; a multiple of 256", kLearnGroup),
-                         kCrowd, 1 << 20),
+      multipleOf(learnRow("worlds", ValueType::integer, "N", s.worlds(),
+                          "worlds that play at a time; a multiple of 256", kCrowd, 1 << 20),
                  kCrowd),
-      between(row("rate", ValueType::number, "R", "0.002",
-                  "of the optimiser at first; falls to a tenth", kLearnGroup),
-              1e-7, 1),
-      between(row("passes", ValueType::integer, "N", "2", "over each batch", kLearnGroup), 1, 100),
-      between(row("part", ValueType::integer, "N", "4096", "decisions a step of the optimiser",
-                  kLearnGroup),
-              64, 1 << 20),
-      between(row("entropy", ValueType::number, "SHARE", "0.005",
-                  "of the loss: how much trying things out is worth", kLearnGroup),
-              0, 10),
-      between(row("discount", ValueType::number, "SHARE", "0.99", "of a decision", kLearnGroup), 0,
-              1),
+      learnRow("rate", ValueType::number, "R", s.ppo.rate,
+               "of the optimiser at first; falls to a tenth", 1e-7, 1),
+      learnRow("passes", ValueType::integer, "N", s.ppo.passes, "over each batch", 1, 100),
+      learnRow("part", ValueType::integer, "N", s.ppo.part, "decisions a step of the optimiser", 64,
+               1 << 20),
+      learnRow("entropy", ValueType::number, "SHARE", s.ppo.loss.entropyShare,
+               "of the loss: how much trying things out is worth", 0, 10),
+      learnRow("discount", ValueType::number, "SHARE", s.ppo.discount, "of a decision", 0, 1),
   };
 }
 

@@ -1,5 +1,5 @@
-// The network in training on a device: as Weights and Pass (train/mlp.h) are on the CPU, rounded
-// otherwise, since sums run in another order.
+// The network in training on a device: as Weights and Pass are on the CPU, rounded otherwise, since
+// sums run in another order.
 #pragma once
 
 #include "train/device/product.h"
