@@ -99,8 +99,7 @@ Quat facingOf(const Stop& stop, const Sketch& sketch) {
 float lowest(const Sketch& sketch) {
   float y = 0;
   for (const PartSketch& p : sketch.parts()) {
-    const Vec3 half = p.size * 0.5f;
-    y = std::min(y, p.position.y - maxf(half.x, maxf(half.y, half.z)) * 0.5f);
+    y = std::min(y, p.position.y - length(p.size * 0.5f));  // however it is turned
   }
   return y;
 }

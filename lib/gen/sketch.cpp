@@ -53,6 +53,12 @@ float Sketch::mixEitherSign(float easy, float hard) {
   return far * side();
 }
 
+float Sketch::mixSpin(float easy, float hard) {
+  constexpr float kTicksATurn = 2 * 3.14159265f * 60;  // at 1 rad/s
+  const float speed = mixEitherSign(easy, hard);
+  return kTicksATurn / rounded(kTicksATurn / speed, 1);
+}
+
 uint32_t Sketch::mixCount(uint32_t easy, uint32_t hard) {
   const float t = clampf(difficulty_ + 0.3f * (2 * unit() - 1), 0.0f, 1.0f);
   return uint32_t(float(easy) + (float(hard) - float(easy)) * t + 0.5f);

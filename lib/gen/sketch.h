@@ -49,6 +49,9 @@ class Sketch {
   float mix(float easy, float hard);
   // The same, with either sign.
   float mixEitherSign(float easy, float hard);
+  // A speed of turning, rad/s, with either sign. A turn takes a whole number of ticks at 60 a
+  // second, so that tables of turns are short (kMaxLevelRows of lib/level).
+  float mixSpin(float easy, float hard);
   // The same as a whole number.
   uint32_t mixCount(uint32_t easy, uint32_t hard);
 

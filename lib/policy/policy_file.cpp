@@ -88,6 +88,8 @@ Status decode(schema::PolicyFile::Reader file, PolicyFile& out) {
   const auto t = file.getTraining();
   out.training = {t.getCommand(), t.getVersion(), t.getSeed(),  t.getDecisions(),
                   t.getSeconds(), t.getHardest(), t.getSolved()};
+  for (const double v : {t.getSeconds(), double(t.getHardest()), double(t.getSolved())})
+    if (!std::isfinite(v)) return makeError("numbers of its training that are not finite");
   return {};
 }
 
@@ -135,7 +137,8 @@ Result<PolicyFile> readPolicy(std::string_view bytes, const std::string& name) {
   // Cap'n Proto says by exceptions what a message lacks.
   const auto failure = kj::runCatchingExceptions([&] {
     capnp::FlatArrayMessageReader reader(words);
-    status = decode(reader.getRoot<schema::PolicyFile>(), out);
+    status = reader.getEnd() == words.end() ? decode(reader.getRoot<schema::PolicyFile>(), out)
+                                            : Status(makeError("bytes follow it"));
   });
   KJ_IF_MAYBE (e, failure) {
     return refused(name, e->getDescription().cStr());

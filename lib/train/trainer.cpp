@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSlow = 0.05;            // weight of a new share of playthroughs solved
 constexpr float kHarder = 0.01f;          // a step of the difficulty
-constexpr uint64_t kEnoughPlayed = 64;    // playthroughs that say something
+constexpr float kEnoughPlayed = 64;       // playthroughs that count in full
 constexpr float kLeastDeviation = 0.02f;  // of an input: what never changes is not blown up
 
 using Clock = std::chrono::steady_clock;
@@ -65,13 +65,13 @@ void Trainer::gather(const Played& played, Iteration& out) {
   adapt(sums[1] > 0 ? sums[2] / sums[1] : 0, out.played);
 }
 
-// Levels become harder while most are solved, easier while few are.
+// Levels become harder while most are solved, easier while few are; by less where few were played.
 void Trainer::adapt(double solvedNow, uint64_t played) {
-  if (played < kEnoughPlayed) return;
-  solved_ += kSlow * (solvedNow - solved_);
-  if (solved_ > double(settings_.raiseAt)) hardest_ = std::min(hardest_ + kHarder, 1.0f);
-  if (solved_ < double(settings_.lowerAt))
-    hardest_ = std::max(hardest_ - kHarder, settings_.easiest);
+  const float weight = std::min(float(played) / kEnoughPlayed, 1.0f);
+  solved_ += kSlow * double(weight) * (solvedNow - solved_);
+  const float step = kHarder * weight;
+  if (solved_ > double(settings_.raiseAt)) hardest_ = std::min(hardest_ + step, 1.0f);
+  if (solved_ < double(settings_.lowerAt)) hardest_ = std::max(hardest_ - step, settings_.easiest);
 }
 
 void Trainer::refreshNormaliser() {

@@ -71,6 +71,22 @@ TEST_P(Solved, TwinsNever) {
   EXPECT_EQ(t.solved, 0);
 }
 
+// Worlds as real ones are, one with hardly a jump among them.
+TEST_P(Solved, LevelsOfOtherWorldsTooAndTheirTwinsNever) {
+  for (const std::vector<gen::NamedNumber>& physics :
+       std::vector<std::vector<gen::NamedNumber>>{{{"gravity", 80}, {"walkSpeed", 54}},
+                                                  {{"gravity", 160}, {"walkSpeed", 22}},
+                                                  {{"jumpSpeed", 22}}}) {
+    gen::Recipe recipe = recipeFor(GetParam(), 0.25f);
+    recipe.physics = physics;
+    SCOPED_TRACE(physics[0].name + " " + std::to_string(physics[0].value));
+    const Tally own = tally(recipe, false, 4, 400'000);
+    EXPECT_EQ(own.unreachable, 0);
+    EXPECT_GT(own.solved, 0);
+    EXPECT_EQ(tally(recipe, true, 4, 30'000).solved, 0);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Solved, ::testing::ValuesIn(styleNames()), testName);
 
 // What a style needs: without it nobody gets through.

@@ -40,6 +40,18 @@ TEST_P(Styles, LevelsCompileAtEveryDifficulty) {
   }
 }
 
+// As many obstacles as a recipe may ask for are still a level that others can read.
+TEST_P(Styles, TheLongestLevelsCompile) {
+  for (const float difficulty : {0.0f, 1.0f}) {
+    gen::Recipe recipe = recipeFor(GetParam(), difficulty);
+    recipe.obstacles = recipe.courseObstacles = {200, 200};
+    ASSERT_TRUE(recipe.check());
+    const Made made = makeRecords(generatorOf(recipe), 1, 0);
+    const auto level = level::Level::compile(made.level.reader().getLevel());
+    EXPECT_TRUE(level) << level.error().text();
+  }
+}
+
 // Seen from above: what is built up to a height follows what is before it.
 size_t partsThatDiffer(const gen::Sketch& a, const gen::Sketch& b) {
   const auto alike = [](const gen::PartSketch& x, const gen::PartSketch& y) {

@@ -1,7 +1,16 @@
 // Policy files: what was written is read, and whatever is wrong with one is said.
 #include "policy/policy_file.h"
 
+#include <capnp/message.h>
+#include <capnp/serialize.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+
+#include "schema/policy.capnp.h"
 
 namespace obby::policy {
 namespace {
@@ -48,6 +57,44 @@ TEST(PolicyFileTest, RefusesDamage) {
     refused += !readPolicy(damaged, "x");
   }
   EXPECT_GT(refused, tried * 9 / 10) << "all but what is not hashed: texts, padding";
+}
+
+// The file with something about it changed.
+std::string changed(const std::function<void(schema::PolicyFile::Builder)>& change) {
+  const std::string bytes = writePolicy(sample());
+  auto words = kj::heapArray<capnp::word>(bytes.size() / sizeof(capnp::word));
+  std::memcpy(words.asBytes().begin(), bytes.data(), bytes.size());
+  capnp::FlatArrayMessageReader reader(words);
+  capnp::MallocMessageBuilder message(1 << 16);
+  message.setRoot(reader.getRoot<schema::PolicyFile>());
+  change(message.getRoot<schema::PolicyFile>());
+  const auto out = capnp::messageToFlatArray(message);
+  return {reinterpret_cast<const char*>(out.begin()), out.asBytes().size()};
+}
+
+std::string refusal(const std::string& bytes) {
+  const auto read = readPolicy(bytes, "x.obp");
+  return read ? "" : read.error().text();
+}
+
+TEST(PolicyFileTest, RefusesOtherVersionsByName) {
+  EXPECT_EQ(refusal(changed([](auto) {})), "");
+  const auto expect = [](const std::string& said, const char* what) {
+    EXPECT_NE(said.find(what), std::string::npos) << said;
+    EXPECT_NE(said.find("train one with obby-train of this version"), std::string::npos) << said;
+  };
+  expect(refusal(changed([](auto f) { f.setVersion(7); })), "layout version 7, expected 1");
+  expect(refusal(changed([](auto f) { f.setObservationVersion(99); })), "of version 99");
+  expect(refusal(changed([](auto f) { f.setMoves(18); })), "18 moves, expected 34");
+  expect(refusal(changed([](auto f) { f.getLayers()[1].setOutputs(128); })), "layers[1]");
+  expect(refusal(changed([](auto f) { f.getLayers()[0].initWeights(3); })), "weights of layers[0]");
+  expect(refusal(changed([](auto f) { f.setHash(f.getHash() ^ 1); })), "its hash is wrong");
+  expect(refusal(changed([](auto f) { f.getTraining().setSolved(NAN); })), "not finite");
+}
+
+TEST(PolicyFileTest, RefusesWhatFollowsIt) {
+  const std::string said = refusal(writePolicy(sample()) + std::string(8, '\0'));
+  EXPECT_NE(said.find("follow it"), std::string::npos) << said;
 }
 
 TEST(PolicyFileTest, RefusesNumbersThatAreNone) {

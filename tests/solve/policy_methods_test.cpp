@@ -121,6 +121,23 @@ TEST(PolicyFirst, IsOncePerStateUntilItIsImproved) {
   EXPECT_EQ(policies(), (std::vector<bool>{false, true, false, false}));
 }
 
+TEST(PolicyAlone, BeginsWithTheLikeliestMovesAndPlaysLongerLater) {
+  const Archive archive;
+  PolicyAloneChooser chooser;
+  ThreadPool pool(1);
+  Random random(1, 1);
+  const uint32_t patience = PolicyAloneChooser::kPatience;
+  for (uint32_t round = 0; round < 2 * patience; ++round) {
+    std::vector<Choice> choices(3, {7, 400});
+    chooser.choose(archive, pool, random, choices);
+    for (size_t i = 0; i < choices.size(); ++i) {
+      EXPECT_EQ(choices[i].cell, 0u);
+      EXPECT_EQ(choices[i].by, round + i == 0 ? kByPolicy | kLikeliest : kByPolicy) << round;
+      EXPECT_EQ(choices[i].ticks, round < patience ? 200u : 400u);
+    }
+  }
+}
+
 TEST(PolicyFirst, IsNotBeforeItsRound) {
   Archive archive;
   archive.offer(7, sim::World{}, {0, kNone, 0}, 1);

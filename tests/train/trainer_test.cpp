@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <mutex>
+
 #include "train/evaluate.h"
 #include "train/gaps.h"
 
@@ -42,6 +44,83 @@ TEST(Trainer, LearnsToCrossAGapThatChanceDoesNot) {
   EXPECT_GT(learned->drawn, 0.9);
   EXPECT_GT(learned->drawn, 5 * chance->drawn);
   EXPECT_GE(learned->any, learned->likeliest);
+}
+
+// Gaps, and with which difficulty they were asked for.
+class Asked : public Gaps {
+ public:
+  Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override {
+    std::lock_guard lock(mutex_);
+    hardest_ = std::max(hardest_, hardest);
+    return Gaps::level(index, hardest);
+  }
+  float hardest() const { return hardest_; }
+
+ private:
+  mutable std::mutex mutex_;
+  mutable float hardest_ = 0;
+};
+
+constexpr float kStep = 0.01f;  // of the difficulty
+
+TEST(Curriculum, LevelsBecomeHarderWhileMostAreSolved) {
+  const Asked gaps;
+  ThreadPool pool(1);
+  TrainerSettings settings = small();
+  settings.easiest = 0.3f;
+  settings.raiseAt = settings.lowerAt = -1;
+  settings.crowd.playthroughs = 8;
+  const auto trainer = Trainer::make(settings, gaps, pool, alone());
+  ASSERT_TRUE(trainer);
+  EXPECT_EQ(gaps.hardest(), 0.3f);
+  float expected = 0.3f;
+  for (int i = 0; i < 6; ++i) {
+    const auto iteration = (*trainer)->iterate();
+    ASSERT_TRUE(iteration);
+    expected += kStep * std::min(float(iteration->played) / 64, 1.0f);
+    EXPECT_NEAR(iteration->hardest, expected, 1e-5f) << i;
+  }
+  EXPECT_GT(expected, 0.33f);
+  EXPECT_GT(gaps.hardest(), 0.3f) << "levels were asked for with it";
+}
+
+TEST(Curriculum, LevelsBecomeEasierWhileFewAreSolved) {
+  const Gaps gaps;
+  ThreadPool pool(1);
+  TrainerSettings settings = small();
+  settings.easiest = 0.3f;
+  settings.raiseAt = 3;
+  settings.lowerAt = 2;
+  auto trainer = Trainer::make(settings, gaps, pool, alone());
+  TrainerState state = *(*trainer)->state();
+  state.hardest = 0.5f;
+  trainer = Trainer::resume(settings, gaps, pool, alone(), std::move(state));
+  ASSERT_TRUE(trainer);
+  float before = 0.5f;
+  for (int i = 0; i < 4; ++i) {
+    const auto iteration = (*trainer)->iterate();
+    EXPECT_NEAR(iteration->hardest, before - kStep * std::min(float(iteration->played) / 64, 1.0f),
+                1e-5f);
+    before = iteration->hardest;
+  }
+  EXPECT_LT(before, 0.5f);
+}
+
+// Few worlds end few playthroughs an iteration; they count all the same.
+TEST(Curriculum, OfFewWorldsMoves) {
+  const Gaps gaps;
+  ThreadPool pool(1);
+  TrainerSettings settings = tiny();
+  settings.crowds = 1;
+  settings.raiseAt = settings.lowerAt = -1;
+  const auto trainer = Trainer::make(settings, gaps, pool, alone());
+  float hardest = settings.easiest;
+  for (int i = 0; i < 8; ++i) {
+    const auto iteration = (*trainer)->iterate();
+    EXPECT_LT(iteration->played, 64u);
+    hardest = iteration->hardest;
+  }
+  EXPECT_GT(hardest, settings.easiest);
 }
 
 // Numbers that are none could be written over good files, and read by nobody.

@@ -1,5 +1,7 @@
 #include "check.h"
 
+#include "policy/shipped_policy.h"
+
 namespace obby::tools {
 
 namespace {
@@ -19,6 +21,7 @@ Result<std::optional<std::vector<io::RecordBuilder>>> checkLevel(const io::Recor
   OBBY_ASSIGN(const solve::LoadedLevel loaded, solve::loadLevel(level));
   solve::SolverOptions solver;
   solver.method = solve::findMethod("auto");
+  solver.policy = &policy::shippedPolicy().network;  // as obby-solve has it
   solver.progressRecords = false;
   solver.budget.seed = options.seed;
   // What is shown without a search is all that an unsolvable level needs.

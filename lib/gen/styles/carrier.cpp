@@ -4,12 +4,17 @@
 namespace obby::gen {
 
 void buildCarrier(Sketch& s) {
+  constexpr float kSure = 1.15f, kFast = 1.6f;  // of the reach; of its speed, at most
   const uint32_t doors = s.mixCount(1, 3);
-  const float size = s.mix(8, 5), between = s.mix(12, 16), way = between * float(doors + 1);
-  const float speed = s.mix(6, 10), seconds = way / speed, gap = s.mix(0.5f, 2);
-  const float hole = size + 2, side = 10, high = 12;
+  const float size = s.mix(8, 5), apart = s.mix(12, 16), speed = s.mix(6, 10);
+  // Nobody jumps over what it carries over, not even off something as fast.
+  const float jumped = kSure * s.reach().gap(0) + kFast * speed * s.reach().flight();
+  const float between = maxf(apart, jumped / float(doors + 1)), way = between * float(doors + 1);
+  const float seconds = way / speed, gap = s.mix(0.5f, 2);
+  const float hole = size + 2, side = 10;
+  const float high = maxf(12, s.reach().rise() + 3);  // the lintel's top is no step on the way
   const float first = gap + size / 2;
-  s.noteCarrier(speed * 1.6f);
+  s.noteCarrier(kFast * speed);
   if (!s.broken("carrier")) {
     MotionSketch m = s.slide({0, -0.5f, first}, {0, -0.5f, first + way}, seconds, 0);
     m.carries = true;

@@ -1,4 +1,4 @@
-// Two or three routes side by side, of different kinds and lengths.
+// Two or three routes side by side, of different kinds.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

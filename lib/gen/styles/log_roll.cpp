@@ -11,7 +11,7 @@ void buildLogRoll(Sketch& s) {
       .turned(kAlong)
       .colored(colors::kWood);
   const uint32_t spikes = s.mixCount(2, 8);
-  const float speed = s.mixEitherSign(0.5f, 2), step = (long_ - 4) / float(spikes);
+  const float speed = s.mixSpin(0.5f, 2), step = (long_ - 4) / float(spikes);
   for (uint32_t i = 0; i < spikes; ++i) {
     // Stands on top of the log and turns about its axis, each ahead of the one before.
     const float high = s.mix(2, 4), arm = across / 2 + high / 2;

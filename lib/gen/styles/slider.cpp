@@ -1,4 +1,4 @@
-// Platforms that slide from side to side, and do not carry, as a tween moves them.
+// Platforms that slide from side to side; most do not carry, as where a tween moves them.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

@@ -7,7 +7,7 @@ void buildSpinner(Sketch& s) {
   const uint32_t discs = s.mixCount(1, 2);
   for (uint32_t i = 0; i < discs; ++i) {
     const float across = s.mix(18, 14), gap = s.gap(0, 0.6f);
-    const float high = s.mix(0.75f, 2), speed = s.mixEitherSign(0.75f, 2.75f);
+    const float high = s.mix(0.75f, 2), speed = s.mixSpin(0.75f, 2.75f);
     const Vec3 middle{0, 0, gap + across / 2};
     MotionSketch turning;
     turning.spin = speed;

@@ -1,5 +1,7 @@
 #include "solve/choosers/choose_policy.h"
 
+#include <algorithm>
+
 namespace obby::solve {
 
 void PolicyFirstChooser::choose(const Archive& archive, ThreadPool& pool, Random& random,
@@ -16,11 +18,13 @@ void PolicyFirstChooser::choose(const Archive& archive, ThreadPool& pool, Random
 }
 
 void PolicyAloneChooser::choose(const Archive&, ThreadPool&, Random&, std::span<Choice> choices) {
+  const uint32_t shorter = rounds_ < kPatience ? 2 : 1;
   for (Choice& c : choices) {
     c.cell = 0;
-    c.by = began_ ? kByPolicy : kByPolicy | kLikeliest;
-    began_ = true;
+    c.ticks = std::max(c.ticks / shorter, 1u);
+    c.by = kByPolicy;
   }
+  if (rounds_++ == 0) choices.front().by |= kLikeliest;
 }
 
 std::unique_ptr<Chooser> policyFirst(std::unique_ptr<Chooser> inner, const ExploreContext& context,
@@ -42,7 +46,7 @@ std::unique_ptr<Chooser> makePolicyAloneChooser(const Problem& problem,
 
 GoExploreSettings aloneSettings() {
   GoExploreSettings s;
-  s.phaseJumps = 110;  // about a minute
+  s.phaseJumps = 220;
   s.byPolicy = true;
   return s;
 }

@@ -26,14 +26,17 @@ class PolicyFirstChooser : public Chooser {
   ChunkedVector<uint32_t> explored_;  // (cells), node of the state that the policy explored from
 };
 
-// Always the start: first the policy's likeliest moves, then drawn ones.
+// Always the start: first the policy's likeliest moves, then drawn ones. Rollouts last half of what
+// they may at first, all of it once some rounds have not solved it.
 class PolicyAloneChooser : public Chooser {
  public:
+  static constexpr uint32_t kPatience = 16;  // rounds
+
   void choose(const Archive& archive, ThreadPool& pool, Random& random,
               std::span<Choice> choices) override;
 
  private:
-  bool began_ = false;
+  uint32_t rounds_ = 0;
 };
 
 // `inner` with the context's policy first, or as it is where there is none.
@@ -46,7 +49,7 @@ std::unique_ptr<Chooser> makePolicyFirstChooser(const Problem& problem,
 std::unique_ptr<Chooser> makePolicyAloneChooser(const Problem& problem,
                                                 const ExploreContext& context);
 
-// Rollouts that last as long as a playthrough may.
+// Rollouts of two minutes.
 GoExploreSettings aloneSettings();
 
 }  // namespace obby::solve

@@ -1,0 +1,34 @@
+// The policy that the programs come with, as policies/README.md has it: on courses that it was not
+// trained on, by itself.
+#include "policy/shipped_policy.h"
+
+#include <gtest/gtest.h>
+
+#include "shared/generated_levels.h"
+#include "train/evaluate.h"
+
+namespace obby::train {
+namespace {
+
+TEST(ShippedPolicy, SolvesMostCoursesThatItNeverSaw) {
+  gen::Recipe recipe;
+  recipe.styles = {{"course", 1}};
+  recipe.difficulty = {0.25f, 0.75f};  // easy to hard
+  const auto courses = tools::generatedLevels(recipe, 5);
+  ASSERT_TRUE(courses) << courses.error().text();
+  EvaluationSettings how;
+  how.levels = 100;
+  how.tries = 3;
+  ThreadPool pool(2);
+  const std::atomic<bool> stop{false};
+  const auto found = evaluate(policy::shippedPolicy().network, **courses, how, pool, stop);
+  ASSERT_TRUE(found) << found.error().text();
+  EXPECT_EQ(found->levels, 100u);
+  EXPECT_GT(found->likeliest, 0.5);
+  EXPECT_GT(found->drawn, 0.5);
+  const auto chance = evaluate(policy::Network(), **courses, how, pool, stop);
+  EXPECT_LT(chance->any, 0.05);
+}
+
+}  // namespace
+}  // namespace obby::train
