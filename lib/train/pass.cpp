@@ -48,9 +48,7 @@ void addSlopes(const Rows<float>& in, const Rows<float>& slope, Rows<float>& wei
   for (size_t first = 0; first < rows; first += kBlock)
     addBlockSlopes<kIn, kOut>(in.data() + first * kIn, slope.data() + first * kOut,
                               std::min(kBlock, rows - first), weights.data());
-  UnitSums<kOut> sum(biases.data());
-  for (size_t r = 0; r < rows; ++r) sum.add(slope.data() + r * kOut);
-  sum.put(biases.data());
+  addRows<kOut>(slope.data(), rows, biases.data());
 }
 
 }  // namespace

@@ -89,9 +89,7 @@ void SeenPart::blockLayer(size_t first, size_t count, const float* weights, floa
 }
 
 void SeenPart::addFirstSlopes(const Rows<float>& slope, Weights<float>& sums) const {
-  Units biases(sums.b[0].data());
-  for (size_t i = 0; i < which_.size(); ++i) biases.add(slope.data() + i * kUnits);
-  biases.put(sums.b[0].data());
+  addRows<kUnits>(slope.data(), which_.size(), sums.b[0].data());
   for (size_t first = 0; first < which_.size(); first += kBlock) {
     const size_t count = std::min(kBlock, which_.size() - first);
     addBlockSlopes(first, count, slope.data() + first * kUnits, sums.w[0].data());

@@ -2,6 +2,7 @@
 // is made of. Host only.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "math/bits.h"
@@ -41,6 +42,14 @@ struct UnitSums {
     for (int g = 0; g < kGroups; ++g) store(group[g], to + g * kLanes);
   }
 };
+
+// Adds `count` rows, one behind the other, to `sums`: (kUnits).
+template <int kUnits>
+OBBY_LANES void addRows(const float* rows, size_t count, float* sums) {
+  UnitSums<kUnits> all(sums);
+  for (size_t r = 0; r < count; ++r) all.add(rows + r * kUnits);
+  all.put(sums);
+}
 
 // A bit for each number of a row that is not zero.
 template <int kUnits>

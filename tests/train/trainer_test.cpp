@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <mutex>
 
 #include "train/evaluate.h"
@@ -61,14 +62,21 @@ class Asked : public Gaps {
   mutable float hardest_ = 0;
 };
 
-constexpr float kStep = 0.01f;  // of the difficulty
+// By how much the difficulty moves after an iteration: less where few were played.
+float stepAfter(const Iteration& i) { return 0.01f * std::min(float(i.played) / 64, 1.0f); }
+
+TrainerSettings from(float easiest, float raiseAt, float lowerAt) {
+  TrainerSettings settings = small();
+  settings.easiest = easiest;
+  settings.raiseAt = raiseAt;
+  settings.lowerAt = lowerAt;
+  return settings;
+}
 
 TEST(Curriculum, LevelsBecomeHarderWhileMostAreSolved) {
   const Asked gaps;
   ThreadPool pool(1);
-  TrainerSettings settings = small();
-  settings.easiest = 0.3f;
-  settings.raiseAt = settings.lowerAt = -1;
+  TrainerSettings settings = from(0.3f, -1, -1);
   settings.crowd.playthroughs = 8;
   const auto trainer = Trainer::make(settings, gaps, pool, alone());
   ASSERT_TRUE(trainer);
@@ -77,7 +85,7 @@ TEST(Curriculum, LevelsBecomeHarderWhileMostAreSolved) {
   for (int i = 0; i < 6; ++i) {
     const auto iteration = (*trainer)->iterate();
     ASSERT_TRUE(iteration);
-    expected += kStep * std::min(float(iteration->played) / 64, 1.0f);
+    expected += stepAfter(*iteration);
     EXPECT_NEAR(iteration->hardest, expected, 1e-5f) << i;
   }
   EXPECT_GT(expected, 0.33f);
@@ -87,10 +95,7 @@ TEST(Curriculum, LevelsBecomeHarderWhileMostAreSolved) {
 TEST(Curriculum, LevelsBecomeEasierWhileFewAreSolved) {
   const Gaps gaps;
   ThreadPool pool(1);
-  TrainerSettings settings = small();
-  settings.easiest = 0.3f;
-  settings.raiseAt = 3;
-  settings.lowerAt = 2;
+  const TrainerSettings settings = from(0.3f, 3, 2);
   auto trainer = Trainer::make(settings, gaps, pool, alone());
   TrainerState state = *(*trainer)->state();
   state.hardest = 0.5f;
@@ -99,8 +104,7 @@ TEST(Curriculum, LevelsBecomeEasierWhileFewAreSolved) {
   float before = 0.5f;
   for (int i = 0; i < 4; ++i) {
     const auto iteration = (*trainer)->iterate();
-    EXPECT_NEAR(iteration->hardest, before - kStep * std::min(float(iteration->played) / 64, 1.0f),
-                1e-5f);
+    EXPECT_NEAR(iteration->hardest, before - stepAfter(*iteration), 1e-5f);
     before = iteration->hardest;
   }
   EXPECT_LT(before, 0.5f);
