@@ -11,7 +11,6 @@ constexpr float kLeastShare = 0.25f, kMostShare = 0.93f, kShareSpread = 0.05f;
 constexpr float kMixSpread = 0.08f;  // of the difficulty
 constexpr float kThick = 1;          // of floors
 constexpr float kRoom = 6;           // of a region above a floor
-constexpr float kProof = 1.15f;      // what a proof of `unreachable` allows a falling player more
 constexpr float kAskew = 7;          // studs likewise, where the way is turned by an eighth
 constexpr uint64_t kExcessStream = 0x9e3779b97f4a7c15u;
 

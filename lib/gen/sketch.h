@@ -33,6 +33,8 @@ struct SketchPlan {
   float fastest = 0;  // studs/s that belts and carriers add to a player, at most
 };
 
+constexpr float kProof = 1.15f;  // what a proof of `unreachable` allows a falling player more
+
 class Sketch {
  public:
   // Both must outlive the sketch.

@@ -4,11 +4,11 @@
 namespace obby::gen {
 
 void buildCarrier(Sketch& s) {
-  constexpr float kSure = 1.15f, kFast = 1.6f;  // of the reach; of its speed, at most
+  constexpr float kFast = 1.6f;  // of its speed, at most
   const uint32_t doors = s.mixCount(1, 3);
   const float size = s.mix(8, 5), apart = s.mix(12, 16), speed = s.mix(6, 10);
   // Nobody jumps over what it carries over, not even off something as fast.
-  const float jumped = kSure * s.reach().gap(0) + kFast * speed * s.reach().flight();
+  const float jumped = kProof * s.reach().gap(0) + kFast * speed * s.reach().flight();
   const float between = maxf(apart, jumped / float(doors + 1)), way = between * float(doors + 1);
   const float seconds = way / speed, gap = s.mix(0.5f, 2);
   const float hole = size + 2, side = 10;
