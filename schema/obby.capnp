@@ -466,6 +466,10 @@ struct Query {
   segmentTime @12 :Float32;          # seconds since the last waypoint; 0: none
   maxDamage @13 :Float32 = -1;       # health that may be lost in all; -1: any
   forbid @14 :List(PlayerState);     # of jumping, climbing, seated, fallingDown
+
+  # What is known of the level by whoever made it. No answer depends on it: obby-train learns by it.
+  way @15 :List(Vec3);               # places of the feet along a way through, the start first, the goal last; 2 to 4096
+  difficulty @16 :Float32 = -1;      # 0 is trivial, 1 a jump at the limit; -1: nobody said
 }
 
 # ---------------------------------------------------------------------------------------------- answers

@@ -119,7 +119,7 @@ Generated Generator::generate(uint64_t seed, uint64_t index) const {
     query = "beyond-" + sketch.plantedWhat();
     name += "-without-" + sketch.plantedWhat();
   }
-  return {std::move(name), std::move(query), std::move(sketch), std::move(limited)};
+  return {std::move(name), std::move(query), difficulty, std::move(sketch), std::move(limited)};
 }
 
 }  // namespace obby::gen

@@ -24,6 +24,7 @@ struct Limits {
 struct Generated {
   std::string name;   // of the level: style, difficulty, seed, index; of a twin, what is planted
   std::string query;  // id of the query
+  float difficulty;   // 0 to 1, as drawn
   Sketch sketch;
   Limits limits;
 };

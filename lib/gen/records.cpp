@@ -1,5 +1,6 @@
 // Sketches as records. Fields that have their default stay unset.
 #include <algorithm>
+#include <cmath>
 
 #include "gen/generator.h"
 #include "gen/physics.h"
@@ -96,6 +97,18 @@ Quat facingOf(const Stop& stop, const Sketch& sketch) {
              : Quat{};
 }
 
+// To eighths of a stud, which are short as text.
+float inEighths(float studs) { return std::floor(studs * 8 + 0.5f) / 8; }
+
+// For those who learn from the level.
+void writeWay(const Generated& from, schema::Query::Builder to) {
+  const std::vector<Vec3>& line = from.sketch.line();
+  auto way = to.initWay(uint32_t(line.size()));
+  for (uint32_t i = 0; i < way.size(); ++i)
+    set(way[i], {inEighths(line[i].x), inEighths(line[i].y), inEighths(line[i].z)});
+  to.setDifficulty(from.difficulty);
+}
+
 float lowest(const Sketch& sketch) {
   float y = 0;
   for (const PartSketch& p : sketch.parts()) {
@@ -146,6 +159,7 @@ void Generator::writeQuery(const Generated& from, schema::Query::Builder to) {
   }
   if (from.limits.maxJumps > 0) to.setMaxJumps(int32_t(from.limits.maxJumps));
   to.setTimeLimit(from.limits.timeLimit);
+  if (from.sketch.plantedWhat().empty()) writeWay(from, to);
 }
 
 }  // namespace obby::gen

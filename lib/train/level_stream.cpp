@@ -4,9 +4,14 @@
 
 #include <algorithm>
 
+#include "base/random.h"
+
 namespace obby::train {
 
 namespace {
+
+constexpr uint64_t kChoiceSeed =
+    0x7475726e;  // fixed: which query a turn takes is the stream's alone
 
 size_t bytesOf(const io::Record& record) {
   return record.reader().totalSize().wordCount * sizeof(capnp::word);
@@ -14,7 +19,7 @@ size_t bytesOf(const io::Record& record) {
 
 Result<std::shared_ptr<const TrainingLevel>> compile(const io::Record& level,
                                                      const io::Record& query) {
-  return TrainingLevel::make(level.reader().getLevel(), query.reader().getQuery(), {});
+  return TrainingLevel::make(level.reader().getLevel(), query.reader().getQuery());
 }
 
 }  // namespace
@@ -22,23 +27,37 @@ Result<std::shared_ptr<const TrainingLevel>> compile(const io::Record& level,
 LevelStream::LevelStream(io::SourceOptions options, const LevelStreamSettings& settings)
     : reader_(std::move(options), settings) {}
 
-Result<std::shared_ptr<const TrainingLevel>> LevelStream::level(uint64_t index, float) const {
+Result<std::shared_ptr<const TrainingLevel>> LevelStream::level(uint64_t index,
+                                                                float hardest) const {
   std::optional<Item> item;
   {
     const std::lock_guard hold(lock_);
     OBBY_RETURN_IF_ERROR(reader_.readTo(index));
-    if (index >= reader_.read) {
+    uint64_t number = index;
+    if (number >= reader_.read) {
       const bool broken = !reader_.ended;  // off, by `options.stop`
       if (broken || !reader_.settings.again) return Playable();
-      index %= reader_.kept;
+      number %= reader_.kept;
     }
-    const auto found = reader_.items.find(index);
-    if (found == reader_.items.end())
-      return makeError(fmt::format("level {} of the stream is past", index));
-    if (Playable compiled = std::move(found->second.compiled)) return compiled;
-    item = found->second;
+    const auto found = reader_.turns.find(number);
+    if (found == reader_.turns.end())
+      return makeError(fmt::format("level {} of the stream is past", number));
+    item = chosen(found->second, index, hardest);
+    for (Item& one : found->second) one.compiled = nullptr;
   }
+  if (item->compiled) return item->compiled;
   return compile(item->level, item->query);
+}
+
+const LevelStream::Item& LevelStream::chosen(const Turn& turn, uint64_t index, float hardest) {
+  std::vector<const Item*> ready;
+  for (const Item& item : turn) {
+    if (!item.difficulty || *item.difficulty <= hardest) ready.push_back(&item);
+  }
+  if (!ready.empty()) return *ready[Random(kChoiceSeed, index).below(uint32_t(ready.size()))];
+  return *std::min_element(turn.begin(), turn.end(), [](const Item& a, const Item& b) {
+    return a.difficulty < b.difficulty;
+  });
 }
 
 void LevelStream::past(uint64_t index) const {
@@ -63,6 +82,7 @@ Status LevelStream::Reader::readOne() {
   if (stopped()) return {};
   ended = true;
   levels.clear();
+  close();
   return {};
 }
 
@@ -94,21 +114,31 @@ Status LevelStream::Reader::takeQuery(const io::Record& record) {
   }
   auto compiled = compile(*level, record);
   if (!compiled) return source.forgive(record, compiled.error());
-  return add({*level, record, *std::move(compiled)});
+  const std::optional<float> difficulty = (*compiled)->difficulty();
+  add({*level, record, difficulty, *std::move(compiled)});
+  return {};
 }
 
-Status LevelStream::Reader::add(Item item) {
+void LevelStream::Reader::add(Item item) {
+  const bool alone = !item.difficulty;
+  if (alone) close();
   bytes += bytesOf(item.level) + bytesOf(item.query);
+  open.push_back(std::move(item));
+  if (alone || open.size() >= settings.choices) close();
+}
+
+void LevelStream::Reader::close() {
+  if (open.empty()) return;
   full = full || (kept > 0 && bytes > settings.keptBytes);
   if (!full) ++kept;
   const uint64_t index = read++;
-  if (!full || index >= needed) items.emplace(index, std::move(item));
-  return {};
+  if (!full || index >= needed) turns.emplace(index, std::move(open));
+  open.clear();
 }
 
 void LevelStream::Reader::forget(uint64_t before) {
   needed = std::max(needed, before);
-  items.erase(items.lower_bound(kept), items.lower_bound(std::max(needed, kept)));
+  turns.erase(turns.lower_bound(kept), turns.lower_bound(std::max(needed, kept)));
 }
 
 }  // namespace obby::train

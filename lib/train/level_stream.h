@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/pipeline.h"
 #include "train/training_level.h"
@@ -20,9 +21,14 @@ struct LevelStreamSettings {
   // A query may be of any of so many levels before it.
   size_t levelsInReach = 1024;
   bool again = true;  // at its end; otherwise there are no more levels
+  // Queries in a row whose difficulty is said and of which one is played at a time: as hard as
+  // learning is ready for. 1: all are, one after the other.
+  uint32_t choices = 4;
 };
 
-// Level `index` is that of the index-th query that can be played.
+// Queries that can be played come in turns: of so many to choose from in a row whose difficulty is
+// said, any other alone. Level `index` is one of the index-th turn: by chance one of those that are
+// not too hard, or where all are the easiest.
 class LevelStream : public LevelSource {
  public:
   LevelStream(io::SourceOptions options, const LevelStreamSettings& settings = {});
@@ -30,7 +36,7 @@ class LevelStream : public LevelSource {
   // Errors: those of the stream up to there, a query without a level, a level or query that does
   // not compile, as `options` forgive them; no query that can be played in the whole stream. Waits
   // for the stream; null if `options.stop` was set before it came to the level, or if it ends
-  // before and is not to begin again. Difficulties are as they come.
+  // before and is not to begin again.
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override;
   void past(uint64_t index) const override;
 
@@ -38,8 +44,12 @@ class LevelStream : public LevelSource {
   using Playable = std::shared_ptr<const TrainingLevel>;
   struct Item {
     io::Record level, query;
-    Playable compiled;  // null once it was given away
+    std::optional<float> difficulty;
+    Playable compiled;  // null once its turn was asked for
   };
+  using Turn = std::vector<Item>;
+  static const Item& chosen(const Turn& turn, uint64_t index, float hardest);
+
   struct Known {  // a level that queries may be of
     std::string name;
     io::Record record;
@@ -54,7 +64,8 @@ class LevelStream : public LevelSource {
     bool stopped() const { return stop != nullptr && *stop; }
     Status take(const io::Record& record);
     Status takeQuery(const io::Record& record);
-    Status add(Item item);
+    void add(Item item);
+    void close();
     void know(const io::Record& level);
     const io::Record* levelNamed(const std::string& name) const;
     void forget(uint64_t before);
@@ -63,8 +74,9 @@ class LevelStream : public LevelSource {
     io::RecordSource source;
     LevelStreamSettings settings;
     std::deque<Known> levels;  // the last ones, oldest first
-    std::map<uint64_t, Item> items;
-    uint64_t read = 0;    // queries so far
+    std::map<uint64_t, Turn> turns;
+    Turn open;            // the next one: it may get more
+    uint64_t read = 0;    // turns so far
     uint64_t kept = 0;    // the first so many stay
     uint64_t needed = 0;  // of the others those before will not be asked for
     size_t bytes = 0;     // of what is kept

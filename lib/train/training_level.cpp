@@ -1,14 +1,41 @@
 #include "train/training_level.h"
 
 #include <capnp/message.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
 #include "base/hash.h"
+#include "level/record_values.h"
 
 namespace obby::train {
 
 namespace {
+
+constexpr uint32_t kMostPlaces = 4096;  // of a way: rewards go along it for each decision
+
+Result<std::vector<Vec3>> wayOf(schema::Query::Reader query) {
+  const auto record = query.getWay();
+  if (record.size() == 1 || record.size() > kMostPlaces) {
+    return level::pathError(
+        "way", fmt::format("expected 2 to {} places, got {}", kMostPlaces, record.size()),
+        "leave it out where no way through is known");
+  }
+  std::vector<Vec3> way;
+  for (const auto place : record) {
+    OBBY_ASSIGN(const Vec3 at, level::position(place, fmt::format("way[{}]", way.size())));
+    way.push_back(at);
+  }
+  return way;
+}
+
+Result<std::optional<float>> difficultyOf(schema::Query::Reader query) {
+  const float said = query.getDifficulty();
+  if (said == -1) return std::optional<float>();
+  if (said >= 0 && said <= 1) return std::optional(said);
+  return level::pathError("difficulty", "expected 0, trivial, to 1, a jump at the limit",
+                          "leave it out where it is not known");
+}
 
 Guide guideOf(std::vector<Vec3> way, const level::Query& query) {
   const level::QueryView q = query.view();
@@ -23,36 +50,36 @@ Guide guideOf(std::vector<Vec3> way, const level::Query& query) {
   return Guide(std::move(way), waypoints);
 }
 
-uint64_t hashOf(const level::Level& level, schema::Query::Reader query,
-                const std::vector<Vec3>& way) {
+uint64_t hashOf(const level::Level& level, schema::Query::Reader query) {
   const auto words = capnp::canonicalize(query);
-  const uint64_t hash = hashBytes(words.asBytes().begin(), words.asBytes().size(), level.hash());
-  return hashBytes(way.data(), way.size() * sizeof(Vec3), hash);
+  return hashBytes(words.asBytes().begin(), words.asBytes().size(), level.hash());
 }
 
 }  // namespace
 
-TrainingLevel::TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> way,
-                             uint64_t hash)
+TrainingLevel::TrainingLevel(level::Level level, level::Query query, Hints hints, uint64_t hash)
     : level_(std::move(level)),
       query_(std::move(query)),
       hash_(hash),
+      difficulty_(hints.difficulty),
       surroundings_(level_.view(), policy::kSight),
       queryView_(query_.view()),
       around_(surroundings_.view()),
       scene_{level_.view(), queryView_, around_},
       start_(sim::makeWorld(level_.view(), query_.start())),
       startLoose_(sim::makeLoose(level_.view())),
-      guide_(guideOf(std::move(way), query_)) {}
+      guide_(guideOf(std::move(hints.way), query_)) {}
 
 Result<std::shared_ptr<const TrainingLevel>> TrainingLevel::make(schema::Level::Reader level,
-                                                                 schema::Query::Reader query,
-                                                                 std::vector<Vec3> way) {
+                                                                 schema::Query::Reader query) {
   OBBY_ASSIGN(level::Level compiled, level::Level::compile(level));
   OBBY_ASSIGN(level::Query asked, level::Query::compile(query, compiled));
-  const uint64_t hash = hashOf(compiled, query, way);
+  Hints hints;
+  OBBY_ASSIGN(hints.way, wayOf(query));
+  OBBY_ASSIGN(hints.difficulty, difficultyOf(query));
+  const uint64_t hash = hashOf(compiled, query);
   return std::shared_ptr<const TrainingLevel>(
-      new TrainingLevel(std::move(compiled), std::move(asked), std::move(way), hash));
+      new TrainingLevel(std::move(compiled), std::move(asked), std::move(hints), hash));
 }
 
 TrainingView TrainingLevel::view(float patience) const {

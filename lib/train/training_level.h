@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "level/level.h"
@@ -14,26 +15,34 @@ namespace obby::train {
 
 class TrainingLevel {
  public:
-  // `way`: places along a way through, from the start to the goal, which only rewards know of;
-  // empty: start, waypoints and goal of the query. Errors as of Level::compile and Query::compile.
+  // Rewards follow the query's way; where it names none, from the start through its waypoints to
+  // its goal. Errors as of Level::compile and Query::compile; a way of one place, of more than
+  // 4,096, or that leads out of the world; a difficulty beyond 0 to 1.
   static Result<std::shared_ptr<const TrainingLevel>> make(schema::Level::Reader level,
-                                                           schema::Query::Reader query,
-                                                           std::vector<Vec3> way);
+                                                           schema::Query::Reader query);
 
   const policy::Scene& scene() const { return scene_; }
   const sim::World& start() const { return start_; }
   const std::vector<sim::LooseBody>& startLoose() const { return startLoose_; }
   const Guide& guide() const { return guide_; }
+  // 0 to 1; none where the query says none.
+  std::optional<float> difficulty() const { return difficulty_; }
   // Valid while this object lives. `patience`: as CrowdSettings::patience.
   TrainingView view(float patience) const;
   uint64_t hash() const { return hash_; }  // of all that it was made from, whatever the encoding
 
  private:
-  TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> way, uint64_t hash);
+  struct Hints {  // what the query says for those who learn
+    std::vector<Vec3> way;
+    std::optional<float> difficulty;
+  };
+
+  TrainingLevel(level::Level level, level::Query query, Hints hints, uint64_t hash);
 
   level::Level level_;
   level::Query query_;
   uint64_t hash_;
+  std::optional<float> difficulty_;
   policy::Surroundings surroundings_;
   // What the scene refers to.
   level::QueryView queryView_;

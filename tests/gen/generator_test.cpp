@@ -3,6 +3,7 @@
 
 #include "gen/made.h"
 #include "level/level.h"
+#include "level/record_values.h"
 
 namespace obby::test {
 namespace {
@@ -51,6 +52,25 @@ TEST(Generator, ATwinLacksOneCrossingAndNamesIt) {
         EXPECT_NEAR(step(b), step(a), 1e-3f);
     }
     EXPECT_EQ(longer, 1);
+  }
+}
+
+// For who learns by them; where nobody gets through there is no way to name.
+TEST(Generator, QueriesNameAWayAndHowHardItIs) {
+  gen::Recipe recipe;
+  recipe.difficulty = {0.2f, 0.7f};
+  const gen::Generator generator = generatorOf(recipe), twins = generatorOf(recipe, true);
+  for (uint64_t i = 0; i < 60; ++i) {
+    const Made made = makeRecords(generator, 5, i), twin = makeRecords(twins, 5, i);
+    const std::vector<Vec3> line = generator.generate(5, i).sketch.line();
+    const auto query = made.query.reader().getQuery();
+    ASSERT_EQ(query.getWay().size(), line.size());
+    for (uint32_t k = 0; k < line.size(); ++k)
+      EXPECT_LT(length(level::vec(query.getWay()[k]) - line[k]), 0.11f) << i;
+    EXPECT_GE(query.getDifficulty(), 0.2f);
+    EXPECT_LE(query.getDifficulty(), 0.7f);
+    EXPECT_FALSE(twin.query.reader().getQuery().hasWay());
+    EXPECT_EQ(twin.query.reader().getQuery().getDifficulty(), -1);
   }
 }
 

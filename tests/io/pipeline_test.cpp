@@ -45,7 +45,7 @@ struct Fixture {
 };
 
 const std::string kHeader =
-    "{\"type\":\"header\",\"schemaMajor\":1,\"schemaMinor\":1,\"tool\":\"obby-test\",\"version\":"
+    "{\"type\":\"header\",\"schemaMajor\":1,\"schemaMinor\":2,\"tool\":\"obby-test\",\"version\":"
     "\"1.2.3\",\"seed\":\"42\","
     "\"floatPolicy\":\"ieee754-nofma\"}\n";
 

@@ -32,7 +32,7 @@ class Gaps : public LevelSource {
       support::set(waypoint.initPosition(), {0, 2, -7});
       support::set(waypoint.initSize(), {8, 4, 2});
     }
-    return TrainingLevel::make(b.record(), q.asReader(), {});
+    return TrainingLevel::make(b.record(), q.asReader());
   }
 
  private:

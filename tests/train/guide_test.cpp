@@ -57,7 +57,7 @@ TEST(Guide, WhoIsAtAWaypointFromTheStartHasTheWholeWayLeft) {
 }
 
 // Start, a waypoint far out, a goal near the start.
-std::shared_ptr<const TrainingLevel> outAndBack(std::vector<Vec3> way) {
+Result<std::shared_ptr<const TrainingLevel>> outAndBack(const std::vector<Vec3>& way) {
   support::LevelBuilder b;
   b.block({-30, -0.5f, 0}, {80, 1, 8});
   b.spawn({0, 0, 0});
@@ -69,16 +69,18 @@ std::shared_ptr<const TrainingLevel> outAndBack(std::vector<Vec3> way) {
   support::set(region.initSize(), {4, 4, 4});
   support::set(q.initGoal().initPosition(), {5, 2, 0});
   support::set(q.getGoal().initSize(), {4, 4, 4});
-  return *TrainingLevel::make(b.record(), q.asReader(), std::move(way));
+  auto places = q.initWay(uint32_t(way.size()));
+  for (uint32_t i = 0; i < places.size(); ++i) support::set(places[i], way[i]);
+  return TrainingLevel::make(b.record(), q.asReader());
 }
 
 TEST(Guide, KnowsTheWaypointsOfItsQuery) {
   for (const auto& level :
        {outAndBack({}),
         outAndBack({{0, 0, 0}, {-30, 0, 0}, {-60, 0, 0}, {-30, 0, 0}, {5, 0, 0}})}) {
-    const TrainingView view = level->view(3);
+    const TrainingView view = (*level)->view(3);
     Player p;
-    p.world = level->start();
+    p.world = (*level)->start();
     p.world.position = {-40, 0, 0};
     p.least = 88;  // so that the lane back is in reach
     judge(view, {}, p);
@@ -86,6 +88,19 @@ TEST(Guide, KnowsTheWaypointsOfItsQuery) {
     p.world.waypoints = 1;
     judge(view, {}, p);
     EXPECT_LT(p.least, 45 + 7) << "back";
+  }
+}
+
+TEST(Guide, AWayHasSomePlacesAllOfThemInTheWorld) {
+  const std::pair<std::vector<Vec3>, const char*> bad[] = {
+      {{{0, 0, 0}}, "way: expected 2 to 4096 places, got 1"},
+      {std::vector<Vec3>(4097), "way: expected 2 to 4096 places, got 4097"},
+      {{{0, 0, 0}, {0, NAN, 0}}, "way[1]: expected three numbers"},
+      {{{0, 0, 0}, {0, 0, 0}, {2e6f, 0, 0}}, "way[2]: expected three numbers"}};
+  for (const auto& [way, says] : bad) {
+    const auto level = outAndBack(way);
+    ASSERT_FALSE(level) << says;
+    EXPECT_NE(level.error().text().find(says), std::string::npos) << level.error().text();
   }
 }
 

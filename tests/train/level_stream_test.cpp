@@ -6,26 +6,29 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <map>
+#include <set>
 
 namespace obby::train {
 namespace {
 
 // The floor of level `number` is so wide that no other has its hash.
-std::string lineOf(uint64_t number) {
+std::string lineOf(uint64_t number, const std::string& more = "") {
   return fmt::format(
       R"({{"type":"level","name":"{0}","parts":[{{"shape":"block",)"
       R"("position":[0,-0.5,0],"size":[{1},1,40]}}]}})"
       "\n"
       R"({{"type":"query","id":"q","level":"{0}","start":{{"region":{{"position":[0,2.5,0],"size":[4,5,4]}}}},)"
-      R"("goal":{{"position":[0,2,-12],"size":[4,4,4]}}}})"
+      R"("goal":{{"position":[0,2,-12],"size":[4,4,4]}}{2}}})"
       "\n",
-      number, 8 + number);
+      number, 8 + number, more);
 }
 
-std::string linesOf(uint64_t count) {
+// `more`: fields of the queries, from the first on.
+std::string linesOf(uint64_t count, const std::vector<std::string>& more = {}) {
   std::string text = R"({"type":"header","schemaVersion":1})"
                      "\n";
-  for (uint64_t i = 0; i < count; ++i) text += lineOf(i);
+  for (uint64_t i = 0; i < count; ++i) text += lineOf(i, i < more.size() ? more[i] : "");
   return text + R"({"type":"end","status":"complete"})" + "\n";
 }
 
@@ -128,6 +131,52 @@ TEST(LevelStream, HasEachLevelOnceIfItIsNotToBeginAgain) {
   ASSERT_TRUE(past) << past.error().text();
   EXPECT_EQ(*past, nullptr);
   for (uint64_t i = 0; i < 3; ++i) EXPECT_EQ(hashOf(once, i), hashOf(all, i)) << i;
+}
+
+// Of which line each level is.
+std::vector<uint64_t> linesGiven(const LevelStream& stream, uint64_t lines, uint64_t levels,
+                                 float hardest) {
+  const LevelStream all(optionsOf(linesOf(lines)));
+  std::map<uint32_t, uint64_t> lineOfWidth;
+  const auto widthOf = [](const LevelStream& s, uint64_t index, float most) {
+    return uint32_t((*s.level(index, most))->scene().level.bounds[0].box().hi.x * 2 + 0.5f);
+  };
+  for (uint64_t i = 0; i < lines; ++i) lineOfWidth[widthOf(all, i, 1)] = i;
+  std::vector<uint64_t> out;
+  for (uint64_t i = 0; i < levels; ++i) out.push_back(lineOfWidth.at(widthOf(stream, i, hardest)));
+  return out;
+}
+
+TEST(LevelStream, ChoosesOfSomeInARowOneThatIsNotTooHard) {
+  const std::vector<std::string> hard = {R"(,"difficulty":0.9)", R"(,"difficulty":0.2)",
+                                         R"(,"difficulty":0.5)", R"(,"difficulty":0.4)"};
+  const std::string text = linesOf(4, hard);
+  const LevelStream stream(optionsOf(text), {.choices = 4});
+  for (const auto& [hardest, lines] : std::map<float, std::set<uint64_t>>{
+           {0.0f, {1}}, {0.2f, {1}}, {0.45f, {1, 3}}, {0.5f, {1, 2, 3}}, {1.0f, {0, 1, 2, 3}}}) {
+    const std::vector<uint64_t> given = linesGiven(stream, 4, 64, hardest);
+    EXPECT_EQ(std::set<uint64_t>(given.begin(), given.end()), lines) << hardest;
+    EXPECT_EQ(linesGiven(LevelStream(optionsOf(text), {.choices = 4}), 4, 64, hardest), given);
+  }
+}
+
+TEST(LevelStream, TurnsAreOfThoseThatSayHowHardTheyAre) {
+  const std::string easy = R"(,"difficulty":0)", hard = R"(,"difficulty":1)";
+  // Of two, of one that nobody says anything of, of one before such a one, that one, of the rest.
+  const std::string text = linesOf(6, {hard, easy, "", easy, "", hard});
+  const LevelStream stream(optionsOf(text), {.choices = 2});
+  EXPECT_EQ(linesGiven(stream, 6, 10, 0.5f), (std::vector<uint64_t>{1, 2, 3, 4, 5, 1, 2, 3, 4, 5}));
+  const LevelStream each(optionsOf(text), {.again = false, .choices = 1});
+  EXPECT_EQ(linesGiven(each, 6, 6, 0), (std::vector<uint64_t>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(*each.level(6, 0), nullptr);
+}
+
+TEST(LevelStream, NamesADifficultyOutOfRange) {
+  const LevelStream stream(optionsOf(linesOf(1, {R"(,"difficulty":1.5)"})));
+  const auto level = stream.level(0, 1);
+  ASSERT_FALSE(level);
+  EXPECT_NE(level.error().text().find("levels:3: difficulty: expected 0"), std::string::npos)
+      << level.error().text();
 }
 
 TEST(LevelStream, HasToHaveOne) {

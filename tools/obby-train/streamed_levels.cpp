@@ -41,6 +41,7 @@ Result<Levels> streamedLevels(cli::Context& context, train::Ranks& ranks, bool a
   }
   train::LevelStreamSettings settings;
   settings.again = again;
+  if (!again) settings.choices = 1;  // each is to be played
   return Levels{std::make_unique<train::LevelStream>(std::move(options), settings),
                 {{"levels", "of a stream"}}};
 }

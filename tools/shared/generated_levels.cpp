@@ -25,8 +25,7 @@ class GeneratedLevels : public train::LevelSource {
     io::RecordBuilder level(4096), query;
     generator.writeLevel(made, level.root().initLevel());
     gen::Generator::writeQuery(made, query.root().initQuery());
-    return train::TrainingLevel::make(level.reader().getLevel(), query.reader().getQuery(),
-                                      made.sketch.line());
+    return train::TrainingLevel::make(level.reader().getLevel(), query.reader().getQuery());
   }
 
  private:
