@@ -10,8 +10,8 @@ namespace obby::train {
 
 namespace {
 
-constexpr uint64_t kChoiceSeed =
-    0x7475726e;  // fixed: which query a turn takes is the stream's alone
+// Which query a turn takes follows from its number, not from the learner's seed.
+constexpr uint64_t kChoiceSeed = 0x7475726e;
 
 size_t bytesOf(const io::Record& record) {
   return record.reader().totalSize().wordCount * sizeof(capnp::word);
@@ -52,11 +52,11 @@ Result<std::shared_ptr<const TrainingLevel>> LevelStream::level(uint64_t index,
 const LevelStream::Item& LevelStream::chosen(const Turn& turn, uint64_t index, float hardest) {
   std::vector<const Item*> ready;
   for (const Item& item : turn) {
-    if (!item.difficulty || *item.difficulty <= hardest) ready.push_back(&item);
+    if (item.difficulty() <= hardest) ready.push_back(&item);
   }
   if (!ready.empty()) return *ready[Random(kChoiceSeed, index).below(uint32_t(ready.size()))];
   return *std::min_element(turn.begin(), turn.end(), [](const Item& a, const Item& b) {
-    return a.difficulty < b.difficulty;
+    return a.difficulty() < b.difficulty();
   });
 }
 
@@ -114,13 +114,12 @@ Status LevelStream::Reader::takeQuery(const io::Record& record) {
   }
   auto compiled = compile(*level, record);
   if (!compiled) return source.forgive(record, compiled.error());
-  const std::optional<float> difficulty = (*compiled)->difficulty();
-  add({*level, record, difficulty, *std::move(compiled)});
+  add({*level, record, *std::move(compiled)});
   return {};
 }
 
 void LevelStream::Reader::add(Item item) {
-  const bool alone = !item.difficulty;
+  const bool alone = item.difficulty() < 0;
   if (alone) close();
   bytes += bytesOf(item.level) + bytesOf(item.query);
   open.push_back(std::move(item));

@@ -44,8 +44,10 @@ class LevelStream : public LevelSource {
   using Playable = std::shared_ptr<const TrainingLevel>;
   struct Item {
     io::Record level, query;
-    std::optional<float> difficulty;
     Playable compiled;  // null once its turn was asked for
+
+    // As the query says it, 0 to 1; -1: it does not.
+    float difficulty() const { return query.reader().getQuery().getDifficulty(); }
   };
   using Turn = std::vector<Item>;
   static const Item& chosen(const Turn& turn, uint64_t index, float hardest);

@@ -29,10 +29,8 @@ Result<std::vector<Vec3>> wayOf(schema::Query::Reader query) {
   return way;
 }
 
-Result<std::optional<float>> difficultyOf(schema::Query::Reader query) {
-  const float said = query.getDifficulty();
-  if (said == -1) return std::optional<float>();
-  if (said >= 0 && said <= 1) return std::optional(said);
+Status checkDifficulty(float said) {
+  if (said == -1 || (said >= 0 && said <= 1)) return {};
   return level::pathError("difficulty", "expected 0, trivial, to 1, a jump at the limit",
                           "leave it out where it is not known");
 }
@@ -57,29 +55,28 @@ uint64_t hashOf(const level::Level& level, schema::Query::Reader query) {
 
 }  // namespace
 
-TrainingLevel::TrainingLevel(level::Level level, level::Query query, Hints hints, uint64_t hash)
+TrainingLevel::TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> way,
+                             uint64_t hash)
     : level_(std::move(level)),
       query_(std::move(query)),
       hash_(hash),
-      difficulty_(hints.difficulty),
       surroundings_(level_.view(), policy::kSight),
       queryView_(query_.view()),
       around_(surroundings_.view()),
       scene_{level_.view(), queryView_, around_},
       start_(sim::makeWorld(level_.view(), query_.start())),
       startLoose_(sim::makeLoose(level_.view())),
-      guide_(guideOf(std::move(hints.way), query_)) {}
+      guide_(guideOf(std::move(way), query_)) {}
 
 Result<std::shared_ptr<const TrainingLevel>> TrainingLevel::make(schema::Level::Reader level,
                                                                  schema::Query::Reader query) {
   OBBY_ASSIGN(level::Level compiled, level::Level::compile(level));
   OBBY_ASSIGN(level::Query asked, level::Query::compile(query, compiled));
-  Hints hints;
-  OBBY_ASSIGN(hints.way, wayOf(query));
-  OBBY_ASSIGN(hints.difficulty, difficultyOf(query));
+  OBBY_ASSIGN(std::vector<Vec3> way, wayOf(query));
+  OBBY_RETURN_IF_ERROR(checkDifficulty(query.getDifficulty()));
   const uint64_t hash = hashOf(compiled, query);
   return std::shared_ptr<const TrainingLevel>(
-      new TrainingLevel(std::move(compiled), std::move(asked), std::move(hints), hash));
+      new TrainingLevel(std::move(compiled), std::move(asked), std::move(way), hash));
 }
 
 TrainingView TrainingLevel::view(float patience) const {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "level/level.h"
@@ -25,24 +24,16 @@ class TrainingLevel {
   const sim::World& start() const { return start_; }
   const std::vector<sim::LooseBody>& startLoose() const { return startLoose_; }
   const Guide& guide() const { return guide_; }
-  // 0 to 1; none where the query says none.
-  std::optional<float> difficulty() const { return difficulty_; }
   // Valid while this object lives. `patience`: as CrowdSettings::patience.
   TrainingView view(float patience) const;
   uint64_t hash() const { return hash_; }  // of all that it was made from, whatever the encoding
 
  private:
-  struct Hints {  // what the query says for those who learn
-    std::vector<Vec3> way;
-    std::optional<float> difficulty;
-  };
-
-  TrainingLevel(level::Level level, level::Query query, Hints hints, uint64_t hash);
+  TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> way, uint64_t hash);
 
   level::Level level_;
   level::Query query_;
   uint64_t hash_;
-  std::optional<float> difficulty_;
   policy::Surroundings surroundings_;
   // What the scene refers to.
   level::QueryView queryView_;

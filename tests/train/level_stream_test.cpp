@@ -133,17 +133,13 @@ TEST(LevelStream, HasEachLevelOnceIfItIsNotToBeginAgain) {
   for (uint64_t i = 0; i < 3; ++i) EXPECT_EQ(hashOf(once, i), hashOf(all, i)) << i;
 }
 
-// Of which line each level is.
-std::vector<uint64_t> linesGiven(const LevelStream& stream, uint64_t lines, uint64_t levels,
-                                 float hardest) {
-  const LevelStream all(optionsOf(linesOf(lines)));
-  std::map<uint32_t, uint64_t> lineOfWidth;
-  const auto widthOf = [](const LevelStream& s, uint64_t index, float most) {
-    return uint32_t((*s.level(index, most))->scene().level.bounds[0].box().hi.x * 2 + 0.5f);
-  };
-  for (uint64_t i = 0; i < lines; ++i) lineOfWidth[widthOf(all, i, 1)] = i;
+// Of which line each level is, by the width of its floor.
+std::vector<uint64_t> linesGiven(const LevelStream& stream, uint64_t levels, float hardest) {
   std::vector<uint64_t> out;
-  for (uint64_t i = 0; i < levels; ++i) out.push_back(lineOfWidth.at(widthOf(stream, i, hardest)));
+  for (uint64_t i = 0; i < levels; ++i) {
+    const auto level = *stream.level(i, hardest);
+    out.push_back(uint64_t(2 * level->scene().level.bounds[0].box().hi.x + 0.5f) - 8);
+  }
   return out;
 }
 
@@ -154,9 +150,9 @@ TEST(LevelStream, ChoosesOfSomeInARowOneThatIsNotTooHard) {
   const LevelStream stream(optionsOf(text), {.choices = 4});
   for (const auto& [hardest, lines] : std::map<float, std::set<uint64_t>>{
            {0.0f, {1}}, {0.2f, {1}}, {0.45f, {1, 3}}, {0.5f, {1, 2, 3}}, {1.0f, {0, 1, 2, 3}}}) {
-    const std::vector<uint64_t> given = linesGiven(stream, 4, 64, hardest);
+    const std::vector<uint64_t> given = linesGiven(stream, 64, hardest);
     EXPECT_EQ(std::set<uint64_t>(given.begin(), given.end()), lines) << hardest;
-    EXPECT_EQ(linesGiven(LevelStream(optionsOf(text), {.choices = 4}), 4, 64, hardest), given);
+    EXPECT_EQ(linesGiven(LevelStream(optionsOf(text), {.choices = 4}), 64, hardest), given);
   }
 }
 
@@ -165,9 +161,9 @@ TEST(LevelStream, TurnsAreOfThoseThatSayHowHardTheyAre) {
   // Of two, of one that nobody says anything of, of one before such a one, that one, of the rest.
   const std::string text = linesOf(6, {hard, easy, "", easy, "", hard});
   const LevelStream stream(optionsOf(text), {.choices = 2});
-  EXPECT_EQ(linesGiven(stream, 6, 10, 0.5f), (std::vector<uint64_t>{1, 2, 3, 4, 5, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(linesGiven(stream, 10, 0.5f), (std::vector<uint64_t>{1, 2, 3, 4, 5, 1, 2, 3, 4, 5}));
   const LevelStream each(optionsOf(text), {.again = false, .choices = 1});
-  EXPECT_EQ(linesGiven(each, 6, 6, 0), (std::vector<uint64_t>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(linesGiven(each, 6, 0), (std::vector<uint64_t>{0, 1, 2, 3, 4, 5}));
   EXPECT_EQ(*each.level(6, 0), nullptr);
 }
 

@@ -166,7 +166,8 @@ cli::ToolSpec trainSpec() {
       "Metrics go to standard output, a record each few seconds. The same seed, levels and number "
       "of --worlds give the same policy on this machine and backend, for any number of --threads. "
       "Levels that are made begin easy, and become harder up to --difficulty as the policy learns; "
-      "those of a stream are played as they come.\n\n"
+      "so do those of a stream where its queries say how hard they are, as those of obby-gen "
+      "do.\n\n"
       "Started by mpirun, the ranks learn one network together, each with --worlds of its own.";
   return spec;
 }
