@@ -7,6 +7,7 @@
 #include "base/hash.h"
 #include "cli/context.h"
 #include "cli/tool.h"
+#include "common/machine.h"
 #include "common/report.h"
 #include "io/read_file.h"
 #include "solve/ablations.h"
@@ -49,8 +50,9 @@ constexpr Option kOptions[] = {
      "interruption is a fair sample",
      0, false},
     {"any-build", ValueType::flag, "", "",
-     "runs of other builds count, too: for what takes longer than a machine is to be had", 0,
-     false},
+     "runs of other builds count, too, for what takes longer than a machine is to be had; queries "
+     "that another kind of machine has run with the seed are left to it",
+     0, false},
     {"report-only", ValueType::flag, "", "",
      "run nothing; report what the results file has, of whatever build", 0, false},
     {"list", ValueType::flag, "", "", "print the queries, one FILE:ID a line: a job each", 0,
@@ -137,6 +139,7 @@ Result<uint64_t> programDigest() {
 Status runMissing(cli::Context& context, const bench::Plan& plan, uint64_t program,
                   const bench::Maker& known, ThreadPool& pool, bench::RunLog& log) {
   const std::vector<bench::Question> questions = plan.questions();
+  const std::string machine = bench::machineKind();
   double done = 0;
   for (const bench::Question& q : questions) {
     if (context.stop()) break;
@@ -145,6 +148,7 @@ Status runMissing(cli::Context& context, const bench::Plan& plan, uint64_t progr
                       {}});
     const bench::Run planned = bench::plannedRun(q, program);
     if (log.find(planned.key(), known)) continue;
+    if (known.program == 0 && log.ranElsewhere(q.query.content, q.seed, machine)) continue;
     OBBY_ASSIGN(const std::optional<bench::Run> run, bench::ask(q, planned, pool, context.stop()));
     if (run) OBBY_RETURN_IF_ERROR(log.append(*run));
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -29,6 +30,12 @@ class Members {
   std::string text(std::string_view name) {
     const auto value = find(name);
     return value ? std::string(tree_.text(*value)) : "";
+  }
+  std::string textIfAny(std::string_view name) {
+    const bool before = complete_;
+    std::string value = text(name);
+    complete_ = before;
+    return value;
   }
   double number(std::string_view name) {
     const auto value = find(name);
@@ -72,11 +79,11 @@ std::string Run::key() const {
 std::string runLine(const Run& r) {
   return fmt::format(
       R"({{"method":{},"file":{},"query":{},"seed":{},"verdict":{},"expected":{},"seconds":{:.4f},)"
-      R"("steps":{:.0f},"rounds":{:.0f},"cap":{:g},"threads":{},"content":"{}","program":"{}"}})"
+      R"("steps":{:.0f},"rounds":{:.0f},"cap":{:g},"threads":{},"machine":{},"content":"{}","program":"{}"}})"
       "\n",
       quoted(r.method), quoted(r.file), quoted(r.query), r.seed, quoted(r.verdict),
       quoted(r.expected), r.timing.seconds, r.timing.steps, r.timing.rounds, r.cap, r.threads,
-      r.content, r.program);
+      quoted(r.machine), r.content, r.program);
 }
 
 Result<Run> parseRun(const std::string& line) {
@@ -91,6 +98,7 @@ Result<Run> parseRun(const std::string& line) {
   r.seed = uint64_t(m.number("seed"));
   r.cap = m.number("cap");
   r.threads = int(m.number("threads"));
+  r.machine = m.textIfAny("machine");
   r.content = m.digest("content");
   r.program = m.digest("program");
   r.timing = {m.number("seconds"), r.verdict == "solved", m.number("steps"), m.number("rounds")};
@@ -130,6 +138,13 @@ const Run* RunLog::find(const std::string& key, const Maker& maker) const {
     if (maker.threads == 0 || run.threads == maker.threads) return &run;
   }
   return nullptr;
+}
+
+bool RunLog::ranElsewhere(uint64_t content, uint64_t seed, const std::string& machine) const {
+  return std::any_of(runs_.begin(), runs_.end(), [&](const Run& run) {
+    return run.content == content && run.seed == seed && !run.machine.empty() &&
+           run.machine != machine;
+  });
 }
 
 Status RunLog::append(const Run& run) {

@@ -22,6 +22,7 @@ struct Run {
   uint64_t content = 0;  // digest of the level and the query
   uint64_t program = 0;  // digest of the program: another one may search otherwise
   int threads = 0;
+  std::string machine;  // what kind it was made on (common/machine.h); empty: not noted
   Timing timing;
 
   // Which run this is, whatever came of it and whoever made it.
@@ -45,6 +46,8 @@ class RunLog {
 
   // The last run of that key; null if there is none.
   const Run* find(const std::string& key, const Maker& maker) const;
+  // Has any method run this query with this seed on another kind of machine?
+  bool ranElsewhere(uint64_t content, uint64_t seed, const std::string& machine) const;
   Status append(const Run& run);
   size_t unreadable() const { return unreadable_; }
 

@@ -21,6 +21,7 @@ Run someRun() {
   run.content = 0xfedcba9876543210u;
   run.program = 77;
   run.threads = 2;
+  run.machine = "AMD EPYC, 8 lanes";
   run.timing = {1.25, true, 2846991, 68};
   return run;
 }
@@ -47,6 +48,17 @@ TEST(RunLine, ComesBackAsItWas) {
   EXPECT_EQ(back->content, run.content);
   EXPECT_EQ(back->query, run.query);
   EXPECT_TRUE(back->timing.solved);
+}
+
+TEST(RunLine, NeedNotSayTheMachine) {
+  std::string line = runLine(someRun());
+  const std::string field = "\"machine\":\"AMD EPYC, 8 lanes\",";
+  const size_t at = line.find(field);
+  ASSERT_NE(at, std::string::npos) << line;
+  line.erase(at, field.size());
+  const auto back = parseRun(line);
+  ASSERT_TRUE(back) << back.error().text();
+  EXPECT_EQ(back->machine, "");
 }
 
 TEST(RunLine, LinesThatLackAFieldAreNoRuns) {
@@ -95,6 +107,18 @@ TEST_F(RunLogFile, TheLastRunOfAKeyCounts) {
   run.timing.seconds = 2;
   ASSERT_TRUE(log->append(run));
   EXPECT_EQ(log->find(run.key(), {})->timing.seconds, 2);
+}
+
+// All methods at a query with a seed are to be of one kind of machine.
+TEST_F(RunLogFile, TellsWhatAnotherMachineHasRun) {
+  auto log = RunLog::open(path_);
+  ASSERT_TRUE(log);
+  const bench::Run run = someRun();
+  ASSERT_TRUE(log->append(run));
+  EXPECT_TRUE(log->ranElsewhere(run.content, run.seed, "AMD EPYC, 16 lanes"));
+  EXPECT_FALSE(log->ranElsewhere(run.content, run.seed, run.machine));
+  EXPECT_FALSE(log->ranElsewhere(run.content, run.seed + 1, "AMD EPYC, 16 lanes"));
+  EXPECT_FALSE(log->ranElsewhere(run.content + 1, run.seed, "AMD EPYC, 16 lanes"));
 }
 
 TEST_F(RunLogFile, GoesOnBehindALineThatWasCutOff) {
