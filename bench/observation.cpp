@@ -29,7 +29,7 @@ struct Row {
   std::vector<Range> hidden;
 };
 
-constexpr int mapAt(int map) { return policy::kStateInputs + map * policy::kPoints; }
+constexpr int mapAt(int map) { return policy::kMapsAt + map * policy::kPoints; }
 
 // A ring of all maps.
 std::vector<Range> ring(int number) {
@@ -61,6 +61,7 @@ std::vector<Row> rows() {
       {"noFacing", {{18, 2}}},
       {"noLimits", {{20, 2}}},
       {"noHealthAndPace", {{22, 4}}},
+      {"noLooseBody", {{policy::kStateInputs, policy::kLooseInputs}}},
       {"noFloorsNow", {floors}},
       {"noFloorsSoon", {floorsSoon}},
       {"noDangersNow", {dangers}},

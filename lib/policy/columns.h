@@ -3,9 +3,8 @@
 // Templates on the number type (math/lanes.h): a point a lane.
 #pragma once
 
-#include "geom/shape.h"
 #include "math/angle.h"
-#include "math/lanes.h"
+#include "policy/solid.h"
 
 namespace obby::policy {
 
@@ -17,17 +16,19 @@ constexpr int kPaddedPoints = 64;
 OBBY_DEVICE float ringRadius(int ring) {
   return 1.5f + 1.5f * float(ring) + 0.35f * float(ring * ring);
 }
-constexpr float kSight = 13.2f;  // studs sideways: a little more than the last ring
+constexpr float kSight = 14.2f;  // studs sideways: a little more than the last ring and kClearance
 
 // Heights are studs from the feet, and end here.
 constexpr float kDeepest = -16, kHighest = 10;
 // What begins higher than this above the feet is passed under.
 constexpr float kHeadroom = 7;
 
-// Points of the rosette, studs from the feet in the world's axes.
-struct Rosette {
-  float x[kPaddedPoints], z[kPaddedPoints];
+// Points of the ground, studs from the feet in the world's axes.
+template <int kCount>
+struct Points {
+  float x[kCount], z[kCount];
 };
+using Rosette = Points<kPaddedPoints>;
 
 // Direction `d` of the rosette; `ahead`: the first one, of each ring.
 OBBY_DEVICE Vec3 rosetteDirection(Turns ahead, int d) {
@@ -47,44 +48,12 @@ OBBY_DEVICE void placePoints(Turns ahead, Rosette& r) {
   for (int i = kPoints; i < kPaddedPoints; ++i) r.x[i] = r.z[i] = 1e9f;
 }
 
-// A box or a wedge, as vertical lines cut it. Balls, cylinders and hulls are seen as the boxes
-// around them.
-struct Solid {
-  Vec3 center;  // from the feet
-  Mat3 axes;
-  Vec3 half;
-  bool wedge;
-};
-
-// Lowest and highest point of the solid on the vertical line through (x, z); bottom > top where it
-// misses.
-template <class F>
-OBBY_DEVICE void cut(const Solid& s, F x, F z, F& bottom, F& top) {
-  const F dx = x - s.center.x, dz = z - s.center.z;
-  const float dy = -s.center.y;
-  bottom = F(-1e9f);
-  top = F(1e9f);
-  const auto slab = [&](Vec3 axis, float half) OBBY_INLINED {
-    const F o = (dx * axis.x + dy * axis.y) + dz * axis.z;
-    const float inverse = 1.0f / geom::awayFromZero(axis.y);
-    const F a = (-half - o) * inverse, b = (half - o) * inverse;
-    bottom = maxf(bottom, minf(a, b));
-    top = minf(top, maxf(a, b));
-  };
-  slab(s.axes.x, s.half.x);
-  slab(s.axes.y, s.half.y);
-  slab(s.axes.z, s.half.z);
-  if (!s.wedge) return;
-  // Inside: local y * half.z <= z * half.y.
-  const Vec3 normal = s.axes.y * s.half.z - s.axes.z * s.half.y;
-  const F o = (dx * normal.x + dy * normal.y) + dz * normal.z;
-  const float inverse = 1.0f / geom::awayFromZero(normal.y);
-  const F at = -o * inverse;
-  if (normal.y > 0) {
-    top = minf(top, at);
-  } else {
-    bottom = maxf(bottom, at);
-  }
+// One of them alone, with the same bits.
+OBBY_DEVICE Points<1> placePoint(Turns ahead, int point) {
+  if (point == 0) return {{0}, {0}};
+  const Vec3 way = rosetteDirection(ahead, (point - 1) % kDirections);
+  const float radius = ringRadius((point - 1) / kDirections);
+  return {{way.x * radius}, {way.z * radius}};
 }
 
 // Lanes of a row: the one lane of a float. WideFloat has its own (policy.cpp).
@@ -96,39 +65,99 @@ OBBY_DEVICE uint32_t laneBits(bool m) { return m ? 1 : 0; }
 // kDeepest. False: it is so nowhere.
 template <class F>
 OBBY_DEVICE bool heightAt(const Solid& solid, F x, F z, F& height) {
-  F bottom, top;
-  cut<F>(solid, x, z, bottom, top);
-  const MaskOf<F> met = (bottom <= top) & (bottom < F(kHeadroom));
+  const Stretch<F> in = cut<F>(solid, x, z);
+  const MaskOf<F> met = (in.bottom <= in.top) & (in.bottom < F(kHeadroom));
   if (!any(met)) return false;
-  height = select(met, minf(top, F(kHighest)), F(kDeepest));
+  height = select(met, minf(in.top, F(kHighest)), F(kDeepest));
   return true;
 }
 
-constexpr int kMaps = 4;  // floor, danger; the same soon
+// What stands at a point: two heights, of the highest floor and of the highest danger.
+enum Kind : int { kFloor, kDanger, kKinds };
 
-// Heights of the rosette's points.
+// When: now, and a moment later.
+constexpr int kMoments = 2;
+constexpr float kSoon = 0.4f;  // seconds: about when a jump that begins now is at its end
+using Moments = uint32_t;      // a bit each, the first is now
+constexpr Moments kAlways = (1u << kMoments) - 1;
+
+// What somebody who looks around sees.
+struct Sight {
+  Solid solid;
+  Kind kind;
+  Moments moments;  // in which it is there
+};
+
+// Dangers are shown as wide as where a player's middle comes to harm by them.
+constexpr float kClearance = 1;  // studs
+OBBY_DEVICE Solid widened(Solid s) {
+  const auto wide = [](Vec3 axis, float half) {
+    return absf(axis.y) < 0.7f ? half + kClearance : half;
+  };
+  s.half = {wide(s.axes.x, s.half.x), wide(s.axes.y, s.half.y), wide(s.axes.z, s.half.z)};
+  return s;
+}
+
+constexpr int kMaps = kMoments * kKinds;  // all kinds of a moment, then those of the next
+
+// A danger below a floor is not shown: the floor is what feet meet there.
 template <class F>
+OBBY_DEVICE F uncovered(F danger, F floor) {
+  return select(danger < floor, F(kDeepest), danger);
+}
+
+// What a map shows: how far the height is above that of the moment before, which is zero wherever
+// nothing moves; of the first moment, how far it is above the deepest one, which is zero wherever
+// nothing is.
+constexpr float kEmptyInput = 0;
+template <class F>
+OBBY_DEVICE F shown(F height, F before) {
+  return (height - before) * 0.125f;
+}
+
+// Heights of some points.
+template <class F, int kCount>
 struct Maps {
-  alignas(64) float heights[kMaps][kPaddedPoints];
+  static_assert(kCount % Lanes<F>::kCount == 0);
+  alignas(64) float heights[kMoments][kKinds][kCount];
 
   OBBY_DEVICE Maps() {
-    for (auto& map : heights) {
-      for (float& h : map) h = kDeepest;
+    for (auto& moment : heights) {
+      for (auto& kind : moment) {
+        for (float& h : kind) h = kDeepest;
+      }
     }
   }
 
-  // Raises the maps of `now` and `soon` to the solid's top where it is in the way of somebody who
+  // Raises the heights of these moments to the solid's top where it is in the way of somebody who
   // walks or jumps there.
-  OBBY_DEVICE void see(const Rosette& rosette, const Solid& solid, bool danger, bool now,
-                       bool soon) {
-    const int map = danger ? 1 : 0;
-    for (int i = 0; i < kPaddedPoints; i += Lanes<F>::kCount) {
+  OBBY_DEVICE void see(const Points<kCount>& points, const Sight& sight) {
+    const Solid solid = sight.kind == kDanger ? widened(sight.solid) : sight.solid;
+    for (int i = 0; i < kCount; i += Lanes<F>::kCount) {
       F x, z, height;
-      loadRow(rosette.x + i, x);
-      loadRow(rosette.z + i, z);
+      loadRow(points.x + i, x);
+      loadRow(points.z + i, z);
       if (!heightAt<F>(solid, x, z, height)) continue;
-      if (now) raise(heights[map] + i, height);
-      if (soon) raise(heights[map + 2] + i, height);
+      for (int m = 0; m < kMoments; ++m) {
+        if (sight.moments >> m & 1) raise(heights[m][sight.kind] + i, height);
+      }
+    }
+  }
+
+  // Once everything has been seen: heights become what is shown of them.
+  OBBY_DEVICE void finish() {
+    for (int i = 0; i < kCount; i += Lanes<F>::kCount) {
+      F floorBefore(kDeepest), dangerBefore(kDeepest);
+      for (auto& moment : heights) {
+        F floor, danger;
+        loadRow(moment[kFloor] + i, floor);
+        loadRow(moment[kDanger] + i, danger);
+        danger = uncovered(danger, floor);
+        storeRow(shown(floor, floorBefore), moment[kFloor] + i);
+        storeRow(shown(danger, dangerBefore), moment[kDanger] + i);
+        floorBefore = floor;
+        dangerBefore = danger;
+      }
     }
   }
 
@@ -137,33 +166,6 @@ struct Maps {
     F old;
     loadRow(row, old);
     storeRow(maxf(old, height), row);
-  }
-};
-
-// The heights of one point of the rosette.
-struct PointMaps {
-  float x = 0, z = 0;
-  float heights[kMaps] = {kDeepest, kDeepest, kDeepest, kDeepest};
-
-  OBBY_DEVICE PointMaps(Turns ahead, int point) {
-    if (point == 0) return;
-    const int ring = (point - 1) / kDirections;
-    const Vec3 way = rosetteDirection(ahead, (point - 1) % kDirections);
-    x = way.x * ringRadius(ring);
-    z = way.z * ringRadius(ring);
-  }
-
-  // As Maps::see.
-  OBBY_DEVICE void see(const Solid& solid, bool danger, bool now, bool soon) {
-    float height;
-    if (!heightAt<float>(solid, x, z, height)) return;
-    const auto raise = [&](bool seen, float& floor, float& harm) {
-      if (!seen) return;
-      float& old = danger ? harm : floor;
-      old = maxf(old, height);
-    };
-    raise(now, heights[0], heights[1]);
-    raise(soon, heights[2], heights[3]);
   }
 };
 

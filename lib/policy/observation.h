@@ -3,24 +3,19 @@
 // kObservationVersion changes whenever a number here means something else.
 #pragma once
 
-#include "policy/columns.h"
-#include "policy/surroundings_view.h"
-#include "sim/next_region.h"
+#include "policy/loose_view.h"
 
 namespace obby::policy {
 
-constexpr uint32_t kObservationVersion = 1;
+constexpr uint32_t kObservationVersion = 2;
 
-constexpr float kSoon = 0.4f;  // seconds: about when a jump that begins now is at its end
-constexpr int kStateInputs = 28;
-constexpr int kInputs = kStateInputs + kMaps * kPoints;  // 272
-
-// A level and a query, as the policy sees them.
-struct Scene {
-  const level::LevelView& level;
-  const level::QueryView& query;
-  const SurroundingsView& surroundings;
-};
+// In this order: the player's state; the nearest loose body (loose_view.h); the maps (columns.h);
+// zeros, so that a row is a whole number of the widest lanes. All but the state is kEmptyInput
+// where nothing is in sight.
+constexpr int kStateInputs = 27;
+constexpr int kMapsAt = kStateInputs + kLooseInputs;
+constexpr int kSpareInputs = 11;
+constexpr int kInputs = kMapsAt + kMaps * kPoints + kSpareInputs;  // 288
 
 // Where the frame looks: toward the centre of the next region; from right above or below it, where
 // the player looks.
@@ -36,29 +31,22 @@ OBBY_DEVICE bool mayJump(const level::LevelView& level, const sim::World& w) {
          w.floorlessTicks < level.params.coyoteTicks;
 }
 
-// A map's heights in [-2, 1.25].
-OBBY_DEVICE float scaledHeight(float studs) { return studs * 0.125f; }
-
-OBBY_DEVICE float squashed(float v, float half) { return v / (absf(v) + half); }
-
 // Times are told in ticks of 1/60 s, whatever the level's are: a tick of its in those.
 OBBY_DEVICE float ticksOfSixty(const level::LevelView& level) {
   return 60.0f / float(level.params.controlRate);
 }
 
-// The state's part of the observation: kStateInputs numbers of order 1.
+// The player's state: kStateInputs numbers of order 1.
 OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::NextRegion& next,
-                              Turns ahead, float* out) {
-  const SinCos frame = sinCos(ahead);
-  const Vec3 forward = directionOf(frame), right{-forward.z, 0, forward.x};
+                              Turns ahead, const Frame& frame, float* out) {
   const Params p = w.clockCount == 0 ? s.level.params : sim::boosted(w, s.level);
   const Vec3 to = next.region->pose.position - w.position;
   const float flat = sqrtf32(to.x * to.x + to.z * to.z);
   const float tick = ticksOfSixty(s.level);
   const auto in = [&](sim::State state) { return w.state == state ? 1.0f : 0.0f; };
   int i = 0;
-  out[i++] = dot(w.velocity, forward) * 0.0625f;
-  out[i++] = dot(w.velocity, right) * 0.0625f;
+  out[i++] = dot(w.velocity, frame.forward) * 0.0625f;
+  out[i++] = dot(w.velocity, frame.right) * 0.0625f;
   out[i++] = clampf(w.velocity.y * 0.02f, -3.0f, 3.0f);
   out[i++] = w.floorlessTicks == 0 ? 1.0f : 0.0f;
   out[i++] = minf(float(w.floorlessTicks) * tick, 30.0f) * 0.0333f;
@@ -90,68 +78,15 @@ OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::Ne
   out[i++] = minf(reach, 30.0f) * 0.1f;
   out[i++] = minf(0.5f * p.jumpSpeed * p.jumpSpeed / maxf(p.gravity, 1.0f), 30.0f) * 0.125f;
   out[i++] = w.waypoints < s.query.waypointCount ? 1.0f : 0.0f;
-  out[i++] = 1.0f;
 }
 
-// A collider as a column cuts it, in the pose that it has `later` ticks after the world.
-OBBY_DEVICE Solid solidOf(const level::Collider& c, const Pose& pose, Vec3 feet) {
-  return {pose.position - feet, pose.rotation, c.shape.half, c.kind == geom::ShapeKind::wedge};
-}
-
-// What map a collider belongs to.
-OBBY_DEVICE bool isDanger(uint32_t flags) { return (flags & level::kKill) != 0; }
-
-OBBY_DEVICE bool inSight(const Box& box, Vec3 feet) {
-  return box.lo.x < feet.x + kSight && box.hi.x > feet.x - kSight && box.lo.z < feet.z + kSight &&
-         box.hi.z > feet.z - kSight && box.lo.y < feet.y + kHeadroom &&
-         box.hi.y > feet.y + kDeepest;
-}
-
-// Calls see(solid, danger, now, soon) for everything that can stand or lie in view; a part that
-// changes is seen twice, as it is now and as it will be.
-template <class See>
-OBBY_DEVICE void lookAround(const Scene& s, const sim::World& w, const sim::LooseBody* loose,
-                            See&& see) {
-  const SurroundingsView& around = s.surroundings;
-  const float cx = (w.position.x - around.origin.x) * around.inverseCell;
-  const float cz = (w.position.z - around.origin.z) * around.inverseCell;
-  sim::World later = w;
-  const uint32_t soonTicks = ticksFromSeconds(s.level.params, kSoon);
-  later.tick += soonTicks;
-  for (int i = 0; i < later.clockCount; ++i) later.clocks[i].ticks += soonTicks;
-  if (cx >= 0 && cz >= 0 && cx < float(around.nx) && cz < float(around.nz)) {
-    const uint32_t cell = uint32_t(cz) * uint32_t(around.nx) + uint32_t(cx);
-    for (uint32_t e = around.starts[cell]; e < around.starts[cell + 1]; ++e) {
-      const uint32_t id = around.entries[e];
-      const level::Bounds& b = s.level.bounds[id];
-      if (!inSight(b.box(), w.position)) continue;
-      const level::Collider& c = s.level.colliders[id];
-      const bool danger = isDanger(b.flags);
-      if (b.flags & (level::kMoving | sim::kLeaves)) {
-        const Pose now = sim::poseAfter(s.level, w, loose, c);
-        const Pose soon = sim::poseAfter(s.level, later, loose, c);
-        see(solidOf(c, now, w.position), danger, !sim::hasLeft(w, s.level, c, b.flags), false);
-        see(solidOf(c, soon, w.position), danger, false, !sim::hasLeft(later, s.level, c, b.flags));
-      } else {
-        see(solidOf(c, c.pose, w.position), danger, true, true);
-      }
-    }
-  }
-  for (uint32_t i = 0; i < s.level.looseCount; ++i) {
-    const level::Loose& l = s.level.loose[i];
-    if (loose[i].state == sim::LooseState::gone) continue;
-    const Pose pose = sim::poseOf(loose[i], l);
-    for (uint32_t id = l.firstCollider; id < l.firstCollider + l.colliderCount; ++id) {
-      const level::Collider& c = s.level.colliders[id];
-      if (!inSight(boundsOf(pose, c.shape.half), w.position)) continue;
-      see(solidOf(c, pose, w.position), isDanger(s.level.bounds[id].flags), true, true);
-    }
-  }
-  for (uint32_t i = 0; i < s.query.avoidCount; ++i) {
-    const geom::Region& r = s.query.avoid[i].region;
-    if (!inSight(boundsOf(r.pose, r.half), w.position)) continue;
-    see(Solid{r.pose.position - w.position, r.pose.rotation, r.half, false}, true, true, true);
-  }
+// All that is not in the maps.
+OBBY_DEVICE void observeOthers(const Scene& s, const sim::World& w, const sim::LooseBody* loose,
+                               const sim::NextRegion& next, Turns ahead, float* inputs) {
+  const Frame frame(ahead);
+  observeState(s, w, next, ahead, frame, inputs);
+  tellLoose(s.level, w, loose, frame, inputs + kStateInputs);
+  for (int i = kInputs - kSpareInputs; i < kInputs; ++i) inputs[i] = kEmptyInput;
 }
 
 // Fills `inputs` (kInputs) with what the policy sees of a player who is to reach `next`, in a frame
@@ -159,20 +94,21 @@ OBBY_DEVICE void lookAround(const Scene& s, const sim::World& w, const sim::Loos
 template <class F>
 OBBY_DEVICE void observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
                          const sim::NextRegion& next, Turns ahead, float* inputs) {
-  observeState(scene, world, next, ahead, inputs);
   Rosette rosette;
   placePoints(ahead, rosette);
-  Maps<F> maps;
-  lookAround(scene, world, loose, [&](const Solid& solid, bool danger, bool now, bool soon) {
-    maps.see(rosette, solid, danger, now, soon);
-  });
-  float* out = inputs + kStateInputs;
-  for (const auto& map : maps.heights) {
-    for (int i = 0; i < kPoints; ++i) *out++ = scaledHeight(map[i]);
+  Maps<F, kPaddedPoints> maps;
+  lookAround(scene, world, loose, [&](const Sight& sight) { maps.see(rosette, sight); });
+  maps.finish();
+  observeOthers(scene, world, loose, next, ahead, inputs);
+  float* out = inputs + kMapsAt;
+  for (const auto& moment : maps.heights) {
+    for (const auto& kind : moment) {
+      for (int i = 0; i < kPoints; ++i) *out++ = kind[i];
+    }
   }
 }
 
-// Parts of an observation that can be filled in by themselves: the points, then the state.
+// Parts of an observation that can be filled in by themselves: the points, then all others.
 constexpr int kViewParts = kPoints + 1;
 
 // One part of it. All together have the bits of observe(): for devices that have a thread for each.
@@ -180,15 +116,20 @@ OBBY_DEVICE void observePart(const Scene& scene, const sim::World& world,
                              const sim::LooseBody* loose, const sim::NextRegion& next, Turns ahead,
                              int part, float* inputs) {
   if (part == kPoints) {
-    observeState(scene, world, next, ahead, inputs);
+    observeOthers(scene, world, loose, next, ahead, inputs);
     return;
   }
-  PointMaps maps(ahead, part);
-  lookAround(scene, world, loose, [&](const Solid& solid, bool danger, bool now, bool soon) {
-    maps.see(solid, danger, now, soon);
-  });
-  float* const out = inputs + kStateInputs + part;
-  for (int map = 0; map < kMaps; ++map) out[map * kPoints] = scaledHeight(maps.heights[map]);
+  const Points<1> point = placePoint(ahead, part);
+  Maps<float, 1> maps;
+  lookAround(scene, world, loose, [&](const Sight& sight) { maps.see(point, sight); });
+  maps.finish();
+  float* out = inputs + kMapsAt + part;
+  for (const auto& moment : maps.heights) {
+    for (const auto& kind : moment) {
+      *out = kind[0];
+      out += kPoints;
+    }
+  }
 }
 
 // Fills `inputs` with what is seen of the query's next region, looking toward it; gives that

@@ -29,7 +29,7 @@ Thinker::Thinker(const Network& network) : voids_(kInputs), biases_(kHidden) {
     l.biases = next();
   }
   for (int i = kStateInputs; i < kInputs; ++i) {
-    voids_[size_t(i)] = normalised(scaledHeight(kDeepest), view_.means[i], view_.scales[i]);
+    voids_[size_t(i)] = normalised(kEmptyInput, view_.means[i], view_.scales[i]);
   }
   LayerView& first = view_.layers[0];
   layer<float, kHidden>(first, voids_.data(), kInputs, kHidden, false, biases_.data());

@@ -11,7 +11,6 @@ namespace {
 constexpr int kUnits = policy::kHidden;
 constexpr uint32_t kAllLanes = (uint64_t(1) << kLanes) - 1;
 constexpr int kAskedLines = 8;  // of cache: what is likely to be read of a row
-const float kEmpty = policy::scaledHeight(policy::kDeepest);
 static_assert(policy::kInputs % kLanes == 0);
 
 using Units = UnitSums<kUnits>;
@@ -22,7 +21,7 @@ void SeenRows::normaliseBy(std::span<const float> means, std::span<const float> 
   means_.assign(means.begin(), means.end());
   scales_.assign(scales.begin(), scales.end());
   for (int i = policy::kStateInputs; i < policy::kInputs; ++i)
-    voids_(i) = policy::normalised(kEmpty, means_[size_t(i)], scales_[size_t(i)]);
+    voids_(i) = policy::normalised(policy::kEmptyInput, means_[size_t(i)], scales_[size_t(i)]);
 }
 
 // The player's state is kept whatever it is.
@@ -35,7 +34,7 @@ void SeenRows::take(size_t row, const float* raw) {
   for (int i = 0; i < policy::kInputs; i += kLanes) {
     const WideFloat is = load(raw + i);
     const auto state = i < kBits ? uint32_t(kState >> i) & kAllLanes : 0;
-    const uint32_t chosen = bitsOf(is != WideFloat(kEmpty)) | state;
+    const uint32_t chosen = bitsOf(is != WideFloat(policy::kEmptyInput)) | state;
     const WideFloat shown =
         policy::normalised(is, load(&means_[size_t(i)]), load(&scales_[size_t(i)]));
     storeChosen(shown - load(voids_.data() + i), chosen, value);

@@ -23,7 +23,7 @@ std::vector<float> randomInputs(uint64_t seed) {
   for (float& v : in) v = 4 * random.unit() - 2;
   // Most of what is around is void.
   for (size_t i = kStateInputs; i < in.size(); ++i) {
-    if (random.unit() < 0.7f) in[i] = scaledHeight(kDeepest);
+    if (random.unit() < 0.7f) in[i] = kEmptyInput;
   }
   return in;
 }

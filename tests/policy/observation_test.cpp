@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "policy/policy.h"
@@ -23,20 +24,29 @@ struct Look {
         world(sim::makeWorld(level.view(), {})) {
     query.goal.region = {{goal, {}}, {2, 2, 2}};
   }
-  std::vector<float> inputs() const {
+  std::vector<float> inputs(const sim::LooseBody* loose = nullptr) const {
     std::vector<float> in(kInputs);
-    observe(scene, world, nullptr, in.data());
+    observe(scene, world, loose, in.data());
     return in;
   }
-  // Height that a map shows at a point of a ring, studs from the feet.
-  float height(int map, int ring, int direction) const {
-    return inputs()[size_t(kStateInputs + map * kPoints + 1 + ring * kDirections + direction)] * 8;
+  // Height that a map shows at a point of a ring now, studs from the feet.
+  float height(Kind map, int ring, int direction) const {
+    return kDeepest + shown(map, ring, direction);
+  }
+  // What it will be later, less what it is now.
+  float change(Kind map, int ring, int direction) const {
+    return shown(kKinds + map, ring, direction);
   }
   Surroundings around;
   SurroundingsView seen;
   level::QueryView query;
   Scene scene;
   sim::World world;
+
+ private:
+  float shown(int map, int ring, int direction) const {
+    return inputs()[size_t(kMapsAt + map * kPoints + 1 + ring * kDirections + direction)] * 8;
+  }
 };
 
 // A start, a gap of five studs, then more ground, half a stud higher.
@@ -50,11 +60,11 @@ LevelBuilder gap() {
 TEST(Observation, ShowsGroundAndGapsAtTheirHeights) {
   const level::Level level = gap().compile();
   const Look look(level);
-  EXPECT_FLOAT_EQ(look.height(0, 0, 0), 0) << "ahead, 1.5 studs";
-  EXPECT_FLOAT_EQ(look.height(0, 2, 0), kDeepest) << "ahead, 5.9 studs: the gap";
-  EXPECT_FLOAT_EQ(look.height(0, 4, 0), 0.5f) << "ahead, 13.1 studs: the other side";
-  EXPECT_FLOAT_EQ(look.height(0, 4, 6), kDeepest) << "behind";
-  EXPECT_FLOAT_EQ(look.height(1, 0, 0), kDeepest) << "no danger";
+  EXPECT_FLOAT_EQ(look.height(kFloor, 0, 0), 0) << "ahead, 1.5 studs";
+  EXPECT_FLOAT_EQ(look.height(kFloor, 2, 0), kDeepest) << "ahead, 5.9 studs: the gap";
+  EXPECT_FLOAT_EQ(look.height(kFloor, 4, 0), 0.5f) << "ahead, 13.1 studs: the other side";
+  EXPECT_FLOAT_EQ(look.height(kFloor, 4, 6), kDeepest) << "behind";
+  EXPECT_FLOAT_EQ(look.height(kDanger, 0, 0), kDeepest) << "no danger";
 }
 
 TEST(Observation, ShowsWhatKillsAndWhatIsToBeAvoided) {
@@ -62,12 +72,12 @@ TEST(Observation, ShowsWhatKillsAndWhatIsToBeAvoided) {
   b.block({0, 1, -3.35f}, {4, 2, 0.5f}, [](schema::Part::Builder p) { p.initKill(); });
   const level::Level level = b.compile();
   Look look(level);
-  EXPECT_FLOAT_EQ(look.height(1, 1, 0), 2) << "ahead, 3.35 studs";
-  EXPECT_FLOAT_EQ(look.height(0, 1, 0), 0) << "nothing to stand on";
+  EXPECT_FLOAT_EQ(look.height(kDanger, 1, 0), 2) << "ahead, 3.35 studs";
+  EXPECT_FLOAT_EQ(look.height(kFloor, 1, 0), 0) << "nothing to stand on";
   level::TargetView avoid{{{{0, 2, -13.1f}, {}}, {1, 1, 1}}};
   look.query.avoid = &avoid;
   look.query.avoidCount = 1;
-  EXPECT_FLOAT_EQ(look.height(1, 4, 0), 3);
+  EXPECT_FLOAT_EQ(look.height(kDanger, 4, 0), 3);
 }
 
 TEST(Observation, ShowsCeilingsOnlyWhereTheyAreInTheWay) {
@@ -76,8 +86,8 @@ TEST(Observation, ShowsCeilingsOnlyWhereTheyAreInTheWay) {
   b.block({0, 3, -3.35f}, {4, 2, 1});  // at the height of the chest
   const level::Level level = b.compile();
   const Look look(level);
-  EXPECT_FLOAT_EQ(look.height(0, 0, 0), 0);
-  EXPECT_FLOAT_EQ(look.height(0, 1, 0), 4);
+  EXPECT_FLOAT_EQ(look.height(kFloor, 0, 0), 0);
+  EXPECT_FLOAT_EQ(look.height(kFloor, 1, 0), 4);
 }
 
 TEST(Observation, ShowsTheSlopeOfAWedge) {
@@ -90,8 +100,81 @@ TEST(Observation, ShowsTheSlopeOfAWedge) {
   });
   const level::Level level = b.compile();
   const Look look(level);
-  EXPECT_NEAR(look.height(0, 2, 0), 4 * (10 - 5.9f) / 8, 1e-4f);
-  EXPECT_NEAR(look.height(0, 1, 0), 4 * (10 - 3.35f) / 8, 1e-4f);
+  EXPECT_NEAR(look.height(kFloor, 2, 0), 4 * (10 - 5.9f) / 8, 1e-4f);
+  EXPECT_NEAR(look.height(kFloor, 1, 0), 4 * (10 - 3.35f) / 8, 1e-4f);
+}
+
+// A part of this shape and size with its lowest point at the height of the feet, turned upright.
+LevelBuilder round(schema::Shape shape, Vec3 center, Vec3 size, bool upright = false) {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {3, 1, 3});
+  b.part([=](schema::Part::Builder p) {
+    p.setShape(shape);
+    support::set(p.initPosition(), center);
+    support::set(p.initSize(), size);
+    if (upright) {
+      p.initRotation().setW(std::sqrt(0.5f));
+      p.getRotation().setZ(std::sqrt(0.5f));
+    }
+  });
+  return b;
+}
+
+TEST(Observation, ShowsBallsAndCylindersAsTheyAre) {
+  const auto height = [](LevelBuilder b, int ring, int direction) {
+    const level::Level level = b.compile();
+    return Look(level).height(kFloor, ring, direction);
+  };
+  const float aside = 5.85f / 2, along = 5.85f * std::sqrt(0.75f);  // of the next direction
+  const LevelBuilder ball = round(schema::Shape::BALL, {0, 4, -5.9f}, {8, 8, 8});
+  EXPECT_NEAR(height(ball, 2, 0), 8, 1e-2f);
+  const float far = std::hypot(aside, 5.9f - along);
+  EXPECT_NEAR(height(ball, 2, 1), 4 + std::sqrt(16 - far * far), 0.05f);
+  // Its axis is x.
+  const LevelBuilder log = round(schema::Shape::CYLINDER, {0, 3, -5.9f}, {16, 6, 6});
+  EXPECT_NEAR(height(log, 2, 0), 6, 1e-2f);
+  EXPECT_NEAR(height(log, 2, 1), 3 + std::sqrt(9 - (5.9f - along) * (5.9f - along)), 0.05f);
+  const LevelBuilder post = round(schema::Shape::CYLINDER, {0, 2, -5.9f}, {4, 6, 6}, true);
+  EXPECT_NEAR(height(post, 2, 0), 4, 1e-2f);
+  EXPECT_FLOAT_EQ(height(post, 2, 1), kDeepest) << "a corner of the box around it";
+}
+
+TEST(Observation, ShowsDangersAsWideAsTheyAreDeadly) {
+  LevelBuilder b = gap();
+  b.block({1.4f, 1, -3.35f}, {1, 2, 1}, [](schema::Part::Builder p) { p.initKill(); });
+  const level::Level level = b.compile();
+  EXPECT_FLOAT_EQ(Look(level).height(kDanger, 1, 0), 2) << "0.9 studs beside it";
+}
+
+// Stones over lava are safe; a tile that kills, flush with its neighbours, is not.
+TEST(Observation, ShowsNoDangerBelowAFloor) {
+  const auto kill = [](schema::Part::Builder p) { p.initKill(); };
+  LevelBuilder b;
+  b.block({0, -4, 0}, {60, 1, 60}, kill);
+  b.block({0, -0.5f, 0}, {8, 1, 8});
+  b.block({0, -0.5f, -13.1f}, {4, 1, 4}, kill);
+  const level::Level level = b.compile();
+  const Look look(level);
+  EXPECT_FLOAT_EQ(look.height(kDanger, 0, 0), kDeepest) << "under the stone";
+  EXPECT_FLOAT_EQ(look.height(kDanger, 2, 0), -3.5f) << "beside it";
+  EXPECT_FLOAT_EQ(look.height(kDanger, 4, 0), 0) << "the tile";
+}
+
+TEST(Observation, TellsTheNearestLooseBody) {
+  LevelBuilder b = gap();
+  for (const float x : {-9.0f, 4.0f})
+    b.block({x, 1, 0}, {2, 2, 2}, [](schema::Part::Builder p) { p.setAnchored(false); });
+  const level::Level level = b.compile();
+  std::vector<sim::LooseBody> loose = sim::makeLoose(level.view());
+  ASSERT_EQ(loose.size(), 2u);
+  loose[1].velocity = {0, 0, -8};
+  const Look look(level);
+  const std::vector<float> in = look.inputs(loose.data());
+  const float* const at = in.data() + kStateInputs;
+  EXPECT_EQ(at[0], 1);
+  EXPECT_NEAR(at[1], 0, 1e-5f);
+  EXPECT_NEAR(at[2], 4.0f / (4 + 8), 1e-5f) << "to the right";
+  EXPECT_NEAR(at[4], 0.5f, 1e-5f) << "goes ahead";
 }
 
 void setRate(LevelBuilder& b, int rate) {
@@ -114,8 +197,9 @@ TEST_P(SeesMovers, NowAndSoon) {
   });
   const level::Level level = b.compile();
   const Look look(level);
-  EXPECT_NEAR(look.height(0, 2, 0), 1, 1e-3f);
-  EXPECT_NEAR(look.height(2, 2, 0), 1 + 4 * 0.4f, 0.05f);
+  EXPECT_NEAR(look.height(kFloor, 2, 0), 1, 1e-3f);
+  EXPECT_NEAR(look.change(kFloor, 2, 0), 4 * 0.4f, 0.05f);
+  EXPECT_FLOAT_EQ(look.change(kFloor, 0, 0), 0) << "the start stays";
 }
 
 INSTANTIATE_TEST_SUITE_P(Observation, SeesMovers, testing::Values(30, 60, 240));
@@ -207,8 +291,8 @@ TEST(Observation, HasTheSameBitsPartByPart) {
         observePart(look.scene, look.world, nullptr, next, ahead, part, parts.data());
       const std::vector<float> whole = look.inputs();
       EXPECT_EQ(std::memcmp(whole.data(), parts.data(), kInputs * sizeof(float)), 0);
-      seen += int(std::count_if(whole.begin() + kStateInputs, whole.end(),
-                                [](float h) { return h > scaledHeight(kDeepest); }));
+      seen += int(std::count_if(whole.begin() + kMapsAt, whole.end(),
+                                [](float h) { return h != kEmptyInput; }));
     }
   }
   EXPECT_GT(seen, 1000) << "something was in sight";

@@ -11,8 +11,6 @@
 namespace obby::train {
 namespace {
 
-const float kEmpty = policy::scaledHeight(policy::kDeepest);
-
 Weights<float> someWeights(uint64_t seed) {
   Random random(seed, 1);
   Weights<float> net;
@@ -56,7 +54,7 @@ struct Seen {
     for (Eigen::Index r = 0; r < raw.rows(); ++r) {
       for (int i = 0; i < policy::kInputs; ++i) {
         const bool empty = i >= policy::kStateInputs && random.below(3) != 0;
-        raw(r, i) = empty ? kEmpty : 3 * random.unit() - 1.9f;
+        raw(r, i) = empty ? policy::kEmptyInput : 3 * random.unit() - 1.9f;
       }
       rows.take(size_t(r), raw.row(r).data());
     }

@@ -1,0 +1,46 @@
+// What is told of the nearest loose body, which may have to be pushed: in the maps it looks like
+// any floor, and it may be far outside them.
+#pragma once
+
+#include "policy/look_around.h"
+
+namespace obby::policy {
+
+// Odd, and between -1 and 1; +-0.5 at +-half.
+OBBY_DEVICE float squashed(float v, float half) { return v / (absf(v) + half); }
+
+// The axes of an observation's frame.
+struct Frame {
+  Vec3 forward, right;
+
+  OBBY_DEVICE explicit Frame(Turns ahead)
+      : forward(directionOf(sinCos(ahead))), right{-forward.z, 0, forward.x} {}
+};
+
+constexpr float kNear = 8;  // studs, and studs/s, at which half of an input's range is used up
+
+// Where it is, and which way it goes. Zero where there is none.
+constexpr int kLooseInputs = 6;
+OBBY_DEVICE void tellLoose(const level::LevelView& level, const sim::World& w,
+                           const sim::LooseBody* loose, const Frame& frame, float* out) {
+  const sim::LooseBody* nearest = nullptr;
+  float least = 1e9f;
+  for (uint32_t i = 0; i < level.looseCount; ++i) {
+    if (loose[i].state == sim::LooseState::gone) continue;
+    const Vec3 to = loose[i].position - w.position;
+    if (!(dot(to, to) < least)) continue;
+    least = dot(to, to);
+    nearest = &loose[i];
+  }
+  for (int i = 0; i < kLooseInputs; ++i) out[i] = 0;
+  if (nearest == nullptr) return;
+  const Vec3 to = nearest->position - w.position, velocity = nearest->velocity;
+  out[0] = 1;
+  out[1] = squashed(dot(to, frame.forward), kNear);
+  out[2] = squashed(dot(to, frame.right), kNear);
+  out[3] = squashed(to.y, kNear);
+  out[4] = squashed(dot(velocity, frame.forward), kNear);
+  out[5] = squashed(dot(velocity, frame.right), kNear);
+}
+
+}  // namespace obby::policy

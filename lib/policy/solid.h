@@ -1,0 +1,99 @@
+// Parts as vertical lines cut them: where the policy sees what height.
+// Templates on the number type (math/lanes.h): a line a lane.
+#pragma once
+
+#include "geom/shape.h"
+#include "math/lanes.h"
+
+namespace obby::policy {
+
+// Hulls and corner wedges are cut as the boxes around them.
+enum class Cut : uint8_t { box, wedge, cylinder, ball };
+
+OBBY_DEVICE Cut cutOf(geom::ShapeKind kind) {
+  switch (kind) {
+    case geom::ShapeKind::wedge: return Cut::wedge;
+    case geom::ShapeKind::cylinder: return Cut::cylinder;
+    case geom::ShapeKind::ball: return Cut::ball;
+    default: return Cut::box;
+  }
+}
+
+struct Solid {
+  Vec3 center;  // from the feet
+  Mat3 axes;    // a cylinder's is x
+  Vec3 half;
+  Cut cut = Cut::box;
+};
+
+// The stretch of a vertical line that is in a solid, heights from the feet; none: bottom > top.
+template <class F>
+struct Stretch {
+  F bottom = F(-1e9f), top = F(1e9f);
+
+  OBBY_DEVICE void clip(F from, F to) {
+    bottom = maxf(bottom, from);
+    top = minf(top, to);
+  }
+};
+
+// Clips to -half <= dot(axis, o + (0, y, 0)) <= half.
+template <class F>
+OBBY_DEVICE void clipToSlab(const Vec3T<F>& o, Vec3 axis, float half, Stretch<F>& s) {
+  const F at = (o.x * axis.x + o.y * axis.y) + o.z * axis.z;
+  const float inverse = 1.0f / geom::awayFromZero(axis.y);
+  const F a = (-half - at) * inverse, b = (half - at) * inverse;
+  s.clip(minf(a, b), maxf(a, b));
+}
+
+// Clips to what is no farther than `radius` from the line through the origin along the unit vector
+// `axis`; from the origin, where axis is zero.
+template <class F>
+OBBY_DEVICE void clipToRound(const Vec3T<F>& o, Vec3 axis, float radius, Stretch<F>& s) {
+  const F along = (o.x * axis.x + o.y * axis.y) + o.z * axis.z;
+  const F x = o.x - along * axis.x, y = o.y - along * axis.y, z = o.z - along * axis.z;
+  // a h^2 + 2 y h + c <= 0
+  const float a = maxf(1 - axis.y * axis.y, 1e-6f), inverse = 1.0f / a;
+  const F c = ((x * x + y * y) + z * z) - radius * radius;
+  const F square = y * y - a * c;
+  const F half = sqrtf32(maxf(square, F(0))) * inverse, middle = -y * inverse;
+  const MaskOf<F> met = square >= 0.0f;
+  s.clip(select(met, middle - half, F(1e9f)), select(met, middle + half, F(-1e9f)));
+}
+
+// Clips to a wedge's slope: local y * half.z <= z * half.y.
+template <class F>
+OBBY_DEVICE void clipToSlope(const Vec3T<F>& o, const Solid& solid, Stretch<F>& s) {
+  const Vec3 normal = solid.axes.y * solid.half.z - solid.axes.z * solid.half.y;
+  const F at =
+      -((o.x * normal.x + o.y * normal.y) + o.z * normal.z) * (1.0f / geom::awayFromZero(normal.y));
+  if (normal.y > 0) {
+    s.top = minf(s.top, at);
+  } else {
+    s.bottom = maxf(s.bottom, at);
+  }
+}
+
+// What of the vertical line through (x, z) is in the solid.
+template <class F>
+OBBY_DEVICE Stretch<F> cut(const Solid& solid, F x, F z) {
+  const Vec3T<F> o{x - solid.center.x, F(-solid.center.y), z - solid.center.z};
+  const Mat3& axes = solid.axes;
+  const Vec3 half = solid.half;
+  Stretch<F> s;
+  if (solid.cut == Cut::ball) {
+    clipToRound<F>(o, {}, minf(half.x, minf(half.y, half.z)), s);
+    return s;
+  }
+  clipToSlab<F>(o, axes.x, half.x, s);
+  if (solid.cut == Cut::cylinder) {
+    clipToRound<F>(o, axes.x, minf(half.y, half.z), s);
+    return s;
+  }
+  clipToSlab<F>(o, axes.y, half.y, s);
+  clipToSlab<F>(o, axes.z, half.z, s);
+  if (solid.cut == Cut::wedge) clipToSlope<F>(o, solid, s);
+  return s;
+}
+
+}  // namespace obby::policy
