@@ -150,13 +150,16 @@ TEST(Cflge, LearnsTheModuleAndToReturn) {
   const level::Level level = corridor();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
-  Cflge search(problem, 1, {}, {pool});
-  const double early = returnRate(search, 60, 110), late = returnRate(search, 150, 220);
+  CflgeSettings dull;
+  dull.learns = false;
+  Cflge search(problem, 1, {}, {pool}), untaught(problem, 1, dull, {pool});
+  const double without = returnRate(untaught, 20, 60), with = returnRate(search, 150, 220);
   const std::vector<float>& losses = search.moduleLosses();
   EXPECT_NEAR(losses.front(), logOf(float(policy::kMoves)), 0.5f);
   EXPECT_LT(losses.back(), 0.65f * losses.front());
-  EXPECT_GT(late, 1.5 * early);
-  EXPECT_GT(late, 0.6);
+  EXPECT_LT(without, 0.2);
+  EXPECT_GT(with, 4 * without);
+  EXPECT_GT(with, 0.6);
   float farthest = 0;
   for (const Vec3 place : search.places(0)) farthest = std::max(farthest, -place.z);
   EXPECT_GT(farthest, 60);  // twice as far as players get by chance
