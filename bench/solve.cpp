@@ -146,9 +146,10 @@ Status runMissing(cli::Context& context, const bench::Plan& plan, uint64_t progr
     context.progress({fmt::format("{} {} seed {}", q.method.name, q.query.name(), q.seed),
                       done++ / double(questions.size()),
                       {}});
-    const bench::Run planned = bench::plannedRun(q, program);
+    bench::Run planned = bench::plannedRun(q, program);
+    planned.machine = machine;
     if (log.find(planned.key(), known)) continue;
-    if (known.program == 0 && log.ranElsewhere(q.query.content, q.seed, machine)) continue;
+    if (known.program == 0 && log.ranElsewhere(planned)) continue;
     OBBY_ASSIGN(const std::optional<bench::Run> run, bench::ask(q, planned, pool, context.stop()));
     if (run) OBBY_RETURN_IF_ERROR(log.append(*run));
   }

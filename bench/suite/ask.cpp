@@ -1,6 +1,5 @@
 #include "suite/ask.h"
 
-#include "common/machine.h"
 #include "common/report.h"
 #include "policy/shipped_policy.h"
 #include "solve/query_solver.h"
@@ -61,7 +60,6 @@ Result<std::optional<Run>> ask(const Question& question, Run run, ThreadPool& po
   run.verdict = nameOf(given.verdict);
   run.timing.solved = given.verdict == schema::Verdict::SOLVED;
   run.threads = pool.size();
-  run.machine = machineKind();
   return std::optional<Run>(std::move(run));
 }
 

@@ -27,18 +27,10 @@ class Members {
  public:
   explicit Members(const io::JsonTree& tree) : tree_(tree) {}
 
-  std::string text(std::string_view name) {
-    const auto value = find(name);
-    return value ? std::string(tree_.text(*value)) : "";
-  }
-  std::string textIfAny(std::string_view name) {
-    const bool before = complete_;
-    std::string value = text(name);
-    complete_ = before;
-    return value;
-  }
+  std::string text(std::string_view name) { return textOf(need(name)); }
+  std::string textIfAny(std::string_view name) { return textOf(find(name)); }
   double number(std::string_view name) {
-    const auto value = find(name);
+    const auto value = need(name);
     if (!value) return 0;
     using Type = io::JsonTree::Type;
     if (value->type == Type::whole) return double(value->value);
@@ -53,12 +45,21 @@ class Members {
   bool complete() const { return complete_; }
 
  private:
-  std::optional<io::JsonTree::Node> find(std::string_view name) {
+  using Found = std::optional<io::JsonTree::Node>;
+
+  std::string textOf(const Found& value) const {
+    return value ? std::string(tree_.text(*value)) : "";
+  }
+  Found need(std::string_view name) {
+    const Found value = find(name);
+    if (!value) complete_ = false;
+    return value;
+  }
+  Found find(std::string_view name) const {
     uint32_t at = tree_.root().type == io::JsonTree::Type::object ? tree_.root().child : 0;
     for (; at != 0; at = tree_.node(at).next) {
       if (tree_.name(tree_.node(at)) == name) return tree_.node(at);
     }
-    complete_ = false;
     return std::nullopt;
   }
 
@@ -140,10 +141,10 @@ const Run* RunLog::find(const std::string& key, const Maker& maker) const {
   return nullptr;
 }
 
-bool RunLog::ranElsewhere(uint64_t content, uint64_t seed, const std::string& machine) const {
+bool RunLog::ranElsewhere(const Run& planned) const {
   return std::any_of(runs_.begin(), runs_.end(), [&](const Run& run) {
-    return run.content == content && run.seed == seed && !run.machine.empty() &&
-           run.machine != machine;
+    return run.content == planned.content && run.seed == planned.seed && !run.machine.empty() &&
+           run.machine != planned.machine;
   });
 }
 

@@ -46,8 +46,8 @@ class RunLog {
 
   // The last run of that key; null if there is none.
   const Run* find(const std::string& key, const Maker& maker) const;
-  // Has any method run this query with this seed on another kind of machine?
-  bool ranElsewhere(uint64_t content, uint64_t seed, const std::string& machine) const;
+  // Has any method run this one's query with its seed on another kind of machine?
+  bool ranElsewhere(const Run& planned) const;
   Status append(const Run& run);
   size_t unreadable() const { return unreadable_; }
 

@@ -94,7 +94,8 @@ OBBY_DEVICE Solid widened(Solid s) {
   const auto wide = [](Vec3 axis, float half) {
     return absf(axis.y) < 0.7f ? half + kClearance : half;
   };
-  s.half = {wide(s.axes.x, s.half.x), wide(s.axes.y, s.half.y), wide(s.axes.z, s.half.z)};
+  const Vec3 half = s.shape.half;
+  s.shape.half = {wide(s.axes.x, half.x), wide(s.axes.y, half.y), wide(s.axes.z, half.z)};
   return s;
 }
 

@@ -18,7 +18,7 @@ OBBY_DEVICE Kind kindOf(uint32_t flags) { return flags & level::kKill ? kDanger 
 
 // A collider as a column cuts it, in this pose.
 OBBY_DEVICE Solid solidOf(const level::Collider& c, const Pose& pose, Vec3 feet) {
-  return {pose.position - feet, pose.rotation, c.shape.half, cutOf(c.kind)};
+  return {pose.position - feet, pose.rotation, c.shape, c.kind};
 }
 
 OBBY_DEVICE bool inSight(const Box& box, Vec3 feet) {
@@ -89,7 +89,7 @@ OBBY_DEVICE void lookAround(const Scene& s, const sim::World& w, const sim::Loos
   for (uint32_t i = 0; i < s.query.avoidCount; ++i) {
     const geom::Region& r = s.query.avoid[i].region;
     if (!inSight(boundsOf(r.pose, r.half), w.position)) continue;
-    see({{r.pose.position - w.position, r.pose.rotation, r.half}, kDanger, kAlways});
+    see({{r.pose.position - w.position, r.pose.rotation, {r.half}}, kDanger, kAlways});
   }
 }
 

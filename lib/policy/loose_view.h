@@ -2,20 +2,11 @@
 // any floor, and it may be far outside them.
 #pragma once
 
-#include "policy/look_around.h"
+#include "level/level_view.h"
+#include "policy/frame.h"
+#include "sim/loose.h"
 
 namespace obby::policy {
-
-// Odd, and between -1 and 1; +-0.5 at +-half.
-OBBY_DEVICE float squashed(float v, float half) { return v / (absf(v) + half); }
-
-// The axes of an observation's frame.
-struct Frame {
-  Vec3 forward, right;
-
-  OBBY_DEVICE explicit Frame(Turns ahead)
-      : forward(directionOf(sinCos(ahead))), right{-forward.z, 0, forward.x} {}
-};
 
 constexpr float kNear = 8;  // studs, and studs/s, at which half of an input's range is used up
 

@@ -3,6 +3,7 @@
 // kObservationVersion changes whenever a number here means something else.
 #pragma once
 
+#include "policy/look_around.h"
 #include "policy/loose_view.h"
 
 namespace obby::policy {
@@ -38,7 +39,7 @@ OBBY_DEVICE float ticksOfSixty(const level::LevelView& level) {
 
 // The player's state: kStateInputs numbers of order 1.
 OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::NextRegion& next,
-                              Turns ahead, const Frame& frame, float* out) {
+                              const Frame& frame, float* out) {
   const Params p = w.clockCount == 0 ? s.level.params : sim::boosted(w, s.level);
   const Vec3 to = next.region->pose.position - w.position;
   const float flat = sqrtf32(to.x * to.x + to.z * to.z);
@@ -63,7 +64,7 @@ OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::Ne
   out[i++] = clampf(to.y * 0.125f, -2.0f, 2.0f);
   out[i++] = minf(next.region->half.x + next.region->half.z, 16.0f) * 0.0625f;
   out[i++] = minf(next.region->half.y, 8.0f) * 0.125f;
-  const SinCos facing = sinCos(Turns(w.yaw - ahead));
+  const SinCos facing = sinCos(Turns(w.yaw - frame.ahead));
   out[i++] = facing.sin;
   out[i++] = facing.cos;
   const uint32_t jumps = sim::jumpsLeft(s.query, w);
@@ -84,7 +85,7 @@ OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::Ne
 OBBY_DEVICE void observeOthers(const Scene& s, const sim::World& w, const sim::LooseBody* loose,
                                const sim::NextRegion& next, Turns ahead, float* inputs) {
   const Frame frame(ahead);
-  observeState(s, w, next, ahead, frame, inputs);
+  observeState(s, w, next, frame, inputs);
   tellLoose(s.level, w, loose, frame, inputs + kStateInputs);
   for (int i = kInputs - kSpareInputs; i < kInputs; ++i) inputs[i] = kEmptyInput;
 }

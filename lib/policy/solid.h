@@ -2,28 +2,18 @@
 // Templates on the number type (math/lanes.h): a line a lane.
 #pragma once
 
-#include "geom/shape.h"
+#include "geom/shapes/ball.h"
+#include "geom/shapes/cylinder.h"
 #include "math/lanes.h"
 
 namespace obby::policy {
 
-// Hulls and corner wedges are cut as the boxes around them.
-enum class Cut : uint8_t { box, wedge, cylinder, ball };
-
-OBBY_DEVICE Cut cutOf(geom::ShapeKind kind) {
-  switch (kind) {
-    case geom::ShapeKind::wedge: return Cut::wedge;
-    case geom::ShapeKind::cylinder: return Cut::cylinder;
-    case geom::ShapeKind::ball: return Cut::ball;
-    default: return Cut::box;
-  }
-}
-
+// What is not a wedge, cylinder or ball is cut as the box around it.
 struct Solid {
   Vec3 center;  // from the feet
-  Mat3 axes;    // a cylinder's is x
-  Vec3 half;
-  Cut cut = Cut::box;
+  Mat3 axes;
+  geom::ShapeData shape;
+  geom::ShapeKind kind = geom::ShapeKind::block;
 };
 
 // The stretch of a vertical line that is in a solid, heights from the feet; none: bottom > top.
@@ -64,7 +54,7 @@ OBBY_DEVICE void clipToRound(const Vec3T<F>& o, Vec3 axis, float radius, Stretch
 // Clips to a wedge's slope: local y * half.z <= z * half.y.
 template <class F>
 OBBY_DEVICE void clipToSlope(const Vec3T<F>& o, const Solid& solid, Stretch<F>& s) {
-  const Vec3 normal = solid.axes.y * solid.half.z - solid.axes.z * solid.half.y;
+  const Vec3 normal = solid.axes.y * solid.shape.half.z - solid.axes.z * solid.shape.half.y;
   const F at =
       -((o.x * normal.x + o.y * normal.y) + o.z * normal.z) * (1.0f / geom::awayFromZero(normal.y));
   if (normal.y > 0) {
@@ -79,20 +69,20 @@ template <class F>
 OBBY_DEVICE Stretch<F> cut(const Solid& solid, F x, F z) {
   const Vec3T<F> o{x - solid.center.x, F(-solid.center.y), z - solid.center.z};
   const Mat3& axes = solid.axes;
-  const Vec3 half = solid.half;
+  const Vec3 half = solid.shape.half;
   Stretch<F> s;
-  if (solid.cut == Cut::ball) {
-    clipToRound<F>(o, {}, minf(half.x, minf(half.y, half.z)), s);
+  if (solid.kind == geom::ShapeKind::ball) {
+    clipToRound<F>(o, {}, geom::Ball::radius(solid.shape), s);
     return s;
   }
   clipToSlab<F>(o, axes.x, half.x, s);
-  if (solid.cut == Cut::cylinder) {
-    clipToRound<F>(o, axes.x, minf(half.y, half.z), s);
+  if (solid.kind == geom::ShapeKind::cylinder) {
+    clipToRound<F>(o, axes.x, geom::Cylinder::radius(solid.shape), s);
     return s;
   }
   clipToSlab<F>(o, axes.y, half.y, s);
   clipToSlab<F>(o, axes.z, half.z, s);
-  if (solid.cut == Cut::wedge) clipToSlope<F>(o, solid, s);
+  if (solid.kind == geom::ShapeKind::wedge) clipToSlope<F>(o, solid, s);
   return s;
 }
 

@@ -115,10 +115,16 @@ TEST_F(RunLogFile, TellsWhatAnotherMachineHasRun) {
   ASSERT_TRUE(log);
   const bench::Run run = someRun();
   ASSERT_TRUE(log->append(run));
-  EXPECT_TRUE(log->ranElsewhere(run.content, run.seed, "AMD EPYC, 16 lanes"));
-  EXPECT_FALSE(log->ranElsewhere(run.content, run.seed, run.machine));
-  EXPECT_FALSE(log->ranElsewhere(run.content, run.seed + 1, "AMD EPYC, 16 lanes"));
-  EXPECT_FALSE(log->ranElsewhere(run.content + 1, run.seed, "AMD EPYC, 16 lanes"));
+  bench::Run planned = run;
+  planned.method = "ge";
+  EXPECT_FALSE(log->ranElsewhere(planned));
+  planned.machine = "AMD EPYC, 16 lanes";
+  EXPECT_TRUE(log->ranElsewhere(planned));
+  planned.seed = run.seed + 1;
+  EXPECT_FALSE(log->ranElsewhere(planned));
+  planned.seed = run.seed;
+  planned.content = run.content + 1;
+  EXPECT_FALSE(log->ranElsewhere(planned));
 }
 
 TEST_F(RunLogFile, GoesOnBehindALineThatWasCutOff) {

@@ -104,7 +104,7 @@ TEST(Observation, ShowsTheSlopeOfAWedge) {
   EXPECT_NEAR(look.height(kFloor, 1, 0), 4 * (10 - 3.35f) / 8, 1e-4f);
 }
 
-// A part of this shape and size with its lowest point at the height of the feet, turned upright.
+// A start, and a part of this shape and size; upright: its x axis is turned up.
 LevelBuilder round(schema::Shape shape, Vec3 center, Vec3 size, bool upright = false) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {3, 1, 3});
