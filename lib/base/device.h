@@ -8,13 +8,17 @@
 
 // OBBY_APART is for what is large and runs rarely: a function of its own, which leaves the caches
 // and the compiler's time to the rest.
+// OBBY_CALLED is for what is large and called from many places: on the CPU a function of its own,
+// for the compiler's time; on a GPU, where a call forces registers out to memory, inlined.
 // OBBY_INLINED follows the parameters of a lambda that must not become a function of its own.
 #if defined(__CUDACC__)
 #define OBBY_INLINED
 #define OBBY_DEVICE __host__ __device__ __forceinline__
 #define OBBY_APART __host__ __device__ __noinline__ inline
+#define OBBY_CALLED OBBY_DEVICE
 #else
 #define OBBY_INLINED __attribute__((always_inline))
 #define OBBY_DEVICE OBBY_LANES
 #define OBBY_APART inline __attribute__((noinline))
+#define OBBY_CALLED OBBY_APART
 #endif

@@ -1,6 +1,6 @@
 // The simulator's host interface: make a world, advance it, hash it, replay a trajectory record.
-// The rules themselves are the device headers beside this one (tick.h and what it includes); search
-// kernels include those directly.
+// The rules themselves are the device headers beside this one (tick_phases.h and what it includes);
+// search kernels include those directly.
 #pragma once
 
 #include <cstdint>

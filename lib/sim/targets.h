@@ -13,7 +13,7 @@ OBBY_DEVICE Pose poseAfter(const level::LevelView& level, const World& w, const 
 }
 
 // Do the limbs touch the collider? The same test that roles are touched by, away or not.
-OBBY_DEVICE bool touchesCollider(const World& w, const LooseBody* loose,
+OBBY_CALLED bool touchesCollider(const World& w, const LooseBody* loose,
                                  const level::LevelView& level, uint32_t id, const Limbs& limbs) {
   const level::Collider& c = level.colliders[id];
   if (isGone(c, loose)) return false;

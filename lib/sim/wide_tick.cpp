@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/tick.h"
+#include "sim/tick_phases.h"
 #include "sim/wide_contact.h"
 #include "sim/wide_loose.h"
 #include "sim/wide_near.h"
@@ -301,7 +302,7 @@ void Ticker::bump(const int32_t* slots) {
   motions_.putMoved(slots, m);
 }
 
-// endTick() of tick.h, in lanes where nothing can be touched.
+// endTick() of tick_phases.h, in lanes where nothing can be touched.
 void Ticker::finish(int slot) {
   World unused{};
   World* targets[kLanes];

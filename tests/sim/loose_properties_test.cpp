@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "random_level.h"
+#include "sim/loose_partner.h"
 #include "sim/tick.h"
 #include "sim/wide_tick.h"
 

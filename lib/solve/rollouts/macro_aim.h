@@ -47,7 +47,7 @@ OBBY_DEVICE Vec3 pointInRegion(const geom::Region& region, Random& random) {
 }
 
 // False: nothing near to aim at.
-OBBY_DEVICE bool drawAimMacro(const ExploreContext& c, const sim::World& w, Random& random,
+OBBY_CALLED bool drawAimMacro(const ExploreContext& c, const sim::World& w, Random& random,
                               AimMacro& m) {
   const JumpReach reach = reachIn(c, w);
   const float radius = 1.4f * reach.distance;
@@ -74,7 +74,7 @@ OBBY_DEVICE bool drawAimMacro(const ExploreContext& c, const sim::World& w, Rand
 
 // Turns toward the target, and stops walking where the speed will carry the player the rest of the
 // way.
-OBBY_DEVICE void steer(const ExploreContext& c, const sim::World& w, bool onGround, AimMacro& m) {
+OBBY_CALLED void steer(const ExploreContext& c, const sim::World& w, bool onGround, AimMacro& m) {
   const Vec3 to = positionIn(c.level, m.target, w) + m.error - w.position;
   const float speed2 = w.velocity.x * w.velocity.x + w.velocity.z * w.velocity.z;
   m.distance = sqrtf32(to.x * to.x + to.z * to.z);

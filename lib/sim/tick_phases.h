@@ -1,0 +1,106 @@
+// What a tick consists of: decides the order of phases; each phase is a header of its own. Large:
+// for kernels and the few sources of lib/sim that need the phases themselves. All others include
+// tick.h.
+#pragma once
+
+#include "sim/climb.h"
+#include "sim/loose_player.h"
+#include "sim/squeeze.h"
+#include "sim/touch.h"
+#include "sim/trip.h"
+
+namespace obby::sim {
+
+// Health after a tick without harm.
+template <class F>
+OBBY_DEVICE F regenerated(F health, const Params& p) {
+  const F more = minf(F(p.maxHealth), health + p.healthRegeneration * p.maxHealth * p.tickSeconds);
+  return select(health < p.maxHealth, more, health);
+}
+
+// What comes of where the player is now.
+OBBY_DEVICE void endTick(World& w, const level::LevelView& level, const Candidates& near) {
+  runClocks(w, level);
+  touchParts(w, level, near);
+  if (w.hurtTicks > 0) --w.hurtTicks;
+  w.health = regenerated(w.health, level.params);
+  w.tick += 1;
+  if (w.outcome == Outcome::running && w.position.y < level.params.fallenPartsHeight) {
+    w.state = State::dead;
+    w.outcome = Outcome::fell;
+  }
+}
+
+// The phases with and without loose bodies: `kLoose` false is for levels that have none, on GPUs,
+// where code that is never run costs registers all the same.
+
+// A tick of one who stands, walks, jumps, falls, climbs or has fallen down; `p`: with the player's
+// boosts.
+template <bool kLoose>
+OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level, const Params& p,
+                      Candidates& near, const ControlT<float>& control) {
+  Player player = playerOf(w);
+  const Floor floor = senseFloor(w, loose, player, level, near);
+  updateState(player, p, floor, control);
+  const Truss truss = updateClimbing(w, loose, player, level, p, near, floor, control);
+  const bool climbs = player.is(State::climbing);
+  turn(player, p, floor, climbs ? facing(truss, control) : control);
+  const bool down = player.is(State::fallingDown);
+  Motion motion = motionOf(player, p, floor,
+                           down ? slideDown(player, p, floor) : drive(player, p, floor, control));
+  motion.bottom = bodyBottom(State(player.state), p);
+  if (climbs) moveClimber(motion, truss, control, level, p, near);
+  // A player among no bodies moves as if there were none.
+  const bool among = (near.anyFlags & level::kLoose) != 0;
+  if (kLoose && wakeTouched(w, loose, floor, motion, level, near)) {
+    moveTogether(w, loose, among && !climbs ? &motion : nullptr, floor, level, near);
+    if (!climbs && !among) moveBody(motion, level, near);
+  } else if (!climbs) {
+    moveBody(motion, level, near);
+  }
+  player.position = motion.position;
+  player.velocity = motion.velocity;
+  putPlayer(w, player);
+}
+
+// `p`: with the player's boosts; `apart`: see tick().
+template <bool kLoose>
+OBBY_DEVICE void tickWith(World& w, LooseBody* loose, const level::LevelView& level,
+                          const Params& p, ControlT<float> control, uint32_t apart) {
+  Candidates near;
+  near.looseApart = apart;
+  gather(w, loose, level, p, near);
+  if (w.state == State::seated) {
+    if (kLoose && (w.flags & kLooseAwake)) moveTogether(w, loose, nullptr, {}, level, near);
+    sit(w, kLoose ? loose : nullptr, level, p, control.jump);
+  } else {
+    move<kLoose>(w, loose, level, p, near, control);
+    squeeze(w, level, near);
+  }
+  if (w.outcome == Outcome::running) {
+    endTick(w, level, near);
+  } else {
+    w.tick += 1;
+  }
+}
+
+// tick() (tick.h), in place.
+template <bool kLoose>
+OBBY_DEVICE void tickInPlace(World& w, LooseBody* loose, const level::LevelView& level,
+                             Action action, uint32_t apart) {
+  if (w.outcome != Outcome::running) return;
+  ControlT<float> control = controlOf(action);
+  Params boosts;
+  const Params* p = &level.params;
+  bool helpless = false;
+  if (w.clockCount != 0) {
+    boosts = boosted(w, level);
+    p = &boosts;
+    helpless = isHelpless(w, level);
+    if (helpless) control = {};
+  }
+  updateFallingDown(w, helpless);
+  tickWith<kLoose>(w, loose, level, *p, control, apart);
+}
+
+}  // namespace obby::sim
