@@ -1,6 +1,7 @@
 # The CUDA part of a module. CMake 3.25 does not know the C++20 of nvcc 13, so nvcc is run by a command of its own;
 # there is no device code across files, so that the host's linker is all that is needed.
 set(OBBY_CUDA_ARCHITECTURES "80;89;90" CACHE STRING "Compute capabilities to build kernels for, as in sm_80")
+set(OBBY_CUDA_FLAGS "" CACHE STRING "More flags for nvcc: -Ofc=max compiles in seconds, for kernels that nobody runs")
 
 # obby_cuda(module): lib/<module>/cuda/*.cu and, beside them, *.cpp but absent.cpp; or, in a build without CUDA,
 # absent.cpp alone.
@@ -23,7 +24,7 @@ function(obby_cuda module)
     set(object ${CMAKE_CURRENT_BINARY_DIR}/cuda_${name}.o)
     # The flags of ObbyFloat.cmake, for both of nvcc's compilers.
     add_custom_command(OUTPUT ${object}
-      COMMAND ${CUDAToolkit_NVCC_EXECUTABLE} -std=c++20 -O3 --fmad=false -Xcompiler=-ffp-contract=off,-fno-tree-slp-vectorize ${targets}
+      COMMAND ${CUDAToolkit_NVCC_EXECUTABLE} -std=c++20 -O3 --fmad=false -Xcompiler=-ffp-contract=off,-fno-tree-slp-vectorize ${targets} ${OBBY_CUDA_FLAGS}
         --Werror all-warnings -I${PROJECT_SOURCE_DIR}/lib -I${RANDOM123_INCLUDE}
         -MD -MF ${object}.d -c ${kernel} -o ${object}
       DEPENDS ${kernel} DEPFILE ${object}.d COMMENT "Compiling kernels of ${module}: ${name}" VERBATIM)

@@ -520,8 +520,9 @@ struct Trajectory {
 struct Path {
   # Where a playthrough leads.
   step @0 :UInt32 $always;      # ticks between two points
-  points @1 :List(Vec3);        # feet, the start first
+  points @1 :List(Vec3);        # feet, the start first, the end last
   jumpTicks @2 :List(UInt32);   # since the start, of the jumps that were made
+  ticks @3 :UInt32;             # since the start, at the last point: at most a step after the one before
 }
 
 enum Band {

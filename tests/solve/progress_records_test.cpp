@@ -60,9 +60,11 @@ void expectPathOfReplay(schema::Trajectory::Reader trajectory) {
   ASSERT_TRUE(plan);
   const auto worlds = sim::replay(level.view(), nullptr, *plan).worlds;
   const auto path = trajectory.getPath();
-  ASSERT_EQ(path.getPoints().size(), trajectory.getTicks() / path.getStep() + 1);
+  const uint32_t ticks = trajectory.getTicks(), step = path.getStep();
+  ASSERT_EQ(path.getTicks(), ticks);
+  ASSERT_EQ(path.getPoints().size(), (ticks + step - 1) / step + 1) << "the end is a point, too";
   for (uint32_t i = 0; i < path.getPoints().size(); ++i) {
-    const Vec3 feet = worlds[size_t(i) * path.getStep()].position;
+    const Vec3 feet = worlds[std::min(i * step, ticks)].position;
     EXPECT_EQ(path.getPoints()[i].getX(), feet.x);
     EXPECT_EQ(path.getPoints()[i].getY(), feet.y);
     EXPECT_EQ(path.getPoints()[i].getZ(), feet.z);
@@ -77,6 +79,12 @@ TEST(ProgressRecord, PathsAreThoseOfTheReplayAndOnlyThereWhenAskedFor) {
   const Searched s = searched(60, true);
   expectPathOfReplay(s.progress.getBest());
   expectPathOfReplay(s.progress.getNewest());
+  uint32_t betweenPoints = 0;
+  for (const auto death : s.progress.getDeaths()) {
+    expectPathOfReplay(death);
+    betweenPoints += death.getTicks() % death.getPath().getStep() != 0;
+  }
+  EXPECT_GT(betweenPoints, 0u) << "one must end between two points for this to show anything";
   EXPECT_GT(s.progress.getBest().getJumps(), 0u);
   EXPECT_FALSE(searched(60).progress.getBest().hasPath());
 }

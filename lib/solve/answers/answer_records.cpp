@@ -63,8 +63,11 @@ void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& id
 void fillPath(schema::Trajectory::Builder record, const Playthrough& playthrough) {
   auto path = record.initPath();
   path.setStep(kPathStep);
-  auto points = path.initPoints(uint32_t(playthrough.path.size()));
-  for (uint32_t i = 0; i < points.size(); ++i) level::set(points[i], playthrough.path[i]);
+  path.setTicks(playthrough.ticks);
+  std::vector<Vec3> feet = playthrough.path;
+  if (playthrough.ticks % kPathStep != 0) feet.push_back(playthrough.end.position);
+  auto points = path.initPoints(uint32_t(feet.size()));
+  for (uint32_t i = 0; i < points.size(); ++i) level::set(points[i], feet[i]);
   auto ticks = path.initJumpTicks(uint32_t(playthrough.jumpTicks.size()));
   for (uint32_t i = 0; i < ticks.size(); ++i) ticks.set(i, playthrough.jumpTicks[i]);
 }
