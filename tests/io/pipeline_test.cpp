@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/version.h"
 #include "scratch_folder.h"
 
 namespace obby::io {
@@ -45,7 +46,8 @@ struct Fixture {
 };
 
 const std::string kHeader =
-    "{\"type\":\"header\",\"schemaMajor\":1,\"schemaMinor\":2,\"tool\":\"obby-test\",\"version\":"
+    "{\"type\":\"header\",\"schemaMajor\":1,\"schemaMinor\":" + std::to_string(kSchemaMinor) +
+    ",\"tool\":\"obby-test\",\"version\":"
     "\"1.2.3\",\"seed\":\"42\","
     "\"floatPolicy\":\"ieee754-nofma\"}\n";
 
