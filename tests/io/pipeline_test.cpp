@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "io/version.h"
 #include "scratch_folder.h"
 
 namespace obby::io {
@@ -46,8 +45,7 @@ struct Fixture {
 };
 
 const std::string kHeader =
-    "{\"type\":\"header\",\"schemaMajor\":1,\"schemaMinor\":" + std::to_string(kSchemaMinor) +
-    ",\"tool\":\"obby-test\",\"version\":"
+    "{\"type\":\"header\",\"schemaMajor\":1,\"schemaMinor\":3,\"tool\":\"obby-test\",\"version\":"
     "\"1.2.3\",\"seed\":\"42\","
     "\"floatPolicy\":\"ieee754-nofma\"}\n";
 
