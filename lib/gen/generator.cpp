@@ -57,6 +57,16 @@ const Style& Generator::pick(const std::vector<Choice>& from, float unit) {
   return *from.back().style;
 }
 
+// As large as they are by default, obstacles leave what lies behind a turn beyond a jump from
+// beside them.
+bool Generator::spreads(const Style& style) const {
+  return style.wide || std::ranges::any_of(recipe_.parameters, [&](const Setting& s) {
+           const bool own = s.parameter >= style.parameters.data() &&
+                            s.parameter < style.parameters.data() + style.parameters.size();
+           return own && maxf(s.easy, s.hard) > maxf(s.parameter->easy, s.parameter->hard);
+         });
+}
+
 void Generator::pickChain(Sketch& s, std::vector<const Style*>& chain) const {
   std::vector<const Style*> used;
   for (const Style*& one : chain) {
@@ -81,7 +91,7 @@ Sketch Generator::draw(const Style& style, float difficulty, const Random& rando
     s.begin(difficulty * (first + (1 - first) * way));
     chain[i]->build(s);
     const bool last = i + 1 == obstacles;
-    s.rest(last, !chain[i]->wide && (last || !chain[i + 1]->wide));
+    s.rest(last, !spreads(*chain[i]) && (last || !spreads(*chain[i + 1])));
   }
   return s;
 }

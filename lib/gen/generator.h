@@ -51,6 +51,8 @@ class Generator {
     float until;  // sum of the weights so far
   };
   static std::vector<Choice> choices(const std::vector<NamedNumber>& weights, bool inCourses);
+  // Does it spread to the sides, by its kind or by what the recipe makes of it? No turn beside it.
+  bool spreads(const struct Style& style) const;
   static const struct Style& pick(const std::vector<Choice>& from, float unit);
   Sketch draw(const struct Style& style, float difficulty, const Random& random,
               const SketchPlan& plan) const;

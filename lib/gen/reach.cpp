@@ -18,7 +18,7 @@ float Reach::legs() const { return kLegsUsed * p_.hipHeight; }
 float Reach::gravity() const { return maxf(p_.gravity, kLeastGravity); }
 
 bool Reach::cut() const {
-  constexpr float kDeepest = -12;  // studs down, that gaps of styles have
+  constexpr float kDeepest = -20;  // studs down, that gaps of styles have at most
   return p_.gravity < kLeastGravity || rise() >= kMostRise || gap(kDeepest) >= kMostGap;
 }
 

@@ -17,25 +17,12 @@ using level::pathError;
 constexpr uint32_t kMostObstacles = 200;  // of one level
 constexpr float kMostExcess = 100;        // studs
 
-std::vector<std::string> styleNames(bool inCourses) {
-  std::vector<std::string> names;
-  for (const Style& s : styles()) {
-    if (!inCourses || !s.chains) names.push_back(s.name);
-  }
-  return names;
-}
-
 Status checkStyles(const std::vector<NamedNumber>& weights, const std::string& path,
                    bool inCourses) {
   float sum = 0;
   for (const NamedNumber& w : weights) {
-    const Style* style = findStyle(w.name);
     const std::string here = path + "." + w.name;
-    if (style == nullptr) {
-      const std::string near = io::nearest(w.name, styleNames(inCourses));
-      return pathError(here, "there is no such style",
-                       near.empty() ? "obby-gen --list names them" : "did you mean " + near + "?");
-    }
+    OBBY_ASSIGN(const Style* style, styleNamed(w.name, here));
     if (inCourses && style->chains) {
       return pathError(here, "a course cannot be part of a course", "leave it out");
     }
@@ -56,6 +43,18 @@ Status checkRange(Range r, float least, float most, const std::string& path) {
       path,
       fmt::format("expected a range between {} and {}, found {} to {}", least, most, r.lo, r.hi),
       r.lo > r.hi ? "the smaller number comes first" : "");
+}
+
+Status checkSettings(const std::vector<Setting>& settings) {
+  for (const Setting& s : settings) {
+    const Parameter& p = *s.parameter;
+    for (const float value : {s.easy, s.hard}) {
+      if (value >= p.least && value <= p.most) continue;
+      return pathError("parameters." + fullName(p),
+                       fmt::format("expected {} to {}, found {}", p.least, p.most, value));
+    }
+  }
+  return {};
 }
 
 Status checkCount(Count c, const std::string& path) {
@@ -94,6 +93,7 @@ Result<float> parseDifficulty(std::string_view text) {
 Status Recipe::check() const {
   OBBY_RETURN_IF_ERROR(checkStyles(styles, "styles", false));
   OBBY_RETURN_IF_ERROR(checkStyles(courseStyles, "course.styles", true));
+  OBBY_RETURN_IF_ERROR(checkSettings(parameters));
   OBBY_RETURN_IF_ERROR(checkRange(difficulty, 0, 1, "difficulty"));
   OBBY_RETURN_IF_ERROR(checkCount(obstacles, "obstacles"));
   OBBY_RETURN_IF_ERROR(checkCount(courseObstacles, "course.obstacles"));

@@ -32,6 +32,14 @@ const std::string& nameOfDifficulty(float value);
 // "hard", "0.6". Error: neither.
 Result<float> parseDifficulty(std::string_view text);
 
+struct Parameter;
+
+// Other ends for a parameter of a style (lib/gen/style.h): at difficulty 0 and 1.
+struct Setting {
+  const Parameter* parameter;  // of a style of the table
+  float easy, hard;
+};
+
 struct Recipe {
   std::vector<NamedNumber> styles;        // with weights; empty: every style alike
   Range difficulty{0.25f, 0.75f};         // 0 to 1; drawn anew for each level
@@ -42,6 +50,7 @@ struct Recipe {
   float turns = 0.5f;                     // share of landings behind which the way turns
   float waypoints = 0, jumpLimits = 0, timeLimits = 0;  // shares of queries with such a constraint
   Range excess{5, 8};                                   // studs beyond reach, of what is unsolvable
+  std::vector<Setting> parameters;                      // each at most once
   std::vector<NamedNumber> physics;  // fields of PhysicsParams that differ from their defaults
 
   // A JSON object. Errors name the path, what was expected, and what there is instead.

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "gen/recipe.h"
+#include "gen/styles.h"
 #include "io/json_tree.h"
 #include "io/text.h"
 #include "level/record_values.h"
@@ -54,8 +55,7 @@ class Reader {
   // A number, or two: at least and at most.
   Take range(Range& out) const {
     return [this, &out](const Node& n, const std::string& path) {
-      return pair(
-          n, path, [this](const Node& one, const std::string& p) { return numberOf(one, p); }, out);
+      return pair(n, path, oneNumber(), out);
     };
   }
 
@@ -75,6 +75,18 @@ class Reader {
           n, path, [this](const Node& one, const std::string& p) { return wholeOf(one, p); }, r));
       out = {uint32_t(r.lo), uint32_t(r.hi)};
       return {};
+    };
+  }
+
+  // An object of styles, each an object of parameters: a number, or two, at no difficulty and at
+  // all of it.
+  Take settings(std::vector<Setting>& out) const {
+    return [this, &out](const Node& n, const std::string& path) {
+      out.clear();
+      return members(n, path, [&](const Node& member, const std::string& here) -> Status {
+        OBBY_ASSIGN(const Style* style, styleNamed(tree_.name(member), here));
+        return settingsOf(*style, member, here, out);
+      });
     };
   }
 
@@ -109,13 +121,30 @@ class Reader {
     return {};
   }
 
-  Status pair(const Node& node, const std::string& path, const One& one, Range& out) const {
+  Status settingsOf(const Style& style, const Node& node, const std::string& path,
+                    std::vector<Setting>& out) const {
+    return members(node, path, [&](const Node& member, const std::string& here) -> Status {
+      OBBY_ASSIGN(const Parameter* parameter, parameterNamed(style, tree_.name(member), here));
+      Range ends{};
+      OBBY_RETURN_IF_ERROR(pair(member, here, oneNumber(), ends, "[trivial, limit]"));
+      out.push_back({parameter, ends.lo, ends.hi});
+      return {};
+    });
+  }
+
+  One oneNumber() const {
+    return [this](const Node& n, const std::string& path) { return numberOf(n, path); };
+  }
+
+  // `both`: how two are written.
+  Status pair(const Node& node, const std::string& path, const One& one, Range& out,
+              const std::string& both = "[least, most]") const {
     if (node.type != Type::array) {
       OBBY_ASSIGN(out.lo, one(node, path));
       out.hi = out.lo;
       return {};
     }
-    if (node.length != 2) return expected("one value or [least, most]", node, path);
+    if (node.length != 2) return expected("one value or " + both, node, path);
     const Node& first = tree_.node(node.child);
     OBBY_ASSIGN(out.lo, one(first, path + "[0]"));
     OBBY_ASSIGN(out.hi, one(tree_.node(first.next), path + "[1]"));
@@ -149,7 +178,7 @@ class Reader {
     return value;
   }
 
-  Error expected(const char* what, const Node& n, const std::string& path) const {
+  Error expected(std::string_view what, const Node& n, const std::string& path) const {
     return pathError(path, fmt::format("expected {}, found {}", what, tree_.describe(n)));
   }
 
@@ -182,6 +211,7 @@ Result<Recipe> Recipe::fromJson(std::string_view text) {
                                  {"turns", r.number(out.turns)},
                                  {"limits", limits},
                                  {"excess", r.range(out.excess)},
+                                 {"parameters", r.settings(out.parameters)},
                                  {"physics", r.numbers(out.physics)}}));
   OBBY_RETURN_IF_ERROR(out.check());
   return out;

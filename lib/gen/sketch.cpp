@@ -42,25 +42,40 @@ Sketch::Sketch(const Reach& reach, const Recipe& recipe, Random random, SketchPl
 
 // ------------------------------------------------------------------------------------ measures
 
-float Sketch::mix(float easy, float hard) {
-  const float t = clampf(difficulty_ + kMixSpread * (2 * unit() - 1), 0.0f, 1.0f);
-  return rounded(easy + (hard - easy) * t, 0.25f);
+Sketch::Ends Sketch::endsOf(const Parameter& p) const {
+  for (const Setting& s : recipe_->parameters) {
+    if (s.parameter == &p) return {s.easy, s.hard};
+  }
+  return {p.easy, p.hard};
 }
 
-float Sketch::mixEitherSign(float easy, float hard) {
-  const float far = mix(easy, hard);
+float Sketch::mixed(Ends ends) {
+  const float t = clampf(difficulty_ + kMixSpread * (2 * unit() - 1), 0.0f, 1.0f);
+  return rounded(ends.easy + (ends.hard - ends.easy) * t, 0.25f);
+}
+
+float Sketch::mix(const Parameter& p) { return mixed(endsOf(p)); }
+
+float Sketch::eitherSign(Ends ends) {
+  const float far = mixed(ends);
   return far * side();
 }
 
-float Sketch::mixSpin(float easy, float hard) {
+float Sketch::mixSpin(const Parameter& p) {
   constexpr float kTicksATurn = 2 * 3.14159265f * 60;  // at 1 rad/s
-  const float speed = mixEitherSign(easy, hard);
+  const float speed = mixEitherSign(p);
   return kTicksATurn / rounded(kTicksATurn / speed, 1);
 }
 
-uint32_t Sketch::mixCount(uint32_t easy, uint32_t hard) {
+uint32_t Sketch::mixCount(const Parameter& p) {
+  const Ends ends = endsOf(p);
   const float t = clampf(difficulty_ + 0.3f * (2 * unit() - 1), 0.0f, 1.0f);
-  return uint32_t(float(easy) + (float(hard) - float(easy)) * t + 0.5f);
+  return uint32_t(ends.easy + (ends.hard - ends.easy) * t + 0.5f);
+}
+
+float Sketch::steady(const Parameter& p) const {
+  const Ends ends = endsOf(p);
+  return ends.easy + (ends.hard - ends.easy) * difficulty_;
 }
 
 float Sketch::share(float spread) {
@@ -103,8 +118,8 @@ float Sketch::rise(float share) {
   return broken("rise") ? rounded(reach_->rise() + beyond(), 0.125f) : mine;
 }
 
-float Sketch::highLedge(float least, float most) {
-  return rounded(reach_->rise(), 0.5f) + mix(least, most);
+float Sketch::highLedge(const Parameter& beyond) {
+  return rounded(reach_->rise(), 0.5f) + mix(beyond);
 }
 
 // ------------------------------------------------------------------------------------ places
@@ -227,7 +242,7 @@ void Sketch::rest(bool last, bool mayTurn) {
   --jumps_;
   const float across = mine > reach_->gap(0) ? mine : rounded(minf(near, mine), 0.125f);
   const bool turns = chance(recipe_->turns) && mayTurn && !last;
-  const float size = turns ? 10 : mix(10, 7);
+  const float size = turns ? 10 : mixed({10, 7});
   PartSketch& p =
       turns ? disc("Checkpoint", size, across) : floor("Checkpoint", size, size, across);
   p.color = last ? colors::kGoal : colors::kCheckpoint;

@@ -15,6 +15,7 @@
 #include "gen/part_sketch.h"
 #include "gen/reach.h"
 #include "gen/recipe.h"
+#include "gen/style.h"
 #include "math/angle.h"
 
 namespace obby::gen {
@@ -48,22 +49,25 @@ class Sketch {
   bool chance(float share) { return random_.unit() < share; }
   float side() { return random_.below(2) == 0 ? -1.0f : 1.0f; }
   // From what is easy to what is hard, by the difficulty and a little chance; whole quarters.
-  float mix(float easy, float hard);
+  float mix(const Parameter& p);
   // The same, with either sign.
-  float mixEitherSign(float easy, float hard);
+  float mixEitherSign(const Parameter& p) { return eitherSign(endsOf(p)); }
+  float mixEitherSign(float easy, float hard) { return eitherSign({easy, hard}); }
   // A speed of turning, rad/s, with either sign. A turn takes a whole number of ticks at 60 a
   // second, so that tables of turns are short (kMaxLevelRows of lib/level).
-  float mixSpin(float easy, float hard);
+  float mixSpin(const Parameter& p);
   // The same as a whole number.
-  uint32_t mixCount(uint32_t easy, uint32_t hard);
+  uint32_t mixCount(const Parameter& p);
+  // By the difficulty alone.
+  float steady(const Parameter& p) const;
 
   // --- measures: each is a crossing, which can be planted to be beyond reach
   float gap(float rise = 0, float share = 1);
   float rise(float share = 1);
   // The same, never planted.
   float easyRise(float share = 1);
-  // A ledge that needs something: `least` studs beyond a jump and more.
-  float highLedge(float least, float most);
+  // A ledge that needs something: so many studs beyond a jump.
+  float highLedge(const Parameter& beyond);
   // Is this crossing to be made impossible? The style leaves out what it takes, and draws the same
   // numbers nevertheless: all else of a twin is as it was.
   bool broken(const char* what);
@@ -130,6 +134,13 @@ class Sketch {
   void noteCarrier(float speed) { fastest_ = maxf(fastest_, speed); }
 
  private:
+  // At no difficulty and at all of it.
+  struct Ends {
+    float easy, hard;
+  };
+  Ends endsOf(const Parameter& p) const;
+  float mixed(Ends ends);
+  float eitherSign(Ends ends);
   std::string numbered(const char* name);
   float share(float spread);
   float beyond();

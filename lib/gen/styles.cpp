@@ -1,49 +1,78 @@
 #include "gen/styles.h"
 
 #include "gen/styles/all.h"
+#include "io/text.h"
+#include "level/record_values.h"
 
 namespace obby::gen {
 
+namespace {
+
+constexpr Style kCourse{.name = "course",
+                        .description = "several of the others in a row, ever harder",
+                        .build = nullptr,
+                        .chains = true};
+
+// The one of that name, of styles or parameters.
+template <class Rows>
+auto named(const Rows& rows, std::string_view name) -> decltype(&*rows.begin()) {
+  for (const auto& row : rows) {
+    if (name == row.name) return &row;
+  }
+  return nullptr;
+}
+
+template <class Rows>
+Error unknown(const Rows& rows, std::string_view name, const std::string& path, std::string what,
+              std::string list) {
+  std::vector<std::string> names;
+  for (const auto& row : rows) names.emplace_back(row.name);
+  const std::string near = io::nearest(name, names);
+  return level::pathError(path, std::move(what),
+                          near.empty() ? std::move(list) : "did you mean " + near + "?");
+}
+
+}  // namespace
+
 const std::vector<Style>& styles() {
   static const std::vector<Style> table = {
-      {"walkway", "long walkways with turns, narrower the harder", buildWalkway},
-      {"gaps", "stones with air between them", buildGaps},
-      {"stairs-up", "steps to jump up", buildStairsUp},
-      {"stairs-down", "drops onto ever smaller steps", buildStairsDown},
-      {"wall", "walls to jump over", buildWall},
-      {"doorway", "walls with a gap to find", buildDoorway},
-      {"beam", "thin beams", buildBeam},
-      {"kill-floor", "stones over lava", buildKillFloor},
-      {"checkerboard", "safe and deadly tiles in turn", buildCheckerboard},
-      {"kill-wall", "low walls of lava to jump", buildKillWall},
-      {"spinner", "deadly bars that turn over a disc", buildSpinner},
-      {"log-roll", "along a log round which spikes turn", buildLogRoll},
-      {"slider", "platforms that slide from side to side", buildSlider},
-      {"elevator", "platforms that rise to a ledge beyond a jump", buildElevator},
-      {"carrier", "a platform that carries the player through doors", buildCarrier},
-      {"conveyor", "belts against, across and along the way", buildConveyor},
-      {"ice", "slippery lanes and corners", buildIce},
-      {"wedge", "ramps up and down", buildWedge},
-      {"truss", "towers to climb by a truss", buildTruss},
-      {"jump-pad", "pads that throw the player up to a ledge", buildJumpPad},
-      {"vanish", "a run over tiles that disappear when touched", buildVanish},
-      {"beat", "platforms that come and go to a beat", buildBeat},
-      {"button", "buttons that open a door or make a bridge for a while", buildButton},
-      {"push-block", "a block to push to a wall that is too high", buildPushBlock, false, true},
-      {"fork", "several routes side by side", buildFork, false, false, true},
-      {"decoy", "a road to nowhere, and the way round", buildDecoy, false, true, true},
-      {"zigzag", "stones to this side and that, up and down", buildZigzag},
-      {"spiral", "ledges that wind up a core", buildSpiral, false, false, true},
-      {"course", "several of the others in a row, ever harder", nullptr, true},
+      kWalkwayStyle,    kGapsStyle,      kStairsUpStyle,
+      kStairsDownStyle, kWallStyle,      kDoorwayStyle,
+      kBeamStyle,       kKillFloorStyle, kCheckerboardStyle,
+      kKillWallStyle,   kSpinnerStyle,   kLogRollStyle,
+      kSliderStyle,     kElevatorStyle,  kCarrierStyle,
+      kConveyorStyle,   kIceStyle,       kWedgeStyle,
+      kTrussStyle,      kJumpPadStyle,   kVanishStyle,
+      kBeatStyle,       kButtonStyle,    kPushBlockStyle,
+      kForkStyle,       kDecoyStyle,     kZigzagStyle,
+      kSpiralStyle,     kCourse,
   };
   return table;
 }
 
-const Style* findStyle(std::string_view name) {
+const Style* findStyle(std::string_view name) { return named(styles(), name); }
+
+Result<const Style*> styleNamed(std::string_view name, const std::string& path) {
+  if (const Style* style = findStyle(name)) return style;
+  return unknown(styles(), name, path, "there is no style " + io::quoted(name),
+                 "obby-gen --list names them");
+}
+
+Result<const Parameter*> parameterNamed(const Style& style, std::string_view name,
+                                        const std::string& path) {
+  if (const Parameter* p = named(style.parameters, name)) return p;
+  return unknown(style.parameters, name, path,
+                 std::string(style.name) + " has no parameter " + io::quoted(name),
+                 "obby-gen --list --style " + std::string(style.name) + " names them");
+}
+
+std::string fullName(const Parameter& parameter) {
   for (const Style& s : styles()) {
-    if (name == s.name) return &s;
+    for (const Parameter& p : s.parameters) {
+      if (&p == &parameter) return std::string(s.name) + '.' + p.name;
+    }
   }
-  return nullptr;
+  return parameter.name;
 }
 
 }  // namespace obby::gen

@@ -2,28 +2,27 @@
 // styles.cpp.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "gen/sketch.h"
+#include "base/result.h"
+#include "gen/style.h"
 
 namespace obby::gen {
 
-// Appends one obstacle ahead of the sketch's edge, and leaves the edge behind it. What it draws
-// depends on the sketch alone.
-using BuildObstacle = void (*)(Sketch&);
-
-struct Style {
-  const char* name;
-  const char* description;
-  BuildObstacle build;
-  bool chains = false;  // made of obstacles of other styles; `build` is null
-  bool single = false;  // at most one such obstacle a level: loose parts are few, detours long
-  bool wide = false;    // spreads to the sides: no turn beside it, which would open short cuts
-};
-
 const std::vector<Style>& styles();
+
 // Null if there is none of that name.
 const Style* findStyle(std::string_view name);
+
+// `path`: where the name stands, for the error that there is none of that name, which names what
+// is near.
+Result<const Style*> styleNamed(std::string_view name, const std::string& path);
+Result<const Parameter*> parameterNamed(const Style& style, std::string_view name,
+                                        const std::string& path);
+
+// "gaps.size"; the parameter is one of a style of the table.
+std::string fullName(const Parameter& parameter);
 
 }  // namespace obby::gen

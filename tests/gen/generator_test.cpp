@@ -1,6 +1,8 @@
 // Levels as functions of seed and index; twins; constraints of queries; margins from the physics.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "gen/made.h"
 #include "level/level.h"
 #include "level/record_values.h"
@@ -72,6 +74,31 @@ TEST(Generator, QueriesNameAWayAndHowHardItIs) {
     EXPECT_FALSE(twin.query.reader().getQuery().hasWay());
     EXPECT_EQ(twin.query.reader().getQuery().getDifficulty(), -1);
   }
+}
+
+// From beside a wide floor a turn would bring the next one within a jump.
+TEST(Generator, TheWayDoesNotTurnBesideWhatARecipeMakesLarger) {
+  const gen::Style& gaps = *gen::findStyle("gaps");
+  const gen::Parameter& size = **gen::parameterNamed(gaps, "size", "");
+  gen::Recipe recipe = recipeFor("gaps", 0.25f);
+  recipe.turns = 1;
+  recipe.obstacles = {3, 3};
+  const auto turns = [&](float studs) {
+    recipe.parameters = {{&size, studs, studs}};
+    const gen::Generated made = generatorOf(recipe).generate(1, 0);
+    return std::ranges::any_of(made.sketch.stops(),
+                               [](const gen::Stop& stop) { return stop.heading != 0; });
+  };
+  EXPECT_TRUE(turns(7));
+  EXPECT_TRUE(turns(3));
+  EXPECT_FALSE(turns(7.25f));
+  EXPECT_FALSE(turns(30));
+}
+
+TEST(Generator, DropsThatARecipeMayAskForAreWithinWhatWorldsAreRefusedBy) {
+  gen::Recipe recipe = recipeFor("stairs-down", 0.5f);
+  recipe.physics = {{"gravity", 4}, {"jumpSpeed", 2}, {"walkSpeed", 60}};
+  EXPECT_FALSE(gen::Generator::make(recipe, true));
 }
 
 TEST(Generator, SharesOfQueriesHaveConstraints) {

@@ -26,6 +26,20 @@ inline gen::Recipe recipeFor(const std::string& style, float difficulty) {
   return recipe;
 }
 
+// The same with every parameter of every style anywhere within what a recipe may set.
+inline gen::Recipe anyParametersFor(const std::string& style, float difficulty, uint64_t seed) {
+  gen::Recipe recipe = recipeFor(style, difficulty);
+  Random random(seed, 0x706172616d);
+  for (const gen::Style& s : gen::styles()) {
+    for (const gen::Parameter& p : s.parameters) {
+      const float easy = p.least + (p.most - p.least) * random.unit();
+      const float hard = p.least + (p.most - p.least) * random.unit();
+      recipe.parameters.push_back({&p, easy, hard});
+    }
+  }
+  return recipe;
+}
+
 // Level and query as records.
 struct Made {
   io::RecordBuilder level, query;

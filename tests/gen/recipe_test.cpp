@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "gen/generator.h"
+#include "gen/styles.h"
 
 namespace obby::test {
 namespace {
@@ -26,6 +27,7 @@ TEST(Recipe, ValuesAreRead) {
     "difficulty": ["easy", 0.9], "obstacles": 2, "turns": 0.25,
     "course": {"obstacles": [4, 8], "first": 0.2, "styles": {"beam": 1}},
     "limits": {"waypoints": 0.1, "jumps": 0.2, "time": 0.3}, "excess": [6, 9],
+    "parameters": {"gaps": {"size": [9, 3.5]}, "spinner": {"speed": 1.5}},
     "physics": {"gravity": 80}})");
   ASSERT_TRUE(r) << r.error().text();
   ASSERT_EQ(r->styles.size(), 2u);
@@ -41,6 +43,13 @@ TEST(Recipe, ValuesAreRead) {
   EXPECT_EQ(r->timeLimits, 0.3f);
   EXPECT_EQ(r->excess.hi, 9);
   EXPECT_EQ(r->physics[0].value, 80);
+  ASSERT_EQ(r->parameters.size(), 2u);
+  EXPECT_EQ(gen::fullName(*r->parameters[0].parameter), "gaps.size");
+  EXPECT_EQ(r->parameters[0].easy, 9);
+  EXPECT_EQ(r->parameters[0].hard, 3.5f);
+  EXPECT_EQ(gen::fullName(*r->parameters[1].parameter), "spinner.speed");
+  EXPECT_EQ(r->parameters[1].easy, 1.5f);
+  EXPECT_EQ(r->parameters[1].hard, 1.5f);
 }
 
 struct Bad {
@@ -55,11 +64,12 @@ TEST(Recipe, ErrorsNamePathAndCure) {
       {R"({"style": 1})", "style: unknown key (did you mean styles?)"},
       {R"({"zzz": 1})",
        "zzz: unknown key (known are styles, difficulty, obstacles, course, turns, limits, excess, "
-       "physics)"},
+       "parameters, physics)"},
       {R"({"turns": 1, "turns": 0})", "turns: given twice (keep one of the two)"},
       {R"({"turns": "often"})", "turns: expected a number, found text \"often\""},
       {R"({"turns": 2})", "turns: expected a range between 0 and 1, found 2 to 2"},
-      {R"({"styles": {"gapps": 1}})", "styles.gapps: there is no such style (did you mean gaps?)"},
+      {R"({"styles": {"gapps": 1}})",
+       "styles.gapps: there is no style \"gapps\" (did you mean gaps?)"},
       {R"({"styles": {"gaps": 0}})", "styles: all weights are 0 (give a style a weight above 0)"},
       {R"({"styles": {"gaps": -1}})", "styles.gaps: expected a weight from 0 to 1000000, found -1"},
       {R"({"difficulty": "brutal"})",
@@ -76,6 +86,23 @@ TEST(Recipe, ErrorsNamePathAndCure) {
       {R"({"course": {"first": 1e999}})", "column 26: number too large"},
       {R"({"course": {"styles": {"course": 1}}})",
        "course.styles.course: a course cannot be part of a course (leave it out)"},
+      {R"({"parameters": {"gapps": {}}})",
+       "parameters.gapps: there is no style \"gapps\" (did you mean gaps?)"},
+      {R"({"parameters": {"gaps": {"sise": 5}}})",
+       "parameters.gaps.sise: gaps has no parameter \"sise\" (did you mean size?)"},
+      {R"({"parameters": {"gaps": {"colour": 5}}})",
+       "parameters.gaps.colour: gaps has no parameter \"colour\" (obby-gen --list --style gaps "
+       "names them)"},
+      {R"({"parameters": {"course": {"size": 5}}})",
+       "parameters.course.size: course has no parameter \"size\" (obby-gen --list --style course "
+       "names them)"},
+      {R"({"parameters": {"gaps": {"size": [5, 31]}}})",
+       "parameters.gaps.size: expected 2 to 30, found 31"},
+      {R"({"parameters": {"gaps": {"size": [5]}}})",
+       "parameters.gaps.size: expected one value or [trivial, limit], found an array of 1"},
+      {R"({"parameters": {"gaps": {"size": 5, "size": 6}}})",
+       "parameters.gaps.size: given twice (keep one of the two)"},
+      {R"({"parameters": {"gaps": 5}})", "parameters.gaps: expected an object, found 5"},
       {R"({"physics": {"gravty": 80}})",
        "physics.gravty: there is no such physics parameter (did you mean gravity?)"},
       {R"({"physics": {"gravity": -1}})", "physics.gravity: -1 is outside 0 to 2000"},

@@ -71,6 +71,14 @@ TEST_P(Solved, TwinsNever) {
   EXPECT_EQ(t.solved, 0);
 }
 
+// Whatever a recipe sets of the styles.
+TEST_P(Solved, TwinsOfAnyParametersNever) {
+  for (uint64_t seed = 0; seed < 16; ++seed) {
+    const gen::Recipe recipe = anyParametersFor(GetParam(), 0.25f, seed);
+    EXPECT_EQ(tally(recipe, true, 2, 60'000).solved, 0) << seed;
+  }
+}
+
 // Worlds as real ones are, one with hardly a jump among them.
 TEST_P(Solved, LevelsOfOtherWorldsTooAndTheirTwinsNever) {
   for (const std::vector<gen::NamedNumber>& physics :

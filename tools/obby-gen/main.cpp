@@ -86,19 +86,20 @@ Status writePlace(cli::Context& context, const gen::Generator& generator,
   return sink.close();
 }
 
-Status writeList(const cli::Context& context) {
+Status writeList(const cli::Context& context, const gen::Recipe& recipe) {
   OBBY_ASSIGN(io::Sink sink, context.openSink());
-  OBBY_RETURN_IF_ERROR(sink.write(tools::listOfStyles()));
+  OBBY_RETURN_IF_ERROR(sink.write(tools::listOfStyles(recipe)));
   return sink.close();
 }
 
 Result<cli::ExitCode> run(cli::Context& context) {
   const cli::Arguments& a = context.arguments();
+  OBBY_ASSIGN(const gen::Recipe recipe, tools::recipeOf(a));
   if (a.flag("list")) {
-    OBBY_RETURN_IF_ERROR(writeList(context));
+    OBBY_RETURN_IF_ERROR(recipe.check());
+    OBBY_RETURN_IF_ERROR(writeList(context, recipe));
     return cli::ExitCode::ok;
   }
-  OBBY_ASSIGN(const gen::Recipe recipe, tools::recipeOf(a));
   OBBY_ASSIGN(const gen::Generator generator, gen::Generator::make(recipe, a.flag("unsolvable")));
   ThreadPool pool(context.threads());
   const tools::EmitOptions options = emitOptions(context);

@@ -40,7 +40,8 @@ std::vector<OptionRow> levelRows() {
           "write of each level the twin in which one crossing is beyond reach; its name says which",
           kLevelGroup),
       cli::commonRow(cli::Common::seed),
-      row("list", ValueType::flag, "", "", "print the styles and exit", kLevelGroup),
+      row("list", ValueType::flag, "", "",
+          "print the styles and exit; with --style: what a recipe may set of these", kLevelGroup),
   };
 }
 
@@ -54,6 +55,17 @@ std::vector<OptionRow> checkRows() {
                   "simulated ticks that --check gives each level", kCheckGroup),
               1, 9e15),
   };
+}
+
+std::string lineOf(const gen::Style& s) {
+  return fmt::format("{:<13} {}\n", s.name, s.description);
+}
+
+std::string lineOf(const gen::Parameter& p) {
+  const std::string unit = *p.unit == 0 ? "" : fmt::format("{}, ", p.unit);
+  const std::string range = fmt::format("{:g} to {:g}", p.least, p.most);
+  return fmt::format("  {:<11} {:>7.4g}  {:>7.4g}  {:<12} {}{}\n", p.name, p.easy, p.hard, range,
+                     unit, p.description);
 }
 
 }  // namespace
@@ -88,10 +100,18 @@ cli::ToolSpec genSpec() {
   return spec;
 }
 
-std::string listOfStyles() {
-  std::string text;
-  for (const gen::Style& s : gen::styles()) {
-    text += fmt::format("{:<13} {}\n", s.name, s.description);
+std::string listOfStyles(const gen::Recipe& recipe) {
+  if (recipe.styles.empty()) {
+    std::string text;
+    for (const gen::Style& s : gen::styles()) text += lineOf(s);
+    return text;
+  }
+  std::string text =
+      fmt::format("{:<13} {:>7}  {:>7}  {:<12} {}\n", "", "trivial", "limit", "may be", "what");
+  for (const gen::NamedNumber& asked : recipe.styles) {
+    const gen::Style& s = *gen::findStyle(asked.name);
+    text += lineOf(s);
+    for (const gen::Parameter& p : s.parameters) text += lineOf(p);
   }
   return text;
 }

@@ -3,11 +3,12 @@
 
 #include "cli/context.h"
 #include "cli/tool.h"
+#include "gen/recipe.h"
 
 namespace obby::tools {
 
 cli::ToolSpec genSpec();
-// What --list prints.
-std::string listOfStyles();
+// What --list prints: all styles, or those of the recipe with their parameters.
+std::string listOfStyles(const gen::Recipe& recipe);
 
 }  // namespace obby::tools

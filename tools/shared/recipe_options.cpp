@@ -3,7 +3,6 @@
 #include "cli/rows.h"
 #include "gen/styles.h"
 #include "io/read_file.h"
-#include "io/text.h"
 
 namespace obby::tools {
 
@@ -42,18 +41,6 @@ Result<gen::Recipe> readRecipe(const std::string& path) {
   return recipe;
 }
 
-Status checkStyle(const std::string& name) {
-  if (gen::findStyle(name) != nullptr) return {};
-  std::vector<std::string> names;
-  for (const gen::Style& s : gen::styles()) names.push_back(s.name);
-  const std::string near = io::nearest(name, names);
-  return Error{{},
-               {},
-               "--style",
-               "there is no style " + io::quoted(name),
-               near.empty() ? "obby-gen --list names them" : "did you mean " + near + "?"};
-}
-
 }  // namespace
 
 std::vector<OptionRow> recipeRows(const char* group) {
@@ -76,7 +63,7 @@ Result<gen::Recipe> recipeOf(const cli::Arguments& a) {
   }
   if (a.has("style")) recipe.styles.clear();
   for (const std::string& name : a.list("style")) {
-    OBBY_RETURN_IF_ERROR(checkStyle(name));
+    OBBY_RETURN_IF_ERROR(gen::styleNamed(name, "--style"));
     recipe.styles.push_back({name, 1});
   }
   if (a.has("difficulty")) {

@@ -3,15 +3,30 @@
 
 namespace obby::gen {
 
-void buildBeam(Sketch& s) {
-  const uint32_t beams = s.mixCount(1, 3);
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"beams", "", 1, 3, 1, 12, "one behind the other"},
+    {"pad", "studs", 6, 4, 2, 30, "size of the pad behind a beam"},
+    {"width", "studs", 3, 0.75f, 0.25f, 10, "of a beam"},
+    {"length", "studs", 10, 22, 2, 60, "of a beam"},
+};
+const auto& [kBeams, kPad, kWidth, kLength] = kParameters;
+
+void build(Sketch& s) {
+  const uint32_t beams = s.mixCount(kBeams);
   for (uint32_t i = 0; i < beams; ++i) {
-    const float pad = s.mix(6, 4);
-    const float width = s.mix(3, 0.75f), long_ = s.mix(10, 22);
+    const float pad = s.mix(kPad);
+    const float width = s.mix(kWidth), long_ = s.mix(kLength);
     s.floor("Beam", long_, width).colored(colors::kWood);
     s.floor("Pad", pad, pad);
     s.expectWait(0.5f);
   }
 }
+
+}  // namespace
+
+constinit const Style kBeamStyle{
+    .name = "beam", .description = "thin beams", .build = build, .parameters = kParameters};
 
 }  // namespace obby::gen

@@ -5,6 +5,16 @@ namespace obby::gen {
 
 namespace {
 
+constexpr Parameter kParameters[] = {
+    {"open", "seconds", 12, 3, 2, 60, "that the door stays open"},
+    {"aside", "studs", 3, 8, 0, 8, "of the door button, to either side"},
+    {"there", "seconds", 12, 5, 2, 60, "that the bridge stays"},
+    {"beyond", "studs", 6, 10, 6, 30, "that the bridge is longer than a jump"},
+    {"width", "studs", 6, 2, 1, 12, "of the bridge"},
+    {"bankAside", "studs", 0, 4, 0, 4, "of the bridge button, to either side"},
+};
+const auto& [kOpen, kAside, kThere, kBeyond, kWidth, kBankAside] = kParameters;
+
 PartSketch& button(Sketch& s, float right, float forward, float seconds) {
   PartSketch& p = s.part("Button", {right, 0.25f, forward}, {3, 0.5f, 3}).colored(colors::kButton);
   p.button = ButtonSketch{seconds};
@@ -13,9 +23,9 @@ PartSketch& button(Sketch& s, float right, float forward, float seconds) {
 
 void buildDoor(Sketch& s) {
   constexpr float kRoundabout = 20, kDoor = 6, kRun = 12;
-  const float width = 20, seconds = s.mix(12, 3), high = maxf(14.0f, s.reach().rise() + 5);
+  const float width = 20, seconds = s.mix(kOpen), high = maxf(14.0f, s.reach().rise() + 5);
   const float side = (width - kDoor) / 2 + kRoundabout, middle = (kDoor + side) / 2;
-  const float aside = s.mixEitherSign(3, 8);
+  const float aside = s.mixEitherSign(kAside);
   s.wall("Wall", -middle, kRun, side, high, 1);
   s.wall("Wall", middle, kRun, side, high, 1);
   PartSketch& door = s.part("Door", {0, high / 2, kRun}, {kDoor, high, 1}).colored(colors::kFading);
@@ -32,8 +42,8 @@ void buildDoor(Sketch& s) {
 }
 
 void buildBridge(Sketch& s) {
-  const float seconds = s.mix(12, 5), gap = s.reach().gap(0) + s.mix(6, 10);
-  const float width = s.mix(6, 2), aside = s.mixEitherSign(0, 4);
+  const float seconds = s.mix(kThere), gap = s.reach().gap(0) + s.mix(kBeyond);
+  const float width = s.mix(kWidth), aside = s.mixEitherSign(kBankAside);
   const bool there = !s.broken("bridge");
   s.floor("Near bank", 10, 12);
   if (there) {
@@ -48,9 +58,7 @@ void buildBridge(Sketch& s) {
   s.floor("Far bank", 8, 10, gap);
 }
 
-}  // namespace
-
-void buildButton(Sketch& s) {
+void build(Sketch& s) {
   if (s.chance(0.5f)) {
     buildDoor(s);
   } else {
@@ -58,5 +66,13 @@ void buildButton(Sketch& s) {
   }
   s.expectWait(2);
 }
+
+}  // namespace
+
+constinit const Style kButtonStyle{
+    .name = "button",
+    .description = "buttons that open a door or make a bridge for a while",
+    .build = build,
+    .parameters = kParameters};
 
 }  // namespace obby::gen

@@ -3,14 +3,26 @@
 
 namespace obby::gen {
 
-void buildCarrier(Sketch& s) {
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"doors", "", 1, 3, 1, 6, "on the way"},
+    {"size", "studs", 8, 5, 3, 16, "of the carrier; doors are two wider"},
+    {"apart", "studs", 12, 16, 8, 30, "from door to door; more where a jump would do"},
+    {"speed", "studs/s", 6, 10, 2, 30, "of the carrier"},
+    {"gap", "studs", 0.5f, 2, 0.25f, 6, "onto the carrier and off it"},
+    {"width", "studs", 10, 6, 2, 30, "of the dock"},
+};
+const auto& [kDoors, kSize, kApart, kSpeed, kGap, kWidth] = kParameters;
+
+void build(Sketch& s) {
   constexpr float kFast = 1.6f;  // of its speed, at most
-  const uint32_t doors = s.mixCount(1, 3);
-  const float size = s.mix(8, 5), apart = s.mix(12, 16), speed = s.mix(6, 10);
+  const uint32_t doors = s.mixCount(kDoors);
+  const float size = s.mix(kSize), apart = s.mix(kApart), speed = s.mix(kSpeed);
   // Nobody jumps over what it carries over, not even off something as fast.
   const float jumped = kProof * s.reach().gap(0) + kFast * speed * s.reach().flight();
   const float between = maxf(apart, jumped / float(doors + 1)), way = between * float(doors + 1);
-  const float seconds = way / speed, gap = s.mix(0.5f, 2);
+  const float seconds = way / speed, gap = s.mix(kGap);
   const float hole = size + 2, side = 10;
   const float high = maxf(12, s.reach().rise() + 3);  // the lintel's top is no step on the way
   const float first = gap + size / 2;
@@ -29,7 +41,15 @@ void buildCarrier(Sketch& s) {
     s.part("Lintel", {0, high - 3 + 1, ahead}, {hole + 2 * side, 2, 1}).colored(colors::kWall);
   }
   s.advance(gap + size + way);
-  s.floor("Dock", 6, s.mix(10, 6), gap);
+  s.floor("Dock", 6, s.mix(kWidth), gap);
 }
+
+}  // namespace
+
+constinit const Style kCarrierStyle{
+    .name = "carrier",
+    .description = "a platform that carries the player through doors",
+    .build = build,
+    .parameters = kParameters};
 
 }  // namespace obby::gen

@@ -4,11 +4,20 @@
 
 namespace obby::gen {
 
-void buildCheckerboard(Sketch& s) {
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"rows", "", 3, 5, 1, 12, "of three tiles"},
+    {"tile", "studs", 7, 4.5f, 3, 12, "size of a tile"},
+    {"taken", "", 0, 0.9f, 0, 1, "share of the safe tiles off the way that are deadly, too"},
+};
+const auto& [kRows, kTile, kTaken] = kParameters;
+
+void build(Sketch& s) {
   constexpr int kFiles = 3;
   constexpr float kLower = 0.2f;  // deadly tiles lie a little lower: their edges are seen
-  const uint32_t rows = s.mixCount(3, 5);
-  const float tile = s.mix(7, 4.5f), taken = 0.9f * s.difficulty();
+  const uint32_t rows = s.mixCount(kRows);
+  const float tile = s.mix(kTile), taken = s.steady(kTaken);
   int way = s.below(2) == 0 ? 0 : 2;  // the file of the tile that stays safe
   for (uint32_t row = 0; row < rows; ++row) {
     for (int file = 0; file < kFiles; ++file) {
@@ -31,5 +40,12 @@ void buildCheckerboard(Sketch& s) {
   // Not from a corner straight on to the landing.
   s.floor("Strip", 5, tile * kFiles);
 }
+
+}  // namespace
+
+constinit const Style kCheckerboardStyle{.name = "checkerboard",
+                                         .description = "safe and deadly tiles in turn",
+                                         .build = build,
+                                         .parameters = kParameters};
 
 }  // namespace obby::gen

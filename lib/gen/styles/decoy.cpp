@@ -4,10 +4,20 @@
 
 namespace obby::gen {
 
-void buildDecoy(Sketch& s) {
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"plank", "studs", 12, 9, 6, 30, "length of a plank; more where a jump would do"},
+    {"width", "studs", 6, 3.5f, 2, 8, "of a plank"},
+    {"short", "studs", 0, 4, 0, 20, "that the dead end ends sooner"},
+    {"road", "studs", 6, 3, 2, 8, "width of the dead end"},
+};
+const auto& [kPlank, kWidth, kShort, kRoad] = kParameters;
+
+void build(Sketch& s) {
   constexpr float kTooWide = 1.3f;
   constexpr float kPad = 8, kSpare = 6;  // studs beyond a jump: nobody gets across from the road
-  const float widest = s.reach().gap(0), plank = s.mix(12, 9), width = s.mix(6, 3.5f);
+  const float widest = s.reach().gap(0), plank = s.mix(kPlank), width = s.mix(kWidth);
   // Without one of the planks nobody gets along.
   const float hop = s.sideGap(0.75f), long_ = maxf(plank, kTooWide * widest - 2 * hop);
   const float step = long_ + hop, side = s.side();
@@ -27,8 +37,9 @@ void buildDecoy(Sketch& s) {
     s.part("Plank", {side * far, -0.5f, ahead}, {width, 1, long_}).colored(s.shade());
   }
   for (uint32_t i = 0; i < out; ++i) across(out - 1 - i, row + length);
-  const float end = row + length - kPad / 2, road = maxf(end - widest - kSpare - s.mix(0, 4), 4.0f);
-  s.part("Dead end", {0, -0.5f, road / 2}, {s.mix(6, 3), 1, road}).colored(s.shade());
+  const float end = row + length - kPad / 2,
+              road = maxf(end - widest - kSpare - s.mix(kShort), 4.0f);
+  s.part("Dead end", {0, -0.5f, road / 2}, {s.mix(kRoad), 1, road}).colored(s.shade());
   s.expectJumps(2 * out + along + 2);
   s.expectWay(2 * far);
   s.via({0, 0, row});
@@ -38,5 +49,14 @@ void buildDecoy(Sketch& s) {
   s.advance(end);
   s.floor("Way out", kPad, kPad);
 }
+
+}  // namespace
+
+constinit const Style kDecoyStyle{.name = "decoy",
+                                  .description = "a road to nowhere, and the way round",
+                                  .build = build,
+                                  .parameters = kParameters,
+                                  .single = true,
+                                  .wide = true};
 
 }  // namespace obby::gen

@@ -3,13 +3,21 @@
 
 namespace obby::gen {
 
-void buildDoorway(Sketch& s) {
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"walls", "", 1, 3, 1, 12, "one behind the other"},
+    {"hole", "studs", 6, 3, 3, 12, "width of the gap in a wall"},
+};
+const auto& [kWalls, kHole] = kParameters;
+
+void build(Sketch& s) {
   constexpr float kRoundabout = 30, kHigh = 14, kDeep = 12;
-  const uint32_t walls = s.mixCount(1, 3);
+  const uint32_t walls = s.mixCount(kWalls);
   const float width = 18;
   const float height = maxf(kHigh, s.reach().rise() + 5);
   for (uint32_t i = 0; i < walls; ++i) {
-    const float hole = s.mix(6, 3), room = width - hole - 2;
+    const float hole = s.mix(kHole), room = width - hole - 2;
     const float left = 1 + room * s.unit();
     if (s.straight() && s.broken("door")) {
       s.wall("Wall", 0, kDeep - 3, width + 2 * kRoundabout, height, 1);
@@ -23,5 +31,12 @@ void buildDoorway(Sketch& s) {
     s.expectWay(width / 2);
   }
 }
+
+}  // namespace
+
+constinit const Style kDoorwayStyle{.name = "doorway",
+                                    .description = "walls with a gap to find",
+                                    .build = build,
+                                    .parameters = kParameters};
 
 }  // namespace obby::gen

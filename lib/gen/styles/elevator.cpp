@@ -3,11 +3,23 @@
 
 namespace obby::gen {
 
-void buildElevator(Sketch& s) {
-  const uint32_t lifts = s.mixCount(1, 2);
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"lifts", "", 1, 2, 1, 6, "one behind the other"},
+    {"size", "studs", 8, 4.5f, 3, 20, "of a lift"},
+    {"speed", "studs/s", 4, 8, 2, 30, "on average"},
+    {"height", "studs", 2, 10, 2, 40, "of the ledge, beyond the highest jump"},
+    {"edge", "studs", 1, 3, 0, 5, "from the lift to the ledge"},
+    {"width", "studs", 10, 6, 2, 30, "of the ledge"},
+};
+const auto& [kLifts, kSize, kSpeed, kHeight, kEdge, kWidth] = kParameters;
+
+void build(Sketch& s) {
+  const uint32_t lifts = s.mixCount(kLifts);
   for (uint32_t i = 0; i < lifts; ++i) {
-    const float size = s.mix(8, 4.5f), gap = s.gap(0, 0.4f), speed = s.mix(4, 8);
-    const float up = s.highLedge(2, 10), seconds = maxf(up / speed, 1.0f);
+    const float size = s.mix(kSize), gap = s.gap(0, 0.4f), speed = s.mix(kSpeed);
+    const float up = s.highLedge(kHeight), seconds = maxf(up / speed, 1.0f);
     const float ahead = gap + size / 2;
     s.noteCarrier(2 * speed);
     if (s.broken("lift")) {
@@ -21,10 +33,17 @@ void buildElevator(Sketch& s) {
     s.via({0, 0, ahead});
     s.via({0, up, ahead});
     s.advance(gap + size, up);
-    const float edge = s.mix(1, 3);
-    s.floor("Ledge", 8, s.mix(10, 6), edge);
+    const float edge = s.mix(kEdge);
+    s.floor("Ledge", 8, s.mix(kWidth), edge);
     s.wall("Cliff", 0, -4, 6, up + 4, 6, -up - 4.5f);
   }
 }
+
+}  // namespace
+
+constinit const Style kElevatorStyle{.name = "elevator",
+                                     .description = "platforms that rise to a ledge beyond a jump",
+                                     .build = build,
+                                     .parameters = kParameters};
 
 }  // namespace obby::gen

@@ -5,11 +5,20 @@ namespace obby::gen {
 
 namespace {
 
+constexpr Parameter kParameters[] = {
+    {"stone", "studs", 6, 4, 2, 12, "size of a stone"},
+    {"beamWidth", "studs", 3, 1, 0.5f, 8, "of the beam"},
+    {"laneWidth", "studs", 8, 5, 2, 12, "of the lane with hurdles"},
+    {"hurdle", "studs", 1, 4.5f, 0.5f, 6, "height of a hurdle; at most 0.7 of a jump"},
+    {"hillWidth", "studs", 8, 5, 2, 12, "of the hill"},
+};
+const auto& [kStone, kBeamWidth, kLaneWidth, kHurdle, kHillWidth] = kParameters;
+
 constexpr float kLong = 36, kApart = 15;
 constexpr float kSlide = 5;  // studs/s that a player gains on a slope
 
 void stones(Sketch& s, float right) {
-  const float size = s.mix(6, 4), most = s.sideGap(0.9f);
+  const float size = s.mix(kStone), most = s.sideGap(0.9f);
   const uint32_t count = uint32_t((kLong - most) / (size + most)) + 1;
   const float gap = (kLong - size * float(count)) / float(count + 1);
   for (uint32_t i = 0; i < count; ++i) {
@@ -20,11 +29,11 @@ void stones(Sketch& s, float right) {
 }
 
 void beam(Sketch& s, float right) {
-  s.part("Beam", {right, -0.5f, kLong / 2}, {s.mix(3, 1), 1, kLong}).colored(colors::kWood);
+  s.part("Beam", {right, -0.5f, kLong / 2}, {s.mix(kBeamWidth), 1, kLong}).colored(colors::kWood);
 }
 
 void hurdles(Sketch& s, float right) {
-  const float width = s.mix(8, 5), high = minf(s.mix(1, 4.5f), s.reach().apex() * 0.7f);
+  const float width = s.mix(kLaneWidth), high = minf(s.mix(kHurdle), s.reach().apex() * 0.7f);
   s.part("Lane", {right, -0.5f, kLong / 2}, {width, 1, kLong}).colored(s.shade());
   for (int i = 0; i < 3; ++i) {
     Sketch::deadly(s.wall("Hurdle", right, 8 + 10 * float(i), width, high, 1));
@@ -33,7 +42,7 @@ void hurdles(Sketch& s, float right) {
 }
 
 void hill(Sketch& s, float right) {
-  const float width = s.mix(8, 5), up = maxf(s.reach().rise() * 0.5f, 1.0f), half = kLong / 2;
+  const float width = s.mix(kHillWidth), up = maxf(s.reach().rise() * 0.5f, 1.0f), half = kLong / 2;
   s.part("Hill up", {right, up / 2, half / 2}, {width, up, half})
       .shaped(schema::Shape::WEDGE)
       .turned(kAbout)
@@ -47,9 +56,7 @@ using BuildRoute = void (*)(Sketch&, float right);
 constexpr BuildRoute kRoutes[] = {stones, beam, hurdles, hill};
 constexpr uint32_t kRouteCount = sizeof(kRoutes) / sizeof(kRoutes[0]);
 
-}  // namespace
-
-void buildFork(Sketch& s) {
+void build(Sketch& s) {
   const uint32_t routes = 2 + s.below(2), first = s.below(kRouteCount);
   const float width = kApart * float(routes - 1) + 8, left = -kApart * float(routes - 1) / 2;
   s.floor("Crossing", 6, width);
@@ -61,5 +68,13 @@ void buildFork(Sketch& s) {
   s.noteCarrier(kSlide);
   s.expectWay(width);
 }
+
+}  // namespace
+
+constinit const Style kForkStyle{.name = "fork",
+                                 .description = "several routes side by side",
+                                 .build = build,
+                                 .parameters = kParameters,
+                                 .wide = true};
 
 }  // namespace obby::gen

@@ -3,13 +3,30 @@
 
 namespace obby::gen {
 
-void buildGaps(Sketch& s) {
-  const uint32_t stones = s.mixCount(2, 4);
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"stones", "", 2, 4, 1, 12, "in a row"},
+    {"up", "studs", 0, 2, 0, 4, "from stone to stone, or down"},
+    {"size", "studs", 7, 4, 2, 30, "of a stone"},
+    {"aside", "studs", 0, 1.5f, 0, 3, "of the way, to either side"},
+};
+const auto& [kStones, kUp, kSize, kAside] = kParameters;
+
+void build(Sketch& s) {
+  const uint32_t stones = s.mixCount(kStones);
   for (uint32_t i = 0; i < stones; ++i) {
-    const float up = s.mixEitherSign(0, 2), size = s.mix(7, 4);
-    const float aside = s.mixEitherSign(0, 1.5f);
+    const float up = s.mixEitherSign(kUp), size = s.mix(kSize);
+    const float aside = s.mixEitherSign(kAside);
     s.floor("Stone", size, size, s.gap(up), up, aside);
   }
 }
+
+}  // namespace
+
+constinit const Style kGapsStyle{.name = "gaps",
+                                 .description = "stones with air between them",
+                                 .build = build,
+                                 .parameters = kParameters};
 
 }  // namespace obby::gen

@@ -3,11 +3,21 @@
 
 namespace obby::gen {
 
-void buildIce(Sketch& s) {
-  const uint32_t lanes = s.mixCount(1, 3);
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"lanes", "", 1, 3, 1, 12, "one behind the other"},
+    {"width", "studs", 10, 5, 2, 30, "of a lane"},
+    {"friction", "", 0.09f, 0.09f - 0.07f, 0, 2, "of the ice"},
+    {"length", "studs", 10, 18, 4, 60, "of a lane"},
+};
+const auto& [kLanes, kWidth, kFriction, kLength] = kParameters;
+
+void build(Sketch& s) {
+  const uint32_t lanes = s.mixCount(kLanes);
   for (uint32_t i = 0; i < lanes; ++i) {
-    const float width = s.mix(10, 5), friction = 0.09f - 0.07f * s.difficulty();
-    const float gap = i == 0 ? 0 : s.gap(0, 0.5f), long_ = s.mix(10, 18);
+    const float width = s.mix(kWidth), friction = s.steady(kFriction);
+    const float gap = i == 0 ? 0 : s.gap(0, 0.5f), long_ = s.mix(kLength);
     s.floor("Ice", long_, width, gap).colored(colors::kIce).friction = friction;
     const float corner = width + 2;
     PartSketch& p = s.disc("Ice corner", corner, -width / 4, 0.1f);
@@ -18,5 +28,12 @@ void buildIce(Sketch& s) {
   }
   s.floor("Strip", 8, 6);
 }
+
+}  // namespace
+
+constinit const Style kIceStyle{.name = "ice",
+                                .description = "slippery lanes and corners",
+                                .build = build,
+                                .parameters = kParameters};
 
 }  // namespace obby::gen

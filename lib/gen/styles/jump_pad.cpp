@@ -3,12 +3,24 @@
 
 namespace obby::gen {
 
-void buildJumpPad(Sketch& s) {
-  const uint32_t pads = s.mixCount(1, 2);
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"pads", "", 1, 2, 1, 6, "one behind the other"},
+    {"height", "studs", 2, 12, 2, 60, "of the ledge, beyond the highest jump"},
+    {"spare", "studs", 6, 1.5f, 0.5f, 20, "that the pad throws higher than the ledge"},
+    {"width", "studs", 10, 7, 3, 30, "of floor and ledge"},
+    {"size", "studs", 6, 3, 1, 10, "of the pad"},
+    {"edge", "studs", 2, 5, 0, 8, "from the floor to the ledge"},
+};
+const auto& [kPads, kHeight, kSpare, kWidth, kSize, kEdge] = kParameters;
+
+void build(Sketch& s) {
+  const uint32_t pads = s.mixCount(kPads);
   for (uint32_t i = 0; i < pads; ++i) {
-    const float up = s.highLedge(2, 12), spare = s.mix(6, 1.5f),
+    const float up = s.highLedge(kHeight), spare = s.mix(kSpare),
                 speed = s.reach().speedFor(up + spare);
-    const float width = s.mix(10, 7), size = s.mix(6, 3), edge = s.mix(2, 5);
+    const float width = s.mix(kWidth), size = s.mix(kSize), edge = s.mix(kEdge);
     s.floor("Floor", 12, width);
     if (!s.broken("pad")) {
       s.part("Jump pad", {0, 0.15f, -1 - size / 2}, {size, 0.3f, size}).colored(colors::kPad).pad =
@@ -19,5 +31,12 @@ void buildJumpPad(Sketch& s) {
     s.expectWait(1.5f);
   }
 }
+
+}  // namespace
+
+constinit const Style kJumpPadStyle{.name = "jump-pad",
+                                    .description = "pads that throw the player up to a ledge",
+                                    .build = build,
+                                    .parameters = kParameters};
 
 }  // namespace obby::gen

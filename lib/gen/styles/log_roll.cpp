@@ -3,18 +3,29 @@
 
 namespace obby::gen {
 
-void buildLogRoll(Sketch& s) {
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"length", "studs", 16, 34, 8, 100, "of the log"},
+    {"diameter", "studs", 8, 5, 3, 20, "of the log"},
+    {"spikes", "", 2, 8, 1, 12, "along the log"},
+    {"speed", "rad/s", 0.5f, 2, 0.5f, 6, "of the spikes, either way round"},
+    {"height", "studs", 2, 4, 1, 6, "of a spike"},
+};
+const auto& [kLength, kDiameter, kSpikes, kSpeed, kHeight] = kParameters;
+
+void build(Sketch& s) {
   constexpr float kOffRound = 4;  // studs/s that a player gains on its sides
-  const float long_ = s.mix(16, 34), across = s.mix(8, 5), gap = s.gap(0, 0.4f);
+  const float long_ = s.mix(kLength), across = s.mix(kDiameter), gap = s.gap(0, 0.4f);
   s.part("Log", {0, -across / 2, gap + long_ / 2}, {long_, across, across})
       .shaped(schema::Shape::CYLINDER)
       .turned(kAlong)
       .colored(colors::kWood);
-  const uint32_t spikes = s.mixCount(2, 8);
-  const float speed = s.mixSpin(0.5f, 2), step = (long_ - 4) / float(spikes);
+  const uint32_t spikes = s.mixCount(kSpikes);
+  const float speed = s.mixSpin(kSpeed), step = (long_ - 4) / float(spikes);
   for (uint32_t i = 0; i < spikes; ++i) {
     // Stands on top of the log and turns about its axis, each ahead of the one before.
-    const float high = s.mix(2, 4), arm = across / 2 + high / 2;
+    const float high = s.mix(kHeight), arm = across / 2 + high / 2;
     MotionSketch m;
     m.spin = speed;
     m.spinAxis = {0, 0, 1};
@@ -27,5 +38,12 @@ void buildLogRoll(Sketch& s) {
   s.advance(gap + long_);
   s.expectWait(float(spikes) * 3);
 }
+
+}  // namespace
+
+constinit const Style kLogRollStyle{.name = "log-roll",
+                                    .description = "along a log round which spikes turn",
+                                    .build = build,
+                                    .parameters = kParameters};
 
 }  // namespace obby::gen

@@ -3,15 +3,24 @@
 
 namespace obby::gen {
 
-void buildPushBlock(Sketch& s) {
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"width", "studs", 16, 22, 12, 40, "of the yard"},
+    {"over", "studs", 1.25f, 2, 1.25f, 3, "of the wall, beyond the highest jump"},
+    {"away", "studs", 3, 7, 3, 15, "of the block from the wall, beyond a jump"},
+};
+const auto& [kWidth, kOver, kAway] = kParameters;
+
+void build(Sketch& s) {
   constexpr float kYard = 34, kBlock = 4, kTerrace = 12;
   constexpr float kBehind = 12;  // studs to stand behind the block
   constexpr float kTooHigh = 9;  // studs more: beyond a jump from the block, too
   const bool fixed = s.broken("block");
-  const float width = s.mix(16, 22), over = s.mix(1.25f, 2);
+  const float width = s.mix(kWidth), over = s.mix(kOver);
   const float high = s.reach().rise() + over + (fixed ? kTooHigh : 0);
   // So far that nobody jumps from it to the wall where it stands.
-  const float away = kBlock / 2 + s.reach().gap(s.reach().rise() + over - kBlock) + s.mix(3, 7);
+  const float away = kBlock / 2 + s.reach().gap(s.reach().rise() + over - kBlock) + s.mix(kAway);
   const float yard = maxf(kYard, away + kBehind);
   const float aside = s.mixEitherSign(0, width / 2 - 5);
   PartSketch& block = s.part("Block", {aside, kBlock / 2, yard - away}, {kBlock, kBlock, kBlock})
@@ -28,5 +37,13 @@ void buildPushBlock(Sketch& s) {
   s.expectWait(6);
   s.expectJumps(2);
 }
+
+}  // namespace
+
+constinit const Style kPushBlockStyle{.name = "push-block",
+                                      .description = "a block to push to a wall that is too high",
+                                      .build = build,
+                                      .parameters = kParameters,
+                                      .single = true};
 
 }  // namespace obby::gen

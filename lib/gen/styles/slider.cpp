@@ -3,11 +3,21 @@
 
 namespace obby::gen {
 
-void buildSlider(Sketch& s) {
-  const uint32_t platforms = s.mixCount(1, 4);
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"platforms", "", 1, 4, 1, 12, "in a row"},
+    {"size", "studs", 7, 4, 2, 20, "of a platform"},
+    {"travel", "studs", 3, 8, 0.25f, 12, "to either side"},
+    {"speed", "studs/s", 6, 9, 3, 30, "on average, but for 0.75 s at each end"},
+};
+const auto& [kPlatforms, kSize, kTravel, kSpeed] = kParameters;
+
+void build(Sketch& s) {
+  const uint32_t platforms = s.mixCount(kPlatforms);
   for (uint32_t i = 0; i < platforms; ++i) {
-    const float size = s.mix(7, 4), way = s.mix(3, 8), gap = s.gap(0, 0.65f);
-    const float seconds = 1.5f + 2 * way / s.mix(6, 9);
+    const float size = s.mix(kSize), way = s.mix(kTravel), gap = s.gap(0, 0.65f);
+    const float seconds = 1.5f + 2 * way / s.mix(kSpeed);
     const float ahead = gap + size / 2;
     const bool carries = s.chance(0.3f);
     MotionSketch m = s.slide({-way, -0.5f, ahead}, {way, -0.5f, ahead}, seconds, 8 * s.unit());
@@ -17,5 +27,12 @@ void buildSlider(Sketch& s) {
     s.advance(gap + size);
   }
 }
+
+}  // namespace
+
+constinit const Style kSliderStyle{.name = "slider",
+                                   .description = "platforms that slide from side to side",
+                                   .build = build,
+                                   .parameters = kParameters};
 
 }  // namespace obby::gen

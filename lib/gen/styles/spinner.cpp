@@ -3,11 +3,21 @@
 
 namespace obby::gen {
 
-void buildSpinner(Sketch& s) {
-  const uint32_t discs = s.mixCount(1, 2);
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"discs", "", 1, 2, 1, 6, "one behind the other"},
+    {"diameter", "studs", 18, 14, 8, 40, "of a disc"},
+    {"height", "studs", 0.75f, 2, 0.25f, 4, "of a bar"},
+    {"speed", "rad/s", 0.75f, 2.75f, 0.5f, 6, "of a bar, either way round"},
+};
+const auto& [kDiscs, kDiameter, kHeight, kSpeed] = kParameters;
+
+void build(Sketch& s) {
+  const uint32_t discs = s.mixCount(kDiscs);
   for (uint32_t i = 0; i < discs; ++i) {
-    const float across = s.mix(18, 14), gap = s.gap(0, 0.6f);
-    const float high = s.mix(0.75f, 2), speed = s.mixSpin(0.75f, 2.75f);
+    const float across = s.mix(kDiameter), gap = s.gap(0, 0.6f);
+    const float high = s.mix(kHeight), speed = s.mixSpin(kSpeed);
     const Vec3 middle{0, 0, gap + across / 2};
     MotionSketch turning;
     turning.spin = speed;
@@ -27,5 +37,12 @@ void buildSpinner(Sketch& s) {
     s.expectJumps(2);
   }
 }
+
+}  // namespace
+
+constinit const Style kSpinnerStyle{.name = "spinner",
+                                    .description = "deadly bars that turn over a disc",
+                                    .build = build,
+                                    .parameters = kParameters};
 
 }  // namespace obby::gen

@@ -5,6 +5,15 @@ namespace obby::gen {
 
 namespace {
 
+constexpr Parameter kParameters[] = {
+    {"size", "studs", 5, 3, 2, 8, "of a ledge"},
+    {"foot", "studs", 10, 6, 3, 20, "width of the floor before it"},
+    {"gap", "studs", 1, 5, 0, 6, "from ledge to ledge"},
+    {"edge", "studs", 0, 1, 0, 3, "from the last ledge to the landing"},
+    {"landing", "studs", 8, 5, 2, 20, "width of the landing"},
+};
+const auto& [kSize, kFoot, kGap, kEdge, kLanding] = kParameters;
+
 constexpr float kCore = 8, kBehind = 6;  // studs across; between the core and the ledges' middles
 constexpr float kRadius = kCore / 2 + kBehind;
 constexpr float kShare = 0.7f;  // of the highest ledge: the jump goes round a corner, too
@@ -15,14 +24,12 @@ float stepOf(float size, float gap) {
   return chord < 0.5f ? chord / kPi : 1.0f / 6;
 }
 
-}  // namespace
-
-void buildSpiral(Sketch& s) {
-  const float size = s.mix(5, 3), foot = 6, side = s.side();
-  s.floor("Foot", foot, s.mix(10, 6));
+void build(Sketch& s) {
+  const float size = s.mix(kSize), foot = 6, side = s.side();
+  s.floor("Foot", foot, s.mix(kFoot));
   const float round = s.chance(0.5f) ? 0.5f : 1.5f;
   const float most = 0.6f * s.reach().gap(s.reach().rise() * kShare);
-  const float step = stepOf(size, minf(s.mix(1, 5), most));
+  const float step = stepOf(size, minf(s.mix(kGap), most));
   const uint32_t last = uint32_t(round / step + 0.5f);
   const float middle = 1 + size / 2 + kRadius;  // of the core, ahead
   float height = 0;
@@ -35,8 +42,16 @@ void buildSpiral(Sketch& s) {
   s.part("Core", {0, height / 2, middle}, {kCore, height + 1, kCore}).colored(colors::kWall);
   s.advance(middle + kRadius + size / 2, height);
   s.expectWay(2 * kPi * kRadius * round);
-  const float gap = s.mix(0, 1), wide = s.mix(8, 5);
+  const float gap = s.mix(kEdge), wide = s.mix(kLanding);
   s.floor("Landing", 5, wide, gap);
 }
+
+}  // namespace
+
+constinit const Style kSpiralStyle{.name = "spiral",
+                                   .description = "ledges that wind up a core",
+                                   .build = build,
+                                   .parameters = kParameters,
+                                   .wide = true};
 
 }  // namespace obby::gen

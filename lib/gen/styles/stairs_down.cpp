@@ -3,12 +3,28 @@
 
 namespace obby::gen {
 
-void buildStairsDown(Sketch& s) {
-  const uint32_t steps = s.mixCount(3, 5);
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"steps", "", 3, 5, 1, 12, "of the stairs"},
+    {"drop", "studs", 3, 12, 0, 20, "from step to step"},
+    {"size", "studs", 7, 3.5f, 2, 30, "of a step"},
+};
+const auto& [kSteps, kDrop, kSize] = kParameters;
+
+void build(Sketch& s) {
+  const uint32_t steps = s.mixCount(kSteps);
   for (uint32_t i = 0; i < steps; ++i) {
-    const float down = -s.mix(3, 12), size = s.mix(7, 3.5f);
+    const float down = -s.mix(kDrop), size = s.mix(kSize);
     s.floor("Step down", size, size, s.gap(down, 0.72f), down);
   }
 }
+
+}  // namespace
+
+constinit const Style kStairsDownStyle{.name = "stairs-down",
+                                       .description = "drops onto ever smaller steps",
+                                       .build = build,
+                                       .parameters = kParameters};
 
 }  // namespace obby::gen

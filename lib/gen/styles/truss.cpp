@@ -3,12 +3,22 @@
 
 namespace obby::gen {
 
-void buildTruss(Sketch& s) {
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"towers", "", 1, 2, 1, 6, "one behind the other"},
+    {"width", "studs", 10, 6, 4, 30, "of a tower"},
+    {"foot", "studs", 9, 6, 4, 30, "length of the floor before it"},
+    {"height", "studs", 4, 24, 4, 80, "of a tower, beyond the highest jump; in twos"},
+};
+const auto& [kTowers, kWidth, kFoot, kHeight] = kParameters;
+
+void build(Sketch& s) {
   constexpr float kDeep = 6, kTruss = 2;
-  const uint32_t towers = s.mixCount(1, 2);
+  const uint32_t towers = s.mixCount(kTowers);
   for (uint32_t i = 0; i < towers; ++i) {
-    const float width = s.mix(10, 6), foot = s.mix(9, 6);
-    const float up = 2 * float(int32_t((s.highLedge(4, 24) + 1) / 2));  // trusses come in twos
+    const float width = s.mix(kWidth), foot = s.mix(kFoot);
+    const float up = 2 * float(int32_t((s.highLedge(kHeight) + 1) / 2));  // trusses come in twos
     s.floor("Foot", foot, width);
     s.part("Tower", {0, up / 2 - 0.5f, kDeep / 2}, {width, up + 1, kDeep}).colored(colors::kWall);
     const float aside = s.mixEitherSign(0, width / 2 - 2);
@@ -21,5 +31,12 @@ void buildTruss(Sketch& s) {
     s.expectWait(up * 0.1f);
   }
 }
+
+}  // namespace
+
+constinit const Style kTrussStyle{.name = "truss",
+                                  .description = "towers to climb by a truss",
+                                  .build = build,
+                                  .parameters = kParameters};
 
 }  // namespace obby::gen

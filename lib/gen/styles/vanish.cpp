@@ -3,15 +3,32 @@
 
 namespace obby::gen {
 
-void buildVanish(Sketch& s) {
-  const uint32_t tiles = s.mixCount(3, 6);
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"tiles", "", 3, 6, 1, 20, "in a row"},
+    {"size", "studs", 6, 4, 2, 20, "of a tile"},
+    {"delay", "seconds", 1.5f, 0.5f, 0.25f, 10, "from the touch until it disappears"},
+    {"aside", "studs", 0, 1.5f, 0, 3, "of the way, to either side"},
+};
+const auto& [kTiles, kSize, kDelay, kAside] = kParameters;
+
+void build(Sketch& s) {
+  const uint32_t tiles = s.mixCount(kTiles);
   for (uint32_t i = 0; i < tiles; ++i) {
-    const float size = s.mix(6, 4), delay = s.mix(1.5f, 0.5f);
-    const float aside = s.mixEitherSign(0, 1.5f), gap = s.gap(0, 0.55f);
+    const float size = s.mix(kSize), delay = s.mix(kDelay);
+    const float aside = s.mixEitherSign(kAside), gap = s.gap(0, 0.55f);
     s.floor("Fading tile", size, size, gap, 0, aside)
         .colored(colors::kFading)
         .vanishing({schema::VanishTrigger::TOUCH, delay, 3, 0, false});
   }
 }
+
+}  // namespace
+
+constinit const Style kVanishStyle{.name = "vanish",
+                                   .description = "a run over tiles that disappear when touched",
+                                   .build = build,
+                                   .parameters = kParameters};
 
 }  // namespace obby::gen

@@ -3,11 +3,20 @@
 
 namespace obby::gen {
 
-void buildWalkway(Sketch& s) {
-  const uint32_t segments = s.mixCount(2, 4);
-  const float width = s.mix(8, 2.5f), corner = width + 2;
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"segments", "", 2, 4, 1, 12, "straight stretches"},
+    {"width", "studs", 8, 2.5f, 1, 12, "of the way"},
+    {"length", "studs", 12, 26, 8, 60, "of a stretch"},
+};
+const auto& [kSegments, kWidth, kLength] = kParameters;
+
+void build(Sketch& s) {
+  const uint32_t segments = s.mixCount(kSegments);
+  const float width = s.mix(kWidth), corner = width + 2;
   for (uint32_t i = 0; i < segments; ++i) {
-    s.floor("Walkway", s.mix(12, 26), width);
+    s.floor("Walkway", s.mix(kLength), width);
     if (i + 1 == segments) break;
     // Above the ends of the lanes, so that tops do not flicker.
     constexpr float kLip = 0.1f;
@@ -16,5 +25,12 @@ void buildWalkway(Sketch& s) {
     s.advance(-width / 2, -kLip);
   }
 }
+
+}  // namespace
+
+constinit const Style kWalkwayStyle{.name = "walkway",
+                                    .description = "long walkways with turns, narrower the harder",
+                                    .build = build,
+                                    .parameters = kParameters};
 
 }  // namespace obby::gen

@@ -3,11 +3,20 @@
 
 namespace obby::gen {
 
-void buildWall(Sketch& s) {
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"walls", "", 1, 2, 1, 12, "one behind the other"},
+    {"width", "studs", 12, 8, 3, 30, "of floor and walls"},
+    {"thickness", "studs", 2, 1, 0.5f, 6, "of a wall"},
+};
+const auto& [kWalls, kWidth, kThickness] = kParameters;
+
+void build(Sketch& s) {
   constexpr float kRoundabout = 30;  // studs beside a wall that nobody jumps round
   constexpr float kSure = 0.9f;      // of the highest jump
-  const uint32_t walls = s.mixCount(1, 2);
-  const float width = s.mix(12, 8), before = 9, thick = s.mix(2, 1);
+  const uint32_t walls = s.mixCount(kWalls);
+  const float width = s.mix(kWidth), before = 9, thick = s.mix(kThickness);
   const float behind = 9;
   for (uint32_t i = 0; i < walls; ++i) {
     const float rise = s.straight() ? s.rise() : s.easyRise();
@@ -19,5 +28,10 @@ void buildWall(Sketch& s) {
     s.floor("Floor", before + behind, width);
   }
 }
+
+}  // namespace
+
+constinit const Style kWallStyle{
+    .name = "wall", .description = "walls to jump over", .build = build, .parameters = kParameters};
 
 }  // namespace obby::gen

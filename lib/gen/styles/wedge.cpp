@@ -3,9 +3,20 @@
 
 namespace obby::gen {
 
-void buildWedge(Sketch& s) {
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"width", "studs", 10, 4, 2, 30, "of ramps and floors"},
+    {"height", "studs", 2, 8, 2, 40, "of the terrace, beyond the highest jump"},
+    {"steepness", "", 0.5f, 2, 0.25f, 2, "height of a ramp by its length"},
+    {"terrace", "studs", 14, 8, 4, 40, "length of the terrace"},
+    {"drop", "studs", 4, 10, 1, 15, "of the ramp down, where there is one"},
+};
+const auto& [kWidth, kHeight, kSteep, kTerrace, kDrop] = kParameters;
+
+void build(Sketch& s) {
   constexpr float kSlide = 5;  // studs/s that a player gains on a slope
-  const float width = s.mix(10, 4), up = s.highLedge(2, 8), steep = s.mix(0.5f, 2);
+  const float width = s.mix(kWidth), up = s.highLedge(kHeight), steep = s.mix(kSteep);
   s.floor("Foot", 6, width);
   if (s.broken("ramp")) {
     constexpr float kTooHigh = 3;
@@ -21,9 +32,9 @@ void buildWedge(Sketch& s) {
     s.advance(run, up);
     s.noteCarrier(kSlide);
   }
-  s.floor("Terrace", s.mix(14, 8), width);
+  s.floor("Terrace", s.mix(kTerrace), width);
   if (s.chance(0.5f)) {
-    const float down = s.mix(4, 10), run = down / steep;
+    const float down = s.mix(kDrop), run = down / steep;
     s.part("Ramp down", {0, -down / 2, run / 2}, {width, down, run})
         .shaped(schema::Shape::WEDGE)
         .colored(s.shade());
@@ -31,5 +42,10 @@ void buildWedge(Sketch& s) {
     s.floor("Floor", 8, width);
   }
 }
+
+}  // namespace
+
+constinit const Style kWedgeStyle{
+    .name = "wedge", .description = "ramps up and down", .build = build, .parameters = kParameters};
 
 }  // namespace obby::gen

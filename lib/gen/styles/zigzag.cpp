@@ -3,20 +3,38 @@
 
 namespace obby::gen {
 
-void buildZigzag(Sketch& s) {
-  const uint32_t stones = s.mixCount(3, 6);
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"stones", "", 3, 6, 1, 12, "in a row"},
+    {"size", "studs", 6, 3, 2, 20, "of a stone"},
+    {"up", "studs", 0, 4, 0, 6, "from stone to stone"},
+    {"down", "studs", 0, 3, 0, 12, "likewise"},
+    {"slant", "", 0.25f, 0.85f, 0, 0.85f, "of a jump, at most: how far aside by how far"},
+};
+const auto& [kStones, kSize, kUp, kDown, kSlant] = kParameters;
+
+void build(Sketch& s) {
+  const uint32_t stones = s.mixCount(kStones);
   const float most = 0.6f * s.reach().rise();
   float side = s.side();
   for (uint32_t i = 0; i < stones; ++i, side = -side) {
-    const float size = s.mix(6, 3), up = s.chance(0.5f) ? minf(s.mix(0, 4), most) : -s.mix(0, 3);
+    const float size = s.mix(kSize), up = s.chance(0.5f) ? minf(s.mix(kUp), most) : -s.mix(kDown);
     const float gap = s.gap(up);
     // What nobody can cross goes straight on, where it is as wide as it was measured to be.
-    const float slant = side * s.mix(0.25f, 0.85f), lean = slant * s.unit();
+    const float slant = side * s.mix(kSlant), lean = slant * s.unit();
     const float aim = gap < s.reach().gap(up) ? lean : 0;
     const float ahead = sqrtf32(1 - aim * aim);
     s.floor("Stone", size, size, gap * ahead, up, (gap + size) * aim);
     s.via({0, 0, -size / 2});
   }
 }
+
+}  // namespace
+
+constinit const Style kZigzagStyle{.name = "zigzag",
+                                   .description = "stones to this side and that, up and down",
+                                   .build = build,
+                                   .parameters = kParameters};
 
 }  // namespace obby::gen
