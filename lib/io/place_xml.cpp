@@ -12,7 +12,9 @@ std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
     const bool special = c == '&' || c == '<' || c == '>';
-    out += special ? "&#" + std::to_string(int(c)) + ";" : std::string(1, c);
+    // XML has no way to write other control characters.
+    const bool control = uint8_t(c) < 32 && c != '\t' && c != '\n' && c != '\r';
+    out += special ? "&#" + std::to_string(int(c)) + ";" : std::string(1, control ? ' ' : c);
   }
   return out;
 }

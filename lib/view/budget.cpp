@@ -30,9 +30,14 @@ uint32_t leastTicksShown(const Report& report, int level) {
 
 uint32_t ticksShown(const Report& report, int level) {
   const auto& view = report.levels[size_t(level)].level->view();
-  uint64_t ticks = leastTicksShown(report, level);
+  const uint64_t least = leastTicksShown(report, level);
+  uint64_t ticks = least;
   for (const QueryEntry& query : report.queries) {
     if (query.level != level) continue;
+    // Where no way is chosen the level is shown as it is when the query starts.
+    if (query.query) {
+      ticks = std::max(ticks, query.reader().getStart().getTick() + least);
+    }
     for (const PathEntry& path : query.paths) {
       if (!path.played()) continue;
       ticks =

@@ -96,20 +96,37 @@ void writeHulls(JsonText& json, schema::Level::Reader level) {
   json.close();
 }
 
-void writeRules(JsonText& json, schema::Level::Reader level) {
+// How parts come and go by the level's clock, in ticks, as they are simulated: null where a part
+// does not.
+std::vector<const level::Roles*> timersOf(const level::LevelView& level, size_t parts) {
+  std::vector<const level::Roles*> timers(parts, nullptr);
+  for (uint32_t i = 0; i < level.colliderCount; ++i) {
+    if ((level.bounds[i].flags & level::kVanishTimer) == 0) continue;
+    timers[level.colliders[i].part] = &level.roles[level.colliders[i].role];
+  }
+  return timers;
+}
+
+void writeVanishing(JsonText& json, schema::Level::Reader level, const level::LevelView& view) {
+  const auto timers = timersOf(view, level.getParts().size());
   json.key("vanish").open('[');
   for (uint32_t i = 0; i < level.getParts().size(); ++i) {
     const auto part = level.getParts()[i];
     if (!part.hasVanish() && !part.hasFall()) continue;
-    const auto rule = part.getVanish();
-    const bool timer =
-        part.hasVanish() && rule.getTrigger() == schema::VanishTrigger::TIMER && !part.hasFall();
-    json.open('{').field("part", i).field("trigger", timer ? "timer" : "touch");
-    if (rule.getInverted()) json.field("inverted", 1);
-    json.field("delay", rule.getDelay()).field("away", rule.getAway());
-    json.field("phase", rule.getPhase()).close();
+    const level::Roles* const timer = timers[i];
+    json.open('{').field("part", i).field("trigger", timer != nullptr ? "timer" : "touch");
+    if (part.getVanish().getInverted()) json.field("inverted", 1);
+    if (timer != nullptr) {
+      json.field("delay", timer->vanishDelay).field("away", timer->vanishAway);
+      json.field("phase", timer->vanishPhase);
+    }
+    json.close();
   }
-  json.close().key("conveyors").open('[');
+  json.close();
+}
+
+void writeConveyors(JsonText& json, schema::Level::Reader level) {
+  json.key("conveyors").open('[');
   for (uint32_t i = 0; i < level.getParts().size(); ++i) {
     const auto part = level.getParts()[i];
     if (!part.hasConveyor()) continue;
@@ -160,7 +177,8 @@ void writeLevel(JsonText& json, const LevelEntry& entry, uint32_t ticksShown,
   writeColumns(json, level);
   writeNames(json, level);
   writeHulls(json, level);
-  writeRules(json, level);
+  writeVanishing(json, level, entry.level->view());
+  writeConveyors(json, level);
   writeTracks(json, tracksOf(entry.level->view(), ticksShown, trackStride));
   writeLoose(json, entry.level->view());
   json.close();

@@ -8,7 +8,7 @@
 namespace obby::view {
 
 // Raised when a field of the data changes its meaning.
-inline constexpr int kPageFormat = 2;
+inline constexpr int kPageFormat = 3;
 
 // An array of sentences.
 void writeNotes(JsonText& json, const Report& report, const Budget& budget);

@@ -54,22 +54,24 @@ std::string Report::title() const {
 }
 
 Status Collector::addLevel(const io::Record& record) {
+  current_ = -1;
   auto compiled = level::Level::compile(record.reader().getLevel());
   if (!compiled) return forgive_(record, std::move(compiled).error());
   auto level = std::make_shared<const level::Level>(*std::move(compiled));
   // The same level again, from a concatenated stream: its queries go together.
-  const int known = report_.levels.empty() ? -1 : levelNamed(level->name());
-  if (known >= 0 && report_.levels[size_t(known)].level->name() == level->name() &&
-      report_.levels[size_t(known)].level->hash() == level->hash()) {
-    return {};
-  }
-  report_.levels.push_back({record, std::move(level)});
+  const auto same = std::ranges::find_if(report_.levels, [&](const LevelEntry& known) {
+    return known.level->name() == level->name() && known.level->hash() == level->hash();
+  });
+  current_ = int(same - report_.levels.begin());
+  if (same == report_.levels.end()) report_.levels.push_back({record, std::move(level)});
   return {};
 }
 
 int Collector::levelNamed(const std::string& name) const {
-  for (size_t i = report_.levels.size(); i-- > 0;) {
-    if (name.empty() || report_.levels[i].level->name() == name) return int(i);
+  const auto isNamed = [&](int i) { return report_.levels[size_t(i)].level->name() == name; };
+  if (name.empty() || (current_ >= 0 && isNamed(current_))) return current_;
+  for (int i = int(report_.levels.size()); i-- > 0;) {
+    if (isNamed(i)) return i;
   }
   return -1;
 }
@@ -123,7 +125,7 @@ void Collector::addQuery(const io::Record& record) {
   entry.compiled.reset();
   // What came before its query was played without its regions and limits.
   for (PathEntry& path : entry.paths) {
-    path.playback = {};
+    forget(path.playback);
     path.serial = ++serial_;
   }
 }
@@ -154,6 +156,7 @@ void Collector::addProgress(const io::Record& record) {
   put(PathKind::closest, 0);
   if (progress.hasNewest()) put(PathKind::newest, 0);
   for (uint32_t i = 0; i < progress.getDeaths().size(); ++i) put(PathKind::attempt, i);
+  for (PathEntry& path : before) forget(path.playback);
 }
 
 void Collector::addPath(QueryEntry& entry, PathEntry path) {
@@ -192,39 +195,62 @@ Status Collector::replay(QueryEntry& entry) {
   const auto any = [&](auto&& holds) { return std::ranges::any_of(entry.paths, holds); };
   const bool solved = any([](const PathEntry& p) { return p.kind == PathKind::solution; });
   const bool answered = any([](const PathEntry& p) { return !ofProgress(p); });
-  std::erase_if(entry.paths, [&](const PathEntry& p) {
+  const auto outdated = [&](const PathEntry& p) {
     return ofProgress(p) && (p.kind == PathKind::closest ? solved : answered);
-  });
+  };
+  for (PathEntry& path : entry.paths) {
+    if (outdated(path)) forget(path.playback);
+  }
+  std::erase_if(entry.paths, outdated);
   std::stable_sort(entry.paths.begin(), entry.paths.end(),
                    [](const PathEntry& a, const PathEntry& b) { return a.kind < b.kind; });
-  for (auto path = entry.paths.begin(); path != entry.paths.end();) {
-    Result<Playback> playback = playbackOf(entry, *path);
-    if (playback) {
-      (path++)->playback = *std::move(playback);
-      continue;
-    }
-    const io::Record record = path->record;
-    path = entry.paths.erase(path);
-    OBBY_RETURN_IF_ERROR(forgive_(record, std::move(playback).error()));
+  Status first;
+  std::vector<PathEntry> kept;
+  for (PathEntry& path : entry.paths) {
+    Status status = path.played() ? Status() : play(entry, path);
+    if (!status) status = forgive_(path.record, std::move(status).error());
+    if (first) first = std::move(status);
+    if (path.played()) kept.push_back(std::move(path));
   }
-  return {};
+  entry.paths = std::move(kept);
+  return first;
 }
 
-Result<Playback> Collector::playbackOf(QueryEntry& entry, PathEntry& path) const {
-  if (path.played()) return std::move(path.playback);
+// What there is no room for stays unplayed, unless it is a solution.
+Status Collector::play(const QueryEntry& entry, PathEntry& path) {
   if (entry.level < 0) {
     return makeError("the stream holds no level for this trajectory",
                      "view the stream that holds the level too");
   }
-  return playBack(*report_.levels[size_t(entry.level)].level, entry.compiled.get(), path.reader());
+  OBBY_ASSIGN(Playback playback, playBack(*report_.levels[size_t(entry.level)].level,
+                                          entry.compiled.get(), path.reader()));
+  if (ticksKept_ + playback.feet.size() <= mostTicks_) {
+    ticksKept_ += playback.feet.size();
+    path.playback = std::move(playback);
+    return {};
+  }
+  if (path.kind == PathKind::solution) {
+    return makeError("the trajectories are too long to be shown together",
+                     "--query shows one query only");
+  }
+  if (!full_) note("Attempts are left out: those before them take all the room that there is.");
+  full_ = true;
+  return {};
+}
+
+void Collector::forget(Playback& playback) {
+  ticksKept_ -= playback.feet.size();
+  playback = {};
 }
 
 Status Collector::update() {
+  Status first;
   for (const size_t index : std::exchange(touched_, {})) {
-    OBBY_RETURN_IF_ERROR(compile(report_.queries[index]));
-    OBBY_RETURN_IF_ERROR(replay(report_.queries[index]));
+    for (Status status : {compile(report_.queries[index]), replay(report_.queries[index])}) {
+      if (first) first = std::move(status);
+    }
   }
-  return {};
+  return first;
 }
 
 Status Collector::checkChosen() const {
@@ -234,12 +260,6 @@ Status Collector::checkChosen() const {
     if (!found) return makeError(fmt::format("there is no query \"{}\" in the input", id));
   }
   return {};
-}
-
-Result<Report> Collector::finish() {
-  OBBY_RETURN_IF_ERROR(checkChosen());
-  OBBY_RETURN_IF_ERROR(update());
-  return std::move(report_);
 }
 
 }  // namespace obby::view

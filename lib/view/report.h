@@ -61,18 +61,23 @@ struct Report {
   std::string title() const;
 };
 
+constexpr size_t kMostTicksKept = 20'000'000;  // of replays, some 15 bytes each
+
 // Takes the records of a stream in order, in one pass; answers may come before their query. What is
 // there may be looked at on the way.
 class Collector {
  public:
   // Decides about a record that cannot be shown: success goes on without it.
   using Forgive = std::function<Status(const io::Record&, Error)>;
-  // Where `only` is not empty, other queries and what belongs to them are left out.
-  explicit Collector(Forgive forgive, std::vector<std::string> only = {})
-      : forgive_(std::move(forgive)), only_(std::move(only)) {}
+  // Where `only` is not empty, other queries and what belongs to them are left out. `mostTicks`: of
+  // replays to be kept; beyond that attempts are left out, and solutions are errors.
+  explicit Collector(Forgive forgive, std::vector<std::string> only = {},
+                     size_t mostTicks = kMostTicksKept)
+      : forgive_(std::move(forgive)), only_(std::move(only)), mostTicks_(mostTicks) {}
 
   Status add(const io::Record& record);
-  // Compiles queries and replays trajectories that came since the last time.
+  // Compiles queries and replays trajectories that came since the last time. What cannot be is left
+  // out, whatever `forgive` says; the error is the first that it did not forgive.
   Status update();
   // As of the last update().
   const Report& report() const { return report_; }
@@ -80,8 +85,8 @@ class Collector {
   void note(std::string text) { report_.notes.push_back(std::move(text)); }
   // Error: no record named an id of `only`.
   Status checkChosen() const;
-  // Checks that, and updates. The collector is used up.
-  Result<Report> finish();
+  // Hands it over, as of the last update(). The collector is used up.
+  Report take() { return std::move(report_); }
 
  private:
   Status addLevel(const io::Record& record);
@@ -89,17 +94,21 @@ class Collector {
   void addProgress(const io::Record& record);
   void addPath(QueryEntry& entry, PathEntry path);
   bool wanted(const io::Record& record) const;
-  // The level of a query or an answer: by name, or the last one; -1 where there is none.
+  // The level of a query or an answer: by name, or the one before it in the stream; -1 where there
+  // is none.
   int levelNamed(const std::string& name) const;
   QueryEntry& queryNamed(const std::string& id, int level);
   Status compile(QueryEntry& entry);
   Status replay(QueryEntry& entry);
-  // The one that it has, or a new one.
-  Result<Playback> playbackOf(QueryEntry& entry, PathEntry& path) const;
+  Status play(const QueryEntry& entry, PathEntry& path);
+  void forget(Playback& playback);
 
   Forgive forgive_;
   std::vector<std::string> only_;
+  size_t mostTicks_, ticksKept_ = 0;
+  bool full_ = false;  // attempts were left out, and it is noted
   Report report_;
+  int current_ = -1;  // index into its levels: of the last level record; -1: none that can be shown
   std::map<std::pair<int, std::string>, size_t> byName_;
   std::set<size_t> touched_;  // queries that came or got something since the last update
   uint64_t serial_ = 0;

@@ -116,5 +116,68 @@ TEST(Collector, RunningSearchTellsItsNumbers) {
   EXPECT_THAT(view::pageData(collector.report(), {}), ::testing::Not(HasSubstr("\"progress\"")));
 }
 
+// What cannot be played is left out: whoever draws the rest may rely on its being played.
+TEST(Collector, AfterAnErrorAllThatIsLeftWasPlayed) {
+  auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
+  std::string spawnless = kQuery;
+  spawnless.insert(spawnless.find(R"("goal")"), R"("start":{"spawn":5},)");
+  auto collector = strict();
+  for (const std::string& text : {kLevel, line(ahead), line(left), spawnless}) {
+    ASSERT_TRUE(collector.add(recordOf(text)));
+  }
+  const Status updated = collector.update();
+  ASSERT_FALSE(updated);
+  EXPECT_THAT(updated.error().path, HasSubstr("start"));
+  ASSERT_EQ(collector.report().queries.size(), 1u);
+  EXPECT_FALSE(collector.report().queries[0].query);
+  ASSERT_EQ(collector.report().queries[0].paths.size(), 2u);
+  for (const auto& path : collector.report().queries[0].paths) EXPECT_TRUE(path.played());
+}
+
+TEST(Collector, OneQueryThatFailsDoesNotKeepOthersFromBeingPlayed) {
+  auto ahead = walk(kAhead, 200);
+  std::string elsewhere = kQuery;
+  elsewhere.replace(elsewhere.find("Course"), 6, "Nowhere");
+  auto collector = strict();
+  for (const std::string& text : {kLevel, elsewhere, kQuery, line(ahead)}) {
+    ASSERT_TRUE(collector.add(recordOf(text)));
+  }
+  EXPECT_FALSE(collector.update());
+  ASSERT_EQ(collector.report().queries.size(), 2u);
+  ASSERT_EQ(collector.report().queries[1].paths.size(), 1u);
+  EXPECT_TRUE(collector.report().queries[1].paths[0].played());
+}
+
+// A stream of a few lines may ask for hours of play.
+TEST(Collector, AttemptsBeyondTheRoomAreLeftOutAndSolutionsAreErrors) {
+  auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
+  const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
+  view::Collector collector([](const io::Record&, Error error) -> Status { return error; }, {},
+                            2 * ticks);
+  addAll(collector, {kLevel, kQuery, line(left), line(left)});
+  EXPECT_TRUE(collector.report().notes.empty());
+  addAll(collector, {line(left), line(left)});
+  EXPECT_EQ(collector.report().queries[0].paths.size(), 2u);
+  ASSERT_EQ(collector.report().notes.size(), 1u);
+  EXPECT_THAT(collector.report().notes[0], HasSubstr("left out"));
+  ASSERT_TRUE(collector.add(recordOf(line(ahead))));
+  const Status updated = collector.update();
+  ASSERT_FALSE(updated);
+  EXPECT_THAT(updated.error().message, HasSubstr("too long"));
+}
+
+// What came and went leaves its room to what comes.
+TEST(Collector, ProgressThatIsReplacedTakesNoRoom) {
+  auto left = walk(kLeft, 300);
+  view::Collector collector([](const io::Record&, Error error) -> Status { return error; }, {},
+                            1000);
+  addAll(collector, {kLevel, kQuery});
+  for (uint32_t i = 0; i < 40; ++i) {
+    auto nearer = walk(kAhead, 40 + i);
+    addAll(collector, {progressLine(nearer, {&left}, float(40 - i))});
+  }
+  EXPECT_TRUE(collector.report().notes.empty());
+}
+
 }  // namespace
 }  // namespace obby::view_test

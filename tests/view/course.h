@@ -99,7 +99,9 @@ inline Result<view::Report> collect(const std::vector<std::string>& lines,
       },
       only);
   for (const std::string& text : lines) OBBY_RETURN_IF_ERROR(collector.add(recordOf(text)));
-  return collector.finish();
+  OBBY_RETURN_IF_ERROR(collector.update());
+  OBBY_RETURN_IF_ERROR(collector.checkChosen());
+  return collector.take();
 }
 
 // The course with a solution, a fall and a death.

@@ -61,6 +61,28 @@ TEST(Page, MaterialsAreNamedOnceAndNoMoreThanAByteTells) {
   EXPECT_THAT(data, HasSubstr(R"(AAAAAAAAAAB")")) << "plastic beyond, and Wood is found again";
 }
 
+// Seconds would drift away from what is simulated: a part is there for whole ticks.
+TEST(Page, TimersAreInTheTicksThatAreSimulated) {
+  auto report = collect({R"({"type":"level","name":"L","parts":[)"
+                         R"({"vanish":{"trigger":"timer","delay":0.508,"away":0.508}},)"
+                         R"({"vanish":{"trigger":"timer","delay":2,"away":2,"phase":-1}},)"
+                         R"({"vanish":{"trigger":"touch","delay":1,"away":2}}]})"});
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_THAT(view::pageData(*report, {}),
+              HasSubstr(R"("vanish":[{"part":0,"trigger":"timer","delay":30,"away":30,"phase":0},)"
+                        R"({"part":1,"trigger":"timer","delay":120,"away":120,"phase":180},)"
+                        R"({"part":2,"trigger":"touch"}])"));
+}
+
+// A level without a way is shown at its query's start.
+TEST(Budget, MotionIsShownFromTheStartOfAQueryOn) {
+  std::string late = kQuery;
+  late.insert(late.find(R"("goal")"), R"("start":{"tick":9000},)");
+  auto report = collect({kLevel, late});
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_EQ(view::ticksShown(*report, 0), 9000 + view::leastTicksShown(*report, 0));
+}
+
 TEST(Page, MismatchIsShown) {
   auto path = walk(kAhead, 200);
   path.root().getTrajectory().setStateHash(1);
@@ -150,7 +172,7 @@ TEST(Page, OnlyTheLiveOneMayAskItsServer) {
   ASSERT_TRUE(live && file);
   EXPECT_THAT(*live, HasSubstr("default-src 'none'; connect-src 'self'; script-src"));
   EXPECT_THAT(*file, Not(HasSubstr("connect-src")));
-  EXPECT_THAT(*live, HasSubstr(R"({"format":2,"live":true})"));
+  EXPECT_THAT(*live, HasSubstr(R"({"format":3,"live":true})"));
   EXPECT_THAT(*live, Not(HasSubstr("@@OBBY_")));
 }
 

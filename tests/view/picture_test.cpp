@@ -70,6 +70,19 @@ TEST(Depths, TheNearerSolidIsSeen) {
   EXPECT_NEAR(seen.normal(30, 30).z, 1, 1e-5f);
 }
 
+// In a long course most parts lie behind whoever looks at one stage.
+TEST(Depths, WhatLiesBehindIsNotLookedFor) {
+  Camera camera = sideways(60, 60);
+  const Vec3 behind = camera.eye - camera.forward * 20;
+  Depths seen(camera, 60, 60);
+  EXPECT_TRUE(seen.samplesOf(block(behind, {3, 3, 3})).empty());
+  EXPECT_FALSE(seen.samplesOf(block({}, {3, 3, 3})).empty());
+  const Samples around = seen.samplesOf(block(camera.eye, {3, 3, 3}));
+  EXPECT_EQ(around.x1 - around.x0, 60) << "who stands in it may see it everywhere";
+  camera.perspective = false;
+  EXPECT_FALSE(Depths(camera, 60, 60).samplesOf(block(behind, {3, 3, 3})).empty());
+}
+
 TEST(Depths, ABallIsRoundAndATranslucentSolidHasHoles) {
   Solid ball = block({}, {6, 6, 6});
   ball.kind = geom::ShapeKind::ball;
@@ -174,6 +187,14 @@ TEST(Drawing, APartThatFillsThePageIsDrawn) {
   ASSERT_TRUE(plain) << plain.error().text();
   EXPECT_NE(drawingOf(plain->levels[0], &plain->queries[0], {}).find("class=\"part\""),
             std::string::npos);
+}
+
+TEST(Drawing, OfALevelWithoutPartsHasNumbers) {
+  const auto bare = view_test::collect({R"({"type":"level","name":"bare"})"});
+  ASSERT_TRUE(bare) << bare.error().text();
+  const std::string svg = drawingOf(bare->levels[0], nullptr, {});
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
 }  // namespace

@@ -93,6 +93,38 @@ TEST(Report, SameLevelTwiceIsOneLevel) {
   EXPECT_THAT(report->queries, SizeIs(1));
 }
 
+// Queries may leave out their level: it is the one before them in the stream then, be it new or
+// not.
+TEST(Report, QueriesOfALevelThatComesAgainAreIts) {
+  const auto replaced = [](std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+  };
+  const std::string query = replaced(kQuery, R"("level":"Course </script><b>",)", "");
+  const std::string other = replaced(kLevel, "Course", "Another");
+  const std::string elsewhere =
+      replaced(query, R"("position":[0,2,-20])", R"("position":[0,2,-16])");
+  auto ahead = walk(kAhead, 200);
+  auto report = collect({kLevel, query, line(ahead), other, elsewhere, kLevel, query});
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_THAT(report->levels, SizeIs(2));
+  ASSERT_THAT(report->queries, SizeIs(2));
+  EXPECT_EQ(report->queries[0].level, 0);
+  EXPECT_FALSE(report->queries[0].mismatch());
+  EXPECT_EQ(report->queries[1].level, 1);
+  EXPECT_EQ(report->queries[1].reader().getGoal().getPosition().getZ(), -16);
+}
+
+TEST(Report, QueriesBehindALevelThatCannotBeShownAreNotOfTheOneBefore) {
+  std::vector<Error> errors;
+  const std::string bad = R"({"type":"level","name":"Bad","parts":[{"size":[-1,1,1]}]})";
+  std::string query = kQuery;
+  query.erase(query.find(R"("level":)"), std::string(R"("level":"Course </script><b>",)").size());
+  auto report = collect({kLevel, bad, query}, &errors);
+  ASSERT_TRUE(report) << report.error().text();
+  ASSERT_THAT(errors, SizeIs(2));
+  EXPECT_THAT(errors[1].message, HasSubstr("no level for this query"));
+}
+
 TEST(Report, LastProgressIsShownUntilThereIsASolution) {
   auto best = walk(kAhead, 40);
   const auto progress = [&](float closest) {

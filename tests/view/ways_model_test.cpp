@@ -55,5 +55,19 @@ TEST(WaysModel, HasEveryWayWithItsMarks) {
       << "a model a way";
 }
 
+// XML has no way to write them, not even escaped.
+TEST(WaysModel, ControlCharactersInNamesLeaveItXml) {
+  const std::string id = R"("id":"ahead")";
+  std::string query = view_test::kQuery;
+  query.replace(query.find(id), id.size(), R"("id":"a\u0001head")");
+  auto way = view_test::walk(view_test::kAhead, 200);
+  way.root().getTrajectory().setQuery("a\x01head");
+  const auto report = view_test::collect({view_test::kLevel, query, view_test::line(way)});
+  ASSERT_TRUE(report) << report.error().text();
+  const std::string text = waysModel(*report);
+  EXPECT_EQ(text.find('\x01'), std::string::npos);
+  EXPECT_NE(text.find("a head"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace obby::view

@@ -100,6 +100,23 @@ test('swapping leaves the keyboard on its button', async ({ page }) => {
   await assertBar(page, paths[kLong].ticks, paths[kLong]);
 });
 
+test('waypoints are passed one after the other, by any height of the player', async ({ page }) => {
+  await set(page, { path: 0, ghost: -1, tick: 0 });
+  await page.evaluate(() => {
+    const query = window.obby.query();
+    const { x, y, z } = query.paths[0].poseAt(250);
+    const flat = (name, position) => ({
+      region: { name, position, rotation: [0, 0, 0, 1], size: [4, 0.5, 4] },
+      maxJumps: -1,
+    });
+    query.waypoints = [flat('Under the feet', [x, y, z]), flat('Back home', [0, 0.5, 0])];
+    window.obby.store.set({ ghost: 1 });
+  });
+  const words = await page.locator('#comparison').innerText();
+  assert.match(words, /Under the feet\s+[34]\.\d\d s/);
+  assert.match(words, /Back home\s+not passed/);
+});
+
 test('all of that raised no error and no request', async ({ trouble, requests }) => {
   assert.deepEqual(trouble, []);
   assert.equal(requests.length, 1, requests.join());

@@ -45,9 +45,9 @@ test('data of another format is refused, whatever was there', async ({ browser }
   viewer.write(...course, ways[0]);
   await started(page);
   await waysAre(page, 1);
-  await page.route('**/data?*', (route) => route.fulfill({ json: { format: 3 } }));
+  await page.route('**/data?*', (route) => route.fulfill({ json: { format: 4 } }));
   viewer.write(ways[1]);
-  await page.locator('.fatal', { hasText: 'data of format 3, expected 2' }).waitFor();
+  await page.locator('.fatal', { hasText: 'data of format 4, expected 3' }).waitFor();
   await frames(page, 5);
   assert.equal(trouble.length, 1, trouble.join());
   await page.context().close();

@@ -208,6 +208,22 @@ test('all of that raised no error and no request', async ({ trouble, requests })
   assert.equal(requests.length, 1, requests.join());
 });
 
+test('the address tells queries of one id apart', async ({ browser }) => {
+  const file = options.sample({
+    ...report,
+    queries: report.queries.map((query) => ({ ...query, id: 'whole' })),
+  });
+  const { page } = await openReport(browser, file);
+  await page.evaluate(() => window.obby.store.set({ query: 2 }));
+  await page.waitForFunction(() => location.hash.includes('n=2'));
+  const again = await openReport(browser, file, await page.evaluate(() => location.hash));
+  assert.equal((await state(again.page)).query, 2);
+  await page.evaluate(() => window.obby.store.set({ query: 0 }));
+  await page.waitForFunction(() => !location.hash.includes('n='));
+  await page.context().close();
+  await again.page.context().close();
+});
+
 test('a level alone has nothing to sort, filter or answer', async ({ browser }) => {
   const file = options.sample({ ...report, title: 'Level', queries: [] });
   const { page, trouble } = await openReport(browser, file);

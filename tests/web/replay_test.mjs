@@ -74,6 +74,25 @@ for (const [level, ...words] of [
   });
 }
 
+test('a bridge that a button makes is not there before', async ({ browser }) => {
+  const file = join(options.out, 'replay-button.html');
+  const level = join(options.levels, 'button-door.jsonl');
+  execFileSync(options.viewer, [level, '-o', file], { stdio: 'inherit' });
+  const { page, trouble } = await openReport(browser, file);
+  const seen = await page.evaluate(() => {
+    const { levelView } = window.obby.stage;
+    const alphaOf = (part) => {
+      const [{ mesh, at }] = levelView.slots[part];
+      return mesh.geometry.attributes.aAlpha.getX(at);
+    };
+    return levelView.level.vanish.map(({ part, inverted }) => [Boolean(inverted), alphaOf(part)]);
+  });
+  assert.ok(seen.some(([inverted]) => inverted) && seen.some(([inverted]) => !inverted));
+  for (const [inverted, alpha] of seen) assert.equal(alpha < 0.2, inverted, seen.join(' '));
+  assert.deepEqual(trouble, []);
+  await page.context().close();
+});
+
 // What obby-view keeps of even motion: every eighth tick, and the last.
 function thinned() {
   const encode = (array) => Buffer.from(array.buffer).toString('base64');

@@ -152,7 +152,7 @@ const level = {
     { part: lift, stride: 1, count: 240, loopFrom: 0, position: f32(liftTrack) },
     { part: bar, stride: 1, count: 180, loopFrom: 0, rotation: encode(Int16Array.from(spin)) },
   ],
-  vanish: [{ part: glass, trigger: 'touch', delay: 0.4, away: 3, phase: 0 }],
+  vanish: [{ part: glass, trigger: 'touch' }],
   conveyors: [{ part: parts.findIndex((p) => p.role === 'conveyor'), velocity: [12, 0, 0] }],
 };
 
@@ -214,7 +214,7 @@ const difficulty = {
 };
 
 export const report = {
-  format: 2,
+  format: 3,
   generator: 'sample',
   title: 'Sample course',
   notes: [],

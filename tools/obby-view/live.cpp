@@ -1,5 +1,8 @@
 #include "live.h"
 
+#include <exception>
+#include <optional>
+
 #include "output.h"
 #include "reading.h"
 #include "view/live.h"
@@ -10,27 +13,27 @@ namespace {
 // All records, in the reading thread. Errors are said at once; the page goes on with what there is.
 class Reader {
  public:
-  Reader(cli::Context& context, view::GrowingReport& report, Reading& reading)
-      : context_(context), report_(report), reading_(reading) {}
+  // `output`: for the report of all of it; null: none is wanted.
+  Reader(cli::Context& context, view::GrowingReport& report, Reading& reading, Output* output)
+      : context_(context), report_(report), reading_(reading), output_(output) {}
 
   void run() {
     while (const auto record = reading_.next()) {
-      const Status added = report_.add(*record);
-      if (!added) return finish(view::StreamState::broken, added);
+      if (const Status added = report_.add(*record); !added) return fail(added.error());
     }
-    finish(reading_.broken() ? view::StreamState::broken : view::StreamState::ended, {});
+    finish(reading_.broken() ? view::StreamState::broken : view::StreamState::ended);
+  }
+
+  void fail(const Error& why) {
+    reading_.cannotShow(why);
+    finish(view::StreamState::broken);
   }
 
  private:
-  void finish(view::StreamState state, const Status& why) {
-    std::vector<std::string> notes = reading_.notes();
-    if (!why) notes.push_back("The input cannot be shown: " + why.error().text());
-    say(why);
-    say(report_.end(state, notes));
-    const bool writes = context_.arguments().has("output");
-    const bool empty = context_.errors() > 0 && nothing();
-    if (!writes || empty) return;
-    say(report_.use([&](const view::Report& report) { return writeReport(report, context_); }));
+  void finish(view::StreamState state) {
+    say(report_.end(state, reading_.notes()));
+    if (output_ == nullptr || (context_.errors() > 0 && nothing())) return;
+    say(report_.use([&](const view::Report& report) { return output_->write(report, context_); }));
   }
 
   // It has been said why.
@@ -50,12 +53,17 @@ class Reader {
   cli::Context& context_;
   view::GrowingReport& report_;
   Reading& reading_;
+  Output* output_;
 };
 
 }  // namespace
 
 Result<cli::ExitCode> runLive(cli::Context& context) {
   const cli::Arguments& arguments = context.arguments();
+  std::optional<Output> output;
+  if (arguments.has("output")) {
+    OBBY_ASSIGN(output, Output::open(context));
+  }
   const io::StreamIdentity self = context.identity();
   std::unique_ptr<Reading> reading;
   view::GrowingReport report(
@@ -68,7 +76,12 @@ Result<cli::ExitCode> runLive(cli::Context& context) {
   options.page = {arguments.flag("full"), self.tool + " " + self.version};
   const auto read = [&](const std::atomic<bool>& halt) {
     reading = std::make_unique<Reading>(context, halt);
-    Reader(context, report, *reading).run();
+    Reader reader(context, report, *reading, output ? &*output : nullptr);
+    try {
+      reader.run();
+    } catch (const std::exception& e) {  // above all memory that lacks: the page stays
+      reader.fail(makeError(e.what()));
+    }
   };
   const view::LiveReports reports = {[&](const std::string& text) { context.say(text); },
                                      [&](const std::string& text) { context.note(text); }};

@@ -12,10 +12,11 @@ namespace {
 Result<cli::ExitCode> run(cli::Context& context) {
   if (wantedFormat(context.arguments()).page && !view::pageAvailable()) return view::pageMissing();
   if (context.arguments().flag("live")) return runLive(context);
+  OBBY_ASSIGN(Output output, Output::open(context));
   OBBY_ASSIGN(const view::Report report, readReport(context));
   const bool empty = report.levels.empty() && report.queries.empty();
   if (empty && context.errors() > 0) return cli::ExitCode::failed;
-  OBBY_RETURN_IF_ERROR(writeReport(report, context));
+  OBBY_RETURN_IF_ERROR(output.write(report, context));
   return cli::ExitCode::ok;
 }
 

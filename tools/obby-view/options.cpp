@@ -15,7 +15,7 @@ namespace {
 using cli::OptionRow;
 using cli::ValueType;
 
-constexpr int kLeastPicture = 16, kMostPicture = 8192;  // pixels
+constexpr int kLeastPicture = 32, kMostPicture = 4096;  // pixels
 
 OptionRow make(std::string name, ValueType type, std::string value, std::string help) {
   OptionRow row;

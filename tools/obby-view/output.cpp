@@ -1,11 +1,21 @@
 #include "output.h"
 
 #include "formats.h"
+#include "options.h"
 #include "view/page.h"
 
 namespace obby {
 
-Status writeReport(const view::Report& report, cli::Context& context) {
+Result<Output> Output::open(const cli::Context& context) {
+  OBBY_RETURN_IF_ERROR(pictureOptions(context.arguments()));
+  OBBY_ASSIGN(io::Sink sink, context.openSink());
+  if (wantedFormat(context.arguments()).binary && sink.terminal()) {
+    return makeError("a picture is nothing for a terminal", "name a file: -o picture.png");
+  }
+  return Output(std::move(sink));
+}
+
+Status Output::write(const view::Report& report, cli::Context& context) {
   const ViewFormat& format = wantedFormat(context.arguments());
   if (report.levels.empty() && report.queries.empty()) {
     return makeError("the input holds nothing to show", "give it levels, queries or results");
@@ -17,11 +27,8 @@ Status writeReport(const view::Report& report, cli::Context& context) {
   if (format.page && text.size() > view::kPageWarning) {
     context.warn("the page is " + std::to_string(text.size() >> 20) + " MB; browsers may be slow");
   }
-  OBBY_ASSIGN(io::Sink sink, context.openSink());
-  if (format.binary && sink.terminal())
-    return makeError("a picture is nothing for a terminal", "name a file: -o picture.png");
-  OBBY_RETURN_IF_ERROR(sink.write(text));
-  return sink.close();
+  OBBY_RETURN_IF_ERROR(sink_.write(text));
+  return sink_.close();
 }
 
 }  // namespace obby

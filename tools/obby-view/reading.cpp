@@ -23,6 +23,11 @@ std::optional<io::Record> Reading::next() {
   return {};
 }
 
+void Reading::cannotShow(const Error& error) {
+  context_.error(error);
+  notes_.push_back("The input cannot be shown: " + error.text());
+}
+
 Status Reading::forgive(const io::Record& record, Error error) {
   // The source knows which input it reads, but not where a record of before came from.
   const std::vector<std::string>& inputs = context_.inputs();
@@ -45,8 +50,17 @@ Result<view::Report> readReport(cli::Context& context) {
   view::Collector collector([&](const io::Record& record,
                                 Error error) { return reading.forgive(record, std::move(error)); },
                             context.arguments().list("query"));
-  while (const auto record = reading.next()) OBBY_RETURN_IF_ERROR(collector.add(*record));
-  OBBY_ASSIGN(view::Report report, collector.finish());
+  Status shown;
+  while (shown) {
+    const auto record = reading.next();
+    if (!record) break;
+    shown = collector.add(*record);
+  }
+  Status played = collector.update();
+  if (shown) shown = std::move(played);
+  if (!shown) reading.cannotShow(shown.error());
+  OBBY_RETURN_IF_ERROR(collector.checkChosen());
+  view::Report report = collector.take();
   const std::vector<std::string> notes = reading.notes();
   report.notes.insert(report.notes.end(), notes.begin(), notes.end());
   return report;

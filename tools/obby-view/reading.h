@@ -21,6 +21,9 @@ class Reading {
   // Whether that end was a broken input.
   bool broken() const { return broken_; }
 
+  // Says why no more of the input can be shown.
+  void cannotShow(const Error& error);
+
   // For view::Collector.
   Status forgive(const io::Record& record, Error error);
 
@@ -34,7 +37,8 @@ class Reading {
   bool broken_ = false;
 };
 
-// Reads all of it. A broken input is reported, and what came before it is shown.
+// Reads all of it. A broken input is reported, as is what cannot be shown; what came before it is
+// shown. Error: a query that was asked for did not come.
 Result<view::Report> readReport(cli::Context& context);
 
 }  // namespace obby

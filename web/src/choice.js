@@ -30,7 +30,7 @@ export function boxOf(a, b, keep = true) {
 }
 
 // Whether the feet are in the box somewhere between two samples.
-function segmentMeets({ min, max }, points, i, j) {
+export function segmentMeets({ min, max }, points, i, j) {
   let enter = 0;
   let leave = 1;
   for (let k = 0; k < 3; k++) {

@@ -1,13 +1,20 @@
 // Keeps query, trajectory, time and camera in the page's address after `#`, so that a link opens the same view.
 
+// Ids may repeat from level to level: `n` tells which of those of one id, from 0, and is left out for the first.
+function queryAt(report, id, n) {
+  const same = report.queries.flatMap((query, i) => (query.id === id ? [i] : []));
+  return same[Number(n ?? 0)] ?? same[0] ?? -1;
+}
+
 export function readFragment(report) {
   const values = new URLSearchParams(location.hash.slice(1));
   const found = {};
-  const query = report.queries.findIndex((q) => q.id === values.get('q'));
+  const query = queryAt(report, values.get('q'), values.get('n'));
   if (query >= 0) found.query = query;
   const paths = report.queries[found.query ?? 0]?.paths ?? [];
   const path = values.has('traj') ? Number(values.get('traj')) : NaN;
   if (Number.isInteger(path) && path >= 0 && path < paths.length) found.path = path;
+  if (values.get('traj') === 'none') found.path = -1;
   const time = values.has('t') ? Number(values.get('t')) : NaN;
   if (Number.isFinite(time) && time >= 0) found.time = time;
   const camera = (values.get('cam') ?? '').split(',').map(Number);
@@ -18,8 +25,13 @@ export function readFragment(report) {
 export function writeFragment(report, state, tickRate, camera) {
   const values = new URLSearchParams();
   const query = report.queries[state.query];
-  if (query) values.set('q', query.id);
+  if (query) {
+    values.set('q', query.id);
+    const before = report.queries.slice(0, state.query).filter(({ id }) => id === query.id);
+    if (before.length > 0) values.set('n', String(before.length));
+  }
   if (state.path >= 0) values.set('traj', String(state.path));
+  else if (query?.paths.length > 0) values.set('traj', 'none');
   values.set('t', (state.tick / tickRate).toFixed(3));
   values.set('cam', camera.map((value) => Number(value.toFixed(2))).join(','));
   const text = `#${values.toString().replaceAll('%2C', ',')}`;

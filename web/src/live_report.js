@@ -1,7 +1,7 @@
 // A report that comes in pieces: what the server says is new is put in its place, and what is there keeps its identity.
 import { levelOf, Path, queryOf } from './data.js';
 
-const kFormat = 2; // of the data, as of a page in a file
+const kFormat = 3; // of the data, as of a page in a file
 
 export class LiveReport {
   constructor() {

@@ -15,26 +15,6 @@ constexpr float kNear = 0.1f;  // studs
 // Thresholds of a 4 x 4 ordered dither.
 constexpr uint8_t kDither[16] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
 
-struct Bounds2 {
-  int x0, y0, x1, y1;  // x1, y1 exclusive
-};
-
-// Samples that may see the solid.
-Bounds2 boundsOf(const Solid& solid, const Camera& camera, int width, int height) {
-  float x0 = kFar, y0 = kFar, x1 = -kFar, y1 = -kFar;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 h = solid.shape.half;
-    const Vec3 corner{i & 1 ? h.x : -h.x, i & 2 ? h.y : -h.y, i & 4 ? h.z : -h.z};
-    const Vec3 p = camera.project(toWorld(solid.pose, corner));
-    if (camera.perspective && p.z < kNear) return {0, 0, width, height};
-    x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
-    y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
-  }
-  const auto clamped = [](float v, int most) { return int(std::clamp(v, 0.0f, float(most))); };
-  return {clamped(x0 - 1, width), clamped(y0 - 1, height), clamped(x1 + 2, width),
-          clamped(y1 + 2, height)};
-}
-
 }  // namespace
 
 Color colorOf(Rgb c) { return {float(c.r) / 255, float(c.g) / 255, float(c.b) / 255}; }
@@ -57,10 +37,28 @@ Depths::Depths(const Camera& camera, int width, int height)
       ids_(depths_.size(), kNothing),
       normals_(depths_.size()) {}
 
+Samples Depths::samplesOf(const Solid& solid) const {
+  float x0 = kFar, y0 = kFar, x1 = -kFar, y1 = -kFar;
+  int near = 0;  // corners that lie too near or behind, and so nowhere in the picture
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 h = solid.shape.half;
+    const Vec3 corner{i & 1 ? h.x : -h.x, i & 2 ? h.y : -h.y, i & 4 ? h.z : -h.z};
+    const Vec3 p = camera_.project(toWorld(solid.pose, corner));
+    near += camera_.perspective && p.z < kNear;
+    x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
+    y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
+  }
+  if (near == 8) return {};
+  if (near > 0) return {0, 0, width_, height_};
+  const auto clamped = [](float v, int most) { return int(std::clamp(v, 0.0f, float(most))); };
+  return {clamped(x0 - 1, width_), clamped(y0 - 1, height_), clamped(x1 + 2, width_),
+          clamped(y1 + 2, height_)};
+}
+
 // Where a ray meets a shape is asked of the same code as the simulator's: what is drawn is what is
 // met.
 void Depths::add(const Solid& solid, uint32_t id) {
-  const Bounds2 b = boundsOf(solid, camera_, width_, height_);
+  const Samples b = samplesOf(solid);
   geom::visitShape(solid.kind, [&](auto shape) {
     for (int y = b.y0; y < b.y1; ++y) {
       for (int x = b.x0; x < b.x1; ++x) {

@@ -28,11 +28,20 @@ struct Solid {
 
 constexpr uint32_t kNothing = 0xffffffffu;
 
+// A rectangle of samples; x1 and y1 are not of it.
+struct Samples {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+  bool empty() const { return x0 >= x1 || y0 >= y1; }
+};
+
 // What samples see of solids.
 class Depths {
  public:
   Depths(const Camera& camera, int width, int height);
 
+  // Those that may see the solid.
+  Samples samplesOf(const Solid& solid) const;
   // `id` is what the samples that see it get.
   void add(const Solid& solid, uint32_t id);
 

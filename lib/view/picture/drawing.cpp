@@ -69,7 +69,7 @@ Sheet sheetOf(const Box& extent, const QueryEntry* query, const DrawingOptions& 
     x0 = std::min(x0, dot(corner, paper.across)), x1 = std::max(x1, dot(corner, paper.across));
     y0 = std::min(y0, dot(corner, paper.down)), y1 = std::max(y1, dot(corner, paper.down));
   }
-  paper.scale = (float(options.width) - 2 * kMargin) / (x1 - x0);
+  paper.scale = (float(options.width) - 2 * kMargin) / std::max(x1 - x0, 1.0f);
   paper.origin = {x0, y0};
   return {paper, float(options.width),
           std::max((y1 - y0) * paper.scale + 2 * kMargin, kLeastHeight) + kLegend};

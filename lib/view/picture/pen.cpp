@@ -76,17 +76,30 @@ void Pen::disc(Vec3 at, float size, const Stroke& stroke) {
   segment(p, p, wide);
 }
 
-void Pen::box(const Solid& box, const Stroke& stroke, float veil) {
-  Depths alone(seen_.camera(), seen_.width(), seen_.height());
+// A box takes a small part of most pictures, so that is all that is looked at.
+void Pen::fill(const Solid& box, const Stroke& stroke) {
+  constexpr int kPattern = 4;  // samples across the pattern of what is translucent
+  Samples window = seen_.samplesOf(box);
+  if (window.empty()) return;
+  window.x0 -= window.x0 % kPattern, window.y0 -= window.y0 % kPattern;
+  Camera camera = seen_.camera();
+  camera.middleX -= float(window.x0), camera.middleY -= float(window.y0);
+  Depths alone(camera, window.x1 - window.x0, window.y1 - window.y0);
   alone.add(box, 0);
   begin();
-  Stroke thin = stroke;
-  thin.opacity = veil;
-  for (int y = 0; y < seen_.height(); ++y) {
-    for (int x = 0; x < seen_.width(); ++x) {
-      if (alone.id(x, y) != kNothing) put(x, y, alone.depth(x, y), thin);
+  for (int y = 0; y < alone.height(); ++y) {
+    for (int x = 0; x < alone.width(); ++x) {
+      if (alone.id(x, y) != kNothing) {
+        put(window.x0 + x, window.y0 + y, alone.depth(x, y), stroke);
+      }
     }
   }
+}
+
+void Pen::box(const Solid& box, const Stroke& stroke, float veil) {
+  Stroke thin = stroke;
+  thin.opacity = veil;
+  fill(box, thin);
   begin();
   Vec3 corners[8];
   const Vec3 h = box.shape.half;

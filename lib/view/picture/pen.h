@@ -30,6 +30,7 @@ class Pen {
  private:
   void begin() { ++stroke_; }
   void segment(Vec3 a, Vec3 b, const Stroke& stroke);  // projected
+  void fill(const Solid& box, const Stroke& stroke);
   void put(int x, int y, float depth, const Stroke& stroke);
 
   const Depths& seen_;

@@ -161,10 +161,16 @@ export class LevelView {
     this.displaced = tracks.map((track) => track.part);
   }
 
+  // Between two ticks nothing comes or goes.
   timedAway(rule, tick) {
-    const period = rule.delay + rule.away;
-    const away = period > 0 && (tick / this.level.tickRate + rule.phase) % period >= rule.delay;
+    const away = (Math.floor(tick) + rule.phase) % (rule.delay + rule.away) >= rule.delay;
     return away !== Boolean(rule.inverted);
+  }
+
+  // Parts that are away until something happens.
+  goneAtRest() {
+    const waits = (rule) => rule.trigger !== 'timer' && rule.inverted;
+    return new Set(this.level.vanish.filter(waits).map((rule) => rule.part));
   }
 
   pose(part, { i, next, share }, track) {

@@ -240,7 +240,8 @@ export class Stage {
     this.castShadows(path, tick, other, this.level, this.query);
     const clock = (path?.startTick ?? this.query?.startTick ?? 0) + tick;
     const moved = path ? this.movedAt(path, tick) : new Map();
-    this.levelView.update(clock, path ? this.goneAt(path, tick) : new Set(), moved);
+    const gone = path ? this.goneAt(path, tick) : this.levelView.goneAtRest();
+    this.levelView.update(clock, gone, moved);
     this.levelView.updateLoose(path?.loose ?? [], tick);
     this.markers?.update(tick);
     this.poseAvatar(this.avatar, path, tick);

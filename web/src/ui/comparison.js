@@ -1,5 +1,6 @@
 // Two trajectories side by side: their numbers, when they passed what the query names, and how far apart they are now.
 import { Quaternion, Vector3 } from 'three';
+import { segmentMeets } from '../choice.js';
 import { causeOf, GHOST_COLOR } from '../palette.js';
 import { el, keepingFocus, seconds } from './dom.js';
 
@@ -15,26 +16,36 @@ function lengthOf({ points, samples }) {
   return sum;
 }
 
-// [name, region] of the places that a query wants passed, in order.
-function placesOf(query) {
-  const waypoints = (query?.waypoints ?? []).map(({ region }) => region);
-  return [...waypoints, ...(query?.visits ?? [])].map((region, i) => [
-    region.name || `Waypoint ${i + 1}`,
-    region,
-  ]);
-}
-
-// First tick at which the middle of the player is in an oriented box; -1 for never.
-function tickAt(path, region, height) {
+// First sample from `from` on in which the player, a line from its feet up, meets an oriented box: as the simulator
+// has it. -1 for never.
+function sampleIn(path, region, height, from) {
   const turn = new Quaternion().fromArray(region.rotation).normalize().invert();
   const middle = new Vector3().fromArray(region.position);
-  const at = new Vector3();
-  for (let i = 0; i < path.samples; i++) {
-    at.fromArray(path.points, 3 * i).setY(path.points[3 * i + 1] + height / 2);
-    const local = at.sub(middle).applyQuaternion(turn).toArray();
-    if (local.every((value, k) => Math.abs(value) <= region.size[k] / 2)) return path.tickOf(i);
+  const max = region.size.map((size) => size / 2);
+  const box = { min: max.map((half) => -half), max };
+  const local = (x, y, z) => new Vector3(x, y, z).sub(middle).applyQuaternion(turn).toArray();
+  for (let i = from; i < path.samples; i++) {
+    const [x, y, z] = path.points.subarray(3 * i, 3 * i + 3);
+    if (segmentMeets(box, [...local(x, y, z), ...local(x, y + height, z)], 0, 1)) return i;
   }
   return -1;
+}
+
+// [name, ticks of each of `paths`, -1 for never] of the places that a query wants passed: waypoints one after the other,
+// visits whenever.
+function passings(query, paths, height) {
+  const rows = (query?.waypoints ?? []).map(({ region }) => ({ region, inOrder: true }));
+  rows.push(...(query?.visits ?? []).map((region) => ({ region, inOrder: false })));
+  const reached = paths.map(() => 0); // the sample in which the waypoint before was
+  return rows.map(({ region, inOrder }, row) => {
+    const ticks = paths.map((path, i) => {
+      const from = inOrder ? reached[i] : 0;
+      const sample = from < 0 ? -1 : sampleIn(path, region, height, from);
+      if (inOrder) reached[i] = sample;
+      return sample < 0 ? -1 : path.tickOf(sample);
+    });
+    return [region.name || `Waypoint ${row + 1}`, ticks];
+  });
 }
 
 export class Comparison {
@@ -85,9 +96,9 @@ export class Comparison {
     row('Time', (path) => `${seconds(path.ticks / rate)} s`);
     row('Jumps', (path) => String(path.jumps));
     row('Way', (path) => `${lengthOf(path).toFixed(0)} studs`);
-    for (const [name, region] of placesOf(query))
+    for (const [name, ticks] of passings(query, pair, level?.body.top ?? 0))
       row(name, (path) => {
-        const tick = tickAt(path, region, level?.body.top ?? 0);
+        const tick = ticks[pair.indexOf(path)];
         return tick < 0 ? 'not passed' : `${seconds(tick / rate)} s`;
       });
     this.gap = el('output', { class: 'quiet' });
