@@ -1,4 +1,4 @@
-// World, parts, strays, scripts, roles, stages, and what is left over.
+// World, parts, scripts, strays, roles, stages, and what is left over.
 #include "import/build_level.h"
 
 #include "import/assemblies.h"
@@ -8,6 +8,7 @@
 #include "import/parts.h"
 #include "import/roles/role.h"
 #include "import/scene.h"
+#include "import/scripted_start.h"
 #include "import/scripted_world.h"
 #include "import/unmodelled.h"
 #include "import/world.h"
@@ -21,9 +22,10 @@ std::string worldPath(const Tree& tree) {
 }
 
 void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level) {
+  LevelHulls hulls;
   for (InstanceId id : sceneParts(tree, level)) {
     ++level.partsRead;
-    auto part = partFrom(tree, id, level);
+    auto part = partFrom(tree, id, hulls, level);
     if (!part) continue;
     if (!part->anchored && assemblies.anchored(id)) {
       part->anchored = true;
@@ -31,7 +33,6 @@ void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level
     }
     level.parts.push_back(std::move(*part));
   }
-  cullStrays(level, tree);
 }
 
 }  // namespace
@@ -46,6 +47,11 @@ LevelDraft buildLevel(const Tree& tree, const std::string& name) {
   const Assemblies assemblies(tree);
   readParts(tree, assemblies, level);
   const auto scripts = readScripts(tree);
+  {
+    RoleContext asSaved(tree, assemblies, scripts, level);
+    applyScriptedStart(asSaved);
+  }
+  cullStrays(level, tree);
   RoleContext context(tree, assemblies, scripts, level);
   applyScriptedWorld(context);
   findRoles(context);

@@ -60,6 +60,10 @@ std::vector<InstanceId> followers(RoleContext& context, InstanceId moved) {
 
 }  // namespace
 
+void beginAt(Motion& motion, double seconds) {
+  if (seconds > 0) motion.offset = -float(seconds);  // else a zero, which has no sign
+}
+
 bool samePose(const Pose& a, const Pose& b) {
   return length(a.position - b.position) < kStill &&
          length(rotationVector(a.rotation * inverse(b.rotation))) < kUnturned;
@@ -134,7 +138,7 @@ std::vector<MotionKey> keysFrom(const Pose& start, const std::vector<PoseSample>
 
 namespace {
 
-// What the simulator takes: ten minutes for a round or a turn, places within the world.
+// What the simulator takes: ten minutes for a round, a turn or a wait, places within the world.
 bool isBounded(const Motion& motion) {
   constexpr float kLongest = 600, kFarthest = 1e6f;
   float before = 0;
@@ -145,10 +149,31 @@ bool isBounded(const Motion& motion) {
   }
   const float rounds = motion.repeat == Repeat::pingPong ? 2 : 1;
   if (!motion.keys.empty() && motion.keys.back().time * rounds > kLongest) return false;
+  if (!std::isfinite(motion.offset) || motion.offset < -kLongest) return false;
   if (!motion.spin) return true;
   if (!isFinite(motion.spin->axis) || length(motion.spin->axis) < 1e-6f) return false;
   const float speed = absf(motion.spin->speed);
   return std::isfinite(speed) && speed * kLongest > 2 * 3.1416f && isFinite(motion.spin->pivot);
+}
+
+// The parts of the level that a motion of `moved` is for.
+std::vector<PartDraft*> takers(RoleContext& context, InstanceId moved) {
+  std::vector<PartDraft*> parts;
+  for (InstanceId id : followers(context, moved))
+    if (PartDraft* part = context.part(id); part && !part->motion) parts.push_back(part);
+  return parts;
+}
+
+// Each part has keys of its own. A model moves as a whole or not at all.
+bool haveRoom(RoleContext& context, const std::vector<PartDraft*>& parts, const Motion& motion,
+              const std::string& reason) {
+  if (parts.size() * motion.keys.size() <= kMaxLevelKeys - context.motionKeys) return true;
+  for (const PartDraft* part : parts)
+    context.level.noteUnmodelled("motion of too many poses", context.tree.path(part->id),
+                                 "all motions of the level have more than " +
+                                     std::to_string(kMaxLevelKeys) +
+                                     " poses; left where the file has it; " + reason);
+  return false;
 }
 
 }  // namespace
@@ -156,11 +181,11 @@ bool isBounded(const Motion& motion) {
 int giveMotion(RoleContext& context, InstanceId moved, const Motion& motion,
                const std::string& reason, bool guessed) {
   const Pose pivot = pivotOf(context.tree, moved);
+  const std::vector<PartDraft*> parts = takers(context, moved);
+  if (!haveRoom(context, parts, motion, reason)) return 0;
   int given = 0;
-  for (InstanceId id : followers(context, moved)) {
-    PartDraft* part = context.part(id);
-    if (!part || part->motion) continue;
-    const Pose inPivot = inverse(pivot) * part->pose;
+  for (PartDraft* part : parts) {
+    const Pose inPivot = inverse(pivot) * part->rest.value_or(part->pose);
     Motion own = motion;
     for (MotionKey& key : own.keys) key.pose = key.pose * inPivot;
     if (own.spin) {
@@ -169,12 +194,13 @@ int giveMotion(RoleContext& context, InstanceId moved, const Motion& motion,
     }
     if (!isBounded(own)) {
       context.level.noteUnmodelled(
-          "motion without bounds", context.tree.path(id),
-          "slower than a round in ten minutes, back in time, about no axis "
+          "motion without bounds", context.tree.path(part->id),
+          "slower than a round in ten minutes, after a longer wait, back in time, about no axis "
           "or out of the world; left where the file has it; " +
               reason);
       continue;
     }
+    context.motionKeys += own.keys.size();
     part->motion = std::move(own);
     part->anchored = true;  // it goes its way, whatever pushes it
     part->evidence.push_back({"motion", reason, guessed});

@@ -26,16 +26,23 @@ std::optional<Spin> spinFrom(const Pose& start, const std::vector<PoseSample>& s
 std::vector<MotionKey> keysFrom(const Pose& start, const std::vector<PoseSample>& samples,
                                 double period, bool closed);
 
+// Keys of all motions of a level together: 56 MB, and as much in its record.
+constexpr size_t kMaxLevelKeys = 1000000;
+
 // Gives `motion`, whose poses are those of the pivot of `moved` (a part or model), to every part
 // that moves with it: parts below a model, parts welded to it that are not anchored themselves.
 // Parts that have a motion keep it. `reason` becomes evidence. Returns the number of parts that got
-// the motion.
+// the motion: none, with a note, where the level would have more than kMaxLevelKeys.
 int giveMotion(RoleContext& context, InstanceId moved, const Motion& motion,
                const std::string& reason, bool guessed);
 
 // Marker parts that only show a mover where to go are no obstacles: they lose their collision if
 // they have no role and are invisible or as large as the mover.
 void hideMarker(RoleContext& context, InstanceId marker, InstanceId mover);
+
+// Puts off a motion that repeats by the seconds that its script waits before it. The simulator's
+// clock has no beginning for it: until then it moves as if it had gone on for ever.
+void beginAt(Motion& motion, double seconds);
 
 bool samePose(const Pose& a, const Pose& b);
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "import/format/class_defaults.h"
-#include "import/format/csg_physics.h"
 #include "import/materials.h"
 #include "import/pose_math.h"
 
@@ -23,8 +22,6 @@ constexpr ClassShape kClassShapes[] = {{"WedgePart", Shape::wedge},
 // By the value of the PartType enum.
 constexpr Shape kPartTypes[] = {Shape::ball, Shape::block, Shape::cylinder, Shape::wedge,
                                 Shape::cornerWedge};
-
-constexpr size_t kLeastCorners = 4, kMostCorners = 255;
 
 Shape shapeOf(const Instance& instance) {
   for (const auto& row : kClassShapes)
@@ -51,27 +48,10 @@ void setSurface(const Instance& instance, PartDraft& part) {
   part.transparency = within(get<double>(instance, "Transparency"), 0, 1, 0);
 }
 
-// Unions and meshes: their hulls where the file has them, else their box.
-void setHulls(const Tree& tree, const Instance& instance, PartDraft& part, LevelDraft& level) {
-  Collision collision = collisionOf(instance);
-  if (collision.kind == CollisionKind::Hulls) {
-    for (auto& hull : collision.hulls)
-      if (hull.size() >= kLeastCorners && hull.size() <= kMostCorners &&
-          std::all_of(hull.begin(), hull.end(), isFinite))
-        part.hulls.push_back(std::move(hull));
-    if (!part.hulls.empty()) return;
-  }
-  part.shape = Shape::block;
-  if (collision.kind == CollisionKind::Box) return;
-  part.evidence.push_back({"shape", "bounding box: " + collision.detail, true});
-  if (part.solid)
-    level.noteUnmodelled("shape of a mesh or union", tree.path(part.id),
-                         "no collision hulls that can be read; its bounding box is taken");
-}
-
 }  // namespace
 
-std::optional<PartDraft> partFrom(const Tree& tree, InstanceId id, LevelDraft& level) {
+std::optional<PartDraft> partFrom(const Tree& tree, InstanceId id, LevelHulls& hulls,
+                                  LevelDraft& level) {
   const Instance& instance = tree.at(id);
   PartDraft part;
   part.id = id;
@@ -93,7 +73,7 @@ std::optional<PartDraft> partFrom(const Tree& tree, InstanceId id, LevelDraft& l
   part.solid = get<bool>(instance, "CanCollide");
   part.touch = get<bool>(instance, "CanTouch");
   setSurface(instance, part);
-  if (part.shape == Shape::hull) setHulls(tree, instance, part, level);
+  if (part.shape == Shape::hull) hulls.give(tree, part, level);
   return part;
 }
 

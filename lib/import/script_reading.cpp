@@ -39,15 +39,17 @@ bool runs(const Tree& tree, InstanceId id) {
          isInStarterCharacter(tree, id);
 }
 
-std::vector<std::string> linesOf(const std::string& source) {
-  std::vector<std::string> lines(1);
-  for (char c : source) {
-    if (c == '\n')
-      lines.emplace_back();
-    else if (c != '\r')
-      lines.back() += c;
-  }
-  return lines;
+// A line of code without the blanks around it, cut.
+std::string shortened(std::string_view line) {
+  constexpr size_t kLongest = 70;
+  constexpr const char* kBlanks = " \t\r";
+  line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+  line = line.substr(0, line.find_last_not_of(kBlanks) + 1);
+  std::string code;
+  for (size_t i = 0; i < line.size() && code.size() <= kLongest; ++i)
+    if (line[i] != '\r') code += line[i];
+  if (code.size() > kLongest) code.replace(kLongest - 3, std::string::npos, "...");
+  return code;
 }
 
 }  // namespace
@@ -70,20 +72,15 @@ std::vector<ScriptReading> readScripts(const Tree& tree) {
     size_t budget = share;
     readings.push_back(luau::Reader(tree, id, budget).read(chunk));
     left -= share - budget;
-    readings.back().lines = linesOf(*source);
+    readings.back().lines = LineIndex(*source);
   }
   return readings;
 }
 
 std::string scriptReason(const Tree& tree, const ScriptReading& reading, int line) {
   std::string text = "script " + tree.at(reading.script).name + " line " + std::to_string(line);
-  if (line < 1 || size_t(line) > reading.lines.size()) return text;
-  std::string code = reading.lines[size_t(line) - 1];
-  code.erase(0, std::min(code.find_first_not_of(" \t"), code.size()));
-  code.erase(code.find_last_not_of(" \t") + 1);
-  constexpr size_t kLongest = 70;
-  if (code.size() > kLongest) code = code.substr(0, kLongest - 3) + "...";
-  return text + ": " + code;
+  const auto code = reading.lines.line(line < 1 ? 0 : size_t(line));
+  return code ? text + ": " + shortened(*code) : text;
 }
 
 }  // namespace obby::importer

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "import/draft.h"
+#include "import/line_index.h"
 #include "import/tree.h"
 
 namespace obby::importer {
@@ -50,7 +51,7 @@ struct ScriptEvent {
   std::optional<Vec3> orientation;  // degrees, of a tween whose goal states them: how `frame` turns
   InstanceId from = kNoInstance;    // the instance whose pose the value is, unchanged
   TweenTiming tween;
-  double time = 0;      // seconds after the trigger
+  double time = 0;      // seconds after the trigger; of what each frame does, after the start
   bool unsure = false;  // under a condition that the text does not decide
   int line = 0;
 };
@@ -80,12 +81,12 @@ struct Timeline {
 struct ScriptReading {
   InstanceId script = kNoInstance;
   std::vector<Timeline> timelines;
-  std::vector<std::string> lines;  // of the source, for evidence
-  bool broken = false;             // the text could not be parsed to the end
-  bool requiresAsset = false;      // require(number): code that is not in the file
-  bool dynamicCode = false;        // loadstring, getfenv, setfenv
-  bool exhausted = false;          // the step budget ended the reading
-  std::vector<std::string> tags;   // tags that it asks CollectionService for
+  LineIndex lines;                // of the source, for evidence: the document must outlive it
+  bool broken = false;            // the text could not be parsed to the end
+  bool requiresAsset = false;     // require(number): code that is not in the file
+  bool dynamicCode = false;       // loadstring, getfenv, setfenv
+  bool exhausted = false;         // the step budget ended the reading
+  std::vector<std::string> tags;  // tags that it asks CollectionService for
 };
 
 // Reads every enabled script that runs in the place. Disabled ones and those in storage do nothing.

@@ -6,6 +6,7 @@
 
 #include "import/classes.h"
 #include "import/format/class_defaults.h"
+#include "import/scripted_changes.h"
 #include "import/words.h"
 
 namespace obby::importer {
@@ -208,6 +209,7 @@ void noteUnmodelled(RoleContext& context) {
     noteScript(context, reading);
     noteTimelines(context, reading);
   }
+  noteScriptedChanges(context);
 }
 
 }  // namespace obby::importer

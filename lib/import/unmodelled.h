@@ -5,8 +5,8 @@
 
 namespace obby::importer {
 
-// Terrain, seats, tools, collision groups, teleporters, buttons, scripts that were not understood.
-// Call it after findRoles.
+// Terrain, seats, tools, collision groups, teleporters, buttons, parts that scripts change in play,
+// scripts that were not understood. Call it after findRoles and looseParts.
 void noteUnmodelled(RoleContext& context);
 
 }  // namespace obby::importer

@@ -88,6 +88,123 @@ TEST(Carrying, SliderSteppedByAScript) {
   expectNear(at(scene[c.arm], 1), {0, 18, 0});
   expectNear(at(scene[c.arm], 4), {0, 28, 0});
   expectNear(at(scene[c.arm], 9), {0, 8, 0});
+  EXPECT_EQ(scene[c.arm].motion->offset, 0);
+}
+
+TEST(Carrying, ASliderIsSteppedWhenItsScriptHasWaited) {
+  Scene scene;
+  const auto c = constrained(scene, "PrismaticConstraint");
+  scene.set(c.id, "ActuatorType", EnumItem{2, {}});
+  scene.set(c.id, "Speed", 10.0);
+  scene.script(
+      "local slider = script.Parent.PrismaticConstraint\ntask.wait(1)\n"
+      "while true do\n slider.TargetPosition = 20\n task.wait(5)\n"
+      " slider.TargetPosition = 0\n task.wait(5)\nend",
+      c.base);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion);
+  EXPECT_NEAR(scene[c.arm].motion->offset, -1, 0.02);
+  expectNear(at(scene[c.arm], 1), {0, 18, 0});
+}
+
+// A slider whose motor pushes the arm up at 5 studs/s.
+Constraint pushed(Scene& scene, const char* className) {
+  const auto c = constrained(scene, className);
+  scene.set(c.id, "ActuatorType", EnumItem{1, {}});
+  scene.set(c.id, "Velocity", 5.0);
+  scene.set(c.id, "MotorMaxForce", 1e6);
+  return c;
+}
+
+TEST(Carrying, ASliderMotorGoesToItsLimitAndStays) {
+  for (const char* className : {"PrismaticConstraint", "CylindricalConstraint"}) {
+    Scene scene;
+    const auto c = pushed(scene, className);
+    scene.set(c.id, "LimitsEnabled", true);
+    scene.set(c.id, "LowerLimit", -10.0);
+    scene.set(c.id, "UpperLimit", 20.0);
+    scene.level();
+    ASSERT_TRUE(scene[c.arm].motion) << className;
+    EXPECT_TRUE(scene[c.arm].anchored);
+    EXPECT_TRUE(scene[c.arm].motion->carries);
+    EXPECT_EQ(scene[c.arm].motion->repeat, importer::Repeat::once);
+    EXPECT_NEAR(scene[c.arm].motion->keys.back().time, 4, 1e-4);
+    expectNear(at(scene[c.arm], 1), {0, 13, 0});
+    expectNear(at(scene[c.arm], 4), {0, 28, 0});
+    scene.set(c.id, "Velocity", -5.0);
+    scene.level();
+    ASSERT_TRUE(scene[c.arm].motion) << className;
+    expectNear(at(scene[c.arm], 2), {0, -2, 0});
+  }
+}
+
+TEST(Carrying, ASliderMotorAtItsLimitHoldsWhatItMoved) {
+  Scene scene;
+  const auto c = pushed(scene, "PrismaticConstraint");
+  scene.set(c.id, "LimitsEnabled", true);
+  scene.set(c.id, "UpperLimit", 0.0);
+  scene.level();
+  EXPECT_FALSE(scene[c.arm].motion);
+  EXPECT_TRUE(scene[c.arm].anchored);
+  EXPECT_NE(scene.evidence(c.arm, "held"), "");
+  EXPECT_EQ(scene.unmodelled("motion of a slider's motor"), 0u);
+}
+
+TEST(Carrying, ASliderMotorWithoutForceDrivesNothing) {
+  Scene scene;
+  const auto c = pushed(scene, "PrismaticConstraint");
+  scene.set(c.id, "MotorMaxForce", 0.0);
+  scene.level();
+  EXPECT_FALSE(scene[c.arm].motion);
+  EXPECT_FALSE(scene[c.arm].anchored);
+  EXPECT_EQ(scene.unmodelled("constraint PrismaticConstraint"), 1u);
+}
+
+// Without limits, and with limits where a script turns it round.
+TEST(Carrying, WhatASliderMotorMovesIsHeldWhereItsWayIsNotKnown) {
+  for (const bool scripted : {false, true}) {
+    Scene scene;
+    const auto c = pushed(scene, "PrismaticConstraint");
+    scene.set(c.id, "LimitsEnabled", scripted);
+    if (scripted)
+      scene.script(
+          "local slider = script.Parent.PrismaticConstraint\nwhile true do\n"
+          " slider.Velocity = 5\n task.wait(4)\n slider.Velocity = -5\n task.wait(4)\nend",
+          c.base);
+    const auto deck = scene.part("Deck", {0, 9, 0});
+    scene.set(deck, "Anchored", false);
+    const auto weld = scene.add("WeldConstraint", "Weld", deck);
+    scene.set(weld, "Part0", Ref{deck});
+    scene.set(weld, "Part1", Ref{c.arm});
+    scene.level();
+    for (const InstanceId part : {c.arm, deck}) {
+      EXPECT_FALSE(scene[part].motion) << scripted;
+      EXPECT_TRUE(scene[part].anchored) << scripted;
+      EXPECT_NE(scene.evidence(part, "held"), "") << scripted;
+    }
+    EXPECT_EQ(scene.unmodelled("motion of a slider's motor"), 1u) << scripted;
+    EXPECT_EQ(scene.unmodelled("constraint PrismaticConstraint"), 0u) << scripted;
+    EXPECT_EQ(scene.unmodelled("loose part"), 0u) << scripted;
+  }
+}
+
+TEST(Carrying, ACylinderTurnsAsItSlides) {
+  Scene scene;
+  const auto c = pushed(scene, "CylindricalConstraint");
+  scene.set(c.id, "LimitsEnabled", true);
+  scene.set(c.id, "UpperLimit", 20.0);
+  scene.set(c.id, "AngularActuatorType", EnumItem{1, {}});
+  scene.set(c.id, "AngularVelocity", 3.0);
+  scene.set(c.id, "MotorMaxTorque", 1e6);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion && scene[c.arm].motion->spin);
+  EXPECT_NEAR(scene[c.arm].motion->spin->speed, 3, 1e-4);
+  expectNear(at(scene[c.arm], 4), {0, 28, 0});
+  scene.set(c.id, "LimitsEnabled", false);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion && scene[c.arm].motion->spin);
+  EXPECT_TRUE(scene[c.arm].motion->keys.empty());
+  EXPECT_EQ(scene.unmodelled("motion of a slider's motor"), 1u);
 }
 
 }  // namespace

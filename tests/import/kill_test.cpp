@@ -74,6 +74,23 @@ TEST(Kill, WhatALoopPassesOverIsSafe) {
   }
 }
 
+TEST(Kill, WhatFollowsAWaitingLoopIsRead) {
+  const std::string behind = "\nworkspace.Red.Touched:Connect(kill)";
+  const std::string texts[] = {
+      "repeat task.wait() until workspace:FindFirstChild('Red')" + behind,
+      "repeat wait() until game:IsLoaded()" + behind,
+      "while not game:IsLoaded() do task.wait() end" + behind,
+      "local ready = false repeat task.wait() until ready" + behind,
+      "for _, v in next, workspace:GetChildren() do v.Touched:Connect(kill) end"};
+  for (const std::string& text : texts) {
+    Scene scene;
+    const auto red = scene.part("Red");
+    scene.script("local function kill(h) h.Parent.Humanoid.Health = 0 end\n" + text, scene.scripts);
+    scene.level();
+    EXPECT_TRUE(scene[red].kill) << text;
+  }
+}
+
 TEST(Kill, WaitAfterTheHitIsTheCooldown) {
   Scene scene;
   const auto part = scene.part("Part");

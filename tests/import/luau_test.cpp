@@ -102,6 +102,44 @@ TEST(Luau, EndlessAndRecursiveScriptsAreReadWithinABudget) {
   }
 }
 
+TEST(Luau, WhatFollowsAnEndlessLoopIsNotRead) {
+  const char* const loops[] = {"while true do end",
+                               "while task.wait(1) do end",
+                               "while true do game.RunService.Heartbeat:Wait() end",
+                               "repeat task.wait() until false",
+                               "while not (1 == 2) do print('x') wait() end",
+                               "while math.random() > 0 do p.Transparency = 1 wait() end",
+                               "local on = true while on do p.Transparency = 1 wait() end"};
+  for (const char* loop : loops) {
+    Scene scene;
+    const auto part = scene.part("Part");
+    scene.script("local p = script.Parent\n" + std::string(loop) +
+                     "\np.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end)",
+                 part);
+    scene.level();
+    EXPECT_FALSE(scene[part].kill) << loop;
+  }
+}
+
+// The text takes the memory that the list of two connections leaves as it grows.
+TEST(Luau, TheEndOfATweenMayConnectMoreToIt) {
+  Scene scene;
+  const auto part = scene.part("Part");
+  scene.script(R"(local p = script.Parent
+local t = game:GetService("TweenService"):Create(p, TweenInfo.new(1), {Transparency = 1})
+t.Completed:Connect(function()
+  t.Completed:Connect(function() end)
+  local text = "123456789012345678901234567890"
+end)
+t.Completed:Connect(function()
+  p.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end)
+end)
+t:Play())",
+               part);
+  scene.level();
+  EXPECT_TRUE(scene[part].kill);
+}
+
 TEST(Luau, ManyPartsUnderOneCentralScript) {
   Scene scene;
   const auto folder = scene.add("Folder", "Kill", scene.workspace);

@@ -1,6 +1,11 @@
 // Geometry of parts, what belongs to the level, joints and strays.
 #include <limits>
+#include <memory>
 
+// Ahead of what makes the importer's names this namespace's: one of them is a kind of value here.
+#include "support/place_columns.h"
+
+#include "import/hulls.h"
 #include "import/pose_math.h"
 #include "import/scene.h"
 
@@ -39,6 +44,62 @@ TEST(Parts, MeshWithoutCollisionDataIsItsBoxAndSaysSo) {
   scene.level();
   EXPECT_EQ(scene.evidence(mesh, "shape").rfind("guessed: bounding box", 0), 0u);
   EXPECT_EQ(scene.unmodelled("shape of a mesh or union"), 1u);
+}
+
+// A collision blob of hulls whose corners are (1, 2, 3), without triangles.
+std::string collisionBlob(uint32_t hulls, uint32_t corners) {
+  std::string bytes = "CSGPHS";
+  append(bytes, 3);
+  for (uint32_t hull = 0; hull < hulls; ++hull) {
+    bytes.append(40, '\0');
+    append(bytes, 3 * corners);
+    append(bytes, 4);
+    for (uint32_t corner = 0; corner < corners; ++corner)
+      for (const float f : {1.0f, 2.0f, 3.0f}) appendFloat(bytes, f);
+    append(bytes, 0);
+  }
+  return bytes;
+}
+
+TEST(Parts, PartsOverOneBlobHaveItsHullsInTheirOwnSizes) {
+  Scene scene;
+  const importer::SharedBlob rock{std::make_shared<const std::string>(collisionBlob(2, 5))};
+  InstanceId meshes[3];
+  for (int i = 0; i < 3; ++i) {
+    meshes[i] = scene.part("Rock", {10 * float(i), 0, 0}, scene.workspace, "MeshPart");
+    scene.set(meshes[i], "InitialSize", Vec3{4, 1, 4});
+    scene.set(meshes[i], "PhysicalConfigData", rock);
+  }
+  scene.set(meshes[1], "Size", Vec3{8, 1, 4});
+  scene.set(meshes[2], "PhysicalConfigData", collisionBlob(1, 4));
+  scene.level();
+  for (const InstanceId mesh : meshes) {
+    EXPECT_EQ(scene[mesh].shape, Shape::hull);
+    ASSERT_EQ(scene[mesh].hulls.size(), mesh == meshes[2] ? 1u : 2u);
+    EXPECT_EQ(scene[mesh].hulls[0][0], (Vec3{mesh == meshes[1] ? 2.0f : 1.0f, 2, 3}));
+  }
+  EXPECT_EQ(scene.unmodelled("shape of a mesh or union"), 0u);
+}
+
+TEST(Parts, AllHullsOfALevelHaveABudget) {
+  constexpr uint32_t kParts = 2000, kHulls = 20, kCorners = 120;
+  static_assert(kParts * kHulls * kCorners > importer::kMaxLevelCorners);
+  Scene scene;
+  const importer::SharedBlob rock{
+      std::make_shared<const std::string>(collisionBlob(kHulls, kCorners))};
+  for (uint32_t i = 0; i < kParts; ++i) {
+    const auto mesh = scene.part("Rock", {float(i), 0, 0}, scene.workspace, "MeshPart");
+    scene.set(mesh, "PhysicalConfigData", rock);
+  }
+  size_t corners = 0, boxes = 0;
+  for (const PartDraft& part : scene.level().parts) {
+    boxes += part.shape == Shape::block ? 1 : 0;
+    for (const auto& hull : part.hulls) corners += hull.size();
+  }
+  EXPECT_GT(corners, importer::kMaxLevelCorners / 2);
+  EXPECT_LE(corners, importer::kMaxLevelCorners);
+  EXPECT_GT(scene.unmodelled("shape of a mesh or union"), 0u);
+  EXPECT_EQ(scene.unmodelled("shape of a mesh or union"), boxes);
 }
 
 TEST(Parts, OmittedPropertiesHaveTheirClassDefaults) {

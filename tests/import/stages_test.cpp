@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "import/queries.h"
 #include "import/scene.h"
 
 namespace obby::test {
@@ -188,6 +189,34 @@ TEST(Stages, GoalByTagBeatsGoalsByName) {
   scene.level();
   EXPECT_TRUE(scene[tagged].goal);
   EXPECT_FALSE(scene[named].goal);
+}
+
+TEST(Stages, ATaggedModelIsOneGoal) {
+  for (const char* name : {"Touch", "Goal"}) {
+    Scene scene;
+    spawn(scene, "Start", {});
+    const auto model = scene.add("Model", "Gate", scene.workspace);
+    scene.tag(model, "Goal");
+    scene.part("Arch", {60, 8, 0}, model);
+    const auto touch = scene.part(name, {60, 0, 0}, model);
+    scene.part("Post", {64, 4, 0}, model);
+    const auto& level = scene.level();
+    for (const PartDraft& part : level.parts)
+      EXPECT_EQ(part.goal.has_value(), part.id == touch) << name;
+    EXPECT_EQ(importer::stageQueries(level, importer::Tree(scene.document)).size(), 1u);
+  }
+}
+
+TEST(Stages, ATaggedFolderHoldsGoalsSideBySide) {
+  Scene scene;
+  spawn(scene, "Start", {});
+  const auto folder = scene.add("Folder", "Ends", scene.workspace);
+  scene.tag(folder, "Goal");
+  const auto left = scene.part("Left", {60, 0, 0}, folder),
+             right = scene.part("Right", {60, 0, 20}, folder);
+  scene.level();
+  EXPECT_TRUE(scene[left].goal);
+  EXPECT_TRUE(scene[right].goal);
 }
 
 TEST(Stages, AModelOfManyPartsIsOneCheckpoint) {

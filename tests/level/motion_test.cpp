@@ -127,6 +127,21 @@ TEST(Motion, OffsetIsTimeAlreadyGone) {
   EXPECT_EQ(xAt(tablesOf(slide(2, Repeat::ONCE, 5)), 0), 10);
 }
 
+// As scripts that wait before they move a part for ever: it is at its first key after the wait.
+TEST(Motion, WhatRepeatsWithANegativeOffsetComesRoundToItsStartAfterIt) {
+  for (const float wait : {0.5f, 1.0f, 7.25f, 599.5f}) {
+    const auto end = uint32_t(60 * wait);
+    for (const Repeat repeat : {Repeat::LOOP, Repeat::PING_PONG}) {
+      const MotionTables t = tablesOf(slide(2, repeat, -wait));
+      EXPECT_NEAR(xAt(t, end + 6), 0.5f, 1e-3f) << wait;
+      EXPECT_NEAR(xAt(t, end + 60), 5, 1e-3f) << wait;
+    }
+    const MotionTables t = tablesOf(spin({0, 1, 0}, float(kTwoPi / 4), {}, -wait));
+    EXPECT_NEAR((moverPose(moverOf(t), end).rotation * Vec3{0, 0, -1}).z, -1, 1e-4f) << wait;
+    EXPECT_NEAR((moverPose(moverOf(t), end + 60).rotation * Vec3{0, 0, -1}).x, -1, 1e-4f) << wait;
+  }
+}
+
 TEST(Motion, OnceWithANegativeOffsetWaitsAndStillArrives) {
   const MotionTables t = tablesOf(slide(2, Repeat::ONCE, -5));
   EXPECT_EQ(xAt(t, 0), 0);

@@ -4,26 +4,51 @@
 #include "import/filter.h"
 #include "io/physics.h"
 #include "io/pipeline.h"
+#include "io/read_file.h"
 #include "options.h"
 
 namespace {
 
 using namespace obby;
 
-Result<cli::ExitCode> explain(cli::Context& context, importer::ImportOptions options) {
-  OBBY_ASSIGN(io::Sink sink, context.openSink());
-  options.explain = true;
-  std::string table;
+// What says which records to write, or how, says nothing of a table.
+Status refuseOptionsOfRecords(const cli::Arguments& a) {
+  const char* given = a.has("format")        ? "--format"
+                      : a.flag("no-queries") ? "--no-queries"
+                                             : nullptr;
+  if (!given) return {};
+  return Error{{}, {}, given, "does not go with --explain", "which writes a table, no records"};
+}
+
+// The tables of all inputs up to one that ends the run; its error is in the result. Under
+// --on-error skip and emit a broken input is reported and left out.
+Status tables(cli::Context& context, const importer::ImportOptions& options, std::string& text) {
   importer::InputOpener opener(
       options, [&](const std::string& warning) { context.note(warning); },
-      [&](const std::string& text) { table += (table.empty() ? "" : "\n") + text; },
+      [&](const std::string& table) { text += (text.empty() ? "" : "\n") + table; },
       &context.stop());
+  const bool goesOn = context.sourceOptions().onError != io::OnError::stop;
   for (const std::string& path : context.inputs()) {
-    auto opened = opener.open(path);
-    if (!opened) return opened.error();
+    if (context.stop()) break;
+    const auto opened = opener.open(path);
+    if (opened) continue;
+    if (!goesOn || io::isInterrupted(opened.error())) return opened.error();
+    context.error(opened.error());
   }
-  OBBY_RETURN_IF_ERROR(sink.write(table));
-  OBBY_RETURN_IF_ERROR(sink.close());
+  return {};
+}
+
+Result<cli::ExitCode> explain(cli::Context& context, importer::ImportOptions options) {
+  OBBY_RETURN_IF_ERROR(refuseOptionsOfRecords(context.arguments()));
+  OBBY_ASSIGN(io::Sink sink, context.openSink());
+  options.explain = true;
+  std::string text;
+  const Status done = tables(context, options, text);
+  if (!done && text.empty()) return done.error();  // nothing was done: leave no output
+  Status written = sink.write(text);
+  if (written) written = sink.close();
+  if (!done) return done.error();
+  if (!written) return written.error();
   return cli::ExitCode::ok;
 }
 

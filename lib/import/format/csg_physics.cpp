@@ -92,23 +92,34 @@ Result<Collision> decodeCollision(std::string_view blob) {
   return out;
 }
 
-Collision collisionOf(const Instance& part) {
+CollisionBlob collisionBlobOf(const Instance& part) {
   for (const char* name : {"PhysicalConfigData", "PhysicsData"}) {
     const auto* shared = property<SharedBlob>(part, name);
     const auto* own = property<std::string>(part, name);
-    const std::string_view blob = shared ? *shared->bytes : own ? *own : std::string_view();
-    if (blob.empty()) continue;
-    Result<Collision> decoded = decodeCollision(blob);
-    if (!decoded) return unsupported(std::string(name) + ": " + decoded.error().text());
-    const Vec3 size = get<Vec3>(part, "Size"), initial = get<Vec3>(part, "InitialSize");
-    const Vec3 scale = {scaleOf(size.x, initial.x), scaleOf(size.y, initial.y),
-                        scaleOf(size.z, initial.z)};
-    for (auto& hull : decoded->hulls) {
-      for (Vec3& corner : hull) corner = mul(corner, scale);
-    }
-    return *std::move(decoded);
+    const std::string_view bytes = shared ? *shared->bytes : own ? *own : std::string_view();
+    if (!bytes.empty()) return {name, bytes, shared != nullptr};
   }
   return {};
+}
+
+Collision collisionFrom(const CollisionBlob& blob) {
+  Result<Collision> decoded = decodeCollision(blob.bytes);
+  if (!decoded) return unsupported(std::string(blob.property) + ": " + decoded.error().text());
+  return *std::move(decoded);
+}
+
+Vec3 hullScaleOf(const Instance& part) {
+  const Vec3 size = get<Vec3>(part, "Size"), initial = get<Vec3>(part, "InitialSize");
+  return {scaleOf(size.x, initial.x), scaleOf(size.y, initial.y), scaleOf(size.z, initial.z)};
+}
+
+Collision collisionOf(const Instance& part) {
+  Collision collision = collisionFrom(collisionBlobOf(part));
+  const Vec3 scale = hullScaleOf(part);
+  for (auto& hull : collision.hulls) {
+    for (Vec3& corner : hull) corner = mul(corner, scale);
+  }
+  return collision;
 }
 
 }  // namespace obby::importer

@@ -29,8 +29,21 @@ struct Collision {
 // Fails on damage only.
 Result<Collision> decodeCollision(std::string_view blob);
 
-// The collision of a mesh part or union, in the part's own space: corners scaled by Size /
-// InitialSize. Damage makes it Unsupported, with the reason in `detail`.
+// Where a mesh part or union keeps its collision: in PhysicalConfigData, else in PhysicsData.
+struct CollisionBlob {
+  const char* property = "";
+  std::string_view bytes;  // empty: there is none
+  bool shared = false;     // other parts may have these bytes, at this address
+};
+CollisionBlob collisionBlobOf(const Instance& part);
+
+// As decodeCollision, but damage makes it Unsupported, with the reason in `detail`.
+Collision collisionFrom(const CollisionBlob& blob);
+
+// Size / InitialSize: takes corners to the part's own space.
+Vec3 hullScaleOf(const Instance& part);
+
+// The collision of a mesh part or union, damaged or not, in the part's own space.
 Collision collisionOf(const Instance& part);
 
 }  // namespace obby::importer

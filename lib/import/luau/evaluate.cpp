@@ -87,6 +87,7 @@ Datum Reader::tableValue(const Expr& expr) {
 Datum Reader::field(const Datum& object, const std::string& name) {
   if (const auto* ref = object.as<Ref>()) return instanceField(ref->target, name);
   if (const auto* library = object.as<Library>()) {
+    if (library->name == "_G" || library->name == "shared") return {};  // of other scripts
     if (library->name == "game" || library->name == "workspace") return serviceNamed(name);
     return libraryField(library->name + "." + name);
   }

@@ -21,6 +21,25 @@ bool isWait(const Expr& expr) {
   return expr.kind == ExprKind::call || expr.kind == ExprKind::method;
 }
 
+// Conditions that nothing in the running game turns: literals, and waits, which always hold.
+bool isFixed(const Expr& expr) {
+  const auto& kids = expr.kids;
+  switch (expr.kind) {
+    case ExprKind::nil:
+    case ExprKind::truth:
+    case ExprKind::falsehood:
+    case ExprKind::number:
+    case ExprKind::string: return true;
+    case ExprKind::unary:
+    case ExprKind::binary:
+      return std::all_of(kids.begin(), kids.end(),
+                         [](const ExprPtr& kid) { return isFixed(*kid); });
+    case ExprKind::call: return kids[0]->text == "wait";  // and task.wait
+    case ExprKind::method: return expr.text == "Wait" || expr.text == "wait";
+    default: return false;
+  }
+}
+
 // Properties that make a loop worth following for more than one round.
 bool isTracked(const ScriptEvent& event) {
   return event.kind == EventKind::set &&
@@ -55,7 +74,7 @@ Reader::Flow Reader::walkRound(const Block& body) {
 Reader::Flow Reader::whileLoop(const Stat& stat) {
   const Expr& condition = *stat.values[0];
   const bool repeats = stat.kind == StatKind::repeatLoop;
-  const bool waits = isWait(condition);
+  const bool waits = !repeats && isWait(condition);
   const double start = time_;
   Truth truth = truthOf(evaluate(condition));
   time_ = start;
@@ -63,7 +82,8 @@ Reader::Flow Reader::whileLoop(const Stat& stat) {
   if (truth == Truth::no && !waits && !repeats) return Flow::on;
   const bool endless = truth == Truth::yes || waits ||
                        (timeline_.trigger == Trigger::start && depth_ == 0 && !repeats);
-  if (endless) return foreverLoop(stat.blocks[0], waits ? &condition : nullptr);
+  const bool sure = truth == Truth::yes && isFixed(condition);
+  if (endless) return foreverLoop(stat.blocks[0], waits ? &condition : nullptr, sure);
   const Flow flow = walkRound(stat.blocks[0]);
   return flow == Flow::leaveLoop ? Flow::on : flow;
 }
@@ -84,8 +104,9 @@ void Reader::beginLoop() {
 }
 
 // Rounds are followed until two in a row leave the parts as the first two did: one alone may pass
-// the same place on the way back.
-Reader::Flow Reader::foreverLoop(const Block& body, const Expr* condition) {
+// the same place on the way back. A loop that is not sure to be endless and does nothing but wait
+// ends with what it waits for: what follows it is read.
+Reader::Flow Reader::foreverLoop(const Block& body, const Expr* condition, bool sure) {
   const bool nested = timeline_.forever;
   if (!nested) beginLoop();
   State first, second;
@@ -97,8 +118,10 @@ Reader::Flow Reader::foreverLoop(const Block& body, const Expr* condition) {
     if (condition) evaluate(*condition);
     const Flow flow = walkRound(body);
     if (timeline_.trigger == Trigger::frame) time_ = std::max(time_, roundStart + kFrame);
-    if (flow == Flow::leaveLoop && !nested) timeline_.forever = false;
-    if (flow == Flow::leaveLoop) return Flow::on;
+    const bool idle = round == 0 && flow == Flow::on && timeline_.events.size() == event;
+    const bool ends = flow == Flow::leaveLoop || (idle && !sure);
+    if (ends) timeline_.forever = nested;
+    if (ends) return Flow::on;
     timeline_.period = time_ - timeline_.loopStart;
     if (flow != Flow::on) return flow;
     const auto begin = timeline_.events.begin() + std::ptrdiff_t(event);
@@ -146,7 +169,9 @@ Reader::Flow Reader::numericFor(const Stat& stat) {
 
 Reader::Flow Reader::genericFor(const Stat& stat) {
   const auto values = evaluateAll(stat.values, 0);
-  const auto* table = values.empty() ? nullptr : values[0].as<Table*>();
+  const auto* library = values.empty() ? nullptr : values[0].as<Library>();
+  const bool steps = library && library->name == "next";  // `in next, list`
+  const auto* table = argument(values, steps ? 1 : 0).as<Table*>();
   const auto round = [&](Datum key, Datum value) {
     const auto outer = scope_;
     scope_ = newScope(outer);

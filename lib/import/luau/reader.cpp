@@ -63,7 +63,7 @@ void Reader::follow(const Pending& pending) {
     scope_ = newScope(pending.closure.scope);
     for (size_t i = 0; i < body->parameters.size() && i < pending.arguments.size(); ++i)
       scope_->names[body->parameters[i]] = pending.arguments[i];
-    foreverLoop(body->body, nullptr);
+    foreverLoop(body->body, nullptr, true);
     scope_ = outer;
   } else {
     call(pending.closure, pending.arguments);
@@ -87,7 +87,8 @@ void Reader::finishTweens() {
     const Played played = played_[i];
     if (played.tween->timing.repeats < 0) continue;
     time_ = played.time + played.tween->timing.total();
-    for (const Closure& closure : played.tween->completed) call(closure, {});
+    const auto completed = played.tween->completed;  // what is called may connect more
+    for (const Closure& closure : completed) call(closure, {});
   }
   played_.clear();
   finishing_ = false;
@@ -229,6 +230,9 @@ void Reader::later(Pending pending, const Datum& function, std::vector<Datum> ar
   if (!closure || pending_.size() >= kMaxTimelines) return;
   pending.closure = *closure;
   pending.arguments = std::move(arguments);
+  // What each frame does begins as it is connected; other handlers count from their trigger.
+  if (pending.trigger == Trigger::frame && timeline_.trigger == Trigger::start)
+    pending.time = time_;
   pending_.push_back(std::move(pending));
 }
 

@@ -56,8 +56,9 @@ class Reader {
   Flow walkRound(const Block& body);
   Flow whileLoop(const Stat& stat);
   void beginLoop();
-  // `condition` is evaluated in each round, for its waits; may be null.
-  Flow foreverLoop(const Block& body, const Expr* condition);
+  // `condition` is evaluated in each round, for its waits; may be null. `sure`: the loop ends by no
+  // condition.
+  Flow foreverLoop(const Block& body, const Expr* condition, bool sure);
   Flow numericFor(const Stat& stat);
   Flow genericFor(const Stat& stat);
   using State = std::map<std::pair<InstanceId, std::string>, Datum>;

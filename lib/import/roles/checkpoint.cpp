@@ -3,7 +3,6 @@
 #include <unordered_map>
 
 #include "import/checkpoints.h"
-#include "import/format/class_defaults.h"
 #include "import/roles/role.h"
 #include "import/words.h"
 
@@ -14,25 +13,11 @@ const std::vector<std::string_view> kTags = {"checkpoint", "checkpoints", "stage
                                              "spawnpoint", "respawn",     "respawnpoint"};
 constexpr std::string_view kWords[] = {"checkpoint", "checkpoints"};
 constexpr std::string_view kFolderWords[] = {"checkpoint", "checkpoints", "stages", "spawns"};
-constexpr std::string_view kTouchNames[] = {"touch",      "hitbox", "trigger", "pad",
-                                            "checkpoint", "part",   "spawn"};
 
 void give(PartDraft& part, int stage, std::string reason, bool guessed) {
   if (part.checkpoint || part.kill) return;
   part.checkpoint = stage;
   part.evidence.push_back({"checkpoint", std::move(reason), guessed});
-}
-
-// The part of a checkpoint model that is touched.
-PartDraft* touchPart(RoleContext& context, InstanceId id) {
-  const auto parts = context.partsOf(id);
-  for (std::string_view name : kTouchNames)
-    for (PartDraft* part : parts)
-      if (lower(context.tree.at(part->id).name) == name) return part;
-  const Ref primary = get<Ref>(context.tree.at(id), "PrimaryPart");
-  if (primary.target != kNoInstance)
-    if (PartDraft* part = context.part(primary.target)) return part;
-  return parts.empty() ? nullptr : parts.front();
 }
 
 bool isNumber(std::string_view name) {

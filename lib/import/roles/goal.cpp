@@ -18,13 +18,14 @@ constexpr std::string_view kEndNames[] = {"end",      "theend",     "endpart",
 
 void goalFromTags(RoleContext& context) {
   context.eachTagged(kGoalTags, [&](InstanceId id, const std::string& tag) {
-    const auto parts = context.partsOf(id);
-    // Of a tagged model the part called Touch or Goal counts, else all.
-    for (PartDraft* part : parts) {
-      if (part->goal) continue;
+    const auto give = [&](PartDraft* part) {
+      if (!part || part->goal) return;
       part->goal = 0;
       part->evidence.push_back({"goal", "tag " + tag, false});
-    }
+    };
+    // A folder holds goals side by side. A model is one: each goal is a query of its own.
+    if (context.tree.at(id).className != "Folder") return give(touchPart(context, id));
+    for (PartDraft* part : context.partsOf(id)) give(part);
   });
 }
 

@@ -46,9 +46,10 @@ std::map<InstanceId, Moved> movedBy(const Tree& tree, const Timeline& timeline) 
   return all;
 }
 
-Motion spinning(const Spin& spin, const Moved& moved) {
+Motion spinning(const Spin& spin, const Moved& moved, double begin) {
   Motion motion;
   motion.spin = spin;
+  beginAt(motion, begin);
   if (!samePose(moved.start, moved.rest))
     motion.keys = {{0, moved.start, Easing::linear, EasingDirection::out}};
   return motion;
@@ -57,7 +58,8 @@ Motion spinning(const Spin& spin, const Moved& moved) {
 std::optional<Motion> endlessTween(const Moved& moved) {
   for (const ScriptEvent* event : moved.tweens) {
     if (event->tween.repeats >= 0) continue;
-    if (const auto spin = spinOfTween(moved.start, *event)) return spinning(*spin, moved);
+    if (const auto spin = spinOfTween(moved.start, *event))
+      return spinning(*spin, moved, event->time);
     Motion motion;
     motion.keys = {{0, moved.start, Easing::linear, EasingDirection::out}};
     ScriptEvent once = *event;
@@ -65,6 +67,7 @@ std::optional<Motion> endlessTween(const Moved& moved) {
     once.tween.reverses = false;
     appendTween(motion.keys, once, 0);
     motion.repeat = event->tween.reverses ? Repeat::pingPong : Repeat::loop;
+    beginAt(motion, event->time);
     return motion;
   }
   return std::nullopt;
@@ -76,6 +79,7 @@ std::optional<Motion> tweenMotion(const Timeline& timeline, const Moved& moved) 
   Motion motion;
   motion.repeat = timeline.forever ? Repeat::loop : Repeat::once;
   const double zero = timeline.forever ? timeline.loopStart : 0;
+  beginAt(motion, zero);  // what comes but once waits with its keys
   // In a loop the first round starts where the last one ends.
   const ScriptEvent& last = *moved.tweens.back();
   const Pose start = timeline.forever && !last.tween.reverses ? *last.frame : moved.start;
@@ -130,13 +134,14 @@ std::optional<LoopMotion> loopMotion(const Timeline& timeline, const Moved& move
   };
   if (timeline.closed) cut(timeline.period);
   if (auto spin = spinFrom(moved.start, samples, loop.period)) {
-    loop.motion = spinning(*spin, moved);
+    loop.motion = spinning(*spin, moved, timeline.loopStart);
     return loop;
   }
   const auto near = timeline.closed ? std::nullopt : nearPeriod(samples);
   if (near) cut(*near);
   loop.open = !timeline.closed && !near;
   loop.motion.keys = keysFrom(moved.start, samples, loop.period, !loop.open);
+  beginAt(loop.motion, timeline.loopStart);
   return loop;
 }
 

@@ -5,72 +5,35 @@
 #include <set>
 
 #include "import/classes.h"
-#include "import/format/class_defaults.h"
-#include "import/motion.h"
 #include "import/pivot.h"
-#include "import/pose_math.h"
+#include "import/roles/driven.h"
 
 namespace obby::importer {
 namespace {
 
-constexpr uint32_t kMotor = 1, kServo = 2;
+constexpr std::string_view kCylinder = "CylindricalConstraint";
 constexpr double kAlignSeconds = 0.5;  // an AlignPosition or BodyPosition without a speed limit
 
-struct Drive {
-  InstanceId constraint = kNoInstance;
-  InstanceId moving = kNoInstance;  // the part that is not held
-  bool reversed = false;            // the moving part is the first end
-  Pose frame;                       // world frame of the fixed attachment
-};
-
-Pose attachmentFrame(const Tree& tree, const Instance& constraint, const char* name,
-                     InstanceId part) {
-  const auto* ref = property<Ref>(constraint, name);
-  const Pose base = pivotOf(tree, part);
-  if (!ref || ref->target >= tree.size()) return base;
-  return base * get<CFrame>(tree.at(ref->target), "CFrame");
-}
-
-// The end that moves, if exactly one end is held.
-std::optional<Drive> driveOf(RoleContext& context, InstanceId id) {
-  const JointEnds ends = jointEnds(context.tree, id);
-  if (ends.first == kNoInstance || ends.second == kNoInstance) return std::nullopt;
-  const bool firstHeld = context.assemblies.anchored(ends.first);
-  if (firstHeld == context.assemblies.anchored(ends.second)) return std::nullopt;
-  const Instance& constraint = context.tree.at(id);
-  Drive drive{id, firstHeld ? ends.second : ends.first, !firstHeld, {}};
-  drive.frame = attachmentFrame(context.tree, constraint, firstHeld ? "Attachment0" : "Attachment1",
-                                firstHeld ? ends.first : ends.second);
-  return drive;
-}
-
-bool give(RoleContext& context, InstanceId moving, Motion motion, InstanceId constraint,
-          const std::string& what, bool guessed) {
-  motion.carries = true;
-  const std::string reason = context.tree.at(constraint).className + " " + what;
-  return giveMotion(context, moving, motion, reason, guessed) > 0;
-}
-
-Motion turning(const RoleContext& context, InstanceId moving, const Pose& about, double speed) {
-  const Pose own = pivotOf(context.tree, moving);
-  Motion motion;
-  motion.spin =
-      Spin{toLocal(own.rotation, about.rotation.x), float(speed), toLocal(own, about.position)};
-  return motion;
-}
-
-bool fromHinge(RoleContext& context, InstanceId id) {
-  const Instance& hinge = context.tree.at(id);
-  const bool cylinder = hinge.className == "CylindricalConstraint";
+// How a motor turns the moving part.
+std::optional<Spin> spinOf(const RoleContext& context, const Drive& drive) {
+  const Instance& hinge = context.tree.at(drive.constraint);
+  const bool cylinder = hinge.className == kCylinder;
   const auto actuator =
       propertyOr(hinge, cylinder ? "AngularActuatorType" : "ActuatorType", EnumItem{});
   const double torque = propertyOr(hinge, "MotorMaxTorque", 0.0);
   const double speed = propertyOr(hinge, "AngularVelocity", 0.0);
+  if (actuator.value != kMotor || !(torque > 0) || speed == 0) return std::nullopt;
+  const Pose own = pivotOf(context.tree, drive.moving);
+  return Spin{toLocal(own.rotation, drive.frame.rotation.x), float(drive.reversed ? -speed : speed),
+              toLocal(own, drive.frame.position)};
+}
+
+bool fromHinge(RoleContext& context, InstanceId id) {
   const auto drive = driveOf(context, id);
-  if (!drive || actuator.value != kMotor || !(torque > 0) || speed == 0) return false;
-  return give(context, drive->moving,
-              turning(context, drive->moving, drive->frame, drive->reversed ? -speed : speed), id,
-              "motor", false);
+  if (!drive) return false;
+  Motion motion;
+  motion.spin = spinOf(context, *drive);
+  return motion.spin && giveDriven(context, drive->moving, std::move(motion), id, "motor", false);
 }
 
 // Steps that a script's endless loop sets on a property of the constraint.
@@ -95,8 +58,10 @@ std::optional<Steps> stepsOf(const RoleContext& context, InstanceId id,
 }
 
 // From each goal to the next at `speed` (0: kAlignSeconds), waiting in between as the steps do.
-Motion stepped(const std::vector<std::pair<double, Pose>>& goals, double period, double speed) {
+Motion stepped(const std::vector<std::pair<double, Pose>>& goals, const Steps& steps,
+               double speed) {
   Motion motion;
+  beginAt(motion, steps.start);
   Pose last = goals.back().second;
   const auto add = [&](double time, const Pose& pose) {
     const double at = motion.keys.empty() ? 0 : std::max(time, double(motion.keys.back().time));
@@ -104,49 +69,48 @@ Motion stepped(const std::vector<std::pair<double, Pose>>& goals, double period,
   };
   add(0, last);
   for (size_t i = 0; i < goals.size(); ++i) {
-    const double until = i + 1 < goals.size() ? goals[i + 1].first : period;
+    const double until = i + 1 < goals.size() ? goals[i + 1].first : steps.period;
     const double way = double(length(goals[i].second.position - last.position));
     const double takes = speed > 0 ? way / speed : kAlignSeconds;
     add(goals[i].first, last);
     add(std::min(goals[i].first + takes, until), goals[i].second);
     last = goals[i].second;
   }
-  add(period, last);
+  add(steps.period, last);
   return motion;
 }
 
-bool fromSlider(RoleContext& context, InstanceId id) {
-  const Instance& slider = context.tree.at(id);
-  const auto drive = driveOf(context, id);
-  if (!drive || propertyOr(slider, "ActuatorType", EnumItem{}).value != kServo) return false;
+bool fromServo(RoleContext& context, const Drive& drive, const std::optional<Spin>& spin) {
+  const Instance& slider = context.tree.at(drive.constraint);
   const double speed = propertyOr(slider, "Speed", 0.0);
-  const Pose own = pivotOf(context.tree, drive->moving);
-  const Vec3 axis = drive->frame.rotation.x * (drive->reversed ? -1.0f : 1.0f);
-  const auto* ref = property<Ref>(slider, drive->reversed ? "Attachment0" : "Attachment1");
-  const Vec3 attached =
-      ref && ref->target < context.tree.size()
-          ? toWorld(own, get<CFrame>(context.tree.at(ref->target), "CFrame").position)
-          : own.position;
-  const double now = double(dot(attached - drive->frame.position, axis));
-  const auto at = [&](double target) {
-    return Pose{own.position + axis * float(target - now), own.rotation};
-  };
-  if (const auto steps = stepsOf(context, id, {"TargetPosition"})) {
+  if (!(speed > 0)) return false;
+  const Track track = trackOf(context.tree, drive);
+  if (const auto steps = stepsOf(context, drive.constraint, {"TargetPosition"})) {
     std::vector<std::pair<double, Pose>> goals;
     for (const ScriptEvent* e : steps->events)
-      if (e->number) goals.emplace_back(e->time - steps->start, at(*e->number));
-    if (!goals.empty() && speed > 0)
-      return give(context, drive->moving, stepped(goals, steps->period, speed), id,
-                  "servo stepped by a script", false);
+      if (e->number) goals.emplace_back(e->time - steps->start, track.at(*e->number));
+    if (!goals.empty()) {
+      Motion motion = stepped(goals, *steps, speed);
+      motion.spin = spin;
+      return giveDriven(context, drive.moving, std::move(motion), drive.constraint,
+                        "servo stepped by a script", false);
+    }
   }
-  const double target = propertyOr(slider, "TargetPosition", now);
-  if (!(speed > 0) || std::abs(target - now) < 0.05) return false;
-  Motion motion;
-  motion.repeat = Repeat::once;
-  motion.keys = {
-      {0, own, Easing::linear, EasingDirection::out},
-      {float(std::abs(target - now) / speed), at(target), Easing::linear, EasingDirection::out}};
-  return give(context, drive->moving, motion, id, "servo", false);
+  const double target = propertyOr(slider, "TargetPosition", track.now);
+  if (std::abs(target - track.now) < kArrived) return false;
+  return giveDriven(context, drive.moving, slideTo(track, target, speed, spin), drive.constraint,
+                    "servo", false);
+}
+
+bool fromSlider(RoleContext& context, InstanceId id) {
+  const auto drive = driveOf(context, id);
+  if (!drive) return false;
+  const Instance& slider = context.tree.at(id);
+  const uint32_t actuator = propertyOr(slider, "ActuatorType", EnumItem{}).value;
+  // A cylinder may turn as it slides.
+  const auto spin = slider.className == kCylinder ? spinOf(context, *drive) : std::nullopt;
+  if (actuator == kMotor) return fromSliderMotor(context, *drive, spin);
+  return actuator == kServo && fromServo(context, *drive, spin);
 }
 
 // The part that a mover in OneAttachment mode or a legacy body mover acts on.
@@ -169,8 +133,8 @@ bool fromPosition(RoleContext& context, InstanceId id) {
     if (e->vector) goals.emplace_back(e->time - steps->start, Pose{*e->vector, own.rotation});
   if (goals.empty()) return false;
   const double limit = propertyOr(context.tree.at(id), "MaxVelocity", 0.0);
-  return give(context, part, stepped(goals, steps->period, std::isfinite(limit) ? limit : 0), id,
-              "stepped by a script", true);
+  return giveDriven(context, part, stepped(goals, *steps, std::isfinite(limit) ? limit : 0), id,
+                    "stepped by a script", true);
 }
 
 bool fromTurner(RoleContext& context, InstanceId id) {
@@ -183,7 +147,7 @@ bool fromTurner(RoleContext& context, InstanceId id) {
   Motion motion;
   motion.spin =
       Spin{toLocal(pivotOf(context.tree, part).rotation, normalize(turn)), length(turn), {}};
-  return give(context, part, motion, id, "turns it", true);
+  return giveDriven(context, part, motion, id, "turns it", true);
 }
 
 // The part of the level that the constraint leaves loose; kNoInstance if there is none.
@@ -203,8 +167,9 @@ bool isHolder(const std::string& className) {
 
 bool understand(RoleContext& context, InstanceId id) {
   const std::string& name = context.tree.at(id).className;
-  if (name == "HingeConstraint" || name == "CylindricalConstraint") return fromHinge(context, id);
+  if (name == "HingeConstraint") return fromHinge(context, id);
   if (name == "PrismaticConstraint") return fromSlider(context, id);
+  if (name == kCylinder) return fromSlider(context, id) || fromHinge(context, id);
   if (name == "BodyAngularVelocity" || name == "AngularVelocity") return fromTurner(context, id);
   return isHolder(name) && fromPosition(context, id);
 }
@@ -229,12 +194,7 @@ void movingFromConstraints(RoleContext& context) {
                                                      : "what it holds or drives is a loose body");
     if (isHolder(className)) held.insert(moved);
   }
-  for (InstanceId id : held)
-    for (InstanceId member : context.assemblies.members(id))
-      if (PartDraft* part = context.part(member); part && !part->anchored) {
-        part->anchored = true;
-        part->evidence.push_back({"held", "a mover holds it in place", true});
-      }
+  for (InstanceId id : held) hold(context, id, "a mover holds it in place");
 }
 
 }  // namespace obby::importer

@@ -24,6 +24,7 @@ class RoleContext {
   const Assemblies& assemblies;
   const std::vector<ScriptReading>& scripts;
   LevelDraft& level;
+  size_t motionKeys = 0;  // of all motions so far, see kMaxLevelKeys (motion.h)
 
   // The draft of a part instance; null if it is not in the level.
   PartDraft* part(InstanceId id);
@@ -59,10 +60,15 @@ std::string markerWords(const Tree& tree, InstanceId marker);
 // role keeps it against weaker evidence.
 void findRoles(RoleContext& context);
 
+// The part that counts of a tagged model or folder: the one called Touch, Goal, Hitbox or the like,
+// else its primary part, else the first. A part is its own. Null if none of it is in the level.
+PartDraft* touchPart(RoleContext& context, InstanceId id);
+
 // True if some evidence gave the part a role called `role`.
 bool hasEvidence(const PartDraft& part, const char* role);
 
-// True if anything but its shape or its joints is known about the part.
+// True if anything but its shape, its joints and what scripts set at the start is known about the
+// part.
 bool hasRole(const PartDraft& part);
 
 // The finders of each role file.

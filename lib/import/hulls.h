@@ -1,0 +1,36 @@
+// The collision hulls of the meshes and unions of one level. A file stores a shape once for any
+// number of parts, so it is decoded once, and what all parts take is bounded.
+#pragma once
+
+#include <unordered_map>
+
+#include "import/draft.h"
+#include "import/format/csg_physics.h"
+#include "import/tree.h"
+
+namespace obby::importer {
+
+// Corners of all hulls of a level together: 48 MB, and 64 MB in its record.
+constexpr size_t kMaxLevelCorners = 4000000;
+
+// The document of the parts must outlive it.
+class LevelHulls {
+ public:
+  // Gives a part its hulls. Where they cannot be read, or those of the level would have more than
+  // kMaxLevelCorners, it becomes its bounding box; `level` notes that.
+  void give(const Tree& tree, PartDraft& part, LevelDraft& level);
+
+ private:
+  struct Known {
+    Collision collision;  // with hulls that a level can have, in the space of InitialSize
+    size_t corners = 0;   // of them together
+  };
+  static Known decoded(const CollisionBlob& blob);
+  const Known& knownOf(const Instance& part);
+
+  std::unordered_map<const char*, Known> shared_;  // by the address of their bytes
+  Known own_;                                      // of the last part whose bytes nothing shares
+  size_t left_ = kMaxLevelCorners;
+};
+
+}  // namespace obby::importer

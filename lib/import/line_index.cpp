@@ -1,0 +1,28 @@
+#include "import/line_index.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr size_t kStride = 16;  // lines
+
+}  // namespace
+
+LineIndex::LineIndex(std::string_view text) : text_(text), starts_(1, 0) {
+  size_t breaks = 0;
+  for (size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1))
+    if (++breaks % kStride == 0) starts_.push_back(uint32_t(at + 1));
+  starts_.shrink_to_fit();
+}
+
+std::optional<std::string_view> LineIndex::line(size_t number) const {
+  if (number == 0 || (number - 1) / kStride >= starts_.size()) return std::nullopt;
+  size_t begin = starts_[(number - 1) / kStride];
+  for (size_t left = (number - 1) % kStride; left > 0; --left) {
+    const size_t end = text_.find('\n', begin);
+    if (end == std::string_view::npos) return std::nullopt;
+    begin = end + 1;
+  }
+  return text_.substr(begin, text_.find('\n', begin) - begin);
+}
+
+}  // namespace obby::importer

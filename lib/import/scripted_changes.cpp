@@ -1,0 +1,87 @@
+// An event is lost if the level's part does not do what it says; a kind of loss counts once a part.
+#include "import/scripted_changes.h"
+
+#include <set>
+#include <utility>
+
+#include "import/motion.h"
+#include "import/onset.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr float kSameSize = 1e-3f;  // studs
+
+struct Loss {
+  const char* kind;
+  const char* note;
+};
+
+Loss lossOf(const ScriptEvent& event, Onset onset) {
+  if (isSize(event)) return {"size that a script changes", "stays as it is when play starts"};
+  if (onset == Onset::unsure)
+    return {"part that a script may change",
+            "stays as it is when play starts: whether it changes, or how, is not known"};
+  if (onset == Onset::ofAClient)
+    return {"part that a LocalScript changes",
+            "stays as it is on the server: the change is for one player"};
+  return {"part that a script changes in play", "stays as it is when play starts"};
+}
+
+class ScriptedChanges {
+ public:
+  explicit ScriptedChanges(RoleContext& context) : context_(context) {}
+
+  void note(const ScriptReading& reading) {
+    const Onsets onsets(context_.tree, reading);
+    for (const Timeline& timeline : reading.timelines) {
+      if (timeline.trigger != Trigger::start && timeline.trigger != Trigger::frame) continue;
+      for (size_t i = 0; i < timeline.events.size(); ++i) {
+        const ScriptEvent& event = timeline.events[i];
+        if (!changesParts(context_.tree, event) || !isLost(event, isLooped(timeline, i))) continue;
+        const Onset onset = onsets.of(timeline, i);
+        if (onset != Onset::atStart) name(reading, event, lossOf(event, onset));
+      }
+    }
+  }
+
+ private:
+  bool isLost(const ScriptEvent& event, bool looped) {
+    if (event.kind == EventKind::destroy) return true;
+    const PartDraft* part = context_.part(event.target);
+    if (event.property == "CFrame") {
+      // Loops and tweens make motions or are named with them, as is what is not known.
+      if (looped || event.kind == EventKind::tween || !event.frame) return false;
+      return !part || (!part->motion && !samePose(part->pose, *event.frame));
+    }
+    if (!part) return false;
+    if (isSize(event))
+      return !event.vector || !(length(abs(*event.vector) - part->size) <= kSameSize);
+    if (event.property == "CanCollide") return !part->vanish && event.flag != part->solid;
+    if (event.property == "CanTouch") return event.flag != part->touch;
+    return event.property == "Anchored" && !part->motion && event.flag != part->anchored;
+  }
+
+  void name(const ScriptReading& reading, const ScriptEvent& event, const Loss& loss) {
+    if (!named_.insert({loss.kind, event.target}).second) return;
+    const std::string reason = scriptReason(context_.tree, reading, event.line);
+    for (const PartDraft* part : context_.partsOf(event.target)) {
+      const bool moves = event.property == "CFrame" && part->motion;
+      if (!moves)
+        context_.level.noteUnmodelled(loss.kind, context_.tree.path(part->id),
+                                      std::string(loss.note) + "; " + reason);
+    }
+  }
+
+  RoleContext& context_;
+  std::set<std::pair<std::string, InstanceId>> named_;
+};
+
+}  // namespace
+
+void noteScriptedChanges(RoleContext& context) {
+  ScriptedChanges changes(context);
+  for (const ScriptReading& reading : context.scripts) changes.note(reading);
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,88 @@
+// Parts that begin to move when their script has waited: the wait is their phase.
+#include <cmath>
+
+#include "import/motion_checks.h"
+
+namespace obby::test {
+namespace {
+
+constexpr float kSlack = 0.02f;  // seconds: a frame, and some
+
+float offsetOf(const Scene& scene, InstanceId part) {
+  EXPECT_TRUE(scene[part].motion);
+  return scene[part].motion ? scene[part].motion->offset : NAN;
+}
+
+// Of the part `p`, each in another way for ever.
+const char* const kMotions[] = {
+    "ts:Create(p, TweenInfo.new(2, Enum.EasingStyle.Linear, Enum.EasingDirection.InOut, -1, true), "
+    "{Position = Vector3.new(0, 9, 0)}):Play()",
+    "ts:Create(p, TweenInfo.new(2, Enum.EasingStyle.Sine, Enum.EasingDirection.InOut, -1), "
+    "{Position = Vector3.new(0, 9, 0)}):Play()",
+    "ts:Create(p, TweenInfo.new(4, Enum.EasingStyle.Linear, Enum.EasingDirection.In, -1), "
+    "{Orientation = Vector3.new(0, 360, 0)}):Play()",
+    "while true do there:Play() there.Completed:Wait() back:Play() back.Completed:Wait() end",
+    "there.Completed:Connect(function() back:Play() end) "
+    "back.Completed:Connect(function() there:Play() end) there:Play()",
+    "while true do p.CFrame *= CFrame.Angles(0, 0.05, 0) task.wait() end",
+    "while true do p.CFrame = CFrame.new(0, 5, 0) task.wait(1) p.CFrame = CFrame.new(0, 0, 0) "
+    "task.wait(1) end",
+    "game:GetService('RunService').Heartbeat:Connect(function(dt) "
+    "p.CFrame = p.CFrame * CFrame.Angles(0, math.rad(90) * dt, 0) end)"};
+
+const std::string kBefore = R"(local p, ts = script.Parent, game:GetService("TweenService")
+local there = ts:Create(p, TweenInfo.new(1), {Position = Vector3.new(0, 9, 0)})
+local back = ts:Create(p, TweenInfo.new(1), {Position = Vector3.new(0, 0, 0)})
+)";
+
+TEST(Phase, TheWaitBeforeWhatRepeatsIsItsOffset) {
+  for (const char* motion : kMotions) {
+    Scene scene;
+    const auto first = scene.part("First"), second = scene.part("Second", {20, 0, 0});
+    scene.script(kBefore + motion, first);
+    scene.script(kBefore + "task.wait(1)\n" + motion, second);
+    scene.level();
+    EXPECT_EQ(offsetOf(scene, first), 0) << motion;
+    EXPECT_FALSE(std::signbit(offsetOf(scene, first))) << motion;
+    EXPECT_NEAR(offsetOf(scene, second), -1, kSlack) << motion;
+  }
+}
+
+TEST(Phase, PlatformsOfOneScriptGoOneAfterTheOther) {
+  Scene scene;
+  const auto wave = scene.add("Folder", "Wave", scene.workspace);
+  InstanceId platforms[3] = {};
+  for (int i = 0; i < 3; ++i) platforms[i] = scene.part("Platform", {10 * float(i), 0, 0}, wave);
+  scene.script(R"(local TweenService = game:GetService("TweenService")
+local info = TweenInfo.new(2, Enum.EasingStyle.Linear, Enum.EasingDirection.InOut, -1, true)
+for _, p in workspace.Wave:GetChildren() do
+  TweenService:Create(p, info, {Position = p.Position + Vector3.new(0, 8, 0)}):Play()
+  task.wait(0.5)
+end)",
+               scene.scripts);
+  scene.level();
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(offsetOf(scene, platforms[i]), -0.5f * float(i), kSlack) << i;
+}
+
+TEST(Phase, WhatComesButOnceWaitsWithItsKeys) {
+  Scene scene;
+  const auto part = scene.part("Mover");
+  scene.script(kBefore + "task.wait(3) there:Play()", part);
+  scene.level();
+  EXPECT_EQ(offsetOf(scene, part), 0);
+  expectNear(at(scene[part], 2.9f), {0, 0, 0});
+  expectNear(at(scene[part], 4), {0, 9, 0});
+}
+
+TEST(Phase, WhatWaitsForMoreThanTenMinutesRests) {
+  Scene scene;
+  const auto part = scene.part("Mover");
+  scene.script(kBefore + "task.wait(601)\n" + kMotions[0], part);
+  scene.level();
+  EXPECT_FALSE(scene[part].motion);
+  EXPECT_EQ(scene.unmodelled("motion without bounds"), 1u);
+}
+
+}  // namespace
+}  // namespace obby::test
