@@ -98,7 +98,9 @@ Result<train::Evaluation> measure(const Row& row, uint64_t seed, uint64_t decisi
     OBBY_ASSIGN(const auto iteration, trainer->iterate());
     (void)iteration;
   }
-  return train::evaluate(trainer->network(), *unseen, {}, pool, false);
+  train::Evaluation found = train::evaluate(trainer->network(), *unseen, {}, pool, false);
+  OBBY_RETURN_IF_ERROR(std::move(found.missing));
+  return found;
 }
 
 // Mean, least and most of the seeds.

@@ -7,56 +7,82 @@ namespace obby::policy {
 
 namespace {
 
-constexpr float kLeastCell = 8;      // studs
-constexpr float kMostCells = 256;    // each way: huge levels get wider cells
-constexpr float kFarthest = 1.0e5f;  // studs: what is farther out is nobody's ground
-
-bool isSeen(uint32_t flags) {
-  return (flags & (level::kSolid | level::kKill)) != 0 && (flags & level::kLoose) == 0;
-}
+constexpr float kLeastCell = 8;             // studs
+constexpr float kMostCells = 256;           // each way: huge levels get wider cells
+constexpr float kFarthest = 1.0e5f;         // studs: what is farther out is nobody's ground
+constexpr uint64_t kMostEntries = 1 << 24;  // of all cells, 64 MiB: many huge parts get wider ones
+constexpr float kBorder = 0.05f;  // studs that those list more: rounding there hides nothing
 
 Box within(const Box& box) {
   const Vec3 far{kFarthest, kFarthest, kFarthest};
   return {max(min(box.lo, far), -far), max(min(box.hi, far), -far)};
 }
 
+// Calls visit(collider, bounds) for all that can be seen and stay where they are.
+template <class Visit>
+void forSeen(const level::LevelView& level, Visit&& visit) {
+  for (uint32_t i = 0; i < level.colliderCount; ++i) {
+    const uint32_t flags = level.bounds[i].flags;
+    if ((flags & (level::kSolid | level::kKill)) == 0 || (flags & level::kLoose) != 0) continue;
+    visit(i, within(level.bounds[i].box()));
+  }
+}
+
 }  // namespace
 
-Surroundings::Surroundings(const level::LevelView& level, float reach) {
+Surroundings::Surroundings(const level::LevelView& level, float reach) : starts_{0} {
   Box all{};
   bool any = false;
-  for (uint32_t i = 0; i < level.colliderCount; ++i) {
-    if (!isSeen(level.bounds[i].flags)) continue;
-    const Box box = within(level.bounds[i].box());
-    all = any ? Box{min(all.lo, box.lo), max(all.hi, box.hi)} : box;
+  forSeen(level, [&](uint32_t, const Box& box) {
+    all = any ? join(all, box) : box;
     any = true;
-  }
-  starts_ = {0};
+  });
   if (!any) return;
   origin_ = all.lo - Vec3{reach, 0, reach};
   const Vec3 extent = all.hi + Vec3{reach, 0, reach} - origin_;
-  cell_ = std::max(kLeastCell, std::max(extent.x, extent.z) / kMostCells);
+  divide(extent, std::max(kLeastCell, std::max(extent.x, extent.z) / kMostCells));
+  float listed = reach;
+  while (entriesOf(level, listed) > kMostEntries && (nx_ > 1 || nz_ > 1)) {
+    divide(extent, 1.5f * cell_);
+    listed = reach + kBorder;
+  }
+  fill(level, listed);
+}
+
+void Surroundings::divide(Vec3 extent, float cell) {
+  cell_ = cell;
   nx_ = int32_t(extent.x / cell_) + 1;
   nz_ = int32_t(extent.z / cell_) + 1;
-  starts_.assign(size_t(nx_) * size_t(nz_) + 1, 0);
-  const auto forSquares = [&](auto&& visit) {
-    for (uint32_t i = 0; i < level.colliderCount; ++i) {
-      if (!isSeen(level.bounds[i].flags)) continue;
-      const Square s = squareOf(level.bounds[i].box(), reach);
+}
+
+// Of 66 thousand parts as large as can be there are more than 32 bits can count.
+uint64_t Surroundings::entriesOf(const level::LevelView& level, float reach) const {
+  uint64_t entries = 0;
+  forSeen(level, [&](uint32_t, const Box& box) {
+    const Square s = squareOf(box, reach);
+    entries += uint64_t(s.x1 - s.x0 + 1) * uint64_t(s.z1 - s.z0 + 1);
+  });
+  return entries;
+}
+
+void Surroundings::fill(const level::LevelView& level, float reach) {
+  const auto forCells = [&](auto&& visit) {
+    forSeen(level, [&](uint32_t i, const Box& box) {
+      const Square s = squareOf(box, reach);
       for (int32_t z = s.z0; z <= s.z1; ++z) {
         for (int32_t x = s.x0; x <= s.x1; ++x) visit(size_t(z) * size_t(nx_) + size_t(x), i);
       }
-    }
+    });
   };
-  forSquares([&](size_t cell, uint32_t) { ++starts_[cell + 1]; });
+  starts_.assign(size_t(nx_) * size_t(nz_) + 1, 0);
+  forCells([&](size_t cell, uint32_t) { ++starts_[cell + 1]; });
   for (size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
   entries_.resize(starts_.back());
   std::vector<uint32_t> next(starts_.begin(), starts_.end() - 1);
-  forSquares([&](size_t cell, uint32_t i) { entries_[next[cell]++] = i; });
+  forCells([&](size_t cell, uint32_t i) { entries_[next[cell]++] = i; });
 }
 
-Surroundings::Square Surroundings::squareOf(const Box& box, float reach) const {
-  const Box b = within(box);
+Surroundings::Square Surroundings::squareOf(const Box& b, float reach) const {
   const auto cell = [&](float v, float origin, int32_t n) {
     return std::clamp(int32_t(std::floor((v - origin) / cell_)), 0, n - 1);
   };

@@ -10,7 +10,8 @@ namespace obby::policy {
 class Surroundings {
  public:
   // `reach`: studs sideways to which parts are listed. Parts that neither bear nor harm are left
-  // out, and loose ones: they may be anywhere.
+  // out, and loose ones: they may be anywhere. Squares are of 8 studs; in huge levels, and where
+  // their lists would have more than 2^24 entries together, of more.
   Surroundings(const level::LevelView& level, float reach);
   SurroundingsView view() const;  // valid while this object lives and stays where it is
 
@@ -18,7 +19,10 @@ class Surroundings {
   struct Square {
     int32_t x0, x1, z0, z1;
   };
-  Square squareOf(const Box& box, float reach) const;
+  void divide(Vec3 extent, float cell);
+  Square squareOf(const Box& b, float reach) const;
+  uint64_t entriesOf(const level::LevelView& level, float reach) const;
+  void fill(const level::LevelView& level, float reach);
 
   Vec3 origin_{};
   float cell_ = 8;

@@ -1,10 +1,14 @@
 #include "train/evaluate.h"
 
 #include <algorithm>
+#include <chrono>
+#include <mutex>
 
 namespace obby::train {
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 // One playthrough by the policy alone; true: it reaches the goal. `random` null: the likeliest
 // moves.
@@ -23,46 +27,100 @@ bool playAlone(const policy::NetworkView& network, const TrainingLevel& level, R
   return false;
 }
 
-}  // namespace
+// What came of a level.
+struct Score {
+  bool played = false, likeliest = false;
+  uint32_t drawn = 0;  // playthroughs that solve it
+};
 
-Result<Evaluation> evaluate(const policy::Network& network, const LevelSource& source,
-                            const EvaluationSettings& settings, ThreadPool& pool,
-                            const std::atomic<bool>& stop) {
-  struct Score {
-    Status status;
-    bool done = false, likeliest = false;
-    uint32_t drawn = 0;
-  };
-  std::vector<Score> scores(settings.levels);
-  const policy::Thinker thinker(network);
-  pool.run(int(settings.levels), [&](int i) {
-    if (stop) return;
-    Score& score = scores[size_t(i)];
-    const uint64_t index = settings.firstLevel + uint64_t(i);
-    const auto level = source.level(index, settings.hardest);
-    if (!level) {
-      score.status = level.error();
-      return;
-    }
-    if (*level == nullptr) return;
-    const uint32_t most = mostTicksOf(**level, settings.patience);
-    score.likeliest = playAlone(thinker.view(), **level, nullptr, most);
-    Random random(settings.seed, index);
-    for (uint32_t k = 1; k < settings.tries; ++k)
-      score.drawn += playAlone(thinker.view(), **level, &random, most);
-    score.done = true;
-  });
+Score scoreOf(const policy::NetworkView& network, const TrainingLevel& level, uint64_t index,
+              const EvaluationSettings& settings) {
+  const uint32_t most = mostTicksOf(level, settings.patience);
+  Score score;
+  score.played = true;
+  score.likeliest = playAlone(network, level, nullptr, most);
+  Random random(settings.seed, index);
+  for (uint32_t k = 1; k < settings.tries; ++k)
+    score.drawn += playAlone(network, level, &random, most);
+  return score;
+}
+
+Evaluation sumOf(const std::vector<Score>& scores, uint32_t tries) {
   Evaluation out;
   for (const Score& s : scores) {
-    OBBY_RETURN_IF_ERROR(Status(s.status));
-    if (!s.done) continue;
+    if (!s.played) continue;
     ++out.levels;
     out.likeliest += s.likeliest;
-    out.drawn += settings.tries > 1 ? double(s.drawn) / (settings.tries - 1) : 0;
+    out.drawn += tries > 1 ? double(s.drawn) / (tries - 1) : 0;
     out.any += s.likeliest || s.drawn > 0;
   }
   for (double* share : {&out.likeliest, &out.drawn, &out.any})
     *share = out.levels > 0 ? *share / out.levels : 0;
+  return out;
+}
+
+// Asks for the levels, each once, from whichever thread.
+class Asking {
+ public:
+  Asking(const LevelSource& source, const EvaluationSettings& settings)
+      : source_(source), settings_(settings), asked_(settings.levels) {}
+
+  // The i-th. Null: there is none, or it is missing.
+  std::shared_ptr<const TrainingLevel> level(uint32_t i) {
+    auto found = source_.level(settings_.firstLevel + i, settings_.hardest);
+    const std::lock_guard hold(lock_);
+    drop(i);
+    if (found) return *std::move(found);
+    if (missing_ || i < firstMissing_) {
+      firstMissing_ = i;
+      missing_ = std::move(found).error();
+    }
+    return nullptr;
+  }
+  const Status& missing() const { return missing_; }  // once no thread asks any more
+
+ private:
+  // Threads overtake one another: the source may forget what is before the first that waits.
+  void drop(uint32_t i) {
+    asked_[i] = true;
+    while (next_ < asked_.size() && asked_[next_]) ++next_;
+    source_.past(settings_.firstLevel + next_);
+  }
+
+  const LevelSource& source_;
+  const EvaluationSettings& settings_;
+  std::mutex lock_;
+  std::vector<bool> asked_;
+  size_t next_ = 0;
+  uint32_t firstMissing_ = 0;
+  Status missing_;  // an error names that one
+};
+
+}  // namespace
+
+Evaluation evaluate(const policy::Network& network, const LevelSource& source,
+                    const EvaluationSettings& settings, ThreadPool& pool,
+                    const std::atomic<bool>& stop) {
+  const auto begin = Clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+  const policy::Thinker thinker(network);
+  Asking asking(source, settings);
+  std::vector<Score> scores(settings.levels);
+  std::atomic<bool> timeUp = false;
+  pool.run(int(settings.levels), [&](int i) {
+    if (stop) return;
+    if (seconds() >= settings.seconds) {
+      timeUp = true;
+      return;
+    }
+    const auto level = asking.level(uint32_t(i));
+    if (!level) return;
+    const uint64_t index = settings.firstLevel + uint64_t(i);
+    scores[size_t(i)] = scoreOf(thinker.view(), *level, index, settings);
+  });
+  Evaluation out = sumOf(scores, settings.tries);
+  out.timeUp = timeUp;
+  out.missing = asking.missing();
   return out;
 }
 

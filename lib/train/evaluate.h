@@ -16,19 +16,23 @@ struct EvaluationSettings {
   uint32_t tries = 8;      // playthroughs of each level: the first takes the likeliest moves
   float hardest = 1;       // difficulty
   float patience = 3;      // as CrowdSettings::patience
+  double seconds = 1e30;   // of wall-clock time, after which no other level begins
 };
 
 struct Evaluation {
-  uint32_t levels = 0;
+  uint32_t levels = 0;   // played
   double likeliest = 0;  // share of levels that the first playthrough solves
-  double drawn = 0;      // share of the other playthroughs that solve
+  double drawn = 0;      // share of the other playthroughs that solve; 0 where there are none
   double any = 0;        // share of levels that any of them solves
+  bool timeUp = false;   // it ended early for that
+  // What the source said instead of a level: of the first that it did not give. Others were played.
+  Status missing;
 };
 
-// Ends early, with the levels so far, once `stop` is set or the source has no more. The error is
-// the source's.
-Result<Evaluation> evaluate(const policy::Network& network, const LevelSource& source,
-                            const EvaluationSettings& settings, ThreadPool& pool,
-                            const std::atomic<bool>& stop);
+// Ends early, with the levels so far, once `stop` is set, time is up, or the source has no more.
+// Tells the source what is past.
+Evaluation evaluate(const policy::Network& network, const LevelSource& source,
+                    const EvaluationSettings& settings, ThreadPool& pool,
+                    const std::atomic<bool>& stop);
 
 }  // namespace obby::train

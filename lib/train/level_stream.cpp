@@ -43,7 +43,7 @@ Result<std::shared_ptr<const TrainingLevel>> LevelStream::level(uint64_t index,
     if (found == reader_.turns.end())
       return makeError(fmt::format("level {} of the stream is past", number));
     item = chosen(found->second, index, hardest);
-    for (Item& one : found->second) one.compiled = nullptr;
+    dropCompiled(found->second);
   }
   if (item->compiled) return item->compiled;
   return compile(item->level, item->query);
@@ -58,6 +58,22 @@ const LevelStream::Item& LevelStream::chosen(const Turn& turn, uint64_t index, f
   return *std::min_element(turn.begin(), turn.end(), [](const Item& a, const Item& b) {
     return a.difficulty() < b.difficulty();
   });
+}
+
+void LevelStream::dropCompiled(Turn& turn) {
+  for (Item& item : turn) item.compiled = nullptr;
+}
+
+size_t LevelStream::compiledOf(const Turn& turn) {
+  return size_t(std::count_if(turn.begin(), turn.end(),
+                              [](const Item& item) { return item.compiled != nullptr; }));
+}
+
+size_t LevelStream::compiledHeld() const {
+  const std::lock_guard hold(lock_);
+  size_t held = compiledOf(reader_.open);
+  for (const auto& [index, turn] : reader_.turns) held += compiledOf(turn);
+  return held;
 }
 
 void LevelStream::past(uint64_t index) const {
@@ -128,15 +144,21 @@ void LevelStream::Reader::add(Item item) {
 
 void LevelStream::Reader::close() {
   if (open.empty()) return;
-  full = full || (kept > 0 && bytes > settings.keptBytes);
+  full = full || !settings.again || (kept > 0 && bytes > settings.keptBytes);
   if (!full) ++kept;
   const uint64_t index = read++;
+  if (index < needed) dropCompiled(open);
   if (!full || index >= needed) turns.emplace(index, std::move(open));
   open.clear();
 }
 
+// What other ranks play, or an earlier run played, was compiled and is not asked for here. Of turns
+// that are kept the records stay.
 void LevelStream::Reader::forget(uint64_t before) {
-  needed = std::max(needed, before);
+  if (before <= needed) return;
+  const auto end = turns.lower_bound(before);
+  for (auto turn = turns.lower_bound(needed); turn != end; ++turn) dropCompiled(turn->second);
+  needed = before;
   turns.erase(turns.lower_bound(kept), turns.lower_bound(std::max(needed, kept)));
 }
 

@@ -20,7 +20,7 @@ struct LevelStreamSettings {
   size_t keptBytes = size_t(256) << 20;
   // A query may be of any of so many levels before it.
   size_t levelsInReach = 1024;
-  bool again = true;  // at its end; otherwise there are no more levels
+  bool again = true;  // at its end; otherwise there are no more levels, and none is kept
   // Queries in a row whose difficulty is said and of which one is played at a time: as hard as
   // learning is ready for. 1: all are, one after the other.
   uint32_t choices = 4;
@@ -40,17 +40,22 @@ class LevelStream : public LevelSource {
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override;
   void past(uint64_t index) const override;
 
+  // Levels that are compiled and wait to be asked for: what tests count.
+  size_t compiledHeld() const;
+
  private:
   using Playable = std::shared_ptr<const TrainingLevel>;
   struct Item {
     io::Record level, query;
-    Playable compiled;  // null once its turn was asked for
+    Playable compiled;  // null once its turn was asked for or is past, to be made again if need be
 
     // As the query says it, 0 to 1; -1: it does not.
     float difficulty() const { return query.reader().getQuery().getDifficulty(); }
   };
   using Turn = std::vector<Item>;
   static const Item& chosen(const Turn& turn, uint64_t index, float hardest);
+  static void dropCompiled(Turn& turn);
+  static size_t compiledOf(const Turn& turn);
 
   struct Known {  // a level that queries may be of
     std::string name;
@@ -80,7 +85,7 @@ class LevelStream : public LevelSource {
     Turn open;            // the next one: it may get more
     uint64_t read = 0;    // turns so far
     uint64_t kept = 0;    // the first so many stay
-    uint64_t needed = 0;  // of the others those before will not be asked for
+    uint64_t needed = 0;  // those before will not be asked for, unless the stream begins again
     size_t bytes = 0;     // of what is kept
     bool full = false;    // no more of them
     bool ended = false;

@@ -298,25 +298,5 @@ TEST(Observation, HasTheSameBitsPartByPart) {
   EXPECT_GT(seen, 1000) << "something was in sight";
 }
 
-TEST(Surroundings, ListAPartWhereverItIsInSight) {
-  const level::Level level = support::boxArena(60, 7).compile();
-  const level::LevelView view = level.view();
-  const Surroundings around(view, kSight);
-  const SurroundingsView s = around.view();
-  Random random(2, 2);
-  for (int n = 0; n < 500; ++n) {
-    const Vec3 feet{60 * random.unit() - 30, 2, 60 * random.unit() - 30};
-    const float cx = (feet.x - s.origin.x) * s.inverseCell,
-                cz = (feet.z - s.origin.z) * s.inverseCell;
-    ASSERT_TRUE(cx >= 0 && cz >= 0 && cx < float(s.nx) && cz < float(s.nz));
-    const uint32_t cell = uint32_t(cz) * uint32_t(s.nx) + uint32_t(cx);
-    const std::vector<uint32_t> listed(s.entries + s.starts[cell], s.entries + s.starts[cell + 1]);
-    for (uint32_t i = 0; i < view.colliderCount; ++i) {
-      if (!inSight(view.bounds[i].box(), feet)) continue;
-      EXPECT_TRUE(std::binary_search(listed.begin(), listed.end(), i)) << i;
-    }
-  }
-}
-
 }  // namespace
 }  // namespace obby::policy

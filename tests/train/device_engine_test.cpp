@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <new>
 
 #include "sim/host_device.h"
 #include "sim/simulator.h"
@@ -215,9 +216,8 @@ TEST(DeviceEngine, LearnsToCrossAGap) {
   how.levels = 50;
   how.firstLevel = 1'000'000;
   const std::atomic<bool> stop{false};
-  const auto learned = evaluate((*trainer)->network(), gaps, how, machine.pool, stop);
-  ASSERT_TRUE(learned);
-  EXPECT_GT(learned->drawn, 0.9);
+  const Evaluation learned = evaluate((*trainer)->network(), gaps, how, machine.pool, stop);
+  EXPECT_GT(learned.drawn, 0.9);
 }
 
 TEST(DeviceEngine, GoesOnFromACheckpointAsIfNothingHadBeen) {
@@ -345,6 +345,31 @@ TEST(DeviceEngine, SaysWhatTheSourceSaysOnceALevelIsPlayed) {
   }
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().text(), "this level is bad");
+}
+
+// Levels of which one needs more memory than there is.
+class OneTooLarge : public Gaps {
+ public:
+  Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override {
+    if (index == 9) throw std::bad_alloc();  // the second of its place
+    return Gaps::level(index, hardest);
+  }
+};
+
+// Levels are made on a thread of their own, which nobody sees die but the process.
+TEST(DeviceEngine, ThrowsWhatMakingLevelsThrew) {
+  const OneTooLarge gaps;
+  TrainerSettings settings = tiny();
+  settings.crowd.playthroughs = 16;
+  for (const int threads : {1, 2}) {
+    Machine machine(threads);
+    const auto trainer = machine.make(gaps, settings);
+    ASSERT_TRUE(trainer) << trainer.error().text();
+    const auto learn = [&] {
+      for (int i = 0; i < 40; ++i) ASSERT_TRUE((*trainer)->iterate());
+    };
+    EXPECT_THROW(learn(), std::bad_alloc) << threads;
+  }
 }
 
 }  // namespace

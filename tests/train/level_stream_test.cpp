@@ -74,6 +74,33 @@ TEST(LevelStream, DropsWhatIsPastAndNotKept) {
   EXPECT_EQ(hashOf(stream, 0), hashOf(all, 0)) << "is kept to begin again";
 }
 
+TEST(LevelStream, KeepsNothingThatIsPastIfItIsNotToBeginAgain) {
+  const LevelStream all(optionsOf(linesOf(8)));
+  const LevelStream once(optionsOf(linesOf(8)), {.again = false});
+  hashOf(once, 5);
+  once.past(4);
+  EXPECT_FALSE(once.level(0, 1));
+  EXPECT_FALSE(once.level(3, 1));
+  for (uint64_t i = 4; i < 8; ++i) EXPECT_EQ(hashOf(once, i), hashOf(all, i)) << i;
+  EXPECT_EQ(*once.level(8, 1), nullptr);
+}
+
+// A compiled level is many times as large as its records, of which some hundred megabytes are kept.
+TEST(LevelStream, HoldsNoCompiledLevelThatNobodyWillAskFor) {
+  const LevelStream resumed(optionsOf(linesOf(400)), {.choices = 1});
+  resumed.past(399);
+  hashOf(resumed, 399);
+  EXPECT_LE(resumed.compiledHeld(), 1u);
+  const LevelStream shared(optionsOf(linesOf(400)), {.choices = 1});
+  for (uint64_t i = 0; i < 400; i += 2) {  // another rank has the others
+    hashOf(shared, i);
+    EXPECT_LE(shared.compiledHeld(), 1u) << i;
+    shared.past(i);
+  }
+  const LevelStream all(optionsOf(linesOf(2)));
+  EXPECT_EQ(hashOf(shared, 401), hashOf(all, 1)) << "compiled again";
+}
+
 TEST(LevelStream, SkipsToWhereItWasLeft) {
   const LevelStream all(optionsOf(linesOf(8)));
   const LevelStream stream(optionsOf(linesOf(8)), {.keptBytes = 1});

@@ -101,8 +101,8 @@ TEST(Ranks, LearnTogether) {
     how.levels = 50;
     how.firstLevel = 1'000'000;
     const std::atomic<bool> stop{false};
-    const auto learned = evaluate((*trainer)->network(), gaps, how, pool, stop);
-    EXPECT_GT(learned->drawn, 0.5);
+    const Evaluation learned = evaluate((*trainer)->network(), gaps, how, pool, stop);
+    EXPECT_GT(learned.drawn, 0.5);
   });
 }
 

@@ -69,10 +69,13 @@ Result<std::string> Keeper::findBytes() const {
   if (checkpointPath_.empty())
     return makeError("--resume: there is no checkpoint to go on from",
                      "name it by --checkpoint, or write the policy to a file");
-  std::error_code none;
-  if (resume == "auto" && !std::filesystem::exists(checkpointPath_, none)) return std::string();
+  // One that cannot be looked at may be there: what is wrong is said, and it is not written over.
+  std::error_code unread;
+  const auto kind = std::filesystem::status(checkpointPath_, unread).type();
+  const bool none = kind == std::filesystem::file_type::not_found;
+  if (resume == "auto" && none) return std::string();
   auto bytes = io::readFile(checkpointPath_, &context_.stop());
-  if (!bytes) bytes.error().hint = "--resume=auto begins anew where there is no checkpoint";
+  if (!bytes && none) bytes.error().hint = "--resume=auto begins anew where there is no checkpoint";
   // A file that holds nothing is no beginning either.
   if (bytes && bytes->empty()) return train::readCheckpoint(*bytes, checkpointPath_).error();
   return bytes;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <optional>
+#include <vector>
 
 #include "io/pipeline.h"
 #include "io/read_file.h"
@@ -103,6 +104,15 @@ Status learn(cli::Context& context, tools::JoinedRanks& joined) {
   return stream ? finish(*stream, std::move(done)) : done;
 }
 
+// What nobody played for is left out.
+std::vector<train::Metric> metricsOf(const train::Evaluation& e, uint32_t tries) {
+  std::vector<train::Metric> out = {{"levels", double(e.levels), ""},
+                                    {"solvedLikeliest", e.likeliest, ""}};
+  if (tries > 1) out.push_back({"solvedDrawn", e.drawn, ""});
+  out.push_back({"solvedAny", e.any, ""});
+  return out;
+}
+
 Status evaluate(cli::Context& context, train::Ranks& ranks) {
   if (ranks.count() > 1)
     return makeError("--eval is done by one process", "start it without mpirun");
@@ -113,25 +123,26 @@ Status evaluate(cli::Context& context, train::Ranks& ranks) {
               tools::levelsOf(context, ranks, context.arguments().seed() ^ kHeldOut, false));
   ThreadPool pool(context.threads());
   OBBY_ASSIGN(io::Pipeline stream, metricsStream(context));
-  const auto work = [&]() -> Status {
-    OBBY_ASSIGN(const train::Evaluation e,
-                train::evaluate(file.network, *levels.source, tools::evaluationSettings(context),
-                                pool, context.stop()));
-    const train::Metric values[] = {{"levels", double(e.levels), ""},
-                                    {"solvedLikeliest", e.likeliest, ""},
-                                    {"solvedDrawn", e.drawn, ""},
-                                    {"solvedAny", e.any, ""}};
-    return tools::writeMetrics(stream.output(), "obby-train --eval", file.training.decisions,
-                               values);
-  };
-  return finish(stream, work());
+  const train::EvaluationSettings settings = tools::evaluationSettings(context);
+  const train::Evaluation e =
+      train::evaluate(file.network, *levels.source, settings, pool, context.stop());
+  if (e.timeUp) stream.outOfBudget();
+  // A level that could not be read takes nothing from those that were played.
+  Status done;
+  if (e.levels > 0 || e.missing)
+    done = tools::writeMetrics(stream.output(), "obby-train --eval", file.training.decisions,
+                               metricsOf(e, settings.tries));
+  if (done) done = e.missing;
+  return finish(stream, std::move(done));
 }
 
 // An error that all ranks know of is told by the first.
 Result<cli::ExitCode> run(cli::Context& context, tools::JoinedRanks& joined) {
   train::Ranks& ranks = joined.ranks();
   OBBY_RETURN_IF_ERROR(ranks.agree(Status()));  // with those whose options were refused
-  Status done = context.arguments().has("eval") ? evaluate(context, ranks) : learn(context, joined);
+  Status done = ranks.agree(tools::optionsFit(context.arguments()));
+  if (done)
+    done = context.arguments().has("eval") ? evaluate(context, ranks) : learn(context, joined);
   if (!done && !ranks.first()) return cli::ExitCode::failed;
   OBBY_RETURN_IF_ERROR(std::move(done));
   return cli::ExitCode::ok;

@@ -33,7 +33,7 @@ OptionRow outputRow() {
 
 OptionRow timeLimitRow() {
   OptionRow r = cli::commonRow(cli::Common::timeLimit);
-  r.help = "stop after so much wall-clock time, whatever --decisions says";
+  r.help = "stop after so much wall-clock time, whatever --decisions or --eval-levels says";
   r.group = kLearnGroup;
   return r;
 }
@@ -133,7 +133,35 @@ std::vector<OptionRow> evaluateRows() {
   };
 }
 
+// To something else than its default, which --print-config writes of an option that nobody set.
+bool isSet(const cli::Arguments& a, const std::string& name) {
+  return a.has(name) && a.text(name) != a.values.at(name).row.defaultText;
+}
+
 }  // namespace
+
+Status optionsFit(const cli::Arguments& a) {
+  if (a.has("eval")) {
+    for (const char* name : {"resume", "checkpoint", "log", "tensorboard", "curve"}) {
+      if (isSet(a, name))
+        return Error{std::string("--") + name,
+                     {},
+                     {},
+                     "nothing is learned with --eval",
+                     "leave out one of the two"};
+    }
+    return {};
+  }
+  for (const char* name : {"eval-levels", "eval-tries"}) {
+    if (isSet(a, name))
+      return Error{std::string("--") + name,
+                   {},
+                   {},
+                   "nothing is evaluated without --eval",
+                   "name the policy by --eval FILE, or leave it out"};
+  }
+  return {};
+}
 
 cli::ToolSpec trainSpec() {
   cli::ToolSpec spec;
@@ -197,6 +225,7 @@ train::EvaluationSettings evaluationSettings(const cli::Context& context) {
   s.seed = a.seed();
   s.levels = uint32_t(a.integer("eval-levels"));
   s.tries = uint32_t(a.integer("eval-tries"));
+  if (a.has("time-limit")) s.seconds = a.number("time-limit");
   return s;
 }
 

@@ -10,6 +10,8 @@
 namespace obby::tools {
 
 cli::ToolSpec trainSpec();
+// Error: options of learning with --eval, or of --eval without it, that nobody sets for all runs.
+Status optionsFit(const cli::Arguments& arguments);
 train::TrainerSettings trainerSettings(const cli::Context& context);
 // `which`: of several GPUs.
 Result<sim::Backend> trainBackend(const cli::Context& context, uint32_t which);

@@ -34,8 +34,7 @@ Result<gen::Range> rangeOf(const std::string& text) {
   return gen::Range{lo, hi};
 }
 
-Result<gen::Recipe> readRecipe(const std::string& path) {
-  OBBY_ASSIGN(const std::string text, io::readFile(path));
+Result<gen::Recipe> recipeIn(const std::string& text, const std::string& path) {
   auto recipe = gen::Recipe::fromJson(text);
   if (!recipe) recipe.error().input = path == "-" ? "stdin" : path;
   return recipe;
@@ -56,10 +55,20 @@ std::vector<OptionRow> recipeRows(const char* group) {
   };
 }
 
+Result<std::string> recipeText(const cli::Arguments& a) {
+  if (!a.has("recipe")) return std::string();
+  return io::readFile(a.text("recipe"));
+}
+
 Result<gen::Recipe> recipeOf(const cli::Arguments& a) {
+  OBBY_ASSIGN(const std::string text, recipeText(a));
+  return recipeOf(a, text);
+}
+
+Result<gen::Recipe> recipeOf(const cli::Arguments& a, const std::string& text) {
   gen::Recipe recipe;
   if (a.has("recipe")) {
-    OBBY_ASSIGN(recipe, readRecipe(a.text("recipe")));
+    OBBY_ASSIGN(recipe, recipeIn(text, a.text("recipe")));
   }
   if (a.has("style")) recipe.styles.clear();
   for (const std::string& name : a.list("style")) {

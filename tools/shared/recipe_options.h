@@ -1,6 +1,7 @@
 // The options that say what levels to make, for all tools that make some.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "cli/arguments.h"
@@ -12,7 +13,11 @@ namespace obby::tools {
 // --style, --difficulty, --recipe. `group`: the heading that --help lists them under.
 std::vector<cli::OptionRow> recipeRows(const char* group);
 
-// What they ask for. Errors name the option or the file.
-Result<gen::Recipe> recipeOf(const cli::Arguments& arguments);
+// What is in the file of --recipe, which may be a pipe and is read once; nothing without one.
+Result<std::string> recipeText(const cli::Arguments& arguments);
+
+// What they ask for; `text`: of the file. Errors name the option or the file.
+Result<gen::Recipe> recipeOf(const cli::Arguments& arguments, const std::string& text);
+Result<gen::Recipe> recipeOf(const cli::Arguments& arguments);  // reads the file
 
 }  // namespace obby::tools

@@ -11,6 +11,14 @@ void NextLevels::ask(std::vector<Wanted> wanted) {
 }
 
 void NextLevels::make() {
+  try {
+    makeAll();
+  } catch (...) {
+    thrown_ = std::current_exception();
+  }
+}
+
+void NextLevels::makeAll() {
   pool_.run(int(wanted_.size()), [this](int i) {
     const Wanted& w = wanted_[size_t(i)];
     NextLevel& next = next_[w.place];
@@ -43,6 +51,7 @@ Status NextLevels::bring() {
 
 Result<NextLevel> NextLevels::take(size_t place) {
   wait();
+  if (thrown_) std::rethrow_exception(thrown_);
   OBBY_RETURN_IF_ERROR(brought_);
   return std::exchange(next_[place], {});
 }

@@ -1,6 +1,7 @@
 // Levels made ahead, on threads of their own, and brought to a device while it plays others.
 #pragma once
 
+#include <exception>
 #include <thread>
 #include <vector>
 
@@ -36,7 +37,7 @@ class NextLevels {
   // Begins to make them, one a place; returns at once, when those that were asked for are made.
   void ask(std::vector<Wanted> wanted);
   // That of a place, once all are made; without a level if the source was told to stop, or had an
-  // error. The error is the device's.
+  // error. The error is the device's. Throws what making them threw.
   Result<NextLevel> take(size_t place);
 
  private:
@@ -44,6 +45,7 @@ class NextLevels {
     if (maker_.joinable()) maker_.join();
   }
   void make();
+  void makeAll();
   Status bring();
 
   const LevelSource& source_;
@@ -52,6 +54,7 @@ class NextLevels {
   std::vector<Wanted> wanted_;
   std::vector<NextLevel> next_;  // (places)
   Status brought_;
+  std::exception_ptr thrown_;  // by the thread that made them, where nobody could catch it
   ThreadPool pool_;
   std::thread maker_;
 };
