@@ -20,6 +20,7 @@ class Client {
 
   // A message to the client; whoever waits for one is woken.
   void tell(uint64_t job, const std::string& members) {
+    if (beforeLoss && ring_.halfFull()) beforeLoss();
     ring_.push(job, members);
     wake();
   }
@@ -39,7 +40,10 @@ class Client {
   bool mayBeSilent = false;  // its carrier tells when it has gone: silence means nothing
   bool socketOpen = false;   // one WebSocket at a time
   bool dropSocket = false;   // asks that WebSocket to close
-  uint64_t polls = 0;        // long polls so far: an older one ends when a newer one comes
+
+  // Takes all messages that there are: of a carrier that can, whenever it is asked. One record can
+  // be more of them than are kept.
+  std::function<void()> beforeLoss;
 
  private:
   int number_;

@@ -36,6 +36,9 @@ class Job {
   Client& client() { return *client_; }
   uint64_t firstCursor() const { return firstCursor_; }  // messages of this job come after it
 
+  // Long polls so far: an older one ends when a newer one comes.
+  uint64_t polls = 0;
+
   // Starts the program; the promise is fulfilled when the job has ended, whatever came of it.
   kj::Promise<void> start(Loop& loop);
   // SIGINT, so that what is finished still comes; SIGKILL if that does not help in time.

@@ -26,6 +26,7 @@ class Ring {
   // The first message after `cursor`; null: there is none yet. Only if reaches(cursor).
   const Message* after(uint64_t cursor) const;
   uint64_t bytes() const { return bytes_; }
+  bool halfFull() const { return bytes_ > limit_ / 2; }
 
  private:
   uint64_t limit_, bytes_ = 0, next_ = 1;

@@ -51,9 +51,10 @@ kj::Promise<void> Run::lines(kj::AsyncInputStream& from, std::string& rest, cons
   char* buffer = out ? outBuffer_ : errBuffer_;
   const size_t size = out ? sizeof outBuffer_ : sizeof errBuffer_;
   return from.tryRead(buffer, 1, size)
-      .then([this, &from, &rest, &onLine, buffer](size_t n) -> kj::Promise<void> {
+      .then([this, &from, &rest, &onLine, buffer, out](size_t n) -> kj::Promise<void> {
         if (n == 0) {
-          if (!rest.empty()) onLine(rest);
+          // A record without its newline is torn: its program was killed while it wrote.
+          if (!out && !rest.empty()) onLine(rest);
           return kj::READY_NOW;
         }
         const size_t searchFrom = rest.size();

@@ -29,6 +29,7 @@ class Run {
   // Longer lines end the program. A record of 256 MiB in memory is shorter than that as JSON.
   static constexpr size_t kMaxLine = size_t(512) << 20;
 
+  // `onOutput` gets whole lines only, `onError` also a last one that has no newline.
   Run(Loop& loop, Process process, std::string input, OnLine onOutput, OnLine onError);
 
   // When the program has ended and all that it wrote has been handed on. Call once; dropping the

@@ -12,6 +12,7 @@ namespace {
 
 constexpr size_t kSessionBytes = 8;
 constexpr uint32_t kImports = 2;  // at a time
+constexpr const char* kReload = "reload: ask /v1/info for session and cursor, and ask anew";
 
 Reply noSuchJob() {
   return refuse(404, "no such job", "it may have ended long ago, or the bridge was restarted");
@@ -71,8 +72,9 @@ kj::Promise<Reply> Service::handle(const Call& call, std::string body) {
     case Endpoint::getJob: break;
     default: return refuse(426, "events come over a WebSocket", "open one");
   }
-  const uint64_t poll = ++who->polls;
-  who->wake();  // an older long poll ends now: it would only hold a connection
+  Job* job = jobs_.find(*who, call.id);
+  const uint64_t poll = job ? ++job->polls : 0;
+  who->wake();  // an older long poll of that job ends now: it would only hold a connection
   const double wait = std::min(call.wait, limits_.maxWaitSeconds);
   return getJob(std::move(who), call, loop_.now() + wait, poll);
 }
@@ -180,24 +182,28 @@ Reply Service::cancelJob(Client& client, const std::string& id) {
   return {202, JsonObject().text("job", id).text("state", nameOf(state)).whole()};
 }
 
+std::optional<Reply> Service::checkSession(const Call& call) const {
+  if (call.session.empty() || call.session == session_) return {};
+  return refuse(410, "the bridge was restarted since", kReload);
+}
+
 std::optional<Reply> Service::checkCursor(const Call& call, const Client& client,
                                           uint64_t cursor) const {
-  constexpr const char* kCure = "reload: ask /v1/info for session and cursor, and ask anew";
-  if (!call.session.empty() && call.session != session_) {
-    return refuse(410, "the bridge was restarted since", kCure);
-  }
-  if (cursor > client.ring().last()) return refuse(410, "that cursor is yet to come", kCure);
+  if (auto wrong = checkSession(call)) return wrong;
+  if (cursor > client.ring().last()) return refuse(410, "that cursor is yet to come", kReload);
   if (client.ring().reaches(cursor)) return {};
-  return refuse(410, "messages after that cursor are no longer kept", kCure);
+  return refuse(410, "messages after that cursor are no longer kept", kReload);
 }
 
 kj::Promise<Reply> Service::getJob(std::shared_ptr<Client> client, Call call, double until,
                                    uint64_t poll) {
+  // First: jobs of a bridge before this one are unknown, or others by now.
+  if (auto wrong = checkSession(call)) return *std::move(wrong);
   const Job* job = jobs_.find(*client, call.id);
   if (!job) return noSuchJob();
   const uint64_t cursor = call.cursor.value_or(job->firstCursor());
   if (auto wrong = checkCursor(call, *client, cursor)) return *std::move(wrong);
-  bool news = job->ended() || client->polls != poll || loop_.now() >= until;
+  bool news = job->ended() || job->polls != poll || loop_.now() >= until;
   for (const Message* m = client->ring().after(cursor); m && !news;
        m = client->ring().after(m->number)) {
     news = m->job == job->number();

@@ -67,6 +67,7 @@ class Service {
   kj::Promise<Reply> getJob(std::shared_ptr<Client> client, Call call, double until, uint64_t poll);
   Reply jobReply(const Job& job, const Client& client, uint64_t cursor) const;
   Reply cancelJob(Client& client, const std::string& id);
+  std::optional<Reply> checkSession(const Call& call) const;
   std::optional<Reply> checkCursor(const Call& call, const Client& client, uint64_t cursor) const;
 
   Loop& loop_;

@@ -29,6 +29,7 @@ StdioFront::StdioFront(Service& service, io::Sink output)
       flags_(fcntl(STDIN_FILENO, F_GETFL)) {
   // Who waits for a quiet program says nothing, and owes no pong.
   client_->mayBeSilent = true;
+  client_->beforeLoss = [this] { writeEvents(); };
   if (canWait(STDIN_FILENO)) input_ = service.loop().io.wrapInputFd(STDIN_FILENO);
   if (canWait(STDOUT_FILENO)) {
     using Observer = kj::UnixEventPort::FdObserver;
@@ -37,6 +38,7 @@ StdioFront::StdioFront(Service& service, io::Sink output)
 }
 
 StdioFront::~StdioFront() {
+  client_->beforeLoss = nullptr;
   if (flags_ >= 0) fcntl(STDIN_FILENO, F_SETFL, flags_);
 }
 
@@ -53,20 +55,38 @@ kj::Promise<size_t> StdioFront::readSome() {
   return size_t(std::max<ssize_t>(n, 0));
 }
 
+// The line up to its newline at `end`, or up to the end of the input; empty: it was too long.
+std::string StdioFront::takeLine(size_t end) {
+  std::string line = tooLong_ ? std::string() : rest_.substr(0, end);
+  rest_.erase(0, end == std::string::npos ? end : end + 1);
+  searched_ = 0;
+  tooLong_ = false;
+  return line;
+}
+
+// Refuses a line once, and passes over the rest of it: what comes behind is still answered.
+void StdioFront::boundLine() {
+  // A place of the largest size takes a third more in base64.
+  if (!tooLong_ && rest_.size() > 2 * service_.limits().bodyBytes) {
+    write(stdioReply("null", refuse(413, "the line is too long", "send a smaller place")));
+    tooLong_ = true;
+  }
+  if (!tooLong_) return;
+  std::string().swap(rest_);
+  searched_ = 0;
+}
+
 kj::Promise<void> StdioFront::requests() {
-  if (const size_t end = rest_.find('\n'); end != std::string::npos || inputEnded_) {
-    std::string line = rest_.substr(0, end);
-    rest_.erase(0, end == std::string::npos ? end : end + 1);
+  const size_t end = rest_.find('\n', searched_);
+  searched_ = rest_.size();
+  if (end != std::string::npos || inputEnded_) {
+    std::string line = takeLine(end);
     const bool last = inputEnded_ && rest_.empty();
     auto answered = line.empty() ? kj::Promise<void>(kj::READY_NOW) : answer(std::move(line));
     if (last) return answered;
     return answered.then([this] { return requests(); });
   }
-  // A place of the largest size takes a third more in base64.
-  if (rest_.size() > 2 * service_.limits().bodyBytes) {
-    write(stdioReply("null", refuse(413, "the line is too long", "send a smaller place")));
-    return kj::READY_NOW;
-  }
+  boundLine();
   return readSome().then([this](size_t n) {
     rest_.append(buffer_, n);
     inputEnded_ = n == 0;

@@ -26,6 +26,8 @@ class StdioFront {
  private:
   kj::Promise<size_t> readSome();
   kj::Promise<void> requests();
+  std::string takeLine(size_t end);
+  void boundLine();
   kj::Promise<void> answer(std::string line);
   kj::Promise<void> events();
   void writeEvents();
@@ -41,6 +43,8 @@ class StdioFront {
   kj::Own<kj::AsyncInputStream> input_;            // null: a file, which is always ready
   kj::Own<kj::UnixEventPort::FdObserver> reader_;  // of the output; null: a file has none
   std::string rest_;
+  size_t searched_ = 0;   // of `rest_`: no newline is in that
+  bool tooLong_ = false;  // the line that is coming: passed over
   bool inputEnded_ = false;
   char buffer_[65536];
 };

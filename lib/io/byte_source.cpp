@@ -13,7 +13,6 @@
 namespace obby::io {
 namespace {
 
-constexpr size_t kChunk = size_t(64) << 10;
 constexpr size_t kLargestChunk = size_t(16) << 20;
 constexpr int kStopCheckMilliseconds = 100;
 
@@ -103,7 +102,7 @@ bool ByteSource::waitReadable() const {
 Result<size_t> ByteSource::fill() {
   if (ended_) return size_t(0);
   const size_t before = buffer_.size();
-  const size_t chunk = std::clamp(before - begin_, kChunk, kLargestChunk);
+  const size_t chunk = std::clamp(before - begin_, kChunk, most_);
   buffer_.resize(before + chunk);
   ssize_t got = 0;
   do {
@@ -112,6 +111,9 @@ Result<size_t> ByteSource::fill() {
   } while (got < 0 && (errno == EAGAIN || (errno == EINTR && stop_)));
   buffer_.resize(before + size_t(std::max<ssize_t>(got, 0)));
   if (got < 0) return fileError(name_, "cannot read");
+  // A file gives all that is asked for, a pipe what it holds: room for more would be cleared each
+  // time for nothing.
+  most_ = size_t(got) == chunk ? std::min(2 * chunk, kLargestChunk) : kChunk;
   ended_ = got == 0;
   return size_t(got);
 }

@@ -46,8 +46,11 @@ class ByteSource {
   ByteSource() = default;
   bool waitReadable() const;
 
+  static constexpr size_t kChunk = size_t(64) << 10;
+
   std::string name_, buffer_;
   size_t begin_ = 0;
+  size_t most_ = kChunk;  // bytes that the next read asks for, at most
   uint64_t offset_ = 0;
   int fd_ = -1;
   bool regular_ = true, ended_ = false, stopped_ = false;

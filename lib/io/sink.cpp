@@ -1,6 +1,7 @@
 #include "io/sink.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -61,10 +62,21 @@ struct Sink::Impl {
     while (!bytes.empty()) {
       const ssize_t sent = ::write(fd, bytes.data(), bytes.size());
       if (sent < 0 && errno == EINTR) continue;
+      if (sent < 0 && errno == EAGAIN) {
+        waitWritable();
+        continue;
+      }
       if (sent < 0) return fail("cannot write");
       bytes.remove_prefix(size_t(sent));
     }
     return {};
+  }
+
+  // A terminal or socket that other programs write to, or that is standard input as well, may have
+  // been told not to wait for its reader. Whatever is the matter with it, the next write says.
+  void waitWritable() const {
+    pollfd waiting{fd, POLLOUT, 0};
+    (void)::poll(&waiting, 1, -1);
   }
 
   Status openStandardOutput() {

@@ -1,6 +1,7 @@
 // The ring of messages, and records cut into messages.
 #include <gtest/gtest.h>
 
+#include "bridge/client.h"
 #include "bridge/fragments.h"
 #include "bridge/json.h"
 #include "bridge/ring.h"
@@ -47,6 +48,22 @@ TEST(Ring, keeps_at_least_the_newest_however_long) {
   ring.push(1, "\"a\":\"" + std::string(1000, 'x') + "\"");
   EXPECT_TRUE(ring.reaches(1));
   EXPECT_EQ(ring.after(1)->number, 2u);
+}
+
+// A carrier that takes messages whenever it is asked loses none, however many come at once.
+TEST(Client, asks_its_carrier_before_messages_are_lost) {
+  Client client(1, 1000);
+  uint64_t had = 0;
+  client.beforeLoss = [&] {
+    ASSERT_TRUE(client.ring().reaches(had));
+    while (const Message* message = client.ring().after(had)) had = message->number;
+  };
+  const std::string members = "\"a\":\"" + std::string(80, 'x') + "\"";
+  for (int i = 0; i < 50; i++) {
+    client.tell(1, members);
+    EXPECT_TRUE(client.ring().reaches(had));
+  }
+  EXPECT_GT(had, 40u);
 }
 
 // The text that the messages carry, put together as a client would.

@@ -7,8 +7,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "scratch_folder.h"
 
@@ -84,6 +87,43 @@ TEST(Sink, ABrokenPipeIsToldApart) {
   signal(SIGPIPE, before);
   ASSERT_FALSE(status);
   EXPECT_TRUE(isBrokenPipe(status.error()));
+}
+
+// What standard output is where descriptor 1 is that one.
+Result<Sink> standardOutputTo(int fd) {
+  std::fflush(stdout);
+  const int before = dup(STDOUT_FILENO);
+  dup2(fd, STDOUT_FILENO);
+  auto sink = Sink::open("-");
+  dup2(before, STDOUT_FILENO);
+  close(before);
+  return sink;
+}
+
+// Who shares a terminal or a socket can tell it, for all of them, not to wait.
+TEST(Sink, WaitsForItsReaderWhereTheOutputItselfDoesNot) {
+  int ends[2];
+  ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
+  ASSERT_EQ(fcntl(ends[1], F_SETFL, O_NONBLOCK), 0);
+  std::string got;
+  Status written;
+  std::thread reader;
+  {
+    auto sink = standardOutputTo(ends[1]);
+    close(ends[1]);
+    ASSERT_TRUE(sink);
+    reader = std::thread([&got, from = ends[0]] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));  // the pipe is full by then
+      char buffer[4096];
+      for (ssize_t n = 0; (n = read(from, buffer, sizeof buffer)) > 0;)
+        got.append(buffer, size_t(n));
+    });
+    written = sink->write(std::string(size_t(1) << 20, 'x'));
+  }
+  reader.join();
+  close(ends[0]);
+  EXPECT_TRUE(written) << written.error().text();
+  EXPECT_EQ(got.size(), size_t(1) << 20);
 }
 
 TEST(Sink, PipesGetEveryPieceAtOnce) {

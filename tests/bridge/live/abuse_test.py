@@ -84,6 +84,16 @@ class AbuseTest(unittest.TestCase):
         self.assertEqual([f["index"] for f in fragments], list(range(fragments[0]["count"])))
         self.assertEqual("".join(f["text"] for f in fragments), record)
 
+    def test_a_record_that_its_program_did_not_finish_is_not_told(self):
+        script = program(self, "cat >/dev/null\necho '{\"type\":\"metrics\"}'\n"
+                               "printf '{\"type\":\"trajectory\",\"query'\nkill -KILL $$\n")
+        bridge = self.bridge("--solve", script)
+        job = bridge.ask(level=bridge.place_level(LEVEL))["job"]
+        messages = bridge.messages(job)  # with half a record in it no answer is JSON
+        self.assertEqual([m["record"] for m in messages if m["type"] == "record"],
+                         [{"type": "metrics"}])
+        self.assertEqual(messages[-1]["state"], "failed")
+
     def test_what_the_ring_has_lost_is_said(self):
         line = '{"type":"metrics","name":"' + "x" * 100000 + '"}'
         script = program(self, "cat >/dev/null\nfor i in $(seq 60); do cat \"$0.txt\"; done\n")

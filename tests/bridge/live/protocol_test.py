@@ -147,6 +147,13 @@ class ProtocolTest(unittest.TestCase):
             self.assertEqual(events.status, 410)
             events.close()
 
+    def test_jobs_of_an_earlier_bridge_are_told_from_unknown_ones(self):
+        session = self.bridge.get("/v1/info").json()["session"]
+        earlier = self.bridge.get("/v1/jobs/j999?session=0123456789abcdef")
+        self.assertEqual(earlier.status, 410)
+        self.assertIn("restarted", earlier.json()["error"])
+        self.assertEqual(self.bridge.get(f"/v1/jobs/j999?session={session}").status, 404)
+
     def test_cancelled_jobs_end_properly(self):
         level = self.bridge.place_level(LEVEL)
         job = self.bridge.ask(level=level, queries=[impossible()], budget={"timeLimit": 60})["job"]
@@ -180,6 +187,21 @@ class ProtocolTest(unittest.TestCase):
             self.bridge.delete(f"/v1/jobs/{one}")
         for one in (third, job, quiet["job"]):
             self.bridge.messages(one)
+
+    def test_long_polls_of_several_jobs_leave_each_other_alone(self):
+        bridge = Bridge("--solve", driver.program(self, "cat >/dev/null\nexec sleep 1000\n"))
+        self.addCleanup(bridge.close)
+        level, polls = bridge.place_level(LEVEL), []
+        for _ in range(2):  # as windows of one Studio do
+            job = bridge.ask(level=level)["job"]
+            heard = bridge.messages(job, until=lambda m: m.get("state") == "running")
+            connection = bridge.socket()
+            self.addCleanup(connection.close)
+            connection.sendall((f"GET /v1/jobs/{job}?cursor={heard[-1]['number']}&wait=20 HTTP/1.1"
+                                f"\r\nHost: 127.0.0.1:{bridge.port}\r\n"
+                                f"Authorization: Bearer {bridge.token}\r\n\r\n").encode())
+            polls.append(connection)
+            self.assertFalse(driver.select.select(polls, [], [], 0.5)[0])
 
     def test_warm_starts_use_an_earlier_answer(self):
         level = self.bridge.place_level(LEVEL)

@@ -2,7 +2,9 @@
 import base64
 import json
 import os
+import socket
 import subprocess
+import time
 import unittest
 
 import driver
@@ -116,6 +118,51 @@ class StdioTest(unittest.TestCase):
         process = self.start("--silence", "0.5", "--grace", "0.5", "--solve", script)
         self.call(process, "POST", "/v1/jobs", body={"level": self.place(process)})
         self.assertEqual(self.hear(process, ended)["state"], "done", self.seen[-1])
+
+    def test_a_record_longer_than_what_is_kept_of_messages_comes_whole(self):
+        record = json.dumps({"type": "result", "query": "q", "reason": "x" * (9 << 20)},
+                            separators=(",", ":"))
+        script = program(self, "cat >/dev/null\ncat \"$0.txt\"\n")
+        with open(script + ".txt", "w", encoding="ascii") as file:
+            file.write(record + "\n")
+        process = self.start("--solve", script)
+        self.call(process, "POST", "/v1/jobs", body={"level": self.place(process)})
+        self.hear(process, ended)
+        self.assertEqual([m["number"] for m in self.seen], list(range(1, len(self.seen) + 1)))
+        text = "".join(m["text"] for m in self.seen if m["type"] == "fragment")
+        self.assertTrue(text == record, "lost or torn")  # not assertEqual: it would print both
+
+    def test_a_line_that_is_too_long_is_refused_and_passed_over(self):
+        process = self.start("--max-body", "1")
+        long = b'{"id":1,"text":"' + b"x" * (5 << 20) + b'"}\n'
+        process.stdin.write(long)
+        process.stdin.flush()
+        refused = json.loads(process.stdout.readline())
+        self.assertEqual((refused["id"], refused["status"]), (None, 413))
+        self.assertEqual(self.call(process, "GET", "/v1/info")["status"], 200)
+        self.assertEqual(self.seen, [])
+
+    def test_output_that_is_told_not_to_wait_loses_nothing(self):
+        ours, theirs = socket.socketpair()  # as inetd, ssh and socat start programs
+        self.addCleanup(ours.close)
+        process = subprocess.Popen(self.command, stdin=theirs, stdout=theirs)
+        theirs.close()
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        text = json.dumps({"type": "level", "name": "x" * (2 << 20),
+                           "parts": [{"name": "Floor", "size": [40, 1, 40]}],
+                           "spawns": [{"position": [0, 1, 0]}]})
+        place = {"id": 1, "method": "POST", "path": "/v1/levels", "text": text + "\n"}
+        stream = ours.makefile("rwb")
+        self.addCleanup(stream.close)
+        stream.write(json.dumps(place).encode() + b"\n")
+        stream.flush()
+        level = json.loads(stream.readline())["body"]["level"]
+        stream.write(json.dumps({"id": 2, "method": "GET", "path": "/v1/levels/" + level}).encode())
+        stream.write(b"\n")
+        stream.flush()
+        time.sleep(0.5)  # the bridge is to find the socket full
+        self.assertGreater(len(json.loads(stream.readline())["text"]), 2 << 20)
 
     def test_nonsense_is_answered_and_survived(self):
         process = self.start()
