@@ -98,7 +98,9 @@ Result<std::vector<Parameter>> parametersNamed(const std::vector<std::string>& n
       for (const Parameter& p : all) known += (known.empty() ? "" : ", ") + p.name;
       return makeError(fmt::format("'{}' cannot be fitted", name), "there are " + known);
     }
-    out.push_back(*found);
+    const bool again =
+        std::any_of(out.begin(), out.end(), [&](const Parameter& p) { return p.name == name; });
+    if (!again) out.push_back(*found);
   }
   return out;
 }

@@ -31,7 +31,7 @@ constexpr bool hasSlope(Parameter::Kind kind) {
 // All that can be fitted, with bounds around `now` within the schema's ranges.
 std::vector<Parameter> parametersAround(schema::PhysicsParams::Reader now);
 
-// The error names those there are.
+// In their order, each once. The error names those there are.
 Result<std::vector<Parameter>> parametersNamed(const std::vector<std::string>& names,
                                                schema::PhysicsParams::Reader now);
 

@@ -13,6 +13,9 @@ namespace {
 
 constexpr float kLeastMove = 0.1f;
 constexpr float kRising = 5;  // studs/s: faster than this upward is no walk
+// Seconds between two frames: nobody knows what happened in a longer pause, and playing it takes
+// as long as it does.
+constexpr double kLongestGap = 10;
 
 using level::isFinite;
 using level::vec;
@@ -87,6 +90,19 @@ bool finite(const Frame& f) {
          isFinite(f.velocity) && isFinite(f.facing);
 }
 
+// Of the frame's time against the one before.
+Status checkTime(const Frame& frame, uint32_t number, const Track& track) {
+  if (track.frames.empty()) return {};
+  const double before = track.frames.back().time;
+  if (frame.time < before)
+    return inFrame(number, fmt::format("time {} comes after {}", frame.time, before),
+                   "give the frames in the order of their times");
+  if (frame.time - before > kLongestGap)
+    return inFrame(number, fmt::format("{:.6g} seconds after the one before", frame.time - before),
+                   "times are in seconds; make two recordings of one with a pause");
+  return {};
+}
+
 // A frame without poses has those of the one before.
 Status addPoses(schema::RecordingFrame::Reader frame, uint32_t number, Track& track) {
   const auto poses = frame.getPoses();
@@ -132,11 +148,10 @@ Result<Track> trackOf(schema::Recording::Reader record) {
   for (const auto part : record.getParts()) track.shown.emplace_back(part);
   const auto frames = record.getFrames();
   for (uint32_t i = 0; i < frames.size(); ++i) {
-    const Frame frame = frameOf(frames[i]);
+    Frame frame = frameOf(frames[i]);
+    frame.time -= frames[0].getTime();  // some recorders tell the time of their own clock
     if (!finite(frame)) return inFrame(i, "a number that is none", "leave such frames out");
-    if (!track.frames.empty() && frame.time < track.frames.back().time)
-      return inFrame(i, fmt::format("time {} comes after {}", frame.time, track.frames.back().time),
-                     "give the frames in the order of their times");
+    OBBY_RETURN_IF_ERROR(checkTime(frame, i, track));
     if (!track.frames.empty() && frame.time == track.frames.back().time) continue;
     track.frames.push_back(frame);
     OBBY_RETURN_IF_ERROR(addPoses(frames[i], i, track));

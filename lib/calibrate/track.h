@@ -50,8 +50,9 @@ struct Track {
 // To the nearest; of a negative time none.
 uint32_t wholeTicks(double seconds, const Params& params);
 
-// Frames that the recorder wrote twice are left out. Errors: fewer than two frames, a time that
-// goes back, what is not finite, poses of other parts than the recording names.
+// Times count from the first frame on, whatever clock they are of. Frames that the recorder wrote
+// twice are left out. Errors: fewer than two frames, a time that goes back or leaps ahead, what is
+// not finite, poses of other parts than the recording names.
 Result<Track> trackOf(schema::Recording::Reader record);
 
 // Of an engine's name for it; whoever is in none that a course needs is taken by how they move.

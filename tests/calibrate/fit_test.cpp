@@ -168,6 +168,14 @@ TEST(Parameters, BeyondABoundHaveItsShare) {
   }
 }
 
+TEST(Parameters, NamedTwiceAreFittedOnce) {
+  const auto named = parametersNamed({"gravity", "walkSpeed", "gravity"}, defaults());
+  ASSERT_TRUE(named);
+  ASSERT_EQ(named->size(), 2u);
+  EXPECT_EQ((*named)[0].name, "gravity");
+  EXPECT_EQ((*named)[1].name, "walkSpeed");
+}
+
 TEST(Parameters, AreTriedWithinTheSchemasRanges) {
   for (const Parameter& p : parametersAround(defaults())) {
     for (const double value : {p.lowest, p.highest}) {

@@ -52,6 +52,27 @@ TEST(Track, NamesTheFrameWhoseTimeGoesBack) {
   EXPECT_NE(read.error().text().find("frames[3]"), std::string::npos) << read.error().text();
 }
 
+TEST(Track, TimesCountFromTheFirstFrameOn) {
+  io::RecordBuilder record;
+  auto recording = recordOf(record, 4);
+  for (auto frame : recording.getFrames()) frame.setTime(1.7e9 + frame.getTime());
+  const auto read = trackOf(recording);
+  ASSERT_TRUE(read) << read.error().text();
+  ASSERT_EQ(read->frames.size(), 4u);
+  EXPECT_EQ(read->frames[0].time, 0);
+  EXPECT_NEAR(read->frames[3].time, 0.05, 1e-6);
+}
+
+// Milliseconds, or a pause of minutes: it would be played as long as it says.
+TEST(Track, NamesTheFrameWhoseTimeLeaps) {
+  io::RecordBuilder record;
+  auto recording = recordOf(record, 4);
+  recording.getFrames()[3].setTime(1e12);
+  const auto read = trackOf(recording);
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().text().find("frames[3]"), std::string::npos) << read.error().text();
+}
+
 TEST(Track, PosesAndFacingReadBack) {
   const std::vector<Take> takes = takesUnder(defaults());
   const Track& track = takes.back().track;  // a box is pushed

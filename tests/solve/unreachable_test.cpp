@@ -91,6 +91,15 @@ TEST(Unreachable, SaysNothingOfTimeWhereSomethingMovesPlayersAtOnce) {
   EXPECT_EQ(ask(limit, pusher).counts.unreachable, 0u);
 }
 
+TEST(Unreachable, SaysNothingOfTimeWhereAWallThatNobodyStandsOnPushes) {
+  const char* wall =
+      R"(,{"name":"Wall","position":[3.75,11,4],"size":[1.5,20,1],"motion":{"repeat":"pingPong",)"
+      R"("keys":[{"position":[3.75,11,4]},{"time":1,"position":[3.75,11,-48]}]}})";
+  const std::string limit = std::string(kThird) + R"(,"timeLimit":2)";
+  EXPECT_EQ(ask(limit, wall).counts.unreachable, 0u);
+  EXPECT_EQ(ask(limit).counts.unreachable, 1u) << "without it";
+}
+
 TEST(Unreachable, OneVisitOutOfReachIsEnough) {
   expectUnreachable(
       ask(std::string(kThird) + R"(,"visits":[{"part":"B"},{"part":"Ledge","touch":true}])"),

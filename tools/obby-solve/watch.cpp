@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "io/file_watch.h"
+#include "io/sink.h"
 
 namespace obby::tools {
 
@@ -45,8 +46,10 @@ Status watchInputs(cli::Context& context, solve::FilterOptions& options, const S
     {
       const Guard guard(files, context.stop(), stop);
       options.solver.budget.stop = &stop;
+      const Status status = solve(options, stop);
+      if (!status && io::isBrokenPipe(status.error())) return status.error();  // who would read on?
       // A mistake in a file is told, and may be mended by the next change.
-      if (const Status status = solve(options, stop); !status) context.warn(status.error().text());
+      if (!status) context.warn(status.error().text());
     }
     while (!context.stop() && !files.changed()) std::this_thread::sleep_for(kPoll);
   }

@@ -4,6 +4,20 @@
 
 namespace obby::solve {
 
+namespace {
+
+// Studs/s: what is slower pushes nobody anywhere within a flight.
+constexpr float kPushes = 0.05f;
+
+// Studs that somebody has to come from one box to another, where `rides` can be had on the way.
+float wayBetween(const Box& from, const std::vector<Ride>& rides, const Box& to) {
+  float least = gapBetween(from, to);
+  for (const Ride& ride : rides) least = std::min(least, ride.way + gapBetween(ride.by->feet, to));
+  return least;
+}
+
+}  // namespace
+
 ReachBound::ReachBound(const Problem& problem, bool mayJump)
     : problem_(problem),
       p_(problem.level.params),
@@ -11,7 +25,11 @@ ReachBound::ReachBound(const Problem& problem, bool mayJump)
       jumpSpeed_(fastestJump(problem.level)),
       supports_(supportsOf(problem)),
       flight_(p_, fastestWalk(problem.level)) {
-  for (const Support& s : supports_) lowest_ = std::min(lowest_, s.entry);
+  for (const Support& s : supports_) {
+    lowest_ = std::min(lowest_, s.entry);
+    slopes_ |= s.tilted;
+    if (s.carries && s.pushes > kPushes) pushers_.push_back(&s);
+  }
   // What is reached makes faster, and who is faster reaches more.
   for (;;) {
     explore();
@@ -47,7 +65,7 @@ bool ReachBound::slidesHelpless() const {
 // upward at once, and on the way up keys hold as much against gravity.
 float ReachBound::rampSpeed(const Support& s) const {
   constexpr float kSpare = 1.05f;
-  if (!s.tilted) return 0;
+  if (!s.tilted && !(s.keepsSpeed && slopes_)) return 0;
   return flight_.sideways() * std::max(0.5f, kSpare * p_.groundAccel / p_.gravity);
 }
 
@@ -58,7 +76,32 @@ Launch ReachBound::launch(const Support& s, bool jumping) const {
   return {from, std::min(std::max({lifted, s.thrown, ramp}), p_.maxFallSpeed)};
 }
 
-bool ReachBound::crosses(const Launch& l, const Support& to, bool jumping) const {
+// Who is pushed is moved along with what pushes, and keeps the height and speed of the flight: only
+// the ways to it, on from it and between two of them are flown. The nearest first.
+std::vector<Ride> ReachBound::ridesFrom(const Support& s, float lowest) const {
+  std::vector<Ride> open, rides;
+  if (pushers_.empty()) return rides;
+  const Launch l = launch(s, mayJump_ && s.carries);
+  const float farthest = flight_.reach(l, std::min(lowest, s.feet.hi.y));
+  for (const Support* by : pushers_) {
+    const bool meets = by->feet.lo.y - p_.bodyTop <= flight_.apex(l);
+    if (meets) open.push_back({by, gapBetween(s.feet, by->feet)});
+  }
+  const auto nearer = [](const Ride& a, const Ride& b) { return a.way < b.way; };
+  while (!open.empty()) {
+    const auto next = std::min_element(open.begin(), open.end(), nearer);
+    const Ride ride = *next;
+    if (ride.way > farthest) break;
+    open.erase(next);
+    for (Ride& other : open) {
+      other.way = std::min(other.way, ride.way + gapBetween(ride.by->feet, other.by->feet));
+    }
+    rides.push_back(ride);
+  }
+  return rides;
+}
+
+bool ReachBound::crosses(const Launch& l, float gap, const Support& to, bool jumping) const {
   float height = to.entry;
   // The torso does not collide as a jump begins: it can be inside of what is beside it then, and be
   // lifted out of that.
@@ -66,7 +109,7 @@ bool ReachBound::crosses(const Launch& l, const Support& to, bool jumping) const
     const float early = l.from.hi.y + 3 * l.upward * p_.tickSeconds + p_.headBottom;
     if (to.top <= early) height = std::min(height, l.from.hi.y);
   }
-  return flight_.reach(l, height) >= gapBetween(l.from, to.feet);
+  return flight_.reach(l, height) >= gap;
 }
 
 // Breadth first by the number of jumps.
@@ -98,12 +141,14 @@ void ReachBound::spread(uint32_t from, std::vector<uint32_t>& now, std::vector<u
   // Nobody comes farther than down to the lowest of all: most supports need no closer look.
   const float lowest = std::min(lowest_, s.feet.hi.y);
   const float farthest = flight_.reach(leaps ? leaping : falling, lowest);
+  const std::vector<Ride> rides = ridesFrom(s, lowest);
   for (uint32_t to = 0; to < supports_.size(); ++to) {
     if (supports_[to].collider == level::kNone || jumps_[to] <= made) continue;
-    if (gapBetween(s.feet, supports_[to].feet) > farthest) continue;
-    if (crosses(falling, supports_[to], false)) {
+    const float gap = wayBetween(s.feet, rides, supports_[to].feet);
+    if (gap > farthest) continue;
+    if (crosses(falling, gap, supports_[to], false)) {
       arrive(to, made);
-    } else if (leaps && crosses(leaping, supports_[to], true)) {
+    } else if (leaps && crosses(leaping, gap, supports_[to], true)) {
       arrive(to, made + 1);
     }
   }
@@ -127,7 +172,7 @@ uint32_t ReachBound::jumpsTo(const level::TargetView& target) const {
   for (size_t i = 0; i < supports_.size(); ++i) {
     if (jumps_[i] >= fewest) continue;
     const Support& s = supports_[i];
-    const float gap = gapBetween(s.feet, box);
+    const float gap = wayBetween(s.feet, ridesFrom(s, height), box);
     if (flight_.reach(launch(s, false), height) >= gap) fewest = jumps_[i];
     const bool leaps = mayJump_ && s.carries && jumps_[i] + 1 < fewest;
     if (leaps && flight_.reach(launch(s, true), height) >= gap) fewest = jumps_[i] + 1;
@@ -139,8 +184,10 @@ bool ReachBound::holds(Vec3 feet) const {
   const Box point{feet, feet};
   for (size_t i = 0; i < supports_.size(); ++i) {
     if (jumps_[i] == kNever) continue;
-    const Launch l = launch(supports_[i], mayJump_ && supports_[i].carries);
-    if (flight_.reach(l, feet.y) >= gapBetween(l.from, point)) return true;
+    const Support& s = supports_[i];
+    const float reach = flight_.reach(launch(s, mayJump_ && s.carries), feet.y);
+    if (reach >= gapBetween(s.feet, point)) return true;
+    if (reach >= wayBetween(s.feet, ridesFrom(s, feet.y), point)) return true;
   }
   return false;
 }
@@ -148,11 +195,11 @@ bool ReachBound::holds(Vec3 feet) const {
 Missing ReachBound::missing(const level::TargetView& target) const {
   Missing best;
   float least = 1e30f;
-  const auto consider = [&](const Launch& l, uint32_t from, const Box& to, float height,
+  const auto consider = [&](const Launch& l, float way, uint32_t from, float height,
                             uint32_t collider) {
     const float rise = std::max(height - flight_.apex(l), 0.0f);
     const float reach = flight_.reach(l, std::min(height, flight_.apex(l)));
-    const float gap = std::max(gapBetween(l.from, to) - reach, 0.0f);
+    const float gap = std::max(way - reach, 0.0f);
     if (!(rise + gap < least)) return;
     least = rise + gap;
     best = {from, collider, rise, gap};
@@ -162,11 +209,13 @@ Missing ReachBound::missing(const level::TargetView& target) const {
     if (jumps_[i] == kNever) continue;
     const Support& from = supports_[i];
     const Launch l = launch(from, mayJump_ && from.carries);
-    consider(l, from.collider, box, box.lo.y - p_.bodyTop, level::kNone);
+    const float floor = box.lo.y - p_.bodyTop;
+    const std::vector<Ride> rides = ridesFrom(from, std::min(lowest_, floor));
+    consider(l, wayBetween(from.feet, rides, box), from.collider, floor, level::kNone);
     for (size_t j = 0; j < supports_.size(); ++j) {
       const Support& to = supports_[j];
       if (jumps_[j] == kNever && to.collider != level::kNone) {
-        consider(l, from.collider, to.feet, to.entry, to.collider);
+        consider(l, wayBetween(from.feet, rides, to.feet), from.collider, to.entry, to.collider);
       }
     }
   }
@@ -179,6 +228,9 @@ float ReachBound::fastest() const {
     if (jumps_[i] == kNever) continue;
     if (supports_[i].snaps) return std::numeric_limits<float>::infinity();
     pushed = std::max(pushed, supports_[i].pushes);
+    // Nobody lives to be pushed below where everything falls out of the world.
+    const float lowest = std::min(lowest_, p_.fallenPartsHeight);
+    for (const Ride& r : ridesFrom(supports_[i], lowest)) pushed = std::max(pushed, r.by->pushes);
   }
   return flight_.sideways() + pushed;
 }

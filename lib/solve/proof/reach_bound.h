@@ -3,8 +3,9 @@
 //
 // A playthrough is a sequence of flights from one thing that carries the player to the next. Each
 // flight is a parabola that starts as high and as fast as anything reachable allows; walls, kill
-// parts, avoid regions and timing are ignored; moving parts are everywhere on their way at once;
-// parts that vanish, open or fall are there and away. docs/queries.md says what is left out.
+// parts, avoid regions and timing are ignored; moving parts are everywhere on their way at once,
+// and take along for nothing whom they push; parts that vanish, open or fall are there and away.
+// docs/queries.md says what is left out.
 #pragma once
 
 #include <cstdint>
@@ -22,6 +23,12 @@ struct Missing {
   float rise = 0, gap = 0;                          // studs that a player lacks, at least
 };
 
+// A part that takes along whom it pushes: anywhere on its way, at no cost.
+struct Ride {
+  const Support* by;
+  float way;  // studs that the player has to come to it by own speed, over others or straight
+};
+
 class ReachBound {
  public:
   static constexpr uint32_t kNever = 0xffffffffu;
@@ -29,6 +36,8 @@ class ReachBound {
   // `mayJump`: the query admits jumps. The problem must outlive the bound, and its level have no
   // unboundedPart().
   ReachBound(const Problem& problem, bool mayJump);
+  ReachBound(const ReachBound&) = delete;  // points into itself
+  ReachBound& operator=(const ReachBound&) = delete;
 
   // Fewest jumps on the way into the region, or to touching the part; kNever: there is no way.
   uint32_t jumpsTo(const level::TargetView& target) const;
@@ -52,7 +61,9 @@ class ReachBound {
   void explore();
   void spread(uint32_t from, std::vector<uint32_t>& now, std::vector<uint32_t>& later);
   Launch launch(const Support& s, bool jumping) const;
-  bool crosses(const Launch& l, const Support& to, bool jumping) const;
+  bool crosses(const Launch& l, float gap, const Support& to, bool jumping) const;
+  // That can be met in a flight from there before the feet are below `lowest`.
+  std::vector<Ride> ridesFrom(const Support& s, float lowest) const;
   float fastestReached() const;
   bool slidesHelpless() const;
   float rampSpeed(const Support& s) const;
@@ -63,6 +74,8 @@ class ReachBound {
   const float jumpSpeed_;
   std::vector<Support> supports_;
   float lowest_ = std::numeric_limits<float>::infinity();  // entry of all supports
+  std::vector<const Support*> pushers_;                    // of them, those that move sideways
+  bool slopes_ = false;                                    // are any of them tilted?
   std::vector<uint32_t> jumps_;  // (supports): fewest on the way there; kNever
   Flight flight_;
 };

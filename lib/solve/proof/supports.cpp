@@ -75,7 +75,10 @@ Motion motionOf(const level::LevelView& level, uint32_t collider) {
   const level::Collider& c = level.colliders[collider];
   const level::Mover& m = level.movers[c.mover];
   const bool upright = (level.bounds[collider].flags & level::kUpright) != 0;
-  const float radius = length(c.shape.half) + length(m.pivot), rate = level.params.controlRate;
+  // Who sits on what turns over may be farther from its centre than its corners are.
+  const bool swings = !upright && (level.bounds[collider].flags & level::kSeat) != 0;
+  const float half = std::max(length(c.shape.half), swings ? level.params.seatHeight : 0.0f);
+  const float radius = half + length(m.pivot), rate = level.params.controlRate;
   Motion motion;
   motion.swept = level.bounds[collider].box();
   motion.rough = !upright;
@@ -127,7 +130,9 @@ class Builder {
     for (const Support& s : supports_) {
       if (s.leadsTo == level::kNone) continue;
       const level::Roles& r = level_.roles[level_.colliders[s.collider].role];
-      if (r.teleportKeepsVelocity) supports_[s.leadsTo].thrown = fastest;
+      if (!r.teleportKeepsVelocity) continue;
+      supports_[s.leadsTo].thrown = fastest;
+      supports_[s.leadsTo].keepsSpeed = true;
     }
   }
 
@@ -169,6 +174,7 @@ class Builder {
     const float side = sideOf(bounds.flags);
     s.feet = grow(box, {side, 0, side});
     s.feet.hi.y += s.carries ? rise_ : kSlack;
+    if (bounds.flags & level::kSeat) s.feet = join(s.feet, seatedIn(box));
     const bool holds = canHoldBody(box, bounds.flags);
     s.entry = holds ? besideOf(box)
                     : entryOf(box, bounds.flags, c.mover != level::kNone ? motion : nullptr);
@@ -188,6 +194,12 @@ class Builder {
     if (flags & kLeads) side = 0.5f * length(Vec3{p_.armSpan, 0, p_.bodyDepth});
     if (flags & level::kTruss) side = std::max(side, p_.climbReach + half);
     return side + kSlack;
+  }
+
+  // Feet of those who sit: the root is above the seat's centre, wherever the seat has its top.
+  Box seatedIn(const Box& seat) const {
+    const float away = p_.seatHeight + kSlack, root = p_.hipHeight + 0.5f * p_.rootHeight;
+    return {seat.lo - Vec3{away, away + root, away}, seat.hi + Vec3{away, away - root, away}};
   }
 
   // From any side, at any height.

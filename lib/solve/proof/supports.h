@@ -19,6 +19,7 @@ struct Support {
   bool carries = false;              // not: only leads elsewhere
   bool snaps = false;                // may move the player some studs at once
   bool tilted = false;               // has slopes, which turn speed upward
+  bool keepsSpeed = false;           // who appears there has the speed that slopes may have given
   uint32_t collider = level::kNone;  // none: the start, or where a teleporter leads
   uint32_t leadsTo = level::kNone;   // support that touching it leads to
 };

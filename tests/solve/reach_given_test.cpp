@@ -1,0 +1,115 @@
+// The bound on what a player can reach, where something else than keys moves the player: walls that
+// push, seats, teleporters that keep the speed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "scenes.h"
+#include "solve/proof/reach_bound.h"
+
+namespace obby::solve {
+namespace {
+
+Problem problemOf(const level::Level& level) {
+  return {level.view(),
+          {},
+          sim::makeWorld(level.view(), level.spawns()[0]),
+          sim::makeLoose(level.view()),
+          level.bounds(),
+          level.hasMotion()};
+}
+
+// A wall from `from` to `to` along Z in `seconds`, too tall to be stood on.
+void addWall(LevelBuilder& b, float from, float to, float seconds) {
+  b.block({0, 11, from}, {8, 20, 4}, [=](schema::Part::Builder p) {
+    auto motion = p.initMotion();
+    auto keys = motion.initKeys(2);
+    support::set(keys[0].initPosition(), {0, 11, from});
+    support::set(keys[1].initPosition(), {0, 11, to});
+    keys[1].setTime(seconds);
+    motion.setRepeat(schema::Repeat::ONCE);
+  });
+}
+
+// Who has stepped in its way is taken along in a jump, farther than anybody jumps.
+TEST(ReachBound, HoldsWhomAWallPushesInTheAir) {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {32, 1, 8}).spawn({12, 0, 0});
+  addWall(b, 60, -60, 2.4f);
+  const level::Level level = b.compile();
+  const Problem problem = problemOf(level);
+  const ReachBound bound(problem, true);
+  const Turns aside = turnsFromRadians(kPi / 2);  // toward -X
+  sim::World w = problem.start;
+  float farthest = 0;
+  for (uint32_t t = 0; t < 130; ++t) {
+    sim::advance(w, nullptr, level.view(), nullptr, {aside, t < 46, t == 65});
+    if (w.position.y > -1) farthest = std::min(farthest, w.position.z);
+    ASSERT_TRUE(bound.holds(w.position))
+        << "tick " << t << ": " << w.position.x << ", " << w.position.y << ", " << w.position.z;
+  }
+  EXPECT_LT(farthest, -18) << "nobody was pushed";
+}
+
+// What pushes must be met first.
+TEST(ReachBound, AWallFarOffPushesNobody) {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
+  b.block({0, -0.5f, -120}, {8, 1, 8});
+  addWall(b, -60, -114, 2);
+  const level::Level level = b.compile();
+  const Problem problem = problemOf(level);
+  EXPECT_EQ(ReachBound(problem, true).jumpsTo(boxAt({0, 3, -120}, {4, 2, 4})), ReachBound::kNever);
+}
+
+// By other physics the root is held far above a seat.
+TEST(ReachBound, HoldsWhoSitsHighUp) {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 3});
+  b.block({0, 0.5f, -1}, {2, 1, 2}, [](schema::Part::Builder p) { p.initSeat(); });
+  b.physics([](schema::PhysicsParams::Builder p) { p.setSeatHeight(20); });
+  const level::Level level = b.compile();
+  const Problem problem = problemOf(level);
+  const ReachBound bound(problem, true);
+  sim::World w = problem.start;
+  float highest = 0;
+  for (uint32_t t = 0; t < 150; ++t) {
+    sim::advance(w, nullptr, level.view(), nullptr, {0, true, t == 100});
+    highest = std::max(highest, w.position.y);
+    ASSERT_TRUE(bound.holds(w.position)) << "tick " << t << ", height " << w.position.y;
+  }
+  EXPECT_GT(highest, 20) << "nobody jumped up from there";
+}
+
+// Who comes off a ramp fast may be faster upward than any jump.
+TEST(ReachBound, HoldsWhoIsTeleportedOffARamp) {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {8, 1, 200}).spawn({0, 0, 90});
+  b.part([](schema::Part::Builder p) {
+    support::set(p.initPosition(), {0, 5, -105});
+    support::set(p.initSize(), {8, 10, 10});
+    support::setRotation(p.initRotation(), kPi);
+    p.setShape(schema::Shape::WEDGE);
+  });
+  b.block({0, 30, -114}, {20, 60, 8}, [](schema::Part::Builder p) {
+    p.setSolid(false);
+    auto teleport = p.initTeleport();
+    support::set(teleport.initPosition(), {0, 300, 100});
+    teleport.setKeepVelocity(true);
+  });
+  b.physics([](schema::PhysicsParams::Builder p) { p.setWalkSpeed(300); });
+  const level::Level level = b.compile();
+  const Problem problem = problemOf(level);
+  const ReachBound bound(problem, true);
+  sim::World w = problem.start;
+  float highest = 0;
+  for (uint32_t t = 0; t < 200 && w.outcome == sim::Outcome::running; ++t) {
+    sim::advance(w, nullptr, level.view(), nullptr, {0, true, false});
+    highest = std::max(highest, w.position.y);
+    ASSERT_TRUE(bound.holds(w.position)) << "tick " << t << ", height " << w.position.y;
+  }
+  EXPECT_GT(highest, 310) << "nobody came there with the speed of a slope";
+}
+
+}  // namespace
+}  // namespace obby::solve
