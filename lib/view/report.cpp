@@ -205,14 +205,12 @@ Status Collector::replay(QueryEntry& entry) {
   std::stable_sort(entry.paths.begin(), entry.paths.end(),
                    [](const PathEntry& a, const PathEntry& b) { return a.kind < b.kind; });
   Status first;
-  std::vector<PathEntry> kept;
   for (PathEntry& path : entry.paths) {
     Status status = path.played() ? Status() : play(entry, path);
     if (!status) status = forgive_(path.record, std::move(status).error());
     if (first) first = std::move(status);
-    if (path.played()) kept.push_back(std::move(path));
   }
-  entry.paths = std::move(kept);
+  std::erase_if(entry.paths, [](const PathEntry& path) { return !path.played(); });
   return first;
 }
 
