@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "import/format/class_defaults.h"
+#include "import/pose_math.h"
 #include "import/record_values.h"
 
 namespace obby::importer {
@@ -91,9 +92,7 @@ void setGeometry(schema::Part::Builder to, const PartDraft& part) {
   to.setShape(schema::Shape(part.shape));
   setVector(to.initPosition(), part.pose.position);
   setRotation(to.initRotation(), part.pose.rotation);
-  constexpr float kLeast = 0.001f, kMost = 2048;
-  const Vec3 low = {kLeast, kLeast, kLeast}, high = {kMost, kMost, kMost};
-  setVector(to.initSize(), min(max(part.size, low), high));
+  setVector(to.initSize(), boundedSize(part.size));
   if (!part.hulls.empty()) {
     auto hulls = to.initHulls(unsigned(part.hulls.size()));
     for (unsigned h = 0; h < part.hulls.size(); ++h) {

@@ -81,7 +81,7 @@ Onsets::Onsets(const Tree& tree, const ScriptReading& reading)
     makesJoints_ = hasJoints(*source);
   }
   for (const Timeline& timeline : reading.timelines)
-    if (timeline.trigger == Trigger::start || timeline.trigger == Trigger::frame)
+    if (timeline.byItself())
       for (const ScriptEvent& event : timeline.events)
         if (event.kind == EventKind::build) built_.insert(event.property);
 }

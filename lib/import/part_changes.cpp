@@ -9,8 +9,6 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kLeastSize = 0.001f, kMostSize = 2048;  // studs
-
 // Corners are in studs, too.
 void scaleHulls(PartDraft& part, Vec3 before) {
   const Vec3 old = boundedSize(before);
@@ -27,11 +25,6 @@ void scaleHulls(PartDraft& part, Vec3 before) {
 }
 
 }  // namespace
-
-Vec3 boundedSize(Vec3 size) {
-  return min(max(abs(size), Vec3{kLeastSize, kLeastSize, kLeastSize}),
-             Vec3{kMostSize, kMostSize, kMostSize});
-}
 
 void PartChanges::expect(const PartDraft& part, Aspect aspect, const Cause& cause) {
   const auto [known, isNew] = known_.try_emplace(part.id);

@@ -41,7 +41,4 @@ class PartChanges {
   std::map<InstanceId, InFile> known_;
 };
 
-// As the engine takes a size that a script sets.
-Vec3 boundedSize(Vec3 size);
-
 }  // namespace obby::importer

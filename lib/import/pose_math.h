@@ -28,5 +28,7 @@ Vec3 toOrientation(const Mat3& rotation);
 float yawOf(Vec3 look);
 
 bool isFinite(Vec3 v);
+// As the engine takes the size of a part, and the level's record has it.
+Vec3 boundedSize(Vec3 size);
 
 }  // namespace obby::importer

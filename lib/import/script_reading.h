@@ -76,6 +76,9 @@ struct Timeline {
   size_t loopEvent = 0;  // index of the first event of the loop
   double period = 0;     // seconds of one round of the loop (or of all that were followed)
   bool closed = false;   // after `period` the parts are back where the loop began
+
+  // Whether it comes as the game runs, whatever players do.
+  bool byItself() const { return trigger == Trigger::start || trigger == Trigger::frame; }
 };
 
 struct ScriptReading {

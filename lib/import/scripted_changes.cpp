@@ -35,7 +35,7 @@ class ScriptedChanges {
   void note(const ScriptReading& reading) {
     const Onsets onsets(context_.tree, reading);
     for (const Timeline& timeline : reading.timelines) {
-      if (timeline.trigger != Trigger::start && timeline.trigger != Trigger::frame) continue;
+      if (!timeline.byItself()) continue;
       for (size_t i = 0; i < timeline.events.size(); ++i) {
         const ScriptEvent& event = timeline.events[i];
         if (!changesParts(context_.tree, event) || !isLost(event, isLooped(timeline, i))) continue;

@@ -18,7 +18,7 @@ bool moves(const Tree& tree, const Timeline& timeline, size_t index) {
 ScriptedMovers::ScriptedMovers(const RoleContext& context) : tree_(context.tree) {
   for (const ScriptReading& reading : context.scripts)
     for (const Timeline& timeline : reading.timelines) {
-      if (timeline.trigger != Trigger::start && timeline.trigger != Trigger::frame) continue;
+      if (!timeline.byItself()) continue;
       for (size_t i = 0; i < timeline.events.size(); ++i)
         if (moves(tree_, timeline, i)) targets_[timeline.events[i].target].insert(reading.script);
     }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <initializer_list>
+
 #include "cli/rows.h"
 #include "levels.h"
 #include "shared/recipe_options.h"
@@ -141,26 +143,18 @@ bool isSet(const cli::Arguments& a, const std::string& name) {
 }  // namespace
 
 Status optionsFit(const cli::Arguments& a) {
-  if (a.has("eval")) {
-    for (const char* name : {"resume", "checkpoint", "log", "tensorboard", "curve"}) {
-      if (isSet(a, name))
-        return Error{std::string("--") + name,
-                     {},
-                     {},
-                     "nothing is learned with --eval",
-                     "leave out one of the two"};
+  const auto refuse = [&](std::initializer_list<const char*> names, const char* message,
+                          const char* cure) -> Status {
+    for (const char* name : names) {
+      if (isSet(a, name)) return Error{{}, {}, std::string("--") + name, message, cure};
     }
     return {};
-  }
-  for (const char* name : {"eval-levels", "eval-tries"}) {
-    if (isSet(a, name))
-      return Error{std::string("--") + name,
-                   {},
-                   {},
-                   "nothing is evaluated without --eval",
-                   "name the policy by --eval FILE, or leave it out"};
-  }
-  return {};
+  };
+  if (a.has("eval"))
+    return refuse({"resume", "checkpoint", "log", "tensorboard", "curve"},
+                  "nothing is learned with --eval", "leave out one of the two");
+  return refuse({"eval-levels", "eval-tries"}, "nothing is evaluated without --eval",
+                "name the policy by --eval FILE, or leave it out");
 }
 
 cli::ToolSpec trainSpec() {

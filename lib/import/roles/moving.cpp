@@ -180,7 +180,7 @@ void giveAll(RoleContext& context, const ScriptReading& reading, const Timeline&
 void movingFromScripts(RoleContext& context) {
   for (const ScriptReading& reading : context.scripts)
     for (const Timeline& timeline : reading.timelines) {
-      if (timeline.trigger == Trigger::start || timeline.trigger == Trigger::frame) {
+      if (timeline.byItself()) {
         giveAll(context, reading, timeline);
         continue;
       }
