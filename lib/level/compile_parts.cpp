@@ -62,6 +62,9 @@ Result<Vec3> halfExtents(schema::Part::Reader part) {
   return max(size, Vec3{kMinSize, kMinSize, kMinSize}) * 0.5f;
 }
 
+// Nobody meets it.
+bool isScenery(const PartContext& c) { return (c.flags & (kSolid | kTouchRoles)) == 0; }
+
 Result<MotionTables> PartCompiler::tables(const PartContext& c) const {
   if (c.part.hasMotion()) return motionTables(c.part.getMotion(), c.pose, params_);
   return fallTables(c.part.getFall(), c.pose, params_);
@@ -88,6 +91,7 @@ Result<uint32_t> PartCompiler::trigger(PartContext& c, const MotionTables& table
 Status PartCompiler::mover(PartContext& c, Collider& collider) {
   OBBY_ASSIGN(MotionTables tables, this->tables(c));
   OBBY_ASSIGN(const uint32_t trigger, this->trigger(c, tables));
+  if (isScenery(c)) return {};
   if (tables.keys.size() == 1 && tables.spins.empty()) {
     collider.pose = tables.keys[0];
     return {};
@@ -99,8 +103,9 @@ Status PartCompiler::mover(PartContext& c, Collider& collider) {
   const std::vector<Mat3>& spins = sharedSpins(kept);
   rows_ += kept.keys.size() + kept.spins.size();
   if (rows_ > kMaxLevelRows) {
-    return pathError("motion", fmt::format("all motions together need more than {} ticks of tables",
-                                           kMaxLevelRows));
+    return pathError(
+        c.part.hasMotion() ? "motion" : "fall",
+        fmt::format("all motions together need more than {} ticks of tables", kMaxLevelRows));
   }
   collider.mover = uint32_t(out_.movers.size());
   out_.movers.push_back({kept.keys.data(), spins.empty() ? nullptr : spins.data(),
@@ -218,7 +223,6 @@ Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
   const Pose pose{center, axes};
   PartContext c{part, params_, pose, uint32_t(out_.colliders.size()), clocks_, {}, 0, {}};
   OBBY_RETURN_IF_ERROR(compileBehaviours(c));
-  if (c.flags & kVanishTimer) out_.timed = true;
   Collider collider{pose,
                     {half, nullptr},
                     index,
@@ -234,7 +238,8 @@ Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
   }
   const bool falls = part.hasFall() && part.getTouch();
   if (part.hasMotion() || falls) OBBY_RETURN_IF_ERROR(mover(c, collider));
-  if ((c.flags & (kSolid | kTouchRoles)) == 0) return {};  // scenery
+  if (isScenery(c)) return {};
+  if (c.flags & kVanishTimer) out_.timed = true;
   if (c.flags & kWithRole) {
     collider.role = uint32_t(out_.roles.size());
     out_.roles.push_back(c.roles);

@@ -38,7 +38,7 @@ Reach reachOf(const Params& p, float sideways, float jump) {
   const float step = sideways * kSpeedMargin * p.tickSeconds + 1;
   const float fall = (p.maxFallSpeed + jump) * p.tickSeconds + 1;
   const float below =
-      maxf(0.0f, p.floorReachBase * p.rootHeight + p.floorKeep * p.hipHeight - p.hipHeight);
+      maxf(0.0f, p.floorReachBase * p.rootHeight + farthestFloor(p) * p.hipHeight - p.hipHeight);
   return {limbs + step, below + fall, p.bodyTop + fall};
 }
 

@@ -70,7 +70,7 @@ Pose poseAt(const std::vector<Key>& keys, double time) {
 uint32_t rowsFor(double periodTicks) {
   uint32_t best = 0;
   double bestError = 1e9;
-  for (int k = 1; k <= 256 && k * periodTicks <= kMaxRows; ++k) {
+  for (int k = 1; k <= 256 && (k == 1 || k * periodTicks <= kMaxRows); ++k) {
     const double rows = std::round(k * periodTicks);
     const double error = std::fabs(rows - k * periodTicks) / k;
     if (rows >= 1 && error < bestError - 1e-9) best = uint32_t(rows), bestError = error;
@@ -86,11 +86,11 @@ Status keyTable(const std::vector<Key>& keys, schema::Motion::Reader motion, con
   out.once = motion.getRepeat() == schema::Repeat::ONCE;
   const double period = pingPong ? 2 * length : length;
   const double ticks = period * params.controlRate;
-  if (ticks > kMaxRows) return pathError("motion.keys", "longer than 10 minutes");
+  if (ticks > mostTicks(params)) return pathError("motion.keys", "longer than 10 minutes");
   // A negative offset is a wait before the motion; one that comes but once must still arrive.
   const double wait =
       out.once ? std::max(0.0, -double(motion.getOffset())) * params.controlRate : 0;
-  if (wait > kMaxRows) return pathError("motion.offset", "a wait longer than 10 minutes");
+  if (wait > mostTicks(params)) return pathError("motion.offset", "a wait longer than 10 minutes");
   const uint32_t rows = out.once ? uint32_t(ticks + wait) + 2 : rowsFor(ticks);
   if (length <= 0 || rows == 0) {
     out.keys = {poseAt(keys, keys.back().time)};
@@ -120,7 +120,7 @@ Status spinTable(schema::Spin::Reader spin, double offset, const Params& params,
   if (std::fabs(speed) < 1e-4) return {};
   const double turn = 2 * 3.14159265358979323846;
   const double ticks = turn / std::fabs(speed) * params.controlRate;
-  if (ticks > kMaxRows)
+  if (ticks > mostTicks(params))
     return pathError("motion.spin.speed", "a turn takes longer than 10 minutes");
   const uint32_t rows = std::max(1u, rowsFor(ticks));
   const double turns = std::max(1.0, std::round(rows / ticks));

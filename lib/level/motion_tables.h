@@ -2,9 +2,11 @@
 //
 // Keys and spin have tables of their own, so that periods without a common multiple cost their sum
 // and not their product. A period that is no whole number of ticks is stored as several
-// repetitions, as many as make the error below 1/500 tick where that fits kMaxRows.
+// repetitions, as many as make the error below 1/500 tick where that fits
+// kMaxRows.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +18,11 @@
 namespace obby::level {
 
 constexpr uint32_t kMaxRows = 36000 * 2;  // 10 minutes of ping-pong at 60 ticks/s
+
+// Ticks of the longest motion: 20 minutes, at low rates kMaxRows.
+inline double mostTicks(const Params& p) {
+  return std::max(double(kMaxRows), 1200.0 * p.controlRate);
+}
 
 struct MotionTables {
   std::vector<Pose> keys;   // at least one

@@ -79,6 +79,15 @@ Result<Params> compileParams(schema::PhysicsParams::Reader record) {
         {}, {}, "physics.bodyTop", "must be above headBottom, and that above hipHeight", {}};
   }
   derive(p);
+  // The legs are a damped spring that is taken in steps.
+  if (!(p.hoverDamping * p.substepSeconds < 2)) {
+    return Error{
+        {},
+        {},
+        "physics.substeps",
+        fmt::format("in steps of {:.4f} s the legs would throw the player", p.substepSeconds),
+        fmt::format("controlRate x substeps must be above {:.0f}", p.hoverDamping / 2)};
+  }
   return p;
 }
 

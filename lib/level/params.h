@@ -50,4 +50,9 @@ OBBY_DEVICE uint32_t ticksFromSeconds(const Params& p, float seconds) {
   return t >= 1 ? (t < 16777216.0f ? uint32_t(t) : 16777216u) : 0u;
 }
 
+// Times hipHeight: how far the floor rays reach, in whatever state the player is.
+OBBY_DEVICE float farthestFloor(const Params& p) {
+  return p.floorKeep > p.floorAcquire ? p.floorKeep : p.floorAcquire;
+}
+
 }  // namespace obby

@@ -78,10 +78,13 @@ class Targets {
     }
     target.touchCount = uint32_t(touched_.size()) - target.firstTouch;
     if (target.touchCount == 0) {
-      return pathError(path + ".touch",
-                       "this part cannot be touched: it is not solid and does "
-                       "nothing on touch",
-                       "leave touch out to ask for the room around it");
+      // The path may name a place that is not in the record: a name or a tag stands for many parts.
+      const std::string name = record.getPart().size() > 0 ? std::string(record.getPart().cStr())
+                                                           : fmt::format("part:{}", part);
+      return pathError(
+          path + ".touch",
+          fmt::format("'{}' cannot be touched: it is not solid and does nothing on touch", name),
+          "leave touch out to ask for the room around it");
     }
     return target;
   }

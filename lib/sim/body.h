@@ -81,16 +81,20 @@ OBBY_DEVICE MaskOf<F> isConstant(const MotionT<F>& m, const Params& p) {
   return ((left == 0.0f) | (left > needed * needed)) & !bounces;
 }
 
+// No faster than anything in the level may be: the grid's lists reach no farther.
+template <class F>
+OBBY_DEVICE Vec3T<F> bounded(const Vec3T<F>& v, const level::LevelView& level) {
+  const F most = level.params.maxFallSpeed, side = level.maxSideSpeed;
+  return {clampf<F>(v.x, -side, side), clampf<F>(v.y, -most, most), clampf<F>(v.z, -side, side)};
+}
+
 // Exact for constant acceleration: jumps are parabolas.
 template <class F>
 OBBY_DEVICE void integrate(MotionT<F>& m, const level::LevelView& level, F dt) {
   const Vec3T<F> a = acceleration(m, level.params);
   m.position += m.velocity * dt + a * (0.5f * dt * dt);
   m.velocity += a * dt;
-  const F most = level.params.maxFallSpeed, side = level.maxSideSpeed;
-  m.velocity.y = clampf<F>(m.velocity.y, -most, most);
-  m.velocity.x = clampf<F>(m.velocity.x, -side, side);
-  m.velocity.z = clampf<F>(m.velocity.z, -side, side);
+  m.velocity = bounded(m.velocity, level);
 }
 
 // Horizontal acceleration by keys, at most.

@@ -73,7 +73,7 @@ OBBY_DEVICE BoxT<F> tickBounds(Vec3T<F> position, Vec3T<F> velocity, const Param
   // Half a stud more than the present speed carries: a tick of acceleration, and being pushed.
   const F side = arms + 0.5f + p.tickSeconds * maxf(absf(velocity.x), absf(velocity.z));
   const F move = 0.5f + p.tickSeconds * absf(velocity.y) + p.tickSeconds * p.jumpSpeed;
-  const float below = p.floorReachBase * p.rootHeight + (p.floorKeep - 1.0f) * p.hipHeight;
+  const float below = p.floorReachBase * p.rootHeight + (farthestFloor(p) - 1.0f) * p.hipHeight;
   return {position - Vec3T<F>{side, below + move, side},
           position + Vec3T<F>{side, p.bodyTop + move, side}};
 }

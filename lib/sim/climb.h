@@ -182,10 +182,7 @@ OBBY_DEVICE void moveClimber(Motion& m, const Truss& truss, const ControlT<float
                              const Candidates& near) {
   const float will = climbWill(p, truss, control), speed = climbSpeedOf(p);
   const float press = will > 0 ? minf(speed, p.walkSpeed) : 0.0f;
-  const float most = p.maxFallSpeed, side = level.maxSideSpeed;
-  const Vec3 wanted = truss.velocity + truss.toward * press + Vec3{0, will * speed, 0};
-  m.velocity = {clampf(wanted.x, -side, side), clampf(wanted.y, -most, most),
-                clampf(wanted.z, -side, side)};
+  m.velocity = bounded(truss.velocity + truss.toward * press + Vec3{0, will * speed, 0}, level);
   const CandidateSet solids = solidsInReach(m, level, near);
   const int steps = solids ? p.substeps : 1;
   const float dt = solids ? p.substepSeconds : p.tickSeconds;

@@ -205,13 +205,15 @@ OBBY_DEVICE void surfaceMotion(const World& w, const LooseBody* loose,
   }
 }
 
-// Where rays can go at any facing, before they are made: most ticks in the air end here.
+// Where rays can go at any facing, before they are made: most ticks in the air end here. Lanes do
+// without this look, so it must leave nothing out that a ray can meet: it has room for rounding.
 OBBY_DEVICE Box columnOf(const World& w, const Params& p) {
-  const float side = (p.bodyWidth + p.bodyDepth) * p.floorRaySpread;
+  constexpr float kRoom = 0.25f;  // studs: more than any place is rounded by
+  const float side = (p.bodyWidth + p.bodyDepth) * p.floorRaySpread + kRoom;
   const float fall = maxf(0.0f, -w.velocity.y) * (p.tickSeconds + 0.01f);
-  const float below = p.floorReachBase * p.rootHeight + p.floorKeep * p.hipHeight + fall;
-  const float top = rayHeight(p);
-  return {w.position + Vec3{-side, top - below, -side}, w.position + Vec3{side, top, side}};
+  const float reach = p.floorReachBase * p.rootHeight + farthestFloor(p) * p.hipHeight;
+  const float top = rayHeight(p), below = maxf(reach, top) + fall + kRoom;
+  return {w.position + Vec3{-side, top - below, -side}, w.position + Vec3{side, top + kRoom, side}};
 }
 
 OBBY_DEVICE bool hasFloorBelow(const World& w, const Params& p, const Candidates& near) {

@@ -220,6 +220,10 @@ OBBY_APART void moveTogether(World& w, LooseBody* loose, Motion* player, const F
   for (; alone != 0; alone &= alone - 1) {
     moveGroup(w, loose, {alone & (0 - alone), true}, nullptr, floor, level, near);
   }
+  for (int k = 0; k < near.count && (near.items[k].flags & level::kLoose); ++k) {
+    Candidate& c = near.items[k];  // bodies are the first of them
+    c.bounds = boundsOf(*c.pose, level.colliders[c.collider].shape.half);
+  }
   noteAwake(w, loose, level);
 }
 

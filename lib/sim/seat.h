@@ -44,8 +44,12 @@ OBBY_DEVICE void sit(World& w, const LooseBody* loose, const level::LevelView& l
     return;
   }
   const Pose pose = poseOf(level.colliders[held], w, loose, level, 1);
-  const Vec3 feet = feetOnSeat(pose, p);
-  w.velocity = (feet - w.position) * float(p.controlRate);
+  const Vec3 feet = feetOnSeat(pose, p), velocity = (feet - w.position) * float(p.controlRate);
+  // What goes farther in a tick than anything moves, as at the end of a motion that begins anew,
+  // was put there: that is no speed. Loose seats are never put anywhere.
+  const bool put =
+      level.colliders[held].mover != level::kNone && !(bounded(velocity, level) == velocity);
+  w.velocity = put ? Vec3{} : velocity;
   w.position = feet;
   w.yaw = headingOf(-pose.rotation.z.x, -pose.rotation.z.z);
   w.clocks[i].ticks = 0;

@@ -54,13 +54,14 @@ OBBY_DEVICE void leaveFloor(World& w) {
   w.flags &= uint8_t(~kFloorSensed);
 }
 
-OBBY_DEVICE void touchPad(World& w, const level::Roles& r) {
+OBBY_DEVICE void touchPad(World& w, const level::LevelView& level, const level::Roles& r) {
   const float speed = length(r.padVelocity);
   if (speed <= 0) return;
   const Vec3 along = r.padVelocity * (1.0f / speed);
   const float now = dot(w.velocity, along);
   if (now > 0.9f * speed) return;  // launched already
-  w.velocity = r.padKeepsSideways ? w.velocity + along * (speed - now) : r.padVelocity;
+  w.velocity =
+      bounded(r.padKeepsSideways ? w.velocity + along * (speed - now) : r.padVelocity, level);
   leaveFloor(w);
 }
 
@@ -80,7 +81,7 @@ enum class Touched : uint8_t { stays, inTeleporter, elsewhere };
 OBBY_DEVICE Touched touchPart(World& w, const level::LevelView& level, const Candidate& c) {
   const level::Collider& collider = level.colliders[c.collider];
   const level::Roles& r = level.roles[collider.role];
-  if (c.flags & level::kPad) touchPad(w, r);
+  if (c.flags & level::kPad) touchPad(w, level, r);
   if (c.flags & level::kStarts) {
     for (const uint32_t clock : r.starts) {
       if (clock != level::kNone) startClock(w, level, clock);
@@ -102,11 +103,14 @@ OBBY_DEVICE void touchParts(World& w, const level::LevelView& level, const Candi
   bool inTeleporter = false;
   if (near.anyFlags & level::kTouchRoles) {
     const Limbs limbs = limbsOf(w, level.params);
+    uint32_t done = level::kNone;  // a part of many hulls, which follow each other, is touched once
     for (int k = 0; k < near.count; ++k) {
       const Candidate& c = near.items[k];
       if (!(c.flags & level::kTouchRoles)) continue;
       const level::Collider& collider = level.colliders[c.collider];
+      if (collider.part == done) continue;
       if (!touches(collider, c, limbs.column) && !touches(collider, c, limbs.arms)) continue;
+      done = collider.part;
       const Touched touched = touchPart(w, level, c);
       if (touched == Touched::elsewhere) return;
       inTeleporter |= touched == Touched::inTeleporter;

@@ -17,9 +17,13 @@ constexpr size_t kSampleBytes = 20;     // position, yaw, state in base64
 
 size_t base64Size(size_t bytes) { return (bytes + 2) / 3 * 4; }
 
+// No stride thins out the tracks of loose bodies.
+size_t attemptsSize(const PageSizes& sizes, const Budget& b) {
+  return (sizes.attempts / b.attemptStride + sizes.bodies) / b.attemptsOneOf;
+}
+
 size_t total(const PageSizes& sizes, const Budget& b) {
-  return sizes.fixed + sizes.attempts / b.attemptStride / b.attemptsOneOf +
-         sizes.tracks / b.trackStride;
+  return sizes.fixed + attemptsSize(sizes, b) + sizes.tracks / b.trackStride;
 }
 
 }  // namespace
@@ -57,9 +61,10 @@ void PageSizes::add(const LevelEntry& level, uint32_t ticks) {
 
 void PageSizes::add(const QueryEntry& query) {
   for (const PathEntry& path : query.paths) {
-    size_t bytes = path.playback.feet.size() * kSampleBytes;
-    for (const LooseTrack& track : path.playback.loose) bytes += base64Size(track.bytes());
-    (path.kind == PathKind::attempt ? attempts : fixed) += bytes;
+    const bool attempt = path.kind == PathKind::attempt;
+    (attempt ? attempts : fixed) += path.playback.feet.size() * kSampleBytes;
+    for (const LooseTrack& track : path.playback.loose)
+      (attempt ? bodies : fixed) += base64Size(track.bytes());
   }
 }
 
@@ -77,10 +82,7 @@ Budget budgetFor(const PageSizes& sizes, size_t target, Budget least) {
   b.notes.clear();
   while (total(sizes, b) > target && b.attemptStride < kMaxStride) b.attemptStride *= 2;
   while (total(sizes, b) > target && b.trackStride < kMaxStride) b.trackStride *= 2;
-  while (total(sizes, b) > target &&
-         sizes.attempts / b.attemptStride / b.attemptsOneOf > target / 8) {
-    b.attemptsOneOf *= 2;
-  }
+  while (total(sizes, b) > target && attemptsSize(sizes, b) > target / 8) b.attemptsOneOf *= 2;
   if (b.attemptStride > 1) {
     b.notes.push_back(
         fmt::format("Failed attempts show every {}th tick, to keep the page small. "

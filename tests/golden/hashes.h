@@ -67,7 +67,7 @@ inline const Scene kScenes[] = {
     {"loose bodies", looseBodies, 0x54fc33b7b329ca5f},
     {"loose stack on a carrying platform", looseStack, 0x36f68e84d21a7319},
     {"loose arena", [] { return support::looseArena(16, false, 3); }, 0x4f27e08c2eb632b},
-    {"loose seats", looseSeats, 0x21e5614e882fac96},
+    {"loose seats", looseSeats, 0x2650937182da4ab6},
 };
 
 // What is played in each: so many worlds for so many ticks, by walkers of this seed.

@@ -150,5 +150,20 @@ TEST(TicksFromSeconds, RoundsAndStaysInRange) {
   EXPECT_EQ(ticksFromSeconds(p, INFINITY), 1u << 24);
 }
 
+TEST(Params, StepsInWhichTheLegsWouldThrowThePlayerAreRefused) {
+  const auto at = [](uint16_t rate, uint8_t substeps) {
+    capnp::MallocMessageBuilder message;
+    auto record = message.initRoot<schema::PhysicsParams>();
+    record.setControlRate(rate);
+    record.setSubsteps(substeps);
+    return compileParams(record.asReader());
+  };
+  EXPECT_TRUE(bool(at(60, 1)));
+  const auto coarse = at(30, 1);
+  ASSERT_FALSE(bool(coarse));
+  EXPECT_EQ(coarse.error().path, "physics.substeps");
+  EXPECT_EQ(coarse.error().hint, "controlRate x substeps must be above 55");
+}
+
 }  // namespace
 }  // namespace obby::level

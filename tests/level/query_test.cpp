@@ -147,7 +147,7 @@ TEST(QueryTouch, LooksUpThePartsColliders) {
   EXPECT_EQ(level.view().colliders[v.touched[v.goal.firstTouch]].part, 0u);
   const auto air = compile(touching(1), level);
   ASSERT_FALSE(air);
-  EXPECT_NE(air.error().message.find("cannot be touched"), std::string::npos);
+  EXPECT_NE(air.error().message.find("'part:1' cannot be touched"), std::string::npos);
   EXPECT_EQ(compile(touching(7), level).error().path, "goal.partIndex");
 }
 

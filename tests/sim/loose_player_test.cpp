@@ -124,5 +124,26 @@ TEST(LoosePlayer, BodiesThatSleepFallWhenTheirFloorLeaves) {
   EXPECT_NEAR(play.loose[0].position.y, 2, 0.05);
 }
 
+// It is touched where it is at the tick's end, not where it was before.
+TEST(LoosePlayer, AFastBallThatKillsIsTouchedWhereItIs) {
+  LevelBuilder b = room();
+  b.block({-30, 0.25f, 0}, {0.5f, 0.5f, 0.5f}, [](auto p) {
+    p.setAnchored(false);
+    p.setShape(schema::Shape::BALL);
+    p.initKill();
+  });
+  const level::Level level = b.compile();
+  Play play(level);
+  play.settle();
+  sim::LooseBody& ball = play.loose[0];
+  ball.position = {-1.5f, 0.25f, 0};
+  ball.velocity = {100, 0, 0};
+  ball.spin = {};
+  ball.state = sim::LooseState::awake;
+  play.world.flags |= sim::kLooseAwake;
+  play.run(stand());
+  EXPECT_EQ(play.world.outcome, sim::Outcome::killed);
+}
+
 }  // namespace
 }  // namespace obby::test

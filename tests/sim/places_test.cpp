@@ -95,21 +95,38 @@ TEST(Seat, HoldsUntilJumpAndDoesNotTakeAgainAtOnce) {
   EXPECT_TRUE(sits(play.world)) << "after the cooldown it takes again";
 }
 
+// Forty studs in four seconds, again and again.
+level::Level movingSeat() {
+  return LevelBuilder()
+      .block({0, 0, 0}, {4, 1, 4},
+             [](Part::Builder p) {
+               p.initSeat();
+               auto keys = p.initMotion().initKeys(2);
+               support::set(keys[1].initPosition(), {40, 0, 0});
+               keys[1].setTime(4);
+             })
+      .compile();
+}
+
 TEST(Seat, RidesWithAMovingSeat) {
-  const auto level = LevelBuilder()
-                         .block({0, 0, 0}, {4, 1, 4},
-                                [](Part::Builder p) {
-                                  p.initSeat();
-                                  auto keys = p.initMotion().initKeys(2);
-                                  support::set(keys[1].initPosition(), {40, 0, 0});
-                                  keys[1].setTime(4);
-                                })
-                         .compile();
+  const auto level = movingSeat();
   Play play(level, {0, 1, 0});
   play.run(stand(), 120);
   EXPECT_EQ(play.world.state, State::seated);
   EXPECT_NEAR(play.world.position.x, 20, 0.01f);
   EXPECT_NEAR(play.world.velocity.x, 10, 0.01f);
+}
+
+// Back to where it began is no speed that who jumps then takes along.
+TEST(Seat, WhereAMotionBeginsAnewThrowsNobody) {
+  const auto level = movingSeat();
+  Play play(level, {0, 1, 0});
+  play.run(stand(), 239);
+  ASSERT_EQ(play.world.state, State::seated);
+  ASSERT_GT(play.world.position.x, 39);
+  play.run(stand(true)).run(stand(), 30);
+  EXPECT_NE(play.world.state, State::seated);
+  EXPECT_NEAR(play.world.position.x, 0, 5);
 }
 
 bool isSeated(const World& w) { return w.state == State::seated; }

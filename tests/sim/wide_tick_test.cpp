@@ -145,20 +145,47 @@ TEST(WideTick, LetsLooseBodiesSleepOnlyWhereTheyLie) {
   }
 }
 
+// A tick of standing still; `single`: worlds that lanes leave to the scalar tick.
+World expectAlike(const level::Level& level, World wide, uint32_t single) {
+  World alone = wide;
+  World* worlds[] = {&wide};
+  const Action action{};
+  WideCounts counts;
+  tickAll(level.view(), worlds, nullptr, &action, 1, &counts);
+  tick(alone, nullptr, level.view(), action);
+  EXPECT_EQ(counts.single, single);
+  EXPECT_EQ(stateHash(wide), stateHash(alone));
+  return wide;
+}
+
 // Lanes do not know the Climbing state: a climber goes singly even where its truss is out of reach.
 TEST(WideTick, TakesClimbersSingly) {
   const level::Level level = arena();
   World wide = makeWorld(level.view(), level.spawns()[0]);
   wide.state = State::climbing;
-  World single = wide;
-  World* worlds[] = {&wide};
-  const Action action{};
-  WideCounts counts;
-  tickAll(level.view(), worlds, nullptr, &action, 1, &counts);
-  tick(single, nullptr, level.view(), action);
-  EXPECT_EQ(counts.single, 1u);
-  EXPECT_EQ(wide.state, State::freefall);
-  EXPECT_EQ(stateHash(wide), stateHash(single));
+  EXPECT_EQ(expectAlike(level, wide, 1).state, State::freefall);
+}
+
+// The scalar tick looks first whether there is any floor below: it must find what rays just reach.
+TEST(WideTick, SensesWhatIsAtTheEndOfTheRays) {
+  const level::Level edge = LevelBuilder()
+                                .block({0, 2.7817647457f, 0}, {20, 2, 20})
+                                .spawn({0, 4.781764984f, 0})
+                                .compile();
+  World w = makeWorld(edge.view(), edge.spawns()[0]);
+  w.velocity.y = 10;
+  w.state = State::jumping;
+  w.flags |= kFloorSensed;
+  expectAlike(edge, w, 0);
+  const level::Level far = LevelBuilder()
+                               .block({0, -1, 0}, {20, 2, 20})
+                               .spawn({0, 0.5f, 0})
+                               .physics([](auto p) {
+                                 p.setFloorKeep(1);
+                                 p.setFloorAcquire(1.4f);
+                               })
+                               .compile();
+  expectAlike(far, makeWorld(far.view(), far.spawns()[0]), 0);
 }
 
 }  // namespace

@@ -208,6 +208,15 @@ TEST(Budget, ThinsAttemptsBeforeAnythingElse) {
   EXPECT_FALSE(tight.notes.empty());
 }
 
+// No stride of theirs makes the tracks of the loose bodies in them smaller.
+TEST(Budget, LeavesOutAttemptsWhoseLooseBodiesDoNotFit) {
+  view::PageSizes sizes;
+  sizes.attempts = 2u << 20;
+  sizes.bodies = 30u << 20;
+  EXPECT_EQ(view::budgetFor(sizes, 20u << 20).attemptsOneOf, 2u);
+  EXPECT_EQ(view::budgetFor(sizes, 40u << 20).attemptsOneOf, 1u);
+}
+
 TEST(Roles, GravestRoleWinsAndTheStartIsFoundUnderTheSpawn) {
   const io::Record level = recordOf(kLevel);
   EXPECT_THAT(view::rolesOf(level.reader().getLevel()),

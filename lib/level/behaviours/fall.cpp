@@ -19,7 +19,7 @@ Result<FallTicks> fallTicks(schema::Fall::Reader fall, const Params& params) {
   OBBY_ASSIGN(t.delay, ticksOf(params, fall.getDelay(), "fall.delay"));
   OBBY_ASSIGN(t.fall, ticksOf(params, fall.getSeconds(), "fall.seconds"));
   OBBY_ASSIGN(t.away, ticksOf(params, fall.getAway(), "fall.away"));
-  if (t.delay + t.fall > kMaxRows) return pathError("fall", "longer than 10 minutes");
+  if (t.delay + t.fall > mostTicks(params)) return pathError("fall", "longer than 10 minutes");
   if (t.fall == 0) return pathError("fall.seconds", "expected at least a tick");
   return t;
 }
@@ -48,7 +48,7 @@ MotionTables fallTables(schema::Fall::Reader fall, const Pose& rest, const Param
   MotionTables out;
   const uint32_t delay = ticksFromSeconds(params, fall.getDelay());
   const uint32_t rows = delay + ticksFromSeconds(params, fall.getSeconds()) + 1;
-  double drop = 0, speed = fall.getSpeed();
+  double drop = 0, speed = std::min(double(fall.getSpeed()), double(params.maxFallSpeed));
   const double tick = 1.0 / params.controlRate, gravity = speed > 0 ? 0 : params.gravity;
   for (uint32_t row = 0; row < rows; ++row) {
     if (row > delay) {

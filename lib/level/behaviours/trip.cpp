@@ -9,7 +9,7 @@ Status compileTrip(PartContext& c) {
   OBBY_ASSIGN(clock.helpless, ticksOf(c.params, record.getSeconds(), "trip.seconds"));
   OBBY_ASSIGN(const uint32_t after, ticksOf(c.params, record.getAfter(), "trip.after"));
   clock.length = clock.helpless + after;
-  if (clock.length != 0) start(c, c.clocks.share(clock));
+  if (clock.helpless != 0) start(c, c.clocks.share(clock));
   return {};
 }
 

@@ -29,9 +29,12 @@ Status bySignal(PartContext& c) {
 }
 
 Status byTouch(PartContext& c) {
-  if (!c.part.getTouch()) return {};
-  OBBY_RETURN_IF_ERROR(startOwn(c, c.roles.vanishDelay + c.roles.vanishAway, "vanish"));
-  c.roles.awayClock = kOwnClock;
+  if (c.part.getTouch()) {
+    OBBY_RETURN_IF_ERROR(startOwn(c, c.roles.vanishDelay + c.roles.vanishAway, "vanish"));
+    c.roles.awayClock = kOwnClock;
+  } else if (!c.roles.vanishInverted) {
+    return {};  // nobody makes it vanish
+  }
   c.flags |= kClocked;
   return {};
 }
