@@ -57,6 +57,7 @@ void Job::enter(JobState state, const std::string& why) {
   out.text("job", id()).text("type", "state").text("state", nameOf(state));
   if (!why.empty()) out.text("reason", why);
   client_->tell(number_, out.members());
+  if (ended()) lastCursor_ = client_->ring().last();
 }
 
 void Job::tell(const char* type, const char* member, std::string_view json) {

@@ -35,6 +35,7 @@ class Job {
   const std::string& answerPath() const { return plan_.answerPath; }
   Client& client() { return *client_; }
   uint64_t firstCursor() const { return firstCursor_; }  // messages of this job come after it
+  uint64_t lastCursor() const { return lastCursor_; }    // number of its last; 0: it has not ended
 
   // Long polls so far: an older one ends when a newer one comes.
   uint64_t polls = 0;
@@ -60,7 +61,7 @@ class Job {
   JobPlan plan_;
   const Limits& limits_;
   JobState state_ = JobState::waiting;
-  uint64_t firstCursor_;
+  uint64_t firstCursor_, lastCursor_ = 0;
   std::string cancelled_;   // why; empty: it is not
   std::string firstError_;  // the program's: later ones may follow from it
   std::string lastReport_;  // the program's

@@ -57,14 +57,16 @@ void Jobs::startMore() {
   for (auto& waiter : waiters) waiter->fulfill();
 }
 
+// Those that ended first go first: a job that ran for long is asked about when it ends, however
+// many began after it.
 void Jobs::forgetOld(const Client& client) {
-  std::vector<uint64_t> ended;
-  for (Job* job : of(client)) {
-    if (job->ended()) ended.push_back(job->number());
-  }
+  std::vector<Job*> ended = of(client);
+  std::erase_if(ended, [](const Job* job) { return !job->ended(); });
+  std::sort(ended.begin(), ended.end(),
+            [](const Job* a, const Job* b) { return a->lastCursor() < b->lastCursor(); });
   for (size_t i = 0; i + limits_.keptJobs < ended.size(); i++) {
-    forgotten_(*jobs_.at(ended[i]));
-    jobs_.erase(ended[i]);
+    forgotten_(*ended[i]);
+    jobs_.erase(ended[i]->number());
   }
 }
 

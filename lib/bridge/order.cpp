@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -205,6 +206,9 @@ class OrderReader {
       if (solve ? knob->solves : knob->calibrates) continue;
       return pathError(std::string("budget.") + knob->name, "does not go with this task");
     }
+    if (isGiven("--trials=") && !isGiven("--difficulty"))
+      return pathError("budget.trials", "nothing is tried without difficulty",
+                       "set budget.difficulty to true, or leave it out");
     if (!isLevelId(order_.level)) {
       return pathError("level", "needed: the id of a level", "POST /v1/levels gives it");
     }
@@ -222,6 +226,11 @@ class OrderReader {
       return pathError("ask", "does not go with queries");
     }
     return {};
+  }
+
+  bool isGiven(std::string_view argument) const {
+    return std::any_of(order_.arguments.begin(), order_.arguments.end(),
+                       [&](const std::string& a) { return a.starts_with(argument); });
   }
 
   const JsonTree& tree_;

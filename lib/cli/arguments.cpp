@@ -16,6 +16,7 @@ const std::string& Arguments::only(const std::string& name) const {
 }
 
 bool Arguments::has(const std::string& name) const { return at(name).given; }
+bool Arguments::typed(const std::string& name) const { return at(name).typed; }
 bool Arguments::flag(const std::string& name) const { return only(name) == "true"; }
 const std::string& Arguments::text(const std::string& name) const { return only(name); }
 

@@ -24,12 +24,15 @@ class Arguments {
   uint64_t seed(const std::string& name = "seed") const;   // seed
   double number(const std::string& name) const;            // number or integer
   const std::vector<std::string>& list(const std::string& name) const;  // repeatable rows
+  // Typed on the command line, for this call. Environment and configuration file are for many
+  // calls, some of which have no use for what they say.
+  bool typed(const std::string& name) const;
 
   // One value as set by runTool and by tests: the table's row and its texts.
   struct Value {
     OptionRow row;
     std::vector<std::string> texts;  // empty: neither given nor a default
-    bool given = false;
+    bool given = false, typed = false;
   };
   std::map<std::string, Value> values;
 

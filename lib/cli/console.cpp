@@ -3,10 +3,14 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <cstdlib>
 #include <string>
 
+#include "cli/stop.h"
+#include "io/sink.h"
 #include "io/text.h"
 
 namespace obby::cli {
@@ -83,8 +87,12 @@ size_t Console::width() {
 }
 
 void Console::put(std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t sent = ::write(STDERR_FILENO, text.data(), text.size());
+  while (!text.empty() && !unheard_) {
+    const bool ends = stopFlag().load();
+    unheard_ = ends && !io::takesMore(STDERR_FILENO, io::kPatienceMilliseconds);
+    if (unheard_) return;
+    const size_t most = ends ? std::min<size_t>(text.size(), PIPE_BUF) : text.size();
+    const ssize_t sent = ::write(STDERR_FILENO, text.data(), most);
     if (sent < 0 && errno == EINTR) continue;
     if (sent < 0) return;  // nowhere left to complain
     text.remove_prefix(size_t(sent));

@@ -38,6 +38,7 @@ class Console {
   std::string tool_;
   std::mutex mutex_;
   bool drawn_ = false;
+  bool unheard_ = false;  // its reader takes nothing, and the tool has been told to stop
 };
 
 }  // namespace obby::cli

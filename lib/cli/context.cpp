@@ -53,13 +53,13 @@ int Context::threads() const {
 Result<io::StreamWriter> Context::openOutput() const {
   const std::string path = textOr(arguments_, "output", "-");
   const std::string format = textOr(arguments_, "format", "");
-  if (format.empty()) return io::StreamWriter::open(path, io::formatForFile(path));
+  if (format.empty()) return io::StreamWriter::open(path, io::formatForFile(path), &stopFlag());
   OBBY_ASSIGN(const io::Format chosen, io::parseFormat(format));
-  return io::StreamWriter::open(path, chosen);
+  return io::StreamWriter::open(path, chosen, &stopFlag());
 }
 
 Result<io::Sink> Context::openSink() const {
-  return io::Sink::open(textOr(arguments_, "output", "-"));
+  return io::Sink::open(textOr(arguments_, "output", "-"), io::Durable::no, &stopFlag());
 }
 
 io::SourceOptions Context::sourceOptions() {

@@ -17,8 +17,10 @@ class Resolver {
 
   Result<Arguments::Value> value(const OptionRow& row) const {
     Arguments::Value out{row, {}, true};
-    if (const auto typed = line_.texts.find(row.name); typed != line_.texts.end())
+    if (const auto typed = line_.texts.find(row.name); typed != line_.texts.end()) {
+      out.typed = true;
       return checked(std::move(out), typed->second, Error{"--" + row.name, {}, {}, {}, {}});
+    }
     const std::string variable = environmentName(row.name);
     const char* environment = onlyTyped(row) ? nullptr : std::getenv(variable.c_str());
     if (environment && *environment)

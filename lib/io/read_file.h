@@ -12,7 +12,7 @@ namespace obby::io {
 // waits ends with an error of isInterrupted(); without `stop` a signal does that to it.
 Result<std::string> readFile(const std::string& path, const std::atomic<bool>* stop = nullptr);
 
-// True for the error of a read that was told to stop: end as the signal says.
+// True for the error of a read, or of an output, that was told to stop: end as the signal says.
 bool isInterrupted(const Error& error);
 
 }  // namespace obby::io

@@ -6,20 +6,27 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <climits>
 #include <cstring>
 #include <optional>
+#include <thread>
+
+#include "io/byte_source.h"
 
 namespace obby::io {
 namespace {
 
 constexpr size_t kBlock = size_t(256) << 10;
+constexpr int kStopCheckMilliseconds = 50;
 constexpr const char* kBrokenPipe = "nobody reads the output any more (broken pipe)";
 
 Error outputError(const std::string& name, const char* doing) {
-  Error error = makeError(errno == EPIPE ? std::string(kBrokenPipe)
-                                         : std::string(doing) + ": " + std::strerror(errno));
+  Error error = makeError(errno == EPIPE   ? std::string(kBrokenPipe)
+                          : errno == EINTR ? std::string(kInterrupted)
+                                           : std::string(doing) + ": " + std::strerror(errno));
   error.input = name;
   return error;
 }
@@ -42,6 +49,7 @@ struct Sink::Impl {
   std::string name;
   int fd = -1;
   std::string* memory = nullptr;
+  const std::atomic<bool>* stop = nullptr;
   std::string finalPath, temporaryPath;  // of a regular file until it is closed
   bool durable = false;                  // that file
   bool block = false;                    // collect pieces
@@ -58,25 +66,45 @@ struct Sink::Impl {
     return *failed;
   }
 
+  bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
+
+  // Once told to stop, pieces are so small that a reader who has taken something lets one in whole:
+  // no write waits then, and a reader who takes nothing is given up.
   Status send(std::string_view bytes) {
     while (!bytes.empty()) {
-      const ssize_t sent = ::write(fd, bytes.data(), bytes.size());
-      if (sent < 0 && errno == EINTR) continue;
-      if (sent < 0 && errno == EAGAIN) {
-        waitWritable();
-        continue;
+      const bool ends = !block && stopped();
+      if (ends && !takesMore(fd, kPatienceMilliseconds)) {
+        errno = EINTR;
+        return fail("cannot write");
       }
-      if (sent < 0) return fail("cannot write");
-      bytes.remove_prefix(size_t(sent));
+      const size_t most = ends ? std::min<size_t>(bytes.size(), PIPE_BUF) : bytes.size();
+      const ssize_t sent = ::write(fd, bytes.data(), most);
+      if (sent >= 0) {
+        bytes.remove_prefix(size_t(sent));
+      } else if (errno == EAGAIN) {
+        // A terminal or socket that other programs write to, or that is standard input as well, may
+        // have been told not to wait for its reader.
+        takesMore(fd, stop ? kStopCheckMilliseconds : -1);
+      } else if (errno != EINTR) {
+        return fail("cannot write");
+      }
     }
     return {};
   }
 
-  // A terminal or socket that other programs write to, or that is standard input as well, may have
-  // been told not to wait for its reader. Whatever is the matter with it, the next write says.
-  void waitWritable() const {
-    pollfd waiting{fd, POLLOUT, 0};
-    (void)::poll(&waiting, 1, -1);
+  // To open a named pipe waits for a reader; who may be told to stop asks again and again instead,
+  // for a signal may come just before the call that would wait.
+  int openPipe(const std::string& path) const {
+    const int flags = O_WRONLY | O_CLOEXEC | O_NOCTTY;
+    if (!stop) return ::open(path.c_str(), flags);
+    for (;;) {
+      const int opened = ::open(path.c_str(), flags | O_NONBLOCK);
+      if (opened >= 0 || errno != ENXIO) return opened;  // send() waits for its reader
+      if (stopped()) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(kStopCheckMilliseconds));
+    }
+    errno = EINTR;
+    return -1;
   }
 
   Status openStandardOutput() {
@@ -98,7 +126,8 @@ struct Sink::Impl {
       return fail("cannot write");
     }
     if (exists && !S_ISREG(info.st_mode)) {  // a device or named pipe
-      fd = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+      fd = S_ISFIFO(info.st_mode) ? openPipe(path)
+                                  : ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
       return fd < 0 ? fail("cannot open") : Status();
     }
     finalPath = target(path);
@@ -144,8 +173,9 @@ struct Sink::Impl {
   }
 };
 
-Result<Sink> Sink::open(const std::string& path, Durable durable) {
+Result<Sink> Sink::open(const std::string& path, Durable durable, const std::atomic<bool>* stop) {
   auto impl = std::make_unique<Impl>();
+  impl->stop = stop;
   impl->durable = durable == Durable::yes;
   OBBY_RETURN_IF_ERROR(path == "-" ? impl->openStandardOutput() : impl->openFile(path));
   return Sink(std::move(impl));
@@ -193,6 +223,15 @@ Status Sink::close() {
 bool Sink::terminal() const { return impl_->fd >= 0 && isatty(impl_->fd) == 1; }
 bool Sink::failed() const { return impl_->failed.has_value(); }
 const std::string& Sink::name() const { return impl_->name; }
+
+bool takesMore(int fd, int milliseconds) {
+  pollfd waiting{fd, POLLOUT, 0};
+  int ready = 0;
+  do {
+    ready = ::poll(&waiting, 1, milliseconds);
+  } while (ready < 0 && errno == EINTR);
+  return ready != 0;
+}
 
 bool isBrokenPipe(const Error& error) { return error.message == kBrokenPipe; }
 

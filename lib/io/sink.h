@@ -2,6 +2,7 @@
 // Error, and a file appears under its name only when it is whole.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -17,8 +18,11 @@ enum class Durable { no, yes };
 class Sink {
  public:
   // "-" is standard output. A regular file is written under a temporary name beside it; devices and
-  // named pipes are written directly.
-  static Result<Sink> open(const std::string& path, Durable durable = Durable::no);
+  // named pipes are written directly; a named pipe waits for its reader. Once `stop` is set, a pipe
+  // or terminal whose reader takes nothing for a second, or that nobody has opened, is given up
+  // with an error of isInterrupted(); without `stop` a signal does that only to opening.
+  static Result<Sink> open(const std::string& path, Durable durable = Durable::no,
+                           const std::atomic<bool>* stop = nullptr);
   // Appends to `bytes`, which must outlive the sink.
   static Sink toBytes(std::string* bytes);
 
@@ -42,6 +46,14 @@ class Sink {
   explicit Sink(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
+
+// With a reader who takes nothing, once a tool has been told to stop.
+inline constexpr int kPatienceMilliseconds = 1000;
+
+// Whether the reader of `fd` takes more within so long; negative: waits for it. True as well if
+// something else is the matter with `fd`: the next write says. A pipe then has room for PIPE_BUF
+// bytes.
+bool takesMore(int fd, int milliseconds);
 
 // True for the error of writing to a pipe that nobody reads any more: stop quietly.
 bool isBrokenPipe(const Error& error);

@@ -63,7 +63,9 @@ Result<Record> encoded(RecordBuilder builder, Format format);
 // temporary name and renamed by close(); destroying an unclosed writer removes it.
 class StreamWriter {
  public:
-  static Result<StreamWriter> open(const std::string& path, Format format);
+  // `stop` is as in Sink::open.
+  static Result<StreamWriter> open(const std::string& path, Format format,
+                                   const std::atomic<bool>* stop = nullptr);
   // Into memory, for tests and for embedding; take the bytes after close().
   static StreamWriter toBytes(Format format, std::string* bytes);
 

@@ -39,8 +39,9 @@ struct StreamWriter::Impl {
   }
 };
 
-Result<StreamWriter> StreamWriter::open(const std::string& path, Format format) {
-  OBBY_ASSIGN(Sink sink, Sink::open(path));
+Result<StreamWriter> StreamWriter::open(const std::string& path, Format format,
+                                        const std::atomic<bool>* stop) {
+  OBBY_ASSIGN(Sink sink, Sink::open(path, Durable::no, stop));
   return StreamWriter(std::make_unique<Impl>(Impl{std::move(sink), format}));
 }
 

@@ -81,6 +81,9 @@ TEST(Order, numbers_of_things_are_bounded) {
 
 TEST(Order, members_that_exclude_each_other_are_refused) {
   EXPECT_EQ(pathOf(parse("\"ask\":[\"a\"],\"queries\":[{}]")), "ask");
+  EXPECT_EQ(pathOf(parse("\"budget\":{\"trials\":50}")), "budget.trials");
+  EXPECT_EQ(pathOf(parse("\"budget\":{\"trials\":50,\"difficulty\":false}")), "budget.trials");
+  EXPECT_TRUE(parse("\"budget\":{\"trials\":50,\"difficulty\":true}"));
   EXPECT_EQ(pathOf(parse("\"recordings\":[{}]")), "recordings");
   EXPECT_EQ(pathOf(parse("\"recordings\":[{}],\"queries\":[{}]")), "queries");
   const std::string calibrate = "\"task\":\"calibrate\",\"recordings\":[{}]";

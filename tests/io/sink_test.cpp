@@ -7,12 +7,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <thread>
 
+#include "io/read_file.h"
 #include "scratch_folder.h"
 
 namespace obby::io {
@@ -137,6 +139,51 @@ TEST(Sink, PipesGetEveryPieceAtOnce) {
   char got[64];
   EXPECT_EQ(read(reader, got, 64), 7);
   close(reader);
+}
+
+TEST(Sink, WhoIsToldToStopGivesUpAReaderWhoTakesNothing) {
+  ScratchFolder folder;
+  const std::string path = folder / "pipe";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  std::atomic<bool> stop{true};
+  auto unread = Sink::open(path, Durable::no, &stop);
+  ASSERT_FALSE(unread);
+  EXPECT_TRUE(isInterrupted(unread.error()));
+  EXPECT_EQ(unread.error().input, path);
+  const int reader = open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  auto sink = Sink::open(path, Durable::no, &stop);
+  ASSERT_TRUE(sink);
+  EXPECT_TRUE(sink->write("what there is room for\n"));
+  const Status status = sink->write(std::string(size_t(1) << 20, 'x'));
+  close(reader);
+  ASSERT_FALSE(status);
+  EXPECT_TRUE(isInterrupted(status.error()));
+  EXPECT_TRUE(sink->failed());
+}
+
+// What is finished still comes, whatever a line's length.
+TEST(Sink, WhoIsToldToStopWaitsForAReaderWhoTakesMore) {
+  ScratchFolder folder;
+  const std::string path = folder / "pipe";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  size_t got = 0;
+  std::thread reader([&] {
+    const int from = open(path.c_str(), O_RDONLY);
+    char buffer[4096];
+    for (ssize_t n = 0; (n = read(from, buffer, sizeof buffer)) > 0;) got += size_t(n);
+    close(from);
+  });
+  std::atomic<bool> stop{false};
+  Status written;
+  {
+    auto sink = Sink::open(path, Durable::no, &stop);
+    ASSERT_TRUE(sink);
+    stop = true;
+    written = sink->write(std::string(size_t(1) << 20, 'x'));
+  }
+  reader.join();
+  EXPECT_TRUE(written) << written.error().text();
+  EXPECT_EQ(got, size_t(1) << 20);
 }
 
 TEST(Sink, PlacesThatCannotBeWrittenAreNamed) {

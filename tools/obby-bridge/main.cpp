@@ -9,7 +9,7 @@ using namespace obby;
 
 Result<cli::ExitCode> run(cli::Context& context) {
   OBBY_ASSIGN(const bridge::Options options, tools::bridgeOptions(context));
-  OBBY_ASSIGN(io::Sink output, io::Sink::open("-"));
+  OBBY_ASSIGN(io::Sink output, io::Sink::open("-", io::Durable::no, &context.stop()));
   bridge::Reports reports;
   reports.warn = [&](const std::string& text) { context.warn(text); };
   reports.note = [&](const std::string& text) { context.note(text); };

@@ -62,6 +62,14 @@ std::string stateDir(const cli::Arguments& a) {
   return home.empty() ? "" : home + "/.local/state/obby";
 }
 
+// An option that only a server has; empty: none was asked for.
+std::string askedOfServer(const cli::Arguments& a) {
+  for (const char* name : {"pair", "no-token"}) {
+    if (a.flag(name)) return name;
+  }
+  return a.typed("port") ? "port" : "";
+}
+
 }  // namespace
 
 cli::ToolSpec bridgeSpec() {
@@ -104,11 +112,8 @@ cli::ToolSpec bridgeSpec() {
 
 Result<bridge::Options> bridgeOptions(const cli::Context& context) {
   const cli::Arguments& a = context.arguments();
-  if (a.flag("stdio")) {
-    for (const char* other : {"pair", "no-token"}) {
-      if (a.has(other))
-        return Error{{}, {}, "--stdio", fmt::format("does not go with --{}", other), {}};
-    }
+  if (const std::string other = askedOfServer(a); a.flag("stdio") && !other.empty()) {
+    return Error{{}, {}, "--stdio", fmt::format("does not go with --{}", other), {}};
   }
   if (a.flag("pair") && a.flag("no-token")) {
     return Error{{}, {}, "--pair", "does not go with --no-token", {}};

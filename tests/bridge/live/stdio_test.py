@@ -176,10 +176,18 @@ class StdioTest(unittest.TestCase):
         self.assertEqual(self.call(process, "GET", "/v1/info")["status"], 200)
 
     def test_options_of_servers_do_not_go_with_it(self):
-        for option in (["--pair"], ["--no-token"]):
-            done = subprocess.run(self.command + option, capture_output=True, check=False)
+        for option in (["--pair"], ["--no-token"], ["--port", "0"]):
+            done = subprocess.run(self.command + option, input=b"", capture_output=True, check=False)
             self.assertEqual(done.returncode, 2)
-            self.assertIn(option[0].encode(), done.stderr)
+            self.assertIn(b"--stdio: does not go with " + option[0].encode(), done.stderr)
+
+    def test_a_configuration_that_says_nothing_new_goes_with_it(self):
+        config = os.path.join(self.folder, "config")
+        with open(config, "wb") as file:
+            subprocess.run(self.command[:1] + ["--print-config"], stdout=file, check=True)
+        done = subprocess.run(self.command + ["--config", config], input=b"", capture_output=True,
+                              check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
 
 
 if __name__ == "__main__":

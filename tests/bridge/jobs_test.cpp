@@ -1,0 +1,45 @@
+// Which of a client's jobs can still be asked about.
+#include "bridge/jobs.h"
+
+#include <gtest/gtest.h>
+#include <kj/async-io.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace obby::bridge {
+namespace {
+
+JobPlan shell(const std::string& script) {
+  JobPlan plan;
+  plan.command = {"/bin/sh", {"-c", script}, 0, 0};
+  return plan;
+}
+
+TEST(Jobs, those_that_ended_first_are_forgotten_first) {
+  kj::AsyncIoContext async = kj::setupAsyncIo();
+  Loop loop{*async.lowLevelProvider, async.unixEventPort, async.provider->getTimer()};
+  Limits limits;
+  limits.jobs = 2;
+  limits.keptJobs = 2;
+  std::vector<std::string> forgotten;
+  Jobs jobs(loop, limits, [&](const Job& job) { forgotten.push_back(job.id()); });
+  const auto client = std::make_shared<Client>(1, limits.ringBytes);
+  const auto submit = [&](const std::string& script) {
+    return jobs.submit(client, shell(script), jobs.nextNumber())->id();
+  };
+  const std::string slow = submit("exec sleep 1000");
+  const std::string first = submit("exit 0"), second = submit("exit 0"), third = submit("exit 0");
+  while (!jobs.find(*client, third)->ended()) {
+    loop.timer.afterDelay(1 * kj::MILLISECONDS).wait(async.waitScope);
+  }
+  jobs.cancel(*jobs.find(*client, slow), "the test says so");
+  jobs.whenIdle().wait(async.waitScope);
+  EXPECT_EQ(forgotten, (std::vector<std::string>{first, second}));
+  ASSERT_NE(jobs.find(*client, slow), nullptr);
+  EXPECT_EQ(jobs.find(*client, slow)->state(), JobState::cancelled);
+}
+
+}  // namespace
+}  // namespace obby::bridge
