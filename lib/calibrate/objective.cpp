@@ -124,6 +124,8 @@ double Objective::loss(std::span<const double> point) const {
   if (all->empty()) return 0;
   double sum = 0;
   for (const float r : *all) sum += costOf(double(r), settings_.near);
+  // A least one is looked for among losses, which what is no number can never be.
+  if (!std::isfinite(sum)) return std::numeric_limits<double>::max();
   return sum / double(all->size() / kResiduals);
 }
 

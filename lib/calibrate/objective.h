@@ -52,7 +52,8 @@ class Objective {
   double controlRate() const;  // ticks a second
 
   // `point`: (dimensions), shares of the bounds. Cauchy's loss, a mean over frames, in studs^2; the
-  // largest number there is where a level does not compile with these parameters.
+  // largest number there is where a level does not compile with these parameters, or where the
+  // simulator's numbers overflow.
   double loss(std::span<const double> point) const;
   // (frames, kResiduals), of each take's windows in order. Errors as of Level::compile.
   Result<std::vector<float>> residuals(std::span<const double> point) const;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "level/level.h"
+#include "level/record_values.h"
 
 namespace obby::calibrate {
 
@@ -120,6 +121,9 @@ Status setNamed(schema::PhysicsParams::Builder params, const std::string& name, 
   if (schema.findFieldByName(name.c_str()) == nullptr)
     return makeError(fmt::format("there is no physics parameter '{}'", name),
                      "docs/physics.md lists them");
+  const bool whole = value >= 0 && value <= 65535 && value == std::floor(value);
+  if (schema.getFieldByName(name.c_str()).getType().isUInt16() && !whole)
+    return level::pathError("physics." + name, "expected a whole number from 0 to 65535");
   setValue(params, name, value);
   OBBY_RETURN_IF_ERROR(level::compileParams(params.asReader()));
   return {};

@@ -16,9 +16,15 @@ constexpr float kRising = 5;  // studs/s: faster than this upward is no walk
 // Seconds between two frames: nobody knows what happened in a longer pause, and playing it takes
 // as long as it does.
 constexpr double kLongestGap = 10;
+constexpr double kApart = 1e-6;   // seconds: frames closer to each other are of one time
+constexpr float kFastest = 1e5f;  // studs/s: the simulator's numbers must not overflow
 
-using level::isFinite;
 using level::vec;
+
+// NaN is not.
+bool within(Vec3 v, float most) {
+  return absf(v.x) <= most && absf(v.y) <= most && absf(v.z) <= most;
+}
 
 Error inFrame(uint32_t i, std::string what, std::string cure) {
   return Error{{}, {}, fmt::format("frames[{}]", i), std::move(what), std::move(cure)};
@@ -85,9 +91,15 @@ Frame frameOf(schema::RecordingFrame::Reader f) {
           facing};
 }
 
-bool finite(const Frame& f) {
-  return std::isfinite(f.time) && isFinite(f.move) && isFinite(f.position) &&
-         isFinite(f.velocity) && isFinite(f.facing);
+// No number that is none, or so large that the simulator could not go on from it.
+Status checkNumbers(const Frame& f, uint32_t number) {
+  constexpr float kLongestMove = 1e3f;
+  const bool sound = std::isfinite(f.time) && within(f.move, kLongestMove) &&
+                     within(f.position, level::kMaxCoordinate) && within(f.velocity, kFastest) &&
+                     level::isFinite(f.facing);
+  if (sound) return {};
+  return inFrame(number, "a number that is none, or none of this world",
+                 "positions are in studs, velocities in studs/s; leave such frames out");
 }
 
 // Of the frame's time against the one before.
@@ -119,11 +131,22 @@ Status addPoses(schema::RecordingFrame::Reader frame, uint32_t number, Track& tr
     const auto q = pose.getRotation();
     const PartPose to{vec(pose.getPosition()),
                       normalize(Quat{q.getX(), q.getY(), q.getZ(), q.getW()})};
-    if (!isFinite(to.position) || !std::isfinite(to.rotation.w))
+    if (!within(to.position, level::kMaxCoordinate) || !std::isfinite(to.rotation.w))
       return inFrame(number, "a pose with a number that is none", "leave such frames out");
     track.poses.push_back(to);
   }
   return {};
+}
+
+// A frame at the time of the one before. The later input is the one in force until the next frame,
+// which may also refer to the later poses.
+Status addAgain(const Frame& frame, schema::RecordingFrame::Reader record, uint32_t number,
+                Track& track) {
+  track.frames.back().move = frame.move;
+  track.frames.back().jump = frame.jump;
+  if (record.getPoses().size() == 0) return {};
+  track.poses.erase(track.poses.end() - std::ptrdiff_t(track.shown.size()), track.poses.end());
+  return addPoses(record, number, track);
 }
 
 }  // namespace
@@ -150,9 +173,12 @@ Result<Track> trackOf(schema::Recording::Reader record) {
   for (uint32_t i = 0; i < frames.size(); ++i) {
     Frame frame = frameOf(frames[i]);
     frame.time -= frames[0].getTime();  // some recorders tell the time of their own clock
-    if (!finite(frame)) return inFrame(i, "a number that is none", "leave such frames out");
+    OBBY_RETURN_IF_ERROR(checkNumbers(frame, i));
     OBBY_RETURN_IF_ERROR(checkTime(frame, i, track));
-    if (!track.frames.empty() && frame.time == track.frames.back().time) continue;
+    if (!track.frames.empty() && frame.time - track.frames.back().time < kApart) {
+      OBBY_RETURN_IF_ERROR(addAgain(frame, frames[i], i, track));
+      continue;
+    }
     track.frames.push_back(frame);
     OBBY_RETURN_IF_ERROR(addPoses(frames[i], i, track));
   }

@@ -50,9 +50,10 @@ struct Track {
 // To the nearest; of a negative time none.
 uint32_t wholeTicks(double seconds, const Params& params);
 
-// Times count from the first frame on, whatever clock they are of. Frames that the recorder wrote
-// twice are left out. Errors: fewer than two frames, a time that goes back or leaps ahead, what is
-// not finite, poses of other parts than the recording names.
+// Times count from the first frame on, whatever clock they are of. Of frames of one time the first
+// stays, with the input and the poses of the last. Errors: fewer than two frames, a time that goes
+// back or leaps ahead, what is not finite or far beyond any game, poses of other parts than the
+// recording names.
 Result<Track> trackOf(schema::Recording::Reader record);
 
 // Of an engine's name for it; whoever is in none that a course needs is taken by how they move.

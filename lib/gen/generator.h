@@ -42,6 +42,7 @@ class Generator {
   static void writeQuery(const Generated& from, schema::Query::Builder to);
 
   const Reach& reach() const { return reach_; }
+  bool unsolvable() const { return unsolvable_; }
 
  private:
   Generator(Recipe recipe, const Params& params, bool unsolvable);

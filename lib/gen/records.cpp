@@ -100,12 +100,17 @@ Quat facingOf(const Stop& stop, const Sketch& sketch) {
 // To eighths of a stud, which are short as text.
 float inEighths(float studs) { return std::floor(studs * 8 + 0.5f) / 8; }
 
-// For those who learn from the level.
+// For those who learn from the level. Of more places than the schema has room for, as hundreds of
+// towers with small steps have, every so many-th and the goal.
 void writeWay(const Generated& from, schema::Query::Builder to) {
+  constexpr size_t kMostPlaces = 4096;
   const std::vector<Vec3>& line = from.sketch.line();
-  auto way = to.initWay(uint32_t(line.size()));
-  for (uint32_t i = 0; i < way.size(); ++i)
-    set(way[i], {inEighths(line[i].x), inEighths(line[i].y), inEighths(line[i].z)});
+  const size_t step = (line.size() + kMostPlaces - 3) / (kMostPlaces - 1);
+  auto way = to.initWay(uint32_t((line.size() - 2) / step + 2));
+  for (uint32_t i = 0; i < way.size(); ++i) {
+    const Vec3& at = line[std::min(i * step, line.size() - 1)];
+    set(way[i], {inEighths(at.x), inEighths(at.y), inEighths(at.z)});
+  }
   to.setDifficulty(from.difficulty);
 }
 

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
 
 #include "base/random.h"
 #include "calibrate/course.h"
@@ -41,6 +44,48 @@ TEST(Track, DropsFramesThatCameTwice) {
   const auto read = trackOf(recording);
   ASSERT_TRUE(read);
   EXPECT_EQ(read->frames.size(), 3u);
+}
+
+// Of no length is what the first of two at one time says; and frames without poses mean those of
+// the frame before, whichever that was.
+TEST(Track, OfFramesThatCameTwiceTheLaterInputAndPosesCount) {
+  io::RecordBuilder record;
+  auto recording = recordOf(record, 5);
+  recording.initParts(1).set(0, "Box");
+  auto frames = recording.getFrames();
+  frames[0].initPoses(1);
+  frames[2].setTime(1 / 60.0);
+  frames[2].setJump(true);
+  frames[2].initMove().setX(1);
+  frames[2].initPoses(1)[0].initPosition().setY(3);
+  const auto read = trackOf(recording);
+  ASSERT_TRUE(read) << read.error().text();
+  ASSERT_EQ(read->frames.size(), 4u);
+  EXPECT_FALSE(read->frames[0].jump);
+  EXPECT_TRUE(read->frames[1].jump);
+  EXPECT_EQ(read->frames[1].move.x, 1);
+  EXPECT_FALSE(read->frames[2].jump);
+  ASSERT_EQ(read->poses.size(), 4u);
+  EXPECT_EQ(read->pose(0, 0).position.y, 0);
+  for (const size_t i : {1, 2, 3}) EXPECT_EQ(read->pose(i, 0).position.y, 3) << i;
+}
+
+// As it would be in a simulator whose numbers overflow: losses of no number have no least one.
+TEST(Track, NumbersOfNoWorldAreAnError) {
+  using Builder = schema::RecordingFrame::Builder;
+  for (const auto& spoil : std::vector<std::function<void(Builder)>>{
+           [](Builder f) { f.initPosition().setX(2e6f); },
+           [](Builder f) { f.initVelocity().setY(-1e38f); },
+           [](Builder f) { f.initVelocity().setZ(std::nanf("")); },
+           [](Builder f) { f.initMove().setX(1e30f); },
+           [](Builder f) { f.initFacing().setX(HUGE_VALF); }}) {
+    io::RecordBuilder record;
+    auto recording = recordOf(record, 4);
+    spoil(recording.getFrames()[2]);
+    const auto read = trackOf(recording);
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().text().find("frames[2]"), std::string::npos) << read.error().text();
+  }
 }
 
 TEST(Track, NamesTheFrameWhoseTimeGoesBack) {
@@ -113,6 +158,15 @@ double worstOf(const std::vector<Take>& takes) {
   double worst = 0;
   for (const float v : *r) worst = std::max(worst, std::fabs(double(v)));
   return worst;
+}
+
+// Whatever is in a track, losses can be compared.
+TEST(Playback, ALossIsANumber) {
+  std::vector<Take> takes = takesUnder(defaults(), 0, firstManoeuvres(1));
+  takes[0].track.frames.back().position.x = std::nanf("");
+  const std::vector<Parameter> none;
+  const Objective objective(takes, none, defaults(), {});
+  EXPECT_EQ(objective.loss(objective.start()), std::numeric_limits<double>::max());
 }
 
 TEST(Playback, FollowsItsOwnRecordings) { EXPECT_LT(worstOf(takesUnder(defaults())), 0.01); }

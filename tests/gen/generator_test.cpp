@@ -76,6 +76,24 @@ TEST(Generator, QueriesNameAWayAndHowHardItIs) {
   }
 }
 
+// Readers refuse a way of more places than the schema says.
+TEST(Generator, TheWayOfALongLevelHasRoomInTheSchema) {
+  const gen::Style& spiral = *gen::findStyle("spiral");
+  gen::Recipe recipe = recipeFor("spiral", 0.5f);
+  recipe.obstacles = {200, 200};
+  recipe.parameters = {{*gen::parameterNamed(spiral, "size", ""), 2, 2},
+                       {*gen::parameterNamed(spiral, "gap", ""), 0, 0}};
+  const gen::Generator generator = generatorOf(recipe);
+  const std::vector<Vec3> line = generator.generate(1, 0).sketch.line();
+  EXPECT_GT(line.size(), 4096u);
+  const Made made = makeRecords(generator, 1, 0);
+  const auto way = made.query.reader().getQuery().getWay();
+  EXPECT_GT(way.size(), 1000u);
+  EXPECT_LE(way.size(), 4096u);
+  EXPECT_LT(length(level::vec(way[0]) - line.front()), 0.11f);
+  EXPECT_LT(length(level::vec(way[way.size() - 1]) - line.back()), 0.11f);
+}
+
 // From beside a wide floor a turn would bring the next one within a jump.
 TEST(Generator, TheWayDoesNotTurnBesideWhatARecipeMakesLarger) {
   const gen::Style& gaps = *gen::findStyle("gaps");

@@ -93,6 +93,30 @@ TEST_P(Places, ComeBackFromTheImporterAsTheyWere) {
 
 INSTANTIATE_TEST_SUITE_P(All, Places, ::testing::ValuesIn(styleNames()), testName);
 
+// A round checkpoint is a cylinder on its side: who comes back with its rotation lies down. Where
+// it looks is level all the same.
+TEST(PlaceFile, WhoComesBackAtACheckpointStands) {
+  gen::Recipe recipe = recipeFor("gaps", 0.5f);
+  recipe.obstacles = {3, 3};
+  recipe.turns = 1;
+  const gen::Generator generator = generatorOf(recipe);
+  const gen::Generated level = generator.generate(1, 0);
+  int discs = 0;
+  for (const gen::PartSketch& part : level.sketch.parts()) {
+    if (part.checkpoint == 0) continue;
+    const Mat3 axes = toMat3(part.rotation);
+    EXPECT_NEAR(axes.z.y, 0, 1e-5f) << part.name;
+    discs += axes.y.y < 0.5f;
+  }
+  EXPECT_GT(discs, 0);
+  gen::PlaceFile place(generator);
+  place.add(level);
+  const std::string file = place.finish();
+  EXPECT_NE(file.find("character:PivotTo(CFrame.lookAt(at, at + pad.CFrame.LookVector))"),
+            std::string::npos);
+  EXPECT_EQ(file.find("pad.CFrame.Rotation"), std::string::npos);
+}
+
 TEST(PlaceFile, SeveralLevelsStandApart) {
   const gen::Generator generator = generatorOf({});
   gen::PlaceFile place(generator);

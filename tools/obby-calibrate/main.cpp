@@ -182,6 +182,7 @@ Status calibrateFrom(cli::Context& context, io::Pipeline& pipeline, Asked asked)
 }
 
 Result<cli::ExitCode> run(cli::Context& context) {
+  OBBY_RETURN_IF_ERROR(tools::optionsFit(context.arguments()));
   OBBY_ASSIGN(Asked asked, askedOf(context.arguments()));
   OBBY_ASSIGN(io::StreamWriter output, context.openOutput());
   const bool makes = tools::makesTakes(context.arguments());

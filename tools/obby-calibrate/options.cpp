@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <utility>
 
 #include "cli/rows.h"
 
@@ -90,6 +91,23 @@ cli::ToolSpec calibrateSpec() {
       "Writes a params record, and metrics with each parameter's interval and each recording's "
       "error. Levels and recordings are used up, other records pass.";
   return spec;
+}
+
+Status optionsFit(const cli::Arguments& a) {
+  const auto refused = [](const std::string& option, std::string message) {
+    return Error{{}, {}, "--" + option, std::move(message), "leave out one of the two"};
+  };
+  const bool course = a.flag("course"), rehearse = a.flag("rehearse");
+  if (course && rehearse) return refused("rehearse", "does not go with --course");
+  if (!rehearse && a.typed("noise"))
+    return Error{{}, {}, "--noise", "nothing is rehearsed without --rehearse", "leave it out"};
+  if (!makesTakes(a)) return {};
+  for (const char* name : {"fit", "held-out", "tolerance", "restarts", "generations", "report"}) {
+    if (!a.typed(name)) continue;
+    return refused(name,
+                   fmt::format("nothing is fitted with --{}", course ? "course" : "rehearse"));
+  }
+  return {};
 }
 
 bool makesTakes(const cli::Arguments& a) { return a.flag("rehearse") || a.flag("course"); }

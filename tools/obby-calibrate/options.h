@@ -7,6 +7,8 @@
 namespace obby::tools {
 
 cli::ToolSpec calibrateSpec();
+// Error: options that make no sense together, by name.
+Status optionsFit(const cli::Arguments& arguments);
 // Is the course written, and nothing fitted?
 bool makesTakes(const cli::Arguments& arguments);
 calibrate::FitSettings fitSettings(const cli::Context& context);

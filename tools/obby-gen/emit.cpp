@@ -11,27 +11,40 @@ constexpr uint64_t kLevelWords = 4096;  // room for most levels
 
 using Slot = Result<std::optional<Emitted>>;
 
-Result<std::optional<Emitted>> make(const gen::Generator& generator, const EmitOptions& options,
-                                    uint64_t index) {
-  Emitted out{generator.generate(options.seed, index), {}};
+// False: --check refuses it.
+Result<bool> add(const gen::Generator& generator, const EmitOptions& options, uint64_t index,
+                 Emitted& out) {
+  out.levels.push_back(generator.generate(options.seed, index));
   io::RecordBuilder level(kLevelWords), query;
-  generator.writeLevel(out.level, level.root().initLevel());
-  gen::Generator::writeQuery(out.level, query.root().initQuery());
+  generator.writeLevel(out.levels.back(), level.root().initLevel());
+  gen::Generator::writeQuery(out.levels.back(), query.root().initQuery());
   OBBY_ASSIGN(const io::Record levelRecord, io::encoded(std::move(level), options.format));
   OBBY_ASSIGN(const io::Record queryRecord, io::encoded(std::move(query), options.format));
-  out.records = {levelRecord, queryRecord};
-  if (!options.check.wanted) return std::optional(std::move(out));
-  OBBY_ASSIGN(auto answer, checkLevel(levelRecord, queryRecord.reader().getQuery(), options.check));
-  if (!answer) return std::optional<Emitted>();
+  out.records.push_back(levelRecord);
+  out.records.push_back(queryRecord);
+  if (!options.check.wanted) return true;
+  CheckOptions check = options.check;
+  check.unsolvable = generator.unsolvable();
+  OBBY_ASSIGN(auto answer, checkLevel(levelRecord, queryRecord.reader().getQuery(), check));
+  if (!answer) return false;
   for (io::RecordBuilder& record : *answer) {
     OBBY_ASSIGN(const io::Record done, io::encoded(std::move(record), options.format));
     out.records.push_back(done);
+  }
+  return true;
+}
+
+Slot make(std::span<const gen::Generator> generators, const EmitOptions& options, uint64_t index) {
+  Emitted out;
+  for (const gen::Generator& generator : generators) {
+    OBBY_ASSIGN(const bool kept, add(generator, options, index, out));
+    if (!kept) return std::optional<Emitted>();
   }
   return std::optional(std::move(out));
 }
 
 // Levels from `begin` on, in order.
-std::vector<Slot> makeBatch(const gen::Generator& generator, const EmitOptions& options,
+std::vector<Slot> makeBatch(std::span<const gen::Generator> generators, const EmitOptions& options,
                             ThreadPool& pool, const std::atomic<bool>& stop, uint64_t begin,
                             uint64_t count) {
   std::vector<Slot> slots(count, Slot(std::optional<Emitted>()));
@@ -39,7 +52,7 @@ std::vector<Slot> makeBatch(const gen::Generator& generator, const EmitOptions& 
   pool.run(int((count + each - 1) / each), [&](int task) {
     const uint64_t from = uint64_t(task) * each;
     for (uint64_t i = from; i < std::min(from + each, count) && !stop; ++i) {
-      slots[i] = make(generator, options, begin + i);
+      slots[i] = make(generators, options, begin + i);
     }
   });
   return slots;
@@ -47,8 +60,8 @@ std::vector<Slot> makeBatch(const gen::Generator& generator, const EmitOptions& 
 
 }  // namespace
 
-Result<Ended> emit(const gen::Generator& generator, const EmitOptions& options, ThreadPool& pool,
-                   const std::atomic<bool>& stop,
+Result<Ended> emit(std::span<const gen::Generator> generators, const EmitOptions& options,
+                   ThreadPool& pool, const std::atomic<bool>& stop,
                    const std::function<Status(const Emitted&)>& take) {
   const uint64_t each = options.check.wanted ? 2 : kTaskLevels;
   const uint64_t batch = each * uint64_t(pool.size());
@@ -56,7 +69,7 @@ Result<Ended> emit(const gen::Generator& generator, const EmitOptions& options, 
   for (uint64_t begin = options.first; !stop; begin += batch) {
     const uint64_t left = options.count == 0 ? batch : options.count - kept;
     const uint64_t size = options.check.wanted ? batch : std::min(batch, left);
-    std::vector<Slot> slots = makeBatch(generator, options, pool, stop, begin, size);
+    std::vector<Slot> slots = makeBatch(generators, options, pool, stop, begin, size);
     if (stop) break;  // what is not whole is not written
     for (Slot& slot : slots) {
       if (!slot) return slot.error();

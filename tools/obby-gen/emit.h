@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/thread_pool.h"
@@ -14,15 +15,16 @@ namespace obby::tools {
 
 struct EmitOptions {
   uint64_t seed = 0, first = 0;
-  uint64_t count = 1;                     // levels to keep; 0: without end
+  uint64_t count = 1;                     // indices to keep; 0: without end
   io::Format format = io::Format::jsonl;  // that records are encoded for
   CheckOptions check;
 };
 
-// One level with all that is written of it; nothing is kept of a level that --check refuses.
+// A level, or one of each generator, with all that is written of it; nothing is kept of levels of
+// which --check refuses one.
 struct Emitted {
-  gen::Generated level;
-  std::vector<io::Record> records;  // level, query, answer
+  std::vector<gen::Generated> levels;
+  std::vector<io::Record> records;  // of each level, query, answer
 };
 
 // Levels in a row that --check may refuse before it gives up.
@@ -30,10 +32,10 @@ constexpr uint64_t kMostRefused = 300;
 
 enum class Ended { complete, stopped, noneKept };
 
-// Calls `take` for each level in the order of the indices, until `count` were kept or `stop` is
-// set. noneKept: --check refused so many in a row that more are not to be expected.
-Result<Ended> emit(const gen::Generator& generator, const EmitOptions& options, ThreadPool& pool,
-                   const std::atomic<bool>& stop,
+// Calls `take` for each index in order, until `count` were kept or `stop` is set. noneKept: --check
+// refused so many in a row that more are not to be expected.
+Result<Ended> emit(std::span<const gen::Generator> generators, const EmitOptions& options,
+                   ThreadPool& pool, const std::atomic<bool>& stop,
                    const std::function<Status(const Emitted&)>& take);
 
 }  // namespace obby::tools

@@ -1,7 +1,10 @@
 // obby-gen: levels with queries. Wiring only; lib/gen makes them.
 #include <fmt/format.h>
 
+#include <span>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "cli/context.h"
 #include "cli/tool.h"
@@ -28,9 +31,25 @@ tools::EmitOptions emitOptions(const cli::Context& context) {
   o.seed = a.seed();
   o.first = uint64_t(a.integer("first"));
   o.count = uint64_t(a.integer("count"));
-  o.check = {a.flag("check"), a.flag("unsolvable"), uint64_t(a.integer("check-steps")), a.seed(),
-             &context.stop()};
+  o.check = {a.flag("check"), a.flag("unsolvable") || a.flag("twins"),
+             uint64_t(a.integer("check-steps")), a.seed(), &context.stop()};
   return o;
+}
+
+// One, or with --twins one of levels and one of their twins.
+Result<std::vector<gen::Generator>> generatorsOf(const cli::Arguments& a,
+                                                 const gen::Recipe& recipe) {
+  const bool twins = a.flag("twins"), unsolvable = a.flag("unsolvable");
+  if (twins && unsolvable) {
+    return Error{{}, {}, "--twins", "does not go with --unsolvable", "leave out one of the two"};
+  }
+  std::vector<gen::Generator> out;
+  for (const bool lacking : {false, true}) {
+    if (!twins && lacking != unsolvable) continue;
+    OBBY_ASSIGN(gen::Generator one, gen::Generator::make(recipe, lacking));
+    out.push_back(std::move(one));
+  }
+  return out;
 }
 
 Status noneKept(const tools::CheckOptions& check) {
@@ -41,7 +60,7 @@ Status noneKept(const tools::CheckOptions& check) {
 }
 
 // One stream of records, with what was made before an interruption.
-Status writeStream(cli::Context& context, const gen::Generator& generator,
+Status writeStream(cli::Context& context, std::span<const gen::Generator> generators,
                    tools::EmitOptions options, ThreadPool& pool) {
   OBBY_ASSIGN(io::StreamWriter output, context.openOutput());
   options.format = output.format();
@@ -52,8 +71,8 @@ Status writeStream(cli::Context& context, const gen::Generator& generator,
   OBBY_RETURN_IF_ERROR(
       pipeline.run([](const io::Record&) -> Result<io::Then> { return io::Then::pass; }));
   uint64_t levels = 0;
-  const auto take = [&](const tools::Emitted& level) -> Status {
-    for (const io::Record& record : level.records) {
+  const auto take = [&](const tools::Emitted& made) -> Status {
+    for (const io::Record& record : made.records) {
       OBBY_RETURN_IF_ERROR(pipeline.output().pass(record));
     }
     ++levels;
@@ -61,22 +80,22 @@ Status writeStream(cli::Context& context, const gen::Generator& generator,
     context.progress({"levels", share, {{"made", double(levels)}}});
     return {};
   };
-  const auto ended = tools::emit(generator, options, pool, context.stop(), take);
+  const auto ended = tools::emit(generators, options, pool, context.stop(), take);
   if (ended && *ended == tools::Ended::noneKept) pipeline.outOfBudget();
   OBBY_RETURN_IF_ERROR(pipeline.finish(ended ? Status() : Status(ended.error())));
   return *ended == tools::Ended::noneKept ? noneKept(options.check) : Status();
 }
 
 // One place file; an interruption leaves none.
-Status writePlace(cli::Context& context, const gen::Generator& generator,
+Status writePlace(cli::Context& context, std::span<const gen::Generator> generators,
                   const tools::EmitOptions& options, ThreadPool& pool) {
   if (options.count == 0) {
     return Error{{}, {}, "--count", "a place file needs an end", "give a number above 0"};
   }
-  gen::PlaceFile place(generator);
+  gen::PlaceFile place(generators.front());
   OBBY_ASSIGN(const tools::Ended ended,
-              tools::emit(generator, options, pool, context.stop(), [&](const tools::Emitted& e) {
-                place.add(e.level);
+              tools::emit(generators, options, pool, context.stop(), [&](const tools::Emitted& e) {
+                for (const gen::Generated& level : e.levels) place.add(level);
                 return Status();
               }));
   if (ended == tools::Ended::stopped) return {};
@@ -94,17 +113,24 @@ Status writeList(const cli::Context& context, const gen::Recipe& recipe) {
 
 Result<cli::ExitCode> run(cli::Context& context) {
   const cli::Arguments& a = context.arguments();
+  if (!a.flag("check") && a.typed("check-steps")) {
+    return Error{{},
+                 {},
+                 "--check-steps",
+                 "nothing is checked without --check",
+                 "give --check, too, or leave it out"};
+  }
   OBBY_ASSIGN(const gen::Recipe recipe, tools::recipeOf(a));
   if (a.flag("list")) {
     OBBY_RETURN_IF_ERROR(recipe.check());
     OBBY_RETURN_IF_ERROR(writeList(context, recipe));
     return cli::ExitCode::ok;
   }
-  OBBY_ASSIGN(const gen::Generator generator, gen::Generator::make(recipe, a.flag("unsolvable")));
+  OBBY_ASSIGN(const std::vector<gen::Generator> generators, generatorsOf(a, recipe));
   ThreadPool pool(context.threads());
   const tools::EmitOptions options = emitOptions(context);
-  OBBY_RETURN_IF_ERROR(wantsPlace(a) ? writePlace(context, generator, options, pool)
-                                     : writeStream(context, generator, options, pool));
+  OBBY_RETURN_IF_ERROR(wantsPlace(a) ? writePlace(context, generators, options, pool)
+                                     : writeStream(context, generators, options, pool));
   return cli::ExitCode::ok;
 }
 

@@ -39,6 +39,10 @@ std::vector<OptionRow> levelRows() {
       row("unsolvable", ValueType::flag, "", "",
           "write of each level the twin in which one crossing is beyond reach; its name says which",
           kLevelGroup),
+      row("twins", ValueType::flag, "", "",
+          "write behind each level that twin, too: --count counts pairs, and --check keeps both or "
+          "none",
+          kLevelGroup),
       cli::commonRow(cli::Common::seed),
       row("list", ValueType::flag, "", "",
           "print the styles and exit; with --style: what a recipe may set of these", kLevelGroup),

@@ -1,8 +1,11 @@
 #include "shared/recipe_options.h"
 
+#include <utility>
+
 #include "cli/rows.h"
 #include "gen/styles.h"
 #include "io/read_file.h"
+#include "io/text.h"
 
 namespace obby::tools {
 
@@ -31,6 +34,10 @@ Result<gen::Range> rangeOf(const std::string& text) {
   OBBY_ASSIGN(const float lo, one(text.substr(0, dots)));
   if (dots == std::string::npos) return gen::Range{lo, lo};
   OBBY_ASSIGN(const float hi, one(text.substr(dots + 2)));
+  if (lo > hi) {
+    std::string wrong = "the easier end comes first, found " + io::quoted(text);
+    return Error{{}, {}, "--difficulty", std::move(wrong), {}};
+  }
   return gen::Range{lo, hi};
 }
 

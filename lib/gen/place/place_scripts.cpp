@@ -31,7 +31,8 @@ Players.PlayerAdded:Connect(function(player)
 		local pad = last[player]
 		if pad then
 			task.wait()
-			character:PivotTo(pad.CFrame.Rotation + pad.Position + Vector3.new(0, 4, 0))
+			local at = pad.Position + Vector3.new(0, 4, 0)
+			character:PivotTo(CFrame.lookAt(at, at + pad.CFrame.LookVector))
 		end
 	end)
 end)
