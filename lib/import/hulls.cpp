@@ -12,18 +12,16 @@ namespace {
 
 constexpr size_t kLeastCorners = 4, kMostCorners = 255;
 
-// Without those that the scale takes out of all bounds.
-std::vector<std::vector<Vec3>> scaled(const std::vector<std::vector<Vec3>>& hulls, Vec3 scale) {
-  std::vector<std::vector<Vec3>> out;
-  for (const auto& hull : hulls) {
-    std::vector<Vec3> corners = hull;
-    for (Vec3& corner : corners) corner = mul(corner, scale);
-    if (std::all_of(corners.begin(), corners.end(), isFinite)) out.push_back(std::move(corners));
-  }
-  return out;
-}
-
 }  // namespace
+
+std::vector<std::vector<Vec3>> scaledHulls(std::vector<std::vector<Vec3>> hulls, Vec3 scale) {
+  for (auto& hull : hulls)
+    for (Vec3& corner : hull) corner = mul(corner, scale);
+  std::erase_if(hulls, [](const std::vector<Vec3>& hull) {
+    return !std::all_of(hull.begin(), hull.end(), isFinite);
+  });
+  return hulls;
+}
 
 LevelHulls::Known LevelHulls::decoded(const CollisionBlob& blob) {
   Known known{collisionFrom(blob), 0};
@@ -51,7 +49,7 @@ void LevelHulls::give(const Tree& tree, PartDraft& part, LevelDraft& level) {
   const Known& known = knownOf(instance);
   const bool fits = known.corners <= left_;
   if (fits && known.corners > 0) {
-    part.hulls = scaled(known.collision.hulls, hullScaleOf(instance));
+    part.hulls = scaledHulls(known.collision.hulls, hullScaleOf(instance));
     left_ -= known.corners;
     if (!part.hulls.empty()) return;
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <unordered_map>
+#include <vector>
 
 #include "import/draft.h"
 #include "import/format/csg_physics.h"
@@ -12,6 +13,9 @@ namespace obby::importer {
 
 // Corners of all hulls of a level together: 48 MB, and 64 MB in its record.
 constexpr size_t kMaxLevelCorners = 4000000;
+
+// Corners times `scale`, axis by axis; without the hulls that this takes out of all bounds.
+std::vector<std::vector<Vec3>> scaledHulls(std::vector<std::vector<Vec3>> hulls, Vec3 scale);
 
 // The document of the parts must outlive it.
 class LevelHulls {

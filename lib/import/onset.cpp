@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 
 #include "import/pose_math.h"
@@ -14,8 +15,6 @@ constexpr uint32_t kRunClient = 2;  // RunContext
 constexpr double kAtOnce = 1e-3;    // seconds: less than a frame
 
 constexpr std::string_view kSwitches[] = {"CanCollide", "CanTouch", "Anchored"};
-// What a script that joins parts has in its text.
-constexpr std::string_view kJointWords[] = {"Weld", "MakeJoints", "Motor6D", "Constraint"};
 
 bool isSwitch(const ScriptEvent& event) {
   return std::find(std::begin(kSwitches), std::end(kSwitches), event.property) !=
@@ -27,7 +26,7 @@ bool isStated(const ScriptEvent& event) {
   if (event.kind == EventKind::destroy) return true;
   if (event.property == "CFrame") return event.frame.has_value();
   if (isSize(event)) return event.vector && isFinite(*event.vector);
-  if (isSwitch(event)) return event.flag.has_value();
+  if (isSwitch(event) || event.property == "Parent") return event.flag.has_value();
   return event.number && std::isfinite(*event.number);
 }
 
@@ -36,36 +35,21 @@ bool runsOnClient(const Instance& script) {
   return script.className == "LocalScript" || (context && context->value == kRunClient);
 }
 
-// True if the text gives something another parent; `Parent = nil` gives none.
-bool hasParents(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t";
-  for (const std::string_view parent : {".Parent", ".parent"})
-    for (size_t at = 0; (at = text.find(parent, at)) != std::string_view::npos;) {
-      at = std::min(text.find_first_not_of(kBlanks, at + parent.size()), text.size());
-      if (text.substr(at, 1) != "=" || text.substr(at, 2) == "==") continue;
-      const size_t value = text.find_first_not_of(kBlanks, at + 1);
-      if (value != std::string_view::npos && text.substr(value, 3) != "nil") return true;
-    }
-  return false;
-}
-
-bool hasJoints(std::string_view text) {
-  return std::any_of(std::begin(kJointWords), std::end(kJointWords), [&](std::string_view word) {
-    return text.find(word) != std::string_view::npos;
-  });
-}
-
 }  // namespace
 
 bool isSize(const ScriptEvent& event) {
   return event.property == "Size" || event.property == "size";
 }
 
+bool comesBack(const ScriptEvent& event) {
+  return event.kind == EventKind::set && event.property == "Parent" && event.flag.value_or(false);
+}
+
 bool changesParts(const Tree& tree, const ScriptEvent& event) {
   if (event.target == kNoInstance) return false;
   if (event.kind == EventKind::destroy) return true;
   if (event.kind != EventKind::set && event.kind != EventKind::tween) return false;
-  if (event.property == "CFrame") return true;  // a model's pivot, too
+  if (event.property == "CFrame" || event.property == "Parent") return true;  // of a model, too
   const bool ofAPart = isSize(event) || isSwitch(event) || event.property == "Transparency";
   return ofAPart && tree.isPart(event.target);
 }
@@ -75,23 +59,30 @@ bool isLooped(const Timeline& timeline, size_t event) {
 }
 
 Onsets::Onsets(const Tree& tree, const ScriptReading& reading)
-    : tree_(tree), onClient_(runsOnClient(tree.at(reading.script))) {
-  if (const auto* source = property<std::string>(tree.at(reading.script), "Source")) {
-    givesParents_ = hasParents(*source);
-    makesJoints_ = hasJoints(*source);
+    : tree_(tree),
+      onClient_(runsOnClient(tree.at(reading.script))),
+      givesParents_(reading.givesParents),
+      makesJoints_(reading.makesJoints) {
+  for (const Timeline& timeline : reading.timelines) {
+    if (!timeline.byItself()) continue;
+    for (size_t i = 0; i < timeline.events.size(); ++i) {
+      const ScriptEvent& event = timeline.events[i];
+      if (event.kind == EventKind::build) built_.insert(event.property);
+      if (comesBack(event) && (event.time < kAtOnce || isLooped(timeline, i)))
+        returned_.insert(event.target);
+    }
   }
-  for (const Timeline& timeline : reading.timelines)
-    if (timeline.byItself())
-      for (const ScriptEvent& event : timeline.events)
-        if (event.kind == EventKind::build) built_.insert(event.property);
 }
 
 // A part may be destroyed to make room for its copy, and a model after its parts were taken out;
-// what loses its anchor may be held by joints that the script makes.
+// what leaves may come back at once or by the clock; what loses its anchor may be held by joints
+// that the script makes.
 bool Onsets::isDoubtful(const ScriptEvent& event) const {
-  if (event.kind == EventKind::destroy)
+  if (event.kind == EventKind::destroy) {
+    if (returned_.count(event.target) > 0) return true;
     return tree_.isPart(event.target) ? built_.count(tree_.at(event.target).className) > 0
                                       : givesParents_;
+  }
   return makesJoints_ && event.property == "Anchored" && !event.flag.value_or(true);
 }
 

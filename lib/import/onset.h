@@ -17,11 +17,15 @@ enum class Onset {
 };
 
 // Whether the event changes parts in a way that a player meets or sees: CanCollide, CanTouch,
-// Anchored, Transparency, a size, a pose, Destroy. Parts below its target may not be in the level.
+// Anchored, Transparency, a size, a pose, Destroy, Parent. Parts below its target may not be in the
+// level.
 bool changesParts(const Tree& tree, const ScriptEvent& event);
 
 // Whether it sets the size of a part, however that is spelled.
 bool isSize(const ScriptEvent& event);
+
+// Whether the event puts something back into the world that had left it.
+bool comesBack(const ScriptEvent& event);
 
 // Whether the event comes round again for as long as the game runs.
 bool isLooped(const Timeline& timeline, size_t event);
@@ -40,7 +44,8 @@ class Onsets {
   const Tree& tree_;
   bool onClient_ = false;
   bool givesParents_ = false, makesJoints_ = false;
-  std::set<std::string> built_;  // classes of what it puts into the world by itself
+  std::set<std::string> built_;    // classes of what it puts into the world by itself
+  std::set<InstanceId> returned_;  // what it puts back at once or by the clock
 };
 
 }  // namespace obby::importer

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "import/hulls.h"
 #include "import/motion.h"
 #include "import/pose_math.h"
 
@@ -10,16 +13,12 @@ namespace obby::importer {
 namespace {
 
 // Corners are in studs, too.
-void scaleHulls(PartDraft& part, Vec3 before) {
+void resizeHulls(PartDraft& part, Vec3 before) {
   const Vec3 old = boundedSize(before);
-  const Vec3 scale = {part.size.x / old.x, part.size.y / old.y, part.size.z / old.z};
-  bool finite = true;
-  for (auto& hull : part.hulls)
-    for (Vec3& corner : hull) {
-      corner = mul(corner, scale);
-      finite = finite && isFinite(corner);
-    }
-  if (finite) return;
+  const size_t count = part.hulls.size();
+  part.hulls = scaledHulls(std::move(part.hulls),
+                           {part.size.x / old.x, part.size.y / old.y, part.size.z / old.z});
+  if (part.hulls.size() == count) return;
   part.hulls.clear();
   part.shape = Shape::block;
 }
@@ -51,7 +50,7 @@ void PartChanges::settle(const Tree& tree, PartDraft& part, const InFile& was) {
   if (part.transparency != was.transparency)
     say(Aspect::transparency, fmt::format("transparency {:.3g}", part.transparency));
   if (!(part.size == was.size)) {
-    scaleHulls(part, was.size);
+    resizeHulls(part, was.size);
     say(Aspect::size, "resized");
   }
   if (samePose(part.pose, was.pose)) {

@@ -2,6 +2,8 @@
 #include "import/script_reading.h"
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 
 #include "import/classes.h"
 #include "import/format/class_defaults.h"
@@ -14,6 +16,8 @@ namespace {
 constexpr uint32_t kRunServer = 1, kRunClient = 2;
 constexpr size_t kMaxSource = 1 << 20;  // bytes; larger texts are data, not scripts
 constexpr size_t kScriptSteps = 1000000, kPlaceSteps = 20000000;
+// What a script that joins parts has in its text.
+constexpr std::string_view kJointWords[] = {"Weld", "MakeJoints", "Motor6D", "Constraint"};
 
 bool isDisabled(const Instance& script) {
   return propertyOr(script, "Disabled", false) || !propertyOr(script, "Enabled", true);
@@ -37,6 +41,25 @@ bool runs(const Tree& tree, InstanceId id) {
   const bool isModelFile = tree.service("Workspace") == kNoInstance;
   return isModelFile || root == "Workspace" || root == "ServerScriptService" ||
          isInStarterCharacter(tree, id);
+}
+
+// True if the text gives something another parent; `Parent = nil` gives none.
+bool hasParents(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t";
+  for (const std::string_view parent : {".Parent", ".parent"})
+    for (size_t at = 0; (at = text.find(parent, at)) != std::string_view::npos;) {
+      at = std::min(text.find_first_not_of(kBlanks, at + parent.size()), text.size());
+      if (text.substr(at, 1) != "=" || text.substr(at, 2) == "==") continue;
+      const size_t value = text.find_first_not_of(kBlanks, at + 1);
+      if (value != std::string_view::npos && text.substr(value, 3) != "nil") return true;
+    }
+  return false;
+}
+
+bool hasJoints(std::string_view text) {
+  return std::any_of(std::begin(kJointWords), std::end(kJointWords), [&](std::string_view word) {
+    return text.find(word) != std::string_view::npos;
+  });
 }
 
 // A line of code without the blanks around it, cut.
@@ -73,6 +96,8 @@ std::vector<ScriptReading> readScripts(const Tree& tree) {
     readings.push_back(luau::Reader(tree, id, budget).read(chunk));
     left -= share - budget;
     readings.back().lines = LineIndex(*source);
+    readings.back().givesParents = hasParents(*source);
+    readings.back().makesJoints = hasJoints(*source);
   }
   return readings;
 }

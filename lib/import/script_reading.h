@@ -28,9 +28,10 @@ struct TweenTiming {
 };
 
 enum class EventKind {
-  set,        // a property of a known instance gets a value
+  set,        // a property of a known instance gets a value; its Parent: `flag` where that puts it
+              // back into the world, nothing where the place is not known
   tween,      // a known instance is tweened: one event for the pose, one for each other goal
-  destroy,    // a known instance is removed
+  destroy,    // a known instance leaves the world, destroyed or not
   damage,     // a character loses `number` health, or all; outside of a touch `target` is the
               // part whose contents the script asked for
   push,       // a character's velocity is set to `vector` (NaN components are kept)
@@ -76,6 +77,7 @@ struct Timeline {
   size_t loopEvent = 0;  // index of the first event of the loop
   double period = 0;     // seconds of one round of the loop (or of all that were followed)
   bool closed = false;   // after `period` the parts are back where the loop began
+  bool vague = false;    // waits for a time that the text does not tell: taken as the shortest
 
   // Whether it comes as the game runs, whatever players do.
   bool byItself() const { return trigger == Trigger::start || trigger == Trigger::frame; }
@@ -89,6 +91,8 @@ struct ScriptReading {
   bool requiresAsset = false;     // require(number): code that is not in the file
   bool dynamicCode = false;       // loadstring, getfenv, setfenv
   bool exhausted = false;         // the step budget ended the reading
+  bool givesParents = false;      // the text gives something another parent, not nil
+  bool makesJoints = false;       // the text names joints
   std::vector<std::string> tags;  // tags that it asks CollectionService for
 };
 

@@ -38,7 +38,7 @@ class ScriptedChanges {
       if (!timeline.byItself()) continue;
       for (size_t i = 0; i < timeline.events.size(); ++i) {
         const ScriptEvent& event = timeline.events[i];
-        if (!changesParts(context_.tree, event) || !isLost(event, isLooped(timeline, i))) continue;
+        if (!changesParts(context_.tree, event) || !isLost(timeline, i)) continue;
         const Onset onset = onsets.of(timeline, i);
         if (onset != Onset::atStart) name(reading, event, lossOf(event, onset));
       }
@@ -46,12 +46,15 @@ class ScriptedChanges {
   }
 
  private:
-  bool isLost(const ScriptEvent& event, bool looped) {
-    if (event.kind == EventKind::destroy) return true;
+  bool isLost(const Timeline& timeline, size_t index) {
+    const ScriptEvent& event = timeline.events[index];
     const PartDraft* part = context_.part(event.target);
+    if (event.kind == EventKind::destroy)
+      return !(timeline.forever && part && part->vanish && part->vanish->timer);
+    if (event.property == "Parent") return true;
     if (event.property == "CFrame") {
       // Loops and tweens make motions or are named with them, as is what is not known.
-      if (looped || event.kind == EventKind::tween || !event.frame) return false;
+      if (isLooped(timeline, index) || event.kind == EventKind::tween || !event.frame) return false;
       return !part || (!part->motion && !samePose(part->pose, *event.frame));
     }
     if (!part) return false;
@@ -65,10 +68,13 @@ class ScriptedChanges {
   void name(const ScriptReading& reading, const ScriptEvent& event, const Loss& loss) {
     if (!named_.insert({loss.kind, event.target}).second) return;
     const std::string reason = scriptReason(context_.tree, reading, event.line);
-    for (const PartDraft* part : context_.partsOf(event.target)) {
-      const bool moves = event.property == "CFrame" && part->motion;
+    for (InstanceId id : context_.tree.partsOf(event.target)) {
+      const PartDraft* part = context_.part(id);
+      // What comes back is missed only where the level is without it.
+      if (comesBack(event) == (part != nullptr)) continue;
+      const bool moves = part && event.property == "CFrame" && part->motion;
       if (!moves)
-        context_.level.noteUnmodelled(loss.kind, context_.tree.path(part->id),
+        context_.level.noteUnmodelled(loss.kind, context_.tree.path(id),
                                       std::string(loss.note) + "; " + reason);
     }
   }

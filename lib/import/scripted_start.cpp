@@ -24,6 +24,7 @@ class StartOfPlay {
 
   // An event that has its value.
   void take(const ScriptReading& reading, const ScriptEvent& event) {
+    if (comesBack(event)) return;  // what it undoes is in doubt, and so not done
     now_ = {&reading, event.line};
     if (event.kind == EventKind::destroy) {
       remove(event.target);

@@ -6,6 +6,7 @@
 
 #include "import/classes.h"
 #include "import/format/class_defaults.h"
+#include "import/onset.h"
 #include "import/scripted_changes.h"
 #include "import/words.h"
 
@@ -131,7 +132,8 @@ void noteScript(RoleContext& context, const ScriptReading& reading) {
   if (reading.dynamicCode)
     level.noteUnmodelled("code made at run time", path, "loadstring, getfenv or setfenv");
   if (reading.exhausted)
-    level.noteUnmodelled("very long script", path, "read as far as the step budget went");
+    level.noteUnmodelled("very long script", path,
+                         "read as far as the budget of steps and nested calls went");
 }
 
 // What a touch does that no role covers: a kind and what is lost.
@@ -139,6 +141,29 @@ struct Effect {
   const char* kind;
   const char* note;
 };
+
+// Of what a touch or click changes of parts: of the touched one what no role has, and of others.
+std::optional<Effect> changeOf(RoleContext& context, const Timeline& timeline,
+                               const ScriptEvent& event) {
+  const Effect button = {"button", "parts that a touch elsewhere changes stay as they are"};
+  if (context.partsOf(event.target).empty()) {
+    if (comesBack(event) && !context.tree.partsOf(event.target).empty()) return button;
+    return std::nullopt;
+  }
+  if (isSize(event)) return Effect{"size that a script changes", "stays as it is when play starts"};
+  if (event.kind == EventKind::tween) return std::nullopt;  // a motion, or only seen
+  if (event.property == "Parent" && event.kind == EventKind::set && !event.flag)
+    return Effect{"part that a script may change", "whether it stays in the world is not known"};
+  const PartDraft* part = context.part(event.target);
+  const bool drives = event.property == "Velocity" || event.property == "RotVelocity";
+  if (drives && part && part->anchored)
+    return Effect{"conveyor that a script changes", "keeps the velocity of the start"};
+  if (event.target == timeline.touched) return std::nullopt;
+  if (event.kind == EventKind::destroy || event.property == "CanCollide" ||
+      event.property == "CanTouch" || event.property == "Anchored")
+    return button;
+  return std::nullopt;
+}
 
 std::optional<Effect> effectOf(RoleContext& context, const Timeline& timeline,
                                const ScriptEvent& event) {
@@ -160,19 +185,47 @@ std::optional<Effect> effectOf(RoleContext& context, const Timeline& timeline,
         return Effect{"trip part", "the player stays on its feet"};
       return std::nullopt;
     case EventKind::set:
-    case EventKind::destroy:
-      if (event.target == timeline.touched || context.partsOf(event.target).empty())
-        return std::nullopt;
-      if (event.kind == EventKind::destroy || event.property == "CanCollide" ||
-          event.property == "Anchored")
-        return Effect{"button", "parts that a touch elsewhere changes stay as they are"};
-      return std::nullopt;
+    case EventKind::tween:
+    case EventKind::destroy: return changeOf(context, timeline, event);
     default: return std::nullopt;
+  }
+}
+
+// Harm by something that the text does not tell: the handler of a touch of an unknown part, or a
+// loop that looks for players by itself.
+void noteHarm(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
+  const bool somewhere = timeline.trigger == Trigger::other && lower(timeline.signal) == "touched";
+  if (!timeline.byItself() && !somewhere) return;
+  for (const ScriptEvent& event : timeline.events) {
+    if (event.kind != EventKind::damage || event.target != kNoInstance) continue;
+    if (!(event.number.value_or(1) > 0)) continue;
+    context.level.noteUnmodelled(
+        "harm of a part that is not known", context.tree.path(reading.script),
+        "no part does it; " + scriptReason(context.tree, reading, event.line));
+    return;
+  }
+}
+
+// Of roles whose times follow from waits that the text does not tell.
+void noteWaits(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
+  if (!timeline.vague) return;
+  std::set<InstanceId> seen;
+  for (const ScriptEvent& event : timeline.events) {
+    const bool counts = timeline.byItself() || event.target == timeline.touched;
+    if (!counts || !changesParts(context.tree, event) || event.property == "Transparency") continue;
+    if (!seen.insert(event.target).second) continue;
+    for (const PartDraft* part : context.partsOf(event.target))
+      if (part->vanish || part->motion)
+        context.level.noteUnmodelled("wait that a script computes", context.tree.path(part->id),
+                                     "taken as the shortest that there is; " +
+                                         scriptReason(context.tree, reading, event.line));
   }
 }
 
 void noteTimelines(RoleContext& context, const ScriptReading& reading) {
   for (const Timeline& timeline : reading.timelines) {
+    noteHarm(context, reading, timeline);
+    noteWaits(context, reading, timeline);
     std::set<std::string> kinds;
     bool understood = false;
     for (const ScriptEvent& event : timeline.events) {
@@ -183,7 +236,8 @@ void noteTimelines(RoleContext& context, const ScriptReading& reading) {
       if (!kinds.insert(effect->kind).second) continue;
       const InstanceId where = timeline.touched == kNoInstance ? reading.script : timeline.touched;
       if (timeline.touched == kNoInstance && event.kind != EventKind::build &&
-          event.kind != EventKind::set && event.kind != EventKind::destroy)
+          event.kind != EventKind::set && event.kind != EventKind::tween &&
+          event.kind != EventKind::destroy)
         continue;  // what joining or dying does to a player is no part of a level
       context.level.noteUnmodelled(
           effect->kind, context.tree.path(where),

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "import/hulls.h"
 #include "support/place_columns.h"
 
 namespace obby::test {
@@ -86,21 +87,33 @@ TEST(CsgPhysics, CornersAreScaledToTheSizeOfThePart) {
   part.properties["InitialSize"] = Vec3{2, 2, 2};
   part.properties["PhysicalConfigData"] =
       SharedBlob{std::make_shared<const std::string>(csg(5, hull()))};
-  const Collision collision = collisionOf(part);
+  const Collision collision = collisionFrom(collisionBlobOf(part));
   ASSERT_EQ(collision.kind, CollisionKind::Hulls);
-  EXPECT_EQ(collision.hulls[0][0], (Vec3{-2, -1, -0.5f}));
+  const auto hulls = scaledHulls(collision.hulls, hullScaleOf(part));
+  ASSERT_EQ(hulls.size(), 1u);
+  EXPECT_EQ(hulls[0][0], (Vec3{-2, -1, -0.5f}));
+}
+
+TEST(CsgPhysics, HullsThatAScaleTakesOutOfAllBoundsAreLeftOut) {
+  const std::vector<Vec3> small = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+  std::vector<Vec3> wide = small;
+  wide[0].x = 1e30f;
+  const auto hulls = scaledHulls({wide, small}, {1e30f, 2, 1});
+  ASSERT_EQ(hulls.size(), 1u);
+  EXPECT_EQ(hulls[0][1], (Vec3{0, 2, 0}));
 }
 
 TEST(CsgPhysics, OldDataIsUsedWhereThereIsNoNewAndDamageIsReported) {
   Instance part;
   part.className = "MeshPart";
-  EXPECT_EQ(collisionOf(part).kind, CollisionKind::Absent);
+  const auto collision = [&] { return collisionFrom(collisionBlobOf(part)); };
+  EXPECT_EQ(collision().kind, CollisionKind::Absent);
   part.properties["PhysicalConfigData"] = std::string();
   part.properties["PhysicsData"] = csg(0, "BLOCK");
-  EXPECT_EQ(collisionOf(part).kind, CollisionKind::Box);
+  EXPECT_EQ(collision().kind, CollisionKind::Box);
   part.properties["PhysicsData"] = std::string("CSGPHS");
-  EXPECT_EQ(collisionOf(part).kind, CollisionKind::Unsupported);
-  EXPECT_THAT(collisionOf(part).detail, HasSubstr("PhysicsData: byte"));
+  EXPECT_EQ(collision().kind, CollisionKind::Unsupported);
+  EXPECT_THAT(collision().detail, HasSubstr("PhysicsData: byte"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "import/format/class_defaults.h"
 #include "import/format/csg_physics.h"
+#include "import/hulls.h"
 #include "import/read_document.h"
 #include "support/document_text.h"
 #include "support/read_bytes.h"
@@ -104,12 +105,13 @@ TEST(FormatPlaces, CollisionHullsFillTheBoxOfTheirPart) {
   size_t unions = 0;
   for (const char* file : {"format-pairs/unions.rbxm", "format-pairs/sharedstring.rbxmx"}) {
     for (const Instance& part : readOrDie(kPlaces / file).instances) {
-      const Collision collision = collisionOf(part);
+      const Collision collision = collisionFrom(collisionBlobOf(part));
       if (collision.kind == CollisionKind::Absent) continue;
       ASSERT_EQ(collision.kind, CollisionKind::Hulls) << collision.detail;
       ++unions;
-      Vec3 lo = collision.hulls[0][0], hi = lo;
-      for (const auto& hull : collision.hulls) {
+      const auto hulls = scaledHulls(collision.hulls, hullScaleOf(part));
+      Vec3 lo = hulls.at(0).at(0), hi = lo;
+      for (const auto& hull : hulls) {
         for (const Vec3 corner : hull) {
           lo = min(lo, corner);
           hi = max(hi, corner);

@@ -131,6 +131,43 @@ TEST(Tween, AnUnknownGoalOfAPoseLeavesThePartWhereItIs) {
   EXPECT_EQ(tweened.scene.unmodelled("motion that a script computes"), 1u);
 }
 
+TEST(Tween, ALoopAfterItTakesNothingAway) {
+  const char* const loops[] = {
+      "while true do print('x') wait(1) end",
+      "while true do workspace.Other.CFrame *= CFrame.Angles(0, 0.1, 0) task.wait() end"};
+  for (const char* loop : loops) {
+    Scene scene;
+    const auto endless = scene.part("Endless"), once = scene.part("Once", {9, 0, 0});
+    const auto other = scene.part("Other", {20, 0, 0});
+    scene.script(
+        "local ts, goal = game:GetService('TweenService'), {Position = Vector3.new(0, 8, 0)}\n"
+        "ts:Create(workspace.Endless, TweenInfo.new(2, " +
+            kLinear +
+            ", -1, true), goal):Play()\n"
+            "ts:Create(workspace.Once, TweenInfo.new(3), goal):Play()\n" +
+            loop,
+        scene.scripts);
+    scene.level();
+    ASSERT_TRUE(scene[endless].motion && scene[once].motion) << loop;
+    EXPECT_EQ(scene[endless].motion->repeat, importer::Repeat::pingPong) << loop;
+    EXPECT_EQ(scene[once].motion->repeat, importer::Repeat::once) << loop;
+    expectNear(at(scene[once], 0), {9, 0, 0});
+    expectNear(at(scene[once], 3), {0, 8, 0});
+    EXPECT_EQ(scene[other].motion.has_value(), loop != loops[0]) << loop;
+  }
+}
+
+TEST(Tween, AnEndlessOneBeginsWhereTheOneBeforeItEnds) {
+  const Tweened tweened("2, " + kLinear + ", -1, true", "Position = Vector3.new(0, 8, 20)",
+                        "local t = game:GetService('TweenService'):Create(p, TweenInfo.new(1), "
+                        "{Position = Vector3.new(0, 8, 0)}) t:Play() t.Completed:Wait()");
+  const auto& motion = tweened.motion();
+  EXPECT_EQ(motion.repeat, importer::Repeat::pingPong);
+  ASSERT_EQ(motion.keys.size(), 2u);
+  expectNear(motion.keys[0].pose.position, {0, 8, 0});
+  EXPECT_NEAR(motion.offset, -1, 0.02);
+}
+
 TEST(Tween, HostileTurnsHaveFewKeys) {
   const Tweened tweened("1, Enum.EasingStyle.Sine, Enum.EasingDirection.Out, 1000, true",
                         "Orientation = Vector3.new(1e9, 1e30, 5)");

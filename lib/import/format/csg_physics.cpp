@@ -113,13 +113,4 @@ Vec3 hullScaleOf(const Instance& part) {
   return {scaleOf(size.x, initial.x), scaleOf(size.y, initial.y), scaleOf(size.z, initial.z)};
 }
 
-Collision collisionOf(const Instance& part) {
-  Collision collision = collisionFrom(collisionBlobOf(part));
-  const Vec3 scale = hullScaleOf(part);
-  for (auto& hull : collision.hulls) {
-    for (Vec3& corner : hull) corner = mul(corner, scale);
-  }
-  return collision;
-}
-
 }  // namespace obby::importer

@@ -43,7 +43,4 @@ Collision collisionFrom(const CollisionBlob& blob);
 // Size / InitialSize: takes corners to the part's own space.
 Vec3 hullScaleOf(const Instance& part);
 
-// The collision of a mesh part or union, damaged or not, in the part's own space.
-Collision collisionOf(const Instance& part);
-
 }  // namespace obby::importer

@@ -18,6 +18,15 @@ bool isFrameSignal(const std::string& name) {
   return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
 }
 
+// Signals that come as play starts: waiting for them puts nothing off.
+bool comesAtStart(const std::string& name) {
+  static constexpr std::string_view kNames[] = {"PlayerAdded", "CharacterAdded", "Loaded",
+                                                "CharacterAppearanceLoaded"};
+  return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
+}
+
+bool isUnknown(const Datum& datum) { return truthOf(datum) == Truth::unknown; }
+
 }  // namespace
 
 void Reader::waitFor(double seconds, double least) {
@@ -33,6 +42,7 @@ std::optional<Datum> Reader::scheduled(const std::string& name,
   const auto* number = first.as<double>();
   if (name == "wait" || name == "task.wait" || name == "Wait") {
     const double before = time_;
+    vague_ = vague_ || (!arguments.empty() && isUnknown(first));
     waitFor(number ? *number : 0, name == "task.wait" ? kFrame : kOldWait);
     return Datum{time_ - before};
   }
@@ -45,11 +55,16 @@ std::optional<Datum> Reader::scheduled(const std::string& name,
     return Datum{};
   }
   if (name == "delay" || name == "Delay" || name == "task.delay") {
+    const bool before = vague_;
+    vague_ = vague_ || isUnknown(first);
     beside(argument(arguments, 1), {}, number ? *number : 0);
+    if (timeline_.trigger == Trigger::start) vague_ = before;  // it has a timeline of its own
     return Datum{};
   }
   if (name == "pcall" || name == "xpcall") {
-    if (const auto* closure = first.as<Closure>()) call(*closure, {});
+    const size_t own = std::min<size_t>(name == "pcall" ? 1 : 2, arguments.size());
+    if (const auto* closure = first.as<Closure>())
+      call(*closure, {arguments.begin() + std::ptrdiff_t(own), arguments.end()});
     return Datum{};
   }
   return std::nullopt;
@@ -101,6 +116,15 @@ void Reader::connect(const Expr& signal, const std::vector<Datum>& arguments) {
       pending.touched = ref->target;
     }
     const bool touch = pending.trigger == Trigger::touch;
+    if (touch && !function.as<Closure>()) {  // it does something, but what?
+      Timeline unknown;
+      unknown.trigger = pending.trigger;
+      unknown.touched = pending.touched;
+      unknown.signal = pending.signal;
+      unknown.line = pending.line;
+      reading_.timelines.push_back(std::move(unknown));
+      return;
+    }
     later(std::move(pending), function, {{Stranger{touch ? "hit" : "player"}}});
   }
 }
@@ -129,10 +153,12 @@ void Reader::play(Tween* tween, int line) {
 
 void Reader::waitForSignal(const Expr& signal) {
   const Datum source = signal.kind == ExprKind::field ? evaluate(*signal.kids[0]) : Datum{};
-  if (const auto* tween = source.as<Tween*>())
+  if (const auto* tween = source.as<Tween*>()) {
     waitFor((*tween)->timing.total(), 0);
-  else
-    waitFor(0, kFrame);
+    return;
+  }
+  vague_ = vague_ || !(isFrameSignal(signal.text) || comesAtStart(signal.text));
+  waitFor(0, kFrame);
 }
 
 Datum Reader::methodValue(const Expr& expr) {
@@ -170,6 +196,7 @@ Datum Reader::methodOf(const Datum& object, const std::string& name,
   }
   if (const auto* ref = object.as<Ref>()) return instanceMethod(ref->target, name, arguments, line);
   if (const auto* library = object.as<Library>()) {
+    if (library->name == "Debris") return destroyLater(name, arguments, line);
     if (name == "GetTagged" || library->name == "workspace" || library->name == "game")
       return instanceMethod(kNoInstance, name, arguments, line);
     return {};

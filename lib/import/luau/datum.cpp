@@ -1,8 +1,14 @@
 // Arithmetic and comparison over partly known values.
 #include "import/luau/datum.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <optional>
+#include <string_view>
 
 #include "import/pose_math.h"
 
@@ -74,6 +80,33 @@ Datum strangers(char op, const Stranger& a, const Datum& b) {
   return {a};
 }
 
+// What every script finds; what else a name may mean, other code has to say.
+constexpr std::string_view kGlobals[] = {
+    "game",         "Game",       "workspace",    "Workspace",      "script",
+    "shared",       "_G",         "_VERSION",     "Enum",           "math",
+    "string",       "table",      "task",         "coroutine",      "os",
+    "debug",        "bit32",      "utf8",         "buffer",         "vector",
+    "Instance",     "Vector3",    "Vector2",      "Vector3int16",   "CFrame",
+    "Color3",       "BrickColor", "UDim",         "UDim2",          "Ray",
+    "Rect",         "Region3",    "TweenInfo",    "Random",         "DateTime",
+    "NumberRange",  "Faces",      "Axes",         "NumberSequence", "PathWaypoint",
+    "wait",         "Wait",       "spawn",        "Spawn",          "delay",
+    "Delay",        "print",      "warn",         "error",          "assert",
+    "pcall",        "xpcall",     "pairs",        "ipairs",         "next",
+    "select",       "unpack",     "type",         "typeof",         "tostring",
+    "tonumber",     "require",    "tick",         "time",           "elapsedTime",
+    "setmetatable", "rawget",     "rawset",       "rawequal",       "rawlen",
+    "getmetatable", "newproxy",   "loadstring",   "getfenv",        "setfenv",
+    "version",      "settings",   "UserSettings", "gcinfo",         "PhysicalProperties"};
+
+bool isUnknownName(const Datum& datum) {
+  const auto* library = datum.as<Library>();
+  if (!library) return false;
+  const std::string_view name = library->name;
+  const std::string_view first = name.substr(0, name.find('.'));
+  return std::find(std::begin(kGlobals), std::end(kGlobals), first) == std::end(kGlobals);
+}
+
 }  // namespace
 
 const Datum& argument(const std::vector<Datum>& arguments, size_t i) {
@@ -89,6 +122,7 @@ Scope* Scope::holder(const std::string& name) {
 
 Truth truthOf(const Datum& datum) {
   if (datum.as<Unknown>() || datum.as<Stranger>() || datum.as<Change>()) return Truth::unknown;
+  if (isUnknownName(datum)) return Truth::unknown;
   if (datum.as<Nil>()) return Truth::no;
   if (const auto* flag = datum.as<bool>()) return *flag ? Truth::yes : Truth::no;
   return Truth::yes;
@@ -118,18 +152,18 @@ Datum datumFrom(const obby::importer::Value& value, InstanceId owner) {
 }
 
 Datum arithmetic(const std::string& op, const Datum& a, const Datum& b) {
-  const auto asText = [](const Datum& d) -> std::string {
+  const auto asText = [](const Datum& d) -> std::optional<std::string> {
     if (const auto* text = d.as<std::string>()) return *text;
     const auto* n = d.as<double>();
-    if (!n) return {};
+    if (!n) return std::nullopt;
     return *n == std::floor(*n) && std::abs(*n) < 1e15 ? std::to_string(int64_t(*n))
-                                                       : std::to_string(*n);
+                                                       : fmt::format("{}", *n);
   };
   if (op == "..") {
-    const std::string left = asText(a), right = asText(b);
+    const auto left = asText(a), right = asText(b);
     constexpr size_t kLongest = 10000;
-    if (left.empty() || right.empty() || left.size() + right.size() > kLongest) return {};
-    return {left + right};
+    if (!left || !right || left->size() + right->size() > kLongest) return {};
+    return {*left + *right};
   }
   if (op == "//") {
     const auto *na = a.as<double>(), *nb = b.as<double>();
@@ -149,6 +183,7 @@ Datum compared(const std::string& op, const Datum& a, const Datum& b) {
   if (op == "==" || differs) {
     bool same = false;
     if (a.as<Unknown>() || b.as<Unknown>() || a.as<Stranger>() || b.as<Stranger>()) return {};
+    if (isUnknownName(a) || isUnknownName(b)) return {};
     if (a.value.index() != b.value.index()) {
       same = false;
     } else if (const auto* n = a.as<double>()) {

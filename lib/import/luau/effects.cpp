@@ -1,5 +1,7 @@
 // What the assignments of a script do: events of the timeline.
-#include <limits>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 
 #include "import/classes.h"
 #include "import/format/class_defaults.h"
@@ -17,6 +19,20 @@ bool isPusher(const std::string& className) {
          className == "BodyThrust" || className == "VectorForce";
 }
 
+// What scripts put into the world and take out of it that may be solid.
+bool isBuildable(const std::string& className) {
+  return isPartClass(className) || className == "Model" || className == "Folder";
+}
+
+// Services that are no part of the world, as a place without them names them.
+constexpr std::string_view kStorages[] = {
+    "Lighting",   "Players",     "ReplicatedFirst",     "ReplicatedStorage",
+    "StarterGui", "StarterPack", "ServerScriptService", "ServerStorage"};
+constexpr int kMaxMade = 16;          // folders that a script makes, one in the other
+constexpr double kDebris = 10;        // seconds that Debris keeps what it is given
+constexpr double kNever = 1e6;        // seconds
+constexpr size_t kStepsOfAChild = 4;  // that is removed with all its like
+
 bool isCharacter(const Datum& datum) { return datum.as<Stranger>() || datum.as<Unknown>(); }
 
 }  // namespace
@@ -28,7 +44,7 @@ ScriptEvent& Reader::emit(EventKind kind, InstanceId target, std::string propert
   event.property = std::move(property);
   event.time = time_;
   event.line = line;
-  event.unsure = unsure_ > 0;
+  event.unsure = isUnsure();
   if (kind == EventKind::damage && timeline_.trigger != Trigger::touch) event.target = zone_;
   timeline_.events.push_back(std::move(event));
   return timeline_.events.back();
@@ -60,10 +76,7 @@ void Reader::setInstance(InstanceId id, const std::string& spelled, const Datum&
   if (name == "AssemblyLinearVelocity" || name == "velocity") name = "Velocity";
   if (name == "AssemblyAngularVelocity") name = "RotVelocity";
   const Instance& instance = tree_.at(id);
-  if (name == "Parent") {
-    if (value.as<Nil>()) emit(EventKind::destroy, id, name, line);
-    return;
-  }
+  if (name == "Parent" || name == "parent") return setParent(id, value, line);
   if (isA(instance.className, "Humanoid")) return;  // an NPC
   if (tree_.isPart(id) && isPoseProperty(name))
     return setFrame(id, posed(frameOf(id), name, value), line);
@@ -77,6 +90,86 @@ void Reader::setInstance(InstanceId id, const std::string& spelled, const Datum&
   if (const auto* number = value.as<double>()) event.number = *number;
   if (const auto* flag = value.as<bool>()) event.flag = *flag;
   if (const auto* vector = value.as<Vector>()) event.vector = vector->value;
+}
+
+// What is in something that was taken out of the world is out, too.
+bool Reader::isInWorld(InstanceId id) {
+  InstanceId root = id;
+  size_t seen = 0;
+  for (InstanceId up = id; up != kNoInstance; up = tree_.at(up).parent) {
+    if (++seen % kAncestorsPerStep == 0) spend();
+    const auto set = written_.find({up, "Parent"});
+    const auto* inside = set == written_.end() ? nullptr : set->second.as<bool>();
+    if (inside) return *inside;
+    root = up;
+  }
+  const InstanceId workspace = tree_.service("Workspace");  // none: all of a model file is in it
+  return workspace == kNoInstance || root == workspace;
+}
+
+// Whether what has this parent is in the world; nothing: the text does not tell.
+std::optional<bool> Reader::leadsToWorld(const Datum& parent) {
+  const Datum* at = &parent;
+  for (int i = 0; i < kMaxMade; ++i) {
+    const auto* made = at->as<Made*>();
+    if (!made) break;
+    const auto up = (*made)->properties.find("Parent");
+    if (up == (*made)->properties.end()) return std::nullopt;
+    at = &up->second;
+  }
+  if (at->as<Nil>()) return false;
+  if (const auto* ref = at->as<Ref>()) return isInWorld(ref->target);
+  const auto* library = at->as<Library>();
+  if (!library) return std::nullopt;
+  if (library->name == "workspace") return true;
+  const bool stores =
+      std::find(std::begin(kStorages), std::end(kStorages), library->name) != std::end(kStorages);
+  return stores ? std::optional<bool>(false) : std::nullopt;
+}
+
+// What is kept under "Parent" is whether it is in the world.
+void Reader::setParent(InstanceId id, const Datum& parent, int line) {
+  const auto inside = leadsToWorld(parent);
+  if (!inside) {
+    emit(EventKind::set, id, "Parent", line);
+    return;
+  }
+  const bool was = isInWorld(id), wasSet = written_.count({id, "Parent"}) > 0;
+  write(id, "Parent", {*inside});
+  if (!*inside) {
+    emit(EventKind::destroy, id, "Parent", line);
+  } else if (!was && !wasSet) {  // out of storage: the level has nothing of it
+    const auto* ref = parent.as<Ref>();
+    const std::string& className = tree_.at(id).className;
+    if (isBuildable(className))
+      emit(EventKind::build, ref ? ref->target : kNoInstance, className, line);
+  } else if (!was || timeline_.forever || (inHandler_ && tree_.isPart(id))) {
+    // In a loop it may have left in the round before, in a handler by what stands below.
+    emit(EventKind::set, id, "Parent", line).flag = true;
+  }
+}
+
+void Reader::clear(InstanceId id, int line) {
+  const auto& children = tree_.at(id).children;
+  spend(children.size() * kStepsOfAChild);
+  for (InstanceId child : children)
+    if (tree_.isPart(child) || !tree_.at(child).children.empty())
+      emit(EventKind::destroy, child, "Parent", line);
+}
+
+// Debris:AddItem: something is destroyed after so many seconds.
+Datum Reader::destroyLater(const std::string& method, const std::vector<Datum>& arguments,
+                           int line) {
+  const auto* ref = argument(arguments, 0).as<Ref>();
+  if (!ref || (method != "AddItem" && method != "addItem")) return {};
+  const auto* seconds = argument(arguments, 1).as<double>();
+  if (arguments.size() > 1 && (!seconds || std::isnan(*seconds))) {
+    emit(EventKind::set, ref->target, "Parent", line);  // sooner or later
+    return {};
+  }
+  const double delay = seconds ? std::max(*seconds, 0.0) : kDebris;
+  if (delay < kNever) emit(EventKind::destroy, ref->target, "Parent", line).time += delay;
+  return {};
 }
 
 void Reader::setStranger(const std::string& owner, const std::string& name, const Datum& value,
@@ -136,9 +229,7 @@ void Reader::setMade(Made* made, const std::string& name, const Datum& value, in
     return;
   }
   const auto* ref = parent->second.as<Ref>();
-  const bool buildable =
-      isPartClass(made->className) || made->className == "Model" || made->className == "Folder";
-  if (name == "Parent" && buildable && (ref || parent->second.as<Library>()))
+  if (name == "Parent" && isBuildable(made->className) && (ref || parent->second.as<Library>()))
     emit(EventKind::build, ref ? ref->target : kNoInstance, made->className, line);
 }
 

@@ -2,6 +2,20 @@
 #include "import/luau/reader.h"
 
 namespace obby::importer::luau {
+namespace {
+
+// One of two values; which of them is not known.
+Datum oneOf(const Datum& yes, const Datum& no) {
+  if (yes.as<Stranger>()) return yes;
+  if (no.as<Stranger>()) return no;
+  return truthOf(compared("==", yes, no)) == Truth::yes ? yes : Datum{};
+}
+
+// A default is worth its value to an assignment; as a condition it is not known.
+Datum defaultOr(const Datum& value) { return value.as<bool>() ? Datum{} : value; }
+
+}  // namespace
+
 std::vector<Datum> Reader::evaluateAll(const std::vector<ExprPtr>& list, size_t from) {
   std::vector<Datum> values;
   for (size_t i = from; i < list.size(); ++i) values.push_back(evaluate(*list[i]));
@@ -15,7 +29,7 @@ Datum Reader::evaluate(const Expr& expr) {
     case ExprKind::truth: return {true};
     case ExprKind::falsehood: return {false};
     case ExprKind::number: return {expr.number};
-    case ExprKind::string: return {expr.text};
+    case ExprKind::string: return expr.number > 0 ? Datum{} : Datum{expr.text};
     case ExprKind::name: return nameValue(expr.text);
     case ExprKind::field: return field(evaluate(*expr.kids[0]), expr.text);
     case ExprKind::index: {
@@ -29,7 +43,9 @@ Datum Reader::evaluate(const Expr& expr) {
     case ExprKind::binary: return binary(expr);
     case ExprKind::choice: {
       const Truth truth = truthOf(evaluate(*expr.kids[0]));
-      return evaluate(*expr.kids[truth == Truth::no ? 2 : 1]);
+      if (truth != Truth::unknown) return evaluate(*expr.kids[truth == Truth::no ? 2 : 1]);
+      const Datum yes = unsureValue(*expr.kids[1]);
+      return oneOf(yes, unsureValue(*expr.kids[2]));
     }
     case ExprKind::unary: {
       const Datum value = evaluate(*expr.kids[0]);
@@ -51,17 +67,35 @@ Datum Reader::nameValue(const std::string& name) {
   return {Library{name}};
 }
 
-Datum Reader::binary(const Expr& expr) {
-  const Datum left = evaluate(*expr.kids[0]);
-  if (expr.text == "and" || expr.text == "or") {
-    const Truth truth = truthOf(left);
-    const bool decided = truth == (expr.text == "and" ? Truth::no : Truth::yes);
-    if (decided) return left;
-    const Datum right = evaluate(*expr.kids[1]);
-    if (truth != Truth::unknown) return right;
-    // `x and 5`: unknown as a condition, but worth its value to an assignment.
-    return expr.text == "or" && !right.as<bool>() ? right : Datum{};
+// What may not be evaluated: a call in it is under a condition.
+Datum Reader::unsureValue(const Expr& expr) {
+  ++unsure_;
+  Datum value = evaluate(expr);
+  --unsure_;
+  return value;
+}
+
+Datum Reader::logical(const Expr& expr) {
+  const Expr &before = *expr.kids[0], &after = *expr.kids[1];
+  const bool either = expr.text == "or";
+  const bool chooses = either && before.kind == ExprKind::binary && before.text == "and";
+  Datum left = evaluate(chooses ? *before.kids[0] : before);
+  if (chooses && truthOf(left) == Truth::unknown) {  // `left and yes or no`
+    const Datum yes = unsureValue(*before.kids[1]), no = unsureValue(after);
+    const Truth truth = truthOf(yes);
+    return truth == Truth::yes ? oneOf(yes, no) : truth == Truth::no ? no : defaultOr(no);
   }
+  if (chooses && truthOf(left) == Truth::yes) left = evaluate(*before.kids[1]);
+  const Truth truth = truthOf(left);
+  if (truth == (either ? Truth::yes : Truth::no)) return left;
+  if (truth != Truth::unknown) return evaluate(after);
+  const Datum right = unsureValue(after);
+  return either ? defaultOr(right) : Datum{};
+}
+
+Datum Reader::binary(const Expr& expr) {
+  if (expr.text == "and" || expr.text == "or") return logical(expr);
+  const Datum left = evaluate(*expr.kids[0]);
   const Datum right = evaluate(*expr.kids[1]);
   const char first = expr.text[0];
   if (first == '<' || first == '>' || first == '=' || first == '~')

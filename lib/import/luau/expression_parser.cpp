@@ -111,7 +111,7 @@ ExprPtr Parser::simple() {
 ExprPtr Parser::primary() {
   const Token& token = peek();
   if (token.kind == TokenKind::name) return suffixes(make(ExprKind::name, next().text));
-  if (token.kind == TokenKind::string) return suffixes(make(ExprKind::string, next().text));
+  if (token.kind == TokenKind::string) return suffixes(literal());
   if (isSymbol("{")) return suffixes(table());
   if (accept("(")) {
     auto inner = expression();
@@ -119,6 +119,13 @@ ExprPtr Parser::primary() {
     return suffixes(std::move(inner));
   }
   return nullptr;
+}
+
+ExprPtr Parser::literal() {
+  const Token& token = next();
+  auto expr = make(ExprKind::string, token.text);
+  expr->number = token.number;
+  return expr;
 }
 
 ExprPtr Parser::suffixes(ExprPtr from) {
@@ -152,7 +159,7 @@ ExprPtr Parser::suffixes(ExprPtr from) {
 
 void Parser::arguments(Expr& call) {
   if (peek().kind == TokenKind::string) {
-    adopt(call, make(ExprKind::string, next().text));
+    adopt(call, literal());
   } else if (isSymbol("{")) {
     adopt(call, table());
   } else if (accept("(")) {

@@ -7,8 +7,6 @@
 namespace obby::importer::luau {
 namespace {
 
-constexpr size_t kAncestorsPerStep = 8;
-
 bool isKnown(const Pose& pose) {
   const Mat3& r = pose.rotation;
   return isFinite(pose.position) && isFinite(r.x) && isFinite(r.y) && isFinite(r.z);

@@ -148,6 +148,7 @@ Datum Reader::instanceMethod(InstanceId id, const std::string& name,
   Datum found = instanceSearch(id, name, arguments, &handled);
   if (handled || id == kNoInstance) return found;
   const Instance& instance = tree_.at(id);
+  if (instance.className == "Debris") return destroyLater(name, arguments, line);
   const Datum& first = argument(arguments, 0);
   const auto* text = first.as<std::string>();
   if (name == "IsA" || name == "isA") return text ? Datum{isA(instance.className, *text)} : Datum{};
@@ -169,8 +170,12 @@ Datum Reader::instanceMethod(InstanceId id, const std::string& name,
     const auto* v = first.as<Vector>();
     if (v) pose.position = name == "MoveTo" ? v->value : pose.position + v->value;
     setFrame(id, v ? Datum{Frame{pose, v->from}} : Datum{}, line);
-  } else if (name == "Destroy" || name == "Remove" || name == "remove" || name == "destroy") {
+  } else if (name == "Destroy" || name == "destroy") {
     emit(EventKind::destroy, id, "Parent", line);
+  } else if (name == "Remove" || name == "remove") {
+    setParent(id, {Nil{}}, line);
+  } else if (name == "ClearAllChildren" || name == "clearAllChildren") {
+    clear(id, line);
   } else if (name == "Clone" || name == "clone") {
     auto made = arena_.make<Made>();
     made->className = instance.className;

@@ -13,7 +13,7 @@ enum class TokenKind { name, keyword, number, string, symbol, end };
 struct Token {
   TokenKind kind = TokenKind::end;
   std::string text;   // of a string: its value
-  double number = 0;  // of a number
+  double number = 0;  // of a number; of a string 1 where its value is not known: `a{b}`
   int line = 0;       // from 1
 };
 

@@ -2,6 +2,9 @@
 // parts they move are back where the loop began.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
+#include <string>
 
 #include "import/luau/reader.h"
 #include "import/pose_math.h"
@@ -40,6 +43,28 @@ bool isFixed(const Expr& expr) {
   }
 }
 
+// "part.Transparency"; empty where it is anything but names.
+std::string pathOf(const Expr& expr) {
+  constexpr int kDeepest = 16;
+  constexpr size_t kLongest = 100;  // of a name
+  if (expr.height > kDeepest || expr.text.size() > kLongest) return {};
+  if (expr.kind == ExprKind::name) return expr.text;
+  if (expr.kind != ExprKind::field) return {};
+  const std::string base = pathOf(*expr.kids[0]);
+  return base.empty() ? base : base + "." + expr.text;
+}
+
+void collectPaths(const Expr& expr, std::set<std::string>& paths) {
+  if (std::string path = pathOf(expr); !path.empty()) paths.insert(std::move(path));
+  for (const ExprPtr& kid : expr.kids) collectPaths(*kid, paths);
+}
+
+bool asksClock(const std::set<std::string>& paths) {
+  static constexpr const char* kClocks[] = {"tick", "time", "elapsedTime", "os.clock", "os.time"};
+  return std::any_of(std::begin(kClocks), std::end(kClocks),
+                     [&](const char* clock) { return paths.count(clock) > 0; });
+}
+
 // Properties that make a loop worth following for more than one round.
 bool isTracked(const ScriptEvent& event) {
   return event.kind == EventKind::set &&
@@ -67,13 +92,49 @@ bool sameState(const std::map<std::pair<InstanceId, std::string>, Datum>& a,
 }  // namespace
 
 Reader::Flow Reader::walkRound(const Block& body) {
+  const bool skipped = skipped_;
   const Flow flow = walk(body);
+  skipped_ = skipped;
   return flow == Flow::nextRound ? Flow::on : flow;
+}
+
+// Whether each round sets one of these. What a branch sets, it may as well not.
+bool Reader::assigns(const Block& body, const std::set<std::string>& paths) {
+  return std::any_of(body.begin(), body.end(), [&](const StatPtr& stat) {
+    if (!spend()) return false;
+    const bool sets = std::any_of(stat->targets.begin(), stat->targets.end(), [&](const auto& to) {
+      return stat->kind != StatKind::function && paths.count(pathOf(*to)) > 0;
+    });
+    if (sets || stat->kind == StatKind::branch) return sets;
+    return std::any_of(stat->blocks.begin(), stat->blocks.end(),
+                       [&](const Block& block) { return assigns(block, paths); });
+  });
+}
+
+// A loop that brings about its own end, as `while part.Transparency < 1 do` with a step in it, or
+// waits for the clock.
+Reader::Flow Reader::countingLoop(const Stat& stat, bool repeats) {
+  for (int round = 0; round < kMaxCount; ++round) {
+    const Truth goesOn = repeats ? Truth::yes : truthOf(evaluate(*stat.values[0]));
+    if (goesOn == Truth::no) return Flow::on;
+    const bool open = goesOn == Truth::unknown;
+    if (open) ++unsure_;
+    const Flow flow = walkRound(stat.blocks[0]);
+    if (open) --unsure_;
+    if (flow == Flow::leaveLoop) return Flow::on;
+    if (flow != Flow::on || open) return flow;
+    if (repeats && truthOf(evaluate(*stat.values[0])) != Truth::no) return Flow::on;
+  }
+  return Flow::on;
 }
 
 Reader::Flow Reader::whileLoop(const Stat& stat) {
   const Expr& condition = *stat.values[0];
   const bool repeats = stat.kind == StatKind::repeatLoop;
+  std::set<std::string> paths;
+  collectPaths(condition, paths);
+  if (asksClock(paths) || (!paths.empty() && assigns(stat.blocks[0], paths)))
+    return countingLoop(stat, repeats);
   const bool waits = !repeats && isWait(condition);
   const double start = time_;
   Truth truth = truthOf(evaluate(condition));
@@ -81,7 +142,7 @@ Reader::Flow Reader::whileLoop(const Stat& stat) {
   if (repeats) truth = negated(truth);
   if (truth == Truth::no && !waits && !repeats) return Flow::on;
   const bool endless = truth == Truth::yes || waits ||
-                       (timeline_.trigger == Trigger::start && depth_ == 0 && !repeats);
+                       (timeline_.trigger == Trigger::start && active_.empty() && !repeats);
   const bool sure = truth == Truth::yes && isFixed(condition);
   if (endless) return foreverLoop(stat.blocks[0], waits ? &condition : nullptr, sure);
   const Flow flow = walkRound(stat.blocks[0]);
@@ -163,6 +224,7 @@ Reader::Flow Reader::numericFor(const Stat& stat) {
     if (flow == Flow::leaveLoop) return Flow::on;
     if (flow != Flow::on) return flow;
   }
+  if (!known && time_ > start) vague_ = true;
   if (rounds > count && count > 0) time_ = start + (time_ - start) * rounds / count;
   return Flow::on;
 }

@@ -56,6 +56,7 @@ class Parser {
   ExprPtr unary();
   ExprPtr simple();
   ExprPtr primary();  // null if none begins here
+  ExprPtr literal();  // a string token
   ExprPtr suffixes(ExprPtr from);
   ExprPtr table();
   ExprPtr choice();

@@ -6,9 +6,6 @@
 namespace obby::importer::luau {
 namespace {
 
-constexpr int kMaxCalls = 12;
-constexpr size_t kMaxTimelines = 50000;
-
 // `if humanoid then`: asked of whatever comes along, and so for every player.
 bool isOfEveryPlayer(const Datum& condition) {
   const auto* stranger = condition.as<Stranger>();
@@ -35,6 +32,7 @@ ScriptReading Reader::read(const Chunk& chunk) {
   walk(chunk.body, false);
   finishTweens();
   timeline_.end = time_;
+  timeline_.vague = vague_;
   reading_.timelines.push_back(std::move(timeline_));
   while (!pending_.empty() && reading_.timelines.size() < kMaxTimelines && spend()) {
     const Pending next = std::move(pending_.front());
@@ -56,7 +54,9 @@ void Reader::follow(const Pending& pending) {
   time_ = pending.time;
   stopped_ = false;
   zone_ = kNoInstance;
-  unsure_ = 0;
+  unsure_ = pending.unsure ? 1 : 0;
+  left_ = skipped_ = false;
+  vague_ = pending.vague;
   if (pending.trigger == Trigger::frame) {
     const Function* body = pending.closure.function;
     const auto outer = scope_;
@@ -70,6 +70,7 @@ void Reader::follow(const Pending& pending) {
   }
   finishTweens();
   timeline_.end = time_;
+  timeline_.vague = vague_;
   reading_.timelines.push_back(std::move(timeline_));
   for (auto& [key, old] : beforeHandler_) {
     if (old)
@@ -139,22 +140,38 @@ Reader::Flow Reader::statement(const Stat& stat) {
   return Flow::on;
 }
 
+Reader::Asked Reader::asked(const Expr& condition) {
+  const bool denied = condition.kind == ExprKind::unary && condition.text == "not";
+  const Datum value = evaluate(denied ? *condition.kids[0] : condition);
+  const bool ofAll = isOfEveryPlayer(value);
+  const Truth truth = truthOf(value);
+  return {denied ? negated(truth) : truth, ofAll && !denied, ofAll && denied};
+}
+
+// What follows a way out that may be taken may not be reached. Handlers go on: who asks whether a
+// player has touched leaves for all else.
+void Reader::doubt(Flow flow) {
+  if (!timeline_.byItself()) return;
+  if (flow == Flow::leaveFunction) left_ = true;
+  if (flow == Flow::leaveLoop || flow == Flow::nextRound) skipped_ = true;
+}
+
 Reader::Flow Reader::branch(const Stat& stat) {
   bool unsure = false;  // an earlier branch may have been taken instead
   const double start = time_;
   double latest = time_;
   for (size_t i = 0; i < stat.blocks.size(); ++i) {
-    const Datum condition = i < stat.values.size() ? evaluate(*stat.values[i]) : Datum{true};
-    const Truth truth = truthOf(condition);
-    if (truth == Truth::no) continue;
+    const Asked condition = i < stat.values.size() ? asked(*stat.values[i]) : Asked{};
+    if (condition.truth == Truth::no) continue;
     if (unsure) time_ = start;
-    const bool open = unsure || (truth == Truth::unknown && !isOfEveryPlayer(condition));
+    const bool open = unsure || (condition.truth == Truth::unknown && !condition.always);
     if (open) ++unsure_;
     const Flow flow = walk(stat.blocks[i]);
     if (open) --unsure_;
     latest = std::max(latest, time_);
     if (flow == Flow::stop) return flow;
-    if (truth == Truth::yes) {
+    if (open && !condition.never) doubt(flow);
+    if (condition.truth == Truth::yes) {
       time_ = latest;
       return unsure ? Flow::on : flow;
     }
@@ -203,52 +220,23 @@ Reader::Flow Reader::assign(const Stat& stat) {
       setField(evaluate(*target.kids[0]), target.text, value, stat.line);
     } else if (target.kind == ExprKind::index) {
       const Datum key = evaluate(*target.kids[1]);
-      if (const auto* name = key.as<std::string>())
-        setField(evaluate(*target.kids[0]), *name, value, stat.line);
+      setIndexed(evaluate(*target.kids[0]), key, value, stat.line);
     }
   }
   return Flow::on;
 }
 
-Datum Reader::call(const Closure& closure, const std::vector<Datum>& arguments) {
-  if (!closure.function || depth_ >= kMaxCalls || !spend()) return {};
-  ++depth_;
-  const auto outer = scope_;
-  scope_ = newScope(closure.scope);
-  const auto& parameters = closure.function->parameters;
-  for (size_t i = 0; i < parameters.size(); ++i)
-    scope_->names[parameters[i]] = i < arguments.size() ? arguments[i] : Datum{};
-  returned_ = {Nil{}};
-  if (walk(closure.function->body, false) == Flow::stop) stopped_ = true;
-  scope_ = outer;
-  --depth_;
-  return std::exchange(returned_, Datum{});
-}
-
-void Reader::later(Pending pending, const Datum& function, std::vector<Datum> arguments) {
-  const auto* closure = function.as<Closure>();
-  if (!closure || pending_.size() >= kMaxTimelines) return;
-  pending.closure = *closure;
-  pending.arguments = std::move(arguments);
-  // What each frame does begins as it is connected; other handlers count from their trigger.
-  if (pending.trigger == Trigger::frame && timeline_.trigger == Trigger::start)
-    pending.time = time_;
-  pending_.push_back(std::move(pending));
-}
-
-void Reader::beside(const Datum& function, const std::vector<Datum>& arguments, double delay) {
-  const auto* closure = function.as<Closure>();
-  if (!closure) return;
-  if (timeline_.trigger == Trigger::start) {
-    if (pending_.size() < kMaxTimelines)
-      pending_.push_back({Trigger::start, kNoInstance, {}, 0, *closure, arguments, time_ + delay});
-    return;
-  }
-  const double now = time_;
-  time_ += delay;
-  call(*closure, arguments);
-  time_ = now;
-  stopped_ = false;
+// Of numbers the places in a list and the one behind its last.
+void Reader::setIndexed(const Datum& object, const Datum& key, const Datum& value, int line) {
+  if (const auto* name = key.as<std::string>()) return setField(object, *name, value, line);
+  const auto* table = object.as<Table*>();
+  const auto* place = key.as<double>();
+  if (!table || !place || !(*place >= 1)) return;
+  auto& items = (*table)->items;
+  if (*place <= double(items.size()))
+    items[size_t(*place) - 1] = value;
+  else if (*place == double(items.size()) + 1)
+    items.push_back(value);
 }
 
 }  // namespace obby::importer::luau

@@ -6,6 +6,7 @@
 
 #include <deque>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,9 @@
 #include "import/tree.h"
 
 namespace obby::importer::luau {
+
+constexpr size_t kAncestorsPerStep = 8;
+constexpr size_t kMaxTimelines = 50000;  // of a script
 
 class Reader {
  public:
@@ -34,27 +38,41 @@ class Reader {
     Closure closure;
     std::vector<Datum> arguments;
     double time = 0;
+    bool unsure = false, vague = false;  // as the reader's, where it was begun
   };
 
   // reader.cpp: timelines and statements
   void follow(const Pending& pending);
   Flow walk(const Block& block, bool ownScope = true);
   Flow statement(const Stat& stat);
+  struct Asked {
+    Truth truth = Truth::yes;
+    bool always = false, never = false;  // holds for every player, or for none
+  };
+  Asked asked(const Expr& condition);
   Flow branch(const Stat& stat);
+  void doubt(Flow flow);
+  bool isUnsure() const { return unsure_ > 0 || left_ || skipped_; }
   Flow assign(const Stat& stat);
   void bindLocals(const Stat& stat);
   void bindFunction(const Stat& stat);
+  void setIndexed(const Datum& object, const Datum& key, const Datum& value, int line);
+  bool spend(size_t steps = 1);  // false when the budget is gone
+  Scope* newScope(Scope* parent);
+
+  // threads.cpp
   Datum call(const Closure& closure, const std::vector<Datum>& arguments);
+  bool endlessCall(const Closure& closure);
   void later(Pending pending, const Datum& function, std::vector<Datum> arguments);
   // task.spawn, delay and the like: beside what follows.
   void beside(const Datum& function, const std::vector<Datum>& arguments, double delay);
-  bool spend(size_t steps = 1);  // false when the budget is gone
-  Scope* newScope(Scope* parent);
 
   // loops.cpp
   // One round of a loop; what ends only the round shows no more.
   Flow walkRound(const Block& body);
   Flow whileLoop(const Stat& stat);
+  bool assigns(const Block& body, const std::set<std::string>& paths);
+  Flow countingLoop(const Stat& stat, bool repeats);
   void beginLoop();
   // `condition` is evaluated in each round, for its waits; may be null. `sure`: the loop ends by no
   // condition.
@@ -69,6 +87,8 @@ class Reader {
   std::vector<Datum> evaluateAll(const std::vector<ExprPtr>& list, size_t from);
   Datum nameValue(const std::string& name);
   Datum binary(const Expr& expr);
+  Datum logical(const Expr& expr);
+  Datum unsureValue(const Expr& expr);
   Datum tableValue(const Expr& expr);
   Datum field(const Datum& object, const std::string& name);
   Datum indexed(const Datum& object, const Datum& key);
@@ -116,6 +136,11 @@ class Reader {
   void setStranger(const std::string& owner, const std::string& name, const Datum& value, int line);
   void setMade(Made* made, const std::string& name, const Datum& value, int line);
   void write(InstanceId id, const std::string& name, Datum value);
+  void setParent(InstanceId id, const Datum& parent, int line);
+  std::optional<bool> leadsToWorld(const Datum& parent);
+  bool isInWorld(InstanceId id);
+  void clear(InstanceId id, int line);
+  Datum destroyLater(const std::string& method, const std::vector<Datum>& arguments, int line);
   ScriptEvent& emit(EventKind kind, InstanceId target, std::string property, int line);
 
   const Tree& tree_;
@@ -143,8 +168,16 @@ class Reader {
   bool finishing_ = false;         // following what the ends of tweens set off
   InstanceId zone_ = kNoInstance;  // the part whose contents the script asked for last
   int unsure_ = 0;                 // open branches whose condition is unknown
+  // A branch of this kind has left the function, or the round of the loop: what follows may not be.
+  bool left_ = false, skipped_ = false;
+  bool vague_ = false;    // the timeline has waited for a time that is not known
   bool stopped_ = false;  // an endless loop was met inside a call: what follows is never reached
-  int depth_ = 0;
+  struct Active {
+    const Function* function = nullptr;
+    double time = 0;
+    size_t event = 0;  // index of its first event
+  };
+  std::vector<Active> active_;  // functions that are being called, the outermost first
   size_t& budget_;
 };
 

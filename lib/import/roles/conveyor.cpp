@@ -1,6 +1,9 @@
 // Parts that carry along what stands on them: by tag, kit marker, script or saved velocity.
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+#include <utility>
 
 #include "import/format/class_defaults.h"
 #include "import/pose_math.h"
@@ -23,6 +26,15 @@ bool isAligned(const PartDraft& part, Vec3 v) {
   const Vec3 local = toLocal(r, v);
   const auto most = [](Vec3 a) { return maxf(absf(a.x), maxf(absf(a.y), absf(a.z))); };
   return std::max(most(v), most(local)) >= kAligned * length(v);
+}
+
+// Of several velocities the first counts.
+void noteOthers(RoleContext& context, const PartDraft& part, Vec3 first, Vec3 now,
+                const std::string& reason, std::set<InstanceId>& named) {
+  if (!part.conveyor && !part.jumpPad) return;
+  if (length(now - first) < kLeastSpeed || !named.insert(part.id).second) return;
+  context.level.noteUnmodelled("conveyor that a script changes", context.tree.path(part.id),
+                               "keeps its first velocity; " + reason);
 }
 
 }  // namespace
@@ -67,6 +79,8 @@ void conveyorFromMarkers(RoleContext& context) {
 }
 
 void conveyorFromScripts(RoleContext& context) {
+  std::map<std::pair<InstanceId, std::string>, Vec3> first;
+  std::set<InstanceId> named;
   for (const ScriptReading& reading : context.scripts)
     for (const Timeline& timeline : reading.timelines) {
       if (timeline.trigger == Trigger::touch || timeline.trigger == Trigger::other) continue;
@@ -76,12 +90,18 @@ void conveyorFromScripts(RoleContext& context) {
         if (!part || !part->anchored || !event.vector || !isFinite(*event.vector)) continue;
         if (!linear && event.property != "RotVelocity") continue;
         const std::string reason = scriptReason(context.tree, reading, event.line);
+        if (const auto known = first.find({part->id, event.property}); known != first.end()) {
+          noteOthers(context, *part, known->second, *event.vector, reason, named);
+          continue;
+        }
+        if (length(*event.vector) < kLeastSpeed) continue;
+        first[{part->id, event.property}] = *event.vector;
         if (!linear)
-          giveConveyor(*part, {{}, *event.vector}, reason, false);
+          giveConveyor(*part, {{}, *event.vector}, reason, event.unsure);
         else if (isUpward(*event.vector))
-          giveJumpPad(*part, {*event.vector, true}, reason, false);
+          giveJumpPad(*part, {*event.vector, true}, reason, event.unsure);
         else
-          giveConveyor(*part, {*event.vector, {}}, reason, false);
+          giveConveyor(*part, {*event.vector, {}}, reason, event.unsure);
       }
     }
 }

@@ -16,11 +16,30 @@ struct Moved {
   Pose rest;   // in the file
   Pose start;  // when the loop or the first tween begins
   std::vector<const ScriptEvent*> sets, tweens;
+  std::vector<const ScriptEvent*> early;  // tweens before the loop
+  Pose earlyStart;                        // when the first of them begins
+  bool loops = false;    // in the loop of the timeline; else it moves but once, or by its tween
   bool unknown = false;  // a pose that the text does not tell
 };
 
 bool isPose(const ScriptEvent& e) {
   return e.property == "CFrame" && (e.kind == EventKind::set || e.kind == EventKind::tween);
+}
+
+void takeEarly(Moved& moved, const ScriptEvent& event) {
+  if (event.kind == EventKind::tween) {
+    if (moved.early.empty()) moved.earlyStart = moved.start;
+    moved.early.push_back(&event);
+  }
+  moved.start = *event.frame;
+}
+
+// What the loop does not move goes on as it was begun before it.
+void settleLoop(Moved& moved, bool forever) {
+  moved.loops = forever && !(moved.sets.empty() && moved.tweens.empty());
+  if (moved.loops || moved.early.empty()) return;
+  moved.tweens.swap(moved.early);
+  moved.start = moved.earlyStart;
 }
 
 std::map<InstanceId, Moved> movedBy(const Tree& tree, const Timeline& timeline) {
@@ -35,7 +54,7 @@ std::map<InstanceId, Moved> movedBy(const Tree& tree, const Timeline& timeline) 
     if (!event.frame) {
       moved.unknown = true;
     } else if (i < loop) {
-      moved.start = *event.frame;
+      takeEarly(moved, event);
     } else if (event.kind == EventKind::set) {
       if (!timeline.forever && moved.tweens.empty()) moved.start = *event.frame;
       moved.sets.push_back(&event);
@@ -43,25 +62,29 @@ std::map<InstanceId, Moved> movedBy(const Tree& tree, const Timeline& timeline) 
       moved.tweens.push_back(&event);
     }
   }
+  for (auto& [id, moved] : all) settleLoop(moved, timeline.forever);
   return all;
 }
 
-Motion spinning(const Spin& spin, const Moved& moved, double begin) {
+Motion spinning(const Spin& spin, const Pose& start, const Pose& rest, double begin) {
   Motion motion;
   motion.spin = spin;
   beginAt(motion, begin);
-  if (!samePose(moved.start, moved.rest))
-    motion.keys = {{0, moved.start, Easing::linear, EasingDirection::out}};
+  if (!samePose(start, rest)) motion.keys = {{0, start, Easing::linear, EasingDirection::out}};
   return motion;
 }
 
 std::optional<Motion> endlessTween(const Moved& moved) {
+  Pose start = moved.start;
   for (const ScriptEvent* event : moved.tweens) {
-    if (event->tween.repeats >= 0) continue;
-    if (const auto spin = spinOfTween(moved.start, *event))
-      return spinning(*spin, moved, event->time);
+    if (event->tween.repeats >= 0) {
+      if (!event->tween.reverses) start = *event->frame;
+      continue;
+    }
+    if (const auto spin = spinOfTween(start, *event))
+      return spinning(*spin, start, moved.rest, event->time);
     Motion motion;
-    motion.keys = {{0, moved.start, Easing::linear, EasingDirection::out}};
+    motion.keys = {{0, start, Easing::linear, EasingDirection::out}};
     ScriptEvent once = *event;
     once.tween.repeats = 0;
     once.tween.reverses = false;
@@ -77,16 +100,16 @@ std::optional<Motion> tweenMotion(const Timeline& timeline, const Moved& moved) 
   if (moved.tweens.empty()) return std::nullopt;
   if (auto endless = endlessTween(moved)) return endless;
   Motion motion;
-  motion.repeat = timeline.forever ? Repeat::loop : Repeat::once;
-  const double zero = timeline.forever ? timeline.loopStart : 0;
+  motion.repeat = moved.loops ? Repeat::loop : Repeat::once;
+  const double zero = moved.loops ? timeline.loopStart : 0;
   beginAt(motion, zero);  // what comes but once waits with its keys
   // In a loop the first round starts where the last one ends.
   const ScriptEvent& last = *moved.tweens.back();
-  const Pose start = timeline.forever && !last.tween.reverses ? *last.frame : moved.start;
+  const Pose start = moved.loops && !last.tween.reverses ? *last.frame : moved.start;
   motion.keys = {{0, start, Easing::linear, EasingDirection::out}};
   for (const ScriptEvent* event : moved.tweens)
     appendTween(motion.keys, *event, event->time - zero);
-  if (timeline.forever && timeline.period > double(motion.keys.back().time))
+  if (moved.loops && timeline.period > double(motion.keys.back().time))
     motion.keys.push_back(
         {float(timeline.period), motion.keys.back().pose, Easing::linear, EasingDirection::out});
   return motion;
@@ -134,7 +157,7 @@ std::optional<LoopMotion> loopMotion(const Timeline& timeline, const Moved& move
   };
   if (timeline.closed) cut(timeline.period);
   if (auto spin = spinFrom(moved.start, samples, loop.period)) {
-    loop.motion = spinning(*spin, moved, timeline.loopStart);
+    loop.motion = spinning(*spin, moved.start, moved.rest, timeline.loopStart);
     return loop;
   }
   const auto near = timeline.closed ? std::nullopt : nearPeriod(samples);
@@ -168,8 +191,8 @@ void giveAll(RoleContext& context, const ScriptReading& reading, const Timeline&
       open = loop->open;
       if (open) reason += " (starts over after " + std::to_string(int(loop->period)) + " s)";
     }
-    const bool unsure =
-        std::any_of(events.begin(), events.end(), [](const auto* e) { return e->unsure; });
+    const bool unsure = timeline.vague || std::any_of(events.begin(), events.end(),
+                                                      [](const auto* e) { return e->unsure; });
     giveMotion(context, id, *motion, reason, open || unsure);
     for (const ScriptEvent* event : events) hideMarker(context, event->from, id);
   }

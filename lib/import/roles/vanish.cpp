@@ -1,7 +1,11 @@
 // Parts that lose their collision for a while: on touch or by the clock.
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
+#include <utility>
 
+#include "import/onset.h"
 #include "import/roles/role.h"
 
 namespace obby::importer {
@@ -48,41 +52,50 @@ bool goesAway(const ScriptEvent& e) {
   return (e.property == "CanCollide" && !*e.flag) || (e.property == "Anchored" && !*e.flag);
 }
 
-bool comesBack(const ScriptEvent& e) {
-  if (e.kind != EventKind::set || !e.flag) return false;
-  return (e.property == "CanCollide" && *e.flag) || (e.property == "Anchored" && *e.flag);
+// The event that undoes `gone`.
+bool undoes(const ScriptEvent& e, const ScriptEvent& gone) {
+  if (e.target != gone.target || e.property != gone.property) return false;
+  return comesBack(e) || (e.kind == EventKind::set && e.property != "Parent" && e.flag == true);
 }
 
 void fromTouch(const Tree& tree, PartDraft& part, const Timeline& timeline,
                const ScriptReading& reading) {
-  const auto concerns = [&](const ScriptEvent& e) { return e.target == timeline.touched; };
-  const auto& events = timeline.events;
-  const auto gone = std::find_if(events.begin(), events.end(),
-                                 [&](const ScriptEvent& e) { return concerns(e) && goesAway(e); });
-  if (gone == events.end() || !part.solid) return;
-  const auto back = std::find_if(gone, events.end(), [&](const ScriptEvent& e) {
-    return concerns(e) && comesBack(e) && e.time >= gone->time;
-  });
+  // What is delayed stands before what comes sooner.
+  const ScriptEvent* gone = nullptr;
+  for (const ScriptEvent& e : timeline.events)
+    if (e.target == timeline.touched && goesAway(e) && (!gone || e.time < gone->time)) gone = &e;
+  if (!gone || !part.solid) return;
+  const ScriptEvent* back = nullptr;
+  for (const ScriptEvent& e : timeline.events)
+    if (undoes(e, *gone) && e.time > gone->time && (!back || e.time < back->time)) back = &e;
   Vanish vanish;
   vanish.delay = float(gone->time);
-  const bool returns = back != events.end() && back->time > gone->time;
-  vanish.away = returns ? float(back->time - gone->time) : kGone;
+  vanish.away = back ? float(back->time - gone->time) : kGone;
   const bool falls = gone->property == "Anchored";
   give(part, vanish, scriptReason(tree, reading, gone->line) + (falls ? " (falls away)" : ""),
-       falls);
+       falls || timeline.vague);
 }
 
-// An endless loop that switches the collision off and on.
+// What is out of the world does nothing: as a part without collision, if it is but solid.
+bool vanishes(const PartDraft* part, const ScriptEvent& gone) {
+  if (!part || part->vanish || !goesAway(gone)) return false;
+  return gone.property == "CanCollide" || (gone.property == "Parent" && part->solid && !part->kill);
+}
+
+// An endless loop that switches the collision off and on, or takes the part out and puts it back.
 void fromTimer(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
   const auto first = timeline.events.begin() + std::ptrdiff_t(timeline.loopEvent);
+  std::set<std::pair<InstanceId, std::string>> forGood;  // bounds the search
   for (auto gone = first; gone != timeline.events.end(); ++gone) {
-    const bool switches = gone->kind == EventKind::set && gone->property == "CanCollide";
-    PartDraft* part = switches && goesAway(*gone) ? context.part(gone->target) : nullptr;
-    if (!part || part->vanish || !(timeline.period > 0)) continue;
-    const auto back = std::find_if(first, timeline.events.end(), [&](const ScriptEvent& e) {
-      return e.target == gone->target && e.property == "CanCollide" && comesBack(e);
-    });
-    if (back == timeline.events.end()) continue;
+    PartDraft* part = context.part(gone->target);
+    if (!vanishes(part, *gone) || !(timeline.period > 0)) continue;
+    if (forGood.count({gone->target, gone->property}) > 0) continue;
+    const auto back = std::find_if(first, timeline.events.end(),
+                                   [&](const ScriptEvent& e) { return undoes(e, *gone); });
+    if (back == timeline.events.end()) {
+      forGood.insert({gone->target, gone->property});
+      continue;
+    }
     const auto wrapped = [&](double t) {
       return t - std::floor(t / timeline.period + 1e-9) * timeline.period;
     };
@@ -93,7 +106,8 @@ void fromTimer(RoleContext& context, const ScriptReading& reading, const Timelin
     vanish.phase = float(wrapped(-back->time));
     if (!(vanish.away > 0) || !(vanish.delay > 0)) continue;
     part->solid = true;  // the file may hold it in its away state
-    give(*part, vanish, scriptReason(context.tree, reading, gone->line), gone->unsure);
+    give(*part, vanish, scriptReason(context.tree, reading, gone->line),
+         gone->unsure || timeline.vague);
   }
 }
 

@@ -1,0 +1,91 @@
+// Calls of the functions of a script, at once, beside what follows, and on a trigger.
+#include <algorithm>
+#include <utility>
+
+#include "import/luau/reader.h"
+
+namespace obby::importer::luau {
+namespace {
+
+constexpr size_t kMaxCalls = 12;  // one in the other
+
+}  // namespace
+
+// A function that waits and calls itself, however deep, is an endless loop: its first round counts.
+bool Reader::endlessCall(const Closure& closure) {
+  const auto isIt = [&](const Active& active) { return active.function == closure.function; };
+  const auto first = std::find_if(active_.begin(), active_.end(), isIt);
+  if (first == active_.end() || timeline_.forever || finishing_ || !timeline_.byItself())
+    return false;
+  const auto second = std::find_if(first + 1, active_.end(), isIt);
+  if (second == active_.end() || !(second->time > first->time)) return false;
+  timeline_.forever = true;
+  timeline_.loopStart = first->time;
+  timeline_.loopEvent = first->event;
+  timeline_.period = second->time - first->time;
+  timeline_.events.resize(second->event);
+  time_ = second->time;
+  stopped_ = true;
+  return true;
+}
+
+Datum Reader::call(const Closure& closure, const std::vector<Datum>& arguments) {
+  if (!closure.function || !spend()) return {};
+  if (active_.size() >= kMaxCalls) {
+    if (!arguments.empty() || !endlessCall(closure)) reading_.exhausted = true;
+    return {};
+  }
+  active_.push_back({closure.function, time_, timeline_.events.size()});
+  const bool left = left_, skipped = skipped_;
+  const auto outer = scope_;
+  scope_ = newScope(closure.scope);
+  const auto& parameters = closure.function->parameters;
+  for (size_t i = 0; i < parameters.size(); ++i)
+    scope_->names[parameters[i]] = i < arguments.size() ? arguments[i] : Datum{};
+  returned_ = {Nil{}};
+  if (walk(closure.function->body, false) == Flow::stop) stopped_ = true;
+  scope_ = outer;
+  left_ = left;
+  skipped_ = skipped;
+  active_.pop_back();
+  return std::exchange(returned_, Datum{});
+}
+
+void Reader::later(Pending pending, const Datum& function, std::vector<Datum> arguments) {
+  const auto* closure = function.as<Closure>();
+  if (!closure || pending_.size() >= kMaxTimelines) return;
+  pending.closure = *closure;
+  pending.arguments = std::move(arguments);
+  // What each frame does begins as it is connected; other handlers count from their trigger.
+  if (pending.trigger == Trigger::frame && timeline_.trigger == Trigger::start) {
+    pending.time = time_;
+    pending.unsure = isUnsure();
+    pending.vague = vague_;
+  }
+  pending_.push_back(std::move(pending));
+}
+
+void Reader::beside(const Datum& function, const std::vector<Datum>& arguments, double delay) {
+  const auto* closure = function.as<Closure>();
+  if (!closure) return;
+  if (timeline_.trigger == Trigger::start) {
+    if (pending_.size() < kMaxTimelines)
+      pending_.push_back({Trigger::start,
+                          kNoInstance,
+                          {},
+                          0,
+                          *closure,
+                          arguments,
+                          time_ + delay,
+                          isUnsure(),
+                          vague_});
+    return;
+  }
+  const double now = time_;
+  time_ += delay;
+  call(*closure, arguments);
+  time_ = now;
+  stopped_ = false;
+}
+
+}  // namespace obby::importer::luau

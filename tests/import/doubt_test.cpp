@@ -1,0 +1,193 @@
+// What a script's text does not tell: both ways are possible, and the level says so.
+#include "import/motion_checks.h"
+
+namespace obby::test {
+namespace {
+
+const char* const kMayChange = "part that a script may change";
+const char* const kWait = "wait that a script computes";
+
+TEST(Doubt, NamesOfNothingKnownDecideNothing) {
+  const char* const texts[] = {
+      "if DEBUG then b.CanCollide = false end",
+      "if not DEBUG then b.CanCollide = false end",
+      "if DEBUG == nil then b.CanCollide = false end",
+      "if Settings.open then b.CanCollide = false end",
+      "if workspace.Barrier and DEBUG then b.CanCollide = false end",
+      "b.CanCollide = not DEBUG",
+      "if workspace:FindFirstChild(`Key{1}`) then b.CanCollide = false end",
+      "if b.Name == `Bar{'rier'}` then b.CanCollide = false end",
+      "if b.Name == 'Barrier' .. `{''}` then b.CanCollide = false end"};
+  for (const char* text : texts) {
+    Scene scene;
+    const auto barrier = scene.part("Barrier");
+    scene.script("local b = workspace.Barrier\n" + std::string(text), scene.scripts);
+    scene.level();
+    EXPECT_TRUE(scene[barrier].solid) << text;
+    EXPECT_EQ(scene.unmodelled(kMayChange), 1u) << text;
+  }
+}
+
+TEST(Doubt, NamesOfTheEngineAreThere) {
+  const char* const texts[] = {
+      "if game and workspace and script and task.wait and Enum.Material "
+      "then b.CanCollide = false end",
+      "DEBUG = true if DEBUG then b.CanCollide = false end",
+      "if Enum.Material.Ice ~= Enum.Material.Wood then b.CanCollide = "
+      "false end"};
+  for (const char* text : texts) {
+    Scene scene;
+    const auto barrier = scene.part("Barrier");
+    scene.script("local b = workspace.Barrier\n" + std::string(text), scene.scripts);
+    EXPECT_TRUE(scene.level().unmodelled.empty()) << text;
+    EXPECT_FALSE(scene[barrier].solid) << text;
+  }
+}
+
+TEST(Doubt, OneOfTwoValuesIsNeither) {
+  const char* const texts[] = {
+      "b.CanCollide = if math.random() > 0.5 then false else true",
+      "b.Position = math.random() > 0.5 and Vector3.new(0, 5, 0) or Vector3.new(0, 9, 0)",
+      "b.Position = if math.random() > 0.5 then Vector3.new(0, 5, 0) else Vector3.new(0, 9, 0)",
+      "b.Position = Vector3.new(0, math.random() > 0.5 and 5 or 9, 0)"};
+  for (const char* text : texts) {
+    Scene scene;
+    const auto barrier = scene.part("Barrier");
+    scene.script("local b = workspace.Barrier\n" + std::string(text), scene.scripts);
+    scene.level();
+    EXPECT_TRUE(scene[barrier].solid) << text;
+    EXPECT_EQ(scene[barrier].pose.position, (Vec3{})) << text;
+    EXPECT_TRUE(scene[barrier].evidence.empty()) << text;
+    EXPECT_FALSE(scene[barrier].motion) << text;
+  }
+}
+
+TEST(Doubt, AValueThatBothWaysGiveIsKnown) {
+  const char* const values[] = {"if math.random() > 0.5 then 30 else 30",
+                                "math.random() > 0.5 and 30 or 30",
+                                "nothing or 30",
+                                "script:GetAttribute('Missing') or 30",
+                                "workspace and 30 or 99",
+                                "nil and 99 or 30"};
+  for (const char* value : values) {
+    Scene scene;
+    const auto part = scene.part("Part");
+    scene.script("local n = " + std::string(value) +
+                     "\nscript.Parent.Touched:Connect(function(h) h.Parent.Humanoid:TakeDamage(n) "
+                     "end)",
+                 part);
+    scene.level();
+    ASSERT_TRUE(scene[part].kill) << value;
+    EXPECT_FLOAT_EQ(scene[part].kill->damage, 30) << value;
+  }
+}
+
+TEST(Doubt, WhatFollowsAWayOutThatMayBeTakenIsNotSure) {
+  const char* const texts[] = {
+      "if math.random() > 0.5 then return end b:Destroy()",
+      "local function open() if _G.closed then return end b:Destroy() end open()",
+      "for i = 1, 2 do if math.random() > 0.5 then break end b:Destroy() end",
+      "for i = 1, 2 do if math.random() > 0.5 then continue end b:Destroy() end",
+      "if math.random() > 0.5 then task.spawn(function() b:Destroy() end) end"};
+  for (const char* text : texts) {
+    Scene scene;
+    scene.part("Barrier");
+    scene.script("local b = workspace.Barrier\n" + std::string(text), scene.scripts);
+    EXPECT_EQ(scene.level().parts.size(), 1u) << text;
+    EXPECT_EQ(scene.unmodelled(kMayChange), 1u) << text;
+  }
+}
+
+TEST(Doubt, AWayOutEndsWithItsFunctionOrLoop) {
+  const char* const texts[] = {
+      "local function f() if math.random() > 0.5 then return end end f() b:Destroy()",
+      "for i = 1, 2 do if math.random() > 0.5 then break end end b:Destroy()",
+      "for i = 1, 2 do if i > 5 then return end end b:Destroy()"};
+  for (const char* text : texts) {
+    Scene scene;
+    scene.part("Barrier");
+    scene.script("local b = workspace.Barrier\n" + std::string(text), scene.scripts);
+    EXPECT_TRUE(scene.level().parts.empty()) << text;
+    EXPECT_TRUE(scene.level().unmodelled.empty()) << text;
+  }
+}
+
+TEST(Doubt, AScriptOfACharacterThatLooksForItsHumanoidIsSure) {
+  Scene scene;
+  const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
+  const auto folder = scene.add("StarterCharacterScripts", "StarterCharacterScripts", player);
+  scene.script(
+      "local h = script.Parent:WaitForChild('Humanoid')\nif not h then return end\n"
+      "h.WalkSpeed = 30",
+      folder);
+  EXPECT_FLOAT_EQ(scene.level().world.walkSpeed, 30);
+}
+
+TEST(Doubt, TimesAfterAWaitThatIsComputedAreGuesses) {
+  const char* const texts[] = {
+      "while true do wait(math.random(2, 5)) p.CanCollide = false wait(1) p.CanCollide = true end",
+      "while true do p.CanCollide = false wait(1) p.CanCollide = true wait(math.random(2, 5)) end",
+      "p.Touched:Connect(function() wait(pause()) p.CanCollide = false end)",
+      "p.Touched:Connect(function() task.delay(pause(), function() p.CanCollide = false end) end)"};
+  for (const char* text : texts) {
+    Scene scene;
+    const auto part = scene.part("Part");
+    scene.script("local p = script.Parent " + std::string(text), part);
+    scene.level();
+    ASSERT_TRUE(scene[part].vanish) << text;
+    EXPECT_EQ(scene.evidence(part, "vanish").rfind("guessed: ", 0), 0u) << text;
+    EXPECT_EQ(scene.unmodelled(kWait), 1u) << text;
+  }
+}
+
+TEST(Doubt, AMotionThatWaitsForASignalIsAGuess) {
+  Scene scene;
+  const auto lift = scene.part("Lift");
+  scene.script(
+      "workspace.Lift.ClickDetector.MouseClick:Wait()\n"
+      "game:GetService('TweenService'):Create(workspace.Lift, TweenInfo.new(2), "
+      "{Position = Vector3.new(0, 50, 0)}):Play()",
+      scene.scripts);
+  scene.level();
+  ASSERT_TRUE(scene[lift].motion);
+  EXPECT_EQ(scene.evidence(lift, "motion").rfind("guessed: ", 0), 0u);
+  EXPECT_EQ(scene.unmodelled(kWait), 1u);
+}
+
+TEST(Doubt, WaitsThatAreStatedAreNone) {
+  const char* const texts[] = {
+      "wait() p.Touched:Connect(function() wait(p.Pause.Value) p.CanCollide = false end)",
+      "game.Players.PlayerAdded:Wait() game:GetService('RunService').Heartbeat:Wait() "
+      "while true do wait(2) p.CanCollide = false wait(1) p.CanCollide = true end"};
+  for (const char* text : texts) {
+    Scene scene;
+    const auto part = scene.part("Part");
+    scene.value("NumberValue", "Pause", 2.0, part);
+    scene.script("local p = script.Parent " + std::string(text), part);
+    scene.level();
+    ASSERT_TRUE(scene[part].vanish) << text;
+    EXPECT_EQ(scene.evidence(part, "vanish").rfind("script", 0), 0u) << text;
+    EXPECT_EQ(scene.unmodelled(kWait), 0u) << text;
+  }
+}
+
+TEST(Doubt, HarmByAPartThatIsNotKnownIsNamed) {
+  const char* const texts[] = {
+      "for _, p in pairs(require(script.Parts)) do p.Touched:Connect(function(h) "
+      "h.Parent.Humanoid.Health = 0 end) end",
+      "while wait(1) do for _, player in game.Players:GetPlayers() do "
+      "if (player.Character.HumanoidRootPart.Position - workspace.Part.Position).Magnitude < 5 "
+      "then "
+      "player.Character.Humanoid:TakeDamage(10) end end end"};
+  for (const char* text : texts) {
+    Scene scene;
+    const auto part = scene.part("Part");
+    scene.script(text, scene.scripts);
+    scene.level();
+    EXPECT_FALSE(scene[part].kill) << text;
+    EXPECT_EQ(scene.unmodelled("harm of a part that is not known"), 1u) << text;
+  }
+}
+
+}  // namespace
+}  // namespace obby::test

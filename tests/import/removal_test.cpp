@@ -1,0 +1,184 @@
+// Parts that scripts take out of the world, put back, or put elsewhere.
+#include "import/scene.h"
+
+namespace obby::test {
+namespace {
+
+const char* const kInPlay = "part that a script changes in play";
+const char* const kMayChange = "part that a script may change";
+
+TEST(Removal, WhatATouchTakesOutVanishes) {
+  struct Case {
+    const char* text;
+    float delay, away;
+  };
+  constexpr float kForGood = 3600;
+  const Case cases[] = {
+      {"p.Parent = nil", 0, kForGood},
+      {"p.parent = nil", 0, kForGood},
+      {"wait(1) p.Parent = game.ServerStorage", 1, kForGood},
+      {"p.Parent = game.Lighting wait(3) p.Parent = workspace", 0, 3},
+      {"local was = p.Parent p.Parent = nil wait(2) p.Parent = was", 0, 2},
+      {"p:Remove() wait(2) p.Parent = workspace.Folder", 0, 2},
+      {"task.delay(4, function() p.Parent = workspace end) task.wait(1) p.Parent = nil", 1, 3},
+      {"game.Debris:AddItem(p, 2)", 2, kForGood},
+      {"game:GetService('Debris'):AddItem(p)", 10, kForGood},
+      {"game.Debris:AddItem(p, 5) wait(1) p.CanCollide = false", 1, kForGood},
+      {"p.Parent:ClearAllChildren()", 0, kForGood}};
+  for (const Case& now : cases) {
+    Scene scene;
+    const auto folder = scene.add("Folder", "Folder", scene.workspace);
+    scene.add("ServerStorage", "ServerStorage", kNoInstance);
+    const auto part = scene.part("Part", {}, folder);
+    scene.script("local p = workspace.Folder.Part\np.Touched:Connect(function() " +
+                     std::string(now.text) + " end)",
+                 scene.scripts);
+    scene.level();
+    ASSERT_TRUE(scene[part].vanish) << now.text;
+    EXPECT_NEAR(scene[part].vanish->delay, now.delay, 0.02) << now.text;
+    EXPECT_NEAR(scene[part].vanish->away, now.away, 0.02) << now.text;
+    EXPECT_EQ(scene.evidence(part, "vanish").rfind("script Script line 2", 0), 0u) << now.text;
+    EXPECT_EQ(scene.unmodelled(kMayChange), 0u) << now.text;
+  }
+}
+
+TEST(Removal, AnotherPlaceInTheWorldIsNoChange) {
+  const char* const texts[] = {
+      "p.Parent = workspace", "p.Parent = workspace.Folder", "p.Parent = p.Parent",
+      "local f = Instance.new('Folder', workspace) p.Parent = f", "wait(5) p.Parent = workspace"};
+  for (const char* text : texts) {
+    Scene scene;
+    scene.add("Folder", "Folder", scene.workspace);
+    const auto part = scene.part("Part");
+    scene.script("local p = workspace.Part " + std::string(text), scene.scripts);
+    EXPECT_EQ(scene.level().parts.size(), 1u) << text;
+    EXPECT_TRUE(scene[part].evidence.empty()) << text;
+    EXPECT_EQ(scene.unmodelled(kInPlay) + scene.unmodelled(kMayChange), 0u) << text;
+  }
+}
+
+TEST(Removal, WhatAScriptTakesOutAtTheStartIsLeftOut) {
+  const char* const texts[] = {
+      "workspace.Folder.Part.Parent = game.ServerStorage", "workspace.Folder.Part.Parent = script",
+      "workspace.Folder.Part:Remove()", "workspace.Folder:ClearAllChildren()",
+      "game:GetService('Debris'):AddItem(workspace.Folder.Part, 0)"};
+  for (const char* text : texts) {
+    Scene scene;
+    const auto floor = scene.part("Floor", {0, -9, 0});
+    const auto folder = scene.add("Folder", "Folder", scene.workspace);
+    scene.part("Part", {}, folder);
+    scene.script(text, scene.scripts);
+    const auto& level = scene.level();
+    ASSERT_EQ(level.parts.size(), 1u) << text;
+    EXPECT_EQ(level.parts[0].id, floor) << text;
+    EXPECT_EQ(level.ignored.at("part that a script destroys at start").count, 1u) << text;
+    EXPECT_TRUE(level.unmodelled.empty()) << text;
+  }
+}
+
+TEST(Removal, WhatComesBackLaterIsNamed) {
+  Scene scene;
+  scene.part("Bridge");
+  scene.script("local b = workspace.Bridge\nb.Parent = nil\nwait(9)\nb.Parent = workspace",
+               scene.scripts);
+  const auto& level = scene.level();
+  EXPECT_TRUE(level.parts.empty());
+  ASSERT_EQ(scene.unmodelled(kInPlay), 1u);
+  EXPECT_EQ(level.unmodelled.at(kInPlay).example, "Workspace/Bridge");
+  EXPECT_NE(level.unmodelled.at(kInPlay).note.find("line 4"), std::string::npos);
+}
+
+TEST(Removal, WhatAButtonPutsBackIsNamed) {
+  Scene scene;
+  const auto button = scene.part("Button");
+  scene.part("Bridge", {9, 0, 0});
+  scene.script(
+      "local b = workspace.Bridge\nb.Parent = nil\nscript.Parent.Touched:Connect(function()\n"
+      " b.Parent = workspace wait(5) b.Parent = nil end)",
+      button);
+  EXPECT_EQ(scene.level().parts.size(), 1u);
+  EXPECT_EQ(scene.unmodelled("button"), 1u);
+  EXPECT_FALSE(scene[button].vanish);
+}
+
+TEST(Removal, WhatIsPutBackAtOnceStaysAndIsNamed) {
+  Scene scene;
+  const auto part = scene.part("Part");
+  scene.script("local p = workspace.Part\np.Parent = nil\np.Parent = workspace", scene.scripts);
+  EXPECT_EQ(scene.level().parts.size(), 1u);
+  EXPECT_TRUE(scene[part].solid);
+  EXPECT_EQ(scene.unmodelled(kMayChange), 1u);
+}
+
+TEST(Removal, ATimerThatTakesOutAndPutsBackVanishes) {
+  const char* const loops[] = {
+      "while true do p.Parent = workspace wait(3) p.Parent = nil wait(1) end",
+      "p.Parent = nil while true do wait(1) p.Parent = workspace wait(3) p.Parent = nil end"};
+  for (const char* loop : loops) {
+    Scene scene;
+    const auto part = scene.part("Blink");
+    scene.script("local p = workspace.Blink " + std::string(loop), scene.scripts);
+    const auto& level = scene.level();
+    ASSERT_EQ(level.parts.size(), 1u) << loop;
+    ASSERT_TRUE(scene[part].vanish) << loop;
+    EXPECT_TRUE(scene[part].vanish->timer) << loop;
+    EXPECT_NEAR(scene[part].vanish->away, 1, 1e-3) << loop;
+    EXPECT_NEAR(scene[part].vanish->delay, 3, 1e-3) << loop;
+    EXPECT_TRUE(level.unmodelled.empty()) << loop;
+  }
+}
+
+TEST(Removal, APlaceThatIsNotKnownIsNamed) {
+  const char* const texts[] = {
+      "workspace.Part.Parent = somewhere()", "workspace.Part.Parent = Instance.new('Folder')",
+      "game.Debris:AddItem(workspace.Part, math.random(1, 5))",
+      "workspace.Part.Touched:Connect(function(hit) workspace.Part.Parent = hit.Parent end)"};
+  for (const char* text : texts) {
+    Scene scene;
+    const auto part = scene.part("Part");
+    scene.script(text, scene.scripts);
+    EXPECT_EQ(scene.level().parts.size(), 1u) << text;
+    EXPECT_FALSE(scene[part].vanish) << text;
+    EXPECT_EQ(scene.unmodelled(kMayChange), 1u) << text;
+  }
+}
+
+TEST(Removal, WhatLeavesInPlayIsNamed) {
+  const char* const texts[] = {"wait(5) workspace.Folder.Part.Parent = nil",
+                               "wait(5) workspace.Folder:ClearAllChildren()",
+                               "game.Debris:AddItem(workspace.Folder.Part, 30)"};
+  for (const char* text : texts) {
+    Scene scene;
+    scene.part("Part", {}, scene.add("Folder", "Folder", scene.workspace));
+    scene.script(text, scene.scripts);
+    EXPECT_EQ(scene.level().parts.size(), 1u) << text;
+    EXPECT_EQ(scene.unmodelled(kInPlay), 1u) << text;
+  }
+}
+
+TEST(Removal, WhatComesOutOfStorageIsBuilt) {
+  Scene scene;
+  const auto storage = scene.add("ServerStorage", "ServerStorage", kNoInstance);
+  scene.part("Plank", {}, scene.add("Model", "Stage1", storage));
+  scene.script("game.ServerStorage.Stage1.Parent = workspace", scene.scripts);
+  EXPECT_TRUE(scene.level().parts.empty());
+  EXPECT_EQ(scene.unmodelled("parts that a script builds"), 1u);
+}
+
+TEST(Removal, SizesThatATouchChangesAreNamed) {
+  const char* const texts[] = {"p.Size = Vector3.new(1, 1, 1)",
+                               "game:GetService('TweenService'):Create(p, TweenInfo.new(2), "
+                               "{Size = Vector3.new(0, 0, 0)}):Play()"};
+  for (const char* text : texts) {
+    Scene scene;
+    const auto part = scene.part("Shrinks");
+    scene.script(
+        "local p = script.Parent\np.Touched:Connect(function() " + std::string(text) + " end)",
+        part);
+    scene.level();
+    EXPECT_EQ(scene.unmodelled("size that a script changes"), 1u) << text;
+  }
+}
+
+}  // namespace
+}  // namespace obby::test

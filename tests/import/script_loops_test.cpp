@@ -1,0 +1,148 @@
+// Loops that end by what they do, functions that call themselves, lists and texts that scripts
+// make: what stands behind them is read.
+#include "import/motion_checks.h"
+
+namespace obby::test {
+namespace {
+
+TEST(ScriptLoops, WhatStandsBehindALoopThatEndsItselfIsRead) {
+  struct Case {
+    const char* text;
+    float delay;
+  };
+  const Case cases[] = {
+      {"local i = 0 repeat i = i + 1 p.Transparency = i / 10 wait(0.1) until i >= 10", 1},
+      {"repeat p.Transparency = p.Transparency + 0.25 wait(0.5) until p.Transparency >= 1", 2},
+      {"while p.Transparency < 1 do p.Transparency += 0.5 task.wait(1) end", 2},
+      {"local n = 3 while n > 0 do n -= 1 p.Transparency = n wait(1) end", 3},
+      {"local t = tick() while tick() - t < 1.8 do p.Transparency = 0.5 wait(0.5) end", 2}};
+  for (const Case& now : cases) {
+    Scene scene;
+    const auto part = scene.part("Fading");
+    scene.script("local p = script.Parent\np.Touched:Connect(function()\n" + std::string(now.text) +
+                     "\np.CanCollide = false wait(3) p.CanCollide = true end)",
+                 part);
+    scene.level();
+    ASSERT_TRUE(scene[part].vanish) << now.text;
+    EXPECT_NEAR(scene[part].vanish->delay, now.delay, 0.05) << now.text;
+    EXPECT_NEAR(scene[part].vanish->away, 3, 1e-3) << now.text;
+  }
+}
+
+TEST(ScriptLoops, EveryRoundOfALoopThatCountsIsFollowed) {
+  const char* const texts[] = {
+      "local i = 1 while i <= #all do all[i].Touched:Connect(kill) i = i + 1 end",
+      "local i = 0 repeat i += 1 all[i].Touched:Connect(kill) until i == #all",
+      "local list = {} for i, v in pairs(all) do list[#list + 1] = v end "
+      "for _, v in ipairs(list) do v.Touched:Connect(kill) end",
+      "local list = {} list[1] = all[3] list[2] = all[1] list[1] = all[2] list[3] = all[3] "
+      "for _, v in ipairs(list) do v.Touched:Connect(kill) end",
+      "for i = 1, 3 do workspace.Red:FindFirstChild(tostring(i)).Touched:Connect(kill) end",
+      "for i = 1, 3 do workspace.Red['' .. i].Touched:Connect(kill) end",
+      "for i = 1, 3 do pcall(function(v) v.Touched:Connect(kill) end, all[i]) end"};
+  for (const char* text : texts) {
+    Scene scene;
+    const auto folder = scene.add("Folder", "Red", scene.workspace);
+    const InstanceId parts[] = {scene.part("1", {}, folder), scene.part("2", {9, 0, 0}, folder),
+                                scene.part("3", {18, 0, 0}, folder)};
+    scene.script(
+        "local function kill(h) h.Parent.Humanoid.Health = 0 end\n"
+        "local all = workspace.Red:GetChildren()\n" +
+            std::string(text),
+        scene.scripts);
+    scene.level();
+    for (const InstanceId part : parts) EXPECT_TRUE(scene[part].kill) << part << ": " << text;
+  }
+}
+
+TEST(ScriptLoops, AWayThereAndBackByConditionsIsAMotion) {
+  Scene scene;
+  const auto lift = scene.part("Lift");
+  scene.script(R"(local p = script.Parent
+while true do
+  while p.Position.Y < 10 do p.Position = p.Position + Vector3.new(0, 0.5, 0) task.wait() end
+  while p.Position.Y > 0 do p.Position = p.Position - Vector3.new(0, 0.5, 0) task.wait() end
+end)",
+               lift);
+  scene.level();
+  ASSERT_TRUE(scene[lift].motion);
+  EXPECT_EQ(scene.evidence(lift, "motion").rfind("script", 0), 0u);
+  EXPECT_NEAR(scene[lift].motion->keys.back().time, 40 / 60.0, 0.05);
+  expectNear(at(scene[lift], 1 / 3.0f), {0, 10, 0}, 0.6f);
+}
+
+TEST(ScriptLoops, AFunctionThatCallsItselfForEverIsALoop) {
+  Scene scene;
+  const auto lift = scene.part("Lift");
+  scene.script(R"(local ts = game:GetService("TweenService")
+local there = ts:Create(script.Parent, TweenInfo.new(2), {Position = Vector3.new(0, 8, 0)})
+local back = ts:Create(script.Parent, TweenInfo.new(4), {Position = Vector3.new(0, 0, 0)})
+local function go()
+  there:Play() there.Completed:Wait()
+  back:Play() back.Completed:Wait()
+  go()
+end
+task.wait(1)
+go())",
+               lift);
+  scene.level();
+  ASSERT_TRUE(scene[lift].motion);
+  EXPECT_EQ(scene[lift].motion->repeat, importer::Repeat::loop);
+  EXPECT_NEAR(scene[lift].motion->keys.back().time, 6, 0.05);
+  EXPECT_NEAR(scene[lift].motion->offset, -1, 0.02);
+  expectNear(at(scene[lift], 2), {0, 8, 0});
+}
+
+TEST(ScriptLoops, WhatCallsItselfForEachChildIsNoLoop) {
+  Scene scene;
+  const auto inner = scene.add("Folder", "Inner", scene.add("Folder", "Outer", scene.workspace));
+  const auto part = scene.part("Part", {}, inner);
+  scene.script(R"(local function visit(it)
+  wait(0.1)
+  if it:IsA("BasePart") then it.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end) end
+  for _, child in it:GetChildren() do visit(child) end
+end
+visit(workspace.Outer))",
+               scene.scripts);
+  scene.level();
+  EXPECT_TRUE(scene[part].kill);
+}
+
+TEST(ScriptLoops, ATouchThatCallsWhatIsNotKnownIsNamed) {
+  Scene scene;
+  scene.part("Part");
+  scene.script("workspace.Part.Touched:Connect(require(script.Traps).kill)", scene.scripts);
+  scene.level();
+  EXPECT_EQ(scene.unmodelled("script pattern"), 1u);
+}
+
+TEST(ScriptLoops, VelocitiesThatChangeAreNamed) {
+  const char* const texts[] = {
+      "p.Velocity = Vector3.new(9, 0, 0) wait(5) p.Velocity = Vector3.new(-9, 0, 0)",
+      "while true do p.Velocity = Vector3.new(9, 0, 0) wait(3) p.Velocity = Vector3.new(0, 0, 0) "
+      "wait(3) end",
+      "p.Velocity = Vector3.new(9, 0, 0) p.Touched:Connect(function() "
+      "p.Velocity = Vector3.new(0, 0, 0) end)"};
+  for (const char* text : texts) {
+    Scene scene;
+    const auto part = scene.part("Belt");
+    scene.script("local p = script.Parent " + std::string(text), part);
+    scene.level();
+    ASSERT_TRUE(scene[part].conveyor) << text;
+    EXPECT_EQ(scene[part].conveyor->velocity, (Vec3{9, 0, 0})) << text;
+    EXPECT_EQ(scene.unmodelled("conveyor that a script changes"), 1u) << text;
+  }
+}
+
+TEST(ScriptLoops, AVelocityUnderAConditionIsAGuess) {
+  Scene scene;
+  const auto part = scene.part("Belt");
+  scene.script("if math.random() > 0.5 then script.Parent.Velocity = Vector3.new(9, 0, 0) end",
+               part);
+  scene.level();
+  ASSERT_TRUE(scene[part].conveyor);
+  EXPECT_EQ(scene.evidence(part, "conveyor").rfind("guessed: ", 0), 0u);
+}
+
+}  // namespace
+}  // namespace obby::test
