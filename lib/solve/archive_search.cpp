@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solve/rollouts/blame.h"
+
 namespace obby::solve {
 
 ArchiveSearch::ArchiveSearch(const Problem& problem, uint64_t seed,
@@ -24,7 +26,8 @@ std::vector<Vec3> ArchiveSearch::places(uint32_t first) const {
   return result;
 }
 
-bool ArchiveSearch::countEnd(const sim::World& world, const Node& way) {
+bool ArchiveSearch::countEnd(const sim::World& world, const sim::LooseBody* loose,
+                             const Node& way) {
   statistics_.overruns |= uint8_t(world.flags & sim::kOverruns);
   if (world.outcome == sim::Outcome::goal) {
     reached_.push_back({arrivalRank(world), way});
@@ -34,7 +37,7 @@ bool ArchiveSearch::countEnd(const sim::World& world, const Node& way) {
   return attempts_.add({{way.rollout, way.parent, falls ? kFallTicks : way.ticks},
                         world.position,
                         falls ? sim::Outcome::fell : world.outcome,
-                        world.part});
+                        blamedPart(world, loose, problem_.level)});
 }
 
 bool ArchiveSearch::countApproach(const Approach& approach, const Node& way) {

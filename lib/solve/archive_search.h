@@ -32,9 +32,10 @@ class ArchiveSearch : public Search {
   // The archive begins with the start.
   ArchiveSearch(const Problem& problem, uint64_t seed, const GoExploreSettings& settings);
 
-  // To be called in a fixed order. countEnd(): what `way` ended as, in `world`; countApproach():
-  // how near to the goal it was. True: playthrough(way) may be asked for.
-  bool countEnd(const sim::World& world, const Node& way);
+  // To be called in a fixed order. countEnd(): what `way` ended as, in `world` among the bodies
+  // `loose` (level.looseCount); countApproach(): how near to the goal it was. True:
+  // playthrough(way) may be asked for.
+  bool countEnd(const sim::World& world, const sim::LooseBody* loose, const Node& way);
   bool countApproach(const Approach& approach, const Node& way);
   // Those of countEnd() that arrived, since the last time, are the goals.
   void takeGoals();

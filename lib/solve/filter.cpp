@@ -45,6 +45,8 @@ Result<io::Then> Filter::handle(const io::Record& record) {
 Result<io::Then> Filter::handleLevel(const io::Record& read) {
   OBBY_RETURN_IF_ERROR(finishLevel());
   last_.reset();
+  // Where it makes no sense its queries are not to be asked of an older level of its name.
+  levels_.erase(read.reader().getLevel().getName().cStr());
   if (!physics_.known()) return take(read, read);
   const io::Record calibrated = physics_.applied(read);
   OBBY_ASSIGN(const io::Then then, take(calibrated, read));
@@ -80,6 +82,10 @@ Result<io::Then> Filter::handleQuery(const io::Record& record) {
   if (asked && options_.task == Task::answer) return io::Then::pass;
   OBBY_ASSIGN(const io::Record full, resolved(*level, record));
   if (options_.task == Task::verify) {
+    // Compiled, too: the verifier relies on it that the record makes sense.
+    if (wanted(query.getId())) {
+      OBBY_RETURN_IF_ERROR(level::Query::compile(full.reader().getQuery(), level->level));
+    }
     queries_.insert_or_assign({level->level.name(), query.getId()}, full);
     return io::Then::pass;
   }

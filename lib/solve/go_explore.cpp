@@ -192,7 +192,7 @@ void GoExplore::merge() {
     ++statistics_.idleRollouts;
     if (tried_.back().cells != 0) statistics_.idleRollouts = 0;
     statistics_.steps += r.ticks;
-    countEnd(r.end, {r.id, r.parent, r.ticks});
+    countEnd(r.end, r.endLoose.data(), {r.id, r.parent, r.ticks});
     countApproach(r.closest, {r.id, r.parent, r.closestTicks});
   }
   takeGoals();

@@ -20,9 +20,10 @@ class Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-void takeGoals(const Search& search, size_t wanted, const Watcher& watcher, const Clock& clock,
-               Solutions& solutions, SearchOutcome& outcome) {
-  for (size_t i = 0; i < std::min(search.goals().size(), kChecksPerRound); ++i) {
+// Of the ways to the goal that the search has just found, the first `most`.
+void takeGoals(const Search& search, size_t most, size_t wanted, const Watcher& watcher,
+               const Clock& clock, Solutions& solutions, SearchOutcome& outcome) {
+  for (size_t i = 0; i < std::min(search.goals().size(), most); ++i) {
     const bool first = solutions.count() == 0;
     const auto offer = solutions.offer(search.playthrough(search.goals()[i]), watcher.accept);
     if (offer == Solutions::Offer::refused) ++outcome.refused;
@@ -69,14 +70,15 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget, const Watc
   for (size_t first = 0, next = budget.solutions; first < all && !stopped;
        first = next, next = all) {
     search.tryKnown(first, std::min(next, all) - first);
-    takeGoals(search, budget.solutions, watcher, clock, solutions, outcome);
+    // All of them: nobody tries them again.
+    takeGoals(search, all, budget.solutions, watcher, clock, solutions, outcome);
     outcome.knownSolutions = uint32_t(solutions.count());
     if (outcome.knownSolutions >= budget.solutions) stopped = Stopped::solved;
   }
   while (!stopped) {
     search.round();
     coverage.note(search);
-    takeGoals(search, budget.solutions, watcher, clock, solutions, outcome);
+    takeGoals(search, kChecksPerRound, budget.solutions, watcher, clock, solutions, outcome);
     if (watcher.look) watcher.look({search, clock.seconds()});
     stopped = whyStop(budget, search, clock, solutions);
   }

@@ -282,6 +282,25 @@ TEST(Difficulty, IsFiniteWhereNobodyPasses) {
   EXPECT_FLOAT_EQ(d.expectedAttempts, 40);
 }
 
+// A window of none is no jump, or one that nobody makes: the easiest or the tightest.
+TEST(Difficulty, OfAsManyTrialsTheTightestJumpIsHardest) {
+  const auto step = [](uint32_t jumps, float window, uint32_t passed = 50) {
+    DifficultyStep out;
+    out.segment.jumps = jumps;
+    out.window = window;
+    out.passed = passed;
+    return out;
+  };
+  const DifficultyStep way = step(0, 0), wide = step(1, 300), tight = step(2, 50),
+                       lost = step(1, 0);
+  const DifficultyStep* const ascending[] = {&way, &wide, &tight, &lost};
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 4; ++k) EXPECT_EQ(harder(*ascending[i], *ascending[k]), i > k) << i << k;
+  }
+  EXPECT_TRUE(harder(step(0, 0, 40), lost));
+  EXPECT_FALSE(harder(lost, step(0, 0, 40)));
+}
+
 TEST(Difficulty, BandsAreOrdered) {
   EXPECT_EQ(bandOf(1), Band::trivial);
   EXPECT_EQ(bandOf(0.95f), Band::easy);

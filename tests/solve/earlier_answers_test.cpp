@@ -84,6 +84,30 @@ TEST(EarlierAnswer, StillWorksOnTheSameLevelAtOnce) {
   EXPECT_TRUE(runFilter(file.path(), verify).status);
 }
 
+// A field, and straight ways over it that fan out: the ends of any two are five studs apart.
+TEST(EarlierAnswer, KeepsAsManyWaysAsAreAskedFor) {
+  constexpr int kWays = 20;
+  const std::string field =
+      R"({"type":"level","name":"field","parts":[{"name":"Field","position":[0,-0.5,-50],)"
+      R"("size":[400,1,120]}],"spawns":[{"position":[0,0,0]}]})"
+      "\n"
+      R"({"type":"query","id":"q","goal":{"position":[0,2,-60],"size":[400,4,8]}})"
+      "\n";
+  std::string before;
+  for (int i = 0; i < kWays; ++i) {
+    const int heading = (65536 + (i - kWays / 2) * 1000) % 65536;
+    before += R"({"type":"trajectory","query":"q","level":"field","outcome":"goal","actions":[)"
+              R"({"ticks":500,"walk":true,"heading":)" +
+              std::to_string(heading) + "}]}\n";
+  }
+  FilterOptions o = stepsOnly();
+  o.earlier = answersIn(before);
+  o.solver.budget.solutions = kWays;
+  const std::string output = answer(field, std::move(o));
+  EXPECT_THAT(output, HasSubstr("\"solutions\":20")) << output.substr(output.size() / 2);
+  EXPECT_EQ(roundsOf(output), 0u) << "all were known";
+}
+
 TEST(EarlierAnswer, IsSearchedOnFromWhereItFails) {
   const std::string before = answer(stonesText(), stepsOnly());
   const std::string cold = answer(fourStones(), stepsOnly());

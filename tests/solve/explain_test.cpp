@@ -231,6 +231,10 @@ TEST(Explain, SaysHowMuchHealthItCosts) {
   ASSERT_NE(damage, nullptr) << e.reason;
   EXPECT_EQ(damage->amount, 20);
   EXPECT_EQ(damage->text, "solvable with 30 health lost instead of 10");
+  const Said* part = e.of(schema::Knob::KILL_PART);
+  ASSERT_NE(part, nullptr) << e.reason;
+  EXPECT_EQ(part->part, 2);
+  EXPECT_THAT(e.reason, HasSubstr("lost more health than allowed, at last by part 2 'Embers'"));
 }
 
 TEST(Explain, ClaimsNothingWhereNothingHelps) {

@@ -180,6 +180,20 @@ TEST(Filter, AnswersOnlyTheNamedQueriesAndMissesUnknownNames) {
   EXPECT_TRUE(filter(stonesText(), o).status);
 }
 
+TEST(Filter, AQueryThatMakesNoSenseIsNotVerifiedBy) {
+  std::string visits;
+  for (int i = 0; i < 33; ++i) visits += R"({"position":[0,2,-28]},)";
+  visits.pop_back();
+  FilterOptions o;
+  o.task = Task::verify;
+  const Filtered f = filter(stonesText(R"(,"visits":[)" + visits + "]"), o);
+  ASSERT_FALSE(f.status);
+  EXPECT_EQ(f.status.error().path, "visits") << f.status.error().text();
+  o.only = {"other"};
+  EXPECT_THAT(filter(stonesText(R"(,"visits":[)" + visits + "]"), o).status.error().text(),
+              HasSubstr("no query 'other'"));
+}
+
 TEST(Filter, AQueryOfAnUnknownLevelIsAnError) {
   const Filtered f = filter(stonesText(R"(,"level":"elsewhere")"));
   ASSERT_FALSE(f.status);

@@ -62,6 +62,58 @@ TEST(ReachBound, AWallFarOffPushesNobody) {
   EXPECT_EQ(ReachBound(problem, true).jumpsTo(boxAt({0, 3, -120}, {4, 2, 4})), ReachBound::kNever);
 }
 
+// Feet beside a small part that turns and carries are faster than any point of the part.
+TEST(ReachBound, HoldsWhomASmallSpinnerThrows) {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {16, 1, 8}).spawn({4, 0, -0.8f}, kPi / 2);
+  b.block({0, 0, 0}, {0.2f, 0.2f, 0.2f}, [](schema::Part::Builder p) {
+    auto motion = p.initMotion();
+    motion.setCarries(true);
+    auto spin = motion.initSpin();
+    support::set(spin.initAxis(), {1, 0, 0});
+    spin.setSpeed(40);
+  });
+  const level::Level level = b.compile();
+  const Problem problem = problemOf(level);
+  const ReachBound bound(problem, true);
+  const Turns aside = turnsFromRadians(kPi / 2);  // toward -X
+  float highest = 0;
+  for (uint32_t jumpAt = 0; jumpAt < 60; ++jumpAt) {
+    sim::World w = problem.start;
+    for (uint32_t t = 0; t < 120; ++t) {
+      sim::advance(w, nullptr, level.view(), nullptr, {aside, true, t == jumpAt});
+      highest = std::max(highest, w.position.y);
+      ASSERT_TRUE(bound.holds(w.position))
+          << "jump at " << jumpAt << ", tick " << t << ", height " << w.position.y;
+    }
+  }
+  EXPECT_GT(highest, 12) << "nobody was thrown";
+}
+
+// By other physics a part counts as touched from a stud away: a pad throws from above its top.
+TEST(ReachBound, HoldsWhomAPadThrowsBeforeItIsMet) {
+  float highest = 0;
+  for (int i = 0; i < 20; ++i) {
+    LevelBuilder b;
+    b.block({0, -0.5f, 0}, {8, 1, 8}, [](schema::Part::Builder p) {
+      p.setSolid(false);
+      support::set(p.initJumpPad().initVelocity(), {0, 100, 0});
+    });
+    b.spawn({0, 8 + 0.1f * float(i), 0});
+    b.physics([](schema::PhysicsParams::Builder p) { p.setTouchMargin(1); });
+    const level::Level level = b.compile();
+    const Problem problem = problemOf(level);
+    const ReachBound bound(problem, true);
+    sim::World w = problem.start;
+    for (uint32_t t = 0; t < 80; ++t) {
+      sim::advance(w, nullptr, level.view(), nullptr, {});
+      highest = std::max(highest, w.position.y);
+      ASSERT_TRUE(bound.holds(w.position)) << "tick " << t << ", height " << w.position.y;
+    }
+  }
+  EXPECT_GT(highest, 26) << "nobody was thrown from above it";
+}
+
 // By other physics the root is held far above a seat.
 TEST(ReachBound, HoldsWhoSitsHighUp) {
   LevelBuilder b;

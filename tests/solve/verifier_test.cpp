@@ -46,6 +46,22 @@ TEST_F(VerifierTest, RefusesAnotherStartTick) {
   expectWrong("startTick");
 }
 
+TEST_F(VerifierTest, RefusesAnotherFacing) {
+  makeTrajectory();
+  setRegion(q().initStart().initRegion(), {0, 2.5f, -2}, {2, 5, 2});  // feet at the spawn
+  q().getStart().setYaw(1.5f);
+  expectWrong("yawTurns");
+  q().getStart().setYaw(0);
+  EXPECT_TRUE(check()) << check().error().text();
+}
+
+TEST_F(VerifierTest, RefusesAnotherFacingThanTheSpawns) {
+  makeTrajectory();
+  ASSERT_TRUE(check()) << check().error().text();
+  record.root().getLevel().getSpawns()[0].setYaw(1.5f);
+  expectWrong("yawTurns");
+}
+
 TEST_F(VerifierTest, RefusesAMissedWaypoint) {
   makeTrajectory();
   setRegion(q().initWaypoints(1)[0].initRegion(), {3.5f, 2, -16}, {1, 4, 8});

@@ -62,6 +62,33 @@ Status readQuick(const cli::Arguments& a, solve::FilterOptions& o) {
   return {};
 }
 
+// Options that only say how to search, and what to say of it.
+constexpr const char* kSearching[] = {"time-limit", "max-steps", "solutions", "attempts",
+                                      "trials",     "method",    "warm",      "policy"};
+constexpr const char* kSearchingFlags[] = {"diverse", "difficulty", "final-only",
+                                           "paths",   "heat-map",   "explain"};
+
+// What would do nothing beside the other options was meant to do something.
+Status refuseIdle(const cli::Arguments& a, solve::Task task) {
+  if (task == solve::Task::answer) {
+    if (!a.flag("diverse") || a.integer("solutions") > 1) return {};
+    return refused("diverse", "needs --solutions 2 or more", "as in --solutions 5 --diverse");
+  }
+  const auto idle = [task](const char* option) {
+    return refused(option,
+                   task == solve::Task::verify ? "does not go with --verify"
+                                               : "does not go with --pass and --not-pass",
+                   "nothing is searched there");
+  };
+  for (const char* option : kSearching) {
+    if (a.typed(option)) return idle(option);
+  }
+  for (const char* option : kSearchingFlags) {
+    if (a.flag(option)) return idle(option);
+  }
+  return {};
+}
+
 Result<std::shared_ptr<const policy::PolicyFile>> policyOf(const cli::Arguments& a) {
   if (!a.has("policy")) return std::shared_ptr<const policy::PolicyFile>();
   OBBY_ASSIGN(const std::string bytes, io::readFile(a.text("policy")));
@@ -104,6 +131,7 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
   o.passes = {a.list("pass"), a.list("not-pass")};
   OBBY_ASSIGN(o.task, taskOf(a, o.passes));
   OBBY_RETURN_IF_ERROR(readQuick(a, o));
+  OBBY_RETURN_IF_ERROR(refuseIdle(a, o.task));
   o.remember = a.flag("watch");
   if (a.has("warm")) {
     io::SourceOptions earlier = context.sourceOptions();
@@ -117,7 +145,12 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
   o.solver.explain = a.flag("explain");
   o.solver.paths = a.flag("paths");
   o.solver.heatMap = a.flag("heat-map");
-  if (a.flag("difficulty")) o.solver.difficultyTrials = uint32_t(a.integer("trials"));
+  if (a.flag("difficulty")) {
+    o.solver.difficultyTrials = uint32_t(a.integer("trials"));
+  } else if (a.typed("trials")) {
+    return refused("trials", "nothing is tried without --difficulty",
+                   "give --difficulty, too, or leave it out");
+  }
   o.solver.budget = budgetOf(context);
   report(context, o);
   return o;

@@ -1,6 +1,8 @@
 #include "watch.h"
 
 #include <chrono>
+#include <filesystem>
+#include <system_error>
 #include <thread>
 
 #include "io/file_watch.h"
@@ -12,9 +14,21 @@ namespace {
 
 constexpr std::chrono::milliseconds kPoll{50};
 
-Status needsFiles(const std::vector<std::string>& inputs) {
+bool isSameFile(const std::string& a, const std::string& b) {
+  std::error_code none;  // of files that are not there
+  return a == b || (std::filesystem::equivalent(a, b, none) && !none);
+}
+
+// Files, and others than what is written: that would be a change, to be answered for ever.
+Status canWatch(const std::vector<std::string>& inputs, const std::string& output) {
   for (const std::string& path : inputs) {
     if (path == "-") return Error{{}, {}, "--watch", "needs files, not standard input", {}};
+    if (!isSameFile(path, output)) continue;
+    return Error{{},
+                 {},
+                 "--watch",
+                 "the output " + output + " is one of the files that are watched",
+                 "name another file with -o"};
   }
   return {};
 }
@@ -38,7 +52,7 @@ class Guard {
 }  // namespace
 
 Status watchInputs(cli::Context& context, solve::FilterOptions& options, const SolveOnce& solve) {
-  OBBY_RETURN_IF_ERROR(needsFiles(context.inputs()));
+  OBBY_RETURN_IF_ERROR(canWatch(context.inputs(), context.arguments().text("output")));
   io::FileWatch files(context.inputs());
   while (!context.stop()) {
     files.settle(context.stop());

@@ -10,8 +10,8 @@ namespace obby::tools {
 using SolveOnce =
     std::function<Status(solve::FilterOptions& options, const std::atomic<bool>& stop)>;
 
-// Until the process is told to end. Error: an input that is not a file, an output that nobody reads
-// any more.
+// Until the process is told to end. Error: an input that is not a file, or that is the output too;
+// an output that nobody reads any more.
 Status watchInputs(cli::Context& context, solve::FilterOptions& options, const SolveOnce& solve);
 
 }  // namespace obby::tools

@@ -20,9 +20,13 @@ Result<bool> PassFilter::keeps(const level::Level& level,
                                schema::Trajectory::Reader trajectory) const {
   OBBY_ASSIGN(const sim::Plan plan, sim::planFromRecord(trajectory));
   const sim::Replay replay = sim::replay(level.view(), nullptr, plan);
+  const std::vector<sim::World>& worlds = replay.worlds;
+  // Between two ticks, too: a box may be thinner than a player walks in one.
   const auto passes = [&](const Place& place) {
-    for (size_t tick = 0; tick < replay.worlds.size(); ++tick) {
-      if (place.holds(level.view(), replay.worlds[tick], replay.looseAt(tick))) return true;
+    if (place.holds(level.view(), worlds[0], replay.looseAt(0))) return true;
+    for (size_t tick = 1; tick < worlds.size(); ++tick) {
+      const sim::World &before = worlds[tick - 1], &world = worlds[tick];
+      if (place.isEntered(level.view(), before, world, replay.looseAt(tick))) return true;
     }
     return false;
   };

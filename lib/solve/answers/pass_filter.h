@@ -18,7 +18,8 @@ struct PassRule {
   bool empty() const { return pass.empty() && notPass.empty(); }
 };
 
-// A rule in the places of one level.
+// A rule in the places of one level. A box is passed between two ticks, too; a part is touched at
+// the end of one.
 class PassFilter {
  public:
   // Error: a selector that fits no part, or several; its path is the option.

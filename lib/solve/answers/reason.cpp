@@ -53,7 +53,11 @@ std::string endText(const EndCount& end, const level::Level& level, schema::Quer
     case sim::Outcome::avoided: return avoidText(query, end.part);
     case sim::Outcome::jumps: return "needed more jumps than allowed";
     case sim::Outcome::timeout: return "ran out of time";
-    case sim::Outcome::hurt: return "lost more health than allowed";
+    case sim::Outcome::hurt:
+      return "lost more health than allowed" +
+             (end.part < level.partCount()
+                  ? fmt::format(", at last by part {} '{}'", end.part, level.partName(end.part))
+                  : std::string());
     case sim::Outcome::forbidden: return "were in a forbidden state";
     case sim::Outcome::running:
     case sim::Outcome::goal: break;

@@ -54,11 +54,6 @@ uint32_t playTrials(const Step& step, size_t index, uint32_t first, uint32_t las
   return uint32_t(std::count(passed.begin(), passed.end(), true));
 }
 
-bool harder(const DifficultyStep& a, const DifficultyStep& b) {
-  if (a.passed != b.passed) return a.passed < b.passed;
-  return a.window > 0 && (b.window == 0 || a.window < b.window);
-}
-
 Difficulty summed(std::vector<Step> steps, uint32_t trials) {
   Difficulty d;
   d.trials = trials;
@@ -90,6 +85,11 @@ Band bandOf(float success) {
   int band = 0;
   for (const float least : kLeast) band += success < least ? 1 : 0;
   return Band(band);
+}
+
+bool harder(const DifficultyStep& a, const DifficultyStep& b) {
+  if (a.passed != b.passed) return a.passed < b.passed;
+  return a.segment.jumps > 0 && (b.segment.jumps == 0 || a.window < b.window);
 }
 
 Difficulty difficultyOf(const Problem& problem, const Course& course,

@@ -29,12 +29,18 @@ Band bandOf(float success);
 
 struct DifficultyStep {
   Segment segment;
-  uint32_t passed = 0;   // of the trials
-  float success = 0;     // share of the trials
-  float window = 0;      // ms in which its tightest jump must be pressed; 0: none
+  uint32_t passed = 0;  // of the trials
+  float success = 0;    // share of the trials
+  // ms in which its tightest jump must be pressed; 0: no jump, or, where segment.jumps says that
+  // there are some, one that fails even as recorded.
+  float window = 0;
   float margin = 0;      // landingMargin(); 0: does not land on a part out of the air
   float clearance = -1;  // killClearance()
 };
+
+// Fewer trials passed it; of as many, its tightest jump leaves less time (a way without jumps all
+// of it).
+bool harder(const DifficultyStep& a, const DifficultyStep& b);
 
 struct Difficulty {
   std::vector<DifficultyStep> steps;

@@ -54,7 +54,7 @@ std::string hardestText(const Difficulty& difficulty, const level::Level& level)
                                  partText(s.to, level, "the goal"), bandName(bandOf(step.success)));
   // A window as wide as what is looked at says that the press need not be timed.
   const float widest = float(2 * kMostShift) * 1000 / float(level.view().params.controlRate);
-  if (step.window > 0 && step.window <= widest) {
+  if (s.jumps > 0 && step.window <= widest) {
     text += fmt::format(", window {:.0f} ms", step.window);
   }
   return text + ")";

@@ -118,7 +118,7 @@ void LearnedSearch::take(Episode& e, size_t way) {
   ++statistics_.idleRollouts;
   if (cellCount() != cells) statistics_.idleRollouts = 0;
   needed |= countApproach(e.closest, {id, 0, e.closestTicks});
-  const bool shown = countEnd(e.world, {id, 0, e.ticks});
+  const bool shown = countEnd(e.world, e.loose.data(), {id, 0, e.ticks});
   if (!needed && !shown) return;
   keep(e, way);
   shown_[way] |= uint8_t(shown);

@@ -2,35 +2,17 @@
 
 #include <algorithm>
 
-#include "sim/floor.h"
+#include "solve/proof/body_reach.h"
 
 namespace obby::solve {
 
 namespace {
 
-constexpr float kSlack = 0.25f;   // studs: skin, ticks, rounding
 constexpr float kSnap = 1;        // studs a tick: movers that jump further push through things
 constexpr float kSteepSpeed = 4;  // studs/s gained on faces steeper than any slope limit
 constexpr uint32_t kLeads = level::kPad | level::kTeleport | level::kSeat;  // on touch
 constexpr float kMostVertical = 1e-3f;
 constexpr float kLeastSlope = 80;  // degrees: below, sliding down makes speeds without a bound
-
-// How far above the floor the legs can leave the feet, or throw them: the hover spring let go at
-// its deepest, and the reach in which it keeps a floor.
-float springRise(const Params& p) {
-  const float keep =
-      p.floorReachBase * p.rootHeight + p.floorKeep * p.hipHeight - sim::rayHeight(p);
-  float gap = -(sim::rayHeight(p) + kSlack), speed = 0, most = std::max(keep, 0.0f);
-  for (int i = 0; i < 2 * p.controlRate * p.substeps; ++i) {
-    const float a =
-        std::clamp(-p.hoverStiffness * gap - p.hoverDamping * speed, -p.gravity, p.hoverLimit);
-    gap += speed * p.substepSeconds + a * (0.5f * p.substepSeconds * p.substepSeconds);
-    speed += a * p.substepSeconds;
-    const float up = std::max(speed, 0.0f);
-    most = std::max(most, gap + up * up / (2 * p.gravity));
-  }
-  return most + kSlack;
-}
 
 // What a mover does to those around it.
 struct Motion {
@@ -78,7 +60,8 @@ Motion motionOf(const level::LevelView& level, uint32_t collider) {
   // Who sits on what turns over may be farther from its centre than its corners are.
   const bool swings = !upright && (level.bounds[collider].flags & level::kSeat) != 0;
   const float half = std::max(length(c.shape.half), swings ? level.params.seatHeight : 0.0f);
-  const float radius = half + length(m.pivot), rate = level.params.controlRate;
+  const float own = half + length(m.pivot), rate = level.params.controlRate;
+  const float radius = own + feetAway(level.params, level.bounds[collider].flags);
   Motion motion;
   motion.swept = level.bounds[collider].box();
   motion.rough = !upright;
@@ -173,7 +156,7 @@ class Builder {
     s.top = box.hi.y;
     const float side = sideOf(bounds.flags);
     s.feet = grow(box, {side, 0, side});
-    s.feet.hi.y += s.carries ? rise_ : kSlack;
+    s.feet.hi.y += s.carries ? rise_ : touchSlack(p_);
     if (bounds.flags & level::kSeat) s.feet = join(s.feet, seatedIn(box));
     const bool holds = canHoldBody(box, bounds.flags);
     s.entry = holds ? besideOf(box)
@@ -189,11 +172,9 @@ class Builder {
 
   // How far from the part's box its player can be, seen from above: body, limbs or climb sensor.
   float sideOf(uint32_t flags) const {
-    const float half = 0.5f * length(Vec3{p_.bodyWidth, 0, p_.bodyDepth});
-    float side = half;
-    if (flags & kLeads) side = 0.5f * length(Vec3{p_.armSpan, 0, p_.bodyDepth});
-    if (flags & level::kTruss) side = std::max(side, p_.climbReach + half);
-    return side + kSlack;
+    float side = bodySide(p_) + kSlack;
+    if (flags & level::kTruss) side += p_.climbReach;
+    return flags & kLeads ? std::max(side, limbSide(p_) + touchSlack(p_)) : side;
   }
 
   // Feet of those who sit: the root is above the seat's centre, wherever the seat has its top.
@@ -203,7 +184,7 @@ class Builder {
   }
 
   // From any side, at any height.
-  float besideOf(const Box& box) const { return box.lo.y - p_.bodyTop - 2 * kSlack; }
+  float besideOf(const Box& box) const { return box.lo.y - p_.bodyTop - kSlack - touchSlack(p_); }
 
   float entryOf(const Box& box, uint32_t flags, const Motion* motion) const {
     if (flags & (level::kTruss | kLeads)) return besideOf(box);
@@ -214,9 +195,8 @@ class Builder {
   }
 
   void addSurface(Support& s, const level::Collider& c, uint32_t flags) const {
-    const level::Roles* roles = level_.roles;
     if (flags & level::kConveyor) {
-      const level::Roles& r = roles[c.role];
+      const level::Roles& r = level_.roles[c.role];
       const Box around = grow(s.feet, {0, p_.bodyTop, 0});
       const Vec3 far = max(abs(around.lo - r.conveyorCenter), abs(around.hi - r.conveyorCenter));
       const float turning = length(r.conveyorAngular) * length(far);
@@ -224,7 +204,7 @@ class Builder {
       s.upward += absf(r.conveyorVelocity.y) + turning;
     }
     if (flags & level::kPad) {
-      const Vec3 v = roles[c.role].padVelocity;
+      const Vec3 v = level_.roles[c.role].padVelocity;
       s.thrown = std::max(s.thrown, v.y);
       s.sideways = std::max(s.sideways, length(Vec3{v.x, 0, v.z}));
     }

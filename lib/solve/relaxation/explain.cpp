@@ -101,7 +101,8 @@ class Explanation {
   // Halves the amount between what does not help and what does.
   void refine(Trial& t, uint64_t share) {
     uint32_t low = 0;
-    while (t.helps - low > 1 && !over()) {
+    // What was found to help may be less than what a search in between did not find to.
+    while (t.helps > low + 1 && !over()) {
       const uint64_t searches = uint64_t(std::bit_width(t.helps - low - 1));
       const uint64_t steps =
           std::min(share / searches, std::max(kHarder * t.steps, kLeastRefineSteps));

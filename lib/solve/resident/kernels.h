@@ -5,6 +5,7 @@
 
 #include "solve/choosers/selection_weight.h"
 #include "solve/resident/round_view.h"
+#include "solve/rollouts/blame.h"
 
 namespace obby::solve {
 
@@ -75,17 +76,20 @@ OBBY_DEVICE void noteGoal(const ResidentArguments& a, uint32_t i, const sim::Wor
   a.goals[fetchAdd(&a.report->goals, 1u)] = {arrivalRank(w), i, end.parent, end.ticks};
 }
 
+// `loose`: as for partThatHurts().
 OBBY_DEVICE void noteEnd(const ResidentArguments& a, uint32_t i, const sim::World& w,
-                         const RolloutPath& path, uint32_t parent, uint32_t candidates) {
+                         const sim::LooseBody* loose, const RolloutPath& path, uint32_t parent,
+                         uint32_t candidates) {
   const bool falls = fallsOn(a.rules.context, w);
   const sim::Outcome outcome = falls ? sim::Outcome::fell : w.outcome;
+  const uint32_t blamed = blamedPart(w, loose, a.rules.context.level);
   a.ends[i] = {
       path.closest, w.position, path.closestTicks, path.ticks, falls ? kFallTicks : path.ticks,
-      parent,       w.part,     candidates,        outcome};
+      parent,       blamed,     candidates,        outcome};
   if (outcome == sim::Outcome::goal) {
     noteGoal(a, i, w);
   } else {
-    const uint32_t part = w.part < a.endParts - 1 ? w.part : a.endParts - 1;
+    const uint32_t part = blamed < a.endParts - 1 ? blamed : a.endParts - 1;
     fetchAdd(a.endCounts + uint32_t(outcome) * a.endParts + part, 1u);
   }
   fetchAdd(&a.report->steps, uint64_t(path.ticks));
@@ -118,7 +122,7 @@ OBBY_DEVICE void exploreFrom(const ResidentArguments& a, uint32_t i) {
   };
   const RolloutPath path =
       explore<kLoose>(a.rules, a.firstRollout + i, a.rules.ticks, world, loose, visit);
-  noteEnd(a, i, world, path, a.archive.nodes[start], count);
+  noteEnd(a, i, world, loose, path, a.archive.nodes[start], count);
 }
 
 // The same of a way that the host has played from the start: of its visits those stay that the
@@ -139,7 +143,7 @@ OBBY_DEVICE void takePlayed(const ResidentArguments& a, uint32_t i) {
     for (uint32_t b = 0; b < bodies; ++b) c.loose[at * bodies + b] = c.loose[from * bodies + b];
     ++count;
   }
-  noteEnd(a, i, way.end, way.path, 0, count);
+  noteEnd(a, i, way.end, nullptr, way.path, 0, count);
 }
 
 // Enters the candidates of rollout i for their cells.

@@ -16,7 +16,7 @@ struct AttemptEnd {
   Node way;
   Vec3 position;  // feet
   sim::Outcome outcome;
-  uint32_t part;  // what killed the player, or kNone
+  uint32_t part;  // what killed or hurt the player, of avoided: the query's avoid; or kNone
 };
 
 struct EndCount {

@@ -53,14 +53,6 @@ bool Judge::atGoal(const Moment& m) const {
   return std::any_of(goals_.begin(), goals_.end(), [&](const Place& g) { return holds(g, m); });
 }
 
-// Also in the middle of a tick; a teleport has none.
-bool Judge::enters(const Place& place, const Moment& m) const {
-  if (holds(place, m)) return true;
-  const bool teleported =
-      (m.world.flags & sim::kArrived) != 0 && (m.before.flags & sim::kArrived) == 0;
-  return !teleported && place.holdsOnTheWay(level_, m.before, m.world);
-}
-
 // Waypoints and visits that are reached now.
 schema::Outcome Judge::reach(const Moment& m) {
   while (reached_ < stops_.size() && holds(stops_[reached_].place, m)) {
@@ -80,7 +72,7 @@ schema::Outcome Judge::after(size_t tick, const sim::World& before, const sim::W
                              std::span<const sim::LooseBody> loose) {
   const Moment m{int64_t(tick), before, world, loose};
   for (size_t i = 0; i < avoid_.size(); ++i) {
-    if (!enters(avoid_[i], m)) continue;
+    if (!avoid_[i].isEntered(level_, m.before, m.world, m.loose)) continue;
     avoided_ = int64_t(i);
     return schema::Outcome::AVOIDED;
   }

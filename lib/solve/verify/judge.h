@@ -46,7 +46,6 @@ class Judge {
   bool holds(const Place& place, const Moment& m) const {
     return place.holds(level_, m.world, m.loose);
   }
-  bool enters(const Place& place, const Moment& m) const;
   bool tooManyJumps(int64_t jumps) const;
   bool tooLate(int64_t tick) const;
   bool atGoal(const Moment& m) const;

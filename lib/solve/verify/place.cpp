@@ -28,9 +28,12 @@ bool Place::holds(const level::LevelView& level, const sim::World& world,
   return box_.holds(feetOf(world), level.params.bodyTop);
 }
 
-bool Place::holdsOnTheWay(const level::LevelView& level, const sim::World& before,
-                          const sim::World& world) const {
-  return touch_ < 0 && box_.holdsOnTheWay(feetOf(before), feetOf(world), level.params.bodyTop);
+bool Place::isEntered(const level::LevelView& level, const sim::World& before,
+                      const sim::World& world, std::span<const sim::LooseBody> loose) const {
+  if (holds(level, world, loose)) return true;
+  const bool teleported = (world.flags & sim::kArrived) != 0 && (before.flags & sim::kArrived) == 0;
+  if (touch_ >= 0 || teleported) return false;
+  return box_.holdsOnTheWay(feetOf(before), feetOf(world), level.params.bodyTop);
 }
 
 }  // namespace obby::solve

@@ -21,9 +21,10 @@ class Place {
   // Is the player there now?
   bool holds(const level::LevelView& level, const sim::World& world,
              std::span<const sim::LooseBody> loose) const;
-  // Was the player in the box, on the straight way from where a tick began? Parts are not asked.
-  bool holdsOnTheWay(const level::LevelView& level, const sim::World& before,
-                     const sim::World& world) const;
+  // Likewise, or was the player in the box on the straight way from where the tick began, in
+  // `before`? A teleport has no way, and parts are not asked on it.
+  bool isEntered(const level::LevelView& level, const sim::World& before, const sim::World& world,
+                 std::span<const sim::LooseBody> loose) const;
 
  private:
   BoxRegion box_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "math/angle.h"
 #include "sim/simulator.h"
 #include "solve/answers/outcome_names.h"
 #include "solve/verify/judge.h"
@@ -31,12 +32,14 @@ Status checkStart(schema::Level::Reader level, schema::Query::Reader query,
                   schema::Trajectory::Reader trajectory) {
   const auto start = query.getStart();
   Point wanted;
+  float yaw = start.getYaw();
   if (start.hasRegion()) {
     wanted = BoxRegion(start.getRegion()).floor();
   } else {
     const uint32_t spawn = start.getSpawn() < 0 ? 0 : uint32_t(start.getSpawn());
     if (spawn >= level.getSpawns().size()) return wrong("position", "a start", "no such spawn");
     wanted = point(level.getSpawns()[spawn].getPosition());
+    yaw = level.getSpawns()[spawn].getYaw();
   }
   const Point got = point(trajectory.getPosition());
   const double off = std::hypot(got.x - wanted.x, got.y - wanted.y, got.z - wanted.z);
@@ -44,6 +47,7 @@ Status checkStart(schema::Level::Reader level, schema::Query::Reader query,
     return wrong("position", fmt::format("{}, {}, {}", got.x, got.y, got.z),
                  fmt::format("a start at {}, {}, {}", wanted.x, wanted.y, wanted.z));
   }
+  OBBY_RETURN_IF_ERROR(same("yawTurns", trajectory.getYawTurns(), turnsFromRadians(yaw)));
   return same("startTick", trajectory.getStartTick(), start.getTick());
 }
 

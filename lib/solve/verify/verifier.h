@@ -9,9 +9,10 @@
 
 namespace obby::solve {
 
-// Success: the playthrough starts where the query says, ends as the record says, at the tick, with
-// the jumps, waypoints and state hash that the record says. The Error's path names the first field
-// of the trajectory that is wrong, its message what the replay gave.
+// Success: the playthrough starts where, when and facing as the query says, ends as the record
+// says, at the tick, with the jumps, waypoints and state hash that the record says. The Error's
+// path names the first field of the trajectory that is wrong, its message what the replay gave.
+// Level and query must be such as compile.
 Status verify(const level::Level& level, schema::Level::Reader levelRecord,
               schema::Query::Reader query, schema::Trajectory::Reader trajectory);
 

@@ -1,0 +1,80 @@
+// The part that took too much health is named, though the simulator does not name it.
+#include "solve/rollouts/blame.h"
+
+#include <gtest/gtest.h>
+
+#include "hand_played.h"
+#include "solve/go_explore.h"
+#include "solve/resident/resident_explore.h"
+
+namespace obby::solve {
+namespace {
+
+// The stones with a curtain over the first that hurts; beside it another, out of the way.
+LevelBuilder curtain() {
+  const auto hot = [](schema::Part::Builder p) {
+    p.setSolid(false);
+    p.initKill().setDamage(20);
+    p.getKill().setCooldown(10);
+  };
+  return steppingStones().block({30, 5, -5}, {8, 40, 1}, hot).block({0, 5, -5}, {40, 40, 1}, hot);
+}
+constexpr uint32_t kCurtain = 4;
+
+struct Hot {
+  explicit Hot(float maxDamage = 10) {
+    question.query.maxDamage = maxDamage;
+    problem = question.problem();
+  }
+  sim::World walked() const {
+    return playByHand(problem, [](const sim::World&) { return sim::Action{0, true, false}; }).end;
+  }
+  level::Level level = curtain().compile();
+  Question question{level};
+  Problem problem = question.problem();
+};
+
+TEST(Blame, NamesThePartThatTookTooMuchHealth) {
+  const Hot hot;
+  const sim::World end = hot.walked();
+  ASSERT_EQ(end.outcome, sim::Outcome::hurt);
+  EXPECT_EQ(end.part, level::kNone);
+  EXPECT_EQ(blamedPart(end, nullptr, hot.level.view()), kCurtain);
+}
+
+TEST(Blame, OfOtherEndsThePartStays) {
+  const Hot hot(50);
+  const sim::World end = hot.walked();
+  ASSERT_EQ(end.outcome, sim::Outcome::fell);
+  EXPECT_EQ(blamedPart(end, nullptr, hot.level.view()), level::kNone);
+  sim::World killed = end;
+  killed.outcome = sim::Outcome::killed;
+  killed.part = 2;
+  EXPECT_EQ(blamedPart(killed, nullptr, hot.level.view()), 2u);
+}
+
+void expectNamed(const Search& search) {
+  uint64_t hurt = 0;
+  for (const EndCount& e : search.attempts().counts()) {
+    if (e.outcome != sim::Outcome::hurt) continue;
+    EXPECT_EQ(e.part, kCurtain);
+    hurt += e.count;
+  }
+  EXPECT_GT(hurt, 0u);
+}
+
+TEST(Blame, SearchesCountItByPart) {
+  const Hot hot;
+  ThreadPool pool(2);
+  GoExplore explore(hot.problem, 1, GoExploreSettings{}, pool);
+  ResidentSettings few;
+  few.explore.rollouts = few.explore.mostRollouts = 256;
+  ResidentExplore resident(hot.problem, 1, few, pool);
+  for (Search* search : {static_cast<Search*>(&explore), static_cast<Search*>(&resident)}) {
+    for (int i = 0; i < 6; ++i) search->round();
+    expectNamed(*search);
+  }
+}
+
+}  // namespace
+}  // namespace obby::solve

@@ -1,0 +1,72 @@
+// How far a change is turned back by searches that miss some of what there is.
+#include <gtest/gtest.h>
+
+#include "hand_played.h"
+#include "io/json_codec.h"
+#include "solve/relaxation/explain.h"
+
+namespace obby::solve {
+namespace {
+
+io::RecordBuilder record(const std::string& json) {
+  auto decoded = io::recordFromJson(json);
+  EXPECT_TRUE(decoded) << decoded.error().text();
+  return *std::move(decoded);
+}
+
+// A floor to walk along: no jump is needed.
+constexpr const char* kLevel =
+    R"({"type":"level","name":"scene","parts":[{"name":"Floor","position":[0,-0.5,-15],)"
+    R"("size":[8,1,38]}],"spawns":[{"position":[0,0,-2]}]})";
+constexpr const char* kQuery =
+    R"({"type":"query","id":"q","maxJumps":1,"goal":{"position":[0,2,-30],"size":[8,4,4]}})";
+
+// Jumps on the spot so often, then walks to the goal.
+Playthrough jumpedThenWalked(const Problem& problem, int jumps) {
+  return playByHand(problem, [=](const sim::World& w) {
+    if (int(w.jumps) < jumps) return sim::Action{0, false, true};
+    return sim::Action{0, w.position.y < 0.3f, false};
+  });
+}
+
+int searches = 0;  // of the query with more jumps
+
+// With five jumps it finds nothing, with seven a way that takes three, else one that takes nine.
+SearchOutcome missing(const Problem& problem, const Budget&, const Watcher& watcher,
+                      const Machine&) {
+  SearchOutcome outcome;
+  outcome.stopped = Stopped::outOfSteps;
+  outcome.statistics.steps = 1000;
+  const int32_t most = problem.query.maxJumps;
+  if (most == 1) return outcome;
+  ++searches;
+  if (most == 5) return outcome;
+  Playthrough p = jumpedThenWalked(problem, most == 7 ? 3 : 9);
+  if (watcher.accept(p)) outcome.solutions.push_back(std::move(p));
+  return outcome;
+}
+
+TEST(Explain, StopsAtLessThanASearchHasMissed) {
+  const io::RecordBuilder levelRecord = record(kLevel), queryRecord = record(kQuery);
+  const auto level = level::Level::compile(levelRecord.reader().getLevel());
+  ASSERT_TRUE(level);
+  const auto query = level::Query::compile(queryRecord.reader().getQuery(), *level);
+  ASSERT_TRUE(query);
+  const PosedQuery posed{*level, levelRecord.reader().getLevel(), *query,
+                         queryRecord.reader().getQuery()};
+  const SearchOutcome outcome{};
+  const Footprints footprints{};
+  Budget budget;
+  budget.maxSteps = 100'000;
+  ThreadPool pool(1);
+  searches = 0;
+  const auto found =
+      explain({posed, outcome, footprints}, {"missing", "", missing}, budget, Machine(pool));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].knob, schema::Knob::JUMPS);
+  EXPECT_EQ(found[0].amount, 2);
+  EXPECT_EQ(searches, 3);
+}
+
+}  // namespace
+}  // namespace obby::solve
