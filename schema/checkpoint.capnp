@@ -10,7 +10,7 @@ $Cxx.namespace("obby::schema");
 
 struct SavedTraining {
   hash @0 :UInt64;     # XXH3 (64 bit) over the whole file with these eight bytes as 0
-  version @1 :UInt32;  # of this layout: 4
+  version @1 :UInt32;  # of this layout: 5
   observationVersion @2 :UInt32;  # as in policy.capnp
   stateLayout @3 :UInt64;  # XXH3 over names, types and sizes of the fields of sim::World and sim::LooseBody
   program @4 :Text;    # version of the program, for people
@@ -86,4 +86,5 @@ struct SavedPlace {
   fromStart @9 :List(Bool);  # (players)
   nextHardest @10 :Float32;  # difficulty that the next level will be asked for with
   reachedLeast @11 :List(Float32);  # (reached), `least` of whoever stood there
+  solvedOnce @12 :Bool;  # somebody has solved the level from the start
 }

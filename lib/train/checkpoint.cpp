@@ -16,7 +16,7 @@ namespace obby::train {
 
 namespace {
 
-constexpr uint32_t kVersion = 4;
+constexpr uint32_t kVersion = 5;
 using Words = kj::Array<capnp::word>;
 
 uint64_t digest(const Words& words) {

@@ -113,7 +113,7 @@ void Crowd::step(std::span<const int> moves, std::span<Step> steps) {
 }
 
 void Crowd::settle(uint64_t decision, bool endOfIteration) {
-  const SettleRules rules{seed_, settings_.restartShare, decision, endOfIteration};
+  const SettleRules rules{seed_, settings_.restarts, decision, endOfIteration};
   for (uint32_t p = 0; p < places_.size(); ++p)
     train::settle(viewOf(places_[p]), rules, firstWorld() + p * settings_.worlds);
 }

@@ -18,7 +18,7 @@ struct CrowdSettings {
   uint32_t levels = 8;         // at a time
   uint32_t worlds = 32;        // on each level
   uint32_t playthroughs = 64;  // on a level, before the next takes its place
-  float restartShare = 0.3f;   // of playthroughs that begin where another had come to
+  RestartShares restarts;
   float patience = 3;  // times what walking the way takes, and ten seconds, before it is cut
   RewardSettings reward;
 

@@ -22,6 +22,12 @@ struct RewardSettings {
   float jump = -0.05f;      // each that is made
 };
 
+// Shares of playthroughs that begin where another had come to.
+struct RestartShares {
+  float unsolved = 0.3f;  // of levels that nobody has solved from the start yet
+  float solved = 0.3f;    // of the others
+};
+
 // One world that learns.
 struct Player {
   sim::World world;
@@ -62,8 +68,9 @@ OBBY_DEVICE void forTables(TrainingView& v, Table&& table) {
 
 // What has happened on a level.
 struct PlaceCounts {
-  uint32_t played = 0;   // playthroughs of the level
-  uint32_t reached = 0;  // states to begin from
+  uint32_t played = 0;      // playthroughs of the level
+  uint32_t reached = 0;     // states to begin from
+  uint32_t solvedOnce = 0;  // 1: somebody has solved it from the start
   // Of playthroughs that began at the start, since the last look.
   uint32_t fromStart = 0, solved = 0;
 };
@@ -116,12 +123,13 @@ OBBY_DEVICE Step judge(const TrainingView& on, const RewardSettings& worth, Play
 }
 
 // Puts a player where its next playthrough begins: at the start, or where another had come to.
-OBBY_DEVICE void restart(const PlaceView& place, uint32_t player, float restartShare,
+OBBY_DEVICE void restart(const PlaceView& place, uint32_t player, const RestartShares& shares,
                          Random& random) {
   Player& p = place.players[player];
   const uint32_t reached = place.counts->reached;
+  const float share = place.counts->solvedOnce != 0 ? shares.solved : shares.unsolved;
   const GuideView& guide = place.on->guide;
-  p.fromStart = reached == 0 || random.unit() >= restartShare;
+  p.fromStart = reached == 0 || random.unit() >= share;
   if (p.fromStart) {
     p.world = place.on->start;
     p.least = guide.left(p.world.position, guide.studs() - kNear, 0);
@@ -149,7 +157,7 @@ OBBY_DEVICE void remember(const PlaceView& place, const Player& p, Random& rando
 // What numbers settle() draws with.
 struct SettleRules {
   uint64_t seed;
-  float restartShare;   // of playthroughs that begin where another had come to
+  RestartShares restarts;
   uint64_t decision;    // that was made last
   bool endOfIteration;  // those that take too long are cut: their last value stands for the rest
 };
@@ -164,10 +172,12 @@ OBBY_DEVICE void settle(const PlaceView& place, const SettleRules& rules, uint32
       remember(place, p, random);
       continue;
     }
+    const bool solved = p.fromStart && p.world.outcome == sim::Outcome::goal;
     ++place.counts->played;
     place.counts->fromStart += p.fromStart;
-    place.counts->solved += p.fromStart && p.world.outcome == sim::Outcome::goal;
-    restart(place, i, rules.restartShare, random);
+    place.counts->solved += solved;
+    place.counts->solvedOnce |= uint32_t(solved);
+    restart(place, i, rules.restarts, random);
   }
 }
 
@@ -175,7 +185,7 @@ OBBY_DEVICE void settle(const PlaceView& place, const SettleRules& rules, uint32
 OBBY_DEVICE void beginLevel(const PlaceView& place) {
   *place.counts = {};
   Random none(0, 0);  // nothing was reached yet, so nothing is drawn
-  for (uint32_t i = 0; i < place.worlds; ++i) restart(place, i, 0, none);
+  for (uint32_t i = 0; i < place.worlds; ++i) restart(place, i, {}, none);
 }
 
 }  // namespace obby::train

@@ -15,7 +15,8 @@ std::vector<Setting> settingsOf(const TrainerSettings& s) {
   add("crowds", s.crowds);
   add("levels of a crowd", s.crowd.levels);
   add("playthroughs of a level", s.crowd.playthroughs);
-  add("restart share", s.crowd.restartShare);
+  add("restart share", s.crowd.restarts.unsolved);
+  add("restart share of solved levels", s.crowd.restarts.solved);
   add("patience", s.crowd.patience);
   add("reward of a stud", s.crowd.reward.stud);
   add("reward of the goal", s.crowd.reward.goal);

@@ -81,6 +81,7 @@ void writePlace(const PlaceState& s, schema::SavedPlace::Builder to) {
   to.setNextHardest(s.nextHardest);
   to.setLevelHash(s.levelHash);
   to.setPlayed(s.counts.played);
+  to.setSolvedOnce(s.counts.solvedOnce != 0);
   to.setWorlds(bytesOf(worldsOf(s.players)));
   to.setLoose(bytesOf(s.loose));
   to.setReached(bytesOf(worldsOf(s.reached)));
@@ -115,6 +116,7 @@ Status readPlace(schema::SavedPlace::Reader from, PlaceState& out) {
     return makeError("a level of a difficulty that cannot be");
   out.levelHash = from.getLevelHash();
   out.counts.played = from.getPlayed();
+  out.counts.solvedOnce = from.getSolvedOnce();
   std::vector<sim::World> worlds;
   OBBY_RETURN_IF_ERROR(rowsOf(from.getWorlds(), "worlds", worlds));
   OBBY_RETURN_IF_ERROR(rowsOf(from.getLoose(), "loose bodies", out.loose));

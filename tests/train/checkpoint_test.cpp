@@ -112,6 +112,23 @@ std::string sample() {
   return writeCheckpoint({"1", settingsOf(settings), 3, *(*trainer)->state(), {}});
 }
 
+TEST(Checkpoint, KnowsWhichLevelsHaveBeenSolved) {
+  ThreadPool pool(1);
+  const Gaps gaps;
+  const auto trainer = Trainer::make(small(), gaps, pool, alone());
+  ASSERT_TRUE((*trainer)->iterate());
+  TrainerState state = *(*trainer)->state();
+  state.crowds[0].places[0].counts.solvedOnce = 1;
+  state.crowds[0].places[1].counts.solvedOnce = 0;
+  auto read = readCheckpoint(writeCheckpoint({"1", {}, 0, std::move(state), {}}), "test");
+  ASSERT_TRUE(read) << read.error().text();
+  const auto resumed = Trainer::resume(small(), gaps, pool, alone(), std::move(read->state));
+  ASSERT_TRUE(resumed) << resumed.error().text();
+  const TrainerState again = *(*resumed)->state();
+  EXPECT_EQ(again.crowds[0].places[0].counts.solvedOnce, 1u);
+  EXPECT_EQ(again.crowds[0].places[1].counts.solvedOnce, 0u);
+}
+
 TEST(Checkpoint, IsRefusedWhenCutShort) {
   const std::string bytes = sample();
   ASSERT_TRUE(readCheckpoint(bytes, "whole"));

@@ -72,6 +72,7 @@ void expectSamePlaces(const TrainerState& a, const TrainerState& b) {
       EXPECT_EQ(x.nextHardest, y.nextHardest);
       EXPECT_EQ(x.levelHash, y.levelHash);
       EXPECT_EQ(x.counts.played, y.counts.played);
+      EXPECT_EQ(x.counts.solvedOnce, y.counts.solvedOnce);
       ASSERT_EQ(x.reached.size(), y.reached.size());
       for (size_t i = 0; i < x.reached.size(); ++i) {
         EXPECT_EQ(stateHash(x.reached[i].world), stateHash(y.reached[i].world));

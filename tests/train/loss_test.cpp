@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "policy/moves.h"
 #include "train/full_pass.h"
 
@@ -109,6 +111,57 @@ TEST(Network, GradientsAreThoseOfFiniteDifferences) {
     compared += std::abs(slopes[i]) > 1e-6;
   }
   EXPECT_GT(compared, 100);
+}
+
+// Schulman et al. 2017, equations 7 and 9, by hand: 17 moves are allowed, all alike.
+TEST(Loss, IsThePublishedFormula) {
+  struct Case {
+    double ratio;
+    float advantage;
+    double surrogate;
+    bool clipped;
+  };
+  const Case cases[] = {{1.5, 2, 2.4, true},   {0.5, 2, 1, false},   {1.5, -2, -3, false},
+                        {0.5, -2, -1.6, true}, {1.1, 2, 2.2, false}, {0.9, -2, -1.8, false}};
+  double outputs[kOut] = {}, slope[kOut];
+  outputs[policy::kMoves] = 0.5;
+  const double entropy = std::log(17.0);
+  for (const Case& c : cases) {
+    const Decision d{4, false, float(-entropy - std::log(c.ratio)), c.advantage, 0};
+    const auto r = lossOf(outputs, d, LossSettings{}, slope);
+    EXPECT_NEAR(r.entropy, entropy, 1e-9);
+    EXPECT_NEAR(r.loss, -c.surrogate + 0.5 * 0.25 / 2 - 0.01 * entropy, 1e-5) << c.ratio;
+    EXPECT_EQ(r.clipped, c.clipped) << c.ratio;
+    const double pull = c.clipped ? 0.0 : -c.ratio * double(c.advantage) * (1 - 1 / 17.0);
+    EXPECT_NEAR(slope[4], pull, 1e-5) << c.ratio;
+    EXPECT_NEAR(slope[policy::kMoves], 0.25, 1e-7);
+  }
+}
+
+TEST(Loss, LeavesMoreToChance) {
+  double outputs[kOut] = {}, slope[kOut];
+  outputs[4] = 2;
+  lossOf(outputs, Decision{4, true, -1, 0, 0}, LossSettings{}, slope);
+  EXPECT_GT(slope[4], 1e-3) << "downhill is less of the likeliest";
+}
+
+// The ratio of the loss begins at one.
+TEST(Loss, TakesADrawnMoveForAsLikelyAsTheDrawSays) {
+  Random random(4, 4);
+  for (int n = 0; n < 200; ++n) {
+    float outputs[kOut] = {}, slope[kOut];
+    for (int m = 0; m < policy::kMoves; ++m) outputs[m] = 4 * random.unit() - 2;
+    const bool mayJump = n % 2 == 0;
+    const policy::Drawn drawn = policy::drawMove(outputs, mayJump, random.unit());
+    ASSERT_TRUE(policy::isAllowed(drawn.move, mayJump));
+    const Decision d{drawn.move, mayJump, drawn.logChance, 1, 0};
+    const auto r = lossOf(outputs, d, LossSettings{}, slope);
+    EXPECT_NEAR(r.divergence, 0, 1e-6);
+    EXPECT_FALSE(r.clipped);
+  }
+  const float even[kOut] = {};
+  EXPECT_EQ(policy::drawMove(even, false, 0.0f).move, 0);
+  EXPECT_EQ(policy::drawMove(even, false, 0.9999999f).move, policy::kMoves - 2);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "train/gaps.h"
 
 namespace obby::train {
@@ -25,8 +27,8 @@ struct Place {
     return {&view,   players.data(), bodies.data(),        reached.data(),
             &counts, kWorlds,        view.level.looseCount};
   }
-  void settleAt(uint64_t decision, bool endOfIteration = false, float share = 0) {
-    settle(here(), {7, share, decision, endOfIteration}, 0);
+  void settleAt(uint64_t decision, bool endOfIteration = false, RestartShares shares = {0, 0}) {
+    settle(here(), {7, shares, decision, endOfIteration}, 0);
   }
 
   std::shared_ptr<const TrainingLevel> level;
@@ -78,7 +80,7 @@ TEST(Play, AJumpCostsOnce) {
   place.reached[0] = {p.world, p.least};
   place.counts.reached = 1;
   p.world.outcome = sim::Outcome::fell;
-  place.settleAt(0, false, 1);
+  place.settleAt(0, false, {1, 1});
   ASSERT_EQ(p.world.jumps, 3) << "begins where somebody stood who had jumped";
   EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision) << "another's jumps";
 }
@@ -131,7 +133,7 @@ TEST(Play, BeginsWhereOthersStood) {
   for (uint64_t d = 101; d < 150; ++d) place.settleAt(d);
   EXPECT_EQ(place.counts.reached, kMostReached);
   for (Player& p : place.players) p.world.outcome = sim::Outcome::fell;
-  place.settleAt(150, false, 0.5f);
+  place.settleAt(150, false, {0.5f, 0.5f});
   int elsewhere = 0;
   for (const Player& p : place.players) {
     elsewhere += !p.fromStart;
@@ -140,6 +142,36 @@ TEST(Play, BeginsWhereOthersStood) {
   }
   EXPECT_GT(elsewhere, 16);
   EXPECT_LT(elsewhere, 48);
+}
+
+TEST(Play, ALevelThatSomebodyHasSolvedHasAShareOfRestartsOfItsOwn) {
+  Place place;
+  const RestartShares onlyUnsolved{1, 0};
+  place.reached[0] = {place.view.start, 5};
+  place.counts.reached = 1;
+  const auto allEnd = [&](sim::Outcome outcome, bool fromStart) {
+    for (Player& p : place.players) {
+      p.world.outcome = outcome;
+      p.fromStart = fromStart;
+    }
+  };
+  const auto elsewhere = [&] {
+    return std::count_if(place.players.begin(), place.players.end(),
+                         [](const Player& p) { return !p.fromStart; });
+  };
+  allEnd(sim::Outcome::fell, true);
+  place.settleAt(0, false, onlyUnsolved);
+  EXPECT_EQ(elsewhere(), kWorlds);
+  allEnd(sim::Outcome::goal, false);
+  place.settleAt(1, false, onlyUnsolved);
+  EXPECT_EQ(place.counts.solvedOnce, 0u) << "the last stretch alone is not the level";
+  EXPECT_EQ(elsewhere(), kWorlds);
+  allEnd(sim::Outcome::goal, true);
+  place.settleAt(2, false, onlyUnsolved);
+  EXPECT_EQ(place.counts.solvedOnce, 1u);
+  EXPECT_EQ(elsewhere(), 0);
+  beginLevel(place.here());
+  EXPECT_EQ(place.counts.solvedOnce, 0u) << "another level";
 }
 
 // A way that doubles back: its later lane is near, but not come to yet.
@@ -160,7 +192,7 @@ TEST(Play, WhoBeginsElsewhereHasLeftWhatWasLeftThere) {
     place.settleAt(d);
   }
   other.world.outcome = sim::Outcome::fell;
-  place.settleAt(10000, false, 1);
+  place.settleAt(10000, false, {1, 1});
   ASSERT_FALSE(other.fromStart);
   EXPECT_EQ(other.world.position.x, -10);
   EXPECT_FLOAT_EQ(other.least, 180);

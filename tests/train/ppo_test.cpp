@@ -163,5 +163,75 @@ TEST(FirstWeights, AreOrthogonal) {
   EXPECT_NE(firstWeights(4).flat(), net.flat());
 }
 
+TEST(Advantages, DiscountAndLambdaAreTwoThings) {
+  const float values[] = {1, 2, 3}, rewards[] = {1, 0, 2}, last[] = {4};
+  const uint8_t done[] = {0, 0, 0};
+  float advantages[3], targets[3];
+  policy::fillAdvantages({3, 1, values, rewards, done, last}, 0.5f, 0.25f, advantages, targets);
+  EXPECT_FLOAT_EQ(advantages[2], 1);
+  EXPECT_FLOAT_EQ(advantages[1], -0.375f);
+  EXPECT_FLOAT_EQ(advantages[0], 0.953125f);
+}
+
+// Each decision ends a playthrough; those with one half of the moves are worth 1, others nothing.
+TEST(Ppo, MakesLikelierWhatWentBetterThanExpected) {
+  constexpr uint32_t kWorlds = 24, kDecisions = kTicks * kWorlds;
+  ThreadPool pool(1);
+  OneRank alone;
+  Ppo ppo(oneStepOf(kDecisions), 5, pool, alone);
+  Batch batch = someBatch(0, kWorlds);
+  const auto isGood = [](int move) { return move < policy::kMoves / 2; };
+  std::vector<uint32_t> rows(kDecisions);
+  for (uint32_t i = 0; i < kDecisions; ++i) {
+    rows[i] = i;
+    batch.rewards[i] = isGood(batch.decisions[i].move) ? 1.0f : 0.0f;
+    batch.values[i] = 0.5f;
+    batch.done[i] = 1;
+  }
+  const auto shareOfGood = [&] {
+    Pass pass;
+    const Line<float> begin = voidSums(batch.seen, ppo.weights());
+    const Rows<float>& out = pass.forward(ppo.weights(), {batch.seen, rows, begin});
+    double good = 0;
+    for (Eigen::Index r = 0; r < out.rows(); ++r) {
+      float chances[policy::kMoves];
+      policy::chancesOf(out.row(r).data(), true, chances);
+      for (int m = 0; m < policy::kMoves; ++m) {
+        if (isGood(m)) good += double(chances[m]);
+      }
+    }
+    return good / double(kDecisions);
+  };
+  EXPECT_NEAR(shareOfGood(), 0.5, 0.05);
+  for (int n = 0; n < 20; ++n) ppo.learn(batch, 1);
+  EXPECT_GT(shareOfGood(), 0.55);
+}
+
+// Normalised: eight times the rewards move the policy as much.
+TEST(Ppo, TakesTheSameStepWhateverRewardsAreCountedIn) {
+  constexpr uint32_t kWorlds = 24;
+  ThreadPool pool(1);
+  OneRank alone;
+  PpoSettings settings = oneStepOf(kTicks * kWorlds);
+  settings.loss.valueShare = 0;
+  settings.mostNorm = 1e9f;
+  const auto momentumAt = [&](float unit) {
+    Batch batch = someBatch(0, kWorlds);
+    for (std::vector<float>* numbers : {&batch.rewards, &batch.values, &batch.last}) {
+      for (float& v : *numbers) v *= unit;
+    }
+    Ppo ppo(settings, 5, pool, alone);
+    ppo.learn(batch, 1);
+    return ppo.state().momentum.flat();
+  };
+  const std::vector<float> plain = momentumAt(1), eightfold = momentumAt(8);
+  float most = 0;
+  for (size_t i = 0; i < plain.size(); ++i) {
+    ASSERT_NEAR(plain[i], eightfold[i], 1e-6f) << i;
+    most = std::max(most, std::abs(plain[i]));
+  }
+  EXPECT_GT(most, 1e-4f);
+}
+
 }  // namespace
 }  // namespace obby::train

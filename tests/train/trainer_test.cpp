@@ -45,6 +45,25 @@ TEST(Trainer, LearnsToCrossAGapThatChanceDoesNot) {
   EXPECT_GE(learned.any, learned.likeliest);
 }
 
+// What was played is learned from under the network, the mask and the inputs that it was played
+// with: in a single step over all of it nothing has moved yet.
+TEST(Trainer, LearnsFirstFromThePolicyThatPlayed) {
+  const Gaps gaps;
+  ThreadPool pool(1);
+  TrainerSettings settings = tiny();
+  settings.ppo.passes = 1;
+  settings.ppo.part = settings.worlds() * settings.ticks;
+  const auto trainer = Trainer::make(settings, gaps, pool, alone());
+  ASSERT_TRUE(trainer);
+  for (int i = 0; i < 4; ++i) {
+    const auto iteration = (*trainer)->iterate();
+    ASSERT_TRUE(iteration);
+    EXPECT_NEAR(iteration->progress.divergence, 0, 1e-6) << i;
+    EXPECT_EQ(iteration->progress.clipped, 0) << i;
+    EXPECT_GT(iteration->progress.entropy, 2) << i;
+  }
+}
+
 // Gaps, and with which difficulty they were asked for.
 class Asked : public Gaps {
  public:

@@ -26,7 +26,8 @@ constexpr uint64_t kHeldOut = 0x68656c64;
 
 // The stream of metrics, its header written. What can go wrong before leaves none.
 Result<io::Pipeline> metricsStream(cli::Context& context) {
-  OBBY_ASSIGN(io::StreamWriter output, io::StreamWriter::open("-", io::Format::jsonl));
+  OBBY_ASSIGN(io::StreamWriter output,
+              io::StreamWriter::open("-", io::Format::jsonl, &context.stop()));
   io::SourceOptions nothing;
   nothing.inputs.clear();
   nothing.stop = &context.stop();

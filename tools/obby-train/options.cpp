@@ -135,18 +135,13 @@ std::vector<OptionRow> evaluateRows() {
   };
 }
 
-// To something else than its default, which --print-config writes of an option that nobody set.
-bool isSet(const cli::Arguments& a, const std::string& name) {
-  return a.has(name) && a.text(name) != a.values.at(name).row.defaultText;
-}
-
 }  // namespace
 
 Status optionsFit(const cli::Arguments& a) {
   const auto refuse = [&](std::initializer_list<const char*> names, const char* message,
                           const char* cure) -> Status {
     for (const char* name : names) {
-      if (isSet(a, name)) return Error{{}, {}, std::string("--") + name, message, cure};
+      if (a.typed(name)) return Error{{}, {}, std::string("--") + name, message, cure};
     }
     return {};
   };

@@ -61,8 +61,7 @@ PlayArguments DeviceEngine::argumentsOf(const PlayOrder& order) const {
   PlayArguments a{};
   places_.describe(a);
   a.reward = settings_.crowd.reward;
-  a.rules = {settings_.seed, settings_.crowd.restartShare, order.iteration * settings_.ticks,
-             false};
+  a.rules = {settings_.seed, settings_.crowd.restarts, order.iteration * settings_.ticks, false};
   a.means = means_.data();
   a.scales = scales_.data();
   a.valueMean = learner_.values().mean;

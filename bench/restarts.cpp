@@ -1,0 +1,23 @@
+// What it is worth to learn from playthroughs that begin where another had come to: of no level, of
+// those that nobody has solved from the start yet, or of all.
+#include "common/learning.h"
+
+namespace {
+
+using namespace obby;
+
+bench::LearningRow shares(const char* name, float unsolved, float solved) {
+  return {name, [=](train::TrainerSettings& settings) {
+            settings.crowd.restarts = {unsolved, solved};
+          }};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return bench::learningBench(
+      argc, argv, "restarts",
+      {shares("none", 0, 0), shares("all30", 0.3f, 0.3f), shares("all60", 0.6f, 0.6f),
+       shares("unsolved30", 0.3f, 0), shares("unsolved60", 0.6f, 0),
+       shares("mostlyUnsolved", 0.6f, 0.15f)});
+}
