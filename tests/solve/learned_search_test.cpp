@@ -242,5 +242,45 @@ TEST(LearnedSearches, SolveLevels) {
   }
 }
 
+template <class S, class Settings>
+std::vector<Vec3> placesUnder(const Settings& settings, int rounds) {
+  const level::Level level = corridor();
+  const Problem problem = support::endlessProblem(level);
+  ThreadPool pool(2);
+  S search(problem, 3, settings, {pool});
+  for (int r = 0; r < rounds; ++r) search.round();
+  return search.places(0);
+}
+
+// What shows when it is left out was at work.
+TEST(Pbge, EachOfItsPartsShows) {
+  const auto under = [](auto&& change) {
+    PbgeSettings settings;
+    change(settings);
+    return placesUnder<Pbge>(settings, 24);
+  };
+  const std::vector<Vec3> whole = under([](PbgeSettings&) {});
+  EXPECT_TRUE(under([](PbgeSettings&) {}) == whole);
+  EXPECT_FALSE(under([](PbgeSettings& s) { s.unrest = 0; }) == whole) << "left to chance";
+  EXPECT_FALSE(under([](PbgeSettings& s) { s.policy.imitation = 0; }) == whole) << "imitation";
+  EXPECT_FALSE(under([](PbgeSettings& s) { s.policy.loss.entropyShare = 0; }) == whole);
+  EXPECT_FALSE(under([](PbgeSettings& s) { s.last = s.subgoal; }) == whole) << "the last sub-goal";
+  EXPECT_FALSE(under([](PbgeSettings& s) { s.aimFor = 1'000'000; }) == whole) << "other places";
+}
+
+TEST(Cflge, EachOfItsPartsShows) {
+  const auto under = [](auto&& change) {
+    CflgeSettings settings;
+    change(settings);
+    return placesUnder<Cflge>(settings, 24);
+  };
+  const std::vector<Vec3> whole = under([](CflgeSettings&) {});
+  EXPECT_TRUE(under([](CflgeSettings&) {}) == whole);
+  EXPECT_FALSE(under([](CflgeSettings& s) { s.policy.hindsight = 0; }) == whole) << "hindsight";
+  EXPECT_FALSE(under([](CflgeSettings& s) { s.moduleSteps = 0; }) == whole) << "latent space";
+  EXPECT_FALSE(under([](CflgeSettings& s) { s.chance = 0; }) == whole) << "random moves";
+  EXPECT_FALSE(under([](CflgeSettings& s) { s.refresh = 1ull << 40; }) == whole) << "new goals";
+}
+
 }  // namespace
 }  // namespace obby::solve::learned

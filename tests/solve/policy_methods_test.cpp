@@ -2,10 +2,13 @@
 // inputs decides what is found.
 #include <gtest/gtest.h>
 
+#include "policy/policy.h"
 #include "policy/shipped_policy.h"
 #include "scenes.h"
 #include "sim/host_device.h"
 #include "solve/choosers/choose_policy.h"
+#include "solve/go_explore_method.h"
+#include "solve/rollouts/explorer.h"
 #include "untimed.h"
 
 namespace obby::solve {
@@ -150,6 +153,61 @@ TEST(PolicyFirst, IsNotBeforeItsRound) {
     chooser.choose(archive, pool, random, choices);
     EXPECT_EQ(choices[0].by, round == 3 ? kByPolicy : 0) << round;
   }
+}
+
+// What is held is what the policy says of the state, anew at each decision, to the last tick.
+TEST(PolicyMethods, ARolloutIsThePolicysFromItsFirstTickToItsLast) {
+  const level::Level stones = steppingStones().compile();
+  Question q(stones);
+  Problem problem = q.problem();
+  problem.policy = &policy::shippedPolicy().network;
+  const ExploreSetup setup(problem, 1, aloneSettings());
+  const ExploreContext& c = setup.rules.context;
+  const policy::Scene scene{c.level, c.query, c.pilot.surroundings};
+  for (const bool likeliest : {true, false}) {
+    const uint64_t stream = 7 | kByPolicy | (likeliest ? kLikeliest : 0);
+    Explorer explorer(1, stream);
+    Random random(1, stream);
+    sim::World world = problem.start;
+    sim::Action expected;
+    for (uint32_t t = 0; t < 48; ++t) {
+      if (t % policy::kDecisionTicks == 0) {
+        expected =
+            policy::decide(scene, c.pilot.network, world, nullptr, likeliest ? nullptr : &random);
+      }
+      const sim::Action action = explorer.next(c, world, nullptr);
+      ASSERT_EQ(action.heading, expected.heading) << t;
+      ASSERT_EQ(action.walk, expected.walk) << t;
+      ASSERT_EQ(action.jump, expected.jump) << t;
+      sim::advance(world, nullptr, c.level, &c.query, action);
+    }
+  }
+}
+
+// 8,192 in step, 40 ticks each, every state, cells of a stud, nothing aimed, no hedge.
+TEST(PlainGoExplore, IsAsTheDocsSay) {
+  const GoExploreSettings s = plainSettings();
+  EXPECT_EQ(s.rollouts, 8192u);
+  EXPECT_EQ(s.mostRollouts, 8192u);
+  EXPECT_FALSE(s.groundedOnly);
+  EXPECT_EQ(s.lookEvery, 1u);
+  EXPECT_EQ(s.cellWidth, 1);
+  EXPECT_EQ(s.explore.aimShare, 0);
+  const level::Level stones = steppingStones().compile();
+  Question q(stones);
+  const Problem problem = q.problem();
+  const ExploreSetup setup(problem, 1, s);
+  EXPECT_EQ(setup.rules.ticks, 40u);
+  Archive archive;
+  archive.offer(7, sim::World{}, {0, kNone, 0}, 1);
+  archive.offer(8, sim::World{}, {1, 0, 5}, 100);
+  ThreadPool pool(1);
+  Random random(1, 1);
+  std::vector<Choice> choices(20'000);
+  plainSelector(problem, setup.rules.context)->choose(archive, pool, random, choices);
+  int low = 0;
+  for (const Choice& choice : choices) low += choice.cell == 0 ? 1 : 0;
+  EXPECT_LT(low, 500) << "one in 101; a hedge would make it one in eleven";
 }
 
 }  // namespace
