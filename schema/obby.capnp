@@ -6,8 +6,8 @@
 # marked $tuple are written as arrays of their fields in order; 64-bit integers are written as decimal strings;
 # enumerants by name.
 #
-# Rules for changes: new fields at the end with a default that means "as before" (minor); anything else raises
-# `schemaMajor` in lib/io/version.h.
+# Rules for changes: new fields at the end with a default that means "as before", or new kinds of records, raise
+# `kSchemaMinor` in lib/io/version.h; anything else raises `kSchemaMajor`.
 #
 # Units: lengths in studs (1 stud = 0.28 m), times in seconds unless a name says ticks, angles in radians unless a
 # name says turns, Y is up, right-handed, a yaw of 0 looks along -Z.
@@ -519,7 +519,7 @@ struct Trajectory {
 
 struct Path {
   # Where a playthrough leads.
-  step @0 :UInt32 $always;      # ticks between two points
+  step @0 :UInt32 $always;      # ticks between two points: 6, a tenth of a second at 60 ticks/s
   points @1 :List(Vec3);        # feet, the start first, the end last
   jumpTicks @2 :List(UInt32);   # since the start, of the jumps that were made
   ticks @3 :UInt32;             # since the start, at the last point: at most a step after the one before
@@ -555,7 +555,7 @@ struct DifficultyStep {
   jumps @4 :UInt32;
   band @5 :Band $always;
   success @6 :Float32;            # share of trials that come to rest on `to`, or reach the goal
-  window @7 :Float32;             # milliseconds within which its tightest jump must be pressed, at most 41 ticks; 0: no jump
+  window @7 :Float32;             # milliseconds within which its tightest jump must be pressed, at most 41 ticks; 0: no jump, or with `jumps` one that fails even as recorded
   margin @8 :Float32;             # studs from where the feet land to the nearest edge of `to`, negative beyond it; 0: no landing
   clearance @9 :Float32 = -1;     # studs to the nearest kill part, least; -1: none within 10
 }
