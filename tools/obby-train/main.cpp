@@ -40,7 +40,7 @@ Result<io::Pipeline> metricsStream(cli::Context& context) {
 // `done`: what came of the work that the metrics are of.
 Status finish(io::Pipeline& pipeline, Status done) {
   if (!done) pipeline.outOfBudget();
-  const Status finished = pipeline.finish();
+  Status finished = pipeline.finish();
   OBBY_RETURN_IF_ERROR(std::move(done));
   return finished;
 }
