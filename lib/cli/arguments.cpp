@@ -39,4 +39,12 @@ const std::vector<std::string>& Arguments::list(const std::string& name) const {
   return at(name).texts;
 }
 
+Status refuseTyped(const Arguments& arguments, std::initializer_list<const char*> names,
+                   const std::string& message, const std::string& cure) {
+  for (const char* name : names) {
+    if (arguments.typed(name)) return Error{{}, {}, std::string("--") + name, message, cure};
+  }
+  return {};
+}
+
 }  // namespace obby::cli

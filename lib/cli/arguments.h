@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "cli/options.h"
 
 namespace obby::cli {
@@ -40,5 +42,10 @@ class Arguments {
   const Value& at(const std::string& name) const;
   const std::string& only(const std::string& name) const;
 };
+
+// Error: one of `names` is typed, which does nothing beside the other options. Names it, with
+// `message` and `cure`.
+Status refuseTyped(const Arguments& arguments, std::initializer_list<const char*> names,
+                   const std::string& message, const std::string& cure);
 
 }  // namespace obby::cli

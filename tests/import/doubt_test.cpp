@@ -7,6 +7,14 @@ namespace {
 const char* const kMayChange = "part that a script may change";
 const char* const kWait = "wait that a script computes";
 
+// A barrier, and a script that calls it `b`.
+struct Barred : Scene {
+  explicit Barred(const std::string& text) {
+    script("local b = workspace.Barrier\n" + text, scripts);
+  }
+  const InstanceId barrier = part("Barrier");
+};
+
 TEST(Doubt, NamesOfNothingKnownDecideNothing) {
   const char* const texts[] = {
       "if DEBUG then b.CanCollide = false end",
@@ -19,11 +27,9 @@ TEST(Doubt, NamesOfNothingKnownDecideNothing) {
       "if b.Name == `Bar{'rier'}` then b.CanCollide = false end",
       "if b.Name == 'Barrier' .. `{''}` then b.CanCollide = false end"};
   for (const char* text : texts) {
-    Scene scene;
-    const auto barrier = scene.part("Barrier");
-    scene.script("local b = workspace.Barrier\n" + std::string(text), scene.scripts);
+    Barred scene(text);
     scene.level();
-    EXPECT_TRUE(scene[barrier].solid) << text;
+    EXPECT_TRUE(scene[scene.barrier].solid) << text;
     EXPECT_EQ(scene.unmodelled(kMayChange), 1u) << text;
   }
 }
@@ -36,11 +42,9 @@ TEST(Doubt, NamesOfTheEngineAreThere) {
       "if Enum.Material.Ice ~= Enum.Material.Wood then b.CanCollide = "
       "false end"};
   for (const char* text : texts) {
-    Scene scene;
-    const auto barrier = scene.part("Barrier");
-    scene.script("local b = workspace.Barrier\n" + std::string(text), scene.scripts);
+    Barred scene(text);
     EXPECT_TRUE(scene.level().unmodelled.empty()) << text;
-    EXPECT_FALSE(scene[barrier].solid) << text;
+    EXPECT_FALSE(scene[scene.barrier].solid) << text;
   }
 }
 
@@ -51,14 +55,12 @@ TEST(Doubt, OneOfTwoValuesIsNeither) {
       "b.Position = if math.random() > 0.5 then Vector3.new(0, 5, 0) else Vector3.new(0, 9, 0)",
       "b.Position = Vector3.new(0, math.random() > 0.5 and 5 or 9, 0)"};
   for (const char* text : texts) {
-    Scene scene;
-    const auto barrier = scene.part("Barrier");
-    scene.script("local b = workspace.Barrier\n" + std::string(text), scene.scripts);
+    Barred scene(text);
     scene.level();
-    EXPECT_TRUE(scene[barrier].solid) << text;
-    EXPECT_EQ(scene[barrier].pose.position, (Vec3{})) << text;
-    EXPECT_TRUE(scene[barrier].evidence.empty()) << text;
-    EXPECT_FALSE(scene[barrier].motion) << text;
+    EXPECT_TRUE(scene[scene.barrier].solid) << text;
+    EXPECT_EQ(scene[scene.barrier].pose.position, (Vec3{})) << text;
+    EXPECT_TRUE(scene[scene.barrier].evidence.empty()) << text;
+    EXPECT_FALSE(scene[scene.barrier].motion) << text;
   }
 }
 
@@ -90,9 +92,7 @@ TEST(Doubt, WhatFollowsAWayOutThatMayBeTakenIsNotSure) {
       "for i = 1, 2 do if math.random() > 0.5 then continue end b:Destroy() end",
       "if math.random() > 0.5 then task.spawn(function() b:Destroy() end) end"};
   for (const char* text : texts) {
-    Scene scene;
-    scene.part("Barrier");
-    scene.script("local b = workspace.Barrier\n" + std::string(text), scene.scripts);
+    Barred scene(text);
     EXPECT_EQ(scene.level().parts.size(), 1u) << text;
     EXPECT_EQ(scene.unmodelled(kMayChange), 1u) << text;
   }
@@ -104,9 +104,7 @@ TEST(Doubt, AWayOutEndsWithItsFunctionOrLoop) {
       "for i = 1, 2 do if math.random() > 0.5 then break end end b:Destroy()",
       "for i = 1, 2 do if i > 5 then return end end b:Destroy()"};
   for (const char* text : texts) {
-    Scene scene;
-    scene.part("Barrier");
-    scene.script("local b = workspace.Barrier\n" + std::string(text), scene.scripts);
+    Barred scene(text);
     EXPECT_TRUE(scene.level().parts.empty()) << text;
     EXPECT_TRUE(scene.level().unmodelled.empty()) << text;
   }

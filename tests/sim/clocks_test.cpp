@@ -12,8 +12,6 @@ using schema::Part;
 using sim::World;
 using support::LevelBuilder;
 
-LevelBuilder floorLevel() { return LevelBuilder().block({0, -1, 0}, {200, 2, 200}); }
-
 // A plate to step on at z = -6.
 LevelBuilder& withButton(LevelBuilder& b, float seconds, bool restarts = false) {
   return b.block({0, 0.1f, -6}, {4, 0.2f, 2}, [=](Part::Builder p) {

@@ -10,8 +10,6 @@ namespace {
 using schema::Part;
 using support::LevelBuilder;
 
-LevelBuilder floorLevel() { return LevelBuilder().block({0, -1, 0}, {200, 2, 200}); }
-
 TEST(Limits, APadThrowsNobodyThroughACeiling) {
   const auto level = floorLevel()
                          .block({0, 0.5f, 0}, {6, 1, 6},

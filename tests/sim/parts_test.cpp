@@ -11,8 +11,6 @@ using sim::Outcome;
 using sim::State;
 using support::LevelBuilder;
 
-LevelBuilder floorLevel() { return LevelBuilder().block({0, -1, 0}, {200, 2, 200}); }
-
 void key(schema::MotionKey::Builder k, float time, Vec3 at) {
   k.setTime(time);
   support::set(k.initPosition(), at);

@@ -13,8 +13,6 @@ using sim::State;
 using sim::World;
 using support::LevelBuilder;
 
-LevelBuilder floorLevel() { return LevelBuilder().block({0, -1, 0}, {200, 2, 200}); }
-
 void teleporter(LevelBuilder& b, Vec3 at, Vec3 to,
                 const std::function<void(schema::Teleport::Builder)>& more = {}) {
   b.block(at, {4, 4, 1}, [=](Part::Builder p) {

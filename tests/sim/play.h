@@ -59,6 +59,11 @@ struct Play {
   }
 };
 
+// A floor to put parts on; its top is at 0.
+inline support::LevelBuilder floorLevel() {
+  return support::LevelBuilder().block({0, -1, 0}, {200, 2, 200});
+}
+
 inline level::Level flatLevel() {
   return support::LevelBuilder().block({0, -1, 0}, {400, 2, 400}).compile();
 }

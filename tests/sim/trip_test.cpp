@@ -11,8 +11,6 @@ using sim::State;
 using sim::World;
 using support::LevelBuilder;
 
-LevelBuilder floorLevel() { return LevelBuilder().block({0, -1, 0}, {200, 2, 200}); }
-
 TEST(Trip, TakesControlForItsTimeAndThenLetsGo) {
   const auto level = floorLevel()
                          .block({0, 1, -10}, {10, 2, 1},

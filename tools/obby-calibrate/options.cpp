@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <utility>
 
 #include "cli/rows.h"
 
@@ -94,20 +93,17 @@ cli::ToolSpec calibrateSpec() {
 }
 
 Status optionsFit(const cli::Arguments& a) {
-  const auto refused = [](const std::string& option, std::string message) {
-    return Error{{}, {}, "--" + option, std::move(message), "leave out one of the two"};
-  };
+  constexpr const char* kOneOfTwo = "leave out one of the two";
   const bool course = a.flag("course"), rehearse = a.flag("rehearse");
-  if (course && rehearse) return refused("rehearse", "does not go with --course");
-  if (!rehearse && a.typed("noise"))
-    return Error{{}, {}, "--noise", "nothing is rehearsed without --rehearse", "leave it out"};
+  if (course && rehearse)
+    return Error{{}, {}, "--rehearse", "does not go with --course", kOneOfTwo};
+  if (!rehearse)
+    OBBY_RETURN_IF_ERROR(
+        cli::refuseTyped(a, {"noise"}, "nothing is rehearsed without --rehearse", "leave it out"));
   if (!makesTakes(a)) return {};
-  for (const char* name : {"fit", "held-out", "tolerance", "restarts", "generations", "report"}) {
-    if (!a.typed(name)) continue;
-    return refused(name,
-                   fmt::format("nothing is fitted with --{}", course ? "course" : "rehearse"));
-  }
-  return {};
+  return cli::refuseTyped(
+      a, {"fit", "held-out", "tolerance", "restarts", "generations", "report"},
+      fmt::format("nothing is fitted with --{}", course ? "course" : "rehearse"), kOneOfTwo);
 }
 
 bool makesTakes(const cli::Arguments& a) { return a.flag("rehearse") || a.flag("course"); }

@@ -113,13 +113,9 @@ Status writeList(const cli::Context& context, const gen::Recipe& recipe) {
 
 Result<cli::ExitCode> run(cli::Context& context) {
   const cli::Arguments& a = context.arguments();
-  if (!a.flag("check") && a.typed("check-steps")) {
-    return Error{{},
-                 {},
-                 "--check-steps",
-                 "nothing is checked without --check",
-                 "give --check, too, or leave it out"};
-  }
+  if (!a.flag("check"))
+    OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"check-steps"}, "nothing is checked without --check",
+                                          "give --check, too, or leave it out"));
   OBBY_ASSIGN(const gen::Recipe recipe, tools::recipeOf(a));
   if (a.flag("list")) {
     OBBY_RETURN_IF_ERROR(recipe.check());

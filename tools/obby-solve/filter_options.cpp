@@ -62,31 +62,23 @@ Status readQuick(const cli::Arguments& a, solve::FilterOptions& o) {
   return {};
 }
 
-// Options that only say how to search, and what to say of it.
-constexpr const char* kSearching[] = {"time-limit", "max-steps", "solutions", "attempts",
-                                      "trials",     "method",    "warm",      "policy"};
-constexpr const char* kSearchingFlags[] = {"diverse", "difficulty", "final-only",
-                                           "paths",   "heat-map",   "explain"};
-
 // What would do nothing beside the other options was meant to do something.
 Status refuseIdle(const cli::Arguments& a, solve::Task task) {
   if (task == solve::Task::answer) {
     if (!a.flag("diverse") || a.integer("solutions") > 1) return {};
     return refused("diverse", "needs --solutions 2 or more", "as in --solutions 5 --diverse");
   }
-  const auto idle = [task](const char* option) {
-    return refused(option,
-                   task == solve::Task::verify ? "does not go with --verify"
-                                               : "does not go with --pass and --not-pass",
-                   "nothing is searched there");
-  };
-  for (const char* option : kSearching) {
-    if (a.typed(option)) return idle(option);
+  // Options that only say how to search, and what to say of it.
+  const char* const message = task == solve::Task::verify
+                                  ? "does not go with --verify"
+                                  : "does not go with --pass and --not-pass";
+  constexpr const char* kCure = "nothing is searched there";
+  for (const char* flag : {"diverse", "difficulty", "final-only", "paths", "heat-map", "explain"}) {
+    if (a.flag(flag)) return refused(flag, message, kCure);
   }
-  for (const char* option : kSearchingFlags) {
-    if (a.flag(option)) return idle(option);
-  }
-  return {};
+  return cli::refuseTyped(
+      a, {"time-limit", "max-steps", "solutions", "attempts", "trials", "method", "warm", "policy"},
+      message, kCure);
 }
 
 Result<std::shared_ptr<const policy::PolicyFile>> policyOf(const cli::Arguments& a) {
@@ -147,9 +139,9 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
   o.solver.heatMap = a.flag("heat-map");
   if (a.flag("difficulty")) {
     o.solver.difficultyTrials = uint32_t(a.integer("trials"));
-  } else if (a.typed("trials")) {
-    return refused("trials", "nothing is tried without --difficulty",
-                   "give --difficulty, too, or leave it out");
+  } else {
+    OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"trials"}, "nothing is tried without --difficulty",
+                                          "give --difficulty, too, or leave it out"));
   }
   o.solver.budget = budgetOf(context);
   report(context, o);

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <initializer_list>
-
 #include "cli/rows.h"
 #include "levels.h"
 #include "shared/recipe_options.h"
@@ -138,18 +136,11 @@ std::vector<OptionRow> evaluateRows() {
 }  // namespace
 
 Status optionsFit(const cli::Arguments& a) {
-  const auto refuse = [&](std::initializer_list<const char*> names, const char* message,
-                          const char* cure) -> Status {
-    for (const char* name : names) {
-      if (a.typed(name)) return Error{{}, {}, std::string("--") + name, message, cure};
-    }
-    return {};
-  };
   if (a.has("eval"))
-    return refuse({"resume", "checkpoint", "log", "tensorboard", "curve"},
-                  "nothing is learned with --eval", "leave out one of the two");
-  return refuse({"eval-levels", "eval-tries"}, "nothing is evaluated without --eval",
-                "name the policy by --eval FILE, or leave it out");
+    return cli::refuseTyped(a, {"resume", "checkpoint", "log", "tensorboard", "curve"},
+                            "nothing is learned with --eval", "leave out one of the two");
+  return cli::refuseTyped(a, {"eval-levels", "eval-tries"}, "nothing is evaluated without --eval",
+                          "name the policy by --eval FILE, or leave it out");
 }
 
 cli::ToolSpec trainSpec() {

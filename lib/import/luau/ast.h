@@ -43,7 +43,8 @@ struct Expr {
   ExprKind kind = ExprKind::unknown;
   int line = 0;
   std::string text;
-  double number = 0;  // of a number; of a string 1 where its value is not known
+  double number = 0;
+  bool known = true;  // of a string: the text tells its value
   std::vector<ExprPtr> kids;
   std::vector<ExprPtr> keys;
   std::unique_ptr<Function> body;

@@ -29,7 +29,7 @@ Datum Reader::evaluate(const Expr& expr) {
     case ExprKind::truth: return {true};
     case ExprKind::falsehood: return {false};
     case ExprKind::number: return {expr.number};
-    case ExprKind::string: return expr.number > 0 ? Datum{} : Datum{expr.text};
+    case ExprKind::string: return expr.known ? Datum{expr.text} : Datum{};
     case ExprKind::name: return nameValue(expr.text);
     case ExprKind::field: return field(evaluate(*expr.kids[0]), expr.text);
     case ExprKind::index: {

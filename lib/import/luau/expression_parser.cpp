@@ -124,7 +124,7 @@ ExprPtr Parser::primary() {
 ExprPtr Parser::literal() {
   const Token& token = next();
   auto expr = make(ExprKind::string, token.text);
-  expr->number = token.number;
+  expr->known = token.known;
   return expr;
 }
 

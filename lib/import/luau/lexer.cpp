@@ -110,8 +110,8 @@ class Lexer {
     if (at_ < source_.size() && source_[at_] == quote) advance();
     // An interpolated string with braces has no constant value.
     const bool constant = quote != '`' || text.find('{') == std::string::npos;
-    tokens_.push_back({TokenKind::string, constant ? std::move(text) : std::string(),
-                       constant ? 0.0 : 1.0, line});
+    tokens_.push_back(
+        {TokenKind::string, constant ? std::move(text) : std::string(), 0, line, constant});
   }
 
   // [[...]], [=[...]=]; false if it is none, with the position unchanged.

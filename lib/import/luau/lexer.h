@@ -13,8 +13,9 @@ enum class TokenKind { name, keyword, number, string, symbol, end };
 struct Token {
   TokenKind kind = TokenKind::end;
   std::string text;   // of a string: its value
-  double number = 0;  // of a number; of a string 1 where its value is not known: `a{b}`
+  double number = 0;  // of a number
   int line = 0;       // from 1
+  bool known = true;  // a string whose value the text tells, unlike `a{b}`
 };
 
 // Always ends with a token of kind end.

@@ -83,7 +83,7 @@ void conveyorFromScripts(RoleContext& context) {
   std::set<InstanceId> named;
   for (const ScriptReading& reading : context.scripts)
     for (const Timeline& timeline : reading.timelines) {
-      if (timeline.trigger == Trigger::touch || timeline.trigger == Trigger::other) continue;
+      if (!timeline.byItself()) continue;
       for (const ScriptEvent& event : timeline.events) {
         PartDraft* part = event.kind == EventKind::set ? context.part(event.target) : nullptr;
         const bool linear = event.property == "Velocity";
