@@ -11,6 +11,7 @@ namespace obby::bridge {
 namespace {
 
 constexpr auto kSweep = 1 * kj::SECONDS;
+constexpr auto kFarewell = 1 * kj::SECONDS;  // for what clients have yet to take at the end
 
 // The event loop and the service on it.
 class Host {
@@ -38,8 +39,9 @@ class Host {
 
   Service& service() { return *service_; }
 
-  // Runs the event loop until `work` ends, `stop` is set, or nobody has been there for too long.
-  Status serve(kj::Promise<void> work) {
+  // Runs the event loop until `work` ends, `stop` is set, or nobody has been there for too long;
+  // then until all jobs and `farewell`, which clients need to hear of that, have ended.
+  Status serve(kj::Promise<void> work, kj::Function<kj::Promise<void>()> farewell) {
     try {
       work.exclusiveJoin(events_.untilSet(stop_))
           .exclusiveJoin(untilIdle())
@@ -49,6 +51,7 @@ class Host {
       service_->jobs()
           .whenIdle()
           .exclusiveJoin(loop_.timer.afterDelay(most))
+          .then([&] { return farewell().exclusiveJoin(loop_.timer.afterDelay(kFarewell)); })
           .wait(events_.io.waitScope);
     } catch (const kj::Exception& e) {
       return makeError(e.getDescription().cStr());
@@ -90,7 +93,10 @@ Status serveHttp(const Options& options, const std::atomic<bool>& stop, const Re
                             service.offerPairing().shown()));
   }
   HttpFront front(service, std::move(listener), reports.note);
-  return host.serve(front.run());
+  return host.serve(front.run(), [&] {
+    service.endEvents();
+    return front.drain();
+  });
 }
 
 Status serveStdio(const Options& options, const std::atomic<bool>& stop, const Reports& reports,
@@ -98,7 +104,7 @@ Status serveStdio(const Options& options, const std::atomic<bool>& stop, const R
   Host host(options, reports, stop);
   OBBY_RETURN_IF_ERROR(host.open(false));
   StdioFront front(host.service(), std::move(output));
-  const Status served = host.serve(front.run());
+  const Status served = host.serve(front.run(), [] { return kj::Promise<void>(kj::READY_NOW); });
   const Status finished = front.finish();
   return served ? finished : served;
 }

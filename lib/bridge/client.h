@@ -40,6 +40,7 @@ class Client {
   bool mayBeSilent = false;  // its carrier tells when it has gone: silence means nothing
   bool socketOpen = false;   // one WebSocket at a time
   bool dropSocket = false;   // asks that WebSocket to close
+  bool ending = false;       // asks it to close once all messages have gone
 
   // Takes all messages that there are: of a carrier that can, whenever it is asked. One record can
   // be more of them than are kept.

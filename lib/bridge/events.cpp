@@ -42,6 +42,7 @@ class Relay {
       cursor_ = message->number;
       return send(message->text, [this] { return sendMore(); });
     }
+    if (client_->ending) return socket_->close(kGoingAway, "the bridge ends");
     const double now = loop_.now();
     if (now >= nextPing_) {
       nextPing_ = now + service_.limits().pingSeconds;

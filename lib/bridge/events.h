@@ -10,8 +10,8 @@
 
 namespace obby::bridge {
 
-// Close codes of ours.
-enum CloseCode : uint16_t { kNormal = 1000, kSilent = 4408, kReload = 4410 };
+// Close codes; those above 4000 are ours.
+enum CloseCode : uint16_t { kNormal = 1000, kGoingAway = 1001, kSilent = 4408, kReload = 4410 };
 
 // Ends with the WebSocket, without an exception. The client has said that it has all messages up to
 // `cursor`, and they are still kept.

@@ -276,6 +276,13 @@ void Service::sweep() {
   if (!jobs_.idle()) lastSeen_ = now;
 }
 
+void Service::endEvents() {
+  for (const auto& [number, who] : clients_) {
+    who->ending = true;
+    who->wake();
+  }
+}
+
 double Service::quietFor() const { return loop_.now() - lastSeen_; }
 
 }  // namespace obby::bridge

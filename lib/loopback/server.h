@@ -29,6 +29,9 @@ class Server : protected kj::HttpService,
  public:
   // Accepts and serves connections; ends only with an exception. Once.
   kj::Promise<void> run();
+  // To be called once run() was dropped: until requests that are being answered, WebSockets among
+  // them, have ended. Connections that ask nothing are closed.
+  kj::Promise<void> drain() { return server_->drain(); }
   uint16_t port() const { return port_; }
 
  protected:

@@ -7,6 +7,7 @@ import resource
 import signal
 import time
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 
 import driver
 from driver import Bridge, eventually, exchange, level_bytes, program
@@ -231,6 +232,44 @@ class AbuseTest(unittest.TestCase):
         for pid in programs:
             self.assertFalse(os.path.exists(f"/proc/{pid}"))
         self.assertEqual(os.listdir(os.path.join(bridge.state, "answers")), [])
+
+    def test_a_bridge_that_ends_still_tells_all_that_its_jobs_said(self):
+        """However much of it is on its way when the last program has ended."""
+        said = "i=0; while [ $i -lt 400 ]; do echo line $i >&2; i=$((i+1)); done"
+        script = program(self, f"trap '{said}; exit 130' INT\ncat >/dev/null\necho up >&2\n"
+                         "while :; do sleep 0.05; done\n")
+        bridge = self.bridge("--solve", script)
+        events = bridge.events()
+        bridge.ask(level=bridge.place_level(LEVEL))
+        events.until(lambda m: m.get("text") == "up")
+        bridge.process.send_signal(signal.SIGTERM)
+        messages = events.until(lambda m: m.get("state") == "cancelled")
+        self.assertEqual([m["text"] for m in messages if m["type"] == "report"],
+                         [f"line {i}" for i in range(400)])
+        self.assertEqual(events.receive(), ("close", 1001))
+        self.assertEqual(bridge.process.wait(20), 143)
+
+    def test_a_bridge_that_ends_answers_those_that_wait(self):
+        bridge = self.bridge("--solve", program(self, "cat >/dev/null\nexec sleep 1000\n"))
+        job = bridge.ask(level=bridge.place_level(LEVEL))["job"]
+        cursor = bridge.messages(job, until=lambda m: m.get("state") == "running")[-1]["number"]
+        with ThreadPoolExecutor() as pool:
+            poll = pool.submit(bridge.get, f"/v1/jobs/{job}?wait=20&cursor={cursor}")
+            time.sleep(0.2)
+            bridge.process.send_signal(signal.SIGTERM)
+            self.assertEqual(poll.result().json()["state"], "cancelled")
+        self.assertEqual(bridge.process.wait(20), 143)
+
+    def test_a_bridge_that_ends_waits_for_no_client_that_reads_nothing(self):
+        script = program(self, "trap 'head -c 30000000 /dev/zero | tr \\0 x | fold -w 9999 >&2; "
+                         "exit 130' INT\ncat >/dev/null\necho up >&2\n"
+                         "while :; do sleep 0.05; done\n")
+        bridge = self.bridge("--solve", script)
+        events = bridge.events()
+        bridge.ask(level=bridge.place_level(LEVEL))
+        events.until(lambda m: m.get("text") == "up")
+        bridge.process.send_signal(signal.SIGTERM)
+        self.assertEqual(bridge.process.wait(8), 143)
 
     def test_processor_time_and_memory_are_bounded(self):
         if driver.sanitized():
