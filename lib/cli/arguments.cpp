@@ -16,8 +16,13 @@ const std::string& Arguments::only(const std::string& name) const {
 }
 
 bool Arguments::has(const std::string& name) const { return at(name).given; }
-bool Arguments::typed(const std::string& name) const { return at(name).typed; }
 bool Arguments::flag(const std::string& name) const { return only(name) == "true"; }
+
+bool Arguments::typed(const std::string& name) const {
+  const Value& value = at(name);
+  return value.typed && (value.row.type != ValueType::flag || flag(name));
+}
+
 const std::string& Arguments::text(const std::string& name) const { return only(name); }
 
 int64_t Arguments::integer(const std::string& name) const {

@@ -19,15 +19,17 @@ class Arguments {
   std::vector<std::string> inputs;
 
   // `name` without dashes. Asking for a name that is not in the table is a mistake in the program.
-  bool has(const std::string& name) const;                 // given by the user, in whatever way
+  // Given by the user, in whatever way; a configuration file that states the default gives nothing.
+  bool has(const std::string& name) const;
   bool flag(const std::string& name) const;                // flag
   const std::string& text(const std::string& name) const;  // text, file, choice, mode; may be empty
   int64_t integer(const std::string& name) const;          // integer
   uint64_t seed(const std::string& name = "seed") const;   // seed
   double number(const std::string& name) const;            // number or integer
   const std::vector<std::string>& list(const std::string& name) const;  // repeatable rows
-  // Typed on the command line, for this call. Environment and configuration file are for many
-  // calls, some of which have no use for what they say.
+  // Typed on the command line, for this call, and if it is a flag, as on. Environment and
+  // configuration file are for many calls, some of which have no use for what they say: an option
+  // that would do nothing is refused where it is typed, and passed over where it is set there.
   bool typed(const std::string& name) const;
 
   // One value as set by runTool and by tests: the table's row and its texts.

@@ -1,6 +1,8 @@
 #include "cli/console.h"
 
+#include <signal.h>
 #include <sys/ioctl.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,13 +19,45 @@ namespace obby::cli {
 namespace {
 
 constexpr const char* kClearLine = "\r\x1b[K";
+constexpr int kStopCheckMilliseconds = 50;
 
-// Nothing in a message may move the cursor or forge another line.
+// Nothing in a message may move the cursor or forge another line: no control characters, those of
+// two bytes (U+0080 to U+009F) among them.
 std::string harmless(std::string text) {
-  for (char& c : text)
-    if (uint8_t(c) < 0x20 || c == 0x7f) c = '?';
+  for (size_t i = 0; i < text.size(); i++) {
+    const uint8_t c = uint8_t(text[i]);
+    const uint8_t next = i + 1 < text.size() ? uint8_t(text[i + 1]) : uint8_t(0);
+    if (c < 0x20 || c == 0x7f) text[i] = '?';
+    if (c == 0xc2 && next >= 0x80 && next < 0xa0) text[i] = text[i + 1] = '?';
+  }
   return text;
 }
+
+// While it lives, to write to a pipe that nobody reads fails and does not end the process: the
+// output may go elsewhere.
+class PipeSignalHeld {
+ public:
+  PipeSignalHeld() {
+    sigset_t pending;
+    sigpending(&pending);
+    wasPending_ = sigismember(&pending, SIGPIPE) == 1;
+    sigemptyset(&pipe_);
+    sigaddset(&pipe_, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+  }
+  ~PipeSignalHeld() {
+    const timespec atOnce{};
+    while (!wasPending_ && sigtimedwait(&pipe_, nullptr, &atOnce) < 0 && errno == EINTR) {
+    }
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  PipeSignalHeld(const PipeSignalHeld&) = delete;
+  PipeSignalHeld& operator=(const PipeSignalHeld&) = delete;
+
+ private:
+  sigset_t pipe_, before_;
+  bool wasPending_;
+};
 
 void member(std::string& out, const char* name, const std::string& value) {
   if (value.empty()) return;
@@ -87,15 +121,20 @@ size_t Console::width() {
 }
 
 void Console::put(std::string_view text) {
+  const PipeSignalHeld held;
   while (!text.empty() && !unheard_) {
     const bool ends = stopFlag().load();
     unheard_ = ends && !io::takesMore(STDERR_FILENO, io::kPatienceMilliseconds);
     if (unheard_) return;
     const size_t most = ends ? std::min<size_t>(text.size(), PIPE_BUF) : text.size();
     const ssize_t sent = ::write(STDERR_FILENO, text.data(), most);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent < 0) return;  // nowhere left to complain
-    text.remove_prefix(size_t(sent));
+    if (sent >= 0) {
+      text.remove_prefix(size_t(sent));
+    } else if (errno == EAGAIN) {  // somebody else has told it not to wait for its reader
+      io::takesMore(STDERR_FILENO, kStopCheckMilliseconds);
+    } else if (errno != EINTR) {
+      return;  // nowhere left to complain
+    }
   }
 }
 

@@ -1,6 +1,8 @@
 // Where each option's value comes from: command line, environment, configuration file, default.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 
 #include "cli/check_value.h"
@@ -26,15 +28,22 @@ class Resolver {
     if (environment && *environment)
       return checked(std::move(out), {environment}, Error{variable, {}, {}, {}, {}});
     if (const auto listed = config_.find(row.name);
-        listed != config_.end() && !listed->second.texts.empty())
+        listed != config_.end() && !listed->second.texts.empty()) {
+      out.given = !statesDefault(row, listed->second.texts);
       return checked(std::move(out), listed->second.texts,
                      Error{configPath_, listed->second.line, row.name, {}, {}});
+    }
     out.given = false;
     if (!row.defaultText.empty()) out.texts.push_back(row.defaultText);
     return out;
   }
 
  private:
+  // As --print-config does of what nobody has given.
+  static bool statesDefault(const OptionRow& row, const std::vector<std::string>& texts) {
+    return !row.defaultText.empty() && texts.size() == 1 && texts[0] == row.defaultText;
+  }
+
   static Result<Arguments::Value> checked(Arguments::Value out, std::vector<std::string> texts,
                                           Error place) {
     for (std::string& text : texts) {
@@ -89,6 +98,8 @@ Result<Arguments> resolveArguments(const ToolSpec& spec, const std::vector<Optio
   }
   out.inputs = line.inputs;
   if (out.inputs.empty()) out.inputs.push_back("-");
+  if (std::count(out.inputs.begin(), out.inputs.end(), "-") > 1)
+    return makeError("- is given twice", "standard input can be read once");
   return out;
 }
 

@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <new>
 
+#include "cli/check_value.h"
 #include "cli/completion.h"
 #include "cli/console.h"
 #include "cli/context.h"
@@ -101,7 +103,9 @@ int run(const ToolSpec& spec, int argc, char** argv, const RunFunction& body, Co
 bool wantsJsonErrors(int argc, char** argv) {
   for (int i = 1; i < argc; i++)
     if (std::strcmp(argv[i], "--json-errors") == 0) return true;
-  return false;
+  const char* variable = std::getenv(environmentName("json-errors").c_str());
+  std::string text = variable ? variable : "";
+  return !checkValue(OptionRow{}, text) && text == "true";  // a row is a flag, if nothing else
 }
 
 }  // namespace

@@ -27,13 +27,16 @@ Result<std::string_view> typeOf(const JsonTree& tree) {
   if (tree.root().type != JsonTree::Type::object)
     return makeError(
         fmt::format("expected a record (an object), found {}", tree.describe(tree.root())));
+  const JsonTree::Node* found = nullptr;
   for (uint32_t at = tree.root().child; at != 0; at = tree.node(at).next) {
     const JsonTree::Node& member = tree.node(at);
     if (tree.name(member) != kTypeMember) continue;
-    if (member.type != JsonTree::Type::text) return noType(tree.describe(member));
-    return tree.text(member);
+    if (found) return Error{{}, {}, std::string(kTypeMember), "given twice", {}};
+    found = &member;
   }
-  return noType("none");
+  if (!found) return noType("none");
+  if (found->type != JsonTree::Type::text) return noType(tree.describe(*found));
+  return tree.text(*found);
 }
 
 // Empty: no kind is called nearly so.

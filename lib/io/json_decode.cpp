@@ -4,6 +4,7 @@
 
 #include <bitset>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 
 #include "io/text.h"
@@ -52,12 +53,17 @@ bool JsonDecoder::fill(const StructPlan& plan, capnp::DynamicStruct::Builder out
 }
 
 // Later minor versions add fields, and people notes of their own; so only what looks like a slip
-// is told.
+// is told. To look takes as long as many values do: each name is looked at once, and not too many.
 void JsonDecoder::passOver(const StructPlan& plan, const Path& path) {
-  constexpr size_t kMost = 4;  // of a record
-  if (misspelt_ == nullptr || misspelt_->size() == kMost) return;
+  constexpr size_t kMost = 4, kMostStrange = 1000;  // of a record
+  if (misspelt_ == nullptr || misspelt_->size() == kMost || strange_.size() == kMostStrange) return;
+  std::pair<const StructPlan*, std::string> asked(&plan, path.name);
+  if (strange_.contains(asked)) return;
   const std::string near = nearest(path.name, plan.names());
-  if (near.empty()) return;
+  if (near.empty()) {
+    strange_.insert(std::move(asked));
+    return;
+  }
   misspelt_->push_back({{},
                         {},
                         path.text(),
@@ -225,8 +231,10 @@ bool JsonDecoder::real(const TypePlan& type, const Node& node, const Path& path,
   } else {
     return unexpected(type, node, path);
   }
-  if (auto wrong = refuseReal(type, narrow ? double(single) : wide)) {
-    if (!type.ranged) wrong = fmt::format("number too large: {}", tree_.describe(node));
+  const double value = narrow ? double(single) : wide;
+  if (auto wrong = refuseReal(type, value)) {
+    if (!type.ranged || !std::isfinite(value))
+      wrong = fmt::format("number too large: {}", tree_.describe(node));
     return fail(path, *wrong);
   }
   out = narrow ? Value(single) : Value(wide);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -55,6 +57,7 @@ class JsonDecoder {
 
   const JsonTree& tree_;
   std::vector<Error>* misspelt_;
+  std::set<std::pair<const StructPlan*, std::string>> strange_;  // unknown, and like no field
   WordBudget budget_;
 };
 

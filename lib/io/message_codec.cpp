@@ -27,6 +27,13 @@ uint32_t half(const Words& words, size_t i) {
 
 Error cutOff() { return makeError("the input ends in the middle of a message: cut off?"); }
 
+// No packed message begins so: the pointer to its root has bytes that are no characters.
+bool isText(std::string_view begin) {
+  return std::none_of(begin.begin(), begin.end(), [](char c) {
+    return uint8_t(c) < 0x20 && c != '\t' && c != '\r' && c != '\n';
+  });
+}
+
 // Words of the segment table, from its first word.
 Result<size_t> tableWords(const Words& words) {
   const uint64_t segments = uint64_t(half(words, 0)) + 1;
@@ -142,6 +149,7 @@ Looks looksLikeMessage(std::string_view begin) {
   uint32_t segments = 0;
   std::memcpy(&segments, begin.data(), 4);
   if (segments < kMaxSegments) return Looks::unpacked;
+  if (isText(begin)) return Looks::neither;
   Words words;
   size_t used = 0;
   const auto state = Unpacker::step(begin, 1, words, used);

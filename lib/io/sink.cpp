@@ -11,7 +11,9 @@
 #include <chrono>
 #include <climits>
 #include <cstring>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 #include <thread>
 
 #include "io/byte_source.h"
@@ -31,10 +33,17 @@ Error outputError(const std::string& name, const char* doing) {
   return error;
 }
 
-// The file that a symbolic link names, so that the link stays one.
+// The file that a symbolic link names, even if it is not there yet, so that the link stays one.
 std::string target(const std::string& path) {
-  char resolved[PATH_MAX];
-  return realpath(path.c_str(), resolved) ? std::string(resolved) : path;
+  constexpr int kMostLinks = 40;  // as the system has it
+  std::filesystem::path file = path;
+  std::error_code none;
+  for (int links = 0; links < kMostLinks && std::filesystem::is_symlink(file, none); links++) {
+    const std::filesystem::path named = std::filesystem::read_symlink(file, none);
+    if (none) break;
+    file = file.parent_path() / named;
+  }
+  return file.string();
 }
 
 mode_t newFileMode() {
@@ -119,6 +128,10 @@ struct Sink::Impl {
 
   Status openFile(const std::string& path) {
     name = path;
+    if (path.empty()) {
+      failed = makeError("the name of the output file is empty", "- is standard output");
+      return *failed;
+    }
     struct stat info {};
     const bool exists = stat(path.c_str(), &info) == 0;
     if (exists && S_ISDIR(info.st_mode)) {

@@ -20,12 +20,14 @@ constexpr size_t kSniff = 10;  // the longest that one packed word can be
 bool startsJson(char c) { return c == '{' || c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+constexpr std::string_view kZip = "PK\x03\x04";  // might be the tag and size of a packed message
 
 Error strangeBytes(std::string_view begin) {
   if (begin.substr(0, 8) == "<roblox!" || begin.substr(0, 7) == "<roblox")
     return makeError("expected a stream of records, found a Roblox file",
                      "obby-import turns it into a stream");
-  if (begin.substr(0, 2) == "\x1f\x8b" || begin.substr(0, 4) == "\x28\xb5\x2f\xfd")
+  if (begin.substr(0, 2) == "\x1f\x8b" || begin.substr(0, 4) == "\x28\xb5\x2f\xfd" ||
+      begin.substr(0, 4) == kZip)
     return makeError("expected a stream of records, found compressed data", "decompress it first");
   return makeError(fmt::format("expected JSON lines or Cap'n Proto messages, found {}",
                                quoted(begin.substr(0, 8))));
@@ -71,7 +73,8 @@ struct StreamReader::Impl {
       format = Format::jsonl;
       return true;
     }
-    const Looks looks = looksLikeMessage(begin.substr(0, kSniff));
+    const bool zip = begin.substr(0, kZip.size()) == kZip;
+    const Looks looks = zip ? Looks::neither : looksLikeMessage(begin.substr(0, kSniff));
     if (looks == Looks::neither && begin.size() >= 4) return strangeBytes(begin);
     if (looks == Looks::neither) format = begin[0] == 0 ? Format::capnp : Format::jsonl;
     if (looks == Looks::unpacked) format = Format::capnp;

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <cstdio>
+#include <fstream>
+
 #include "cli/check_value.h"
 #include "cli/help.h"
 #include "cli/parse.h"
@@ -93,6 +96,40 @@ TEST(Arguments, TheCommandLineWinsOverTheEnvironmentOverTheDefault) {
   unsetenv("OBBY_TIME_LIMIT");
 }
 
+// What --print-config wrote is no wish.
+TEST(Arguments, AConfigurationFileThatStatesTheDefaultGivesNothing) {
+  const std::string path = testing::TempDir() + "obby-states-the-default";
+  const auto given = [&](const std::string& text) {
+    std::ofstream(path) << text;
+    const auto arguments = resolve({"--config", path});
+    EXPECT_TRUE(arguments) << arguments.error().text();
+    return arguments->has("time-limit");
+  };
+  EXPECT_FALSE(given("time-limit = 5\n"));
+  EXPECT_TRUE(given("time-limit = 6\n"));
+  EXPECT_EQ(std::remove(path.c_str()), 0);
+}
+
+TEST(Arguments, OnlyTheCommandLineIsTypedAndAFlagOnlyAsOn) {
+  EXPECT_TRUE(resolve({"--seed", "0"})->typed("seed"));
+  EXPECT_TRUE(resolve({"-q"})->typed("quiet"));
+  EXPECT_FALSE(resolve({"--quiet=no"})->typed("quiet"));
+  setenv("OBBY_QUIET", "yes", 1);
+  EXPECT_TRUE(resolve({})->flag("quiet"));
+  EXPECT_FALSE(resolve({})->typed("quiet"));
+  unsetenv("OBBY_QUIET");
+}
+
+TEST(Arguments, WhatIsTypedAndIdleIsRefusedByName) {
+  const auto refused = [](std::vector<std::string> words) {
+    const Status status = refuseTyped(*resolve(std::move(words)), {"seed", "quiet"}, "no", "why");
+    return status ? "" : status.error().text();
+  };
+  EXPECT_EQ(refused({"--time-limit", "3", "--quiet=false"}), "");
+  EXPECT_EQ(refused({"-q"}), "--quiet: no (why)");
+  EXPECT_EQ(refused({"-q", "--seed", "1"}), "--seed: no (why)");
+}
+
 TEST(Arguments, InputsKeepTheirOrderAmongOptions) {
   const auto arguments = resolve({"b", "--seed", "3", "-", "-q", "--", "--seed", "-v"});
   ASSERT_TRUE(arguments) << arguments.error().text();
@@ -101,6 +138,8 @@ TEST(Arguments, InputsKeepTheirOrderAmongOptions) {
   EXPECT_TRUE(arguments->flag("quiet"));
   EXPECT_FALSE(arguments->flag("verbose"));
   EXPECT_EQ(resolve({})->inputs, std::vector<std::string>{"-"});
+  EXPECT_EQ(resolve({"-", "b", "-"}).error().text(),
+            "- is given twice (standard input can be read once)");
 }
 
 TEST(Arguments, LettersMayBeJoinedAndValuesMayFollowDirectly) {

@@ -126,6 +126,10 @@ TEST(Framing, Rules) {
       {"\x1f\x8b\x08\x01zzzz",
        "in: expected a stream of records, found compressed data (decompress it first)", 0},
       {"hello world", "in: expected JSON lines or Cap'n Proto messages, found \"hello wo\"", 0},
+      {"part,x,y\n1,2,3\n", "in: expected JSON lines or Cap'n Proto messages, found \"part,x,y\"",
+       0},
+      {"PK\x03\x04zzzzzzzz",
+       "in: expected a stream of records, found compressed data (decompress it first)", 0},
       {"[1,2]", "in: expected JSON lines or Cap'n Proto messages, found \"[1,2]\"", 0},
   };
   for (const Case& c : cases) {

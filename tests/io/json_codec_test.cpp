@@ -55,6 +55,7 @@ TEST(JsonErrors, NameThePathTheExpectationAndWhatWasThere) {
       {R"({"type":"level","physics":{"controlRate":9}})",
        "physics.controlRate: expected a whole number from 10 to 480, found 9"},
       {R"({"type":"query","timeLimit":1e39})", "timeLimit: number too large: 1e39"},
+      {R"({"type":"level","physics":{"gravity":1e39}})", "physics.gravity: number too large: 1e39"},
       {R"({"type":"query","timeLimit":1e999})", "column 33: number too large"},
       {R"({"type":"query","timeLimit":-Infinity})",
        "column 30: expected a finite number, found -Infinity"},
@@ -70,6 +71,7 @@ TEST(JsonErrors, NameThePathTheExpectationAndWhatWasThere) {
       {R"({"type":"result","steps":" 1"})",
        "steps: expected a whole number written as text, found text \" 1\""},
       {R"({"type":"query","id":"a","id":"b"})", "id: given twice"},
+      {R"({"type":"query","id":"a","type":"level"})", "type: given twice"},
       {R"({"type":"queri"})",
        "type: expected one of header, level, query, progress, trajectory, result, recording, "
        "params, metrics, end, found \"queri\" (did you mean \"query\"?)"},
@@ -178,6 +180,21 @@ TEST(JsonMeaning, FieldsThatLookMisspeltAreTold) {
   EXPECT_EQ(slips[0].text(),
             "maxJump: there is no such field, and it is passed over (did you mean \"maxJumps\"?)");
   EXPECT_EQ(slips[1].path, "goal.positon");
+}
+
+TEST(JsonMeaning, LookingForSlipsIsBounded) {
+  const auto told = [](const std::string& notes) {
+    std::vector<Error> misspelt;
+    EXPECT_TRUE(recordFromJsonIfKnown("{\"type\":\"level\"" + notes + ",\"part\":[]}", &misspelt));
+    return misspelt.size();
+  };
+  std::string same, different;
+  for (int i = 0; i < 2000; i++) {
+    same += ",\"a note of mine\":1";
+    different += ",\"a note of mine, number " + std::to_string(i) + "\":1";
+  }
+  EXPECT_EQ(told(same), 1u);
+  EXPECT_EQ(told(different), 0u);
 }
 
 TEST(JsonMeaning, KindsThatLookMisspeltAreTold) {

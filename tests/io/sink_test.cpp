@@ -63,6 +63,20 @@ TEST(Sink, KeepsTheModeOfAFileAndTheLinkToIt) {
   EXPECT_EQ(info.st_mode & 0777, 0640u);
 }
 
+TEST(Sink, ALinkToWhatIsNotThereYetStaysALink) {
+  ScratchFolder folder;
+  std::filesystem::create_directory(folder / "runs");
+  std::filesystem::create_symlink("runs/newest", folder / "link");
+  std::filesystem::create_symlink("link", folder / "link to it");
+  auto sink = Sink::open(folder / "link to it");
+  ASSERT_TRUE(sink);
+  ASSERT_TRUE(sink->write("new"));
+  ASSERT_TRUE(sink->close());
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link to it"));
+  EXPECT_EQ(contents(folder / "runs/newest"), "new");
+}
+
 TEST(Sink, AFullDiskIsAnErrorThatStays) {
   auto sink = Sink::open("/dev/full");
   ASSERT_TRUE(sink);
@@ -194,6 +208,9 @@ TEST(Sink, PlacesThatCannotBeWrittenAreNamed) {
   auto directory = Sink::open(folder / "");
   ASSERT_FALSE(directory);
   EXPECT_EQ(directory.error().message, "cannot write: Is a directory");
+  auto nameless = Sink::open("");  // found out now, not when all is done
+  ASSERT_FALSE(nameless);
+  EXPECT_EQ(nameless.error().message, "the name of the output file is empty");
 }
 
 }  // namespace

@@ -62,12 +62,12 @@ std::string stateDir(const cli::Arguments& a) {
   return home.empty() ? "" : home + "/.local/state/obby";
 }
 
-// An option that only a server has; empty: none was asked for.
+// An option that only a server has; empty: none was typed.
 std::string askedOfServer(const cli::Arguments& a) {
-  for (const char* name : {"pair", "no-token"}) {
-    if (a.flag(name)) return name;
+  for (const char* name : {"pair", "no-token", "port"}) {
+    if (a.typed(name)) return name;
   }
-  return a.typed("port") ? "port" : "";
+  return {};
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ Result<bridge::Options> bridgeOptions(const cli::Context& context) {
   if (const std::string other = askedOfServer(a); a.flag("stdio") && !other.empty()) {
     return Error{{}, {}, "--stdio", fmt::format("does not go with --{}", other), {}};
   }
-  if (a.flag("pair") && a.flag("no-token")) {
+  if (a.typed("pair") && a.flag("no-token")) {
     return Error{{}, {}, "--pair", "does not go with --no-token", {}};
   }
   bridge::Options out;

@@ -191,10 +191,7 @@ Result<cli::ExitCode> run(cli::Context& context) {
   io::Pipeline pipeline(std::move(source), context.identity(), std::move(output));
   Status done =
       makes ? writeCourse(context, pipeline) : calibrateFrom(context, pipeline, std::move(asked));
-  if (!done) pipeline.outOfBudget();
-  const Status finished = pipeline.finish();
-  OBBY_RETURN_IF_ERROR(std::move(done));
-  OBBY_RETURN_IF_ERROR(Status(finished));
+  OBBY_RETURN_IF_ERROR(pipeline.finish(std::move(done)));
   return cli::ExitCode::ok;
 }
 

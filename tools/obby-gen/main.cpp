@@ -92,6 +92,7 @@ Status writePlace(cli::Context& context, std::span<const gen::Generator> generat
   if (options.count == 0) {
     return Error{{}, {}, "--count", "a place file needs an end", "give a number above 0"};
   }
+  OBBY_ASSIGN(io::Sink sink, context.openSink());  // first: what cannot be written is said at once
   gen::PlaceFile place(generators.front());
   OBBY_ASSIGN(const tools::Ended ended,
               tools::emit(generators, options, pool, context.stop(), [&](const tools::Emitted& e) {
@@ -100,7 +101,6 @@ Status writePlace(cli::Context& context, std::span<const gen::Generator> generat
               }));
   if (ended == tools::Ended::stopped) return {};
   if (ended == tools::Ended::noneKept) return noneKept(options.check);
-  OBBY_ASSIGN(io::Sink sink, context.openSink());
   OBBY_RETURN_IF_ERROR(sink.write(place.finish()));
   return sink.close();
 }
