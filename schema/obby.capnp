@@ -81,8 +81,9 @@ struct Region {
   rotation @2 :Quat;
   size @3 :Vec3 = (x = 4, y = 4, z = 4);  # full extents, each > 0
   # Of a query: a part in place of the box. By name, path or its end, GUID, #tag or part:INDEX, as
-  # on the command line; in lists a #tag stands for all parts that have it. The tools fill in the
-  # box, which is the room around the part, and partIndex.
+  # on the command line; in lists a #tag stands for all parts that have it, which makes at most
+  # 100,000 places in all lists. The tools fill in the box, which is the room around the part, and
+  # partIndex.
   part @4 :Text;
   touch @5 :Bool;            # only touching the part itself counts
   partIndex @6 :Int32 = -1;  # into the level's parts
@@ -178,14 +179,14 @@ struct Part {
   shape @1 :Shape;
   position @2 :Vec3;      # centre of the bounding box
   rotation @3 :Quat;
-  size @4 :Vec3 = (x = 4, y = 1, z = 2);  # full extents, 0.001 to 2048; simulated as at least 0.05
+  size @4 :Vec3 = (x = 4, y = 1, z = 2);  # full extents, each above 0 and at most 2048; simulated as at least 0.05
   hulls @5 :List(Hull);   # only for shape hull
   solid @6 :Bool = true;  # CanCollide
   touch @7 :Bool = true;  # CanTouch: takes part in kill, pad and checkpoint tests
   anchored @8 :Bool = true;  # false: a loose body
-  friction @9 :Float32 = 0.3;
-  elasticity @10 :Float32 = 0.5;
-  density @11 :Float32 = 0.7;
+  friction @9 :Float32 = 0.3;     # 0 to 100
+  elasticity @10 :Float32 = 0.5;  # 0 to 1, of contacts of loose bodies
+  density @11 :Float32 = 0.7;     # of a loose body, 0.0001 to 100
   color @12 :Color;
   transparency @13 :Float32;
   source @14 :PartSource;
@@ -236,7 +237,7 @@ struct Kill {
 
 struct Conveyor {
   velocity @0 :Vec3;   # studs/s, world frame, of what stands on it
-  angular @1 :Vec3;    # rad/s, world frame, about the part's centre
+  angular @1 :Vec3;    # rad/s, world frame, about the part's `position`, also where the part moves
 }
 
 struct JumpPad {
@@ -285,9 +286,9 @@ struct Teleport {
 
 struct Boost {
   # For a time the player walks and jumps faster (or slower). Of several the one touched last counts.
-  walkSpeed @0 :Float32 = 1;  # x PhysicsParams.walkSpeed
-  jumpSpeed @1 :Float32 = 1;  # x PhysicsParams.jumpSpeed
-  jumpMore @2 :Float32;       # studs/s on top of that
+  walkSpeed @0 :Float32 = 1;  # x PhysicsParams.walkSpeed; above 0, at most 100
+  jumpSpeed @1 :Float32 = 1;  # x PhysicsParams.jumpSpeed; likewise
+  jumpMore @2 :Float32;       # studs/s on top of that, -1000 to 1000
   seconds @3 :Float32;        # after the last touch; 0: only while the part is touched
   forever @4 :Bool;           # true: until the playthrough ends
 }
@@ -342,7 +343,7 @@ enum MotionTrigger {
 
 struct MotionKey {
   # The part is at this pose at `time`; the way to it from the key before follows the easing.
-  time @0 :Float32;       # seconds from the start of the motion, not decreasing
+  time @0 :Float32;       # seconds, not decreasing; the motion starts with the first key, whatever its time
   position @1 :Vec3;      # world
   rotation @2 :Quat;      # world
   easing @3 :Easing;
@@ -356,10 +357,11 @@ struct Spin {
 }
 
 struct Motion {
+  # A round of the keys, there and back for pingPong, and a turn of the spin take at most 20 minutes.
   keys @0 :List(MotionKey);   # empty: stays at the part's pose
   repeat @1 :Repeat = loop;
   spin @2 :Spin;              # on top of the keys
-  offset @3 :Float32;         # seconds into the motion at tick 0
+  offset @3 :Float32;         # seconds into the motion at tick 0; negative: once waits so long, others count back
   carries @4 :Bool;           # true: driven by physics, takes a standing player along; false: tween or CFrame loop
   trigger @5 :MotionTrigger;
   signal @6 :Text;            # signal: the name that its buttons give
@@ -437,7 +439,7 @@ struct PhysicsParams {
 struct Start {
   # The player starts with the feet at the centre of the region's floor, or above the named spawn.
   region @0 :Region;
-  spawn @1 :Int32 = -1;     # index into the level's spawns; used when no region is given
+  spawn @1 :Int32 = -1;     # index into the level's spawns; used when no region is given; -1: the first
   yaw @2 :Float32;          # radians, for a region
   tick @3 :UInt32;          # level clock at the start: moving parts are where they are at this tick
 }
@@ -455,13 +457,13 @@ struct Query {
   level @1 :Text;           # name of the level record; empty: the level before it in the stream
   start @2 :Start;          # absent: the level's first spawn
   goal @3 :Region;
-  waypoints @4 :List(Waypoint);  # in this order
+  waypoints @4 :List(Waypoint);  # in this order; at most 255
   avoid @5 :List(Region);
   maxJumps @6 :Int32 = -1;  # -1: any
   timeLimit @7 :Float32;    # seconds of game time; 0: none
   goals @8 :List(Region);   # any of these, or goal, ends the playthrough
   visits @9 :List(Region);  # before the goal, in any order; at most 32
-  minJumps @10 :Int32;      # jumps before the goal counts, at least
+  minJumps @10 :Int32;      # jumps before the goal counts, at least; at most 65535
   segmentJumps @11 :Int32 = -1;      # jumps since the last waypoint, at most; -1: any
   segmentTime @12 :Float32;          # seconds since the last waypoint; 0: none
   maxDamage @13 :Float32 = -1;       # health that may be lost in all; -1: any

@@ -105,7 +105,8 @@ Status PartCompiler::mover(PartContext& c, Collider& collider) {
   if (rows_ > kMaxLevelRows) {
     return pathError(
         c.part.hasMotion() ? "motion" : "fall",
-        fmt::format("all motions together need more than {} ticks of tables", kMaxLevelRows));
+        fmt::format("all motions together need more than {} ticks of tables", kMaxLevelRows),
+        "parts that spin alike share a table, and a period of whole ticks needs the shortest");
   }
   collider.mover = uint32_t(out_.movers.size());
   out_.movers.push_back({kept.keys.data(), spins.empty() ? nullptr : spins.data(),
@@ -181,14 +182,12 @@ Status PartCompiler::hulls(schema::Part::Reader part, const Collider& base, uint
       return pathError(path, fmt::format("expected 4 to {} vertices, got {}", kMaxHullVertices,
                                          vertices.size()));
     }
-    out_.hulls.push_back(hullTables(vertices));
-    const HullTables& t = out_.hulls.back();
-    if (t.normals.empty()) continue;  // flat: nothing to collide with
-    out_.hullViews.push_back(viewOf(t));
+    const geom::Hull* const hull = out_.hulls.hullOf(vertices);
+    if (hull == nullptr) continue;  // flat: nothing to collide with
     Collider c = base;
-    c.shape.hull = &out_.hullViews.back();
+    c.shape.hull = hull;
     Vec3 reach;
-    for (const Vec3 v : t.vertices) reach = max(reach, abs(v));
+    for (uint32_t i = 0; i < hull->vertexCount; ++i) reach = max(reach, abs(hull->vertices[i]));
     c.shape.half = reach;
     push(c, flags);
   }

@@ -25,9 +25,8 @@ struct PartTables {
   uint32_t crushClock = kNone;
   std::vector<std::string> names;    // (parts)
   std::deque<MotionTables> motions;  // what movers point into; a deque keeps addresses
-  std::deque<HullTables> hulls;      // what shapes point into
-  std::deque<geom::Hull> hullViews;
-  bool timed = false;  // any part whose state depends on the clock
+  HullStore hulls;                   // what shapes point into
+  bool timed = false;                // any part whose state depends on the clock
 };
 
 // Smallest extent that the engine's physics uses (docs/physics.md, parts).

@@ -25,7 +25,7 @@ class Builder {
 
   GridTables build() {
     cover();
-    while (cellCount() > kMaxCells || entryCount() > kMaxEntries) {
+    while (cellCount() > 1 && (cellCount() > kMaxCells || entryCount() > kMaxEntries)) {
       grid_.cell = grid_.cell * 1.5f;
       divide();
     }

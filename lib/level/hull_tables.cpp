@@ -4,6 +4,7 @@
 #include "level/hull_tables.h"
 
 #include <cmath>
+#include <utility>
 
 namespace obby::level {
 namespace {
@@ -100,6 +101,19 @@ geom::Hull viewOf(const HullTables& t) {
           uint32_t(t.vertices.size()),
           uint32_t(t.normals.size()),
           uint32_t(t.edges.size())};
+}
+
+const geom::Hull* HullStore::hullOf(const std::vector<Vec3>& vertices) {
+  const auto* const bytes = reinterpret_cast<const char*>(vertices.data());
+  const auto [known, isNew] =
+      known_.try_emplace(std::string(bytes, vertices.size() * sizeof(Vec3)), nullptr);
+  if (!isNew) return known->second;
+  HullTables tables = hullTables(vertices);
+  if (tables.normals.empty()) return nullptr;
+  tables_.push_back(std::move(tables));
+  views_.push_back(viewOf(tables_.back()));
+  known->second = &views_.back();
+  return known->second;
 }
 
 }  // namespace obby::level

@@ -23,8 +23,8 @@ struct StartPose {
 // Immutable; safe to share between threads.
 class Level {
  public:
-  // Errors have `path` set, e.g. "parts[88].size". Too many parts (> 1 million) or a motion longer
-  // than 10 minutes are errors, too.
+  // Errors have `path` set, e.g. "parts[88].size". Too many parts (> 1 million) or a motion whose
+  // round takes longer than 20 minutes are errors, too.
   static Result<Level> compile(schema::Level::Reader record);
 
   Level(Level&&) noexcept;

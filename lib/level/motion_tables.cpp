@@ -86,11 +86,15 @@ Status keyTable(const std::vector<Key>& keys, schema::Motion::Reader motion, con
   out.once = motion.getRepeat() == schema::Repeat::ONCE;
   const double period = pingPong ? 2 * length : length;
   const double ticks = period * params.controlRate;
-  if (ticks > mostTicks(params)) return pathError("motion.keys", "longer than 10 minutes");
+  if (ticks > mostTicks(params)) {
+    return pathError("motion.keys", "a round takes " + longerThanMost(params));
+  }
   // A negative offset is a wait before the motion; one that comes but once must still arrive.
   const double wait =
       out.once ? std::max(0.0, -double(motion.getOffset())) * params.controlRate : 0;
-  if (wait > mostTicks(params)) return pathError("motion.offset", "a wait longer than 10 minutes");
+  if (wait > mostTicks(params)) {
+    return pathError("motion.offset", "a wait " + longerThanMost(params));
+  }
   const uint32_t rows = out.once ? uint32_t(ticks + wait) + 2 : rowsFor(ticks);
   if (length <= 0 || rows == 0) {
     out.keys = {poseAt(keys, keys.back().time)};
@@ -111,9 +115,7 @@ Status keyTable(const std::vector<Key>& keys, schema::Motion::Reader motion, con
 
 Status spinTable(schema::Spin::Reader spin, double offset, const Params& params,
                  MotionTables& out) {
-  const Vec3 axis = vec(spin.getAxis());
-  if (!isFinite(axis) || length(axis) < 1e-6f)
-    return pathError("motion.spin.axis", "expected a direction");
+  OBBY_ASSIGN(const Vec3 n, direction(spin.getAxis(), "motion.spin.axis"));
   if (!std::isfinite(spin.getSpeed())) return pathError("motion.spin.speed", "expected rad/s");
   OBBY_ASSIGN(out.pivot, position(spin.getPivot(), "motion.spin.pivot"));
   const double speed = spin.getSpeed();
@@ -121,10 +123,9 @@ Status spinTable(schema::Spin::Reader spin, double offset, const Params& params,
   const double turn = 2 * 3.14159265358979323846;
   const double ticks = turn / std::fabs(speed) * params.controlRate;
   if (ticks > mostTicks(params))
-    return pathError("motion.spin.speed", "a turn takes longer than 10 minutes");
+    return pathError("motion.spin.speed", "a turn takes " + longerThanMost(params));
   const uint32_t rows = std::max(1u, rowsFor(ticks));
   const double turns = std::max(1.0, std::round(rows / ticks));
-  const Vec3 n = normalize(axis);
   if (out.period == 0) out.period = uint32_t(std::lround(ticks));
   for (uint32_t row = 0; row < rows; ++row) {
     const double angle = turns * turn * row / rows * (speed < 0 ? -1 : 1) + speed * offset;
@@ -137,6 +138,10 @@ Status spinTable(schema::Spin::Reader spin, double offset, const Params& params,
 }
 
 }  // namespace
+
+std::string longerThanMost(const Params& params) {
+  return fmt::format("longer than {:.0f} minutes", mostTicks(params) / params.controlRate / 60);
+}
 
 Result<MotionTables> motionTables(schema::Motion::Reader motion, const Pose& rest,
                                   const Params& params) {

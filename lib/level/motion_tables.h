@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/result.h"
@@ -23,6 +24,8 @@ constexpr uint32_t kMaxRows = 36000 * 2;  // 10 minutes of ping-pong at 60 ticks
 inline double mostTicks(const Params& p) {
   return std::max(double(kMaxRows), 1200.0 * p.controlRate);
 }
+
+std::string longerThanMost(const Params& params);  // for errors: "longer than 20 minutes"
 
 struct MotionTables {
   std::vector<Pose> keys;   // at least one

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "level/collider_runs.h"
 #include "level/level.h"
 #include "level/record_values.h"
 
@@ -12,9 +14,17 @@ namespace {
 
 constexpr uint32_t kMaxWaypoints = 255;  // World::waypoints is a byte
 
+// Names are not looked up here.
+Status checkLookedUp(schema::Region::Reader record, const std::string& path) {
+  if (record.getPart().size() == 0 || record.getPartIndex() >= 0) return {};
+  return pathError(path + ".part", "names a part that was not looked up",
+                   "obby-solve passes the query on with the part's box filled in");
+}
+
 Result<StartPose> startPose(schema::Query::Reader record, const Level& level) {
   const auto start = record.getStart();
   if (start.hasRegion()) {
+    OBBY_RETURN_IF_ERROR(checkLookedUp(start.getRegion(), "start.region"));
     OBBY_ASSIGN(const geom::Region box, region(start.getRegion(), "start.region"));
     OBBY_ASSIGN(const float yaw, angle(start.getYaw(), "start.yaw"));
     // Feet at the centre of the floor: the lowest face for an upright box, the lowest point below
@@ -23,8 +33,8 @@ Result<StartPose> startPose(schema::Query::Reader record, const Level& level) {
     const float drop = absf(up.y) > 0.999f ? box.half.y : dot(abs(up), box.half);
     return StartPose{box.pose.position - Vec3{0, drop, 0}, yaw, start.getTick()};
   }
-  const int32_t spawn = start.getSpawn() < 0 ? 0 : start.getSpawn();
-  if (size_t(spawn) >= level.spawns().size()) {
+  const int32_t spawn = start.getSpawn() == -1 ? 0 : start.getSpawn();
+  if (spawn < 0 || size_t(spawn) >= level.spawns().size()) {
     return level.spawns().empty()
                ? pathError("start", "the level has no spawn, and the query names no start region")
                : pathError("start.spawn", fmt::format("expected 0 to {}, got {}",
@@ -39,16 +49,25 @@ Result<StartPose> startPose(schema::Query::Reader record, const Level& level) {
 Result<uint32_t> ticksWithin(float limit, const Params& params, const std::string& path) {
   if (!std::isfinite(limit) || limit < 0) return pathError(path, "expected seconds, 0 for none");
   if (limit == 0) return 0u;
-  // Beyond the largest clock there is no difference any more.
-  const double exact = std::floor(double(limit) * params.controlRate + 1e-4);
-  const uint32_t ticks = uint32_t(std::min(exact, 4294967295.0));
+  // A whole number of ticks must not be lost to the rounding of the record's float. Beyond the
+  // largest clock there is no difference any more.
+  const double exact = double(limit) * params.controlRate;
+  const double whole = std::floor(exact + 1e-4 + exact * 0x1p-23);
+  const uint32_t ticks = uint32_t(std::min(whole, 4294967295.0));
   if (ticks == 0) return pathError(path, "shorter than one tick");
   return ticks;
 }
 
+// -1: any.
+Result<int32_t> jumpsWithin(int32_t jumps, const std::string& path) {
+  if (jumps < -1) return pathError(path, "expected a number of jumps, -1 for any");
+  return jumps;
+}
+
 Result<SegmentLimits> segmentLimits(int32_t jumps, float seconds, const Params& params,
                                     const std::string& path) {
-  SegmentLimits limits{jumps, 0};
+  SegmentLimits limits;
+  OBBY_ASSIGN(limits.jumps, jumpsWithin(jumps, path + "segmentJumps"));
   OBBY_ASSIGN(limits.ticks, ticksWithin(seconds, params, path + "segmentTime"));
   return limits;
 }
@@ -62,9 +81,7 @@ class Targets {
   Result<TargetView> compile(schema::Region::Reader record, const std::string& path) {
     TargetView target;
     const int32_t part = record.getPartIndex();
-    if (record.getPart().size() > 0 && part < 0) {
-      return pathError(path + ".part", "names a part that was not looked up");
-    }
+    OBBY_RETURN_IF_ERROR(checkLookedUp(record, path));
     OBBY_ASSIGN(target.region, region(record, path));
     if (!record.getTouch()) return target;
     if (part < 0) {
@@ -72,11 +89,7 @@ class Targets {
                        "name the part: {\"part\":\"Finish\",\"touch\":true}");
     }
     if (size_t(part) >= parts_) return pathError(path + ".partIndex", "no such part");
-    target.firstTouch = uint32_t(touched_.size());
-    for (uint32_t i = 0; i < level_.colliderCount; ++i) {
-      if (level_.colliders[i].part == uint32_t(part)) touched_.push_back(i);
-    }
-    target.touchCount = uint32_t(touched_.size()) - target.firstTouch;
+    listTouched(uint32_t(part), target);
     if (target.touchCount == 0) {
       // The path may name a place that is not in the record: a name or a tag stands for many parts.
       const std::string name = record.getPart().size() > 0 ? std::string(record.getPart().cStr())
@@ -101,9 +114,26 @@ class Targets {
   }
 
  private:
+  // A part's colliders go into touched_ once: lists may name it again, and a tag thousands.
+  void listTouched(uint32_t part, TargetView& target) {
+    if (!runs_) {
+      runs_.emplace(level_);
+      listed_.assign(parts_, kNone);
+    }
+    const ColliderRun run = runs_->of(part);
+    if (listed_[part] == kNone) {
+      listed_[part] = uint32_t(touched_.size());
+      for (uint32_t i = 0; i < run.count; ++i) touched_.push_back(run.first + i);
+    }
+    target.firstTouch = listed_[part];
+    target.touchCount = run.count;
+  }
+
   const LevelView& level_;
   size_t parts_;
   std::vector<uint32_t>& touched_;
+  std::optional<ColliderRuns> runs_;  // made when the first part is to be touched
+  std::vector<uint32_t> listed_;      // (parts) where each is in touched_; kNone: not yet
 };
 
 Result<WaypointView> compileWaypoint(schema::Waypoint::Reader record, const Params& params,
@@ -111,7 +141,7 @@ Result<WaypointView> compileWaypoint(schema::Waypoint::Reader record, const Para
   if (!record.hasRegion()) return pathError(path + ".region", "a waypoint needs a region");
   WaypointView waypoint;
   OBBY_ASSIGN(waypoint.target, targets.compile(record.getRegion(), path + ".region"));
-  waypoint.maxJumps = record.getMaxJumps();
+  OBBY_ASSIGN(waypoint.maxJumps, jumpsWithin(record.getMaxJumps(), path + ".maxJumps"));
   OBBY_ASSIGN(waypoint.ticks, ticksWithin(record.getTimeLimit(), params, path + ".timeLimit"));
   OBBY_ASSIGN(waypoint.segment,
               segmentLimits(record.getSegmentJumps(), record.getSegmentTime(), params, path + "."));
@@ -137,7 +167,7 @@ Result<uint32_t> forbiddenStates(schema::Query::Reader record) {
 // Limits of the whole playthrough and of its last segment.
 Result<QueryView> compileLimits(schema::Query::Reader record, const Params& params) {
   QueryView q;
-  q.maxJumps = record.getMaxJumps();
+  OBBY_ASSIGN(q.maxJumps, jumpsWithin(record.getMaxJumps(), "maxJumps"));
   q.minJumps = std::max(record.getMinJumps(), 0);
   if (q.maxJumps >= 0 && q.minJumps > q.maxJumps) {
     return pathError("minJumps",
@@ -180,8 +210,9 @@ Result<Query> Query::compile(schema::Query::Reader record, const Level& level) {
     q.waypoints_.push_back(view);
   }
   if (record.getVisits().size() > kMaxVisits) {
-    return pathError("visits", fmt::format("expected at most {}, got {}", kMaxVisits,
-                                           record.getVisits().size()));
+    return pathError(
+        "visits", fmt::format("expected at most {}, got {}", kMaxVisits, record.getVisits().size()),
+        "a #tag counts once for each part that has it");
   }
   OBBY_ASSIGN(q.visits_, targets.compile(record.getVisits(), "visits"));
   OBBY_ASSIGN(q.avoid_, targets.compile(record.getAvoid(), "avoid"));

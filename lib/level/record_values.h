@@ -45,6 +45,17 @@ inline Result<Vec3> position(schema::Vec3::Reader record, const std::string& pat
   return v;
 }
 
+// The unit vector along a direction in a part's frame, which may have any length.
+inline Result<Vec3> direction(schema::Vec3::Reader record, const std::string& path,
+                              const std::string& hint = {}) {
+  Vec3 v = vec(record);
+  if (maxf(absf(v.x), maxf(absf(v.y), absf(v.z))) > 1e18f) v = v * 1e-20f;  // squares overflow
+  if (!isFinite(v) || length(v) < 1e-6f) {
+    return pathError(path, "expected a direction in the part's frame", hint);
+  }
+  return normalize(v);
+}
+
 // Beyond this many radians float angles are too coarse to mean a direction.
 constexpr float kMaxAngle = 1e4f;
 

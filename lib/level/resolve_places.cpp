@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
 #include "level/record_values.h"
 #include "level/select_parts.h"
 
@@ -37,36 +42,61 @@ struct Entry {
   bool shared;    // its selector fits other parts, too
 };
 
-Result<std::vector<Entry>> entriesOf(schema::Level::Reader level,
-                                     capnp::List<schema::Region>::Reader list, const char* name) {
-  std::vector<Entry> entries;
-  for (uint32_t i = 0; i < list.size(); ++i) {
-    if (list[i].getPart().size() == 0) {
-      entries.push_back({i, -1, false});
-      continue;
+// Finds the parts of a query's lists: each selector once, however often it is listed.
+class ListedParts {
+ public:
+  explicit ListedParts(schema::Level::Reader level) : level_(level) {}
+
+  Result<std::vector<Entry>> entriesOf(capnp::List<schema::Region>::Reader list, const char* name) {
+    std::vector<Entry> entries;
+    for (uint32_t i = 0; i < list.size(); ++i) {
+      if (list[i].getPart().size() == 0) {
+        entries.push_back({i, -1, false});
+        continue;
+      }
+      const std::string selector = list[i].getPart().cStr();
+      const auto parts = partsOf(selector);
+      if (!parts) return inField(parts.error(), fmt::format("{}[{}]", name, i));
+      places_ += (*parts)->size();
+      if (places_ > kMaxPlaces) {
+        return pathError(
+            fmt::format("{}[{}].part", name, i),
+            fmt::format("with '{}' the query names more than {} places", selector, kMaxPlaces),
+            "name each part once, or draw one box around many");
+      }
+      for (const uint32_t part : **parts) entries.push_back({i, part, (*parts)->size() > 1});
     }
-    const std::string selector = list[i].getPart().cStr();
-    const std::string path = fmt::format("{}[{}]", name, i);
-    if (!selector.starts_with("#")) {
-      const auto part = matchPart(level, selector);
-      if (!part) return inField(part.error(), path);
-      entries.push_back({i, *part, false});
-      continue;
-    }
-    const auto parts = matchParts(level, selector);
-    if (!parts) return inField(parts.error(), path);
-    for (const uint32_t part : *parts) entries.push_back({i, part, parts->size() > 1});
+    return entries;
   }
-  return entries;
-}
+
+ private:
+  // All that a tag fits; of any other selector the one part.
+  Result<const std::vector<uint32_t>*> partsOf(const std::string& selector) {
+    const auto known = known_.find(selector);
+    if (known != known_.end()) return &known->second;
+    std::vector<uint32_t> parts;
+    if (selector.starts_with("#")) {
+      OBBY_ASSIGN(parts, matchParts(level_, selector));
+    } else {
+      OBBY_ASSIGN(const uint32_t part, matchPart(level_, selector));
+      parts.push_back(part);
+    }
+    return &known_.emplace(selector, std::move(parts)).first->second;
+  }
+
+  schema::Level::Reader level_;
+  std::unordered_map<std::string, std::vector<uint32_t>> known_;
+  size_t places_ = 0;  // that parts stand for, in all lists
+};
 
 // `disown` and `init` take a list out of the query, and make a new one in its place.
 template <class Disown, class Init>
-Status resolveList(schema::Level::Reader level, const char* name, Disown&& disown, Init&& init) {
+Status resolveList(schema::Level::Reader level, ListedParts& listed, const char* name,
+                   Disown&& disown, Init&& init) {
   const auto old = disown();
   const auto list = old.getReader();
   if (list.size() == 0) return {};
-  OBBY_ASSIGN(const std::vector<Entry> entries, entriesOf(level, list, name));
+  OBBY_ASSIGN(const std::vector<Entry> entries, listed.entriesOf(list, name));
   auto out = init(uint32_t(entries.size()));
   for (uint32_t i = 0; i < out.size(); ++i) {
     const Entry& e = entries[i];
@@ -107,14 +137,15 @@ Status resolvePlaces(schema::Level::Reader level, schema::Query::Builder query) 
           resolve(level, waypoints[i].getRegion(), fmt::format("waypoints[{}].region", i)));
     }
   }
+  ListedParts listed(level);
   OBBY_RETURN_IF_ERROR(resolveList(
-      level, "avoid", [&] { return query.disownAvoid(); },
+      level, listed, "avoid", [&] { return query.disownAvoid(); },
       [&](uint32_t n) { return query.initAvoid(n); }));
   OBBY_RETURN_IF_ERROR(resolveList(
-      level, "goals", [&] { return query.disownGoals(); },
+      level, listed, "goals", [&] { return query.disownGoals(); },
       [&](uint32_t n) { return query.initGoals(n); }));
   return resolveList(
-      level, "visits", [&] { return query.disownVisits(); },
+      level, listed, "visits", [&] { return query.disownVisits(); },
       [&](uint32_t n) { return query.initVisits(n); });
 }
 

@@ -2,6 +2,8 @@
 // query, so that nothing else needs to know names.
 #pragma once
 
+#include <cstddef>
+
 #include "base/result.h"
 #include "schema/obby.capnp.h"
 
@@ -10,9 +12,14 @@ namespace obby::level {
 // Does any region of the query name a part?
 bool namesParts(schema::Query::Reader query);
 
+// Most entries of a query's lists together that stand for parts, after each #tag has become all its
+// parts. Each is looked at after every tick.
+constexpr size_t kMaxPlaces = 100000;
+
 // Gives every region of the query with a `part` its box, its name and its partIndex; an entry of a
 // list whose #tag fits several parts becomes one entry for each. Resolving twice changes nothing.
-// Error: a selector that fits no part, or several where one is meant; its path is the region's.
+// Errors: a selector that fits no part, or several where one is meant; its path is the region's.
+// More than kMaxPlaces places.
 Status resolvePlaces(schema::Level::Reader level, schema::Query::Builder query);
 
 }  // namespace obby::level

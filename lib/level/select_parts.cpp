@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <string_view>
 
 #include "level/record_values.h"
 
@@ -18,9 +19,11 @@ constexpr float kGrowUp = 0.5f;     // studs
 constexpr float kGrowSide = 1;      // studs
 constexpr float kStandingRoom = 5;  // studs
 
-std::string pathOf(schema::Part::Reader part) {
+// Lives as long as the record.
+std::string_view pathOf(schema::Part::Reader part) {
   const auto path = part.getSource().getPath();
-  return path.size() > 0 ? path.cStr() : part.getName().cStr();
+  const auto text = path.size() > 0 ? path : part.getName();
+  return {text.cStr(), text.size()};
 }
 
 template <class Test>
@@ -34,12 +37,13 @@ std::vector<uint32_t> partsWhere(schema::Level::Reader level, const Test& test) 
   return found;
 }
 
-bool endsAfterSlash(const std::string& path, const std::string& tail) {
+bool endsAfterSlash(std::string_view path, std::string_view tail) {
   return path.size() > tail.size() && path.ends_with(tail) &&
          path[path.size() - tail.size() - 1] == '/';
 }
 
-std::string lower(std::string text) {
+std::string lower(std::string_view of) {
+  std::string text(of);
   for (char& c : text) c = char(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
   return text;
 }
@@ -112,9 +116,12 @@ std::string describePart(schema::Level::Reader level, uint32_t part) {
 Result<std::vector<uint32_t>> matchParts(schema::Level::Reader level, const std::string& selector) {
   std::vector<uint32_t> found;
   if (const int64_t index = indexFromText(selector); index >= 0) {
+    if (level.getParts().size() == 0) {
+      return makeError(fmt::format("level '{}' has no parts", level.getName().cStr()));
+    }
     if (index >= int64_t(level.getParts().size())) {
       return makeError(fmt::format("level '{}' has parts 0 to {}, not {}", level.getName().cStr(),
-                                   int64_t(level.getParts().size()) - 1, index));
+                                   level.getParts().size() - 1, index));
     }
     found.push_back(uint32_t(index));
   } else {

@@ -27,7 +27,10 @@ Result<io::Record> queryOf(const LoadedLevel& level, const QuickQuery& quick, co
 }  // namespace
 
 Filter::Filter(FilterOptions options, io::Pipeline& pipeline)
-    : options_(std::move(options)), pipeline_(pipeline), pool_(options_.threads) {
+    : options_(std::move(options)),
+      pipeline_(pipeline),
+      pool_(options_.threads),
+      levels_(options_.levelWords) {
   options_.solver.earlier = &options_.earlier;
 }
 
@@ -46,7 +49,7 @@ Result<io::Then> Filter::handleLevel(const io::Record& read) {
   OBBY_RETURN_IF_ERROR(finishLevel());
   last_.reset();
   // Where it makes no sense its queries are not to be asked of an older level of its name.
-  levels_.erase(read.reader().getLevel().getName().cStr());
+  levels_.forget(read.reader().getLevel().getName());
   if (!physics_.known()) return take(read, read);
   const io::Record calibrated = physics_.applied(read);
   OBBY_ASSIGN(const io::Then then, take(calibrated, read));
@@ -58,13 +61,14 @@ Result<io::Then> Filter::take(const io::Record& played, const io::Record& read) 
   OBBY_ASSIGN(LoadedLevel loaded, loadLevel(played));
   // First: a level without the places is none that trajectories can be judged by.
   if (options_.task == Task::filter) {
-    OBBY_ASSIGN(PassFilter filter, PassFilter::make(played.reader().getLevel(), options_.passes));
+    OBBY_ASSIGN(PassFilter filter,
+                PassFilter::make(played.reader().getLevel(), loaded.level, options_.passes));
     passFilters_.insert_or_assign(loaded.level.name(), std::move(filter));
   }
   const auto level = std::make_shared<const LoadedLevel>(std::move(loaded));
   const bool quick = options_.quick && !options_.each && options_.task == Task::answer;
   last_ = Last{level, read, quick};
-  levels_[level->level.name()] = level;
+  know(level);
   if (!quick) return io::Then::pass;
   OBBY_ASSIGN(const io::Record query, queryOf(*level, *options_.quick, "command-line"));
   OBBY_RETURN_IF_ERROR(pipeline_.output().pass(played));
@@ -99,14 +103,17 @@ Result<io::Then> Filter::handleQuery(const io::Record& record) {
 
 Result<Filter::LevelPointer> Filter::levelNamed(const std::string& name) const {
   if (name.empty() && last_) return last_->level;
-  const auto found = levels_.find(name);
-  if (!name.empty() && found != levels_.end()) return found->second;
-  return Error{{},
-               {},
-               "level",
-               name.empty() ? "no level before this record"
-                            : fmt::format("no level '{}' before this record", name),
-               "a level record comes before its queries in the stream"};
+  return levels_.named(name);
+}
+
+// What belongs to a level is dropped with it.
+void Filter::know(const LevelPointer& level) {
+  for (const std::string& dropped : levels_.add(level)) {
+    passFilters_.erase(dropped);
+    const auto first = queries_.lower_bound({dropped, std::string()});
+    const auto ofIt = [&](const auto& query) { return query.first.first == dropped; };
+    queries_.erase(first, std::find_if_not(first, queries_.end(), ofIt));
+  }
 }
 
 Result<io::Record> Filter::resolved(const LoadedLevel& level, const io::Record& query) const {
@@ -125,8 +132,14 @@ bool Filter::wanted(const std::string& id) const {
   return only.empty() || std::find(only.begin(), only.end(), id) != only.end();
 }
 
+// Each id once, and of the others as many as an error names: a stream need not end.
 void Filter::note(const std::string& id) {
-  if (!options_.only.empty()) (wanted(id) ? met_ : others_).push_back(id);
+  constexpr size_t kMostOthers = 5;
+  if (options_.only.empty()) return;
+  const bool isOther = !wanted(id);
+  std::vector<std::string>& ids = isOther ? others_ : met_;
+  if (isOther && ids.size() == kMostOthers) return;
+  if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
 }
 
 Status Filter::answer(const LoadedLevel& level, schema::Query::Reader query) {
@@ -179,7 +192,6 @@ Status Filter::finishInput() {
   OBBY_RETURN_IF_ERROR(finishLevel());
   for (const std::string& id : options_.only) {
     if (std::find(met_.begin(), met_.end(), id) != met_.end()) continue;
-    if (others_.size() > 5) others_.resize(5);
     return Error{{},
                  {},
                  "--query",

@@ -2,6 +2,7 @@
 // records, checks trajectories where only that is asked.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "io/pipeline.h"
 #include "policy/policy_file.h"
 #include "solve/answers/pass_filter.h"
+#include "solve/known_levels.h"
 #include "solve/query/build_query.h"
 #include "solve/query_solver.h"
 
@@ -38,6 +40,7 @@ struct FilterOptions {
   std::optional<QuickQuery> quick;  // asked of every level instead of the stream's queries
   bool each = false;                // `quick` changes the stream's queries instead
   PassRule passes;
+  uint64_t levelWords = KnownLevels::kMostWords;  // of the levels that are kept, as of KnownLevels
   std::function<void(const QueryProgress&)> progress;  // may be empty
   std::function<void(const Error&)> deviceFailed;      // the CPU went on; may be empty
 };
@@ -64,7 +67,7 @@ class Filter {
   EarlierAnswers takeEarlier() { return std::move(options_.earlier); }
 
  private:
-  using LevelPointer = std::shared_ptr<const LoadedLevel>;
+  using LevelPointer = KnownLevels::LevelPointer;
 
   // The level record before.
   struct Last {
@@ -84,6 +87,7 @@ class Filter {
   Status ask(const LoadedLevel& level, const io::Record& query);
   Status answer(const LoadedLevel& level, schema::Query::Reader query);
   Result<LevelPointer> levelNamed(const std::string& name) const;
+  void know(const LevelPointer& level);
   // With the boxes of the parts that it names, and the changes of `quick`.
   Result<io::Record> resolved(const LoadedLevel& level, const io::Record& query) const;
   bool wanted(const std::string& id) const;
@@ -94,11 +98,11 @@ class Filter {
   io::Pipeline& pipeline_;
   ThreadPool pool_;
   io::Physics physics_;
-  std::map<std::string, LevelPointer> levels_;
+  KnownLevels levels_;
   std::map<std::string, PassFilter> passFilters_;  // by level
   std::optional<Last> last_;
   std::map<std::pair<std::string, std::string>, io::Record> queries_;  // by level and id
-  std::vector<std::string> met_, others_;  // ids of `only` that came by; other ids
+  std::vector<std::string> met_, others_;  // ids of `only` that came by; the first other ids
   FilterCounts counts_;
 };
 

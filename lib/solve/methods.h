@@ -27,8 +27,8 @@ struct SearchView {
 struct Watcher {
   // Is this playthrough really a solution? Asked before it is counted.
   std::function<bool(const Playthrough&)> accept;
-  // Between rounds, often.
-  std::function<void(const SearchView&)> look;
+  // Between rounds, often. Whether to go on: false, and the search is interrupted. May be empty.
+  std::function<bool(const SearchView&)> look;
 };
 
 struct SearchOutcome {

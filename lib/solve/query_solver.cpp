@@ -38,7 +38,7 @@ class Solving {
     Problem problem = problemOf(posed_);
     problem.known = knownWays();
     const Watcher watcher{[this](const Playthrough& p) { return solves(p, posed_); },
-                          [this](const SearchView& v) { look(v); }};
+                          [this](const SearchView& v) { return look(v); }};
     const SearchOutcome outcome = answer(problem, watcher, machine);
     if (!outcome.device && output_.deviceFailed) output_.deviceFailed(outcome.device.error());
     OBBY_RETURN_IF_ERROR(std::move(status_));
@@ -83,9 +83,10 @@ class Solving {
     return found;
   }
 
-  void look(const SearchView& view) {
+  // False: an output that takes no progress will take no answer.
+  bool look(const SearchView& view) {
     if (options_.explain || options_.heatMap) noteNewCells(view.search);
-    if (view.seconds < nextProgress_ || !status_) return;
+    if (view.seconds < nextProgress_) return true;
     nextProgress_ = view.seconds + kProgressEvery;
     const Statistics& s = view.search.statistics();
     if (output_.progress) {
@@ -94,10 +95,11 @@ class Solving {
       output_.progress({identity_.query, std::min(spent, 1.0), s.steps, view.search.cellCount(),
                         s.closest.distance});
     }
-    if (!options_.progressRecords) return;
+    if (!options_.progressRecords) return true;
     io::RecordBuilder record;
     fillProgress(record.root().initProgress(), identity_, view, options_.paths);
     status_ = output_.write(record.reader());
+    return bool(status_);
   }
 
   void noteNewCells(const Search& search) {

@@ -79,8 +79,8 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget, const Watc
     search.round();
     coverage.note(search);
     takeGoals(search, kChecksPerRound, budget.solutions, watcher, clock, solutions, outcome);
-    if (watcher.look) watcher.look({search, clock.seconds()});
-    stopped = whyStop(budget, search, clock, solutions);
+    const bool wanted = !watcher.look || watcher.look({search, clock.seconds()});
+    stopped = wanted ? whyStop(budget, search, clock, solutions) : Stopped::interrupted;
   }
   outcome.stopped = *stopped;
   outcome.seconds = clock.seconds();

@@ -144,7 +144,7 @@ TEST(CompileErrors, FallsOfPartsThatNothingCanTouch) {
   expectRefused(fall(-1, 1, 0), ".fall.delay", "not negative");
   expectRefused(fall(1, 0, 0), ".fall.seconds", "at least a tick");
   expectRefused(fall(1, 1, -1), ".fall.speed", "not negative");
-  expectRefused(fall(1e6f, 1e6f, 0), ".fall", "longer than 10 minutes");
+  expectRefused(fall(1e6f, 1e6f, 0), ".fall", "longer than 20 minutes");
   expectRefused([](auto p) { p.setTouch(false), p.initFall(), p.initMotion(); }, ".fall",
                 "no other motion");
 }
@@ -217,7 +217,7 @@ TEST(CompileErrors, MotionKeys) {
   expectRefused([](auto p) { addKeys(p, {0, 2, 1.5f}); }, ".motion.keys[2].time", "not decrease");
   expectRefused([](auto p) { addKeys(p, {-1}); }, ".motion.keys[0].time", "not decrease");
   expectRefused([](auto p) { addKeys(p, {0, kNan}); }, ".motion.keys[1].time", "seconds");
-  expectRefused([](auto p) { addKeys(p, {0, 1201}); }, ".motion.keys", "longer than");
+  expectRefused([](auto p) { addKeys(p, {0, 1201}); }, ".motion.keys", "longer than 20 minutes");
   expectRefused(
       [](auto p) {
         addKeys(p, {0, 1});
@@ -301,6 +301,17 @@ TEST(Compile, TinyPartsAreAsThickAsTheEngineMakesThem) {
   const Vec3 half = level.view().colliders[0].shape.half;
   EXPECT_FLOAT_EQ(maxf(half.x, half.z), 1.5f);
   EXPECT_FLOAT_EQ(minf(half.x, minf(half.y, half.z)), 0.025f);
+}
+
+TEST(Compile, DirectionsMayHaveAnyLength) {
+  for (const float length : {1e-5f, 1.0f, 1e15f, 3e30f, 3e38f}) {
+    LevelBuilder b;
+    b.block({0, 0, 0}, {1, 1, 1}, [=](auto p) {
+      set(p.initOneWay().initDirection(), {0, -length, 0});
+    });
+    const Level level = b.compile();
+    EXPECT_NEAR(level.view().roles[0].oneWay.y, -1, 1e-6f) << length;
+  }
 }
 
 TEST(Compile, SceneryHasNoColliderButKeepsItsIndex) {

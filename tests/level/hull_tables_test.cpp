@@ -123,6 +123,26 @@ TEST(HullTables, OfManyVerticesOnASphereAreNearlyTheBall) {
   }
 }
 
+TEST(CompiledHulls, CopiesOfOneMeshShareItsTables) {
+  support::LevelBuilder b;
+  for (int copy = 0; copy < 3; ++copy) {
+    b.part([=](auto p) {
+      p.setShape(schema::Shape::HULL);
+      support::set(p.initPosition(), {float(10 * copy), 0, 0});
+      auto vertices = p.initHulls(1)[0].initVertices(8);
+      const auto corners = boxCorners({1, 2, copy < 2 ? 3.0f : 4.0f});
+      for (uint32_t i = 0; i < 8; ++i) support::set(vertices[i], corners[i]);
+    });
+  }
+  const Level level = b.compile();
+  const LevelView& v = level.view();
+  ASSERT_EQ(v.colliderCount, 3u);
+  EXPECT_EQ(v.colliders[0].shape.hull, v.colliders[1].shape.hull);
+  EXPECT_NE(v.colliders[0].shape.hull, v.colliders[2].shape.hull);
+  EXPECT_EQ(v.colliders[1].shape.half.z, 3);
+  EXPECT_EQ(v.colliders[2].shape.half.z, 4);
+}
+
 TEST(CompiledHulls, FlatOnesAreLeftOutAndBoundsHoldTheRest) {
   support::LevelBuilder b;
   b.part([](auto p) {

@@ -188,6 +188,13 @@ TEST(Motion, SpinTurnsRightHandedAtItsSpeed) {
   EXPECT_NEAR((moverPose(moverOf(ahead1), 0).rotation * Vec3{0, 0, -1}).x, -1, 1e-5f);
 }
 
+TEST(Motion, SpinAxesMayHaveAnyLength) {
+  for (const float length : {1e-5f, 1e15f, 3e30f, 3e38f}) {
+    const MotionTables t = tablesOf(spin({0, length, 0}, float(kTwoPi / 4)));
+    EXPECT_NEAR((moverPose(moverOf(t), 60).rotation * Vec3{0, 0, -1}).x, -1, 1e-5f) << length;
+  }
+}
+
 TEST(Motion, SpinKeepsThePivotInPlace) {
   const Vec3 pivot{3, 1, -2};
   const MotionTables t = tablesOf(spin({1, 1, 0.5f}, 2.2f, pivot));

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "support/level_builder.h"
 
@@ -151,6 +152,53 @@ TEST(QueryTouch, LooksUpThePartsColliders) {
   EXPECT_EQ(compile(touching(7), level).error().path, "goal.partIndex");
 }
 
+// Loose parts have their colliders behind all others, and a part with two hulls has two.
+TEST(QueryTouch, ListsEachPartsCollidersOnceAndInOrder) {
+  support::LevelBuilder b;
+  b.block({0, 9, 0}, {2, 2, 2}, [](auto p) { p.setAnchored(false); }).spawn({0, 1, 0});
+  b.block({0, 0, 0}, {10, 1, 10}, [](auto p) {
+    p.setShape(schema::Shape::HULL);
+    auto hulls = p.initHulls(2);
+    for (uint32_t i = 0; i < 2; ++i) {
+      auto v = hulls[i].initVertices(4);
+      set(v[1], {1, 0, 0}), set(v[2], {0, 1, 0}), set(v[3], {0, 0, 1});
+    }
+  });
+  b.block({0, -9, 0}, {2, 2, 2});
+  const Level level = b.compile();
+  const auto query = compile(
+      [](auto r) {
+        auto avoid = r.initAvoid(4);
+        const int32_t parts[] = {2, 0, 1, 0};
+        for (uint32_t i = 0; i < 4; ++i) {
+          avoid[i].setTouch(true);
+          avoid[i].setPartIndex(parts[i]);
+        }
+      },
+      level);
+  ASSERT_TRUE(query) << query.error().text();
+  const QueryView v = query->view();
+  const auto touched = [&v](uint32_t i) {
+    const uint32_t* first = v.touched + v.avoid[i].firstTouch;
+    return std::vector<uint32_t>(first, first + v.avoid[i].touchCount);
+  };
+  using Colliders = std::vector<uint32_t>;
+  EXPECT_EQ(touched(0), (Colliders{2}));
+  EXPECT_EQ(touched(1), (Colliders{3}));
+  EXPECT_EQ(touched(2), (Colliders{0, 1}));
+  EXPECT_EQ(touched(3), (Colliders{3}));
+  EXPECT_EQ(v.touchedCount, 4u) << "what is named again is there already";
+}
+
+TEST(QueryLimits, AWholeNumberOfTicksIsNotLostToRounding) {
+  for (uint32_t ticks = 1; ticks < 100000; ticks = ticks * 21 / 20 + 1) {
+    const float seconds = float(double(ticks) / 60);
+    EXPECT_EQ(compile([=](auto r) { r.setTimeLimit(seconds); })->view().timeLimitTicks, ticks);
+  }
+  EXPECT_EQ(compile([](auto r) { r.setTimeLimit(100.7f); })->view().timeLimitTicks, 6042u);
+  EXPECT_EQ(compile([](auto r) { r.setTimeLimit(100.69f); })->view().timeLimitTicks, 6041u);
+}
+
 TEST(QueryLimits, ATimeLimitBeyondEveryPlaythroughIsFine) {
   for (const float seconds : {1e8f, 1e12f, 1e30f}) {
     EXPECT_GT(compile([=](auto r) { r.setTimeLimit(seconds); })->view().timeLimitTicks, 1u << 30);
@@ -184,10 +232,21 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
   expectRefused([](auto r) { r.setMinJumps(3), r.setMaxJumps(2); }, "minJumps", "3 jumps at least");
   expectRefused([](auto r) { r.setMinJumps(65536); }, "minJumps", "at most 65535");
   expectRefused([](auto r) { r.setMaxDamage(-2); }, "maxDamage", "health");
+  expectRefused([](auto r) { r.setMaxJumps(-2); }, "maxJumps", "-1 for any");
+  expectRefused([](auto r) { r.setSegmentJumps(-3); }, "segmentJumps", "-1 for any");
+  expectRefused(
+      [](auto r) { r.initWaypoints(1)[0].initRegion(), r.getWaypoints()[0].setMaxJumps(-2); },
+      "waypoints[0].maxJumps", "-1 for any");
+  expectRefused(
+      [](auto r) { r.initWaypoints(1)[0].initRegion(), r.getWaypoints()[0].setSegmentJumps(-2); },
+      "waypoints[0].segmentJumps", "-1 for any");
+  expectRefused([](auto r) { r.initStart().setSpawn(-2); }, "start.spawn", "0 to 1, got -2");
   expectRefused([](auto r) { r.initForbid(1).set(0, schema::PlayerState::FREEFALL); }, "forbid[0]",
                 "do without");
   expectRefused([](auto r) { r.getGoal().setTouch(true); }, "goal.touch", "only a part");
   expectRefused([](auto r) { r.initVisits(1)[0].setPart("Top"); }, "visits[0].part", "looked up");
+  expectRefused([](auto r) { r.initStart().initRegion().setPart("Top"); }, "start.region.part",
+                "looked up");
   expectRefused([](auto r) { r.setTimeLimit(0.01f); }, "timeLimit", "one tick");
   for (const float yaw : {kNan, 1e30f}) {
     expectRefused([=](auto r) { r.initStart().initRegion(), r.getStart().setYaw(yaw); },

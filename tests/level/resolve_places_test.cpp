@@ -1,6 +1,7 @@
 // Queries whose regions name parts.
 #include "level/resolve_places.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -94,6 +95,31 @@ TEST_F(ResolveTest, ErrorsSayWhere) {
   expectWrong([](auto q) { q.initGoals(1)[0].setPart("part:9"); }, "goals[0].part");
   expectWrong([](auto q) { q.initWaypoints(1)[0].initRegion().setPart("y"); },
               "waypoints[0].region.part");
+}
+
+TEST_F(ResolveTest, ATagThatIsListedAgainStandsForTheSameParts) {
+  auto visits = query().initVisits(2);
+  visits[0].setPart("#Kill");
+  visits[1].setPart("#Kill");
+  query().initAvoid(1)[0].setPart("#Kill");
+  ASSERT_TRUE(resolve());
+  const auto list = query().asReader().getVisits();
+  ASSERT_EQ(list.size(), 4u);
+  for (uint32_t i = 0; i < 4; ++i) EXPECT_EQ(list[i].getPartIndex(), int32_t(1 + i % 2));
+  EXPECT_EQ(query().asReader().getAvoid().size(), 2u);
+}
+
+// A tag stands for two parts here; in a large place for so many that a short list fills the memory.
+TEST_F(ResolveTest, TagsStandForABoundedNumberOfPlaces) {
+  const auto tags = [](auto list) {
+    for (uint32_t i = 0; i < list.size(); ++i) list[i].setPart("#Kill");
+  };
+  constexpr uint32_t kMost = uint32_t(kMaxPlaces / 2);
+  tags(query().initAvoid(kMost - 1));
+  tags(query().initGoals(1));
+  EXPECT_TRUE(resolve());
+  expectWrong([&](auto q) { tags(q.initAvoid(kMost + 1)); }, fmt::format("avoid[{}].part", kMost));
+  expectWrong([&](auto q) { tags(q.initAvoid(kMost - 1)), tags(q.initGoals(2)); }, "goals[1].part");
 }
 
 }  // namespace

@@ -51,6 +51,11 @@ TEST_F(SelectTest, NoMatchSuggestsSimilarNames) {
   EXPECT_THAT(error("part:9"), HasSubstr("parts 0 to 3"));
 }
 
+TEST_F(SelectTest, ALevelWithoutPartsIsSaidToHaveNone) {
+  record = *io::recordFromJson(R"({"type":"level","name":"void"})");
+  EXPECT_THAT(error("part:0"), HasSubstr("level 'void' has no parts"));
+}
+
 TEST(BoxFromText, ReadsSixNumbersAndNothingElse) {
   const auto box = boxFromText("1,-2.5,3e1,4,5,6");
   ASSERT_TRUE(box && *box);

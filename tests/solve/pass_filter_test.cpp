@@ -14,7 +14,7 @@ class PassFilterTest : public VerifierTest {
       : VerifierTest(std::move(stones)) {}
 
   bool keeps(const PassRule& rule) {
-    auto filter = PassFilter::make(record.reader().getLevel(), rule);
+    auto filter = PassFilter::make(record.reader().getLevel(), level, rule);
     EXPECT_TRUE(filter) << filter.error().text();
     auto kept = filter->keeps(level, trajectory.reader().getTrajectory());
     EXPECT_TRUE(kept) << kept.error().text();

@@ -32,31 +32,36 @@ solve::QuickQuery quickQuery(const cli::Arguments& a) {
   return q;
 }
 
-// The first option that is given of those that ask; empty: none.
-std::string asking(const cli::Arguments& a) {
+// The first option that is given, or typed, of those that ask; empty: none.
+std::string asking(const cli::Arguments& a, bool typed) {
   for (const cli::OptionRow& r : queryRows()) {
-    if (r.name != "each" && a.has(r.name)) return r.name;
+    if (r.name != "each" && (typed ? a.typed(r.name) : a.has(r.name))) return r.name;
   }
   return {};
 }
 
 // What is asked on the command line must hold for something.
-Status readQuick(const cli::Arguments& a, solve::FilterOptions& o) {
-  const std::string option = asking(a);
-  if (!option.empty()) o.quick = quickQuery(a);
-  o.each = a.flag("each");
-  if (o.task == solve::Task::filter && (o.quick || o.each)) {
+Status refuseIdleQuick(const cli::Arguments& a, const solve::FilterOptions& o) {
+  const std::string option = asking(a, true);
+  if (o.task == solve::Task::filter && (!option.empty() || a.typed("each"))) {
     return refused(option.empty() ? "each" : option, "does not go with --pass and --not-pass",
                    "they look at where trajectories go, whatever was asked");
   }
-  if (o.task == solve::Task::verify && o.quick && !o.each) {
+  if (o.task == solve::Task::verify && !option.empty() && !o.each) {
     return refused(option, "does not go with --verify",
                    "with --each trajectories are checked against the stream's queries so changed");
   }
-  if (o.each && !o.quick) {
+  if (a.typed("each") && !o.quick) {
     return refused("each", "needs a limit, as in --each --max-jumps 3");
   }
-  if (o.quick && !o.each && !o.only.empty()) {
+  return {};
+}
+
+Status readQuick(const cli::Arguments& a, solve::FilterOptions& o) {
+  if (!asking(a, false).empty()) o.quick = quickQuery(a);
+  o.each = a.flag("each");
+  OBBY_RETURN_IF_ERROR(refuseIdleQuick(a, o));
+  if (o.task == solve::Task::answer && o.quick && !o.each && !o.only.empty()) {
     return refused("query", "does not go with a query asked on the command line");
   }
   return {};
@@ -65,20 +70,19 @@ Status readQuick(const cli::Arguments& a, solve::FilterOptions& o) {
 // What would do nothing beside the other options was meant to do something.
 Status refuseIdle(const cli::Arguments& a, solve::Task task) {
   if (task == solve::Task::answer) {
-    if (!a.flag("diverse") || a.integer("solutions") > 1) return {};
-    return refused("diverse", "needs --solutions 2 or more", "as in --solutions 5 --diverse");
+    if (a.integer("solutions") > 1) return {};
+    return cli::refuseTyped(a, {"diverse"}, "needs --solutions 2 or more",
+                            "as in --solutions 5 --diverse");
   }
   // Options that only say how to search, and what to say of it.
   const char* const message = task == solve::Task::verify
                                   ? "does not go with --verify"
                                   : "does not go with --pass and --not-pass";
-  constexpr const char* kCure = "nothing is searched there";
-  for (const char* flag : {"diverse", "difficulty", "final-only", "paths", "heat-map", "explain"}) {
-    if (a.flag(flag)) return refused(flag, message, kCure);
-  }
   return cli::refuseTyped(
-      a, {"time-limit", "max-steps", "solutions", "attempts", "trials", "method", "warm", "policy"},
-      message, kCure);
+      a,
+      {"diverse", "difficulty", "final-only", "paths", "heat-map", "explain", "time-limit",
+       "max-steps", "solutions", "attempts", "trials", "method", "warm", "policy"},
+      message, "nothing is searched there");
 }
 
 Result<std::shared_ptr<const policy::PolicyFile>> policyOf(const cli::Arguments& a) {
@@ -95,7 +99,7 @@ solve::Budget budgetOf(const cli::Context& context) {
   b.seconds = a.number("time-limit");
   if (a.has("max-steps")) b.maxSteps = uint64_t(a.integer("max-steps"));
   b.solutions = uint32_t(a.integer("solutions"));
-  b.diverse = a.flag("diverse");
+  b.diverse = a.flag("diverse") && b.solutions > 1;
   b.attempts = uint32_t(a.integer("attempts"));
   b.stop = &context.stop();
   return b;

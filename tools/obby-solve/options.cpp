@@ -78,7 +78,7 @@ std::vector<OptionRow> searchRows() {
       methodRow(),
       repeatable(row("query", ValueType::text, "ID", "",
                      "answer, check or filter only this query; repeat", kSearchGroup)),
-      row("warm", ValueType::text, "FILE", "",
+      row("warm", ValueType::file, "FILE", "",
           "an earlier answer of these queries: its ways are tried first, and searched on from",
           kSearchGroup),
       row("watch", ValueType::flag, "", "",

@@ -19,7 +19,7 @@ Result<FallTicks> fallTicks(schema::Fall::Reader fall, const Params& params) {
   OBBY_ASSIGN(t.delay, ticksOf(params, fall.getDelay(), "fall.delay"));
   OBBY_ASSIGN(t.fall, ticksOf(params, fall.getSeconds(), "fall.seconds"));
   OBBY_ASSIGN(t.away, ticksOf(params, fall.getAway(), "fall.away"));
-  if (t.delay + t.fall > mostTicks(params)) return pathError("fall", "longer than 10 minutes");
+  if (t.delay + t.fall > mostTicks(params)) return pathError("fall", longerThanMost(params));
   if (t.fall == 0) return pathError("fall.seconds", "expected at least a tick");
   return t;
 }

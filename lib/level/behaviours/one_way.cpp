@@ -5,12 +5,8 @@
 namespace obby::level {
 
 Status compileOneWay(PartContext& c) {
-  const Vec3 direction = vec(c.part.getOneWay().getDirection());
-  if (!isFinite(direction) || length(direction) < 1e-6f) {
-    return pathError("oneWay.direction", "expected a direction in the part's frame",
-                     "[0,1,0] makes the top solid");
-  }
-  c.roles.oneWay = normalize(direction);
+  OBBY_ASSIGN(c.roles.oneWay, direction(c.part.getOneWay().getDirection(), "oneWay.direction",
+                                        "[0,1,0] makes the top solid"));
   c.flags |= kOneWay;
   return {};
 }

@@ -7,12 +7,14 @@
 
 namespace obby::solve {
 
-Result<PassFilter> PassFilter::make(schema::Level::Reader level, const PassRule& rule) {
-  OBBY_ASSIGN(const io::Record record, buildPlaces(level, rule.pass, rule.notPass));
-  const auto query = record.reader().getQuery();
+Result<PassFilter> PassFilter::make(schema::Level::Reader record, const level::Level& level,
+                                    const PassRule& rule) {
+  OBBY_ASSIGN(const io::Record places, buildPlaces(record, rule.pass, rule.notPass));
+  const auto query = places.reader().getQuery();
+  const level::ColliderRuns runs(level.view());
   PassFilter filter;
-  for (const auto region : query.getVisits()) filter.pass_.emplace_back(region);
-  for (const auto region : query.getAvoid()) filter.notPass_.emplace_back(region);
+  for (const auto region : query.getVisits()) filter.pass_.emplace_back(region, runs);
+  for (const auto region : query.getAvoid()) filter.notPass_.emplace_back(region, runs);
   return filter;
 }
 

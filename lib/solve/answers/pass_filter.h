@@ -22,8 +22,10 @@ struct PassRule {
 // the end of one.
 class PassFilter {
  public:
-  // Error: a selector that fits no part, or several; its path is the option.
-  static Result<PassFilter> make(schema::Level::Reader level, const PassRule& rule);
+  // `level` is compiled from `record`. Error: a selector that fits no part, or several; its path is
+  // the option.
+  static Result<PassFilter> make(schema::Level::Reader record, const level::Level& level,
+                                 const PassRule& rule);
 
   // Replays the trajectory. Error: its actions are no plan.
   Result<bool> keeps(const level::Level& level, schema::Trajectory::Reader trajectory) const;

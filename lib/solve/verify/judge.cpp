@@ -6,12 +6,13 @@
 namespace obby::solve {
 
 Judge::Judge(schema::Query::Reader query, const level::LevelView& level) : level_(level) {
-  if (query.hasGoal()) goals_.emplace_back(query.getGoal());
-  for (const auto goal : query.getGoals()) goals_.emplace_back(goal);
-  for (const auto visit : query.getVisits()) visits_.emplace_back(visit);
-  for (const auto avoid : query.getAvoid()) avoid_.emplace_back(avoid);
+  const level::ColliderRuns runs(level);
+  if (query.hasGoal()) goals_.emplace_back(query.getGoal(), runs);
+  for (const auto goal : query.getGoals()) goals_.emplace_back(goal, runs);
+  for (const auto visit : query.getVisits()) visits_.emplace_back(visit, runs);
+  for (const auto avoid : query.getAvoid()) avoid_.emplace_back(avoid, runs);
   for (const auto w : query.getWaypoints()) {
-    stops_.push_back({Place(w.getRegion()),
+    stops_.push_back({Place(w.getRegion(), runs),
                       w.getMaxJumps(),
                       ticksOf(w.getTimeLimit()),
                       {w.getSegmentJumps(), ticksOf(w.getSegmentTime())}});
@@ -27,7 +28,9 @@ Judge::Judge(schema::Query::Reader query, const level::LevelView& level) : level
 
 int64_t Judge::ticksOf(float seconds) const {
   if (!(seconds > 0)) return -1;
-  return int64_t(std::floor(double(seconds) * level_.params.controlRate + 1e-4));
+  const double exact = double(seconds) * level_.params.controlRate;
+  // The record's float may be half its last bit below a whole number of ticks.
+  return int64_t(std::floor(exact + 1e-4 + exact * 0x1p-23));
 }
 
 bool Judge::tooManyJumps(int64_t jumps) const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "level/collider_runs.h"
 #include "level/level_view.h"
 #include "sim/loose.h"
 #include "sim/world.h"
@@ -14,9 +15,11 @@ namespace obby::solve {
 
 class Place {
  public:
-  // The parts that it names are resolved.
-  explicit Place(schema::Region::Reader region)
-      : box_(region), touch_(region.getTouch() ? region.getPartIndex() : -1) {}
+  // The parts that it names are resolved; `runs` of the level.
+  Place(schema::Region::Reader region, const level::ColliderRuns& runs)
+      : box_(region), touch_(region.getTouch()) {
+    if (touch_) colliders_ = runs.of(uint32_t(region.getPartIndex()));
+  }
 
   // Is the player there now?
   bool holds(const level::LevelView& level, const sim::World& world,
@@ -28,7 +31,8 @@ class Place {
 
  private:
   BoxRegion box_;
-  int64_t touch_;  // part to be touched; -1: the box counts
+  bool touch_;  // of a part; else the box counts
+  level::ColliderRun colliders_;
 };
 
 }  // namespace obby::solve

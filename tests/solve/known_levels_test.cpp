@@ -1,0 +1,119 @@
+// Of a stream that does not end the newest levels are kept. Older ones go, with what is theirs.
+#include "solve/known_levels.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scenes.h"
+
+namespace obby::solve {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+KnownLevels::LevelPointer levelCalled(const std::string& name) {
+  io::RecordBuilder record;
+  auto level = record.root().initLevel();
+  level.setName(name);
+  support::set(level.initParts(1)[0].initSize(), {8, 1, 8});
+  level.initSpawns(1);
+  auto loaded = loadLevel(io::Record(std::move(record)));
+  EXPECT_TRUE(loaded) << loaded.error().text();
+  return std::make_shared<const LoadedLevel>(*std::move(loaded));
+}
+
+// Of a level with a name of one letter.
+uint64_t wordsOfOne() { return levelCalled("a")->record.reader().totalSize().wordCount; }
+
+std::string errorOf(const KnownLevels& known, const std::string& name) {
+  const auto found = known.named(name);
+  return found ? "found" : found.error().text();
+}
+
+TEST(KnownLevels, KeepsAsManyOfTheNewestAsFit) {
+  KnownLevels known(2 * wordsOfOne());
+  EXPECT_THAT(known.add(levelCalled("a")), IsEmpty());
+  EXPECT_THAT(known.add(levelCalled("b")), IsEmpty());
+  EXPECT_THAT(known.add(levelCalled("c")), ElementsAre("a"));
+  EXPECT_THAT(errorOf(known, "a"), HasSubstr("level: no level 'a' before this record that is still "
+                                             "kept: the oldest 1 were dropped (put queries"));
+  EXPECT_EQ(errorOf(known, "b"), "found");
+  EXPECT_EQ(errorOf(known, "c"), "found");
+}
+
+TEST(KnownLevels, KeepsTheNewestWhateverItTakes) {
+  KnownLevels known(1);
+  EXPECT_THAT(known.add(levelCalled("a")), IsEmpty());
+  EXPECT_EQ(errorOf(known, "a"), "found");
+  EXPECT_THAT(known.add(levelCalled("b")), ElementsAre("a"));
+  EXPECT_EQ(errorOf(known, "b"), "found");
+}
+
+TEST(KnownLevels, OneOfAKnownNameIsTheNewestAndTakesThePlaceOfTheOther) {
+  KnownLevels known(2 * wordsOfOne());
+  EXPECT_THAT(known.add(levelCalled("a")), IsEmpty());
+  EXPECT_THAT(known.add(levelCalled("b")), IsEmpty());
+  const auto again = levelCalled("a");
+  EXPECT_THAT(known.add(again), IsEmpty());
+  EXPECT_EQ(*known.named("a"), again);
+  EXPECT_THAT(known.add(levelCalled("c")), ElementsAre("b"));
+}
+
+TEST(KnownLevels, OneThatIsForgottenWasNotDropped) {
+  KnownLevels known(wordsOfOne());
+  EXPECT_THAT(known.add(levelCalled("a")), IsEmpty());
+  known.forget("a");
+  known.forget("never");
+  EXPECT_THAT(errorOf(known, "a"), Not(HasSubstr("dropped")));
+  EXPECT_THAT(errorOf(known, ""), HasSubstr("no level before this record"));
+  EXPECT_THAT(known.add(levelCalled("b")), IsEmpty());
+}
+
+// Checks trajectories; `levelWords`: of the levels that are kept.
+std::string verdictOn(const std::string& text, uint64_t levelWords) {
+  FilterOptions o;
+  o.task = Task::verify;
+  o.levelWords = levelWords;
+  const LinesFile file(text);
+  const Filtered f = runFilter(file.path(), std::move(o));
+  return f.status ? "fine" : f.status.error().text();
+}
+
+const std::string kOther =
+    R"({"type":"level","name":"other","parts":[{"size":[8,1,8]}],"spawns":[{}]})"
+    "\n";
+
+TEST(EndlessStream, AQueryOfADroppedLevelIsToldSo) {
+  const std::string text =
+      stonesText() + kOther +
+      R"({"type":"query","id":"late","level":"stones","goal":{"position":[0,2,-28]}})"
+      "\n";
+  EXPECT_EQ(verdictOn(text, KnownLevels::kMostWords), "fine");
+  EXPECT_THAT(verdictOn(text, 1),
+              HasSubstr(":4: level: no level 'stones' before this record that is still kept"));
+}
+
+TEST(EndlessStream, QueriesGoWithTheirLevel) {
+  const std::string stones = stonesText();
+  const std::string text =
+      stones + kOther + stones.substr(0, stones.find('\n') + 1) +
+      R"({"type":"trajectory","query":"q","level":"stones","actions":[{"ticks":10}],"ticks":10})"
+      "\n";
+  EXPECT_THAT(verdictOn(text, KnownLevels::kMostWords), Not(HasSubstr("no query")));
+  EXPECT_THAT(verdictOn(text, 1), HasSubstr(":5: query: no query 'q' before this record"));
+}
+
+TEST(EndlessStream, AnIdIsNamedOnce) {
+  FilterOptions o;
+  o.only = {"nope"};
+  const LinesFile file(stonesText() + stonesText());
+  const Filtered f = runFilter(file.path(), std::move(o));
+  ASSERT_FALSE(f.status);
+  EXPECT_THAT(f.status.error().text(), HasSubstr("(there is q)"));
+}
+
+}  // namespace
+}  // namespace obby::solve
