@@ -2,6 +2,7 @@
 #include "import/checkpoints.h"
 
 #include <algorithm>
+#include <map>
 
 #include "import/format/class_defaults.h"
 #include "import/pose_math.h"
@@ -10,7 +11,8 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kSameLobby = 24;  // studs between pads that are one start
+constexpr float kSameLobby = 24;                   // studs between pads that are one start
+constexpr std::ptrdiff_t kMostByDistance = 10000;  // checkpoints: bounds the work
 constexpr std::string_view kStartWords[] = {"start", "lobby", "spawn", "mapstart", "inicio"};
 
 struct Stages {
@@ -18,6 +20,7 @@ struct Stages {
   LevelDraft& level;
   int start = -1;                // part index
   std::vector<int> checkpoints;  // part indices
+  std::map<int64_t, int> teams;  // the number in the name of the team of each colour
 
   const Instance& instance(int part) const { return tree.at(level.parts[size_t(part)].id); }
   Vec3 position(int part) const { return level.parts[size_t(part)].pose.position; }
@@ -30,8 +33,20 @@ std::optional<int64_t> firstTeamColor(const Tree& tree) {
   if (teams == kNoInstance) return std::nullopt;
   for (InstanceId team : tree.at(teams).children)
     if (tree.at(team).className == "Team" && propertyOr(tree.at(team), "AutoAssignable", true))
-      return propertyOr<int64_t>(tree.at(team), "TeamColor", 0);
+      return get<int64_t>(tree.at(team), "TeamColor");
   return std::nullopt;
+}
+
+// kUnnumbered where a team's name has none. Of teams of one colour the first counts.
+std::map<int64_t, int> numbersOfTeams(const Tree& tree) {
+  std::map<int64_t, int> numbers;
+  const InstanceId teams = tree.service("Teams");
+  if (teams == kNoInstance) return numbers;
+  for (InstanceId team : tree.at(teams).children)
+    if (tree.at(team).className == "Team")
+      numbers.emplace(get<int64_t>(tree.at(team), "TeamColor"),
+                      firstNumber(tree.at(team).name).value_or(kUnnumbered));
+  return numbers;
 }
 
 std::vector<int> enabledSpawns(const Stages& stages) {
@@ -53,9 +68,15 @@ int startRank(const Stages& stages, int spawn, std::optional<int64_t> team) {
   return neutral && !get<bool>(instance, "AllowTeamChangeOnTouch") ? 2 : 3;
 }
 
-int numberOf(const Stages& stages, int part) {
-  const auto& draft = stages.level.parts[size_t(part)];
-  return draft.checkpoint ? *draft.checkpoint : stageNumber(stages.tree, draft.id, draft.id);
+// Of a SpawnLocation: its own number, else that of the team that it is for.
+int numberOf(const Stages& stages, int spawn) {
+  const auto& draft = stages.level.parts[size_t(spawn)];
+  if (draft.checkpoint) return *draft.checkpoint;
+  const int number = stageNumber(stages.tree, draft.id, draft.id);
+  const Instance& instance = stages.instance(spawn);
+  if (number != kUnnumbered || get<bool>(instance, "Neutral")) return number;
+  const auto team = stages.teams.find(get<int64_t>(instance, "TeamColor"));
+  return team == stages.teams.end() ? kUnnumbered : team->second;
 }
 
 void startFromSpawns(Stages& stages, const std::vector<int>& spawns) {
@@ -68,13 +89,14 @@ void startFromSpawns(Stages& stages, const std::vector<int>& spawns) {
                                    [&](int a, int b) { return key(a) < key(b); });
   auto& start = stages.level.parts[size_t(stages.start)];
   start.evidence.push_back({"start", "SpawnLocation", spawns.size() > 1});
+  const int startNumber = numberOf(stages, stages.start);
   for (int spawn : spawns) {
     auto& part = stages.level.parts[size_t(spawn)];
     if (spawn == stages.start || part.checkpoint) continue;
     const int number = numberOf(stages, spawn);
     const bool changesTeam = get<bool>(stages.instance(spawn), "AllowTeamChangeOnTouch");
-    if (number == kUnnumbered && !changesTeam &&
-        stages.distance(spawn, stages.start) < kSameLobby) {
+    const bool isOther = number != kUnnumbered && number != startNumber;
+    if (!isOther && !changesTeam && stages.distance(spawn, stages.start) < kSameLobby) {
       part.evidence.push_back({"start", "SpawnLocation beside the start", true});
       continue;
     }
@@ -99,6 +121,20 @@ void startFromNames(Stages& stages) {
   }
 }
 
+// Checkpoints of one number, or without any: from each the nearest next.
+void orderByDistance(Stages& stages, std::vector<int>::iterator first,
+                     std::vector<int>::iterator end, const std::string& why) {
+  if (end - first < 2 || end - first > kMostByDistance) return;
+  for (; first != end; ++first) {
+    const int last = first == stages.checkpoints.begin() ? stages.start : *(first - 1);
+    std::iter_swap(first, std::min_element(first, end, [&](int a, int b) {
+                     return stages.distance(a, last) < stages.distance(b, last);
+                   }));
+    stages.level.parts[size_t(*first)].evidence.push_back(
+        {"checkpoint", "order by distance: " + why, true});
+  }
+}
+
 void orderCheckpoints(Stages& stages) {
   auto& list = stages.checkpoints;
   const auto number = [&](int part) { return *stages.level.parts[size_t(part)].checkpoint; };
@@ -112,18 +148,12 @@ void orderCheckpoints(Stages& stages) {
         {"start", "first checkpoint, there is no SpawnLocation", true});
   }
   list.erase(std::remove(list.begin(), list.end(), stages.start), list.end());
-  // The unnumbered ones: from each the nearest next.
-  auto open =
-      std::find_if(list.begin(), list.end(), [&](int p) { return number(p) == kUnnumbered; });
-  const bool several = list.end() - open > 1;
-  for (; open != list.end(); ++open) {
-    const int last = open == list.begin() ? stages.start : *(open - 1);
-    std::iter_swap(open, std::min_element(open, list.end(), [&](int a, int b) {
-                     return stages.distance(a, last) < stages.distance(b, last);
-                   }));
-    if (several)
-      stages.level.parts[size_t(*open)].evidence.push_back(
-          {"checkpoint", "order by distance: it has no number", true});
+  for (auto first = list.begin(); first != list.end();) {
+    const int its = number(*first);
+    const auto end = std::find_if(first, list.end(), [&](int p) { return number(p) != its; });
+    orderByDistance(stages, first, end,
+                    its == kUnnumbered ? "it has no number" : "others have its number");
+    first = end;
   }
 }
 
@@ -176,7 +206,7 @@ SpawnDraft spawnOn(const Tree& tree, const PartDraft& part, int index, int stage
 }
 
 void orderStages(const Tree& tree, LevelDraft& level) {
-  Stages stages{tree, level, -1, {}};
+  Stages stages{tree, level, -1, {}, numbersOfTeams(tree)};
   const auto spawns = enabledSpawns(stages);
   if (!spawns.empty())
     startFromSpawns(stages, spawns);

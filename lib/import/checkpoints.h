@@ -10,7 +10,8 @@ namespace obby::importer {
 constexpr int kUnnumbered = -1;
 
 // The number that a checkpoint states: an attribute or value object of the tagged instance or of
-// its touched part, else a number in their names, else in the name of a folder above.
+// its touched part, else a number in their names, else in the name of a folder above that is of
+// stages or checkpoints ("Stages", "Stage 3 Lava") or nothing but a number.
 int stageNumber(const Tree& tree, InstanceId id, InstanceId part);
 
 // Fills level.spawns: stage 0 is the start, then the checkpoints; sets part.checkpoint to 1, 2, ...

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
+#include <string_view>
 
 #include "import/level_record.h"
 #include "import/pose_math.h"
@@ -20,6 +22,7 @@ constexpr const char* kPhysics = "physics";
 constexpr const char* kForbid = "forbid";
 constexpr const char* kStartTick = "startTick";
 constexpr const char* kOwnOfQueries[] = {kForbid, kStartTick};
+constexpr std::string_view kKinds[] = {"goal", "start", "avoid", "visit", "waypoint"};
 constexpr const char* kOwnOfRegions[] = {"kind", "order", "cframe", "size", "part", "touch"};
 
 InstanceId folderOf(const Tree& tree) {
@@ -67,8 +70,11 @@ class Reader {
     }
     fillRegion(goals[0], query.initGoal());
     fillRegions({goals.begin() + 1, goals.end()}, [&](uint32_t n) { return query.initGoals(n); });
-    if (const auto starts = regions(id, "start"); !starts.empty())
-      fillRegion(starts[0], query.getStart().initRegion());
+    warnOfKinds(id);
+    const auto starts = regions(id, "start");
+    if (!starts.empty()) fillRegion(starts[0], query.getStart().initRegion());
+    for (size_t i = 1; i < starts.size(); ++i)
+      warn(starts[i], "is one more start and is left out: a query has one");
     fillRegions(regions(id, "avoid"), [&](uint32_t n) { return query.initAvoid(n); });
     fillRegions(regions(id, "visit"), [&](uint32_t n) { return query.initVisits(n); });
     fillWaypoints(regions(id, "waypoint"), query);
@@ -78,6 +84,17 @@ class Reader {
  private:
   void warn(InstanceId id, const std::string& what) {
     warnings_.push_back(level_.file + ": " + tree_.path(id) + " " + what);
+  }
+
+  // What is of no kind is a condition that the answer would not keep.
+  void warnOfKinds(InstanceId query) {
+    for (const InstanceId child : tree_.at(query).children) {
+      if (tree_.at(child).className != "Configuration") continue;
+      const std::string kind = textOf(tree_.at(child), "kind");
+      if (std::find(std::begin(kKinds), std::end(kKinds), kind) == std::end(kKinds))
+        warn(child, fmt::format("is of kind '{}', which is none of {}, and is left out", kind,
+                                fmt::join(kKinds, ", ")));
+    }
   }
 
   // Those of a kind that say where they are, by their order.

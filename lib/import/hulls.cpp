@@ -6,11 +6,42 @@
 #include <algorithm>
 
 #include "import/pose_math.h"
+#include "level/record_values.h"
 
 namespace obby::importer {
 namespace {
 
 constexpr size_t kLeastCorners = 4, kMostCorners = 255;
+constexpr const char* kKind = "shape of a mesh or union";  // in the level's list of what is lost
+
+// Whether a level may have the corner: of one beyond this it is refused as a whole.
+bool isInBounds(Vec3 corner) {
+  const Vec3 far = abs(corner);
+  return isFinite(corner) && maxf(far.x, maxf(far.y, far.z)) <= level::kMaxCoordinate;
+}
+
+// The eight corners of the box around a hull.
+std::vector<Vec3> boxAround(const std::vector<Vec3>& hull) {
+  Vec3 lo = hull.front(), hi = lo;
+  for (const Vec3 corner : hull) {
+    lo = min(lo, corner);
+    hi = max(hi, corner);
+  }
+  std::vector<Vec3> box;
+  for (const float x : {lo.x, hi.x})
+    for (const float y : {lo.y, hi.y})
+      for (const float z : {lo.z, hi.z}) box.push_back({x, y, z});
+  return box;
+}
+
+// Some hulls of the part are boxes.
+void noteBoxed(const Tree& tree, PartDraft& part, size_t boxed, LevelDraft& level) {
+  const std::string what =
+      fmt::format("{} of {} hulls have more than {} corners; the box around each is taken", boxed,
+                  part.hulls.size(), kMostCorners);
+  part.evidence.push_back({"shape", what, true});
+  if (part.solid) level.noteUnmodelled(kKind, tree.path(part.id), what);
+}
 
 }  // namespace
 
@@ -18,18 +49,22 @@ std::vector<std::vector<Vec3>> scaledHulls(std::vector<std::vector<Vec3>> hulls,
   for (auto& hull : hulls)
     for (Vec3& corner : hull) corner = mul(corner, scale);
   std::erase_if(hulls, [](const std::vector<Vec3>& hull) {
-    return !std::all_of(hull.begin(), hull.end(), isFinite);
+    return !std::all_of(hull.begin(), hull.end(), isInBounds);
   });
   return hulls;
 }
 
 LevelHulls::Known LevelHulls::decoded(const CollisionBlob& blob) {
-  Known known{collisionFrom(blob), 0};
+  Known known{collisionFrom(blob), 0, 0};
   auto& hulls = known.collision.hulls;
-  std::erase_if(hulls, [](const std::vector<Vec3>& hull) {
-    return hull.size() < kLeastCorners || hull.size() > kMostCorners;
-  });
-  for (const auto& hull : hulls) known.corners += hull.size();
+  std::erase_if(hulls, [](const std::vector<Vec3>& hull) { return hull.size() < kLeastCorners; });
+  for (auto& hull : hulls) {
+    if (hull.size() > kMostCorners) {
+      hull = boxAround(hull);
+      ++known.boxed;
+    }
+    known.corners += hull.size();
+  }
   return known;
 }
 
@@ -51,6 +86,7 @@ void LevelHulls::give(const Tree& tree, PartDraft& part, LevelDraft& level) {
   if (fits && known.corners > 0) {
     part.hulls = scaledHulls(known.collision.hulls, hullScaleOf(instance));
     left_ -= known.corners;
+    if (known.boxed > 0 && !part.hulls.empty()) noteBoxed(tree, part, known.boxed, level);
     if (!part.hulls.empty()) return;
   }
   part.shape = Shape::block;
@@ -61,7 +97,7 @@ void LevelHulls::give(const Tree& tree, PartDraft& part, LevelDraft& level) {
       {"shape", "bounding box: " + (fits ? known.collision.detail : tooMany), true});
   if (part.solid)
     level.noteUnmodelled(
-        "shape of a mesh or union", tree.path(part.id),
+        kKind, tree.path(part.id),
         (fits ? "no collision hulls that can be read" : tooMany) + "; its bounding box is taken");
 }
 

@@ -62,7 +62,8 @@ Import importDocument(const Document& document, const ImportOptions& options) {
   const LevelDraft level =
       buildLevel(tree, options.name.empty() ? levelName(document.file) : options.name);
   Import result;
-  result.warnings = document.warnings;
+  for (const std::string& warning : document.warnings)
+    result.warnings.push_back(document.file + ": " + warning);
   result.level = levelRecord(level, tree);
   if (options.queries) result.queries = queriesOf(level, tree, result.warnings);
   if (const auto found = designerPhysics(tree, result.warnings)) {

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 #include "import/format/class_defaults.h"
 #include "import/pivot.h"
 #include "import/pose_math.h"
+#include "level/compile_parts.h"
 
 namespace obby::importer {
 namespace {
@@ -50,9 +52,14 @@ std::vector<MotionKey> simplified(const std::vector<MotionKey>& keys) {
 std::vector<InstanceId> followers(RoleContext& context, InstanceId moved) {
   std::vector<InstanceId> all = context.tree.partsOf(moved);
   const size_t own = all.size();
-  for (size_t i = 0; i < own; ++i)
-    for (InstanceId member : context.assemblies.members(all[i]))
+  std::unordered_set<InstanceId> hung;  // an assembly is looked at once, however many parts it has
+  for (size_t i = 0; i < own; ++i) {
+    if (hung.count(all[i]) > 0) continue;
+    const auto members = context.assemblies.members(all[i]);
+    if (members.size() > 1) hung.insert(members.begin(), members.end());
+    for (InstanceId member : members)
       if (!get<bool>(context.tree.at(member), "Anchored")) all.push_back(member);
+  }
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
@@ -153,7 +160,8 @@ bool isBounded(const Motion& motion) {
   if (!motion.spin) return true;
   if (!isFinite(motion.spin->axis) || length(motion.spin->axis) < 1e-6f) return false;
   const float speed = absf(motion.spin->speed);
-  return std::isfinite(speed) && speed * kLongest > 2 * 3.1416f && isFinite(motion.spin->pivot);
+  return std::isfinite(speed) && speed * kLongest > 2 * 3.1416f &&
+         length(motion.spin->pivot) <= kFarthest;  // false for NaN, too
 }
 
 // The parts of the level that a motion of `moved` is for.
@@ -164,15 +172,28 @@ std::vector<PartDraft*> takers(RoleContext& context, InstanceId moved) {
   return parts;
 }
 
-// Each part has keys of its own. A model moves as a whole or not at all.
+// Of one round through the keys: as many rows, at least, has the simulator's table of it.
+size_t ticksOf(const Motion& motion) {
+  constexpr float kRate = 60, kMost = 72000;  // ticks a second; more are no motion (isBounded)
+  if (motion.keys.size() < 2) return 1;
+  const float rounds = motion.repeat == Repeat::pingPong ? 2 : 1;
+  const float ticks = (motion.keys.back().time - motion.keys.front().time) * rounds * kRate;
+  return ticks >= 1 ? size_t(std::min(ticks, kMost)) : 1;
+}
+
+// Each part has keys and a table of its own, and a level beyond these numbers would be refused as a
+// whole. A model moves as a whole or not at all.
 bool haveRoom(RoleContext& context, const std::vector<PartDraft*>& parts, const Motion& motion,
               const std::string& reason) {
-  if (parts.size() * motion.keys.size() <= kMaxLevelKeys - context.motionKeys) return true;
+  const bool manyKeys = parts.size() * motion.keys.size() > kMaxLevelKeys - context.motionKeys;
+  const size_t ticks = parts.size() * ticksOf(motion);
+  if (!manyKeys && ticks <= level::kMaxLevelRows - context.motionTicks) return true;
+  const std::string most = manyKeys ? std::to_string(kMaxLevelKeys) + " poses"
+                                    : std::to_string(level::kMaxLevelRows) + " ticks";
   for (const PartDraft* part : parts)
     context.level.noteUnmodelled("motion of too many poses", context.tree.path(part->id),
-                                 "all motions of the level have more than " +
-                                     std::to_string(kMaxLevelKeys) +
-                                     " poses; left where the file has it; " + reason);
+                                 "all motions of the level have more than " + most +
+                                     "; left where the file has it; " + reason);
   return false;
 }
 
@@ -201,6 +222,7 @@ int giveMotion(RoleContext& context, InstanceId moved, const Motion& motion,
       continue;
     }
     context.motionKeys += own.keys.size();
+    context.motionTicks += ticksOf(own);
     part->motion = std::move(own);
     part->anchored = true;  // it goes its way, whatever pushes it
     part->evidence.push_back({"motion", reason, guessed});

@@ -26,13 +26,14 @@ std::optional<Spin> spinFrom(const Pose& start, const std::vector<PoseSample>& s
 std::vector<MotionKey> keysFrom(const Pose& start, const std::vector<PoseSample>& samples,
                                 double period, bool closed);
 
-// Keys of all motions of a level together: 56 MB, and as much in its record.
+// Keys of all motions of a level together: 56 MB, and as much in its record. Their rounds together
+// may have as many ticks as a level takes (kMaxLevelRows).
 constexpr size_t kMaxLevelKeys = 1000000;
 
 // Gives `motion`, whose poses are those of the pivot of `moved` (a part or model), to every part
 // that moves with it: parts below a model, parts welded to it that are not anchored themselves.
 // Parts that have a motion keep it. `reason` becomes evidence. Returns the number of parts that got
-// the motion: none, with a note, where the level would have more than kMaxLevelKeys.
+// the motion: none, with a note, where the level would have more keys or ticks than it may.
 int giveMotion(RoleContext& context, InstanceId moved, const Motion& motion,
                const std::string& reason, bool guessed);
 

@@ -15,17 +15,24 @@ namespace {
 
 constexpr size_t kEmptyTerrain = 64;  // bytes: voxel data of this size holds nothing to stand on
 
+// Of voxels, which files store as a text of their own or as a shared one.
+size_t bytesOf(const Instance& terrain, const char* name) {
+  const auto* own = property<std::string>(terrain, name);
+  const auto* shared = property<SharedBlob>(terrain, name);
+  return own ? own->size() : shared ? shared->bytes->size() : 0;
+}
+
 void noteTerrain(RoleContext& context) {
   const InstanceId workspace = context.tree.service("Workspace");
   if (workspace == kNoInstance) return;
   const InstanceId terrain = context.tree.childOfClass(workspace, "Terrain");
   if (terrain == kNoInstance) return;
   for (const char* name : {"SmoothGrid", "ClusterGridV3", "ClusterGridV2", "ClusterGrid"}) {
-    const auto* voxels = property<std::string>(context.tree.at(terrain), name);
-    if (!voxels || voxels->size() <= kEmptyTerrain) continue;
+    const size_t voxels = bytesOf(context.tree.at(terrain), name);
+    if (voxels <= kEmptyTerrain) continue;
     context.level.noteUnmodelled(
         "terrain", context.tree.path(terrain),
-        std::to_string(voxels->size()) + " bytes of voxels that a player could stand on");
+        std::to_string(voxels) + " bytes of voxels that a player could stand on");
     return;
   }
 }
@@ -100,7 +107,7 @@ void noteTags(RoleContext& context) {
   for (InstanceId id = 0; id < context.tree.size(); ++id)
     for (const std::string& tag : context.tree.at(id).tags)
       if (std::find(std::begin(kKitTags), std::end(kKitTags), lower(tag)) != std::end(kKitTags) &&
-          !context.partsOf(id).empty())
+          context.hasParts(id))
         context.level.noteUnmodelled("tag " + tag, context.tree.path(id), "a plain part");
 }
 
@@ -146,7 +153,7 @@ struct Effect {
 std::optional<Effect> changeOf(RoleContext& context, const Timeline& timeline,
                                const ScriptEvent& event) {
   const Effect button = {"button", "parts that a touch elsewhere changes stay as they are"};
-  if (context.partsOf(event.target).empty()) {
+  if (!context.hasParts(event.target)) {
     if (comesBack(event) && !context.tree.partsOf(event.target).empty()) return button;
     return std::nullopt;
   }
@@ -230,10 +237,11 @@ void noteTimelines(RoleContext& context, const ScriptReading& reading) {
     bool understood = false;
     for (const ScriptEvent& event : timeline.events) {
       understood = true;
-      const auto effect = effectOf(context, timeline, event);
+      // First of all: loops have thousands of events.
       const bool byTouch = timeline.trigger == Trigger::touch || timeline.trigger == Trigger::other;
-      if (!effect || (!byTouch && event.kind != EventKind::build)) continue;
-      if (!kinds.insert(effect->kind).second) continue;
+      if (!byTouch && event.kind != EventKind::build) continue;
+      const auto effect = effectOf(context, timeline, event);
+      if (!effect || !kinds.insert(effect->kind).second) continue;
       const InstanceId where = timeline.touched == kNoInstance ? reading.script : timeline.touched;
       if (timeline.touched == kNoInstance && event.kind != EventKind::build &&
           event.kind != EventKind::set && event.kind != EventKind::tween &&

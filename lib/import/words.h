@@ -1,6 +1,8 @@
 // Names as people write them, split into lower-case words: "KillBrick 2" is kill, brick, 2.
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,12 +11,19 @@ namespace obby::importer {
 
 std::vector<std::string> wordsOf(std::string_view name);
 
-// The first word of `name` that is in `list`, or nothing: "Skill" does not contain kill.
+// The first word of `name`, or two of them together, that is in `list`, or nothing: "CheckPoint"
+// contains checkpoint, "Skill" does not contain kill.
 template <class List>
 std::string firstWordIn(std::string_view name, const List& list) {
-  for (const auto& word : wordsOf(name))
-    for (std::string_view entry : list)
-      if (word == entry) return word;
+  const auto words = wordsOf(name);
+  const auto isIn = [&](const std::string& word) {
+    return std::find(std::begin(list), std::end(list), word) != std::end(list);
+  };
+  for (size_t i = 0; i < words.size(); ++i) {
+    if (isIn(words[i])) return words[i];
+    const std::string pair = i + 1 < words.size() ? words[i] + words[i + 1] : std::string();
+    if (isIn(pair)) return pair;
+  }
   return {};
 }
 

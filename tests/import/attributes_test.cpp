@@ -105,10 +105,33 @@ TEST(Attributes, AClaimedCountAllocatesNothing) {
   EXPECT_THAT(decoded.warning, HasSubstr("end early"));
 }
 
+TEST(Attributes, ThoseBeyondAThousandAreLost) {
+  const auto blob = [](int count) {
+    std::string all;
+    for (int i = 0; i < count; ++i) all += attributeBytes("a" + std::to_string(i), 0x03, "\x01");
+    // A name that is known already needs no room.
+    return counted(static_cast<uint32_t>(count) + 1, all + attributeBytes("a0", 0x03, "\x01"));
+  };
+  const DecodedAttributes fits = decodeAttributes(blob(1000));
+  EXPECT_EQ(fits.warning, "");
+  EXPECT_EQ(fits.values.size(), 1000u);
+  const DecodedAttributes many = decodeAttributes(blob(100000));
+  EXPECT_EQ(many.warning, "more than 1000 attributes; 'a1000' and those after it are lost");
+  EXPECT_EQ(many.values.size(), 1000u);
+}
+
+TEST(Attributes, AWarningShowsTheBeginningOfALongName) {
+  const DecodedAttributes decoded =
+      decodeAttributes(counted(1, attributeBytes(std::string(1000000, 'n'), 0x7f, "???")));
+  EXPECT_THAT(decoded.warning, HasSubstr("nnn...' is of unknown kind 0x7f"));
+  EXPECT_LT(decoded.warning.size(), 200u);
+}
+
 TEST(Tags, AreSeparatedByNulAndNeverEmpty) {
   EXPECT_THAT(decodeTags(""), testing::IsEmpty());
   EXPECT_THAT(decodeTags("one"), testing::ElementsAre("one"));
   EXPECT_THAT(decodeTags(std::string("b\0\0a\0", 5)), testing::ElementsAre("b", "a"));
+  EXPECT_THAT(decodeTags(std::string("b\0a\0b\0b", 7)), testing::ElementsAre("b", "a"));
 }
 
 }  // namespace

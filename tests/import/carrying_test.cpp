@@ -107,6 +107,40 @@ TEST(Carrying, ASliderIsSteppedWhenItsScriptHasWaited) {
   expectNear(at(scene[c.arm], 1), {0, 18, 0});
 }
 
+TEST(Carrying, AServoWithoutATargetGoesToZero) {
+  Scene scene;
+  const auto c = constrained(scene, "PrismaticConstraint");
+  scene.set(c.arm, "CFrame", CFrame{{0, 3, 0}, {}});
+  scene.set(c.id, "ActuatorType", EnumItem{2, {}});
+  scene.set(c.id, "Speed", 10.0);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion);
+  expectNear(at(scene[c.arm], 4), {0, 8, 0});
+}
+
+TEST(Carrying, TurnersNeedTorque) {
+  Scene scene;
+  const auto wheel = scene.part("Wheel"), drum = scene.part("Drum", {20, 0, 0});
+  for (const auto id : {wheel, drum}) scene.set(id, "Anchored", false);
+  // Of the class's own speed and torque, as files leave them out.
+  const auto legacy = scene.add("BodyAngularVelocity", "BodyAngularVelocity", wheel);
+  const auto turner = scene.add("AngularVelocity", "AngularVelocity", drum);
+  const auto attachment = scene.add("Attachment", "Attachment", drum);
+  scene.set(turner, "Attachment0", Ref{attachment});
+  scene.set(turner, "AngularVelocity", Vec3{0, 3, 0});
+  scene.level();
+  ASSERT_TRUE(scene[wheel].motion && scene[wheel].motion->spin);
+  EXPECT_NEAR(scene[wheel].motion->spin->speed, 2, 1e-4);
+  EXPECT_FALSE(scene[drum].motion) << "its torque is 0 unless it is set";
+  EXPECT_EQ(scene.unmodelled("constraint AngularVelocity"), 1u);
+  scene.set(turner, "MaxTorque", 1000.0);
+  scene.set(legacy, "MaxTorque", Vec3{});
+  scene.level();
+  ASSERT_TRUE(scene[drum].motion && scene[drum].motion->spin);
+  EXPECT_NEAR(scene[drum].motion->spin->speed, 3, 1e-4);
+  EXPECT_FALSE(scene[wheel].motion);
+}
+
 // A slider whose motor pushes the arm up at 5 studs/s.
 Constraint pushed(Scene& scene, const char* className) {
   const auto c = constrained(scene, className);

@@ -98,9 +98,12 @@ TEST(CsgPhysics, HullsThatAScaleTakesOutOfAllBoundsAreLeftOut) {
   const std::vector<Vec3> small = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
   std::vector<Vec3> wide = small;
   wide[0].x = 1e30f;
-  const auto hulls = scaledHulls({wide, small}, {1e30f, 2, 1});
+  const auto hulls = scaledHulls({wide, small}, {1e5f, 2, 1});
   ASSERT_EQ(hulls.size(), 1u);
   EXPECT_EQ(hulls[0][1], (Vec3{0, 2, 0}));
+  // Finite, but farther away than a level's corners may be: it would be refused as a whole.
+  EXPECT_EQ(scaledHulls({small}, {1, 999999, 1}).size(), 1u);
+  EXPECT_EQ(scaledHulls({small}, {1, 2e6f, 1}).size(), 0u);
 }
 
 TEST(CsgPhysics, OldDataIsUsedWhereThereIsNoNewAndDamageIsReported) {

@@ -129,6 +129,24 @@ TEST(DesignerQueries, WhatCannotBeUsedIsNamed) {
   EXPECT_EQ(import.queries[0].reader().getQuery().getMaxJumps(), -1);
 }
 
+TEST(DesignerQueries, RegionsOfNoKindAndSecondStartsAreNamed) {
+  Place place;
+  const InstanceId query = place.query("odd");
+  place.region(query, "goal", "goal");
+  place.region(query, "here", "start");
+  place.region(query, "there", "start");
+  place.region(query, "lava", "Avoid");
+  const importer::Import import = place.imported();
+  ASSERT_EQ(import.warnings.size(), 2u);
+  EXPECT_EQ(import.warnings[0],
+            "test.rbxl: ServerStorage/ObbyQueries/odd/lava is of kind 'Avoid', which is none of "
+            "goal, start, avoid, visit, waypoint, and is left out");
+  EXPECT_EQ(import.warnings[1],
+            "test.rbxl: ServerStorage/ObbyQueries/odd/there is one more start and is left out: a "
+            "query has one");
+  EXPECT_EQ(import.queries[0].reader().getQuery().getStart().getRegion().getName(), "here");
+}
+
 TEST(DesignerQueries, TakeTheirIdsFromTheStages) {
   Place place;
   place.region(place.query("stage1"), "goal", "goal");
@@ -175,6 +193,7 @@ TEST(RecordedMotion, ThatIsNoneIsNamed) {
 
 TEST(RecordedMotion, WhatTheSimulatorWouldRefuseIsLeftOut) {
   for (const char* motion : {R"({"spin":{"axis":[0,0,0],"speed":1}})", R"({"spin":{}})",
+                             R"({"spin":{"speed":1,"pivot":[10000000,0,0]}})",
                              R"({"keys":[{"time":2},{"time":1,"position":[0,4,0]}]})"}) {
     Place place;
     const InstanceId id = place.part("Ferry");

@@ -89,6 +89,22 @@ TEST(FormatBinary, UnknownKindsAndChunksAreSkippedWithAWarning) {
                                                        HasSubstr("unknown chunk 'NEW?'")));
 }
 
+TEST(FormatBinary, WarningsOfAttributesNameTheirInstance) {
+  std::string blob, attributes, names;
+  append(blob, 1);
+  appendString(blob, "odd");
+  blob += '\x7f';
+  for (const std::string& each : {blob, std::string()}) appendString(attributes, each);
+  for (const char* name : {"Lava", "Floor"}) appendString(names, name);
+  // As in real files, the names come afterwards.
+  const std::string bytes = twoParts(propertyChunk(0, "AttributesSerialize", 0x01, attributes) +
+                                         propertyChunk(0, "Name", 0x01, names),
+                                     goodParents());
+  const Result<Document> document = readDocument(bytes, "f");
+  ASSERT_TRUE(document) << document.error().text();
+  EXPECT_THAT(document->warnings, testing::ElementsAre(HasSubstr("Part 'Lava': attribute 'odd'")));
+}
+
 TEST(FormatBinary, ChunksMayComeInAnyOrder) {
   const std::string bytes = fileHeader(1, 2) + goodParents() +
                             propertyChunk(0, "Anchored", 2, "\x01\x01") +
@@ -182,6 +198,20 @@ TEST(FormatBinary, FilesMadeToExhaustMemoryAreRefused) {
   const std::string bytes = fileHeader(1, 1) + chunk("INST", instances, Packing::Zstd) + endChunk();
   ASSERT_LT(bytes.size(), 10'000u);
   EXPECT_THAT(errorOf(bytes), HasSubstr("too large for a file of this size"));
+}
+
+TEST(FormatBinary, TagsThatWouldExhaustMemoryAreRefused) {
+  // Six million tags in a few kilobytes: the texts alone would take 200 MB.
+  const auto withTags = [](size_t count) {
+    std::string tags;
+    for (size_t i = 0; i < count; ++i) tags += std::string("a\0", 2);
+    std::string column;
+    appendString(column, tags);
+    appendString(column, "");
+    return errorOf(twoParts(propertyChunk(0, "Tags", 0x01, column, Packing::Zstd), goodParents()));
+  };
+  EXPECT_EQ(withTags(1000), "accepted");
+  EXPECT_THAT(withTags(6'000'000), HasSubstr("too large for a file of this size"));
 }
 
 TEST(FormatBinary, DeepNestingIsAnError) {

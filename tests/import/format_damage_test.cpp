@@ -94,6 +94,9 @@ TEST(LongNames, AreCutAtAHundredCharactersWithOneWarning) {
     ASSERT_EQ(parts.size(), 100u);
     EXPECT_EQ(std::string(parts[99].getSource().getPath().cStr()),
               "Workspace/" + name.substr(0, 200) + "/P");
+    ASSERT_FALSE(made->warnings.empty());
+    EXPECT_EQ(made->warnings.front(),
+              "long: 1 names were cut at 100 characters, as the engine does");
     EXPECT_EQ(std::count_if(made->warnings.begin(), made->warnings.end(),
                             [](const auto& w) { return w.find("100 characters") != w.npos; }),
               1);

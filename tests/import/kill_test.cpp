@@ -245,7 +245,7 @@ TEST(Kill, NamesAreGuessesAndFalseFriendsAreNot) {
   Scene scene;
   const auto brick = scene.part("KillBrick"), lava = scene.part("Big Lava");
   const auto skill = scene.part("Skill"), remover = scene.part("Lava Remover");
-  const auto untouchable = scene.part("Lava");
+  const auto untouchable = scene.part("Lava"), hurts = scene.part("HurtPart");
   scene.set(untouchable, "CanTouch", false);
   scene.level();
   EXPECT_EQ(scene.evidence(brick, "kill"), "guessed: name KillBrick");
@@ -253,6 +253,7 @@ TEST(Kill, NamesAreGuessesAndFalseFriendsAreNot) {
   EXPECT_FALSE(scene[skill].kill);
   EXPECT_FALSE(scene[remover].kill);
   EXPECT_FALSE(scene[untouchable].kill);
+  EXPECT_TRUE(scene[hurts].kill && scene[hurts].kill->damage < 100);
 }
 
 TEST(Kill, PollingTheContentsOfAHazard) {

@@ -1,4 +1,6 @@
 // Ladders built of thin parts.
+#include <chrono>
+
 #include "import/scene.h"
 
 namespace obby::test {
@@ -19,6 +21,18 @@ TEST(Ladders, ThinPartsOneAboveTheOtherAreRungs) {
     EXPECT_TRUE(scene[id].climbable);
     EXPECT_EQ(scene.evidence(id, "ladder"), "guessed: 4 thin parts one above the other");
   }
+}
+
+TEST(Ladders, AVeryTallOneTakesNoLonger) {
+  constexpr int kRungs = 4000;
+  Scene scene;
+  std::vector<InstanceId> rungs;
+  for (int i = 0; i < kRungs; ++i) rungs.push_back(rung(scene, {0, float(i), 0}));
+  const auto start = std::chrono::steady_clock::now();
+  scene.level();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+  for (const InstanceId id : {rungs.front(), rungs[kRungs / 2], rungs.back()})
+    EXPECT_EQ(scene.evidence(id, "ladder"), "guessed: 4000 thin parts one above the other");
 }
 
 TEST(Ladders, StairsPlatformsAndPairsAreNone) {

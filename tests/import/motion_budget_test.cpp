@@ -1,36 +1,145 @@
-// Motions of many parts with many keys.
+// Motions of many parts with many keys, and other work that could grow with the square of a number.
+#include <chrono>
+
 #include "import/motion.h"
 #include "import/scene.h"
+#include "level/compile_parts.h"
 
 namespace obby::test {
 namespace {
 
-TEST(Motion, AllKeysOfALevelHaveABudget) {
-  constexpr size_t kParts = 400, kKeys = 1500;
-  static_assert(kParts * kKeys < importer::kMaxLevelKeys);
-  static_assert(2 * kParts * kKeys > importer::kMaxLevelKeys);
+// Gives a motion to two models of `parts` parts, one after the other: the second finds no room.
+void expectRoomForOne(size_t parts, const importer::Motion& motion) {
   Scene scene;
   InstanceId models[2];
   for (InstanceId& model : models) {
     model = scene.add("Model", "Wave", scene.workspace);
-    for (size_t i = 0; i < kParts; ++i) scene.part("Part", {float(i), 0, 0}, model);
+    for (size_t i = 0; i < parts; ++i) scene.part("Part", {float(i), 0, 0}, model);
   }
-  importer::Motion motion;
-  for (size_t i = 0; i < kKeys; ++i)
-    motion.keys.push_back({float(i) / 60, Pose{{0, float(i % 2), 0}, {}}, importer::Easing::linear,
-                           importer::EasingDirection::out});
   const importer::Tree tree(scene.document);
   const importer::Assemblies assemblies(tree);
   const std::vector<importer::ScriptReading> scripts{};
   LevelDraft level = importer::buildLevel(tree, "test");
   importer::RoleContext context(tree, assemblies, scripts, level);
-  EXPECT_EQ(importer::giveMotion(context, models[0], motion, "a test", false), int(kParts));
+  EXPECT_EQ(importer::giveMotion(context, models[0], motion, "a test", false), int(parts));
   EXPECT_EQ(importer::giveMotion(context, models[1], motion, "a test", false), 0);
-  size_t keys = 0;
-  for (const PartDraft& part : level.parts) keys += part.motion ? part.motion->keys.size() : 0;
-  EXPECT_EQ(keys, kParts * kKeys);
+  size_t moving = 0;
+  for (const PartDraft& part : level.parts) moving += part.motion ? 1 : 0;
+  EXPECT_EQ(moving, parts);
   ASSERT_EQ(level.unmodelled.count("motion of too many poses"), 1u);
-  EXPECT_EQ(level.unmodelled.at("motion of too many poses").count, kParts);
+  EXPECT_EQ(level.unmodelled.at("motion of too many poses").count, parts);
+}
+
+importer::MotionKey keyAt(float time, float height) {
+  return {time, Pose{{0, height, 0}, {}}, importer::Easing::linear, importer::EasingDirection::out};
+}
+
+TEST(Motion, AllKeysOfALevelHaveABudget) {
+  constexpr size_t kParts = 400, kKeys = 1500;
+  static_assert(kParts * kKeys < importer::kMaxLevelKeys);
+  static_assert(2 * kParts * kKeys > importer::kMaxLevelKeys);
+  importer::Motion motion;
+  for (size_t i = 0; i < kKeys; ++i) motion.keys.push_back(keyAt(float(i) / 60, float(i % 2)));
+  expectRoomForOne(kParts, motion);
+}
+
+TEST(Motion, AllTicksOfALevelHaveABudget) {
+  constexpr size_t kParts = 600, kSeconds = 80;  // 160 s there and back
+  static_assert(kParts * kSeconds * 2 * 60 > level::kMaxLevelRows);
+  static_assert(kParts * kSeconds * 60 < level::kMaxLevelRows);
+  importer::Motion motion;
+  motion.keys = {keyAt(0, 0), keyAt(float(kSeconds), 50)};
+  expectRoomForOne(kParts, motion);
+  motion.repeat = importer::Repeat::pingPong;
+  expectRoomForOne(kParts / 2, motion);
+}
+
+// Fails the test if the work takes as long as it would for all pairs of so many things.
+template <class Work>
+void expectQuick(Work work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST(Motion, AModelOfManyWeldedPartsMovesAsOne) {
+  constexpr int kParts = 15000;
+  Scene scene;
+  const auto model = scene.add("Model", "Raft", scene.workspace);
+  const auto hub = scene.part("Hub", {}, model);
+  for (int i = 1; i < kParts; ++i) {
+    const auto plank = scene.part("Plank", {float(i % 100), 0, float(i / 100)}, model);
+    scene.set(plank, "Anchored", false);
+    const auto weld = scene.add("WeldConstraint", "Weld", plank);
+    scene.set(weld, "Part0", Ref{hub});
+    scene.set(weld, "Part1", Ref{plank});
+  }
+  const importer::Tree tree(scene.document);
+  const importer::Assemblies assemblies(tree);
+  const std::vector<importer::ScriptReading> scripts{};
+  LevelDraft level = importer::buildLevel(tree, "test");
+  importer::RoleContext context(tree, assemblies, scripts, level);
+  importer::Motion motion;
+  motion.spin = importer::Spin{{0, 1, 0}, 1, {}};
+  expectQuick(
+      [&] { EXPECT_EQ(importer::giveMotion(context, model, motion, "a test", false), kParts); });
+}
+
+TEST(Motion, AModelOfManyWaysTakesTheFirst) {
+  Scene scene;
+  const auto model = scene.add("Model", "Lift", scene.workspace);
+  const auto platform = scene.part("Platform", {}, model);
+  for (int i = 0; i < 20000; ++i) {
+    const auto way = scene.add("Folder", "Positions", model);
+    if (i > 0) continue;
+    scene.part("1", {}, way);
+    scene.part("2", {0, 20, 0}, way);
+  }
+  expectQuick([&] { scene.level(); });
+  ASSERT_TRUE(scene[platform].motion);
+  EXPECT_EQ(scene.evidence(platform, "motion"), "guessed: marker Positions");
+}
+
+TEST(Unmodelled, EachPoseOfALoopDoesNotCostAllPartsOfItsModel) {
+  Scene scene;
+  const auto model = scene.add("Model", "Train", scene.workspace);
+  const auto wagons = scene.add("Folder", "Wagons", model);
+  for (int i = 0; i < 5000; ++i) scene.part("Wagon", {float(i), 0, 0}, wagons);
+  scene.part("Button", {0, 9, 0});
+  const std::string ride =
+      "for a = 1, 20 do for b = 1, 1000 do m:PivotTo(CFrame.new(b, 0, 0)) wait() end end";
+  scene.script("local m = workspace.Train " + ride, scene.scripts);
+  scene.script(
+      "local m = workspace.Train workspace.Button.Touched:Connect(function() " + ride + " end)",
+      scene.scripts);
+  expectQuick([&] { scene.level(); });
+}
+
+TEST(Kill, ATagInManySpellingsCountsOnce) {
+  Scene scene;
+  const auto folder = scene.add("Folder", "Hot", scene.workspace);
+  for (unsigned spelling = 0; spelling < 4096; ++spelling) {
+    std::string tag = "obstaclekill";
+    for (size_t i = 0; i < tag.size(); ++i)
+      if (((spelling >> i) & 1u) != 0) tag[i] = char(tag[i] - 'a' + 'A');
+    scene.tag(folder, tag);
+  }
+  InstanceId last = kNoInstance;
+  for (int i = 0; i < 20000; ++i) last = scene.part("Part", {float(i % 100), 0, 0}, folder);
+  expectQuick([&] { scene.level(); });
+  EXPECT_EQ(scene.evidence(last, "kill"), "tag obstaclekill");
+}
+
+TEST(Vanish, ManyMarkersOfOneOwnerCountOnce) {
+  Scene scene;
+  const auto model = scene.add("Model", "Fading", scene.workspace);
+  scene.value("NumberValue", "FadeTime", 4.0, model);
+  for (int i = 0; i < 20000; ++i) scene.value("NumberValue", "FadeTime", 9.0, model);
+  InstanceId last = kNoInstance;
+  for (int i = 0; i < 5000; ++i) last = scene.part("Part", {float(i), 0, 0}, model);
+  expectQuick([&] { scene.level(); });
+  ASSERT_TRUE(scene[last].vanish);
+  EXPECT_FLOAT_EQ(scene[last].vanish->delay, 4);
 }
 
 }  // namespace

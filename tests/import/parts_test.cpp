@@ -1,4 +1,5 @@
 // Geometry of parts, what belongs to the level, joints and strays.
+#include <cstring>
 #include <limits>
 #include <memory>
 
@@ -79,6 +80,25 @@ TEST(Parts, PartsOverOneBlobHaveItsHullsInTheirOwnSizes) {
     EXPECT_EQ(scene[mesh].hulls[0][0], (Vec3{mesh == meshes[1] ? 2.0f : 1.0f, 2, 3}));
   }
   EXPECT_EQ(scene.unmodelled("shape of a mesh or union"), 0u);
+}
+
+TEST(Parts, AHullOfTooManyCornersIsTheBoxAroundIt) {
+  Scene scene;
+  std::string blob = collisionBlob(1, 4) + collisionBlob(1, 300).substr(10);
+  const float far = -7;
+  std::memcpy(&blob[blob.size() - 8], &far, sizeof far);  // the last corner is (1, 2, -7)
+  const auto mesh = scene.part("Rock", {}, scene.workspace, "MeshPart");
+  scene.set(mesh, "PhysicalConfigData", blob);
+  scene.level();
+  EXPECT_EQ(scene[mesh].shape, Shape::hull);
+  ASSERT_EQ(scene[mesh].hulls.size(), 2u);
+  EXPECT_EQ(scene[mesh].hulls[0].size(), 4u);
+  ASSERT_EQ(scene[mesh].hulls[1].size(), 8u);
+  EXPECT_EQ(scene[mesh].hulls[1].front(), (Vec3{1, 2, -7}));
+  EXPECT_EQ(scene[mesh].hulls[1].back(), (Vec3{1, 2, 3}));
+  EXPECT_EQ(scene.evidence(mesh, "shape"),
+            "guessed: 1 of 2 hulls have more than 255 corners; the box around each is taken");
+  EXPECT_EQ(scene.unmodelled("shape of a mesh or union"), 1u);
 }
 
 TEST(Parts, AllHullsOfALevelHaveABudget) {

@@ -166,6 +166,7 @@ TEST(LevelRecord, HostileNumbersGiveALevelThatCompiles) {
       scene.set(id, "Velocity", Vec3{f, f, f});
       scene.set(id, "RotVelocity", Vec3{f, 0, f});
     }
+    scene.set(scene.part("Turning"), "RotVelocity", Vec3{f, f, 0});
     scene.set(scene.part("Big"), "Size", Vec3{f, 1, 1});
     scene.set(scene.part("Far"), "CFrame", CFrame{{f, f, f}, {}});
     scene.set(scene.part("Odd"), "CFrame", CFrame{{}, {{f, 0, 0}, {0, f, f}, {f, f, 1}}});

@@ -3,25 +3,10 @@
 #include <chrono>
 
 #include "import/queries.h"
-#include "import/scene.h"
+#include "import/spawns.h"
 
 namespace obby::test {
 namespace {
-
-InstanceId spawn(Scene& scene, const std::string& name, Vec3 position, InstanceId parent) {
-  return scene.part(name, position, parent, "SpawnLocation");
-}
-InstanceId spawn(Scene& scene, const std::string& name, Vec3 position) {
-  return spawn(scene, name, position, scene.workspace);
-}
-
-// Names of the level's spawns in order.
-std::vector<std::string> order(const LevelDraft& level) {
-  std::vector<std::string> names;
-  for (const auto& s : level.spawns) names.push_back(s.name);
-  return names;
-}
-using Names = std::vector<std::string>;
 
 TEST(Stages, SpawnStandsOnTopOfThePadAndLooksAlongItsFront) {
   Scene scene;
@@ -230,7 +215,8 @@ TEST(Stages, AModelOfManyPartsIsOneCheckpoint) {
 }
 
 TEST(Stages, GoalNamesInAnyOfTheirForms) {
-  for (const char* name : {"WinPad", "Finish Line", "End", "GoalPart", "BaseChegada"}) {
+  for (const char* name : {"WinPad", "Finish Line", "End", "The End", "EndPad", "End_Part",
+                           "GoalPart", "BaseChegada"}) {
     Scene scene;
     const auto goal = scene.part(name, {60, 0, 0}), window = scene.part("Window"),
                bend = scene.part("Bend");

@@ -1,4 +1,6 @@
 // Whatever is not simulated is named, with counts.
+#include <memory>
+
 #include "import/explain.h"
 #include "import/scene.h"
 
@@ -88,6 +90,10 @@ TEST(Unmodelled, SpeedPadsSeatsToolsTerrainGroups) {
   for (const char* kind :
        {"speed or jump booster", "vehicle seat", "collision group Ghosts", "tool", "terrain"})
     EXPECT_EQ(scene.unmodelled(kind), 1u) << kind;
+  const auto voxels = std::make_shared<const std::string>(1000, 'x');
+  scene.set(terrain, "SmoothGrid", importer::SharedBlob{voxels});
+  scene.level();
+  EXPECT_EQ(scene.unmodelled("terrain"), 1u) << "in a shared string";
 }
 
 TEST(Unmodelled, StagesBuiltAtRunTimeAndForeignCode) {

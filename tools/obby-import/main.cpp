@@ -13,11 +13,8 @@ using namespace obby;
 
 // What says which records to write, or how, says nothing of a table.
 Status refuseOptionsOfRecords(const cli::Arguments& a) {
-  const char* given = a.has("format")        ? "--format"
-                      : a.flag("no-queries") ? "--no-queries"
-                                             : nullptr;
-  if (!given) return {};
-  return Error{{}, {}, given, "does not go with --explain", "which writes a table, no records"};
+  return cli::refuseTyped(a, {"format", "no-queries"}, "does not go with --explain",
+                          "which writes a table, no records");
 }
 
 // The tables of all inputs up to one that ends the run; its error is in the result. Under

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <unordered_set>
 
 #include "import/format/brick_colors.h"
 #include "import/format/byte_reader.h"
@@ -11,6 +12,9 @@
 
 namespace obby::importer {
 namespace {
+
+// Of one instance. An entry takes some twenty times the bytes that it has in the blob.
+constexpr size_t kMaxAttributes = 1000;
 
 Vec3 readVec3(ByteReader& reader) {
   const float x = reader.f32(), y = reader.f32(), z = reader.f32();
@@ -98,10 +102,17 @@ const AttributeKind* findKind(uint8_t id) {
   return nullptr;
 }
 
+// The attribute's name for a message: a file may make it as long as it likes.
+std::string quoted(const std::string& key) {
+  constexpr size_t kShown = 100;  // bytes
+  return key.size() <= kShown ? "'" + key + "'" : "'" + key.substr(0, kShown) + "...'";
+}
+
 std::string unknownKind(const std::string& key, uint8_t id) {
   char hex[8];
   std::snprintf(hex, sizeof hex, "0x%02x", id);
-  return "attribute '" + key + "' is of unknown kind " + hex + "; it and those after it are lost";
+  return "attribute " + quoted(key) + " is of unknown kind " + hex +
+         "; it and those after it are lost";
 }
 
 }  // namespace
@@ -121,7 +132,13 @@ DecodedAttributes decodeAttributes(std::string_view blob) {
       return out;
     }
     Value value = kind->read(reader);
-    if (reader.ok()) out.values[std::move(key)] = std::move(value);
+    if (!reader.ok()) break;
+    if (out.values.size() >= kMaxAttributes && !out.values.contains(key)) {
+      out.warning = "more than " + std::to_string(kMaxAttributes) + " attributes; " + quoted(key) +
+                    " and those after it are lost";
+      return out;
+    }
+    out.values[std::move(key)] = std::move(value);
   }
   if (!reader.ok()) out.warning = "the attributes end early; the last ones are lost";
   return out;
@@ -129,10 +146,11 @@ DecodedAttributes decodeAttributes(std::string_view blob) {
 
 std::vector<std::string> decodeTags(std::string_view blob) {
   std::vector<std::string> tags;
+  std::unordered_set<std::string_view> known;
   while (!blob.empty()) {
     const size_t end = blob.find('\0');
     const std::string_view tag = blob.substr(0, end);
-    if (!tag.empty()) tags.emplace_back(tag);
+    if (!tag.empty() && known.insert(tag).second) tags.emplace_back(tag);
     if (end == std::string_view::npos) break;
     blob.remove_prefix(end + 1);
   }

@@ -67,6 +67,13 @@ size_t nameSize(std::string_view name) {
   return at;
 }
 
+// What a blob of tags may take once it is decoded: each tag is a text of its own, however short.
+size_t costOfTags(const std::string& blob) {
+  constexpr size_t kEach = 3 * sizeof(std::string);  // in the instance, and in the index over tags
+  const auto breaks = static_cast<size_t>(std::count(blob.begin(), blob.end(), '\0'));
+  return 2 * blob.size() + kEach * (blob.empty() ? 0 : breaks + 1);
+}
+
 bool isService(const std::string& className) {
   return std::find(std::begin(kServices), std::end(kServices), className) != std::end(kServices);
 }
@@ -96,7 +103,7 @@ bool DocumentBuilder::set(InstanceId id, std::string_view name, Value value) {
   }
   if (name == "Tags") {
     if (const std::string* blob = bytesOf(value)) {
-      used_ += 2 * blob->size();
+      used_ += costOfTags(*blob);
       if (overBudget()) return false;
       instance.tags = decodeTags(*blob);
     }
@@ -142,8 +149,19 @@ void DocumentBuilder::setAttributes(InstanceId id, std::string_view blob) {
   DecodedAttributes decoded = decodeAttributes(blob);
   for (const auto& [key, value] : decoded.values) used_ += key.size() + cost(value) + 64;
   instance.attributes = std::move(decoded.values);
-  if (!decoded.warning.empty())
-    warn(instance.className + " '" + instance.name + "': " + decoded.warning);
+  if (decoded.warning.empty()) return;
+  if (attributeWarnings_.size() < kMaxWarnings) {
+    attributeWarnings_.emplace_back(id, std::move(decoded.warning));
+  } else {
+    ++droppedWarnings_;
+  }
+}
+
+void DocumentBuilder::warnOfAttributes() {
+  for (const auto& [id, warning] : attributeWarnings_) {
+    const Instance& instance = document_.instances[id];
+    warn(instance.className + " '" + instance.name + "': " + warning);
+  }
 }
 
 void DocumentBuilder::setParent(InstanceId child, InstanceId parent) {
@@ -179,6 +197,7 @@ Status DocumentBuilder::checkDepth(const std::vector<InstanceId>& order) const {
 }
 
 Result<Document> DocumentBuilder::finish(std::string file, bool binary) {
+  warnOfAttributes();
   unpackStudioPlace(document_);
   std::vector<Instance>& old = document_.instances;
   std::vector<InstanceId> order, stack(document_.roots.rbegin(), document_.roots.rend());

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "base/result.h"
 #include "import/document.h"
@@ -51,10 +53,13 @@ class DocumentBuilder {
 
  private:
   void setAttributes(InstanceId id, std::string_view blob);
+  void warnOfAttributes();
   Status checkDepth(const std::vector<InstanceId>& order) const;
 
   Document document_;
   std::unordered_map<std::string, PropertyPlan> plans_;  // by class and name
+  // Until the names of the instances are known: files have them after the attributes.
+  std::vector<std::pair<InstanceId, std::string>> attributeWarnings_;
   size_t droppedWarnings_ = 0, cutNames_ = 0;
   size_t used_ = 0, budget_;
 };

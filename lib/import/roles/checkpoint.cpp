@@ -20,8 +20,21 @@ void give(PartDraft& part, int stage, std::string reason, bool guessed) {
   part.evidence.push_back({"checkpoint", std::move(reason), guessed});
 }
 
+// "Checkpoint 3", "CheckPoint", "check_point": of a model that is one, not of a folder of them.
+bool beginsAsCheckpoint(std::string_view name) {
+  const auto words = wordsOf(name);
+  return !words.empty() &&
+         (words[0] == "checkpoint" || (words.size() > 1 && words[0] + words[1] == "checkpoint"));
+}
+
 bool isNumber(std::string_view name) {
   return !name.empty() && name.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+// "Stage 3", "stage3_lava": what is in it belongs to that stage.
+bool isStage(std::string_view name) {
+  const auto words = wordsOf(name);
+  return words.size() > 1 && words[0] == "stage" && isNumber(words[1]);
 }
 
 bool inCheckpointFolder(const Tree& tree, InstanceId id) {
@@ -39,9 +52,9 @@ int stageNumber(const Tree& tree, InstanceId id, InstanceId part) {
   for (InstanceId holder = part; holder != kNoInstance; holder = tree.at(holder).parent) {
     const std::string& name = tree.at(holder).name;
     const bool own = holder == id || holder == part;
-    const auto number = own || isNumber(name) || !firstWordIn(name, kFolderWords).empty()
-                            ? firstNumber(name)
-                            : std::nullopt;
+    const bool tells =
+        own || isNumber(name) || isStage(name) || !firstWordIn(name, kFolderWords).empty();
+    const auto number = tells ? firstNumber(name) : std::nullopt;
     if (number) return *number;
   }
   return kUnnumbered;
@@ -49,8 +62,13 @@ int stageNumber(const Tree& tree, InstanceId id, InstanceId part) {
 
 void checkpointFromTags(RoleContext& context) {
   context.eachTagged(kTags, [&](InstanceId id, const std::string& tag) {
-    PartDraft* part = touchPart(context, id);
-    if (part) give(*part, stageNumber(context.tree, id, part->id), "tag " + tag, false);
+    const auto giveOne = [&](InstanceId one) {
+      PartDraft* part = touchPart(context, one);
+      if (part) give(*part, stageNumber(context.tree, one, part->id), "tag " + tag, false);
+    };
+    // A folder holds checkpoints side by side. A model is one.
+    if (context.tree.at(id).className != "Folder") return giveOne(id);
+    for (InstanceId child : context.tree.at(id).children) giveOne(child);
   });
 }
 
@@ -81,7 +99,7 @@ void checkpointFromNames(RoleContext& context) {
     const InstanceId model = instance.parent;
     if (model == kNoInstance || tree.at(model).className != "Model") continue;
     const std::string& name = tree.at(model).name;
-    if (wordsOf(name).empty() || wordsOf(name).front() != "checkpoint") continue;
+    if (!beginsAsCheckpoint(name)) continue;
     const auto [known, isNew] = touched.try_emplace(model);
     if (isNew) known->second = touchPart(context, model);
     if (known->second == &part) give(part, stageNumber(tree, model, part.id), "name " + name, true);

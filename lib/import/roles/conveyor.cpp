@@ -17,6 +17,7 @@ const std::vector<std::string_view> kTags = {"conveyor", "conveyorbelt", "convey
 constexpr float kDefaultSpeed = 10;
 constexpr float kAligned = 0.99f;   // share of a saved velocity along one axis of part or world
 constexpr float kMostSpeed = 1000;  // studs/s
+constexpr float kMostTurn = 1000;   // rad/s
 
 Vec3 forward(const PartDraft& part, double speed) { return -part.pose.rotation.z * float(speed); }
 
@@ -43,7 +44,8 @@ bool isUpward(Vec3 v) { return v.y > 0 && v.y > 2 * length(Vec3{v.x, 0, v.z}); }
 
 void giveConveyor(PartDraft& part, Conveyor conveyor, std::string reason, bool guessed) {
   const float speed = length(conveyor.velocity), turn = length(conveyor.angular);
-  const bool moves = (speed >= kLeastSpeed || turn >= 0.01f) && speed <= kMostSpeed;
+  const bool moves =
+      (speed >= kLeastSpeed || turn >= 0.01f) && speed <= kMostSpeed && turn <= kMostTurn;
   if (part.conveyor || !moves || !part.solid) return;
   part.conveyor = conveyor;
   part.evidence.push_back({"conveyor", std::move(reason), guessed});

@@ -1,4 +1,7 @@
 // Where the level ends: by tag or name; no convention is shared by all makers.
+#include <algorithm>
+#include <iterator>
+
 #include "import/roles/role.h"
 #include "import/words.h"
 
@@ -13,6 +16,13 @@ constexpr std::string_view kGoalWords[] = {"win",        "winpad",   "winner",  
                                            "winpart",    "winbrick", "endpad",  "mapfinish"};
 constexpr std::string_view kEndNames[] = {"end",      "theend",     "endpart",
                                           "endbrick", "exitregion", "exitblock"};
+
+// Whether the whole name is one of these, however its words are joined: "TheEnd", "The End".
+bool isEnd(std::string_view name) {
+  std::string joined;
+  for (const std::string& word : wordsOf(name)) joined += word;
+  return std::find(std::begin(kEndNames), std::end(kEndNames), joined) != std::end(kEndNames);
+}
 
 }  // namespace
 
@@ -35,9 +45,7 @@ void goalFromNames(RoleContext& context) {
   for (auto& part : context.level.parts) {
     const Instance& instance = context.tree.at(part.id);
     if (!part.touch || part.kill || instance.className == "SpawnLocation") continue;
-    bool telling = !firstWordIn(instance.name, kGoalWords).empty();
-    for (std::string_view end : kEndNames) telling = telling || lower(instance.name) == end;
-    if (!telling) continue;
+    if (firstWordIn(instance.name, kGoalWords).empty() && !isEnd(instance.name)) continue;
     part.goal = 0;
     part.evidence.push_back({"goal", "name " + instance.name, true});
   }

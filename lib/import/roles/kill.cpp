@@ -34,7 +34,7 @@ const std::vector<std::string_view> kKitTags = {"kills", "double", "ouch", "inst
 constexpr std::string_view kKillWords[] = {
     "kill",   "kills",      "killer",    "killbrick", "killblock",  "killpart", "lava",
     "death",  "deadly",     "spike",     "spikes",    "hazard",     "laser",    "acid",
-    "damage", "killbricks", "instakill", "killparts", "killblocks", "killzone"};
+    "damage", "killbricks", "instakill", "killparts", "killblocks", "killzone", "hurt"};
 constexpr std::string_view kDamageWords[] = {"damage", "hurt"};
 constexpr float kGuessedDamage = 10;  // a damage part that does not say how much
 // Words that turn a telling name into another thing.
@@ -89,8 +89,8 @@ Kill stated(const Tree& tree, InstanceId id, Kill fallback) {
 void killFromTags(RoleContext& context) {
   const auto each = [&](const std::vector<std::string_view>& tags, auto kill) {
     context.eachTagged(tags, [&](InstanceId id, const std::string& tag) {
-      for (PartDraft* part : context.partsOf(id))
-        give(*part, stated(context.tree, id, kill(tag)), "tag " + tag, false);
+      const Kill all = stated(context.tree, id, kill(tag));
+      for (PartDraft* part : context.partsOf(id)) give(*part, all, "tag " + tag, false);
     });
   };
   each(kKillTags, [](const std::string&) { return Kill{}; });

@@ -58,10 +58,14 @@ const Bar* nextAbove(const Columns& columns, const Bar& bar) {
     for (int dz = -1; dz <= 1; ++dz) {
       const auto column = columns.find({x + dx, z + dz});
       if (column == columns.end()) continue;
-      for (const Bar& other : column->second) {
-        if (other.box.lo.y > bar.box.hi.y + kMostGap) break;
-        const bool lower = best == nullptr || other.center().y < best->center().y;
-        if (lower && isOver(bar, other)) best = &other;
+      const std::vector<Bar>& bars = column->second;
+      // A centre above this one's is of a bar that begins no deeper than a rung is thick.
+      const float from = bar.center().y - kThickest;
+      auto other = std::lower_bound(bars.begin(), bars.end(), from,
+                                    [](const Bar& b, float height) { return b.box.lo.y < height; });
+      for (; other != bars.end() && other->box.lo.y <= bar.box.hi.y + kMostGap; ++other) {
+        const bool lower = best == nullptr || other->center().y < best->center().y;
+        if (lower && isOver(bar, *other)) best = &*other;
       }
     }
   }
@@ -87,11 +91,12 @@ void ladderFromStacks(RoleContext& context) {
   const Columns columns = columnsOf(context.level);
   for (const auto& [square, bars] : columns) {
     for (const Bar& lowest : bars) {
+      if (lowest.part->climbable) continue;  // a rung of a ladder that begins below
       std::vector<PartDraft*> rungs;
       for (const Bar* bar = &lowest; bar != nullptr; bar = nextAbove(columns, *bar)) {
         rungs.push_back(bar->part);
       }
-      if (rungs.size() < kFewest || rungs.front()->climbable) continue;
+      if (rungs.size() < kFewest) continue;
       for (PartDraft* rung : rungs) {
         if (rung->climbable) break;
         rung->climbable = true;

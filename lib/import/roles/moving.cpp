@@ -169,7 +169,7 @@ std::optional<LoopMotion> loopMotion(const Timeline& timeline, const Moved& move
 }
 
 void noteUnknown(RoleContext& context, InstanceId id, const std::string& reason) {
-  if (!context.partsOf(id).empty())
+  if (context.hasParts(id))
     context.level.noteUnmodelled("motion that a script computes", context.tree.path(id),
                                  "left where the file has it; " + reason);
 }
@@ -209,7 +209,7 @@ void movingFromScripts(RoleContext& context) {
       }
       for (const auto& [id, moved] : movedBy(context.tree, timeline)) {
         const auto& events = moved.tweens.empty() ? moved.sets : moved.tweens;
-        if (context.partsOf(id).empty()) continue;
+        if (!context.hasParts(id)) continue;
         const int line = events.empty() ? 0 : events.front()->line;
         context.level.noteUnmodelled(
             "motion that a touch or click starts", context.tree.path(id),

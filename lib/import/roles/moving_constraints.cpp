@@ -5,6 +5,7 @@
 #include <set>
 
 #include "import/classes.h"
+#include "import/format/class_defaults.h"
 #include "import/pivot.h"
 #include "import/roles/driven.h"
 
@@ -96,7 +97,7 @@ bool fromServo(RoleContext& context, const Drive& drive, const std::optional<Spi
                         "servo stepped by a script", false);
     }
   }
-  const double target = propertyOr(slider, "TargetPosition", track.now);
+  const double target = get<double>(slider, "TargetPosition");
   if (std::abs(target - track.now) < kArrived) return false;
   return giveDriven(context, drive.moving, slideTo(track, target, speed, spin), drive.constraint,
                     "servo", false);
@@ -137,12 +138,17 @@ bool fromPosition(RoleContext& context, InstanceId id) {
                     "stepped by a script", true);
 }
 
+// A vector of a body mover, a number of a constraint.
+bool hasTorque(const Instance& mover) {
+  return get<double>(mover, "MaxTorque") > 0 || length(get<Vec3>(mover, "MaxTorque")) > 0;
+}
+
 bool fromTurner(RoleContext& context, InstanceId id) {
   const InstanceId part = movedPart(context.tree, id);
   const Instance& mover = context.tree.at(id);
-  Vec3 turn = propertyOr(mover, "AngularVelocity", Vec3{});
-  if (length(turn) < 1e-3f) turn = propertyOr(mover, "angularvelocity", Vec3{});
-  if (part == kNoInstance || length(turn) < 1e-3f || context.assemblies.anchored(part))
+  const Vec3 turn = get<Vec3>(mover, "AngularVelocity");
+  if (part == kNoInstance || length(turn) < 1e-3f || !hasTorque(mover) ||
+      context.assemblies.anchored(part))
     return false;
   Motion motion;
   motion.spin =

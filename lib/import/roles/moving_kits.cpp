@@ -1,6 +1,7 @@
 // Platforms that a kit's own script drives along way points: the tag MovingPlatform, or the
 // `Positions` of the tower kits.
 #include <algorithm>
+#include <set>
 
 #include "import/motion.h"
 #include "import/pivot.h"
@@ -110,10 +111,12 @@ void movingFromTags(RoleContext& context) {
 
 void movingFromMarkers(RoleContext& context) {
   const Tree& tree = context.tree;
+  std::set<InstanceId> known;  // of several ways of one model the first counts
   for (InstanceId id = 0; id < tree.size(); ++id) {
     if (tree.at(id).name != "Positions" || tree.isPart(id) || tree.at(id).parent == kNoInstance)
       continue;
     const InstanceId model = tree.at(id).parent;
+    if (!known.insert(model).second) continue;
     const bool touchStarts = tree.flag(model, "TouchActivated").value_or(false);
     auto delay = tree.number(model, "MoveDelay");
     const bool old = !delay && tree.number(model, "Delay");

@@ -24,13 +24,17 @@ class RoleContext {
   const Assemblies& assemblies;
   const std::vector<ScriptReading>& scripts;
   LevelDraft& level;
-  size_t motionKeys = 0;  // of all motions so far, see kMaxLevelKeys (motion.h)
+  // Of all motions so far, see motion.h.
+  size_t motionKeys = 0, motionTicks = 0;
 
   // The draft of a part instance; null if it is not in the level.
   PartDraft* part(InstanceId id);
   // Drafts of the part itself, or of every level part below a model or folder.
   std::vector<PartDraft*> partsOf(InstanceId id);
-  // Calls `visit` for every instance with one of the tags (any case), tags as the file writes them.
+  // Whether partsOf gives any, at less cost.
+  bool hasParts(InstanceId id);
+  // Calls `visit` for every instance with one of the tags (any case), once, with the first that it
+  // has, as the file writes it.
   void eachTagged(const std::vector<std::string_view>& tags,
                   const std::function<void(InstanceId, const std::string& tag)>& visit) const;
   // Calls `visit` with every marker child that a tower kit may hang below a part or model: value

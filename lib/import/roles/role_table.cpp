@@ -42,12 +42,30 @@ std::vector<PartDraft*> RoleContext::partsOf(InstanceId id) {
   return parts;
 }
 
+bool RoleContext::hasParts(InstanceId id) {
+  if (id >= tree.size()) return false;
+  if (tree.isPart(id)) return part(id) != nullptr;
+  std::vector<InstanceId> open = {id};
+  while (!open.empty()) {
+    const InstanceId next = open.back();
+    open.pop_back();
+    if (part(next)) return true;
+    const auto& children = tree.at(next).children;
+    open.insert(open.end(), children.begin(), children.end());
+  }
+  return false;
+}
+
 void RoleContext::eachTagged(
     const std::vector<std::string_view>& tags,
     const std::function<void(InstanceId, const std::string&)>& visit) const {
-  for (InstanceId id = 0; id < tree.size(); ++id)
-    for (const auto& tag : tree.at(id).tags)
-      if (std::find(tags.begin(), tags.end(), lower(tag)) != tags.end()) visit(id, tag);
+  for (InstanceId id = 0; id < tree.size(); ++id) {
+    const auto& own = tree.at(id).tags;
+    const auto found = std::find_if(own.begin(), own.end(), [&](const std::string& tag) {
+      return std::find(tags.begin(), tags.end(), lower(tag)) != tags.end();
+    });
+    if (found != own.end()) visit(id, *found);
+  }
 }
 
 void RoleContext::eachMarker(const std::function<void(InstanceId, InstanceId)>& visit) const {

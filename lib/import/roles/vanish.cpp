@@ -129,18 +129,19 @@ void vanishFromTags(RoleContext& context) {
 
 void vanishFromMarkers(RoleContext& context) {
   const Tree& tree = context.tree;
+  std::set<InstanceId> known;  // owners: of several markers the first counts
   context.eachMarker([&](InstanceId marker, InstanceId owner) {
-    const std::string words = markerWords(tree, marker);
+    const bool vanisher = containsWord(markerWords(tree, marker), "vanisher");
+    if (!vanisher && lower(tree.at(marker).name) != "fadetime") return;
+    if (!known.insert(owner).second) return;
     Vanish vanish;
-    if (containsWord(words, "vanisher")) {
+    if (vanisher) {
       const auto blinks = firstOf(tree, marker, {"BlinkCount"}).value_or(kKit6Count);
       vanish.delay = float(blinks) * kKit6Blink;
       vanish.away = float(firstOf(tree, marker, {"RespawnTime"}).value_or(kKit6Away));
-    } else if (lower(tree.at(marker).name) == "fadetime") {
+    } else {
       vanish.delay = float(firstOf(tree, owner, {"FadeTime"}).value_or(kKitFade));
       vanish.away = float(firstOf(tree, owner, {"RespawnTime"}).value_or(kKitAway));
-    } else {
-      return;
     }
     const std::string reason = "marker " + tree.at(marker).name;
     for (PartDraft* part : context.partsOf(owner))

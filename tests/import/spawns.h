@@ -1,0 +1,26 @@
+// SpawnLocations of a scene, and the spawns of the level that comes of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "import/scene.h"
+
+namespace obby::test {
+
+inline InstanceId spawn(Scene& scene, const std::string& name, Vec3 position, InstanceId parent) {
+  return scene.part(name, position, parent, "SpawnLocation");
+}
+inline InstanceId spawn(Scene& scene, const std::string& name, Vec3 position) {
+  return spawn(scene, name, position, scene.workspace);
+}
+
+// Names of the level's spawns in order.
+inline std::vector<std::string> order(const LevelDraft& level) {
+  std::vector<std::string> names;
+  for (const auto& s : level.spawns) names.push_back(s.name);
+  return names;
+}
+using Names = std::vector<std::string>;
+
+}  // namespace obby::test
