@@ -16,7 +16,8 @@ Result<BackendKind> backendKind(const std::string& name);  // "auto", "cpu", "cu
 
 class Backend {
  public:
-  // `cuda` without a GPU is an error; `automatic` then takes the CPU and says why in note().
+  // `cuda` without a GPU that runs this build's kernels is an error; `automatic` then takes the CPU
+  // and says why in note().
   // `which`: of several GPUs, counted round.
   static Result<Backend> open(BackendKind kind, uint32_t which = 0);
 

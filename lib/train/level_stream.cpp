@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/random.h"
+#include "level/resolve_places.h"
 
 namespace obby::train {
 
@@ -15,6 +16,14 @@ constexpr uint64_t kChoiceSeed = 0x7475726e;
 
 size_t bytesOf(const io::Record& record) {
   return record.reader().totalSize().wordCount * sizeof(capnp::word);
+}
+
+// The query with the boxes of the parts that it names.
+Result<io::Record> withPlaces(const io::Record& level, const io::Record& query) {
+  if (!level::namesParts(query.reader().getQuery())) return query;
+  io::RecordBuilder copy(query.reader());
+  OBBY_RETURN_IF_ERROR(level::resolvePlaces(level.reader().getLevel(), copy.root().getQuery()));
+  return io::Record(std::move(copy));
 }
 
 Result<std::shared_ptr<const TrainingLevel>> compile(const io::Record& level,
@@ -43,7 +52,7 @@ Result<std::shared_ptr<const TrainingLevel>> LevelStream::level(uint64_t index,
     if (found == reader_.turns.end())
       return makeError(fmt::format("level {} of the stream is past", number));
     item = chosen(found->second, index, hardest);
-    dropCompiled(found->second);
+    reader_.played(number, found->second, *item);
   }
   if (item->compiled) return item->compiled;
   return compile(item->level, item->query);
@@ -58,10 +67,6 @@ const LevelStream::Item& LevelStream::chosen(const Turn& turn, uint64_t index, f
   return *std::min_element(turn.begin(), turn.end(), [](const Item& a, const Item& b) {
     return a.difficulty() < b.difficulty();
   });
-}
-
-void LevelStream::dropCompiled(Turn& turn) {
-  for (Item& item : turn) item.compiled = nullptr;
 }
 
 size_t LevelStream::compiledOf(const Turn& turn) {
@@ -113,8 +118,9 @@ void LevelStream::Reader::know(const io::Record& level) {
   if (levels.size() > settings.levelsInReach) levels.pop_front();
 }
 
-// The last of that name.
+// The last of that name; of none the last.
 const io::Record* LevelStream::Reader::levelNamed(const std::string& name) const {
+  if (name.empty() && !levels.empty()) return &levels.back().record;
   const auto found = std::find_if(levels.rbegin(), levels.rend(),
                                   [&](const Known& level) { return level.name == name; });
   return found == levels.rend() ? nullptr : &found->record;
@@ -123,14 +129,18 @@ const io::Record* LevelStream::Reader::levelNamed(const std::string& name) const
 Status LevelStream::Reader::takeQuery(const io::Record& record) {
   const std::string name = record.reader().getQuery().getLevel();
   const io::Record* level = levelNamed(name);
+  if (level == nullptr && name.empty())
+    return source.forgive(record, makeError("there is no level before this query"));
   if (level == nullptr) {
     return source.forgive(
         record, makeError(fmt::format("there is no level '{}' among the {} before this query", name,
                                       settings.levelsInReach)));
   }
-  auto compiled = compile(*level, record);
+  auto query = withPlaces(*level, record);
+  if (!query) return source.forgive(record, query.error());
+  auto compiled = compile(*level, *query);
   if (!compiled) return source.forgive(record, compiled.error());
-  add({*level, record, *std::move(compiled)});
+  add({*level, *std::move(query), *std::move(compiled)});
   return {};
 }
 
@@ -147,9 +157,21 @@ void LevelStream::Reader::close() {
   full = full || !settings.again || (kept > 0 && bytes > settings.keptBytes);
   if (!full) ++kept;
   const uint64_t index = read++;
-  if (index < needed) dropCompiled(open);
+  waiting += compiledOf(open);
+  if (index < needed || waiting > settings.compiledLevels) dropCompiled(open);
   if (!full || index >= needed) turns.emplace(index, std::move(open));
   open.clear();
+}
+
+// Another item of the turn is played only where it is kept, another time round the stream.
+void LevelStream::Reader::played(uint64_t number, Turn& turn, const Item& item) {
+  dropCompiled(turn);
+  if (number >= kept) turn.assign(1, Item{item.level, item.query, nullptr});
+}
+
+void LevelStream::Reader::dropCompiled(Turn& turn) {
+  waiting -= compiledOf(turn);
+  for (Item& item : turn) item.compiled = nullptr;
 }
 
 // What other ranks play, or an earlier run played, was compiled and is not asked for here. Of turns

@@ -24,6 +24,9 @@ struct LevelStreamSettings {
   // Queries in a row whose difficulty is said and of which one is played at a time: as hard as
   // learning is ready for. 1: all are, one after the other.
   uint32_t choices = 4;
+  // That wait to be asked for; others are compiled again then. Places get on at different speeds:
+  // what is read for the foremost comes long before the turn of others, ever longer over days.
+  size_t compiledLevels = 512;
 };
 
 // Queries that can be played come in turns: of so many to choose from in a row whose difficulty is
@@ -54,7 +57,6 @@ class LevelStream : public LevelSource {
   };
   using Turn = std::vector<Item>;
   static const Item& chosen(const Turn& turn, uint64_t index, float hardest);
-  static void dropCompiled(Turn& turn);
   static size_t compiledOf(const Turn& turn);
 
   struct Known {  // a level that queries may be of
@@ -76,6 +78,8 @@ class LevelStream : public LevelSource {
     void know(const io::Record& level);
     const io::Record* levelNamed(const std::string& name) const;
     void forget(uint64_t before);
+    void played(uint64_t number, Turn& turn, const Item& item);
+    void dropCompiled(Turn& turn);
 
     const std::atomic<bool>* stop;  // may be null
     io::RecordSource source;
@@ -87,6 +91,7 @@ class LevelStream : public LevelSource {
     uint64_t kept = 0;    // the first so many stay
     uint64_t needed = 0;  // those before will not be asked for, unless the stream begins again
     size_t bytes = 0;     // of what is kept
+    size_t waiting = 0;   // compiled levels of the turns
     bool full = false;    // no more of them
     bool ended = false;
     Status said;  // an error ends it

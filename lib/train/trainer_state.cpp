@@ -50,7 +50,7 @@ Result<TrainerState> Trainer::state() const {
 Status Trainer::stillFinite() const {
   if (finite_ && isFinite(seen_)) return {};
   return makeError("learning diverged: the network is no longer finite",
-                   "lower --rate; --resume goes on from the last checkpoint");
+                   "learn anew with a lower --rate: what was saved last goes on to the same end");
 }
 
 // Ranks of another kind of machine may round otherwise; their networks would part unseen.

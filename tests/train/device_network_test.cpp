@@ -138,5 +138,23 @@ TEST(DeviceSums, AreThoseOfPartsShuffledOrNot) {
   }
 }
 
+TEST(DeviceSums, OfRowsRunFromTheFirstToTheLast) {
+  const sim::Kernel& kernel = trainKernel(TrainStep::sumRows);
+  const float floats[] = {1e8f, -0.0f, 1, -0.0f, -1e8f, -0.0f};  // (3, 2)
+  float out[2] = {7, 7};
+  const RowSumArguments toFloats{floats, nullptr, out, nullptr, 3, 2};
+  for (uint32_t i = 0; i < 2; ++i) kernel.body(&toFloats, i);
+  EXPECT_EQ(out[0], 0.0f) << "in another order it is 1";
+  EXPECT_TRUE(std::signbit(out[1])) << "nothing is added to what is there";
+  const double doubles[] = {1e16, 2, 1, 3, -1e16, 4};
+  double added[2] = {1, 1};
+  const RowSumArguments toDoubles{nullptr, doubles, out, added, 3, 2};
+  for (uint32_t i = 0; i < 2; ++i) kernel.body(&toDoubles, i);
+  EXPECT_EQ(out[0], 0.0f);
+  EXPECT_EQ(out[1], 9.0f);
+  EXPECT_EQ(added[0], 1.0);
+  EXPECT_EQ(added[1], 10.0);
+}
+
 }  // namespace
 }  // namespace obby::train

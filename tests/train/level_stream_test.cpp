@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <functional>
 #include <map>
 #include <set>
@@ -101,6 +102,30 @@ TEST(LevelStream, HoldsNoCompiledLevelThatNobodyWillAskFor) {
   EXPECT_EQ(hashOf(shared, 401), hashOf(all, 1)) << "compiled again";
 }
 
+// What is read on the way to a level that comes much later waits as records.
+TEST(LevelStream, HoldsSoManyCompiledLevelsAtMost) {
+  const LevelStream all(optionsOf(linesOf(40)));
+  const LevelStream stream(optionsOf(linesOf(40)), {.compiledLevels = 8});
+  EXPECT_EQ(hashOf(stream, 39), hashOf(all, 39));
+  EXPECT_EQ(stream.compiledHeld(), 8u);
+  for (uint64_t i = 0; i < 39; ++i) EXPECT_EQ(hashOf(stream, i), hashOf(all, i)) << i;
+  EXPECT_EQ(stream.compiledHeld(), 0u);
+}
+
+// Of what is not kept to begin again the rest of a turn goes once one of it is played.
+TEST(LevelStream, GivesTheSameLevelToWhoeverAsksAgain) {
+  std::vector<std::string> more;
+  for (int i = 0; i < 34; ++i)
+    more.push_back(i % 2 == 0 ? R"(,"difficulty":0.1)" : R"(,"difficulty":0.9)");
+  const LevelStream stream(optionsOf(linesOf(34, more)), {.keptBytes = 1, .choices = 2});
+  for (uint64_t i = 1; i < 17; ++i) {
+    const uint64_t hash = hashOf(stream, i);
+    const auto again = stream.level(i, 0);
+    ASSERT_TRUE(again) << again.error().text();
+    EXPECT_EQ((*again)->hash(), hash) << i;
+  }
+}
+
 TEST(LevelStream, SkipsToWhereItWasLeft) {
   const LevelStream all(optionsOf(linesOf(8)));
   const LevelStream stream(optionsOf(linesOf(8)), {.keptBytes = 1});
@@ -192,6 +217,45 @@ TEST(LevelStream, TurnsAreOfThoseThatSayHowHardTheyAre) {
   const LevelStream each(optionsOf(text), {.again = false, .choices = 1});
   EXPECT_EQ(linesGiven(each, 6, 0), (std::vector<uint64_t>{0, 1, 2, 3, 4, 5}));
   EXPECT_EQ(*each.level(6, 0), nullptr);
+}
+
+TEST(LevelStream, AQueryThatNamesNoLevelIsOfTheOneBeforeIt) {
+  std::string text = linesOf(3);
+  for (const char* name : {R"("level":"0",)", R"("level":"2",)"})
+    text.erase(text.find(name), std::strlen(name));
+  const LevelStream stream(optionsOf(text));
+  ASSERT_TRUE(stream.level(2, 1)) << stream.level(2, 1).error().text();
+  EXPECT_EQ(linesGiven(stream, 3, 1), (std::vector<uint64_t>{0, 1, 2}));
+  const LevelStream none(optionsOf(R"({"type":"query","id":"q"})"
+                                   "\n"));
+  const auto level = none.level(0, 1);
+  ASSERT_FALSE(level);
+  EXPECT_EQ(level.error().text(), "levels:1: there is no level before this query");
+}
+
+// A level by hand, and a query whose goal is its part of this name.
+std::string linesTo(const std::string& part) {
+  return fmt::format(
+      R"({{"type":"level","parts":[{{"shape":"block","position":[0,-0.5,0],"size":[20,1,40]}},)"
+      R"({{"name":"Finish","shape":"block","position":[3,0.5,-12],"size":[4,1,4]}}]}})"
+      "\n"
+      R"({{"type":"query","id":"q","start":{{"region":{{"position":[0,2.5,0],"size":[4,5,4]}}}},)"
+      R"("goal":{{"part":"{}"}}}})"
+      "\n",
+      part);
+}
+
+TEST(LevelStream, QueriesMayNameParts) {
+  const LevelStream stream(optionsOf(linesTo("Finish")));
+  for (const uint64_t index : {0, 1}) {
+    const auto level = stream.level(index, 1);
+    ASSERT_TRUE(level) << level.error().text();
+    EXPECT_EQ((*level)->scene().query.goal.region.pose.position.x, 3);
+  }
+  const LevelStream wrong(optionsOf(linesTo("Nowhere")));
+  const auto level = wrong.level(0, 1);
+  ASSERT_FALSE(level);
+  EXPECT_EQ(level.error().text().find("levels:2: goal.part: "), 0u) << level.error().text();
 }
 
 TEST(LevelStream, NamesADifficultyOutOfRange) {

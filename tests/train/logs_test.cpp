@@ -63,6 +63,20 @@ TEST(EventLogs, ChecksumsAreThoseOfTheStandard) {
   EXPECT_EQ(crc32c(std::string(32, '\xff')), 0x62a8ab43u);
 }
 
+// TensorBoard drops what it has from the step on at which a session log says start: the one behind
+// the last that is kept.
+TEST(EventLogs, BeginBehindWhatIsKept) {
+  const std::string folder = testing::TempDir() + "obby_event_log_test";
+  std::filesystem::remove_all(folder);
+  ASSERT_TRUE(EventLog::open(folder, 7));
+  std::string bytes;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    bytes += *io::readFile(entry.path().string());
+  std::filesystem::remove_all(folder);
+  // Of an Event: step (field 2) 8, session_log (field 7) of two bytes: status (field 1) START, 1.
+  EXPECT_NE(bytes.find("\x10\x08\x3a\x02\x08\x01"), std::string::npos);
+}
+
 TEST(Histories, BecomeCoarserInsteadOfLonger) {
   History history;
   Iteration iteration;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <mutex>
 
 #include "train/evaluate.h"
@@ -62,6 +63,46 @@ TEST(Trainer, LearnsFirstFromThePolicyThatPlayed) {
     EXPECT_EQ(iteration->progress.clipped, 0) << i;
     EXPECT_GT(iteration->progress.entropy, 2) << i;
   }
+}
+
+// Neither plays nor learns, but keeps at which rates it was to.
+class Rated : public Engine {
+ public:
+  Rated(std::vector<float>& rates, size_t crowds) : rates_(rates), crowds_(crowds) {}
+
+  Status begin(float) override { return {}; }
+  Status restore(const LearnerState&, std::span<CrowdState>) override { return {}; }
+  Result<Played> play(const PlayOrder&) override { return Played{}; }
+  Result<Progress> learn(float rate) override {
+    rates_.push_back(rate);
+    return Progress{};
+  }
+  Result<LearnerState> learner() const override { return LearnerState{}; }
+  Result<std::vector<CrowdState>> crowds() const override {
+    return std::vector<CrowdState>(crowds_);
+  }
+
+ private:
+  std::vector<float>& rates_;
+  size_t crowds_;
+};
+
+// To a tenth at --decisions, and no further; learning that goes on does so at the rate of then.
+TEST(Trainer, LearnsAtARateThatFallsAlongTheDecisions) {
+  TrainerSettings settings = small();
+  settings.decisions = 4 * uint64_t(settings.worlds()) * settings.ticks;
+  std::vector<float> rates;
+  auto trainer = Trainer::make(settings, std::make_unique<Rated>(rates, settings.crowds), alone());
+  ASSERT_TRUE(trainer);
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE((*trainer)->iterate());
+  TrainerState state = *(*trainer)->state();
+  trainer = Trainer::resume(settings, std::make_unique<Rated>(rates, settings.crowds), alone(),
+                            std::move(state));
+  ASSERT_TRUE(trainer) << trainer.error().text();
+  for (int i = 0; i < 4; ++i) ASSERT_TRUE((*trainer)->iterate());
+  const float expected[] = {1, 0.775f, 0.55f, 0.325f, 0.1f, 0.1f};
+  ASSERT_EQ(rates.size(), std::size(expected));
+  for (size_t i = 0; i < rates.size(); ++i) EXPECT_NEAR(rates[i], expected[i], 1e-6f) << i;
 }
 
 // Gaps, and with which difficulty they were asked for.
@@ -156,9 +197,12 @@ TEST(Trainer, GoesNoFurtherOnceItHasDiverged) {
     const auto resumed = Trainer::resume(small(), gaps, pool, alone(), std::move(state));
     EXPECT_TRUE(resumed);
     const auto iteration = (*resumed)->iterate();
-    return iteration ? std::string() : iteration.error().message;
+    return iteration ? std::string() : iteration.error().text();
   };
-  const std::string diverged = "learning diverged: the network is no longer finite";
+  // A checkpoint goes on under the rate of then only, and to the same bits: no way out.
+  const std::string diverged =
+      "learning diverged: the network is no longer finite (learn anew with a lower --rate: what "
+      "was saved last goes on to the same end)";
   EXPECT_EQ(error([](TrainerState&) {}), "");
   EXPECT_EQ(error([](TrainerState& s) { s.learner.weights.w[1](3, 4) = NAN; }), diverged);
   EXPECT_EQ(error([](TrainerState& s) { s.learner.squares.b[0](5) = INFINITY; }), diverged);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <span>
 
 #include "io/read_file.h"
 #include "policy/policy_file.h"
@@ -13,6 +14,8 @@ namespace {
 
 // Metrics go to standard output, and would spoil a file there as it would spoil them.
 Status filesHaveNames(const cli::Arguments& a) {
+  if (a.text("output").empty())
+    return Error{"--output", {}, {}, "the name is empty", "name a file"};
   for (const char* name : {"output", "checkpoint", "log", "curve"}) {
     if (a.text(name) == "-")
       return Error{
@@ -21,15 +24,60 @@ Status filesHaveNames(const cli::Arguments& a) {
   return {};
 }
 
+// Or becomes one when it is written: no device, pipe or folder.
+bool isFile(const std::string& path) {
+  std::error_code none;
+  const auto kind = std::filesystem::status(path, none).type();
+  return kind == std::filesystem::file_type::regular ||
+         kind == std::filesystem::file_type::not_found;
+}
+
 // Beside the policy; none where the policy goes to a device or a pipe.
 std::string checkpointPathOf(const cli::Arguments& a) {
   if (a.has("checkpoint")) return a.text("checkpoint");
   const std::string& output = a.text("output");
+  return isFile(output) ? output + ".checkpoint" : std::string();
+}
+
+struct Output {
+  const char* option;
+  std::string path;  // empty: there is none
+};
+
+// Of two that are written to one file only the last would be left.
+Status filesDiffer(std::span<const Output> outputs) {
+  const auto placeOf = [](const Output& o) {
+    return std::filesystem::path(o.path).lexically_normal();
+  };
+  for (size_t i = 0; i < outputs.size(); ++i) {
+    if (outputs[i].path.empty() || !isFile(outputs[i].path)) continue;
+    for (size_t other = 0; other < i; ++other) {
+      if (placeOf(outputs[other]) != placeOf(outputs[i])) continue;
+      const std::string said =
+          fmt::format("{} is where --{} goes", outputs[i].path, outputs[other].option);
+      return Error{std::string("--") + outputs[i].option, {}, {}, said, "name another file"};
+    }
+  }
+  return {};
+}
+
+// What would show when it is written for the first time only, after a minute or an hour. Devices
+// and pipes are not tried: who is at their other end would notice.
+Status canBeWritten(const std::string& path) {
   std::error_code none;
-  const auto kind = std::filesystem::status(output, none).type();
-  const bool file =
-      kind == std::filesystem::file_type::regular || kind == std::filesystem::file_type::not_found;
-  return file ? output + ".checkpoint" : std::string();
+  if (!isFile(path) && !std::filesystem::is_directory(path, none)) return {};
+  OBBY_RETURN_IF_ERROR(io::Sink::open(path));  // without close() it leaves nothing
+  return {};
+}
+
+// As a shell reads it back.
+std::string wordOf(const std::string& text) {
+  constexpr const char* kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
 }
 
 // What was asked for, as a command that asks for it again.
@@ -41,7 +89,11 @@ std::string commandOf(const cli::Arguments& arguments) {
       command += " --" + name;
       continue;
     }
-    for (const std::string& text : value.texts) command += fmt::format(" --{} {}", name, text);
+    for (const std::string& text : value.texts)
+      command += fmt::format(" --{} {}", name, wordOf(text));
+  }
+  for (const std::string& input : arguments.inputs) {
+    if (input != "-") command += " " + wordOf(input);
   }
   return command;
 }
@@ -61,6 +113,20 @@ Status writeFile(const std::string& path, std::string_view bytes) {
 
 Keeper::Keeper(const cli::Context& context, train::Ranks& ranks)
     : context_(context), ranks_(ranks), checkpointPath_(checkpointPathOf(context.arguments())) {}
+
+Status Keeper::checkFiles() const {
+  const cli::Arguments& a = context_.arguments();
+  OBBY_RETURN_IF_ERROR(filesHaveNames(a));
+  const Output outputs[] = {{"output", a.text("output")},
+                            {"checkpoint", checkpointPath_},
+                            {"log", a.text("log")},
+                            {"curve", a.text("curve")}};
+  OBBY_RETURN_IF_ERROR(filesDiffer(outputs));
+  for (const std::string& path : {a.text("output"), checkpointPath_, a.text("curve")}) {
+    if (!path.empty()) OBBY_RETURN_IF_ERROR(canBeWritten(path));
+  }
+  return {};
+}
 
 // Empty: learning begins anew.
 Result<std::string> Keeper::findBytes() const {
@@ -82,8 +148,7 @@ Result<std::string> Keeper::findBytes() const {
 }
 
 Status Keeper::find() {
-  OBBY_RETURN_IF_ERROR(
-      ranks_.agree(ranks_.first() ? filesHaveNames(context_.arguments()) : Status()));
+  OBBY_RETURN_IF_ERROR(ranks_.agree(ranks_.first() ? checkFiles() : Status()));
   OBBY_ASSIGN(std::string bytes,
               ranks_.agree(ranks_.first() ? findBytes() : Result<std::string>(std::string())));
   bytes = ranks_.share(std::move(bytes));
@@ -124,12 +189,17 @@ Status Keeper::save(const train::Trainer& trainer, const train::History& history
                     double seconds) const {
   OBBY_ASSIGN(const train::TrainerState state, trainer.state());
   if (!ranks_.first()) return {};
+  // Ended before anything was learned: what a run before has left is worth more.
+  const std::string& output = context_.arguments().text("output");
+  std::error_code none;
+  if (state.decisions == 0 && std::filesystem::is_regular_file(output, none)) return {};
+  Status kept;
   if (!checkpointPath_.empty()) {
-    OBBY_RETURN_IF_ERROR(writeFile(
-        checkpointPath_,
-        train::writeCheckpoint({context_.identity().version, run_, seconds, state, history})));
+    kept = writeFile(checkpointPath_, train::writeCheckpoint({context_.identity().version, run_,
+                                                              seconds, state, history}));
   }
-  return savePolicy(trainer, state, seconds);
+  Status saved = savePolicy(trainer, state, seconds);
+  return kept ? saved : kept;
 }
 
 Status Keeper::savePolicy(const train::Trainer& trainer, const train::TrainerState& state,

@@ -15,7 +15,8 @@ class Keeper {
   Keeper(const cli::Context& context, train::Ranks& ranks);
 
   // With --resume: reads the checkpoint. Done before levels are read, so that a wrong name is said
-  // at once. Errors: those of the file, and standard output as a file.
+  // at once. Errors: those of the file; standard output as a file; files that could not be written
+  // later, or would be written over one another.
   Status find();
   // What is learned under, the levels' settings included, and on a device or not. Error: ranks that
   // differ in it.
@@ -30,10 +31,13 @@ class Keeper {
   const train::History& historyBefore() const { return historyBefore_; }
 
   // The checkpoint first: killed between the two, the next run goes on from what is newer than the
-  // policy, and writes the policy that belongs to it. `seconds`: of all runs.
+  // policy, and writes the policy that belongs to it. Where it cannot be written, as on a full disk
+  // of its own, the policy is written all the same. Before anything is learned a policy that is
+  // there stays, with its checkpoint. `seconds`: of all runs.
   Status save(const train::Trainer& trainer, const train::History& history, double seconds) const;
 
  private:
+  Status checkFiles() const;
   Result<std::string> findBytes() const;
   Status savePolicy(const train::Trainer& trainer, const train::TrainerState& state,
                     double seconds) const;

@@ -37,14 +37,6 @@ Result<io::Pipeline> metricsStream(cli::Context& context) {
   return pipeline;
 }
 
-// `done`: what came of the work that the metrics are of.
-Status finish(io::Pipeline& pipeline, Status done) {
-  if (!done) pipeline.outOfBudget();
-  Status finished = pipeline.finish();
-  OBBY_RETURN_IF_ERROR(std::move(done));
-  return finished;
-}
-
 // Interrupted while it waited for the first levels.
 Status nothingLearned(cli::Context& context) {
   OBBY_ASSIGN(io::Pipeline stream, metricsStream(context));
@@ -102,7 +94,7 @@ Status learn(cli::Context& context, tools::JoinedRanks& joined) {
   tools::Session session(context, *trainer, ranks, keeper, std::move(logs),
                          stream ? &stream->output() : nullptr);
   Status done = session.run();
-  return stream ? finish(*stream, std::move(done)) : done;
+  return stream ? stream->finish(std::move(done)) : done;
 }
 
 // What nobody played for is left out.
@@ -134,7 +126,7 @@ Status evaluate(cli::Context& context, train::Ranks& ranks) {
     done = tools::writeMetrics(stream.output(), "obby-train --eval", file.training.decisions,
                                metricsOf(e, settings.tries));
   if (done) done = e.missing;
-  return finish(stream, std::move(done));
+  return stream.finish(std::move(done));
 }
 
 // An error that all ranks know of is told by the first.

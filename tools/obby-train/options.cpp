@@ -137,7 +137,7 @@ std::vector<OptionRow> evaluateRows() {
 
 Status optionsFit(const cli::Arguments& a) {
   if (a.has("eval"))
-    return cli::refuseTyped(a, {"resume", "checkpoint", "log", "tensorboard", "curve"},
+    return cli::refuseTyped(a, {"output", "resume", "checkpoint", "log", "tensorboard", "curve"},
                             "nothing is learned with --eval", "leave out one of the two");
   return cli::refuseTyped(a, {"eval-levels", "eval-tries"}, "nothing is evaluated without --eval",
                           "name the policy by --eval FILE, or leave it out");

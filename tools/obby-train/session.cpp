@@ -86,8 +86,9 @@ void Session::showProgress() {
 }
 
 Status Session::tell() {
-  if (output_ == nullptr || last_.number == 0) return {};
+  if (output_ == nullptr || last_.number == told_) return {};
   toldAt_ = seconds();
+  told_ = last_.number;
   return writeMetrics(*output_, "obby-train", last_.number,
                       train::metricsOf(last_, allSeconds(), rate()));
 }

@@ -46,6 +46,7 @@ class Session {
   train::Iteration last_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   double toldAt_ = 0, savedAt_ = 0;
+  uint64_t told_ = 0;  // number of the iteration of the last record
 };
 
 }  // namespace obby::tools

@@ -8,5 +8,6 @@ Result<std::unique_ptr<Device>> openDevice(uint32_t) {
 }
 
 const void* stepEntry(StepKind) { return nullptr; }
+const void* probeEntry() { return nullptr; }
 
 }  // namespace obby::sim::cuda

@@ -9,10 +9,11 @@
 
 namespace obby::sim::cuda {
 
-// GPU `which`, counted round where there are fewer. Without CUDA in this build, a driver or a GPU:
-// an error that says which.
+// GPU `which`, counted round where there are fewer. Without CUDA in this build, a driver or a GPU
+// that runs kernels of this build: an error that says which.
 Result<std::unique_ptr<Device>> openDevice(uint32_t which);
 
 const void* stepEntry(StepKind kind);  // Kernel::entry of stepKernel
+const void* probeEntry();              // of a kernel without arguments that does nothing
 
 }  // namespace obby::sim::cuda

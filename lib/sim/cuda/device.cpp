@@ -28,7 +28,9 @@ class Gpu : public Device {
     OBBY_RETURN_IF_ERROR(check(cudaSetDevice(number_), "cannot use the GPU"));
     OBBY_RETURN_IF_ERROR(
         check(cudaStreamCreateWithFlags(&aside_, cudaStreamNonBlocking), "cannot use the GPU"));
-    return check(cudaGetDeviceProperties(&properties_, number_), "cannot ask the GPU what it is");
+    OBBY_RETURN_IF_ERROR(
+        check(cudaGetDeviceProperties(&properties_, number_), "cannot ask the GPU what it is"));
+    return tryKernel();
   }
 
   std::string name() const override { return properties_.name; }
@@ -86,6 +88,17 @@ class Gpu : public Device {
   }
 
  private:
+  // A GPU that is older than all that this build was compiled for has memory, but runs nothing:
+  // better known now, when there may be a choice, than at the first launch.
+  Status tryKernel() const {
+    const std::string what =
+        fmt::format("{} (compute capability {}.{}) cannot run the kernels of this build", name(),
+                    properties_.major, properties_.minor);
+    OBBY_RETURN_IF_ERROR(
+        check(cudaLaunchKernel(probeEntry(), dim3(1), dim3(1), nullptr, 0, nullptr), what.c_str()));
+    return check(cudaDeviceSynchronize(), what.c_str());
+  }
+
   // Few worlds go to as many multiprocessors as there are.
   uint32_t threadsFor(uint32_t count) const {
     uint32_t threads = kMostThreads;

@@ -80,6 +80,9 @@ struct StepArguments {
 OBBY_DEVICE void squareChunk(const StepArguments& s, uint32_t i) {
   const uint32_t first = i * kChunk, last = first + kChunk < s.count ? first + kChunk : s.count;
   double sum = 0;
+#if defined(__CUDA_ARCH__)
+#pragma unroll 8  // as in addColumn()
+#endif
   for (uint32_t k = first; k < last; ++k) {
     const double g = double(s.gradient[k] / s.decisions);
     sum += g * g;
@@ -90,6 +93,9 @@ OBBY_DEVICE void squareChunk(const StepArguments& s, uint32_t i) {
 // One thread.
 OBBY_DEVICE void scaleGradient(const StepArguments& s, uint32_t) {
   double sum = 0;
+#if defined(__CUDA_ARCH__)
+#pragma unroll 8
+#endif
   for (uint32_t i = 0; i < chunksOf(s.count); ++i) sum += s.chunks[i].squares;
   const float norm = sqrtf32(float(sum));
   *s.scale = norm > s.mostNorm ? s.mostNorm / norm : 1.0f;

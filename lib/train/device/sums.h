@@ -12,36 +12,39 @@ struct ColumnSumArguments {
   uint32_t count, width;
 };
 
+// `sum` and the numbers of a column in rows `first` to `last` - 1, one after the other.
+template <class Sum, class T>
+OBBY_DEVICE Sum addColumn(Sum sum, const T* column, uint32_t first, uint32_t last, uint32_t width) {
+#if defined(__CUDA_ARCH__)
+#pragma unroll 8  // several numbers are on their way at once; the order stays
+#endif
+  for (uint32_t r = first; r < last; ++r) sum += Sum(column[size_t(r) * width]);
+  return sum;
+}
+
 OBBY_DEVICE void sumColumnChunk(const ColumnSumArguments& s, uint32_t i) {
   const uint32_t chunk = i / s.width, column = i % s.width, first = chunk * kChunk;
   const uint32_t last = first + kChunk < s.count ? first + kChunk : s.count;
-  double sum = 0;
-  for (uint32_t r = first; r < last; ++r) sum += double(s.rows[size_t(r) * s.width + column]);
-  s.sums[i] = sum;
+  s.sums[i] = addColumn(0.0, s.rows + column, first, last, s.width);
 }
 
 // Sums of several rows of numbers; of floats to a float, or of doubles to what was there.
 struct RowSumArguments {
   const float* floats;    // (rows, width), or null
   const double* doubles;  // (rows, width), where `floats` is null
-  float* out;             // (width), becomes the sum; or null
-  double* added;          // (width), grows by the sum; or null
-  uint32_t rows, width;
+  float* out;             // (width), becomes the sum; or, of doubles, null
+  double* added;          // (width), grows by the sum of doubles; or null
+  uint32_t rows, width;   // both at least 1
 };
 
 OBBY_DEVICE void sumRows(const RowSumArguments& s, uint32_t i) {
-  double wide = 0;
-  float sum = 0;
-  for (uint32_t r = 0; r < s.rows; ++r) {
-    const size_t at = size_t(r) * s.width + i;
-    if (s.floats != nullptr) {
-      sum = r == 0 ? s.floats[at] : sum + s.floats[at];
-    } else {
-      wide += s.doubles[at];
-    }
+  if (s.floats != nullptr) {
+    s.out[i] = addColumn(s.floats[i], s.floats + i, 1, s.rows, s.width);
+    return;
   }
-  if (s.out != nullptr) s.out[i] = s.floats != nullptr ? sum : float(wide);
-  if (s.added != nullptr) s.added[i] += wide;
+  const double sum = addColumn(0.0, s.doubles + i, 0, s.rows, s.width);
+  if (s.out != nullptr) s.out[i] = float(sum);
+  if (s.added != nullptr) s.added[i] += sum;
 }
 
 struct Moments {
