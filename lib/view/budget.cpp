@@ -14,16 +14,29 @@ namespace {
 constexpr uint32_t kMaxStride = 8;
 constexpr uint32_t kLeastSeconds = 20;  // of motion to show where no trajectory is longer
 constexpr size_t kSampleBytes = 20;     // position, yaw, state in base64
+constexpr size_t kRunBytes = 8;         // of the same action
+constexpr size_t kWayBytes = 300;       // names and numbers of a trajectory
+constexpr size_t kPartBytes = 70;       // of columns, and around the name
+constexpr size_t kVertexBytes = 16;     // of a hull
+constexpr size_t kEvidenceBytes = 16;   // around its words
 
 size_t base64Size(size_t bytes) { return (bytes + 2) / 3 * 4; }
 
-// No stride thins out the tracks of loose bodies.
 size_t attemptsSize(const PageSizes& sizes, const Budget& b) {
-  return (sizes.attempts / b.attemptStride + sizes.bodies) / b.attemptsOneOf;
+  return (sizes.attempts / b.attemptStride + sizes.whole) / b.attemptsOneOf;
 }
 
 size_t total(const PageSizes& sizes, const Budget& b) {
   return sizes.fixed + attemptsSize(sizes, b) + sizes.tracks / b.trackStride;
+}
+
+size_t sizeOf(schema::Part::Reader part) {
+  size_t bytes = kPartBytes + std::max(part.getSource().getPath().size(), part.getName().size());
+  for (const auto item : part.getEvidence()) {
+    bytes += item.getRole().size() + item.getReason().size() + kEvidenceBytes;
+  }
+  for (const auto hull : part.getHulls()) bytes += hull.getVertices().size() * kVertexBytes;
+  return bytes;
 }
 
 }  // namespace
@@ -53,18 +66,19 @@ uint32_t ticksShown(const Report& report, int level) {
 }
 
 void PageSizes::add(const LevelEntry& level, uint32_t ticks) {
-  fixed += level.reader().totalSize().wordCount * 8;
-  for (const Track& track : tracksOf(level.level->view(), ticks, 1)) {
-    tracks += base64Size(track.bytes());
-  }
+  for (const auto part : level.reader().getParts()) fixed += sizeOf(part);
+  forTracks(level.level->view(), ticks, 1,
+            [&](const Track& track) { tracks += base64Size(track.bytes()); });
 }
 
 void PageSizes::add(const QueryEntry& query) {
+  if (query.result) fixed += query.answer().totalSize().wordCount * 8;
   for (const PathEntry& path : query.paths) {
     const bool attempt = path.kind == PathKind::attempt;
     (attempt ? attempts : fixed) += path.playback.feet.size() * kSampleBytes;
-    for (const LooseTrack& track : path.playback.loose)
-      (attempt ? bodies : fixed) += base64Size(track.bytes());
+    size_t& rest = attempt ? whole : fixed;
+    rest += kWayBytes + path.reader().getActions().size() * kRunBytes;
+    for (const LooseTrack& track : path.playback.loose) rest += base64Size(track.bytes());
   }
 }
 
@@ -85,13 +99,13 @@ Budget budgetFor(const PageSizes& sizes, size_t target, Budget least) {
   while (total(sizes, b) > target && attemptsSize(sizes, b) > target / 8) b.attemptsOneOf *= 2;
   if (b.attemptStride > 1) {
     b.notes.push_back(
-        fmt::format("Failed attempts show every {}th tick, to keep the page small. "
+        fmt::format("Failed attempts show one tick in {}, to keep the page small. "
                     "--full keeps all.",
                     b.attemptStride));
   }
   if (b.trackStride > 1) {
     b.notes.push_back(
-        fmt::format("Moving parts show every {}th tick. --full keeps all.", b.trackStride));
+        fmt::format("Moving parts show one tick in {}. --full keeps all.", b.trackStride));
   }
   if (b.attemptsOneOf > 1) {
     b.notes.push_back(

@@ -1,15 +1,18 @@
 #include "view/extent.h"
 
+#include <fmt/format.h>
+
 namespace obby::view {
 namespace {
 
 constexpr float kAround = 6;  // studs of surroundings
 
-template <class T>  // Part or Region
-Corners cornersFrom(T reader) {
-  const auto p = reader.getPosition();
-  const auto q = reader.getRotation();
-  const auto s = reader.getSize();
+}  // namespace
+
+Corners cornersOf(schema::Region::Reader region) {
+  const auto p = region.getPosition();
+  const auto q = region.getRotation();
+  const auto s = region.getSize();
   const Mat3 axes = toMat3(normalize(Quat{q.getX(), q.getY(), q.getZ(), q.getW()}));
   Corners corners;
   for (int i = 0; i < 8; ++i) {
@@ -19,11 +22,6 @@ Corners cornersFrom(T reader) {
   }
   return corners;
 }
-
-}  // namespace
-
-Corners cornersOf(schema::Part::Reader part) { return cornersFrom(part); }
-Corners cornersOf(schema::Region::Reader region) { return cornersFrom(region); }
 
 Box boxOf(const Corners& corners) {
   Box box{corners[0], corners[0]};
@@ -50,6 +48,18 @@ Box extentOf(const LevelEntry& level, const QueryEntry& query) {
   Box all = boxes[0];
   for (const Box& box : boxes) all = join(all, box);
   return grow(all, {kAround, kAround, kAround});
+}
+
+Vec3 alongOf(const Box& extent, const QueryEntry* query) {
+  const Vec3 size = extent.hi - extent.lo;
+  const Vec3 along = size.x >= size.z ? Vec3{1, 0, 0} : Vec3{0, 0, -1};
+  if (!query || !query->compiled) return along;
+  const Vec3 goal = query->compiled->view().goal.region.pose.position;
+  return dot(goal - query->compiled->start().feet, along) < 0 ? -along : along;
+}
+
+std::string lengthText(float studs) {
+  return studs < 100 ? fmt::format("{:.3g}", studs) : fmt::format("{:.0f}", studs);
 }
 
 }  // namespace obby::view

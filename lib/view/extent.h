@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "view/report.h"
 
@@ -9,7 +10,6 @@ namespace obby::view {
 
 using Corners = std::array<Vec3, 8>;
 
-Corners cornersOf(schema::Part::Reader part);
 Corners cornersOf(schema::Region::Reader region);
 Box boxOf(const Corners& corners);
 
@@ -27,5 +27,12 @@ void forRegions(schema::Query::Reader query, Visit&& visit) {
 
 // Regions and trajectories with some surroundings, or else the whole level.
 Box extentOf(const LevelEntry& level, const QueryEntry& query);
+
+// The horizontal axis of the world, or its opposite, along which the course runs: the longer side
+// of `extent`, from the query's start towards its goal (of several the first). `query` may be null.
+Vec3 alongOf(const Box& extent, const QueryEntry* query);
+
+// For people: three digits, or all of those before the point.
+std::string lengthText(float studs);
 
 }  // namespace obby::view

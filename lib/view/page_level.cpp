@@ -37,15 +37,36 @@ void writeMaterials(JsonText& json, schema::Level::Reader level) {
   json.close();
 }
 
-void writeColumns(JsonText& json, schema::Level::Reader level) {
+// As it is simulated: a hull of which no piece is known is its box.
+schema::Shape shapeOf(schema::Part::Reader part) {
+  const bool unknown = part.getShape() == schema::Shape::HULL && part.getHulls().size() == 0;
+  return unknown ? schema::Shape::BLOCK : part.getShape();
+}
+
+// Parts that the simulator has, and never moves.
+std::vector<bool> stillParts(const level::LevelView& view, size_t parts) {
+  std::vector<bool> still(parts, false);
+  for (uint32_t i = 0; i < view.colliderCount; ++i) {
+    const level::Collider& c = view.colliders[i];
+    if (c.mover == level::kNone && c.loose == level::kNotLoose) still[c.part] = true;
+  }
+  return still;
+}
+
+void writeColumns(JsonText& json, schema::Level::Reader level, const level::LevelView& view) {
+  const std::vector<bool> still = stillParts(view, level.getParts().size());
   std::vector<float> position, rotation, size;
   std::vector<uint8_t> shape, look, flags;
-  for (const auto part : level.getParts()) {
-    push(position, part.getPosition());
+  for (uint32_t i = 0; i < level.getParts().size(); ++i) {
+    const auto part = level.getParts()[i];
+    // Keys of one pose move nothing: the part is there, whatever its own pose is.
+    const auto keys = part.getMotion().getKeys();
+    const bool placed = still[i] && keys.size() > 0;
+    push(position, placed ? keys[keys.size() - 1].getPosition() : part.getPosition());
     push(size, part.getSize());
-    const auto q = part.getRotation();
+    const auto q = placed ? keys[keys.size() - 1].getRotation() : part.getRotation();
     rotation.insert(rotation.end(), {q.getX(), q.getY(), q.getZ(), q.getW()});
-    shape.push_back(uint8_t(part.getShape()));
+    shape.push_back(uint8_t(shapeOf(part)));
     const auto color = part.getColor();
     const float alpha = std::clamp(1 - part.getTransparency(), 0.0f, 1.0f);
     look.insert(look.end(),
@@ -84,7 +105,7 @@ void writeHulls(JsonText& json, schema::Level::Reader level) {
   json.key("hulls").open('[');
   for (uint32_t i = 0; i < level.getParts().size(); ++i) {
     const auto part = level.getParts()[i];
-    if (part.getShape() != schema::Shape::HULL) continue;
+    if (shapeOf(part) != schema::Shape::HULL) continue;
     json.open('{').field("part", i).key("pieces").open('[');
     for (const auto hull : part.getHulls()) {
       std::vector<float> vertices;
@@ -137,17 +158,13 @@ void writeConveyors(JsonText& json, schema::Level::Reader level) {
   json.close();
 }
 
-void writeTracks(JsonText& json, const std::vector<Track>& tracks) {
-  json.key("tracks").open('[');
-  for (const Track& track : tracks) {
-    if (track.positions.empty() && track.rotations.empty()) continue;
-    json.open('{').field("part", track.part).field("stride", track.stride);
-    json.field("count", track.count).field("loopFrom", track.loopFrom);
-    if (track.triggered) json.field("triggered", 1);
-    if (!track.positions.empty()) json.key("position").array(track.positions);
-    if (!track.rotations.empty()) json.key("rotation").array(track.rotations);
-    json.close();
-  }
+void writeTrack(JsonText& json, const Track& track) {
+  if (track.positions.empty() && track.rotations.empty()) return;
+  json.open('{').field("part", track.part).field("stride", track.stride);
+  json.field("count", track.count).field("loopFrom", track.loopFrom);
+  if (track.triggered) json.field("triggered", 1);
+  if (!track.positions.empty()) json.key("position").array(track.positions);
+  if (!track.rotations.empty()) json.key("rotation").array(track.rotations);
   json.close();
 }
 
@@ -174,12 +191,15 @@ void writeLevel(JsonText& json, const LevelEntry& entry, uint32_t ticksShown,
   json.field("depth", physics.getBodyDepth()).field("hip", physics.getHipHeight());
   json.field("neck", physics.getHeadBottom()).field("top", physics.getBodyTop());
   json.field("span", physics.getArmSpan()).close();
-  writeColumns(json, level);
+  writeColumns(json, level, entry.level->view());
   writeNames(json, level);
   writeHulls(json, level);
   writeVanishing(json, level, entry.level->view());
   writeConveyors(json, level);
-  writeTracks(json, tracksOf(entry.level->view(), ticksShown, trackStride));
+  json.key("tracks").open('[');
+  forTracks(entry.level->view(), ticksShown, trackStride,
+            [&](const Track& track) { writeTrack(json, track); });
+  json.close();
   writeLoose(json, entry.level->view());
   json.close();
 }

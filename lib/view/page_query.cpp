@@ -1,21 +1,12 @@
 // A query in the page's data: regions, result, trajectories.
-#include <capnp/schema.h>
-
 #include <string>
 
 #include "level/record_values.h"
+#include "view/enum_name.h"
 #include "view/page_parts.h"
 
 namespace obby::view {
 namespace {
-
-template <class Enum>
-std::string_view enumName(Enum value) {
-  const auto names = capnp::Schema::from<Enum>().getEnumerants();
-  const auto index = uint16_t(value);
-  return index < names.size() ? std::string_view(names[index].getProto().getName().cStr())
-                              : std::string_view("running");
-}
 
 void writeVec(JsonText& json, Vec3 v) { json.open('[').value(v.x).value(v.y).value(v.z).close(); }
 

@@ -5,6 +5,7 @@
 
 #include "sim/clocks.h"
 #include "sim/simulator.h"
+#include "view/enum_name.h"
 
 namespace obby::view {
 namespace {
@@ -57,21 +58,14 @@ std::vector<MotionEvent> motionsOf(const std::vector<sim::World>& worlds,
   return events;
 }
 
-std::string name(schema::Outcome outcome) {
-  constexpr const char* kNames[] = {"running", "goal",  "killed", "fell",
-                                    "avoided", "jumps", "timeout"};
-  const auto index = size_t(outcome);
-  return index < std::size(kNames) ? kNames[index] : fmt::format("outcome {}", index);
-}
-
 std::string compare(const Playback& replay, uint64_t hash, schema::Trajectory::Reader record,
                     bool withQuery) {
   // Without its query, an end that a region or a limit makes cannot come about.
   const bool comparable = withQuery || record.getOutcome() == schema::Outcome::KILLED ||
                           record.getOutcome() == schema::Outcome::FELL;
   if (comparable && replay.outcome != record.getOutcome()) {
-    return fmt::format("recorded as {}, replayed as {}", name(record.getOutcome()),
-                       name(replay.outcome));
+    return fmt::format("recorded as {}, replayed as {}", enumName(record.getOutcome()),
+                       enumName(replay.outcome));
   }
   if (comparable && replay.ticks() != record.getTicks()) {
     return fmt::format("recorded {} ticks, replayed {}", record.getTicks(), replay.ticks());

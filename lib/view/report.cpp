@@ -166,26 +166,26 @@ void Collector::addPath(QueryEntry& entry, PathEntry path) {
 
 Status Collector::compile(QueryEntry& entry) {
   if (!entry.query || entry.compiled) return {};
+  const io::Record asRead = *entry.query;  // what is made of it below has no place in the stream
+  const auto refuse = [&](Error error) {
+    entry.query.reset();
+    return forgive_(asRead, std::move(error));
+  };
   if (entry.level < 0) {
     Error error = makeError("the stream holds no level for this query", "put the level before it");
     error.path = "level";
-    const io::Record record = *std::exchange(entry.query, std::nullopt);
-    return forgive_(record, std::move(error));
+    return refuse(std::move(error));
   }
   if (level::namesParts(entry.reader())) {
     io::RecordBuilder copy(entry.query->reader());
     const auto level = report_.levels[size_t(entry.level)].record.reader().getLevel();
     if (Status status = level::resolvePlaces(level, copy.root().getQuery()); !status) {
-      const io::Record record = *std::exchange(entry.query, std::nullopt);
-      return forgive_(record, std::move(status).error());
+      return refuse(std::move(status).error());
     }
     entry.query = io::Record(std::move(copy));
   }
   auto compiled = level::Query::compile(entry.reader(), *report_.levels[size_t(entry.level)].level);
-  if (!compiled) {
-    const io::Record record = *std::exchange(entry.query, std::nullopt);
-    return forgive_(record, std::move(compiled).error());
-  }
+  if (!compiled) return refuse(std::move(compiled).error());
   entry.compiled = std::make_shared<const level::Query>(*std::move(compiled));
   return {};
 }
@@ -202,8 +202,11 @@ Status Collector::replay(QueryEntry& entry) {
     if (outdated(path)) forget(path.playback);
   }
   std::erase_if(entry.paths, outdated);
-  std::stable_sort(entry.paths.begin(), entry.paths.end(),
-                   [](const PathEntry& a, const PathEntry& b) { return a.kind < b.kind; });
+  // To sort thousands takes a while, and a stream that is looked at asks for it after each record.
+  const auto before = [](const PathEntry& a, const PathEntry& b) { return a.kind < b.kind; };
+  if (!std::is_sorted(entry.paths.begin(), entry.paths.end(), before)) {
+    std::stable_sort(entry.paths.begin(), entry.paths.end(), before);
+  }
   Status first;
   for (PathEntry& path : entry.paths) {
     Status status = path.played() ? Status() : play(entry, path);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "view/extent.h"
+#include "view/picture/world.h"
 #include "view/raster.h"
 #include "view/roles.h"
 #include "view/text_report.h"
@@ -60,26 +61,39 @@ const Ink& inkOf(RegionKind kind) {
   return kGoal;
 }
 
-void drawParts(Raster& raster, const LevelEntry& level, Frame frame, const Box& extent) {
-  const auto parts = level.reader().getParts();
+Corners cornersAround(const Solid& solid) {
+  const Vec3 h = solid.shape.half;
+  Corners corners;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 local{i & 1 ? h.x : -h.x, i & 2 ? h.y : -h.y, i & 4 ? h.z : -h.z};
+    corners[size_t(i)] = toWorld(solid.pose, local);
+  }
+  return corners;
+}
+
+// Moving parts are where they are at that tick of the level's clock.
+void drawParts(Raster& raster, const LevelEntry& level, uint32_t tick, Frame frame,
+               const Box& extent) {
+  const World world = worldOf(level, tick);
   const std::vector<Role> roles = rolesOf(level.reader());
   struct Drawn {
-    uint32_t part;
+    Role role;
     float top;
     std::vector<Vec2> hull;
   };
   std::vector<Drawn> drawn;
-  for (uint32_t i = 0; i < parts.size(); ++i) {
-    if (roles[i] == Role::ghost) continue;
-    const Corners corners = cornersOf(parts[i]);
+  for (size_t i = 0; i < world.solids.size(); ++i) {
+    const Role role = roles[level.level->view().colliders[i].part];
+    if (role == Role::ghost) continue;
+    const Corners corners = cornersAround(world.solids[i]);
     const Box box = boxOf(corners);
     const bool meets = box.lo.x <= extent.hi.x && extent.lo.x <= box.hi.x &&
                        box.lo.z <= extent.hi.z && extent.lo.z <= box.hi.z;
-    if (meets) drawn.push_back({i, box.hi.y, footprint(corners, frame)});
+    if (meets) drawn.push_back({role, box.hi.y, footprint(corners, frame)});
   }
   std::stable_sort(drawn.begin(), drawn.end(),
                    [](const Drawn& a, const Drawn& b) { return a.top < b.top; });
-  for (const Drawn& part : drawn) raster.fill(part.hull, inkOf(roles[part.part]));
+  for (const Drawn& part : drawn) raster.fill(part.hull, inkOf(part.role));
 }
 
 void drawPath(Raster& raster, const Playback& play, Frame frame, const Ink& ink) {
@@ -151,10 +165,10 @@ std::string queryMap(const Report& report, const QueryEntry& query,
   Raster raster({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)},
                 std::min(terminal.width, kMostColumns), kMostRows, terminal);
   drawAttempts(raster, query, frame);
-  drawParts(raster, level, frame, extent);
+  drawParts(raster, level, query.compiled ? query.compiled->start().tick : 0, frame, extent);
   drawQuery(raster, query, frame);
-  return fmt::format("{}, from above, {:.3g} studs a column; {} points right\n{}{}",
-                     fitted(query.id, 60, !terminal.utf8), raster.pixelWidth(),
+  return fmt::format("{}, from above, {} studs a column; {} points right\n{}{}",
+                     fitted(query.id, 60, !terminal.utf8), lengthText(raster.pixelWidth()),
                      frame.along ? "-Z" : "+X", raster.text(), legend(terminal, query));
 }
 

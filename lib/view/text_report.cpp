@@ -11,7 +11,7 @@ namespace {
 constexpr size_t kMostMaps = 3;
 
 std::string clean(const std::string& text, const TerminalTraits& terminal) {
-  return fitted(text, charCount(text), !terminal.utf8);
+  return tamed(text, !terminal.utf8);
 }
 
 }  // namespace

@@ -1,8 +1,13 @@
-// The table of queries: columns as wide as their texts, the last one takes what is left.
+// The table of queries: columns as wide as their texts, the last one takes what is left, or lines
+// of its own.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "view/text_report.h"
@@ -12,7 +17,7 @@ namespace obby::view {
 namespace {
 
 constexpr size_t kColumns = 8;
-constexpr size_t kLeastReason = 40;  // columns; with less, reasons get lines of their own
+constexpr size_t kLeastReason = 40;  // columns, and as many as the longest reason takes
 constexpr size_t kMostName = 28;
 using Row = std::array<std::string, kColumns>;
 
@@ -72,10 +77,49 @@ Row rowOf(const Report& report, const QueryEntry& query) {
   return row;
 }
 
+// Ids that queries of several levels have.
+std::set<std::string> sharedIds(const Report& report) {
+  std::map<std::string, int> levels;
+  std::set<std::string> shared;
+  for (const QueryEntry& query : report.queries) {
+    const auto [first, fresh] = levels.try_emplace(query.id, query.level);
+    if (!fresh && first->second != query.level) shared.insert(query.id);
+  }
+  return shared;
+}
+
+std::vector<Row> rowsOf(const Report& report) {
+  const std::set<std::string> shared = sharedIds(report);
+  std::vector<Row> rows;
+  for (const QueryEntry& query : report.queries) {
+    rows.push_back(rowOf(report, query));
+    if (query.level < 0 || !shared.contains(query.id)) continue;
+    rows.back()[0] += " (" + report.levels[size_t(query.level)].level->name() + ")";
+  }
+  return rows;
+}
+
 std::string pad(const std::string& text, size_t width, bool right) {
-  const size_t used = charCount(text);
+  const size_t used = columnCount(text);
   const std::string space(width > used ? width - used : 0, ' ');
   return right ? space + text : text + space;
+}
+
+// The text in lines of its own, broken between words: a reason is too long for most terminals.
+std::string linesOf(const std::string& text, const TerminalTraits& terminal) {
+  const std::string indent = "  ";
+  const size_t room = terminal.width - indent.size();
+  std::string out, row;
+  std::istringstream words(tamed(text, !terminal.utf8));
+  for (std::string word; words >> word;) {
+    word = fitted(word, room, !terminal.utf8);
+    if (!row.empty() && columnCount(row) + 1 + columnCount(word) > room) {
+      out += indent + row + "\n";
+      row.clear();
+    }
+    row += row.empty() ? word : " " + word;
+  }
+  return out + indent + row + "\n";
 }
 
 }  // namespace
@@ -83,19 +127,18 @@ std::string pad(const std::string& text, size_t width, bool right) {
 std::string queryTable(const Report& report, const TerminalTraits& terminal) {
   constexpr const char* kHeads[kColumns] = {"query", "verdict", "found in", "ticks",
                                             "play",  "jumps",   "steps",    "reason"};
-  std::vector<Row> rows;
-  for (const QueryEntry& query : report.queries) rows.push_back(rowOf(report, query));
+  std::vector<Row> rows = rowsOf(report);
   std::array<size_t, kColumns> widths;
   size_t used = 0;
   for (size_t c = 0; c < kColumns; ++c) {
     widths[c] = std::string_view(kHeads[c]).size();
     for (Row& row : rows) {
       if (c + 1 < kColumns) row[c] = fitted(row[c], kMostName, !terminal.utf8);
-      widths[c] = std::max(widths[c], charCount(row[c]));
+      widths[c] = std::max(widths[c], columnCount(row[c]));
     }
     if (c + 1 < kColumns) used += widths[c] + 2;
   }
-  const bool beside = terminal.width >= used + kLeastReason;
+  const bool beside = terminal.width >= used + std::max(kLeastReason, widths.back());
   std::string out;
   const auto line = [&](const Row& row, const QueryEntry* query) {
     std::string text;
@@ -107,8 +150,7 @@ std::string queryTable(const Report& report, const TerminalTraits& terminal) {
     if (beside) text += fitted(row.back(), terminal.width - used, !terminal.utf8);
     text.erase(text.find_last_not_of(' ') + 1);
     out += text + "\n";
-    if (beside || !query) return;
-    out += "  " + fitted(row.back(), terminal.width - 2, !terminal.utf8) + "\n";
+    if (!beside && query) out += linesOf(row.back(), terminal);
   };
   Row heads;
   std::copy(std::begin(kHeads), std::end(kHeads), heads.begin());

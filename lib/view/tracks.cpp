@@ -2,6 +2,7 @@
 #include "view/tracks.h"
 
 #include <numeric>
+#include <vector>
 
 #include "level/rotation.h"
 
@@ -25,19 +26,28 @@ void setExtent(Track& track, const level::Mover& mover, uint32_t ticks, uint32_t
   }
 }
 
-bool sameRotation(const Mat3& a, const Mat3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+constexpr float kSame = 1e-4f;  // studs, and of a unit vector: less is rounding
 
-Track trackOf(const level::Mover& mover, uint32_t part, uint32_t ticks, uint32_t stride) {
+bool samePlace(Vec3 a, Vec3 b) { return length(a - b) <= kSame; }
+
+bool sameRotation(const Mat3& a, const Mat3& b) {
+  return samePlace(a.x, b.x) && samePlace(a.y, b.y) && samePlace(a.z, b.z);
+}
+
+// What stays as it is may still differ from what the level has: the keys of a motion say where a
+// part is, whatever its own pose is.
+Track trackOf(const level::Collider& collider, const level::Mover& mover, uint32_t ticks,
+              uint32_t stride) {
   Track track;
-  track.part = part;
+  track.part = collider.part;
   track.triggered = mover.trigger != level::kNone;
   setExtent(track, mover, ticks, stride);
-  const Pose first = level::moverPose(mover, 0);
+  const Pose& own = collider.pose;
   bool moves = false, turns = false;
   for (uint32_t i = 0; i < track.count; ++i) {
     const Pose pose = level::moverPose(mover, i * track.stride);
-    moves = moves || !(pose.position == first.position);
-    turns = turns || !sameRotation(pose.rotation, first.rotation);
+    moves = moves || !samePlace(pose.position, own.position);
+    turns = turns || !sameRotation(pose.rotation, own.rotation);
     track.add(pose.position, toQuat(pose.rotation));
   }
   if (!moves) track.positions.clear();
@@ -47,16 +57,15 @@ Track trackOf(const level::Mover& mover, uint32_t part, uint32_t ticks, uint32_t
 
 }  // namespace
 
-std::vector<Track> tracksOf(const level::LevelView& level, uint32_t ticks, uint32_t stride) {
-  std::vector<Track> tracks;
+void forTracks(const level::LevelView& level, uint32_t ticks, uint32_t stride,
+               const std::function<void(const Track&)>& visit) {
   std::vector<bool> done(level.moverCount, false);  // hulls of one part share its mover
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     const level::Collider& collider = level.colliders[i];
     if (collider.mover == level::kNone || done[collider.mover]) continue;
     done[collider.mover] = true;
-    tracks.push_back(trackOf(level.movers[collider.mover], collider.part, ticks, stride));
+    visit(trackOf(collider, level.movers[collider.mover], ticks, stride));
   }
-  return tracks;
 }
 
 }  // namespace obby::view

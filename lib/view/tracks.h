@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <functional>
 
 #include "level/level.h"
 #include "view/poses.h"
@@ -19,8 +19,10 @@ struct Track : Poses {
   int32_t loopFrom = -1;  // sample that follows the last one; -1: the last one stays
 };
 
-// One track a moving part. Motion that repeats within `ticks` is stored once round; other motion is
-// stored for `ticks` ticks. `stride` > 1 keeps every stride-th sample only.
-std::vector<Track> tracksOf(const level::LevelView& level, uint32_t ticks, uint32_t stride);
+// Calls visit(track) for one track a moving part, one by one: all of a large level's may not fit
+// into memory. Motion that repeats within `ticks` is stored once round; other motion is stored for
+// `ticks` ticks. `stride` > 1 keeps every stride-th sample only.
+void forTracks(const level::LevelView& level, uint32_t ticks, uint32_t stride,
+               const std::function<void(const Track&)>& visit);
 
 }  // namespace obby::view

@@ -6,6 +6,15 @@
 #include "io/text.h"
 
 namespace obby::view {
+namespace {
+
+// Moves what comes after it, or turns it round, in place of being seen.
+bool controls(char32_t code) {
+  return code < 32 || (code >= 127 && code < 160) || code == 0x061c || code == 0x200e ||
+         code == 0x200f || (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+}
+
+}  // namespace
 
 Utf8Char nextChar(std::string_view text, size_t at) {
   const size_t bytes = io::utf8Length(text.substr(at, 4));
@@ -36,22 +45,22 @@ void appendUtf8(std::string& text, char32_t code) {
   }
 }
 
-size_t charCount(std::string_view text) {
+size_t columnCount(std::string_view text) {
   size_t count = 0;
-  for (size_t at = 0; at < text.size(); at += nextChar(text, at).bytes) ++count;
+  for (size_t at = 0; at < text.size();) {
+    const Utf8Char c = nextChar(text, at);
+    at += c.bytes;
+    count += columnsOf(c.code);
+  }
   return count;
 }
 
-std::string fitted(std::string_view text, size_t width, bool ascii) {
-  const std::string_view ellipsis = ascii ? "..." : "…";
-  const size_t room =
-      charCount(text) <= width ? width : width - std::min(width, charCount(ellipsis));
+std::string tamed(std::string_view text, bool ascii) {
   std::string out;
-  size_t used = 0;
-  for (size_t at = 0; at < text.size() && used < room; ++used) {
+  for (size_t at = 0; at < text.size();) {
     const Utf8Char c = nextChar(text, at);
     at += c.bytes;
-    if (c.code < 32 || (c.code >= 127 && c.code < 160)) {
+    if (controls(c.code)) {
       out += ' ';
     } else if (ascii && c.code >= 128) {
       out += '?';
@@ -59,7 +68,23 @@ std::string fitted(std::string_view text, size_t width, bool ascii) {
       appendUtf8(out, c.code);
     }
   }
-  if (room < width) out += ellipsis;
+  return out;
+}
+
+std::string fitted(std::string_view text, size_t width, bool ascii) {
+  std::string out = tamed(text, ascii);
+  if (columnCount(out) <= width) return out;
+  const std::string_view ellipsis = ascii ? "..." : "…";
+  const size_t room = width - std::min(width, columnCount(ellipsis));
+  size_t kept = 0;
+  for (size_t used = 0;;) {
+    const Utf8Char c = nextChar(out, kept);
+    used += columnsOf(c.code);
+    if (used > room) break;
+    kept += c.bytes;
+  }
+  out.resize(kept);
+  out += ellipsis;
   return out;
 }
 

@@ -148,6 +148,23 @@ TEST(Collector, OneQueryThatFailsDoesNotKeepOthersFromBeingPlayed) {
   EXPECT_TRUE(collector.report().queries[1].paths[0].played());
 }
 
+// A query that names parts is changed before it is compiled; its place in the stream is not.
+TEST(Collector, AQueryThatNamesPartsIsRefusedAtItsPlace) {
+  const std::string query =
+      R"({"type":"query","id":"q","start":{"spawn":5},"goal":{"part":"Rock"}})";
+  std::vector<std::string> places;
+  view::Collector collector([&](const io::Record& record, Error error) -> Status {
+    places.push_back(record.place());
+    return error;
+  });
+  ASSERT_TRUE(collector.add(recordOf(kLevel)));
+  const io::Record given = recordOf(query);
+  ASSERT_FALSE(given.place().empty());
+  ASSERT_TRUE(collector.add(given));
+  ASSERT_FALSE(collector.update());
+  EXPECT_THAT(places, ::testing::ElementsAre(given.place()));
+}
+
 // A stream of a few lines may ask for hours of play.
 TEST(Collector, AttemptsBeyondTheRoomAreLeftOutAndSolutionsAreErrors) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);

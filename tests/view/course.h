@@ -12,6 +12,7 @@
 #include "io/stream.h"
 #include "sim/simulator.h"
 #include "view/report.h"
+#include "view/tracks.h"
 
 namespace obby::view_test {
 
@@ -102,6 +103,14 @@ inline Result<view::Report> collect(const std::vector<std::string>& lines,
   OBBY_RETURN_IF_ERROR(collector.update());
   OBBY_RETURN_IF_ERROR(collector.checkChosen());
   return collector.take();
+}
+
+inline std::vector<view::Track> tracksOf(const view::LevelEntry& entry, uint32_t ticks,
+                                         uint32_t stride) {
+  std::vector<view::Track> tracks;
+  view::forTracks(entry.level->view(), ticks, stride,
+                  [&](const view::Track& track) { tracks.push_back(track); });
+  return tracks;
 }
 
 // The course with a solution, a fall and a death.

@@ -148,7 +148,7 @@ TEST(LiveData, BeyondThePagesSizeAttemptsAreSentAnewAndThinner) {
   const json news = growing.since(before);
   for (const json& path : news["queries"][0]["trajectories"]) EXPECT_EQ(path["data"]["stride"], 2);
   EXPECT_GT(news["queries"][0]["trajectories"].size(), 10u);
-  EXPECT_THAT(news["head"]["notes"].dump(), HasSubstr("every 2th tick"));
+  EXPECT_THAT(news["head"]["notes"].dump(), HasSubstr("one tick in 2"));
   EXPECT_LT(growing.data.since(0).size(), view::kPageTarget);
 }
 

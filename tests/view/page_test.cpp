@@ -8,9 +8,9 @@
 #include "course.h"
 #include "view/budget.h"
 #include "view/json_text.h"
+#include "view/page_parts.h"
 #include "view/page_template.h"
 #include "view/roles.h"
-#include "view/tracks.h"
 
 namespace obby::view_test {
 namespace {
@@ -208,11 +208,42 @@ TEST(Budget, ThinsAttemptsBeforeAnythingElse) {
   EXPECT_FALSE(tight.notes.empty());
 }
 
+// Or ways would be thinned out in a large level without need.
+TEST(Budget, CountsALevelAsItIsWritten) {
+  std::string level = R"({"type":"level","name":"large","parts":[{})";
+  for (int i = 0; i < 500; ++i) {
+    level += R"(,{"name":"Part","source":{"path":"Workspace/Course/Part )" + std::to_string(i) +
+             R"("},"evidence":[{"role":"kill","reason":"script K line 3"}]})";
+  }
+  auto report = collect({level + "]}"});
+  ASSERT_TRUE(report) << report.error().text();
+  view::PageSizes sizes;
+  sizes.add(report->levels[0], 1200);
+  view::JsonText json;
+  view::writeLevel(json, report->levels[0], 1200, 1);
+  EXPECT_GT(sizes.fixed, json.text().size() * 3 / 4);
+  EXPECT_LT(sizes.fixed, json.text().size() * 5 / 4);
+}
+
+// Of short ways names and numbers are most.
+TEST(Budget, CountsMoreThanTheTicksOfAWay) {
+  auto left = walk(kLeft, 5);
+  auto report = collect({kLevel, kQuery, line(left)});
+  ASSERT_TRUE(report) << report.error().text();
+  ASSERT_EQ(report->queries[0].paths.size(), 1u);
+  view::PageSizes sizes;
+  sizes.add(report->queries[0]);
+  view::JsonText json;
+  view::writePath(json, report->queries[0].paths[0], 1);
+  EXPECT_GT(sizes.attempts + sizes.whole, json.text().size() * 3 / 4);
+  EXPECT_LT(sizes.attempts + sizes.whole, json.text().size() * 3 / 2);
+}
+
 // No stride of theirs makes the tracks of the loose bodies in them smaller.
 TEST(Budget, LeavesOutAttemptsWhoseLooseBodiesDoNotFit) {
   view::PageSizes sizes;
   sizes.attempts = 2u << 20;
-  sizes.bodies = 30u << 20;
+  sizes.whole = 30u << 20;
   EXPECT_EQ(view::budgetFor(sizes, 20u << 20).attemptsOneOf, 2u);
   EXPECT_EQ(view::budgetFor(sizes, 40u << 20).attemptsOneOf, 1u);
 }
@@ -226,8 +257,7 @@ TEST(Roles, GravestRoleWinsAndTheStartIsFoundUnderTheSpawn) {
 
 TEST(Tracks, OneRoundOfEachMotionAtItsPoses) {
   const view::Report report = solvedReport();
-  const auto& level = report.levels[0].level->view();
-  const auto tracks = view::tracksOf(level, 100000, 1);
+  const auto tracks = tracksOf(report.levels[0], 100000, 1);
   ASSERT_EQ(tracks.size(), 2u);
   const view::Track& lift = tracks[0];
   EXPECT_EQ(lift.part, 2u);
@@ -246,12 +276,12 @@ TEST(Tracks, OneRoundOfEachMotionAtItsPoses) {
 
 TEST(Tracks, MotionLongerThanThePageIsCutAndStridesKeepItsTimes) {
   const view::Report report = solvedReport();
-  const auto& level = report.levels[0].level->view();
-  const auto cut = view::tracksOf(level, 60, 1);
+  const view::LevelEntry& level = report.levels[0];
+  const auto cut = tracksOf(level, 60, 1);
   EXPECT_EQ(cut[0].count, 61u);
   EXPECT_EQ(cut[0].loopFrom, -1);
-  EXPECT_GE((view::tracksOf(level, 60, 8)[0].count - 1) * 8, 60u);
-  const auto thinned = view::tracksOf(level, 100000, 4);
+  EXPECT_GE((tracksOf(level, 60, 8)[0].count - 1) * 8, 60u);
+  const auto thinned = tracksOf(level, 100000, 4);
   EXPECT_EQ(thinned[0].count, 30u);
   EXPECT_NEAR(thinned[0].positions[3 * 15 + 1], 8, 1e-4);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "view/course.h"
+#include "view/extent.h"
 #include "view/picture/drawing.h"
 #include "view/picture/pen.h"
 #include "view/picture/png.h"
@@ -177,6 +178,31 @@ TEST(Drawing, HasPartsPathsAndAnEscapedTitle) {
     EXPECT_NE(svg.find(">1</text>"), std::string::npos) << "the waypoint's number";
     EXPECT_EQ(svg.find("nan"), std::string::npos);
   }
+}
+
+// The start is to the left whether there is one goal or a choice of them.
+TEST(Drawing, RunsFromTheStartTowardsGoalsToo) {
+  const std::string level =
+      R"({"type":"level","name":"back","spawns":[{}],"parts":[{"position":[0,-1,20],"size":[8,2,60]}]})";
+  for (const char* goal : {R"("goal":{"position":[0,2,40],"size":[4,4,4]}})",
+                           R"("goals":[{"position":[0,2,40],"size":[4,4,4]}]})"}) {
+    const auto shown = view_test::collect(
+        {level, std::string(R"({"type":"query","id":"way","level":"back",)") + goal});
+    ASSERT_TRUE(shown) << shown.error().text();
+    const QueryEntry& query = shown->queries[0];
+    EXPECT_EQ(alongOf(extentOf(shown->levels[0], query), &query).z, 1) << goal;
+  }
+}
+
+TEST(Drawing, SaysHowLongALongCourseIs) {
+  const auto shown = view_test::collect(
+      {R"({"type":"level","name":"long","parts":[{"size":[1500,1,4]},)"
+       R"({"position":[1000,0,0],"size":[1500,1,4]}]})"});
+  ASSERT_TRUE(shown) << shown.error().text();
+  const std::string svg = drawingOf(shown->levels[0], nullptr, {});
+  EXPECT_NE(svg.find("; 2500 studs across"), std::string::npos) << svg.substr(svg.size() - 200);
+  EXPECT_EQ(lengthText(0.56666f), "0.567");
+  EXPECT_EQ(lengthText(99.96f), "100");
 }
 
 // Who stands on a large floor sees it, though none of its corners is in the drawing.

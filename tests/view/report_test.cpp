@@ -61,6 +61,15 @@ TEST(Report, OtherOutcomeIsAMismatch) {
   EXPECT_THAT(report->queries[0].paths[0].playback.mismatch, HasSubstr("recorded as goal"));
 }
 
+TEST(Report, AMismatchNamesEveryOutcome) {
+  auto path = walk(kAhead, 200);
+  path.root().getTrajectory().setOutcome(schema::Outcome::FORBIDDEN);
+  auto report = collect({kLevel, kQuery, line(path)});
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_EQ(report->queries[0].paths[0].playback.mismatch,
+            "recorded as forbidden, replayed as goal");
+}
+
 TEST(Report, OtherTicksAreAMismatch) {
   auto path = walk(kAhead, 200);
   auto record = path.root().getTrajectory();

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "course.h"
 #include "view/raster.h"
 #include "view/utf8.h"
@@ -40,6 +42,34 @@ TEST(Text, NarrowTerminalsGetReasonsOnLinesOfTheirOwn) {
   EXPECT_THAT(table, HasSubstr("1.23M\n  Straight on.\n"));
 }
 
+TEST(Text, QueriesOfOneIdAreToldApartByTheirLevel) {
+  std::string level = kLevel, query = kQuery;
+  level.replace(level.find("Course </script><b>"), 19, "Another");
+  query.replace(query.find("Course </script><b>"), 19, "Another");
+  const auto report = collect({kLevel, kQuery, level, query});
+  ASSERT_TRUE(report) << report.error().text();
+  const std::string table = view::queryTable(*report, kAscii);
+  EXPECT_THAT(table, HasSubstr("\nahead (Course </script><b>)  no answer"));
+  EXPECT_THAT(table, HasSubstr("\nahead (Another)              no answer"));
+}
+
+// What ended the attempts comes last in them.
+TEST(Text, LongReasonsAreToldToTheirEnd) {
+  const std::string reason =
+      "no way found in 12 M steps: the closest came within 3.2 studs of the goal; 71 % of the "
+      "attempts fell, 20 % of the attempts were killed by part 7 'Lava'; this does not show that "
+      "there is none";
+  std::string answer = resultLine("unknown", 0);
+  answer.replace(answer.find("Straight on."), 12, reason);
+  const auto report = collect({kLevel, kQuery, answer});
+  ASSERT_TRUE(report) << report.error().text();
+  const std::string narrow = view::queryTable(*report, kAscii);
+  EXPECT_THAT(narrow, HasSubstr("\n  no way found in 12 M steps: the closest came within 3.2 studs "
+                                "of the goal; 71\n  % of the attempts fell, "));
+  EXPECT_THAT(narrow, ::testing::EndsWith("\n  this does not show that there is none\n"));
+  EXPECT_THAT(view::queryTable(*report, {400, false, false}), HasSubstr("  " + reason + "\n"));
+}
+
 TEST(Text, QueryWithoutResultSaysSo) {
   auto report = collect({kLevel, kQuery});
   ASSERT_TRUE(report) << report.error().text();
@@ -70,6 +100,29 @@ S start  G goal  : part  x kills  ~ moves  = pad, belt, vanishing  * solution
 )");
 }
 
+// Keys alone say where a part is.
+TEST(Text, MapShowsMovingPartsWhereTheyAreAtTheStart) {
+  const auto report =
+      collect({R"({"type":"level","name":"L","spawns":[{}],"parts":[)"
+               R"({"position":[0,-0.5,-10],"size":[10,1,30]},)"
+               R"({"size":[4,1,4],"motion":{"keys":[{"position":[0,1,-14]},)"
+               R"({"time":1,"position":[0,5,-14]}]}}]})",
+               R"({"type":"query","id":"q","goal":{"position":[0,2,-20],"size":[4,4,4]}})"});
+  ASSERT_TRUE(report) << report.error().text();
+  const std::string map = view::queryMap(*report, report->queries[0], {60, false, false});
+  size_t start = map.npos, lift = map.npos;  // columns, of the lift the first
+  const size_t legend = map.find("S start");
+  for (size_t begin = 0; begin < legend;) {
+    const size_t end = map.find('\n', begin);
+    const std::string row = map.substr(begin, end - begin);
+    start = std::min(start, row.find('S'));
+    lift = std::min(lift, row.find('~'));
+    begin = end + 1;
+  }
+  ASSERT_NE(lift, map.npos);
+  EXPECT_GT(lift, start + 10);
+}
+
 TEST(Text, AsciiHoldsNoOtherCharactersAndNoColours) {
   const std::string text = view::textReport(solvedReport(), {kAscii, true});
   for (const char c : text) EXPECT_TRUE(c == '\n' || (c >= 32 && c < 127)) << int(c);
@@ -89,7 +142,7 @@ TEST(Text, LinesKeepToTheWidth) {
     // The table needs its columns; the map keeps to the width.
     if (row.find("verdict") == row.npos && row.find("solved") == row.npos &&
         row.find("goal") == row.npos) {
-      EXPECT_LE(view::charCount(row), 60u) << row;
+      EXPECT_LE(view::columnCount(row), 60u) << row;
     }
     start = end + 1;
   }
@@ -99,8 +152,44 @@ TEST(Utf8, CutsAtCharactersAndTamesControls) {
   EXPECT_EQ(view::fitted("caf\xc3\xa9 noir", 5, false), "caf\xc3\xa9\xe2\x80\xa6");
   EXPECT_EQ(view::fitted("a\x1b[31mb", 20, false), "a [31mb");
   EXPECT_EQ(view::fitted("\xc3\xa9", 5, true), "?");
+  EXPECT_EQ(view::fitted("a\xe2\x80\xae"
+                         "b\xe2\x80\xa8"
+                         "c",
+                         20, false),
+            "a b c")
+      << "U+202E turns a row round, U+2028 ends it";
   EXPECT_EQ(view::nextChar("\xed\xa0\x80", 0).code, U'\xfffd');
   EXPECT_EQ(view::nextChar("\xc0\xaf", 0).code, U'\xfffd');
+}
+
+TEST(Utf8, CountsTheColumnsOfATerminal) {
+  EXPECT_EQ(view::columnCount("Stage 1"), 7u);
+  EXPECT_EQ(view::columnCount("\u30b9\u30c6\u30fc\u30b8"), 8u) << "kana are wide";
+  EXPECT_EQ(view::columnCount("\U0001f525"), 2u) << "so are emoji";
+  EXPECT_EQ(view::columnCount("e\u0301\u200d"), 1u) << "an accent takes no column of its own";
+  EXPECT_EQ(view::columnCount("\u2715\u25cf"), 2u);
+  EXPECT_EQ(view::fitted("\u30b9\u30c6\u30fc\u30b8", 6, false), "\u30b9\u30c6\u2026");
+  EXPECT_EQ(view::fitted("\u30b9\u30c6\u30fc\u30b8", 8, false), "\u30b9\u30c6\u30fc\u30b8");
+  EXPECT_EQ(view::fitted("\u30b9\u30c6\u30fc\u30b8", 4, true), "????");
+}
+
+// Names from places are of any script, and have emoji.
+TEST(Text, ColumnsStandBelowOneAnotherWhateverTheNames) {
+  std::string first = kQuery, second = kQuery;
+  first.replace(first.find("ahead"), 5, "\u706b\u5c71\U0001f525");
+  second.replace(second.find("ahead"), 5, "plain");
+  const auto report = collect({kLevel, first, second});
+  ASSERT_TRUE(report) << report.error().text();
+  const std::string table = view::queryTable(*report, {120, false, true});
+  std::vector<size_t> places;
+  for (size_t start = 0; start < table.size();) {
+    const size_t end = table.find('\n', start);
+    const std::string row = table.substr(start, end - start);
+    const size_t at = row.find("no answer");
+    if (at != row.npos) places.push_back(view::columnCount(row.substr(0, at)));
+    start = end + 1;
+  }
+  EXPECT_THAT(places, ::testing::ElementsAre(8u, 8u));
 }
 
 TEST(Raster, HullOfASquareIsItsCorners) {

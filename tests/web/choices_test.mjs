@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { boxOf, pathsThrough } from '../../web/src/choice.js';
+import { count } from '../../web/src/ui/dom.js';
 import { frames } from './browser.mjs';
 import { harness } from './harness.mjs';
 import { report } from './sample_report.mjs';
@@ -68,6 +69,52 @@ test('a box keeps no query that another has replaced', async () => {
   runInNewContext('gc')();
   assert.equal(asked.deref(), undefined);
   assert.equal(pathsThrough({ paths: [] }, box).size, 0);
+});
+
+test('what needs an answer is offered once it has come', async ({ page }) => {
+  const offers = () =>
+    page.evaluate(() => {
+      const labels = [...document.querySelectorAll('.toggles label')];
+      return !labels.find((label) => /not of the search/.test(label.textContent)).hidden;
+    });
+  await page.evaluate(() => {
+    const { report, store } = window.obby;
+    const query = window.obby.query();
+    window.answer = (heatMap) => {
+      report.queries[0] = { ...query, result: { ...query.result, heatMap } };
+      window.obby.openQuery();
+      window.obby.ways.choose();
+    };
+    window.heatMap = query.result.heatMap;
+    window.answer(undefined);
+    store.set({ heat: true });
+  });
+  assert.equal(await offers(), false);
+  await page.evaluate(() => window.answer(window.heatMap));
+  assert.equal(await offers(), true);
+  await page.evaluate(() => window.obby.store.set({ heat: false }));
+});
+
+test('there may be more ways than a call takes arguments', async ({ page }) => {
+  const ticks = await page.evaluate(() => {
+    const app = window.obby;
+    const paths = new Array(300000).fill({ ticks: 7000 });
+    const many = { path: () => undefined, level: () => app.level(), query: () => ({ paths }) };
+    return app.length.call(many);
+  });
+  assert.equal(ticks, 7000);
+});
+
+test('numbers are rounded to three digits, whatever unit that takes', () => {
+  for (const [number, text] of [
+    [9999, '9999'],
+    [99949, '99.9 k'],
+    [999499, '999 k'],
+    [999600, '1.00 M'],
+    ['1234567', '1.23 M'],
+    [999700000, '1.00 G'],
+  ])
+    assert.equal(count(number), text);
 });
 
 test('all of that raised no error', async ({ page, trouble }) => {

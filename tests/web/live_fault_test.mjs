@@ -1,6 +1,7 @@
 // obby-view --live where something goes wrong between the server and the picture: the page says so, or goes on.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
+import { LiveReport } from '../../web/src/live_report.js';
 import { frames } from './browser.mjs';
 import { harness } from './harness.mjs';
 import { openLive, recordsOf, started, Viewer, waysAre } from './live_driver.mjs';
@@ -16,6 +17,29 @@ const course = [of('header')[0], of('level')[0], of('query').find(({ id }) => id
 const ways = of('trajectory').filter((record) => record.query === 'any');
 
 test('there are enough ways to send', () => assert.ok(ways.length >= 3, `${ways.length}`));
+
+// A page that opens late gets all of a long stream at once, and thinned attempts number by number.
+test('a piece may hold more ways than a call takes arguments', () => {
+  const count = 150000;
+  const numbers = Array.from({ length: count }, (_, i) => i + 1);
+  const data = { kind: 'attempt', ticks: 0, stride: 1, position: '', yaw: '', state: '', runs: '' };
+  const facts = { id: 'q', level: -1, result: null };
+  const piece = (revision, serials, trajectories) => ({
+    format: 3,
+    revision,
+    head: { state: 'live', title: '', notes: [] },
+    levels: [],
+    queries: [{ index: 0, facts, serials, trajectories }],
+  });
+  const live = new LiveReport();
+  const sent = numbers.map((serial) => ({ serial, data }));
+  assert.equal(live.take(piece(1, [[1, count]], sent)).fresh.length, count);
+  const odd = numbers.filter((serial) => serial % 2 === 1).map((serial) => [serial, serial]);
+  const begun = performance.now();
+  assert.equal(live.take(piece(2, odd, [])).fresh.length, 0);
+  assert.equal(live.report.queries[0].paths.length, count / 2);
+  assert.ok(performance.now() - begun < 10000, 'in time that grows with the number of ways');
+});
 
 test('a page that cannot draw says so and asks for no more', async ({ browser }) => {
   const viewer = new Viewer(options.viewer);
@@ -70,6 +94,16 @@ test('data that does not come once is asked for again, and the page is live', as
   assert.equal(await name.innerText(), 'Live');
   await page.context().close();
   await viewer.stop();
+});
+
+test('a server that goes before the first level is missed', async ({ browser }) => {
+  const viewer = new Viewer(options.viewer);
+  const { page } = await openLive(browser, await viewer.address);
+  const name = page.locator('.live .name');
+  await name.filter({ hasText: 'Live' }).waitFor();
+  await viewer.stop();
+  await name.filter({ hasText: 'Connection lost' }).waitFor();
+  await page.context().close();
 });
 
 await run();

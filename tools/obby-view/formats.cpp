@@ -31,7 +31,7 @@ Result<Subject> subjectOf(const view::Report& report) {
   for (const view::QueryEntry& query : report.queries) {
     if (query.level >= 0) return Subject{&report.levels[size_t(query.level)], &query};
   }
-  if (report.levels.empty())
+  if (report.levels.empty() || !report.queries.empty())
     return makeError("there is no level to draw", "put the level before its answers");
   return Subject{&report.levels[0], nullptr};
 }

@@ -10,6 +10,7 @@ namespace obby {
 namespace {
 
 Result<cli::ExitCode> run(cli::Context& context) {
+  OBBY_RETURN_IF_ERROR(refuseIdle(context.arguments()));
   if (wantedFormat(context.arguments()).page && !view::pageAvailable()) return view::pageMissing();
   if (context.arguments().flag("live")) return runLive(context);
   OBBY_ASSIGN(Output output, Output::open(context));

@@ -114,6 +114,31 @@ cli::ToolSpec viewSpec() {
   return spec;
 }
 
+Status refuseIdle(const cli::Arguments& arguments) {
+  const bool live = arguments.flag("live");
+  if (!live) {
+    OBBY_RETURN_IF_ERROR(cli::refuseTyped(arguments, {"port", "live-exit"},
+                                          "nothing is served without --live", "leave it out"));
+  } else if (!arguments.has("output")) {
+    return cli::refuseTyped(arguments, {"format", "width", "ascii", "no-map", "size", "from"},
+                            "a live page is all that there is without -o", "name a file: -o FILE");
+  }
+  const std::string format = wantedFormat(arguments).name;
+  const std::string message = "does nothing for " + format;
+  constexpr const char* kCure = "--format, or the ending of FILE, says what is written";
+  if (format != "text") {
+    OBBY_RETURN_IF_ERROR(cli::refuseTyped(arguments, {"width", "ascii", "no-map"}, message, kCure));
+  }
+  if (format != "html" && !live) {
+    OBBY_RETURN_IF_ERROR(cli::refuseTyped(arguments, {"full"}, message, kCure));
+  }
+  if (format != "png" && format != "svg") {
+    OBBY_RETURN_IF_ERROR(cli::refuseTyped(arguments, {"size"}, message, kCure));
+  }
+  if (format == "svg") return {};
+  return cli::refuseTyped(arguments, {"from"}, message, kCure);
+}
+
 Result<view::PictureOptions> pictureOptions(const cli::Arguments& arguments) {
   view::PictureOptions options;
   if (!arguments.has("size")) return options;

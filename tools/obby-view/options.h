@@ -10,6 +10,9 @@ namespace obby {
 
 cli::ToolSpec viewSpec();
 
+// Error: an option is typed that does nothing for what is written, or served.
+Status refuseIdle(const cli::Arguments& arguments);
+
 // Error: --size is none.
 Result<view::PictureOptions> pictureOptions(const cli::Arguments& arguments);
 view::TextOptions textOptions(const cli::Context& context);

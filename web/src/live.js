@@ -17,7 +17,7 @@ export class Live {
   constructor(side, begin, fail) {
     Object.assign(this, { side, begin });
     this.live = new LiveReport();
-    this.connected = false;
+    this.connected = undefined; // it is not known yet
     this.mark = new LiveMark();
     side.append(this.mark.root);
     this.feed = new LiveFeed({

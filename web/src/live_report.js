@@ -3,6 +3,17 @@ import { levelOf, Path, queryOf } from './data.js';
 
 const kFormat = 3; // of the data, as of a page in a file
 
+// Whether one of the ranges, [first, last] and ascending, holds the number. There may be one for each attempt.
+function isIn(ranges, number) {
+  let [low, high] = [0, ranges.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (ranges[middle][1] < number) low = middle + 1;
+    else high = middle;
+  }
+  return low < ranges.length && ranges[low][0] <= number;
+}
+
 export class LiveReport {
   constructor() {
     this.report = { title: '', notes: [], levels: [], queries: [] };
@@ -26,7 +37,7 @@ export class LiveReport {
       changed.levels.add(index);
     }
     for (const piece of raw.queries) {
-      changed.fresh.push(...this.takeQuery(piece, kept));
+      this.takeQuery(piece, kept, changed.fresh);
       changed.queries.add(piece.index);
     }
     for (const query of report.queries) {
@@ -36,23 +47,22 @@ export class LiveReport {
     return changed;
   }
 
-  takeQuery({ index, facts, serials, trajectories }, kept) {
+  // New trajectories are put behind those in `fresh`.
+  takeQuery({ index, facts, serials, trajectories }, kept, fresh) {
     const { queries } = this.report;
     // A new object: what was worked out of the old one does not hold any more.
     const own = queryOf(facts, index);
     const bySerial = new Map((queries[index]?.paths ?? []).map((path) => [path.serial, path]));
-    const fresh = [];
     for (const { serial, data } of trajectories) {
       const path = new Path(data, own);
       path.serial = serial;
       if (!bySerial.has(serial)) fresh.push(path);
       bySerial.set(serial, path);
     }
-    const there = ({ serial }) =>
-      serials.some(([first, last]) => serial >= first && serial <= last);
-    own.paths = [...bySerial.values()].filter((path) => there(path) || kept.includes(path));
+    own.paths = [...bySerial.values()].filter(
+      (path) => isIn(serials, path.serial) || kept.includes(path),
+    );
     for (const path of own.paths) path.query = own;
     queries[index] = own;
-    return fresh;
   }
 }

@@ -82,11 +82,9 @@ class App {
   length() {
     const path = this.path();
     if (path) return Math.max(path.ticks, this.ghost()?.ticks ?? 0);
-    return Math.max(
-      1,
-      ...(this.query()?.paths ?? []).map((each) => each.ticks),
-      10 * (this.level()?.tickRate ?? 60),
-    );
+    // One by one: of a list of all ways there may be more than a call takes arguments.
+    const least = Math.max(1, 10 * (this.level()?.tickRate ?? 60));
+    return (this.query()?.paths ?? []).reduce((most, { ticks }) => Math.max(most, ticks), least);
   }
 
   // What a reader wants to see first: a solution, or else the attempt that came closest.
@@ -238,9 +236,19 @@ class App {
       .join();
   }
 
+  // A query whose level is not there: what the one before it showed must not pass for its own.
+  blank() {
+    this.stage.blank();
+    this.labels.hide();
+    this.hud.hide();
+  }
+
   draw(tick, path) {
     this.dirty = false;
-    if (!this.level()) return;
+    if (!this.level()) {
+      this.blank();
+      return;
+    }
     this.stage.showTick(path, tick, this.ghost());
     this.comparison.update(tick);
     this.stage.render();

@@ -21,7 +21,7 @@ constexpr int kOutline = 48;        // directions in which a shape's outline is 
 constexpr float kMargin = 12;       // pixels
 constexpr float kLegend = 30;       // pixels below the drawing
 constexpr float kLeastHeight = 80;  // pixels
-constexpr float kThinned = 0.15f;   // studs: a path's points nearer to their line are left out
+constexpr float kThinned = 0.15f;   // pixels: a path's points nearer to their line are left out
 
 constexpr const char* kStyle =
     "<style>.page{fill:#fff}text{font:13px system-ui,sans-serif;fill:#222}.part{stroke:#0006;"
@@ -51,13 +51,7 @@ struct Sheet {
 };
 
 Sheet sheetOf(const Box& extent, const QueryEntry* query, const DrawingOptions& options) {
-  const Vec3 size = extent.hi - extent.lo;
-  Vec3 along = size.x >= size.z ? Vec3{1, 0, 0} : Vec3{0, 0, -1};
-  if (query && query->compiled && query->query) {
-    const auto goal = query->reader().getGoal().getPosition();
-    const Vec3 way = Vec3{goal.getX(), goal.getY(), goal.getZ()} - query->compiled->start().feet;
-    if (dot(way, along) < 0) along = -along;
-  }
+  const Vec3 along = alongOf(extent, query);
   Paper paper;
   paper.across = along;
   // Never mirrored: seen from above the side to the right of who walks along is down.
@@ -225,10 +219,10 @@ std::string drawingOf(const LevelEntry& level, const QueryEntry* query,
          partsOf(worldOf(level, tick), sheet.paper, sheet.width, sheet.height - kLegend) +
          (query ? queryOf(*query, sheet.paper) : "") +
          fmt::format(
-             "</svg>\n<text x=\"{:.0f}\" y=\"{:.1f}\">{}, {}; {:.3g} studs across</text>\n</svg>\n",
+             "</svg>\n<text x=\"{:.0f}\" y=\"{:.1f}\">{}, {}; {} studs across</text>\n</svg>\n",
              double(kMargin), double(sheet.height) - 10, io::escapeMarkup(title),
              options.side == Side::above ? "from above" : "from the side",
-             double((sheet.width - 2 * kMargin) / sheet.paper.scale));
+             lengthText((sheet.width - 2 * kMargin) / sheet.paper.scale));
 }
 
 }  // namespace obby::view

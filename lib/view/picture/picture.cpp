@@ -51,12 +51,7 @@ std::vector<Vec3> wayOf(const Playback& play) {
 // A look is a direction to look along: from the side, so that the course runs across with its start
 // to the left; from further along, from behind, and steeper, where less is hidden so.
 std::vector<Vec3> looksOf(const Box& extent, const QueryEntry* query) {
-  const Vec3 size = extent.hi - extent.lo;
-  Vec3 along = size.x > size.z ? Vec3{1, 0, 0} : Vec3{0, 0, -1};
-  if (query && query->compiled) {
-    const Vec3 goal = level::vec(query->reader().getGoal().getPosition());
-    if (dot(goal - query->compiled->start().feet, along) < 0) along = -along;
-  }
+  const Vec3 along = alongOf(extent, query);
   const Vec3 across = cross(Vec3{0, 1, 0}, along);  // to the left of who walks along
   std::vector<Vec3> out;
   for (const float down : {kDown, kSteep}) {
@@ -68,7 +63,7 @@ std::vector<Vec3> looksOf(const Box& extent, const QueryEntry* query) {
   return out;
 }
 
-// Share of the points that no solid hides.
+// Share of the points that are in the picture, and hidden by no solid.
 float visible(const std::vector<Vec3>& points, const Camera& camera, int width, int height,
               const std::vector<Solid>& solids) {
   Depths seen(camera, width, height);
@@ -78,8 +73,9 @@ float visible(const std::vector<Vec3>& points, const Camera& camera, int width, 
   float count = 0;
   for (const Vec3 point : points) {
     const Vec3 p = camera.project(point);
-    const int x = std::clamp(int(p.x), 0, width - 1), y = std::clamp(int(p.y), 0, height - 1);
-    count += p.z <= seen.depth(x, y) + 0.5f ? 1.0f : 0.0f;
+    // What falls out of the course falls out of the picture, too.
+    if (!(p.z > 0 && p.x >= 0 && p.y >= 0 && p.x < float(width) && p.y < float(height))) continue;
+    count += p.z <= seen.depth(int(p.x), int(p.y)) + 0.5f ? 1.0f : 0.0f;
   }
   return count / float(points.size());
 }

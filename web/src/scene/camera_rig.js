@@ -11,12 +11,15 @@ const kKeys = {
   KeyQ: [0, -1, 0],
 };
 
+const kFarthest = 8000; // studs that the wheel moves out, or twice as far as all of a larger course takes
+
 export class CameraRig {
   constructor(canvas) {
     this.camera = new PerspectiveCamera(50, 1, 0.1, 20000);
     this.target = new Vector3(); // pivot of orbiting
     this.goal = { target: new Vector3(), yaw: 0.7, pitch: -0.5, distance: 60 };
     this.now = { target: new Vector3(), yaw: 0.7, pitch: -0.5, distance: 60 };
+    this.framed = 0; // distance from which all that was framed last is seen
     this.keys = new Set();
     this.flySpeed = 40;
     this.drag = null;
@@ -54,7 +57,7 @@ export class CameraRig {
           this.goal.distance = MathUtils.clamp(
             this.goal.distance * Math.exp(event.deltaY / 700),
             1,
-            8000,
+            Math.max(kFarthest, 2 * this.framed),
           );
       },
       { passive: false },
@@ -153,6 +156,7 @@ export class CameraRig {
     }
     this.frame(centre, 1, { yaw, pitch }, false);
     this.goal.distance = distance;
+    this.framed = distance;
     if (atOnce) this.settle();
   }
 
@@ -184,6 +188,7 @@ export class CameraRig {
 
   restore([x, y, z, yaw, pitch, distance]) {
     this.goal = { target: new Vector3(x, y, z), yaw, pitch, distance };
+    this.framed = Math.max(this.framed, distance);
     this.settle();
   }
 }

@@ -54,17 +54,24 @@ export class LevelView {
 
   build() {
     const groups = new Map();
+    const alike = new Map(); // pieces of hulls: a place has many copies of one mesh
     const hullsOf = new Map(this.level.hulls.map((hull) => [hull.part, hull.pieces]));
     for (let part = 0; part < this.level.count; part++) {
-      if (this.shapeOf(part) === 'hull' && hullsOf.has(part)) {
-        for (const piece of hullsOf.get(part))
-          this.addMesh(hullGeometry(piece), this.keyOf(part), [part]);
+      if (this.shapeOf(part) === 'hull' && hullsOf.get(part)?.length) {
+        const key = this.keyOf(part);
+        for (const piece of hullsOf.get(part)) {
+          const same = `${key} ${piece.join()}`;
+          if (!alike.has(same)) alike.set(same, { piece, key, parts: [] });
+          alike.get(same).parts.push(part);
+        }
         continue;
       }
       const key = this.keyOf(part);
       if (!groups.has(key)) groups.set(key, []);
       groups.get(key).push(part);
     }
+    for (const { piece, key, parts } of alike.values())
+      this.addMesh(hullGeometry(piece), key, parts);
     for (const [key, parts] of groups) this.addMesh(unitGeometry(key.split(' ')[0]), key, parts);
   }
 

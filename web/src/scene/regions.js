@@ -18,6 +18,8 @@ import { dispose } from './dispose.js';
 
 const kAvoid = '#d873c4';
 const kWaypoint = '#ffd166';
+export const kMostAlike = 500; // regions of one list that are drawn: a tag may stand for thousands of parts
+const kMostNamed = 40; // of them
 
 // Fades upward, so that a tall box does not hide what stands in it.
 function fillMaterial(color) {
@@ -79,8 +81,12 @@ export class RegionView {
     this.labels = []; // {text, at, color}
     const add = (region, color, text) => {
       this.group.add(box(region, color));
-      this.labels.push({ text, at: top(region), color });
+      if (text) this.labels.push({ text, at: top(region), color });
     };
+    const addAlike = (regions, color, otherwise) =>
+      regions
+        .slice(0, kMostAlike)
+        .forEach((region, i) => add(region, color, i < kMostNamed ? region.name || otherwise : ''));
     if (query.start) add(query.start, ROLE_STYLE.start.color, 'Start');
     else if (query.startPosition) {
       this.group.add(ring(query.startPosition));
@@ -91,7 +97,7 @@ export class RegionView {
       });
     }
     if (query.goal) add(query.goal, ROLE_STYLE.goal.color, 'Goal');
-    query.goals.forEach((region) => add(region, ROLE_STYLE.goal.color, region.name || 'Goal'));
+    addAlike(query.goals, ROLE_STYLE.goal.color, 'Goal');
     query.visits.forEach((region) => add(region, kWaypoint, region.name || 'Visit'));
     query.waypoints.forEach((waypoint, i) => {
       const limit = waypoint.maxJumps >= 0 ? ` · ≤ ${waypoint.maxJumps} jumps` : '';
@@ -101,7 +107,7 @@ export class RegionView {
         `${i + 1}${waypoint.region.name ? ` ${waypoint.region.name}` : ''}${limit}`,
       );
     });
-    query.avoid.forEach((region) => add(region, kAvoid, region.name || 'Avoid'));
+    addAlike(query.avoid, kAvoid, 'Avoid');
   }
 
   dispose() {

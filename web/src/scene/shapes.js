@@ -74,12 +74,21 @@ export function unitGeometry(shape) {
   }
 }
 
-// Vertices of a hull are in studs from the part's centre.
+// Whether points span no plane, so that nothing lies between them.
+function inLine(points) {
+  const from = (point) => point.clone().sub(points[0]);
+  let way = new Vector3();
+  for (const point of points) if (from(point).lengthSq() > way.lengthSq()) way = from(point);
+  const least = 1e-14 * way.lengthSq() ** 2; // rounding; what is but thin is seen
+  return points.every((point) => from(point).cross(way).lengthSq() <= least);
+}
+
+// Vertices of a hull are in studs from the part's centre. Of one that is a point or a line nothing is seen.
 export function hullGeometry(vertices) {
   const points = [];
   for (let i = 0; i + 2 < vertices.length; i += 3)
     points.push(new Vector3().fromArray(vertices, i));
-  return new ConvexGeometry(points);
+  return inLine(points) ? faceted({}, []) : new ConvexGeometry(points);
 }
 
 export function scaleOf(shape, [x, y, z]) {

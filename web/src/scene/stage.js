@@ -277,6 +277,10 @@ export class Stage {
     return moved;
   }
 
+  blank() {
+    this.renderer.clear();
+  }
+
   render() {
     this.renderer.render(this.scene, this.rig.camera);
   }

@@ -61,7 +61,8 @@ function killers(query, level, store, ends) {
         on: {
           click: () => {
             const again = store.state.killer === part;
-            store.set({ killer: again ? -1 : part, part: again || !level ? -1 : part });
+            const known = part < (level?.count ?? 0); // a part of another version is not
+            store.set({ killer: again ? -1 : part, part: again || !known ? -1 : part });
           },
         },
       },

@@ -53,7 +53,8 @@ export function count(value) {
     [1e6, 'M'],
     [1e3, 'k'],
   ]) {
-    if (number >= unit) return `${(number / unit).toPrecision(3)} ${name}`;
+    // What would be rounded to a thousand of the unit below is one of this.
+    if (number >= 0.9995 * unit) return `${(number / unit).toPrecision(3)} ${name}`;
   }
   return String(number);
 }

@@ -12,9 +12,9 @@ const SATURATION = {
 
 const shortName = (level, part) => level?.names[part]?.split('/').pop() || `part ${part}`;
 
-// A line that shows its part in the picture, where it has one and there is one.
+// A line that shows its part in the picture, where it has one and the level has it.
 function line(text, part, level, store) {
-  if (!(part >= 0) || !level) return el('li', { text });
+  if (!(part >= 0 && part < (level?.count ?? 0))) return el('li', { text });
   const show = { click: () => store.set({ part, frame: part }) };
   return el(
     'li',

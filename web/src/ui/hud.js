@@ -36,6 +36,10 @@ export class Hud {
     root.hidden = true;
   }
 
+  hide() {
+    this.root.hidden = true;
+  }
+
   show(path, tick, tickRate, cameraYaw) {
     this.root.hidden = !path;
     if (!path) return;

@@ -19,6 +19,10 @@ export class Labels {
     });
   }
 
+  hide() {
+    this.root.hidden = true;
+  }
+
   update(camera, width, height, visible) {
     this.root.hidden = !visible;
     if (!visible) return;

@@ -34,9 +34,9 @@ export class LiveMark {
     });
   }
 
-  // `started`: there is something to look at.
+  // `connected`: undefined until it is known; `started`: there is something to look at.
   show(state, connected, report, started) {
-    const name = state === 'live' && !connected && started ? 'lost' : state;
+    const name = state === 'live' && connected === false ? 'lost' : state;
     this.root.dataset.state = name;
     if (this.text.textContent !== kStates[name].text) this.text.textContent = kStates[name].text;
     this.text.title = kStates[name].title;

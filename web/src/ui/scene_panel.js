@@ -86,7 +86,7 @@ export class ScenePanel {
       const show = () => {
         row.hidden = !isShown();
       };
-      this.store.on(['query', 'heat'], show);
+      this.store.on(['query', 'heat', 'order'], show); // an answer may come to the query
       show();
       box.append(row);
     };

@@ -1,5 +1,6 @@
 // The left column: the queries with their verdicts, and the numbers of the chosen one.
 import { VERDICT_STYLE, verdictOf } from '../palette.js';
+import { kMostAlike } from '../scene/regions.js';
 import { deaths } from './deaths.js';
 import { count, el, keepingPlace, plural, seconds } from './dom.js';
 import { findings } from './findings.js';
@@ -22,6 +23,12 @@ function jumpLimits({ minJumps, maxJumps }) {
   if (maxJumps >= 0) limits.push(`at most ${plural(maxJumps, 'jump')}`);
   if (minJumps > 0) limits.push(`at least ${plural(minJumps, 'jump')}`);
   return limits;
+}
+
+// Ids that queries of several levels have.
+function sharedIds(queries) {
+  const levels = new Map(queries.map(({ id, level }) => [id, level]));
+  return new Set(queries.filter(({ id, level }) => levels.get(id) !== level).map(({ id }) => id));
 }
 
 // fallingDown: falling down
@@ -93,8 +100,11 @@ export class Sidebar {
 
   fillQueries() {
     this.queries.replaceChildren();
+    const shared = sharedIds(this.report.queries);
     this.report.queries.forEach((query, index) => {
       const level = this.report.levels[query.level];
+      const id = query.id || 'Query';
+      const name = level && shared.has(query.id) ? `${id} · ${level.name || 'Level'}` : id;
       const result = query.result;
       const facts =
         result?.verdict === 'solved' && level
@@ -107,11 +117,11 @@ export class Sidebar {
             class: 'row query',
             role: 'option',
             type: 'button',
-            data: { name: query.id.toLowerCase(), query: index, key: `query ${index}` },
+            data: { name: name.toLowerCase(), query: index, key: `query ${index}` },
             on: { click: () => this.store.set({ query: index }) },
           },
           badge(verdictOf(query)),
-          el('span', { class: 'name', text: query.id || 'Query' }),
+          el('span', { class: 'name', text: name }),
           el('span', { class: 'fact', text: facts }),
         ),
       );
@@ -169,8 +179,11 @@ export class Sidebar {
     if (query.timeLimit > 0) parts.push(`within ${seconds(query.timeLimit)} s`);
     if (query.waypoints.length) parts.push(plural(query.waypoints.length, 'waypoint'));
     if (query.visits.length) parts.push(`${plural(query.visits.length, 'place')} in any order`);
-    if (query.goals.length) parts.push(`one of ${query.goals.length + (query.goal ? 1 : 0)} goals`);
-    if (query.avoid.length) parts.push(`${plural(query.avoid.length, 'region')} to avoid`);
+    const drawn = ({ length }) => (length > kMostAlike ? ` (${kMostAlike} are drawn)` : '');
+    const goals = query.goals.length + (query.goal ? 1 : 0);
+    if (query.goals.length) parts.push(`one of ${plural(goals, 'goal')}${drawn(query.goals)}`);
+    if (query.avoid.length)
+      parts.push(`${plural(query.avoid.length, 'region')} to avoid${drawn(query.avoid)}`);
     if (query.maxDamage >= 0) parts.push(`at most ${query.maxDamage} health lost`);
     if (query.forbid.length) parts.push(`never ${query.forbid.map(stateName).join(' or ')}`);
     return el('p', {

@@ -1,0 +1,71 @@
+// Where parts are on the page: where the simulator has them.
+#include "view/tracks.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+#include "course.h"
+#include "view/page.h"
+
+namespace obby::view_test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// Keys say where a part is and how it is turned, whatever the part itself says, and so for what
+// never changes, too.
+TEST(Tracks, ThatStayDoSoWhereTheKeysHaveThem) {
+  auto report = collect({R"({"type":"level","name":"L","parts":[)"
+                         R"({"size":[8,1,2],"rotation":[0,0.70710678,0,0.70710678],)"
+                         R"("motion":{"keys":[{},{"time":1,"position":[0,6,0]}]}},)"
+                         R"({"size":[8,1,2],"position":[5,0,0],"motion":{"keys":[)"
+                         R"({"position":[9,3,0]},)"
+                         R"({"time":1,"position":[9,3,0],"rotation":[0,1,0,0]}]}}]})"});
+  ASSERT_TRUE(report) << report.error().text();
+  const auto tracks = tracksOf(report->levels[0], 1200, 1);
+  ASSERT_EQ(tracks.size(), 2u);
+  ASSERT_EQ(tracks[0].rotations.size(), 4u * tracks[0].count);
+  EXPECT_EQ(tracks[0].rotations[1], 0) << "not turned";
+  EXPECT_EQ(std::abs(tracks[0].rotations[3]), 32767);
+  ASSERT_EQ(tracks[1].positions.size(), 3u * tracks[1].count);
+  EXPECT_THAT(std::vector<float>(tracks[1].positions.begin(), tracks[1].positions.begin() + 3),
+              ElementsAre(9.0f, 3.0f, 0.0f));
+}
+
+// A part that is turned as its keys are needs no turns, though they are rounded.
+TEST(Tracks, OfOneTurnHaveNone) {
+  auto report = collect({R"({"type":"level","name":"L","parts":[{"size":[8,1,2],)"
+                         R"("rotation":[0.1234567,0.2,0.3,0.9],"motion":{"keys":[)"
+                         R"({"rotation":[0.1234567,0.2,0.3,0.9]},)"
+                         R"({"time":1,"position":[0,6,0],)"
+                         R"("rotation":[0.1234567,0.2,0.3,0.9]}]}}]})"});
+  ASSERT_TRUE(report) << report.error().text();
+  const auto tracks = tracksOf(report->levels[0], 1200, 1);
+  ASSERT_EQ(tracks.size(), 1u);
+  EXPECT_FALSE(tracks[0].positions.empty());
+  EXPECT_TRUE(tracks[0].rotations.empty());
+}
+
+TEST(Page, APartWhoseKeysAreOnePoseIsThere) {
+  auto report = collect({R"({"type":"level","name":"L","parts":[{"position":[3,3,3],)"
+                         R"("motion":{"keys":[{"position":[7,1,0]}]}}]})"});
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_THAT(view::pageData(*report, {}), HasSubstr(R"("position":"AADgQAAAgD8AAAAA")"));
+}
+
+// Its box is what the player meets.
+TEST(Page, AHullThatIsNotKnownIsABox) {
+  auto report =
+      collect({R"({"type":"level","name":"L","parts":[{"size":[8,1,2],"shape":"hull"}]})"});
+  ASSERT_TRUE(report) << report.error().text();
+  const std::string data = view::pageData(*report, {});
+  EXPECT_THAT(data, HasSubstr(R"("shape":"AA==")"));
+  EXPECT_THAT(data, HasSubstr(R"("hulls":[])"));
+  EXPECT_THAT(data, Not(HasSubstr(R"("pieces")")));
+}
+
+}  // namespace
+}  // namespace obby::view_test
