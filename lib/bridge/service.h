@@ -47,8 +47,8 @@ class Service {
 
   // To be called each second: silent clients lose their WebSocket, then their jobs.
   void sweep();
-  // To be called when all jobs have ended, and no more come: WebSockets close once all messages have
-  // gone.
+  // To be called when all jobs have ended, and no more come: WebSockets close once all messages
+  // have gone.
   void endEvents();
   // Seconds since anybody was here or a job ran.
   double quietFor() const;
