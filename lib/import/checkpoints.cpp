@@ -11,8 +11,8 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kSameLobby = 24;                   // studs between pads that are one start
-constexpr std::ptrdiff_t kMostByDistance = 10000;  // checkpoints: bounds the work
+constexpr float kSameLobby = 24;           // studs between pads that are one start
+constexpr size_t kMostByDistance = 10000;  // checkpoints of a level: bounds the work
 constexpr std::string_view kStartWords[] = {"start", "lobby", "spawn", "mapstart", "inicio"};
 
 struct Stages {
@@ -37,7 +37,8 @@ std::optional<int64_t> firstTeamColor(const Tree& tree) {
   return std::nullopt;
 }
 
-// kUnnumbered where a team's name has none. Of teams of one colour the first counts.
+// kUnnumbered where a team's name has none. Of teams of one colour the first counts. Empty where
+// less than half have one: a number in free text ("4 Way Jump") is no place in an order.
 std::map<int64_t, int> numbersOfTeams(const Tree& tree) {
   std::map<int64_t, int> numbers;
   const InstanceId teams = tree.service("Teams");
@@ -46,6 +47,9 @@ std::map<int64_t, int> numbersOfTeams(const Tree& tree) {
     if (tree.at(team).className == "Team")
       numbers.emplace(get<int64_t>(tree.at(team), "TeamColor"),
                       firstNumber(tree.at(team).name).value_or(kUnnumbered));
+  const auto numbered = std::count_if(numbers.begin(), numbers.end(),
+                                      [](const auto& team) { return team.second != kUnnumbered; });
+  if (2 * size_t(numbered) < numbers.size()) numbers.clear();
   return numbers;
 }
 
@@ -124,7 +128,7 @@ void startFromNames(Stages& stages) {
 // Checkpoints of one number, or without any: from each the nearest next.
 void orderByDistance(Stages& stages, std::vector<int>::iterator first,
                      std::vector<int>::iterator end, const std::string& why) {
-  if (end - first < 2 || end - first > kMostByDistance) return;
+  if (end - first < 2 || stages.checkpoints.size() > kMostByDistance) return;
   for (; first != end; ++first) {
     const int last = first == stages.checkpoints.begin() ? stages.start : *(first - 1);
     std::iter_swap(first, std::min_element(first, end, [&](int a, int b) {

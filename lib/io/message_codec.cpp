@@ -27,7 +27,8 @@ uint32_t half(const Words& words, size_t i) {
 
 Error cutOff() { return makeError("the input ends in the middle of a message: cut off?"); }
 
-// No packed message begins so: the pointer to its root has bytes that are no characters.
+// No packed message of one segment, as all of ours are, begins so: the pointer to its root has
+// bytes that are no characters.
 bool isText(std::string_view begin) {
   return std::none_of(begin.begin(), begin.end(), [](char c) {
     return uint8_t(c) < 0x20 && c != '\t' && c != '\r' && c != '\n';

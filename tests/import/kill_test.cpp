@@ -243,12 +243,12 @@ TEST(Kill, TowerKitMarkersCountByExistence) {
 
 TEST(Kill, NamesAreGuessesAndFalseFriendsAreNot) {
   Scene scene;
-  const auto brick = scene.part("KillBrick"), lava = scene.part("Big Lava");
+  const auto brick = scene.part("Bob's KillBrick"), lava = scene.part("Big Lava");
   const auto skill = scene.part("Skill"), remover = scene.part("Lava Remover");
   const auto untouchable = scene.part("Lava"), hurts = scene.part("HurtPart");
   scene.set(untouchable, "CanTouch", false);
   scene.level();
-  EXPECT_EQ(scene.evidence(brick, "kill"), "guessed: name KillBrick");
+  EXPECT_EQ(scene.evidence(brick, "kill"), "guessed: name Bob's KillBrick");
   EXPECT_TRUE(scene[lava].kill);
   EXPECT_FALSE(scene[skill].kill);
   EXPECT_FALSE(scene[remover].kill);

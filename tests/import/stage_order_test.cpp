@@ -36,6 +36,25 @@ TEST(Stages, SpawnsGoByTheNumbersOfTheirTeams) {
   EXPECT_FLOAT_EQ(level.spawns[2].position.x, 30);
 }
 
+TEST(Stages, ANumberInTheNameOfOneTeamOfManyIsNoOrder) {
+  Scene scene;
+  const auto teams = scene.add("Teams", "Teams", kNoInstance);
+  int color = 20;
+  for (const char* name : {"Start", "Down The Stairs", "Lava", "4 Way Jump"}) {
+    const auto team = scene.add("Team", name, teams);
+    scene.set(team, "TeamColor", int64_t{color});
+    scene.set(team, "AutoAssignable", color == 20);
+    const auto id = spawn(scene, "SpawnLocation", {30.0f * float(color - 20), 0, 0});
+    scene.set(id, "Neutral", false);
+    scene.set(id, "AllowTeamChangeOnTouch", true);
+    scene.set(id, "TeamColor", int64_t{color});
+    ++color;
+  }
+  const auto& level = scene.level();
+  ASSERT_EQ(level.spawns.size(), 4u);
+  for (size_t i = 0; i < 4; ++i) EXPECT_FLOAT_EQ(level.spawns[i].position.x, 30.0f * float(i));
+}
+
 TEST(Stages, ATeamWithoutAColourHasThatOfItsClass) {
   Scene scene;
   scene.add("Team", "Visitors", scene.add("Teams", "Teams", kNoInstance));
@@ -61,6 +80,19 @@ TEST(Stages, CheckpointsOfOneNumberGoByDistance) {
   EXPECT_EQ(*scene[next].checkpoint, 3);
   EXPECT_EQ(scene[near].evidence.back().reason, "order by distance: others have its number");
   EXPECT_FALSE(scene[next].evidence.front().guessed);
+}
+
+TEST(Stages, OfTooManyCheckpointsThoseOfOneNumberKeepTheOrderOfTheFile) {
+  Scene scene;
+  spawn(scene, "Start", {});
+  std::vector<InstanceId> all;
+  for (int i = 0; i <= 10000; ++i) {
+    const float x = 1030.0f - 0.1f * float(i);  // the last is the nearest
+    all.push_back(scene.part("Checkpoint " + std::to_string(1 + i % 2), {x, 0, 0}));
+    scene.tag(all.back(), "Checkpoint");
+  }
+  scene.level();
+  EXPECT_EQ(*scene[all.front()].checkpoint, 1);
 }
 
 TEST(Stages, CheckpointsAreCalledSoInAnySpelling) {
@@ -90,6 +122,18 @@ TEST(Stages, ATaggedFolderHoldsCheckpointsSideBySide) {
   scene.part("Touch", {60, 0, 0}, model);
   scene.script("print('3')", folder);
   EXPECT_EQ(order(scene.level()), (Names{"Start", "1", "2", "Touch"}));
+}
+
+TEST(Stages, AFolderThatIsTaggedAsAStageHasOneCheckpoint) {
+  Scene scene;
+  spawn(scene, "Start", {});
+  for (const int n : {1, 2}) {
+    const auto stage = scene.add("Folder", "Stage " + std::to_string(n), scene.workspace);
+    scene.tag(stage, "Stage");
+    for (int i = 0; i < 3; ++i) scene.part("Block", {40.0f * float(n), 0, 8.0f * float(i)}, stage);
+    scene.part("Pad", {40.0f * float(n), 0, 30}, stage);
+  }
+  EXPECT_EQ(order(scene.level()), (Names{"Start", "Pad", "Pad"}));
 }
 
 TEST(Stages, PadsOfOneStageBesideEachOtherAreOneStart) {

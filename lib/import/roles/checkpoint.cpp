@@ -66,8 +66,8 @@ void checkpointFromTags(RoleContext& context) {
       PartDraft* part = touchPart(context, one);
       if (part) give(*part, stageNumber(context.tree, one, part->id), "tag " + tag, false);
     };
-    // A folder holds checkpoints side by side. A model is one.
-    if (context.tree.at(id).className != "Folder") return giveOne(id);
+    // A folder holds checkpoints side by side, but for that of one stage. A model is one.
+    if (context.tree.at(id).className != "Folder" || lower(tag) == "stage") return giveOne(id);
     for (InstanceId child : context.tree.at(id).children) giveOne(child);
   });
 }

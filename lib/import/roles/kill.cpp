@@ -41,6 +41,14 @@ constexpr float kGuessedDamage = 10;  // a damage part that does not say how muc
 constexpr std::string_view kFriends[] = {"remover", "anti",  "no",    "safe",    "skill", "tool",
                                          "sign",    "label", "light", "counter", "script"};
 
+// Words alone: "Bob's Kill Brick" has s and kill, yet is no skill.
+bool isFriend(std::string_view name) {
+  const auto words = wordsOf(name);
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return std::find(std::begin(kFriends), std::end(kFriends), word) != std::end(kFriends);
+  });
+}
+
 // Words that may stand beside a kill word in the name of a folder of kill parts.
 constexpr std::string_view kPartWords[] = {"part",   "parts", "brick", "bricks", "block",
                                            "blocks", "floor", "the",   "all",    "folder"};
@@ -154,7 +162,7 @@ void killFromNames(RoleContext& context) {
       from = context.tree.at(instance.parent).name;
       word = firstWordIn(from, kKillWords);
     }
-    if (word.empty() || !firstWordIn(from, kFriends).empty()) continue;
+    if (word.empty() || isFriend(from)) continue;
     if (from != instance.name && scripted.count(instance.parent)) {
       context.level.noteIgnored("name that suggests kill", context.tree.path(part.id),
                                 "a script kills through a sibling, not through this part");
