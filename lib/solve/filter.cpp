@@ -30,7 +30,7 @@ Filter::Filter(FilterOptions options, io::Pipeline& pipeline)
     : options_(std::move(options)),
       pipeline_(pipeline),
       pool_(options_.threads),
-      levels_(options_.levelWords) {
+      levels_(options_.levelBytes) {
   options_.solver.earlier = &options_.earlier;
 }
 

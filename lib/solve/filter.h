@@ -40,7 +40,7 @@ struct FilterOptions {
   std::optional<QuickQuery> quick;  // asked of every level instead of the stream's queries
   bool each = false;                // `quick` changes the stream's queries instead
   PassRule passes;
-  uint64_t levelWords = KnownLevels::kMostWords;  // of the levels that are kept, as of KnownLevels
+  uint64_t levelBytes = KnownLevels::kMostBytes;  // of the levels that are kept, as of KnownLevels
   std::function<void(const QueryProgress&)> progress;  // may be empty
   std::function<void(const Error&)> deviceFailed;      // the CPU went on; may be empty
 };

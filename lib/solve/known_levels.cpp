@@ -4,25 +4,32 @@
 
 #include <utility>
 
+#include "level/table_bytes.h"
+
 namespace obby::solve {
+
+uint64_t KnownLevels::bytesOf(const LoadedLevel& level) {
+  const uint64_t words = level.record.reader().totalSize().wordCount;
+  return words * sizeof(capnp::word) + level::tableBytes(level.level.view());
+}
 
 std::vector<std::string> KnownLevels::add(LevelPointer level) {
   const std::string name = level->level.name();
   forget(name);
-  const uint64_t words = level->record.reader().totalSize().wordCount;
-  words_ += words;
+  const uint64_t bytes = bytesOf(*level);
+  bytes_ += bytes;
   byAge_[added_] = name;
-  levels_.insert_or_assign(name, Kept{std::move(level), words, added_});
+  levels_.insert_or_assign(name, Kept{std::move(level), bytes, added_});
   ++added_;
   std::vector<std::string> dropped;
-  while (words_ > mostWords_ && levels_.size() > 1) dropped.push_back(dropOldest());
+  while (bytes_ > mostBytes_ && levels_.size() > 1) dropped.push_back(dropOldest());
   return dropped;
 }
 
 void KnownLevels::forget(const std::string& name) {
   const auto found = levels_.find(name);
   if (found == levels_.end()) return;
-  words_ -= found->second.words;
+  bytes_ -= found->second.bytes;
   byAge_.erase(found->second.number);
   levels_.erase(found);
 }
@@ -45,8 +52,8 @@ Result<KnownLevels::LevelPointer> KnownLevels::named(const std::string& name) co
   error.message += fmt::format(" that is still kept: the oldest {} were dropped", dropped_);
   error.hint = fmt::format(
       "put queries and trajectories right behind their level; the newest levels are kept, {} MiB "
-      "of records",
-      mostWords_ >> 17);
+      "of memory",
+      mostBytes_ >> 20);
   return error;
 }
 

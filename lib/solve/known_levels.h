@@ -17,12 +17,14 @@ class KnownLevels {
  public:
   using LevelPointer = std::shared_ptr<const LoadedLevel>;
 
-  // 256 MiB.
-  static constexpr uint64_t kMostWords = (uint64_t(256) << 20) / 8;
+  static constexpr uint64_t kMostBytes = uint64_t(1) << 30;
 
-  // `mostWords`: what the records of the kept levels may take together, in Cap'n Proto's words of 8
-  // bytes. The newest is kept whatever it takes.
-  explicit KnownLevels(uint64_t mostWords) : mostWords_(mostWords) {}
+  // `mostBytes`: what the kept levels may take together, as records and compiled. The newest is
+  // kept whatever it takes.
+  explicit KnownLevels(uint64_t mostBytes) : mostBytes_(mostBytes) {}
+
+  // What keeping a level takes, in bytes, about.
+  static uint64_t bytesOf(const LoadedLevel& level);
 
   // Keeps a level as the newest, in place of an older one of its name. Gives the names of those
   // that are dropped for it, the oldest first.
@@ -36,15 +38,15 @@ class KnownLevels {
  private:
   struct Kept {
     LevelPointer level;
-    uint64_t words, number;
+    uint64_t bytes, number;
   };
 
   std::string dropOldest();
 
-  const uint64_t mostWords_;
+  const uint64_t mostBytes_;
   std::map<std::string, Kept> levels_;     // by name
   std::map<uint64_t, std::string> byAge_;  // their names, the oldest first
-  uint64_t words_ = 0;                     // of all that are kept
+  uint64_t bytes_ = 0;                     // of all that are kept
   uint64_t added_ = 0, dropped_ = 0;       // so far
 };
 

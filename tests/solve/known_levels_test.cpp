@@ -26,7 +26,7 @@ KnownLevels::LevelPointer levelCalled(const std::string& name) {
 }
 
 // Of a level with a name of one letter.
-uint64_t wordsOfOne() { return levelCalled("a")->record.reader().totalSize().wordCount; }
+uint64_t bytesOfOne() { return KnownLevels::bytesOf(*levelCalled("a")); }
 
 std::string errorOf(const KnownLevels& known, const std::string& name) {
   const auto found = known.named(name);
@@ -34,7 +34,7 @@ std::string errorOf(const KnownLevels& known, const std::string& name) {
 }
 
 TEST(KnownLevels, KeepsAsManyOfTheNewestAsFit) {
-  KnownLevels known(2 * wordsOfOne());
+  KnownLevels known(2 * bytesOfOne());
   EXPECT_THAT(known.add(levelCalled("a")), IsEmpty());
   EXPECT_THAT(known.add(levelCalled("b")), IsEmpty());
   EXPECT_THAT(known.add(levelCalled("c")), ElementsAre("a"));
@@ -42,6 +42,20 @@ TEST(KnownLevels, KeepsAsManyOfTheNewestAsFit) {
                                              "kept: the oldest 1 were dropped (put queries"));
   EXPECT_EQ(errorOf(known, "b"), "found");
   EXPECT_EQ(errorOf(known, "c"), "found");
+}
+
+// Two parts far apart are a small record, and a large grid.
+TEST(KnownLevels, CountsWhatACompiledLevelTakes) {
+  io::RecordBuilder record;
+  auto level = record.root().initLevel();
+  auto parts = level.initParts(2);
+  for (auto part : parts) support::set(part.initSize(), {8, 1, 8});
+  support::set(parts[1].initPosition(), {1000, 0, 1000});
+  level.initSpawns(1);
+  const auto loaded = loadLevel(io::Record(std::move(record)));
+  ASSERT_TRUE(loaded) << loaded.error().text();
+  EXPECT_GT(KnownLevels::bytesOf(*loaded), 200000u);
+  EXPECT_LT(bytesOfOne(), 20000u);
 }
 
 TEST(KnownLevels, KeepsTheNewestWhateverItTakes) {
@@ -53,7 +67,7 @@ TEST(KnownLevels, KeepsTheNewestWhateverItTakes) {
 }
 
 TEST(KnownLevels, OneOfAKnownNameIsTheNewestAndTakesThePlaceOfTheOther) {
-  KnownLevels known(2 * wordsOfOne());
+  KnownLevels known(2 * bytesOfOne());
   EXPECT_THAT(known.add(levelCalled("a")), IsEmpty());
   EXPECT_THAT(known.add(levelCalled("b")), IsEmpty());
   const auto again = levelCalled("a");
@@ -63,7 +77,7 @@ TEST(KnownLevels, OneOfAKnownNameIsTheNewestAndTakesThePlaceOfTheOther) {
 }
 
 TEST(KnownLevels, OneThatIsForgottenWasNotDropped) {
-  KnownLevels known(wordsOfOne());
+  KnownLevels known(bytesOfOne());
   EXPECT_THAT(known.add(levelCalled("a")), IsEmpty());
   known.forget("a");
   known.forget("never");
@@ -72,11 +86,11 @@ TEST(KnownLevels, OneThatIsForgottenWasNotDropped) {
   EXPECT_THAT(known.add(levelCalled("b")), IsEmpty());
 }
 
-// Checks trajectories; `levelWords`: of the levels that are kept.
-std::string verdictOn(const std::string& text, uint64_t levelWords) {
+// Checks trajectories; `levelBytes`: of the levels that are kept.
+std::string verdictOn(const std::string& text, uint64_t levelBytes) {
   FilterOptions o;
   o.task = Task::verify;
-  o.levelWords = levelWords;
+  o.levelBytes = levelBytes;
   const LinesFile file(text);
   const Filtered f = runFilter(file.path(), std::move(o));
   return f.status ? "fine" : f.status.error().text();
@@ -91,7 +105,7 @@ TEST(EndlessStream, AQueryOfADroppedLevelIsToldSo) {
       stonesText() + kOther +
       R"({"type":"query","id":"late","level":"stones","goal":{"position":[0,2,-28]}})"
       "\n";
-  EXPECT_EQ(verdictOn(text, KnownLevels::kMostWords), "fine");
+  EXPECT_EQ(verdictOn(text, KnownLevels::kMostBytes), "fine");
   EXPECT_THAT(verdictOn(text, 1),
               HasSubstr(":4: level: no level 'stones' before this record that is still kept"));
 }
@@ -102,7 +116,7 @@ TEST(EndlessStream, QueriesGoWithTheirLevel) {
       stones + kOther + stones.substr(0, stones.find('\n') + 1) +
       R"({"type":"trajectory","query":"q","level":"stones","actions":[{"ticks":10}],"ticks":10})"
       "\n";
-  EXPECT_THAT(verdictOn(text, KnownLevels::kMostWords), Not(HasSubstr("no query")));
+  EXPECT_THAT(verdictOn(text, KnownLevels::kMostBytes), Not(HasSubstr("no query")));
   EXPECT_THAT(verdictOn(text, 1), HasSubstr(":5: query: no query 'q' before this record"));
 }
 
