@@ -24,12 +24,12 @@ Status filesHaveNames(const cli::Arguments& a) {
   return {};
 }
 
-// Or becomes one when it is written: no device, pipe or folder.
+// Or becomes one when it is written, or cannot be looked at: no device, pipe or folder.
 bool isFile(const std::string& path) {
-  std::error_code none;
-  const auto kind = std::filesystem::status(path, none).type();
+  std::error_code unseen;
+  const auto kind = std::filesystem::status(path, unseen).type();
   return kind == std::filesystem::file_type::regular ||
-         kind == std::filesystem::file_type::not_found;
+         kind == std::filesystem::file_type::not_found || kind == std::filesystem::file_type::none;
 }
 
 // Beside the policy; none where the policy goes to a device or a pipe.
@@ -44,11 +44,16 @@ struct Output {
   std::string path;  // empty: there is none
 };
 
+// Links are written through.
+std::filesystem::path placeOf(const Output& output) {
+  std::error_code unseen;
+  std::filesystem::path real = std::filesystem::weakly_canonical(
+      std::filesystem::current_path(unseen) / output.path, unseen);
+  return unseen ? std::filesystem::path(output.path).lexically_normal() : real;
+}
+
 // Of two that are written to one file only the last would be left.
 Status filesDiffer(std::span<const Output> outputs) {
-  const auto placeOf = [](const Output& o) {
-    return std::filesystem::path(o.path).lexically_normal();
-  };
   for (size_t i = 0; i < outputs.size(); ++i) {
     if (outputs[i].path.empty() || !isFile(outputs[i].path)) continue;
     for (size_t other = 0; other < i; ++other) {
@@ -89,8 +94,9 @@ std::string commandOf(const cli::Arguments& arguments) {
       command += " --" + name;
       continue;
     }
+    const char joint = value.row.type == cli::ValueType::mode ? '=' : ' ';
     for (const std::string& text : value.texts)
-      command += fmt::format(" --{} {}", name, wordOf(text));
+      command += fmt::format(" --{}{}{}", name, joint, wordOf(text));
   }
   for (const std::string& input : arguments.inputs) {
     if (input != "-") command += " " + wordOf(input);
@@ -190,9 +196,12 @@ Status Keeper::save(const train::Trainer& trainer, const train::History& history
   OBBY_ASSIGN(const train::TrainerState state, trainer.state());
   if (!ranks_.first()) return {};
   // Ended before anything was learned: what a run before has left is worth more.
+  const auto isThere = [](const std::string& path) {
+    std::error_code unseen;
+    return std::filesystem::is_regular_file(path, unseen);
+  };
   const std::string& output = context_.arguments().text("output");
-  std::error_code none;
-  if (state.decisions == 0 && std::filesystem::is_regular_file(output, none)) return {};
+  if (state.decisions == 0 && (isThere(output) || isThere(checkpointPath_))) return {};
   Status kept;
   if (!checkpointPath_.empty()) {
     kept = writeFile(checkpointPath_, train::writeCheckpoint({context_.identity().version, run_,

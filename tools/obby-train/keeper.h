@@ -32,8 +32,8 @@ class Keeper {
 
   // The checkpoint first: killed between the two, the next run goes on from what is newer than the
   // policy, and writes the policy that belongs to it. Where it cannot be written, as on a full disk
-  // of its own, the policy is written all the same. Before anything is learned a policy that is
-  // there stays, with its checkpoint. `seconds`: of all runs.
+  // of its own, the policy is written all the same. Before anything is learned nothing is written
+  // where a policy or a checkpoint is there. `seconds`: of all runs.
   Status save(const train::Trainer& trainer, const train::History& history, double seconds) const;
 
  private:
