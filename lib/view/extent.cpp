@@ -7,12 +7,11 @@ namespace {
 
 constexpr float kAround = 6;  // studs of surroundings
 
-}  // namespace
-
-Corners cornersOf(schema::Region::Reader region) {
-  const auto p = region.getPosition();
-  const auto q = region.getRotation();
-  const auto s = region.getSize();
+template <class T>  // Part or Region
+Corners cornersFrom(T reader) {
+  const auto p = reader.getPosition();
+  const auto q = reader.getRotation();
+  const auto s = reader.getSize();
   const Mat3 axes = toMat3(normalize(Quat{q.getX(), q.getY(), q.getZ(), q.getW()}));
   Corners corners;
   for (int i = 0; i < 8; ++i) {
@@ -22,6 +21,11 @@ Corners cornersOf(schema::Region::Reader region) {
   }
   return corners;
 }
+
+}  // namespace
+
+Corners cornersOf(schema::Part::Reader part) { return cornersFrom(part); }
+Corners cornersOf(schema::Region::Reader region) { return cornersFrom(region); }
 
 Box boxOf(const Corners& corners) {
   Box box{corners[0], corners[0]};

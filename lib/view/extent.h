@@ -10,6 +10,7 @@ namespace obby::view {
 
 using Corners = std::array<Vec3, 8>;
 
+Corners cornersOf(schema::Part::Reader part);
 Corners cornersOf(schema::Region::Reader region);
 Box boxOf(const Corners& corners);
 

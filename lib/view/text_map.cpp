@@ -82,14 +82,23 @@ void drawParts(Raster& raster, const LevelEntry& level, uint32_t tick, Frame fra
     std::vector<Vec2> hull;
   };
   std::vector<Drawn> drawn;
-  for (size_t i = 0; i < world.solids.size(); ++i) {
-    const Role role = roles[level.level->view().colliders[i].part];
-    if (role == Role::ghost) continue;
-    const Corners corners = cornersAround(world.solids[i]);
+  const auto draw = [&](Role role, const Corners& corners) {
     const Box box = boxOf(corners);
     const bool meets = box.lo.x <= extent.hi.x && extent.lo.x <= box.hi.x &&
                        box.lo.z <= extent.hi.z && extent.lo.z <= box.hi.z;
-    if (meets) drawn.push_back({role, box.hi.y, footprint(corners, frame)});
+    if (meets && role != Role::ghost) {
+      drawn.push_back({role, box.hi.y, footprint(corners, frame)});
+    }
+  };
+  std::vector<bool> simulated(roles.size(), false);
+  for (size_t i = 0; i < world.solids.size(); ++i) {
+    const uint32_t part = level.level->view().colliders[i].part;
+    simulated[part] = true;
+    draw(roles[part], cornersAround(world.solids[i]));
+  }
+  // What nothing meets, as a goal to walk into, has no place in the simulator.
+  for (uint32_t i = 0; i < roles.size(); ++i) {
+    if (!simulated[i]) draw(roles[i], cornersOf(level.reader().getParts()[i]));
   }
   std::stable_sort(drawn.begin(), drawn.end(),
                    [](const Drawn& a, const Drawn& b) { return a.top < b.top; });

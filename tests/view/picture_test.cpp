@@ -195,9 +195,9 @@ TEST(Drawing, RunsFromTheStartTowardsGoalsToo) {
 }
 
 TEST(Drawing, SaysHowLongALongCourseIs) {
-  const auto shown = view_test::collect(
-      {R"({"type":"level","name":"long","parts":[{"size":[1500,1,4]},)"
-       R"({"position":[1000,0,0],"size":[1500,1,4]}]})"});
+  const auto shown =
+      view_test::collect({R"({"type":"level","name":"long","parts":[{"size":[1500,1,4]},)"
+                          R"({"position":[1000,0,0],"size":[1500,1,4]}]})"});
   ASSERT_TRUE(shown) << shown.error().text();
   const std::string svg = drawingOf(shown->levels[0], nullptr, {});
   EXPECT_NE(svg.find("; 2500 studs across"), std::string::npos) << svg.substr(svg.size() - 200);

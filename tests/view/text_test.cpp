@@ -1,6 +1,7 @@
 // The table and the map, to the letter.
 #include "view/text_report.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -121,6 +122,22 @@ TEST(Text, MapShowsMovingPartsWhereTheyAreAtTheStart) {
   }
   ASSERT_NE(lift, map.npos);
   EXPECT_GT(lift, start + 10);
+}
+
+// It is in no table of the simulator.
+TEST(Text, MapShowsAGoalThatNobodyCollidesWith) {
+  const auto goals = [](const char* role) {
+    const auto report =
+        collect({fmt::format(R"({{"type":"level","name":"L","spawns":[{{}}],"parts":[)"
+                             R"({{"position":[0,-0.5,-10],"size":[10,1,30]}},)"
+                             R"({{"position":[3,1,-8],"size":[4,1,4],"solid":false{}}}]}})",
+                             role),
+                 R"({"type":"query","id":"q","goal":{"position":[0,2,-20],"size":[4,4,4]}})"});
+    EXPECT_TRUE(report) << report.error().text();
+    const std::string map = view::queryMap(*report, report->queries[0], {60, false, false});
+    return std::count(map.begin(), map.end(), 'G');
+  };
+  EXPECT_GT(goals(R"(,"goal":{})"), goals("") + 4);
 }
 
 TEST(Text, AsciiHoldsNoOtherCharactersAndNoColours) {
