@@ -12,20 +12,27 @@ struct ColliderRun {
   uint32_t first = 0, count = 0;  // of LevelView::colliders; count 0: it has none
 };
 
-// Of all parts, found in one pass.
+// Of all parts, found in one pass when the first is asked for.
 class ColliderRuns {
  public:
-  explicit ColliderRuns(const LevelView& level) {
-    for (uint32_t i = 0; i < level.colliderCount; ++i) {
-      const uint32_t part = level.colliders[i].part;
+  // The level must outlive this.
+  explicit ColliderRuns(const LevelView& level) : level_(level) {}
+
+  ColliderRun of(uint32_t part) {
+    if (runs_.empty()) find();
+    return part < runs_.size() ? runs_[part] : ColliderRun{};
+  }
+
+ private:
+  void find() {
+    for (uint32_t i = 0; i < level_.colliderCount; ++i) {
+      const uint32_t part = level_.colliders[i].part;
       if (part >= runs_.size()) runs_.resize(size_t(part) + 1);
       if (runs_[part].count++ == 0) runs_[part].first = i;
     }
   }
 
-  ColliderRun of(uint32_t part) const { return part < runs_.size() ? runs_[part] : ColliderRun{}; }
-
- private:
+  const LevelView& level_;
   std::vector<ColliderRun> runs_;  // by part, up to the last one that has any
 };
 

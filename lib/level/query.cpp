@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "level/collider_runs.h"
 #include "level/level.h"
@@ -76,7 +75,7 @@ Result<SegmentLimits> segmentLimits(int32_t jumps, float seconds, const Params& 
 class Targets {
  public:
   Targets(const LevelView& level, size_t parts, std::vector<uint32_t>& touched)
-      : level_(level), parts_(parts), touched_(touched) {}
+      : parts_(parts), runs_(level), touched_(touched) {}
 
   Result<TargetView> compile(schema::Region::Reader record, const std::string& path) {
     TargetView target;
@@ -116,11 +115,8 @@ class Targets {
  private:
   // A part's colliders go into touched_ once: lists may name it again, and a tag thousands.
   void listTouched(uint32_t part, TargetView& target) {
-    if (!runs_) {
-      runs_.emplace(level_);
-      listed_.assign(parts_, kNone);
-    }
-    const ColliderRun run = runs_->of(part);
+    const ColliderRun run = runs_.of(part);
+    listed_.resize(parts_, kNone);
     if (listed_[part] == kNone) {
       listed_[part] = uint32_t(touched_.size());
       for (uint32_t i = 0; i < run.count; ++i) touched_.push_back(run.first + i);
@@ -129,11 +125,10 @@ class Targets {
     target.touchCount = run.count;
   }
 
-  const LevelView& level_;
   size_t parts_;
+  ColliderRuns runs_;
+  std::vector<uint32_t> listed_;  // (parts) where each is in touched_; empty until one is
   std::vector<uint32_t>& touched_;
-  std::optional<ColliderRuns> runs_;  // made when the first part is to be touched
-  std::vector<uint32_t> listed_;      // (parts) where each is in touched_; kNone: not yet
 };
 
 Result<WaypointView> compileWaypoint(schema::Waypoint::Reader record, const Params& params,

@@ -4,13 +4,13 @@
 
 #include <utility>
 
-#include "level/table_bytes.h"
+#include "base/table_bytes.h"
 
 namespace obby::solve {
 
 uint64_t KnownLevels::bytesOf(const LoadedLevel& level) {
   const uint64_t words = level.record.reader().totalSize().wordCount;
-  return words * sizeof(capnp::word) + level::tableBytes(level.level.view());
+  return words * sizeof(capnp::word) + tableBytes(level.level.view());
 }
 
 std::vector<std::string> KnownLevels::add(LevelPointer level) {

@@ -11,7 +11,7 @@ Result<PassFilter> PassFilter::make(schema::Level::Reader record, const level::L
                                     const PassRule& rule) {
   OBBY_ASSIGN(const io::Record places, buildPlaces(record, rule.pass, rule.notPass));
   const auto query = places.reader().getQuery();
-  const level::ColliderRuns runs(level.view());
+  level::ColliderRuns runs(level.view());
   PassFilter filter;
   for (const auto region : query.getVisits()) filter.pass_.emplace_back(region, runs);
   for (const auto region : query.getAvoid()) filter.notPass_.emplace_back(region, runs);

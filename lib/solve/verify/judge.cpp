@@ -6,7 +6,7 @@
 namespace obby::solve {
 
 Judge::Judge(schema::Query::Reader query, const level::LevelView& level) : level_(level) {
-  const level::ColliderRuns runs(level);
+  level::ColliderRuns runs(level);
   if (query.hasGoal()) goals_.emplace_back(query.getGoal(), runs);
   for (const auto goal : query.getGoals()) goals_.emplace_back(goal, runs);
   for (const auto visit : query.getVisits()) visits_.emplace_back(visit, runs);

@@ -16,7 +16,7 @@ namespace obby::solve {
 class Place {
  public:
   // The parts that it names are resolved; `runs` of the level.
-  Place(schema::Region::Reader region, const level::ColliderRuns& runs)
+  Place(schema::Region::Reader region, level::ColliderRuns& runs)
       : box_(region), touch_(region.getTouch()) {
     if (touch_) colliders_ = runs.of(uint32_t(region.getPartIndex()));
   }

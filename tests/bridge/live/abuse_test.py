@@ -233,16 +233,21 @@ class AbuseTest(unittest.TestCase):
             self.assertFalse(os.path.exists(f"/proc/{pid}"))
         self.assertEqual(os.listdir(os.path.join(bridge.state, "answers")), [])
 
-    def test_a_bridge_that_ends_still_tells_all_that_its_jobs_said(self):
-        """However much of it is on its way when the last program has ended."""
-        said = "i=0; while [ $i -lt 400 ]; do echo line $i >&2; i=$((i+1)); done"
-        script = program(self, f"trap '{said}; exit 130' INT\ncat >/dev/null\necho up >&2\n"
-                         "while :; do sleep 0.05; done\n")
+    def told_to_end(self, last_words):
+        """A bridge that is told to end while a job runs that then has much to say, and its events."""
+        script = program(self, f"trap '{last_words} >&2; exit 130' INT\ncat >/dev/null\n"
+                         "echo up >&2\nwhile :; do sleep 0.05; done\n")
         bridge = self.bridge("--solve", script)
         events = bridge.events()
         bridge.ask(level=bridge.place_level(LEVEL))
         events.until(lambda m: m.get("text") == "up")
         bridge.process.send_signal(signal.SIGTERM)
+        return bridge, events
+
+    def test_a_bridge_that_ends_still_tells_all_that_its_jobs_said(self):
+        """However much of it is on its way when the last program has ended."""
+        bridge, events = self.told_to_end(
+            "i=0; while [ $i -lt 400 ]; do echo line $i; i=$((i+1)); done")
         messages = events.until(lambda m: m.get("state") == "cancelled")
         self.assertEqual([m["text"] for m in messages if m["type"] == "report"],
                          [f"line {i}" for i in range(400)])
@@ -261,14 +266,7 @@ class AbuseTest(unittest.TestCase):
         self.assertEqual(bridge.process.wait(20), 143)
 
     def test_a_bridge_that_ends_waits_for_no_client_that_reads_nothing(self):
-        script = program(self, "trap 'head -c 30000000 /dev/zero | tr \\0 x | fold -w 9999 >&2; "
-                         "exit 130' INT\ncat >/dev/null\necho up >&2\n"
-                         "while :; do sleep 0.05; done\n")
-        bridge = self.bridge("--solve", script)
-        events = bridge.events()
-        bridge.ask(level=bridge.place_level(LEVEL))
-        events.until(lambda m: m.get("text") == "up")
-        bridge.process.send_signal(signal.SIGTERM)
+        bridge, _ = self.told_to_end("head -c 30000000 /dev/zero | tr \\0 x | fold -w 9999")
         self.assertEqual(bridge.process.wait(8), 143)
 
     def test_processor_time_and_memory_are_bounded(self):
