@@ -1,0 +1,35 @@
+// A large report in the page, and what a reader does to it: for the test that counts the work and the bench that times it.
+import { writeFileSync } from 'node:fs';
+import { fillTemplate } from './browser.mjs';
+import { largeReport } from './large_report.mjs';
+
+// Writes the page of `parts` and `ways` of ten seconds to `file`.
+export function writeLargePage(template, file, parts, ways) {
+  const report = largeReport(parts, ways, 600);
+  writeFileSync(file, fillTemplate(template, report, report.title));
+}
+
+// What each change sets, the i-th time that it is made: never what was set before.
+export const kChanges = {
+  again: () => ({}),
+  select: (i) => ({ path: 100 + i }),
+  scrub: (i) => ({ tick: 50 + i }),
+  filter: (i) => ({ mostSeconds: 8 - i }),
+  box: (i) => ({ boxes: [{ min: [10 * i, 0, 0], max: [10 * i + 20, 20, 60], keep: true }] }),
+  heat: (i) => ({ boxes: [], heat: true, mostSeconds: 9.9 - 0.1 * i }),
+  colour: (i) => ({ colorBy: ['time', 'jumps', 'outcome'][i] }),
+  sort: (i) => ({ sort: ['time', 'jumps', 'found'][i], mostSeconds: 0, boxes: [], heat: false }),
+};
+
+// Makes a change and draws; when it is drawn, how long it took in milliseconds.
+export function change(page, values) {
+  return page.evaluate(async (v) => {
+    const { obby } = window;
+    const start = performance.now();
+    obby.store.set(v);
+    obby.draw(obby.store.state.tick, obby.path());
+    const gl = obby.stage.renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for the picture
+    return performance.now() - start;
+  }, values);
+}
