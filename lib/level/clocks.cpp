@@ -10,10 +10,10 @@ namespace {
 // Marks the number of a shared clock until it is known how many roles come before.
 constexpr uint32_t kShared = 0x80000000u;
 
-bool same(const Clock& a, const Clock& b) {
-  return a.length == b.length && a.restarts == b.restarts && a.walkFactor == b.walkFactor &&
-         a.jumpFactor == b.jumpFactor && a.jumpMore == b.jumpMore && a.helpless == b.helpless &&
-         a.seat == b.seat;
+// All that a clock does: clocks for which it is equal do the same.
+auto effectOf(const Clock& c) {
+  return std::make_tuple(c.length, c.restarts, c.walkFactor, c.jumpFactor, c.jumpMore, c.helpless,
+                         c.seat);
 }
 
 void resolve(uint32_t& clock, uint32_t role, size_t roleCount) {
@@ -44,7 +44,7 @@ Status ClockTables::addButton(schema::Part::Reader part, size_t index, const Par
   const auto [it, added] = signals_.try_emplace(name, Signal{uint32_t(shared_.size()), index});
   if (added) {
     shared_.push_back(clock);
-  } else if (!same(shared_[it->second.clock], clock)) {
+  } else if (effectOf(shared_[it->second.clock]) != effectOf(clock)) {
     return pathError(
         path + ".seconds",
         fmt::format("differs from that of parts[{}], which starts the same signal '{}'",
@@ -86,10 +86,9 @@ uint32_t ClockTables::add(const Clock& clock) {
 }
 
 uint32_t ClockTables::share(const Clock& clock) {
-  for (uint32_t i = 0; i < shared_.size(); ++i) {
-    if (same(shared_[i], clock)) return i | kShared;
-  }
-  return add(clock);
+  const auto [given, isNew] = given_.try_emplace(effectOf(clock), 0);
+  if (isNew) given->second = add(clock);
+  return given->second;
 }
 
 Status ClockTables::checkSignals() const {

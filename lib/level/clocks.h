@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/result.h"
@@ -46,6 +47,8 @@ class ClockTables {
 
   std::map<std::string, Signal> signals_;
   std::vector<Clock> shared_;
+  using Effect = std::tuple<uint32_t, bool, float, float, float, uint32_t, uint32_t>;
+  std::map<Effect, uint32_t> given_;  // by share(): what does the same has one clock
 };
 
 // Ticks of a duration; refuses what is negative or no number.

@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <cstring>
-#include <unordered_map>
+#include <iterator>
+#include <utility>
 
-#include "base/hash.h"
 #include "level/behaviours/behaviour.h"
 #include "level/behaviours/fall.h"
+#include "level/compile_hulls.h"
 #include "level/compile_loose.h"
 #include "level/record_values.h"
+#include "level/swept_bounds.h"
 #include "level/upright.h"
 
 namespace obby::level {
@@ -27,30 +27,35 @@ constexpr uint32_t kKeepsAxes = kOneWay | kSeat;
 
 class PartCompiler {
  public:
-  PartCompiler(PartTables& out, const Params& params) : out_(out), params_(params) {}
+  // No table has more rows than `mostRows`, or than one repetition.
+  PartCompiler(PartTables& out, const Params& params, uint32_t mostRows)
+      : out_(out), params_(params), mostRows_(mostRows) {}
 
-  Status addSignals(schema::Level::Reader level) { return clocks_.addSignals(level, params_); }
-  // `index` of the part in the record.
-  Status add(schema::Part::Reader part, uint32_t index);
-  Status finish();
+  Status compile(schema::Level::Reader level);
+
+  // The error is that all tables together have too many rows.
+  bool isOverBudget() const { return overBudget_; }
 
  private:
-  Result<MotionTables> tables(const PartContext& c) const;
-  Result<uint32_t> trigger(PartContext& c, const MotionTables& tables);
+  // `index` of the part in the record; the error has the whole path.
+  Status addAt(schema::Part::Reader part, uint32_t index);
+  Status add(schema::Part::Reader part, uint32_t index);
+  Status finish();
+  Result<uint32_t> trigger(PartContext& c, const MotionPlan& plan);
   Status mover(PartContext& c, Collider& collider);
+  Status checkBudget(const PartContext& c);
   Status shapes(schema::Part::Reader part, Collider collider, uint32_t flags);
   Status hulls(schema::Part::Reader part, const Collider& base, uint32_t flags);
   void push(Collider collider, uint32_t flags);
-  Box sweptBounds(const Collider& collider) const;
-
-  const std::vector<Mat3>& sharedSpins(MotionTables& tables);
 
   PartTables& out_;
   const Params& params_;
+  const uint32_t mostRows_;
   ClockTables clocks_;
-  std::vector<Clock> own_;                                             // (roles)
-  std::unordered_multimap<uint64_t, const std::vector<Mat3>*> spins_;  // by digest
-  size_t rows_ = 0;                                                    // of all tables
+  std::vector<Clock> own_;  // (roles)
+  SweptBounds swept_;       // of the last mover
+  size_t keyRows_ = 0;      // of all tables of keys
+  bool overBudget_ = false;
 };
 
 Result<Vec3> halfExtents(schema::Part::Reader part) {
@@ -65,13 +70,8 @@ Result<Vec3> halfExtents(schema::Part::Reader part) {
 // Nobody meets it.
 bool isScenery(const PartContext& c) { return (c.flags & (kSolid | kTouchRoles)) == 0; }
 
-Result<MotionTables> PartCompiler::tables(const PartContext& c) const {
-  if (c.part.hasMotion()) return motionTables(c.part.getMotion(), c.pose, params_);
-  return fallTables(c.part.getFall(), c.pose, params_);
-}
-
 // The clock that moves a part; kNone: the level's.
-Result<uint32_t> PartCompiler::trigger(PartContext& c, const MotionTables& tables) {
+Result<uint32_t> PartCompiler::trigger(PartContext& c, const MotionPlan& plan) {
   if (c.part.hasFall()) return kOwnClock;
   const auto motion = c.part.getMotion();
   const bool signal = motion.getTrigger() == schema::MotionTrigger::SIGNAL;
@@ -82,36 +82,40 @@ Result<uint32_t> PartCompiler::trigger(PartContext& c, const MotionTables& table
   }
   OBBY_ASSIGN(const uint32_t asked, ticksOf(params_, motion.getSeconds(), "motion.seconds"));
   if (motion.getTrigger() == schema::MotionTrigger::ALWAYS) return kNone;
-  uint32_t length = asked != 0 ? asked : tables.once ? kForever : tables.period;
+  const uint32_t length = asked != 0 ? asked : plan.once ? kForever : plan.period;
   // A part that nothing can touch rests for good: its clock never starts.
   if (c.part.getTouch()) OBBY_RETURN_IF_ERROR(startOwn(c, length, "motion.trigger"));
   return kOwnClock;
 }
 
 Status PartCompiler::mover(PartContext& c, Collider& collider) {
-  OBBY_ASSIGN(MotionTables tables, this->tables(c));
-  OBBY_ASSIGN(const uint32_t trigger, this->trigger(c, tables));
+  MotionPlan plan;
+  plan.once = c.part.hasFall();
+  if (c.part.hasMotion()) {
+    OBBY_ASSIGN(plan, planMotion(c.part.getMotion(), params_, mostRows_));
+  }
+  OBBY_ASSIGN(const uint32_t trigger, this->trigger(c, plan));
   if (isScenery(c)) return {};
-  if (tables.keys.size() == 1 && tables.spins.empty()) {
-    collider.pose = tables.keys[0];
+  std::vector<Pose> table =
+      c.part.hasMotion() ? keyTable(plan, c.pose) : fallTable(c.part.getFall(), c.pose, params_);
+  if (table.size() == 1 && plan.spin.rows == 0) {
+    collider.pose = table[0];
     return {};
   }
-  out_.motions.push_back(std::move(tables));
-  MotionTables& kept = out_.motions.back();
-  // push() drops it for shapes that are no blocks.
-  if (!(c.flags & kKeepsAxes) && makeUpright(kept)) c.flags |= kUpright;
-  const std::vector<Mat3>& spins = sharedSpins(kept);
-  rows_ += kept.keys.size() + kept.spins.size();
-  if (rows_ > kMaxLevelRows) {
-    return pathError(
-        c.part.hasMotion() ? "motion" : "fall",
-        fmt::format("all motions together need more than {} ticks of tables", kMaxLevelRows),
-        "parts that spin alike share a table, and a period of whole ticks needs the shortest");
+  out_.motions.push_back(std::move(table));
+  std::vector<Pose>& keys = out_.motions.back();
+  const bool keysStand = !(c.flags & kKeepsAxes) && isUpright(keys);
+  const SpinTurns turns = out_.spins.of(plan.spin, keysStand);
+  if (turns.upright) {
+    snapUpright(keys);
+    c.flags |= kUpright;  // push() drops it for shapes that are no blocks
   }
+  keyRows_ += keys.size();
+  OBBY_RETURN_IF_ERROR(checkBudget(c));
   collider.mover = uint32_t(out_.movers.size());
-  out_.movers.push_back({kept.keys.data(), spins.empty() ? nullptr : spins.data(),
-                         uint32_t(kept.keys.size()), uint32_t(spins.size()), kept.pivot, kept.once,
-                         trigger});
+  out_.movers.push_back({keys.data(), turns.rows.data(), uint32_t(keys.size()),
+                         uint32_t(turns.rows.size()), plan.pivot, plan.once, trigger});
+  swept_ = SweptBounds(out_.movers.back());
   c.flags |= kMoving;
   if (!c.part.hasMotion() || c.part.getMotion().getCarries()) c.flags |= kCarries;
   if (trigger == kNone) {
@@ -122,38 +126,13 @@ Status PartCompiler::mover(PartContext& c, Collider& collider) {
   return {};
 }
 
-// The table of an earlier part that spins alike, or this part's own: whole courses spin at one
-// rate.
-const std::vector<Mat3>& PartCompiler::sharedSpins(MotionTables& tables) {
-  if (tables.spins.empty()) return tables.spins;
-  const size_t bytes = tables.spins.size() * sizeof(Mat3);
-  const auto [first, last] = spins_.equal_range(hashBytes(tables.spins.data(), bytes));
-  for (auto it = first; it != last; ++it) {
-    const std::vector<Mat3>& known = *it->second;
-    if (known.size() != tables.spins.size() ||
-        std::memcmp(known.data(), tables.spins.data(), bytes) != 0)
-      continue;
-    tables.spins = {};
-    return known;
-  }
-  spins_.emplace(hashBytes(tables.spins.data(), bytes), &tables.spins);
-  return tables.spins;
-}
-
-// Bounds over all rows of both tables: each key's centre with the largest radius about the pivot
-// where it spins.
-Box PartCompiler::sweptBounds(const Collider& c) const {
-  if (c.mover == kNone) return boundsOf(c.pose, c.shape.half);
-  const Mover& m = out_.movers[c.mover];
-  Box swept{{1e30f, 1e30f, 1e30f}, {-1e30f, -1e30f, -1e30f}};
-  const float radius = length(c.shape.half) + length(m.pivot);
-  for (uint32_t k = 0; k < m.keyCount; ++k) {
-    const Pose& key = m.keys[k];
-    const Vec3 pivot = toWorld(key, m.pivot);
-    const Vec3 r{radius, radius, radius};
-    swept = join(swept, m.spinCount == 0 ? boundsOf(key, c.shape.half) : Box{pivot - r, pivot + r});
-  }
-  return swept;
+Status PartCompiler::checkBudget(const PartContext& c) {
+  if (keyRows_ + out_.spins.rows() <= kMaxLevelRows) return {};
+  overBudget_ = true;
+  return pathError(
+      c.part.hasMotion() ? "motion" : "fall",
+      fmt::format("all motions together need more than {} ticks of tables", kMaxLevelRows),
+      "parts that spin alike share a table, and faster motions need shorter ones");
 }
 
 void PartCompiler::push(Collider collider, uint32_t flags) {
@@ -164,26 +143,16 @@ void PartCompiler::push(Collider collider, uint32_t flags) {
     const bool still = collider.mover == kNone && collider.loose == kNotLoose;
     if (still && !(flags & kKeepsAxes) && makeUpright(collider)) flags |= kUpright;
   }
-  out_.bounds.push_back(makeBounds(sweptBounds(collider), flags, uint32_t(out_.bounds.size()),
+  const Vec3 half = collider.shape.half;
+  const Box box = collider.mover == kNone ? boundsOf(collider.pose, half) : swept_.of(half);
+  out_.bounds.push_back(makeBounds(box, flags, uint32_t(out_.bounds.size()),
                                    collider.friction < params_.iceFriction));
   out_.colliders.push_back(collider);
 }
 
 Status PartCompiler::hulls(schema::Part::Reader part, const Collider& base, uint32_t flags) {
-  size_t index = 0;
-  for (const auto record : part.getHulls()) {
-    const std::string path = fmt::format("hulls[{}].vertices", index++);
-    std::vector<Vec3> vertices;
-    for (const auto v : record.getVertices()) {
-      OBBY_ASSIGN(const Vec3 at, position(v, path));
-      vertices.push_back(at);
-    }
-    if (vertices.size() < 4 || vertices.size() > kMaxHullVertices) {
-      return pathError(path, fmt::format("expected 4 to {} vertices, got {}", kMaxHullVertices,
-                                         vertices.size()));
-    }
-    const geom::Hull* const hull = out_.hulls.hullOf(vertices);
-    if (hull == nullptr) continue;  // flat: nothing to collide with
+  OBBY_ASSIGN(const std::vector<const geom::Hull*> hulls, hullsOf(part, out_.hulls));
+  for (const geom::Hull* const hull : hulls) {
     Collider c = base;
     c.shape.hull = hull;
     Vec3 reach;
@@ -256,41 +225,25 @@ Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
   return {};
 }
 
-Status PartCompiler::finish() {
-  OBBY_RETURN_IF_ERROR(clocks_.checkSignals());
-  bool crushes = false;
-  for (const Bounds& b : out_.bounds) crushes = crushes || (b.flags & kCrush) != 0;
-  if (crushes) clocks_.add({kForever});
-  out_.clocks = clocks_.finish(own_, out_.colliders, out_.roles, out_.movers);
-  if (crushes) out_.crushClock = uint32_t(out_.clocks.size() - 1);
-  return {};
+Status PartCompiler::addAt(schema::Part::Reader part, uint32_t index) {
+  auto status = add(part, index);
+  if (status) return {};
+  Error error = std::move(status).error();
+  error.path = fmt::format("parts[{}]{}{}", index, error.path.empty() ? "" : ".", error.path);
+  return error;
 }
 
-}  // namespace
-
-Result<PartTables> compileParts(schema::Level::Reader record, const Params& params) {
-  PartTables out;
-  if (record.getParts().size() > kMaxParts) {
-    return pathError("parts", fmt::format("expected at most {} parts, got {}", kMaxParts,
-                                          record.getParts().size()));
-  }
-  PartCompiler compiler(out, params);
-  OBBY_RETURN_IF_ERROR(compiler.addSignals(record));
+Status PartCompiler::compile(schema::Level::Reader level) {
+  OBBY_RETURN_IF_ERROR(clocks_.addSignals(level, params_));
   std::vector<uint32_t> loose;
-  const auto add = [&](uint32_t index) -> Status {
-    auto status = compiler.add(record.getParts()[index], index);
-    if (status) return {};
-    Error error = std::move(status).error();
-    error.path = fmt::format("parts[{}]{}{}", index, error.path.empty() ? "" : ".", error.path);
-    return error;
-  };
-  for (uint32_t index = 0; index < record.getParts().size(); ++index) {
-    const auto part = record.getParts()[index];
-    out.names.push_back(part.getName());
+  const auto parts = level.getParts();
+  for (uint32_t index = 0; index < parts.size(); ++index) {
+    const auto part = parts[index];
+    out_.names.push_back(part.getName());
     if (isLoose(part)) {
       loose.push_back(index);
     } else {
-      OBBY_RETURN_IF_ERROR(add(index));
+      OBBY_RETURN_IF_ERROR(addAt(part, index));
     }
   }
   if (loose.size() > kMaxLoose) {
@@ -299,11 +252,39 @@ Result<PartTables> compileParts(schema::Level::Reader record, const Params& para
                                  "nobody pushes",
                                  kMaxLoose, loose.size()));
   }
-  for (const uint32_t index : loose) OBBY_RETURN_IF_ERROR(add(index));
-  OBBY_RETURN_IF_ERROR(compiler.finish());
+  for (const uint32_t index : loose) OBBY_RETURN_IF_ERROR(addAt(parts[index], index));
+  return finish();
+}
+
+Status PartCompiler::finish() {
+  OBBY_RETURN_IF_ERROR(clocks_.checkSignals());
+  bool crushes = false;
+  for (const Bounds& b : out_.bounds) crushes = crushes || (b.flags & kCrush) != 0;
+  if (crushes) clocks_.add({kForever});
+  out_.clocks = clocks_.finish(own_, out_.colliders, out_.roles, out_.movers);
+  if (crushes) out_.crushClock = uint32_t(out_.clocks.size() - 1);
   const Vec3 nowhere{1e38f, 1e38f, 1e38f};
-  out.bounds.push_back(makeBounds({nowhere, -nowhere}, 0, uint32_t(out.bounds.size()), false));
-  return out;
+  out_.bounds.push_back(makeBounds({nowhere, -nowhere}, 0, uint32_t(out_.bounds.size()), false));
+  return {};
+}
+
+}  // namespace
+
+Result<PartTables> compileParts(schema::Level::Reader record, const Params& params) {
+  if (record.getParts().size() > kMaxParts) {
+    return pathError("parts", fmt::format("expected at most {} parts, got {}", kMaxParts,
+                                          record.getParts().size()));
+  }
+  HullStore hulls;  // found once, however often the rest is tried
+  for (size_t i = 0;; ++i) {
+    PartTables out;
+    out.hulls = std::move(hulls);
+    PartCompiler compiler(out, params, kMostRows[i]);
+    auto status = compiler.compile(record);
+    if (status) return out;
+    if (!compiler.isOverBudget() || i + 1 == std::size(kMostRows)) return std::move(status).error();
+    hulls = std::move(out.hulls);
+  }
 }
 
 }  // namespace obby::level

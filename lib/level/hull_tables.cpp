@@ -3,6 +3,8 @@
 // that could go wrong.
 #include "level/hull_tables.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -10,6 +12,10 @@ namespace obby::level {
 namespace {
 
 constexpr float kTolerance = 1e-4f;  // share of the hull's size
+
+// Thinner hulls are left out, flat ones with them: what rounding leaves of a union is no floor.
+constexpr float kThinnest = 0.01f;       // studs
+constexpr float kThinnestShare = 2e-6f;  // of the hull's size: how exact its vertices are
 
 std::vector<Vec3> distinct(const std::vector<Vec3>& points, float tolerance) {
   std::vector<Vec3> out;
@@ -67,9 +73,8 @@ void findEdges(HullTables& hull, float tolerance) {
   }
 }
 
-}  // namespace
-
-HullTables hullTables(const std::vector<Vec3>& vertices) {
+// Of a hull that is not much wider than thick; empty normals else.
+HullTables solidTables(const std::vector<Vec3>& vertices) {
   float size = 0;
   for (const Vec3 p : vertices) size = maxf(size, length(p - vertices[0]));
   const float tolerance = size * kTolerance;
@@ -91,6 +96,137 @@ HullTables hullTables(const std::vector<Vec3>& vertices) {
   if (hull.normals.size() < 4) hull.normals.clear(), hull.offsets.clear();
   findEdges(hull, tolerance);
   return hull;
+}
+
+// An affine map that makes a thin hull as thick as it is wide: its faces are found there.
+class Stretch {
+ public:
+  explicit Stretch(const std::vector<Vec3>& vertices) {
+    const std::array<Vec3, 3> t = largestTriangle(vertices);
+    Vec3 longest = t[1] - t[0];
+    for (const Vec3 side : {t[2] - t[0], t[2] - t[1]}) {
+      if (length(side) > length(longest)) longest = side;
+    }
+    axes_[2] = normalize(cross(t[1] - t[0], t[2] - t[0]));
+    axes_[0] = normalize(longest);
+    axes_[1] = cross(axes_[2], axes_[0]);
+    for (size_t k = 0; k < 3; ++k) {
+      double lo = along(k, vertices[0]), hi = lo;
+      for (const Vec3 p : vertices) lo = std::min(lo, along(k, p)), hi = std::max(hi, along(k, p));
+      middle_[k] = (lo + hi) / 2, half_[k] = (hi - lo) / 2;
+    }
+  }
+
+  // The least extent along one of its axes, studs.
+  double thickness() const { return 2 * std::min({half_[0], half_[1], half_[2]}); }
+
+  // To where the hull reaches from -1 to 1 along each axis.
+  Vec3 stretched(Vec3 p) const {
+    const auto at = [&](size_t k) { return float((along(k, p) - middle_[k]) / half_[k]); };
+    return {at(0), at(1), at(2)};
+  }
+
+  // Back from there: the normal of a face, the direction of an edge.
+  Vec3 normal(Vec3 n) const { return back(n, {1 / half_[0], 1 / half_[1], 1 / half_[2]}); }
+  Vec3 edge(Vec3 e) const { return back(e, half_); }
+
+ private:
+  static std::array<Vec3, 3> largestTriangle(const std::vector<Vec3>& v) {
+    std::array<Vec3, 3> largest{v[0], v[0], v[0]};
+    float most = 0;
+    for (size_t a = 0; a < v.size(); ++a) {
+      for (size_t b = a + 1; b < v.size(); ++b) {
+        for (size_t c = b + 1; c < v.size(); ++c) {
+          const float area = length(cross(v[b] - v[a], v[c] - v[a]));
+          if (area > most) most = area, largest = {v[a], v[b], v[c]};
+        }
+      }
+    }
+    return largest;
+  }
+
+  // Exact: far away floats are coarser than a thin hull is thick.
+  double along(size_t k, Vec3 p) const {
+    const Vec3 a = axes_[k];
+    return double(a.x) * double(p.x) + double(a.y) * double(p.y) + double(a.z) * double(p.z);
+  }
+
+  Vec3 back(Vec3 v, const std::array<double, 3>& scale) const {
+    Vec3 sum;
+    for (size_t k = 0; k < 3; ++k) sum += axes_[k] * float(component(v, int(k)) * scale[k]);
+    return normalize(sum);
+  }
+
+  std::array<Vec3, 3> axes_;
+  std::array<double, 3> middle_{}, half_{};
+};
+
+// The lowest and the highest of the vertices along a direction, studs.
+std::pair<float, float> reachAlong(Vec3 n, const std::vector<Vec3>& vertices) {
+  float lo = dot(n, vertices[0]), hi = lo;
+  for (const Vec3 p : vertices) lo = minf(lo, dot(n, p)), hi = maxf(hi, dot(n, p));
+  return {lo, hi};
+}
+
+// Of a hull that is thin for its width, or a needle: a wide floor is not to be fallen through.
+HullTables thinTables(const std::vector<Vec3>& vertices) {
+  const Stretch map(vertices);
+  float size = 0;
+  for (const Vec3 p : vertices) size = maxf(size, length(p - vertices[0]));
+  const float thinnest = maxf(kThinnest, size * kThinnestShare);
+  if (!(map.thickness() > 0.5 * double(thinnest))) return {};
+  std::vector<Vec3> stretched;
+  for (const Vec3 p : vertices) stretched.push_back(map.stretched(p));
+  const HullTables solid = solidTables(stretched);
+  HullTables hull;
+  for (const Vec3 p : solid.vertices) {
+    const auto same = std::find(stretched.begin(), stretched.end(), p);
+    hull.vertices.push_back(vertices[size_t(same - stretched.begin())]);
+  }
+  for (const Vec3 n : solid.normals) {
+    const Vec3 normal = map.normal(n);
+    const auto [lo, hi] = reachAlong(normal, hull.vertices);
+    if (hi - lo < thinnest) return {};
+    hull.normals.push_back(normal);
+    hull.offsets.push_back(hi);
+  }
+  for (const Vec3 e : solid.edges) hull.edges.push_back(map.edge(e));
+  return hull;
+}
+
+// Do the faces leave a way out to infinity? So they do where the ends of a long beam are too small
+// for faces of their own: rays would meet it beyond its ends.
+bool isOpen(const HullTables& hull) {
+  const auto leadsOut = [&](Vec3 d) {
+    return std::all_of(hull.normals.begin(), hull.normals.end(),
+                       [&](Vec3 n) { return dot(n, d) < 1e-4f; });
+  };
+  for (size_t i = 0; i < hull.normals.size(); ++i) {
+    for (size_t j = i + 1; j < hull.normals.size(); ++j) {
+      const Vec3 d = cross(hull.normals[i], hull.normals[j]);
+      if (length(d) > 1e-3f && (leadsOut(normalize(d)) || leadsOut(-normalize(d)))) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+HullTables hullTables(const std::vector<Vec3>& vertices) {
+  HullTables hull = solidTables(vertices);
+  if (!hull.normals.empty() && !isOpen(hull)) return hull;
+  HullTables thin = thinTables(vertices);
+  return thin.normals.empty() ? hull : thin;
+}
+
+std::vector<Vec3> boxAround(const std::vector<Vec3>& points) {
+  Vec3 lo = points.front(), hi = lo;
+  for (const Vec3 p : points) lo = min(lo, p), hi = max(hi, p);
+  std::vector<Vec3> box;
+  for (const float x : {lo.x, hi.x})
+    for (const float y : {lo.y, hi.y})
+      for (const float z : {lo.z, hi.z}) box.push_back({x, y, z});
+  return box;
 }
 
 geom::Hull viewOf(const HullTables& t) {

@@ -23,8 +23,12 @@ struct HullTables {
 constexpr size_t kMaxHullVertices = 255;
 constexpr size_t kMaxHullEdges = 32;
 
-// Empty normals if the vertices do not span a volume.
+// Empty normals if the vertices do not span a volume, or one thinner than 0.01 studs that is 5000
+// times as wide. At least one vertex.
 HullTables hullTables(const std::vector<Vec3>& vertices);
+
+// The eight corners of the box around points, at least one.
+std::vector<Vec3> boxAround(const std::vector<Vec3>& points);
 
 // The tables as shapes read them; valid while they live.
 geom::Hull viewOf(const HullTables& tables);

@@ -54,15 +54,27 @@ Moments tetrahedron(Vec3 a, Vec3 b, Vec3 c) {
   return m;
 }
 
-// The corners of a face, around it as seen from outside.
-std::vector<Vec3> ringOf(const geom::Hull& hull, uint32_t face) {
-  const Vec3 n = hull.normals[face];
-  std::vector<Vec3> ring;
+// How far below a face its corners may be: less than a thin hull is thick.
+float slackOf(const geom::Hull& hull) {
   float size = 0;
   for (uint32_t i = 0; i < hull.vertexCount; ++i) size = maxf(size, length(hull.vertices[i]));
+  const float most = 1e-3f * size;
+  float slack = most;
+  for (uint32_t f = 0; f < hull.faceCount; ++f) {
+    float width = 0;
+    for (uint32_t i = 0; i < hull.vertexCount; ++i)
+      width = maxf(width, hull.offsets[f] - dot(hull.normals[f], hull.vertices[i]));
+    if (width < most) slack = minf(slack, 0.1f * width);
+  }
+  return slack;
+}
+
+// The corners of a face, around it as seen from outside.
+std::vector<Vec3> ringOf(const geom::Hull& hull, uint32_t face, float slack) {
+  const Vec3 n = hull.normals[face];
+  std::vector<Vec3> ring;
   for (uint32_t i = 0; i < hull.vertexCount; ++i) {
-    if (dot(n, hull.vertices[i]) > hull.offsets[face] - 1e-3f * size)
-      ring.push_back(hull.vertices[i]);
+    if (dot(n, hull.vertices[i]) > hull.offsets[face] - slack) ring.push_back(hull.vertices[i]);
   }
   if (ring.empty()) return ring;
   Vec3 middle;
@@ -77,8 +89,9 @@ std::vector<Vec3> ringOf(const geom::Hull& hull, uint32_t face) {
 
 Moments polytope(const geom::Hull& hull) {
   Moments m;
+  const float slack = slackOf(hull);
   for (uint32_t f = 0; f < hull.faceCount; ++f) {
-    const std::vector<Vec3> ring = ringOf(hull, f);
+    const std::vector<Vec3> ring = ringOf(hull, f, slack);
     for (size_t i = 1; i + 1 < ring.size(); ++i) m.add(tetrahedron(ring[0], ring[i], ring[i + 1]));
   }
   return m;

@@ -10,13 +10,7 @@
 namespace obby::level {
 namespace {
 
-struct Key {
-  double time;  // seconds
-  Vec3 position;
-  Quat rotation;
-  schema::Easing easing;
-  schema::EasingDirection direction;
-};
+constexpr double kTurn = 2 * 3.14159265358979323846;  // radians
 
 // Shorter way round between two rotations; the angle between neighbouring rows is small, so that
 // normalised linear interpolation after a spherical step would add nothing: keys may be far apart,
@@ -38,8 +32,8 @@ Quat slerp(Quat a, Quat b, double t) {
   return normalize(Quat{mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z), mix(a.w, b.w)});
 }
 
-Result<std::vector<Key>> readKeys(schema::Motion::Reader motion) {
-  std::vector<Key> keys;
+Result<std::vector<MotionKey>> readKeys(schema::Motion::Reader motion) {
+  std::vector<MotionKey> keys;
   for (const auto record : motion.getKeys()) {
     const std::string path = fmt::format("motion.keys[{}]", keys.size());
     const double time = record.getTime();
@@ -54,23 +48,23 @@ Result<std::vector<Key>> readKeys(schema::Motion::Reader motion) {
 }
 
 // The pose at `time` seconds into one run through the keys.
-Pose poseAt(const std::vector<Key>& keys, double time) {
-  const auto later = [](double t, const Key& key) { return t < key.time; };
+Pose poseAt(const std::vector<MotionKey>& keys, double time) {
+  const auto later = [](double t, const MotionKey& key) { return t < key.time; };
   const size_t next =
       size_t(std::upper_bound(keys.begin(), keys.end(), time, later) - keys.begin());
   if (next == 0) return {keys[0].position, toMat3(keys[0].rotation)};
   if (next == keys.size()) return {keys.back().position, toMat3(keys.back().rotation)};
-  const Key &a = keys[next - 1], &b = keys[next];
+  const MotionKey &a = keys[next - 1], &b = keys[next];
   const double t = ease(b.easing, b.direction, (time - a.time) / (b.time - a.time));
   return {a.position + (b.position - a.position) * float(t),
           toMat3(slerp(a.rotation, b.rotation, t))};
 }
 
 // Rows that hold whole repetitions of a period with the least drift.
-uint32_t rowsFor(double periodTicks) {
+uint32_t rowsFor(double periodTicks, uint32_t mostRows) {
   uint32_t best = 0;
   double bestError = 1e9;
-  for (int k = 1; k <= 256 && (k == 1 || k * periodTicks <= kMaxRows); ++k) {
+  for (int k = 1; k <= 256 && (k == 1 || k * periodTicks <= mostRows); ++k) {
     const double rows = std::round(k * periodTicks);
     const double error = std::fabs(rows - k * periodTicks) / k;
     if (rows >= 1 && error < bestError - 1e-9) best = uint32_t(rows), bestError = error;
@@ -79,61 +73,46 @@ uint32_t rowsFor(double periodTicks) {
   return best;
 }
 
-Status keyTable(const std::vector<Key>& keys, schema::Motion::Reader motion, const Params& params,
-                MotionTables& out) {
-  const double length = keys.back().time - keys.front().time;
-  const bool pingPong = motion.getRepeat() == schema::Repeat::PING_PONG;
-  out.once = motion.getRepeat() == schema::Repeat::ONCE;
-  const double period = pingPong ? 2 * length : length;
-  const double ticks = period * params.controlRate;
+Status planKeys(schema::Motion::Reader motion, const Params& params, uint32_t mostRows,
+                MotionPlan& plan) {
+  const double length = plan.keys.back().time - plan.keys.front().time;
+  plan.pingPong = motion.getRepeat() == schema::Repeat::PING_PONG;
+  plan.once = motion.getRepeat() == schema::Repeat::ONCE;
+  plan.seconds = plan.pingPong ? 2 * length : length;
+  const double ticks = plan.seconds * params.controlRate;
   if (ticks > mostTicks(params)) {
     return pathError("motion.keys", "a round takes " + longerThanMost(params));
   }
   // A negative offset is a wait before the motion; one that comes but once must still arrive.
-  const double wait =
-      out.once ? std::max(0.0, -double(motion.getOffset())) * params.controlRate : 0;
+  const double wait = plan.once ? std::max(0.0, -plan.offset) * params.controlRate : 0;
   if (wait > mostTicks(params)) {
     return pathError("motion.offset", "a wait " + longerThanMost(params));
   }
-  const uint32_t rows = out.once ? uint32_t(ticks + wait) + 2 : rowsFor(ticks);
-  if (length <= 0 || rows == 0) {
-    out.keys = {poseAt(keys, keys.back().time)};
-    return {};
-  }
+  const uint32_t rows = plan.once ? uint32_t(ticks + wait) + 2 : rowsFor(ticks, mostRows);
+  if (length <= 0 || rows == 0) return {};
   // Whole repetitions in the table: stretch time by the rounding, far below anything visible.
-  const double repetitions = out.once ? 1 : std::max(1.0, std::round(rows / ticks));
-  const double secondsPerRow = out.once ? 1.0 / params.controlRate : repetitions * period / rows;
-  for (uint32_t row = 0; row < rows; ++row) {
-    double time = motion.getOffset() + row * secondsPerRow;
-    if (!out.once) time = std::fmod(std::fmod(time, period) + period, period);
-    if (pingPong && time > length) time = period - time;
-    out.keys.push_back(poseAt(keys, keys.front().time + time));
-  }
-  out.period = out.once ? rows : uint32_t(std::lround(ticks));
+  const double repetitions = plan.once ? 1 : std::max(1.0, std::round(rows / ticks));
+  plan.secondsPerRow = plan.once ? 1.0 / params.controlRate : repetitions * plan.seconds / rows;
+  plan.rows = rows;
+  plan.period = plan.once ? rows : uint32_t(std::lround(ticks));
   return {};
 }
 
-Status spinTable(schema::Spin::Reader spin, double offset, const Params& params,
-                 MotionTables& out) {
-  OBBY_ASSIGN(const Vec3 n, direction(spin.getAxis(), "motion.spin.axis"));
+Status planSpin(schema::Spin::Reader spin, const Params& params, uint32_t mostRows,
+                MotionPlan& plan) {
+  OBBY_ASSIGN(plan.spin.axis, direction(spin.getAxis(), "motion.spin.axis"));
   if (!std::isfinite(spin.getSpeed())) return pathError("motion.spin.speed", "expected rad/s");
-  OBBY_ASSIGN(out.pivot, position(spin.getPivot(), "motion.spin.pivot"));
+  OBBY_ASSIGN(plan.pivot, position(spin.getPivot(), "motion.spin.pivot"));
   const double speed = spin.getSpeed();
   if (std::fabs(speed) < 1e-4) return {};
-  const double turn = 2 * 3.14159265358979323846;
-  const double ticks = turn / std::fabs(speed) * params.controlRate;
+  const double ticks = kTurn / std::fabs(speed) * params.controlRate;
   if (ticks > mostTicks(params))
     return pathError("motion.spin.speed", "a turn takes " + longerThanMost(params));
-  const uint32_t rows = std::max(1u, rowsFor(ticks));
-  const double turns = std::max(1.0, std::round(rows / ticks));
-  if (out.period == 0) out.period = uint32_t(std::lround(ticks));
-  for (uint32_t row = 0; row < rows; ++row) {
-    const double angle = turns * turn * row / rows * (speed < 0 ? -1 : 1) + speed * offset;
-    const auto r7 = [](double v) { return float(std::round(v * 1e7) / 1e7); };
-    const float s = r7(std::sin(angle / 2));
-    out.spins.push_back(
-        toMat3(normalize(Quat{n.x * s, n.y * s, n.z * s, r7(std::cos(angle / 2))})));
-  }
+  plan.spin.speed = speed;
+  plan.spin.offset = plan.offset;
+  plan.spin.rows = std::max(1u, rowsFor(ticks, mostRows));
+  plan.spin.turns = std::max(1.0, std::round(plan.spin.rows / ticks));
+  if (plan.period == 0) plan.period = uint32_t(std::lround(ticks));
   return {};
 }
 
@@ -143,19 +122,44 @@ std::string longerThanMost(const Params& params) {
   return fmt::format("longer than {:.0f} minutes", mostTicks(params) / params.controlRate / 60);
 }
 
-Result<MotionTables> motionTables(schema::Motion::Reader motion, const Pose& rest,
-                                  const Params& params) {
-  MotionTables out;
-  OBBY_ASSIGN(const std::vector<Key> keys, readKeys(motion));
-  if (!std::isfinite(motion.getOffset())) return pathError("motion.offset", "expected seconds");
-  if (keys.empty()) {
-    out.keys = {rest};
-  } else {
-    OBBY_RETURN_IF_ERROR(keyTable(keys, motion, params, out));
+Result<MotionPlan> planMotion(schema::Motion::Reader motion, const Params& params,
+                              uint32_t mostRows) {
+  MotionPlan plan;
+  OBBY_ASSIGN(plan.keys, readKeys(motion));
+  plan.offset = motion.getOffset();
+  if (!std::isfinite(plan.offset)) return pathError("motion.offset", "expected seconds");
+  if (!plan.keys.empty()) OBBY_RETURN_IF_ERROR(planKeys(motion, params, mostRows, plan));
+  if (motion.hasSpin()) OBBY_RETURN_IF_ERROR(planSpin(motion.getSpin(), params, mostRows, plan));
+  return plan;
+}
+
+std::vector<Pose> keyTable(const MotionPlan& plan, const Pose& rest) {
+  if (plan.keys.empty()) return {rest};
+  const double first = plan.keys.front().time, last = plan.keys.back().time;
+  if (plan.rows == 0) return {poseAt(plan.keys, last)};
+  std::vector<Pose> table;
+  table.reserve(plan.rows);
+  for (uint32_t row = 0; row < plan.rows; ++row) {
+    double time = plan.offset + row * plan.secondsPerRow;
+    if (!plan.once) time = std::fmod(std::fmod(time, plan.seconds) + plan.seconds, plan.seconds);
+    if (plan.pingPong && time > last - first) time = plan.seconds - time;
+    table.push_back(poseAt(plan.keys, first + time));
   }
-  if (motion.hasSpin())
-    OBBY_RETURN_IF_ERROR(spinTable(motion.getSpin(), motion.getOffset(), params, out));
-  return out;
+  return table;
+}
+
+std::vector<Mat3> spinTable(const SpinPlan& plan) {
+  const auto r7 = [](double v) { return float(std::round(v * 1e7) / 1e7); };
+  const Vec3 n = plan.axis;
+  std::vector<Mat3> table;
+  table.reserve(plan.rows);
+  for (uint32_t row = 0; row < plan.rows; ++row) {
+    const double angle =
+        plan.turns * kTurn * row / plan.rows * (plan.speed < 0 ? -1 : 1) + plan.speed * plan.offset;
+    const float s = r7(std::sin(angle / 2));
+    table.push_back(toMat3(normalize(Quat{n.x * s, n.y * s, n.z * s, r7(std::cos(angle / 2))})));
+  }
+  return table;
 }
 
 }  // namespace obby::level

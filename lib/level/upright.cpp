@@ -1,5 +1,7 @@
 #include "level/upright.h"
 
+#include <algorithm>
+
 namespace obby::level {
 namespace {
 
@@ -34,15 +36,20 @@ bool makeUpright(Collider& c) {
   return true;
 }
 
-bool makeUpright(MotionTables& tables) {
-  for (const Pose& key : tables.keys) {
-    if (!isUp(key.rotation.y)) return false;
+bool isUpright(const std::vector<Pose>& keys) {
+  return std::all_of(keys.begin(), keys.end(),
+                     [](const Pose& key) { return isUp(key.rotation.y); });
+}
+
+void snapUpright(std::vector<Pose>& keys) {
+  for (Pose& key : keys) key.rotation = snapped(key.rotation);
+}
+
+bool makeUpright(std::vector<Mat3>& turns) {
+  for (const Mat3& turn : turns) {
+    if (!isUp(turn.y)) return false;
   }
-  for (const Mat3& spin : tables.spins) {
-    if (!isUp(spin.y)) return false;
-  }
-  for (Pose& key : tables.keys) key.rotation = snapped(key.rotation);
-  for (Mat3& spin : tables.spins) spin = snapped(spin);
+  for (Mat3& turn : turns) turn = snapped(turn);
   return true;
 }
 

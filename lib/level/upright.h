@@ -3,8 +3,9 @@
 // blocks. Rotations within 1e-6 of upright are snapped to it.
 #pragma once
 
+#include <vector>
+
 #include "level/level_view.h"
-#include "level/motion_tables.h"
 
 namespace obby::level {
 
@@ -12,7 +13,13 @@ namespace obby::level {
 // axis is vertical.
 bool makeUpright(Collider& collider);
 
-// True, and rows snapped, if local Y stays the world's Y all the time.
-bool makeUpright(MotionTables& tables);
+// Is local Y the world's Y in all rows?
+bool isUpright(const std::vector<Pose>& keys);
+
+// Makes rows that are upright exactly so.
+void snapUpright(std::vector<Pose>& keys);
+
+// True, and rows snapped, if the turns leave local Y where it is.
+bool makeUpright(std::vector<Mat3>& turns);
 
 }  // namespace obby::level

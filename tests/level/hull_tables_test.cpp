@@ -5,6 +5,7 @@
 
 #include "base/random.h"
 #include "geom/penetration.h"
+#include "geom/shapes/convex_hull.h"
 #include "support/level_builder.h"
 
 namespace obby::level {
@@ -92,6 +93,62 @@ TEST(HullTables, OfFlatOrThinSetsAreEmpty) {
   EXPECT_TRUE(hullTables({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}).normals.empty());
 }
 
+// A floor 8000 times as wide as thick, a plank and a rope: all six faces, all eight corners.
+TEST(HullTables, OfThinAndWideBoxesAreTheBlock) {
+  for (const Vec3 half :
+       {Vec3{200, 0.025f, 200}, Vec3{1000, 0.05f, 3}, Vec3{300, 0.025f, 0.025f}}) {
+    const HullTables t = hullTables(boxCorners(half));
+    EXPECT_EQ(t.vertices.size(), 8u) << half.x;
+    EXPECT_EQ(t.normals.size(), 6u) << half.x;
+    EXPECT_EQ(t.edges.size(), 3u) << half.x;
+    Vec3 seen{};  // how often a face looks along each axis
+    for (size_t f = 0; f < t.normals.size(); ++f) {
+      const Vec3 n = abs(t.normals[f]);
+      seen += Vec3{n.x > 0.999f ? 1.f : 0.f, n.y > 0.999f ? 1.f : 0.f, n.z > 0.999f ? 1.f : 0.f};
+      EXPECT_NEAR(t.offsets[f], dot(n, half), 1e-3f) << half.x;
+    }
+    EXPECT_TRUE(seen == (Vec3{2, 2, 2})) << half.x;
+  }
+}
+
+// Nobody falls through it, and nobody stands beside it, however it lies.
+TEST(HullTables, OfAThinFloorHoldRaysAndEndAtItsBorders) {
+  Dice dice{Random(12, 0)};
+  for (int round = 0; round < 20; ++round) {
+    const Mat3 axes = dice.rotation();
+    const Vec3 at = dice.vec(30);
+    std::vector<Vec3> corners = boxCorners({200, 0.025f, 200});
+    for (Vec3& p : corners) p = axes * p + at;
+    const HullTables t = hullTables(corners);
+    ASSERT_GE(t.normals.size(), 6u);
+    const geom::Hull hull = viewOf(t);
+    const ShapeData shape{{300, 300, 300}, &hull};
+    const auto hits = [&](float x, float z, geom::RayHit& hit) {
+      return geom::ConvexHull::castRay(shape, axes * Vec3{x, 5, z} + at, axes * Vec3{0, -10, 0}, 1,
+                                       hit);
+    };
+    for (int i = 0; i < 100; ++i) {
+      geom::RayHit hit{};
+      const float along = dice.number(199);
+      ASSERT_TRUE(hits(along, dice.number(199), hit)) << round;
+      EXPECT_NEAR(hit.t, 0.4975f, 1e-3f);
+      EXPECT_GT(dot(hit.normal, axes.y), 0.999f);
+      EXPECT_FALSE(hits(202, along, hit) || hits(-202, along, hit)) << round;
+      EXPECT_FALSE(hits(along, 202, hit) || hits(along, -202, hit)) << round;
+    }
+  }
+}
+
+TEST(HullTables, OfWhatRoundingLeavesOfAUnionAreEmpty) {
+  EXPECT_TRUE(hullTables(boxCorners({200, 0.002f, 200})).normals.empty());
+  EXPECT_TRUE(hullTables(boxCorners({1, 0.00004f, 1})).normals.empty());
+  Dice dice{Random(13, 0)};
+  std::vector<Vec3> flat = boxCorners({200, 0, 200});
+  const Mat3 axes = dice.rotation();
+  for (Vec3& p : flat) p = axes * p;
+  EXPECT_TRUE(hullTables(flat).normals.empty());
+}
+
 TEST(HullTables, FacesHoldAllVerticesAndTouchThree) {
   Dice dice{Random(10, 0)};
   for (int round = 0; round < 60; ++round) {
@@ -141,6 +198,44 @@ TEST(CompiledHulls, CopiesOfOneMeshShareItsTables) {
   EXPECT_NE(v.colliders[0].shape.hull, v.colliders[2].shape.hull);
   EXPECT_EQ(v.colliders[1].shape.half.z, 3);
   EXPECT_EQ(v.colliders[2].shape.half.z, 4);
+}
+
+TEST(CompiledHulls, ThinAndWideOnesStay) {
+  support::LevelBuilder b;
+  b.part([](auto p) {
+    p.setShape(schema::Shape::HULL);
+    support::set(p.initSize(), {400, 0.05f, 400});
+    auto vertices = p.initHulls(1)[0].initVertices(8);
+    const auto corners = boxCorners({200, 0.025f, 200});
+    for (uint32_t i = 0; i < 8; ++i) support::set(vertices[i], corners[i]);
+  });
+  const Level level = b.compile();
+  ASSERT_EQ(level.view().colliderCount, 1u);
+  EXPECT_EQ(level.view().colliders[0].shape.half.x, 200);
+}
+
+// A mesh of no thickness is a floor all the same: nothing else of the part would be left.
+TEST(CompiledHulls, APartOfFlatOnesOnlyIsAsThickAsTheEngineMakesIt) {
+  support::LevelBuilder b;
+  b.part([](auto p) {
+    p.setShape(schema::Shape::HULL);
+    auto hulls = p.initHulls(3);
+    auto floor = hulls[0].initVertices(4), line = hulls[1].initVertices(4);
+    auto slanted = hulls[2].initVertices(4);
+    for (uint32_t i = 0; i < 4; ++i) {
+      const float x = i & 1 ? 5.f : -5.f, z = i & 2 ? 5.f : -5.f;
+      support::set(floor[i], {x, 1, z});
+      support::set(line[i], {float(i), 0, 0});
+      support::set(slanted[i], {x, x, z});
+    }
+  });
+  const Level level = b.compile();
+  ASSERT_EQ(level.view().colliderCount, 1u);
+  const geom::Hull& hull = *level.view().colliders[0].shape.hull;
+  EXPECT_EQ(hull.faceCount, 6u);
+  for (uint32_t i = 0; i < hull.vertexCount; ++i) {
+    EXPECT_NEAR(absf(hull.vertices[i].y - 1), 0.025f, 1e-6f);
+  }
 }
 
 TEST(CompiledHulls, FlatOnesAreLeftOutAndBoundsHoldTheRest) {

@@ -110,6 +110,18 @@ TEST(LevelHash, ChangesWithEachFieldThatMatters) {
   }
 }
 
+// A belt turns about the part's own place, also where the part stays at a key elsewhere.
+TEST(LevelHash, ChangesWithWhatABeltTurnsAbout) {
+  const auto hashAt = [](float x) {
+    return hashOf([=](schema::Part::Builder p) {
+      set(p.initPosition(), {x, 5, 0});
+      set(p.getConveyor().initAngular(), {0, 1, 0});
+      set(p.initMotion().initKeys(1)[0].initPosition(), {9, 5, 0});
+    });
+  };
+  EXPECT_NE(hashAt(0), hashAt(1));
+}
+
 uint64_t hashOfFall(const std::function<void(schema::Fall::Builder)>& more) {
   support::LevelBuilder b;
   return b.block({0, 0, 0}, {4, 1, 4}, [&](auto p) { more(p.initFall()); }).compile().hash();

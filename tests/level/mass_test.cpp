@@ -74,6 +74,18 @@ TEST(Mass, HullOfABlocksCornersIsTheBlock) {
   EXPECT_NEAR(m.inverseInertia.z.z, block.inverseInertia.z.z, 1e-6);
 }
 
+TEST(Mass, ThinHullOfABlocksCornersIsTheBlock) {
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.push_back({i & 1 ? 200.0f : -200.0f, i & 2 ? 0.025f : -0.025f, i & 4 ? 150.f : -150.f});
+  const HullTables tables = hullTables(corners);
+  const geom::Hull hull = viewOf(tables);
+  const SolidShape shape{ShapeKind::hull, {{200, 0.025f, 150}, &hull}};
+  const MassProperties m = massOf({&shape, 1}, 0.7f);
+  EXPECT_NEAR(m.mass, 0.7 * 400 * 0.05 * 300, 4);
+  EXPECT_NEAR(m.center.y, 0, 1e-3);
+}
+
 TEST(Mass, NothingWeighsNothing) { EXPECT_EQ(massOf({}, 1).mass, 0); }
 
 }  // namespace

@@ -1,6 +1,10 @@
 // Memory of motion tables: equal spins are stored once, and a level's tables have a bound.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <set>
+
+#include "level/spin_store.h"
 #include "support/level_builder.h"
 
 namespace obby {
@@ -27,6 +31,53 @@ TEST(MotionBudget, parts_that_spin_alike_share_one_table) {
 TEST(MotionBudget, parts_that_spin_differently_do_not) {
   const auto level = spinners(2, 1, 1).compile();
   EXPECT_NE(level.view().movers[0].spins, level.view().movers[1].spins);
+}
+
+// With tables as long as those of a part alone, these would have some 25 million rows.
+TEST(MotionBudget, five_hundred_parts_of_as_many_speeds_get_shorter_tables) {
+  const float first = 0.03f, step = 0.0003f;
+  const auto level = spinners(500, first, step).tryCompile();
+  ASSERT_TRUE(level) << level.error().text();
+  const level::LevelView& v = level->view();
+  ASSERT_EQ(v.moverCount, 500u);
+  std::set<const Mat3*> tables;
+  size_t rows = 0;
+  for (uint32_t i = 0; i < v.moverCount; ++i) {
+    tables.insert(v.movers[i].spins);
+    rows += v.movers[i].spinCount + v.movers[i].keyCount;
+    const double ticks = 2 * 3.14159265358979 / double(first + float(i) * step) * 60;
+    const double turns = std::round(v.movers[i].spinCount / ticks);
+    EXPECT_NEAR(v.movers[i].spinCount / turns, ticks, 0.51) << i;
+  }
+  EXPECT_EQ(tables.size(), 500u);
+  EXPECT_LE(rows, 4000000u);
+}
+
+// What fits keeps the tables that it has alone: shorter ones are less exact.
+TEST(MotionBudget, what_fits_is_as_exact_as_a_part_alone) {
+  const auto alone = spinners(1, 0.1f, 0).compile(), many = spinners(40, 0.1f, 0.01f).compile();
+  EXPECT_EQ(many.view().movers[0].spinCount, alone.view().movers[0].spinCount);
+  EXPECT_GT(alone.view().movers[0].spinCount, 3770u) << "several turns";
+}
+
+TEST(MotionBudget, equal_turns_are_made_and_kept_once) {
+  level::SpinPlan plan;
+  plan.speed = 1, plan.rows = 377;
+  level::SpinStore store;
+  const level::SpinTurns first = store.of(plan, true), again = store.of(plan, true);
+  EXPECT_TRUE(first.upright);
+  EXPECT_EQ(first.rows.size(), 377u);
+  EXPECT_EQ(first.rows.data(), again.rows.data());
+  EXPECT_EQ(store.rows(), 377u);
+  plan.axis = {1, 0, 0};
+  EXPECT_FALSE(store.of(plan, true).upright);
+  EXPECT_EQ(store.rows(), 2 * 377u);
+  store.of(plan, false);
+  EXPECT_EQ(store.rows(), 2 * 377u) << "the same rows, as nothing was to be snapped";
+  EXPECT_TRUE(store.of({}, true).upright) << "what does not turn stays as it is";
+  const level::SpinStore moved = std::move(store);
+  EXPECT_EQ(moved.rows(), 2 * 377u);
+  EXPECT_FLOAT_EQ(first.rows[0].y.y, 1);
 }
 
 TEST(MotionBudget, a_level_with_too_many_different_motions_is_refused) {

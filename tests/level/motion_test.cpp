@@ -19,14 +19,22 @@ constexpr double kTwoPi = 6.283185307179586;
 constexpr EasingDirection kDirections[] = {EasingDirection::IN, EasingDirection::OUT,
                                            EasingDirection::IN_OUT};
 
-MotionTables tablesOf(const MotionSetter& setter) {
+// As a mover has them.
+struct Tables {
+  std::vector<Pose> keys;
+  std::vector<Mat3> spins;
+  Vec3 pivot;
+  bool once;
+};
+
+Tables tablesOf(const MotionSetter& setter, uint32_t mostRows = kMaxRows) {
   capnp::MallocMessageBuilder message, physics;
   auto motion = message.initRoot<schema::Motion>();
   setter(motion);
   const Params params = *compileParams(physics.initRoot<schema::PhysicsParams>().asReader());
-  auto tables = motionTables(motion.asReader(), {{1, 2, 3}, {}}, params);
-  EXPECT_TRUE(bool(tables)) << (tables ? "" : tables.error().text());
-  return *std::move(tables);
+  const auto plan = planMotion(motion.asReader(), params, mostRows);
+  EXPECT_TRUE(bool(plan)) << (plan ? "" : plan.error().text());
+  return {keyTable(*plan, {{1, 2, 3}, {}}), spinTable(plan->spin), plan->pivot, plan->once};
 }
 
 // From x = 0 at time 0 to x = 10 at `seconds`.
@@ -51,7 +59,7 @@ MotionSetter spin(Vec3 axis, float speed, Vec3 pivot = {}, float offset = 0) {
   };
 }
 
-Mover moverOf(const MotionTables& t) {
+Mover moverOf(const Tables& t) {
   return {t.keys.data(),
           t.spins.empty() ? nullptr : t.spins.data(),
           uint32_t(t.keys.size()),
@@ -60,7 +68,7 @@ Mover moverOf(const MotionTables& t) {
           t.once};
 }
 
-float xAt(const MotionTables& t, uint32_t tick) { return moverPose(moverOf(t), tick).position.x; }
+float xAt(const Tables& t, uint32_t tick) { return moverPose(moverOf(t), tick).position.x; }
 
 TEST(Ease, StartsAt0AndEndsAt1ForEveryCurve) {
   for (int e = 0; e <= int(Easing::CUBIC); ++e) {
@@ -99,7 +107,7 @@ TEST(Ease, FollowsPennersCurves) {
 }
 
 TEST(Motion, LinearKeysMoveEvenlyAndLoopJumpsBack) {
-  const MotionTables t = tablesOf(slide(2, Repeat::LOOP));
+  const Tables t = tablesOf(slide(2, Repeat::LOOP));
   ASSERT_EQ(t.keys.size(), 120u);
   for (uint32_t tick = 0; tick < 360; ++tick) {
     EXPECT_NEAR(xAt(t, tick), 10.0f * float(tick % 120) / 120, 1e-4f) << tick;
@@ -107,14 +115,14 @@ TEST(Motion, LinearKeysMoveEvenlyAndLoopJumpsBack) {
 }
 
 TEST(Motion, PingPongComesBackTheWayItWent) {
-  const MotionTables t = tablesOf(slide(2, Repeat::PING_PONG, 0, Easing::QUAD));
+  const Tables t = tablesOf(slide(2, Repeat::PING_PONG, 0, Easing::QUAD));
   ASSERT_EQ(t.keys.size(), 240u);
   EXPECT_NEAR(xAt(t, 120), 10, 1e-4f);
   for (uint32_t tick = 1; tick < 120; ++tick) EXPECT_NEAR(xAt(t, tick), xAt(t, 240 - tick), 1e-4f);
 }
 
 TEST(Motion, OnceStaysAtTheLastKey) {
-  const MotionTables t = tablesOf(slide(2, Repeat::ONCE));
+  const Tables t = tablesOf(slide(2, Repeat::ONCE));
   EXPECT_EQ(xAt(t, 0), 0);
   EXPECT_NEAR(xAt(t, 60), 5, 1e-4f);
   for (const uint32_t tick : {120u, 121u, 1000u, 4000000000u}) EXPECT_EQ(xAt(t, tick), 10);
@@ -132,18 +140,18 @@ TEST(Motion, WhatRepeatsWithANegativeOffsetComesRoundToItsStartAfterIt) {
   for (const float wait : {0.5f, 1.0f, 7.25f, 599.5f}) {
     const auto end = uint32_t(60 * wait);
     for (const Repeat repeat : {Repeat::LOOP, Repeat::PING_PONG}) {
-      const MotionTables t = tablesOf(slide(2, repeat, -wait));
+      const Tables t = tablesOf(slide(2, repeat, -wait));
       EXPECT_NEAR(xAt(t, end + 6), 0.5f, 1e-3f) << wait;
       EXPECT_NEAR(xAt(t, end + 60), 5, 1e-3f) << wait;
     }
-    const MotionTables t = tablesOf(spin({0, 1, 0}, float(kTwoPi / 4), {}, -wait));
+    const Tables t = tablesOf(spin({0, 1, 0}, float(kTwoPi / 4), {}, -wait));
     EXPECT_NEAR((moverPose(moverOf(t), end).rotation * Vec3{0, 0, -1}).z, -1, 1e-4f) << wait;
     EXPECT_NEAR((moverPose(moverOf(t), end + 60).rotation * Vec3{0, 0, -1}).x, -1, 1e-4f) << wait;
   }
 }
 
 TEST(Motion, OnceWithANegativeOffsetWaitsAndStillArrives) {
-  const MotionTables t = tablesOf(slide(2, Repeat::ONCE, -5));
+  const Tables t = tablesOf(slide(2, Repeat::ONCE, -5));
   EXPECT_EQ(xAt(t, 0), 0);
   EXPECT_EQ(xAt(t, 300), 0);
   EXPECT_NEAR(xAt(t, 360), 5, 1e-3f);
@@ -151,7 +159,7 @@ TEST(Motion, OnceWithANegativeOffsetWaitsAndStillArrives) {
 }
 
 // Position in the period after 10 minutes, against the period itself.
-double driftInTicks(double periodTicks, const MotionTables& t) {
+double driftInTicks(double periodTicks, const Tables& t) {
   const double tick = 36000;
   const double repetitions = std::max(1.0, std::round(double(t.keys.size()) / periodTicks));
   return tick * std::fabs(double(t.keys.size()) / repetitions / periodTicks - 1);
@@ -169,35 +177,55 @@ TEST(Motion, AnyPeriodIsRightToATwoHundredthTickAndTablesStayBounded) {
   Random random(40, 0);
   for (int i = 0; i < 200; ++i) {
     const float seconds = 0.2f + 20 * random.unit();
-    const MotionTables t = tablesOf(slide(seconds, Repeat::LOOP));
+    const Tables t = tablesOf(slide(seconds, Repeat::LOOP));
     ASSERT_LE(t.keys.size(), kMaxRows);
     const double ticks = double(seconds) * 60, rows = double(t.keys.size());
     EXPECT_LT(std::fabs(rows / std::round(rows / ticks) - ticks), 0.005) << seconds;
   }
 }
 
+// For levels whose tables would have too many rows otherwise.
+TEST(Motion, FewerRowsHoldAsManyRepetitionsAsFitOrOne) {
+  Random random(41, 0);
+  constexpr uint32_t kFew = 1000;
+  for (int i = 0; i < 200; ++i) {
+    const float seconds = 0.2f + 40 * random.unit();
+    const double ticks = double(seconds) * 60;
+    const Tables t = tablesOf(slide(seconds, Repeat::LOOP), kFew);
+    const double rows = double(t.keys.size());
+    ASSERT_LE(rows, std::max(double(kFew), ticks + 0.5)) << seconds;
+    EXPECT_LE(std::fabs(rows / std::round(rows / ticks) - ticks), 0.5) << seconds;
+    if (ticks < kFew / 10) {
+      EXPECT_LE(std::fabs(rows / std::round(rows / ticks) - ticks), 0.05) << seconds;
+    }
+  }
+  const Tables turning = tablesOf(spin({0, 1, 0}, 0.1f), kFew);
+  EXPECT_EQ(turning.spins.size(), 3770u) << "one turn takes 3769.9 ticks";
+  EXPECT_GT(tablesOf(spin({0, 1, 0}, 0.1f)).spins.size(), 3770u);
+}
+
 TEST(Motion, SpinTurnsRightHandedAtItsSpeed) {
-  const MotionTables t = tablesOf(spin({0, 2, 0}, float(kTwoPi / 4)));  // a quarter turn a second
+  const Tables t = tablesOf(spin({0, 2, 0}, float(kTwoPi / 4)));  // a quarter turn a second
   ASSERT_EQ(t.spins.size(), 240u);
   const Vec3 ahead = moverPose(moverOf(t), 60).rotation * Vec3{0, 0, -1};
   EXPECT_NEAR(ahead.x, -1, 1e-5f);
   EXPECT_NEAR((moverPose(moverOf(t), 240).rotation * Vec3{0, 0, -1}).z, -1, 1e-5f);
-  const MotionTables back = tablesOf(spin({0, 1, 0}, float(-kTwoPi / 4)));
+  const Tables back = tablesOf(spin({0, 1, 0}, float(-kTwoPi / 4)));
   EXPECT_NEAR((moverPose(moverOf(back), 60).rotation * Vec3{0, 0, -1}).x, 1, 1e-5f);
-  const MotionTables ahead1 = tablesOf(spin({0, 1, 0}, float(kTwoPi / 4), {}, 1));
+  const Tables ahead1 = tablesOf(spin({0, 1, 0}, float(kTwoPi / 4), {}, 1));
   EXPECT_NEAR((moverPose(moverOf(ahead1), 0).rotation * Vec3{0, 0, -1}).x, -1, 1e-5f);
 }
 
 TEST(Motion, SpinAxesMayHaveAnyLength) {
   for (const float length : {1e-5f, 1e15f, 3e30f, 3e38f}) {
-    const MotionTables t = tablesOf(spin({0, length, 0}, float(kTwoPi / 4)));
+    const Tables t = tablesOf(spin({0, length, 0}, float(kTwoPi / 4)));
     EXPECT_NEAR((moverPose(moverOf(t), 60).rotation * Vec3{0, 0, -1}).x, -1, 1e-5f) << length;
   }
 }
 
 TEST(Motion, SpinKeepsThePivotInPlace) {
   const Vec3 pivot{3, 1, -2};
-  const MotionTables t = tablesOf(spin({1, 1, 0.5f}, 2.2f, pivot));
+  const Tables t = tablesOf(spin({1, 1, 0.5f}, 2.2f, pivot));
   const Vec3 at = toWorld(Pose{{1, 2, 3}, {}}, pivot);
   for (uint32_t tick = 0; tick < 2000; tick += 7) {
     const Pose pose = moverPose(moverOf(t), tick);
@@ -207,14 +235,14 @@ TEST(Motion, SpinKeepsThePivotInPlace) {
 }
 
 TEST(Motion, WithoutKeysOrSpinStaysAtRest) {
-  const MotionTables t = tablesOf([](auto) {});
+  const Tables t = tablesOf([](auto) {});
   ASSERT_EQ(t.keys.size(), 1u);
   EXPECT_TRUE(t.keys[0].position == (Vec3{1, 2, 3}));
   EXPECT_TRUE(t.spins.empty());
 }
 
 TEST(Motion, KeysAtTheSameTimeJump) {
-  const MotionTables t = tablesOf([](schema::Motion::Builder m) {
+  const Tables t = tablesOf([](schema::Motion::Builder m) {
     auto keys = m.initKeys(4);
     const float times[] = {0, 1, 1, 2}, xs[] = {0, 0, 5, 5};
     for (uint32_t i = 0; i < 4; ++i) {
@@ -227,7 +255,7 @@ TEST(Motion, KeysAtTheSameTimeJump) {
 }
 
 TEST(Motion, RotationsTakeTheShortWayRound) {
-  const MotionTables t = tablesOf([](schema::Motion::Builder m) {
+  const Tables t = tablesOf([](schema::Motion::Builder m) {
     auto keys = m.initKeys(2);
     keys[1].setTime(1);
     auto q = keys[1].initRotation();  // a quarter turn about Y, as the negative quaternion

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "level/behaviours/behaviour.h"
+#include "level/motion_tables.h"
 #include "level/record_values.h"
 
 namespace obby::level {
@@ -44,10 +45,11 @@ Status compileFall(PartContext& c) {
   return {};
 }
 
-MotionTables fallTables(schema::Fall::Reader fall, const Pose& rest, const Params& params) {
-  MotionTables out;
+std::vector<Pose> fallTable(schema::Fall::Reader fall, const Pose& rest, const Params& params) {
   const uint32_t delay = ticksFromSeconds(params, fall.getDelay());
   const uint32_t rows = delay + ticksFromSeconds(params, fall.getSeconds()) + 1;
+  std::vector<Pose> table;
+  table.reserve(rows);
   double drop = 0, speed = std::min(double(fall.getSpeed()), double(params.maxFallSpeed));
   const double tick = 1.0 / params.controlRate, gravity = speed > 0 ? 0 : params.gravity;
   for (uint32_t row = 0; row < rows; ++row) {
@@ -58,10 +60,9 @@ MotionTables fallTables(schema::Fall::Reader fall, const Pose& rest, const Param
     }
     Pose pose = rest;
     pose.position.y -= float(drop);
-    out.keys.push_back(pose);
+    table.push_back(pose);
   }
-  out.once = true;
-  return out;
+  return table;
 }
 
 }  // namespace obby::level

@@ -1,10 +1,15 @@
 // The way of a falling part, as a motion that its own clock drives.
 #pragma once
 
-#include "level/motion_tables.h"
+#include <vector>
+
+#include "level/params.h"
+#include "math/vec.h"
+#include "schema/obby.capnp.h"
 
 namespace obby::level {
 
-MotionTables fallTables(schema::Fall::Reader fall, const Pose& rest, const Params& params);
+// The poses from the touch on, tick by tick; it stays at the last one. At least two rows.
+std::vector<Pose> fallTable(schema::Fall::Reader fall, const Pose& rest, const Params& params);
 
 }  // namespace obby::level

@@ -1,0 +1,52 @@
+#include "level/spin_store.h"
+
+#include <array>
+#include <cstring>
+#include <utility>
+
+#include "base/hash.h"
+#include "level/upright.h"
+
+namespace obby::level {
+namespace {
+
+// Equal for plans that make equal tables, to the sign of a zero.
+std::string bytesOf(const SpinPlan& plan, bool upright) {
+  const std::array<double, 7> parts{double(plan.axis.x), double(plan.axis.y), double(plan.axis.z),
+                                    plan.speed,          plan.offset,         double(plan.rows),
+                                    upright ? 1.0 : 0.0};
+  std::string bytes(sizeof parts, '\0');
+  std::memcpy(bytes.data(), parts.data(), sizeof parts);
+  return bytes;
+}
+
+}  // namespace
+
+SpinTurns SpinStore::of(const SpinPlan& plan, bool upright) {
+  if (plan.rows == 0) return {{}, upright};
+  const auto [known, isNew] = known_.try_emplace(bytesOf(plan, upright));
+  if (!isNew) return known->second;
+  std::vector<Mat3> rows = spinTable(plan);
+  const bool stands = upright && makeUpright(rows);
+  known->second = {kept(std::move(rows)), stands};
+  return known->second;
+}
+
+// The table that is there already with these rows, or these.
+std::span<const Mat3> SpinStore::kept(std::vector<Mat3> rows) {
+  const size_t bytes = rows.size() * sizeof(Mat3);
+  const uint64_t digest = hashBytes(rows.data(), bytes);
+  const auto [first, last] = tablesByDigest_.equal_range(digest);
+  for (auto it = first; it != last; ++it) {
+    const std::span<const Mat3> known = it->second;
+    if (known.size() == rows.size() && std::memcmp(known.data(), rows.data(), bytes) == 0)
+      return known;
+  }
+  rows_ += rows.size();
+  tables_.push_back(std::move(rows));
+  const std::span<const Mat3> added(tables_.back());
+  tablesByDigest_.emplace(digest, added);
+  return added;
+}
+
+}  // namespace obby::level
