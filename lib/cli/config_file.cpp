@@ -12,7 +12,6 @@
 namespace obby::cli {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of some editors
 constexpr const char* kQuotesHint =
     "put a value that has blanks or commas in quotes, several values in [brackets]";
 
@@ -30,9 +29,7 @@ std::string trimmed(std::string_view text) {
 
 class Reader {
  public:
-  explicit Reader(std::string_view text) : text_(text) {
-    if (text_.substr(0, kByteOrderMark.size()) == kByteOrderMark) at_ = kByteOrderMark.size();
-  }
+  explicit Reader(std::string_view text) : text_(io::withoutByteOrderMark(text)) {}
 
   // The next option; nothing at the end.
   Result<std::optional<Item>> next() {

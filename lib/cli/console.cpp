@@ -14,6 +14,7 @@
 #include "cli/stop.h"
 #include "io/sink.h"
 #include "io/text.h"
+#include "io/utf8.h"
 
 namespace obby::cli {
 namespace {
@@ -21,17 +22,9 @@ namespace {
 constexpr const char* kClearLine = "\r\x1b[K";
 constexpr int kStopCheckMilliseconds = 50;
 
-// Nothing in a message may move the cursor or forge another line: no control characters, those of
-// two bytes (U+0080 to U+009F) among them.
-std::string harmless(std::string text) {
-  for (size_t i = 0; i < text.size(); i++) {
-    const uint8_t c = uint8_t(text[i]);
-    const uint8_t next = i + 1 < text.size() ? uint8_t(text[i + 1]) : uint8_t(0);
-    if (c < 0x20 || c == 0x7f) text[i] = '?';
-    if (c == 0xc2 && next >= 0x80 && next < 0xa0) text[i] = text[i + 1] = '?';
-  }
-  return text;
-}
+// Nothing in a message may move the cursor, forge another line or turn this one round; that
+// something was there is to be seen.
+std::string harmless(std::string_view text) { return io::tamed(text, false, '?'); }
 
 // While it lives, to write to a pipe that nobody reads fails and does not end the process: the
 // output may go elsewhere.

@@ -34,6 +34,18 @@ std::string wrapped(const std::string& text, size_t at, size_t indent) {
   return out;
 }
 
+// Lines that fit stay as they are.
+std::string paragraphs(const std::string& text) {
+  std::string out;
+  for (size_t i = 0; i <= text.size();) {
+    const size_t end = std::min(text.find('\n', i), text.size());
+    const std::string line = text.substr(i, end - i);
+    out += (line.size() > kColumns ? wrapped(line, 0, 0) : line) + '\n';
+    i = end + 1;
+  }
+  return out;
+}
+
 std::string usageLine(const ToolSpec& spec) {
   return fmt::format("Usage: {} [OPTION]...{}", spec.name, spec.takesInputs ? " [FILE]..." : "");
 }
@@ -98,7 +110,7 @@ std::string helpText(const ToolSpec& spec, const std::vector<OptionRow>& rows) {
              "where it is set so.",
              0, 0) +
          "\n";
-  if (!spec.notes.empty()) out += "\n" + spec.notes + "\n";
+  if (!spec.notes.empty()) out += "\n" + paragraphs(spec.notes);
   return out;
 }
 

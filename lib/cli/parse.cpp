@@ -10,20 +10,28 @@
 namespace obby::cli {
 namespace {
 
-// CLI11 takes a value in brackets apart; a mark before it keeps it whole.
+// CLI11 takes a value in brackets apart, and where one behind "=" is empty, the next word in its
+// place, a file perhaps; a mark before the value keeps it as it is.
 constexpr char kMark = '\x01';
 
-std::string marked(std::string text) {
-  const bool option = text.size() > 1 && text[0] == '-';
-  const size_t equals = option ? text.find('=') : std::string::npos;
-  const size_t begin = equals == std::string::npos ? 0 : equals + 1;
-  if (begin < text.size() && text[begin] == '[') text.insert(begin, 1, kMark);
-  return text;
+// Where the value begins in "--name=value"; other words are values from their start.
+size_t valueBegin(const std::string& word) {
+  const size_t equals = word.starts_with("--") ? word.find('=') : std::string::npos;
+  return equals == std::string::npos ? 0 : equals + 1;
 }
 
-std::string unmarked(std::string text) {
-  if (!text.empty() && text[0] == kMark) text.erase(0, 1);
-  return text;
+std::string marked(std::string word) {
+  const size_t begin = valueBegin(word);
+  const bool empty = begin > 0 && begin == word.size();
+  if (empty || (begin < word.size() && word[begin] == '[')) word.insert(begin, 1, kMark);
+  return word;
+}
+
+// Of a word, or of the value in it.
+std::string unmarked(std::string word) {
+  const size_t begin = valueBegin(word);
+  if (begin < word.size() && word[begin] == kMark) word.erase(begin, 1);
+  return word;
 }
 
 CLI::Option* addRow(CLI::App& app, const OptionRow& row) {

@@ -6,6 +6,7 @@
 
 #include "cli/console.h"
 #include "io/text.h"
+#include "io/utf8.h"
 
 namespace obby::cli {
 namespace {
@@ -44,10 +45,10 @@ ProgressMode progressMode(const std::string& text, bool canDraw, bool quiet) {
 }
 
 std::string progressLine(const ProgressState& state, size_t width) {
-  std::string out = state.task;
+  std::string out = io::tamed(state.task, false, '?');
   if (state.fraction >= 0) out += fmt::format("  {:.0f} %", 100 * std::fmin(state.fraction, 1));
   for (const auto& [name, value] : state.numbers) out += fmt::format("  {} {}", name, brief(value));
-  return out.substr(0, width);
+  return std::string(io::cutAtChar(out, width));
 }
 
 std::string progressJson(const ProgressState& state) {

@@ -25,7 +25,7 @@ enum class ProgressMode { none, bar, line, json };
 // none; quiet silences all but json.
 ProgressMode progressMode(const std::string& text, bool canDraw, bool quiet);
 
-// `query stage3  43 %  steps 1.2G  cells 4711`, at most `width` columns.
+// `query stage3  43 %  steps 1.2G  cells 4711`, harmless on a terminal and at most `width` columns.
 std::string progressLine(const ProgressState& state, size_t width);
 // One JSON object without newline.
 std::string progressJson(const ProgressState& state);

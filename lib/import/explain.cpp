@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
-#include "import/level_record.h"
+#include "io/utf8.h"
 
 namespace obby::importer {
 namespace {
@@ -21,13 +22,7 @@ size_t widthOf(std::string_view text) {
   return width;
 }
 
-// One line: control characters become spaces.
-std::string oneLine(std::string_view raw) {
-  std::string text = validUtf8(raw);
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  return text;
-}
+std::string oneLine(std::string_view raw) { return io::tamed(raw, false); }
 
 // Where the `character`th character begins.
 size_t byteAt(std::string_view text, size_t character) {

@@ -1,15 +1,25 @@
 // Sniffs an input and turns place files into records in memory.
 #include "import/filter.h"
 
-#include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "import/read_document.h"
+#include "io/byte_source.h"
 #include "io/read_file.h"
 
 namespace obby::importer {
 namespace {
 
-std::string nameInErrors(const std::string& path) { return path == "-" ? "stdin" : path; }
+// Waits for as much of the input as tells; false, too, where it was told to stop.
+Result<bool> mayBePlace(io::ByteSource& source) {
+  for (;;) {
+    const std::optional<bool> known = mayBeRoblox(source.buffered());
+    if (known) return *known;
+    OBBY_ASSIGN(const size_t came, source.fill());
+    if (came == 0) return false;
+  }
+}
 
 Result<std::string> recordBytes(Import& import) {
   std::string bytes;
@@ -32,19 +42,26 @@ InputOpener::InputOpener(ImportOptions options, std::function<void(const std::st
 
 std::string InputOpener::freeName(const std::string& wanted) {
   std::string name = wanted;
-  for (int n = 2; std::find(names_.begin(), names_.end(), name) != names_.end(); ++n)
-    name = wanted + "-" + std::to_string(n);
-  names_.push_back(name);
+  int& last = lastNumbers_.try_emplace(wanted, 1).first->second;
+  while (!names_.insert(name).second) name = wanted + "-" + std::to_string(++last);
   return name;
 }
 
-Result<io::StreamReader> InputOpener::open(const std::string& path) {
-  OBBY_ASSIGN(std::string bytes, io::readFile(path, stop_));
-  const std::string name = nameInErrors(path);
-  if (!looksLikeRoblox(bytes)) {
-    if (options_.explain) explain_(name + ": a stream of records, no place: nothing to explain\n");
-    return io::StreamReader::overBytes(std::move(bytes), name);
+io::StreamReader InputOpener::stream(io::ByteSource source) {
+  if (options_.explain) {
+    explain_(source.name() + ": a stream of records, no place: nothing to explain\n");
   }
+  return io::StreamReader::over(std::move(source));
+}
+
+Result<io::StreamReader> InputOpener::open(const std::string& path) {
+  OBBY_ASSIGN(io::ByteSource source, io::ByteSource::open(path, stop_));
+  const std::string name = source.name();
+  OBBY_ASSIGN(const bool maybe, mayBePlace(source));
+  // Records are read as they come: of a stream there may be more than there is memory.
+  if (!maybe && !source.stopped()) return stream(std::move(source));
+  OBBY_ASSIGN(std::string bytes, io::readRest(source));
+  if (!looksLikeRoblox(bytes)) return stream(io::ByteSource::overBytes(std::move(bytes), name));
   ImportOptions options = options_;
   options.name = freeName(options.name.empty() ? levelName(name) : options.name);
   OBBY_ASSIGN(Import import, importPlace(bytes, name, options));

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <functional>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "base/result.h"
 #include "import/importer.h"
@@ -21,16 +23,18 @@ class InputOpener {
               const std::atomic<bool>* stop = nullptr);
 
   // A place or model file becomes its level and queries; anything else is read as a stream of
-  // records. `path` "-" is standard input. Errors name the input.
+  // records, as they come. `path` "-" is standard input. Errors name the input.
   Result<io::StreamReader> open(const std::string& path);
 
  private:
   std::string freeName(const std::string& wanted);
+  io::StreamReader stream(io::ByteSource source);
 
   ImportOptions options_;
   std::function<void(const std::string&)> say_, explain_;
   const std::atomic<bool>* stop_;
-  std::vector<std::string> names_;
+  std::unordered_set<std::string> names_;
+  std::unordered_map<std::string, int> lastNumbers_;  // by the name wanted; from 2, 1 is without
 };
 
 }  // namespace obby::importer

@@ -2,14 +2,30 @@
 #include "import/read_document.h"
 
 #include "import/format/formats.h"
+#include "io/text.h"
 
 namespace obby::importer {
+namespace {
+
+constexpr size_t kMostBlanks = size_t(64) << 10;  // that are looked at before it is read whole
+
+}  // namespace
 
 bool looksLikeRoblox(std::string_view bytes) {
   for (const Format& format : formats()) {
     if (format.looksLike(bytes)) return true;
   }
   return false;
+}
+
+// Every format begins with `<`, XML behind blanks and a byte order mark.
+std::optional<bool> mayBeRoblox(std::string_view begin) {
+  if (begin.size() < io::kByteOrderMark.size() && io::kByteOrderMark.starts_with(begin)) return {};
+  const std::string_view text = io::withoutByteOrderMark(begin);
+  const size_t first = text.find_first_not_of(" \t\r\n");
+  if (first != std::string_view::npos) return text[first] == '<';
+  if (text.size() < kMostBlanks) return {};
+  return true;
 }
 
 Result<Document> readDocument(std::string_view bytes, const std::string& file) {

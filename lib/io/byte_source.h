@@ -1,5 +1,6 @@
 // Bytes of a file, a pipe or memory, read as they come: a buffer grows only by what has arrived, so
-// that a claimed size costs nothing. Private to lib/io.
+// that a claimed size costs nothing. For who must see how an input begins before it is known what
+// reads it; otherwise StreamReader and readFile() are enough.
 #pragma once
 
 #include <atomic>

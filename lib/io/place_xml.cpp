@@ -4,17 +4,24 @@
 
 #include <algorithm>
 
+#include "io/text.h"
+
 namespace obby::io {
 
 namespace {
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : text) {
-    const bool special = c == '&' || c == '<' || c == '>';
-    // XML has no way to write other control characters.
-    const bool control = uint8_t(c) < 32 && c != '\t' && c != '\n' && c != '\r';
-    out += special ? "&#" + std::to_string(int(c)) + ";" : std::string(1, control ? ' ' : c);
+  for (size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (const size_t bytes = notInXml(text.substr(i)); bytes > 0) {
+      out += ' ';
+      i += bytes - 1;
+    } else if (c == '&' || c == '<' || c == '>') {
+      out += "&#" + std::to_string(int(c)) + ";";
+    } else {
+      out += c;
+    }
   }
   return out;
 }

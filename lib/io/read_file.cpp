@@ -6,6 +6,10 @@ namespace obby::io {
 
 Result<std::string> readFile(const std::string& path, const std::atomic<bool>* stop) {
   OBBY_ASSIGN(ByteSource source, ByteSource::open(path, stop));
+  return readRest(source);
+}
+
+Result<std::string> readRest(ByteSource& source) {
   OBBY_ASSIGN(std::string bytes, source.rest());
   if (source.stopped()) return Error{source.name(), {}, {}, kInterrupted, {}};
   return bytes;

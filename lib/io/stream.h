@@ -15,6 +15,8 @@
 
 namespace obby::io {
 
+class ByteSource;
+
 enum class Format { jsonl, capnp, capnpPacked };
 
 // "jsonl", "capnp", "packed". Error names the choices.
@@ -32,6 +34,8 @@ class StreamReader {
                                    const std::atomic<bool>* stop = nullptr);
   // Over bytes in memory; `name` is used in errors.
   static StreamReader overBytes(std::string bytes, std::string name);
+  // Over an input of which nothing is consumed yet.
+  static StreamReader over(ByteSource source);
 
   StreamReader(StreamReader&&) noexcept;
   StreamReader& operator=(StreamReader&&) noexcept;

@@ -19,7 +19,6 @@ constexpr size_t kSniff = 10;  // the longest that one packed word can be
 
 bool startsJson(char c) { return c == '{' || c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 constexpr std::string_view kZip = "PK\x03\x04";  // might be the tag and size of a packed message
 
 Error strangeBytes(std::string_view begin) {
@@ -68,7 +67,7 @@ struct StreamReader::Impl {
     }
     OBBY_RETURN_IF_ERROR(source.need(kSniff));
     const std::string_view begin = source.buffered();
-    if (begin.substr(0, 3) == kByteOrderMark) {
+    if (begin.starts_with(kByteOrderMark)) {
       source.consume(kByteOrderMark.size());
       format = Format::jsonl;
       return true;
@@ -168,12 +167,15 @@ struct StreamReader::Impl {
 
 Result<StreamReader> StreamReader::open(const std::string& path, const std::atomic<bool>* stop) {
   OBBY_ASSIGN(ByteSource source, ByteSource::open(path, stop));
-  return StreamReader(std::make_unique<Impl>(std::move(source)));
+  return over(std::move(source));
 }
 
 StreamReader StreamReader::overBytes(std::string bytes, std::string name) {
-  return StreamReader(
-      std::make_unique<Impl>(ByteSource::overBytes(std::move(bytes), std::move(name))));
+  return over(ByteSource::overBytes(std::move(bytes), std::move(name)));
+}
+
+StreamReader StreamReader::over(ByteSource source) {
+  return StreamReader(std::make_unique<Impl>(std::move(source)));
 }
 
 StreamReader::StreamReader(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "io/utf8.h"
+
 namespace obby::io {
 namespace {
 
@@ -53,6 +55,10 @@ bool isUtf8(std::string_view text) {
   return true;
 }
 
+std::string_view withoutByteOrderMark(std::string_view text) {
+  return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
+}
+
 std::string lower(std::string_view text) {
   std::string out(text);
   for (char& c : out)
@@ -60,14 +66,19 @@ std::string lower(std::string_view text) {
   return out;
 }
 
+size_t notInXml(std::string_view text) {
+  if (text.starts_with("\xef\xbf\xbe") || text.starts_with("\xef\xbf\xbf")) return 3;
+  if (text.empty() || uint8_t(text[0]) >= 32) return 0;
+  return text[0] == '\t' || text[0] == '\n' || text[0] == '\r' ? 0 : 1;
+}
+
 std::string escapeMarkup(std::string_view text) {
   std::string out;
   for (size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    // XML has neither U+FFFE nor U+FFFF.
-    if (const auto three = text.substr(i, 3); three == "\xef\xbf\xbe" || three == "\xef\xbf\xbf") {
+    if (const size_t bytes = notInXml(text.substr(i)); bytes > 0) {
       out += ' ';
-      i += 2;
+      i += bytes - 1;
       continue;
     }
     switch (c) {
@@ -116,7 +127,7 @@ std::string nearest(std::string_view text, const std::vector<std::string>& choic
 }
 
 std::string quoted(std::string_view text, size_t limit) {
-  std::string whole, out;
+  std::string whole, json, out;
   size_t i = 0;
   while (i < text.size() && i < limit) {
     const size_t n = utf8Length(text.substr(i, 4));
@@ -124,7 +135,17 @@ std::string quoted(std::string_view text, size_t limit) {
     i += std::max<size_t>(n, 1);
   }
   if (i < text.size()) whole += "...";
-  appendJsonString(out, whole);
+  appendJsonString(json, whole);
+  // JSON leaves those beyond ASCII as they are.
+  for (size_t at = 0; at < json.size();) {
+    const Utf8Char c = nextChar(json, at);
+    if (c.code >= 0x80 && isControl(c.code)) {
+      out += fmt::format("\\u{:04x}", uint32_t(c.code));
+    } else {
+      out.append(json, at, c.bytes);
+    }
+    at += c.bytes;
+  }
   return out;
 }
 

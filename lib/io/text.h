@@ -14,8 +14,17 @@ size_t utf8Length(std::string_view text);
 // Well-formed UTF-8: no overlong forms, no surrogates, at most U+10FFFF.
 bool isUtf8(std::string_view text);
 
+// What some editors put before a text in UTF-8, of which it is no part.
+inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+// `text` without the byte order mark at its start, if it has one.
+std::string_view withoutByteOrderMark(std::string_view text);
+
 // Lower case of ASCII letters; other bytes unchanged.
 std::string lower(std::string_view text);
+
+// Bytes of what stands at the start of UTF-8 `text` and no XML can hold, not even by its number: a
+// control character other than tab and the ends of lines, U+FFFE, U+FFFF. 0: XML can hold it.
+size_t notInXml(std::string_view text);
 
 // UTF-8 `text` for HTML and SVG: markup as entities, control characters as spaces.
 std::string escapeMarkup(std::string_view text);
@@ -26,7 +35,8 @@ void appendJsonString(std::string& out, std::string_view text);
 // The choice nearest to `text` if it is near enough to be meant; else empty.
 std::string nearest(std::string_view text, const std::vector<std::string>& choices);
 
-// `text` for an error line: quoted, control characters escaped, cut after `limit` bytes.
+// `text` for an error line, as a JSON string cut after `limit` bytes: characters of isControl()
+// escaped, '?' for a byte that is no UTF-8.
 std::string quoted(std::string_view text, size_t limit = 40);
 
 }  // namespace obby::io

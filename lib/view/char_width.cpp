@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "view/utf8.h"
+#include "view/columns.h"
 
 namespace obby::view {
 namespace {

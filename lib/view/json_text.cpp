@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "view/utf8.h"
+#include "io/utf8.h"
 
 namespace obby::view {
 
@@ -51,7 +51,7 @@ JsonText& JsonText::value(std::string_view text) {
   separate();
   text_ += '"';
   for (size_t at = 0; at < text.size();) {
-    const Utf8Char c = nextChar(text, at);
+    const io::Utf8Char c = io::nextChar(text, at);
     at += c.bytes;
     switch (c.code) {
       case '"': text_ += "\\\""; break;
@@ -62,7 +62,7 @@ JsonText& JsonText::value(std::string_view text) {
         if (c.code < 32 || c.code == 127 || c.code == '<' || c.code == 0x2028 || c.code == 0x2029) {
           text_ += fmt::format("\\u{:04x}", uint32_t(c.code));
         } else {
-          appendUtf8(text_, c.code);
+          io::appendUtf8(text_, c.code);
         }
     }
   }

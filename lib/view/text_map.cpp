@@ -7,12 +7,12 @@
 #include <numeric>
 #include <vector>
 
+#include "view/columns.h"
 #include "view/extent.h"
 #include "view/picture/world.h"
 #include "view/raster.h"
 #include "view/roles.h"
 #include "view/text_report.h"
-#include "view/utf8.h"
 
 namespace obby::view {
 namespace {

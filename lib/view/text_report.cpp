@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "view/utf8.h"
+#include "io/utf8.h"
 
 namespace obby::view {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 constexpr size_t kMostMaps = 3;
 
 std::string clean(const std::string& text, const TerminalTraits& terminal) {
-  return tamed(text, !terminal.utf8);
+  return io::tamed(text, !terminal.utf8);
 }
 
 }  // namespace

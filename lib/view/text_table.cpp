@@ -10,8 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "io/utf8.h"
+#include "view/columns.h"
 #include "view/text_report.h"
-#include "view/utf8.h"
 
 namespace obby::view {
 namespace {
@@ -110,7 +111,7 @@ std::string linesOf(const std::string& text, const TerminalTraits& terminal) {
   const std::string indent = "  ";
   const size_t room = terminal.width - indent.size();
   std::string out, row;
-  std::istringstream words(tamed(text, !terminal.utf8));
+  std::istringstream words(io::tamed(text, !terminal.utf8));
   for (std::string word; words >> word;) {
     word = fitted(word, room, !terminal.utf8);
     if (!row.empty() && columnCount(row) + 1 + columnCount(word) > room) {

@@ -142,6 +142,16 @@ TEST(Arguments, InputsKeepTheirOrderAmongOptions) {
             "- is given twice (standard input can be read once)");
 }
 
+TEST(Arguments, AnEmptyValueTakesNoOtherWordInItsPlace) {
+  EXPECT_EQ(resolve({"--seed=", "5"}).error().text(),
+            "--seed: expected a whole number from 0 to 2^64 - 1, found \"\"");
+  EXPECT_EQ(resolve({"--quiet=", "5"}).error().text(),
+            "--quiet: expected true or false, found \"\"");
+  const auto arguments = resolve({"--", "--seed=", "--x=[y]", "[z]"});
+  ASSERT_TRUE(arguments) << arguments.error().text();
+  EXPECT_EQ(arguments->inputs, (std::vector<std::string>{"--seed=", "--x=[y]", "[z]"}));
+}
+
 TEST(Arguments, LettersMayBeJoinedAndValuesMayFollowDirectly) {
   const auto arguments = resolve({"-qv"});
   ASSERT_TRUE(arguments);
@@ -149,9 +159,13 @@ TEST(Arguments, LettersMayBeJoinedAndValuesMayFollowDirectly) {
 }
 
 TEST(Help, NoLineIsLongerThanAScreenExceptExamples) {
-  const ToolSpec spec = tool();
+  ToolSpec spec = tool();
+  const std::string fits(80, 'f'), sentence(60, 's');
+  spec.notes = sentence + " " + sentence + "\n\n" + fits;
+  const std::string text = helpText(spec, allRows(spec));
+  EXPECT_TRUE(text.ends_with("\n\n" + sentence + "\n" + sentence + "\n\n" + fits + "\n")) << text;
   std::string line;
-  for (const char c : helpText(spec, allRows(spec))) {
+  for (const char c : text) {
     if (c != '\n') {
       line += c;
       continue;

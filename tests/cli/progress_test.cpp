@@ -26,6 +26,13 @@ TEST(Progress, LinesAreShortAndNumbersBrief) {
   EXPECT_EQ(progressLine({"x", -1, {}}, 80), "x");
 }
 
+// Ids come from streams of strangers.
+TEST(Progress, LinesMoveNoCursorAndEndWithAWholeCharacter) {
+  EXPECT_EQ(progressLine({"query \x1b[2J\n\xe9", -1, {}}, 80), "query ?[2J?\xef\xbf\xbd");
+  EXPECT_EQ(progressLine({"caf\xc3\xa9", -1, {}}, 5), "caf\xc3\xa9");
+  EXPECT_EQ(progressLine({"caf\xc3\xa9", -1, {}}, 4), "caf");
+}
+
 TEST(Progress, JsonHasEveryNumberInFullButNoneThatJsonLacks) {
   const ProgressState state{"say \"hi\"\n", 0.5, {{"steps", 1234567890}, {"bad", NAN}}};
   EXPECT_EQ(progressJson(state),

@@ -2,7 +2,10 @@
 // of the file formats.
 #include "import/filter.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -103,6 +106,23 @@ TEST_F(Filter, RecordsPassThroughUnchanged) {
   EXPECT_EQ(lines(inputs, file("hand.jsonl", text)), text);
 }
 
+// A stream may be longer than memory, and who writes it may wait for what comes of it.
+TEST_F(Filter, RecordsAreReadAsTheyCome) {
+  const std::string path = (folder_ / "pipe").string();
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  const int writer = ::open(path.c_str(), O_RDWR);  // does not wait for a reader
+  ASSERT_GE(writer, 0);
+  const std::string first = "\n {\"type\":\"query\",\"id\":\"q\"}\n";
+  ASSERT_EQ(::write(writer, first.data(), first.size()), ssize_t(first.size()));
+  auto inputs = opener();
+  auto reader = inputs.open(path);
+  ASSERT_TRUE(reader) << reader.error().text();
+  const auto record = reader->next();
+  ASSERT_TRUE(record && *record);
+  EXPECT_STREQ((*record)->reader().getQuery().getId().cStr(), "q");
+  ::close(writer);
+}
+
 TEST_F(Filter, LevelsOfSeveralInputsHaveDifferentNames) {
   const std::string path = file("tower.rbxlx", smallPlace().xml());
   auto inputs = opener();
@@ -129,6 +149,18 @@ TEST_F(Filter, ExplainsPlacesAndSaysWhatItCannotExplain) {
   EXPECT_NE(explained_.find("script KillScript line 3"), std::string::npos);
   (void)lines(inputs, file("hand.jsonl", "{\"type\":\"query\",\"id\":\"q\"}\n"));
   EXPECT_NE(explained_.find("nothing to explain"), std::string::npos);
+}
+
+TEST_F(Filter, ExplainsNamesWithoutWhatMovesTheCursorOrTurnsALineRound) {
+  PlaceWriter place;
+  const auto workspace = place.add("Workspace", "Workspace");
+  const auto goal = place.add("Part", "Win\xc2\x9b\xe2\x80\xaePad", workspace);
+  place.set(goal, "size", vec3(8, 1, 8)).set(goal, "CFrame", cframe(0, 0, 0));
+  place.set(goal, "Anchored", flag(true));
+  place.tag(goal, "Goal");
+  auto inputs = opener({"", true, true});
+  (void)lines(inputs, file("tower.rbxl", place.binary(Packing::Stored)));
+  EXPECT_NE(explained_.find("Win  Pad"), std::string::npos) << explained_;
 }
 
 }  // namespace

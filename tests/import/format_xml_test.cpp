@@ -124,8 +124,19 @@ TEST(FormatXml, CommentsDeclarationsAndByteOrderMarksMayComeFirst) {
   for (const std::string before :
        {"\xef\xbb\xbf", "<?xml version=\"1.0\" encoding=\"utf-8\"?>\r\n", "<!-- hello -->\n  "}) {
     EXPECT_TRUE(looksLikeRoblox(before + root));
+    EXPECT_EQ(mayBeRoblox(before + root), true);
     EXPECT_EQ(readOrDie(before + root).instances.size(), 1u);
   }
+}
+
+TEST(FormatXml, ItsFirstBytesTellItFromRecordsOrMoreAreAskedFor) {
+  for (const std::string open : {"", "\xef", "\xef\xbb", "\xef\xbb\xbf", " \r\n\t"})
+    EXPECT_FALSE(mayBeRoblox(open).has_value()) << open;
+  for (const std::string place : {"<", "\xef\xbb\xbf\n<"}) EXPECT_EQ(mayBeRoblox(place), true);
+  for (const std::string other : {"{", "\n {", "\xef\xbb\xbf{", "\xef\xbb{", "x"})
+    EXPECT_EQ(mayBeRoblox(other), false) << other;
+  EXPECT_EQ(mayBeRoblox(std::string(size_t(1), '\0')), false) << "Cap'n Proto";
+  EXPECT_EQ(mayBeRoblox(std::string(size_t(1) << 20, ' ')), true) << "who knows";
 }
 
 TEST(FormatXml, RefsAndReferentsMayBeMissingOrDouble) {

@@ -1,4 +1,4 @@
-// Texts of others inside of markup.
+// Texts of others inside of markup, and what editors put before them.
 #include "io/text.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +10,32 @@ TEST(EscapeMarkup, LeavesNothingThatXmlCannotHold) {
   EXPECT_EQ(escapeMarkup("<a & \"b\">\n"), "&lt;a &amp; &quot;b&quot;&gt; ");
   EXPECT_EQ(escapeMarkup("a\xef\xbf\xbe<\xef\xbf\xbf"), "a &lt; ") << "U+FFFE and U+FFFF";
   EXPECT_EQ(escapeMarkup("\xef\xbf\xbd\xef\xbf"), "\xef\xbf\xbd\xef\xbf");
+}
+
+TEST(NotInXml, TellsWhatNoEntityCanStandFor) {
+  EXPECT_EQ(notInXml("\x01"
+                     "a"),
+            1u);
+  EXPECT_EQ(notInXml("\xef\xbf\xbf"
+                     "a"),
+            3u);
+  for (const char* fine : {"", "a", "\t", "\n", "\r", "<", "\xef\xbf\xbd"})
+    EXPECT_EQ(notInXml(fine), 0u) << fine;
+}
+
+TEST(ByteOrderMark, IsTakenOffOnceAndOnlyWhole) {
+  EXPECT_EQ(withoutByteOrderMark("\xef\xbb\xbf{}"), "{}");
+  EXPECT_EQ(withoutByteOrderMark("\xef\xbb\xbf\xef\xbb\xbf"), "\xef\xbb\xbf");
+  for (const char* none : {"", "{}", "\xef\xbb"}) EXPECT_EQ(withoutByteOrderMark(none), none);
+}
+
+// Messages as JSON are read on terminals, too.
+TEST(Quoted, HoldsNothingThatMovesTheCursorOrTurnsTheLineRound) {
+  EXPECT_EQ(quoted("a\x1b[31m\"\n\x7f"), "\"a\\u001b[31m\\\"\\n\\u007f\"");
+  EXPECT_EQ(quoted("a\xc2\x9b"
+                   "b\xe2\x80\xae"),
+            "\"a\\u009bb\\u202e\"");
+  EXPECT_EQ(quoted("caf\xc3\xa9\xe9"), "\"caf\xc3\xa9?\"");
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "course.h"
+#include "view/columns.h"
 #include "view/raster.h"
-#include "view/utf8.h"
 
 namespace obby::view_test {
 namespace {
@@ -165,7 +165,7 @@ TEST(Text, LinesKeepToTheWidth) {
   }
 }
 
-TEST(Utf8, CutsAtCharactersAndTamesControls) {
+TEST(Columns, TextsAreCutAtCharactersAndTamed) {
   EXPECT_EQ(view::fitted("caf\xc3\xa9 noir", 5, false), "caf\xc3\xa9\xe2\x80\xa6");
   EXPECT_EQ(view::fitted("a\x1b[31mb", 20, false), "a [31mb");
   EXPECT_EQ(view::fitted("\xc3\xa9", 5, true), "?");
@@ -175,11 +175,9 @@ TEST(Utf8, CutsAtCharactersAndTamesControls) {
                          20, false),
             "a b c")
       << "U+202E turns a row round, U+2028 ends it";
-  EXPECT_EQ(view::nextChar("\xed\xa0\x80", 0).code, U'\xfffd');
-  EXPECT_EQ(view::nextChar("\xc0\xaf", 0).code, U'\xfffd');
 }
 
-TEST(Utf8, CountsTheColumnsOfATerminal) {
+TEST(Columns, AreThoseOfATerminal) {
   EXPECT_EQ(view::columnCount("Stage 1"), 7u);
   EXPECT_EQ(view::columnCount("\u30b9\u30c6\u30fc\u30b8"), 8u) << "kana are wide";
   EXPECT_EQ(view::columnCount("\U0001f525"), 2u) << "so are emoji";

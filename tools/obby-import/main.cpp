@@ -17,17 +17,23 @@ Status refuseOptionsOfRecords(const cli::Arguments& a) {
                           "which writes a table, no records");
 }
 
-// The tables of all inputs up to one that ends the run; its error is in the result. Under
-// --on-error skip and emit a broken input is reported and left out.
-Status tables(cli::Context& context, const importer::ImportOptions& options, std::string& text) {
+// Writes the tables of all inputs up to one that ends the run; its error is in the result. Under
+// --on-error skip and emit a broken input is reported and left out. `any`: there was a table.
+Status tables(cli::Context& context, const importer::ImportOptions& options, io::Sink& sink,
+              bool& any) {
+  Status written;
   importer::InputOpener opener(
       options, [&](const std::string& warning) { context.note(warning); },
-      [&](const std::string& table) { text += (text.empty() ? "" : "\n") + table; },
+      [&](const std::string& table) {
+        if (written) written = sink.write(any ? "\n" + table : table);
+        any = true;
+      },
       &context.stop());
   const bool goesOn = context.sourceOptions().onError != io::OnError::stop;
   for (const std::string& path : context.inputs()) {
     if (context.stop()) break;
     const auto opened = opener.open(path);
+    if (!written) return written;
     if (opened) continue;
     if (!goesOn || io::isInterrupted(opened.error())) return opened.error();
     context.error(opened.error());
@@ -39,13 +45,12 @@ Result<cli::ExitCode> explain(cli::Context& context, importer::ImportOptions opt
   OBBY_RETURN_IF_ERROR(refuseOptionsOfRecords(context.arguments()));
   OBBY_ASSIGN(io::Sink sink, context.openSink());
   options.explain = true;
-  std::string text;
-  const Status done = tables(context, options, text);
-  if (!done && text.empty()) return done.error();  // nothing was done: leave no output
-  Status written = sink.write(text);
-  if (written) written = sink.close();
+  bool any = false;
+  const Status done = tables(context, options, sink, any);
+  if (!done && !any) return done.error();  // nothing was done: leave no output
+  const Status closed = sink.close();
   if (!done) return done.error();
-  if (!written) return written.error();
+  if (!closed) return closed.error();
   return cli::ExitCode::ok;
 }
 

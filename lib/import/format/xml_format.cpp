@@ -10,6 +10,7 @@
 #include "import/format/document_builder.h"
 #include "import/format/xml_filter.h"
 #include "import/format/xml_values.h"
+#include "io/text.h"
 
 namespace obby::importer {
 namespace {
@@ -143,7 +144,7 @@ class XmlReader {
 
 // Skips white space, a byte order mark, declarations and comments.
 std::string_view withoutProlog(std::string_view text) {
-  if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
+  text = io::withoutByteOrderMark(text);
   for (;;) {
     const size_t begin = text.find_first_not_of(" \t\r\n");
     if (begin == std::string_view::npos) return {};

@@ -1,0 +1,18 @@
+// How wide texts are on a terminal.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace obby::view {
+
+// Columns that a character takes on a terminal: 0, 1 or 2. Control characters count as one.
+size_t columnsOf(char32_t code);
+size_t columnCount(std::string_view text);
+
+// io::tamed() `text`, at most `width` columns of it: a cut ends in an ellipsis ("..." where
+// `ascii`).
+std::string fitted(std::string_view text, size_t width, bool ascii);
+
+}  // namespace obby::view
