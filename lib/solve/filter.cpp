@@ -30,7 +30,8 @@ Filter::Filter(FilterOptions options, io::Pipeline& pipeline)
     : options_(std::move(options)),
       pipeline_(pipeline),
       pool_(options_.threads),
-      levels_(options_.levelBytes) {
+      levels_(options_.levelBytes),
+      queries_(options_.queryBytes) {
   options_.solver.earlier = &options_.earlier;
 }
 
@@ -90,7 +91,7 @@ Result<io::Then> Filter::handleQuery(const io::Record& record) {
     if (wanted(query.getId())) {
       OBBY_RETURN_IF_ERROR(level::Query::compile(full.reader().getQuery(), level->level));
     }
-    queries_.insert_or_assign({level->level.name(), query.getId()}, full);
+    queries_.add(level->level.name(), full);
     return io::Then::pass;
   }
   note(query.getId());
@@ -110,9 +111,7 @@ Result<Filter::LevelPointer> Filter::levelNamed(const std::string& name) const {
 void Filter::know(const LevelPointer& level) {
   for (const std::string& dropped : levels_.add(level)) {
     passFilters_.erase(dropped);
-    const auto first = queries_.lower_bound({dropped, std::string()});
-    const auto ofIt = [&](const auto& query) { return query.first.first == dropped; };
-    queries_.erase(first, std::find_if_not(first, queries_.end(), ofIt));
+    queries_.forgetLevel(dropped);
   }
 }
 
@@ -217,16 +216,9 @@ Result<bool> Filter::keeps(schema::Trajectory::Reader trajectory) {
 
 Status Filter::check(schema::Trajectory::Reader trajectory) {
   OBBY_ASSIGN(const LevelPointer level, levelNamed(trajectory.getLevel()));
-  const auto query = queries_.find({level->level.name(), trajectory.getQuery()});
-  if (query == queries_.end()) {
-    return Error{{},
-                 {},
-                 "query",
-                 fmt::format("no query '{}' before this record", trajectory.getQuery().cStr()),
-                 "trajectories are checked against their query"};
-  }
+  OBBY_ASSIGN(const io::Record query, queries_.named(level->level.name(), trajectory.getQuery()));
   OBBY_RETURN_IF_ERROR(verify(level->level, level->record.reader().getLevel(),
-                              query->second.reader().getQuery(), trajectory));
+                              query.reader().getQuery(), trajectory));
   ++counts_.verified;
   return {};
 }

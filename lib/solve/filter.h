@@ -16,6 +16,7 @@
 #include "policy/policy_file.h"
 #include "solve/answers/pass_filter.h"
 #include "solve/known_levels.h"
+#include "solve/known_queries.h"
 #include "solve/query/build_query.h"
 #include "solve/query_solver.h"
 
@@ -40,7 +41,8 @@ struct FilterOptions {
   std::optional<QuickQuery> quick;  // asked of every level instead of the stream's queries
   bool each = false;                // `quick` changes the stream's queries instead
   PassRule passes;
-  uint64_t levelBytes = KnownLevels::kMostBytes;  // of the levels that are kept, as of KnownLevels
+  uint64_t levelBytes = KnownLevels::kMostBytes;   // of the levels that are kept, as of KnownLevels
+  uint64_t queryBytes = KnownQueries::kMostBytes;  // of the queries that are kept, where they are
   std::function<void(const QueryProgress&)> progress;  // may be empty
   std::function<void(const Error&)> deviceFailed;      // the CPU went on; may be empty
 };
@@ -101,7 +103,7 @@ class Filter {
   KnownLevels levels_;
   std::map<std::string, PassFilter> passFilters_;  // by level
   std::optional<Last> last_;
-  std::map<std::pair<std::string, std::string>, io::Record> queries_;  // by level and id
+  KnownQueries queries_;                   // of the levels that are kept, under Task::verify
   std::vector<std::string> met_, others_;  // ids of `only` that came by; the first other ids
   FilterCounts counts_;
 };

@@ -1,0 +1,73 @@
+#include "solve/known_queries.h"
+
+#include <fmt/format.h>
+
+namespace obby::solve {
+namespace {
+
+constexpr uint64_t kRoom = 8;           // words of a copy beside what it copies
+constexpr uint64_t kBookkeeping = 512;  // bytes of maps and allocations for each
+
+// Without the bytes that it came as, and with no room to grow: queries are small.
+io::Record copyOf(const io::Record& query) {
+  io::RecordBuilder copy(query.reader().totalSize().wordCount + kRoom);
+  copy.message().setRoot(query.reader());
+  return io::Record(std::move(copy));
+}
+
+}  // namespace
+
+uint64_t KnownQueries::bytesOf(const std::string& level, const io::Record& query) {
+  const auto reader = query.reader();
+  const uint64_t words = reader.totalSize().wordCount + kRoom;
+  const uint64_t names = level.size() + reader.getQuery().getId().size();
+  return words * sizeof(capnp::word) + 2 * names + kBookkeeping;
+}
+
+void KnownQueries::add(const std::string& level, const io::Record& query) {
+  const std::string id = query.reader().getQuery().getId();
+  Key key(level, id);
+  if (const auto found = queries_.find(key); found != queries_.end()) forget(found);
+  const uint64_t bytes = bytesOf(level, query);
+  bytes_ += bytes;
+  byAge_.emplace(added_, key);
+  queries_.emplace(std::move(key), Kept{copyOf(query), bytes, added_});
+  ++added_;
+  while (bytes_ > mostBytes_ && queries_.size() > 1) {
+    forget(queries_.find(byAge_.begin()->second));
+    ++dropped_;
+  }
+}
+
+void KnownQueries::forgetLevel(const std::string& level) {
+  for (auto at = queries_.lower_bound(Key(level, std::string()));
+       at != queries_.end() && at->first.first == level;) {
+    forget(at++);
+  }
+}
+
+void KnownQueries::forget(Queries::iterator query) {
+  bytes_ -= query->second.bytes;
+  byAge_.erase(query->second.number);
+  queries_.erase(query);
+}
+
+Result<io::Record> KnownQueries::named(const std::string& level, const std::string& id) const {
+  if (const auto found = queries_.find(Key(level, id)); found != queries_.end()) {
+    return found->second.query;
+  }
+  Error error{{},
+              {},
+              "query",
+              fmt::format("no query '{}' before this record", id),
+              "trajectories are checked against their query"};
+  if (dropped_ == 0) return error;
+  // Their ids are not kept, for they too would come without end.
+  error.message += fmt::format(" that is still kept: the oldest {} were dropped", dropped_);
+  error.hint = fmt::format(
+      "put trajectories right behind their query; the newest queries are kept, {} MiB of memory",
+      mostBytes_ >> 20);
+  return error;
+}
+
+}  // namespace obby::solve

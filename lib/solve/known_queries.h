@@ -1,0 +1,50 @@
+// The queries of a stream that the trajectories behind them may name, where these are checked. A
+// stream need not end, so the newest are kept, as many as fit.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "base/result.h"
+#include "io/record.h"
+
+namespace obby::solve {
+
+class KnownQueries {
+ public:
+  static constexpr uint64_t kMostBytes = uint64_t(256) << 20;
+
+  // `mostBytes`: what the kept queries may take together. The newest is kept whatever it takes.
+  explicit KnownQueries(uint64_t mostBytes) : mostBytes_(mostBytes) {}
+
+  // What keeping a query of a level of that name takes, in bytes, about.
+  static uint64_t bytesOf(const std::string& level, const io::Record& query);
+
+  // Keeps a copy of a query as the newest, in place of an older one of its id and level.
+  void add(const std::string& level, const io::Record& query);
+  // As if none of that level had come.
+  void forgetLevel(const std::string& level);
+
+  // Error, with path "query": none of that id and level is kept.
+  Result<io::Record> named(const std::string& level, const std::string& id) const;
+
+ private:
+  using Key = std::pair<std::string, std::string>;  // level and id
+  struct Kept {
+    io::Record query;
+    uint64_t bytes, number;
+  };
+  using Queries = std::map<Key, Kept>;
+
+  void forget(Queries::iterator query);
+
+  const uint64_t mostBytes_;
+  Queries queries_;
+  std::map<uint64_t, Key> byAge_;     // the oldest first
+  uint64_t bytes_ = 0;                // of all that are kept
+  uint64_t added_ = 0, dropped_ = 0;  // so far
+};
+
+}  // namespace obby::solve
