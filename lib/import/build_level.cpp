@@ -5,6 +5,7 @@
 #include "import/checkpoints.h"
 #include "import/culling.h"
 #include "import/loose.h"
+#include "import/motion_room.h"
 #include "import/parts.h"
 #include "import/roles/role.h"
 #include "import/scene.h"
@@ -55,6 +56,7 @@ LevelDraft buildLevel(const Tree& tree, const std::string& name) {
   RoleContext context(tree, assemblies, scripts, level);
   applyScriptedWorld(context);
   findRoles(context);
+  settleMotions(context);
   looseParts(tree, assemblies, level);
   orderStages(tree, level);
   noteUnmodelled(context);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "import/pose_math.h"
+#include "level/hull_tables.h"
 #include "level/record_values.h"
 
 namespace obby::importer {
@@ -18,20 +19,6 @@ constexpr const char* kKind = "shape of a mesh or union";  // in the level's lis
 bool isInBounds(Vec3 corner) {
   const Vec3 far = abs(corner);
   return isFinite(corner) && maxf(far.x, maxf(far.y, far.z)) <= level::kMaxCoordinate;
-}
-
-// The eight corners of the box around a hull.
-std::vector<Vec3> boxAround(const std::vector<Vec3>& hull) {
-  Vec3 lo = hull.front(), hi = lo;
-  for (const Vec3 corner : hull) {
-    lo = min(lo, corner);
-    hi = max(hi, corner);
-  }
-  std::vector<Vec3> box;
-  for (const float x : {lo.x, hi.x})
-    for (const float y : {lo.y, hi.y})
-      for (const float z : {lo.z, hi.z}) box.push_back({x, y, z});
-  return box;
 }
 
 // Some hulls of the part are boxes.
@@ -60,7 +47,7 @@ LevelHulls::Known LevelHulls::decoded(const CollisionBlob& blob) {
   std::erase_if(hulls, [](const std::vector<Vec3>& hull) { return hull.size() < kLeastCorners; });
   for (auto& hull : hulls) {
     if (hull.size() > kMostCorners) {
-      hull = boxAround(hull);
+      hull = level::boxAround(hull);
       ++known.boxed;
     }
     known.corners += hull.size();

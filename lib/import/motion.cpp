@@ -8,7 +8,7 @@
 #include "import/format/class_defaults.h"
 #include "import/pivot.h"
 #include "import/pose_math.h"
-#include "level/compile_parts.h"
+#include "level/motion_tables.h"
 
 namespace obby::importer {
 namespace {
@@ -128,6 +128,23 @@ std::optional<Spin> spinFrom(const Pose& start, const std::vector<PoseSample>& s
   return spin;
 }
 
+std::optional<double> nearPeriod(const std::vector<PoseSample>& samples) {
+  if (samples.size() < 8) return std::nullopt;
+  const auto mismatch = [&](size_t a, size_t b) {
+    return length(samples[a].pose.position - samples[b].pose.position) +
+           length(rotationVector(samples[a].pose.rotation * inverse(samples[b].pose.rotation)));
+  };
+  float range = 0, best = 0;
+  size_t bestAt = 0;
+  for (size_t k = 2; k + 1 < samples.size(); ++k) {
+    range = std::max(range, mismatch(1, k));
+    const float now = mismatch(1, k) + mismatch(2, k + 1);
+    if (k > 3 && (bestAt == 0 || now < best)) best = now, bestAt = k;
+  }
+  if (bestAt == 0 || best > 0.01f * range) return std::nullopt;
+  return samples[bestAt].time - samples[1].time;
+}
+
 std::vector<MotionKey> keysFrom(const Pose& start, const std::vector<PoseSample>& samples,
                                 double period, bool closed) {
   std::vector<MotionKey> keys = {keyAt(0, start)};
@@ -164,6 +181,41 @@ bool isBounded(const Motion& motion) {
          length(motion.spin->pivot) <= kFarthest;  // false for NaN, too
 }
 
+// In how many pieces a part that is `reach` studs off what turns follows its arc.
+int piecesOf(const MotionKey& from, const MotionKey& to, float reach) {
+  constexpr double kTicks = 60, kMost = 600;
+  const float turn = length(rotationVector(to.pose.rotation * inverse(from.pose.rotation)));
+  if (!(reach * (1 - std::cos(turn / 2)) > kStraight)) return 1;
+  const double ticks = std::ceil(double(to.time - from.time) * kTicks);
+  double pieces = std::ceil(double(turn) / (2 * std::acos(1 - double(kStraight) / double(reach))));
+  if (to.easing != Easing::linear) pieces = std::max(pieces, ticks / 2);
+  return int(std::max(1.0, std::min({pieces, ticks, kMost})));
+}
+
+}  // namespace
+
+Motion withArcs(const Motion& motion, float reach) {
+  constexpr size_t kMostKeys = 3000;
+  Motion out = motion;
+  out.keys.clear();
+  for (const MotionKey& key : motion.keys) {
+    const bool first = out.keys.empty() || out.keys.size() > kMostKeys;
+    const int pieces = first ? 1 : piecesOf(out.keys.back(), key, reach);
+    const MotionKey from = first ? key : out.keys.back();
+    for (int i = 1; i < pieces; ++i) {
+      const double share = double(i) / pieces;
+      const auto eased = float(
+          level::ease(schema::Easing(key.easing), schema::EasingDirection(key.direction), share));
+      out.keys.push_back(keyAt(double(from.time) + double(key.time - from.time) * share,
+                               between(from.pose, key.pose, eased)));
+    }
+    out.keys.push_back(pieces > 1 ? keyAt(double(key.time), key.pose) : key);
+  }
+  return out;
+}
+
+namespace {
+
 // The parts of the level that a motion of `moved` is for.
 std::vector<PartDraft*> takers(RoleContext& context, InstanceId moved) {
   std::vector<PartDraft*> parts;
@@ -172,40 +224,20 @@ std::vector<PartDraft*> takers(RoleContext& context, InstanceId moved) {
   return parts;
 }
 
-// Of one round through the keys: as many rows, at least, has the simulator's table of it.
-size_t ticksOf(const Motion& motion) {
-  constexpr float kRate = 60, kMost = 72000;  // ticks a second; more are no motion (isBounded)
-  if (motion.keys.size() < 2) return 1;
-  const float rounds = motion.repeat == Repeat::pingPong ? 2 : 1;
-  const float ticks = (motion.keys.back().time - motion.keys.front().time) * rounds * kRate;
-  return ticks >= 1 ? size_t(std::min(ticks, kMost)) : 1;
-}
-
-// Each part has keys and a table of its own, and a level beyond these numbers would be refused as a
-// whole. A model moves as a whole or not at all.
-bool haveRoom(RoleContext& context, const std::vector<PartDraft*>& parts, const Motion& motion,
-              const std::string& reason) {
-  const bool manyKeys = parts.size() * motion.keys.size() > kMaxLevelKeys - context.motionKeys;
-  const size_t ticks = parts.size() * ticksOf(motion);
-  if (!manyKeys && ticks <= level::kMaxLevelRows - context.motionTicks) return true;
-  const std::string most = manyKeys ? std::to_string(kMaxLevelKeys) + " poses"
-                                    : std::to_string(level::kMaxLevelRows) + " ticks";
-  for (const PartDraft* part : parts)
-    context.level.noteUnmodelled("motion of too many poses", context.tree.path(part->id),
-                                 "all motions of the level have more than " + most +
-                                     "; left where the file has it; " + reason);
-  return false;
-}
-
 }  // namespace
 
-int giveMotion(RoleContext& context, InstanceId moved, const Motion& motion,
+int giveMotion(RoleContext& context, InstanceId moved, const Motion& ofPivot,
                const std::string& reason, bool guessed) {
   const Pose pivot = pivotOf(context.tree, moved);
   const std::vector<PartDraft*> parts = takers(context, moved);
+  float reach = 0;
+  for (const PartDraft* part : parts)
+    reach = std::max(reach, length(toLocal(pivot, part->rest.value_or(part->pose).position)));
+  const Motion motion = withArcs(ofPivot, reach);
   if (!haveRoom(context, parts, motion, reason)) return 0;
   int given = 0;
   for (PartDraft* part : parts) {
+    if (!hasRoom(context, *part, motion, reason)) continue;
     const Pose inPivot = inverse(pivot) * part->rest.value_or(part->pose);
     Motion own = motion;
     for (MotionKey& key : own.keys) key.pose = key.pose * inPivot;
@@ -221,8 +253,7 @@ int giveMotion(RoleContext& context, InstanceId moved, const Motion& motion,
               reason);
       continue;
     }
-    context.motionKeys += own.keys.size();
-    context.motionTicks += ticksOf(own);
+    takeRoom(context, *part, own);
     part->motion = std::move(own);
     part->anchored = true;  // it goes its way, whatever pushes it
     part->evidence.push_back({"motion", reason, guessed});

@@ -2,9 +2,11 @@
 // move.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "import/motion_room.h"
 #include "import/roles/role.h"
 
 namespace obby::importer {
@@ -20,20 +22,25 @@ struct PoseSample {
 std::optional<Spin> spinFrom(const Pose& start, const std::vector<PoseSample>& samples,
                              double period);
 
+// Seconds after which the samples of an open loop nearly repeat: those of a sine of the clock,
+// whose period is no whole number of frames. Nothing if they never come within 1 % of their range.
+std::optional<double> nearPeriod(const std::vector<PoseSample>& samples);
+
 // Keys through the samples of a loop of `period` seconds; poses on a straight way are left out.
 // Steps rarer than every 0.15 s are jumps, others a smooth way. `closed`: it leads
 // back to `start` at `period`.
 std::vector<MotionKey> keysFrom(const Pose& start, const std::vector<PoseSample>& samples,
                                 double period, bool closed);
 
-// Keys of all motions of a level together: 56 MB, and as much in its record. Their rounds together
-// may have as many ticks as a level takes (kMaxLevelRows).
-constexpr size_t kMaxLevelKeys = 1000000;
+// The motion with keys on its turns: the simulator goes straight from key to key, and a part that
+// hangs `reach` studs off what turns does not.
+Motion withArcs(const Motion& motion, float reach);
 
 // Gives `motion`, whose poses are those of the pivot of `moved` (a part or model), to every part
 // that moves with it: parts below a model, parts welded to it that are not anchored themselves.
 // Parts that have a motion keep it. `reason` becomes evidence. Returns the number of parts that got
-// the motion: none, with a note, where the level would have more keys or ticks than it may.
+// the motion: none, with a note, where those that a player can meet would need more keys or ticks
+// than a level may have. Others get it while there is room for them, too.
 int giveMotion(RoleContext& context, InstanceId moved, const Motion& motion,
                const std::string& reason, bool guessed);
 

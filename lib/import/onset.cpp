@@ -27,7 +27,10 @@ bool isStated(const ScriptEvent& event) {
   if (event.property == "CFrame") return event.frame.has_value();
   if (isSize(event)) return event.vector && isFinite(*event.vector);
   if (isSwitch(event) || event.property == "Parent") return event.flag.has_value();
-  return event.number && std::isfinite(*event.number);
+  if (event.property == "Transparency") return event.number && std::isfinite(*event.number);
+  // Of a constraint, whose forces may be without bounds.
+  const bool number = event.number && !std::isnan(*event.number);
+  return number || event.flag || (event.vector && isFinite(*event.vector));
 }
 
 bool runsOnClient(const Instance& script) {

@@ -35,7 +35,7 @@ class Onsets {
  public:
   Onsets(const Tree& tree, const ScriptReading& reading);
 
-  // Of an event for which changesParts holds.
+  // Of an event for which changesParts holds, or that sets a property of a constraint.
   Onset of(const Timeline& timeline, size_t event) const;
 
  private:

@@ -3,6 +3,7 @@
 // within a step budget; what a script does not state stays unknown (luau/reader.h).
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct TweenTiming {
   int repeats = 0;  // -1: for ever
   bool reverses = false;
   double delay = 0;
+  bool known = true;  // the text tells all of it
 
   // Seconds from Play to Completed; of an endless one, of its first round.
   double total() const {
@@ -51,7 +53,9 @@ struct ScriptEvent {
   std::optional<Pose> frame;
   std::optional<Vec3> orientation;  // degrees, of a tween whose goal states them: how `frame` turns
   InstanceId from = kNoInstance;    // the instance whose pose the value is, unchanged
+  bool places = true, turns = true;  // of a pose: sets where the target is, which way it is turned
   TweenTiming tween;
+  double until = std::numeric_limits<double>::infinity();  // when the script stops the tween
   double time = 0;      // seconds after the trigger; of what each frame does, after the start
   bool unsure = false;  // under a condition that the text does not decide
   int line = 0;

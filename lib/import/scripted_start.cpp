@@ -12,6 +12,7 @@
 #include "import/pivot.h"
 #include "import/pose_math.h"
 #include "import/scripted_movers.h"
+#include "import/tween_motion.h"
 
 namespace obby::importer {
 namespace {
@@ -29,7 +30,7 @@ class StartOfPlay {
     if (event.kind == EventKind::destroy) {
       remove(event.target);
     } else if (event.property == "CFrame") {
-      place(event.target, *event.frame);
+      place(event.target, goalOf(pivotNow(event.target), event));
     } else if (PartDraft* part = context_.part(event.target)) {
       set(*part, event);
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "import/motion.h"
 #include "import/pose_math.h"
 #include "level/motion_tables.h"
 
@@ -34,9 +35,10 @@ int axesOf(Vec3 turn) {
 class Way {
  public:
   Way(const Pose& from, const ScriptEvent& event, int legs)
-      : from_(from), event_(event), turn_(turnOf(from, event)) {
-    const double degrees = absf(turn_.x) + absf(turn_.y) + absf(turn_.z);
-    const int axes = axesOf(turn_);
+      : from_(from), goal_(goalOf(from, event)), event_(event) {
+    const Vec3 turn = turnOf(from, event);
+    const double degrees = absf(turn.x) + absf(turn.y) + absf(turn.z);
+    const int axes = axesOf(turn);
     if (degrees <= double(kShortTurn) && axes < 2) return;
     const bool even = axes < 2 && event.tween.easing == Easing::linear;
     const double share = std::ceil(degrees / kTurnOfAKey);
@@ -48,10 +50,11 @@ class Way {
   // From `time` on; a way back goes through time backwards.
   void append(std::vector<MotionKey>& keys, double time, bool back) const {
     const TweenTiming& t = event_.tween;
-    const Pose& last = back ? from_ : *event_.frame;
+    const Pose& last = back ? from_ : goal_;
     for (int i = 1; i < steps_; ++i) {
       const double share = double(i) / steps_;
-      keys.push_back({float(time + t.seconds * share), at(back ? 1 - share : share), Easing::linear,
+      keys.push_back({float(time + t.seconds * share),
+                      onTheWay(from_, event_, back ? 1 - share : share), Easing::linear,
                       EasingDirection::out});
     }
     const float end = float(time + t.seconds);
@@ -62,26 +65,38 @@ class Way {
   }
 
  private:
-  static EasingDirection reversed(EasingDirection direction) {
-    if (direction == EasingDirection::inOut) return direction;
-    return direction == EasingDirection::in ? EasingDirection::out : EasingDirection::in;
-  }
-
-  Pose at(double share) const {
-    const TweenTiming& t = event_.tween;
-    const auto eased =
-        float(level::ease(schema::Easing(t.easing), schema::EasingDirection(t.direction), share));
-    return {from_.position + (event_.frame->position - from_.position) * eased,
-            fromOrientation(toOrientation(from_.rotation) + turn_ * eased)};
-  }
-
-  const Pose from_;
+  const Pose from_, goal_;
   const ScriptEvent& event_;
-  Vec3 turn_;
   int steps_ = 1;
 };
 
 }  // namespace
+
+EasingDirection reversed(EasingDirection direction) {
+  if (direction == EasingDirection::inOut) return direction;
+  return direction == EasingDirection::in ? EasingDirection::out : EasingDirection::in;
+}
+
+Pose goalOf(const Pose& from, const ScriptEvent& event) {
+  Pose goal = *event.frame;
+  if (!event.places) goal.position = from.position;
+  if (!event.turns) goal.rotation = from.rotation;
+  return goal;
+}
+
+Pose onTheWay(const Pose& from, const ScriptEvent& event, double share) {
+  const TweenTiming& t = event.tween;
+  const auto eased =
+      float(level::ease(schema::Easing(t.easing), schema::EasingDirection(t.direction), share));
+  Pose pose = between(from, goalOf(from, event), eased);
+  if (event.orientation)
+    pose.rotation = fromOrientation(toOrientation(from.rotation) + turnOf(from, event) * eased);
+  return pose;
+}
+
+Pose poseAfter(const Pose& from, const ScriptEvent& event) {
+  return event.kind == EventKind::tween && event.tween.reverses ? from : goalOf(from, event);
+}
 
 void appendTween(std::vector<MotionKey>& keys, const ScriptEvent& event, double time) {
   const TweenTiming& t = event.tween;
@@ -103,11 +118,32 @@ void appendTween(std::vector<MotionKey>& keys, const ScriptEvent& event, double 
   }
 }
 
+Motion endlessMotion(const Pose& start, const ScriptEvent& event) {
+  Motion motion;
+  motion.keys = {{0, start, Easing::linear, EasingDirection::out}};
+  ScriptEvent once = event;
+  once.tween.repeats = 0;
+  once.tween.reverses = false;
+  appendTween(motion.keys, once, 0);
+  motion.repeat = event.tween.reverses ? Repeat::pingPong : Repeat::loop;
+  beginAt(motion, event.time);
+  return motion;
+}
+
+void addSpin(Motion& motion, const Spin& spin, const Mat3& start, double begin) {
+  // The simulator's spin has come as far as the offset of the motion says.
+  const double ahead = -begin - double(motion.offset);
+  const Mat3 turned = start * rotationAbout(spin.axis, double(spin.speed) * ahead);
+  for (MotionKey& key : motion.keys) key.pose.rotation = turned;
+  motion.spin = spin;
+}
+
 std::optional<Spin> spinOfTween(const Pose& start, const ScriptEvent& event) {
   const TweenTiming& t = event.tween;
   const bool even =
       t.repeats < 0 && !t.reverses && t.delay == 0 && t.seconds > 0 && t.easing == Easing::linear;
-  if (!even || length(event.frame->position - start.position) > kSamePlace) return std::nullopt;
+  const Pose goal = goalOf(start, event);
+  if (!even || length(goal.position - start.position) > kSamePlace) return std::nullopt;
   const Vec3 turn = turnOf(start, event);
   const float degrees = length(turn);
   if (axesOf(turn) != 1 || absf(std::remainder(degrees, 360.0f)) > kUnturned) return std::nullopt;

@@ -8,9 +8,28 @@
 
 namespace obby::importer {
 
+// The pose that a tween from `from` leads to; what the event does not set stays.
+Pose goalOf(const Pose& from, const ScriptEvent& event);
+
+// Of a way back, which goes through time backwards.
+EasingDirection reversed(EasingDirection direction);
+
+// The pose after a share 0..1 of a tween's seconds from `from` to its goal.
+Pose onTheWay(const Pose& from, const ScriptEvent& event, double share);
+
+// The pose once a tween is over, or a pose is set.
+Pose poseAfter(const Pose& from, const ScriptEvent& event);
+
 // Appends all rounds of a tween of poses, played `time` seconds after the first key, to `keys`,
 // which are not empty; the pose before it is held until it begins. `event` has its frame.
 void appendTween(std::vector<MotionKey>& keys, const ScriptEvent& event, double time);
+
+// An endless tween from `start` on, which has gone on for ever.
+Motion endlessMotion(const Pose& start, const ScriptEvent& event);
+
+// Lets what `motion` takes from place to place spin as well, from `start` at `begin` seconds on as
+// if for ever. The keys turn by nothing else.
+void addSpin(Motion& motion, const Spin& spin, const Mat3& start, double begin);
 
 // The turn of an endless tween that starts over at each whole turn, in the frame of `start`;
 // nothing if it is anything else.

@@ -224,9 +224,30 @@ void noteWaits(RoleContext& context, const ScriptReading& reading, const Timelin
     for (const PartDraft* part : context.partsOf(event.target))
       if (part->vanish || part->motion)
         context.level.noteUnmodelled("wait that a script computes", context.tree.path(part->id),
-                                     "taken as the shortest that there is; " +
+                                     "taken as the shortest that there is, a tween as a second; " +
                                          scriptReason(context.tree, reading, event.line));
   }
+}
+
+// What scripts turn by its joint, as with Weld.C0 in a loop.
+void noteJoints(RoleContext& context, const ScriptReading& reading) {
+  std::set<InstanceId> seen;
+  for (const Timeline& timeline : reading.timelines)
+    for (size_t i = 0; i < timeline.events.size(); ++i) {
+      const ScriptEvent& event = timeline.events[i];
+      const bool atStart = timeline.trigger == Trigger::start && event.kind == EventKind::set &&
+                           event.time <= 0 && !isLooped(timeline, i);
+      if (event.target == kNoInstance || atStart) continue;
+      if (!isRigidJointClass(context.tree.at(event.target).className)) continue;
+      const bool moves = event.property == "C0" || event.property == "C1" ||
+                         event.property == "Transform" || event.property == "DesiredAngle";
+      if (!moves || !seen.insert(event.target).second) continue;
+      const JointEnds ends = jointEnds(context.tree, event.target);
+      if (ends.second != kNoInstance && context.part(ends.second))
+        context.level.noteUnmodelled(
+            "joint that a script turns", context.tree.path(event.target),
+            "what it joins keeps its place; " + scriptReason(context.tree, reading, event.line));
+    }
 }
 
 void noteTimelines(RoleContext& context, const ScriptReading& reading) {
@@ -270,6 +291,7 @@ void noteUnmodelled(RoleContext& context) {
   for (const ScriptReading& reading : context.scripts) {
     noteScript(context, reading);
     noteTimelines(context, reading);
+    noteJoints(context, reading);
   }
   noteScriptedChanges(context);
 }

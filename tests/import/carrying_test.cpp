@@ -1,4 +1,5 @@
 // Motions by physics, which carry who stands on them: kits and constraints.
+#include "import/constraint_scene.h"
 #include "import/motion_checks.h"
 
 namespace obby::test {
@@ -38,24 +39,6 @@ TEST(Carrying, TowerKitPositions) {
   expectNear(at(scene[platform], 8), {0, 20, 0});
 }
 
-struct Constraint {
-  InstanceId id, base, arm;
-};
-Constraint constrained(Scene& scene, const char* className) {
-  Constraint c{};
-  c.base = scene.part("Base", {0, 10, 0});
-  c.arm = scene.part("Arm", {0, 8, 0});
-  scene.set(c.arm, "Anchored", false);
-  const auto a0 = scene.add("Attachment", "A0", c.base), a1 = scene.add("Attachment", "A1", c.arm);
-  const Mat3 axisUp = {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}};
-  scene.set(a0, "CFrame", CFrame{{0, -2, 0}, axisUp});
-  scene.set(a1, "CFrame", CFrame{{}, axisUp});
-  c.id = scene.add(className, className, c.base);
-  scene.set(c.id, "Attachment0", Ref{a0});
-  scene.set(c.id, "Attachment1", Ref{a1});
-  return c;
-}
-
 TEST(Carrying, HingeMotorSpinsAndCarries) {
   Scene scene;
   const auto c = constrained(scene, "HingeConstraint");
@@ -75,9 +58,7 @@ TEST(Carrying, HingeMotorSpinsAndCarries) {
 
 TEST(Carrying, SliderSteppedByAScript) {
   Scene scene;
-  const auto c = constrained(scene, "PrismaticConstraint");
-  scene.set(c.id, "ActuatorType", EnumItem{2, {}});
-  scene.set(c.id, "Speed", 10.0);
+  const auto c = servoed(scene);
   scene.script(
       "while true do\n script.Parent.PrismaticConstraint.TargetPosition = 20\n task.wait(5)\n"
       " script.Parent.PrismaticConstraint.TargetPosition = 0\n task.wait(5)\nend",
@@ -93,9 +74,7 @@ TEST(Carrying, SliderSteppedByAScript) {
 
 TEST(Carrying, ASliderIsSteppedWhenItsScriptHasWaited) {
   Scene scene;
-  const auto c = constrained(scene, "PrismaticConstraint");
-  scene.set(c.id, "ActuatorType", EnumItem{2, {}});
-  scene.set(c.id, "Speed", 10.0);
+  const auto c = servoed(scene);
   scene.script(
       "local slider = script.Parent.PrismaticConstraint\ntask.wait(1)\n"
       "while true do\n slider.TargetPosition = 20\n task.wait(5)\n"
@@ -107,15 +86,72 @@ TEST(Carrying, ASliderIsSteppedWhenItsScriptHasWaited) {
   expectNear(at(scene[c.arm], 1), {0, 18, 0});
 }
 
+TEST(Carrying, ASliderThatIsSentBackTooSoonDoesNotArrive) {
+  Scene scene;
+  const auto c = servoed(scene);
+  scene.script(
+      "local slider = script.Parent.PrismaticConstraint\nwhile true do\n"
+      " slider.TargetPosition = 40\n task.wait(2)\n slider.TargetPosition = 0\n task.wait(2)\nend",
+      c.base);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion);
+  expectNear(at(scene[c.arm], 1), {0, 18, 0});
+  expectNear(at(scene[c.arm], 2), {0, 28, 0});
+  expectNear(at(scene[c.arm], 3), {0, 18, 0});
+  expectNear(at(scene[c.arm], 4), {0, 8, 0});
+}
+
+TEST(Carrying, ASliderWhoseLoopWaitsFirstGoesToAllItsGoals) {
+  Scene scene;
+  const auto c = servoed(scene);
+  scene.script(
+      "local slider = script.Parent.PrismaticConstraint\nwhile true do\n"
+      " task.wait(5) slider.TargetPosition = 20\n task.wait(5) slider.TargetPosition = 0\nend",
+      c.base);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion);
+  EXPECT_NEAR(scene[c.arm].motion->offset, -5, 0.02);
+  expectNear(at(scene[c.arm], 1), {0, 18, 0});
+  expectNear(at(scene[c.arm], 4), {0, 28, 0});
+  expectNear(at(scene[c.arm], 6), {0, 18, 0});
+  expectNear(at(scene[c.arm], 9), {0, 8, 0});
+}
+
+TEST(Carrying, ASliderThatIsSentToOnePlaceEachFrameArrives) {
+  Scene scene;
+  const auto c = servoed(scene);
+  scene.script(
+      "while true do script.Parent.PrismaticConstraint.TargetPosition = 20 task.wait() end",
+      c.base);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion);
+  expectNear(at(scene[c.arm], 0), {0, 28, 0});
+}
+
 TEST(Carrying, AServoWithoutATargetGoesToZero) {
   Scene scene;
   const auto c = constrained(scene, "PrismaticConstraint");
   scene.set(c.arm, "CFrame", CFrame{{0, 3, 0}, {}});
   scene.set(c.id, "ActuatorType", EnumItem{2, {}});
   scene.set(c.id, "Speed", 10.0);
+  scene.set(c.id, "ServoMaxForce", 1e6);
   scene.level();
   ASSERT_TRUE(scene[c.arm].motion);
   expectNear(at(scene[c.arm], 4), {0, 8, 0});
+}
+
+TEST(Carrying, AServoWithoutForceDrivesNothing) {
+  Scene scene;
+  const auto c = constrained(scene, "PrismaticConstraint");
+  scene.set(c.id, "ActuatorType", EnumItem{2, {}});
+  scene.set(c.id, "Speed", 10.0);
+  scene.set(c.id, "TargetPosition", 20.0);
+  scene.level();
+  EXPECT_FALSE(scene[c.arm].motion);
+  EXPECT_EQ(scene.unmodelled("constraint PrismaticConstraint"), 1u);
+  scene.set(c.id, "ServoMaxForce", 1e6);
+  scene.level();
+  EXPECT_TRUE(scene[c.arm].motion);
 }
 
 TEST(Carrying, TurnersNeedTorque) {
@@ -139,15 +175,6 @@ TEST(Carrying, TurnersNeedTorque) {
   ASSERT_TRUE(scene[drum].motion && scene[drum].motion->spin);
   EXPECT_NEAR(scene[drum].motion->spin->speed, 3, 1e-4);
   EXPECT_FALSE(scene[wheel].motion);
-}
-
-// A slider whose motor pushes the arm up at 5 studs/s.
-Constraint pushed(Scene& scene, const char* className) {
-  const auto c = constrained(scene, className);
-  scene.set(c.id, "ActuatorType", EnumItem{1, {}});
-  scene.set(c.id, "Velocity", 5.0);
-  scene.set(c.id, "MotorMaxForce", 1e6);
-  return c;
 }
 
 TEST(Carrying, ASliderMotorGoesToItsLimitAndStays) {

@@ -54,6 +54,42 @@ TEST(Motion, AllTicksOfALevelHaveABudget) {
   expectRoomForOne(kParts / 2, motion);
 }
 
+// Much decoration hangs on what one can stand on; a leaf turns out to kill.
+TEST(Motion, DecorationTakesNoRoomFromWhatAPlayerMeets) {
+  constexpr size_t kSolid = 5, kLeaves = 1000, kKeys = 1500;
+  static_assert(kLeaves * kKeys > importer::kMaxLevelKeys);
+  Scene scene;
+  const auto model = scene.add("Model", "Tree", scene.workspace);
+  InstanceId first = kNoInstance;
+  for (size_t i = 0; i < kLeaves; ++i) {
+    const auto leaf = scene.part("Leaf", {float(i), 0, 0}, model);
+    scene.set(leaf, "CanCollide", false);
+    if (i == 0) first = leaf;
+  }
+  for (size_t i = 0; i < kSolid; ++i) scene.part("Branch", {float(i), 0, 0}, model);
+  const importer::Tree tree(scene.document);
+  const importer::Assemblies assemblies(tree);
+  const std::vector<importer::ScriptReading> scripts{};
+  LevelDraft level = importer::buildLevel(tree, "test");
+  importer::RoleContext context(tree, assemblies, scripts, level);
+  importer::Motion motion;
+  for (size_t i = 0; i < kKeys; ++i) motion.keys.push_back(keyAt(float(i) / 60, float(i % 2)));
+  for (int i = 0; i < 2; ++i) importer::giveMotion(context, model, motion, "a test", false);
+  ASSERT_TRUE(context.part(first));
+  context.part(first)->kill = importer::Kill{};
+  importer::settleMotions(context);
+  size_t moving = 0;
+  for (const PartDraft& part : level.parts) {
+    moving += part.motion ? 1 : 0;
+    EXPECT_TRUE(part.motion || !(part.solid || part.kill)) << part.id;
+  }
+  constexpr size_t kRoom = importer::kMaxLevelKeys / kKeys;
+  EXPECT_EQ(moving, kRoom);
+  EXPECT_EQ(level.unmodelled.count("motion of too many poses"), 0u);
+  ASSERT_EQ(level.ignored.count("moving decoration"), 1u);
+  EXPECT_EQ(level.ignored.at("moving decoration").count, kSolid + kLeaves - kRoom);
+}
+
 // Fails the test if the work takes as long as it would for all pairs of so many things.
 template <class Work>
 void expectQuick(Work work) {

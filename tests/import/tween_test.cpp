@@ -168,6 +168,17 @@ TEST(Tween, AnEndlessOneBeginsWhereTheOneBeforeItEnds) {
   EXPECT_NEAR(motion.offset, -1, 0.02);
 }
 
+TEST(Tween, AComputedTimeIsAGuess) {
+  for (const bool computed : {false, true}) {
+    const Tweened tweened(
+        std::string(computed ? "math.random(2, 5), " : "2, ") + kLinear + ", -1, true",
+        "Position = Vector3.new(0, 8, 0)");
+    const std::string why = tweened.scene.evidence(tweened.part, "motion");
+    EXPECT_EQ(why.rfind("guessed: ", 0) == 0, computed) << why;
+    EXPECT_EQ(tweened.scene.unmodelled("wait that a script computes"), computed ? 1u : 0u);
+  }
+}
+
 TEST(Tween, HostileTurnsHaveFewKeys) {
   const Tweened tweened("1, Enum.EasingStyle.Sine, Enum.EasingDirection.Out, 1000, true",
                         "Orientation = Vector3.new(1e9, 1e30, 5)");

@@ -51,8 +51,10 @@ Datum vectors(char op, const Datum& a, const Datum& b) {
 }
 
 Datum frames(char op, const Frame& a, const Datum& b) {
-  if (const auto* fb = b.as<Frame>(); fb && op == '*')
-    return {Frame{a.pose * fb->pose, kNoInstance}};
+  if (const auto* fb = b.as<Frame>(); fb && op == '*') {
+    const bool onTheSpot = length(fb->pose.position) < 1e-6f;
+    return {Frame{a.pose * fb->pose, kNoInstance, onTheSpot ? a.at : kNoInstance, a.statement}};
+  }
   const auto* vb = b.as<Vector>();
   if (!vb) return {};
   if (op == '*') return {Vector{toWorld(a.pose, vb->value), kNoInstance}};

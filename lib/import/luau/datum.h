@@ -50,10 +50,13 @@ struct Tween {
   std::vector<Closure> completed;
   int line = 0;
 };
-// A pose and the instance whose pose it is, if it is one unchanged.
+// A pose and the instance whose pose it is, if it is one unchanged; and the instance that it turns
+// on the spot, or not at all, while the statement runs that has read where that is.
 struct Frame {
   Pose pose;
   InstanceId from = kNoInstance;
+  InstanceId at = kNoInstance;
+  size_t statement = 0;  // with `at`
 };
 struct Vector {
   Vec3 value;  // NaN: not known

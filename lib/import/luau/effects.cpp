@@ -33,6 +33,19 @@ constexpr double kDebris = 10;        // seconds that Debris keeps what it is gi
 constexpr double kNever = 1e6;        // seconds
 constexpr size_t kStepsOfAChild = 4;  // that is removed with all its like
 
+// The number of an ActuatorType, which scripts give as an item of the enum or as its name.
+std::optional<double> actuatorOf(const std::string& property, const Datum& value) {
+  constexpr std::string_view kTypes[] = {"None", "Motor", "Servo"};
+  if (property != "ActuatorType" && property != "AngularActuatorType") return std::nullopt;
+  const auto* item = value.as<Library>();
+  const auto* text = value.as<std::string>();
+  if (!item && !text) return std::nullopt;
+  const std::string name = text ? *text : item->name.substr(item->name.rfind('.') + 1);
+  for (size_t i = 0; i < std::size(kTypes); ++i)
+    if (name == kTypes[i]) return double(i);
+  return std::nullopt;
+}
+
 bool isCharacter(const Datum& datum) { return datum.as<Stranger>() || datum.as<Unknown>(); }
 
 }  // namespace
@@ -78,8 +91,16 @@ void Reader::setInstance(InstanceId id, const std::string& spelled, const Datum&
   const Instance& instance = tree_.at(id);
   if (name == "Parent" || name == "parent") return setParent(id, value, line);
   if (isA(instance.className, "Humanoid")) return;  // an NPC
-  if (tree_.isPart(id) && isPoseProperty(name))
-    return setFrame(id, posed(frameOf(id), name, value), line);
+  if (tree_.isPart(id) && isPoseProperty(name)) {
+    const auto* frame = value.as<Frame>();
+    setFrame(id, posed(frameOf(id), name, value), line);
+    // `part.CFrame * CFrame.Angles(...)` leaves the part where it is by then; a pose that was kept
+    // in a variable brings it back.
+    const bool stays = frame && frame->at == id && frame->statement == statements_;
+    timeline_.events.back().places = setsPlace(name) && !stays;
+    timeline_.events.back().turns = setsTurn(name);
+    return;
+  }
   write(id, name, value);
   const auto* ref = value.as<Ref>();
   if (instance.className == "ObjectValue" && name == "Value" && ref && tree_.isPart(ref->target)) {
@@ -87,6 +108,7 @@ void Reader::setInstance(InstanceId id, const std::string& spelled, const Datum&
     return;
   }
   ScriptEvent& event = emit(EventKind::set, id, name, line);
+  event.number = actuatorOf(name, value);
   if (const auto* number = value.as<double>()) event.number = *number;
   if (const auto* flag = value.as<bool>()) event.flag = *flag;
   if (const auto* vector = value.as<Vector>()) event.vector = vector->value;

@@ -84,6 +84,13 @@ bool isPoseProperty(const std::string& name) {
   return plain == "cframe" || plain == "position" || name == "Orientation" || name == "Rotation";
 }
 
+bool setsPlace(const std::string& poseProperty) {
+  const std::string plain = lower(poseProperty);
+  return plain == "cframe" || plain == "position";
+}
+
+bool setsTurn(const std::string& poseProperty) { return lower(poseProperty) != "position"; }
+
 Datum posed(Pose pose, const std::string& name, const Datum& value) {
   if (lower(name) == "cframe") return value;
   const auto* vector = value.as<Vector>();
@@ -100,8 +107,11 @@ void Reader::setPoseGoals(const Tween& tween, int line) {
   std::optional<Datum> goal;
   std::optional<Vec3> orientation;
   InstanceId from = kNoInstance;
+  bool places = false, turns = false;
   for (const auto& [name, value] : tween.goals) {
     if (!isPoseProperty(name)) continue;
+    places = places || setsPlace(name);
+    turns = turns || setsTurn(name);
     const auto* before = goal ? goal->as<Frame>() : nullptr;
     if (goal && !before) break;  // one of them is not known
     goal = posed(before ? before->pose : frameOf(tween.target), name, value);
@@ -112,7 +122,10 @@ void Reader::setPoseGoals(const Tween& tween, int line) {
   if (!goal) return;
   const auto* frame = goal->as<Frame>();
   setFrame(tween.target, frame ? Datum{Frame{frame->pose, from}} : *goal, line);
-  timeline_.events.back().orientation = orientation;
+  ScriptEvent& event = timeline_.events.back();
+  event.orientation = orientation;
+  event.places = places;
+  event.turns = turns;
 }
 
 }  // namespace obby::importer::luau

@@ -58,7 +58,7 @@ Datum Reader::instanceField(InstanceId id, const std::string& spelled) {
     const auto moved = movedFrame(id);
     const Pose pose = moved ? *moved : fileFrame(id);
     const InstanceId from = moved ? kNoInstance : id;
-    if (name == "CFrame") return {Frame{pose, from}};
+    if (name == "CFrame") return {Frame{pose, from, id, statements_}};
     if (name == "Position") return {Vector{pose.position, from}};
     return {Vector{toOrientation(pose.rotation), kNoInstance}};
   }
@@ -232,7 +232,9 @@ Datum Reader::createTween(const std::vector<Datum>& arguments, int line) {
   auto tween = arena_.make<Tween>();
   tween->line = line;
   if (const auto* ref = arguments[0].as<Ref>()) tween->target = ref->target;
-  if (const auto* timing = arguments[1].as<TweenTiming>()) tween->timing = *timing;
+  const auto* timing = arguments[1].as<TweenTiming>();
+  if (timing) tween->timing = *timing;
+  tween->timing.known = timing && timing->known;
   if (const auto* goals = arguments[2].as<Table*>()) tween->goals = (*goals)->fields;
   return {tween};
 }

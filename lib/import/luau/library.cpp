@@ -68,6 +68,7 @@ Datum newTweenInfo(const std::vector<Datum>& a) {
   TweenTiming t;
   const auto number = [&](size_t i, double absent) {
     const double v = numberAt(a, i, absent);
+    t.known = t.known && (!std::isnan(v) || a[i].as<Nil>());
     return std::isnan(v) ? absent : v;
   };
   t.seconds = std::clamp(number(0, 1), 0.0, 600.0);

@@ -120,6 +120,7 @@ Reader::Flow Reader::walk(const Block& block, bool ownScope) {
 }
 
 Reader::Flow Reader::statement(const Stat& stat) {
+  ++statements_;
   switch (stat.kind) {
     case StatKind::local: bindLocals(stat); return Flow::on;
     case StatKind::assign:

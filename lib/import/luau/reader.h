@@ -102,6 +102,8 @@ class Reader {
   void waitForSignal(const Expr& signal);
   void waitFor(double seconds, double least);
   void play(Tween* tween, int line);
+  bool isPlaying(const Tween* tween);
+  void stop(const Tween* tween);
   void connect(const Expr& signal, const std::vector<Datum>& arguments);
   void finishTweens();
 
@@ -153,6 +155,8 @@ class Reader {
     Tween* tween;
     double time = 0;
     size_t event = 0;  // index of its first event
+    size_t events = 0;
+    bool stopped = false;
   };
   std::vector<Played> played_;  // tweens of this timeline whose end sets something off
   // What the script wrote, by (instance, property), and what was there before the current handler
@@ -165,6 +169,7 @@ class Reader {
   bool inHandler_ = false;
   Arena arena_;
   Datum returned_;
+  size_t statements_ = 0;          // begun so far
   bool finishing_ = false;         // following what the ends of tweens set off
   InstanceId zone_ = kNoInstance;  // the part whose contents the script asked for last
   int unsure_ = 0;                 // open branches whose condition is unknown
@@ -190,6 +195,8 @@ Datum valueMethod(const Datum& object, const std::string& name,
 // frames.cpp: the properties of a part that say where it is, and its pose once one of them has
 // `value`; unknown if that is.
 bool isPoseProperty(const std::string& name);
+bool setsPlace(const std::string& poseProperty);
+bool setsTurn(const std::string& poseProperty);
 Datum posed(Pose pose, const std::string& name, const Datum& value);
 
 }  // namespace obby::importer::luau

@@ -1,8 +1,8 @@
 // Ends of constraints, lines of sliders, and what their motors do.
 #include "import/roles/driven.h"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "import/format/class_defaults.h"
 #include "import/pivot.h"
@@ -24,55 +24,73 @@ Pose attachmentFrame(const Tree& tree, const Instance& constraint, const char* n
   return base * get<CFrame>(tree.at(ref->target), "CFrame");
 }
 
-bool isScripted(const RoleContext& context, InstanceId motor) {
-  const auto concerns = [&](const ScriptEvent& e) {
-    return e.target == motor && std::find(std::begin(kMotorProperties), std::end(kMotorProperties),
-                                          e.property) != std::end(kMotorProperties);
-  };
-  for (const ScriptReading& reading : context.scripts)
-    for (const Timeline& timeline : reading.timelines)
-      if (std::any_of(timeline.events.begin(), timeline.events.end(), concerns)) return true;
-  return false;
-}
-
 // Why the way of a motor is not known; empty: it is.
-std::string unknownWay(const RoleContext& context, InstanceId motor) {
-  const Instance& slider = context.tree.at(motor);
-  if (isScripted(context, motor)) return "a script sets what drives it";
-  const bool goes = get<double>(slider, "Velocity") != 0;
-  return goes && !get<bool>(slider, "LimitsEnabled") ? "no limit ends its way" : "";
+std::string unknownWay(RoleContext& context, const ConstraintSettings& settings,
+                       const Drive& drive) {
+  const InstanceId motor = drive.constraint;
+  if (const auto change = settings.changeByItself(motor, kMotorProperties))
+    return "a script sets what drives it (" + *change + ")";
+  if (settings.number(motor, "Velocity") == 0) return "";
+  if (!settings.hasLimits(motor)) return "no limit ends its way";
+  return baseMoves(context, drive) ? "what it slides on moves, too" : "";
 }
 
-bool toItsLimit(RoleContext& context, const Drive& drive, const std::optional<Spin>& spin) {
-  const Instance& slider = context.tree.at(drive.constraint);
-  const double velocity = get<double>(slider, "Velocity");
-  const double limit = get<double>(slider, velocity > 0 ? "UpperLimit" : "LowerLimit");
+bool toItsLimit(RoleContext& context, const ConstraintSettings& settings, const Drive& drive,
+                const std::optional<Spin>& spin) {
+  const double velocity = settings.number(drive.constraint, "Velocity");
+  const char* const end = velocity > 0 ? "UpperLimit" : "LowerLimit";
+  const double limit = settings.number(drive.constraint, end);
   const Track track = trackOf(context.tree, drive);
   if (velocity == 0 || !(std::abs(limit - track.now) >= kArrived)) return false;
-  return giveDriven(context, drive.moving, slideTo(track, limit, std::abs(velocity), spin),
-                    drive.constraint, "motor to its limit", false);
+  return giveDriven(context, drive, slideTo(track, limit, std::abs(velocity), spin),
+                    "motor to its limit", false);
 }
 
-// Where the file has it; with a spin it turns there.
-bool standStill(RoleContext& context, const Drive& drive, const std::optional<Spin>& spin) {
-  if (!spin) return hold(context, drive.moving, "a motor holds it in place");
-  Motion motion;
-  motion.spin = spin;
-  return giveDriven(context, drive.moving, std::move(motion), drive.constraint, "motor", false);
+// The way of what hangs on `base`: from where scripts have placed that, or along with it. Nothing
+// where both go their own ways.
+std::optional<Motion> carried(const PartDraft* base, const Pose& own, Motion motion) {
+  if (!base || (!base->motion && !base->rest)) return motion;
+  const Pose back = inverse(base->rest.value_or(base->pose));
+  if (!base->motion) {
+    if (motion.keys.empty()) motion.keys = {{0, own, Easing::linear, EasingDirection::out}};
+    for (MotionKey& key : motion.keys) key.pose = base->pose * back * key.pose;
+    return motion;
+  }
+  const Pose fromBase = back * (motion.keys.empty() ? own : motion.keys.front().pose);
+  Motion way = withArcs(*base->motion, length(fromBase.position));
+  if (way.spin || way.keys.empty() || motion.keys.size() > 1) return std::nullopt;
+  motion.keys = std::move(way.keys);
+  for (MotionKey& key : motion.keys) key.pose = key.pose * fromBase;
+  motion.repeat = way.repeat;
+  motion.offset = way.offset;
+  return motion;
 }
 
 }  // namespace
 
-std::optional<Drive> driveOf(const RoleContext& context, InstanceId constraint) {
+bool isFree(RoleContext& context, InstanceId part) {
+  const PartDraft* draft = context.part(part);
+  return draft ? !draft->anchored && !draft->motion : !context.assemblies.anchored(part);
+}
+
+std::optional<Drive> driveOf(RoleContext& context, InstanceId constraint) {
   const JointEnds ends = jointEnds(context.tree, constraint);
   if (ends.first == kNoInstance || ends.second == kNoInstance) return std::nullopt;
-  const bool firstHeld = context.assemblies.anchored(ends.first);
-  if (firstHeld == context.assemblies.anchored(ends.second)) return std::nullopt;
-  Drive drive{constraint, firstHeld ? ends.second : ends.first, !firstHeld, {}};
+  const bool firstHeld = !isFree(context, ends.first);
+  if (firstHeld != isFree(context, ends.second)) return std::nullopt;
+  Drive drive;
+  drive.constraint = constraint;
+  drive.base = firstHeld ? ends.first : ends.second;
+  drive.moving = firstHeld ? ends.second : ends.first;
+  drive.reversed = !firstHeld;
   drive.frame = attachmentFrame(context.tree, context.tree.at(constraint),
-                                firstHeld ? "Attachment0" : "Attachment1",
-                                firstHeld ? ends.first : ends.second);
+                                firstHeld ? "Attachment0" : "Attachment1", drive.base);
   return drive;
+}
+
+bool baseMoves(RoleContext& context, const Drive& drive) {
+  const PartDraft* base = context.part(drive.base);
+  return base && base->motion;
 }
 
 bool giveDriven(RoleContext& context, InstanceId moving, Motion motion, InstanceId constraint,
@@ -80,6 +98,18 @@ bool giveDriven(RoleContext& context, InstanceId moving, Motion motion, Instance
   motion.carries = true;
   const std::string reason = context.tree.at(constraint).className + " " + what;
   return giveMotion(context, moving, motion, reason, guessed) > 0;
+}
+
+bool giveDriven(RoleContext& context, const Drive& drive, Motion motion, const std::string& what,
+                bool guessed) {
+  const Pose own = pivotOf(context.tree, drive.moving);
+  auto way = carried(context.part(drive.base), own, std::move(motion));
+  if (way)
+    return giveDriven(context, drive.moving, std::move(*way), drive.constraint, what, guessed);
+  if (!hold(context, drive.moving, "it goes its own way on a part that moves")) return false;
+  context.level.noteUnmodelled("motion on a part that moves", context.tree.path(drive.constraint),
+                               "both go their own ways; what it moves stays where the file has it");
+  return true;
 }
 
 bool hold(RoleContext& context, InstanceId part, const std::string& why) {
@@ -116,11 +146,21 @@ Motion slideTo(const Track& track, double position, double speed, const std::opt
   return motion;
 }
 
-bool fromSliderMotor(RoleContext& context, const Drive& drive, const std::optional<Spin>& spin) {
+bool standStill(RoleContext& context, const Drive& drive, const std::optional<Spin>& spin) {
+  const PartDraft* base = context.part(drive.base);
+  const bool stays = !base || (!base->motion && !base->rest);
+  if (!spin && stays) return hold(context, drive.moving, "a motor holds it in place");
+  Motion motion;
+  motion.spin = spin;
+  return giveDriven(context, drive, std::move(motion), spin ? "motor" : "holds it in place", false);
+}
+
+bool fromSliderMotor(RoleContext& context, const ConstraintSettings& settings, const Drive& drive,
+                     const std::optional<Spin>& spin) {
   const InstanceId motor = drive.constraint;
-  if (!(get<double>(context.tree.at(motor), "MotorMaxForce") > 0)) return false;
-  const std::string unknown = unknownWay(context, motor);
-  if (unknown.empty() && toItsLimit(context, drive, spin)) return true;
+  if (!(settings.number(motor, "MotorMaxForce") > 0)) return false;
+  const std::string unknown = unknownWay(context, settings, drive);
+  if (unknown.empty() && toItsLimit(context, settings, drive, spin)) return true;
   if (!standStill(context, drive, spin)) return false;
   if (!unknown.empty())
     context.level.noteUnmodelled("motion of a slider's motor", context.tree.path(motor),

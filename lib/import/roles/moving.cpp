@@ -1,10 +1,13 @@
 // Moving and spinning parts whose scripts set poses in a loop or play tweens.
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "import/motion.h"
 #include "import/pivot.h"
 #include "import/pose_math.h"
+#include "import/roles/script_motions.h"
+#include "import/tween_mix.h"
 #include "import/tween_motion.h"
 
 namespace obby::importer {
@@ -15,9 +18,11 @@ constexpr double kInstant = 1e-4;  // seconds
 struct Moved {
   Pose rest;   // in the file
   Pose start;  // when the loop or the first tween begins
-  std::vector<const ScriptEvent*> sets, tweens;
-  std::vector<const ScriptEvent*> early;  // tweens before the loop
-  Pose earlyStart;                        // when the first of them begins
+  PoseEvents sets, tweens;
+  PoseEvents early;                      // tweens before the loop
+  Pose earlyStart;                       // when the first of them begins
+  const ScriptEvent* endless = nullptr;  // of the early ones, that nothing after it ends
+  Pose endlessStart;
   bool loops = false;    // in the loop of the timeline; else it moves but once, or by its tween
   bool unknown = false;  // a pose that the text does not tell
 };
@@ -30,8 +35,12 @@ void takeEarly(Moved& moved, const ScriptEvent& event) {
   if (event.kind == EventKind::tween) {
     if (moved.early.empty()) moved.earlyStart = moved.start;
     moved.early.push_back(&event);
+    if (event.tween.repeats < 0 && event.until > event.time) {
+      moved.endless = &event;
+      moved.endlessStart = moved.start;
+    }
   }
-  moved.start = *event.frame;
+  moved.start = goalOf(moved.start, event);
 }
 
 // What the loop does not move goes on as it was begun before it.
@@ -40,6 +49,7 @@ void settleLoop(Moved& moved, bool forever) {
   if (moved.loops || moved.early.empty()) return;
   moved.tweens.swap(moved.early);
   moved.start = moved.earlyStart;
+  moved.endless = nullptr;
 }
 
 std::map<InstanceId, Moved> movedBy(const Tree& tree, const Timeline& timeline) {
@@ -51,12 +61,13 @@ std::map<InstanceId, Moved> movedBy(const Tree& tree, const Timeline& timeline) 
     const auto [it, isNew] = all.try_emplace(event.target);
     Moved& moved = it->second;
     if (isNew) moved.rest = moved.start = pivotOf(tree, event.target);
+    if (moved.endless && setTheSame(*moved.endless, event)) moved.endless = nullptr;
     if (!event.frame) {
       moved.unknown = true;
     } else if (i < loop) {
       takeEarly(moved, event);
     } else if (event.kind == EventKind::set) {
-      if (!timeline.forever && moved.tweens.empty()) moved.start = *event.frame;
+      if (!timeline.forever && moved.tweens.empty()) moved.start = goalOf(moved.start, event);
       moved.sets.push_back(&event);
     } else {
       moved.tweens.push_back(&event);
@@ -78,60 +89,72 @@ std::optional<Motion> endlessTween(const Moved& moved) {
   Pose start = moved.start;
   for (const ScriptEvent* event : moved.tweens) {
     if (event->tween.repeats >= 0) {
-      if (!event->tween.reverses) start = *event->frame;
+      start = poseAfter(start, *event);
       continue;
     }
     if (const auto spin = spinOfTween(start, *event))
       return spinning(*spin, start, moved.rest, event->time);
-    Motion motion;
-    motion.keys = {{0, start, Easing::linear, EasingDirection::out}};
-    ScriptEvent once = *event;
-    once.tween.repeats = 0;
-    once.tween.reverses = false;
-    appendTween(motion.keys, once, 0);
-    motion.repeat = event->tween.reverses ? Repeat::pingPong : Repeat::loop;
-    beginAt(motion, event->time);
-    return motion;
+    return endlessMotion(start, *event);
   }
   return std::nullopt;
 }
 
-std::optional<Motion> tweenMotion(const Timeline& timeline, const Moved& moved) {
+// All that one round of the loop, or what comes but once, does to the part. What is set before the
+// first tween is where that begins.
+PoseEvents playedBy(const Timeline& timeline, const Moved& moved) {
+  PoseEvents all = moved.tweens;
+  for (const ScriptEvent* set : moved.sets)
+    if (moved.loops || set > moved.tweens.front()) all.push_back(set);
+  // In the order of the text first: of what comes at one time the last counts.
+  std::sort(all.begin(), all.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto* a, const auto* b) { return a->time < b->time; });
+  if (moved.loops && timeline.period > 0) {
+    const double end = all.front()->time + timeline.period - kInstant;
+    std::erase_if(all, [&](const ScriptEvent* event) { return event->time > end; });
+  }
+  return all;
+}
+
+// Where the keys of a loop begin: with its first tween if the last one goes on into the next round,
+// as in `while true do wait(2) there:Play() wait(2) back:Play() end`.
+double beginOfRound(const Timeline& timeline, const PoseEvents& events) {
+  const double end = timeline.loopStart + timeline.period + kInstant;
+  const bool goesOn = std::any_of(events.begin(), events.end(), [&](const ScriptEvent* event) {
+    return event->kind == EventKind::tween && event->time + event->tween.total() > end;
+  });
+  return goesOn ? events.front()->time : timeline.loopStart;
+}
+
+std::optional<Motion> tweenMotion(const Timeline& timeline, const Moved& moved, bool& clash) {
   if (moved.tweens.empty()) return std::nullopt;
-  if (auto endless = endlessTween(moved)) return endless;
+  const PoseEvents events = playedBy(timeline, moved);
+  const bool endless = std::any_of(moved.tweens.begin(), moved.tweens.end(),
+                                   [](const auto* event) { return event->tween.repeats < 0; });
+  const bool alone = endless && moved.loops && events.size() == 1;  // one goes on in all rounds
+  const double period = moved.loops ? timeline.period : 0;
+  const double zero = moved.loops ? beginOfRound(timeline, events) : 0;
+  if (!alone && !events.empty() && isMixed(events, period)) {
+    auto motion =
+        endless && moved.loops ? std::nullopt : mixedMotion(moved.start, events, zero, period);
+    clash = !motion;
+    return motion;
+  }
+  if (auto motion = endlessTween(moved)) return motion;
   Motion motion;
   motion.repeat = moved.loops ? Repeat::loop : Repeat::once;
-  const double zero = moved.loops ? timeline.loopStart : 0;
   beginAt(motion, zero);  // what comes but once waits with its keys
   // In a loop the first round starts where the last one ends.
-  const ScriptEvent& last = *moved.tweens.back();
-  const Pose start = moved.loops && !last.tween.reverses ? *last.frame : moved.start;
+  Pose start = moved.start;
+  const PoseEvents& played = events.empty() ? moved.tweens : events;
+  for (const ScriptEvent* event : played)
+    if (moved.loops) start = poseAfter(start, *event);
   motion.keys = {{0, start, Easing::linear, EasingDirection::out}};
-  for (const ScriptEvent* event : moved.tweens)
-    appendTween(motion.keys, *event, event->time - zero);
+  for (const ScriptEvent* event : played) appendTween(motion.keys, *event, event->time - zero);
   if (moved.loops && timeline.period > double(motion.keys.back().time))
     motion.keys.push_back(
         {float(timeline.period), motion.keys.back().pose, Easing::linear, EasingDirection::out});
   return motion;
-}
-
-// Seconds after which the samples of an open loop nearly repeat: those of a sine of the clock,
-// whose period is no whole number of frames. Nothing if they never come within 1 % of their range.
-std::optional<double> nearPeriod(const std::vector<PoseSample>& samples) {
-  if (samples.size() < 8) return std::nullopt;
-  const auto mismatch = [&](size_t a, size_t b) {
-    return length(samples[a].pose.position - samples[b].pose.position) +
-           length(rotationVector(samples[a].pose.rotation * inverse(samples[b].pose.rotation)));
-  };
-  float range = 0, best = 0;
-  size_t bestAt = 0;
-  for (size_t k = 2; k + 1 < samples.size(); ++k) {
-    range = std::max(range, mismatch(1, k));
-    const float now = mismatch(1, k) + mismatch(2, k + 1);
-    if (k > 3 && (bestAt == 0 || now < best)) best = now, bestAt = k;
-  }
-  if (bestAt == 0 || best > 0.01f * range) return std::nullopt;
-  return samples[bestAt].time - samples[1].time;
 }
 
 struct LoopMotion {
@@ -143,8 +166,11 @@ struct LoopMotion {
 std::optional<LoopMotion> loopMotion(const Timeline& timeline, const Moved& moved) {
   if (moved.sets.empty() || !timeline.forever || !(timeline.period > 0)) return std::nullopt;
   std::vector<PoseSample> samples;
-  for (const ScriptEvent* event : moved.sets)
-    samples.push_back({event->time - timeline.loopStart, *event->frame});
+  Pose now = moved.start;
+  for (const ScriptEvent* event : moved.sets) {
+    now = goalOf(now, *event);
+    samples.push_back({event->time - timeline.loopStart, now});
+  }
   LoopMotion loop;
   loop.period = timeline.period;
   const bool still = std::all_of(samples.begin(), samples.end(), [&](const PoseSample& s) {
@@ -168,54 +194,98 @@ std::optional<LoopMotion> loopMotion(const Timeline& timeline, const Moved& move
   return loop;
 }
 
-void noteUnknown(RoleContext& context, InstanceId id, const std::string& reason) {
-  if (context.hasParts(id))
-    context.level.noteUnmodelled("motion that a script computes", context.tree.path(id),
-                                 "left where the file has it; " + reason);
+// The endless tween from before the loop moves the part that the loop turns, or the other way
+// round.
+bool goesOnBeside(Motion& motion, const Moved& moved) {
+  if (motion.spin && motion.keys.size() <= 1 && !moved.endless->turns) {
+    const Mat3 start =
+        motion.keys.empty() ? moved.rest.rotation : motion.keys.front().pose.rotation;
+    Motion both = endlessMotion(moved.endlessStart, *moved.endless);
+    addSpin(both, *motion.spin, start, -double(motion.offset));
+    motion = std::move(both);
+    return true;
+  }
+  const auto spin = spinOfTween(moved.endlessStart, *moved.endless);
+  if (!spin || motion.spin) return false;
+  addSpin(motion, *spin, moved.endlessStart.rotation, moved.endless->time);
+  return true;
 }
 
-void giveAll(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
+// What the events of one timeline set of a pose, and after which parts.
+ScriptMotion described(const Moved& moved) {
+  ScriptMotion found;
+  found.rest = moved.rest.rotation;
+  found.places = moved.endless && moved.endless->places;
+  found.turns = moved.endless && moved.endless->turns;
+  for (const PoseEvents* events : {&moved.sets, &moved.tweens})
+    for (const ScriptEvent* event : *events) {
+      found.places = found.places || event->places;
+      found.turns = found.turns || event->turns;
+      found.guessed = found.guessed || event->unsure;
+      if (event->from != kNoInstance) found.markers.insert(event->from);
+    }
+  return found;
+}
+
+void takeMoved(ScriptMotions& motions, const Timeline& timeline, InstanceId id, const Moved& moved,
+               std::string reason) {
+  bool clash = false, open = false;
+  auto motion = tweenMotion(timeline, moved, clash);
+  if (!motion && !clash) {
+    auto loop = loopMotion(timeline, moved);
+    if (!loop) return;
+    motion = std::move(loop->motion);
+    open = loop->open;
+    if (open) reason += " (starts over after " + std::to_string(int(loop->period)) + " s)";
+  }
+  if (clash || (moved.endless && !goesOnBeside(*motion, moved))) {
+    motions.leave(id, "tweens that go on at once",
+                  "they make no single motion; left where the file has it; " + reason);
+    return;
+  }
+  ScriptMotion found = described(moved);
+  found.id = id;
+  found.motion = std::move(*motion);
+  found.reason = std::move(reason);
+  found.guessed = found.guessed || open || timeline.vague;
+  motions.add(std::move(found));
+}
+
+void takeAll(const Tree& tree, ScriptMotions& motions, const ScriptReading& reading,
+             const Timeline& timeline) {
+  for (const auto& [id, moved] : movedBy(tree, timeline)) {
+    const auto& events = moved.tweens.empty() ? moved.sets : moved.tweens;
+    const std::string reason = scriptReason(tree, reading, events.empty() ? 0 : events[0]->line);
+    if (moved.unknown)
+      motions.leave(id, "motion that a script computes", "left where the file has it; " + reason);
+    else
+      takeMoved(motions, timeline, id, moved, reason);
+  }
+}
+
+void noteTriggered(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
   for (const auto& [id, moved] : movedBy(context.tree, timeline)) {
     const auto& events = moved.tweens.empty() ? moved.sets : moved.tweens;
-    std::string reason = scriptReason(context.tree, reading, events.empty() ? 0 : events[0]->line);
-    if (moved.unknown) {
-      noteUnknown(context, id, reason);
-      continue;
-    }
-    auto motion = tweenMotion(timeline, moved);
-    bool open = false;
-    if (!motion) {
-      const auto loop = loopMotion(timeline, moved);
-      if (!loop) continue;
-      motion = loop->motion;
-      open = loop->open;
-      if (open) reason += " (starts over after " + std::to_string(int(loop->period)) + " s)";
-    }
-    const bool unsure = timeline.vague || std::any_of(events.begin(), events.end(),
-                                                      [](const auto* e) { return e->unsure; });
-    giveMotion(context, id, *motion, reason, open || unsure);
-    for (const ScriptEvent* event : events) hideMarker(context, event->from, id);
+    if (!context.hasParts(id)) continue;
+    const int line = events.empty() ? 0 : events.front()->line;
+    context.level.noteUnmodelled(
+        "motion that a touch or click starts", context.tree.path(id),
+        "left where the file has it; " + scriptReason(context.tree, reading, line));
   }
 }
 
 }  // namespace
 
 void movingFromScripts(RoleContext& context) {
+  ScriptMotions motions(context);
   for (const ScriptReading& reading : context.scripts)
     for (const Timeline& timeline : reading.timelines) {
-      if (timeline.byItself()) {
-        giveAll(context, reading, timeline);
-        continue;
-      }
-      for (const auto& [id, moved] : movedBy(context.tree, timeline)) {
-        const auto& events = moved.tweens.empty() ? moved.sets : moved.tweens;
-        if (!context.hasParts(id)) continue;
-        const int line = events.empty() ? 0 : events.front()->line;
-        context.level.noteUnmodelled(
-            "motion that a touch or click starts", context.tree.path(id),
-            "left where the file has it; " + scriptReason(context.tree, reading, line));
-      }
+      if (timeline.byItself())
+        takeAll(context.tree, motions, reading, timeline);
+      else
+        noteTriggered(context, reading, timeline);
     }
+  motions.give();
 }
 
 }  // namespace obby::importer

@@ -3,115 +3,115 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "import/classes.h"
 #include "import/format/class_defaults.h"
 #include "import/pivot.h"
 #include "import/roles/driven.h"
+#include "import/roles/script_motions.h"
+#include "import/roles/stepped.h"
 
 namespace obby::importer {
 namespace {
 
 constexpr std::string_view kCylinder = "CylindricalConstraint";
-constexpr double kAlignSeconds = 0.5;  // an AlignPosition or BodyPosition without a speed limit
+
+// What makes a hinge, a cylinder or a slider go, and what makes a mover turn.
+constexpr std::string_view kTurnProperties[] = {
+    "ActuatorType", "AngularActuatorType", "AngularSpeed",   "AngularVelocity",
+    "Enabled",      "MotorMaxTorque",      "ServoMaxTorque", "TargetAngle"};
+constexpr std::string_view kServoProperties[] = {"ActuatorType", "Enabled", "ServoMaxForce",
+                                                 "Speed", "TargetPosition"};
+constexpr std::string_view kTriggered[] = {"ActuatorType",   "AngularActuatorType",
+                                           "AngularSpeed",   "AngularVelocity",
+                                           "Enabled",        "LimitsEnabled",
+                                           "LowerLimit",     "MotorMaxForce",
+                                           "MotorMaxTorque", "Position",
+                                           "ServoMaxForce",  "ServoMaxTorque",
+                                           "Speed",          "TargetAngle",
+                                           "TargetPosition", "UpperLimit",
+                                           "Velocity"};
 
 // How a motor turns the moving part.
-std::optional<Spin> spinOf(const RoleContext& context, const Drive& drive) {
-  const Instance& hinge = context.tree.at(drive.constraint);
-  const bool cylinder = hinge.className == kCylinder;
-  const auto actuator =
-      propertyOr(hinge, cylinder ? "AngularActuatorType" : "ActuatorType", EnumItem{});
-  const double torque = propertyOr(hinge, "MotorMaxTorque", 0.0);
-  const double speed = propertyOr(hinge, "AngularVelocity", 0.0);
-  if (actuator.value != kMotor || !(torque > 0) || speed == 0) return std::nullopt;
+std::optional<Spin> spinOf(const RoleContext& context, const ConstraintSettings& settings,
+                           const Drive& drive) {
+  const InstanceId hinge = drive.constraint;
+  const bool cylinder = context.tree.at(hinge).className == kCylinder;
+  const uint32_t actuator =
+      settings.choice(hinge, cylinder ? "AngularActuatorType" : "ActuatorType");
+  const double torque = settings.number(hinge, "MotorMaxTorque");
+  const double speed = settings.number(hinge, "AngularVelocity");
+  if (actuator != kMotor || !(torque > 0) || speed == 0) return std::nullopt;
   const Pose own = pivotOf(context.tree, drive.moving);
   return Spin{toLocal(own.rotation, drive.frame.rotation.x), float(drive.reversed ? -speed : speed),
               toLocal(own, drive.frame.position)};
 }
 
-bool fromHinge(RoleContext& context, InstanceId id) {
+constexpr const char* kHingeMotor = "motion of a hinge's motor";
+
+// What a motor drives to where the file does not tell stands where the file has it.
+bool leave(RoleContext& context, const char* kind, InstanceId part, InstanceId motor,
+           const std::string& why) {
+  if (!hold(context, part, "where its motor drives it is not known")) return false;
+  context.level.noteUnmodelled(kind, context.tree.path(motor),
+                               "what it moves stays where the file has it; " + why);
+  return true;
+}
+
+std::string setBy(const std::string& script) { return "a script sets what drives it; " + script; }
+
+bool fromHinge(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
   const auto drive = driveOf(context, id);
   if (!drive) return false;
+  if (const auto change = settings.changeByItself(id, kTurnProperties))
+    return leave(context, kHingeMotor, drive->moving, id, setBy(*change));
   Motion motion;
-  motion.spin = spinOf(context, *drive);
-  return motion.spin && giveDriven(context, drive->moving, std::move(motion), id, "motor", false);
+  motion.spin = spinOf(context, settings, *drive);
+  if (motion.spin && settings.hasAngularLimits(id))
+    return leave(context, kHingeMotor, drive->moving, id, "limits end its turn");
+  return motion.spin && giveDriven(context, *drive, std::move(motion), "motor", false);
 }
 
-// Steps that a script's endless loop sets on a property of the constraint.
-struct Steps {
-  std::vector<const ScriptEvent*> events;
-  double start = 0, period = 0;
-};
-std::optional<Steps> stepsOf(const RoleContext& context, InstanceId id,
-                             std::initializer_list<const char*> names) {
-  for (const ScriptReading& reading : context.scripts)
-    for (const Timeline& timeline : reading.timelines) {
-      if (!timeline.forever || !(timeline.period > 0)) continue;
-      Steps steps{{}, timeline.loopStart, timeline.period};
-      for (size_t i = timeline.loopEvent; i < timeline.events.size(); ++i) {
-        const ScriptEvent& e = timeline.events[i];
-        for (const char* name : names)
-          if (e.target == id && e.property == name) steps.events.push_back(&e);
-      }
-      if (!steps.events.empty()) return steps;
-    }
-  return std::nullopt;
-}
-
-// From each goal to the next at `speed` (0: kAlignSeconds), waiting in between as the steps do.
-Motion stepped(const std::vector<std::pair<double, Pose>>& goals, const Steps& steps,
-               double speed) {
-  Motion motion;
-  beginAt(motion, steps.start);
-  Pose last = goals.back().second;
-  const auto add = [&](double time, const Pose& pose) {
-    const double at = motion.keys.empty() ? 0 : std::max(time, double(motion.keys.back().time));
-    motion.keys.push_back({float(at), pose, Easing::linear, EasingDirection::out});
-  };
-  add(0, last);
-  for (size_t i = 0; i < goals.size(); ++i) {
-    const double until = i + 1 < goals.size() ? goals[i + 1].first : steps.period;
-    const double way = double(length(goals[i].second.position - last.position));
-    const double takes = speed > 0 ? way / speed : kAlignSeconds;
-    add(goals[i].first, last);
-    add(std::min(goals[i].first + takes, until), goals[i].second);
-    last = goals[i].second;
-  }
-  add(steps.period, last);
-  return motion;
-}
-
-bool fromServo(RoleContext& context, const Drive& drive, const std::optional<Spin>& spin) {
-  const Instance& slider = context.tree.at(drive.constraint);
-  const double speed = propertyOr(slider, "Speed", 0.0);
-  if (!(speed > 0)) return false;
+bool fromServo(RoleContext& context, const ConstraintSettings& settings, const Drive& drive,
+               const std::optional<Spin>& spin) {
+  const InstanceId servo = drive.constraint;
+  const double speed = settings.number(servo, "Speed");
+  if (!(speed > 0) || !(settings.number(servo, "ServoMaxForce") > 0)) return false;
   const Track track = trackOf(context.tree, drive);
   if (const auto steps = stepsOf(context, drive.constraint, {"TargetPosition"})) {
-    std::vector<std::pair<double, Pose>> goals;
+    Goals goals;
     for (const ScriptEvent* e : steps->events)
       if (e->number) goals.emplace_back(e->time - steps->start, track.at(*e->number));
     if (!goals.empty()) {
-      Motion motion = stepped(goals, *steps, speed);
+      Motion motion = stepped(track.own, goals, *steps, speed);
       motion.spin = spin;
-      return giveDriven(context, drive.moving, std::move(motion), drive.constraint,
-                        "servo stepped by a script", false);
+      return giveDriven(context, drive, std::move(motion), "servo stepped by a script", false);
     }
   }
-  const double target = get<double>(slider, "TargetPosition");
-  if (std::abs(target - track.now) < kArrived) return false;
-  return giveDriven(context, drive.moving, slideTo(track, target, speed, spin), drive.constraint,
-                    "servo", false);
+  if (const auto change = settings.changeByItself(servo, kServoProperties))
+    return leave(context, "motion of a slider's servo", drive.moving, servo, setBy(*change));
+  const double target = settings.number(servo, "TargetPosition");
+  if (std::abs(target - track.now) < kArrived) return standStill(context, drive, spin);
+  return giveDriven(context, drive, slideTo(track, target, speed, spin), "servo", false);
 }
 
-bool fromSlider(RoleContext& context, InstanceId id) {
+bool fromSlider(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
   const auto drive = driveOf(context, id);
   if (!drive) return false;
-  const Instance& slider = context.tree.at(id);
-  const uint32_t actuator = propertyOr(slider, "ActuatorType", EnumItem{}).value;
+  const uint32_t actuator = settings.choice(id, "ActuatorType");
   // A cylinder may turn as it slides.
-  const auto spin = slider.className == kCylinder ? spinOf(context, *drive) : std::nullopt;
-  if (actuator == kMotor) return fromSliderMotor(context, *drive, spin);
-  return actuator == kServo && fromServo(context, *drive, spin);
+  const bool turns = context.tree.at(id).className == kCylinder;
+  const auto change = turns ? settings.changeByItself(id, kTurnProperties) : std::nullopt;
+  const bool freely = turns && !change && !settings.hasAngularLimits(id);
+  const auto spin = freely ? spinOf(context, settings, *drive) : std::nullopt;
+  const bool slides = actuator == kMotor
+                          ? fromSliderMotor(context, settings, *drive, spin)
+                          : actuator == kServo && fromServo(context, settings, *drive, spin);
+  if (slides && change)
+    context.level.noteUnmodelled(kHingeMotor, context.tree.path(id),
+                                 "a script sets what turns it; it slides only; " + *change);
+  return slides;
 }
 
 // The part that a mover in OneAttachment mode or a legacy body mover acts on.
@@ -129,27 +129,28 @@ bool fromPosition(RoleContext& context, InstanceId id) {
   const auto steps = stepsOf(context, id, {"Position", "position"});
   if (!steps) return false;
   const Pose own = pivotOf(context.tree, part);
-  std::vector<std::pair<double, Pose>> goals;
+  Goals goals;
   for (const ScriptEvent* e : steps->events)
     if (e->vector) goals.emplace_back(e->time - steps->start, Pose{*e->vector, own.rotation});
   if (goals.empty()) return false;
   const double limit = propertyOr(context.tree.at(id), "MaxVelocity", 0.0);
-  return giveDriven(context, part, stepped(goals, *steps, std::isfinite(limit) ? limit : 0), id,
-                    "stepped by a script", true);
+  Motion motion = stepped(own, goals, *steps, std::isfinite(limit) ? limit : 0);
+  return giveDriven(context, part, std::move(motion), id, "stepped by a script", true);
 }
 
 // A vector of a body mover, a number of a constraint.
-bool hasTorque(const Instance& mover) {
-  return get<double>(mover, "MaxTorque") > 0 || length(get<Vec3>(mover, "MaxTorque")) > 0;
+bool hasTorque(const ConstraintSettings& settings, InstanceId mover) {
+  return settings.number(mover, "MaxTorque") > 0 || length(settings.vector(mover, "MaxTorque")) > 0;
 }
 
-bool fromTurner(RoleContext& context, InstanceId id) {
+bool fromTurner(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
   const InstanceId part = movedPart(context.tree, id);
-  const Instance& mover = context.tree.at(id);
-  const Vec3 turn = get<Vec3>(mover, "AngularVelocity");
-  if (part == kNoInstance || length(turn) < 1e-3f || !hasTorque(mover) ||
-      context.assemblies.anchored(part))
-    return false;
+  if (part == kNoInstance || !isFree(context, part)) return false;
+  constexpr std::string_view kProperties[] = {"AngularVelocity", "MaxTorque"};
+  if (const auto change = settings.changeByItself(id, kProperties))
+    return leave(context, "motion of a turning mover", part, id, setBy(*change));
+  const Vec3 turn = settings.vector(id, "AngularVelocity");
+  if (!(length(turn) >= 1e-3f) || !hasTorque(settings, id)) return false;
   Motion motion;
   motion.spin =
       Spin{toLocal(pivotOf(context.tree, part).rotation, normalize(turn)), length(turn), {}};
@@ -171,27 +172,72 @@ bool isHolder(const std::string& className) {
   return className == "BodyPosition" || className == "AlignPosition";
 }
 
-bool understand(RoleContext& context, InstanceId id) {
+bool understand(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
   const std::string& name = context.tree.at(id).className;
-  if (name == "HingeConstraint") return fromHinge(context, id);
-  if (name == "PrismaticConstraint") return fromSlider(context, id);
-  if (name == kCylinder) return fromSlider(context, id) || fromHinge(context, id);
-  if (name == "BodyAngularVelocity" || name == "AngularVelocity") return fromTurner(context, id);
+  if (name == "HingeConstraint") return fromHinge(context, settings, id);
+  if (name == "PrismaticConstraint") return fromSlider(context, settings, id);
+  if (name == kCylinder)
+    return fromSlider(context, settings, id) || fromHinge(context, settings, id);
+  if (name == "BodyAngularVelocity" || name == "AngularVelocity")
+    return fromTurner(context, settings, id);
   return isHolder(name) && fromPosition(context, id);
+}
+
+// What a touch or click does to a constraint.
+void noteTriggered(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
+  const auto change = settings.changeOnTrigger(id, kTriggered);
+  const JointEnds ends = jointEnds(context.tree, id);
+  for (const InstanceId end : {ends.first, ends.second, movedPart(context.tree, id)}) {
+    if (!change || end == kNoInstance || !context.part(end)) continue;
+    context.level.noteUnmodelled("motion that a touch or click starts", context.tree.path(id),
+                                 "moves, or rests, as when play starts; " + *change);
+    return;
+  }
+}
+
+// What a script moves does not heed the motor that would move it as well.
+void noteBoth(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
+  if (settings.choice(id, "ActuatorType") == 0 && settings.choice(id, "AngularActuatorType") == 0)
+    return;
+  const JointEnds ends = jointEnds(context.tree, id);
+  for (const InstanceId end : {ends.first, ends.second}) {
+    if (end == kNoInstance || context.assemblies.anchored(end)) continue;
+    if (isMovedByAScript(context.part(end)))
+      context.level.noteUnmodelled("part that a script and a constraint move",
+                                   context.tree.path(end),
+                                   "moves as the script says; " + context.tree.path(id));
+  }
+}
+
+// The constraints that moved nothing so far. What hangs on what another one moves has to wait for
+// that.
+std::vector<InstanceId> withoutMotion(RoleContext& context, const ConstraintSettings& settings) {
+  constexpr int kLongestChain = 8;
+  std::vector<InstanceId> open;
+  for (InstanceId id = 0; id < context.tree.size(); ++id) {
+    if (!isFreeConstraintClass(context.tree.at(id).className)) continue;
+    noteTriggered(context, settings, id);
+    if (settings.isEnabled(id)) open.push_back(id);
+  }
+  for (int link = 0; link < kLongestChain; ++link) {
+    std::vector<InstanceId> left;
+    for (const InstanceId id : open)
+      if (!understand(context, settings, id)) left.push_back(id);
+    const bool done = left.size() == open.size();
+    open = std::move(left);
+    if (done) break;
+  }
+  return open;
 }
 
 }  // namespace
 
 void movingFromConstraints(RoleContext& context) {
-  std::vector<InstanceId> left;
-  for (InstanceId id = 0; id < context.tree.size(); ++id) {
-    const Instance& constraint = context.tree.at(id);
-    if (isFreeConstraintClass(constraint.className) && propertyOr(constraint, "Enabled", true) &&
-        !understand(context, id))
-      left.push_back(id);
-  }
+  const ConstraintSettings settings(context);
+  const std::vector<InstanceId> left = withoutMotion(context, settings);
   std::set<InstanceId> held;
   for (InstanceId id : left) {
+    noteBoth(context, settings, id);
     const InstanceId moved = loosePart(context, id);
     if (moved == kNoInstance) continue;  // moves nothing in the level
     const std::string& className = context.tree.at(id).className;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -14,6 +15,11 @@
 
 namespace obby::importer {
 
+// Poses and ticks of motions, see motion.h.
+struct MotionRoom {
+  size_t keys = 0, ticks = 0;
+};
+
 // What the role finders read and write.
 class RoleContext {
  public:
@@ -24,8 +30,11 @@ class RoleContext {
   const Assemblies& assemblies;
   const std::vector<ScriptReading>& scripts;
   LevelDraft& level;
-  // Of all motions so far, see motion.h.
-  size_t motionKeys = 0, motionTicks = 0;
+  // Taken so far by parts that a player can meet, and by parts that had no role yet.
+  MotionRoom metRoom, unmetRoom;
+  std::vector<InstanceId> unmetMoving;  // those that move
+  // Those without room, and why they would move.
+  std::map<InstanceId, std::string> unmetStill;
 
   // The draft of a part instance; null if it is not in the level.
   PartDraft* part(InstanceId id);

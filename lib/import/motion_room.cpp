@@ -1,0 +1,105 @@
+// Parts that a player can meet come first, then the others.
+#include "import/motion_room.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "level/compile_parts.h"
+
+namespace obby::importer {
+namespace {
+
+// Of one round through the keys: as many rows, at least, has the simulator's table of it.
+size_t ticksOf(const Motion& motion) {
+  constexpr float kRate = 60, kMost = 72000;  // ticks a second; more are no motion (isBounded)
+  if (motion.keys.size() < 2) return 1;
+  const float rounds = motion.repeat == Repeat::pingPong ? 2 : 1;
+  const float ticks = (motion.keys.back().time - motion.keys.front().time) * rounds * kRate;
+  return ticks >= 1 ? size_t(std::min(ticks, kMost)) : 1;
+}
+
+// Whether a player can meet the part, as far as its roles are known: the simulator leaves others
+// out.
+bool isMet(const PartDraft& part) {
+  const bool acts = part.kill || part.jumpPad || part.teleport || part.vanish || part.seat;
+  return part.solid || (part.touch && acts) || part.checkpoint || part.goal;
+}
+
+// Each part has keys and a table of its own, and a level beyond these numbers would be refused as a
+// whole.
+bool fits(const MotionRoom& room, size_t parts, const Motion& motion) {
+  return parts * motion.keys.size() <= kMaxLevelKeys - room.keys &&
+         parts * ticksOf(motion) <= level::kMaxLevelRows - room.ticks;
+}
+
+void take(MotionRoom& room, const Motion& motion) {
+  room.keys += motion.keys.size();
+  room.ticks += ticksOf(motion);
+}
+
+void noteTooMany(RoleContext& context, InstanceId part, const std::string& reason) {
+  context.level.noteUnmodelled(
+      "motion of too many poses", context.tree.path(part),
+      "all motions of the level have more than " + std::to_string(kMaxLevelKeys) + " poses or " +
+          std::to_string(level::kMaxLevelRows) + " ticks; left where the file has it; " + reason);
+}
+
+void stop(RoleContext& context, PartDraft& part) {
+  std::string reason;
+  std::erase_if(part.evidence, [&](const Evidence& e) {
+    if (e.role == "motion") reason = e.reason;
+    return e.role == "motion";
+  });
+  part.motion.reset();
+  context.unmetStill.try_emplace(part.id, std::move(reason));
+}
+
+}  // namespace
+
+bool haveRoom(RoleContext& context, const std::vector<PartDraft*>& parts, const Motion& motion,
+              const std::string& reason) {
+  const auto met =
+      std::count_if(parts.begin(), parts.end(), [](const auto* part) { return isMet(*part); });
+  if (fits(context.metRoom, size_t(met), motion)) return true;
+  for (const PartDraft* part : parts)
+    if (isMet(*part)) noteTooMany(context, part->id, reason);
+  return false;
+}
+
+bool hasRoom(RoleContext& context, const PartDraft& part, const Motion& motion,
+             const std::string& reason) {
+  if (isMet(part) || fits(context.unmetRoom, 1, motion)) return true;  // haveRoom was asked before
+  context.unmetStill.try_emplace(part.id, reason);
+  return false;
+}
+
+void takeRoom(RoleContext& context, const PartDraft& part, const Motion& motion) {
+  const bool met = isMet(part);
+  take(met ? context.metRoom : context.unmetRoom, motion);
+  if (!met) context.unmetMoving.push_back(part.id);
+}
+
+void settleMotions(RoleContext& context) {
+  for (const bool met : {true, false})
+    for (const InstanceId id : context.unmetMoving) {
+      PartDraft* part = context.part(id);
+      if (!part || !part->motion || isMet(*part) != met) continue;
+      if (fits(context.metRoom, 1, *part->motion))
+        take(context.metRoom, *part->motion);
+      else
+        stop(context, *part);
+    }
+  for (const auto& [id, reason] : context.unmetStill) {
+    const PartDraft* part = context.part(id);
+    if (!part || part->motion) continue;  // another motion found room
+    if (isMet(*part))
+      noteTooMany(context, id, reason);
+    else
+      context.level.noteIgnored("moving decoration", context.tree.path(id),
+                                "nobody meets it, and there is no room for its motion; left where "
+                                "the file has it; " +
+                                    reason);
+  }
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,53 @@
+// What hangs on a part that turns goes on an arc.
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "import/motion_checks.h"
+
+namespace obby::test {
+namespace {
+
+TEST(Arcs, WhatIsWeldedToADoorGoesRoundIt) {
+  const std::pair<const char*, float> cases[] = {{"Linear", 45}, {"Quad", 22.5f}};
+  for (const auto& [easing, degrees] : cases) {
+    Scene scene;
+    const auto hub = scene.part("Hub"), arm = scene.part("Arm", {10, 0, 0});
+    scene.set(arm, "Anchored", false);
+    const auto weld = scene.add("WeldConstraint", "Weld", hub);
+    scene.set(weld, "Part0", Ref{hub});
+    scene.set(weld, "Part1", Ref{arm});
+    scene.script(
+        "game:GetService('TweenService'):Create(workspace.Hub, TweenInfo.new(1, "
+        "Enum.EasingStyle." +
+            std::string(easing) +
+            ", Enum.EasingDirection.In), {CFrame = CFrame.Angles(0, math.rad(90), 0)})"
+            ":Play()",
+        scene.scripts);
+    scene.level();
+    ASSERT_TRUE(scene[arm].motion) << easing;
+    const float angle = degrees * 3.14159265f / 180;
+    expectNear(at(scene[arm], 0.5f), {10 * std::cos(angle), 0, -10 * std::sin(angle)}, 0.1f);
+    expectNear(at(scene[arm], 1), {0, 0, -10});
+    ASSERT_TRUE(scene[hub].motion) << easing;
+    expectNear(at(scene[hub], 0.5f), {0, 0, 0});
+  }
+}
+
+TEST(Arcs, WhatDoesNotTurnNeedsNoMoreKeys) {
+  Scene scene;
+  const auto model = scene.add("Model", "Lift", scene.workspace);
+  const auto far = scene.part("Far", {30, 0, 0}, model);
+  scene.part("Near", {0, 0, 0}, model);
+  scene.script(
+      "local m = script.Parent while true do m:PivotTo(m:GetPivot() + "
+      "Vector3.new(0, 10, 0)) wait(1) m:PivotTo(m:GetPivot() - Vector3.new(0, 10, 0)) "
+      "wait(1) end",
+      model);
+  scene.level();
+  ASSERT_TRUE(scene[far].motion);
+  EXPECT_LE(scene[far].motion->keys.size(), 6u);
+}
+
+}  // namespace
+}  // namespace obby::test

@@ -1,0 +1,196 @@
+// Constraints that scripts set, and constraints of parts that scripts place or move.
+#include "import/constraint_scene.h"
+#include "import/motion_checks.h"
+
+namespace obby::test {
+namespace {
+
+// A hinge whose motor turns the arm at 3 rad/s.
+Constraint turned(Scene& scene) {
+  const auto c = constrained(scene, "HingeConstraint");
+  scene.set(c.id, "ActuatorType", EnumItem{1, {}});
+  scene.set(c.id, "AngularVelocity", 3.0);
+  scene.set(c.id, "MotorMaxTorque", 1e6);
+  return c;
+}
+
+const std::string kHinge = "local hinge = workspace.Base.HingeConstraint\n";
+const std::string kSlider = "local slider = workspace.Base.PrismaticConstraint\n";
+
+TEST(ScriptedConstraint, WhatAScriptSetsForCertainCountsAsTheFiles) {
+  const char* const texts[] = {
+      "hinge.ActuatorType = Enum.ActuatorType.Motor hinge.AngularVelocity = 3 "
+      "hinge.MotorMaxTorque = 1000",
+      "task.wait(2) hinge.ActuatorType = 'Motor' hinge.MotorMaxTorque = math.huge "
+      "hinge.AngularVelocity = 3",
+      "hinge.ActuatorType = 'Motor' hinge.MotorMaxTorque = 1000\n"
+      "while true do hinge.AngularVelocity = 3 task.wait(1) end"};
+  for (const char* text : texts) {
+    Scene scene;
+    const auto c = constrained(scene, "HingeConstraint");
+    scene.script(kHinge + text, scene.scripts);
+    scene.level();
+    ASSERT_TRUE(scene[c.arm].motion && scene[c.arm].motion->spin) << text;
+    EXPECT_NEAR(scene[c.arm].motion->spin->speed, 3, 1e-4) << text;
+    EXPECT_TRUE(scene[c.arm].motion->carries) << text;
+  }
+}
+
+TEST(ScriptedConstraint, AServoGoesWhereItsScriptSends) {
+  Scene scene;
+  const auto c = servoed(scene);
+  scene.script(kSlider + "slider.TargetPosition = 20", scene.scripts);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion);
+  expectNear(at(scene[c.arm], 1), {0, 18, 0});
+  expectNear(at(scene[c.arm], 2), {0, 28, 0});
+}
+
+TEST(ScriptedConstraint, WhatAHingeTurnsToAndFroIsHeld) {
+  Scene scene;
+  const auto c = turned(scene);
+  scene.script(kHinge +
+                   "while true do hinge.AngularVelocity = 3 task.wait(2) "
+                   "hinge.AngularVelocity = -3 task.wait(2) end",
+               scene.scripts);
+  scene.level();
+  EXPECT_FALSE(scene[c.arm].motion);
+  EXPECT_TRUE(scene[c.arm].anchored);
+  EXPECT_NE(scene.evidence(c.arm, "held"), "");
+  EXPECT_EQ(scene.unmodelled("motion of a hinge's motor"), 1u);
+}
+
+TEST(ScriptedConstraint, AHingeWithLimitsDoesNotTurnForEver) {
+  Scene scene;
+  const auto c = turned(scene);
+  scene.set(c.id, "LimitsEnabled", true);
+  scene.level();
+  EXPECT_FALSE(scene[c.arm].motion);
+  EXPECT_TRUE(scene[c.arm].anchored);
+  EXPECT_EQ(scene.unmodelled("motion of a hinge's motor"), 1u);
+}
+
+TEST(ScriptedConstraint, AJointThatAScriptTurnsIsNamed) {
+  Scene scene;
+  const auto hub = scene.part("Hub"), arm = scene.part("Arm", {10, 0, 0});
+  scene.set(arm, "Anchored", false);
+  const auto weld = scene.add("Weld", "Weld", hub);
+  scene.set(weld, "Part0", Ref{hub});
+  scene.set(weld, "Part1", Ref{arm});
+  scene.script("workspace.Hub.Weld.C0 = CFrame.new(1, 0, 0)", scene.scripts);
+  scene.level();
+  EXPECT_EQ(scene.unmodelled("joint that a script turns"), 0u);
+  scene.script(
+      "while true do workspace.Hub.Weld.C0 = workspace.Hub.Weld.C0 * CFrame.Angles(0, 0.1, 0) "
+      "wait() end",
+      scene.scripts);
+  scene.level();
+  EXPECT_EQ(scene.unmodelled("joint that a script turns"), 1u);
+}
+
+TEST(ScriptedConstraint, WhatATouchSetsIsNamed) {
+  Scene scene;
+  const auto c = turned(scene);
+  scene.part("Button", {20, 0, 0});
+  scene.script(
+      kHinge + "workspace.Button.Touched:Connect(function() hinge.AngularVelocity = 9 end)",
+      scene.scripts);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion && scene[c.arm].motion->spin);
+  EXPECT_NEAR(scene[c.arm].motion->spin->speed, 3, 1e-4);
+  EXPECT_EQ(scene.unmodelled("motion that a touch or click starts"), 1u);
+}
+
+TEST(ScriptedConstraint, APartThatAScriptFreesIsDriven) {
+  Scene scene;
+  const auto c = turned(scene);
+  scene.set(c.arm, "Anchored", true);
+  scene.level();
+  EXPECT_FALSE(scene[c.arm].motion);
+  scene.script("workspace.Arm.Anchored = false", scene.scripts);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion);
+  EXPECT_TRUE(scene[c.arm].motion->spin);
+}
+
+TEST(ScriptedConstraint, AnArmGoesWithABaseThatIsTweened) {
+  Scene scene;
+  const auto c = turned(scene);
+  scene.script(
+      "game:GetService('TweenService'):Create(workspace.Base, TweenInfo.new(2, "
+      "Enum.EasingStyle.Linear, Enum.EasingDirection.In, -1, true), "
+      "{Position = Vector3.new(0, 10, 20)}):Play()",
+      scene.scripts);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion && scene[c.arm].motion->spin);
+  const auto& motion = *scene[c.arm].motion;
+  EXPECT_EQ(motion.repeat, importer::Repeat::pingPong);
+  ASSERT_EQ(motion.keys.size(), 2u);
+  expectNear(motion.keys[0].pose.position, {0, 8, 0});
+  expectNear(motion.keys[1].pose.position, {0, 8, 20});
+  EXPECT_TRUE(motion.carries);
+}
+
+TEST(ScriptedConstraint, WhatGoesItsOwnWayOnWhatTurnsIsHeld) {
+  Scene scene;
+  const auto c = turned(scene);
+  scene.script("while true do workspace.Base.CFrame *= CFrame.Angles(0, 0.1, 0) task.wait() end",
+               scene.scripts);
+  scene.level();
+  EXPECT_FALSE(scene[c.arm].motion);
+  EXPECT_TRUE(scene[c.arm].anchored);
+  EXPECT_EQ(scene.unmodelled("motion on a part that moves"), 1u);
+}
+
+TEST(ScriptedConstraint, ASliderBeginsWhereScriptsHavePlacedItsBase) {
+  Scene scene;
+  const auto c = pushed(scene, "PrismaticConstraint");
+  scene.set(c.id, "LimitsEnabled", true);
+  scene.set(c.id, "UpperLimit", 20.0);
+  scene.script(
+      "workspace.Base.Position = Vector3.new(50, 10, 0) "
+      "workspace.Arm.Position = Vector3.new(50, 8, 0)",
+      scene.scripts);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion);
+  expectNear(at(scene[c.arm], 0), {50, 8, 0});
+  expectNear(at(scene[c.arm], 4), {50, 28, 0});
+}
+
+// A hinge hangs a blade on what a slider moves.
+TEST(ScriptedConstraint, ConstraintsMakeChains) {
+  Scene scene;
+  const auto c = pushed(scene, "PrismaticConstraint");
+  scene.set(c.id, "LimitsEnabled", true);
+  scene.set(c.id, "UpperLimit", 20.0);
+  const auto blade = scene.part("Blade", {4, 8, 0});
+  scene.set(blade, "Anchored", false);
+  const auto a0 = scene.add("Attachment", "A0", c.arm), a1 = scene.add("Attachment", "A1", blade);
+  scene.set(a1, "CFrame", CFrame{{-4, 0, 0}, {}});
+  const auto hinge = scene.add("HingeConstraint", "HingeConstraint", c.arm);
+  scene.set(hinge, "Attachment0", Ref{a0});
+  scene.set(hinge, "Attachment1", Ref{a1});
+  scene.set(hinge, "ActuatorType", EnumItem{1, {}});
+  scene.set(hinge, "AngularVelocity", 3.0);
+  scene.set(hinge, "MotorMaxTorque", 1e6);
+  scene.level();
+  ASSERT_TRUE(scene[blade].motion && scene[blade].motion->spin);
+  expectNear(at(scene[blade], 0), {4, 8, 0});
+  expectNear(at(scene[blade], 4), {4, 28, 0});
+  expectNear(scene[blade].motion->spin->pivot, {-4, 0, 0});
+  EXPECT_EQ(scene[blade].motion->repeat, importer::Repeat::once);
+}
+
+TEST(ScriptedConstraint, WhatAScriptMovesDoesNotHeedTheMotor) {
+  Scene scene;
+  const auto c = turned(scene);
+  scene.script("while true do workspace.Arm.CFrame *= CFrame.Angles(0, 0.1, 0) task.wait() end",
+               scene.scripts);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion && scene[c.arm].motion->spin);
+  EXPECT_NEAR(scene[c.arm].motion->spin->speed, 6, 0.1);
+  EXPECT_EQ(scene.unmodelled("part that a script and a constraint move"), 1u);
+}
+
+}  // namespace
+}  // namespace obby::test
