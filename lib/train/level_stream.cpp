@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/random.h"
 #include "level/resolve_places.h"
@@ -14,8 +15,19 @@ namespace {
 // Which query a turn takes follows from its number, not from the learner's seed.
 constexpr uint64_t kChoiceSeed = 0x7475726e;
 
+constexpr size_t kHolder = 512;  // bytes of what holds a record, about
+constexpr size_t kRoot = 16;     // words of a record's root, twice, and more
+
 size_t bytesOf(const io::Record& record) {
-  return record.reader().totalSize().wordCount * sizeof(capnp::word);
+  return record.reader().totalSize().wordCount * sizeof(capnp::word) + kHolder;
+}
+
+// With as much memory as bytesOf() says. What was read has room to grow, of which a small query has
+// twenty times what it takes, and the text that it came from.
+io::Record tight(const io::Record& record) {
+  io::RecordBuilder copy(record.reader().totalSize().wordCount + kRoot);
+  copy.message().setRoot(record.reader());
+  return io::Record(std::move(copy));
 }
 
 // The query with the boxes of the parts that it names.
@@ -41,6 +53,7 @@ Result<std::shared_ptr<const TrainingLevel>> LevelStream::level(uint64_t index,
   std::optional<Item> item;
   {
     const std::lock_guard hold(lock_);
+    reader_.forget(past_);
     OBBY_RETURN_IF_ERROR(reader_.readTo(index));
     uint64_t number = index;
     if (number >= reader_.read) {
@@ -81,9 +94,14 @@ size_t LevelStream::compiledHeld() const {
   return held;
 }
 
+// The lock is held while a stream is waited for: on a GPU by whoever makes the levels that come
+// next, while others are to be played.
 void LevelStream::past(uint64_t index) const {
-  const std::lock_guard hold(lock_);
-  reader_.forget(index);
+  uint64_t before = past_;
+  while (before < index && !past_.compare_exchange_weak(before, index)) {
+  }
+  const std::unique_lock hold(lock_, std::try_to_lock);
+  if (hold) reader_.forget(past_);
 }
 
 // Nothing is read behind an error: levels there would have the numbers of others.
@@ -98,56 +116,72 @@ Status LevelStream::Reader::readTo(uint64_t index) {
 }
 
 Status LevelStream::Reader::readOne() {
-  OBBY_ASSIGN(const std::optional<io::Record> record, source.next());
+  OBBY_ASSIGN(const std::optional<io::Record> record,
+              settings.wait != nullptr ? settings.wait->next(source) : source.next());
   if (record) return take(*record);
   if (stopped()) return {};
   ended = true;
   levels.clear();
+  reach = 0;
   close();
   return {};
 }
 
 Status LevelStream::Reader::take(const io::Record& record) {
   if (!record.known()) return {};
-  if (record.which() == io::Kind::LEVEL) know(record);
-  return record.which() == io::Kind::QUERY ? takeQuery(record) : Status();
+  switch (record.which()) {
+    case io::Kind::PARAMS: physics.know(record); return {};
+    case io::Kind::LEVEL: know(physics.known() ? physics.applied(record) : record); return {};
+    case io::Kind::QUERY: return takeQuery(record);
+    default: return {};
+  }
 }
 
 void LevelStream::Reader::know(const io::Record& level) {
-  levels.push_back({level.reader().getLevel().getName(), level});
-  if (levels.size() > settings.levelsInReach) levels.pop_front();
+  levels.push_back({level.reader().getLevel().getName(), tight(level), bytesOf(level), false});
+  reach += levels.back().bytes;
+  const auto tooMany = [&] {
+    return levels.size() > settings.levelsInReach ||
+           (levels.size() > 1 && reach > settings.bytesInReach);
+  };
+  while (tooMany()) {
+    reach -= levels.front().bytes;
+    levels.pop_front();
+  }
 }
 
 // The last of that name; of none the last.
-const io::Record* LevelStream::Reader::levelNamed(const std::string& name) const {
-  if (name.empty() && !levels.empty()) return &levels.back().record;
+LevelStream::Known* LevelStream::Reader::levelNamed(const std::string& name) {
+  if (name.empty() && !levels.empty()) return &levels.back();
   const auto found = std::find_if(levels.rbegin(), levels.rend(),
                                   [&](const Known& level) { return level.name == name; });
-  return found == levels.rend() ? nullptr : &found->record;
+  return found == levels.rend() ? nullptr : &*found;
 }
 
 Status LevelStream::Reader::takeQuery(const io::Record& record) {
   const std::string name = record.reader().getQuery().getLevel();
-  const io::Record* level = levelNamed(name);
+  Known* const level = levelNamed(name);
   if (level == nullptr && name.empty())
     return source.forgive(record, makeError("there is no level before this query"));
   if (level == nullptr) {
     return source.forgive(
         record, makeError(fmt::format("there is no level '{}' among the {} before this query", name,
-                                      settings.levelsInReach)));
+                                      levels.size())));
   }
-  auto query = withPlaces(*level, record);
+  auto query = withPlaces(level->record, record);
   if (!query) return source.forgive(record, query.error());
-  auto compiled = compile(*level, *query);
+  auto compiled = compile(level->record, *query);
   if (!compiled) return source.forgive(record, compiled.error());
-  add({*level, *std::move(query), *std::move(compiled)});
+  const size_t more = std::exchange(level->counted, true) ? 0 : level->bytes;
+  const size_t recordBytes = more + bytesOf(*query);
+  add({level->record, tight(*query), *std::move(compiled)}, recordBytes);
   return {};
 }
 
-void LevelStream::Reader::add(Item item) {
+void LevelStream::Reader::add(Item item, size_t recordBytes) {
   const bool alone = item.difficulty() < 0;
   if (alone) close();
-  bytes += bytesOf(item.level) + bytesOf(item.query);
+  bytes += recordBytes;
   open.push_back(std::move(item));
   if (alone || open.size() >= settings.choices) close();
 }

@@ -9,17 +9,21 @@
 #include <string>
 #include <vector>
 
+#include "io/physics.h"
 #include "io/pipeline.h"
 #include "train/training_level.h"
+#include "train/wait_limit.h"
 
 namespace obby::train {
 
 struct LevelStreamSettings {
   // Of records, kept to begin again with once the stream is at its end; of a longer stream the
-  // first so many.
+  // first so many. A level counts once, however many queries it has.
   size_t keptBytes = size_t(256) << 20;
-  // A query may be of any of so many levels before it.
+  // A query may be of any of so many levels before it, and of no more than have so many bytes as
+  // records; of the last one always.
   size_t levelsInReach = 1024;
+  size_t bytesInReach = size_t(1) << 30;
   bool again = true;  // at its end; otherwise there are no more levels, and none is kept
   // Queries in a row whose difficulty is said and of which one is played at a time: as hard as
   // learning is ready for. 1: all are, one after the other.
@@ -27,8 +31,11 @@ struct LevelStreamSettings {
   // That wait to be asked for; others are compiled again then. Places get on at different speeds:
   // what is read for the foremost comes long before the turn of others, ever longer over days.
   size_t compiledLevels = 512;
+  WaitLimit* wait = nullptr;  // for records, where there is one; must outlive the stream
 };
 
+// Levels behind a `params` record are played under it, as far as they leave the defaults.
+//
 // Queries that can be played come in turns: of so many to choose from in a row whose difficulty is
 // said, any other alone. Level `index` is one of the index-th turn: by chance one of those that are
 // not too hard, or where all are the easiest.
@@ -41,6 +48,7 @@ class LevelStream : public LevelSource {
   // for the stream; null if `options.stop` was set before it came to the level, or if it ends
   // before and is not to begin again.
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override;
+  // Does not wait for the stream, even while level() does.
   void past(uint64_t index) const override;
 
   // Levels that are compiled and wait to be asked for: what tests count.
@@ -62,6 +70,8 @@ class LevelStream : public LevelSource {
   struct Known {  // a level that queries may be of
     std::string name;
     io::Record record;
+    size_t bytes;
+    bool counted;  // among what is kept
   };
 
   struct Reader {  // all of it under the lock
@@ -73,10 +83,10 @@ class LevelStream : public LevelSource {
     bool stopped() const { return stop != nullptr && *stop; }
     Status take(const io::Record& record);
     Status takeQuery(const io::Record& record);
-    void add(Item item);
+    void add(Item item, size_t recordBytes);
     void close();
     void know(const io::Record& level);
-    const io::Record* levelNamed(const std::string& name) const;
+    Known* levelNamed(const std::string& name);
     void forget(uint64_t before);
     void played(uint64_t number, Turn& turn, const Item& item);
     void dropCompiled(Turn& turn);
@@ -84,7 +94,9 @@ class LevelStream : public LevelSource {
     const std::atomic<bool>* stop;  // may be null
     io::RecordSource source;
     LevelStreamSettings settings;
+    io::Physics physics;
     std::deque<Known> levels;  // the last ones, oldest first
+    size_t reach = 0;          // their bytes
     std::map<uint64_t, Turn> turns;
     Turn open;            // the next one: it may get more
     uint64_t read = 0;    // turns so far
@@ -97,6 +109,7 @@ class LevelStream : public LevelSource {
     Status said;  // an error ends it
   };
 
+  mutable std::atomic<uint64_t> past_{0};  // the reader hears of it as soon as it can
   mutable std::mutex lock_;
   mutable Reader reader_;
 };

@@ -249,15 +249,17 @@ TEST(DeviceEngine, GoesOnWhereLevelsWereStillToComeAsIfNothingHadBeen) {
   for (const bool loose : {false, true}) {
     const Gaps gaps(loose);
     const GapsTo stopped(12, loose, !loose);  // eight places
+    TrainerSettings settings = tiny();
+    settings.crowd.playthroughs = 16;  // for a quarter of the worlds
     Machine machine, other, third;
-    const auto whole = machine.make(gaps, tiny()), part = other.make(stopped, tiny());
+    const auto whole = machine.make(gaps, settings), part = other.make(stopped, settings);
     ASSERT_TRUE(whole && part);
     do {
       ASSERT_LT((*part)->iterations(), 100u);
       ASSERT_TRUE((*whole)->iterate() && (*part)->iterate());
     } while (waitingIn(*(*part)->state()) == 0);
     EXPECT_EQ(bool((*part)->more()), loose) << "stopped, or failed";
-    const auto resumed = third.resume(gaps, *(*part)->state(), tiny());
+    const auto resumed = third.resume(gaps, *(*part)->state(), settings);
     ASSERT_TRUE(resumed) << resumed.error().text();
     for (int i = 0; i < 3; ++i) ASSERT_TRUE((*whole)->iterate() && (*resumed)->iterate());
     EXPECT_EQ((*whole)->network().numbers(), (*resumed)->network().numbers());
@@ -335,7 +337,7 @@ TEST(DeviceEngine, SaysWhatTheSourceSaysOnceALevelIsPlayed) {
   const OneBad first(5), second(8 + 5);  // of eight places
   EXPECT_EQ(machine.make(first, tiny()).error().text(), "this level is bad");
   TrainerSettings settings = tiny();
-  settings.crowd.playthroughs = 100;
+  settings.crowd.playthroughs = 32;  // of 8 worlds: no level is over after an iteration
   const auto trainer = machine.make(second, settings);
   ASSERT_TRUE(trainer) << trainer.error().text();
   ASSERT_TRUE((*trainer)->iterate());

@@ -2,50 +2,15 @@
 // stream is at its end, not kept when they are past.
 #include "train/level_stream.h"
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <cstring>
 #include <functional>
 #include <map>
 #include <set>
 
+#include "train/level_lines.h"
+
 namespace obby::train {
 namespace {
-
-// The floor of level `number` is so wide that no other has its hash.
-std::string lineOf(uint64_t number, const std::string& more = "") {
-  return fmt::format(
-      R"({{"type":"level","name":"{0}","parts":[{{"shape":"block",)"
-      R"("position":[0,-0.5,0],"size":[{1},1,40]}}]}})"
-      "\n"
-      R"({{"type":"query","id":"q","level":"{0}","start":{{"region":{{"position":[0,2.5,0],"size":[4,5,4]}}}},)"
-      R"("goal":{{"position":[0,2,-12],"size":[4,4,4]}}{2}}})"
-      "\n",
-      number, 8 + number, more);
-}
-
-// `more`: fields of the queries, from the first on.
-std::string linesOf(uint64_t count, const std::vector<std::string>& more = {}) {
-  std::string text = R"({"type":"header","schemaVersion":1})"
-                     "\n";
-  for (uint64_t i = 0; i < count; ++i) text += lineOf(i, i < more.size() ? more[i] : "");
-  return text + R"({"type":"end","status":"complete"})" + "\n";
-}
-
-io::SourceOptions optionsOf(std::string text) {
-  io::SourceOptions options;
-  options.open = [text = std::move(text)](const std::string&) {
-    return Result<io::StreamReader>(io::StreamReader::overBytes(text, "levels"));
-  };
-  return options;
-}
-
-uint64_t hashOf(const LevelStream& stream, uint64_t index) {
-  const auto level = stream.level(index, 1);
-  EXPECT_TRUE(level) << (level ? "" : level.error().text());
-  return level ? (*level)->hash() : 0;
-}
 
 TEST(LevelStream, GivesLevelsByTheirNumbersInWhateverOrder) {
   const LevelStream up(optionsOf(linesOf(6))), down(optionsOf(linesOf(6)));

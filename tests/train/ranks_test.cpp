@@ -95,7 +95,7 @@ TEST(Ranks, LearnTogether) {
   ThreadRanks::run(2, [&](Ranks& ranks) {
     ThreadPool pool(1);
     const auto trainer = Trainer::make(small(), gaps, pool, ranks);
-    for (int i = 0; i < 40; ++i) ASSERT_TRUE((*trainer)->iterate());
+    for (int i = 0; i < 30; ++i) ASSERT_TRUE((*trainer)->iterate());
     if (!ranks.first()) return;
     EvaluationSettings how;
     how.levels = 50;

@@ -91,7 +91,7 @@ std::string commandOf(const cli::Arguments& arguments) {
   for (const auto& [name, value] : arguments.values) {
     if (!value.given || name == "resume") continue;
     if (value.row.type == cli::ValueType::flag) {
-      command += " --" + name;
+      if (arguments.flag(name)) command += " --" + name;  // may have been set to false
       continue;
     }
     const char joint = value.row.type == cli::ValueType::mode ? '=' : ' ';

@@ -38,9 +38,10 @@ bool makesLevels(const cli::Arguments& a) {
   return a.flag("generate") || a.has("style") || a.has("difficulty") || a.has("recipe");
 }
 
-Result<Levels> levelsOf(cli::Context& context, train::Ranks& ranks, uint64_t seed, bool again) {
+Result<Levels> levelsOf(cli::Context& context, train::Ranks& ranks, uint64_t seed, bool again,
+                        train::WaitLimit& waiting) {
   const cli::Arguments& a = context.arguments();
-  if (!makesLevels(a)) return streamedLevels(context, ranks, again);
+  if (!makesLevels(a)) return streamedLevels(context, ranks, again, waiting);
   OBBY_ASSIGN(const std::string text, sharedRecipe(a, ranks));
   OBBY_ASSIGN(gen::Recipe recipe, recipeOf(a, text));
   if (!a.has("difficulty") && !a.has("recipe")) recipe.difficulty = {0, 1};

@@ -68,7 +68,8 @@ Status learn(cli::Context& context, tools::JoinedRanks& joined) {
   const cli::Arguments& a = context.arguments();
   tools::Keeper keeper(context, ranks);
   OBBY_RETURN_IF_ERROR(keeper.find());
-  auto found = ranks.agree(tools::levelsOf(context, ranks, a.seed(), true));
+  train::WaitLimit waiting(context.stop(), tools::timeLimit(a));
+  auto found = ranks.agree(tools::levelsOf(context, ranks, a.seed(), true, waiting));
   if (!found && ranks.first() && context.stop()) return nothingLearned(context);
   OBBY_ASSIGN(const tools::Levels levels, std::move(found));
   OBBY_ASSIGN(const sim::Backend backend,
@@ -81,6 +82,7 @@ Status learn(cli::Context& context, tools::JoinedRanks& joined) {
   auto made =
       keeper.trainer(engineOf(settings, *levels.source, backend, pool, ranks, direct.get()));
   if (!made && ranks.count() == 1 && context.stop()) return nothingLearned(context);
+  if (!made && waiting.isUp()) return tools::lateStream();
   OBBY_ASSIGN(const auto trainer, std::move(made));
   tools::Logs logs;
   std::optional<io::Pipeline> stream;  // the first rank's
@@ -92,8 +94,9 @@ Status learn(cli::Context& context, tools::JoinedRanks& joined) {
   };
   OBBY_RETURN_IF_ERROR(ranks.agree(ranks.first() ? open() : Status()));
   tools::Session session(context, *trainer, ranks, keeper, std::move(logs),
-                         stream ? &stream->output() : nullptr);
+                         stream ? &stream->output() : nullptr, waiting);
   Status done = session.run();
+  waiting.end();
   return stream ? stream->finish(std::move(done)) : done;
 }
 
@@ -112,14 +115,17 @@ Status evaluate(cli::Context& context, train::Ranks& ranks) {
   const std::string& path = context.arguments().text("eval");
   OBBY_ASSIGN(const std::string bytes, io::readFile(path, &context.stop()));
   OBBY_ASSIGN(const policy::PolicyFile file, policy::readPolicy(bytes, path));
+  const cli::Arguments& a = context.arguments();
+  train::WaitLimit waiting(context.stop(), tools::timeLimit(a));
   OBBY_ASSIGN(const tools::Levels levels,
-              tools::levelsOf(context, ranks, context.arguments().seed() ^ kHeldOut, false));
+              tools::levelsOf(context, ranks, a.seed() ^ kHeldOut, false, waiting));
   ThreadPool pool(context.threads());
   OBBY_ASSIGN(io::Pipeline stream, metricsStream(context));
   const train::EvaluationSettings settings = tools::evaluationSettings(context);
+  waiting.begin();
   const train::Evaluation e =
       train::evaluate(file.network, *levels.source, settings, pool, context.stop());
-  if (e.timeUp) stream.outOfBudget();
+  if (e.timeUp || waiting.isUp()) stream.outOfBudget();
   // A level that could not be read takes nothing from those that were played.
   Status done;
   if (e.levels > 0 || e.missing)

@@ -6,6 +6,7 @@
 #include "cli/rows.h"
 #include "levels.h"
 #include "shared/recipe_options.h"
+#include "train/wait_limit.h"
 
 namespace obby::tools {
 
@@ -33,7 +34,9 @@ OptionRow outputRow() {
 
 OptionRow timeLimitRow() {
   OptionRow r = cli::commonRow(cli::Common::timeLimit);
-  r.help = "stop after so much wall-clock time, whatever --decisions or --eval-levels says";
+  r.help =
+      "stop after so much wall-clock time, whatever --decisions or --eval-levels says; a stream "
+      "that sends nothing is waited for 3 seconds longer";
   r.group = kLearnGroup;
   return r;
 }
@@ -199,13 +202,17 @@ Result<sim::Backend> trainBackend(const cli::Context& context, uint32_t which) {
   return sim::Backend::open(kind, which);
 }
 
+double timeLimit(const cli::Arguments& a) {
+  return a.has("time-limit") ? a.number("time-limit") : train::WaitLimit::kNone;
+}
+
 train::EvaluationSettings evaluationSettings(const cli::Context& context) {
   const cli::Arguments& a = context.arguments();
   train::EvaluationSettings s;
   s.seed = a.seed();
   s.levels = uint32_t(a.integer("eval-levels"));
   s.tries = uint32_t(a.integer("eval-tries"));
-  if (a.has("time-limit")) s.seconds = a.number("time-limit");
+  s.seconds = timeLimit(a);
   return s;
 }
 

@@ -15,6 +15,8 @@ Status optionsFit(const cli::Arguments& arguments);
 train::TrainerSettings trainerSettings(const cli::Context& context);
 // `which`: of several GPUs.
 Result<sim::Backend> trainBackend(const cli::Context& context, uint32_t which);
+// Seconds of --time-limit; without it so many that they never pass.
+double timeLimit(const cli::Arguments& arguments);
 train::EvaluationSettings evaluationSettings(const cli::Context& context);
 
 }  // namespace obby::tools

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "metric_records.h"
+#include "options.h"
 
 namespace obby::tools {
 
@@ -13,18 +14,21 @@ constexpr double kMetricsSeconds = 5;
 }  // namespace
 
 Session::Session(cli::Context& context, train::Trainer& trainer, train::Ranks& ranks,
-                 const Keeper& keeper, Logs logs, io::StreamWriter* output)
+                 const Keeper& keeper, Logs logs, io::StreamWriter* output,
+                 train::WaitLimit& waiting)
     : context_(context),
       trainer_(trainer),
       ranks_(ranks),
       keeper_(keeper),
       logs_(std::move(logs)),
       output_(output),
+      waiting_(waiting),
       decisionsBefore_(trainer.decisions()),
       most_(uint64_t(context.arguments().integer("decisions"))),
-      mostSeconds_(context.arguments().has("time-limit") ? context.arguments().number("time-limit")
-                                                         : 1e30),
-      saveSeconds_(context.arguments().number("save-every")) {}
+      mostSeconds_(timeLimit(context.arguments())),
+      saveSeconds_(context.arguments().number("save-every")) {
+  waiting_.begin();
+}
 
 double Session::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
@@ -58,8 +62,8 @@ Status Session::saveAfter(Status ended) {
 Session::Votes Session::vote() {
   const bool timeUp = seconds() >= mostSeconds_;
   const bool due = last_.number > 0 && seconds() - savedAt_ >= saveSeconds_;
-  double votes[] = {double(context_.stop() || (ranks_.first() && timeUp)),
-                    double(ranks_.first() && due)};
+  const bool stop = context_.stop() || waiting_.stop();
+  double votes[] = {double(stop || (ranks_.first() && timeUp)), double(ranks_.first() && due)};
   ranks_.add(votes);
   return {votes[0] > 0 || trainer_.decisions() >= most_, votes[1] > 0};
 }

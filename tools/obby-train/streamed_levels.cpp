@@ -6,20 +6,24 @@ namespace obby::tools {
 
 namespace {
 
-// Levels and queries of the whole stream.
-Result<std::string> copyOf(io::SourceOptions options) {
-  const std::atomic<bool>* const stop = options.stop;
+bool isWanted(const io::Record& record) {
+  if (!record.known()) return false;
+  const io::Kind kind = record.which();
+  return kind == io::Kind::LEVEL || kind == io::Kind::QUERY || kind == io::Kind::PARAMS;
+}
+
+// Levels and queries of the whole stream, and the physics parameters before them.
+Result<std::string> copyOf(io::SourceOptions options, train::WaitLimit& waiting) {
   std::string copy;
   io::RecordSource source(std::move(options));
   io::StreamWriter writer = io::StreamWriter::toBytes(io::Format::capnp, &copy);
   while (true) {
-    OBBY_ASSIGN(const std::optional<io::Record> record, source.next());
+    OBBY_ASSIGN(const std::optional<io::Record> record, waiting.next(source));
     if (!record) break;
-    if (!record->known()) continue;
-    if (record->which() != io::Kind::LEVEL && record->which() != io::Kind::QUERY) continue;
-    OBBY_RETURN_IF_ERROR(writer.write(record->reader()));
+    if (isWanted(*record)) OBBY_RETURN_IF_ERROR(writer.write(record->reader()));
   }
-  if (stop != nullptr && *stop) return makeError(train::kInterrupted);
+  if (waiting.isUp()) return lateStream();
+  if (waiting.stop()) return makeError(train::kInterrupted);
   OBBY_RETURN_IF_ERROR(writer.close());
   return copy;
 }
@@ -27,23 +31,32 @@ Result<std::string> copyOf(io::SourceOptions options) {
 }  // namespace
 
 // Standard input is the first rank's alone, and a file may be: it reads for all of them.
-Result<Levels> streamedLevels(cli::Context& context, train::Ranks& ranks, bool again) {
+Result<Levels> streamedLevels(cli::Context& context, train::Ranks& ranks, bool again,
+                              train::WaitLimit& waiting) {
   io::SourceOptions options = context.sourceOptions();
+  options.stop = &waiting.stop();
+  train::LevelStreamSettings settings;
+  settings.wait = &waiting;
   if (ranks.count() > 1) {
-    OBBY_ASSIGN(std::string copy,
-                ranks.agree(ranks.first() ? copyOf(options) : Result<std::string>(std::string())));
+    OBBY_ASSIGN(std::string copy, ranks.agree(ranks.first() ? copyOf(options, waiting)
+                                                            : Result<std::string>(std::string())));
     copy = ranks.share(std::move(copy));
     options.inputs = {"the first rank's levels"};
     options.stop = nullptr;  // they are here already; all ranks end after the same iteration
+    settings.wait = nullptr;
     options.open = [copy](const std::string& name) {
       return Result<io::StreamReader>(io::StreamReader::overBytes(copy, name));
     };
   }
-  train::LevelStreamSettings settings;
   settings.again = again;
   if (!again) settings.choices = 1;  // each is to be played
   return Levels{std::make_unique<train::LevelStream>(std::move(options), settings),
                 {{"levels", "of a stream"}}};
+}
+
+Error lateStream() {
+  return makeError("too few levels came from the stream within --time-limit: nothing was learned",
+                   "see what keeps the stream, or give it more time");
 }
 
 }  // namespace obby::tools

@@ -1,0 +1,56 @@
+#include "train/wait_limit.h"
+
+namespace obby::train {
+
+namespace {
+
+constexpr std::chrono::milliseconds kLook{20};
+
+}  // namespace
+
+WaitLimit::WaitLimit(const std::atomic<bool>& interrupted, double seconds, double more)
+    : interrupted_(interrupted), seconds_(seconds + more), watcher_([this] { watch(); }) {}
+
+WaitLimit::~WaitLimit() {
+  {
+    const std::lock_guard hold(lock_);
+    over_ = true;
+  }
+  wake_.notify_all();
+  watcher_.join();
+}
+
+// The handler of a signal can set a flag, but wake nobody: it has to be looked at.
+void WaitLimit::watch() {
+  std::unique_lock hold(lock_);
+  while (!over_) {
+    if (interrupted_) stop_ = true;
+    const std::chrono::duration<double> passed = Clock::now() - since_;
+    if (reading_ && !stop_ && passed.count() >= seconds_) {
+      up_ = true;
+      stop_ = true;
+    }
+    wake_.wait_for(hold, kLook);
+  }
+}
+
+void WaitLimit::read(bool now) {
+  const std::lock_guard hold(lock_);
+  reading_ = now;
+  if (!begun_) since_ = Clock::now();
+}
+
+Result<std::optional<io::Record>> WaitLimit::next(io::RecordSource& source) {
+  read(true);
+  auto record = source.next();
+  read(false);
+  return record;
+}
+
+void WaitLimit::begin() {
+  const std::lock_guard hold(lock_);
+  begun_ = true;
+  since_ = Clock::now();
+}
+
+}  // namespace obby::train
