@@ -71,7 +71,7 @@ constexpr Route kRoutes[] = {
     {"GET", "/v1/info", Endpoint::info, {}},
     {"POST", "/v1/pair", Endpoint::pair, {}},
     {"POST", "/v1/levels", Endpoint::putLevel, {}},
-    {"GET", "/v1/levels/*", Endpoint::getLevel, {}},
+    {"GET", "/v1/levels/*", Endpoint::getLevel, {"parts"}},
     {"POST", "/v1/jobs", Endpoint::putJob, {}},
     {"GET", "/v1/jobs/*", Endpoint::getJob, {"cursor", "session", "wait"}},
     {"DELETE", "/v1/jobs/*", Endpoint::cancelJob, {}},
@@ -92,6 +92,10 @@ bool setParameter(Call& call, std::string_view name, std::string_view value) {
     call.session = value;
     return value.size() <= 64 && allOf(lower(value), "0123456789abcdef");
   }
+  if (name == "parts") {
+    call.moving = true;
+    return value == "moving";
+  }
   const auto number = loopback::wholeNumber(value, name == "wait" ? kMaxWait : kMaxCursor);
   if (!number) return false;
   if (name == "wait") {
@@ -111,7 +115,8 @@ std::optional<Reply> readParameters(const std::vector<loopback::Parameter>& give
     const bool twice = std::find(seen.begin(), seen.end(), name) != seen.end();
     if (!known || twice || !setParameter(call, name, value)) {
       return refuse(400, "parameter not understood: " + io::quoted(text),
-                    "cursor and wait are whole numbers, session is what /v1/info said");
+                    "cursor and wait are whole numbers, session is what /v1/info said, parts is "
+                    "moving");
     }
     seen.push_back(name);
   }

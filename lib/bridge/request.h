@@ -34,6 +34,7 @@ struct Call {
   std::optional<uint64_t> cursor;  // number of the last message that the client has
   std::string session;             // that the cursor belongs to; empty: not said
   double wait = 0;                 // seconds
+  bool moving = false;             // of a level's parts only those that move (bridge/moving.h)
   Content content = Content::none;
   bool gzip = false;
   int client = -1;  // whose token it was; -1: none was sent, which only info and pair allow

@@ -4,6 +4,7 @@
 
 #include "bridge/importing.h"
 #include "bridge/json.h"
+#include "bridge/moving.h"
 #include "io/version.h"
 #include "loopback/secrets.h"
 
@@ -66,7 +67,7 @@ kj::Promise<Reply> Service::handle(const Call& call, std::string body) {
   std::shared_ptr<Client> who = client(call.client);
   switch (call.endpoint) {
     case Endpoint::putLevel: return putLevel(std::move(body));
-    case Endpoint::getLevel: return getLevel(call.id);
+    case Endpoint::getLevel: return getLevel(call);
     case Endpoint::putJob: return putJob(std::move(who), body);
     case Endpoint::cancelJob: return cancelJob(*who, call.id);
     case Endpoint::getJob: break;
@@ -164,11 +165,16 @@ kj::Promise<Reply> Service::putLevel(std::string body) {
       .attach(kj::defer([this] { imports_--; }));
 }
 
-Reply Service::getLevel(const std::string& id) const {
-  const auto level = store_.get(id);
+Reply Service::getLevel(const Call& call) const {
+  const auto level = store_.get(call.id);
   if (!level) return refuse(500, level.error());
   if (!*level) return refuse(404, "no such level", "send it to /v1/levels again");
-  std::string lines = std::move((*level)->levels);
+  if (call.moving) {
+    auto some = movingParts((*level)->levels);
+    if (!some) return refuse(500, some.error());
+    return {200, *std::move(some), "application/x-ndjson"};
+  }
+  std::string lines = (*level)->levels;
   for (const std::string& query : (*level)->queries) lines.append(query).append("\n");
   return {200, std::move(lines), "application/x-ndjson"};
 }

@@ -62,7 +62,7 @@ class Service {
   Reply info(const Call& call);
   Reply pair(const std::string& body);
   kj::Promise<Reply> putLevel(std::string body);
-  Reply getLevel(const std::string& id) const;
+  Reply getLevel(const Call& call) const;
   Reply putJob(std::shared_ptr<Client> client, const std::string& body);
   std::variant<JobPlan, Reply> plan(const Order& order, Client& client, uint64_t number);
   std::optional<Reply> addWarmStart(const Order& order, Client& client,

@@ -144,6 +144,12 @@ TEST(Request, ids_and_parameters_are_well_formed) {
     EXPECT_EQ(statusOf(route("GET", target)), expected) << target;
   }
   EXPECT_EQ(statusOf(route("GET", "/v1/jobs/j1?cursor=9007199254740991")), 0);
+  const std::string level = "/v1/levels/0123456789abcdef0123456789abcdef";
+  EXPECT_FALSE(std::get<Call>(route("GET", level)).moving);
+  EXPECT_TRUE(std::get<Call>(route("GET", level + "?parts=moving")).moving);
+  for (const char* parameter : {"?parts=", "?parts=all", "?parts=moving&parts=moving", "?wait=1"}) {
+    EXPECT_EQ(statusOf(route("GET", level + parameter)), 400) << parameter;
+  }
 }
 
 }  // namespace

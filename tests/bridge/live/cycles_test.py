@@ -7,8 +7,7 @@ import time
 import unittest
 
 import driver
-from driver import Bridge, eventually
-from protocol_test import impossible
+from driver import Bridge, eventually, impossible
 
 CYCLES = int(os.environ.get("OBBY_TEST_CYCLES", "1000"))
 BOUND = 1.0  # seconds, of 99 in 100

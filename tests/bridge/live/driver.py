@@ -18,16 +18,40 @@ import unittest
 BIN, LEVELS = None, None
 
 
-def main():
+def main(groups=1):
+    """Runs the tests of the file, or those that are named; for tests that mostly wait, in so many
+    groups at the same time."""
     global BIN, LEVELS
     # The test files import this module by its name; as it is the same object, they see the folders.
     BIN, LEVELS = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
-    unittest.main(module="__main__", argv=sys.argv[:1] + sys.argv[3:], verbosity=2)
+    names = sys.argv[3:]
+    if groups > 1 and not names:
+        sys.exit(run_groups(groups))
+    unittest.main(module="__main__", argv=sys.argv[:1] + names, verbosity=2)
+
+
+def run_groups(count):
+    """All tests, each group in a process of its own; 0: none has failed."""
+    suite = unittest.defaultTestLoader.loadTestsFromModule(sys.modules["__main__"])
+    names = [test.id().partition(".")[2] for case in suite for test in case]
+    processes = [subprocess.Popen([sys.executable, *sys.argv[:3], *names[first::count]],
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                 for first in range(min(count, len(names)))]
+    for process in processes:
+        print(process.communicate()[0].decode(errors="replace"), flush=True)
+    return max(abs(process.returncode) for process in processes)
 
 
 def level_bytes(name):
     with open(os.path.join(LEVELS, name), "rb") as file:
         return file.read()
+
+
+def impossible():
+    """A query that no playthrough answers and no bound refutes: it searches until its time is up."""
+    return {"goal": {"position": [0, 3, -68], "size": [20, 6, 10]}, "maxJumps": 1,
+            "forbid": ["fallingDown"], "id": "endless", "maxDamage": 0,
+            "waypoints": [{"region": {"position": [-14, 3, -30], "size": [6, 6, 6]}}]}
 
 
 def children(pid):

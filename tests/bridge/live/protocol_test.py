@@ -6,20 +6,13 @@ import subprocess
 import unittest
 
 import driver
-from driver import Bridge, level_bytes
+from driver import Bridge, impossible, level_bytes
 
 LEVEL = "several-routes.jsonl"
 
 
 def ended(message):
     return message.get("type") == "state" and message["state"] in ("done", "cancelled", "failed")
-
-
-def impossible():
-    """A query that no playthrough answers and no bound refutes: it searches until its time is up."""
-    return {"goal": {"position": [0, 3, -68], "size": [20, 6, 10]}, "maxJumps": 1,
-            "forbid": ["fallingDown"], "id": "endless", "maxDamage": 0,
-            "waypoints": [{"region": {"position": [-14, 3, -30], "size": [6, 6, 6]}}]}
 
 
 class ProtocolTest(unittest.TestCase):
@@ -56,6 +49,16 @@ class ProtocolTest(unittest.TestCase):
         types = [json.loads(line)["type"] for line in back.body.splitlines()]
         self.assertEqual(types[0], "level")
         self.assertEqual(types.count("query"), len(again.json()["queries"]))
+
+    def test_of_a_level_only_what_moves_can_be_asked_for(self):
+        level = self.bridge.place_level("vanishing-run.jsonl")
+        whole = json.loads(self.bridge.get(f"/v1/levels/{level}").body.splitlines()[0])
+        some = self.bridge.get(f"/v1/levels/{level}?parts=moving").body.splitlines()
+        self.assertEqual(len(some), 1)
+        vanishing = [p if "vanish" in p else {} for p in whole["parts"]]
+        self.assertEqual(json.loads(some[0]), {**whole, "parts": vanishing})
+        self.assertIn({}, vanishing)
+        self.assertEqual(self.bridge.get(f"/v1/levels/{level}?parts=all").status, 400)
 
     def test_records_may_be_written_by_hand(self):
         level = json.loads(level_bytes(LEVEL).splitlines()[0])
@@ -201,7 +204,7 @@ class ProtocolTest(unittest.TestCase):
                                 f"\r\nHost: 127.0.0.1:{bridge.port}\r\n"
                                 f"Authorization: Bearer {bridge.token}\r\n\r\n").encode())
             polls.append(connection)
-            self.assertFalse(driver.select.select(polls, [], [], 0.5)[0])
+            self.assertFalse(driver.select.select(polls, [], [], 0.2)[0])
 
     def test_warm_starts_use_an_earlier_answer(self):
         level = self.bridge.place_level(LEVEL)
@@ -264,7 +267,9 @@ class ProtocolTest(unittest.TestCase):
         records = [json.loads(line) for line in rehearsed.stdout.splitlines()]
         level = self.bridge.place(b"\n".join(json.dumps(r).encode() for r in records
                                              if r["type"] == "level") + b"\n").json()["level"]
-        recordings = [r for r in records if r["type"] == "recording"][:4]  # for the time it takes
+        few = ("jump on the spot", "jump and turn back in the air")  # for the time it takes
+        recordings = [r for r in records if r["type"] == "recording" and r["name"] in few]
+        self.assertEqual(len(recordings), 2)
         job = self.bridge.ask(task="calibrate", level=level, recordings=recordings,
                               budget={"restarts": 1, "generations": 1, "seed": 3})["job"]
         messages = self.bridge.messages(job, seconds=120)

@@ -8,8 +8,8 @@ import time
 import unittest
 
 import driver
-from driver import eventually, level_bytes, program
-from protocol_test import ended, impossible
+from driver import eventually, impossible, level_bytes, program
+from protocol_test import ended
 
 
 class StdioTest(unittest.TestCase):

@@ -1,0 +1,57 @@
+#include "bridge/moving.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "bridge/json.h"
+
+namespace obby::bridge {
+namespace {
+
+using io::JsonTree;
+
+bool moves(const JsonTree& tree, const JsonTree::Node& part) {
+  if (part.type != JsonTree::Type::object) return false;
+  for (uint32_t i = part.child; i != 0; i = tree.node(i).next) {
+    const JsonTree::Node& member = tree.node(i);
+    const std::string_view name = tree.name(member);
+    const bool given = member.type != JsonTree::Type::null;
+    if (given && (name == "motion" || name == "vanish")) return true;
+    if (name == "anchored" && member.type == JsonTree::Type::no) return true;
+  }
+  return false;
+}
+
+std::string movingOf(const JsonTree& tree, const JsonTree::Node& list) {
+  std::vector<std::string> parts;
+  for (uint32_t i = list.child; i != 0; i = tree.node(i).next) {
+    const JsonTree::Node& part = tree.node(i);
+    parts.push_back(moves(tree, part) ? jsonText(tree, part) : std::string("{}"));
+  }
+  return jsonArray(parts);
+}
+
+std::string recordOf(const JsonTree& tree) {
+  JsonObject out;
+  for (uint32_t i = tree.root().child; i != 0; i = tree.node(i).next) {
+    const JsonTree::Node& member = tree.node(i);
+    const bool list = tree.name(member) == "parts" && member.type == JsonTree::Type::array;
+    out.json(tree.name(member), list ? movingOf(tree, member) : jsonText(tree, member));
+  }
+  return out.whole();
+}
+
+}  // namespace
+
+Result<std::string> movingParts(std::string_view lines) {
+  std::string out;
+  for (size_t at = 0; at < lines.size();) {
+    const size_t end = std::min(lines.find('\n', at), lines.size());
+    OBBY_ASSIGN(const JsonTree tree, JsonTree::parse(lines.substr(at, end - at)));
+    out.append(recordOf(tree)).append("\n");
+    at = end + 1;
+  }
+  return out;
+}
+
+}  // namespace obby::bridge
