@@ -50,8 +50,9 @@ constexpr Option kOptions[] = {
      "interruption is a fair sample",
      0, false},
     {"any-build", ValueType::flag, "", "",
-     "runs of other builds count, too, for what takes longer than a machine is to be had; queries "
-     "that another kind of machine has run with the seed are left to it",
+     "runs of other builds count, too, for what takes longer than a machine is to be had; all "
+     "methods at a query with a seed are of one kind of machine: what one has done is left, what "
+     "another has begun only is made anew",
      0, false},
     {"report-only", ValueType::flag, "", "",
      "run nothing; report what the results file has, of whatever build", 0, false},
@@ -135,23 +136,35 @@ Result<uint64_t> programDigest() {
   return hashBytes(bytes.data(), bytes.size());
 }
 
-// `known`: whose runs are done.
-Status runMissing(cli::Context& context, const bench::Plan& plan, uint64_t program,
-                  const bench::Maker& known, ThreadPool& pool, bench::RunLog& log) {
-  const std::vector<bench::Question> questions = plan.questions();
-  const std::string machine = bench::machineKind();
-  double done = 0;
+// `known`: whose runs are done. Asks what one query and seed lack.
+Status runMissing(cli::Context& context, const std::vector<bench::Question>& questions,
+                  uint64_t program, const bench::Maker& known, ThreadPool& pool,
+                  bench::RunLog& log) {
   for (const bench::Question& q : questions) {
     if (context.stop()) break;
-    context.progress({fmt::format("{} {} seed {}", q.method.name, q.query.name(), q.seed),
-                      done++ / double(questions.size()),
-                      {}});
     bench::Run planned = bench::plannedRun(q, program);
-    planned.machine = machine;
+    planned.machine = bench::machineKind();
     if (log.find(planned.key(), known)) continue;
-    if (known.program == 0 && log.ranElsewhere(planned)) continue;
     OBBY_ASSIGN(const std::optional<bench::Run> run, bench::ask(q, planned, pool, context.stop()));
     if (run) OBBY_RETURN_IF_ERROR(log.append(*run));
+  }
+  return {};
+}
+
+Status runAllMissing(cli::Context& context, const bench::Plan& plan, uint64_t program,
+                     const bench::Maker& known, ThreadPool& pool, bench::RunLog& log) {
+  bench::Maker here = known;
+  const bool anyBuild = known.program == 0;
+  if (anyBuild) here.machine = bench::machineKind();
+  const double all = double(plan.seeds) * double(plan.suite.size());
+  double done = 0;
+  for (uint64_t seed = 1; seed <= plan.seeds; ++seed) {
+    for (size_t q = 0; q < plan.suite.size() && !context.stop(); ++q) {
+      context.progress({fmt::format("{} seed {}", plan.suite[q].name(), seed), done++ / all, {}});
+      const std::vector<bench::Question> questions = plan.questionsAt(q, seed);
+      if (anyBuild && bench::machineOf(questions, log, known).runs == questions.size()) continue;
+      OBBY_RETURN_IF_ERROR(runMissing(context, questions, program, here, pool, log));
+    }
   }
   return {};
 }
@@ -195,7 +208,7 @@ Result<cli::ExitCode> run(cli::Context& context) {
     if (!a.flag("any-build")) known.program = program;
     ThreadPool pool(context.threads());
     known.threads = pool.size();
-    OBBY_RETURN_IF_ERROR(runMissing(context, plan, program, known, pool, log));
+    OBBY_RETURN_IF_ERROR(runAllMissing(context, plan, program, known, pool, log));
   }
   OBBY_RETURN_IF_ERROR(report(a, bench::resultsOf(plan, log, known)));
   return cli::ExitCode::ok;

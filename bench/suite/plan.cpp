@@ -18,16 +18,28 @@ double Plan::capOf(const SuiteQuery& query) const {
   return query.solvable() ? cap : std::min(cap, unsolvableCap);
 }
 
+std::vector<Question> Plan::questionsAt(size_t query, uint64_t seed) const {
+  std::vector<Question> all;
+  for (size_t m = 0; m < methods.size(); ++m) {
+    if (asks(m, query, seed)) all.push_back({suite[query], *methods[m], seed, capOf(suite[query])});
+  }
+  return all;
+}
+
 std::vector<Question> Plan::questions() const {
   std::vector<Question> all;
   for (uint64_t seed = 1; seed <= seeds; ++seed) {
     for (size_t q = 0; q < suite.size(); ++q) {
-      for (size_t m = 0; m < methods.size(); ++m) {
-        if (asks(m, q, seed)) all.push_back({suite[q], *methods[m], seed, capOf(suite[q])});
-      }
+      for (const Question& question : questionsAt(q, seed)) all.push_back(question);
     }
   }
   return all;
+}
+
+Made machineOf(const std::vector<Question>& questions, const RunLog& log, const Maker& maker) {
+  std::vector<std::string> keys;
+  for (const Question& question : questions) keys.push_back(plannedRun(question, 0).key());
+  return log.mostlyBy(keys, maker);
 }
 
 Results resultsOf(const Plan& plan, const RunLog& log, const Maker& maker) {
@@ -37,12 +49,16 @@ Results resultsOf(const Plan& plan, const RunLog& log, const Maker& maker) {
     results.queries.push_back({q.name(), q.expected, q.effort});
   for (const solve::Method* method : plan.methods) {
     results.methods.emplace_back(method->name);
-    auto& ofMethod = results.runs.emplace_back();
-    for (const SuiteQuery& q : plan.suite) {
-      auto& ofQuery = ofMethod.emplace_back();
-      for (uint64_t seed = 1; seed <= plan.seeds; ++seed) {
-        const Run* run = log.find(plannedRun({q, *method, seed, plan.capOf(q)}, 0).key(), maker);
-        if (run) ofQuery.push_back(*run);
+    results.runs.emplace_back(plan.suite.size());
+  }
+  for (size_t q = 0; q < plan.suite.size(); ++q) {
+    for (uint64_t seed = 1; seed <= plan.seeds; ++seed) {
+      Maker one = maker;
+      one.machine = machineOf(plan.questionsAt(q, seed), log, maker).machine;
+      for (size_t m = 0; m < plan.methods.size(); ++m) {
+        const Question question{plan.suite[q], *plan.methods[m], seed, plan.capOf(plan.suite[q])};
+        const Run* run = log.find(plannedRun(question, 0).key(), one);
+        if (run) results.runs[m][q].push_back(*run);
       }
     }
   }

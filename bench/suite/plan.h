@@ -23,11 +23,18 @@ struct Plan {
   bool asks(size_t method, size_t query, uint64_t seed) const;
   double capOf(const SuiteQuery& query) const;
 
+  // One query with one seed to each method that is asked.
+  std::vector<Question> questionsAt(size_t query, uint64_t seed) const;
   // Query by query within a seed, so that what an interruption leaves is balanced.
   std::vector<Question> questions() const;
 };
 
-// The planned runs that the log has; `program` 0: of whatever program.
+// The kind of machine that has come farthest with a query and a seed. All methods at them are to be
+// of one kind, for times compare only within it.
+Made machineOf(const std::vector<Question>& questions, const RunLog& log, const Maker& maker);
+
+// The planned runs that the log has, at each query and seed of the kind of machine that has made
+// most of them; `program` 0: of whatever program.
 Results resultsOf(const Plan& plan, const RunLog& log, const Maker& maker);
 
 }  // namespace obby::bench

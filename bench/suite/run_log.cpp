@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "io/json_tree.h"
 #include "io/text.h"
@@ -69,6 +71,12 @@ class Members {
 
 Error fileError(const std::string& path, const char* what) {
   return Error{path, {}, {}, fmt::format("{}: {}", what, std::strerror(errno)), {}};
+}
+
+bool counts(const Run& run, const Maker& maker) {
+  return (maker.program == 0 || run.program == maker.program) &&
+         (maker.threads == 0 || run.threads == maker.threads) &&
+         (!maker.machine || run.machine == *maker.machine);
 }
 
 }  // namespace
@@ -135,17 +143,33 @@ const Run* RunLog::find(const std::string& key, const Maker& maker) const {
   if (found == byKey_.end()) return nullptr;
   for (size_t i = found->second.size(); i-- > 0;) {
     const Run& run = runs_[found->second[i]];
-    if (maker.program != 0 && run.program != maker.program) continue;
-    if (maker.threads == 0 || run.threads == maker.threads) return &run;
+    if (counts(run, maker)) return &run;
   }
   return nullptr;
 }
 
-bool RunLog::ranElsewhere(const Run& planned) const {
-  return std::any_of(runs_.begin(), runs_.end(), [&](const Run& run) {
-    return run.content == planned.content && run.seed == planned.seed && !run.machine.empty() &&
-           run.machine != planned.machine;
-  });
+Made RunLog::mostlyBy(const std::vector<std::string>& keys, const Maker& maker) const {
+  struct Share {
+    std::set<std::string> keys;
+    size_t last = 0;
+  };
+  std::map<std::string, Share> shares;
+  for (const std::string& key : keys) {
+    const auto found = byKey_.find(key);
+    if (found == byKey_.end()) continue;
+    for (const size_t i : found->second) {
+      if (!counts(runs_[i], maker)) continue;
+      Share& share = shares[runs_[i].machine];
+      share.keys.insert(key);
+      share.last = std::max(share.last, i);
+    }
+  }
+  const auto most =
+      std::max_element(shares.begin(), shares.end(), [](const auto& a, const auto& b) {
+        return std::pair(a.second.keys.size(), a.second.last) <
+               std::pair(b.second.keys.size(), b.second.last);
+      });
+  return most == shares.end() ? Made() : Made{most->first, most->second.keys.size()};
 }
 
 Status RunLog::append(const Run& run) {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,17 @@ struct Run {
   std::string key() const;
 };
 
-// Whose runs count as made. 0: any.
+// Whose runs count as made. 0, none: any.
 struct Maker {
   uint64_t program = 0;
   int threads = 0;
+  std::optional<std::string> machine = {};
+};
+
+// How many of some runs one kind of machine has made.
+struct Made {
+  std::string machine;
+  size_t runs = 0;
 };
 
 // One line, with its newline.
@@ -46,8 +54,9 @@ class RunLog {
 
   // The last run of that key; null if there is none.
   const Run* find(const std::string& key, const Maker& maker) const;
-  // Has any method run this one's query with its seed on another kind of machine?
-  bool ranElsewhere(const Run& planned) const;
+  // The kind of machine that has made most of the runs of these keys; of two that have made as many
+  // the one whose last run is later.
+  Made mostlyBy(const std::vector<std::string>& keys, const Maker& maker) const;
   Status append(const Run& run);
   size_t unreadable() const { return unreadable_; }
 

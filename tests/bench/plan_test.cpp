@@ -78,6 +78,28 @@ TEST_F(SuiteFolder, OnlyTheFirstMethodIsAskedWhatHasNoSolutionAndOnce) {
   EXPECT_EQ(p.capOf(p.suite[2]), 10);
 }
 
+// Times of two kinds of machine do not compare.
+TEST_F(SuiteFolder, AQueryWithASeedIsReportedOfOneKindOfMachine) {
+  const Plan p = plan();
+  auto log = RunLog::open((folder_ / "runs.jsonl").string());
+  ASSERT_TRUE(log);
+  const auto append = [&](size_t method, const char* machine, double seconds) {
+    bench::Run run = plannedRun({p.suite[0], *p.methods[method], 1, p.cap}, 5);
+    run.verdict = "solved";
+    run.machine = machine;
+    run.timing.seconds = seconds;
+    return bool(log->append(run));
+  };
+  ASSERT_TRUE(append(0, "8 lanes", 2) && append(1, "8 lanes", 3) && append(1, "16 lanes", 1));
+  EXPECT_EQ(machineOf(p.questionsAt(0, 1), *log, {}).runs, 2u);
+  EXPECT_EQ(machineOf(p.questionsAt(0, 2), *log, {}).runs, 0u);
+  const Results results = resultsOf(p, *log, {});
+  ASSERT_EQ(results.runs[0][0].size(), 1u);
+  ASSERT_EQ(results.runs[1][0].size(), 1u);
+  EXPECT_EQ(results.runs[0][0][0].timing.seconds, 2);
+  EXPECT_EQ(results.runs[1][0][0].timing.seconds, 3);
+}
+
 TEST_F(SuiteFolder, NamesChooseQueriesAndUnknownNamesAreErrors) {
   const auto one = loadSuite(folder_.string(), {"deeper/flat.jsonl:up"});
   ASSERT_TRUE(one);

@@ -110,21 +110,31 @@ TEST_F(RunLogFile, TheLastRunOfAKeyCounts) {
 }
 
 // All methods at a query with a seed are to be of one kind of machine.
-TEST_F(RunLogFile, TellsWhatAnotherMachineHasRun) {
+TEST_F(RunLogFile, TellsWhichMachineHasMadeMost) {
   auto log = RunLog::open(path_);
   ASSERT_TRUE(log);
-  const bench::Run run = someRun();
-  ASSERT_TRUE(log->append(run));
-  bench::Run planned = run;
-  planned.method = "ge";
-  EXPECT_FALSE(log->ranElsewhere(planned));
-  planned.machine = "AMD EPYC, 16 lanes";
-  EXPECT_TRUE(log->ranElsewhere(planned));
-  planned.seed = run.seed + 1;
-  EXPECT_FALSE(log->ranElsewhere(planned));
-  planned.seed = run.seed;
-  planned.content = run.content + 1;
-  EXPECT_FALSE(log->ranElsewhere(planned));
+  bench::Run run = someRun();
+  std::vector<std::string> keys;
+  for (const char* method : {"ge", "rl", "pbge"}) {
+    run.method = method;
+    keys.push_back(run.key());
+  }
+  EXPECT_EQ(log->mostlyBy(keys, {}).runs, 0u);
+  const auto append = [&](const char* method, const char* machine) {
+    run.method = method;
+    run.machine = machine;
+    return bool(log->append(run));
+  };
+  ASSERT_TRUE(append("ge", "8 lanes") && append("rl", "8 lanes") && append("ge", "8 lanes"));
+  EXPECT_EQ(log->mostlyBy(keys, {}).runs, 2u) << "a run that was made twice is one";
+  ASSERT_TRUE(append("ge", "16 lanes"));
+  EXPECT_EQ(log->mostlyBy(keys, {}).machine, "8 lanes");
+  ASSERT_TRUE(append("pbge", "16 lanes"));
+  EXPECT_EQ(log->mostlyBy(keys, {}).machine, "16 lanes")
+      << "the later one of two that made as many";
+  EXPECT_EQ(log->mostlyBy(keys, {0, run.threads + 1}).runs, 0u);
+  EXPECT_EQ(log->find(keys[0], {0, 0, "8 lanes"})->machine, "8 lanes");
+  EXPECT_EQ(log->find(keys[2], {0, 0, "8 lanes"}), nullptr);
 }
 
 TEST_F(RunLogFile, GoesOnBehindALineThatWasCutOff) {
