@@ -3,7 +3,7 @@
 // and 1,000 ways of ten seconds: 3,000 ms to open, 1,000 ms for a change.
 //   bench/page.mjs [--json]     by scripts/bench page, which builds the page
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, readFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { launch, openReport } from '../tests/web/browser.mjs';
@@ -15,10 +15,12 @@ const kSizes = [
   [4000, 2000],
 ];
 const kAttempts = 3;
+const kWhole = { density: 1 }; // pictures as a reader has them
 const kBrowsers = ['chromium', 'chromium-browser', 'google-chrome'];
 
 const repository = dirname(dirname(fileURLToPath(import.meta.url)));
 const out = join(repository, 'build/bench');
+const template = join(repository, 'build/release/web/page.html');
 const words = process.argv.slice(2);
 const unknown = words.find((word) => word !== '--json');
 if (unknown !== undefined) {
@@ -39,35 +41,39 @@ async function best(body) {
   return least;
 }
 
-async function measure(browser, template, [parts, ways]) {
+async function measure(browser, empty, [parts, ways]) {
   const name = `parts${parts}ways${ways}`;
   const file = join(out, `${name}.html`);
-  writeLargePage(template, file, parts, ways);
+  writeLargePage(empty, file, parts, ways);
   const open = await best(async () => {
-    const { page } = await openReport(browser, file);
+    const { page } = await openReport(browser, file, kWhole);
     const taken = await page.evaluate(() => window.obby.firstDrawn);
     await page.context().close();
     return taken;
   });
   add(name, 'open', open);
-  const { page } = await openReport(browser, file);
+  const { page } = await openReport(browser, file, kWhole);
   for (const [metric, values] of Object.entries(kChanges)) {
     add(name, metric, await best((i) => change(page, values(i))));
   }
   await page.context().close();
 }
 
-// Exits with 77 where what it measures is not there.
-function findBrowser() {
-  const { stdout } = spawnSync('sh', ['-c', kBrowsers.map((name) => `command -v ${name}`).join(' || ')]);
-  const program = stdout.toString().trim();
-  if (program) return program;
-  console.error(`bench_page: no ${kBrowsers.join(', ')} here; scripts/setup browser installs one`);
+// Ends with what scripts/bench takes for: what is to be measured is not there.
+function leave(why) {
+  console.error(`bench_page: ${why}`);
   return process.exit(77);
 }
 
+function findBrowser() {
+  const { stdout } = spawnSync('sh', ['-c', kBrowsers.map((name) => `command -v ${name}`).join(' || ')]);
+  const program = stdout.toString().trim();
+  return program || leave(`no ${kBrowsers.join(', ')} here; scripts/setup browser installs one`);
+}
+
+if (!existsSync(template)) leave('the page was not built; cmake --preset release says why');
 mkdirSync(out, { recursive: true });
-const template = readFileSync(join(repository, 'build/release/web/page.html'), 'utf8');
 const browser = await launch(join(repository, 'web'), findBrowser());
-for (const size of kSizes) await measure(browser, template, size);
+const empty = readFileSync(template, 'utf8');
+for (const size of kSizes) await measure(browser, empty, size);
 await browser.close();

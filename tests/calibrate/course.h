@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "base/random.h"
 #include "calibrate/course_level.h"
@@ -43,6 +45,15 @@ struct Undisturbed {
 inline std::vector<Manoeuvre> firstManoeuvres(size_t count) {
   std::vector<Manoeuvre> out = manoeuvres();
   out.resize(count);
+  return out;
+}
+
+// A fit takes as long as what it is shown: so only what shows what a test is about.
+inline std::vector<Manoeuvre> manoeuvresNamed(const std::vector<std::string>& names) {
+  std::vector<Manoeuvre> out;
+  for (const Manoeuvre& m : manoeuvres()) {
+    if (std::find(names.begin(), names.end(), m.name) != names.end()) out.push_back(m);
+  }
   return out;
 }
 

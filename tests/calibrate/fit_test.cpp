@@ -14,8 +14,21 @@ namespace {
 const std::vector<std::string> kFitted = {"walkSpeed", "groundAccel", "airAccel",    "gravity",
                                           "jumpSpeed", "hipHeight",   "iceFriction", "climbSpeed"};
 
-// The first of the manoeuvres show all of these.
-constexpr size_t kEnough = 9;
+// Of the manoeuvres those that show all of these.
+std::vector<Manoeuvre> enough() {
+  return manoeuvresNamed({"run, stop, turn", "jump on the spot", "jump and turn back in the air",
+                          "hold jump", "run and stop on ice", "climb up and down"});
+}
+
+// Those in which gravity and the speed of a jump show.
+std::vector<Manoeuvre> jumps() {
+  return manoeuvresNamed({"jump on the spot", "jump and turn back in the air", "hold jump"});
+}
+
+// Generations of a search, of two parameters or so and of more: what a search has come near to is
+// refined.
+constexpr size_t kFew = 3;
+constexpr uint32_t kForFew = 20, kForMany = 60;
 
 // Others than the simulator's own, drawn within a share of them.
 io::RecordBuilder drawn(uint64_t seed) {
@@ -34,6 +47,7 @@ Fit fitted(const std::vector<Take>& takes, const std::vector<std::string>& names
   const std::atomic<bool> stop{false};
   FitSettings settings;
   settings.restarts = 1;
+  settings.generations = names.size() <= kFew ? kForFew : kForMany;
   settings.tolerance = 0.05;
   auto out = fit(takes, *parametersNamed(names, defaults()), defaults(), settings, pool, stop,
                  [](const FitProgress&) {});
@@ -45,8 +59,7 @@ class Drawn : public testing::TestWithParam<uint64_t> {};
 
 TEST_P(Drawn, ParametersAreFoundAgain) {
   const io::RecordBuilder truth = drawn(GetParam());
-  const Fit found =
-      fitted(takesUnder(truth.reader().getParams(), 0, firstManoeuvres(kEnough)), kFitted);
+  const Fit found = fitted(takesUnder(truth.reader().getParams(), 0, enough()), kFitted);
   EXPECT_LT(found.loss, 1e-4 * found.lossBefore);
   for (const Fitted& f : found.parameters) {
     const double value = valueOf(truth.reader().getParams(), f.parameter.name);
@@ -93,7 +106,7 @@ TEST(Fit, LeavesWhatTheLevelStates) {
 TEST(Fit, IntervalsHoldTheTruthUnderNoise) {
   const io::RecordBuilder truth = drawn(4);
   const Fit found =
-      fitted(takesUnder(truth.reader().getParams(), 0.02f, firstManoeuvres(kEnough)), kFitted);
+      fitted(takesUnder(truth.reader().getParams(), 0.02f, firstManoeuvres(9)), kFitted);
   int outside = 0;
   for (const Fitted& f : found.parameters) {
     const double value = valueOf(truth.reader().getParams(), f.parameter.name);
@@ -128,7 +141,7 @@ TEST(Fit, TakesVelocitiesForAsOldAsTheyAre) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "gravity", 180);
   setValue(truth.root().getParams(), "jumpSpeed", 48);
-  std::vector<Take> takes = takesUnder(truth.reader().getParams(), 0.01f, firstManoeuvres(4));
+  std::vector<Take> takes = takesUnder(truth.reader().getParams(), 0.01f, jumps());
   for (Take& take : takes) take.track = test::withLateVelocities(take.track, 0.25f);
   const Fit found = fitted(takes, {"gravity", "jumpSpeed"});
   EXPECT_NEAR(found.parameters[0].value, 180, 0.9);
@@ -141,8 +154,8 @@ TEST(Fit, FindsThatTheRulesRunInEachStep) {
   setValue(truth.root().initParams(), "gravity", 185);
   setValue(truth.root().getParams(), "controlRate", 240);
   setValue(truth.root().getParams(), "substeps", 1);
-  const Fit found = fitted(takesUnder(truth.reader().getParams(), 0.01f, firstManoeuvres(4)),
-                           {"gravity", "jumpSpeed"});
+  const Fit found =
+      fitted(takesUnder(truth.reader().getParams(), 0.01f, jumps()), {"gravity", "jumpSpeed"});
   EXPECT_EQ(found.controlRate, 240u);
   EXPECT_EQ(found.substeps, 1u);
   EXPECT_NEAR(found.parameters[0].value, 185, 0.2);
@@ -150,12 +163,13 @@ TEST(Fit, FindsThatTheRulesRunInEachStep) {
 
 // By default it is none, which has no logarithm.
 TEST(Fit, FindsWhatKeysDoWhileJumping) {
+  const auto played = manoeuvresNamed({"jump and turn back in the air", "hold jump"});
   for (const double accel : {0.0, 110.0}) {
     io::RecordBuilder truth;
     setValue(truth.root().initParams(), "jumpAccel", accel);
     setValue(truth.root().getParams(), "walkSpeed", 18);
-    const Fit found = fitted(takesUnder(truth.reader().getParams(), 0.01f, firstManoeuvres(4)),
-                             {"walkSpeed", "jumpAccel"});
+    const Fit found =
+        fitted(takesUnder(truth.reader().getParams(), 0.01f, played), {"walkSpeed", "jumpAccel"});
     EXPECT_NEAR(found.parameters[1].value, accel, 5);
     EXPECT_TRUE(found.parameters[1].known);
   }

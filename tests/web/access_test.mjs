@@ -1,7 +1,6 @@
 // The page for every reader: light and dark, at 200 % zoom, by keyboard alone, without hue.
 import assert from 'node:assert/strict';
-import { join } from 'node:path';
-import { frames, openReport, state } from './browser.mjs';
+import { arrive, frames, openReport, state } from './browser.mjs';
 import { harness } from './harness.mjs';
 import { report } from './sample_report.mjs';
 
@@ -48,7 +47,7 @@ for (const theme of ['dark', 'light']) {
     const worst = await contrast(page);
     console.log(`     least contrast ${worst.ratio.toFixed(2)} (${worst.text})`);
     assert.ok(worst.ratio >= kLeastContrast, JSON.stringify(worst));
-    await page.screenshot({ path: join(options.out, `${theme}.png`) });
+    await options.picture(page, theme);
   });
 }
 
@@ -75,26 +74,26 @@ test('at 200 % zoom nothing is cut off or out of reach', async ({ browser }) => 
   await page.locator('#scene-panel .fold', { hasText: 'Display' }).click();
   await page.locator('.toggles label', { hasText: 'Heat map' }).click();
   assert.equal((await state(page)).heat, true);
-  await page.screenshot({ path: join(options.out, 'zoom.png'), fullPage: true });
+  await options.picture(page, 'zoom', { fullPage: true });
   assert.deepEqual(trouble, []);
   await page.context().close();
 });
 
 test('the keyboard reaches every control, and each has a name', async ({ page }) => {
   await page.locator('.filters .fold').click();
-  const seen = new Set();
   await page.locator('#view').focus();
   for (let i = 0; i < 160; i++) {
     await page.keyboard.press('Tab');
-    const what = await page.evaluate(() => {
+    const { what, again } = await page.evaluate(() => {
       const node = document.activeElement;
       const name =
         node.ariaLabel || node.labels?.[0]?.textContent || node.textContent || node.title;
+      const reached = Boolean(node.dataset.reached);
       node.dataset.reached = 'yes';
-      return `${node.tagName} ${name.trim()}`;
+      return { what: `${node.tagName} ${name.trim()}`, again: reached };
     });
+    if (again) break; // all the way round
     assert.match(what, /^\w+ \S/, 'a control without a name');
-    seen.add(what);
   }
   const missed = await page.evaluate(() =>
     [...document.querySelectorAll('button, select, input')]
@@ -154,9 +153,11 @@ test('a report that is told anew leaves the keyboard where it is', async ({ page
   await lasts(page.locator('.findings .way').nth(1));
   await lasts(page.locator('.query').nth(2));
   await page.evaluate(() => window.obby.store.set({ query: 1 }));
+  await arrive(page);
   await lasts(page.locator('.findings .text', { hasText: 'without Lava' }));
   await lasts(page.locator('.ends .killer', { hasText: 'Lava' })); // of the same part
   await page.evaluate(() => window.obby.store.set({ query: 0 }));
+  await arrive(page);
 });
 
 test('colours from little to much get lighter throughout', async ({ page }) => {

@@ -16,17 +16,31 @@ const kFlags = [
 
 const kViewport = { width: 1280, height: 800 };
 
+// Whether the tests keep pictures for people to look at; nothing is asserted of these.
+export const kPictures = Boolean(process.env.OBBY_PICTURES);
+
+// Pixels of the 3D view for one of the page, each way. Without a GPU a picture takes as long as it has pixels, and only
+// pictures that somebody looks at need all of them.
+const kDensity = kPictures ? 1 : 0.5;
+
 export async function launch(webFolder, executablePath) {
   const { chromium } = createRequire(resolve(webFolder, 'package.json'))('playwright-core');
   return chromium.launch({ executablePath, headless: true, args: kFlags });
 }
 
-export async function openReport(browser, file, fragment = '', viewport = kViewport) {
-  const context = await browser.newContext({
-    viewport,
-    offline: true,
-  });
+// A page of its own context. `density`: pixels of the 3D view for one of the page; the page itself stays as it is.
+export async function newPage(browser, { viewport = kViewport, density = kDensity, ...more } = {}) {
+  const context = await browser.newContext({ viewport, ...more });
   const page = await context.newPage();
+  await page.addInitScript((value) => {
+    Object.defineProperty(window, 'devicePixelRatio', { get: () => value });
+  }, density);
+  return page;
+}
+
+// `fragment`: of the address. `more`: as of newPage.
+export async function openReport(browser, file, { fragment = '', ...more } = {}) {
+  const page = await newPage(browser, { offline: true, ...more });
   const trouble = [];
   const requests = [];
   page.on('console', (message) => {
@@ -36,9 +50,14 @@ export async function openReport(browser, file, fragment = '', viewport = kViewp
   page.on('pageerror', (error) => trouble.push(`exception: ${error.stack}`));
   page.on('request', (request) => requests.push(request.url()));
   await page.goto(pathToFileURL(file).href + fragment);
+  await started(page);
+  return { page, trouble, requests };
+}
+
+// Waits until the page has begun to draw.
+export async function started(page) {
   await page.waitForFunction(() => window.obby?.stage?.width > 0);
   await frames(page, 3);
-  return { page, trouble, requests };
 }
 
 // Waits until the page has drawn a few times.
@@ -51,6 +70,12 @@ export async function frames(page, count = 2) {
       }),
     count,
   );
+}
+
+// The camera is where it flies to, without the way there, and that is drawn.
+export async function arrive(page) {
+  await page.evaluate(() => window.obby.stage.rig.settle());
+  await frames(page, 2);
 }
 
 export const state = (page) => page.evaluate(() => ({ ...window.obby.store.state }));

@@ -1,6 +1,5 @@
 // Two ways side by side: the ghost, one clock for both, the table.
 import assert from 'node:assert/strict';
-import { join } from 'node:path';
 import { frames, state } from './browser.mjs';
 import { harness } from './harness.mjs';
 import { report } from './sample_report.mjs';
@@ -8,7 +7,6 @@ import { report } from './sample_report.mjs';
 const { options, test, run } = harness();
 const set = (page, values) => page.evaluate((v) => window.obby.store.set(v), values);
 const paths = report.queries[0].trajectories;
-const picture = (page, name) => page.screenshot({ path: join(options.out, `${name}.png`) });
 
 const kLong = 0; // a way of the sample
 const kShort = 4; // one of a fraction of its ticks
@@ -55,7 +53,7 @@ test('two ways run side by side from their starts', async ({ page }) => {
   );
   // The belt's box begins 6 studs along the leg from 0 to 18 in 0.75 s, which starts at 3.75 s.
   assert.match(await page.locator('#comparison').innerText(), /Belt\s+4\.00 s/);
-  await picture(page, 'comparison');
+  await options.picture(page, 'comparison');
   await page.locator('#view').focus();
   await page.keyboard.press('x');
   assert.equal(await page.locator('#comparison').isVisible(), false);

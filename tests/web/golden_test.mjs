@@ -45,10 +45,14 @@ async function settled(page) {
 }
 
 async function pictureOf(browser, { fragment, values }) {
-  const { page, trouble } = await openReport(browser, sample, encodeURI(fragment), kSize);
+  const { page, trouble } = await openReport(browser, sample, {
+    fragment: encodeURI(fragment),
+    viewport: kSize,
+    density: 1,
+  });
   await page.evaluate((v) => window.obby.store.set({ playing: false, ...v }), values);
   const picture = await settled(page);
-  assert.ok((await colours(page)).different > 40, 'the level is drawn');
+  assert.ok((await colours(page, false)).different > 40, 'the level is drawn');
   await page.context().close();
   assert.deepEqual(trouble, []);
   return picture;

@@ -1,7 +1,8 @@
-// Collects a file's tests and runs them in one page; every failure is printed and makes the exit code 1.
+// Collects a file's tests and runs them in one page; every failure is printed and makes the exit code 1. With OBBY_PICTURES=1
+// pictures of what they see are left in the folder of their output.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
-import { fillTemplate, launch, openReport } from './browser.mjs';
+import { fillTemplate, kPictures, launch, openReport } from './browser.mjs';
 
 // Words of the command line: --web FOLDER --page TEMPLATE --viewer, --solver, --calibrator, --chromium PROGRAM --out FOLDER.
 function readOptions() {
@@ -22,6 +23,11 @@ export function harness() {
     const file = join(options.out, `${basename(process.argv[1], '.mjs')}.html`);
     writeFileSync(file, fillTemplate(readFileSync(options.page, 'utf8'), report, report.title));
     return file;
+  };
+
+  // A picture for people to look at, if they have asked for it: each takes about as long as a small test.
+  options.picture = async (page, name, more = {}) => {
+    if (kPictures) await page.screenshot({ path: join(options.out, `${name}.png`), ...more });
   };
 
   const run = async (file) => {

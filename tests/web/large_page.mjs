@@ -9,13 +9,13 @@ export function writeLargePage(template, file, parts, ways) {
   writeFileSync(file, fillTemplate(template, report, report.title));
 }
 
-// What each change sets, the i-th time that it is made: never what was set before.
+// What each change sets, the i-th time that it is made: never what was set before, but about as much to do.
 export const kChanges = {
   again: () => ({}),
   select: (i) => ({ path: 100 + i }),
   scrub: (i) => ({ tick: 50 + i }),
-  filter: (i) => ({ mostSeconds: 8 - i }),
-  box: (i) => ({ boxes: [{ min: [10 * i, 0, 0], max: [10 * i + 20, 20, 60], keep: true }] }),
+  filter: (i) => ({ mostSeconds: 8 - 0.1 * i }),
+  box: (i) => ({ boxes: [{ min: [i, 0, 0], max: [i + 20, 20, 60], keep: true }] }),
   heat: (i) => ({ boxes: [], heat: true, mostSeconds: 9.9 - 0.1 * i }),
   colour: (i) => ({ colorBy: ['time', 'jumps', 'outcome'][i] }),
   sort: (i) => ({ sort: ['time', 'jumps', 'found'][i], mostSeconds: 0, boxes: [], heat: false }),

@@ -1,32 +1,108 @@
 // Several levels in one report, none at all, and a picture that comes and goes.
 import assert from 'node:assert/strict';
-import { colours, frames, openReport, state } from './browser.mjs';
+import { arrive, colours, frames, openReport, state } from './browser.mjs';
 import { harness } from './harness.mjs';
 import { report } from './sample_report.mjs';
 
 const { options, test, run } = harness();
 const [level] = report.levels;
 const [course, without] = report.queries;
+const named = (name, values = {}) => ({ ...level, name, ...values });
+
+// Places have collision hulls that are flat, and made-up levels any.
+function oddHulls() {
+  const hull = (numbers) => Buffer.from(Float32Array.from(numbers).buffer).toString('base64');
+  const pieces = [
+    hull([0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3]),
+    hull([1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0]),
+    hull([0, 0, 0, 4, 0, 0, 4, 0, 4, 0, 0, 4]),
+    hull([]),
+  ];
+  return named('Odd hulls', { hulls: [{ part: level.hulls[0].part, pieces }] });
+}
+
+// The first part has the mesh of another.
+function copiedMesh() {
+  const { part, pieces } = level.hulls[0];
+  const shape = Buffer.from(level.parts.shape, 'base64');
+  shape[0] = shape[part];
+  const parts = { ...level.parts, shape: shape.toString('base64') };
+  return named('Copied mesh', { parts, hulls: [0, part].map((each) => ({ part: each, pieces })) });
+}
+
+// Of parts that the level does not have.
+function ofOthers() {
+  const { result } = without;
+  return {
+    ...without,
+    id: 'of other parts',
+    result: {
+      ...result,
+      cut: { ...result.cut, from: 9999, to: 9998, reached: [0, 9999] },
+      relaxations: [{ text: 'solvable without what was there', part: 9999, avoid: -1 }],
+      ends: [{ outcome: 'killed', part: 9999, count: '3' }],
+    },
+    trajectories: [],
+  };
+}
+
+function avoidingThousands() {
+  const avoid = Array.from({ length: 3000 }, (_, i) => ({
+    ...course.avoid[0],
+    name: `Lava ${i}`,
+    position: [2 * (i % 60), 0, -Math.floor(i / 60)],
+  }));
+  return { ...course, id: 'avoiding thousands', avoid, waypoints: [] };
+}
+
+// Where each of the queries stands in the report.
+const kHere = 0;
+const kElsewhere = 1;
+const kLost = 3;
+const kOfOthers = 4;
+const kThousands = 5;
+const kOddHulls = 6;
+const kCopiedMesh = 7;
+
 const file = options.sample({
   ...report,
-  levels: [level, { ...level, name: 'Another' }],
-  queries: [course, { ...course, id: 'elsewhere', level: 1 }],
+  levels: [level, named('Another'), oddHulls(), copiedMesh()],
+  queries: [
+    course,
+    { ...course, level: 1 },
+    without,
+    { ...without, id: 'without its level', level: -1, trajectories: [] },
+    ofOthers(),
+    avoidingThousands(),
+    { ...course, id: 'odd hulls', level: 2 },
+    { ...course, id: 'copied mesh', level: 3 },
+  ],
 });
 
 async function visit(page, query) {
   await page.evaluate((index) => window.obby.store.set({ query: index }), query);
-  await frames(page, 3);
+  await arrive(page);
 }
+
+test('queries of one id are told apart by their level', async ({ page }) => {
+  const names = await page.locator('.query .name').allTextContents();
+  assert.deepEqual(names.slice(0, 4), [
+    'whole course · Sample',
+    'whole course · Another',
+    'without jumping',
+    'without its level',
+  ]);
+});
 
 test('a level that is left frees what it held on the GPU', async ({ page }) => {
   const held = () => page.evaluate(() => ({ ...window.obby.stage.renderer.info.memory }));
-  await visit(page, 1);
-  await visit(page, 0);
+  await visit(page, kElsewhere);
+  await visit(page, kHere);
   const before = await held();
   assert.ok(before.geometries > 0 && before.textures > 0);
-  for (let round = 0; round < 3; round++) {
-    await visit(page, 1);
-    await visit(page, 0);
+  for (let round = 0; round < 2; round++) {
+    await visit(page, kElsewhere);
+    await visit(page, kHere);
   }
   assert.deepEqual(await held(), before);
 });
@@ -44,10 +120,10 @@ test('every level has the colours that the reader has chosen', async ({ page }) 
   await page.keyboard.press('c');
   const own = await colourOf();
   assert.notDeepEqual(own, byRole);
-  await visit(page, 1);
+  await visit(page, kElsewhere);
   assert.deepEqual(await colourOf(), own);
   await page.keyboard.press('c');
-  await visit(page, 0);
+  await visit(page, kHere);
   assert.deepEqual(await colourOf(), byRole);
 });
 
@@ -65,11 +141,72 @@ test('the wheel moves in from as far away as a large course takes', async ({ pag
   await page.evaluate(() => window.obby.stage.frameQuery(true));
 });
 
+test('a query without its level shows no picture of the one before', async ({ page }) => {
+  const seen = async () => ({
+    colours: (await colours(page, false)).different,
+    words: await page.evaluate(() =>
+      ['labels', 'hud'].map((id) => !document.getElementById(id).hidden),
+    ),
+  });
+  await visit(page, kHere);
+  const before = await seen();
+  assert.ok(before.colours > 40);
+  assert.deepEqual(before.words, [true, true]);
+  await visit(page, kLost);
+  assert.deepEqual(await seen(), { colours: 1, words: [false, false] });
+  await visit(page, kHere);
+  assert.ok((await seen()).colours > 40);
+});
+
+test('parts that the level does not have are told, and a click on them shows none', async ({
+  page,
+}) => {
+  await visit(page, kOfOthers);
+  assert.match(await page.locator('.findings').innerText(), /part 9999 to part 9998/);
+  assert.equal(await page.locator('.findings button:not(.way)').count(), 0);
+  await page.locator('.ends .killer').first().click();
+  const { part, killer } = await state(page);
+  assert.deepEqual([part, killer], [-1, 9999]);
+});
+
+test('of thousands of regions those are drawn and named that can be looked at', async ({
+  page,
+}) => {
+  await visit(page, kThousands);
+  const { boxes, labels } = await page.evaluate(() => {
+    const { group, labels: all } = window.obby.stage.regionView;
+    return { boxes: group.children.length, labels: all.length };
+  });
+  assert.deepEqual([boxes, labels], [2 + 500, 2 + 40], 'start and goal, and those to avoid');
+  const asked = await page.locator('.limits').innerText();
+  assert.match(asked, /3000 regions to avoid \(500 are drawn\)/);
+});
+
+test('a hull that is a line or a point keeps nothing else from being shown', async ({ page }) => {
+  await visit(page, kOddHulls);
+  assert.ok((await colours(page, false)).different > 40);
+  const drawn = (part) => window.obby.stage.levelView.slots[part].length;
+  assert.equal(await page.evaluate(drawn, level.hulls[0].part), 4);
+});
+
+test('parts of one mesh are drawn together', async ({ page }) => {
+  await visit(page, kCopiedMesh);
+  const { part } = level.hulls[0];
+  const meshes = await page.evaluate(
+    (i) =>
+      window.obby.stage.levelView.group.children
+        .filter((mesh) => mesh.userData.parts.includes(i))
+        .map((mesh) => mesh.userData.parts),
+    part,
+  );
+  assert.deepEqual(meshes, [[0, part]]);
+});
+
 test('all of that raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
 
-test('a picture that the GPU has lost is drawn again', async ({ browser }) => {
-  const { page } = await openReport(browser, file);
-  assert.ok((await colours(page)).different > 40);
+test('a picture that the GPU has lost is drawn again', async ({ page }) => {
+  await visit(page, kHere);
+  assert.ok((await colours(page, false)).different > 40);
   await page.evaluate(
     () =>
       new Promise((done) => {
@@ -82,7 +219,6 @@ test('a picture that the GPU has lost is drawn again', async ({ browser }) => {
   );
   await frames(page, 5);
   assert.ok((await colours(page, false)).different > 40, 'nothing was drawn');
-  await page.context().close();
 });
 
 test('answers without their level are told, and nothing in the picture fails', async ({
@@ -99,132 +235,6 @@ test('answers without their level are told, and nothing in the picture fails', a
   await page.locator('#view').click({ position: { x: 400, y: 300 } });
   await frames(page, 3);
   assert.equal((await state(page)).part, -1);
-  assert.deepEqual(trouble, []);
-  await page.context().close();
-});
-
-test('queries of one id are told apart by their level', async ({ browser }) => {
-  const two = options.sample({
-    ...report,
-    levels: [level, { ...level, name: 'Another' }],
-    queries: [course, without, { ...course, level: 1 }],
-  });
-  const { page, trouble } = await openReport(browser, two);
-  assert.deepEqual(await page.locator('.query .name').allTextContents(), [
-    'whole course · Sample',
-    'without jumping',
-    'whole course · Another',
-  ]);
-  assert.deepEqual(trouble, []);
-  await page.context().close();
-});
-
-test('a query without its level shows no picture of the one before', async ({ browser }) => {
-  const lost = { ...without, level: -1, trajectories: [] };
-  const mixed = options.sample({ ...report, levels: [level], queries: [course, lost] });
-  const { page, trouble } = await openReport(browser, mixed);
-  const seen = async () => ({
-    colours: (await colours(page, false)).different,
-    words: await page.evaluate(() =>
-      ['labels', 'hud'].map((id) => !document.getElementById(id).hidden),
-    ),
-  });
-  const before = await seen();
-  assert.ok(before.colours > 40);
-  assert.deepEqual(before.words, [true, true]);
-  await visit(page, 1);
-  assert.deepEqual(await seen(), { colours: 1, words: [false, false] });
-  await visit(page, 0);
-  assert.ok((await seen()).colours > 40);
-  assert.deepEqual(trouble, []);
-  await page.context().close();
-});
-
-test('parts that the level does not have are told, and a click on them shows none', async ({
-  browser,
-}) => {
-  const result = {
-    ...without.result,
-    cut: { ...without.result.cut, from: 9999, to: 9998, reached: [0, 9999] },
-    relaxations: [{ text: 'solvable without what was there', part: 9999, avoid: -1 }],
-    ends: [{ outcome: 'killed', part: 9999, count: '3' }],
-  };
-  const older = options.sample({
-    ...report,
-    levels: [level],
-    queries: [{ ...without, result, trajectories: [] }],
-  });
-  const { page, trouble } = await openReport(browser, older);
-  assert.match(await page.locator('.findings').innerText(), /part 9999 to part 9998/);
-  assert.equal(await page.locator('.findings button:not(.way)').count(), 0);
-  await page.locator('.ends .killer').first().click();
-  const { part, killer } = await state(page);
-  assert.deepEqual([part, killer], [-1, 9999]);
-  assert.deepEqual(trouble, []);
-  await page.context().close();
-});
-
-test('of thousands of regions those are drawn and named that can be looked at', async ({
-  browser,
-}) => {
-  const avoid = Array.from({ length: 3000 }, (_, i) => ({
-    ...course.avoid[0],
-    name: `Lava ${i}`,
-    position: [2 * (i % 60), 0, -Math.floor(i / 60)],
-  }));
-  const tagged = options.sample({
-    ...report,
-    levels: [level],
-    queries: [{ ...course, avoid, waypoints: [] }],
-  });
-  const { page, trouble } = await openReport(browser, tagged);
-  const { boxes, labels } = await page.evaluate(() => {
-    const { group, labels: all } = window.obby.stage.regionView;
-    return { boxes: group.children.length, labels: all.length };
-  });
-  assert.deepEqual([boxes, labels], [2 + 500, 2 + 40], 'start and goal, and those to avoid');
-  const asked = await page.locator('.limits').innerText();
-  assert.match(asked, /3000 regions to avoid \(500 are drawn\)/);
-  assert.deepEqual(trouble, []);
-  await page.context().close();
-});
-
-// Places have collision hulls that are flat, and made-up levels any.
-test('a hull that is a line or a point keeps nothing else from being shown', async ({
-  browser,
-}) => {
-  const part = level.hulls[0].part;
-  const hull = (numbers) => Buffer.from(Float32Array.from(numbers).buffer).toString('base64');
-  const pieces = [
-    hull([0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3]),
-    hull([1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0]),
-    hull([0, 0, 0, 4, 0, 0, 4, 0, 4, 0, 0, 4]),
-    hull([]),
-  ];
-  const odd = options.sample({ ...report, levels: [{ ...level, hulls: [{ part, pieces }] }] });
-  const { page, trouble } = await openReport(browser, odd);
-  assert.ok((await colours(page)).different > 40);
-  assert.equal(await page.evaluate((i) => window.obby.stage.levelView.slots[i].length, part), 4);
-  assert.deepEqual(trouble, []);
-  await page.context().close();
-});
-
-test('parts of one mesh are drawn together', async ({ browser }) => {
-  const { part, pieces } = level.hulls[0];
-  const shape = Buffer.from(level.parts.shape, 'base64');
-  shape[0] = shape[part];
-  const parts = { ...level.parts, shape: shape.toString('base64') };
-  const hulls = [0, part].map((each) => ({ part: each, pieces }));
-  const copied = options.sample({ ...report, levels: [{ ...level, parts, hulls }] });
-  const { page, trouble } = await openReport(browser, copied);
-  const meshes = await page.evaluate(
-    (i) =>
-      window.obby.stage.levelView.group.children
-        .filter((mesh) => mesh.userData.parts.includes(i))
-        .map((mesh) => mesh.userData.parts),
-    part,
-  );
-  assert.deepEqual(meshes, [[0, part]]);
   assert.deepEqual(trouble, []);
   await page.context().close();
 });

@@ -1,7 +1,7 @@
 // Starts obby-view --live, feeds it records, and opens its page with a count of what must not happen.
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
-import { frames } from './browser.mjs';
+import { frames, newPage } from './browser.mjs';
 
 // Records of a level that is solved, in order, without header and end.
 export function recordsOf(solver, ...words) {
@@ -48,8 +48,7 @@ export class Viewer {
 
 // `prepare`: is given the page before it has loaded anything.
 export async function openLive(browser, address, prepare = async () => {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
-  const page = await context.newPage();
+  const page = await newPage(browser);
   const trouble = [];
   const requests = [];
   const pieces = []; // answers of /data
@@ -68,15 +67,10 @@ export async function openLive(browser, address, prepare = async () => {}) {
   return { page, trouble, requests, pieces };
 }
 
-export async function started(page) {
-  await page.waitForFunction(() => window.obby?.stage?.width > 0);
-  await frames(page, 3);
-}
-
 // Waits until the page lists so many trajectories of the chosen query.
 export async function waysAre(page, count) {
   await page
-    .waitForFunction((n) => window.obby.query()?.paths.length === n, count, { timeout: 10000 })
+    .waitForFunction((n) => window.obby.query()?.paths.length === n, count, { timeout: 30000 })
     .catch(async () => {
       const found = await page.evaluate(() => window.obby.query()?.paths.length);
       assert.equal(found, count, 'trajectories listed');

@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { LiveReport } from '../../web/src/live_report.js';
-import { frames } from './browser.mjs';
+import { frames, started } from './browser.mjs';
 import { harness } from './harness.mjs';
-import { openLive, recordsOf, started, Viewer, waysAre } from './live_driver.mjs';
+import { openLive, recordsOf, Viewer, waysAre } from './live_driver.mjs';
 
 const { options, test, run } = harness();
 const stream = recordsOf(

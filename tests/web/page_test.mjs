@@ -3,12 +3,14 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { colours, frames, openReport, state } from './browser.mjs';
+import { arrive, colours, frames, openReport, state } from './browser.mjs';
 import { harness } from './harness.mjs';
 import { report } from './sample_report.mjs';
 
 const { options, test, run } = harness();
-const sample = options.sample(report);
+// The last two queries have the first one's id.
+const again = { ...report.queries[2], id: report.queries[0].id };
+const sample = options.sample({ ...report, queries: [...report.queries, again, again] });
 
 test('opens without errors, warnings or requests, and shows a picture', async ({
   page,
@@ -18,13 +20,13 @@ test('opens without errors, warnings or requests, and shows a picture', async ({
   const seen = await colours(page);
   assert.ok(seen.different > 40, `only ${seen.different} colours`);
   assert.ok(seen.share < 0.97, `${seen.share} of the view is one colour`);
-  await page.screenshot({ path: join(options.out, 'page.png') });
+  await options.picture(page, 'page');
   assert.deepEqual(trouble, []);
   assert.equal(requests.length, 1, requests.join());
 });
 
 test('lists queries with their verdicts and names as plain text', async ({ page }) => {
-  assert.equal(await page.locator('.query').count(), 4);
+  assert.equal(await page.locator('.query').count(), 6);
   assert.match(
     await page.locator('#side').innerText(),
     /whole course[\s\S]*Unreachable[\s\S]*Unknown/,
@@ -94,8 +96,7 @@ test('a click on a line in the view selects its trajectory', async ({ page }) =>
     };
   });
   await page.mouse.move(at.x, at.y);
-  await frames(page, 3);
-  assert.equal(await page.locator('#tip').isVisible(), true);
+  await page.locator('#tip').waitFor();
   await page.mouse.click(at.x, at.y);
   await frames(page);
   const { path, tick } = await state(page);
@@ -163,7 +164,7 @@ test('toggles, help and colours answer to their keys', async ({ page }) => {
   await page.keyboard.press('c');
   await page.keyboard.press('?');
   assert.equal(await page.locator('#help').isVisible(), true);
-  await page.screenshot({ path: join(options.out, 'help.png') });
+  await options.picture(page, 'help');
   await page.keyboard.press('?');
   assert.equal(await page.locator('#help').isVisible(), false);
 });
@@ -172,56 +173,52 @@ test('flying and wheel move the camera', async ({ page }) => {
   const eye = () => page.evaluate(() => window.obby.stage.rig.camera.position.toArray());
   const before = await eye();
   await page.keyboard.down('w');
-  await page.waitForTimeout(300);
+  await page.waitForFunction((from) => {
+    const now = window.obby.stage.rig.camera.position.toArray();
+    return Math.hypot(...now.map((v, i) => v - from[i])) > 1;
+  }, before);
   await page.keyboard.up('w');
-  await frames(page, 5);
-  const flown = await eye();
-  assert.ok(Math.hypot(...flown.map((v, i) => v - before[i])) > 1);
   const distance = () => page.evaluate(() => window.obby.stage.rig.goal.distance);
   const far = await distance();
   await page.mouse.move(700, 300);
   await page.mouse.wheel(0, -300);
-  await frames(page, 2);
-  assert.ok((await distance()) < far);
+  await page.waitForFunction((d) => window.obby.stage.rig.goal.distance < d, far);
 });
 
 test('a query chosen in the list is shown; a mismatch is called one', async ({ page }) => {
   await page.locator('.query').nth(3).click();
-  await frames(page, 3);
+  await arrive(page);
   assert.equal(await page.locator('.verdict').innerText(), 'Replay mismatch');
   assert.equal(await page.locator('.path.mismatch').count(), 1);
-  await page.screenshot({ path: join(options.out, 'mismatch.png') });
+  await options.picture(page, 'mismatch');
 });
 
-test('the address keeps query, trajectory and time', async ({ page, browser }) => {
-  await page.evaluate(() => window.obby.store.set({ query: 2 }));
-  await page.evaluate(() => window.obby.store.set({ path: 3, tick: 66 }));
-  await page.waitForFunction(() => location.hash.includes('t=1.100'));
-  const again = await openReport(browser, sample, await page.evaluate(() => location.hash));
-  const { query, path, tick } = await state(again.page);
-  assert.deepEqual([query, path, Math.round(tick)], [2, 3, 66]);
-  await again.page.context().close();
+test('the address keeps query, trajectory and time, and tells queries of one id apart', async ({
+  page,
+  browser,
+}) => {
+  for (const [index, nth] of [
+    [5, '2'],
+    [2, null],
+  ]) {
+    await page.evaluate((query) => window.obby.store.set({ query }), index);
+    await page.evaluate(() => window.obby.store.set({ path: 3, tick: 66 }));
+    await arrive(page);
+    await page.waitForFunction((n) => {
+      const values = new URLSearchParams(location.hash.slice(1));
+      return values.get('t') === '1.100' && values.get('n') === n;
+    }, nth);
+    const fragment = await page.evaluate(() => location.hash);
+    const opened = await openReport(browser, sample, { fragment });
+    const { query, path, tick } = await state(opened.page);
+    assert.deepEqual([query, path, Math.round(tick)], [index, 3, 66]);
+    await opened.page.context().close();
+  }
 });
 
 test('all of that raised no error and no request', async ({ trouble, requests }) => {
   assert.deepEqual(trouble, []);
   assert.equal(requests.length, 1, requests.join());
-});
-
-test('the address tells queries of one id apart', async ({ browser }) => {
-  const file = options.sample({
-    ...report,
-    queries: report.queries.map((query) => ({ ...query, id: 'whole' })),
-  });
-  const { page } = await openReport(browser, file);
-  await page.evaluate(() => window.obby.store.set({ query: 2 }));
-  await page.waitForFunction(() => location.hash.includes('n=2'));
-  const again = await openReport(browser, file, await page.evaluate(() => location.hash));
-  assert.equal((await state(again.page)).query, 2);
-  await page.evaluate(() => window.obby.store.set({ query: 0 }));
-  await page.waitForFunction(() => !location.hash.includes('n='));
-  await page.context().close();
-  await again.page.context().close();
 });
 
 test('a level alone has nothing to sort, filter or answer', async ({ browser }) => {
@@ -258,7 +255,7 @@ test('what obby-view writes opens, too', async ({ browser }) => {
   execFileSync(options.viewer, [stream, '-o', file], { stdio: 'inherit' });
   const { page, trouble, requests } = await openReport(browser, file);
   assert.ok((await colours(page)).different > 20);
-  await page.screenshot({ path: join(options.out, 'level.png') });
+  await options.picture(page, 'level');
   assert.deepEqual(trouble, []);
   assert.equal(requests.length, 1);
 });

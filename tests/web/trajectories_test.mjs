@@ -1,14 +1,12 @@
 // Trajectories: the list with its filters and sorting, colours, isolation, boxes, deaths.
 import assert from 'node:assert/strict';
-import { join } from 'node:path';
-import { frames, state } from './browser.mjs';
+import { arrive, frames, state } from './browser.mjs';
 import { harness } from './harness.mjs';
 import { report } from './sample_report.mjs';
 
 const { options, test, run } = harness();
 const set = (page, values) => page.evaluate((v) => window.obby.store.set(v), values);
 const paths = report.queries[0].trajectories;
-const picture = (page, name) => page.screenshot({ path: join(options.out, `${name}.png`) });
 
 // Line segments of attempts that are drawn.
 const drawn = (page) =>
@@ -69,7 +67,7 @@ test('colours by time, jumps, route, method and difficulty, with a legend', asyn
     assert.ok((await page.locator('.legend .swatch').count()) >= 2, mode);
     assert.notEqual(await colourOf(0), await colourOf(2), mode);
     await frames(page);
-    await picture(page, `colours-${mode}`);
+    await options.picture(page, `colours-${mode}`);
   }
   await page.locator('.choice.colorBy select').selectOption('method');
   assert.notEqual(await colourOf(0), await colourOf(1));
@@ -112,7 +110,7 @@ test('a click on a killer shows the ways that it ended', async ({ page }) => {
 test('a drawn box keeps what passes it, then drops it', async ({ page }) => {
   await page.locator('#view').focus();
   await page.keyboard.press('t');
-  await page.waitForTimeout(800);
+  await arrive(page);
   // Over the second step, which every way but the shortest passes.
   const corners = await page.evaluate(() => {
     const { rig, width, height } = window.obby.stage;
@@ -146,7 +144,7 @@ test('a drawn box keeps what passes it, then drops it', async ({ page }) => {
     new RegExp(`^${order.length} ways pass`),
   );
   await frames(page);
-  await picture(page, 'box');
+  await options.picture(page, 'box');
   await page.locator('.box select').selectOption('drop');
   const dropped = (await state(page)).order;
   assert.deepEqual(
@@ -205,13 +203,13 @@ test('the heat map counts each way once a cell, of those that are listed', async
   assert.equal(await most(), paths.filter((path) => path.outcome === 'killed').length);
   await set(page, { outcome: '' });
   await frames(page);
-  await picture(page, 'heat');
+  await options.picture(page, 'heat');
   const fold = page.getByRole('button', { name: 'Display' });
   await fold.click();
   await page.getByText('not of the search').click();
   assert.equal(await most(), 90, "the search's own cells");
   await frames(page);
-  await picture(page, 'heat-search');
+  await options.picture(page, 'heat-search');
   await fold.click();
   await page.keyboard.press('9');
   assert.equal(await page.evaluate(() => window.obby.stage.heat.group.children.length), 0);
@@ -231,7 +229,7 @@ test('the cut of an unreachable query is drawn and told, and what would help sho
   page,
 }) => {
   await set(page, { query: 1 });
-  await frames(page, 3);
+  await arrive(page);
   assert.match(
     await page.locator('.findings').innerText(),
     /Why there is no way[\s\S]*3 parts[\s\S]*Step 2 to Landing[\s\S]*1.5 studs of height/,
@@ -239,9 +237,8 @@ test('the cut of an unreachable query is drawn and told, and what would help sho
   assert.ok((await page.locator('#labels').textContent()).includes('✕ 1.5 studs of height'));
   await page.locator('.findings .text', { hasText: 'without Lava' }).click();
   assert.match(await page.locator('.inspector').innerText(), /Lava/);
-  await page.waitForTimeout(700);
-  await frames(page);
-  await picture(page, 'cut');
+  await arrive(page);
+  await options.picture(page, 'cut');
   await set(page, { query: 0 });
 });
 
