@@ -6,6 +6,7 @@
 #include "bridge/store.h"
 #include "io/json_codec.h"
 #include "io/json_tree.h"
+#include "io/utf8.h"
 
 namespace obby::bridge {
 namespace {
@@ -39,7 +40,7 @@ struct Collector {
   void onReport(std::string_view line) {
     const auto tree = io::JsonTree::parse(line);
     if (!tree) {
-      error = makeError(asUtf8(line.substr(0, 1000)));
+      error = makeError(io::validUtf8(line.substr(0, 1000)));
       return;
     }
     if (out.warnings.size() < kMaxWarnings) out.warnings.emplace_back(line);

@@ -9,6 +9,7 @@
 #include "bridge/json.h"
 #include "bridge/store.h"
 #include "io/json_tree.h"
+#include "io/utf8.h"
 
 namespace obby::bridge {
 namespace {
@@ -84,7 +85,7 @@ kj::Promise<void> Job::start(Loop& loop) {
       [this](std::string_view line) { onReport(line); });
   return run_->done().then([this](Exit how) { ending(how); },
                            [this](kj::Exception&& e) {
-                             fail(makeError(asUtf8(e.getDescription().cStr())));
+                             fail(makeError(io::validUtf8(e.getDescription().cStr())));
                              run_ = nullptr;
                            });
 }
@@ -105,7 +106,7 @@ void Job::onReport(std::string_view line) {
   if (line.size() > kMaxReport) line = line.substr(0, kMaxReport);
   const auto tree = io::JsonTree::parse(line);
   if (!tree || tree->root().type != io::JsonTree::Type::object) {
-    lastReport_ = asUtf8(line);
+    lastReport_ = io::validUtf8(line);
     client_->tell(
         number_,
         JsonObject().text("job", id()).text("type", "report").text("text", line).members());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "io/text.h"
+#include "io/utf8.h"
 
 namespace obby::bridge {
 namespace {
@@ -41,16 +42,6 @@ void append(std::string& out, const JsonTree& tree, const Node& node) {
 
 }  // namespace
 
-std::string asUtf8(std::string_view text) {
-  std::string out;
-  for (size_t i = 0; i < text.size();) {
-    const size_t n = io::utf8Length(text.substr(i, 4));
-    out += n == 0 ? std::string_view("\xef\xbf\xbd") : text.substr(i, n);
-    i += std::max<size_t>(n, 1);
-  }
-  return out;
-}
-
 void JsonObject::name(std::string_view name) {
   if (!out_.empty()) out_ += ',';
   io::appendJsonString(out_, name);
@@ -59,7 +50,7 @@ void JsonObject::name(std::string_view name) {
 
 JsonObject& JsonObject::text(std::string_view name, std::string_view value) {
   this->name(name);
-  io::appendJsonString(out_, io::isUtf8(value) ? value : asUtf8(value));
+  io::appendJsonString(out_, io::isUtf8(value) ? value : io::validUtf8(value));
   return *this;
 }
 

@@ -13,9 +13,6 @@
 
 namespace obby::bridge {
 
-// `text` with what is not UTF-8 replaced by U+FFFD: for texts that programs print.
-std::string asUtf8(std::string_view text);
-
 // `{"a":1,"b":"x"}`, members in the order of the calls.
 class JsonObject {
  public:

@@ -7,6 +7,7 @@
 #include "import/format/class_defaults.h"
 #include "import/pose_math.h"
 #include "import/record_values.h"
+#include "io/utf8.h"
 
 namespace obby::importer {
 namespace {
@@ -160,23 +161,10 @@ void setUnmodelled(schema::Level::Builder to, const LevelDraft& level) {
 
 std::string validUtf8(std::string_view text) {
   std::string out;
-  for (size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i]);
-    const size_t length = lead < 0x80                   ? 1
-                          : lead >= 0xc2 && lead < 0xe0 ? 2
-                          : lead >= 0xe0 && lead < 0xf0 ? 3
-                          : lead >= 0xf0 && lead < 0xf5 ? 4
-                                                        : 0;
-    bool good = length != 0 && lead != 0 && i + length <= text.size();
-    for (size_t k = 1; good && k < length; ++k)
-      good = (static_cast<unsigned char>(text[i + k]) & 0xc0) == 0x80;
-    if (good && length > 2) {  // over-long forms, surrogates, beyond U+10FFFF
-      const auto next = static_cast<unsigned char>(text[i + 1]);
-      good = !(lead == 0xe0 && next < 0xa0) && !(lead == 0xed && next >= 0xa0) &&
-             !(lead == 0xf0 && next < 0x90) && !(lead == 0xf4 && next >= 0x90);
-    }
-    out += good ? std::string(text.substr(i, length)) : std::string("\xef\xbf\xbd");
-    i += good ? length : 1;
+  for (size_t at = 0; at < text.size();) {
+    const io::Utf8Char c = io::nextChar(text, at);
+    at += c.bytes;
+    io::appendUtf8(out, c.code == 0 ? U'\xfffd' : c.code);  // a text of a record ends at a zero
   }
   return out;
 }

@@ -11,7 +11,7 @@ namespace obby::importer {
 // replacement characters.
 io::RecordBuilder levelRecord(const LevelDraft& level, const Tree& tree);
 
-// Bytes of any encoding as valid UTF-8: bad bytes become U+FFFD.
+// Bytes of any encoding as valid UTF-8: bad bytes and zeros become U+FFFD.
 std::string validUtf8(std::string_view text);
 
 }  // namespace obby::importer

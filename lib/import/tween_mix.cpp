@@ -110,10 +110,6 @@ std::optional<Motion> withBoth(TweenMixer& mixer, const RunningTween& a, const R
 
 }  // namespace
 
-bool setTheSame(const ScriptEvent& a, const ScriptEvent& b) {
-  return (a.places && b.places) || (a.turns && b.turns);
-}
-
 bool isMixed(const PoseEvents& events, double period) {
   double end = 0;
   for (const ScriptEvent* event : events) {

@@ -13,9 +13,6 @@ namespace obby::importer {
 // Tweens of a part and poses that are set, all with their frames, in the order of time.
 using PoseEvents = std::vector<const ScriptEvent*>;
 
-// Whether both set where the part is, or both which way it is turned.
-bool setTheSame(const ScriptEvent& a, const ScriptEvent& b);
-
 // Whether appendTween of one after the other would give another way: poses are set, a tween begins
 // before one before it has ended, or a script stops one. `period`: seconds of a round, 0 for what
 // comes but once.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "import/tween_mix.h"
 #include "import/tween_motion.h"
 #include "level/rotation.h"
 

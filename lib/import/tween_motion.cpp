@@ -77,6 +77,10 @@ EasingDirection reversed(EasingDirection direction) {
   return direction == EasingDirection::in ? EasingDirection::out : EasingDirection::in;
 }
 
+bool setTheSame(const ScriptEvent& a, const ScriptEvent& b) {
+  return (a.places && b.places) || (a.turns && b.turns);
+}
+
 Pose goalOf(const Pose& from, const ScriptEvent& event) {
   Pose goal = *event.frame;
   if (!event.places) goal.position = from.position;

@@ -8,6 +8,9 @@
 
 namespace obby::importer {
 
+// Whether both set where the part is, or both which way it is turned.
+bool setTheSame(const ScriptEvent& a, const ScriptEvent& b);
+
 // The pose that a tween from `from` leads to; what the event does not set stays.
 Pose goalOf(const Pose& from, const ScriptEvent& event);
 

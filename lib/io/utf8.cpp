@@ -49,6 +49,16 @@ std::string_view cutAtChar(std::string_view text, size_t most) {
   }
 }
 
+std::string validUtf8(std::string_view text) {
+  std::string out;
+  for (size_t at = 0; at < text.size();) {
+    const Utf8Char c = nextChar(text, at);
+    at += c.bytes;
+    appendUtf8(out, c.code);
+  }
+  return out;
+}
+
 std::string tamed(std::string_view text, bool ascii, char instead) {
   std::string out;
   for (size_t at = 0; at < text.size();) {

@@ -24,6 +24,9 @@ bool isControl(char32_t code);
 // The beginning of `text` that ends with a whole character, `most` bytes or fewer.
 std::string_view cutAtChar(std::string_view text, size_t most);
 
+// `text` with U+FFFD for each byte that is no UTF-8.
+std::string validUtf8(std::string_view text);
+
 // `text` for a terminal, as UTF-8: `instead` stands for each control character and each that turns
 // the direction of writing, U+FFFD for each byte that is no UTF-8. Where `ascii`, '?' stands for
 // all else beyond ASCII.

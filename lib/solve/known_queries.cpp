@@ -2,26 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "io/compact.h"
+
 namespace obby::solve {
 namespace {
 
-constexpr uint64_t kRoom = 8;           // words of a copy beside what it copies
 constexpr uint64_t kBookkeeping = 512;  // bytes of maps and allocations for each
-
-// Without the bytes that it came as, and with no room to grow: queries are small.
-io::Record copyOf(const io::Record& query) {
-  io::RecordBuilder copy(query.reader().totalSize().wordCount + kRoom);
-  copy.message().setRoot(query.reader());
-  return io::Record(std::move(copy));
-}
 
 }  // namespace
 
 uint64_t KnownQueries::bytesOf(const std::string& level, const io::Record& query) {
-  const auto reader = query.reader();
-  const uint64_t words = reader.totalSize().wordCount + kRoom;
-  const uint64_t names = level.size() + reader.getQuery().getId().size();
-  return words * sizeof(capnp::word) + 2 * names + kBookkeeping;
+  const uint64_t names = level.size() + query.reader().getQuery().getId().size();
+  return io::compactBytes(query) + 2 * names + kBookkeeping;
 }
 
 void KnownQueries::add(const std::string& level, const io::Record& query) {
@@ -31,7 +25,7 @@ void KnownQueries::add(const std::string& level, const io::Record& query) {
   const uint64_t bytes = bytesOf(level, query);
   bytes_ += bytes;
   byAge_.emplace(added_, key);
-  queries_.emplace(std::move(key), Kept{copyOf(query), bytes, added_});
+  queries_.emplace(std::move(key), Kept{io::compact(query), bytes, added_});
   ++added_;
   while (bytes_ > mostBytes_ && queries_.size() > 1) {
     forget(queries_.find(byAge_.begin()->second));

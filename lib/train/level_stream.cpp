@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/random.h"
+#include "io/compact.h"
 #include "level/resolve_places.h"
 
 namespace obby::train {
@@ -16,19 +17,8 @@ namespace {
 constexpr uint64_t kChoiceSeed = 0x7475726e;
 
 constexpr size_t kHolder = 512;  // bytes of what holds a record, about
-constexpr size_t kRoot = 16;     // words of a record's root, twice, and more
 
-size_t bytesOf(const io::Record& record) {
-  return record.reader().totalSize().wordCount * sizeof(capnp::word) + kHolder;
-}
-
-// With as much memory as bytesOf() says. What was read has room to grow, of which a small query has
-// twenty times what it takes, and the text that it came from.
-io::Record tight(const io::Record& record) {
-  io::RecordBuilder copy(record.reader().totalSize().wordCount + kRoot);
-  copy.message().setRoot(record.reader());
-  return io::Record(std::move(copy));
-}
+size_t bytesOf(const io::Record& record) { return io::compactBytes(record) + kHolder; }
 
 // The query with the boxes of the parts that it names.
 Result<io::Record> withPlaces(const io::Record& level, const io::Record& query) {
@@ -138,7 +128,8 @@ Status LevelStream::Reader::take(const io::Record& record) {
 }
 
 void LevelStream::Reader::know(const io::Record& level) {
-  levels.push_back({level.reader().getLevel().getName(), tight(level), bytesOf(level), false});
+  levels.push_back(
+      {level.reader().getLevel().getName(), io::compact(level), bytesOf(level), false});
   reach += levels.back().bytes;
   const auto tooMany = [&] {
     return levels.size() > settings.levelsInReach ||
@@ -174,7 +165,7 @@ Status LevelStream::Reader::takeQuery(const io::Record& record) {
   if (!compiled) return source.forgive(record, compiled.error());
   const size_t more = std::exchange(level->counted, true) ? 0 : level->bytes;
   const size_t recordBytes = more + bytesOf(*query);
-  add({level->record, tight(*query), *std::move(compiled)}, recordBytes);
+  add({level->record, io::compact(*query), *std::move(compiled)}, recordBytes);
   return {};
 }
 

@@ -7,6 +7,7 @@
 #include "bridge/ring.h"
 #include "io/json_tree.h"
 #include "io/text.h"
+#include "io/utf8.h"
 
 namespace obby::bridge {
 namespace {
@@ -111,7 +112,7 @@ TEST(Fragments, long_records_come_back_from_their_pieces) {
 }
 
 TEST(Json, what_is_no_utf8_is_replaced) {
-  EXPECT_EQ(asUtf8("a\xff\xc3z"), "a\xef\xbf\xbd\xef\xbf\xbdz");
+  EXPECT_EQ(io::validUtf8("a\xff\xc3z"), "a\xef\xbf\xbd\xef\xbf\xbdz");
   EXPECT_EQ(JsonObject().text("a", "\xff").whole(), "{\"a\":\"\xef\xbf\xbd\"}");
 }
 

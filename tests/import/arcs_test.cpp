@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "import/constraint_scene.h"
 #include "import/motion_checks.h"
 
 namespace obby::test {
@@ -12,11 +13,7 @@ TEST(Arcs, WhatIsWeldedToADoorGoesRoundIt) {
   const std::pair<const char*, float> cases[] = {{"Linear", 45}, {"Quad", 22.5f}};
   for (const auto& [easing, degrees] : cases) {
     Scene scene;
-    const auto hub = scene.part("Hub"), arm = scene.part("Arm", {10, 0, 0});
-    scene.set(arm, "Anchored", false);
-    const auto weld = scene.add("WeldConstraint", "Weld", hub);
-    scene.set(weld, "Part0", Ref{hub});
-    scene.set(weld, "Part1", Ref{arm});
+    const auto [hub, arm] = joined(scene, "WeldConstraint");
     scene.script(
         "game:GetService('TweenService'):Create(workspace.Hub, TweenInfo.new(1, "
         "Enum.EasingStyle." +

@@ -42,4 +42,17 @@ inline Constraint servoed(Scene& scene) {
   return c;
 }
 
+// An arm that hangs on an anchored hub ten studs away, by a joint of a class that is called "Weld".
+struct Joined {
+  InstanceId hub, arm;
+};
+inline Joined joined(Scene& scene, const char* className) {
+  const Joined j{scene.part("Hub"), scene.part("Arm", {10, 0, 0})};
+  scene.set(j.arm, "Anchored", false);
+  const auto joint = scene.add(className, "Weld", j.hub);
+  scene.set(joint, "Part0", Ref{j.hub});
+  scene.set(joint, "Part1", Ref{j.arm});
+  return j;
+}
+
 }  // namespace obby::test

@@ -1,6 +1,7 @@
 // Moving and spinning parts: tweens, loops, kits, constraints.
 #include <algorithm>
 
+#include "import/constraint_scene.h"
 #include "import/motion_checks.h"
 
 namespace obby::test {
@@ -171,11 +172,7 @@ TEST(Motion, AKillPartMaySpinToo) {
 
 TEST(Motion, WeldedPlatformsFollowTheirHub) {
   Scene scene;
-  const auto hub = scene.part("Hub"), arm = scene.part("Arm", {10, 0, 0});
-  scene.set(arm, "Anchored", false);
-  const auto weld = scene.add("WeldConstraint", "Weld", hub);
-  scene.set(weld, "Part0", Ref{hub});
-  scene.set(weld, "Part1", Ref{arm});
+  const auto [hub, arm] = joined(scene, "WeldConstraint");
   scene.script("while true do script.Parent.CFrame *= CFrame.Angles(0, 0.1, 0) task.wait() end",
                hub);
   scene.level();

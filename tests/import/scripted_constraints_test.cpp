@@ -72,11 +72,7 @@ TEST(ScriptedConstraint, AHingeWithLimitsDoesNotTurnForEver) {
 
 TEST(ScriptedConstraint, AJointThatAScriptTurnsIsNamed) {
   Scene scene;
-  const auto hub = scene.part("Hub"), arm = scene.part("Arm", {10, 0, 0});
-  scene.set(arm, "Anchored", false);
-  const auto weld = scene.add("Weld", "Weld", hub);
-  scene.set(weld, "Part0", Ref{hub});
-  scene.set(weld, "Part1", Ref{arm});
+  joined(scene, "Weld");
   scene.script("workspace.Hub.Weld.C0 = CFrame.new(1, 0, 0)", scene.scripts);
   scene.level();
   EXPECT_EQ(scene.unmodelled("joint that a script turns"), 0u);

@@ -1,0 +1,23 @@
+#include "io/compact.h"
+
+#include <utility>
+
+namespace obby::io {
+namespace {
+
+// Words of a record's root, twice, and more: it is made before it is copied.
+constexpr uint64_t kRoot = 16;
+
+uint64_t wordsOf(const Record& record) { return record.reader().totalSize().wordCount + kRoot; }
+
+}  // namespace
+
+uint64_t compactBytes(const Record& record) { return wordsOf(record) * sizeof(capnp::word); }
+
+Record compact(const Record& record) {
+  RecordBuilder copy(wordsOf(record));
+  copy.message().setRoot(record.reader());
+  return Record(std::move(copy));
+}
+
+}  // namespace obby::io
