@@ -1,19 +1,39 @@
 #include "cli/stop.h"
 
 #include <signal.h>
+#include <time.h>
 #include <unistd.h>
+
+#include <cstdint>
 
 namespace obby::cli {
 namespace {
 
 std::atomic<bool> stopped{false};
 std::atomic<int> signalNumber{0};
-static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
+std::atomic<int64_t> stoppedAt{0};  // milliseconds
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free &&
+              std::atomic<int64_t>::is_always_lock_free);
 
 constexpr int kSignalExit = 128;
+// timeout(1) and other launchers send one signal twice, to a process and to its group. Nobody
+// presses Ctrl-C again so soon.
+constexpr int64_t kMoment = 300;  // milliseconds
+
+// Of a clock that a handler may ask.
+int64_t milliseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return int64_t(now.tv_sec) * 1000 + int64_t(now.tv_nsec) / 1000000;
+}
 
 void onSignal(int number) {
-  if (number == SIGINT && stopped.load()) _exit(kSignalExit + number);
+  const int64_t now = milliseconds();
+  if (!stopped.load()) {
+    stoppedAt.store(now);
+  } else if (number == SIGINT && now - stoppedAt.load() >= kMoment) {
+    _exit(kSignalExit + number);
+  }
   signalNumber.store(number);
   stopped.store(true);
 }

@@ -1,4 +1,5 @@
-// SIGINT and SIGTERM: the first asks the tool to finish what is done, a second SIGINT ends it.
+// SIGINT and SIGTERM: the first asks the tool to finish what is done, a SIGINT some time after it
+// ends it. One that comes at once is the same signal, sent twice.
 #pragma once
 
 #include <atomic>

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Solves the queries of one level and compares the verdicts with levels/expected.tsv.
 #   check.sh BIN LEVELS FILE
-# Queries that should be solved get a generous time limit, the others a short one, since those run to its end. Rows
-# marked `bench` are for bench_solve only.
+# Queries that should be solved, or shown to have no solution, get a generous time limit, the others a short one, since
+# those run to its end. Rows marked `bench` are for bench_solve only.
 set -euo pipefail
 bin=$1 levels=$2 file=$3
 
@@ -37,10 +37,10 @@ awk -F'\t' -v file="$file" '$1 == file && $4 == "test" { print $2 "\t" $3 }' "$l
   sort >"$work/expected"
 [ -s "$work/expected" ] || { echo "check: expected.tsv has no row for $file"; exit 1; }
 stream >"$work/stream"
-awk -F'\t' '$2 == "solved" { print $1 }' "$work/expected" >"$work/solvable"
-awk -F'\t' '$2 != "solved" { print $1 }' "$work/expected" >"$work/others"
+awk -F'\t' '$2 != "unsolved" { print $1 }' "$work/expected" >"$work/decided"
+awk -F'\t' '$2 == "unsolved" { print $1 }' "$work/expected" >"$work/others"
 
-for group in "solvable 40" "others 4"; do
+for group in "decided 40" "others 4"; do
   read -r ids limit <<<"$group"
   [ -s "$work/$ids" ] || continue
   select_queries "$work/$ids" <"$work/stream" | "$bin/obby-solve" -q --time-limit "$limit" | verdicts >>"$work/raw"

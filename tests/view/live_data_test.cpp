@@ -157,13 +157,15 @@ TEST(GrowingReport, LooksWhileAnotherThreadReads) {
   auto left = walk(kLeft, 60);
   const std::string way = line(left);
   view::GrowingReport report(strict());
+  std::atomic<size_t> looks{0};
   std::thread reading([&] {
     EXPECT_TRUE(report.add(recordOf(kLevel)));
     EXPECT_TRUE(report.add(recordOf(kQuery)));
+    while (looks == 0) std::this_thread::yield();  // or all may be over before the other begins
     for (int i = 0; i < kWays; ++i) EXPECT_TRUE(report.add(recordOf(way)));
     EXPECT_TRUE(report.end(view::StreamState::ended, {"a note"}));
   });
-  size_t last = 0, looks = 0;
+  size_t last = 0;
   bool ended = false;
   while (!ended) {
     report.look([&](const view::Report& seen, view::StreamState state) {
@@ -180,7 +182,7 @@ TEST(GrowingReport, LooksWhileAnotherThreadReads) {
   }
   reading.join();
   EXPECT_EQ(last, size_t(kWays));
-  EXPECT_GT(looks, 1u);
+  EXPECT_GT(looks.load(), 1u);
   EXPECT_FALSE(report.look([](const view::Report&, view::StreamState) {}));  // nothing is new
 }
 

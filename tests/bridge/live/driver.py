@@ -89,7 +89,7 @@ def sanitized():
     return "memory = 0" in config
 
 
-def eventually(what, seconds=20):
+def eventually(what, seconds=60):
     """Whether what() becomes true."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
@@ -140,7 +140,7 @@ class Bridge:
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGTERM)
             try:
-                self.process.wait(20)
+                self.process.wait(60)
             except subprocess.TimeoutExpired:
                 self.process.kill()
                 self.process.wait()
@@ -155,7 +155,7 @@ class Bridge:
 
     OWN = object()
 
-    def request(self, method, path, body=None, headers=None, token=OWN, timeout=60):
+    def request(self, method, path, body=None, headers=None, token=OWN, timeout=120):
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=timeout)
         try:
             headers = dict(headers or {})
@@ -192,7 +192,7 @@ class Bridge:
         assert answer.status == 202, answer.body
         return answer.json()
 
-    def messages(self, job, cursor=None, until=lambda m: False, seconds=60):
+    def messages(self, job, cursor=None, until=lambda m: False, seconds=180):
         """All messages of a job by long polls, until it has ended or until() is true of one."""
         out, end = [], time.monotonic() + seconds
         while time.monotonic() < end:
@@ -209,7 +209,7 @@ class Bridge:
 
     # --- WebSocket
 
-    def socket(self, timeout=30):
+    def socket(self, timeout=60):
         return socket.create_connection(("127.0.0.1", self.port), timeout=timeout)
 
     def events(self, query="", **headers):
@@ -264,7 +264,7 @@ class WebSocket:
             return ("close", struct.unpack(">H", payload[:2])[0])
         return json.loads(payload)
 
-    def until(self, wanted, seconds=60):
+    def until(self, wanted, seconds=120):
         """Messages up to the first one that is wanted."""
         out, end = [], time.monotonic() + seconds
         while time.monotonic() < end:

@@ -35,7 +35,7 @@ class Viewer:
         self.process.stdin.flush()
 
     def get(self, path, more=""):
-        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=30)
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
         try:
             connection.request("GET", f"{path}?token={self.token}{more}")
             answer = connection.getresponse()
@@ -47,7 +47,7 @@ class Viewer:
         return json.loads(self.get("/data", f"&from={revision}")[2])
 
     def socket(self):
-        return socket.create_connection(("127.0.0.1", self.port), timeout=30)
+        return socket.create_connection(("127.0.0.1", self.port), timeout=60)
 
     def listen(self):
         """A connection that has the head of /events behind it."""
@@ -73,7 +73,7 @@ class Viewer:
         if number:
             self.process.send_signal(number)
         try:
-            self.process.wait(30)  # before its input is closed, which would be an end of the stream
+            self.process.wait(60)  # before its input is closed, which would be an end of the stream
             said = self.process.communicate()[1]
         except subprocess.TimeoutExpired:
             self.process.kill()
@@ -255,7 +255,7 @@ class PagesTest(unittest.TestCase):
         viewer.write(QUERY)
         while b'"revision":2}' not in seen:
             seen += listener.recv(4096)
-        self.assertLess(time.monotonic() - begun, 5)
+        self.assertLess(time.monotonic() - begun, 30)
         slow.close()
         listener.close()
         self.assertEqual(viewer.end()[0], 130)
@@ -287,7 +287,7 @@ class EndTest(unittest.TestCase):
         viewer.write(LEVEL)
         begun = time.monotonic()
         self.assertEqual(viewer.end()[0], 130)
-        self.assertLess(time.monotonic() - begun, 3)
+        self.assertLess(time.monotonic() - begun, 15)
 
     def test_the_file_is_written_when_the_stream_ends_or_is_interrupted(self):
         with tempfile.TemporaryDirectory() as folder:
