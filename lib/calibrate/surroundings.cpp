@@ -105,8 +105,9 @@ Vec3 turnBetween(Quat from, Quat to) { return rotationVector(toMat3(to) * invers
 
 Status place(Track& track, schema::Level::Reader record, const level::Level& level) {
   track.parts.clear();
+  level::PartIndex parts(record);
   for (size_t i = 0; i < track.shown.size(); ++i) {
-    const auto part = level::matchPart(record, track.shown[i]);
+    const auto part = level::matchPart(parts, track.shown[i]);
     if (!part) {
       Error error = part.error();
       error.path = fmt::format("parts[{}]", i);

@@ -7,8 +7,8 @@
 namespace obby::geom {
 
 struct Region {
-  Pose pose;
-  Vec3 half;
+  Pose pose;  // of its centre
+  Vec3 half;  // half extents, studs
 };
 
 // Does the segment a..b meet the region?

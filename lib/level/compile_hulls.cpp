@@ -11,7 +11,7 @@
 namespace obby::level {
 namespace {
 
-// Of more corners than this the box around them is taken: the work grows with their fourth power.
+// Of more corners than this the box around them is taken: the work grows with their third power.
 constexpr size_t kMostThickened = 64;
 
 Result<std::vector<Vec3>> verticesOf(schema::Hull::Reader record, const std::string& path) {

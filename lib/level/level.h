@@ -58,7 +58,8 @@ schema::Interval::Reader paramRange(const std::string& name);
 // A query over a level: owns its regions.
 class Query {
  public:
-  // The places that it names must be resolved (resolve_places.h).
+  // The places that it names must be resolved (resolve_places.h). Errors have `path` set, from the
+  // query's fields on.
   static Result<Query> compile(schema::Query::Reader record, const Level& level);
 
   QueryView view() const;  // valid while this object lives

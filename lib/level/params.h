@@ -38,7 +38,7 @@ struct Params {
   float substepSeconds;  // tickSeconds / substeps
   float slopeNormalY;    // cos(maxSlope): floors whose normal has a smaller Y are slid down
   uint16_t landedTicks;  // times above, rounded to whole ticks
-  uint16_t coyoteTicks;  // these are at least 1
+  uint16_t coyoteTicks;  // this and those below: at least 1
   uint16_t graceTicks;
   uint16_t squeezeTicks;
   uint16_t sleepTicks;

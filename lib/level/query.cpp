@@ -30,7 +30,11 @@ Result<StartPose> startPose(schema::Query::Reader record, const Level& level) {
     // the centre else.
     const Vec3 up{box.pose.rotation.x.y, box.pose.rotation.y.y, box.pose.rotation.z.y};
     const float drop = absf(up.y) > 0.999f ? box.half.y : dot(abs(up), box.half);
-    return StartPose{box.pose.position - Vec3{0, drop, 0}, yaw, start.getTick()};
+    const Vec3 feet = box.pose.position - Vec3{0, drop, 0};
+    if (feet.y < -kMaxCoordinate) {
+      return pathError("start.region", "expected a floor within 1000000 studs");
+    }
+    return StartPose{feet, yaw, start.getTick()};
   }
   const int32_t spawn = start.getSpawn() == -1 ? 0 : start.getSpawn();
   if (spawn < 0 || size_t(spawn) >= level.spawns().size()) {

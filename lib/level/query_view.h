@@ -41,7 +41,7 @@ struct QueryView {
   uint32_t timeLimitTicks = 0;  // 0: none
   uint32_t startTick = 0;       // level clock at the start of the playthrough
   SegmentLimits last{};         // of the segment that ends at the goal
-  float maxDamage = -1;         // -1: any
+  float maxDamage = -1;         // health; -1: any
   uint32_t forbidden = 0;       // sim::State values, a bit each
 };
 

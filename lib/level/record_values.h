@@ -37,6 +37,7 @@ inline bool isFinite(Vec3 v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+// Here and below: the value, or an error about `path`. Studs, each within kMaxCoordinate.
 inline Result<Vec3> position(schema::Vec3::Reader record, const std::string& path) {
   const Vec3 v = vec(record);
   if (!isFinite(v) || maxf(absf(v.x), maxf(absf(v.y), absf(v.z))) > kMaxCoordinate) {
@@ -64,6 +65,7 @@ inline Result<float> angle(float radians, const std::string& path) {
   return radians;
 }
 
+// Made a unit quaternion, of any with a length between 0.001 and 1000.
 inline Result<Quat> quaternion(schema::Quat::Reader record, const std::string& path) {
   const Quat q{record.getX(), record.getY(), record.getZ(), record.getW()};
   const float n2 = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
@@ -77,6 +79,7 @@ inline Result<Mat3> rotation(schema::Quat::Reader record, const std::string& pat
   return toMat3(q);
 }
 
+// The box, which must have a size above 0 each way; not the part that it may name.
 inline Result<geom::Region> region(schema::Region::Reader record, const std::string& path) {
   OBBY_ASSIGN(const Vec3 center, position(record.getPosition(), path + ".position"));
   OBBY_ASSIGN(const Mat3 axes, rotation(record.getRotation(), path + ".rotation"));

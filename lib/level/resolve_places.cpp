@@ -25,13 +25,32 @@ void fill(schema::Region::Builder record, const PlainRegion& box, uint32_t part)
   record.setPartIndex(int32_t(part));
 }
 
-Status resolve(schema::Level::Reader level, schema::Region::Builder region, const std::string& path,
+Status resolve(PartIndex& index, schema::Region::Builder region, const std::string& path,
                bool start = false) {
   if (region.getPart().size() == 0) return {};
-  const auto part = matchPart(level, region.getPart().cStr());
+  const auto part = matchPart(index, region.getPart().cStr());
   if (!part) return inField(part.error(), path);
-  const auto record = level.getParts()[*part];
+  const auto record = index.level().getParts()[*part];
   fill(region, start ? regionOnTop(record) : regionAround(record), *part);
+  return {};
+}
+
+// Any part that the goal's tag fits is a goal: the first, and the others as further ones.
+Status spreadGoal(PartIndex& index, schema::Query::Builder query) {
+  const std::string selector = query.getGoal().getPart().cStr();
+  if (!selector.starts_with("#")) return {};
+  const auto parts = matchParts(index, selector);
+  if (!parts) return inField(parts.error(), "goal");
+  if (parts->size() == 1) return {};
+  const auto old = query.disownGoals();
+  const uint32_t before = old.getReader().size(), others = uint32_t(parts->size() - 1);
+  auto goals = query.initGoals(before + others);
+  for (uint32_t i = 0; i < before; ++i) goals.setWithCaveats(i, old.getReader()[i]);
+  for (uint32_t i = 0; i < others; ++i) {
+    goals.setWithCaveats(before + i, query.getGoal().asReader());
+    goals[before + i].setPart(fmt::format("part:{}", (*parts)[i + 1]));
+  }
+  query.getGoal().setPart(fmt::format("part:{}", parts->front()));
   return {};
 }
 
@@ -45,7 +64,7 @@ struct Entry {
 // Finds the parts of a query's lists: each selector once, however often it is listed.
 class ListedParts {
  public:
-  explicit ListedParts(schema::Level::Reader level) : level_(level) {}
+  explicit ListedParts(PartIndex& index) : index_(index) {}
 
   Result<std::vector<Entry>> entriesOf(capnp::List<schema::Region>::Reader list, const char* name) {
     std::vector<Entry> entries;
@@ -76,15 +95,15 @@ class ListedParts {
     if (known != known_.end()) return &known->second;
     std::vector<uint32_t> parts;
     if (selector.starts_with("#")) {
-      OBBY_ASSIGN(parts, matchParts(level_, selector));
+      OBBY_ASSIGN(parts, matchParts(index_, selector));
     } else {
-      OBBY_ASSIGN(const uint32_t part, matchPart(level_, selector));
+      OBBY_ASSIGN(const uint32_t part, matchPart(index_, selector));
       parts.push_back(part);
     }
     return &known_.emplace(selector, std::move(parts)).first->second;
   }
 
-  schema::Level::Reader level_;
+  PartIndex& index_;
   std::unordered_map<std::string, std::vector<uint32_t>> known_;
   size_t places_ = 0;  // that parts stand for, in all lists
 };
@@ -125,19 +144,23 @@ bool namesParts(schema::Query::Reader query) {
 }
 
 Status resolvePlaces(schema::Level::Reader level, schema::Query::Builder query) {
+  PartIndex index(level);
   if (query.hasStart() && query.getStart().hasRegion()) {
-    OBBY_RETURN_IF_ERROR(resolve(level, query.getStart().getRegion(), "start.region", true));
+    OBBY_RETURN_IF_ERROR(resolve(index, query.getStart().getRegion(), "start.region", true));
   }
-  if (query.hasGoal()) OBBY_RETURN_IF_ERROR(resolve(level, query.getGoal(), "goal"));
+  if (query.hasGoal()) {
+    OBBY_RETURN_IF_ERROR(spreadGoal(index, query));
+    OBBY_RETURN_IF_ERROR(resolve(index, query.getGoal(), "goal"));
+  }
   if (query.hasWaypoints()) {
     auto waypoints = query.getWaypoints();
     for (uint32_t i = 0; i < waypoints.size(); ++i) {
       if (!waypoints[i].hasRegion()) continue;
       OBBY_RETURN_IF_ERROR(
-          resolve(level, waypoints[i].getRegion(), fmt::format("waypoints[{}].region", i)));
+          resolve(index, waypoints[i].getRegion(), fmt::format("waypoints[{}].region", i)));
     }
   }
-  ListedParts listed(level);
+  ListedParts listed(index);
   OBBY_RETURN_IF_ERROR(resolveList(
       level, listed, "avoid", [&] { return query.disownAvoid(); },
       [&](uint32_t n) { return query.initAvoid(n); }));

@@ -17,7 +17,8 @@ bool namesParts(schema::Query::Reader query);
 constexpr size_t kMaxPlaces = 100000;
 
 // Gives every region of the query with a `part` its box, its name and its partIndex; an entry of a
-// list whose #tag fits several parts becomes one entry for each. Resolving twice changes nothing.
+// list whose #tag fits several parts becomes one entry for each; such a goal becomes the first of
+// them, with the others among the goals. Resolving twice changes nothing.
 // Errors: a selector that fits no part, or several where one is meant; its path is the region's.
 // More than kMaxPlaces places.
 Status resolvePlaces(schema::Level::Reader level, schema::Query::Builder query);

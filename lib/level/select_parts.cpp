@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "level/record_values.h"
 
@@ -18,29 +19,6 @@ constexpr size_t kShown = 5;        // candidates in a hint
 constexpr float kGrowUp = 0.5f;     // studs
 constexpr float kGrowSide = 1;      // studs
 constexpr float kStandingRoom = 5;  // studs
-
-// Lives as long as the record.
-std::string_view pathOf(schema::Part::Reader part) {
-  const auto path = part.getSource().getPath();
-  const auto text = path.size() > 0 ? path : part.getName();
-  return {text.cStr(), text.size()};
-}
-
-template <class Test>
-std::vector<uint32_t> partsWhere(schema::Level::Reader level, const Test& test) {
-  std::vector<uint32_t> found;
-  uint32_t i = 0;
-  for (const auto part : level.getParts()) {
-    if (test(part)) found.push_back(i);
-    ++i;
-  }
-  return found;
-}
-
-bool endsAfterSlash(std::string_view path, std::string_view tail) {
-  return path.size() > tail.size() && path.ends_with(tail) &&
-         path[path.size() - tail.size() - 1] == '/';
-}
 
 std::string lower(std::string_view of) {
   std::string text(of);
@@ -56,36 +34,51 @@ std::string listParts(schema::Level::Reader level, const std::vector<uint32_t>& 
   return parts.size() > kShown ? fmt::format("{}, and {} more", text, parts.size() - kShown) : text;
 }
 
+// Parts whose path has the text in it, in lower case, for a hint.
+std::string similarParts(schema::Level::Reader level, const std::string& wanted) {
+  std::vector<uint32_t> similar;
+  uint32_t i = 0;
+  for (const auto part : level.getParts()) {
+    const bool has = !wanted.empty() && lower(pathOf(part)).find(wanted) != std::string::npos;
+    if (has) similar.push_back(i);
+    ++i;
+  }
+  return listParts(level, similar);
+}
+
+// The first few tags that have the text in them, in lower case, for a hint.
+std::string similarTags(schema::Level::Reader level, const std::string& wanted) {
+  std::vector<std::string> similar;
+  for (const auto part : level.getParts()) {
+    for (const auto tag : part.getTags()) {
+      std::string text = "#" + std::string(tag.cStr(), tag.size());
+      if (wanted.empty() || lower(text).find(wanted, 1) == std::string::npos) continue;
+      if (std::find(similar.begin(), similar.end(), text) != similar.end()) continue;
+      similar.push_back(std::move(text));
+      if (similar.size() == kShown) return fmt::format("{}", fmt::join(similar, ", "));
+    }
+  }
+  return fmt::format("{}", fmt::join(similar, ", "));
+}
+
 Error noPart(schema::Level::Reader level, const std::string& selector) {
-  const std::string wanted = lower(selector);
-  const auto similar = partsWhere(level, [&](schema::Part::Reader part) {
-    return !wanted.empty() && lower(pathOf(part)).find(wanted) != std::string::npos;
-  });
+  std::string similar;
+  if (selector.starts_with("#")) similar = similarTags(level, lower(selector.substr(1)));
+  if (similar.empty()) similar = similarParts(level, lower(selector));
   return makeError(
       fmt::format("no part of level '{}' is named '{}'", level.getName().cStr(), selector),
       similar.empty() ? "a part is named by name, path or its end, GUID, #tag or "
                         "part:INDEX; a box is x,y,z,sx,sy,sz"
-                      : "similar: " + listParts(level, similar));
+                      : "similar: " + similar);
 }
 
-std::vector<uint32_t> matchName(schema::Level::Reader level, const std::string& name) {
+std::vector<uint32_t> matchName(PartIndex& parts, const std::string& name) {
   if (name.empty()) return {};
-  auto found = partsWhere(level, [&](auto p) { return p.getSource().getGuid() == name.c_str(); });
-  if (found.empty()) found = partsWhere(level, [&](auto p) { return pathOf(p) == name; });
-  if (found.empty()) found = partsWhere(level, [&](auto p) { return p.getName() == name.c_str(); });
-  if (found.empty()) {
-    found = partsWhere(level, [&](auto p) { return endsAfterSlash(pathOf(p), name); });
-  }
+  auto found = parts.withGuid(name);
+  if (found.empty()) found = parts.withPath(name);
+  if (found.empty()) found = parts.withName(name);
+  if (found.empty()) found = parts.withPathEnd(name);
   return found;
-}
-
-std::vector<uint32_t> matchTag(schema::Level::Reader level, const std::string& tag) {
-  return partsWhere(level, [&](schema::Part::Reader part) {
-    for (const auto t : part.getTags()) {
-      if (t == tag.c_str()) return true;
-    }
-    return false;
-  });
 }
 
 // -1: not of the form part:N.
@@ -113,7 +106,8 @@ std::string describePart(schema::Level::Reader level, uint32_t part) {
   return fmt::format("part:{} {}", part, pathOf(level.getParts()[part]));
 }
 
-Result<std::vector<uint32_t>> matchParts(schema::Level::Reader level, const std::string& selector) {
+Result<std::vector<uint32_t>> matchParts(PartIndex& parts, const std::string& selector) {
+  const schema::Level::Reader level = parts.level();
   std::vector<uint32_t> found;
   if (const int64_t index = indexFromText(selector); index >= 0) {
     if (level.getParts().size() == 0) {
@@ -125,31 +119,47 @@ Result<std::vector<uint32_t>> matchParts(schema::Level::Reader level, const std:
     }
     found.push_back(uint32_t(index));
   } else {
-    found = selector.starts_with("#") ? matchTag(level, selector.substr(1))
-                                      : matchName(level, selector);
+    found =
+        selector.starts_with("#") ? parts.withTag(selector.substr(1)) : matchName(parts, selector);
   }
   if (found.empty()) return noPart(level, selector);
   return found;
 }
 
-Result<uint32_t> matchPart(schema::Level::Reader level, const std::string& selector) {
-  OBBY_ASSIGN(const std::vector<uint32_t> found, matchParts(level, selector));
+Result<std::vector<uint32_t>> matchParts(schema::Level::Reader level, const std::string& selector) {
+  PartIndex parts(level);
+  return matchParts(parts, selector);
+}
+
+Result<uint32_t> matchPart(PartIndex& parts, const std::string& selector) {
+  OBBY_ASSIGN(const std::vector<uint32_t> found, matchParts(parts, selector));
   if (found.size() == 1) return found.front();
+  const schema::Level::Reader level = parts.level();
   return makeError(fmt::format("'{}' names {} parts of level '{}'", selector, found.size(),
                                level.getName().cStr()),
                    "one of " + listParts(level, found));
 }
 
+Result<uint32_t> matchPart(schema::Level::Reader level, const std::string& selector) {
+  PartIndex parts(level);
+  return matchPart(parts, selector);
+}
+
 Result<std::optional<PlainRegion>> boxFromText(const std::string& text) {
   std::array<float, 6> v{};
+  bool fits = true;  // into floats
   const char *at = text.data(), *end = text.data() + text.size();
   for (size_t i = 0; i < v.size(); ++i) {
     const auto [next, error] = std::from_chars(at, end, v[i]);
-    const bool last = i + 1 == v.size();
-    if (error != std::errc() || (last ? next != end : (next == end || *next != ','))) {
+    const bool last = i + 1 == v.size(), isNumber = error != std::errc::invalid_argument;
+    if (!isNumber || (last ? next != end : (next == end || *next != ','))) {
       return std::optional<PlainRegion>();
     }
+    fits = fits && error == std::errc();
     at = next + 1;
+  }
+  if (!fits) {
+    return makeError(fmt::format("the box '{}' has a number that is too large or too small", text));
   }
   for (const float value : v) {
     if (!std::isfinite(value)) return makeError(fmt::format("'{}' is not finite", text));

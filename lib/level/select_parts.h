@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "level/part_index.h"
 #include "math/vec.h"
 #include "schema/obby.capnp.h"
 
@@ -19,10 +20,12 @@ namespace obby::level {
 
 // Parts that the selector names, in the level's order: at least one. Of the ways to read a name,
 // the first that fits any part counts: GUID, whole path, name, end of the path. Error: no part
-// fits; parts with a similar name are the hint.
+// fits; parts with a similar name are the hint. For many selectors make the index once.
+Result<std::vector<uint32_t>> matchParts(PartIndex& parts, const std::string& selector);
 Result<std::vector<uint32_t>> matchParts(schema::Level::Reader level, const std::string& selector);
 
 // The one part that the selector names. Error: several; up to five of them are the hint.
+Result<uint32_t> matchPart(PartIndex& parts, const std::string& selector);
 Result<uint32_t> matchPart(schema::Level::Reader level, const std::string& selector);
 
 // "part:12 Workspace/S1/Lava"
@@ -31,9 +34,9 @@ std::string describePart(schema::Level::Reader level, uint32_t part);
 // A box in space, before it becomes a Region record.
 struct PlainRegion {
   std::string name;
-  Vec3 position;
+  Vec3 position;  // of its centre, studs
   Quat rotation;
-  Vec3 size;
+  Vec3 size;  // full extents, studs
 };
 
 // Position, rotation and size of a region record.

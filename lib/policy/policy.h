@@ -59,6 +59,7 @@ void observe(const Scene& scene, const sim::World& world, const sim::LooseBody* 
 // `outputs`: (kPaddedOutputs), logits and value, of raw inputs.
 void think(const NetworkView& network, const float* inputs, float* outputs);
 
+// What to hold for the next kDecisionTicks ticks, as decide.h has it.
 sim::Action decide(const Scene& scene, const NetworkView& network, const sim::World& world,
                    const sim::LooseBody* loose, Random* random);
 

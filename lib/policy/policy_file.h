@@ -10,7 +10,7 @@
 
 namespace obby::policy {
 
-// How a policy came to be, for people.
+// How a policy came to be, for people: PolicyTraining of schema/policy.capnp has the units.
 struct Training {
   std::string command, version;
   uint64_t seed = 0, decisions = 0;

@@ -34,6 +34,7 @@ struct Plan {
 // Longest plan that is replayed: 4 hours of play.
 constexpr uint64_t kMaxReplayTicks = 4ull * 3600 * 60;
 
+// Errors: a start beyond the coordinates that mean anything; more than kMaxReplayTicks.
 Result<Plan> planFromRecord(schema::Trajectory::Reader record);
 void writePlan(const Plan& plan, schema::Trajectory::Builder to);
 

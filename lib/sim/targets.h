@@ -22,6 +22,8 @@ OBBY_CALLED bool touchesCollider(const World& w, const LooseBody* loose,
   return touches(c, candidate, limbs.column) || touches(c, candidate, limbs.arms);
 }
 
+// Is the player in the region, or, of a target that is to be touched, do the limbs touch its part?
+// `loose`: (level.looseCount), null where that is 0.
 OBBY_DEVICE bool reaches(const World& w, const LooseBody* loose, const level::LevelView& level,
                          const level::QueryView& q, const level::TargetView& target) {
   const Vec3 feet = w.position;

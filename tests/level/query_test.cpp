@@ -254,6 +254,22 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
   }
 }
 
+// The search divides the place of the feet into cells, and a trajectory must be able to hold it.
+TEST(QueryErrors, AStartRegionWithoutAFloorInReach) {
+  const auto refuse = [](float middle, float height) {
+    expectRefused(
+        [=](auto r) {
+          auto region = r.initStart().initRegion();
+          set(region.initPosition(), {0, middle, 0});
+          set(region.initSize(), {4, height, 4});
+        },
+        "start.region", "1000000 studs");
+  };
+  refuse(0, 3e6f);
+  refuse(0, 3e38f);
+  refuse(-9e5f, 4e5f);
+}
+
 TEST(QueryErrors, ALevelWithoutSpawnNeedsAStartRegion) {
   support::LevelBuilder b;
   const auto query = compile([](auto) {}, b.block({0, 0, 0}, {1, 1, 1}).compile());

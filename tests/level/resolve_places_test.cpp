@@ -70,7 +70,24 @@ TEST_F(ResolveTest, ATagInAListStandsForAllItsParts) {
   EXPECT_EQ(list[3].getPartIndex(), 3);
 }
 
+TEST_F(ResolveTest, AGoalsTagMeansAnyOfItsParts) {
+  auto goal = query().initGoal();
+  goal.setPart("#Kill");
+  goal.setName("Pool");
+  goal.setTouch(true);
+  query().initGoals(1)[0].setPart("Top");
+  ASSERT_TRUE(resolve());
+  EXPECT_EQ(query().getGoal().getPartIndex(), 1);
+  const auto goals = query().asReader().getGoals();
+  ASSERT_EQ(goals.size(), 2u);
+  EXPECT_EQ(goals[0].getPartIndex(), 3);
+  EXPECT_EQ(goals[1].getPartIndex(), 2);
+  EXPECT_EQ(goals[1].getName(), "Pool");
+  EXPECT_TRUE(goals[1].getTouch());
+}
+
 TEST_F(ResolveTest, TwiceIsTheSameAsOnce) {
+  query().initGoal().setPart("#Kill");
   query().initVisits(1)[0].setPart("#Kill");
   query().initWaypoints(1)[0].initRegion().setPart("Top");
   query().initGoals(1)[0].setPart("Base");
@@ -89,6 +106,7 @@ TEST_F(ResolveTest, BoxesStayAsTheyAre) {
 
 TEST_F(ResolveTest, ErrorsSayWhere) {
   expectWrong([](auto q) { q.initGoal().setPart("Lava"); }, "goal.part");
+  expectWrong([](auto q) { q.initGoal().setPart("#None"); }, "goal.part");
   expectWrong([](auto q) { q.initStart().initRegion().setPart("x"); }, "start.region.part");
   expectWrong([](auto q) { q.initAvoid(2)[1].setPart("Lava"); }, "avoid[1].part");
   expectWrong([](auto q) { q.initVisits(1)[0].setPart("#None"); }, "visits[0].part");

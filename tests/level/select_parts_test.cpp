@@ -51,6 +51,12 @@ TEST_F(SelectTest, NoMatchSuggestsSimilarNames) {
   EXPECT_THAT(error("part:9"), HasSubstr("parts 0 to 3"));
 }
 
+TEST_F(SelectTest, NoMatchOfATagSuggestsSimilarTags) {
+  EXPECT_THAT(error("#kill"), HasSubstr("(similar: #Kill)"));
+  EXPECT_THAT(error("#O"), HasSubstr("(similar: #Hot)"));
+  EXPECT_THAT(error("#"), HasSubstr("part:INDEX"));
+}
+
 TEST_F(SelectTest, ALevelWithoutPartsIsSaidToHaveNone) {
   record = *io::recordFromJson(R"({"type":"level","name":"void"})");
   EXPECT_THAT(error("part:0"), HasSubstr("level 'void' has no parts"));
@@ -69,6 +75,8 @@ TEST(BoxFromText, ReadsSixNumbersAndNothingElse) {
   EXPECT_FALSE(boxFromText("1,2,3,4,0,6"));
   EXPECT_FALSE(boxFromText("1,2,3,4,nan,6"));
   EXPECT_FALSE(boxFromText("inf,2,3,4,5,6"));
+  EXPECT_FALSE(boxFromText("1e39,2,3,4,5,6")) << "no float, and no part's name";
+  EXPECT_FALSE(boxFromText("1,2,3,4,5,1e-60"));
 }
 
 TEST_F(SelectTest, RegionsGrowUpwardAlsoForPartsThatLieOnTheirSide) {

@@ -1,0 +1,51 @@
+// The parts of a level by the texts that name them. A query may list as many names as the level has
+// parts: a pass over all parts for each would take minutes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "schema/obby.capnp.h"
+
+namespace obby::level {
+
+// A part's path, or its name where it has none. Lives as long as the record.
+std::string_view pathOf(schema::Part::Reader part);
+
+// What it gives is in the level's order, each part once; nothing where no part fits. A few texts
+// are looked up in passes over all parts; for more of them they are sorted, once. One thread at a
+// time.
+class PartIndex {
+ public:
+  // The record must outlive this.
+  explicit PartIndex(schema::Level::Reader level) : level_(level) {}
+
+  schema::Level::Reader level() const { return level_; }
+
+  std::vector<uint32_t> withGuid(std::string_view guid);
+  std::vector<uint32_t> withPath(std::string_view path);  // the whole of it
+  std::vector<uint32_t> withName(std::string_view name);
+  std::vector<uint32_t> withPathEnd(std::string_view end);  // what follows a slash
+  std::vector<uint32_t> withTag(std::string_view tag);
+
+ private:
+  struct Entry {
+    std::string_view text;
+    uint32_t part;
+  };
+  struct Table {
+    size_t asked = 0;
+    std::vector<Entry> entries;  // sorted by what their texts end with; empty until worth it
+  };
+
+  // Of all parts, by the texts that `texts` calls its second argument with.
+  template <class Texts>
+  std::vector<uint32_t> find(Table& table, std::string_view text, bool atEnd, const Texts& texts);
+
+  schema::Level::Reader level_;
+  Table guids_, paths_, names_, tags_;
+};
+
+}  // namespace obby::level
