@@ -46,6 +46,7 @@ TEST(Overrun, IsNamedInTheReason) {
   const std::string reason = reasonFor(outcome, level, {}, {});
   EXPECT_NE(reason.find("more than 48 parts at once (16 moving)"), std::string::npos) << reason;
   EXPECT_NE(reason.find("more than 8 touched parts at work at once"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("bodies had more than 64 contacts"), std::string::npos) << reason;
 }
 
 }  // namespace

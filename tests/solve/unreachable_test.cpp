@@ -48,6 +48,13 @@ TEST(Unreachable, NamesTheStepThatIsMissing) {
   EXPECT_THAT(f.output, HasSubstr(R"("reached":[0,1,2],"from":2,"rise":)"));
 }
 
+// Somebody else might.
+TEST(Unreachable, NobodyWithoutJumpingIsSaidToBeSo) {
+  const std::string words = "nobody can reach the goal 'third' without jumping: from part ";
+  expectUnreachable(ask(std::string(kThird) + R"(,"maxJumps":0)"), words);
+  expectUnreachable(ask(std::string(kThird) + R"(,"forbid":["jumping"])"), words);
+}
+
 TEST(Unreachable, LimitsOnTheWayToAWaypointEndThere) {
   const Filtered f = ask(
       std::string(kThird) +

@@ -138,6 +138,46 @@ TEST_F(VerifierTest, RefusesWrongTotalsAndHashes) {
   expectWrong("stateHash");
 }
 
+// What is written for readers that cannot replay.
+TEST_F(VerifierTest, RefusesAnotherWayThanThatOfItsActions) {
+  auto t = makeTrajectory();
+  const auto plan = sim::planFromRecord(t.asReader());
+  ASSERT_TRUE(plan);
+  const std::vector<sim::World> worlds = sim::replay(level.view(), nullptr, *plan).worlds;
+  support::set(t.initEndPosition(), worlds.back().position);
+  auto path = t.initPath();
+  path.setStep(1);
+  auto points = path.initPoints(uint32_t(worlds.size()));
+  std::vector<uint32_t> jumps;
+  for (uint32_t i = 0; i < points.size(); ++i) {
+    support::set(points[i], worlds[i].position);
+    if (i > 0 && worlds[i].jumps > worlds[i - 1].jumps) jumps.push_back(i);
+  }
+  ASSERT_EQ(jumps.size(), 2u);
+  auto jumpTicks = path.initJumpTicks(2);
+  for (uint32_t i = 0; i < 2; ++i) jumpTicks.set(i, jumps[i]);
+  EXPECT_TRUE(check()) << check().error().text();
+  t.getEndPosition().setX(1);
+  expectWrong("endPosition");
+  support::set(t.getEndPosition(), worlds.back().position);
+  points[7].setY(50);
+  expectWrong("path.points[7]");
+  support::set(points[7], worlds[7].position);
+  jumpTicks.set(1, jumps[1] + 1);
+  expectWrong("path.jumpTicks[1]");
+  jumpTicks.set(1, jumps[1]);
+  path.setStep(2);
+  expectWrong("path.points");
+  // Earlier versions left out the last point and its tick.
+  path.setStep(t.getTicks() - 1);
+  auto two = path.initPoints(2);
+  support::set(two[0], worlds[0].position);
+  support::set(two[1], worlds[t.getTicks() - 1].position);
+  EXPECT_TRUE(check()) << check().error().text();
+  path.setTicks(t.getTicks());
+  expectWrong("path.points");
+}
+
 TEST_F(VerifierTest, RefusesChangedActions) {
   makeTrajectory().getActions()[20].setHeading(200);
   EXPECT_FALSE(check());

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/candidates.h"
+#include "sim/loose_contacts.h"
 
 namespace obby::solve {
 
@@ -114,6 +115,11 @@ std::string overrunText(uint8_t overruns) {
     text += fmt::format(
         "; some attempts had more than {} touched parts at work at once, the rest did nothing",
         sim::kMaxClocks);
+  }
+  if (overruns & sim::kContactOverrun) {
+    text += fmt::format(
+        "; in some attempts loose bodies had more than {} contacts at once, the rest ignored",
+        sim::kMaxLooseContacts);
   }
   return text;
 }

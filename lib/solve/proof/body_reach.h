@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/floor.h"
+#include "sim/body.h"
 
 namespace obby::solve {
 
@@ -13,22 +13,57 @@ constexpr float kSlack = 0.25f;  // studs: skin, ticks, rounding
 // How far above a floor the legs keep it.
 inline float floorReach(const Params& p) {
   const float reach = p.floorReachBase * p.rootHeight + farthestFloor(p) * p.hipHeight;
-  return std::max(reach - sim::rayHeight(p), 0.0f);
+  const float kept = std::max(reach - sim::rayHeight(p), 0.0f);
+  // Who falls fast feels a floor from far above it. Being Landed lasts until they are down; without
+  // it they may jump up there.
+  if (p.landedTicks >= 2) return kept;
+  return kept + p.maxFallSpeed * p.tickSeconds +
+         std::max(p.maxFallSpeed - p.fastFall, 0.0f) * 0.01f;
 }
 
-// How far above the floor the legs can leave the feet, or throw them: the hover spring let go at
-// its deepest, and the reach in which it keeps a floor.
-inline float springRise(const Params& p) {
-  float gap = -(sim::rayHeight(p) + kSlack), speed = 0, most = floorReach(p);
+// The hover spring let go at its deepest: gives seen(gap, up) the height of the feet above the
+// floor, and their speed upward, after each substep.
+template <class Seen>
+void riseOnSpring(const Params& p, Seen&& seen) {
+  float gap = -(sim::rayHeight(p) + kSlack), speed = 0;
   for (int i = 0; i < 2 * p.controlRate * p.substeps; ++i) {
     const float a =
         std::clamp(-p.hoverStiffness * gap - p.hoverDamping * speed, -p.gravity, p.hoverLimit);
     gap += speed * p.substepSeconds + a * (0.5f * p.substepSeconds * p.substepSeconds);
     speed += a * p.substepSeconds;
-    const float up = std::max(speed, 0.0f);
-    most = std::max(most, gap + up * up / (2 * p.gravity));
+    seen(gap, std::max(speed, 0.0f));
   }
+}
+
+// How far above the floor the legs can leave the feet, or throw them: the hover spring let go at
+// its deepest, and the reach in which it keeps a floor.
+inline float springRise(const Params& p) {
+  float most = floorReach(p);
+  riseOnSpring(
+      p, [&](float gap, float up) { most = std::max(most, gap + up * up / (2 * p.gravity)); });
   return most + kSlack;
+}
+
+// The same off a floor that goes up, studs/s: the speed upward with which somebody comes as high
+// from `rise`, the springRise(), above it.
+inline float springThrow(const Params& p, float rise, float floorSpeed) {
+  float most = 0;  // squared
+  riseOnSpring(p, [&](float gap, float up) {
+    const float thrown = up + floorSpeed;
+    most = std::max(most, thrown * thrown - 2 * p.gravity * (rise - gap));
+  });
+  return sqrtf32(most);
+}
+
+// Do the legs throw back up who lands on them fast? Theirs is no bound then.
+inline bool legsBounce(const Params& p) {
+  const bool strong = p.hoverDamping * p.hoverDamping >= 2 * p.hoverStiffness;
+  return !strong || p.hoverDamping * p.substepSeconds >= 1;
+}
+
+// Studs/s by which keys make somebody faster than they aim at, where substeps are long.
+inline float keyOvershoot(const Params& p) {
+  return std::max(sim::mostDrive(p) * (p.substepSeconds - 1 / p.moveGain), 0.0f);
 }
 
 // Sideways from the player's axis to the farthest corner of the body, and to the farthest ray.
@@ -37,7 +72,9 @@ inline float bodySide(const Params& p) {
 }
 
 // Sideways from the axis to a corner of the limbs, and how far beyond them counts as touched.
-inline float limbSide(const Params& p) { return 0.5f * length(Vec3{p.armSpan, 0, p.bodyDepth}); }
+inline float limbSide(const Params& p) {
+  return 0.5f * length(Vec3{std::max(p.armSpan, p.bodyWidth), 0, p.bodyDepth});
+}
 inline float touchSlack(const Params& p) { return std::max(kSlack, 1.5f * p.touchMargin); }
 
 // How far the feet can be from a part that carries them, across the axes that it turns about: what

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solve/proof/body_reach.h"
+
 namespace obby::solve {
 
 namespace {
@@ -23,8 +25,9 @@ ReachBound::ReachBound(const Problem& problem, bool mayJump)
       p_(problem.level.params),
       mayJump_(mayJump),
       jumpSpeed_(fastestJump(problem.level)),
+      walkSpeed_(fastestWalk(problem.level) + keyOvershoot(p_)),
       supports_(supportsOf(problem)),
-      flight_(p_, fastestWalk(problem.level)) {
+      flight_(p_, walkSpeed_) {
   for (const Support& s : supports_) {
     lowest_ = std::min(lowest_, s.entry);
     slopes_ |= s.tilted;
@@ -42,23 +45,33 @@ ReachBound::ReachBound(const Problem& problem, bool mayJump)
 // Speed is kept in the air, on ice and for a moment after landing: what is gained anywhere counts
 // everywhere.
 float ReachBound::fastestReached() const {
-  float more = 0;
+  float more = 0, upward = 0;
   for (size_t i = 0; i < supports_.size(); ++i) {
-    if (jumps_[i] != kNever) more = std::max(more, supports_[i].sideways);
+    if (jumps_[i] == kNever) continue;
+    more = std::max(more, supports_[i].sideways);
+    upward = std::max(upward, launch(supports_[i], mayJump_ && supports_[i].carries).upward);
   }
   const float most = 1.42f * problem_.level.maxSideSpeed;  // clamped along each axis
-  if (slidesHelpless()) return std::max(most, flight_.sideways());
-  return std::min(fastestWalk(problem_.level) + more, std::max(most, flight_.sideways()));
+  const bool any = slopes_ && (slidesHelpless() || glancesFar(upward, most - walkSpeed_));
+  if (any) return std::max(most, flight_.sideways());
+  return std::min(walkSpeed_ + more, std::max(most, flight_.sideways()));
 }
 
-// Who fell over has no legs to brace: slopes let the body slide as fast as anything may be.
+// Who fell over has no legs to brace, and no keys to slow down with: slopes, overhead too, make the
+// body as fast as anything may be.
 bool ReachBound::slidesHelpless() const {
   const level::LevelView& level = problem_.level;
-  bool helpless = false, slopes = false;
-  for (uint32_t i = 0; i < level.clockCount; ++i) helpless |= level.clocks[i].helpless != 0;
-  for (size_t i = 0; i < supports_.size(); ++i)
-    slopes |= supports_[i].tilted && jumps_[i] != kNever;
-  return helpless && slopes;
+  return std::any_of(level.clocks, level.clocks + level.clockCount,
+                     [](const level::Clock& c) { return c.helpless != 0; });
+}
+
+// A slope overhead turns half of the speed upward aside. Keys take that back within so many studs:
+// more than a flight that ends there loses, and than what steep faces are granted?
+bool ReachBound::glancesFar(float upward, float most) const {
+  constexpr float kSpare = 1.5f;  // studs that a support's feet are granted beyond the truth
+  const float gained = std::min(0.5f * upward, std::max(most, 0.0f));
+  const float studs = gained * gained / (2 * std::max(p_.airAccel, 1e-3f));
+  return studs > kSpare + kSteepSpeed * upward / p_.gravity;
 }
 
 // Studs/s upward at which a slope lets go of somebody who runs up it: it turns half of the speed
@@ -70,10 +83,14 @@ float ReachBound::rampSpeed(const Support& s) const {
 }
 
 Launch ReachBound::launch(const Support& s, bool jumping) const {
-  const float lifted = s.upward + (jumping ? jumpSpeed_ : 0.0f), ramp = rampSpeed(s);
+  const float jump = jumping ? jumpSpeed_ : 0.0f, lifted = s.upward + jump, ramp = rampSpeed(s);
   Box from = s.feet;
   if (jumping) from.hi.y += ramp * (p_.coyoteTime + 2 * p_.tickSeconds);
-  return {from, std::min(std::max({lifted, s.thrown, ramp}), p_.maxFallSpeed)};
+  // The first tick of a jump is not held to the fastest that anybody moves.
+  if (lifted > p_.maxFallSpeed) from.hi.y += lifted * p_.tickSeconds;
+  // From the top of such a throw somebody may still jump.
+  const float sprung = s.sprung > 0 ? sqrtf32(s.sprung * s.sprung + jump * jump) : 0.0f;
+  return {from, std::min(std::max({lifted, s.thrown, sprung, ramp}), p_.maxFallSpeed)};
 }
 
 // Who is pushed is moved along with what pushes, and keeps the height and speed of the flight: only
@@ -161,7 +178,7 @@ Box ReachBound::boxOf(const level::TargetView& target) const {
   for (uint32_t i = 1; i < target.touchCount; ++i) {
     all = join(all, level.bounds[problem_.query.touched[target.firstTouch + i]].box());
   }
-  const float limbs = 0.5f * (p_.armSpan + p_.bodyDepth) + p_.touchMargin;
+  const float limbs = 0.5f * (std::max(p_.armSpan, p_.bodyWidth) + p_.bodyDepth) + p_.touchMargin;
   return grow(all, {limbs, p_.touchMargin, limbs});
 }
 
@@ -172,10 +189,16 @@ uint32_t ReachBound::jumpsTo(const level::TargetView& target) const {
   for (size_t i = 0; i < supports_.size(); ++i) {
     if (jumps_[i] >= fewest) continue;
     const Support& s = supports_[i];
-    const float gap = wayBetween(s.feet, ridesFrom(s, height), box);
-    if (flight_.reach(launch(s, false), height) >= gap) fewest = jumps_[i];
     const bool leaps = mayJump_ && s.carries && jumps_[i] + 1 < fewest;
-    if (leaps && flight_.reach(launch(s, true), height) >= gap) fewest = jumps_[i] + 1;
+    const float falling = flight_.reach(launch(s, false), height);
+    const float leaping = leaps ? flight_.reach(launch(s, true), height) : -1.0f;
+    if (falling < 0 && leaping < 0) continue;  // too high, whatever takes along
+    const float gap = wayBetween(s.feet, ridesFrom(s, height), box);
+    if (falling >= gap) {
+      fewest = jumps_[i];
+    } else if (leaping >= gap) {
+      fewest = jumps_[i] + 1;
+    }
   }
   return fewest;
 }
@@ -192,7 +215,13 @@ bool ReachBound::holds(Vec3 feet) const {
   return false;
 }
 
-Missing ReachBound::missing(const level::TargetView& target) const {
+Missing ReachBound::missing(const std::vector<const level::TargetView*>& targets) const {
+  std::vector<Box> boxes;
+  float lowest = lowest_;
+  for (const level::TargetView* t : targets) {
+    boxes.push_back(boxOf(*t));
+    lowest = std::min(lowest, boxes.back().lo.y - p_.bodyTop);
+  }
   Missing best;
   float least = 1e30f;
   const auto consider = [&](const Launch& l, float way, uint32_t from, float height,
@@ -204,14 +233,15 @@ Missing ReachBound::missing(const level::TargetView& target) const {
     least = rise + gap;
     best = {from, collider, rise, gap};
   };
-  const Box box = boxOf(target);
   for (size_t i = 0; i < supports_.size(); ++i) {
     if (jumps_[i] == kNever) continue;
     const Support& from = supports_[i];
     const Launch l = launch(from, mayJump_ && from.carries);
-    const float floor = box.lo.y - p_.bodyTop;
-    const std::vector<Ride> rides = ridesFrom(from, std::min(lowest_, floor));
-    consider(l, wayBetween(from.feet, rides, box), from.collider, floor, level::kNone);
+    const std::vector<Ride> rides = ridesFrom(from, lowest);
+    for (const Box& box : boxes) {
+      const float floor = box.lo.y - p_.bodyTop;
+      consider(l, wayBetween(from.feet, rides, box), from.collider, floor, level::kNone);
+    }
     for (size_t j = 0; j < supports_.size(); ++j) {
       const Support& to = supports_[j];
       if (jumps_[j] == kNever && to.collider != level::kNone) {

@@ -45,8 +45,9 @@ class ReachBound {
   // Could the feet be there at any time?
   bool holds(Vec3 feet) const;
 
-  // The step out of what is reached that lacks least, to another part or into the target.
-  Missing missing(const level::TargetView& target) const;
+  // The step out of what is reached that lacks least, to another part or into any of the targets.
+  Missing missing(const std::vector<const level::TargetView*>& targets) const;
+  Missing missing(const level::TargetView& target) const { return missing(std::vector{&target}); }
 
   // Where the feet are when the target is reached, at the least height its floor less a body's.
   Box boxOf(const level::TargetView& target) const;
@@ -66,12 +67,13 @@ class ReachBound {
   std::vector<Ride> ridesFrom(const Support& s, float lowest) const;
   float fastestReached() const;
   bool slidesHelpless() const;
+  bool glancesFar(float upward, float most) const;
   float rampSpeed(const Support& s) const;
 
   const Problem& problem_;
   const Params& p_;
   const bool mayJump_;
-  const float jumpSpeed_;
+  const float jumpSpeed_, walkSpeed_;  // by keys, under all boosts
   std::vector<Support> supports_;
   float lowest_ = std::numeric_limits<float>::infinity();  // entry of all supports
   std::vector<const Support*> pushers_;                    // of them, those that move sideways

@@ -2,88 +2,17 @@
 
 #include <algorithm>
 
+#include "sim/seat.h"
 #include "solve/proof/body_reach.h"
+#include "solve/proof/pressing.h"
 
 namespace obby::solve {
 
 namespace {
 
-constexpr float kSnap = 1;        // studs a tick: movers that jump further push through things
-constexpr float kSteepSpeed = 4;  // studs/s gained on faces steeper than any slope limit
+constexpr float kFlush = 0.1f;  // studs in a part that push no body anywhere
 constexpr uint32_t kLeads = level::kPad | level::kTeleport | level::kSeat;  // on touch
-constexpr float kMostVertical = 1e-3f;
 constexpr float kLeastSlope = 80;  // degrees: below, sliding down makes speeds without a bound
-
-// What a mover does to those around it.
-struct Motion {
-  float upward = 0, sideways = 0;  // fastest of any of its points, studs/s
-  float lowestTop = 0;             // of an upright block: its top at its lowest
-  Box swept;
-  bool rough = false;  // turns over, rises, or jumps: may push a player through other parts
-};
-
-void noteStep(Motion& m, Vec3 step, float turned, float rate) {
-  const float side = length(Vec3{step.x, 0, step.z}) + turned;
-  m.upward = std::max(m.upward, (absf(step.y) + turned) * rate);
-  m.sideways = std::max(m.sideways, side * rate);
-  m.rough |= side > kSnap || absf(step.y) > kMostVertical;
-}
-
-// Bound on how far a tick of spin moves a point at `radius`.
-float spinStep(const Mat3& a, const Mat3& b, float radius) {
-  const Vec3 x = b.x - a.x, y = b.y - a.y, z = b.z - a.z;
-  return radius * sqrtf32(dot(x, x) + dot(y, y) + dot(z, z));
-}
-
-// Once its clock has run out a mover is back at its beginning, wherever it was, in one tick.
-void noteReturn(Motion& motion, const level::Mover& m, float radius, float rate, bool carries) {
-  if (m.trigger == level::kNone) return;
-  Motion back;
-  for (uint32_t k = 0; k < m.keyCount; ++k) {
-    const Vec3 step = m.keys[0].position - m.keys[k].position;
-    noteStep(back, step, spinStep(m.keys[k].rotation, m.keys[0].rotation, radius), rate);
-  }
-  for (uint32_t k = 0; k < m.spinCount; ++k) {
-    const float turned = spinStep(m.spins[k], m.spins[0], radius);
-    noteStep(back, {}, turned, rate);
-  }
-  motion.rough |= back.rough;
-  if (!carries) return;
-  motion.upward = std::max(motion.upward, back.upward);
-  motion.sideways = std::max(motion.sideways, back.sideways);
-}
-
-Motion motionOf(const level::LevelView& level, uint32_t collider) {
-  const level::Collider& c = level.colliders[collider];
-  const level::Mover& m = level.movers[c.mover];
-  const bool upright = (level.bounds[collider].flags & level::kUpright) != 0;
-  // Who sits on what turns over may be farther from its centre than its corners are.
-  const bool swings = !upright && (level.bounds[collider].flags & level::kSeat) != 0;
-  const float half = std::max(length(c.shape.half), swings ? level.params.seatHeight : 0.0f);
-  const float own = half + length(m.pivot), rate = level.params.controlRate;
-  const float radius = own + feetAway(level.params, level.bounds[collider].flags);
-  Motion motion;
-  motion.swept = level.bounds[collider].box();
-  motion.rough = !upright;
-  motion.lowestTop = 1e30f;
-  for (uint32_t k = 0; k < m.keyCount; ++k) {
-    motion.lowestTop = std::min(motion.lowestTop, m.keys[k].position.y + c.shape.half.y);
-    if (k + 1 == m.keyCount && m.once) break;
-    const Pose &from = m.keys[k], &to = m.keys[(k + 1) % m.keyCount];
-    noteStep(motion, to.position - from.position, spinStep(from.rotation, to.rotation, radius),
-             rate);
-  }
-  float spin = 0;
-  for (uint32_t k = 0; k < m.spinCount; ++k) {
-    spin = std::max(spin, spinStep(m.spins[k], m.spins[(k + 1) % m.spinCount], radius));
-  }
-  motion.sideways += spin * rate;
-  if (!upright) motion.upward += spin * rate;
-  motion.rough |= spin > kSnap;
-  const bool carries = (level.bounds[collider].flags & (level::kCarries | level::kSeat)) != 0;
-  noteReturn(motion, m, radius, rate, carries);
-  return motion;
-}
 
 class Builder {
  public:
@@ -92,8 +21,10 @@ class Builder {
 
   std::vector<Support> build() {
     for (uint32_t i = 0; i < level_.colliderCount; ++i) {
-      if (level_.colliders[i].mover != level::kNone) movers_.push_back(motionOf(level_, i));
+      if (level_.colliders[i].mover != level::kNone) movers_.push_back(partMotion(level_, i));
+      if (level_.bounds[i].flags & level::kSeat) seated_.push_back(seatedBody(i));
     }
+    pressing_ = pressingOf(level_, movers_);
     addPoint(problem_.start.position);
     for (uint32_t i = 0; i < level_.colliderCount; ++i) {
       if (!(level_.bounds[i].flags & level::kTeleport)) continue;
@@ -109,7 +40,10 @@ class Builder {
   void throwOutOfGates() {
     const float jump = fastestJump(level_);
     float fastest = 0;
-    for (const Support& s : supports_) fastest = std::max({fastest, s.thrown, s.upward + jump});
+    riseOnSpring(p_, [&](float, float up) { fastest = std::max(fastest, up); });
+    for (const Support& s : supports_) {
+      fastest = std::max({fastest, s.thrown, std::max(s.upward, s.sprung) + jump});
+    }
     for (const Support& s : supports_) {
       if (s.leadsTo == level::kNone) continue;
       const level::Roles& r = level_.roles[level_.colliders[s.collider].role];
@@ -139,14 +73,16 @@ class Builder {
       if (s.collider == level::kNone && overlaps(part, there)) return true;
     }
     const Box around = grow(part, body);
-    return std::any_of(movers_.begin(), movers_.end(),
-                       [&](const Motion& m) { return m.rough && overlaps(around, m.swept); });
+    return std::any_of(seated_.begin(), seated_.end(),
+                       [&](const Box& sitting) { return overlaps(part, sitting); }) ||
+           std::any_of(movers_.begin(), movers_.end(),
+                       [&](const PartMotion& m) { return m.rough && overlaps(around, m.swept); });
   }
 
   void add(uint32_t id) {
     const level::Collider& c = level_.colliders[id];
     const level::Bounds& bounds = level_.bounds[id];
-    const Motion still{}, *motion = &still;
+    const PartMotion still{}, *motion = &still;
     if (c.mover != level::kNone) motion = &movers_[moverAt_++];
     if (!(bounds.flags & (level::kSolid | kLeads))) return;
     Support s;
@@ -159,11 +95,13 @@ class Builder {
     s.feet.hi.y += s.carries ? rise_ : touchSlack(p_);
     if (bounds.flags & level::kSeat) s.feet = join(s.feet, seatedIn(box));
     const bool holds = canHoldBody(box, bounds.flags);
-    s.entry = holds ? besideOf(box)
-                    : entryOf(box, bounds.flags, c.mover != level::kNone ? motion : nullptr);
+    const float above = entryOf(box, bounds.flags, c.mover != level::kNone ? motion : nullptr);
+    const float beside = std::min(besideOf(box), above);
+    s.entry = holds ? beside : std::max(beside, above - pressedBelow(id));
     s.snaps = holds || (bounds.flags & (level::kSeat | level::kTeleport)) != 0;
     s.upward = motion->upward;
-    s.pushes = motion->sideways;
+    // Out of what it presses somebody into they come as far again at once.
+    s.pushes = motion->sideways * (pressing_.presses[id] ? 2.0f : 1.0f);
     if (bounds.flags & (level::kCarries | level::kSeat)) s.sideways = motion->sideways;
     addSurface(s, c, bounds.flags);
     if (bounds.flags & level::kTeleport) s.leadsTo = gates_[gateAt_++];
@@ -177,6 +115,34 @@ class Builder {
     return flags & kLeads ? std::max(side, limbSide(p_) + touchSlack(p_)) : side;
   }
 
+  // How far below where a part takes anybody else it takes those who are pressed into it: torso and
+  // head, or, as a jump begins, the head.
+  float pressedBelow(uint32_t id) const {
+    const float depth = pressing_.depth[id];
+    return depth > 0 ? depth + p_.headBottom - p_.hipHeight : 0.0f;
+  }
+
+  // Torso and head of those who sit there: a seat holds them inside of whatever is there.
+  Box seatedBody(uint32_t id) const {
+    const level::Collider& c = level_.colliders[id];
+    const level::Mover* m = c.mover == level::kNone ? nullptr : &level_.movers[c.mover];
+    const Vec3 first = sim::feetOnSeat(m == nullptr ? c.pose : m->keys[0], p_);
+    Box feet{first, first};
+    if (m != nullptr && m->spinCount != 0) feet = seatedIn(level_.bounds[id].box());
+    for (uint32_t k = 1; m != nullptr && k < m->keyCount; ++k) {
+      const Vec3 at = sim::feetOnSeat(m->keys[k], p_);
+      feet = join(feet, {at, at});
+    }
+    Vec3 side{0.5f * p_.bodyWidth, 0, 0.5f * p_.bodyDepth};
+    const Vec3 back = c.pose.rotation.z;
+    const bool turns = m != nullptr || absf(back.x) > 1e-3f * absf(back.z);
+    if (turns) side = Vec3{1, 0, 1} * length(side);
+    const Box torso{feet.lo + Vec3{0, p_.hipHeight, 0} - side,
+                    feet.hi + Vec3{0, p_.bodyTop, 0} + side};
+    const float flush = std::min(kFlush, 0.25f * std::min(p_.bodyWidth, p_.bodyDepth));
+    return grow(torso, {-flush, -flush, -flush});
+  }
+
   // Feet of those who sit: the root is above the seat's centre, wherever the seat has its top.
   Box seatedIn(const Box& seat) const {
     const float away = p_.seatHeight + kSlack, root = p_.hipHeight + 0.5f * p_.rootHeight;
@@ -186,10 +152,11 @@ class Builder {
   // From any side, at any height.
   float besideOf(const Box& box) const { return box.lo.y - p_.bodyTop - kSlack - touchSlack(p_); }
 
-  float entryOf(const Box& box, uint32_t flags, const Motion* motion) const {
+  float entryOf(const Box& box, uint32_t flags, const PartMotion* motion) const {
     if (flags & (level::kTruss | kLeads)) return besideOf(box);
     // Rays see a floor from here on, and push-out lifts a torso that is not deeper in it.
-    const float legs = std::max(sim::rayHeight(p_), p_.hipHeight) + 0.5f * p_.bodyDepth + kSlack;
+    float legs = std::max(sim::rayHeight(p_), p_.hipHeight) + 0.5f * p_.bodyDepth + kSlack;
+    if (flags & level::kOneWay) legs += p_.oneWaySlack;
     if (!(flags & level::kUpright)) return box.lo.y - legs;
     return (motion != nullptr ? motion->lowestTop : box.hi.y) - legs;
   }
@@ -213,13 +180,16 @@ class Builder {
     }
     s.tilted = !(flags & level::kUpright) && s.carries;
     if (s.tilted) s.sideways = std::max(s.sideways, kSteepSpeed);
+    if (s.carries && s.upward > 0) s.sprung = springThrow(p_, rise_, s.upward);
   }
 
   const Problem& problem_;
   const level::LevelView& level_;
   const Params& p_;
   const float rise_;
-  std::vector<Motion> movers_;   // of the colliders that move, in their order
+  std::vector<PartMotion> movers_;  // of the colliders that move, in their order
+  std::vector<Box> seated_;         // torso and head of those who sit
+  Pressing pressing_;
   std::vector<uint32_t> gates_;  // where teleporters lead, in their order
   size_t moverAt_ = 0, gateAt_ = 0;
   std::vector<Support> supports_;
@@ -232,6 +202,7 @@ std::vector<Support> supportsOf(const Problem& problem) { return Builder(problem
 const char* unboundedPart(const level::LevelView& level) {
   if (level.looseCount != 0) return "loose parts, which can be pushed anywhere";
   if (!(level.params.gravity > 1)) return "next to no gravity";
+  if (legsBounce(level.params)) return "legs that bounce";
   if (level.params.maxSlope < kLeastSlope * kPi / 180) return "slopes to slide down";
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     if (!(level.bounds[i].flags & level::kPad)) continue;

@@ -8,14 +8,17 @@
 
 namespace obby::solve {
 
+constexpr float kSteepSpeed = 4;  // studs/s gained on faces steeper than any slope limit
+
 struct Support {
   Box feet;                          // where the feet can be while it carries; hi.y: at the highest
   float entry = 0;                   // feet at least this high come to be carried
   float top = 0;                     // of the part
   float upward = 0;                  // studs/s at which it lifts; a jump adds to it
   float thrown = 0;                  // studs/s at which it lets go without a jump
+  float sprung = 0;                  // likewise, off the springs of legs on a floor that rises
   float sideways = 0;                // studs/s that it gives, beside walking
-  float pushes = 0;                  // studs/s at which it pushes who is in its way
+  float pushes = 0;                  // studs/s at which it moves who is in its way, at most
   bool carries = false;              // not: only leads elsewhere
   bool snaps = false;                // may move the player some studs at once
   bool tilted = false;               // has slopes, which turn speed upward

@@ -45,7 +45,8 @@ class Prover {
       : problem_(problem),
         q_(problem.query),
         targets_(targetsOf(q_, record)),
-        bound_(problem, q_.maxJumps != 0 && !sim::forbidsJumping(q_)) {
+        mayJump_(q_.maxJumps != 0 && !sim::forbidsJumping(q_)),
+        bound_(problem, mayJump_) {
     goals_.push_back(&q_.goal);
     for (uint32_t i = 0; i < q_.otherGoalCount; ++i) goals_.push_back(&q_.otherGoals[i]);
     goalName_ = goals_.size() > 1 ? "any of the goals"
@@ -67,11 +68,13 @@ class Prover {
   // Any of the targets will do.
   std::optional<Cut> check(const Targets& targets, const std::string& name, int32_t most) const {
     uint32_t jumps = ReachBound::kNever;
-    for (const level::TargetView* t : targets) jumps = std::min(jumps, bound_.jumpsTo(*t));
-    if (jumps != ReachBound::kNever && (most < 0 || jumps <= uint32_t(most))) return std::nullopt;
+    for (const level::TargetView* t : targets) {
+      jumps = std::min(jumps, bound_.jumpsTo(*t));
+      if (jumps != ReachBound::kNever && (most < 0 || jumps <= uint32_t(most))) return std::nullopt;
+    }
     Cut cut = start(name);
     if (jumps == ReachBound::kNever) {
-      cut.missing = leastMissing(targets);
+      cut.missing = bound_.missing(targets);
     } else {
       cut.jumps = jumps;
       cut.mostJumps = uint32_t(most);
@@ -79,18 +82,10 @@ class Prover {
     return cut;
   }
 
-  Missing leastMissing(const Targets& targets) const {
-    Missing least = bound_.missing(*targets.front());
-    for (const level::TargetView* t : targets) {
-      const Missing m = bound_.missing(*t);
-      if (m.rise + m.gap < least.rise + least.gap) least = m;
-    }
-    return least;
-  }
-
   Cut start(const std::string& name) const {
     Cut cut;
     cut.target = name;
+    cut.mayJump = mayJump_;
     for (const uint32_t collider : bound_.reached()) {
       cut.reached.push_back(problem_.level.colliders[collider].part);
     }
@@ -140,6 +135,7 @@ class Prover {
   const Problem& problem_;
   const level::QueryView& q_;
   std::vector<Target> targets_;
+  const bool mayJump_;
   ReachBound bound_;
   Targets goals_;
   std::string goalName_;
@@ -177,8 +173,9 @@ std::string reasonFor(const Cut& cut, const level::Level& level) {
     return fmt::format("every way to {} takes at least {:.2f} s, and {:.2f} s are allowed",
                        cut.target, cut.seconds, cut.mostSeconds);
   }
-  return fmt::format("nobody can reach {}: {}; {} part{} can be reached at most", cut.target,
-                     stepText(cut, level), cut.reached.size(), cut.reached.size() == 1 ? "" : "s");
+  return fmt::format("nobody can reach {}{}: {}; {} part{} can be reached at most", cut.target,
+                     cut.mayJump ? "" : " without jumping", stepText(cut, level),
+                     cut.reached.size(), cut.reached.size() == 1 ? "" : "s");
 }
 
 void fillCut(schema::Cut::Builder record, const Cut& cut, const level::LevelView& level) {

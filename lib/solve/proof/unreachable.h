@@ -15,6 +15,7 @@ namespace obby::solve {
 // time.
 struct Cut {
   std::string target;             // "the goal", "waypoint 2 'Bridge'"
+  bool mayJump = true;            // the query admits jumps
   std::vector<uint32_t> reached;  // parts
   Missing missing;                // where `jumps` and `seconds` are 0
   uint32_t jumps = 0;             // that the way to the target takes at least

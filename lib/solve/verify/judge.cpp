@@ -29,8 +29,9 @@ Judge::Judge(schema::Query::Reader query, const level::LevelView& level) : level
 int64_t Judge::ticksOf(float seconds) const {
   if (!(seconds > 0)) return -1;
   const double exact = double(seconds) * level_.params.controlRate;
-  // The record's float may be half its last bit below a whole number of ticks.
-  return int64_t(std::floor(exact + 1e-4 + exact * 0x1p-23));
+  // The record's float may be half its last bit below a whole number of ticks. What is longer than
+  // the level's clock goes is no limit.
+  return int64_t(std::min(std::floor(exact + 1e-4 + exact * 0x1p-23), 4294967295.0));
 }
 
 bool Judge::tooManyJumps(int64_t jumps) const {

@@ -4,11 +4,11 @@
 
 namespace obby::solve {
 
-namespace {
-
 Point feetOf(const sim::World& world) {
   return {world.position.x, world.position.y, world.position.z};
 }
+
+namespace {
 
 bool touchesAny(level::ColliderRun colliders, const level::LevelView& level,
                 const sim::World& world, std::span<const sim::LooseBody> loose) {

@@ -13,6 +13,9 @@
 
 namespace obby::solve {
 
+// Where the feet are.
+Point feetOf(const sim::World& world);
+
 class Place {
  public:
   // The parts that it names are resolved; `runs` of the level.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "math/angle.h"
@@ -28,6 +30,14 @@ Status same(const char* field, auto recorded, auto replayed) {
   return wrong(field, fmt::format("{}", recorded), fmt::format("{}", replayed));
 }
 
+// The record's place is that of the replay, up to what a person rounds.
+Status samePlace(std::string field, Point recorded, Point replayed, const char* what = "") {
+  const double x = recorded.x - replayed.x, y = recorded.y - replayed.y;
+  if (std::hypot(x, y, recorded.z - replayed.z) < 1e-3) return {};
+  const auto text = [](Point p) { return fmt::format("{}, {}, {}", p.x, p.y, p.z); };
+  return wrong(std::move(field), text(recorded), what + text(replayed));
+}
+
 Status checkStart(schema::Level::Reader level, schema::Query::Reader query,
                   schema::Trajectory::Reader trajectory) {
   const auto start = query.getStart();
@@ -41,12 +51,8 @@ Status checkStart(schema::Level::Reader level, schema::Query::Reader query,
     wanted = point(level.getSpawns()[spawn].getPosition());
     yaw = level.getSpawns()[spawn].getYaw();
   }
-  const Point got = point(trajectory.getPosition());
-  const double off = std::hypot(got.x - wanted.x, got.y - wanted.y, got.z - wanted.z);
-  if (!(off < 1e-3)) {
-    return wrong("position", fmt::format("{}, {}, {}", got.x, got.y, got.z),
-                 fmt::format("a start at {}, {}, {}", wanted.x, wanted.y, wanted.z));
-  }
+  OBBY_RETURN_IF_ERROR(
+      samePlace("position", point(trajectory.getPosition()), wanted, "a start at "));
   OBBY_RETURN_IF_ERROR(same("yawTurns", trajectory.getYawTurns(), turnsFromRadians(yaw)));
   return same("startTick", trajectory.getStartTick(), start.getTick());
 }
@@ -65,6 +71,35 @@ Status checkEnd(schema::Trajectory::Reader t, const sim::World& last,
   const uint64_t hash = sim::stateHash(last, loose);
   if (hash != t.getStateHash()) {
     return wrong("stateHash", fmt::format("{}", t.getStateHash()), fmt::format("{}", hash));
+  }
+  if (!t.hasEndPosition()) return {};
+  return samePlace("endPosition", point(t.getEndPosition()), feetOf(last));
+}
+
+// Where the player is along the way, for readers that cannot replay; up to tick `ticks`.
+Status checkPath(schema::Path::Reader path, std::span<const sim::World> worlds, size_t ticks) {
+  const size_t step = path.getStep();
+  if (step == 0) return wrong("path.step", "0", "a point every few ticks");
+  const auto points = path.getPoints();
+  if (path.getTicks() != 0) OBBY_RETURN_IF_ERROR(same("path.ticks", path.getTicks(), ticks));
+  // Earlier versions wrote neither the last point nor its tick.
+  const bool endless = path.getTicks() == 0 && points.size() == ticks / step + 1;
+  if (!endless) {
+    OBBY_RETURN_IF_ERROR(same("path.points", points.size(), (ticks + step - 1) / step + 1));
+  }
+  for (uint32_t i = 0; i < points.size(); ++i) {
+    const sim::World& world = worlds[std::min(i * step, ticks)];
+    OBBY_RETURN_IF_ERROR(
+        samePlace(fmt::format("path.points[{}]", i), point(points[i]), feetOf(world)));
+  }
+  std::vector<uint32_t> jumps;
+  for (uint32_t tick = 1; tick <= ticks; ++tick) {
+    if (worlds[tick].jumps > worlds[tick - 1].jumps) jumps.push_back(tick);
+  }
+  const auto recorded = path.getJumpTicks();
+  OBBY_RETURN_IF_ERROR(same("path.jumpTicks", recorded.size(), jumps.size()));
+  for (uint32_t i = 0; i < recorded.size(); ++i) {
+    OBBY_RETURN_IF_ERROR(same(fmt::format("path.jumpTicks[{}]", i).c_str(), recorded[i], jumps[i]));
   }
   return {};
 }
@@ -94,7 +129,8 @@ Status verify(const level::Level& level, schema::Level::Reader levelRecord,
   sim::World last = worlds[tick];
   last.outcome = sim::Outcome(outcome);
   judge.note(last);
-  return checkEnd(trajectory, last, replay.looseAt(tick), tick);
+  OBBY_RETURN_IF_ERROR(checkEnd(trajectory, last, replay.looseAt(tick), tick));
+  return trajectory.hasPath() ? checkPath(trajectory.getPath(), worlds, tick) : Status();
 }
 
 }  // namespace obby::solve

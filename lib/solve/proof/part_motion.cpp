@@ -1,0 +1,93 @@
+#include "solve/proof/part_motion.h"
+
+#include <algorithm>
+
+#include "solve/proof/body_reach.h"
+
+namespace obby::solve {
+
+namespace {
+
+constexpr float kSnap = 1;  // studs a tick: movers that jump further push through things
+constexpr float kMostVertical = 1e-3f;
+
+void noteStep(PartMotion& m, Vec3 step, float turned, float rate) {
+  const float side = length(Vec3{step.x, 0, step.z}) + turned;
+  m.upward = std::max(m.upward, (absf(step.y) + turned) * rate);
+  m.sideways = std::max(m.sideways, side * rate);
+  m.rough |= side > kSnap || absf(step.y) > kMostVertical;
+}
+
+// Bound on how far a tick of spin moves a point at `radius`.
+float spinStep(const Mat3& a, const Mat3& b, float radius) {
+  const Vec3 x = b.x - a.x, y = b.y - a.y, z = b.z - a.z;
+  return radius * sqrtf32(dot(x, x) + dot(y, y) + dot(z, z));
+}
+
+// `half`: half of its height while it is upright. What stays upright is no lower and no higher than
+// at its keys, however it turns; the level's bounds of what turns are a cube.
+void noteHeights(PartMotion& motion, const level::Mover& m, float half, bool upright) {
+  float lowest = 1e30f, highest = -1e30f;
+  for (uint32_t k = 0; k < m.keyCount; ++k) {
+    lowest = std::min(lowest, m.keys[k].position.y);
+    highest = std::max(highest, m.keys[k].position.y);
+  }
+  motion.lowestTop = lowest + half;
+  if (!upright) return;
+  motion.swept.lo.y = lowest - half;
+  motion.swept.hi.y = highest + half;
+}
+
+// Once its clock has run out a mover is back at its beginning, wherever it was, in one tick.
+void noteReturn(PartMotion& motion, const level::Mover& m, float radius, float rate, bool carries) {
+  if (m.trigger == level::kNone) return;
+  PartMotion back;
+  for (uint32_t k = 0; k < m.keyCount; ++k) {
+    const Vec3 step = m.keys[0].position - m.keys[k].position;
+    noteStep(back, step, spinStep(m.keys[k].rotation, m.keys[0].rotation, radius), rate);
+  }
+  for (uint32_t k = 0; k < m.spinCount; ++k) {
+    const float turned = spinStep(m.spins[k], m.spins[0], radius);
+    noteStep(back, {}, turned, rate);
+  }
+  motion.rough |= back.rough;
+  if (!carries) return;
+  motion.upward = std::max(motion.upward, back.upward);
+  motion.sideways = std::max(motion.sideways, back.sideways);
+}
+
+}  // namespace
+
+PartMotion partMotion(const level::LevelView& level, uint32_t collider) {
+  const level::Collider& c = level.colliders[collider];
+  const level::Mover& m = level.movers[c.mover];
+  const bool upright = (level.bounds[collider].flags & level::kUpright) != 0;
+  // Who sits on what turns over may be farther from its centre than its corners are.
+  const bool swings = !upright && (level.bounds[collider].flags & level::kSeat) != 0;
+  const float half = std::max(length(c.shape.half), swings ? level.params.seatHeight : 0.0f);
+  const float own = half + length(m.pivot), rate = level.params.controlRate;
+  const float radius = own + feetAway(level.params, level.bounds[collider].flags);
+  PartMotion motion;
+  motion.collider = collider;
+  motion.swept = level.bounds[collider].box();
+  motion.rough = !upright;
+  noteHeights(motion, m, c.shape.half.y, upright);
+  for (uint32_t k = 0; k < m.keyCount; ++k) {
+    if (k + 1 == m.keyCount && m.once) break;
+    const Pose &from = m.keys[k], &to = m.keys[(k + 1) % m.keyCount];
+    noteStep(motion, to.position - from.position, spinStep(from.rotation, to.rotation, radius),
+             rate);
+  }
+  float spin = 0;
+  for (uint32_t k = 0; k < m.spinCount; ++k) {
+    spin = std::max(spin, spinStep(m.spins[k], m.spins[(k + 1) % m.spinCount], radius));
+  }
+  motion.sideways += spin * rate;
+  if (!upright) motion.upward += spin * rate;
+  motion.rough |= spin > kSnap;
+  const bool carries = (level.bounds[collider].flags & (level::kCarries | level::kSeat)) != 0;
+  noteReturn(motion, m, radius, rate, carries);
+  return motion;
+}
+
+}  // namespace obby::solve

@@ -1,0 +1,19 @@
+// What a moving part does to those around it, over the whole of its motion.
+#pragma once
+
+#include "level/level_view.h"
+
+namespace obby::solve {
+
+struct PartMotion {
+  uint32_t collider = level::kNone;
+  float upward = 0, sideways = 0;  // fastest of any of its points, studs/s
+  float lowestTop = 0;             // of an upright block: its top at its lowest
+  Box swept;           // where it can be; of what turns upright as high as it is, no cube
+  bool rough = false;  // turns over, rises, or jumps: may push a player through other parts
+};
+
+// Of a collider that has a mover.
+PartMotion partMotion(const level::LevelView& level, uint32_t collider);
+
+}  // namespace obby::solve
