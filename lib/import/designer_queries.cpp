@@ -21,6 +21,8 @@ constexpr const char* kFolder = "ObbyQueries";
 constexpr const char* kPhysics = "physics";
 constexpr const char* kForbid = "forbid";
 constexpr const char* kStartTick = "startTick";
+constexpr double kStartRate = 60;  // of them a second, whatever the level's own rate is
+constexpr double kMostStart = 5e8;
 constexpr const char* kOwnOfQueries[] = {kForbid, kStartTick};
 constexpr std::string_view kKinds[] = {"goal", "start", "avoid", "visit", "waypoint"};
 constexpr const char* kOwnOfRegions[] = {"kind", "order", "cframe", "size", "part", "touch"};
@@ -52,8 +54,9 @@ double orderOf(const Instance& instance) {
 
 class Reader {
  public:
-  Reader(const LevelDraft& level, const Tree& tree, std::vector<std::string>& warnings)
-      : level_(level), tree_(tree), warnings_(warnings) {}
+  Reader(const LevelDraft& level, const Tree& tree, uint16_t rate,
+         std::vector<std::string>& warnings)
+      : level_(level), tree_(tree), rate_(rate), warnings_(warnings) {}
 
   std::optional<io::RecordBuilder> query(InstanceId id) {
     io::RecordBuilder record;
@@ -174,12 +177,13 @@ class Reader {
     for (uint32_t i = 0; i < states.size(); ++i) list.set(i, states[i]);
   }
 
-  // Kept with the query: a start that is the level's spawn has no region to keep it.
+  // Kept with the query: a start that is the level's spawn has no region to keep it. A calibration
+  // may change how many ticks a second has, but not when people want to start.
   void fillStartTick(InstanceId id, schema::Query::Builder query) {
     if (!tree_.at(id).attributes.contains(kStartTick)) return;
     const double* tick = attribute<double>(tree_.at(id), kStartTick);
-    if (tick && *tick >= 0 && *tick <= 1e9 && std::floor(*tick) == *tick) {
-      query.initStart().setTick(uint32_t(*tick));
+    if (tick && *tick >= 0 && *tick <= kMostStart && std::floor(*tick) == *tick) {
+      query.initStart().setTick(uint32_t(std::floor(*tick * rate_ / kStartRate + 0.5)));
     } else {
       warn(id, "has an attribute startTick that is no whole number from 0 on");
     }
@@ -218,17 +222,18 @@ class Reader {
 
   const LevelDraft& level_;
   const Tree& tree_;
+  uint16_t rate_;  // ticks a second
   std::vector<std::string>& warnings_;
 };
 
 }  // namespace
 
 std::vector<io::RecordBuilder> designerQueries(const LevelDraft& level, const Tree& tree,
-                                               std::vector<std::string>& warnings) {
+                                               uint16_t rate, std::vector<std::string>& warnings) {
   std::vector<io::RecordBuilder> out;
   const InstanceId folder = folderOf(tree);
   if (folder == kNoInstance) return out;
-  Reader reader(level, tree, warnings);
+  Reader reader(level, tree, rate, warnings);
   for (const InstanceId child : tree.at(folder).children) {
     if (tree.at(child).className != "Configuration") continue;
     if (auto query = reader.query(child)) out.push_back(std::move(*query));

@@ -2,13 +2,15 @@
 // ObbyQueries in ServerStorage (or a root of a model file), in it a Configuration for each query,
 // named by its id, and below that one for each region.
 //   query    attributes named as the number fields of the schema's Query: maxJumps, timeLimit, ...;
-//            forbid: its states as a text, "climbing, seated"; startTick: start.tick
+//            forbid: its states as a text, "climbing, seated"; startTick: the level's clock at the
+//            start, in sixtieths of a second whatever the level's tick rate is
 //   region   kind: start, goal, waypoint, avoid or visit; order: a number; the box as cframe and
 //            size, or part (a name, path, GUID or #tag) and touch; on a waypoint also the number
 //            fields of the schema's Waypoint
 // The folder's own attribute `physics` holds calibrated parameters, a params record as JSON.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,9 +22,9 @@
 namespace obby::importer {
 
 // In the order of the file. What cannot be used is left out, with a warning that names it; a query
-// without a goal likewise.
+// without a goal likewise. `rate`: the level's ticks a second.
 std::vector<io::RecordBuilder> designerQueries(const LevelDraft& level, const Tree& tree,
-                                               std::vector<std::string>& warnings);
+                                               uint16_t rate, std::vector<std::string>& warnings);
 
 // Nothing where the place has none, or (with a warning) none that can be read.
 std::optional<io::Record> designerPhysics(const Tree& tree, std::vector<std::string>& warnings);

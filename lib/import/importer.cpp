@@ -33,9 +33,9 @@ void warn(const LevelDraft& level, const std::vector<io::RecordBuilder>& queries
 namespace {
 
 // The designer's, then one a stage.
-std::vector<io::RecordBuilder> queriesOf(const LevelDraft& level, const Tree& tree,
+std::vector<io::RecordBuilder> queriesOf(const LevelDraft& level, const Tree& tree, uint16_t rate,
                                          std::vector<std::string>& warnings) {
-  std::vector<io::RecordBuilder> queries = designerQueries(level, tree, warnings);
+  std::vector<io::RecordBuilder> queries = designerQueries(level, tree, rate, warnings);
   const size_t own = queries.size();
   for (io::RecordBuilder& stage : stageQueries(level, tree)) {
     const bool taken = std::any_of(
@@ -65,11 +65,14 @@ Import importDocument(const Document& document, const ImportOptions& options) {
   for (const std::string& warning : document.warnings)
     result.warnings.push_back(document.file + ": " + warning);
   result.level = levelRecord(level, tree);
-  if (options.queries) result.queries = queriesOf(level, tree, result.warnings);
   if (const auto found = designerPhysics(tree, result.warnings)) {
     io::Physics physics;
     physics.know(*found);
     physics.apply(result.level.root().getLevel());
+  }
+  if (options.queries) {
+    const uint16_t rate = result.level.reader().getLevel().getPhysics().getControlRate();
+    result.queries = queriesOf(level, tree, rate, result.warnings);
   }
   warn(level, result.queries, options.queries, result.warnings);
   if (options.explain) result.explanation = explain(level, tree);

@@ -30,7 +30,9 @@ bool isStated(const ScriptEvent& event) {
   if (event.property == "Transparency") return event.number && std::isfinite(*event.number);
   // Of a constraint, whose forces may be without bounds.
   const bool number = event.number && !std::isnan(*event.number);
-  return number || event.flag || (event.vector && isFinite(*event.vector));
+  const bool vector = event.vector && !std::isnan(event.vector->x) &&
+                      !std::isnan(event.vector->y) && !std::isnan(event.vector->z);
+  return number || event.flag || vector;
 }
 
 bool runsOnClient(const Instance& script) {

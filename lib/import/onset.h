@@ -35,6 +35,8 @@ class Onsets {
  public:
   Onsets(const Tree& tree, const ScriptReading& reading);
 
+  // Whether the player's own client runs the script.
+  bool areOfAClient() const { return onClient_; }
   // Of an event for which changesParts holds, or that sets a property of a constraint.
   Onset of(const Timeline& timeline, size_t event) const;
 

@@ -56,7 +56,9 @@ struct ScriptEvent {
   bool places = true, turns = true;  // of a pose: sets where the target is, which way it is turned
   TweenTiming tween;
   double until = std::numeric_limits<double>::infinity();  // when the script stops the tween
-  double time = 0;      // seconds after the trigger; of what each frame does, after the start
+  double done = 0;  // seconds that the tween had gone on before a pause, if it goes on after one
+  int which = 0;    // of a tween: which one of the script's
+  double time = 0;  // seconds after the trigger; of what each frame does, after the start
   bool unsure = false;  // under a condition that the text does not decide
   int line = 0;
 };

@@ -19,8 +19,10 @@ constexpr size_t kMostTaken = 100000;  // events in all rounds: bounds the work
 constexpr double kForEver = std::numeric_limits<double>::infinity();
 constexpr double kWhole = 1e-3;  // off a whole number
 
-std::optional<Motion> ofALoop(const Pose& start, const PoseEvents& events, double zero,
-                              double period) {
+// What a mixer could not do.
+Mixed failure(const TweenMixer& mixer) { return {std::nullopt, mixer.tooLong()}; }
+
+Mixed ofALoop(const Pose& start, const PoseEvents& events, double zero, double period) {
   // It comes nearer to its steady round with each; from where one ends on, it is near at once.
   Pose last = start;
   for (const ScriptEvent* event : events) last = poseAfter(last, *event);
@@ -32,26 +34,25 @@ std::optional<Motion> ofALoop(const Pose& start, const PoseEvents& events, doubl
     for (const ScriptEvent* event : events) mixer.take(*event, begin + event->time - zero);
     mixer.advance(begin + period);
   }
-  if (mixer.failed()) return std::nullopt;
+  if (mixer.failed()) return failure(mixer);
   Motion motion;
   motion.keys = mixer.keys();
   beginAt(motion, zero);
-  return motion;
+  return {motion};
 }
 
 // All events but `without` make keys.
-std::optional<Motion> ofKeys(const Pose& start, const PoseEvents& events,
-                             const ScriptEvent* without) {
+Mixed ofKeys(const Pose& start, const PoseEvents& events, const ScriptEvent* without) {
   TweenMixer mixer(start);
   mixer.record();
   for (const ScriptEvent* event : events)
     if (event != without) mixer.take(*event, event->time);
   mixer.finish();
-  if (mixer.failed()) return std::nullopt;
+  if (mixer.failed()) return failure(mixer);
   Motion motion;
   motion.repeat = Repeat::once;
   motion.keys = mixer.keys();
-  return motion;
+  return {motion};
 }
 
 // The pose from which an endless tween goes on, once scripts have set beside it what it does not
@@ -69,43 +70,42 @@ std::optional<Pose> settledStart(const PoseEvents& events, const RunningTween& e
 }
 
 // What goes on for ever once all else is over, or turns for ever beside it.
-std::optional<Motion> withEndless(const Pose& start, const PoseEvents& events,
-                                  const RunningTween& endless) {
+Mixed withEndless(const Pose& start, const PoseEvents& events, const RunningTween& endless) {
   if (const auto spin = spinOfTween(endless.from, *endless.event)) {
-    auto motion = ofKeys(start, events, endless.event);
-    if (motion) addSpin(*motion, *spin, endless.from.rotation, endless.begin);
-    return motion;
+    Mixed mixed = ofKeys(start, events, endless.event);
+    if (mixed.motion) addSpin(*mixed.motion, *spin, endless.from.rotation, endless.begin);
+    return mixed;
   }
   const bool alone = std::all_of(events.begin(), events.end(), [&](const ScriptEvent* event) {
-    const double takes = event->kind == EventKind::set ? 0 : event->tween.total();
-    const double end = std::min(event->time + takes, event->until);
+    const double over = event->kind == EventKind::set ? event->time : endOf(*event);
+    const double end = std::min(over, event->until);
     return setTheSame(*event, *endless.event) || end <= endless.begin + kSame;
   });
   const auto from = settledStart(events, endless);
-  if (!alone || !from) return std::nullopt;
-  return endlessMotion(*from, *endless.event);
+  if (!alone || !from) return {};
+  return {endlessMotion(*from, *endless.event)};
 }
 
 // One turns for ever while the other goes from place to place, or both have a common round.
-std::optional<Motion> withBoth(TweenMixer& mixer, const RunningTween& a, const RunningTween& b) {
+Mixed withBoth(TweenMixer& mixer, const RunningTween& a, const RunningTween& b) {
   for (const auto& [turns, goes] : {std::pair(&a, &b), std::pair(&b, &a)}) {
     const auto spin = spinOfTween(turns->from, *turns->event);
     if (!spin) continue;
     Motion motion = endlessMotion({goes->from.position, turns->from.rotation}, *goes->event);
     addSpin(motion, *spin, turns->from.rotation, turns->begin);
-    return motion;
+    return {motion};
   }
   const double longer = std::max(roundOfTween(*a.event), roundOfTween(*b.event));
   const double ratio = longer / std::min(roundOfTween(*a.event), roundOfTween(*b.event));
-  if (std::abs(ratio - std::round(ratio)) > kWhole) return std::nullopt;
+  if (std::abs(ratio - std::round(ratio)) > kWhole) return {};
   const double begin = mixer.clock();
   mixer.record();
   mixer.advance(begin + longer);
-  if (mixer.failed()) return std::nullopt;
+  if (mixer.failed()) return failure(mixer);
   Motion motion;
   motion.keys = mixer.keys();
   beginAt(motion, begin);
-  return motion;
+  return {motion};
 }
 
 }  // namespace
@@ -114,22 +114,21 @@ bool isMixed(const PoseEvents& events, double period) {
   double end = 0;
   for (const ScriptEvent* event : events) {
     const bool endless = event->tween.repeats < 0;
-    const double own = endless ? kForEver : event->time + event->tween.total();
-    if (event->kind == EventKind::set || event->time < end - kSame || event->until < own - kSame)
-      return true;
+    const double own = endless ? kForEver : endOf(*event);
+    const bool whole = event->done == 0 && event->until >= own - kSame;
+    if (event->kind == EventKind::set || event->time < end - kSame || !whole) return true;
     end = own;
   }
   return period > 0 && end > events.front()->time + period + kSame;
 }
 
-std::optional<Motion> mixedMotion(const Pose& start, const PoseEvents& events, double zero,
-                                  double period) {
+Mixed mixedMotion(const Pose& start, const PoseEvents& events, double zero, double period) {
   if (period > 0) return ofALoop(start, events, zero, period);
   TweenMixer mixer(start);
   for (const ScriptEvent* event : events) mixer.take(*event, event->time);
   mixer.beginAll();
   const std::vector<RunningTween> endless = mixer.endless();
-  if (mixer.failed()) return std::nullopt;
+  if (mixer.failed()) return failure(mixer);
   if (endless.empty()) return ofKeys(start, events, nullptr);
   if (endless.size() == 1) return withEndless(start, events, endless[0]);
   return withBoth(mixer, endless[0], endless[1]);

@@ -14,15 +14,19 @@ namespace obby::importer {
 using PoseEvents = std::vector<const ScriptEvent*>;
 
 // Whether appendTween of one after the other would give another way: poses are set, a tween begins
-// before one before it has ended, or a script stops one. `period`: seconds of a round, 0 for what
-// comes but once.
+// before one before it has ended, or a script stops one or lets it go on. `period`: seconds of a
+// round, 0 for what comes but once.
 bool isMixed(const PoseEvents& events, double period);
 
+struct Mixed {
+  std::optional<Motion> motion;
+  bool tooLong = false;  // without a motion: that would have too many keys or changes
+};
+
 // The motion of mixed events, which are not empty, from `start` on; with a `period` that of the
-// round that begins at `zero`. Nothing where they make no single motion: a tween of the CFrame
-// beside one of the Position or the Orientation, endless ones that have no common round, one that
-// is endless beside others that come but once; nor where it has too many keys.
-std::optional<Motion> mixedMotion(const Pose& start, const PoseEvents& events, double zero,
-                                  double period);
+// round that begins at `zero`. None where they make no single motion: a tween of the CFrame beside
+// one of the Position or the Orientation, endless ones that have no common round, one that is
+// endless beside others that come but once; nor where it is too long.
+Mixed mixedMotion(const Pose& start, const PoseEvents& events, double zero, double period);
 
 }  // namespace obby::importer

@@ -13,16 +13,12 @@ namespace {
 
 constexpr double kSame = 1e-4;  // seconds
 constexpr double kFrame = 1.0 / 60;
-constexpr double kSamples = 30;  // a second, of a way that is not even
-constexpr double kMostKeys = 3000;
+constexpr double kSamples = 30;    // a second, of a way that is not even
 constexpr int kMostSteps = 10000;  // from change to change: bounds the work
 constexpr double kForEver = std::numeric_limits<double>::infinity();
 constexpr float kStill = 1e-4f;  // studs, radians
 
 double secondsOf(const ScriptEvent& event) { return std::max(event.tween.seconds, kFrame); }
-
-// Of the CFrame as a whole: the engine knows it as another property than its pieces.
-bool isWhole(const ScriptEvent& event) { return event.places && event.turns && !event.orientation; }
 
 bool differ(const Pose& a, const Pose& b) {
   return length(a.position - b.position) > kStill ||
@@ -73,20 +69,32 @@ void TweenMixer::take(const ScriptEvent& event, double time) {
   });
   RunningTween tween;
   tween.event = &event;
-  tween.begin = time + event.tween.delay;
+  tween.begin = time + event.tween.delay - event.done;
   const double rounds = event.tween.repeats < 0 ? kForEver : event.tween.repeats + 1;
   const double stop = std::max(time + (event.until - event.time), tween.begin);
   tween.end = std::min(tween.begin + roundOfTween(event) * rounds, stop);
+  if (event.done > 0) resume(tween);
   running_.push_back(tween);
   settle();
 }
 
+// After a pause it goes on along the way that it was on.
+void TweenMixer::resume(RunningTween& tween) {
+  const auto paused = std::find_if(stopped_.rbegin(), stopped_.rend(), [&](const auto& other) {
+    return other.event->which == tween.event->which;
+  });
+  failed_ = failed_ || paused == stopped_.rend();
+  if (failed_) return;
+  tween.begun = paused->begun;
+  tween.from = paused->from;
+}
+
 void TweenMixer::advance(double until) {
-  while (time_ < until - kSame && !failed_) {
+  while (time_ < until - kSame && !failed()) {
     double next = until;
     for (const RunningTween& tween : running_) next = std::min(next, changeOf(tween));
     step(next);
-    failed_ = failed_ || ++steps_ > kMostSteps;
+    tooLong_ = tooLong_ || ++steps_ > kMostSteps;
   }
 }
 
@@ -131,7 +139,9 @@ void TweenMixer::step(double to) {
 
 void TweenMixer::settle() {
   std::erase_if(running_, [&](const RunningTween& tween) {
-    return tween.begun && tween.end <= time_ + kSame;
+    const bool over = tween.begun && tween.end <= time_ + kSame;
+    if (over && std::isfinite(tween.event->until)) stopped_.push_back(tween);
+    return over;
   });
   for (RunningTween& tween : running_) {
     if (tween.begun || tween.begin > time_ + kSame) continue;
@@ -181,8 +191,8 @@ void TweenMixer::sample(double to, double middle) {
   const RunningTween* const leg = oneLeg(to, middle);
   const bool one = leg || isEven();
   const double steps = one ? 1 : std::max(1.0, std::ceil((to - time_) * kSamples));
-  failed_ = failed_ || double(keys_.size()) + steps > kMostKeys;
-  if (failed_) return;
+  tooLong_ = tooLong_ || double(keys_.size()) + steps > kMostMixedKeys;
+  if (tooLong_) return;
   const Pose first = poseAt(time_, middle);
   if (differ(first, keys_.back().pose)) push(time_, first);  // a jump
   for (int i = 1; i <= int(steps); ++i) {

@@ -20,6 +20,9 @@ struct RunningTween {
 // Seconds of one round of a tween, there and, if it reverses, back: a frame or more a way.
 double roundOfTween(const ScriptEvent& event);
 
+// Of the motion that a mixer records; one of more is too long.
+constexpr int kMostMixedKeys = 3000;
+
 class TweenMixer {
  public:
   explicit TweenMixer(const Pose& start) : now_(start) {}
@@ -27,7 +30,8 @@ class TweenMixer {
   double clock() const { return time_; }
   // True where the engine would let two tweens of the same way go on, or of too many changes or
   // keys.
-  bool failed() const { return failed_; }
+  bool failed() const { return failed_ || tooLong_; }
+  bool tooLong() const { return tooLong_; }
   std::vector<RunningTween> endless() const;
 
   // Makes keys from now on; their times count from here.
@@ -45,6 +49,7 @@ class TweenMixer {
  private:
   bool isDriven(bool ScriptEvent::*what) const;
   double changeOf(const RunningTween& tween) const;
+  void resume(RunningTween& tween);
   void step(double to);
   void settle();
   Pose poseAt(double time, double middle) const;
@@ -56,9 +61,10 @@ class TweenMixer {
   Pose now_;
   double time_ = 0, zero_ = 0;
   std::vector<RunningTween> running_;  // at most one for the place and one for the turn
+  std::vector<RunningTween> stopped_;  // by the script, the last one behind
   std::vector<MotionKey> keys_;
   int steps_ = 0;
-  bool recording_ = false, failed_ = false;
+  bool recording_ = false, failed_ = false, tooLong_ = false;
 };
 
 }  // namespace obby::importer

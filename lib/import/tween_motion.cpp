@@ -81,6 +81,27 @@ bool setTheSame(const ScriptEvent& a, const ScriptEvent& b) {
   return (a.places && b.places) || (a.turns && b.turns);
 }
 
+bool isWhole(const ScriptEvent& event) { return event.places && event.turns && !event.orientation; }
+
+double endOf(const ScriptEvent& event) { return event.time + event.tween.total() - event.done; }
+
+double shareAfter(const TweenTiming& timing, double since) {
+  const double gone = since - timing.delay;
+  if (!(gone > 0)) return 0;
+  const double seconds = std::max(timing.seconds, 1 / kTicks);
+  const double legs = timing.reverses ? 2 : 1;
+  if (timing.repeats >= 0 && gone >= seconds * legs * (timing.repeats + 1))
+    return timing.reverses ? 0 : 1;
+  const double leg = std::floor(gone / seconds);
+  const double share = gone / seconds - leg;
+  return timing.reverses && std::fmod(leg, 2.0) > 0.5 ? 1 - share : share;
+}
+
+float easedShare(const TweenTiming& timing, double share) {
+  return float(
+      level::ease(schema::Easing(timing.easing), schema::EasingDirection(timing.direction), share));
+}
+
 Pose goalOf(const Pose& from, const ScriptEvent& event) {
   Pose goal = *event.frame;
   if (!event.places) goal.position = from.position;
@@ -89,9 +110,7 @@ Pose goalOf(const Pose& from, const ScriptEvent& event) {
 }
 
 Pose onTheWay(const Pose& from, const ScriptEvent& event, double share) {
-  const TweenTiming& t = event.tween;
-  const auto eased =
-      float(level::ease(schema::Easing(t.easing), schema::EasingDirection(t.direction), share));
+  const float eased = easedShare(event.tween, share);
   Pose pose = between(from, goalOf(from, event), eased);
   if (event.orientation)
     pose.rotation = fromOrientation(toOrientation(from.rotation) + turnOf(from, event) * eased);
@@ -99,7 +118,10 @@ Pose onTheWay(const Pose& from, const ScriptEvent& event, double share) {
 }
 
 Pose poseAfter(const Pose& from, const ScriptEvent& event) {
-  return event.kind == EventKind::tween && event.tween.reverses ? from : goalOf(from, event);
+  if (event.kind != EventKind::tween) return goalOf(from, event);
+  if (std::isfinite(event.until))
+    return onTheWay(from, event, shareAfter(event.tween, event.until - event.time + event.done));
+  return event.tween.reverses ? from : goalOf(from, event);
 }
 
 void appendTween(std::vector<MotionKey>& keys, const ScriptEvent& event, double time) {
@@ -130,7 +152,7 @@ Motion endlessMotion(const Pose& start, const ScriptEvent& event) {
   once.tween.reverses = false;
   appendTween(motion.keys, once, 0);
   motion.repeat = event.tween.reverses ? Repeat::pingPong : Repeat::loop;
-  beginAt(motion, event.time);
+  beginAt(motion, event.time - event.done);
   return motion;
 }
 

@@ -11,6 +11,19 @@ namespace obby::importer {
 // Whether both set where the part is, or both which way it is turned.
 bool setTheSame(const ScriptEvent& a, const ScriptEvent& b);
 
+// Of the CFrame as a whole: the engine knows it as another property than its pieces.
+bool isWhole(const ScriptEvent& event);
+
+// Seconds at which a tween that nothing stops is over, an endless one with its first round.
+double endOf(const ScriptEvent& event);
+
+// The share 0..1 of its way at which a tween is, `since` seconds after it was played: 0 until its
+// delay is over, back again where it reverses.
+double shareAfter(const TweenTiming& timing, double since);
+
+// What the easing of a tween makes of a share 0..1; it may come out of that range.
+float easedShare(const TweenTiming& timing, double share);
+
 // The pose that a tween from `from` leads to; what the event does not set stays.
 Pose goalOf(const Pose& from, const ScriptEvent& event);
 
@@ -20,7 +33,7 @@ EasingDirection reversed(EasingDirection direction);
 // The pose after a share 0..1 of a tween's seconds from `from` to its goal.
 Pose onTheWay(const Pose& from, const ScriptEvent& event, double share);
 
-// The pose once a tween is over, or a pose is set.
+// The pose once a tween is over or stopped, or a pose is set.
 Pose poseAfter(const Pose& from, const ScriptEvent& event);
 
 // Appends all rounds of a tween of poses, played `time` seconds after the first key, to `keys`,

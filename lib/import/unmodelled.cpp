@@ -140,7 +140,7 @@ void noteScript(RoleContext& context, const ScriptReading& reading) {
     level.noteUnmodelled("code made at run time", path, "loadstring, getfenv or setfenv");
   if (reading.exhausted)
     level.noteUnmodelled("very long script", path,
-                         "read as far as the budget of steps and nested calls went");
+                         "read as far as the budget of steps, rounds and nested calls went");
 }
 
 // What a touch does that no role covers: a kind and what is lost.

@@ -94,6 +94,18 @@ TEST(DesignerQueries, ForbidStatesAndStartLaterWithAndWithoutAStartRegion) {
   }
 }
 
+TEST(DesignerQueries, StartAsManySecondsLaterAtAnyTickRate) {
+  Place place;
+  place.attribute(place.folder, "physics", std::string(R"({"type":"params","controlRate":240})"));
+  const InstanceId query = place.query("later");
+  place.attribute(query, "startTick", 90.0);
+  place.region(query, "goal", "goal");
+  const importer::Import import = place.imported();
+  EXPECT_TRUE(import.warnings.empty()) << import.warnings.front();
+  EXPECT_EQ(import.level.reader().getLevel().getPhysics().getControlRate(), 240);
+  EXPECT_EQ(import.queries[0].reader().getQuery().getStart().getTick(), 360u) << "1.5 s";
+}
+
 TEST(DesignerQueries, StatesAndTicksThatAreNoneAreNamed) {
   Place place;
   const InstanceId query = place.query("odd");

@@ -102,6 +102,38 @@ TEST(Luau, EndlessAndRecursiveScriptsAreReadWithinABudget) {
   }
 }
 
+TEST(Luau, BigTablesAndLongTextsTakeMoreSteps) {
+  std::string fields;
+  for (int i = 0; i < 50000; ++i) fields += "a" + std::to_string(i) + " = 1, ";
+  const std::string rounds = " for i = 1, 2000 do for j = 1, 2000 do ";
+  const std::string texts[] = {
+      "local t = {" + fields + "}" + rounds + "for k in pairs(t) do break end end end",
+      "local s = '" + std::string(900000, 'x') + "'" + rounds + "local x = s end end",
+      "local tags = game:GetService('CollectionService')" + rounds +
+          "local n = #tags:GetTagged('Coin') end end"};
+  for (const std::string& text : texts) {
+    Scene scene;
+    for (int i = 0; i < 2000; ++i) scene.tag(scene.part("Part"), "Coin");
+    scene.script(text, scene.scripts);
+    const auto start = std::chrono::steady_clock::now();
+    scene.level();
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+    EXPECT_EQ(scene.unmodelled("very long script"), 1u) << text.substr(0, 20);
+  }
+}
+
+TEST(Luau, RoundsThatAreNotFollowedAreNamed) {
+  for (const bool many : {false, true}) {
+    Scene scene;
+    const auto part = scene.part("Part");
+    scene.script("for i = 1, " + std::string(many ? "3000" : "300") +
+                     " do script.Parent.Transparency = i / 3000 wait() end",
+                 part);
+    scene.level();
+    EXPECT_EQ(scene.unmodelled("very long script"), many ? 1u : 0u);
+  }
+}
+
 TEST(Luau, WhatFollowsAnEndlessLoopIsNotRead) {
   const char* const loops[] = {"while true do end",
                                "while task.wait(1) do end",

@@ -178,5 +178,17 @@ TEST(Vanish, ManyMarkersOfOneOwnerCountOnce) {
   EXPECT_FLOAT_EQ(scene[last].vanish->delay, 4);
 }
 
+TEST(Vanish, TimesWithoutEndAreAnHour) {
+  Scene scene;
+  const auto model = scene.add("Model", "Fading", scene.workspace);
+  scene.value("NumberValue", "FadeTime", 1e300, model);
+  scene.value("NumberValue", "RespawnTime", 1e300, model);
+  const auto part = scene.part("Part", {}, model);
+  scene.level();
+  ASSERT_TRUE(scene[part].vanish);
+  EXPECT_FLOAT_EQ(scene[part].vanish->delay, 3600);
+  EXPECT_FLOAT_EQ(scene[part].vanish->away, 3600);
+}
+
 }  // namespace
 }  // namespace obby::test

@@ -144,5 +144,70 @@ TEST(ScriptLoops, AVelocityUnderAConditionIsAGuess) {
   EXPECT_EQ(scene.evidence(part, "conveyor").rfind("guessed: ", 0), 0u);
 }
 
+// As `if passed < 0.5 then return end` keeps a handler from what it does each half second.
+TEST(ScriptLoops, AHandlerThatReturnsEarlyIsCalledAgain) {
+  Scene scene;
+  const auto part = scene.part("Part");
+  scene.script(
+      "local p, passed = script.Parent, 0\n"
+      "game:GetService('RunService').Heartbeat:Connect(function(step)\n"
+      " passed = passed + step\n"
+      " if passed < 0.5 then return end\n"
+      " passed = 0\n"
+      " p.Position = Vector3.new(0, p.Position.Y > 1 and 0 or 8, 0)\n"
+      "end)",
+      part);
+  scene.level();
+  ASSERT_TRUE(scene[part].motion);
+  EXPECT_NEAR(scene[part].motion->keys.back().time, 1, 0.1);
+  EXPECT_NEAR(at(scene[part], 0.8f).y, 8, 0.1);
+}
+
+TEST(ScriptLoops, HandlersThatDoNothingLeaveStepsForTheRest) {
+  Scene scene;
+  const auto part = scene.part("Part");
+  scene.script(
+      "local p, on, run = script.Parent, false, game:GetService('RunService')\n"
+      "for i = 1, 2000 do run.Heartbeat:Connect(function() if not on then return end end) end\n"
+      "run.Heartbeat:Connect(function(step) p.CFrame = p.CFrame * CFrame.Angles(0, step, 0) end)",
+      part);
+  scene.level();
+  EXPECT_TRUE(scene[part].motion);
+  EXPECT_EQ(scene.unmodelled("very long script"), 0u);
+}
+
+TEST(ScriptLoops, WhatEachFrameDoesFromATouchOnIsNamed) {
+  for (const char* signal : {"Touched", "ClickDetector.MouseClick"}) {
+    Scene scene;
+    const auto part = scene.part("Part");
+    scene.script("local p = script.Parent\np." + std::string(signal) +
+                     ":Connect(function()\n"
+                     " game:GetService('RunService').Heartbeat:Connect(function(step)\n"
+                     "  p.CFrame = p.CFrame * CFrame.Angles(0, step, 0) end) end)",
+                 part);
+    scene.level();
+    EXPECT_FALSE(scene[part].motion) << signal;
+    EXPECT_EQ(scene.unmodelled("motion that a touch or click starts"), 1u) << signal;
+  }
+}
+
+TEST(ScriptLoops, ALoopThatAReturnEndsIsNotEndless) {
+  Scene scene;
+  const auto part = scene.part("Part");
+  scene.script(
+      "local p = script.Parent\n"
+      "local function rise()\n"
+      " local n = 0\n"
+      " while true do n = n + 1 p.Position = Vector3.new(0, n * 4, 0) task.wait(1)\n"
+      "  if n > 1 then return end\n"
+      " end\n"
+      "end\n"
+      "rise()",
+      part);
+  scene.level();
+  EXPECT_FALSE(scene[part].motion);
+  EXPECT_EQ(scene.unmodelled("part that a script changes in play"), 1u);
+}
+
 }  // namespace
 }  // namespace obby::test

@@ -2,44 +2,15 @@
 // those of different ones go on side by side.
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <string>
 
-#include "import/motion_checks.h"
 #include "import/pose_math.h"
+#include "import/tween_scene.h"
 
 namespace obby::test {
 namespace {
 
 constexpr float kPi = 3.14159265f;
-
-// `ts`, the part `p`, and tween(info, goals) of it.
-const std::string kBefore = R"(local ts, p = game:GetService("TweenService"), workspace.Mover
-local function tween(info, goals) return ts:Create(p, info, goals) end
-local line, way = Enum.EasingStyle.Linear, Enum.EasingDirection.In
-local function even(seconds) return TweenInfo.new(seconds, line, way) end
-local function ever(seconds) return TweenInfo.new(seconds, line, way, -1) end
-local function swing(seconds) return TweenInfo.new(seconds, line, way, -1, true) end
-local function to(z) return {Position = Vector3.new(0, 0, z)} end
-)";
-
-// One part that the scripts tween, each with kBefore.
-struct Overlap {
-  explicit Overlap(std::initializer_list<std::string> texts) {
-    part = scene.part("Mover");
-    for (const std::string& text : texts) scene.script(kBefore + text, scene.scripts);
-    scene.level();
-  }
-  const importer::Motion& motion() const {
-    static const importer::Motion kNone;
-    EXPECT_TRUE(scene[part].motion);
-    return scene[part].motion ? *scene[part].motion : kNone;
-  }
-  float z(float time) const { return motion().keys.empty() ? NAN : at(scene[part], time).z; }
-
-  Scene scene;
-  InstanceId part = kNoInstance;
-};
 
 // Degrees about Y of the first key at or after `time`.
 float yawAt(const importer::Motion& motion, float time) {
@@ -232,6 +203,54 @@ TEST(TweenOverlap, WhatIsCancelledStaysOnItsWay) {
   EXPECT_NEAR(cut.z(1), 10, 0.1);
   EXPECT_NEAR(cut.motion().keys.back().time, 1, 0.02);
   expectNear(cut.motion().keys.back().pose.position, {0, 0, 10}, 0.2f);
+}
+
+TEST(TweenOverlap, WhatIsPausedGoesOnWithWhatIsLeft) {
+  const Overlap even(
+      {"local t = tween(even(4), to(40)) t:Play() task.wait(1) t:Pause()\n"
+       "task.wait(2) t:Play()"});
+  EXPECT_NEAR(even.z(1), 10, 0.1);
+  EXPECT_NEAR(even.z(3), 10, 0.1);
+  EXPECT_NEAR(even.z(4), 20, 0.1);
+  EXPECT_NEAR(even.z(6), 40, 0.1);
+  EXPECT_NEAR(even.motion().keys.back().time, 6, 0.02);
+  const Overlap eased(
+      {"local t = tween(TweenInfo.new(2), to(16)) t:Play() task.wait(1) t:Pause()\n"
+       "task.wait(1) t:Play()"});
+  EXPECT_NEAR(eased.z(2), 12, 0.1);  // quad, out
+  EXPECT_NEAR(eased.z(2.5f), 15, 0.1);
+  EXPECT_NEAR(eased.z(3), 16, 0.1);
+  const Overlap anew(
+      {"local t = tween(even(2), to(20)) t:Play() task.wait(1) t:Pause() t:Cancel()\n"
+       "task.wait(1) t:Play()"});
+  EXPECT_NEAR(anew.z(3), 15, 0.1);
+  EXPECT_NEAR(anew.motion().keys.back().time, 4, 0.02);
+}
+
+TEST(TweenOverlap, WhatIsPausedInItsDelayWaitsForTheRest) {
+  const Overlap late(
+      {"local t = tween(TweenInfo.new(1, line, way, 0, false, 2), to(10)) t:Play()\n"
+       "task.wait(1) t:Pause() task.wait(1) t:Play()"});
+  EXPECT_NEAR(late.z(3), 0, 0.1);
+  EXPECT_NEAR(late.z(3.5f), 5, 0.1);
+  EXPECT_NEAR(late.z(4), 10, 0.1);
+}
+
+TEST(TweenOverlap, AnEndlessTweenThatALoopPausesIsNamed) {
+  const Overlap stops(
+      {"local t = tween(swing(2), to(20))\n"
+       "while true do t:Play() task.wait(2) t:Pause() task.wait(1) end"});
+  EXPECT_FALSE(stops.scene[stops.part].motion);
+  EXPECT_EQ(stops.scene.unmodelled("tweens that go on at once"), 1u);
+}
+
+TEST(TweenOverlap, WhatIsTooLongIsNotCalledMixedUp) {
+  const Overlap longest(
+      {"tween(TweenInfo.new(500), to(40)):Play()\n"
+       "tween(even(2), {Orientation = Vector3.new(0, 90, 0)}):Play()"});
+  EXPECT_FALSE(longest.scene[longest.part].motion);
+  EXPECT_EQ(longest.scene.unmodelled("tweens that go on at once"), 0u);
+  EXPECT_EQ(longest.scene.unmodelled("motion of too many poses"), 1u);
 }
 
 TEST(TweenOverlap, APoseMayBeSetBesideAnEndlessTween) {

@@ -1,4 +1,4 @@
-// Calls of the script reader: waits, spawned functions, signals, tweens, methods.
+// Calls of the script reader: waits, spawned functions, signals, methods.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,9 +10,6 @@ namespace {
 
 constexpr double kFrame = 1.0 / 60;
 constexpr double kOldWait = 1.0 / 30;  // wait() never resumes sooner
-constexpr size_t kPlayedPerStep = 64;  // tweens looked through
-constexpr size_t kGoalsPerStep = 8;    // of those looked through
-constexpr double kDone = 1e-3;         // seconds before its end that a tween is over
 
 bool isFrameSignal(const std::string& name) {
   static constexpr std::string_view kNames[] = {"Heartbeat",     "RenderStepped",  "Stepped",
@@ -132,66 +129,10 @@ void Reader::connect(const Expr& signal, const std::vector<Datum>& arguments) {
   }
 }
 
-// Whether it was played, goes on, and nothing has put an end to it.
-bool Reader::isPlaying(const Tween* tween) {
-  spend(played_.size() / kPlayedPerStep);
-  for (auto before = played_.rbegin(); before != played_.rend(); ++before) {
-    const Tween* other = before->tween;
-    if (before->time > time_ + kDone) continue;  // what is delayed stands before what comes sooner
-    if (other == tween)
-      return !before->stopped &&
-             (tween->timing.repeats < 0 || time_ < before->time + tween->timing.total() - kDone);
-    if (other->target != tween->target) continue;
-    spend(other->goals.size() / kGoalsPerStep);
-    const bool ends = std::any_of(other->goals.begin(), other->goals.end(), [&](const auto& goal) {
-      return tween->goals.count(goal.first) > 0;
-    });
-    if (ends) return false;
-  }
-  return false;
-}
-
-// Cancel and Pause: what it tweens stays where it is by then.
-void Reader::stop(const Tween* tween) {
-  if (isUnsure() || !isPlaying(tween)) return;
-  const auto last = std::find_if(played_.rbegin(), played_.rend(), [&](const Played& before) {
-    return before.tween == tween && before.time <= time_ + kDone;
-  });
-  last->stopped = true;
-  const size_t end = std::min(last->event + last->events, timeline_.events.size());
-  for (size_t i = last->event; i < end; ++i) timeline_.events[i].until = time_;
-}
-
-// Playing what plays already does nothing.
-void Reader::play(Tween* tween, int line) {
-  for (const Played& before : played_) {
-    if (!finishing_ || before.tween != tween || timeline_.forever) continue;
-    timeline_.forever = true;  // it comes round again
-    timeline_.loopStart = before.time;
-    timeline_.loopEvent = before.event;
-    timeline_.period = time_ - before.time;
-    return;
-  }
-  if (isPlaying(tween)) return;
-  vague_ = vague_ || !tween->timing.known;
-  played_.push_back({tween, time_, timeline_.events.size()});
-  if (tween->target == kNoInstance || !spend(tween->goals.size())) return;
-  const size_t first = timeline_.events.size();
-  const bool part = tree_.isPart(tween->target);
-  if (part) setPoseGoals(*tween, line);
-  for (const auto& [name, value] : tween->goals)
-    if (!part || !isPoseProperty(name)) setInstance(tween->target, name, value, line);
-  for (size_t i = first; i < timeline_.events.size(); ++i) {
-    timeline_.events[i].kind = EventKind::tween;
-    timeline_.events[i].tween = tween->timing;
-  }
-  played_.back().events = timeline_.events.size() - first;
-}
-
 void Reader::waitForSignal(const Expr& signal) {
   const Datum source = signal.kind == ExprKind::field ? evaluate(*signal.kids[0]) : Datum{};
   if (const auto* tween = source.as<Tween*>()) {
-    waitFor((*tween)->timing.total(), 0);
+    waitFor(secondsLeft(*tween), 0);
     return;
   }
   vague_ = vague_ || !(isFrameSignal(signal.text) || comesAtStart(signal.text));
@@ -229,7 +170,7 @@ Datum Reader::methodOf(const Datum& object, const std::string& name,
                        const std::vector<Datum>& arguments, int line) {
   if (const auto* tween = object.as<Tween*>()) {
     if (name == "Play") play(*tween, line);
-    if (name == "Cancel" || name == "Pause") stop(*tween);
+    if (name == "Cancel" || name == "Pause") stop(*tween, name == "Pause");
     return {};
   }
   if (const auto* ref = object.as<Ref>()) return instanceMethod(ref->target, name, arguments, line);

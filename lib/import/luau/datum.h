@@ -48,7 +48,10 @@ struct Tween {
   TweenTiming timing;
   std::map<std::string, Datum> goals;
   std::vector<Closure> completed;
-  int line = 0;
+  int line = 0, number = 0;
+  // What its target was when it was last played from the start.
+  Pose from;
+  std::map<std::string, Datum> began;
 };
 // A pose and the instance whose pose it is, if it is one unchanged; and the instance that it turns
 // on the spot, or not at all, while the statement runs that has read where that is.

@@ -88,15 +88,20 @@ void Reader::setInstance(InstanceId id, const std::string& spelled, const Datum&
   std::string name = spelled;
   if (name == "AssemblyLinearVelocity" || name == "velocity") name = "Velocity";
   if (name == "AssemblyAngularVelocity") name = "RotVelocity";
+  if (name == "maxForce" || name == "maxTorque") name[0] = 'M';
   const Instance& instance = tree_.at(id);
   if (name == "Parent" || name == "parent") return setParent(id, value, line);
   if (isA(instance.className, "Humanoid")) return;  // an NPC
   if (tree_.isPart(id) && isPoseProperty(name)) {
     const auto* frame = value.as<Frame>();
-    setFrame(id, posed(frameOf(id), name, value), line);
     // `part.CFrame * CFrame.Angles(...)` leaves the part where it is by then; a pose that was kept
     // in a variable brings it back.
     const bool stays = frame && frame->at == id && frame->statement == statements_;
+    const Pose last = frameOf(id);  // where tweens leave it
+    Datum pose = posed(last, name, value);
+    if (stays && going_.count({id, "CFrame"}) > 0)
+      pose = {Frame{{last.position, frame->pose.rotation}, frame->from}};
+    setFrame(id, pose, line);
     timeline_.events.back().places = setsPlace(name) && !stays;
     timeline_.events.back().turns = setsTurn(name);
     return;

@@ -4,6 +4,8 @@
 namespace obby::importer::luau {
 namespace {
 
+constexpr size_t kCharsPerStep = 64;
+
 // One of two values; which of them is not known.
 Datum oneOf(const Datum& yes, const Datum& no) {
   if (yes.as<Stranger>()) return yes;
@@ -22,8 +24,16 @@ std::vector<Datum> Reader::evaluateAll(const std::vector<ExprPtr>& list, size_t 
   return values;
 }
 
+// A long text takes more steps: each value is a copy.
 Datum Reader::evaluate(const Expr& expr) {
   if (!spend()) return {};
+  Datum value = evaluated(expr);
+  const auto* text = value.as<std::string>();
+  if (text && !spend(text->size() / kCharsPerStep)) return {};
+  return value;
+}
+
+Datum Reader::evaluated(const Expr& expr) {
   switch (expr.kind) {
     case ExprKind::nil: return {Nil{}};
     case ExprKind::truth: return {true};

@@ -10,6 +10,7 @@ namespace obby::importer::luau {
 namespace {
 
 constexpr size_t kChildrenPerStep = 8;  // looked through by name
+constexpr size_t kClassesPerStep = 64;  // of children
 
 Datum instanceOr(InstanceId id, const Datum& absent) {
   return id == kNoInstance ? absent : Datum{Ref{id}};
@@ -56,12 +57,14 @@ Datum Reader::instanceField(InstanceId id, const std::string& spelled) {
   if (name == "ClassName") return {instance.className};
   if (tree_.isPart(id) && isPoseProperty(name)) {
     const auto moved = movedFrame(id);
-    const Pose pose = moved ? *moved : fileFrame(id);
+    const Pose pose = tweenedFrame(id, moved ? *moved : fileFrame(id));
     const InstanceId from = moved ? kNoInstance : id;
     if (name == "CFrame") return {Frame{pose, from, id, statements_}};
-    if (name == "Position") return {Vector{pose.position, from}};
-    return {Vector{toOrientation(pose.rotation), kNoInstance}};
+    const bool place = name == "Position";
+    const Vec3 value = place ? pose.position : toOrientation(pose.rotation);
+    return isFinite(value) ? Datum{Vector{value, place ? from : kNoInstance}} : Datum{};
   }
+  if (auto now = tweenedValue(id, name)) return *now;
   const auto it = written_.find({id, name});
   if (it != written_.end()) return it->second;
   const auto own = instance.properties.find(name);
@@ -105,6 +108,7 @@ Datum Reader::instanceSearch(InstanceId id, const std::string& name,
     if (text) {
       reading_.tags.push_back(*text);
       for (InstanceId tagged : tree_.tagged(*text)) list->items.push_back({Ref{tagged}});
+      spend(list->items.size());
     }
     return {list};
   }
@@ -127,15 +131,19 @@ Datum Reader::instanceSearch(InstanceId id, const std::string& name,
     return {};
   }
   if (name == "FindFirstChildOfClass" || name == "FindFirstChildWhichIsA") {
+    spend(tree_.at(id).children.size() / kClassesPerStep);
     for (InstanceId child : tree_.at(id).children)
       if (text && isA(tree_.at(child).className, *text)) return {Ref{child}};
     return {Nil{}};
   }
   if (name.rfind("FindFirstAncestor", 0) == 0) {
-    for (InstanceId up = tree_.at(id).parent; text && up != kNoInstance; up = tree_.at(up).parent)
+    size_t seen = 0;
+    for (InstanceId up = tree_.at(id).parent; text && up != kNoInstance; up = tree_.at(up).parent) {
+      if (++seen % kAncestorsPerStep == 0) spend();
       if (name == "FindFirstAncestor" ? tree_.at(up).name == *text
                                       : isA(tree_.at(up).className, *text))
         return {Ref{up}};
+    }
     return {Nil{}};
   }
   *handled = false;
@@ -159,8 +167,10 @@ Datum Reader::instanceMethod(InstanceId id, const std::string& name,
     return it == instance.attributes.end() ? Datum{Nil{}} : datumFrom(it->second, kNoInstance);
   }
   const InstanceId own = tree_.isPart(id) ? id : kNoInstance;
-  if (name == "GetPivot") return {Frame{frameOf(id) * pivotOffset(id), own}};
-  if (name == "GetPrimaryPartCFrame" || name == "GetModelCFrame") return {Frame{frameOf(id), own}};
+  if (name == "GetPivot" || name == "GetPrimaryPartCFrame" || name == "GetModelCFrame") {
+    const Pose pose = tweenedFrame(id, frameOf(id));
+    return {Frame{name == "GetPivot" ? pose * pivotOffset(id) : pose, own}};
+  }
   if (name == "PivotTo") {
     setPivot(id, first, line);
   } else if (name == "SetPrimaryPartCFrame") {
@@ -231,6 +241,7 @@ Datum Reader::newInstance(const std::vector<Datum>& arguments) {
 Datum Reader::createTween(const std::vector<Datum>& arguments, int line) {
   auto tween = arena_.make<Tween>();
   tween->line = line;
+  tween->number = ++tweens_;
   if (const auto* ref = arguments[0].as<Ref>()) tween->target = ref->target;
   const auto* timing = arguments[1].as<TweenTiming>();
   if (timing) tween->timing = *timing;

@@ -118,7 +118,7 @@ Datum mathCall(const std::string& path, const std::vector<Datum>& a) {
   if (path == "math.min") return {std::min(x, y)};
   if (path == "math.clamp" && a.size() == 3) return {std::max(y, std::min(x, numberAt(a, 2, y)))};
   if (path == "math.pow") return {std::pow(x, y)};
-  if (path == "math.fmod") return arithmetic("%", a[0], a[1]);
+  if (path == "math.fmod" && y != 0) return {std::fmod(x, y)};
   return {};
 }
 

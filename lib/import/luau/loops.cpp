@@ -15,6 +15,8 @@ namespace {
 constexpr double kFrame = 1.0 / 60;
 constexpr int kMaxRounds = 1500;       // of an endless loop
 constexpr double kMaxSeconds = 25;     // of an endless loop
+constexpr double kMaxIdle = 5;         // seconds in which a handler of each frame does nothing
+constexpr size_t kIdleSteps = 300000;  // of that in a script: leaves steps for the rest
 constexpr int kMaxCount = 2000;        // of a counted loop
 constexpr float kSamePlace = 2e-3f;    // studs
 constexpr float kSameTurn = 2e-3f;     // radians
@@ -89,6 +91,31 @@ bool sameState(const std::map<std::pair<InstanceId, std::string>, Datum>& a,
   });
 }
 
+// Finds the rounds of a loop that leave all as the first two did.
+class Repetition {
+ public:
+  using State = std::map<std::pair<InstanceId, std::string>, Datum>;
+
+  // After a round that has set something, with what is then and the time. True once it has come
+  // round again.
+  bool take(const State& now, double time) {
+    if (done_ == 0) firstTime_ = time;
+    if (done_ < 2) (done_ == 0 ? first_ : second_) = now;
+    if (matched_ && sameState(now, second_)) return true;
+    matched_ = done_ > 0 && sameState(now, first_);
+    matchTime_ = time;
+    ++done_;
+    return false;
+  }
+  double period() const { return matchTime_ - firstTime_; }
+
+ private:
+  State first_, second_;
+  double firstTime_ = 0, matchTime_ = 0;
+  bool matched_ = false;
+  int done_ = 0;  // rounds
+};
+
 }  // namespace
 
 Reader::Flow Reader::walkRound(const Block& body) {
@@ -144,8 +171,10 @@ Reader::Flow Reader::whileLoop(const Stat& stat) {
   const bool endless = truth == Truth::yes || waits ||
                        (timeline_.trigger == Trigger::start && active_.empty() && !repeats);
   const bool sure = truth == Truth::yes && isFixed(condition);
-  if (endless) return foreverLoop(stat.blocks[0], waits ? &condition : nullptr, sure);
-  const Flow flow = walkRound(stat.blocks[0]);
+  const size_t event = timeline_.events.size();
+  const Flow flow = endless ? foreverLoop(stat.blocks[0], waits ? &condition : nullptr, sure)
+                            : walkRound(stat.blocks[0]);
+  if (time_ > start && timeline_.events.size() == event) endGoing();
   return flow == Flow::leaveLoop ? Flow::on : flow;
 }
 
@@ -166,40 +195,41 @@ void Reader::beginLoop() {
 
 // Rounds are followed until two in a row leave the parts as the first two did: one alone may pass
 // the same place on the way back. A loop that is not sure to be endless and does nothing but wait
-// ends with what it waits for: what follows it is read.
+// ends with what it waits for: what follows it is read. A handler of each frame may return before
+// it does anything: its rounds are those that do.
 Reader::Flow Reader::foreverLoop(const Block& body, const Expr* condition, bool sure) {
   const bool nested = timeline_.forever;
+  const bool handler = timeline_.trigger == Trigger::frame && !nested;
   if (!nested) beginLoop();
-  State first, second;
-  double firstTime = 0, matchTime = 0;
-  bool matched = false;
+  Repetition repetition;
+  double lastSet = time_;
   for (int round = 0; round < kMaxRounds; ++round) {
     const double roundStart = time_;
-    const size_t event = timeline_.events.size();
+    const size_t event = timeline_.events.size(), budget = budget_;
     if (condition) evaluate(*condition);
     const Flow flow = walkRound(body);
+    const bool returns = handler && flow == Flow::leaveFunction;
     if (timeline_.trigger == Trigger::frame) time_ = std::max(time_, roundStart + kFrame);
     const bool idle = round == 0 && flow == Flow::on && timeline_.events.size() == event;
-    const bool ends = flow == Flow::leaveLoop || (idle && !sure);
+    const bool leaves = flow == Flow::leaveFunction && !returns;
+    const bool ends = flow == Flow::leaveLoop || leaves || (idle && !sure);
     if (ends) timeline_.forever = nested;
-    if (ends) return Flow::on;
+    if (ends) return leaves ? flow : Flow::on;
     timeline_.period = time_ - timeline_.loopStart;
-    if (flow != Flow::on) return flow;
+    if (flow != Flow::on && !returns) return flow;
     const auto begin = timeline_.events.begin() + std::ptrdiff_t(event);
+    const bool sets = std::any_of(begin, timeline_.events.end(), isTracked);
+    if (sets) lastSet = time_;
+    if (returns && !sets) idleSteps_ += budget - budget_;
+    const bool goesOn = sets || (returns && time_ - lastSet < kMaxIdle && idleSteps_ < kIdleSteps);
     if (nested || time_ <= roundStart || timeline_.period > kMaxSeconds ||
-        timeline_.events.size() > kMaxEvents ||
-        std::none_of(begin, timeline_.events.end(), isTracked))
+        timeline_.events.size() > kMaxEvents || !goesOn)
       break;
-    const State now = trackedState();
-    if (round == 0) firstTime = time_;
-    if (round < 2) (round == 0 ? first : second) = now;
-    if (matched && sameState(now, second)) {
-      timeline_.closed = true;
-      timeline_.period = matchTime - firstTime;
-      break;
-    }
-    matched = round > 0 && sameState(now, first);
-    matchTime = time_;
+    if (!sets) continue;
+    if (!repetition.take(trackedState(), time_)) continue;
+    timeline_.closed = true;
+    timeline_.period = repetition.period();
+    break;
   }
   return nested ? Flow::on : Flow::stop;
 }
@@ -215,6 +245,7 @@ Reader::Flow Reader::numericFor(const Stat& stat) {
   if (known) rounds = std::floor((*to - *from) / by + 1e-9) + 1;
   const int count = int(std::clamp(rounds, 0.0, double(kMaxCount)));
   const double start = time_;
+  const size_t before = timeline_.events.size();
   for (int i = 0; i < count; ++i) {
     const auto outer = scope_;
     scope_ = newScope(outer);
@@ -225,6 +256,8 @@ Reader::Flow Reader::numericFor(const Stat& stat) {
     if (flow != Flow::on) return flow;
   }
   if (!known && time_ > start) vague_ = true;
+  // What the rounds that are not followed would do is lost.
+  if (rounds > count && timeline_.events.size() > before) reading_.exhausted = true;
   if (rounds > count && count > 0) time_ = start + (time_ - start) * rounds / count;
   return Flow::on;
 }
@@ -251,7 +284,8 @@ Reader::Flow Reader::genericFor(const Stat& stat) {
     const size_t count = items->items.size();
     for (size_t i = 0; i < count && i < items->items.size() && flow == Flow::on; ++i)
       flow = round({double(i + 1)}, items->items[i]);
-    const auto fields = items->fields;
+    if (flow == Flow::on) spend(items->fields.size());  // they are copied
+    const auto fields = flow == Flow::on ? items->fields : std::map<std::string, Datum>{};
     for (auto it = fields.begin(); it != fields.end() && flow == Flow::on; ++it)
       flow = round({it->first}, it->second);
   }

@@ -13,6 +13,11 @@ bool isOfEveryPlayer(const Datum& condition) {
                       stranger->name == "HumanoidRootPart");
 }
 
+// What a player does in the game, and not by coming into it.
+bool isTrigger(Trigger trigger, const std::string& signal) {
+  return trigger == Trigger::touch || signal == "MouseClick" || signal == "Triggered";
+}
+
 }  // namespace
 
 Reader::Reader(const Tree& tree, InstanceId script, size_t& budget) : tree_(tree), budget_(budget) {
@@ -31,6 +36,7 @@ ScriptReading Reader::read(const Chunk& chunk) {
   timeline_ = {};
   walk(chunk.body, false);
   finishTweens();
+  leaveGoing();
   timeline_.end = time_;
   timeline_.vague = vague_;
   reading_.timelines.push_back(std::move(timeline_));
@@ -47,7 +53,12 @@ void Reader::follow(const Pending& pending) {
   inHandler_ = pending.trigger != Trigger::start;  // what it writes ends with it
   beforeHandler_.clear();
   timeline_ = {};
+  ++followed_;
   timeline_.trigger = pending.trigger;
+  triggered_ = pending.triggered || isTrigger(timeline_.trigger, pending.signal);
+  const bool ownClock = triggered_ || !timeline_.byItself();
+  std::map<Key, std::vector<Going>> others;  // by the clock of the game
+  if (ownClock) others.swap(going_);
   timeline_.touched = pending.touched;
   timeline_.signal = pending.signal;
   timeline_.line = pending.line;
@@ -57,20 +68,16 @@ void Reader::follow(const Pending& pending) {
   unsure_ = pending.unsure ? 1 : 0;
   left_ = skipped_ = false;
   vague_ = pending.vague;
-  if (pending.trigger == Trigger::frame) {
-    const Function* body = pending.closure.function;
-    const auto outer = scope_;
-    scope_ = newScope(pending.closure.scope);
-    for (size_t i = 0; i < body->parameters.size() && i < pending.arguments.size(); ++i)
-      scope_->names[body->parameters[i]] = pending.arguments[i];
-    foreverLoop(body->body, nullptr, true);
-    scope_ = outer;
-  } else {
+  if (pending.trigger == Trigger::frame)
+    followEachFrame(pending);
+  else
     call(pending.closure, pending.arguments);
-  }
   finishTweens();
+  leaveGoing();
   timeline_.end = time_;
   timeline_.vague = vague_;
+  if (ownClock) going_.swap(others);
+  if (pending.triggered) timeline_.trigger = Trigger::other;
   reading_.timelines.push_back(std::move(timeline_));
   for (auto& [key, old] : beforeHandler_) {
     if (old)
@@ -80,19 +87,14 @@ void Reader::follow(const Pending& pending) {
   }
 }
 
-// What the end of each tween sets off. A tween that plays again closes a loop.
-void Reader::finishTweens() {
-  constexpr size_t kMaxChain = 64;
-  finishing_ = true;
-  for (size_t i = 0; i < played_.size() && i < kMaxChain && !timeline_.forever; ++i) {
-    const Played played = played_[i];
-    if (played.tween->timing.repeats < 0) continue;
-    time_ = played.time + played.tween->timing.total();
-    const auto completed = played.tween->completed;  // what is called may connect more
-    for (const Closure& closure : completed) call(closure, {});
-  }
-  played_.clear();
-  finishing_ = false;
+void Reader::followEachFrame(const Pending& pending) {
+  const Function* body = pending.closure.function;
+  const auto outer = scope_;
+  scope_ = newScope(pending.closure.scope);
+  for (size_t i = 0; i < body->parameters.size() && i < pending.arguments.size(); ++i)
+    scope_->names[body->parameters[i]] = pending.arguments[i];
+  foreverLoop(body->body, nullptr, true);
+  scope_ = outer;
 }
 
 bool Reader::spend(size_t steps) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -39,10 +40,20 @@ class Reader {
     std::vector<Datum> arguments;
     double time = 0;
     bool unsure = false, vague = false;  // as the reader's, where it was begun
+    bool triggered = false;              // done each frame, but from a touch or click on
+  };
+  // A tween of a pose or of another property, since its event.
+  struct Going {
+    const Tween* tween = nullptr;
+    ScriptEvent goal;
+    size_t timeline = 0;   // that it was played in
+    bool clashes = false;  // another one sets the same, as another property
+    bool again = false;    // an endless loop that is over for the reading plays it round by round
   };
 
   // reader.cpp: timelines and statements
   void follow(const Pending& pending);
+  void followEachFrame(const Pending& pending);
   Flow walk(const Block& block, bool ownScope = true);
   Flow statement(const Stat& stat);
   struct Asked {
@@ -84,6 +95,7 @@ class Reader {
 
   // evaluate.cpp: expressions
   Datum evaluate(const Expr& expr);
+  Datum evaluated(const Expr& expr);
   std::vector<Datum> evaluateAll(const std::vector<ExprPtr>& list, size_t from);
   Datum nameValue(const std::string& name);
   Datum binary(const Expr& expr);
@@ -93,7 +105,7 @@ class Reader {
   Datum field(const Datum& object, const std::string& name);
   Datum indexed(const Datum& object, const Datum& key);
 
-  // calls.cpp: waits, threads, signals, tweens, methods
+  // calls.cpp: waits, threads, signals, methods
   Datum callValue(const Expr& expr);
   std::optional<Datum> scheduled(const std::string& name, const std::vector<Datum>& arguments);
   Datum methodValue(const Expr& expr);
@@ -101,11 +113,31 @@ class Reader {
                  int line);
   void waitForSignal(const Expr& signal);
   void waitFor(double seconds, double least);
-  void play(Tween* tween, int line);
-  bool isPlaying(const Tween* tween);
-  void stop(const Tween* tween);
   void connect(const Expr& signal, const std::vector<Datum>& arguments);
+
+  // tweens.cpp: what plays, and what it makes of properties on the way
+  void play(Tween* tween, int line);
+  bool closesChain(const Tween* tween);
+  void keepStart(Tween& tween);
+  void takeUp(const Tween& tween, ScriptEvent& event, double done);
+  void drive(const Tween& tween, const ScriptEvent& event);
+  void comeBack(const Tween& tween, const ScriptEvent& event);
+  bool isPlaying(const Tween* tween);
+  double secondsLeft(const Tween* tween);  // until it is over
+  void stop(const Tween* tween, bool pauses);
+  void halt(const Tween* tween, const ScriptEvent& event);
   void finishTweens();
+  void leaveGoing();
+  void endGoing();
+  double secondsOn(const Going& going) const { return time_ - going.goal.time + going.goal.done; }
+  bool isOn(const Going& going) const;
+  Pose poseOf(const Going& going) const;
+  Datum valueOf(const Going& going) const;
+  // Where a part, or what a model is placed by, is by now if it is at `pose` once all tweens are
+  // over; NaN where the text does not tell.
+  Pose tweenedFrame(InstanceId id, Pose pose) const;
+  // What a tween makes of another property by now; nothing: none drives it.
+  std::optional<Datum> tweenedValue(InstanceId id, const std::string& name) const;
 
   // instances.cpp: what instances answer
   Datum instanceField(InstanceId id, const std::string& name);
@@ -153,23 +185,28 @@ class Reader {
   std::deque<Pending> pending_;
   struct Played {
     Tween* tween;
-    double time = 0;
+    double time = 0;   // that it began, without pauses
     size_t event = 0;  // index of its first event
     size_t events = 0;
-    bool stopped = false;
+    bool stopped = false, paused = false;
   };
-  std::vector<Played> played_;  // tweens of this timeline whose end sets something off
+  std::vector<Played> played_;             // tweens of this timeline whose end sets something off
+  std::map<const Tween*, double> paused_;  // those to go on, with the seconds that they have done
+  int tweens_ = 0;                         // made so far
   // What the script wrote, by (instance, property), and what was there before the current handler
   // and the current endless loop wrote it.
   using Key = std::pair<InstanceId, std::string>;
   using Old = std::map<Key, std::optional<Datum>>;
   std::map<Key, Datum> written_;
   Old beforeHandler_, beforeLoop_;
+  std::map<Key, std::vector<Going>> going_;  // what may still be driven
+  size_t followed_ = 0;                      // timelines before this one
   std::map<InstanceId, Pose> fileFrames_;
-  bool inHandler_ = false;
+  bool inHandler_ = false, triggered_ = false;
   Arena arena_;
   Datum returned_;
   size_t statements_ = 0;          // begun so far
+  size_t idleSteps_ = 0;           // of handlers of each frame, in rounds that do nothing
   bool finishing_ = false;         // following what the ends of tweens set off
   InstanceId zone_ = kNoInstance;  // the part whose contents the script asked for last
   int unsure_ = 0;                 // open branches whose condition is unknown

@@ -62,6 +62,7 @@ void Reader::later(Pending pending, const Datum& function, std::vector<Datum> ar
     pending.unsure = isUnsure();
     pending.vague = vague_;
   }
+  pending.triggered = triggered_ && pending.trigger == Trigger::frame;
   pending_.push_back(std::move(pending));
 }
 

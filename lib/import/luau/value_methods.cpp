@@ -10,15 +10,16 @@ namespace {
 
 Datum vector(Vec3 v) { return {Vector{v, kNoInstance}}; }
 
+Datum known(float n) { return std::isnan(n) ? Datum{} : Datum{double(n)}; }
+
 Datum ofVector(const Vector& v, const std::string& name, const std::vector<Datum>& a) {
-  const auto number = [](float n) { return std::isnan(n) ? Datum{} : Datum{double(n)}; };
-  if (name == "X" || name == "x") return number(v.value.x);
-  if (name == "Y" || name == "y") return number(v.value.y);
-  if (name == "Z" || name == "z") return number(v.value.z);
-  if (name == "Magnitude" || name == "magnitude") return number(length(v.value));
+  if (name == "X" || name == "x") return known(v.value.x);
+  if (name == "Y" || name == "y") return known(v.value.y);
+  if (name == "Z" || name == "z") return known(v.value.z);
+  if (name == "Magnitude" || name == "magnitude") return known(length(v.value));
   if (name == "Unit" || name == "unit") return vector(normalize(v.value, {0, 0, 0}));
   const auto* other = a.empty() ? nullptr : a[0].as<Vector>();
-  if (name == "Dot" && other) return number(dot(v.value, other->value));
+  if (name == "Dot" && other) return known(dot(v.value, other->value));
   if (name == "Cross" && other) return vector(cross(v.value, other->value));
   if (name == "Lerp" && other && a.size() > 1)
     if (const auto* t = a[1].as<double>())
@@ -29,9 +30,9 @@ Datum ofVector(const Vector& v, const std::string& name, const std::vector<Datum
 Datum ofFrame(const Frame& f, const std::string& name, const std::vector<Datum>& a) {
   const Mat3& r = f.pose.rotation;
   if (name == "Position" || name == "p") return {Vector{f.pose.position, f.from}};
-  if (name == "X" || name == "x") return {double(f.pose.position.x)};
-  if (name == "Y" || name == "y") return {double(f.pose.position.y)};
-  if (name == "Z" || name == "z") return {double(f.pose.position.z)};
+  if (name == "X" || name == "x") return known(f.pose.position.x);
+  if (name == "Y" || name == "y") return known(f.pose.position.y);
+  if (name == "Z" || name == "z") return known(f.pose.position.z);
   if (name == "LookVector" || name == "lookVector") return vector(-r.z);
   if (name == "RightVector" || name == "rightVector" || name == "XVector") return vector(r.x);
   if (name == "UpVector" || name == "upVector" || name == "YVector") return vector(r.y);

@@ -25,6 +25,12 @@ ConstraintSettings::ConstraintSettings(const RoleContext& context) : tree_(conte
         if (!sets || event.target == kNoInstance ||
             !isFreeConstraintClass(tree_.at(event.target).className))
           continue;
+        const bool endless =
+            isLooped(timeline, i) || (event.kind == EventKind::tween && event.tween.repeats < 0);
+        if (onsets.areOfAClient() && timeline.byItself() && !endless) {
+          settings_[{event.target, event.property}].ofAClient = {&reading, &event};
+          continue;
+        }
         const Onset onset = onsets.of(timeline, i);
         const bool later = onset == Onset::later && event.kind == EventKind::set;
         take(reading, timeline, event, onset == Onset::atStart, later);
@@ -105,6 +111,11 @@ std::optional<std::string> ConstraintSettings::changeByItself(
 std::optional<std::string> ConstraintSettings::changeOnTrigger(
     InstanceId constraint, std::span<const std::string_view> names) const {
   return change(constraint, names, &Setting::onTrigger);
+}
+
+std::optional<std::string> ConstraintSettings::changeOfAClient(
+    InstanceId constraint, std::span<const std::string_view> names) const {
+  return change(constraint, names, &Setting::ofAClient);
 }
 
 }  // namespace obby::importer

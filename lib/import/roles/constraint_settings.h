@@ -1,6 +1,7 @@
 // What scripts make of constraints and body movers. What they set for certain, to one value, counts
 // as if the file had it, also after a wait: as with other motions, that has no beginning. What they
-// set to and fro, perhaps, or when something triggers it changes in play.
+// set to and fro, perhaps, or when something triggers it changes in play. What a LocalScript sets
+// outside of endless loops and tweens is for one player, and does not count.
 #pragma once
 
 #include <map>
@@ -33,6 +34,9 @@ class ConstraintSettings {
                                             std::span<const std::string_view> names) const;
   std::optional<std::string> changeOnTrigger(InstanceId constraint,
                                              std::span<const std::string_view> names) const;
+  // The line of a LocalScript that sets one of them but once: for one player.
+  std::optional<std::string> changeOfAClient(InstanceId constraint,
+                                             std::span<const std::string_view> names) const;
 
  private:
   struct Write {
@@ -41,7 +45,7 @@ class ConstraintSettings {
   };
   struct Setting {
     const ScriptEvent* value = nullptr;  // null: as in the file
-    Write byItself, onTrigger;
+    Write byItself, onTrigger, ofAClient;
   };
   void take(const ScriptReading& reading, const Timeline& timeline, const ScriptEvent& event,
             bool atStart, bool later);

@@ -16,14 +16,6 @@ constexpr std::string_view kMotorProperties[] = {"ActuatorType", "Enabled",     
                                                  "LowerLimit",   "MotorMaxForce", "UpperLimit",
                                                  "Velocity"};
 
-Pose attachmentFrame(const Tree& tree, const Instance& constraint, const char* name,
-                     InstanceId part) {
-  const auto* ref = property<Ref>(constraint, name);
-  const Pose base = pivotOf(tree, part);
-  if (!ref || ref->target >= tree.size()) return base;
-  return base * get<CFrame>(tree.at(ref->target), "CFrame");
-}
-
 // Why the way of a motor is not known; empty: it is.
 std::string unknownWay(RoleContext& context, const ConstraintSettings& settings,
                        const Drive& drive) {
@@ -67,6 +59,22 @@ std::optional<Motion> carried(const PartDraft* base, const Pose& own, Motion mot
 }
 
 }  // namespace
+
+InstanceId movedPart(const Tree& tree, InstanceId id) {
+  const JointEnds ends = jointEnds(tree, id);
+  if (ends.first != kNoInstance) return ends.first;
+  InstanceId up = tree.at(id).parent;
+  while (up != kNoInstance && !tree.isPart(up)) up = tree.at(up).parent;
+  return up;
+}
+
+Pose attachmentFrame(const Tree& tree, const Instance& constraint, const char* name,
+                     InstanceId part) {
+  const auto* ref = property<Ref>(constraint, name);
+  const Pose base = pivotOf(tree, part);
+  if (!ref || ref->target >= tree.size()) return base;
+  return base * get<CFrame>(tree.at(ref->target), "CFrame");
+}
 
 bool isFree(RoleContext& context, InstanceId part) {
   const PartDraft* draft = context.part(part);
@@ -122,6 +130,16 @@ bool hold(RoleContext& context, InstanceId part, const std::string& why) {
     }
   return any;
 }
+
+bool leaveDriven(RoleContext& context, const char* kind, InstanceId part, InstanceId constraint,
+                 const std::string& why) {
+  if (!hold(context, part, "where its motor drives it is not known")) return false;
+  context.level.noteUnmodelled(kind, context.tree.path(constraint),
+                               "what it moves stays where the file has it; " + why);
+  return true;
+}
+
+std::string setBy(const std::string& script) { return "a script sets what drives it; " + script; }
 
 Track trackOf(const Tree& tree, const Drive& drive) {
   Track track;

@@ -22,6 +22,14 @@ struct Drive {
   Pose frame;                                           // world frame of the fixed attachment
 };
 
+// The part that a constraint in OneAttachment mode or a legacy body mover acts on, or its first
+// end; kNoInstance if there is none.
+InstanceId movedPart(const Tree& tree, InstanceId id);
+
+// The world frame in the file of an attachment of a constraint on `part`; without one, the part's.
+Pose attachmentFrame(const Tree& tree, const Instance& constraint, const char* name,
+                     InstanceId part);
+
 // Whether nothing holds or moves the part so far.
 bool isFree(RoleContext& context, InstanceId part);
 
@@ -42,6 +50,13 @@ bool giveDriven(RoleContext& context, const Drive& drive, Motion motion, const s
 
 // Anchors a part and what is joined to it, with `why` as evidence. False if nothing was loose.
 bool hold(RoleContext& context, InstanceId part, const std::string& why);
+
+// What is driven to where the file does not tell stands where the file has it, and the level names
+// the constraint. False if nothing was loose.
+bool leaveDriven(RoleContext& context, const char* kind, InstanceId part, InstanceId constraint,
+                 const std::string& why);
+// As a reason for that: the line of a script.
+std::string setBy(const std::string& script);
 
 // The line of a slider's moving part.
 struct Track {

@@ -1,5 +1,6 @@
 // Moving and spinning parts whose scripts set poses in a loop or play tweens.
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -35,12 +36,12 @@ void takeEarly(Moved& moved, const ScriptEvent& event) {
   if (event.kind == EventKind::tween) {
     if (moved.early.empty()) moved.earlyStart = moved.start;
     moved.early.push_back(&event);
-    if (event.tween.repeats < 0 && event.until > event.time) {
+    if (event.tween.repeats < 0 && !std::isfinite(event.until)) {
       moved.endless = &event;
       moved.endlessStart = moved.start;
     }
   }
-  moved.start = goalOf(moved.start, event);
+  moved.start = poseAfter(moved.start, event);
 }
 
 // What the loop does not move goes on as it was begun before it.
@@ -121,24 +122,27 @@ PoseEvents playedBy(const Timeline& timeline, const Moved& moved) {
 double beginOfRound(const Timeline& timeline, const PoseEvents& events) {
   const double end = timeline.loopStart + timeline.period + kInstant;
   const bool goesOn = std::any_of(events.begin(), events.end(), [&](const ScriptEvent* event) {
-    return event->kind == EventKind::tween && event->time + event->tween.total() > end;
+    return event->kind == EventKind::tween && endOf(*event) > end;
   });
   return goesOn ? events.front()->time : timeline.loopStart;
 }
 
-std::optional<Motion> tweenMotion(const Timeline& timeline, const Moved& moved, bool& clash) {
+// Why tweens that do not simply come one after the other give the part no motion.
+enum class Clash { none, noSingle, tooLong };
+
+std::optional<Motion> tweenMotion(const Timeline& timeline, const Moved& moved, Clash& clash) {
   if (moved.tweens.empty()) return std::nullopt;
   const PoseEvents events = playedBy(timeline, moved);
   const bool endless = std::any_of(moved.tweens.begin(), moved.tweens.end(),
                                    [](const auto* event) { return event->tween.repeats < 0; });
-  const bool alone = endless && moved.loops && events.size() == 1;  // one goes on in all rounds
+  const bool alone = endless && moved.loops && events.size() == 1 &&
+                     !std::isfinite(events.front()->until);  // one goes on in all rounds
   const double period = moved.loops ? timeline.period : 0;
   const double zero = moved.loops ? beginOfRound(timeline, events) : 0;
   if (!alone && !events.empty() && isMixed(events, period)) {
-    auto motion =
-        endless && moved.loops ? std::nullopt : mixedMotion(moved.start, events, zero, period);
-    clash = !motion;
-    return motion;
+    Mixed mixed = endless && moved.loops ? Mixed{} : mixedMotion(moved.start, events, zero, period);
+    if (!mixed.motion) clash = mixed.tooLong ? Clash::tooLong : Clash::noSingle;
+    return std::move(mixed.motion);
   }
   if (auto motion = endlessTween(moved)) return motion;
   Motion motion;
@@ -229,20 +233,20 @@ ScriptMotion described(const Moved& moved) {
 
 void takeMoved(ScriptMotions& motions, const Timeline& timeline, InstanceId id, const Moved& moved,
                std::string reason) {
-  bool clash = false, open = false;
+  bool open = false;
+  Clash clash = Clash::none;
   auto motion = tweenMotion(timeline, moved, clash);
-  if (!motion && !clash) {
+  if (!motion && clash == Clash::none) {
     auto loop = loopMotion(timeline, moved);
     if (!loop) return;
     motion = std::move(loop->motion);
     open = loop->open;
-    if (open) reason += " (starts over after " + std::to_string(int(loop->period)) + " s)";
+    if (open)
+      reason += " (starts over after " + std::to_string(int(std::min(loop->period, 1e6))) + " s)";
   }
-  if (clash || (moved.endless && !goesOnBeside(*motion, moved))) {
-    motions.leave(id, "tweens that go on at once",
-                  "they make no single motion; left where the file has it; " + reason);
-    return;
-  }
+  if (clash == Clash::none && moved.endless && !goesOnBeside(*motion, moved))
+    clash = Clash::noSingle;
+  if (clash != Clash::none) return motions.leaveMixed(id, clash == Clash::tooLong, reason);
   ScriptMotion found = described(moved);
   found.id = id;
   found.motion = std::move(*motion);

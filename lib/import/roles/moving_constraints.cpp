@@ -1,5 +1,5 @@
-// Parts that physics moves: hinges and sliders with a motor, positions that a script steps, legacy
-// body movers. They carry who stands on them. What is left over is named as unmodelled.
+// Parts that physics moves: hinges and sliders with a motor, and what movers push, pull and turn.
+// They carry who stands on them. What is left over is named as unmodelled.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -9,6 +9,7 @@
 #include "import/format/class_defaults.h"
 #include "import/pivot.h"
 #include "import/roles/driven.h"
+#include "import/roles/movers.h"
 #include "import/roles/script_motions.h"
 #include "import/roles/stepped.h"
 
@@ -23,15 +24,11 @@ constexpr std::string_view kTurnProperties[] = {
     "Enabled",      "MotorMaxTorque",      "ServoMaxTorque", "TargetAngle"};
 constexpr std::string_view kServoProperties[] = {"ActuatorType", "Enabled", "ServoMaxForce",
                                                  "Speed", "TargetPosition"};
-constexpr std::string_view kTriggered[] = {"ActuatorType",   "AngularActuatorType",
-                                           "AngularSpeed",   "AngularVelocity",
-                                           "Enabled",        "LimitsEnabled",
-                                           "LowerLimit",     "MotorMaxForce",
-                                           "MotorMaxTorque", "Position",
-                                           "ServoMaxForce",  "ServoMaxTorque",
-                                           "Speed",          "TargetAngle",
-                                           "TargetPosition", "UpperLimit",
-                                           "Velocity"};
+constexpr std::string_view kTriggered[] = {
+    "ActuatorType",  "AngularActuatorType", "AngularSpeed",  "AngularVelocity", "Enabled",
+    "LimitsEnabled", "LowerLimit",          "MotorMaxForce", "MotorMaxTorque",  "Position",
+    "ServoMaxForce", "ServoMaxTorque",      "Speed",         "TargetAngle",     "TargetPosition",
+    "UpperLimit",    "VectorVelocity",      "Velocity"};
 
 // How a motor turns the moving part.
 std::optional<Spin> spinOf(const RoleContext& context, const ConstraintSettings& settings,
@@ -50,26 +47,15 @@ std::optional<Spin> spinOf(const RoleContext& context, const ConstraintSettings&
 
 constexpr const char* kHingeMotor = "motion of a hinge's motor";
 
-// What a motor drives to where the file does not tell stands where the file has it.
-bool leave(RoleContext& context, const char* kind, InstanceId part, InstanceId motor,
-           const std::string& why) {
-  if (!hold(context, part, "where its motor drives it is not known")) return false;
-  context.level.noteUnmodelled(kind, context.tree.path(motor),
-                               "what it moves stays where the file has it; " + why);
-  return true;
-}
-
-std::string setBy(const std::string& script) { return "a script sets what drives it; " + script; }
-
 bool fromHinge(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
   const auto drive = driveOf(context, id);
   if (!drive) return false;
   if (const auto change = settings.changeByItself(id, kTurnProperties))
-    return leave(context, kHingeMotor, drive->moving, id, setBy(*change));
+    return leaveDriven(context, kHingeMotor, drive->moving, id, setBy(*change));
   Motion motion;
   motion.spin = spinOf(context, settings, *drive);
   if (motion.spin && settings.hasAngularLimits(id))
-    return leave(context, kHingeMotor, drive->moving, id, "limits end its turn");
+    return leaveDriven(context, kHingeMotor, drive->moving, id, "limits end its turn");
   return motion.spin && giveDriven(context, *drive, std::move(motion), "motor", false);
 }
 
@@ -90,7 +76,7 @@ bool fromServo(RoleContext& context, const ConstraintSettings& settings, const D
     }
   }
   if (const auto change = settings.changeByItself(servo, kServoProperties))
-    return leave(context, "motion of a slider's servo", drive.moving, servo, setBy(*change));
+    return leaveDriven(context, "motion of a slider's servo", drive.moving, servo, setBy(*change));
   const double target = settings.number(servo, "TargetPosition");
   if (std::abs(target - track.now) < kArrived) return standStill(context, drive, spin);
   return giveDriven(context, drive, slideTo(track, target, speed, spin), "servo", false);
@@ -114,49 +100,6 @@ bool fromSlider(RoleContext& context, const ConstraintSettings& settings, Instan
   return slides;
 }
 
-// The part that a mover in OneAttachment mode or a legacy body mover acts on.
-InstanceId movedPart(const Tree& tree, InstanceId id) {
-  const JointEnds ends = jointEnds(tree, id);
-  if (ends.first != kNoInstance) return ends.first;
-  InstanceId up = tree.at(id).parent;
-  while (up != kNoInstance && !tree.isPart(up)) up = tree.at(up).parent;
-  return up;
-}
-
-bool fromPosition(RoleContext& context, InstanceId id) {
-  const InstanceId part = movedPart(context.tree, id);
-  if (part == kNoInstance) return false;
-  const auto steps = stepsOf(context, id, {"Position", "position"});
-  if (!steps) return false;
-  const Pose own = pivotOf(context.tree, part);
-  Goals goals;
-  for (const ScriptEvent* e : steps->events)
-    if (e->vector) goals.emplace_back(e->time - steps->start, Pose{*e->vector, own.rotation});
-  if (goals.empty()) return false;
-  const double limit = propertyOr(context.tree.at(id), "MaxVelocity", 0.0);
-  Motion motion = stepped(own, goals, *steps, std::isfinite(limit) ? limit : 0);
-  return giveDriven(context, part, std::move(motion), id, "stepped by a script", true);
-}
-
-// A vector of a body mover, a number of a constraint.
-bool hasTorque(const ConstraintSettings& settings, InstanceId mover) {
-  return settings.number(mover, "MaxTorque") > 0 || length(settings.vector(mover, "MaxTorque")) > 0;
-}
-
-bool fromTurner(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
-  const InstanceId part = movedPart(context.tree, id);
-  if (part == kNoInstance || !isFree(context, part)) return false;
-  constexpr std::string_view kProperties[] = {"AngularVelocity", "MaxTorque"};
-  if (const auto change = settings.changeByItself(id, kProperties))
-    return leave(context, "motion of a turning mover", part, id, setBy(*change));
-  const Vec3 turn = settings.vector(id, "AngularVelocity");
-  if (!(length(turn) >= 1e-3f) || !hasTorque(settings, id)) return false;
-  Motion motion;
-  motion.spin =
-      Spin{toLocal(pivotOf(context.tree, part).rotation, normalize(turn)), length(turn), {}};
-  return giveDriven(context, part, motion, id, "turns it", true);
-}
-
 // The part of the level that the constraint leaves loose; kNoInstance if there is none.
 InstanceId loosePart(RoleContext& context, InstanceId id) {
   const JointEnds ends = jointEnds(context.tree, id);
@@ -167,30 +110,31 @@ InstanceId loosePart(RoleContext& context, InstanceId id) {
   return kNoInstance;
 }
 
-// A body that a mover holds in place and nothing steps.
-bool isHolder(const std::string& className) {
-  return className == "BodyPosition" || className == "AlignPosition";
-}
-
-bool understand(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
+bool understand(RoleContext& context, const ConstraintSettings& settings, const Pulls& pulls,
+                InstanceId id) {
   const std::string& name = context.tree.at(id).className;
   if (name == "HingeConstraint") return fromHinge(context, settings, id);
   if (name == "PrismaticConstraint") return fromSlider(context, settings, id);
   if (name == kCylinder)
     return fromSlider(context, settings, id) || fromHinge(context, settings, id);
-  if (name == "BodyAngularVelocity" || name == "AngularVelocity")
-    return fromTurner(context, settings, id);
-  return isHolder(name) && fromPosition(context, id);
+  return fromMover(context, settings, pulls, id);
 }
 
-// What a touch or click does to a constraint.
-void noteTriggered(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
-  const auto change = settings.changeOnTrigger(id, kTriggered);
+// What a touch or click does to a constraint, or a script of the player's own.
+void noteOthers(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
+  const auto trigger = settings.changeOnTrigger(id, kTriggered);
+  const auto client = settings.changeOfAClient(id, kTriggered);
+  if (!trigger && !client) return;
   const JointEnds ends = jointEnds(context.tree, id);
   for (const InstanceId end : {ends.first, ends.second, movedPart(context.tree, id)}) {
-    if (!change || end == kNoInstance || !context.part(end)) continue;
-    context.level.noteUnmodelled("motion that a touch or click starts", context.tree.path(id),
-                                 "moves, or rests, as when play starts; " + *change);
+    if (end == kNoInstance || !context.part(end)) continue;
+    if (trigger)
+      context.level.noteUnmodelled("motion that a touch or click starts", context.tree.path(id),
+                                   "moves, or rests, as when play starts; " + *trigger);
+    if (client)
+      context.level.noteUnmodelled(
+          "part that a LocalScript changes", context.tree.path(id),
+          "moves, or rests, as on the server: the change is for one player; " + *client);
     return;
   }
 }
@@ -213,16 +157,19 @@ void noteBoth(RoleContext& context, const ConstraintSettings& settings, Instance
 // that.
 std::vector<InstanceId> withoutMotion(RoleContext& context, const ConstraintSettings& settings) {
   constexpr int kLongestChain = 8;
+  const Pulls pulls = pullsOf(context, settings);
   std::vector<InstanceId> open;
   for (InstanceId id = 0; id < context.tree.size(); ++id) {
     if (!isFreeConstraintClass(context.tree.at(id).className)) continue;
-    noteTriggered(context, settings, id);
+    noteOthers(context, settings, id);
     if (settings.isEnabled(id)) open.push_back(id);
   }
+  std::stable_partition(open.begin(), open.end(),
+                        [&](InstanceId id) { return !isPusher(context.tree.at(id).className); });
   for (int link = 0; link < kLongestChain; ++link) {
     std::vector<InstanceId> left;
     for (const InstanceId id : open)
-      if (!understand(context, settings, id)) left.push_back(id);
+      if (!understand(context, settings, pulls, id)) left.push_back(id);
     const bool done = left.size() == open.size();
     open = std::move(left);
     if (done) break;
@@ -238,6 +185,7 @@ void movingFromConstraints(RoleContext& context) {
   std::set<InstanceId> held;
   for (InstanceId id : left) {
     noteBoth(context, settings, id);
+    noteTurning(context, settings, id);
     const InstanceId moved = loosePart(context, id);
     if (moved == kNoInstance) continue;  // moves nothing in the level
     const std::string& className = context.tree.at(id).className;

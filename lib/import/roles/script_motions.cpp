@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "import/motion.h"
+#include "import/tween_mixer.h"
 #include "import/tween_motion.h"
 
 namespace obby::importer {
@@ -56,6 +57,17 @@ void ScriptMotions::add(ScriptMotion found) {
 
 void ScriptMotions::leave(InstanceId id, const char* kind, const std::string& why) {
   if (context_.hasParts(id)) context_.level.noteUnmodelled(kind, context_.tree.path(id), why);
+}
+
+void ScriptMotions::leaveMixed(InstanceId id, bool tooLong, const std::string& reason) {
+  if (!tooLong)
+    return leave(id, "tweens that go on at once",
+                 "they make no single motion; left where the file has it; " + reason);
+  leave(id, "motion of too many poses",
+        "its tweens that go on at once or are stopped would need more than " +
+            std::to_string(kMostMixedKeys) +
+            " poses; linear, fewer or shorter ones need less; left where the file has it; " +
+            reason);
 }
 
 void ScriptMotions::give() {

@@ -33,6 +33,8 @@ class ScriptMotions {
   void add(ScriptMotion found);
   // Names what stays where the file has it.
   void leave(InstanceId id, const char* kind, const std::string& why);
+  // What mixed tweens do not move: they make no single motion, or one that is too long.
+  void leaveMixed(InstanceId id, bool tooLong, const std::string& reason);
   // Gives the level what was added so far.
   void give();
 

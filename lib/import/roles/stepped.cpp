@@ -27,7 +27,7 @@ std::optional<Steps> stepsOf(const RoleContext& context, InstanceId id,
                              std::initializer_list<const char*> names) {
   for (const ScriptReading& reading : context.scripts)
     for (const Timeline& timeline : reading.timelines) {
-      if (!timeline.forever || !(timeline.period > 0)) continue;
+      if (!timeline.byItself() || !timeline.forever || !(timeline.period > 0)) continue;
       Steps steps{{}, timeline.loopStart, timeline.period};
       for (size_t i = timeline.loopEvent; i < timeline.events.size(); ++i) {
         const ScriptEvent& e = timeline.events[i];

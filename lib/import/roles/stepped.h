@@ -16,7 +16,7 @@ struct Steps {
   std::vector<const ScriptEvent*> events;
   double start = 0, period = 0;
 };
-// Of the first loop that sets one of the properties `names`.
+// Of the first loop that sets one of the properties `names` and begins by itself.
 std::optional<Steps> stepsOf(const RoleContext& context, InstanceId id,
                              std::initializer_list<const char*> names);
 

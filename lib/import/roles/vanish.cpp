@@ -25,6 +25,8 @@ constexpr double kKit6Count = 3;
 
 void give(PartDraft& part, Vanish vanish, std::string reason, bool guessed) {
   if (part.vanish) return;
+  vanish.delay = std::min(vanish.delay, kGone);
+  vanish.away = std::min(vanish.away, kGone);
   part.vanish = vanish;
   part.evidence.push_back({"vanish", std::move(reason), guessed});
 }
