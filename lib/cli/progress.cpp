@@ -1,10 +1,12 @@
 #include "cli/progress.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cmath>
 
 #include "cli/console.h"
+#include "io/sink.h"
 #include "io/text.h"
 #include "io/utf8.h"
 
@@ -76,6 +78,7 @@ void Progress::update(const ProgressState& state) {
     last_ = now;
     shown_ = true;
   }
+  if (!io::takesMore(STDERR_FILENO, 0)) return;  // no work waits for who does not look
   if (mode_ == ProgressMode::bar) {
     console_.status(progressLine(state, Console::width() - 1));
   } else if (mode_ == ProgressMode::json) {

@@ -7,27 +7,33 @@
 #include <cstring>
 #include <utility>
 
+#include "io/byte_source.h"
+#include "io/sink.h"
+
 namespace obby::io {
 namespace {
 
 Error failure(const std::string& path, const char* doing) {
-  return Error{path, {}, {}, std::string(doing) + ": " + std::strerror(errno), {}};
+  const bool stopped = errno == EINTR;
+  return Error{
+      path, {}, {}, stopped ? kInterrupted : std::string(doing) + ": " + std::strerror(errno), {}};
 }
 
 }  // namespace
 
-Result<Appender> Appender::open(const std::string& path) {
+Result<Appender> Appender::open(const std::string& path, const std::atomic<bool>* stop) {
   const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOCTTY, 0666);
   if (fd < 0) return failure(path, "cannot open");
-  return Appender(path, fd);
+  return Appender(path, fd, stop);
 }
 
 Appender::Appender(Appender&& other) noexcept
-    : path_(std::move(other.path_)), fd_(std::exchange(other.fd_, -1)) {}
+    : path_(std::move(other.path_)), fd_(std::exchange(other.fd_, -1)), stop_(other.stop_) {}
 
 Appender& Appender::operator=(Appender&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(fd_, other.fd_);
+  std::swap(stop_, other.stop_);
   return *this;
 }
 
@@ -36,13 +42,7 @@ Appender::~Appender() {
 }
 
 Status Appender::append(std::string_view piece) {
-  while (!piece.empty()) {
-    const ssize_t sent = ::write(fd_, piece.data(), piece.size());
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent < 0) return failure(path_, "cannot write");
-    piece.remove_prefix(size_t(sent));
-  }
-  return {};
+  return sendAll(fd_, piece, stop_) ? Status() : failure(path_, "cannot write");
 }
 
 }  // namespace obby::io

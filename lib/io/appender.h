@@ -2,6 +2,7 @@
 // is in the file, whole.
 #pragma once
 
+#include <atomic>
 #include <string>
 #include <string_view>
 
@@ -11,8 +12,10 @@ namespace obby::io {
 
 class Appender {
  public:
-  // Adds to what is there. The error names the file and the reason.
-  static Result<Appender> open(const std::string& path);
+  // Adds to what is there. The error names the file and the reason. A named pipe waits for its
+  // reader; once `stop` is set, one that takes nothing for a second is given up with an error of
+  // isInterrupted().
+  static Result<Appender> open(const std::string& path, const std::atomic<bool>* stop = nullptr);
 
   Appender(Appender&& other) noexcept;
   Appender& operator=(Appender&& other) noexcept;
@@ -21,10 +24,12 @@ class Appender {
   Status append(std::string_view piece);
 
  private:
-  Appender(std::string path, int fd) : path_(std::move(path)), fd_(fd) {}
+  Appender(std::string path, int fd, const std::atomic<bool>* stop)
+      : path_(std::move(path)), fd_(fd), stop_(stop) {}
 
   std::string path_;
   int fd_;
+  const std::atomic<bool>* stop_;
 };
 
 }  // namespace obby::io

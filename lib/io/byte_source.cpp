@@ -1,6 +1,7 @@
 #include "io/byte_source.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -28,6 +29,14 @@ int openFile(const std::string& path, bool mayStop) {
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | (mayStop ? O_NONBLOCK : 0));
   if (fd >= 0 && mayStop) fcntl(fd, F_SETFL, O_RDONLY);
   return fd;
+}
+
+Error tooLarge(const std::string& name, uint64_t most, const std::string& found) {
+  return Error{name,
+               {},
+               {},
+               fmt::format("expected at most {} bytes, found {}", most, found),
+               "it would be read into memory whole: name a file that ends, and is no larger"};
 }
 
 }  // namespace
@@ -99,6 +108,16 @@ bool ByteSource::waitReadable() const {
   return false;
 }
 
+// After a read that gave an error. An input that other programs share, as a terminal or a socket,
+// may have been told not to wait: then this waits.
+bool ByteSource::readAgain() const {
+  if (errno == EAGAIN && !stop_) {
+    pollfd waiting{fd_, POLLIN, 0};
+    return ::poll(&waiting, 1, -1) >= 0;  // or a signal breaks it off, as it does a read
+  }
+  return errno == EAGAIN || (errno == EINTR && stop_);  // to wait again, or to see `stop`
+}
+
 Result<size_t> ByteSource::fill() {
   if (ended_) return size_t(0);
   const size_t before = buffer_.size();
@@ -108,7 +127,7 @@ Result<size_t> ByteSource::fill() {
   do {
     stopped_ = !waitReadable();
     got = stopped_ ? 0 : ::read(fd_, buffer_.data() + before, chunk);
-  } while (got < 0 && (errno == EAGAIN || (errno == EINTR && stop_)));
+  } while (got < 0 && readAgain());
   buffer_.resize(before + size_t(std::max<ssize_t>(got, 0)));
   if (got < 0) return fileError(name_, "cannot read");
   // A file gives all that is asked for, a pipe what it holds: room for more would be cleared each
@@ -118,10 +137,21 @@ Result<size_t> ByteSource::fill() {
   return size_t(got);
 }
 
-Result<std::string> ByteSource::rest() {
+// Of a regular file: bytes that are not read yet.
+uint64_t ByteSource::leftInFile() const {
+  struct stat info {};
+  if (fd_ < 0 || !regular_ || fstat(fd_, &info) != 0) return 0;
+  const off_t at = ::lseek(fd_, 0, SEEK_CUR);
+  return at >= 0 && at < info.st_size ? uint64_t(info.st_size - at) : 0;
+}
+
+Result<std::string> ByteSource::rest(uint64_t most) {
+  const uint64_t claimed = buffer_.size() - begin_ + leftInFile();
+  if (claimed > most) return tooLarge(name_, most, fmt::format("{}", claimed));
   for (;;) {
     OBBY_ASSIGN(const size_t came, fill());
     if (came == 0) break;
+    if (buffer_.size() - begin_ > most) return tooLarge(name_, most, "more");
   }
   buffer_.erase(0, std::exchange(begin_, 0));
   offset_ += buffer_.size();

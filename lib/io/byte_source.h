@@ -40,12 +40,15 @@ class ByteSource {
   Result<size_t> fill();
   // fill() until `bytes` are buffered; false if the input ends before.
   Result<bool> need(size_t bytes);
-  // All that is not yet consumed, up to the end (or until stopped); consumes it.
-  Result<std::string> rest();
+  // All that is not yet consumed, up to the end (or until stopped); consumes it. Error: more than
+  // `most` bytes, of a regular file before any of them is read.
+  Result<std::string> rest(uint64_t most);
 
  private:
   ByteSource() = default;
   bool waitReadable() const;
+  bool readAgain() const;
+  uint64_t leftInFile() const;
 
   static constexpr size_t kChunk = size_t(64) << 10;
 

@@ -4,13 +4,14 @@
 
 namespace obby::io {
 
-Result<std::string> readFile(const std::string& path, const std::atomic<bool>* stop) {
+Result<std::string> readFile(const std::string& path, const std::atomic<bool>* stop,
+                             uint64_t most) {
   OBBY_ASSIGN(ByteSource source, ByteSource::open(path, stop));
-  return readRest(source);
+  return readRest(source, most);
 }
 
-Result<std::string> readRest(ByteSource& source) {
-  OBBY_ASSIGN(std::string bytes, source.rest());
+Result<std::string> readRest(ByteSource& source, uint64_t most) {
+  OBBY_ASSIGN(std::string bytes, source.rest(most));
   if (source.stopped()) return Error{source.name(), {}, {}, kInterrupted, {}};
   return bytes;
 }

@@ -77,28 +77,8 @@ struct Sink::Impl {
 
   bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
 
-  // Once told to stop, pieces are so small that a reader who has taken something lets one in whole:
-  // no write waits then, and a reader who takes nothing is given up.
   Status send(std::string_view bytes) {
-    while (!bytes.empty()) {
-      const bool ends = !block && stopped();
-      if (ends && !takesMore(fd, kPatienceMilliseconds)) {
-        errno = EINTR;
-        return fail("cannot write");
-      }
-      const size_t most = ends ? std::min<size_t>(bytes.size(), PIPE_BUF) : bytes.size();
-      const ssize_t sent = ::write(fd, bytes.data(), most);
-      if (sent >= 0) {
-        bytes.remove_prefix(size_t(sent));
-      } else if (errno == EAGAIN) {
-        // A terminal or socket that other programs write to, or that is standard input as well, may
-        // have been told not to wait for its reader.
-        takesMore(fd, stop ? kStopCheckMilliseconds : -1);
-      } else if (errno != EINTR) {
-        return fail("cannot write");
-      }
-    }
-    return {};
+    return sendAll(fd, bytes, block ? nullptr : stop) ? Status() : fail("cannot write");
   }
 
   // To open a named pipe waits for a reader; who may be told to stop asks again and again instead,
@@ -244,6 +224,30 @@ bool takesMore(int fd, int milliseconds) {
     ready = ::poll(&waiting, 1, milliseconds);
   } while (ready < 0 && errno == EINTR);
   return ready != 0;
+}
+
+// Once told to stop, pieces are so small that a reader who has taken something lets one in whole:
+// no write waits then, and a reader who takes nothing is given up.
+bool sendAll(int fd, std::string_view bytes, const std::atomic<bool>* stop) {
+  while (!bytes.empty()) {
+    const bool ends = stop && stop->load(std::memory_order_relaxed);
+    if (ends && !takesMore(fd, kPatienceMilliseconds)) {
+      errno = EINTR;
+      return false;
+    }
+    const size_t most = ends ? std::min<size_t>(bytes.size(), PIPE_BUF) : bytes.size();
+    const ssize_t sent = ::write(fd, bytes.data(), most);
+    if (sent >= 0) {
+      bytes.remove_prefix(size_t(sent));
+    } else if (errno == EAGAIN) {
+      // A terminal or socket that other programs write to, or that is standard input as well, may
+      // have been told not to wait for its reader.
+      takesMore(fd, stop ? kStopCheckMilliseconds : -1);
+    } else if (errno != EINTR) {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool isBrokenPipe(const Error& error) { return error.message == kBrokenPipe; }

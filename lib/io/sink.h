@@ -55,6 +55,10 @@ inline constexpr int kPatienceMilliseconds = 1000;
 // bytes.
 bool takesMore(int fd, int milliseconds);
 
+// Writes all of it, and waits for the reader. False: it failed, and errno says why; EINTR: `stop`,
+// which may be null, is set, and the reader takes nothing for so long.
+bool sendAll(int fd, std::string_view bytes, const std::atomic<bool>* stop);
+
 // True for the error of writing to a pipe that nobody reads any more: stop quietly.
 bool isBrokenPipe(const Error& error);
 

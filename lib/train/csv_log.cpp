@@ -45,7 +45,7 @@ Result<std::string> keptOf(const std::string& path, uint64_t kept) {
 
 }  // namespace
 
-Result<CsvLog> CsvLog::open(const std::string& path, uint64_t kept) {
+Result<CsvLog> CsvLog::open(const std::string& path, uint64_t kept, const std::atomic<bool>* stop) {
   std::error_code none;
   const auto kind = std::filesystem::status(path, none).type();
   const bool there = kind == std::filesystem::file_type::regular;
@@ -59,7 +59,7 @@ Result<CsvLog> CsvLog::open(const std::string& path, uint64_t kept) {
     OBBY_RETURN_IF_ERROR(sink.close());
     text.clear();
   }
-  OBBY_ASSIGN(io::Appender file, io::Appender::open(path));
+  OBBY_ASSIGN(io::Appender file, io::Appender::open(path, stop));
   OBBY_RETURN_IF_ERROR(file.append(text));  // of a device or a pipe
   return CsvLog(std::move(file));
 }

@@ -8,16 +8,34 @@ namespace obby::train {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+constexpr double kGrace = 1;  // seconds for what is played when time is up
+
+// When to end. In the midst of a playthrough, too: on a long way one takes minutes.
+class Limit {
+ public:
+  Limit(const std::atomic<bool>& stop, double seconds) : stop_(stop), seconds_(seconds) {}
+
+  bool stopped() const { return stop_; }
+  bool timeUp() const { return passed() >= seconds_; }
+  bool over() const { return stop_ || passed() >= seconds_ + kGrace; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double passed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+  const std::atomic<bool>& stop_;
+  const double seconds_;
+  const Clock::time_point begin_ = Clock::now();
+};
 
 // One playthrough by the policy alone; true: it reaches the goal. `random` null: the likeliest
 // moves.
 bool playAlone(const policy::NetworkView& network, const TrainingLevel& level, Random* random,
-               uint32_t mostTicks) {
+               uint32_t mostTicks, const Limit& limit) {
   const policy::Scene& scene = level.scene();
   sim::World world = level.start();
   std::vector<sim::LooseBody> loose = level.startLoose();
-  for (uint32_t t = 0; t < mostTicks; t += policy::kDecisionTicks) {
+  for (uint32_t t = 0; t < mostTicks && !limit.over(); t += policy::kDecisionTicks) {
     const sim::Action action = policy::decide(scene, network, world, loose.data(), random);
     for (uint32_t k = 0; k < policy::kDecisionTicks; ++k) {
       sim::advance(world, loose.data(), scene.level, &scene.query, action);
@@ -34,14 +52,14 @@ struct Score {
 };
 
 Score scoreOf(const policy::NetworkView& network, const TrainingLevel& level, uint64_t index,
-              const EvaluationSettings& settings) {
+              const EvaluationSettings& settings, const Limit& limit) {
   const uint32_t most = mostTicksOf(level, settings.patience);
   Score score;
-  score.played = true;
-  score.likeliest = playAlone(network, level, nullptr, most);
+  score.likeliest = playAlone(network, level, nullptr, most, limit);
   Random random(settings.seed, index);
   for (uint32_t k = 1; k < settings.tries; ++k)
-    score.drawn += playAlone(network, level, &random, most);
+    score.drawn += playAlone(network, level, &random, most, limit);
+  score.played = !limit.over();  // what was given up says nothing
   return score;
 }
 
@@ -101,22 +119,23 @@ class Asking {
 Evaluation evaluate(const policy::Network& network, const LevelSource& source,
                     const EvaluationSettings& settings, ThreadPool& pool,
                     const std::atomic<bool>& stop) {
-  const auto begin = Clock::now();
-  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+  const Limit limit(stop, settings.seconds);
   const policy::Thinker thinker(network);
   Asking asking(source, settings);
   std::vector<Score> scores(settings.levels);
   std::atomic<bool> timeUp = false;
   pool.run(int(settings.levels), [&](int i) {
-    if (stop) return;
-    if (seconds() >= settings.seconds) {
+    if (limit.stopped()) return;
+    if (limit.timeUp()) {
       timeUp = true;
       return;
     }
     const auto level = asking.level(uint32_t(i));
     if (!level) return;
     const uint64_t index = settings.firstLevel + uint64_t(i);
-    scores[size_t(i)] = scoreOf(thinker.view(), *level, index, settings);
+    Score& score = scores[size_t(i)];
+    score = scoreOf(thinker.view(), *level, index, settings, limit);
+    if (!score.played && !limit.stopped()) timeUp = true;
   });
   Evaluation out = sumOf(scores, settings.tries);
   out.timeUp = timeUp;

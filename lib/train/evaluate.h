@@ -16,7 +16,9 @@ struct EvaluationSettings {
   uint32_t tries = 8;      // playthroughs of each level: the first takes the likeliest moves
   float hardest = 1;       // difficulty
   float patience = 3;      // as CrowdSettings::patience
-  double seconds = 1e30;   // of wall-clock time, after which no other level begins
+  // Of wall-clock time, after which no other level begins; what is played still is given up a
+  // second later.
+  double seconds = 1e30;
 };
 
 struct Evaluation {
@@ -29,8 +31,8 @@ struct Evaluation {
   Status missing;
 };
 
-// Ends early, with the levels so far, once `stop` is set, time is up, or the source has no more.
-// Tells the source what is past.
+// Ends early, with the levels played to the end so far, once `stop` is set, time is up, or the
+// source has no more. Tells the source what is past.
 Evaluation evaluate(const policy::Network& network, const LevelSource& source,
                     const EvaluationSettings& settings, ThreadPool& pool,
                     const std::atomic<bool>& stop);

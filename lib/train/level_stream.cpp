@@ -94,6 +94,10 @@ void LevelStream::past(uint64_t index) const {
   if (hold) reader_.forget(past_);
 }
 
+void LevelStream::end() const {
+  if (reader_.settings.wait != nullptr) reader_.settings.wait->end();
+}
+
 // Nothing is read behind an error: levels there would have the numbers of others.
 Status LevelStream::Reader::readTo(uint64_t index) {
   while (!ended && !stopped() && read <= index) {

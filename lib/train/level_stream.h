@@ -50,6 +50,8 @@ class LevelStream : public LevelSource {
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override;
   // Does not wait for the stream, even while level() does.
   void past(uint64_t index) const override;
+  // Ends settings.wait, if there is one.
+  void end() const override;
 
   // Levels that are compiled and wait to be asked for: what tests count.
   size_t compiledHeld() const;

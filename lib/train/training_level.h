@@ -61,6 +61,8 @@ class LevelSource {
                                                              float hardest) const = 0;
   // No level before this one will be asked for any more.
   virtual void past(uint64_t) const {}
+  // None will be asked for any more: who waits for one in level() need not.
+  virtual void end() const {}
 };
 
 }  // namespace obby::train

@@ -6,6 +6,7 @@
 #include <pthread.h>
 #include <signal.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -37,6 +38,57 @@ TEST(ReadFile, GivesEveryByteAndNamesWhatIsMissing) {
   EXPECT_EQ(readFile(folder / "b").error().text(),
             folder / "b: cannot open: No such file or directory");
   EXPECT_EQ(readFile(folder / "").error().message, "cannot read: Is a directory");
+}
+
+// An input without end would take all memory; of what only says that it is large nothing is read.
+TEST(ReadFile, RefusesMoreThanIsAskedFor) {
+  ScratchFolder folder;
+  std::ofstream(folder / "a") << std::string(2000, 'x');
+  EXPECT_EQ(readFile(folder / "a", nullptr, 2000)->size(), 2000u);
+  const std::string cure =
+      " (it would be read into memory whole: name a file that ends, and is no larger)";
+  EXPECT_EQ(readFile(folder / "a", nullptr, 1999).error().text(),
+            folder / "a: expected at most 1999 bytes, found 2000" + cure);
+  std::ofstream(folder / "sparse").flush();
+  std::filesystem::resize_file(folder / "sparse", kMostFileBytes + 1);
+  EXPECT_EQ(readFile(folder / "sparse").error().text(),
+            folder / "sparse: expected at most 1073741824 bytes, found 1073741825" + cure);
+  const std::atomic<bool> stop{false};
+  for (const std::atomic<bool>* told : {static_cast<const std::atomic<bool>*>(nullptr), &stop}) {
+    EXPECT_EQ(readFile("/dev/zero", told, 1 << 20).error().text(),
+              "/dev/zero: expected at most 1048576 bytes, found more" + cure);
+  }
+}
+
+double threadSeconds() {
+  timespec used{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return double(used.tv_sec) + 1e-9 * double(used.tv_nsec);
+}
+
+// Who shares a terminal or a socket can tell it, for all of them, not to wait: to ask it again and
+// again would take a core.
+TEST(ReadFile, WaitsWhereTheInputItselfDoesNot) {
+  int ends[2];
+  ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
+  ASSERT_EQ(fcntl(ends[0], F_SETFL, O_NONBLOCK), 0);
+  const int before = dup(STDIN_FILENO);
+  dup2(ends[0], STDIN_FILENO);
+  std::thread writer([to = ends[1]] {
+    std::this_thread::sleep_for(400ms);
+    EXPECT_EQ(write(to, "late", 4), 4);
+    close(to);
+  });
+  const double begin = threadSeconds();
+  const auto bytes = readFile("-");
+  const double used = threadSeconds() - begin;
+  writer.join();
+  dup2(before, STDIN_FILENO);
+  close(before);
+  close(ends[0]);
+  ASSERT_TRUE(bytes) << bytes.error().text();
+  EXPECT_EQ(*bytes, "late");
+  EXPECT_LT(used, 0.1);
 }
 
 TEST(ReadFile, WaitsForAWriterAndReadsToTheEnd) {

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <mutex>
+#include <thread>
 
 #include "train/gaps.h"
 
@@ -81,6 +83,49 @@ TEST(Evaluation, TellsTheSourceWhatIsPast) {
     EXPECT_EQ(judged(levels, how, threads).levels, 12u);
     EXPECT_EQ(levels.firstLeft(), 17u) << threads;
   }
+}
+
+// A pit that nobody leaves, and a way so long that a playthrough takes minutes.
+class Pit : public LevelSource {
+ public:
+  Result<std::shared_ptr<const TrainingLevel>> level(uint64_t, float) const override {
+    support::LevelBuilder b;
+    b.block({0, -0.5f, 0}, {20, 1, 20});
+    for (const float side : {-10.0f, 10.0f}) {
+      b.block({side, 25, 0}, {1, 50, 20});
+      b.block({0, 25, side}, {20, 50, 1});
+    }
+    b.spawn({0, 0, 0});
+    capnp::MallocMessageBuilder query;
+    auto q = query.initRoot<schema::Query>();
+    q.setId("out");
+    support::set(q.initGoal().initPosition(), {0, 2, -400});
+    support::set(q.getGoal().initSize(), {4, 4, 4});
+    auto way = q.initWay(4000);
+    for (uint32_t i = 0; i < way.size(); ++i)
+      support::set(way[i], {0, 0, i % 2 == 0 ? 0.0f : -400.0f});
+    return TrainingLevel::make(b.record(), q.asReader());
+  }
+};
+
+TEST(Evaluation, EndsInTheMidstOfALongPlaythrough) {
+  const auto begin = std::chrono::steady_clock::now();
+  EvaluationSettings how = ofLevels(2);
+  how.seconds = 0.1;
+  const Evaluation late = judged(Pit(), how, 1);
+  EXPECT_EQ(late.levels, 0u) << "what was given up says nothing";
+  EXPECT_TRUE(late.timeUp);
+  std::atomic<bool> stop{false};
+  std::thread stopper([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    stop = true;
+  });
+  ThreadPool pool(1);
+  const Evaluation told = evaluate(policy::Network(), Pit(), ofLevels(2), pool, stop);
+  stopper.join();
+  EXPECT_EQ(told.levels, 0u);
+  EXPECT_FALSE(told.timeUp);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
 }
 
 }  // namespace

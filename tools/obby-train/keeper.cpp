@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <span>
 
@@ -104,13 +105,22 @@ std::string commandOf(const cli::Arguments& arguments) {
   return command;
 }
 
+// A checkpoint grows with its worlds and their bodies, however large other files may be.
+uint64_t mostBytesOf(const std::string& path) {
+  std::error_code unseen;
+  const auto bytes = std::filesystem::is_regular_file(path, unseen)
+                         ? std::filesystem::file_size(path, unseen)
+                         : uintmax_t(0);
+  return unseen ? io::kMostFileBytes : std::max<uint64_t>(bytes, io::kMostFileBytes);
+}
+
 Error inFile(Error error, const std::string& path) {
   if (error.input.empty()) error.input = path;
   return error;
 }
 
-Status writeFile(const std::string& path, std::string_view bytes) {
-  OBBY_ASSIGN(io::Sink sink, io::Sink::open(path, io::Durable::yes));
+Status writeFile(const std::string& path, std::string_view bytes, const std::atomic<bool>& stop) {
+  OBBY_ASSIGN(io::Sink sink, io::Sink::open(path, io::Durable::yes, &stop));
   OBBY_RETURN_IF_ERROR(sink.write(bytes));
   return sink.close();
 }
@@ -146,7 +156,7 @@ Result<std::string> Keeper::findBytes() const {
   const auto kind = std::filesystem::status(checkpointPath_, unread).type();
   const bool none = kind == std::filesystem::file_type::not_found;
   if (resume == "auto" && none) return std::string();
-  auto bytes = io::readFile(checkpointPath_, &context_.stop());
+  auto bytes = io::readFile(checkpointPath_, &context_.stop(), mostBytesOf(checkpointPath_));
   if (!bytes && none) bytes.error().hint = "--resume=auto begins anew where there is no checkpoint";
   // A file that holds nothing is no beginning either.
   if (bytes && bytes->empty()) return train::readCheckpoint(*bytes, checkpointPath_).error();
@@ -204,8 +214,9 @@ Status Keeper::save(const train::Trainer& trainer, const train::History& history
   if (state.decisions == 0 && (isThere(output) || isThere(checkpointPath_))) return {};
   Status kept;
   if (!checkpointPath_.empty()) {
-    kept = writeFile(checkpointPath_, train::writeCheckpoint({context_.identity().version, run_,
-                                                              seconds, state, history}));
+    const std::string bytes =
+        train::writeCheckpoint({context_.identity().version, run_, seconds, state, history});
+    kept = writeFile(checkpointPath_, bytes, context_.stop());
   }
   Status saved = savePolicy(trainer, state, seconds);
   return kept ? saved : kept;
@@ -217,7 +228,7 @@ Status Keeper::savePolicy(const train::Trainer& trainer, const train::TrainerSta
   const policy::PolicyFile file{trainer.network(),
                                 {commandOf(context_.arguments()), identity.version, identity.seed,
                                  state.decisions, seconds, state.hardest, float(state.solved)}};
-  return writeFile(context_.arguments().text("output"), policy::writePolicy(file));
+  return writeFile(context_.arguments().text("output"), policy::writePolicy(file), context_.stop());
 }
 
 }  // namespace obby::tools

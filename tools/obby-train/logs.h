@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "cli/arguments.h"
+#include "cli/context.h"
 #include "train/csv_log.h"
 #include "train/event_log.h"
 #include "train/history.h"
@@ -12,8 +12,9 @@ namespace obby::tools {
 
 class Logs {
  public:
-  // `kept`: iterations before, of which `history` knows. Errors: those of the files.
-  static Result<Logs> open(const cli::Arguments& arguments, uint64_t kept, train::History history);
+  // `kept`: iterations before, of which `history` knows. Errors: those of the files; of a pipe
+  // that takes nothing once the context was told to stop.
+  static Result<Logs> open(const cli::Context& context, uint64_t kept, train::History history);
 
   // To be called after each iteration; `last`: no more will come.
   Status add(const train::Iteration& iteration, double seconds, double rate, bool last);
@@ -26,6 +27,7 @@ class Logs {
   std::optional<train::CsvLog> csv_;
   std::optional<train::EventLog> events_;
   std::string curvePath_;
+  const std::atomic<bool>* stop_ = nullptr;
   uint64_t every_ = 1;
   train::History history_;
 };

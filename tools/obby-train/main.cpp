@@ -6,11 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "io/pipeline.h"
 #include "io/read_file.h"
 #include "keeper.h"
 #include "levels.h"
-#include "metric_records.h"
+#include "metrics_stream.h"
 #include "mpi/join_ranks.h"
 #include "nccl/join_devices.h"
 #include "options.h"
@@ -24,22 +23,9 @@ using namespace obby;
 // Levels to evaluate on are of another seed than those to learn from.
 constexpr uint64_t kHeldOut = 0x68656c64;
 
-// The stream of metrics, its header written. What can go wrong before leaves none.
-Result<io::Pipeline> metricsStream(cli::Context& context) {
-  OBBY_ASSIGN(io::StreamWriter output,
-              io::StreamWriter::open("-", io::Format::jsonl, &context.stop()));
-  io::SourceOptions nothing;
-  nothing.inputs.clear();
-  nothing.stop = &context.stop();
-  io::Pipeline pipeline(std::move(nothing), context.identity(), std::move(output));
-  OBBY_RETURN_IF_ERROR(
-      pipeline.run([](const io::Record&) -> Result<io::Then> { return io::Then::pass; }));
-  return pipeline;
-}
-
 // Interrupted while it waited for the first levels.
 Status nothingLearned(cli::Context& context) {
-  OBBY_ASSIGN(io::Pipeline stream, metricsStream(context));
+  OBBY_ASSIGN(tools::MetricsStream stream, tools::MetricsStream::open(context));
   return stream.finish();
 }
 
@@ -85,16 +71,16 @@ Status learn(cli::Context& context, tools::JoinedRanks& joined) {
   if (!made && waiting.isUp()) return tools::lateStream();
   OBBY_ASSIGN(const auto trainer, std::move(made));
   tools::Logs logs;
-  std::optional<io::Pipeline> stream;  // the first rank's
+  std::optional<tools::MetricsStream> stream;  // the first rank's; an error before it leaves none
   const auto open = [&]() -> Status {
-    OBBY_ASSIGN(logs, tools::Logs::open(a, trainer->iterations(), keeper.historyBefore()));
-    OBBY_ASSIGN(io::Pipeline opened, metricsStream(context));
+    OBBY_ASSIGN(logs, tools::Logs::open(context, trainer->iterations(), keeper.historyBefore()));
+    OBBY_ASSIGN(tools::MetricsStream opened, tools::MetricsStream::open(context));
     stream.emplace(std::move(opened));
     return {};
   };
   OBBY_RETURN_IF_ERROR(ranks.agree(ranks.first() ? open() : Status()));
   tools::Session session(context, *trainer, ranks, keeper, std::move(logs),
-                         stream ? &stream->output() : nullptr, waiting);
+                         stream ? &*stream : nullptr, waiting);
   Status done = session.run();
   waiting.end();
   return stream ? stream->finish(std::move(done)) : done;
@@ -120,7 +106,7 @@ Status evaluate(cli::Context& context, train::Ranks& ranks) {
   OBBY_ASSIGN(const tools::Levels levels,
               tools::levelsOf(context, ranks, a.seed() ^ kHeldOut, false, waiting));
   ThreadPool pool(context.threads());
-  OBBY_ASSIGN(io::Pipeline stream, metricsStream(context));
+  OBBY_ASSIGN(tools::MetricsStream stream, tools::MetricsStream::open(context));
   const train::EvaluationSettings settings = tools::evaluationSettings(context);
   waiting.begin();
   const train::Evaluation e =
@@ -129,8 +115,7 @@ Status evaluate(cli::Context& context, train::Ranks& ranks) {
   // A level that could not be read takes nothing from those that were played.
   Status done;
   if (e.levels > 0 || e.missing)
-    done = tools::writeMetrics(stream.output(), "obby-train --eval", file.training.decisions,
-                               metricsOf(e, settings.tries));
+    done = stream.write("obby-train --eval", file.training.decisions, metricsOf(e, settings.tries));
   if (done) done = e.missing;
   return stream.finish(std::move(done));
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "metric_records.h"
 #include "options.h"
 
 namespace obby::tools {
@@ -14,8 +13,7 @@ constexpr double kMetricsSeconds = 5;
 }  // namespace
 
 Session::Session(cli::Context& context, train::Trainer& trainer, train::Ranks& ranks,
-                 const Keeper& keeper, Logs logs, io::StreamWriter* output,
-                 train::WaitLimit& waiting)
+                 const Keeper& keeper, Logs logs, MetricsStream* output, train::WaitLimit& waiting)
     : context_(context),
       trainer_(trainer),
       ranks_(ranks),
@@ -46,12 +44,15 @@ Status Session::run() {
     if (!told) return saveAfter(std::move(told));
     if (!trainer_.more()) break;
   }
+  // Before anybody is waited for.
+  Status saved = save();
   Status told = ranks_.agree(tell());
-  return saveAfter(told ? trainer_.more() : std::move(told));
+  OBBY_RETURN_IF_ERROR(std::move(saved));
+  OBBY_RETURN_IF_ERROR(std::move(told));
+  return trainer_.more();
 }
 
-// Who could not be told, as at the end of a pipe that was closed, or levels that could not be read:
-// what was learned is kept.
+// Who could not be told, as at the end of a pipe that was closed: what was learned is kept.
 Status Session::saveAfter(Status ended) {
   OBBY_RETURN_IF_ERROR(save());
   return ended;
@@ -68,12 +69,13 @@ Session::Votes Session::vote() {
   return {votes[0] > 0 || trainer_.decisions() >= most_, votes[1] > 0};
 }
 
-// Says what came of an iteration.
+// Says what came of an iteration. Learning does not wait for who reads no metrics now.
 Status Session::note() {
   if (output_ == nullptr) return {};
   showProgress();
   OBBY_RETURN_IF_ERROR(logs_.add(last_, allSeconds(), rate(), last_.decisions >= most_));
-  return seconds() - toldAt_ >= kMetricsSeconds ? tell() : Status();
+  const bool due = seconds() - toldAt_ >= kMetricsSeconds;
+  return due && output_->readerTakesMore() ? tell() : Status();
 }
 
 void Session::showProgress() {
@@ -93,8 +95,7 @@ Status Session::tell() {
   if (output_ == nullptr || last_.number == told_) return {};
   toldAt_ = seconds();
   told_ = last_.number;
-  return writeMetrics(*output_, "obby-train", last_.number,
-                      train::metricsOf(last_, allSeconds(), rate()));
+  return output_->write("obby-train", last_.number, train::metricsOf(last_, allSeconds(), rate()));
 }
 
 Status Session::save() {

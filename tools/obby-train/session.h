@@ -4,19 +4,19 @@
 #include <chrono>
 
 #include "cli/context.h"
-#include "io/stream.h"
 #include "keeper.h"
 #include "logs.h"
+#include "metrics_stream.h"
 #include "train/wait_limit.h"
 
 namespace obby::tools {
 
 class Session {
  public:
-  // What it refers to must outlive it. `output`: of metrics; null on all ranks but the first, which
-  // alone tells and keeps anything. `waiting`: for levels; begins with it.
+  // What it refers to must outlive it. `output`: null on all ranks but the first, which alone tells
+  // and keeps anything. `waiting`: for levels; begins with it.
   Session(cli::Context& context, train::Trainer& trainer, train::Ranks& ranks, const Keeper& keeper,
-          Logs logs, io::StreamWriter* output, train::WaitLimit& waiting);
+          Logs logs, MetricsStream* output, train::WaitLimit& waiting);
 
   // Until --decisions, --time-limit (of this run), a signal, or an error. Saves in the end but
   // where the error is that nothing can be learned any more.
@@ -41,7 +41,7 @@ class Session {
   train::Ranks& ranks_;
   const Keeper& keeper_;
   Logs logs_;
-  io::StreamWriter* output_;
+  MetricsStream* output_;
   train::WaitLimit& waiting_;
   uint64_t decisionsBefore_, most_;
   double mostSeconds_, saveSeconds_;

@@ -1,30 +1,16 @@
-#include "io/record.h"
 #include "levels.h"
 #include "train/level_stream.h"
+#include "train/stream_copy.h"
 
 namespace obby::tools {
 
 namespace {
 
-bool isWanted(const io::Record& record) {
-  if (!record.known()) return false;
-  const io::Kind kind = record.which();
-  return kind == io::Kind::LEVEL || kind == io::Kind::QUERY || kind == io::Kind::PARAMS;
-}
-
-// Levels and queries of the whole stream, and the physics parameters before them.
+// On the first rank.
 Result<std::string> copyOf(io::SourceOptions options, train::WaitLimit& waiting) {
-  std::string copy;
-  io::RecordSource source(std::move(options));
-  io::StreamWriter writer = io::StreamWriter::toBytes(io::Format::capnp, &copy);
-  while (true) {
-    OBBY_ASSIGN(const std::optional<io::Record> record, waiting.next(source));
-    if (!record) break;
-    if (isWanted(*record)) OBBY_RETURN_IF_ERROR(writer.write(record->reader()));
-  }
+  OBBY_ASSIGN(std::string copy, train::copyOfStream(std::move(options), waiting));
   if (waiting.isUp()) return lateStream();
   if (waiting.stop()) return makeError(train::kInterrupted);
-  OBBY_RETURN_IF_ERROR(writer.close());
   return copy;
 }
 

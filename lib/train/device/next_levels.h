@@ -30,7 +30,10 @@ class NextLevels {
   NextLevels(const LevelSource& source, const CrowdSettings& settings, sim::Device& device,
              size_t places, int threads)
       : source_(source), settings_(settings), device_(device), next_(places), pool_(threads) {}
-  ~NextLevels() { wait(); }
+  ~NextLevels() {
+    source_.end();  // what is made ahead may wait for a stream that sends nothing
+    wait();
+  }
   NextLevels(const NextLevels&) = delete;
   NextLevels& operator=(const NextLevels&) = delete;
 

@@ -1,0 +1,38 @@
+#include "train/stream_copy.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+
+namespace obby::train {
+
+namespace {
+
+bool isWanted(const io::Record& record) {
+  if (!record.known()) return false;
+  const io::Kind kind = record.which();
+  return kind == io::Kind::LEVEL || kind == io::Kind::QUERY || kind == io::Kind::PARAMS;
+}
+
+}  // namespace
+
+Result<std::string> copyOfStream(io::SourceOptions options, WaitLimit& waiting, uint64_t most) {
+  std::string copy;
+  io::RecordSource source(std::move(options));
+  io::StreamWriter writer = io::StreamWriter::toBytes(io::Format::capnp, &copy);
+  while (true) {
+    OBBY_ASSIGN(const std::optional<io::Record> record, waiting.next(source));
+    if (!record) break;
+    if (isWanted(*record)) OBBY_RETURN_IF_ERROR(writer.write(record->reader()));
+    if (copy.size() > most) {
+      return makeError(
+          fmt::format("more than {} bytes of levels, and several ranks read them all first", most),
+          "give them a stream that ends, or let them make levels with --generate");
+    }
+  }
+  OBBY_RETURN_IF_ERROR(writer.close());
+  return copy;
+}
+
+}  // namespace obby::train

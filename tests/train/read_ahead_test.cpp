@@ -1,0 +1,36 @@
+// Levels that are made ahead of those that are played, as for a GPU: nobody waits for them who
+// needs none any more.
+#include <gtest/gtest.h>
+
+#include "sim/host_device.h"
+#include "train/device/device_engine.h"
+#include "train/gaps.h"
+#include "train/level_lines.h"
+#include "train/standing.h"
+
+namespace obby::train {
+namespace {
+
+// As where the log cannot be opened once the first levels are there.
+TEST(ReadAhead, OfAStreamThatStandsStillEndsWithTheEngine) {
+  const TrainerSettings settings = tiny();
+  std::string text = kHeaderLine;
+  for (uint64_t i = 0; i < settings.crowds * settings.crowd.levels; ++i) text += lineOf(i);
+  const Standing standing(text);
+  const std::atomic<bool> interrupted{false};
+  WaitLimit waiting(interrupted, WaitLimit::kNone);
+  const LevelStream stream(standing.options(waiting), {.choices = 1, .wait = &waiting});
+  ThreadPool pool(1);
+  sim::HostDevice device(pool);
+  {
+    const auto trainer =
+        Trainer::make(settings, makeDeviceEngine(settings, stream, device, pool, alone()), alone());
+    ASSERT_TRUE(trainer) << trainer.error().text();
+    EXPECT_FALSE(bool(waiting.stop()));
+  }
+  EXPECT_TRUE(bool(waiting.stop()));
+  EXPECT_FALSE(waiting.isUp());
+}
+
+}  // namespace
+}  // namespace obby::train

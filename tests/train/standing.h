@@ -1,0 +1,38 @@
+// A stream that is open, but sends nothing more.
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <string>
+
+#include "train/wait_limit.h"
+
+namespace obby::train {
+
+// A stream that stands still behind what was put into it.
+class Standing {
+ public:
+  explicit Standing(const std::string& text) {
+    EXPECT_EQ(pipe(ends_), 0);
+    EXPECT_EQ(write(ends_[1], text.data(), text.size()), ssize_t(text.size()));
+  }
+  ~Standing() {
+    for (const int end : ends_) close(end);
+  }
+  Standing(const Standing&) = delete;
+  Standing& operator=(const Standing&) = delete;
+
+  io::SourceOptions options(const WaitLimit& waiting) const {
+    io::SourceOptions out;
+    out.inputs = {fmt::format("/dev/fd/{}", ends_[0])};
+    out.stop = &waiting.stop();
+    return out;
+  }
+
+ private:
+  int ends_[2] = {-1, -1};
+};
+
+}  // namespace obby::train

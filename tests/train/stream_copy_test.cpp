@@ -1,0 +1,35 @@
+// What several ranks share of a stream that only the first can read.
+#include "train/stream_copy.h"
+
+#include <gtest/gtest.h>
+
+#include "train/level_lines.h"
+
+namespace obby::train {
+namespace {
+
+TEST(StreamCopy, HasTheLevelsOfTheStream) {
+  const std::atomic<bool> interrupted{false};
+  WaitLimit waiting(interrupted, WaitLimit::kNone);
+  const auto copy = copyOfStream(optionsOf(linesOf(4)), waiting);
+  ASSERT_TRUE(copy) << copy.error().text();
+  const LevelStream all(optionsOf(linesOf(4))), copied(optionsOf(*copy));
+  for (uint64_t i = 0; i < 4; ++i) EXPECT_EQ(hashOf(copied, i), hashOf(all, i)) << i;
+}
+
+// One without end would take all memory before anything is learned.
+TEST(StreamCopy, OfAStreamThatIsTooLongIsAnError) {
+  const std::atomic<bool> interrupted{false};
+  WaitLimit waiting(interrupted, WaitLimit::kNone);
+  const std::string lines = linesOf(4);
+  const auto whole = copyOfStream(optionsOf(lines), waiting);
+  ASSERT_TRUE(whole) << whole.error().text();
+  EXPECT_TRUE(copyOfStream(optionsOf(lines), waiting, whole->size()));
+  const auto cut = copyOfStream(optionsOf(lines), waiting, whole->size() - 1);
+  ASSERT_FALSE(cut);
+  EXPECT_NE(cut.error().text().find("give them a stream that ends"), std::string::npos)
+      << cut.error().text();
+}
+
+}  // namespace
+}  // namespace obby::train
