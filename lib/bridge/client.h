@@ -13,7 +13,8 @@ namespace obby::bridge {
 
 class Client {
  public:
-  Client(int number, uint64_t ringBytes) : number_(number), ring_(ringBytes) {}
+  Client(int number, uint64_t ringBytes, uint64_t unsentBytes = 0)
+      : number_(number), ring_(ringBytes, unsentBytes) {}
 
   int number() const { return number_; }
   const Ring& ring() const { return ring_; }
@@ -24,6 +25,11 @@ class Client {
     ring_.push(job, members);
     wake();
   }
+  // Those up to `cursor` have gone to a carrier that takes all in their order: what it has yet to
+  // take is kept longer.
+  void hold(uint64_t cursor) { ring_.hold(cursor); }
+  // It takes no more.
+  void release() { ring_.release(); }
   // When the next message is there, or something else is to be looked at.
   kj::Promise<void> whenWoken() {
     auto waiting = kj::newPromiseAndFulfiller<void>();

@@ -19,8 +19,12 @@ class Relay {
         nextPing_(loop_.now() + service.limits().pingSeconds) {
     client_->socketOpen = true;
     client_->dropSocket = false;
+    client_->hold(cursor_);
   }
-  ~Relay() { client_->socketOpen = false; }
+  ~Relay() {
+    client_->socketOpen = false;
+    client_->release();
+  }
   KJ_DISALLOW_COPY(Relay);
 
   kj::Promise<void> run() {
@@ -35,6 +39,7 @@ class Relay {
   }
 
   kj::Promise<void> sendMore() {
+    client_->hold(cursor_);
     if (closing_) return socket_->close(kNormal, "bye");
     if (client_->dropSocket) return socket_->close(kSilent, "nothing was heard for too long");
     if (!client_->ring().reaches(cursor_)) return sendReload();

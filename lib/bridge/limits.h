@@ -23,6 +23,7 @@ struct Limits {
   // messages
   uint64_t messageBytes = 256 << 10;  // of one message; longer records go out in fragments
   uint64_t ringBytes = 4 * kMiB;      // kept for each client, to resume from a cursor
+  uint64_t unsentBytes = 64 * kMiB;   // kept of what its WebSocket has yet to take
   double pingSeconds = 20;            // between pings on a WebSocket
   double silenceSeconds = 60;         // without a word from the client: its WebSocket is closed
   double graceSeconds = 30;           // after that: its jobs are cancelled

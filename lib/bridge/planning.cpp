@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "bridge/json.h"
 #include "bridge/order.h"
@@ -88,7 +90,9 @@ std::optional<Reply> Service::addWarmStart(const Order& order, Client& client,
                                            std::vector<std::string>& arguments) {
   if (order.warm.empty()) return {};
   const Job* earlier = jobs_.find(client, order.warm);
-  if (!earlier || !earlier->answerKept()) {
+  std::error_code ignored;  // a bridge that was started since takes old answers away
+  if (!earlier || !earlier->answerKept() ||
+      !std::filesystem::exists(earlier->answerPath(), ignored)) {
     return refuse(409, "no answer of " + order.warm + " is kept", "ask without warm");
   }
   arguments.push_back("--warm=" + earlier->answerPath());

@@ -55,7 +55,7 @@ const Pairing& Service::offerPairing() { return pairing_.emplace(loop_.now()); }
 
 std::shared_ptr<Client> Service::client(int number) {
   auto& out = clients_[number];
-  if (!out) out = std::make_shared<Client>(number, limits_.ringBytes);
+  if (!out) out = std::make_shared<Client>(number, limits_.ringBytes, limits_.unsentBytes);
   out->lastSeen = lastSeen_ = loop_.now();
   return out;
 }
@@ -269,6 +269,7 @@ std::string Service::hello(const Client& client, uint64_t cursor) const {
 void Service::sweep() {
   const double now = loop_.now();
   for (const auto& [number, who] : clients_) {
+    if (who->socketOpen) lastSeen_ = now;  // it is there, whether or not it asks
     if (who->mayBeSilent) continue;
     const double silent = now - who->lastSeen;
     if (silent > limits_.silenceSeconds && who->socketOpen) {

@@ -51,6 +51,27 @@ TEST(Ring, keeps_at_least_the_newest_however_long) {
   EXPECT_EQ(ring.after(1)->number, 2u);
 }
 
+// As of a WebSocket that is slower than the program.
+TEST(Ring, what_is_held_stays_up_to_a_bound_and_goes_once_it_is_taken) {
+  Ring ring(1000, 3000);
+  const std::string members = "\"a\":\"" + std::string(80, 'x') + "\"";
+  ring.hold(0);
+  for (int i = 0; i < 25; i++) ring.push(1, members);
+  EXPECT_GT(ring.bytes(), 2000u);
+  EXPECT_TRUE(ring.reaches(0));
+  ring.hold(20);
+  EXPECT_LE(ring.bytes(), 1000u);
+  EXPECT_TRUE(ring.reaches(20));
+  for (int i = 0; i < 50; i++) {
+    ring.push(1, members);
+    EXPECT_LE(ring.bytes(), 3000u);
+  }
+  EXPECT_FALSE(ring.reaches(20));
+  ring.release();
+  EXPECT_LE(ring.bytes(), 1000u);
+  EXPECT_EQ(ring.after(74)->number, 75u);
+}
+
 // A carrier that takes messages whenever it is asked loses none, however many come at once.
 TEST(Client, asks_its_carrier_before_messages_are_lost) {
   Client client(1, 1000);

@@ -214,6 +214,11 @@ class ProtocolTest(unittest.TestCase):
         self.assertEqual(self.verdicts(self.bridge.messages(second)), {"any": "solved"})
         refused = self.bridge.post("/v1/jobs", {"level": level, "warm": "j999"})
         self.assertEqual(refused.status, 409)
+        session = self.bridge.get("/v1/info").json()["session"]
+        os.remove(os.path.join(self.bridge.state, "answers", f"{session}-{first}.jsonl"))
+        gone = self.bridge.post("/v1/jobs", {"level": level, "warm": first})
+        self.assertEqual(gone.status, 409)
+        self.assertIn("without warm", gone.json()["cure"])
 
     def test_a_query_that_cannot_be_asked_stops_no_other(self):
         level = self.bridge.place_level(LEVEL)
@@ -272,7 +277,7 @@ class ProtocolTest(unittest.TestCase):
         self.assertEqual(len(recordings), 2)
         job = self.bridge.ask(task="calibrate", level=level, recordings=recordings,
                               budget={"restarts": 1, "generations": 1, "seed": 3})["job"]
-        messages = self.bridge.messages(job, seconds=120)
+        messages = self.bridge.messages(job)
         self.assertEqual(messages[-1]["state"], "done", messages[-1])
         types = {m["record"]["type"] for m in messages if m["type"] == "record"}
         self.assertTrue({"params", "end"} <= types, types)
