@@ -7,10 +7,10 @@ namespace obby::view {
 namespace {
 
 Role roleOf(schema::Part::Reader part) {
-  if (part.hasKill()) return Role::kill;
+  if (part.hasKill() && part.getKill().getDamage() > 0) return Role::kill;  // or it heals
   if (part.hasGoal()) return Role::goal;
   if (part.hasCheckpoint()) return Role::checkpoint;
-  if (part.hasVanish()) return Role::vanish;
+  if (part.hasVanish() || (part.hasFall() && part.getTouch())) return Role::vanish;
   if (part.hasJumpPad()) return Role::pad;
   if (part.hasConveyor()) return Role::conveyor;
   if (part.hasMotion()) return Role::moving;

@@ -19,7 +19,7 @@ enum class Role : uint8_t {
   conveyor,
   pad,
   checkpoint,
-  ghost,  // not solid and without effect
+  ghost,  // not solid, and none of those above
   loose,  // a body that can be pushed
 };
 

@@ -10,7 +10,6 @@
 #include "view/json_text.h"
 #include "view/page_parts.h"
 #include "view/page_template.h"
-#include "view/roles.h"
 
 namespace obby::view_test {
 namespace {
@@ -246,13 +245,6 @@ TEST(Budget, LeavesOutAttemptsWhoseLooseBodiesDoNotFit) {
   sizes.whole = 30u << 20;
   EXPECT_EQ(view::budgetFor(sizes, 20u << 20).attemptsOneOf, 2u);
   EXPECT_EQ(view::budgetFor(sizes, 40u << 20).attemptsOneOf, 1u);
-}
-
-TEST(Roles, GravestRoleWinsAndTheStartIsFoundUnderTheSpawn) {
-  const io::Record level = recordOf(kLevel);
-  EXPECT_THAT(view::rolesOf(level.reader().getLevel()),
-              ::testing::ElementsAre(view::Role::start, view::Role::kill, view::Role::moving,
-                                     view::Role::moving, view::Role::plain));
 }
 
 TEST(Tracks, OneRoundOfEachMotionAtItsPoses) {

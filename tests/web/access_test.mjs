@@ -103,6 +103,36 @@ test('the keyboard reaches every control, and each has a name', async ({ page })
   assert.deepEqual(missed, []);
 });
 
+test('the keyboard is seen to be on the picture, the mouse draws no frame', async ({ page }) => {
+  const focused = () =>
+    page.evaluate(() => [
+      document.activeElement.id,
+      getComputedStyle(document.activeElement).outlineStyle,
+    ]);
+  const view = page.locator('#view');
+  for (let round = 0; round < 2; round++) {
+    await view.focus();
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Shift+Tab');
+    assert.deepEqual(await focused(), ['view', 'solid']);
+    await page.locator('.query').first().focus();
+    await view.click({ button: 'right', position: { x: 400, y: 300 } }); // chooses nothing
+    assert.deepEqual(await focused(), ['view', 'none']);
+  }
+});
+
+test('no tick is read out as it is played; the slider tells the time', async ({ page }) => {
+  await page.evaluate(() => window.obby.store.set({ path: 0, ghost: 1, tick: 66 }));
+  const spoken = await page.evaluate(() =>
+    [...document.querySelectorAll('#timeline output, #comparison output')].map((node) =>
+      node.getAttribute('aria-live'),
+    ),
+  );
+  assert.deepEqual(spoken, ['off', 'off', 'off']);
+  assert.equal(await page.locator('.scrub').getAttribute('aria-valuetext'), '1.10 of 9.00 s');
+  await page.evaluate(() => window.obby.store.set({ ghost: -1 }));
+});
+
 test('Space ticks the box that the keyboard is on; after the mouse it plays', async ({ page }) => {
   const fold = page.getByRole('button', { name: 'Display' });
   const onBox = () => page.evaluate(() => document.activeElement.type === 'checkbox');

@@ -15,6 +15,7 @@ const kFlags = [
 ];
 
 const kViewport = { width: 1280, height: 800 };
+const kPatience = 120000; // ms that a slow machine gets for what is waited for
 
 // Whether the tests keep pictures for people to look at; nothing is asserted of these.
 export const kPictures = Boolean(process.env.OBBY_PICTURES);
@@ -25,12 +26,13 @@ const kDensity = kPictures ? 1 : 0.5;
 
 export async function launch(webFolder, executablePath) {
   const { chromium } = createRequire(resolve(webFolder, 'package.json'))('playwright-core');
-  return chromium.launch({ executablePath, headless: true, args: kFlags });
+  return chromium.launch({ executablePath, headless: true, args: kFlags, timeout: kPatience });
 }
 
 // A page of its own context. `density`: pixels of the 3D view for one of the page; the page itself stays as it is.
 export async function newPage(browser, { viewport = kViewport, density = kDensity, ...more } = {}) {
   const context = await browser.newContext({ viewport, ...more });
+  context.setDefaultTimeout(kPatience);
   const page = await context.newPage();
   await page.addInitScript((value) => {
     Object.defineProperty(window, 'devicePixelRatio', { get: () => value });
@@ -98,6 +100,18 @@ export async function colours(page, anew = true) {
     return { different: counts.size, share: Math.max(...counts.values()) / (data.length / 4) };
   }, anew);
 }
+
+// Counts from now on the programs of the GPU that the page makes: `linked` of its window.
+export const countPrograms = (page) =>
+  page.evaluate(() => {
+    window.linked = 0;
+    const { prototype } = WebGL2RenderingContext;
+    const original = prototype.linkProgram;
+    prototype.linkProgram = function counted(...args) {
+      window.linked += 1;
+      return original.apply(this, args);
+    };
+  });
 
 // A report in the page that the build made.
 export function fillTemplate(template, data, title) {

@@ -2,7 +2,12 @@
 import assert from 'node:assert/strict';
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
-import { boxOf, pathsThrough } from '../../web/src/choice.js';
+import { boxOf, meets, pathsThrough } from '../../web/src/choice.js';
+import { coloring } from '../../web/src/coloring.js';
+import { deathLabels } from '../../web/src/death_labels.js';
+import { tickAt } from '../../web/src/fragment.js';
+import { causeOf, hardestOf } from '../../web/src/palette.js';
+import { corners } from '../../web/src/scene/straight.js';
 import { count } from '../../web/src/ui/dom.js';
 import { frames } from './browser.mjs';
 import { harness } from './harness.mjs';
@@ -115,6 +120,90 @@ test('numbers are rounded to three digits, whatever unit that takes', () => {
     [999700000, '1.00 G'],
   ])
     assert.equal(count(number), text);
+});
+
+test('of a way that is far from a box no point is looked at', () => {
+  const way = { samples: 3, points: Float32Array.from([0, 0, 0, 5, 2, 0, 9, 0, 0]) };
+  const crossed = boxOf([4, 0, -1], [6, 3, 1]);
+  assert.equal(meets(way, crossed), true);
+  assert.equal(meets(way, boxOf([0, 1.9, -1], [1, 2, 1])), false, 'near, and not met');
+  way.points = new Proxy(way.points, {
+    get() {
+      throw new Error('looked at');
+    },
+  });
+  assert.equal(meets(way, boxOf([20, 0, -1], [30, 9, 9])), false);
+  assert.equal(meets(way, boxOf([0, -9, -1], [9, -1, 9])), false);
+  assert.throws(() => meets(way, crossed), /looked at/);
+});
+
+// How far a point is from the way through others.
+function besideWay(points, at) {
+  let least = Infinity;
+  for (let i = 0; i + 5 < points.length; i += 3) {
+    const by = [0, 1, 2].map((k) => points[i + 3 + k] - points[i + k]);
+    const off = [0, 1, 2].map((k) => at[k] - points[i + k]);
+    const dot = (a, b) => a.reduce((sum, v, k) => sum + v * b[k], 0);
+    const share = Math.min(1, Math.max(0, dot(off, by) / (dot(by, by) || 1)));
+    least = Math.min(least, Math.hypot(...off.map((v, k) => v - share * by[k])));
+  }
+  return least;
+}
+
+test('ways of moving parts are drawn by their corners, and no sample is far from them', () => {
+  const samplesOf = (count, at) =>
+    Float32Array.from(Array.from({ length: count }, (_, i) => at(i)).flat());
+  const there = (i) => [1000 + 0.1 * Math.abs(100 - i), 3, -27]; // and back
+  assert.deepEqual([...corners(samplesOf(201, there))], [1010, 3, -27, 1000, 3, -27, 1010, 3, -27]);
+  const still = samplesOf(5, () => [1, 2, 3]);
+  assert.deepEqual([...corners(still)], [1, 2, 3, 1, 2, 3]);
+  const round = samplesOf(721, (i) => [10 * Math.cos(i / 114.6), i / 300, 10 * Math.sin(i / 114.6)]);
+  const drawn = corners(round);
+  assert.ok(drawn.length < round.length / 4, `${drawn.length / 3} points`);
+  for (let i = 0; i < round.length; i += 3) {
+    const beside = besideWay(drawn, round.subarray(i, i + 3));
+    assert.ok(beside <= 0.0201, `sample ${i / 3}: ${beside} studs`);
+  }
+});
+
+test('a time in an address is that of the tick that it was written for', () => {
+  for (const rate of [10, 60, 240, 480])
+    for (let tick = 0; tick < 3 * rate; tick++)
+      assert.equal(tickAt(Number((tick / rate).toFixed(3)), rate), tick);
+  assert.ok(Math.abs(tickAt(0.009, 60) - 0.54) < 1e-9, 'between two ticks');
+});
+
+test('a part without a name is told by its number', () => {
+  const level = { count: 2, names: ['', 'Workspace/Lava'] };
+  const killed = (part) => ({ outcome: 'killed', part, end: () => [0, 0, 0] });
+  assert.equal(causeOf(killed(0), level), 'Killed by part 0');
+  assert.equal(causeOf(killed(1), level), 'Killed by Workspace/Lava');
+  assert.deepEqual(
+    deathLabels([killed(0), killed(1), killed(1)], level, 6).map(({ text }) => text),
+    ['✕ Lava · 2', '✕ part 0 · 1'],
+  );
+  const hardest = { from: 0, to: -1, band: 'hard', window: 0 };
+  const difficulty = { hardest, noise: 'average' };
+  assert.equal(hardestOf({ difficulty }, level), 'Hardest: part 0 to the goal, hard (average)');
+});
+
+test('of a query without ways no number has a colour', () => {
+  for (const mode of ['time', 'jumps'])
+    assert.deepEqual(coloring({ paths: [] }, undefined, mode).legend, []);
+});
+
+test('another colouring changes the rows that are there', async ({ page }) => {
+  const first = (by) =>
+    page.evaluate((colorBy) => {
+      window.row ??= document.querySelector('.path');
+      window.obby.store.set({ colorBy });
+      const tint = window.row.querySelector('.swatch').style.getPropertyValue('--tint');
+      return { there: window.row.isConnected, tint };
+    }, by);
+  const [before, after] = [await first('outcome'), await first('time')];
+  assert.deepEqual([before.there, after.there], [true, true]);
+  assert.notEqual(after.tint, before.tint);
+  assert.deepEqual(await first('outcome'), before);
 });
 
 test('all of that raised no error', async ({ page, trouble }) => {

@@ -1,6 +1,6 @@
 // Several levels in one report, none at all, and a picture that comes and goes.
 import assert from 'node:assert/strict';
-import { arrive, colours, frames, openReport, state } from './browser.mjs';
+import { arrive, colours, countPrograms, frames, openReport, state } from './browser.mjs';
 import { harness } from './harness.mjs';
 import { report } from './sample_report.mjs';
 
@@ -107,6 +107,46 @@ test('a level that is left frees what it held on the GPU', async ({ page }) => {
   assert.deepEqual(await held(), before);
 });
 
+test('what is drawn as before needs no new programs of the GPU', async ({ page }) => {
+  await countPrograms(page);
+  await visit(page, kElsewhere);
+  await visit(page, kHere);
+  await page.evaluate(() => window.obby.store.set({ path: 3 }));
+  await frames(page, 3);
+  assert.equal(await page.evaluate(() => window.linked), 0);
+});
+
+test('what nobody has looked at is freed at once', async ({ page }) => {
+  await visit(page, kHere);
+  const waiting = await page.evaluate(
+    ([one, other]) => {
+      const { store, stage } = window.obby;
+      for (let i = 0; i < 5; i++) store.set({ query: i % 2 ? other : one });
+      return stage.leaving.waiting.length;
+    },
+    [kElsewhere, kHere],
+  );
+  assert.equal(waiting, 9, 'the views of one level and one query, which were drawn');
+  await frames(page, 3);
+  assert.equal(await page.evaluate(() => window.obby.stage.leaving.waiting.length), 0);
+});
+
+test('the chosen query is in sight in a long list', async ({ page }) => {
+  await page.setViewportSize({ width: 1280, height: 400 });
+  for (const query of [kCopiedMesh, kHere]) {
+    await visit(page, query);
+    const [row, list] = await page.evaluate(() =>
+      ['.query[aria-selected=true]', '.queries'].map((name) => {
+        const { top, bottom } = document.querySelector(name).getBoundingClientRect();
+        return { top, bottom };
+      }),
+    );
+    assert.ok(list.bottom - list.top < 160, 'a list of which a part is seen');
+    assert.ok(row.top >= list.top - 1 && row.bottom <= list.bottom + 1, `query ${query}`);
+  }
+  await page.setViewportSize({ width: 1280, height: 800 });
+});
+
 test('every level has the colours that the reader has chosen', async ({ page }) => {
   const lava = level.names.findIndex((name) => name.endsWith('/Lava'));
   const colourOf = () =>
@@ -154,6 +194,14 @@ test('a query without its level shows no picture of the one before', async ({ pa
   assert.deepEqual(before.words, [true, true]);
   await visit(page, kLost);
   assert.deepEqual(await seen(), { colours: 1, words: [false, false] });
+  // Lines that were to be drawn there are not kept either.
+  await page.evaluate(() => {
+    const { stage, report } = window.obby;
+    for (const path of report.queries[0].paths) stage.pathView.hover(path);
+    window.obby.dirty = true;
+  });
+  await frames(page, 3);
+  assert.equal(await page.evaluate(() => window.obby.stage.pathView.left.length), 0);
   await visit(page, kHere);
   assert.ok((await seen()).colours > 40);
 });
@@ -173,11 +221,14 @@ test('of thousands of regions those are drawn and named that can be looked at', 
   page,
 }) => {
   await visit(page, kThousands);
-  const { boxes, labels } = await page.evaluate(() => {
+  const { boxes, labels, looks } = await page.evaluate(() => {
     const { group, labels: all } = window.obby.stage.regionView;
-    return { boxes: group.children.length, labels: all.length };
+    const materials = new Set();
+    group.traverse(({ material }) => material && materials.add(material));
+    return { boxes: group.children.length, labels: all.length, looks: materials.size };
   });
   assert.deepEqual([boxes, labels], [2 + 500, 2 + 40], 'start and goal, and those to avoid');
+  assert.equal(looks, 1 + 2 + 2, 'the ring of the start, two of the goal, two of all to avoid');
   const asked = await page.locator('.limits').innerText();
   assert.match(asked, /3000 regions to avoid \(500 are drawn\)/);
 });

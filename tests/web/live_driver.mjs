@@ -70,7 +70,7 @@ export async function openLive(browser, address, prepare = async () => {}) {
 // Waits until the page lists so many trajectories of the chosen query.
 export async function waysAre(page, count) {
   await page
-    .waitForFunction((n) => window.obby.query()?.paths.length === n, count, { timeout: 30000 })
+    .waitForFunction((n) => window.obby.query()?.paths.length === n, count)
     .catch(async () => {
       const found = await page.evaluate(() => window.obby.query()?.paths.length);
       assert.equal(found, count, 'trajectories listed');

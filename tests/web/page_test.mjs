@@ -74,6 +74,18 @@ test('the pointer at rest on a part tells its name, role and reason', async ({ p
   assert.ok((await page.locator('#tip span').count()) >= 2, 'role and reason');
 });
 
+test('what the pointer tells stays in the window', async ({ page }) => {
+  const [right, bottom] = await page.evaluate(() => {
+    const { pointer } = window.obby;
+    const far = { clientX: innerWidth - 3, clientY: innerHeight - 3 };
+    pointer.tell(far, 'A part of a long name', ['its role', 'and the reason for it']);
+    const box = pointer.tip.getBoundingClientRect();
+    pointer.tip.hidden = true;
+    return [innerWidth - box.right, innerHeight - box.bottom];
+  });
+  assert.ok(right > -0.5 && bottom > -0.5, `${right} and ${bottom} pixels are left`);
+});
+
 test('a click in the list selects a trajectory', async ({ page }) => {
   await page.locator('.path').nth(4).click();
   assert.equal((await state(page)).path, 4);
@@ -216,6 +228,22 @@ test('the address keeps query, trajectory and time, and tells queries of one id 
   }
 });
 
+test('a link that is followed while the page is open is shown', async ({ page }) => {
+  await page.evaluate(() => {
+    window.obby.store.set({ query: 0, path: 0, tick: 0 });
+    location.hash = '#q=in eight seconds&traj=3&t=1.1&cam=1,2,3,0.5,-0.5,20';
+  });
+  await page.waitForFunction(() => window.obby.store.state.query === 2);
+  const { path, tick } = await state(page);
+  assert.deepEqual([path, Math.round(tick)], [3, 66]);
+  assert.equal(await page.evaluate(() => window.obby.stage.rig.goal.distance), 20);
+  await page.evaluate(() => {
+    location.hash = '#traj=30'; // the first query has so many, the shown one has not
+  });
+  await page.waitForFunction(() => window.obby.store.state.tick === 0);
+  assert.equal((await state(page)).path, -1);
+});
+
 test('all of that raised no error and no request', async ({ trouble, requests }) => {
   assert.deepEqual(trouble, []);
   assert.equal(requests.length, 1, requests.join());
@@ -228,6 +256,8 @@ test('a level alone has nothing to sort, filter or answer', async ({ browser }) 
   assert.match(words, /Level only/);
   assert.doesNotMatch(words, /Sort by|Filter|No answer/);
   assert.ok((await colours(page)).different > 40);
+  for (const key of ['9', '0', 'b', 'i', 'x', 'f', 'r', 'ArrowDown', ']', 'Space']) await page.keyboard.press(key);
+  await frames(page, 3);
   assert.deepEqual(trouble, []);
   await page.context().close();
 });

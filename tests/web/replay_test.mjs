@@ -143,6 +143,28 @@ test('a way that was thinned out goes on evenly to its end', () => {
   );
 });
 
+test('base64 is read by the browser where it can, and no more of it than is asked for', () => {
+  const own = Uint8Array.fromBase64;
+  let read = 0;
+  try {
+    Uint8Array.fromBase64 = (text) => {
+      read += 1;
+      return Uint8Array.from(Buffer.from(text, 'base64'));
+    };
+    const path = thinned();
+    assert.equal(read, 1, 'the points');
+    assert.equal('position' in path, false, 'their text is not kept');
+    const { points, yaw, state } = path;
+    assert.deepEqual([read, path.yaw === yaw], [3, true]);
+    Uint8Array.fromBase64 = undefined;
+    const slow = thinned();
+    assert.deepEqual([slow.points, slow.yaw, slow.state], [points, yaw, state]);
+    assert.equal(read, 3);
+  } finally {
+    Uint8Array.fromBase64 = own;
+  }
+});
+
 // Largest difference between where the level's parts are in the picture and where a recording of the same manoeuvre has
 // them, at its frames, which are ticks.
 async function compareParts(page, recording) {

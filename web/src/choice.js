@@ -48,7 +48,28 @@ export function segmentMeets({ min, max }, points, i, j) {
   return true;
 }
 
+// The lowest and the highest of all samples, by axis; looked for once.
+function boundsOf(path) {
+  if (path.bounds) return path.bounds;
+  const min = [Infinity, Infinity, Infinity];
+  const max = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < 3 * path.samples; i++) {
+    const value = path.points[i];
+    if (value < min[i % 3]) min[i % 3] = value;
+    if (value > max[i % 3]) max[i % 3] = value;
+  }
+  path.bounds = { min, max };
+  return path.bounds;
+}
+
+// While a box is drawn all ways are asked at each move of the pointer, and most are far from it.
+function farFrom(path, box) {
+  const { min, max } = boundsOf(path);
+  return min.some((low, k) => low > box.max[k] || max[k] < box.min[k]);
+}
+
 export function meets(path, box) {
+  if (farFrom(path, box)) return false;
   if (path.samples === 1) return segmentMeets(box, path.points, 0, 0);
   for (let i = 0; i + 1 < path.samples; i++)
     if (segmentMeets(box, path.points, i, i + 1)) return true;

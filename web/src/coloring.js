@@ -43,6 +43,7 @@ function byOutcome(query) {
 
 function byNumber(query, valueOf, label) {
   const values = query.paths.map(valueOf);
+  if (!values.length) return { of: () => kNone, legend: [] };
   const least = values.reduce((a, b) => Math.min(a, b), Infinity);
   const most = values.reduce((a, b) => Math.max(a, b), -Infinity);
   const share = (value) => (most > least ? (value - least) / (most - least) : 0);

@@ -1,5 +1,6 @@
 // Names for the places where the shown ways were killed.
 import { OUTCOME_STYLE } from './palette.js';
+import { partName } from './part_name.js';
 
 // The one of these places that is nearest to their middle.
 function middlemost(places) {
@@ -20,7 +21,7 @@ export function deathLabels(paths, level, most) {
     .sort((a, b) => b[1].length - a[1].length)
     .slice(0, most)
     .map(([part, places]) => ({
-      text: `✕ ${level?.names[part]?.split('/').pop() ?? `part ${part}`} · ${places.length}`,
+      text: `✕ ${partName(level, part)} · ${places.length}`,
       at: middlemost(places),
       color: OUTCOME_STYLE.killed.color,
     }));

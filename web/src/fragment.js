@@ -6,12 +6,13 @@ function queryAt(report, id, n) {
   return same[Number(n ?? 0)] ?? same[0] ?? -1;
 }
 
-export function readFragment(report) {
-  const values = new URLSearchParams(location.hash.slice(1));
+// `hash`: of an address, with its `#`; `shown`: the query that is shown where it names none.
+export function readFragment(report, hash, shown = 0) {
+  const values = new URLSearchParams(hash.slice(1));
   const found = {};
   const query = queryAt(report, values.get('q'), values.get('n'));
   if (query >= 0) found.query = query;
-  const paths = report.queries[found.query ?? 0]?.paths ?? [];
+  const paths = report.queries[found.query ?? shown]?.paths ?? [];
   const path = values.has('traj') ? Number(values.get('traj')) : NaN;
   if (Number.isInteger(path) && path >= 0 && path < paths.length) found.path = path;
   if (values.get('traj') === 'none') found.path = -1;
@@ -20,6 +21,29 @@ export function readFragment(report) {
   const camera = (values.get('cam') ?? '').split(',').map(Number);
   if (camera.length === 6 && camera.every(Number.isFinite)) found.camera = camera;
   return found;
+}
+
+// The tick that a time of an address means: there it is in milliseconds, rounded, and what a tick shows must not be what the
+// one before shows.
+export function tickAt(time, rate) {
+  const tick = time * rate;
+  const whole = Math.round(tick);
+  return Math.abs(tick - whole) <= 0.0005 * rate + 1e-6 ? whole : tick;
+}
+
+// A link that is followed, or pasted, while the page is open, only changes what is behind `#`: it is shown, too.
+export function followAddress(app) {
+  window.addEventListener('hashchange', ({ newURL }) => {
+    const { store, playback, stage } = app;
+    const shown = store.state.query;
+    const found = readFragment(app.report, new URL(newURL).hash, shown);
+    store.set({ query: found.query ?? shown });
+    store.set({ path: found.path ?? app.firstPath(), playing: false, follow: false });
+    store.set({ tick: Math.min(tickAt(found.time ?? 0, playback.rateOf()), app.length()) });
+    if (!found.camera) return;
+    stage.rig.restore(found.camera);
+    app.moved = true; // the reader has chosen where to look from
+  });
 }
 
 export function writeFragment(report, state, tickRate, camera) {

@@ -1,7 +1,7 @@
 // Starts the page: reads the report, wires the state to the stage and the panels, and runs the frame loop.
 import { Vector3 } from 'three';
 import { readReport } from './data.js';
-import { readFragment, writeFragment } from './fragment.js';
+import { followAddress, readFragment, tickAt, writeFragment } from './fragment.js';
 import { Playback } from './playback.js';
 import { Live } from './live.js';
 import { OUTCOME_STYLE } from './palette.js';
@@ -39,12 +39,15 @@ class App {
     this.pointer = new Pointer(this, byId('view'), byId('tip'));
     this.ways = new Ways(this);
     this.dirty = true;
-    const found = readFragment(report);
+    const found = readFragment(report, location.hash);
     if (found.query !== undefined) this.store.state.query = found.query;
     this.openQuery();
     this.store.state.path = found.path ?? this.firstPath();
     if (found.time !== undefined)
-      this.store.state.tick = Math.min(found.time * this.playback.rateOf(), this.length());
+      this.store.state.tick = Math.min(
+        tickAt(found.time, this.playback.rateOf()),
+        this.length(),
+      );
     // Before the panels, which show the colours.
     this.store.on(['colorBy'], () => this.ways.color());
     this.panels();
@@ -162,6 +165,7 @@ class App {
       this.dirty = true;
     });
     bindKeys(this);
+    followAddress(this);
     this.stage.rig.onUserMove = () => {
       this.moved = true;
       store.set({ follow: false });

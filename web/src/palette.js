@@ -1,5 +1,6 @@
 // What every colour of the page means. The accents keep apart for colour-blind eyes by lightness as well as hue, and
 // roles have a pattern of their own on top (scene/part_material.js).
+import { fullName } from './part_name.js';
 
 export const ROLE_STYLE = {
   plain: { label: 'Part', color: '#77808f' },
@@ -73,7 +74,7 @@ export function verdictOf(query) {
 export function causeOf(path, level) {
   const style = OUTCOME_STYLE[path.outcome];
   if (path.part >= 0 && level && path.part < level.count)
-    return `${style.label} by ${level.names[path.part]}`;
+    return `${style.label} by ${fullName(level, path.part)}`;
   return style.label;
 }
 
@@ -81,7 +82,7 @@ export function causeOf(path, level) {
 export function hardestOf(path, level) {
   if (!path.difficulty) return '';
   const { hardest, noise } = path.difficulty;
-  const name = (part, none) => level?.names[part] ?? none;
+  const name = (part, none) => (part < 0 ? none : fullName(level, part));
   const from = name(hardest.from, 'the start');
   const to = name(hardest.to, 'the goal');
   const what = `Hardest: ${from} to ${to}, ${hardest.band}`;

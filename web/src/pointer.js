@@ -8,6 +8,7 @@ const kBoxBelow = 1; // studs under the floor that a drawn box reaches
 const kBoxAbove = 12;
 const kRest = 200; // ms until a part under the pointer is told
 const kMostNotes = 3;
+const kBeside = 14; // pixels from the pointer to what is told
 
 export class Pointer {
   constructor(app, canvas, tip) {
@@ -18,6 +19,7 @@ export class Pointer {
     this.corner = null; // first corner of the box that is being drawn
     canvas.addEventListener('pointerdown', (event) => this.press(event));
     canvas.addEventListener('pointerup', (event) => this.release(event));
+    canvas.addEventListener('blur', () => canvas.classList.remove('pressed'));
     canvas.addEventListener('pointermove', (event) => {
       this.moved = event.buttons ? null : event;
       if (this.corner && event.buttons & 1) this.drawTo(event); // a click is no drag
@@ -36,6 +38,7 @@ export class Pointer {
   }
 
   press(event) {
+    this.canvas.classList.add('pressed'); // browsers take a focus by script for one by keyboard
     this.canvas.focus({ preventScroll: true });
     if (!this.app.level()) return;
     this.down = { x: event.clientX, y: event.clientY };
@@ -133,6 +136,10 @@ export class Pointer {
       ...lines.map((text) => el('span', { text })),
     );
     this.tip.hidden = false;
-    this.tip.style.transform = `translate(${event.clientX + 14}px, ${event.clientY + 14}px)`;
+    // Beside the pointer, as far as the window goes.
+    const { width, height } = this.tip.getBoundingClientRect();
+    const x = Math.max(0, Math.min(event.clientX + kBeside, innerWidth - width));
+    const y = Math.max(0, Math.min(event.clientY + kBeside, innerHeight - height));
+    this.tip.style.transform = `translate(${x}px, ${y}px)`;
   }
 }

@@ -1,11 +1,10 @@
 // Routes in words: the last words of the parts' names, those alike in a row told once.
-
-const nameOf = (level, part) => (level?.names[part] || `part ${part}`).split('/').pop();
+import { partName } from './part_name.js';
 
 // `most`: so many names; of more the first and last two are told.
 export function routeText(route, level, most = Infinity) {
   const steps = [];
-  for (const name of route.map((part) => nameOf(level, part))) {
+  for (const name of route.map((part) => partName(level, part))) {
     const last = steps.at(-1);
     if (last?.name === name) last.count += 1;
     else steps.push({ name, count: 1 });

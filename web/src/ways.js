@@ -30,14 +30,13 @@ export class Ways {
   show() {
     const { order, isolate } = this.store.state;
     if (!this.app.query()) return;
-    this.app.stage.showPaths(new Set(isolate ? [] : order), (path) => this.coloring.of(path));
-    this.label();
-    this.warm();
+    this.app.stage.showPaths(new Set(isolate ? [] : order), this.coloring.of);
   }
 
   // Regions, the proof's step, and what killed the shown ways.
   label() {
     const { stage, labels } = this.app;
+    if (!this.app.query()) return;
     const { order, attempts, markers, cut, isolate } = this.store.state;
     const { paths } = this.app.query();
     const shown = attempts && markers && !isolate ? order.map((index) => paths[index]) : [];
@@ -52,6 +51,7 @@ export class Ways {
   // Counting takes a while, so only for those who look.
   warm() {
     const { heat, heatWays, order } = this.store.state;
+    if (!this.app.query()) return;
     const { paths, result } = this.app.query();
     const map = heatWays ? null : result?.heatMap;
     if (!heat) this.app.stage.heat.clear();
@@ -75,8 +75,8 @@ export class Ways {
     const { app, store } = this;
     store.on([...Object.keys(UNFILTERED), 'sort', 'descending'], () => this.choose());
     store.on(['order', 'isolate', 'colorBy'], () => this.show());
-    store.on(['heat', 'heatWays'], () => this.warm());
-    store.on(['cut', 'attempts', 'markers'], () => this.app.query() && this.label());
+    store.on(['order', 'isolate', 'cut', 'attempts', 'markers'], () => this.label());
+    store.on(['order', 'heat', 'heatWays'], () => this.warm());
     store.on(['path', 'ghost'], () => app.stage.pathView?.compare(app.ghost()));
     store.on(['colorBy'], () => app.stage.pathView?.select(app.path()));
     store.on(['boxes'], ({ boxes }) => app.stage.filterBoxes.set(boxes));

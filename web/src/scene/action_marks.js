@@ -30,9 +30,9 @@ function marks(path, ticks, glyph, color, size) {
 // Ticks at which the player touches down.
 export function landings(path) {
   const ticks = [];
+  const { state } = path;
   for (let i = 1; i < path.samples; i++)
-    if (path.state[i - 1] & kAirborne && !(path.state[i] & kAirborne))
-      ticks.push(path.tickOf(i));
+    if (state[i - 1] & kAirborne && !(state[i] & kAirborne)) ticks.push(path.tickOf(i));
   return ticks;
 }
 

@@ -5,6 +5,7 @@ import {
   BoxGeometry,
   DoubleSide,
   Group,
+  LineBasicMaterial,
   LineDashedMaterial,
   Mesh,
   MeshBasicMaterial,
@@ -14,9 +15,25 @@ import {
 const kKeep = '#7fd4ff';
 const kDrop = '#ff9e64';
 
+const fillOf = (color) =>
+  new MeshBasicMaterial({
+    color,
+    transparent: true,
+    opacity: 0.1,
+    depthWrite: false,
+    side: DoubleSide,
+  });
+
 export class FilterBoxes {
   constructor() {
     this.group = new Group();
+    // Kept: with its last material a program of the GPU goes, and boxes are made anew at each move of a drag.
+    const dashes = { dashSize: 0.06, gapSize: 0.06 };
+    this.kept = { line: new LineBasicMaterial({ color: kKeep }), fill: fillOf(kKeep) };
+    this.dropped = {
+      line: new LineDashedMaterial({ color: kDrop, ...dashes }),
+      fill: fillOf(kDrop),
+    };
   }
 
   set(boxes) {
@@ -25,26 +42,17 @@ export class FilterBoxes {
   }
 
   add({ min, max, keep }) {
-    const color = keep ? kKeep : kDrop;
+    const look = keep ? this.kept : this.dropped;
     const bounds = new Box3(new Vector3(...min), new Vector3(...max));
-    const edges = new Box3Helper(bounds, color);
+    const edges = new Box3Helper(bounds);
+    edges.material.dispose();
+    edges.material = look.line;
     if (!keep) {
-      edges.material.dispose();
-      edges.material = new LineDashedMaterial({ color, dashSize: 0.06, gapSize: 0.06 });
       edges.geometry = edges.geometry.toNonIndexed();
       edges.computeLineDistances();
     }
     edges.renderOrder = 4;
-    const fill = new Mesh(
-      new BoxGeometry(1, 1, 1),
-      new MeshBasicMaterial({
-        color,
-        transparent: true,
-        opacity: 0.1,
-        depthWrite: false,
-        side: DoubleSide,
-      }),
-    );
+    const fill = new Mesh(new BoxGeometry(1, 1, 1), look.fill);
     bounds.getCenter(fill.position);
     bounds.getSize(fill.scale);
     fill.renderOrder = 3;
@@ -54,7 +62,6 @@ export class FilterBoxes {
   clear() {
     for (const node of [...this.group.children]) {
       node.geometry.dispose();
-      node.material.dispose();
       this.group.remove(node);
     }
   }

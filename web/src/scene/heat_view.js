@@ -15,12 +15,14 @@ const keyOf = (x, y, z) =>
 export function visits(paths) {
   const cells = new Map();
   for (const path of paths) {
+    let [here, cell] = [NaN, null];
     for (let i = 0; i < 3 * path.samples; i += 3) {
       const feet = path.points[i + 1];
       const x = Math.floor(path.points[i] / kCell);
       const z = Math.floor(path.points[i + 2] / kCell);
       const key = keyOf(x, Math.floor(feet / kCell), z);
-      let cell = cells.get(key);
+      if (key !== here) cell = cells.get(key); // mostly it is that of the sample before
+      here = key;
       if (!cell) {
         cell = { x: (x + 0.5) * kCell, y: feet, z: (z + 0.5) * kCell, count: 0, last: null };
         cells.set(key, cell);
@@ -49,6 +51,8 @@ export function searched({ size, feet, counts }) {
 export class HeatView {
   constructor() {
     this.group = new Group();
+    // Kept: with its last material a program of the GPU goes, and the map is made anew at each filter.
+    this.material = new MeshBasicMaterial({ transparent: true, opacity: 0.6, depthWrite: false });
   }
 
   set({ size, cells: all }) {
@@ -57,16 +61,18 @@ export class HeatView {
     if (!cells.length) return;
     const mesh = new InstancedMesh(
       new PlaneGeometry(size * 0.92, size * 0.92).rotateX(-Math.PI / 2),
-      new MeshBasicMaterial({ transparent: true, opacity: 0.6, depthWrite: false }),
+      this.material,
       cells.length,
     );
     // Counts spread over orders of magnitude.
     const scale = Math.log(cells[0].count + 1);
-    const color = new Color();
+    const colors = new Map(); // of counts, which are few
     const place = new Matrix4();
     cells.forEach(({ x, y, z, count }, i) => {
+      if (!colors.has(count))
+        colors.set(count, new Color(rampColor(Math.log(count + 1) / scale)));
       mesh.setMatrixAt(i, place.makeTranslation(x, y + kLift, z));
-      mesh.setColorAt(i, color.set(rampColor(Math.log(count + 1) / scale)));
+      mesh.setColorAt(i, colors.get(count));
     });
     mesh.renderOrder = 4;
     mesh.frustumCulled = false;
@@ -77,7 +83,6 @@ export class HeatView {
   clear() {
     for (const mesh of [...this.group.children]) {
       mesh.geometry.dispose();
-      mesh.material.dispose();
       mesh.dispose();
       this.group.remove(mesh);
     }

@@ -5,7 +5,7 @@ import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { BAND_STYLE, GHOST_COLOR, pathColor, SELECTED_COLOR } from '../palette.js';
-import { kLift, ThinLines } from './thin_lines.js';
+import { kLift, skipOf, ThinLines } from './thin_lines.js';
 
 const kMostThick = 12; // solutions; more are thin lines, for thick ones take a draw call and many pixels each
 
@@ -43,11 +43,11 @@ export class PathView {
     const indices = query.paths.map((_, i) => i);
     const isSolution = (i) => query.paths[i].kind === 'solution';
     const solutions = indices.filter(isSolution);
-    this.failed = new ThinLines(
-      query.paths,
-      indices.filter((i) => !isSolution(i)),
-    );
-    this.further = new ThinLines(query.paths, solutions.slice(kMostThick));
+    const attempts = indices.filter((i) => !isSolution(i));
+    const further = solutions.slice(kMostThick);
+    const skip = skipOf(query.paths, [...attempts, ...further]);
+    this.failed = new ThinLines(query.paths, attempts, skip);
+    this.further = new ThinLines(query.paths, further, skip);
     this.attempts = this.failed.lines;
     this.solutions = new Group();
     this.thick = new Map(); // index -> line
@@ -56,6 +56,7 @@ export class PathView {
     this.selection = new Group();
     this.rival = new Group(); // the other one of a comparison
     this.hovered = new Group();
+    this.left = []; // lines that are not drawn any more
     this.group.add(this.attempts, this.solutions, this.rival, this.hovered, this.selection);
   }
 
@@ -91,9 +92,16 @@ export class PathView {
 
   empty(group) {
     for (const line of [...group.children]) {
-      line.geometry.dispose();
-      line.material.dispose();
       group.remove(line);
+      this.left.push(line);
+    }
+  }
+
+  // Frees what was taken away: behind the next picture, for the reason that Leaving has.
+  sweep() {
+    for (const { geometry, material } of this.left.splice(0)) {
+      geometry.dispose();
+      material.dispose();
     }
   }
 
@@ -160,6 +168,7 @@ export class PathView {
     this.solutions.remove(this.further.lines);
     for (const group of [this.selection, this.rival, this.hovered, this.solutions])
       this.empty(group);
+    this.sweep();
     this.failed.dispose();
     this.further.dispose();
   }

@@ -35,17 +35,27 @@ function fillMaterial(color) {
   });
 }
 
-function box(region, color) {
+// Color -> what boxes of that colour share: there may be hundreds.
+function sharedLooks() {
+  const solid = new BoxGeometry(1, 1, 1);
+  const edges = new EdgesGeometry(solid);
+  const looks = new Map();
+  return (color) => {
+    if (!looks.has(color)) {
+      const line = new LineBasicMaterial({ color, transparent: true, opacity: 0.85 });
+      looks.set(color, { solid, edges, fill: fillMaterial(color), line });
+    }
+    return looks.get(color);
+  };
+}
+
+function box(region, { solid, edges, fill, line }) {
   const group = new Group();
-  const geometry = new BoxGeometry(1, 1, 1);
-  const fill = new Mesh(geometry, fillMaterial(color));
-  fill.renderOrder = 3;
-  const edges = new LineSegments(
-    new EdgesGeometry(geometry),
-    new LineBasicMaterial({ color, transparent: true, opacity: 0.85 }),
-  );
-  edges.renderOrder = 4;
-  group.add(fill, edges);
+  const body = new Mesh(solid, fill);
+  body.renderOrder = 3;
+  const frame = new LineSegments(edges, line);
+  frame.renderOrder = 4;
+  group.add(body, frame);
   group.position.fromArray(region.position);
   group.quaternion.copy(new Quaternion().fromArray(region.rotation).normalize());
   group.scale.fromArray(region.size);
@@ -79,8 +89,9 @@ export class RegionView {
   constructor(query) {
     this.group = new Group();
     this.labels = []; // {text, at, color}
+    const lookOf = sharedLooks();
     const add = (region, color, text) => {
-      this.group.add(box(region, color));
+      this.group.add(box(region, lookOf(color)));
       if (text) this.labels.push({ text, at: top(region), color });
     };
     const addAlike = (regions, color, otherwise) =>

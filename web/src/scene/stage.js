@@ -14,7 +14,7 @@ import { ActionMarks } from './action_marks.js';
 import { Avatar } from './avatar.js';
 import { CameraRig } from './camera_rig.js';
 import { CutView } from './cut_view.js';
-import { dispose } from './dispose.js';
+import { dispose, Leaving } from './dispose.js';
 import { FilterBoxes } from './filter_boxes.js';
 import { HeatView } from './heat_view.js';
 import { LevelView } from './level_view.js';
@@ -58,6 +58,7 @@ export class Stage {
     this.heat = new HeatView();
     this.marks = new ActionMarks();
     this.scene.add(this.filterBoxes.group, this.heat.group, this.marks.group);
+    this.leaving = new Leaving(this.scene);
   }
 
   // What comes and goes with the level.
@@ -68,10 +69,7 @@ export class Stage {
 
   // `colors`: as LevelView's.
   setLevel(level, colors) {
-    for (const node of this.ofLevel()) {
-      this.scene.remove(node);
-      dispose(node);
-    }
+    for (const node of this.ofLevel()) this.leaving.take(node, () => dispose(node));
     this.level = level;
     this.levelView = new LevelView(level, colors);
     this.avatar = new Avatar(level.body);
@@ -107,12 +105,10 @@ export class Stage {
   }
 
   setQuery(query) {
-    for (const view of [this.regionView, this.cutView, this.pathView, this.markers]) {
-      if (!view) continue;
-      this.scene.remove(view.group);
-      view.dispose();
-    }
+    for (const view of [this.regionView, this.cutView, this.pathView, this.markers])
+      if (view) this.leaving.take(view.group, () => view.dispose());
     this.query = query;
+    this.tint = null; // of new lines
     this.regionView = new RegionView(query);
     this.cutView = new CutView(query, this.level);
     this.pathView = new PathView(query);
@@ -169,10 +165,12 @@ export class Stage {
   // `shown`: set of indices; `tint`: path -> colour.
   showPaths(shown, tint) {
     this.shown = shown;
-    for (const view of [this.pathView, this.markers]) {
-      view?.setColors(tint);
-      view?.setShown(shown);
+    const views = [this.pathView, this.markers].filter(Boolean);
+    for (const view of views) {
+      if (tint !== this.tint) view.setColors(tint); // or they have it
+      view.setShown(shown);
     }
+    this.tint = tint;
   }
 
   visibleOf(state) {
@@ -279,9 +277,13 @@ export class Stage {
 
   blank() {
     this.renderer.clear();
+    this.leaving.free();
+    this.pathView?.sweep();
   }
 
   render() {
     this.renderer.render(this.scene, this.rig.camera);
+    this.leaving.drawn();
+    this.pathView?.sweep();
   }
 }

@@ -9,16 +9,19 @@ import {
   LineSegments,
 } from 'three';
 
-const kMostPoints = 120000; // beyond it, every k-th sample: a browser without a GPU draws about 400 segments a ms
+const kMostPoints = 120000; // in a picture; a browser without a GPU draws about 400 segments a ms
 export const kLift = 0.35; // studs above the feet, so that lines do not sink into the floor
 
+// Which samples are drawn of all thin lines of a picture together: every one, or every k-th.
+export function skipOf(paths, indices) {
+  const total = indices.reduce((sum, i) => sum + paths[i].samples, 0);
+  return Math.max(1, Math.ceil(total / kMostPoints));
+}
+
 export class ThinLines {
-  // `indices`: which of the query's paths.
-  constructor(paths, indices) {
-    this.paths = paths;
-    this.indices = indices;
-    const total = indices.reduce((sum, i) => sum + paths[i].samples, 0);
-    this.skip = Math.max(1, Math.ceil(total / kMostPoints));
+  // `indices`: which of the query's paths; `skip`: as of skipOf.
+  constructor(paths, indices, skip) {
+    Object.assign(this, { paths, indices, skip });
     this.spans = []; // [first vertex, vertices] of each
     this.build();
     this.lines = new LineSegments(

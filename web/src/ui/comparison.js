@@ -101,7 +101,7 @@ export class Comparison {
         const tick = ticks[pair.indexOf(path)];
         return tick < 0 ? 'not passed' : `${seconds(tick / rate)} s`;
       });
-    this.gap = el('output', { class: 'quiet' });
+    this.gap = el('output', { class: 'quiet', 'aria-live': 'off' }); // as the clock
     this.root.append(
       el(
         'header',

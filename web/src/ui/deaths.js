@@ -1,5 +1,6 @@
 // How attempts ended, as one bar, and what killed them: a click shows the ways that ended there.
 import { OUTCOME_STYLE } from '../palette.js';
+import { fullName, partName } from '../part_name.js';
 import { count, el } from './dom.js';
 
 const kMostKillers = 8;
@@ -49,13 +50,12 @@ function killers(query, level, store, ends) {
   const most = totals[0][1];
   const row = ([part, n]) => {
     const shown = query.paths.filter((p) => p.outcome === 'killed' && p.part === part).length;
-    const name = level?.names[part] || `part ${part}`;
     return el(
       'button',
       {
         class: 'killer',
         type: 'button',
-        title: `${name}: ${n} of the attempts, ${shown} of them in this report`,
+        title: `${fullName(level, part)}: ${n} of the attempts, ${shown} of them in this report`,
         style: { '--share': `${(100 * n) / most}%` },
         data: { part, key: `killer ${part}` },
         on: {
@@ -66,7 +66,7 @@ function killers(query, level, store, ends) {
           },
         },
       },
-      el('span', { class: 'name', text: name.split('/').pop() }),
+      el('span', { class: 'name', text: partName(level, part) }),
       el('span', { class: 'fact', text: count(n) }),
     );
   };

@@ -70,6 +70,16 @@ export function keepingFocus(root, refill) {
   root.querySelector(`[data-key="${CSS.escape(key)}"]`)?.focus({ preventScroll: true });
 }
 
+// Scrolls a list as far as it takes to see its chosen row.
+export function reveal(rows) {
+  const row = rows.querySelector('[aria-selected=true]');
+  if (!row || row.hidden) return;
+  const [top, height] = [row.offsetTop, row.offsetHeight];
+  const { scrollTop, clientHeight } = rows;
+  if (top < scrollTop) rows.scrollTop = top;
+  else if (top + height > scrollTop + clientHeight) rows.scrollTop = top + height - clientHeight;
+}
+
 // Scroll stays where it was, too; to ask for that takes a layout of the page.
 export function keepingPlace(root, refill) {
   const top = root.scrollTop;

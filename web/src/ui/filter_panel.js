@@ -2,6 +2,7 @@
 import { filtered, routeKey, UNFILTERED } from '../choice.js';
 import { routeName } from '../coloring.js';
 import { OUTCOME_STYLE } from '../palette.js';
+import { partName } from '../part_name.js';
 import { BoxList } from './box_list.js';
 import { choice, el, numberField } from './dom.js';
 
@@ -81,7 +82,7 @@ export class FilterPanel {
     const outcomes = tally(query.paths.map((path) => path.outcome));
     offer(this.outcome, '', outcomes, (key) => OUTCOME_STYLE[key].short);
     offer(this.route, '', routes, (key) => routeName(key, level));
-    offer(this.killer, -1, killers, (part) => level?.names[part]?.split('/').pop() ?? part);
+    offer(this.killer, -1, killers, (part) => partName(level, part));
   }
 
   show() {

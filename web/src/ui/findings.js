@@ -1,4 +1,5 @@
 // What an answer says beyond its verdict: why there is no way, what would have to change, by which routes it goes, how far to trust it.
+import { partName } from '../part_name.js';
 import { routeText } from '../route_text.js';
 import { el, plural, seconds } from './dom.js';
 
@@ -9,8 +10,6 @@ const SATURATION = {
   saturated: 'The search found nearly all there is to find at this resolution.',
   growing: 'The search was still finding new places: more time may solve it.',
 };
-
-const shortName = (level, part) => level?.names[part]?.split('/').pop() || `part ${part}`;
 
 // A line that shows its part in the picture, where it has one and the level has it.
 function line(text, part, level, store) {
@@ -44,8 +43,8 @@ export function lackOf({ rise, gap, jumps, seconds: time }) {
 function proof(result, level, store) {
   const { cut } = result;
   if (!cut) return [];
-  const from = cut.from >= 0 ? shortName(level, cut.from) : 'the start';
-  const to = cut.to >= 0 ? shortName(level, cut.to) : 'the goal';
+  const from = cut.from >= 0 ? partName(level, cut.from) : 'the start';
+  const to = cut.to >= 0 ? partName(level, cut.to) : 'the goal';
   const lack = lackOf(cut);
   return [
     el('h3', { text: 'Why there is no way' }),

@@ -2,7 +2,7 @@
 import { SORTS } from '../choice.js';
 import { COLORINGS } from '../coloring.js';
 import { BAND_STYLE, causeOf, hardestOf, OUTCOME_STYLE } from '../palette.js';
-import { choice, el, plural, seconds } from './dom.js';
+import { choice, el, plural, reveal, seconds } from './dom.js';
 
 const kMostRows = 400;
 const KIND_NAMES = { solution: 'Solution', closest: 'Closest', newest: 'Newest' };
@@ -14,9 +14,10 @@ export class PathList {
     this.count = el('output', { class: 'count' });
     this.rows = el('div', { class: 'paths', role: 'listbox', 'aria-label': 'Trajectories' });
     this.root = el('section', { class: 'list' }, this.bar(), this.rows);
-    store.on(['order', 'colorBy'], () => this.fill());
-    store.on(['path', 'hoverPath', 'ghost', 'order', 'colorBy'], () => this.mark());
-    store.on(['path', 'order'], () => this.reveal());
+    store.on(['order'], () => this.fill());
+    store.on(['colorBy'], () => this.color());
+    store.on(['path', 'hoverPath', 'ghost', 'order'], () => this.mark());
+    store.on(['path', 'order'], () => reveal(this.rows));
   }
 
   bar() {
@@ -117,6 +118,15 @@ export class PathList {
     );
   }
 
+  // What is listed stays as it is.
+  color() {
+    const { query } = this.sourceOf();
+    for (const row of this.rows.querySelectorAll('.path')) {
+      const tint = this.tintOf(query.paths[Number(row.dataset.path)]);
+      row.querySelector('.swatch').style.setProperty('--tint', tint);
+    }
+  }
+
   bandOf(path) {
     if (!path.difficulty) return [];
     const style = BAND_STYLE[path.difficulty.band];
@@ -139,15 +149,5 @@ export class PathList {
       row.classList.toggle('hover', index === hoverPath);
       row.classList.toggle('ghost', index === ghost);
     }
-  }
-
-  reveal() {
-    const row = this.rows.querySelector('[aria-selected=true]');
-    if (!row) return;
-    const [top, height] = [row.offsetTop, row.offsetHeight];
-    const { scrollTop, clientHeight } = this.rows;
-    if (top < scrollTop) this.rows.scrollTop = top;
-    else if (top + height > scrollTop + clientHeight)
-      this.rows.scrollTop = top + height - clientHeight;
   }
 }

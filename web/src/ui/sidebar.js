@@ -2,7 +2,7 @@
 import { VERDICT_STYLE, verdictOf } from '../palette.js';
 import { kMostAlike } from '../scene/regions.js';
 import { deaths } from './deaths.js';
-import { count, el, keepingPlace, plural, seconds } from './dom.js';
+import { count, el, keepingPlace, plural, reveal, seconds } from './dom.js';
 import { findings } from './findings.js';
 
 const kMostUnsearched = 8; // queries that need no field to find one
@@ -136,6 +136,7 @@ export class Sidebar {
         String(Number(row.dataset.query) === this.store.state.query),
       );
     }
+    reveal(this.queries);
   }
 
   markKillers() {

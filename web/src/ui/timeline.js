@@ -108,8 +108,9 @@ export class Timeline {
       preserveAspectRatio: 'none',
       viewBox: '0 0 1000 100',
     });
-    this.time = el('output', { class: 'time' });
-    this.tick = el('output', { class: 'tick quiet' });
+    // A screen reader would read out each tick that is played; the slider tells the time to who asks it.
+    this.time = el('output', { class: 'time', 'aria-live': 'off' });
+    this.tick = el('output', { class: 'tick quiet', 'aria-live': 'off' });
     this.speed = el(
       'select',
       {
@@ -195,7 +196,9 @@ export class Timeline {
     const rate = this.playback.rateOf();
     this.slider.value = String(tick);
     this.slider.style.setProperty('--share', `${(100 * tick) / Math.max(1, length)}%`);
-    this.time.textContent = `${seconds(tick / rate)} / ${seconds(length / rate)} s`;
+    const [now, all] = [seconds(tick / rate), seconds(length / rate)];
+    this.slider.setAttribute('aria-valuetext', `${now} of ${all} s`); // its value are ticks
+    this.time.textContent = `${now} / ${all} s`;
     this.tick.textContent = `tick ${Math.floor(tick + 1e-6)}`;
   }
 
