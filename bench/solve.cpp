@@ -32,11 +32,11 @@ struct Option {
 };
 constexpr Option kOptions[] = {
     {"method", ValueType::choice, "", "",
-     "run this method; repeat (default: auto and ge). The first one also runs the queries without "
+     "run this method; without it, auto and ge. The first one also runs the queries without "
      "a "
      "solution",
      0, true},
-    {"query", ValueType::text, "FILE:ID", "", "run this query only; repeat", 0, true},
+    {"query", ValueType::text, "FILE:ID", "", "run this query only", 0, true},
     {"seeds", ValueType::integer, "N", "5", "run each with seeds 1 to N", 1, false},
     {"cap", ValueType::number, "SECONDS", "90", "give up after so long", 0.01, false},
     {"unsolvable-cap", ValueType::number, "SECONDS", "10",

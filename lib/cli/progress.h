@@ -34,6 +34,7 @@ class Progress {
  public:
   Progress(ProgressMode mode, Console& console);
   ~Progress();
+  // Shows it where it is time to, unless the reader of stderr takes nothing.
   void update(const ProgressState& state);
 
  private:

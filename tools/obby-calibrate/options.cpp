@@ -23,10 +23,10 @@ constexpr const char* kRehearseGroup = "The course";
 std::vector<OptionRow> fitRows() {
   return {
       repeatable(row("fit", ValueType::text, "NAME", "",
-                     "fit this parameter; repeat (default: all that the recordings can show)",
+                     "fit this parameter only; without it, all that the recordings can show",
                      kFitGroup)),
       repeatable(row("set", ValueType::text, "NAME=VALUE", "",
-                     "begin with this value; what is not fitted keeps it; repeat", kFitGroup)),
+                     "begin with this value; what is not fitted keeps it", kFitGroup)),
       between(row("held-out", ValueType::integer, "N", "4",
                   "keep every N-th recording from the fit, to measure on; 0: none", kFitGroup),
               0, 1000),

@@ -29,8 +29,7 @@ OptionRow methodRow() {
 }
 
 OptionRow forbidRow() {
-  OptionRow r =
-      row("forbid", ValueType::choice, "", "", "never be in that state; repeat", kQueryGroup);
+  OptionRow r = row("forbid", ValueType::choice, "", "", "never be in that state", kQueryGroup);
   r.choices = {"jumping", "climbing", "seated", "fallingDown"};
   return r;
 }
@@ -76,8 +75,8 @@ std::vector<OptionRow> searchRows() {
                   "tries of each step by a player with noise, for --difficulty", kSearchGroup),
               1, 1000000),
       methodRow(),
-      repeatable(row("query", ValueType::text, "ID", "",
-                     "answer, check or filter only this query; repeat", kSearchGroup)),
+      repeatable(row("query", ValueType::text, "ID", "", "answer, check or filter only this query",
+                     kSearchGroup)),
       row("warm", ValueType::file, "FILE", "",
           "an earlier answer of these queries: its ways are tried first, and searched on from",
           kSearchGroup),
@@ -115,9 +114,10 @@ std::vector<OptionRow> answeredRows() {
       row("verify", ValueType::flag, "", "", "check the trajectories by replaying them",
           kAnsweredGroup),
       repeatable(row("pass", ValueType::text, "PLACE", "",
-                     "keep only trajectories that pass here; repeat: and here", kAnsweredGroup)),
+                     "keep only trajectories that pass here; of several places, all",
+                     kAnsweredGroup)),
       repeatable(row("not-pass", ValueType::text, "PLACE", "",
-                     "keep only trajectories that do not pass here; repeat", kAnsweredGroup)),
+                     "keep only trajectories that do not pass here", kAnsweredGroup)),
   };
 }
 
@@ -127,14 +127,14 @@ std::vector<OptionRow> queryRows() {
   return {
       row("start", ValueType::text, "PLACE", "", "start on this part or in this box", kQueryGroup),
       repeatable(row("goal", ValueType::text, "PLACE", "",
-                     "reach this part or box; repeat: any of them", kQueryGroup)),
-      repeatable(row("waypoint", ValueType::text, "PLACE", "", "pass here first; repeat in order",
-                     kQueryGroup)),
+                     "reach this part or box; of several, or of a #TAG's parts, any", kQueryGroup)),
+      repeatable(row("waypoint", ValueType::text, "PLACE", "",
+                     "pass here first; several in their order", kQueryGroup)),
       repeatable(row("visit", ValueType::text, "PLACE", "",
-                     "pass here first, in any order; repeat; a #TAG means all its parts",
+                     "pass here first, several in any order; a #TAG means all its parts",
                      kQueryGroup)),
       repeatable(row("avoid", ValueType::text, "PLACE", "",
-                     "never enter; repeat; a #TAG means all its parts", kQueryGroup)),
+                     "never enter; a #TAG means all its parts", kQueryGroup)),
       between(row("max-jumps", ValueType::integer, "N", "", "jump at most N times", kQueryGroup), 0,
               65535),
       between(row("min-jumps", ValueType::integer, "N", "", "jump at least N times", kQueryGroup),

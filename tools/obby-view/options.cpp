@@ -36,7 +36,7 @@ OptionRow formatRow() {
 }
 
 OptionRow queryRow() {
-  OptionRow row = make("query", ValueType::text, "ID", "show this query only; may be repeated");
+  OptionRow row = make("query", ValueType::text, "ID", "show this query only");
   row.repeatable = true;
   return row;
 }
@@ -86,7 +86,7 @@ cli::ToolSpec viewSpec() {
   spec.examples = {
       {"Write a page that opens in any browser, without a network",
        "obby-import first-steps.rbxlx | obby-solve | obby-view -o report.html"},
-      {"Print a table and a map", "obby-solve several-routes.jsonl | obby-view"},
+      {"Print a table and a map", "obby-solve --query any several-routes.jsonl | obby-view"},
       {"Draw the way through a level, for a README or an issue",
        "obby-solve several-routes.jsonl | obby-view -o routes.png"},
       {"The same from the side, as a drawing",
