@@ -33,8 +33,7 @@ struct Option {
 constexpr Option kOptions[] = {
     {"method", ValueType::choice, "", "",
      "run this method; without it, auto and ge. The first one also runs the queries without "
-     "a "
-     "solution",
+     "a solution",
      0, true},
     {"query", ValueType::text, "FILE:ID", "", "run this query only", 0, true},
     {"seeds", ValueType::integer, "N", "5", "run each with seeds 1 to N", 1, false},

@@ -3,27 +3,16 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
 #include <utility>
 
 #include "io/byte_source.h"
 #include "io/sink.h"
 
 namespace obby::io {
-namespace {
-
-Error failure(const std::string& path, const char* doing) {
-  const bool stopped = errno == EINTR;
-  return Error{
-      path, {}, {}, stopped ? kInterrupted : std::string(doing) + ": " + std::strerror(errno), {}};
-}
-
-}  // namespace
 
 Result<Appender> Appender::open(const std::string& path, const std::atomic<bool>* stop) {
   const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOCTTY, 0666);
-  if (fd < 0) return failure(path, "cannot open");
+  if (fd < 0) return fileError(path, "cannot open");
   return Appender(path, fd, stop);
 }
 
@@ -42,7 +31,7 @@ Appender::~Appender() {
 }
 
 Status Appender::append(std::string_view piece) {
-  return sendAll(fd_, piece, stop_) ? Status() : failure(path_, "cannot write");
+  return sendAll(fd_, piece, stop_) ? Status() : fileError(path_, "cannot write");
 }
 
 }  // namespace obby::io

@@ -17,13 +17,6 @@ namespace {
 constexpr size_t kLargestChunk = size_t(16) << 20;
 constexpr int kStopCheckMilliseconds = 100;
 
-Error fileError(const std::string& name, const char* doing) {
-  Error error = makeError(errno == EINTR ? std::string(kInterrupted)
-                                         : std::string(doing) + ": " + std::strerror(errno));
-  error.input = name;
-  return error;
-}
-
 // To open a named pipe waits for a writer; where somebody may say stop, the first read does.
 int openFile(const std::string& path, bool mayStop) {
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | (mayStop ? O_NONBLOCK : 0));
@@ -40,6 +33,13 @@ Error tooLarge(const std::string& name, uint64_t most, const std::string& found)
 }
 
 }  // namespace
+
+Error fileError(const std::string& name, const char* doing) {
+  Error error = makeError(errno == EINTR ? std::string(kInterrupted)
+                                         : std::string(doing) + ": " + std::strerror(errno));
+  error.input = name;
+  return error;
+}
 
 Result<ByteSource> ByteSource::open(const std::string& path, const std::atomic<bool>* stop) {
   ByteSource out;

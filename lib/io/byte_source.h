@@ -15,6 +15,10 @@ namespace obby::io {
 // The message of isInterrupted().
 inline constexpr const char* kInterrupted = "interrupted";
 
+// What errno says of a file: the error names it and what was being done, "cannot read"; of EINTR
+// kInterrupted.
+Error fileError(const std::string& name, const char* doing);
+
 class ByteSource {
  public:
   // "-" is standard input. Once `stop` is set a waiting read ends and stopped() is true; a named

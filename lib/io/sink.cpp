@@ -26,11 +26,7 @@ constexpr int kStopCheckMilliseconds = 50;
 constexpr const char* kBrokenPipe = "nobody reads the output any more (broken pipe)";
 
 Error outputError(const std::string& name, const char* doing) {
-  Error error = makeError(errno == EPIPE   ? std::string(kBrokenPipe)
-                          : errno == EINTR ? std::string(kInterrupted)
-                                           : std::string(doing) + ": " + std::strerror(errno));
-  error.input = name;
-  return error;
+  return errno == EPIPE ? Error{name, {}, {}, kBrokenPipe, {}} : fileError(name, doing);
 }
 
 // The file that a symbolic link names, even if it is not there yet, so that the link stays one.

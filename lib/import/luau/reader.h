@@ -51,6 +51,14 @@ class Reader {
     bool again = false;    // an endless loop that is over for the reading plays it round by round
   };
 
+  struct Played {
+    Tween* tween;
+    double time = 0;   // that it began, without pauses
+    size_t event = 0;  // index of its first event
+    size_t events = 0;
+    bool stopped = false, paused = false;
+  };
+
   // reader.cpp: timelines and statements
   void follow(const Pending& pending);
   void followEachFrame(const Pending& pending);
@@ -123,6 +131,7 @@ class Reader {
   void drive(const Tween& tween, const ScriptEvent& event);
   void comeBack(const Tween& tween, const ScriptEvent& event);
   bool isPlaying(const Tween* tween);
+  Played& lastPlayed(const Tween* tween);
   double secondsLeft(const Tween* tween);  // until it is over
   void stop(const Tween* tween, bool pauses);
   void halt(const Tween* tween, const ScriptEvent& event);
@@ -183,13 +192,6 @@ class Reader {
   double time_ = 0;
   Scope* scope_;
   std::deque<Pending> pending_;
-  struct Played {
-    Tween* tween;
-    double time = 0;   // that it began, without pauses
-    size_t event = 0;  // index of its first event
-    size_t events = 0;
-    bool stopped = false, paused = false;
-  };
   std::vector<Played> played_;             // tweens of this timeline whose end sets something off
   std::map<const Tween*, double> paused_;  // those to go on, with the seconds that they have done
   int tweens_ = 0;                         // made so far

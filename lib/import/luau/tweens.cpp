@@ -55,13 +55,17 @@ bool Reader::isPlaying(const Tween* tween) {
   return false;
 }
 
+// Of one that isPlaying().
+Reader::Played& Reader::lastPlayed(const Tween* tween) {
+  return *std::find_if(played_.rbegin(), played_.rend(), [&](const Played& before) {
+    return before.tween == tween && before.time <= time_ + kDone;
+  });
+}
+
 double Reader::secondsLeft(const Tween* tween) {
   const double total = tween->timing.total();
   if (tween->timing.repeats < 0 || !isPlaying(tween)) return total;
-  const auto last = std::find_if(played_.rbegin(), played_.rend(), [&](const Played& before) {
-    return before.tween == tween && before.time <= time_ + kDone;
-  });
-  return last->time + total - time_;
+  return lastPlayed(tween).time + total - time_;
 }
 
 // What it tweens stays where it is by then. After a pause it can go on.
@@ -69,14 +73,12 @@ void Reader::stop(const Tween* tween, bool pauses) {
   if (isUnsure()) return;
   if (!pauses) paused_.erase(tween);
   if (!isPlaying(tween)) return;
-  const auto last = std::find_if(played_.rbegin(), played_.rend(), [&](const Played& before) {
-    return before.tween == tween && before.time <= time_ + kDone;
-  });
-  last->stopped = true;
-  last->paused = pauses;
-  if (pauses) paused_[tween] = time_ - last->time;
-  const size_t end = std::min(last->event + last->events, timeline_.events.size());
-  for (size_t i = last->event; i < end; ++i) {
+  Played& last = lastPlayed(tween);
+  last.stopped = true;
+  last.paused = pauses;
+  if (pauses) paused_[tween] = time_ - last.time;
+  const size_t end = std::min(last.event + last.events, timeline_.events.size());
+  for (size_t i = last.event; i < end; ++i) {
     timeline_.events[i].until = time_;
     halt(tween, timeline_.events[i]);
   }
