@@ -1,7 +1,8 @@
 // How fast a GPU steps worlds: random walkers in the arena of 100 boxes, and in 64 such arenas with
-// a new one at every end, as in training; and searches that live on the GPU, with everything that a
-// round needs, in the same arena. Ends with 77 where there is no GPU. With --emulate the
-// CPU takes the GPU's place, in small: a test of this program, not a measurement.
+// a new one at every end, as in training; and searches that live on the GPU, or learn there while
+// they search, with everything that a round needs, in the same arena. Ends with 77 where there is
+// no GPU. With --emulate the CPU takes the GPU's place, in small: a test of this program, not a
+// measurement.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +14,8 @@
 #include "common/report.h"
 #include "sim/backend.h"
 #include "sim/host_device.h"
+#include "solve/learned/cflge.h"
+#include "solve/learned/pbge.h"
 #include "solve/resident/resident_explore.h"
 #include "solve/rollouts/device_rollouts.h"
 #include "support/courses.h"
@@ -48,17 +51,7 @@ double stepsPerSecond(sim::Device& device, const sim::Course& course, uint32_t w
 }
 
 // Median of five turns of a few rounds each, once the archive has begun to fill.
-double residentStepsPerSecond(sim::Device& device, const support::Levels& arena, uint32_t rollouts,
-                              bool small) {
-  ThreadPool pool(1);
-  level::QueryView query = arena.course.queries[0];
-  query.timeLimitTicks = 0;
-  const solve::Problem problem{
-      arena.course.levels[0], query, arena.course.starts[0], {}, arena.levels[0].bounds()};
-  solve::ResidentSettings settings;
-  settings.explore.rollouts = settings.explore.mostRollouts = rollouts;
-  solve::ResidentExplore search(problem, 1, settings, {pool, &device});
-  const int rounds = small ? 1 : 8;
+double searchStepsPerSecond(solve::Search& search, int rounds) {
   std::vector<double> rates;
   for (int turn = -1; turn < 5; ++turn) {
     const uint64_t before = search.statistics().steps;
@@ -70,6 +63,33 @@ double residentStepsPerSecond(sim::Device& device, const support::Levels& arena,
   need(search.deviceStatus());
   std::sort(rates.begin(), rates.end());
   return rates[2];
+}
+
+solve::Problem endlessProblem(const support::Levels& arena) {
+  level::QueryView query = arena.course.queries[0];
+  query.timeLimitTicks = 0;
+  return {arena.course.levels[0], query, arena.course.starts[0], {}, arena.levels[0].bounds()};
+}
+
+double residentStepsPerSecond(sim::Device& device, const support::Levels& arena, uint32_t rollouts,
+                              bool small) {
+  ThreadPool pool(1);
+  solve::ResidentSettings settings;
+  settings.explore.rollouts = settings.explore.mostRollouts = rollouts;
+  solve::ResidentExplore search(endlessProblem(arena), 1, settings, {pool, &device});
+  return searchStepsPerSecond(search, small ? 1 : 8);
+}
+
+// A method that learns while it searches, on the device and without, in one run.
+template <class Search, class Settings>
+void measureLearned(bench::Report& report, const char* name, sim::Device& device,
+                    const support::Levels& arena, bool small) {
+  ThreadPool pool(availableThreads());
+  const solve::Problem problem = endlessProblem(arena);
+  Search there(problem, 1, Settings{}, {pool, &device}), here(problem, 1, Settings{}, pool);
+  const int rounds = small ? 1 : 16;
+  report.add(name, "stepsPerSecond", searchStepsPerSecond(there, rounds), "1/s");
+  report.add(name, "stepsPerSecondOfCpu", searchStepsPerSecond(here, rounds), "1/s");
 }
 
 void facts(bench::Report& report, const sim::Device& device, const sim::Kernel& kernel) {
@@ -107,6 +127,9 @@ void measure(bench::Report& report, sim::Device& device, bool small) {
     report.add(name, "residentStepsPerSecond", residentStepsPerSecond(device, one, worlds, small),
                "1/s");
   }
+  using namespace solve::learned;
+  measureLearned<Pbge, PbgeSettings>(report, "pbge", device, one, small);
+  measureLearned<Cflge, CflgeSettings>(report, "cflge", device, one, small);
 }
 
 }  // namespace

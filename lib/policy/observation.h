@@ -111,6 +111,10 @@ OBBY_DEVICE void observe(const Scene& scene, const sim::World& world, const sim:
 
 // Parts of an observation that can be filled in by themselves: the points, then all others.
 constexpr int kViewParts = kPoints + 1;
+// Their number rounded up, so that a warp has those of one world only: all its threads go through
+// the same colliders.
+constexpr uint32_t kViewThreads = 64;
+static_assert(kViewParts <= int(kViewThreads));
 
 // One part of it. All together have the bits of observe(): for devices that have a thread for each.
 OBBY_DEVICE void observePart(const Scene& scene, const sim::World& world,

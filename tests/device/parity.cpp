@@ -10,8 +10,11 @@
 #include "sim/backend.h"
 #include "sim/host_device.h"
 #include "solve/go_explore.h"
+#include "solve/learned/cflge.h"
+#include "solve/learned/pbge.h"
 #include "solve/resident/resident_explore.h"
 #include "support/courses.h"
+#include "support/hasty.h"
 #include "support/plain_problem.h"
 #include "train/device/device_engine.h"
 #include "train/gaps.h"
@@ -140,6 +143,29 @@ void compareSearch(Parity& parity, sim::Device& device, ThreadPool& pool, int ro
              status ? cells.c_str() : status.error().text().c_str());
 }
 
+// A search whose players and networks are there.
+template <class Search, class Settings>
+void compareLearned(Parity& parity, const char* name, const level::Level& level,
+                    sim::Device& device, ThreadPool& pool, int rounds) {
+  const solve::Problem problem = support::endlessProblem(level);
+  const Settings settings = support::hasty(Settings{});
+  Search here(problem, 1, settings, pool), there(problem, 1, settings, {pool, &device});
+  for (int round = 0; round < rounds; ++round) {
+    here.round();
+    there.round();
+  }
+  bool same = here.cellCount() > 1 && here.cellCount() == there.cellCount() &&
+              here.statistics().steps == there.statistics().steps &&
+              here.returns().reached == there.returns().reached;
+  for (uint32_t c = 0; same && c < here.cellCount(); ++c) {
+    same = stateHash(here.archive().world(c), here.archive().loose(c)) ==
+           stateHash(there.archive().world(c), there.archive().loose(c));
+  }
+  const Status& status = there.deviceStatus();
+  const std::string cells = std::to_string(here.cellCount()) + " cells";
+  parity.say(bool(status) && same, name, status ? cells.c_str() : status.error().text().c_str());
+}
+
 // The search that lives on the device, there and on the CPU in its place.
 void compareResident(Parity& parity, const char* name, const level::Level& level,
                      sim::Device& device, ThreadPool& pool, int rounds, uint32_t rollouts) {
@@ -227,10 +253,16 @@ int main(int argc, char** argv) {
   compareSearch(parity, device, pool, option == "--quick" ? 4 : 40);
   const int rounds = option.empty() ? 40 : 4;
   const uint32_t rollouts = option.empty() ? 1024 : 64;
+  const level::Level loose = golden::looseBodies().compile();
   compareResident(parity, "resident search", support::movingArena(60, 10, 5).compile(), device,
                   pool, rounds, rollouts);
-  compareResident(parity, "resident, loose bodies", golden::looseBodies().compile(), device, pool,
-                  rounds / 4, rollouts);
+  compareResident(parity, "resident, loose bodies", loose, device, pool, rounds / 4, rollouts);
+  using namespace solve::learned;
+  const level::Level moving = support::movingArena(40, 8, 3).compile();
+  compareLearned<Pbge, PbgeSettings>(parity, "pbge", moving, device, pool, rounds);
+  compareLearned<Cflge, CflgeSettings>(parity, "cflge", moving, device, pool, 2 * rounds);
+  compareLearned<Pbge, PbgeSettings>(parity, "pbge, loose bodies", loose, device, pool, 2);
+  compareLearned<Cflge, CflgeSettings>(parity, "cflge, loose bodies", loose, device, pool, 2);
   const uint32_t crowds = option.empty() ? 16 : 1;
   compareLearning(parity, "learning", false, device, pool, crowds);
   compareLearning(parity, "learning, loose bodies", true, device, pool, crowds);

@@ -107,7 +107,8 @@ TEST(GoalPool, DrawsWhereItIsSparseAndSomebodyStands) {
   const InverseDynamics module(1);
   goals.add(path);
   EXPECT_TRUE(goals.empty());
-  goals.refresh(pool, module);
+  NetPass pass;
+  goals.refresh(pool, module, pass);
   ASSERT_FALSE(goals.empty());
   constexpr int kDraws = 20'000;
   int sparse = 0;

@@ -255,7 +255,7 @@ TEST(InverseDynamics, TellsWhichVisitsAreBehind) {
   const level::Level level = steppingStones().compile();
   const Problem problem = support::endlessProblem(level);
   const InverseDynamics module(1);
-  Pass<float> pass;
+  NetPass pass;
   std::vector<float> points, places(4 * kPlace);
   sim::World worlds[4] = {problem.start, problem.start, problem.start, problem.start};
   worlds[1].visited = 1;

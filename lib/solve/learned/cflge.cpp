@@ -17,25 +17,27 @@ constexpr Turns kNorth = 0;  // all observations look that way: moves mean the s
 
 Cflge::Cflge(const Problem& problem, uint64_t seed, const CflgeSettings& settings,
              const Machine& machine)
-    : LearnedSearch(problem, seed, machine, settings.forgetFrom),
+    : LearnedSearch(problem, seed, machine, settings.groups * kGroup, settings.forgetFrom),
       settings_(settings),
-      module_(seed),
-      policy_(settings.policy, seed),
+      module_(seed, device()),
+      policy_(settings.policy, seed, device()),
+      ranking_(device()),
       memory_(settings.room),
       groups_(settings.groups) {
+  for (Group& g : groups_) {
+    g.pass = NetPass(device());
+    g.encoder = NetPass(device());
+  }
   for (uint32_t i = 0; i < settings.groups * kGroup; ++i) {
     Group& g = groups_[i / kGroup];
     g.players.emplace_back(seed, kPlayers + i);
     restart(g, g.players.back());
   }
-  for (Group& g : groups_) {
-    g.inputs.resize(kGroup * kPolicyInputs);
-    g.places.resize(kGroup * kPlace);
-  }
 }
 
 void Cflge::playAndLearn() {
-  pool().run(int(groups_.size()), [&](int g) { play(groups_[size_t(g)]); });
+  forGroups(groups_.size(),
+            [&](size_t first, size_t count) { play(std::span(groups_).subspan(first, count)); });
   for (Group& g : groups_) {
     for (Episode& e : g.ended) take(e);
     for (Track& t : g.tracks) remember(std::move(t));
@@ -71,7 +73,7 @@ void Cflge::follow(Player& p, const KnownWay& way) {
   Episode* const episode = &p.episode;
   WayCursor cursor;
   for (uint32_t ticks = ticksOf(way); ticks > 0 && goesOn(p.episode);) {
-    see(p, inputs.data());
+    look(p, inputs.data());
     WayCursor ahead = cursor;
     p.track.moves.push_back(uint8_t(nearestMove(ahead.next(way), kNorth, true)));
     for (uint32_t k = 0; k < policy::kDecisionTicks && ticks > 0 && goesOn(p.episode); ++k) {
@@ -96,29 +98,47 @@ void Cflge::learn() {
   if (steps > 0) moduleLosses_.push_back(sum / float(steps));
   for (; policyDebt_ >= 1; --policyDebt_) policy_.learn(pool(), memory_, module_);
   if (ranked_ != 0 && decided_ < ranked_ + settings_.refresh) return;
-  goals_.refresh(pool(), module_);
+  goals_.refresh(allThreads(), module_, ranking_);
   ranked_ = decided_;
 }
 
-void Cflge::play(Group& g) {
-  for (Player& p : g.players) encode(g, p);
+void Cflge::play(std::span<Group> groups) {
+  const size_t count = groups.size() * kGroup;
+  const auto player = [&](size_t i) -> Player& { return groups[i / kGroup].players[i % kGroup]; };
+  std::vector<View> views(count);
+  std::vector<float> inputs(count * kPolicyInputs);
+  for (size_t i = 0; i < count; ++i) encode(groups[i / kGroup], player(i));
   for (uint32_t t = 0; t < settings_.decisions; ++t) {
-    for (size_t i = 0; i < kGroup; ++i) see(g.players[i], g.inputs.data() + i * kPolicyInputs);
-    const float* outputs = g.pass.forward(policy_.net(), g.inputs.data(), kGroup);
-    for (size_t i = 0; i < kGroup; ++i) {
-      decide(g.players[i], outputs + i * size_t(policy::kMoves) * kQuantiles);
+    for (size_t i = 0; i < count; ++i) views[i] = lookFrom(player(i));
+    see(views, inputs.data(), kPolicyInputs);
+    for (size_t i = 0; i < count; ++i) note(player(i), inputs.data() + i * kPolicyInputs);
+    const float* outputs = groups[0].pass.forward(policy_.net(), inputs.data(), count);
+    for (size_t i = 0; i < count; ++i, outputs += size_t(policy::kMoves) * kQuantiles) {
+      decide(player(i), outputs);
     }
-    for (uint32_t k = 0; k < policy::kDecisionTicks; ++k) tick(g);
-    reach(g);
-    for (Player& p : g.players) endDecision(g, p);
+    for (uint32_t k = 0; k < policy::kDecisionTicks; ++k) tick(groups);
+    reach(groups);
+    for (size_t i = 0; i < count; ++i) endDecision(groups[i / kGroup], player(i));
   }
 }
 
-// Notes where the player is; fills `inputs`, (kPolicyInputs), with what is seen there.
-void Cflge::see(Player& p, float* inputs) const {
+// At the query's next region; the goal is told beside that.
+View Cflge::lookFrom(const Player& p) const {
+  return {&p.episode, *nextRegion(scene().query, p.episode.world).region, kNorth};
+}
+
+// As all players of a round do together: fills `inputs`, (kPolicyInputs).
+void Cflge::look(Player& p, float* inputs) {
+  const View view = lookFrom(p);
+  see({&view, 1}, inputs);
+  note(p, inputs);
+}
+
+// Notes where the player is, and what is seen there: of `inputs`, (kPolicyInputs), the first
+// policy::kInputs. The others, where the goal lies, are filled in.
+void Cflge::note(Player& p, float* inputs) const {
   const sim::World& world = p.episode.world;
   const sim::LooseBody* const loose = p.episode.loose.data();
-  policy::observe(scene(), world, loose, nextRegion(scene().query, world), kNorth, inputs);
   float place[kPlace];
   placeOf(problem(), world, loose, place);
   p.path->places.insert(p.path->places.end(), place, place + kPlace);
@@ -144,30 +164,36 @@ void Cflge::decide(Player& p, const float* outputs) {
   p.track.moves.push_back(uint8_t(nearestMove(p.action, kNorth, true)));
 }
 
-void Cflge::tick(Group& g) {
+void Cflge::tick(std::span<Group> groups) {
   std::vector<Episode*> episodes;
   std::vector<sim::Action> held;
-  for (Player& p : g.players) {
-    if (!goesOn(p.episode)) continue;
-    episodes.push_back(&p.episode);
-    held.push_back(allowed(p.action, p.episode.world));
+  for (Group& g : groups) {
+    for (Player& p : g.players) {
+      if (!goesOn(p.episode)) continue;
+      episodes.push_back(&p.episode);
+      held.push_back(allowed(p.action, p.episode.world));
+      ++g.steps;
+    }
   }
   advance(episodes, held.data());
-  g.steps += episodes.size();
 }
 
 // Who has come within reach of a sub-goal goes on to the next.
-void Cflge::reach(Group& g) {
-  for (size_t i = 0; i < kGroup; ++i) {
-    const Episode& e = g.players[i].episode;
-    placeOf(problem(), e.world, e.loose.data(), g.places.data() + i * kPlace);
+void Cflge::reach(std::span<Group> groups) {
+  const size_t count = groups.size() * kGroup;
+  std::vector<float>& places = groups[0].places;
+  places.resize(count * kPlace);
+  for (size_t i = 0; i < count; ++i) {
+    const Episode& e = groups[i / kGroup].players[i % kGroup].episode;
+    placeOf(problem(), e.world, e.loose.data(), places.data() + i * kPlace);
   }
-  module_.encode(g.places.data(), kGroup, g.encoder, g.points);
-  const float* const points = g.points.data();
-  for (size_t i = 0; i < kGroup; ++i) {
-    Player& p = g.players[i];
+  module_.encode(places.data(), count, groups[0].encoder, groups[0].points);
+  const float* point = groups[0].points.data();
+  for (size_t i = 0; i < count; ++i, point += kLatent) {
+    Group& g = groups[i / kGroup];
+    Player& p = g.players[i % kGroup];
     const auto reached = [&](size_t s) {
-      return latentDistance2(points + i * kLatent, p.points.data() + s * kLatent) <
+      return latentDistance2(point, p.points.data() + s * kLatent) <
              module_.reach() * module_.reach();
     };
     if (p.explores()) {
@@ -193,9 +219,9 @@ void Cflge::endDecision(Group& g, Player& p) {
 }
 
 // Whoever came to the query's goal did not die there.
-Track Cflge::endOf(Player& p) const {
+Track Cflge::endOf(Player& p) {
   float inputs[kPolicyInputs];
-  see(p, inputs);
+  look(p, inputs);
   p.track.ended = !goesOn(p.episode) && p.episode.world.outcome != sim::Outcome::goal;
   p.track.path = std::move(p.path);
   return std::move(p.track);

@@ -61,8 +61,8 @@ class Cflge final : public LearnedSearch {
     std::vector<Player> players;
     std::vector<Episode> ended;
     std::vector<Track> tracks;  // of these
-    Pass<float> pass, encoder;
-    std::vector<float> inputs, places, points;
+    NetPass pass, encoder;
+    std::vector<float> places, points;
     Returns returns;
     uint64_t steps = 0;
   };
@@ -70,13 +70,15 @@ class Cflge final : public LearnedSearch {
   void playAndLearn() override;
   void remember(Track track);
   void follow(Player& p, const KnownWay& way);
-  void play(Group& g);
-  void see(Player& p, float* inputs) const;
+  void play(std::span<Group> groups);
+  View lookFrom(const Player& p) const;
+  void look(Player& p, float* inputs);
+  void note(Player& p, float* inputs) const;
   void decide(Player& p, const float* outputs);
-  void tick(Group& g);
-  void reach(Group& g);
+  void tick(std::span<Group> groups);
+  void reach(std::span<Group> groups);
   void endDecision(Group& g, Player& p);
-  Track endOf(Player& p) const;
+  Track endOf(Player& p);
   void begin(Player& p) const;
   void restart(Group& g, Player& p);
   void encode(Group& g, Player& p) const;
@@ -87,6 +89,7 @@ class Cflge final : public LearnedSearch {
   InverseDynamics module_;
   QuantilePolicy policy_;
   GoalPool goals_;
+  NetPass ranking_;  // of goals
   Memory memory_;
   std::vector<Group> groups_;
   Returns returns_;

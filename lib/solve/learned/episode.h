@@ -8,6 +8,7 @@
 #include "base/random.h"
 #include "policy/moves.h"
 #include "sim/loose.h"
+#include "solve/archive/archive_node.h"
 #include "solve/query/problem.h"
 #include "solve/rollouts/macro_random.h"
 #include "solve/rollouts/trail.h"

@@ -14,11 +14,12 @@ constexpr size_t kIn = policy::kInputs, kOut = policy::kPaddedOutputs, kHidden =
 
 }  // namespace
 
-GoalPolicy::GoalPolicy(const GoalPolicySettings& settings, uint64_t seed)
+GoalPolicy::GoalPolicy(const GoalPolicySettings& settings, uint64_t seed, DeviceWork* device)
     : settings_(settings),
       random_(seed, kStream),
       learner_({kIn, kHidden, kHidden, kOut}, settings.learner) {
   fillRandom(learner_.net(), 0.01f, random_);
+  for (Share& s : shares_) s.pass = NetPass(device);
 }
 
 void GoalPolicy::learn(ThreadPool& pool, const Decisions& d) {

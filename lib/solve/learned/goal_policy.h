@@ -8,6 +8,7 @@
 
 #include "policy/ppo_loss.h"
 #include "solve/learned/learner.h"
+#include "solve/learned/net_pass.h"
 
 namespace obby::solve::learned {
 
@@ -53,7 +54,8 @@ struct Decisions {
 
 class GoalPolicy {
  public:
-  GoalPolicy(const GoalPolicySettings& settings, uint64_t seed);
+  // `device`: as NetPass.
+  GoalPolicy(const GoalPolicySettings& settings, uint64_t seed, DeviceWork* device = nullptr);
 
   // (kInputs) to (kPaddedOutputs), logits and value.
   const Net<float>& net() const { return learner_.net(); }
@@ -62,7 +64,7 @@ class GoalPolicy {
 
  private:
   struct Share {
-    Pass<float> pass;
+    NetPass pass;
     std::vector<float> inputs, slope;
   };
 

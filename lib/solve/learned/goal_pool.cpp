@@ -12,7 +12,7 @@ void GoalPool::add(const std::shared_ptr<const Path>& path) {
   }
 }
 
-void GoalPool::refresh(ThreadPool& pool, const InverseDynamics& module) {
+void GoalPool::refresh(ThreadPool& pool, const InverseDynamics& module, NetPass& pass) {
   std::vector<Goal> all(ranked_.begin(),
                         ranked_.begin() + ptrdiff_t(std::min(kHalf, ranked_.size())));
   const size_t taken = std::min(kHalf, fresh_.size());
@@ -25,7 +25,6 @@ void GoalPool::refresh(ThreadPool& pool, const InverseDynamics& module) {
     const float* const place = g.path->place(g.index);
     places.insert(places.end(), place, place + kPlace);
   }
-  Pass<float> pass;
   std::vector<float> points;
   module.encode(places.data(), all.size(), pass, points);
   const std::vector<float> apart = neighbourDistances2(pool, points, k);

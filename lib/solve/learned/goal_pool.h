@@ -22,8 +22,9 @@ class GoalPool {
 
   // The states of a path may become goals when the pool is refreshed.
   void add(const std::shared_ptr<const Path>& path);
-  // Ranks states anew: new ones, evenly taken, and of the old those where it was sparsest.
-  void refresh(ThreadPool& pool, const InverseDynamics& module);
+  // Ranks states anew: new ones, evenly taken, and of the old those where it was sparsest. `pass`
+  // is the module's.
+  void refresh(ThreadPool& pool, const InverseDynamics& module, NetPass& pass);
 
   bool empty() const { return ranked_.empty(); }
   // The sparser it is around a state, the likelier. Safe to call from several threads.

@@ -15,12 +15,15 @@ constexpr LearnerSettings kSettings{.rate = 1e-3f, .decay = 1e-5f};
 
 }  // namespace
 
-InverseDynamics::InverseDynamics(uint64_t seed)
+InverseDynamics::InverseDynamics(uint64_t seed, DeviceWork* device)
     : random_(seed, kStream),
       encoder_({kPlace, kUnits, kUnits, kLatent}, kSettings),
       head_({2 * kLatent, kUnits, kUnits, kOut}, kSettings) {
   fillRandom(encoder_.net(), 1, random_);
   fillRandom(head_.net(), 0.1f, random_);
+  for (Share& s : shares_) {
+    for (NetPass* pass : {&s.encoder, &s.head}) *pass = NetPass(device);
+  }
 }
 
 float InverseDynamics::learn(ThreadPool& pool, const Memory& memory) {
@@ -40,7 +43,7 @@ float InverseDynamics::learn(ThreadPool& pool, const Memory& memory) {
   return loss / kBatch;
 }
 
-void InverseDynamics::encode(const float* places, size_t count, Pass<float>& pass,
+void InverseDynamics::encode(const float* places, size_t count, NetPass& pass,
                              std::vector<float>& points) const {
   const float* const encoded = pass.forward(encoder_.net(), places, count);
   points.assign(encoded, encoded + count * kLatent);

@@ -8,6 +8,7 @@
 #include "policy/ppo_loss.h"
 #include "solve/learned/latent.h"
 #include "solve/learned/learner.h"
+#include "solve/learned/net_pass.h"
 #include "solve/learned/track.h"
 
 namespace obby::solve::learned {
@@ -32,7 +33,8 @@ class InverseDynamics {
  public:
   static constexpr size_t kBatch = 32;  // decisions a step
 
-  explicit InverseDynamics(uint64_t seed);
+  // `device`: as NetPass.
+  explicit InverseDynamics(uint64_t seed, DeviceWork* device = nullptr);
 
   // One step on decisions drawn from the memory. Gives their mean loss, log(moves) when nothing is
   // known.
@@ -45,12 +47,11 @@ class InverseDynamics {
   // Fills `points`, (count, kLatent), with those of `count` places, (count, kPlace). No move alone
   // tells the waypoints and visits behind, so each set of these shifts points by a step of its own.
   // Safe to call from several threads, each with a pass of its own.
-  void encode(const float* places, size_t count, Pass<float>& pass,
-              std::vector<float>& points) const;
+  void encode(const float* places, size_t count, NetPass& pass, std::vector<float>& points) const;
 
  private:
   struct Share {
-    Pass<float> encoder, head;
+    NetPass encoder, head;
     std::vector<float> places, slope, pairSlope;
     std::vector<uint8_t> moves;
     float loss = 0, apart = 0;

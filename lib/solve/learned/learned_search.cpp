@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "policy/policy.h"
 #include "sim/simulator.h"
 #include "solve/go_explore_method.h"
 #include "solve/rollouts/known_way.h"
@@ -17,7 +18,7 @@ size_t bytesOf(const KnownWay& actions, const std::vector<Passed>& passed) {
 }  // namespace
 
 LearnedSearch::LearnedSearch(const Problem& problem, uint64_t seed, const Machine& machine,
-                             size_t forgetFrom)
+                             uint32_t players, size_t forgetFrom)
     : ArchiveSearch(problem, seed, plainSettings()),
       pool_(machine.pool),
       surroundings_(problem_.level, policy::kSight),
@@ -25,11 +26,15 @@ LearnedSearch::LearnedSearch(const Problem& problem, uint64_t seed, const Machin
       scene_{problem_.level, problem_.query, around_},
       passed_(problem_.known.size()),
       shown_(problem_.known.size(), 1),
-      forgetFrom_(forgetFrom) {}
+      forgetFrom_(forgetFrom) {
+  if (machine.device != nullptr)
+    device_ = std::make_unique<DeviceWork>(*machine.device, problem_, around_, players);
+}
 
 void LearnedSearch::round() {
   archive_.nextEpoch();
   playAndLearn();
+  if (device_ && !device_->works()) deviceStatus_ = device_->status();
   forget();
   takeGoals();
   ++statistics_.rounds;
@@ -58,7 +63,41 @@ sim::Action LearnedSearch::allowed(sim::Action action, const sim::World& world) 
   return action;
 }
 
+void LearnedSearch::forGroups(size_t groups, const std::function<void(size_t, size_t)>& play) {
+  if (&pool() == &alone_) {
+    play(0, groups);
+  } else {
+    pool_.run(int(groups), [&](int g) { play(size_t(g), 1); });
+  }
+}
+
+void LearnedSearch::see(std::span<const View> views, float* inputs, size_t stride) {
+  const auto there = [&](DevicePlayers& players, DeviceNets&) {
+    return players.see(views, inputs, stride);
+  };
+  if (device_ && device_->tries(there)) return;
+  for (const View& v : views) {
+    const sim::NextRegion next{&v.next, geom::distance(v.next, v.player->world.position)};
+    policy::observe(scene_, v.player->world, v.player->loose.data(), next, v.ahead, inputs);
+    inputs += stride;
+  }
+}
+
 void LearnedSearch::advance(std::span<Episode* const> episodes, const sim::Action* actions) {
+  tick(episodes, actions);
+  for (size_t i = 0; i < episodes.size(); ++i) {
+    Episode& e = *episodes[i];
+    hold(e.actions, actions[i]);
+    ++e.ticks;
+    look(e);
+  }
+}
+
+void LearnedSearch::tick(std::span<Episode* const> episodes, const sim::Action* actions) {
+  const auto there = [&](DevicePlayers& players, DeviceNets&) {
+    return players.advance(episodes, actions);
+  };
+  if (device_ && device_->tries(there)) return;
   std::vector<sim::World*> worlds;
   std::vector<sim::LooseBody*> loose;
   for (Episode* e : episodes) {
@@ -66,12 +105,6 @@ void LearnedSearch::advance(std::span<Episode* const> episodes, const sim::Actio
     loose.push_back(e->loose.data());
   }
   sim::advanceAll(problem_.level, &problem_.query, worlds, loose.data(), actions);
-  for (size_t i = 0; i < episodes.size(); ++i) {
-    Episode& e = *episodes[i];
-    hold(e.actions, actions[i]);
-    ++e.ticks;
-    look(e);
-  }
 }
 
 void LearnedSearch::look(Episode& e) {

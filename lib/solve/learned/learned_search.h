@@ -4,6 +4,8 @@
 // be told to return there. Host only.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "policy/observation.h"
 #include "policy/surroundings.h"
 #include "solve/archive_search.h"
+#include "solve/learned/device_work.h"
 #include "solve/learned/episode.h"
 #include "solve/machine.h"
 
@@ -37,12 +40,11 @@ class LearnedSearch : public ArchiveSearch {
   size_t bytesKept() const { return bytesKept_; }  // of playthroughs
 
  protected:
-  // Of `machine`, the pool is used.
-  LearnedSearch(const Problem& problem, uint64_t seed, const Machine& machine,
+  // `players`: those who play at once.
+  LearnedSearch(const Problem& problem, uint64_t seed, const Machine& machine, uint32_t players,
                 size_t forgetFrom = kForgetFrom);
 
-  // Plays for a while on the pool's threads, takes the episodes that ended, in a fixed order, and
-  // learns.
+  // Plays for a while, takes the episodes that ended, in a fixed order, and learns.
   virtual void playAndLearn() = 0;
   // Marks the kept ways that players are on.
   virtual void markFollowed(std::vector<uint8_t>&) const {}
@@ -50,7 +52,16 @@ class LearnedSearch : public ArchiveSearch {
   const policy::Scene& scene() const { return scene_; }
   const Problem& problem() const { return problem_; }
   uint64_t seed() const { return seed_; }
-  ThreadPool& pool() const { return pool_; }
+  // Where tasks run that may ask the device: by themselves as long as there is one.
+  ThreadPool& pool() { return device_ && device_->works() ? alone_ : pool_; }
+  ThreadPool& allThreads() const { return pool_; }
+  DeviceWork* device() const { return device_.get(); }  // or null
+
+  // Calls play(first, count) for groups of players: for all at once where there is a device, which
+  // wants many, otherwise for each on a thread of the pool.
+  void forGroups(size_t groups, const std::function<void(size_t, size_t)>& play);
+  // Fills `inputs`, rows of policy::kInputs that begin `stride` numbers apart.
+  void see(std::span<const View> views, float* inputs, size_t stride = policy::kInputs);
 
   // The rest is safe to call from several threads between changes of the archive.
 
@@ -79,6 +90,7 @@ class LearnedSearch : public ArchiveSearch {
   const KnownWay& actions(size_t way) const { return problem_.known[way]; }
 
  private:
+  void tick(std::span<Episode* const> episodes, const sim::Action* actions);
   void look(Episode& e);
   void approach(Episode& e) const;
   void stand(Episode& e);
@@ -88,9 +100,11 @@ class LearnedSearch : public ArchiveSearch {
 
   // The problem's known ways are followed by those of the episodes that are of use.
   ThreadPool& pool_;
+  ThreadPool alone_{1};
   const policy::Surroundings surroundings_;
   const policy::SurroundingsView around_;
   const policy::Scene scene_;                // of these
+  std::unique_ptr<DeviceWork> device_;       // null without a device
   std::vector<std::vector<Passed>> passed_;  // (problem_.known)
   std::vector<uint8_t> shown_;  // (problem_.known), kept for ever: an end to show, or a goal
   size_t bytesKept_ = 0, forgetFrom_;

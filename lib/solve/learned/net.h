@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -37,16 +38,22 @@ class Net {
   size_t outputs(size_t l) const { return sizes_[l + 1]; }
   size_t outputs() const { return sizes_.back(); }
 
-  std::vector<S>& numbers() { return numbers_; }  // of each layer: weights, then biases
+  // Of each layer: weights, then biases. Who gets them this way is taken to change them.
+  std::vector<S>& numbers() {
+    ++version_;
+    return numbers_;
+  }
   const std::vector<S>& numbers() const { return numbers_; }
   // (inputs, outputs) of layer l, and (outputs).
   const S* weights(size_t l) const { return numbers_.data() + at_[l]; }
   const S* biases(size_t l) const { return weights(l) + inputs(l) * outputs(l); }
-  size_t at(size_t l) const { return at_[l]; }  // of the layer in numbers()
+  size_t at(size_t l) const { return at_[l]; }   // of the layer in numbers()
+  uint64_t version() const { return version_; }  // grows with each change; above 0
 
  private:
   std::vector<size_t> sizes_, at_;
   std::vector<S> numbers_;
+  uint64_t version_ = 1;
 };
 
 // Weights uniform within sqrt(6 / inputs), those of the last layer times `gain`; no biases.

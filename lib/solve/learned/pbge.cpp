@@ -24,12 +24,13 @@ geom::Region around(Vec3 place, float width) {
 
 Pbge::Pbge(const Problem& problem, uint64_t seed, const PbgeSettings& settings,
            const Machine& machine)
-    : LearnedSearch(problem, seed, machine, settings.forgetFrom),
+    : LearnedSearch(problem, seed, machine, settings.groups * kGroup, settings.forgetFrom),
       settings_(settings),
-      policy_(settings.policy, seed),
+      policy_(settings.policy, seed, device()),
       made_(settings.decisions, settings.groups * kGroup),
       groups_(settings.groups) {
   choice_.update(cellCount());
+  for (Group& g : groups_) g.pass = NetPass(device());
   for (uint32_t i = 0; i < made_.players; ++i) {
     Group& g = groups_[i / kGroup];
     g.players.emplace_back(seed, kPlayers + i, (i + 1) % kGroup == 0);
@@ -38,7 +39,9 @@ Pbge::Pbge(const Problem& problem, uint64_t seed, const PbgeSettings& settings,
 }
 
 void Pbge::playAndLearn() {
-  pool().run(int(groups_.size()), [&](int g) { play(groups_[size_t(g)], uint32_t(g) * kGroup); });
+  forGroups(groups_.size(), [&](size_t first, size_t count) {
+    play(std::span(groups_).subspan(first, count), uint32_t(first) * kGroup);
+  });
   for (Group& g : groups_) {
     for (Episode& e : g.ended) take(e);
     for (const uint32_t cell : g.acted) choice_.act(cell);
@@ -61,38 +64,41 @@ void Pbge::markFollowed(std::vector<uint8_t>& used) const {
   }
 }
 
-// `first`: of the group's players among all.
-void Pbge::play(Group& g, uint32_t first) {
-  std::vector<float> beyond(kGroup * size_t(policy::kInputs));
+// `first`: of the groups' players among all.
+void Pbge::play(std::span<Group> groups, uint32_t first) {
+  const size_t count = groups.size() * kGroup;
+  const auto player = [&](size_t i) -> Player& { return groups[i / kGroup].players[i % kGroup]; };
+  std::vector<View> views(count);
+  std::vector<float> beyond(count * size_t(policy::kInputs));
   for (uint32_t t = 0; t <= settings_.decisions; ++t) {
     const size_t row = size_t(t) * made_.players + first;
     const bool last = t == settings_.decisions;
     float* const inputs = last ? beyond.data() : made_.inputs.data() + row * policy::kInputs;
-    for (uint32_t i = 0; i < kGroup; ++i) see(g.players[i], inputs + i * policy::kInputs);
-    const float* outputs = g.pass.forward(policy_.net(), inputs, kGroup);
-    for (uint32_t i = 0; i < kGroup; ++i, outputs += policy::kPaddedOutputs) {
+    for (size_t i = 0; i < count; ++i) views[i] = lookFrom(player(i));
+    see(views, inputs);
+    const float* outputs = groups[0].pass.forward(policy_.net(), inputs, count);
+    for (size_t i = 0; i < count; ++i, outputs += policy::kPaddedOutputs) {
       if (last) {
         made_.last[first + i] = outputs[policy::kMoves];
       } else {
-        decide(g, g.players[i], outputs, row + i);
+        decide(groups[i / kGroup], player(i), outputs, row + i);
       }
     }
     if (last) return;
-    for (uint32_t k = 0; k < policy::kDecisionTicks; ++k) tick(g);
-    for (uint32_t i = 0; i < kGroup; ++i) endDecision(g, g.players[i], row + i);
+    for (uint32_t k = 0; k < policy::kDecisionTicks; ++k) tick(groups);
+    for (size_t i = 0; i < count; ++i) endDecision(groups[i / kGroup], player(i), row + i);
   }
 }
 
 // The place to reach next stands in for the query's next region.
-void Pbge::see(Player& p, float* inputs) const {
+View Pbge::lookFrom(Player& p) const {
   const bool explores = p.mode == Mode::exploring;
   const Vec3 place = explores          ? p.aim
                      : p.subgoals == 0 ? p.episode.world.position
                                        : passed(p.way)[p.next].place;
   const geom::Region region = around(place, cellWidth());
-  const sim::NextRegion next{&region, geom::distance(region, p.episode.world.position)};
   p.ahead = policy::aheadOf(region, p.episode.world);
-  policy::observe(scene(), p.episode.world, p.episode.loose.data(), next, p.ahead, inputs);
+  return {&p.episode, region, p.ahead};
 }
 
 void Pbge::decide(Group& g, Player& p, const float* outputs, size_t row) {
@@ -145,21 +151,23 @@ void Pbge::decideAsKept(Player& p, size_t row) {
   made_.made[row] = {nearestMove(action, p.ahead, mayJump), mayJump, 0, 0, 0};
 }
 
-void Pbge::tick(Group& g) {
-  std::vector<Player*> players;
+void Pbge::tick(std::span<Group> groups) {
+  std::vector<std::pair<Group*, Player*>> players;
   std::vector<Episode*> episodes;
   std::vector<sim::Action> held;
-  for (Player& p : g.players) {
-    if (isOver(p)) continue;
-    players.push_back(&p);
-    episodes.push_back(&p.episode);
-    if (p.mode == Mode::repeating) p.action = p.cursor.next(actions(p.way));
-    p.action = allowed(p.action, p.episode.world);
-    held.push_back(p.action);
+  for (Group& g : groups) {
+    for (Player& p : g.players) {
+      if (isOver(p)) continue;
+      players.emplace_back(&g, &p);
+      episodes.push_back(&p.episode);
+      if (p.mode == Mode::repeating) p.action = p.cursor.next(actions(p.way));
+      p.action = allowed(p.action, p.episode.world);
+      held.push_back(p.action);
+      ++g.steps;
+    }
   }
   advance(episodes, held.data());
-  g.steps += players.size();
-  for (Player* p : players) reach(g, *p);
+  for (const auto& [g, p] : players) reach(*g, *p);
 }
 
 // Has the player come to a sub-goal?

@@ -65,19 +65,19 @@ class Pbge final : public LearnedSearch {
     std::vector<Player> players;
     std::vector<Episode> ended;
     std::vector<uint32_t> acted;  // cells, one for each action there
-    Pass<float> pass;
+    NetPass pass;
     Returns returns;
     uint64_t steps = 0;
   };
 
   void playAndLearn() override;
   void markFollowed(std::vector<uint8_t>& used) const override;
-  void play(Group& g, uint32_t first);
-  void see(Player& p, float* inputs) const;
+  void play(std::span<Group> groups, uint32_t first);
+  View lookFrom(Player& p) const;
   void decide(Group& g, Player& p, const float* outputs, size_t row);
   void decideByPolicy(Player& p, const float* outputs, size_t row);
   void decideAsKept(Player& p, size_t row);
-  void tick(Group& g);
+  void tick(std::span<Group> groups);
   void reach(Group& g, Player& p) const;
   uint32_t decisionsDue(const Player& p) const;
   bool isOver(const Player& p) const;

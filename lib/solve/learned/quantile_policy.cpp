@@ -42,13 +42,16 @@ int bestMove(const float* quantiles, bool mayJump) {
   return best;
 }
 
-QuantilePolicy::QuantilePolicy(const QuantileSettings& settings, uint64_t seed)
+QuantilePolicy::QuantilePolicy(const QuantileSettings& settings, uint64_t seed, DeviceWork* device)
     : settings_(settings),
       random_(seed, kStream),
       learner_({kPolicyInputs, kUnits, kUnits, kOut}, settings.learner),
       target_(learner_.net()) {
   fillRandom(learner_.net(), 0.01f, random_);
   target_ = learner_.net();
+  for (Share& s : shares_) {
+    for (NetPass* pass : {&s.pass, &s.next, &s.encoder}) *pass = NetPass(device);
+  }
 }
 
 // Most decisions are looked at as if the goal had been a place that the player came to later on.

@@ -32,7 +32,8 @@ class QuantilePolicy {
  public:
   static constexpr size_t kBatch = 64;  // decisions a step
 
-  QuantilePolicy(const QuantileSettings& settings, uint64_t seed);
+  // `device`: as NetPass.
+  QuantilePolicy(const QuantileSettings& settings, uint64_t seed, DeviceWork* device = nullptr);
 
   // (kPolicyInputs) to (kMoves, kQuantiles).
   const Net<float>& net() const { return learner_.net(); }
@@ -47,7 +48,7 @@ class QuantilePolicy {
     const float* goal;  // (kPlace)
   };
   struct Share {
-    Pass<float> pass, next, encoder;
+    NetPass pass, next, encoder;
     std::vector<float> inputs, nextInputs, places, points, slope;
   };
   void draw(const Memory& memory, std::span<Lesson> lessons);

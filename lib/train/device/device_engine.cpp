@@ -86,7 +86,8 @@ void DeviceEngine::pointTo(PlayArguments& a, uint32_t tick) {
 
 // What all worlds see, and what the network says to it.
 Status DeviceEngine::look(const PlayArguments& a, bool count) {
-  OBBY_RETURN_IF_ERROR(enqueue(device_, TrainStep::observe, a, size_t(a.worlds) * kViewThreads));
+  OBBY_RETURN_IF_ERROR(
+      enqueue(device_, TrainStep::observe, a, size_t(a.worlds) * policy::kViewThreads));
   if (count) OBBY_RETURN_IF_ERROR(enqueue(device_, TrainStep::countInputs, a, sums_.size()));
   OBBY_RETURN_IF_ERROR(
       enqueue(device_, TrainStep::normalise, a, size_t(a.worlds) * policy::kInputs));

@@ -49,12 +49,8 @@ OBBY_DEVICE PlaceView placeView(const PlayArguments& a, uint32_t place) {
           p.on.level.looseCount};
 }
 
-// Parts of what a world sees, rounded up so that a warp has those of one world only: all its
-// threads go through the same colliders.
-constexpr uint32_t kViewThreads = 64;
-
 OBBY_DEVICE void observeWorld(const PlayArguments& a, uint32_t i) {
-  const uint32_t w = i / kViewThreads, part = i % kViewThreads;
+  const uint32_t w = i / policy::kViewThreads, part = i % policy::kViewThreads;
   if (part >= uint32_t(policy::kViewParts)) return;
   const PlaceView place = placeView(a, w / a.worldsOfPlace);
   Player& player = place.players[w % a.worldsOfPlace];
