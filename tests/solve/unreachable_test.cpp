@@ -136,6 +136,24 @@ TEST(Unreachable, IsNotSaidWhereLoosePartsCanBePiledUp) {
   EXPECT_EQ(f.counts.unknown, 1u);
 }
 
+// A row of small posts across the first stone, so many studs beside it.
+std::string posts(int count, float aside) {
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    text += R"(,{"name":"Post","position":[)" + std::to_string(aside + 0.1f * float(i) - 3) +
+            R"(,0.5,-7],"size":[0.05,1,0.05]})";
+  }
+  return text;
+}
+
+// Some of them are not there for whoever is among them.
+TEST(Unreachable, IsNotSaidWhereMorePartsAreNearThanTheSimulatorLooksAt) {
+  const std::string ledge = R"("goal":{"part":"Ledge"})";
+  EXPECT_EQ(ask(ledge, posts(60, 0)).counts.unreachable, 0u);
+  EXPECT_EQ(ask(ledge, posts(40, 0)).counts.unreachable, 1u) << "all of them are looked at";
+  EXPECT_EQ(ask(ledge, posts(60, 500)).counts.unreachable, 1u) << "nobody comes there";
+}
+
 // What the importer left out may be the way.
 TEST(Unreachable, IsNotSaidOfALevelThatLacksPartOfItsPlace) {
   const auto answer = [](const std::string& text) {

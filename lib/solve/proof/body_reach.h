@@ -71,6 +71,11 @@ inline float bodySide(const Params& p) {
   return std::max(0.5f, p.floorRaySpread) * length(Vec3{p.bodyWidth, 0, p.bodyDepth});
 }
 
+// Somebody between two parts that are farther apart touches but one of them, at any facing.
+inline float bodyAcross(const Params& p) {
+  return length(Vec3{p.bodyWidth, 0, p.bodyDepth}) + kSlack;
+}
+
 // Sideways from the axis to a corner of the limbs, and how far beyond them counts as touched.
 inline float limbSide(const Params& p) {
   return 0.5f * length(Vec3{std::max(p.armSpan, p.bodyWidth), 0, p.bodyDepth});

@@ -53,4 +53,9 @@ inline float gapBetween(const Box& a, const Box& b) {
   return sqrtf32(x * x + z * z);
 }
 
+inline bool isWithin(const Box& inner, const Box& outer) {
+  const Box all = join(inner, outer);
+  return all.lo == outer.lo && all.hi == outer.hi;
+}
+
 }  // namespace obby::solve

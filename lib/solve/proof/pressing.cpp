@@ -1,16 +1,25 @@
 #include "solve/proof/pressing.h"
 
 #include <algorithm>
+#include <deque>
+#include <limits>
 #include <utility>
 
 #include "solve/proof/body_reach.h"
+#include "solve/proof/few_boxes.h"
+#include "solve/proof/flight.h"
+#include "solve/proof/solids.h"
 
 namespace obby::solve {
 
 namespace {
 
-// Somebody between two parts that are farther apart touches but one of them, at any facing.
-float bodyAcross(const Params& p) { return length(Vec3{p.bodyWidth, 0, p.bodyDepth}) + kSlack; }
+constexpr float kAtOnce = std::numeric_limits<float>::infinity();  // studs/s
+constexpr float kLeastOut = 1;  // studs/s: far through a thin part, however slow it is pressed
+constexpr size_t kMostWork = 20'000'000;  // boxes looked at: a tenth of a second or two
+constexpr size_t kMostKnown = 16;         // places in one part that chains lead to
+constexpr size_t kLinkWork = 8;           // boxes: what each link of a chain counts as
+
 float torsoHeight(const Params& p) { return p.bodyTop - p.hipHeight; }
 
 // Whoever is pressed touches both parts. The way out of `low` is the shortest one: sideways past
@@ -21,57 +30,199 @@ float pressDepth(const Params& p, const Box& low, const Box& other) {
   return std::min(std::min(x, z) + bodyAcross(p), low.hi.y - other.lo.y + torsoHeight(p));
 }
 
+Pressing nothingPresses(size_t colliders) {
+  Pressing none;
+  none.depth.assign(colliders, 0.0f);
+  none.presses.assign(colliders, false);
+  none.chained.assign(colliders, false);
+  none.speed.assign(colliders, 0.0f);
+  none.around.assign(colliders, Box{});
+  return none;
+}
+
 class Presser {
  public:
-  Presser(const level::LevelView& level, const std::vector<PartMotion>& motions) : level_(level) {
-    found_.depth.assign(level.colliderCount, 0.0f);
-    found_.presses.assign(level.colliderCount, false);
-    boxes_.reserve(level.colliderCount);
-    for (uint32_t id = 0; id < level.colliderCount; ++id) {
-      boxes_.push_back(level.bounds[id].box());
-    }
-    for (const PartMotion& m : motions) boxes_[m.collider] = m.swept;
-  }
+  Presser(const level::LevelView& level, const std::vector<PartMotion>& motions,
+          const Holding& holds)
+      : level_(level),
+        holds_(holds),
+        solids_(level, motions),
+        known_(level.colliderCount),
+        found_(nothingPresses(level.colliderCount)) {}
 
-  void note(uint32_t slider) {
-    if (!isSolid(slider)) return;
-    const float side = bodyAcross(level_.params), height = torsoHeight(level_.params);
-    const Box near = grow(boxes_[slider], {side, height, side});
-    for (uint32_t part = 0; part < level_.colliderCount; ++part) {
-      if (!overlaps(near, boxes_[part]) || part == slider || !isSolid(part)) continue;
+  // What slides, studs/s.
+  void slide(uint32_t slider, float speed) {
+    if (!solids_.isSolid(slider) || isTooMuch()) return;
+    work_ += solids_.find(solids_.touching(slider), [&](uint32_t part) {
+      if (part == slider) return;
       const bool pressed = lift(slider, part), lifted = lift(part, slider);
       if (pressed || lifted) found_.presses[slider] = true;
-    }
+      // Out of what it presses somebody into they come as far again at once.
+      putInto(part, slider, std::max(2 * speed, kLeastOut));
+    });
   }
 
-  Pressing take() { return std::move(found_); }
+  // What can have a body in it, all of which is there: somewhere else it holds nobody.
+  void hold(uint32_t holder, const Box& body) {
+    if (!solids_.isSolid(holder) || isTooMuch()) return;
+    if (!overlaps(body, solids_.touching(holder))) return;
+    const Box out = solids_.putOut(holder, body);
+    const float highest = solids_.box(holder).hi.y + solids_.mostDepth(holder);
+    work_ += solids_.find(out, [&](uint32_t part) {
+      if (part == holder) return;
+      // Put out aside they are not as deep in the next as they are below the top of the first; put
+      // out over that, not as deep as they were in it.
+      const Box& box = solids_.box(part);
+      if ((solids_.isUpright(part) ? box.hi.y - kSlack : box.lo.y) <= highest) deepen(part);
+      found_.chained[part] = true;
+      follow(part, holder, kAtOnce, solids_.putOut(part, out));
+    });
+  }
+
+  Pressing take() {
+    while (!open_.empty() && !isTooMuch()) {
+      const Link link = open_.front();
+      open_.pop_front();
+      if (!isOutdated(link)) lead(link);
+    }
+    if (isTooMuch()) giveUp();
+    return std::move(found_);
+  }
 
  private:
-  bool isSolid(uint32_t id) const { return (level_.bounds[id].flags & level::kSolid) != 0; }
+  // Somebody in the part, all of whose body is there.
+  struct Link {
+    uint32_t part = level::kNone;
+    uint32_t from = level::kNone;  // that puts them into it; none: any of several
+    Box where{};
+  };
+
+  // What is to be followed counts too: it takes memory.
+  bool isTooMuch() const { return work_ + kLinkWork * open_.size() > kMostWork; }
 
   // Each pushes along the shortest way out of it: of two parts only the lower one pushes up. False:
   // nobody is lifted by `low`.
   bool lift(uint32_t low, uint32_t other) {
-    const Box &box = boxes_[low], &beside = boxes_[other];
-    const bool upright = (level_.bounds[low].flags & level::kUpright) != 0;
-    if ((upright ? box.hi.y - kSlack : box.lo.y) > beside.hi.y) return false;
+    const Box &box = solids_.box(low), &beside = solids_.box(other);
+    if ((solids_.isUpright(low) ? box.hi.y - kSlack : box.lo.y) > beside.hi.y) return false;
     const float depth = pressDepth(level_.params, box, beside);
     if (!(depth > 0)) return false;
     found_.depth[low] = std::max(found_.depth[low], depth);
     return true;
   }
 
+  void deepen(uint32_t part) {
+    found_.depth[part] = std::max(found_.depth[part], solids_.mostDepth(part));
+  }
+
+  void noteAround(uint32_t part, float speed, const Box& where) {
+    Box& around = found_.around[part];
+    around = found_.speed[part] > 0 ? join(around, where) : where;
+    found_.speed[part] = std::max(found_.speed[part], speed);
+  }
+
+  // One part alone puts somebody into another.
+  void putInto(uint32_t part, uint32_t from, float speed) {
+    const Box where = solids_.putOut(part, solids_.touching(from));
+    if (!keepApart(part, from, where)) follow(part, from, speed, where);
+  }
+
+  void follow(uint32_t part, uint32_t from, float speed, const Box& where) {
+    noteAround(part, speed, where);
+    open_.push_back({part, from, where});
+  }
+
+  // Does neither of them put anybody into the other there?
+  bool keepApart(uint32_t a, uint32_t b, const Box& where) {
+    return solids_.standOnEachOther(a, b, where) && !holdsNear(a, b, where) &&
+           !holdsNear(b, a, where);
+  }
+
+  // Can a body that is or was held in the one be at the other there?
+  bool holdsNear(uint32_t holder, uint32_t other, const Box& where) {
+    const Box there = common(where, solids_.touching(other));
+    work_ += holds_[holder].size();
+    return std::any_of(holds_[holder].begin(), holds_[holder].end(), [&](const Box& body) {
+      return overlaps(solids_.putOut(holder, body), there);
+    });
+  }
+
+  // Out of it into a third part. Who is between three of them can be as deep in each as it goes.
+  void lead(const Link& link) {
+    work_ += solids_.find(link.where, [&](uint32_t part) {
+      if (part == link.part || part == link.from) return;
+      if (keepApart(part, link.part, link.where)) return;
+      chain(link.part, link.where);
+      Box where = solids_.putOut(part, link.where);
+      if (!isNews(part, where)) return;
+      chain(part, where);
+      open_.push_back({part, level::kNone, where});
+    });
+  }
+
+  // Joined with what is known of its surroundings. False: all of it is known.
+  bool isNews(uint32_t part, Box& where) {
+    std::vector<Box>& known = known_[part];
+    for (const Box& box : known) {
+      if (isWithin(where, box)) return false;
+    }
+    for (Box& box : known) {
+      if (!overlaps(box, where)) continue;
+      box = where = join(box, where);
+      return true;
+    }
+    where = addBox(known, where, kMostKnown);
+    return true;
+  }
+
+  // A larger one has come after it, or instead of it.
+  bool isOutdated(const Link& link) const {
+    if (link.from != level::kNone) return false;
+    const std::vector<Box>& known = known_[link.part];
+    return std::any_of(known.begin(), known.end(), [&](const Box& box) {
+      return isWithin(link.where, box) && !isWithin(box, link.where);
+    });
+  }
+
+  void chain(uint32_t part, const Box& where) {
+    deepen(part);
+    found_.chained[part] = true;
+    noteAround(part, kAtOnce, where);
+  }
+
+  // Too much to look at: any part may put out anybody.
+  void giveUp() {
+    for (uint32_t id = 0; id < level_.colliderCount; ++id) {
+      if (!solids_.isSolid(id)) continue;
+      chain(id, solids_.touching(id));
+      found_.depth[id] = kAnyDepth;
+    }
+  }
+
   const level::LevelView& level_;
-  std::vector<Box> boxes_;  // (colliders): where each can be
+  const Holding& holds_;
+  const Solids solids_;
+  std::vector<std::vector<Box>> known_;  // (colliders): where chains lead to
+  std::deque<Link> open_;  // to be followed, the oldest first: later ones have grown meanwhile
+  size_t work_ = 0;
   Pressing found_;
 };
 
 }  // namespace
 
-Pressing pressingOf(const level::LevelView& level, const std::vector<PartMotion>& motions) {
-  Presser presser(level, motions);
+Pressing pressingOf(const level::LevelView& level, const std::vector<PartMotion>& motions,
+                    const Holding& holds) {
+  const bool slides = std::any_of(motions.begin(), motions.end(),
+                                  [](const PartMotion& m) { return m.sideways > 0; });
+  const bool held = std::any_of(holds.begin(), holds.end(),
+                                [](const std::vector<Box>& bodies) { return !bodies.empty(); });
+  if (!slides && !held) return nothingPresses(level.colliderCount);
+  Presser presser(level, motions, holds);
   for (const PartMotion& m : motions) {
-    if (m.sideways > 0) presser.note(m.collider);
+    if (m.sideways > 0) presser.slide(m.collider, m.sideways);
+  }
+  for (uint32_t id = 0; id < level.colliderCount; ++id) {
+    for (const Box& body : holds[id]) presser.hold(id, body);
   }
   return presser.take();
 }

@@ -1,6 +1,7 @@
 #include "solve/proof/reach_bound.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "solve/proof/body_reach.h"
 
@@ -10,13 +11,6 @@ namespace {
 
 // Studs/s: what is slower pushes nobody anywhere within a flight.
 constexpr float kPushes = 0.05f;
-
-// Studs that somebody has to come from one box to another, where `rides` can be had on the way.
-float wayBetween(const Box& from, const std::vector<Ride>& rides, const Box& to) {
-  float least = gapBetween(from, to);
-  for (const Ride& ride : rides) least = std::min(least, ride.way + gapBetween(ride.by->feet, to));
-  return least;
-}
 
 }  // namespace
 
@@ -31,8 +25,9 @@ ReachBound::ReachBound(const Problem& problem, bool mayJump)
   for (const Support& s : supports_) {
     lowest_ = std::min(lowest_, s.entry);
     slopes_ |= s.tilted;
-    if (s.carries && s.pushes > kPushes) pushers_.push_back(&s);
+    if (s.carries && s.pushes > kPushes) pushers_.push_back({s.pushed, s.pushes});
   }
+  pushers_ = fewPushers(std::move(pushers_));
   // What is reached makes faster, and who is faster reaches more.
   for (;;) {
     explore();
@@ -100,9 +95,9 @@ std::vector<Ride> ReachBound::ridesFrom(const Support& s, float lowest) const {
   if (pushers_.empty()) return rides;
   const Launch l = launch(s, mayJump_ && s.carries);
   const float farthest = flight_.reach(l, std::min(lowest, s.feet.hi.y));
-  for (const Support* by : pushers_) {
-    const bool meets = by->feet.lo.y - p_.bodyTop <= flight_.apex(l);
-    if (meets) open.push_back({by, gapBetween(s.feet, by->feet)});
+  for (const Pusher& by : pushers_) {
+    const bool meets = by.pushed.lo.y - p_.bodyTop <= flight_.apex(l);
+    if (meets) open.push_back({&by, gapBetween(s.feet, by.pushed)});
   }
   const auto nearer = [](const Ride& a, const Ride& b) { return a.way < b.way; };
   while (!open.empty()) {
@@ -111,7 +106,7 @@ std::vector<Ride> ReachBound::ridesFrom(const Support& s, float lowest) const {
     if (ride.way > farthest) break;
     open.erase(next);
     for (Ride& other : open) {
-      other.way = std::min(other.way, ride.way + gapBetween(ride.by->feet, other.by->feet));
+      other.way = std::min(other.way, ride.way + gapBetween(ride.by->pushed, other.by->pushed));
     }
     rides.push_back(ride);
   }
@@ -161,6 +156,9 @@ void ReachBound::spread(uint32_t from, std::vector<uint32_t>& now, std::vector<u
   const std::vector<Ride> rides = ridesFrom(s, lowest);
   for (uint32_t to = 0; to < supports_.size(); ++to) {
     if (supports_[to].collider == level::kNone || jumps_[to] <= made) continue;
+    // Too high, whatever takes along: ways over hundreds of rides are not looked at for nothing.
+    const bool falls = rides.empty() || crosses(falling, 0, supports_[to], false);
+    if (!falls && !(leaps && crosses(leaping, 0, supports_[to], true))) continue;
     const float gap = wayBetween(s.feet, rides, supports_[to].feet);
     if (gap > farthest) continue;
     if (crosses(falling, gap, supports_[to], false)) {
@@ -215,6 +213,23 @@ bool ReachBound::holds(Vec3 feet) const {
   return false;
 }
 
+bool ReachBound::comesInto(const std::vector<Box>& places) const {
+  if (places.empty()) return false;
+  float lowest = lowest_;
+  for (const Box& place : places) lowest = std::min(lowest, place.lo.y);
+  for (size_t i = 0; i < supports_.size(); ++i) {
+    if (jumps_[i] == kNever) continue;
+    const Support& s = supports_[i];
+    const Launch l = launch(s, mayJump_ && s.carries);
+    const std::vector<Ride> rides = ridesFrom(s, lowest);
+    for (const Box& place : places) {
+      const float reach = flight_.reach(l, place.lo.y);
+      if (reach >= 0 && reach >= wayBetween(s.feet, rides, place)) return true;
+    }
+  }
+  return false;
+}
+
 Missing ReachBound::missing(const std::vector<const level::TargetView*>& targets) const {
   std::vector<Box> boxes;
   float lowest = lowest_;
@@ -224,14 +239,15 @@ Missing ReachBound::missing(const std::vector<const level::TargetView*>& targets
   }
   Missing best;
   float least = 1e30f;
-  const auto consider = [&](const Launch& l, float way, uint32_t from, float height,
-                            uint32_t collider) {
+  const auto consider = [&](const Support& s, const Launch& l, const std::vector<Ride>& rides,
+                            const Box& box, float height, uint32_t collider) {
     const float rise = std::max(height - flight_.apex(l), 0.0f);
+    if (!(rise < least)) return;  // whatever takes along
     const float reach = flight_.reach(l, std::min(height, flight_.apex(l)));
-    const float gap = std::max(way - reach, 0.0f);
+    const float gap = std::max(wayBetween(s.feet, rides, box) - reach, 0.0f);
     if (!(rise + gap < least)) return;
     least = rise + gap;
-    best = {from, collider, rise, gap};
+    best = {s.collider, collider, rise, gap};
   };
   for (size_t i = 0; i < supports_.size(); ++i) {
     if (jumps_[i] == kNever) continue;
@@ -239,13 +255,12 @@ Missing ReachBound::missing(const std::vector<const level::TargetView*>& targets
     const Launch l = launch(from, mayJump_ && from.carries);
     const std::vector<Ride> rides = ridesFrom(from, lowest);
     for (const Box& box : boxes) {
-      const float floor = box.lo.y - p_.bodyTop;
-      consider(l, wayBetween(from.feet, rides, box), from.collider, floor, level::kNone);
+      consider(from, l, rides, box, box.lo.y - p_.bodyTop, level::kNone);
     }
     for (size_t j = 0; j < supports_.size(); ++j) {
       const Support& to = supports_[j];
       if (jumps_[j] == kNever && to.collider != level::kNone) {
-        consider(l, wayBetween(from.feet, rides, to.feet), from.collider, to.entry, to.collider);
+        consider(from, l, rides, to.feet, to.entry, to.collider);
       }
     }
   }
@@ -260,7 +275,7 @@ float ReachBound::fastest() const {
     pushed = std::max(pushed, supports_[i].pushes);
     // Nobody lives to be pushed below where everything falls out of the world.
     const float lowest = std::min(lowest_, p_.fallenPartsHeight);
-    for (const Ride& r : ridesFrom(supports_[i], lowest)) pushed = std::max(pushed, r.by->pushes);
+    for (const Ride& r : ridesFrom(supports_[i], lowest)) pushed = std::max(pushed, r.by->speed);
   }
   return flight_.sideways() + pushed;
 }

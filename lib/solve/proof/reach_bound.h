@@ -4,8 +4,11 @@
 // A playthrough is a sequence of flights from one thing that carries the player to the next. Each
 // flight is a parabola that starts as high and as fast as anything reachable allows; walls, kill
 // parts, avoid regions and timing are ignored; moving parts are everywhere on their way at once,
-// and take along for nothing whom they push; parts that vanish, open or fall are there and away.
-// docs/queries.md says what is left out.
+// and take along for nothing whom they push, as does what they push somebody into; parts that
+// vanish, open or fall are there and away. docs/queries.md says what is left out.
+//
+// That all parts are there for the player is taken for granted: of crowdedPlaces() (crowding.h) it
+// is not so, and who can come into one can come anywhere.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +16,7 @@
 #include <vector>
 
 #include "solve/proof/flight.h"
+#include "solve/proof/rides.h"
 #include "solve/proof/supports.h"
 
 namespace obby::solve {
@@ -21,12 +25,6 @@ namespace obby::solve {
 struct Missing {
   uint32_t from = level::kNone, to = level::kNone;  // colliders; none: the start, the region
   float rise = 0, gap = 0;                          // studs that a player lacks, at least
-};
-
-// A part that takes along whom it pushes: anywhere on its way, at no cost.
-struct Ride {
-  const Support* by;
-  float way;  // studs that the player has to come to it by own speed, over others or straight
 };
 
 class ReachBound {
@@ -44,6 +42,9 @@ class ReachBound {
 
   // Could the feet be there at any time?
   bool holds(Vec3 feet) const;
+
+  // Could the feet be in any of these boxes at any time?
+  bool comesInto(const std::vector<Box>& places) const;
 
   // The step out of what is reached that lacks least, to another part or into any of the targets.
   Missing missing(const std::vector<const level::TargetView*>& targets) const;
@@ -76,8 +77,8 @@ class ReachBound {
   const float jumpSpeed_, walkSpeed_;  // by keys, under all boosts
   std::vector<Support> supports_;
   float lowest_ = std::numeric_limits<float>::infinity();  // entry of all supports
-  std::vector<const Support*> pushers_;                    // of them, those that move sideways
-  bool slopes_ = false;                                    // are any of them tilted?
+  std::vector<Pusher> pushers_;
+  bool slopes_ = false;          // is any support tilted?
   std::vector<uint32_t> jumps_;  // (supports): fewest on the way there; kNever
   Flight flight_;
 };

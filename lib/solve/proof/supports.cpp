@@ -4,6 +4,7 @@
 
 #include "sim/seat.h"
 #include "solve/proof/body_reach.h"
+#include "solve/proof/few_boxes.h"
 #include "solve/proof/pressing.h"
 
 namespace obby::solve {
@@ -12,6 +13,7 @@ namespace {
 
 constexpr float kFlush = 0.1f;  // studs in a part that push no body anywhere
 constexpr uint32_t kLeads = level::kPad | level::kTeleport | level::kSeat;  // on touch
+constexpr size_t kMostHeld = 64;   // places in one part where it can hold a body
 constexpr float kLeastSlope = 80;  // degrees: below, sliding down makes speeds without a bound
 
 class Builder {
@@ -24,12 +26,18 @@ class Builder {
       if (level_.colliders[i].mover != level::kNone) movers_.push_back(partMotion(level_, i));
       if (level_.bounds[i].flags & level::kSeat) seated_.push_back(seatedBody(i));
     }
-    pressing_ = pressingOf(level_, movers_);
+    heldSide_ = mostHeldSide();
     addPoint(problem_.start.position);
     for (uint32_t i = 0; i < level_.colliderCount; ++i) {
       if (!(level_.bounds[i].flags & level::kTeleport)) continue;
-      gates_.push_back(addPoint(level_.roles[level_.colliders[i].role].teleportTo));
+      const level::Roles& r = level_.roles[level_.colliders[i].role];
+      gates_.push_back(addPoint(r.teleportTo));
+      supports_.back().keepsSpeed = r.teleportKeepsVelocity;
     }
+    for (uint32_t i = 0; i < level_.colliderCount; ++i) {
+      holds_.push_back(heldIn(level_.bounds[i].box(), level_.bounds[i].flags));
+    }
+    pressing_ = pressingOf(level_, movers_, holds_);
     for (uint32_t i = 0; i < level_.colliderCount; ++i) add(i);
     throwOutOfGates();
     return std::move(supports_);
@@ -49,7 +57,6 @@ class Builder {
       const level::Roles& r = level_.roles[level_.colliders[s.collider].role];
       if (!r.teleportKeepsVelocity) continue;
       supports_[s.leadsTo].thrown = fastest;
-      supports_[s.leadsTo].keepsSpeed = true;
     }
   }
 
@@ -63,20 +70,38 @@ class Builder {
     return uint32_t(supports_.size()) - 1;
   }
 
-  // Could the body be inside of it without having come in from the side or top?
-  bool canHoldBody(const Box& part, uint32_t flags) const {
-    if (flags & (level::kVanishTimer | level::kClocked)) return true;
-    const Vec3 body{p_.bodyWidth, p_.bodyTop + kSlack, p_.bodyWidth};
+  // How far the body can be from what holds it in a part: no farther than both measure, and than it
+  // comes while a jump begins, when the torso does not collide.
+  Vec3 mostHeldSide() const {
+    float lift = 0;
+    for (const PartMotion& m : movers_) lift = std::max(lift, m.upward);
+    const float seconds = 3 * p_.tickSeconds;
+    const float side = bodyAcross(p_) + seconds * level_.maxSideSpeed;
+    return {side, p_.bodyTop + kSlack + seconds * (lift + fastestJump(level_)), side};
+  }
+
+  // Where could the body be inside of it without having come in from the side or top?
+  std::vector<Box> heldIn(const Box& part, uint32_t flags) const {
+    if (!(flags & (level::kSolid | kLeads))) return {};
+    const float across = bodyAcross(p_), side = std::max(p_.bodyWidth, 0.5f * across);
+    const Vec3 body{side, p_.bodyTop + kSlack, side};
+    const Box around = grow(part, {across, body.y, across});
+    if (flags & (level::kVanishTimer | level::kClocked)) return {around};
+    std::vector<Box> places;
     for (const Support& s : supports_) {
       // Above the floor that the feet may stand on.
       const Box there{s.feet.lo + Vec3{-body.x, 2 * kSlack, -body.z}, s.feet.hi + body};
-      if (s.collider == level::kNone && overlaps(part, there)) return true;
+      if (s.collider != level::kNone || !overlaps(part, there)) continue;
+      addBox(places, s.keepsSpeed ? around : grow(there, heldSide_), kMostHeld);
     }
-    const Box around = grow(part, body);
-    return std::any_of(seated_.begin(), seated_.end(),
-                       [&](const Box& sitting) { return overlaps(part, sitting); }) ||
-           std::any_of(movers_.begin(), movers_.end(),
-                       [&](const PartMotion& m) { return m.rough && overlaps(around, m.swept); });
+    for (const Box& sitting : seated_) {
+      if (overlaps(part, sitting)) addBox(places, grow(sitting, heldSide_), kMostHeld);
+    }
+    for (const PartMotion& m : movers_) {
+      const bool near = m.rough && overlaps(around, m.swept);
+      if (near) addBox(places, grow(m.swept, heldSide_), kMostHeld);
+    }
+    return places;
   }
 
   void add(uint32_t id) {
@@ -94,18 +119,30 @@ class Builder {
     s.feet = grow(box, {side, 0, side});
     s.feet.hi.y += s.carries ? rise_ : touchSlack(p_);
     if (bounds.flags & level::kSeat) s.feet = join(s.feet, seatedIn(box));
-    const bool holds = canHoldBody(box, bounds.flags);
     const float above = entryOf(box, bounds.flags, c.mover != level::kNone ? motion : nullptr);
     const float beside = std::min(besideOf(box), above);
+    const bool holds = !holds_[id].empty();
     s.entry = holds ? beside : std::max(beside, above - pressedBelow(id));
-    s.snaps = holds || (bounds.flags & (level::kSeat | level::kTeleport)) != 0;
+    s.snaps =
+        holds || pressing_.chained[id] || (bounds.flags & (level::kSeat | level::kTeleport)) != 0;
     s.upward = motion->upward;
-    // Out of what it presses somebody into they come as far again at once.
-    s.pushes = motion->sideways * (pressing_.presses[id] ? 2.0f : 1.0f);
+    addPushes(s, *motion, s.entry > beside);
     if (bounds.flags & (level::kCarries | level::kSeat)) s.sideways = motion->sideways;
     addSurface(s, c, bounds.flags);
     if (bounds.flags & level::kTeleport) s.leadsTo = gates_[gateAt_++];
     supports_.push_back(s);
+  }
+
+  // `putsOut`: who is put out of it need not come to be carried by it.
+  void addPushes(Support& s, const PartMotion& motion, bool putsOut) const {
+    // Out of what it presses somebody into they come as far again at once.
+    s.pushes = motion.sideways * (pressing_.presses[s.collider] ? 2.0f : 1.0f);
+    s.pushed = s.feet;
+    const float speed = putsOut ? pressing_.speed[s.collider] : 0.0f;
+    if (!(speed > 0)) return;
+    const Box& around = pressing_.around[s.collider];
+    s.pushed = motion.sideways > 0 ? join(s.feet, around) : around;
+    s.pushes = std::max(s.pushes, speed);
   }
 
   // How far from the part's box its player can be, seen from above: body, limbs or climb sensor.
@@ -189,6 +226,8 @@ class Builder {
   const float rise_;
   std::vector<PartMotion> movers_;  // of the colliders that move, in their order
   std::vector<Box> seated_;         // torso and head of those who sit
+  Vec3 heldSide_;
+  Holding holds_;  // (colliders)
   Pressing pressing_;
   std::vector<uint32_t> gates_;  // where teleporters lead, in their order
   size_t moverAt_ = 0, gateAt_ = 0;

@@ -19,6 +19,7 @@ struct Support {
   float sprung = 0;                  // likewise, off the springs of legs on a floor that rises
   float sideways = 0;                // studs/s that it gives, beside walking
   float pushes = 0;                  // studs/s at which it moves who is in its way, at most
+  Box pushed;                        // where those are meanwhile
   bool carries = false;              // not: only leads elsewhere
   bool snaps = false;                // may move the player some studs at once
   bool tilted = false;               // has slopes, which turn speed upward

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "solve/proof/crowding.h"
 #include "solve/query/targets.h"
 
 namespace obby::solve {
@@ -53,7 +54,17 @@ class Prover {
                                   : "the goal" + (record.hasGoal() ? quoted(record.getGoal()) : "");
   }
 
+  // What holds where all parts are looked at holds as long as nobody comes where some are not.
   std::optional<Cut> prove() const {
+    auto cut = leastCut();
+    if (cut && bound_.comesInto(crowdedPlaces(problem_.level))) return std::nullopt;
+    return cut;
+  }
+
+ private:
+  using Targets = std::vector<const level::TargetView*>;
+
+  std::optional<Cut> leastCut() const {
     for (const Target& t : targets_) {
       const int32_t most = lesser(t.mostJumps, q_.maxJumps);
       if (auto cut = check({t.view}, t.name, most)) return cut;
@@ -61,9 +72,6 @@ class Prover {
     if (auto cut = check(goals_, goalName_, q_.maxJumps)) return cut;
     return late();
   }
-
- private:
-  using Targets = std::vector<const level::TargetView*>;
 
   // Any of the targets will do.
   std::optional<Cut> check(const Targets& targets, const std::string& name, int32_t most) const {

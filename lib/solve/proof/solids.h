@@ -1,0 +1,102 @@
+// The solid parts of a level and where bodies can be in and beside them: what pressing.cpp asks.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "solve/proof/body_reach.h"
+#include "solve/proof/box_index.h"
+#include "solve/proof/part_motion.h"
+
+namespace obby::solve {
+
+constexpr float kAnyDepth = 1e30f;  // studs
+
+inline Box common(const Box& a, const Box& b) { return {max(a.lo, b.lo), min(a.hi, b.hi)}; }
+
+// The level's solid parts, each wherever it can be.
+class Solids {
+ public:
+  Solids(const level::LevelView& level, const std::vector<PartMotion>& motions)
+      : level_(level), boxes_(boxesOf(level, motions)), index_(solidBoxes()) {}
+
+  const Box& box(uint32_t id) const { return boxes_[id]; }
+  bool isSolid(uint32_t id) const { return (level_.bounds[id].flags & level::kSolid) != 0; }
+  bool isUpright(uint32_t id) const { return (level_.bounds[id].flags & level::kUpright) != 0; }
+
+  // All of a body that touches the part is in it, fallen down too.
+  Box touching(uint32_t id) const {
+    const float side = bodyAcross(level_.params);
+    return grow(boxes_[id], {side, level_.params.bodyTop + kSlack, side});
+  }
+
+  // No body is farther in a block than half of what both measure along any of its axes.
+  float mostDepth(uint32_t id) const {
+    if (!isUpright(id)) return kAnyDepth;
+    const Vec3 half = level_.colliders[id].shape.half;
+    const float aside = std::min(half.x, half.z) + 0.5f * bodyAcross(level_.params);
+    return std::min(aside, half.y + 0.5f * level_.params.bodyTop);
+  }
+
+  // Somebody within `from` may be put out of the part: where all of the body is then.
+  Box putOut(uint32_t id, const Box& from) const {
+    const Box near = touching(id);
+    const float most = mostDepth(id) + kSlack;
+    return common(grow(common(from, near), {most, most, most}), near);
+  }
+
+  // Does one of them stand on the other, away from its rim, or pass through it? The one then puts
+  // out aside, the other up or down, and neither puts anybody into the other.
+  bool standOnEachOther(uint32_t a, uint32_t b, const Box& where) const {
+    return stands(a, b, where) || stands(b, a, where);
+  }
+
+  template <class Found>
+  size_t find(const Box& where, Found&& found) const {
+    return index_.find(where, [&](uint32_t i) { found(ids_[i]); });
+  }
+
+ private:
+  static std::vector<Box> boxesOf(const level::LevelView& level,
+                                  const std::vector<PartMotion>& motions) {
+    std::vector<Box> boxes;
+    boxes.reserve(level.colliderCount);
+    for (uint32_t id = 0; id < level.colliderCount; ++id) boxes.push_back(level.bounds[id].box());
+    for (const PartMotion& m : motions) boxes[m.collider] = m.swept;
+    return boxes;
+  }
+
+  std::vector<Box> solidBoxes() {
+    std::vector<Box> boxes;
+    for (uint32_t id = 0; id < level_.colliderCount; ++id) {
+      if (!isSolid(id)) continue;
+      ids_.push_back(id);
+      boxes.push_back(boxes_[id]);
+    }
+    return boxes;
+  }
+
+  bool stands(uint32_t upper, uint32_t lower, const Box& where) const {
+    const level::Collider& c = level_.colliders[lower];
+    if (!isUpright(lower) || c.mover != level::kNone) return false;
+    const Box &above = boxes_[upper], &below = boxes_[lower];
+    if (above.lo.y > below.hi.y + kSlack || above.hi.y < below.hi.y) return false;
+    const Box body = common(where, touching(upper));
+    const float rim = c.shape.half.y + 0.5f * level_.params.bodyTop;
+    for (int corner = 0; corner < 4; ++corner) {
+      const Vec3 at{(corner & 1) != 0 ? body.hi.x : body.lo.x, c.pose.position.y,
+                    (corner & 2) != 0 ? body.hi.z : body.lo.z};
+      const Vec3 local = abs(toLocal(c.pose, at));
+      if (local.x + rim > c.shape.half.x || local.z + rim > c.shape.half.z) return false;
+    }
+    return true;
+  }
+
+  const level::LevelView& level_;
+  std::vector<Box> boxes_;     // (colliders)
+  std::vector<uint32_t> ids_;  // of the boxes in the index
+  BoxIndex index_;
+};
+
+}  // namespace obby::solve
