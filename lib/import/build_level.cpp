@@ -4,6 +4,7 @@
 #include "import/assemblies.h"
 #include "import/checkpoints.h"
 #include "import/culling.h"
+#include "import/ended_handlers.h"
 #include "import/loose.h"
 #include "import/motion_room.h"
 #include "import/parts.h"
@@ -60,6 +61,7 @@ LevelDraft buildLevel(const Tree& tree, const std::string& name) {
   looseParts(tree, assemblies, level);
   orderStages(tree, level);
   noteUnmodelled(context);
+  noteEndedHandlers(context);
   return level;
 }
 

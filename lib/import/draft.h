@@ -50,6 +50,7 @@ struct JumpPad {
   Vec3 velocity;
   bool keepSideways = true;
 };
+constexpr float kGone = 3600;  // seconds: away as good as for ever
 struct Vanish {
   bool timer = false;
   float delay = 0;

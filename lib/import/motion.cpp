@@ -162,22 +162,26 @@ std::vector<MotionKey> keysFrom(const Pose& start, const std::vector<PoseSample>
 
 namespace {
 
-// What the simulator takes: ten minutes for a round, a turn or a wait, places within the world.
+static_assert(kLongestMotion * 60 == float(level::kMaxRows));
+
+// What the simulator takes: no round, turn or wait that is too long, places within the world.
 bool isBounded(const Motion& motion) {
-  constexpr float kLongest = 600, kFarthest = 1e6f;
+  constexpr float kFarthest = 1e6f;
   float before = 0;
   for (const MotionKey& key : motion.keys) {
+    const Mat3& turned = key.pose.rotation;
     if (!isFinite(key.pose.position) || length(key.pose.position) > kFarthest) return false;
+    if (!isFinite(turned.x) || !isFinite(turned.y) || !isFinite(turned.z)) return false;
     if (!(key.time >= before)) return false;
     before = key.time;
   }
   const float rounds = motion.repeat == Repeat::pingPong ? 2 : 1;
-  if (!motion.keys.empty() && motion.keys.back().time * rounds > kLongest) return false;
-  if (!std::isfinite(motion.offset) || motion.offset < -kLongest) return false;
+  if (!motion.keys.empty() && motion.keys.back().time * rounds > kLongestMotion) return false;
+  if (!std::isfinite(motion.offset) || motion.offset < -kLongestMotion) return false;
   if (!motion.spin) return true;
   if (!isFinite(motion.spin->axis) || length(motion.spin->axis) < 1e-6f) return false;
   const float speed = absf(motion.spin->speed);
-  return std::isfinite(speed) && speed * kLongest > 2 * 3.1416f &&
+  return std::isfinite(speed) && speed * kLongestMotion > 2 * 3.1416f &&
          length(motion.spin->pivot) <= kFarthest;  // false for NaN, too
 }
 
@@ -248,7 +252,7 @@ int giveMotion(RoleContext& context, InstanceId moved, const Motion& ofPivot,
     if (!isBounded(own)) {
       context.level.noteUnmodelled(
           "motion without bounds", context.tree.path(part->id),
-          "slower than a round in ten minutes, after a longer wait, back in time, about no axis "
+          "slower than a round in 20 minutes, after a longer wait, back in time, about no axis "
           "or out of the world; left where the file has it; " +
               reason);
       continue;

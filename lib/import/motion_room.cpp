@@ -9,12 +9,16 @@
 namespace obby::importer {
 namespace {
 
-// Of one round through the keys: as many rows, at least, has the simulator's table of it.
+// Of one round through the keys, and of the wait before one that comes but once: as many rows, at
+// least, has the simulator's table of it.
 size_t ticksOf(const Motion& motion) {
-  constexpr float kRate = 60, kMost = 72000;  // ticks a second; more are no motion (isBounded)
+  constexpr float kRate = 60;  // ticks a second
+  constexpr float kMost = 2 * kLongestMotion * kRate;
   if (motion.keys.size() < 2) return 1;
   const float rounds = motion.repeat == Repeat::pingPong ? 2 : 1;
-  const float ticks = (motion.keys.back().time - motion.keys.front().time) * rounds * kRate;
+  const float wait = motion.repeat == Repeat::once ? std::max(0.0f, -motion.offset) : 0;
+  const float round = (motion.keys.back().time - motion.keys.front().time) * rounds;
+  const float ticks = (round + wait) * kRate;
   return ticks >= 1 ? size_t(std::min(ticks, kMost)) : 1;
 }
 

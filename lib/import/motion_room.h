@@ -12,6 +12,9 @@ namespace obby::importer {
 // may have as many ticks as a level takes (kMaxLevelRows).
 constexpr size_t kMaxLevelKeys = 1000000;
 
+// Seconds of a round, a turn or a wait: the simulator takes no longer ones (level::mostTicks).
+constexpr float kLongestMotion = 1200;
+
 // Whether there is room for those of the parts that a player can meet: what of a model is met moves
 // as a whole or not at all. What is left still is named.
 bool haveRoom(RoleContext& context, const std::vector<PartDraft*>& parts, const Motion& motion,

@@ -12,7 +12,6 @@ namespace obby::importer {
 namespace {
 
 constexpr uint32_t kRunClient = 2;  // RunContext
-constexpr double kAtOnce = 1e-3;    // seconds: less than a frame
 
 constexpr std::string_view kSwitches[] = {"CanCollide", "CanTouch", "Anchored"};
 

@@ -9,6 +9,8 @@
 
 namespace obby::importer {
 
+constexpr double kAtOnce = 1e-3;  // seconds: less than a frame
+
 enum class Onset {
   atStart,    // at once, for certain and for every player
   ofAClient,  // at once and for certain, but only where the player's own client runs the script

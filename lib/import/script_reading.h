@@ -3,6 +3,7 @@
 // within a step budget; what a script does not state stays unknown (luau/reader.h).
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
@@ -84,6 +85,10 @@ struct Timeline {
   double period = 0;     // seconds of one round of the loop (or of all that were followed)
   bool closed = false;   // after `period` the parts are back where the loop began
   bool vague = false;    // waits for a time that the text does not tell: taken as the shortest
+  // Index of the first event behind a loop that waits until something holds which the text does not
+  // tell, and that was passed over.
+  size_t awaits = std::numeric_limits<size_t>::max();
+  int cutLine = 0;  // the line that disconnects its handler at some time; 0: it goes on for ever
 
   // Whether it comes as the game runs, whatever players do.
   bool byItself() const { return trigger == Trigger::start || trigger == Trigger::frame; }

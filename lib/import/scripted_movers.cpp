@@ -2,6 +2,7 @@
 #include "import/scripted_movers.h"
 
 #include "import/onset.h"
+#include "import/pose_steps.h"
 
 namespace obby::importer {
 namespace {
@@ -21,6 +22,8 @@ ScriptedMovers::ScriptedMovers(const RoleContext& context) : tree_(context.tree)
       if (!timeline.byItself()) continue;
       for (size_t i = 0; i < timeline.events.size(); ++i)
         if (moves(tree_, timeline, i)) targets_[timeline.events[i].target].insert(reading.script);
+      for (const auto& [target, steps] : poseSteps(tree_, reading, timeline))
+        targets_[target].insert(reading.script);
     }
 }
 

@@ -1,5 +1,5 @@
 // Which parts scripts move by themselves as the game runs: in endless loops, each frame, by
-// tweens.
+// tweens, step by step.
 #pragma once
 
 #include <map>

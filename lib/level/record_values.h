@@ -70,7 +70,8 @@ inline Result<Quat> quaternion(schema::Quat::Reader record, const std::string& p
   const Quat q{record.getX(), record.getY(), record.getZ(), record.getW()};
   const float n2 = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
   if (!(n2 > 1e-6f) || !(n2 < 1e6f))
-    return pathError(path, "expected a rotation (x, y, z, w) that is not zero");
+    return pathError(path, "expected a rotation (x, y, z, w) that is not zero, at most 1000 long",
+                     "[0,0,0,1] turns nothing");
   return normalize(q);
 }
 

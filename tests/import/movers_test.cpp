@@ -216,6 +216,19 @@ TEST(Movers, APlaceThatALoopTweensIsReachedAsTheTweenIs) {
   expectNear(at(lift.scene[lift.part], 7), {0, 8, 10}, 0.6f);
 }
 
+TEST(Movers, LongTweensThatAreCutAgainAndAgainTakeNoMemory) {
+  Pushed lift("BodyPosition");
+  lift.script(
+      "game:GetService('RunService').Heartbeat:Connect(function() for i = 1, 20 do\n"
+      "game:GetService('TweenService'):Create(m, TweenInfo.new(1100, Enum.EasingStyle.Linear), "
+      "{Position = Vector3.new(0, 8, i)}):Play()\n"
+      "task.delay(1100, function() m.Position = Vector3.new(0, 8, 0) end) end\n"
+      "task.wait(1150) end)");
+  lift.scene.level();
+  ASSERT_TRUE(lift.scene[lift.part].motion);
+  EXPECT_LT(lift.scene[lift.part].motion->keys.size(), 60000u);
+}
+
 TEST(Movers, WhatIsAlignedWithATweenedPartGoesWithIt) {
   for (const float gap : {0.0f, 9.0f}) {
     Pushed lift("AlignPosition");

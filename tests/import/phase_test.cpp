@@ -75,13 +75,34 @@ TEST(Phase, WhatComesButOnceWaitsWithItsKeys) {
   expectNear(at(scene[part], 4), {0, 9, 0});
 }
 
-TEST(Phase, WhatWaitsForMoreThanTenMinutesRests) {
-  Scene scene;
-  const auto part = scene.part("Mover");
-  scene.script(kBefore + "task.wait(601)\n" + kMotions[0], part);
-  scene.level();
-  EXPECT_FALSE(scene[part].motion);
-  EXPECT_EQ(scene.unmodelled("motion without bounds"), 1u);
+// As the simulator takes it.
+TEST(Phase, WhatWaitsForMoreThanTwentyMinutesRests) {
+  for (const bool longer : {false, true}) {
+    Scene scene;
+    const auto part = scene.part("Mover");
+    scene.script(kBefore + (longer ? "task.wait(1201)\n" : "task.wait(1199)\n") + kMotions[0],
+                 part);
+    scene.level();
+    EXPECT_EQ(scene[part].motion.has_value(), !longer);
+    EXPECT_EQ(scene.unmodelled("motion without bounds"), longer ? 1u : 0u);
+  }
+}
+
+TEST(Phase, ARoundMayTakeTwentyMinutes) {
+  for (const bool longer : {false, true}) {
+    Scene scene;
+    const auto part = scene.part("Mover");
+    const std::string seconds = longer ? "700" : "590";
+    scene.script(kBefore + "ts:Create(p, TweenInfo.new(" + seconds +
+                     ", Enum.EasingStyle.Linear, Enum.EasingDirection.In, -1, true), "
+                     "{Position = Vector3.new(0, 9, 0)}):Play()",
+                 part);
+    scene.level();
+    ASSERT_EQ(scene[part].motion.has_value(), !longer) << "there and back";
+    EXPECT_EQ(scene.unmodelled("motion without bounds"), longer ? 1u : 0u);
+    if (longer) continue;
+    EXPECT_FLOAT_EQ(scene[part].motion->keys.back().time, 590);
+  }
 }
 
 }  // namespace

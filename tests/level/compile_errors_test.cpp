@@ -49,6 +49,16 @@ TEST(CompileErrors, Rotation) {
   for (const float w : {0.0f, kNan, kInf, 1e-8f}) {
     expectRefused([=](auto p) { p.initRotation().setW(w); }, ".rotation", "not zero");
   }
+  expectRefused([](auto p) { p.initRotation().setW(1001); }, ".rotation", "at most 1000 long");
+  LevelBuilder b;
+  b.part([](schema::Part::Builder p) {
+    addKeys(p, {0, 1});
+    p.getMotion().getKeys()[1].initRotation().setW(0);
+  });
+  const auto level = b.tryCompile();
+  ASSERT_FALSE(bool(level));
+  EXPECT_EQ(level.error().path, "parts[0].motion.keys[1].rotation");
+  EXPECT_NE(level.error().hint.find("[0,0,0,1]"), std::string::npos) << level.error().text();
 }
 
 TEST(CompileErrors, Friction) {

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kFrame = 1.0 / 60;
 constexpr double kOldWait = 1.0 / 30;  // wait() never resumes sooner
+constexpr double kLongestWait = 1e6;   // seconds
 
 bool isFrameSignal(const std::string& name) {
   static constexpr std::string_view kNames[] = {"Heartbeat",     "RenderStepped",  "Stepped",
@@ -32,7 +33,7 @@ bool isUnknown(const Datum& datum) { return truthOf(datum) == Truth::unknown; }
 void Reader::waitFor(double seconds, double least) {
   if (std::isnan(seconds) || seconds < least) seconds = least;
   // Threads resume at the first frame at or after the time.
-  time_ += std::ceil(std::min(seconds, 1e6) / kFrame - 1e-6) * kFrame;
+  time_ += std::ceil(std::min(seconds, kLongestWait) / kFrame - 1e-6) * kFrame;
 }
 
 // Calls that move the clock or begin something beside what follows.
@@ -57,7 +58,7 @@ std::optional<Datum> Reader::scheduled(const std::string& name,
   if (name == "delay" || name == "Delay" || name == "task.delay") {
     const bool before = vague_;
     vague_ = vague_ || isUnknown(first);
-    beside(argument(arguments, 1), {}, number ? *number : 0);
+    beside(argument(arguments, 1), {}, number && *number > 0 ? std::min(*number, kLongestWait) : 0);
     if (timeline_.trigger == Trigger::start) vague_ = before;  // it has a timeline of its own
     return Datum{};
   }
@@ -93,9 +94,10 @@ Datum Reader::callValue(const Expr& expr) {
   return libraryCall(name, arguments);
 }
 
-void Reader::connect(const Expr& signal, const std::vector<Datum>& arguments) {
+Datum Reader::connect(const Expr& signal, const std::vector<Datum>& arguments, bool once) {
   const Datum& function = argument(arguments, 0);
   Pending pending;
+  pending.once = once;
   pending.trigger = Trigger::other;
   pending.signal = signal.text;
   pending.line = signal.line;
@@ -106,49 +108,48 @@ void Reader::connect(const Expr& signal, const std::vector<Datum>& arguments) {
   if (signal.kind == ExprKind::field && isFrameSignal(name)) {
     pending.trigger = Trigger::frame;
     const Datum step{kFrame};
-    later(std::move(pending), function,
-          name == "Stepped" ? std::vector<Datum>{{0.0}, step} : std::vector<Datum>{step});
-  } else if (tween && name == "Completed") {
-    if (const auto* closure = function.as<Closure>()) (*tween)->completed.push_back(*closure);
-  } else {
-    if (ref && (name == "Touched" || name == "touched") && tree_.isPart(ref->target)) {
-      pending.trigger = Trigger::touch;
-      pending.touched = ref->target;
-    }
-    const bool touch = pending.trigger == Trigger::touch;
-    if (touch && !function.as<Closure>()) {  // it does something, but what?
-      Timeline unknown;
-      unknown.trigger = pending.trigger;
-      unknown.touched = pending.touched;
-      unknown.signal = pending.signal;
-      unknown.line = pending.line;
-      reading_.timelines.push_back(std::move(unknown));
-      return;
-    }
-    later(std::move(pending), function, {{Stranger{touch ? "hit" : "player"}}});
+    return connected(
+        std::move(pending), function,
+        name == "Stepped" ? std::vector<Datum>{{0.0}, step} : std::vector<Datum>{step});
   }
+  if (tween && name == "Completed") {
+    if (const auto* closure = function.as<Closure>()) (*tween)->completed.push_back(*closure);
+    return {};
+  }
+  if (ref && (name == "Touched" || name == "touched") && tree_.isPart(ref->target)) {
+    pending.trigger = Trigger::touch;
+    pending.touched = ref->target;
+  }
+  const bool touch = pending.trigger == Trigger::touch;
+  if (touch && !function.as<Closure>()) {  // it does something, but what?
+    Timeline unknown;
+    unknown.trigger = pending.trigger;
+    unknown.touched = pending.touched;
+    unknown.signal = pending.signal;
+    unknown.line = pending.line;
+    reading_.timelines.push_back(std::move(unknown));
+    return {};
+  }
+  return connected(std::move(pending), function, {{Stranger{touch ? "hit" : "player"}}});
 }
 
-void Reader::waitForSignal(const Expr& signal) {
+// Gives what the signal does: of a tween how it ended.
+Datum Reader::waitForSignal(const Expr& signal) {
   const Datum source = signal.kind == ExprKind::field ? evaluate(*signal.kids[0]) : Datum{};
   if (const auto* tween = source.as<Tween*>()) {
     waitFor(secondsLeft(*tween), 0);
-    return;
+    return {Library{"Enum.PlaybackState.Completed"}};
   }
   vague_ = vague_ || !(isFrameSignal(signal.text) || comesAtStart(signal.text));
   waitFor(0, kFrame);
+  return {kFrame};
 }
 
 Datum Reader::methodValue(const Expr& expr) {
   const std::string& name = expr.text;
-  if (name == "Connect" || name == "connect" || name == "Once" || name == "ConnectParallel") {
-    connect(*expr.kids[0], evaluateAll(expr.kids, 1));
-    return {};
-  }
-  if (name == "Wait" || name == "wait") {
-    waitForSignal(*expr.kids[0]);
-    return {kFrame};
-  }
+  if (name == "Connect" || name == "connect" || name == "Once" || name == "ConnectParallel")
+    return connect(*expr.kids[0], evaluateAll(expr.kids, 1), name == "Once");
+  if (name == "Wait" || name == "wait") return waitForSignal(*expr.kids[0]);
   const Datum object = evaluate(*expr.kids[0]);
   const auto arguments = evaluateAll(expr.kids, 1);
   if (name == "GetService" || name == "FindService" || name == "service") {
@@ -171,6 +172,10 @@ Datum Reader::methodOf(const Datum& object, const std::string& name,
   if (const auto* tween = object.as<Tween*>()) {
     if (name == "Play") play(*tween, line);
     if (name == "Cancel" || name == "Pause") stop(*tween, name == "Pause");
+    return {};
+  }
+  if (const auto* connection = object.as<Connection>()) {
+    if (name == "Disconnect" || name == "disconnect") disconnect(*connection, line);
     return {};
   }
   if (const auto* ref = object.as<Ref>()) return instanceMethod(ref->target, name, arguments, line);

@@ -70,9 +70,14 @@ struct Library {
   std::string name;
 };
 
+// What Connect gives back: `number` tells the connections of a script apart.
+struct Connection {
+  int number = 0;
+};
+
 struct Datum {
   std::variant<Unknown, Nil, bool, double, std::string, Vector, Frame, Ref, Stranger, Change,
-               Closure, Library, TweenTiming, Table*, Made*, Tween*>
+               Closure, Library, TweenTiming, Table*, Made*, Tween*, Connection>
       value = Unknown{};
 
   template <class T>

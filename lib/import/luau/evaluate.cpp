@@ -140,7 +140,9 @@ Datum Reader::field(const Datum& object, const std::string& name) {
     return it == (*table)->fields.end() ? Datum{Nil{}} : it->second;
   }
   if (const auto* made = object.as<Made*>()) return madeField(*made, name);
-  if (object.as<Vector>() || object.as<Frame>()) return valueMethod(object, name, {});
+  if (const auto* tween = object.as<Tween*>()) return tweenField(*tween, name);
+  if (object.as<Vector>() || object.as<Frame>() || object.as<TweenTiming>())
+    return valueMethod(object, name, {});
   if (object.as<Stranger>() || object.as<Unknown>()) return {Stranger{name}};
   return {};
 }

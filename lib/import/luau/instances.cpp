@@ -250,4 +250,20 @@ Datum Reader::createTween(const std::vector<Datum>& arguments, int line) {
   return {tween};
 }
 
+// How far it is nobody knows that has not seen it played.
+Datum Reader::tweenField(const Tween* tween, const std::string& name) {
+  constexpr double kSlack = 2e-3;  // seconds
+  if (name == "TweenInfo") return {tween->timing};
+  if (name != "PlaybackState") return {};
+  const bool goesOn = isPlaying(tween);
+  const Played* last = lastPlayed(tween);
+  if (!last || vague_ || last->doubt > unsure_) return {};
+  const double since = time_ - last->time;
+  const bool over = !last->stopped && since > tween->timing.total() - kSlack;
+  const char* state = over ? "Completed" : "Cancelled";
+  if (last->paused) state = "Paused";
+  if (goesOn) state = since < tween->timing.delay - kSlack ? "Delayed" : "Playing";
+  return {Library{std::string("Enum.PlaybackState.") + state}};
+}
+
 }  // namespace obby::importer::luau

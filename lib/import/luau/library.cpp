@@ -65,15 +65,16 @@ Datum newFrame(const std::vector<Datum>& a) {
 }
 
 Datum newTweenInfo(const std::vector<Datum>& a) {
+  constexpr double kLongest = 1e6;  // seconds: longer than a motion can take, and so named
   TweenTiming t;
   const auto number = [&](size_t i, double absent) {
     const double v = numberAt(a, i, absent);
     t.known = t.known && (!std::isnan(v) || a[i].as<Nil>());
     return std::isnan(v) ? absent : v;
   };
-  t.seconds = std::clamp(number(0, 1), 0.0, 600.0);
+  t.seconds = std::clamp(number(0, 1), 0.0, kLongest);
   t.repeats = int(std::clamp(number(3, 0), -1.0, 1000.0));
-  t.delay = std::clamp(number(5, 0), 0.0, 600.0);
+  t.delay = std::clamp(number(5, 0), 0.0, kLongest);
   if (a.size() > 4)
     if (const auto* flag = a[4].as<bool>()) t.reverses = *flag;
   const auto last = [&](size_t i) -> std::string {

@@ -2,10 +2,10 @@
 // parts they move are back where the loop began.
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <set>
 #include <string>
 
+#include "import/luau/conditions.h"
 #include "import/luau/reader.h"
 #include "import/pose_math.h"
 
@@ -21,51 +21,8 @@ constexpr int kMaxCount = 2000;        // of a counted loop
 constexpr float kSamePlace = 2e-3f;    // studs
 constexpr float kSameTurn = 2e-3f;     // radians
 constexpr size_t kMaxEvents = 200000;  // of one timeline
-
-bool isWait(const Expr& expr) {
-  return expr.kind == ExprKind::call || expr.kind == ExprKind::method;
-}
-
-// Conditions that nothing in the running game turns: literals, and waits, which always hold.
-bool isFixed(const Expr& expr) {
-  const auto& kids = expr.kids;
-  switch (expr.kind) {
-    case ExprKind::nil:
-    case ExprKind::truth:
-    case ExprKind::falsehood:
-    case ExprKind::number:
-    case ExprKind::string: return true;
-    case ExprKind::unary:
-    case ExprKind::binary:
-      return std::all_of(kids.begin(), kids.end(),
-                         [](const ExprPtr& kid) { return isFixed(*kid); });
-    case ExprKind::call: return kids[0]->text == "wait";  // and task.wait
-    case ExprKind::method: return expr.text == "Wait" || expr.text == "wait";
-    default: return false;
-  }
-}
-
-// "part.Transparency"; empty where it is anything but names.
-std::string pathOf(const Expr& expr) {
-  constexpr int kDeepest = 16;
-  constexpr size_t kLongest = 100;  // of a name
-  if (expr.height > kDeepest || expr.text.size() > kLongest) return {};
-  if (expr.kind == ExprKind::name) return expr.text;
-  if (expr.kind != ExprKind::field) return {};
-  const std::string base = pathOf(*expr.kids[0]);
-  return base.empty() ? base : base + "." + expr.text;
-}
-
-void collectPaths(const Expr& expr, std::set<std::string>& paths) {
-  if (std::string path = pathOf(expr); !path.empty()) paths.insert(std::move(path));
-  for (const ExprPtr& kid : expr.kids) collectPaths(*kid, paths);
-}
-
-bool asksClock(const std::set<std::string>& paths) {
-  static constexpr const char* kClocks[] = {"tick", "time", "elapsedTime", "os.clock", "os.time"};
-  return std::any_of(std::begin(kClocks), std::end(kClocks),
-                     [&](const char* clock) { return paths.count(clock) > 0; });
-}
+constexpr size_t kAskedPerStep = 2;    // expressions of a condition
+constexpr double kLatest = 1e9;        // seconds: later than anything that counts
 
 // Properties that make a loop worth following for more than one round.
 bool isTracked(const ScriptEvent& event) {
@@ -138,9 +95,24 @@ bool Reader::assigns(const Block& body, const std::set<std::string>& paths) {
   });
 }
 
+// Whether a round of a loop can leave it, by a break of its own or by a return.
+bool Reader::canLeave(const Block& body, bool inner) {
+  return std::any_of(body.begin(), body.end(), [&](const StatPtr& stat) {
+    if (!spend()) return false;
+    if (stat->kind == StatKind::returns) return true;
+    if (stat->kind == StatKind::leaves) return !inner && stat->text == "break";
+    const bool loop = stat->kind == StatKind::whileLoop || stat->kind == StatKind::repeatLoop ||
+                      stat->kind == StatKind::numericFor || stat->kind == StatKind::genericFor;
+    return std::any_of(stat->blocks.begin(), stat->blocks.end(),
+                       [&](const Block& block) { return canLeave(block, inner || loop); });
+  });
+}
+
 // A loop that brings about its own end, as `while part.Transparency < 1 do` with a step in it, or
-// waits for the clock.
+// waits for the clock or for the end of a tween.
 Reader::Flow Reader::countingLoop(const Stat& stat, bool repeats) {
+  const double start = time_;
+  const size_t before = timeline_.events.size();
   for (int round = 0; round < kMaxCount; ++round) {
     const Truth goesOn = repeats ? Truth::yes : truthOf(evaluate(*stat.values[0]));
     if (goesOn == Truth::no) return Flow::on;
@@ -148,19 +120,41 @@ Reader::Flow Reader::countingLoop(const Stat& stat, bool repeats) {
     if (open) ++unsure_;
     const Flow flow = walkRound(stat.blocks[0]);
     if (open) --unsure_;
+    if (open) await();
     if (flow == Flow::leaveLoop) return Flow::on;
     if (flow != Flow::on || open) return flow;
-    if (repeats && truthOf(evaluate(*stat.values[0])) != Truth::no) return Flow::on;
+    if (!repeats) continue;
+    const Truth over = truthOf(evaluate(*stat.values[0]));
+    if (over == Truth::unknown) await();
+    if (over != Truth::no) return Flow::on;
   }
+  // What the rounds that are not followed would do is lost, and how long they take.
+  if (timeline_.events.size() > before) reading_.exhausted = true;
+  if (time_ > start) vague_ = true;
   return Flow::on;
 }
+
+// Whether the text tells if the condition holds as the loop begins; no time goes by.
+bool Reader::isTold(const Expr& condition) {
+  const double start = time_;
+  const bool known = truthOf(evaluate(condition)) != Truth::unknown;
+  time_ = start;
+  return known;
+}
+
+// What follows comes only once something has happened that the text does not tell.
+void Reader::await() { timeline_.awaits = std::min(timeline_.awaits, timeline_.events.size()); }
 
 Reader::Flow Reader::whileLoop(const Stat& stat) {
   const Expr& condition = *stat.values[0];
   const bool repeats = stat.kind == StatKind::repeatLoop;
-  std::set<std::string> paths;
-  collectPaths(condition, paths);
-  if (asksClock(paths) || (!paths.empty() && assigns(stat.blocks[0], paths)))
+  size_t looked = 0;
+  const std::set<std::string> paths = pathsIn(condition, looked);
+  spend(looked / kAskedPerStep);
+  const std::set<std::string> poses = posesAmong(paths);
+  const bool turns = asksTween(condition) || (!poses.empty() && assigns(stat.blocks[0], poses));
+  if (asksClock(paths) || (!paths.empty() && assigns(stat.blocks[0], paths)) ||
+      (turns && isTold(condition)))
     return countingLoop(stat, repeats);
   const bool waits = !repeats && isWait(condition);
   const double start = time_;
@@ -174,7 +168,9 @@ Reader::Flow Reader::whileLoop(const Stat& stat) {
   const size_t event = timeline_.events.size();
   const Flow flow = endless ? foreverLoop(stat.blocks[0], waits ? &condition : nullptr, sure)
                             : walkRound(stat.blocks[0]);
-  if (time_ > start && timeline_.events.size() == event) endGoing();
+  const bool passed = time_ > start && timeline_.events.size() == event;
+  if (passed) endGoing();
+  if (flow != Flow::stop && (passed || truth == Truth::unknown)) await();
   return flow == Flow::leaveLoop ? Flow::on : flow;
 }
 
@@ -196,23 +192,26 @@ void Reader::beginLoop() {
 // Rounds are followed until two in a row leave the parts as the first two did: one alone may pass
 // the same place on the way back. A loop that is not sure to be endless and does nothing but wait
 // ends with what it waits for: what follows it is read. A handler of each frame may return before
-// it does anything: its rounds are those that do.
+// it does anything: its rounds are those that do. One that disconnects itself ends with that round.
+// Of an endless loop in another one the first round stands for all, unless it ends by no condition
+// and a later round is sure to leave it.
 Reader::Flow Reader::foreverLoop(const Block& body, const Expr* condition, bool sure) {
   const bool nested = timeline_.forever;
   const bool handler = timeline_.trigger == Trigger::frame && !nested;
+  const bool leaving = nested && sure && canLeave(body, false);
   if (!nested) beginLoop();
   Repetition repetition;
   double lastSet = time_;
   for (int round = 0; round < kMaxRounds; ++round) {
     const double roundStart = time_;
-    const size_t event = timeline_.events.size(), budget = budget_;
+    const size_t event = timeline_.events.size(), budget = budget_, doubts = doubts_;
     if (condition) evaluate(*condition);
     const Flow flow = walkRound(body);
     const bool returns = handler && flow == Flow::leaveFunction;
     if (timeline_.trigger == Trigger::frame) time_ = std::max(time_, roundStart + kFrame);
     const bool idle = round == 0 && flow == Flow::on && timeline_.events.size() == event;
     const bool leaves = flow == Flow::leaveFunction && !returns;
-    const bool ends = flow == Flow::leaveLoop || leaves || (idle && !sure);
+    const bool ends = flow == Flow::leaveLoop || leaves || (idle && !sure) || (handler && ended_);
     if (ends) timeline_.forever = nested;
     if (ends) return leaves ? flow : Flow::on;
     timeline_.period = time_ - timeline_.loopStart;
@@ -222,10 +221,10 @@ Reader::Flow Reader::foreverLoop(const Block& body, const Expr* condition, bool 
     if (sets) lastSet = time_;
     if (returns && !sets) idleSteps_ += budget - budget_;
     const bool goesOn = sets || (returns && time_ - lastSet < kMaxIdle && idleSteps_ < kIdleSteps);
-    if (nested || time_ <= roundStart || timeline_.period > kMaxSeconds ||
-        timeline_.events.size() > kMaxEvents || !goesOn)
+    if ((nested && (!leaving || doubts_ > doubts)) || time_ <= roundStart ||
+        timeline_.period > kMaxSeconds || timeline_.events.size() > kMaxEvents || !goesOn)
       break;
-    if (!sets) continue;
+    if (!sets || nested) continue;
     if (!repetition.take(trackedState(), time_)) continue;
     timeline_.closed = true;
     timeline_.period = repetition.period();
@@ -258,7 +257,8 @@ Reader::Flow Reader::numericFor(const Stat& stat) {
   if (!known && time_ > start) vague_ = true;
   // What the rounds that are not followed would do is lost.
   if (rounds > count && timeline_.events.size() > before) reading_.exhausted = true;
-  if (rounds > count && count > 0) time_ = start + (time_ - start) * rounds / count;
+  if (rounds > count && count > 0)
+    time_ = std::max(time_, std::min(start + (time_ - start) * rounds / count, kLatest));
   return Flow::on;
 }
 

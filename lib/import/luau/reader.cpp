@@ -45,29 +45,38 @@ ScriptReading Reader::read(const Chunk& chunk) {
     pending_.pop_front();
     follow(next);
   }
+  nameEnded();
   reading_.broken = chunk.broken;
   return std::move(reading_);
 }
 
-void Reader::follow(const Pending& pending) {
+void Reader::openTimeline(const Pending& pending) {
   inHandler_ = pending.trigger != Trigger::start;  // what it writes ends with it
   beforeHandler_.clear();
   timeline_ = {};
   ++followed_;
   timeline_.trigger = pending.trigger;
   triggered_ = pending.triggered || isTrigger(timeline_.trigger, pending.signal);
-  const bool ownClock = triggered_ || !timeline_.byItself();
-  std::map<Key, std::vector<Going>> others;  // by the clock of the game
-  if (ownClock) others.swap(going_);
   timeline_.touched = pending.touched;
   timeline_.signal = pending.signal;
   timeline_.line = pending.line;
+  if (pending.awaited) timeline_.awaits = 0;
+  handler_ = pending.connection;
+  body_ = pending.closure.function;
+  ended_ = pending.once;
   time_ = pending.time;
   stopped_ = false;
   zone_ = kNoInstance;
   unsure_ = pending.unsure ? 1 : 0;
   left_ = skipped_ = false;
   vague_ = pending.vague;
+}
+
+void Reader::follow(const Pending& pending) {
+  openTimeline(pending);
+  const bool ownClock = triggered_ || !timeline_.byItself();
+  std::map<Key, std::vector<Going>> others;  // by the clock of the game
+  if (ownClock) others.swap(going_);
   if (pending.trigger == Trigger::frame)
     followEachFrame(pending);
   else
@@ -77,7 +86,10 @@ void Reader::follow(const Pending& pending) {
   timeline_.end = time_;
   timeline_.vague = vague_;
   if (ownClock) going_.swap(others);
-  if (pending.triggered) timeline_.trigger = Trigger::other;
+  const bool over = pending.trigger == Trigger::frame && ended_;
+  if (over) timeline_.trigger = Trigger::start;  // it comes but once, by the clock of the game
+  if (pending.triggered || (over && pending.ofHandler)) timeline_.trigger = Trigger::other;
+  if (handler_ != 0 && !over) handlers_[reading_.timelines.size()] = handler_;
   reading_.timelines.push_back(std::move(timeline_));
   for (auto& [key, old] : beforeHandler_) {
     if (old)
@@ -154,6 +166,7 @@ Reader::Asked Reader::asked(const Expr& condition) {
 // What follows a way out that may be taken may not be reached. Handlers go on: who asks whether a
 // player has touched leaves for all else.
 void Reader::doubt(Flow flow) {
+  if (flow != Flow::on) ++doubts_;
   if (!timeline_.byItself()) return;
   if (flow == Flow::leaveFunction) left_ = true;
   if (flow == Flow::leaveLoop || flow == Flow::nextRound) skipped_ = true;

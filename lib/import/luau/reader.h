@@ -41,6 +41,10 @@ class Reader {
     double time = 0;
     bool unsure = false, vague = false;  // as the reader's, where it was begun
     bool triggered = false;              // done each frame, but from a touch or click on
+    bool awaited = false;                // begun after what the timeline awaits
+    int connection = 0;                  // by which number the script can end it; 0: by none
+    bool once = false;                   // ends as it comes
+    bool ofHandler = false;              // done each frame, but from another signal on
   };
   // A tween of a pose or of another property, since its event.
   struct Going {
@@ -57,10 +61,12 @@ class Reader {
     size_t event = 0;  // index of its first event
     size_t events = 0;
     bool stopped = false, paused = false;
+    int doubt = 0;  // open branches that it was played in; most where one may have stopped it
   };
 
   // reader.cpp: timelines and statements
   void follow(const Pending& pending);
+  void openTimeline(const Pending& pending);
   void followEachFrame(const Pending& pending);
   Flow walk(const Block& block, bool ownScope = true);
   Flow statement(const Stat& stat);
@@ -91,7 +97,11 @@ class Reader {
   Flow walkRound(const Block& body);
   Flow whileLoop(const Stat& stat);
   bool assigns(const Block& body, const std::set<std::string>& paths);
+  bool canLeave(const Block& body, bool inner);  // `inner`: of a loop in the loop
   Flow countingLoop(const Stat& stat, bool repeats);
+  bool isTold(const Expr& condition);
+  void await();
+  bool hasAwaited() const { return timeline_.awaits <= timeline_.events.size(); }
   void beginLoop();
   // `condition` is evaluated in each round, for its waits; may be null. `sure`: the loop ends by no
   // condition.
@@ -119,9 +129,14 @@ class Reader {
   Datum methodValue(const Expr& expr);
   Datum methodOf(const Datum& object, const std::string& name, const std::vector<Datum>& arguments,
                  int line);
-  void waitForSignal(const Expr& signal);
+  Datum waitForSignal(const Expr& signal);
   void waitFor(double seconds, double least);
-  void connect(const Expr& signal, const std::vector<Datum>& arguments);
+  Datum connect(const Expr& signal, const std::vector<Datum>& arguments, bool once);
+
+  // connections.cpp: handlers that the script ends
+  Datum connected(Pending pending, const Datum& function, std::vector<Datum> arguments);
+  void disconnect(const Connection& connection, int line);
+  void nameEnded();
 
   // tweens.cpp: what plays, and what it makes of properties on the way
   void play(Tween* tween, int line);
@@ -131,7 +146,7 @@ class Reader {
   void drive(const Tween& tween, const ScriptEvent& event);
   void comeBack(const Tween& tween, const ScriptEvent& event);
   bool isPlaying(const Tween* tween);
-  Played& lastPlayed(const Tween* tween);
+  Played* lastPlayed(const Tween* tween);
   double secondsLeft(const Tween* tween);  // until it is over
   void stop(const Tween* tween, bool pauses);
   void halt(const Tween* tween, const ScriptEvent& event);
@@ -159,6 +174,7 @@ class Reader {
   Datum madeField(Made* made, const std::string& name);
   Datum newInstance(const std::vector<Datum>& arguments);
   Datum createTween(const std::vector<Datum>& arguments, int line);
+  Datum tweenField(const Tween* tween, const std::string& name);
   Datum children(InstanceId id, bool all);
   Datum serviceNamed(const std::string& name) const;
 
@@ -205,6 +221,13 @@ class Reader {
   size_t followed_ = 0;                      // timelines before this one
   std::map<InstanceId, Pose> fileFrames_;
   bool inHandler_ = false, triggered_ = false;
+  int connections_ = 0;             // made so far
+  int handler_ = 0;                 // the connection of the handler that is followed; 0: none
+  bool ended_ = false;              // that one comes no more
+  std::map<int, int> cut_;          // connections that the script ends, with the line that does it
+  std::map<size_t, int> handlers_;  // timelines that connections have made
+  const Function* body_ = nullptr;  // of the handler that is followed
+  std::set<int> renewed_;           // connections whose handlers connect themselves anew
   Arena arena_;
   Datum returned_;
   size_t statements_ = 0;          // begun so far
@@ -214,6 +237,7 @@ class Reader {
   int unsure_ = 0;                 // open branches whose condition is unknown
   // A branch of this kind has left the function, or the round of the loop: what follows may not be.
   bool left_ = false, skipped_ = false;
+  size_t doubts_ = 0;     // ways out of a loop or function that may be taken, so far
   bool vague_ = false;    // the timeline has waited for a time that is not known
   bool stopped_ = false;  // an endless loop was met inside a call: what follows is never reached
   struct Active {

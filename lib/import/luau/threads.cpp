@@ -61,8 +61,10 @@ void Reader::later(Pending pending, const Datum& function, std::vector<Datum> ar
     pending.time = time_;
     pending.unsure = isUnsure();
     pending.vague = vague_;
+    pending.awaited = hasAwaited();
   }
   pending.triggered = triggered_ && pending.trigger == Trigger::frame;
+  pending.ofHandler = timeline_.trigger != Trigger::start;
   pending_.push_back(std::move(pending));
 }
 
@@ -70,21 +72,22 @@ void Reader::beside(const Datum& function, const std::vector<Datum>& arguments, 
   const auto* closure = function.as<Closure>();
   if (!closure) return;
   if (timeline_.trigger == Trigger::start) {
-    if (pending_.size() < kMaxTimelines)
-      pending_.push_back({Trigger::start,
-                          kNoInstance,
-                          {},
-                          0,
-                          *closure,
-                          arguments,
-                          time_ + delay,
-                          isUnsure(),
-                          vague_});
+    if (pending_.size() >= kMaxTimelines) return;
+    Pending pending;
+    pending.closure = *closure;
+    pending.arguments = arguments;
+    pending.time = time_ + delay;
+    pending.unsure = isUnsure();
+    pending.vague = vague_;
+    pending.awaited = hasAwaited();
+    pending_.push_back(std::move(pending));
     return;
   }
   const double now = time_;
+  const bool ended = ended_;
   time_ += delay;
   call(*closure, arguments);
+  if (time_ > now) ended_ = ended;  // the handler comes until then
   time_ = now;
   stopped_ = false;
 }

@@ -27,6 +27,13 @@ Datum valueBetween(const Datum& from, const ScriptEvent& goal, float share) {
 
 bool isPose(const ScriptEvent& event) { return event.property == "CFrame" && event.frame; }
 
+// Whether each of them, as it is played, puts an end to the other.
+bool shareGoals(const Tween& a, const Tween& b) {
+  return a.target == b.target && a.target != kNoInstance &&
+         std::any_of(a.goals.begin(), a.goals.end(),
+                     [&](const auto& goal) { return b.goals.count(goal.first) > 0; });
+}
+
 void forget(Pose& pose, bool place, bool turn) {
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   const Vec3 unknown = {kNaN, kNaN, kNaN};
@@ -47,33 +54,33 @@ bool Reader::isPlaying(const Tween* tween) {
              (tween->timing.repeats < 0 || time_ < before->time + tween->timing.total() - kDone);
     if (other->target != tween->target) continue;
     spend(other->goals.size() / kGoalsPerStep);
-    const bool ends = std::any_of(other->goals.begin(), other->goals.end(), [&](const auto& goal) {
-      return tween->goals.count(goal.first) > 0;
-    });
-    if (ends) return false;
+    if (shareGoals(*other, *tween)) return false;
   }
   return false;
 }
 
-// Of one that isPlaying().
-Reader::Played& Reader::lastPlayed(const Tween* tween) {
-  return *std::find_if(played_.rbegin(), played_.rend(), [&](const Played& before) {
+// Null if it was not played so far.
+Reader::Played* Reader::lastPlayed(const Tween* tween) {
+  const auto last = std::find_if(played_.rbegin(), played_.rend(), [&](const Played& before) {
     return before.tween == tween && before.time <= time_ + kDone;
   });
+  return last == played_.rend() ? nullptr : &*last;
 }
 
 double Reader::secondsLeft(const Tween* tween) {
   const double total = tween->timing.total();
   if (tween->timing.repeats < 0 || !isPlaying(tween)) return total;
-  return lastPlayed(tween).time + total - time_;
+  return lastPlayed(tween)->time + total - time_;
 }
 
 // What it tweens stays where it is by then. After a pause it can go on.
 void Reader::stop(const Tween* tween, bool pauses) {
+  Played* const maybe = isUnsure() && isPlaying(tween) ? lastPlayed(tween) : nullptr;
+  if (maybe) maybe->doubt = std::numeric_limits<int>::max();
   if (isUnsure()) return;
   if (!pauses) paused_.erase(tween);
   if (!isPlaying(tween)) return;
-  Played& last = lastPlayed(tween);
+  Played& last = *lastPlayed(tween);
   last.stopped = true;
   last.paused = pauses;
   if (pauses) paused_[tween] = time_ - last.time;
@@ -125,6 +132,7 @@ void Reader::play(Tween* tween, int line) {
   const double done = paused == paused_.end() ? 0 : paused->second;
   paused_.erase(tween);
   played_.push_back({tween, time_ - done, timeline_.events.size()});
+  played_.back().doubt = unsure_;
   if (tween->target == kNoInstance || !spend(tween->goals.size())) return;
   if (!(done > 0)) keepStart(*tween);
   const size_t first = timeline_.events.size();
@@ -202,9 +210,15 @@ void Reader::finishTweens() {
   for (size_t i = 0; i < played_.size() && i < kMaxChain && !timeline_.forever; ++i) {
     const Played played = played_[i];
     if (played.tween->timing.repeats < 0 || played.paused) continue;
-    time_ = played.time + played.tween->timing.total();
+    const double end = played.time + played.tween->timing.total();
+    time_ = end - 2 * kDone;
+    const bool whole = isPlaying(played.tween);  // else another one may have put an end to it
+    time_ = end;
     const auto completed = played.tween->completed;  // what is called may connect more
-    for (const Closure& closure : completed) call(closure, {});
+    Datum state;
+    if (whole) state = {Library{"Enum.PlaybackState.Completed"}};
+    if (played.stopped) state = {Library{"Enum.PlaybackState.Cancelled"}};
+    for (const Closure& closure : completed) call(closure, {state});
   }
   played_.clear();
   paused_.clear();

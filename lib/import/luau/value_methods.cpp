@@ -1,4 +1,4 @@
-// Fields and methods of vectors, poses and texts.
+// Fields and methods of vectors, poses, the timing of tweens, and texts.
 #include <algorithm>
 #include <cmath>
 
@@ -53,6 +53,15 @@ Datum ofFrame(const Frame& f, const std::string& name, const std::vector<Datum>&
   return {};
 }
 
+Datum ofTiming(const TweenTiming& t, const std::string& name) {
+  if (!t.known) return {};
+  if (name == "Time") return {t.seconds};
+  if (name == "DelayTime") return {t.delay};
+  if (name == "RepeatCount") return {double(t.repeats)};
+  if (name == "Reverses") return {t.reverses};
+  return {};
+}
+
 bool isPlain(const std::string& pattern) {
   return pattern.find_first_of("^$()%.[]*+-?") == std::string::npos;
 }
@@ -88,6 +97,7 @@ Datum ofText(const std::string& text, const std::string& name, const std::vector
 Datum valueMethod(const Datum& object, const std::string& name, const std::vector<Datum>& a) {
   if (const auto* v = object.as<Vector>()) return ofVector(*v, name, a);
   if (const auto* f = object.as<Frame>()) return ofFrame(*f, name, a);
+  if (const auto* timing = object.as<TweenTiming>()) return ofTiming(*timing, name);
   if (const auto* text = object.as<std::string>()) return ofText(*text, name, a);
   return {};
 }

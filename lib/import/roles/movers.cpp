@@ -178,10 +178,10 @@ bool fromSwing(RoleContext& context, const ConstraintSettings& settings, Instanc
   return false;
 }
 
-// The places that a mover pulls to in one round; where a tween leads it, a place each tenth of a
-// second.
+// Where a mover pulls to in one round; where a tween leads it, a place each tenth of a second.
 Goals goalsOf(const Steps& steps, const Mat3& rotation) {
-  constexpr double kStep = 0.1, kLongestRound = 600;  // seconds
+  constexpr double kStep = 0.1;         // seconds
+  constexpr size_t kMostGoals = 20000;  // on the ways of tweens: bounds the memory
   std::vector<const ScriptEvent*> known;
   for (const ScriptEvent* e : steps.events)
     if (e->vector) known.push_back(e);
@@ -192,7 +192,8 @@ Goals goalsOf(const Steps& steps, const Mat3& rotation) {
     const double begin = e.time - steps.start;
     const double end = i + 1 < known.size() ? known[i + 1]->time - steps.start : steps.period;
     const double takes = e.kind == EventKind::tween ? std::min(endOf(e) - e.time, end - begin) : 0;
-    const bool follows = takes > kStep && steps.period <= kLongestRound;
+    const bool follows =
+        takes > kStep && steps.period <= double(kLongestMotion) && goals.size() < kMostGoals;
     const int count = follows ? int(std::ceil(takes / kStep)) : 1;
     for (int k = 0; k < count; ++k) {
       const double since = (k + 1) * takes / count;

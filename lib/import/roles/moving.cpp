@@ -221,13 +221,8 @@ ScriptMotion described(const Moved& moved) {
   found.rest = moved.rest.rotation;
   found.places = moved.endless && moved.endless->places;
   found.turns = moved.endless && moved.endless->turns;
-  for (const PoseEvents* events : {&moved.sets, &moved.tweens})
-    for (const ScriptEvent* event : *events) {
-      found.places = found.places || event->places;
-      found.turns = found.turns || event->turns;
-      found.guessed = found.guessed || event->unsure;
-      if (event->from != kNoInstance) found.markers.insert(event->from);
-    }
+  takeEvents(found, moved.sets);
+  takeEvents(found, moved.tweens);
   return found;
 }
 
@@ -289,6 +284,7 @@ void movingFromScripts(RoleContext& context) {
       else
         noteTriggered(context, reading, timeline);
     }
+  addSteps(context, motions);
   motions.give();
 }
 

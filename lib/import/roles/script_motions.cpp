@@ -35,6 +35,15 @@ bool combine(ScriptMotion& first, const ScriptMotion& second) {
 
 }  // namespace
 
+void takeEvents(ScriptMotion& motion, const PoseEvents& events) {
+  for (const ScriptEvent* event : events) {
+    motion.places = motion.places || event->places;
+    motion.turns = motion.turns || event->turns;
+    motion.guessed = motion.guessed || event->unsure;
+    if (event->from != kNoInstance) motion.markers.insert(event->from);
+  }
+}
+
 bool isMovedByAScript(const PartDraft* part) {
   return part && part->motion &&
          std::any_of(part->evidence.begin(), part->evidence.end(), [](const Evidence& e) {

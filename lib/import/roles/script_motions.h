@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "import/roles/role.h"
+#include "import/tween_mix.h"
 
 namespace obby::importer {
 
@@ -20,6 +21,9 @@ struct ScriptMotion {
   bool places = true, turns = true;  // whether it sets where the part is, which way it is turned
   std::set<InstanceId> markers;      // parts that show where to go
 };
+
+// Adds what the events set of a pose, after which parts, and whether that is sure.
+void takeEvents(ScriptMotion& motion, const PoseEvents& events);
 
 bool isMovedByAScript(const PartDraft* part);  // null: no
 
@@ -45,5 +49,9 @@ class ScriptMotions {
   size_t given_ = 0;
   size_t keys_ = 0;  // of those that wait
 };
+
+// Adds the motions of what scripts move but once, step by step (pose_steps.h). After the others: of
+// two motions of one part the first counts.
+void addSteps(RoleContext& context, ScriptMotions& motions);
 
 }  // namespace obby::importer

@@ -17,7 +17,6 @@ const std::vector<std::string_view> kTags = {"disappearing",    "disappearingpla
                                              "vanishing",       "fadeplatform",
                                              "vanisher",        "disappearingpart",
                                              "fallingplatform", "falling"};
-constexpr float kGone = 3600;  // seconds: as good as for ever
 constexpr float kDefaultDelay = 1, kDefaultAway = 3;
 constexpr float kKitFade = 2, kKitAway = 1;        // tower kits before v6
 constexpr float kKit6Blink = 0.2f, kKit6Away = 2;  // v6: three blinks, then away

@@ -1,0 +1,66 @@
+// A role is lost from the end of the handler on that it comes from.
+#include "import/ended_handlers.h"
+
+#include <set>
+#include <string>
+
+namespace obby::importer {
+namespace {
+
+bool comesBack(const PartDraft& part, const std::string& property) {
+  const bool goes = property == "CanCollide" || property == "Anchored" || property == "Parent";
+  return goes && part.vanish && !part.vanish->timer && part.vanish->away < kGone;
+}
+
+// Whether the part does what the event of its touch does, each time.
+bool doesAgain(const PartDraft& part, const ScriptEvent& event) {
+  switch (event.kind) {
+    case EventKind::damage: return part.kill.has_value();
+    case EventKind::push: return part.jumpPad.has_value();
+    case EventKind::teleport: return part.teleport.has_value();
+    case EventKind::set:
+    case EventKind::destroy: return event.target == part.id && comesBack(part, event.property);
+    default: return false;
+  }
+}
+
+class EndedHandlers {
+ public:
+  explicit EndedHandlers(RoleContext& context) : context_(context) {}
+
+  void note(const ScriptReading& reading, const Timeline& timeline) {
+    const bool touch = timeline.trigger == Trigger::touch;
+    const PartDraft* touched = touch ? context_.part(timeline.touched) : nullptr;
+    for (const ScriptEvent& event : timeline.events) {
+      if (touched && doesAgain(*touched, event)) name(reading, timeline, *touched);
+      const bool moves = event.property == "CFrame" && event.target != kNoInstance;
+      if (!timeline.byItself() || !moves || !seen_.insert(event.target).second) continue;
+      for (const PartDraft* part : context_.partsOf(event.target))
+        if (part->motion) name(reading, timeline, *part);
+    }
+    seen_.clear();
+  }
+
+ private:
+  void name(const ScriptReading& reading, const Timeline& timeline, const PartDraft& part) {
+    if (!named_.insert(part.id).second) return;
+    context_.level.noteUnmodelled("handler that a script disconnects", context_.tree.path(part.id),
+                                  "the level does it again and again, as if it stayed connected; " +
+                                      scriptReason(context_.tree, reading, timeline.cutLine));
+  }
+
+  RoleContext& context_;
+  std::set<InstanceId> named_;
+  std::set<InstanceId> seen_;  // what the events of one timeline move: loops have thousands
+};
+
+}  // namespace
+
+void noteEndedHandlers(RoleContext& context) {
+  EndedHandlers handlers(context);
+  for (const ScriptReading& reading : context.scripts)
+    for (const Timeline& timeline : reading.timelines)
+      if (timeline.cutLine > 0) handlers.note(reading, timeline);
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,33 @@
+// What the condition of a loop asks for.
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+
+#include "import/luau/ast.h"
+
+namespace obby::importer::luau {
+
+// "part.Transparency"; empty where it is anything but names.
+std::string pathOf(const Expr& expr);
+
+// The paths in a condition. `looked` grows by the number of expressions that were looked at.
+std::set<std::string> pathsIn(const Expr& condition, size_t& looked);
+
+// Of the paths that lead to a pose or a piece of it, all by which that may be set.
+std::set<std::string> posesAmong(const std::set<std::string>& paths);
+
+// Whether it is a call, as `while wait(1) do` has it.
+bool isWait(const Expr& expr);
+
+// Whether nothing in the running game turns it: literals, and waits, which always hold.
+bool isFixed(const Expr& expr);
+
+// Whether one of the paths is a clock.
+bool asksClock(const std::set<std::string>& paths);
+
+// Whether it asks how far a tween is.
+bool asksTween(const Expr& expr);
+
+}  // namespace obby::importer::luau

@@ -1,0 +1,178 @@
+// Parts that a script moves but once, step by step.
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include "import/motion_checks.h"
+
+namespace obby::test {
+namespace {
+
+const char* const kInPlay = "part that a script changes in play";
+
+// The part `p` of a script.
+struct Stepping : Scene {
+  explicit Stepping(const std::string& text) {
+    script("local p = script.Parent\n" + text, mover);
+    level();
+  }
+  const InstanceId mover = part("Mover");
+};
+
+TEST(PoseSteps, AWayThatALoopMakesIsAMotionThatComesOnce) {
+  const char* const texts[] = {
+      "for i = 1, 40 do p.CFrame = p.CFrame * CFrame.new(0, 0.1, 0) task.wait(0.05) end",
+      "for i = 1, 40 do p.CFrame += Vector3.new(0, 0.1, 0) task.wait(0.05) end",
+      "for i = 40, 1, -1 do p.Position = p.Position + Vector3.new(0, 0.1, 0) task.wait(0.05) end",
+      "for i = 1, 40 do p:PivotTo(CFrame.new(0, i / 10, 0)) task.wait(0.05) end",
+      "local n = 0 while n < 40 do n += 1 p.Position += Vector3.new(0, 0.1, 0) task.wait(0.05) end",
+      "while p.Position.Y < 3.95 do p.CFrame *= CFrame.new(0, 0.1, 0) task.wait(0.05) end",
+      "task.spawn(function() for i = 1, 40 do p.CFrame *= CFrame.new(0, 0.1, 0) "
+      "task.wait(0.05) end end)"};
+  for (const char* text : texts) {
+    Stepping scene(text);
+    const PartDraft& part = scene[scene.mover];
+    ASSERT_TRUE(part.motion) << text;
+    EXPECT_EQ(part.motion->repeat, importer::Repeat::once) << text;
+    EXPECT_NEAR(part.motion->keys.back().time, 1.95, 1e-3) << text;
+    EXPECT_LE(part.motion->keys.size(), 4u) << text;
+    expectNear(at(part, 1), {0, 2.1f, 0});
+    expectNear(part.motion->keys.back().pose.position, {0, 4, 0});
+    EXPECT_EQ(part.pose.position, (Vec3{})) << text;
+    EXPECT_EQ(scene.evidence(scene.mover, "motion").rfind("script Script line 2", 0), 0u) << text;
+    EXPECT_TRUE(scene.level().unmodelled.empty()) << text;
+  }
+}
+
+TEST(PoseSteps, BeginWhereTheScriptPutsThePartOnceItHasWaited) {
+  const std::string steps =
+      "for i = 1, 10 do p.Position = Vector3.new(i, 0, 5) task.wait(0.1) end";
+  for (const bool thread : {false, true}) {
+    Stepping scene("p.Position = Vector3.new(0, 0, 5) " +
+                   (thread ? "task.delay(2, function() " + steps + " end)"
+                           : "task.wait(2) " + steps));
+    const PartDraft& part = scene[scene.mover];
+    ASSERT_TRUE(part.motion) << thread;
+    expectNear(at(part, 0), {0, 0, 5});
+    expectNear(at(part, 1.9f), {0, 0, 5});
+    expectNear(part.motion->keys.back().pose.position, {10, 0, 5});
+    EXPECT_NEAR(part.motion->keys.back().time, 2.9, 0.01) << thread;
+  }
+}
+
+TEST(PoseSteps, AreNamedWhereAnotherThreadPutsThePartElsewhereLater) {
+  Stepping scene(
+      "task.delay(30, function() p.Position = Vector3.new(0, 0, 0) end)\n"
+      "for i = 1, 10 do p.Position = Vector3.new(i, 0, 0) task.wait(0.1) end");
+  EXPECT_TRUE(scene[scene.mover].motion);
+  EXPECT_EQ(scene.unmodelled("part that two scripts move"), 1u);
+}
+
+TEST(PoseSteps, MayTurn) {
+  Stepping scene(
+      "for i = 1, 90 do p.CFrame = p.CFrame * CFrame.Angles(0, math.rad(1), 0) task.wait() end");
+  const PartDraft& part = scene[scene.mover];
+  ASSERT_TRUE(part.motion);
+  EXPECT_FALSE(part.motion->spin);
+  expectNear(part.motion->keys.back().pose.rotation.x, {0, 0, -1});
+  expectNear(part.motion->keys.back().pose.position, {});
+}
+
+TEST(PoseSteps, OneLoopForthAndOneBackInAnEndlessOneGoOnForEver) {
+  const char* const steps[] = {"p.Position = p.Position + Vector3.new(0, 0.2, 0) * way",
+                               "p.CFrame = p.CFrame + Vector3.new(0, 0.2, 0) * way"};
+  for (const char* step : steps) {
+    const std::string loop = "for i = 1, 20 do " + std::string(step) + " task.wait(0.05) end ";
+    Stepping scene("local way = 1 while true do\n" + loop + "way = -1\n" + loop + "way = 1\nend");
+    const PartDraft& part = scene[scene.mover];
+    ASSERT_TRUE(part.motion) << step;
+    EXPECT_EQ(part.motion->repeat, importer::Repeat::loop) << step;
+    EXPECT_NEAR(part.motion->keys.back().time, 2, 0.05) << step;
+    expectNear(at(part, 0.95f), {0, 4, 0}, 0.1f);
+  }
+}
+
+// Whether or when they come the text does not tell, or not all of them, or they are no way.
+TEST(PoseSteps, WhatTheTextDoesNotTellIsNamedNotMoved) {
+  const std::string steps =
+      "for i = 1, 40 do p.CFrame = p.CFrame * CFrame.new(0, 0.1, 0) task.wait(0.05) end";
+  const std::pair<std::string, const char*> cases[] = {
+      {"if math.random() > 0.5 then " + steps + " end", "part that a script may change"},
+      {"repeat task.wait() until workspace:GetAttribute('Open') " + steps, kInPlay},
+      {"repeat task.wait() until workspace:GetAttribute('Open') task.spawn(function() " + steps +
+           " end)",
+       kInPlay},
+      {"p.Detector.MouseClick:Wait() " + steps, kInPlay},
+      {"for i = 1, 3000 do p.CFrame = p.CFrame * CFrame.new(0, 0.1, 0) task.wait() end", kInPlay},
+      {"task.wait(1) p.Position = Vector3.new(0, 9, 0) task.wait(1) p.Position = Vector3.new()",
+       kInPlay},
+      {"for i = 1, 9 do task.wait(1) p.Position = Vector3.new(0, 9, 0) end", kInPlay},
+      {"task.wait(1300) " + steps, kInPlay}};
+  for (const auto& [text, kind] : cases) {
+    Stepping scene(text);
+    EXPECT_FALSE(scene[scene.mover].motion) << text;
+    EXPECT_EQ(scene.unmodelled(kind), 1u) << text;
+  }
+}
+
+// Two scripts of one part: it rises once, and goes or turns for ever.
+TEST(PoseSteps, LeaveAPartToWhatMovesItForEver) {
+  const std::string rises = "for i = 1, 40 do p.Position += Vector3.new(0, 1, 0) task.wait() end";
+  const std::string before = "local p = workspace.Mover\n";
+  const char* const loops[] = {
+      "while true do p.Position = Vector3.new(9, 0, 0) task.wait(1) p.Position = Vector3.new() "
+      "task.wait(1) end",
+      "while true do p.CFrame *= CFrame.Angles(0, 0.1, 0) task.wait() end"};
+  for (const bool turns : {false, true}) {
+    Scene scene;
+    const auto part = scene.part("Mover");
+    scene.script(before + rises, scene.scripts);
+    scene.script(before + loops[turns ? 1 : 0], scene.scripts);
+    scene.level();
+    ASSERT_TRUE(scene[part].motion);
+    EXPECT_EQ(scene[part].motion->spin.has_value(), turns) << "it does both";
+    EXPECT_EQ(scene[part].motion->repeat, turns ? importer::Repeat::once : importer::Repeat::loop);
+    EXPECT_EQ(scene.unmodelled("part that two scripts move"), turns ? 0u : 1u);
+  }
+}
+
+TEST(PoseSteps, AFadeIsNoMotionAndNoVanishing) {
+  Stepping fades("for i = 0, 1, 0.1 do p.Transparency = i task.wait(0.1) end");
+  EXPECT_FALSE(fades[fades.mover].motion);
+  EXPECT_FALSE(fades[fades.mover].vanish);
+  EXPECT_TRUE(fades[fades.mover].solid);
+  EXPECT_TRUE(fades.level().unmodelled.empty());
+  Stepping goes(
+      "while true do for i = 0, 1, 0.1 do p.Transparency = i task.wait(0.1) end\n"
+      "p.CanCollide = false task.wait(2) p.CanCollide = true p.Transparency = 0 task.wait(1) end");
+  ASSERT_TRUE(goes[goes.mover].vanish);
+  EXPECT_NEAR(goes[goes.mover].vanish->away, 2, 0.01);
+  EXPECT_NEAR(goes[goes.mover].vanish->delay, 2.1, 0.05);
+}
+
+TEST(PoseSteps, NumbersOfAnySizeEndSoon) {
+  const char* const texts[] = {
+      "for i = 1, 1e18 do p.Position += Vector3.new(0, 1, 0) wait(-5) end",
+      "for i = 1, 1e305 do wait(1e6) end p.Touched:Connect(function(h) for i = 1, 1e305 do "
+      "wait(1e6) end h.Parent.Humanoid.Health = 0 wait(1) end)",
+      "for i = 1, 10, math.sqrt(-1) do p.Position += Vector3.new(0, i, 0) wait() end",
+      "for i = 1, 10, 0 do p.Position += Vector3.new(0, i, 0) wait() end",
+      "for i = 1, 10, math.huge do p.Position += Vector3.new(0, i, 0) wait() end",
+      "for i = 1, 1000 do p.Position = p.Position * 1e30 wait(math.sqrt(-1)) end",
+      "for i = 1, 1000 do p.CFrame = CFrame.new(i, 0, 0, 1e38, 0, 0, 0, 1e38, 0, 0, 0, 1e38) * "
+      "p.CFrame wait() end",
+      "p.Touched:Connect(function() task.delay(-9, function() p.CanCollide = false end) end)",
+      "p.Touched:Connect(function() task.delay(math.huge, function() p.CanCollide = false end) "
+      "end)"};
+  for (const char* text : texts) {
+    const auto start = std::chrono::steady_clock::now();
+    Stepping scene(text);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10)) << text;
+    const PartDraft& part = scene[scene.mover];
+    EXPECT_TRUE(!part.kill || part.kill->cooldown >= 0) << text;
+    EXPECT_TRUE(!part.vanish || part.vanish->delay >= 0) << text;
+  }
+}
+
+}  // namespace
+}  // namespace obby::test

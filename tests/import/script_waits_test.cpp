@@ -1,0 +1,147 @@
+// Loops that wait for the end of a tween or of a way, and what scripts ask tweens for.
+#include "import/tween_scene.h"
+
+namespace obby::test {
+namespace {
+
+const std::string kThereAndBack =
+    "local there, back = tween(even(2), to(10)), tween(even(1), to(0))\n";
+const char* const kLong = "very long script";
+
+TEST(ScriptWaits, ALoopMayAskATweenWhetherItIsOver) {
+  const char* const texts[] = {
+      "while true do there:Play()\n"
+      "repeat task.wait() until there.PlaybackState == Enum.PlaybackState.Completed\n"
+      "back:Play()\n"
+      "repeat task.wait() until back.PlaybackState == Enum.PlaybackState.Completed end",
+      "while true do there:Play()\n"
+      "while there.PlaybackState == Enum.PlaybackState.Playing do print(p.Name) task.wait() end\n"
+      "back:Play()\n"
+      "while back.PlaybackState ~= Enum.PlaybackState.Completed do task.wait() end end",
+      "while true do there:Play() task.wait(there.TweenInfo.Time)\n"
+      "back:Play() task.wait(back.TweenInfo.Time) end"};
+  for (const char* text : texts) {
+    const Overlap tweened({kThereAndBack + text});
+    EXPECT_EQ(tweened.motion().repeat, importer::Repeat::loop) << text;
+    ASSERT_FALSE(tweened.motion().keys.empty()) << text;
+    EXPECT_NEAR(tweened.motion().keys.back().time, 3, 0.06) << text;
+    EXPECT_NEAR(tweened.z(1), 5, 0.2) << text;
+    EXPECT_NEAR(tweened.z(2.5f), 5, 0.6) << text;
+    EXPECT_EQ(tweened.scene.unmodelled("wait that a script computes"), 0u) << text;
+    EXPECT_EQ(tweened.scene.unmodelled(kLong), 0u) << text;
+  }
+}
+
+TEST(ScriptWaits, HowATweenEndedIsKnown) {
+  const char* const texts[] = {
+      "there.Completed:Connect(function(state)\n"
+      "if state == Enum.PlaybackState.Completed then back:Play() end end) there:Play()",
+      "there:Play() local state = there.Completed:Wait()\n"
+      "if state == Enum.PlaybackState.Completed then back:Play() end",
+      "there:Play() there.Completed:Wait()\n"
+      "if there.PlaybackState ~= Enum.PlaybackState.Cancelled then back:Play() end"};
+  for (const char* text : texts) {
+    const Overlap tweened({kThereAndBack + text});
+    EXPECT_NEAR(tweened.z(2), 10, 0.1) << text;
+    EXPECT_NEAR(tweened.z(3), 0, 0.1) << text;
+    EXPECT_EQ(tweened.scene.evidence(tweened.part, "motion").rfind("script ", 0), 0u) << text;
+  }
+}
+
+TEST(ScriptWaits, TimesOfATweenInfoAreKnown) {
+  const Overlap tweened(
+      {"local info = TweenInfo.new(2, line, way, 1, true, 0.5)\n"
+       "tween(even(1), to(4)):Play() task.wait(info.Time + info.DelayTime)\n"
+       "if info.Reverses and info.RepeatCount == 1 then tween(even(1), to(8)):Play() end"});
+  EXPECT_NEAR(tweened.z(2.4f), 4, 0.1);
+  EXPECT_NEAR(tweened.z(3.5f), 8, 0.1);
+  EXPECT_EQ(tweened.scene.unmodelled("wait that a script computes"), 0u);
+  EXPECT_EQ(tweened.scene.evidence(tweened.part, "motion").rfind("script ", 0), 0u);
+}
+
+// The condition asks for a piece of the pose that the loop sets in another way.
+TEST(ScriptWaits, AWayThatEndsByWhereThePartIs) {
+  const char* const texts[] = {
+      "while true do\n"
+      "while p.Position.Z < 10 do p.CFrame = p.CFrame + Vector3.new(0, 0, 0.5) task.wait() end\n"
+      "while p.Position.Z > 0 do p.CFrame = p.CFrame - Vector3.new(0, 0, 0.5) task.wait() end end",
+      "while true do\n"
+      "repeat p.CFrame = p.CFrame + Vector3.new(0, 0, 0.5) task.wait() until p.Position.Z >= 10\n"
+      "repeat p.CFrame = p.CFrame - Vector3.new(0, 0, 0.5) task.wait() until p.Position.Z <= 0 end",
+      "while true do\n"
+      "while true do p.CFrame = p.CFrame + Vector3.new(0, 0, 0.5) task.wait()\n"
+      " if p.Position.Z >= 10 then break end end\n"
+      "while true do p.CFrame = p.CFrame - Vector3.new(0, 0, 0.5) task.wait()\n"
+      " if p.Position.Z <= 0 then break end end end"};
+  for (const char* text : texts) {
+    const Overlap stepped({text});
+    EXPECT_EQ(stepped.motion().repeat, importer::Repeat::loop) << text;
+    ASSERT_FALSE(stepped.motion().keys.empty()) << text;
+    EXPECT_NEAR(stepped.motion().keys.back().time, 40 / 60.0, 0.05) << text;
+    EXPECT_NEAR(stepped.z(1 / 3.0f), 10, 0.6) << text;
+    EXPECT_EQ(stepped.scene.evidence(stepped.part, "motion").rfind("script ", 0), 0u) << text;
+  }
+}
+
+// A break that may come leaves the first round to stand for all, as ever.
+TEST(ScriptWaits, AnInnerLoopThatMayEndIsFollowedOnce) {
+  const Overlap stepped(
+      {"while true do while true do p.CFrame = p.CFrame * CFrame.Angles(0, 0.1, 0) task.wait()\n"
+       "if math.random() > 0.5 then break end end end"});
+  EXPECT_TRUE(stepped.motion().spin);
+}
+
+// One that a condition ends may end by what the loop calls.
+TEST(ScriptWaits, AnInnerLoopWithAConditionIsFollowedOnce) {
+  const Overlap stepped(
+      {"local open = true\n"
+       "local function look() if p.Position.Z >= 2 then open = false end end\n"
+       "while true do open = true\n"
+       "while open do p.CFrame = p.CFrame + Vector3.new(0, 0, 0.5) task.wait() look()\n"
+       " if p.Position.Z > 50 then break end end\n"
+       "p.CFrame = CFrame.new(0, 0, 0) task.wait(1) end"});
+  for (const auto& key : stepped.motion().keys) EXPECT_LE(key.pose.position.z, 2);
+}
+
+// Another part that a script moves once it has waited for the end of a tween.
+TEST(ScriptWaits, ATweenThatMayPlayIsNotKnownToBeOver) {
+  const char* const plays[] = {"there:Play()", "if math.random() > 0.5 then there:Play() end",
+                               "there:Play() if math.random() > 0.5 then there:Cancel() end"};
+  for (const char* play : plays) {
+    Scene scene;
+    scene.part("Mover");
+    const auto lift = scene.part("Lift", {20, 0, 0});
+    scene.script(kBefore + kThereAndBack + play +
+                     "\nwhile there.PlaybackState == Enum.PlaybackState.Playing do\n"
+                     "task.wait() end\n"
+                     "local l = workspace.Lift for i = 1, 9 do l.Position += Vector3.new(0, 1, 0) "
+                     "task.wait(0.1) end",
+                 scene.scripts);
+    scene.level();
+    const bool sure = play == plays[0];
+    EXPECT_EQ(scene[lift].motion.has_value(), sure) << play;
+    EXPECT_EQ(scene.unmodelled("part that a script changes in play"), sure ? 0u : 1u) << play;
+  }
+}
+
+TEST(ScriptWaits, ATweenThatAnotherOneCutsDoesNotSurelyComplete) {
+  for (const bool cut : {false, true}) {
+    const Overlap tweened(
+        {kThereAndBack + "there.Completed:Connect(function(state)\n"
+                         "if state == Enum.PlaybackState.Completed then "
+                         "tween(even(1), to(-9)):Play() end end)\nthere:Play() " +
+         (cut ? "task.wait(1) back:Play()" : "")});
+    EXPECT_EQ(tweened.scene.evidence(tweened.part, "motion").rfind("guessed: ", 0) == 0, cut);
+  }
+}
+
+TEST(ScriptWaits, RoundsThatAreNotFollowedAreNamed) {
+  for (const bool many : {false, true}) {
+    const Overlap counted({"local n = 0 while n < " + std::string(many ? "3000" : "300") +
+                           " do n += 1 p.Transparency = 0.5 task.wait() end"});
+    EXPECT_EQ(counted.scene.unmodelled(kLong), many ? 1u : 0u);
+  }
+}
+
+}  // namespace
+}  // namespace obby::test
