@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "view/course.h"
@@ -12,6 +13,7 @@
 #include "view/picture/pen.h"
 #include "view/picture/png.h"
 #include "view/picture/shade.h"
+#include "view/picture/world.h"
 
 namespace obby::view {
 namespace {
@@ -178,6 +180,53 @@ TEST(Drawing, HasPartsPathsAndAnEscapedTitle) {
     EXPECT_NE(svg.find(">1</text>"), std::string::npos) << "the waypoint's number";
     EXPECT_EQ(svg.find("nan"), std::string::npos);
   }
+}
+
+// A bridge that a button is to bring, and bars that blink in turn.
+TEST(World, SaysWhichPartsAreAwayAtATick) {
+  const auto shown = view_test::collect(
+      {R"({"type":"level","name":"bridges","parts":[{"button":{"signal":"bridge","seconds":6}},)"
+       R"({"position":[0,0,-10],"vanish":{"trigger":"signal","signal":"bridge","inverted":true}},)"
+       R"({"position":[0,0,-20],"vanish":{"trigger":"timer","delay":1,"away":1}},)"
+       R"({"position":[0,0,-30],"vanish":{"trigger":"timer","delay":1,"away":1,"inverted":true}},)"
+       R"({"position":[0,0,-40],"vanish":{"delay":1,"away":1}}]})"});
+  ASSERT_TRUE(shown) << shown.error().text();
+  const LevelEntry& bridges = shown->levels[0];
+  const auto awayAt = [&](uint32_t tick) {
+    const World world = worldOf(bridges, tick);
+    std::vector<uint32_t> parts;
+    for (size_t i = 0; i < world.solids.size(); ++i) {
+      EXPECT_EQ(world.solids[i].coverage, world.away[i] ? 0.1f : 1.0f);
+      if (world.away[i]) parts.push_back(bridges.level->view().colliders[i].part);
+    }
+    std::sort(parts.begin(), parts.end());
+    return parts;
+  };
+  EXPECT_EQ(awayAt(0), (std::vector<uint32_t>{1, 3}));
+  EXPECT_EQ(awayAt(60), (std::vector<uint32_t>{1, 2}));
+}
+
+TEST(Picture, WhatIsAwayAtTheStartIsHardlyThere) {
+  const auto shownOf = [](const char* inverted) {
+    return view_test::collect(
+        {std::string(R"({"type":"level","name":"tile","parts":[{"size":[20,1,20],)") +
+         R"("vanish":{"trigger":"timer","delay":1,"away":1)" + inverted + "}}]}"});
+  };
+  const auto there = shownOf(""), away = shownOf(R"(,"inverted":true)");
+  ASSERT_TRUE(there) << there.error().text();
+  ASSERT_TRUE(away) << away.error().text();
+  const auto yellow = [](const Report& report) {
+    return like(pictureOf(report.levels[0], nullptr, {320, 180}), {230, 200, 90});
+  };
+  EXPECT_GT(yellow(*there), 1000u);
+  EXPECT_LT(yellow(*away), yellow(*there) / 10);
+  const auto dashed = [](const Report& report) {
+    const std::string svg = drawingOf(report.levels[0], nullptr, {});
+    return svg.find("<path class=\"part away\"") != svg.npos &&
+           svg.find("fill-opacity:0.10") != svg.npos;
+  };
+  EXPECT_FALSE(dashed(*there));
+  EXPECT_TRUE(dashed(*away));
 }
 
 // The start is to the left whether there is one goal or a choice of them.

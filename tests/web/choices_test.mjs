@@ -206,6 +206,23 @@ test('another colouring changes the rows that are there', async ({ page }) => {
   assert.deepEqual(await first('outcome'), before);
 });
 
+test('a query of a level with fewer parts may follow while a part is chosen', async ({ page }) => {
+  const seen = await page.evaluate(() => {
+    const { report: told, store } = window.obby;
+    const [level] = told.levels;
+    const none = { tracks: [], hulls: [], vanish: [], conveyors: [], loose: [] };
+    told.levels.push({ ...level, ...none, count: 3, role: level.role.slice(0, 3) });
+    told.queries.push({ ...told.queries[1], index: told.queries.length, level: 1, paths: [] });
+    store.set({ query: 0, part: level.count - 1 });
+    const inspector = document.querySelector('.inspector');
+    const before = inspector.hidden;
+    store.set({ query: told.queries.length - 1 });
+    return [before, inspector.hidden, store.state.part, window.obby.stage.level.count];
+  });
+  assert.deepEqual(seen, [false, true, -1, 3]);
+  await page.evaluate(() => window.obby.store.set({ query: 0 }));
+});
+
 test('all of that raised no error', async ({ page, trouble }) => {
   await frames(page);
   assert.deepEqual(trouble, []);

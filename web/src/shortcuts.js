@@ -2,6 +2,8 @@
 // keyboard is on.
 import { nextTheme } from './theme.js';
 
+const kWithAlt = /^[[\]]$/; // on some keyboards it takes Alt to type these
+
 function typing(target) {
   return (
     target instanceof HTMLElement &&
@@ -84,7 +86,7 @@ export function bindKeys(app) {
   window.addEventListener('keydown', (event) => {
     app.shift = event.shiftKey;
     if (typing(event.target) || ticking(event)) return;
-    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (event.ctrlKey || event.metaKey || (event.altKey && !kWithAlt.test(event.key))) return;
     if (app.help.dialog.open && event.key !== '?') return;
     if (app.stage.rig.key(event.code, true)) return;
     const act = kByKey[event.key.length === 1 ? event.key.toLowerCase() : event.key];
@@ -97,7 +99,8 @@ export function bindKeys(app) {
   window.addEventListener('keyup', (event) => {
     app.shift = event.shiftKey;
     app.stage.rig.key(event.code, false);
-    // A focused button would take Space for a click.
-    if (event.key === ' ' && event.target instanceof HTMLButtonElement) event.preventDefault();
+    // A focused button would take Space for a click, which is right in the help alone.
+    if (event.key === ' ' && event.target instanceof HTMLButtonElement && !app.help.dialog.open)
+      event.preventDefault();
   });
 }

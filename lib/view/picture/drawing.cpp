@@ -25,7 +25,8 @@ constexpr float kThinned = 0.15f;   // pixels: a path's points nearer to their l
 
 constexpr const char* kStyle =
     "<style>.page{fill:#fff}text{font:13px system-ui,sans-serif;fill:#222}.part{stroke:#0006;"
-    "stroke-width:.8}path{fill:none;stroke-linejoin:round}.solution{stroke:#d98a00;stroke-width:3}"
+    "stroke-width:.8}.away{stroke-dasharray:3 3}path{fill:none;stroke-linejoin:round}"
+    ".solution{stroke:#d98a00;stroke-width:3}"
     ".attempt{stroke:#8a6250;stroke-width:1;opacity:.6}.death{stroke:#c81e24;stroke-width:2}"
     ".goal{stroke:#2868d8}.avoid{stroke:#b02896}.waypoint{stroke:#a87000}.region{fill:none;"
     "stroke-width:2;stroke-dasharray:5 4}.start{fill:#188c5c}.jump{fill:#fff;stroke:#222}"
@@ -123,9 +124,9 @@ std::string partsOf(const World& world, const Paper& paper, float width, float h
   for (const size_t i : order) {
     const std::vector<Vec2> hull = outlineOf(world.solids[i], paper);
     if (hull.size() < 3 || !meetsPage(hull, width, height)) continue;
-    out += fmt::format("<path class=\"part\" d=\"{}\" style=\"fill:{};fill-opacity:{:.2f}\"/>\n",
-                       pathData(hull, true), hex(world.surfaces[i].color),
-                       double(world.solids[i].coverage));
+    out += fmt::format("<path class=\"part{}\" d=\"{}\" style=\"fill:{};fill-opacity:{:.2f}\"/>\n",
+                       world.away[i] ? " away" : "", pathData(hull, true),
+                       hex(world.surfaces[i].color), double(world.solids[i].coverage));
   }
   return out;
 }

@@ -15,7 +15,8 @@ struct DrawingOptions {
 };
 
 // The course's longer side runs across, its start to the left. `query` may be null: the whole
-// level. Reads on light and on dark pages.
+// level. What is away when the query starts is faint, its edge dashed. Reads on light and on dark
+// pages.
 std::string drawingOf(const LevelEntry& level, const QueryEntry* query,
                       const DrawingOptions& options);
 

@@ -11,7 +11,8 @@ struct PictureOptions {
 };
 
 // From a place beside the course from which all of it is seen, the start to the left. Moving parts
-// are where they are when the query starts. `query` may be null: the whole level then.
+// are where they are when the query starts, and what is away then is hardly there. `query` may be
+// null: the whole level then.
 Image pictureOf(const LevelEntry& level, const QueryEntry* query, const PictureOptions& options);
 
 }  // namespace obby::view

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/clocks.h"
 #include "sim/loose.h"
 #include "sim/simulator.h"
 #include "view/roles.h"
@@ -11,6 +12,7 @@ namespace obby::view {
 namespace {
 
 constexpr float kLeastCoverage = 0.12f;  // of the most transparent part
+constexpr float kAwayCoverage = 0.1f;    // as the page has it (web/src/scene/level_view.js)
 
 // As the page has them (web/src/palette.js).
 constexpr Rgb kRoleColors[] = {{119, 128, 143}, {53, 196, 141}, {63, 140, 255}, {221, 65, 73},
@@ -38,6 +40,15 @@ Solid solidOf(const level::LevelView& level, const level::Collider& c,
   return {pose, c.kind, c.shape};
 }
 
+// Is it without its collision at that tick, as long as nobody has touched anything?
+bool absent(const level::LevelView& level, uint32_t collider, uint32_t tick) {
+  const uint32_t flags = level.bounds[collider].flags;
+  if ((flags & (level::kVanishTimer | level::kClocked)) == 0) return false;
+  sim::World untouched{};
+  untouched.tick = tick;
+  return sim::isAway(untouched, level, level.colliders[collider].role, flags);
+}
+
 }  // namespace
 
 World worldOf(const LevelEntry& entry, uint32_t tick) {
@@ -50,10 +61,12 @@ World worldOf(const LevelEntry& entry, uint32_t tick) {
     const level::Collider& c = level.colliders[i];
     Solid solid = solidOf(level, c, loose, tick);
     const float clear = parts[c.part].getTransparency();
+    const bool away = absent(level, i, tick);
     // Nobody sees an invisible wall in the game; here it is hinted at.
-    solid.coverage = clear > 0 ? std::max(1 - clear, kLeastCoverage) : 1;
+    solid.coverage = away ? kAwayCoverage : clear > 0 ? std::max(1 - clear, kLeastCoverage) : 1;
     out.solids.push_back(solid);
     out.surfaces.push_back(surfaceOf(parts[c.part], roles[c.part]));
+    out.away.push_back(away);
   }
   return out;
 }

@@ -18,6 +18,7 @@ const kSections = [
     [
       ['click', 'a line, a row or a part'],
       ['↑ ↓', 'trajectory before, after'],
+      ['Tab ↑ ↓ Enter', 'a row, by keyboard'],
       ['[ ]', 'query before, after'],
       ['X', 'keep it as a ghost, to compare others with'],
       ['Shift click', 'compare with this one'],

@@ -3,6 +3,7 @@ import { SORTS } from '../choice.js';
 import { COLORINGS } from '../coloring.js';
 import { BAND_STYLE, causeOf, hardestOf, OUTCOME_STYLE } from '../palette.js';
 import { choice, el, plural, reveal, seconds } from './dom.js';
+import { OneStop } from './one_stop.js';
 
 const kMostRows = 400;
 const KIND_NAMES = { solution: 'Solution', closest: 'Closest', newest: 'Newest' };
@@ -14,7 +15,8 @@ export class PathList {
     this.count = el('output', { class: 'count' });
     this.rows = el('div', { class: 'paths', role: 'listbox', 'aria-label': 'Trajectories' });
     this.root = el('section', { class: 'list' }, this.bar(), this.rows);
-    store.on(['order'], () => this.fill());
+    this.stop = new OneStop(this.rows);
+    store.on(['order'], () => this.stop.refill(() => this.fill()));
     store.on(['colorBy'], () => this.color());
     store.on(['path', 'hoverPath', 'ghost', 'order'], () => this.mark());
     store.on(['path', 'order'], () => reveal(this.rows));
@@ -56,15 +58,18 @@ export class PathList {
     this.count.textContent =
       order.length === all ? plural(all, 'way') : `${order.length} of ${plural(all, 'way')}`;
     for (const [title, indices] of this.groups(query, order, sort)) {
-      if (title) this.rows.append(el('h3', {}, title, el('small', { text: ` ${indices.length}` })));
-      for (const index of indices.slice(0, kMostRows)) this.rows.append(this.row(index));
+      const group = el('div', { role: 'group', 'aria-label': title || undefined });
+      const count = el('small', { text: ` ${indices.length}` });
+      if (title) group.append(el('h3', { role: 'presentation' }, title, count));
+      for (const index of indices.slice(0, kMostRows)) group.append(this.row(index));
       if (indices.length > kMostRows)
-        this.rows.append(
+        group.append(
           el('p', {
             class: 'quiet',
             text: `and ${indices.length - kMostRows} more: filter, or click their lines`,
           }),
         );
+      this.rows.append(group);
     }
     if (!order.length)
       this.rows.append(
@@ -98,6 +103,7 @@ export class PathList {
       {
         class: `row path${path.mismatch ? ' mismatch' : ''}`,
         role: 'option',
+        tabindex: -1,
         type: 'button',
         title: help.join('. '),
         data: { path: index, key: `way ${path.serial ?? index}` },
@@ -149,5 +155,6 @@ export class PathList {
       row.classList.toggle('hover', index === hoverPath);
       row.classList.toggle('ghost', index === ghost);
     }
+    this.stop.settle();
   }
 }

@@ -124,7 +124,8 @@ export class ScenePanel {
   inspect() {
     const level = this.levelOf();
     const { part } = this.store.state;
-    this.inspector.hidden = part < 0 || !level;
+    // Another query may have come with a level that has fewer parts, before the choice is taken back.
+    this.inspector.hidden = !(part >= 0 && part < (level?.count ?? 0));
     this.inspector.replaceChildren();
     if (this.inspector.hidden) return;
     const role = ROLES[level.role[part]];

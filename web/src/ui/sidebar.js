@@ -4,6 +4,7 @@ import { kMostAlike } from '../scene/regions.js';
 import { deaths } from './deaths.js';
 import { count, el, keepingPlace, plural, reveal, seconds } from './dom.js';
 import { findings } from './findings.js';
+import { OneStop } from './one_stop.js';
 
 const kMostUnsearched = 8; // queries that need no field to find one
 
@@ -39,6 +40,7 @@ export class Sidebar {
   constructor(root, report, store, lists) {
     Object.assign(this, { root, report, store });
     this.queries = el('div', { class: 'queries', role: 'listbox', 'aria-label': 'Queries' });
+    this.stop = new OneStop(this.queries);
     this.detail = el('div', { class: 'detail' });
     this.head = el('header', { class: 'head' });
     this.notes = el('div', {});
@@ -96,6 +98,7 @@ export class Sidebar {
   filter(text) {
     const wanted = text.toLowerCase();
     for (const row of this.queries.children) row.hidden = !row.dataset.name.includes(wanted);
+    this.stop.settle();
   }
 
   fillQueries() {
@@ -116,6 +119,7 @@ export class Sidebar {
           {
             class: 'row query',
             role: 'option',
+            tabindex: -1,
             type: 'button',
             data: { name: name.toLowerCase(), query: index, key: `query ${index}` },
             on: { click: () => this.store.set({ query: index }) },
@@ -136,6 +140,7 @@ export class Sidebar {
         String(Number(row.dataset.query) === this.store.state.query),
       );
     }
+    this.stop.settle();
     reveal(this.queries);
   }
 
