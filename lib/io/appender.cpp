@@ -11,7 +11,7 @@
 namespace obby::io {
 
 Result<Appender> Appender::open(const std::string& path, const std::atomic<bool>* stop) {
-  const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOCTTY, 0666);
+  const int fd = openToWrite(path, O_WRONLY | O_CREAT | O_APPEND, stop);
   if (fd < 0) return fileError(path, "cannot open");
   return Appender(path, fd, stop);
 }

@@ -13,8 +13,7 @@ namespace obby::io {
 class Appender {
  public:
   // Adds to what is there. The error names the file and the reason. A named pipe waits for its
-  // reader; once `stop` is set, one that takes nothing for a second is given up with an error of
-  // isInterrupted().
+  // reader; `stop` as of Sink::open.
   static Result<Appender> open(const std::string& path, const std::atomic<bool>* stop = nullptr);
 
   Appender(Appender&& other) noexcept;

@@ -71,25 +71,8 @@ struct Sink::Impl {
     return *failed;
   }
 
-  bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
-
   Status send(std::string_view bytes) {
     return sendAll(fd, bytes, block ? nullptr : stop) ? Status() : fail("cannot write");
-  }
-
-  // To open a named pipe waits for a reader; who may be told to stop asks again and again instead,
-  // for a signal may come just before the call that would wait.
-  int openPipe(const std::string& path) const {
-    const int flags = O_WRONLY | O_CLOEXEC | O_NOCTTY;
-    if (!stop) return ::open(path.c_str(), flags);
-    for (;;) {
-      const int opened = ::open(path.c_str(), flags | O_NONBLOCK);
-      if (opened >= 0 || errno != ENXIO) return opened;  // send() waits for its reader
-      if (stopped()) break;
-      std::this_thread::sleep_for(std::chrono::milliseconds(kStopCheckMilliseconds));
-    }
-    errno = EINTR;
-    return -1;
   }
 
   Status openStandardOutput() {
@@ -115,8 +98,7 @@ struct Sink::Impl {
       return fail("cannot write");
     }
     if (exists && !S_ISREG(info.st_mode)) {  // a device or named pipe
-      fd = S_ISFIFO(info.st_mode) ? openPipe(path)
-                                  : ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+      fd = openToWrite(path, O_WRONLY, stop);
       return fd < 0 ? fail("cannot open") : Status();
     }
     finalPath = target(path);
@@ -220,6 +202,24 @@ bool takesMore(int fd, int milliseconds) {
     ready = ::poll(&waiting, 1, milliseconds);
   } while (ready < 0 && errno == EINTR);
   return ready != 0;
+}
+
+// To open a named pipe waits for a reader; who may be told to stop asks again and again instead,
+// for a signal may come just before the call that would wait.
+int openToWrite(const std::string& path, int flags, const std::atomic<bool>* stop) {
+  constexpr mode_t kMode = 0666;
+  flags |= O_CLOEXEC | O_NOCTTY;
+  struct stat info {};
+  if (!stop || stat(path.c_str(), &info) != 0 || !S_ISFIFO(info.st_mode))
+    return ::open(path.c_str(), flags, kMode);
+  for (int late = 0; late < kPatienceMilliseconds;) {
+    const int opened = ::open(path.c_str(), flags | O_NONBLOCK, kMode);
+    if (opened >= 0 || errno != ENXIO) return opened;  // sendAll() waits for its reader
+    if (stop->load(std::memory_order_relaxed)) late += kStopCheckMilliseconds;
+    std::this_thread::sleep_for(std::chrono::milliseconds(kStopCheckMilliseconds));
+  }
+  errno = EINTR;
+  return -1;
 }
 
 // Once told to stop, pieces are so small that a reader who has taken something lets one in whole:

@@ -19,8 +19,9 @@ class Sink {
  public:
   // "-" is standard output. A regular file is written under a temporary name beside it; devices and
   // named pipes are written directly; a named pipe waits for its reader. Once `stop` is set, a pipe
-  // or terminal whose reader takes nothing for a second, or that nobody has opened, is given up
-  // with an error of isInterrupted(); without `stop` a signal does that only to opening.
+  // or terminal whose reader takes nothing for a second, or that nobody opens for one, is given up
+  // with an error of isInterrupted(); without `stop` a signal does that only to opening. A named
+  // pipe heeds whoever sets `stop`, other outputs a signal that does.
   static Result<Sink> open(const std::string& path, Durable durable = Durable::no,
                            const std::atomic<bool>* stop = nullptr);
   // Appends to `bytes`, which must outlive the sink.
@@ -54,6 +55,10 @@ inline constexpr int kPatienceMilliseconds = 1000;
 // something else is the matter with `fd`: the next write says. A pipe then has room for PIPE_BUF
 // bytes.
 bool takesMore(int fd, int milliseconds);
+
+// As open(2), to write. A named pipe waits for its reader: where there is a `stop`, which may be
+// null, for so long once it is set (then -1, and errno is EINTR), and write(2) does not wait.
+int openToWrite(const std::string& path, int flags, const std::atomic<bool>* stop);
 
 // Writes all of it, and waits for the reader. False: it failed, and errno says why; EINTR: `stop`,
 // which may be null, is set, and the reader takes nothing for so long.

@@ -9,7 +9,10 @@ constexpr std::chrono::milliseconds kLook{20};
 }  // namespace
 
 WaitLimit::WaitLimit(const std::atomic<bool>& interrupted, double seconds, double more)
-    : interrupted_(interrupted), seconds_(seconds + more), watcher_([this] { watch(); }) {}
+    : interrupted_(interrupted),
+      limit_(seconds),
+      seconds_(seconds + more),
+      watcher_([this] { watch(); }) {}
 
 WaitLimit::~WaitLimit() {
   {
@@ -26,6 +29,9 @@ void WaitLimit::watch() {
   while (!over_) {
     if (interrupted_) stop_ = true;
     const std::chrono::duration<double> passed = Clock::now() - since_;
+    const double over = begun_ ? passed.count() - limit_ : -1;
+    if (interrupted_ || over >= 0) late_ = true;
+    if (interrupted_ || over >= kForFiles) lost_ = true;
     if (reading_ && !stop_ && passed.count() >= seconds_) {
       up_ = true;
       stop_ = true;
@@ -50,6 +56,7 @@ Result<std::optional<io::Record>> WaitLimit::next(io::RecordSource& source) {
 void WaitLimit::begin() {
   const std::lock_guard hold(lock_);
   begun_ = true;
+  late_ = lost_ = false;
   since_ = Clock::now();
 }
 

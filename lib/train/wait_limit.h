@@ -1,4 +1,4 @@
-// How long learning waits for a stream that sends nothing.
+// How long learning waits for a stream that sends nothing, and for who takes nothing.
 #pragma once
 
 #include <atomic>
@@ -17,8 +17,9 @@ namespace obby::train {
 // a clock of its own is through before wherever records come.
 class WaitLimit {
  public:
-  static constexpr double kMore = 3;     // seconds
-  static constexpr double kNone = 1e30;  // seconds that never pass
+  static constexpr double kMore = 3;       // seconds
+  static constexpr double kNone = 1e30;    // seconds that never pass
+  static constexpr double kForFiles = 10;  // seconds, see lost()
 
   // `interrupted` must outlive it.
   WaitLimit(const std::atomic<bool>& interrupted, double seconds, double more = kMore);
@@ -30,6 +31,11 @@ class WaitLimit {
   const std::atomic<bool>& stop() const { return stop_; }
   // Was it set for the time?
   bool isUp() const { return up_; }
+  // For outputs, whose readers may stall: set once `interrupted` is, and `seconds` after the last
+  // begin(), which takes it back. Lives as long as this.
+  const std::atomic<bool>& late() const { return late_; }
+  // The same for outputs that hours of learning went into: after the time kForFiles later.
+  const std::atomic<bool>& lost() const { return lost_; }
 
   // As source.next(), of a source that has stop(). Before begin() each record has the time for
   // itself. One thread at a time.
@@ -45,8 +51,8 @@ class WaitLimit {
   void read(bool now);
 
   const std::atomic<bool>& interrupted_;
-  const double seconds_;
-  std::atomic<bool> stop_{false}, up_{false};
+  const double limit_, seconds_;  // of the work; of what is waited for
+  std::atomic<bool> stop_{false}, up_{false}, late_{false}, lost_{false};
   std::mutex lock_;
   std::condition_variable wake_;
   bool over_ = false, begun_ = false, reading_ = false;

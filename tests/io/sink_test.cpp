@@ -175,6 +175,23 @@ TEST(Sink, WhoIsToldToStopGivesUpAReaderWhoTakesNothing) {
   EXPECT_TRUE(sink->failed());
 }
 
+TEST(Sink, WhoIsToldToStopWaitsASecondForWhoOpensThePipe) {
+  ScratchFolder folder;
+  const std::string path = folder / "pipe";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  const std::atomic<bool> stop{true};
+  int reader = -1;
+  std::thread late([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    reader = open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  });
+  auto sink = Sink::open(path, Durable::no, &stop);
+  late.join();
+  ASSERT_TRUE(sink) << sink.error().text();
+  EXPECT_TRUE(sink->write("what there is room for\n"));
+  close(reader);
+}
+
 // What is finished still comes, whatever a line's length.
 TEST(Sink, WhoIsToldToStopWaitsForAReaderWhoTakesMore) {
   ScratchFolder folder;

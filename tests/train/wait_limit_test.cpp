@@ -60,6 +60,37 @@ TEST(WaitLimit, DoesNotPassWhileNobodyReads) {
   EXPECT_TRUE(waiting.isUp());
 }
 
+// Readers of what is written are not waited for any more then.
+TEST(WaitLimit, IsLateOnceTheWorkHasLastedItsTime) {
+  const std::atomic<bool> interrupted{false};
+  WaitLimit waiting(interrupted, 0.05);
+  std::this_thread::sleep_for(milliseconds(200));
+  EXPECT_FALSE(bool(waiting.late())) << "it has not begun";
+  waiting.begin();
+  for (int i = 0; i < 1000 && !waiting.late(); ++i) std::this_thread::sleep_for(milliseconds(10));
+  EXPECT_TRUE(bool(waiting.late()));
+  EXPECT_FALSE(bool(waiting.stop())) << "nobody reads";
+  EXPECT_FALSE(bool(waiting.lost())) << "that comes ten seconds later";
+}
+
+// As where a log's reader came in the last second of the time that it had.
+TEST(WaitLimit, IsNotLateWhereTheWorkBeginsAnew) {
+  const std::atomic<bool> interrupted{false};
+  WaitLimit waiting(interrupted, 1);
+  waiting.begin();
+  for (int i = 0; i < 1000 && !waiting.late(); ++i) std::this_thread::sleep_for(milliseconds(10));
+  EXPECT_TRUE(bool(waiting.late()));
+  waiting.begin();
+  EXPECT_FALSE(bool(waiting.late()));
+}
+
+TEST(WaitLimit, IsLateAfterASignal) {
+  const std::atomic<bool> interrupted{true};
+  WaitLimit waiting(interrupted, WaitLimit::kNone);
+  for (int i = 0; i < 1000 && !waiting.late(); ++i) std::this_thread::sleep_for(milliseconds(10));
+  EXPECT_TRUE(bool(waiting.late()));
+}
+
 // What is read ahead is not waited for once nobody needs it, nor after a signal.
 TEST(WaitLimit, EndsWithTheWorkAndWithASignal) {
   for (const bool bySignal : {false, true}) {

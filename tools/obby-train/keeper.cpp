@@ -119,16 +119,19 @@ Error inFile(Error error, const std::string& path) {
   return error;
 }
 
-Status writeFile(const std::string& path, std::string_view bytes, const std::atomic<bool>& stop) {
-  OBBY_ASSIGN(io::Sink sink, io::Sink::open(path, io::Durable::yes, &stop));
+Status writeFile(const std::string& path, std::string_view bytes, const std::atomic<bool>& late) {
+  OBBY_ASSIGN(io::Sink sink, io::Sink::open(path, io::Durable::yes, &late));
   OBBY_RETURN_IF_ERROR(sink.write(bytes));
   return sink.close();
 }
 
 }  // namespace
 
-Keeper::Keeper(const cli::Context& context, train::Ranks& ranks)
-    : context_(context), ranks_(ranks), checkpointPath_(checkpointPathOf(context.arguments())) {}
+Keeper::Keeper(const cli::Context& context, train::Ranks& ranks, const std::atomic<bool>& late)
+    : context_(context),
+      ranks_(ranks),
+      late_(late),
+      checkpointPath_(checkpointPathOf(context.arguments())) {}
 
 Status Keeper::checkFiles() const {
   const cli::Arguments& a = context_.arguments();
@@ -216,7 +219,7 @@ Status Keeper::save(const train::Trainer& trainer, const train::History& history
   if (!checkpointPath_.empty()) {
     const std::string bytes =
         train::writeCheckpoint({context_.identity().version, run_, seconds, state, history});
-    kept = writeFile(checkpointPath_, bytes, context_.stop());
+    kept = writeFile(checkpointPath_, bytes, late_);
   }
   Status saved = savePolicy(trainer, state, seconds);
   return kept ? saved : kept;
@@ -228,7 +231,7 @@ Status Keeper::savePolicy(const train::Trainer& trainer, const train::TrainerSta
   const policy::PolicyFile file{trainer.network(),
                                 {commandOf(context_.arguments()), identity.version, identity.seed,
                                  state.decisions, seconds, state.hardest, float(state.solved)}};
-  return writeFile(context_.arguments().text("output"), policy::writePolicy(file), context_.stop());
+  return writeFile(context_.arguments().text("output"), policy::writePolicy(file), late_);
 }
 
 }  // namespace obby::tools

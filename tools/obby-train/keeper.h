@@ -1,6 +1,7 @@
 // What learning leaves on disk to be used and to go on from: the policy and its checkpoint.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -11,8 +12,9 @@ namespace obby::tools {
 
 class Keeper {
  public:
-  // The first rank reads and writes for all. Every rank calls all of this.
-  Keeper(const cli::Context& context, train::Ranks& ranks);
+  // The first rank reads and writes for all. Every rank calls all of this. `late`: once it is set,
+  // who takes nothing from a named pipe is given up, as io::Sink::open says; must outlive this.
+  Keeper(const cli::Context& context, train::Ranks& ranks, const std::atomic<bool>& late);
 
   // With --resume: reads the checkpoint. Done before levels are read, so that a wrong name is said
   // at once. Errors: those of the file; standard output as a file; files that could not be written
@@ -44,6 +46,7 @@ class Keeper {
 
   const cli::Context& context_;
   train::Ranks& ranks_;
+  const std::atomic<bool>& late_;
   std::string checkpointPath_;  // empty: none is written
   train::TrainerSettings settings_;
   std::vector<train::Setting> run_;

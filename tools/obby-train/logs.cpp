@@ -4,15 +4,15 @@
 
 namespace obby::tools {
 
-Result<Logs> Logs::open(const cli::Context& context, uint64_t kept, train::History history) {
-  const cli::Arguments& a = context.arguments();
+Result<Logs> Logs::open(const cli::Arguments& a, const std::atomic<bool>& late, uint64_t kept,
+                        train::History history) {
   Logs logs;
-  logs.stop_ = &context.stop();
+  logs.late_ = &late;
   logs.history_ = std::move(history);
   logs.curvePath_ = a.text("curve");
   logs.every_ = uint64_t(a.integer("log-every"));
   if (a.has("log")) {
-    OBBY_ASSIGN(logs.csv_, train::CsvLog::open(a.text("log"), kept, logs.stop_));
+    OBBY_ASSIGN(logs.csv_, train::CsvLog::open(a.text("log"), kept, logs.late_));
   }
   if (a.has("tensorboard")) {
     OBBY_ASSIGN(logs.events_, train::EventLog::open(a.text("tensorboard"), kept));
@@ -31,7 +31,7 @@ Status Logs::add(const train::Iteration& iteration, double seconds, double rate,
 
 Status Logs::save() const {
   if (curvePath_.empty()) return {};
-  OBBY_ASSIGN(io::Sink sink, io::Sink::open(curvePath_, io::Durable::no, stop_));
+  OBBY_ASSIGN(io::Sink sink, io::Sink::open(curvePath_, io::Durable::no, late_));
   OBBY_RETURN_IF_ERROR(sink.write(train::curveSvg(history_)));
   return sink.close();
 }

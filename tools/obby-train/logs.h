@@ -1,6 +1,7 @@
 // Where people look how learning goes: --log, --tensorboard, --curve.
 #pragma once
 
+#include <atomic>
 #include <optional>
 
 #include "cli/context.h"
@@ -12,9 +13,10 @@ namespace obby::tools {
 
 class Logs {
  public:
-  // `kept`: iterations before, of which `history` knows. Errors: those of the files; of a pipe
-  // that takes nothing once the context was told to stop.
-  static Result<Logs> open(const cli::Context& context, uint64_t kept, train::History history);
+  // `kept`: iterations before, of which `history` knows. Errors: those of the files; of a named
+  // pipe from which nobody takes anything once `late` is set, which must outlive this.
+  static Result<Logs> open(const cli::Arguments& arguments, const std::atomic<bool>& late,
+                           uint64_t kept, train::History history);
 
   // To be called after each iteration; `last`: no more will come.
   Status add(const train::Iteration& iteration, double seconds, double rate, bool last);
@@ -27,7 +29,7 @@ class Logs {
   std::optional<train::CsvLog> csv_;
   std::optional<train::EventLog> events_;
   std::string curvePath_;
-  const std::atomic<bool>* stop_ = nullptr;
+  const std::atomic<bool>* late_ = nullptr;
   uint64_t every_ = 1;
   train::History history_;
 };

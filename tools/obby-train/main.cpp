@@ -25,7 +25,7 @@ constexpr uint64_t kHeldOut = 0x68656c64;
 
 // Interrupted while it waited for the first levels.
 Status nothingLearned(cli::Context& context) {
-  OBBY_ASSIGN(tools::MetricsStream stream, tools::MetricsStream::open(context));
+  OBBY_ASSIGN(tools::MetricsStream stream, tools::MetricsStream::open(context, context.stop()));
   return stream.finish();
 }
 
@@ -52,9 +52,9 @@ Status learn(cli::Context& context, tools::JoinedRanks& joined) {
   signal(SIGPIPE, SIG_IGN);  // who stops reading the metrics does not end learning unsaved
   train::Ranks& ranks = joined.ranks();
   const cli::Arguments& a = context.arguments();
-  tools::Keeper keeper(context, ranks);
-  OBBY_RETURN_IF_ERROR(keeper.find());
   train::WaitLimit waiting(context.stop(), tools::timeLimit(a));
+  tools::Keeper keeper(context, ranks, waiting.lost());
+  OBBY_RETURN_IF_ERROR(keeper.find());
   auto found = ranks.agree(tools::levelsOf(context, ranks, a.seed(), true, waiting));
   if (!found && ranks.first() && context.stop()) return nothingLearned(context);
   OBBY_ASSIGN(const tools::Levels levels, std::move(found));
@@ -73,11 +73,13 @@ Status learn(cli::Context& context, tools::JoinedRanks& joined) {
   tools::Logs logs;
   std::optional<tools::MetricsStream> stream;  // the first rank's; an error before it leaves none
   const auto open = [&]() -> Status {
-    OBBY_ASSIGN(logs, tools::Logs::open(context, trainer->iterations(), keeper.historyBefore()));
-    OBBY_ASSIGN(tools::MetricsStream opened, tools::MetricsStream::open(context));
+    OBBY_ASSIGN(
+        logs, tools::Logs::open(a, waiting.late(), trainer->iterations(), keeper.historyBefore()));
+    OBBY_ASSIGN(tools::MetricsStream opened, tools::MetricsStream::open(context, waiting.late()));
     stream.emplace(std::move(opened));
     return {};
   };
+  waiting.begin();  // a log may wait for its reader to begin with
   OBBY_RETURN_IF_ERROR(ranks.agree(ranks.first() ? open() : Status()));
   tools::Session session(context, *trainer, ranks, keeper, std::move(logs),
                          stream ? &*stream : nullptr, waiting);
@@ -106,7 +108,7 @@ Status evaluate(cli::Context& context, train::Ranks& ranks) {
   OBBY_ASSIGN(const tools::Levels levels,
               tools::levelsOf(context, ranks, a.seed() ^ kHeldOut, false, waiting));
   ThreadPool pool(context.threads());
-  OBBY_ASSIGN(tools::MetricsStream stream, tools::MetricsStream::open(context));
+  OBBY_ASSIGN(tools::MetricsStream stream, tools::MetricsStream::open(context, waiting.late()));
   const train::EvaluationSettings settings = tools::evaluationSettings(context);
   waiting.begin();
   const train::Evaluation e =
@@ -120,6 +122,16 @@ Status evaluate(cli::Context& context, train::Ranks& ranks) {
   return stream.finish(std::move(done));
 }
 
+// Whoever takes nothing is given up as after a signal, but it may be the time that is over.
+Status readersKnown(Status done, const cli::Context& context) {
+  if (done || !io::isInterrupted(done.error()) || context.stop()) return done;
+  return Error{done.error().input,
+               {},
+               {},
+               "nobody reads it, and --time-limit is over: the last of it is missing",
+               "see what keeps the reader, or write to a file"};
+}
+
 // An error that all ranks know of is told by the first.
 Result<cli::ExitCode> run(cli::Context& context, tools::JoinedRanks& joined) {
   train::Ranks& ranks = joined.ranks();
@@ -128,7 +140,7 @@ Result<cli::ExitCode> run(cli::Context& context, tools::JoinedRanks& joined) {
   if (done)
     done = context.arguments().has("eval") ? evaluate(context, ranks) : learn(context, joined);
   if (!done && !ranks.first()) return cli::ExitCode::failed;
-  OBBY_RETURN_IF_ERROR(std::move(done));
+  OBBY_RETURN_IF_ERROR(readersKnown(std::move(done), context));
   return cli::ExitCode::ok;
 }
 

@@ -4,7 +4,6 @@
 
 #include "io/byte_source.h"
 #include "io/sink.h"
-#include "options.h"
 
 namespace obby::tools {
 
@@ -12,25 +11,16 @@ namespace {
 
 constexpr int kLookMilliseconds = 50;
 
-Error unreadError(bool stopped) {
-  if (stopped) return Error{"stdout", {}, {}, io::kInterrupted, {}};
-  return Error{"stdout",
-               {},
-               {},
-               "its reader takes nothing, and --time-limit is over: the last metrics are missing",
-               "see what keeps the reader, or send the metrics to a file"};
-}
-
 }  // namespace
 
-Result<MetricsStream> MetricsStream::open(const cli::Context& context) {
+Result<MetricsStream> MetricsStream::open(const cli::Context& context,
+                                          const std::atomic<bool>& late) {
   OBBY_ASSIGN(io::StreamWriter output,
               io::StreamWriter::open("-", io::Format::jsonl, &context.stop()));
   io::SourceOptions nothing;
   nothing.inputs.clear();
   nothing.stop = &context.stop();
-  MetricsStream out(context,
-                    io::Pipeline(std::move(nothing), context.identity(), std::move(output)));
+  MetricsStream out(late, io::Pipeline(std::move(nothing), context.identity(), std::move(output)));
   if (!out.readerTakesMore()) return out;
   OBBY_RETURN_IF_ERROR(
       out.stream_.run([](const io::Record&) -> Result<io::Then> { return io::Then::pass; }));
@@ -40,18 +30,13 @@ Result<MetricsStream> MetricsStream::open(const cli::Context& context) {
 // Records are shorter than what there is room for then.
 bool MetricsStream::readerTakesMore() const { return io::takesMore(STDOUT_FILENO, 0); }
 
-bool MetricsStream::isOver() const {
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
-  return context_.stop() || passed.count() >= timeLimit(context_.arguments());
-}
-
 Status MetricsStream::waitForReader() {
-  int late = 0;  // milliseconds
+  int waited = 0;  // milliseconds
   while (!unread_ && !io::takesMore(STDOUT_FILENO, kLookMilliseconds)) {
-    if (isOver()) late += kLookMilliseconds;
-    if (late >= io::kPatienceMilliseconds) unread_ = unreadError(context_.stop());
+    if (late_) waited += kLookMilliseconds;
+    unread_ = waited >= io::kPatienceMilliseconds;
   }
-  return unread_ ? Status(*unread_) : Status();
+  return unread_ ? Status(Error{"stdout", {}, {}, io::kInterrupted, {}}) : Status();
 }
 
 Status MetricsStream::write(const char* source, uint64_t step,

@@ -2,8 +2,7 @@
 // no work is held up or lost for that.
 #pragma once
 
-#include <chrono>
-#include <optional>
+#include <atomic>
 #include <span>
 
 #include "cli/context.h"
@@ -15,29 +14,27 @@ namespace obby::tools {
 class MetricsStream {
  public:
   // The header goes out at once where the reader takes it, otherwise before the first record.
-  // `context` must outlive it; its --time-limit begins here.
-  static Result<MetricsStream> open(const cli::Context& context);
+  // `context` and `late` must outlive it.
+  static Result<MetricsStream> open(const cli::Context& context, const std::atomic<bool>& late);
 
   // Would the reader take a record at once?
   bool readerTakesMore() const;
-  // A record, flushed. Waits for the reader, but only for a second once the tool was told to stop
-  // or --time-limit is over. The error is that, or the output's.
+  // A record, flushed. Waits for the reader, but only for a second once `late` is set. The error is
+  // that, io::isInterrupted(), or the output's.
   Status write(const char* source, uint64_t step, std::span<const train::Metric> values);
   void outOfBudget() { stream_.outOfBudget(); }
   // As Pipeline::finish(); waits as write() does.
   Status finish(Status work = {});
 
  private:
-  MetricsStream(const cli::Context& context, io::Pipeline stream)
-      : context_(context), stream_(std::move(stream)) {}
+  MetricsStream(const std::atomic<bool>& late, io::Pipeline stream)
+      : late_(late), stream_(std::move(stream)) {}
 
-  bool isOver() const;
   Status waitForReader();
 
-  const cli::Context& context_;
+  const std::atomic<bool>& late_;
   io::Pipeline stream_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  std::optional<Error> unread_;  // the reader was given up
+  bool unread_ = false;  // the reader was given up
 };
 
 }  // namespace obby::tools
