@@ -115,7 +115,8 @@ Status PartCompiler::mover(PartContext& c, Collider& collider) {
   collider.mover = uint32_t(out_.movers.size());
   out_.movers.push_back({keys.data(), turns.rows.data(), uint32_t(keys.size()),
                          uint32_t(turns.rows.size()), plan.pivot, plan.once, trigger});
-  swept_ = SweptBounds(out_.movers.back());
+  const bool ofHulls = c.part.getShape() == schema::Shape::HULL;
+  swept_ = SweptBounds(out_.movers.back(), ofHulls ? c.part.getHulls().size() : 1u);
   c.flags |= kMoving;
   if (!c.part.hasMotion() || c.part.getMotion().getCarries()) c.flags |= kCarries;
   if (trigger == kNone) {

@@ -10,11 +10,13 @@
 namespace obby::level {
 namespace {
 
-// Equal for plans that make equal tables, to the sign of a zero.
+// All that spinTable() looks at, which is not how fast a turn is but for its rows: equal for plans
+// that make equal tables, to the sign of a zero.
 std::string bytesOf(const SpinPlan& plan, bool upright) {
-  const std::array<double, 7> parts{double(plan.axis.x), double(plan.axis.y), double(plan.axis.z),
-                                    plan.speed,          plan.offset,         double(plan.rows),
-                                    upright ? 1.0 : 0.0};
+  const std::array<double, 8> parts{double(plan.axis.x),      double(plan.axis.y),
+                                    double(plan.axis.z),      plan.turns,
+                                    double(plan.rows),        plan.speed < 0 ? -1.0 : 1.0,
+                                    plan.speed * plan.offset, upright ? 1.0 : 0.0};
   std::string bytes(sizeof parts, '\0');
   std::memcpy(bytes.data(), parts.data(), sizeof parts);
   return bytes;

@@ -1,13 +1,23 @@
 #include "level/swept_bounds.h"
 
+#include <algorithm>
+
 namespace obby::level {
 namespace {
 
+constexpr size_t kMostWork = size_t(1) << 24;  // runs of a part times its colliders
+constexpr size_t kFewestRuns = 64;
+
 bool same(const Mat3& a, const Mat3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+Mat3 larger(const Mat3& a, const Mat3& b) {
+  return {max(abs(a.x), abs(b.x)), max(abs(a.y), abs(b.y)), max(abs(a.z), abs(b.z))};
+}
 
 }  // namespace
 
-SweptBounds::SweptBounds(const Mover& m) : spins_(m.spinCount != 0), pivotAway_(length(m.pivot)) {
+SweptBounds::SweptBounds(const Mover& m, size_t colliders)
+    : spins_(m.spinCount != 0), pivotAway_(length(m.pivot)) {
   for (uint32_t k = 0; k < m.keyCount; ++k) {
     const Pose& key = m.keys[k];
     const Vec3 at = spins_ ? toWorld(key, m.pivot) : key.position;
@@ -17,6 +27,23 @@ SweptBounds::SweptBounds(const Mover& m) : spins_(m.spinCount != 0), pivotAway_(
       runs_.push_back({key.rotation, {at, at}});
     }
   }
+  joinRuns(std::max(kFewestRuns, kMostWork / std::max<size_t>(colliders, 1)));
+}
+
+void SweptBounds::joinRuns(size_t most) {
+  if (runs_.size() <= most) return;
+  const size_t together = (runs_.size() + most - 1) / most;
+  size_t count = 0;
+  for (size_t i = 0; i < runs_.size(); ++i) {
+    const Run run = runs_[i];
+    if (i % together == 0) {
+      runs_[count++] = run;
+    } else {
+      Run& joined = runs_[count - 1];
+      joined = {larger(joined.rotation, run.rotation), join(joined.places, run.places)};
+    }
+  }
+  runs_.resize(count);
 }
 
 // Adding the same extent to all rows keeps their order, rounding included: the outermost places

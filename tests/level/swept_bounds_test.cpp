@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "base/random.h"
@@ -35,15 +37,55 @@ void expectSame(const Box& a, const Box& b) {
   EXPECT_TRUE(a.hi == b.hi);
 }
 
+Box boundsOfAll(const std::vector<Pose>& keys, Vec3 half) {
+  Box all = boundsOf(keys[0], half);
+  for (const Pose& key : keys) all = join(all, boundsOf(key, half));
+  return all;
+}
+
 TEST(SweptBounds, AreThoseOfAllKeys) {
   Dice dice{Random(50, 0)};
   for (int round = 0; round < 100; ++round) {
     const std::vector<Pose> keys = dice.keys();
     const Mover m{keys.data(), nullptr, uint32_t(keys.size()), 0, dice.vec(3), false};
     const Vec3 half = dice.half();
-    Box all = boundsOf(keys[0], half);
-    for (const Pose& key : keys) all = join(all, boundsOf(key, half));
-    expectSame(SweptBounds(m).of(half), all);
+    expectSame(SweptBounds(m).of(half), boundsOfAll(keys, half));
+  }
+}
+
+// Turns about a slanting axis, from one side to the other.
+std::vector<Pose> longTurn(uint32_t rows) {
+  std::vector<Pose> keys;
+  for (uint32_t k = 0; k < rows; ++k) {
+    const float way = float(k) / float(rows), angle = 4.7f * way;
+    const Quat turned{0.5f * std::sin(angle), 0.2f * std::sin(angle), 0, std::cos(angle)};
+    keys.push_back({Vec3{40 * way, 5, 30 * std::sin(3 * way)}, toMat3(normalize(turned))});
+  }
+  return keys;
+}
+
+TEST(SweptBounds, OfSeveralHundredHullsAreThoseOfAllKeys) {
+  Dice dice{Random(52, 0)};
+  const std::vector<Pose> keys = longTurn(30000);
+  const Mover m{keys.data(), nullptr, uint32_t(keys.size()), 0, {}, false};
+  const Vec3 half = dice.half();
+  expectSame(SweptBounds(m, 500).of(half), boundsOfAll(keys, half));
+}
+
+// As of a scanned mesh that turns for twenty minutes: each row for each hull took minutes.
+TEST(SweptBounds, OfAHundredThousandHullsHoldThemInAMoment) {
+  Dice dice{Random(53, 0)};
+  const std::vector<Pose> keys = longTurn(72000);
+  const Mover m{keys.data(), nullptr, uint32_t(keys.size()), 0, {}, false};
+  const SweptBounds swept(m, 100000);
+  for (int i = 0; i < 100000; ++i) {
+    const Vec3 half = dice.half();
+    const Box box = swept.of(half);
+    if (i % 1000 != 0) continue;
+    const Box all = boundsOfAll(keys, half);
+    EXPECT_TRUE(min(box.lo, all.lo) == box.lo && max(box.hi, all.hi) == box.hi) << i;
+    const Vec3 more = max(all.lo - box.lo, box.hi - all.hi);
+    EXPECT_LT(std::max({more.x, more.y, more.z}), 2.0f);
   }
 }
 
