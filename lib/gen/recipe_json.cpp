@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <functional>
+#include <unordered_set>
 
 #include "gen/recipe.h"
 #include "gen/styles.h"
@@ -107,15 +108,12 @@ class Reader {
 
   Status members(const Node& node, const std::string& path, const Take& take) const {
     if (node.type != Type::object) return expected("an object", node, path);
-    std::vector<std::string_view> seen;
+    std::unordered_set<std::string_view> seen;
     for (uint32_t at = node.child; at != 0; at = tree_.node(at).next) {
       const Node& member = tree_.node(at);
       const std::string_view name = tree_.name(member);
       const std::string here = path.empty() ? std::string(name) : path + "." + std::string(name);
-      for (const std::string_view before : seen) {
-        if (before == name) return pathError(here, "given twice", "keep one of the two");
-      }
-      seen.push_back(name);
+      if (!seen.insert(name).second) return pathError(here, "given twice", "keep one of the two");
       OBBY_RETURN_IF_ERROR(take(member, here));
     }
     return {};

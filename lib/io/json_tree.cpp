@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "io/schema_plan.h"
@@ -11,6 +12,16 @@ namespace obby::io {
 namespace {
 
 constexpr size_t kMaxValues = size_t(32) << 20;
+
+// "column 5"; of a text of several lines behind the first "line 2 column 5". `count`: characters up
+// to the place, with the one that is there.
+std::string placeAt(std::string_view text, size_t count) {
+  const std::string_view before = text.substr(0, count == 0 ? 0 : count - 1);
+  const size_t feed = before.rfind('\n');
+  if (feed == std::string_view::npos) return fmt::format("column {}", count);
+  const auto feeds = std::count(before.begin(), before.end(), '\n');
+  return fmt::format("line {} column {}", feeds + 1, count - 1 - feed);
+}
 
 }  // namespace
 
@@ -42,7 +53,7 @@ class JsonTreeBuilder {
   bool end_array() { return close(); }
 
   bool parse_error(size_t column, const std::string&, const nlohmann::detail::exception& e) {
-    message = fmt::format("column {}: {}", column, explain(column, e.what()));
+    message = fmt::format("{}: {}", placeAt(source_, column), explain(column, e.what()));
     return false;
   }
 
@@ -123,7 +134,7 @@ class JsonTreeBuilder {
 Result<JsonTree> JsonTree::parse(std::string_view text) {
   // The parser takes a zero byte for the end of the text, and would pass over what follows it.
   if (const size_t zero = text.find('\0'); zero != std::string_view::npos) {
-    return makeError(fmt::format("column {}: a zero byte", zero + 1));
+    return makeError(placeAt(text, zero + 1) + ": a zero byte");
   }
   JsonTree tree;
   JsonTreeBuilder builder(tree, text);

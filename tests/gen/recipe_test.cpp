@@ -60,6 +60,7 @@ struct Bad {
 TEST(Recipe, ErrorsNamePathAndCure) {
   const Bad cases[] = {
       {"{", "column 2: the line ends in the middle of a value: cut off?"},
+      {"{\n \"turns\": 1,\n}", "line 3 column 1: not JSON: unexpected '}'"},
       {"[]", "expected an object, found an array of 0"},
       {R"({"style": 1})", "style: unknown key (did you mean styles?)"},
       {R"({"zzz": 1})",
@@ -114,6 +115,15 @@ TEST(Recipe, ErrorsNamePathAndCure) {
     EXPECT_EQ(status.error().text().substr(0, std::string(bad.error).size()), bad.error)
         << bad.text;
   }
+}
+
+// Each name was once held against all before it.
+TEST(Recipe, AMillionNamesTakeNoMinute) {
+  std::string text = R"({"physics": {)";
+  for (int i = 0; i < 1000000; ++i) text += "\"n" + std::to_string(1000000 + i) + "\":1,";
+  const Status status = tried(text + R"("n1000000":1}})");
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().text(), "physics.n1000000: given twice (keep one of the two)");
 }
 
 // Every JSON block of the page is a recipe that works.

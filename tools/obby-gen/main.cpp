@@ -25,6 +25,20 @@ bool wantsPlace(const cli::Arguments& a) {
   return a.text("output").ends_with(kPlaceEnding);
 }
 
+// Lines of records under such a name would be no place that Studio opens.
+Status nameFits(const cli::Arguments& a) {
+  if (!a.text("format").empty()) return {};
+  for (const char* ending : {".rbxl", ".rbxm", ".rbxmx"}) {
+    if (!a.text("output").ends_with(ending)) continue;
+    return Error{{},
+                 {},
+                 "--output",
+                 fmt::format("place files are written as {}, not as {}", kPlaceEnding, ending),
+                 "name it so, or say what it is by --format"};
+  }
+  return {};
+}
+
 tools::EmitOptions emitOptions(const cli::Context& context) {
   const cli::Arguments& a = context.arguments();
   tools::EmitOptions o;
@@ -116,6 +130,7 @@ Result<cli::ExitCode> run(cli::Context& context) {
   if (!a.flag("check"))
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"check-steps"}, "nothing is checked without --check",
                                           "give --check, too, or leave it out"));
+  OBBY_RETURN_IF_ERROR(nameFits(a));
   OBBY_ASSIGN(const gen::Recipe recipe, tools::recipeOf(a));
   if (a.flag("list")) {
     OBBY_RETURN_IF_ERROR(recipe.check());
