@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "solve/proof/flight.h"
+#include "solve/proof/put_out.h"
 #include "solve/proof/rides.h"
 #include "solve/proof/supports.h"
 
@@ -58,6 +59,9 @@ class ReachBound {
 
   // Fastest horizontal motion of anyone, studs/s; infinite where something moves players at once.
   float fastest() const;
+
+  // How far jumps may move somebody at once, besides. Not to be asked where fastest() is infinite.
+  std::vector<PutOut> putOuts() const;
 
  private:
   void explore();

@@ -131,8 +131,10 @@ class Prover {
   std::optional<Cut> late() const {
     if (q_.timeLimitTicks == 0) return std::nullopt;
     const Params& p = problem_.level.params;
-    const float seconds = leastDistance() / bound_.fastest() - 2 * p.tickSeconds;
-    const float most = float(q_.timeLimitTicks) * p.tickSeconds;
+    const float most = float(q_.timeLimitTicks) * p.tickSeconds, spare = 2 * p.tickSeconds;
+    const float studs = leastDistance(), speed = bound_.fastest();
+    if (!(studs / speed - spare > most)) return std::nullopt;
+    const float seconds = secondsFor(studs, speed, bound_.putOuts(), q_.maxJumps) - spare;
     if (!(seconds > most)) return std::nullopt;
     Cut cut = start(goalName_);
     cut.seconds = seconds;

@@ -1,0 +1,27 @@
+#include <algorithm>
+
+#include "solve/proof/body_reach.h"
+#include "solve/proof/reach_bound.h"
+
+namespace obby::solve {
+
+std::vector<PutOut> ReachBound::putOuts() const {
+  float apex = problem_.start.position.y, upward = 0;
+  for (size_t i = 0; i < supports_.size(); ++i) {
+    if (jumps_[i] == kNever) continue;
+    const Launch l = launch(supports_[i], mayJump_ && supports_[i].carries);
+    apex = std::max(apex, flight_.apex(l));
+    upward = std::max(upward, l.upward);
+  }
+  std::vector<Footing> floors;
+  for (size_t i = 0; i < supports_.size(); ++i) {
+    const Support& s = supports_[i];
+    if (!mayJump_ || jumps_[i] == kNever || !s.carries) continue;
+    // The torso does not collide for three ticks, or until a floor has been felt for the last time.
+    const float feet = launch(s, true).from.hi.y + 3 * upward * p_.tickSeconds;
+    floors.push_back({s.collider, feet + p_.headBottom});
+  }
+  return putOutsOf(problem_.level, floors, {problem_.start.position, apex, fastest()});
+}
+
+}  // namespace obby::solve
