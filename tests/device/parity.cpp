@@ -124,6 +124,14 @@ void compareWalkers(Parity& parity, uint32_t worlds, uint32_t ticks) {
   parity.compare("rules of every kind", ruled.course, worlds, ticks, sim::Actions::walker(6));
 }
 
+bool sameCells(const solve::Archive& a, const solve::Archive& b) {
+  bool same = a.cellCount() == b.cellCount();
+  for (uint32_t c = 0; same && c < a.cellCount(); ++c) {
+    same = stateHash(a.world(c), a.loose(c)) == stateHash(b.world(c), b.loose(c));
+  }
+  return same;
+}
+
 // The same search with its rollouts on threads and on the device: every cell of the archive.
 void compareSearch(Parity& parity, sim::Device& device, ThreadPool& pool, int rounds) {
   const level::Level level = support::movingArena(60, 10, 5).compile();
@@ -133,10 +141,8 @@ void compareSearch(Parity& parity, sim::Device& device, ThreadPool& pool, int ro
     threads.round();
     kernel.round();
   }
-  bool same = threads.archive().seen() == kernel.archive().seen();
-  for (uint32_t c = 0; same && c < threads.archive().cellCount(); ++c) {
-    same = stateHash(threads.archive().world(c)) == stateHash(kernel.archive().world(c));
-  }
+  const bool same = threads.archive().seen() == kernel.archive().seen() &&
+                    sameCells(threads.archive(), kernel.archive());
   const Status& status = kernel.deviceStatus();
   const std::string cells = std::to_string(threads.archive().cellCount()) + " cells";
   parity.say(bool(status) && same, "search",
@@ -154,13 +160,9 @@ void compareLearned(Parity& parity, const char* name, const level::Level& level,
     here.round();
     there.round();
   }
-  bool same = here.cellCount() > 1 && here.cellCount() == there.cellCount() &&
-              here.statistics().steps == there.statistics().steps &&
-              here.returns().reached == there.returns().reached;
-  for (uint32_t c = 0; same && c < here.cellCount(); ++c) {
-    same = stateHash(here.archive().world(c), here.archive().loose(c)) ==
-           stateHash(there.archive().world(c), there.archive().loose(c));
-  }
+  const bool same = here.cellCount() > 1 && here.statistics().steps == there.statistics().steps &&
+                    here.returns().reached == there.returns().reached &&
+                    sameCells(here.archive(), there.archive());
   const Status& status = there.deviceStatus();
   const std::string cells = std::to_string(here.cellCount()) + " cells";
   parity.say(bool(status) && same, name, status ? cells.c_str() : status.error().text().c_str());

@@ -6,15 +6,6 @@ namespace {
 
 const char* const kEnded = "handler that a script disconnects";
 
-// What `touched` does with `p` and what has touched it, `hit`, at the first touch only.
-struct OneTime : Scene {
-  explicit OneTime(const std::string& touched) {
-    script("local p = script.Parent\n" + touched, pad);
-    level();
-  }
-  const InstanceId pad = part("Pad");
-};
-
 TEST(EndedHandlers, WhatComesAtTheFirstTouchOnlyIsNamed) {
   const char* const touches[] = {
       "local c c = p.Touched:Connect(function(hit)\nc:Disconnect() p.CanCollide = false wait(3) "
@@ -26,8 +17,8 @@ TEST(EndedHandlers, WhatComesAtTheFirstTouchOnlyIsNamed) {
       "local c = p.Touched:Connect(function(hit)\nhit.Velocity = Vector3.new(0, 90, 0) end) wait(9)"
       " c:Disconnect()"};
   for (const char* touch : touches) {
-    OneTime scene(touch);
-    const PartDraft& pad = scene[scene.pad];
+    ScriptedPart scene(touch);
+    const PartDraft& pad = scene[scene.self];
     EXPECT_TRUE(pad.vanish || pad.kill || pad.jumpPad) << touch;
     ASSERT_EQ(scene.unmodelled(kEnded), 1u) << touch;
     const auto& entry = scene.level().unmodelled.at(kEnded);
@@ -46,7 +37,7 @@ TEST(EndedHandlers, WhatMayComeButOnceIsNotNamed) {
       "local other = workspace.Changed:Connect(print) p.Touched:Connect(function() "
       "other:Disconnect() p.CanCollide = false wait(3) p.CanCollide = true end)"};
   for (const char* touch : touches) {
-    OneTime scene(touch);
+    ScriptedPart scene(touch);
     EXPECT_EQ(scene.unmodelled(kEnded), 0u) << touch;
   }
 }
@@ -61,18 +52,18 @@ TEST(EndedHandlers, WhatIsConnectedAnewGoesOn) {
       "local function arm() local c c = p.Touched:Connect(function() c:Disconnect()\n"
       "p.CanCollide = false wait(3) p.CanCollide = true arm() end) end arm()"};
   for (const char* touch : touches) {
-    OneTime scene(touch);
-    ASSERT_TRUE(scene[scene.pad].vanish) << touch;
-    EXPECT_NEAR(scene[scene.pad].vanish->away, 3, 1e-3) << touch;
+    ScriptedPart scene(touch);
+    ASSERT_TRUE(scene[scene.self].vanish) << touch;
+    EXPECT_NEAR(scene[scene.self].vanish->away, 3, 1e-3) << touch;
     EXPECT_TRUE(scene.level().unmodelled.empty()) << touch;
   }
 }
 
 TEST(EndedHandlers, AHandlerOfEachFrameEndsWhereItDisconnectsItself) {
-  OneTime scene(
+  ScriptedPart scene(
       "local t, c = 0, nil\nc = game:GetService('RunService').Heartbeat:Connect(function(dt)\n"
       "t = t + dt p.Position = Vector3.new(0, t * 4, 0)\nif t >= 2 then c:Disconnect() end end)");
-  const PartDraft& pad = scene[scene.pad];
+  const PartDraft& pad = scene[scene.self];
   ASSERT_TRUE(pad.motion);
   EXPECT_EQ(pad.motion->repeat, importer::Repeat::once);
   EXPECT_NEAR(pad.motion->keys.back().time, 2, 0.06);
@@ -81,19 +72,19 @@ TEST(EndedHandlers, AHandlerOfEachFrameEndsWhereItDisconnectsItself) {
 }
 
 TEST(EndedHandlers, WhatComesAtOneFrameIsNoLoop) {
-  OneTime scene(
+  ScriptedPart scene(
       "game:GetService('RunService').Heartbeat:Once(function()\n"
       "p.CFrame = p.CFrame * CFrame.Angles(0, 1, 0) end)");
-  EXPECT_FALSE(scene[scene.pad].motion);
+  EXPECT_FALSE(scene[scene.self].motion);
 }
 
 // Whether the signal ever comes nobody knows.
 TEST(EndedHandlers, WhatComesAtOneFrameAfterASignalIsNotDoneAtTheStart) {
   const std::string goes =
       "game:GetService('RunService').Heartbeat:Once(function() p:Destroy() end)";
-  EXPECT_TRUE(OneTime(goes).level().parts.empty());
+  EXPECT_TRUE(ScriptedPart(goes).level().parts.empty());
   for (const char* signal : {"workspace.Changed", "game:GetService('RunService').Heartbeat"}) {
-    OneTime scene(std::string(signal) + ":Connect(function() " + goes + " end)");
+    ScriptedPart scene(std::string(signal) + ":Connect(function() " + goes + " end)");
     EXPECT_EQ(scene.level().parts.size(), 1u) << signal;
   }
 }
@@ -101,13 +92,13 @@ TEST(EndedHandlers, WhatComesAtOneFrameAfterASignalIsNotDoneAtTheStart) {
 TEST(EndedHandlers, AHandlerGoesOnUntilAThreadOfItsEndsIt) {
   for (const char* later : {"task.spawn(function() task.wait(5) c:Disconnect() end)",
                             "task.delay(5, function() c:Disconnect() end)"}) {
-    OneTime scene(
+    ScriptedPart scene(
         "local started, c = false, nil\nc = "
         "game:GetService('RunService').Heartbeat:Connect(function(dt)\n"
         "p.CFrame = p.CFrame * CFrame.Angles(0, dt, 0)\nif not started then started = true " +
         std::string(later) + " end end)");
-    ASSERT_TRUE(scene[scene.pad].motion) << later;
-    EXPECT_TRUE(scene[scene.pad].motion->spin) << later;
+    ASSERT_TRUE(scene[scene.self].motion) << later;
+    EXPECT_TRUE(scene[scene.self].motion->spin) << later;
     EXPECT_EQ(scene.unmodelled(kEnded), 1u) << later;
   }
 }
@@ -117,11 +108,11 @@ TEST(EndedHandlers, AMotionThatAnotherThreadEndsIsNamed) {
                               "task.delay(5, function() c:Disconnect() end)",
                               "if math.random() > 0.5 then c:Disconnect() end"};
   for (const char* end : ends) {
-    OneTime scene(
+    ScriptedPart scene(
         "local c = game:GetService('RunService').Heartbeat:Connect(function(dt)\n"
         "p.CFrame = p.CFrame * CFrame.Angles(0, dt, 0) end)\n" +
         std::string(end));
-    EXPECT_TRUE(scene[scene.pad].motion) << end;
+    EXPECT_TRUE(scene[scene.self].motion) << end;
     EXPECT_EQ(scene.unmodelled(kEnded), 1u) << end;
   }
 }

@@ -5,6 +5,15 @@
 
 namespace obby::test {
 
+// A part, and a script on it that calls it `p`.
+struct ScriptedPart : Scene {
+  explicit ScriptedPart(const std::string& text) {
+    script("local p = script.Parent\n" + text, self);
+    level();
+  }
+  const InstanceId self = part("Pad");
+};
+
 inline void expectNear(Vec3 a, Vec3 b, float slack = 0.02f) {
   EXPECT_NEAR(a.x, b.x, slack);
   EXPECT_NEAR(a.y, b.y, slack);

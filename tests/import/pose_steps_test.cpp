@@ -10,15 +10,6 @@ namespace {
 
 const char* const kInPlay = "part that a script changes in play";
 
-// The part `p` of a script.
-struct Stepping : Scene {
-  explicit Stepping(const std::string& text) {
-    script("local p = script.Parent\n" + text, mover);
-    level();
-  }
-  const InstanceId mover = part("Mover");
-};
-
 TEST(PoseSteps, AWayThatALoopMakesIsAMotionThatComesOnce) {
   const char* const texts[] = {
       "for i = 1, 40 do p.CFrame = p.CFrame * CFrame.new(0, 0.1, 0) task.wait(0.05) end",
@@ -30,8 +21,8 @@ TEST(PoseSteps, AWayThatALoopMakesIsAMotionThatComesOnce) {
       "task.spawn(function() for i = 1, 40 do p.CFrame *= CFrame.new(0, 0.1, 0) "
       "task.wait(0.05) end end)"};
   for (const char* text : texts) {
-    Stepping scene(text);
-    const PartDraft& part = scene[scene.mover];
+    ScriptedPart scene(text);
+    const PartDraft& part = scene[scene.self];
     ASSERT_TRUE(part.motion) << text;
     EXPECT_EQ(part.motion->repeat, importer::Repeat::once) << text;
     EXPECT_NEAR(part.motion->keys.back().time, 1.95, 1e-3) << text;
@@ -39,19 +30,18 @@ TEST(PoseSteps, AWayThatALoopMakesIsAMotionThatComesOnce) {
     expectNear(at(part, 1), {0, 2.1f, 0});
     expectNear(part.motion->keys.back().pose.position, {0, 4, 0});
     EXPECT_EQ(part.pose.position, (Vec3{})) << text;
-    EXPECT_EQ(scene.evidence(scene.mover, "motion").rfind("script Script line 2", 0), 0u) << text;
+    EXPECT_EQ(scene.evidence(scene.self, "motion").rfind("script Script line 2", 0), 0u) << text;
     EXPECT_TRUE(scene.level().unmodelled.empty()) << text;
   }
 }
 
 TEST(PoseSteps, BeginWhereTheScriptPutsThePartOnceItHasWaited) {
-  const std::string steps =
-      "for i = 1, 10 do p.Position = Vector3.new(i, 0, 5) task.wait(0.1) end";
+  const std::string steps = "for i = 1, 10 do p.Position = Vector3.new(i, 0, 5) task.wait(0.1) end";
   for (const bool thread : {false, true}) {
-    Stepping scene("p.Position = Vector3.new(0, 0, 5) " +
-                   (thread ? "task.delay(2, function() " + steps + " end)"
-                           : "task.wait(2) " + steps));
-    const PartDraft& part = scene[scene.mover];
+    ScriptedPart scene(
+        "p.Position = Vector3.new(0, 0, 5) " +
+        (thread ? "task.delay(2, function() " + steps + " end)" : "task.wait(2) " + steps));
+    const PartDraft& part = scene[scene.self];
     ASSERT_TRUE(part.motion) << thread;
     expectNear(at(part, 0), {0, 0, 5});
     expectNear(at(part, 1.9f), {0, 0, 5});
@@ -61,17 +51,17 @@ TEST(PoseSteps, BeginWhereTheScriptPutsThePartOnceItHasWaited) {
 }
 
 TEST(PoseSteps, AreNamedWhereAnotherThreadPutsThePartElsewhereLater) {
-  Stepping scene(
+  ScriptedPart scene(
       "task.delay(30, function() p.Position = Vector3.new(0, 0, 0) end)\n"
       "for i = 1, 10 do p.Position = Vector3.new(i, 0, 0) task.wait(0.1) end");
-  EXPECT_TRUE(scene[scene.mover].motion);
+  EXPECT_TRUE(scene[scene.self].motion);
   EXPECT_EQ(scene.unmodelled("part that two scripts move"), 1u);
 }
 
 TEST(PoseSteps, MayTurn) {
-  Stepping scene(
+  ScriptedPart scene(
       "for i = 1, 90 do p.CFrame = p.CFrame * CFrame.Angles(0, math.rad(1), 0) task.wait() end");
-  const PartDraft& part = scene[scene.mover];
+  const PartDraft& part = scene[scene.self];
   ASSERT_TRUE(part.motion);
   EXPECT_FALSE(part.motion->spin);
   expectNear(part.motion->keys.back().pose.rotation.x, {0, 0, -1});
@@ -83,8 +73,9 @@ TEST(PoseSteps, OneLoopForthAndOneBackInAnEndlessOneGoOnForEver) {
                                "p.CFrame = p.CFrame + Vector3.new(0, 0.2, 0) * way"};
   for (const char* step : steps) {
     const std::string loop = "for i = 1, 20 do " + std::string(step) + " task.wait(0.05) end ";
-    Stepping scene("local way = 1 while true do\n" + loop + "way = -1\n" + loop + "way = 1\nend");
-    const PartDraft& part = scene[scene.mover];
+    ScriptedPart scene("local way = 1 while true do\n" + loop + "way = -1\n" + loop +
+                       "way = 1\nend");
+    const PartDraft& part = scene[scene.self];
     ASSERT_TRUE(part.motion) << step;
     EXPECT_EQ(part.motion->repeat, importer::Repeat::loop) << step;
     EXPECT_NEAR(part.motion->keys.back().time, 2, 0.05) << step;
@@ -109,8 +100,8 @@ TEST(PoseSteps, WhatTheTextDoesNotTellIsNamedNotMoved) {
       {"for i = 1, 9 do task.wait(1) p.Position = Vector3.new(0, 9, 0) end", kInPlay},
       {"task.wait(1300) " + steps, kInPlay}};
   for (const auto& [text, kind] : cases) {
-    Stepping scene(text);
-    EXPECT_FALSE(scene[scene.mover].motion) << text;
+    ScriptedPart scene(text);
+    EXPECT_FALSE(scene[scene.self].motion) << text;
     EXPECT_EQ(scene.unmodelled(kind), 1u) << text;
   }
 }
@@ -137,17 +128,17 @@ TEST(PoseSteps, LeaveAPartToWhatMovesItForEver) {
 }
 
 TEST(PoseSteps, AFadeIsNoMotionAndNoVanishing) {
-  Stepping fades("for i = 0, 1, 0.1 do p.Transparency = i task.wait(0.1) end");
-  EXPECT_FALSE(fades[fades.mover].motion);
-  EXPECT_FALSE(fades[fades.mover].vanish);
-  EXPECT_TRUE(fades[fades.mover].solid);
+  ScriptedPart fades("for i = 0, 1, 0.1 do p.Transparency = i task.wait(0.1) end");
+  EXPECT_FALSE(fades[fades.self].motion);
+  EXPECT_FALSE(fades[fades.self].vanish);
+  EXPECT_TRUE(fades[fades.self].solid);
   EXPECT_TRUE(fades.level().unmodelled.empty());
-  Stepping goes(
+  ScriptedPart goes(
       "while true do for i = 0, 1, 0.1 do p.Transparency = i task.wait(0.1) end\n"
       "p.CanCollide = false task.wait(2) p.CanCollide = true p.Transparency = 0 task.wait(1) end");
-  ASSERT_TRUE(goes[goes.mover].vanish);
-  EXPECT_NEAR(goes[goes.mover].vanish->away, 2, 0.01);
-  EXPECT_NEAR(goes[goes.mover].vanish->delay, 2.1, 0.05);
+  ASSERT_TRUE(goes[goes.self].vanish);
+  EXPECT_NEAR(goes[goes.self].vanish->away, 2, 0.01);
+  EXPECT_NEAR(goes[goes.self].vanish->delay, 2.1, 0.05);
 }
 
 TEST(PoseSteps, NumbersOfAnySizeEndSoon) {
@@ -166,9 +157,9 @@ TEST(PoseSteps, NumbersOfAnySizeEndSoon) {
       "end)"};
   for (const char* text : texts) {
     const auto start = std::chrono::steady_clock::now();
-    Stepping scene(text);
+    ScriptedPart scene(text);
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10)) << text;
-    const PartDraft& part = scene[scene.mover];
+    const PartDraft& part = scene[scene.self];
     EXPECT_TRUE(!part.kill || part.kill->cooldown >= 0) << text;
     EXPECT_TRUE(!part.vanish || part.vanish->delay >= 0) << text;
   }

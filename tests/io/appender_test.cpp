@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <optional>
 #include <thread>
 
 #include "io/read_file.h"
@@ -15,40 +16,43 @@
 namespace obby::io {
 namespace {
 
-TEST(Appender, WhoIsToldToStopGivesUpAReaderWhoTakesNothing) {
+// A log to a pipe whose reader takes nothing.
+class StalledLog : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+    reader = open(path.c_str(), O_RDONLY | O_NONBLOCK);
+    auto opened = Appender::open(path, &stop);
+    ASSERT_TRUE(opened) << opened.error().text();
+    log.emplace(*std::move(opened));
+  }
+  ~StalledLog() override { close(reader); }
+
   test::ScratchFolder folder;
   const std::string path = folder / "pipe";
-  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-  const int reader = open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  int reader = -1;
   std::atomic<bool> stop{false};
-  auto log = Appender::open(path, &stop);
-  ASSERT_TRUE(log) << log.error().text();
+  std::optional<Appender> log;
+};
+
+TEST_F(StalledLog, WhoIsToldToStopGivesUpAReaderWhoTakesNothing) {
   EXPECT_TRUE(log->append("a row\n"));
   stop = true;
   EXPECT_TRUE(log->append("what there is room for\n"));
   const Status status = log->append(std::string(size_t(1) << 20, 'x'));
-  close(reader);
   ASSERT_FALSE(status);
   EXPECT_TRUE(isInterrupted(status.error()));
   EXPECT_EQ(status.error().input, path);
 }
 
 // Not by a signal, which would break off a write that waits.
-TEST(Appender, MayBeToldToStopWhileItWaits) {
-  test::ScratchFolder folder;
-  const std::string path = folder / "pipe";
-  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-  const int reader = open(path.c_str(), O_RDONLY | O_NONBLOCK);
-  std::atomic<bool> stop{false};
-  auto log = Appender::open(path, &stop);
-  ASSERT_TRUE(log) << log.error().text();
+TEST_F(StalledLog, MayBeToldToStopWhileItWaits) {
   std::thread other([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     stop = true;
   });
   const Status status = log->append(std::string(size_t(1) << 20, 'x'));
   other.join();
-  close(reader);
   ASSERT_FALSE(status);
   EXPECT_TRUE(isInterrupted(status.error()));
 }

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "solve/proof/body_reach.h"
-#include "solve/proof/box_index.h"
 #include "solve/proof/coyote_drop.h"
 #include "solve/proof/flight.h"
+#include "solve/proof/solids.h"
 #include "solve/proof/supports.h"
 
 namespace obby::solve {
@@ -52,7 +52,7 @@ class Finder {
         side_(bodySide(p_) + kSlack),
         soon_(2 * side_ + 2 * p_.tickSeconds * moves.speed),
         late_(2 * side_ + (p_.coyoteTime + 3 * p_.tickSeconds) * moves.speed),
-        index_(solids()),
+        solids_(level, {}),
         drop_(p_, p_.maxFallSpeed) {
     const uint32_t any = flagsOfAll(level);
     // Movers, belts and pads slow a jump down, trusses end it.
@@ -68,18 +68,18 @@ class Finder {
     hips_.assign(level_.colliderCount, Hips{kFar, kFar, kFar});
     for (const Footing& f : floors) {
       hips_[f.collider] = lowestHips(f.collider);
-      lowest_ = std::min(lowest_, boxes_[f.collider].lo.y);
+      lowest_ = std::min(lowest_, solids_.box(f.collider).lo.y);
     }
   }
 
   void look(const Footing& from) {
     if (isTooMuch()) return;
     const Hips hips = hips_[from.collider];
-    const Box floor = boxes_[from.collider];
+    const Box floor = solids_.box(from.collider);
     const float later = std::max(hips.later, lowestStart(floor)), felt = std::min(hips.felt, later);
     const float lowest = std::min(felt, hips.lost);
     forSolids(around(floor, late_, lowest, from.highest), [&](uint32_t id) {
-      const Box& part = boxes_[id];
+      const Box& part = solids_.box(id);
       if ((isStill(id) ? part.hi.y : part.lo.y) > from.highest) return;
       const float gap = gapBetween(floor, part);
       const float studs = std::max(gap <= soon_ ? depth(id, felt) : 0.0f,
@@ -104,20 +104,9 @@ class Finder {
 
   bool isTooMuch() const { return work_ > kMostWork; }
 
-  std::vector<Box> solids() {
-    std::vector<Box> boxes;
-    for (uint32_t id = 0; id < level_.colliderCount; ++id) {
-      boxes_.push_back(level_.bounds[id].box());
-      if (!(level_.bounds[id].flags & level::kSolid)) continue;
-      ids_.push_back(id);
-      boxes.push_back(boxes_.back());
-    }
-    return boxes;
-  }
-
   template <class Found>
   void forSolids(const Box& where, Found&& found) {
-    work_ += index_.find(where, [&](uint32_t i) { found(ids_[i]); });
+    work_ += solids_.find(where, found);
   }
 
   static Box around(const Box& box, float side, float lowest, float highest) {
@@ -126,8 +115,7 @@ class Finder {
   }
 
   bool isStill(uint32_t id) const {
-    const uint32_t flags = level_.bounds[id].flags;
-    return (flags & level::kUpright) != 0 && (flags & level::kMoving) == 0;
+    return solids_.isUpright(id) && (level_.bounds[id].flags & level::kMoving) == 0;
   }
 
   // Who pushes through it comes out on its far side, wherever they came from.
@@ -140,7 +128,7 @@ class Finder {
   Hips lowestHips(uint32_t floor) {
     const uint32_t flags = level_.bounds[floor].flags;
     if (flags & (level::kMoving | level::kTruss | level::kConveyor)) return {-kFar, -kFar, -kFar};
-    const Box box = boxes_[floor];
+    const Box box = solids_.box(floor);
     const float top = isStill(floor) ? box.hi.y : box.lo.y;
     const float felt = top - std::max(sim::rayHeight(p_), p_.hipHeight);
     const float fallen = std::max(moves_.apex - felt, 0.0f);
@@ -168,14 +156,14 @@ class Finder {
     const float above = feet + std::min(half, p_.hipHeight + p_.bodyTop - p_.headBottom);
     bool found = false;
     forSolids(around(floor, side, above, moves_.apex + p_.bodyTop), [&](uint32_t id) {
-      found |= id != but && (isStill(id) ? boxes_[id].lo.y : boxes_[id].hi.y) > above;
+      found |= id != but && (isStill(id) ? solids_.box(id).lo.y : solids_.box(id).hi.y) > above;
     });
     return found;
   }
 
   // How far the torso can be in it, whose hips are at `hips` or higher.
   float depth(uint32_t id, float hips) const {
-    return std::min(boxes_[id].hi.y - hips, p_.headBottom - p_.hipHeight);
+    return std::min(solids_.box(id).hi.y - hips, p_.headBottom - p_.hipHeight);
   }
   float lostDepth(uint32_t id, float hips) const {
     return std::min(depth(id, hips), moves_.speed * p_.tickSeconds);
@@ -184,7 +172,7 @@ class Finder {
   // `part` puts out by so much who jumps from `floor`.
   void note(uint32_t floor, uint32_t part, float studs, float hips) {
     if (isTooMuch()) return;
-    const Box box = boxes_[part];
+    const Box box = solids_.box(part);
     forSolids(around(box, bodyAcross(p_), hips, moves_.apex + p_.bodyTop), [&](uint32_t id) {
       if (id == part) return;
       const float more = depth(id, hips);
@@ -199,9 +187,10 @@ class Finder {
 
   // What stops the jump later on does so when the head has passed over `part`.
   float secondsAfter(uint32_t floor, uint32_t part, float hips) {
-    const float feet = std::max(hips - p_.hipHeight, boxes_[part].hi.y - p_.headBottom - kSlack);
+    const float feet =
+        std::max(hips - p_.hipHeight, solids_.box(part).hi.y - p_.headBottom - kSlack);
     const float side = late_ + jump_ / p_.gravity * moves_.speed;
-    const bool stopped = usual_ > shortest_ && isStopped(boxes_[floor], part, side, feet);
+    const bool stopped = usual_ > shortest_ && isStopped(solids_.box(floor), part, side, feet);
     return stopped ? shortest_ : usual_;
   }
 
@@ -211,10 +200,8 @@ class Finder {
   const float jump_, fastest_;  // of jumps, studs/s: at least, at most
   const float side_;            // from the feet to what the body touches
   const float soon_, late_;     // studs from a floor to what is met from there, felt or lost
-  std::vector<Box> boxes_;      // (colliders)
   std::vector<Hips> hips_;      // (colliders): of those that somebody may jump from
-  std::vector<uint32_t> ids_;   // of the boxes in the index
-  const BoxIndex index_;
+  const Solids solids_;
   const CoyoteDrop drop_;
   bool calm_ = false;
   float lowest_ = kFar;  // of what somebody may jump from

@@ -44,7 +44,7 @@ float ReachBound::fastestReached() const {
   for (size_t i = 0; i < supports_.size(); ++i) {
     if (jumps_[i] == kNever) continue;
     more = std::max(more, supports_[i].sideways);
-    upward = std::max(upward, launch(supports_[i], mayJump_ && supports_[i].carries).upward);
+    upward = std::max(upward, launch(supports_[i]).upward);
   }
   const float most = 1.42f * problem_.level.maxSideSpeed;  // clamped along each axis
   const bool any = slopes_ && (slidesHelpless() || glancesFar(upward, most - walkSpeed_));
@@ -93,7 +93,7 @@ Launch ReachBound::launch(const Support& s, bool jumping) const {
 std::vector<Ride> ReachBound::ridesFrom(const Support& s, float lowest) const {
   std::vector<Ride> open, rides;
   if (pushers_.empty()) return rides;
-  const Launch l = launch(s, mayJump_ && s.carries);
+  const Launch l = launch(s);
   const float farthest = flight_.reach(l, std::min(lowest, s.feet.hi.y));
   for (const Pusher& by : pushers_) {
     const bool meets = by.pushed.lo.y - p_.bodyTop <= flight_.apex(l);
@@ -206,7 +206,7 @@ bool ReachBound::holds(Vec3 feet) const {
   for (size_t i = 0; i < supports_.size(); ++i) {
     if (jumps_[i] == kNever) continue;
     const Support& s = supports_[i];
-    const float reach = flight_.reach(launch(s, mayJump_ && s.carries), feet.y);
+    const float reach = flight_.reach(launch(s), feet.y);
     if (reach >= gapBetween(s.feet, point)) return true;
     if (reach >= wayBetween(s.feet, ridesFrom(s, feet.y), point)) return true;
   }
@@ -220,7 +220,7 @@ bool ReachBound::comesInto(const std::vector<Box>& places) const {
   for (size_t i = 0; i < supports_.size(); ++i) {
     if (jumps_[i] == kNever) continue;
     const Support& s = supports_[i];
-    const Launch l = launch(s, mayJump_ && s.carries);
+    const Launch l = launch(s);
     const std::vector<Ride> rides = ridesFrom(s, lowest);
     for (const Box& place : places) {
       const float reach = flight_.reach(l, place.lo.y);
@@ -252,7 +252,7 @@ Missing ReachBound::missing(const std::vector<const level::TargetView*>& targets
   for (size_t i = 0; i < supports_.size(); ++i) {
     if (jumps_[i] == kNever) continue;
     const Support& from = supports_[i];
-    const Launch l = launch(from, mayJump_ && from.carries);
+    const Launch l = launch(from);
     const std::vector<Ride> rides = ridesFrom(from, lowest);
     for (const Box& box : boxes) {
       consider(from, l, rides, box, box.lo.y - p_.bodyTop, level::kNone);

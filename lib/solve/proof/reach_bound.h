@@ -67,6 +67,8 @@ class ReachBound {
   void explore();
   void spread(uint32_t from, std::vector<uint32_t>& now, std::vector<uint32_t>& later);
   Launch launch(const Support& s, bool jumping) const;
+  // The highest that there is from it.
+  Launch launch(const Support& s) const { return launch(s, mayJump_ && s.carries); }
   bool crosses(const Launch& l, float gap, const Support& to, bool jumping) const;
   // That can be met in a flight from there before the feet are below `lowest`.
   std::vector<Ride> ridesFrom(const Support& s, float lowest) const;

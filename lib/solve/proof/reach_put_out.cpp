@@ -9,7 +9,7 @@ std::vector<PutOut> ReachBound::putOuts() const {
   float apex = problem_.start.position.y, upward = 0;
   for (size_t i = 0; i < supports_.size(); ++i) {
     if (jumps_[i] == kNever) continue;
-    const Launch l = launch(supports_[i], mayJump_ && supports_[i].carries);
+    const Launch l = launch(supports_[i]);
     apex = std::max(apex, flight_.apex(l));
     upward = std::max(upward, l.upward);
   }
