@@ -126,11 +126,11 @@ TEST(ScriptWaits, ATweenThatMayPlayIsNotKnownToBeOver) {
 
 TEST(ScriptWaits, ATweenThatAnotherOneCutsDoesNotSurelyComplete) {
   for (const bool cut : {false, true}) {
-    const Overlap tweened(
-        {kThereAndBack + "there.Completed:Connect(function(state)\n"
-                         "if state == Enum.PlaybackState.Completed then "
-                         "tween(even(1), to(-9)):Play() end end)\nthere:Play() " +
-         (cut ? "task.wait(1) back:Play()" : "")});
+    const Overlap tweened({kThereAndBack +
+                           "there.Completed:Connect(function(state)\n"
+                           "if state == Enum.PlaybackState.Completed then "
+                           "tween(even(1), to(-9)):Play() end end)\nthere:Play() " +
+                           (cut ? "task.wait(1) back:Play()" : "")});
     EXPECT_EQ(tweened.scene.evidence(tweened.part, "motion").rfind("guessed: ", 0) == 0, cut);
   }
 }

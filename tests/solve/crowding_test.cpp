@@ -28,8 +28,9 @@ TEST(Crowding, IsWhereMorePartsAreNearThanATickHolds) {
   EXPECT_TRUE(placesAmong(sim::kMaxCandidates - 1).empty()) << "with the floor as many as it holds";
   const std::vector<Box> places = placesAmong(sim::kMaxCandidates);
   const Vec3 middle{0.05f * float(sim::kMaxCandidates) - 3, 0, 5};
-  const bool found = std::any_of(places.begin(), places.end(),
-                                 [&](const Box& b) { return isWithin({middle, middle}, b); });
+  const bool found = std::any_of(places.begin(), places.end(), [&](const Box& b) {
+    return isWithin({middle, middle}, b);
+  });
   EXPECT_TRUE(found) << "of " << places.size();
 }
 
