@@ -15,7 +15,8 @@ namespace obby::cli {
 
 class Arguments {
  public:
-  // Input files in order; "-" is standard input. {"-"} when none were given.
+  // Input files in order; "-" is standard input. {"-"} when none were given; none once a tool runs
+  // that reads none.
   std::vector<std::string> inputs;
 
   // `name` without dashes. Asking for a name that is not in the table is a mistake in the program.

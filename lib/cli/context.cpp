@@ -5,6 +5,7 @@
 #include "base/thread_pool.h"
 #include "cli/console.h"
 #include "cli/stop.h"
+#include "cli/written_files.h"
 #include "io/version.h"
 
 namespace obby::cli {
@@ -50,7 +51,13 @@ int Context::threads() const {
   return wanted > 0 ? int(wanted) : availableThreads();
 }
 
+Status Context::checkOutput() const {
+  const WrittenFile written[] = {{"output", textOr(arguments_, "output", "-")}};
+  return refuseOverwriting(arguments_, written);
+}
+
 Result<io::StreamWriter> Context::openOutput() const {
+  OBBY_RETURN_IF_ERROR(checkOutput());
   const std::string path = textOr(arguments_, "output", "-");
   const std::string format = textOr(arguments_, "format", "");
   if (format.empty()) return io::StreamWriter::open(path, io::formatForFile(path), &stopFlag());
@@ -59,6 +66,7 @@ Result<io::StreamWriter> Context::openOutput() const {
 }
 
 Result<io::Sink> Context::openSink() const {
+  OBBY_RETURN_IF_ERROR(checkOutput());
   return io::Sink::open(textOr(arguments_, "output", "-"), io::Durable::no, &stopFlag());
 }
 

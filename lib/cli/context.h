@@ -35,6 +35,8 @@ class Context {
   // Threads to use: --threads, or all that this process may use.
   int threads() const;
 
+  // Error: the file of -o is read, too (written_files.h). The two below begin with it.
+  Status checkOutput() const;
   // The stream that -o and --format ask for (standard output, JSON lines).
   Result<io::StreamWriter> openOutput() const;
   // The bytes that -o asks for, for output that is no stream of records.

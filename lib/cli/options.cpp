@@ -45,7 +45,8 @@ std::vector<OptionRow> makeUniversalRows() {
       universal(row("verbose", 'v', ValueType::flag, "", "say on stderr what is being done")),
       universal(row("no-color", 0, ValueType::flag, "",
                     "no colours (also: NO_COLOR set, TERM=dumb, no terminal)")),
-      universal(row("json-errors", 0, ValueType::flag, "", "errors as JSON objects on stderr")),
+      universal(row("json-errors", 0, ValueType::flag, "",
+                    "errors, warnings and notes as JSON objects on stderr")),
       universal(row("config", 0, ValueType::file, "FILE",
                     "read options from FILE: lines `name = value`, 'text with blanks' in quotes, "
                     "several values in [brackets]; below [TOOL] those of one tool")),

@@ -34,6 +34,8 @@ struct OptionRow {
   std::vector<std::string> choices;
   bool repeatable = false;  // may be given more than once: Arguments::list()
   std::string bare;         // mode: the value when none is given
+  // file: read whole before anything is written, so that an output may be that file anew.
+  bool renewed = false;
 };
 
 // Options that mean the same in every tool.

@@ -35,6 +35,11 @@ inline OptionRow multipleOf(OptionRow r, int64_t multiple) {
   return r;
 }
 
+inline OptionRow renewed(OptionRow r) {
+  r.renewed = true;
+  return r;
+}
+
 inline OptionRow lettered(OptionRow r, char letter) {
   r.letter = letter;
   return r;

@@ -92,6 +92,7 @@ int run(const ToolSpec& spec, int argc, char** argv, const RunFunction& body, Co
     console.line(shortHelp(spec));
     return int(ExitCode::failed);
   }
+  if (!reads) arguments->inputs.clear();
   installStopHandlers();
   Context context(spec, std::move(*arguments), console);
   const Result<ExitCode> code = body(context);

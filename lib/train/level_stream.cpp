@@ -61,6 +61,12 @@ Result<std::shared_ptr<const TrainingLevel>> LevelStream::level(uint64_t index,
   return compile(item->level, item->query);
 }
 
+std::string LevelStream::nameOf(const std::vector<std::string>& inputs) {
+  if (inputs.empty()) return {};
+  const std::string first = inputs[0] == "-" ? "stdin" : inputs[0];
+  return inputs.size() == 1 ? first : fmt::format("{} and {} more", first, inputs.size() - 1);
+}
+
 const LevelStream::Item& LevelStream::chosen(const Turn& turn, uint64_t index, float hardest) {
   std::vector<const Item*> ready;
   for (const Item& item : turn) {
@@ -105,8 +111,11 @@ Status LevelStream::Reader::readTo(uint64_t index) {
     if (!said) return said;
   }
   if (read > 0 || !ended) return {};
-  return makeError("no levels with queries to learn from",
-                   "pipe obby-gen into obby-train, or let it make levels with --generate");
+  return Error{inputName,
+               {},
+               {},
+               "no levels with queries to learn from",
+               "pipe obby-gen into obby-train, or let it make levels with --generate"};
 }
 
 Status LevelStream::Reader::readOne() {

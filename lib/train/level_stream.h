@@ -66,6 +66,7 @@ class LevelStream : public LevelSource {
     float difficulty() const { return query.reader().getQuery().getDifficulty(); }
   };
   using Turn = std::vector<Item>;
+  static std::string nameOf(const std::vector<std::string>& inputs);
   static const Item& chosen(const Turn& turn, uint64_t index, float hardest);
   static size_t compiledOf(const Turn& turn);
 
@@ -78,7 +79,10 @@ class LevelStream : public LevelSource {
 
   struct Reader {  // all of it under the lock
     Reader(io::SourceOptions options, const LevelStreamSettings& s)
-        : stop(options.stop), source(std::move(options)), settings(s) {}
+        : stop(options.stop),
+          inputName(nameOf(options.inputs)),
+          source(std::move(options)),
+          settings(s) {}
 
     Status readTo(uint64_t index);
     Status readOne();
@@ -94,6 +98,7 @@ class LevelStream : public LevelSource {
     void dropCompiled(Turn& turn);
 
     const std::atomic<bool>* stop;  // may be null
+    std::string inputName;          // as errors say it
     io::RecordSource source;
     LevelStreamSettings settings;
     io::Physics physics;

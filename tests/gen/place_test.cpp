@@ -71,7 +71,7 @@ TEST_P(Places, ComeBackFromTheImporterAsTheyWere) {
   const gen::Generator generator = generatorOf(recipeFor(GetParam(), 0.5f));
   for (uint64_t i = 0; i < 5; ++i) {
     gen::PlaceFile place(generator);
-    place.add(generator.generate(1, i));
+    ASSERT_TRUE(place.add(generator.generate(1, i)));
     const auto back = importer::importPlace(place.finish(), "made.rbxlx", {});
     ASSERT_TRUE(back) << back.error().text();
     const Made made = makeRecords(generator, 1, i);
@@ -110,7 +110,7 @@ TEST(PlaceFile, WhoComesBackAtACheckpointStands) {
   }
   EXPECT_GT(discs, 0);
   gen::PlaceFile place(generator);
-  place.add(level);
+  ASSERT_TRUE(place.add(level));
   const std::string file = place.finish();
   EXPECT_NE(file.find("character:PivotTo(CFrame.lookAt(at, at + pad.CFrame.LookVector))"),
             std::string::npos);
@@ -122,7 +122,7 @@ TEST(PlaceFile, SeveralLevelsStandApart) {
   gen::PlaceFile place(generator);
   size_t parts = 0;
   for (uint64_t i = 0; i < 8; ++i) {
-    place.add(generator.generate(3, i));
+    ASSERT_TRUE(place.add(generator.generate(3, i)));
     parts += generator.generate(3, i).sketch.parts().size();
   }
   const auto back = importer::importPlace(place.finish(), "made.rbxlx", {});
@@ -141,6 +141,44 @@ TEST(PlaceFile, SeveralLevelsStandApart) {
   for (const auto& [level, span] : along) spans.push_back(span);
   std::sort(spans.begin(), spans.end());
   for (size_t i = 1; i < spans.size(); ++i) EXPECT_GT(spans[i].first, spans[i - 1].second + 30);
+}
+
+// Adds a level again and again until there is no more room.
+Status filled(gen::PlaceFile& place, const gen::Generated& level, uint32_t& levels) {
+  for (levels = 0; levels < 100000; ++levels) OBBY_RETURN_IF_ERROR(place.add(level));
+  return {};
+}
+
+// What is farther out no level may have, and floats are too coarse there for a gap.
+TEST(PlaceFile, HasRoomForSoManyLevelsOnly) {
+  const gen::Generator generator = generatorOf(recipeFor("walkway", 0));
+  const gen::Generated level = generator.generate(1, 0);
+  gen::PlaceFile place(generator);
+  uint32_t levels = 0;
+  const Status full = filled(place, level, levels);
+  ASSERT_FALSE(full);
+  EXPECT_GT(levels, 1000u);
+  EXPECT_EQ(full.error().message, "a place has room for " + std::to_string(levels) +
+                                      " of these levels, side by side within 1000000 studs");
+  EXPECT_FALSE(place.add(level));
+}
+
+TEST(PlaceFile, GrowsNoLargerThanAnybodyReads) {
+  constexpr uint64_t kMost = 100000;
+  const gen::Generator generator = generatorOf(recipeFor("walkway", 0));
+  const gen::Generated level = generator.generate(1, 0);
+  gen::PlaceFile place(generator, kMost);
+  uint32_t levels = 0;
+  const Status full = filled(place, level, levels);
+  ASSERT_FALSE(full);
+  EXPECT_EQ(full.error().message,
+            "a place has room for " + std::to_string(levels) + " of these levels, in 100000 bytes");
+  const std::string file = place.finish();
+  EXPECT_LE(file.size(), kMost);
+  const auto back = importer::importPlace(file, "made.rbxlx", {});
+  ASSERT_TRUE(back) << back.error().text();
+  EXPECT_EQ(back->level.reader().getLevel().getParts().size(),
+            levels * level.sketch.parts().size());
 }
 
 }  // namespace

@@ -1,12 +1,15 @@
 // obby-calibrate: physics parameters from recordings. Wiring only; lib/calibrate does the work.
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "calibrate/course_level.h"
 #include "calibrate/manoeuvres.h"
 #include "calibrate/page.h"
 #include "calibrate/report.h"
 #include "calibrate/shortfall.h"
 #include "calibrate/takes.h"
+#include "cli/written_files.h"
 #include "io/sink.h"
 #include "options.h"
 
@@ -74,12 +77,6 @@ Status writeCourse(cli::Context& context, io::Pipeline& pipeline) {
   return {};
 }
 
-Status writeText(const std::string& path, const std::string& text) {
-  OBBY_ASSIGN(io::Sink sink, io::Sink::open(path));
-  OBBY_RETURN_IF_ERROR(sink.write(text));
-  return sink.close();
-}
-
 Result<std::vector<calibrate::Outcome>> outcomesOf(const std::vector<calibrate::Take>& takes,
                                                    bool heldOut,
                                                    schema::PhysicsParams::Reader params,
@@ -110,9 +107,27 @@ Result<std::vector<std::string>> whyNotNearer(cli::Context& context, const calib
   return calibrate::reasonsOf(shortfall, tolerance);
 }
 
+// Those whose levels can be played under what was found. Of others it is said: they are of other
+// levels than were fitted to, and no reason to lose what was found.
+std::vector<calibrate::Take> playable(cli::Context& context,
+                                      const std::vector<calibrate::Take>& takes,
+                                      schema::PhysicsParams::Reader params) {
+  std::vector<calibrate::Take> out;
+  for (const calibrate::Take& take : takes) {
+    const auto level = calibrate::levelWith(take, params);
+    if (level) {
+      out.push_back(take);
+    } else {
+      context.warn(fmt::format("'{}' is not measured on: level '{}' cannot be played so: {}",
+                               take.track.name, take.track.level, level.error().text()));
+    }
+  }
+  return out;
+}
+
 Status tell(cli::Context& context, io::Pipeline& pipeline, const calibrate::Fit& fit,
-            const std::vector<calibrate::Take>& takes, const std::vector<calibrate::Take>& heldOut,
-            schema::PhysicsParams::Builder params) {
+            const std::vector<calibrate::Take>& takes, const std::vector<calibrate::Take>& kept,
+            schema::PhysicsParams::Builder params, std::optional<io::Sink>& report) {
   for (const calibrate::Fitted& f : fit.parameters)
     calibrate::setValue(params, f.parameter.name, f.value);
   params.setControlRate(uint16_t(fit.controlRate));
@@ -120,6 +135,7 @@ Status tell(cli::Context& context, io::Pipeline& pipeline, const calibrate::Fit&
   io::RecordBuilder record;
   record.root().setParams(params.asReader());
   OBBY_RETURN_IF_ERROR(pipeline.write(record.reader()));
+  const std::vector<calibrate::Take> heldOut = playable(context, kept, params.asReader());
   OBBY_ASSIGN(auto outcomes, outcomesOf(takes, false, params.asReader(), fit.delay));
   OBBY_ASSIGN(const auto others, outcomesOf(heldOut, true, params.asReader(), fit.delay));
   outcomes.insert(outcomes.end(), others.begin(), others.end());
@@ -129,11 +145,12 @@ Status tell(cli::Context& context, io::Pipeline& pipeline, const calibrate::Fit&
   const cli::Arguments& a = context.arguments();
   const std::string text = calibrate::textOf(fit, outcomes, a.number("tolerance"), why);
   context.note(text);
-  if (!a.has("report")) return {};
+  if (!report) return {};
   const std::string path = a.text("report");
   const bool page = path.ends_with(".html") || path.ends_with(".htm");
-  return writeText(path,
-                   page ? calibrate::pageOf(fit, outcomes, a.number("tolerance"), why) : text);
+  OBBY_RETURN_IF_ERROR(
+      report->write(page ? calibrate::pageOf(fit, outcomes, a.number("tolerance"), why) : text));
+  return report->close();
 }
 
 // What the command line says of parameters, read before any output is begun.
@@ -153,7 +170,8 @@ Result<Asked> askedOf(const cli::Arguments& a) {
   return out;
 }
 
-Status calibrateFrom(cli::Context& context, io::Pipeline& pipeline, Asked asked) {
+Status calibrateFrom(cli::Context& context, io::Pipeline& pipeline, Asked asked,
+                     std::optional<io::Sink>& report) {
   calibrate::Takes source;
   OBBY_RETURN_IF_ERROR(pipeline.run([&](const io::Record& r) { return source.handle(r); }));
   for (const std::string& warning : source.warnings()) context.warn(warning);
@@ -178,19 +196,30 @@ Status calibrateFrom(cli::Context& context, io::Pipeline& pipeline, Asked asked)
                                                  {{"loss", progress.loss},
                                                   {"evaluations", double(progress.evaluations)}}});
                              }));
-  return tell(context, pipeline, fit, takes, heldOut, params);
+  return tell(context, pipeline, fit, takes, heldOut, params, report);
+}
+
+// Before the fit, which may take an hour: a file that cannot be written is said at once. Recordings
+// are used up, and may not be made again: no report takes their place.
+Result<std::optional<io::Sink>> openReport(const cli::Arguments& a) {
+  if (!a.has("report") || tools::makesTakes(a)) return std::optional<io::Sink>();
+  const cli::WrittenFile written[] = {{"report", a.text("report")}};
+  OBBY_RETURN_IF_ERROR(cli::refuseOverwriting(a, written));
+  OBBY_ASSIGN(io::Sink sink, io::Sink::open(a.text("report")));
+  return std::optional<io::Sink>(std::move(sink));
 }
 
 Result<cli::ExitCode> run(cli::Context& context) {
   OBBY_RETURN_IF_ERROR(tools::optionsFit(context.arguments()));
   OBBY_ASSIGN(Asked asked, askedOf(context.arguments()));
-  OBBY_ASSIGN(io::StreamWriter output, context.openOutput());
   const bool makes = tools::makesTakes(context.arguments());
+  OBBY_ASSIGN(std::optional<io::Sink> report, openReport(context.arguments()));
+  OBBY_ASSIGN(io::StreamWriter output, context.openOutput());
   io::SourceOptions source = context.sourceOptions();
   if (makes) source.inputs.clear();
   io::Pipeline pipeline(std::move(source), context.identity(), std::move(output));
-  Status done =
-      makes ? writeCourse(context, pipeline) : calibrateFrom(context, pipeline, std::move(asked));
+  Status done = makes ? writeCourse(context, pipeline)
+                      : calibrateFrom(context, pipeline, std::move(asked), report);
   OBBY_RETURN_IF_ERROR(pipeline.finish(std::move(done)));
   return cli::ExitCode::ok;
 }

@@ -108,11 +108,12 @@ Status writePlace(cli::Context& context, std::span<const gen::Generator> generat
   }
   OBBY_ASSIGN(io::Sink sink, context.openSink());  // first: what cannot be written is said at once
   gen::PlaceFile place(generators.front());
+  const auto take = [&](const tools::Emitted& made) -> Status {
+    for (const gen::Generated& level : made.levels) OBBY_RETURN_IF_ERROR(place.add(level));
+    return {};
+  };
   OBBY_ASSIGN(const tools::Ended ended,
-              tools::emit(generators, options, pool, context.stop(), [&](const tools::Emitted& e) {
-                for (const gen::Generated& level : e.levels) place.add(level);
-                return Status();
-              }));
+              tools::emit(generators, options, pool, context.stop(), take));
   if (ended == tools::Ended::stopped) return {};
   if (ended == tools::Ended::noneKept) return noneKept(options.check);
   OBBY_RETURN_IF_ERROR(sink.write(place.finish()));

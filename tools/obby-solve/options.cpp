@@ -10,6 +10,7 @@ namespace {
 using cli::between;
 using cli::lettered;
 using cli::OptionRow;
+using cli::renewed;
 using cli::repeatable;
 using cli::row;
 using cli::ValueType;
@@ -77,9 +78,10 @@ std::vector<OptionRow> searchRows() {
       methodRow(),
       repeatable(row("query", ValueType::text, "ID", "", "answer, check or filter only this query",
                      kSearchGroup)),
-      row("warm", ValueType::file, "FILE", "",
-          "an earlier answer of these queries: its ways are tried first, and searched on from",
-          kSearchGroup),
+      renewed(
+          row("warm", ValueType::file, "FILE", "",
+              "an earlier answer of these queries: its ways are tried first, and searched on from",
+              kSearchGroup)),
       row("watch", ValueType::flag, "", "",
           "answer again whenever an input file changes, from where the last answer was; with -o "
           "the file is written anew, else streams follow one another",
@@ -103,7 +105,7 @@ std::vector<OptionRow> searchRows() {
           "long again",
           kSearchGroup),
       lettered(row("exit-status", ValueType::flag, "", "",
-                   "exit with 1 if a query has no solution, with 3 if a verdict is unknown",
+                   "exit with 1 if a query is unreachable, else with 3 if a verdict is unknown",
                    kSearchGroup),
                'e'),
   };
@@ -125,9 +127,12 @@ std::vector<OptionRow> answeredRows() {
 
 std::vector<OptionRow> queryRows() {
   return {
-      row("start", ValueType::text, "PLACE", "", "start on this part or in this box", kQueryGroup),
+      row("start", ValueType::text, "PLACE", "",
+          "start on this part or in this box [default: the level's first spawn]", kQueryGroup),
       repeatable(row("goal", ValueType::text, "PLACE", "",
-                     "reach this part or box; of several, or of a #TAG's parts, any", kQueryGroup)),
+                     "reach this part or box; of several, or of a #TAG's parts, any [default: the "
+                     "level's goal part, else its last checkpoint]",
+                     kQueryGroup)),
       repeatable(row("waypoint", ValueType::text, "PLACE", "",
                      "pass here first; several in their order", kQueryGroup)),
       repeatable(row("visit", ValueType::text, "PLACE", "",

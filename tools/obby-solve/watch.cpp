@@ -1,8 +1,6 @@
 #include "watch.h"
 
 #include <chrono>
-#include <filesystem>
-#include <system_error>
 #include <thread>
 
 #include "io/file_watch.h"
@@ -14,23 +12,12 @@ namespace {
 
 constexpr std::chrono::milliseconds kPoll{50};
 
-bool isSameFile(const std::string& a, const std::string& b) {
-  std::error_code none;  // of files that are not there
-  return a == b || (std::filesystem::equivalent(a, b, none) && !none);
-}
-
 // Files, and others than what is written: that would be a change, to be answered for ever.
-Status canWatch(const std::vector<std::string>& inputs, const std::string& output) {
-  for (const std::string& path : inputs) {
+Status canWatch(const cli::Context& context) {
+  for (const std::string& path : context.inputs()) {
     if (path == "-") return Error{{}, {}, "--watch", "needs files, not standard input", {}};
-    if (!isSameFile(path, output)) continue;
-    return Error{{},
-                 {},
-                 "--watch",
-                 "the output " + output + " is one of the files that are watched",
-                 "name another file with -o"};
   }
-  return {};
+  return context.checkOutput();
 }
 
 // Sets `stop` once the inputs change or the process is to end: an answer to what is no longer asked
@@ -52,7 +39,7 @@ class Guard {
 }  // namespace
 
 Status watchInputs(cli::Context& context, solve::FilterOptions& options, const SolveOnce& solve) {
-  OBBY_RETURN_IF_ERROR(canWatch(context.inputs(), context.arguments().text("output")));
+  OBBY_RETURN_IF_ERROR(canWatch(context));
   io::FileWatch files(context.inputs());
   while (!context.stop()) {
     files.settle(context.stop());

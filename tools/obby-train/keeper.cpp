@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <span>
 
+#include "cli/written_files.h"
 #include "io/read_file.h"
 #include "policy/policy_file.h"
 
@@ -38,33 +38,6 @@ std::string checkpointPathOf(const cli::Arguments& a) {
   if (a.has("checkpoint")) return a.text("checkpoint");
   const std::string& output = a.text("output");
   return isFile(output) ? output + ".checkpoint" : std::string();
-}
-
-struct Output {
-  const char* option;
-  std::string path;  // empty: there is none
-};
-
-// Links are written through.
-std::filesystem::path placeOf(const Output& output) {
-  std::error_code unseen;
-  std::filesystem::path real = std::filesystem::weakly_canonical(
-      std::filesystem::current_path(unseen) / output.path, unseen);
-  return unseen ? std::filesystem::path(output.path).lexically_normal() : real;
-}
-
-// Of two that are written to one file only the last would be left.
-Status filesDiffer(std::span<const Output> outputs) {
-  for (size_t i = 0; i < outputs.size(); ++i) {
-    if (outputs[i].path.empty() || !isFile(outputs[i].path)) continue;
-    for (size_t other = 0; other < i; ++other) {
-      if (placeOf(outputs[other]) != placeOf(outputs[i])) continue;
-      const std::string said =
-          fmt::format("{} is where --{} goes", outputs[i].path, outputs[other].option);
-      return Error{std::string("--") + outputs[i].option, {}, {}, said, "name another file"};
-    }
-  }
-  return {};
 }
 
 // What would show when it is written for the first time only, after a minute or an hour. Devices
@@ -136,11 +109,12 @@ Keeper::Keeper(const cli::Context& context, train::Ranks& ranks, const std::atom
 Status Keeper::checkFiles() const {
   const cli::Arguments& a = context_.arguments();
   OBBY_RETURN_IF_ERROR(filesHaveNames(a));
-  const Output outputs[] = {{"output", a.text("output")},
-                            {"checkpoint", checkpointPath_},
-                            {"log", a.text("log")},
-                            {"curve", a.text("curve")}};
-  OBBY_RETURN_IF_ERROR(filesDiffer(outputs));
+  const cli::WrittenFile written[] = {{"", "-"},
+                                      {"output", a.text("output")},
+                                      {"checkpoint", checkpointPath_},
+                                      {"log", a.text("log")},
+                                      {"curve", a.text("curve")}};
+  OBBY_RETURN_IF_ERROR(cli::refuseOverwriting(a, written));
   for (const std::string& path : {a.text("output"), checkpointPath_, a.text("curve")}) {
     if (!path.empty()) OBBY_RETURN_IF_ERROR(canBeWritten(path));
   }

@@ -18,7 +18,7 @@ class Keeper {
 
   // With --resume: reads the checkpoint. Done before levels are read, so that a wrong name is said
   // at once. Errors: those of the file; standard output as a file; files that could not be written
-  // later, or would be written over one another.
+  // later, or would be written over one another, or over what is read.
   Status find();
   // What is learned under, the levels' settings included, and on a device or not. Error: ranks that
   // differ in it.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "cli/written_files.h"
 #include "io/read_file.h"
 #include "keeper.h"
 #include "levels.h"
@@ -100,10 +101,12 @@ std::vector<train::Metric> metricsOf(const train::Evaluation& e, uint32_t tries)
 Status evaluate(cli::Context& context, train::Ranks& ranks) {
   if (ranks.count() > 1)
     return makeError("--eval is done by one process", "start it without mpirun");
-  const std::string& path = context.arguments().text("eval");
+  const cli::Arguments& a = context.arguments();
+  const cli::WrittenFile metrics[] = {{"", "-"}};
+  OBBY_RETURN_IF_ERROR(cli::refuseOverwriting(a, metrics));
+  const std::string& path = a.text("eval");
   OBBY_ASSIGN(const std::string bytes, io::readFile(path, &context.stop()));
   OBBY_ASSIGN(const policy::PolicyFile file, policy::readPolicy(bytes, path));
-  const cli::Arguments& a = context.arguments();
   train::WaitLimit waiting(context.stop(), tools::timeLimit(a));
   OBBY_ASSIGN(const tools::Levels levels,
               tools::levelsOf(context, ranks, a.seed() ^ kHeldOut, false, waiting));

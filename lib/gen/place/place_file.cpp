@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gen/place/place_scripts.h"
+#include "level/record_values.h"
 
 namespace obby::gen {
 
@@ -12,9 +13,11 @@ namespace {
 
 constexpr float kBetween = 60;                      // studs from one level to the next
 constexpr float kFallRoom = 40;                     // studs below everything, where a fall ends
+constexpr float kFarthest = level::kMaxCoordinate;  // studs: no level has parts beyond
 constexpr float kDensity = 0.7f, kFriction = 0.3f;  // of plastic
 constexpr float kJumpPower = 1.06f;                 // launch speed over JumpPower
 constexpr uint32_t kPlastic = 256, kNeon = 288;
+constexpr uint64_t kFrameBytes = 4096;  // of what is not a level, at most
 
 // Extent of a part in every direction, at most; of a mover with its way.
 Box boundsOf(const PartSketch& part) {
@@ -53,7 +56,8 @@ bool isDriven(const PartSketch& part) {
 
 }  // namespace
 
-PlaceFile::PlaceFile(const Generator& generator) : params_(generator.reach().params()) {}
+PlaceFile::PlaceFile(const Generator& generator, uint64_t mostBytes)
+    : params_(generator.reach().params()), mostBytes_(mostBytes) {}
 
 void PlaceFile::writeProperties(const PartSketch& part, Vec3 shift) {
   xml_.flag("Anchored", part.anchored && !isDriven(part));
@@ -110,7 +114,7 @@ void PlaceFile::writeCarrier(const PartSketch& part, Vec3 shift) {
 }
 
 void PlaceFile::writePart(const PartSketch& part, const std::vector<PartSketch>& all, Vec3 shift) {
-  const bool spawn = first_ && &part == &all.front();
+  const bool spawn = added_ == 0 && &part == &all.front();
   xml_.begin(classOf(part, spawn), part.name);
   writeProperties(part, shift);
   xml_.endProperties();
@@ -121,18 +125,31 @@ void PlaceFile::writePart(const PartSketch& part, const std::vector<PartSketch>&
   xml_.end();
 }
 
-void PlaceFile::add(const Generated& level) {
+Error PlaceFile::full(const std::string& within) const {
+  return makeError(fmt::format("a place has room for {} of these levels, {}", added_, within),
+                   "give it fewer by --count, and make others by --first in another file");
+}
+
+Status PlaceFile::add(const Generated& level) {
   const std::vector<PartSketch>& parts = level.sketch.parts();
   Box box = boundsOf(parts.front());
   for (const PartSketch& part : parts) box = join(box, boundsOf(part));
-  const Vec3 shift{first_ ? 0.0f : float(int32_t(next_ - box.lo.x + 1)), 0, 0};
+  const Vec3 shift{added_ == 0 ? 0.0f : float(int32_t(next_ - box.lo.x + 1)), 0, 0};
+  if (box.hi.x + shift.x > kFarthest)
+    return full(fmt::format("side by side within {:.0f} studs", kFarthest));
+  const size_t before = levels_.size();
   xml_.begin("Model", level.name);
   xml_.endProperties();
   for (const PartSketch& part : parts) writePart(part, parts, shift);
   xml_.end();
+  if (levels_.size() + kFrameBytes > mostBytes_) {
+    levels_.resize(before);
+    return full(fmt::format("in {} bytes", mostBytes_));
+  }
   next_ = box.hi.x + shift.x + kBetween;
   lowest_ = std::min(lowest_, box.lo.y);
-  first_ = false;
+  ++added_;
+  return {};
 }
 
 std::string PlaceFile::finish() {
