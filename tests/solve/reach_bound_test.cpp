@@ -248,6 +248,21 @@ TEST(ReachBound, CountsTheFewestJumps) {
   }
 }
 
+// So many that not all are looked at from each.
+TEST(ReachBound, CountsTheFewestJumpsAmongMany) {
+  LevelBuilder b;
+  b.spawn({0, 0, 0});
+  for (int i = 0; i < 100; ++i) b.block({0, -0.5f, -19.0f * float(i)}, {8, 1, 8});
+  for (int i = 0; i < 100; ++i) b.block({40, -0.5f, -19.0f * float(i)}, {8, 1, 8});
+  const level::Level level = b.compile();
+  const Problem problem = problemOf(level);
+  const ReachBound bound(problem, true);
+  for (const int i : {0, 1, 50, 99}) {
+    EXPECT_EQ(bound.jumpsTo(boxAt({0, 2, -19.0f * float(i)}, {4, 2, 4})), uint32_t(i));
+    EXPECT_EQ(bound.jumpsTo(boxAt({40, 2, -19.0f * float(i)}, {4, 2, 4})), ReachBound::kNever);
+  }
+}
+
 TEST(ReachBound, NamesTheLeastStepThatIsMissing) {
   const level::Level level = platforms(1, 16);
   const Problem problem = problemOf(level);

@@ -1,6 +1,7 @@
 // The bound on what a player can reach by physics that are not the engine's defaults.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "scenes.h"
@@ -37,6 +38,22 @@ TEST(ReachPhysics, WithoutBrakesInTheAirSlopesOverheadMakeFast) {
   EXPECT_GT(fastestIn(underASlope({}, [](auto p) { p.initTrip(); })), 30);
 }
 
+// A floor, and a slab over it that far up, tilted or not.
+float fastestBelow(float height, float tilt) {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
+  b.block({0, height, 0}, {8, 1, 8},
+          [=](schema::Part::Builder p) { support::setRotation(p.initRotation(), 0, tilt); });
+  return fastestIn(b.compile());
+}
+
+// Who hops below slopes is made fast again before keys have taken it back.
+TEST(ReachPhysics, SlopesThatAJumpMeetsOverheadMakeFast) {
+  EXPECT_GT(fastestBelow(8, 0.5f), 30);
+  EXPECT_FLOAT_EQ(fastestBelow(60, 0.5f), 16.0f) << "nobody comes so high";
+  EXPECT_FLOAT_EQ(fastestBelow(8, 0), 16.0f) << "no slope";
+}
+
 // 5000 studs/s^2 for a 240th of a second are more than is wanted.
 TEST(ReachPhysics, StrongKeysOvershoot) {
   EXPECT_GT(fastestIn(underASlope([](auto p) {
@@ -70,6 +87,76 @@ float lowestEntry(float slack) {
 
 TEST(ReachPhysics, WhatCountsAsAboveAOneWayFloorIsLiftedOntoIt) {
   EXPECT_LT(lowestEntry(2), lowestEntry(0.1f) - 1.5f);
+}
+
+// What counts as touched from afar throws from afar, whatever the springs of the legs.
+TEST(ReachPhysics, APadThatIsStoodOnThrowsFromWhereItIsTouched) {
+  LevelBuilder b;
+  b.spawn({0, 0, 0});
+  b.block({0, 9.5f, -20}, {8, 1, 8}, [](schema::Part::Builder p) {
+    support::set(p.initJumpPad().initVelocity(), {0, 100, 0});
+  });
+  b.physics([](schema::PhysicsParams::Builder p) {
+    p.setTouchMargin(1);
+    p.setFloorKeep(1);
+    p.setFloorAcquire(1);
+    p.setHoverStiffness(100);
+    p.setHoverDamping(50);
+  });
+  const level::Level level = b.compile();
+  EXPECT_GT(supportsOf(support::plainProblem(level, {})).back().feet.hi.y, 11);
+}
+
+// A tick of a fast climb, 7.7 studs, leads far past the top of the truss.
+TEST(ReachPhysics, HoldsWhoClimbsFast) {
+  float most = 0;
+  for (int i = 0; i < 9; ++i) {
+    const float high = 19.1f + 0.2f * float(i);  // two ticks, and the torso is still below
+    LevelBuilder b;
+    b.block({0, -0.5f, 0}, {8, 1, 40}).spawn({0, 0, 0});
+    b.block({0, 0.5f * high, -7}, {2, high, 6},
+            [](schema::Part::Builder p) { p.setShape(schema::Shape::TRUSS); });
+    b.physics([](schema::PhysicsParams::Builder p) {
+      p.setWalkSpeed(400);
+      p.setClimbSpeed(1.15f);
+    });
+    const level::Level level = b.compile();
+    const Problem problem = support::plainProblem(level, {});
+    const ReachBound bound(problem, false);
+    sim::World w = problem.start;
+    for (uint32_t t = 0; t < 240 && w.outcome == sim::Outcome::running; ++t) {
+      sim::advance(w, nullptr, level.view(), nullptr, {0, true, false});
+      most = std::max(most, w.position.y - high);
+      ASSERT_TRUE(bound.holds(w.position))
+          << "truss of " << high << ", tick " << t << ": " << w.position.y << ", " << w.position.z;
+    }
+  }
+  EXPECT_GT(most, 542) << "nobody flew off its top";
+}
+
+// May a block that slides, and turns, have somebody inside of it?
+bool isInside(float slides, float turns, float bodyDepth) {
+  LevelBuilder b;
+  b.spawn({0, 0, 50});
+  b.block({0, 2, 0}, {4, 4, 4}, [=](schema::Part::Builder p) {
+    auto motion = p.initMotion();
+    motion.setRepeat(schema::Repeat::ONCE);
+    auto keys = motion.initKeys(2);
+    support::set(keys[0].initPosition(), {0, 2, 0});
+    support::set(keys[1].initPosition(), {slides, 2, 0});
+    keys[1].setTime(1);
+    if (turns > 0) motion.initSpin().setSpeed(turns);
+  });
+  b.physics([=](schema::PhysicsParams::Builder p) { p.setBodyDepth(bodyDepth); });
+  const level::Level level = b.compile();
+  return supportsOf(support::plainProblem(level, {})).back().snaps;
+}
+
+TEST(ReachPhysics, WhatMovesByMoreThanHalfABodyATickMayHaveOneInside) {
+  EXPECT_FALSE(isInside(48, 0, 1)) << "0.8 studs a tick";
+  EXPECT_TRUE(isInside(48, 0, 0.2f)) << "thinner than that";
+  EXPECT_FALSE(isInside(36, 0, 1));
+  EXPECT_TRUE(isInside(36, 7, 1)) << "turns as fast as it slides";
 }
 
 // Arms that are narrower than the torso touch nothing that the torso does not.

@@ -8,14 +8,20 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kSnap = 1;  // studs a tick: movers that jump further push through things
 constexpr float kMostVertical = 1e-3f;
+
+// Studs a tick: movers that jump further push through things, and are farther in a body than what
+// they lift it from.
+float snapOf(const Params& p) {
+  const float half = 0.5f * std::min(p.bodyWidth, p.bodyDepth);
+  return std::min(1.0f, half + kSlack + std::max(sim::rayHeight(p) - p.hipHeight, 0.0f));
+}
 
 void noteStep(PartMotion& m, Vec3 step, float turned, float rate) {
   const float side = length(Vec3{step.x, 0, step.z}) + turned;
   m.upward = std::max(m.upward, (absf(step.y) + turned) * rate);
   m.sideways = std::max(m.sideways, side * rate);
-  m.rough |= side > kSnap || absf(step.y) > kMostVertical;
+  m.rough |= absf(step.y) > kMostVertical;
 }
 
 // Bound on how far a tick of spin moves a point at `radius`.
@@ -39,18 +45,22 @@ void noteHeights(PartMotion& motion, const level::Mover& m, float half, bool upr
 }
 
 // Once its clock has run out a mover is back at its beginning, wherever it was, in one tick.
-void noteReturn(PartMotion& motion, const level::Mover& m, float radius, float rate, bool carries) {
+void noteReturn(PartMotion& motion, const level::Mover& m, float radius, const Params& p,
+                bool carries) {
   if (m.trigger == level::kNone) return;
+  const float rate = p.controlRate;
   PartMotion back;
   for (uint32_t k = 0; k < m.keyCount; ++k) {
     const Vec3 step = m.keys[0].position - m.keys[k].position;
     noteStep(back, step, spinStep(m.keys[k].rotation, m.keys[0].rotation, radius), rate);
   }
+  float turned = 0;
   for (uint32_t k = 0; k < m.spinCount; ++k) {
-    const float turned = spinStep(m.spins[k], m.spins[0], radius);
-    noteStep(back, {}, turned, rate);
+    turned = std::max(turned, spinStep(m.spins[k], m.spins[0], radius));
   }
-  motion.rough |= back.rough;
+  back.upward += turned * rate;
+  back.sideways += turned * rate;
+  motion.rough |= back.rough || back.sideways > snapOf(p) * rate;
   if (!carries) return;
   motion.upward = std::max(motion.upward, back.upward);
   motion.sideways = std::max(motion.sideways, back.sideways);
@@ -84,9 +94,9 @@ PartMotion partMotion(const level::LevelView& level, uint32_t collider) {
   }
   motion.sideways += spin * rate;
   if (!upright) motion.upward += spin * rate;
-  motion.rough |= spin > kSnap;
+  motion.rough |= motion.sideways > snapOf(level.params) * rate;
   const bool carries = (level.bounds[collider].flags & (level::kCarries | level::kSeat)) != 0;
-  noteReturn(motion, m, radius, rate, carries);
+  noteReturn(motion, m, radius, level.params, carries);
   return motion;
 }
 

@@ -2,19 +2,18 @@
 
 #include <algorithm>
 #include <deque>
-#include <limits>
 #include <utility>
 
 #include "solve/proof/body_reach.h"
 #include "solve/proof/few_boxes.h"
 #include "solve/proof/flight.h"
+#include "solve/proof/pass_through.h"
 #include "solve/proof/solids.h"
 
 namespace obby::solve {
 
 namespace {
 
-constexpr float kAtOnce = std::numeric_limits<float>::infinity();  // studs/s
 constexpr float kLeastOut = 1;  // studs/s: far through a thin part, however slow it is pressed
 constexpr size_t kMostWork = 20'000'000;  // boxes looked at: a tenth of a second or two
 constexpr size_t kMostKnown = 16;         // places in one part that chains lead to
@@ -34,6 +33,7 @@ Pressing nothingPresses(size_t colliders) {
   Pressing none;
   none.depth.assign(colliders, 0.0f);
   none.presses.assign(colliders, false);
+  none.bursts.assign(colliders, false);
   none.chained.assign(colliders, false);
   none.speed.assign(colliders, 0.0f);
   none.around.assign(colliders, Box{});
@@ -42,23 +42,29 @@ Pressing nothingPresses(size_t colliders) {
 
 class Presser {
  public:
-  Presser(const level::LevelView& level, const std::vector<PartMotion>& motions,
-          const Holding& holds)
+  Presser(const level::LevelView& level, const Solids& solids, const Holding& holds)
       : level_(level),
         holds_(holds),
-        solids_(level, motions),
+        solids_(solids),
         known_(level.colliderCount),
         found_(nothingPresses(level.colliderCount)) {}
 
   // What slides, studs/s.
   void slide(uint32_t slider, float speed) {
     if (!solids_.isSolid(slider) || isTooMuch()) return;
-    work_ += solids_.find(solids_.touching(slider), [&](uint32_t part) {
+    const Box near = solids_.touching(slider);
+    work_ += solids_.find(near, [&](uint32_t part) {
       if (part == slider) return;
       const bool pressed = lift(slider, part), lifted = lift(part, slider);
       if (pressed || lifted) found_.presses[slider] = true;
       // Out of what it presses somebody into they come as far again at once.
-      putInto(part, slider, std::max(2 * speed, kLeastOut));
+      if (putInto(part, slider, std::max(2 * speed, kLeastOut))) {
+        found_.bursts[slider] = found_.bursts[part] = true;
+      }
+    });
+    if (!found_.bursts[slider]) return;
+    work_ += solids_.find(near, [&](uint32_t floor) {
+      if (floor != slider) sink(slider, floor, near);
     });
   }
 
@@ -115,21 +121,26 @@ class Presser {
     found_.depth[part] = std::max(found_.depth[part], solids_.mostDepth(part));
   }
 
-  void noteAround(uint32_t part, float speed, const Box& where) {
-    Box& around = found_.around[part];
-    around = found_.speed[part] > 0 ? join(around, where) : where;
-    found_.speed[part] = std::max(found_.speed[part], speed);
-  }
-
-  // One part alone puts somebody into another.
-  void putInto(uint32_t part, uint32_t from, float speed) {
+  // One part alone puts somebody into another. False: it does not.
+  bool putInto(uint32_t part, uint32_t from, float speed) {
     const Box where = solids_.putOut(part, solids_.touching(from));
-    if (!keepApart(part, from, where)) follow(part, from, speed, where);
+    if (keepApart(part, from, where)) return false;
+    follow(part, from, speed, where);
+    return true;
   }
 
   void follow(uint32_t part, uint32_t from, float speed, const Box& where) {
-    noteAround(part, speed, where);
+    found_.noteAround(part, speed, where);
     open_.push_back({part, from, where});
+  }
+
+  // Whom a high block puts down through the thin floor that it stands on may be in what is below.
+  void sink(uint32_t upper, uint32_t floor, const Box& where) {
+    if (!solids_.putsDown(upper, floor, where)) return;
+    Box below = where;
+    below.hi.y = solids_.box(floor).lo.y - kSlack;
+    below.lo.y = below.hi.y - level_.params.bodyTop - kSlack;
+    if (isNews(floor, below)) open_.push_back({floor, level::kNone, below});
   }
 
   // Does neither of them put anybody into the other there?
@@ -151,7 +162,10 @@ class Presser {
   void lead(const Link& link) {
     work_ += solids_.find(link.where, [&](uint32_t part) {
       if (part == link.part || part == link.from) return;
-      if (keepApart(part, link.part, link.where)) return;
+      if (keepApart(part, link.part, link.where)) {
+        sink(link.part, part, link.where);
+        return;
+      }
       chain(link.part, link.where);
       Box where = solids_.putOut(part, link.where);
       if (!isNews(part, where)) return;
@@ -187,7 +201,7 @@ class Presser {
   void chain(uint32_t part, const Box& where) {
     deepen(part);
     found_.chained[part] = true;
-    noteAround(part, kAtOnce, where);
+    found_.noteAround(part, kAtOnce, where);
   }
 
   // Too much to look at: any part may put out anybody.
@@ -201,23 +215,16 @@ class Presser {
 
   const level::LevelView& level_;
   const Holding& holds_;
-  const Solids solids_;
+  const Solids& solids_;
   std::vector<std::vector<Box>> known_;  // (colliders): where chains lead to
   std::deque<Link> open_;  // to be followed, the oldest first: later ones have grown meanwhile
   size_t work_ = 0;
   Pressing found_;
 };
 
-}  // namespace
-
-Pressing pressingOf(const level::LevelView& level, const std::vector<PartMotion>& motions,
-                    const Holding& holds) {
-  const bool slides = std::any_of(motions.begin(), motions.end(),
-                                  [](const PartMotion& m) { return m.sideways > 0; });
-  const bool held = std::any_of(holds.begin(), holds.end(),
-                                [](const std::vector<Box>& bodies) { return !bodies.empty(); });
-  if (!slides && !held) return nothingPresses(level.colliderCount);
-  Presser presser(level, motions, holds);
+Pressing pressed(const level::LevelView& level, const Solids& solids,
+                 const std::vector<PartMotion>& motions, const Holding& holds) {
+  Presser presser(level, solids, holds);
   for (const PartMotion& m : motions) {
     if (m.sideways > 0) presser.slide(m.collider, m.sideways);
   }
@@ -225,6 +232,23 @@ Pressing pressingOf(const level::LevelView& level, const std::vector<PartMotion>
     for (const Box& body : holds[id]) presser.hold(id, body);
   }
   return presser.take();
+}
+
+}  // namespace
+
+Pressing pressingOf(const level::LevelView& level, const std::vector<PartMotion>& motions,
+                    const Holding& holds, bool mayJump) {
+  const bool slides = std::any_of(motions.begin(), motions.end(),
+                                  [](const PartMotion& m) { return m.sideways > 0; });
+  const bool held = std::any_of(holds.begin(), holds.end(),
+                                [](const std::vector<Box>& bodies) { return !bodies.empty(); });
+  const bool passes = mayPassThrough(level, mayJump);
+  Pressing found = nothingPresses(level.colliderCount);
+  if (!slides && !held && !passes) return found;
+  const Solids solids(level, motions);
+  if (slides || held) found = pressed(level, solids, motions, holds);
+  if (passes) passThrough(level, solids, mayJump, found);
+  return found;
 }
 
 }  // namespace obby::solve

@@ -21,26 +21,6 @@ constexpr PutOut kUnknown{0, kUnbounded, 1};
 constexpr float kFar = 1e6f;              // studs: farther than levels reach
 constexpr size_t kMostWork = 20'000'000;  // boxes looked at
 
-// Launch speed of a jump under the boost that is worst for it.
-float slowestJump(const level::LevelView& level) {
-  float slowest = std::min(level.params.jumpSpeed, level.params.maxFallSpeed);
-  for (uint32_t i = 0; i < level.clockCount; ++i) {
-    slowest = std::min(slowest, level::jumpSpeedUnder(level.clocks[i], level.params));
-  }
-  return slowest;
-}
-
-bool anyHelpless(const level::LevelView& level) {
-  return std::any_of(level.clocks, level.clocks + level.clockCount,
-                     [](const level::Clock& c) { return c.helpless != 0; });
-}
-
-uint32_t flagsOfAll(const level::LevelView& level) {
-  uint32_t flags = 0;
-  for (uint32_t i = 0; i < level.colliderCount; ++i) flags |= level.bounds[i].flags;
-  return flags;
-}
-
 class Finder {
  public:
   Finder(const level::LevelView& level, const Moves& moves)
@@ -114,9 +94,7 @@ class Finder {
             {box.hi.x + side, highest, box.hi.z + side}};
   }
 
-  bool isStill(uint32_t id) const {
-    return solids_.isUpright(id) && (level_.bounds[id].flags & level::kMoving) == 0;
-  }
+  bool isStill(uint32_t id) const { return solids_.isStill(id); }
 
   // Who pushes through it comes out on its far side, wherever they came from.
   bool isThin(uint32_t id) const {

@@ -12,6 +12,18 @@ namespace {
 // Studs/s: what is slower pushes nobody anywhere within a flight.
 constexpr float kPushes = 0.05f;
 
+// As seen from above.
+Box flat(const Box& box, float more) {
+  return {{box.lo.x - more, 0, box.lo.z - more}, {box.hi.x + more, 0, box.hi.z + more}};
+}
+
+std::vector<Box> flatFeet(const std::vector<Support>& supports) {
+  std::vector<Box> boxes;
+  boxes.reserve(supports.size());
+  for (const Support& s : supports) boxes.push_back(flat(s.feet, 0));
+  return boxes;
+}
+
 }  // namespace
 
 ReachBound::ReachBound(const Problem& problem, bool mayJump)
@@ -21,11 +33,13 @@ ReachBound::ReachBound(const Problem& problem, bool mayJump)
       jumpSpeed_(fastestJump(problem.level)),
       walkSpeed_(fastestWalk(problem.level) + keyOvershoot(p_)),
       supports_(supportsOf(problem)),
+      index_(flatFeet(supports_)),
       flight_(p_, walkSpeed_) {
   for (const Support& s : supports_) {
     lowest_ = std::min(lowest_, s.entry);
     slopes_ |= s.tilted;
-    if (s.carries && s.pushes > kPushes) pushers_.push_back({s.pushed, s.pushes});
+    const bool pushes = s.pushes > kPushes || s.bursts;
+    if (s.carries && pushes) pushers_.push_back({s.pushed, s.pushes, s.bursts});
   }
   pushers_ = fewPushers(std::move(pushers_));
   // What is reached makes faster, and who is faster reaches more.
@@ -35,46 +49,6 @@ ReachBound::ReachBound(const Problem& problem, bool mayJump)
     if (!(fastest > flight_.sideways())) return;
     flight_ = Flight(p_, fastest);
   }
-}
-
-// Speed is kept in the air, on ice and for a moment after landing: what is gained anywhere counts
-// everywhere.
-float ReachBound::fastestReached() const {
-  float more = 0, upward = 0;
-  for (size_t i = 0; i < supports_.size(); ++i) {
-    if (jumps_[i] == kNever) continue;
-    more = std::max(more, supports_[i].sideways);
-    upward = std::max(upward, launch(supports_[i]).upward);
-  }
-  const float most = 1.42f * problem_.level.maxSideSpeed;  // clamped along each axis
-  const bool any = slopes_ && (slidesHelpless() || glancesFar(upward, most - walkSpeed_));
-  if (any) return std::max(most, flight_.sideways());
-  return std::min(walkSpeed_ + more, std::max(most, flight_.sideways()));
-}
-
-// Who fell over has no legs to brace, and no keys to slow down with: slopes, overhead too, make the
-// body as fast as anything may be.
-bool ReachBound::slidesHelpless() const {
-  const level::LevelView& level = problem_.level;
-  return std::any_of(level.clocks, level.clocks + level.clockCount,
-                     [](const level::Clock& c) { return c.helpless != 0; });
-}
-
-// A slope overhead turns half of the speed upward aside. Keys take that back within so many studs:
-// more than a flight that ends there loses, and than what steep faces are granted?
-bool ReachBound::glancesFar(float upward, float most) const {
-  constexpr float kSpare = 1.5f;  // studs that a support's feet are granted beyond the truth
-  const float gained = std::min(0.5f * upward, std::max(most, 0.0f));
-  const float studs = gained * gained / (2 * std::max(p_.airAccel, 1e-3f));
-  return studs > kSpare + kSteepSpeed * upward / p_.gravity;
-}
-
-// Studs/s upward at which a slope lets go of somebody who runs up it: it turns half of the speed
-// upward at once, and on the way up keys hold as much against gravity.
-float ReachBound::rampSpeed(const Support& s) const {
-  constexpr float kSpare = 1.05f;
-  if (!s.tilted && !(s.keepsSpeed && slopes_)) return 0;
-  return flight_.sideways() * std::max(0.5f, kSpare * p_.groundAccel / p_.gravity);
 }
 
 Launch ReachBound::launch(const Support& s, bool jumping) const {
@@ -89,28 +63,17 @@ Launch ReachBound::launch(const Support& s, bool jumping) const {
 }
 
 // Who is pushed is moved along with what pushes, and keeps the height and speed of the flight: only
-// the ways to it, on from it and between two of them are flown. The nearest first.
+// the ways to it, on from it and between two of them are flown.
 std::vector<Ride> ReachBound::ridesFrom(const Support& s, float lowest) const {
-  std::vector<Ride> open, rides;
-  if (pushers_.empty()) return rides;
+  std::vector<Ride> open;
+  if (pushers_.empty()) return open;
   const Launch l = launch(s);
   const float farthest = flight_.reach(l, std::min(lowest, s.feet.hi.y));
   for (const Pusher& by : pushers_) {
     const bool meets = by.pushed.lo.y - p_.bodyTop <= flight_.apex(l);
-    if (meets) open.push_back({&by, gapBetween(s.feet, by.pushed)});
+    if (meets && by.speed > kPushes) open.push_back({&by, gapBetween(s.feet, by.pushed)});
   }
-  const auto nearer = [](const Ride& a, const Ride& b) { return a.way < b.way; };
-  while (!open.empty()) {
-    const auto next = std::min_element(open.begin(), open.end(), nearer);
-    const Ride ride = *next;
-    if (ride.way > farthest) break;
-    open.erase(next);
-    for (Ride& other : open) {
-      other.way = std::min(other.way, ride.way + gapBetween(ride.by->pushed, other.by->pushed));
-    }
-    rides.push_back(ride);
-  }
-  return rides;
+  return nearestFirst(std::move(open), farthest);
 }
 
 bool ReachBound::crosses(const Launch& l, float gap, const Support& to, bool jumping) const {
@@ -154,18 +117,33 @@ void ReachBound::spread(uint32_t from, std::vector<uint32_t>& now, std::vector<u
   const float lowest = std::min(lowest_, s.feet.hi.y);
   const float farthest = flight_.reach(leaps ? leaping : falling, lowest);
   const std::vector<Ride> rides = ridesFrom(s, lowest);
-  for (uint32_t to = 0; to < supports_.size(); ++to) {
-    if (supports_[to].collider == level::kNone || jumps_[to] <= made) continue;
+  forNear(s.feet, rides, farthest, [&](uint32_t to) {
+    if (supports_[to].collider == level::kNone || jumps_[to] <= made) return;
     // Too high, whatever takes along: ways over hundreds of rides are not looked at for nothing.
     const bool falls = rides.empty() || crosses(falling, 0, supports_[to], false);
-    if (!falls && !(leaps && crosses(leaping, 0, supports_[to], true))) continue;
+    if (!falls && !(leaps && crosses(leaping, 0, supports_[to], true))) return;
     const float gap = wayBetween(s.feet, rides, supports_[to].feet);
-    if (gap > farthest) continue;
+    if (gap > farthest) return;
     if (crosses(falling, gap, supports_[to], false)) {
       arrive(to, made);
     } else if (leaps && crosses(leaping, gap, supports_[to], true)) {
       arrive(to, made + 1);
     }
+  });
+}
+
+// All supports that are no farther than that, and some others; some more than once.
+template <class Near>
+void ReachBound::forNear(const Box& feet, const std::vector<Ride>& rides, float farthest,
+                         Near&& near) const {
+  constexpr size_t kFew = 64, kMostRides = 16;  // from then on all are looked at sooner
+  if (supports_.size() <= kFew || rides.size() > kMostRides) {
+    for (uint32_t to = 0; to < supports_.size(); ++to) near(to);
+    return;
+  }
+  index_.find(flat(feet, farthest + kSlack), near);
+  for (const Ride& ride : rides) {
+    index_.find(flat(ride.by->pushed, farthest - ride.way + kSlack), near);
   }
 }
 
@@ -277,7 +255,10 @@ float ReachBound::fastest() const {
     const float lowest = std::min(lowest_, p_.fallenPartsHeight);
     for (const Ride& r : ridesFrom(supports_[i], lowest)) pushed = std::max(pushed, r.by->speed);
   }
-  return flight_.sideways() + pushed;
+  // Slopes overhead may give it again before keys have taken it back.
+  const float most = std::max(fastestOfAll(), flight_.sideways());
+  const bool glances = most > flight_.sideways() && glancesOver(false);
+  return (glances ? most : flight_.sideways()) + pushed;
 }
 
 std::vector<uint32_t> ReachBound::reached() const {

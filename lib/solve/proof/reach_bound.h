@@ -15,6 +15,7 @@
 #include <limits>
 #include <vector>
 
+#include "solve/proof/box_index.h"
 #include "solve/proof/flight.h"
 #include "solve/proof/put_out.h"
 #include "solve/proof/rides.h"
@@ -57,8 +58,13 @@ class ReachBound {
   // Colliders that may carry the player.
   std::vector<uint32_t> reached() const;
 
-  // Fastest horizontal motion of anyone, studs/s; infinite where something moves players at once.
+  // Fastest horizontal motion of anyone, studs/s, but of those who are pressed out of a wedge;
+  // infinite where something moves players at once.
   float fastest() const;
+
+  // Where such wedges may take somebody along at any speed, by how far from there: wayBetween()
+  // gives the studs that are left.
+  std::vector<Ride> ownRides(const Box& from) const;
 
   // How far jumps may move somebody at once, besides. Not to be asked where fastest() is infinite.
   std::vector<PutOut> putOuts() const;
@@ -66,15 +72,19 @@ class ReachBound {
  private:
   void explore();
   void spread(uint32_t from, std::vector<uint32_t>& now, std::vector<uint32_t>& later);
+  template <class Near>
+  void forNear(const Box& feet, const std::vector<Ride>& rides, float farthest, Near&& near) const;
   Launch launch(const Support& s, bool jumping) const;
   // The highest that there is from it.
   Launch launch(const Support& s) const { return launch(s, mayJump_ && s.carries); }
   bool crosses(const Launch& l, float gap, const Support& to, bool jumping) const;
   // That can be met in a flight from there before the feet are below `lowest`.
   std::vector<Ride> ridesFrom(const Support& s, float lowest) const;
+  // reach_slopes.cpp
   float fastestReached() const;
-  bool slidesHelpless() const;
+  float fastestOfAll() const;
   bool glancesFar(float upward, float most) const;
+  bool glancesOver(bool ice) const;
   float rampSpeed(const Support& s) const;
 
   const Problem& problem_;
@@ -82,6 +92,7 @@ class ReachBound {
   const bool mayJump_;
   const float jumpSpeed_, walkSpeed_;  // by keys, under all boosts
   std::vector<Support> supports_;
+  const BoxIndex index_;                                   // of their feet, from above
   float lowest_ = std::numeric_limits<float>::infinity();  // entry of all supports
   std::vector<Pusher> pushers_;
   bool slopes_ = false;          // is any support tilted?

@@ -15,6 +15,23 @@ constexpr float kAnyDepth = 1e30f;  // studs
 
 inline Box common(const Box& a, const Box& b) { return {max(a.lo, b.lo), min(a.hi, b.hi)}; }
 
+// Of all parts of the level together.
+inline uint32_t flagsOfAll(const level::LevelView& level) {
+  uint32_t flags = 0;
+  for (uint32_t i = 0; i < level.colliderCount; ++i) flags |= level.bounds[i].flags;
+  return flags;
+}
+
+inline bool isSolid(const level::LevelView& level, uint32_t id) {
+  return (level.bounds[id].flags & level::kSolid) != 0;
+}
+inline bool isUpright(const level::LevelView& level, uint32_t id) {
+  return (level.bounds[id].flags & level::kUpright) != 0;
+}
+inline bool isStill(const level::LevelView& level, uint32_t id) {
+  return isUpright(level, id) && (level.bounds[id].flags & level::kMoving) == 0;
+}
+
 // The level's solid parts, each wherever it can be.
 class Solids {
  public:
@@ -22,8 +39,9 @@ class Solids {
       : level_(level), boxes_(boxesOf(level, motions)), index_(solidBoxes()) {}
 
   const Box& box(uint32_t id) const { return boxes_[id]; }
-  bool isSolid(uint32_t id) const { return (level_.bounds[id].flags & level::kSolid) != 0; }
-  bool isUpright(uint32_t id) const { return (level_.bounds[id].flags & level::kUpright) != 0; }
+  bool isSolid(uint32_t id) const { return solve::isSolid(level_, id); }
+  bool isUpright(uint32_t id) const { return solve::isUpright(level_, id); }
+  bool isStill(uint32_t id) const { return solve::isStill(level_, id); }
 
   // All of a body that touches the part is in it, fallen down too.
   Box touching(uint32_t id) const {
@@ -50,6 +68,18 @@ class Solids {
   // out aside, the other up or down, and neither puts anybody into the other.
   bool standOnEachOther(uint32_t a, uint32_t b, const Box& where) const {
     return stands(a, b, where) || stands(b, a, where);
+  }
+
+  // May the one, which stands on the other, put somebody down through that? So it may where it is
+  // as high as a body is above its legs, and as wide, and the other is no thicker than a body.
+  bool putsDown(uint32_t upper, uint32_t lower, const Box& where) const {
+    if (!stands(upper, lower, where)) return false;
+    const Params& p = level_.params;
+    const float sunk = std::max(sim::rayHeight(p) - p.hipHeight, 0.0f);
+    const float least = p.bodyTop - p.hipHeight - sunk - kSlack;  // studs down, to be below it
+    const Box& box = boxes_[upper];
+    const bool thin = 2 * level_.colliders[lower].shape.half.y < p.bodyTop;
+    return thin && box.hi.y - box.lo.y > least && mostDepth(upper) > least;
   }
 
   template <class Found>

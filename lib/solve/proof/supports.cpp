@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/next_region.h"
 #include "sim/seat.h"
 #include "solve/proof/body_reach.h"
 #include "solve/proof/few_boxes.h"
@@ -37,7 +38,8 @@ class Builder {
     for (uint32_t i = 0; i < level_.colliderCount; ++i) {
       holds_.push_back(heldIn(level_.bounds[i].box(), level_.bounds[i].flags));
     }
-    pressing_ = pressingOf(level_, movers_, holds_);
+    const level::QueryView& q = problem_.query;
+    pressing_ = pressingOf(level_, movers_, holds_, q.maxJumps != 0 && !sim::forbidsJumping(q));
     for (uint32_t i = 0; i < level_.colliderCount; ++i) add(i);
     throwOutOfGates();
     return std::move(supports_);
@@ -117,7 +119,7 @@ class Builder {
     s.top = box.hi.y;
     const float side = sideOf(bounds.flags);
     s.feet = grow(box, {side, 0, side});
-    s.feet.hi.y += s.carries ? rise_ : touchSlack(p_);
+    s.feet.hi.y += riseOn(bounds.flags);
     if (bounds.flags & level::kSeat) s.feet = join(s.feet, seatedIn(box));
     const float above = entryOf(box, bounds.flags, c.mover != level::kNone ? motion : nullptr);
     const float beside = std::min(besideOf(box), above);
@@ -133,16 +135,27 @@ class Builder {
     supports_.push_back(s);
   }
 
+  // How far above the part the feet can be where it carries, or is touched.
+  float riseOn(uint32_t flags) const {
+    float rise = (flags & (level::kSolid | level::kSeat)) != 0 ? rise_ : touchSlack(p_);
+    if (flags & kLeads) rise = std::max(rise, touchSlack(p_));
+    if (!(flags & level::kTruss)) return rise;
+    // Who climbs fast is past its top before the sensor misses it.
+    const float climbed = p_.climbSpeed * fastestWalk(level_) * p_.tickSeconds;
+    return std::max(rise, climbed + kSlack - p_.climbLowest * p_.hipHeight);
+  }
+
   // `putsOut`: who is put out of it need not come to be carried by it.
   void addPushes(Support& s, const PartMotion& motion, bool putsOut) const {
     // Out of what it presses somebody into they come as far again at once.
     s.pushes = motion.sideways * (pressing_.presses[s.collider] ? 2.0f : 1.0f);
     s.pushed = s.feet;
-    const float speed = putsOut ? pressing_.speed[s.collider] : 0.0f;
-    if (!(speed > 0)) return;
+    s.bursts = pressing_.bursts[s.collider];
+    const float speed = pressing_.speed[s.collider];
+    if (!(speed > 0) || (!putsOut && motion.sideways > 0)) return;
     const Box& around = pressing_.around[s.collider];
     s.pushed = motion.sideways > 0 ? join(s.feet, around) : around;
-    s.pushes = std::max(s.pushes, speed);
+    if (putsOut) s.pushes = std::max(s.pushes, speed);
   }
 
   // How far from the part's box its player can be, seen from above: body, limbs or climb sensor.
@@ -266,6 +279,19 @@ float fastestJump(const level::LevelView& level) {
     fastest = std::max(fastest, level::jumpSpeedUnder(level.clocks[i], level.params));
   }
   return fastest;
+}
+
+float slowestJump(const level::LevelView& level) {
+  float slowest = std::min(level.params.jumpSpeed, level.params.maxFallSpeed);
+  for (uint32_t i = 0; i < level.clockCount; ++i) {
+    slowest = std::min(slowest, level::jumpSpeedUnder(level.clocks[i], level.params));
+  }
+  return slowest;
+}
+
+bool anyHelpless(const level::LevelView& level) {
+  return std::any_of(level.clocks, level.clocks + level.clockCount,
+                     [](const level::Clock& c) { return c.helpless != 0; });
 }
 
 }  // namespace obby::solve

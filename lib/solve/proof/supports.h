@@ -22,6 +22,7 @@ struct Support {
   Box pushed;                        // where those are meanwhile
   bool carries = false;              // not: only leads elsewhere
   bool snaps = false;                // may move the player some studs at once
+  bool bursts = false;               // may move those much faster than that within `pushed`
   bool tilted = false;               // has slopes, which turn speed upward
   bool keepsSpeed = false;           // who appears there has the speed that slopes may have given
   uint32_t collider = level::kNone;  // none: the start, or where a teleporter leads
@@ -37,5 +38,10 @@ const char* unboundedPart(const level::LevelView& level);
 // Fastest walk, and launch speed of a jump, under all boosts of the level, studs/s.
 float fastestWalk(const level::LevelView& level);
 float fastestJump(const level::LevelView& level);
+// Launch speed of a jump under the boost that is worst for it, studs/s.
+float slowestJump(const level::LevelView& level);
+
+// Can a player fall down, without legs and keys?
+bool anyHelpless(const level::LevelView& level);
 
 }  // namespace obby::solve

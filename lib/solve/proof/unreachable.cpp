@@ -104,28 +104,30 @@ class Prover {
 
   Box boxOf(const level::TargetView& t) const { return bound_.boxOf(t); }
 
+  // Studs to any of them that somebody comes by own speed, at least.
+  float wayTo(const Targets& any, const Box& from) const {
+    const std::vector<Ride> rides = bound_.ownRides(from);
+    float least = 1e30f;
+    for (const level::TargetView* t : any) {
+      least = std::min(least, wayBetween(from, rides, boxOf(*t)));
+    }
+    return least;
+  }
+
   // Along the waypoints in order, and by any one visit, at the fastest speed and straight.
   float leastDistance() const {
     Box at{problem_.start.position, problem_.start.position};
     const Box from = at;
     float walked = 0;
     for (uint32_t i = 0; i < q_.waypointCount; ++i) {
-      const Box next = boxOf(q_.waypoints[i].target);
-      walked += gapBetween(at, next);
-      at = next;
+      walked += wayTo({&q_.waypoints[i].target}, at);
+      at = boxOf(q_.waypoints[i].target);
     }
-    float home = 1e30f, around = 0;
-    for (const level::TargetView* goal : goals_)
-      home = std::min(home, gapBetween(at, boxOf(*goal)));
+    float around = 0;
     for (uint32_t i = 0; i < q_.visitCount; ++i) {
-      const Box visit = boxOf(q_.visits[i]);
-      float last = 1e30f;
-      for (const level::TargetView* goal : goals_) {
-        last = std::min(last, gapBetween(visit, boxOf(*goal)));
-      }
-      around = std::max(around, gapBetween(from, visit) + last);
+      around = std::max(around, wayTo({&q_.visits[i]}, from) + wayTo(goals_, boxOf(q_.visits[i])));
     }
-    return std::max(walked + home, around);
+    return std::max(walked + wayTo(goals_, at), around);
   }
 
   std::optional<Cut> late() const {
