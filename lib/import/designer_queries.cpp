@@ -27,11 +27,12 @@ constexpr const char* kOwnOfQueries[] = {kForbid, kStartTick};
 constexpr std::string_view kKinds[] = {"goal", "start", "avoid", "visit", "waypoint"};
 constexpr const char* kOwnOfRegions[] = {"kind", "order", "cframe", "size", "part", "touch"};
 
+// The first Folder of that name: what else has it is nobody's.
 InstanceId folderOf(const Tree& tree) {
   const InstanceId storage = tree.service("ServerStorage");
-  if (storage != kNoInstance) return tree.child(storage, kFolder);
-  for (const InstanceId root : tree.document().roots) {
-    if (tree.at(root).name == kFolder) return root;
+  const auto& among = storage == kNoInstance ? tree.document().roots : tree.at(storage).children;
+  for (const InstanceId id : among) {
+    if (tree.at(id).name == kFolder && tree.at(id).className == "Folder") return id;
   }
   return kNoInstance;
 }

@@ -24,6 +24,14 @@ bool doesAgain(const PartDraft& part, const ScriptEvent& event) {
   }
 }
 
+// Whether a script begins anew with each character, and its flags with it.
+bool beginsAnew(const Tree& tree, InstanceId script) {
+  if (isInStarterCharacter(tree, script)) return true;
+  InstanceId root = script;
+  while (tree.at(root).parent != kNoInstance) root = tree.at(root).parent;
+  return tree.at(root).className == "StarterGui" || tree.at(root).className == "StarterPack";
+}
+
 class EndedHandlers {
  public:
   explicit EndedHandlers(RoleContext& context) : context_(context) {}
@@ -32,21 +40,37 @@ class EndedHandlers {
     const bool touch = timeline.trigger == Trigger::touch;
     const PartDraft* touched = touch ? context_.part(timeline.touched) : nullptr;
     for (const ScriptEvent& event : timeline.events) {
-      if (touched && doesAgain(*touched, event)) name(reading, timeline, *touched);
+      if (touched && doesAgain(*touched, event)) noteTouch(reading, timeline, event, *touched);
       const bool moves = event.property == "CFrame" && event.target != kNoInstance;
       if (!timeline.byItself() || !moves || !seen_.insert(event.target).second) continue;
       for (const PartDraft* part : context_.partsOf(event.target))
-        if (part->motion) name(reading, timeline, *part);
+        if (part->motion) nameCut(reading, timeline, *part);
     }
     seen_.clear();
   }
 
  private:
-  void name(const ScriptReading& reading, const Timeline& timeline, const PartDraft& part) {
-    if (!named_.insert(part.id).second) return;
-    context_.level.noteUnmodelled("handler that a script disconnects", context_.tree.path(part.id),
-                                  "the level does it again and again, as if it stayed connected; " +
-                                      scriptReason(context_.tree, reading, timeline.cutLine));
+  void noteTouch(const ScriptReading& reading, const Timeline& timeline, const ScriptEvent& event,
+                 const PartDraft& part) {
+    if (named_.count(part.id) > 0) return;
+    if (timeline.cutLine > 0) return nameCut(reading, timeline, part);
+    if (event.onceLine == 0) return;
+    const bool kills = event.kind == EventKind::damage && !event.number;
+    if (kills && beginsAnew(context_.tree, reading.script)) return;
+    name(part, "handler that works but once",
+         "the level does it again and again; " +
+             scriptReason(context_.tree, reading, event.onceLine));
+  }
+
+  void nameCut(const ScriptReading& reading, const Timeline& timeline, const PartDraft& part) {
+    name(part, "handler that a script disconnects",
+         "the level does it again and again, as if it stayed connected; " +
+             scriptReason(context_.tree, reading, timeline.cutLine));
+  }
+
+  void name(const PartDraft& part, const char* kind, const std::string& why) {
+    if (named_.insert(part.id).second)
+      context_.level.noteUnmodelled(kind, context_.tree.path(part.id), why);
   }
 
   RoleContext& context_;
@@ -60,7 +84,8 @@ void noteEndedHandlers(RoleContext& context) {
   EndedHandlers handlers(context);
   for (const ScriptReading& reading : context.scripts)
     for (const Timeline& timeline : reading.timelines)
-      if (timeline.cutLine > 0) handlers.note(reading, timeline);
+      if (timeline.cutLine > 0 || timeline.trigger == Trigger::touch)
+        handlers.note(reading, timeline);
 }
 
 }  // namespace obby::importer

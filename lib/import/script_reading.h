@@ -35,8 +35,8 @@ enum class EventKind {
               // back into the world, nothing where the place is not known
   tween,      // a known instance is tweened: one event for the pose, one for each other goal
   destroy,    // a known instance leaves the world, destroyed or not
-  damage,     // a character loses `number` health, or all; outside of a touch `target` is the
-              // part whose contents the script asked for
+  damage,     // a character loses `number` health (NaN: the text does not tell how much), or all;
+              // outside of a touch `target` is the part whose contents the script asked for
   push,       // a character's velocity is set to `vector` (NaN components are kept)
   teleport,   // a character is moved to `frame` (NaN where unknown)
   character,  // another property of a character or player is set
@@ -62,6 +62,7 @@ struct ScriptEvent {
   double time = 0;  // seconds after the trigger; of what each frame does, after the start
   bool unsure = false;  // under a condition that the text does not decide
   int line = 0;
+  int onceLine = 0;  // of a touch: that of the flag which lets it come but once; 0: it comes again
 };
 
 enum class Trigger {

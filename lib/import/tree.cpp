@@ -60,7 +60,12 @@ std::optional<double> numberFrom(const Value& value) {
 
 Tree::Tree(const Document& document)
     : document_(&document), siblingIndex_(document.instances.size()) {
-  for (uint32_t i = 0; i < document.roots.size(); ++i) siblingIndex_[document.roots[i]] = i;
+  for (uint32_t i = 0; i < document.roots.size(); ++i) {
+    const InstanceId id = document.roots[i];
+    siblingIndex_[id] = i;
+    services_.try_emplace(at(id).className, id);
+    roots_.try_emplace(at(id).name, id);
+  }
   for (InstanceId id = 0; id < document.instances.size(); ++id) {
     const auto& children = document.instances[id].children;
     for (uint32_t i = 0; i < children.size(); ++i) siblingIndex_[children[i]] = i;
@@ -69,9 +74,13 @@ Tree::Tree(const Document& document)
 }
 
 InstanceId Tree::service(std::string_view className) const {
-  for (InstanceId root : document_->roots)
-    if (at(root).className == className) return root;
-  return kNoInstance;
+  const auto found = services_.find(className);
+  return found == services_.end() ? kNoInstance : found->second;
+}
+
+InstanceId Tree::rootNamed(std::string_view name) const {
+  const auto found = roots_.find(name);
+  return found == roots_.end() ? kNoInstance : found->second;
 }
 
 std::vector<InstanceId> Tree::worldRoots() const {

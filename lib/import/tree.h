@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,8 @@ class Tree {
 
   // The root service of that class, or kNoInstance. A model file usually has none.
   InstanceId service(std::string_view className) const;
+  // The first root with that name, or kNoInstance.
+  InstanceId rootNamed(std::string_view name) const;
   // What is in the world: Workspace, or all roots of a model file.
   std::vector<InstanceId> worldRoots() const;
 
@@ -55,6 +58,7 @@ class Tree {
   const Document* document_;
   std::vector<uint32_t> siblingIndex_;
   std::unordered_map<std::string, std::vector<InstanceId>> byTag_;
+  std::map<std::string, InstanceId, std::less<>> services_, roots_;  // by class, by name: the first
 };
 
 using io::lower;

@@ -188,6 +188,7 @@ std::optional<Effect> effectOf(RoleContext& context, const Timeline& timeline,
       if (event.property == "WalkSpeed" || event.property == "JumpPower" ||
           event.property == "JumpHeight" || event.property == "Gravity")
         return Effect{"speed or jump booster", "the player's speed and jump stay as they are"};
+      if (event.property == "Health") return Effect{"harm that a script computes", "none is taken"};
       if (event.property == "Sit" || event.property == "PlatformStand")
         return Effect{"trip part", "the player stays on its feet"};
       return std::nullopt;
@@ -205,7 +206,7 @@ void noteHarm(RoleContext& context, const ScriptReading& reading, const Timeline
   if (!timeline.byItself() && !somewhere) return;
   for (const ScriptEvent& event : timeline.events) {
     if (event.kind != EventKind::damage || event.target != kNoInstance) continue;
-    if (!(event.number.value_or(1) > 0)) continue;
+    if (event.number && *event.number <= 0) continue;
     context.level.noteUnmodelled(
         "harm of a part that is not known", context.tree.path(reading.script),
         "no part does it; " + scriptReason(context.tree, reading, event.line));

@@ -68,6 +68,18 @@ TEST(DesignerQueries, AreReadWithTheirRegionsAndLimits) {
   EXPECT_TRUE(compiled) << compiled.error().text();
 }
 
+TEST(DesignerQueries, StandInAFolderWhateverElseHasItsName) {
+  Place place;
+  const InstanceId storage = place.document.instances[place.folder].parent;
+  place.add("Configuration", "ObbyQueries", storage);
+  std::swap(place.document.instances[storage].children.front(),
+            place.document.instances[storage].children.back());
+  place.region(place.query("mine"), "to", "goal");
+  const importer::Import import = place.imported();
+  ASSERT_EQ(import.queries.size(), 2u) << "the designer's, and the stage's";
+  EXPECT_EQ(import.queries[0].reader().getQuery().getId(), "mine");
+}
+
 TEST(DesignerQueries, ForbidStatesAndStartLaterWithAndWithoutAStartRegion) {
   Place place;
   for (const char* id : {"at the spawn", "at a region"}) {

@@ -102,6 +102,58 @@ TEST(Luau, EndlessAndRecursiveScriptsAreReadWithinABudget) {
   }
 }
 
+// The script asks for Workspace again and again, which a model file has none of.
+TEST(Luau, ManyRootsAreNotLookedThroughEachTime) {
+  Scene scene = Scene::model();
+  for (int i = 0; i < 50000; ++i) scene.add("Folder", "Folder", kNoInstance);
+  scene.script("for i = 1, 2000 do for j = 1, 100 do local x = workspace end end", kNoInstance);
+  const auto start = std::chrono::steady_clock::now();
+  scene.level();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+// What is switched on at the time at which it is switched off is no timer.
+TEST(Luau, ManySwitchesOfATimerEndSoon) {
+  Scene scene;
+  const auto part = scene.part("Part");
+  scene.script(
+      "local p = workspace.Part while true do\n"
+      "for i = 1, 300 do for j = 1, 200 do p.CanCollide = false end end\n"
+      "p.CanCollide = true wait(1) end",
+      scene.scripts);
+  const auto start = std::chrono::steady_clock::now();
+  scene.level();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+  EXPECT_FALSE(scene[part].vanish);
+}
+
+TEST(Luau, WhatAScriptChangesAgainAndAgainIsLookedThroughOnce) {
+  Scene scene;
+  const auto pad = scene.part("Pad"), model = scene.add("Model", "Model", scene.workspace);
+  for (int i = 0; i < 50000; ++i) scene.add("Folder", "Folder", model);
+  scene.script(
+      "local m = workspace.Model script.Parent.Touched:Connect(function()\n"
+      "for i = 1, 500 do for j = 1, 200 do m:Destroy() end end end)",
+      pad);
+  const auto start = std::chrono::steady_clock::now();
+  scene.level();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST(Luau, EndsOfTweensThatAreNotFollowedAreNamed) {
+  for (const bool many : {false, true}) {
+    Scene scene;
+    scene.part("Part");
+    scene.script("local p, ts = workspace.Part, game:GetService('TweenService')\nfor i = 1, " +
+                     std::string(many ? "70" : "60") +
+                     " do local t = ts:Create(p, TweenInfo.new(1), {Transparency = i / 100})\n"
+                     "t.Completed:Connect(function() end) t:Play() end",
+                 scene.scripts);
+    scene.level();
+    EXPECT_EQ(scene.unmodelled("very long script"), many ? 1u : 0u);
+  }
+}
+
 TEST(Luau, BigTablesAndLongTextsTakeMoreSteps) {
   std::string fields;
   for (int i = 0; i < 50000; ++i) fields += "a" + std::to_string(i) + " = 1, ";

@@ -15,7 +15,11 @@ TEST(ScriptLoops, WhatStandsBehindALoopThatEndsItselfIsRead) {
       {"repeat p.Transparency = p.Transparency + 0.25 wait(0.5) until p.Transparency >= 1", 2},
       {"while p.Transparency < 1 do p.Transparency += 0.5 task.wait(1) end", 2},
       {"local n = 3 while n > 0 do n -= 1 p.Transparency = n wait(1) end", 3},
-      {"local t = tick() while tick() - t < 1.8 do p.Transparency = 0.5 wait(0.5) end", 2}};
+      {"local t = tick() while tick() - t < 1.8 do p.Transparency = 0.5 wait(0.5) end", 2},
+      {"local n = 5 while true do n -= 1 wait(1) if n == 0 then break end end", 5},
+      {"local n = 0 while wait(0.5) do n += 1 if n >= 4 then break end end", 2},
+      {"while true do p.Transparency += 0.25 wait(0.5) if p.Transparency >= 1 then break end end",
+       2}};
   for (const Case& now : cases) {
     Scene scene;
     const auto part = scene.part("Fading");
@@ -163,6 +167,23 @@ TEST(ScriptLoops, AHandlerThatReturnsEarlyIsCalledAgain) {
   EXPECT_NEAR(at(scene[part], 0.8f).y, 8, 0.1);
 }
 
+// Stepped gives its handlers the time, and how long the last frame took.
+TEST(ScriptLoops, AHandlerOfStepsKnowsTheClock) {
+  Scene scene;
+  const auto part = scene.part("Part");
+  scene.script(
+      "local p = script.Parent\n"
+      "game:GetService('RunService').Stepped:Connect(function(now, step)\n"
+      " p.Position = Vector3.new(0, 5 * math.sin(now), 0)\n"
+      "end)",
+      part);
+  scene.level();
+  ASSERT_TRUE(scene[part].motion);
+  ASSERT_FALSE(scene[part].motion->keys.empty());
+  EXPECT_NEAR(at(scene[part], 1.57f).y, 5, 0.2);
+  EXPECT_NEAR(at(scene[part], 4.71f).y, -5, 0.2);
+}
+
 TEST(ScriptLoops, HandlersThatDoNothingLeaveStepsForTheRest) {
   Scene scene;
   const auto part = scene.part("Part");
@@ -189,6 +210,26 @@ TEST(ScriptLoops, WhatEachFrameDoesFromATouchOnIsNamed) {
     EXPECT_FALSE(scene[part].motion) << signal;
     EXPECT_EQ(scene.unmodelled("motion that a touch or click starts"), 1u) << signal;
   }
+}
+
+TEST(ScriptLoops, AWaitWithAWayOutIsPassedOver) {
+  const char* const waits[] = {
+      "while true do wait() if workspace:FindFirstChild('Ready') then break end end",
+      "while true do wait() if _G.ready then break end end",
+      "local function ready() while true do wait() if _G.ready then return end end end ready()"};
+  for (const char* text : waits) {
+    ScriptedPart kills(std::string(text) +
+                       " p.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end)");
+    EXPECT_TRUE(kills[kills.self].kill) << text;
+    ScriptedPart opens("p.Touched:Connect(function() " + std::string(text) +
+                       " p.CanCollide = false wait(3) p.CanCollide = true end)");
+    ASSERT_TRUE(opens[opens.self].vanish) << text;
+    EXPECT_NEAR(opens[opens.self].vanish->away, 3, 1e-3) << text;
+    EXPECT_EQ(opens.unmodelled("wait that a script computes"), 1u) << text;
+  }
+  ScriptedPart ever(
+      "while true do wait() end p.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end)");
+  EXPECT_FALSE(ever[ever.self].kill);
 }
 
 TEST(ScriptLoops, ALoopThatAReturnEndsIsNotEndless) {

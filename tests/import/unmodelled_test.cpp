@@ -41,6 +41,16 @@ TEST(Teleport, ToAPlaceThatTheScriptStates) {
   EXPECT_TRUE(scene[from].teleport->turns);
 }
 
+TEST(Teleport, ToAPlaceFromWhichItLooksAtWhatIsNotKnown) {
+  Scene scene;
+  const auto from = teleporter(scene, "CFrame.new(workspace.teleporter1b.Position, hit.Position)");
+  scene.level();
+  EXPECT_EQ(scene.unmodelled("teleporter"), 0u);
+  ASSERT_TRUE(scene[from].teleport);
+  EXPECT_NEAR(scene[from].teleport->position.x, 50, 1e-4);
+  EXPECT_FALSE(scene[from].teleport->turns);
+}
+
 TEST(Seat, IsOfItsClassUnlessDisabled) {
   Scene scene;
   const auto chair = scene.part("Chair", {}, scene.workspace, "Seat");

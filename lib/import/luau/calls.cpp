@@ -1,7 +1,10 @@
 // Calls of the script reader: waits, spawned functions, signals, methods.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "import/luau/reader.h"
 
@@ -28,7 +31,18 @@ bool comesAtStart(const std::string& name) {
 
 bool isUnknown(const Datum& datum) { return truthOf(datum) == Truth::unknown; }
 
+bool hasDot(const std::string& path) { return path.find('.') != std::string::npos; }
+
 }  // namespace
+
+bool isSignalName(const std::string& name) {
+  static constexpr std::string_view kNames[] = {
+      "Touched",    "touched",        "TouchEnded",      "MouseClick",        "Triggered",
+      "Changed",    "Destroying",     "AncestryChanged", "PlayerRemoving",    "PlayerAdded",
+      "ChildAdded", "CharacterAdded", "ChildRemoved",    "CharacterRemoving", "Died"};
+  return isFrameSignal(name) ||
+         std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
+}
 
 void Reader::waitFor(double seconds, double least) {
   if (std::isnan(seconds) || seconds < least) seconds = least;
@@ -81,7 +95,7 @@ Datum Reader::callValue(const Expr& expr) {
   if (auto result = scheduled(name, arguments)) return *result;
   const Datum& first = argument(arguments, 0);
   if (name == "pairs" || name == "ipairs" || name == "next" || name == "table.clone") return first;
-  if (name == "Instance.new") return newInstance(arguments);
+  if (name == "Instance.new") return newInstance(arguments, expr.line);
   if (name == "table.insert" && arguments.size() == 2) {
     if (const auto* table = first.as<Table*>()) (*table)->items.push_back(arguments[1]);
     return {};
@@ -94,31 +108,50 @@ Datum Reader::callValue(const Expr& expr) {
   return libraryCall(name, arguments);
 }
 
-Datum Reader::connect(const Expr& signal, const std::vector<Datum>& arguments, bool once) {
+// The signal that an expression states by a field, or that a variable or a list holds. Without a
+// name where the text does not tell.
+Signal Reader::signalOf(const Expr& expr) {
+  const bool stated = expr.kind == ExprKind::field;
+  if (!stated && expr.kind != ExprKind::name && expr.kind != ExprKind::index) return {};
+  const Datum from = evaluate(stated ? *expr.kids[0] : expr);
+  if (stated && !from.as<Table*>()) {
+    const auto* ref = from.as<Ref>();
+    const auto* tween = from.as<Tween*>();
+    return {ref ? ref->target : kNoInstance, tween ? *tween : nullptr, expr.text};
+  }
+  const Datum held = stated ? field(from, expr.text) : from;
+  if (const auto* signal = held.as<Signal>()) return *signal;
+  std::string name = stated ? expr.text : std::string();
+  if (const auto* library = held.as<Library>(); library && hasDot(library->name))
+    name = library->name.substr(library->name.rfind('.') + 1);
+  if (const auto* stranger = held.as<Stranger>()) name = stranger->name;
+  return {kNoInstance, nullptr, std::move(name)};
+}
+
+Datum Reader::connect(const Expr& expr, const std::vector<Datum>& arguments, bool once) {
   const Datum& function = argument(arguments, 0);
+  const Signal signal = signalOf(expr);
+  const std::string& name = signal.name;
   Pending pending;
   pending.once = once;
   pending.trigger = Trigger::other;
-  pending.signal = signal.text;
-  pending.line = signal.line;
-  const Datum source = signal.kind == ExprKind::field ? evaluate(*signal.kids[0]) : Datum{};
-  const std::string& name = signal.text;
-  const auto* ref = source.as<Ref>();
-  const auto* tween = source.as<Tween*>();
-  if (signal.kind == ExprKind::field && isFrameSignal(name)) {
+  pending.signal = name.empty() ? expr.text : name;
+  pending.line = expr.line;
+  if (isFrameSignal(name)) {
     pending.trigger = Trigger::frame;
     const Datum step{kFrame};
     return connected(
         std::move(pending), function,
         name == "Stepped" ? std::vector<Datum>{{0.0}, step} : std::vector<Datum>{step});
   }
-  if (tween && name == "Completed") {
-    if (const auto* closure = function.as<Closure>()) (*tween)->completed.push_back(*closure);
+  if (signal.tween && name == "Completed") {
+    if (const auto* closure = function.as<Closure>()) signal.tween->completed.push_back(*closure);
     return {};
   }
-  if (ref && (name == "Touched" || name == "touched") && tree_.isPart(ref->target)) {
+  const bool ofPart = signal.instance != kNoInstance && tree_.isPart(signal.instance);
+  if (ofPart && (name == "Touched" || name == "touched")) {
     pending.trigger = Trigger::touch;
-    pending.touched = ref->target;
+    pending.touched = signal.instance;
   }
   const bool touch = pending.trigger == Trigger::touch;
   if (touch && !function.as<Closure>()) {  // it does something, but what?
@@ -134,13 +167,14 @@ Datum Reader::connect(const Expr& signal, const std::vector<Datum>& arguments, b
 }
 
 // Gives what the signal does: of a tween how it ended.
-Datum Reader::waitForSignal(const Expr& signal) {
-  const Datum source = signal.kind == ExprKind::field ? evaluate(*signal.kids[0]) : Datum{};
-  if (const auto* tween = source.as<Tween*>()) {
-    waitFor(secondsLeft(*tween), 0);
+Datum Reader::waitForSignal(const Expr& expr) {
+  const Signal signal = signalOf(expr);
+  if (signal.tween) {
+    waitFor(secondsLeft(signal.tween), 0);
     return {Library{"Enum.PlaybackState.Completed"}};
   }
-  vague_ = vague_ || !(isFrameSignal(signal.text) || comesAtStart(signal.text));
+  const std::string& name = signal.name.empty() ? expr.text : signal.name;
+  vague_ = vague_ || !(isFrameSignal(name) || comesAtStart(name));
   waitFor(0, kFrame);
   return {kFrame};
 }

@@ -73,8 +73,13 @@ Datum strangers(char op, const Stranger& a, const Datum& b) {
   const auto* nb = b.as<double>();
   if (nb && (op == '+' || op == '-')) return {Change{a.name, op == '+' ? *nb : -*nb}};
   if (nb && op == '*' && *nb == 0) return {0.0};
-  if (b.as<Stranger>() && op == '-')
+  const bool share = nb && ((op == '*' && *nb < 1) || (op == '/' && *nb > 1));
+  if (share && isAllHealth({a})) return {};
+  const bool untold = b.as<Unknown>() && a.name == "Health";
+  if (op == '-' && isAllHealth(b))
     return {Change{a.name, -std::numeric_limits<double>::infinity()}};
+  if (op == '-' && (untold || b.as<Stranger>())) return {Change{a.name, std::nan("")}};
+  if (untold) return {};
   if (const auto* vb = b.as<Vector>(); vb && op == '+') {
     const auto keep = [](float v) { return v == 0 ? kNaN : v; };
     return {Vector{{keep(vb->value.x), keep(vb->value.y), keep(vb->value.z)}, kNoInstance}};
@@ -153,6 +158,19 @@ Datum datumFrom(const obby::importer::Value& value, InstanceId owner) {
   return {};
 }
 
+bool isAllHealth(const Datum& datum) {
+  const auto* stranger = datum.as<Stranger>();
+  return stranger && (stranger->name == "Health" || stranger->name == "MaxHealth");
+}
+
+Datum oneOf(const Datum& a, const Datum& b) {
+  if (a.as<Stranger>()) return a;
+  if (b.as<Stranger>()) return b;
+  const auto *tableA = a.as<Table*>(), *tableB = b.as<Table*>();
+  if (tableA && tableB && *tableA == *tableB) return a;
+  return truthOf(compared("==", a, b)) == Truth::yes ? a : Datum{};
+}
+
 Datum arithmetic(const std::string& op, const Datum& a, const Datum& b) {
   const auto asText = [](const Datum& d) -> std::optional<std::string> {
     if (const auto* text = d.as<std::string>()) return *text;
@@ -198,7 +216,9 @@ Datum compared(const std::string& op, const Datum& a, const Datum& b) {
       same = ref->target == b.as<Ref>()->target;
     } else if (const auto* item = a.as<Library>()) {
       same = item->name == b.as<Library>()->name;
-    } else if (!a.as<Nil>()) {
+    } else if (a.as<Nil>()) {
+      same = true;
+    } else {
       return {};
     }
     return {same != differs};

@@ -28,7 +28,7 @@ struct Stranger {
 // `Health - 30` of a stranger, or another sum that names only what is added.
 struct Change {
   std::string name;
-  double by = 0;
+  double by = 0;  // NaN: not known
 };
 struct Closure {
   const Function* function = nullptr;
@@ -75,9 +75,16 @@ struct Connection {
   int number = 0;
 };
 
+// A signal of an instance or of a tween, as a variable holds it: `local touched = part.Touched`.
+struct Signal {
+  InstanceId instance = kNoInstance;
+  Tween* tween = nullptr;
+  std::string name;
+};
+
 struct Datum {
   std::variant<Unknown, Nil, bool, double, std::string, Vector, Frame, Ref, Stranger, Change,
-               Closure, Library, TweenTiming, Table*, Made*, Tween*, Connection>
+               Closure, Library, TweenTiming, Table*, Made*, Tween*, Connection, Signal>
       value = Unknown{};
 
   template <class T>
@@ -116,6 +123,12 @@ Datum datumOf(Truth truth);
 
 // A part's property or a value object's Value as the file has it.
 Datum datumFrom(const obby::importer::Value& value, InstanceId owner);
+
+// The health that a character has, or can have: who loses that dies.
+bool isAllHealth(const Datum& datum);
+
+// One of two values; which of them is not known.
+Datum oneOf(const Datum& a, const Datum& b);
 
 Datum arithmetic(const std::string& op, const Datum& a, const Datum& b);
 Datum compared(const std::string& op, const Datum& a, const Datum& b);

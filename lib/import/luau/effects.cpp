@@ -204,10 +204,12 @@ void Reader::setStranger(const std::string& owner, const std::string& name, cons
   const auto* number = value.as<double>();
   if (name == "Health") {
     const auto* change = value.as<Change>();
-    if (change && change->by < 0) {
+    if (change && !(change->by >= 0)) {
       emit(EventKind::damage, kNoInstance, name, line).number = -change->by;
     } else if (number && *number <= 0) {
       emit(EventKind::damage, kNoInstance, name, line);
+    } else if (value.as<Unknown>()) {
+      emit(EventKind::character, kNoInstance, name, line);
     }
     return;
   }

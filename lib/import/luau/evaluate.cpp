@@ -6,13 +6,6 @@ namespace {
 
 constexpr size_t kCharsPerStep = 64;
 
-// One of two values; which of them is not known.
-Datum oneOf(const Datum& yes, const Datum& no) {
-  if (yes.as<Stranger>()) return yes;
-  if (no.as<Stranger>()) return no;
-  return truthOf(compared("==", yes, no)) == Truth::yes ? yes : Datum{};
-}
-
 // A default is worth its value to an assignment; as a condition it is not known.
 Datum defaultOr(const Datum& value) { return value.as<bool>() ? Datum{} : value; }
 
@@ -140,7 +133,10 @@ Datum Reader::field(const Datum& object, const std::string& name) {
     return it == (*table)->fields.end() ? Datum{Nil{}} : it->second;
   }
   if (const auto* made = object.as<Made*>()) return madeField(*made, name);
-  if (const auto* tween = object.as<Tween*>()) return tweenField(*tween, name);
+  if (const auto* tween = object.as<Tween*>()) {
+    if (name == "Completed") return {Signal{kNoInstance, *tween, name}};
+    return tweenField(*tween, name);
+  }
   if (object.as<Vector>() || object.as<Frame>() || object.as<TweenTiming>())
     return valueMethod(object, name, {});
   if (object.as<Stranger>() || object.as<Unknown>()) return {Stranger{name}};

@@ -1,5 +1,6 @@
 // What instances of the place answer to a script: children, properties, searches.
 #include <algorithm>
+#include <cmath>
 
 #include "import/classes.h"
 #include "import/format/class_defaults.h"
@@ -37,8 +38,7 @@ std::string canonical(const std::string& name) {
 Datum Reader::serviceNamed(const std::string& name) const {
   const InstanceId service = tree_.service(name);
   if (service != kNoInstance) return {Ref{service}};
-  for (InstanceId root : tree_.document().roots)
-    if (tree_.at(root).name == name) return {Ref{root}};
+  if (const InstanceId root = tree_.rootNamed(name); root != kNoInstance) return {Ref{root}};
   if (name == "Workspace" || name == "workspace") return {Library{"workspace"}};
   return {Library{name}};
 }
@@ -76,6 +76,7 @@ Datum Reader::instanceField(InstanceId id, const std::string& spelled) {
   if (child != kNoInstance) return {Ref{child}};
   if (instance.className == "Players") return {Stranger{name}};
   if (isA(instance.className, "Humanoid")) return {Stranger{name}};
+  if (isSignalName(spelled)) return {Signal{id, nullptr, spelled}};
   return {};
 }
 
@@ -162,7 +163,13 @@ Datum Reader::instanceMethod(InstanceId id, const std::string& name,
   if (name == "IsA" || name == "isA") return text ? Datum{isA(instance.className, *text)} : Datum{};
   if (name == "HasTag" && text)
     return {std::find(instance.tags.begin(), instance.tags.end(), *text) != instance.tags.end()};
+  if (name == "SetAttribute" && text) {
+    write(id, "@" + *text, argument(arguments, 1));
+    return {};
+  }
   if (name == "GetAttribute" && text) {
+    const auto set = written_.find({id, "@" + *text});
+    if (set != written_.end()) return set->second;
     const auto it = instance.attributes.find(*text);
     return it == instance.attributes.end() ? Datum{Nil{}} : datumFrom(it->second, kNoInstance);
   }
@@ -206,7 +213,8 @@ Datum Reader::strangerMethod(const std::string& owner, const std::string& name,
   const Datum& first = argument(arguments, 0);
   if (name == "TakeDamage") {
     ScriptEvent& event = emit(EventKind::damage, kNoInstance, "Health", line);
-    if (const auto* damage = first.as<double>()) event.number = *damage;
+    const auto* damage = first.as<double>();
+    if (damage || !isAllHealth(first)) event.number = damage ? *damage : std::nan("");
   } else if (name == "BreakJoints" || name == "breakJoints" || name == "LoadCharacter") {
     emit(EventKind::damage, kNoInstance, "Health", line);
   } else if (name == "PivotTo" || name == "MoveTo" || name == "SetPrimaryPartCFrame" ||
@@ -229,12 +237,16 @@ Datum Reader::madeField(Made* made, const std::string& name) {
   return it == made->properties.end() ? Datum{} : it->second;
 }
 
-Datum Reader::newInstance(const std::vector<Datum>& arguments) {
+Datum Reader::newInstance(const std::vector<Datum>& arguments, int line) {
   const auto* className = argument(arguments, 0).as<std::string>();
   if (!className) return {};
   Made* made = arena_.make<Made>();
   made->className = *className;
-  if (arguments.size() > 1) made->properties["Parent"] = arguments[1];
+  if (arguments.size() < 2) return {made};
+  if (leadsToWorld(arguments[1]).value_or(false))
+    setMade(made, "Parent", arguments[1], line);
+  else
+    made->properties["Parent"] = arguments[1];
   return {made};
 }
 

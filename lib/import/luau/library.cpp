@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "import/luau/reader.h"
 #include "import/pose_math.h"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr Vec3 kNoAxis = {kNaN, kNaN, kNaN};
 
 double numberAt(const std::vector<Datum>& a, size_t i, double absent) {
   if (i >= a.size()) return absent;
@@ -51,16 +53,17 @@ Datum lookAt(Vec3 from, Vec3 to) {
 Datum newFrame(const std::vector<Datum>& a) {
   if (a.empty()) return frame({});
   if (const auto* position = a[0].as<Vector>()) {
-    const auto* to = a.size() > 1 ? a[1].as<Vector>() : nullptr;
-    return to ? lookAt(position->value, to->value) : frame({position->value, {}});
+    if (a.size() == 1) return frame({position->value, {}});
+    if (const auto* to = a[1].as<Vector>()) return lookAt(position->value, to->value);
+    return frame({position->value, {kNoAxis, kNoAxis, kNoAxis}});  // looks at what is not known
   }
-  if (!allKnown(a, a.size())) return {};
+  if (!allKnown(a, a.size()) || (a.size() > 3 && a.size() != 7 && a.size() != 12)) return {};
   Pose pose;
   pose.position = {float(numberAt(a, 0, 0)), float(numberAt(a, 1, 0)), float(numberAt(a, 2, 0))};
-  if (a.size() == 12) {
-    const auto at = [&](size_t i) { return float(numberAt(a, i, 0)); };
+  const auto at = [&](size_t i) { return float(numberAt(a, i, 0)); };
+  if (a.size() == 7) pose.rotation = toMat3(normalize(Quat{at(3), at(4), at(5), at(6)}));
+  if (a.size() == 12)
     pose.rotation = {{at(3), at(6), at(9)}, {at(4), at(7), at(10)}, {at(5), at(8), at(11)}};
-  }
   return frame(pose);
 }
 
@@ -109,14 +112,36 @@ const MathRow kMath[] = {{"math.sin", [](double v) { return std::sin(v); }},
                          {"math.sqrt", [](double v) { return std::sqrt(v); }},
                          {"math.exp", [](double v) { return std::exp(v); }}};
 
+// `math.max(0, h.Health - 20)`, `math.clamp(h.Health - 20, 0, 100)`: what comes off is the same, as
+// is what comes on: `math.min(h.Health + 20, h.MaxHealth)`.
+std::optional<Datum> boundedChange(const std::vector<Datum>& a, bool most) {
+  constexpr double kFull = 100;  // health
+  if (a.size() < 2) return std::nullopt;
+  const size_t at = a[0].as<Change>() ? 0 : 1;
+  const auto* change = a[at].as<Change>();
+  const auto* bound = a[1 - at].as<double>();
+  if (!change) return std::nullopt;
+  const bool same = most ? isAllHealth(a[1 - at]) || (bound && *bound >= kFull)
+                         : bound && (*bound <= 0 || change->by >= 0);
+  return same ? std::optional<Datum>(a[at]) : std::nullopt;
+}
+
 Datum mathCall(const std::string& path, const std::vector<Datum>& a) {
   const auto* first = a.empty() ? nullptr : a[0].as<double>();
   for (const auto& row : kMath)
     if (path == row.name) return first ? Datum{row.function(*first)} : Datum{};
+  if (path == "math.max" || path == "math.min" || path == "math.clamp")
+    if (auto change = boundedChange(a, path == "math.min")) return *change;
   if (!allKnown(a, a.size()) || a.size() < 2) return {};
   const double x = *first, y = numberAt(a, 1, 0);
-  if (path == "math.max") return {std::max(x, y)};
-  if (path == "math.min") return {std::min(x, y)};
+  if (path == "math.max" || path == "math.min") {
+    double most = x;
+    for (size_t i = 1; i < a.size(); ++i) {
+      const double next = numberAt(a, i, 0);
+      most = path == "math.max" ? std::max(most, next) : std::min(most, next);
+    }
+    return {most};
+  }
   if (path == "math.clamp" && a.size() == 3) return {std::max(y, std::min(x, numberAt(a, 2, y)))};
   if (path == "math.pow") return {std::pow(x, y)};
   if (path == "math.fmod" && y != 0) return {std::fmod(x, y)};

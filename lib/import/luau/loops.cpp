@@ -1,5 +1,5 @@
-// Loops of the script reader. Counted loops are followed round by round; endless ones until the
-// parts they move are back where the loop began.
+// While and repeat loops of the script reader. Those that bring about their own end are followed
+// round by round; endless ones until the parts they move are back where the loop began.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -17,12 +17,10 @@ constexpr int kMaxRounds = 1500;       // of an endless loop
 constexpr double kMaxSeconds = 25;     // of an endless loop
 constexpr double kMaxIdle = 5;         // seconds in which a handler of each frame does nothing
 constexpr size_t kIdleSteps = 300000;  // of that in a script: leaves steps for the rest
-constexpr int kMaxCount = 2000;        // of a counted loop
 constexpr float kSamePlace = 2e-3f;    // studs
 constexpr float kSameTurn = 2e-3f;     // radians
 constexpr size_t kMaxEvents = 200000;  // of one timeline
 constexpr size_t kAskedPerStep = 2;    // expressions of a condition
-constexpr double kLatest = 1e9;        // seconds: later than anything that counts
 
 // Properties that make a loop worth following for more than one round.
 bool isTracked(const ScriptEvent& event) {
@@ -109,10 +107,12 @@ bool Reader::canLeave(const Block& body, bool inner) {
 }
 
 // A loop that brings about its own end, as `while part.Transparency < 1 do` with a step in it, or
-// waits for the clock or for the end of a tween.
+// waits for the clock or for the end of a tween. One that no condition ends is followed until it
+// takes a way out, or may.
 Reader::Flow Reader::countingLoop(const Stat& stat, bool repeats) {
   const double start = time_;
-  const size_t before = timeline_.events.size();
+  const size_t before = timeline_.events.size(), doubts = doubts_;
+  const bool endless = isFixed(*stat.values[0]);
   for (int round = 0; round < kMaxCount; ++round) {
     const Truth goesOn = repeats ? Truth::yes : truthOf(evaluate(*stat.values[0]));
     if (goesOn == Truth::no) return Flow::on;
@@ -123,6 +123,11 @@ Reader::Flow Reader::countingLoop(const Stat& stat, bool repeats) {
     if (open) await();
     if (flow == Flow::leaveLoop) return Flow::on;
     if (flow != Flow::on || open) return flow;
+    if (endless && doubts_ > doubts) {
+      await();
+      vague_ = vague_ || time_ > start;
+      return Flow::on;
+    }
     if (!repeats) continue;
     const Truth over = truthOf(evaluate(*stat.values[0]));
     if (over == Truth::unknown) await();
@@ -140,6 +145,21 @@ bool Reader::isTold(const Expr& condition) {
   const bool known = truthOf(evaluate(condition)) != Truth::unknown;
   time_ = start;
   return known;
+}
+
+// Whether a way out of a loop asks for what each round sets, as `n -= 1 if n == 0 then break end`.
+bool Reader::countsToWayOut(const Block& body) {
+  return std::any_of(body.begin(), body.end(), [&](const StatPtr& stat) {
+    if (!spend() || stat->kind != StatKind::branch || stat->blocks[0].empty()) return false;
+    const Stat& last = *stat->blocks[0].back();
+    const bool leaves =
+        last.kind == StatKind::returns || (last.kind == StatKind::leaves && last.text == "break");
+    if (!leaves) return false;
+    size_t looked = 0;
+    const std::set<std::string> paths = pathsIn(*stat->values[0], looked);
+    spend(looked / kAskedPerStep);
+    return !paths.empty() && assigns(body, paths) && isTold(*stat->values[0]);
+  });
 }
 
 // What follows comes only once something has happened that the text does not tell.
@@ -165,9 +185,17 @@ Reader::Flow Reader::whileLoop(const Stat& stat) {
   const bool endless = truth == Truth::yes || waits ||
                        (timeline_.trigger == Trigger::start && active_.empty() && !repeats);
   const bool sure = truth == Truth::yes && isFixed(condition);
+  if (sure && countsToWayOut(stat.blocks[0])) return countingLoop(stat, repeats);
   const size_t event = timeline_.events.size();
-  const Flow flow = endless ? foreverLoop(stat.blocks[0], waits ? &condition : nullptr, sure)
-                            : walkRound(stat.blocks[0]);
+  const bool asksPose = !poses.empty() && truth == Truth::yes;
+  const auto begins = [&](int round) {
+    const auto& events = timeline_.events;  // what may not be set ends nothing
+    const bool told = asksPose && round > 0 && !(events.size() > event && events.back().unsure);
+    if (!waits && !told) return true;
+    const Truth holds = truthOf(evaluate(condition));
+    return waits || holds != (repeats ? Truth::yes : Truth::no);
+  };
+  const Flow flow = endless ? foreverLoop(stat.blocks[0], begins, sure) : walkRound(stat.blocks[0]);
   const bool passed = time_ > start && timeline_.events.size() == event;
   if (passed) endGoing();
   if (flow != Flow::stop && (passed || truth == Truth::unknown)) await();
@@ -189,29 +217,39 @@ void Reader::beginLoop() {
   beforeLoop_.clear();
 }
 
+// Attributes that an endless loop sets, maybe to and fro, are not known when another timeline asks.
+void Reader::leaveLoop() {
+  if (!timeline_.forever) return;
+  for (const auto& [key, old] : beforeLoop_)
+    if (key.second.rfind("@", 0) == 0) written_[key] = {};
+}
+
 // Rounds are followed until two in a row leave the parts as the first two did: one alone may pass
-// the same place on the way back. A loop that is not sure to be endless and does nothing but wait
-// ends with what it waits for: what follows it is read. A handler of each frame may return before
-// it does anything: its rounds are those that do. One that disconnects itself ends with that round.
+// the same place on the way back. A loop that is not sure to be endless, or has a way out, and does
+// nothing but wait ends with what it waits for: what follows it is read. A handler of each frame
+// may return before it does anything: its rounds are those that do. One that disconnects itself
+// ends with that round.
 // Of an endless loop in another one the first round stands for all, unless it ends by no condition
 // and a later round is sure to leave it.
-Reader::Flow Reader::foreverLoop(const Block& body, const Expr* condition, bool sure) {
+Reader::Flow Reader::foreverLoop(const Block& body, const RoundStart& begins, bool sure) {
   const bool nested = timeline_.forever;
   const bool handler = timeline_.trigger == Trigger::frame && !nested;
-  const bool leaving = nested && sure && canLeave(body, false);
+  const bool ways = sure && !handler && canLeave(body, false);
+  const bool passable = !sure || (ways && !nested);
   if (!nested) beginLoop();
   Repetition repetition;
   double lastSet = time_;
   for (int round = 0; round < kMaxRounds; ++round) {
     const double roundStart = time_;
     const size_t event = timeline_.events.size(), budget = budget_, doubts = doubts_;
-    if (condition) evaluate(*condition);
-    const Flow flow = walkRound(body);
+    const Flow flow = begins && !begins(round) ? Flow::leaveLoop : walkRound(body);
     const bool returns = handler && flow == Flow::leaveFunction;
     if (timeline_.trigger == Trigger::frame) time_ = std::max(time_, roundStart + kFrame);
-    const bool idle = round == 0 && flow == Flow::on && timeline_.events.size() == event;
+    const bool idle =
+        passable && round == 0 && flow == Flow::on && timeline_.events.size() == event;
+    if (idle && sure && !timeline_.byItself()) vague_ = vague_ || time_ > roundStart;
     const bool leaves = flow == Flow::leaveFunction && !returns;
-    const bool ends = flow == Flow::leaveLoop || leaves || (idle && !sure) || (handler && ended_);
+    const bool ends = flow == Flow::leaveLoop || leaves || idle || (handler && ended_);
     if (ends) timeline_.forever = nested;
     if (ends) return leaves ? flow : Flow::on;
     timeline_.period = time_ - timeline_.loopStart;
@@ -221,7 +259,7 @@ Reader::Flow Reader::foreverLoop(const Block& body, const Expr* condition, bool 
     if (sets) lastSet = time_;
     if (returns && !sets) idleSteps_ += budget - budget_;
     const bool goesOn = sets || (returns && time_ - lastSet < kMaxIdle && idleSteps_ < kIdleSteps);
-    if ((nested && (!leaving || doubts_ > doubts)) || time_ <= roundStart ||
+    if ((nested && (!ways || doubts_ > doubts)) || time_ <= roundStart ||
         timeline_.period > kMaxSeconds || timeline_.events.size() > kMaxEvents || !goesOn)
       break;
     if (!sets || nested) continue;
@@ -231,65 +269,6 @@ Reader::Flow Reader::foreverLoop(const Block& body, const Expr* condition, bool 
     break;
   }
   return nested ? Flow::on : Flow::stop;
-}
-
-Reader::Flow Reader::numericFor(const Stat& stat) {
-  const auto values = evaluateAll(stat.values, 0);
-  const auto* from = values.size() > 0 ? values[0].as<double>() : nullptr;
-  const auto* to = values.size() > 1 ? values[1].as<double>() : nullptr;
-  const auto* step = values.size() > 2 ? values[2].as<double>() : nullptr;
-  const double by = values.size() > 2 ? (step ? *step : 0) : 1;
-  double rounds = 1;
-  const bool known = from && to && by != 0 && std::isfinite((*to - *from) / by);
-  if (known) rounds = std::floor((*to - *from) / by + 1e-9) + 1;
-  const int count = int(std::clamp(rounds, 0.0, double(kMaxCount)));
-  const double start = time_;
-  const size_t before = timeline_.events.size();
-  for (int i = 0; i < count; ++i) {
-    const auto outer = scope_;
-    scope_ = newScope(outer);
-    scope_->names[stat.names[0]] = known ? Datum{*from + by * i} : Datum{};
-    const Flow flow = walkRound(stat.blocks[0]);
-    scope_ = outer;
-    if (flow == Flow::leaveLoop) return Flow::on;
-    if (flow != Flow::on) return flow;
-  }
-  if (!known && time_ > start) vague_ = true;
-  // What the rounds that are not followed would do is lost.
-  if (rounds > count && timeline_.events.size() > before) reading_.exhausted = true;
-  if (rounds > count && count > 0)
-    time_ = std::max(time_, std::min(start + (time_ - start) * rounds / count, kLatest));
-  return Flow::on;
-}
-
-Reader::Flow Reader::genericFor(const Stat& stat) {
-  const auto values = evaluateAll(stat.values, 0);
-  const auto* library = values.empty() ? nullptr : values[0].as<Library>();
-  const bool steps = library && library->name == "next";  // `in next, list`
-  const auto* table = argument(values, steps ? 1 : 0).as<Table*>();
-  const auto round = [&](Datum key, Datum value) {
-    const auto outer = scope_;
-    scope_ = newScope(outer);
-    scope_->names[stat.names[0]] = std::move(key);
-    if (stat.names.size() > 1) scope_->names[stat.names[1]] = std::move(value);
-    const Flow flow = walkRound(stat.blocks[0]);
-    scope_ = outer;
-    return flow;
-  };
-  Flow flow = Flow::on;
-  if (!table) {
-    flow = round({}, {Stranger{"each"}});
-  } else {
-    Table* const items = *table;  // the body may change it
-    const size_t count = items->items.size();
-    for (size_t i = 0; i < count && i < items->items.size() && flow == Flow::on; ++i)
-      flow = round({double(i + 1)}, items->items[i]);
-    if (flow == Flow::on) spend(items->fields.size());  // they are copied
-    const auto fields = flow == Flow::on ? items->fields : std::map<std::string, Datum>{};
-    for (auto it = fields.begin(); it != fields.end() && flow == Flow::on; ++it)
-      flow = round({it->first}, it->second);
-  }
-  return flow == Flow::leaveLoop ? Flow::on : flow;
 }
 
 }  // namespace obby::importer::luau

@@ -13,6 +13,11 @@ bool isOfEveryPlayer(const Datum& condition) {
                       stranger->name == "HumanoidRootPart");
 }
 
+bool isNone(const Datum& value) {
+  const auto* flag = value.as<bool>();
+  return value.as<Nil>() || (flag && !*flag);
+}
+
 // What a player does in the game, and not by coming into it.
 bool isTrigger(Trigger trigger, const std::string& signal) {
   return trigger == Trigger::touch || signal == "MouseClick" || signal == "Triggered";
@@ -33,10 +38,12 @@ Scope* Reader::newScope(Scope* parent) {
 
 ScriptReading Reader::read(const Chunk& chunk) {
   scope_->names["script"] = {Ref{reading_.script}};
+  assignments_ = Assignments(chunk.body);
   timeline_ = {};
   walk(chunk.body, false);
   finishTweens();
   leaveGoing();
+  leaveLoop();
   timeline_.end = time_;
   timeline_.vague = vague_;
   reading_.timelines.push_back(std::move(timeline_));
@@ -45,6 +52,7 @@ ScriptReading Reader::read(const Chunk& chunk) {
     pending_.pop_front();
     follow(next);
   }
+  reading_.exhausted = reading_.exhausted || !pending_.empty();
   nameEnded();
   reading_.broken = chunk.broken;
   return std::move(reading_);
@@ -53,6 +61,7 @@ ScriptReading Reader::read(const Chunk& chunk) {
 void Reader::openTimeline(const Pending& pending) {
   inHandler_ = pending.trigger != Trigger::start;  // what it writes ends with it
   beforeHandler_.clear();
+  beforeLoop_.clear();
   timeline_ = {};
   ++followed_;
   timeline_.trigger = pending.trigger;
@@ -82,7 +91,9 @@ void Reader::follow(const Pending& pending) {
   else
     call(pending.closure, pending.arguments);
   finishTweens();
+  nameOnce(pending);
   leaveGoing();
+  leaveLoop();
   timeline_.end = time_;
   timeline_.vague = vague_;
   if (ownClock) going_.swap(others);
@@ -103,9 +114,14 @@ void Reader::followEachFrame(const Pending& pending) {
   const Function* body = pending.closure.function;
   const auto outer = scope_;
   scope_ = newScope(pending.closure.scope);
-  for (size_t i = 0; i < body->parameters.size() && i < pending.arguments.size(); ++i)
-    scope_->names[body->parameters[i]] = pending.arguments[i];
-  foreverLoop(body->body, nullptr, true);
+  const auto begins = [&](int) {
+    for (size_t i = 0; i < body->parameters.size() && i < pending.arguments.size(); ++i)
+      scope_->names[body->parameters[i]] = pending.arguments[i];
+    if (pending.signal == "Stepped" && !body->parameters.empty())  // the first one is the clock
+      scope_->names[body->parameters[0]] = {time_};
+    return true;
+  };
+  foreverLoop(body->body, begins, true);
   scope_ = outer;
 }
 
@@ -147,9 +163,7 @@ Reader::Flow Reader::statement(const Stat& stat) {
     case StatKind::numericFor: return numericFor(stat);
     case StatKind::genericFor: return genericFor(stat);
     case StatKind::function: bindFunction(stat); return Flow::on;
-    case StatKind::returns:
-      returned_ = stat.values.empty() ? Datum{Nil{}} : evaluate(*stat.values[0]);
-      return Flow::leaveFunction;
+    case StatKind::returns: giveBack(stat); return Flow::leaveFunction;
     case StatKind::leaves: return stat.text == "break" ? Flow::leaveLoop : Flow::nextRound;
   }
   return Flow::on;
@@ -172,20 +186,35 @@ void Reader::doubt(Flow flow) {
   if (flow == Flow::leaveLoop || flow == Flow::nextRound) skipped_ = true;
 }
 
+// A branch may have given another value before. An early way out that gives nothing is none.
+void Reader::giveBack(const Stat& stat) {
+  Datum value = stat.values.empty() ? Datum{Nil{}} : evaluate(*stat.values[0]);
+  const bool either = mayReturn_ && (value.as<bool>() || !isNone(maybeReturned_));
+  returned_ = either ? oneOf(maybeReturned_, value) : std::move(value);
+}
+
 Reader::Flow Reader::branch(const Stat& stat) {
   bool unsure = false;  // an earlier branch may have been taken instead
   const double start = time_;
   double latest = time_;
   for (size_t i = 0; i < stat.blocks.size(); ++i) {
     const Asked condition = i < stat.values.size() ? asked(*stat.values[i]) : Asked{};
+    const size_t event = timeline_.events.size();
+    if (condition.truth == Truth::no) guard(stat, i, event);
     if (condition.truth == Truth::no) continue;
     if (unsure) time_ = start;
     const bool open = unsure || (condition.truth == Truth::unknown && !condition.always);
     if (open) ++unsure_;
     const Flow flow = walk(stat.blocks[i]);
+    guard(stat, i, event);
     if (open) --unsure_;
     latest = std::max(latest, time_);
     if (flow == Flow::stop) return flow;
+    const bool sure = condition.truth == Truth::yes && !unsure;
+    if (flow == Flow::leaveFunction && !sure && !condition.never) {
+      mayReturn_ = true;
+      maybeReturned_ = returned_;
+    }
     if (open && !condition.never) doubt(flow);
     if (condition.truth == Truth::yes) {
       time_ = latest;

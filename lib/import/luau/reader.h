@@ -5,6 +5,8 @@
 #pragma once
 
 #include <deque>
+#include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -12,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "import/luau/assignments.h"
 #include "import/luau/ast.h"
 #include "import/luau/datum.h"
 #include "import/script_reading.h"
@@ -21,6 +24,7 @@ namespace obby::importer::luau {
 
 constexpr size_t kAncestorsPerStep = 8;
 constexpr size_t kMaxTimelines = 50000;  // of a script
+constexpr int kMaxCount = 2000;          // rounds of a counted loop
 
 class Reader {
  public:
@@ -76,6 +80,7 @@ class Reader {
   };
   Asked asked(const Expr& condition);
   Flow branch(const Stat& stat);
+  void giveBack(const Stat& stat);
   void doubt(Flow flow);
   bool isUnsure() const { return unsure_ > 0 || left_ || skipped_; }
   Flow assign(const Stat& stat);
@@ -100,12 +105,16 @@ class Reader {
   bool canLeave(const Block& body, bool inner);  // `inner`: of a loop in the loop
   Flow countingLoop(const Stat& stat, bool repeats);
   bool isTold(const Expr& condition);
+  bool countsToWayOut(const Block& body);
   void await();
   bool hasAwaited() const { return timeline_.awaits <= timeline_.events.size(); }
   void beginLoop();
-  // `condition` is evaluated in each round, for its waits; may be null. `sure`: the loop ends by no
-  // condition.
-  Flow foreverLoop(const Block& body, const Expr* condition, bool sure);
+  void leaveLoop();
+  // What comes before a round, from 0; false: the loop is over.
+  using RoundStart = std::function<bool(int round)>;
+  // `begins` may be empty. `sure`: the loop ends by no condition.
+  Flow foreverLoop(const Block& body, const RoundStart& begins, bool sure);
+  Flow endlessFor(const Stat& stat, double from, double by, double rounds);
   Flow numericFor(const Stat& stat);
   Flow genericFor(const Stat& stat);
   using State = std::map<std::pair<InstanceId, std::string>, Datum>;
@@ -129,9 +138,10 @@ class Reader {
   Datum methodValue(const Expr& expr);
   Datum methodOf(const Datum& object, const std::string& name, const std::vector<Datum>& arguments,
                  int line);
-  Datum waitForSignal(const Expr& signal);
+  Signal signalOf(const Expr& expr);
+  Datum waitForSignal(const Expr& expr);
   void waitFor(double seconds, double least);
-  Datum connect(const Expr& signal, const std::vector<Datum>& arguments, bool once);
+  Datum connect(const Expr& expr, const std::vector<Datum>& arguments, bool once);
 
   // connections.cpp: handlers that the script ends
   Datum connected(Pending pending, const Datum& function, std::vector<Datum> arguments);
@@ -172,7 +182,7 @@ class Reader {
   Datum strangerMethod(const std::string& owner, const std::string& name,
                        const std::vector<Datum>& arguments, int line);
   Datum madeField(Made* made, const std::string& name);
-  Datum newInstance(const std::vector<Datum>& arguments);
+  Datum newInstance(const std::vector<Datum>& arguments, int line);
   Datum createTween(const std::vector<Datum>& arguments, int line);
   Datum tweenField(const Tween* tween, const std::string& name);
   Datum children(InstanceId id, bool all);
@@ -188,6 +198,24 @@ class Reader {
   void setPivot(InstanceId id, const Datum& value, int line);
   void takeAlong(InstanceId model, const Pose& by);
   void setPoseGoals(const Tween& tween, int line);
+
+  // once.cpp: what a handler does but once, as a flag keeps it from the next time
+  static constexpr size_t kOpenEnd = std::numeric_limits<size_t>::max();
+  // Events that come only if a condition holds, or only if it does not.
+  struct Guard {
+    const Expr* condition = nullptr;
+    Scope* scope = nullptr;  // where it is asked
+    int line = 0;
+    bool holds = true;
+    size_t first = 0, end = kOpenEnd;
+  };
+  void guard(const Stat& stat, size_t branch, size_t event);
+  void closeGuards(size_t from);
+  bool asksFlag(const Expr& expr, size_t& looked) const;
+  const Datum* flagOf(const Expr& name, Scope* scope, Scope* outside) const;
+  Truth nextTime(const Expr& expr, Scope* scope, Scope* outside) const;
+  void forgetFlags(const Expr& expr, Scope* scope, Scope* outside);
+  void nameOnce(const Pending& pending);
 
   // effects.cpp: what assignments do
   void setField(const Datum& object, const std::string& name, const Datum& value, int line);
@@ -211,8 +239,8 @@ class Reader {
   std::vector<Played> played_;             // tweens of this timeline whose end sets something off
   std::map<const Tween*, double> paused_;  // those to go on, with the seconds that they have done
   int tweens_ = 0;                         // made so far
-  // What the script wrote, by (instance, property), and what was there before the current handler
-  // and the current endless loop wrote it.
+  // What the script wrote, by (instance, property, or "@" and an attribute), and what was there
+  // before the current handler and the current endless loop wrote it.
   using Key = std::pair<InstanceId, std::string>;
   using Old = std::map<Key, std::optional<Datum>>;
   std::map<Key, Datum> written_;
@@ -228,8 +256,12 @@ class Reader {
   std::map<size_t, int> handlers_;  // timelines that connections have made
   const Function* body_ = nullptr;  // of the handler that is followed
   std::set<int> renewed_;           // connections whose handlers connect themselves anew
+  Assignments assignments_;
+  std::vector<Guard> guards_;  // of the handler that is followed
   Arena arena_;
   Datum returned_;
+  Datum maybeReturned_;            // by the function that is called, if a branch was taken
+  bool mayReturn_ = false;         // there is such a branch
   size_t statements_ = 0;          // begun so far
   size_t idleSteps_ = 0;           // of handlers of each frame, in rounds that do nothing
   bool finishing_ = false;         // following what the ends of tweens set off
@@ -248,6 +280,9 @@ class Reader {
   std::vector<Active> active_;  // functions that are being called, the outermost first
   size_t& budget_;
 };
+
+// calls.cpp: what instances have to connect handlers to.
+bool isSignalName(const std::string& name);
 
 // library.cpp: Vector3, CFrame, TweenInfo, math, string: pure functions of known values.
 Datum libraryField(const std::string& path);

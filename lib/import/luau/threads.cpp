@@ -37,17 +37,23 @@ Datum Reader::call(const Closure& closure, const std::vector<Datum>& arguments) 
   }
   active_.push_back({closure.function, time_, timeline_.events.size()});
   const bool left = left_, skipped = skipped_;
+  const size_t guards = guards_.size();
   const auto outer = scope_;
   scope_ = newScope(closure.scope);
   const auto& parameters = closure.function->parameters;
   for (size_t i = 0; i < parameters.size(); ++i)
     scope_->names[parameters[i]] = i < arguments.size() ? arguments[i] : Datum{};
   returned_ = {Nil{}};
+  const Datum maybe = maybeReturned_;
+  const bool mayReturn = std::exchange(mayReturn_, false);
   if (walk(closure.function->body, false) == Flow::stop) stopped_ = true;
   scope_ = outer;
+  maybeReturned_ = maybe;
+  mayReturn_ = mayReturn;
   left_ = left;
   skipped_ = skipped;
   active_.pop_back();
+  if (!active_.empty()) closeGuards(guards);
   return std::exchange(returned_, Datum{});
 }
 

@@ -207,9 +207,10 @@ void Reader::comeBack(const Tween& tween, const ScriptEvent& event) {
 void Reader::finishTweens() {
   constexpr size_t kMaxChain = 64;
   finishing_ = true;
-  for (size_t i = 0; i < played_.size() && i < kMaxChain && !timeline_.forever; ++i) {
+  for (size_t i = 0; i < played_.size() && !timeline_.forever; ++i) {
     const Played played = played_[i];
-    if (played.tween->timing.repeats < 0 || played.paused) continue;
+    if (i >= kMaxChain && !played.tween->completed.empty()) reading_.exhausted = true;
+    if (i >= kMaxChain || played.tween->timing.repeats < 0 || played.paused) continue;
     const double end = played.time + played.tween->timing.total();
     time_ = end - 2 * kDone;
     const bool whole = isPlaying(played.tween);  // else another one may have put an end to it

@@ -134,13 +134,14 @@ void killFromScripts(RoleContext& context) {
         if (hit.kind != EventKind::damage) continue;
         PartDraft* part = context.part(touch ? timeline.touched : hit.target);
         const double damage = hit.number.value_or(std::numeric_limits<double>::infinity());
-        if (!part || !(damage > 0)) continue;
+        const bool untold = std::isnan(damage);
+        if (!part || !(damage > 0 || untold)) continue;
         const float amount = std::isfinite(damage)
                                  ? std::min(float(damage), kAll)
                                  : std::max(100.0f, context.level.world.maxHealth);
         const double wait = touch ? timeline.end - hit.time : timeline.period;
         give(*part, {amount, float(std::clamp(wait, 0.0, 60.0))},
-             scriptReason(context.tree, reading, hit.line), false);
+             scriptReason(context.tree, reading, hit.line), untold);
       }
     }
 }

@@ -56,6 +56,7 @@ class RoleContext {
 
  private:
   std::unordered_map<InstanceId, size_t> index_;
+  std::unordered_map<InstanceId, bool> holders_;  // what hasParts was asked for: scripts ask often
 };
 
 using RoleFinder = void (*)(RoleContext&);

@@ -45,15 +45,17 @@ std::vector<PartDraft*> RoleContext::partsOf(InstanceId id) {
 bool RoleContext::hasParts(InstanceId id) {
   if (id >= tree.size()) return false;
   if (tree.isPart(id)) return part(id) != nullptr;
-  std::vector<InstanceId> open = {id};
-  while (!open.empty()) {
+  const auto [known, isNew] = holders_.try_emplace(id, false);
+  std::vector<InstanceId> open;
+  if (isNew) open.push_back(id);
+  while (!open.empty() && !known->second) {
     const InstanceId next = open.back();
     open.pop_back();
-    if (part(next)) return true;
+    known->second = part(next) != nullptr;
     const auto& children = tree.at(next).children;
     open.insert(open.end(), children.begin(), children.end());
   }
-  return false;
+  return known->second;
 }
 
 void RoleContext::eachTagged(

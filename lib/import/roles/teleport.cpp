@@ -25,8 +25,9 @@ void teleportFromScripts(RoleContext& context) {
     for (const ScriptEvent& event : timeline.events) {
       if (event.kind != EventKind::teleport || !event.frame || part.teleport || part.checkpoint)
         continue;
-      const Teleport to = teleportTo(*event.frame, event.property == "CFrame");
-      if (!isPlace(to.position) || !std::isfinite(to.yaw)) continue;
+      Teleport to = teleportTo(*event.frame, event.property == "CFrame");
+      if (!std::isfinite(to.yaw)) to = {to.position, 0, false};  // looks at what is not known
+      if (!isPlace(to.position)) continue;
       part.teleport = to;
       part.evidence.push_back(
           {"teleport", scriptReason(context.tree, reading, event.line), event.unsure});

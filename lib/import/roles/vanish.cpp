@@ -1,9 +1,11 @@
 // Parts that lose their collision for a while: on touch or by the clock.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "import/onset.h"
 #include "import/roles/role.h"
@@ -86,17 +88,17 @@ bool vanishes(const PartDraft* part, const ScriptEvent& gone) {
 // An endless loop that switches the collision off and on, or takes the part out and puts it back.
 void fromTimer(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
   const auto first = timeline.events.begin() + std::ptrdiff_t(timeline.loopEvent);
-  std::set<std::pair<InstanceId, std::string>> forGood;  // bounds the search
-  for (auto gone = first; gone != timeline.events.end(); ++gone) {
+  using Event = std::vector<ScriptEvent>::const_iterator;
+  std::map<std::pair<InstanceId, std::string>, Event> backs;  // the first one of each
+  for (Event gone = first; gone != timeline.events.end(); ++gone) {
     PartDraft* part = context.part(gone->target);
     if (!vanishes(part, *gone) || !(timeline.period > 0)) continue;
-    if (forGood.count({gone->target, gone->property}) > 0) continue;
-    const auto back = std::find_if(first, timeline.events.end(),
+    const auto [known, isNew] = backs.try_emplace(std::pair(gone->target, gone->property));
+    if (isNew)
+      known->second = std::find_if(first, timeline.events.end(),
                                    [&](const ScriptEvent& e) { return undoes(e, *gone); });
-    if (back == timeline.events.end()) {
-      forGood.insert({gone->target, gone->property});
-      continue;
-    }
+    const Event back = known->second;
+    if (back == timeline.events.end()) continue;
     const auto wrapped = [&](double t) {
       return t - std::floor(t / timeline.period + 1e-9) * timeline.period;
     };

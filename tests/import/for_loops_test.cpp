@@ -1,0 +1,106 @@
+// For loops that count for ever, and loops that end by where a model is.
+#include "import/motion_checks.h"
+
+namespace obby::test {
+namespace {
+
+const std::string kKill = "p.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end)";
+
+TEST(ForLoops, ThatCountForEverAreEndless) {
+  const char* const loops[] = {"for i = 1, math.huge do", "for i = 1, math.huge, 2 do",
+                               "for i = 10, -math.huge, -1 do", "for i = 1, 1e9 do"};
+  for (const char* loop : loops) {
+    ScriptedPart scene(std::string(loop) +
+                       " p.CFrame = p.CFrame * CFrame.Angles(0, 0.05, 0) wait() end\n" + kKill);
+    ASSERT_TRUE(scene[scene.self].motion) << loop;
+    ASSERT_TRUE(scene[scene.self].motion->spin) << loop;
+    EXPECT_NEAR(scene[scene.self].motion->spin->speed, 1.5, 0.02) << loop;
+    EXPECT_FALSE(scene[scene.self].kill) << "what stands behind it is never reached";
+    EXPECT_TRUE(scene.level().unmodelled.empty()) << loop;
+  }
+}
+
+TEST(ForLoops, ThatCountForEverCount) {
+  ScriptedPart scene(
+      "for i = 0, math.huge do p.Position = Vector3.new(0, i % 2 * 8, 0) task.wait(1) end");
+  ASSERT_TRUE(scene[scene.self].motion);
+  EXPECT_EQ(scene[scene.self].motion->repeat, importer::Repeat::loop);
+  EXPECT_NEAR(scene[scene.self].motion->keys.back().time, 2, 0.1);
+  EXPECT_NEAR(at(scene[scene.self], 0.5f).y, 0, 0.1);
+  EXPECT_NEAR(at(scene[scene.self], 1.5f).y, 8, 0.1);
+}
+
+TEST(ForLoops, ThatCountForEverAreTimers) {
+  ScriptedPart scene(
+      "for i = 1, math.huge do p.CanCollide = false wait(1) p.CanCollide = true wait(2) end");
+  ASSERT_TRUE(scene[scene.self].vanish);
+  EXPECT_TRUE(scene[scene.self].vanish->timer);
+  EXPECT_NEAR(scene[scene.self].vanish->away, 1, 1e-3);
+  EXPECT_NEAR(scene[scene.self].vanish->delay, 2, 1e-3);
+}
+
+TEST(ForLoops, ThatCountForDaysAndOnlyWaitArePassedOver) {
+  for (const char* body : {"local x = i", "wait(1)"}) {
+    ScriptedPart scene("for i = 1, 1e9 do " + std::string(body) + " end\n" + kKill);
+    EXPECT_TRUE(scene[scene.self].kill) << body;
+    EXPECT_TRUE(scene.level().unmodelled.empty()) << body;
+  }
+}
+
+TEST(ForLoops, ThatGoTheOtherWayHaveNoRound) {
+  ScriptedPart scene("for i = 1, -math.huge do p:Destroy() end");
+  EXPECT_EQ(scene.level().parts.size(), 1u);
+  EXPECT_TRUE(scene.level().unmodelled.empty());
+}
+
+TEST(ForLoops, ThatCountForEverMayBeLeft) {
+  Scene scene;
+  const InstanceId parts[] = {scene.part("Red1"), scene.part("Red2"), scene.part("Red3")};
+  const auto last = scene.part("Last");
+  scene.script(
+      "local function kill(h) h.Parent.Humanoid.Health = 0 end\n"
+      "for i = 1, math.huge do local red = workspace:FindFirstChild('Red' .. i)\n"
+      "if not red then break end red.Touched:Connect(kill) end\n"
+      "workspace.Last.Touched:Connect(kill)",
+      scene.scripts);
+  scene.level();
+  for (const InstanceId part : parts) EXPECT_TRUE(scene[part].kill) << part;
+  EXPECT_TRUE(scene[last].kill);
+  for (const char* way : {"break", "return"}) {
+    ScriptedPart waits("local function ready() for i = 1, math.huge do wait(1) if _G.ready then " +
+                       std::string(way) + " end end end\nready() " + kKill);
+    EXPECT_TRUE(waits[waits.self].kill) << way;
+  }
+}
+
+TEST(ForLoops, AWayThatALoopLeavesIsAMotionThatComesOnce) {
+  ScriptedPart scene(
+      "for i = 1, math.huge do p.CFrame = p.CFrame * CFrame.new(0, 0.1, 0)\n"
+      "if i == 40 then break end task.wait(0.05) end");
+  ASSERT_TRUE(scene[scene.self].motion);
+  EXPECT_EQ(scene[scene.self].motion->repeat, importer::Repeat::once);
+  EXPECT_NEAR(scene[scene.self].motion->keys.back().time, 1.95, 1e-3);
+}
+
+// The model is asked by its part, and set by a method.
+TEST(ForLoops, AWayOfAModelThatEndsByWhereItIs) {
+  const std::string step = "m:PivotTo(m:GetPivot() * CFrame.new(0, 0.1, 0)) task.wait(0.05) ";
+  const std::string texts[] = {"while m.PrimaryPart.Position.Y < 3.95 do " + step + "end",
+                               "repeat " + step + "until m.PrimaryPart.Position.Y >= 3.95"};
+  for (const std::string& text : texts) {
+    Scene scene;
+    const auto model = scene.add("Model", "Lift", scene.workspace);
+    const auto floor = scene.part("Floor", {}, model);
+    scene.set(model, "PrimaryPart", Ref{floor});
+    scene.script("local m = workspace.Lift\n" + text, scene.scripts);
+    scene.level();
+    ASSERT_TRUE(scene[floor].motion) << text;
+    EXPECT_EQ(scene[floor].motion->repeat, importer::Repeat::once) << text;
+    expectNear(scene[floor].motion->keys.back().pose.position, {0, 4, 0});
+    EXPECT_NEAR(scene[floor].motion->keys.back().time, 1.95, 1e-3) << text;
+    EXPECT_EQ(scene.evidence(floor, "motion").rfind("script ", 0), 0u) << text;
+  }
+}
+
+}  // namespace
+}  // namespace obby::test

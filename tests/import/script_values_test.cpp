@@ -1,0 +1,170 @@
+// Values that scripts compute: what is told is taken, what is not is named, not guessed.
+#include <string>
+#include <utility>
+
+#include "import/motion_checks.h"
+
+namespace obby::test {
+namespace {
+
+TEST(ScriptValues, NilIsNil) {
+  const std::pair<const char*, bool> cases[] = {
+      {"if workspace:FindFirstChild('Missing') ~= nil then p.CanCollide = false end", true},
+      {"if workspace:FindFirstChild('Missing') == nil then p.CanCollide = false end", false},
+      {"local x if x == nil then p.CanCollide = false end", false},
+      {"local x, y if x ~= y then p.CanCollide = false end", true}};
+  for (const auto& [text, solid] : cases) {
+    ScriptedPart scene(text);
+    EXPECT_EQ(scene[scene.self].solid, solid) << text;
+    EXPECT_TRUE(scene.level().unmodelled.empty()) << text;
+  }
+}
+
+// One of them may have been given, and the other one, too.
+TEST(ScriptValues, AFunctionMayGiveOneOfTwo) {
+  const char* const functions[] = {
+      "if hit.Parent:FindFirstChild('Humanoid') then return true end return false",
+      "if hit.Parent:FindFirstChild('Humanoid') then return true else return false end",
+      "if not hit.Parent:FindFirstChild('Humanoid') then return false end return true",
+      "if hit.Name == 'Head' then return true end print(hit) return false",
+      "local m = hit.Parent if m:FindFirstChild('Humanoid') then return m.Humanoid end return nil"};
+  for (const char* function : functions) {
+    ScriptedPart scene("local function isPlayer(hit) " + std::string(function) +
+                       " end\np.Touched:Connect(function(hit)\n"
+                       "if isPlayer(hit) then hit.Parent.Humanoid.Health = 0 end end)");
+    EXPECT_TRUE(scene[scene.self].kill) << function;
+  }
+  ScriptedPart unsure(
+      "local function wanted() if _G.closed then return true end return false end\n"
+      "p.CanCollide = wanted()");
+  EXPECT_TRUE(unsure[unsure.self].solid);
+  EXPECT_EQ(unsure.unmodelled("part that a script may change"), 1u);
+  ScriptedPart early(
+      "local function place() if _G.closed then return nil end return Vector3.new(0, 7, 0) end\n"
+      "p.Position = place()");
+  EXPECT_EQ(early[early.self].pose.position, (Vec3{0, 7, 0})) << "an early way out is no value";
+}
+
+TEST(ScriptValues, HealthWithinBoundsIsHarm) {
+  const char* const ways[] = {"h.Health = math.max(0, h.Health - 30)",
+                              "h.Health = math.max(h.Health - 30, 0)",
+                              "h.Health = math.clamp(h.Health - 30, 0, h.MaxHealth)",
+                              "h.Health = math.min(h.Health - 30, h.MaxHealth)"};
+  for (const char* way : ways) {
+    ScriptedPart scene("p.Touched:Connect(function(hit) local h = hit.Parent.Humanoid\n" +
+                       std::string(way) + " end)");
+    ASSERT_TRUE(scene[scene.self].kill) << way;
+    EXPECT_FLOAT_EQ(scene[scene.self].kill->damage, 30) << way;
+  }
+}
+
+TEST(ScriptValues, HealingWithinBoundsIsNoHarm) {
+  const char* const ways[] = {"h.Health = math.min(h.Health + 20, h.MaxHealth)",
+                              "h.Health = math.min(h.MaxHealth, h.Health + 20)",
+                              "h.Health = math.min(h.Health + 20, 100)",
+                              "h.Health = math.clamp(h.Health + 20, 0, h.MaxHealth)"};
+  for (const char* way : ways) {
+    ScriptedPart scene(
+        "p.Touched:Connect(function(hit) local h = hit.Parent.Humanoid\n"
+        "p.Transparency = 0.5 " +
+        std::string(way) + " end)");
+    EXPECT_FALSE(scene[scene.self].kill) << way;
+    EXPECT_EQ(scene.unmodelled("harm that a script computes"), 0u) << way;
+  }
+}
+
+TEST(ScriptValues, HarmThatTheTextDoesNotTellIsNamed) {
+  const char* const ways[] = {"h.Health = h.Health + math.random(-9, 9)",
+                              "h.Health *= math.random()", "h.Health = _G.health(h)",
+                              "h.Health = h.Health / 2"};
+  for (const char* way : ways) {
+    ScriptedPart scene(
+        "p.Touched:Connect(function(hit) local h = hit.Parent.Humanoid\n"
+        "p.Transparency = 0.5 " +
+        std::string(way) + " end)");
+    EXPECT_FALSE(scene[scene.self].kill) << way;
+    EXPECT_EQ(scene.unmodelled("harm that a script computes"), 1u) << way;
+  }
+}
+
+TEST(ScriptValues, HarmOfAnAmountThatIsNotToldKillsAsAGuess) {
+  const std::pair<const char*, bool> ways[] = {
+      {"h:TakeDamage(math.random(5))", true},
+      {"h:TakeDamage(p:WaitForChild('Harm').Value)", true},
+      {"h.Health = h.Health - math.random(5)", true},
+      {"h.Health -= p:WaitForChild('Harm').Value", true},
+      {"h.Health = math.max(0, h.Health - math.random(5))", true},
+      {"h:TakeDamage(h.MaxHealth / 4)", true},
+      {"h.Health -= h.MaxHealth * 0.5", true},
+      {"h:TakeDamage(h.MaxHealth)", false},
+      {"h:TakeDamage(h.MaxHealth * 2)", false},
+      {"h.Health -= h.MaxHealth", false}};
+  for (const auto& [way, guessed] : ways) {
+    ScriptedPart scene("p.Touched:Connect(function(hit) local h = hit.Parent.Humanoid\n" +
+                       std::string(way) + " end)");
+    ASSERT_TRUE(scene[scene.self].kill) << way;
+    EXPECT_GE(scene[scene.self].kill->damage, 100) << way;
+    EXPECT_EQ(scene.evidence(scene.self, "kill").rfind("guessed: ", 0) == 0, guessed) << way;
+  }
+}
+
+TEST(ScriptValues, APoseThatLooksAtWhatIsNotKnownIsNamed) {
+  ScriptedPart scene(
+      "while true do p.CFrame = CFrame.new(p.Position, _G.target()) task.wait() end");
+  EXPECT_FALSE(scene[scene.self].motion);
+  EXPECT_EQ(scene.unmodelled("motion that a script computes"), 1u);
+  ScriptedPart place("p.Position = CFrame.new(Vector3.new(0, 8, 0), _G.target()).Position");
+  EXPECT_EQ(place[place.self].pose.position, (Vec3{0, 8, 0}));
+}
+
+TEST(ScriptValues, APoseMayBeSevenNumbers) {
+  ScriptedPart scene("local s = math.sqrt(0.5) p.CFrame = CFrame.new(1, 2, 3, 0, s, 0, s)");
+  expectNear(scene[scene.self].pose.position, {1, 2, 3}, 1e-4f);
+  expectNear(scene[scene.self].pose.rotation.x, {0, 0, -1}, 1e-4f);
+  expectNear(scene[scene.self].pose.rotation.y, {0, 1, 0}, 1e-4f);
+}
+
+TEST(ScriptValues, TheMostAndLeastOfMany) {
+  ScriptedPart scene("p.Position = Vector3.new(math.min(4, 3, 2), math.max(1, 2, 7), 0)");
+  EXPECT_EQ(scene[scene.self].pose.position, (Vec3{2, 7, 0}));
+}
+
+TEST(ScriptValues, AttributesThatAScriptSetsAreSet) {
+  const std::pair<const char*, bool> cases[] = {
+      {"p:SetAttribute('Open', true) p.CanCollide = not p:GetAttribute('Open')", false},
+      {"p:SetAttribute('Shut', nil) if p:GetAttribute('Shut') then p.CanCollide = false end",
+       true}};
+  for (const auto& [text, solid] : cases) {
+    Scene scene;
+    const auto part = scene.part("Gate");
+    scene.attribute(part, "Shut", true);
+    scene.script("local p = workspace.Gate\n" + std::string(text), scene.scripts);
+    scene.level();
+    EXPECT_EQ(scene[part].solid, solid) << text;
+  }
+}
+
+TEST(ScriptValues, AttributesThatALoopSetsAreNotKnownElsewhere) {
+  ScriptedPart scene(
+      "task.spawn(function() while true do p:SetAttribute('On', true) wait(2)\n"
+      "p:SetAttribute('On', false) wait(2) end end)\n"
+      "p.Touched:Connect(function(h) if p:GetAttribute('On') then\n"
+      "h.Parent.Humanoid.Health = 0 end end)");
+  EXPECT_TRUE(scene[scene.self].kill);
+}
+
+TEST(ScriptValues, WhatIsMadeInTheWorldIsBuilt) {
+  const std::pair<const char*, uint32_t> cases[] = {
+      {"local bridge = Instance.new('Part', workspace) bridge.Anchored = true", 1},
+      {"local bridge = Instance.new('Part', p.Parent)", 1},
+      {"local bridge = Instance.new('Part', game:GetService('ServerStorage'))", 0},
+      {"local bridge = Instance.new('Part', script)", 1},
+      {"local weld = Instance.new('Fire', p)", 0}};
+  for (const auto& [text, count] : cases) {
+    ScriptedPart scene(text);
+    EXPECT_EQ(scene.unmodelled("parts that a script builds"), count) << text;
+  }
+}
+
+}  // namespace
+}  // namespace obby::test

@@ -1,0 +1,81 @@
+// Signals that variables, lists and arguments hold.
+#include "import/tween_scene.h"
+
+namespace obby::test {
+namespace {
+
+const char* const kWait = "wait that a script computes";
+
+TEST(Signals, TouchesOfAPartAreOfThatPart) {
+  const char* const texts[] = {
+      "local touched = p.Touched touched:Connect(kill)",
+      "local touched = p.touched touched:connect(kill)",
+      "local signals = {p.Touched} signals[1]:Connect(kill)",
+      "local signals = {hit = p.Touched} signals.hit:Connect(kill)",
+      "for _, signal in {p.Touched} do signal:Connect(kill) end",
+      "local function on(signal, f) signal:Connect(f) end on(p.Touched, kill)"};
+  for (const char* text : texts) {
+    ScriptedPart scene("local function kill(h) h.Parent.Humanoid.Health = 0 end\n" +
+                       std::string(text));
+    EXPECT_TRUE(scene[scene.self].kill) << text;
+    EXPECT_TRUE(scene.level().unmodelled.empty()) << text;
+  }
+}
+
+TEST(Signals, ThatTheTextDoesNotTellAreNamed) {
+  ScriptedPart scene(
+      "local touched = _G.signal()\n"
+      "touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end)");
+  EXPECT_FALSE(scene[scene.self].kill);
+  EXPECT_EQ(scene.unmodelled("harm of a part that is not known"), 1u);
+}
+
+// With and without the service in the file.
+TEST(Signals, OfEachFrameMoveAndWait) {
+  const char* const texts[] = {
+      "local beat = run.Heartbeat beat:Connect(function(dt) turn() end)",
+      "local Stepped = run.Stepped Stepped:Connect(function(now, dt) turn() end)",
+      "local beat = run.Heartbeat while true do turn() beat:Wait() end"};
+  for (const char* text : texts) {
+    for (const bool there : {false, true}) {
+      Scene scene;
+      const auto part = scene.part("Mover");
+      if (there) scene.add("RunService", "Run Service", kNoInstance);
+      scene.script(
+          "local p, run = workspace.Mover, game:GetService('RunService')\n"
+          "local function turn() p.CFrame = p.CFrame * CFrame.Angles(0, 0.1, 0) end\n" +
+              std::string(text),
+          scene.scripts);
+      scene.level();
+      ASSERT_TRUE(scene[part].motion) << text;
+      ASSERT_TRUE(scene[part].motion->spin) << text;
+      EXPECT_NEAR(scene[part].motion->spin->speed, 6, 0.1) << text;
+      EXPECT_TRUE(scene.level().unmodelled.empty()) << text;
+    }
+  }
+}
+
+TEST(Signals, TheEndOfATweenIsKnown) {
+  const std::string tweens = "local there, back = tween(even(2), to(10)), tween(even(1), to(0))\n";
+  const char* const texts[] = {
+      "local over = there.Completed there:Play() over:Wait() back:Play()",
+      "local over = there.Completed over:Connect(function() back:Play() end) there:Play()",
+      "local over = {there.Completed} over[1]:Connect(function() back:Play() end) there:Play()"};
+  for (const char* text : texts) {
+    const Overlap tweened({tweens + text});
+    EXPECT_NEAR(tweened.z(2), 10, 0.1) << text;
+    EXPECT_NEAR(tweened.z(3), 0, 0.1) << text;
+    EXPECT_EQ(tweened.scene.unmodelled(kWait), 0u) << text;
+  }
+}
+
+TEST(Signals, HandlersInVariablesMayBeDisconnected) {
+  ScriptedPart scene(
+      "local touched = p.Touched local c c = touched:Connect(function(hit)\n"
+      "c:Disconnect() p.CanCollide = false wait(3) p.CanCollide = true end)");
+  EXPECT_TRUE(scene[scene.self].vanish);
+  EXPECT_EQ(scene.unmodelled("handler that a script disconnects"), 1u);
+}
+
+}  // namespace
+}  // namespace obby::test
