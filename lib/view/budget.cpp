@@ -41,28 +41,31 @@ size_t sizeOf(schema::Part::Reader part) {
 
 }  // namespace
 
-uint32_t leastTicksShown(const Report& report, int level) {
-  return kLeastSeconds * report.levels[size_t(level)].level->view().params.controlRate;
+uint32_t leastTicksShown(const LevelEntry& level) {
+  return kLeastSeconds * level.level->view().params.controlRate;
 }
 
-uint32_t ticksShown(const Report& report, int level) {
-  const auto& view = report.levels[size_t(level)].level->view();
-  const uint64_t least = leastTicksShown(report, level);
-  uint64_t ticks = least;
+std::vector<uint32_t> ticksShown(const Report& report) {
+  std::vector<uint32_t> ticks;
+  for (const LevelEntry& level : report.levels) ticks.push_back(leastTicksShown(level));
   for (const QueryEntry& query : report.queries) {
-    if (query.level != level) continue;
+    if (query.level < 0) continue;
+    const LevelEntry& level = report.levels[size_t(query.level)];
+    uint64_t last = 0;
     // Where no way is chosen the level is shown as it is when the query starts.
     if (query.query) {
-      ticks = std::max(ticks, query.reader().getStart().getTick() + least);
+      last = uint64_t(query.reader().getStart().getTick()) + leastTicksShown(level);
     }
     for (const PathEntry& path : query.paths) {
       if (!path.played()) continue;
-      ticks =
-          std::max<uint64_t>(ticks, uint64_t(path.reader().getStartTick()) + path.playback.ticks());
+      last = std::max(last, uint64_t(path.reader().getStartTick()) + path.playback.ticks());
     }
+    // Ten minutes of motion is all that a page shows; later starts wrap where the motion repeats.
+    const uint64_t most = 600ull * level.level->view().params.controlRate;
+    uint32_t& shown = ticks[size_t(query.level)];
+    shown = std::max(shown, uint32_t(std::min(last, most)));
   }
-  // Ten minutes of motion is all that a page shows; later starts wrap where the motion repeats.
-  return uint32_t(std::min<uint64_t>(ticks, 600ull * view.params.controlRate));
+  return ticks;
 }
 
 void PageSizes::add(const LevelEntry& level, uint32_t ticks) {
@@ -84,9 +87,8 @@ void PageSizes::add(const QueryEntry& query) {
 
 Budget budgetFor(const Report& report, size_t target) {
   PageSizes sizes;
-  for (size_t i = 0; i < report.levels.size(); ++i) {
-    sizes.add(report.levels[i], ticksShown(report, int(i)));
-  }
+  const std::vector<uint32_t> ticks = ticksShown(report);
+  for (size_t i = 0; i < report.levels.size(); ++i) sizes.add(report.levels[i], ticks[i]);
   for (const QueryEntry& query : report.queries) sizes.add(query);
   return budgetFor(sizes, target);
 }

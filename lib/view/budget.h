@@ -19,10 +19,10 @@ struct Budget {
   std::vector<std::string> notes;  // what was thinned out, for people
 };
 
-// Ticks of the level clock that the page has to show.
-uint32_t ticksShown(const Report& report, int level);
+// Ticks of each level's clock that the page has to show.
+std::vector<uint32_t> ticksShown(const Report& report);
 // Of a level without trajectories.
-uint32_t leastTicksShown(const Report& report, int level);
+uint32_t leastTicksShown(const LevelEntry& level);
 
 // How large the page's data is when nothing is thinned out, about, in bytes.
 struct PageSizes {

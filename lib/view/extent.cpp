@@ -34,23 +34,23 @@ Box boxOf(const Corners& corners) {
 }
 
 Box extentOf(const LevelEntry& level, const QueryEntry& query) {
-  std::vector<Box> boxes;
+  bool any = false;
+  Box all{};
+  const auto take = [&](const Box& box) {
+    all = any ? join(all, box) : box;
+    any = true;
+  };
   if (query.query) {
-    forRegions(query.reader(), [&](schema::Region::Reader region, RegionKind) {
-      boxes.push_back(boxOf(cornersOf(region)));
-    });
-    if (query.compiled)
-      boxes.push_back({query.compiled->start().feet, query.compiled->start().feet});
+    forRegions(query.reader(),
+               [&](schema::Region::Reader region, RegionKind) { take(boxOf(cornersOf(region))); });
+    if (query.compiled) take({query.compiled->start().feet, query.compiled->start().feet});
   }
   for (const PathEntry& path : query.paths) {
     // Attempts may fall far away: their starts and the solutions count.
     const size_t last = path.kind == PathKind::attempt ? 1 : path.playback.feet.size();
-    for (size_t i = 0; i < last; ++i)
-      boxes.push_back({path.playback.feet[i], path.playback.feet[i]});
+    for (size_t i = 0; i < last; ++i) take({path.playback.feet[i], path.playback.feet[i]});
   }
-  if (boxes.empty()) return level.level->bounds();
-  Box all = boxes[0];
-  for (const Box& box : boxes) all = join(all, box);
+  if (!any) return level.level->bounds();
   return grow(all, {kAround, kAround, kAround});
 }
 

@@ -19,9 +19,8 @@ const char* nameOf(StreamState state) {
 
 // Ticks of motion for a level whose trajectories still get longer: in steps that double, so that it
 // is sent a few times only.
-uint32_t ticksAhead(const Report& report, int level) {
-  const uint32_t needed = ticksShown(report, level);
-  uint32_t ticks = leastTicksShown(report, level);
+uint32_t ticksAhead(const LevelEntry& level, uint32_t needed) {
+  uint32_t ticks = leastTicksShown(level);
   while (ticks < needed) ticks *= 2;
   return ticks;
 }
@@ -60,10 +59,11 @@ bool LiveData::put(Piece& piece, std::string json) const {
 
 void LiveData::thin(const Report& report) {
   PageSizes sizes;
+  const std::vector<uint32_t> needed = ticksShown(report);
   levels_.resize(report.levels.size());
   for (size_t i = 0; i < levels_.size(); ++i) {
     LevelPiece& level = levels_[i];
-    const uint32_t ticks = ticksAhead(report, int(i));
+    const uint32_t ticks = ticksAhead(report.levels[i], needed[i]);
     if (ticks != level.ticks) {
       level.ticks = ticks;
       level.stride = 0;

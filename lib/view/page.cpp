@@ -33,6 +33,12 @@ std::string filled(std::string_view title, std::string_view data, bool connects)
 
 }  // namespace
 
+Error pageTooLarge(size_t bytes, bool full) {
+  return makeError(
+      fmt::format("the page would hold {} MB, which no browser opens", bytes >> 20),
+      full ? "leave out --full, or choose queries with --query" : "choose queries with --query");
+}
+
 void writeNotes(JsonText& json, const Report& report, const Budget& budget) {
   json.open('[');
   for (const std::string& note : report.notes) json.value(note);
@@ -48,8 +54,9 @@ std::string pageData(const Report& report, const PageOptions& options) {
   json.key("notes");
   writeNotes(json, report, budget);
   json.key("levels").open('[');
+  const std::vector<uint32_t> ticks = ticksShown(report);
   for (size_t i = 0; i < report.levels.size(); ++i) {
-    writeLevel(json, report.levels[i], ticksShown(report, int(i)), budget.trackStride);
+    writeLevel(json, report.levels[i], ticks[i], budget.trackStride);
   }
   json.close().key("queries").open('[');
   for (const QueryEntry& query : report.queries) writeQuery(json, query, budget);
@@ -60,11 +67,7 @@ std::string pageData(const Report& report, const PageOptions& options) {
 Result<std::string> htmlPage(const Report& report, const PageOptions& options) {
   if (!pageAvailable()) return pageMissing();
   const std::string data = pageData(report, options);
-  if (data.size() > kPageLimit) {
-    return makeError(
-        fmt::format("the page would hold {} MB, which no browser opens", data.size() >> 20),
-        "leave out --full, or choose queries with --query");
-  }
+  if (data.size() > kPageLimit) return pageTooLarge(data.size(), options.full);
   return filled(report.title(), data, false);
 }
 

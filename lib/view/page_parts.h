@@ -7,6 +7,9 @@
 
 namespace obby::view {
 
+// What is said of a page over kPageLimit. `full`: nothing of it was thinned out.
+Error pageTooLarge(size_t bytes, bool full);
+
 // Raised when a field of the data changes its meaning.
 inline constexpr int kPageFormat = 3;
 

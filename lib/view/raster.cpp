@@ -1,8 +1,6 @@
 // Fills by testing pixel centres; a shape smaller than a pixel still marks one.
 #include "view/raster.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -104,8 +102,8 @@ std::string Raster::coloredRow(size_t row) const {
     const Rgb top = pixels_[row * columns_ + c].color;
     const Rgb low = pixels_[(row + 1) * columns_ + c].color;
     if (first || !(top == front) || !(low == back)) {
-      out += fmt::format("\x1b[38;2;{};{};{}m\x1b[48;2;{};{};{}m", top.r, top.g, top.b, low.r,
-                         low.g, low.b);
+      out += colorSequence(Layer::front, top, terminal_);
+      out += colorSequence(Layer::back, low, terminal_);
     }
     front = top;
     back = low;

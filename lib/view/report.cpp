@@ -59,21 +59,20 @@ Status Collector::addLevel(const io::Record& record) {
   if (!compiled) return forgive_(record, std::move(compiled).error());
   auto level = std::make_shared<const level::Level>(*std::move(compiled));
   // The same level again, from a concatenated stream: its queries go together.
-  const auto same = std::ranges::find_if(report_.levels, [&](const LevelEntry& known) {
-    return known.level->name() == level->name() && known.level->hash() == level->hash();
-  });
-  current_ = int(same - report_.levels.begin());
-  if (same == report_.levels.end()) report_.levels.push_back({record, std::move(level)});
+  const int next = int(report_.levels.size());
+  const auto [at, fresh] = levels_.try_emplace({level->name(), level->hash()}, next);
+  current_ = at->second;
+  if (!fresh) return {};
+  lastNamed_[level->name()] = current_;
+  report_.levels.push_back({record, std::move(level)});
   return {};
 }
 
 int Collector::levelNamed(const std::string& name) const {
-  const auto isNamed = [&](int i) { return report_.levels[size_t(i)].level->name() == name; };
-  if (name.empty() || (current_ >= 0 && isNamed(current_))) return current_;
-  for (int i = int(report_.levels.size()); i-- > 0;) {
-    if (isNamed(i)) return i;
-  }
-  return -1;
+  if (name.empty()) return current_;
+  if (current_ >= 0 && report_.levels[size_t(current_)].level->name() == name) return current_;
+  const auto last = lastNamed_.find(name);
+  return last == lastNamed_.end() ? -1 : last->second;
 }
 
 QueryEntry& Collector::queryNamed(const std::string& id, int level) {

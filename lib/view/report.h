@@ -94,8 +94,8 @@ class Collector {
   void addProgress(const io::Record& record);
   void addPath(QueryEntry& entry, PathEntry path);
   bool wanted(const io::Record& record) const;
-  // The level of a query or an answer: by name, or the one before it in the stream; -1 where there
-  // is none.
+  // The level of a query or an answer: by name, of several the one before it in the stream or else
+  // the last that was new; without a name the one before it. -1 where there is none.
   int levelNamed(const std::string& name) const;
   QueryEntry& queryNamed(const std::string& id, int level);
   Status compile(QueryEntry& entry);
@@ -109,6 +109,8 @@ class Collector {
   bool full_ = false;  // attempts were left out, and it is noted
   Report report_;
   int current_ = -1;  // index into its levels: of the last level record; -1: none that can be shown
+  std::map<std::pair<std::string, uint64_t>, int> levels_;  // by name and hash
+  std::map<std::string, int> lastNamed_;                    // of the levels of a name the last
   std::map<std::pair<int, std::string>, size_t> byName_;
   std::set<size_t> touched_;  // queries that came or got something since the last update
   uint64_t serial_ = 0;

@@ -24,7 +24,7 @@ constexpr Ink kPart{':', "░", {84, 92, 106}}, kKill{'x', "▒", {214, 60, 64}}
     kGoal{'G', "G", {63, 140, 255}}, kAvoid{'-', "╌", {150, 80, 140}},
     kWaypoint{'o', "o", {200, 160, 70}}, kSolution{'*', "●", {255, 225, 140}},
     kAttempt{'.', "·", {150, 110, 80}}, kEnd{'+', "✕", {255, 120, 110}},
-    kSpecial{'=', "▤", {76, 195, 221}};
+    kSpecial{'=', "▤", {76, 195, 221}}, kAway{',', "┈", {46, 51, 62}};
 
 Ink inkOf(Role role) {
   switch (role) {
@@ -71,38 +71,41 @@ Corners cornersAround(const Solid& solid) {
   return corners;
 }
 
-// Moving parts are where they are at that tick of the level's clock.
-void drawParts(Raster& raster, const LevelEntry& level, uint32_t tick, Frame frame,
-               const Box& extent) {
+struct Drawn {
+  Role role;
+  bool there;  // or away
+  float top;
+  std::vector<Vec2> hull;
+};
+
+// What of the level is within the extent, in the order of drawing: what is away at that tick of the
+// level's clock, then what is there, the lowest first. Moving parts are where they are then.
+std::vector<Drawn> partsOf(const LevelEntry& level, uint32_t tick, Frame frame, const Box& extent) {
   const World world = worldOf(level, tick);
   const std::vector<Role> roles = rolesOf(level.reader());
-  struct Drawn {
-    Role role;
-    float top;
-    std::vector<Vec2> hull;
-  };
   std::vector<Drawn> drawn;
-  const auto draw = [&](Role role, const Corners& corners) {
+  const auto draw = [&](Role role, bool away, const Corners& corners) {
     const Box box = boxOf(corners);
     const bool meets = box.lo.x <= extent.hi.x && extent.lo.x <= box.hi.x &&
                        box.lo.z <= extent.hi.z && extent.lo.z <= box.hi.z;
     if (meets && role != Role::ghost) {
-      drawn.push_back({role, box.hi.y, footprint(corners, frame)});
+      drawn.push_back({role, !away, box.hi.y, footprint(corners, frame)});
     }
   };
   std::vector<bool> simulated(roles.size(), false);
   for (size_t i = 0; i < world.solids.size(); ++i) {
     const uint32_t part = level.level->view().colliders[i].part;
     simulated[part] = true;
-    draw(roles[part], cornersAround(world.solids[i]));
+    draw(roles[part], world.away[i], cornersAround(world.solids[i]));
   }
   // What nothing meets, as a goal to walk into, has no place in the simulator.
   for (uint32_t i = 0; i < roles.size(); ++i) {
-    if (!simulated[i]) draw(roles[i], cornersOf(level.reader().getParts()[i]));
+    if (!simulated[i]) draw(roles[i], false, cornersOf(level.reader().getParts()[i]));
   }
-  std::stable_sort(drawn.begin(), drawn.end(),
-                   [](const Drawn& a, const Drawn& b) { return a.top < b.top; });
-  for (const Drawn& part : drawn) raster.fill(part.hull, inkOf(part.role));
+  std::stable_sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) {
+    return a.there == b.there ? a.top < b.top : b.there;
+  });
+  return drawn;
 }
 
 void drawPath(Raster& raster, const Playback& play, Frame frame, const Ink& ink) {
@@ -137,14 +140,20 @@ void drawQuery(Raster& raster, const QueryEntry& query, Frame frame) {
   if (query.compiled) raster.dot(frame.of(query.compiled->start().feet), kStart);
 }
 
-std::string legend(const TerminalTraits& terminal, const QueryEntry& query) {
+// In as many lines as the terminal's width takes.
+std::string legend(const TerminalTraits& terminal, const QueryEntry& query, bool away) {
   std::string out;
+  size_t used = 0;  // columns of the last line
   const auto add = [&](const Ink& ink, const char* text) {
     const bool halves = terminal.color && terminal.utf8;
     const std::string glyph = halves          ? "■"
                               : terminal.utf8 ? std::string(ink.wide)
                                               : std::string(1, ink.glyph);
-    out += (out.empty() ? "" : "  ") + colored(glyph, ink.color, terminal) + " " + text;
+    const size_t needed = 2 + columnCount(text);
+    const bool fits = used + 2 + needed <= terminal.width;
+    out += used == 0 ? "" : fits ? "  " : "\n";
+    out += colored(glyph, ink.color, terminal) + " " + text;
+    used = used > 0 && fits ? used + 2 + needed : needed;
   };
   add(kStart, "start");
   add(kGoal, "goal");
@@ -152,6 +161,7 @@ std::string legend(const TerminalTraits& terminal, const QueryEntry& query) {
   add(kKill, "kills");
   add(kMoving, "moves");
   add(kSpecial, "pad, belt, vanishing");
+  if (away) add(kAway, "away at the start");
   if (!query.paths.empty() && query.paths.front().kind == PathKind::solution) {
     add(kSolution, "solution");
   }
@@ -174,11 +184,14 @@ std::string queryMap(const Report& report, const QueryEntry& query,
   Raster raster({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)},
                 std::min(terminal.width, kMostColumns), kMostRows, terminal);
   drawAttempts(raster, query, frame);
-  drawParts(raster, level, query.compiled ? query.compiled->start().tick : 0, frame, extent);
+  const uint32_t tick = query.compiled ? query.compiled->start().tick : 0;
+  const std::vector<Drawn> parts = partsOf(level, tick, frame, extent);
+  for (const Drawn& part : parts) raster.fill(part.hull, part.there ? inkOf(part.role) : kAway);
   drawQuery(raster, query, frame);
+  const bool away = !parts.empty() && !parts.front().there;
   return fmt::format("{}, from above, {} studs a column; {} points right\n{}{}",
                      fitted(query.id, 60, !terminal.utf8), lengthText(raster.pixelWidth()),
-                     frame.along ? "-Z" : "+X", raster.text(), legend(terminal, query));
+                     frame.along ? "-Z" : "+X", raster.text(), legend(terminal, query, away));
 }
 
 }  // namespace obby::view

@@ -51,10 +51,15 @@ std::string shortCount(uint64_t value) {
 }
 
 std::string reasonOf(const QueryEntry& query) {
-  for (const PathEntry& path : query.paths) {
-    if (!path.playback.mismatch.empty()) return "replay: " + path.playback.mismatch;
+  const std::string reason =
+      query.result ? std::string(query.answer().getReason()) : "the stream holds no result";
+  for (const PathEntry& path : query.paths) {  // solutions first: the verdict is theirs
+    const std::string& mismatch = path.playback.mismatch;
+    if (mismatch.empty()) continue;
+    if (path.kind == PathKind::solution) return "replay: " + mismatch;
+    return reason + (reason.empty() ? "" : " ") + "(an attempt's replay: " + mismatch + ")";
   }
-  return query.result ? std::string(query.answer().getReason()) : "the stream holds no result";
+  return reason;
 }
 
 Row rowOf(const Report& report, const QueryEntry& query) {

@@ -73,13 +73,11 @@ TEST(Page, TimersAreInTheTicksThatAreSimulated) {
                         R"({"part":2,"trigger":"touch"}])"));
 }
 
-// A level without a way is shown at its query's start.
-TEST(Budget, MotionIsShownFromTheStartOfAQueryOn) {
-  std::string late = kQuery;
-  late.insert(late.find(R"("goal")"), R"("start":{"tick":9000},)");
-  auto report = collect({kLevel, late});
-  ASSERT_TRUE(report) << report.error().text();
-  EXPECT_EQ(view::ticksShown(*report, 0), 9000 + view::leastTicksShown(*report, 0));
+TEST(Page, WhatIsTooLargeIsToldWhatToLeaveOut) {
+  const size_t bytes = view::kPageLimit + (5u << 20);
+  EXPECT_THAT(view::pageTooLarge(bytes, true).text(), HasSubstr("205 MB"));
+  EXPECT_THAT(view::pageTooLarge(bytes, true).hint, HasSubstr("leave out --full"));
+  EXPECT_EQ(view::pageTooLarge(bytes, false).hint, "choose queries with --query");
 }
 
 TEST(Page, MismatchIsShown) {
@@ -195,56 +193,6 @@ TEST(Page, WithoutTheBundleSaysHowToGetIt) {
     ASSERT_FALSE(page);
     EXPECT_THAT(page.error().text(), HasSubstr("npm"));
   }
-}
-
-TEST(Budget, ThinsAttemptsBeforeAnythingElse) {
-  const view::Report report = solvedReport();
-  const view::Budget roomy = view::budgetFor(report, view::kPageTarget);
-  EXPECT_EQ(roomy.attemptStride, 1u);
-  EXPECT_TRUE(roomy.notes.empty());
-  const view::Budget tight = view::budgetFor(report, 20000);
-  EXPECT_GT(tight.attemptStride, 1u);
-  EXPECT_FALSE(tight.notes.empty());
-}
-
-// Or ways would be thinned out in a large level without need.
-TEST(Budget, CountsALevelAsItIsWritten) {
-  std::string level = R"({"type":"level","name":"large","parts":[{})";
-  for (int i = 0; i < 500; ++i) {
-    level += R"(,{"name":"Part","source":{"path":"Workspace/Course/Part )" + std::to_string(i) +
-             R"("},"evidence":[{"role":"kill","reason":"script K line 3"}]})";
-  }
-  auto report = collect({level + "]}"});
-  ASSERT_TRUE(report) << report.error().text();
-  view::PageSizes sizes;
-  sizes.add(report->levels[0], 1200);
-  view::JsonText json;
-  view::writeLevel(json, report->levels[0], 1200, 1);
-  EXPECT_GT(sizes.fixed, json.text().size() * 3 / 4);
-  EXPECT_LT(sizes.fixed, json.text().size() * 5 / 4);
-}
-
-// Of short ways names and numbers are most.
-TEST(Budget, CountsMoreThanTheTicksOfAWay) {
-  auto left = walk(kLeft, 5);
-  auto report = collect({kLevel, kQuery, line(left)});
-  ASSERT_TRUE(report) << report.error().text();
-  ASSERT_EQ(report->queries[0].paths.size(), 1u);
-  view::PageSizes sizes;
-  sizes.add(report->queries[0]);
-  view::JsonText json;
-  view::writePath(json, report->queries[0].paths[0], 1);
-  EXPECT_GT(sizes.attempts + sizes.whole, json.text().size() * 3 / 4);
-  EXPECT_LT(sizes.attempts + sizes.whole, json.text().size() * 3 / 2);
-}
-
-// No stride of theirs makes the tracks of the loose bodies in them smaller.
-TEST(Budget, LeavesOutAttemptsWhoseLooseBodiesDoNotFit) {
-  view::PageSizes sizes;
-  sizes.attempts = 2u << 20;
-  sizes.whole = 30u << 20;
-  EXPECT_EQ(view::budgetFor(sizes, 20u << 20).attemptsOneOf, 2u);
-  EXPECT_EQ(view::budgetFor(sizes, 40u << 20).attemptsOneOf, 1u);
 }
 
 TEST(Tracks, OneRoundOfEachMotionAtItsPoses) {

@@ -105,6 +105,21 @@ TEST(Depths, ABallIsRoundAndATranslucentSolidHasHoles) {
   EXPECT_EQ(count, 100) << "a quarter of 400";
 }
 
+TEST(Depths, AWindowSeesWhatThePictureHasThere) {
+  const Samples window{20, 31, 57, 48};
+  Solid veil = block({2, -3, 5}, {3, 3, 1});
+  veil.coverage = 0.5f;
+  Depths all(sideways(60, 60), 60, 60), part(sideways(60, 60), 60, 60, window);
+  for (Depths* seen : {&all, &part}) seen->add(block({}, {8, 8, 1}), 0), seen->add(veil, 1);
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) {
+      EXPECT_EQ(part.id(x, y), all.id(x, y));
+      EXPECT_EQ(part.depth(x, y), all.depth(x, y));
+    }
+  }
+  EXPECT_TRUE(part.samplesOf(block({-8, 8, 0}, {1, 1, 1})).empty()) << "above it";
+}
+
 TEST(Shade, WhatIsUnderAnotherLiesInShadow) {
   const std::vector<Solid> solids = {block({0, 0, 0}, {10, 0.5f, 10}),
                                      block({0, 6, 0}, {3, 0.5f, 3})};

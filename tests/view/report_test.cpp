@@ -102,6 +102,25 @@ TEST(Report, SameLevelTwiceIsOneLevel) {
   EXPECT_THAT(report->queries, SizeIs(1));
 }
 
+// Versions of a level have its name.
+TEST(Report, OfLevelsOfOneNameTheOneBeforeIsMeantOrElseTheLast) {
+  std::string second = kLevel, other = kLevel;
+  second.replace(second.find(R"("size":[10,1,30])"), 16, R"("size":[12,1,30])");
+  other.replace(other.find("Course </script><b>"), 19, "Another");
+  const auto levelOf = [&](const std::vector<std::string>& levels) {
+    std::vector<std::string> lines = levels;
+    lines.push_back(kQuery);
+    const auto report = collect(lines);
+    EXPECT_TRUE(report) << report.error().text();
+    EXPECT_THAT(report->levels, SizeIs(3));
+    return report->queries[0].level;
+  };
+  EXPECT_EQ(levelOf({kLevel, second, other}), 1);
+  EXPECT_EQ(levelOf({kLevel, second, other, kLevel}), 0);
+  EXPECT_EQ(levelOf({other, kLevel, second}), 2);
+  EXPECT_EQ(levelOf({kLevel, second, other, kLevel, other}), 1);
+}
+
 // Queries may leave out their level: it is the one before them in the stream then, be it new or
 // not.
 TEST(Report, QueriesOfALevelThatComesAgainAreIts) {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "course.h"
 #include "view/columns.h"
@@ -36,6 +37,19 @@ TEST(Text, MismatchTakesTheVerdictsPlace) {
   const std::string table = view::queryTable(*report, kAscii);
   EXPECT_THAT(table, HasSubstr("MISMATCH"));
   EXPECT_THAT(table, HasSubstr("replay: "));
+}
+
+// The answer holds all the same.
+TEST(Text, MismatchOfAnAttemptIsToldBesideTheReason) {
+  auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
+  left.root().getTrajectory().setStateHash(1);
+  const uint32_t ticks = ahead.reader().getTrajectory().getTicks();
+  const auto report =
+      collect({kLevel, kQuery, line(left), line(ahead), resultLine("solved", ticks)});
+  ASSERT_TRUE(report) << report.error().text();
+  const std::string table = view::queryTable(*report, {400, false, false});
+  EXPECT_THAT(table, HasSubstr("ahead  solved"));
+  EXPECT_THAT(table, HasSubstr("  Straight on. (an attempt's replay: the last state differs"));
 }
 
 TEST(Text, NarrowTerminalsGetReasonsOnLinesOfTheirOwn) {
@@ -97,7 +111,8 @@ TEST(Text, MapShowsTheCourseFromAbove) {
  xxxxxxxxxxxxxxxxxxx
  xxxxxxxxxxxxxxxxxxx
  xxxxxxxxxxxxxxxxxxx
-S start  G goal  : part  x kills  ~ moves  = pad, belt, vanishing  * solution
+S start  G goal  : part  x kills  ~ moves
+= pad, belt, vanishing  * solution
 )");
 }
 
@@ -140,6 +155,34 @@ TEST(Text, MapShowsAGoalThatNobodyCollidesWith) {
   EXPECT_GT(goals(R"(,"goal":{})"), goals("") + 4);
 }
 
+// A tile that blinks beside the floor.
+TEST(Text, MapMarksWhatIsAwayAtTheStart) {
+  const auto mapOf = [](const char* inverted) {
+    const auto report =
+        collect({fmt::format(R"({{"type":"level","name":"L","spawns":[{{}}],"parts":[)"
+                             R"({{"position":[0,-0.5,-10],"size":[6,1,30]}},)"
+                             R"({{"position":[4,0.5,-10],"size":[6,1,6],)"
+                             R"("vanish":{{"trigger":"timer","delay":1,"away":1{}}}}}]}})",
+                             inverted),
+                 R"({"type":"query","id":"q","goal":{"position":[0,2,-20],"size":[4,4,4]}})"});
+    EXPECT_TRUE(report) << report.error().text();
+    return view::queryMap(*report, report->queries[0], {60, false, false});
+  };
+  const auto count = [](const std::string& map, char glyph) {  // in its rows
+    const size_t first = map.find('\n');
+    const std::string rows = map.substr(first, map.find("S start") - first);
+    return std::count(rows.begin(), rows.end(), glyph);
+  };
+  const std::string there = mapOf(""), away = mapOf(R"(,"inverted":true)");
+  EXPECT_GT(count(there, '='), 20);
+  EXPECT_EQ(count(there, ','), 0);
+  EXPECT_THAT(there, Not(HasSubstr("away")));
+  EXPECT_EQ(count(away, '='), 0);
+  EXPECT_GT(count(away, ','), 5);
+  EXPECT_LT(count(away, ','), count(there, '=')) << "the floor below it is seen";
+  EXPECT_THAT(away, HasSubstr("  , away at the start"));
+}
+
 TEST(Text, AsciiHoldsNoOtherCharactersAndNoColours) {
   const std::string text = view::textReport(solvedReport(), {kAscii, true});
   for (const char c : text) EXPECT_TRUE(c == '\n' || (c >= 32 && c < 127)) << int(c);
@@ -151,14 +194,38 @@ TEST(Text, ColoursOnlyWhereAllowed) {
   EXPECT_THAT(view::textReport(report, {{80, true, true}, true}), HasSubstr("\x1b[38;2;"));
 }
 
+// Others take the numbers of 24 bits for bold, blinking, and colours of their own.
+TEST(Text, TerminalsOf256ColoursGetThose) {
+  const view::TerminalTraits few{80, true, true, true};
+  const std::string text = view::textReport(solvedReport(), {few, true});
+  EXPECT_THAT(text, HasSubstr("\x1b[38;5;"));
+  EXPECT_THAT(text, HasSubstr("\x1b[48;5;"));
+  EXPECT_THAT(text, Not(HasSubstr("8;2;")));
+  EXPECT_EQ(view::colored("x", {255, 0, 0}, few), "\x1b[38;5;196mx\x1b[0m");
+  EXPECT_EQ(view::colored("x", {18, 21, 28}, few), "\x1b[38;5;233mx\x1b[0m") << "a grey";
+  EXPECT_EQ(view::colored("x", {255, 255, 255}, few), "\x1b[38;5;231mx\x1b[0m");
+  EXPECT_EQ(view::colored("x", {0, 0, 0}, few), "\x1b[38;5;16mx\x1b[0m");
+}
+
+TEST(Terminal, SaysWhetherItKnowsColoursOf24Bits) {
+  setenv("TERM", "xterm-256color", 1);
+  unsetenv("COLORTERM");
+  EXPECT_FALSE(view::terminalHasRgb());
+  setenv("COLORTERM", "truecolor", 1);
+  EXPECT_TRUE(view::terminalHasRgb());
+  setenv("COLORTERM", "yes", 1);
+  EXPECT_FALSE(view::terminalHasRgb());
+  setenv("TERM", "xterm-direct", 1);
+  EXPECT_TRUE(view::terminalHasRgb());
+}
+
 TEST(Text, LinesKeepToTheWidth) {
   const std::string text = view::textReport(solvedReport(), {{60, false, true}, true});
   size_t start = 0;
   for (size_t end = text.find('\n'); end != text.npos; end = text.find('\n', start)) {
     const std::string row = text.substr(start, end - start);
-    // The table needs its columns; the map keeps to the width.
-    if (row.find("verdict") == row.npos && row.find("solved") == row.npos &&
-        row.find("goal") == row.npos) {
+    // The table needs its columns; the map and its legend keep to the width.
+    if (row.find("verdict") == row.npos && row.find("solved") == row.npos) {
       EXPECT_LE(view::columnCount(row), 60u) << row;
     }
     start = end + 1;

@@ -2,6 +2,8 @@
 #include "view/ways_model.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <cmath>
 #include <pugixml.hpp>
 
 #include "view/course.h"
@@ -18,6 +20,33 @@ TEST(Thinning, KeepsWhatALineWouldMiss) {
   };
   EXPECT_EQ(thinned(heights.size(), 0.1f, distance), (std::vector<size_t>{0, 2, 3, 4, 6}));
   EXPECT_EQ(thinned(1, 0.1f, distance), (std::vector<size_t>{0}));
+}
+
+// As of somebody who stands on what spins.
+TEST(Thinning, HoursInCirclesTakeNoTimeThatGrowsWithTheirSquare) {
+  constexpr size_t kPoints = 100'000, kRound = 60;
+  std::vector<Vec3> round;
+  for (size_t i = 0; i < kRound; ++i) {
+    const float angle = 6.2831853f * float(i) / float(kRound);
+    round.push_back({std::cos(angle), 0, std::sin(angle)});
+  }
+  size_t asked = 0;
+  const auto distance = [&](size_t a, size_t b, size_t p) {
+    ++asked;
+    const Vec3 from = round[a % kRound];
+    const Vec3 along = round[b % kRound] - from, off = round[p % kRound] - from;
+    const float squared = dot(along, along);
+    const float t = squared > 0 ? std::clamp(dot(off, along) / squared, 0.0f, 1.0f) : 0;
+    return length(off - along * t);
+  };
+  const std::vector<size_t> kept = thinned(kPoints, 0.01f, distance);
+  EXPECT_LT(asked, 300 * kPoints);
+  float most = 0;
+  for (size_t k = 0; k + 1 < kept.size(); ++k) {
+    for (size_t p = kept[k] + 1; p < kept[k + 1]; ++p)
+      most = std::max(most, distance(kept[k], kept[k + 1], p));
+  }
+  EXPECT_LE(most, 0.01f);
 }
 
 struct Counts {

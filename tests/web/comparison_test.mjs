@@ -59,6 +59,13 @@ test('two ways run side by side from their starts', async ({ page }) => {
   assert.equal(await page.locator('#comparison').isVisible(), false);
 });
 
+test('the table tells how each ended, and by which part', async ({ page }) => {
+  const killed = paths.findIndex(({ outcome, part }) => outcome === 'killed' && part >= 0);
+  await set(page, { path: 0, ghost: killed });
+  assert.match(await page.locator('#comparison').innerText(), /Ends\s+.*Killed by Lava/);
+  await set(page, { ghost: -1 });
+});
+
 test('the bar is as long as the longer of the two', async ({ page }) => {
   const [long, short] = [paths[kLong], paths[kShort]];
   assert.ok(short.ticks < 0.8 * long.ticks && short.jumpTicks.length > 1);

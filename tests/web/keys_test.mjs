@@ -65,6 +65,22 @@ test('a list is one stop of Tab, and keys go from row to row', async ({ page }) 
   await arrive(page);
 });
 
+// Firefox makes a stop of whatever scrolls, unless it is told not to.
+test('lists that scroll are no stop of their own, and the mouse leaves no key there', async ({
+  page,
+}) => {
+  const stops = await page.evaluate(() =>
+    ['.queries', '.paths'].map((list) => document.querySelector(list).getAttribute('tabindex')),
+  );
+  assert.deepEqual(stops, ['-1', '-1']);
+  await put(page, { path: 3, tick: 0 });
+  await page.locator('.paths h3').first().click();
+  assert.equal(await page.evaluate(() => document.activeElement === document.body), true);
+  await page.keyboard.press('ArrowDown');
+  assert.equal((await state(page)).path, 4);
+  await put(page, { path: -1 });
+});
+
 test('the keyboard stays in a list that is sorted, filtered or made anew', async ({ page }) => {
   await page.locator('.path[data-path="5"]').focus();
   const asFound = { sort: 'found', descending: false };

@@ -253,6 +253,23 @@ test('parts of one mesh are drawn together', async ({ page }) => {
   assert.deepEqual(meshes, [[0, part]]);
 });
 
+// As in a frame that opens later.
+test('what is framed while the page is not shown is there once it is', async ({ page }) => {
+  await visit(page, kHere);
+  const show = (display) =>
+    page.evaluate((how) => {
+      document.getElementById('stage').style.display = how;
+    }, display);
+  await show('none');
+  await frames(page, 2);
+  await page.evaluate(() => window.obby.stage.frameQuery(true));
+  await show('');
+  await frames(page, 3);
+  const eye = await page.evaluate(() => window.obby.stage.rig.camera.position.toArray());
+  assert.ok(eye.every(Number.isFinite), `the camera is at ${eye}`);
+  assert.ok((await colours(page, false)).different > 40);
+});
+
 test('all of that raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
 
 test('a picture that the GPU has lost is drawn again', async ({ page }) => {
@@ -282,10 +299,31 @@ test('answers without their level are told, and nothing in the picture fails', a
   await page.locator('.ends .killer').first().click();
   await page.locator('#view').click({ position: { x: 400, y: 300 } });
   for (const key of ['b', 'c', 'f', 't', '9']) await page.keyboard.press(key);
-  assert.equal((await state(page)).drawing, true);
+  assert.equal((await state(page)).drawing, false, 'there is no way that could pass a box');
+  // Who has begun one may come from another query.
+  await page.evaluate(() => window.obby.store.set({ drawing: true }));
   await page.locator('#view').click({ position: { x: 400, y: 300 } });
   await frames(page, 3);
   assert.equal((await state(page)).part, -1);
+  assert.deepEqual(trouble, []);
+  await page.context().close();
+});
+
+// An answer that comes before every level, as in streams that were put together.
+test('a query without its level that comes first keeps no other from being seen', async ({
+  browser,
+}) => {
+  const nowhere = { start: null, startPosition: null, goal: null };
+  const first = { ...without, ...nowhere, id: 'first', level: -1, trajectories: [] };
+  const mixed = options.sample({ ...report, queries: [first, course] });
+  const { page, trouble } = await openReport(browser, mixed);
+  assert.equal((await colours(page, false)).different, 1);
+  await page.evaluate(() => window.obby.store.set({ query: 1 }));
+  await frames(page, 3);
+  const eye = await page.evaluate(() => window.obby.stage.rig.camera.position.toArray());
+  assert.ok(eye.every(Number.isFinite), `the camera flies there from ${eye}`);
+  await arrive(page);
+  assert.ok((await colours(page, false)).different > 40);
   assert.deepEqual(trouble, []);
   await page.context().close();
 });

@@ -258,6 +258,7 @@ test('a level alone has nothing to sort, filter or answer', async ({ browser }) 
   assert.ok((await colours(page)).different > 40);
   for (const key of ['9', '0', 'b', 'i', 'x', 'f', 'r', 'ArrowDown', ']', 'Space']) await page.keyboard.press(key);
   await frames(page, 3);
+  assert.equal((await state(page)).drawing, false, 'a box could not be taken away again');
   assert.deepEqual(trouble, []);
   await page.context().close();
 });

@@ -166,6 +166,7 @@ view::TextOptions textOptions(const cli::Context& context) {
   options.terminal.width =
       arguments.has("width") ? size_t(arguments.integer("width")) : view::terminalWidth();
   options.terminal.color = context.colorOutput();
+  options.terminal.palette = !view::terminalHasRgb();
   options.terminal.utf8 = !arguments.flag("ascii") && view::localeIsUtf8();
   return options;
 }

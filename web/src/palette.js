@@ -70,11 +70,11 @@ export function verdictOf(query) {
   return query.running ? 'running' : 'none';
 }
 
-// Why a path ended, in words.
-export function causeOf(path, level) {
+// Why a path ended, in words. `nameOf`: level, part -> what the part is called.
+export function causeOf(path, level, nameOf = fullName) {
   const style = OUTCOME_STYLE[path.outcome];
   if (path.part >= 0 && level && path.part < level.count)
-    return `${style.label} by ${fullName(level, path.part)}`;
+    return `${style.label} by ${nameOf(level, path.part)}`;
   return style.label;
 }
 

@@ -36,6 +36,13 @@ function pin({ store }) {
   store.set({ ghost: ghost >= 0 ? -1 : path });
 }
 
+// Begins or ends the drawing of a box. One that no way could pass would only be in the way: there is no filter then that
+// takes it away again.
+function draw(app) {
+  const drawing = !app.store.state.drawing && Boolean(app.query()?.paths.length);
+  app.store.set({ drawing });
+}
+
 const kToggles = [
   'solutions',
   'attempts',
@@ -70,7 +77,7 @@ const kByKey = {
         ? { drawing: false }
         : { path: -1, part: -1, ghost: -1, playing: false, follow: false },
     ),
-  b: (app) => app.store.set({ drawing: !app.store.state.drawing }),
+  b: (app) => draw(app),
   i: (app) => app.store.set({ isolate: !app.store.state.isolate }),
   x: (app) => pin(app),
   y: (app) => nextTheme(app.store),

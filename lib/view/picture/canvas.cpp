@@ -29,11 +29,12 @@ Color mix(Color a, Color b, float share) {
   return {one(a.r, b.r), one(a.g, b.g), one(a.b, b.b)};
 }
 
-Depths::Depths(const Camera& camera, int width, int height)
+Depths::Depths(const Camera& camera, int width, int height, const Samples& window)
     : camera_(camera),
       width_(width),
       height_(height),
-      depths_(size_t(width) * size_t(height), kFar),
+      window_(window),
+      depths_(size_t(window.x1 - window.x0) * size_t(window.y1 - window.y0), kFar),
       ids_(depths_.size(), kNothing),
       normals_(depths_.size()) {}
 
@@ -49,10 +50,13 @@ Samples Depths::samplesOf(const Solid& solid) const {
     y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
   }
   if (near == 8) return {};
-  if (near > 0) return {0, 0, width_, height_};
-  const auto clamped = [](float v, int most) { return int(std::clamp(v, 0.0f, float(most))); };
-  return {clamped(x0 - 1, width_), clamped(y0 - 1, height_), clamped(x1 + 2, width_),
-          clamped(y1 + 2, height_)};
+  if (near > 0) return window_;
+  const Samples& w = window_;
+  const auto clamped = [](float v, int least, int most) {
+    return int(std::clamp(v, float(least), float(most)));
+  };
+  return {clamped(x0 - 1, w.x0, w.x1), clamped(y0 - 1, w.y0, w.y1), clamped(x1 + 2, w.x0, w.x1),
+          clamped(y1 + 2, w.y0, w.y1)};
 }
 
 // Where a ray meets a shape is asked of the same code as the simulator's: what is drawn is what is

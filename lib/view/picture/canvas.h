@@ -35,18 +35,27 @@ struct Samples {
   bool empty() const { return x0 >= x1 || y0 >= y1; }
 };
 
-// What samples see of solids.
+// What samples see of solids: all of a picture, or those of a window of it, which take the memory.
+// Places are always the picture's.
 class Depths {
  public:
-  Depths(const Camera& camera, int width, int height);
+  Depths(const Camera& camera, int width, int height)
+      : Depths(camera, width, height, {0, 0, width, height}) {}
+  // `window` lies in the picture. Nothing is known of samples outside it, nor may be asked.
+  Depths(const Camera& camera, int width, int height, const Samples& window);
 
-  // Those that may see the solid.
+  // Those of the window that may see the solid.
   Samples samplesOf(const Solid& solid) const;
   // `id` is what the samples that see it get.
   void add(const Solid& solid, uint32_t id);
 
-  int width() const { return width_; }
+  int width() const { return width_; }  // of the picture
   int height() const { return height_; }
+  const Samples& window() const { return window_; }
+  // The place of a sample among those of the window, row by row.
+  size_t at(int x, int y) const {
+    return size_t(y - window_.y0) * size_t(window_.x1 - window_.x0) + size_t(x - window_.x0);
+  }
   const Camera& camera() const { return camera_; }
   uint32_t id(int x, int y) const { return ids_[at(x, y)]; }
   float depth(int x, int y) const { return depths_[at(x, y)]; }  // studs; far for nothing
@@ -54,10 +63,9 @@ class Depths {
   Vec3 point(int x, int y) const;  // of the world
 
  private:
-  size_t at(int x, int y) const { return size_t(y) * size_t(width_) + size_t(x); }
-
   Camera camera_;
   int width_, height_;
+  Samples window_;
   std::vector<float> depths_;
   std::vector<uint32_t> ids_;
   std::vector<Vec3> normals_;

@@ -20,8 +20,9 @@ Pen::Pen(const Depths& seen, std::vector<Color>& colors)
     : seen_(seen), colors_(colors), strokes_(colors.size(), 0) {}
 
 void Pen::put(int x, int y, float depth, const Stroke& stroke) {
-  if (x < 0 || y < 0 || x >= seen_.width() || y >= seen_.height()) return;
-  const size_t i = size_t(y) * size_t(seen_.width()) + size_t(x);
+  const Samples& window = seen_.window();
+  if (x < window.x0 || y < window.y0 || x >= window.x1 || y >= window.y1) return;
+  const size_t i = seen_.at(x, y);
   if (strokes_[i] == stroke_) return;
   strokes_[i] = stroke_;
   const bool hidden = depth > seen_.depth(x, y) + kBias;
@@ -36,7 +37,8 @@ void Pen::segment(Vec3 a, Vec3 b, const Stroke& stroke) {
     return;
   const float dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
   const auto clamped = [](float v, float most) { return int(std::clamp(v, 0.0f, most)); };
-  const int y0 = clamped(std::min(a.y, b.y) - r, h), y1 = clamped(std::max(a.y, b.y) + r + 1, h);
+  const int y0 = std::max(clamped(std::min(a.y, b.y) - r, h), seen_.window().y0);
+  const int y1 = std::min(clamped(std::max(a.y, b.y) + r + 1, h), seen_.window().y1);
   for (int y = y0; y < y1; ++y) {
     // The part of the row that can be near enough, by where the line is in it.
     float from = std::min(a.x, b.x), to = std::max(a.x, b.x);
@@ -78,20 +80,14 @@ void Pen::disc(Vec3 at, float size, const Stroke& stroke) {
 
 // A box takes a small part of most pictures, so that is all that is looked at.
 void Pen::fill(const Solid& box, const Stroke& stroke) {
-  constexpr int kPattern = 4;  // samples across the pattern of what is translucent
-  Samples window = seen_.samplesOf(box);
+  const Samples window = seen_.samplesOf(box);
   if (window.empty()) return;
-  window.x0 -= window.x0 % kPattern, window.y0 -= window.y0 % kPattern;
-  Camera camera = seen_.camera();
-  camera.middleX -= float(window.x0), camera.middleY -= float(window.y0);
-  Depths alone(camera, window.x1 - window.x0, window.y1 - window.y0);
+  Depths alone(seen_.camera(), seen_.width(), seen_.height(), window);
   alone.add(box, 0);
   begin();
-  for (int y = 0; y < alone.height(); ++y) {
-    for (int x = 0; x < alone.width(); ++x) {
-      if (alone.id(x, y) != kNothing) {
-        put(window.x0 + x, window.y0 + y, alone.depth(x, y), stroke);
-      }
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) {
+      if (alone.id(x, y) != kNothing) put(x, y, alone.depth(x, y), stroke);
     }
   }
 }

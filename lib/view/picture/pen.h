@@ -16,7 +16,7 @@ struct Stroke {
 
 class Pen {
  public:
-  // `colors`: of the samples that `seen` has; drawn into.
+  // `colors`: of the samples of the window of `seen`; drawn into. What is elsewhere is left out.
   Pen(const Depths& seen, std::vector<Color>& colors);
 
   // Through points of the world. Where it crosses itself it is no darker.

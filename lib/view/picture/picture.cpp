@@ -107,21 +107,22 @@ void drawPath(Pen& pen, const PathEntry& path, bool first) {
                       : solves ? 4.0f
                                : 2.5f,
                       solves ? 1 : 0.4f};
+  const std::vector<Vec3> way = wayOf(path.playback);
   if (first) {
     Stroke under = stroke;
     under.color = {0, 0, 0};
     under.width = 11;
     under.opacity = 0.5f;
-    pen.line(wayOf(path.playback), under);
+    pen.line(way, under);
   }
-  pen.line(wayOf(path.playback), stroke);
+  pen.line(way, stroke);
   if (!solves && path.playback.outcome != schema::Outcome::RUNNING)
-    pen.cross(wayOf(path.playback).back(), 7, {colorOf(kDeath), 4, 0.9f});
+    pen.cross(way.back(), 7, {colorOf(kDeath), 4, 0.9f});
   if (!first) return;
   for (const uint32_t tick : path.playback.jumpTicks) {
-    const size_t at = std::min<size_t>(tick, path.playback.feet.size() - 1);
-    pen.disc(wayOf(path.playback)[at], 7, {{0, 0, 0}, 1, 0.8f});
-    pen.disc(wayOf(path.playback)[at], 5, {{1, 1, 1}, 1, 1});
+    const size_t at = std::min<size_t>(tick, way.size() - 1);
+    pen.disc(way[at], 7, {{0, 0, 0}, 1, 0.8f});
+    pen.disc(way[at], 5, {{1, 1, 1}, 1, 1});
   }
 }
 
@@ -151,10 +152,11 @@ void drawQuery(Pen& pen, const QueryEntry& query) {
   pen.disc(start, 10, {colorOf(kStart), 1, 1});
 }
 
-Image reduced(const std::vector<Color>& samples, int width, int height) {
-  Image out{width, height, {}};
+// The pixels of the first `rows` rows, from the samples of these.
+void addRows(const std::vector<Color>& samples, int rows, Image& out) {
+  const int width = out.width;
   const float share = 1.0f / (kSamples * kSamples);
-  for (int y = 0; y < height; ++y) {
+  for (int y = 0; y < rows; ++y) {
     for (int x = 0; x < width; ++x) {
       Color sum;
       for (int k = 0; k < kSamples * kSamples; ++k) {
@@ -165,7 +167,26 @@ Image reduced(const std::vector<Color>& samples, int width, int height) {
       out.pixels.push_back(rgbOf(sum));
     }
   }
-  return out;
+}
+
+struct Scene {
+  const World& world;
+  const QueryEntry* query;  // or null
+  const Camera& camera;
+  const Depths& sun;
+};
+
+// Rows of pixels from `top` to before `bottom`.
+void drawRows(const Scene& scene, int top, int bottom, Image& out) {
+  const int width = out.width * kSamples, height = out.height * kSamples;
+  // And a row of samples more: they tell where solids end above them.
+  const Samples window{0, top * kSamples, width, std::min(bottom * kSamples + 1, height)};
+  Depths seen(scene.camera, width, height, window);
+  for (uint32_t i = 0; i < scene.world.solids.size(); ++i) seen.add(scene.world.solids[i], i);
+  std::vector<Color> colors = shade(seen, scene.sun, scene.world.surfaces);
+  Pen pen(seen, colors);
+  if (scene.query) drawQuery(pen, *scene.query);
+  addRows(colors, bottom - top, out);
 }
 
 }  // namespace
@@ -177,17 +198,19 @@ Image pictureOf(const LevelEntry& level, const QueryEntry* query, const PictureO
   const World world = worldOf(level, tick);
   const int width = options.width * kSamples, height = options.height * kSamples;
   const Vec3 look = bestLook(extent, query, world.solids);
-  Depths seen(framed(corners, look, width, height, true), width, height);
+  const Camera camera = framed(corners, look, width, height, true);
   Depths sun(framed(corners, -sunward(), kSunSamples, kSunSamples, false), kSunSamples,
              kSunSamples);
   for (uint32_t i = 0; i < world.solids.size(); ++i) {
-    seen.add(world.solids[i], i);
     if (world.solids[i].coverage > 0.5f) sun.add(world.solids[i], i);
   }
-  std::vector<Color> colors = shade(seen, sun, world.surfaces);
-  Pen pen(seen, colors);
-  if (query) drawQuery(pen, *query);
-  return reduced(colors, options.width, options.height);
+  Image out{options.width, options.height, {}};
+  out.pixels.reserve(size_t(options.width) * size_t(options.height));
+  const size_t row = size_t(width) * kSamples;  // samples of a row of pixels
+  const int rows = int(std::clamp<size_t>(options.atOnce / row, 1, size_t(options.height)));
+  for (int top = 0; top < options.height; top += rows)
+    drawRows({world, query, camera, sun}, top, std::min(top + rows, options.height), out);
+  return out;
 }
 
 }  // namespace obby::view

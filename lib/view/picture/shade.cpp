@@ -46,7 +46,7 @@ bool edgeAt(const Depths& seen, int x, int y) {
   const uint32_t id = seen.id(x, y);
   const float depth = seen.depth(x, y);
   for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(0, 1)}) {
-    if (x + dx >= seen.width() || y + dy >= seen.height()) continue;
+    if (x + dx >= seen.window().x1 || y + dy >= seen.window().y1) continue;
     const uint32_t other = seen.id(x + dx, y + dy);
     if (id == kNothing && other == kNothing) continue;
     if (id == kNothing || other == kNothing) return true;
@@ -76,10 +76,11 @@ Vec3 sunward() { return normalize(Vec3{0.42f, 1, 0.3f}); }
 
 std::vector<Color> shade(const Depths& seen, const Depths& sun,
                          const std::vector<Surface>& surfaces) {
+  const Samples& w = seen.window();
   std::vector<Color> out;
-  out.reserve(size_t(seen.width()) * size_t(seen.height()));
-  for (int y = 0; y < seen.height(); ++y) {
-    for (int x = 0; x < seen.width(); ++x) {
+  out.reserve(size_t(w.x1 - w.x0) * size_t(w.y1 - w.y0));
+  for (int y = w.y0; y < w.y1; ++y) {
+    for (int x = w.x0; x < w.x1; ++x) {
       Color color = seen.id(x, y) == kNothing
                         ? mix(kSkyAbove, kSkyBelow, float(y) / float(seen.height()))
                         : surfaceAt(seen, sun, surfaces, x, y);

@@ -18,8 +18,9 @@ struct Surface {
 // Direction to the sun, unit.
 Vec3 sunward();
 
-// Colours of all samples, row by row. `sun` is what the sun sees of the same solids; `surfaces` by
-// id.
+// Colours of all samples of the window, row by row. `sun` is what the sun sees of the same solids;
+// `surfaces` by id. Where a solid ends is seen by the samples below and to the right: the last row
+// and column of a window that ends within the picture miss that.
 std::vector<Color> shade(const Depths& seen, const Depths& sun,
                          const std::vector<Surface>& surfaces);
 

@@ -53,7 +53,8 @@ export class Stage {
     const rim = new DirectionalLight('#8fb0ff', 0.7);
     rim.position.set(-0.6, 0.35, -0.7);
     this.scene.add(new HemisphereLight('#dfe8ff', '#2a2c36', 1.15), this.sun, this.sun.target, rim);
-    this.bounds = new Box3();
+    // Of the level; until there is one, of nothing: an empty box would put the camera nowhere, for good.
+    this.bounds = new Box3(new Vector3(-4, -4, -4), new Vector3(4, 4, 4));
     this.filterBoxes = new FilterBoxes();
     this.heat = new HeatView();
     this.marks = new ActionMarks();
@@ -209,6 +210,8 @@ export class Stage {
 
   resize() {
     const { clientWidth, clientHeight } = this.canvas.parentElement;
+    // Of a page that is not shown yet, as in a frame that opens later: whatever is framed in that lies nowhere.
+    if (!clientWidth || !clientHeight) return;
     if (this.width === clientWidth && this.height === clientHeight) return;
     [this.width, this.height] = [clientWidth, clientHeight];
     this.renderer.setSize(clientWidth, clientHeight, false);

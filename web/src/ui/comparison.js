@@ -2,6 +2,7 @@
 import { Quaternion, Vector3 } from 'three';
 import { segmentMeets } from '../choice.js';
 import { causeOf, GHOST_COLOR } from '../palette.js';
+import { partName } from '../part_name.js';
 import { el, keepingFocus, seconds } from './dom.js';
 
 // Studs walked, flown and fallen.
@@ -92,7 +93,7 @@ export class Comparison {
         ),
       ),
     );
-    row('Ends', (path) => causeOf(path, level).split('/').pop());
+    row('Ends', (path) => causeOf(path, level, partName));
     row('Time', (path) => `${seconds(path.ticks / rate)} s`);
     row('Jumps', (path) => String(path.jumps));
     row('Way', (path) => `${lengthOf(path).toFixed(0)} studs`);

@@ -23,7 +23,7 @@ const kSections = [
       ['X', 'keep it as a ghost, to compare others with'],
       ['Shift click', 'compare with this one'],
       ['I', 'draw the chosen one only'],
-      ['B', 'draw a box that ways must (not) pass'],
+      ['B', 'draw a box that ways, if any, must (not) pass'],
       ['Esc', 'nothing'],
     ],
   ],

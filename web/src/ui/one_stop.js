@@ -9,9 +9,10 @@ export class OneStop {
   constructor(list) {
     this.list = list;
     this.stop = null; // the row that Tab reaches
+    list.tabIndex = -1; // some browsers make what scrolls a stop of its own
     list.addEventListener('focusin', () => this.settle());
     list.addEventListener('keydown', (event) => this.press(event));
-    list.addEventListener('click', ({ detail }) => detail > 0 && this.focused()?.blur());
+    list.addEventListener('click', ({ detail }) => detail > 0 && this.leave());
   }
 
   rows() {
@@ -21,6 +22,11 @@ export class OneStop {
   focused() {
     const row = document.activeElement;
     return this.list.contains(row) && row.matches(kRow) ? row : null;
+  }
+
+  // The keyboard is on no row, nor on the list, which takes it where the mouse meets no row.
+  leave() {
+    if (this.list.contains(document.activeElement)) document.activeElement.blur();
   }
 
   // What Tab reaches: where the keyboard is, else the chosen row, else where it was.
