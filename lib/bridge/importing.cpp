@@ -93,7 +93,13 @@ kj::Promise<Imported> importLevel(Loop& loop, const std::string& program, std::s
     return std::move(c->out);
   });
   return c->run->done()
-      .then([c](Exit how) { return c->finish(how); })
+      .then([c](Exit how) { return c->finish(how); },
+            [c](kj::Exception&& e) {  // for want of memory
+              c->out.refusal = refuse(
+                  500, "the level could not be taken: " + io::validUtf8(e.getDescription().cStr()),
+                  "send a smaller place");
+              return std::move(c->out);
+            })
       .exclusiveJoin(kj::mv(late))
       .then([collector](Imported result) {
         collector->run = nullptr;

@@ -16,6 +16,8 @@ namespace {
 
 constexpr size_t kMaxReport = 64 << 10;  // bytes of a line of stderr that are handed on
 constexpr int kInterrupted = 130;        // what our tools give after SIGINT
+constexpr const char* kTimeIsUp =
+    "the program used more processor time than it may; --cpu-time of obby-bridge gives it more";
 
 // What the client itself sent, or what only frames the stream.
 bool worthTelling(std::string_view type) {
@@ -24,7 +26,7 @@ bool worthTelling(std::string_view type) {
 
 std::string endingOf(const Exit& how) {
   if (how.signal == 0) return fmt::format("the program ended with {}", how.code);
-  if (how.signal == SIGXCPU) return "the program used more processor time than it may";
+  if (how.signal == SIGXCPU) return kTimeIsUp;
   return fmt::format("the program was ended by signal {} ({})", how.signal, strsignal(how.signal));
 }
 
@@ -85,6 +87,7 @@ kj::Promise<void> Job::start(Loop& loop) {
       [this](std::string_view line) { onReport(line); });
   return run_->done().then([this](Exit how) { ending(how); },
                            [this](kj::Exception&& e) {
+                             answer_.reset();  // half an answer is none
                              fail(makeError(io::validUtf8(e.getDescription().cStr())));
                              run_ = nullptr;
                            });
@@ -164,6 +167,11 @@ void Job::cancel(const char* why) {
                 if (run_) run_->signal(SIGKILL);
               })
               .eagerlyEvaluate(nullptr);
+}
+
+// The system's own bound would end it at once, and an hour's work with it.
+void Job::boundTime() {
+  if (run_ && run_->cpuSeconds() > double(limits_.cpuSeconds)) cancel(kTimeIsUp);
 }
 
 }  // namespace obby::bridge

@@ -21,6 +21,7 @@ struct JobPlan {
   Command command;
   std::string input;
   std::string answerPath;  // where the answer is kept for a warm start; empty: it is not
+  uint64_t warm = 0;       // number of the job whose answer it begins with; 0: none
 };
 
 class Job {
@@ -33,6 +34,7 @@ class Job {
   bool ended() const { return state_ > JobState::running; }
   bool answerKept() const { return kept_; }
   const std::string& answerPath() const { return plan_.answerPath; }
+  uint64_t warm() const { return plan_.warm; }
   Client& client() { return *client_; }
   uint64_t firstCursor() const { return firstCursor_; }  // messages of this job come after it
   uint64_t lastCursor() const { return lastCursor_; }    // number of its last; 0: it has not ended
@@ -44,6 +46,8 @@ class Job {
   kj::Promise<void> start(Loop& loop);
   // SIGINT, so that what is finished still comes; SIGKILL if that does not help in time.
   void cancel(const char* why);
+  // Cancels it if it has used up its processor time. To be called each second.
+  void boundTime();
 
  private:
   void enter(JobState state, const std::string& why);

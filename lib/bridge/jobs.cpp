@@ -1,6 +1,7 @@
 #include "bridge/jobs.h"
 
 #include <algorithm>
+#include <set>
 
 namespace obby::bridge {
 
@@ -58,13 +59,18 @@ void Jobs::startMore() {
 }
 
 // Those that ended first go first: a job that ran for long is asked about when it ends, however
-// many began after it.
+// many began after it. Not those whose answer another one is yet to read.
 void Jobs::forgetOld(const Client& client) {
   std::vector<Job*> ended = of(client);
+  std::set<uint64_t> read;
+  for (const Job* job : ended) {
+    if (!job->ended()) read.insert(job->warm());
+  }
   std::erase_if(ended, [](const Job* job) { return !job->ended(); });
   std::sort(ended.begin(), ended.end(),
             [](const Job* a, const Job* b) { return a->lastCursor() < b->lastCursor(); });
   for (size_t i = 0; i + limits_.keptJobs < ended.size(); i++) {
+    if (read.contains(ended[i]->number())) continue;
     forgotten_(*ended[i]);
     jobs_.erase(ended[i]->number());
   }
@@ -82,6 +88,10 @@ void Jobs::cancelAll(const Client* client, const char* why) {
     if (!client || &job->client() == client) job->cancel(why);
   }
   startMore();
+}
+
+void Jobs::boundTime() {
+  for (const auto& [number, job] : jobs_) job->boundTime();
 }
 
 void Jobs::forgetAll() {

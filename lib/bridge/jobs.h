@@ -26,6 +26,8 @@ class Jobs : private kj::TaskSet::ErrorHandler {
 
   void cancel(Job& job, const char* why);
   void cancelAll(const Client* client, const char* why);  // null: everybody's
+  // Cancels those that have used up their processor time. To be called each second.
+  void boundTime();
   // Ends all at once: for the end of the bridge.
   void forgetAll();
   bool idle() const { return running_ == 0 && waiting_.empty(); }

@@ -2,6 +2,7 @@
 // are docs/bridge.md and, where a client is a Studio plugin, the engine's own limits.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 namespace obby::bridge {
@@ -29,7 +30,7 @@ struct Limits {
   double graceSeconds = 30;           // after that: its jobs are cancelled
 
   // jobs
-  uint32_t jobs = 2;          // programs that search at a time
+  uint32_t jobs = 2;          // programs of jobs that run at a time
   uint32_t waiting = 16;      // jobs of a client that wait for their turn
   uint32_t keptJobs = 64;     // ended jobs of a client that can still be asked about
   uint32_t queries = 1000;    // of a job
@@ -40,7 +41,9 @@ struct Limits {
 #else
   uint64_t memoryBytes = 8192 * kMiB;  // address space of a program; 0: not bounded
 #endif
-  uint64_t cpuSeconds = 3600;  // processor time of a program
+  uint64_t cpuSeconds = 3600;  // processor time of a program: then it is interrupted
+  // Then the system ends it, for threads use it up while a program writes what it has.
+  uint64_t mostCpuSeconds() const { return cpuSeconds + std::max<uint64_t>(10, cpuSeconds / 10); }
 
   // the private folder
   uint64_t storeBytes = 512 * kMiB;  // levels kept; the longest unused go first

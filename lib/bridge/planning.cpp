@@ -67,7 +67,7 @@ std::variant<JobPlan, Reply> Service::plan(const Order& order, Client& client, u
   out.command = {solve ? programs_.solve : programs_.calibrate,
                  {"--progress=json", "--json-errors"},
                  limits_.memoryBytes,
-                 limits_.cpuSeconds};
+                 limits_.mostCpuSeconds()};
   std::vector<std::string>& arguments = out.command.arguments;
   arguments.insert(arguments.end(), order.arguments.begin(), order.arguments.end());
   if (!order.physics.empty()) out.input = order.physics + "\n";
@@ -76,7 +76,7 @@ std::variant<JobPlan, Reply> Service::plan(const Order& order, Client& client, u
   if (solve) {
     arguments.emplace_back("--on-error=skip");  // a question that cannot be asked stops no other
     out.answerPath = store_.answerPath(session_, fmt::format("j{}", number));
-    if (auto wrong = addWarmStart(order, client, arguments)) return *std::move(wrong);
+    if (auto wrong = addWarmStart(order, client, out)) return *std::move(wrong);
     if (order.records.empty()) {
       if (auto wrong = addOwnQueries(**level, order.ask, out.input)) return *std::move(wrong);
     }
@@ -86,8 +86,7 @@ std::variant<JobPlan, Reply> Service::plan(const Order& order, Client& client, u
   return out;
 }
 
-std::optional<Reply> Service::addWarmStart(const Order& order, Client& client,
-                                           std::vector<std::string>& arguments) {
+std::optional<Reply> Service::addWarmStart(const Order& order, Client& client, JobPlan& to) {
   if (order.warm.empty()) return {};
   const Job* earlier = jobs_.find(client, order.warm);
   std::error_code ignored;  // a bridge that was started since takes old answers away
@@ -95,7 +94,8 @@ std::optional<Reply> Service::addWarmStart(const Order& order, Client& client,
       !std::filesystem::exists(earlier->answerPath(), ignored)) {
     return refuse(409, "no answer of " + order.warm + " is kept", "ask without warm");
   }
-  arguments.push_back("--warm=" + earlier->answerPath());
+  to.command.arguments.push_back("--warm=" + earlier->answerPath());
+  to.warm = earlier->number();
   return {};
 }
 

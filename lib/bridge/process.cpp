@@ -7,6 +7,7 @@
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -158,6 +159,13 @@ Result<Process> Process::start(const Command& command) {
   process.output = std::move(out.read);
   process.errors = std::move(err.read);
   return process;
+}
+
+double Process::cpuSeconds() const {
+  clockid_t own{};
+  timespec used{};
+  if (pid_ <= 0 || clock_getcpuclockid(pid_, &own) != 0 || clock_gettime(own, &used) != 0) return 0;
+  return double(used.tv_sec) + double(used.tv_nsec) * 1e-9;
 }
 
 void Process::signal(int number) const {

@@ -44,6 +44,8 @@ class Process {
   // Becomes readable when the program has ended.
   int exitFd() const { return exitFd_.get(); }
   pid_t id() const { return pid_; }
+  // Processor time that it has used, its children not; 0 once it has been reaped.
+  double cpuSeconds() const;
 
   // To its whole group, if it has not been reaped.
   void signal(int number) const;

@@ -65,14 +65,25 @@ kj::Promise<void> Run::lines(kj::AsyncInputStream& from, std::string& rest, cons
       });
 }
 
+// A handler may fail, for want of memory; with nobody to take its output the program would wait for
+// ever.
+kj::Promise<void> Run::endingIt(kj::Promise<void> reading) {
+  return reading
+      .catch_([this](kj::Exception&& failure) {
+        signal(SIGKILL);
+        kj::throwFatalException(kj::mv(failure));
+      })
+      .eagerlyEvaluate(nullptr);  // at once, not when all streams have ended
+}
+
 kj::Promise<Exit> Run::done() {
   // Who ends first does not matter; but once the program has ended, what is left of its group must
   // not hold its streams open.
   auto exit = exited_.whenBecomesReadable().then([this] { return process_.reap(); });
   auto streams = kj::heapArrayBuilder<kj::Promise<void>>(3);
   streams.add(feed());
-  streams.add(lines(*output_, outRest_, onOutput_));
-  streams.add(lines(*errors_, errRest_, onError_));
+  streams.add(endingIt(lines(*output_, outRest_, onOutput_)));
+  streams.add(endingIt(lines(*errors_, errRest_, onError_)));
   return exit.then([all = kj::joinPromises(streams.finish()).eagerlyEvaluate(nullptr)](
                        Exit how) mutable { return all.then([how] { return how; }); });
 }

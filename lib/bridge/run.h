@@ -33,14 +33,16 @@ class Run {
   Run(Loop& loop, Process process, std::string input, OnLine onOutput, OnLine onError);
 
   // When the program has ended and all that it wrote has been handed on. Call once; dropping the
-  // promise, or this, kills the program.
+  // promise, or this, kills the program. Fails with what a handler throws, which ends the program.
   kj::Promise<Exit> done();
   // To the whole group: SIGINT lets our tools finish what they have.
   void signal(int number) { process_.signal(number); }
   pid_t id() const { return process_.id(); }
+  double cpuSeconds() const { return process_.cpuSeconds(); }
 
  private:
   kj::Promise<void> feed();
+  kj::Promise<void> endingIt(kj::Promise<void> reading);
   kj::Promise<void> lines(kj::AsyncInputStream& from, std::string& rest, const OnLine& onLine);
 
   Process process_;

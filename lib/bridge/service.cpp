@@ -280,7 +280,8 @@ void Service::sweep() {
       jobs_.cancelAll(who.get(), "the client has gone silent");
     }
   }
-  if (!jobs_.idle()) lastSeen_ = now;
+  jobs_.boundTime();
+  if (!jobs_.idle() || imports_ > 0) lastSeen_ = now;  // who waits for a level says nothing
 }
 
 void Service::endEvents() {

@@ -45,7 +45,8 @@ class Service {
   std::shared_ptr<Client> client(int number);
   int clientOf(std::string_view token) const { return tokens_.clientOf(token); }
 
-  // To be called each second: silent clients lose their WebSocket, then their jobs.
+  // To be called each second: silent clients lose their WebSocket, then their jobs, and jobs that
+  // have used up their processor time end.
   void sweep();
   // To be called when all jobs have ended, and no more come: WebSockets close once all messages
   // have gone.
@@ -65,8 +66,7 @@ class Service {
   Reply getLevel(const Call& call) const;
   Reply putJob(std::shared_ptr<Client> client, const std::string& body);
   std::variant<JobPlan, Reply> plan(const Order& order, Client& client, uint64_t number);
-  std::optional<Reply> addWarmStart(const Order& order, Client& client,
-                                    std::vector<std::string>& arguments);
+  std::optional<Reply> addWarmStart(const Order& order, Client& client, JobPlan& to);
   kj::Promise<Reply> getJob(std::shared_ptr<Client> client, Call call, double until, uint64_t poll);
   Reply jobReply(const Job& job, const Client& client, uint64_t cursor) const;
   Reply cancelJob(Client& client, const std::string& id);

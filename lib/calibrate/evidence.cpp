@@ -12,10 +12,10 @@ namespace {
 // Wide enough that an event which moves by a tick does not look like a slope, narrow beside what a
 // parameter is known to.
 constexpr double kStep = 0.004;
-// Samples that follow each other are not independent: so many count as one.
-constexpr double kAlike = 30;
-// Frames whose errors share a cause: those of a window share its first sample.
-constexpr Eigen::Index kStretch = 90;
+// Samples that follow each other are not independent: those of so many seconds count as one.
+constexpr double kAlike = 0.5;
+// Seconds whose errors share a cause: those of a window share its first sample.
+constexpr double kStretch = 1.5;
 constexpr double kLeast = 1e-9;  // of an eigenvalue, beside the largest: less is nothing
 // Studs: no recorder is better. Between two frames a fall bends by more.
 constexpr double kLeastNoise = 1e-3;
@@ -28,8 +28,16 @@ std::vector<double> moved(std::vector<double> point, size_t at, double by) {
 }
 
 // Of the mean of what counts as one sample, as if each of its members had it.
-double varianceOf(double noise) {
-  return std::max(noise * noise, kLeastNoise * kLeastNoise) * kAlike;
+double varianceOf(const Slopes& s) {
+  return std::max(s.noise * s.noise, kLeastNoise * kLeastNoise) * s.alike;
+}
+
+// Frames that the recordings have in so many seconds, on average: one at least.
+double framesIn(double seconds, const Objective& objective) {
+  double all = 0;
+  for (const Take& take : objective.takes())
+    all += take.track.frames.back().time - take.track.frames.front().time;
+  return std::max(std::round(seconds * double(objective.frames()) / all), 1.0);
 }
 
 double weightOf(float residual, double near) {
@@ -37,15 +45,18 @@ double weightOf(float residual, double near) {
   return 1 / (1 + size * size);
 }
 
-Status writeSlope(const Objective& objective, const std::vector<double>& point, int i,
-                  Eigen::MatrixXf& slopes) {
+// `here`: the residuals at the point. Where a step aside leads to a body that cannot be, the other
+// one tells.
+void writeSlope(const Objective& objective, const std::vector<double>& point,
+                const std::vector<float>& here, int i, Eigen::MatrixXf& slopes) {
   const auto up = moved(point, size_t(i), kStep), down = moved(point, size_t(i), -kStep);
-  OBBY_ASSIGN(const std::vector<float> above, objective.residuals(up));
-  OBBY_ASSIGN(const std::vector<float> below, objective.residuals(down));
-  const float width = float(up[size_t(i)] - down[size_t(i)]);
+  const auto above = objective.residuals(up), below = objective.residuals(down);
+  const std::vector<float>& high = above ? *above : here;
+  const std::vector<float>& low = below ? *below : here;
+  const double to = (above ? up : point)[size_t(i)], from = (below ? down : point)[size_t(i)];
+  const float width = float(to - from);
   for (Eigen::Index k = 0; k < slopes.rows(); ++k)
-    slopes(k, i) = (above[size_t(k)] - below[size_t(k)]) / width;
-  return {};
+    slopes(k, i) = width > 0 ? (high[size_t(k)] - low[size_t(k)]) / width : 0.0f;
 }
 
 }  // namespace
@@ -56,16 +67,15 @@ Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& p
   OBBY_ASSIGN(const std::vector<float> r, objective.residuals(point));
   const Eigen::Index rows = Eigen::Index(r.size());
   Eigen::MatrixXf slopes(rows, n);
-  std::vector<Status> status(point.size());
   work.account().count(1);
   work.run(int(n), [&](int i) {
-    status[size_t(i)] = writeSlope(objective, point, i, slopes);
+    writeSlope(objective, point, r, i, slopes);
     work.account().count(2);
   });
   if (work.stopped()) return Slopes{};
-  for (Status& column : status) OBBY_RETURN_IF_ERROR(std::move(column));
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n);
-  Slopes out{none, Eigen::VectorXd::Zero(n), none, 0};
+  Slopes out{none, Eigen::VectorXd::Zero(n), none, 0, framesIn(kAlike, objective)};
+  const Eigen::Index together = Eigen::Index(framesIn(kStretch, objective)) * kResiduals;
   double squares = 0, weights = 0;
   Eigen::VectorXd stretch = Eigen::VectorXd::Zero(n);
   for (Eigen::Index k = 0; k < rows; ++k) {
@@ -74,7 +84,7 @@ Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& p
     const Eigen::VectorXd row = slopes.row(k).cast<double>();
     out.normal.selfadjointView<Eigen::Lower>().rankUpdate(row, w);
     stretch += w * value * row;
-    if (k + 1 == rows || (k + 1) % (kStretch * kResiduals) == 0) {
+    if (k + 1 == rows || (k + 1) % together == 0) {
       out.gradient += stretch;
       out.scatter += stretch * stretch.transpose();
       stretch.setZero();
@@ -93,7 +103,7 @@ Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& p
 // how much the stretches disagree.
 Evidence evidenceOf(const Slopes& s) {
   const Eigen::Index n = s.normal.rows();
-  const double variance = varianceOf(s.noise);
+  const double variance = varianceOf(s);
   const Eigen::MatrixXd information =
       s.normal / variance + Eigen::MatrixXd::Identity(n, n) * 4;  // before: half a unit
   const Eigen::MatrixXd covariance = information.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
@@ -136,9 +146,9 @@ Result<double> noiseAt(const Objective& objective, const std::vector<double>& po
   return kDeviation * double(*middle);
 }
 
-double slackOf(double noise, size_t frames) {
+double slackOf(const Slopes& slopes, size_t frames) {
   constexpr double kHalfChiSquare = 1.92;
-  return kHalfChiSquare * varianceOf(noise) / double(frames);
+  return kHalfChiSquare * varianceOf(slopes) / double(frames);
 }
 
 Result<std::vector<double>> refined(const Objective& objective, std::vector<double> point,

@@ -14,6 +14,7 @@ struct Slopes {
   Eigen::VectorXd gradient;  // (n): J^T W r
   Eigen::MatrixXd scatter;   // (n, n): of the gradients of stretches of the recordings
   double noise = 0;          // a residual's deviation, studs
+  double alike = 1;          // frames in a row that count as one sample
 };
 // Empty after a stop.
 Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& point,
@@ -38,7 +39,7 @@ Result<double> noiseAt(const Objective& objective, const std::vector<double>& po
 
 // By how much a loss over so many frames may exceed the least one, before what it belongs to can be
 // ruled out with 95 % (the likelihood ratio's chi-square bound, of one degree of freedom).
-double slackOf(double noise, size_t frames);
+double slackOf(const Slopes& slopes, size_t frames);
 
 // Gauss-Newton with a trust region around `point`, as long as the loss falls, in so many rounds at
 // most. A stop ends it at the best point until then.

@@ -55,14 +55,14 @@ struct Weighing {
   const Objective& objective;
   const std::vector<double>& point;
   const Work& work;
-  double noise;
+  const Slopes& slopes;
 
   void byCrossing(size_t coordinate, Fitted& f) const {
     const Crossing crossing =
         crossingOf(objective, point, coordinate, sharesAllOver(), kRounds, work);
     if (work.stopped()) return;
     const auto& shares = crossing.profile.shares;
-    f = byProfile(f, crossing.profile, slackOf(noise, objective.frames()), shares[1] - shares[0]);
+    f = byProfile(f, crossing.profile, slackOf(slopes, objective.frames()), shares[1] - shares[0]);
   }
 
   void byScan(const std::vector<Fitted*>& fitted) const {
@@ -70,7 +70,7 @@ struct Weighing {
     if (work.stopped()) return;
     for (const Profile& p : scan.profiles) {
       Fitted& f = *fitted[p.coordinate];
-      f = byCount(f, p, slackOf(noise, scan.frames), 1 / objective.controlRate());
+      f = byCount(f, p, slackOf(slopes, scan.frames), 1 / objective.controlRate());
     }
   }
 };
@@ -97,7 +97,7 @@ Result<Findings> findingsOf(const Objective& objective, const std::vector<double
   const std::vector<Fitted*> shown = shownOf(objective, out.parameters);
   OBBY_ASSIGN(const Slopes slopes, slopesAt(objective, point, work.toItsEnd()));
   const Evidence evidence = evidenceOf(slopes);
-  const Weighing weighing{objective, point, work, slopes.noise};
+  const Weighing weighing{objective, point, work, slopes};
   for (size_t i = 0; i < shown.size(); ++i) {
     const Parameter::Kind kind = shown[i]->parameter.kind;
     if (hasSlope(kind)) *shown[i] = bySlope(*shown[i], point[i], evidence.half[i]);

@@ -109,15 +109,14 @@ class Fitter {
     for (int pass = 0; pass < kPasses && !work_.stopped(); ++pass) {
       const Stretch stretch = passOf(pass);
       if (!reached) {
-        OBBY_RETURN_IF_ERROR(
-            search(brief_.of(seen_), found_, pass, settings_, work_, stretch.of(0, 0.5)));
+        search(brief_.of(seen_), found_, pass, settings_, work_, stretch.of(0, 0.5));
         keep();
       }
       OBBY_RETURN_IF_ERROR(polish(brief_, stretch.of(0.5, 1)));
       keep();
       const size_t known = seen_.size();
       OBBY_RETURN_IF_ERROR(look());
-      OBBY_ASSIGN(reached, within(found_, brief_.takes(), settings_));
+      reached = within(found_, brief_.takes(), settings_);
       const double now = lossNow();
       const bool gained = pass == 0 || seen_.size() > known || now < (1 - kGain) * before;
       if (now < kNoLoss || !gained) break;
@@ -153,11 +152,13 @@ class Fitter {
     Found slower = found_.copy();
     found_.setRate(rate, 1);
     begin();
-    OBBY_RETURN_IF_ERROR(sharpen(settings_.objective.windowSeconds));
-    OBBY_RETURN_IF_ERROR(polish(sharp_, kQuicken));
-    if (lossNow() < (1 - kGain) * before) {
-      keep();
-      return {};
+    // An error: a level that cannot be played so, as where tables of long motions become too long.
+    if (sharpen(settings_.objective.windowSeconds)) {
+      OBBY_RETURN_IF_ERROR(polish(sharp_, kQuicken));
+      if (lossNow() < (1 - kGain) * before) {
+        keep();
+        return {};
+      }
     }
     found_ = std::move(slower);
     begin();
@@ -222,8 +223,7 @@ class Fitter {
     const Objective less(sharp_.takes(), told, trial.params(), sharp_.settings());
     OBBY_ASSIGN(const std::vector<double> there,
                 refined(less, trial.in(less), kSlopeRounds, work_));
-    if (less.loss(there) > objective.loss(point) + slackOf(slopes.noise, objective.frames()))
-      return {};
+    if (less.loss(there) > objective.loss(point) + slackOf(slopes, objective.frames())) return {};
     trial.take(less, there);
     found_ = std::move(trial);
     return {};

@@ -26,7 +26,7 @@ class Searcher {
   const std::vector<double>& best() const { return best_; }
 
   // `before`: generations of those before, of `all`. True: within the tolerance.
-  Result<bool> descend(CmaEs method, size_t before, size_t all) {
+  bool descend(CmaEs method, size_t before, size_t all) {
     for (uint32_t g = 0; g < settings_.generations; ++g) {
       if (method.spread() < kResting || loss_ < kNoLoss) break;
       const std::vector<double> losses = lossesOf(method.ask());
@@ -36,8 +36,7 @@ class Searcher {
       work_.account().step(before + g + 1, all);
       if ((g + 1) % kLooks != 0) continue;
       found_.take(objective_, best_);
-      OBBY_ASSIGN(const bool near, within(found_, objective_.takes(), settings_));
-      if (near) return true;
+      if (within(found_, objective_.takes(), settings_)) return true;
     }
     return false;
   }
@@ -67,8 +66,8 @@ class Searcher {
 
 }  // namespace
 
-Status search(const Objective& objective, Found& found, int pass, const FitSettings& settings,
-              const Work& work, Stretch stretch) {
+void search(const Objective& objective, Found& found, int pass, const FitSettings& settings,
+            const Work& work, Stretch stretch) {
   work.account().enter("searching", stretch);
   Searcher searcher(objective, found, settings, work);
   const uint32_t restarts = pass == 0 ? settings.restarts : 1;
@@ -81,21 +80,19 @@ Status search(const Objective& objective, Found& found, int pass, const FitSetti
     CmaEs method(mean, pass == 0 ? kWide : kNarrow[pass % 2], settings.population, settings.seed,
                  stream + 1);
     const size_t generations = settings.generations;
-    OBBY_ASSIGN(const bool near,
-                searcher.descend(std::move(method), r * generations, restarts * generations));
-    if (near) break;
+    if (searcher.descend(std::move(method), r * generations, restarts * generations)) break;
   }
   found.take(objective, searcher.best());
-  return {};
 }
 
-Result<bool> within(const Found& found, std::span<const Take> all, const FitSettings& settings) {
+bool within(const Found& found, std::span<const Take> all, const FitSettings& settings) {
   if (settings.tolerance <= 0) return false;
   const auto takes = settings.heldOut.empty() ? all : settings.heldOut;
   double sum = 0;
   for (const Take& take : takes) {
-    OBBY_ASSIGN(const Path path, pathOf(take, found.params(), found.delay));
-    sum += missOf(path).mean;
+    const auto path = pathOf(take, found.params(), found.delay);
+    if (!path) return false;
+    sum += missOf(*path).mean;
     if (sum > settings.tolerance * double(takes.size())) return false;
   }
   return true;

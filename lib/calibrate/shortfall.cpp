@@ -33,10 +33,10 @@ std::vector<std::string> endsOf(const Fit& fit) {
 
 // Of one recording, window by window.
 std::vector<Strange> windowsOff(std::span<const Take> takes, size_t index,
-                                const level::LevelView& level, double delay) {
+                                const std::vector<Window>& windows, const level::LevelView& level,
+                                double delay) {
   const Take& take = takes[index];
   const auto& frames = take.track.frames;
-  const std::vector<Window> windows = windowsOf(take.track, kSeconds, level);
   std::vector<Strange> out;
   for (const Window& w : windows)
     out.push_back({index, take.track.name, frames[w.first].time, frames[w.last].time});
@@ -56,9 +56,11 @@ std::vector<Strange> windowsOff(std::span<const Take> takes, size_t index,
 // The same window under other parameters.
 Result<double> offUnder(std::span<const Take> takes, const Strange& strange, double delay,
                         schema::PhysicsParams::Reader params) {
+  const Track& track = takes[strange.take].track;
   OBBY_ASSIGN(const level::Level level, levelWith(takes[strange.take], params));
-  for (const Strange& s : windowsOff(takes, strange.take, level.view(), delay)) {
-    if (s.from == strange.from) return s.off;
+  for (const Window& w : windowsOf(track, kSeconds, level.view())) {
+    if (track.frames[w.first].time != strange.from) continue;
+    return windowsOff(takes, strange.take, {w}, level.view(), delay).front().off;
   }
   return strange.off;
 }
@@ -88,7 +90,8 @@ Result<Shortfall> shortfallOf(std::span<const Take> recorded, const Fit& fit,
   if (out.stopped) return out;
   for (size_t i = 0; i < takes.size(); ++i) {
     OBBY_ASSIGN(const level::Level level, levelWith(takes[i], params));
-    for (const Strange& s : windowsOff(takes, i, level.view(), fit.delay)) {
+    const auto windows = windowsOf(takes[i].track, kSeconds, level.view());
+    for (const Strange& s : windowsOff(takes, i, windows, level.view(), fit.delay)) {
       if (s.off > std::max({tolerance, 2 * out.noise, kLittle})) out.strange.push_back(s);
     }
   }

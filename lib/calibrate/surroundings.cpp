@@ -92,10 +92,13 @@ double phaseOf(const Track& track, const level::LevelView& level, uint32_t perio
   return best;
 }
 
-// The body of a recorded part, or kNotLoose.
+// The body of a recorded part, or kNotLoose. By the few bodies: it is asked for each recorded part
+// at each tick before a window, and a place has many thousand colliders.
 uint8_t bodyOf(const level::LevelView& level, uint32_t part) {
-  const level::Collider* c = colliderOf(level, part);
-  return c ? c->loose : level::kNotLoose;
+  for (uint32_t i = 0; i < level.looseCount; ++i) {
+    if (level.colliders[level.loose[i].firstCollider].part == part) return uint8_t(i);
+  }
+  return level::kNotLoose;
 }
 
 // The turn from one rotation to another, radians about the world's axes.

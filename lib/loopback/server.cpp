@@ -50,6 +50,7 @@ Server::Server(kj::LowLevelAsyncIoProvider& io, kj::Timer& timer, Listener liste
                                         kj::LowLevelAsyncIoProvider::ALREADY_NONBLOCK);
   kj::HttpServerSettings settings;
   settings.headerTimeout = seconds(limits.requestSeconds);
+  settings.canceledUploadGracePeriod = seconds(limits.refusedSeconds);
   settings.canceledUploadGraceBytes = limits.refusedBytes;
   settings.errorHandler = static_cast<kj::HttpServerErrorHandler&>(*this);
   server_ =

@@ -17,9 +17,10 @@ namespace obby::loopback {
 struct ServerLimits {
   uint32_t connections = 64;   // open at a time; further ones are closed
   double requestSeconds = 60;  // until a request's head has come, and until an answer is taken
-  // Of the body of a request that was answered before all of it had come, read (for a second at
+  // Of the body of a request that was answered before all of it had come, read (for so long at
   // most) and dropped: a client that is still sending would see a reset instead of the answer.
   size_t refusedBytes = 16 << 20;
+  double refusedSeconds = 10;
 };
 
 // A service derives from it, and serves request().

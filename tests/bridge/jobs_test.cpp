@@ -41,5 +41,34 @@ TEST(Jobs, those_that_ended_first_are_forgotten_first) {
   EXPECT_EQ(jobs.find(*client, slow)->state(), JobState::cancelled);
 }
 
+TEST(Jobs, an_answer_that_another_job_is_yet_to_read_is_not_forgotten) {
+  kj::AsyncIoContext async = kj::setupAsyncIo();
+  Loop loop{*async.lowLevelProvider, async.unixEventPort, async.provider->getTimer()};
+  Limits limits;
+  limits.jobs = 2;
+  limits.keptJobs = 1;
+  std::vector<uint64_t> forgotten;
+  Jobs jobs(loop, limits, [&](const Job& job) { forgotten.push_back(job.number()); });
+  const auto client = std::make_shared<Client>(1, limits.ringBytes);
+  const auto submit = [&](const std::string& script, uint64_t warm) {
+    JobPlan plan = shell(script);
+    plan.warm = warm;
+    return jobs.submit(client, std::move(plan), jobs.nextNumber());
+  };
+  Job* const first = submit("exit 0", 0);
+  const uint64_t answer = first->number();
+  jobs.whenIdle().wait(async.waitScope);
+  Job* const slow = submit("exec sleep 1000", 0);
+  const uint64_t second = submit("exit 0", 0)->number(), third = submit("exit 0", 0)->number();
+  const Job* const reader = submit("exit 0", answer);
+  const uint64_t last = reader->number();
+  while (!reader->ended()) {
+    loop.timer.afterDelay(1 * kj::MILLISECONDS).wait(async.waitScope);
+  }
+  jobs.cancel(*slow, "the test says so");
+  jobs.whenIdle().wait(async.waitScope);
+  EXPECT_EQ(forgotten, (std::vector<uint64_t>{second, answer, third, last}));
+}
+
 }  // namespace
 }  // namespace obby::bridge

@@ -68,6 +68,16 @@ TEST(Process, descendants_end_with_the_leader) {
   EXPECT_EQ(readAll(process->output.get()), "");  // would wait for the sleep otherwise
 }
 
+TEST(Process, its_processor_time_is_known_until_it_is_reaped) {
+  auto process = shell("while :; do :; done");
+  ASSERT_TRUE(process);
+  for (int i = 0; i < 2000 && process->cpuSeconds() < 0.05; i++) usleep(10000);
+  EXPECT_GE(process->cpuSeconds(), 0.05);
+  process->signal(SIGKILL);
+  waitFor(*process);
+  EXPECT_EQ(process->cpuSeconds(), 0);
+}
+
 TEST(Process, dropped_ones_are_gone) {
   pid_t id = 0;
   {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
+
 #include "base/random.h"
 
 #include "calibrate/course.h"
@@ -42,13 +44,15 @@ io::RecordBuilder drawn(uint64_t seed) {
   return out;
 }
 
-Fit fitted(const std::vector<Take>& takes, const std::vector<std::string>& names) {
+Fit fitted(const std::vector<Take>& takes, const std::vector<std::string>& names,
+           std::span<const Take> heldOut = {}) {
   ThreadPool pool(availableThreads());
   const std::atomic<bool> stop{false};
   FitSettings settings;
   settings.restarts = 1;
   settings.generations = names.size() <= kFew ? kForFew : kForMany;
   settings.tolerance = 0.05;
+  settings.heldOut = heldOut;
   auto out = fit(takes, *parametersNamed(names, defaults()), defaults(), settings, pool, stop,
                  [](const FitProgress&) {});
   EXPECT_TRUE(out) << out.error().text();
@@ -159,6 +163,31 @@ TEST(Fit, FindsThatTheRulesRunInEachStep) {
   EXPECT_EQ(found.controlRate, 240u);
   EXPECT_EQ(found.substeps, 1u);
   EXPECT_NEAR(found.parameters[0].value, 185, 0.2);
+}
+
+// A level of its own rate, whose steps would last a whole tick then: it does not compile.
+TEST(Fit, GoesOnWhereALevelCannotBePlayedInEachStep) {
+  std::vector<Take> takes = takesUnder(
+      defaults(), 0, manoeuvresNamed({"jump on the spot", "jump and turn back in the air"}));
+  io::RecordBuilder slow(takes[0].level.reader());
+  slow.root().getLevel().getPhysics().setControlRate(50);
+  const io::Record level(std::move(slow));
+  for (Take& take : takes) take.level = level;
+  const Fit found = fitted(takes, {"gravity"});
+  EXPECT_EQ(found.controlRate, 60u);
+  EXPECT_EQ(found.substeps, 4u);
+}
+
+// One of a level of its own physics, which does not compile with what is found.
+TEST(Fit, GoesOnWhereALevelThatIsHeldOutCannotBePlayed) {
+  const std::vector<Take> takes = takesUnder(defaults(), 0, manoeuvresNamed({"jump on the spot"}));
+  io::RecordBuilder slow(takes[0].level.reader());
+  slow.root().getLevel().getPhysics().setControlRate(50);
+  slow.root().getLevel().getPhysics().setSubsteps(1);
+  const std::vector<Take> heldOut = {{takes[0].track, io::Record(std::move(slow))}};
+  ASSERT_FALSE(levelWith(heldOut[0], defaults()));
+  const Fit found = fitted(takes, {"gravity"}, heldOut);
+  EXPECT_NEAR(found.parameters[0].value, 196.2, 0.2);
 }
 
 // By default it is none, which has no logarithm.

@@ -137,6 +137,19 @@ class AbuseTest(unittest.TestCase):
         events.close()
         self.assertEqual(bridge.process.wait(20), 0)
 
+    def test_a_bridge_that_ends_when_it_is_idle_stays_while_a_level_is_read(self):
+        folder = driver.tempfile.mkdtemp(prefix="obby-bridge-")  # of tools, one of them slow
+        self.addCleanup(driver.shutil.rmtree, folder)
+        for tool in ("obby-bridge", "obby-solve"):
+            driver.shutil.copy(os.path.join(driver.BIN, tool), folder)
+        slow = os.path.join(folder, "obby-import")
+        with open(slow, "w", encoding="ascii") as file:
+            file.write("#!/bin/sh\ncat >/dev/null\nsleep 6\n"
+                       "echo '{\"type\":\"level\",\"name\":\"slow\"}'\n")
+        os.chmod(slow, 0o755)
+        bridge = self.bridge("--idle", "2", folder=folder)
+        self.assertEqual(bridge.place(level_bytes(LEVEL)).status, 201)
+
     def test_slow_requests_are_given_up(self):
         bridge = self.bridge("--request-timeout", "1")
         half = self.head(bridge, "/v1/jobs", "Content-Type: application/json",
@@ -306,12 +319,23 @@ class AbuseTest(unittest.TestCase):
         bridge = self.bridge("--solve", script, "--memory", "512", "--cpu-time", "77")
         job = bridge.ask(level=bridge.place_level(LEVEL))["job"]
         said = [m["text"] for m in bridge.messages(job) if m["type"] == "report"]
-        self.assertEqual(said, [str(512 << 10), "77"])
+        self.assertEqual(said, [str(512 << 10), "87"])  # interrupted at 77, see below
 
     def test_a_program_that_takes_too_long_is_ended_and_it_is_said(self):
         bridge = self.bridge("--solve", program(self, "while :; do :; done\n"), "--cpu-time", "1")
         job = bridge.ask(level=bridge.place_level(LEVEL))["job"]
-        self.assertIn("processor time", bridge.messages(job)[-1]["reason"])
+        self.assertIn("--cpu-time", bridge.messages(job)[-1]["reason"])
+
+    def test_a_program_that_takes_too_long_still_tells_what_it_has(self):
+        words = 'echo "{\\"type\\":\\"metrics\\"}"; exit 130'
+        script = program(self, f"trap '{words}' INT\ncat >/dev/null\nwhile :; do :; done\n")
+        bridge = self.bridge("--solve", script, "--cpu-time", "1")
+        job = bridge.ask(level=bridge.place_level(LEVEL))["job"]
+        messages = bridge.messages(job)
+        self.assertEqual([m["record"] for m in messages if m["type"] == "record"],
+                         [{"type": "metrics"}])
+        self.assertEqual(messages[-1]["state"], "cancelled")
+        self.assertIn("--cpu-time", messages[-1]["reason"])
 
     def test_programs_inherit_no_descriptor_and_no_secret(self):
         script = program(self, "cat >/dev/null\nls -l /proc/self/fd >&2\nenv >&2\n")

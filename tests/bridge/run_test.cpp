@@ -1,0 +1,43 @@
+// A program on the event loop, and those who take its lines.
+#include "bridge/run.h"
+
+#include <gtest/gtest.h>
+#include <kj/async-io.h>
+
+#include <new>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace obby::bridge {
+namespace {
+
+// Nothing, or why it failed; "it hangs" after a while.
+std::string endOf(const std::string& script, Run::OnLine onOutput, Run::OnLine onError) {
+  kj::AsyncIoContext async = kj::setupAsyncIo();
+  Loop loop{*async.lowLevelProvider, async.unixEventPort, async.provider->getTimer()};
+  auto process = Process::start({"/bin/sh", {"-c", script}, 0, 0});
+  if (!process) return process.error().text();
+  Run run(loop, *std::move(process), {}, std::move(onOutput), std::move(onError));
+  auto ended =
+      run.done().then([](Exit) { return std::string(); },
+                      [](kj::Exception&& e) -> std::string { return e.getDescription().cStr(); });
+  auto late = loop.timer.afterDelay(60 * kj::SECONDS).then([] { return std::string("it hangs"); });
+  return ended.exclusiveJoin(kj::mv(late)).wait(async.waitScope);
+}
+
+TEST(Run, a_program_whose_lines_cannot_be_taken_is_ended) {
+  const Run::OnLine fails = [](std::string_view) { throw std::bad_alloc(); };
+  std::string taken;
+  const Run::OnLine takes = [&taken](std::string_view line) { taken += line; };
+  EXPECT_NE(endOf("while echo more; do :; done", fails, takes).find("bad_alloc"),
+            std::string::npos);
+  EXPECT_NE(endOf("while echo more >&2; do :; done", takes, fails).find("bad_alloc"),
+            std::string::npos);
+  EXPECT_EQ(taken, "");
+  EXPECT_EQ(endOf("echo a; echo b", takes, fails), "");
+  EXPECT_EQ(taken, "ab");
+}
+
+}  // namespace
+}  // namespace obby::bridge

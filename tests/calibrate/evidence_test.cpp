@@ -1,0 +1,87 @@
+// How well a parameter is known, from recordings of any number of frames a second.
+#include "calibrate/evidence.h"
+
+#include <gtest/gtest.h>
+
+#include "calibrate/course.h"
+
+namespace obby::calibrate {
+namespace {
+
+// Noisy ones, far from the box, without what they show of parts.
+std::vector<Take> plainTakes() {
+  std::vector<Take> out =
+      takesUnder(defaults(), 0.05f, manoeuvresNamed({"jump on the spot", "walk up a ramp of 21"}));
+  for (Take& take : out) {
+    take.track.shown.clear();
+    take.track.parts.clear();
+    take.track.poses.clear();
+  }
+  return out;
+}
+
+Frame amid(const Frame& a, const Frame& b) {
+  Frame out = a;
+  out.time = 0.5 * (a.time + b.time);
+  out.position = a.position + (b.position - a.position) * 0.5f;
+  out.velocity = a.velocity + (b.velocity - a.velocity) * 0.5f;
+  out.facing = a.facing + (b.facing - a.facing) * 0.5f;
+  return out;
+}
+
+// With a frame amid each two, which tells nothing that these do not.
+std::vector<Take> ofTwiceTheRate(std::vector<Take> takes) {
+  for (Take& take : takes) {
+    const std::vector<Frame> before = take.track.frames;
+    take.track.frames = {before.front()};
+    for (size_t i = 1; i < before.size(); ++i) {
+      take.track.frames.push_back(amid(before[i - 1], before[i]));
+      take.track.frames.push_back(before[i]);
+    }
+  }
+  return takes;
+}
+
+std::vector<double> halfWidths(const std::vector<Take>& takes,
+                               const std::vector<std::string>& names) {
+  Undisturbed hands;
+  const Objective objective(takes, *parametersNamed(names, defaults()), defaults(), {});
+  const auto slopes = slopesAt(objective, objective.start(), hands.work);
+  EXPECT_TRUE(slopes) << slopes.error().text();
+  return evidenceOf(*slopes).half;
+}
+
+TEST(Evidence, FramesInBetweenMakeNothingKnownBetter) {
+  const std::vector<std::string> names = {"walkSpeed", "gravity"};
+  const std::vector<Take> takes = plainTakes();
+  const std::vector<double> once = halfWidths(takes, names);
+  const std::vector<double> twice = halfWidths(ofTwiceTheRate(takes), names);
+  for (size_t i = 0; i < names.size(); ++i) {
+    ASSERT_LT(once[i], 0.5) << names[i];
+    EXPECT_GT(twice[i], 0.75 * once[i]) << names[i];
+    EXPECT_LT(twice[i], 1.25 * once[i]) << names[i];
+  }
+}
+
+// The legs of a stiffer body would throw it at these steps: it does not compile.
+TEST(Evidence, ASlopeBesideABodyThatCannotBeIsThatOfTheOtherSide) {
+  io::RecordBuilder stiff;
+  auto now = stiff.root().initParams();
+  setValue(now, "hoverDamping", 200);
+  const std::vector<Take> takes = takesUnder(defaults(), 0, manoeuvresNamed({"jump on the spot"}));
+  const std::vector<Parameter> damping = *parametersNamed({"hoverDamping"}, now.asReader());
+  const Objective objective(takes, damping, now.asReader(), {});
+  std::vector<double> point = objective.start();
+  point[0] = shareOf(damping[0], 479.5);
+  ASSERT_TRUE(objective.residuals(point));
+  std::vector<double> beside = point;
+  beside[0] += 0.004;
+  ASSERT_FALSE(objective.residuals(beside));
+  Undisturbed hands;
+  const auto slopes = slopesAt(objective, point, hands.work);
+  ASSERT_TRUE(slopes) << slopes.error().text();
+  EXPECT_GT(slopes->normal(0, 0), 0);
+}
+
+}  // namespace
+}  // namespace obby::calibrate
