@@ -10,6 +10,7 @@
 
 #include "base/hash.h"
 #include "import/filter.h"
+#include "level/level.h"
 #include "level/resolve_places.h"
 #include "suite/effort.h"
 
@@ -76,18 +77,19 @@ Result<FileContent> readFile(const std::string& path) {
   }
 }
 
-// Of what the record says, not of its bytes.
-Result<uint64_t> digest(const io::Record& record, uint64_t seed) {
+// Of what can change a playthrough, and of what the query says: not of where a place file lies, nor
+// of how the importer words its reasons.
+Result<uint64_t> digest(const FileContent::Asked& asked) {
+  OBBY_ASSIGN(const level::Level level, level::Level::compile(asked.level.reader().getLevel()));
   std::string bytes;
   auto writer = io::StreamWriter::toBytes(io::Format::jsonl, &bytes);
-  OBBY_RETURN_IF_ERROR(writer.write(record.reader()));
+  OBBY_RETURN_IF_ERROR(writer.write(asked.query.reader()));
   OBBY_RETURN_IF_ERROR(writer.close());
-  return hashBytes(bytes.data(), bytes.size(), seed);
+  return hashBytes(bytes.data(), bytes.size(), level.hash());
 }
 
 Result<SuiteQuery> suiteQuery(const Row& row, const FileContent::Asked& asked) {
-  OBBY_ASSIGN(const uint64_t levelDigest, digest(asked.level, 0));
-  OBBY_ASSIGN(const uint64_t content, digest(asked.query, levelDigest));
+  OBBY_ASSIGN(const uint64_t content, digest(asked));
   OBBY_ASSIGN(const double effort,
               effortOf(asked.level.reader().getLevel(), asked.query.reader().getQuery()));
   return SuiteQuery{row.file, row.id, row.expected, asked.level, asked.query, content, effort};

@@ -16,7 +16,7 @@ struct SuiteQuery {
   std::string file, id;  // file: below the folder of levels
   std::string expected;  // solved, unreachable, unsolved: either way of having no solution
   io::Record level, query;
-  uint64_t content;  // digest of both
+  uint64_t content;  // digest of both, as far as they can change a playthrough
   double effort;     // effort.h
 
   bool solvable() const { return expected == "solved"; }
@@ -24,7 +24,8 @@ struct SuiteQuery {
 };
 
 // The suite of the folder `levels`, in the order of its table: all, or those named FILE:ID in
-// `only`. Errors: a row without its query, a name that is in no row.
+// `only`. Errors: a row without its query, a name that is in no row, a level that does
+// not compile.
 Result<std::vector<SuiteQuery>> loadSuite(const std::string& levels,
                                           const std::vector<std::string>& only);
 

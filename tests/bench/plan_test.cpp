@@ -68,6 +68,19 @@ TEST_F(SuiteFolder, QueriesOfOneLevelDifferInContent) {
   EXPECT_EQ(suite[0].content, plan().suite[0].content);
 }
 
+// A run counts wherever the suite lies.
+TEST_F(SuiteFolder, ContentIsWhatCanChangeAPlaythrough) {
+  const uint64_t content = plan().suite[0].content;
+  const auto with = [&](const std::string& more) {
+    std::string level = kLevel;
+    level.insert(level.find(R"("parts")"), more);
+    std::ofstream(folder_ / "deeper" / "flat.jsonl") << level << kQueries;
+    return plan().suite[0].content;
+  };
+  EXPECT_EQ(with(R"("source":{"file":"/elsewhere/flat.rbxlx"},)"), content);
+  EXPECT_NE(with(R"("physics":{"gravity":100},)"), content);
+}
+
 TEST_F(SuiteFolder, OnlyTheFirstMethodIsAskedWhatHasNoSolutionAndOnce) {
   const Plan p = plan();
   EXPECT_EQ(p.questions().size(), 2u * 2 * 2 + 1);
