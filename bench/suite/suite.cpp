@@ -54,7 +54,9 @@ Status keepOnly(std::vector<Row>& rows, const std::vector<std::string>& only) {
 // A level file's queries by id, each with the level before it.
 struct FileContent {
   struct Asked {
-    io::Record level, query;
+    io::Record level;
+    uint64_t levelHash;  // of what can change a playthrough
+    io::Record query;
   };
   std::map<std::string, Asked> queries;
 };
@@ -65,27 +67,32 @@ Result<FileContent> readFile(const std::string& path) {
   OBBY_ASSIGN(io::StreamReader reader, opener.open(path));
   FileContent content;
   std::optional<io::Record> level;
+  uint64_t levelHash = 0;
   while (true) {
     OBBY_ASSIGN(const std::optional<io::Record> record, reader.next());
     if (!record) return content;
-    if (record->which() == io::Kind::LEVEL) level = *record;
+    if (record->which() == io::Kind::LEVEL) {
+      level = *record;
+      OBBY_ASSIGN(const level::Level compiled, level::Level::compile(level->reader().getLevel()));
+      levelHash = compiled.hash();
+    }
     if (record->which() != io::Kind::QUERY || !level) continue;
     io::RecordBuilder query(record->reader());
     OBBY_RETURN_IF_ERROR(level::resolvePlaces(level->reader().getLevel(), query.root().getQuery()));
     const std::string id = record->reader().getQuery().getId();
-    content.queries.insert_or_assign(id, FileContent::Asked{*level, io::Record(std::move(query))});
+    content.queries.insert_or_assign(
+        id, FileContent::Asked{*level, levelHash, io::Record(std::move(query))});
   }
 }
 
 // Of what can change a playthrough, and of what the query says: not of where a place file lies, nor
 // of how the importer words its reasons.
 Result<uint64_t> digest(const FileContent::Asked& asked) {
-  OBBY_ASSIGN(const level::Level level, level::Level::compile(asked.level.reader().getLevel()));
   std::string bytes;
   auto writer = io::StreamWriter::toBytes(io::Format::jsonl, &bytes);
   OBBY_RETURN_IF_ERROR(writer.write(asked.query.reader()));
   OBBY_RETURN_IF_ERROR(writer.close());
-  return hashBytes(bytes.data(), bytes.size(), level.hash());
+  return hashBytes(bytes.data(), bytes.size(), asked.levelHash);
 }
 
 Result<SuiteQuery> suiteQuery(const Row& row, const FileContent::Asked& asked) {

@@ -58,16 +58,20 @@ TEST(ScriptValues, HealthWithinBoundsIsHarm) {
   }
 }
 
+// A part that does something to a character's humanoid `h`.
+std::string touchThat(const std::string& way) {
+  return "p.Touched:Connect(function(hit) local h = hit.Parent.Humanoid\n"
+         "p.Transparency = 0.5 " +
+         way + " end)";
+}
+
 TEST(ScriptValues, HealingWithinBoundsIsNoHarm) {
   const char* const ways[] = {"h.Health = math.min(h.Health + 20, h.MaxHealth)",
                               "h.Health = math.min(h.MaxHealth, h.Health + 20)",
                               "h.Health = math.min(h.Health + 20, 100)",
                               "h.Health = math.clamp(h.Health + 20, 0, h.MaxHealth)"};
   for (const char* way : ways) {
-    ScriptedPart scene(
-        "p.Touched:Connect(function(hit) local h = hit.Parent.Humanoid\n"
-        "p.Transparency = 0.5 " +
-        std::string(way) + " end)");
+    ScriptedPart scene(touchThat(way));
     EXPECT_FALSE(scene[scene.self].kill) << way;
     EXPECT_EQ(scene.unmodelled("harm that a script computes"), 0u) << way;
   }
@@ -78,10 +82,7 @@ TEST(ScriptValues, HarmThatTheTextDoesNotTellIsNamed) {
                               "h.Health *= math.random()", "h.Health = _G.health(h)",
                               "h.Health = h.Health / 2"};
   for (const char* way : ways) {
-    ScriptedPart scene(
-        "p.Touched:Connect(function(hit) local h = hit.Parent.Humanoid\n"
-        "p.Transparency = 0.5 " +
-        std::string(way) + " end)");
+    ScriptedPart scene(touchThat(way));
     EXPECT_FALSE(scene[scene.self].kill) << way;
     EXPECT_EQ(scene.unmodelled("harm that a script computes"), 1u) << way;
   }

@@ -38,7 +38,7 @@ struct Ways {
 
 Ways waysOf(const level::LevelView& level, bool mayJump) {
   const Params& p = level.params;
-  const float ray = sim::rayHeight(p), narrow = std::min(p.bodyWidth, p.bodyDepth);
+  const float narrow = std::min(p.bodyWidth, p.bodyDepth);
   const bool calm = isCalm(level);
   const float speed = calm ? fastestWalk(level) + keyOvershoot(p) : 1.42f * level.maxSideSpeed;
   const float upward = calm ? fastestJump(level) : p.maxFallSpeed;
@@ -55,7 +55,7 @@ Ways waysOf(const level::LevelView& level, bool mayJump) {
   w.near = !calm && !lost;
   w.side = 2 * (bodySide(p) + kSlack) + late * speed;
   w.most = p.headBottom + floorReach(p) + upward * p.tickSeconds + kSlack;
-  const float sunk = std::max(ray, p.hipHeight) + (calm ? 0.0f : upward * p.tickSeconds);
+  const float sunk = deepestFeet(p) + (calm ? 0.0f : upward * p.tickSeconds);
   const float fallen = lost ? p.maxFallSpeed * late : 0.0f;
   w.least = p.hipHeight + 0.5f * narrow - sunk - fallen - kSlack;
   const float pull = 0.5f * p.gravity * p.tickSeconds * p.tickSeconds;
@@ -154,10 +154,10 @@ class Passer {
 
   bool isJumpedInto(uint32_t low, uint32_t wall) {
     const Box& box = solids_.box(low);
-    const float lowest = (solids_.isStill(low) ? box.hi.y : box.lo.y) - ways_.most;
+    const float lowest = solids_.lowestTop(low) - ways_.most;
     const float highest = box.hi.y - ways_.least, begun = highest - ways_.risen;
     const auto isFloor = [&](float side, float from, float to) {
-      return isAnyTop(around(box, side, from, to), low, wall);
+      return isAnyTop(beside(box, side, from, to), low, wall);
     };
     if (isFloor(ways_.side, lowest, begun)) return true;
     // Or a jump from farther down feels a floor that is too high for one from there.
@@ -166,18 +166,12 @@ class Passer {
            isFloor(ways_.side + ways_.travel, lowest - ways_.height, begun);
   }
 
-  static Box around(const Box& low, float side, float lowest, float highest) {
-    return {{low.lo.x - side, lowest, low.lo.z - side},
-            {low.hi.x + side, highest, low.hi.z + side}};
-  }
-
   // Is the top of a part there, but of these two?
   bool isAnyTop(const Box& where, uint32_t low, uint32_t wall) {
     bool found = false;
     work_ += solids_.find(where, [&](uint32_t id) {
-      const Box& box = solids_.box(id);
-      const float lowest = solids_.isStill(id) ? box.hi.y : box.lo.y;
-      found |= id != low && id != wall && lowest <= where.hi.y && box.hi.y >= where.lo.y;
+      const bool within = solids_.lowestTop(id) <= where.hi.y && solids_.box(id).hi.y >= where.lo.y;
+      found |= id != low && id != wall && within;
     });
     return found;
   }
@@ -185,17 +179,9 @@ class Passer {
   // Is another part near where it can stop the head of who jumps off a floor of that height?
   bool isStopped(uint32_t low, float floor) {
     const Params& p = level_.params;
-    const float feet = floor - std::max(sim::rayHeight(p), p.hipHeight);
-    const float half = 0.5f * (p.hipHeight + p.bodyTop);
-    const float above = feet + std::min(half, p.hipHeight + p.bodyTop - p.headBottom);
     const float highest = solids_.box(low).hi.y + ways_.most + p.bodyTop;
-    const Box where = around(solids_.box(low), ways_.side, above, highest);
-    bool found = false;
-    work_ += solids_.find(where, [&](uint32_t id) {
-      const Box& box = solids_.box(id);
-      found |= id != low && (solids_.isStill(id) ? box.lo.y : box.hi.y) > above;
-    });
-    return found;
+    return solids_.stopsHead(solids_.box(low), low, ways_.side, floor - deepestFeet(p), highest,
+                             work_);
   }
 
   // Somebody within `from` may be put out of the part.

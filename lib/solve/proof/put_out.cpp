@@ -58,9 +58,9 @@ class Finder {
     const Box floor = solids_.box(from.collider);
     const float later = std::max(hips.later, lowestStart(floor)), felt = std::min(hips.felt, later);
     const float lowest = std::min(felt, hips.lost);
-    forSolids(around(floor, late_, lowest, from.highest), [&](uint32_t id) {
+    forSolids(beside(floor, late_, lowest, from.highest), [&](uint32_t id) {
       const Box& part = solids_.box(id);
-      if ((isStill(id) ? part.hi.y : part.lo.y) > from.highest) return;
+      if (solids_.lowestTop(id) > from.highest) return;
       const float gap = gapBetween(floor, part);
       const float studs = std::max(gap <= soon_ ? depth(id, felt) : 0.0f,
                                    gap <= late_ ? lostDepth(id, hips.lost) : 0.0f);
@@ -89,26 +89,19 @@ class Finder {
     work_ += solids_.find(where, found);
   }
 
-  static Box around(const Box& box, float side, float lowest, float highest) {
-    return {{box.lo.x - side, lowest, box.lo.z - side},
-            {box.hi.x + side, highest, box.hi.z + side}};
-  }
-
-  bool isStill(uint32_t id) const { return solids_.isStill(id); }
-
   // Who pushes through it comes out on its far side, wherever they came from.
   bool isThin(uint32_t id) const {
     const Vec3 half = level_.colliders[id].shape.half;
     const float least = std::min(half.x, half.z);
-    return 2 * (isStill(id) ? least : std::min(least, half.y)) < bodyAcross(p_);
+    return 2 * (solids_.isStill(id) ? least : std::min(least, half.y)) < bodyAcross(p_);
   }
 
   Hips lowestHips(uint32_t floor) {
     const uint32_t flags = level_.bounds[floor].flags;
     if (flags & (level::kMoving | level::kTruss | level::kConveyor)) return {-kFar, -kFar, -kFar};
     const Box box = solids_.box(floor);
-    const float top = isStill(floor) ? box.hi.y : box.lo.y;
-    const float felt = top - std::max(sim::rayHeight(p_), p_.hipHeight);
+    const float top = solids_.lowestTop(floor);
+    const float felt = top - deepestFeet(p_);
     const float fallen = std::max(moves_.apex - felt, 0.0f);
     const float lost = std::min(felt, top - drop_.at(sqrtf32(2 * p_.gravity * fallen)));
     // A tick of the jump, if nothing stops it.
@@ -122,21 +115,13 @@ class Finder {
   float lowestStart(const Box& floor) {
     const float side = late_ + fastest_ / p_.gravity * moves_.speed;
     float lowest = kFar;
-    forSolids(around(floor, side, lowest_, floor.hi.y + p_.bodyTop),
+    forSolids(beside(floor, side, lowest_, floor.hi.y + p_.bodyTop),
               [&](uint32_t id) { lowest = std::min(lowest, hips_[id].lost); });
     return lowest;
   }
 
-  // Is a part, other than `but`, where it can push down somebody whose feet are at `feet` or
-  // higher?
   bool isStopped(const Box& floor, uint32_t but, float side, float feet) {
-    const float half = 0.5f * (p_.hipHeight + p_.bodyTop);
-    const float above = feet + std::min(half, p_.hipHeight + p_.bodyTop - p_.headBottom);
-    bool found = false;
-    forSolids(around(floor, side, above, moves_.apex + p_.bodyTop), [&](uint32_t id) {
-      found |= id != but && (isStill(id) ? solids_.box(id).lo.y : solids_.box(id).hi.y) > above;
-    });
-    return found;
+    return solids_.stopsHead(floor, but, side, feet, moves_.apex + p_.bodyTop, work_);
   }
 
   // How far the torso can be in it, whose hips are at `hips` or higher.
@@ -151,7 +136,7 @@ class Finder {
   void note(uint32_t floor, uint32_t part, float studs, float hips) {
     if (isTooMuch()) return;
     const Box box = solids_.box(part);
-    forSolids(around(box, bodyAcross(p_), hips, moves_.apex + p_.bodyTop), [&](uint32_t id) {
+    forSolids(beside(box, bodyAcross(p_), hips, moves_.apex + p_.bodyTop), [&](uint32_t id) {
       if (id == part) return;
       const float more = depth(id, hips);
       if (more > 0) studs += isThin(id) ? kUnbounded : more;

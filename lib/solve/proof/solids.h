@@ -32,6 +32,14 @@ inline bool isStill(const level::LevelView& level, uint32_t id) {
   return isUpright(level, id) && (level.bounds[id].flags & level::kMoving) == 0;
 }
 
+// So far beside it and between those heights.
+inline Box beside(const Box& box, float side, float lowest, float highest) {
+  return {{box.lo.x - side, lowest, box.lo.z - side}, {box.hi.x + side, highest, box.hi.z + side}};
+}
+
+// How far below the top of their floor feet can be whose legs are bent.
+inline float deepestFeet(const Params& p) { return std::max(sim::rayHeight(p), p.hipHeight); }
+
 // The level's solid parts, each wherever it can be.
 class Solids {
  public:
@@ -42,6 +50,12 @@ class Solids {
   bool isSolid(uint32_t id) const { return solve::isSolid(level_, id); }
   bool isUpright(uint32_t id) const { return solve::isUpright(level_, id); }
   bool isStill(uint32_t id) const { return solve::isStill(level_, id); }
+
+  // The lowest that its top can be, and the highest that its underside can.
+  float lowestTop(uint32_t id) const { return isStill(id) ? boxes_[id].hi.y : boxes_[id].lo.y; }
+  float highestUnderside(uint32_t id) const {
+    return isStill(id) ? boxes_[id].lo.y : boxes_[id].hi.y;
+  }
 
   // All of a body that touches the part is in it, fallen down too.
   Box touching(uint32_t id) const {
@@ -80,6 +94,19 @@ class Solids {
     const Box& box = boxes_[upper];
     const bool thin = 2 * level_.colliders[lower].shape.half.y < p.bodyTop;
     return thin && box.hi.y - box.lo.y > least && mostDepth(upper) > least;
+  }
+
+  // Is a part, other than `but`, where it can push down somebody whose feet are at `feet` or
+  // higher, at most so far beside the box? `work` grows by what has been looked at.
+  bool stopsHead(const Box& box, uint32_t but, float side, float feet, float highest,
+                 size_t& work) const {
+    const Params& p = level_.params;
+    const float half = 0.5f * (p.hipHeight + p.bodyTop);
+    const float above = feet + std::min(half, p.hipHeight + p.bodyTop - p.headBottom);
+    bool found = false;
+    work += find(beside(box, side, above, highest),
+                 [&](uint32_t id) { found |= id != but && highestUnderside(id) > above; });
+    return found;
   }
 
   template <class Found>
