@@ -31,7 +31,9 @@ class Solving {
         query_(query),
         options_(options),
         output_(output),
-        posed_{level.level, level.record.reader().getLevel(), compiled, query, options.policy},
+        posed_{level.level,    level.record.reader().getLevel(),
+               compiled,       query,
+               options.policy, level.motions.get()},
         identity_{compiled.id(), level.level.name(), compiled.start(), options.method->name} {}
 
   Result<QueryAnswer> run(const Machine& machine) {

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "io/record.h"
 #include "level/level.h"
 #include "solve/answers/earlier_answers.h"
 #include "solve/methods.h"
+#include "solve/proof/part_motion.h"
 
 namespace obby::solve {
 
@@ -17,6 +19,8 @@ struct LoadedLevel {
   io::Record record;
   level::Level level;
   double compileSeconds;
+  // For all queries that are asked of it.
+  std::unique_ptr<PartMotions> motions = std::make_unique<PartMotions>();
 };
 
 Result<LoadedLevel> loadLevel(const io::Record& record);

@@ -58,6 +58,52 @@ TEST(PutOut, AJumpIntoAThinFenceEndsBeforeIt) {
   EXPECT_GE(farthestOf(putOutsIn(level)), gained);
 }
 
+// The studs that the bound grants on 28 studs straight ahead from the start.
+float grantedAhead(const level::Level& level) {
+  const Problem problem = support::plainProblem(level, {});
+  const Box from{problem.start.position, problem.start.position}, to{{-4, 0, -32}, {4, 4, -28}};
+  return gapBetween(from, to) - ReachBound(problem, true).wayPast(from, {}, to);
+}
+
+// A fence that the torso of who jumps over it is in when it falls past its far edge.
+TEST(PutOut, AFarEdgePutsOutForwardWhoFallsPastIt) {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {60, 1, 120}).spawn({0, 0, 0});
+  EXPECT_FLOAT_EQ(grantedAhead(b.compile()), 0) << "all of the way is on one floor";
+  // A substep before the feet are below 3.985 studs they are at 4.13: the torso is in it by 0.135.
+  b.block({0, 3.06f, -12}, {60, 6.12f, 0.05f});
+  const level::Level level = b.compile();
+  float gained = 0;
+  for (uint32_t jumpAt = 16; jumpAt < 30; ++jumpAt) {
+    for (int i = 0; i < 28; ++i) {
+      gained = std::max(gained, mostGained(level, 0.01f * float(i), jumpAt));
+    }
+  }
+  EXPECT_GT(gained, 0.02f) << "nobody was put out";
+  EXPECT_GE(grantedAhead(level), gained);
+}
+
+// Whoever passes those has come farther than they put anybody out.
+TEST(PutOut, WhatIsFarFromTheWayGrantsNothing) {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {300, 1, 120}).spawn({0, 0, 0});
+  for (int i = 0; i < 100; ++i) b.block({120, 3, -0.4f * float(i)}, {40, 6, 0.05f});
+  EXPECT_FLOAT_EQ(grantedAhead(b.compile()), 0);
+}
+
+// A wall of 22 studs, so wide, across the way to 28 studs ahead.
+float grantedBehindWall(float width) {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {60, 1, 120}).spawn({0, 0, 0});
+  b.block({0, 10, -14}, {width, 22, 4});
+  return grantedAhead(b.compile());
+}
+
+TEST(PutOut, AWallThatTakesTimeToGoAroundGrantsNothing) {
+  EXPECT_FLOAT_EQ(grantedBehindWall(24), 0);
+  EXPECT_GT(grantedBehindWall(1), 0.1f) << "hardly any time";
+}
+
 TEST(PutOut, NothingIsGainedOnStonesWithGaps) {
   EXPECT_TRUE(putOutsIn(steppingStones().compile()).empty());
 }
@@ -92,21 +138,23 @@ uint32_t saidOfFences(float top, const std::string& limits, const std::string& m
   return uint32_t(f.counts.unreachable);
 }
 
-// At 16 studs/s they take 9.75 s.
+// At 16 studs/s they take 9.75 s; of each half a stud may be had for nothing, at its far edge.
 TEST(PutOut, ALimitALittleTooLowMayBeKeptThroughFences) {
-  const std::string little = R"("timeLimit":9.6)";
-  EXPECT_EQ(saidOfFences(4.4f, little), 0u);
+  const std::string little = R"("timeLimit":9.6)", less = R"("timeLimit":9)";
+  EXPECT_EQ(saidOfFences(4.4f, less), 0u);
   EXPECT_EQ(saidOfFences(4.4f, R"("timeLimit":5)"), 1u) << "too far for that";
-  EXPECT_EQ(saidOfFences(4.4f, little + R"(,"maxJumps":0)"), 1u) << "by jumps only";
-  EXPECT_EQ(saidOfFences(0.3f, little), 1u) << "below the torso";
-  EXPECT_EQ(saidOfFences(14, little), 1u) << "as high as the head";
+  EXPECT_EQ(saidOfFences(4.4f, less + R"(,"maxJumps":0)"), 1u) << "by jumps only";
+  EXPECT_EQ(saidOfFences(0.3f, less), 1u) << "below the torso";
+  EXPECT_EQ(saidOfFences(14, less), 1u) << "as high as the head";
+  EXPECT_EQ(saidOfFences(0.3f, little), 0u) << "but fallen past";
+  EXPECT_EQ(saidOfFences(8.5f, little), 0u) << "jumped over, and fallen past";
 }
 
 // The legs of who trips on the way are put out of what is there.
 TEST(PutOut, NothingIsSaidOfTimeWhereSomebodyMayFallDown) {
   const char* trip =
       R"(,{"name":"Trip","position":[0,1,-20],"size":[2,2,2],"solid":false,"trip":{}})";
-  EXPECT_EQ(saidOfFences(0.3f, R"("timeLimit":9.6)", trip), 0u);
+  EXPECT_EQ(saidOfFences(0.3f, R"("timeLimit":9)", trip), 0u);
 }
 
 TEST(PutOut, CountsFromWhereItCanBegin) {

@@ -100,4 +100,12 @@ PartMotion partMotion(const level::LevelView& level, uint32_t collider) {
   return motion;
 }
 
+std::vector<PartMotion> partMotions(const level::LevelView& level) {
+  std::vector<PartMotion> motions;
+  for (uint32_t i = 0; i < level.colliderCount; ++i) {
+    if (level.colliders[i].mover != level::kNone) motions.push_back(partMotion(level, i));
+  }
+  return motions;
+}
+
 }  // namespace obby::solve

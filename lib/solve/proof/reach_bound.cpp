@@ -65,13 +65,17 @@ Launch ReachBound::launch(const Support& s, bool jumping) const {
 // Who is pushed is moved along with what pushes, and keeps the height and speed of the flight: only
 // the ways to it, on from it and between two of them are flown.
 std::vector<Ride> ReachBound::ridesFrom(const Support& s, float lowest) const {
+  if (pushers_.empty()) return {};
+  return ridesOn(launch(s), std::min(lowest, s.feet.hi.y));
+}
+
+std::vector<Ride> ReachBound::ridesOn(const Launch& l, float lowest) const {
   std::vector<Ride> open;
   if (pushers_.empty()) return open;
-  const Launch l = launch(s);
-  const float farthest = flight_.reach(l, std::min(lowest, s.feet.hi.y));
+  const float farthest = flight_.reach(l, lowest);
   for (const Pusher& by : pushers_) {
     const bool meets = by.pushed.lo.y - p_.bodyTop <= flight_.apex(l);
-    if (meets && by.speed > kPushes) open.push_back({&by, gapBetween(s.feet, by.pushed)});
+    if (meets && by.speed > kPushes) open.push_back({&by, gapBetween(l.from, by.pushed)});
   }
   return nearestFirst(std::move(open), farthest);
 }

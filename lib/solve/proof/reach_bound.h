@@ -11,6 +11,7 @@
 // is not so, and who can come into one can come anywhere.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -66,6 +67,10 @@ class ReachBound {
   // gives the studs that are left.
   std::vector<Ride> ownRides(const Box& from) const;
 
+  // Studs from one box to the other that somebody comes at fastest(), at least, with these
+  // ownRides(): less than wayBetween() by what the parts on the way put them out by.
+  float wayPast(const Box& from, const std::vector<Ride>& rides, const Box& to) const;
+
   // How far jumps may move somebody at once, besides. Not to be asked where fastest() is infinite.
   std::vector<PutOut> putOuts() const;
 
@@ -80,12 +85,45 @@ class ReachBound {
   bool crosses(const Launch& l, float gap, const Support& to, bool jumping) const;
   // That can be met in a flight from there before the feet are below `lowest`.
   std::vector<Ride> ridesFrom(const Support& s, float lowest) const;
+  std::vector<Ride> ridesOn(const Launch& l, float lowest) const;
   // reach_slopes.cpp
   float fastestReached() const;
   float fastestOfAll() const;
+  bool isSteepOnly(const Support& s) const;
+  bool isIce(const Support& s) const;
   bool glancesFar(float upward, float most) const;
   bool glancesOver(bool ice) const;
   float rampSpeed(const Support& s) const;
+  // reach_falls.cpp
+  struct Fall {
+    Launch from;
+    float top;  // feet, at the highest
+  };
+  Fall fallFrom(const Support& s, float reached) const;
+  std::vector<float> highestFalls() const;
+  bool spreadFalls(const std::vector<size_t>& from, const std::vector<size_t>& slopes,
+                   std::vector<float>& highest) const;
+  bool isSlopeNear(size_t support, float studs) const;
+  float speedAfter(float before, float fall, bool together) const;
+  struct Glance {
+    float after;   // studs/s sideways, from then on
+    float atOnce;  // studs beyond those, in the first tick
+    // Studs from the feet then up to where a flight from the slope is taken to begin, which may be
+    // the longer one; negative: they may land on ice, which leaves them as fast and takes them
+    // anywhere.
+    float below;
+  };
+  Glance glanceAt(float speed, float below) const;
+  bool outruns(const Glance& g, float more) const;
+  float turnedAside(float given, float more) const;
+  // reach_edges.cpp
+  struct Heights {
+    float apex, upward;  // of any feet, studs and studs/s
+    float beside;        // studs that turning beside a part gains
+    float climbed;       // studs of a substep of a climb, which is never cut up
+  };
+  Heights heights() const;
+  float putOutPast(const Support& s, const Heights& of) const;
 
   const Problem& problem_;
   const Params& p_;

@@ -38,17 +38,31 @@ float highestUnder(const level::Collider& c, const Box& box) {
 // Speed is kept in the air, on ice and for a moment after landing: what is gained anywhere counts
 // everywhere.
 float ReachBound::fastestReached() const {
-  float more = 0, upward = 0;
+  float more = 0, given = 0, upward = 0;
   for (size_t i = 0; i < supports_.size(); ++i) {
     if (jumps_[i] == kNever) continue;
-    more = std::max(more, supports_[i].sideways);
-    upward = std::max(upward, launch(supports_[i]).upward);
+    const Support& s = supports_[i];
+    more = std::max(more, s.sideways);
+    if (!isSteepOnly(s)) given = std::max(given, s.sideways);
+    upward = std::max(upward, launch(s).upward);
   }
-  const float most = fastestOfAll();
-  if (slopes_ && (anyHelpless(problem_.level) || glancesFar(upward, most - walkSpeed_))) {
-    return std::max(most, flight_.sideways());
-  }
-  return std::min(walkSpeed_ + more, std::max(most, flight_.sideways()));
+  const float all = fastestOfAll(), most = std::max(all, flight_.sideways());
+  if (!slopes_) return std::min(walkSpeed_ + more, most);
+  // Keys that brake less than slopes make fast let a slide grow without end.
+  const bool slides = p_.airAccel < 0.5f * p_.gravity;
+  if (slides || anyHelpless(problem_.level) || glancesFar(upward, all - walkSpeed_)) return most;
+  return std::min(walkSpeed_ + turnedAside(given, more), most);
+}
+
+// Does it give speed by its steepness alone?
+bool ReachBound::isSteepOnly(const Support& s) const {
+  constexpr uint32_t kGives = level::kConveyor | level::kCarries | level::kSeat | level::kPad;
+  return s.tilted && !(problem_.level.bounds[s.collider].flags & kGives);
+}
+
+// Is it a floor on which keys hardly slow down?
+bool ReachBound::isIce(const Support& s) const {
+  return s.carries && problem_.level.colliders[s.collider].friction < p_.iceFriction;
 }
 
 // Clamped along each axis.
@@ -58,10 +72,10 @@ float ReachBound::fastestOfAll() const { return 1.42f * problem_.level.maxSideSp
 // back within so many studs: more than a flight that ends there loses, and than what steep faces
 // are granted? Who fell over has no legs to brace, and no keys to slow down with.
 bool ReachBound::glancesFar(float upward, float most) const {
-  constexpr float kSpare = 1.5f;  // studs that a support's feet are granted beyond the truth
+  const float jump = mayJump_ ? std::min(upward, jumpSpeed_) : 0.0f;
   const auto isFar = [&](float gained) {
     const float studs = gained * gained / (2 * std::max(p_.airAccel, 1e-3f));
-    return studs > kSpare + kSteepSpeed * upward / p_.gravity;
+    return studs > kFeetSpare + kSteepSpeed * jump / p_.gravity;
   };
   const float always = std::max(most, 0.0f), once = std::min(0.5f * upward, always);
   return isFar(once) || (isFar(always) && glancesOver(true));
@@ -81,13 +95,16 @@ bool ReachBound::glancesOver(bool ice) const {
   }
   if (slopes.empty()) return false;
   const BoxIndex index(std::move(slopes));
-  const float side = bodySide(p_) + kSlack;
   bool found = false;
   for (size_t i = 0; i < supports_.size() && !found; ++i) {
     const Support& s = supports_[i];
     if (jumps_[i] == kNever || !s.carries) continue;
-    if (ice && !(level.colliders[s.collider].friction < p_.iceFriction)) continue;
-    const float head = flight_.apex(launch(s)) + p_.bodyTop, hips = s.entry + p_.hipHeight;
+    if (ice && !isIce(s)) continue;
+    const Launch l = launch(s);
+    const float head = flight_.apex(l) + p_.bodyTop, hips = s.entry + p_.hipHeight;
+    // From ice to ice they come aside, too.
+    const float far = ice ? flight_.reach(l, flight_.apex(l)) : 0.0f;
+    const float side = bodySide(p_) + kSlack + std::max(far, 0.0f);
     const Box over{{s.feet.lo.x - side, hips, s.feet.lo.z - side},
                    {s.feet.hi.x + side, std::max(head, hips), s.feet.hi.z + side}};
     index.find(over, [&](uint32_t slope) { found |= ids[slope] != s.collider; });
@@ -95,12 +112,12 @@ bool ReachBound::glancesOver(bool ice) const {
   return found;
 }
 
-// Studs/s upward at which a slope lets go of somebody who runs up it: it turns half of the speed
-// upward at once, and on the way up keys hold as much against gravity.
+// Studs/s upward at which slopes let go of somebody who runs up them: one after the other they turn
+// nearly all of the speed upward, and on the way up keys hold as much against gravity.
 float ReachBound::rampSpeed(const Support& s) const {
   constexpr float kSpare = 1.05f;
   if (!s.tilted && !(s.keepsSpeed && slopes_)) return 0;
-  return flight_.sideways() * std::max(0.5f, kSpare * p_.groundAccel / p_.gravity);
+  return flight_.sideways() * std::max(1.0f, kSpare * p_.groundAccel / p_.gravity);
 }
 
 }  // namespace obby::solve

@@ -23,8 +23,8 @@ class Builder {
       : problem_(problem), level_(problem.level), p_(level_.params), rise_(springRise(p_)) {}
 
   std::vector<Support> build() {
+    movers_ = problem_.motions != nullptr ? problem_.motions->of(level_) : partMotions(level_);
     for (uint32_t i = 0; i < level_.colliderCount; ++i) {
-      if (level_.colliders[i].mover != level::kNone) movers_.push_back(partMotion(level_, i));
       if (level_.bounds[i].flags & level::kSeat) seated_.push_back(seatedBody(i));
     }
     heldSide_ = mostHeldSide();
@@ -223,6 +223,7 @@ class Builder {
     if (flags & level::kPad) {
       const Vec3 v = level_.roles[c.role].padVelocity;
       s.thrown = std::max(s.thrown, v.y);
+      s.down = std::max(-v.y, 0.0f);
       s.sideways = std::max(s.sideways, length(Vec3{v.x, 0, v.z}));
     }
     if (flags & level::kTruss) {

@@ -8,7 +8,8 @@
 
 namespace obby::solve {
 
-constexpr float kSteepSpeed = 4;  // studs/s gained on faces steeper than any slope limit
+constexpr float kSteepSpeed = 4;    // studs/s gained on faces steeper than any slope limit
+constexpr float kFeetSpare = 1.5f;  // studs that the feet of two supports reach beyond the truth
 
 struct Support {
   Box feet;                          // where the feet can be while it carries; hi.y: at the highest
@@ -17,6 +18,7 @@ struct Support {
   float upward = 0;                  // studs/s at which it lifts; a jump adds to it
   float thrown = 0;                  // studs/s at which it lets go without a jump
   float sprung = 0;                  // likewise, off the springs of legs on a floor that rises
+  float down = 0;                    // studs/s downward at which it lets go
   float sideways = 0;                // studs/s that it gives, beside walking
   float pushes = 0;                  // studs/s at which it moves who is in its way, at most
   Box pushed;                        // where those are meanwhile

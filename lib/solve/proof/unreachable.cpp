@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "solve/proof/crowding.h"
 #include "solve/query/targets.h"
@@ -104,39 +105,47 @@ class Prover {
 
   Box boxOf(const level::TargetView& t) const { return bound_.boxOf(t); }
 
-  // Studs to any of them that somebody comes by own speed, at least.
-  float wayTo(const Targets& any, const Box& from) const {
+  // Studs to any of them that somebody comes by own speed, at least. `past`: parts on the way may
+  // put them out by some of it.
+  float wayTo(const Targets& any, const Box& from, bool past) const {
+    constexpr size_t kMostWays = 1000;  // that are looked at so closely
+    if (past && any.size() > kMostWays) return 0;
     const std::vector<Ride> rides = bound_.ownRides(from);
     float least = 1e30f;
     for (const level::TargetView* t : any) {
-      least = std::min(least, wayBetween(from, rides, boxOf(*t)));
+      const Box to = boxOf(*t);
+      least = std::min(least, past ? bound_.wayPast(from, rides, to) : wayBetween(from, rides, to));
     }
     return least;
   }
 
   // Along the waypoints in order, and by any one visit, at the fastest speed and straight.
-  float leastDistance() const {
+  float leastDistance(bool past) const {
     Box at{problem_.start.position, problem_.start.position};
     const Box from = at;
     float walked = 0;
     for (uint32_t i = 0; i < q_.waypointCount; ++i) {
-      walked += wayTo({&q_.waypoints[i].target}, at);
+      walked += wayTo({&q_.waypoints[i].target}, at, past);
       at = boxOf(q_.waypoints[i].target);
     }
     float around = 0;
     for (uint32_t i = 0; i < q_.visitCount; ++i) {
-      around = std::max(around, wayTo({&q_.visits[i]}, from) + wayTo(goals_, boxOf(q_.visits[i])));
+      const float behind = wayTo(goals_, boxOf(q_.visits[i]), past);
+      around = std::max(around, wayTo({&q_.visits[i]}, from, past) + behind);
     }
-    return std::max(walked + wayTo(goals_, at), around);
+    return std::max(walked + wayTo(goals_, at, past), around);
   }
 
   std::optional<Cut> late() const {
     if (q_.timeLimitTicks == 0) return std::nullopt;
     const Params& p = problem_.level.params;
     const float most = float(q_.timeLimitTicks) * p.tickSeconds, spare = 2 * p.tickSeconds;
-    const float studs = leastDistance(), speed = bound_.fastest();
+    const float studs = leastDistance(false), speed = bound_.fastest();
     if (!(studs / speed - spare > most)) return std::nullopt;
-    const float seconds = secondsFor(studs, speed, bound_.putOuts(), q_.maxJumps) - spare;
+    const float own = std::min(leastDistance(true), studs);
+    std::vector<PutOut> outs = bound_.putOuts();
+    for (PutOut& out : outs) out.away = std::max(out.away - (studs - own), 0.0f);
+    const float seconds = secondsFor(own, speed, std::move(outs), q_.maxJumps) - spare;
     if (!(seconds > most)) return std::nullopt;
     Cut cut = start(goalName_);
     cut.seconds = seconds;

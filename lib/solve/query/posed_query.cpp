@@ -16,7 +16,8 @@ Problem problemOf(const PosedQuery& posed) {
           posed.level.bounds(),
           posed.level.hasMotion(),
           {},
-          posed.policy};
+          posed.policy,
+          posed.motions};
 }
 
 bool solves(const Playthrough& playthrough, const PosedQuery& posed) {

@@ -16,6 +16,8 @@ class Network;
 
 namespace obby::solve {
 
+class PartMotions;
+
 // What to hold, and for how long, from the start on.
 using KnownWay = std::vector<sim::ActionRun>;
 
@@ -29,6 +31,7 @@ struct Problem {
   bool hasClock = false;  // moving or timed parts: the outcome depends on the level clock
   std::vector<KnownWay> known = {};         // playthroughs of an earlier answer, tried first
   const policy::Network* policy = nullptr;  // for methods that use one; must outlive the search
+  const PartMotions* motions = nullptr;     // of the level; null: a proof works them out itself
 };
 
 // The answer depends on seed, maxSteps, solutions, diverse and the problem only, never on the
