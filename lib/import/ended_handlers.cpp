@@ -1,6 +1,7 @@
-// A role is lost from the end of the handler on that it comes from.
+// A role is lost from the end of the handler on that it comes from, or while that is not connected.
 #include "import/ended_handlers.h"
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -78,14 +79,31 @@ class EndedHandlers {
   std::set<InstanceId> seen_;  // what the events of one timeline move: loops have thousands
 };
 
+// What a touch does by a handler that a condition which the text does not tell may keep from it.
+void noteMaybe(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
+  const bool maybe = timeline.trigger == Trigger::touch && timeline.maybe;
+  const PartDraft* part = maybe ? context.part(timeline.touched) : nullptr;
+  if (!part || !(part->kill || part->vanish || part->jumpPad || part->teleport)) return;
+  const std::string script = "script " + context.tree.at(reading.script).name + " line ";
+  const bool shown = std::any_of(
+      part->evidence.begin(), part->evidence.end(),
+      [&](const Evidence& e) { return e.role != "scripted" && e.reason.rfind(script, 0) == 0; });
+  if (shown)
+    context.level.noteUnmodelled("handler that a script may connect", context.tree.path(part->id),
+                                 "taken as connected: the condition is not known; " +
+                                     scriptReason(context.tree, reading, timeline.line));
+}
+
 }  // namespace
 
 void noteEndedHandlers(RoleContext& context) {
   EndedHandlers handlers(context);
   for (const ScriptReading& reading : context.scripts)
-    for (const Timeline& timeline : reading.timelines)
+    for (const Timeline& timeline : reading.timelines) {
       if (timeline.cutLine > 0 || timeline.trigger == Trigger::touch)
         handlers.note(reading, timeline);
+      noteMaybe(context, reading, timeline);
+    }
 }
 
 }  // namespace obby::importer

@@ -7,11 +7,10 @@
 #include <string_view>
 
 #include "import/pose_math.h"
+#include "import/script_side.h"
 
 namespace obby::importer {
 namespace {
-
-constexpr uint32_t kRunClient = 2;  // RunContext
 
 constexpr std::string_view kSwitches[] = {"CanCollide", "CanTouch", "Anchored"};
 
@@ -32,11 +31,6 @@ bool isStated(const ScriptEvent& event) {
   const bool vector = event.vector && !std::isnan(event.vector->x) &&
                       !std::isnan(event.vector->y) && !std::isnan(event.vector->z);
   return number || event.flag || vector;
-}
-
-bool runsOnClient(const Instance& script) {
-  const auto* context = property<EnumItem>(script, "RunContext");
-  return script.className == "LocalScript" || (context && context->value == kRunClient);
 }
 
 }  // namespace

@@ -9,11 +9,11 @@
 #include "import/format/class_defaults.h"
 #include "import/luau/parser.h"
 #include "import/luau/reader.h"
+#include "import/script_side.h"
 
 namespace obby::importer {
 namespace {
 
-constexpr uint32_t kRunServer = 1, kRunClient = 2;
 constexpr size_t kMaxSource = 1 << 20;  // bytes; larger texts are data, not scripts
 constexpr size_t kScriptSteps = 1000000, kPlaceSteps = 20000000;
 // What a script that joins parts has in its text.

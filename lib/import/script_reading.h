@@ -85,6 +85,7 @@ struct Timeline {
   size_t loopEvent = 0;  // index of the first event of the loop
   double period = 0;     // seconds of one round of the loop (or of all that were followed)
   bool closed = false;   // after `period` the parts are back where the loop began
+  bool maybe = false;    // begun or connected under a condition that the text does not decide
   bool vague = false;    // waits for a time that the text does not tell: taken as the shortest
   // Index of the first event behind a loop that waits until something holds which the text does not
   // tell, and that was passed over.
@@ -105,6 +106,8 @@ struct ScriptReading {
   bool exhausted = false;         // the step budget ended the reading
   bool givesParents = false;      // the text gives something another parent, not nil
   bool makesJoints = false;       // the text names joints
+  std::vector<int> waysOut;       // lines of them, out of loops that were taken as endless: what
+                                  // follows those was not read
   std::vector<std::string> tags;  // tags that it asks CollectionService for
 };
 

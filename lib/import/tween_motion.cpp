@@ -20,7 +20,6 @@ constexpr double kSteepest = 8;     // an easing is so many times faster than it
 constexpr double kMostKeys = 1500;  // of all rounds
 constexpr double kTicks = 60;       // a second
 constexpr float kSamePlace = 1e-3f;  // studs
-constexpr int kMostRounds = 100;
 
 // How a tween turns: degrees about each axis, or nothing where its goal is a pose.
 Vec3 turnOf(const Pose& from, const ScriptEvent& event) {
@@ -127,7 +126,7 @@ Pose poseAfter(const Pose& from, const ScriptEvent& event) {
 void appendTween(std::vector<MotionKey>& keys, const ScriptEvent& event, double time) {
   const TweenTiming& t = event.tween;
   const Pose from = keys.back().pose;
-  const int rounds = std::clamp(t.repeats, 0, kMostRounds) + 1;
+  const int rounds = std::clamp(t.repeats, 0, kMostTweenRepeats) + 1;
   const Way way(from, event, t.reverses ? 2 * rounds : rounds);
   double now = std::max(time + t.delay, double(keys.back().time));
   const auto hold = [&] {

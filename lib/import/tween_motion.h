@@ -8,6 +8,10 @@
 
 namespace obby::importer {
 
+// Repeats of a tween that are done, unless it goes on for longer than a motion can: that one counts
+// as endless.
+constexpr int kMostTweenRepeats = 100;
+
 // Whether both set where the part is, or both which way it is turned.
 bool setTheSame(const ScriptEvent& a, const ScriptEvent& b);
 

@@ -8,34 +8,11 @@
 #include "import/format/class_defaults.h"
 #include "import/onset.h"
 #include "import/scripted_changes.h"
+#include "import/terrain.h"
 #include "import/words.h"
 
 namespace obby::importer {
 namespace {
-
-constexpr size_t kEmptyTerrain = 64;  // bytes: voxel data of this size holds nothing to stand on
-
-// Of voxels, which files store as a text of their own or as a shared one.
-size_t bytesOf(const Instance& terrain, const char* name) {
-  const auto* own = property<std::string>(terrain, name);
-  const auto* shared = property<SharedBlob>(terrain, name);
-  return own ? own->size() : shared ? shared->bytes->size() : 0;
-}
-
-void noteTerrain(RoleContext& context) {
-  const InstanceId workspace = context.tree.service("Workspace");
-  if (workspace == kNoInstance) return;
-  const InstanceId terrain = context.tree.childOfClass(workspace, "Terrain");
-  if (terrain == kNoInstance) return;
-  for (const char* name : {"SmoothGrid", "ClusterGridV3", "ClusterGridV2", "ClusterGrid"}) {
-    const size_t voxels = bytesOf(context.tree.at(terrain), name);
-    if (voxels <= kEmptyTerrain) continue;
-    context.level.noteUnmodelled(
-        "terrain", context.tree.path(terrain),
-        std::to_string(voxels) + " bytes of voxels that a player could stand on");
-    return;
-  }
-}
 
 // Names of things that would need a number which a name does not tell.
 struct TellingName {
@@ -85,7 +62,7 @@ void noteInstances(RoleContext& context) {
     if (instance.className == "VehicleSeat")
       context.level.noteUnmodelled("vehicle seat", tree.path(part.id),
                                    "a plain part: a player is not caught by it");
-    if (!hasRole(part))
+    if (!hasRole(part) && !hasEvidence(part, kHarmless))
       for (const std::string& tag : instance.tags)
         context.level.noteIgnored("tag " + tag, tree.path(part.id), "no role is known for it");
     const auto group = get<std::string>(instance, "CollisionGroup");
@@ -141,6 +118,10 @@ void noteScript(RoleContext& context, const ScriptReading& reading) {
   if (reading.exhausted)
     level.noteUnmodelled("very long script", path,
                          "read as far as the budget of steps, rounds and nested calls went");
+  for (const int line : std::set<int>(reading.waysOut.begin(), reading.waysOut.end()))
+    level.noteUnmodelled("loop that may end", path,
+                         "goes on for ever, and what follows it is not read; " +
+                             scriptReason(context.tree, reading, line));
 }
 
 // What a touch does that no role covers: a kind and what is lost.
@@ -172,6 +153,11 @@ std::optional<Effect> changeOf(RoleContext& context, const Timeline& timeline,
   return std::nullopt;
 }
 
+bool isHarmless(RoleContext& context, InstanceId id) {
+  const PartDraft* part = context.part(id);
+  return part && hasEvidence(*part, kHarmless);
+}
+
 std::optional<Effect> effectOf(RoleContext& context, const Timeline& timeline,
                                const ScriptEvent& event) {
   switch (event.kind) {
@@ -188,7 +174,8 @@ std::optional<Effect> effectOf(RoleContext& context, const Timeline& timeline,
       if (event.property == "WalkSpeed" || event.property == "JumpPower" ||
           event.property == "JumpHeight" || event.property == "Gravity")
         return Effect{"speed or jump booster", "the player's speed and jump stay as they are"};
-      if (event.property == "Health") return Effect{"harm that a script computes", "none is taken"};
+      if (event.property == "Health" && !isHarmless(context, timeline.touched))
+        return Effect{"harm that a script computes", "none is taken"};
       if (event.property == "Sit" || event.property == "PlatformStand")
         return Effect{"trip part", "the player stays on its feet"};
       return std::nullopt;

@@ -95,6 +95,9 @@ TEST(BrickColors, KnownNumbersAndTheFallback) {
   EXPECT_EQ(rgb(1032), 0xff00bf);
   EXPECT_EQ(rgb(-1), 0xa3a2a5);
   EXPECT_EQ(rgb(4), 0xa3a2a5);
+  EXPECT_EQ(importer::brickColorNumber(brickColor(1004)).value_or(0), 1004);
+  EXPECT_EQ(importer::brickColorNumber(brickColor(4)).value_or(0), 194);
+  EXPECT_FALSE(importer::brickColorNumber(ColorRgb{1, 2, 3}).has_value());
 }
 
 }  // namespace

@@ -64,6 +64,50 @@ TEST(Doubt, OneOfTwoValuesIsNeither) {
   }
 }
 
+TEST(Doubt, AVariableThatABranchMaySetIsOneOfTwo) {
+  const std::pair<const char*, bool> cases[] = {
+      {"local y = 5 if math.random() > 0.5 then y = 9 end", false},
+      {"local y = 5 if math.random() > 0.5 then y = 5 else y = 9 end", false},
+      {"local y = 5 local function rise() y = 9 end if _G.high then rise() end", false},
+      {"local y = 5 if _G.high then if _G.higher then y = 9 end end", false},
+      {"local t = {y = 5} if _G.high then t.y = 9 end local y = t.y", false},
+      {"local y if _G.high then y = 9 else y = 5 end", false},
+      {"local y = _G.height if not y then y = 5 end", true},
+      {"local y = _G.height if y == nil then y = 5 end", true},
+      {"local y = 5 if math.random() > 0.5 then y = 5 end", true},
+      {"local y = 9 if b.Name == 'Barrier' then y = 5 end", true},
+      {"local y = 5 for i = 1, 2 do if _G.high then y = 9 break end end", true}};
+  for (const auto& [text, known] : cases) {
+    Barred scene(std::string(text) + "\nb.Position = Vector3.new(0, y, 0)");
+    scene.level();
+    EXPECT_EQ(scene[scene.barrier].pose.position, (Vec3{0, known ? 5.0f : 0.0f, 0})) << text;
+    EXPECT_EQ(scene[scene.barrier].evidence.empty(), !known) << text;
+  }
+}
+
+TEST(Doubt, AHandlerThatMayBeConnectedIsAGuess) {
+  const std::pair<const char*, bool> cases[] = {
+      {"if v.BrickColor == _G.red then v.Touched:Connect(kill) end", true},
+      {"if v.Name:match('B[aeiou]r') then v.Touched:Connect(kill) end", true},
+      {"if v.Name == _G.name then continue end v.Touched:Connect(kill)", true},
+      {"task.spawn(function() if _G.late then v.Touched:Connect(kill) end end)", true},
+      {"if _G.client then return end v.Touched:Connect(kill)", false},
+      {"if _G.client then return end task.spawn(function() v.Touched:Connect(kill) end)", false},
+      {"if v.Name == 'Barrier' then v.Touched:Connect(kill) end", false},
+      {"if v.Name ~= 'Barrier' then continue end v.Touched:Connect(kill)", false}};
+  for (const auto& [text, guessed] : cases) {
+    Barred scene(
+        "local function kill(hit) local h = hit.Parent:FindFirstChild('Humanoid')\n"
+        "if h then h.Health = 0 end end\n"
+        "for _, v in workspace:GetChildren() do " +
+        std::string(text) + " end");
+    scene.level();
+    EXPECT_TRUE(scene[scene.barrier].kill) << text;
+    EXPECT_EQ(scene.evidence(scene.barrier, "kill").rfind("guessed: ", 0) == 0, guessed) << text;
+    EXPECT_EQ(scene.unmodelled("handler that a script may connect"), guessed ? 1u : 0u) << text;
+  }
+}
+
 TEST(Doubt, AValueThatBothWaysGiveIsKnown) {
   const char* const values[] = {"if math.random() > 0.5 then 30 else 30",
                                 "math.random() > 0.5 and 30 or 30",
@@ -108,6 +152,49 @@ TEST(Doubt, AWayOutEndsWithItsFunctionOrLoop) {
     EXPECT_TRUE(scene.level().parts.empty()) << text;
     EXPECT_TRUE(scene.level().unmodelled.empty()) << text;
   }
+}
+
+TEST(Doubt, APlayerIsNotInStudio) {
+  const char* const texts[] = {
+      "if game:GetService('RunService'):IsStudio() then return end b.CanCollide = false",
+      "local run = game:GetService('RunService') b.CanCollide = run:IsStudio()"};
+  for (const char* text : texts) {
+    Barred scene(text);
+    scene.level();
+    EXPECT_FALSE(scene[scene.barrier].solid) << text;
+    EXPECT_TRUE(scene.level().unmodelled.empty()) << text;
+  }
+}
+
+TEST(Doubt, AListHoldsWhatIsPutAtAPlaceThatIsCounted) {
+  Scene scene;
+  const auto first = scene.part("R1"), second = scene.part("R2", {9, 0, 0});
+  const auto other = scene.part("S", {18, 0, 0});
+  scene.script(
+      "local n, list = 0, {} for _, v in pairs(workspace:GetChildren()) do "
+      "if v.Name:match('R[%d]') then n = n + 1 list[n] = v end end "
+      "for _, v in ipairs(list) do v.Touched:Connect(function(hit) "
+      "hit.Parent.Humanoid.Health = 0 end) end",
+      scene.scripts);
+  scene.level();
+  EXPECT_TRUE(scene[first].kill);
+  EXPECT_TRUE(scene[second].kill);
+  EXPECT_TRUE(scene[other].kill);  // the text does not tell which names match
+}
+
+TEST(Doubt, AScriptKnowsOnWhichSideItRuns) {
+  const char* const texts[] = {
+      "local run = game:GetService('RunService') if run:IsServer() then b.CanCollide = false end",
+      "if game:GetService('RunService'):IsClient() then return end b.CanCollide = false"};
+  for (const char* text : texts) {
+    Barred scene(text);
+    scene.level();
+    EXPECT_FALSE(scene[scene.barrier].solid) << text;
+    EXPECT_TRUE(scene.level().unmodelled.empty()) << text;
+  }
+  Barred scene("if game:GetService('RunService'):IsClient() then b.CanCollide = false end");
+  EXPECT_TRUE(scene.level().unmodelled.empty());
+  EXPECT_TRUE(scene[scene.barrier].solid);
 }
 
 TEST(Doubt, AScriptOfACharacterThatLooksForItsHumanoidIsSure) {

@@ -39,6 +39,30 @@ TEST(ForLoops, ThatCountForEverAreTimers) {
   EXPECT_NEAR(scene[scene.self].vanish->delay, 2, 1e-3);
 }
 
+TEST(ForLoops, ThatOutlastAMotionAreEndless) {
+  for (const char* loop : {"for i = 1, 1e6 do", "for i = 1, 5000 do", "for i = 1e5, 1, -2 do"}) {
+    ScriptedPart scene(std::string(loop) +
+                       " p.CanCollide = false wait(1) p.CanCollide = true task.wait(2) end");
+    ASSERT_TRUE(scene[scene.self].vanish) << loop;
+    EXPECT_TRUE(scene[scene.self].vanish->timer) << loop;
+    EXPECT_NEAR(scene[scene.self].vanish->away, 1, 1e-3) << loop;
+    EXPECT_NEAR(scene[scene.self].vanish->delay, 2, 1e-3) << loop;
+    EXPECT_TRUE(scene.level().unmodelled.empty()) << loop;
+  }
+  ScriptedPart turns("for i = 1, 1e6 do p.CFrame *= CFrame.Angles(0, 0.05, 0) task.wait() end");
+  ASSERT_TRUE(turns[turns.self].motion);
+  EXPECT_TRUE(turns[turns.self].motion->spin);
+  ScriptedPart only("for i = 1, 1e6 do wait(1) end\n" + kKill);
+  EXPECT_TRUE(only[only.self].kill);
+}
+
+// What does not wait is over at once, however often it goes.
+TEST(ForLoops, OfManyRoundsWithoutAWaitAreNamed) {
+  ScriptedPart scene("for i = 1, 1e6 do p.Transparency = 0.5 end\n" + kKill);
+  EXPECT_TRUE(scene[scene.self].kill);
+  EXPECT_EQ(scene.unmodelled("very long script"), 1u);
+}
+
 TEST(ForLoops, ThatCountForDaysAndOnlyWaitArePassedOver) {
   for (const char* body : {"local x = i", "wait(1)"}) {
     ScriptedPart scene("for i = 1, 1e9 do " + std::string(body) + " end\n" + kKill);

@@ -76,19 +76,72 @@ TEST(HandlerFlags, WhatNoFlagGuardsComesAgain) {
   }
 }
 
+// A part, and a script on it with a value object `Done`, which calls the part `p`.
+struct Valued : Scene {
+  explicit Valued(const std::string& text) {
+    const auto own = script("local p = script.Parent\n" + text, self);
+    value("BoolValue", "Done", false, own);
+    level();
+  }
+  const InstanceId self = part("Pad");
+};
+
+TEST(HandlerFlags, TheyMayBeFieldsValuesAndAttributes) {
+  struct Case {
+    std::string before, asks, sets, setsBack;
+  };
+  const Case cases[] = {
+      {"local s = {done = false}", "s.done", "s.done = true", "s.done = false"},
+      {"local s = {}", "s['done']", "s.done = true", "s['done'] = nil"},
+      {"local s = {done = false}", "s.done == true", "s.done = true", "s = {done = false}"},
+      {"local s = {at = {}}", "s.at.done", "s.at.done = true", "s.at.done = false"},
+      {"", "script.Done.Value", "script.Done.Value = true", "script.Done.Value = false"},
+      {"local done = script:WaitForChild('Done')", "done.Value", "done.Value = true",
+       "script:FindFirstChild('Done').Value = false"},
+      {"", "p:GetAttribute('Done')", "p:SetAttribute('Done', true)",
+       "p:SetAttribute('Done', nil)"}};
+  for (const Case& now : cases) {
+    const std::string touch = now.before + " p.Touched:Connect(function(hit)\nif " + now.asks +
+                              " then return end " + now.sets + " " + kGoesAndComesBack;
+    Valued once(touch + "end)");
+    EXPECT_TRUE(once[once.self].vanish) << touch;
+    EXPECT_EQ(once.unmodelled(kOnce), 1u) << touch;
+    Valued again(touch + now.setsBack + " end)");
+    EXPECT_TRUE(again[again.self].vanish) << touch;
+    EXPECT_EQ(again.unmodelled(kOnce), 0u) << touch << now.setsBack;
+    Valued later(touch + "end) workspace.Changed:Connect(function() " + now.setsBack + " end)");
+    EXPECT_EQ(later.unmodelled(kOnce), 0u) << touch << now.setsBack;
+  }
+}
+
+TEST(HandlerFlags, WhatEachTouchMakesAnewKeepsItFromNothing) {
+  const char* const touches[] = {
+      "p.Touched:Connect(function(hit) local s = {} if s.done then return end s.done = true ",
+      "p.Touched:Connect(function(hit) if hit.Parent:GetAttribute('Done') then return end\n"
+      "hit.Parent:SetAttribute('Done', true) "};
+  for (const char* touch : touches) {
+    ScriptedPart scene(touch + kGoesAndComesBack + "end)");
+    EXPECT_TRUE(scene[scene.self].vanish) << touch;
+    EXPECT_EQ(scene.unmodelled(kOnce), 0u) << touch;
+  }
+}
+
 // Which of them comes first nobody knows.
 TEST(HandlerFlags, PartsThatShareAFlagAreReadAlike) {
-  Scene scene;
-  const auto folder = scene.add("Folder", "Pads", scene.workspace);
-  const InstanceId pads[] = {scene.part("A", {}, folder), scene.part("B", {9, 0, 0}, folder)};
-  scene.script(
-      "local done = false for _, p in workspace.Pads:GetChildren() do\n"
-      "p.Touched:Connect(function() if done then return end done = true " +
-          kGoesAndComesBack + "end) end",
-      scene.scripts);
-  scene.level();
-  for (const InstanceId pad : pads) EXPECT_TRUE(scene[pad].vanish) << pad;
-  EXPECT_EQ(scene.unmodelled(kOnce), 2u);
+  for (const char* flag : {"done", "state.done"}) {
+    Scene scene;
+    const auto folder = scene.add("Folder", "Pads", scene.workspace);
+    const InstanceId pads[] = {scene.part("A", {}, folder), scene.part("B", {9, 0, 0}, folder)};
+    scene.script(
+        "local done, state = false, {} for _, p in workspace.Pads:GetChildren() do\n"
+        "p.Touched:Connect(function() if " +
+            std::string(flag) + " then return end " + flag + " = true " + kGoesAndComesBack +
+            "end) end",
+        scene.scripts);
+    scene.level();
+    for (const InstanceId pad : pads) EXPECT_TRUE(scene[pad].vanish) << flag << pad;
+    EXPECT_EQ(scene.unmodelled(kOnce), 2u) << flag;
+  }
 }
 
 // It begins anew with the next life.

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <string>
+#include <utility>
 
 #include "import/luau/lexer.h"
 #include "import/luau/parser.h"
@@ -249,6 +250,24 @@ TEST(Luau, TruncatedAtEveryByte) {
     const auto chunk = parse(text.substr(0, size));
     EXPECT_LE(chunk.body.size(), 4u);
   }
+}
+
+TEST(Luau, NumbersOfAnyBaseHaveTheirValue) {
+  const std::pair<const char*, double> cases[] = {
+      {"0b1010", 10}, {"0B1_1", 3}, {"0x1F", 31}, {"1_000.5", 1000.5}, {".5e1", 5}};
+  for (const auto& [text, value] : cases) {
+    const auto tokens = importer::luau::tokenize(text);
+    ASSERT_EQ(tokens.size(), 2u) << text;
+    EXPECT_EQ(tokens[0].number, value) << text;
+  }
+}
+
+// Each variable keeps its own.
+TEST(Luau, VeryLongNamesAreCut) {
+  const auto tokens = importer::luau::tokenize("local " + std::string(900000, 'x') + " = 1");
+  ASSERT_EQ(tokens.size(), 5u);
+  EXPECT_LE(tokens[1].text.size(), 1000u);
+  EXPECT_EQ(tokens[2].text, "=");
 }
 
 TEST(Luau, LinesAreCountedThroughLongTexts) {

@@ -41,6 +41,10 @@ TEST(ScriptLoops, EveryRoundOfALoopThatCountsIsFollowed) {
       "for _, v in ipairs(list) do v.Touched:Connect(kill) end",
       "local list = {} list[1] = all[3] list[2] = all[1] list[1] = all[2] list[3] = all[3] "
       "for _, v in ipairs(list) do v.Touched:Connect(kill) end",
+      "local list = {} for i = 1, 3 do table.insert(list, 1, all[i]) end "
+      "for _, v in ipairs(list) do v.Touched:Connect(kill) end",
+      "local list = {[1] = all[1], [2] = all[2], [3] = all[3]} "
+      "for _, v in pairs(list) do v.Touched:Connect(kill) end",
       "for i = 1, 3 do workspace.Red:FindFirstChild(tostring(i)).Touched:Connect(kill) end",
       "for i = 1, 3 do workspace.Red['' .. i].Touched:Connect(kill) end",
       "for i = 1, 3 do pcall(function(v) v.Touched:Connect(kill) end, all[i]) end"};
@@ -57,6 +61,20 @@ TEST(ScriptLoops, EveryRoundOfALoopThatCountsIsFollowed) {
     scene.level();
     for (const InstanceId part : parts) EXPECT_TRUE(scene[part].kill) << part << ": " << text;
   }
+}
+
+TEST(ScriptLoops, FieldsThatAreTakenOutHaveNoRound) {
+  ScriptedPart scene(
+      "local t = {a = 1, b = 2} t.a = nil t.b = nil for k, v in pairs(t) do p.CanCollide = false "
+      "end");
+  EXPECT_TRUE(scene[scene.self].solid);
+}
+
+TEST(ScriptLoops, WhatIsInsertedStandsWhereItIsPut) {
+  ScriptedPart scene(
+      "local list = {5, 9} table.insert(list, 2, 7) table.insert(list, 1, 3) "
+      "table.insert(list, 11) p.Position = Vector3.new(list[1], list[3], list[5])");
+  expectNear(scene[scene.self].pose.position, {3, 7, 11});
 }
 
 TEST(ScriptLoops, AWayThereAndBackByConditionsIsAMotion) {
@@ -230,6 +248,31 @@ TEST(ScriptLoops, AWaitWithAWayOutIsPassedOver) {
   ScriptedPart ever(
       "while true do wait() end p.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end)");
   EXPECT_FALSE(ever[ever.self].kill);
+}
+
+TEST(ScriptLoops, AWayOutOfALoopThatIsTakenAsEndlessIsNamed) {
+  const std::string turns = "p.CFrame = p.CFrame * CFrame.Angles(0, 0.1, 0) task.wait()\n";
+  const std::pair<std::string, bool> cases[] = {
+      {"while true do " + turns + "if _G.over then break end end", true},
+      {"while true do " + turns + "if p.Name == 'Pad' and _G.over then return end end", true},
+      {"while true do " + turns + "if p.Name == 'Pad' then if _G.over then break end end end",
+       true},
+      {"local n = 0 while true do " + turns +
+           "n += 1 if p.Name == 'Pad' then\n"
+           "if n > 9000 then break end end end",
+       true},
+      {"local on = true while on do " + turns + "if _G.over then on = false end end", true},
+      {"while true do " + turns + "end", false},
+      {"while true do " + turns + "if not p.Parent then break end end", false},
+      {"while true do " + turns + "for i = 1, 3 do if _G.over then break end end end", false},
+      {"local function look() if _G.over then return end end while true do " + turns + "look() end",
+       false},
+      {"while true do " + turns + "if _G.over then continue end print('x') end", false}};
+  for (const auto& [text, ends] : cases) {
+    ScriptedPart scene(text);
+    EXPECT_TRUE(scene[scene.self].motion) << text;
+    EXPECT_EQ(scene.unmodelled("loop that may end"), ends ? 1u : 0u) << text;
+  }
 }
 
 TEST(ScriptLoops, ALoopThatAReturnEndsIsNotEndless) {

@@ -154,6 +154,85 @@ TEST(ScriptValues, AttributesThatALoopSetsAreNotKnownElsewhere) {
   EXPECT_TRUE(scene[scene.self].kill);
 }
 
+TEST(ScriptValues, AFunctionThatIsPutOffIsGivenItsArguments) {
+  const char* const calls[] = {"task.delay(3, back, p, true)",
+                               "task.delay(3, function(part) part.CanCollide = true end, p)"};
+  for (const char* call : calls) {
+    ScriptedPart scene(
+        "local function back(part, on) part.CanCollide = on end\n"
+        "p.Touched:Connect(function() p.CanCollide = false " +
+        std::string(call) + " end)");
+    ASSERT_TRUE(scene[scene.self].vanish) << call;
+    EXPECT_NEAR(scene[scene.self].vanish->away, 3, 1e-3) << call;
+  }
+}
+
+// Of all parts those that a script asks for, with and without the service in the file.
+TEST(ScriptValues, WhatPartsAreMadeOfAndWhichTagsTheyHaveIsKnown) {
+  const char* const asks[] = {"tags:HasTag(v, 'Ouchie')",
+                              "v:HasTag('Ouchie')",
+                              "v.Material == Enum.Material.CrackedLava",
+                              "v.Material.Name == 'CrackedLava'",
+                              "v.Material ~= Enum.Material.Plastic",
+                              "table.find({'Lava', 'Red'}, v.Name)",
+                              "not table.find({'Plain'}, v.Name)",
+                              "v.Name:match('^R')",
+                              "not v:IsDescendantOf(workspace.Safe)",
+                              "string.find(v.Name, '^Re') == 1",
+                              "v.BrickColor == BrickColor.new('Really red')",
+                              "v.BrickColor ~= BrickColor.new(194)",
+                              "v.BrickColor.Name == 'Really red'"};
+  for (const char* ask : asks)
+    for (const bool service : {false, true}) {
+      Scene scene;
+      if (service) scene.add("CollectionService", "CollectionService", kNoInstance);
+      const auto safe = scene.add("Folder", "Safe", scene.workspace);
+      const auto red = scene.part("Red"), plain = scene.part("Plain", {9, 0, 0}, safe);
+      scene.tag(red, "Ouchie");
+      scene.set(red, "Material", EnumItem{804, ""});
+      scene.set(red, "Color", importer::ColorRgb{255, 0, 0});
+      scene.script(
+          "local tags = game:GetService('CollectionService')\n"
+          "for _, v in workspace:GetDescendants() do if v:IsA('BasePart') and " +
+              std::string(ask) +
+              " then\nv.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end) end end",
+          scene.scripts);
+      scene.level();
+      EXPECT_TRUE(scene[red].kill) << ask;
+      EXPECT_FALSE(scene[plain].kill) << ask;
+      EXPECT_TRUE(scene.level().unmodelled.empty()) << ask;
+    }
+}
+
+TEST(ScriptValues, AColourThatTurnsMayBeAny) {
+  const std::string touch =
+      "p.Touched:Connect(function(hit) if p.BrickColor == BrickColor.new('Really red') then\n"
+      "hit.Parent.Humanoid.Health = 0 end end) ";
+  const std::string turns[] = {"",
+                               "while true do p.BrickColor = BrickColor.new('Really red') wait(2)\n"
+                               "p.BrickColor = BrickColor.new('Lime green') wait(2) end"};
+  for (const std::string& turn : turns) {
+    ScriptedPart scene(touch + turn);
+    EXPECT_TRUE(scene[scene.self].kill) << turn;
+  }
+}
+
+// As of a door that kills all but its owners.
+TEST(ScriptValues, WhoIsOnAListIsNotKnown) {
+  const char* const asks[] = {
+      "local owners = {[1234] = true} ^ if owners[player.UserId] then return",
+      "local owners = {[12] = true, [34] = true} ^ if owners[player.UserId] then return",
+      "local foes = {} ^ if not table.find(foes, player.Name) then return"};
+  for (const char* text : asks) {
+    const std::string ask = text;
+    const size_t split = ask.find('^');
+    ScriptedPart scene(ask.substr(0, split) + "p.Touched:Connect(function(hit)\n" +
+                       "local player = game.Players:GetPlayerFromCharacter(hit.Parent)\n" +
+                       ask.substr(split + 1) + " end hit.Parent.Humanoid.Health = 0 end)");
+    EXPECT_TRUE(scene[scene.self].kill) << ask;
+  }
+}
+
 TEST(ScriptValues, WhatIsMadeInTheWorldIsBuilt) {
   const std::pair<const char*, uint32_t> cases[] = {
       {"local bridge = Instance.new('Part', workspace) bridge.Anchored = true", 1},

@@ -30,6 +30,25 @@ TEST(Signals, ThatTheTextDoesNotTellAreNamed) {
   EXPECT_EQ(scene.unmodelled("harm of a part that is not known"), 1u);
 }
 
+// Those that have the tag by then are known.
+TEST(Signals, OfPartsThatGetATagLaterHarmNobodyUnknown) {
+  for (const bool asked : {false, true}) {
+    Scene scene;
+    const auto part = scene.part("Part");
+    scene.tag(part, "Ouchie");
+    scene.script(
+        "local tags = game:GetService('CollectionService')\n"
+        "local function arm(part) part.Touched:Connect(function(hit)\n"
+        "hit.Parent.Humanoid.Health = 0 end) end\n" +
+            std::string(asked ? "for _, part in tags:GetTagged('Ouchie') do arm(part) end\n" : "") +
+            "tags:GetInstanceAddedSignal('Ouchie'):Connect(arm)",
+        scene.scripts);
+    scene.level();
+    EXPECT_EQ(scene[part].kill.has_value(), asked);
+    EXPECT_EQ(scene.unmodelled("harm of a part that is not known"), asked ? 0u : 1u);
+  }
+}
+
 // With and without the service in the file.
 TEST(Signals, OfEachFrameMoveAndWait) {
   const char* const texts[] = {

@@ -179,8 +179,28 @@ TEST(Tween, AComputedTimeIsAGuess) {
   }
 }
 
+TEST(Tween, OfManyRoundsTheFirstOnesAreDone) {
+  const std::string goal = "Position = Vector3.new(0, 8, 0)";
+  for (const bool many : {false, true}) {
+    const Tweened tweened("0.5, " + kLinear + (many ? ", 101" : ", 100"), goal);
+    EXPECT_EQ(tweened.motion().repeat, importer::Repeat::once);
+    EXPECT_NEAR(tweened.motion().keys.back().time, 50.5, 1e-3);
+    EXPECT_EQ(tweened.scene.unmodelled("tween of many rounds"), many ? 1u : 0u);
+  }
+}
+
+// Nobody waits for its end.
+TEST(Tween, OneThatRepeatsForLongerThanAMotionCanIsEndless) {
+  for (const char* repeats : {"500", "1e5", "1e9"}) {
+    Tweened tweened("2, " + kLinear + ", " + repeats + ", true", "Position = Vector3.new(0, 8, 0)");
+    EXPECT_EQ(tweened.motion().repeat, importer::Repeat::pingPong) << repeats;
+    EXPECT_NEAR(tweened.motion().keys.back().time, 2, 1e-3) << repeats;
+    EXPECT_TRUE(tweened.scene.level().unmodelled.empty()) << repeats;
+  }
+}
+
 TEST(Tween, HostileTurnsHaveFewKeys) {
-  const Tweened tweened("1, Enum.EasingStyle.Sine, Enum.EasingDirection.Out, 1000, true",
+  const Tweened tweened("1, Enum.EasingStyle.Sine, Enum.EasingDirection.Out, 400, true",
                         "Orientation = Vector3.new(1e9, 1e30, 5)");
   EXPECT_GT(tweened.motion().keys.size(), 200u);
   EXPECT_LT(tweened.motion().keys.size(), 1600u);

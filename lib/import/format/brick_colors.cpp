@@ -75,4 +75,11 @@ ColorRgb brickColor(int64_t number) {
           static_cast<uint8_t>(rgb)};
 }
 
+std::optional<int64_t> brickColorNumber(ColorRgb color) {
+  const uint32_t rgb = uint32_t{color.r} << 16 | uint32_t{color.g} << 8 | uint32_t{color.b};
+  const auto* row = std::find_if(std::begin(kPalette), std::end(kPalette),
+                                 [&](const PaletteRow& r) { return r.rgb == rgb; });
+  return row == std::end(kPalette) ? std::nullopt : std::optional<int64_t>(row->number);
+}
+
 }  // namespace obby::importer

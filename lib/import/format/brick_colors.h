@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "import/document.h"
 
@@ -9,5 +10,8 @@ namespace obby::importer {
 
 // Medium stone grey (194), as in the engine, for numbers that the palette does not have.
 ColorRgb brickColor(int64_t number);
+
+// The number of a colour; nothing: the palette has no such one.
+std::optional<int64_t> brickColorNumber(ColorRgb color);
 
 }  // namespace obby::importer

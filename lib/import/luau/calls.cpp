@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "import/luau/reader.h"
+#include "import/script_side.h"
 
 namespace obby::importer::luau {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 constexpr double kFrame = 1.0 / 60;
 constexpr double kOldWait = 1.0 / 30;  // wait() never resumes sooner
 constexpr double kLongestWait = 1e6;   // seconds
+constexpr size_t kItemsPerStep = 4;    // of a list that is looked through, or moved in it
 
 bool isFrameSignal(const std::string& name) {
   static constexpr std::string_view kNames[] = {"Heartbeat",     "RenderStepped",  "Stepped",
@@ -33,6 +35,36 @@ bool isUnknown(const Datum& datum) { return truthOf(datum) == Truth::unknown; }
 
 bool hasDot(const std::string& path) { return path.find('.') != std::string::npos; }
 
+// The place of a value in a list, nil where it is not; unknown where the text does not tell.
+Datum placeOf(const std::vector<Datum>& items, const Datum& value) {
+  if (isUnknown(value)) return {};  // the list may have it by then
+  for (size_t i = 0; i < items.size(); ++i) {
+    const Truth same = truthOf(compared("==", items[i], value));
+    if (same != Truth::no) return same == Truth::yes ? Datum{double(i + 1)} : Datum{};
+  }
+  return {Nil{}};
+}
+
+// The signal of parts that get a tag as the game runs; the tag stands behind it.
+constexpr std::string_view kTagged = "GetInstanceAddedSignal ";
+
+// Whether a handler is of parts that get a tag later, while the script does the same to those that
+// have it by themselves.
+bool isOfLater(const Timeline& timeline, const std::vector<std::string>& tagsAsked) {
+  if (timeline.signal.rfind(kTagged, 0) != 0) return false;
+  const std::string tag = timeline.signal.substr(kTagged.size());
+  return std::find(tagsAsked.begin(), tagsAsked.end(), tag) != tagsAsked.end();
+}
+
+// table.insert(list, value) adds it at the end, table.insert(list, place, value) before what stands
+// there. A place that the text does not tell is the end.
+void insertInto(std::vector<Datum>& items, const std::vector<Datum>& arguments) {
+  const auto* place = arguments.size() > 2 ? arguments[1].as<double>() : nullptr;
+  const bool inside = place && *place >= 1 && *place <= double(items.size());
+  const auto at = inside ? items.begin() + (std::ptrdiff_t(*place) - 1) : items.end();
+  items.insert(at, arguments.back());
+}
+
 }  // namespace
 
 bool isSignalName(const std::string& name) {
@@ -42,6 +74,11 @@ bool isSignalName(const std::string& name) {
       "ChildAdded", "CharacterAdded", "ChildRemoved",    "CharacterRemoving", "Died"};
   return isFrameSignal(name) ||
          std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
+}
+
+bool isConnect(const std::string& method) {
+  return method == "Connect" || method == "connect" || method == "Once" ||
+         method == "ConnectParallel";
 }
 
 void Reader::waitFor(double seconds, double least) {
@@ -72,7 +109,9 @@ std::optional<Datum> Reader::scheduled(const std::string& name,
   if (name == "delay" || name == "Delay" || name == "task.delay") {
     const bool before = vague_;
     vague_ = vague_ || isUnknown(first);
-    beside(argument(arguments, 1), {}, number && *number > 0 ? std::min(*number, kLongestWait) : 0);
+    const size_t own = std::min<size_t>(2, arguments.size());  // those of the function follow
+    beside(argument(arguments, 1), {arguments.begin() + std::ptrdiff_t(own), arguments.end()},
+           number && *number > 0 ? std::min(*number, kLongestWait) : 0);
     if (timeline_.trigger == Trigger::start) vague_ = before;  // it has a timeline of its own
     return Datum{};
   }
@@ -96,9 +135,15 @@ Datum Reader::callValue(const Expr& expr) {
   const Datum& first = argument(arguments, 0);
   if (name == "pairs" || name == "ipairs" || name == "next" || name == "table.clone") return first;
   if (name == "Instance.new") return newInstance(arguments, expr.line);
-  if (name == "table.insert" && arguments.size() == 2) {
-    if (const auto* table = first.as<Table*>()) (*table)->items.push_back(arguments[1]);
+  if (name == "table.insert" && arguments.size() >= 2) {
+    const auto* table = first.as<Table*>();
+    const size_t moved = table && arguments.size() > 2 ? (*table)->items.size() : 0;
+    if (table && spend(moved / kItemsPerStep)) insertInto((*table)->items, arguments);
     return {};
+  }
+  if (name == "table.find" && arguments.size() >= 2 && first.as<Table*>()) {
+    const auto& items = (*first.as<Table*>())->items;
+    return spend(items.size() / kItemsPerStep) ? placeOf(items, arguments[1]) : Datum{};
   }
   if (name == "require") {
     reading_.requiresAsset = reading_.requiresAsset || first.as<double>();
@@ -137,6 +182,10 @@ Datum Reader::connect(const Expr& expr, const std::vector<Datum>& arguments, boo
   pending.trigger = Trigger::other;
   pending.signal = name.empty() ? expr.text : name;
   pending.line = expr.line;
+  if (name.empty() && expr.text + " " == kTagged && expr.kids.size() > 1) {
+    const Datum tag = evaluate(*expr.kids[1]);
+    if (const auto* text = tag.as<std::string>()) pending.signal = std::string(kTagged) + *text;
+  }
   if (isFrameSignal(name)) {
     pending.trigger = Trigger::frame;
     const Datum step{kFrame};
@@ -154,6 +203,8 @@ Datum Reader::connect(const Expr& expr, const std::vector<Datum>& arguments, boo
     pending.touched = signal.instance;
   }
   const bool touch = pending.trigger == Trigger::touch;
+  if (!touch && lower(name) == "touched" && isOfLater(timeline_, reading_.tags))
+    pending.signal = "Touched of a part that comes later";
   if (touch && !function.as<Closure>()) {  // it does something, but what?
     Timeline unknown;
     unknown.trigger = pending.trigger;
@@ -181,8 +232,7 @@ Datum Reader::waitForSignal(const Expr& expr) {
 
 Datum Reader::methodValue(const Expr& expr) {
   const std::string& name = expr.text;
-  if (name == "Connect" || name == "connect" || name == "Once" || name == "ConnectParallel")
-    return connect(*expr.kids[0], evaluateAll(expr.kids, 1), name == "Once");
+  if (isConnect(name)) return connect(*expr.kids[0], evaluateAll(expr.kids, 1), name == "Once");
   if (name == "Wait" || name == "wait") return waitForSignal(*expr.kids[0]);
   const Datum object = evaluate(*expr.kids[0]);
   const auto arguments = evaluateAll(expr.kids, 1);
@@ -203,6 +253,11 @@ Datum Reader::methodValue(const Expr& expr) {
 
 Datum Reader::methodOf(const Datum& object, const std::string& name,
                        const std::vector<Datum>& arguments, int line) {
+  if (name == "IsStudio" && !object.as<Table*>()) return {false};  // players are not there
+  if ((name == "IsServer" || name == "IsClient") && !object.as<Table*>())
+    return {runsOnClient(tree_.at(reading_.script)) == (name == "IsClient")};
+  if (name == "HasTag" && arguments.size() > 1)  // CollectionService:HasTag(part, "Lava")
+    return methodOf(arguments[0], name, {arguments[1]}, line);
   if (const auto* tween = object.as<Tween*>()) {
     if (name == "Play") play(*tween, line);
     if (name == "Cancel" || name == "Pause") stop(*tween, name == "Pause");

@@ -48,6 +48,16 @@ std::set<std::string> posesAmong(const std::set<std::string>& paths) {
   return poses;
 }
 
+std::string defaulted(const Expr& condition) {
+  const bool denied = condition.kind == ExprKind::unary && condition.text == "not";
+  const bool absent = condition.kind == ExprKind::binary && condition.text == "==" &&
+                      condition.kids[1]->kind == ExprKind::nil;
+  if (!denied && !absent) return {};
+  const Expr& value = *condition.kids[0];
+  const bool named = value.kind == ExprKind::name || value.kind == ExprKind::field;
+  return named ? value.text : std::string();
+}
+
 bool isWait(const Expr& expr) {
   return expr.kind == ExprKind::call || expr.kind == ExprKind::method;
 }

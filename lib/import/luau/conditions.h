@@ -1,4 +1,4 @@
-// What the condition of a loop asks for.
+// What the condition of a loop or branch asks for.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +17,10 @@ std::set<std::string> pathsIn(const Expr& condition, size_t& looked);
 
 // Of the paths that lead to a pose or a piece of it, all by which that may be set.
 std::set<std::string> posesAmong(const std::set<std::string>& paths);
+
+// The name of which a branch under the condition sets the default, as it is of
+// `if not speed then speed = 10 end`. Empty: of none.
+std::string defaulted(const Expr& condition);
 
 // Whether it is a call, as `while wait(1) do` has it.
 bool isWait(const Expr& expr);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string_view>
 
+#include "import/luau/values.h"
 #include "import/pose_math.h"
 
 namespace obby::importer::luau {
@@ -204,6 +205,8 @@ Datum compared(const std::string& op, const Datum& a, const Datum& b) {
     bool same = false;
     if (a.as<Unknown>() || b.as<Unknown>() || a.as<Stranger>() || b.as<Stranger>()) return {};
     if (isUnknownName(a) || isUnknownName(b)) return {};
+    const bool color = isNumberedColor(a) || isNumberedColor(b);
+    if (color && (a.as<double>() || b.as<double>())) return {};  // files keep some as numbers
     if (a.value.index() != b.value.index()) {
       same = false;
     } else if (const auto* n = a.as<double>()) {

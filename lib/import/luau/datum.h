@@ -3,6 +3,7 @@
 // shows.
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <map>
 #include <string>
@@ -37,6 +38,7 @@ struct Closure {
 struct Table {
   std::vector<Datum> items;
   std::map<std::string, Datum> fields;
+  size_t born = 0;  // in the timeline of this number: 0 the script's own
 };
 // An instance that the script creates or clones.
 struct Made {
@@ -99,6 +101,7 @@ const Datum& argument(const std::vector<Datum>& arguments, size_t i);
 struct Scope {
   Scope* parent = nullptr;
   std::map<std::string, Datum> names;
+  size_t born = 0;  // as of a table
 
   // The nearest scope that has the name; null if none has.
   Scope* holder(const std::string& name);

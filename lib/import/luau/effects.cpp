@@ -75,10 +75,8 @@ void Reader::write(InstanceId id, const std::string& name, Datum value) {
 void Reader::setField(const Datum& object, const std::string& name, const Datum& value, int line) {
   if (const auto* ref = object.as<Ref>()) return setInstance(ref->target, name, value, line);
   if (const auto* made = object.as<Made*>()) return setMade(*made, name, value, line);
-  if (const auto* table = object.as<Table*>()) {
-    (*table)->fields[name] = value;
-    return;
-  }
+  if (const auto* table = object.as<Table*>())
+    return variables_.set((*table)->fields, name, value, isOwn((*table)->born));
   if (const auto* stranger = object.as<Stranger>())
     return setStranger(stranger->name, name, value, line);
   if (object.as<Unknown>()) setStranger("", name, value, line);

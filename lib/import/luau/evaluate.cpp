@@ -28,11 +28,11 @@ Datum Reader::evaluate(const Expr& expr) {
 
 Datum Reader::evaluated(const Expr& expr) {
   switch (expr.kind) {
-    case ExprKind::nil: return {Nil{}};
-    case ExprKind::truth: return {true};
-    case ExprKind::falsehood: return {false};
-    case ExprKind::number: return {expr.number};
-    case ExprKind::string: return expr.known ? Datum{expr.text} : Datum{};
+    case ExprKind::nil:
+    case ExprKind::truth:
+    case ExprKind::falsehood:
+    case ExprKind::number:
+    case ExprKind::string: return literalOf(expr);
     case ExprKind::name: return nameValue(expr.text);
     case ExprKind::field: return field(evaluate(*expr.kids[0]), expr.text);
     case ExprKind::index: {
@@ -64,7 +64,8 @@ Datum Reader::evaluated(const Expr& expr) {
 }
 
 Datum Reader::nameValue(const std::string& name) {
-  if (Scope* holder = scope_->holder(name)) return holder->names[name];
+  if (Scope* holder = scope_->holder(name))
+    return variables_.get(holder->names, name, isOwn(holder->born));
   if (name == "workspace" || name == "Workspace") return serviceNamed("Workspace");
   if (name == "game" || name == "Game") return {Library{"game"}};
   return {Library{name}};
@@ -108,6 +109,9 @@ Datum Reader::binary(const Expr& expr) {
 
 Datum Reader::tableValue(const Expr& expr) {
   auto table = arena_.make<Table>();
+  table->born = followed_;
+  variables_.make(table->fields);
+  bool keyed = false;
   for (size_t i = 0; i < expr.kids.size(); ++i) {
     Datum value = evaluate(*expr.kids[i]);
     if (!expr.keys[i]) {
@@ -115,9 +119,16 @@ Datum Reader::tableValue(const Expr& expr) {
       table->items.push_back(std::move(value));
       continue;
     }
+    // Numbers and instances as keys are left out, so that at least all values are gone through. One
+    // alone would be taken for what any key finds, as of `{[ownerId] = true}`.
     const Datum key = evaluate(*expr.keys[i]);
-    if (const auto* name = key.as<std::string>()) table->fields[*name] = std::move(value);
+    if (const auto* name = key.as<std::string>())
+      table->fields[*name] = std::move(value);
+    else
+      table->items.push_back(std::move(value));
+    keyed = keyed || !key.as<std::string>();
   }
+  if (keyed && table->items.size() == 1) table->items.clear();
   return {table};
 }
 
@@ -126,12 +137,13 @@ Datum Reader::field(const Datum& object, const std::string& name) {
   if (const auto* library = object.as<Library>()) {
     if (library->name == "_G" || library->name == "shared") return {};  // of other scripts
     if (library->name == "game" || library->name == "workspace") return serviceNamed(name);
+    if (isNumberedColor(object)) return colorField(*library, name);
+    if (name == "Name" && library->name.rfind("Enum.", 0) == 0)
+      return {library->name.substr(library->name.rfind('.') + 1)};
     return libraryField(library->name + "." + name);
   }
-  if (const auto* table = object.as<Table*>()) {
-    const auto it = (*table)->fields.find(name);
-    return it == (*table)->fields.end() ? Datum{Nil{}} : it->second;
-  }
+  if (const auto* table = object.as<Table*>())
+    return variables_.get((*table)->fields, name, isOwn((*table)->born));
   if (const auto* made = object.as<Made*>()) return madeField(*made, name);
   if (const auto* tween = object.as<Tween*>()) {
     if (name == "Completed") return {Signal{kNoInstance, *tween, name}};

@@ -5,18 +5,41 @@
 #include <string>
 #include <utility>
 
+#include "import/luau/conditions.h"
 #include "import/luau/reader.h"
+#include "import/motion_room.h"
 
 namespace obby::importer::luau {
 namespace {
 
 constexpr double kLatest = 1e9;           // seconds: later than anything that counts
 constexpr double kMany = 24 * 3600 * 60;  // rounds: a day of frames, as good as endless
+constexpr double kFrame = 1.0 / 60;       // seconds: the least that a round waits
+
+// Seconds that each round waits, as far as its own lines state it.
+double statedWait(const Block& body) {
+  double seconds = 0;
+  for (const StatPtr& stat : body) {
+    if (stat->kind != StatKind::call || stat->values[0]->kind != ExprKind::call) continue;
+    const auto& kids = stat->values[0]->kids;
+    const std::string path = pathOf(*kids[0]);
+    if (path != "wait" && path != "task.wait") continue;
+    const bool stated = kids.size() > 1 && kids[1]->kind == ExprKind::number;
+    seconds += std::max(stated ? kids[1]->number : 0.0, kFrame);
+  }
+  return seconds;
+}
+
+// Whether it has too many rounds to follow each, and goes on for longer than a motion can: its end
+// is as good as never.
+bool outlasts(const Block& body, double rounds) {
+  return rounds > kMaxCount && rounds * statedWait(body) > double(kLongestMotion);
+}
 
 }  // namespace
 
-// `for i = 1, math.huge do` with no way out. One that has an end, however late, and does nothing
-// but wait is passed over.
+// `for i = 1, math.huge do`, or a count that takes long, with no way out. One that has an end,
+// however late, and does nothing but wait is passed over.
 Reader::Flow Reader::endlessFor(const Stat& stat, double from, double by, double rounds) {
   const bool nested = timeline_.forever;
   const double start = time_;
@@ -42,8 +65,9 @@ Reader::Flow Reader::numericFor(const Stat& stat) {
   const double by = values.size() > 2 ? (step ? *step : 0) : 1;
   const double span = from && to && by != 0 ? (*to - *from) / by : std::nan("");
   const bool known = !std::isnan(span), endless = known && span > kMany;
-  if (endless && !canLeave(stat.blocks[0], false)) return endlessFor(stat, *from, by, span);
   const double rounds = known ? std::floor(span + 1e-9) + 1 : 1;
+  const bool stays = endless || (!timeline_.forever && outlasts(stat.blocks[0], rounds));
+  if (stays && !canLeave(stat.blocks[0], false)) return endlessFor(stat, *from, by, span);
   const int count = int(std::clamp(rounds, 0.0, double(kMaxCount)));
   const double start = time_;
   const size_t before = timeline_.events.size(), doubts = doubts_;
@@ -93,7 +117,7 @@ Reader::Flow Reader::genericFor(const Stat& stat) {
     if (flow == Flow::on) spend(items->fields.size());  // they are copied
     const auto fields = flow == Flow::on ? items->fields : std::map<std::string, Datum>{};
     for (auto it = fields.begin(); it != fields.end() && flow == Flow::on; ++it)
-      flow = round({it->first}, it->second);
+      if (!it->second.as<Nil>()) flow = round({it->first}, it->second);
   }
   return flow == Flow::leaveLoop ? Flow::on : flow;
 }

@@ -5,6 +5,7 @@
 #include "import/classes.h"
 #include "import/format/class_defaults.h"
 #include "import/luau/reader.h"
+#include "import/materials.h"
 #include "import/pose_math.h"
 
 namespace obby::importer::luau {
@@ -15,6 +16,13 @@ constexpr size_t kClassesPerStep = 64;  // of children
 
 Datum instanceOr(InstanceId id, const Datum& absent) {
   return id == kNoInstance ? absent : Datum{Ref{id}};
+}
+
+Datum materialOf(const Instance& part) {
+  constexpr uint32_t kPlastic = 256;  // has no name as it is kept
+  const uint32_t material = get<EnumItem>(part, "Material").value;
+  const std::string name = material == kPlastic ? "Plastic" : std::string(materialName(material));
+  return name.empty() ? Datum{} : Datum{Library{"Enum.Material." + name}};
 }
 
 // Lower-case and old spellings of properties.
@@ -65,8 +73,10 @@ Datum Reader::instanceField(InstanceId id, const std::string& spelled) {
     return isFinite(value) ? Datum{Vector{value, place ? from : kNoInstance}} : Datum{};
   }
   if (auto now = tweenedValue(id, name)) return *now;
+  if (name == "BrickColor" && tree_.isPart(id)) return numberedColor(id);
   const auto it = written_.find({id, name});
   if (it != written_.end()) return it->second;
+  if (name == "Material" && tree_.isPart(id)) return materialOf(instance);
   const auto own = instance.properties.find(name);
   if (own != instance.properties.end()) return datumFrom(own->second, kNoInstance);
   if (const Value* value = defaultOf(instance.className, name))
@@ -78,6 +88,13 @@ Datum Reader::instanceField(InstanceId id, const std::string& spelled) {
   if (isA(instance.className, "Humanoid")) return {Stranger{name}};
   if (isSignalName(spelled)) return {Signal{id, nullptr, spelled}};
   return {};
+}
+
+// While the script sets the place up: later on it, and other scripts, may turn it to and fro.
+Datum Reader::numberedColor(InstanceId id) const {
+  if (followed_ > 0 || timeline_.forever || written_.count({id, "Color"}) > 0) return {};
+  const auto set = written_.find({id, "BrickColor"});
+  return set == written_.end() ? colorOfPart(get<ColorRgb>(tree_.at(id), "Color")) : set->second;
 }
 
 Datum Reader::children(InstanceId id, bool all) {
@@ -161,6 +178,13 @@ Datum Reader::instanceMethod(InstanceId id, const std::string& name,
   const Datum& first = argument(arguments, 0);
   const auto* text = first.as<std::string>();
   if (name == "IsA" || name == "isA") return text ? Datum{isA(instance.className, *text)} : Datum{};
+  if (name == "IsDescendantOf" && first.as<Ref>()) {
+    const InstanceId above = first.as<Ref>()->target;
+    InstanceId up = instance.parent;
+    for (size_t seen = 1; up != kNoInstance && up != above; up = tree_.at(up).parent)
+      if (seen++ % kAncestorsPerStep == 0) spend();
+    return {up == above};
+  }
   if (name == "HasTag" && text)
     return {std::find(instance.tags.begin(), instance.tags.end(), *text) != instance.tags.end()};
   if (name == "SetAttribute" && text) {

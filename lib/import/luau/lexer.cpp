@@ -18,6 +18,8 @@ constexpr std::array<std::string_view, 17> kLongSymbols = {
     "...", "..=", "//=", "..", "==", "~=", "<=", ">=", "+=",
     "-=",  "*=",  "/=",  "%=", "^=", "::", "->", "//"};
 
+constexpr size_t kLongestName = 1000;  // bytes; what comes behind them is left out
+
 bool isNameStart(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
 bool isNamePart(char c) { return isNameStart(c) || std::isdigit(static_cast<unsigned char>(c)); }
 
@@ -78,7 +80,7 @@ class Lexer {
   void word() {
     const size_t start = at_;
     while (at_ < source_.size() && isNamePart(source_[at_])) ++at_;
-    std::string text(source_.substr(start, at_ - start));
+    std::string text(source_.substr(start, std::min(at_ - start, kLongestName)));
     const bool keyword = std::find(kKeywords.begin(), kKeywords.end(), text) != kKeywords.end();
     push(keyword ? TokenKind::keyword : TokenKind::name, std::move(text));
   }
@@ -95,7 +97,10 @@ class Lexer {
     std::string text(source_.substr(start, at_ - start));
     std::string digits = text;
     std::erase(digits, '_');
-    push(TokenKind::number, std::move(text), std::strtod(digits.c_str(), nullptr));
+    const bool binary = digits[0] == '0' && digits.size() > 2 && (digits[1] | ' ') == 'b';
+    push(TokenKind::number, std::move(text),
+         binary ? double(std::strtoull(digits.c_str() + 2, nullptr, 2))
+                : std::strtod(digits.c_str(), nullptr));
   }
 
   void quoted(char quote) {

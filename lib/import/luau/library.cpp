@@ -68,7 +68,8 @@ Datum newFrame(const std::vector<Datum>& a) {
 }
 
 Datum newTweenInfo(const std::vector<Datum>& a) {
-  constexpr double kLongest = 1e6;  // seconds: longer than a motion can take, and so named
+  constexpr double kLongest = 1e6;      // seconds: longer than a motion can take, and so named
+  constexpr double kMostRepeats = 1e5;  // for longer than a motion can take
   TweenTiming t;
   const auto number = [&](size_t i, double absent) {
     const double v = numberAt(a, i, absent);
@@ -76,7 +77,7 @@ Datum newTweenInfo(const std::vector<Datum>& a) {
     return std::isnan(v) ? absent : v;
   };
   t.seconds = std::clamp(number(0, 1), 0.0, kLongest);
-  t.repeats = int(std::clamp(number(3, 0), -1.0, 1000.0));
+  t.repeats = int(std::clamp(number(3, 0), -1.0, kMostRepeats));
   t.delay = std::clamp(number(5, 0), 0.0, kLongest);
   if (a.size() > 4)
     if (const auto* flag = a[4].as<bool>()) t.reverses = *flag;
@@ -188,6 +189,7 @@ Datum libraryCall(const std::string& path, const std::vector<Datum>& a) {
     const auto *from = a[0].as<Vector>(), *to = a[1].as<Vector>();
     return from && to ? lookAt(from->value, to->value) : Datum{};
   }
+  if (path == "BrickColor.new" && a.size() == 1) return colorGiven(a[0]);
   if (path == "TweenInfo.new") return newTweenInfo(a);
   if (path == "tonumber" && !a.empty()) return converted(a[0]);
   if (path == "tostring" && !a.empty()) return arithmetic("..", a[0], {std::string()});

@@ -20,7 +20,6 @@ constexpr size_t kIdleSteps = 300000;  // of that in a script: leaves steps for 
 constexpr float kSamePlace = 2e-3f;    // studs
 constexpr float kSameTurn = 2e-3f;     // radians
 constexpr size_t kMaxEvents = 200000;  // of one timeline
-constexpr size_t kAskedPerStep = 2;    // expressions of a condition
 
 // Properties that make a loop worth following for more than one round.
 bool isTracked(const ScriptEvent& event) {
@@ -75,35 +74,11 @@ class Repetition {
 
 Reader::Flow Reader::walkRound(const Block& body) {
   const bool skipped = skipped_;
+  ++loops_;
   const Flow flow = walk(body);
+  --loops_;
   skipped_ = skipped;
   return flow == Flow::nextRound ? Flow::on : flow;
-}
-
-// Whether each round sets one of these. What a branch sets, it may as well not.
-bool Reader::assigns(const Block& body, const std::set<std::string>& paths) {
-  return std::any_of(body.begin(), body.end(), [&](const StatPtr& stat) {
-    if (!spend()) return false;
-    const bool sets = std::any_of(stat->targets.begin(), stat->targets.end(), [&](const auto& to) {
-      return stat->kind != StatKind::function && paths.count(pathOf(*to)) > 0;
-    });
-    if (sets || stat->kind == StatKind::branch) return sets;
-    return std::any_of(stat->blocks.begin(), stat->blocks.end(),
-                       [&](const Block& block) { return assigns(block, paths); });
-  });
-}
-
-// Whether a round of a loop can leave it, by a break of its own or by a return.
-bool Reader::canLeave(const Block& body, bool inner) {
-  return std::any_of(body.begin(), body.end(), [&](const StatPtr& stat) {
-    if (!spend()) return false;
-    if (stat->kind == StatKind::returns) return true;
-    if (stat->kind == StatKind::leaves) return !inner && stat->text == "break";
-    const bool loop = stat->kind == StatKind::whileLoop || stat->kind == StatKind::repeatLoop ||
-                      stat->kind == StatKind::numericFor || stat->kind == StatKind::genericFor;
-    return std::any_of(stat->blocks.begin(), stat->blocks.end(),
-                       [&](const Block& block) { return canLeave(block, inner || loop); });
-  });
 }
 
 // A loop that brings about its own end, as `while part.Transparency < 1 do` with a step in it, or
@@ -113,6 +88,9 @@ Reader::Flow Reader::countingLoop(const Stat& stat, bool repeats) {
   const double start = time_;
   const size_t before = timeline_.events.size(), doubts = doubts_;
   const bool endless = isFixed(*stat.values[0]);
+  for (const std::string& path : pathsOf(*stat.values[0]))
+    if (Scope* holder = scope_->holder(path); holder && !isOwn(holder->born))
+      variables_.settle(holder->names, path);
   for (int round = 0; round < kMaxCount; ++round) {
     const Truth goesOn = repeats ? Truth::yes : truthOf(evaluate(*stat.values[0]));
     if (goesOn == Truth::no) return Flow::on;
@@ -139,38 +117,13 @@ Reader::Flow Reader::countingLoop(const Stat& stat, bool repeats) {
   return Flow::on;
 }
 
-// Whether the text tells if the condition holds as the loop begins; no time goes by.
-bool Reader::isTold(const Expr& condition) {
-  const double start = time_;
-  const bool known = truthOf(evaluate(condition)) != Truth::unknown;
-  time_ = start;
-  return known;
-}
-
-// Whether a way out of a loop asks for what each round sets, as `n -= 1 if n == 0 then break end`.
-bool Reader::countsToWayOut(const Block& body) {
-  return std::any_of(body.begin(), body.end(), [&](const StatPtr& stat) {
-    if (!spend() || stat->kind != StatKind::branch || stat->blocks[0].empty()) return false;
-    const Stat& last = *stat->blocks[0].back();
-    const bool leaves =
-        last.kind == StatKind::returns || (last.kind == StatKind::leaves && last.text == "break");
-    if (!leaves) return false;
-    size_t looked = 0;
-    const std::set<std::string> paths = pathsIn(*stat->values[0], looked);
-    spend(looked / kAskedPerStep);
-    return !paths.empty() && assigns(body, paths) && isTold(*stat->values[0]);
-  });
-}
-
 // What follows comes only once something has happened that the text does not tell.
 void Reader::await() { timeline_.awaits = std::min(timeline_.awaits, timeline_.events.size()); }
 
 Reader::Flow Reader::whileLoop(const Stat& stat) {
   const Expr& condition = *stat.values[0];
   const bool repeats = stat.kind == StatKind::repeatLoop;
-  size_t looked = 0;
-  const std::set<std::string> paths = pathsIn(condition, looked);
-  spend(looked / kAskedPerStep);
+  const std::set<std::string> paths = pathsOf(condition);
   const std::set<std::string> poses = posesAmong(paths);
   const bool turns = asksTween(condition) || (!poses.empty() && assigns(stat.blocks[0], poses));
   if (asksClock(paths) || (!paths.empty() && assigns(stat.blocks[0], paths)) ||
@@ -198,6 +151,8 @@ Reader::Flow Reader::whileLoop(const Stat& stat) {
   const Flow flow = endless ? foreverLoop(stat.blocks[0], begins, sure) : walkRound(stat.blocks[0]);
   const bool passed = time_ > start && timeline_.events.size() == event;
   if (passed) endGoing();
+  if (flow == Flow::stop && timeline_.forever && assigns(stat.blocks[0], paths, true))
+    reading_.waysOut.push_back(stat.line);
   if (flow != Flow::stop && (passed || truth == Truth::unknown)) await();
   return flow == Flow::leaveLoop ? Flow::on : flow;
 }
@@ -215,11 +170,14 @@ void Reader::beginLoop() {
   timeline_.loopStart = time_;
   timeline_.loopEvent = timeline_.events.size();
   beforeLoop_.clear();
+  variables_.beginLoop();
+  endless_ = {loops_ + 1, active_.size(), 0};
 }
 
 // Attributes that an endless loop sets, maybe to and fro, are not known when another timeline asks.
 void Reader::leaveLoop() {
   if (!timeline_.forever) return;
+  variables_.endLoop(true);
   for (const auto& [key, old] : beforeLoop_)
     if (key.second.rfind("@", 0) == 0) written_[key] = {};
 }
@@ -250,6 +208,7 @@ Reader::Flow Reader::foreverLoop(const Block& body, const RoundStart& begins, bo
     if (idle && sure && !timeline_.byItself()) vague_ = vague_ || time_ > roundStart;
     const bool leaves = flow == Flow::leaveFunction && !returns;
     const bool ends = flow == Flow::leaveLoop || leaves || idle || (handler && ended_);
+    if (ends && !nested) variables_.endLoop(false);
     if (ends) timeline_.forever = nested;
     if (ends) return leaves ? flow : Flow::on;
     timeline_.period = time_ - timeline_.loopStart;
@@ -268,6 +227,7 @@ Reader::Flow Reader::foreverLoop(const Block& body, const RoundStart& begins, bo
     timeline_.period = repetition.period();
     break;
   }
+  if (!nested && !handler) keepWayOut(body);
   return nested ? Flow::on : Flow::stop;
 }
 

@@ -1,6 +1,7 @@
 // What a handler of a touch does but once: it sets a flag that keeps it from the next time.
 #include <algorithm>
-#include <vector>
+#include <string>
+#include <utility>
 
 #include "import/luau/reader.h"
 
@@ -24,14 +25,6 @@ bool isNot(const Expr& expr) { return expr.kind == ExprKind::unary && expr.text 
 
 bool isLogical(const Expr& expr) { return isAndOr(expr) || isEqual(expr) || isNot(expr); }
 
-// True, false or nil as the text states it; unknown: it is anything else.
-Datum literalOf(const Expr& expr) {
-  if (expr.kind == ExprKind::truth) return {true};
-  if (expr.kind == ExprKind::falsehood) return {false};
-  if (expr.kind == ExprKind::nil) return {Nil{}};
-  return {};
-}
-
 Truth both(Truth a, Truth b) {
   if (a == Truth::no || b == Truth::no) return Truth::no;
   return a == Truth::yes ? b : a;
@@ -41,7 +34,7 @@ Truth both(Truth a, Truth b) {
 
 bool Reader::asksFlag(const Expr& expr, size_t& looked) const {
   ++looked;
-  if (expr.kind == ExprKind::name) return assignments_.isFlag(expr.text);
+  if (const std::string name = flagName(expr); !name.empty()) return assignments_.isFlag(name);
   return isLogical(expr) && std::any_of(expr.kids.begin(), expr.kids.end(),
                                         [&](const ExprPtr& kid) { return asksFlag(*kid, looked); });
 }
@@ -69,49 +62,57 @@ void Reader::closeGuards(size_t from) {
     guards_[i].end = std::min(guards_[i].end, timeline_.events.size());
 }
 
-// Of a variable that outlives the handler and that nothing sets back. Null: it is none.
-const Datum* Reader::flagOf(const Expr& name, Scope* scope, Scope* outside) const {
-  Scope* holder = name.kind == ExprKind::name ? scope->holder(name.text) : nullptr;
-  if (!holder || outside->holder(name.text) != holder) return nullptr;
-  const Datum& value = holder->names[name.text];
-  return assignments_.isSet(name.text, value) ? &value : nullptr;
+// Whether what an expression leads to, by names alone, is there when the handler comes again.
+bool Reader::outlives(const Expr& expr, Scope* scope, Scope* outside) const {
+  if (expr.kind == ExprKind::name) {
+    Scope* holder = scope->holder(expr.text);
+    if (!holder || outside->holder(expr.text) == holder) return true;
+    return holder->names[expr.text].as<Ref>() != nullptr;
+  }
+  const bool asks =
+      expr.kind == ExprKind::method && expr.kids.size() == 2 &&
+      expr.kids[1]->kind == ExprKind::string &&
+      (expr.text == "GetAttribute" || expr.text == "WaitForChild" || expr.text == "FindFirstChild");
+  const bool leads = expr.kind == ExprKind::field ||
+                     (expr.kind == ExprKind::index && expr.kids[1]->kind == ExprKind::string);
+  return (asks || leads) && outlives(*expr.kids[0], scope, outside);
+}
+
+// The value of a flag that outlives the handler and that nothing sets back. Unknown: it is none.
+Datum Reader::flagOf(const Expr& expr, Scope* scope, Scope* outside) {
+  const std::string name = flagName(expr);
+  if (!assignments_.isFlag(name) || !outlives(expr, scope, outside)) return {};
+  Scope* const now = std::exchange(scope_, scope);
+  Datum value = evaluate(expr);
+  scope_ = now;
+  return assignments_.isSet(name, value) ? value : Datum{};
 }
 
 // What a condition gives when the handler comes again, as far as flags tell.
-Truth Reader::nextTime(const Expr& expr, Scope* scope, Scope* outside) const {
+Truth Reader::nextTime(const Expr& expr, Scope* scope, Scope* outside) {
+  if (!spend()) return Truth::unknown;
   const auto of = [&](size_t kid) { return nextTime(*expr.kids[kid], scope, outside); };
   if (isNot(expr)) return negated(of(0));
   if (isAndOr(expr) && expr.text == "and") return both(of(0), of(1));
   if (isAndOr(expr)) return negated(both(negated(of(0)), negated(of(1))));
   const bool equal = isEqual(expr);
   const bool turned = equal && !literalOf(*expr.kids[0]).as<Unknown>();  // `false == done`
-  const Datum* flag = flagOf(equal ? *expr.kids[turned ? 1 : 0] : expr, scope, outside);
-  if (!flag) return Truth::unknown;
-  if (!equal) return truthOf(*flag);
-  return truthOf(compared(expr.text, *flag, literalOf(*expr.kids[turned ? 0 : 1])));
+  const Datum flag = flagOf(equal ? *expr.kids[turned ? 1 : 0] : expr, scope, outside);
+  if (!equal) return truthOf(flag);
+  return truthOf(compared(expr.text, flag, literalOf(*expr.kids[turned ? 0 : 1])));
 }
 
-void Reader::forgetFlags(const Expr& expr, Scope* scope, Scope* outside) {
-  if (flagOf(expr, scope, outside)) scope->holder(expr.text)->names[expr.text] = {};
-  if (!isLogical(expr)) return;
-  for (const ExprPtr& kid : expr.kids) forgetFlags(*kid, scope, outside);
-}
-
-// Flags of a handler that another one makes count only if they outlive that one, too. What other
-// handlers find in them depends on which one comes first.
+// Flags of a handler that another one makes count only if they outlive that one, too.
 void Reader::nameOnce(const Pending& pending) {
   Scope* outside = pending.closure.scope;
   while (pending.ofHandler && outside->parent) outside = outside->parent;
-  std::vector<const Guard*> once;
   for (const Guard& guard : guards_) {
     const Truth again = nextTime(*guard.condition, guard.scope, outside);
     if (again != (guard.holds ? Truth::no : Truth::yes)) continue;
     const size_t end = std::min(guard.end, timeline_.events.size());
     if (!spend((end - guard.first) / kMarkedPerStep)) break;
-    once.push_back(&guard);
     for (size_t i = guard.first; i < end; ++i) timeline_.events[i].onceLine = guard.line;
   }
-  for (const Guard* guard : once) forgetFlags(*guard->condition, guard->scope, outside);
   guards_.clear();
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "import/luau/conditions.h"
+
 namespace obby::importer::luau {
 namespace {
 
@@ -33,6 +35,8 @@ Reader::Reader(const Tree& tree, InstanceId script, size_t& budget) : tree_(tree
 Scope* Reader::newScope(Scope* parent) {
   Scope* scope = arena_.make<Scope>();
   scope->parent = parent;
+  scope->born = followed_;
+  variables_.make(scope->names);
   return scope;
 }
 
@@ -77,12 +81,18 @@ void Reader::openTimeline(const Pending& pending) {
   stopped_ = false;
   zone_ = kNoInstance;
   unsure_ = pending.unsure ? 1 : 0;
-  left_ = skipped_ = false;
+  timeline_.maybe = pending.unsure;
+  left_ = pending.left;
+  skipped_ = false;
   vague_ = pending.vague;
 }
 
 void Reader::follow(const Pending& pending) {
   openTimeline(pending);
+  if (inHandler_)
+    variables_.beginHandler(body_, pending.trigger == Trigger::frame, pending.found);
+  else
+    variables_.beginThread(body_);
   const bool ownClock = triggered_ || !timeline_.byItself();
   std::map<Key, std::vector<Going>> others;  // by the clock of the game
   if (ownClock) others.swap(going_);
@@ -102,6 +112,7 @@ void Reader::follow(const Pending& pending) {
   if (pending.triggered || (over && pending.ofHandler)) timeline_.trigger = Trigger::other;
   if (handler_ != 0 && !over) handlers_[reading_.timelines.size()] = handler_;
   reading_.timelines.push_back(std::move(timeline_));
+  variables_.endHandler();
   for (auto& [key, old] : beforeHandler_) {
     if (old)
       written_[key] = *old;
@@ -179,8 +190,9 @@ Reader::Asked Reader::asked(const Expr& condition) {
 
 // What follows a way out that may be taken may not be reached. Handlers go on: who asks whether a
 // player has touched leaves for all else.
-void Reader::doubt(Flow flow) {
+void Reader::doubt(Flow flow, int line) {
   if (flow != Flow::on) ++doubts_;
+  noteWayOut(flow, line);
   if (!timeline_.byItself()) return;
   if (flow == Flow::leaveFunction) left_ = true;
   if (flow == Flow::leaveLoop || flow == Flow::nextRound) skipped_ = true;
@@ -204,8 +216,12 @@ Reader::Flow Reader::branch(const Stat& stat) {
     if (condition.truth == Truth::no) continue;
     if (unsure) time_ = start;
     const bool open = unsure || (condition.truth == Truth::unknown && !condition.always);
+    const bool either = open && timeline_.trigger == Trigger::start && !timeline_.forever;
     if (open) ++unsure_;
+    if (either) variables_.beginBranch();
     const Flow flow = walk(stat.blocks[i]);
+    if (either)
+      spend(variables_.endBranch(flow != Flow::on, i == 0 ? defaulted(*stat.values[0]) : ""));
     guard(stat, i, event);
     if (open) --unsure_;
     latest = std::max(latest, time_);
@@ -215,7 +231,7 @@ Reader::Flow Reader::branch(const Stat& stat) {
       mayReturn_ = true;
       maybeReturned_ = returned_;
     }
-    if (open && !condition.never) doubt(flow);
+    if (open && !condition.never) doubt(flow, stat.line);
     if (condition.truth == Truth::yes) {
       time_ = latest;
       return unsure ? Flow::on : flow;
@@ -259,8 +275,9 @@ Reader::Flow Reader::assign(const Stat& stat) {
     Datum value = i < values.size() ? values[i] : Datum{};
     if (stat.kind == StatKind::compound) value = arithmetic(stat.text, evaluate(target), value);
     if (target.kind == ExprKind::name) {
-      Scope* holder = scope_->holder(target.text);
-      (holder ? holder : scope_)->names[target.text] = std::move(value);
+      Scope* const found = scope_->holder(target.text);
+      Scope* const holder = found ? found : scope_;
+      variables_.set(holder->names, target.text, std::move(value), isOwn(holder->born));
     } else if (target.kind == ExprKind::field) {
       setField(evaluate(*target.kids[0]), target.text, value, stat.line);
     } else if (target.kind == ExprKind::index) {
@@ -276,8 +293,11 @@ void Reader::setIndexed(const Datum& object, const Datum& key, const Datum& valu
   if (const auto* name = key.as<std::string>()) return setField(object, *name, value, line);
   const auto* table = object.as<Table*>();
   const auto* place = key.as<double>();
-  if (!table || !place || !(*place >= 1)) return;
+  if (!table) return;
   auto& items = (*table)->items;
+  // `list[n] = part` where the text does not tell how often `n` was counted up.
+  if (key.as<Unknown>() && value.as<Ref>()) items.push_back(value);
+  if (!place || !(*place >= 1)) return;
   if (*place <= double(items.size()))
     items[size_t(*place) - 1] = value;
   else if (*place == double(items.size()) + 1)

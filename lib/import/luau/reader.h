@@ -17,6 +17,8 @@
 #include "import/luau/assignments.h"
 #include "import/luau/ast.h"
 #include "import/luau/datum.h"
+#include "import/luau/values.h"
+#include "import/luau/variables.h"
 #include "import/script_reading.h"
 #include "import/tree.h"
 
@@ -43,12 +45,14 @@ class Reader {
     Closure closure;
     std::vector<Datum> arguments;
     double time = 0;
-    bool unsure = false, vague = false;  // as the reader's, where it was begun
-    bool triggered = false;              // done each frame, but from a touch or click on
-    bool awaited = false;                // begun after what the timeline awaits
-    int connection = 0;                  // by which number the script can end it; 0: by none
-    bool once = false;                   // ends as it comes
-    bool ofHandler = false;              // done each frame, but from another signal on
+    // As the reader's, where it was begun; `unsure`: in a branch, or behind one, that may be taken.
+    bool unsure = false, left = false, vague = false;
+    bool triggered = false;  // done each frame, but from a touch or click on
+    bool awaited = false;    // begun after what the timeline awaits
+    int connection = 0;      // by which number the script can end it; 0: by none
+    bool once = false;       // ends as it comes
+    bool ofHandler = false;  // done each frame, but from another signal on
+    Variables::Found found;  // what the handler that connects it has set
   };
   // A tween of a pose or of another property, since its event.
   struct Going {
@@ -81,7 +85,7 @@ class Reader {
   Asked asked(const Expr& condition);
   Flow branch(const Stat& stat);
   void giveBack(const Stat& stat);
-  void doubt(Flow flow);
+  void doubt(Flow flow, int line);
   bool isUnsure() const { return unsure_ > 0 || left_ || skipped_; }
   Flow assign(const Stat& stat);
   void bindLocals(const Stat& stat);
@@ -89,6 +93,8 @@ class Reader {
   void setIndexed(const Datum& object, const Datum& key, const Datum& value, int line);
   bool spend(size_t steps = 1);  // false when the budget is gone
   Scope* newScope(Scope* parent);
+  // Whether the handler that is followed has made the scope or table itself.
+  bool isOwn(size_t born) const { return inHandler_ && born == followed_; }
 
   // threads.cpp
   Datum call(const Closure& closure, const std::vector<Datum>& arguments);
@@ -101,11 +107,7 @@ class Reader {
   // One round of a loop; what ends only the round shows no more.
   Flow walkRound(const Block& body);
   Flow whileLoop(const Stat& stat);
-  bool assigns(const Block& body, const std::set<std::string>& paths);
-  bool canLeave(const Block& body, bool inner);  // `inner`: of a loop in the loop
   Flow countingLoop(const Stat& stat, bool repeats);
-  bool isTold(const Expr& condition);
-  bool countsToWayOut(const Block& body);
   void await();
   bool hasAwaited() const { return timeline_.awaits <= timeline_.events.size(); }
   void beginLoop();
@@ -119,6 +121,16 @@ class Reader {
   Flow genericFor(const Stat& stat);
   using State = std::map<std::pair<InstanceId, std::string>, Datum>;
   State trackedState() const;
+
+  // ways_out.cpp: how a loop ends by what stands in it
+  std::set<std::string> pathsOf(const Expr& condition);
+  bool assigns(const Block& body, const std::set<std::string>& paths, bool maybe = false);
+  bool canLeave(const Block& body, bool inner);  // `inner`: of a loop in the loop
+  bool isTold(const Expr& condition);
+  bool countsToWayOut(const Block& body);
+  int lateWayOut(const Block& round, const Block& body);
+  void noteWayOut(Flow flow, int line);
+  void keepWayOut(const Block& body);
 
   // evaluate.cpp: expressions
   Datum evaluate(const Expr& expr);
@@ -175,6 +187,7 @@ class Reader {
 
   // instances.cpp: what instances answer
   Datum instanceField(InstanceId id, const std::string& name);
+  Datum numberedColor(InstanceId id) const;
   Datum instanceMethod(InstanceId id, const std::string& name, const std::vector<Datum>& arguments,
                        int line);
   Datum instanceSearch(InstanceId id, const std::string& name, const std::vector<Datum>& arguments,
@@ -212,9 +225,9 @@ class Reader {
   void guard(const Stat& stat, size_t branch, size_t event);
   void closeGuards(size_t from);
   bool asksFlag(const Expr& expr, size_t& looked) const;
-  const Datum* flagOf(const Expr& name, Scope* scope, Scope* outside) const;
-  Truth nextTime(const Expr& expr, Scope* scope, Scope* outside) const;
-  void forgetFlags(const Expr& expr, Scope* scope, Scope* outside);
+  bool outlives(const Expr& expr, Scope* scope, Scope* outside) const;
+  Datum flagOf(const Expr& expr, Scope* scope, Scope* outside);
+  Truth nextTime(const Expr& expr, Scope* scope, Scope* outside);
   void nameOnce(const Pending& pending);
 
   // effects.cpp: what assignments do
@@ -257,6 +270,7 @@ class Reader {
   const Function* body_ = nullptr;  // of the handler that is followed
   std::set<int> renewed_;           // connections whose handlers connect themselves anew
   Assignments assignments_;
+  Variables variables_;
   std::vector<Guard> guards_;  // of the handler that is followed
   Arena arena_;
   Datum returned_;
@@ -269,6 +283,13 @@ class Reader {
   int unsure_ = 0;                 // open branches whose condition is unknown
   // A branch of this kind has left the function, or the round of the loop: what follows may not be.
   bool left_ = false, skipped_ = false;
+  int loops_ = 0;  // that are open around what is followed
+  struct Endless {
+    int loops = 0;  // open in its rounds
+    size_t calls = 0;
+    int wayOut = 0;  // the line of one that may be taken
+  };
+  Endless endless_;       // the loop that is followed, if the timeline is in one
   size_t doubts_ = 0;     // ways out of a loop or function that may be taken, so far
   bool vague_ = false;    // the timeline has waited for a time that is not known
   bool stopped_ = false;  // an endless loop was met inside a call: what follows is never reached
@@ -280,21 +301,5 @@ class Reader {
   std::vector<Active> active_;  // functions that are being called, the outermost first
   size_t& budget_;
 };
-
-// calls.cpp: what instances have to connect handlers to.
-bool isSignalName(const std::string& name);
-
-// library.cpp: Vector3, CFrame, TweenInfo, math, string: pure functions of known values.
-Datum libraryField(const std::string& path);
-Datum libraryCall(const std::string& path, const std::vector<Datum>& arguments);
-Datum valueMethod(const Datum& object, const std::string& name,
-                  const std::vector<Datum>& arguments);
-
-// frames.cpp: the properties of a part that say where it is, and its pose once one of them has
-// `value`; unknown if that is.
-bool isPoseProperty(const std::string& name);
-bool setsPlace(const std::string& poseProperty);
-bool setsTurn(const std::string& poseProperty);
-Datum posed(Pose pose, const std::string& name, const Datum& value);
 
 }  // namespace obby::importer::luau

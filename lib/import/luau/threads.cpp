@@ -7,7 +7,8 @@
 namespace obby::importer::luau {
 namespace {
 
-constexpr size_t kMaxCalls = 12;  // one in the other
+constexpr size_t kMaxCalls = 12;      // one in the other
+constexpr size_t kStepsOfAValue = 4;  // that is kept for a handler
 
 }  // namespace
 
@@ -62,13 +63,19 @@ void Reader::later(Pending pending, const Datum& function, std::vector<Datum> ar
   if (!closure || pending_.size() >= kMaxTimelines) return;
   pending.closure = *closure;
   pending.arguments = std::move(arguments);
+  spend(variables_.note(*closure));
   // What each frame does begins as it is connected; other handlers count from their trigger.
-  if (pending.trigger == Trigger::frame && timeline_.trigger == Trigger::start) {
+  const bool atStart = timeline_.trigger == Trigger::start;
+  if (pending.trigger == Trigger::frame && atStart) {
     pending.time = time_;
-    pending.unsure = isUnsure();
+    pending.left = left_;
     pending.vague = vague_;
     pending.awaited = hasAwaited();
   }
+  // An early way out of the script would keep it from all handlers, and not from this one.
+  if (atStart) pending.unsure = unsure_ > 0 || skipped_;
+  pending.found = variables_.heldNow(pending.trigger == Trigger::frame);
+  spend(pending.found.size() * kStepsOfAValue);
   pending.triggered = triggered_ && pending.trigger == Trigger::frame;
   pending.ofHandler = timeline_.trigger != Trigger::start;
   pending_.push_back(std::move(pending));
@@ -82,8 +89,10 @@ void Reader::beside(const Datum& function, const std::vector<Datum>& arguments, 
     Pending pending;
     pending.closure = *closure;
     pending.arguments = arguments;
+    spend(variables_.note(*closure));
     pending.time = time_ + delay;
-    pending.unsure = isUnsure();
+    pending.unsure = unsure_ > 0 || skipped_;
+    pending.left = left_;
     pending.vague = vague_;
     pending.awaited = hasAwaited();
     pending_.push_back(std::move(pending));

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "import/luau/reader.h"
+#include "import/motion_room.h"
 #include "import/pivot.h"
 #include "import/pose_math.h"
 #include "import/tween_motion.h"
@@ -162,17 +163,19 @@ void Reader::keepStart(Tween& tween) {
   if (!isFinite(tween.from.rotation.x)) tween.from.rotation = last.rotation;
 }
 
-// `done`: seconds before a pause.
+// `done`: seconds before a pause. Repeats that outlast all motions are as good as endless.
 void Reader::takeUp(const Tween& tween, ScriptEvent& event, double done) {
   event.kind = EventKind::tween;
   event.tween = tween.timing;
+  const bool outlasts = tween.timing.repeats > 0 && tween.timing.total() > double(kLongestMotion);
+  if (outlasts) event.tween.repeats = -1;
   event.which = tween.number;
   if (done > event.tween.delay)
     event.done = done;
   else
     event.tween.delay -= done;
   drive(tween, event);
-  if (tween.timing.reverses && tween.timing.repeats >= 0) comeBack(tween, event);
+  if (tween.timing.reverses && event.tween.repeats >= 0) comeBack(tween, event);
 }
 
 // Puts an end to what has set the same so far.

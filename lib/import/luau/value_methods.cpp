@@ -70,10 +70,12 @@ Datum ofText(const std::string& text, const std::string& name, const std::vector
   if (name == "lower") return {lower(text)};
   if (name == "len") return {double(text.size())};
   const auto* pattern = a.empty() ? nullptr : a[0].as<std::string>();
-  if ((name == "find" || name == "match") && pattern && isPlain(*pattern)) {
-    const size_t at = text.find(*pattern);
+  const bool anchored = pattern && a.size() == 1 && pattern->rfind('^', 0) == 0;
+  const std::string plain = pattern ? pattern->substr(anchored ? 1 : 0) : std::string();
+  if ((name == "find" || name == "match") && pattern && isPlain(plain)) {
+    const size_t at = anchored && text.rfind(plain, 0) != 0 ? std::string::npos : text.find(plain);
     if (at == std::string::npos) return {Nil{}};
-    return name == "find" ? Datum{double(at + 1)} : Datum{*pattern};
+    return name == "find" ? Datum{double(at + 1)} : Datum{plain};
   }
   if (name == "match" && pattern && *pattern == "%d+") {
     const auto number = firstNumber(text);

@@ -71,7 +71,7 @@ void jumpPadFromScripts(RoleContext& context) {
     for (const ScriptEvent& event : timeline.events)
       if (event.kind == EventKind::push && event.vector)
         giveJumpPad(part, padFromPush(*event.vector),
-                    scriptReason(context.tree, reading, event.line), false);
+                    scriptReason(context.tree, reading, event.line), timeline.maybe);
   });
 }
 

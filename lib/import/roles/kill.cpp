@@ -28,6 +28,8 @@ const std::vector<std::string_view> kKillTags = {
     "spike",     "spikes",    "laser",    "obstaclekill", "killblocks", "killbricks", "killparts"};
 const std::vector<std::string_view> kDamageTags = {"damage", "damagebrick", "damagepart",
                                                    "damageblock", "hurt"};
+// What a designer says of a part that a script or a name shows wrongly as a kill part.
+const std::vector<std::string_view> kHarmlessTags = {"harmless", "nokill", "nodamage"};
 const std::vector<std::string_view> kKitTags = {"kills", "double", "ouch", "instakills",
                                                 "instakill"};
 
@@ -65,7 +67,7 @@ bool isKillFolder(const Instance& folder) {
 }
 
 bool give(PartDraft& part, Kill kill, std::string reason, bool guessed) {
-  if (part.kill || part.goal || part.checkpoint || hasEvidence(part, "notKill")) return false;
+  if (part.kill || part.goal || part.checkpoint || hasEvidence(part, kHarmless)) return false;
   part.kill = kill;
   part.evidence.push_back({"kill", std::move(reason), guessed});
   return true;
@@ -95,6 +97,11 @@ Kill stated(const Tree& tree, InstanceId id, Kill fallback) {
 }  // namespace
 
 void killFromTags(RoleContext& context) {
+  context.eachTagged(kHarmlessTags, [&](InstanceId id, const std::string& tag) {
+    for (PartDraft* part : context.partsOf(id))
+      if (!hasEvidence(*part, kHarmless))
+        part->evidence.push_back({kHarmless, "tag " + tag, false});
+  });
   const auto each = [&](const std::vector<std::string_view>& tags, auto kill) {
     context.eachTagged(tags, [&](InstanceId id, const std::string& tag) {
       const Kill all = stated(context.tree, id, kill(tag));
@@ -141,7 +148,7 @@ void killFromScripts(RoleContext& context) {
                                  : std::max(100.0f, context.level.world.maxHealth);
         const double wait = touch ? timeline.end - hit.time : timeline.period;
         give(*part, {amount, float(std::clamp(wait, 0.0, 60.0))},
-             scriptReason(context.tree, reading, hit.line), untold);
+             scriptReason(context.tree, reading, hit.line), untold || (touch && timeline.maybe));
       }
     }
 }

@@ -242,6 +242,12 @@ void takeMoved(ScriptMotions& motions, const Timeline& timeline, InstanceId id, 
   if (clash == Clash::none && moved.endless && !goesOnBeside(*motion, moved))
     clash = Clash::noSingle;
   if (clash != Clash::none) return motions.leaveMixed(id, clash == Clash::tooLong, reason);
+  const bool cut = std::any_of(moved.tweens.begin(), moved.tweens.end(), [](const auto* event) {
+    return event->tween.repeats > kMostTweenRepeats;
+  });
+  if (cut)
+    motions.leave(id, "tween of many rounds",
+                  "ends after " + std::to_string(kMostTweenRepeats + 1) + " rounds; " + reason);
   ScriptMotion found = described(moved);
   found.id = id;
   found.motion = std::move(*motion);

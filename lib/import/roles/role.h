@@ -81,8 +81,11 @@ PartDraft* touchPart(RoleContext& context, InstanceId id);
 // True if some evidence gave the part a role called `role`.
 bool hasEvidence(const PartDraft& part, const char* role);
 
-// True if anything but its shape, its joints and what scripts set at the start is known about the
-// part.
+// The evidence of a part that a tag says to hurt nobody; it leaves the other roles as they are.
+constexpr const char* kHarmless = "harmless";
+
+// True if anything but its shape, its joints, what scripts set at the start and that it is harmless
+// is known about the part.
 bool hasRole(const PartDraft& part);
 
 // The finders of each role file.

@@ -76,7 +76,7 @@ void fromTouch(const Tree& tree, PartDraft& part, const Timeline& timeline,
   vanish.away = back ? float(back->time - gone->time) : kGone;
   const bool falls = gone->property == "Anchored";
   give(part, vanish, scriptReason(tree, reading, gone->line) + (falls ? " (falls away)" : ""),
-       falls || timeline.vague);
+       falls || timeline.vague || timeline.maybe);
 }
 
 // What is out of the world does nothing: as a part without collision, if it is but solid.
