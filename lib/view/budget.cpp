@@ -12,13 +12,20 @@ namespace obby::view {
 namespace {
 
 constexpr uint32_t kMaxStride = 8;
+constexpr uint32_t kCoarsest = 64;  // of moving parts, where no browser would open the page else
 constexpr uint32_t kLeastSeconds = 20;  // of motion to show where no trajectory is longer
+constexpr uint32_t kMostSeconds = 600;  // of motion that a page shows
 constexpr size_t kSampleBytes = 20;     // position, yaw, state in base64
 constexpr size_t kRunBytes = 8;         // of the same action
+constexpr size_t kEventBytes = 18;      // of a part that comes, goes or starts to move
 constexpr size_t kWayBytes = 300;       // names and numbers of a trajectory
 constexpr size_t kPartBytes = 70;       // of columns, and around the name
 constexpr size_t kVertexBytes = 16;     // of a hull
 constexpr size_t kEvidenceBytes = 16;   // around its words
+
+uint32_t mostTicksShown(const LevelEntry& level) {
+  return kMostSeconds * level.level->view().params.controlRate;
+}
 
 size_t base64Size(size_t bytes) { return (bytes + 2) / 3 * 4; }
 
@@ -60,18 +67,19 @@ std::vector<uint32_t> ticksShown(const Report& report) {
       if (!path.played()) continue;
       last = std::max(last, uint64_t(path.reader().getStartTick()) + path.playback.ticks());
     }
-    // Ten minutes of motion is all that a page shows; later starts wrap where the motion repeats.
-    const uint64_t most = 600ull * level.level->view().params.controlRate;
+    // Later starts wrap where the motion repeats.
     uint32_t& shown = ticks[size_t(query.level)];
-    shown = std::max(shown, uint32_t(std::min(last, most)));
+    shown = std::max(shown, uint32_t(std::min<uint64_t>(last, mostTicksShown(level))));
   }
   return ticks;
 }
 
 void PageSizes::add(const LevelEntry& level, uint32_t ticks) {
   for (const auto part : level.reader().getParts()) fixed += sizeOf(part);
-  forTracks(level.level->view(), ticks, 1,
-            [&](const Track& track) { tracks += base64Size(track.bytes()); });
+  forTracks(level.level->view(), ticks, 1, [&](const Track& track) {
+    tracks += base64Size(track.bytes());
+    longMotion = longMotion || (track.cut && ticks >= mostTicksShown(level));
+  });
 }
 
 void PageSizes::add(const QueryEntry& query) {
@@ -81,6 +89,7 @@ void PageSizes::add(const QueryEntry& query) {
     (attempt ? attempts : fixed) += path.playback.feet.size() * kSampleBytes;
     size_t& rest = attempt ? whole : fixed;
     rest += kWayBytes + path.reader().getActions().size() * kRunBytes;
+    rest += (path.playback.events.size() + path.playback.motions.size()) * kEventBytes;
     for (const LooseTrack& track : path.playback.loose) rest += base64Size(track.bytes());
   }
 }
@@ -99,6 +108,8 @@ Budget budgetFor(const PageSizes& sizes, size_t target, Budget least) {
   while (total(sizes, b) > target && b.attemptStride < kMaxStride) b.attemptStride *= 2;
   while (total(sizes, b) > target && b.trackStride < kMaxStride) b.trackStride *= 2;
   while (total(sizes, b) > target && attemptsSize(sizes, b) > target / 8) b.attemptsOneOf *= 2;
+  const size_t most = std::max(target, kPageLimit);
+  while (total(sizes, b) > most && b.trackStride < kCoarsest) b.trackStride *= 2;
   if (b.attemptStride > 1) {
     b.notes.push_back(
         fmt::format("Failed attempts show one tick in {}, to keep the page small. "
@@ -108,6 +119,11 @@ Budget budgetFor(const PageSizes& sizes, size_t target, Budget least) {
   if (b.trackStride > 1) {
     b.notes.push_back(
         fmt::format("Moving parts show one tick in {}. --full keeps all.", b.trackStride));
+  }
+  if (sizes.longMotion) {
+    b.notes.push_back(
+        "Moving parts are shown for ten minutes. Those whose motion takes longer stand still "
+        "then.");
   }
   if (b.attemptsOneOf > 1) {
     b.notes.push_back(

@@ -27,7 +27,8 @@ uint32_t leastTicksShown(const LevelEntry& level);
 // How large the page's data is when nothing is thinned out, about, in bytes.
 struct PageSizes {
   size_t fixed = 0, attempts = 0, tracks = 0;
-  size_t whole = 0;  // of attempts, what no stride thins out: loose bodies, actions, numbers
+  size_t whole = 0;         // of attempts, what no stride thins out: loose bodies, actions, numbers
+  bool longMotion = false;  // of some part there is more than a page shows
 
   // `ticks` of motion are shown.
   void add(const LevelEntry& level, uint32_t ticks);

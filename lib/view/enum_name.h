@@ -8,13 +8,13 @@
 
 namespace obby::view {
 
-// As in JSON; "running" for a value that this version's schema does not have. Valid for good.
+// As in JSON; `otherwise` for a value that this version's schema does not have. Valid for good.
 template <class Enum>
-std::string_view enumName(Enum value) {
+std::string_view enumName(Enum value, std::string_view otherwise = "running") {
   const auto names = capnp::Schema::from<Enum>().getEnumerants();
   const auto index = uint16_t(value);
   return index < names.size() ? std::string_view(names[index].getProto().getName().cStr())
-                              : std::string_view("running");
+                              : otherwise;
 }
 
 }  // namespace obby::view

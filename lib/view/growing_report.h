@@ -12,6 +12,10 @@
 
 namespace obby::view {
 
+// What is kept of a stream that may never end: of ways some 350 MB in the tool, which holds them as
+// played and as pages get them, and 200 MB in each browser; of levels, queries and answers 200 MB.
+inline constexpr Room kLiveRoom = {10'000'000, 100, size_t(200) << 20, true};
+
 enum class StreamState { open, ended, broken };
 
 // Its lock guards the collector; the reading thread changes the report, the showing one looks at

@@ -72,6 +72,7 @@ void LiveData::thin(const Report& report) {
     }
     sizes.fixed += level.sizes.fixed;
     sizes.tracks += level.sizes.tracks;
+    sizes.longMotion = sizes.longMotion || level.sizes.longMotion;
   }
   for (const QueryEntry& query : report.queries) sizes.add(query);
   budget_ = budgetFor(sizes, options_.full ? kPageLimit : kPageTarget, std::move(budget_));

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+
 #include "io/text.h"
 #include "view/page_parts.h"
 #include "view/page_template.h"
@@ -47,7 +49,7 @@ void writeNotes(JsonText& json, const Report& report, const Budget& budget) {
 }
 
 std::string pageData(const Report& report, const PageOptions& options) {
-  const Budget budget = options.full ? Budget{} : budgetFor(report, kPageTarget);
+  const Budget budget = budgetFor(report, options.full ? SIZE_MAX : kPageTarget);
   JsonText json;
   json.open('{').field("format", kPageFormat).field("generator", options.generator);
   json.field("title", report.title());

@@ -130,7 +130,7 @@ void writeResult(JsonText& json, const QueryEntry& entry) {
   }
   const auto result = entry.answer();
   const auto timing = result.getTiming();
-  json.open('{').field("verdict", enumName(result.getVerdict()));
+  json.open('{').field("verdict", enumName(result.getVerdict(), "unknown"));
   json.field("reason", std::string_view(result.getReason().cStr()));
   json.field("solutions", result.getSolutions()).field("ticks", result.getTicks());
   json.field("jumps", result.getJumps()).field("steps", std::to_string(result.getSteps()));
@@ -190,13 +190,14 @@ void writeDifficulty(JsonText& json, schema::Trajectory::Reader path) {
   const auto difficulty = path.getDifficulty();
   if (difficulty.getHardest() >= difficulty.getSteps().size()) return;
   const auto hardest = difficulty.getSteps()[difficulty.getHardest()];
-  json.key("difficulty").open('{').field("band", enumName(difficulty.getBand()));
+  json.key("difficulty").open('{').field("band", enumName(difficulty.getBand(), "unknown"));
   json.field("success", difficulty.getSuccess());
   json.field("expectedAttempts", difficulty.getExpectedAttempts());
   json.field("noise", std::string_view(difficulty.getNoise().cStr())).key("hardest").open('{');
   json.field("startTick", hardest.getStartTick()).field("ticks", hardest.getTicks());
   json.field("from", hardest.getFrom()).field("to", hardest.getTo());
-  json.field("jumps", hardest.getJumps()).field("band", enumName(hardest.getBand()));
+  json.field("jumps", hardest.getJumps());
+  json.field("band", enumName(hardest.getBand(), "unknown"));
   json.field("window", hardest.getWindow()).close().close();
 }
 

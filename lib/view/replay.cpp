@@ -3,60 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "sim/clocks.h"
+#include <utility>
+
 #include "sim/simulator.h"
 #include "view/enum_name.h"
 
 namespace obby::view {
 namespace {
-
-// Colliders with one of the flags, one a part: hulls of one part share its role and mover.
-std::vector<uint32_t> collidersWith(const level::LevelView& view, uint32_t flags) {
-  std::vector<uint32_t> found;
-  for (uint32_t i = 0; i < view.colliderCount; ++i) {
-    if ((view.bounds[i].flags & flags) == 0) continue;
-    if (found.empty() || view.colliders[found.back()].part != view.colliders[i].part) {
-      found.push_back(i);
-    }
-  }
-  return found;
-}
-
-// When parts lose and get back their collision by a running clock.
-std::vector<PartEvent> eventsOf(const std::vector<sim::World>& worlds,
-                                const level::LevelView& view) {
-  std::vector<PartEvent> events;
-  const std::vector<uint32_t> parts = collidersWith(view, level::kClocked);
-  std::vector<bool> away(parts.size(), false);
-  for (uint32_t tick = 0; tick < worlds.size() && !parts.empty(); ++tick) {
-    for (size_t i = 0; i < parts.size(); ++i) {
-      const level::Collider& c = view.colliders[parts[i]];
-      const bool now = sim::isAway(worlds[tick], view, c.role, level::kClocked);
-      if (now != away[i]) events.push_back({tick, c.part, !now});
-      away[i] = now;
-    }
-  }
-  return events;
-}
-
-// When triggered parts start to move, start anew, and rest.
-std::vector<MotionEvent> motionsOf(const std::vector<sim::World>& worlds,
-                                   const level::LevelView& view) {
-  std::vector<MotionEvent> events;
-  const std::vector<uint32_t> parts = collidersWith(view, level::kTriggered);
-  std::vector<int64_t> start(parts.size(), kRests);
-  for (uint32_t tick = 0; tick < worlds.size() && !parts.empty(); ++tick) {
-    for (size_t i = 0; i < parts.size(); ++i) {
-      const level::Collider& c = view.colliders[parts[i]];
-      const sim::World& w = worlds[tick];
-      const int clock = sim::findClock(w, view.movers[c.mover].trigger);
-      const int64_t now = clock < 0 ? kRests : int64_t(tick) - w.clocks[clock].ticks;
-      if (now != start[i]) events.push_back({tick, c.part, now});
-      start[i] = now;
-    }
-  }
-  return events;
-}
 
 std::string compare(const Playback& replay, uint64_t hash, schema::Trajectory::Reader record,
                     bool withQuery) {
@@ -99,8 +52,10 @@ Result<Playback> playBack(const level::Level& level, const level::Query* query,
   }
   const sim::World& last = worlds.back();
   const uint64_t hash = sim::stateHash(last, replay.looseAt(worlds.size() - 1));
-  out.events = eventsOf(worlds, level.view());
-  out.motions = motionsOf(worlds, level.view());
+  PartEvents parts = partEventsOf(worlds, level.view());
+  out.events = std::move(parts.events);
+  out.motions = std::move(parts.motions);
+  out.partsCut = parts.cut;
   out.loose = looseTracksOf(replay, level.view());
   out.outcome = schema::Outcome(uint16_t(last.outcome));
   out.part = last.part == level::kNone ? -1 : int32_t(last.part);

@@ -10,23 +10,9 @@
 #include "level/level.h"
 #include "schema/obby.capnp.h"
 #include "view/loose_track.h"
+#include "view/part_events.h"
 
 namespace obby::view {
-
-// A part that loses (or gets back) its collision during a playthrough.
-struct PartEvent {
-  uint32_t tick;  // since the start of the playthrough
-  uint32_t part;
-  bool solid;
-};
-
-// A triggered part starts to move, starts anew, or rests again.
-struct MotionEvent {
-  uint32_t tick;  // since the start of the playthrough
-  uint32_t part;
-  int64_t start;  // tick at which its motion is at its beginning, or kRests
-};
-constexpr int64_t kRests = -1;
 
 // Bits of Playback::state.
 constexpr uint8_t kAirborne = 1;
@@ -39,6 +25,7 @@ struct Playback {
   std::vector<uint8_t> state;
   std::vector<PartEvent> events;
   std::vector<MotionEvent> motions;
+  bool partsCut = false;  // there are more of these than are kept: PartEvents::cut
   std::vector<LooseTrack> loose;
   std::vector<uint32_t> jumpTicks;  // at which a jump was made
   schema::Outcome outcome = schema::Outcome::RUNNING;

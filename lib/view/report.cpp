@@ -25,12 +25,10 @@ std::string queryOf(const io::Record& record) {
   }
 }
 
-bool ofProgress(const PathEntry& path) { return path.record.which() == io::Kind::PROGRESS; }
-
 }  // namespace
 
 schema::Trajectory::Reader PathEntry::reader() const {
-  if (!ofProgress(*this)) return record.reader().getTrajectory();
+  if (!ofProgress()) return record.reader().getTrajectory();
   const auto progress = record.reader().getProgress();
   switch (kind) {
     case PathKind::closest: return progress.getBest();
@@ -65,6 +63,7 @@ Status Collector::addLevel(const io::Record& record) {
   if (!fresh) return {};
   lastNamed_[level->name()] = current_;
   report_.levels.push_back({record, std::move(level)});
+  if (report_.levels.size() > 1) weigh(report_.levels.back());
   return {};
 }
 
@@ -94,13 +93,16 @@ bool Collector::wanted(const io::Record& record) const {
 
 Status Collector::add(const io::Record& record) {
   if (!record.known()) return {};
-  if (record.which() == io::Kind::LEVEL) return addLevel(record);
-  if (!wanted(record)) return {};
+  if (record.which() == io::Kind::LEVEL) return full() ? Status() : addLevel(record);
+  if (!wanted(record) || full()) return {};
   switch (record.which()) {
     case io::Kind::QUERY: addQuery(record); return {};
     case io::Kind::RESULT: {
       const auto result = record.reader().getResult();
-      queryNamed(result.getQuery(), levelNamed(result.getLevel())).result = record;
+      QueryEntry& entry = queryNamed(result.getQuery(), levelNamed(result.getLevel()));
+      entry.result = record;
+      entry.progress.reset();  // it holds ways of a search that is over
+      entry.weighed = false;
       return {};
     }
     case io::Kind::TRAJECTORY: {
@@ -121,6 +123,7 @@ void Collector::addQuery(const io::Record& record) {
   // The same again, from a concatenated stream.
   if (entry.query && capnp::toAny(entry.reader()) == capnp::toAny(query)) return;
   entry.query = record;
+  entry.weighed = false;
   entry.compiled.reset();
   // What came before its query was played without its regions and limits.
   for (PathEntry& path : entry.paths) {
@@ -135,8 +138,9 @@ void Collector::addProgress(const io::Record& record) {
   if (!progress.hasBest()) return;
   QueryEntry& entry = queryNamed(progress.getQuery(), levelNamed(progress.getBest().getLevel()));
   entry.progress = record;
+  entry.weighed = false;
   const auto kept = std::stable_partition(entry.paths.begin(), entry.paths.end(),
-                                          [](const PathEntry& path) { return !ofProgress(path); });
+                                          [](const PathEntry& path) { return !path.ofProgress(); });
   std::vector<PathEntry> before(std::make_move_iterator(kept),
                                 std::make_move_iterator(entry.paths.end()));
   entry.paths.erase(kept, entry.paths.end());
@@ -193,9 +197,9 @@ Status Collector::replay(QueryEntry& entry) {
   // An answer says more than what was known on the way to it.
   const auto any = [&](auto&& holds) { return std::ranges::any_of(entry.paths, holds); };
   const bool solved = any([](const PathEntry& p) { return p.kind == PathKind::solution; });
-  const bool answered = any([](const PathEntry& p) { return !ofProgress(p); });
+  const bool answered = any([](const PathEntry& p) { return !p.ofProgress(); });
   const auto outdated = [&](const PathEntry& p) {
-    return ofProgress(p) && (p.kind == PathKind::closest ? solved : answered);
+    return p.ofProgress() && (p.kind == PathKind::closest ? solved : answered);
   };
   for (PathEntry& path : entry.paths) {
     if (outdated(path)) forget(path.playback);
@@ -208,7 +212,7 @@ Status Collector::replay(QueryEntry& entry) {
   }
   Status first;
   for (PathEntry& path : entry.paths) {
-    Status status = path.played() ? Status() : play(entry, path);
+    Status status = path.played() || path.dropped ? Status() : play(entry, path);
     if (!status) status = forgive_(path.record, std::move(status).error());
     if (first) first = std::move(status);
   }
@@ -224,23 +228,21 @@ Status Collector::play(const QueryEntry& entry, PathEntry& path) {
   }
   OBBY_ASSIGN(Playback playback, playBack(*report_.levels[size_t(entry.level)].level,
                                           entry.compiled.get(), path.reader()));
-  if (ticksKept_ + playback.feet.size() <= mostTicks_) {
-    ticksKept_ += playback.feet.size();
-    path.playback = std::move(playback);
+  const size_t cost = costOf(playback);
+  if (!hasRoom(cost) && room_.rolls) makeRoom(cost, path.kind);
+  if (hasRoom(cost)) {
+    keep(path, std::move(playback));
     return {};
   }
   if (path.kind == PathKind::solution) {
     return makeError("the trajectories are too long to be shown together",
                      "--query shows one query only");
   }
-  if (!full_) note("Attempts are left out: those before them take all the room that there is.");
-  full_ = true;
+  if (!attemptsNoted_) {
+    note("Attempts are left out: those before them take all the room that there is.");
+  }
+  attemptsNoted_ = true;
   return {};
-}
-
-void Collector::forget(Playback& playback) {
-  ticksKept_ -= playback.feet.size();
-  playback = {};
 }
 
 Status Collector::update() {
@@ -249,7 +251,9 @@ Status Collector::update() {
     for (Status status : {compile(report_.queries[index]), replay(report_.queries[index])}) {
       if (first) first = std::move(status);
     }
+    weigh(report_.queries[index]);
   }
+  sweepDropped();
   return first;
 }
 

@@ -2,6 +2,8 @@
 // with their replay.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -31,10 +33,12 @@ struct PathEntry {
   PathKind kind;
   io::Record record;  // a trajectory, or the progress that holds some
   Playback playback;
-  uint32_t death = 0;   // of an attempt in a progress: which of them
-  uint64_t serial = 0;  // names this replay within a collector, from 1 on, whatever comes and goes
+  uint32_t death = 0;    // of an attempt in a progress: which of them
+  uint64_t serial = 0;   // names this replay within a collector, from 1 on, whatever comes and goes
+  bool dropped = false;  // it has left for newer ones, and goes with the next update
 
   bool played() const { return !playback.feet.empty(); }
+  bool ofProgress() const { return record.which() == io::Kind::PROGRESS; }
   schema::Trajectory::Reader reader() const;
 };
 
@@ -47,6 +51,8 @@ struct QueryEntry {
   std::optional<io::Record> result;
   std::optional<io::Record> progress;  // the last one
   std::vector<PathEntry> paths;        // solutions first
+  size_t bytes = 0;                    // of the three records above, as the collector counts them
+  bool weighed = false;                // `bytes` is right
 
   schema::Query::Reader reader() const { return query->reader().getQuery(); }
   schema::Result::Reader answer() const { return result->reader().getResult(); }
@@ -61,7 +67,16 @@ struct Report {
   std::string title() const;
 };
 
-constexpr size_t kMostTicksKept = 20'000'000;  // of replays, some 15 bytes each
+// How much of a stream a collector keeps.
+struct Room {
+  size_t ticks = 20'000'000;  // of replays, some 15 bytes each; what parts do counts, too
+  size_t wayTicks = 0;        // for which each way counts beyond its own: its record, its numbers
+  // Of levels but the first, queries and answers. Once it is passed, nothing more is taken in.
+  size_t bytes = SIZE_MAX;
+  // The oldest ways leave for newer ones, attempts before solutions. Else attempts for which there
+  // are no ticks are left out, and such solutions are errors.
+  bool rolls = false;
+};
 
 // Takes the records of a stream in order, in one pass; answers may come before their query. What is
 // there may be looked at on the way.
@@ -69,11 +84,10 @@ class Collector {
  public:
   // Decides about a record that cannot be shown: success goes on without it.
   using Forgive = std::function<Status(const io::Record&, Error)>;
-  // Where `only` is not empty, other queries and what belongs to them are left out. `mostTicks`: of
-  // replays to be kept; beyond that attempts are left out, and solutions are errors.
-  explicit Collector(Forgive forgive, std::vector<std::string> only = {},
-                     size_t mostTicks = kMostTicksKept)
-      : forgive_(std::move(forgive)), only_(std::move(only)), mostTicks_(mostTicks) {}
+  // Where `only` is not empty, other queries and what belongs to them are left out. What there is
+  // no room for is told in a note.
+  explicit Collector(Forgive forgive, std::vector<std::string> only = {}, Room room = {})
+      : forgive_(std::move(forgive)), only_(std::move(only)), room_(room) {}
 
   Status add(const io::Record& record);
   // Compiles queries and replays trajectories that came since the last time. What cannot be is left
@@ -101,12 +115,28 @@ class Collector {
   Status compile(QueryEntry& entry);
   Status replay(QueryEntry& entry);
   Status play(const QueryEntry& entry, PathEntry& path);
+
+  // room.cpp
+  size_t costOf(const Playback& playback) const;
+  void keep(PathEntry& path, Playback playback);
   void forget(Playback& playback);
+  bool hasRoom(size_t cost) const { return ticksKept_ + cost <= room_.ticks; }
+  void makeRoom(size_t cost, PathKind kind);
+  void dropOldest(size_t cost, PathKind kind);
+  void sweepDropped();
+  void weigh(QueryEntry& entry);
+  void weigh(const LevelEntry& entry);
+  bool full();
 
   Forgive forgive_;
   std::vector<std::string> only_;
-  size_t mostTicks_, ticksKept_ = 0;
-  bool full_ = false;  // attempts were left out, and it is noted
+  Room room_;
+  size_t ticksKept_ = 0, bytesKept_ = 0;
+  // Noted: attempts were left out; records were; what parts do is cut.
+  bool attemptsNoted_ = false, fullNoted_ = false, cutNoted_ = false;
+  size_t dropped_ = 0;                 // ways
+  std::optional<size_t> droppedNote_;  // place among the notes of the one that tells how many
+  std::set<size_t> thinned_;           // queries that hold ways that were dropped
   Report report_;
   int current_ = -1;  // index into its levels: of the last level record; -1: none that can be shown
   std::map<std::pair<std::string, uint64_t>, int> levels_;  // by name and hash

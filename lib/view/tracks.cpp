@@ -9,6 +9,17 @@
 namespace obby::view {
 namespace {
 
+constexpr uint32_t kLeastOfRound = 12;  // samples; fewer might show a motion as none
+
+// The coarsest that a round bears, of `stride` and its halves. Where the round repeats it must
+// divide it, or the seam would stutter.
+uint32_t fitting(uint64_t period, bool repeats, uint32_t stride) {
+  while (stride > 1 && (period / stride < kLeastOfRound || (repeats && period % stride != 0))) {
+    stride /= 2;
+  }
+  return stride;
+}
+
 // How many ticks to tabulate, and whether they repeat.
 void setExtent(Track& track, const level::Mover& mover, uint32_t ticks, uint32_t stride) {
   const uint64_t spin = mover.spinCount == 0 ? 1 : mover.spinCount;
@@ -16,13 +27,13 @@ void setExtent(Track& track, const level::Mover& mover, uint32_t ticks, uint32_t
                                      : std::lcm(uint64_t(mover.keyCount), spin);
   if (period <= ticks) {
     track.loopFrom = mover.once ? -1 : 0;
-    // A stride must divide the period, or the seam would stutter.
-    track.stride = mover.once || period % stride == 0 ? stride : 1;
+    track.stride = fitting(period, !mover.once, stride);
     track.count = uint32_t((period + track.stride - 1) / track.stride);
     if (mover.once) track.count += 1;
   } else {
     track.stride = stride;
     track.count = (ticks + stride - 1) / stride + 1;  // up to the last tick, if not beyond
+    track.cut = true;
   }
 }
 

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
 #include "course.h"
 #include "view/json_text.h"
 #include "view/page_parts.h"
@@ -34,6 +38,25 @@ TEST(Budget, EachLevelShowsTheMotionOfItsOwnQueriesAndWays) {
   const uint32_t least = view::leastTicksShown(report->levels[0]);
   ASSERT_GT(3000 + ticks, least);
   EXPECT_EQ(view::ticksShown(*report), (std::vector<uint32_t>{3000 + ticks, 600 * 60, least}));
+}
+
+// The page cannot know where a part goes on to.
+TEST(Budget, MotionThatIsCutIsTold) {
+  const auto notes = [](const char* seconds, const char* tick) {
+    std::string level = kLevel, late = kQuery;
+    const std::string fan = R"("spin":{"speed":3})";
+    level.replace(level.find(fan), fan.size(),
+                  std::string(R"("keys":[{"position":[-30,2,-10]},{"time":)") + seconds +
+                      R"(,"position":[-30,20,-10]}])");
+    late.insert(late.find(R"("goal")"), std::string(R"("start":{"tick":)") + tick + "},");
+    const auto report = collect({level, late});
+    EXPECT_TRUE(report) << report.error().text();
+    return view::budgetFor(*report, view::kPageTarget).notes;
+  };
+  EXPECT_TRUE(notes("900", "9000").empty()) << "nobody looks so far";
+  EXPECT_TRUE(notes("500", "50000").empty()) << "it repeats by then";
+  ASSERT_EQ(notes("900", "50000").size(), 1u);
+  EXPECT_NE(notes("900", "50000")[0].find("ten minutes"), std::string::npos);
 }
 
 TEST(Budget, ThinsAttemptsBeforeAnythingElse) {
@@ -75,6 +98,33 @@ TEST(Budget, CountsMoreThanTheTicksOfAWay) {
   view::writePath(json, report->queries[0].paths[0], 1);
   EXPECT_GT(sizes.attempts + sizes.whole, json.text().size() * 3 / 4);
   EXPECT_LT(sizes.attempts + sizes.whole, json.text().size() * 3 / 2);
+}
+
+// Of thousands of moving parts that never repeat. What nobody asks to be thinned out is not.
+TEST(Budget, MotionThatNoBrowserOpensIsTakenMoreCoarsely) {
+  view::PageSizes sizes;
+  sizes.tracks = size_t(1500) << 20;
+  EXPECT_EQ(view::budgetFor(sizes, view::kPageTarget).trackStride, 8u);
+  sizes.tracks = size_t(3000) << 20;
+  EXPECT_EQ(view::budgetFor(sizes, view::kPageTarget).trackStride, 16u);
+  EXPECT_EQ(view::budgetFor(sizes, view::kPageLimit).trackStride, 16u);
+  EXPECT_EQ(view::budgetFor(sizes, SIZE_MAX).trackStride, 1u);
+}
+
+TEST(Budget, CountsWhatPartsDoOnAWay) {
+  auto left = walk(kLeft, 5);
+  auto report = collect({kLevel, kQuery, line(left)});
+  ASSERT_TRUE(report) << report.error().text();
+  ASSERT_EQ(report->queries[0].paths.size(), 1u);
+  view::Playback& playback = report->queries[0].paths[0].playback;
+  playback.events.assign(100'000, {12345, 4321, false});
+  playback.motions.assign(100'000, {12345, 4321, 12345});
+  view::PageSizes sizes;
+  sizes.add(report->queries[0]);
+  view::JsonText json;
+  view::writePath(json, report->queries[0].paths[0], 1);
+  EXPECT_GT(sizes.attempts + sizes.whole, json.text().size() * 3 / 4);
+  EXPECT_LT(sizes.attempts + sizes.whole, json.text().size() * 5 / 4);
 }
 
 // No stride of theirs makes the tracks of the loose bodies in them smaller.

@@ -109,6 +109,25 @@ TEST(Page, NamesTheHardestStep) {
   EXPECT_THAT(view::pageData(*report, {}), Not(HasSubstr("difficulty")));
 }
 
+// Cap'n Proto holds what a later version writes; the page has no colour for it.
+TEST(Page, WhatALaterVersionNamesIsUnknown) {
+  auto path = walk(kAhead, 200);
+  auto difficulty = path.root().getTrajectory().initDifficulty();
+  difficulty.setBand(schema::Band(99));
+  difficulty.initSteps(1)[0].setBand(schema::Band(99));
+  io::RecordBuilder answer(recordOf(resultLine("solved", 80)).reader());
+  answer.root().getResult().setVerdict(schema::Verdict(99));
+  view::Collector collector([](const io::Record&, Error error) -> Status { return error; });
+  ASSERT_TRUE(collector.add(recordOf(kLevel)));
+  ASSERT_TRUE(collector.add(io::Record(std::move(path))));
+  ASSERT_TRUE(collector.add(io::Record(std::move(answer))));
+  ASSERT_TRUE(collector.update());
+  const std::string data = view::pageData(collector.report(), {});
+  EXPECT_THAT(data, HasSubstr(R"("difficulty":{"band":"unknown")"));
+  EXPECT_THAT(data, HasSubstr(R"("jumps":0,"band":"unknown","window")"));
+  EXPECT_THAT(data, HasSubstr(R"("verdict":"unknown")"));
+}
+
 TEST(Page, SaysWhatWouldHelpWhichRoutesThereAreAndHowFarToTrustIt) {
   const std::string answer =
       R"({"type":"result","query":"ahead","level":"Course </script><b>","verdict":"unknown",)"

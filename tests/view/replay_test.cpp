@@ -5,7 +5,9 @@
 
 #include <capnp/message.h>
 
+#include <array>
 #include <tuple>
+#include <vector>
 
 #include "sim/loose.h"
 #include "support/level_builder.h"
@@ -67,6 +69,52 @@ TEST(Replay, TellsWhenSignalsOpenCloseAndMoveParts) {
   EXPECT_EQ(p.motions[0].start, int64_t(pressed));
   EXPECT_EQ(p.motions[1].tick, pressed + 60) << "starts anew: the player still stands there";
   EXPECT_EQ(p.motions[1].start, int64_t(pressed) + 60);
+}
+
+// One button, pressed for hours, that takes away, brings and moves thousands of parts.
+TEST(Replay, OfThousandsOfPartsOnlyThoseWhoseClockRunsAreLookedAt) {
+  constexpr uint32_t kOfEach = 1000, kTicks = 200'000;
+  support::LevelBuilder b;
+  b.block({0, -0.5f, 0}, {8, 1, 8}, [](Part::Builder p) {
+    p.initButton().setSignal("door");
+    p.getButton().setSeconds(1);
+  });
+  for (uint32_t i = 0; i < 2 * kOfEach; ++i) {
+    b.block({40 + 2 * float(i), 0, 0}, {1, 1, 1}, [=](Part::Builder p) {
+      if (i % 2 == 0) {
+        p.initVanish().setTrigger(schema::VanishTrigger::SIGNAL);
+        p.getVanish().setSignal("door");
+      } else {
+        p.initFall();  // on a clock of its own, that never starts
+      }
+    });
+  }
+  const level::Level level = b.compile();
+  const level::LevelView& view = level.view();
+  std::vector<sim::World> worlds(kTicks, sim::makeWorld(view, {}));
+  uint32_t door = 0;
+  while (door < view.clockCount && view.clocks[door].length != 60) ++door;
+  ASSERT_LT(door, view.clockCount);
+  for (const uint32_t pressed : {500u, 100'000u, 180'000u}) {
+    for (uint32_t t = 0; t < 60; ++t) {
+      worlds[pressed + t].clocks[0] = {door, t};
+      worlds[pressed + t].clockCount = 1;
+    }
+  }
+  const PartEvents all = partEventsOf(worlds, view);
+  EXPECT_FALSE(all.cut);
+  EXPECT_TRUE(all.motions.empty());
+  ASSERT_EQ(all.events.size(), 6 * kOfEach);
+  for (uint32_t i = 0; i < all.events.size(); ++i) {
+    const uint32_t round = i / kOfEach;
+    const uint32_t pressed = std::array{500u, 100'000u, 180'000u}[round / 2];
+    ASSERT_EQ(all.events[i].tick, pressed + round % 2 * 60) << i;
+    ASSERT_EQ(all.events[i].part, 1 + 2 * (i % kOfEach)) << i;
+    ASSERT_EQ(all.events[i].solid, round % 2 == 1) << i;
+  }
+  const PartEvents some = partEventsOf(worlds, view, 3 * kOfEach + 1);
+  EXPECT_TRUE(some.cut);
+  EXPECT_EQ(some.events.size(), 3 * kOfEach) << "whole ticks";
 }
 
 // A crate ahead of the spawn, another that nothing meets, and one in the air above the first.

@@ -35,6 +35,25 @@ TEST(Tracks, ThatStayDoSoWhereTheKeysHaveThem) {
               ElementsAre(9.0f, 3.0f, 0.0f));
 }
 
+// Of a round that lasts a second or two, one sample in 64 would be no motion, and one that does not
+// divide it would let all of it in.
+TEST(Tracks, OfAShortRoundKeepAsManySamplesAsItTakes) {
+  const view::Report report = solvedReport();
+  const auto tracks = tracksOf(report.levels[0], 100000, 64);
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_EQ(tracks[0].stride, 8u) << "of 120 ticks";
+  EXPECT_EQ(tracks[0].count, 15u);
+  EXPECT_EQ(tracks[0].loopFrom, 0);
+  const auto opens = collect({R"({"type":"level","name":"L","parts":[{"size":[8,1,2],)"
+                              R"("motion":{"repeat":"once","keys":[{},)"
+                              R"({"time":0.5,"position":[0,6,0]}]}}]})"});
+  ASSERT_TRUE(opens) << opens.error().text();
+  const auto once = tracksOf(opens->levels[0], 1200, 64);
+  ASSERT_EQ(once.size(), 1u);
+  EXPECT_EQ(once[0].stride, 2u) << "of 30 ticks";
+  EXPECT_NEAR(once[0].positions.end()[-2], 6, 1e-4);
+}
+
 // A part that is turned as its keys are needs no turns, though they are rounded.
 TEST(Tracks, OfOneTurnHaveNone) {
   auto report = collect({R"({"type":"level","name":"L","parts":[{"size":[8,1,2],)"

@@ -206,6 +206,47 @@ test('colours from little to much get lighter throughout', async ({ page }) => {
   sorted.forEach((value, i) => assert.ok(i === 0 || value >= sorted[i - 1] - 0.8, `${sorted}`));
 });
 
+test('a row says its verdict, and that it is compared with', async ({ page }) => {
+  await page.getByRole('option', { name: 'Solved whole course' }).waitFor();
+  await page.getByRole('option', { name: 'Unreachable without jumping' }).waitFor();
+  const described = () =>
+    page
+      .locator('.path[aria-description]')
+      .evaluateAll((rows) => rows.map(({ dataset }) => Number(dataset.path)));
+  await page.evaluate(() => window.obby.store.set({ path: 0, ghost: 3 }));
+  assert.deepEqual(await described(), [3]);
+  await page.evaluate(() => window.obby.store.set({ ghost: -1 }));
+  assert.deepEqual(await described(), []);
+});
+
+test('two fingers move in and out, and choose nothing', async ({ browser }) => {
+  const { page, trouble } = await openReport(browser, file, { hasTouch: true });
+  const cdp = await page.context().newCDPSession(page);
+  const { x, y } = await page.locator('#view').boundingBox();
+  const touch = (type, ...offsets) =>
+    cdp.send('Input.dispatchTouchEvent', {
+      type,
+      touchPoints: offsets.map((dx, id) => ({ x: x + 300 + dx, y: y + 250, id })),
+    });
+  const look = () =>
+    page.evaluate(() => {
+      const { distance, yaw } = window.obby.stage.rig.goal;
+      const { path, part } = window.obby.store.state;
+      return { distance, rest: [yaw, path, part] };
+    });
+  const before = await look();
+  await touch('touchStart', -50, 50);
+  await touch('touchMove', -100, 100);
+  await touch('touchEnd');
+  await frames(page, 3);
+  const after = await look();
+  const share = after.distance / before.distance;
+  assert.ok(Math.abs(share - 0.5) < 0.02, `twice as far apart: ${share} of the distance`);
+  assert.deepEqual(after.rest, before.rest);
+  assert.deepEqual(trouble, []);
+  await page.context().close();
+});
+
 test('all of that raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
 
 await run(file);

@@ -223,6 +223,53 @@ test('a query of a level with fewer parts may follow while a part is chosen', as
   await page.evaluate(() => window.obby.store.set({ query: 0 }));
 });
 
+test('a query without ways shows no box, and none is drawn there', async ({ page }) => {
+  const seen = await page.evaluate(() => {
+    const { report: told, store, stage } = window.obby;
+    const empty = told.queries.length;
+    told.queries.push({ ...told.queries[1], index: empty, paths: [] });
+    const at = (query) => {
+      store.set({ query });
+      return [stage.filterBoxes.group.visible, store.state.drawing];
+    };
+    store.set({ query: 0 });
+    store.set({ drawing: true, boxes: [{ min: [-9, -9, -9], max: [9, 9, 9], keep: true }] });
+    const shown = [at(0), at(empty), at(0)];
+    const boxes = store.state.boxes.length;
+    store.set({ boxes: [] });
+    return { shown, boxes };
+  });
+  assert.deepEqual(seen.shown, [
+    [true, true],
+    [false, false],
+    [true, false],
+  ]);
+  assert.equal(seen.boxes, 1, 'the filter of the other queries stays');
+});
+
+// A button under the player's feet may take parts away and bring them back for hours.
+test('of more events than one sees the profile marks those apart, and parts follow them', async ({
+  page,
+}) => {
+  const seen = await page.evaluate(() => {
+    const { store, stage } = window.obby;
+    store.set({ query: 0 });
+    store.set({ path: -1 });
+    const way = window.obby.query().paths[0];
+    const { part } = window.obby.level().vanish[0];
+    const told = way.events;
+    way.events = Array.from({ length: 300001 }, (_, i) => [Math.floor(i / 1000), part, i % 2]);
+    store.set({ path: 0 });
+    const marks = document.querySelectorAll('.profile .mark.event').length;
+    const away = [10, 300, 20].map((tick) => stage.gone.at(way.events, tick).has(part));
+    way.events = told;
+    store.set({ path: -1 });
+    return { marks, away };
+  });
+  assert.ok(seen.marks > 200 && seen.marks <= 2001, `${seen.marks} marks`);
+  assert.deepEqual(seen.away, [false, true, false]);
+});
+
 test('all of that raised no error', async ({ page, trouble }) => {
   await frames(page);
   assert.deepEqual(trouble, []);

@@ -78,6 +78,28 @@ test('colours by time, jumps, route, method and difficulty, with a legend', asyn
   await page.locator('.choice.colorBy select').selectOption('outcome');
 });
 
+test('a band that only a later version knows is unknown', async ({ page }) => {
+  const seen = await page.evaluate(() => {
+    const { store, list } = window.obby;
+    const { path } = store.state;
+    const [way] = window.obby.query().paths;
+    const told = way.difficulty;
+    const show = (difficulty, chosen) => {
+      way.difficulty = difficulty;
+      store.set({ path: -1 });
+      list.fill();
+      store.set({ path: chosen });
+    };
+    const band = 'unknown';
+    show({ ...told, band, hardest: { ...told.hardest, band } }, 0);
+    const { textContent } = document.querySelector('.path .band');
+    const marked = document.querySelectorAll('.profile .hardest').length;
+    show(told, path);
+    return [textContent, marked];
+  });
+  assert.deepEqual(seen, ['Unknown', 1]);
+});
+
 test('a click on a route lists its ways only, and all again', async ({ page }) => {
   const route = page.locator('.findings .way').nth(1);
   assert.equal(await route.innerText(), 'Spawn → Landing');

@@ -19,9 +19,13 @@ class Reader {
 
   void run() {
     while (const auto record = reading_.next()) {
-      if (const Status added = report_.add(*record); !added) return fail(added.error());
+      if (const Status added = report_.add(*record); !added) {
+        fail(added.error());
+        return reading_.drain();
+      }
     }
     finish(reading_.broken() ? view::StreamState::broken : view::StreamState::ended);
+    if (reading_.broken()) reading_.drain();
   }
 
   void fail(const Error& why) {
@@ -69,7 +73,7 @@ Result<cli::ExitCode> runLive(cli::Context& context) {
   view::GrowingReport report(
       view::Collector([&](const io::Record& record,
                           Error error) { return reading->forgive(record, std::move(error)); },
-                      arguments.list("query")));
+                      arguments.list("query"), view::kLiveRoom));
   view::LiveOptions options;
   options.port = uint16_t(arguments.integer("port"));
   options.endWithPages = arguments.flag("live-exit");

@@ -1,5 +1,7 @@
 #include "reading.h"
 
+#include <exception>
+
 namespace obby {
 namespace {
 
@@ -26,6 +28,16 @@ std::optional<io::Record> Reading::next() {
 void Reading::cannotShow(const Error& error) {
   context_.error(error);
   notes_.push_back("The input cannot be shown: " + error.text());
+}
+
+void Reading::drain() {
+  try {
+    for (;;) {
+      const auto next = source_.next();
+      if (!next || !*next) return;
+    }
+  } catch (const std::exception&) {  // above all memory that lacks: nothing is lost with it
+  }
 }
 
 Status Reading::forgive(const io::Record& record, Error error) {

@@ -23,6 +23,9 @@ class Reading {
 
   // Says why no more of the input can be shown.
   void cannotShow(const Error& error);
+  // Reads on, up to the end or what cannot be read, and keeps nothing: who writes into a pipe of
+  // which nobody reads the rest would wait as long as the page stays.
+  void drain();
 
   // For view::Collector.
   Status forgive(const io::Record& record, Error error);

@@ -138,7 +138,7 @@ class App {
     this.ways.bind();
     store.on(['query'], () => {
       this.openQuery();
-      const none = { part: -1, hoverPath: -1, ghost: -1, route: '', killer: -1 };
+      const none = { part: -1, hoverPath: -1, ghost: -1, route: '', killer: -1, drawing: false };
       store.set({ path: this.firstPath(), tick: 0, playing: false, ...none });
       this.filters.fill();
       this.ways.choose();
@@ -194,6 +194,8 @@ class App {
   applyToggles() {
     const state = this.store.state;
     this.stage.pathView?.show(state, state.path >= 0);
+    // Where no way could pass them there is no filter that takes them away.
+    this.stage.filterBoxes.group.visible = Boolean(this.query()?.paths.length);
     if (this.stage.markers) {
       this.stage.markers.ends.visible = state.markers && state.attempts;
       this.stage.markers.runners.visible = state.runners;

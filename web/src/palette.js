@@ -44,6 +44,7 @@ export const BAND_STYLE = {
   medium: { label: 'Medium', color: '#f2c14e' },
   hard: { label: 'Hard', color: '#f58b45' },
   extreme: { label: 'Extreme', color: '#f0484e' },
+  unknown: { label: 'Unknown', color: '#8190a8' }, // of a stream by a later version
 };
 
 // Its place in that order; what was not measured comes last.

@@ -40,7 +40,11 @@ export class Pointer {
   press(event) {
     this.canvas.classList.add('pressed'); // browsers take a focus by script for one by keyboard
     this.canvas.focus({ preventScroll: true });
-    if (!this.app.level()) return;
+    if (this.corner) this.store.set({ boxes: this.before }); // its drag has no end
+    this.down = null;
+    this.corner = null;
+    // With a second finger the camera is meant.
+    if (!this.app.level() || !event.isPrimary) return;
     this.down = { x: event.clientX, y: event.clientY };
     if (!this.store.state.drawing || event.button !== 0) return;
     this.corner = this.stage.pointAt(...this.inCanvas(event));
@@ -51,7 +55,8 @@ export class Pointer {
     const { down } = this;
     const still = down && Math.hypot(event.clientX - down.x, event.clientY - down.y) < 4;
     this.down = null;
-    if (event.button !== 0) return; // the camera's
+    this.corner = null;
+    if (!down || event.button !== 0) return; // the camera's
     if (this.store.state.drawing) this.store.set({ drawing: Boolean(still) });
     else if (still) this.click(event);
   }

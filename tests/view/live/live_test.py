@@ -319,6 +319,27 @@ class EndTest(unittest.TestCase):
         self.assertEqual(len(data()["levels"]), 1)
         self.assertEqual(viewer.end()[0], 2)
 
+    def test_behind_a_record_that_stops_it_the_rest_is_taken(self):
+        """Or the solver in front of it would wait for as long as the page is open."""
+        viewer = Viewer()
+        viewer.write(LEVEL + QUERY.replace(b'"goal"', b'"start":{"spawn":5},"goal"'))
+        self.assertIn(b"obby-view: stdin:2: start.spawn: expected",
+                      viewer.process.stderr.readline())
+        pipe, rest = viewer.process.stdin.fileno(), [QUERY * 5000]  # far more than a pipe holds
+        os.set_blocking(pipe, False)
+
+        def taken():
+            try:
+                rest[0] = rest[0][os.write(pipe, rest[0]):]
+            except BlockingIOError:
+                pass
+            return not rest[0]
+
+        self.assertTrue(eventually(taken))
+        self.assertTrue(eventually(lambda: viewer.data()["head"]["state"] == "broken"))
+        self.assertEqual(len(viewer.data()["queries"]), 1)
+        self.assertEqual(viewer.end()[0], 2)
+
     def test_skipped_records_are_said_and_the_rest_comes(self):
         viewer = Viewer("--on-error", "skip")
         viewer.write(LEVEL + b'{"type":"query","id":7}\n' + QUERY)

@@ -1,5 +1,5 @@
 // The camera as in the level editor: left-drag orbits, right-drag looks, middle-drag pans, the wheel moves in and out,
-// WASD and QE fly. It can follow the player and glides to whatever is framed.
+// WASD and QE fly. Two fingers move in and out and pan. It can follow the player and glides to whatever is framed.
 import { MathUtils, PerspectiveCamera, Vector3 } from 'three';
 
 const kKeys = {
@@ -23,6 +23,7 @@ export class CameraRig {
     this.keys = new Set();
     this.flySpeed = 40;
     this.drag = null;
+    this.fingers = new Map(); // pointer of a touch -> where it is
     this.locked = false; // the left button is for something else
     this.free = 1; // share of the width that no panel covers
     this.onUserMove = () => {};
@@ -33,6 +34,10 @@ export class CameraRig {
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     canvas.addEventListener('pointerdown', (event) => {
       canvas.setPointerCapture(event.pointerId);
+      if (event.pointerType === 'touch')
+        this.fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+      this.drag = null;
+      if (this.fingers.size > 1) return;
       if (this.locked && event.button === 0) return;
       this.drag = {
         button: event.shiftKey && event.button === 0 ? 1 : event.button,
@@ -40,29 +45,46 @@ export class CameraRig {
         y: event.clientY,
       };
     });
-    canvas.addEventListener('pointermove', (event) => this.dragTo(event));
-    canvas.addEventListener('pointerup', () => {
-      this.drag = null;
+    canvas.addEventListener('pointermove', (event) => {
+      if (this.fingers.size > 1) this.pinch(event);
+      else this.dragTo(event);
     });
-    canvas.addEventListener('pointercancel', () => {
-      this.drag = null;
-    });
+    for (const end of ['pointerup', 'pointercancel'])
+      canvas.addEventListener(end, ({ pointerId }) => {
+        this.drag = null;
+        this.fingers.delete(pointerId);
+      });
     canvas.addEventListener(
       'wheel',
       (event) => {
         event.preventDefault();
         if (this.drag?.button === 2)
           this.flySpeed = MathUtils.clamp(this.flySpeed * Math.exp(-event.deltaY / 600), 2, 2000);
-        else
-          this.goal.distance = MathUtils.clamp(
-            this.goal.distance * Math.exp(event.deltaY / 700),
-            1,
-            Math.max(kFarthest, 2 * this.framed),
-          );
+        else this.approach(Math.exp(event.deltaY / 700));
       },
       { passive: false },
     );
     window.addEventListener('blur', () => this.keys.clear());
+  }
+
+  // So many times as far from what the camera turns about.
+  approach(times) {
+    const farthest = Math.max(kFarthest, 2 * this.framed);
+    this.goal.distance = MathUtils.clamp(this.goal.distance * times, 1, farthest);
+  }
+
+  // One of two fingers, or more, has moved: of these the first two count.
+  pinch({ pointerId, clientX, clientY }) {
+    const finger = this.fingers.get(pointerId);
+    if (!finger) return;
+    const [a, b] = this.fingers.values();
+    const apart = () => Math.max(1, Math.hypot(a.x - b.x, a.y - b.y));
+    const before = apart();
+    const [dx, dy] = [clientX - finger.x, clientY - finger.y];
+    [finger.x, finger.y] = [clientX, clientY];
+    if (finger !== a && finger !== b) return;
+    this.approach(before / apart());
+    this.pan(dx / 2, dy / 2);
   }
 
   dragTo(event) {

@@ -17,6 +17,7 @@ import { CutView } from './cut_view.js';
 import { dispose, Leaving } from './dispose.js';
 import { FilterBoxes } from './filter_boxes.js';
 import { HeatView } from './heat_view.js';
+import { Latest } from './latest.js';
 import { LevelView } from './level_view.js';
 import { Markers } from './markers.js';
 import { pathsOfMotion } from './motion_paths.js';
@@ -58,6 +59,8 @@ export class Stage {
     this.filterBoxes = new FilterBoxes();
     this.heat = new HeatView();
     this.marks = new ActionMarks();
+    this.gone = new Latest((solid) => solid);
+    this.starts = new Latest((start) => start < 0);
     this.scene.add(this.filterBoxes.group, this.heat.group, this.marks.group);
     this.leaving = new Leaving(this.scene);
   }
@@ -241,7 +244,7 @@ export class Stage {
     this.castShadows(path, tick, other, this.level, this.query);
     const clock = (path?.startTick ?? this.query?.startTick ?? 0) + tick;
     const moved = path ? this.movedAt(path, tick) : new Map();
-    const gone = path ? this.goneAt(path, tick) : this.levelView.goneAtRest();
+    const gone = path ? this.gone.at(path.events, tick) : this.levelView.goneAtRest();
     this.levelView.update(clock, gone, moved);
     this.levelView.updateLoose(path?.loose ?? [], tick);
     this.markers?.update(tick);
@@ -258,24 +261,9 @@ export class Stage {
     avatar.pose(pose, speed, (pose.state & kAirborne) !== 0, path.travelled(tick));
   }
 
-  goneAt(path, tick) {
-    const gone = new Set();
-    for (const [at, part, solid] of path.events) {
-      if (at > tick) break;
-      if (solid) gone.delete(part);
-      else gone.add(part);
-    }
-    return gone;
-  }
-
   movedAt(path, tick) {
-    const moved = new Map();
-    for (const [at, part, start] of path.motions) {
-      if (at > tick) break;
-      if (start < 0) moved.delete(part);
-      else moved.set(part, tick - start);
-    }
-    return moved;
+    const starts = this.starts.at(path.motions, tick);
+    return new Map([...starts].map(([part, start]) => [part, tick - start]));
   }
 
   blank() {

@@ -34,6 +34,7 @@ const kSections = [
       ['right drag', 'look around'],
       ['middle drag', 'pan (or Shift + left)'],
       ['wheel', 'in and out'],
+      ['two fingers', 'in and out, pan'],
       ['W A S D Q E', 'fly, Shift for fast'],
       ['F', 'frame the selection'],
       ['G', 'follow the player'],

@@ -154,6 +154,8 @@ export class PathList {
       row.setAttribute('aria-selected', String(index === path));
       row.classList.toggle('hover', index === hoverPath);
       row.classList.toggle('ghost', index === ghost);
+      if (index === ghost) row.setAttribute('aria-description', 'compared with the chosen one');
+      else row.removeAttribute('aria-description');
     }
     this.stop.settle();
   }

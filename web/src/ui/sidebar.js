@@ -12,6 +12,8 @@ function badge(verdict) {
   const style = VERDICT_STYLE[verdict];
   return el('span', {
     class: 'badge',
+    role: 'img', // a screen reader would leave the sign out, or spell it
+    'aria-label': style.label,
     text: style.mark,
     style: { '--tint': style.color },
     title: style.label,

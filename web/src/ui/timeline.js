@@ -4,6 +4,8 @@ import { landings } from '../scene/action_marks.js';
 import { el, icon, seconds, svg } from './dom.js';
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
+const kWide = 1000; // of the plot, in its own units
+const kMostMarks = 2000; // of a kind
 const kSliderKeys = /^(Arrow|Page|Home$|End$)/;
 
 // A short line at the profile's lower or upper edge.
@@ -66,12 +68,28 @@ function heights(path, x) {
   ];
 }
 
+// One of those that would be drawn in one place: of hours of play there are more than one sees, or a call takes.
+function apart(ticks, x) {
+  if (ticks.length <= kMostMarks) return ticks;
+  const place = (tick) => Math.round((kMostMarks * x(tick)) / kWide);
+  return [...new Map(ticks.map((tick) => [place(tick), tick])).values()];
+}
+
 // Jumps and landings, and what the player set off.
-const marksOf = (path, x) => [
-  ...path.jumpTicks.map((tick) => tickMark('jump', x(tick), 100, 88)),
-  ...landings(path).map((tick) => tickMark('landing', x(tick), 100, 95)),
-  ...path.events.map(([tick]) => tickMark('event', x(tick), 0, 12)),
-];
+function marksOf(path, x) {
+  const marks = (kind, ticks, from, to) =>
+    apart(ticks, x).map((tick) => tickMark(kind, x(tick), from, to));
+  return [
+    ...marks('jump', path.jumpTicks, 100, 88),
+    ...marks('landing', landings(path), 100, 95),
+    ...marks(
+      'event',
+      path.events.map(([tick]) => tick),
+      0,
+      12,
+    ),
+  ];
+}
 
 export class Timeline {
   constructor(root, store, playback, selected) {
@@ -186,7 +204,7 @@ export class Timeline {
     this.slider.max = String(length);
     this.plot.replaceChildren();
     if (!path || path.samples < 2) return;
-    const x = (tick) => (1000 * tick) / length;
+    const x = (tick) => (kWide * tick) / length;
     this.plot.append(...hardestStep(path, x), ...heights(path, x), ...marksOf(path, x));
   }
 

@@ -1,0 +1,119 @@
+// What a collector has room for, and what leaves or is left out where there is none.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "view/budget.h"
+#include "view/report.h"
+
+namespace obby::view {
+namespace {
+
+constexpr size_t kQueryBytes = 1024;  // of a query, whatever is known of it
+constexpr size_t kMotionShare = 8;  // of the motion of parts a large page keeps one tick in so many
+constexpr size_t kSlack = 8;        // where ways leave, so much of the room is freed: a share of it
+
+size_t bytesOf(const io::Record& record) {
+  return size_t(record.reader().totalSize().wordCount) * 8;
+}
+
+size_t bytesOf(const std::optional<io::Record>& record) { return record ? bytesOf(*record) : 0; }
+
+}  // namespace
+
+// In ticks.
+size_t Collector::costOf(const Playback& playback) const {
+  size_t cost = playback.feet.size() + playback.events.size() + playback.motions.size();
+  for (const LooseTrack& track : playback.loose) cost += track.ticks.size();
+  return cost + room_.wayTicks;
+}
+
+void Collector::keep(PathEntry& path, Playback playback) {
+  ticksKept_ += costOf(playback);
+  path.playback = std::move(playback);
+  if (!path.playback.partsCut || std::exchange(cutNoted_, true)) return;
+  note(
+      fmt::format("On some ways parts come, go or start to move more than {} times: these are told "
+                  "up to then.",
+                  kMostPartEvents));
+}
+
+void Collector::forget(Playback& playback) {
+  if (!playback.feet.empty()) ticksKept_ -= costOf(playback);
+  playback = {};
+}
+
+// An attempt drives out no solution, and what no room is enough for drives out nothing.
+void Collector::makeRoom(size_t cost, PathKind kind) {
+  if (cost > room_.ticks) return;
+  dropOldest(cost, PathKind::attempt);
+  if (kind == PathKind::solution && !hasRoom(cost)) dropOldest(cost, kind);
+}
+
+// Some more leave than must, so that this is not done for each way that comes. What a search told
+// on its way counts as attempts: while it runs, which leave last, for it tells newer ones soon.
+void Collector::dropOldest(size_t cost, PathKind kind) {
+  std::vector<std::tuple<bool, uint64_t, PathEntry*, size_t>> ways;  // last: index of their query
+  for (size_t i = 0; i < report_.queries.size(); ++i) {
+    QueryEntry& entry = report_.queries[i];
+    for (PathEntry& path : entry.paths) {
+      const bool alike = (path.kind == PathKind::solution) == (kind == PathKind::solution);
+      if (!alike || !path.played()) continue;
+      ways.emplace_back(path.ofProgress() && !entry.result, path.serial, &path, i);
+    }
+  }
+  std::sort(ways.begin(), ways.end());
+  for (const auto& [runs, serial, path, query] : ways) {
+    if (hasRoom(cost + room_.ticks / kSlack)) break;
+    forget(path->playback);
+    path->dropped = true;
+    thinned_.insert(query);
+    ++dropped_;
+  }
+}
+
+void Collector::sweepDropped() {
+  if (thinned_.empty()) return;
+  for (const size_t index : std::exchange(thinned_, {})) {
+    std::erase_if(report_.queries[index].paths, [](const PathEntry& path) { return path.dropped; });
+  }
+  std::string text = fmt::format(
+      "To make room for what came later, {} of the oldest ways were dropped.", dropped_);
+  if (droppedNote_) {
+    report_.notes[*droppedNote_] = std::move(text);
+    return;
+  }
+  droppedNote_ = report_.notes.size();
+  note(std::move(text));
+}
+
+void Collector::weigh(QueryEntry& entry) {
+  if (room_.bytes == SIZE_MAX || std::exchange(entry.weighed, true)) return;
+  bytesKept_ -= entry.bytes;
+  entry.bytes =
+      kQueryBytes + bytesOf(entry.query) + bytesOf(entry.result) + bytesOf(entry.progress);
+  bytesKept_ += entry.bytes;
+}
+
+// As a record and as a page has it.
+void Collector::weigh(const LevelEntry& entry) {
+  if (room_.bytes == SIZE_MAX) return;
+  PageSizes sizes;
+  sizes.add(entry, leastTicksShown(entry));
+  bytesKept_ += bytesOf(entry.record) + sizes.fixed + sizes.tracks / kMotionShare;
+}
+
+bool Collector::full() {
+  if (bytesKept_ <= room_.bytes) return false;
+  if (!std::exchange(fullNoted_, true)) {
+    note(
+        "There is no room for more levels, queries and answers: what came after these is left out. "
+        "Start obby-view anew to see it, or show fewer queries with --query.");
+  }
+  return true;
+}
+
+}  // namespace obby::view
