@@ -144,7 +144,7 @@ struct LevelSource {
   path @2 :Text;          # path in the place, "Workspace" for a whole place
   partsRead @3 :UInt32;
   partsKept @4 :UInt32;
-  partsCulled @5 :UInt32; # strays far from everything, or below the fall height
+  partsCulled @5 :UInt32; # strays far from everything or below the fall height, and what scripts destroy as play starts
 }
 
 struct Unmodelled {
@@ -437,10 +437,11 @@ struct PhysicsParams {
 # ---------------------------------------------------------------------------------------------- query
 
 struct Start {
-  # The player starts with the feet at the centre of the region's floor, or above the named spawn.
+  # The player starts with the feet at the centre of the region's floor; without a region, at the place of one of the
+  # level's spawns, looking where that spawn looks.
   region @0 :Region;
-  spawn @1 :Int32 = -1;     # index into the level's spawns; used when no region is given; -1: the first
-  yaw @2 :Float32;          # radians, for a region
+  spawn @1 :Int32 = -1;     # index into the level's spawns, from 0, where no region is given; -1: the first
+  yaw @2 :Float32;          # radians, where a region is given
   tick @3 :UInt32;          # level clock at the start: moving parts are where they are at this tick
 }
 

@@ -1,6 +1,7 @@
 #include "bridge/importing.h"
 
 #include <fmt/format.h>
+#include <signal.h>
 
 #include "bridge/json.h"
 #include "bridge/store.h"
@@ -59,10 +60,15 @@ struct Collector {
   }
 
   Imported finish(const Exit& how) {
-    if (how.signal != 0 || (how.code != 0 && !error)) {
-      out.refusal = refuse(
-          422, fmt::format("obby-import ended with {}", how.signal != 0 ? how.signal : how.code),
-          "the file may be damaged, or need more memory than it may have");
+    if (how.signal == SIGXCPU) {
+      out.refusal = refuse(504, "obby-import used more processor time than it may",
+                           "--cpu-time of obby-bridge gives it more");
+    } else if (how.signal != 0 || (how.code != 0 && !error)) {
+      out.refusal =
+          refuse(422,
+                 how.signal != 0 ? fmt::format("obby-import was ended by signal {}", how.signal)
+                                 : fmt::format("obby-import ended with {}", how.code),
+                 "the file may be damaged, or need more memory than it may have");
     } else if (how.code != 0) {
       out.refusal = refuse(422, *error);
     } else if (out.levels == 0) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace obby::bridge {
@@ -42,8 +43,13 @@ struct Limits {
   uint64_t memoryBytes = 8192 * kMiB;  // address space of a program; 0: not bounded
 #endif
   uint64_t cpuSeconds = 3600;  // processor time of a program: then it is interrupted
-  // Then the system ends it, for threads use it up while a program writes what it has.
-  uint64_t mostCpuSeconds() const { return cpuSeconds + std::max<uint64_t>(10, cpuSeconds / 10); }
+  // Then the system ends it, and what it has is lost. `processors`, all of which its threads may
+  // use up while the bridge gets to see that, and while the program writes what it has.
+  uint64_t mostCpuSeconds(uint32_t processors) const {
+    constexpr uint64_t kSeenAfter = 4;  // seconds: asked each second, by a bridge that may be busy
+    const uint64_t late = processors * (kSeenAfter + uint64_t(std::ceil(stopSeconds)));
+    return cpuSeconds + std::max({uint64_t(10), cpuSeconds / 10, late});
+  }
 
   // the private folder
   uint64_t storeBytes = 512 * kMiB;  // levels kept; the longest unused go first

@@ -9,6 +9,8 @@
 #include <system_error>
 #include <vector>
 
+#include "io/output_file.h"
+
 namespace obby::cli {
 namespace {
 
@@ -39,8 +41,9 @@ Place placeOf(const std::string& path, int standard) {
     out.there = false;
     std::error_code unseen;
     const auto here = std::filesystem::current_path(unseen);
-    out.path = std::filesystem::weakly_canonical(here / path, unseen);
-    if (unseen) out.path = std::filesystem::path(path).lexically_normal();
+    const std::string file = io::linkTarget(path);  // a link to what is not there is not there
+    out.path = std::filesystem::weakly_canonical(here / file, unseen);
+    if (unseen) out.path = std::filesystem::path(file).lexically_normal();
   }
   return out;
 }

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,12 +10,11 @@
 #include <chrono>
 #include <climits>
 #include <cstring>
-#include <filesystem>
 #include <optional>
-#include <system_error>
 #include <thread>
 
 #include "io/byte_source.h"
+#include "io/output_file.h"
 
 namespace obby::io {
 namespace {
@@ -27,19 +25,6 @@ constexpr const char* kBrokenPipe = "nobody reads the output any more (broken pi
 
 Error outputError(const std::string& name, const char* doing) {
   return errno == EPIPE ? Error{name, {}, {}, kBrokenPipe, {}} : fileError(name, doing);
-}
-
-// The file that a symbolic link names, even if it is not there yet, so that the link stays one.
-std::string target(const std::string& path) {
-  constexpr int kMostLinks = 40;  // as the system has it
-  std::filesystem::path file = path;
-  std::error_code none;
-  for (int links = 0; links < kMostLinks && std::filesystem::is_symlink(file, none); links++) {
-    const std::filesystem::path named = std::filesystem::read_symlink(file, none);
-    if (none) break;
-    file = file.parent_path() / named;
-  }
-  return file.string();
 }
 
 mode_t newFileMode() {
@@ -56,6 +41,7 @@ struct Sink::Impl {
   std::string* memory = nullptr;
   const std::atomic<bool>* stop = nullptr;
   std::string finalPath, temporaryPath;  // of a regular file until it is closed
+  int lock = -1;                         // on its temporary name
   bool durable = false;                  // that file
   bool block = false;                    // collect pieces
   std::string buffer;
@@ -64,6 +50,12 @@ struct Sink::Impl {
   ~Impl() {
     if (fd >= 0) ::close(fd);
     if (!temporaryPath.empty()) ::unlink(temporaryPath.c_str());
+    unlock();
+  }
+
+  void unlock() {
+    if (lock >= 0) ::close(lock);
+    lock = -1;
   }
 
   Status fail(const char* doing) {
@@ -101,11 +93,12 @@ struct Sink::Impl {
       fd = openToWrite(path, O_WRONLY, stop);
       return fd < 0 ? fail("cannot open") : Status();
     }
-    finalPath = target(path);
-    std::string pattern = finalPath + ".XXXXXX";
-    fd = mkostemp(pattern.data(), O_CLOEXEC);
+    finalPath = linkTarget(path);
+    const TemporaryFile made = makeTemporary(finalPath);
+    fd = made.fd;
     if (fd < 0) return fail("cannot create");
-    temporaryPath = pattern;
+    lock = made.lock;
+    temporaryPath = made.path;
     block = true;
     if (fchmod(fd, exists ? info.st_mode & 0777 : newFileMode()) != 0) return fail("cannot create");
     return {};
@@ -188,6 +181,7 @@ Status Sink::close() {
   if (::rename(impl_->temporaryPath.c_str(), impl_->finalPath.c_str()) != 0)
     return impl_->fail("cannot rename the finished file");
   impl_->temporaryPath.clear();
+  impl_->unlock();
   return impl_->syncFolder();
 }
 

@@ -97,5 +97,18 @@ TEST_F(WrittenFiles, TwoThatAreWrittenDiffer) {
   EXPECT_EQ(refused({{"output", "old"}, {"log", "new"}}), "");
 }
 
+TEST_F(WrittenFiles, ALinkToWhatIsNotThereYetIsWhatItNames) {
+  fs::create_directory("runs");
+  fs::create_symlink("runs/new", "link");
+  fs::create_symlink("link", "link to it");
+  EXPECT_EQ(refused({{"output", "runs/new"}, {"checkpoint", "link"}}),
+            "--checkpoint: link is where --output goes (name another file)");
+  EXPECT_NE(refused({{"output", "link to it"}, {"checkpoint", "./runs/new"}}), "");
+  EXPECT_NE(refused({{"output", "link"}, {"checkpoint", "link to it"}}), "");
+  EXPECT_EQ(refused({{"output", "link"}, {"checkpoint", "runs/other"}}), "");
+  fs::create_symlink("round", "round");  // names nothing
+  EXPECT_EQ(refused({{"output", "link"}, {"checkpoint", "round"}}), "");
+}
+
 }  // namespace
 }  // namespace obby::cli

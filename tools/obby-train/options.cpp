@@ -124,7 +124,8 @@ std::vector<OptionRow> logRows() {
 std::vector<OptionRow> evaluateRows() {
   return {
       row("eval", ValueType::file, "FILE", "",
-          "learn nothing: let the policy of FILE play levels by itself and say how many it solves",
+          "learn nothing: let the policy of FILE play levels by itself, on the CPU, and say how "
+          "many it solves",
           kEvaluateGroup),
       between(row("eval-levels", ValueType::integer, "N", "1000",
                   "levels to evaluate on; of a stream each once, at most so many", kEvaluateGroup),
@@ -139,11 +140,21 @@ std::vector<OptionRow> evaluateRows() {
 }  // namespace
 
 Status optionsFit(const cli::Arguments& a) {
-  if (a.has("eval"))
-    return cli::refuseTyped(a, {"output", "resume", "checkpoint", "log", "tensorboard", "curve"},
-                            "nothing is learned with --eval", "leave out one of the two");
-  return cli::refuseTyped(a, {"eval-levels", "eval-tries"}, "nothing is evaluated without --eval",
-                          "name the policy by --eval FILE, or leave it out");
+  if (a.has("eval")) {
+    OBBY_RETURN_IF_ERROR(cli::refuseTyped(
+        a, {"backend"}, "levels are played on the CPU with --eval", "leave out one of the two"));
+    return cli::refuseTyped(
+        a,
+        {"output", "resume", "checkpoint", "log", "tensorboard", "curve", "save-every", "log-every",
+         "rate", "passes", "part", "entropy", "discount", "worlds", "decisions"},
+        "nothing is learned with --eval", "leave out one of the two");
+  }
+  OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"eval-levels", "eval-tries"},
+                                        "nothing is evaluated without --eval",
+                                        "name the policy by --eval FILE, or leave it out"));
+  if (a.has("log") || a.has("tensorboard")) return {};
+  return cli::refuseTyped(a, {"log-every"}, "nothing is logged without --log or --tensorboard",
+                          "leave it out");
 }
 
 cli::ToolSpec trainSpec() {

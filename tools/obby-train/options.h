@@ -10,7 +10,8 @@
 namespace obby::tools {
 
 cli::ToolSpec trainSpec();
-// Error: options of learning with --eval, or of --eval without it, that nobody sets for all runs.
+// Error: options that would do nothing beside the others, typed: those of learning with --eval, of
+// --eval without it, of logs without one.
 Status optionsFit(const cli::Arguments& arguments);
 train::TrainerSettings trainerSettings(const cli::Context& context);
 // `which`: of several GPUs.

@@ -1,0 +1,79 @@
+// What killed writers leave is told from what is being written, and from other files.
+#include "io/output_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "io/sink.h"
+#include "scratch_folder.h"
+
+namespace obby::io {
+namespace {
+
+namespace fs = std::filesystem;
+using test::contents;
+using test::ScratchFolder;
+
+// By a process that ends in the midst of it and clears nothing up.
+bool leaveHalf(const std::string& path) {
+  const pid_t writer = fork();
+  if (writer == 0) {
+    auto sink = Sink::open(path);
+    _exit(sink && sink->write("half") && sink->flush() ? 0 : 1);
+  }
+  int status = 1;
+  return waitpid(writer, &status, 0) == writer && status == 0;
+}
+
+TEST(OutputFile, WhatAKilledWriterLeftIsRemoved) {
+  ScratchFolder folder;
+  const std::string path = folder / "out";
+  std::ofstream(path) << "old";
+  ASSERT_TRUE(leaveHalf(path));
+  ASSERT_EQ(folder.entries(), 2u);
+  removeLeftovers(path);
+  EXPECT_EQ(folder.entries(), 1u);
+  EXPECT_EQ(contents(path), "old");
+}
+
+TEST(OutputFile, LeftoversLieWhereTheLinkLeads) {
+  ScratchFolder folder;
+  fs::create_directory(folder / "runs");
+  fs::create_symlink("runs/newest", folder / "link");
+  ASSERT_TRUE(leaveHalf(folder / "link"));
+  ASSERT_FALSE(fs::is_empty(folder / "runs"));
+  removeLeftovers(folder / "link");
+  EXPECT_TRUE(fs::is_empty(folder / "runs"));
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+}
+
+TEST(OutputFile, WhatIsBeingWrittenStays) {
+  ScratchFolder folder;
+  auto sink = Sink::open(folder / "out");
+  ASSERT_TRUE(sink);
+  ASSERT_TRUE(sink->write("whole"));
+  removeLeftovers(folder / "out");
+  ASSERT_TRUE(sink->close());
+  EXPECT_EQ(contents(folder / "out"), "whole");
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(OutputFile, OtherFilesStay) {
+  ScratchFolder folder;
+  const char* names[] = {"out",           "out.backup",        "out.obby-",
+                         "out.obby-1234", "out.obby-long-one", "other.obby-aB3dE6"};
+  for (const char* name : names) std::ofstream(folder / name) << "mine";
+  fs::create_directory(folder / "out.obby-folder");
+  fs::create_symlink("out", folder / "out.obby-alink0");
+  removeLeftovers(folder / "out");
+  EXPECT_EQ(folder.entries(), 8u);
+  removeLeftovers(folder / "no/where");  // nothing to look at
+}
+
+}  // namespace
+}  // namespace obby::io
