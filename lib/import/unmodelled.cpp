@@ -2,6 +2,7 @@
 #include "import/unmodelled.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "import/classes.h"
@@ -158,6 +159,14 @@ bool isHarmless(RoleContext& context, InstanceId id) {
   return part && hasEvidence(*part, kHarmless);
 }
 
+// Whether the height that it gives is computed, so that the part throws nobody. Not where it keeps
+// what a body has upward, and pushes along.
+bool isLostPush(RoleContext& context, const Timeline& timeline, const Vec3& push) {
+  const auto gives = [](float v) { return !std::isnan(v) && v != 0; };
+  const PartDraft* touched = context.part(timeline.touched);
+  return std::isnan(push.y) && !gives(push.x) && !gives(push.z) && !(touched && touched->jumpPad);
+}
+
 std::optional<Effect> effectOf(RoleContext& context, const Timeline& timeline,
                                const ScriptEvent& event) {
   switch (event.kind) {
@@ -168,7 +177,8 @@ std::optional<Effect> effectOf(RoleContext& context, const Timeline& timeline,
     }
     case EventKind::build: return Effect{"parts that a script builds", "they are not in the file"};
     case EventKind::push:
-      if (!event.vector) return Effect{"push that a script computes", "it does not push"};
+      if (!event.vector || isLostPush(context, timeline, *event.vector))
+        return Effect{"push that a script computes", "it does not push"};
       return std::nullopt;
     case EventKind::character:
       if (event.property == "WalkSpeed" || event.property == "JumpPower" ||

@@ -18,11 +18,13 @@ struct TemporaryFile {
   std::string path;
 };
 
-// Beside `path`, which it is to become: with ".obby-" and six letters or digits behind its name.
+// Beside `path`, which it is to become: with ".obby-unfinished-" and six letters or digits behind
+// its name, of which a very long one loses its end.
 TemporaryFile makeTemporary(const std::string& path);
 
 // Removes what writers of `path` that were killed left beside it. What is still being written
-// stays, and so do all files of other names, of other users, and those that cannot be locked.
+// stays, and so do all files of other names, of other users, and those that cannot be locked or
+// lie on a file system of a network, where locks do not tell.
 void removeLeftovers(const std::string& path);
 
 }  // namespace obby::io

@@ -56,6 +56,8 @@ class RecordSource {
   // To be asked about a record that was read but cannot be acted on: reports and counts the error
   // and gives success, or gives the error back under OnError::stop. Names the input and place.
   Status forgive(const Record& record, Error error);
+  // From here on what cannot be read is left out without a word, where reading can go on at all.
+  void ignoreErrors();
 
   // Of the end records so far and of `stop`: the gravest status.
   schema::EndStatus status() const;

@@ -129,6 +129,12 @@ schema::EndStatus RecordSource::status() const {
 
 uint64_t RecordSource::skipped() const { return impl_->skipped; }
 uint64_t RecordSource::errors() const { return impl_->errors; }
+void RecordSource::ignoreErrors() {
+  impl_->options.onError = OnError::skip;
+  impl_->options.report = nullptr;
+  impl_->options.warn = nullptr;
+}
+
 OnError RecordSource::onError() const { return impl_->options.onError; }
 
 }  // namespace obby::io

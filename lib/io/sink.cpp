@@ -178,8 +178,13 @@ Status Sink::close() {
   impl_->fd = -1;
   if (result != 0 && errno != EINTR) return impl_->fail("cannot write");
   if (impl_->temporaryPath.empty()) return {};
-  if (::rename(impl_->temporaryPath.c_str(), impl_->finalPath.c_str()) != 0)
-    return impl_->fail("cannot rename the finished file");
+  const auto renamed = [this] {
+    return ::rename(impl_->temporaryPath.c_str(), impl_->finalPath.c_str()) == 0;
+  };
+  if (!renamed()) {
+    impl_->unlock();  // folders shared with a virtual machine rename no file that is open
+    if (!renamed()) return impl_->fail("cannot rename the finished file");
+  }
   impl_->temporaryPath.clear();
   impl_->unlock();
   return impl_->syncFolder();

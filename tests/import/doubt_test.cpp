@@ -182,6 +182,21 @@ TEST(Doubt, AListHoldsWhatIsPutAtAPlaceThatIsCounted) {
   EXPECT_TRUE(scene[other].kill);  // the text does not tell which names match
 }
 
+TEST(Doubt, AHandlerThatIsConnectedAtTheFirstTimeIsSure) {
+  const char* const conditions[] = {
+      "local hooked = {} local function setup(v) if not hooked[v] then hooked[v] = true ",
+      "local function setup(v) if typeof(v) == 'Instance' and v:IsA('BasePart') then ",
+      "local function setup(v) if v.Name:sub(1, #'Barr') == 'Barr' then "};
+  for (const char* text : conditions) {
+    Barred scene(std::string(text) +
+                 "v.Touched:Connect(function(hit) hit.Parent.Humanoid.Health = 0 end) end end "
+                 "setup(b)");
+    scene.level();
+    EXPECT_TRUE(scene[scene.barrier].kill) << text;
+    EXPECT_TRUE(scene.level().unmodelled.empty()) << text;
+  }
+}
+
 TEST(Doubt, AScriptKnowsOnWhichSideItRuns) {
   const char* const texts[] = {
       "local run = game:GetService('RunService') if run:IsServer() then b.CanCollide = false end",

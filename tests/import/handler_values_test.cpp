@@ -184,6 +184,33 @@ TEST(HandlerValues, AThreadMayFindWhatAHandlerSets) {
   EXPECT_EQ(scene.evidence(scene.self, "motion").rfind("guessed: ", 0), 0u);
 }
 
+// A list may be full by then, and a trap's material another one.
+TEST(HandlerValues, WhatTurnsBetweenTouchesIsNotKnown) {
+  const char* const kills[] = {
+      "local active = {} p.Touched:Connect(function(hit) if table.find(active, p) then\n"
+      "hit.Parent.Humanoid.Health = 0 end end)\n"
+      "workspace.Changed:Connect(function() table.insert(active, p) end)",
+      "p.Touched:Connect(function(hit) if p.Material == Enum.Material.Neon then\n"
+      "hit.Parent.Humanoid.Health = 0 end end)"};
+  for (const char* text : kills) {
+    ScriptedPart scene(text);
+    EXPECT_TRUE(scene[scene.self].kill) << text;
+  }
+}
+
+TEST(HandlerValues, AThrowOfUnknownHeightIsNamed) {
+  const std::string throws =
+      "p.Touched:Connect(function(hit)\n"
+      "hit.Parent.HumanoidRootPart.AssemblyLinearVelocity = Vector3.new(0, power, 0) end)";
+  ScriptedPart known("local power = 90 " + throws);
+  EXPECT_TRUE(known[known.self].jumpPad);
+  EXPECT_EQ(known.unmodelled("push that a script computes"), 0u);
+  ScriptedPart turns(
+      "local power = 90 workspace.Changed:Connect(function() power = _G.power end) " + throws);
+  EXPECT_FALSE(turns[turns.self].jumpPad);
+  EXPECT_EQ(turns.unmodelled("push that a script computes"), 1u);
+}
+
 // The handler of the first touch makes the connection that the second one ends.
 TEST(HandlerValues, AThingThatAHandlerMakesIsThereForOthers) {
   ScriptedPart scene(

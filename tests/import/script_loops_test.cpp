@@ -275,6 +275,19 @@ TEST(ScriptLoops, AWayOutOfALoopThatIsTakenAsEndlessIsNamed) {
   }
 }
 
+TEST(ScriptLoops, AWayOutOfAHandlersLoopIsNotNamed) {
+  ScriptedPart harms(
+      "p.Touched:Connect(function(hit) local human = hit.Parent:FindFirstChild('Humanoid')\n"
+      "while true do if not inside[human] then break end human:TakeDamage(10) task.wait(0.5) end "
+      "end)");
+  EXPECT_TRUE(harms[harms.self].kill);
+  EXPECT_EQ(harms.unmodelled("loop that may end"), 0u);
+  ScriptedPart counts(
+      "game.Players.PlayerAdded:Connect(function(player) while task.wait(1) do\n"
+      "if _G.left then break end player.leaderstats.Time.Value += 1 end end)");
+  EXPECT_EQ(counts.unmodelled("loop that may end"), 0u);
+}
+
 TEST(ScriptLoops, ALoopThatAReturnEndsIsNotEndless) {
   Scene scene;
   const auto part = scene.part("Part");

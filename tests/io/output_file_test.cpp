@@ -41,6 +41,18 @@ TEST(OutputFile, WhatAKilledWriterLeftIsRemoved) {
   EXPECT_EQ(contents(path), "old");
 }
 
+TEST(OutputFile, VeryLongNamesLeaveRoomForTheMark) {
+  ScratchFolder folder;
+  const std::string path = folder / std::string(255, 'a');
+  ASSERT_TRUE(leaveHalf(path));
+  EXPECT_EQ(folder.entries(), 1u);
+  removeLeftovers(path);
+  EXPECT_EQ(folder.entries(), 0u);
+  auto sink = Sink::open(path);
+  ASSERT_TRUE(sink && sink->write("whole") && sink->close());
+  EXPECT_EQ(contents(path), "whole");
+}
+
 TEST(OutputFile, LeftoversLieWhereTheLinkLeads) {
   ScratchFolder folder;
   fs::create_directory(folder / "runs");
@@ -65,13 +77,18 @@ TEST(OutputFile, WhatIsBeingWrittenStays) {
 
 TEST(OutputFile, OtherFilesStay) {
   ScratchFolder folder;
-  const char* names[] = {"out",           "out.backup",        "out.obby-",
-                         "out.obby-1234", "out.obby-long-one", "other.obby-aB3dE6"};
+  const char* names[] = {"out",
+                         "out.backup",
+                         "out.obby-backup",
+                         "out.obby-unfinished-",
+                         "out.obby-unfinished-1234",
+                         "out.obby-unfinished-long-one",
+                         "other.obby-unfinished-aB3dE6"};
   for (const char* name : names) std::ofstream(folder / name) << "mine";
-  fs::create_directory(folder / "out.obby-folder");
-  fs::create_symlink("out", folder / "out.obby-alink0");
+  fs::create_directory(folder / "out.obby-unfinished-folder");
+  fs::create_symlink("out", folder / "out.obby-unfinished-alink0");
   removeLeftovers(folder / "out");
-  EXPECT_EQ(folder.entries(), 8u);
+  EXPECT_EQ(folder.entries(), 9u);
   removeLeftovers(folder / "no/where");  // nothing to look at
 }
 

@@ -85,6 +85,7 @@ Result<cli::ExitCode> runLive(cli::Context& context) {
       reader.run();
     } catch (const std::exception& e) {  // above all memory that lacks: the page stays
       reader.fail(makeError(e.what()));
+      reading->drain();
     }
   };
   const view::LiveReports reports = {[&](const std::string& text) { context.say(text); },

@@ -31,6 +31,7 @@ void Reading::cannotShow(const Error& error) {
 }
 
 void Reading::drain() {
+  source_.ignoreErrors();
   try {
     for (;;) {
       const auto next = source_.next();

@@ -142,8 +142,9 @@ Datum Reader::callValue(const Expr& expr) {
     return {};
   }
   if (name == "table.find" && arguments.size() >= 2 && first.as<Table*>()) {
-    const auto& items = (*first.as<Table*>())->items;
-    return spend(items.size() / kItemsPerStep) ? placeOf(items, arguments[1]) : Datum{};
+    const Table& list = **first.as<Table*>();
+    if (inHandler_ && list.items.empty() && !isOwn(list.born)) return {};  // by then it may be full
+    return spend(list.items.size() / kItemsPerStep) ? placeOf(list.items, arguments[1]) : Datum{};
   }
   if (name == "require") {
     reading_.requiresAsset = reading_.requiresAsset || first.as<double>();

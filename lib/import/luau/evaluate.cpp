@@ -55,6 +55,8 @@ Datum Reader::evaluated(const Expr& expr) {
       if (expr.text == "not") return datumOf(negated(truthOf(value)));
       if (expr.text == "-") return arithmetic("*", value, {-1.0});
       if (const auto* table = value.as<Table*>()) return {double((*table)->items.size())};
+      if (const auto* text = value.as<std::string>(); text && expr.text == "#")
+        return {double(text->size())};
       return {};
     }
     case ExprKind::vararg:

@@ -76,7 +76,9 @@ Datum Reader::instanceField(InstanceId id, const std::string& spelled) {
   if (name == "BrickColor" && tree_.isPart(id)) return numberedColor(id);
   const auto it = written_.find({id, name});
   if (it != written_.end()) return it->second;
-  if (name == "Material" && tree_.isPart(id)) return materialOf(instance);
+  // While the script sets the place up, as of a colour: traps change it as they wake.
+  if (name == "Material" && tree_.isPart(id) && followed_ == 0 && !timeline_.forever)
+    return materialOf(instance);
   const auto own = instance.properties.find(name);
   if (own != instance.properties.end()) return datumFrom(own->second, kNoInstance);
   if (const Value* value = defaultOf(instance.className, name))

@@ -174,6 +174,8 @@ Datum libraryCall(const std::string& path, const std::vector<Datum>& a) {
   if (path == "Vector3.new" || path == "vector.create")
     return vector({float(numberAt(a, 0, 0)), float(numberAt(a, 1, 0)), float(numberAt(a, 2, 0))});
   if (path == "CFrame.new") return newFrame(a);
+  if ((path == "typeof" || path == "type") && a.size() == 1 && a[0].as<Ref>())
+    return {std::string(path == "type" ? "userdata" : "Instance")};
   if (path == "CFrame.Angles" || path == "CFrame.fromEulerAnglesXYZ" ||
       path == "CFrame.fromEulerAngles" || path == "CFrame.angles")
     return angles(a, false);

@@ -227,7 +227,8 @@ Reader::Flow Reader::foreverLoop(const Block& body, const RoundStart& begins, bo
     timeline_.period = repetition.period();
     break;
   }
-  if (!nested && !handler) keepWayOut(body);
+  // A handler comes again, whichever way it has left its loop.
+  if (!nested && timeline_.trigger == Trigger::start) keepWayOut(body);
   return nested ? Flow::on : Flow::stop;
 }
 

@@ -25,6 +25,24 @@ bool isTrigger(Trigger trigger, const std::string& signal) {
   return trigger == Trigger::touch || signal == "MouseClick" || signal == "Triggered";
 }
 
+// `if not hooked[part] then hooked[part] = true`: it holds as the script first comes there.
+bool isFirstTime(const Stat& stat) {
+  const Expr& asks = *stat.values[0];
+  if (asks.kind != ExprKind::unary || asks.text != "not") return false;
+  const Expr& place = *asks.kids[0];
+  if (place.kind != ExprKind::index) return false;
+  const std::string table = pathOf(*place.kids[0]), key = pathOf(*place.kids[1]);
+  if (table.empty() || key.empty()) return false;
+  const auto isPlace = [&](const ExprPtr& to) {
+    return to->kind == ExprKind::index && pathOf(*to->kids[0]) == table &&
+           pathOf(*to->kids[1]) == key;
+  };
+  const auto sets = [&](const StatPtr& inner) {
+    return std::any_of(inner->targets.begin(), inner->targets.end(), isPlace);
+  };
+  return std::any_of(stat.blocks[0].begin(), stat.blocks[0].end(), sets);
+}
+
 }  // namespace
 
 Reader::Reader(const Tree& tree, InstanceId script, size_t& budget) : tree_(tree), budget_(budget) {
@@ -215,7 +233,8 @@ Reader::Flow Reader::branch(const Stat& stat) {
     if (condition.truth == Truth::no) guard(stat, i, event);
     if (condition.truth == Truth::no) continue;
     if (unsure) time_ = start;
-    const bool open = unsure || (condition.truth == Truth::unknown && !condition.always);
+    const bool first = i == 0 && timeline_.trigger == Trigger::start && isFirstTime(stat);
+    const bool open = unsure || (condition.truth == Truth::unknown && !condition.always && !first);
     const bool either = open && timeline_.trigger == Trigger::start && !timeline_.forever;
     if (open) ++unsure_;
     if (either) variables_.beginBranch();

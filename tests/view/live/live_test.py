@@ -325,7 +325,8 @@ class EndTest(unittest.TestCase):
         viewer.write(LEVEL + QUERY.replace(b'"goal"', b'"start":{"spawn":5},"goal"'))
         self.assertIn(b"obby-view: stdin:2: start.spawn: expected",
                       viewer.process.stderr.readline())
-        pipe, rest = viewer.process.stdin.fileno(), [QUERY * 5000]  # far more than a pipe holds
+        more = b'{"type":"query","id":7}\n' + QUERY * 5000  # far more than a pipe holds
+        pipe, rest = viewer.process.stdin.fileno(), [more]
         os.set_blocking(pipe, False)
 
         def taken():

@@ -34,8 +34,10 @@ export class CameraRig {
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     canvas.addEventListener('pointerdown', (event) => {
       canvas.setPointerCapture(event.pointerId);
-      if (event.pointerType === 'touch')
+      if (event.pointerType === 'touch') {
+        if (event.isPrimary) this.fingers.clear(); // the end of one before was not told
         this.fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+      }
       this.drag = null;
       if (this.fingers.size > 1) return;
       if (this.locked && event.button === 0) return;
