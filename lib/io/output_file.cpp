@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
@@ -44,9 +45,9 @@ bool lockOwn(const TemporaryFile& file) {
 
 // How names of its temporary files begin: of a name that leaves no room for more only a part.
 std::string beginOf(const fs::path& file) {
-  constexpr size_t kMost = 255 - kMark.size() - kPattern.size();  // bytes, of NAME_MAX
+  constexpr size_t kMost = NAME_MAX - kMark.size() - kPattern.size();  // bytes
   std::string name = file.filename().string();
-  if (name.size() > kMost) {
+  if (name.size() > kMost && name.size() <= NAME_MAX) {  // longer ones are to be refused at once
     size_t end = kMost;
     while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) end--;  // UTF-8
     name.resize(end);
