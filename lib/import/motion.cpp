@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "import/format/class_defaults.h"
+#include "import/frame_time.h"
 #include "import/pivot.h"
 #include "import/pose_math.h"
 #include "level/motion_tables.h"
@@ -16,8 +17,7 @@ namespace {
 constexpr float kStill = 0.01f;      // studs
 constexpr float kUnturned = 0.005f;  // radians
 constexpr double kJumpGap = 0.15;    // seconds between samples that are no smooth way any more
-constexpr double kFrame = 1.0 / 60;
-constexpr float kStraight = 0.02f;  // studs off the straight way that are left out
+constexpr float kStraight = 0.02f;   // studs off the straight way that are left out
 constexpr float kStraightTurn = 0.01f;
 
 MotionKey keyAt(double time, const Pose& pose) {

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "import/frame_time.h"
 #include "import/tween_motion.h"
 #include "level/rotation.h"
 
 namespace obby::importer {
 namespace {
 
-constexpr double kSame = 1e-4;  // seconds
-constexpr double kFrame = 1.0 / 60;
+constexpr double kSame = 1e-4;     // seconds
 constexpr double kSamples = 30;    // a second, of a way that is not even
 constexpr int kMostSteps = 10000;  // from change to change: bounds the work
 constexpr double kForEver = std::numeric_limits<double>::infinity();

@@ -36,11 +36,13 @@ bool onNetwork(int fd) {
 }
 
 // False: who looked for leftovers was faster, and has removed it. Where files cannot be locked
-// nobody takes one for a leftover.
-bool lockOwn(const TemporaryFile& file) {
+// nobody takes one for a leftover, and there is no `lock`.
+bool lockOwn(TemporaryFile& file) {
   if (onNetwork(file.fd)) return true;
   if (flock(file.fd, LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
-  return ::access(file.path.c_str(), F_OK) == 0;
+  if (::access(file.path.c_str(), F_OK) != 0) return false;
+  file.lock = fcntl(file.fd, F_DUPFD_CLOEXEC, 3);  // the same lock: it outlasts fd
+  return true;
 }
 
 // How names of its temporary files begin: of a name that leaves no room for more only a part.
@@ -93,11 +95,7 @@ TemporaryFile makeTemporary(const std::string& path) {
     out.path = (fs::path(path).parent_path() / beginOf(path)).string().append(kPattern);
     out.fd = mkostemp(out.path.data(), O_CLOEXEC);
     if (out.fd < 0) return out;
-    if (lockOwn(out)) {
-      // The same lock: it outlasts fd.
-      if (!onNetwork(out.fd)) out.lock = fcntl(out.fd, F_DUPFD_CLOEXEC, 3);
-      return out;
-    }
+    if (lockOwn(out)) return out;
     ::close(out.fd);
   }
   out.fd = -1;

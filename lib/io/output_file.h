@@ -14,7 +14,7 @@ std::string linkTarget(const std::string& path);
 // has its lasting name or is removed, for until then it tells the file from a leftover.
 struct TemporaryFile {
   int fd = -1;    // to write; -1: it could not be made, and errno says why
-  int lock = -1;  // ends with the process, whatever ends that
+  int lock = -1;  // ends with the process, whatever ends that; -1: files are not locked here
   std::string path;
 };
 

@@ -6,13 +6,13 @@
 #include <string_view>
 #include <utility>
 
+#include "import/frame_time.h"
 #include "import/luau/reader.h"
 #include "import/script_side.h"
 
 namespace obby::importer::luau {
 namespace {
 
-constexpr double kFrame = 1.0 / 60;
 constexpr double kOldWait = 1.0 / 30;  // wait() never resumes sooner
 constexpr double kLongestWait = 1e6;   // seconds
 constexpr size_t kItemsPerStep = 4;    // of a list that is looked through, or moved in it

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "import/frame_time.h"
 #include "import/luau/conditions.h"
 #include "import/luau/reader.h"
 #include "import/motion_room.h"
@@ -14,7 +15,6 @@ namespace {
 
 constexpr double kLatest = 1e9;           // seconds: later than anything that counts
 constexpr double kMany = 24 * 3600 * 60;  // rounds: a day of frames, as good as endless
-constexpr double kFrame = 1.0 / 60;       // seconds: the least that a round waits
 
 // Seconds that each round waits, as far as its own lines state it.
 double statedWait(const Block& body) {

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "import/frame_time.h"
 #include "import/luau/conditions.h"
 #include "import/luau/reader.h"
 #include "import/pose_math.h"
@@ -12,7 +13,6 @@
 namespace obby::importer::luau {
 namespace {
 
-constexpr double kFrame = 1.0 / 60;
 constexpr int kMaxRounds = 1500;       // of an endless loop
 constexpr double kMaxSeconds = 25;     // of an endless loop
 constexpr double kMaxIdle = 5;         // seconds in which a handler of each frame does nothing
