@@ -113,7 +113,7 @@ float ReachBound::putOutPast(const Support& s, const Heights& of) const {
   };
   float studs = of.beside + 2 * usual * p_.substepSeconds;  // at two corners
   const bool still = isStill(problem_.level, s.collider);
-  const float top = still ? box.hi.y : box.lo.y, underside = still ? box.lo.y : box.hi.y;
+  const float top = lowestTop(box, still), underside = highestUnderside(box, still);
   // Else nobody comes over it, nor under it.
   if (top <= of.apex + p_.headBottom || underside >= lowest_ + p_.bodyTop) {
     const float step = fallTo(top - p_.hipHeight - 1) * p_.substepSeconds;

@@ -37,6 +37,10 @@ inline Box beside(const Box& box, float side, float lowest, float highest) {
   return {{box.lo.x - side, lowest, box.lo.z - side}, {box.hi.x + side, highest, box.hi.z + side}};
 }
 
+// Of a part with that box: the lowest that its top can be, and the highest that its underside can.
+inline float lowestTop(const Box& box, bool still) { return still ? box.hi.y : box.lo.y; }
+inline float highestUnderside(const Box& box, bool still) { return still ? box.lo.y : box.hi.y; }
+
 // How far below the top of their floor feet can be whose legs are bent.
 inline float deepestFeet(const Params& p) { return std::max(sim::rayHeight(p), p.hipHeight); }
 
@@ -51,10 +55,9 @@ class Solids {
   bool isUpright(uint32_t id) const { return solve::isUpright(level_, id); }
   bool isStill(uint32_t id) const { return solve::isStill(level_, id); }
 
-  // The lowest that its top can be, and the highest that its underside can.
-  float lowestTop(uint32_t id) const { return isStill(id) ? boxes_[id].hi.y : boxes_[id].lo.y; }
+  float lowestTop(uint32_t id) const { return solve::lowestTop(boxes_[id], isStill(id)); }
   float highestUnderside(uint32_t id) const {
-    return isStill(id) ? boxes_[id].lo.y : boxes_[id].hi.y;
+    return solve::highestUnderside(boxes_[id], isStill(id));
   }
 
   // All of a body that touches the part is in it, fallen down too.
