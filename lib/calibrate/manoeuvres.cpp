@@ -180,16 +180,16 @@ Track rehearse(const level::Level& level, const Manoeuvre& manoeuvre, float nois
 void writePlan(const level::Level& level, const Manoeuvre& manoeuvre,
                schema::Trajectory::Builder to) {
   const sim::Plan plan{{manoeuvre.feet, 0, 0}, 0, actionsOf(manoeuvre, level.view().params)};
-  const sim::Replay replay = sim::replay(level.view(), nullptr, plan);
-  const sim::World& end = replay.worlds.back();
+  const sim::ReplayEnd end =
+      sim::replay(level.view(), nullptr, plan, [](const sim::Moment&) { return true; });
   to.setQuery(manoeuvre.name);
   to.setLevel(level.name());
   sim::writePlan(plan, to);
-  to.setOutcome(schema::Outcome(end.outcome));
-  to.setTicks(uint32_t(replay.worlds.size()) - 1);
-  to.setJumps(end.jumps);
-  to.setStateHash(sim::stateHash(end, replay.looseAt(replay.worlds.size() - 1)));
-  set(to.initEndPosition(), end.position);
+  to.setOutcome(schema::Outcome(end.world.outcome));
+  to.setTicks(end.ticks);
+  to.setJumps(end.world.jumps);
+  to.setStateHash(sim::stateHash(end.world, end.loose));
+  set(to.initEndPosition(), end.world.position);
 }
 
 void writeRecording(const Track& track, schema::Recording::Builder to) {

@@ -120,18 +120,30 @@ void advanceAll(const level::LevelView& level, const level::QueryView* query,
   }
 }
 
-Replay replay(const level::LevelView& level, const level::QueryView* query, const Plan& plan) {
-  Replay out{{makeWorld(level, plan.start)}, makeLoose(level)};
-  out.worlds.back().yaw = plan.yaw;
-  World world = out.worlds.back();
-  std::vector<LooseBody> loose = out.loose;
+ReplayEnd replay(const level::LevelView& level, const level::QueryView* query, const Plan& plan,
+                 const Visit& visit) {
+  ReplayEnd now{makeWorld(level, plan.start), makeLoose(level)};
+  now.world.yaw = plan.yaw;
+  World before = now.world;
+  bool goesOn = visit({0, before, now.world, now.loose});
   for (const ActionRun& run : plan.actions) {
-    for (uint32_t t = 0; t < run.ticks && world.outcome == Outcome::running; ++t) {
-      advance(world, loose.data(), level, query, run.action);
-      out.worlds.push_back(world);
-      out.loose.insert(out.loose.end(), loose.begin(), loose.end());
+    for (uint32_t t = 0; t < run.ticks && goesOn; ++t) {
+      if (now.world.outcome != Outcome::running) return now;
+      before = now.world;
+      advance(now.world, now.loose.data(), level, query, run.action);
+      goesOn = visit({++now.ticks, before, now.world, now.loose});
     }
   }
+  return now;
+}
+
+Replay replay(const level::LevelView& level, const level::QueryView* query, const Plan& plan) {
+  Replay out;
+  replay(level, query, plan, [&](const Moment& now) {
+    out.worlds.push_back(now.world);
+    out.loose.insert(out.loose.end(), now.loose.begin(), now.loose.end());
+    return true;
+  });
   return out;
 }
 

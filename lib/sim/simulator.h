@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -48,8 +49,32 @@ void advance(World& world, LooseBody* loose, const level::LevelView& level,
 void advanceAll(const level::LevelView& level, const level::QueryView* query,
                 std::span<World* const> worlds, LooseBody* const* loose, const Action* actions);
 
+// A state of a playthrough as a visit is shown it: valid until the visit returns.
+struct Moment {
+  uint32_t tick;                     // since the start, which is 0
+  const World& before;               // one tick earlier; at the start the same as `world`
+  const World& world;                // now
+  std::span<const LooseBody> loose;  // now: (level.looseCount)
+};
+
+// Whether to go on.
+using Visit = std::function<bool(const Moment&)>;
+
+// The last state that a replay came to.
+struct ReplayEnd {
+  World world;
+  std::vector<LooseBody> loose;
+  uint32_t ticks = 0;  // since the start
+};
+
+// Shows every state of a playthrough, the start first, and keeps none. Stops where the playthrough
+// or its plan ends, or `visit` says so.
+ReplayEnd replay(const level::LevelView& level, const level::QueryView* query, const Plan& plan,
+                 const Visit& visit);
+
 // Every state of a playthrough, the start first: (ticks + 1) worlds, and as many times
-// level.looseCount bodies.
+// level.looseCount bodies. Four hours with 16 bodies are 900 MB: for short playthroughs, or for
+// whoever asks for states in any order.
 struct Replay {
   std::vector<World> worlds;
   std::vector<LooseBody> loose;
@@ -60,7 +85,7 @@ struct Replay {
   }
 };
 
-// Stops where the playthrough ends.
+// All that the other shows to a visit that never stops.
 Replay replay(const level::LevelView& level, const level::QueryView* query, const Plan& plan);
 
 }  // namespace obby::sim

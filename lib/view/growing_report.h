@@ -14,7 +14,7 @@ namespace obby::view {
 
 // What is kept of a stream that may never end: of ways some 350 MB in the tool, which holds them as
 // played and as pages get them, and 200 MB in each browser; of levels, queries and answers 200 MB.
-inline constexpr Room kLiveRoom = {10'000'000, 100, size_t(200) << 20, true};
+inline constexpr Room kLiveRoom = {10'000'000, 100, 2, size_t(200) << 20, true};
 
 enum class StreamState { open, ended, broken };
 

@@ -1,6 +1,10 @@
 // A body that rests, slides or turns evenly needs two samples; a tick apart only where it bounces.
 #include "view/loose_track.h"
 
+#include <array>
+#include <bit>
+#include <utility>
+
 #include "sim/loose.h"
 #include "view/thinning.h"
 
@@ -27,14 +31,26 @@ struct Sample {
   Quat rotation;
 };
 
-std::vector<Sample> samplesOf(const sim::Replay& replay, const level::Loose& l, size_t body) {
+// Of every one of `count` ticks.
+std::vector<Sample> samplesOf(const std::vector<LooseStay>& stays, const level::Loose& l,
+                              size_t count) {
   std::vector<Sample> out;
-  out.reserve(replay.worlds.size());
-  for (size_t tick = 0; tick < replay.worlds.size(); ++tick) {
-    const sim::LooseBody& b = replay.looseAt(tick)[body];
-    out.push_back({sim::poseOf(b, l).position, b.rotation});
+  out.reserve(count);
+  for (size_t i = 0; i < stays.size(); ++i) {
+    const LooseStay& stay = stays[i];
+    const Pose pose = sim::partPose(l, stay.center, toMat3(stay.rotation));
+    out.resize(i + 1 < stays.size() ? stays[i + 1].tick : count,
+               Sample{pose.position, stay.rotation});
   }
   return out;
+}
+
+// To the bit: 0 and -0 are two.
+bool isAt(const sim::LooseBody& b, const LooseStay& stay) {
+  const auto bits = [](Vec3 p, Quat q) {
+    return std::bit_cast<std::array<uint32_t, 7>>(std::array{p.x, p.y, p.z, q.x, q.y, q.z, q.w});
+  };
+  return bits(b.position, b.rotation) == bits(stay.center, stay.rotation);
 }
 
 // How far apart a point of the part is in two poses, at most, if none is farther than `reach` from
@@ -55,15 +71,25 @@ float missAt(const std::vector<Sample>& all, float reach, size_t from, size_t to
 
 }  // namespace
 
-std::vector<LooseTrack> looseTracksOf(const sim::Replay& replay, const level::LevelView& level) {
-  std::vector<LooseTrack> tracks;
-  if (replay.worlds.size() < 2) return tracks;
-  for (uint32_t body = 0; body < level.looseCount; ++body) {
-    const level::Loose& l = level.loose[body];
-    const std::vector<Sample> all = samplesOf(replay, l, body);
+void LooseWatch::see(const sim::Moment& now) {
+  for (size_t body = 0; body < stays_.size(); ++body) {
+    const sim::LooseBody& b = now.loose[body];
+    std::vector<LooseStay>& stays = stays_[body];
+    if (!stays.empty() && isAt(b, stays.back())) continue;
+    stays.push_back({now.tick, b.position, b.rotation});
+  }
+  count_ = size_t(now.tick) + 1;
+}
+
+std::vector<LooseTrack> LooseWatch::tracks() const {
+  std::vector<LooseTrack> out;
+  if (count_ < 2) return out;
+  for (uint32_t body = 0; body < level_.looseCount; ++body) {
+    const level::Loose& l = level_.loose[body];
+    const std::vector<Sample> all = samplesOf(stays_[body], l, count_);
     const float reach = l.radius + length(l.center);
     LooseTrack track;
-    track.part = level.colliders[l.firstCollider].part;
+    track.part = level_.colliders[l.firstCollider].part;
     for (const size_t tick : thinned(
              all.size(), kLooseMiss,
              [&](size_t from, size_t to, size_t at) { return missAt(all, reach, from, to, at); })) {
@@ -72,9 +98,9 @@ std::vector<LooseTrack> looseTracksOf(const sim::Replay& replay, const level::Le
     }
     const bool straight = track.ticks.size() == 2;
     if (straight && missBetween(all.front(), all.back(), reach) <= kLooseMiss) continue;  // rests
-    tracks.push_back(std::move(track));
+    out.push_back(std::move(track));
   }
-  return tracks;
+  return out;
 }
 
 }  // namespace obby::view

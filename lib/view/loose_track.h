@@ -20,7 +20,30 @@ struct LooseTrack : Poses {
 };
 constexpr float kLooseMiss = 2.5e-4f;  // studs, of any point of the part
 
-// One track for each part that moves by more than that.
-std::vector<LooseTrack> looseTracksOf(const sim::Replay& replay, const level::LevelView& level);
+// Where a body is from a tick on, until it moves again.
+struct LooseStay {
+  uint32_t tick;  // since the start of the playthrough
+  Vec3 center;    // of mass
+  Quat rotation;
+};
+
+// Gathers tracks while a playthrough is replayed: of each body where it is whenever that changes,
+// for most of them rest most of the time.
+class LooseWatch {
+ public:
+  // The level must outlive it.
+  explicit LooseWatch(const level::LevelView& level) : level_(level), stays_(level.looseCount) {}
+
+  // Every moment of the playthrough, in order.
+  void see(const sim::Moment& now);
+
+  // One for each part that moves by more than kLooseMiss.
+  std::vector<LooseTrack> tracks() const;
+
+ private:
+  const level::LevelView& level_;
+  std::vector<std::vector<LooseStay>> stays_;  // of each body
+  size_t count_ = 0;                           // moments
+};
 
 }  // namespace obby::view

@@ -30,6 +30,16 @@ std::string compare(const Playback& replay, uint64_t hash, schema::Trajectory::R
   return {};
 }
 
+void add(const sim::Moment& now, Playback& to) {
+  const sim::World& world = now.world;
+  const bool airborne = world.state == sim::State::jumping || world.state == sim::State::freefall;
+  to.feet.push_back(world.position);
+  to.yaw.push_back(world.yaw);
+  to.state.push_back(
+      uint8_t((airborne ? kAirborne : 0) | (world.state == sim::State::dead ? kDead : 0)));
+  if (world.jumps > now.before.jumps) to.jumpTicks.push_back(now.tick);
+}
+
 }  // namespace
 
 Result<Playback> playBack(const level::Level& level, const level::Query* query,
@@ -37,29 +47,25 @@ Result<Playback> playBack(const level::Level& level, const level::Query* query,
   OBBY_ASSIGN(const sim::Plan plan, sim::planFromRecord(record));
   level::QueryView rules{};
   if (query != nullptr) rules = query->view();
-  const sim::Replay replay = sim::replay(level.view(), query != nullptr ? &rules : nullptr, plan);
-  const std::vector<sim::World>& worlds = replay.worlds;
   Playback out;
-  for (const sim::World& world : worlds) {
-    const bool airborne = world.state == sim::State::jumping || world.state == sim::State::freefall;
-    out.feet.push_back(world.position);
-    out.yaw.push_back(world.yaw);
-    out.state.push_back(
-        uint8_t((airborne ? kAirborne : 0) | (world.state == sim::State::dead ? kDead : 0)));
-  }
-  for (uint32_t tick = 1; tick < worlds.size(); ++tick) {
-    if (worlds[tick].jumps > worlds[tick - 1].jumps) out.jumpTicks.push_back(tick);
-  }
-  const sim::World& last = worlds.back();
-  const uint64_t hash = sim::stateHash(last, replay.looseAt(worlds.size() - 1));
-  PartEvents parts = partEventsOf(worlds, level.view());
-  out.events = std::move(parts.events);
-  out.motions = std::move(parts.motions);
-  out.partsCut = parts.cut;
-  out.loose = looseTracksOf(replay, level.view());
-  out.outcome = schema::Outcome(uint16_t(last.outcome));
-  out.part = last.part == level::kNone ? -1 : int32_t(last.part);
-  out.mismatch = compare(out, hash, record, query != nullptr);
+  PartWatch parts(level.view());
+  LooseWatch loose(level.view());
+  const auto see = [&](const sim::Moment& now) {
+    add(now, out);
+    parts.see(now);
+    loose.see(now);
+    return true;
+  };
+  const sim::ReplayEnd end =
+      sim::replay(level.view(), query != nullptr ? &rules : nullptr, plan, see);
+  PartEvents events = parts.take();
+  out.events = std::move(events.events);
+  out.motions = std::move(events.motions);
+  out.partsCut = events.cut;
+  out.loose = loose.tracks();
+  out.outcome = schema::Outcome(uint16_t(end.world.outcome));
+  out.part = end.world.part == level::kNone ? -1 : int32_t(end.world.part);
+  out.mismatch = compare(out, sim::stateHash(end.world, end.loose), record, query != nullptr);
   return out;
 }
 

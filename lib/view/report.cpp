@@ -127,7 +127,7 @@ void Collector::addQuery(const io::Record& record) {
   entry.compiled.reset();
   // What came before its query was played without its regions and limits.
   for (PathEntry& path : entry.paths) {
-    forget(path.playback);
+    forget(path);
     path.serial = ++serial_;
   }
 }
@@ -159,7 +159,7 @@ void Collector::addProgress(const io::Record& record) {
   put(PathKind::closest, 0);
   if (progress.hasNewest()) put(PathKind::newest, 0);
   for (uint32_t i = 0; i < progress.getDeaths().size(); ++i) put(PathKind::attempt, i);
-  for (PathEntry& path : before) forget(path.playback);
+  for (PathEntry& path : before) forget(path);
 }
 
 void Collector::addPath(QueryEntry& entry, PathEntry path) {
@@ -202,7 +202,7 @@ Status Collector::replay(QueryEntry& entry) {
     return p.ofProgress() && (p.kind == PathKind::closest ? solved : answered);
   };
   for (PathEntry& path : entry.paths) {
-    if (outdated(path)) forget(path.playback);
+    if (outdated(path)) forget(path);
   }
   std::erase_if(entry.paths, outdated);
   // To sort thousands takes a while, and a stream that is looked at asks for it after each record.
@@ -228,7 +228,7 @@ Status Collector::play(const QueryEntry& entry, PathEntry& path) {
   }
   OBBY_ASSIGN(Playback playback, playBack(*report_.levels[size_t(entry.level)].level,
                                           entry.compiled.get(), path.reader()));
-  const size_t cost = costOf(playback);
+  const size_t cost = costOf(path, playback);
   if (!hasRoom(cost) && room_.rolls) makeRoom(cost, path.kind);
   if (hasRoom(cost)) {
     keep(path, std::move(playback));

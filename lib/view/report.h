@@ -71,6 +71,9 @@ struct Report {
 struct Room {
   size_t ticks = 20'000'000;  // of replays, some 15 bytes each; what parts do counts, too
   size_t wayTicks = 0;        // for which each way counts beyond its own: its record, its numbers
+  // Likewise each run of its actions: some 50 bytes of the line that it came as, 8 of its record, 8
+  // of a page.
+  size_t runTicks = 0;
   // Of levels but the first, queries and answers. Once it is passed, nothing more is taken in.
   size_t bytes = SIZE_MAX;
   // The oldest ways leave for newer ones, attempts before solutions. Else attempts for which there
@@ -117,9 +120,9 @@ class Collector {
   Status play(const QueryEntry& entry, PathEntry& path);
 
   // room.cpp
-  size_t costOf(const Playback& playback) const;
+  size_t costOf(const PathEntry& path, const Playback& playback) const;
   void keep(PathEntry& path, Playback playback);
-  void forget(Playback& playback);
+  void forget(PathEntry& path);
   bool hasRoom(size_t cost) const { return ticksKept_ + cost <= room_.ticks; }
   void makeRoom(size_t cost, PathKind kind);
   void dropOldest(size_t cost, PathKind kind);

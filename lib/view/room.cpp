@@ -25,14 +25,14 @@ size_t bytesOf(const std::optional<io::Record>& record) { return record ? bytesO
 }  // namespace
 
 // In ticks.
-size_t Collector::costOf(const Playback& playback) const {
+size_t Collector::costOf(const PathEntry& path, const Playback& playback) const {
   size_t cost = playback.feet.size() + playback.events.size() + playback.motions.size();
   for (const LooseTrack& track : playback.loose) cost += track.ticks.size();
-  return cost + room_.wayTicks;
+  return cost + room_.wayTicks + room_.runTicks * path.reader().getActions().size();
 }
 
 void Collector::keep(PathEntry& path, Playback playback) {
-  ticksKept_ += costOf(playback);
+  ticksKept_ += costOf(path, playback);
   path.playback = std::move(playback);
   if (!path.playback.partsCut || std::exchange(cutNoted_, true)) return;
   note(
@@ -41,9 +41,9 @@ void Collector::keep(PathEntry& path, Playback playback) {
                   kMostPartEvents));
 }
 
-void Collector::forget(Playback& playback) {
-  if (!playback.feet.empty()) ticksKept_ -= costOf(playback);
-  playback = {};
+void Collector::forget(PathEntry& path) {
+  if (path.played()) ticksKept_ -= costOf(path, path.playback);
+  path.playback = {};
 }
 
 // An attempt drives out no solution, and what no room is enough for drives out nothing.
@@ -68,7 +68,7 @@ void Collector::dropOldest(size_t cost, PathKind kind) {
   std::sort(ways.begin(), ways.end());
   for (const auto& [runs, serial, path, query] : ways) {
     if (hasRoom(cost + room_.ticks / kSlack)) break;
-    forget(path->playback);
+    forget(*path);
     path->dropped = true;
     thinned_.insert(query);
     ++dropped_;

@@ -64,5 +64,76 @@ TEST(Replay, gives_the_same_worlds_as_playing) {
   EXPECT_EQ(stateHash(worlds.back()), stateHash(play.world));
 }
 
+// A crate ahead, in the air at first.
+level::Level crateLevel() {
+  return floorLevel()
+      .block({0, 3, -6}, {4, 4, 4}, [](schema::Part::Builder p) { p.setAnchored(false); })
+      .compile();
+}
+
+TEST(Replay, shows_every_state_and_the_one_before) {
+  const auto level = crateLevel();
+  const sim::Plan plan{{}, 0, {{walk(kNorth), 90}, {stand(), 0}, {walk(kEast, true), 40}}};
+  std::vector<sim::Action> actions(90, walk(kNorth));
+  actions.resize(130, walk(kEast, true));
+  Play play(level);
+  uint32_t shown = 0;
+  const auto visit = [&](const sim::Moment& now) {
+    EXPECT_EQ(now.tick, shown++);
+    if (now.tick > 0) play.run(actions[now.tick - 1]);
+    const sim::World& before = play.history[now.tick == 0 ? 0 : now.tick - 1];
+    EXPECT_EQ(stateHash(now.before), stateHash(before)) << now.tick;
+    EXPECT_EQ(stateHash(now.world, now.loose), stateHash(play.world, play.loose)) << now.tick;
+    return true;
+  };
+  const sim::ReplayEnd end = sim::replay(level.view(), nullptr, plan, visit);
+  EXPECT_EQ(shown, 131u);
+  EXPECT_EQ(end.ticks, 130u);
+  EXPECT_EQ(stateHash(end.world, end.loose), stateHash(play.world, play.loose));
+}
+
+TEST(Replay, keeps_what_it_shows) {
+  const auto level = crateLevel();
+  const sim::Plan plan{{}, 0x1234, {{walk(kNorth), 60}, {stand(), 30}}};
+  const sim::Replay all = sim::replay(level.view(), nullptr, plan);
+  ASSERT_EQ(all.worlds.size(), 91u);
+  ASSERT_EQ(all.loose.size(), 91u);
+  sim::replay(level.view(), nullptr, plan, [&](const sim::Moment& now) {
+    EXPECT_EQ(stateHash(now.world, now.loose),
+              stateHash(all.worlds[now.tick], all.looseAt(now.tick)))
+        << now.tick;
+    return true;
+  });
+  EXPECT_EQ(all.worlds[0].yaw, 0x1234);
+}
+
+TEST(Replay, stops_where_the_visit_says_so) {
+  const auto level = flatLevel();
+  const sim::Plan plan{{}, 0, {{walk(kNorth), 50}, {walk(kEast), 50}}};
+  const sim::Replay all = sim::replay(level.view(), nullptr, plan);
+  for (const uint32_t last : {0u, 50u, 60u}) {
+    uint32_t shown = 0;
+    const auto visit = [&](const sim::Moment& now) {
+      ++shown;
+      return now.tick < last;
+    };
+    const sim::ReplayEnd end = sim::replay(level.view(), nullptr, plan, visit);
+    EXPECT_EQ(end.ticks, last);
+    EXPECT_EQ(shown, last + 1);
+    EXPECT_EQ(stateHash(end.world), stateHash(all.worlds[last]));
+  }
+}
+
+TEST(Replay, stops_where_the_playthrough_ends) {
+  const auto level = support::LevelBuilder().block({0, -1, 0}, {4, 2, 4}).compile();
+  const sim::Plan plan{{}, 0, {{walk(kNorth), 2000}, {walk(kEast), 2000}}};
+  uint32_t shown = 0;
+  const auto visit = [&](const sim::Moment&) { return ++shown != 0; };
+  const sim::ReplayEnd end = sim::replay(level.view(), nullptr, plan, visit);
+  EXPECT_EQ(end.world.outcome, Outcome::fell);
+  EXPECT_LT(end.ticks, 2000u);
+  EXPECT_EQ(shown, end.ticks + 1);
+}
+
 }  // namespace
 }  // namespace obby::test

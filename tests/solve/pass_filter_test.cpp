@@ -41,6 +41,16 @@ TEST_F(PassFilterTest, TheStartIsPassed) {
   EXPECT_TRUE(keeps({{"0,0,-2,0.1,1,0.1"}, {}}));
 }
 
+// What is still to come decides, too.
+TEST_F(PassFilterTest, AForbiddenPlaceBehindAllOthersCounts) {
+  makeTrajectory();
+  const std::string early = "0,2,-6,8,4,2", late = "0,6,-22,8,16,2";
+  EXPECT_TRUE(keeps({{early, late}, {}}));
+  EXPECT_TRUE(keeps({{late, early}, {}})) << "in any order";
+  EXPECT_FALSE(keeps({{early}, {late}}));
+  EXPECT_FALSE(keeps({{late}, {early}}));
+}
+
 // A teleporter at the end of the first stone leads to the third.
 class TeleportedPassFilterTest : public PassFilterTest {
  protected:

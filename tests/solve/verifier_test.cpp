@@ -178,6 +178,31 @@ TEST_F(VerifierTest, RefusesAnotherWayThanThatOfItsActions) {
   expectWrong("path.points");
 }
 
+// Its way ends where the playthrough does, however long the last key is held.
+TEST_F(VerifierTest, AcceptsActionsThatGoOnBehindTheEnd) {
+  auto t = makeTrajectory();
+  const uint32_t ticks = t.getTicks();
+  t.getActions()[ticks - 1].setTicks(500);
+  EXPECT_TRUE(check()) << check().error().text();
+  const auto plan = sim::planFromRecord(t.asReader());
+  ASSERT_TRUE(plan);
+  const std::vector<sim::World> worlds = sim::replay(level.view(), nullptr, *plan).worlds;
+  ASSERT_GT(worlds.size(), ticks + 2);
+  auto path = t.initPath();
+  path.setStep(ticks);
+  auto points = path.initPoints(2);
+  support::set(points[0], worlds[0].position);
+  support::set(points[1], worlds[ticks].position);
+  auto jumpTicks = path.initJumpTicks(t.getJumps());
+  uint32_t jumps = 0;
+  for (uint32_t i = 1; i <= ticks; ++i) {
+    if (worlds[i].jumps > worlds[i - 1].jumps) jumpTicks.set(jumps++, i);
+  }
+  EXPECT_TRUE(check()) << check().error().text();
+  path.setTicks(ticks + 1);
+  expectWrong("path.ticks");
+}
+
 TEST_F(VerifierTest, RefusesChangedActions) {
   makeTrajectory().getActions()[20].setHeading(200);
   EXPECT_FALSE(check());

@@ -1,43 +1,13 @@
 // A report that is looked at while it grows is in the end the one that is read at once.
 #include <gmock/gmock.h>
 
-#include "course.h"
+#include "collecting.h"
 #include "view/page.h"
 
 namespace obby::view_test {
 namespace {
 
 using ::testing::HasSubstr;
-
-view::Collector strict(const std::vector<std::string>& only = {}) {
-  return view::Collector([](const io::Record&, Error error) -> Status { return error; }, only);
-}
-
-view::Collector withRoom(view::Room room) {
-  return view::Collector([](const io::Record&, Error error) -> Status { return error; }, {}, room);
-}
-
-void addAll(view::Collector& collector, const std::vector<std::string>& lines) {
-  for (const std::string& text : lines) {
-    ASSERT_TRUE(collector.add(recordOf(text)));
-    ASSERT_TRUE(collector.update());
-  }
-}
-
-std::string progressLine(io::RecordBuilder& best, const std::vector<io::RecordBuilder*>& deaths,
-                         float closest) {
-  io::RecordBuilder builder;
-  auto p = builder.root().initProgress();
-  p.setQuery("ahead");
-  p.setClosest(closest);
-  p.setSteps(1000);
-  p.setBest(best.reader().getTrajectory());
-  auto list = p.initDeaths(uint32_t(deaths.size()));
-  for (uint32_t i = 0; i < list.size(); ++i) {
-    list.setWithCaveats(i, deaths[i]->reader().getTrajectory());
-  }
-  return line(builder);
-}
 
 TEST(Collector, LookedAtAfterEachRecordItGivesTheSameReport) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300), right = walk(kRight, 300, true);
@@ -167,138 +137,6 @@ TEST(Collector, AQueryThatNamesPartsIsRefusedAtItsPlace) {
   ASSERT_TRUE(collector.add(given));
   ASSERT_FALSE(collector.update());
   EXPECT_THAT(places, ::testing::ElementsAre(given.place()));
-}
-
-// A stream of a few lines may ask for hours of play.
-TEST(Collector, AttemptsBeyondTheRoomAreLeftOutAndSolutionsAreErrors) {
-  auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
-  const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
-  auto collector = withRoom({2 * ticks});
-  addAll(collector, {kLevel, kQuery, line(left), line(left)});
-  EXPECT_TRUE(collector.report().notes.empty());
-  addAll(collector, {line(left), line(left)});
-  EXPECT_EQ(collector.report().queries[0].paths.size(), 2u);
-  ASSERT_EQ(collector.report().notes.size(), 1u);
-  EXPECT_THAT(collector.report().notes[0], HasSubstr("left out"));
-  ASSERT_TRUE(collector.add(recordOf(line(ahead))));
-  const Status updated = collector.update();
-  ASSERT_FALSE(updated);
-  EXPECT_THAT(updated.error().message, HasSubstr("too long"));
-}
-
-// Of a stream without an end the newest is shown.
-TEST(Collector, WhereWaysRollTheOldestLeaveAndAreCounted) {
-  auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
-  const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
-  view::Room room;
-  room.ticks = 10 * ticks;
-  room.rolls = true;
-  auto collector = withRoom(room);
-  addAll(collector, {kLevel, kQuery, line(ahead)});
-  const auto& paths = collector.report().queries[0].paths;
-  for (uint32_t i = 0; i < 40; ++i) addAll(collector, {line(left)});
-  ASSERT_GT(paths.size(), 3u);
-  ASSERT_LT(paths.size(), 12u);
-  EXPECT_EQ(paths[0].kind, view::PathKind::solution) << "no attempt drives it out";
-  for (size_t i = 1; i < paths.size(); ++i) EXPECT_EQ(paths[i].serial, 42 - paths.size() + i);
-  for (const auto& path : paths) EXPECT_TRUE(path.played());
-  ASSERT_EQ(collector.report().notes.size(), 1u);
-  EXPECT_THAT(collector.report().notes[0],
-              HasSubstr(" " + std::to_string(41 - paths.size()) + " of the oldest ways"));
-  for (uint32_t i = 0; i < 60; ++i) addAll(collector, {line(ahead)});
-  EXPECT_EQ(paths[0].kind, view::PathKind::solution);
-  EXPECT_EQ(paths.back().serial, 101u);
-  EXPECT_THAT(collector.report().notes[0],
-              HasSubstr(" " + std::to_string(101 - paths.size()) + " of the oldest ways"));
-}
-
-TEST(Collector, WaysThatLeaveMayBeOfAnotherQuery) {
-  auto left = walk(kLeft, 300), other = walk(kLeft, 300);
-  other.root().getTrajectory().setQuery("other");
-  const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
-  view::Room room;
-  room.ticks = 8 * ticks;
-  room.rolls = true;
-  auto collector = withRoom(room);
-  addAll(collector, {kLevel, kQuery});
-  for (uint32_t i = 0; i < 4; ++i) addAll(collector, {line(other)});
-  for (uint32_t i = 0; i < 20; ++i) addAll(collector, {line(left)});
-  ASSERT_EQ(collector.report().queries.size(), 2u);
-  EXPECT_GT(collector.report().queries[0].paths.size(), 3u);
-  EXPECT_TRUE(collector.report().queries[1].paths.empty());
-}
-
-// Nothing replaces what a search told on its way once it is over.
-TEST(Collector, WhatASearchToldLeavesOnceItIsOver) {
-  auto left = walk(kLeft, 300), other = walk(kLeft, 300);
-  other.root().getTrajectory().setQuery("other");
-  const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
-  view::Room room;
-  room.ticks = 6 * ticks;
-  room.rolls = true;
-  auto collector = withRoom(room);
-  addAll(collector, {kLevel, kQuery, progressLine(left, {}, 9)});
-  for (uint32_t i = 0; i < 20; ++i) addAll(collector, {line(other)});
-  ASSERT_EQ(collector.report().queries.size(), 2u);
-  EXPECT_EQ(collector.report().queries[0].paths.size(), 1u) << "it runs";
-  addAll(collector, {resultLine("unknown", 0)});
-  EXPECT_EQ(collector.report().queries[0].paths.size(), 1u);
-  for (uint32_t i = 0; i < 20; ++i) addAll(collector, {line(other)});
-  EXPECT_TRUE(collector.report().queries[0].paths.empty());
-  EXPECT_GT(collector.report().queries[1].paths.size(), 3u);
-  EXPECT_EQ(collector.report().notes.size(), 1u);
-}
-
-TEST(Collector, AWayThatIsLongerThanAllOfTheRoomDrivesOutNone) {
-  auto near = walk(kAhead, 20), left = walk(kLeft, 300);
-  view::Room room;
-  room.ticks = left.reader().getTrajectory().getTicks();
-  room.rolls = true;
-  auto collector = withRoom(room);
-  addAll(collector, {kLevel, kQuery, line(near), line(left)});
-  ASSERT_EQ(collector.report().queries[0].paths.size(), 1u);
-  EXPECT_EQ(collector.report().queries[0].paths[0].serial, 1u);
-  ASSERT_EQ(collector.report().notes.size(), 1u);
-  EXPECT_THAT(collector.report().notes[0], HasSubstr("left out"));
-}
-
-TEST(Collector, WhereThereIsNoRoomForRecordsNothingMoreIsTakenIn) {
-  std::string second = kLevel;
-  second.replace(second.find("Course"), 6, "Second");
-  view::Room room;
-  room.bytes = 1;
-  auto collector = withRoom(room);
-  addAll(collector, {kLevel, kQuery});
-  ASSERT_EQ(collector.report().queries.size(), 1u) << "of the first level there is no limit";
-  EXPECT_TRUE(collector.report().notes.empty());
-  addAll(collector, {resultLine("solved", 200), second, kQuery});
-  EXPECT_FALSE(collector.report().queries[0].result);
-  EXPECT_EQ(collector.report().levels.size(), 1u);
-  ASSERT_EQ(collector.report().notes.size(), 1u) << "it is said once";
-  EXPECT_THAT(collector.report().notes[0], HasSubstr("no room"));
-}
-
-// Answers that replace one another take the room of one.
-TEST(Collector, AnAnswerThatComesAgainTakesNoRoom) {
-  view::Room room;
-  room.bytes = 20'000;
-  auto collector = withRoom(room);
-  addAll(collector, {kLevel, kQuery});
-  for (uint32_t i = 0; i < 200; ++i) addAll(collector, {resultLine("solved", 200 + i)});
-  EXPECT_EQ(collector.report().queries[0].answer().getTicks(), 399u);
-  EXPECT_TRUE(collector.report().notes.empty());
-}
-
-// What came and went leaves its room to what comes.
-TEST(Collector, ProgressThatIsReplacedTakesNoRoom) {
-  auto left = walk(kLeft, 300);
-  auto collector = withRoom({1000});
-  addAll(collector, {kLevel, kQuery});
-  for (uint32_t i = 0; i < 40; ++i) {
-    auto nearer = walk(kAhead, 40 + i);
-    addAll(collector, {progressLine(nearer, {&left}, float(40 - i))});
-  }
-  EXPECT_TRUE(collector.report().notes.empty());
 }
 
 }  // namespace

@@ -71,6 +71,15 @@ TEST(Replay, TellsWhenSignalsOpenCloseAndMoveParts) {
   EXPECT_EQ(p.motions[1].start, int64_t(pressed) + 60);
 }
 
+PartEvents eventsOf(const std::vector<sim::World>& worlds, const level::LevelView& view,
+                    size_t most = kMostPartEvents) {
+  PartWatch watch(view, most);
+  for (uint32_t tick = 0; tick < worlds.size(); ++tick) {
+    watch.see({tick, worlds[tick == 0 ? 0 : tick - 1], worlds[tick], {}});
+  }
+  return watch.take();
+}
+
 // One button, pressed for hours, that takes away, brings and moves thousands of parts.
 TEST(Replay, OfThousandsOfPartsOnlyThoseWhoseClockRunsAreLookedAt) {
   constexpr uint32_t kOfEach = 1000, kTicks = 200'000;
@@ -101,7 +110,7 @@ TEST(Replay, OfThousandsOfPartsOnlyThoseWhoseClockRunsAreLookedAt) {
       worlds[pressed + t].clockCount = 1;
     }
   }
-  const PartEvents all = partEventsOf(worlds, view);
+  const PartEvents all = eventsOf(worlds, view);
   EXPECT_FALSE(all.cut);
   EXPECT_TRUE(all.motions.empty());
   ASSERT_EQ(all.events.size(), 6 * kOfEach);
@@ -112,7 +121,7 @@ TEST(Replay, OfThousandsOfPartsOnlyThoseWhoseClockRunsAreLookedAt) {
     ASSERT_EQ(all.events[i].part, 1 + 2 * (i % kOfEach)) << i;
     ASSERT_EQ(all.events[i].solid, round % 2 == 1) << i;
   }
-  const PartEvents some = partEventsOf(worlds, view, 3 * kOfEach + 1);
+  const PartEvents some = eventsOf(worlds, view, 3 * kOfEach + 1);
   EXPECT_TRUE(some.cut);
   EXPECT_EQ(some.events.size(), 3 * kOfEach) << "whole ticks";
 }
@@ -180,6 +189,28 @@ TEST(Replay, LoosePartsAreWhereTheSimulatorPushedThem) {
       ASSERT_LT(length(cornerAt(*track, tick, corner) - truth), 2 * kLooseMiss) << tick;
     }
   }
+}
+
+// Where a part is, is kept when that changes: rest takes no memory, and has its time all the same.
+TEST(Replay, APartThatRestsMovesAndRestsHasFourSamples) {
+  const level::Level level = crateLevel();
+  const level::LevelView& view = level.view();
+  const sim::World world = sim::makeWorld(view, {});
+  std::vector<sim::LooseBody> loose = sim::makeLoose(view);
+  LooseWatch watch(view);
+  for (uint32_t tick = 0; tick <= 2000; ++tick) {
+    if (tick > 1000 && tick <= 1010) loose[1].position.x += 0.25f;
+    watch.see({tick, world, world, loose});
+  }
+  const std::vector<LooseTrack> tracks = watch.tracks();
+  ASSERT_EQ(tracks.size(), 1u);
+  EXPECT_EQ(tracks[0].part, 2u);
+  EXPECT_EQ(tracks[0].ticks, (std::vector<uint32_t>{0, 1000, 1010, 2000}));
+  ASSERT_EQ(tracks[0].positions.size(), 12u);
+  EXPECT_NEAR(tracks[0].positions[0], 20, 1e-4);
+  EXPECT_NEAR(tracks[0].positions[3], 20, 1e-4);
+  EXPECT_NEAR(tracks[0].positions[6], 22.5, 1e-4);
+  EXPECT_NEAR(tracks[0].positions[9], 22.5, 1e-4);
 }
 
 TEST(Replay, OnlyLoosePartsThatMoveHaveTracks) {

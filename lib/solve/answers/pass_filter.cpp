@@ -21,18 +21,20 @@ Result<PassFilter> PassFilter::make(schema::Level::Reader record, const level::L
 Result<bool> PassFilter::keeps(const level::Level& level,
                                schema::Trajectory::Reader trajectory) const {
   OBBY_ASSIGN(const sim::Plan plan, sim::planFromRecord(trajectory));
-  const sim::Replay replay = sim::replay(level.view(), nullptr, plan);
-  const std::vector<sim::World>& worlds = replay.worlds;
-  // Between two ticks, too: a box may be thinner than a player walks in one.
-  const auto passes = [&](const Place& place) {
-    if (place.holds(level.view(), worlds[0], replay.looseAt(0))) return true;
-    for (size_t tick = 1; tick < worlds.size(); ++tick) {
-      const sim::World &before = worlds[tick - 1], &world = worlds[tick];
-      if (place.isEntered(level.view(), before, world, replay.looseAt(tick))) return true;
-    }
-    return false;
-  };
-  return std::ranges::all_of(pass_, passes) && std::ranges::none_of(notPass_, passes);
+  std::vector<Place> missing = pass_;
+  bool entered = false;  // a place of notPass_
+  sim::replay(level.view(), nullptr, plan, [&](const sim::Moment& now) {
+    // Between two ticks, too: a box may be thinner than a player walks in one.
+    const auto passes = [&](const Place& place) {
+      if (now.tick == 0) return place.holds(level.view(), now.world, now.loose);
+      return place.isEntered(level.view(), now.before, now.world, now.loose);
+    };
+    std::erase_if(missing, passes);
+    entered = std::ranges::any_of(notPass_, passes);
+    const bool decided = entered || (missing.empty() && notPass_.empty());
+    return !decided;
+  });
+  return missing.empty() && !entered;
 }
 
 }  // namespace obby::solve

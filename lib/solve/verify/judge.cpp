@@ -51,14 +51,14 @@ bool Judge::isForbidden(sim::State state) const {
                      [&](schema::PlayerState s) { return int(s) == int(state); });
 }
 
-bool Judge::atGoal(const Moment& m) const {
+bool Judge::atGoal(const sim::Moment& m) const {
   if (reached_ < stops_.size() || m.world.jumps < minJumps_) return false;
   if (std::find(visited_.begin(), visited_.end(), false) != visited_.end()) return false;
   return std::any_of(goals_.begin(), goals_.end(), [&](const Place& g) { return holds(g, m); });
 }
 
 // Waypoints and visits that are reached now.
-schema::Outcome Judge::reach(const Moment& m) {
+schema::Outcome Judge::reach(const sim::Moment& m) {
   while (reached_ < stops_.size() && holds(stops_[reached_].place, m)) {
     ++reached_;
     segmentTick_ = m.tick;
@@ -72,20 +72,18 @@ schema::Outcome Judge::reach(const Moment& m) {
   return schema::Outcome::RUNNING;
 }
 
-schema::Outcome Judge::after(size_t tick, const sim::World& before, const sim::World& world,
-                             std::span<const sim::LooseBody> loose) {
-  const Moment m{int64_t(tick), before, world, loose};
+schema::Outcome Judge::after(const sim::Moment& m) {
   for (size_t i = 0; i < avoid_.size(); ++i) {
     if (!avoid_[i].isEntered(level_, m.before, m.world, m.loose)) continue;
     avoided_ = int64_t(i);
     return schema::Outcome::AVOIDED;
   }
-  if (isForbidden(world.state)) return schema::Outcome::FORBIDDEN;
-  if (maxDamage_ >= 0 && double(world.damage) > maxDamage_) return schema::Outcome::HURT;
-  if (tooManyJumps(world.jumps)) return schema::Outcome::JUMPS;
+  if (isForbidden(m.world.state)) return schema::Outcome::FORBIDDEN;
+  if (maxDamage_ >= 0 && double(m.world.damage) > maxDamage_) return schema::Outcome::HURT;
+  if (tooManyJumps(m.world.jumps)) return schema::Outcome::JUMPS;
   if (reach(m) == schema::Outcome::JUMPS) return schema::Outcome::JUMPS;
   if (atGoal(m)) return schema::Outcome::GOAL;
-  return tooLate(int64_t(tick)) ? schema::Outcome::TIMEOUT : schema::Outcome::RUNNING;
+  return tooLate(m.tick) ? schema::Outcome::TIMEOUT : schema::Outcome::RUNNING;
 }
 
 void Judge::note(sim::World& world) const {

@@ -4,12 +4,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "level/level_view.h"
-#include "sim/loose.h"
-#include "sim/world.h"
+#include "sim/simulator.h"
 #include "solve/verify/place.h"
 
 namespace obby::solve {
@@ -19,10 +17,9 @@ class Judge {
   // The level must outlive the judge.
   Judge(schema::Query::Reader query, const level::LevelView& level);
 
-  // The player is alive in `world` after `tick` ticks, tick 1 first, and was as in `before` one
-  // tick earlier. Gives how the playthrough ends here, or RUNNING.
-  schema::Outcome after(size_t tick, const sim::World& before, const sim::World& world,
-                        std::span<const sim::LooseBody> loose);
+  // Every moment but the start, in order, for as long as the player is alive. Gives how the
+  // playthrough ends there, or RUNNING.
+  schema::Outcome after(const sim::Moment& m);
 
   // Writes what was reached, when, and what was entered that is to be avoided.
   void note(sim::World& world) const;
@@ -36,21 +33,16 @@ class Judge {
     int64_t jumps, ticks;  // since the start, at most; -1: any
     Segment segment;
   };
-  struct Moment {
-    int64_t tick;
-    const sim::World &before, &world;
-    std::span<const sim::LooseBody> loose;
-  };
 
   int64_t ticksOf(float seconds) const;
-  bool holds(const Place& place, const Moment& m) const {
+  bool holds(const Place& place, const sim::Moment& m) const {
     return place.holds(level_, m.world, m.loose);
   }
   bool tooManyJumps(int64_t jumps) const;
   bool tooLate(int64_t tick) const;
-  bool atGoal(const Moment& m) const;
+  bool atGoal(const sim::Moment& m) const;
   bool isForbidden(sim::State state) const;
-  schema::Outcome reach(const Moment& m);
+  schema::Outcome reach(const sim::Moment& m);
   const Segment& segment() const {
     return reached_ < stops_.size() ? stops_[reached_].segment : last_;
   }

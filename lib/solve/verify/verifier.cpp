@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -59,16 +58,16 @@ Status checkStart(schema::Level::Reader level, schema::Query::Reader query,
 
 int32_t indexIf(bool asked, uint32_t index) { return asked ? int32_t(index) : -1; }
 
-Status checkEnd(schema::Trajectory::Reader t, const sim::World& last,
-                std::span<const sim::LooseBody> loose, size_t ticks) {
+Status checkEnd(schema::Trajectory::Reader t, const sim::ReplayEnd& end) {
+  const sim::World& last = end.world;
   const bool avoided = last.outcome == sim::Outcome::avoided;
-  OBBY_RETURN_IF_ERROR(same("ticks", t.getTicks(), ticks));
+  OBBY_RETURN_IF_ERROR(same("ticks", t.getTicks(), end.ticks));
   OBBY_RETURN_IF_ERROR(same("jumps", t.getJumps(), last.jumps));
   OBBY_RETURN_IF_ERROR(same("waypoints", t.getWaypoints(), last.waypoints));
   OBBY_RETURN_IF_ERROR(same("visited", t.getVisited(), last.visited));
   OBBY_RETURN_IF_ERROR(same("part", t.getPart(), indexIf(!avoided, last.part)));
   OBBY_RETURN_IF_ERROR(same("avoid", t.getAvoid(), indexIf(avoided, last.part)));
-  const uint64_t hash = sim::stateHash(last, loose);
+  const uint64_t hash = sim::stateHash(last, end.loose);
   if (hash != t.getStateHash()) {
     return wrong("stateHash", fmt::format("{}", t.getStateHash()), fmt::format("{}", hash));
   }
@@ -76,9 +75,19 @@ Status checkEnd(schema::Trajectory::Reader t, const sim::World& last,
   return samePlace("endPosition", point(t.getEndPosition()), feetOf(last));
 }
 
-// Where the player is along the way, for readers that cannot replay; up to tick `ticks`.
-Status checkPath(schema::Path::Reader path, std::span<const sim::World> worlds, size_t ticks) {
-  const size_t step = path.getStep();
+// Where the player is along the way, which a record tells readers that cannot replay.
+struct Walked {
+  std::vector<Point> feet;          // (ticks + 1), the start first
+  std::vector<uint32_t> jumpTicks;  // at which a jump was made
+
+  void add(const sim::Moment& now) {
+    feet.push_back(feetOf(now.world));
+    if (now.world.jumps > now.before.jumps) jumpTicks.push_back(now.tick);
+  }
+};
+
+Status checkPath(schema::Path::Reader path, const Walked& way) {
+  const size_t step = path.getStep(), ticks = way.feet.size() - 1;
   if (step == 0) return wrong("path.step", "0", "a point every few ticks");
   const auto points = path.getPoints();
   if (path.getTicks() != 0) OBBY_RETURN_IF_ERROR(same("path.ticks", path.getTicks(), ticks));
@@ -88,14 +97,10 @@ Status checkPath(schema::Path::Reader path, std::span<const sim::World> worlds, 
     OBBY_RETURN_IF_ERROR(same("path.points", points.size(), (ticks + step - 1) / step + 1));
   }
   for (uint32_t i = 0; i < points.size(); ++i) {
-    const sim::World& world = worlds[std::min(i * step, ticks)];
-    OBBY_RETURN_IF_ERROR(
-        samePlace(fmt::format("path.points[{}]", i), point(points[i]), feetOf(world)));
+    OBBY_RETURN_IF_ERROR(samePlace(fmt::format("path.points[{}]", i), point(points[i]),
+                                   way.feet[std::min(i * step, ticks)]));
   }
-  std::vector<uint32_t> jumps;
-  for (uint32_t tick = 1; tick <= ticks; ++tick) {
-    if (worlds[tick].jumps > worlds[tick - 1].jumps) jumps.push_back(tick);
-  }
+  const std::vector<uint32_t>& jumps = way.jumpTicks;
   const auto recorded = path.getJumpTicks();
   OBBY_RETURN_IF_ERROR(same("path.jumpTicks", recorded.size(), jumps.size()));
   for (uint32_t i = 0; i < recorded.size(); ++i) {
@@ -111,26 +116,26 @@ Status verify(const level::Level& level, schema::Level::Reader levelRecord,
   OBBY_RETURN_IF_ERROR(checkStart(levelRecord, query, trajectory));
   OBBY_ASSIGN(const sim::Plan plan, sim::planFromRecord(trajectory));
   Judge judge(query, level.view());
-  const sim::Replay replay = sim::replay(level.view(), nullptr, plan);
-  const std::vector<sim::World>& worlds = replay.worlds;
   schema::Outcome outcome = schema::Outcome::RUNNING;
-  size_t tick = 0;
-  while (outcome == schema::Outcome::RUNNING && ++tick < worlds.size()) {
-    const sim::World& w = worlds[tick];
-    outcome = w.outcome != sim::Outcome::running
-                  ? schema::Outcome(w.outcome)
-                  : judge.after(tick, worlds[tick - 1], w, replay.looseAt(tick));
-  }
-  tick = std::min(tick, worlds.size() - 1);
+  Walked way;
+  const auto look = [&](const sim::Moment& now) {
+    if (trajectory.hasPath()) way.add(now);
+    if (now.world.outcome != sim::Outcome::running) {
+      outcome = schema::Outcome(now.world.outcome);
+    } else if (now.tick > 0) {
+      outcome = judge.after(now);
+    }
+    return outcome == schema::Outcome::RUNNING;
+  };
+  sim::ReplayEnd end = sim::replay(level.view(), nullptr, plan, look);
   if (outcome != trajectory.getOutcome()) {
     return wrong("outcome", outcomeName(trajectory.getOutcome()),
-                 fmt::format("{} at tick {}", outcomeName(outcome), tick));
+                 fmt::format("{} at tick {}", outcomeName(outcome), end.ticks));
   }
-  sim::World last = worlds[tick];
-  last.outcome = sim::Outcome(outcome);
-  judge.note(last);
-  OBBY_RETURN_IF_ERROR(checkEnd(trajectory, last, replay.looseAt(tick), tick));
-  return trajectory.hasPath() ? checkPath(trajectory.getPath(), worlds, tick) : Status();
+  end.world.outcome = sim::Outcome(outcome);
+  judge.note(end.world);
+  OBBY_RETURN_IF_ERROR(checkEnd(trajectory, end));
+  return trajectory.hasPath() ? checkPath(trajectory.getPath(), way) : Status();
 }
 
 }  // namespace obby::solve

@@ -1,0 +1,189 @@
+// What a collector has no room for is left out, or drives out what came before.
+#include <gmock/gmock.h>
+
+#include "collecting.h"
+
+namespace obby::view_test {
+namespace {
+
+using ::testing::HasSubstr;
+
+// The same way with an action run for each of its ticks.
+std::string inRunsOfATick(const io::RecordBuilder& way) {
+  io::RecordBuilder out(way.reader());
+  const auto held = way.reader().getTrajectory();
+  auto runs = out.root().getTrajectory().initActions(held.getTicks());
+  for (uint32_t i = 0; i < runs.size(); ++i) {
+    runs.setWithCaveats(i, held.getActions()[0]);
+    runs[i].setTicks(1);
+  }
+  return line(out);
+}
+
+// A stream of a few lines may ask for hours of play.
+TEST(Collector, AttemptsBeyondTheRoomAreLeftOutAndSolutionsAreErrors) {
+  auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
+  const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
+  auto collector = withRoom({2 * ticks});
+  addAll(collector, {kLevel, kQuery, line(left), line(left)});
+  EXPECT_TRUE(collector.report().notes.empty());
+  addAll(collector, {line(left), line(left)});
+  EXPECT_EQ(collector.report().queries[0].paths.size(), 2u);
+  ASSERT_EQ(collector.report().notes.size(), 1u);
+  EXPECT_THAT(collector.report().notes[0], HasSubstr("left out"));
+  ASSERT_TRUE(collector.add(recordOf(line(ahead))));
+  const Status updated = collector.update();
+  ASSERT_FALSE(updated);
+  EXPECT_THAT(updated.error().message, HasSubstr("too long"));
+}
+
+// Of a stream without an end the newest is shown.
+TEST(Collector, WhereWaysRollTheOldestLeaveAndAreCounted) {
+  auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
+  const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
+  view::Room room;
+  room.ticks = 10 * ticks;
+  room.rolls = true;
+  auto collector = withRoom(room);
+  addAll(collector, {kLevel, kQuery, line(ahead)});
+  const auto& paths = collector.report().queries[0].paths;
+  for (uint32_t i = 0; i < 40; ++i) addAll(collector, {line(left)});
+  ASSERT_GT(paths.size(), 3u);
+  ASSERT_LT(paths.size(), 12u);
+  EXPECT_EQ(paths[0].kind, view::PathKind::solution) << "no attempt drives it out";
+  for (size_t i = 1; i < paths.size(); ++i) EXPECT_EQ(paths[i].serial, 42 - paths.size() + i);
+  for (const auto& path : paths) EXPECT_TRUE(path.played());
+  ASSERT_EQ(collector.report().notes.size(), 1u);
+  EXPECT_THAT(collector.report().notes[0],
+              HasSubstr(" " + std::to_string(41 - paths.size()) + " of the oldest ways"));
+  for (uint32_t i = 0; i < 60; ++i) addAll(collector, {line(ahead)});
+  EXPECT_EQ(paths[0].kind, view::PathKind::solution);
+  EXPECT_EQ(paths.back().serial, 101u);
+  EXPECT_THAT(collector.report().notes[0],
+              HasSubstr(" " + std::to_string(101 - paths.size()) + " of the oldest ways"));
+}
+
+// Of who changes keys at every tick the actions are as large as the way.
+TEST(Collector, EachRunOfAWaysActionsTakesRoomWhereItCounts) {
+  const auto left = walk(kLeft, 300);
+  const std::string restless = inRunsOfATick(left);
+  const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
+  view::Room room;
+  room.ticks = 4 * ticks;
+  room.runTicks = 1;
+  auto collector = withRoom(room);
+  addAll(collector, {kLevel, kQuery, restless, restless});
+  EXPECT_TRUE(collector.report().notes.empty());
+  addAll(collector, {restless});
+  EXPECT_EQ(collector.report().queries[0].paths.size(), 2u);
+  ASSERT_EQ(collector.report().notes.size(), 1u);
+  EXPECT_THAT(collector.report().notes[0], HasSubstr("left out"));
+}
+
+TEST(Collector, ActionRunsOfWaysThatLeaveGiveTheirRoomBack) {
+  const auto left = walk(kLeft, 300);
+  const std::string restless = inRunsOfATick(left);
+  view::Room room;
+  room.ticks = 4 * (left.reader().getTrajectory().getTicks() + 1);
+  room.runTicks = 1;
+  room.rolls = true;
+  auto collector = withRoom(room);
+  addAll(collector, {kLevel, kQuery});
+  for (uint32_t i = 0; i < 20; ++i) addAll(collector, {restless});
+  ASSERT_FALSE(collector.report().queries[0].paths.empty());
+  EXPECT_EQ(collector.report().queries[0].paths.back().serial, 20u);
+  ASSERT_EQ(collector.report().notes.size(), 1u);
+  EXPECT_THAT(collector.report().notes[0], HasSubstr("of the oldest ways"));
+}
+
+TEST(Collector, WaysThatLeaveMayBeOfAnotherQuery) {
+  auto left = walk(kLeft, 300), other = walk(kLeft, 300);
+  other.root().getTrajectory().setQuery("other");
+  const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
+  view::Room room;
+  room.ticks = 8 * ticks;
+  room.rolls = true;
+  auto collector = withRoom(room);
+  addAll(collector, {kLevel, kQuery});
+  for (uint32_t i = 0; i < 4; ++i) addAll(collector, {line(other)});
+  for (uint32_t i = 0; i < 20; ++i) addAll(collector, {line(left)});
+  ASSERT_EQ(collector.report().queries.size(), 2u);
+  EXPECT_GT(collector.report().queries[0].paths.size(), 3u);
+  EXPECT_TRUE(collector.report().queries[1].paths.empty());
+}
+
+// Nothing replaces what a search told on its way once it is over.
+TEST(Collector, WhatASearchToldLeavesOnceItIsOver) {
+  auto left = walk(kLeft, 300), other = walk(kLeft, 300);
+  other.root().getTrajectory().setQuery("other");
+  const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
+  view::Room room;
+  room.ticks = 6 * ticks;
+  room.rolls = true;
+  auto collector = withRoom(room);
+  addAll(collector, {kLevel, kQuery, progressLine(left, {}, 9)});
+  for (uint32_t i = 0; i < 20; ++i) addAll(collector, {line(other)});
+  ASSERT_EQ(collector.report().queries.size(), 2u);
+  EXPECT_EQ(collector.report().queries[0].paths.size(), 1u) << "it runs";
+  addAll(collector, {resultLine("unknown", 0)});
+  EXPECT_EQ(collector.report().queries[0].paths.size(), 1u);
+  for (uint32_t i = 0; i < 20; ++i) addAll(collector, {line(other)});
+  EXPECT_TRUE(collector.report().queries[0].paths.empty());
+  EXPECT_GT(collector.report().queries[1].paths.size(), 3u);
+  EXPECT_EQ(collector.report().notes.size(), 1u);
+}
+
+TEST(Collector, AWayThatIsLongerThanAllOfTheRoomDrivesOutNone) {
+  auto near = walk(kAhead, 20), left = walk(kLeft, 300);
+  view::Room room;
+  room.ticks = left.reader().getTrajectory().getTicks();
+  room.rolls = true;
+  auto collector = withRoom(room);
+  addAll(collector, {kLevel, kQuery, line(near), line(left)});
+  ASSERT_EQ(collector.report().queries[0].paths.size(), 1u);
+  EXPECT_EQ(collector.report().queries[0].paths[0].serial, 1u);
+  ASSERT_EQ(collector.report().notes.size(), 1u);
+  EXPECT_THAT(collector.report().notes[0], HasSubstr("left out"));
+}
+
+TEST(Collector, WhereThereIsNoRoomForRecordsNothingMoreIsTakenIn) {
+  std::string second = kLevel;
+  second.replace(second.find("Course"), 6, "Second");
+  view::Room room;
+  room.bytes = 1;
+  auto collector = withRoom(room);
+  addAll(collector, {kLevel, kQuery});
+  ASSERT_EQ(collector.report().queries.size(), 1u) << "of the first level there is no limit";
+  EXPECT_TRUE(collector.report().notes.empty());
+  addAll(collector, {resultLine("solved", 200), second, kQuery});
+  EXPECT_FALSE(collector.report().queries[0].result);
+  EXPECT_EQ(collector.report().levels.size(), 1u);
+  ASSERT_EQ(collector.report().notes.size(), 1u) << "it is said once";
+  EXPECT_THAT(collector.report().notes[0], HasSubstr("no room"));
+}
+
+// Answers that replace one another take the room of one.
+TEST(Collector, AnAnswerThatComesAgainTakesNoRoom) {
+  view::Room room;
+  room.bytes = 20'000;
+  auto collector = withRoom(room);
+  addAll(collector, {kLevel, kQuery});
+  for (uint32_t i = 0; i < 200; ++i) addAll(collector, {resultLine("solved", 200 + i)});
+  EXPECT_EQ(collector.report().queries[0].answer().getTicks(), 399u);
+  EXPECT_TRUE(collector.report().notes.empty());
+}
+
+// What came and went leaves its room to what comes.
+TEST(Collector, ProgressThatIsReplacedTakesNoRoom) {
+  auto left = walk(kLeft, 300);
+  auto collector = withRoom({1000});
+  addAll(collector, {kLevel, kQuery});
+  for (uint32_t i = 0; i < 40; ++i) {
+    auto nearer = walk(kAhead, 40 + i);
+    addAll(collector, {progressLine(nearer, {&left}, float(40 - i))});
+  }
+  EXPECT_TRUE(collector.report().notes.empty());
+}
+
+}  // namespace
+}  // namespace obby::view_test
