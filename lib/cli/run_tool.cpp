@@ -118,7 +118,7 @@ int runTool(const ToolSpec& spec, int argc, char** argv, const RunFunction& body
   try {
     return run(spec, argc, argv, body, console);
   } catch (const std::bad_alloc&) {
-    return fail(console, makeError("not enough memory"));
+    return fail(console, makeError("not enough memory", "raise the limit that ulimit -v shows"));
   } catch (const std::exception& e) {
     return fail(console, makeError(std::string("internal error: ") + e.what()));
   }

@@ -1,31 +1,30 @@
 // One record of a stream in memory. Owns its bytes; cheap to move and to share, not to copy.
 #pragma once
 
-#include <capnp/message.h>
-
 #include <cstdint>
 #include <memory>
 #include <string>
 
 #include "base/result.h"
+#include "io/record_memory.h"
 #include "schema/obby.capnp.h"
 
 namespace obby::io {
 
 using Kind = schema::Record::Which;
 
-// A record being built or changed: `auto level = builder.root().initLevel();`
+// A record being built or changed: `auto level = builder.root().initLevel();`. std::bad_alloc where
+// there is no memory for it.
 class RecordBuilder {
  public:
   RecordBuilder() : RecordBuilder(uint64_t(1024)) {}
   // With room for so many words before memory is asked for again.
   explicit RecordBuilder(uint64_t firstWords)
-      : message_(std::make_unique<capnp::MallocMessageBuilder>(uint32_t(firstWords))) {
+      : message_(std::make_unique<RecordMemory>(uint32_t(firstWords))) {
     message_->initRoot<schema::Record>();
   }
   // A copy of an existing record, to change it.
-  explicit RecordBuilder(schema::Record::Reader from)
-      : message_(std::make_unique<capnp::MallocMessageBuilder>()) {
+  explicit RecordBuilder(schema::Record::Reader from) : message_(std::make_unique<RecordMemory>()) {
     message_->setRoot(from);
   }
   schema::Record::Builder root() { return message_->getRoot<schema::Record>(); }
@@ -33,7 +32,7 @@ class RecordBuilder {
   capnp::MessageBuilder& message() { return *message_; }
 
  private:
-  std::unique_ptr<capnp::MallocMessageBuilder> message_;
+  std::unique_ptr<RecordMemory> message_;
 };
 
 // A record as read. `known()` is false for a kind that this version's schema does not have; such a

@@ -99,6 +99,7 @@ struct Sink::Impl {
     if (fd < 0) return fail("cannot create");
     lock = made.lock;
     temporaryPath = made.path;
+    if (lock >= 0) removeLeftovers(finalPath);
     block = true;
     if (fchmod(fd, exists ? info.st_mode & 0777 : newFileMode()) != 0) return fail("cannot create");
     return {};

@@ -18,11 +18,12 @@ enum class Durable { no, yes };
 class Sink {
  public:
   // "-" is standard output. A regular file is written under a temporary name beside it
-  // (output_file.h), which only a writer that is killed leaves there; devices and named pipes are
-  // written directly; a named pipe waits for its reader. Once `stop` is set, a pipe or terminal
-  // whose reader takes nothing for a second, or that nobody opens for one, is given up with an
-  // error of isInterrupted(); without `stop` a signal does that only to opening. A named pipe heeds
-  // whoever sets `stop`, other outputs a signal that does.
+  // (output_file.h), which only a writer that is killed leaves there, until the next one of the
+  // same file opens it; devices and named pipes are written directly; a named pipe waits for its
+  // reader. Once `stop` is set, a pipe or terminal whose reader takes nothing for a second, or that
+  // nobody opens for one, is given up with an error of isInterrupted(); without `stop` a signal
+  // does that only to opening. A named pipe heeds whoever sets `stop`, other outputs a signal that
+  // does.
   static Result<Sink> open(const std::string& path, Durable durable = Durable::no,
                            const std::atomic<bool>* stop = nullptr);
   // Appends to `bytes`, which must outlive the sink.

@@ -42,6 +42,7 @@ struct StreamReader::Impl {
   std::optional<Format> format;
   std::optional<Error> final;  // given again by every later call
   uint64_t line = 0;
+  uint64_t messageAt = 0;  // offset of the message that is read
   bool atEnd = false;
 
   using Next = Result<std::optional<Record>>;
@@ -55,6 +56,12 @@ struct StreamReader::Impl {
   Error fatal(Error error, const std::string& place) {
     final = located(std::move(error), place);
     return *final;
+  }
+
+  // Of the record that is read.
+  std::string recordPlace() const {
+    if (!format) return {};
+    return *format == Format::jsonl ? std::to_string(line) : fmt::format("byte {}", messageAt);
   }
 
   // False at the end of the input.
@@ -129,10 +136,10 @@ struct StreamReader::Impl {
 
   Next nextLine() {
     auto text = readLine();
-    if (!text) return fatal(text.error(), std::to_string(line));
+    if (!text) return fatal(text.error(), recordPlace());
     if (!*text) return finish();
     auto storage = std::make_shared<Record::Storage>();
-    storage->place = std::to_string(line);
+    storage->place = recordPlace();
     storage->raw = std::move(**text);
     auto decoded =
         recordFromJsonIfKnown(storage->raw, framing.later() ? nullptr : &storage->misspelt);
@@ -140,13 +147,13 @@ struct StreamReader::Impl {
   }
 
   Next nextMessage() {
-    const std::string place = fmt::format("byte {}", source.offset());
+    messageAt = source.offset();
     auto message = readMessage(source, *format == Format::capnpPacked);
     if (source.stopped()) return finish();
-    if (!message) return fatal(message.error(), place);
+    if (!message) return fatal(message.error(), recordPlace());
     if (!*message) return finish();
     auto storage = std::make_shared<Record::Storage>();
-    storage->place = place;
+    storage->place = recordPlace();
     storage->format = *format;
     storage->raw = std::move((*message)->bytes);
     auto decoded = recordFromWords((*message)->words);
@@ -187,7 +194,10 @@ Result<std::optional<Record>> StreamReader::next() {
   try {
     return impl_->next();
   } catch (const std::bad_alloc&) {
-    return impl_->fatal(makeError("not enough memory for this record"), "");
+    return impl_->fatal(
+        makeError("not enough memory for this record",
+                  "raise the limit that ulimit -v shows, or make the record smaller"),
+        impl_->recordPlace());
   }
 }
 

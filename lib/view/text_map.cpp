@@ -1,7 +1,5 @@
 // A query's course from above. The longer side runs across; parts in order of height, so that the
 // highest is seen.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,6 +7,7 @@
 
 #include "view/columns.h"
 #include "view/extent.h"
+#include "view/flow.h"
 #include "view/picture/world.h"
 #include "view/raster.h"
 #include "view/roles.h"
@@ -17,7 +16,7 @@
 namespace obby::view {
 namespace {
 
-constexpr size_t kMostColumns = 110, kMostRows = 36;
+constexpr size_t kMostColumns = 110, kMostRows = 36, kMostName = 60;
 
 constexpr Ink kPart{':', "░", {84, 92, 106}}, kKill{'x', "▒", {214, 60, 64}},
     kMoving{'~', "~", {164, 139, 250}}, kStart{'S', "S", {53, 196, 141}},
@@ -140,20 +139,14 @@ void drawQuery(Raster& raster, const QueryEntry& query, Frame frame) {
   if (query.compiled) raster.dot(frame.of(query.compiled->start().feet), kStart);
 }
 
-// In as many lines as the terminal's width takes.
 std::string legend(const TerminalTraits& terminal, const QueryEntry& query, bool away) {
-  std::string out;
-  size_t used = 0;  // columns of the last line
+  Flow lines(terminal.width, 2);
   const auto add = [&](const Ink& ink, const char* text) {
     const bool halves = terminal.color && terminal.utf8;
     const std::string glyph = halves          ? "■"
                               : terminal.utf8 ? std::string(ink.wide)
                                               : std::string(1, ink.glyph);
-    const size_t needed = 2 + columnCount(text);
-    const bool fits = used + 2 + needed <= terminal.width;
-    out += used == 0 ? "" : fits ? "  " : "\n";
-    out += colored(glyph, ink.color, terminal) + " " + text;
-    used = used > 0 && fits ? used + 2 + needed : needed;
+    lines.add(colored(glyph, ink.color, terminal) + " " + text, 2 + columnCount(text));
   };
   add(kStart, "start");
   add(kGoal, "goal");
@@ -169,7 +162,20 @@ std::string legend(const TerminalTraits& terminal, const QueryEntry& query, bool
     add(kAttempt, "attempt");
     add(kEnd, "its end");
   }
-  return out + "\n";
+  return lines.text();
+}
+
+// `studs`: that a column takes.
+std::string heading(const TerminalTraits& terminal, const QueryEntry& query, float studs,
+                    Frame frame) {
+  const size_t room = std::min(kMostName, terminal.width - 1);
+  Flow lines(terminal.width, 1);
+  const auto add = [&](const std::string& text) { lines.add(text, columnCount(text)); };
+  add(fitted(query.id, room, !terminal.utf8) + ",");
+  add("from above,");
+  add(lengthText(studs) + " studs a column;");
+  add(frame.along ? "-Z points right" : "+X points right");
+  return lines.text();
 }
 
 }  // namespace
@@ -189,9 +195,8 @@ std::string queryMap(const Report& report, const QueryEntry& query,
   for (const Drawn& part : parts) raster.fill(part.hull, part.there ? inkOf(part.role) : kAway);
   drawQuery(raster, query, frame);
   const bool away = !parts.empty() && !parts.front().there;
-  return fmt::format("{}, from above, {} studs a column; {} points right\n{}{}",
-                     fitted(query.id, 60, !terminal.utf8), lengthText(raster.pixelWidth()),
-                     frame.along ? "-Z" : "+X", raster.text(), legend(terminal, query, away));
+  return heading(terminal, query, raster.pixelWidth(), frame) + raster.text() +
+         legend(terminal, query, away);
 }
 
 }  // namespace obby::view

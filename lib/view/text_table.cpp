@@ -12,6 +12,7 @@
 
 #include "io/utf8.h"
 #include "view/columns.h"
+#include "view/flow.h"
 #include "view/text_report.h"
 
 namespace obby::view {
@@ -114,18 +115,13 @@ std::string pad(const std::string& text, size_t width, bool right) {
 // The text in lines of its own, broken between words: a reason is too long for most terminals.
 std::string linesOf(const std::string& text, const TerminalTraits& terminal) {
   const std::string indent = "  ";
-  const size_t room = terminal.width - indent.size();
-  std::string out, row;
+  Flow lines(terminal.width, 1, indent);
   std::istringstream words(io::tamed(text, !terminal.utf8));
   for (std::string word; words >> word;) {
-    word = fitted(word, room, !terminal.utf8);
-    if (!row.empty() && columnCount(row) + 1 + columnCount(word) > room) {
-      out += indent + row + "\n";
-      row.clear();
-    }
-    row += row.empty() ? word : " " + word;
+    word = fitted(word, terminal.width - indent.size(), !terminal.utf8);
+    lines.add(word, columnCount(word));
   }
-  return out + indent + row + "\n";
+  return lines.text();
 }
 
 }  // namespace

@@ -41,6 +41,22 @@ TEST(OutputFile, WhatAKilledWriterLeftIsRemoved) {
   EXPECT_EQ(contents(path), "old");
 }
 
+TEST(OutputFile, WhoWritesAFileRemovesWhatKilledOnesLeftOfIt) {
+  ScratchFolder folder;
+  ASSERT_TRUE(leaveHalf(folder / "out"));
+  ASSERT_TRUE(leaveHalf(folder / "other"));
+  auto first = Sink::open(folder / "out");
+  ASSERT_TRUE(first);
+  EXPECT_EQ(folder.entries(), 2u) << "its own, and that of the other";
+  auto second = Sink::open(folder / "out");
+  ASSERT_TRUE(second);
+  EXPECT_EQ(folder.entries(), 3u) << "what is being written stays";
+  ASSERT_TRUE(first->write("first") && first->close());
+  ASSERT_TRUE(second->write("second") && second->close());
+  EXPECT_EQ(contents(folder / "out"), "second");
+  EXPECT_EQ(folder.entries(), 2u);
+}
+
 TEST(OutputFile, VeryLongNamesLeaveRoomForTheMark) {
   ScratchFolder folder;
   const std::string path = folder / std::string(255, 'a');

@@ -96,7 +96,8 @@ TEST(Text, MapShowsTheCourseFromAbove) {
   auto report = collect({kLevel, kQuery, line(ahead)});
   ASSERT_TRUE(report) << report.error().text();
   const std::string map = view::queryMap(*report, report->queries[0], {46, false, false});
-  EXPECT_EQ(map, R"(ahead, from above, 0.75 studs a column; -Z points right
+  EXPECT_EQ(map, R"(ahead, from above, 0.75 studs a column;
+-Z points right
 
 
 
@@ -219,6 +220,27 @@ TEST(Terminal, SaysWhetherItKnowsColoursOf24Bits) {
   EXPECT_TRUE(view::terminalHasRgb());
 }
 
+// The narrowest width that terminalWidth() gives.
+TEST(Text, TheMapKeepsToANarrowTerminal) {
+  const auto mapOf = [](const std::string& id) {
+    std::string query = kQuery;
+    query.replace(query.find("ahead"), 5, id);
+    const auto report = collect({kLevel, query});
+    EXPECT_TRUE(report) << report.error().text();
+    return view::queryMap(*report, report->queries[0], {40, false, false});
+  };
+  const std::string map = mapOf("a stage of a name that no narrow terminal can take in a line");
+  EXPECT_THAT(map, ::testing::StartsWith("a stage of a name that no narrow ter...,\n"
+                                         "from above, "));
+  EXPECT_THAT(map, HasSubstr(" studs a column;\n-Z points right\n"));
+  size_t start = 0;
+  for (size_t end = map.find('\n'); end != map.npos; end = map.find('\n', start)) {
+    EXPECT_LE(end - start, 40u) << map.substr(start, end - start);
+    start = end + 1;
+  }
+  EXPECT_THAT(mapOf("q"), ::testing::StartsWith("q, from above, "));
+}
+
 TEST(Text, LinesKeepToTheWidth) {
   const std::string text = view::textReport(solvedReport(), {{60, false, true}, true});
   size_t start = 0;
@@ -230,29 +252,6 @@ TEST(Text, LinesKeepToTheWidth) {
     }
     start = end + 1;
   }
-}
-
-TEST(Columns, TextsAreCutAtCharactersAndTamed) {
-  EXPECT_EQ(view::fitted("caf\xc3\xa9 noir", 5, false), "caf\xc3\xa9\xe2\x80\xa6");
-  EXPECT_EQ(view::fitted("a\x1b[31mb", 20, false), "a [31mb");
-  EXPECT_EQ(view::fitted("\xc3\xa9", 5, true), "?");
-  EXPECT_EQ(view::fitted("a\xe2\x80\xae"
-                         "b\xe2\x80\xa8"
-                         "c",
-                         20, false),
-            "a b c")
-      << "U+202E turns a row round, U+2028 ends it";
-}
-
-TEST(Columns, AreThoseOfATerminal) {
-  EXPECT_EQ(view::columnCount("Stage 1"), 7u);
-  EXPECT_EQ(view::columnCount("\u30b9\u30c6\u30fc\u30b8"), 8u) << "kana are wide";
-  EXPECT_EQ(view::columnCount("\U0001f525"), 2u) << "so are emoji";
-  EXPECT_EQ(view::columnCount("e\u0301\u200d"), 1u) << "an accent takes no column of its own";
-  EXPECT_EQ(view::columnCount("\u2715\u25cf"), 2u);
-  EXPECT_EQ(view::fitted("\u30b9\u30c6\u30fc\u30b8", 6, false), "\u30b9\u30c6\u2026");
-  EXPECT_EQ(view::fitted("\u30b9\u30c6\u30fc\u30b8", 8, false), "\u30b9\u30c6\u30fc\u30b8");
-  EXPECT_EQ(view::fitted("\u30b9\u30c6\u30fc\u30b8", 4, true), "????");
 }
 
 // Names from places are of any script, and have emoji.

@@ -1,6 +1,6 @@
 // The page for every reader: light and dark, at 200 % zoom, by keyboard alone, without hue.
 import assert from 'node:assert/strict';
-import { arrive, frames, openReport, state } from './browser.mjs';
+import { arrive, frames, openReport, state, withoutWebGl } from './browser.mjs';
 import { harness } from './harness.mjs';
 import { report } from './sample_report.mjs';
 
@@ -76,6 +76,30 @@ test('at 200 % zoom nothing is cut off or out of reach', async ({ browser }) => 
   assert.equal((await state(page)).heat, true);
   await options.picture(page, 'zoom', { fullPage: true });
   assert.deepEqual(trouble, []);
+  await page.context().close();
+});
+
+test('without WebGL all but the picture is there', async ({ browser }) => {
+  const { page, trouble } = await openReport(browser, file, { prepare: withoutWebGl });
+  assert.match(await page.locator('#stage').innerText(), /no WebGL/);
+  assert.equal(await page.locator('#view').isVisible(), false);
+  assert.equal(await page.locator('.query').count(), report.queries.length);
+  await page.locator('.path').nth(1).click();
+  assert.equal((await state(page)).path, 1);
+  await page.locator('.play').click();
+  await page.waitForFunction(() => window.obby.store.state.tick > 0);
+  assert.equal(await page.locator('#hud').isVisible(), true);
+  // What only the picture would show.
+  for (const key of ['f', 'g', 't', 'r', 'c', 'b', 'Escape', '9', '9'])
+    await page.keyboard.press(key);
+  for (let query = 0; query < report.queries.length; query++) {
+    await page.locator('.query').nth(query).click();
+    await frames(page, 3);
+  }
+  assert.ok(
+    trouble.every((text) => /WebGL/.test(text)),
+    trouble.join(),
+  );
   await page.context().close();
 });
 

@@ -40,8 +40,22 @@ export async function newPage(browser, { viewport = kViewport, density = kDensit
   return page;
 }
 
-// `fragment`: of the address. `more`: as of newPage.
-export async function openReport(browser, file, { fragment = '', ...more } = {}) {
+// For `prepare`: the browser has no WebGL.
+export const withoutWebGl = (page) =>
+  page.addInitScript(() => {
+    const { prototype } = HTMLCanvasElement;
+    const original = prototype.getContext;
+    prototype.getContext = function get(kind, ...more) {
+      return kind.startsWith('webgl') ? null : original.call(this, kind, ...more);
+    };
+  });
+
+// `fragment`: of the address. `prepare`: is given the page before it has loaded anything. `more`: as of newPage.
+export async function openReport(
+  browser,
+  file,
+  { fragment = '', prepare = async () => {}, ...more } = {},
+) {
   const page = await newPage(browser, { offline: true, ...more });
   const trouble = [];
   const requests = [];
@@ -51,6 +65,7 @@ export async function openReport(browser, file, { fragment = '', ...more } = {})
   });
   page.on('pageerror', (error) => trouble.push(`exception: ${error.stack}`));
   page.on('request', (request) => requests.push(request.url()));
+  await prepare(page);
   await page.goto(pathToFileURL(file).href + fragment);
   await started(page);
   return { page, trouble, requests };

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { LiveReport } from '../../web/src/live_report.js';
-import { frames, started } from './browser.mjs';
+import { frames, started, withoutWebGl } from './browser.mjs';
 import { harness } from './harness.mjs';
 import { openLive, recordsOf, Viewer, waysAre } from './live_driver.mjs';
 
@@ -41,37 +41,40 @@ test('a piece may hold more ways than a call takes arguments', () => {
   assert.ok(performance.now() - begun < 10000, 'in time that grows with the number of ways');
 });
 
-test('a page that cannot draw says so and asks for no more', async ({ browser }) => {
+test('a page without WebGL says so in place of the picture, and stays live', async ({
+  browser,
+}) => {
   const viewer = new Viewer(options.viewer);
-  const { page, trouble, requests } = await openLive(browser, await viewer.address, (opened) =>
-    opened.addInitScript(() => {
-      HTMLCanvasElement.prototype.getContext = () => null;
-    }),
-  );
-  viewer.write(...course);
-  await page.locator('.fatal').waitFor();
-  assert.match(await page.locator('body').innerText(), /^This report cannot be shown: .*WebGL/);
+  const { page, trouble } = await openLive(browser, await viewer.address, withoutWebGl);
+  viewer.write(...course, ways[0]);
+  await started(page);
+  await waysAre(page, 1);
+  assert.match(await page.locator('#stage').innerText(), /no WebGL/);
+  viewer.write(ways[1]);
+  await waysAre(page, 2);
   assert.ok(
-    trouble.some((text) => /exception: .*WebGL/.test(text)),
+    trouble.every((text) => /^THREE.*WebGL/.test(text)),
     String(trouble),
   );
-  const asked = requests.length;
-  viewer.write(ways[0]);
-  await page.waitForTimeout(1500); // the server tells open pages five times a second
-  assert.equal(requests.length, asked, requests.slice(asked).join());
   await page.context().close();
   await viewer.stop();
 });
 
-test('data of another format is refused, whatever was there', async ({ browser }) => {
+test('data of another format is refused, whatever was there, and no more is asked for', async ({
+  browser,
+}) => {
   const viewer = new Viewer(options.viewer);
-  const { page, trouble } = await openLive(browser, await viewer.address);
+  const { page, trouble, requests } = await openLive(browser, await viewer.address);
   viewer.write(...course, ways[0]);
   await started(page);
   await waysAre(page, 1);
   await page.route('**/data?*', (route) => route.fulfill({ json: { format: 4 } }));
   viewer.write(ways[1]);
   await page.locator('.fatal', { hasText: 'data of format 4, expected 3' }).waitFor();
+  const asked = requests.length;
+  viewer.write(ways[2]);
+  await page.waitForTimeout(1500); // the server tells open pages five times a second
+  assert.equal(requests.length, asked, requests.slice(asked).join());
   await frames(page, 5);
   assert.equal(trouble.length, 1, trouble.join());
   await page.context().close();

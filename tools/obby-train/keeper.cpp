@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "cli/written_files.h"
-#include "io/output_file.h"
 #include "io/read_file.h"
 #include "policy/policy_file.h"
 
@@ -118,10 +117,6 @@ Status Keeper::checkFiles() const {
   OBBY_RETURN_IF_ERROR(cli::refuseOverwriting(a, written));
   for (const std::string& path : {a.text("output"), checkpointPath_, a.text("curve")}) {
     if (!path.empty()) OBBY_RETURN_IF_ERROR(canBeWritten(path));
-  }
-  for (const cli::WrittenFile& file : written) {
-    if (!file.option.empty() && !file.path.empty() && isFile(file.path))
-      io::removeLeftovers(file.path);
   }
   return {};
 }

@@ -21,6 +21,7 @@ import { Latest } from './latest.js';
 import { LevelView } from './level_view.js';
 import { Markers } from './markers.js';
 import { pathsOfMotion } from './motion_paths.js';
+import { noPicture } from './no_picture.js';
 import { PathView } from './path_view.js';
 import { pickPart, pickPath, pointAtHeight, pointOnParts } from './picking.js';
 import { RegionView } from './regions.js';
@@ -31,15 +32,24 @@ const kAirborne = 1; // bit of a sample's state
 const kMostShadowed = 4000; // parts; larger levels do without shadows
 const kSun = new Vector3(0.42, 1, 0.28);
 
-export class Stage {
-  constructor(canvas) {
-    this.canvas = canvas;
-    this.renderer = new WebGLRenderer({
+// It says on the console by itself what it lacks.
+function rendererOf(canvas) {
+  try {
+    return new WebGLRenderer({
       canvas,
       antialias: true,
       alpha: true,
       preserveDrawingBuffer: true,
     });
+  } catch {
+    return noPicture(canvas);
+  }
+}
+
+export class Stage {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.renderer = rendererOf(canvas);
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.scene = new Scene();
     this.renderer.setClearAlpha(0); // the page's own gradient lies behind

@@ -1,0 +1,15 @@
+// The memory of a record that is built: where there is none left, std::bad_alloc, as everywhere
+// else, instead of an exception of Cap'n Proto that names its source code.
+#pragma once
+
+#include <capnp/message.h>
+
+namespace obby::io {
+
+class RecordMemory final : public capnp::MallocMessageBuilder {
+ public:
+  using MallocMessageBuilder::MallocMessageBuilder;
+  kj::ArrayPtr<capnp::word> allocateSegment(unsigned int minimumWords) override;
+};
+
+}  // namespace obby::io

@@ -1,0 +1,24 @@
+#include "view/flow.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "view/columns.h"
+
+namespace obby::view {
+
+Flow::Flow(size_t width, size_t gap, std::string indent)
+    : room_(width - std::min(width, columnCount(indent))),
+      gap_(gap),
+      indent_(std::move(indent)),
+      out_(indent_) {}
+
+void Flow::add(std::string_view piece, size_t columns) {
+  const bool beside = begun_ && used_ + gap_ + columns <= room_;
+  if (begun_) out_ += beside ? std::string(gap_, ' ') : "\n" + indent_;
+  out_ += piece;
+  used_ = beside ? used_ + gap_ + columns : columns;
+  begun_ = true;
+}
+
+}  // namespace obby::view
