@@ -9,6 +9,7 @@
 #include "import/motion_room.h"
 #include "import/parts.h"
 #include "import/roles/role.h"
+#include "import/roles/surface_speed.h"
 #include "import/scene.h"
 #include "import/scripted_start.h"
 #include "import/scripted_world.h"
@@ -57,6 +58,7 @@ LevelDraft buildLevel(const Tree& tree, const std::string& name) {
   RoleContext context(tree, assemblies, scripts, level);
   applyScriptedWorld(context);
   findRoles(context);
+  noteUntoldVelocities(context);
   settleMotions(context);
   looseParts(tree, assemblies, level);
   orderStages(tree, level);

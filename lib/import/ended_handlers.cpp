@@ -1,4 +1,5 @@
-// A role is lost from the end of the handler on that it comes from, or while that is not connected.
+// A role is lost from the end of the handler on that it comes from, or while that is not connected,
+// or does something else.
 #include "import/ended_handlers.h"
 
 #include <algorithm>
@@ -23,6 +24,13 @@ bool doesAgain(const PartDraft& part, const ScriptEvent& event) {
     case EventKind::destroy: return event.target == part.id && comesBack(part, event.property);
     default: return false;
   }
+}
+
+// Whether it is this that makes it a kill part, and nothing more certain.
+bool isGuessedBy(const PartDraft& part, const std::string& reason) {
+  return std::any_of(part.evidence.begin(), part.evidence.end(), [&](const Evidence& e) {
+    return e.role == "kill" && e.guessed && e.reason == reason;
+  });
 }
 
 // Whether a script begins anew with each character, and its flags with it.
@@ -53,6 +61,7 @@ class EndedHandlers {
  private:
   void noteTouch(const ScriptReading& reading, const Timeline& timeline, const ScriptEvent& event,
                  const PartDraft& part) {
+    if (timeline.again) return nameDoubtful(part, scriptReason(context_.tree, reading, event.line));
     if (named_.count(part.id) > 0) return;
     if (timeline.cutLine > 0) return nameCut(reading, timeline, part);
     if (event.onceLine == 0) return;
@@ -61,6 +70,13 @@ class EndedHandlers {
     name(part, "handler that works but once",
          "the level does it again and again; " +
              scriptReason(context_.tree, reading, event.onceLine));
+  }
+
+  void nameDoubtful(const PartDraft& part, const std::string& reason) {
+    if (!isGuessedBy(part, reason) || !doubtful_.insert(part.id).second) return;
+    context_.level.noteUnmodelled(
+        "harm that a script may do", context_.tree.path(part.id),
+        "the level does it at each touch, whatever it depends on; " + reason);
   }
 
   void nameCut(const ScriptReading& reading, const Timeline& timeline, const PartDraft& part) {
@@ -75,13 +91,13 @@ class EndedHandlers {
   }
 
   RoleContext& context_;
-  std::set<InstanceId> named_;
+  std::set<InstanceId> named_, doubtful_;
   std::set<InstanceId> seen_;  // what the events of one timeline move: loops have thousands
 };
 
 // What a touch does by a handler that a condition which the text does not tell may keep from it.
 void noteMaybe(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
-  const bool maybe = timeline.trigger == Trigger::touch && timeline.maybe;
+  const bool maybe = timeline.trigger == Trigger::touch && timeline.maybe && !timeline.again;
   const PartDraft* part = maybe ? context.part(timeline.touched) : nullptr;
   if (!part || !(part->kill || part->vanish || part->jumpPad || part->teleport)) return;
   const std::string script = "script " + context.tree.at(reading.script).name + " line ";

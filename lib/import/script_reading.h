@@ -91,6 +91,9 @@ struct Timeline {
   // tell, and that was passed over.
   size_t awaits = std::numeric_limits<size_t>::max();
   int cutLine = 0;  // the line that disconnects its handler at some time; 0: it goes on for ever
+  // Only the harm that a handler does once something has changed in play, as an earlier touch may
+  // have; another timeline has what it does before.
+  bool again = false;
 
   // Whether it comes as the game runs, whatever players do.
   bool byItself() const { return trigger == Trigger::start || trigger == Trigger::frame; }
@@ -104,6 +107,7 @@ struct ScriptReading {
   bool requiresAsset = false;     // require(number): code that is not in the file
   bool dynamicCode = false;       // loadstring, getfenv, setfenv
   bool exhausted = false;         // the step budget ended the reading
+  bool cutAgain = false;          // or what comes last of it: see Timeline::again
   bool givesParents = false;      // the text gives something another parent, not nil
   bool makesJoints = false;       // the text names joints
   std::vector<int> waysOut;       // lines of them, out of loops that were taken as endless: what

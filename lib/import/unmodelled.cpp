@@ -116,7 +116,7 @@ void noteScript(RoleContext& context, const ScriptReading& reading) {
     level.noteUnmodelled("require of an asset", path, "code that is not in the file");
   if (reading.dynamicCode)
     level.noteUnmodelled("code made at run time", path, "loadstring, getfenv or setfenv");
-  if (reading.exhausted)
+  if (reading.exhausted || reading.cutAgain)
     level.noteUnmodelled("very long script", path,
                          "read as far as the budget of steps, rounds and nested calls went");
   for (const int line : std::set<int>(reading.waysOut.begin(), reading.waysOut.end()))

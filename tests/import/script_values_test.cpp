@@ -181,7 +181,12 @@ TEST(ScriptValues, WhatPartsAreMadeOfAndWhichTagsTheyHaveIsKnown) {
                               "string.find(v.Name, '^Re') == 1",
                               "v.BrickColor == BrickColor.new('Really red')",
                               "v.BrickColor ~= BrickColor.new(194)",
-                              "v.BrickColor.Name == 'Really red'"};
+                              "v.BrickColor.Name == 'Really red'",
+                              "v.Color == Color3.fromRGB(255, 0, 0)",
+                              "v.Color == Color3.new(1, 0, 0)",
+                              "v.Color ~= Color3.new(163 / 255, 162 / 255, 165 / 255)",
+                              "v.Color == BrickColor.new('Really red').Color",
+                              "v.Color.R == 1"};
   for (const char* ask : asks)
     for (const bool service : {false, true}) {
       Scene scene;
@@ -215,6 +220,16 @@ TEST(ScriptValues, AColourThatTurnsMayBeAny) {
     ScriptedPart scene(touch + turn);
     EXPECT_TRUE(scene[scene.self].kill) << turn;
   }
+}
+
+TEST(ScriptValues, AColourThatABranchMaySetIsOneOfTwo) {
+  ScriptedPart scene(
+      "local red = Color3.fromRGB(255, 0, 0) p.Color = red\n"
+      "if math.random() > 0.5 then p.Color = Color3.fromRGB(0, 255, 0) end\n"
+      "if p.Color == red then p.Touched:Connect(function(hit)\n"
+      "hit.Parent.Humanoid.Health = 0 end) end");
+  EXPECT_TRUE(scene[scene.self].kill);
+  EXPECT_EQ(scene.unmodelled("handler that a script may connect"), 1u);
 }
 
 // As of a door that kills all but its owners.

@@ -205,7 +205,7 @@ Datum compared(const std::string& op, const Datum& a, const Datum& b) {
     bool same = false;
     if (a.as<Unknown>() || b.as<Unknown>() || a.as<Stranger>() || b.as<Stranger>()) return {};
     if (isUnknownName(a) || isUnknownName(b)) return {};
-    const bool color = isNumberedColor(a) || isNumberedColor(b);
+    const bool color = isColor(a) || isColor(b);
     if (color && (a.as<double>() || b.as<double>())) return {};  // files keep some as numbers
     if (a.value.index() != b.value.index()) {
       same = false;

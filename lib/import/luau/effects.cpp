@@ -69,6 +69,7 @@ void Reader::write(InstanceId id, const std::string& name, Datum value) {
   const auto old = it == written_.end() ? std::nullopt : std::optional<Datum>(it->second);
   if (inHandler_) beforeHandler_.try_emplace(key, old);
   if (timeline_.forever) beforeLoop_.try_emplace(key, old);
+  noteTurn(id, name, old, value);
   written_[key] = std::move(value);
 }
 
@@ -104,7 +105,8 @@ void Reader::setInstance(InstanceId id, const std::string& spelled, const Datum&
     timeline_.events.back().turns = setsTurn(name);
     return;
   }
-  write(id, name, value);
+  // One that a branch may not set is the old or the new one.
+  write(id, name, isColor(value) && isUnsure() ? Datum{} : value);
   const auto* ref = value.as<Ref>();
   if (instance.className == "ObjectValue" && name == "Value" && ref && tree_.isPart(ref->target)) {
     emit(EventKind::respawnAt, ref->target, name, line);

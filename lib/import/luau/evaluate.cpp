@@ -139,7 +139,7 @@ Datum Reader::field(const Datum& object, const std::string& name) {
   if (const auto* library = object.as<Library>()) {
     if (library->name == "_G" || library->name == "shared") return {};  // of other scripts
     if (library->name == "game" || library->name == "workspace") return serviceNamed(name);
-    if (isNumberedColor(object)) return colorField(*library, name);
+    if (isColor(object)) return colorField(*library, name);
     if (name == "Name" && library->name.rfind("Enum.", 0) == 0)
       return {library->name.substr(library->name.rfind('.') + 1)};
     return libraryField(library->name + "." + name);

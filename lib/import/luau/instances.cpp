@@ -1,6 +1,7 @@
 // What instances of the place answer to a script: children, properties, searches.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "import/classes.h"
 #include "import/format/class_defaults.h"
@@ -73,16 +74,14 @@ Datum Reader::instanceField(InstanceId id, const std::string& spelled) {
     return isFinite(value) ? Datum{Vector{value, place ? from : kNoInstance}} : Datum{};
   }
   if (auto now = tweenedValue(id, name)) return *now;
-  if (name == "BrickColor" && tree_.isPart(id)) return numberedColor(id);
+  if ((name == "BrickColor" || name == "Color") && tree_.isPart(id)) return colorOf(id, name);
+  if (isTurned(id, name)) return {};
   const auto it = written_.find({id, name});
   if (it != written_.end()) return it->second;
   // While the script sets the place up, as of a colour: traps change it as they wake.
   if (name == "Material" && tree_.isPart(id) && followed_ == 0 && !timeline_.forever)
     return materialOf(instance);
-  const auto own = instance.properties.find(name);
-  if (own != instance.properties.end()) return datumFrom(own->second, kNoInstance);
-  if (const Value* value = defaultOf(instance.className, name))
-    return datumFrom(*value, kNoInstance);
+  if (auto kept = fileField(id, name)) return *kept;
   spend(instance.children.size() / kChildrenPerStep);
   const InstanceId child = tree_.child(id, spelled);
   if (child != kNoInstance) return {Ref{child}};
@@ -92,11 +91,28 @@ Datum Reader::instanceField(InstanceId id, const std::string& spelled) {
   return {};
 }
 
+// A property, or "@" and an attribute, as the file has it; nothing: there is no such property.
+std::optional<Datum> Reader::fileField(InstanceId id, const std::string& name) const {
+  const Instance& instance = tree_.at(id);
+  if (name.rfind('@', 0) == 0) {
+    const auto it = instance.attributes.find(name.substr(1));
+    return it == instance.attributes.end() ? Datum{Nil{}} : datumFrom(it->second, kNoInstance);
+  }
+  const auto own = instance.properties.find(name);
+  if (own != instance.properties.end()) return datumFrom(own->second, kNoInstance);
+  const Value* value = defaultOf(instance.className, name);
+  return value ? std::optional<Datum>(datumFrom(*value, kNoInstance)) : std::nullopt;
+}
+
 // While the script sets the place up: later on it, and other scripts, may turn it to and fro.
-Datum Reader::numberedColor(InstanceId id) const {
-  if (followed_ > 0 || timeline_.forever || written_.count({id, "Color"}) > 0) return {};
-  const auto set = written_.find({id, "BrickColor"});
-  return set == written_.end() ? colorOfPart(get<ColorRgb>(tree_.at(id), "Color")) : set->second;
+Datum Reader::colorOf(InstanceId id, const std::string& name) const {
+  const bool numbered = name == "BrickColor";
+  const bool otherwise = written_.count({id, numbered ? "Color" : "BrickColor"}) > 0;
+  if (followed_ > 0 || timeline_.forever || otherwise) return {};
+  const auto set = written_.find({id, name});
+  if (set != written_.end()) return set->second;
+  const auto color = get<ColorRgb>(tree_.at(id), "Color");
+  return numbered ? numberedColor(color) : exactColor(color);
 }
 
 Datum Reader::children(InstanceId id, bool all) {
@@ -194,10 +210,10 @@ Datum Reader::instanceMethod(InstanceId id, const std::string& name,
     return {};
   }
   if (name == "GetAttribute" && text) {
-    const auto set = written_.find({id, "@" + *text});
-    if (set != written_.end()) return set->second;
-    const auto it = instance.attributes.find(*text);
-    return it == instance.attributes.end() ? Datum{Nil{}} : datumFrom(it->second, kNoInstance);
+    const std::string key = "@" + *text;
+    if (isTurned(id, key)) return {};
+    const auto set = written_.find({id, key});
+    return set != written_.end() ? set->second : fileField(id, key).value_or(Datum{});
   }
   const InstanceId own = tree_.isPart(id) ? id : kNoInstance;
   if (name == "GetPivot" || name == "GetPrimaryPartCFrame" || name == "GetModelCFrame") {

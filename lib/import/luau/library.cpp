@@ -192,6 +192,8 @@ Datum libraryCall(const std::string& path, const std::vector<Datum>& a) {
     return from && to ? lookAt(from->value, to->value) : Datum{};
   }
   if (path == "BrickColor.new" && a.size() == 1) return colorGiven(a[0]);
+  if (path == "Color3.new") return colorMade(a, 1);
+  if (path == "Color3.fromRGB") return colorMade(a, 255);
   if (path == "TweenInfo.new") return newTweenInfo(a);
   if (path == "tonumber" && !a.empty()) return converted(a[0]);
   if (path == "tostring" && !a.empty()) return arithmetic("..", a[0], {std::string()});

@@ -61,6 +61,7 @@ Scope* Reader::newScope(Scope* parent) {
 ScriptReading Reader::read(const Chunk& chunk) {
   scope_->names["script"] = {Ref{reading_.script}};
   assignments_ = Assignments(chunk.body);
+  mayHarm_ = mentionsHarm();
   timeline_ = {};
   walk(chunk.body, false);
   finishTweens();
@@ -76,6 +77,7 @@ ScriptReading Reader::read(const Chunk& chunk) {
   }
   reading_.exhausted = reading_.exhausted || !pending_.empty();
   nameEnded();
+  readAgain();
   reading_.broken = chunk.broken;
   return std::move(reading_);
 }
@@ -128,6 +130,7 @@ void Reader::follow(const Pending& pending) {
   const bool over = pending.trigger == Trigger::frame && ended_;
   if (over) timeline_.trigger = Trigger::start;  // it comes but once, by the clock of the game
   if (pending.triggered || (over && pending.ofHandler)) timeline_.trigger = Trigger::other;
+  keepHarmless(pending);
   if (handler_ != 0 && !over) handlers_[reading_.timelines.size()] = handler_;
   reading_.timelines.push_back(std::move(timeline_));
   variables_.endHandler();
@@ -235,7 +238,8 @@ Reader::Flow Reader::branch(const Stat& stat) {
     if (unsure) time_ = start;
     const bool first = i == 0 && timeline_.trigger == Trigger::start && isFirstTime(stat);
     const bool open = unsure || (condition.truth == Truth::unknown && !condition.always && !first);
-    const bool either = open && timeline_.trigger == Trigger::start && !timeline_.forever;
+    const bool setsUp = timeline_.trigger == Trigger::start && !timeline_.forever;
+    const bool either = open && (setsUp || again_);
     if (open) ++unsure_;
     if (either) variables_.beginBranch();
     const Flow flow = walk(stat.blocks[i]);

@@ -160,6 +160,14 @@ class Reader {
   void disconnect(const Connection& connection, int line);
   void nameEnded();
 
+  // second_reading.cpp: harm that a handler does once something has changed in play
+  bool mentionsHarm() const;
+  void keepHarmless(const Pending& pending);
+  void readAgain();
+  void noteTurn(InstanceId id, const std::string& name, const std::optional<Datum>& old,
+                const Datum& now);
+  bool isTurned(InstanceId id, const std::string& name) const;
+
   // tweens.cpp: what plays, and what it makes of properties on the way
   void play(Tween* tween, int line);
   bool closesChain(const Tween* tween);
@@ -187,7 +195,8 @@ class Reader {
 
   // instances.cpp: what instances answer
   Datum instanceField(InstanceId id, const std::string& name);
-  Datum numberedColor(InstanceId id) const;
+  std::optional<Datum> fileField(InstanceId id, const std::string& name) const;
+  Datum colorOf(InstanceId id, const std::string& name) const;
   Datum instanceMethod(InstanceId id, const std::string& name, const std::vector<Datum>& arguments,
                        int line);
   Datum instanceSearch(InstanceId id, const std::string& name, const std::vector<Datum>& arguments,
@@ -258,6 +267,11 @@ class Reader {
   using Old = std::map<Key, std::optional<Datum>>;
   std::map<Key, Datum> written_;
   Old beforeHandler_, beforeLoop_;
+  bool mayHarm_ = false;                     // the text names health, or what takes it
+  bool again_ = false;                       // handlers that have harmed nobody are read anew
+  std::vector<Pending> harmless_;            // those, of touches
+  std::set<int> heals_;                      // lines of them that give health
+  std::set<Key> turned_;                     // set to something else in play, but for poses
   std::map<Key, std::vector<Going>> going_;  // what may still be driven
   size_t followed_ = 0;                      // timelines before this one
   std::map<InstanceId, Pose> fileFrames_;

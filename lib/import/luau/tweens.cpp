@@ -182,6 +182,7 @@ void Reader::takeUp(const Tween& tween, ScriptEvent& event, double done) {
 void Reader::drive(const Tween& tween, const ScriptEvent& event) {
   const bool pose = isPose(event);
   if (!pose && tween.began.count(event.property) == 0) return;
+  if (!pose && event.tween.repeats < 0) turned_.insert({event.target, event.property});
   auto& all = going_[{event.target, event.property}];
   bool clashes = false;
   std::erase_if(all, [&](const Going& other) {

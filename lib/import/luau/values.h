@@ -18,11 +18,14 @@ Datum libraryCall(const std::string& path, const std::vector<Datum>& arguments);
 Datum valueMethod(const Datum& object, const std::string& name,
                   const std::vector<Datum>& arguments);
 
-// colors.cpp: the numbered colour that BrickColor.new gives, and that of a part; unknown where the
-// text or the palette does not tell. And a field of one.
+// colors.cpp: the numbered colour that BrickColor.new gives, the exact one that Color3 makes of
+// three channels from 0 to `full`, and those of a part; unknown where the text or the palette does
+// not tell, or no part can have it. And a field of either.
 Datum colorGiven(const Datum& given);
-Datum colorOfPart(ColorRgb color);
-bool isNumberedColor(const Datum& datum);
+Datum colorMade(const std::vector<Datum>& channels, double full);
+Datum numberedColor(ColorRgb color);
+Datum exactColor(ColorRgb color);
+bool isColor(const Datum& datum);
 Datum colorField(const Library& color, const std::string& name);
 
 // frames.cpp: the properties of a part that say where it is, and its pose once one of them has

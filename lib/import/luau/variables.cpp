@@ -18,7 +18,7 @@ constexpr size_t kMadePerStep = 8;       // scopes and tables of a branch
 // What conditions ask for, and no thing.
 bool isPlain(const Datum& value) {
   return value.as<Nil>() || value.as<bool>() || value.as<double>() || value.as<std::string>() ||
-         isNumberedColor(value);
+         isColor(value);
 }
 
 bool isSame(const Datum& a, const Datum& b) { return truthOf(compared("==", a, b)) == Truth::yes; }
@@ -124,7 +124,9 @@ size_t Variables::endBranch(bool left, const std::string& defaulted) {
     const auto now = held.find(place.second);
     if (now == held.end() || keepsThing(old, now->second)) continue;
     const bool isDefault = place.second == defaulted && old && isUntold(*old);
-    if (left)
+    if (again_)
+      doubt(place, old, now->second, isDefault);
+    else if (left)
       setBack(held, now, old);
     else if (!isDefault)
       now->second = eitherOf(old ? *old : Datum{Nil{}}, now->second);
@@ -136,8 +138,21 @@ size_t Variables::endBranch(bool left, const std::string& defaulted) {
   return branch.olds.size() + made / kMadePerStep;
 }
 
+// Behind a branch of a handler that is read once more: of flags, numbers and texts another handler
+// may have set one, too. Where the branch sets what was there they are as the handler found them,
+// and things are as the first reading has them.
+void Variables::doubt(const Place& place, const std::optional<Datum>& old, Datum& now,
+                      bool isDefault) {
+  if (old && isSame(*old, now)) {
+    const auto kept = before_.find(place);
+    if (kept != before_.end() && kept->second && isSame(*kept->second, now)) before_.erase(kept);
+  } else if (isPlain(now) && (!old || isPlain(*old)) && !isDefault) {
+    now = {};
+  }
+}
+
 void Variables::set(Held& held, const std::string& name, Datum value, bool own) {
-  if (own) {
+  if (own && !again_) {
     held[name] = std::move(value);
     return;
   }
@@ -148,7 +163,7 @@ void Variables::set(Held& held, const std::string& name, Datum value, bool own) 
     const auto [kept, isFirst] = olds.try_emplace(place);
     if (isFirst && !isNew) kept->second = found->second;
   };
-  if (inHandler_) {
+  if (inHandler_ && !own) {
     keep(before_);
     add(place, {body_, told(value), true});
   }
@@ -174,11 +189,11 @@ Datum Variables::get(Held& held, const std::string& name, bool own) const {
   const auto& all = given->second;
   if (eachFrame_ && std::any_of(all.begin(), all.end(), isOwn)) return value;
   // One that keeps the others out for a time, as they do, comes when none of them is at it.
-  const bool locks = std::any_of(all.begin(), all.end(),
-                                 [&](const Given& one) { return one.passing && isOwn(one); });
+  const auto isLock = [&](const Given& one) { return one.passing && isOwn(one); };
+  const bool locks = !again_ && std::any_of(all.begin(), all.end(), isLock);
   const bool either = std::any_of(all.begin(), all.end(), [&](const Given& one) {
     const bool setsBack = isOwn(one) && !one.value.as<Unknown>();  // or keeps it from the next time
-    const bool counts = inHandler_ ? !setsBack : one.followed && !isOwn(one);
+    const bool counts = again_ || (inHandler_ ? !setsBack : one.followed && !isOwn(one));
     return counts && !(locks && one.passing) && !isSame(one.value, value);
   });
   return either ? Datum{} : value;

@@ -63,6 +63,10 @@ class Variables {
   // From here on the handler goes by what it finds there the first time.
   void settle(Held& held, const std::string& name);
 
+  // From here on handlers are read once more: what any of them, this one too, sets to another flag,
+  // number or text may be either, and so may what it sets in a branch that may not be taken.
+  void readAgain() { again_ = true; }
+
   // Keeps in mind what a function sets that is called at a time of its own, and what the functions
   // do that it calls. Gives how many places and calls that are.
   size_t note(const Closure& closure);
@@ -82,9 +86,10 @@ class Variables {
   using Functions = std::set<const Function*>;
   size_t note(const Closure& closure, const Function* by, Functions& seen);
   void add(const Place& place, const Given& given);
+  void doubt(const Place& place, const std::optional<Datum>& old, Datum& now, bool isDefault);
 
   const Function* body_ = nullptr;  // of the handler that is followed
-  bool inHandler_ = false, eachFrame_ = false, inThread_ = false, inLoop_ = false;
+  bool inHandler_ = false, eachFrame_ = false, inThread_ = false, inLoop_ = false, again_ = false;
   Olds before_;                   // the handler
   std::vector<Branch> branches_;  // those that are open
   std::map<Place, bool> looped_;  // set in the loop; true: to and fro

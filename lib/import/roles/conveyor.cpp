@@ -38,6 +38,42 @@ void noteOthers(RoleContext& context, const PartDraft& part, Vec3 first, Vec3 no
                                "keeps its first velocity; " + reason);
 }
 
+bool isUntold(const ScriptEvent& event) {
+  if (event.kind != EventKind::set) return false;
+  if (event.property != "Velocity" && event.property != "RotVelocity") return false;
+  return !event.vector || !isFinite(*event.vector);
+}
+
+// Whether a tag or a marker states what the part does, whatever a script sets.
+bool isStated(const PartDraft& part) {
+  return std::any_of(part.evidence.begin(), part.evidence.end(), [](const Evidence& e) {
+    const bool carries = e.role == "conveyor" || e.role == "jumpPad";
+    return carries && (e.reason.rfind("tag ", 0) == 0 || e.reason.rfind("marker ", 0) == 0);
+  });
+}
+
+struct Lost {
+  const char *kind, *what;
+};
+
+// `upward`: as far as the text tells, it throws.
+Lost lostOf(const PartDraft& part, bool upward) {
+  if (part.conveyor || part.jumpPad)
+    return {"conveyor that a script changes", "keeps the velocity that is known; "};
+  if (upward)
+    return {"jump pad that a script computes",
+            "throws nobody, but by the tag JumpPad with a Power; "};
+  return {"conveyor that a script computes",
+          "carries nobody, but by the tag Conveyor with a Speed; "};
+}
+
+void noteUntold(RoleContext& context, const PartDraft& part, const ScriptEvent& event,
+                const std::string& reason) {
+  const bool upward = event.vector && event.vector->x == 0 && event.vector->z == 0;
+  const Lost lost = lostOf(part, upward);
+  context.level.noteUnmodelled(lost.kind, context.tree.path(part.id), lost.what + reason);
+}
+
 }  // namespace
 
 bool isUpward(Vec3 v) { return v.y > 0 && v.y > 2 * length(Vec3{v.x, 0, v.z}); }
@@ -127,6 +163,20 @@ void conveyorFromVelocity(RoleContext& context) {
     else
       giveConveyor(part, {velocity, angular}, "saved Velocity of an anchored part", false);
   }
+}
+
+void noteUntoldVelocities(RoleContext& context) {
+  std::set<InstanceId> named;
+  for (const ScriptReading& reading : context.scripts)
+    for (const Timeline& timeline : reading.timelines) {
+      if (!timeline.byItself()) continue;
+      for (const ScriptEvent& event : timeline.events) {
+        const PartDraft* part = isUntold(event) ? context.part(event.target) : nullptr;
+        if (!part || !part->anchored || !part->solid || isStated(*part)) continue;
+        if (named.insert(part->id).second)
+          noteUntold(context, *part, event, scriptReason(context.tree, reading, event.line));
+      }
+    }
 }
 
 }  // namespace obby::importer

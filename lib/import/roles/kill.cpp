@@ -94,6 +94,29 @@ Kill stated(const Tree& tree, InstanceId id, Kill fallback) {
   return fallback;
 }
 
+void giveHarm(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
+  const bool touch = timeline.trigger == Trigger::touch;
+  for (const ScriptEvent& hit : timeline.events) {
+    if (hit.kind != EventKind::damage) continue;
+    PartDraft* part = context.part(touch ? timeline.touched : hit.target);
+    const double damage = hit.number.value_or(std::numeric_limits<double>::infinity());
+    const bool untold = std::isnan(damage);
+    if (!part || !(damage > 0 || untold)) continue;
+    const float amount = std::isfinite(damage) ? std::min(float(damage), kAll)
+                                               : std::max(100.0f, context.level.world.maxHealth);
+    const double wait = touch ? timeline.end - hit.time : timeline.period;
+    const bool guessed = untold || timeline.again || (touch && timeline.maybe);
+    give(*part, {amount, float(std::clamp(wait, 0.0, 60.0))},
+         scriptReason(context.tree, reading, hit.line), guessed);
+  }
+}
+
+void harmFromScripts(RoleContext& context, bool again) {
+  for (const ScriptReading& reading : context.scripts)
+    for (const Timeline& timeline : reading.timelines)
+      if (timeline.again == again) giveHarm(context, reading, timeline);
+}
+
 }  // namespace
 
 void killFromTags(RoleContext& context) {
@@ -133,27 +156,11 @@ void killFromMarkers(RoleContext& context) {
   });
 }
 
-void killFromScripts(RoleContext& context) {
-  for (const ScriptReading& reading : context.scripts)
-    for (const Timeline& timeline : reading.timelines) {
-      const bool touch = timeline.trigger == Trigger::touch;
-      for (const ScriptEvent& hit : timeline.events) {
-        if (hit.kind != EventKind::damage) continue;
-        PartDraft* part = context.part(touch ? timeline.touched : hit.target);
-        const double damage = hit.number.value_or(std::numeric_limits<double>::infinity());
-        const bool untold = std::isnan(damage);
-        if (!part || !(damage > 0 || untold)) continue;
-        const float amount = std::isfinite(damage)
-                                 ? std::min(float(damage), kAll)
-                                 : std::max(100.0f, context.level.world.maxHealth);
-        const double wait = touch ? timeline.end - hit.time : timeline.period;
-        give(*part, {amount, float(std::clamp(wait, 0.0, 60.0))},
-             scriptReason(context.tree, reading, hit.line), untold || (touch && timeline.maybe));
-      }
-    }
-}
+void killFromScripts(RoleContext& context) { harmFromScripts(context, false); }
 
 void killFromNames(RoleContext& context) {
+  // What may begin but later on counts no more than a name: of a goal, too.
+  harmFromScripts(context, true);
   // Where a script kills through some children of a folder, its other children are harmless.
   std::set<InstanceId> scripted;
   for (const auto& part : context.level.parts)

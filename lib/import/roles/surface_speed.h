@@ -8,6 +8,8 @@
 
 namespace obby::importer {
 
+class RoleContext;
+
 constexpr float kLeastSpeed = 0.5f;  // studs/s; below it is noise
 
 // True if the velocity throws rather than carries: mostly upward.
@@ -16,5 +18,10 @@ bool isUpward(Vec3 velocity);
 // Gives the part one of the two roles, unless it has that role already or the speed is noise.
 void giveConveyor(PartDraft& part, Conveyor conveyor, std::string reason, bool guessed);
 void giveJumpPad(PartDraft& part, JumpPad pad, std::string reason, bool guessed);
+
+// Names in level.unmodelled the anchored parts to which scripts, by themselves, give a velocity
+// that their text does not tell, but for those of which a tag or a marker states it. Call it after
+// findRoles, while loose parts are loose.
+void noteUntoldVelocities(RoleContext& context);
 
 }  // namespace obby::importer
