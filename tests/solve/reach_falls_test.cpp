@@ -17,7 +17,7 @@ level::Level aboveATiltedBlock(float height, bool belt, float tilt = 0.5f) {
   b.block({0, 10, -14}, {4, 4, 4},
           [=](schema::Part::Builder p) { support::setRotation(p.initRotation(), 0, tilt); });
   if (belt) {
-    b.block({0, -0.5f, 2000}, {8, 1, 8}, [](schema::Part::Builder p) {
+    b.block({0, -0.5f, 1900}, {8, 1, 8}, [](schema::Part::Builder p) {
       support::set(p.initConveyor().initVelocity(), {0, 0, -40});
     });
   }

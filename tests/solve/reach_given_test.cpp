@@ -133,6 +133,31 @@ TEST(ReachBound, HoldsWhoSitsHighUp) {
   EXPECT_GT(highest, 20) << "nobody jumped up from there";
 }
 
+// The query looks for the state after each tick, and a teleporter ends a jump in its first one.
+TEST(ReachBound, AForbiddenJumpIntoATeleporterIsUnseen) {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
+  b.block({0, 9.2f, 0}, {4, 2, 4}, [](schema::Part::Builder p) {
+    p.setSolid(false);
+    support::set(p.initTeleport().initPosition(), {0, 100, 0});
+  });
+  b.physics([](schema::PhysicsParams::Builder p) { p.setJumpSpeed(212); });
+  const level::Level level = b.compile();
+  Question question(level);
+  question.query.goal = boxAt({0, 102, 0}, {4, 4, 4});
+  question.query.forbidden = 1u << uint32_t(sim::State::jumping);
+  Problem problem = question.problem();
+  sim::World w = problem.start;
+  for (uint32_t t = 0; t <= 10; ++t) {
+    sim::advance(w, nullptr, level.view(), &problem.query, {0, false, t == 10});
+  }
+  EXPECT_EQ(w.outcome, sim::Outcome::goal) << "nobody was teleported";
+  EXPECT_EQ(ReachBound(problem, false).jumpsTo(problem.query.goal), 0u);
+  problem.query.maxJumps = 0;
+  EXPECT_EQ(ReachBound(problem, false).jumpsTo(problem.query.goal), ReachBound::kNever)
+      << "counted it is";
+}
+
 // Who comes off a ramp fast may be faster upward than any jump.
 TEST(ReachBound, HoldsWhoIsTeleportedOffARamp) {
   LevelBuilder b;

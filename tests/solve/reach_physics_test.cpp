@@ -75,6 +75,29 @@ TEST(ReachPhysics, WhoNeverIsLandedJumpsHighAboveTheFloor) {
   EXPECT_GT(springRise(underASlope([](auto p) { p.setLandedTime(0); }).view().params), 8);
 }
 
+// Strongly damped legs brake a fall where they feel the floor, and hold who is Landed up there.
+TEST(ReachPhysics, WhoseLegsBrakeAFallFarAboveAFloorJumpsThere) {
+  LevelBuilder b;
+  b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
+  b.physics([](schema::PhysicsParams::Builder p) {
+    p.setHoverStiffness(500);
+    p.setHoverDamping(220);
+  });
+  const level::Level level = b.compile();
+  EXPECT_EQ(unboundedPart(level.view()), nullptr);
+  float highest = 0;
+  for (float from = 200; from < 400; from += 3) {
+    sim::World w = sim::makeWorld(level.view(), {{0, from, 0}, 0, 0});
+    for (int t = 0; t < 400 && w.jumps == 0; ++t) {
+      const float feet = w.position.y;
+      sim::advance(w, nullptr, level.view(), nullptr, {0, false, true});
+      if (w.jumps != 0) highest = std::max(highest, feet);
+    }
+  }
+  EXPECT_GT(highest, 2) << "nobody jumped up there";
+  EXPECT_LE(highest, springRise(level.view().params));
+}
+
 // From where feet come to be carried by a floor that is solid from above only.
 float lowestEntry(float slack) {
   LevelBuilder b;

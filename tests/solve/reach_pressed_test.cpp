@@ -56,6 +56,26 @@ TEST(ReachPressed, HoldsWhomASlidingBlockPressesIntoAWall) {
   EXPECT_GT(highest, 13) << "nobody was lifted";
 }
 
+// Up into a thick ceiling, by less than a thousandth of a stud a tick: from its upper half they are
+// put out above it, much higher than the lift ever comes.
+TEST(ReachPressed, HoldsWhomASlowLiftPressesThroughACeiling) {
+  LevelBuilder b;
+  b.block({0, 14, 0}, {60, 16, 60}).spawn({0, 0, 34});
+  b.block({0, -0.5f, 30}, {8, 1, 20});
+  b.block({0, -20, 0}, {40, 40, 40}, [](schema::Part::Builder p) {
+    auto motion = p.initMotion();
+    motion.setRepeat(schema::Repeat::ONCE);
+    auto keys = motion.initKeys(2);
+    support::set(keys[0].initPosition(), {0, -20, 0});
+    support::set(keys[1].initPosition(), {0, -7, 0});
+    keys[1].setTime(260);
+  });
+  const float highest = highestHeld(b.compile(), false, 15'700, [](uint32_t t) {
+    return sim::Action{0, t < 126, false};
+  });
+  EXPECT_GT(highest, 21) << "nobody was pressed through";
+}
+
 // What stops well before the wall presses nobody into it.
 TEST(ReachPressed, ABlockThatStopsBeforeTheWallLiftsNobody) {
   const auto jumpsUp = [](const LevelBuilder& built) {

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "io/json_codec.h"
 #include "scenes.h"
 
@@ -13,22 +15,27 @@ namespace {
 
 using testing::HasSubstr;
 
-// Stones with gaps of 12 studs, the third 3 studs up, and a ledge far above.
-Filtered ask(const std::string& limits, const std::string& more = {}) {
-  const LinesFile file(R"({"type":"level","name":"stones","parts":[)"
-                       R"({"name":"A","position":[0,-0.5,-4],"size":[8,1,8]},)"
-                       R"({"name":"B","position":[0,-0.5,-24],"size":[8,1,8]},)"
-                       R"({"name":"C","position":[0,2.5,-44],"size":[8,1,8]},)"
-                       R"({"name":"Ledge","position":[0,29.5,-54],"size":[8,1,8]})" +
-                       more +
-                       R"(],"spawns":[{"position":[0,0,-2]}]})"
-                       "\n"
-                       R"({"type":"query","id":"q",)" +
-                       limits + "}\n");
+// What a short search makes of a stream.
+Filtered answered(const std::string& text) {
+  const LinesFile file(text);
   FilterOptions o;
   o.solver.budget.maxSteps = 20'000;
   o.solver.progressRecords = false;
   return runFilter(file.path(), std::move(o));
+}
+
+// Stones with gaps of 12 studs, the third 3 studs up, and a ledge far above.
+Filtered ask(const std::string& limits, const std::string& more = {}) {
+  return answered(R"({"type":"level","name":"stones","parts":[)"
+                  R"({"name":"A","position":[0,-0.5,-4],"size":[8,1,8]},)"
+                  R"({"name":"B","position":[0,-0.5,-24],"size":[8,1,8]},)"
+                  R"({"name":"C","position":[0,2.5,-44],"size":[8,1,8]},)"
+                  R"({"name":"Ledge","position":[0,29.5,-54],"size":[8,1,8]})" +
+                  more +
+                  R"(],"spawns":[{"position":[0,0,-2]}]})"
+                  "\n"
+                  R"({"type":"query","id":"q",)" +
+                  limits + "}\n");
 }
 
 constexpr const char* kThird = R"("goal":{"name":"third","position":[0,6,-44],"size":[8,4,8]})";
@@ -107,6 +114,78 @@ TEST(Unreachable, SaysNothingOfTimeWhereAWallThatNobodyStandsOnPushes) {
   EXPECT_EQ(ask(limit).counts.unreachable, 1u) << "without it";
 }
 
+// From 16,384 studs on a place's last bit is a 512th of a stud: a walk of 136.5 of them a tick is
+// one of 137.
+TEST(Unreachable, KnowsThatPlacesFarOutAreRounded) {
+  LevelBuilder b;
+  b.block({0, -0.5f, -17500}, {8, 1, 2040}).spawn({0, 0, -16500});
+  const level::Level level = b.compile();
+  sim::World w = sim::makeWorld(level.view(), level.spawns()[0]);
+  for (int t = 0; t < 7488; ++t) {
+    sim::advance(w, nullptr, level.view(), nullptr, {0, true, false});
+  }
+  EXPECT_LT(w.position.z, -18501) << "2,001 studs in 124.8 s are more than 16 a second";
+  const auto run = [](const std::string& seconds) {
+    return answered(R"({"type":"level","name":"far","parts":[)"
+                    R"({"name":"Floor","position":[0,-0.5,-17500],"size":[8,1,2040]}],)"
+                    R"("spawns":[{"position":[0,0,-16500]}]})"
+                    "\n"
+                    R"({"type":"query","id":"q","goal":{"position":[0,2,-18505],"size":[6,4,10]},)"
+                    R"("maxJumps":0,"timeLimit":)" +
+                    seconds + "}\n");
+  };
+  EXPECT_EQ(run("124.8").counts.unreachable, 0u);
+  expectUnreachable(run("90"), "and 90.00 s are allowed");
+}
+
+TEST(Unreachable, IsNotSaidWherePartsAreSoHighThatJumpsAreRounded) {
+  const auto counted = [](const std::string& height) {
+    return ask(R"("goal":{"part":"Ledge"})",
+               R"(,{"name":"High","position":[0,)" + height + R"(,0],"size":[4,1,4]})")
+        .counts.unreachable;
+  };
+  EXPECT_EQ(counted("20000"), 0u);
+  EXPECT_EQ(counted("10000"), 1u);
+  const auto fallen = [](const std::string& height) {
+    return ask(R"("goal":{"position":[5000,2,0],"size":[8,4,8]},)"
+               R"("start":{"region":{"position":[0,)" +
+               height + R"(,0],"size":[2,2,2]}})")
+        .counts.unreachable;
+  };
+  EXPECT_EQ(fallen("20000"), 0u) << "falls are longer, too";
+  EXPECT_EQ(fallen("10000"), 1u);
+}
+
+// The last tick of the level's clock is followed by its first, in which a lift may be elsewhere.
+TEST(Unreachable, IsNotSaidWhereTheClockOfALiftBeginsAnew) {
+  LevelBuilder b;
+  b.block({0, -0.5f, -4}, {8, 1, 8}).block({0, -5, -4}, {2, 1, 2}, [](schema::Part::Builder p) {
+    auto motion = p.initMotion();
+    motion.setCarries(true);
+    motion.setRepeat(schema::Repeat::PING_PONG);
+    motion.setOffset(7);
+    auto keys = motion.initKeys(2);
+    support::set(keys[0].initPosition(), {0, -5, -4});
+    support::set(keys[1].initPosition(), {0, 0.2f, -4});
+    keys[1].setTime(7);
+  });
+  const level::Level level = b.compile();
+  sim::World w = sim::makeWorld(level.view(), {{0, 0, -4}, 0, 4294967000u});
+  float highest = 0;
+  for (int t = 0; t < 400; ++t) {
+    sim::advance(w, nullptr, level.view(), nullptr, {});
+    highest = std::max(highest, w.position.y);
+  }
+  EXPECT_GT(highest, 40) << "nobody was thrown";
+  const std::string ledge = R"("goal":{"part":"Ledge"})";
+  const std::string lift =
+      R"(,{"name":"Lift","position":[0,-5,-4],"size":[2,1,2],"motion":{"carries":true,"repeat":"pingPong",)"
+      R"("offset":7,"keys":[{"position":[0,-5,-4]},{"time":7,"position":[0,0.2,-4]}]}})";
+  EXPECT_EQ(ask(ledge + R"(,"start":{"tick":4294967000})", lift).counts.unreachable, 0u);
+  EXPECT_EQ(ask(ledge + R"(,"start":{"tick":1000})", lift).counts.unreachable, 1u);
+  EXPECT_EQ(ask(ledge + R"(,"start":{"tick":4294967000})").counts.unreachable, 1u) << "no lift";
+}
+
 TEST(Unreachable, OneVisitOutOfReachIsEnough) {
   expectUnreachable(
       ask(std::string(kThird) + R"(,"visits":[{"part":"B"},{"part":"Ledge","touch":true}])"),
@@ -156,13 +235,7 @@ TEST(Unreachable, IsNotSaidWhereMorePartsAreNearThanTheSimulatorLooksAt) {
 
 // What the importer left out may be the way.
 TEST(Unreachable, IsNotSaidOfALevelThatLacksPartOfItsPlace) {
-  const auto answer = [](const std::string& text) {
-    FilterOptions o;
-    o.solver.budget.maxSteps = 20'000;
-    o.solver.progressRecords = false;
-    const LinesFile file(text);
-    return runFilter(file.path(), o).output;
-  };
+  const auto answer = [](const std::string& text) { return answered(text).output; };
   std::string text = stonesText(R"(,"timeLimit":0.5)");
   EXPECT_NE(answer(text).find("\"verdict\":\"unreachable\""), std::string::npos);
   const std::string name = R"("name":"stones",)";

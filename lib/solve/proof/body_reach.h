@@ -5,10 +5,16 @@
 #include <algorithm>
 
 #include "sim/body.h"
+#include "solve/proof/braked_fall.h"
 
 namespace obby::solve {
 
 constexpr float kSlack = 0.25f;  // studs: skin, ticks, rounding
+
+// Studs in a part that push no body anywhere.
+inline float flushDepth(const Params& p) {
+  return std::min(0.1f, 0.25f * std::min(p.bodyWidth, p.bodyDepth));
+}
 
 // How far above a floor the legs keep it.
 inline float floorReach(const Params& p) {
@@ -19,6 +25,11 @@ inline float floorReach(const Params& p) {
   if (p.landedTicks >= 2) return kept;
   return kept + p.maxFallSpeed * p.tickSeconds +
          std::max(p.maxFallSpeed - p.fastFall, 0.0f) * 0.01f;
+}
+
+// How far above a floor a jump can begin.
+inline float takeOffReach(const Params& p) {
+  return std::max(floorReach(p), BrakedFall(p).highest());
 }
 
 // The hover spring let go at its deepest: gives seen(gap, up) the height of the feet above the
@@ -36,9 +47,9 @@ void riseOnSpring(const Params& p, Seen&& seen) {
 }
 
 // How far above the floor the legs can leave the feet, or throw them: the hover spring let go at
-// its deepest, and the reach in which it keeps a floor.
+// its deepest, and the reach in which they jump.
 inline float springRise(const Params& p) {
-  float most = floorReach(p);
+  float most = takeOffReach(p);
   riseOnSpring(
       p, [&](float gap, float up) { most = std::max(most, gap + up * up / (2 * p.gravity)); });
   return most + kSlack;

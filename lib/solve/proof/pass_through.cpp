@@ -54,7 +54,7 @@ Ways waysOf(const level::LevelView& level, bool mayJump) {
   const float late = lost ? p.coyoteTime + 3 * p.tickSeconds : 2 * p.tickSeconds;
   w.near = !calm && !lost;
   w.side = 2 * (bodySide(p) + kSlack) + late * speed;
-  w.most = p.headBottom + floorReach(p) + upward * p.tickSeconds + kSlack;
+  w.most = p.headBottom + takeOffReach(p) + upward * p.tickSeconds + kSlack;
   const float sunk = deepestFeet(p) + (calm ? 0.0f : upward * p.tickSeconds);
   const float fallen = lost ? p.maxFallSpeed * late : 0.0f;
   w.least = p.hipHeight + 0.5f * narrow - sunk - fallen - kSlack;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "solve/proof/body_reach.h"
+#include "solve/proof/rounding.h"
 
 namespace obby::solve {
 
@@ -31,7 +32,7 @@ ReachBound::ReachBound(const Problem& problem, bool mayJump)
       p_(problem.level.params),
       mayJump_(mayJump),
       jumpSpeed_(fastestJump(problem.level)),
-      walkSpeed_(fastestWalk(problem.level) + keyOvershoot(p_)),
+      walkSpeed_(fastestWalk(problem.level) + keyOvershoot(p_) + roundedInFlight(problem)),
       supports_(supportsOf(problem)),
       index_(flatFeet(supports_)),
       flight_(p_, walkSpeed_) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solve/proof/body_reach.h"
+#include "solve/proof/jumping.h"
 #include "solve/proof/reach_bound.h"
 
 namespace obby::solve {
@@ -25,9 +26,10 @@ std::vector<PutOut> ReachBound::putOuts() const {
     upward = std::max(upward, l.upward);
   }
   std::vector<Footing> floors;
+  const bool anyJumps = mayJump_ || jumpingIn(problem_) == Jumping::unseen;
   for (size_t i = 0; i < supports_.size(); ++i) {
     const Support& s = supports_[i];
-    if (!mayJump_ || jumps_[i] == kNever || !s.carries) continue;
+    if (!anyJumps || jumps_[i] == kNever || !s.carries) continue;
     // The torso does not collide for three ticks, or until a floor has been felt for the last time.
     const float feet = launch(s, true).from.hi.y + 3 * upward * p_.tickSeconds;
     floors.push_back({s.collider, feet + p_.headBottom});

@@ -2,18 +2,16 @@
 
 #include <algorithm>
 
-#include "sim/next_region.h"
 #include "sim/seat.h"
 #include "solve/proof/body_reach.h"
 #include "solve/proof/few_boxes.h"
+#include "solve/proof/jumping.h"
 #include "solve/proof/pressing.h"
 
 namespace obby::solve {
 
 namespace {
 
-constexpr float kFlush = 0.1f;  // studs in a part that push no body anywhere
-constexpr uint32_t kLeads = level::kPad | level::kTeleport | level::kSeat;  // on touch
 constexpr size_t kMostHeld = 64;   // places in one part where it can hold a body
 constexpr float kLeastSlope = 80;  // degrees: below, sliding down makes speeds without a bound
 
@@ -38,8 +36,7 @@ class Builder {
     for (uint32_t i = 0; i < level_.colliderCount; ++i) {
       holds_.push_back(heldIn(level_.bounds[i].box(), level_.bounds[i].flags));
     }
-    const level::QueryView& q = problem_.query;
-    pressing_ = pressingOf(level_, movers_, holds_, q.maxJumps != 0 && !sim::forbidsJumping(q));
+    pressing_ = pressingOf(level_, movers_, holds_, jumpingIn(problem_) != Jumping::never);
     for (uint32_t i = 0; i < level_.colliderCount; ++i) add(i);
     throwOutOfGates();
     return std::move(supports_);
@@ -131,6 +128,7 @@ class Builder {
     addPushes(s, *motion, s.entry > beside);
     if (bounds.flags & (level::kCarries | level::kSeat)) s.sideways = motion->sideways;
     addSurface(s, c, bounds.flags);
+    if (bounds.flags & kLeads) s.entry -= unseen_;
     if (bounds.flags & level::kTeleport) s.leadsTo = gates_[gateAt_++];
     supports_.push_back(s);
   }
@@ -189,7 +187,7 @@ class Builder {
     if (turns) side = Vec3{1, 0, 1} * length(side);
     const Box torso{feet.lo + Vec3{0, p_.hipHeight, 0} - side,
                     feet.hi + Vec3{0, p_.bodyTop, 0} + side};
-    const float flush = std::min(kFlush, 0.25f * std::min(p_.bodyWidth, p_.bodyDepth));
+    const float flush = flushDepth(p_);
     return grow(torso, {-flush, -flush, -flush});
   }
 
@@ -237,7 +235,7 @@ class Builder {
   const Problem& problem_;
   const level::LevelView& level_;
   const Params& p_;
-  const float rise_;
+  const float rise_, unseen_ = unseenRise(problem_);
   std::vector<PartMotion> movers_;  // of the colliders that move, in their order
   std::vector<Box> seated_;         // torso and head of those who sit
   Vec3 heldSide_;

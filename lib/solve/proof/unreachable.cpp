@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
+#include "sim/simulator.h"
 #include "solve/proof/crowding.h"
-#include "solve/query/targets.h"
+#include "solve/proof/jumping.h"
+#include "solve/proof/rounding.h"
 
 namespace obby::solve {
 
@@ -47,7 +50,7 @@ class Prover {
       : problem_(problem),
         q_(problem.query),
         targets_(targetsOf(q_, record)),
-        mayJump_(q_.maxJumps != 0 && !sim::forbidsJumping(q_)),
+        mayJump_(jumpingIn(problem) == Jumping::free),
         bound_(problem, mayJump_) {
     goals_.push_back(&q_.goal);
     for (uint32_t i = 0; i < q_.otherGoalCount; ++i) goals_.push_back(&q_.otherGoals[i]);
@@ -140,7 +143,9 @@ class Prover {
     if (q_.timeLimitTicks == 0) return std::nullopt;
     const Params& p = problem_.level.params;
     const float most = float(q_.timeLimitTicks) * p.tickSeconds, spare = 2 * p.tickSeconds;
-    const float studs = leastDistance(false), speed = bound_.fastest();
+    // What counts in flights is in fastest() already.
+    const float rounded = roundedSpeed(problem_) - roundedInFlight(problem_);
+    const float studs = leastDistance(false), speed = bound_.fastest() + rounded;
     if (!(studs / speed - spare > most)) return std::nullopt;
     const float own = std::min(leastDistance(true), studs);
     std::vector<PutOut> outs = bound_.putOuts();
@@ -162,6 +167,13 @@ class Prover {
   std::string goalName_;
 };
 
+// May the level's clock begin anew within a playthrough? What it moves is elsewhere at once then,
+// and takes players along as if it had moved there.
+bool clockBeginsAnew(const Problem& problem) {
+  constexpr uint64_t kLast = std::numeric_limits<uint32_t>::max();
+  return problem.hasClock && problem.start.tick + sim::kMaxReplayTicks > kLast;
+}
+
 std::string partText(uint32_t collider, const level::Level& level) {
   const uint32_t part = level.view().colliders[collider].part;
   return fmt::format("part {} '{}'", part, level.partName(part));
@@ -182,6 +194,7 @@ std::string stepText(const Cut& cut, const level::Level& level) {
 
 std::optional<Cut> cutOf(const Problem& problem, schema::Query::Reader record) {
   if (unboundedPart(problem.level) != nullptr) return std::nullopt;
+  if (clockBeginsAnew(problem) || isFarUp(problem)) return std::nullopt;
   return Prover(problem, record).prove();
 }
 
