@@ -62,6 +62,10 @@ bool hasJoints(std::string_view text) {
   });
 }
 
+// Signals of parts, and of zones as a module of many places makes them; lower case.
+constexpr std::string_view kTouches[] = {"touched", "playerentered", "localplayerentered",
+                                         "partentered", "itementered"};
+
 // A line of code without the blanks around it, cut.
 std::string shortened(std::string_view line) {
   constexpr size_t kLongest = 70;
@@ -76,6 +80,11 @@ std::string shortened(std::string_view line) {
 }
 
 }  // namespace
+
+bool Timeline::ofUnknownTouch() const {
+  return trigger == Trigger::other &&
+         std::find(std::begin(kTouches), std::end(kTouches), lower(signal)) != std::end(kTouches);
+}
 
 bool isInStarterCharacter(const Tree& tree, InstanceId id) {
   for (; id != kNoInstance; id = tree.at(id).parent)

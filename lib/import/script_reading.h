@@ -97,6 +97,8 @@ struct Timeline {
 
   // Whether it comes as the game runs, whatever players do.
   bool byItself() const { return trigger == Trigger::start || trigger == Trigger::frame; }
+  // Whether something is touched, or a zone entered, and the text does not tell what.
+  bool ofUnknownTouch() const;
 };
 
 struct ScriptReading {

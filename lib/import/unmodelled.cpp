@@ -154,9 +154,11 @@ std::optional<Effect> changeOf(RoleContext& context, const Timeline& timeline,
   return std::nullopt;
 }
 
-bool isHarmless(RoleContext& context, InstanceId id) {
+// Whether no harm is lost: a tag says that it does none, or it kills by other evidence.
+bool isSettled(RoleContext& context, InstanceId id) {
   const PartDraft* part = context.part(id);
-  return part && hasEvidence(*part, kHarmless);
+  const bool kills = part && part->kill && part->kill->damage >= context.level.world.maxHealth;
+  return kills || (part && hasEvidence(*part, kHarmless));
 }
 
 // Whether the height that it gives is computed, so that the part throws nobody. Not where it keeps
@@ -184,7 +186,7 @@ std::optional<Effect> effectOf(RoleContext& context, const Timeline& timeline,
       if (event.property == "WalkSpeed" || event.property == "JumpPower" ||
           event.property == "JumpHeight" || event.property == "Gravity")
         return Effect{"speed or jump booster", "the player's speed and jump stay as they are"};
-      if (event.property == "Health" && !isHarmless(context, timeline.touched))
+      if (event.property == "Health" && !isSettled(context, timeline.touched))
         return Effect{"harm that a script computes", "none is taken"};
       if (event.property == "Sit" || event.property == "PlatformStand")
         return Effect{"trip part", "the player stays on its feet"};
@@ -199,8 +201,7 @@ std::optional<Effect> effectOf(RoleContext& context, const Timeline& timeline,
 // Harm by something that the text does not tell: the handler of a touch of an unknown part, or a
 // loop that looks for players by itself.
 void noteHarm(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
-  const bool somewhere = timeline.trigger == Trigger::other && lower(timeline.signal) == "touched";
-  if (!timeline.byItself() && !somewhere) return;
+  if (!timeline.byItself() && !timeline.ofUnknownTouch()) return;
   for (const ScriptEvent& event : timeline.events) {
     if (event.kind != EventKind::damage || event.target != kNoInstance) continue;
     if (event.number && *event.number <= 0) continue;

@@ -232,6 +232,30 @@ TEST(ScriptValues, AColourThatABranchMaySetIsOneOfTwo) {
   EXPECT_EQ(scene.unmodelled("handler that a script may connect"), 1u);
 }
 
+TEST(ScriptValues, AColourThatATweenBringsIsNotThereAtOnce) {
+  ScriptedPart scene(
+      "local red = Color3.fromRGB(255, 0, 0)\n"
+      "game:GetService('TweenService'):Create(p, TweenInfo.new(9), {Color = red}):Play()\n"
+      "if p.Color == red then p.Touched:Connect(function(hit)\n"
+      "hit.Parent.Humanoid.Health = 0 end) end");
+  EXPECT_EQ(scene.unmodelled("handler that a script may connect"), 1u);
+}
+
+// As of a light that shows who may walk.
+TEST(ScriptValues, TheColourOfALightMayBeAny) {
+  Scene scene;
+  const auto pad = scene.part("Pad");
+  scene.add("PointLight", "Light", pad);
+  scene.script(
+      "local p, light = script.Parent, script.Parent.Light light.Color = Color3.new(0, 1, 0)\n"
+      "p.Touched:Connect(function(hit) if light.Color == Color3.new(1, 0, 0) then\n"
+      "hit.Parent.Humanoid.Health = 0 end end)",
+      pad);
+  scene.level();
+  ASSERT_TRUE(scene[pad].kill);
+  EXPECT_NE(scene.evidence(pad, "kill").rfind("guessed: ", 0), 0u);
+}
+
 // As of a door that kills all but its owners.
 TEST(ScriptValues, WhoIsOnAListIsNotKnown) {
   const char* const asks[] = {

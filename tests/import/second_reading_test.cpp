@@ -78,6 +78,26 @@ TEST(SecondReading, WhatABranchSetsThatMayNotBeTakenIsOneOfTwo) {
   expectGuess("local safe = false " + kTouch + shields);
   const std::string takes = "hit.Parent.Humanoid:TakeDamage(harm) end)";
   expectGuess(kTouch + "local harm = 10 " + asks + "harm = 0 end\n" + takes);
+  expectGuess(kTouch + "local harm " + asks + "harm = 10 else harm = 0 end\n" + takes);
+  const std::string human = "local human = hit.Parent:FindFirstChild('Humanoid') ";
+  expectGuess(kTouch + human + asks + "human = nil end\nif human then human.Health = 0 end end)");
+}
+
+// As of the one tile of a row that carries, or a trap that only some parts are.
+TEST(SecondReading, WhatASetUpMayHaveSetIsOneOfTwo) {
+  const std::string touch = kTouch + "if not p:GetAttribute('Safe') " + kKills + "end)";
+  const std::string safe = "p:SetAttribute('Safe', true) ";
+  expectGuess("if math.random() > 0.5 then " + safe + "end " + touch);
+  expectGuess("for i = 1, 2 do if math.random() > 0.5 then continue end " + safe + "end " + touch);
+  ScriptedPart sure(safe + touch);
+  EXPECT_FALSE(sure[sure.self].kill);
+  EXPECT_EQ(sure.unmodelled(kMayHarm), 0u);
+}
+
+TEST(SecondReading, AStateInWhichThePlayerIsDeadIsHarm) {
+  expectGuess("local on = false " + kTouch +
+              "if on then\nhit.Parent.Humanoid:ChangeState(Enum.HumanoidStateType.Dead) end\n"
+              "on = true end)");
 }
 
 TEST(SecondReading, WhatAScriptTurnsInPlayMayWakeATrap) {

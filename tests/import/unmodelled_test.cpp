@@ -1,5 +1,7 @@
 // Whatever is not simulated is named, with counts.
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "import/explain.h"
 #include "import/scene.h"
@@ -130,6 +132,41 @@ TEST(Unmodelled, ModulesKitTagsAndTellingNames) {
   EXPECT_EQ(scene.unmodelled("module script"), 1u);
   EXPECT_EQ(scene.unmodelled("tag OneWayPlatform"), 1u);
   EXPECT_EQ(scene.unmodelled("name that suggests a jump pad"), 1u);
+}
+
+TEST(Unmodelled, HarmByExplosions) {
+  const std::string made = "local e = Instance.new('Explosion') ";
+  const std::pair<std::string, uint32_t> cases[] = {
+      {made + "e.Position = p.Position e.Parent = workspace p:Destroy()", 1},
+      {"local e = Instance.new('Explosion', workspace) e.Position = p.Position", 1},
+      {made + "e.Parent = hit.Parent", 1},
+      {made + "e.Parent = workspace hit.Parent.Humanoid.Health = 0", 0},
+      {made + "e.DestroyJointRadiusPercent = 0 e.Parent = workspace", 0},
+      {made + "e.Parent = game.ServerStorage", 0}};
+  for (const auto& [text, count] : cases) {
+    Scene scene;
+    const auto mine = scene.part("Mine");
+    scene.script("local p = script.Parent p.Touched:Connect(function(hit)\np.Transparency = 0.5 " +
+                     text + " end)",
+                 mine);
+    scene.level();
+    EXPECT_EQ(scene.unmodelled("harm that a script computes"), count) << text;
+  }
+}
+
+TEST(Unmodelled, HarmToWhoEntersTheZoneOfAModule) {
+  const std::pair<const char*, uint32_t> signals[] = {
+      {"playerEntered", 1}, {"localPlayerEntered", 1}, {"playerExited", 0}};
+  for (const auto& [signal, count] : signals) {
+    Scene scene;
+    scene.part("Sea");
+    scene.script("local zone = require(script.Zone).new(workspace.Sea)\nzone." +
+                     std::string(signal) +
+                     ":Connect(function(player) player.Character.Humanoid.Health = 0 end)",
+                 scene.scripts);
+    scene.level();
+    EXPECT_EQ(scene.unmodelled("harm of a part that is not known"), count) << signal;
+  }
 }
 
 TEST(Unmodelled, ConstraintsWithoutMotorAreLoose) {

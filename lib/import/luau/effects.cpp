@@ -46,6 +46,17 @@ std::optional<double> actuatorOf(const std::string& property, const Datum& value
   return std::nullopt;
 }
 
+// Who touches what explodes is harmed, but where it is for show.
+bool explodes(const Made& made) {
+  const auto isNone = [&](const char* name) {
+    const auto set = made.properties.find(name);
+    const auto* number = set == made.properties.end() ? nullptr : set->second.as<double>();
+    return number && *number == 0;
+  };
+  return made.className == "Explosion" && !isNone("DestroyJointRadiusPercent") &&
+         !isNone("BlastRadius");
+}
+
 bool isCharacter(const Datum& datum) { return datum.as<Stranger>() || datum.as<Unknown>(); }
 
 }  // namespace
@@ -105,8 +116,9 @@ void Reader::setInstance(InstanceId id, const std::string& spelled, const Datum&
     timeline_.events.back().turns = setsTurn(name);
     return;
   }
-  // One that a branch may not set is the old or the new one.
-  write(id, name, isColor(value) && isUnsure() ? Datum{} : value);
+  // A colour that a branch may not set is the old or the new one; that of a light turns in play.
+  const bool told = !isColor(value) || (tree_.isPart(id) && !isUnsure());
+  write(id, name, told ? value : Datum{});
   const auto* ref = value.as<Ref>();
   if (instance.className == "ObjectValue" && name == "Value" && ref && tree_.isPart(ref->target)) {
     emit(EventKind::respawnAt, ref->target, name, line);
@@ -257,6 +269,8 @@ void Reader::setMade(Made* made, const std::string& name, const Datum& value, in
       setStranger("", "Velocity", known->second, line);
     return;
   }
+  if (name == "Parent" && explodes(*made) && leadsToWorld(value).value_or(true))
+    emit(EventKind::character, kNoInstance, "Health", line);
   const auto* ref = parent->second.as<Ref>();
   if (name == "Parent" && isBuildable(made->className) && (ref || parent->second.as<Library>()))
     emit(EventKind::build, ref ? ref->target : kNoInstance, made->className, line);

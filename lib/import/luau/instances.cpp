@@ -253,11 +253,13 @@ Datum Reader::instanceMethod(InstanceId id, const std::string& name,
 Datum Reader::strangerMethod(const std::string& owner, const std::string& name,
                              const std::vector<Datum>& arguments, int line) {
   const Datum& first = argument(arguments, 0);
+  const auto* state = first.as<Library>();
+  const bool dies = name == "ChangeState" && state && state->name == "Enum.HumanoidStateType.Dead";
   if (name == "TakeDamage") {
     ScriptEvent& event = emit(EventKind::damage, kNoInstance, "Health", line);
     const auto* damage = first.as<double>();
     if (damage || !isAllHealth(first)) event.number = damage ? *damage : std::nan("");
-  } else if (name == "BreakJoints" || name == "breakJoints" || name == "LoadCharacter") {
+  } else if (dies || name == "BreakJoints" || name == "breakJoints" || name == "LoadCharacter") {
     emit(EventKind::damage, kNoInstance, "Health", line);
   } else if (name == "PivotTo" || name == "MoveTo" || name == "SetPrimaryPartCFrame" ||
              name == "moveTo") {

@@ -17,8 +17,8 @@ namespace {
 constexpr size_t kStepsAgain = 100000;  // of a script: the first readings of others come first
 
 // What a script that harms has in its text.
-constexpr std::string_view kHarmWords[] = {"Health", "TakeDamage", "BreakJoints", "breakJoints",
-                                           "LoadCharacter"};
+constexpr std::string_view kHarmWords[] = {"Health",      "TakeDamage",    "BreakJoints",
+                                           "breakJoints", "LoadCharacter", "StateType.Dead"};
 
 bool isHarm(const ScriptEvent& event) {
   return event.kind == EventKind::damage && !(event.number && *event.number <= 0);
@@ -79,12 +79,15 @@ void Reader::readAgain() {
 }
 
 // What is set in play, and not as play starts or before there are handlers, may be the one or the
-// other by the time of a touch. One thing instead of another is not told apart.
+// other by the time of a touch, and so may what is set in a branch that may not be taken. One thing
+// instead of another is not told apart.
 void Reader::noteTurn(InstanceId id, const std::string& name, const std::optional<Datum>& old,
                       const Datum& now) {
   const bool late = time_ > 0 && (followed_ > 0 || !pending_.empty());
   const bool inPlay = inHandler_ || timeline_.forever || late;
-  if (!mayHarm_ || !inPlay || isPoseProperty(name)) return;
+  const bool maybe = unsure_ > 0 || skipped_;
+  if (!mayHarm_ || !(inPlay || maybe) || isPoseProperty(name)) return;
+  if (turned_.count({id, name}) > 0) return;  // long texts are not compared again and again
   const Datum before = old ? *old : fileField(id, name).value_or(Datum{});
   if (before.as<Ref>() && now.as<Ref>()) return;
   if (truthOf(compared("==", before, now)) != Truth::yes) turned_.insert({id, name});

@@ -139,8 +139,9 @@ void Reader::play(Tween* tween, int line) {
   const size_t first = timeline_.events.size();
   const bool part = tree_.isPart(tween->target);
   if (part) setPoseGoals(*tween, line);
-  for (const auto& [name, value] : tween->goals)
-    if (!part || !isPoseProperty(name)) setInstance(tween->target, name, value, line);
+  for (const auto& [name, value] : tween->goals)  // a colour is another one until it gets there
+    if (!part || !isPoseProperty(name))
+      setInstance(tween->target, name, isColor(value) ? Datum{} : value, line);
   for (size_t i = first; i < timeline_.events.size(); ++i)
     takeUp(*tween, timeline_.events[i], done);
   played_.back().events = timeline_.events.size() - first;

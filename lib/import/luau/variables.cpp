@@ -139,15 +139,16 @@ size_t Variables::endBranch(bool left, const std::string& defaulted) {
 }
 
 // Behind a branch of a handler that is read once more: of flags, numbers and texts another handler
-// may have set one, too. Where the branch sets what was there they are as the handler found them,
-// and things are as the first reading has them.
+// may have set one, too. Where the branch sets what was there they are as the handler found them.
+// What was not told, as behind an earlier branch, stays so; things are as the first reading has
+// them.
 void Variables::doubt(const Place& place, const std::optional<Datum>& old, Datum& now,
                       bool isDefault) {
   if (old && isSame(*old, now)) {
     const auto kept = before_.find(place);
     if (kept != before_.end() && kept->second && isSame(*kept->second, now)) before_.erase(kept);
-  } else if (isPlain(now) && (!old || isPlain(*old)) && !isDefault) {
-    now = {};
+  } else if (isPlain(now) && !isDefault && (!old || isPlain(*old) || isUntold(*old))) {
+    now = old && isUntold(*old) ? *old : Datum{};
   }
 }
 
