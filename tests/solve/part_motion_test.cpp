@@ -51,6 +51,25 @@ TEST(PartMotions, RoughIsWhatRisesHoweverSlowly) {
   EXPECT_FALSE(motionBy({4, 0, 0}, 1).rough);
 }
 
+// A block that nobody rides creeps aside after a touch, and two seconds later is back in a tick.
+TEST(PartMotions, WhatReturnsAtOncePushesByAllOfItsWay) {
+  LevelBuilder b;
+  b.block({0, 0, 0}, {4, 1, 4}, [](schema::Part::Builder p) {
+    auto motion = p.initMotion();
+    motion.setRepeat(schema::Repeat::ONCE);
+    motion.setTrigger(schema::MotionTrigger::TOUCH);
+    motion.setSeconds(2);
+    auto keys = motion.initKeys(2);
+    support::set(keys[0].initPosition(), {0, 0, 0});
+    support::set(keys[1].initPosition(), {0.6f, 0, 0});
+    keys[1].setTime(2);
+  });
+  const level::Level level = b.compile();
+  const PartMotion motion = partMotion(level.view(), 0);
+  EXPECT_FALSE(motion.rough) << "less than half a body";
+  EXPECT_GT(motion.sideways, 35);
+}
+
 // Keys turn a block about its centre, and a slow spin about a point ten studs from that: after half
 // a turn of the spin the block is twenty studs from what the keys turn it about.
 TEST(PartMotions, NoCornerIsFasterWhereKeysAndSpinTurn) {

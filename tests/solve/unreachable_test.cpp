@@ -156,6 +156,18 @@ TEST(Unreachable, IsNotSaidWherePartsAreSoHighThatJumpsAreRounded) {
   EXPECT_EQ(fallen("10000"), 1u);
 }
 
+TEST(Unreachable, IsNotSaidWhereATeleporterLeadsSoHigh) {
+  const auto counted = [](const std::string& height) {
+    return ask(R"("goal":{"part":"Ledge"})",
+               R"(,{"name":"Gate","position":[0,5000,0],"size":[4,4,4],"solid":false,)"
+               R"("teleport":{"position":[0,)" +
+                   height + R"(,0]}})")
+        .counts.unreachable;
+  };
+  EXPECT_EQ(counted("20000"), 0u);
+  EXPECT_EQ(counted("10000"), 1u);
+}
+
 // The last tick of the level's clock is followed by its first, in which a lift may be elsewhere.
 TEST(Unreachable, IsNotSaidWhereTheClockOfALiftBeginsAnew) {
   LevelBuilder b;

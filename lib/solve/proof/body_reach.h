@@ -21,13 +21,14 @@ inline float floorReach(const Params& p) {
   const float reach = p.floorReachBase * p.rootHeight + farthestFloor(p) * p.hipHeight;
   const float kept = std::max(reach - sim::rayHeight(p), 0.0f);
   // Who falls fast feels a floor from far above it. Being Landed lasts until they are down; without
-  // it they may jump up there.
-  if (p.landedTicks >= 2) return kept;
-  return kept + p.maxFallSpeed * p.tickSeconds +
-         std::max(p.maxFallSpeed - p.fastFall, 0.0f) * 0.01f;
+  // it they may jump up there, as who is Running still, for so long after the last floor.
+  const float graced = p.gravity * float(p.graceTicks) * p.tickSeconds;
+  const float fall = p.landedTicks >= 2 ? std::min(graced, p.maxFallSpeed) : p.maxFallSpeed;
+  const float felt = std::max(fall - p.fastFall, 0.0f) * 0.01f + fall * p.tickSeconds;
+  return p.landedTicks >= 2 ? std::max(kept, felt) : kept + felt;
 }
 
-// How far above a floor a jump can begin.
+// How far above a floor a jump can begin, or a fall anew.
 inline float takeOffReach(const Params& p) {
   return std::max(floorReach(p), BrakedFall(p).highest());
 }
@@ -55,15 +56,35 @@ inline float springRise(const Params& p) {
   return most + kSlack;
 }
 
+// A floor that goes up at `floorSpeed` leads somebody as far in the tick that loses it, and leaves
+// them `speed`: the speed upward, squared, with which they come as high from where it began.
+inline float tossSquared(const Params& p, float speed, float floorSpeed) {
+  return speed * speed + 2 * p.gravity * floorSpeed * p.tickSeconds;
+}
+
+// Likewise, as if from where it began, of whom the legs throw off it who was at rest there: for a
+// whole tick they push as they do at first (sim::isConstant).
+inline float startSquared(const Params& p, float floorSpeed) {
+  const float push = std::min(p.hoverDamping * floorSpeed, p.hoverLimit);
+  const float up = std::min(push * p.tickSeconds, p.maxFallSpeed);
+  return up * up + p.gravity * push * p.tickSeconds * p.tickSeconds;
+}
+
 // The same off a floor that goes up, studs/s: the speed upward with which somebody comes as high
 // from `rise`, the springRise(), above it.
 inline float springThrow(const Params& p, float rise, float floorSpeed) {
-  float most = 0;  // squared
+  const float inAir = std::max(BrakedFall(p).turnedUp(floorSpeed), startSquared(p, floorSpeed));
+  float most = std::max(tossSquared(p, floorSpeed, floorSpeed), inAir - 2 * p.gravity * rise);
   riseOnSpring(p, [&](float gap, float up) {
     const float thrown = up + floorSpeed;
     most = std::max(most, thrown * thrown - 2 * p.gravity * (rise - gap));
   });
   return sqrtf32(most);
+}
+
+// Likewise off one that somebody climbs on onto, past the top of a truss, as fast as both.
+inline float climbThrow(const Params& p, float climb, float floorSpeed) {
+  return sqrtf32(tossSquared(p, climb + floorSpeed, floorSpeed));
 }
 
 // Do the legs throw back up who lands on them fast? Theirs is no bound then.

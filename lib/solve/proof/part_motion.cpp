@@ -68,8 +68,13 @@ void noteReturn(PartMotion& motion, const level::Mover& m, const Radii& radii, c
   }
   back.upward += turned * rate;
   back.sideways += turned * rate;
-  motion.rough |= back.rough || back.sideways > snapOf(p) * rate;
-  if (!carries) return;
+  const bool snaps = back.sideways > snapOf(p) * rate;
+  motion.rough |= back.rough || snaps;
+  if (!carries) {
+    // Who is in its way is pushed by all of that at once.
+    if (!snaps) motion.sideways = std::max(motion.sideways, back.sideways);
+    return;
+  }
   motion.upward = std::max(motion.upward, back.upward);
   motion.sideways = std::max(motion.sideways, back.sideways);
 }

@@ -38,8 +38,9 @@ class Finder {
     // Movers, belts and pads slow a jump down, trusses end it.
     calm_ = !(any & (level::kMoving | level::kConveyor | level::kPad | level::kTruss));
     const bool climbs = (any & level::kTruss) != 0;
-    shortest_ = float(climbs ? 2 : p_.landedTicks + 2) * p_.tickSeconds;
-    usual_ = jump_ / p_.gravity + float(p_.landedTicks + 1) * p_.tickSeconds;
+    const int landed = landedTicksOf(p_);
+    shortest_ = float(climbs ? 2 : landed + 2) * p_.tickSeconds;
+    usual_ = jump_ / p_.gravity + float(landed + 1) * p_.tickSeconds;
     if (!calm_) usual_ = std::min(usual_, shortest_);
   }
 

@@ -60,7 +60,10 @@ Launch ReachBound::launch(const Support& s, bool jumping) const {
   if (lifted > p_.maxFallSpeed) from.hi.y += lifted * p_.tickSeconds;
   // From the top of such a throw somebody may still jump.
   const float sprung = s.sprung > 0 ? sqrtf32(s.sprung * s.sprung + jump * jump) : 0.0f;
-  return {from, std::min(std::max({lifted, s.thrown, sprung, ramp}), p_.maxFallSpeed)};
+  // Nor is one that stands for what floors and legs lead to before.
+  const float thrown = std::max(s.thrown, sprung), most = p_.maxFallSpeed;
+  if (thrown > most) from.hi.y += (thrown * thrown - most * most) / (2 * p_.gravity);
+  return {from, std::min(std::max({lifted, thrown, ramp}), most)};
 }
 
 // Who is pushed is moved along with what pushes, and keeps the height and speed of the flight: only
@@ -160,7 +163,9 @@ Box ReachBound::boxOf(const level::TargetView& target) const {
     all = join(all, level.bounds[problem_.query.touched[target.firstTouch + i]].box());
   }
   const float limbs = 0.5f * (std::max(p_.armSpan, p_.bodyWidth) + p_.bodyDepth) + p_.touchMargin;
-  return grow(all, {limbs, p_.touchMargin, limbs});
+  // Of short limbs that touch from afar the corners are farther out.
+  const float side = std::max(limbs, limbSide(p_) + 1.5f * p_.touchMargin);
+  return grow(all, {side, p_.touchMargin, side});
 }
 
 uint32_t ReachBound::jumpsTo(const level::TargetView& target) const {

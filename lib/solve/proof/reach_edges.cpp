@@ -93,8 +93,7 @@ ReachBound::Heights ReachBound::heights() const {
   // Parts that turn and carry turn the player too.
   const uint32_t any = flagsOfAll(problem_.level);
   h.beside = turnedAway(p_, flight_.sideways(), (any & level::kCarries) != 0);
-  const bool climbs = (any & level::kTruss) != 0;
-  h.climbed = climbs ? p_.climbSpeed * fastestWalk(problem_.level) * p_.substepSeconds : 0.0f;
+  h.climbed = fastestClimb(problem_.level) * p_.substepSeconds;
   return h;
 }
 

@@ -129,7 +129,7 @@ bool ReachBound::outruns(const Glance& g, float more) const {
   const auto jumpsAhead = [&](float faster, float seconds) {
     return aheadBy(faster, more, brake, seconds + rises) + leaves * faster;
   };
-  const float landed = float(p_.landedTicks) * p_.tickSeconds;
+  const float landed = float(landedTicksOf(p_)) * p_.tickSeconds;
   if (g.below < 0) return jumpsAhead(gained, 0) > kFeetSpare;
   // The same flight from so far above lasts longer by at least that.
   const float longer = sqrtf32(2 * g.below / p_.gravity * more * (2 * walkSpeed_ + more));

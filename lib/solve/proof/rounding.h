@@ -4,22 +4,47 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "sim/body.h"
 #include "solve/query/problem.h"
 
 namespace obby::solve {
 
+// The level, the start, and where teleporters lead.
+inline Box allPlaces(const Problem& problem) {
+  const Vec3 start = problem.start.position;
+  const level::LevelView& level = problem.level;
+  Box all = join(problem.bounds, Box{start, start});
+  for (uint32_t i = 0; i < level.colliderCount; ++i) {
+    if (!(level.bounds[i].flags & level::kTeleport)) continue;
+    const Vec3 to = level.roles[level.colliders[i].role].teleportTo;
+    all = join(all, Box{to, to});
+  }
+  return all;
+}
+
+// Into how many pieces a substep is cut where the fastest fall past parts, or walk among them
+// (sim::contactSubsteps), at most; no fewer than by the default physics.
+inline float mostPieces(const level::LevelView& level) {
+  const Params& p = level.params;
+  const float fastest = std::max(p.maxFallSpeed, level.maxSideSpeed);
+  const float more = std::max(sim::mostDrive(p), p.gravity) * p.tickSeconds;
+  const float safe = 0.45f * std::min({p.bodyWidth, p.bodyDepth, p.bodyTop - p.headBottom});
+  const float pieces = std::ceil((fastest + more) * p.substepSeconds / safe);
+  return std::clamp(pieces, 5.0f, float(sim::kMostSplits));
+}
+
 // Studs/s sideways, at most.
 inline float roundedSpeed(const Problem& problem) {
-  constexpr float kHalves = 5;  // of a last bit: fast falls past parts cut a substep into as many
-  const Vec3 start = problem.start.position;
-  const Box all = join(problem.bounds, Box{start, start});
+  const Box all = allPlaces(problem);
   const float studs = std::max({-all.lo.x, all.hi.x, -all.lo.z, all.hi.z});
   const float last = studs * std::numeric_limits<float>::epsilon();
   const Params& p = problem.level.params;
-  // Along both axes.
-  return 1.42f * 0.5f * kHalves * last * float(p.substeps) * float(p.controlRate);
+  // Half a last bit for each piece, along both axes.
+  const float halves = mostPieces(problem.level) * float(p.substeps) * float(p.controlRate);
+  return 1.42f * 0.5f * last * halves;
 }
 
 // The same where it counts in a flight, which is granted two ticks more than it takes.
@@ -32,8 +57,8 @@ inline float roundedInFlight(const Problem& problem) {
 // Is anything so far up or down that jumps are higher, or falls longer, by what is rounded?
 inline bool isFarUp(const Problem& problem) {
   constexpr float kFar = 16384;  // studs: of places beyond, the last bit is a 512th of a stud
-  const float start = absf(problem.start.position.y);
-  return std::max({-problem.bounds.lo.y, problem.bounds.hi.y, start}) > kFar;
+  const Box all = allPlaces(problem);
+  return std::max(-all.lo.y, all.hi.y) > kFar;
 }
 
 }  // namespace obby::solve

@@ -139,7 +139,7 @@ class Builder {
     if (flags & kLeads) rise = std::max(rise, touchSlack(p_));
     if (!(flags & level::kTruss)) return rise;
     // Who climbs fast is past its top before the sensor misses it.
-    const float climbed = p_.climbSpeed * fastestWalk(level_) * p_.tickSeconds;
+    const float climbed = climb_ * p_.tickSeconds;
     return std::max(rise, climbed + kSlack - p_.climbLowest * p_.hipHeight);
   }
 
@@ -224,9 +224,7 @@ class Builder {
       s.down = std::max(-v.y, 0.0f);
       s.sideways = std::max(s.sideways, length(Vec3{v.x, 0, v.z}));
     }
-    if (flags & level::kTruss) {
-      s.thrown = std::max(s.thrown, s.upward + p_.climbSpeed * fastestWalk(level_));
-    }
+    if (s.carries && climb_ > 0) s.thrown = std::max(s.thrown, climbThrow(p_, climb_, s.upward));
     s.tilted = !(flags & level::kUpright) && s.carries;
     if (s.tilted) s.sideways = std::max(s.sideways, kSteepSpeed);
     if (s.carries && s.upward > 0) s.sprung = springThrow(p_, rise_, s.upward);
@@ -235,7 +233,7 @@ class Builder {
   const Problem& problem_;
   const level::LevelView& level_;
   const Params& p_;
-  const float rise_, unseen_ = unseenRise(problem_);
+  const float rise_, unseen_ = unseenRise(problem_), climb_ = fastestClimb(level_);
   std::vector<PartMotion> movers_;  // of the colliders that move, in their order
   std::vector<Box> seated_;         // torso and head of those who sit
   Vec3 heldSide_;
@@ -278,6 +276,11 @@ float fastestJump(const level::LevelView& level) {
     fastest = std::max(fastest, level::jumpSpeedUnder(level.clocks[i], level.params));
   }
   return fastest;
+}
+
+float fastestClimb(const level::LevelView& level) {
+  if (!(flagsOfAll(level) & level::kTruss)) return 0;
+  return level.params.climbSpeed * fastestWalk(level);
 }
 
 float slowestJump(const level::LevelView& level) {

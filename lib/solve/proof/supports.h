@@ -40,6 +40,8 @@ const char* unboundedPart(const level::LevelView& level);
 // Fastest walk, and launch speed of a jump, under all boosts of the level, studs/s.
 float fastestWalk(const level::LevelView& level);
 float fastestJump(const level::LevelView& level);
+// Likewise of a climb; 0: there is no truss.
+float fastestClimb(const level::LevelView& level);
 // Launch speed of a jump under the boost that is worst for it, studs/s.
 float slowestJump(const level::LevelView& level);
 
