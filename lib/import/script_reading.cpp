@@ -10,6 +10,7 @@
 #include "import/luau/parser.h"
 #include "import/luau/reader.h"
 #include "import/script_side.h"
+#include "import/words.h"
 
 namespace obby::importer {
 namespace {
@@ -56,12 +57,6 @@ bool hasParents(std::string_view text) {
   return false;
 }
 
-bool hasJoints(std::string_view text) {
-  return std::any_of(std::begin(kJointWords), std::end(kJointWords), [&](std::string_view word) {
-    return text.find(word) != std::string_view::npos;
-  });
-}
-
 // Signals of parts, and of zones as a module of many places makes them; lower case.
 constexpr std::string_view kTouches[] = {"touched", "playerentered", "localplayerentered",
                                          "partentered", "itementered"};
@@ -106,7 +101,7 @@ std::vector<ScriptReading> readScripts(const Tree& tree) {
     left -= share - budget;
     readings.back().lines = LineIndex(*source);
     readings.back().givesParents = hasParents(*source);
-    readings.back().makesJoints = hasJoints(*source);
+    readings.back().makesJoints = hasAny(*source, kJointWords);
   }
   return readings;
 }

@@ -63,6 +63,9 @@ struct ScriptEvent {
   bool unsure = false;  // under a condition that the text does not decide
   int line = 0;
   int onceLine = 0;  // of a touch: that of the flag which lets it come but once; 0: it comes again
+
+  // Of an amount that the text does not tell, too: `number` is NaN then, and nothing if it kills.
+  bool harms() const { return kind == EventKind::damage && !(number && *number <= 0); }
 };
 
 enum class Trigger {

@@ -203,8 +203,7 @@ std::optional<Effect> effectOf(RoleContext& context, const Timeline& timeline,
 void noteHarm(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
   if (!timeline.byItself() && !timeline.ofUnknownTouch()) return;
   for (const ScriptEvent& event : timeline.events) {
-    if (event.kind != EventKind::damage || event.target != kNoInstance) continue;
-    if (event.number && *event.number <= 0) continue;
+    if (!event.harms() || event.target != kNoInstance) continue;
     context.level.noteUnmodelled(
         "harm of a part that is not known", context.tree.path(reading.script),
         "no part does it; " + scriptReason(context.tree, reading, event.line));

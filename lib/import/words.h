@@ -27,4 +27,12 @@ std::string firstWordIn(std::string_view name, const List& list) {
   return {};
 }
 
+// Whether `text` has any of the `list` in it, as it stands there.
+template <class List>
+bool hasAny(std::string_view text, const List& list) {
+  return std::any_of(std::begin(list), std::end(list), [&](std::string_view one) {
+    return text.find(one) != std::string_view::npos;
+  });
+}
+
 }  // namespace obby::importer

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "import/format/color.h"
+
 namespace obby::importer {
 namespace {
 
@@ -71,12 +73,11 @@ const PaletteRow* findRow(int64_t number) {
 ColorRgb brickColor(int64_t number) {
   const PaletteRow* row = findRow(number);
   const uint32_t rgb = (row != nullptr ? row : findRow(kMediumStoneGrey))->rgb;
-  return {static_cast<uint8_t>(rgb >> 16), static_cast<uint8_t>(rgb >> 8),
-          static_cast<uint8_t>(rgb)};
+  return colorFromPacked(rgb);
 }
 
 std::optional<int64_t> brickColorNumber(ColorRgb color) {
-  const uint32_t rgb = uint32_t{color.r} << 16 | uint32_t{color.g} << 8 | uint32_t{color.b};
+  const uint32_t rgb = packedFrom(color);
   const auto* row = std::find_if(std::begin(kPalette), std::end(kPalette),
                                  [&](const PaletteRow& r) { return r.rgb == rgb; });
   return row == std::end(kPalette) ? std::nullopt : std::optional<int64_t>(row->number);

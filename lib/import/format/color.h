@@ -21,4 +21,9 @@ inline ColorRgb colorFromPacked(uint32_t packed) {
           static_cast<uint8_t>(packed)};
 }
 
+// The same back, 0x00RRGGBB.
+inline uint32_t packedFrom(ColorRgb color) {
+  return uint32_t{color.r} << 16 | uint32_t{color.g} << 8 | uint32_t{color.b};
+}
+
 }  // namespace obby::importer

@@ -101,9 +101,7 @@ Datum numberedColor(ColorRgb color) {
   return number ? numbered(*number) : Datum{};
 }
 
-Datum exactColor(ColorRgb color) {
-  return named(kExact, int64_t{color.r} << 16 | int64_t{color.g} << 8 | int64_t{color.b});
-}
+Datum exactColor(ColorRgb color) { return named(kExact, packedFrom(color)); }
 
 bool isColor(const Datum& datum) {
   const auto* library = datum.as<Library>();
@@ -111,8 +109,8 @@ bool isColor(const Datum& datum) {
 }
 
 Datum colorField(const Library& color, const std::string& name) {
-  if (const auto packed = numberIn(color, kExact))
-    return exactField(colorFromPacked(uint32_t(*packed)), name);
+  if (const auto rgb = numberIn(color, kExact))
+    return exactField(colorFromPacked(uint32_t(*rgb)), name);
   const int64_t number = numberIn(color, kNumbered).value_or(0);
   if (name == "Number") return {double(number)};
   if (name == "Color") return exactColor(brickColor(number));

@@ -75,9 +75,7 @@ Datum Reader::instanceField(InstanceId id, const std::string& spelled) {
   }
   if (auto now = tweenedValue(id, name)) return *now;
   if ((name == "BrickColor" || name == "Color") && tree_.isPart(id)) return colorOf(id, name);
-  if (isTurned(id, name)) return {};
-  const auto it = written_.find({id, name});
-  if (it != written_.end()) return it->second;
+  if (auto now = writtenField(id, name)) return *now;
   // While the script sets the place up, as of a colour: traps change it as they wake.
   if (name == "Material" && tree_.isPart(id) && followed_ == 0 && !timeline_.forever)
     return materialOf(instance);
@@ -91,7 +89,14 @@ Datum Reader::instanceField(InstanceId id, const std::string& spelled) {
   return {};
 }
 
-// A property, or "@" and an attribute, as the file has it; nothing: there is no such property.
+// A property, or "@" and an attribute, as the script has set it; nothing: as the file has it.
+std::optional<Datum> Reader::writtenField(InstanceId id, const std::string& name) const {
+  if (isTurned(id, name)) return Datum{};
+  const auto set = written_.find({id, name});
+  return set == written_.end() ? std::nullopt : std::optional<Datum>(set->second);
+}
+
+// The same as the file has it; nothing: there is no such property.
 std::optional<Datum> Reader::fileField(InstanceId id, const std::string& name) const {
   const Instance& instance = tree_.at(id);
   if (name.rfind('@', 0) == 0) {
@@ -211,9 +216,8 @@ Datum Reader::instanceMethod(InstanceId id, const std::string& name,
   }
   if (name == "GetAttribute" && text) {
     const std::string key = "@" + *text;
-    if (isTurned(id, key)) return {};
-    const auto set = written_.find({id, key});
-    return set != written_.end() ? set->second : fileField(id, key).value_or(Datum{});
+    if (auto now = writtenField(id, key)) return *now;
+    return fileField(id, key).value_or(Datum{});
   }
   const InstanceId own = tree_.isPart(id) ? id : kNoInstance;
   if (name == "GetPivot" || name == "GetPrimaryPartCFrame" || name == "GetModelCFrame") {

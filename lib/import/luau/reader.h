@@ -195,6 +195,7 @@ class Reader {
 
   // instances.cpp: what instances answer
   Datum instanceField(InstanceId id, const std::string& name);
+  std::optional<Datum> writtenField(InstanceId id, const std::string& name) const;
   std::optional<Datum> fileField(InstanceId id, const std::string& name) const;
   Datum colorOf(InstanceId id, const std::string& name) const;
   Datum instanceMethod(InstanceId id, const std::string& name, const std::vector<Datum>& arguments,

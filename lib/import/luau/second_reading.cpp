@@ -2,7 +2,7 @@
 // may be on, and a trap awake. Of that only the harm counts, and nothing that it sets or connects.
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "import/luau/reader.h"
+#include "import/words.h"
 
 namespace obby::importer::luau {
 namespace {
@@ -20,15 +21,11 @@ constexpr size_t kStepsAgain = 100000;  // of a script: the first readings of ot
 constexpr std::string_view kHarmWords[] = {"Health",      "TakeDamage",    "BreakJoints",
                                            "breakJoints", "LoadCharacter", "StateType.Dead"};
 
-bool isHarm(const ScriptEvent& event) {
-  return event.kind == EventKind::damage && !(event.number && *event.number <= 0);
-}
-
 // Of what a handler does the harm alone. A line that gives health gives another amount, maybe.
 Timeline harmOf(Timeline timeline, const std::set<int>& heals) {
   std::erase_if(timeline.events, [&](const ScriptEvent& event) {
     const bool untold = event.number && std::isnan(*event.number);
-    return !isHarm(event) || (untold && heals.count(event.line) > 0);
+    return !event.harms() || (untold && heals.count(event.line) > 0);
   });
   timeline.again = true;
   timeline.forever = false;
@@ -40,17 +37,14 @@ Timeline harmOf(Timeline timeline, const std::set<int>& heals) {
 
 bool Reader::mentionsHarm() const {
   const auto* source = property<std::string>(tree_.at(reading_.script), "Source");
-  if (!source) return false;
-  return std::any_of(std::begin(kHarmWords), std::end(kHarmWords), [&](std::string_view word) {
-    return source->find(word) != std::string::npos;
-  });
+  return source && hasAny(*source, kHarmWords);
 }
 
 // After the first reading of a handler.
 void Reader::keepHarmless(const Pending& pending) {
   if (again_ || !mayHarm_ || lower(pending.signal) != "touched") return;
   const auto& events = timeline_.events;
-  if (std::any_of(events.begin(), events.end(), isHarm)) return;
+  if (std::any_of(events.begin(), events.end(), std::mem_fn(&ScriptEvent::harms))) return;
   harmless_.push_back(pending);
   for (const ScriptEvent& event : events)
     if (event.kind == EventKind::damage && event.number.value_or(0) < 0) heals_.insert(event.line);

@@ -97,11 +97,11 @@ Kill stated(const Tree& tree, InstanceId id, Kill fallback) {
 void giveHarm(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
   const bool touch = timeline.trigger == Trigger::touch;
   for (const ScriptEvent& hit : timeline.events) {
-    if (hit.kind != EventKind::damage) continue;
+    if (!hit.harms()) continue;
     PartDraft* part = context.part(touch ? timeline.touched : hit.target);
     const double damage = hit.number.value_or(std::numeric_limits<double>::infinity());
     const bool untold = std::isnan(damage);
-    if (!part || !(damage > 0 || untold)) continue;
+    if (!part) continue;
     const float amount = std::isfinite(damage) ? std::min(float(damage), kAll)
                                                : std::max(100.0f, context.level.world.maxHealth);
     const double wait = touch ? timeline.end - hit.time : timeline.period;

@@ -6,6 +6,7 @@
 
 #include "sim/body.h"
 #include "solve/proof/braked_fall.h"
+#include "solve/proof/felt_floor.h"
 
 namespace obby::solve {
 
@@ -18,8 +19,7 @@ inline float flushDepth(const Params& p) {
 
 // How far above a floor the legs keep it.
 inline float floorReach(const Params& p) {
-  const float reach = p.floorReachBase * p.rootHeight + farthestFloor(p) * p.hipHeight;
-  const float kept = std::max(reach - sim::rayHeight(p), 0.0f);
+  const float kept = std::max(feltAtRest(p), 0.0f);
   // Who falls fast feels a floor from far above it. Being Landed lasts until they are down; without
   // it they may jump up there, as who is Running still, for so long after the last floor.
   const float graced = p.gravity * float(p.graceTicks) * p.tickSeconds;

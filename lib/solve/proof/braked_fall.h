@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/floor.h"
+#include "solve/proof/felt_floor.h"
 
 namespace obby::solve {
 
@@ -13,10 +13,7 @@ inline int landedTicksOf(const Params& p) { return std::min(int(p.landedTicks), 
 
 class BrakedFall {
  public:
-  explicit BrakedFall(const Params& p)
-      : p_(p),
-        kept_(p.floorReachBase * p.rootHeight + farthestFloor(p) * p.hipHeight -
-              sim::rayHeight(p)) {}
+  explicit BrakedFall(const Params& p) : p_(p), kept_(feltAtRest(p)) {}
 
   // Studs from the floor up to the feet as they have been Landed for long enough to jump, or up to
   // where somebody at rest is who falls no sooner than they do. 0: no more than the legs keep
@@ -50,7 +47,7 @@ class BrakedFall {
   template <class Look>
   void forFalls(Look&& look) const {
     for (int i = 1; i <= kSpeeds; ++i) {
-      const float fall = p_.maxFallSpeed * (float(i) / kSpeeds), farthest = lookAt(fall);
+      const float fall = p_.maxFallSpeed * (float(i) / kSpeeds), farthest = feltInFall(p_, fall);
       for (int k = 1; k <= kGaps; ++k) look(farthest * (float(k) / kGaps), fall);
     }
   }
@@ -63,11 +60,6 @@ class BrakedFall {
       gap += speed * p_.substepSeconds + a * (0.5f * p_.substepSeconds * p_.substepSeconds);
       speed += a * p_.substepSeconds;
     }
-  }
-
-  // How far below the feet a floor is felt by somebody who falls, studs.
-  float lookAt(float fall) const {
-    return std::max(kept_, fall * p_.tickSeconds) + std::max(fall - p_.fastFall, 0.0f) * 0.01f;
   }
 
   // From where somebody at rest is on the legs as late as who is there so fast after the tick that
@@ -84,7 +76,7 @@ class BrakedFall {
     float speed = -fall, rest = 0;
     for (int tick = 0; tick <= landedTicksOf(p_); ++tick) {
       if (!(gap > kept_)) return rest;  // on the legs
-      pass(gap, speed, gap <= lookAt(-speed), 0);
+      pass(gap, speed, gap <= feltInFall(p_, -speed), 0);
       if (tick == 0 && gap > kept_) rest = restAt(gap, -speed);
     }
     return gap > kept_ ? std::max(gap, rest) : rest;

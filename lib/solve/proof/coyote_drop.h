@@ -33,13 +33,8 @@ class CoyoteDrop {
   static constexpr int kFiner = 32;        // substeps are cut up where fast bodies meet parts
 
   float deepestAfter(float fall) const {
-    const float under = sim::rayHeight(p_);
-    const float kept = p_.floorReachBase * p_.rootHeight + farthestFloor(p_) * p_.hipHeight - under;
-    const float look =
-        std::max(kept, fall * p_.tickSeconds) + std::max(fall - p_.fastFall, 0.0f) * 0.01f;
-    const float least = std::min({p_.bodyWidth, p_.bodyDepth, p_.bodyTop - p_.hipHeight});
-    const float more = std::max(sim::mostDrive(p_), p_.gravity) * p_.tickSeconds;
-    const bool cut = (fall + more) * p_.substepSeconds > 0.45f * least;
+    const float under = sim::rayHeight(p_), look = feltInFall(p_, fall);
+    const bool cut = cutsInFall(p_, fall, p_.hipHeight) > 1;
     float deepest = 0;
     for (int i = 0; i <= kGaps; ++i) {
       const float gap = (look + under) * (float(i) / kGaps) - under;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/body.h"
+#include "solve/proof/felt_floor.h"
 #include "solve/query/problem.h"
 
 namespace obby::solve {
@@ -30,9 +30,7 @@ inline Box allPlaces(const Problem& problem) {
 inline float mostPieces(const level::LevelView& level) {
   const Params& p = level.params;
   const float fastest = std::max(p.maxFallSpeed, level.maxSideSpeed);
-  const float more = std::max(sim::mostDrive(p), p.gravity) * p.tickSeconds;
-  const float safe = 0.45f * std::min({p.bodyWidth, p.bodyDepth, p.bodyTop - p.headBottom});
-  const float pieces = std::ceil((fastest + more) * p.substepSeconds / safe);
+  const float pieces = std::ceil(cutsInFall(p, fastest, p.headBottom));
   return std::clamp(pieces, 5.0f, float(sim::kMostSplits));
 }
 
