@@ -37,7 +37,8 @@ Run::Run(Loop& loop, Process process, std::string input, OnLine onOutput, OnLine
 
 kj::Promise<void> Run::feed() {
   // A program that ends before it has read everything is no error here: its exit says what was.
-  return input_->write(text_.data(), text_.size())
+  // Of one that has ended already, write throws at once.
+  return kj::evalNow([this] { return input_->write(text_.data(), text_.size()); })
       .catch_([](kj::Exception&&) {})
       .then([this] {
         input_ = nullptr;

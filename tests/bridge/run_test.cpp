@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <kj/async-io.h>
+#include <poll.h>
 
 #include <new>
 #include <string>
@@ -37,6 +38,18 @@ TEST(Run, a_program_whose_lines_cannot_be_taken_is_ended) {
   EXPECT_EQ(taken, "");
   EXPECT_EQ(endOf("echo a; echo b", takes, fails), "");
   EXPECT_EQ(taken, "ab");
+}
+
+TEST(Run, a_program_that_ends_before_its_input_comes_is_no_failure) {
+  kj::AsyncIoContext async = kj::setupAsyncIo();
+  Loop loop{*async.lowLevelProvider, async.unixEventPort, async.provider->getTimer()};
+  auto process = Process::start({"/bin/sh", {"-c", "exit 11"}, 0, 0});
+  ASSERT_TRUE(process) << process.error().text();
+  pollfd exited{process->exitFd(), POLLIN, 0};
+  ASSERT_EQ(poll(&exited, 1, 60000), 1);  // milliseconds
+  const auto ignored = [](std::string_view) {};
+  bridge::Run run(loop, *std::move(process), "input", ignored, ignored);
+  EXPECT_EQ(run.done().wait(async.waitScope).code, 11);
 }
 
 }  // namespace
