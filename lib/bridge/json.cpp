@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/spelling.h"
 #include "io/text.h"
 #include "io/utf8.h"
 
@@ -123,7 +124,7 @@ Result<std::string> jsonString(const JsonTree& tree, const Node& node, const std
 
 Error unknownMember(const std::string& path, std::string_view name,
                     const std::vector<std::string>& known) {
-  const std::string near = io::nearest(name, known);
+  const std::string near = nearestName(name, known);
   const std::string where = path.empty() ? io::quoted(name) : path + "." + io::quoted(name);
   return pathError(where, "unknown",
                    near.empty() ? fmt::format("known are {}", fmt::join(known, ", "))

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <thread>
 
+#include "base/spelling.h"
 #include "bridge/json.h"
 #include "bridge/order.h"
 #include "bridge/service.h"
@@ -27,7 +28,7 @@ std::optional<Reply> addOwnQueries(const StoredLevel& level, const std::vector<s
   for (const std::string& wanted : ask) {
     const auto found = std::find(ids.begin(), ids.end(), wanted);
     if (found == ids.end()) {
-      const std::string near = io::nearest(wanted, ids);
+      const std::string near = nearestName(wanted, ids);
       return refuse(404, "the level has no query " + io::quoted(wanted),
                     near.empty() ? "POST /v1/levels names them" : "did you mean " + near + "?");
     }

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "base/spelling.h"
 #include "io/text.h"
 #include "loopback/sender.h"
 #include "loopback/target.h"
@@ -16,8 +17,6 @@ namespace {
 constexpr uint64_t kMaxCursor = (uint64_t(1) << 53) - 1;  // what a JSON number can say
 constexpr uint64_t kMaxWait = 3600;                       // the service waits less: limits.h
 constexpr size_t kMaxTarget = 512;
-
-using io::lower;
 
 bool allOf(std::string_view text, std::string_view allowed) {
   return text.find_first_not_of(allowed) == std::string_view::npos;

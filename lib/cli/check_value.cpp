@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/spelling.h"
 #include "io/text.h"
 
 namespace obby::cli {
@@ -47,7 +48,7 @@ std::optional<std::string> checkChoice(const OptionRow& row, const std::string& 
   if (contains(row.choices, text)) return std::nullopt;
   std::string out =
       fmt::format("expected one of {}, found {}", fmt::join(row.choices, ", "), io::quoted(text));
-  const std::string near = io::nearest(text, row.choices);
+  const std::string near = nearestName(text, row.choices);
   return near.empty() ? out : fmt::format("{} (did you mean {}?)", out, near);
 }
 

@@ -105,9 +105,9 @@ std::string helpText(const ToolSpec& spec, const std::vector<OptionRow>& rows) {
   out += "\n" +
          wrapped(
              "Every option can also be set by a variable (OBBY_SEED for --seed) or in "
-             "the --config file; the command line comes first, then variables. What would do "
-             "nothing beside the other options is refused where it is typed, and passed over "
-             "where it is set so.",
+             "the --config file; the command line counts before variables, and these before the "
+             "file. What would do nothing beside the other options is refused where it is typed, "
+             "and passed over where it is set so.",
              0, 0) +
          "\n";
   if (!spec.notes.empty()) out += "\n" + paragraphs(spec.notes);

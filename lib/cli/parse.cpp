@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "base/spelling.h"
 #include "io/text.h"
 
 namespace obby::cli {
@@ -58,7 +59,7 @@ Error unknownArgument(const std::string& text, const std::vector<OptionRow>& row
   const std::string name = text.substr(0, text.find('='));
   std::vector<std::string> known;
   for (const OptionRow& row : rows) known.push_back("--" + row.name);
-  const std::string near = name.size() > 2 ? io::nearest(name, known) : "";
+  const std::string near = name.size() > 2 ? nearestName(name, known) : "";
   return optionError(name, "unknown option",
                      near.empty() ? "see " + spec.name + " --help" : "did you mean " + near + "?");
 }

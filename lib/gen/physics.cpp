@@ -3,7 +3,7 @@
 #include <capnp/dynamic.h>
 #include <capnp/message.h>
 
-#include "io/text.h"
+#include "base/spelling.h"
 #include "level/level.h"
 #include "level/record_values.h"
 
@@ -22,7 +22,7 @@ Status setPhysics(schema::PhysicsParams::Builder to, const std::vector<NamedNumb
       found = true;
     }
     if (!found) {
-      const std::string near = io::nearest(change.name, names);
+      const std::string near = nearestName(change.name, names);
       return level::pathError("physics." + change.name, "there is no such physics parameter",
                               near.empty() ? "obby-gen --schema lists them under PhysicsParams"
                                            : "did you mean " + near + "?");

@@ -6,10 +6,10 @@
 #include <functional>
 #include <unordered_set>
 
+#include "base/spelling.h"
 #include "gen/recipe.h"
 #include "gen/styles.h"
 #include "io/json_tree.h"
-#include "io/text.h"
 #include "level/record_values.h"
 
 namespace obby::gen {
@@ -39,7 +39,7 @@ class Reader {
         if (tree_.name(member) == key.name) return key.take(member, here);
         names.emplace_back(key.name);
       }
-      const std::string near = io::nearest(tree_.name(member), names);
+      const std::string near = nearestName(tree_.name(member), names);
       return pathError(here, "unknown key",
                        near.empty() ? fmt::format("known are {}", fmt::join(names, ", "))
                                     : "did you mean " + near + "?");

@@ -1,5 +1,6 @@
 #include "gen/styles.h"
 
+#include "base/spelling.h"
 #include "gen/styles/all.h"
 #include "io/text.h"
 #include "level/record_values.h"
@@ -27,7 +28,7 @@ Error unknown(const Rows& rows, std::string_view name, const std::string& path, 
               std::string list) {
   std::vector<std::string> names;
   for (const auto& row : rows) names.emplace_back(row.name);
-  const std::string near = io::nearest(name, names);
+  const std::string near = nearestName(name, names);
   return level::pathError(path, std::move(what),
                           near.empty() ? std::move(list) : "did you mean " + near + "?");
 }

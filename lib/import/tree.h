@@ -9,8 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/spelling.h"
 #include "import/document.h"
-#include "io/text.h"
 
 namespace obby::importer {
 
@@ -61,7 +61,6 @@ class Tree {
   std::map<std::string, InstanceId, std::less<>> services_, roots_;  // by class, by name: the first
 };
 
-using io::lower;
 // True if `word` is in `text`, both lower case.
 bool containsWord(std::string_view text, std::string_view word);
 // The first whole number in a text ("Checkpoint 12" is 12).

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/spelling.h"
 #include "io/json_decode.h"
 #include "io/json_encode.h"
 #include "io/text.h"
@@ -41,7 +42,7 @@ Result<std::string_view> typeOf(const JsonTree& tree) {
 
 // Empty: no kind is called nearly so.
 std::string hintFor(std::string_view type) {
-  const std::string near = nearest(type, recordPlan().names());
+  const std::string near = nearestName(type, recordPlan().names());
   return near.empty() ? near : fmt::format("did you mean \"{}\"?", near);
 }
 

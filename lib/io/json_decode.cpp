@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "io/text.h"
+#include "base/spelling.h"
 
 namespace obby::io {
 namespace {
@@ -59,7 +59,7 @@ void JsonDecoder::passOver(const StructPlan& plan, const Path& path) {
   if (misspelt_ == nullptr || misspelt_->size() == kMost || strange_.size() == kMostStrange) return;
   std::pair<const StructPlan*, std::string> asked(&plan, path.name);
   if (strange_.contains(asked)) return;
-  const std::string near = nearest(path.name, plan.names());
+  const std::string near = nearestName(path.name, plan.names());
   if (near.empty()) {
     strange_.insert(std::move(asked));
     return;
@@ -250,7 +250,7 @@ bool JsonDecoder::enumerant(const TypePlan& type, const Node& node, const Path& 
       return true;
     }
   }
-  const std::string near = nearest(text, enumerants(type.names));
+  const std::string near = nearestName(text, enumerants(type.names));
   return fail(path, fmt::format("expected {}, found {}", expectation(type), tree_.describe(node)),
               near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));
 }

@@ -29,7 +29,8 @@ Error strangeBytes(std::string_view begin) {
       begin.substr(0, 4) == kZip)
     return makeError("expected a stream of records, found compressed data", "decompress it first");
   return makeError(fmt::format("expected JSON lines or Cap'n Proto messages, found {}",
-                               quoted(begin.substr(0, 8))));
+                               quoted(begin.substr(0, 8))),
+                   "obby-import makes records of place files, obby-gen makes levels");
 }
 
 }  // namespace

@@ -3,29 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "io/utf8.h"
 
 namespace obby::io {
-namespace {
-
-size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), size_t(0));
-  for (size_t i = 1; i <= a.size(); i++) {
-    size_t diagonal = row[0];
-    row[0] = i;
-    for (size_t j = 1; j <= b.size(); j++) {
-      const size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-}  // namespace
 
 size_t utf8Length(std::string_view s) {
   const auto byte = [&](size_t i) { return i < s.size() ? uint8_t(s[i]) : uint8_t(0); };
@@ -57,13 +38,6 @@ bool isUtf8(std::string_view text) {
 
 std::string_view withoutByteOrderMark(std::string_view text) {
   return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
-}
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-  return out;
 }
 
 size_t notInXml(std::string_view text) {
@@ -110,20 +84,6 @@ void appendJsonString(std::string& out, std::string_view text) {
     }
   }
   out += '"';
-}
-
-std::string nearest(std::string_view text, const std::vector<std::string>& choices) {
-  std::string best;
-  size_t least = std::max<size_t>(1, text.size() / 3) + 1;
-  if (text.size() > 100) return best;
-  for (const std::string& choice : choices) {
-    const size_t distance = editDistance(text, choice);
-    if (distance < least) {
-      least = distance;
-      best = choice;
-    }
-  }
-  return best;
 }
 
 std::string quoted(std::string_view text, size_t limit) {

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace obby::io {
 
@@ -19,9 +18,6 @@ inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 // `text` without the byte order mark at its start, if it has one.
 std::string_view withoutByteOrderMark(std::string_view text);
 
-// Lower case of ASCII letters; other bytes unchanged.
-std::string lower(std::string_view text);
-
 // Bytes of what stands at the start of UTF-8 `text` and no XML can hold, not even by its number: a
 // control character other than tab and the ends of lines, U+FFFE, U+FFFF. 0: XML can hold it.
 size_t notInXml(std::string_view text);
@@ -31,9 +27,6 @@ std::string escapeMarkup(std::string_view text);
 
 // Appends `text` as a JSON string with its quotes. `text` must be UTF-8.
 void appendJsonString(std::string& out, std::string_view text);
-
-// The choice nearest to `text` if it is near enough to be meant; else empty.
-std::string nearest(std::string_view text, const std::vector<std::string>& choices);
 
 // `text` for an error line, as a JSON string cut after `limit` bytes: characters of isControl()
 // escaped, '?' for a byte that is no UTF-8.

@@ -6,9 +6,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <string_view>
-#include <utility>
+#include <unordered_set>
 
+#include "base/spelling.h"
 #include "level/record_values.h"
 
 namespace obby::level {
@@ -20,12 +20,6 @@ constexpr float kGrowUp = 0.5f;     // studs
 constexpr float kGrowSide = 1;      // studs
 constexpr float kStandingRoom = 5;  // studs
 
-std::string lower(std::string_view of) {
-  std::string text(of);
-  for (char& c : text) c = char(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  return text;
-}
-
 std::string listParts(schema::Level::Reader level, const std::vector<uint32_t>& parts) {
   std::string text;
   for (size_t i = 0; i < std::min(parts.size(), kShown); ++i) {
@@ -34,29 +28,48 @@ std::string listParts(schema::Level::Reader level, const std::vector<uint32_t>& 
   return parts.size() > kShown ? fmt::format("{}, and {} more", text, parts.size() - kShown) : text;
 }
 
-// Parts whose path has the text in it, in lower case, for a hint.
-std::string similarParts(schema::Level::Reader level, const std::string& wanted) {
+// Names that may be meant by `wanted`, all in lower case: those that have it in them; or else all
+// that are spelled as the nearest one.
+std::vector<uint32_t> similarNames(const std::vector<std::string>& names,
+                                   const std::string& wanted) {
   std::vector<uint32_t> similar;
-  uint32_t i = 0;
-  for (const auto part : level.getParts()) {
-    const bool has = !wanted.empty() && lower(pathOf(part)).find(wanted) != std::string::npos;
-    if (has) similar.push_back(i);
-    ++i;
+  if (wanted.empty()) return similar;
+  for (uint32_t i = 0; i < names.size(); ++i) {
+    if (names[i].find(wanted) != std::string::npos) similar.push_back(i);
   }
-  return listParts(level, similar);
+  if (!similar.empty()) return similar;
+  const std::string near = nearestName(wanted, names);
+  for (uint32_t i = 0; !near.empty() && i < names.size(); ++i) {
+    if (names[i] == near) similar.push_back(i);
+  }
+  return similar;
 }
 
-// The first few tags that have the text in them, in lower case, for a hint.
+// Parts that may be meant, for a hint: by their names, or else by their paths.
+std::string similarParts(schema::Level::Reader level, const std::string& wanted) {
+  std::vector<std::string> names, paths;
+  for (const auto part : level.getParts()) {
+    names.push_back(lower(part.getName().cStr()));
+    paths.push_back(lower(pathOf(part)));
+  }
+  const auto has = [&](const std::string& path) { return path.find(wanted) != std::string::npos; };
+  const bool inPath = std::any_of(paths.begin(), paths.end(), has);
+  return listParts(level, similarNames(inPath ? paths : names, wanted));
+}
+
+// Tags that may be meant, for a hint.
 std::string similarTags(schema::Level::Reader level, const std::string& wanted) {
-  std::vector<std::string> similar;
+  std::vector<std::string> tags, lowered, similar;
+  std::unordered_set<std::string> seen;
   for (const auto part : level.getParts()) {
     for (const auto tag : part.getTags()) {
-      std::string text = "#" + std::string(tag.cStr(), tag.size());
-      if (wanted.empty() || lower(text).find(wanted, 1) == std::string::npos) continue;
-      if (std::find(similar.begin(), similar.end(), text) != similar.end()) continue;
-      similar.push_back(std::move(text));
-      if (similar.size() == kShown) return fmt::format("{}", fmt::join(similar, ", "));
+      if (!seen.emplace(tag.cStr()).second) continue;
+      tags.push_back("#" + std::string(tag.cStr()));
+      lowered.push_back(lower(tag.cStr()));
     }
+  }
+  for (const uint32_t tag : similarNames(lowered, wanted)) {
+    if (similar.size() < kShown) similar.push_back(tags[tag]);
   }
   return fmt::format("{}", fmt::join(similar, ", "));
 }

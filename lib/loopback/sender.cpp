@@ -4,12 +4,12 @@
 
 #include <string>
 
-#include "io/text.h"
+#include "base/spelling.h"
 
 namespace obby::loopback {
 
 bool hostAllowed(std::string_view host, uint16_t port) {
-  const std::string found = io::lower(host);
+  const std::string found = lower(host);
   for (const char* name : {"127.0.0.1", "localhost", "[::1]"}) {
     if (found == fmt::format("{}:{}", name, port)) return true;
     if (port == 80 && found == name) return true;
@@ -19,7 +19,7 @@ bool hostAllowed(std::string_view host, uint16_t port) {
 
 bool originIsOwn(std::string_view origin, uint16_t port) {
   constexpr std::string_view kScheme = "http://";
-  return io::lower(origin.substr(0, kScheme.size())) == kScheme &&
+  return lower(origin.substr(0, kScheme.size())) == kScheme &&
          hostAllowed(origin.substr(kScheme.size()), port);
 }
 

@@ -48,12 +48,15 @@ TEST_F(SelectTest, SeveralMatchesAreListed) {
 TEST_F(SelectTest, NoMatchSuggestsSimilarNames) {
   EXPECT_THAT(error("lav"), HasSubstr("similar: part:1 Workspace/S1/Lava"));
   EXPECT_THAT(error("nothing"), HasSubstr("part:INDEX"));
+  EXPECT_THAT(error("Basse"), HasSubstr("similar: part:0 Base")) << "a slip of the fingers";
+  EXPECT_THAT(error("Lavva"), HasSubstr("part:1 Workspace/S1/Lava, part:2 Workspace/S2/Lava"));
   EXPECT_THAT(error("part:9"), HasSubstr("parts 0 to 3"));
 }
 
 TEST_F(SelectTest, NoMatchOfATagSuggestsSimilarTags) {
   EXPECT_THAT(error("#kill"), HasSubstr("(similar: #Kill)"));
   EXPECT_THAT(error("#O"), HasSubstr("(similar: #Hot)"));
+  EXPECT_THAT(error("#Kil1"), HasSubstr("(similar: #Kill)"));
   EXPECT_THAT(error("#"), HasSubstr("part:INDEX"));
 }
 

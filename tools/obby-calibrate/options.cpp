@@ -88,7 +88,7 @@ cli::ToolSpec calibrateSpec() {
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   spec.notes =
       "Writes a params record, and metrics with each parameter's interval and each recording's "
-      "error. Levels and recordings are used up, other records pass.";
+      "error. Levels and recordings are not passed on, other records are.";
   return spec;
 }
 

@@ -16,7 +16,7 @@ OptionRow flag(const char* name, const char* help) {
 }
 
 OptionRow nameRow() {
-  OptionRow row = flag("name", "Name of the level (default: the file's name)");
+  OptionRow row = flag("name", "name of the level [default: the file's name]");
   row.type = ValueType::text;
   row.value = "NAME";
   return row;
@@ -27,7 +27,7 @@ OptionRow nameRow() {
 cli::ToolSpec importSpec() {
   cli::ToolSpec spec;
   spec.name = "obby-import";
-  spec.summary = "Turns Roblox place and model files into levels and queries";
+  spec.summary = "turn Roblox place and model files into levels and queries";
   spec.examples = {
       {"A place file as records: the level and a query for each stage",
        "obby-import first-steps.rbxlx"},
@@ -47,14 +47,15 @@ cli::ToolSpec importSpec() {
       cli::commonRow(cli::Common::format),
       cli::commonRow(cli::Common::onError),
       nameRow(),
-      flag("no-queries", "Write the level only, no query for each stage"),
-      flag("explain", "Print a table of parts, roles and evidence instead of records"),
+      flag("no-queries", "write the level only, no query for each stage"),
+      flag("explain", "print a table of parts, roles and evidence instead of records"),
   };
   spec.inputHelp = "place and model files (.rbxl, .rbxlx, .rbxm, .rbxmx) or streams of records";
   spec.notes =
       "The format of an input is told by its content, not by its name. Scripts in a place are "
       "read, "
-      "never executed.";
+      "never executed. Where a part is taken for something else than it is, a tag sets it right "
+      "(docs/import.md).";
   return spec;
 }
 

@@ -17,7 +17,7 @@ using cli::ValueType;
 
 constexpr const char* kQueryGroup = "Asking on the command line";
 constexpr const char* kSearchGroup = "Search";
-constexpr const char* kAnsweredGroup = "Streams that are answered: nothing is searched";
+constexpr const char* kAnsweredGroup = "Checking and choosing among answers (nothing is searched)";
 
 OptionRow methodRow() {
   OptionRow r = row("method", ValueType::choice, "", "auto", "", kSearchGroup);
@@ -188,9 +188,9 @@ cli::ToolSpec solveSpec() {
   spec.notes =
       "A PLACE is a part's name, path or the end of its path, GUID, #TAG or part:INDEX, or a box "
       "x,y,z,sx,sy,sz (centre and size in studs); touch:PART means that the part itself is to be "
-      "touched. Queries asked on the command line replace those "
-      "of the stream. A level without any query is asked for the way from its spawn to its goal or "
-      "last checkpoint.\n\n"
+      "touched. A query asked on the command line is answered in place of those of the stream, "
+      "which pass unanswered. A level without any query is asked for the way from its spawn to its "
+      "goal or last checkpoint.\n\n"
       "The answer to a query depends on the stream, --seed, --max-steps, --solutions, --attempts, "
       "--diverse, --trials, --method and the files of --policy and --warm only, never on "
       "--threads, --backend or the machine; progress records and "

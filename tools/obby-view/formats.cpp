@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/text.h"
+#include "base/spelling.h"
 #include "options.h"
 #include "view/page.h"
 #include "view/picture/drawing.h"
@@ -67,7 +67,7 @@ constexpr ViewFormat kFormats[] = {
 bool endsIn(const std::string& path, const std::string& endings) {
   const size_t dot = path.find_last_of("./");
   if (dot == std::string::npos || path[dot] != '.') return false;
-  return endings.find(io::lower(path.substr(dot)) + " ") != std::string::npos;
+  return endings.find(lower(path.substr(dot)) + " ") != std::string::npos;
 }
 
 }  // namespace

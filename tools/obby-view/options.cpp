@@ -82,7 +82,7 @@ std::vector<OptionRow> liveRows() {
 cli::ToolSpec viewSpec() {
   cli::ToolSpec spec;
   spec.name = "obby-view";
-  spec.summary = "Show levels, verdicts and trajectories in a browser or in the terminal";
+  spec.summary = "show levels, verdicts and trajectories in a browser or in the terminal";
   spec.examples = {
       {"Write a page that opens in any browser, without a network",
        "obby-import first-steps.rbxlx | obby-solve | obby-view -o report.html"},
