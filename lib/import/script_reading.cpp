@@ -1,12 +1,16 @@
-// Which scripts of a place run, and their readings.
+// Which scripts of a place run, and their readings: all of them, and then once more those whose
+// handlers have asked for what others set.
 #include "import/script_reading.h"
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <string_view>
+#include <utility>
 
 #include "import/classes.h"
 #include "import/format/class_defaults.h"
+#include "import/luau/changes.h"
 #include "import/luau/parser.h"
 #include "import/luau/reader.h"
 #include "import/script_side.h"
@@ -74,6 +78,64 @@ std::string shortened(std::string_view line) {
   return code;
 }
 
+// The scripts of a place, within one budget of steps.
+class PlaceReader {
+ public:
+  explicit PlaceReader(const Tree& tree) : tree_(tree) {}
+
+  ScriptReading readFirst(InstanceId script, const std::string& source) {
+    ScriptReading reading = follow(script, source, nullptr);
+    reading.lines = LineIndex(source);
+    reading.givesParents = hasParents(source);
+    reading.makesJoints = hasAny(source, kJointWords);
+    return reading;
+  }
+
+  // After all first readings. Of this one the harm alone counts that a handler may do by then.
+  void readAgain(ScriptReading& reading) {
+    if (!isReached(reading.script)) return;
+    const auto* source = property<std::string>(tree_.at(reading.script), "Source");
+    ScriptReading now = follow(reading.script, *source, &changes_);
+    const auto isAgain = [](const Timeline& timeline) { return timeline.again; };
+    if (!now.cutAgain) std::erase_if(reading.timelines, isAgain);  // else the first may have more
+    reading.cutAgain = reading.cutAgain || now.cutAgain;
+    for (Timeline& timeline : now.timelines)
+      if (isAgain(timeline)) reading.timelines.push_back(std::move(timeline));
+  }
+
+ private:
+  // `changes`: of all scripts; null: some have not been read.
+  ScriptReading follow(InstanceId script, const std::string& source, const luau::Changes* changes) {
+    const luau::Chunk chunk = luau::parse(source);
+    const size_t share = std::min(kScriptSteps, left_);
+    size_t budget = share;
+    luau::Reader reader(tree_, script, budget, changes);
+    ScriptReading reading = reader.read(chunk);
+    left_ -= share - budget;
+    if (changes) {
+      reading.cutAgain = reading.cutAgain || budget == 0;  // maybe before it came to that
+      return reading;
+    }
+    changes_.add(reader.changed(), script, runsOnClient(tree_.at(script)));
+    if (!reader.asked().empty()) asked_.emplace(script, reader.asked());
+    return reading;
+  }
+
+  // Whether a handler of the script has asked for what another script sets.
+  bool isReached(InstanceId script) const {
+    const auto asked = asked_.find(script);
+    if (asked == asked_.end()) return false;
+    const bool onClient = runsOnClient(tree_.at(script));
+    return std::any_of(asked->second.begin(), asked->second.end(),
+                       [&](const luau::Key& key) { return changes_.reach(key, script, onClient); });
+  }
+
+  const Tree& tree_;
+  size_t left_ = kPlaceSteps;
+  luau::Changes changes_;
+  std::map<InstanceId, luau::Keys> asked_;  // by script
+};
+
 }  // namespace
 
 bool Timeline::ofUnknownTouch() const {
@@ -88,21 +150,15 @@ bool isInStarterCharacter(const Tree& tree, InstanceId id) {
 }
 
 std::vector<ScriptReading> readScripts(const Tree& tree) {
+  PlaceReader reader(tree);
   std::vector<ScriptReading> readings;
-  size_t left = kPlaceSteps;
   for (InstanceId id = 0; id < tree.size(); ++id) {
     if (!isScriptClass(tree.at(id).className) || !runs(tree, id)) continue;
     const auto* source = property<std::string>(tree.at(id), "Source");
     if (!source || source->empty() || source->size() > kMaxSource) continue;
-    const luau::Chunk chunk = luau::parse(*source);
-    const size_t share = std::min(kScriptSteps, left);
-    size_t budget = share;
-    readings.push_back(luau::Reader(tree, id, budget).read(chunk));
-    left -= share - budget;
-    readings.back().lines = LineIndex(*source);
-    readings.back().givesParents = hasParents(*source);
-    readings.back().makesJoints = hasAny(*source, kJointWords);
+    readings.push_back(reader.readFirst(id, *source));
   }
+  for (ScriptReading& reading : readings) reader.readAgain(reading);
   return readings;
 }
 

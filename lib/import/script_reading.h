@@ -121,6 +121,7 @@ struct ScriptReading {
 };
 
 // Reads every enabled script that runs in the place. Disabled ones and those in storage do nothing.
+// Each is read for itself; what others set counts only for the timelines that are `again`.
 std::vector<ScriptReading> readScripts(const Tree& tree);
 
 // True for the scripts that each new character gets.

@@ -70,6 +70,12 @@ TEST(SecondReading, WhatHarmsFromTheSecondTouchOnIsAGuess) {
   expectGuess(first + "then n = 2 elseif n == 2 " + kKills + "end)");
 }
 
+TEST(SecondReading, ANameMayBeALever) {
+  expectGuess(kTouch + "if p.Name == 'Deadly' " + kKills + "p.Name = 'Deadly' end)");
+  ScriptedPart same(kTouch + "if p.Name == 'Deadly' " + kKills + "p.Name = 'Pad' end)");
+  EXPECT_FALSE(same[same.self].kill);
+}
+
 // As who carries a shield is not harmed.
 TEST(SecondReading, WhatABranchSetsThatMayNotBeTakenIsOneOfTwo) {
   const std::string asks = "if hit.Parent:FindFirstChild('Shield') then ";

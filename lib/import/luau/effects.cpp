@@ -81,6 +81,7 @@ void Reader::write(InstanceId id, const std::string& name, Datum value) {
   if (inHandler_) beforeHandler_.try_emplace(key, old);
   if (timeline_.forever) beforeLoop_.try_emplace(key, old);
   noteTurn(id, name, old, value);
+  noteChange(id, name, value);
   written_[key] = std::move(value);
 }
 

@@ -62,7 +62,7 @@ Datum Reader::instanceField(InstanceId id, const std::string& spelled) {
       return {Stranger{"Character"}};
     return {Ref{instance.parent}};
   }
-  if (name == "Name") return {instance.name};
+  if (name == "Name") return isTurned(id, name) ? Datum{} : Datum{instance.name};
   if (name == "ClassName") return {instance.className};
   if (tree_.isPart(id) && isPoseProperty(name)) {
     const auto moved = movedFrame(id);
@@ -90,7 +90,7 @@ Datum Reader::instanceField(InstanceId id, const std::string& spelled) {
 }
 
 // A property, or "@" and an attribute, as the script has set it; nothing: as the file has it.
-std::optional<Datum> Reader::writtenField(InstanceId id, const std::string& name) const {
+std::optional<Datum> Reader::writtenField(InstanceId id, const std::string& name) {
   if (isTurned(id, name)) return Datum{};
   const auto set = written_.find({id, name});
   return set == written_.end() ? std::nullopt : std::optional<Datum>(set->second);
@@ -99,6 +99,7 @@ std::optional<Datum> Reader::writtenField(InstanceId id, const std::string& name
 // The same as the file has it; nothing: there is no such property.
 std::optional<Datum> Reader::fileField(InstanceId id, const std::string& name) const {
   const Instance& instance = tree_.at(id);
+  if (name == "Name") return Datum{instance.name};
   if (name.rfind('@', 0) == 0) {
     const auto it = instance.attributes.find(name.substr(1));
     return it == instance.attributes.end() ? Datum{Nil{}} : datumFrom(it->second, kNoInstance);

@@ -45,7 +45,8 @@ bool isFirstTime(const Stat& stat) {
 
 }  // namespace
 
-Reader::Reader(const Tree& tree, InstanceId script, size_t& budget) : tree_(tree), budget_(budget) {
+Reader::Reader(const Tree& tree, InstanceId script, size_t& budget, const Changes* changes)
+    : tree_(tree), changes_(changes), budget_(budget) {
   scope_ = newScope(nullptr);
   reading_.script = script;
 }

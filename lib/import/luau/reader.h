@@ -16,6 +16,7 @@
 
 #include "import/luau/assignments.h"
 #include "import/luau/ast.h"
+#include "import/luau/changes.h"
 #include "import/luau/datum.h"
 #include "import/luau/values.h"
 #include "import/luau/variables.h"
@@ -30,10 +31,15 @@ constexpr int kMaxCount = 2000;          // rounds of a counted loop
 
 class Reader {
  public:
-  // `budget` bounds the steps of the reading; what is left of it remains there.
-  Reader(const Tree& tree, InstanceId script, size_t& budget);
+  // `budget` bounds the steps of the reading; what is left of it remains there. `changes`: of all
+  // scripts, once they have been read; null: they have not. It must outlive the reader.
+  Reader(const Tree& tree, InstanceId script, size_t& budget, const Changes* changes = nullptr);
   // The chunk must outlive the call only.
   ScriptReading read(const Chunk& chunk);
+  // Once it is read: what it sets to something else than the file has, but for poses, and what its
+  // handlers ask for as they are read a second time.
+  const Keys& changed() const { return changed_; }
+  const Keys& asked() const { return asked_; }
 
  private:
   enum class Flow { on, nextRound, leaveLoop, leaveFunction, stop };
@@ -166,7 +172,8 @@ class Reader {
   void readAgain();
   void noteTurn(InstanceId id, const std::string& name, const std::optional<Datum>& old,
                 const Datum& now);
-  bool isTurned(InstanceId id, const std::string& name) const;
+  void noteChange(InstanceId id, const std::string& name, const Datum& now);
+  bool isTurned(InstanceId id, const std::string& name);
 
   // tweens.cpp: what plays, and what it makes of properties on the way
   void play(Tween* tween, int line);
@@ -195,7 +202,7 @@ class Reader {
 
   // instances.cpp: what instances answer
   Datum instanceField(InstanceId id, const std::string& name);
-  std::optional<Datum> writtenField(InstanceId id, const std::string& name) const;
+  std::optional<Datum> writtenField(InstanceId id, const std::string& name);
   std::optional<Datum> fileField(InstanceId id, const std::string& name) const;
   Datum colorOf(InstanceId id, const std::string& name) const;
   Datum instanceMethod(InstanceId id, const std::string& name, const std::vector<Datum>& arguments,
@@ -262,9 +269,8 @@ class Reader {
   std::vector<Played> played_;             // tweens of this timeline whose end sets something off
   std::map<const Tween*, double> paused_;  // those to go on, with the seconds that they have done
   int tweens_ = 0;                         // made so far
-  // What the script wrote, by (instance, property, or "@" and an attribute), and what was there
-  // before the current handler and the current endless loop wrote it.
-  using Key = std::pair<InstanceId, std::string>;
+  // What the script wrote, and what was there before the current handler and the current endless
+  // loop wrote it.
   using Old = std::map<Key, std::optional<Datum>>;
   std::map<Key, Datum> written_;
   Old beforeHandler_, beforeLoop_;
@@ -272,7 +278,9 @@ class Reader {
   bool again_ = false;                       // handlers that have harmed nobody are read anew
   std::vector<Pending> harmless_;            // those, of touches
   std::set<int> heals_;                      // lines of them that give health
-  std::set<Key> turned_;                     // set to something else in play, but for poses
+  Keys turned_;                              // set to something else in play, but for poses
+  Keys changed_, asked_;                     // see changed() and asked()
+  const Changes* changes_;                   // of all scripts, or null
   std::map<Key, std::vector<Going>> going_;  // what may still be driven
   size_t followed_ = 0;                      // timelines before this one
   std::map<InstanceId, Pose> fileFrames_;

@@ -1,5 +1,7 @@
 // Handlers of touches that harm nobody as their script has begun, read once more: by then a lever
 // may be on, and a trap awake. Of that only the harm counts, and nothing that it sets or connects.
+// What other scripts set is known once all have been read: where a handler has asked for some of
+// that, its script is read anew (script_reading.cpp).
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -10,6 +12,7 @@
 #include <utility>
 
 #include "import/luau/reader.h"
+#include "import/script_side.h"
 #include "import/words.h"
 
 namespace obby::importer::luau {
@@ -31,6 +34,12 @@ Timeline harmOf(Timeline timeline, const std::set<int>& heals) {
   timeline.forever = false;
   timeline.loopEvent = 0;
   return timeline;
+}
+
+// One thing instead of another is not told apart.
+bool isOther(const Datum& before, const Datum& now) {
+  if (before.as<Ref>() && now.as<Ref>()) return false;
+  return truthOf(compared("==", before, now)) != Truth::yes;
 }
 
 }  // namespace
@@ -73,8 +82,7 @@ void Reader::readAgain() {
 }
 
 // What is set in play, and not as play starts or before there are handlers, may be the one or the
-// other by the time of a touch, and so may what is set in a branch that may not be taken. One thing
-// instead of another is not told apart.
+// other by the time of a touch, and so may what is set in a branch that may not be taken.
 void Reader::noteTurn(InstanceId id, const std::string& name, const std::optional<Datum>& old,
                       const Datum& now) {
   const bool late = time_ > 0 && (followed_ > 0 || !pending_.empty());
@@ -83,13 +91,24 @@ void Reader::noteTurn(InstanceId id, const std::string& name, const std::optiona
   if (!mayHarm_ || !(inPlay || maybe) || isPoseProperty(name)) return;
   if (turned_.count({id, name}) > 0) return;  // long texts are not compared again and again
   const Datum before = old ? *old : fileField(id, name).value_or(Datum{});
-  if (before.as<Ref>() && now.as<Ref>()) return;
-  if (truthOf(compared("==", before, now)) != Truth::yes) turned_.insert({id, name});
+  if (isOther(before, now)) turned_.insert({id, name});
+}
+
+// Whenever and under whatever condition it is set: what other scripts do then the text of this one
+// does not tell.
+void Reader::noteChange(InstanceId id, const std::string& name, const Datum& now) {
+  if (again_ || isPoseProperty(name) || changed_.count({id, name}) > 0) return;
+  if (isOther(fileField(id, name).value_or(Datum{}), now)) changed_.insert({id, name});
 }
 
 // Whether a handler that is read once more may find either; not where it has set it itself.
-bool Reader::isTurned(InstanceId id, const std::string& name) const {
-  return again_ && turned_.count({id, name}) > 0 && beforeHandler_.count({id, name}) == 0;
+bool Reader::isTurned(InstanceId id, const std::string& name) {
+  if (!again_) return false;
+  const Key key{id, name};
+  if (beforeHandler_.count(key) > 0) return false;
+  if (turned_.count(key) > 0) return true;
+  asked_.insert(key);
+  return changes_ && changes_->reach(key, reading_.script, runsOnClient(tree_.at(reading_.script)));
 }
 
 }  // namespace obby::importer::luau

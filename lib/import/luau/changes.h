@@ -1,0 +1,32 @@
+// What the scripts of a place set to something else than the file has: by the time of a touch one
+// script may find what another one has set, as of a lever in one and its trap in the other.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "import/document.h"
+
+namespace obby::importer::luau {
+
+// An instance and the name of a property, or "@" and that of an attribute.
+using Key = std::pair<InstanceId, std::string>;
+using Keys = std::set<Key>;
+
+class Changes {
+ public:
+  // Of one script. `onClient`: it runs for a player, and the scripts of the server find nothing of
+  // what it sets.
+  void add(const Keys& keys, InstanceId script, bool onClient);
+  // Whether a script, of the client or not, may find what another one has set.
+  bool reach(const Key& key, InstanceId script, bool onClient) const;
+
+ private:
+  // By which script it is set; kNoInstance: by several.
+  using Setters = std::map<Key, InstanceId>;
+  Setters server_, client_;
+};
+
+}  // namespace obby::importer::luau
