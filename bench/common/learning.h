@@ -16,7 +16,7 @@ struct LearningRow {
 };
 
 // A bench's main(): bench_NAME [--json] [--decisions N] [--seeds N] [--recipe FILE] [ROW...].
-// Without a recipe levels are of all styles, easy to hard.
+// Without a recipe levels are of all styles, trivial to limit.
 int learningBench(int argc, char** argv, const char* bench, const std::vector<LearningRow>& rows);
 
 }  // namespace obby::bench

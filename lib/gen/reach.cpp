@@ -11,6 +11,7 @@ constexpr float kLeastGravity = 4;
 constexpr float kMostRise = 120, kMostGap = 200;  // studs
 constexpr float kLegsUsed = 0.9f;  // of the hip height: a floor further up hits the torso
 constexpr int kDelays = 4;         // a jump may come late by any share of the coyote time
+constexpr float kDeepest = -20;    // studs down, that gaps of styles have at most
 
 }  // namespace
 
@@ -18,8 +19,7 @@ float Reach::legs() const { return kLegsUsed * p_.hipHeight; }
 float Reach::gravity() const { return maxf(p_.gravity, kLeastGravity); }
 
 bool Reach::cut() const {
-  constexpr float kDeepest = -20;  // studs down, that gaps of styles have at most
-  return p_.gravity < kLeastGravity || rise() >= kMostRise || gap(kDeepest) >= kMostGap;
+  return p_.gravity < kLeastGravity || rise() >= kMostRise || widest() >= kMostGap;
 }
 
 float Reach::riseFrom(float upward) const {
@@ -40,6 +40,8 @@ float Reach::gap(float rise) const {
   if (best < 0) return 0;
   return minf(best + 2 * p_.floorRaySpread * p_.bodyDepth, kMostGap);
 }
+
+float Reach::widest() const { return gap(kDeepest); }
 
 float Reach::walkedGap() const {
   const float seconds = sqrtf32(2 * legs() / gravity());

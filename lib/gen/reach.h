@@ -12,6 +12,8 @@ class Reach {
 
   // Widest gap onto a floor `rise` studs higher (negative: lower); 0: too high for any. Studs.
   float gap(float rise) const;
+  // Widest gap down to the lowest floor that an obstacle has next to another. Studs.
+  float widest() const;
   // Highest ledge that a jump and the legs get onto. Studs.
   float rise() const { return riseFrom(p_.jumpSpeed); }
   // Highest that the feet come in a jump. Studs, at least half a one.

@@ -108,6 +108,17 @@ float Sketch::sideGap(float share) {
   return rounded(reach_->gap(0) * this->share(kShareSpread) * share, 0.125f);
 }
 
+float Sketch::roundabout(float least) const {
+  const float jump = rounded(kProof * reach_->widest(), 0.5f);
+  if (jump <= least) return least;
+  float aside = 0;
+  for (const PartSketch& p : parts_) {
+    const float middle = absf(dot(p.position - edge_, direction({1, 0, 0})));
+    aside = maxf(aside, middle + maxf(p.size.x, p.size.z) / 2);
+  }
+  return aside + jump;
+}
+
 float Sketch::easyRise(float share) {
   ++jumps_;
   return rounded(reach_->rise() * this->share(kShareSpread) * share, 0.125f);

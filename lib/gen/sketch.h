@@ -76,6 +76,10 @@ class Sketch {
   bool straight() const { return !turned_; }
   // A gap that is never planted: there are other ways.
   float sideGap(float share = 1);
+  // Studs that a wall which nobody may pass reaches beyond its floor to either side: `least`, where
+  // that is more than the widest gap; else so many that nobody gets round its end, neither from the
+  // floor nor from what lies aside before it, wherever the way goes behind it.
+  float roundabout(float least) const;
 
   // --- parts
   // `from`: right, up, forward of the edge to the middle of the part. `size`: along the same.

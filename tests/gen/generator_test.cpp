@@ -141,7 +141,7 @@ TEST(Generator, SharesOfQueriesHaveConstraints) {
   EXPECT_GT(count(waypoints), 120);
 }
 
-TEST(Generator, CoursesGetHarderAndHaveEachSingleStyleOnce) {
+TEST(Generator, CoursesHaveEachSingleStyleAtMostOnce) {
   gen::Recipe recipe = recipeFor("course", 1);
   recipe.courseObstacles = {12, 12};
   recipe.courseStyles = {{"push-block", 1}, {"gaps", 1}};
@@ -153,6 +153,50 @@ TEST(Generator, CoursesGetHarderAndHaveEachSingleStyleOnce) {
     EXPECT_LE(blocks, 1);
     EXPECT_EQ(g.sketch.stops().size(), 13u);
   }
+}
+
+// Of courses of gaps alone, straight on: mean studs of the gaps in their first third, and in their
+// last.
+struct MeanGaps {
+  double first, last;
+};
+
+MeanGaps meanGapsOfCourses(float courseFirst) {
+  constexpr uint32_t kObstacles = 30;
+  gen::Recipe recipe = recipeFor("course", 1);
+  recipe.courseObstacles = {kObstacles, kObstacles};
+  recipe.courseStyles = {{"gaps", 1}};
+  recipe.courseFirst = courseFirst;
+  recipe.turns = 0;
+  const gen::Generator generator = generatorOf(recipe);
+  double studs[3] = {};
+  int gaps[3] = {};
+  for (uint64_t seed = 0; seed < 8; ++seed) {
+    const gen::Generated made = generator.generate(seed, 0);
+    const std::vector<gen::PartSketch>& parts = made.sketch.parts();
+    uint32_t obstacle = 0;  // each ends with a checkpoint, the last with the goal
+    for (size_t i = 1; i < parts.size(); ++i) {
+      const gen::PartSketch &from = parts[i - 1], &to = parts[i];
+      if (to.checkpoint > 0) ++obstacle;
+      if (to.name.rfind("Stone", 0) != 0) continue;
+      const uint32_t third = std::min(obstacle * 3 / kObstacles, 2u);
+      const float apart = absf(to.position.z - from.position.z);
+      studs[third] += double(apart - (from.size.z + to.size.z) / 2);
+      ++gaps[third];
+    }
+  }
+  return {studs[0] / gaps[0], studs[2] / gaps[2]};
+}
+
+// A gap is 0.25 to 0.93 of the reach, by the difficulty. From a fifth of it on, the first third has
+// a mean difficulty of 0.33 and so a share of 0.47, the last one of 0.88 and 0.84: 1.8 times that.
+TEST(Generator, CoursesGetHarderFromTheShareThatTheyBeginWith) {
+  const MeanGaps growing = meanGapsOfCourses(0.2f);
+  EXPECT_GT(growing.last, 1.5 * growing.first);
+  EXPECT_LT(growing.last, 2.1 * growing.first);
+  const MeanGaps even = meanGapsOfCourses(1);
+  EXPECT_NEAR(even.last / even.first, 1, 0.05);
+  EXPECT_GT(even.first, growing.first);
 }
 
 TEST(Reach, FollowsThePhysics) {

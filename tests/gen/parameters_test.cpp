@@ -109,6 +109,28 @@ TEST(ParameterOfGaps, IsTheSizeOfStones) {
   }
 }
 
+// Where hops are short, as many as a hop asks for would not have room.
+TEST(ParameterOfForks, LeavesStonesApart) {
+  const auto parameter = gen::parameterNamed(*gen::findStyle("fork"), "stone", "");
+  ASSERT_TRUE(parameter);
+  gen::Recipe recipe = recipeFor("fork", 0);
+  recipe.physics = {{"walkSpeed", 8}};
+  recipe.parameters = {{*parameter, 9.25f, 9.25f}};
+  const gen::Generator generator = generatorOf(recipe);
+  int neighbours = 0;
+  for (uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const gen::Generated made = generator.generate(seed, 0);
+    const std::vector<gen::PartSketch>& parts = made.sketch.parts();
+    for (size_t i = 1; i < parts.size(); ++i) {
+      const gen::PartSketch &from = parts[i - 1], &to = parts[i];
+      if (from.name.rfind("Stone", 0) != 0 || to.name.rfind("Stone", 0) != 0) continue;
+      EXPECT_GT(length(to.position - from.position), to.size.z) << made.name;
+      ++neighbours;
+    }
+  }
+  EXPECT_GT(neighbours, 10);
+}
+
 TEST(ParameterOfSpinners, IsTheSpeedOfBars) {
   const auto parameter = gen::parameterNamed(*gen::findStyle("spinner"), "speed", "");
   ASSERT_TRUE(parameter);

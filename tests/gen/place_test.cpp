@@ -36,6 +36,47 @@ void expectSame(schema::Quat::Reader a, schema::Quat::Reader b, const std::strin
 
 Vec3 turn(schema::Spin::Reader spin) { return level::vec(spin.getAxis()) * spin.getSpeed(); }
 
+// Where the part's middle comes to, by its place and its keys.
+Box wayOf(schema::Part::Reader part) {
+  const Vec3 home = level::vec(part.getPosition());
+  Box box{home, home};
+  for (const auto key : part.getMotion().getKeys()) {
+    const Vec3 at = level::vec(key.getPosition());
+    box = join(box, {at, at});
+  }
+  return box;
+}
+
+// Seconds until a motion starts over; 0: it has no way.
+float roundOf(schema::Motion::Reader motion) {
+  const auto keys = motion.getKeys();
+  if (keys.size() == 0) return 0;
+  const float way = keys[keys.size() - 1].getTime() - keys[0].getTime();
+  return motion.getRepeat() == schema::Repeat::PING_PONG ? 2 * way : way;
+}
+
+// Places and the seconds of tweens are written to the last digit, and lose what poses do on their
+// way through a part's frame in single precision, some hundred studs out. The script of a carrier
+// waits at both ends, and waits end with a frame of the engine: each is up to one longer.
+void expectSameWay(schema::Part::Reader a, schema::Part::Reader b, const std::string& what) {
+  constexpr float kFrame = 1.0f / 60, kRounding = 1e-3f;  // seconds; studs and seconds
+  const Box before = wayOf(a), after = wayOf(b);
+  EXPECT_LT(length(before.lo - after.lo), kRounding) << what;
+  EXPECT_LT(length(before.hi - after.hi), kRounding) << what;
+  const float later = roundOf(b.getMotion()) - roundOf(a.getMotion());
+  EXPECT_GT(later, -kRounding) << what;
+  EXPECT_LT(later, kRounding + (a.getMotion().getCarries() ? 2 * kFrame : 0)) << what;
+}
+
+// Styles draw these times in quarters of a second, which are whole frames: waits for them are
+// exact.
+void expectSame(schema::Vanish::Reader a, schema::Vanish::Reader b, const std::string& what) {
+  EXPECT_EQ(int(a.getTrigger()), int(b.getTrigger())) << what;
+  EXPECT_NEAR(a.getDelay(), b.getDelay(), 1e-4) << what;
+  EXPECT_NEAR(a.getAway(), b.getAway(), 1e-4) << what;
+  EXPECT_NEAR(a.getPhase(), b.getPhase(), 1e-4) << what;
+}
+
 void expectSame(schema::Part::Reader a, schema::Part::Reader b) {
   const std::string what = a.getName().cStr();
   EXPECT_EQ(int(a.getShape()), int(b.getShape())) << what;
@@ -54,11 +95,13 @@ void expectSame(schema::Part::Reader a, schema::Part::Reader b) {
   expectNear(a.getJumpPad().getVelocity(), b.getJumpPad().getVelocity(), what);
   EXPECT_EQ(a.hasMotion(), b.hasMotion()) << what;
   EXPECT_EQ(a.getMotion().getCarries(), b.getMotion().getCarries()) << what;
+  expectSameWay(a, b, what);
   const auto turning = a.getMotion().getSpin(), back = b.getMotion().getSpin();
   EXPECT_LT(length(turn(turning) - turn(back)), 0.02f) << what;
   EXPECT_LT(length(level::vec(turning.getPivot()) - level::vec(back.getPivot())), 0.01f) << what;
   const bool byButton = a.getVanish().getTrigger() == schema::VanishTrigger::SIGNAL;
   EXPECT_EQ(a.hasVanish() && !byButton, b.hasVanish()) << what;
+  if (b.hasVanish()) expectSame(a.getVanish(), b.getVanish(), what);
   // Loose parts stay loose; carriers are loose in the place, and known by what drives them.
   if (!a.hasMotion()) {
     EXPECT_EQ(a.getAnchored(), b.getAnchored()) << what;
@@ -115,6 +158,20 @@ TEST(PlaceFile, WhoComesBackAtACheckpointStands) {
   EXPECT_NE(file.find("character:PivotTo(CFrame.lookAt(at, at + pad.CFrame.LookVector))"),
             std::string::npos);
   EXPECT_EQ(file.find("pad.CFrame.Rotation"), std::string::npos);
+}
+
+TEST(PlaceFile, HasTheGravityAndTheSpeedsOfTheRecipe) {
+  gen::Recipe recipe = recipeFor("gaps", 0.5f);
+  recipe.physics = {{"gravity", 80}, {"walkSpeed", 54}, {"jumpSpeed", 40}};
+  const gen::Generator generator = generatorOf(recipe);
+  gen::PlaceFile place(generator);
+  ASSERT_TRUE(place.add(generator.generate(1, 0)));
+  const auto back = importer::importPlace(place.finish(), "made.rbxlx", {});
+  ASSERT_TRUE(back) << back.error().text();
+  const auto physics = back->level.reader().getLevel().getPhysics();
+  EXPECT_EQ(physics.getGravity(), 80);
+  EXPECT_EQ(physics.getWalkSpeed(), 54);
+  EXPECT_NEAR(physics.getJumpSpeed(), 40, 1e-3) << "by way of a jump power";
 }
 
 TEST(PlaceFile, SeveralLevelsStandApart) {

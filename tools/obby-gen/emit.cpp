@@ -60,29 +60,34 @@ std::vector<Slot> makeBatch(std::span<const gen::Generator> generators, const Em
 
 }  // namespace
 
-Result<Ended> emit(std::span<const gen::Generator> generators, const EmitOptions& options,
-                   ThreadPool& pool, const std::atomic<bool>& stop,
-                   const std::function<Status(const Emitted&)>& take) {
+Result<Emission> emit(std::span<const gen::Generator> generators, const EmitOptions& options,
+                      ThreadPool& pool, const std::atomic<bool>& stop,
+                      const std::function<Status(const Emitted&)>& take) {
   const uint64_t each = options.check.wanted ? 2 : kTaskLevels;
   const uint64_t batch = each * uint64_t(pool.size());
-  uint64_t kept = 0, refused = 0;
+  Emission out;
+  uint64_t inARow = 0;
   for (uint64_t begin = options.first; !stop; begin += batch) {
-    const uint64_t left = options.count == 0 ? batch : options.count - kept;
+    const uint64_t left = options.count == 0 ? batch : options.count - out.kept;
     const uint64_t size = options.check.wanted ? batch : std::min(batch, left);
     std::vector<Slot> slots = makeBatch(generators, options, pool, stop, begin, size);
     if (stop) break;  // what is not whole is not written
     for (Slot& slot : slots) {
       if (!slot) return slot.error();
       if (!*slot) {
-        if (++refused >= kMostRefused) return Ended::noneKept;
-        continue;
+        ++out.refused;
+        if (++inARow < kMostRefused) continue;
+        out.ended = Ended::noneKept;
+        return out;
       }
-      refused = 0;
+      inARow = 0;
       OBBY_RETURN_IF_ERROR(take(**slot));
-      if (++kept == options.count) return Ended::complete;
+      if (++out.kept < options.count || options.count == 0) continue;
+      out.ended = Ended::complete;
+      return out;
     }
   }
-  return Ended::stopped;
+  return out;
 }
 
 }  // namespace obby::tools

@@ -32,10 +32,15 @@ constexpr uint64_t kMostRefused = 300;
 
 enum class Ended { complete, stopped, noneKept };
 
+struct Emission {
+  Ended ended = Ended::stopped;
+  uint64_t kept = 0, refused = 0;  // indices; refused by --check
+};
+
 // Calls `take` for each index in order, until `count` were kept or `stop` is set. noneKept: --check
 // refused so many in a row that more are not to be expected.
-Result<Ended> emit(std::span<const gen::Generator> generators, const EmitOptions& options,
-                   ThreadPool& pool, const std::atomic<bool>& stop,
-                   const std::function<Status(const Emitted&)>& take);
+Result<Emission> emit(std::span<const gen::Generator> generators, const EmitOptions& options,
+                      ThreadPool& pool, const std::atomic<bool>& stop,
+                      const std::function<Status(const Emitted&)>& take);
 
 }  // namespace obby::tools

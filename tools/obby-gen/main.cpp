@@ -73,6 +73,26 @@ Status noneKept(const tools::CheckOptions& check) {
                        : "give it more --check-steps, another style or another difficulty");
 }
 
+// What of the levels --check left out, and why.
+std::string leftOut(const tools::Emission& made, const tools::CheckOptions& check, bool twins) {
+  const std::string unsolved = fmt::format("not solved within {} steps", check.steps);
+  const std::string unproved = "not shown to be unreachable";
+  return fmt::format("--check left out {} of {} {}: {}", made.refused, made.refused + made.kept,
+                     twins ? "pairs" : "levels",
+                     twins              ? unsolved + ", or the twin " + unproved
+                     : check.unsolvable ? unproved
+                                        : unsolved);
+}
+
+// Once what was made is written.
+Status finished(cli::Context& context, const tools::Emission& made,
+                const tools::CheckOptions& check) {
+  if (made.ended == tools::Ended::noneKept) return noneKept(check);
+  const bool twins = context.arguments().flag("twins");
+  if (made.refused > 0) context.warn(leftOut(made, check, twins));
+  return {};
+}
+
 // One stream of records, with what was made before an interruption.
 Status writeStream(cli::Context& context, std::span<const gen::Generator> generators,
                    tools::EmitOptions options, ThreadPool& pool) {
@@ -85,8 +105,8 @@ Status writeStream(cli::Context& context, std::span<const gen::Generator> genera
   OBBY_RETURN_IF_ERROR(
       pipeline.run([](const io::Record&) -> Result<io::Then> { return io::Then::pass; }));
   uint64_t levels = 0;
-  const auto take = [&](const tools::Emitted& made) -> Status {
-    for (const io::Record& record : made.records) {
+  const auto take = [&](const tools::Emitted& one) -> Status {
+    for (const io::Record& record : one.records) {
       OBBY_RETURN_IF_ERROR(pipeline.output().pass(record));
     }
     ++levels;
@@ -94,10 +114,10 @@ Status writeStream(cli::Context& context, std::span<const gen::Generator> genera
     context.progress({"levels", share, {{"made", double(levels)}}});
     return {};
   };
-  const auto ended = tools::emit(generators, options, pool, context.stop(), take);
-  if (ended && *ended == tools::Ended::noneKept) pipeline.outOfBudget();
-  OBBY_RETURN_IF_ERROR(pipeline.finish(ended ? Status() : Status(ended.error())));
-  return *ended == tools::Ended::noneKept ? noneKept(options.check) : Status();
+  const auto made = tools::emit(generators, options, pool, context.stop(), take);
+  if (made && made->ended == tools::Ended::noneKept) pipeline.outOfBudget();
+  OBBY_RETURN_IF_ERROR(pipeline.finish(made ? Status() : Status(made.error())));
+  return finished(context, *made, options.check);
 }
 
 // One place file; an interruption leaves none.
@@ -108,16 +128,18 @@ Status writePlace(cli::Context& context, std::span<const gen::Generator> generat
   }
   OBBY_ASSIGN(io::Sink sink, context.openSink());  // first: what cannot be written is said at once
   gen::PlaceFile place(generators.front());
-  const auto take = [&](const tools::Emitted& made) -> Status {
-    for (const gen::Generated& level : made.levels) OBBY_RETURN_IF_ERROR(place.add(level));
+  const auto take = [&](const tools::Emitted& one) -> Status {
+    for (const gen::Generated& level : one.levels) OBBY_RETURN_IF_ERROR(place.add(level));
     return {};
   };
-  OBBY_ASSIGN(const tools::Ended ended,
+  OBBY_ASSIGN(const tools::Emission made,
               tools::emit(generators, options, pool, context.stop(), take));
-  if (ended == tools::Ended::stopped) return {};
-  if (ended == tools::Ended::noneKept) return noneKept(options.check);
-  OBBY_RETURN_IF_ERROR(sink.write(place.finish()));
-  return sink.close();
+  if (made.ended == tools::Ended::stopped) return {};
+  if (made.ended == tools::Ended::complete) {
+    OBBY_RETURN_IF_ERROR(sink.write(place.finish()));
+    OBBY_RETURN_IF_ERROR(sink.close());
+  }
+  return finished(context, made, options.check);
 }
 
 Status writeList(const cli::Context& context, const gen::Recipe& recipe) {
@@ -126,11 +148,22 @@ Status writeList(const cli::Context& context, const gen::Recipe& recipe) {
   return sink.close();
 }
 
+// Is there nothing that would do nothing?
+Status optionsFit(const cli::Arguments& a) {
+  if (a.flag("list")) {
+    return cli::refuseTyped(a,
+                            {"format", "count", "first", "unsolvable", "twins", "seed",
+                             "difficulty", "check", "check-steps"},
+                            "no levels are made with --list", "leave out one of the two");
+  }
+  if (a.flag("check")) return {};
+  return cli::refuseTyped(a, {"check-steps"}, "nothing is checked without --check",
+                          "give --check, too, or leave it out");
+}
+
 Result<cli::ExitCode> run(cli::Context& context) {
   const cli::Arguments& a = context.arguments();
-  if (!a.flag("check"))
-    OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"check-steps"}, "nothing is checked without --check",
-                                          "give --check, too, or leave it out"));
+  OBBY_RETURN_IF_ERROR(optionsFit(a));
   OBBY_RETURN_IF_ERROR(nameFits(a));
   OBBY_ASSIGN(const gen::Recipe recipe, tools::recipeOf(a));
   if (a.flag("list")) {

@@ -20,7 +20,7 @@ void build(Sketch& s) {
     const float hole = s.mix(kHole), room = width - hole - 2;
     const float left = 1 + room * s.unit();
     if (s.straight() && s.broken("door")) {
-      s.wall("Wall", 0, kDeep - 3, width + 2 * kRoundabout, height, 1);
+      s.wall("Wall", 0, kDeep - 3, width + 2 * s.roundabout(kRoundabout), height, 1);
     } else {
       const float right = width - hole - left;
       s.wall("Wall", (left - width) / 2, kDeep - 3, left, height, 1);

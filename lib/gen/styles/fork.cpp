@@ -1,4 +1,6 @@
 // Two or three routes side by side, of different kinds.
+#include <algorithm>
+
 #include "gen/styles/all.h"
 
 namespace obby::gen {
@@ -19,7 +21,9 @@ constexpr float kSlide = 5;  // studs/s that a player gains on a slope
 
 void stones(Sketch& s, float right) {
   const float size = s.mix(kStone), most = s.sideGap(0.9f);
-  const uint32_t count = uint32_t((kLong - most) / (size + most)) + 1;
+  // As many as leave no wider gaps, or as there is room for.
+  const uint32_t count =
+      std::min(uint32_t((kLong - most) / (size + most)) + 1, uint32_t(kLong / size));
   const float gap = (kLong - size * float(count)) / float(count + 1);
   for (uint32_t i = 0; i < count; ++i) {
     const float ahead = gap + size / 2 + (size + gap) * float(i);

@@ -13,7 +13,7 @@ constexpr Parameter kParameters[] = {
 const auto& [kWalls, kWidth, kThickness] = kParameters;
 
 void build(Sketch& s) {
-  constexpr float kRoundabout = 30;  // studs beside a wall that nobody jumps round
+  constexpr float kRoundabout = 30;  // studs beside a wall that nobody gets over, at least
   constexpr float kSure = 0.9f;      // of the highest jump
   const uint32_t walls = s.mixCount(kWalls);
   const float width = s.mix(kWidth), before = 9, thick = s.mix(kThickness);
@@ -24,7 +24,7 @@ void build(Sketch& s) {
     const float least = minf(s.reach().params().hipHeight + 1, kSure * s.reach().rise());
     const float height = maxf(rise, least);
     const bool high = height > s.reach().rise();
-    s.wall("Wall", 0, before, high ? width + 2 * kRoundabout : width, height, thick);
+    s.wall("Wall", 0, before, high ? width + 2 * s.roundabout(kRoundabout) : width, height, thick);
     s.floor("Floor", before + behind, width);
   }
 }
