@@ -16,6 +16,8 @@ struct PolicyFile {
   layers @5 :List(PolicyLayer);   # rectified, but for the last
   hash @6 :UInt64;
   training @7 :PolicyTraining;
+  valueMean @8 :Float32;       # the value's output means a reward of mean + deviation x output; not hashed, for nobody but
+  valueDeviation @9 :Float32;  # learning that begins with the policy asks. Deviation 0: not known, as in older files
 }
 
 struct PolicyLayer {
@@ -26,12 +28,14 @@ struct PolicyLayer {
 }
 
 struct PolicyTraining {
-  # For people; nothing is decided by it.
+  # For people; nothing is decided by it, but that normalisers weigh as much as `decisions` where learning begins with the
+  # policy.
   command @0 :Text;
   version @1 :Text;       # of the program
   seed @2 :UInt64;
-  decisions @3 :UInt64;   # that it learned from
+  decisions @3 :UInt64;   # that it learned from, with those of the policy that it began with
   seconds @4 :Float64;    # wall clock
   hardest @5 :Float32;    # difficulty that its levels had at most in the end
   solved @6 :Float32;     # share of playthroughs that it solved then
+  start @7 :Text;         # the policy that it began with, by its hash; empty: none
 }

@@ -37,6 +37,21 @@ std::string brief(double value) {
                    : fmt::format("{:.3g}{}", value, units[unit]);
 }
 
+// 12400 s as 3 h 26 min.
+std::string briefTime(double seconds) {
+  constexpr double kMinute = 60, kHour = 60 * kMinute, kDay = 24 * kHour;
+  if (seconds >= 2 * kDay) return brief(seconds / kDay) + " days";
+  const double hours = std::floor(seconds / kHour);
+  const double minutes = std::floor((seconds - hours * kHour) / kMinute);
+  if (hours > 0) return fmt::format("{:.0f} h {:.0f} min", hours, minutes);
+  return minutes > 0 ? fmt::format("{:.0f} min", minutes)
+                     : fmt::format("{:.0f} s", std::floor(seconds));
+}
+
+bool knowsTime(const ProgressState& state) {
+  return state.secondsLeft >= 0 && std::isfinite(state.secondsLeft);
+}
+
 }  // namespace
 
 ProgressMode progressMode(const std::string& text, bool canDraw, bool quiet) {
@@ -50,6 +65,7 @@ std::string progressLine(const ProgressState& state, size_t width) {
   std::string out = io::tamed(state.task, false, '?');
   if (state.fraction >= 0) out += fmt::format("  {:.0f} %", 100 * std::fmin(state.fraction, 1));
   for (const auto& [name, value] : state.numbers) out += fmt::format("  {} {}", name, brief(value));
+  if (knowsTime(state)) out += "  " + briefTime(state.secondsLeft) + " left";
   return std::string(io::cutAtChar(out, width));
 }
 
@@ -58,6 +74,7 @@ std::string progressJson(const ProgressState& state) {
   if (state.fraction >= 0) out += fmt::format(",\"fraction\":{}", state.fraction);
   for (const auto& [name, value] : state.numbers)
     if (std::isfinite(value)) out += fmt::format(",{}:{}", io::quoted(name), value);
+  if (knowsTime(state)) out += fmt::format(",\"seconds left\":{}", state.secondsLeft);
   return out + "}";
 }
 

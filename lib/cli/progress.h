@@ -17,6 +17,7 @@ struct ProgressState {
   std::string task;                                     // "query stage3"
   double fraction = -1;                                 // 0 to 1; negative: unknown
   std::vector<std::pair<std::string, double>> numbers;  // {"steps", 1.2e9}, {"cells", 4711}
+  double secondsLeft = -1;                              // negative: unknown
 };
 
 enum class ProgressMode { none, bar, line, json };
@@ -25,9 +26,10 @@ enum class ProgressMode { none, bar, line, json };
 // none; quiet silences all but json.
 ProgressMode progressMode(const std::string& text, bool canDraw, bool quiet);
 
-// `query stage3  43 %  steps 1.2G  cells 4711`, harmless on a terminal and at most `width` columns.
+// `query stage3  43 %  steps 1.2G  cells 4711  3 h 26 min left`, harmless on a terminal and at most
+// `width` columns.
 std::string progressLine(const ProgressState& state, size_t width);
-// One JSON object without newline.
+// One JSON object without newline; the time is its number "seconds left".
 std::string progressJson(const ProgressState& state);
 
 class Progress {

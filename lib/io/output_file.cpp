@@ -24,6 +24,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kMark = ".obby-unfinished-";
 constexpr std::string_view kPattern = "XXXXXX";  // mkostemp() makes letters and digits of it
+constexpr std::string_view kLocked = "locked";   // removeLeftovers() takes it for one of these
+static_assert(kLocked.size() == kPattern.size());
 
 // By their numbers in statfs(2): NFS, SMB (three), Lustre, BeeGFS. There a lock may be known to one
 // machine only, or wait for a server that does not answer.
@@ -35,11 +37,32 @@ bool onNetwork(int fd) {
          std::end(kNetworks);
 }
 
+enum class Lock {
+  held,   // until the last descriptor of this opening is closed
+  taken,  // by somebody else
+  none,   // files are not locked here
+};
+
+// Does not wait.
+Lock lockOf(int fd) {
+  if (onNetwork(fd)) return Lock::none;
+  if (flock(fd, LOCK_EX | LOCK_NB) == 0) return Lock::held;
+  return errno == EWOULDBLOCK ? Lock::taken : Lock::none;
+}
+
+// Is `path` still the name of what was opened by it? Only who holds the lock takes that name away.
+bool isNameOf(const std::string& path, int fd) {
+  struct stat named {};
+  struct stat opened {};
+  return ::lstat(path.c_str(), &named) == 0 && ::fstat(fd, &opened) == 0 &&
+         named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
+}
+
 // False: who looked for leftovers was faster, and has removed it. Where files cannot be locked
 // nobody takes one for a leftover, and there is no `lock`.
 bool lockOwn(TemporaryFile& file) {
-  if (onNetwork(file.fd)) return true;
-  if (flock(file.fd, LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
+  const Lock lock = lockOf(file.fd);
+  if (lock != Lock::held) return lock == Lock::none;
   if (::access(file.path.c_str(), F_OK) != 0) return false;
   file.lock = fcntl(file.fd, F_DUPFD_CLOEXEC, 3);  // the same lock: it outlasts fd
   return true;
@@ -69,7 +92,7 @@ void removeIfLeft(const std::string& path) {
   if (fd < 0) return;
   struct stat info {};
   const bool left = fstat(fd, &info) == 0 && S_ISREG(info.st_mode) && info.st_uid == geteuid() &&
-                    !onNetwork(fd) && flock(fd, LOCK_EX | LOCK_NB) == 0;
+                    lockOf(fd) == Lock::held && isNameOf(path, fd);
   if (left) ::unlink(path.c_str());
   ::close(fd);
 }
@@ -115,6 +138,36 @@ void removeLeftovers(const std::string& path) {
       found.push_back(entry->path().string());
   }
   for (const std::string& left : found) removeIfLeft(left);
+}
+
+OutputLocks::~OutputLocks() {
+  for (const Held& held : held_) {
+    if (isNameOf(held.path, held.fd)) ::unlink(held.path.c_str());  // before others can have it
+    ::close(held.fd);
+  }
+}
+
+bool OutputLocks::take(const std::string& path) {
+  constexpr int kFlags = O_RDONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY;
+  constexpr mode_t kMode = 0666;   // other users are to see that it is held
+  constexpr int kMostTries = 100;  // of who always comes when another has just given it back
+  const fs::path file = linkTarget(path);
+  const std::string name = (file.parent_path() / beginOf(file)).string().append(kLocked);
+  for (int tries = 0; tries < kMostTries; tries++) {
+    const int fd = ::open(name.c_str(), kFlags, kMode);
+    if (fd < 0) return true;
+    const Lock lock = lockOf(fd);
+    if (lock == Lock::held && isNameOf(name, fd)) {
+      held_.push_back({fd, name});
+      return true;
+    }
+    const bool own = std::any_of(held_.begin(), held_.end(),
+                                 [&](const Held& held) { return isNameOf(name, held.fd); });
+    if (lock == Lock::none) ::unlink(name.c_str());
+    ::close(fd);
+    if (lock != Lock::held) return own || lock == Lock::none;
+  }
+  return false;
 }
 
 }  // namespace obby::io

@@ -10,6 +10,7 @@ struct Pipeline::Impl {
   StreamWriter output;
   bool begun = false, budgetSpent = false, stoppedByError = false;
   int64_t leftOut = 0;  // beyond what the source counts
+  SourceSummary elsewhere = {};
 
   Status begin() {
     if (begun) return {};
@@ -60,10 +61,12 @@ struct Pipeline::Impl {
   }
 
   schema::EndStatus status() const {
-    const auto upstream = source.status();
-    if (upstream == schema::EndStatus::INTERRUPTED || stoppedByError)
-      return schema::EndStatus::INTERRUPTED;
-    return budgetSpent ? schema::EndStatus::BUDGET : upstream;
+    const auto is = [&](schema::EndStatus upstream) {
+      return source.status() == upstream || elsewhere.status == upstream;
+    };
+    if (is(schema::EndStatus::INTERRUPTED) || stoppedByError) return schema::EndStatus::INTERRUPTED;
+    return budgetSpent || is(schema::EndStatus::BUDGET) ? schema::EndStatus::BUDGET
+                                                        : schema::EndStatus::COMPLETE;
   }
 
   Status finish() {
@@ -73,8 +76,8 @@ struct Pipeline::Impl {
     auto end = builder.root().initEnd();
     end.setStatus(status());
     end.setRecords(output.recordsWritten());
-    end.setSkipped(uint64_t(int64_t(source.skipped()) + leftOut));
-    end.setErrors(source.errors() + (stoppedByError ? 1 : 0));
+    end.setSkipped(uint64_t(int64_t(source.skipped()) + leftOut) + elsewhere.skipped);
+    end.setErrors(source.errors() + elsewhere.errors + (stoppedByError ? 1 : 0));
     OBBY_RETURN_IF_ERROR(output.write(builder.reader()));
     return output.close();
   }
@@ -97,6 +100,7 @@ Status Pipeline::write(schema::Record::Reader record) {
   return impl_->output.write(record);
 }
 
+void Pipeline::readElsewhere(const SourceSummary& read) { impl_->elsewhere = read; }
 void Pipeline::outOfBudget() { impl_->budgetSpent = true; }
 
 Status Pipeline::forgiveLate(const Record& record, Error error) {

@@ -42,6 +42,12 @@ struct SourceOptions {
   std::function<Result<StreamReader>(const std::string& path)> open = {};
 };
 
+// What an end record says of the records before it.
+struct SourceSummary {
+  schema::EndStatus status = schema::EndStatus::COMPLETE;
+  uint64_t skipped = 0, errors = 0;
+};
+
 // The records of several inputs, one after another, without headers and ends.
 class RecordSource {
  public:
@@ -63,6 +69,11 @@ class RecordSource {
   schema::EndStatus status() const;
   uint64_t skipped() const;  // here and, by their end records, upstream
   uint64_t errors() const;   // likewise
+  // All three so far, but for `stop`.
+  SourceSummary summary() const;
+  // To be asked behind the last record by who has to have all that was meant to come. Error: an end
+  // record says `interrupted`; names its input and place. Not under OnError::stop it is warned of.
+  Status checkWhole() const;
   OnError onError() const;
 
  private:
@@ -99,6 +110,9 @@ class Pipeline {
 
   // Records of the tool's own, between those passed through.
   Status write(schema::Record::Reader record);
+
+  // What came of a source of the tool's own: the end record says it with what came of this one.
+  void readElsewhere(const SourceSummary& read);
 
   // The work ended before every query had its verdict (a budget was spent).
   void outOfBudget();

@@ -26,25 +26,30 @@ struct RecordSource::Impl {
   SourceOptions options;
   std::optional<StreamReader> reader;
   size_t nextInput = 0;
-  schema::EndStatus status = schema::EndStatus::COMPLETE;
-  uint64_t skipped = 0, errors = 0, warnings = 0;
+  SourceSummary summary;
+  uint64_t warnings = 0;
+  bool toldToStop = false;
+  std::optional<Error> interrupted;  // the first end record that says so
 
   bool stopped() const {
     return (options.stop && options.stop->load()) || (reader && reader->stopped());
   }
 
-  void worsen(schema::EndStatus other) {
-    if (gravity(other) > gravity(status)) status = other;
-  }
-
-  void takeEnd(schema::End::Reader end) {
-    worsen(end.getStatus());
-    skipped += end.getSkipped();
-    errors += end.getErrors();
+  void takeEnd(const Record& record) {
+    const schema::End::Reader end = record.reader().getEnd();
+    if (gravity(end.getStatus()) > gravity(summary.status)) summary.status = end.getStatus();
+    summary.skipped += end.getSkipped();
+    summary.errors += end.getErrors();
+    if (end.getStatus() != schema::EndStatus::INTERRUPTED || interrupted) return;
+    interrupted = Error{reader->name(),
+                        record.place(),
+                        "status",
+                        "the stream was interrupted: it is not all that was meant to come",
+                        {}};
   }
 
   void report(const Error& error) {
-    errors++;
+    summary.errors++;
     if (options.report) options.report(error);
   }
 
@@ -67,7 +72,7 @@ struct RecordSource::Impl {
     } else if (!stopped() || !isInterrupted(opened.error())) {  // told to stop: no error
       if (!options.open || options.onError == OnError::stop) return opened.error();
       report(opened.error());
-      skipped++;
+      summary.skipped++;
     }
     return true;
   }
@@ -83,7 +88,7 @@ struct RecordSource::Impl {
       if (!got) {
         if (options.onError == OnError::stop || !reader->canContinue()) return got.error();
         report(got.error());
-        skipped++;
+        summary.skipped++;
         continue;
       }
       if (stopped()) break;
@@ -94,13 +99,13 @@ struct RecordSource::Impl {
       const Record& record = **got;
       if (record.known() && record.which() == Kind::HEADER) continue;
       if (record.known() && record.which() == Kind::END) {
-        takeEnd(record.reader().getEnd());
+        takeEnd(record);
         continue;
       }
       warnOf(record);
       return got;
     }
-    worsen(schema::EndStatus::INTERRUPTED);
+    toldToStop = true;
     return std::optional<Record>();
   }
 };
@@ -118,17 +123,30 @@ Status RecordSource::forgive(const Record& record, Error error) {
   if (error.place.empty()) error.place = record.place();
   if (impl_->options.onError == OnError::stop) return error;
   impl_->report(error);
-  if (impl_->options.onError == OnError::skip) impl_->skipped++;
+  if (impl_->options.onError == OnError::skip) impl_->summary.skipped++;
   return {};
 }
 
 schema::EndStatus RecordSource::status() const {
-  const bool stop = impl_->options.stop && impl_->options.stop->load();
-  return stop ? schema::EndStatus::INTERRUPTED : impl_->status;
+  const bool stop = impl_->toldToStop || (impl_->options.stop && impl_->options.stop->load());
+  return stop ? schema::EndStatus::INTERRUPTED : impl_->summary.status;
 }
 
-uint64_t RecordSource::skipped() const { return impl_->skipped; }
-uint64_t RecordSource::errors() const { return impl_->errors; }
+uint64_t RecordSource::skipped() const { return impl_->summary.skipped; }
+uint64_t RecordSource::errors() const { return impl_->summary.errors; }
+SourceSummary RecordSource::summary() const { return impl_->summary; }
+
+Status RecordSource::checkWhole() const {
+  if (!impl_->interrupted) return {};
+  Error error = *impl_->interrupted;
+  if (impl_->options.onError != OnError::stop) {
+    if (impl_->options.warn) impl_->options.warn(error);
+    return {};
+  }
+  error.hint = "give all of it, or take what came with --on-error skip";
+  return error;
+}
+
 void RecordSource::ignoreErrors() {
   impl_->options.onError = OnError::skip;
   impl_->options.report = nullptr;

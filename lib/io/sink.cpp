@@ -27,6 +27,16 @@ Error outputError(const std::string& name, const char* doing) {
   return errno == EPIPE ? Error{name, {}, {}, kBrokenPipe, {}} : fileError(name, doing);
 }
 
+// Waits until a file or folder is on the disk, where its file system knows how. False: it is not,
+// and errno says why.
+bool onDisk(int fd) {
+  int result = 0;
+  do {
+    result = ::fsync(fd);
+  } while (result != 0 && errno == EINTR);
+  return result == 0 || errno == EINVAL || errno == EROFS;  // the last two: it does not know how
+}
+
 mode_t newFileMode() {
   const mode_t mask = umask(0);
   umask(mask);
@@ -115,24 +125,19 @@ struct Sink::Impl {
 
   // Before the file is renamed: otherwise its name may be on the disk before what is in it.
   Status syncFile() {
-    if (!durable || temporaryPath.empty()) return {};
-    int result = 0;
-    do {
-      result = ::fsync(fd);
-    } while (result != 0 && errno == EINTR);
-    return result == 0 ? Status() : fail("cannot write");
+    if (!durable || temporaryPath.empty() || onDisk(fd)) return {};
+    return fail("cannot write");
   }
 
-  // The new name. Some file systems cannot, and some folders not be opened: then the old file may
-  // be back after a failure, whole.
+  // The new name. Some folders cannot be opened: then the old file may be back after a failure,
+  // whole.
   Status syncFolder() {
     if (!durable) return {};
     const size_t slash = finalPath.rfind('/');
     const std::string folder = slash == std::string::npos ? "." : finalPath.substr(0, slash + 1);
     const int folderFd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folderFd < 0) return {};
-    const bool synced = ::fsync(folderFd) == 0 || errno == EINVAL || errno == EINTR;
-    Status status = synced ? Status() : fail("cannot write");
+    Status status = onDisk(folderFd) ? Status() : fail("cannot write");
     ::close(folderFd);
     return status;
   }

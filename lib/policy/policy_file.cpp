@@ -86,10 +86,14 @@ Status decode(schema::PolicyFile::Reader file, PolicyFile& out) {
   OBBY_RETURN_IF_ERROR(takeNumbers(file, out.network));
   if (file.getHash() != digest(out.network)) return makeError("its hash is wrong: it is damaged");
   const auto t = file.getTraining();
-  out.training = {t.getCommand(), t.getVersion(), t.getSeed(),  t.getDecisions(),
-                  t.getSeconds(), t.getHardest(), t.getSolved()};
+  out.training = {t.getCommand(), t.getVersion(), t.getSeed(),   t.getDecisions(),
+                  t.getSeconds(), t.getHardest(), t.getSolved(), t.getStart()};
   for (const double v : {t.getSeconds(), double(t.getHardest()), double(t.getSolved())})
     if (!std::isfinite(v)) return makeError("numbers of its training that are not finite");
+  out.values = {file.getValueMean(), file.getValueDeviation()};
+  const bool sound = std::isfinite(out.values.mean) && std::isfinite(out.values.deviation);
+  if (!sound || out.values.deviation < 0)
+    return makeError("values of a mean and spread that cannot be");
   return {};
 }
 
@@ -121,6 +125,9 @@ std::string writePolicy(const PolicyFile& policy) {
   t.setSeconds(policy.training.seconds);
   t.setHardest(policy.training.hardest);
   t.setSolved(policy.training.solved);
+  t.setStart(policy.training.start);
+  file.setValueMean(policy.values.mean);
+  file.setValueDeviation(policy.values.deviation);
   const auto words = capnp::messageToFlatArray(message);
   const auto bytes = words.asBytes();
   return std::string(reinterpret_cast<const char*>(bytes.begin()), bytes.size());

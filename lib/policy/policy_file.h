@@ -16,11 +16,18 @@ struct Training {
   uint64_t seed = 0, decisions = 0;
   double seconds = 0;
   float hardest = 0, solved = 0;
+  std::string start;
+};
+
+// What the value's output means: a reward of mean + deviation x output. Deviation 0: not known.
+struct ValueUnits {
+  float mean = 0, deviation = 0;
 };
 
 struct PolicyFile {
   Network network;
   Training training;
+  ValueUnits values;
 };
 
 std::string writePolicy(const PolicyFile& policy);

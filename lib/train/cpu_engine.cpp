@@ -12,6 +12,10 @@ class CpuEngine : public Engine {
 
   Status begin(float hardest) override;
   Status restore(const LearnerState& learner, std::span<CrowdState> crowds) override;
+  Status setLearner(const LearnerState& learner) override {
+    ppo_.restore(learner);
+    return {};
+  }
   Result<Played> play(const PlayOrder& order) override;
   Result<Progress> learn(float rate) override { return ppo_.learn(batch_, rate); }
   Result<LearnerState> learner() const override { return ppo_.state(); }

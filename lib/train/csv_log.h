@@ -13,8 +13,8 @@ namespace obby::train {
 class CsvLog {
  public:
   // Iterations up to `kept` stay in the file if it has any, for learning that goes on from there;
-  // 0: it begins anew. Errors: those of the file, and one that is not such a log. `stop`: as of
-  // io::Appender::open.
+  // 0: it begins anew. Errors: those of the file, and one that has something else in it. `stop`: as
+  // of io::Appender::open.
   static Result<CsvLog> open(const std::string& path, uint64_t kept,
                              const std::atomic<bool>* stop = nullptr);
 

@@ -54,6 +54,9 @@ class Engine {
   virtual Status begin(float hardest) = 0;
   virtual Status restore(const LearnerState& learner, std::span<CrowdState> crowds) = 0;
 
+  // Between begin() and the first play(): to learn on from it, instead of from a fresh network.
+  virtual Status setLearner(const LearnerState& learner) = 0;
+
   virtual Result<Played> play(const PlayOrder& order) = 0;
   // From what was played last. `rate`: of what settings say.
   virtual Result<Progress> learn(float rate) = 0;

@@ -17,6 +17,7 @@ class Limit {
 
   bool stopped() const { return stop_; }
   bool timeUp() const { return passed() >= seconds_; }
+  double share() const { return seconds_ > 0 ? std::min(passed() / seconds_, 1.0) : 1; }
   bool over() const { return stop_ || passed() >= seconds_ + kGrace; }
 
  private:
@@ -77,6 +78,30 @@ Evaluation sumOf(const std::vector<Score>& scores, uint32_t tries) {
   return out;
 }
 
+// Tells what came of the levels so far.
+class Telling {
+ public:
+  using Watch = std::function<void(const EvaluationSoFar&)>;
+  Telling(const Watch& watch, uint32_t levels, const Limit& limit)
+      : watch_(watch), levels_(levels), limit_(limit) {}
+
+  void played(const Score& score) {
+    if (!watch_) return;
+    const std::lock_guard hold(lock_);
+    ++played_;
+    likeliest_ += score.likeliest;
+    watch_({played_, double(likeliest_) / played_,
+            std::max(double(played_) / levels_, limit_.share())});
+  }
+
+ private:
+  const Watch& watch_;
+  const uint32_t levels_;
+  const Limit& limit_;
+  std::mutex lock_;
+  uint32_t played_ = 0, likeliest_ = 0;
+};
+
 // Asks for the levels, each once, from whichever thread.
 class Asking {
  public:
@@ -118,10 +143,12 @@ class Asking {
 
 Evaluation evaluate(const policy::Network& network, const LevelSource& source,
                     const EvaluationSettings& settings, ThreadPool& pool,
-                    const std::atomic<bool>& stop) {
+                    const std::atomic<bool>& stop,
+                    const std::function<void(const EvaluationSoFar&)>& watch) {
   const Limit limit(stop, settings.seconds);
   const policy::Thinker thinker(network);
   Asking asking(source, settings);
+  Telling telling(watch, settings.levels, limit);
   std::vector<Score> scores(settings.levels);
   std::atomic<bool> timeUp = false;
   pool.run(int(settings.levels), [&](int i) {
@@ -135,7 +162,11 @@ Evaluation evaluate(const policy::Network& network, const LevelSource& source,
     const uint64_t index = settings.firstLevel + uint64_t(i);
     Score& score = scores[size_t(i)];
     score = scoreOf(thinker.view(), *level, index, settings, limit);
-    if (!score.played && !limit.stopped()) timeUp = true;
+    if (score.played) {
+      telling.played(score);
+    } else if (!limit.stopped()) {
+      timeUp = true;
+    }
   });
   Evaluation out = sumOf(scores, settings.tries);
   out.timeUp = timeUp;

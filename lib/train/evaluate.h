@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 
 #include "base/thread_pool.h"
 #include "policy/policy.h"
@@ -31,10 +32,19 @@ struct Evaluation {
   Status missing;
 };
 
+// How far it is.
+struct EvaluationSoFar {
+  uint32_t levels = 0;   // played
+  double likeliest = 0;  // share of them that the first playthrough solves
+  double done = 0;       // share of the levels, or of the time where that is more, 0 to 1
+};
+
 // Ends early, with the levels played to the end so far, once `stop` is set, time is up, or the
-// source has no more. Tells the source what is past.
+// source has no more. Tells the source what is past, and `watch`, if given, of each level that was
+// played: from whichever thread, but one at a time.
 Evaluation evaluate(const policy::Network& network, const LevelSource& source,
                     const EvaluationSettings& settings, ThreadPool& pool,
-                    const std::atomic<bool>& stop);
+                    const std::atomic<bool>& stop,
+                    const std::function<void(const EvaluationSoFar&)>& watch = {});
 
 }  // namespace obby::train

@@ -58,7 +58,9 @@ Result<std::shared_ptr<const TrainingLevel>> LevelStream::level(uint64_t index,
     reader_.played(number, found->second, *item);
   }
   if (item->compiled) return item->compiled;
-  return compile(item->level, item->query);
+  auto compiled = compile(item->level, item->query);
+  if (!compiled) compiled.error().input = reader_.inputName;
+  return compiled;
 }
 
 std::string LevelStream::nameOf(const std::vector<std::string>& inputs) {
@@ -81,6 +83,21 @@ const LevelStream::Item& LevelStream::chosen(const Turn& turn, uint64_t index, f
 size_t LevelStream::compiledOf(const Turn& turn) {
   return size_t(std::count_if(turn.begin(), turn.end(),
                               [](const Item& item) { return item.compiled != nullptr; }));
+}
+
+io::SourceSummary LevelStream::summary() const {
+  const std::lock_guard hold(lock_);
+  io::SourceSummary out = reader_.source.summary();
+  const io::SourceSummary& before = reader_.settings.before;
+  if (out.status == schema::EndStatus::COMPLETE) out.status = before.status;
+  out.skipped += before.skipped;
+  out.errors += before.errors;
+  return out;
+}
+
+size_t LevelStream::compiledOnReading() const {
+  const std::lock_guard hold(lock_);
+  return reader_.compiledOnReading;
 }
 
 size_t LevelStream::compiledHeld() const {
@@ -123,6 +140,7 @@ Status LevelStream::Reader::readOne() {
               settings.wait != nullptr ? settings.wait->next(source) : source.next());
   if (record) return take(*record);
   if (stopped()) return {};
+  if (settings.again) OBBY_RETURN_IF_ERROR(source.checkWhole());
   ended = true;
   levels.clear();
   reach = 0;
@@ -174,12 +192,26 @@ Status LevelStream::Reader::takeQuery(const io::Record& record) {
   }
   auto query = withPlaces(level->record, record);
   if (!query) return source.forgive(record, query.error());
-  auto compiled = compile(level->record, *query);
-  if (!compiled) return source.forgive(record, compiled.error());
+  Playable playable;
+  if (!passedOver(*query)) {
+    auto compiled = compile(level->record, *query);
+    if (!compiled) return source.forgive(record, compiled.error());
+    playable = *std::move(compiled);
+    ++compiledOnReading;
+  }
   const size_t more = std::exchange(level->counted, true) ? 0 : level->bytes;
   const size_t recordBytes = more + bytesOf(*query);
-  add({level->record, io::compact(*query), *std::move(compiled)}, recordBytes);
+  add({level->record, io::compact(*query), std::move(playable)}, recordBytes);
   return {};
+}
+
+// Is it of a turn that is past already, as where learning goes on in the midst of a stream? It
+// compiles then, or the run that came so far would have ended with it. Where errors are forgiven it
+// may have been left out.
+bool LevelStream::Reader::passedOver(const io::Record& query) const {
+  const bool alone = query.reader().getQuery().getDifficulty() < 0;
+  const uint64_t turn = read + (alone && !open.empty() ? 1 : 0);
+  return turn < needed && source.onError() == io::OnError::stop;
 }
 
 void LevelStream::Reader::add(Item item, size_t recordBytes) {

@@ -25,6 +25,8 @@ struct LevelStreamSettings {
   size_t levelsInReach = 1024;
   size_t bytesInReach = size_t(1) << 30;
   bool again = true;  // at its end; otherwise there are no more levels, and none is kept
+  // Of records that came to others first, as where the stream is a copy of another one.
+  io::SourceSummary before = {};
   // Queries in a row whose difficulty is said and of which one is played at a time: as hard as
   // learning is ready for. 1: all are, one after the other.
   uint32_t choices = 4;
@@ -44,7 +46,8 @@ class LevelStream : public LevelSource {
   LevelStream(io::SourceOptions options, const LevelStreamSettings& settings = {});
 
   // Errors: those of the stream up to there, a query without a level, a level or query that does
-  // not compile, as `options` forgive them; no query that can be played in the whole stream. Waits
+  // not compile, as `options` forgive them; no query that can be played in the whole stream; where
+  // it would begin again, an end that says it was interrupted, unless `options` forgive that. Waits
   // for the stream; null if `options.stop` was set before it came to the level, or if it ends
   // before and is not to begin again.
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override;
@@ -53,8 +56,13 @@ class LevelStream : public LevelSource {
   // Ends settings.wait, if there is one.
   void end() const override;
 
-  // Levels that are compiled and wait to be asked for: what tests count.
+  // Of what was read so far, and of settings.before. Waits for who reads.
+  io::SourceSummary summary() const;
+
+  // Levels that are compiled and wait to be asked for; all that were compiled when they were read:
+  // what tests count.
   size_t compiledHeld() const;
+  size_t compiledOnReading() const;
 
  private:
   using Playable = std::shared_ptr<const TrainingLevel>;
@@ -89,6 +97,7 @@ class LevelStream : public LevelSource {
     bool stopped() const { return stop != nullptr && *stop; }
     Status take(const io::Record& record);
     Status takeQuery(const io::Record& record);
+    bool passedOver(const io::Record& query) const;
     void add(Item item, size_t recordBytes);
     void close();
     void know(const io::Record& level);
@@ -112,6 +121,7 @@ class LevelStream : public LevelSource {
     size_t bytes = 0;     // of what is kept
     size_t waiting = 0;   // compiled levels of the turns
     bool full = false;    // no more of them
+    size_t compiledOnReading = 0;
     bool ended = false;
     Status said;  // an error ends it
   };

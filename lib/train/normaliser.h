@@ -1,6 +1,7 @@
 // Mean and spread of a stream of rows, as far as it has come.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -53,5 +54,9 @@ struct Sums {
   std::vector<double> sum, squares;
   double rows = 0;
 };
+
+// What an input is multiplied by. What hardly ever changes is not blown up.
+constexpr float kLeastDeviation = 0.02f;
+inline float scaleOf(double deviation) { return 1 / std::max(float(deviation), kLeastDeviation); }
 
 }  // namespace obby::train

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "policy/advantages.h"
+#include "train/parts.h"
 
 namespace obby::train {
 
@@ -112,18 +113,16 @@ Progress Ppo::learn(Batch& batch, float rate) {
       batch.decisions[i].target = (targets_[i] - values_.mean) / values_.deviation;
   });
   Progress sums;
-  uint32_t parts = 0;
+  const Parts parts(uint32_t(order_.size()), settings_.part);
   for (uint32_t pass = 0; pass < settings_.passes; ++pass) {
     const Shuffle shuffle = orderOf(seed_, adam_.steps(), order_.size());
     inShares(order_.size(), [&](size_t first, size_t count, Share&) {
       for (size_t i = first; i < first + count; ++i) order_[i] = shuffle(uint32_t(i));
     });
-    for (size_t first = 0; first < order_.size(); first += settings_.part, ++parts) {
-      const size_t count = std::min<size_t>(settings_.part, order_.size() - first);
-      learnPart(batch, std::span(order_).subspan(first, count), rate, sums);
-    }
+    for (uint32_t i = 0; i < parts.count(); ++i)
+      learnPart(batch, std::span(order_).subspan(parts.first(i), parts.size(i)), rate, sums);
   }
-  sums.finish(order_.size() * settings_.passes, parts, ranks_);
+  sums.finish(order_.size() * settings_.passes, parts.count() * settings_.passes, ranks_);
   return sums;
 }
 

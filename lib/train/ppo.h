@@ -24,7 +24,7 @@ struct PpoSettings {
   float discount = 0.99f;  // a decision
   float lambda = 0.95f;    // of generalised advantage estimation
   uint32_t passes = 2;     // over a batch
-  uint32_t part = 4096;    // decisions a step of the optimiser, of each rank
+  uint32_t part = 4096;    // decisions a step of the optimiser, of each rank, at most
   float rate = 2e-3f;      // of Adam, at first
   float mostNorm = 0.5f;   // of a gradient
 };

@@ -17,21 +17,23 @@ bool isWanted(const io::Record& record) {
 
 }  // namespace
 
-Result<std::string> copyOfStream(io::SourceOptions options, WaitLimit& waiting, uint64_t most) {
-  std::string copy;
+Result<StreamCopy> copyOfStream(io::SourceOptions options, WaitLimit& waiting, uint64_t most) {
+  StreamCopy copy;
   io::RecordSource source(std::move(options));
-  io::StreamWriter writer = io::StreamWriter::toBytes(io::Format::capnp, &copy);
+  io::StreamWriter writer = io::StreamWriter::toBytes(io::Format::capnp, &copy.records);
   while (true) {
     OBBY_ASSIGN(const std::optional<io::Record> record, waiting.next(source));
     if (!record) break;
     if (isWanted(*record)) OBBY_RETURN_IF_ERROR(writer.write(record->reader()));
-    if (copy.size() > most) {
+    if (copy.records.size() > most) {
       return makeError(
           fmt::format("more than {} bytes of levels, and several ranks read them all first", most),
           "give them a stream that ends, or let them make levels with --generate");
     }
   }
   OBBY_RETURN_IF_ERROR(writer.close());
+  if (!waiting.stop()) OBBY_RETURN_IF_ERROR(source.checkWhole());
+  copy.summary = source.summary();
   return copy;
 }
 

@@ -11,10 +11,9 @@ namespace obby::train {
 
 namespace {
 
-constexpr double kSlow = 0.05;            // weight of a new share of playthroughs solved
-constexpr float kHarder = 0.01f;          // a step of the difficulty
-constexpr float kEnoughPlayed = 64;       // playthroughs that count in full
-constexpr float kLeastDeviation = 0.02f;  // of an input: what never changes is not blown up
+constexpr double kSlow = 0.05;       // weight of a new share of playthroughs solved
+constexpr float kHarder = 0.01f;     // a step of the difficulty
+constexpr float kEnoughPlayed = 64;  // playthroughs that count in full
 
 using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point then) {
@@ -40,9 +39,15 @@ Result<std::unique_ptr<Trainer>> Trainer::make(const TrainerSettings& settings,
 }
 
 Result<std::unique_ptr<Trainer>> Trainer::make(const TrainerSettings& settings,
-                                               std::unique_ptr<Engine> engine, Ranks& ranks) {
+                                               std::unique_ptr<Engine> engine, Ranks& ranks,
+                                               const Start* start) {
   std::unique_ptr<Trainer> trainer(new Trainer(settings, std::move(engine), ranks));
   OBBY_RETURN_IF_ERROR(ranks.agree(trainer->engine_->begin(settings.easiest)));
+  if (start != nullptr) {
+    OBBY_RETURN_IF_ERROR(ranks.agree(trainer->engine_->setLearner(start->learner)));
+    trainer->seen_ = start->seen;
+    trainer->refreshNormaliser();
+  }
   OBBY_RETURN_IF_ERROR(ranks.agree(trainer->takeWeights()));
   return trainer;
 }
@@ -77,7 +82,7 @@ void Trainer::adapt(double solvedNow, uint64_t played) {
 void Trainer::refreshNormaliser() {
   for (size_t i = 0; i < means_.size(); ++i) {
     means_[i] = float(seen_.mean(i));
-    scales_[i] = 1 / std::max(float(seen_.deviation(i)), kLeastDeviation);
+    scales_[i] = scaleOf(seen_.deviation(i));
   }
   hide();
 }

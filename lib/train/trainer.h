@@ -8,6 +8,7 @@
 
 #include "policy/policy.h"
 #include "train/engine.h"
+#include "train/start.h"
 
 namespace obby::train {
 
@@ -29,9 +30,10 @@ class Trainer {
   static Result<std::unique_ptr<Trainer>> make(const TrainerSettings& settings,
                                                const LevelSource& source, ThreadPool& pool,
                                                Ranks& ranks);
-  // The same with another engine than the CPU.
+  // The same with another engine than the CPU; with `start` instead of a fresh network, if given.
   static Result<std::unique_ptr<Trainer>> make(const TrainerSettings& settings,
-                                               std::unique_ptr<Engine> engine, Ranks& ranks);
+                                               std::unique_ptr<Engine> engine, Ranks& ranks,
+                                               const Start* start = nullptr);
 
   // Goes on from a state of trainers with the same settings, source and number of ranks. Errors
   // also: the state does not fit them.

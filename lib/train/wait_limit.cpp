@@ -49,6 +49,8 @@ void WaitLimit::read(bool now) {
 Result<std::optional<io::Record>> WaitLimit::next(io::RecordSource& source) {
   read(true);
   auto record = source.next();
+  // A signal may have come to whoever writes the stream, too: what looks like its end is none.
+  if (interrupted_) stop_ = true;
   read(false);
   return record;
 }

@@ -26,6 +26,20 @@ TEST(Progress, LinesAreShortAndNumbersBrief) {
   EXPECT_EQ(progressLine({"x", -1, {}}, 80), "x");
 }
 
+TEST(Progress, TellsTheTimeLeftAsPeopleDo) {
+  const auto lineOf = [](double seconds) { return progressLine({"x", -1, {}, seconds}, 80); };
+  EXPECT_EQ(lineOf(0), "x  0 s left");
+  EXPECT_EQ(lineOf(59.9), "x  59 s left");
+  EXPECT_EQ(lineOf(725), "x  12 min left");
+  EXPECT_EQ(lineOf(12400), "x  3 h 26 min left");
+  EXPECT_EQ(lineOf(3600), "x  1 h 0 min left");
+  EXPECT_EQ(lineOf(400000), "x  4.63 days left");
+  EXPECT_EQ(lineOf(-1), "x");
+  EXPECT_EQ(lineOf(INFINITY), "x");
+  EXPECT_EQ(progressJson({"x", -1, {}, 12400.5}),
+            "{\"type\":\"progress\",\"task\":\"x\",\"seconds left\":12400.5}");
+}
+
 // Ids come from streams of strangers.
 TEST(Progress, LinesMoveNoCursorAndEndWithAWholeCharacter) {
   EXPECT_EQ(progressLine({"query \x1b[2J\n\xe9", -1, {}}, 80), "query ?[2J?\xef\xbf\xbd");

@@ -21,7 +21,8 @@ struct Sync {
 
 std::vector<Sync> syncs;
 std::string watched;
-int failingSync = -1;  // with EIO
+int failingSync = -1;  // -1: none
+int failure = EIO;     // of that one
 
 }  // namespace
 
@@ -30,7 +31,7 @@ extern "C" int fsync(int fd) {
   fstat(fd, &info);
   syncs.push_back({S_ISDIR(info.st_mode), obby::test::contents(watched)});
   if (int(syncs.size()) - 1 == failingSync) {
-    errno = EIO;
+    errno = failure;
     return -1;
   }
   return int(syscall(SYS_fsync, fd));
@@ -43,11 +44,12 @@ using test::contents;
 using test::ScratchFolder;
 
 // Writes "new" over "old".
-Status write(const std::string& path, Durable durable, int failing = -1) {
+Status write(const std::string& path, Durable durable, int failing = -1, int error = EIO) {
   std::ofstream(path) << "old";
   syncs.clear();
   watched = path;
   failingSync = failing;
+  failure = error;
   auto sink = Sink::open(path, durable);
   EXPECT_TRUE(sink);
   EXPECT_TRUE(sink->write("new"));
@@ -85,6 +87,26 @@ TEST(DurableSink, WhatTheDiskDoesNotTakeDoesNotTakeTheNameOfWhatItDid) {
   EXPECT_EQ(folder.entries(), 1u) << "nothing else is left";
   EXPECT_FALSE(write(folder / "out", Durable::yes, 1)) << "the name";
   EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(DurableSink, WhereAFileSystemDoesNotKnowHowItIsWrittenAllTheSame) {
+  ScratchFolder folder;
+  for (const int error : {EINVAL, EROFS}) {
+    for (const int call : {0, 1}) {  // of the file, of the folder
+      const Status status = write(folder / "out", Durable::yes, call, error);
+      EXPECT_TRUE(status) << status.error().text();
+      EXPECT_EQ(syncs.size(), 2u);
+      EXPECT_EQ(contents(folder / "out"), "new");
+    }
+  }
+}
+
+TEST(DurableSink, ASignalDoesNotEndTheWait) {
+  ScratchFolder folder;
+  for (const int call : {0, 1}) {
+    ASSERT_TRUE(write(folder / "out", Durable::yes, call, EINTR));
+    EXPECT_EQ(syncs.size(), 3u) << "asked again";
+  }
 }
 
 }  // namespace

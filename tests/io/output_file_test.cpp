@@ -1,4 +1,5 @@
-// What killed writers leave is told from what is being written, and from other files.
+// What killed writers leave is told from what is being written, and from other files. Of two who
+// want a file to themselves one gets it.
 #include "io/output_file.h"
 
 #include <gtest/gtest.h>
@@ -106,6 +107,94 @@ TEST(OutputFile, OtherFilesStay) {
   removeLeftovers(folder / "out");
   EXPECT_EQ(folder.entries(), 9u);
   removeLeftovers(folder / "no/where");  // nothing to look at
+}
+
+TEST(OutputLocks, OneHoldsAFileWhateverLeadsToIt) {
+  ScratchFolder folder;
+  fs::create_directory(folder / "runs");
+  fs::create_directory_symlink("runs", folder / "newest");
+  fs::create_symlink("runs/out", folder / "link");
+  OutputLocks second;
+  {
+    OutputLocks first;
+    ASSERT_TRUE(first.take(folder / "runs/out"));
+    EXPECT_TRUE(first.take(folder / "link")) << "its own";
+    for (const char* name : {"runs/out", "runs/../runs/out", "newest/out", "link"})
+      EXPECT_FALSE(second.take(folder / name)) << name;
+    EXPECT_TRUE(second.take(folder / "runs/other"));
+  }
+  EXPECT_TRUE(second.take(folder / "link"));
+}
+
+TEST(OutputLocks, OutlastsThatTheFileIsWrittenAnewAndLeavesNothing) {
+  ScratchFolder folder;
+  {
+    OutputLocks first, second;
+    ASSERT_TRUE(first.take(folder / "out"));
+    for (const char* text : {"once", "again"}) {
+      auto sink = Sink::open(folder / "out");
+      ASSERT_TRUE(sink && sink->write(text) && sink->close());
+      EXPECT_FALSE(second.take(folder / "out")) << text;
+    }
+  }
+  EXPECT_EQ(contents(folder / "out"), "again");
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
+// By a process that ends in the midst of it and clears nothing up.
+bool leaveLocked(const std::string& path) {
+  const pid_t writer = fork();
+  if (writer == 0) {
+    OutputLocks locks;
+    _exit(locks.take(path) ? 0 : 1);
+  }
+  int status = 1;
+  return waitpid(writer, &status, 0) == writer && status == 0;
+}
+
+TEST(OutputLocks, WhatAKilledProcessLeftHindersNobodyAndIsALeftover) {
+  ScratchFolder folder;
+  ASSERT_TRUE(leaveLocked(folder / "out"));
+  ASSERT_EQ(folder.entries(), 1u);
+  {
+    OutputLocks next;
+    EXPECT_TRUE(next.take(folder / "out"));
+    removeLeftovers(folder / "out");
+    EXPECT_EQ(folder.entries(), 1u) << "held again";
+  }
+  EXPECT_EQ(folder.entries(), 0u);
+  ASSERT_TRUE(leaveLocked(folder / "out"));
+  removeLeftovers(folder / "out");
+  EXPECT_EQ(folder.entries(), 0u);
+}
+
+// Who removed the file beside it, as by hand, has let another take it: that one's stays.
+TEST(OutputLocks, RemovesNoFileOfAnother) {
+  ScratchFolder folder;
+  OutputLocks second, third;
+  {
+    OutputLocks first;
+    ASSERT_TRUE(first.take(folder / "out"));
+    ASSERT_TRUE(fs::remove(folder / "out.obby-unfinished-locked"));
+    ASSERT_TRUE(second.take(folder / "out"));
+  }
+  EXPECT_FALSE(third.take(folder / "out"));
+}
+
+TEST(OutputLocks, NamesThatAreCutAlikeAreOnesOwn) {
+  ScratchFolder folder;
+  OutputLocks locks;
+  EXPECT_TRUE(locks.take(folder / std::string(240, 'a')));
+  EXPECT_TRUE(locks.take(folder / std::string(250, 'a')));
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(OutputLocks, WhereNothingCanBeHeldNobodyIsRefused) {
+  ScratchFolder folder;
+  OutputLocks first, second;
+  EXPECT_TRUE(first.take(folder / "no/where"));
+  EXPECT_TRUE(second.take(folder / "no/where"));
+  EXPECT_EQ(folder.entries(), 0u);
 }
 
 }  // namespace

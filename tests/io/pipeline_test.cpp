@@ -184,6 +184,62 @@ TEST(Pipeline, AnErrorOfWorkAfterTheRunIsInTheEnd) {
             "{\"type\":\"end\",\"status\":\"interrupted\",\"records\":\"2\",\"errors\":\"1\"}\n");
 }
 
+TEST(Pipeline, WhatCameOfOtherSourcesOfAToolIsInTheEnd) {
+  Fixture f;
+  f.options.onError = OnError::skip;
+  f.input("{\"type\":\"level\"}\n{\"type\":3}\n");
+  for (const auto& [status, name] : {std::pair(schema::EndStatus::COMPLETE, "complete"),
+                                     std::pair(schema::EndStatus::BUDGET, "budget"),
+                                     std::pair(schema::EndStatus::INTERRUPTED, "interrupted")}) {
+    f.output.clear();
+    Pipeline pipeline = f.pipeline();
+    ASSERT_TRUE(pipeline.run(passAll));
+    pipeline.readElsewhere({status, 2, 4});
+    ASSERT_TRUE(pipeline.finish());
+    EXPECT_EQ(f.end(), std::string("{\"type\":\"end\",\"status\":\"") + name +
+                           "\",\"records\":\"2\",\"skipped\":\"3\",\"errors\":\"5\"}\n");
+  }
+}
+
+TEST(RecordSource, IsNotWholeWhereAnEndSaysItWasInterrupted) {
+  const std::string interrupted =
+      "{\"type\":\"level\"}\n{\"type\":\"end\",\"status\":\"interrupted\"}\n";
+  for (const OnError onError : {OnError::stop, OnError::skip}) {
+    Fixture f;
+    f.options.onError = onError;
+    f.options.warn = [&](const Error& error) { f.reports.push_back(error.place); };
+    f.input(interrupted);
+    f.input("{\"type\":\"level\"}\n{\"type\":\"end\"}\n");
+    RecordSource source(f.options);
+    EXPECT_TRUE(source.checkWhole());
+    for (auto record = source.next(); record && *record;) record = source.next();
+    EXPECT_EQ(source.summary().status, schema::EndStatus::INTERRUPTED);
+    const Status whole = source.checkWhole();
+    if (onError == OnError::skip) {
+      EXPECT_TRUE(whole);
+      EXPECT_EQ(f.reports, std::vector<std::string>{"2"});
+    } else {
+      ASSERT_FALSE(whole);
+      EXPECT_EQ(whole.error().input, f.options.inputs[0]);
+      EXPECT_EQ(whole.error().place, "2");
+      EXPECT_TRUE(f.reports.empty());
+    }
+  }
+}
+
+TEST(RecordSource, IsWholeWhereItWasOnlyToldToStop) {
+  Fixture f;
+  const std::atomic<bool> stop{true};
+  f.options.stop = &stop;
+  f.input("{\"type\":\"level\"}\n");
+  RecordSource source(f.options);
+  const auto none = source.next();
+  ASSERT_TRUE(none && !*none);
+  EXPECT_TRUE(source.checkWhole());
+  EXPECT_EQ(source.summary().status, schema::EndStatus::COMPLETE);
+  EXPECT_EQ(source.status(), schema::EndStatus::INTERRUPTED);
+}
+
 TEST(Pipeline, ABrokenFrameIsNeverForgiven) {
   Fixture f;
   f.options.onError = OnError::skip;

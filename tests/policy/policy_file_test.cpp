@@ -19,7 +19,8 @@ PolicyFile sample() {
   PolicyFile file;
   Random random(1, 1);
   for (float& v : file.network.numbers()) v = random.unit() - 0.5f;
-  file.training = {"obby-train -o x.obp", "0.1.0", 7, 123456789012ull, 61.5, 0.7f, 0.55f};
+  file.training = {"obby-train -o x.obp", "0.1.0", 7, 123456789012ull, 61.5, 0.7f, 0.55f, "y"};
+  file.values = {3.5f, 2.25f};
   return file;
 }
 
@@ -32,6 +33,9 @@ TEST(PolicyFileTest, IsReadAsItWasWritten) {
   EXPECT_EQ(read->training.command, file.training.command);
   EXPECT_EQ(read->training.decisions, file.training.decisions);
   EXPECT_EQ(read->training.hardest, file.training.hardest);
+  EXPECT_EQ(read->training.start, "y");
+  EXPECT_EQ(read->values.mean, 3.5f);
+  EXPECT_EQ(read->values.deviation, 2.25f);
   EXPECT_EQ(writePolicy(*read), bytes);
   EXPECT_LT(bytes.size(), 2u << 20);
 }
@@ -90,6 +94,9 @@ TEST(PolicyFileTest, RefusesOtherVersionsByName) {
   expect(refusal(changed([](auto f) { f.getLayers()[0].initWeights(3); })), "weights of layers[0]");
   expect(refusal(changed([](auto f) { f.setHash(f.getHash() ^ 1); })), "its hash is wrong");
   expect(refusal(changed([](auto f) { f.getTraining().setSolved(NAN); })), "not finite");
+  expect(refusal(changed([](auto f) { f.setValueMean(INFINITY); })), "values of a mean");
+  expect(refusal(changed([](auto f) { f.setValueDeviation(NAN); })), "values of a mean");
+  expect(refusal(changed([](auto f) { f.setValueDeviation(-1); })), "values of a mean");
 }
 
 TEST(PolicyFileTest, RefusesWhatFollowsIt) {

@@ -208,6 +208,20 @@ TEST(DeviceEngine, GivesTheSameBitsOnAnyNumberOfThreads) {
   }
 }
 
+TEST(DeviceEngine, LearnsInPartsOfOneSize) {
+  const Gaps gaps;
+  const uint32_t rows = tiny().ticks * tiny().worlds();
+  const auto learned = [&](uint32_t part) {
+    TrainerSettings settings = tiny();
+    settings.ppo.part = part;
+    Machine machine;
+    const auto trainer = machine.make(gaps, settings);
+    EXPECT_TRUE((*trainer)->iterate());
+    return (*trainer)->network().numbers();
+  };
+  EXPECT_EQ(learned(rows - 1), learned(rows / 2));
+}
+
 TEST(DeviceEngine, LearnsToCrossAGap) {
   const Gaps gaps;
   Machine machine(2);

@@ -108,7 +108,10 @@ TEST(DeviceProducts, AreFusedWhateverTheBuild) {
 TEST(DeviceSums, AreThoseOfPartsShuffledOrNot) {
   ThreadPool pool(2);
   sim::HostDevice device(pool);
-  constexpr uint32_t kCount = 1500, kPart = 400;
+  constexpr uint32_t kCount = 3 * 512 + 1;  // the first part has a chunk more than the others
+  const Parts cut(kCount, 600);
+  ASSERT_EQ(cut.count(), 3u);
+  ASSERT_GT(chunksOf(cut.size(0)), chunksOf(cut.size(1)));
   Random random(6, 6);
   std::vector<float> values(kCount);
   for (float& v : values) v = random.unit();
@@ -116,18 +119,17 @@ TEST(DeviceSums, AreThoseOfPartsShuffledOrNot) {
   DeviceTable<Moments> chunks, parts;
   ASSERT_TRUE(there.make(device, kCount));
   ASSERT_TRUE(there.put(values));
-  ASSERT_TRUE(chunks.make(device, 4 * chunksOf(kPart)));
-  ASSERT_TRUE(parts.make(device, 4));
+  ASSERT_TRUE(chunks.make(device, 3 * chunksOf(cut.largest())));
+  ASSERT_TRUE(parts.make(device, 3));
   for (const bool shuffled : {false, true}) {
-    const MomentArguments m{there.data(), chunks.data(), parts.data(), Shuffle(1, 2, kCount),
-                            shuffled,     kCount,        kPart};
-    ASSERT_EQ(m.partCount(), 4u);
-    ASSERT_TRUE(enqueue(device, TrainStep::chunkMoments, m, 4 * chunksOf(kPart)));
-    ASSERT_TRUE(enqueue(device, TrainStep::partMoments, m, 4));
+    const MomentArguments m{there.data(),          chunks.data(), parts.data(),
+                            Shuffle(1, 2, kCount), shuffled,      cut};
+    ASSERT_TRUE(enqueue(device, TrainStep::chunkMoments, m, 3 * m.chunksOfEach()));
+    ASSERT_TRUE(enqueue(device, TrainStep::partMoments, m, 3));
     const auto found = parts.get();
-    for (uint32_t part = 0; part < 4; ++part) {
+    for (uint32_t part = 0; part < 3; ++part) {
       double sum = 0, squares = 0;
-      for (uint32_t i = part * kPart; i < std::min((part + 1) * kPart, kCount); ++i) {
+      for (uint32_t i = cut.first(part); i < cut.first(part) + cut.size(part); ++i) {
         const double v = double(values[shuffled ? m.shuffle(i) : i]);
         sum += v;
         squares += v * v;

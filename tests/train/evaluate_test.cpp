@@ -8,6 +8,7 @@
 #include <chrono>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 #include "train/gaps.h"
 
@@ -52,6 +53,22 @@ TEST(Evaluation, EndsOnceItsTimeIsUp) {
   EXPECT_EQ(none.levels, 0u);
   EXPECT_TRUE(none.timeUp);
   EXPECT_FALSE(judged(Gaps(), ofLevels(3), 2).timeUp);
+}
+
+TEST(Evaluation, TellsHowFarItIs) {
+  for (const int threads : {1, 3}) {
+    std::vector<EvaluationSoFar> told;
+    ThreadPool pool(threads);
+    const std::atomic<bool> stop{false};
+    const Evaluation e = evaluate(policy::Network(), SomeBad(), ofLevels(10), pool, stop,
+                                  [&](const EvaluationSoFar& soFar) { told.push_back(soFar); });
+    ASSERT_EQ(told.size(), 8u) << threads;
+    for (uint32_t i = 0; i < told.size(); ++i) {
+      EXPECT_EQ(told[i].levels, i + 1);
+      EXPECT_FLOAT_EQ(float(told[i].done), float(i + 1) / 10);
+    }
+    EXPECT_EQ(told.back().likeliest, e.likeliest);
+  }
 }
 
 // Levels that know what they were told of.

@@ -67,6 +67,38 @@ TEST(LevelStream, HoldsNoCompiledLevelThatNobodyWillAskFor) {
   EXPECT_EQ(hashOf(shared, 401), hashOf(all, 1)) << "compiled again";
 }
 
+// To go on in the midst of a stream takes no longer than to read it up to there.
+TEST(LevelStream, CompilesNothingOfWhatAnEarlierRunPassed) {
+  const LevelStream all(optionsOf(linesOf(40)));
+  const LevelStream resumed(optionsOf(linesOf(40)));
+  resumed.past(30);
+  EXPECT_EQ(hashOf(resumed, 35), hashOf(all, 35));
+  EXPECT_EQ(resumed.compiledOnReading(), 6u);
+  EXPECT_EQ(hashOf(resumed, 43), hashOf(all, 3)) << "compiled once it is asked for";
+  EXPECT_EQ(resumed.compiledOnReading(), 10u);
+}
+
+TEST(LevelStream, CompilesAllOfATurnThatIsNotPast) {
+  const std::string easy = R"(,"difficulty":0)";
+  // Of two, of one before a query that does not say how hard it is, that one, of two.
+  const LevelStream resumed(optionsOf(linesOf(6, {easy, easy, easy, "", easy, easy})),
+                            {.choices = 2});
+  resumed.past(2);
+  hashOf(resumed, 3);
+  EXPECT_EQ(resumed.compiledOnReading(), 3u);
+}
+
+// Those that do not compile are left out, and count nowhere: to know them all are compiled.
+TEST(LevelStream, CompilesAllWhereErrorsAreForgiven) {
+  io::SourceOptions options =
+      optionsOf(lineOf(0) + lineOf(1, R"(,"difficulty":1.5)") + lineOf(2) + lineOf(3));
+  options.onError = io::OnError::skip;
+  const LevelStream all(optionsOf(linesOf(4))), resumed(std::move(options));
+  resumed.past(2);
+  EXPECT_EQ(hashOf(resumed, 2), hashOf(all, 3));
+  EXPECT_EQ(resumed.compiledOnReading(), 3u);
+}
+
 // What is read on the way to a level that comes much later waits as records.
 TEST(LevelStream, HoldsSoManyCompiledLevelsAtMost) {
   const LevelStream all(optionsOf(linesOf(40)));
@@ -229,6 +261,23 @@ TEST(LevelStream, NamesADifficultyOutOfRange) {
   ASSERT_FALSE(level);
   EXPECT_NE(level.error().text().find("levels:3: difficulty: expected 0"), std::string::npos)
       << level.error().text();
+}
+
+// What cannot be read, and what makes no sense.
+TEST(LevelStream, LeavesOutWhatIsWrongWhereThatIsForgiven) {
+  const LevelStream all(optionsOf(linesOf(3)));
+  std::vector<std::string> told;
+  io::SourceOptions options = optionsOf(lineOf(0) + R"({"type":"level","parts":7})" + "\n" +
+                                        lineOf(1, R"(,"difficulty":1.5)") + lineOf(2));
+  options.onError = io::OnError::skip;
+  options.report = [&](const Error& error) { told.push_back(error.text()); };
+  const LevelStream some(std::move(options));
+  EXPECT_EQ(hashOf(some, 0), hashOf(all, 0));
+  EXPECT_EQ(hashOf(some, 1), hashOf(all, 2));
+  EXPECT_EQ(hashOf(some, 2), hashOf(all, 0)) << "it begins again";
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_EQ(told[0].find("levels:3: parts: "), 0u) << told[0];
+  EXPECT_EQ(told[1].find("levels:5: difficulty: "), 0u) << told[1];
 }
 
 TEST(LevelStream, HasToHaveOne) {

@@ -48,6 +48,16 @@ TEST_F(CsvLogs, GoOnBehindWhatIsKept) {
   EXPECT_LT(text().size(), whole.size());
 }
 
+// As mktemp makes one.
+TEST_F(CsvLogs, BeginInAFileThatIsEmptyWhereverLearningIs) {
+  write(0, {4});
+  const std::string whole = text();
+  std::ofstream(path_, std::ios::trunc);
+  ASSERT_EQ(text(), "");
+  write(3, {4});
+  EXPECT_EQ(text(), whole);
+}
+
 TEST_F(CsvLogs, AreNotMadeOfOtherFiles) {
   std::ofstream(path_) << "my notes\n";
   const auto log = CsvLog::open(path_, 3);

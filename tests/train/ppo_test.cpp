@@ -120,6 +120,20 @@ TEST(Ppo, OfTwoRanksTakesTheStepOfOneWithBothBatches) {
   EXPECT_GT(moved, 1e-3);
 }
 
+// Another step by the one decision that is left over would move as much as the first.
+TEST(Ppo, LearnsInPartsOfOneSize) {
+  constexpr uint32_t kWorlds = 24;
+  ThreadPool pool(1);
+  OneRank alone;
+  const auto learned = [&](uint32_t part) {
+    Ppo ppo(oneStepOf(part), 5, pool, alone);
+    Batch batch = someBatch(0, kWorlds);
+    ppo.learn(batch, 1);
+    return ppo.weights().flat();
+  };
+  EXPECT_EQ(learned(kTicks * kWorlds - 1), learned(kTicks * kWorlds / 2));
+}
+
 // Returns of another mean and spread move what the value head's outputs mean, not what it says.
 TEST(Ppo, SaysTheSameOfAStateWhenTheScaleOfReturnsMoves) {
   ThreadPool pool(1);

@@ -10,7 +10,11 @@
 namespace obby::train {
 namespace {
 
+// The least that is asked of a policy to be shipped is 60 % of the courses. Of 1,000 others like
+// these it solves 75 and 76 % (policies/README.md); the standard deviation of a hundred is four
+// points.
 TEST(ShippedPolicy, SolvesMostCoursesThatItNeverSaw) {
+  constexpr double kLeast = 0.6;
   gen::Recipe recipe;
   recipe.styles = {{"course", 1}};
   recipe.difficulty = {0.25f, 0.75f};  // easy to hard
@@ -23,8 +27,8 @@ TEST(ShippedPolicy, SolvesMostCoursesThatItNeverSaw) {
   const std::atomic<bool> stop{false};
   const Evaluation found = evaluate(policy::shippedPolicy().network, **courses, how, pool, stop);
   EXPECT_EQ(found.levels, 100u);
-  EXPECT_GT(found.likeliest, 0.5);
-  EXPECT_GT(found.drawn, 0.5);
+  EXPECT_GE(found.likeliest, kLeast);
+  EXPECT_GE(found.drawn, kLeast);
   const Evaluation chance = evaluate(policy::Network(), **courses, how, pool, stop);
   EXPECT_LT(chance.any, 0.05);
 }

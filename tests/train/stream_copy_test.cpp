@@ -13,7 +13,7 @@ TEST(StreamCopy, HasTheLevelsOfTheStream) {
   WaitLimit waiting(interrupted, WaitLimit::kNone);
   const auto copy = copyOfStream(optionsOf(linesOf(4)), waiting);
   ASSERT_TRUE(copy) << copy.error().text();
-  const LevelStream all(optionsOf(linesOf(4))), copied(optionsOf(*copy));
+  const LevelStream all(optionsOf(linesOf(4))), copied(optionsOf(copy->records));
   for (uint64_t i = 0; i < 4; ++i) EXPECT_EQ(hashOf(copied, i), hashOf(all, i)) << i;
 }
 
@@ -24,8 +24,9 @@ TEST(StreamCopy, OfAStreamThatIsTooLongIsAnError) {
   const std::string lines = linesOf(4);
   const auto whole = copyOfStream(optionsOf(lines), waiting);
   ASSERT_TRUE(whole) << whole.error().text();
-  EXPECT_TRUE(copyOfStream(optionsOf(lines), waiting, whole->size()));
-  const auto cut = copyOfStream(optionsOf(lines), waiting, whole->size() - 1);
+  const size_t bytes = whole->records.size();
+  EXPECT_TRUE(copyOfStream(optionsOf(lines), waiting, bytes));
+  const auto cut = copyOfStream(optionsOf(lines), waiting, bytes - 1);
   ASSERT_FALSE(cut);
   EXPECT_NE(cut.error().text().find("give them a stream that ends"), std::string::npos)
       << cut.error().text();

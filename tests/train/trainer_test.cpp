@@ -72,6 +72,7 @@ class Rated : public Engine {
 
   Status begin(float) override { return {}; }
   Status restore(const LearnerState&, std::span<CrowdState>) override { return {}; }
+  Status setLearner(const LearnerState&) override { return {}; }
   Result<Played> play(const PlayOrder&) override { return Played{}; }
   Result<Progress> learn(float rate) override {
     rates_.push_back(rate);

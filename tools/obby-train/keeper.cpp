@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/written_files.h"
 #include "io/read_file.h"
+#include "io/sink.h"
 #include "policy/policy_file.h"
 
 namespace obby::tools {
 
 namespace {
+
+constexpr const char* kFresh = "absent";  // the policy that learning begins with
 
 // Metrics go to standard output, and would spoil a file there as it would spoil them.
 Status filesHaveNames(const cli::Arguments& a) {
@@ -106,7 +108,20 @@ Keeper::Keeper(const cli::Context& context, train::Ranks& ranks, const std::atom
       late_(late),
       checkpointPath_(checkpointPathOf(context.arguments())) {}
 
-Status Keeper::checkFiles() const {
+// Two runs would write over each other's files by turns, and neither would notice.
+Status Keeper::lockFiles(std::span<const cli::WrittenFile> written) {
+  for (const cli::WrittenFile& file : written) {
+    if (file.path.empty() || !isFile(file.path) || locks_.take(file.path)) continue;
+    return Error{"--" + file.option,
+                 {},
+                 {},
+                 fmt::format("another obby-train writes {}", file.path),
+                 "end it, or name another file"};
+  }
+  return {};
+}
+
+Status Keeper::checkFiles() {
   const cli::Arguments& a = context_.arguments();
   OBBY_RETURN_IF_ERROR(filesHaveNames(a));
   const cli::WrittenFile written[] = {{"", "-"},
@@ -115,6 +130,7 @@ Status Keeper::checkFiles() const {
                                       {"log", a.text("log")},
                                       {"curve", a.text("curve")}};
   OBBY_RETURN_IF_ERROR(cli::refuseOverwriting(a, written));
+  OBBY_RETURN_IF_ERROR(lockFiles(std::span(written).subspan(1)));  // all but standard output
   for (const std::string& path : {a.text("output"), checkpointPath_, a.text("curve")}) {
     if (!path.empty()) OBBY_RETURN_IF_ERROR(canBeWritten(path));
   }
@@ -142,6 +158,7 @@ Result<std::string> Keeper::findBytes() const {
 
 Status Keeper::find() {
   OBBY_RETURN_IF_ERROR(ranks_.agree(ranks_.first() ? checkFiles() : Status()));
+  OBBY_ASSIGN(start_, startPolicyOf(context_, ranks_));
   OBBY_ASSIGN(std::string bytes,
               ranks_.agree(ranks_.first() ? findBytes() : Result<std::string>(std::string())));
   bytes = ranks_.share(std::move(bytes));
@@ -152,11 +169,23 @@ Status Keeper::find() {
   return {};
 }
 
+// What learning goes on from has it all: its start need not be named again.
+std::string Keeper::startName() const {
+  if (start_) return start_->name;
+  if (!found_) return kFresh;
+  const std::vector<train::Setting>& then = found_->settings;
+  const auto start = std::find_if(then.begin(), then.end(),
+                                  [](const train::Setting& s) { return s.name == "start-from"; });
+  return start == then.end() ? kFresh : start->value;
+}
+
 Status Keeper::setRun(const train::TrainerSettings& trainer,
                       const std::vector<train::Setting>& levels, bool onDevice) {
   settings_ = trainer;
   run_ = levels;
   run_.push_back({"backend", onDevice ? "cuda" : "cpu"});
+  startName_ = startName();
+  run_.push_back({"start-from", startName_});
   for (train::Setting& setting : train::settingsOf(trainer)) run_.push_back(std::move(setting));
   run_.push_back({"ranks", fmt::format("{}", ranks_.count())});
   std::string text;
@@ -168,7 +197,8 @@ Status Keeper::setRun(const train::TrainerSettings& trainer,
 }
 
 Result<std::unique_ptr<train::Trainer>> Keeper::trainer(std::unique_ptr<train::Engine> engine) {
-  if (!found_) return train::Trainer::make(settings_, std::move(engine), ranks_);
+  const train::Start* const start = start_ ? &start_->start : nullptr;
+  if (!found_) return train::Trainer::make(settings_, std::move(engine), ranks_, start);
   if (Status same = train::sameSettings(found_->settings, run_); !same)
     return inFile(same.error(), checkpointPath_);
   auto trainer =
@@ -202,9 +232,12 @@ Status Keeper::save(const train::Trainer& trainer, const train::History& history
 Status Keeper::savePolicy(const train::Trainer& trainer, const train::TrainerState& state,
                           double seconds) const {
   const io::StreamIdentity identity = context_.identity();
-  const policy::PolicyFile file{trainer.network(),
-                                {commandOf(context_.arguments()), identity.version, identity.seed,
-                                 state.decisions, seconds, state.hardest, float(state.solved)}};
+  const train::ValueScale& values = state.learner.values;
+  const policy::PolicyFile file{
+      trainer.network(),
+      {commandOf(context_.arguments()), identity.version, identity.seed, train::allDecisions(state),
+       seconds, state.hardest, float(state.solved), startName_ == kFresh ? "" : startName_},
+      {values.mean, values.deviation}};
   return writeFile(context_.arguments().text("output"), policy::writePolicy(file), late_);
 }
 

@@ -4,8 +4,12 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "cli/context.h"
+#include "cli/written_files.h"
+#include "io/output_file.h"
+#include "start_policy.h"
 #include "train/checkpoint.h"
 
 namespace obby::tools {
@@ -16,16 +20,17 @@ class Keeper {
   // who takes nothing from a named pipe is given up, as io::Sink::open says; must outlive this.
   Keeper(const cli::Context& context, train::Ranks& ranks, const std::atomic<bool>& late);
 
-  // With --resume: reads the checkpoint. Done before levels are read, so that a wrong name is said
-  // at once. Errors: those of the file; standard output as a file; files that could not be written
-  // later, or would be written over one another, or over what is read.
+  // Reads the policy of --start-from, and with --resume the checkpoint. Done before levels are
+  // read, so that a wrong name is said at once. Errors: those of the files; standard output as a
+  // file; files that could not be written later, or would be written over one another, or over what
+  // is read; those that another run writes: as long as this lives they are this run's alone.
   Status find();
   // What is learned under, the levels' settings included, and on a device or not. Error: ranks that
   // differ in it.
   Status setRun(const train::TrainerSettings& trainer, const std::vector<train::Setting>& levels,
                 bool onDevice);
-  // One that goes on from what find() found, or a new one. Errors: other settings than then, and
-  // those of Trainer.
+  // One that goes on from what find() found, a new one that begins with the policy of --start-from,
+  // or one with a fresh network. Errors: other settings than then, and those of Trainer.
   Result<std::unique_ptr<train::Trainer>> trainer(std::unique_ptr<train::Engine> engine);
 
   // Of the runs that this one goes on from.
@@ -39,8 +44,10 @@ class Keeper {
   Status save(const train::Trainer& trainer, const train::History& history, double seconds) const;
 
  private:
-  Status checkFiles() const;
+  Status checkFiles();
+  Status lockFiles(std::span<const cli::WrittenFile> written);
   Result<std::string> findBytes() const;
+  std::string startName() const;
   Status savePolicy(const train::Trainer& trainer, const train::TrainerState& state,
                     double seconds) const;
 
@@ -48,9 +55,12 @@ class Keeper {
   train::Ranks& ranks_;
   const std::atomic<bool>& late_;
   std::string checkpointPath_;  // empty: none is written
+  io::OutputLocks locks_;       // the first rank's
   train::TrainerSettings settings_;
   std::vector<train::Setting> run_;
   std::optional<train::Checkpoint> found_;
+  std::optional<StartPolicy> start_;
+  std::string startName_;  // of the policy that all runs together began with, or kFresh
   double secondsBefore_ = 0;
   train::History historyBefore_;
 };

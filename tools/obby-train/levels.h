@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/context.h"
+#include "train/level_stream.h"
 #include "train/ranks.h"
 #include "train/settings.h"
 #include "train/training_level.h"
@@ -13,7 +14,13 @@ namespace obby::tools {
 
 struct Levels {
   std::unique_ptr<train::LevelSource> source;
-  std::vector<train::Setting> settings;  // tell these levels from others
+  std::vector<train::Setting> settings;        // tell these levels from others
+  const train::LevelStream* stream = nullptr;  // the source where it is one
+
+  // What came of the records that were read so far.
+  io::SourceSummary summary() const {
+    return stream != nullptr ? stream->summary() : io::SourceSummary();
+  }
 };
 
 // Is no stream read, for the levels are made?

@@ -27,7 +27,7 @@ constexpr uint64_t kHeldOut = 0x68656c64;
 // Interrupted while it waited for the first levels.
 Status nothingLearned(cli::Context& context) {
   OBBY_ASSIGN(tools::MetricsStream stream, tools::MetricsStream::open(context, context.stop()));
-  return stream.finish();
+  return stream.finish({.skipped = context.errors(), .errors = context.errors()});
 }
 
 // Where to learn. `direct`: how ranks exchange gradients on devices.
@@ -86,7 +86,7 @@ Status learn(cli::Context& context, tools::JoinedRanks& joined) {
                          stream ? &*stream : nullptr, waiting);
   Status done = session.run();
   waiting.end();
-  return stream ? stream->finish(std::move(done)) : done;
+  return stream ? stream->finish(levels.summary(), std::move(done)) : done;
 }
 
 // What nobody played for is left out.
@@ -96,6 +96,17 @@ std::vector<train::Metric> metricsOf(const train::Evaluation& e, uint32_t tries)
   if (tries > 1) out.push_back({"solvedDrawn", e.drawn, ""});
   out.push_back({"solvedAny", e.any, ""});
   return out;
+}
+
+// Nobody knows how many levels a stream has.
+void showPlayed(cli::Context& context, uint32_t levels, const train::EvaluationSoFar& e) {
+  cli::ProgressState state{"evaluating", -1, {{"levels", double(e.levels)}}};
+  if (tools::makesLevels(context.arguments())) {
+    state.fraction = e.done;
+    state.numbers.push_back({"of", double(levels)});
+  }
+  state.numbers.push_back({"solved", e.likeliest});
+  context.progress(state);
 }
 
 Status evaluate(cli::Context& context, train::Ranks& ranks) {
@@ -114,15 +125,16 @@ Status evaluate(cli::Context& context, train::Ranks& ranks) {
   OBBY_ASSIGN(tools::MetricsStream stream, tools::MetricsStream::open(context, waiting.late()));
   const train::EvaluationSettings settings = tools::evaluationSettings(context);
   waiting.begin();
-  const train::Evaluation e =
-      train::evaluate(file.network, *levels.source, settings, pool, context.stop());
+  const train::Evaluation e = train::evaluate(
+      file.network, *levels.source, settings, pool, context.stop(),
+      [&](const train::EvaluationSoFar& soFar) { showPlayed(context, settings.levels, soFar); });
   if (e.timeUp || waiting.isUp()) stream.outOfBudget();
   // A level that could not be read takes nothing from those that were played.
   Status done;
   if (e.levels > 0 || e.missing)
     done = stream.write("obby-train --eval", file.training.decisions, metricsOf(e, settings.tries));
   if (done) done = e.missing;
-  return stream.finish(std::move(done));
+  return stream.finish(levels.summary(), std::move(done));
 }
 
 // Whoever takes nothing is given up as after a signal, but it may be the time that is over.

@@ -56,9 +56,10 @@ Status MetricsStream::write(const char* source, uint64_t step,
   return stream_.output().flush();
 }
 
-Status MetricsStream::finish(Status work) {
+Status MetricsStream::finish(const io::SourceSummary& levels, Status work) {
   Status reader = waitForReader();
   if (!reader) return work ? std::move(reader) : std::move(work);
+  stream_.readElsewhere(levels);
   return stream_.finish(std::move(work));
 }
 

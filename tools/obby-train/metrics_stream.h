@@ -23,8 +23,9 @@ class MetricsStream {
   // that, io::isInterrupted(), or the output's.
   Status write(const char* source, uint64_t step, std::span<const train::Metric> values);
   void outOfBudget() { stream_.outOfBudget(); }
-  // As Pipeline::finish(); waits as write() does.
-  Status finish(Status work = {});
+  // As Pipeline::finish(); waits as write() does. `levels`: what came of their records, which the
+  // end record says, too.
+  Status finish(const io::SourceSummary& levels, Status work = {});
 
  private:
   MetricsStream(const std::atomic<bool>& late, io::Pipeline stream)

@@ -50,11 +50,23 @@ OptionRow backendRow() {
   return r;
 }
 
+// No records are passed on.
+OptionRow onErrorRow() {
+  OptionRow r = cli::commonRow(cli::Common::onError);
+  r.choices = {"stop", "skip"};
+  r.help =
+      "a bad record of the stream: stop, or leave it out; the exit code is 2 in either case; skip "
+      "also takes what came of a stream that was interrupted for all there is";
+  r.group = kLevelGroup;
+  return r;
+}
+
 std::vector<OptionRow> levelRows() {
   return {row("generate", ValueType::flag, "", "",
               "make the levels, always new ones, instead of reading a stream; --style, "
               "--difficulty and --recipe say this too",
-              kLevelGroup)};
+              kLevelGroup),
+          onErrorRow()};
 }
 
 template <class Number>
@@ -75,13 +87,15 @@ std::vector<OptionRow> learnRows() {
                           "worlds that play at a time; a multiple of 256", kCrowd, 1 << 20),
                  kCrowd),
       learnRow("rate", ValueType::number, "R", s.ppo.rate,
-               "of the optimiser at first; falls to a tenth", 1e-7, 1),
-      learnRow("passes", ValueType::integer, "N", s.ppo.passes, "over each batch", 1, 100),
-      learnRow("part", ValueType::integer, "N", s.ppo.part, "decisions a step of the optimiser", 64,
-               1 << 20),
+               "learning rate at first; falls to a tenth of it", 1e-7, 1),
+      learnRow("passes", ValueType::integer, "N", s.ppo.passes,
+               "passes over each batch of decisions", 1, 100),
+      learnRow("part", ValueType::integer, "N", s.ppo.part,
+               "decisions in each step of the optimiser, at most", 64, 1 << 20),
       learnRow("entropy", ValueType::number, "SHARE", s.ppo.loss.entropyShare,
-               "of the loss: how much trying things out is worth", 0, 10),
-      learnRow("discount", ValueType::number, "SHARE", s.ppo.discount, "of a decision", 0, 1),
+               "share of entropy in the loss: how much trying things out is worth", 0, 10),
+      learnRow("discount", ValueType::number, "SHARE", s.ppo.discount,
+               "worth of a reward one decision later", 0, 1),
   };
 }
 
@@ -101,6 +115,10 @@ std::vector<OptionRow> keepRows() {
               "behind its name",
               kKeepGroup),
           resumeRow(),
+          row("start-from", ValueType::file, "FILE", "",
+              "begin with the policy of FILE instead of a fresh network, as to fine-tune it on "
+              "levels of your own; with --resume it need not be named again",
+              kKeepGroup),
           between(row("save-every", ValueType::number, "SECONDS", "60",
                       "between two writes of checkpoint and policy", kKeepGroup),
                   0, 1e6)};
@@ -140,13 +158,17 @@ std::vector<OptionRow> evaluateRows() {
 }  // namespace
 
 Status optionsFit(const cli::Arguments& a) {
+  if (makesLevels(a)) {
+    OBBY_RETURN_IF_ERROR(cli::refuseTyped(
+        a, {"on-error"}, "no stream is read where levels are made", "leave out one of the two"));
+  }
   if (a.has("eval")) {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(
         a, {"backend"}, "levels are played on the CPU with --eval", "leave out one of the two"));
     return cli::refuseTyped(
         a,
         {"output", "resume", "checkpoint", "log", "tensorboard", "curve", "save-every", "log-every",
-         "rate", "passes", "part", "entropy", "discount", "worlds", "decisions"},
+         "rate", "passes", "part", "entropy", "discount", "worlds", "decisions", "start-from"},
         "nothing is learned with --eval", "leave out one of the two");
   }
   OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"eval-levels", "eval-tries"},
@@ -169,6 +191,9 @@ cli::ToolSpec trainSpec() {
       {"go on with learning that was broken off, as if it had not been",
        "obby-train --style gaps --decisions 300000 --time-limit 1 && "
        "obby-train --style gaps --decisions 300000 --resume"},
+      {"learn first on many levels, then go on with some of your own",
+       "obby-train --style gaps --time-limit 5 && obby-gen --style course --count 20 | "
+       "obby-train --start-from policy.obp --rate 0.0005 --time-limit 5 -o mine.obp"},
       {"look on, by a table, by TensorBoard and by a picture",
        "obby-train --style gaps --time-limit 2 --log learning.csv --tensorboard runs/gaps "
        "--curve learning.svg"},

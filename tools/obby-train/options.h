@@ -10,8 +10,8 @@
 namespace obby::tools {
 
 cli::ToolSpec trainSpec();
-// Error: options that would do nothing beside the others, typed: those of learning with --eval, of
-// --eval without it, of logs without one.
+// Error: options that would do nothing beside the others, typed: those of streams without one, of
+// learning with --eval, of --eval without it, of logs without one.
 Status optionsFit(const cli::Arguments& arguments);
 train::TrainerSettings trainerSettings(const cli::Context& context);
 // `which`: of several GPUs.

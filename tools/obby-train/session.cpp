@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "io/read_file.h"
+#include "io/sink.h"
 #include "options.h"
 
 namespace obby::tools {
@@ -9,6 +11,7 @@ namespace obby::tools {
 namespace {
 
 constexpr double kMetricsSeconds = 5;
+constexpr double kPaceSeconds = 5;  // between two marks of the present rate
 
 }  // namespace
 
@@ -24,7 +27,8 @@ Session::Session(cli::Context& context, train::Trainer& trainer, train::Ranks& r
       decisionsBefore_(trainer.decisions()),
       most_(uint64_t(context.arguments().integer("decisions"))),
       mostSeconds_(timeLimit(context.arguments())),
-      saveSeconds_(context.arguments().number("save-every")) {
+      saveSeconds_(context.arguments().number("save-every")),
+      pace_{{0, decisionsBefore_}, {0, decisionsBefore_}} {
   waiting_.begin();
 }
 
@@ -34,10 +38,20 @@ double Session::seconds() const {
 
 double Session::rate() const { return double(last_.decisions - decisionsBefore_) / seconds(); }
 
+// Since the older mark, which is five to ten seconds back once there are two.
+double Session::presentRate() {
+  const double now = seconds();
+  if (now - pace_[1].seconds >= kPaceSeconds) {
+    pace_[0] = pace_[1];
+    pace_[1] = {now, last_.decisions};
+  }
+  return double(last_.decisions - pace_[0].decisions) / (now - pace_[0].seconds);
+}
+
 Status Session::run() {
   while (true) {
     const Votes votes = vote();
-    if (votes.save) OBBY_RETURN_IF_ERROR(save());
+    if (votes.save) OBBY_RETURN_IF_ERROR(saveMeanwhile());
     if (votes.stop) break;
     OBBY_ASSIGN(last_, trainer_.iterate());
     Status told = ranks_.agree(note());
@@ -50,6 +64,27 @@ Status Session::run() {
   OBBY_RETURN_IF_ERROR(std::move(saved));
   OBBY_RETURN_IF_ERROR(std::move(told));
   return trainer_.more();
+}
+
+// A disk that is full for a minute does not end a day's learning: the next save may succeed, and
+// the last one counts. But the first has to, for its place may be wrong; and who is gone from the
+// other end of a pipe does not come back.
+Status Session::saveMeanwhile() {
+  Status saved = save();
+  if (saved) {
+    if (failing_ && ranks_.first()) context_.note("what is learned is saved again");
+    saved_ = true;
+    failing_ = false;
+    return saved;
+  }
+  const bool forGood = io::isBrokenPipe(saved.error()) || io::isInterrupted(saved.error());
+  double gone[] = {double(ranks_.first() && forGood)};  // the others have its words only
+  ranks_.add(gone);
+  if (!saved_ || gone[0] > 0) return saved;
+  if (ranks_.first() && !failing_)
+    context_.warn(saved.error().text() + "; learning goes on, and the next save tries again");
+  failing_ = true;
+  return {};
 }
 
 // Who could not be told, as at the end of a pipe that was closed: what was learned is kept.
@@ -85,10 +120,10 @@ void Session::showProgress() {
   const double left = share > 0 ? std::max(seconds() * (1 - share) / share, 0.0) : 0;
   context_.progress({"learning",
                      std::max(double(last_.decisions) / double(most_), seconds() / mostSeconds_),
-                     {{"decisions/s", rate()},
+                     {{"decisions/s", presentRate()},
                       {"solved", last_.solved},
-                      {"difficulty", double(last_.hardest)},
-                      {"seconds left", left}}});
+                      {"difficulty", double(last_.hardest)}},
+                     left});
 }
 
 Status Session::tell() {

@@ -19,21 +19,28 @@ class Session {
           Logs logs, MetricsStream* output, train::WaitLimit& waiting);
 
   // Until --decisions, --time-limit (of this run), a signal, or an error. Saves in the end but
-  // where the error is that nothing can be learned any more.
+  // where the error is that nothing can be learned any more. Of the saves before only the first has
+  // to succeed: of later ones that fail it is told, and learning goes on.
   Status run();
 
  private:
   double seconds() const;  // of this run
   double allSeconds() const { return keeper_.secondsBefore() + seconds(); }
-  double rate() const;
+  double rate() const;   // decisions a second, of this run
+  double presentRate();  // of its last seconds
   void showProgress();
   struct Votes {  // of all ranks
     bool stop, save;
+  };
+  struct Mark {
+    double seconds;
+    uint64_t decisions;
   };
   Votes vote();
   Status note();
   Status tell();
   Status save();
+  Status saveMeanwhile();
   Status saveAfter(Status ended);
 
   cli::Context& context_;
@@ -48,7 +55,9 @@ class Session {
   train::Iteration last_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   double toldAt_ = 0, savedAt_ = 0;
-  uint64_t told_ = 0;  // number of the iteration of the last record
+  uint64_t told_ = 0;                     // number of the iteration of the last record
+  bool saved_ = false, failing_ = false;  // a save before the end; the last of these
+  Mark pace_[2];                          // of progress: an older one, a newer one
 };
 
 }  // namespace obby::tools

@@ -7,8 +7,8 @@ namespace obby::tools {
 namespace {
 
 // On the first rank.
-Result<std::string> copyOf(io::SourceOptions options, train::WaitLimit& waiting) {
-  OBBY_ASSIGN(std::string copy, train::copyOfStream(std::move(options), waiting));
+Result<train::StreamCopy> copyOf(io::SourceOptions options, train::WaitLimit& waiting) {
+  OBBY_ASSIGN(train::StreamCopy copy, train::copyOfStream(std::move(options), waiting));
   if (waiting.isUp()) return lateStream();
   if (waiting.stop()) return makeError(train::kInterrupted);
   return copy;
@@ -24,20 +24,23 @@ Result<Levels> streamedLevels(cli::Context& context, train::Ranks& ranks, bool a
   train::LevelStreamSettings settings;
   settings.wait = &waiting;
   if (ranks.count() > 1) {
-    OBBY_ASSIGN(std::string copy, ranks.agree(ranks.first() ? copyOf(options, waiting)
-                                                            : Result<std::string>(std::string())));
-    copy = ranks.share(std::move(copy));
+    OBBY_ASSIGN(train::StreamCopy copy,
+                ranks.agree(ranks.first() ? copyOf(options, waiting)
+                                          : Result<train::StreamCopy>(train::StreamCopy())));
+    settings.before = copy.summary;
     options.inputs = {"the first rank's levels"};
     options.stop = nullptr;  // they are here already; all ranks end after the same iteration
+    if (!ranks.first()) options.report = nullptr;  // all come to the same records
     settings.wait = nullptr;
-    options.open = [copy](const std::string& name) {
-      return Result<io::StreamReader>(io::StreamReader::overBytes(copy, name));
+    options.open = [records = ranks.share(std::move(copy.records))](const std::string& name) {
+      return Result<io::StreamReader>(io::StreamReader::overBytes(records, name));
     };
   }
   settings.again = again;
   if (!again) settings.choices = 1;  // each is to be played
-  return Levels{std::make_unique<train::LevelStream>(std::move(options), settings),
-                {{"levels", "of a stream"}}};
+  auto stream = std::make_unique<train::LevelStream>(std::move(options), settings);
+  const train::LevelStream* const same = stream.get();
+  return Levels{std::move(stream), {{"levels", "of a stream"}}, same};
 }
 
 Error lateStream() {

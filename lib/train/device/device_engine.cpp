@@ -26,6 +26,7 @@ class DeviceEngine : public Engine {
     OBBY_RETURN_IF_ERROR(learner_.restore(learner));
     return places_.restore(crowds);
   }
+  Status setLearner(const LearnerState& learner) override { return learner_.restore(learner); }
   Result<Played> play(const PlayOrder& order) override;
   Result<Progress> learn(float rate) override { return learner_.learn(rate); }
   Result<LearnerState> learner() const override { return learner_.state(); }

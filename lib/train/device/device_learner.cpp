@@ -13,13 +13,10 @@ Status DeviceBatch::make(sim::Device& device, uint32_t tickCount, uint32_t world
   return done.make(device, rows());
 }
 
-uint32_t DeviceLearner::partsOfPass() const {
-  return (batch_.rows() + partRows() - 1) / partRows();
-}
-
 Status DeviceLearner::make() {
   OBBY_RETURN_IF_ERROR(batch_.make(device_, settings_.ticks, settings_.worlds()));
-  const uint32_t part = partRows(), chunks = chunksOf(part);
+  const Parts cut = partsOfPass();
+  const uint32_t part = cut.largest(), chunks = chunksOf(part);
   OBBY_RETURN_IF_ERROR(network_.make(device_, std::max(part, batch_.worlds), part));
   const size_t size = network_.size();
   OBBY_RETURN_IF_ERROR(momentum_.makeZero(device_, size));
@@ -30,8 +27,8 @@ Status DeviceLearner::make() {
   OBBY_RETURN_IF_ERROR(totals_.makeZero(device_, kFigures + 1));
   OBBY_RETURN_IF_ERROR(scale_.make(device_, 1));
   OBBY_RETURN_IF_ERROR(everywhere_.make(device_, ranks_.count() > 1 ? size * ranks_.count() : 0));
-  OBBY_RETURN_IF_ERROR(chunks_.make(device_, size_t(partsOfPass()) * chunks));
-  OBBY_RETURN_IF_ERROR(parts_.make(device_, partsOfPass()));
+  OBBY_RETURN_IF_ERROR(chunks_.make(device_, size_t(cut.count()) * chunks));
+  OBBY_RETURN_IF_ERROR(parts_.make(device_, cut.count()));
   OBBY_RETURN_IF_ERROR(squareChunks_.make(device_, chunksOf(uint32_t(size))));
   return network_.put(firstWeights(settings_.seed));
 }
@@ -68,18 +65,17 @@ Status DeviceLearner::fillAdvantages() {
 }
 
 Result<std::vector<Moments>> DeviceLearner::moments(const MomentArguments& m) {
-  const uint32_t parts = m.partCount();
+  const uint32_t parts = m.parts.count();
   OBBY_RETURN_IF_ERROR(
-      enqueue(device_, TrainStep::chunkMoments, m, size_t(parts) * chunksOf(m.part)));
+      enqueue(device_, TrainStep::chunkMoments, m, size_t(parts) * m.chunksOfEach()));
   OBBY_RETURN_IF_ERROR(enqueue(device_, TrainStep::partMoments, m, parts));
-  return sim::downloadTable(device_, m.parts, parts);
+  return sim::downloadTable(device_, m.out, parts);
 }
 
 // In parts, so that there is something to do for many threads.
 Result<Moments> DeviceLearner::momentsOf(const float* table) {
-  const uint32_t rows = batch_.rows();
-  OBBY_ASSIGN(const auto parts, moments({table, chunks_.data(), parts_.data(), Shuffle(0, 0, rows),
-                                         false, rows, partRows()}));
+  OBBY_ASSIGN(const auto parts, moments({table, chunks_.data(), parts_.data(),
+                                         Shuffle(0, 0, batch_.rows()), false, partsOfPass()}));
   Moments all{0, 0};
   for (const Moments& part : parts) {
     all.sum += part.sum;
@@ -104,13 +100,12 @@ Status DeviceLearner::rescaleValues() {
 
 // Of the parts of a pass, by the advantages of all ranks.
 Result<std::vector<AdvantageScale>> DeviceLearner::scalesOf(const Shuffle& shuffle) {
-  const uint32_t rows = batch_.rows(), part = partRows();
+  const Parts cut = partsOfPass();
   OBBY_ASSIGN(const auto parts, moments({batch_.advantages.data(), chunks_.data(), parts_.data(),
-                                         shuffle, true, rows, part}));
+                                         shuffle, true, cut}));
   std::vector<double> sums;
   for (uint32_t i = 0; i < parts.size(); ++i) {
-    const uint32_t count = std::min(part, rows - i * part);
-    sums.insert(sums.end(), {parts[i].sum, parts[i].squares, double(count)});
+    sums.insert(sums.end(), {parts[i].sum, parts[i].squares, double(cut.size(i))});
   }
   ranks_.add(sums);
   std::vector<AdvantageScale> out;
@@ -122,7 +117,8 @@ Result<Progress> DeviceLearner::learn(float rate) {
   OBBY_RETURN_IF_ERROR(fillAdvantages());
   OBBY_RETURN_IF_ERROR(rescaleValues());
   OBBY_RETURN_IF_ERROR(totals_.clear());
-  const uint32_t rows = batch_.rows(), part = partRows();
+  const uint32_t rows = batch_.rows();
+  const Parts cut = partsOfPass();
   for (uint32_t pass = 0; pass < settings_.ppo.passes; ++pass) {
     const Shuffle shuffle = orderOf(settings_.seed, adam_.steps(), rows);
     OBBY_ASSIGN(const auto scales, scalesOf(shuffle));
@@ -132,8 +128,8 @@ Result<Progress> DeviceLearner::learn(float rate) {
                             batch_.advantages.data(),
                             batch_.targets.data(),
                             shuffle,
-                            i * part,
-                            std::min(part, rows - i * part),
+                            cut.first(i),
+                            cut.size(i),
                             settings_.ppo.loss,
                             scales[i].mean,
                             scales[i].scale,
@@ -149,7 +145,7 @@ Result<Progress> DeviceLearner::learn(float rate) {
   OBBY_ASSIGN(const std::vector<double> t, totals_.get());
   Progress out{t[kLossFigure],    t[kEntropyFigure], t[kDivergenceFigure],
                t[kClippedFigure], t[kValueFigure],   t[kFigures]};
-  out.finish(size_t(rows) * settings_.ppo.passes, partsOfPass() * settings_.ppo.passes, ranks_);
+  out.finish(size_t(rows) * settings_.ppo.passes, cut.count() * settings_.ppo.passes, ranks_);
   return out;
 }
 

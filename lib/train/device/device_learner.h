@@ -5,6 +5,7 @@
 #include "train/device/device_ranks.h"
 #include "train/device/learn_kernels.h"
 #include "train/engine.h"
+#include "train/parts.h"
 
 namespace obby::train {
 
@@ -42,8 +43,7 @@ class DeviceLearner {
   Result<Progress> learn(float rate);
 
  private:
-  uint32_t partRows() const { return std::min(settings_.ppo.part, batch_.rows()); }
-  uint32_t partsOfPass() const;
+  Parts partsOfPass() const { return {batch_.rows(), settings_.ppo.part}; }
   Status fillAdvantages();
   Status rescaleValues();
   Result<std::vector<AdvantageScale>> scalesOf(const Shuffle& shuffle);

@@ -3,6 +3,7 @@
 
 #include "base/shuffle.h"
 #include "train/device/product.h"
+#include "train/parts.h"
 
 namespace obby::train {
 
@@ -53,19 +54,20 @@ struct Moments {
 
 // Sum and sum of squares of parts of `values`, in their order or shuffled.
 struct MomentArguments {
-  const float* values;  // (count)
-  Moments* chunks;      // (parts, chunks of a part)
-  Moments* parts;       // (parts)
+  const float* values;  // (rows of the parts)
+  Moments* chunks;      // (parts, chunks of the largest)
+  Moments* out;         // (parts)
   Shuffle shuffle;
   bool shuffled;
-  uint32_t count, part;  // numbers in all, and of each part but perhaps the last
+  Parts parts;
 
-  OBBY_DEVICE uint32_t partCount() const { return (count + part - 1) / part; }
+  OBBY_DEVICE uint32_t chunksOfEach() const { return chunksOf(parts.largest()); }
 };
 
 OBBY_DEVICE void momentsOfChunk(const MomentArguments& m, uint32_t i) {
-  const uint32_t each = chunksOf(m.part), first = i / each * m.part + i % each * kChunk;
-  const uint32_t end = (i / each + 1) * m.part < m.count ? (i / each + 1) * m.part : m.count;
+  const uint32_t each = m.chunksOfEach(), part = i / each;
+  const uint32_t first = m.parts.first(part) + i % each * kChunk;
+  const uint32_t end = m.parts.first(part) + m.parts.size(part);
   Moments sums{0, 0};
   for (uint32_t k = first; k < end && k < first + kChunk; ++k) {
     const double v = double(m.values[m.shuffled ? m.shuffle(k) : k]);
@@ -76,13 +78,13 @@ OBBY_DEVICE void momentsOfChunk(const MomentArguments& m, uint32_t i) {
 }
 
 OBBY_DEVICE void momentsOfPart(const MomentArguments& m, uint32_t i) {
-  const uint32_t each = chunksOf(m.part);
+  const uint32_t each = m.chunksOfEach();
   Moments sums{0, 0};
   for (uint32_t c = i * each; c < (i + 1) * each; ++c) {
     sums.sum += m.chunks[c].sum;
     sums.squares += m.chunks[c].squares;
   }
-  m.parts[i] = sums;
+  m.out[i] = sums;
 }
 
 }  // namespace obby::train

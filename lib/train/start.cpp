@@ -1,0 +1,54 @@
+#include "train/start.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "train/engine.h"
+
+namespace obby::train {
+
+namespace {
+
+// The deviation, a float, that scaleOf() made `scale` of; 0: there is none.
+float deviationOf(float scale) {
+  constexpr int kNear = 3;  // units of the last place; rounding there and back takes up to two
+  if (!(scale > 0)) return 0;
+  float deviation = 1 / scale;
+  for (int i = 0; i < kNear; ++i) deviation = std::nextafter(deviation, 0.0f);
+  for (int i = 0; i <= 2 * kNear; ++i) {
+    if (scaleOf(double(deviation)) == scale) return deviation;
+    deviation = std::nextafter(deviation, INFINITY);
+  }
+  return 0;
+}
+
+}  // namespace
+
+Result<Start> startFrom(const policy::PolicyFile& file) {
+  Start start;
+  const float* const means = file.network.numbers().data();
+  const float* const scales = means + policy::kInputs;
+  Sums& seen = start.seen;
+  seen.rows = double(file.training.decisions) / kCountEvery;
+  for (size_t i = 0; i < seen.sum.size(); ++i) {
+    const double mean = double(means[i]), deviation = double(deviationOf(scales[i]));
+    seen.sum[i] = seen.rows * mean;
+    seen.squares[i] = seen.rows * (mean * mean + deviation * deviation);
+    if (float(seen.mean(i)) != means[i] || scaleOf(seen.deviation(i)) != scales[i])
+      return makeError("its normalisers are none that learning could go on from",
+                       "name a policy that obby-train wrote");
+  }
+  start.learner.weights.setFlat(scales + policy::kInputs);
+  if (file.values.deviation > 0) {
+    start.learner.values.mean = file.values.mean;
+    start.learner.values.deviation = file.values.deviation;
+  }
+  return start;
+}
+
+uint64_t allDecisions(const TrainerState& state) {
+  constexpr double kMost = 1e19;  // a damaged file may have said more than 64 bits hold
+  return uint64_t(std::min(kMost, state.seen.rows * kCountEvery));
+}
+
+}  // namespace obby::train

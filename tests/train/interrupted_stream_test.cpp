@@ -1,0 +1,118 @@
+// A stream whose writer was interrupted is not all that was meant to come: learning does not begin
+// it again, as if its levels were all that there are.
+#include "train/level_lines.h"
+#include "train/stream_copy.h"
+
+namespace obby::train {
+namespace {
+
+// As obby-gen leaves it after Ctrl-C or `timeout`.
+std::string interruptedLines(uint64_t count, const std::vector<std::string>& more = {}) {
+  std::string text = linesOf(count, more);
+  const std::string complete = R"("complete")";
+  return text.replace(text.rfind(complete), complete.size(), R"("interrupted")");
+}
+
+TEST(InterruptedStream, IsNotBegunAgain) {
+  const LevelStream all(optionsOf(linesOf(3))), stream(optionsOf(interruptedLines(3)));
+  for (const uint64_t index : {3, 4, 3}) {
+    const auto none = stream.level(index, 1);
+    ASSERT_FALSE(none) << index;
+    EXPECT_EQ(none.error().text().find("levels:8: status: the stream was interrupted"), 0u)
+        << none.error().text();
+    EXPECT_NE(none.error().text().find("--on-error skip"), std::string::npos);
+  }
+  for (uint64_t i = 0; i < 3; ++i) EXPECT_EQ(hashOf(stream, i), hashOf(all, i)) << i;
+}
+
+// The rest of the last turn is still to come: it has its number once it is whole.
+TEST(InterruptedStream, LeavesATurnOpen) {
+  const std::vector<std::string> easy(3, R"(,"difficulty":0.1)");
+  const LevelStream stream(optionsOf(interruptedLines(3, easy)), {.choices = 2});
+  EXPECT_NE(hashOf(stream, 0), 0u);
+  EXPECT_FALSE(stream.level(1, 1));
+}
+
+TEST(InterruptedStream, IsTakenAsItIsWhereErrorsAreForgiven) {
+  std::vector<std::string> told, warned;
+  io::SourceOptions options = optionsOf(interruptedLines(3));
+  options.onError = io::OnError::skip;
+  options.report = [&](const Error& error) { told.push_back(error.text()); };
+  options.warn = [&](const Error& error) { warned.push_back(error.text()); };
+  const LevelStream all(optionsOf(linesOf(3))), stream(std::move(options));
+  for (uint64_t i = 0; i < 9; ++i) EXPECT_EQ(hashOf(stream, i), hashOf(all, i % 3)) << i;
+  EXPECT_TRUE(told.empty());
+  ASSERT_EQ(warned.size(), 1u);
+  EXPECT_EQ(warned[0].find("levels:8: status: the stream was interrupted"), 0u) << warned[0];
+  EXPECT_EQ(stream.summary().status, schema::EndStatus::INTERRUPTED);
+}
+
+TEST(InterruptedStream, IsEvaluatedAsFarAsItCame) {
+  const LevelStream once(optionsOf(interruptedLines(3)), {.again = false});
+  const auto none = once.level(3, 1);
+  ASSERT_TRUE(none) << none.error().text();
+  EXPECT_EQ(*none, nullptr);
+  EXPECT_EQ(once.summary().status, schema::EndStatus::INTERRUPTED);
+}
+
+TEST(InterruptedStream, IsNotCopiedForOtherRanks) {
+  const std::atomic<bool> interrupted{false};
+  WaitLimit waiting(interrupted, WaitLimit::kNone);
+  const auto none = copyOfStream(optionsOf(interruptedLines(3)), waiting);
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().text().find("levels:8: status: the stream was interrupted"), 0u)
+      << none.error().text();
+  io::SourceOptions options = optionsOf(interruptedLines(3));
+  options.onError = io::OnError::skip;
+  const auto copy = copyOfStream(std::move(options), waiting);
+  ASSERT_TRUE(copy) << copy.error().text();
+  const LevelStream all(optionsOf(linesOf(3)));
+  const LevelStream copied(optionsOf(copy->records), {.before = copy->summary});
+  for (uint64_t i = 0; i < 6; ++i) EXPECT_EQ(hashOf(copied, i), hashOf(all, i % 3)) << i;
+  EXPECT_EQ(copied.summary().status, schema::EndStatus::INTERRUPTED);
+}
+
+// Ctrl-C reaches who writes the stream and who learns from it: the stream may end before the signal
+// is looked for here.
+TEST(InterruptedStream, EndsLearningWithoutAnErrorWhereTheSignalCameHere) {
+  std::atomic<bool> interrupted{false};
+  WaitLimit waiting(interrupted, WaitLimit::kNone);
+  io::SourceOptions options;
+  options.inputs = {"levels", "end"};
+  options.stop = &waiting.stop();
+  options.open = [&](const std::string& name) {
+    interrupted = name == "end";
+    const std::string text = interrupted ? interruptedLines(0) : linesOf(2);
+    return Result<io::StreamReader>(io::StreamReader::overBytes(text, name));
+  };
+  const LevelStream stream(std::move(options), {.wait = &waiting});
+  const auto none = stream.level(2, 1);
+  ASSERT_TRUE(none) << none.error().text();
+  EXPECT_EQ(*none, nullptr) << "and not the first again";
+  EXPECT_TRUE(bool(waiting.stop()));
+  EXPECT_FALSE(waiting.isUp());
+  const LevelStream all(optionsOf(linesOf(2)));
+  for (uint64_t i = 0; i < 2; ++i) EXPECT_EQ(hashOf(stream, i), hashOf(all, i)) << i;
+}
+
+// What was left out, here and before, is counted wherever it was.
+TEST(LevelStream, SumsUpWhatCameOfItsRecords) {
+  std::string text = linesOf(2);
+  const std::string status = R"("status":"complete")";
+  text.replace(text.rfind(status), status.size(),
+               R"("status":"budget","skipped":"2","errors":"3")");
+  text.insert(text.rfind(R"({"type":"end")"), R"({"type":"level","parts":7})"
+                                              "\n");
+  io::SourceOptions options = optionsOf(text);
+  options.onError = io::OnError::skip;
+  const LevelStream stream(std::move(options), {.before = {.skipped = 10, .errors = 20}});
+  hashOf(stream, 0);
+  EXPECT_EQ(stream.summary().errors, 20u) << "it is not there yet";
+  hashOf(stream, 2);
+  EXPECT_EQ(stream.summary().status, schema::EndStatus::BUDGET);
+  EXPECT_EQ(stream.summary().skipped, 13u);
+  EXPECT_EQ(stream.summary().errors, 24u);
+}
+
+}  // namespace
+}  // namespace obby::train
