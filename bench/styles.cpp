@@ -92,7 +92,7 @@ double medianSteps(const std::vector<Answer>& answers) {
   }
   if (steps.empty()) return 0;
   std::sort(steps.begin(), steps.end());
-  return double(steps[steps.size() / 2]);
+  return (double(steps[(steps.size() - 1) / 2]) + double(steps[steps.size() / 2])) / 2;
 }
 
 }  // namespace
