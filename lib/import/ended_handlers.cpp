@@ -49,7 +49,10 @@ class EndedHandlers {
     const bool touch = timeline.trigger == Trigger::touch;
     const PartDraft* touched = touch ? context_.part(timeline.touched) : nullptr;
     for (const ScriptEvent& event : timeline.events) {
-      if (touched && doesAgain(*touched, event)) noteTouch(reading, timeline, event, *touched);
+      const bool polls = !touch && reading.isWoken() && event.harms();
+      const PartDraft* does = polls ? context_.part(event.target) : touched;
+      if (does && doesAgain(*does, event)) noteTouch(reading, timeline, event, *does);
+      if (timeline.cutLine == 0) continue;
       const bool moves = event.property == "CFrame" && event.target != kNoInstance;
       if (!timeline.byItself() || !moves || !seen_.insert(event.target).second) continue;
       for (const PartDraft* part : context_.partsOf(event.target))
@@ -61,7 +64,8 @@ class EndedHandlers {
  private:
   void noteTouch(const ScriptReading& reading, const Timeline& timeline, const ScriptEvent& event,
                  const PartDraft& part) {
-    if (timeline.again) return nameDoubtful(part, scriptReason(context_.tree, reading, event.line));
+    if (event.harms() && reading.harmsLater(timeline))
+      return nameDoubtful(part, scriptReason(context_.tree, reading, event.line));
     if (named_.count(part.id) > 0) return;
     if (timeline.cutLine > 0) return nameCut(reading, timeline, part);
     if (event.onceLine == 0) return;
@@ -95,31 +99,55 @@ class EndedHandlers {
   std::set<InstanceId> seen_;  // what the events of one timeline move: loops have thousands
 };
 
+// Whether the script shows what the part does. One that others enable gives but guesses, and its
+// harm has a name of its own.
+bool isShownBy(const Tree& tree, const ScriptReading& reading, const PartDraft& part) {
+  const std::string script = "script " + tree.at(reading.script).name + " line ";
+  return std::any_of(part.evidence.begin(), part.evidence.end(), [&](const Evidence& e) {
+    if (reading.isWoken() && (e.role == "kill" || !e.guessed)) return false;
+    return e.role != "scripted" && e.reason.rfind(script, 0) == 0;
+  });
+}
+
 // What a touch does by a handler that a condition which the text does not tell may keep from it.
 void noteMaybe(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
   const bool maybe = timeline.trigger == Trigger::touch && timeline.maybe && !timeline.again;
   const PartDraft* part = maybe ? context.part(timeline.touched) : nullptr;
   if (!part || !(part->kill || part->vanish || part->jumpPad || part->teleport)) return;
-  const std::string script = "script " + context.tree.at(reading.script).name + " line ";
-  const bool shown = std::any_of(
-      part->evidence.begin(), part->evidence.end(),
-      [&](const Evidence& e) { return e.role != "scripted" && e.reason.rfind(script, 0) == 0; });
-  if (shown)
+  if (isShownBy(context.tree, reading, *part))
     context.level.noteUnmodelled("handler that a script may connect", context.tree.path(part->id),
                                  "taken as connected: the condition is not known; " +
                                      scriptReason(context.tree, reading, timeline.line));
+}
+
+// What a script that another one enables does by itself, as if it were enabled from the start on.
+void noteWoken(RoleContext& context, const ScriptReading& reading) {
+  std::set<InstanceId> seen, named;
+  for (const Timeline& timeline : reading.timelines) {
+    if (!timeline.byItself()) continue;
+    for (const ScriptEvent& event : timeline.events) {
+      if (event.target == kNoInstance || !seen.insert(event.target).second) continue;
+      for (const PartDraft* part : context.partsOf(event.target))
+        if (isShownBy(context.tree, reading, *part) && named.insert(part->id).second)
+          context.level.noteUnmodelled(
+              "script that another one enables", context.tree.path(part->id),
+              "does from the start on what it may do but later; " + reading.enabledBy);
+    }
+  }
 }
 
 }  // namespace
 
 void noteEndedHandlers(RoleContext& context) {
   EndedHandlers handlers(context);
-  for (const ScriptReading& reading : context.scripts)
+  for (const ScriptReading& reading : context.scripts) {
     for (const Timeline& timeline : reading.timelines) {
-      if (timeline.cutLine > 0 || timeline.trigger == Trigger::touch)
+      if (timeline.cutLine > 0 || timeline.trigger == Trigger::touch || reading.isWoken())
         handlers.note(reading, timeline);
       noteMaybe(context, reading, timeline);
     }
+    if (reading.isWoken()) noteWoken(context, reading);
+  }
 }
 
 }  // namespace obby::importer

@@ -1,10 +1,11 @@
-// Which scripts of a place run, and their readings: all of them, and then once more those whose
-// handlers have asked for what others set.
+// Which scripts of a place run, and their readings: all of them, then those that others enable, and
+// then once more those whose handlers have asked for what others set.
 #include "import/script_reading.h"
 
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "import/luau/parser.h"
 #include "import/luau/reader.h"
 #include "import/script_side.h"
+#include "import/woken_scripts.h"
 #include "import/words.h"
 
 namespace obby::importer {
@@ -33,10 +35,10 @@ InstanceId rootOf(const Tree& tree, InstanceId id) {
   return id;
 }
 
-// True if the engine starts the script by itself.
-bool runs(const Tree& tree, InstanceId id) {
+// True if the engine starts the script by itself, unless it is disabled.
+bool canRun(const Tree& tree, InstanceId id) {
   const Instance& script = tree.at(id);
-  if (script.className == "ModuleScript" || isDisabled(script)) return false;
+  if (script.className == "ModuleScript") return false;
   const std::string& root = tree.at(rootOf(tree, id)).className;
   const auto* context = property<EnumItem>(script, "RunContext");
   if (context && (context->value == kRunClient || context->value == kRunServer))
@@ -89,6 +91,20 @@ class PlaceReader {
     reading.givesParents = hasParents(source);
     reading.makesJoints = hasAny(source, kJointWords);
     return reading;
+  }
+
+  // Adds the readings of those `asleep` that the readings enable, and of what these enable in turn:
+  // each once. `byItself`: whatever players do; else by touches and the like, too.
+  void readWoken(std::vector<ScriptReading>& readings, std::set<InstanceId>& asleep,
+                 bool byItself) {
+    for (size_t i = 0; i < readings.size() && !asleep.empty(); ++i)
+      for (const Enabling& enabling : enablingsOf(tree_, readings[i], byItself)) {
+        if (asleep.erase(enabling.script) == 0) continue;
+        const auto* source = property<std::string>(tree_.at(enabling.script), "Source");
+        ScriptReading woken = readFirst(enabling.script, *source);
+        woken.enabledBy = scriptReason(tree_, readings[i], enabling.line);
+        readings.push_back(std::move(woken));
+      }
   }
 
   // After all first readings. Of this one the harm alone counts that a handler may do by then.
@@ -152,13 +168,22 @@ bool isInStarterCharacter(const Tree& tree, InstanceId id) {
 std::vector<ScriptReading> readScripts(const Tree& tree) {
   PlaceReader reader(tree);
   std::vector<ScriptReading> readings;
+  std::set<InstanceId> asleep;
   for (InstanceId id = 0; id < tree.size(); ++id) {
-    if (!isScriptClass(tree.at(id).className) || !runs(tree, id)) continue;
+    if (!isScriptClass(tree.at(id).className) || !canRun(tree, id)) continue;
     const auto* source = property<std::string>(tree.at(id), "Source");
     if (!source || source->empty() || source->size() > kMaxSource) continue;
-    readings.push_back(reader.readFirst(id, *source));
+    if (isDisabled(tree.at(id)))
+      asleep.insert(id);
+    else
+      readings.push_back(reader.readFirst(id, *source));
   }
+  const size_t awake = readings.size();
+  reader.readWoken(readings, asleep, true);
+  const size_t byItself = readings.size();
+  reader.readWoken(readings, asleep, false);
   for (ScriptReading& reading : readings) reader.readAgain(reading);
+  for (size_t i = awake; i < readings.size(); ++i) doubtAll(readings[i], i < byItself);
   return readings;
 }
 

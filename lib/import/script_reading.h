@@ -118,10 +118,17 @@ struct ScriptReading {
   std::vector<int> waysOut;       // lines of them, out of loops that were taken as endless: what
                                   // follows those was not read
   std::vector<std::string> tags;  // tags that it asks CollectionService for
+  std::string enabledBy;          // scriptReason of what may enable it; empty: the file does
+
+  // Whether it may never run, or not before another script enables it.
+  bool isWoken() const { return !enabledBy.empty(); }
+  // Whether the harm of one of its timelines may come but later on, or never.
+  bool harmsLater(const Timeline& timeline) const { return timeline.again || isWoken(); }
 };
 
-// Reads every enabled script that runs in the place. Disabled ones and those in storage do nothing.
-// Each is read for itself; what others set counts only for the timelines that are `again`.
+// Reads every script that runs in the place. Disabled ones are read, after the others, where
+// another script may enable them (woken_scripts.h); those in storage do nothing. Each is read for
+// itself; what others set counts only for the timelines that are `again`.
 std::vector<ScriptReading> readScripts(const Tree& tree);
 
 // True for the scripts that each new character gets.

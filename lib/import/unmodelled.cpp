@@ -199,9 +199,10 @@ std::optional<Effect> effectOf(RoleContext& context, const Timeline& timeline,
 }
 
 // Harm by something that the text does not tell: the handler of a touch of an unknown part, or a
-// loop that looks for players by itself.
+// loop that looks for players by itself, be it once another script has enabled its own.
 void noteHarm(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
-  if (!timeline.byItself() && !timeline.ofUnknownTouch()) return;
+  const bool ownText = reading.isWoken() && timeline.line == 0;  // and no handler
+  if (!ownText && !timeline.byItself() && !timeline.ofUnknownTouch()) return;
   for (const ScriptEvent& event : timeline.events) {
     if (!event.harms() || event.target != kNoInstance) continue;
     context.level.noteUnmodelled(

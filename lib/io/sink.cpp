@@ -34,7 +34,7 @@ bool onDisk(int fd) {
   do {
     result = ::fsync(fd);
   } while (result != 0 && errno == EINTR);
-  return result == 0 || errno == EINVAL || errno == EROFS;  // the last two: it does not know how
+  return result == 0 || errno == EINVAL;  // it does not know how
 }
 
 mode_t newFileMode() {

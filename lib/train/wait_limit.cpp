@@ -49,8 +49,12 @@ void WaitLimit::read(bool now) {
 Result<std::optional<io::Record>> WaitLimit::next(io::RecordSource& source) {
   read(true);
   auto record = source.next();
-  // A signal may have come to whoever writes the stream, too: what looks like its end is none.
-  if (interrupted_) stop_ = true;
+  // A signal may have come to whoever writes the stream, too: what looks like its end is none, and
+  // that it is cut off is no error.
+  if (interrupted_) {
+    stop_ = true;
+    if (!record) record = std::optional<io::Record>();
+  }
   read(false);
   return record;
 }

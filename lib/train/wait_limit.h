@@ -37,8 +37,8 @@ class WaitLimit {
   // The same for outputs that hours of learning went into: after the time kForFiles later.
   const std::atomic<bool>& lost() const { return lost_; }
 
-  // As source.next(), of a source that has stop(). Before begin() each record has the time for
-  // itself. One thread at a time.
+  // As source.next(), of a source that has stop(); but once `interrupted` is set, none in place of
+  // an error. Before begin() each record has the time for itself. One thread at a time.
   Result<std::optional<io::Record>> next(io::RecordSource& source);
   // The work that has a limit begins: the time is from now on that of all records together.
   void begin();

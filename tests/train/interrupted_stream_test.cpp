@@ -73,26 +73,29 @@ TEST(InterruptedStream, IsNotCopiedForOtherRanks) {
 }
 
 // Ctrl-C reaches who writes the stream and who learns from it: the stream may end before the signal
-// is looked for here.
+// is looked for here, and is cut off where its writer dies of it.
 TEST(InterruptedStream, EndsLearningWithoutAnErrorWhereTheSignalCameHere) {
-  std::atomic<bool> interrupted{false};
-  WaitLimit waiting(interrupted, WaitLimit::kNone);
-  io::SourceOptions options;
-  options.inputs = {"levels", "end"};
-  options.stop = &waiting.stop();
-  options.open = [&](const std::string& name) {
-    interrupted = name == "end";
-    const std::string text = interrupted ? interruptedLines(0) : linesOf(2);
-    return Result<io::StreamReader>(io::StreamReader::overBytes(text, name));
-  };
-  const LevelStream stream(std::move(options), {.wait = &waiting});
-  const auto none = stream.level(2, 1);
-  ASSERT_TRUE(none) << none.error().text();
-  EXPECT_EQ(*none, nullptr) << "and not the first again";
-  EXPECT_TRUE(bool(waiting.stop()));
-  EXPECT_FALSE(waiting.isUp());
-  const LevelStream all(optionsOf(linesOf(2)));
-  for (uint64_t i = 0; i < 2; ++i) EXPECT_EQ(hashOf(stream, i), hashOf(all, i)) << i;
+  for (const std::string& last : {interruptedLines(0), std::string(kHeaderLine)}) {
+    SCOPED_TRACE(last);
+    std::atomic<bool> interrupted{false};
+    WaitLimit waiting(interrupted, WaitLimit::kNone);
+    io::SourceOptions options;
+    options.inputs = {"levels", "end"};
+    options.stop = &waiting.stop();
+    options.open = [&](const std::string& name) {
+      interrupted = name == "end";
+      return Result<io::StreamReader>(
+          io::StreamReader::overBytes(interrupted ? last : linesOf(2), name));
+    };
+    const LevelStream stream(std::move(options), {.wait = &waiting});
+    const auto none = stream.level(2, 1);
+    ASSERT_TRUE(none) << none.error().text();
+    EXPECT_EQ(*none, nullptr) << "and not the first again";
+    EXPECT_TRUE(bool(waiting.stop()));
+    EXPECT_FALSE(waiting.isUp());
+    const LevelStream all(optionsOf(linesOf(2)));
+    for (uint64_t i = 0; i < 2; ++i) EXPECT_EQ(hashOf(stream, i), hashOf(all, i)) << i;
+  }
 }
 
 // What was left out, here and before, is counted wherever it was.

@@ -42,6 +42,17 @@ bool inCheckpointFolder(const Tree& tree, InstanceId id) {
   return parent != kNoInstance && !firstWordIn(tree.at(parent).name, kFolderWords).empty();
 }
 
+// `woken`: of the scripts that others enable; else of the rest.
+void fromTouches(RoleContext& context, bool woken) {
+  context.eachTouch([&](PartDraft& part, const Timeline& timeline, const ScriptReading& reading) {
+    if (reading.isWoken() != woken) return;
+    for (const ScriptEvent& event : timeline.events)
+      if (event.kind == EventKind::respawnAt)
+        give(part, stageNumber(context.tree, part.id, part.id),
+             scriptReason(context.tree, reading, event.line), woken);
+  });
+}
+
 }  // namespace
 
 int stageNumber(const Tree& tree, InstanceId id, InstanceId part) {
@@ -72,19 +83,14 @@ void checkpointFromTags(RoleContext& context) {
   });
 }
 
-void checkpointFromScripts(RoleContext& context) {
-  context.eachTouch([&](PartDraft& part, const Timeline& timeline, const ScriptReading& reading) {
-    for (const ScriptEvent& event : timeline.events)
-      if (event.kind == EventKind::respawnAt)
-        give(part, stageNumber(context.tree, part.id, part.id),
-             scriptReason(context.tree, reading, event.line), false);
-  });
-}
+void checkpointFromScripts(RoleContext& context) { fromTouches(context, false); }
 
 void checkpointFromNames(RoleContext& context) {
   const Tree& tree = context.tree;
-  for (const PartDraft& part : context.level.parts)
-    if (part.checkpoint) return;  // stated checkpoints make guesses needless
+  bool stated = false;
+  for (const PartDraft& part : context.level.parts) stated = stated || part.checkpoint.has_value();
+  fromTouches(context, true);  // guesses, as names are
+  if (stated) return;          // stated checkpoints make names needless
   std::unordered_map<InstanceId, const PartDraft*> touched;  // of each model
   for (size_t i = 0; i < context.level.parts.size(); ++i) {
     PartDraft& part = context.level.parts[i];

@@ -105,16 +105,16 @@ void giveHarm(RoleContext& context, const ScriptReading& reading, const Timeline
     const float amount = std::isfinite(damage) ? std::min(float(damage), kAll)
                                                : std::max(100.0f, context.level.world.maxHealth);
     const double wait = touch ? timeline.end - hit.time : timeline.period;
-    const bool guessed = untold || timeline.again || (touch && timeline.maybe);
+    const bool guessed = untold || reading.harmsLater(timeline) || (touch && timeline.maybe);
     give(*part, {amount, float(std::clamp(wait, 0.0, 60.0))},
          scriptReason(context.tree, reading, hit.line), guessed);
   }
 }
 
-void harmFromScripts(RoleContext& context, bool again) {
+void harmFromScripts(RoleContext& context, bool later) {
   for (const ScriptReading& reading : context.scripts)
     for (const Timeline& timeline : reading.timelines)
-      if (timeline.again == again) giveHarm(context, reading, timeline);
+      if (reading.harmsLater(timeline) == later) giveHarm(context, reading, timeline);
 }
 
 }  // namespace

@@ -283,14 +283,15 @@ void noteTriggered(RoleContext& context, const ScriptReading& reading, const Tim
 
 void movingFromScripts(RoleContext& context) {
   ScriptMotions motions(context);
-  for (const ScriptReading& reading : context.scripts)
-    for (const Timeline& timeline : reading.timelines) {
-      if (timeline.byItself())
-        takeAll(context.tree, motions, reading, timeline);
-      else
-        noteTriggered(context, reading, timeline);
-    }
-  addSteps(context, motions);
+  for (const bool woken : {false, true}) {  // guesses come last
+    for (const ScriptReading& reading : context.scripts)
+      for (const Timeline& timeline : reading.timelines) {
+        if (reading.isWoken() != woken) continue;
+        if (timeline.byItself()) takeAll(context.tree, motions, reading, timeline);
+        if (!timeline.byItself()) noteTriggered(context, reading, timeline);
+      }
+    if (!woken) addSteps(context, motions);
+  }
   motions.give();
 }
 

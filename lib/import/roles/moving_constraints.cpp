@@ -72,7 +72,8 @@ bool fromServo(RoleContext& context, const ConstraintSettings& settings, const D
     if (!goals.empty()) {
       Motion motion = stepped(track.own, goals, *steps, speed);
       motion.spin = spin;
-      return giveDriven(context, drive, std::move(motion), "servo stepped by a script", false);
+      const bool guessed = steps->events.front()->unsure;
+      return giveDriven(context, drive, std::move(motion), "servo stepped by a script", guessed);
     }
   }
   if (const auto change = settings.changeByItself(servo, kServoProperties))

@@ -114,6 +114,18 @@ void fromTimer(RoleContext& context, const ScriptReading& reading, const Timelin
   }
 }
 
+// `woken`: what scripts do that others enable; else what the rest does.
+void fromScripts(RoleContext& context, bool woken) {
+  context.eachTouch([&](PartDraft& part, const Timeline& timeline, const ScriptReading& reading) {
+    if (reading.isWoken() == woken) fromTouch(context.tree, part, timeline, reading);
+  });
+  for (const ScriptReading& reading : context.scripts)
+    for (const Timeline& timeline : reading.timelines) {
+      const bool endless = timeline.trigger == Trigger::start && timeline.forever;
+      if (endless && reading.isWoken() == woken) fromTimer(context, reading, timeline);
+    }
+}
+
 }  // namespace
 
 void vanishFromTags(RoleContext& context) {
@@ -153,14 +165,8 @@ void vanishFromMarkers(RoleContext& context) {
 }
 
 void vanishFromScripts(RoleContext& context) {
-  context.eachTouch([&](PartDraft& part, const Timeline& timeline, const ScriptReading& reading) {
-    fromTouch(context.tree, part, timeline, reading);
-  });
-  for (const ScriptReading& reading : context.scripts)
-    for (const Timeline& timeline : reading.timelines) {
-      if (timeline.trigger == Trigger::start && timeline.forever)
-        fromTimer(context, reading, timeline);
-    }
+  fromScripts(context, false);
+  fromScripts(context, true);  // guesses come last
 }
 
 }  // namespace obby::importer
