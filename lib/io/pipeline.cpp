@@ -60,13 +60,17 @@ struct Pipeline::Impl {
     }
   }
 
+  SourceSummary read() const {
+    SourceSummary all = elsewhere;
+    all.add({source.status(), source.skipped(), source.errors()});
+    return all;
+  }
+
   schema::EndStatus status() const {
-    const auto is = [&](schema::EndStatus upstream) {
-      return source.status() == upstream || elsewhere.status == upstream;
-    };
-    if (is(schema::EndStatus::INTERRUPTED) || stoppedByError) return schema::EndStatus::INTERRUPTED;
-    return budgetSpent || is(schema::EndStatus::BUDGET) ? schema::EndStatus::BUDGET
-                                                        : schema::EndStatus::COMPLETE;
+    const auto upstream = read().status;
+    if (upstream == schema::EndStatus::INTERRUPTED || stoppedByError)
+      return schema::EndStatus::INTERRUPTED;
+    return budgetSpent ? schema::EndStatus::BUDGET : upstream;
   }
 
   Status finish() {
@@ -76,8 +80,8 @@ struct Pipeline::Impl {
     auto end = builder.root().initEnd();
     end.setStatus(status());
     end.setRecords(output.recordsWritten());
-    end.setSkipped(uint64_t(int64_t(source.skipped()) + leftOut) + elsewhere.skipped);
-    end.setErrors(source.errors() + elsewhere.errors + (stoppedByError ? 1 : 0));
+    end.setSkipped(uint64_t(int64_t(read().skipped) + leftOut));
+    end.setErrors(read().errors + (stoppedByError ? 1 : 0));
     OBBY_RETURN_IF_ERROR(output.write(builder.reader()));
     return output.close();
   }

@@ -46,6 +46,9 @@ struct SourceOptions {
 struct SourceSummary {
   schema::EndStatus status = schema::EndStatus::COMPLETE;
   uint64_t skipped = 0, errors = 0;
+
+  // Together with what came before, or from elsewhere: the graver status.
+  void add(const SourceSummary& other);
 };
 
 // The records of several inputs, one after another, without headers and ends.

@@ -22,6 +22,12 @@ int gravity(schema::EndStatus status) {
 
 }  // namespace
 
+void SourceSummary::add(const SourceSummary& other) {
+  if (gravity(other.status) > gravity(status)) status = other.status;
+  skipped += other.skipped;
+  errors += other.errors;
+}
+
 struct RecordSource::Impl {
   SourceOptions options;
   std::optional<StreamReader> reader;
@@ -37,9 +43,7 @@ struct RecordSource::Impl {
 
   void takeEnd(const Record& record) {
     const schema::End::Reader end = record.reader().getEnd();
-    if (gravity(end.getStatus()) > gravity(summary.status)) summary.status = end.getStatus();
-    summary.skipped += end.getSkipped();
-    summary.errors += end.getErrors();
+    summary.add({end.getStatus(), end.getSkipped(), end.getErrors()});
     if (end.getStatus() != schema::EndStatus::INTERRUPTED || interrupted) return;
     interrupted = Error{reader->name(),
                         record.place(),

@@ -28,56 +28,61 @@ std::string listParts(schema::Level::Reader level, const std::vector<uint32_t>& 
   return parts.size() > kShown ? fmt::format("{}, and {} more", text, parts.size() - kShown) : text;
 }
 
-// Names that may be meant by `wanted`, all in lower case: those that have it in them; or else all
-// that are spelled as the nearest one.
-std::vector<uint32_t> similarNames(const std::vector<std::string>& names,
-                                   const std::string& wanted) {
-  std::vector<uint32_t> similar;
-  if (wanted.empty()) return similar;
-  for (uint32_t i = 0; i < names.size(); ++i) {
-    if (names[i].find(wanted) != std::string::npos) similar.push_back(i);
+// Which of the names have `wanted` in them; none has nothing. All in lower case.
+std::vector<uint32_t> having(const std::vector<std::string>& names, const std::string& wanted) {
+  std::vector<uint32_t> out;
+  for (uint32_t i = 0; !wanted.empty() && i < names.size(); ++i) {
+    if (names[i].find(wanted) != std::string::npos) out.push_back(i);
   }
-  if (!similar.empty()) return similar;
-  const std::string near = nearestName(wanted, names);
-  for (uint32_t i = 0; !near.empty() && i < names.size(); ++i) {
-    if (names[i] == near) similar.push_back(i);
-  }
-  return similar;
+  return out;
 }
 
-// Parts that may be meant, for a hint: by their names, or else by their paths.
+// Which of them are the one that is spelled most like it; likewise.
+std::vector<uint32_t> spelledLike(const std::vector<std::string>& names,
+                                  const std::string& wanted) {
+  std::vector<uint32_t> out;
+  const std::string near = wanted.empty() ? "" : nearestName(wanted, names);
+  for (uint32_t i = 0; !near.empty() && i < names.size(); ++i) {
+    if (names[i] == near) out.push_back(i);
+  }
+  return out;
+}
+
+// Parts that may be meant, for a hint: by their paths, or else by how their names are spelled.
 std::string similarParts(schema::Level::Reader level, const std::string& wanted) {
   std::vector<std::string> names, paths;
   for (const auto part : level.getParts()) {
     names.push_back(lower(part.getName().cStr()));
     paths.push_back(lower(pathOf(part)));
   }
-  const auto has = [&](const std::string& path) { return path.find(wanted) != std::string::npos; };
-  const bool inPath = std::any_of(paths.begin(), paths.end(), has);
-  return listParts(level, similarNames(inPath ? paths : names, wanted));
+  const std::vector<uint32_t> similar = having(paths, wanted);
+  return listParts(level, similar.empty() ? spelledLike(names, wanted) : similar);
 }
 
 // Tags that may be meant, for a hint.
 std::string similarTags(schema::Level::Reader level, const std::string& wanted) {
-  std::vector<std::string> tags, lowered, similar;
+  std::vector<std::string> tags, lowered;
   std::unordered_set<std::string> seen;
   for (const auto part : level.getParts()) {
     for (const auto tag : part.getTags()) {
-      if (!seen.emplace(tag.cStr()).second) continue;
-      tags.push_back("#" + std::string(tag.cStr()));
-      lowered.push_back(lower(tag.cStr()));
+      const std::string text(tag.cStr(), tag.size());
+      if (!seen.insert(text).second) continue;
+      tags.push_back("#" + text);
+      lowered.push_back(lower(text));
     }
   }
-  for (const uint32_t tag : similarNames(lowered, wanted)) {
-    if (similar.size() < kShown) similar.push_back(tags[tag]);
-  }
-  return fmt::format("{}", fmt::join(similar, ", "));
+  std::vector<uint32_t> similar = having(lowered, wanted);
+  if (similar.empty()) similar = spelledLike(lowered, wanted);
+  std::vector<std::string> shown;
+  for (size_t i = 0; i < std::min(similar.size(), kShown); ++i) shown.push_back(tags[similar[i]]);
+  return fmt::format("{}", fmt::join(shown, ", "));
 }
 
 Error noPart(schema::Level::Reader level, const std::string& selector) {
+  const std::string wanted = lower(selector);
   std::string similar;
-  if (selector.starts_with("#")) similar = similarTags(level, lower(selector.substr(1)));
-  if (similar.empty()) similar = similarParts(level, lower(selector));
+  if (wanted.starts_with("#")) similar = similarTags(level, wanted.substr(1));
+  if (similar.empty()) similar = similarParts(level, wanted);
   return makeError(
       fmt::format("no part of level '{}' is named '{}'", level.getName().cStr(), selector),
       similar.empty() ? "a part is named by name, path or its end, GUID, #tag or "

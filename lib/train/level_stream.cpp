@@ -88,10 +88,7 @@ size_t LevelStream::compiledOf(const Turn& turn) {
 io::SourceSummary LevelStream::summary() const {
   const std::lock_guard hold(lock_);
   io::SourceSummary out = reader_.source.summary();
-  const io::SourceSummary& before = reader_.settings.before;
-  if (out.status == schema::EndStatus::COMPLETE) out.status = before.status;
-  out.skipped += before.skipped;
-  out.errors += before.errors;
+  out.add(reader_.settings.before);
   return out;
 }
 

@@ -287,8 +287,10 @@ void movingFromScripts(RoleContext& context) {
     for (const ScriptReading& reading : context.scripts)
       for (const Timeline& timeline : reading.timelines) {
         if (reading.isWoken() != woken) continue;
-        if (timeline.byItself()) takeAll(context.tree, motions, reading, timeline);
-        if (!timeline.byItself()) noteTriggered(context, reading, timeline);
+        if (timeline.byItself())
+          takeAll(context.tree, motions, reading, timeline);
+        else
+          noteTriggered(context, reading, timeline);
       }
     if (!woken) addSteps(context, motions);
   }
