@@ -64,7 +64,7 @@ class EndedHandlers {
  private:
   void noteTouch(const ScriptReading& reading, const Timeline& timeline, const ScriptEvent& event,
                  const PartDraft& part) {
-    if (event.harms() && reading.harmsLater(timeline))
+    if (event.harms() && reading.isLater(timeline))
       return nameDoubtful(part, scriptReason(context_.tree, reading, event.line));
     if (named_.count(part.id) > 0) return;
     if (timeline.cutLine > 0) return nameCut(reading, timeline, part);

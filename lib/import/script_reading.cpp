@@ -23,6 +23,7 @@ namespace {
 
 constexpr size_t kMaxSource = 1 << 20;  // bytes; larger texts are data, not scripts
 constexpr size_t kScriptSteps = 1000000, kPlaceSteps = 20000000;
+static_assert(kMostEvents * sizeof(ScriptEvent) <= (size_t{512} << 20), "see kMostEvents");
 // What a script that joins parts has in its text.
 constexpr std::string_view kJointWords[] = {"Weld", "MakeJoints", "Motor6D", "Constraint"};
 
@@ -80,10 +81,16 @@ std::string shortened(std::string_view line) {
   return code;
 }
 
-// The scripts of a place, within one budget of steps.
+size_t eventsOf(const ScriptReading& reading) {
+  size_t events = 0;
+  for (const Timeline& timeline : reading.timelines) events += timeline.events.size();
+  return events;
+}
+
+// The scripts of a place, within one budget of steps and one of events.
 class PlaceReader {
  public:
-  explicit PlaceReader(const Tree& tree) : tree_(tree) {}
+  PlaceReader(const Tree& tree, size_t mostEvents) : tree_(tree), room_(mostEvents) {}
 
   ScriptReading readFirst(InstanceId script, const std::string& source) {
     ScriptReading reading = follow(script, source, nullptr);
@@ -112,11 +119,13 @@ class PlaceReader {
     if (!isReached(reading.script)) return;
     const auto* source = property<std::string>(tree_.at(reading.script), "Source");
     ScriptReading now = follow(reading.script, *source, &changes_);
+    const size_t before = eventsOf(reading);
     const auto isAgain = [](const Timeline& timeline) { return timeline.again; };
     if (!now.cutAgain) std::erase_if(reading.timelines, isAgain);  // else the first may have more
     reading.cutAgain = reading.cutAgain || now.cutAgain;
     for (Timeline& timeline : now.timelines)
       if (isAgain(timeline)) reading.timelines.push_back(std::move(timeline));
+    room_ = room_ + before - eventsOf(reading);
   }
 
  private:
@@ -125,20 +134,35 @@ class PlaceReader {
     const luau::Chunk chunk = luau::parse(source);
     const size_t share = std::min(kScriptSteps, left_);
     size_t budget = share;
-    luau::Reader reader(tree_, script, budget, changes);
+    luau::Reader reader(tree_, script, budget, room_, changes);
     ScriptReading reading = reader.read(chunk);
     left_ -= share - budget;
     if (changes) {
-      reading.cutAgain = reading.cutAgain || budget == 0;  // maybe before it came to that
+      // Maybe before it came to that.
+      reading.cutAgain = reading.cutAgain || budget == 0 || reader.isFull();
       return reading;
     }
-    changes_.add(reader.changed(), script, runsOnClient(tree_.at(script)));
-    if (!reader.asked().empty()) asked_.emplace(script, reader.asked());
+    room_ -= eventsOf(reading);
+    if (!changes_.add(reader.changed(), script, runsOnClient(tree_.at(script))))
+      reading.cutChanges = true;
+    keepAsked(script, reader.asked());
     return reading;
   }
 
-  // Whether a handler of the script has asked for what another script sets.
+  // Without room for all that a script asks for it is read anew, whatever others set.
+  void keepAsked(InstanceId script, const luau::Keys& keys) {
+    if (keys.size() >= luau::kMaxKeys - keptAsked_) {
+      asksMuch_.insert(script);
+    } else if (!keys.empty()) {
+      keptAsked_ += keys.size();
+      asked_.emplace(script, keys);
+    }
+  }
+
+  // Whether a handler of the script has asked for what another script sets, or for too much to
+  // tell.
   bool isReached(InstanceId script) const {
+    if (asksMuch_.count(script) > 0) return true;
     const auto asked = asked_.find(script);
     if (asked == asked_.end()) return false;
     const bool onClient = runsOnClient(tree_.at(script));
@@ -148,8 +172,11 @@ class PlaceReader {
 
   const Tree& tree_;
   size_t left_ = kPlaceSteps;
+  size_t room_;  // for more events
   luau::Changes changes_;
   std::map<InstanceId, luau::Keys> asked_;  // by script
+  size_t keptAsked_ = 0;                    // keys in asked_, less than luau::kMaxKeys
+  std::set<InstanceId> asksMuch_;           // scripts for which there was no room in it
 };
 
 }  // namespace
@@ -165,8 +192,8 @@ bool isInStarterCharacter(const Tree& tree, InstanceId id) {
   return false;
 }
 
-std::vector<ScriptReading> readScripts(const Tree& tree) {
-  PlaceReader reader(tree);
+std::vector<ScriptReading> readScripts(const Tree& tree, size_t mostEvents) {
+  PlaceReader reader(tree, mostEvents);
   std::vector<ScriptReading> readings;
   std::set<InstanceId> asleep;
   for (InstanceId id = 0; id < tree.size(); ++id) {

@@ -107,29 +107,35 @@ struct Timeline {
 struct ScriptReading {
   InstanceId script = kNoInstance;
   std::vector<Timeline> timelines;
-  LineIndex lines;                // of the source, for evidence: the document must outlive it
-  bool broken = false;            // the text could not be parsed to the end
-  bool requiresAsset = false;     // require(number): code that is not in the file
-  bool dynamicCode = false;       // loadstring, getfenv, setfenv
-  bool exhausted = false;         // the step budget ended the reading
-  bool cutAgain = false;          // or what comes last of it: see Timeline::again
-  bool givesParents = false;      // the text gives something another parent, not nil
-  bool makesJoints = false;       // the text names joints
-  std::vector<int> waysOut;       // lines of them, out of loops that were taken as endless: what
-                                  // follows those was not read
-  std::vector<std::string> tags;  // tags that it asks CollectionService for
-  std::string enabledBy;          // scriptReason of what may enable it; empty: the file does
+  LineIndex lines;             // of the source, for evidence: the document must outlive it
+  bool broken = false;         // the text could not be parsed to the end
+  bool requiresAsset = false;  // require(number): code that is not in the file
+  bool dynamicCode = false;    // loadstring, getfenv, setfenv
+  bool exhausted = false;      // a budget cut the reading: of steps, rounds, calls or events
+  bool cutAgain = false;       // or what comes last of it: see Timeline::again
+  bool cutChanges = false;     // it sets more than other scripts are told: luau::kMaxKeys
+  bool givesParents = false;   // the text gives something another parent, not nil
+  bool makesJoints = false;    // the text names joints
+  std::vector<int> waysOut;    // lines of them, out of loops that were taken as endless: what
+                               // follows those was not read
+  std::string enabledBy;       // scriptReason of what may enable it; empty: the file does
 
   // Whether it may never run, or not before another script enables it.
   bool isWoken() const { return !enabledBy.empty(); }
-  // Whether the harm of one of its timelines may come but later on, or never.
-  bool harmsLater(const Timeline& timeline) const { return timeline.again || isWoken(); }
+  // Whether what one of its timelines does may come but later on, or never: a guess.
+  bool isLater(const Timeline& timeline) const { return timeline.again || isWoken(); }
 };
+
+// The most events of all timelines of a place: half a gigabyte. The steps that a place may take are
+// 20,000,000, and a loop that moves parts takes ten of them for each; a crafted text has an event
+// each step.
+constexpr size_t kMostEvents = 2000000;
 
 // Reads every script that runs in the place. Disabled ones are read, after the others, where
 // another script may enable them (woken_scripts.h); those in storage do nothing. Each is read for
-// itself; what others set counts only for the timelines that are `again`.
-std::vector<ScriptReading> readScripts(const Tree& tree);
+// itself; what others set counts only for the timelines that are `again`. Of all the first
+// `mostEvents` events are kept; a script that has more is `exhausted`, or `cutAgain`.
+std::vector<ScriptReading> readScripts(const Tree& tree, size_t mostEvents = kMostEvents);
 
 // True for the scripts that each new character gets.
 bool isInStarterCharacter(const Tree& tree, InstanceId id);

@@ -10,6 +10,7 @@
 #include "import/onset.h"
 #include "import/scripted_changes.h"
 #include "import/terrain.h"
+#include "import/unread_code.h"
 #include "import/words.h"
 
 namespace obby::importer {
@@ -87,42 +88,6 @@ void noteTags(RoleContext& context) {
       if (std::find(std::begin(kKitTags), std::end(kKitTags), lower(tag)) != std::end(kKitTags) &&
           context.hasParts(id))
         context.level.noteUnmodelled("tag " + tag, context.tree.path(id), "a plain part");
-}
-
-// Behaviour in modules is not followed; the player's own modules are no part of a level.
-void noteModules(RoleContext& context) {
-  const InstanceId player = context.tree.service("StarterPlayer");
-  for (InstanceId id = 0; id < context.tree.size(); ++id) {
-    const Instance& module = context.tree.at(id);
-    const auto* source = property<std::string>(module, "Source");
-    if (module.className != "ModuleScript" || !source) continue;
-    if (player != kNoInstance && context.tree.isUnder(id, player)) continue;
-    for (const char* sign : {".Touched", "TweenService", ".CanCollide", "TakeDamage", ".Health"})
-      if (source->find(sign) != std::string::npos) {
-        context.level.noteUnmodelled("module script", context.tree.path(id),
-                                     "what it does to parts is not followed; tags, names and other "
-                                     "scripts decide");
-        break;
-      }
-  }
-}
-
-void noteScript(RoleContext& context, const ScriptReading& reading) {
-  const std::string path = context.tree.path(reading.script);
-  auto& level = context.level;
-  if (reading.broken)
-    level.noteUnmodelled("script with unknown syntax", path, "read as far as it was understood");
-  if (reading.requiresAsset)
-    level.noteUnmodelled("require of an asset", path, "code that is not in the file");
-  if (reading.dynamicCode)
-    level.noteUnmodelled("code made at run time", path, "loadstring, getfenv or setfenv");
-  if (reading.exhausted || reading.cutAgain)
-    level.noteUnmodelled("very long script", path,
-                         "read as far as the budget of steps, rounds and nested calls went");
-  for (const int line : std::set<int>(reading.waysOut.begin(), reading.waysOut.end()))
-    level.noteUnmodelled("loop that may end", path,
-                         "goes on for ever, and what follows it is not read; " +
-                             scriptReason(context.tree, reading, line));
 }
 
 // What a touch does that no role covers: a kind and what is lost.
@@ -288,7 +253,7 @@ void noteUnmodelled(RoleContext& context) {
   noteTags(context);
   noteModules(context);
   for (const ScriptReading& reading : context.scripts) {
-    noteScript(context, reading);
+    noteUnread(context, reading);
     noteTimelines(context, reading);
     noteJoints(context, reading);
   }

@@ -8,6 +8,9 @@ namespace obby::test {
 namespace {
 
 const char* const kMayHarm = "harm that a script may do";
+const char* const kTooMuch = "script that sets too much";
+const std::string kLongest(100, 'a');  // that the engine lets the name of an attribute be
+const std::string kPulls = "lever.Touched:Connect(function() p.On.Value = true end)";
 const std::string kKills = "then\nhit.Parent.Humanoid.Health = 0 end end)";
 
 // What a handler of the trap does, which is `p`.
@@ -65,6 +68,7 @@ TEST(OtherScripts, ALeverOfAnotherScriptWakesTheTrap) {
       {"p.Count.Value += 1", "p.Count.Value >= 3"},
       {"p.Mode.Value = 'wild'", "p.Mode.Value == 'wild'"},
       {"p:SetAttribute('Armed', true)", "p:GetAttribute('Armed')"},
+      {"p:SetAttribute('" + kLongest + "', true)", "p:GetAttribute('" + kLongest + "')"},
       {"p.Transparency = 1", "p.Transparency > 0.5"},
       {"p.CanCollide = false", "not p.CanCollide"},
       {"p.Name = 'Deadly'", "p.Name == 'Deadly'"}};
@@ -99,7 +103,7 @@ TEST(OtherScripts, ItCountsWheneverItIsSet) {
 
 TEST(OtherScripts, TwoLeversWakeATrapTogether) {
   Trapped scene;
-  scene.pulls("lever.Touched:Connect(function() p.On.Value = true end)");
+  scene.pulls(kPulls);
   scene.run("local on = false " +
             touched("if not on then on = true return end\nif p.On.Value " + kKills));
   scene.level();
@@ -112,7 +116,7 @@ TEST(OtherScripts, WhatTheFirstReadingHasFoundStays) {
   Trapped scene;
   const auto big = scene.add("Folder", "Big", scene.workspace);
   for (int i = 0; i < 50000; ++i) scene.add("Folder", "Folder", big);
-  scene.pulls("lever.Touched:Connect(function() p.On.Value = true end)");
+  scene.pulls(kPulls);
   scene.run("for i = 1, 1e6 do workspace.Trap.Count.Value = 1 end local on = false " +
             touched("if p.On.Value then print(p) end if not on then on = true return end if on " +
                     kKills));
@@ -130,6 +134,7 @@ TEST(OtherScripts, WhatNoOtherScriptTurnsIsAsSaved) {
       {"p.Count.Value = 0", "p.Count.Value >= 3"},
       {"lever:SetAttribute('Armed', true)", "p:GetAttribute('Armed')"},
       {"p:SetAttribute('Armed', nil)", "p:GetAttribute('Armed')"},
+      {"p:SetAttribute('a" + kLongest + "', true)", "p:GetAttribute('a" + kLongest + "')"},
       {"p.Transparency = 0", "p.Transparency > 0.5"},
       {"lever.Name = 'Deadly'", "p.Name == 'Deadly'"},
       {"p.Name = 'Trap'", "p.Name == 'Deadly'"},
@@ -140,6 +145,55 @@ TEST(OtherScripts, WhatNoOtherScriptTurnsIsAsSaved) {
     scene.asks(condition);
     expectHarmless(scene, sets);
   }
+}
+
+// A folder, and a script that sets more than half as much of what is in it as is kept of a place.
+void addFlood(Trapped& scene, const std::string& name) {
+  const auto folder = scene.add("Folder", name, scene.workspace);
+  for (int i = 0; i < 130; ++i) scene.add("Folder", "Folder", folder);
+  std::string text = "for _, f in workspace." + name + ":GetChildren() do ";
+  for (int i = 0; i < 1000; ++i) text += "f:SetAttribute('a" + std::to_string(i) + "', 1) ";
+  scene.run(text + "end");
+}
+
+TEST(OtherScripts, WhatIsTooMuchToKeepIsNamed) {
+  Trapped half;
+  addFlood(half, "One");
+  half.pulls(kPulls);
+  half.asks("p.On.Value");
+  half.level();
+  EXPECT_TRUE(half[half.trap].kill);
+  EXPECT_EQ(half.unmodelled(kTooMuch), 0u);
+
+  for (const bool leverFirst : {false, true}) {
+    Trapped scene;
+    if (leverFirst) scene.pulls(kPulls);
+    addFlood(scene, "One");
+    addFlood(scene, "Two");
+    if (!leverFirst) scene.pulls(kPulls);
+    scene.asks("p.On.Value");
+    scene.level();
+    EXPECT_EQ(scene[scene.trap].kill.has_value(), leverFirst);
+    EXPECT_EQ(scene.unmodelled(kTooMuch), leverFirst ? 1u : 2u);
+    EXPECT_EQ(scene.unmodelled("very long script"), 0u);
+  }
+}
+
+// Without room for what its handlers ask for a script is read anew all the same.
+TEST(OtherScripts, ATrapThatAsksForTooMuchToKeepIsFound) {
+  Trapped scene;
+  const auto folder = scene.add("Folder", "Many", scene.workspace);
+  for (int i = 0; i < 40; ++i) scene.add("Folder", "Folder", folder);
+  std::string asks = "for _, f in workspace.Many:GetChildren() do local a = f.a0";
+  for (int i = 1; i < 1000; ++i) asks += ", f.a" + std::to_string(i);
+  asks += " end ";
+  scene.pulls(kPulls);
+  for (int i = 0; i < 6; ++i) scene.run(touched(asks + "print('Health') end)"));
+  scene.run(touched(asks + "if p.On.Value " + kKills));
+  scene.level();
+  EXPECT_TRUE(scene[scene.trap].kill);
+  EXPECT_EQ(scene.unmodelled(kMayHarm), 1u);
+  EXPECT_EQ(scene.unmodelled("very long script"), 0u);
 }
 
 // What the trap's script leaves there itself as it begins: the text of one script tells its order.
@@ -155,7 +209,7 @@ TEST(OtherScripts, WhatTheOnlyScriptSetsIsKnown) {
 
 TEST(OtherScripts, WhatTheHandlerHasSetItselfIsKnown) {
   Trapped scene;
-  scene.pulls("lever.Touched:Connect(function() p.On.Value = true end)");
+  scene.pulls(kPulls);
   scene.run(touched("p.On.Value = false if p.On.Value " + kKills));
   expectHarmless(scene, "set back before it is asked for");
 }
@@ -164,7 +218,7 @@ TEST(OtherScripts, ALeverWakesItsOwnTrapAlone) {
   Trapped scene;
   const auto other = scene.part("Other", {18, 0, 0});
   scene.value("BoolValue", "On", false, other);
-  scene.pulls("lever.Touched:Connect(function() p.On.Value = true end)");
+  scene.pulls(kPulls);
   scene.run(
       "for _, p in {workspace.Trap, workspace.Other} do p.Touched:Connect(function(hit) "
       "if p.On.Value " +
@@ -177,7 +231,7 @@ TEST(OtherScripts, WhatSurelyHarmsStaysCertain) {
   for (const bool trapFirst : {false, true}) {
     Trapped scene;
     if (trapFirst) scene.asks("not p.On.Value");
-    scene.pulls("lever.Touched:Connect(function() p.On.Value = true end)");
+    scene.pulls(kPulls);
     if (!trapFirst) scene.asks("not p.On.Value");
     scene.level();
     ASSERT_TRUE(scene[scene.trap].kill);
@@ -191,7 +245,7 @@ TEST(OtherScripts, WhatAClientSetsStaysThere) {
   for (const bool lever : {false, true})
     for (const bool trap : {false, true}) {
       Trapped scene;
-      scene.pulls("lever.Touched:Connect(function() p.On.Value = true end)", lever);
+      scene.pulls(kPulls, lever);
       scene.asks("p.On.Value", trap);
       if (lever && !trap)
         expectHarmless(scene, "a lever for one player");
@@ -215,7 +269,7 @@ TEST(OtherScripts, HealingOfAnotherAmountIsNoHarm) {
 TEST(OtherScripts, ATagSaysThatItIsHarmless) {
   Trapped scene;
   scene.tag(scene.trap, "Harmless");
-  scene.pulls("lever.Touched:Connect(function() p.On.Value = true end)");
+  scene.pulls(kPulls);
   scene.asks("p.On.Value");
   expectHarmless(scene, "tag");
 }

@@ -46,6 +46,23 @@ TEST(ScriptedConstraint, AServoGoesWhereItsScriptSends) {
   expectNear(at(scene[c.arm], 2), {0, 28, 0});
 }
 
+// Nobody knows whether its loop ever begins.
+TEST(ScriptedConstraint, AServoSteppedUnderAnUnknownConditionIsAGuess) {
+  const std::string loop =
+      "while true do slider.TargetPosition = 20 task.wait(5) "
+      "slider.TargetPosition = 0 task.wait(5) end";
+  for (const bool maybe : {false, true}) {
+    Scene scene;
+    const auto c = servoed(scene);
+    scene.script(kSlider + (maybe ? "if _G.lifts then " + loop + " end" : loop), scene.scripts);
+    scene.level();
+    ASSERT_TRUE(scene[c.arm].motion) << maybe;
+    expectNear(at(scene[c.arm], 1), {0, 18, 0});
+    EXPECT_EQ(scene.evidence(c.arm, "motion"), std::string(maybe ? "guessed: " : "") +
+                                                   "PrismaticConstraint servo stepped by a script");
+  }
+}
+
 TEST(ScriptedConstraint, WhatAHingeTurnsToAndFroIsHeld) {
   Scene scene;
   const auto c = turned(scene);

@@ -16,6 +16,8 @@ namespace {
 constexpr double kOldWait = 1.0 / 30;  // wait() never resumes sooner
 constexpr double kLongestWait = 1e6;   // seconds
 constexpr size_t kItemsPerStep = 4;    // of a list that is looked through, or moved in it
+// Of the name of a signal, or kTagged and a tag of 100 characters: no longer one ever comes.
+constexpr size_t kLongestSignal = 150;
 
 bool isFrameSignal(const std::string& name) {
   static constexpr std::string_view kNames[] = {"Heartbeat",     "RenderStepped",  "Stepped",
@@ -187,6 +189,7 @@ Datum Reader::connect(const Expr& expr, const std::vector<Datum>& arguments, boo
     const Datum tag = evaluate(*expr.kids[1]);
     if (const auto* text = tag.as<std::string>()) pending.signal = std::string(kTagged) + *text;
   }
+  if (pending.signal.size() > kLongestSignal) pending.signal.resize(kLongestSignal);
   if (isFrameSignal(name)) {
     pending.trigger = Trigger::frame;
     const Datum step{kFrame};
@@ -204,7 +207,7 @@ Datum Reader::connect(const Expr& expr, const std::vector<Datum>& arguments, boo
     pending.touched = signal.instance;
   }
   const bool touch = pending.trigger == Trigger::touch;
-  if (!touch && lower(name) == "touched" && isOfLater(timeline_, reading_.tags))
+  if (!touch && lower(name) == "touched" && isOfLater(timeline_, tags_))
     pending.signal = "Touched of a part that comes later";
   if (touch && !function.as<Closure>()) {  // it does something, but what?
     Timeline unknown;

@@ -3,12 +3,21 @@
 
 namespace obby::importer::luau {
 
-void Changes::add(const Keys& keys, InstanceId script, bool onClient) {
+bool Changes::add(const Keys& keys, InstanceId script, bool onClient) {
   Setters& setters = onClient ? client_ : server_;
+  bool all = true;
   for (const Key& key : keys) {
-    const auto [setter, isNew] = setters.try_emplace(key, script);
-    if (!isNew && setter->second != script) setter->second = kNoInstance;
+    const bool room = server_.size() + client_.size() < kMaxKeys;
+    const auto known = setters.find(key);
+    if (known != setters.end()) {
+      if (known->second != script) known->second = kNoInstance;
+    } else if (room) {
+      setters.emplace(key, script);
+    } else {
+      all = false;
+    }
   }
+  return all;
 }
 
 bool Changes::reach(const Key& key, InstanceId script, bool onClient) const {

@@ -62,7 +62,12 @@ bool isCharacter(const Datum& datum) { return datum.as<Stranger>() || datum.as<U
 }  // namespace
 
 ScriptEvent& Reader::emit(EventKind kind, InstanceId target, std::string property, int line) {
-  ScriptEvent event;
+  const bool kept = room_ > 0;
+  if (kept)
+    --room_;
+  else
+    full_ = reading_.exhausted = true;
+  ScriptEvent& event = kept ? timeline_.events.emplace_back() : lost_.emplace();
   event.kind = kind;
   event.target = target;
   event.property = std::move(property);
@@ -70,8 +75,7 @@ ScriptEvent& Reader::emit(EventKind kind, InstanceId target, std::string propert
   event.line = line;
   event.unsure = isUnsure();
   if (kind == EventKind::damage && timeline_.trigger != Trigger::touch) event.target = zone_;
-  timeline_.events.push_back(std::move(event));
-  return timeline_.events.back();
+  return event;
 }
 
 void Reader::write(InstanceId id, const std::string& name, Datum value) {
@@ -96,6 +100,7 @@ void Reader::setField(const Datum& object, const std::string& name, const Datum&
 }
 
 void Reader::setInstance(InstanceId id, const std::string& spelled, const Datum& value, int line) {
+  if (spelled.size() > kLongestKey) return;  // no property is called so: the engine stops there
   std::string name = spelled;
   if (name == "AssemblyLinearVelocity" || name == "velocity") name = "Velocity";
   if (name == "AssemblyAngularVelocity") name = "RotVelocity";
@@ -112,9 +117,9 @@ void Reader::setInstance(InstanceId id, const std::string& spelled, const Datum&
     Datum pose = posed(last, name, value);
     if (stays && going_.count({id, "CFrame"}) > 0)
       pose = {Frame{{last.position, frame->pose.rotation}, frame->from}};
-    setFrame(id, pose, line);
-    timeline_.events.back().places = setsPlace(name) && !stays;
-    timeline_.events.back().turns = setsTurn(name);
+    ScriptEvent& moved = setFrame(id, pose, line);
+    moved.places = setsPlace(name) && !stays;
+    moved.turns = setsTurn(name);
     return;
   }
   // A colour that a branch may not set is the old or the new one; that of a light turns in play.
@@ -214,6 +219,7 @@ Datum Reader::destroyLater(const std::string& method, const std::vector<Datum>& 
 
 void Reader::setStranger(const std::string& owner, const std::string& name, const Datum& value,
                          int line) {
+  if (name.size() > kLongestKey) return;  // as of an instance
   const auto* number = value.as<double>();
   if (name == "Health") {
     const auto* change = value.as<Change>();

@@ -51,20 +51,22 @@ Pose Reader::pivotOffset(InstanceId id) const {
   return part == kNoInstance ? Pose{} : get<CFrame>(tree_.at(part), "PivotOffset");
 }
 
-void Reader::setFrame(InstanceId id, const Datum& value, int line) {
+ScriptEvent& Reader::setFrame(InstanceId id, const Datum& value, int line) {
   ScriptEvent& event = emit(EventKind::set, id, "CFrame", line);
   const auto* frame = value.as<Frame>();
-  if (!frame || !isKnown(frame->pose)) return;
+  if (!frame || !isKnown(frame->pose)) return event;
   event.frame = frame->pose;
   event.from = frame->from;
   if (!tree_.isPart(id)) takeAlong(id, frame->pose * inverse(frameOf(id)));
   write(id, "CFrame", {Frame{frame->pose, kNoInstance}});
+  return event;
 }
 
 void Reader::setPivot(InstanceId id, const Datum& value, int line) {
   const auto* frame = value.as<Frame>();
-  if (!frame) return setFrame(id, {}, line);
-  setFrame(id, {Frame{frame->pose * inverse(pivotOffset(id)), frame->from}}, line);
+  Datum pose;
+  if (frame) pose = {Frame{frame->pose * inverse(pivotOffset(id)), frame->from}};
+  setFrame(id, pose, line);
 }
 
 // Poses below a model that were set on their own keep their place in it.
@@ -121,8 +123,8 @@ void Reader::setPoseGoals(const Tween& tween, int line) {
   }
   if (!goal) return;
   const auto* frame = goal->as<Frame>();
-  setFrame(tween.target, frame ? Datum{Frame{frame->pose, from}} : *goal, line);
-  ScriptEvent& event = timeline_.events.back();
+  ScriptEvent& event =
+      setFrame(tween.target, frame ? Datum{Frame{frame->pose, from}} : *goal, line);
   event.orientation = orientation;
   event.places = places;
   event.turns = turns;

@@ -148,7 +148,7 @@ Datum Reader::instanceSearch(InstanceId id, const std::string& name,
   if (name == "GetTagged") {
     auto list = arena_.make<Table>();
     if (text) {
-      reading_.tags.push_back(*text);
+      tags_.push_back(*text);
       for (InstanceId tagged : tree_.tagged(*text)) list->items.push_back({Ref{tagged}});
       spend(list->items.size());
     }

@@ -45,8 +45,9 @@ bool isFirstTime(const Stat& stat) {
 
 }  // namespace
 
-Reader::Reader(const Tree& tree, InstanceId script, size_t& budget, const Changes* changes)
-    : tree_(tree), changes_(changes), budget_(budget) {
+Reader::Reader(const Tree& tree, InstanceId script, size_t& budget, size_t room,
+               const Changes* changes)
+    : tree_(tree), changes_(changes), budget_(budget), room_(room) {
   scope_ = newScope(nullptr);
   reading_.script = script;
 }
@@ -70,7 +71,7 @@ ScriptReading Reader::read(const Chunk& chunk) {
   leaveLoop();
   timeline_.end = time_;
   timeline_.vague = vague_;
-  reading_.timelines.push_back(std::move(timeline_));
+  keepTimeline();
   while (!pending_.empty() && reading_.timelines.size() < kMaxTimelines && spend()) {
     const Pending next = std::move(pending_.front());
     pending_.pop_front();
@@ -108,6 +109,12 @@ void Reader::openTimeline(const Pending& pending) {
   vague_ = pending.vague;
 }
 
+// All timelines of a place are kept at once, and nothing is added to this one.
+void Reader::keepTimeline() {
+  timeline_.events.shrink_to_fit();
+  reading_.timelines.push_back(std::move(timeline_));
+}
+
 void Reader::follow(const Pending& pending) {
   openTimeline(pending);
   if (inHandler_)
@@ -133,7 +140,7 @@ void Reader::follow(const Pending& pending) {
   if (pending.triggered || (over && pending.ofHandler)) timeline_.trigger = Trigger::other;
   keepHarmless(pending);
   if (handler_ != 0 && !over) handlers_[reading_.timelines.size()] = handler_;
-  reading_.timelines.push_back(std::move(timeline_));
+  keepTimeline();
   variables_.endHandler();
   for (auto& [key, old] : beforeHandler_) {
     if (old)

@@ -31,15 +31,19 @@ constexpr int kMaxCount = 2000;          // rounds of a counted loop
 
 class Reader {
  public:
-  // `budget` bounds the steps of the reading; what is left of it remains there. `changes`: of all
-  // scripts, once they have been read; null: they have not. It must outlive the reader.
-  Reader(const Tree& tree, InstanceId script, size_t& budget, const Changes* changes = nullptr);
+  // `budget` bounds the steps of the reading; what is left of it remains there. `room`: the most
+  // events that the timelines may have. `changes`: of all scripts, once they have been read; null:
+  // they have not. It must outlive the reader.
+  Reader(const Tree& tree, InstanceId script, size_t& budget, size_t room,
+         const Changes* changes = nullptr);
   // The chunk must outlive the call only.
   ScriptReading read(const Chunk& chunk);
   // Once it is read: what it sets to something else than the file has, but for poses, and what its
-  // handlers ask for as they are read a second time.
+  // handlers ask for as they are read a second time. Of either no more than kMaxKeys.
   const Keys& changed() const { return changed_; }
   const Keys& asked() const { return asked_; }
+  // Whether events were left out, as there was no room for them; what else was read is whole.
+  bool isFull() const { return full_; }
 
  private:
   enum class Flow { on, nextRound, leaveLoop, leaveFunction, stop };
@@ -81,6 +85,7 @@ class Reader {
   // reader.cpp: timelines and statements
   void follow(const Pending& pending);
   void openTimeline(const Pending& pending);
+  void keepTimeline();
   void followEachFrame(const Pending& pending);
   Flow walk(const Block& block, bool ownScope = true);
   Flow statement(const Stat& stat);
@@ -224,7 +229,7 @@ class Reader {
   const Pose* writtenFrame(InstanceId id) const;
   const Pose& fileFrame(InstanceId id);
   Pose pivotOffset(InstanceId id) const;
-  void setFrame(InstanceId id, const Datum& value, int line);
+  ScriptEvent& setFrame(InstanceId id, const Datum& value, int line);
   void setPivot(InstanceId id, const Datum& value, int line);
   void takeAlong(InstanceId model, const Pose& by);
   void setPoseGoals(const Tween& tween, int line);
@@ -258,6 +263,7 @@ class Reader {
   bool isInWorld(InstanceId id);
   void clear(InstanceId id, int line);
   Datum destroyLater(const std::string& method, const std::vector<Datum>& arguments, int line);
+  // The new event, until the next one; without room for it one that no timeline has.
   ScriptEvent& emit(EventKind kind, InstanceId target, std::string property, int line);
 
   const Tree& tree_;
@@ -321,8 +327,12 @@ class Reader {
     double time = 0;
     size_t event = 0;  // index of its first event
   };
-  std::vector<Active> active_;  // functions that are being called, the outermost first
+  std::vector<Active> active_;     // functions that are being called, the outermost first
+  std::vector<std::string> tags_;  // that it has asked CollectionService for
   size_t& budget_;
+  size_t room_;                      // for more events
+  std::optional<ScriptEvent> lost_;  // the last one without room
+  bool full_ = false;
 };
 
 }  // namespace obby::importer::luau

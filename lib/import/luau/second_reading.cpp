@@ -24,12 +24,14 @@ constexpr size_t kStepsAgain = 100000;  // of a script: the first readings of ot
 constexpr std::string_view kHarmWords[] = {"Health",      "TakeDamage",    "BreakJoints",
                                            "breakJoints", "LoadCharacter", "StateType.Dead"};
 
-// Of what a handler does the harm alone. A line that gives health gives another amount, maybe.
+// Of what a handler does the harm alone, and in no more room than that takes. A line that gives
+// health gives another amount, maybe.
 Timeline harmOf(Timeline timeline, const std::set<int>& heals) {
   std::erase_if(timeline.events, [&](const ScriptEvent& event) {
     const bool untold = event.number && std::isnan(*event.number);
     return !event.harms() || (untold && heals.count(event.line) > 0);
   });
+  timeline.events.shrink_to_fit();
   timeline.again = true;
   timeline.forever = false;
   timeline.loopEvent = 0;
@@ -70,13 +72,15 @@ void Reader::readAgain() {
   variables_.readAgain();
   for (const Pending& handler : harmless_) {
     if (!spend()) break;
+    const size_t room = room_;
     follow(handler);
     pending_.clear();
     Timeline harm = harmOf(std::move(reading_.timelines.back()), heals_);
+    room_ = room - harm.events.size();
     reading_.timelines.clear();
     if (!harm.events.empty()) first.timelines.push_back(std::move(harm));
   }
-  first.cutAgain = budget_ == 0;
+  first.cutAgain = budget_ == 0 || full_;
   budget_ += later;
   reading_ = std::move(first);
 }
@@ -97,8 +101,13 @@ void Reader::noteTurn(InstanceId id, const std::string& name, const std::optiona
 // Whenever and under whatever condition it is set: what other scripts do then the text of this one
 // does not tell.
 void Reader::noteChange(InstanceId id, const std::string& name, const Datum& now) {
-  if (again_ || isPoseProperty(name) || changed_.count({id, name}) > 0) return;
-  if (isOther(fileField(id, name).value_or(Datum{}), now)) changed_.insert({id, name});
+  if (again_ || isPoseProperty(name) || name.size() > kLongestKey) return;
+  const Key key{id, name};
+  if (changed_.count(key) > 0 || !isOther(fileField(id, name).value_or(Datum{}), now)) return;
+  if (changed_.size() < kMaxKeys)
+    changed_.insert(key);
+  else
+    reading_.cutChanges = true;
 }
 
 // Whether a handler that is read once more may find either; not where it has set it itself.
@@ -107,7 +116,7 @@ bool Reader::isTurned(InstanceId id, const std::string& name) {
   const Key key{id, name};
   if (beforeHandler_.count(key) > 0) return false;
   if (turned_.count(key) > 0) return true;
-  asked_.insert(key);
+  if (asked_.size() < kMaxKeys && name.size() <= kLongestKey) asked_.insert(key);
   return changes_ && changes_->reach(key, reading_.script, runsOnClient(tree_.at(reading_.script)));
 }
 

@@ -42,15 +42,14 @@ bool inCheckpointFolder(const Tree& tree, InstanceId id) {
   return parent != kNoInstance && !firstWordIn(tree.at(parent).name, kFolderWords).empty();
 }
 
-// `woken`: of the scripts that others enable; else of the rest.
-void fromTouches(RoleContext& context, bool woken) {
-  context.eachTouch([&](PartDraft& part, const Timeline& timeline, const ScriptReading& reading) {
-    if (reading.isWoken() != woken) return;
+void fromTouches(RoleContext& context, Doings doings) {
+  const auto take = [&](PartDraft& part, const Timeline& timeline, const ScriptReading& reading) {
     for (const ScriptEvent& event : timeline.events)
       if (event.kind == EventKind::respawnAt)
         give(part, stageNumber(context.tree, part.id, part.id),
-             scriptReason(context.tree, reading, event.line), woken);
-  });
+             scriptReason(context.tree, reading, event.line), reading.isLater(timeline));
+  };
+  context.eachTouch(doings, take);
 }
 
 }  // namespace
@@ -83,14 +82,14 @@ void checkpointFromTags(RoleContext& context) {
   });
 }
 
-void checkpointFromScripts(RoleContext& context) { fromTouches(context, false); }
+void checkpointFromScripts(RoleContext& context) { fromTouches(context, Doings::certain); }
 
 void checkpointFromNames(RoleContext& context) {
   const Tree& tree = context.tree;
   bool stated = false;
   for (const PartDraft& part : context.level.parts) stated = stated || part.checkpoint.has_value();
-  fromTouches(context, true);  // guesses, as names are
-  if (stated) return;          // stated checkpoints make names needless
+  fromTouches(context, Doings::later);  // guesses, as names are
+  if (stated) return;                   // stated checkpoints make names needless
   std::unordered_map<InstanceId, const PartDraft*> touched;  // of each model
   for (size_t i = 0; i < context.level.parts.size(); ++i) {
     PartDraft& part = context.level.parts[i];

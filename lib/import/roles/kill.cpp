@@ -105,16 +105,16 @@ void giveHarm(RoleContext& context, const ScriptReading& reading, const Timeline
     const float amount = std::isfinite(damage) ? std::min(float(damage), kAll)
                                                : std::max(100.0f, context.level.world.maxHealth);
     const double wait = touch ? timeline.end - hit.time : timeline.period;
-    const bool guessed = untold || reading.harmsLater(timeline) || (touch && timeline.maybe);
+    const bool guessed = untold || reading.isLater(timeline) || (touch && timeline.maybe);
     give(*part, {amount, float(std::clamp(wait, 0.0, 60.0))},
          scriptReason(context.tree, reading, hit.line), guessed);
   }
 }
 
-void harmFromScripts(RoleContext& context, bool later) {
-  for (const ScriptReading& reading : context.scripts)
-    for (const Timeline& timeline : reading.timelines)
-      if (reading.harmsLater(timeline) == later) giveHarm(context, reading, timeline);
+void harmFromScripts(RoleContext& context, Doings doings) {
+  context.eachTimeline(doings, [&](const ScriptReading& reading, const Timeline& timeline) {
+    giveHarm(context, reading, timeline);
+  });
 }
 
 }  // namespace
@@ -156,11 +156,11 @@ void killFromMarkers(RoleContext& context) {
   });
 }
 
-void killFromScripts(RoleContext& context) { harmFromScripts(context, false); }
+void killFromScripts(RoleContext& context) { harmFromScripts(context, Doings::certain); }
 
 void killFromNames(RoleContext& context) {
   // What may begin but later on counts no more than a name: of a goal, too.
-  harmFromScripts(context, true);
+  harmFromScripts(context, Doings::later);
   // Where a script kills through some children of a folder, its other children are harmless.
   std::set<InstanceId> scripted;
   for (const auto& part : context.level.parts)

@@ -283,16 +283,14 @@ void noteTriggered(RoleContext& context, const ScriptReading& reading, const Tim
 
 void movingFromScripts(RoleContext& context) {
   ScriptMotions motions(context);
-  for (const bool woken : {false, true}) {  // guesses come last
-    for (const ScriptReading& reading : context.scripts)
-      for (const Timeline& timeline : reading.timelines) {
-        if (reading.isWoken() != woken) continue;
-        if (timeline.byItself())
-          takeAll(context.tree, motions, reading, timeline);
-        else
-          noteTriggered(context, reading, timeline);
-      }
-    if (!woken) addSteps(context, motions);
+  for (const Doings doings : kByCertainty) {
+    context.eachTimeline(doings, [&](const ScriptReading& reading, const Timeline& timeline) {
+      if (timeline.byItself())
+        takeAll(context.tree, motions, reading, timeline);
+      else
+        noteTriggered(context, reading, timeline);
+    });
+    if (doings == Doings::certain) addSteps(context, motions);
   }
   motions.give();
 }

@@ -20,6 +20,11 @@ struct MotionRoom {
   size_t keys = 0, ticks = 0;
 };
 
+// What scripts do for certain, and what comes but later on, or may never (ScriptReading::isLater).
+enum class Doings { certain, later };
+// In the order in which they count: guesses come last.
+constexpr Doings kByCertainty[] = {Doings::certain, Doings::later};
+
 // What the role finders read and write.
 class RoleContext {
  public:
@@ -50,9 +55,14 @@ class RoleContext {
   // objects and Configurations, and the instance that it marks.
   void eachMarker(const std::function<void(InstanceId marker, InstanceId owner)>& visit) const;
 
-  // Calls `visit` for every handler of the touch of a level part.
-  void eachTouch(
-      const std::function<void(PartDraft&, const Timeline&, const ScriptReading&)>& visit);
+  // Calls `visit` for every timeline of the scripts that does such things.
+  using TimelineVisit = std::function<void(const ScriptReading&, const Timeline&)>;
+  void eachTimeline(Doings doings, const TimelineVisit& visit) const;
+  // Calls `visit` for every handler of the touch of a level part that does such things; or for all
+  // of them, in the order of kByCertainty.
+  using TouchVisit = std::function<void(PartDraft&, const Timeline&, const ScriptReading&)>;
+  void eachTouch(Doings doings, const TouchVisit& visit);
+  void eachTouch(const TouchVisit& visit);
 
  private:
   std::unordered_map<InstanceId, size_t> index_;

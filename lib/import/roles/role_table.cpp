@@ -79,13 +79,22 @@ void RoleContext::eachMarker(const std::function<void(InstanceId, InstanceId)>& 
   }
 }
 
-void RoleContext::eachTouch(
-    const std::function<void(PartDraft&, const Timeline&, const ScriptReading&)>& visit) {
+void RoleContext::eachTimeline(Doings doings, const TimelineVisit& visit) const {
+  const bool later = doings == Doings::later;
   for (const ScriptReading& reading : scripts)
-    for (const Timeline& timeline : reading.timelines) {
-      PartDraft* touched = timeline.trigger == Trigger::touch ? part(timeline.touched) : nullptr;
-      if (touched) visit(*touched, timeline, reading);
-    }
+    for (const Timeline& timeline : reading.timelines)
+      if (reading.isLater(timeline) == later) visit(reading, timeline);
+}
+
+void RoleContext::eachTouch(Doings doings, const TouchVisit& visit) {
+  eachTimeline(doings, [&](const ScriptReading& reading, const Timeline& timeline) {
+    PartDraft* touched = timeline.trigger == Trigger::touch ? part(timeline.touched) : nullptr;
+    if (touched) visit(*touched, timeline, reading);
+  });
+}
+
+void RoleContext::eachTouch(const TouchVisit& visit) {
+  for (const Doings doings : kByCertainty) eachTouch(doings, visit);
 }
 
 std::string markerWords(const Tree& tree, InstanceId marker) {

@@ -114,16 +114,15 @@ void fromTimer(RoleContext& context, const ScriptReading& reading, const Timelin
   }
 }
 
-// `woken`: what scripts do that others enable; else what the rest does.
-void fromScripts(RoleContext& context, bool woken) {
-  context.eachTouch([&](PartDraft& part, const Timeline& timeline, const ScriptReading& reading) {
-    if (reading.isWoken() == woken) fromTouch(context.tree, part, timeline, reading);
+void fromScripts(RoleContext& context, Doings doings) {
+  const auto touch = [&](PartDraft& part, const Timeline& timeline, const ScriptReading& reading) {
+    fromTouch(context.tree, part, timeline, reading);
+  };
+  context.eachTouch(doings, touch);
+  context.eachTimeline(doings, [&](const ScriptReading& reading, const Timeline& timeline) {
+    const bool endless = timeline.trigger == Trigger::start && timeline.forever;
+    if (endless) fromTimer(context, reading, timeline);
   });
-  for (const ScriptReading& reading : context.scripts)
-    for (const Timeline& timeline : reading.timelines) {
-      const bool endless = timeline.trigger == Trigger::start && timeline.forever;
-      if (endless && reading.isWoken() == woken) fromTimer(context, reading, timeline);
-    }
 }
 
 }  // namespace
@@ -165,8 +164,7 @@ void vanishFromMarkers(RoleContext& context) {
 }
 
 void vanishFromScripts(RoleContext& context) {
-  fromScripts(context, false);
-  fromScripts(context, true);  // guesses come last
+  for (const Doings doings : kByCertainty) fromScripts(context, doings);
 }
 
 }  // namespace obby::importer
