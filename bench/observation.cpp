@@ -1,7 +1,9 @@
-// What each part of the policy's observation is worth: a policy learns without it.
+// What each part of the policy's observation is worth: a policy learns without it. And what other
+// ways to see are worth.
 #include <utility>
 
 #include "common/learning.h"
+#include "views/other_views.h"
 
 namespace {
 
@@ -18,6 +20,11 @@ bench::LearningRow without(const char* name, std::vector<Range> hidden) {
               for (int i = 0; i < range.count; ++i) settings.hidden.push_back(range.first + i);
             }
           }};
+}
+
+// A policy that sees in another way.
+bench::LearningRow seeing(const char* name, policy::Observe observe) {
+  return {name, [observe](train::TrainerSettings& settings) { settings.crowd.observe = observe; }};
 }
 
 constexpr int mapAt(int map) { return policy::kMapsAt + map * policy::kPoints; }
@@ -46,6 +53,9 @@ std::vector<bench::LearningRow> rows() {
   const Range floorsSoon{mapAt(2), policy::kPoints}, dangersSoon{mapAt(3), policy::kPoints};
   return {
       without("all", {}),
+      seeing("rays", bench::rays),
+      seeing("nearestParts", bench::nearestParts),
+      seeing("partSet", bench::partSet),
       without("noVelocity", {{0, 3}}),
       without("noFloorAndState", {{3, 9}}),
       without("noWayToRegion", {{12, 6}}),

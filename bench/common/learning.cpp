@@ -70,7 +70,9 @@ Result<train::Evaluation> measure(const LearningRow& row, const gen::Recipe& rec
     OBBY_ASSIGN(const auto iteration, trainer->iterate());
     (void)iteration;
   }
-  train::Evaluation found = train::evaluate(trainer->network(), *unseen, {}, pool, false);
+  train::EvaluationSettings how;
+  how.observe = settings.crowd.observe;
+  train::Evaluation found = train::evaluate(trainer->network(), *unseen, how, pool, false);
   OBBY_RETURN_IF_ERROR(std::move(found.missing));
   return found;
 }

@@ -1,6 +1,7 @@
 #include "gen/styles.h"
 
 #include "base/spelling.h"
+#include "gen/recipe.h"
 #include "gen/styles/all.h"
 #include "io/text.h"
 #include "level/record_values.h"
@@ -52,6 +53,19 @@ const std::vector<Style>& styles() {
 }
 
 const Style* findStyle(std::string_view name) { return named(styles(), name); }
+
+// Behind the style stands the difficulty: names of styles may begin alike.
+const Style* styleOfLevel(std::string_view levelName) {
+  for (const Style& style : styles()) {
+    const std::string begin = std::string(style.name) + '-';
+    if (!levelName.starts_with(begin)) continue;
+    const std::string_view rest = levelName.substr(begin.size());
+    for (const NamedNumber& difficulty : namedDifficulties()) {
+      if (rest.starts_with(difficulty.name + '-')) return &style;
+    }
+  }
+  return nullptr;
+}
 
 Result<const Style*> styleNamed(std::string_view name, const std::string& path) {
   if (const Style* style = findStyle(name)) return style;

@@ -16,6 +16,9 @@ const std::vector<Style>& styles();
 // Null if there is none of that name.
 const Style* findStyle(std::string_view name);
 
+// The style that a generated level's name says, as of Generated::name; null: it says none.
+const Style* styleOfLevel(std::string_view levelName);
+
 // `path`: where the name stands, for the error that there is none of that name, which names what
 // is near.
 Result<const Style*> styleNamed(std::string_view name, const std::string& path);

@@ -4,24 +4,26 @@
 
 #include <stdint.h>
 
-#include "base/device.h"
+#include "math/lanes.h"
 
 namespace obby {
 
-// e^x for x <= 0: relative error below 3e-7; 0 below -80.
-OBBY_DEVICE float expNegative(float x) {
-  const bool some = x > -80.0f;  // no branch by it, so that loops over this become lanes
-  const float y = some ? x : -80.0f;
-  const float t = y * 1.44269504f;
-  const int32_t whole = int32_t(t - 0.5f);  // nearest, as t <= 0
-  const float r = (y - float(whole) * 0.693359375f) + float(whole) * 2.12194440e-4f;
-  const float e =
-      1.0f +
-      r * (1.0f + r * (0.5f + r * (1.6666667e-1f +
-                                   r * (4.1666668e-2f + r * (8.3333477e-3f + r * 1.3930436e-3f)))));
-  const uint32_t bits = some ? uint32_t(whole + 127) << 23 : 0;
-  return e * __builtin_bit_cast(float, bits);
+// e^x for x <= 0: relative error below 3e-7; 0 below -80. Of one number, or of one a lane.
+template <class F>
+OBBY_DEVICE F expOfNegative(F x) {
+  using Int = IntOf<F>;
+  const MaskOf<F> some = x > F(-80.0f);  // no branch by it, so that loops over this become lanes
+  const F y = select(some, x, F(-80.0f));
+  const F t = y * F(1.44269504f);
+  const Int whole = toInt(t - F(0.5f));  // nearest, as t <= 0
+  const F n = toFloat(whole);
+  const F r = (y - n * F(0.693359375f)) + n * F(2.12194440e-4f);
+  const F tail = F(4.1666668e-2f) + r * (F(8.3333477e-3f) + r * F(1.3930436e-3f));
+  const F e = F(1.0f) + r * (F(1.0f) + r * (F(0.5f) + r * (F(1.6666667e-1f) + r * tail)));
+  const Int bits = select(some, (whole + Int(127)) << 23, Int(0));
+  return e * floatOfBits(bits);
 }
+OBBY_DEVICE float expNegative(float x) { return expOfNegative<float>(x); }
 
 // e^x: relative error below 4e-7; 0 below -80, and e^80 above 80.
 OBBY_DEVICE float expOf(float x) {

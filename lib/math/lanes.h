@@ -33,6 +33,7 @@ OBBY_DEVICE bool any(bool m) { return m; }
 OBBY_DEVICE bool all(bool m) { return m; }
 OBBY_DEVICE float toFloat(int32_t v) { return float(v); }
 OBBY_DEVICE int32_t toInt(float v) { return int32_t(v); }  // toward zero
+OBBY_DEVICE float floatOfBits(int32_t v) { return __builtin_bit_cast(float, v); }
 
 OBBY_DEVICE float minf(float a, float b) { return a < b ? a : b; }
 OBBY_DEVICE float maxf(float a, float b) { return a > b ? a : b; }

@@ -59,17 +59,15 @@ OBBY_DEVICE Points<1> placePoint(Turns ahead, int point) {
 // Lanes of a row: the one lane of a float. WideFloat has its own (policy.cpp).
 OBBY_DEVICE void loadRow(const float* from, float& row) { row = *from; }
 OBBY_DEVICE void storeRow(float row, float* to) { *to = row; }
-OBBY_DEVICE uint32_t laneBits(bool m) { return m ? 1 : 0; }
+OBBY_DEVICE float greatestOf(float row) { return row; }
 
 // Height of the solid's top where it is in the way of somebody who walks or jumps there, elsewhere
-// kDeepest. False: it is so nowhere.
+// kDeepest.
 template <class F>
-OBBY_DEVICE bool heightAt(const Solid& solid, F x, F z, F& height) {
+OBBY_DEVICE F heightAt(const Solid& solid, F x, F z) {
   const Stretch<F> in = cut<F>(solid, x, z);
   const MaskOf<F> met = (in.bottom <= in.top) & (in.bottom < F(kHeadroom));
-  if (!any(met)) return false;
-  height = select(met, minf(in.top, F(kHighest)), F(kDeepest));
-  return true;
+  return select(met, minf(in.top, F(kHighest)), F(kDeepest));
 }
 
 // What stands at a point: two heights, of the highest floor and of the highest danger.
@@ -85,7 +83,8 @@ constexpr Moments kAlways = (1u << kMoments) - 1;
 struct Sight {
   Solid solid;
   Kind kind;
-  Moments moments;  // in which it is there
+  Moments moments;          // in which it is there
+  uint32_t collider = ~0u;  // of the level; ~0: none, it is a region
 };
 
 // Dangers are shown as wide as where a player's middle comes to harm by them.
@@ -135,10 +134,10 @@ struct Maps {
   OBBY_DEVICE void see(const Points<kCount>& points, const Sight& sight) {
     const Solid solid = sight.kind == kDanger ? widened(sight.solid) : sight.solid;
     for (int i = 0; i < kCount; i += Lanes<F>::kCount) {
-      F x, z, height;
+      F x, z;
       loadRow(points.x + i, x);
       loadRow(points.z + i, z);
-      if (!heightAt<F>(solid, x, z, height)) continue;
+      const F height = heightAt<F>(solid, x, z);
       for (int m = 0; m < kMoments; ++m) {
         if (sight.moments >> m & 1) raise(heights[m][sight.kind] + i, height);
       }

@@ -21,10 +21,12 @@ OBBY_DEVICE Solid solidOf(const level::Collider& c, const Pose& pose, Vec3 feet)
   return {pose.position - feet, pose.rotation, c.shape, c.kind};
 }
 
+// Too high for whoever stands there: passed under.
+OBBY_DEVICE bool isOverhead(const Box& box, Vec3 feet) { return box.lo.y >= feet.y + kHeadroom; }
+
 OBBY_DEVICE bool inSight(const Box& box, Vec3 feet) {
-  return box.lo.x < feet.x + kSight && box.hi.x > feet.x - kSight && box.lo.z < feet.z + kSight &&
-         box.hi.z > feet.z - kSight && box.lo.y < feet.y + kHeadroom &&
-         box.hi.y > feet.y + kDeepest;
+  return box.hi.y > feet.y + kDeepest && !isOverhead(box, feet) && box.lo.x < feet.x + kSight &&
+         box.hi.x > feet.x - kSight && box.lo.z < feet.z + kSight && box.hi.z > feet.z - kSight;
 }
 
 // The world at each moment, as far as parts depend on it.
@@ -60,18 +62,19 @@ OBBY_DEVICE void lookAround(const Scene& s, const sim::World& w, const sim::Loos
     for (uint32_t e = around.starts[cell]; e < around.starts[cell + 1]; ++e) {
       const uint32_t id = around.entries[e];
       const level::Bounds& b = s.level.bounds[id];
+      if (isOverhead(b.box(), w.position)) break;  // and all that are listed after it
       if (!inSight(b.box(), w.position)) continue;
       const level::Collider& c = s.level.colliders[id];
       const Kind kind = kindOf(b.flags);
       if (!(b.flags & (level::kMoving | sim::kLeaves))) {
-        see({solidOf(c, c.pose, w.position), kind, kAlways});
+        see({solidOf(c, c.pose, w.position), kind, kAlways, id});
         continue;
       }
       for (int m = 0; m < kMoments; ++m) {
         const sim::World& then = foresight.at(m);
         if (sim::hasLeft(then, s.level, c, b.flags)) continue;
         const Pose pose = sim::poseAfter(s.level, then, loose, c);
-        see({solidOf(c, pose, w.position), kind, Moments(1) << m});
+        see({solidOf(c, pose, w.position), kind, Moments(1) << m, id});
       }
     }
   }
@@ -83,7 +86,7 @@ OBBY_DEVICE void lookAround(const Scene& s, const sim::World& w, const sim::Loos
       const level::Collider& c = s.level.colliders[id];
       if (!inSight(boundsOf(pose, c.shape.half), w.position)) continue;
       const Kind kind = kindOf(s.level.bounds[id].flags);
-      see({solidOf(c, pose, w.position), kind, kAlways});
+      see({solidOf(c, pose, w.position), kind, kAlways, id});
     }
   }
   for (uint32_t i = 0; i < s.query.avoidCount; ++i) {

@@ -37,24 +37,36 @@ OBBY_DEVICE int likeliest(const float* logits, bool mayJump) {
   return best;
 }
 
-// A move with the probability that the logits give it among those that are allowed.
+// A move with the probability that the logits, (kMoves), give it among those that are allowed. The
+// same bits in every number of lanes.
+template <class F>
 OBBY_DEVICE int draw(const float* logits, bool mayJump, Random& random) {
-  const float most = logits[likeliest(logits, mayJump)];
-  float odds[kMoves];
-  float sum = 0;
-  for (int m = 0; m < kMoves; ++m) {
-    odds[m] = isAllowed(m, mayJump) ? expNegative(logits[m] - most) : 0.0f;
-    sum += odds[m];
+  constexpr int kStep = Lanes<F>::kCount, kPadded = (kMoves + kStep - 1) / kStep * kStep;
+  constexpr float kBarred = -0x1.fffffep127f;  // as far below all others as can be
+  alignas(64) float odds[kPadded];
+  for (int m = 0; m < kPadded; ++m) odds[m] = m < kMoves ? logits[m] : kBarred;
+  for (int m = 1; m < kMoves && !mayJump; m += 2) odds[m] = kBarred;
+  F rows(kBarred), row;
+  for (int m = 0; m < kPadded; m += kStep) {
+    loadRow(odds + m, row);
+    rows = maxf(row, rows);  // of NaN the latter
   }
+  const F most(greatestOf(rows));
+  for (int m = 0; m < kPadded; m += kStep) {
+    loadRow(odds + m, row);
+    storeRow(expOfNegative<F>(row - most), odds + m);
+  }
+  const int every = mayJump ? 1 : 2;  // those between have no odds
+  float sum = 0;
+  for (int m = 0; m < kMoves; m += every) sum += odds[m];
   float rest = random.unit() * sum;
-  int last = 0;
-  for (int m = 0; m < kMoves; ++m) {
-    if (!isAllowed(m, mayJump)) continue;
-    last = m;
+  int drawn = 0;
+  for (int m = 0; m < kMoves; m += every) {
+    drawn = m;
     rest -= odds[m];
     if (rest < 0) break;
   }
-  return last;
+  return drawn;
 }
 
 }  // namespace obby::policy

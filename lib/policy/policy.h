@@ -56,12 +56,21 @@ Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody*
 void observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
              const sim::NextRegion& next, Turns ahead, float* inputs);
 
+// The first of them, or another way to see, to be tried: all inputs but the first kStateInputs are
+// kEmptyInput where nothing is in sight.
+using Observe = Turns (*)(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+                          float* inputs);
+
 // `outputs`: (kPaddedOutputs), logits and value, of raw inputs.
 void think(const NetworkView& network, const float* inputs, float* outputs);
 
 // What to hold for the next kDecisionTicks ticks, as decide.h has it.
 sim::Action decide(const Scene& scene, const NetworkView& network, const sim::World& world,
                    const sim::LooseBody* loose, Random* random);
+
+// What decide() does once it has seen `inputs` (kInputs) in a frame that looks `ahead`.
+sim::Action decideOn(const Scene& scene, const NetworkView& network, const sim::World& world,
+                     const float* inputs, Turns ahead, Random* random);
 
 // A policy made ready for one level: what decide() needs beside it and a query. The level's tables
 // and the network must outlive it.

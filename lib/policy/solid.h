@@ -27,11 +27,17 @@ struct Stretch {
   }
 };
 
-// Clips to -half <= dot(axis, o + (0, y, 0)) <= half.
+// Clips to -half <= dot(axis, o + (0, y, 0)) <= half. `oy`: o.y, which is that of every lane.
 template <class F>
-OBBY_DEVICE void clipToSlab(const Vec3T<F>& o, Vec3 axis, float half, Stretch<F>& s) {
-  const F at = (o.x * axis.x + o.y * axis.y) + o.z * axis.z;
+OBBY_DEVICE void clipToSlab(const Vec3T<F>& o, float oy, Vec3 axis, float half, Stretch<F>& s) {
   const float inverse = 1.0f / geom::awayFromZero(axis.y);
+  if (axis.x == 0 && axis.z == 0) {  // most parts stand upright: one answer for all lanes
+    const float at = oy * axis.y;
+    const float a = (-half - at) * inverse, b = (half - at) * inverse;
+    s.clip(F(minf(a, b)), F(maxf(a, b)));
+    return;
+  }
+  const F at = (o.x * axis.x + o.y * axis.y) + o.z * axis.z;
   const F a = (-half - at) * inverse, b = (half - at) * inverse;
   s.clip(minf(a, b), maxf(a, b));
 }
@@ -67,7 +73,8 @@ OBBY_DEVICE void clipToSlope(const Vec3T<F>& o, const Solid& solid, Stretch<F>& 
 // What of the vertical line through (x, z) is in the solid.
 template <class F>
 OBBY_DEVICE Stretch<F> cut(const Solid& solid, F x, F z) {
-  const Vec3T<F> o{x - solid.center.x, F(-solid.center.y), z - solid.center.z};
+  const float oy = -solid.center.y;
+  const Vec3T<F> o{x - solid.center.x, F(oy), z - solid.center.z};
   const Mat3& axes = solid.axes;
   const Vec3 half = solid.shape.half;
   Stretch<F> s;
@@ -75,13 +82,13 @@ OBBY_DEVICE Stretch<F> cut(const Solid& solid, F x, F z) {
     clipToRound<F>(o, {}, geom::Ball::radius(solid.shape), s);
     return s;
   }
-  clipToSlab<F>(o, axes.x, half.x, s);
+  clipToSlab<F>(o, oy, axes.x, half.x, s);
   if (solid.kind == geom::ShapeKind::cylinder) {
     clipToRound<F>(o, axes.x, geom::Cylinder::radius(solid.shape), s);
     return s;
   }
-  clipToSlab<F>(o, axes.y, half.y, s);
-  clipToSlab<F>(o, axes.z, half.z, s);
+  clipToSlab<F>(o, oy, axes.y, half.y, s);
+  clipToSlab<F>(o, oy, axes.z, half.z, s);
   if (solid.kind == geom::ShapeKind::wedge) clipToSlope<F>(o, solid, s);
   return s;
 }

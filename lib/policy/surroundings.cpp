@@ -80,6 +80,11 @@ void Surroundings::fill(const level::LevelView& level, float reach) {
   entries_.resize(starts_.back());
   std::vector<uint32_t> next(starts_.begin(), starts_.end() - 1);
   forCells([&](size_t cell, uint32_t i) { entries_[next[cell]++] = i; });
+  for (size_t cell = 0; cell + 1 < starts_.size(); ++cell)
+    std::stable_sort(entries_.begin() + starts_[cell], entries_.begin() + starts_[cell + 1],
+                     [&](uint32_t a, uint32_t b) {
+                       return level.bounds[a].box().lo.y < level.bounds[b].box().lo.y;
+                     });
 }
 
 Surroundings::Square Surroundings::squareOf(const Box& b, float reach) const {

@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 #include <experimental/simd>
-#if defined(__AVX512F__)
+#if defined(__x86_64__)
 #include <immintrin.h>
 #endif
 
@@ -45,6 +45,33 @@ OBBY_LANES Value blend(Mask choose, Value yes, Value no) {
   stdx::where(choose, no) = yes;
   return no;
 }
+#endif
+
+// a < b ? a : b and a > b ? a : b, which for NaN and zeros, too, is what one instruction does.
+#if defined(__AVX512F__)
+OBBY_LANES FloatLanes lesser(FloatLanes a, FloatLanes b) {
+  return FloatLanes(_mm512_maskz_min_ps(0xffff, static_cast<__m512>(a), static_cast<__m512>(b)));
+}
+OBBY_LANES FloatLanes greater(FloatLanes a, FloatLanes b) {
+  return FloatLanes(_mm512_maskz_max_ps(0xffff, static_cast<__m512>(a), static_cast<__m512>(b)));
+}
+#elif defined(__AVX__)
+OBBY_LANES FloatLanes lesser(FloatLanes a, FloatLanes b) {
+  return FloatLanes(_mm256_min_ps(static_cast<__m256>(a), static_cast<__m256>(b)));
+}
+OBBY_LANES FloatLanes greater(FloatLanes a, FloatLanes b) {
+  return FloatLanes(_mm256_max_ps(static_cast<__m256>(a), static_cast<__m256>(b)));
+}
+#elif defined(__x86_64__)
+OBBY_LANES FloatLanes lesser(FloatLanes a, FloatLanes b) {
+  return FloatLanes(_mm_min_ps(static_cast<__m128>(a), static_cast<__m128>(b)));
+}
+OBBY_LANES FloatLanes greater(FloatLanes a, FloatLanes b) {
+  return FloatLanes(_mm_max_ps(static_cast<__m128>(a), static_cast<__m128>(b)));
+}
+#else
+OBBY_LANES FloatLanes lesser(FloatLanes a, FloatLanes b) { return blend(a < b, a, b); }
+OBBY_LANES FloatLanes greater(FloatLanes a, FloatLanes b) { return blend(a > b, a, b); }
 #endif
 }  // namespace internal
 
@@ -117,8 +144,12 @@ struct WideFloat {
   friend OBBY_LANES WideFloat select(WideMask choose, WideFloat yes, WideFloat no) {
     return WideFloat(internal::blend(choose.v, yes.v, no.v));
   }
-  friend OBBY_LANES WideFloat minf(WideFloat a, WideFloat b) { return select(a < b, a, b); }
-  friend OBBY_LANES WideFloat maxf(WideFloat a, WideFloat b) { return select(a > b, a, b); }
+  friend OBBY_LANES WideFloat minf(WideFloat a, WideFloat b) {
+    return WideFloat(internal::lesser(a.v, b.v));
+  }
+  friend OBBY_LANES WideFloat maxf(WideFloat a, WideFloat b) {
+    return WideFloat(internal::greater(a.v, b.v));
+  }
   friend OBBY_LANES WideFloat absf(WideFloat a) { return WideFloat(internal::stdx::abs(a.v)); }
   friend OBBY_LANES WideFloat sqrtf32(WideFloat a) { return WideFloat(internal::root(a.v)); }
 };

@@ -1,7 +1,5 @@
 #include "train/crowd.h"
 
-#include "policy/policy.h"
-
 namespace obby::train {
 
 uint64_t levelIndex(const CrowdSettings& settings, uint32_t crowd, uint32_t crowds, uint32_t place,
@@ -81,7 +79,7 @@ void Crowd::observe(float* rows, uint8_t* mayJump) {
     const policy::Scene& scene = place.level->scene();
     for (uint32_t i = 0; i < settings_.worlds; ++i) {
       Player& p = place.players[i];
-      p.ahead = policy::observe(scene, p.world, looseOf(place, i), rows);
+      p.ahead = settings_.observe(scene, p.world, looseOf(place, i), rows);
       *mayJump++ = policy::jumpAllowed(scene, p.world);
       rows += policy::kInputs;
     }

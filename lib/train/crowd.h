@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "policy/policy.h"
 #include "train/state.h"
 #include "train/training_level.h"
 
@@ -21,6 +22,8 @@ struct CrowdSettings {
   RestartShares restarts;
   float patience = 3;  // times what walking the way takes, and ten seconds, before it is cut
   RewardSettings reward;
+  // How worlds are seen, to try other ways: on the CPU only, and kept in no file.
+  policy::Observe observe = policy::observe;
 
   uint32_t size() const { return levels * worlds; }
 };

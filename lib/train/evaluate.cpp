@@ -31,13 +31,15 @@ class Limit {
 
 // One playthrough by the policy alone; true: it reaches the goal. `random` null: the likeliest
 // moves.
-bool playAlone(const policy::NetworkView& network, const TrainingLevel& level, Random* random,
-               uint32_t mostTicks, const Limit& limit) {
+bool playAlone(const policy::NetworkView& network, policy::Observe observe,
+               const TrainingLevel& level, Random* random, uint32_t mostTicks, const Limit& limit) {
   const policy::Scene& scene = level.scene();
+  float inputs[policy::kInputs];
   sim::World world = level.start();
   std::vector<sim::LooseBody> loose = level.startLoose();
   for (uint32_t t = 0; t < mostTicks && !limit.over(); t += policy::kDecisionTicks) {
-    const sim::Action action = policy::decide(scene, network, world, loose.data(), random);
+    const Turns ahead = observe(scene, world, loose.data(), inputs);
+    const sim::Action action = policy::decideOn(scene, network, world, inputs, ahead, random);
     for (uint32_t k = 0; k < policy::kDecisionTicks; ++k) {
       sim::advance(world, loose.data(), scene.level, &scene.query, action);
     }
@@ -49,6 +51,7 @@ bool playAlone(const policy::NetworkView& network, const TrainingLevel& level, R
 // What came of a level.
 struct Score {
   bool played = false, likeliest = false;
+  uint16_t kind = 0;
   uint32_t drawn = 0;  // playthroughs that solve it
 };
 
@@ -56,25 +59,36 @@ Score scoreOf(const policy::NetworkView& network, const TrainingLevel& level, ui
               const EvaluationSettings& settings, const Limit& limit) {
   const uint32_t most = mostTicksOf(level, settings.patience);
   Score score;
-  score.likeliest = playAlone(network, level, nullptr, most, limit);
+  score.likeliest = playAlone(network, settings.observe, level, nullptr, most, limit);
   Random random(settings.seed, index);
   for (uint32_t k = 1; k < settings.tries; ++k)
-    score.drawn += playAlone(network, level, &random, most, limit);
+    score.drawn += playAlone(network, settings.observe, level, &random, most, limit);
   score.played = !limit.over();  // what was given up says nothing
   return score;
+}
+
+void add(Solved& to, const Score& s, uint32_t tries) {
+  ++to.levels;
+  to.likeliest += s.likeliest;
+  to.drawn += tries > 1 ? double(s.drawn) / (tries - 1) : 0;
+  to.any += s.likeliest || s.drawn > 0;
+}
+
+void toShares(Solved& sums) {
+  for (double* share : {&sums.likeliest, &sums.drawn, &sums.any})
+    *share = sums.levels > 0 ? *share / sums.levels : 0;
 }
 
 Evaluation sumOf(const std::vector<Score>& scores, uint32_t tries) {
   Evaluation out;
   for (const Score& s : scores) {
     if (!s.played) continue;
-    ++out.levels;
-    out.likeliest += s.likeliest;
-    out.drawn += tries > 1 ? double(s.drawn) / (tries - 1) : 0;
-    out.any += s.likeliest || s.drawn > 0;
+    add(out, s, tries);
+    if (s.kind >= out.kinds.size()) out.kinds.resize(size_t(s.kind) + 1);
+    add(out.kinds[s.kind], s, tries);
   }
-  for (double* share : {&out.likeliest, &out.drawn, &out.any})
-    *share = out.levels > 0 ? *share / out.levels : 0;
+  toShares(out);
+  for (Solved& kind : out.kinds) toShares(kind);
   return out;
 }
 
@@ -144,7 +158,8 @@ class Asking {
 Evaluation evaluate(const policy::Network& network, const LevelSource& source,
                     const EvaluationSettings& settings, ThreadPool& pool,
                     const std::atomic<bool>& stop,
-                    const std::function<void(const EvaluationSoFar&)>& watch) {
+                    const std::function<void(const EvaluationSoFar&)>& watch,
+                    const KindOf& kindOf) {
   const Limit limit(stop, settings.seconds);
   const policy::Thinker thinker(network);
   Asking asking(source, settings);
@@ -162,6 +177,7 @@ Evaluation evaluate(const policy::Network& network, const LevelSource& source,
     const uint64_t index = settings.firstLevel + uint64_t(i);
     Score& score = scores[size_t(i)];
     score = scoreOf(thinker.view(), *level, index, settings, limit);
+    if (kindOf) score.kind = kindOf(*level);
     if (score.played) {
       telling.played(score);
     } else if (!limit.stopped()) {

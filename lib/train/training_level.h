@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "level/level.h"
@@ -20,6 +21,7 @@ class TrainingLevel {
   static Result<std::shared_ptr<const TrainingLevel>> make(schema::Level::Reader level,
                                                            schema::Query::Reader query);
 
+  const std::string& name() const { return level_.name(); }  // of the level record
   const policy::Scene& scene() const { return scene_; }
   const sim::World& start() const { return start_; }
   const std::vector<sim::LooseBody>& startLoose() const { return startLoose_; }

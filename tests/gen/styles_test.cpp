@@ -40,6 +40,21 @@ TEST_P(Styles, LevelsCompileAtEveryDifficulty) {
   }
 }
 
+TEST_P(Styles, AreInTheNamesOfLevels) {
+  for (const bool unsolvable : {false, true}) {
+    for (const gen::NamedNumber& d : gen::namedDifficulties()) {
+      const gen::Generator generator = generatorOf(recipeFor(GetParam(), d.value), unsolvable);
+      const std::string name = generator.generate(7, 12).name;
+      EXPECT_EQ(gen::styleOfLevel(name), gen::findStyle(GetParam())) << name;
+    }
+  }
+}
+
+TEST(StyleOfLevel, IsNoneOfOtherNames) {
+  for (const char* name : {"", "Tower", "gaps", "gaps-7-12", "gaps-and-more-hard-7-12", "-hard-7"})
+    EXPECT_EQ(gen::styleOfLevel(name), nullptr) << name;
+}
+
 // As many obstacles as a recipe may ask for are still a level that others can read.
 TEST_P(Styles, TheLongestLevelsCompile) {
   for (const float difficulty : {0.0f, 1.0f}) {

@@ -1,13 +1,17 @@
 // The network against a plain one in double precision, and what becomes of its answers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
-#include "policy/policy.h"
+#include "support/level_builder.h"
+#include "support/onlooker.h"
 
 namespace obby::policy {
 namespace {
+
+using support::LevelBuilder, support::Onlooker;
 
 Network randomNetwork(uint64_t seed) {
   Network n;
@@ -79,12 +83,117 @@ TEST(Moves, AreDrawnAsTheirLogitsSay) {
   logits[7] = 9;  // jumps
   Random random(5, 5);
   int count[kMoves] = {};
-  for (int i = 0; i < 38000; ++i) ++count[draw(logits, false, random)];
+  for (int i = 0; i < 38000; ++i) ++count[draw<float>(logits, false, random)];
   for (int m = 1; m < kMoves; m += 2) EXPECT_EQ(count[m], 0) << "jumping is not allowed";
   EXPECT_NEAR(count[4], 6000, 300);  // 3 of 19
   EXPECT_NEAR(count[32], 2000, 200);
   EXPECT_EQ(likeliest(logits, false), 4);
   EXPECT_EQ(likeliest(logits, true), 7);
+}
+
+// Logits as networks give them, and as they hardly do: some alike, zeros of either sign, some far
+// below all others, or all of them there, some that are no number.
+std::vector<float> someLogits(Random& random) {
+  const float spread = float(1u << random.below(9));
+  const bool areLow = random.below(8) == 0;
+  std::vector<float> logits(kMoves);
+  for (size_t m = 0; m < logits.size(); ++m) {
+    logits[m] = areLow ? -2e30f : spread * (random.unit() - 0.5f);
+    const uint32_t kind = random.below(12);
+    if (kind < 3) logits[m] = std::round(logits[m]);
+    if (kind == 3) logits[m] = -3e38f;
+    if (kind == 4 && m > 0) logits[m] = NAN;
+  }
+  return logits;
+}
+
+// As draw() has it, one move after the other.
+int drawPlainly(const std::vector<float>& logits, bool mayJump, Random& random) {
+  const float most = logits[size_t(likeliest(logits.data(), mayJump))];
+  float odds[kMoves], sum = 0;
+  for (int m = 0; m < kMoves; ++m) {
+    odds[m] = isAllowed(m, mayJump) ? expNegative(logits[size_t(m)] - most) : 0.0f;
+    sum += odds[m];
+  }
+  float rest = random.unit() * sum;
+  int last = 0;
+  for (int m = 0; m < kMoves && !(rest < 0); ++m) {
+    if (!isAllowed(m, mayJump)) continue;
+    last = m;
+    rest -= odds[m];
+  }
+  return last;
+}
+
+TEST(Moves, AreDrawnAsOneAfterTheOther) {
+  Random random(6, 6);
+  int others = 0;
+  for (int n = 0; n < 20000; ++n) {
+    const std::vector<float> logits = someLogits(random);
+    for (const bool mayJump : {false, true}) {
+      Random is = random, expected = random;
+      const int move = draw<float>(logits.data(), mayJump, is);
+      ASSERT_EQ(move, drawPlainly(logits, mayJump, expected)) << n;
+      ASSERT_EQ(is.next(), expected.next()) << "as many random numbers";
+      others += move != likeliest(logits.data(), mayJump);
+    }
+  }
+  EXPECT_GT(others, 5000) << "not always the likeliest";
+}
+
+bool same(const sim::Action& a, const sim::Action& b) {
+  return a.heading == b.heading && a.walk == b.walk && a.jump == b.jump;
+}
+
+TEST(Moves, AreDrawnAlikeInOneLaneAndInMany) {
+  const level::Level level = LevelBuilder().block({0, -0.5f, 0}, {8, 1, 8}).compile();
+  Onlooker look(level);
+  Network network;  // says what its last biases are, whatever it sees
+  const Thinker thinker(network);
+  const std::vector<float> inputs(kInputs);
+  Random random(7, 7);
+  for (int n = 0; n < 20000; ++n) {
+    const std::vector<float> logits = someLogits(random);
+    std::copy(logits.begin(), logits.end(), network.numbers().end() - kPaddedOutputs);
+    const bool mayJump = n % 2 == 0;
+    look.world.state = mayJump ? sim::State::climbing : sim::State::freefall;
+    ASSERT_EQ(jumpAllowed(look.scene, look.world), mayJump);
+    const Turns ahead = Turns(random.next());
+    Random narrow = random, wide = random;
+    const sim::Action expected = actionOf(draw<float>(logits.data(), mayJump, narrow), ahead);
+    const sim::Action is =
+        decideOn(look.scene, thinker.view(), look.world, inputs.data(), ahead, &wide);
+    ASSERT_TRUE(same(is, expected)) << n;
+    ASSERT_EQ(wide.next(), narrow.next()) << "as many random numbers";
+  }
+}
+
+// Somewhere in a level, in the air or not, drawn or the likeliest.
+TEST(Decisions, AreTheSameInOneLaneAndInMany) {
+  const level::Level level = support::boxArena(100, 3).compile();
+  Onlooker look(level);
+  const Network network = randomNetwork(5);
+  const Thinker thinker(network);
+  Random random(8, 8);
+  int jumping = 0;
+  for (int n = 0; n < 500; ++n) {
+    look.world.position = {40 * random.unit() - 20, 8 * random.unit(), 40 * random.unit() - 20};
+    look.world.velocity = {random.unit(), random.unit(), random.unit()};
+    look.world.yaw = Turns(random.next());
+    look.world.state = n % 3 == 0 ? sim::State::freefall : sim::State::running;
+    look.world.floorlessTicks = 0;
+    for (const bool draws : {false, true}) {
+      Random one = random, many = random;
+      const sim::Action narrow =
+          decide<float>(look.scene, thinker.view(), look.world, nullptr, draws ? &one : nullptr);
+      const sim::Action wide =
+          decide(look.scene, thinker.view(), look.world, nullptr, draws ? &many : nullptr);
+      ASSERT_TRUE(same(wide, narrow)) << n;
+      ASSERT_EQ(many.next(), one.next()) << "as many random numbers";
+      jumping += draws && wide.jump;
+    }
+  }
+  EXPECT_GT(jumping, 50);
 }
 
 TEST(Moves, AreHeadingsInTheFrame) {

@@ -6,28 +6,19 @@
 #include <cmath>
 #include <cstring>
 
-#include "policy/policy.h"
-#include "policy/surroundings.h"
-#include "sim/simulator.h"
 #include "support/level_builder.h"
+#include "support/onlooker.h"
 
 namespace obby::policy {
 namespace {
 
 using support::LevelBuilder;
 
-struct Look {
-  explicit Look(const level::Level& level, Vec3 goal = {0, 0, -30})
-      : around(level.view(), kSight),
-        seen(around.view()),
-        scene{level.view(), query, seen},
-        world(sim::makeWorld(level.view(), {})) {
-    query.goal.region = {{goal, {}}, {2, 2, 2}};
-  }
+struct Look : support::Onlooker {
+  using Onlooker::Onlooker;
+
   std::vector<float> inputs(const sim::LooseBody* loose = nullptr) const {
-    std::vector<float> in(kInputs);
-    observe(scene, world, loose, in.data());
-    return in;
+    return Onlooker::inputs(observe, loose);
   }
   // Height that a map shows at a point of a ring now, studs from the feet.
   float height(Kind map, int ring, int direction) const {
@@ -37,11 +28,6 @@ struct Look {
   float change(Kind map, int ring, int direction) const {
     return shown(kKinds + map, ring, direction);
   }
-  Surroundings around;
-  SurroundingsView seen;
-  level::QueryView query;
-  Scene scene;
-  sim::World world;
 
  private:
   float shown(int map, int ring, int direction) const {

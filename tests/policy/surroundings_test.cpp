@@ -8,6 +8,7 @@
 #include "policy/policy.h"
 #include "sim/simulator.h"
 #include "support/level_builder.h"
+#include "support/onlooker.h"
 
 namespace obby::policy {
 namespace {
@@ -96,9 +97,51 @@ TEST(Surroundings, ListAPartWhereverItIsInSight) {
     const std::vector<uint32_t> listed(s.entries + s.starts[cell], s.entries + s.starts[cell + 1]);
     for (uint32_t i = 0; i < view.colliderCount; ++i) {
       if (!inSight(view.bounds[i].box(), feet)) continue;
-      EXPECT_TRUE(std::binary_search(listed.begin(), listed.end(), i)) << i;
+      EXPECT_EQ(std::count(listed.begin(), listed.end(), i), 1) << i;
     }
   }
+}
+
+// Whoever looks around stops at the first that is overhead.
+TEST(Surroundings, ListTheLowestFirst) {
+  const level::Level level = support::boxArena(60, 7).compile();
+  const level::LevelView view = level.view();
+  const Surroundings around(view, kSight);
+  const SurroundingsView s = around.view();
+  uint32_t pairs = 0;
+  for (int cell = 0; cell < s.nx * s.nz; ++cell) {
+    for (uint32_t e = s.starts[cell] + 1; e < s.starts[cell + 1]; ++e, ++pairs) {
+      EXPECT_LE(view.bounds[s.entries[e - 1]].box().lo.y, view.bounds[s.entries[e]].box().lo.y);
+    }
+  }
+  EXPECT_GT(pairs, 100u);
+}
+
+TEST(Surroundings, AreLookedThroughToTheLastThatIsInSight) {
+  const level::Level levels[] = {support::boxArena(60, 7).compile(),
+                                 support::movingArena(60, 14, 2).compile()};
+  Random random(4, 4);
+  uint32_t overhead = 0;
+  for (const level::Level& level : levels) {
+    const level::LevelView& view = level.view();
+    support::Onlooker look(level);
+    for (int n = 0; n < 200; ++n) {
+      const Vec3 feet{60 * random.unit() - 30, 8 * random.unit() - 4, 60 * random.unit() - 30};
+      look.world.position = feet;
+      look.world.tick = random.below(1000);
+      std::vector<uint32_t> seen, expected;
+      lookAround(look.scene, look.world, nullptr,
+                 [&](const Sight& sight) { seen.push_back(sight.collider); });
+      std::sort(seen.begin(), seen.end());  // what moves is seen twice
+      seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+      for (uint32_t i = 0; i < view.colliderCount; ++i) {
+        if (inSight(view.bounds[i].box(), feet)) expected.push_back(i);
+        overhead += isOverhead(view.bounds[i].box(), feet);
+      }
+      ASSERT_EQ(seen, expected) << n;
+    }
+  }
+  EXPECT_GT(overhead, 100u);
 }
 
 }  // namespace

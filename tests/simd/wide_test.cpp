@@ -9,6 +9,7 @@
 
 #include "base/random.h"
 #include "math/angle.h"
+#include "math/exponential.h"
 #include "simd/rows.h"
 
 namespace obby {
@@ -112,6 +113,23 @@ TEST_F(Wide, ArithmeticIsTheScalarOne) {
   }
 }
 
+// For each of two, in either order.
+TEST_F(Wide, LesserAndGreaterAreTheScalarOnesOfOddNumbers) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  const float odd[] = {kNaN, kInfinity, -kInfinity, 0.0f, -0.0f, 1e-40f, 1.0f};
+  for (const float x : odd) {
+    for (const float y : odd) {
+      a.fill(x);
+      b.fill(y);
+      wa = load(a.data());
+      wb = load(b.data());
+      expect(minf(wa, wb), [&](size_t k) { return minf(a[k], b[k]); });
+      expect(maxf(wa, wb), [&](size_t k) { return maxf(a[k], b[k]); });
+    }
+  }
+}
+
 TEST_F(Wide, ComparisonsMasksAndSelectionAreTheScalarOnes) {
   for (int round = 0; round < 500; ++round) {
     draw();
@@ -186,6 +204,15 @@ TEST_F(Wide, SineAndCosineOfEveryAngle) {
     expect(both.sin, [&](size_t k) { return sinCos(Turns(i[k])).sin; });
     expect(both.cos, [&](size_t k) { return sinCos(Turns(i[k])).cos; });
   }
+}
+
+TEST_F(Wide, ExponentialOfEveryLane) {
+  for (int round = 0; round < 500; ++round) {
+    draw();
+    expect(expOfNegative<WideFloat>(-absf(wa)), [&](size_t k) { return expNegative(-absf(a[k])); });
+  }
+  a.fill(std::numeric_limits<float>::quiet_NaN());
+  expect(expOfNegative<WideFloat>(load(a.data())), [](size_t) { return 0.0f; });
 }
 
 }  // namespace

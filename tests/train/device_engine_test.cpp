@@ -332,6 +332,18 @@ TEST(DeviceEngine, SaysWhatTheDeviceSays) {
   }
 }
 
+TEST(DeviceEngine, RefusesToSeeInAnotherWay) {
+  const Gaps gaps;
+  Machine machine;
+  TrainerSettings settings = tiny();
+  settings.crowd.observe = [](const policy::Scene&, const sim::World&, const sim::LooseBody*,
+                              float*) { return Turns(0); };
+  const auto trainer = machine.make(gaps, settings);
+  ASSERT_FALSE(trainer);
+  EXPECT_EQ(trainer.error().message,
+            "kernels see as policy::observe() does, settings name another way");
+}
+
 // Levels of which one is bad.
 class OneBad : public Gaps {
  public:

@@ -71,6 +71,30 @@ TEST(Evaluation, TellsHowFarItIs) {
   }
 }
 
+TEST(Evaluation, TellsKindsOfLevelsApart) {
+  const auto kindOf = [](const TrainingLevel& level) { return uint16_t(level.hash() % 3); };
+  uint32_t counts[3] = {};
+  for (uint64_t i = 0; i < 20; ++i) {
+    if (i % 4 != 3) ++counts[kindOf(**Gaps().level(i, 1))];
+  }
+  EvaluationSettings how = ofLevels(20);
+  how.tries = 3;
+  const std::atomic<bool> stop{false};
+  for (const int threads : {1, 3}) {
+    ThreadPool pool(threads);
+    const Evaluation e = evaluate(policy::Network(), SomeBad(), how, pool, stop, {}, kindOf);
+    double drawn = 0;
+    for (size_t kind = 0; kind < 3; ++kind) {
+      EXPECT_EQ(kind < e.kinds.size() ? e.kinds[kind].levels : 0, counts[kind]) << kind;
+      if (kind < e.kinds.size()) drawn += e.kinds[kind].drawn * e.kinds[kind].levels;
+    }
+    EXPECT_NEAR(drawn, e.drawn * e.levels, 1e-9);
+  }
+  const Evaluation all = judged(Gaps(), ofLevels(3), 1);
+  ASSERT_EQ(all.kinds.size(), 1u);
+  EXPECT_EQ(all.kinds[0].levels, 3u);
+}
+
 // Levels that know what they were told of.
 class Watched : public Gaps {
  public:

@@ -135,7 +135,7 @@ void Pbge::decideByPolicy(Player& p, const float* outputs, size_t row) {
   for (int m = 0; m < policy::kMoves; ++m) logits[m] = outputs[m] * sharpness;
   const bool mayJump = policy::jumpAllowed(scene(), p.episode.world);
   policy::chancesOf(logits, mayJump, chances);
-  const int move = policy::draw(logits, mayJump, p.random);
+  const int move = policy::draw<float>(logits, mayJump, p.random);
   p.action = policy::actionOf(move, p.ahead);
   made_.makers[row] = explores ? Maker::explorer : Maker::policy;
   made_.sharpness[row] = sharpness;

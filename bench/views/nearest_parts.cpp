@@ -1,0 +1,23 @@
+#include <algorithm>
+
+#include "views/other_views.h"
+#include "views/view_frame.h"
+
+namespace obby::bench {
+
+static_assert(kListedParts * kPartNumbers <= kViewInputs);
+
+Turns nearestParts(const policy::Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+                   float* inputs) {
+  const Turns ahead = observeAllButMaps(scene, world, loose, inputs);
+  std::vector<PartInSight> parts = partsInSight(scene, world, loose, ahead);
+  const int listed = std::min(int(parts.size()), kListedParts);
+  std::partial_sort(parts.begin(), parts.begin() + listed, parts.end());
+  for (int i = 0; i < listed; ++i) {
+    const PartInSight& part = parts[size_t(i)];
+    std::copy(part.told.begin(), part.told.end(), inputs + partInput(i, kPartCenter));
+  }
+  return ahead;
+}
+
+}  // namespace obby::bench

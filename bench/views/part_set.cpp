@@ -1,0 +1,56 @@
+#include <algorithm>
+#include <iterator>
+
+#include "base/random.h"
+#include "views/other_views.h"
+#include "views/view_frame.h"
+
+namespace obby::bench {
+
+namespace {
+
+constexpr uint64_t kSeed = 0x736574;
+// Weights and biases are drawn from 0 to this, of either sign: some four of a part's numbers are of
+// order 1, so that features are, too.
+constexpr float kMostWeight = 0.9f, kMostBias = 0.5f;
+constexpr float kFade = 8;  // studs at which a part counts half
+
+class Features {
+ public:
+  Features() {
+    Random random(kSeed, 0);
+    const auto upTo = [&random](float most) { return most * (2 * random.unit() - 1); };
+    for (auto& row : weights_) {
+      for (float& w : row) w = upTo(kMostWeight);
+    }
+    for (float& b : biases_) b = upTo(kMostBias);
+  }
+
+  // Raises `pooled` (kViewInputs), which is not below 0, to the features of the part.
+  void pool(const PartInSight& part, float* pooled) const {
+    float sums[kViewInputs];
+    std::copy(std::begin(biases_), std::end(biases_), sums);
+    for (int n = 0; n < kPartNumbers; ++n) {
+      const float number = part.told[size_t(n)];
+      for (int i = 0; i < kViewInputs; ++i) sums[i] += weights_[n][i] * number;
+    }
+    const float weight = kFade / (kFade + part.distance);
+    for (int i = 0; i < kViewInputs; ++i) pooled[i] = maxf(pooled[i], weight * sums[i]);
+  }
+
+ private:
+  float weights_[kPartNumbers][kViewInputs], biases_[kViewInputs];
+};
+
+}  // namespace
+
+Turns partSet(const policy::Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+              float* inputs) {
+  static const Features features;
+  const Turns ahead = observeAllButMaps(scene, world, loose, inputs);
+  for (const PartInSight& part : partsInSight(scene, world, loose, ahead))
+    features.pool(part, inputs + policy::kMapsAt);
+  return ahead;
+}
+
+}  // namespace obby::bench

@@ -1,0 +1,35 @@
+// A player at the start of a level, who is to reach a region: all that somebody needs who looks
+// around there.
+#pragma once
+
+#include "policy/policy.h"
+#include "sim/simulator.h"
+
+namespace obby::support {
+
+struct Onlooker {
+  explicit Onlooker(const level::Level& level, Vec3 goal = {0, 0, -30})
+      : around(level.view(), policy::kSight),
+        seen(around.view()),
+        scene{level.view(), query, seen},
+        world(sim::makeWorld(level.view(), {})) {
+    query.goal.region = {{goal, {}}, {2, 2, 2}};
+  }
+  Onlooker(const Onlooker&) = delete;
+  Onlooker& operator=(const Onlooker&) = delete;
+
+  // What is seen of it.
+  std::vector<float> inputs(policy::Observe how, const sim::LooseBody* loose = nullptr) const {
+    std::vector<float> in(policy::kInputs);
+    how(scene, world, loose, in.data());
+    return in;
+  }
+
+  policy::Surroundings around;
+  policy::SurroundingsView seen;
+  level::QueryView query;
+  policy::Scene scene;  // of the three above
+  sim::World world;
+};
+
+}  // namespace obby::support

@@ -1,0 +1,124 @@
+// Worlds are seen as settings say: while they learn, and while a policy is judged.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "policy/shipped_policy.h"
+#include "train/evaluate.h"
+#include "train/gaps.h"
+
+namespace obby::train {
+namespace {
+
+constexpr Turns kOwnWay = 12345;
+
+// Other than observe() to the trainer, and the same to the policy.
+Turns asEver(const policy::Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+             float* inputs) {
+  return policy::observe(scene, world, loose, inputs);
+}
+
+// Always the same, in a frame that looks elsewhere.
+Turns blind(const policy::Scene&, const sim::World&, const sim::LooseBody*, float* inputs) {
+  std::fill_n(inputs, policy::kInputs, 0.25f);
+  return kOwnWay;
+}
+
+// What a policy was shown, where one thread alone judges it.
+std::vector<uint64_t>& shown() {
+  static std::vector<uint64_t> states;
+  return states;
+}
+
+template <policy::Observe kHow>
+Turns watched(const policy::Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+              float* inputs) {
+  shown().push_back(sim::stateHash(world));
+  return kHow(scene, world, loose, inputs);
+}
+
+constexpr uint32_t kLevels = 3;
+
+std::vector<uint64_t> judged(const policy::Network& network, policy::Observe how) {
+  ThreadPool pool(1);
+  const std::atomic<bool> stop{false};
+  EvaluationSettings settings;
+  settings.levels = kLevels;
+  settings.tries = 1;
+  settings.observe = how;
+  shown().clear();
+  EXPECT_EQ(evaluate(network, Gaps(), settings, pool, stop).levels, kLevels);
+  return shown();
+}
+
+// The same by hand: decide(scene, world) gives what to hold.
+template <class Decide>
+std::vector<uint64_t> played(Decide&& decide) {
+  std::vector<uint64_t> states;
+  for (uint64_t i = 0; i < kLevels; ++i) {
+    const auto level = *Gaps().level(i, 1);
+    const policy::Scene& scene = level->scene();
+    const uint32_t most = mostTicksOf(*level, EvaluationSettings().patience);
+    sim::World world = level->start();
+    for (uint32_t t = 0; t < most && world.outcome == sim::Outcome::running;
+         t += policy::kDecisionTicks) {
+      states.push_back(sim::stateHash(world));
+      const sim::Action action = decide(scene, world);
+      for (uint32_t k = 0; k < policy::kDecisionTicks; ++k)
+        sim::advance(world, nullptr, scene.level, &scene.query, action);
+    }
+  }
+  return states;
+}
+
+TEST(Seeing, OfAJudgedPolicyLeadsToItsMoves) {
+  const policy::Network& shipped = policy::shippedPolicy().network;
+  const policy::Thinker thinker(shipped);
+  const auto expected = played([&](const policy::Scene& scene, const sim::World& world) {
+    return policy::decide(scene, thinker.view(), world, nullptr, nullptr);
+  });
+  EXPECT_GT(expected.size(), 30u);
+  EXPECT_EQ(judged(shipped, watched<asEver>), expected);
+  const auto straight = played([](const policy::Scene&, const sim::World&) {
+    return policy::actionOf(0, kOwnWay);  // all moves are alike
+  });
+  EXPECT_EQ(judged(policy::Network(), watched<blind>), straight);
+}
+
+TEST(Seeing, OfACrowdIsAsItsSettingsSay) {
+  const Gaps gaps;
+  CrowdSettings settings;
+  settings.levels = 2;
+  settings.worlds = 4;
+  settings.observe = blind;
+  Crowd crowd(gaps, settings, 1, 0, 1);
+  ASSERT_TRUE(crowd.begin(1));
+  std::vector<float> rows(size_t(crowd.size()) * policy::kInputs);
+  std::vector<uint8_t> mayJump(crowd.size());
+  crowd.observe(rows.data(), mayJump.data());
+  EXPECT_TRUE(std::all_of(rows.begin(), rows.end(), [](float v) { return v == 0.25f; }));
+  const CrowdState state = crowd.state();
+  for (const PlaceState& place : state.places) {
+    for (const Player& p : place.players) EXPECT_EQ(p.ahead, kOwnWay);
+  }
+}
+
+TEST(Seeing, DecidesWhatIsLearned) {
+  const Gaps gaps;
+  const auto learned = [&](policy::Observe how) {
+    TrainerSettings settings = tiny();
+    settings.crowd.observe = how;
+    ThreadPool pool(2);
+    const auto trainer = Trainer::make(settings, gaps, pool, alone());
+    EXPECT_TRUE(trainer);
+    for (int i = 0; i < 2; ++i) EXPECT_TRUE((*trainer)->iterate());
+    return (*trainer)->network().numbers();
+  };
+  const std::vector<float> expected = learned(CrowdSettings().observe);
+  EXPECT_EQ(learned(asEver), expected);
+  EXPECT_NE(learned(blind), expected);
+}
+
+}  // namespace
+}  // namespace obby::train
