@@ -1,8 +1,10 @@
 #include "io/appender.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <tuple>
 #include <utility>
 
 #include "io/byte_source.h"
@@ -31,7 +33,12 @@ Appender::~Appender() {
 }
 
 Status Appender::append(std::string_view piece) {
-  return sendAll(fd_, piece, stop_) ? Status() : fileError(path_, "cannot write");
+  struct stat before {};
+  const bool regular = ::fstat(fd_, &before) == 0 && S_ISREG(before.st_mode);
+  if (sendAll(fd_, piece, stop_)) return {};
+  Error error = fileError(path_, "cannot write");
+  if (regular) std::ignore = ::ftruncate(fd_, before.st_size);  // a disk that is full takes a part
+  return error;
 }
 
 }  // namespace obby::io

@@ -20,6 +20,7 @@ class Appender {
   Appender& operator=(Appender&& other) noexcept;
   ~Appender();
 
+  // After an error a regular file has nothing of the piece.
   Status append(std::string_view piece);
 
  private:

@@ -1,6 +1,7 @@
 #include "io/output_file.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <stdlib.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -16,6 +17,8 @@
 #include <string_view>
 #include <system_error>
 #include <vector>
+
+#include "base/hash.h"
 
 namespace obby::io {
 namespace {
@@ -68,14 +71,18 @@ bool lockOwn(TemporaryFile& file) {
   return true;
 }
 
-// How names of its temporary files begin: of a name that leaves no room for more only a part.
+// How names of its temporary files begin: of a name that leaves no room for more only a part, and a
+// hash of all of it, for names may begin alike.
 std::string beginOf(const fs::path& file) {
   constexpr size_t kMost = NAME_MAX - kMark.size() - kPattern.size();  // bytes
+  constexpr size_t kHash = 17;  // bytes: a dash and 64 bits in hexadecimal
   std::string name = file.filename().string();
   if (name.size() > kMost && name.size() <= NAME_MAX) {  // longer ones are to be refused at once
-    size_t end = kMost;
+    const uint64_t hash = hashBytes(name.data(), name.size());
+    size_t end = kMost - kHash;
     while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) end--;  // UTF-8
     name.resize(end);
+    name += fmt::format("-{:016x}", hash);
   }
   return name.append(kMark);
 }

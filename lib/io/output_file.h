@@ -20,7 +20,7 @@ struct TemporaryFile {
 };
 
 // Beside `path`, which it is to become: with ".obby-unfinished-" and six letters or digits behind
-// its name, of which a very long one loses its end.
+// its name, of which a very long one has a hash in the place of its end.
 TemporaryFile makeTemporary(const std::string& path);
 
 // Removes what writers of `path` that were killed left beside it. What is still being written

@@ -1,6 +1,9 @@
 // RecordSource: several inputs as one, with errors forgiven as the user wishes.
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "io/lost_level.h"
 #include "io/pipeline.h"
 #include "io/read_file.h"
 #include "io/record_storage.h"
@@ -36,6 +39,8 @@ struct RecordSource::Impl {
   uint64_t warnings = 0;
   bool toldToStop = false;
   std::optional<Error> interrupted;  // the first end record that says so
+  // Where a level is that could not be read, and behind it came none that could; empty: nowhere.
+  std::string lostLevel;
 
   bool stopped() const {
     return (options.stop && options.stop->load()) || (reader && reader->stopped());
@@ -66,6 +71,25 @@ struct RecordSource::Impl {
     }
   }
 
+  // `lost`: a level is, or may be.
+  void skip(const Error& error, bool lost) {
+    if (lost) lostLevel = error.input + (error.place.empty() ? "" : ":" + error.place);
+    report(error);
+    summary.skipped++;
+  }
+
+  // A record of a level that was lost. It is left out under OnError::emit, too: whoever reads it
+  // without that level takes it for one of another.
+  bool leaveOut(const Record& record) {
+    if (lostLevel.empty() || !namesNoLevel(record)) return false;
+    skip({reader->name(), record.place(), "level",
+          fmt::format("none is named, and what may be the one before, at {}, could not be read",
+                      lostLevel),
+          "mend that, or name the level that is meant"},
+         false);
+    return true;
+  }
+
   // Opens the next input; false when there is none.
   Result<bool> advance() {
     if (nextInput == options.inputs.size()) return false;
@@ -75,8 +99,7 @@ struct RecordSource::Impl {
       reader = *std::move(opened);
     } else if (!stopped() || !isInterrupted(opened.error())) {  // told to stop: no error
       if (!options.open || options.onError == OnError::stop) return opened.error();
-      report(opened.error());
-      summary.skipped++;
+      skip(opened.error(), true);
     }
     return true;
   }
@@ -91,8 +114,7 @@ struct RecordSource::Impl {
       auto got = reader->next();
       if (!got) {
         if (options.onError == OnError::stop || !reader->canContinue()) return got.error();
-        report(got.error());
-        summary.skipped++;
+        skip(got.error(), reader->lostLevel());
         continue;
       }
       if (stopped()) break;
@@ -101,12 +123,14 @@ struct RecordSource::Impl {
         continue;
       }
       const Record& record = **got;
+      if (record.known() && record.which() == Kind::LEVEL) lostLevel.clear();
       if (record.known() && record.which() == Kind::HEADER) continue;
       if (record.known() && record.which() == Kind::END) {
         takeEnd(record);
         continue;
       }
       warnOf(record);
+      if (leaveOut(record)) continue;
       return got;
     }
     toldToStop = true;

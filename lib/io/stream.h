@@ -48,6 +48,8 @@ class StreamReader {
   // After an error: it was about one record, and next() goes on behind it. Otherwise (broken
   // framing, another schema version, a failing disk) next() gives the same error again.
   bool canContinue() const;
+  // After such an error: that record was a level, or may have been one for all it says of its kind.
+  bool lostLevel() const;
   bool stopped() const;
 
   const std::string& name() const;

@@ -6,6 +6,7 @@
 #include "io/byte_source.h"
 #include "io/framing.h"
 #include "io/json_codec.h"
+#include "io/lost_level.h"
 #include "io/message_codec.h"
 #include "io/record_storage.h"
 #include "io/stream.h"
@@ -45,6 +46,7 @@ struct StreamReader::Impl {
   uint64_t line = 0;
   uint64_t messageAt = 0;  // offset of the message that is read
   bool atEnd = false;
+  bool lostLevel = false;  // by the last record, see StreamReader::lostLevel()
 
   using Next = Result<std::optional<Record>>;
 
@@ -144,6 +146,7 @@ struct StreamReader::Impl {
     storage->raw = std::move(**text);
     auto decoded =
         recordFromJsonIfKnown(storage->raw, framing.later() ? nullptr : &storage->misspelt);
+    lostLevel = !decoded && mayBeLevel(storage->raw);
     return deliver(std::move(storage), std::move(decoded));
   }
 
@@ -158,6 +161,7 @@ struct StreamReader::Impl {
     storage->format = *format;
     storage->raw = std::move((*message)->bytes);
     auto decoded = recordFromWords((*message)->words);
+    lostLevel = !decoded && mayBeLevel((*message)->words);
     return deliver(std::move(storage), std::move(decoded));
   }
 
@@ -203,6 +207,7 @@ Result<std::optional<Record>> StreamReader::next() {
 }
 
 bool StreamReader::canContinue() const { return !impl_->final && !impl_->atEnd; }
+bool StreamReader::lostLevel() const { return impl_->lostLevel; }
 bool StreamReader::stopped() const { return impl_->source.stopped(); }
 const std::string& StreamReader::name() const { return impl_->source.name(); }
 Format StreamReader::format() const { return impl_->format.value_or(Format::jsonl); }

@@ -2,11 +2,13 @@
 // line. Columns that depend on the clock come last: without them the logs of equal runs are equal.
 #pragma once
 
+#include <atomic>
 #include <span>
 #include <string>
+#include <utility>
 
-#include "io/appender.h"
 #include "train/metrics.h"
+#include "train/patient_log.h"
 
 namespace obby::train {
 
@@ -18,12 +20,14 @@ class CsvLog {
   static Result<CsvLog> open(const std::string& path, uint64_t kept,
                              const std::atomic<bool>* stop = nullptr);
 
+  // As PatientLog::add(); of a device or a pipe each error counts.
   Status add(uint64_t iteration, std::span<const Metric> metrics);
+  PatientLog& file() { return file_; }
 
  private:
-  explicit CsvLog(io::Appender file) : file_(std::move(file)) {}
+  explicit CsvLog(PatientLog file) : file_(std::move(file)) {}
 
-  io::Appender file_;
+  PatientLog file_;
 };
 
 }  // namespace obby::train

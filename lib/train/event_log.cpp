@@ -98,16 +98,15 @@ Result<EventLog> EventLog::open(const std::string& folder, uint64_t kept) {
   OBBY_ASSIGN(io::Appender file, io::Appender::open(folder + "/" + fileName()));
   OBBY_RETURN_IF_ERROR(file.append(event(0, bytes(kFileVersion, "brain.Event:2"))));
   OBBY_RETURN_IF_ERROR(file.append(event(kept + 1, bytes(kSessionLog, number(kStatus, kStart)))));
-  return EventLog(std::move(file));
+  return EventLog(PatientLog(std::move(file), true));
 }
 
 Status EventLog::add(uint64_t iteration, std::span<const Metric> metrics) {
   std::string summary;
   for (const Metric& m : metrics) {
-    summary += bytes(
-        kValue, bytes(kTag, std::string("train/") + m.name) + real32(kSimpleValue, float(m.value)));
+    summary += bytes(kValue, bytes(kTag, "train/" + m.name) + real32(kSimpleValue, float(m.value)));
   }
-  return file_.append(event(iteration, bytes(kSummary, summary)));
+  return file_.add(event(iteration, bytes(kSummary, summary)));
 }
 
 }  // namespace obby::train

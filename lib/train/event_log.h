@@ -5,9 +5,11 @@
 
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 
-#include "io/appender.h"
 #include "train/metrics.h"
+#include "train/patient_log.h"
 
 namespace obby::train {
 
@@ -17,12 +19,14 @@ class EventLog {
   // files say of iterations after `kept`: learning goes on from there, or begins anew (0).
   static Result<EventLog> open(const std::string& folder, uint64_t kept);
 
+  // As PatientLog::add().
   Status add(uint64_t iteration, std::span<const Metric> metrics);
+  PatientLog& file() { return file_; }
 
  private:
-  explicit EventLog(io::Appender file) : file_(std::move(file)) {}
+  explicit EventLog(PatientLog file) : file_(std::move(file)) {}
 
-  io::Appender file_;
+  PatientLog file_;
 };
 
 // CRC-32C (Castagnoli) of the bytes.

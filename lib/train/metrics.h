@@ -1,6 +1,7 @@
 // What is said of learning as it goes: the same names and values wherever they go to.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "train/trainer.h"
@@ -8,7 +9,7 @@
 namespace obby::train {
 
 struct Metric {
-  const char* name;
+  std::string name;
   double value;
   const char* unit;
   bool clock = false;  // differs between runs of the same

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "io/sink.h"
+#include "io/text.h"
 #include "scratch_folder.h"
 
 namespace obby::io {
@@ -68,6 +69,30 @@ TEST(OutputFile, VeryLongNamesLeaveRoomForTheMark) {
   auto sink = Sink::open(path);
   ASSERT_TRUE(sink && sink->write("whole") && sink->close());
   EXPECT_EQ(contents(path), "whole");
+}
+
+TEST(OutputFile, LeftoversOfAVeryLongNameAreNoneOfOneThatBeginsAlike) {
+  ScratchFolder folder;
+  const std::string path = folder / std::string(240, 'a');
+  ASSERT_TRUE(leaveHalf(path));
+  removeLeftovers(path + "b");
+  EXPECT_EQ(folder.entries(), 1u);
+  removeLeftovers(path);
+  EXPECT_EQ(folder.entries(), 0u);
+}
+
+// In UTF-8, of which some systems want file names to be.
+TEST(OutputFile, VeryLongNamesAreCutBetweenCharacters) {
+  ScratchFolder folder;
+  for (const char* begin : {"", "x"}) {
+    std::string name = begin;
+    while (name.size() < 250) name += "\u00e4";
+    ASSERT_TRUE(leaveHalf(folder / name));
+    for (const auto& entry : fs::directory_iterator(folder / "."))
+      EXPECT_TRUE(isUtf8(entry.path().filename().string())) << entry.path();
+    removeLeftovers(folder / name);
+    EXPECT_EQ(folder.entries(), 0u);
+  }
 }
 
 TEST(OutputFile, LeftoversLieWhereTheLinkLeads) {
@@ -181,12 +206,17 @@ TEST(OutputLocks, RemovesNoFileOfAnother) {
   EXPECT_FALSE(third.take(folder / "out"));
 }
 
-TEST(OutputLocks, NamesThatAreCutAlikeAreOnesOwn) {
+// Names that leave no room for the mark are cut, and begin alike here.
+TEST(OutputLocks, VeryLongNamesThatBeginAlikeAreHeldByThemselves) {
   ScratchFolder folder;
-  OutputLocks locks;
-  EXPECT_TRUE(locks.take(folder / std::string(240, 'a')));
-  EXPECT_TRUE(locks.take(folder / std::string(250, 'a')));
-  EXPECT_EQ(folder.entries(), 1u);
+  const std::string path = folder / std::string(240, 'a'), other = path + "b";
+  OutputLocks first, second;
+  EXPECT_TRUE(first.take(path));
+  EXPECT_TRUE(first.take(path)) << "its own";
+  EXPECT_FALSE(second.take(path));
+  EXPECT_TRUE(second.take(other));
+  EXPECT_FALSE(first.take(other));
+  EXPECT_EQ(folder.entries(), 2u);
 }
 
 TEST(OutputLocks, WhereNothingCanBeHeldNobodyIsRefused) {

@@ -104,7 +104,7 @@ TEST(Pipeline, ForgivenErrorsAreReportedAndCounted) {
   for (OnError policy : {OnError::skip, OnError::emit}) {
     Fixture f;
     f.options.onError = policy;
-    f.input("{\"type\":\"level\"}\n{\"type\":3}\n{\"type\":\"query\"}\n");
+    f.input("{\"type\":3}\n{\"type\":\"level\"}\n{\"type\":\"query\"}\n");
     ASSERT_TRUE(f.pipeline().runAndFinish([](const Record& record) -> Result<Then> {
       if (record.which() == Kind::QUERY) return makeError("bad query");
       return Then::pass;

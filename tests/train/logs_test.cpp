@@ -1,8 +1,12 @@
-// Logs of learning: what stays of them when learning goes on, and what others read.
+// Logs of learning: what stays of them when learning goes on, what others read, and what comes of
+// rows that a disk has no room for.
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
 
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 #include "io/read_file.h"
 #include "train/csv_log.h"
@@ -11,6 +15,26 @@
 
 namespace obby::train {
 namespace {
+
+// While it lives no file of this process grows beyond so many bytes, as on a disk that is full.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : handler_(signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit full{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &full);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
 
 class CsvLogs : public testing::Test {
  protected:
@@ -21,11 +45,12 @@ class CsvLogs : public testing::Test {
   void write(uint64_t kept, std::vector<uint64_t> iterations) {
     auto log = CsvLog::open(path_, kept);
     ASSERT_TRUE(log) << log.error().text();
-    for (const uint64_t i : iterations) {
-      Iteration iteration;
-      iteration.decisions = 100 * i;
-      ASSERT_TRUE(log->add(i, metricsOf(iteration, 7, 8)));
-    }
+    for (const uint64_t i : iterations) ASSERT_TRUE(add(*log, i));
+  }
+  static Status add(CsvLog& log, uint64_t number) {
+    Iteration iteration;
+    iteration.decisions = 100 * number;
+    return log.add(number, metricsOf(iteration, 7, 8));
   }
   std::string text() const { return *io::readFile(path_); }
 
@@ -64,6 +89,40 @@ TEST_F(CsvLogs, AreNotMadeOfOtherFiles) {
   ASSERT_FALSE(log);
   EXPECT_EQ(log.error().input, path_);
   EXPECT_EQ(text(), "my notes\n");
+}
+
+TEST_F(CsvLogs, WaitForRoomOnADiskThatIsFull) {
+  write(0, {1, 2, 3, 4});
+  const std::string whole = text();
+  auto log = CsvLog::open(path_, 0);
+  ASSERT_TRUE(log) << log.error().text();
+  ASSERT_TRUE(add(*log, 1));
+  const std::string before = text();
+  {
+    const FullDisk full(before.size() + 9);  // a part of a row
+    EXPECT_TRUE(add(*log, 2));
+    EXPECT_TRUE(add(*log, 3));
+    EXPECT_FALSE(log->file().held());
+    const Status missing = log->file().finish();
+    ASSERT_FALSE(missing);
+    EXPECT_NE(missing.error().text().find("missing at its end: 2"), std::string::npos)
+        << missing.error().text();
+    EXPECT_EQ(text(), before) << "whole rows only";
+  }
+  EXPECT_TRUE(add(*log, 4));
+  EXPECT_TRUE(log->file().held());
+  EXPECT_TRUE(log->file().finish());
+  EXPECT_EQ(text(), whole);
+}
+
+TEST_F(CsvLogs, DoNotWaitForEverNorForPipes) {
+  auto file = io::Appender::open(path_), device = io::Appender::open(path_);
+  ASSERT_TRUE(file && device);
+  PatientLog patient(*std::move(file), true), other(*std::move(device), false);
+  const FullDisk full(0);
+  EXPECT_FALSE(other.add("row\n"));
+  EXPECT_TRUE(patient.add("row\n"));
+  EXPECT_FALSE(patient.add(std::string(PatientLog::kMostBytes, 'x')));
 }
 
 // The check values of RFC 3720, B.4, and of the polynomial's registry.

@@ -29,6 +29,17 @@ Status Logs::add(const train::Iteration& iteration, double seconds, double rate,
   return {};
 }
 
+Status Logs::held() {
+  Status csv = csv_ ? csv_->file().held() : Status();
+  return csv && events_ ? events_->file().held() : csv;
+}
+
+Status Logs::finish() {
+  Status csv = csv_ ? csv_->file().finish() : Status();
+  Status events = events_ ? events_->file().finish() : Status();
+  return csv ? events : csv;
+}
+
 Status Logs::save() const {
   if (curvePath_.empty()) return {};
   OBBY_ASSIGN(io::Sink sink, io::Sink::open(curvePath_, io::Durable::no, late_));

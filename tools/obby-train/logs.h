@@ -18,8 +18,13 @@ class Logs {
   static Result<Logs> open(const cli::Arguments& arguments, const std::atomic<bool>& late,
                            uint64_t kept, train::History history);
 
-  // To be called after each iteration; `last`: no more will come.
+  // To be called after each iteration; `last`: no more will come. Rows of a file that cannot be
+  // written wait (train::PatientLog).
   Status add(const train::Iteration& iteration, double seconds, double rate, bool last);
+  // Why rows wait; success: none does.
+  Status held();
+  // Writes those that wait. Error: rows are missing.
+  Status finish();
   // Writes the curve.
   Status save() const;
 

@@ -4,9 +4,9 @@
 #include <unistd.h>
 
 #include <optional>
-#include <vector>
 
 #include "cli/written_files.h"
+#include "evaluation_metrics.h"
 #include "io/read_file.h"
 #include "keeper.h"
 #include "levels.h"
@@ -89,15 +89,6 @@ Status learn(cli::Context& context, tools::JoinedRanks& joined) {
   return stream ? stream->finish(levels.summary(), std::move(done)) : done;
 }
 
-// What nobody played for is left out.
-std::vector<train::Metric> metricsOf(const train::Evaluation& e, uint32_t tries) {
-  std::vector<train::Metric> out = {{"levels", double(e.levels), ""},
-                                    {"solvedLikeliest", e.likeliest, ""}};
-  if (tries > 1) out.push_back({"solvedDrawn", e.drawn, ""});
-  out.push_back({"solvedAny", e.any, ""});
-  return out;
-}
-
 // Nobody knows how many levels a stream has.
 void showPlayed(cli::Context& context, uint32_t levels, const train::EvaluationSoFar& e) {
   cli::ProgressState state{"evaluating", -1, {{"levels", double(e.levels)}}};
@@ -127,12 +118,14 @@ Status evaluate(cli::Context& context, train::Ranks& ranks) {
   waiting.begin();
   const train::Evaluation e = train::evaluate(
       file.network, *levels.source, settings, pool, context.stop(),
-      [&](const train::EvaluationSoFar& soFar) { showPlayed(context, settings.levels, soFar); });
+      [&](const train::EvaluationSoFar& soFar) { showPlayed(context, settings.levels, soFar); },
+      tools::styleNumberOf);
   if (e.timeUp || waiting.isUp()) stream.outOfBudget();
   // A level that could not be read takes nothing from those that were played.
   Status done;
   if (e.levels > 0 || e.missing)
-    done = stream.write("obby-train --eval", file.training.decisions, metricsOf(e, settings.tries));
+    done = stream.write("obby-train --eval", file.training.decisions,
+                        tools::evaluationMetrics(e, settings.tries));
   if (done) done = e.missing;
   return stream.finish(levels.summary(), std::move(done));
 }

@@ -60,8 +60,10 @@ Status Session::run() {
   }
   // Before anybody is waited for.
   Status saved = save();
+  Status logged = ranks_.agree(output_ == nullptr ? Status() : logs_.finish());
   Status told = ranks_.agree(tell());
   OBBY_RETURN_IF_ERROR(std::move(saved));
+  OBBY_RETURN_IF_ERROR(std::move(logged));
   OBBY_RETURN_IF_ERROR(std::move(told));
   return trainer_.more();
 }
@@ -109,8 +111,18 @@ Status Session::note() {
   if (output_ == nullptr) return {};
   showProgress();
   OBBY_RETURN_IF_ERROR(logs_.add(last_, allSeconds(), rate(), last_.decisions >= most_));
+  showHeldLogs();
   const bool due = seconds() - toldAt_ >= kMetricsSeconds;
   return due && output_->readerTakesMore() ? tell() : Status();
+}
+
+// Once, as of saves that fail.
+void Session::showHeldLogs() {
+  const Status held = logs_.held();
+  if (!held && !logsHeld_)
+    context_.warn(held.error().text() + "; learning goes on, and rows wait until there is room");
+  if (held && logsHeld_) context_.note("the logs are whole again");
+  logsHeld_ = !held;
 }
 
 void Session::showProgress() {

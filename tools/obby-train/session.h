@@ -20,7 +20,8 @@ class Session {
 
   // Until --decisions, --time-limit (of this run), a signal, or an error. Saves in the end but
   // where the error is that nothing can be learned any more. Of the saves before only the first has
-  // to succeed: of later ones that fail it is told, and learning goes on.
+  // to succeed: of later ones that fail it is told, and learning goes on. So it does where a log
+  // cannot be written; rows that are missing in the end are an error.
   Status run();
 
  private:
@@ -38,6 +39,7 @@ class Session {
   };
   Votes vote();
   Status note();
+  void showHeldLogs();
   Status tell();
   Status save();
   Status saveMeanwhile();
@@ -57,6 +59,7 @@ class Session {
   double toldAt_ = 0, savedAt_ = 0;
   uint64_t told_ = 0;                     // number of the iteration of the last record
   bool saved_ = false, failing_ = false;  // a save before the end; the last of these
+  bool logsHeld_ = false;                 // that rows of logs wait is told
   Mark pace_[2];                          // of progress: an older one, a newer one
 };
 
