@@ -23,7 +23,8 @@ namespace {
 
 constexpr size_t kMaxSource = 1 << 20;  // bytes; larger texts are data, not scripts
 constexpr size_t kScriptSteps = 1000000, kPlaceSteps = 20000000;
-static_assert(kMostEvents * sizeof(ScriptEvent) <= (size_t{512} << 20), "see kMostEvents");
+static_assert(kScriptRoom * sizeof(ScriptEvent) <= (size_t{512} << 20), "see kScriptRoom");
+static_assert(sizeof(Timeline) <= sizeof(ScriptEvent), "takes as much of the room");
 // What a script that joins parts has in its text.
 constexpr std::string_view kJointWords[] = {"Weld", "MakeJoints", "Motor6D", "Constraint"};
 
@@ -81,16 +82,18 @@ std::string shortened(std::string_view line) {
   return code;
 }
 
-size_t eventsOf(const ScriptReading& reading) {
-  size_t events = 0;
-  for (const Timeline& timeline : reading.timelines) events += timeline.events.size();
-  return events;
+// The room that a reading takes. The timeline of the script itself is not counted: there are no
+// more of them than scripts in the file.
+size_t roomOf(const ScriptReading& reading) {
+  size_t room = reading.timelines.size() - 1;
+  for (const Timeline& timeline : reading.timelines) room += timeline.events.size();
+  return room;
 }
 
-// The scripts of a place, within one budget of steps and one of events.
+// The scripts of a place, within one budget of steps and one of room.
 class PlaceReader {
  public:
-  PlaceReader(const Tree& tree, size_t mostEvents) : tree_(tree), room_(mostEvents) {}
+  PlaceReader(const Tree& tree, size_t room) : tree_(tree), room_(room) {}
 
   ScriptReading readFirst(InstanceId script, const std::string& source) {
     ScriptReading reading = follow(script, source, nullptr);
@@ -119,13 +122,13 @@ class PlaceReader {
     if (!isReached(reading.script)) return;
     const auto* source = property<std::string>(tree_.at(reading.script), "Source");
     ScriptReading now = follow(reading.script, *source, &changes_);
-    const size_t before = eventsOf(reading);
+    const size_t before = roomOf(reading);
     const auto isAgain = [](const Timeline& timeline) { return timeline.again; };
     if (!now.cutAgain) std::erase_if(reading.timelines, isAgain);  // else the first may have more
     reading.cutAgain = reading.cutAgain || now.cutAgain;
     for (Timeline& timeline : now.timelines)
       if (isAgain(timeline)) reading.timelines.push_back(std::move(timeline));
-    room_ = room_ + before - eventsOf(reading);
+    room_ = room_ + before - roomOf(reading);
   }
 
  private:
@@ -142,7 +145,7 @@ class PlaceReader {
       reading.cutAgain = reading.cutAgain || budget == 0 || reader.isFull();
       return reading;
     }
-    room_ -= eventsOf(reading);
+    room_ -= roomOf(reading);
     if (!changes_.add(reader.changed(), script, runsOnClient(tree_.at(script))))
       reading.cutChanges = true;
     keepAsked(script, reader.asked());
@@ -172,7 +175,7 @@ class PlaceReader {
 
   const Tree& tree_;
   size_t left_ = kPlaceSteps;
-  size_t room_;  // for more events
+  size_t room_;  // for more events and timelines
   luau::Changes changes_;
   std::map<InstanceId, luau::Keys> asked_;  // by script
   size_t keptAsked_ = 0;                    // keys in asked_, less than luau::kMaxKeys
@@ -192,8 +195,8 @@ bool isInStarterCharacter(const Tree& tree, InstanceId id) {
   return false;
 }
 
-std::vector<ScriptReading> readScripts(const Tree& tree, size_t mostEvents) {
-  PlaceReader reader(tree, mostEvents);
+std::vector<ScriptReading> readScripts(const Tree& tree, size_t room) {
+  PlaceReader reader(tree, room);
   std::vector<ScriptReading> readings;
   std::set<InstanceId> asleep;
   for (InstanceId id = 0; id < tree.size(); ++id) {

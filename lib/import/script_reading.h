@@ -111,7 +111,7 @@ struct ScriptReading {
   bool broken = false;         // the text could not be parsed to the end
   bool requiresAsset = false;  // require(number): code that is not in the file
   bool dynamicCode = false;    // loadstring, getfenv, setfenv
-  bool exhausted = false;      // a budget cut the reading: of steps, rounds, calls or events
+  bool exhausted = false;      // a budget cut the reading: of steps, rounds, calls or room
   bool cutAgain = false;       // or what comes last of it: see Timeline::again
   bool cutChanges = false;     // it sets more than other scripts are told: luau::kMaxKeys
   bool givesParents = false;   // the text gives something another parent, not nil
@@ -126,16 +126,17 @@ struct ScriptReading {
   bool isLater(const Timeline& timeline) const { return timeline.again || isWoken(); }
 };
 
-// The most events of all timelines of a place: half a gigabyte. The steps that a place may take are
-// 20,000,000, and a loop that moves parts takes ten of them for each; a crafted text has an event
-// each step.
-constexpr size_t kMostEvents = 2000000;
+// The most events and timelines of a place, but for the timeline that each script has of itself:
+// half a gigabyte. The steps that a place may take are 20,000,000, and a loop that moves parts
+// takes ten of them for each; a crafted text has an event each step, or an empty handler each six.
+constexpr size_t kScriptRoom = 2000000;
 
 // Reads every script that runs in the place. Disabled ones are read, after the others, where
 // another script may enable them (woken_scripts.h); those in storage do nothing. Each is read for
-// itself; what others set counts only for the timelines that are `again`. Of all the first
-// `mostEvents` events are kept; a script that has more is `exhausted`, or `cutAgain`.
-std::vector<ScriptReading> readScripts(const Tree& tree, size_t mostEvents = kMostEvents);
+// itself; what others set counts only for the timelines that are `again`. Of all events and
+// timelines the first are kept that there is `room` for; a script that has more is `exhausted`, or
+// `cutAgain`.
+std::vector<ScriptReading> readScripts(const Tree& tree, size_t room = kScriptRoom);
 
 // True for the scripts that each new character gets.
 bool isInStarterCharacter(const Tree& tree, InstanceId id);

@@ -37,7 +37,7 @@ void noteUnread(RoleContext& context, const ScriptReading& reading) {
   if (reading.exhausted || reading.cutAgain)
     level.noteUnmodelled(
         "very long script", path,
-        "read as far as the budget of steps, rounds, nested calls and changes went");
+        "read as far as the budget of steps, rounds, nested calls, changes and handlers went");
   if (reading.cutChanges)
     level.noteUnmodelled("script that sets too much", path,
                          "traps of other scripts may wait for it unseen, as only the first " +

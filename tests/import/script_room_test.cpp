@@ -14,13 +14,14 @@ using importer::ScriptReading;
 using importer::Timeline;
 
 const std::string kSets = "for i = 1, 5 do workspace.Part.Transparency = i / 10 end ";
-const std::string kTouched = "workspace.Part.Touched:Connect(function(hit) ";
+const std::string kPart = "workspace.Part";
+const std::string kTouched = kPart + ".Touched:Connect(function(hit) ";
 const std::string kHurts = "hit.Parent.Humanoid:TakeDamage(10) ";
 
-// The readings of a scene's scripts, of which no more than `most` events are kept.
+// The readings of a scene's scripts, of which no more is kept than there is `room` for.
 struct Readings {
-  Readings(const Scene& scene, size_t most)
-      : tree(scene.document), all(importer::readScripts(tree, most)) {}
+  Readings(const Scene& scene, size_t room)
+      : tree(scene.document), all(importer::readScripts(tree, room)) {}
 
   size_t events(size_t script) const {
     size_t sum = 0;
@@ -32,6 +33,9 @@ struct Readings {
     for (size_t script = 0; script < all.size(); ++script) sum += events(script);
     return sum;
   }
+  // Timelines but for the script's own: those of handlers and threads.
+  size_t others(size_t script) const { return all[script].timelines.size() - 1; }
+  size_t kept(size_t script) const { return events(script) + others(script); }
 
   const importer::Tree tree;
   const std::vector<ScriptReading> all;
@@ -75,13 +79,13 @@ TEST(ScriptRoom, AllWaysToDoSomethingFindItFull) {
     scene.part("Part");
     scene.part("Inner", {}, scene.add("Model", "Model", scene.workspace));
     scene.script("local p = workspace.Part " + text, scene.scripts);
-    const size_t whole = Readings(scene, importer::kMostEvents).events();
-    EXPECT_GT(whole, 0u) << text;
+    const Readings whole(scene, importer::kScriptRoom);
+    EXPECT_GT(whole.events(), 0u) << text;
     const Readings none(scene, 0), one(scene, 1);
-    EXPECT_EQ(none.events(), 0u) << text;
+    EXPECT_EQ(none.kept(0), 0u) << text;
     EXPECT_TRUE(none.all[0].exhausted) << text;
-    EXPECT_EQ(one.events(), 1u) << text;
-    EXPECT_EQ(one.all[0].exhausted, whole > 1) << text;
+    EXPECT_EQ(one.kept(0), 1u) << text;
+    EXPECT_EQ(one.all[0].exhausted, whole.kept(0) > 1) << text;
   }
 }
 
@@ -95,12 +99,15 @@ TEST(ScriptRoom, OfASecondReadingTheHarmAloneTakesRoom) {
   scene.part("Part");
   scene.script(wakes("first") + wakes("second"), scene.scripts);
   scene.script(kSets, scene.scripts);
-  const Readings whole(scene, 17);  // ten and a harm, and six for a while, of which one stays
+  // Two handlers of five, a handler of a harm, and one of six for a while, of which one stays.
+  const Readings whole(scene, 12 + 2 + 7);
   EXPECT_EQ(whole.events(0), 12u);
+  EXPECT_EQ(whole.others(0), 4u);
   EXPECT_EQ(whole.events(1), 5u);
   EXPECT_FALSE(whole.all[0].exhausted || whole.all[0].cutAgain || whole.all[1].exhausted);
-  const Readings cut(scene, 16);
+  const Readings cut(scene, 20);
   EXPECT_EQ(cut.events(0), 12u);
+  EXPECT_EQ(cut.others(0), 4u);
   EXPECT_EQ(cut.events(1), 4u);
   EXPECT_TRUE(cut.all[0].cutAgain && cut.all[1].exhausted);
   EXPECT_FALSE(cut.all[0].exhausted);
@@ -112,13 +119,38 @@ TEST(ScriptRoom, ATrapThatFindsNoRoomIsNamed) {
   scene.value("BoolValue", "On", false, scene.part("Part"));
   scene.script(kTouched + "if workspace.Part.On.Value then " + kHurts + "end end)", scene.scripts);
   scene.script("workspace.Part.On.Value = true " + kSets, scene.scripts);
-  const Readings whole(scene, 7);
+  // A handler, six events of the other script, the handler anew, and the harm in a handler.
+  const Readings whole(scene, 10);
   EXPECT_EQ(whole.events(0), 1u);
   EXPECT_FALSE(whole.all[0].cutAgain);
-  const Readings cut(scene, 6);
-  EXPECT_EQ(cut.events(0), 0u);
-  EXPECT_TRUE(cut.all[0].cutAgain);
-  EXPECT_FALSE(cut.all[0].exhausted || cut.all[1].exhausted);
+  for (const size_t room : {9u, 8u, 7u}) {
+    const Readings cut(scene, room);
+    EXPECT_EQ(cut.events(0), 0u);
+    EXPECT_EQ(cut.others(0), 1u);
+    EXPECT_TRUE(cut.all[0].cutAgain);
+    EXPECT_FALSE(cut.all[0].exhausted || cut.all[1].exhausted);
+  }
+}
+
+// Handlers and threads take room even where they do nothing.
+TEST(ScriptRoom, TheFirstHandlersOfAPlaceAreKept) {
+  const std::string handlers[] = {
+      kPart + ".Touched:Connect(function() end)", kPart + ".Touched:Connect(unknown)",
+      kPart + ".ChildAdded:Connect(function() end)",
+      "game.RunService.Heartbeat:Connect(function() end)", "task.spawn(function() end)"};
+  for (const std::string& handler : handlers) {
+    Scene scene;
+    scene.part("Part");
+    for (int i = 0; i < 3; ++i) scene.script("for i = 1, 4 do " + handler + " end", scene.scripts);
+    for (const size_t room : {12u, 11u, 8u, 6u, 0u}) {
+      const Readings readings(scene, room);
+      ASSERT_EQ(readings.all.size(), 3u);
+      EXPECT_EQ(readings.kept(0) + readings.kept(1) + readings.kept(2), room) << handler;
+      EXPECT_EQ(readings.events(), 0u) << handler;
+      for (size_t script = 0; script < 3; ++script)
+        EXPECT_EQ(readings.all[script].exhausted, 4 * (script + 1) > room) << handler << room;
+    }
+  }
 }
 
 TEST(ScriptRoom, WhatIsLeftOutIsNamed) {

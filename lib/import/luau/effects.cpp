@@ -62,12 +62,7 @@ bool isCharacter(const Datum& datum) { return datum.as<Stranger>() || datum.as<U
 }  // namespace
 
 ScriptEvent& Reader::emit(EventKind kind, InstanceId target, std::string property, int line) {
-  const bool kept = room_ > 0;
-  if (kept)
-    --room_;
-  else
-    full_ = reading_.exhausted = true;
-  ScriptEvent& event = kept ? timeline_.events.emplace_back() : lost_.emplace();
+  ScriptEvent& event = takeRoom() ? timeline_.events.emplace_back() : lost_.emplace();
   event.kind = kind;
   event.target = target;
   event.property = std::move(property);

@@ -72,7 +72,7 @@ ScriptReading Reader::read(const Chunk& chunk) {
   timeline_.end = time_;
   timeline_.vague = vague_;
   keepTimeline();
-  while (!pending_.empty() && reading_.timelines.size() < kMaxTimelines && spend()) {
+  while (!pending_.empty() && reading_.timelines.size() < kMaxTimelines && spend() && takeRoom()) {
     const Pending next = std::move(pending_.front());
     pending_.pop_front();
     follow(next);
@@ -172,6 +172,15 @@ bool Reader::spend(size_t steps) {
   }
   budget_ = 0;
   reading_.exhausted = true;
+  return false;
+}
+
+bool Reader::takeRoom() {
+  if (room_ > 0) {
+    --room_;
+    return true;
+  }
+  full_ = reading_.exhausted = true;
   return false;
 }
 

@@ -32,8 +32,8 @@ constexpr int kMaxCount = 2000;          // rounds of a counted loop
 class Reader {
  public:
   // `budget` bounds the steps of the reading; what is left of it remains there. `room`: the most
-  // events that the timelines may have. `changes`: of all scripts, once they have been read; null:
-  // they have not. It must outlive the reader.
+  // events and timelines, without that of the script itself. `changes`: of all scripts, once they
+  // have been read; null: they have not. It must outlive the reader.
   Reader(const Tree& tree, InstanceId script, size_t& budget, size_t room,
          const Changes* changes = nullptr);
   // The chunk must outlive the call only.
@@ -42,7 +42,8 @@ class Reader {
   // handlers ask for as they are read a second time. Of either no more than kMaxKeys.
   const Keys& changed() const { return changed_; }
   const Keys& asked() const { return asked_; }
-  // Whether events were left out, as there was no room for them; what else was read is whole.
+  // Whether events or timelines were left out, as there was no room for them; what else was read is
+  // whole.
   bool isFull() const { return full_; }
 
  private:
@@ -103,6 +104,7 @@ class Reader {
   void bindFunction(const Stat& stat);
   void setIndexed(const Datum& object, const Datum& key, const Datum& value, int line);
   bool spend(size_t steps = 1);  // false when the budget is gone
+  bool takeRoom();               // for one more; false when there is none
   Scope* newScope(Scope* parent);
   // Whether the handler that is followed has made the scope or table itself.
   bool isOwn(size_t born) const { return inHandler_ && born == followed_; }
@@ -330,7 +332,7 @@ class Reader {
   std::vector<Active> active_;     // functions that are being called, the outermost first
   std::vector<std::string> tags_;  // that it has asked CollectionService for
   size_t& budget_;
-  size_t room_;                      // for more events
+  size_t room_;                      // for more events and timelines
   std::optional<ScriptEvent> lost_;  // the last one without room
   bool full_ = false;
 };

@@ -71,14 +71,16 @@ void Reader::readAgain() {
   again_ = true;
   variables_.readAgain();
   for (const Pending& handler : harmless_) {
-    if (!spend()) break;
     const size_t room = room_;
+    if (!spend() || !takeRoom()) break;
     follow(handler);
     pending_.clear();
     Timeline harm = harmOf(std::move(reading_.timelines.back()), heals_);
-    room_ = room - harm.events.size();
     reading_.timelines.clear();
-    if (!harm.events.empty()) first.timelines.push_back(std::move(harm));
+    room_ = room;
+    if (harm.events.empty()) continue;
+    room_ -= harm.events.size() + 1;
+    first.timelines.push_back(std::move(harm));
   }
   first.cutAgain = budget_ == 0 || full_;
   budget_ += later;
