@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "command.h"
 #include "io/read_file.h"
 #include "io/sink.h"
 #include "policy/policy_file.h"
+#include "same_options.h"
 
 namespace obby::tools {
 
@@ -49,35 +51,6 @@ Status canBeWritten(const std::string& path) {
   if (!isFile(path) && !std::filesystem::is_directory(path, none)) return {};
   OBBY_RETURN_IF_ERROR(io::Sink::open(path));  // without close() it leaves nothing
   return {};
-}
-
-// As a shell reads it back.
-std::string wordOf(const std::string& text) {
-  constexpr const char* kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
-}
-
-// What was asked for, as a command that asks for it again.
-std::string commandOf(const cli::Arguments& arguments) {
-  std::string command = "obby-train";
-  for (const auto& [name, value] : arguments.values) {
-    if (!value.given || name == "resume") continue;
-    if (value.row.type == cli::ValueType::flag) {
-      if (arguments.flag(name)) command += " --" + name;  // may have been set to false
-      continue;
-    }
-    const char joint = value.row.type == cli::ValueType::mode ? '=' : ' ';
-    for (const std::string& text : value.texts)
-      command += fmt::format(" --{}{}{}", name, joint, wordOf(text));
-  }
-  for (const std::string& input : arguments.inputs) {
-    if (input != "-") command += " " + wordOf(input);
-  }
-  return command;
 }
 
 // A checkpoint grows with its worlds and their bodies, however large other files may be.
@@ -188,12 +161,10 @@ Status Keeper::setRun(const train::TrainerSettings& trainer,
   run_.push_back({"start-from", startName_});
   for (train::Setting& setting : train::settingsOf(trainer)) run_.push_back(std::move(setting));
   run_.push_back({"ranks", fmt::format("{}", ranks_.count())});
-  std::string text;
-  for (const train::Setting& s : run_) text += fmt::format("{} {}\n", s.name, s.value);
-  const bool same = ranks_.share(text) == text;
-  return ranks_.agree(same ? Status()
-                           : Status(makeError("it was started with other options than rank 0",
-                                              "give all ranks the same options and files")));
+  // Their options are the same by now; what they have found, as a GPU, may not be.
+  std::vector<std::string> said;
+  for (const train::Setting& s : run_) said.push_back(fmt::format("with {} {}", s.name, s.value));
+  return sameOnAll(said, ranks_);
 }
 
 Result<std::unique_ptr<train::Trainer>> Keeper::trainer(std::unique_ptr<train::Engine> engine) {

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "cli/console.h"
 #include "cli/written_files.h"
 #include "evaluation_metrics.h"
 #include "io/read_file.h"
@@ -15,6 +16,7 @@
 #include "nccl/join_devices.h"
 #include "options.h"
 #include "policy/policy_file.h"
+#include "same_options.h"
 #include "session.h"
 #include "train/device/device_engine.h"
 
@@ -143,8 +145,8 @@ Status readersKnown(Status done, const cli::Context& context) {
 // An error that all ranks know of is told by the first.
 Result<cli::ExitCode> run(cli::Context& context, tools::JoinedRanks& joined) {
   train::Ranks& ranks = joined.ranks();
-  OBBY_RETURN_IF_ERROR(ranks.agree(Status()));  // with those whose options were refused
-  Status done = ranks.agree(tools::optionsFit(context.arguments()));
+  Status done = tools::sameOptions(context.arguments(), ranks);  // before they take other ways
+  if (done) done = ranks.agree(tools::optionsFit(context.arguments()));
   if (done)
     done = context.arguments().has("eval") ? evaluate(context, ranks) : learn(context, joined);
   if (!done && !ranks.first()) return cli::ExitCode::failed;
@@ -181,7 +183,8 @@ int runRank(int argc, char** argv, tools::JoinedRanks& joined) {
     mute.emplace(STDOUT_FILENO);
   }
   bool begun = false, ended = false;
-  const int code = cli::runTool(tools::trainSpec(), argc, argv, [&](cli::Context& context) {
+  const cli::ToolSpec spec = tools::trainSpec();
+  const int code = cli::runTool(spec, argc, argv, [&](cli::Context& context) {
     begun = true;
     silent.reset();
     auto result = run(context, joined);
@@ -189,11 +192,14 @@ int runRank(int argc, char** argv, tools::JoinedRanks& joined) {
     return result;
   });
   if (begun && !ended) joined.abandon(code);  // it threw: the others wait for it
-  if (!begun) {
-    const bool refused = code != int(cli::ExitCode::ok);
-    (void)ranks.agree(refused ? Status(makeError("a rank's options were refused")) : Status());
-  }
-  return code;
+  if (begun) return code;
+  // The others compare their options with what this one was told; where the first has done what it
+  // was asked for, nobody has said what is wrong.
+  const bool refused = code != int(cli::ExitCode::ok);
+  const Status same = tools::noOptions(refused, ranks);
+  if (same) return code;
+  if (ranks.first() && !refused) cli::Console(spec.name).error(same.error());
+  return int(cli::ExitCode::failed);
 }
 
 }  // namespace

@@ -15,8 +15,7 @@ struct StartPolicy {
   std::string name;  // tells it from others, by the hash of its file
 };
 
-// None without the option. Read by the first rank, the same on every rank. Errors: the file's;
-// ranks that were given other files.
+// None without the option. Read by the first rank, the same on every rank. Errors: the file's.
 Result<std::optional<StartPolicy>> startPolicyOf(const cli::Context& context, train::Ranks& ranks);
 
 }  // namespace obby::tools
