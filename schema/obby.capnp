@@ -237,7 +237,7 @@ struct Kill {
 
 struct Conveyor {
   velocity @0 :Vec3;   # studs/s, world frame, of what stands on it
-  angular @1 :Vec3;    # rad/s, world frame, about the part's `position`, also where the part moves
+  angular @1 :Vec3;    # rad/s, world frame, about the part's centre, which goes along where the part moves
 }
 
 struct JumpPad {

@@ -102,10 +102,6 @@ uint64_t digest(const LevelView& v, const PartTables& t) {
         add(c.kind), add(t.bounds[i].flags);
     if (c.shape.hull)
       h = hashBytes(c.shape.hull->vertices, c.shape.hull->vertexCount * sizeof(Vec3), h);
-    if (c.role == kNone) continue;
-    const Roles& r = t.roles[c.role];  // of a part that stays at its only key
-    if (!(r.conveyorAngular == Vec3{}) && !(r.conveyorCenter == c.pose.position))
-      add(r.conveyorCenter);
   }
   for (const Roles& r : t.roles) {
     add(r.damage), add(r.cooldownTicks), add(r.padKeepsSideways), add(r.padVelocity),

@@ -110,12 +110,11 @@ struct Roles {
   bool padKeepsSideways;
   Vec3 padVelocity;       // studs/s
   Vec3 conveyorVelocity;  // studs/s
-  Vec3 conveyorAngular;   // rad/s about conveyorCenter
-  Vec3 conveyorCenter;
-  uint32_t vanishDelay;  // ticks; timer: solid ticks of each period
-  uint32_t vanishAway;   // ticks
-  uint32_t vanishPhase;  // ticks, timer only
-  bool vanishInverted;   // solid only while it would be away
+  Vec3 conveyorAngular;   // rad/s about the part's centre, wherever that is
+  uint32_t vanishDelay;   // ticks; timer: solid ticks of each period
+  uint32_t vanishAway;    // ticks
+  uint32_t vanishPhase;   // ticks, timer only
+  bool vanishInverted;    // solid only while it would be away
   // Away while this clock runs, from `awayFrom` ticks after its start.
   uint32_t awayClock;
   uint32_t awayFrom;
@@ -128,9 +127,9 @@ struct Roles {
   uint32_t seatClock;
 };
 
-// Of a conveyor's surface at a point.
-OBBY_DEVICE Vec3 conveyorVelocityAt(const Roles& r, Vec3 point) {
-  return r.conveyorVelocity + cross(r.conveyorAngular, point - r.conveyorCenter);
+// Of a conveyor's surface at a point; `center`: of the part now.
+OBBY_DEVICE Vec3 conveyorVelocityAt(const Roles& r, Vec3 center, Vec3 point) {
+  return r.conveyorVelocity + cross(r.conveyorAngular, point - center);
 }
 
 // A moving part. Its pose at tick t, of the level's clock or of the clock that triggers it, is

@@ -36,11 +36,14 @@ float speedOf(const Mover& m, float reach, const Params& params) {
   return most * float(params.controlRate);
 }
 
-// Of a conveyor's surface within `box`, studs/s.
-float speedOf(const Roles& r, const Box& box) {
+// Of a conveyor's surface, studs/s; `box`: the part's bounds. One that moves may lie any way round.
+float speedOf(const Roles& r, const Collider& c, const Box& box) {
   const Vec3 turning = abs(r.conveyorAngular);
-  const Vec3 far = max(abs(box.lo - r.conveyorCenter), abs(box.hi - r.conveyorCenter));
-  return sideways(r.conveyorVelocity) + turning.y * sideways(far) + sideways(turning) * far.y;
+  const Vec3 far = max(abs(box.lo - c.pose.position), abs(box.hi - c.pose.position));
+  const bool moves = c.mover != kNone || c.loose != kNotLoose;
+  const float beside = moves ? length(c.shape.half) : sideways(far);
+  const float above = moves ? length(c.shape.half) : far.y;
+  return sideways(r.conveyorVelocity) + turning.y * beside + sideways(turning) * above;
 }
 
 }  // namespace
@@ -60,7 +63,7 @@ float fastestSideways(const PartTables& tables, const Params& params) {
     const Bounds& bounds = tables.bounds[i];
     if (!(bounds.flags & kConveyor)) continue;
     const float carried = bounds.flags & kCarries ? speeds[c.mover] : 0;
-    given = maxf(given, speedOf(tables.roles[c.role], bounds.box()) + carried);
+    given = maxf(given, speedOf(tables.roles[c.role], c, bounds.box()) + carried);
   }
   return params.walkSpeed * walk + minf(given, kMostGiven);
 }

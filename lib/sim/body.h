@@ -73,7 +73,9 @@ OBBY_DEVICE Vec3T<F> acceleration(const MotionT<F>& m, const Params& p) {
 template <class F>
 OBBY_DEVICE MaskOf<F> isConstant(const MotionT<F>& m, const Params& p) {
   const DriveT<F>& d = m.drive;
-  const MaskOf<F> bounces = d.hover & ((m.position.y != m.floorY) | (m.velocity.y != 0.0f));
+  // On the legs only at rest, and on a floor that goes neither up nor down.
+  const MaskOf<F> bounces =
+      d.hover & ((m.position.y != m.floorY) | (m.velocity.y != 0.0f) | (m.floorSpeed != 0.0f));
   const F dx = d.velocity.x - m.velocity.x, dz = d.velocity.z - m.velocity.z;
   const F left = dx * dx + dz * dz;
   // At the limit until the tick's end: the speed difference stays above limit / moveGain.

@@ -125,7 +125,7 @@ OBBY_DEVICE float climbSpeedOf(const Params& p) { return p.climbSpeed * p.walkSp
 OBBY_DEVICE void leaveTruss(Player& w, const Params& p, const Truss& truss) {
   w.state = int32_t(State::jumping);
   w.velocity = truss.velocity + Vec3{0, p.jumpSpeed, 0};
-  w.jumps = (w.jumps + 1) & 0xffff;
+  w.jumps = oneMore(w.jumps);
   w.floorlessTicks = int32_t(p.coyoteTicks);  // one jump a take-off
 }
 

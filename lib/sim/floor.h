@@ -192,7 +192,7 @@ OBBY_DEVICE void surfaceMotion(const World& w, const LooseBody* loose,
     floor.turning = body.spin.y;
   }
   if (c.flags & level::kConveyor) {
-    floor.velocity += conveyorVelocityAt(level.roles[collider.role], w.position);
+    floor.velocity += conveyorVelocityAt(level.roles[collider.role], c.pose->position, w.position);
   }
   if (c.flags & level::kCarries) {
     // From where the point under the player was a tick ago.

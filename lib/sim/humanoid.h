@@ -23,8 +23,7 @@ OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& fl
   using Int = IntOf<F>;
   using Mask = MaskOf<F>;
   const auto to = [](State s) { return Int(int32_t(s)); };
-  const Int more = select(w.floorlessTicks < 0xffff, w.floorlessTicks + 1, w.floorlessTicks);
-  w.floorlessTicks = select(floor.sensed, Int(0), more);
+  w.floorlessTicks = select(floor.sensed, Int(0), oneMore(w.floorlessTicks));
   const Mask running = w.is(State::running), landed = w.is(State::landed);
   const Mask falling = w.is(State::freefall), jumping = w.is(State::jumping);
   const Mask floorLost = w.floorlessTicks >= int32_t(p.graceTicks);
@@ -43,7 +42,7 @@ OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& fl
   const Mask jumps = running & control.jump & (w.floorlessTicks < int32_t(p.coyoteTicks));
   w.state = select(jumps, to(State::jumping), next);
   w.velocity.y = select(jumps, p.jumpSpeed + floor.velocity.y, w.velocity.y);
-  w.jumps = select(jumps, (w.jumps + 1) & 0xffff, w.jumps);
+  w.jumps = select(jumps, oneMore(w.jumps), w.jumps);
   // One jump a take-off.
   w.floorlessTicks = select(jumps, Int(int32_t(p.coyoteTicks)), w.floorlessTicks);
   w.sensed = floor.sensed;

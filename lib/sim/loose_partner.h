@@ -33,7 +33,8 @@ OBBY_DEVICE Vec3 surfaceOf(const level::LevelView& level, const Partner& part, V
                            Vec3 normal, Vec3 moved) {
   Vec3 velocity = part.flags & level::kCarries ? moved : normal * dot(moved, normal);
   if (part.flags & level::kConveyor) {
-    velocity += conveyorVelocityAt(level.roles[part.collider->role], point);
+    const Vec3 center = part.convex.pose.position;
+    velocity += conveyorVelocityAt(level.roles[part.collider->role], center, point);
   }
   return velocity + Vec3{};  // never -0, to which adding nothing makes a difference
 }

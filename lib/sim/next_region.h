@@ -49,7 +49,7 @@ OBBY_DEVICE bool forbidsJumping(const level::QueryView& query) {
 // none. Waypoints behind do not count any more.
 OBBY_DEVICE uint32_t jumpsLeft(const level::QueryView& query, const World& world) {
   if (forbidsJumping(query)) return 0;
-  uint32_t limit = query.maxJumps < 0 ? 0xffffu : uint32_t(query.maxJumps);
+  uint32_t limit = query.maxJumps < 0 ? 0xffffffffu : uint32_t(query.maxJumps);
   const int32_t segment = segmentOf(world, query).jumps;
   if (segment >= 0 && world.segmentJumps + uint32_t(segment) < limit) {
     limit = world.segmentJumps + uint32_t(segment);

@@ -20,6 +20,12 @@ struct PlayerT {
 
 using Player = PlayerT<float>;
 
+// One more of what a World counts in 16 bits. Stays at the most, so that no count ever falls.
+template <class Int>
+OBBY_DEVICE Int oneMore(Int n) {
+  return select(n < 0xffff, n + 1, n);
+}
+
 // What the player holds during the tick.
 template <class F>
 struct ControlT {

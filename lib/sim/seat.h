@@ -56,7 +56,7 @@ OBBY_DEVICE void sit(World& w, const LooseBody* loose, const level::LevelView& l
   if (!jump) return;
   w.state = State::jumping;
   w.velocity.y += p.jumpSpeed;
-  w.jumps = uint16_t(w.jumps + 1);
+  w.jumps = uint16_t(oneMore(int32_t(w.jumps)));
   w.floorlessTicks = p.coyoteTicks;  // one jump a take-off
 }
 

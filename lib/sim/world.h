@@ -65,7 +65,7 @@ struct RunningClock {
   X(uint32_t, part)           /* that killed the player; of avoided: the */   \
                               /* query's avoid; or level::kNone */            \
   X(uint16_t, yaw)            /* facing, turns / 65536 */                     \
-  X(uint16_t, jumps)          /* made so far */                               \
+  X(uint16_t, jumps)          /* made so far, saturating */                   \
   X(uint16_t, floorlessTicks) /* since a floor was last sensed, saturating */ \
   X(uint16_t, hurtTicks)      /* until damage parts can hurt again */         \
   X(uint8_t, landedTicks)     /* left of the Landed state */                  \

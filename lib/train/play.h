@@ -114,7 +114,7 @@ OBBY_DEVICE Step judge(const TrainingView& on, const RewardSettings& worth, Play
     step.reward += worth.stud * (p.least - left);
     p.least = left;
   }
-  step.reward += worth.jump * float(uint16_t(p.world.jumps - p.jumps));  // the world's count wraps
+  step.reward += worth.jump * float(p.world.jumps - p.jumps);
   p.jumps = p.world.jumps;
   p.ticks += policy::kDecisionTicks;
   step.ended = hasEnded(p);

@@ -110,16 +110,17 @@ TEST(LevelHash, ChangesWithEachFieldThatMatters) {
   }
 }
 
-// A belt turns about the part's own place, also where the part stays at a key elsewhere.
-TEST(LevelHash, ChangesWithWhatABeltTurnsAbout) {
-  const auto hashAt = [](float x) {
+// A part that stays at its only key is there alone, and a belt on it turns about that place.
+TEST(LevelHash, DoesNotChangeWithAPlaceThatAPartHasLeft) {
+  const auto hashWith = [](float x, float key) {
     return hashOf([=](schema::Part::Builder p) {
       set(p.initPosition(), {x, 5, 0});
       set(p.getConveyor().initAngular(), {0, 1, 0});
-      set(p.initMotion().initKeys(1)[0].initPosition(), {9, 5, 0});
+      set(p.initMotion().initKeys(1)[0].initPosition(), {key, 5, 0});
     });
   };
-  EXPECT_NE(hashAt(0), hashAt(1));
+  EXPECT_EQ(hashWith(0, 9), hashWith(1, 9));
+  EXPECT_NE(hashWith(0, 9), hashWith(0, 8));
 }
 
 uint64_t hashOfFall(const std::function<void(schema::Fall::Builder)>& more) {

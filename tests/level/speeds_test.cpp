@@ -69,6 +69,8 @@ TEST(SideSpeed, CountsConveyorsThatTurn) {
   EXPECT_NEAR(conveyor({0, -3, 0}, false), 5 + 3 * 12.5f, 0.1f);
   EXPECT_NEAR(conveyor({8, 0, 0}, false), 5 + 8 * 0.5f, 0.1f);
   EXPECT_NEAR(conveyor({}, true), 5 + kFarthest, 0.1f);
+  EXPECT_NEAR(conveyor({0, -3, 0}, true), 5 + 4 * kFarthest, 0.1f);
+  EXPECT_NEAR(conveyor({8, 0, 0}, true), 5 + 9 * kFarthest, 0.1f);
 }
 
 TEST(SideSpeed, HasABound) { EXPECT_NEAR(given(spin(100, true)), 500, 0.1f); }

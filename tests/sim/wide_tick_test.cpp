@@ -145,11 +145,10 @@ TEST(WideTick, LetsLooseBodiesSleepOnlyWhereTheyLie) {
   }
 }
 
-// A tick of standing still; `single`: worlds that lanes leave to the scalar tick.
-World expectAlike(const level::Level& level, World wide, uint32_t single) {
+// A tick, of standing still by default; `single`: worlds that lanes leave to the scalar tick.
+World expectAlike(const level::Level& level, World wide, uint32_t single, Action action = {}) {
   World alone = wide;
   World* worlds[] = {&wide};
-  const Action action{};
   WideCounts counts;
   tickAll(level.view(), worlds, nullptr, &action, 1, &counts);
   tick(alone, nullptr, level.view(), action);
@@ -164,6 +163,44 @@ TEST(WideTick, TakesClimbersSingly) {
   World wide = makeWorld(level.view(), level.spawns()[0]);
   wide.state = State::climbing;
   EXPECT_EQ(expectAlike(level, wide, 1).state, State::freefall);
+}
+
+// One that goes up, and one that turns on a part that moves.
+TEST(WideTick, StandsOnBeltsAsTheScalarTickDoes) {
+  const level::Level up = LevelBuilder()
+                              .block({0, 9, 0}, {40, 2, 40},
+                                     [](auto p) {
+                                       support::set(p.initConveyor().initVelocity(), {0, 8, 0});
+                                     })
+                              .spawn({0, 10, 0})
+                              .compile();
+  const level::Level turning = LevelBuilder()
+                                   .block({0, -1, 0}, {60, 2, 60},
+                                          [](auto p) {
+                                            support::set(p.initConveyor().initAngular(), {0, 2, 0});
+                                            auto keys = p.initMotion().initKeys(2);
+                                            support::set(keys[0].initPosition(), {0, -1, 0});
+                                            support::set(keys[1].initPosition(), {60, -1, 0});
+                                            keys[1].setTime(10);
+                                          })
+                                   .spawn({12, 0, 0})
+                                   .compile();
+  for (const level::Level* level : {&up, &turning}) {
+    World w = makeWorld(level->view(), level->spawns()[0]);
+    for (int t = 0; t < 30; ++t) w = expectAlike(*level, w, 0);
+  }
+}
+
+TEST(WideTick, CountsNoMoreJumpsThanFit) {
+  const level::Level level =
+      LevelBuilder().block({0, -1, 0}, {20, 2, 20}).spawn({0, 0, 0}).compile();
+  World w = makeWorld(level.view(), level.spawns()[0]);
+  w.state = State::running;
+  w.floorlessTicks = 0;
+  for (const uint16_t before : {uint16_t(0xfffe), uint16_t(0xffff)}) {
+    w.jumps = before;
+    EXPECT_EQ(expectAlike(level, w, 0, {0, false, true}).jumps, 0xffff) << before;
+  }
 }
 
 // The scalar tick looks first whether there is any floor below: it must find what rays just reach.

@@ -85,19 +85,6 @@ TEST(Play, AJumpCostsOnce) {
   EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision) << "another's jumps";
 }
 
-TEST(Play, AJumpCostsOnceWhereTheCountOfJumpsWraps) {
-  Place place;
-  RewardSettings worth;
-  worth.jump = -0.25f;
-  Player& p = place.players[0];
-  p.world.jumps = UINT16_MAX;
-  p.jumps = UINT16_MAX;
-  p.world.jumps++;
-  ASSERT_EQ(p.world.jumps, 0) << "of 16 bits";
-  EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision + worth.jump);
-  EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision) << "paid already";
-}
-
 TEST(Play, WhatHasEndedBeginsAnewAndIsCounted) {
   Place place(true);
   place.players[3].world.outcome = sim::Outcome::goal;

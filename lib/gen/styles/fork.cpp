@@ -63,12 +63,15 @@ constexpr uint32_t kRouteCount = sizeof(kRoutes) / sizeof(kRoutes[0]);
 void build(Sketch& s) {
   const uint32_t routes = 2 + s.below(2), first = s.below(kRouteCount);
   const float width = kApart * float(routes - 1) + 8, left = -kApart * float(routes - 1) / 2;
+  const float way = left + kApart * float(routes / 2);  // straight on, where a route leads there
   s.floor("Crossing", 6, width);
+  s.via({way, 0, -3});
   for (uint32_t i = 0; i < routes; ++i) {
     kRoutes[(first + i) % kRouteCount](s, left + kApart * float(i));
   }
   s.advance(kLong);
   s.floor("Junction", 6, width);
+  s.via({way, 0, -3});
   s.noteCarrier(kSlide);
   s.expectWay(width);
 }

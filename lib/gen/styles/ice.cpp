@@ -22,6 +22,7 @@ void build(Sketch& s) {
     const float corner = width + 2;
     PartSketch& p = s.disc("Ice corner", corner, -width / 4, 0.1f);
     p.colored(colors::kIce).friction = friction;
+    s.via({0, 0, -corner / 2});
     s.bend(corner);
     s.advance(0, -0.1f);
     s.expectWait(1);

@@ -27,6 +27,8 @@ void build(Sketch& s) {
           .shaped(schema::Shape::TRUSS)
           .colored(colors::kSteel);
     }
+    s.via({aside, 0, -kTruss});
+    s.via({aside, up, -kTruss});
     s.advance(kDeep, up);
     s.expectWait(up * 0.1f);
   }

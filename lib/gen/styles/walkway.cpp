@@ -21,6 +21,7 @@ void build(Sketch& s) {
     // Above the ends of the lanes, so that tops do not flicker.
     constexpr float kLip = 0.1f;
     s.disc("Corner", corner, -width / 2, kLip);
+    s.via({0, 0, -corner / 2});
     s.bend(corner);
     s.advance(-width / 2, -kLip);
   }

@@ -52,7 +52,6 @@ Status startOwn(PartContext& context, uint32_t length, const char* field) {
 Status compileBehaviours(PartContext& context) {
   context.flags = context.part.getSolid() ? uint32_t(kSolid) : 0;
   context.roles = noRoles();
-  context.roles.conveyorCenter = context.pose.position;
   for (const Behaviour& b : kBehaviours) {
     if (!b.has(context.part) || (b.byTouch && !context.part.getTouch())) continue;
     OBBY_RETURN_IF_ERROR(b.compile(context));

@@ -62,18 +62,10 @@ inline float tossSquared(const Params& p, float speed, float floorSpeed) {
   return speed * speed + 2 * p.gravity * floorSpeed * p.tickSeconds;
 }
 
-// Likewise, as if from where it began, of whom the legs throw off it who was at rest there: for a
-// whole tick they push as they do at first (sim::isConstant).
-inline float startSquared(const Params& p, float floorSpeed) {
-  const float push = std::min(p.hoverDamping * floorSpeed, p.hoverLimit);
-  const float up = std::min(push * p.tickSeconds, p.maxFallSpeed);
-  return up * up + p.gravity * push * p.tickSeconds * p.tickSeconds;
-}
-
 // The same off a floor that goes up, studs/s: the speed upward with which somebody comes as high
 // from `rise`, the springRise(), above it.
 inline float springThrow(const Params& p, float rise, float floorSpeed) {
-  const float inAir = std::max(BrakedFall(p).turnedUp(floorSpeed), startSquared(p, floorSpeed));
+  const float inAir = BrakedFall(p).turnedUp(floorSpeed);
   float most = std::max(tossSquared(p, floorSpeed, floorSpeed), inAir - 2 * p.gravity * rise);
   riseOnSpring(p, [&](float gap, float up) {
     const float thrown = up + floorSpeed;

@@ -54,8 +54,7 @@ class Builder {
     for (const Support& s : supports_) {
       if (s.leadsTo == level::kNone) continue;
       const level::Roles& r = level_.roles[level_.colliders[s.collider].role];
-      if (!r.teleportKeepsVelocity) continue;
-      supports_[s.leadsTo].thrown = fastest;
+      if (r.teleportKeepsVelocity) supports_[s.leadsTo].thrown = fastest;
     }
   }
 
@@ -213,7 +212,9 @@ class Builder {
     if (flags & level::kConveyor) {
       const level::Roles& r = level_.roles[c.role];
       const Box around = grow(s.feet, {0, p_.bodyTop, 0});
-      const Vec3 far = max(abs(around.lo - r.conveyorCenter), abs(around.hi - r.conveyorCenter));
+      Box center{c.pose.position, c.pose.position};  // of the part; or where that can be
+      if (c.mover != level::kNone) center = level_.bounds[s.collider].box();
+      const Vec3 far = max(abs(around.lo - center.hi), abs(around.hi - center.lo));
       const float turning = length(r.conveyorAngular) * length(far);
       s.sideways += length(Vec3{r.conveyorVelocity.x, 0, r.conveyorVelocity.z}) + turning;
       s.upward += absf(r.conveyorVelocity.y) + turning;

@@ -1,0 +1,80 @@
+// Belts that lead up, and belts that turn where their part goes.
+#include <gtest/gtest.h>
+
+#include "sim/play.h"
+
+namespace obby::test {
+namespace {
+
+using schema::Part;
+using support::LevelBuilder;
+
+// At each of these heights the feet are exactly on the floor as it begins to lift them.
+TEST(Conveyor, that_goes_up_makes_nobody_faster_than_it_is) {
+  constexpr float kSpeed = 8;
+  for (const float height : {0.0f, 1.0f, 10.0f, 100.0f, 1000.0f}) {
+    const auto level = LevelBuilder()
+                           .block({0, height - 1, 0}, {40, 2, 40},
+                                  [](Part::Builder p) {
+                                    support::set(p.initConveyor().initVelocity(), {0, kSpeed, 0});
+                                  })
+                           .compile();
+    Play play(level, {0, height, 0});
+    play.run(stand(), 30);
+    float fastest = 0;
+    for (const sim::World& w : play.history) fastest = maxf(fastest, w.velocity.y);
+    EXPECT_GT(fastest, 0.75f * kSpeed) << height;
+    EXPECT_LE(fastest, kSpeed) << height;
+  }
+}
+
+// 12 studs beside its middle, which stays at the only key of its motion or goes from there at 6
+// studs/s, far from where the part would be without a motion.
+TEST(Conveyor, that_turns_turns_about_where_its_part_is) {
+  constexpr float kTurn = 2;  // rad/s
+  for (const uint32_t keyCount : {1u, 2u}) {
+    const auto level = LevelBuilder()
+                           .block({0, -1, 0}, {60, 2, 60},
+                                  [=](Part::Builder p) {
+                                    support::set(p.initConveyor().initAngular(), {0, kTurn, 0});
+                                    auto keys = p.initMotion().initKeys(keyCount);
+                                    for (uint32_t k = 0; k < keyCount; ++k) {
+                                      const float at = 100 + 60 * float(k);
+                                      support::set(keys[k].initPosition(), {at, -1, 0});
+                                      keys[k].setTime(10 * float(k));
+                                    }
+                                  })
+                           .compile();
+    Play play(level, {112, 0, 0});
+    play.run(stand(), 20);
+    const float gone = keyCount == 1 ? 0.0f : 6 * 20 * kTick;
+    const Vec3 from = play.world.position - Vec3{100 + gone, 0, 0}, v = play.world.velocity;
+    EXPECT_NEAR(v.x, kTurn * from.z, 2) << keyCount;  // a tick late, a turn of 0.8 studs/s
+    EXPECT_NEAR(v.z, -kTurn * from.x, 2) << keyCount;
+  }
+}
+
+// A box 6 studs east of its middle goes north, and in a second round it by a radian.
+TEST(Conveyor, that_turns_takes_loose_parts_round_where_it_is) {
+  const auto level =
+      LevelBuilder()
+          .block({0, -1, 0}, {60, 2, 60},
+                 [](Part::Builder p) {
+                   p.setFriction(1);
+                   support::set(p.initConveyor().initAngular(), {0, 1, 0});
+                   support::set(p.initMotion().initKeys(1)[0].initPosition(), {100, -1, 0});
+                 })
+          .block({106, 1, 0}, {4, 2, 4},
+                 [](Part::Builder p) {
+                   p.setAnchored(false);
+                   p.setFriction(1);
+                 })
+          .compile();
+  Play play(level, {120, 0, 20});
+  play.run(stand(), 60);
+  EXPECT_NEAR(play.loose[0].position.x, 100 + 6 * 0.540f, 1);
+  EXPECT_NEAR(play.loose[0].position.z, -6 * 0.841f, 1);
+}
+
+}  // namespace
+}  // namespace obby::test

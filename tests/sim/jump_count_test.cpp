@@ -1,0 +1,69 @@
+// A world counts jumps in 16 bits. Whoever has made more has made the most that fits: a count that
+// began anew at 0 would give back jumps that a limit has taken.
+#include <gtest/gtest.h>
+
+#include "sim/next_region.h"
+#include "sim/play.h"
+
+namespace obby::test {
+namespace {
+
+using schema::Part;
+using sim::State;
+
+constexpr uint16_t kMost = 0xffff;
+
+// One jump more, after the most but one and after the most.
+void expectToStayAtTheMost(const Play& ready) {
+  for (const uint16_t before : {uint16_t(kMost - 1), kMost}) {
+    Play play = ready;
+    play.world.jumps = before;
+    play.run(stand(true));
+    EXPECT_EQ(play.world.state, State::jumping);
+    EXPECT_EQ(play.world.jumps, kMost) << before;
+  }
+}
+
+TEST(JumpCount, StaysAtTheMostOnAFloor) {
+  const auto level = flatLevel();
+  Play play(level);
+  expectToStayAtTheMost(play.settle());
+}
+
+TEST(JumpCount, StaysAtTheMostOnATruss) {
+  const auto level =
+      floorLevel()
+          .block({0, 20, -5}, {2, 40, 2}, [](Part::Builder p) { p.setShape(schema::Shape::TRUSS); })
+          .compile();
+  Play play(level);
+  play.settle();
+  const auto hangs = [](const sim::World& w) {
+    return w.state == State::climbing && w.position.y > 10;
+  };
+  ASSERT_GE(play.until(walk(kNorth), hangs), 0);
+  expectToStayAtTheMost(play);
+}
+
+TEST(JumpCount, StaysAtTheMostOnASeat) {
+  const auto level =
+      floorLevel().block({0, 0.5f, -8}, {3, 1, 3}, [](Part::Builder p) { p.initSeat(); }).compile();
+  Play play(level);
+  play.settle();
+  const auto sits = [](const sim::World& w) { return w.state == State::seated; };
+  ASSERT_GE(play.until(walk(kNorth), sits), 0);
+  expectToStayAtTheMost(play);
+}
+
+TEST(JumpCount, LeavesJumpsAtTheMostWhereThereIsNoLimit) {
+  level::QueryView query{};
+  sim::World w{};
+  w.jumps = kMost;
+  EXPECT_GT(sim::jumpsLeft(query, w), 1000u);
+  query.maxJumps = 3;
+  EXPECT_EQ(sim::jumpsLeft(query, w), 0u);
+  w.jumps = 1;
+  EXPECT_EQ(sim::jumpsLeft(query, w), 2u);
+}
+
+}  // namespace
+}  // namespace obby::test
