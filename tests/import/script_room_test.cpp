@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "import/luau/changes.h"
+#include "import/luau/timeline_room.h"
 #include "import/scene.h"
 #include "import/unread_code.h"
 
@@ -130,6 +131,24 @@ TEST(ScriptRoom, ATrapThatFindsNoRoomIsNamed) {
     EXPECT_TRUE(cut.all[0].cutAgain);
     EXPECT_FALSE(cut.all[0].exhausted || cut.all[1].exhausted);
   }
+}
+
+// What has been left out stays so, whatever is given back behind it.
+TEST(ScriptRoom, ItIsFullFromTheFirstThingLeftOut) {
+  importer::luau::TimelineRoom room(2);
+  std::vector<importer::ScriptEvent> events;
+  room.addTo(events).line = 1;
+  EXPECT_TRUE(room.take());
+  EXPECT_EQ(room.left(), 0u);
+  EXPECT_FALSE(room.isFull());
+  room.addTo(events).line = 2;
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].line, 1);
+  EXPECT_TRUE(room.isFull());
+  room.giveBack(1);
+  EXPECT_TRUE(room.take());
+  EXPECT_FALSE(room.take());
+  EXPECT_TRUE(room.isFull());
 }
 
 // Handlers and threads take room even where they do nothing.

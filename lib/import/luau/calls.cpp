@@ -210,7 +210,7 @@ Datum Reader::connect(const Expr& expr, const std::vector<Datum>& arguments, boo
   if (!touch && lower(name) == "touched" && isOfLater(timeline_, tags_))
     pending.signal = "Touched of a part that comes later";
   if (touch && !function.as<Closure>()) {  // it does something, but what?
-    if (!takeRoom()) return {};
+    if (!room_.take()) return {};
     Timeline unknown;
     unknown.trigger = pending.trigger;
     unknown.touched = pending.touched;

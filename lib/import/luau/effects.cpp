@@ -62,7 +62,7 @@ bool isCharacter(const Datum& datum) { return datum.as<Stranger>() || datum.as<U
 }  // namespace
 
 ScriptEvent& Reader::emit(EventKind kind, InstanceId target, std::string property, int line) {
-  ScriptEvent& event = takeRoom() ? timeline_.events.emplace_back() : lost_.emplace();
+  ScriptEvent& event = room_.addTo(timeline_.events);
   event.kind = kind;
   event.target = target;
   event.property = std::move(property);

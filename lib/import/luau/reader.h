@@ -6,7 +6,6 @@
 
 #include <deque>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -18,6 +17,10 @@
 #include "import/luau/ast.h"
 #include "import/luau/changes.h"
 #include "import/luau/datum.h"
+#include "import/luau/guard.h"
+#include "import/luau/pending.h"
+#include "import/luau/playing.h"
+#include "import/luau/timeline_room.h"
 #include "import/luau/values.h"
 #include "import/luau/variables.h"
 #include "import/script_reading.h"
@@ -44,50 +47,22 @@ class Reader {
   const Keys& asked() const { return asked_; }
   // Whether events or timelines were left out, as there was no room for them; what else was read is
   // whole.
-  bool isFull() const { return full_; }
+  bool isFull() const { return room_.isFull(); }
 
  private:
   enum class Flow { on, nextRound, leaveLoop, leaveFunction, stop };
-  struct Pending {
-    Trigger trigger = Trigger::start;
-    InstanceId touched = kNoInstance;
-    std::string signal;
-    int line = 0;
-    Closure closure;
-    std::vector<Datum> arguments;
-    double time = 0;
-    // As the reader's, where it was begun; `unsure`: in a branch, or behind one, that may be taken.
-    bool unsure = false, left = false, vague = false;
-    bool triggered = false;  // done each frame, but from a touch or click on
-    bool awaited = false;    // begun after what the timeline awaits
-    int connection = 0;      // by which number the script can end it; 0: by none
-    bool once = false;       // ends as it comes
-    bool ofHandler = false;  // done each frame, but from another signal on
-    Variables::Found found;  // what the handler that connects it has set
-  };
-  // A tween of a pose or of another property, since its event.
-  struct Going {
-    const Tween* tween = nullptr;
-    ScriptEvent goal;
-    size_t timeline = 0;   // that it was played in
-    bool clashes = false;  // another one sets the same, as another property
-    bool again = false;    // an endless loop that is over for the reading plays it round by round
-  };
 
-  struct Played {
-    Tween* tween;
-    double time = 0;   // that it began, without pauses
-    size_t event = 0;  // index of its first event
-    size_t events = 0;
-    bool stopped = false, paused = false;
-    int doubt = 0;  // open branches that it was played in; most where one may have stopped it
-  };
-
-  // reader.cpp: timelines and statements
+  // reader.cpp: timelines
   void follow(const Pending& pending);
   void openTimeline(const Pending& pending);
   void keepTimeline();
   void followEachFrame(const Pending& pending);
+  bool spend(size_t steps = 1);  // false when the budget is gone
+  Scope* newScope(Scope* parent);
+  // Whether the handler that is followed has made the scope or table itself.
+  bool isOwn(size_t born) const { return inHandler_ && born == followed_; }
+
+  // statements.cpp
   Flow walk(const Block& block, bool ownScope = true);
   Flow statement(const Stat& stat);
   struct Asked {
@@ -103,11 +78,6 @@ class Reader {
   void bindLocals(const Stat& stat);
   void bindFunction(const Stat& stat);
   void setIndexed(const Datum& object, const Datum& key, const Datum& value, int line);
-  bool spend(size_t steps = 1);  // false when the budget is gone
-  bool takeRoom();               // for one more; false when there is none
-  Scope* newScope(Scope* parent);
-  // Whether the handler that is followed has made the scope or table itself.
-  bool isOwn(size_t born) const { return inHandler_ && born == followed_; }
 
   // threads.cpp
   Datum call(const Closure& closure, const std::vector<Datum>& arguments);
@@ -237,15 +207,6 @@ class Reader {
   void setPoseGoals(const Tween& tween, int line);
 
   // once.cpp: what a handler does but once, as a flag keeps it from the next time
-  static constexpr size_t kOpenEnd = std::numeric_limits<size_t>::max();
-  // Events that come only if a condition holds, or only if it does not.
-  struct Guard {
-    const Expr* condition = nullptr;
-    Scope* scope = nullptr;  // where it is asked
-    int line = 0;
-    bool holds = true;
-    size_t first = 0, end = kOpenEnd;
-  };
   void guard(const Stat& stat, size_t branch, size_t event);
   void closeGuards(size_t from);
   bool asksFlag(const Expr& expr, size_t& looked) const;
@@ -332,9 +293,7 @@ class Reader {
   std::vector<Active> active_;     // functions that are being called, the outermost first
   std::vector<std::string> tags_;  // that it has asked CollectionService for
   size_t& budget_;
-  size_t room_;                      // for more events and timelines
-  std::optional<ScriptEvent> lost_;  // the last one without room
-  bool full_ = false;
+  TimelineRoom room_;
 };
 
 }  // namespace obby::importer::luau

@@ -71,18 +71,17 @@ void Reader::readAgain() {
   again_ = true;
   variables_.readAgain();
   for (const Pending& handler : harmless_) {
-    const size_t room = room_;
-    if (!spend() || !takeRoom()) break;
+    const size_t before = room_.left();
+    if (!spend() || !room_.take()) break;
     follow(handler);
     pending_.clear();
     Timeline harm = harmOf(std::move(reading_.timelines.back()), heals_);
     reading_.timelines.clear();
-    room_ = room;
-    if (harm.events.empty()) continue;
-    room_ -= harm.events.size() + 1;
-    first.timelines.push_back(std::move(harm));
+    const size_t kept = harm.events.empty() ? 0 : harm.events.size() + 1;  // its timeline, too
+    room_.giveBack(before - room_.left() - kept);
+    if (kept > 0) first.timelines.push_back(std::move(harm));
   }
-  first.cutAgain = budget_ == 0 || full_;
+  first.cutAgain = budget_ == 0 || isFull();
   budget_ += later;
   reading_ = std::move(first);
 }

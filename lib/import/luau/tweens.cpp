@@ -61,7 +61,7 @@ bool Reader::isPlaying(const Tween* tween) {
 }
 
 // Null if it was not played so far.
-Reader::Played* Reader::lastPlayed(const Tween* tween) {
+Played* Reader::lastPlayed(const Tween* tween) {
   const auto last = std::find_if(played_.rbegin(), played_.rend(), [&](const Played& before) {
     return before.tween == tween && before.time <= time_ + kDone;
   });
