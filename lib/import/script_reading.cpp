@@ -85,9 +85,9 @@ std::string shortened(std::string_view line) {
 // The room that a reading takes. The timeline of the script itself is not counted: there are no
 // more of them than scripts in the file.
 size_t roomOf(const ScriptReading& reading) {
-  size_t room = reading.timelines.size() - 1;
-  for (const Timeline& timeline : reading.timelines) room += timeline.events.size();
-  return room;
+  size_t room = 0;
+  for (const Timeline& timeline : reading.timelines) room += luau::roomOf(timeline);
+  return room - 1;
 }
 
 // The scripts of a place, within one budget of steps and one of room.

@@ -32,12 +32,16 @@ Appender::~Appender() {
   if (fd_ >= 0) ::close(fd_);
 }
 
+bool Appender::isRegular() const {
+  struct stat file {};
+  return ::fstat(fd_, &file) == 0 && S_ISREG(file.st_mode);
+}
+
 Status Appender::append(std::string_view piece) {
-  struct stat before {};
-  const bool regular = ::fstat(fd_, &before) == 0 && S_ISREG(before.st_mode);
+  const off_t before = isRegular() ? ::lseek(fd_, 0, SEEK_END) : -1;
   if (sendAll(fd_, piece, stop_)) return {};
   Error error = fileError(path_, "cannot write");
-  if (regular) std::ignore = ::ftruncate(fd_, before.st_size);  // a disk that is full takes a part
+  if (before >= 0) std::ignore = ::ftruncate(fd_, before);  // a disk that is full takes a part
   return error;
 }
 

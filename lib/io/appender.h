@@ -20,6 +20,9 @@ class Appender {
   Appender& operator=(Appender&& other) noexcept;
   ~Appender();
 
+  // Of a disk; no device or pipe.
+  bool isRegular() const;
+
   // After an error a regular file has nothing of the piece.
   Status append(std::string_view piece);
 

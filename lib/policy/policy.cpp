@@ -19,7 +19,8 @@ OBBY_LANES float greatestOf(WideFloat row) {
 
 namespace obby::policy {
 
-// In a list, so that there is no branch at each of them.
+// In a list, so that there is no branch at each of them. Rows come in order, so that the list is no
+// longer than what came: storeChosen() writes a whole row at its end.
 template <int kMost>
 class NonZero<WideFloat, kMost> {
  public:
@@ -35,10 +36,9 @@ class NonZero<WideFloat, kMost> {
   }
 
  private:
-  static constexpr int kRoom = kMost + kLanes;  // storeChosen() writes beyond what it is given
   int count_ = 0;
-  alignas(64) float numbers_[kRoom];
-  alignas(64) float indices_[kRoom];  // the bits of integers
+  alignas(64) float numbers_[kMost];
+  alignas(64) float indices_[kMost];  // the bits of integers
 };
 
 static_assert(kPaddedPoints % kLanes == 0 && kInputs % kLanes == 0 && kHidden % kLanes == 0 &&

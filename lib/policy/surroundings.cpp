@@ -28,6 +28,16 @@ void forSeen(const level::LevelView& level, Visit&& visit) {
   }
 }
 
+// All of them, the one that begins lowest first.
+std::vector<uint32_t> lowestFirst(const level::LevelView& level) {
+  std::vector<uint32_t> seen;
+  forSeen(level, [&](uint32_t i, const Box&) { seen.push_back(i); });
+  std::stable_sort(seen.begin(), seen.end(), [&](uint32_t a, uint32_t b) {
+    return level.bounds[a].box().lo.y < level.bounds[b].box().lo.y;
+  });
+  return seen;
+}
+
 }  // namespace
 
 Surroundings::Surroundings(const level::LevelView& level, float reach) : starts_{0} {
@@ -66,13 +76,14 @@ uint64_t Surroundings::entriesOf(const level::LevelView& level, float reach) con
 }
 
 void Surroundings::fill(const level::LevelView& level, float reach) {
+  const std::vector<uint32_t> seen = lowestFirst(level);
   const auto forCells = [&](auto&& visit) {
-    forSeen(level, [&](uint32_t i, const Box& box) {
-      const Square s = squareOf(box, reach);
+    for (const uint32_t i : seen) {
+      const Square s = squareOf(within(level.bounds[i].box()), reach);
       for (int32_t z = s.z0; z <= s.z1; ++z) {
         for (int32_t x = s.x0; x <= s.x1; ++x) visit(size_t(z) * size_t(nx_) + size_t(x), i);
       }
-    });
+    }
   };
   starts_.assign(size_t(nx_) * size_t(nz_) + 1, 0);
   forCells([&](size_t cell, uint32_t) { ++starts_[cell + 1]; });
@@ -80,11 +91,6 @@ void Surroundings::fill(const level::LevelView& level, float reach) {
   entries_.resize(starts_.back());
   std::vector<uint32_t> next(starts_.begin(), starts_.end() - 1);
   forCells([&](size_t cell, uint32_t i) { entries_[next[cell]++] = i; });
-  for (size_t cell = 0; cell + 1 < starts_.size(); ++cell)
-    std::stable_sort(entries_.begin() + starts_[cell], entries_.begin() + starts_[cell + 1],
-                     [&](uint32_t a, uint32_t b) {
-                       return level.bounds[a].box().lo.y < level.bounds[b].box().lo.y;
-                     });
 }
 
 Surroundings::Square Surroundings::squareOf(const Box& b, float reach) const {

@@ -49,12 +49,11 @@ Result<CsvLog> CsvLog::open(const std::string& path, uint64_t kept, const std::a
   std::error_code none;
   const auto kind = std::filesystem::status(path, none).type();
   const bool there = kind == std::filesystem::file_type::regular;
-  const bool onDisk = there || kind == std::filesystem::file_type::not_found;
   std::string text = header();
   if (there && kept > 0) {
     OBBY_ASSIGN(text, keptOf(path, kept));
   }
-  if (onDisk) {
+  if (there || kind == std::filesystem::file_type::not_found) {
     OBBY_ASSIGN(io::Sink sink, io::Sink::open(path));
     OBBY_RETURN_IF_ERROR(sink.write(text));
     OBBY_RETURN_IF_ERROR(sink.close());
@@ -62,7 +61,7 @@ Result<CsvLog> CsvLog::open(const std::string& path, uint64_t kept, const std::a
   }
   OBBY_ASSIGN(io::Appender file, io::Appender::open(path, stop));
   OBBY_RETURN_IF_ERROR(file.append(text));  // of a device or a pipe
-  return CsvLog(PatientLog(std::move(file), onDisk));
+  return CsvLog(PatientLog(std::move(file)));
 }
 
 Status CsvLog::add(uint64_t iteration, std::span<const Metric> metrics) {

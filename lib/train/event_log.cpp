@@ -98,7 +98,7 @@ Result<EventLog> EventLog::open(const std::string& folder, uint64_t kept) {
   OBBY_ASSIGN(io::Appender file, io::Appender::open(folder + "/" + fileName()));
   OBBY_RETURN_IF_ERROR(file.append(event(0, bytes(kFileVersion, "brain.Event:2"))));
   OBBY_RETURN_IF_ERROR(file.append(event(kept + 1, bytes(kSessionLog, number(kStatus, kStart)))));
-  return EventLog(PatientLog(std::move(file), true));
+  return EventLog(PatientLog(std::move(file)));
 }
 
 Status EventLog::add(uint64_t iteration, std::span<const Metric> metrics) {

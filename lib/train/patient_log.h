@@ -16,11 +16,10 @@ class PatientLog {
  public:
   static constexpr size_t kMostBytes = size_t(16) << 20;  // that wait: some hundred thousand rows
 
-  // `file`: what stands at its beginning is in it. `patient`: it is one of a disk, and no device or
-  // pipe, of which each error counts.
-  PatientLog(io::Appender file, bool patient) : file_(std::move(file)), patient_(patient) {}
+  // `file`: what stands at its beginning is in it. Of a device or a pipe each error counts.
+  explicit PatientLog(io::Appender file) : file_(std::move(file)), patient_(file_.isRegular()) {}
 
-  // Writes the row, behind those that wait. Error: it is not `patient`, or too much waits.
+  // Writes the row, behind those that wait. Error: it is no regular file, or too much waits.
   Status add(std::string_view row);
   // Of the last row: why it waits; success: it does not.
   const Status& held() const { return held_; }

@@ -116,9 +116,9 @@ TEST_F(CsvLogs, WaitForRoomOnADiskThatIsFull) {
 }
 
 TEST_F(CsvLogs, DoNotWaitForEverNorForPipes) {
-  auto file = io::Appender::open(path_), device = io::Appender::open(path_);
+  auto file = io::Appender::open(path_), device = io::Appender::open("/dev/full");
   ASSERT_TRUE(file && device);
-  PatientLog patient(*std::move(file), true), other(*std::move(device), false);
+  PatientLog patient(*std::move(file)), other(*std::move(device));
   const FullDisk full(0);
   EXPECT_FALSE(other.add("row\n"));
   EXPECT_TRUE(patient.add("row\n"));

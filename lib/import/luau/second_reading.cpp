@@ -77,7 +77,7 @@ void Reader::readAgain() {
     pending_.clear();
     Timeline harm = harmOf(std::move(reading_.timelines.back()), heals_);
     reading_.timelines.clear();
-    const size_t kept = harm.events.empty() ? 0 : harm.events.size() + 1;  // its timeline, too
+    const size_t kept = harm.events.empty() ? 0 : roomOf(harm);
     room_.giveBack(before - room_.left() - kept);
     if (kept > 0) first.timelines.push_back(std::move(harm));
   }

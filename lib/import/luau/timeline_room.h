@@ -9,6 +9,9 @@
 
 namespace obby::importer::luau {
 
+// Units of a timeline with its events.
+inline size_t roomOf(const Timeline& timeline) { return 1 + timeline.events.size(); }
+
 // Counts in units of one event or one timeline, be it empty: both take the same at most (see
 // kScriptRoom). The timeline of the script itself takes none. Once it is full it stays so, whatever
 // is given back: something has been left out.
