@@ -1,7 +1,8 @@
 // How fast learning is: the whole loop of obby-train, levels made anew included; on all threads,
 // and, where there is one, on a GPU. With --gpu on the GPU only: ends with 77 where there is none.
 // With --emulate the CPU takes the GPU's place, in small: a test of this program, not a
-// measurement.
+// measurement. With --kernels, instead of
+// rates, how much of the time each kernel takes there.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 
 #include "common/need.h"
 #include "common/report.h"
+#include "common/timed_device.h"
 #include "shared/generated_levels.h"
 #include "sim/backend.h"
 #include "sim/host_device.h"
@@ -29,28 +31,53 @@ struct Turns {
   int warmUp = 10, measured = 60;  // iterations
 };
 
-// `device` null: on the CPU.
+// A loop of obby-train. `device` null: on the CPU.
+class Loop {
+ public:
+  struct Took {
+    double seconds = 0, playing = 0;
+    uint64_t decisions = 0;
+  };
+
+  Loop(const train::TrainerSettings& settings, ThreadPool& pool, sim::Device* device)
+      : source_(need(tools::generatedLevels(anyDifficulty(), 1))),
+        trainer_(need(train::Trainer::make(
+            settings,
+            device == nullptr ? train::makeCpuEngine(settings, *source_, pool, alone_)
+                              : train::makeDeviceEngine(settings, *source_, *device, pool, alone_),
+            alone_))) {}
+
+  Took iterate(int times) {
+    Took took;
+    const uint64_t before = trainer_->decisions();
+    for (int i = 0; i < times; ++i) {
+      const train::Iteration iteration = need(trainer_->iterate());
+      took.seconds += iteration.seconds;
+      took.playing += iteration.playSeconds;
+    }
+    took.decisions = trainer_->decisions() - before;
+    return took;
+  }
+
+ private:
+  static gen::Recipe anyDifficulty() {
+    gen::Recipe recipe;
+    recipe.difficulty = {0, 1};
+    return recipe;
+  }
+
+  std::unique_ptr<train::LevelSource> source_;
+  train::OneRank alone_;
+  std::unique_ptr<train::Trainer> trainer_;
+};
+
 void scene(bench::Report& report, const std::string& name, const train::TrainerSettings& settings,
            const Turns& turns, ThreadPool& pool, sim::Device* device) {
-  gen::Recipe recipe;
-  recipe.difficulty = {0, 1};
-  const auto source = need(tools::generatedLevels(recipe, 1));
-  train::OneRank alone;
-  const auto trainer = need(train::Trainer::make(
-      settings,
-      device == nullptr ? train::makeCpuEngine(settings, *source, pool, alone)
-                        : train::makeDeviceEngine(settings, *source, *device, pool, alone),
-      alone));
-  for (int i = 0; i < turns.warmUp; ++i) need(trainer->iterate());
-  const uint64_t before = trainer->decisions();
-  double seconds = 0, playing = 0;
-  for (int i = 0; i < turns.measured; ++i) {
-    const train::Iteration iteration = need(trainer->iterate());
-    seconds += iteration.seconds;
-    playing += iteration.playSeconds;
-  }
-  report.add(name, "decisionsPerSecond", double(trainer->decisions() - before) / seconds, "1/s");
-  report.add(name, "playShare", playing / seconds, "");
+  Loop loop(settings, pool, device);
+  loop.iterate(turns.warmUp);
+  const Loop::Took took = loop.iterate(turns.measured);
+  report.add(name, "decisionsPerSecond", double(took.decisions) / took.seconds, "1/s");
+  report.add(name, "playShare", took.playing / took.seconds, "");
 }
 
 train::TrainerSettings settingsOf(uint32_t passes) {
@@ -65,6 +92,28 @@ void onCpu(bench::Report& report, ThreadPool& pool) {
     scene(report, fmt::format("passes{}", passes), settingsOf(passes), {}, pool, nullptr);
 }
 
+train::TrainerSettings settingsOnDevice(uint32_t passes, uint32_t worlds, uint32_t part) {
+  train::TrainerSettings settings = settingsOf(passes);
+  settings.crowds = worlds / settings.crowd.size();
+  settings.ppo.part = part;
+  return settings;
+}
+
+// What each kernel takes of a second, where each is waited for.
+void kernels(bench::Report& report, ThreadPool& pool, sim::Device& device, bool small) {
+  bench::TimedDevice timed(device);
+  const auto settings = small ? settingsOnDevice(1, 256, 1024) : settingsOnDevice(1, 65536, 65536);
+  Loop loop(settings, pool, &timed);
+  loop.iterate(small ? 1 : 5);
+  timed.forget();
+  const Loop::Took took = loop.iterate(small ? 1 : 5);
+  report.add("waiting", "decisionsPerSecond", double(took.decisions) / took.seconds, "1/s");
+  for (const auto& [name, time] : timed.times()) {
+    report.add(name, "shareOfSeconds", time.seconds / took.seconds, "");
+    report.add(name, "secondsOfLaunch", time.seconds / double(time.launches), "s");
+  }
+}
+
 void onDevice(bench::Report& report, ThreadPool& pool, sim::Device& device, bool small) {
   for (const auto step : {train::TrainStep::act, train::TrainStep::observe,
                           train::TrainStep::product, train::TrainStep::gradient}) {
@@ -77,9 +126,7 @@ void onDevice(bench::Report& report, ThreadPool& pool, sim::Device& device, bool
       small ? std::vector<uint32_t>{256} : std::vector<uint32_t>{16384, 65536, 131072};
   for (const uint32_t worlds : counts) {
     for (const uint32_t passes : {1u, 2u}) {
-      train::TrainerSettings settings = settingsOf(passes);
-      settings.crowds = worlds / settings.crowd.size();
-      settings.ppo.part = small ? 1024 : 65536;
+      const auto settings = settingsOnDevice(passes, worlds, small ? 1024 : 65536);
       const Turns turns = small ? Turns{1, 2} : Turns{5, 20};
       scene(report, fmt::format("cuda{}passes{}", worlds, passes), settings, turns, pool, &device);
     }
@@ -98,10 +145,11 @@ bool given(int& argc, char** argv, std::string_view word) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool small = given(argc, argv, "--emulate"), only = given(argc, argv, "--gpu");
+  const bool small = given(argc, argv, "--emulate"), only = given(argc, argv, "--gpu"),
+             times = given(argc, argv, "--kernels");
   obby::bench::Report report(argc, argv, "train");
   obby::ThreadPool pool(obby::availableThreads());
-  obby::sim::HostDevice host(pool);
+  sim::HostDevice host(pool);
   const auto backend = obby::sim::Backend::open(obby::sim::BackendKind::cuda);
   if (only && !backend && !small) {
     std::fprintf(stderr, "bench_train: skipped: %s\n", backend.error().text().c_str());
@@ -109,6 +157,8 @@ int main(int argc, char** argv) {
   }
   report.add("machine", "threads", pool.size(), "");
   if (!only && !small) onCpu(report, pool);
-  if (small) onDevice(report, pool, host, true);
-  if (backend && !small) onDevice(report, pool, *backend->device(), false);
+  sim::Device* const device = small ? &host : backend ? (*backend).device() : nullptr;
+  if (device == nullptr) return 0;
+  if (times) kernels(report, pool, *device, small);
+  if (!times) onDevice(report, pool, *device, small);
 }

@@ -48,6 +48,13 @@ class Device {
   virtual Status enqueue(const Kernel& kernel, const void* arguments, uint32_t count) {
     return launch(kernel, arguments, count);
   }
+  // The same for two kernels of which neither needs what the other does: at the same time, where
+  // the device can.
+  virtual Status enqueueTogether(const Kernel& a, const Kernel& b, const void* arguments,
+                                 uint32_t count) {
+    OBBY_RETURN_IF_ERROR(enqueue(a, arguments, count));
+    return enqueue(b, arguments, count);
+  }
   virtual Result<KernelFacts> facts(const Kernel& kernel) const = 0;
 };
 

@@ -17,7 +17,12 @@ Status check(cudaError_t code, const char* what) {
 class Gpu : public Device {
  public:
   ~Gpu() override {
-    if (aside_ != nullptr) cudaStreamDestroy(aside_);
+    for (const cudaStream_t stream : {aside_, beside_}) {
+      if (stream != nullptr) cudaStreamDestroy(stream);
+    }
+    for (const cudaEvent_t event : {asked_, done_}) {
+      if (event != nullptr) cudaEventDestroy(event);
+    }
   }
 
   Status open(uint32_t which) {
@@ -26,8 +31,14 @@ class Gpu : public Device {
     if (count == 0) return makeError("CUDA: no GPU to use");
     number_ = int(which % uint32_t(count));
     OBBY_RETURN_IF_ERROR(check(cudaSetDevice(number_), "cannot use the GPU"));
-    OBBY_RETURN_IF_ERROR(
-        check(cudaStreamCreateWithFlags(&aside_, cudaStreamNonBlocking), "cannot use the GPU"));
+    for (cudaStream_t* const stream : {&aside_, &beside_}) {
+      OBBY_RETURN_IF_ERROR(
+          check(cudaStreamCreateWithFlags(stream, cudaStreamNonBlocking), "cannot use the GPU"));
+    }
+    for (cudaEvent_t* const event : {&asked_, &done_}) {
+      OBBY_RETURN_IF_ERROR(
+          check(cudaEventCreateWithFlags(event, cudaEventDisableTiming), "cannot use the GPU"));
+    }
     OBBY_RETURN_IF_ERROR(
         check(cudaGetDeviceProperties(&properties_, number_), "cannot ask the GPU what it is"));
     return tryKernel();
@@ -69,11 +80,18 @@ class Gpu : public Device {
   }
 
   Status enqueue(const Kernel& kernel, const void* arguments, uint32_t count) override {
-    if (count == 0) return {};
-    const uint32_t threads = threadsFor(count), blocks = (count + threads - 1) / threads;
-    void* values[] = {const_cast<void*>(arguments), &count};
-    return check(cudaLaunchKernel(kernel.entry, dim3(blocks), dim3(threads), values, 0, nullptr),
-                 kernel.name);
+    return enqueueOn(nullptr, kernel, arguments, count);
+  }
+
+  // The second one on a stream of its own, between what was asked for before and what will be.
+  Status enqueueTogether(const Kernel& a, const Kernel& b, const void* arguments,
+                         uint32_t count) override {
+    OBBY_RETURN_IF_ERROR(check(cudaEventRecord(asked_, nullptr), b.name));
+    OBBY_RETURN_IF_ERROR(check(cudaStreamWaitEvent(beside_, asked_, 0), b.name));
+    OBBY_RETURN_IF_ERROR(enqueueOn(beside_, b, arguments, count));
+    OBBY_RETURN_IF_ERROR(enqueueOn(nullptr, a, arguments, count));
+    OBBY_RETURN_IF_ERROR(check(cudaEventRecord(done_, beside_), b.name));
+    return check(cudaStreamWaitEvent(nullptr, done_, 0), b.name);
   }
 
   Result<KernelFacts> facts(const Kernel& kernel) const override {
@@ -88,6 +106,15 @@ class Gpu : public Device {
   }
 
  private:
+  Status enqueueOn(cudaStream_t stream, const Kernel& kernel, const void* arguments,
+                   uint32_t count) {
+    if (count == 0) return {};
+    const uint32_t threads = threadsFor(count), blocks = (count + threads - 1) / threads;
+    void* values[] = {const_cast<void*>(arguments), &count};
+    return check(cudaLaunchKernel(kernel.entry, dim3(blocks), dim3(threads), values, 0, stream),
+                 kernel.name);
+  }
+
   // A GPU that is older than all that this build was compiled for has memory, but runs nothing:
   // better known now, when there may be a choice, than at the first launch.
   Status tryKernel() const {
@@ -110,7 +137,8 @@ class Gpu : public Device {
 
   cudaDeviceProp properties_{};
   int number_ = 0;
-  cudaStream_t aside_ = nullptr;
+  cudaStream_t aside_ = nullptr, beside_ = nullptr;  // for copies, for kernels
+  cudaEvent_t asked_ = nullptr, done_ = nullptr;     // what enqueueTogether() waits for
 };
 
 }  // namespace

@@ -37,6 +37,7 @@ class DeviceEngine : public Engine {
   PlayArguments argumentsOf(const PlayOrder& order) const;
   void pointTo(PlayArguments& a, uint32_t tick);
   Status look(const PlayArguments& a, bool count);
+  Status act(const PlayArguments& a);
   Status playTicks(PlayArguments& a);
   Result<Sums> seen() const;
 
@@ -98,14 +99,19 @@ Status DeviceEngine::look(const PlayArguments& a, bool count) {
   return learner_.network().forward(a.inputs, a.worlds);
 }
 
+// Worlds with loose bodies take as long as all others: they are few, but slow.
+Status DeviceEngine::act(const PlayArguments& a) {
+  if (!places_.anyLoose()) return enqueue(device_, TrainStep::act, a, a.worlds);
+  return device_.enqueueTogether(trainKernel(TrainStep::act), trainKernel(TrainStep::actLoose), &a,
+                                 a.worlds);
+}
+
 Status DeviceEngine::playTicks(PlayArguments& a) {
   const size_t places = size_t(settings_.crowds) * settings_.crowd.levels;
   for (uint32_t t = 0; t < settings_.ticks; ++t) {
     pointTo(a, t);
     OBBY_RETURN_IF_ERROR(look(a, t % kCountEvery == 0));
-    OBBY_RETURN_IF_ERROR(enqueue(device_, TrainStep::act, a, a.worlds));
-    if (places_.anyLoose())
-      OBBY_RETURN_IF_ERROR(enqueue(device_, TrainStep::actLoose, a, a.worlds));
+    OBBY_RETURN_IF_ERROR(act(a));
     if (t + 1 == settings_.ticks) break;
     OBBY_RETURN_IF_ERROR(enqueue(device_, TrainStep::settle, a, places));
     ++a.rules.decision;

