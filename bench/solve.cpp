@@ -53,6 +53,10 @@ constexpr Option kOptions[] = {
      "methods at a query with a seed are of one kind of machine: what one has done is left, what "
      "another has begun only is made anew",
      0, false},
+    {"any-machine", ValueType::flag, "", "",
+     "with --any-build or --report-only: runs of other kinds of machine count, too, whichever made "
+     "the other methods' runs; times within a factor of two then say nothing",
+     0, false},
     {"report-only", ValueType::flag, "", "",
      "run nothing; report what the results file has, of whatever build", 0, false},
     {"list", ValueType::flag, "", "", "print the queries, one FILE:ID a line: a job each", 0,
@@ -121,6 +125,7 @@ Result<bench::Plan> planOf(const cli::Arguments& a) {
   plan.cap = quick ? kQuickCap : a.number("cap");
   plan.unsolvableCap = quick ? kQuickUnsolvableCap : a.number("unsolvable-cap");
   plan.sampled = quick && a.list("query").empty();
+  plan.anyMachine = a.flag("any-machine");
   OBBY_ASSIGN(plan.suite, bench::loadSuite(a.text("levels"), a.list("query")));
   if (a.flag("shuffle")) {
     std::sort(plan.suite.begin(), plan.suite.end(),
@@ -154,14 +159,16 @@ Status runAllMissing(cli::Context& context, const bench::Plan& plan, uint64_t pr
                      const bench::Maker& known, ThreadPool& pool, bench::RunLog& log) {
   bench::Maker here = known;
   const bool anyBuild = known.program == 0;
-  if (anyBuild) here.machine = bench::machineKind();
+  if (anyBuild && !plan.anyMachine) here.machine = bench::machineKind();
   const double all = double(plan.seeds) * double(plan.suite.size());
   double done = 0;
   for (uint64_t seed = 1; seed <= plan.seeds; ++seed) {
     for (size_t q = 0; q < plan.suite.size() && !context.stop(); ++q) {
       context.progress({fmt::format("{} seed {}", plan.suite[q].name(), seed), done++ / all, {}});
       const std::vector<bench::Question> questions = plan.questionsAt(q, seed);
-      if (anyBuild && bench::machineOf(questions, log, known).runs == questions.size()) continue;
+      if (!plan.anyMachine && anyBuild &&
+          bench::machineOf(questions, log, known).runs == questions.size())
+        continue;
       OBBY_RETURN_IF_ERROR(runMissing(context, questions, program, here, pool, log));
     }
   }

@@ -54,7 +54,7 @@ Results resultsOf(const Plan& plan, const RunLog& log, const Maker& maker) {
   for (size_t q = 0; q < plan.suite.size(); ++q) {
     for (uint64_t seed = 1; seed <= plan.seeds; ++seed) {
       Maker one = maker;
-      one.machine = machineOf(plan.questionsAt(q, seed), log, maker).machine;
+      if (!plan.anyMachine) one.machine = machineOf(plan.questionsAt(q, seed), log, maker).machine;
       for (size_t m = 0; m < plan.methods.size(); ++m) {
         const Question question{plan.suite[q], *plan.methods[m], seed, plan.capOf(plan.suite[q])};
         const Run* run = log.find(plannedRun(question, 0).key(), one);

@@ -17,6 +17,9 @@ struct Plan {
   double cap = 90;            // seconds, of queries that have a solution
   double unsolvableCap = 10;  // of the others
   bool sampled = false;       // methods after the first run every third solvable query only
+  // Methods at a query may be of different kinds of machine: what is told of them then holds only
+  // where they are far apart.
+  bool anyMachine = false;
 
   // Is the method asked this query with this seed? A query without a solution costs its whole cap
   // whatever the method, so only the first method is asked, and once.
@@ -34,7 +37,7 @@ struct Plan {
 Made machineOf(const std::vector<Question>& questions, const RunLog& log, const Maker& maker);
 
 // The planned runs that the log has, at each query and seed of the kind of machine that has made
-// most of them; `program` 0: of whatever program.
+// most of them, unless any machine counts; `program` 0: of whatever program.
 Results resultsOf(const Plan& plan, const RunLog& log, const Maker& maker);
 
 }  // namespace obby::bench

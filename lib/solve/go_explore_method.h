@@ -23,10 +23,12 @@ inline GoExploreSettings guidedSettings() {
 }
 
 // As published: 8,192 worlds in step, every visited state is looked at, actions are held at random.
+// Rollouts of 120 ticks: what a policy is worth shows only after a jump or two (docs/methods.md).
 inline GoExploreSettings plainSettings() {
   GoExploreSettings s;
   s.rollouts = s.mostRollouts = 8192;
   s.phaseJumps = 0;
+  s.leastPhase = 120;
   s.groundedOnly = false;
   s.lookEvery = 1;
   s.cellWidth = 1;

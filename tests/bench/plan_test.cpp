@@ -93,7 +93,7 @@ TEST_F(SuiteFolder, OnlyTheFirstMethodIsAskedWhatHasNoSolutionAndOnce) {
 
 // Times of two kinds of machine do not compare.
 TEST_F(SuiteFolder, AQueryWithASeedIsReportedOfOneKindOfMachine) {
-  const Plan p = plan();
+  Plan p = plan();
   auto log = RunLog::open((folder_ / "runs.jsonl").string());
   ASSERT_TRUE(log);
   const auto append = [&](size_t method, const char* machine, double seconds) {
@@ -111,6 +111,8 @@ TEST_F(SuiteFolder, AQueryWithASeedIsReportedOfOneKindOfMachine) {
   ASSERT_EQ(results.runs[1][0].size(), 1u);
   EXPECT_EQ(results.runs[0][0][0].timing.seconds, 2);
   EXPECT_EQ(results.runs[1][0][0].timing.seconds, 3);
+  p.anyMachine = true;
+  EXPECT_EQ(resultsOf(p, *log, {}).runs[1][0].at(0).timing.seconds, 1) << "unless any counts";
 }
 
 TEST_F(SuiteFolder, NamesChooseQueriesAndUnknownNamesAreErrors) {

@@ -184,7 +184,7 @@ TEST(PolicyMethods, ARolloutIsThePolicysFromItsFirstTickToItsLast) {
   }
 }
 
-// 8,192 in step, 40 ticks each, every state, cells of a stud, nothing aimed, no hedge.
+// 8,192 in step, 120 ticks each, every state, cells of a stud, nothing aimed, no hedge.
 TEST(PlainGoExplore, IsAsTheDocsSay) {
   const GoExploreSettings s = plainSettings();
   EXPECT_EQ(s.rollouts, 8192u);
@@ -197,7 +197,7 @@ TEST(PlainGoExplore, IsAsTheDocsSay) {
   Question q(stones);
   const Problem problem = q.problem();
   const ExploreSetup setup(problem, 1, s);
-  EXPECT_EQ(setup.rules.ticks, 40u);
+  EXPECT_EQ(setup.rules.ticks, 120u);
   Archive archive;
   archive.offer(7, sim::World{}, {0, kNone, 0}, 1);
   archive.offer(8, sim::World{}, {1, 0, 5}, 100);
