@@ -1,5 +1,6 @@
 // A device that waits for each kernel and keeps how long it took: for where a loop's time goes. It
-// is slower by the waiting, so rates are measured without it.
+// is slower by the waiting, so rates are measured without it; and a kernel that is waited for while
+// another thread copies to the device has that copy's time, too.
 #pragma once
 
 #include <algorithm>

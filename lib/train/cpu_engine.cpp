@@ -156,7 +156,7 @@ void CpuEngine::play(Group& g, const PlayOrder& order) {
 
 Result<Played> CpuEngine::play(const PlayOrder& order) {
   batch_.seen.normaliseBy(order.means, order.scales);
-  void_ = voidSums(batch_.seen, ppo_.weights());
+  voidSums(batch_.seen, ppo_.weights(), void_);
   pool_.run(int(groups_.size()), [&](int i) { play(*groups_[size_t(i)], order); });
   Played out;
   uint64_t first = ~uint64_t(0);  // level that is still played

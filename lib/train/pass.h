@@ -11,8 +11,12 @@ namespace obby::train {
 // weights change.
 struct WeightsBack {
   WeightsBack() = default;
-  explicit WeightsBack(const Weights<float>& net)
-      : second(net.w[1].transpose()), third(net.w[2].transpose()) {}
+  explicit WeightsBack(const Weights<float>& net) { take(net); }
+  // Allocates the first time only.
+  void take(const Weights<float>& net) {
+    second = net.w[1].transpose();
+    third = net.w[2].transpose();
+  }
 
   Rows<float> second, third;  // (kHidden, kHidden), (kPaddedOutputs, kHidden)
 };

@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "policy/advantages.h"
 #include "train/parts.h"
@@ -72,10 +73,11 @@ void Ppo::restore(const LearnerState& s) {
 template <class Task>
 void Ppo::inShares(size_t count, Task&& task) {
   const size_t each = (count + kShares - 1) / kShares;
-  pool_.run(int(kShares), [&](int s) {
+  const auto share = [&](int s) {
     const size_t first = std::min(size_t(s) * each, count);
     task(first, std::min(each, count - first), shares_[size_t(s)]);
-  });
+  };
+  pool_.run(int(kShares), std::ref(share));  // by itself it would be copied to the heap
 }
 
 void Ppo::fillAdvantages(const Batch& b) {
@@ -175,8 +177,8 @@ void Ppo::learnPart(const Batch& batch, std::span<const uint32_t> rows, float ra
   double moments[] = {sum, squares, double(rows.size())};
   ranks_.add(moments);
   const AdvantageScale scale(moments[0], moments[1], moments[2]);
-  back_ = WeightsBack(weights_);
-  void_ = voidSums(batch.seen, weights_);
+  back_.take(weights_);
+  voidSums(batch.seen, weights_, void_);
   inShares(rows.size(), [&](size_t first, size_t count, Share& share) {
     learnShare(batch, rows.subspan(first, count), scale, share);
   });

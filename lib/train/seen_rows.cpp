@@ -43,13 +43,12 @@ void SeenRows::take(size_t row, const float* raw) {
   }
 }
 
-Line<float> voidSums(const SeenRows& rows, const Weights<float>& net) {
+void voidSums(const SeenRows& rows, const Weights<float>& net, Line<float>& out) {
   Units sums(net.b[0].data());
   for (int i = policy::kStateInputs; i < policy::kInputs; ++i)
     sums.add(net.w[0].data() + i * kUnits, rows.voids()(i));
-  Line<float> out(kUnits);
+  out.resize(kUnits);
   sums.put(out.data());
-  return out;
 }
 
 void addVoidSlopes(const SeenRows& rows, Weights<float>& sums) {

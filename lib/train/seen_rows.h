@@ -45,10 +45,10 @@ class SeenRows {
   std::vector<Row, HugePages<Row>> rows_;
 };
 
-// What the first layer makes of empty surroundings: the sums begin with it. To be made again when
-// the weights or the rows' normaliser change. In the order of policy::Thinker, so that a layer has
-// the bits that the search knows.
-Line<float> voidSums(const SeenRows& rows, const Weights<float>& net);
+// Fills `out` with what the first layer makes of empty surroundings: the sums begin with it. To be
+// made again when the weights or the rows' normaliser change. In the order of policy::Thinker, so
+// that a layer has the bits that the search knows. Allocates where `out` is empty only.
+void voidSums(const SeenRows& rows, const Weights<float>& net, Line<float>& out);
 
 // Adds to the first layer's slopes what empty surroundings contribute, once for all rows of which
 // `sums` has the slopes of the first biases.

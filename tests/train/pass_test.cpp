@@ -50,7 +50,7 @@ struct Seen {
     }
     scales[40] = 0;  // hidden
     rows.normaliseBy(means, scales);
-    begin = voidSums(rows, net);
+    voidSums(rows, net, begin);
     for (Eigen::Index r = 0; r < raw.rows(); ++r) {
       for (int i = 0; i < policy::kInputs; ++i) {
         const bool empty = i >= policy::kStateInputs && random.below(3) != 0;

@@ -145,7 +145,8 @@ TEST(Ppo, SaysTheSameOfAStateWhenTheScaleOfReturnsMoves) {
   for (uint32_t i = 0; i < 16; ++i) rows[i] = i;
   const auto says = [&] {
     Pass pass;
-    const Line<float> begin = voidSums(batch.seen, ppo.weights());
+    Line<float> begin;
+    voidSums(batch.seen, ppo.weights(), begin);
     const Rows<float> out = pass.forward(ppo.weights(), {batch.seen, rows, begin});
     std::vector<float> values;
     for (Eigen::Index r = 0; r < out.rows(); ++r)
@@ -204,7 +205,8 @@ TEST(Ppo, MakesLikelierWhatWentBetterThanExpected) {
   }
   const auto shareOfGood = [&] {
     Pass pass;
-    const Line<float> begin = voidSums(batch.seen, ppo.weights());
+    Line<float> begin;
+    voidSums(batch.seen, ppo.weights(), begin);
     const Rows<float>& out = pass.forward(ppo.weights(), {batch.seen, rows, begin});
     double good = 0;
     for (Eigen::Index r = 0; r < out.rows(); ++r) {

@@ -99,7 +99,7 @@ Status DeviceEngine::look(const PlayArguments& a, bool count) {
   return learner_.network().forward(a.inputs, a.worlds);
 }
 
-// Worlds with loose bodies take as long as all others: they are few, but slow.
+// Worlds with loose bodies are few, but take as long as all others: so both play at a time.
 Status DeviceEngine::act(const PlayArguments& a) {
   if (!places_.anyLoose()) return enqueue(device_, TrainStep::act, a, a.worlds);
   return device_.enqueueTogether(trainKernel(TrainStep::act), trainKernel(TrainStep::actLoose), &a,

@@ -53,13 +53,14 @@ Status DeviceNetwork::backward(const float* inputs, uint32_t rows) {
 }
 
 Status DeviceNetwork::gradientOf(int l, const float* inputs, uint32_t rows) {
-  const uint32_t inner = kSizes[l], columns = kSizes[l + 1], chunks = chunksOf(rows);
+  const uint32_t inner = kSizes[l], columns = kSizes[l + 1];
   const GradientArguments g{inputs, slopes_[l].data(), chunks_.data(), rows, inner, columns};
   OBBY_RETURN_IF_ERROR(enqueue(*device_, TrainStep::gradient, g, gradientTiles(g)));
   float* const to = gradient() + firsts_[l];
   const RowSumArguments sum{chunks_.data(),       nullptr,        to, nullptr,
                             gradientChunks(rows), inner * columns};
   OBBY_RETURN_IF_ERROR(enqueue(*device_, TrainStep::sumRows, sum, sum.width));
+  const uint32_t chunks = chunksOf(rows);
   const ColumnSumArguments c{slopes_[l].data(), columns_.data(), rows, columns};
   OBBY_RETURN_IF_ERROR(enqueue(*device_, TrainStep::sumColumns, c, size_t(chunks) * columns));
   const RowSumArguments biases{nullptr, columns_.data(), to + inner * columns,

@@ -81,7 +81,7 @@ OBBY_DEVICE void squareChunk(const StepArguments& s, uint32_t i) {
   const uint32_t first = i * kChunk, last = first + kChunk < s.count ? first + kChunk : s.count;
   double sum = 0;
 #if defined(__CUDA_ARCH__)
-#pragma unroll 8  // as in addColumn()
+#pragma unroll 8  // several numbers are on their way at once, as in addColumn()
 #endif
   for (uint32_t k = first; k < last; ++k) sum += double(s.gradient[k]) * double(s.gradient[k]);
   s.chunks[i] = {0, sum};
@@ -94,7 +94,8 @@ OBBY_DEVICE void scaleGradient(const StepArguments& s, uint32_t) {
 #pragma unroll 8
 #endif
   for (uint32_t i = 0; i < chunksOf(s.count); ++i) sum += s.chunks[i].squares;
-  const float norm = sqrtf32(float(sum)) / s.decisions;
+  const double decisions = double(s.decisions);
+  const float norm = sqrtf32(float(sum / (decisions * decisions)));
   *s.scale = norm > s.mostNorm ? s.mostNorm / norm : 1.0f;
   *s.norm += double(norm);
 }

@@ -1,0 +1,68 @@
+// Learning from a batch takes memory once, however many parts and passes there are.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstddef>
+
+#include "train/ppo.h"
+#include "train/thread_ranks.h"
+
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+// Counts what this program asks for, by operator new, too. What lies behind is the C library's.
+namespace {
+std::atomic<size_t> asked{0};
+}
+extern "C" void* __libc_malloc(size_t bytes);
+extern "C" void* malloc(size_t bytes) {
+  asked.fetch_add(1, std::memory_order_relaxed);
+  return __libc_malloc(bytes);
+}
+
+namespace obby::train {
+namespace {
+
+constexpr uint32_t kTicks = 8, kWorlds = 512;
+
+Batch someBatch() {
+  Batch b(kTicks, kWorlds);
+  b.seen.normaliseBy(std::vector<float>(policy::kInputs, 0.0f),
+                     std::vector<float>(policy::kInputs, 1.0f));
+  std::vector<float> raw(policy::kInputs);
+  Random random(3, 0);
+  for (size_t row = 0; row < b.decisions.size(); ++row) {
+    for (float& v : raw) v = random.unit() - 0.5f;
+    b.seen.take(row, raw.data());
+    b.decisions[row] = {int(random.below(policy::kMoves)), true, -3.5f, 0, 0};
+    b.rewards[row] = random.unit();
+  }
+  return b;
+}
+
+// Of a batch that is learned from for the second time.
+size_t askedFor(uint32_t passes, uint32_t part) {
+  ThreadPool pool(2);
+  OneRank alone;
+  PpoSettings settings;
+  settings.passes = passes;
+  settings.part = part;
+  Ppo ppo(settings, 1, pool, alone);
+  Batch batch = someBatch();
+  ppo.learn(batch, 1);
+  const size_t before = asked;
+  ppo.learn(batch, 1);
+  return asked - before;
+}
+
+TEST(Allocation, PartsAndPassesTakeNone) {
+  const size_t least = askedFor(1, kTicks * kWorlds);
+  EXPECT_GT(least, 0u) << "of an iteration; otherwise nothing is counted";
+  EXPECT_LT(least, 100u);
+  EXPECT_EQ(askedFor(4, kTicks * kWorlds), least);
+  EXPECT_EQ(askedFor(4, 512), least);
+}
+
+}  // namespace
+}  // namespace obby::train
+
+#endif
