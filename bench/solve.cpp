@@ -158,17 +158,15 @@ Status runMissing(cli::Context& context, const std::vector<bench::Question>& que
 Status runAllMissing(cli::Context& context, const bench::Plan& plan, uint64_t program,
                      const bench::Maker& known, ThreadPool& pool, bench::RunLog& log) {
   bench::Maker here = known;
-  const bool anyBuild = known.program == 0;
-  if (anyBuild && !plan.anyMachine) here.machine = bench::machineKind();
+  const bool byMachine = known.program == 0 && !plan.anyMachine;
+  if (byMachine) here.machine = bench::machineKind();
   const double all = double(plan.seeds) * double(plan.suite.size());
   double done = 0;
   for (uint64_t seed = 1; seed <= plan.seeds; ++seed) {
     for (size_t q = 0; q < plan.suite.size() && !context.stop(); ++q) {
       context.progress({fmt::format("{} seed {}", plan.suite[q].name(), seed), done++ / all, {}});
       const std::vector<bench::Question> questions = plan.questionsAt(q, seed);
-      if (!plan.anyMachine && anyBuild &&
-          bench::machineOf(questions, log, known).runs == questions.size())
-        continue;
+      if (byMachine && bench::machineOf(questions, log, known).runs == questions.size()) continue;
       OBBY_RETURN_IF_ERROR(runMissing(context, questions, program, here, pool, log));
     }
   }

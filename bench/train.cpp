@@ -1,8 +1,8 @@
 // How fast learning is: the whole loop of obby-train, levels made anew included; on all threads,
 // and, where there is one, on a GPU. With --gpu on the GPU only: ends with 77 where there is none.
 // With --emulate the CPU takes the GPU's place, in small: a test of this program, not a
-// measurement. With --kernels, in
-// place of the device's rates, how much of its time each kernel takes.
+// measurement. With --kernels, in place of the device's rates, how much of its time each kernel
+// takes.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -4,8 +4,7 @@
 #include <atomic>
 #include <cstddef>
 
-#include "train/ppo.h"
-#include "train/thread_ranks.h"
+#include "train/some_batch.h"
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
@@ -22,22 +21,7 @@ extern "C" void* malloc(size_t bytes) {
 namespace obby::train {
 namespace {
 
-constexpr uint32_t kTicks = 8, kWorlds = 512;
-
-Batch someBatch() {
-  Batch b(kTicks, kWorlds);
-  b.seen.normaliseBy(std::vector<float>(policy::kInputs, 0.0f),
-                     std::vector<float>(policy::kInputs, 1.0f));
-  std::vector<float> raw(policy::kInputs);
-  Random random(3, 0);
-  for (size_t row = 0; row < b.decisions.size(); ++row) {
-    for (float& v : raw) v = random.unit() - 0.5f;
-    b.seen.take(row, raw.data());
-    b.decisions[row] = {int(random.below(policy::kMoves)), true, -3.5f, 0, 0};
-    b.rewards[row] = random.unit();
-  }
-  return b;
-}
+constexpr uint32_t kWorlds = 1024;
 
 // Of a batch that is learned from for the second time.
 size_t askedFor(uint32_t passes, uint32_t part) {
@@ -47,7 +31,7 @@ size_t askedFor(uint32_t passes, uint32_t part) {
   settings.passes = passes;
   settings.part = part;
   Ppo ppo(settings, 1, pool, alone);
-  Batch batch = someBatch();
+  Batch batch = someBatch(0, kWorlds);
   ppo.learn(batch, 1);
   const size_t before = asked;
   ppo.learn(batch, 1);

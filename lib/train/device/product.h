@@ -86,14 +86,14 @@ OBBY_DEVICE void productTile(const ProductArguments& p, uint32_t i) {
 
 constexpr uint32_t kChunk = 256;  // rows whose sum is one thread's
 
-OBBY_DEVICE uint32_t chunksOf(uint32_t rows) { return (rows + kChunk - 1) / kChunk; }
+OBBY_DEVICE uint32_t chunksOf(uint32_t rows, uint32_t each = kChunk) {
+  return (rows + each - 1) / each;
+}
 
 // Of a gradient fewer, for more threads: an H200 learns 4 % faster than by 256, and 2 % than by 64.
 constexpr uint32_t kGradientRows = 128;
 
-OBBY_DEVICE uint32_t gradientChunks(uint32_t rows) {
-  return (rows + kGradientRows - 1) / kGradientRows;
-}
+OBBY_DEVICE uint32_t gradientChunks(uint32_t rows) { return chunksOf(rows, kGradientRows); }
 
 // Sums over chunks of rows: of a's columns times b's, transposed(a) x b.
 struct GradientArguments {
