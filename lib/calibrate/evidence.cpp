@@ -16,7 +16,7 @@ constexpr double kStep = 0.004;
 constexpr double kAlike = 0.5;
 // Seconds whose errors share a cause: those of a window share its first sample.
 constexpr double kStretch = 1.5;
-constexpr double kLeast = 1e-9;  // of an eigenvalue, beside the largest: less is nothing
+constexpr double kLeastEigenvalue = 1e-9;  // of an eigenvalue, beside the largest: less is nothing
 // Studs: no recorder is better. Between two frames a fall bends by more.
 constexpr double kLeastNoise = 1e-3;
 constexpr double kDeviation = 1.4826;  // of a normal distribution, beside the middle of its sizes
@@ -157,7 +157,7 @@ Result<std::vector<double>> refined(const Objective& objective, std::vector<doub
   for (int round = 0; round < rounds; ++round) {
     OBBY_ASSIGN(const Slopes s, slopesAt(objective, point, work));
     if (work.stopped()) break;
-    const double scale = std::max(s.normal.diagonal().maxCoeff() * kLeast, 1e-12);
+    const double scale = std::max(s.normal.diagonal().maxCoeff() * kLeastEigenvalue, 1e-12);
     bool better = false;
     for (int tries = 0; tries < 5 && !better && !work.stopped(); ++tries, damping *= 8) {
       Eigen::MatrixXd damped = s.normal;

@@ -14,8 +14,8 @@ namespace {
 // Of the value, or of the upper bound where it may be none: an interval within this much of it is
 // of use.
 constexpr double kKnown = 0.1;
-constexpr int kRounds = 3;      // of refining the others beside what decides an event
-constexpr double kTied = 0.95;  // correlation
+constexpr int kRefiningRounds = 3;  // of refining the others beside what decides an event
+constexpr double kTied = 0.95;      // correlation
 
 // By how wide its interval is: as above, or to one tick.
 Fitted judged(Fitted f) {
@@ -59,7 +59,7 @@ struct Weighing {
 
   void byCrossing(size_t coordinate, Fitted& f) const {
     const Crossing crossing =
-        crossingOf(objective, point, coordinate, sharesAllOver(), kRounds, work);
+        crossingOf(objective, point, coordinate, sharesAllOver(), kRefiningRounds, work);
     if (work.stopped()) return;
     const auto& shares = crossing.profile.shares;
     f = byProfile(f, crossing.profile, slackOf(slopes, objective.frames()), shares[1] - shares[0]);

@@ -15,7 +15,7 @@ namespace obby::calibrate {
 namespace {
 
 constexpr double kGain = 0.02;       // share of the loss that makes another worth its time
-constexpr int kRounds = 4;           // of focus()
+constexpr int kFocusRounds = 4;      // of focus()
 constexpr int kPasses = 6;           // searches at most, the first with its restarts counted once
 constexpr double kOutside = 4;       // deviations that noise does not explain
 constexpr double kFinest = 0.01;     // studs
@@ -129,11 +129,11 @@ class Fitter {
   // recorded: others pull at slopes that they know nothing of, until what happens in them is right,
   // too.
   Status focus() {
-    for (int round = 0; round < kRounds && !work_.stopped(); ++round) {
+    for (int round = 0; round < kFocusRounds && !work_.stopped(); ++round) {
       const double before = lossNow();
       OBBY_RETURN_IF_ERROR(sharpen(settings_.objective.windowSeconds));
-      OBBY_RETURN_IF_ERROR(
-          polish(sharp_, kFocus.of(double(round) / kRounds, double(round + 1) / kRounds)));
+      OBBY_RETURN_IF_ERROR(polish(
+          sharp_, kFocus.of(double(round) / kFocusRounds, double(round + 1) / kFocusRounds)));
       keep();
       if (lossNow() > (1 - kGain) * before) break;
     }

@@ -7,12 +7,13 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr double kSteady = 0.1;   // share by which a steady acceleration may change between frames
-constexpr double kLeast = 0.1;    // studs/s that the velocity must change by
-constexpr double kMost = 0.05;    // seconds: no engine is later
-constexpr double kSure = 4;       // standard errors
-constexpr double kNoTime = 1e-5;  // seconds that no recording tells apart
-constexpr double kDeviation = 1.4826;  // of a normal distribution, beside the middle of its sizes
+constexpr double kSteady = 0.1;  // share by which a steady acceleration may change between frames
+constexpr double kLeastChange = 0.1;    // studs/s that the velocity must change by
+constexpr double kLongestDelay = 0.05;  // seconds: no engine is later
+constexpr double kSure = 4;             // standard errors
+constexpr double kNoTime = 1e-5;        // seconds that no recording tells apart
+constexpr double kDeviationOfMedian =
+    1.4826;  // of a normal distribution, beside the middle of its sizes
 
 // Between two frames, along one axis: how far the path is from what the velocities say, and by how
 // much these change. One is the age times the other.
@@ -36,7 +37,7 @@ void addStrides(const std::vector<Frame>& f, int axis, std::vector<Stride>& to) 
         std::fabs(slopeAt(f, i + 1, axis) - slope) > slack)
       continue;
     const double seconds = f[i + 1].time - f[i].time, change = slope * seconds;
-    if (std::fabs(change) < kLeast) continue;
+    if (std::fabs(change) < kLeastChange) continue;
     const double sum = along(f[i].velocity + f[i + 1].velocity, axis);
     const double way = along(f[i + 1].position - f[i].position, axis);
     to.push_back({way - 0.5 * sum * seconds, change});
@@ -65,7 +66,7 @@ double standardError(const std::vector<Stride>& strides, double age) {
   }
   const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
-  return kDeviation * *middle / std::sqrt(squares);
+  return kDeviationOfMedian * *middle / std::sqrt(squares);
 }
 
 // The acceleration there. Where it leaps, as in a landing, the steadier side's: the lesser one.
@@ -88,7 +89,7 @@ double velocityAgeOf(std::span<const Take> takes) {
   if (strides.empty()) return 0;
   const double age = balanceOf(strides);
   const double least = std::max(kSure * standardError(strides, age), kNoTime);
-  return std::fabs(age) < least ? 0 : std::clamp(age, -kMost, kMost);
+  return std::fabs(age) < least ? 0 : std::clamp(age, -kLongestDelay, kLongestDelay);
 }
 
 std::vector<Take> withVelocitiesOfNow(std::span<const Take> takes) {

@@ -9,14 +9,14 @@ namespace obby::calibrate {
 namespace {
 
 constexpr int kEventRounds = 3;
-constexpr int kDelayRounds = 6;  // accelerations have far to go
-constexpr int kRounds = 4;       // of refining what has slopes and what counts in ticks
+constexpr int kDelayRounds = 6;   // accelerations have far to go
+constexpr int kPolishRounds = 4;  // of refining what has slopes and what counts in ticks
 
 // In turn as long as it helps.
 Status refine(const Objective& objective, Found& found, const Work& work) {
   std::vector<double> point = found.in(objective);
   settle(objective, point, Tried::singly, work);
-  for (int round = 0; round < kRounds && !work.stopped(); ++round) {
+  for (int round = 0; round < kPolishRounds && !work.stopped(); ++round) {
     OBBY_ASSIGN(point, refined(objective, std::move(point), kSlopeRounds, work));
     if (!settle(objective, point, Tried::singly, work)) break;
   }

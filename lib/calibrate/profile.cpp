@@ -6,11 +6,11 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr double kAlike = 1e-9;  // of a loss
+constexpr double kSameLoss = 1e-9;  // of a loss
 
 }  // namespace
 
-bool alike(double loss, double least) { return loss <= least * (1 + kAlike); }
+bool alike(double loss, double least) { return loss <= least * (1 + kSameLoss); }
 
 Possible possibleOf(const Profile& profile, double slack) {
   const double least = *std::min_element(profile.losses.begin(), profile.losses.end());

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSeconds = 0.5;  // of a window
 constexpr double kEnd = 0.005;    // share of the bounds that counts as their end
-constexpr size_t kMost = 3;
+constexpr size_t kMostNamed = 3;
 constexpr double kLittle = 0.01;  // studs: no window that is off by less is worth a word
 constexpr double kElsewhere[] = {0.1, 0.3, 0.5, 0.7, 0.9};  // shares that are tried
 constexpr double kNearer = 0.7;  // of the distance: another value explains some of it
@@ -97,7 +97,7 @@ Result<Shortfall> shortfallOf(std::span<const Take> recorded, const Fit& fit,
   }
   std::stable_sort(out.strange.begin(), out.strange.end(),
                    [](const Strange& a, const Strange& b) { return a.off > b.off; });
-  out.strange.resize(std::min(out.strange.size(), kMost));
+  out.strange.resize(std::min(out.strange.size(), kMostNamed));
   for (Strange& s : out.strange) addUntold(takes, fit, params, s);
   return out;
 }

@@ -13,10 +13,10 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr uint32_t kSamples = 48;  // frames that tell the clock
-constexpr float kStray = 0.5f;     // studs off: no noise, but another motion
-constexpr float kResting = 0.05f;  // studs/s: slower than this a body rests
-constexpr float kFar = 10;         // studs from a body that are no contact
+constexpr uint32_t kSamples = 48;       // frames that tell the clock
+constexpr float kStray = 0.5f;          // studs off: no noise, but another motion
+constexpr float kRestingSpeed = 0.05f;  // studs/s: slower than this a body rests
+constexpr float kFar = 10;              // studs from a body that are no contact
 
 // Nothing where the part is none that moves, or loose.
 const level::Collider* colliderOf(const level::LevelView& level, uint32_t part) {
@@ -166,7 +166,7 @@ bool showLoose(const Track& track, uint32_t frame, const level::LevelView& level
     body.rotation = track.pose(frame, i).rotation;
     body.velocity = (centerAt(after) - centerAt(before)) * rate;
     body.spin = turnBetween(track.pose(before, i).rotation, track.pose(after, i).rotation) * rate;
-    const bool rests = length(body.velocity) < kResting && length(body.spin) < kResting;
+    const bool rests = length(body.velocity) < kRestingSpeed && length(body.spin) < kRestingSpeed;
     if (rests) body.velocity = body.spin = {};
     body.state = rests ? sim::LooseState::asleep : sim::LooseState::awake;
     moves |= !rests;

@@ -9,7 +9,7 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr int kRounds = 3;
+constexpr int kTickRounds = 3;
 constexpr size_t kForPairs = 150;  // counts in all: pairs of more take too long
 
 uint32_t countAt(const Objective& objective, const std::vector<double>& point, size_t i) {
@@ -189,7 +189,7 @@ std::vector<double> countsAround(const Objective& objective, const std::vector<d
 
 bool settle(const Objective& objective, std::vector<double>& point, Tried tried, const Work& work) {
   bool fell = false;
-  for (int round = 0; round < kRounds && !work.stopped(); ++round) {
+  for (int round = 0; round < kTickRounds && !work.stopped(); ++round) {
     const bool delayed = settleDelay(objective, point, work);
     Scan scan = scanOf(objective, point, tried, work);
     point = std::move(scan.best);

@@ -10,7 +10,7 @@ namespace obby::gen {
 
 namespace {
 
-constexpr float kFallRoom = 24;  // studs below the lowest part, where a fall ends
+constexpr float kRecordFallRoom = 24;  // studs below the lowest part, where a fall ends
 
 using level::set;
 
@@ -132,7 +132,7 @@ void Generator::writeLevel(const Generated& from, schema::Level::Builder to) con
   (void)setPhysics(physics, recipe_.physics);
   const auto saysWhereFallsEnd = [](const NamedNumber& n) { return n.name == "fallenPartsHeight"; };
   if (std::none_of(recipe_.physics.begin(), recipe_.physics.end(), saysWhereFallsEnd))
-    physics.setFallenPartsHeight(float(int32_t(lowest(sketch) - kFallRoom)));
+    physics.setFallenPartsHeight(float(int32_t(lowest(sketch) - kRecordFallRoom)));
   auto parts = to.initParts(uint32_t(sketch.parts().size()));
   for (uint32_t i = 0; i < parts.size(); ++i) writePart(sketch.parts()[i], parts[i]);
   auto spawns = to.initSpawns(uint32_t(sketch.stops().size()) - 1);

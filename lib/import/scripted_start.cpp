@@ -17,7 +17,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr size_t kMostSteps = 4000000;  // looks at an instance, in all: bounds the work
+constexpr size_t kMostLooks = 4000000;  // looks at an instance, in all: bounds the work
 
 class StartOfPlay {
  public:
@@ -212,7 +212,7 @@ class StartOfPlay {
   std::map<InstanceId, Pose> filePivots_;
   std::map<InstanceId, Cause> gone_;
   std::set<InstanceId> named_;
-  size_t steps_ = kMostSteps;
+  size_t steps_ = kMostLooks;
 };
 
 }  // namespace

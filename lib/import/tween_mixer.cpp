@@ -12,10 +12,10 @@
 namespace obby::importer {
 namespace {
 
-constexpr double kSame = 1e-4;     // seconds
-constexpr double kSamples = 30;    // a second, of a way that is not even
-constexpr int kMostSteps = 10000;  // from change to change: bounds the work
-constexpr double kForEver = std::numeric_limits<double>::infinity();
+constexpr double kSameMoment = 1e-4;  // seconds
+constexpr double kSamples = 30;       // a second, of a way that is not even
+constexpr int kMostChanges = 10000;   // from change to change: bounds the work
+constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 constexpr float kStill = 1e-4f;  // studs, radians
 
 double secondsOf(const ScriptEvent& event) { return std::max(event.tween.seconds, kFrame); }
@@ -35,7 +35,7 @@ bool goesBack(const RunningTween& tween, double leg) {
 
 }  // namespace
 
-bool RunningTween::isEndless() const { return end == kForEver; }
+bool RunningTween::isEndless() const { return end == kNoEnd; }
 
 double roundOfTween(const ScriptEvent& event) {
   return secondsOf(event) * (event.tween.reverses ? 2 : 1);
@@ -70,7 +70,7 @@ void TweenMixer::take(const ScriptEvent& event, double time) {
   RunningTween tween;
   tween.event = &event;
   tween.begin = time + event.tween.delay - event.done;
-  const double rounds = event.tween.repeats < 0 ? kForEver : event.tween.repeats + 1;
+  const double rounds = event.tween.repeats < 0 ? kNoEnd : event.tween.repeats + 1;
   const double stop = std::max(time + (event.until - event.time), tween.begin);
   tween.end = std::min(tween.begin + roundOfTween(event) * rounds, stop);
   if (event.done > 0) resume(tween);
@@ -90,11 +90,11 @@ void TweenMixer::resume(RunningTween& tween) {
 }
 
 void TweenMixer::advance(double until) {
-  while (time_ < until - kSame && !failed()) {
+  while (time_ < until - kSameMoment && !failed()) {
     double next = until;
     for (const RunningTween& tween : running_) next = std::min(next, changeOf(tween));
     step(next);
-    tooLong_ = tooLong_ || ++steps_ > kMostSteps;
+    tooLong_ = tooLong_ || ++steps_ > kMostChanges;
   }
 }
 
@@ -125,7 +125,7 @@ bool TweenMixer::isDriven(bool ScriptEvent::*what) const {
 double TweenMixer::changeOf(const RunningTween& tween) const {
   if (!tween.begun) return tween.begin;
   const double seconds = secondsOf(*tween.event);
-  const double leg = std::floor((time_ - tween.begin + kSame) / seconds) + 1;
+  const double leg = std::floor((time_ - tween.begin + kSameMoment) / seconds) + 1;
   return std::min(tween.end, tween.begin + leg * seconds);
 }
 
@@ -139,12 +139,12 @@ void TweenMixer::step(double to) {
 
 void TweenMixer::settle() {
   std::erase_if(running_, [&](const RunningTween& tween) {
-    const bool over = tween.begun && tween.end <= time_ + kSame;
+    const bool over = tween.begun && tween.end <= time_ + kSameMoment;
     if (over && std::isfinite(tween.event->until)) stopped_.push_back(tween);
     return over;
   });
   for (RunningTween& tween : running_) {
-    if (tween.begun || tween.begin > time_ + kSame) continue;
+    if (tween.begun || tween.begin > time_ + kSameMoment) continue;
     tween.begun = true;
     tween.from = now_;
   }
@@ -183,7 +183,8 @@ const RunningTween* TweenMixer::oneLeg(double to, double middle) const {
   if (!only) return nullptr;
   const double seconds = secondsOf(*only->event);
   const double from = only->begin + legOf(*only, middle) * seconds;
-  const bool whole = std::abs(time_ - from) < kSame && std::abs(to - from - seconds) < kSame;
+  const bool whole =
+      std::abs(time_ - from) < kSameMoment && std::abs(to - from - seconds) < kSameMoment;
   return whole ? only : nullptr;
 }
 

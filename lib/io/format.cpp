@@ -8,7 +8,7 @@ Result<Format> parseFormat(const std::string& text) {
   if (text == "jsonl") return Format::jsonl;
   if (text == "capnp") return Format::capnp;
   if (text == "packed") return Format::capnpPacked;
-  return makeError("expected one of jsonl, capnp, packed, found " + quoted(text));
+  return makeError("expected one of jsonl, capnp, packed, found " + io::quoted(text));
 }
 
 Format formatForFile(const std::string& path) {

@@ -11,7 +11,7 @@
 namespace obby::level {
 namespace {
 
-constexpr double kTurn = 2 * 3.14159265358979323846;
+constexpr double kTwoPi = 2 * 3.14159265358979323846;
 
 // Integrals over a volume of 1, x and x x^T.
 struct Moments {
@@ -112,11 +112,11 @@ Moments momentsOf(const SolidShape& s) {
   switch (s.kind) {
     case ShapeKind::ball: {
       const double r = std::min({x, y, z}), square = r * r / 5;
-      return diagonal(kTurn * 2 / 3 * r * r * r, square, square, square);
+      return diagonal(kTwoPi * 2 / 3 * r * r * r, square, square, square);
     }
     case ShapeKind::cylinder: {
       const double r = std::min(y, z);
-      return diagonal(kTurn * r * r * x, x * x / 3, r * r / 4, r * r / 4);
+      return diagonal(kTwoPi * r * r * x, x * x / 3, r * r / 4, r * r / 4);
     }
     case ShapeKind::wedge: return polytope(viewOf(hullTables(wedgeCorners(s.data.half))));
     case ShapeKind::cornerWedge:

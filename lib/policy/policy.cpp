@@ -44,31 +44,6 @@ class NonZero<WideFloat, kMost> {
 static_assert(kPaddedPoints % kLanes == 0 && kInputs % kLanes == 0 && kHidden % kLanes == 0 &&
               kPaddedOutputs % kLanes == 0);
 
-Thinker::Thinker(const Network& network) : voids_(kInputs), biases_(kHidden) {
-  const float* at = network.numbers().data();
-  const size_t* size = Network::kSizes;
-  const auto next = [&] {
-    const float* const table = at;
-    at += *size++;
-    return table;
-  };
-  view_.means = next();
-  view_.scales = next();
-  for (LayerView& l : view_.layers) {
-    l.weights = next();
-    l.biases = next();
-  }
-  for (int i = kStateInputs; i < kInputs; ++i) {
-    voids_[size_t(i)] = normalised(kEmptyInput, view_.means[i], view_.scales[i]);
-  }
-  NonZero<float, kInputs> empty;
-  for (int i = 0; i < kInputs; ++i) empty.put(i, voids_[size_t(i)]);
-  LayerView& first = view_.layers[0];
-  layer<float, kHidden>(first, empty, kHidden, [&](int i, float sum) { biases_[size_t(i)] = sum; });
-  view_.voids = voids_.data();
-  first.biases = biases_.data();
-}
-
 Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
               float* inputs) {
   return observe<WideFloat>(scene, world, loose, inputs);

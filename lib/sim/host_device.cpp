@@ -7,7 +7,7 @@
 namespace obby::sim {
 namespace {
 constexpr std::align_val_t kAlignment{256};  // as cudaMalloc's
-constexpr uint32_t kBlock = 16;  // so few that a thousand rollouts keep all threads busy
+constexpr uint32_t kRolloutsATask = 16;  // so few that a thousand rollouts keep all threads busy
 }  // namespace
 
 Result<void*> HostDevice::allocate(size_t bytes) {
@@ -40,8 +40,9 @@ Status HostDevice::fill(void* to, uint8_t value, size_t bytes) {
 }
 
 Status HostDevice::launch(const Kernel& kernel, const void* arguments, uint32_t count) {
-  pool_.run(int((count + kBlock - 1) / kBlock), [&](int block) {
-    const uint32_t first = uint32_t(block) * kBlock, last = std::min(count, first + kBlock);
+  pool_.run(int((count + kRolloutsATask - 1) / kRolloutsATask), [&](int block) {
+    const uint32_t first = uint32_t(block) * kRolloutsATask,
+                   last = std::min(count, first + kRolloutsATask);
     for (uint32_t i = first; i < last; ++i) kernel.body(arguments, i);
   });
   return {};

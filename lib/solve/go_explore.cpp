@@ -7,7 +7,7 @@ namespace obby::solve {
 namespace {
 
 // Rollouts a task of the pool: together they fill the lanes of the wide tick.
-constexpr size_t kLeastRollouts = 16, kTaskRollouts = 256;
+constexpr size_t kLeastTaskRollouts = 16, kTaskRollouts = 256;
 constexpr uint64_t kStepsPerRollout = 8000;  // of the search so far: when rounds double
 
 }  // namespace
@@ -33,7 +33,7 @@ void GoExplore::round() {
 void GoExplore::exploreOnThreads() {
   const size_t threads = size_t(machine_.pool.size());
   const size_t share = (rollouts_.size() + threads - 1) / threads;
-  const size_t some = std::clamp(share, kLeastRollouts, kTaskRollouts);
+  const size_t some = std::clamp(share, kLeastTaskRollouts, kTaskRollouts);
   const size_t tasks = (rollouts_.size() + some - 1) / some;
   machine_.pool.run(int(tasks), [&](int task) {
     const size_t first = size_t(task) * some;

@@ -10,7 +10,7 @@ namespace {
 
 using loopback::Reply;
 
-constexpr auto kLook = 20 * kj::MILLISECONDS;  // how often a page's news are looked for
+constexpr auto kNewsLook = 20 * kj::MILLISECONDS;  // how often a page's news are looked for
 // A line without meaning goes to each page so often: that it has gone is noticed only in writing.
 constexpr auto kPing = 1 * kj::SECONDS;
 constexpr loopback::ServerLimits kLimits = {32, 60};  // a browser opens six at most
@@ -40,7 +40,7 @@ class Events {
       return write(fmt::format("data: {{\"revision\":{}}}\n\n", told_));
     }
     if (timer_.now() >= next_) return write(":\n\n");
-    return timer_.afterDelay(kLook).then([this] { return go(); });
+    return timer_.afterDelay(kNewsLook).then([this] { return go(); });
   }
 
   kj::Own<kj::AsyncOutputStream> stream_;

@@ -162,7 +162,7 @@ void writeProgress(JsonText& json, const QueryEntry& entry) {
 
 // Every stride-th sample, and the last one.
 template <class T>
-std::vector<T> thinned(const std::vector<T>& all, uint32_t stride) {
+std::vector<T> thinnedTo(const std::vector<T>& all, uint32_t stride) {
   if (stride == 1) return all;
   std::vector<T> out;
   for (size_t i = 0; i < all.size(); i += stride) out.push_back(all[i]);
@@ -227,9 +227,9 @@ void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
   writeInts(json, record.getRoute());
   if (!play.mismatch.empty()) json.field("mismatch", play.mismatch);
   writeDifficulty(json, record);
-  json.key("position").array(thinned(play.feet, stride));
-  json.key("yaw").array(thinned(play.yaw, stride));
-  json.key("state").array(thinned(play.state, stride)).key("runs").array(runsOf(record));
+  json.key("position").array(thinnedTo(play.feet, stride));
+  json.key("yaw").array(thinnedTo(play.yaw, stride));
+  json.key("state").array(thinnedTo(play.state, stride)).key("runs").array(runsOf(record));
   json.key("jumpTicks").open('[');
   for (const uint32_t tick : play.jumpTicks) json.value(tick);
   json.close().key("events").open('[');

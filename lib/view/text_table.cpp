@@ -20,7 +20,7 @@ namespace {
 
 constexpr size_t kColumns = 8;
 constexpr size_t kLeastReason = 40;  // columns, and as many as the longest reason takes
-constexpr size_t kMostName = 28;
+constexpr size_t kMostNameColumns = 28;
 using Row = std::array<std::string, kColumns>;
 
 constexpr Rgb kGreen{95, 214, 162}, kRed{240, 72, 78}, kYellow{230, 200, 90}, kPink{255, 122, 217},
@@ -135,7 +135,7 @@ std::string queryTable(const Report& report, const TerminalTraits& terminal) {
   for (size_t c = 0; c < kColumns; ++c) {
     widths[c] = std::string_view(kHeads[c]).size();
     for (Row& row : rows) {
-      if (c + 1 < kColumns) row[c] = fitted(row[c], kMostName, !terminal.utf8);
+      if (c + 1 < kColumns) row[c] = fitted(row[c], kMostNameColumns, !terminal.utf8);
       widths[c] = std::max(widths[c], columnCount(row[c]));
     }
     if (c + 1 < kColumns) used += widths[c] + 2;

@@ -10,10 +10,11 @@
 namespace obby::view {
 namespace {
 
-constexpr float kAboveFeet = 1;                           // studs
+constexpr float kTubeAboveFeet = 1;                       // studs
 constexpr float kThinned = 0.1f, kThinnedAttempt = 0.4f;  // studs
 constexpr uint32_t kNeon = 288, kBall = 0, kBlock = 1;    // Enum.Material, Enum.PartType
-constexpr uint32_t kSolution = 0xffb81c, kAttempt = 0x8a6250, kDeath = 0xc81e24, kJump = 0xffffff;
+constexpr uint32_t kSolutionColor = 0xffb81c, kAttemptColor = 0x8a6250, kDeathColor = 0xc81e24,
+                   kJumpColor = 0xffffff;
 
 struct Look {
   float width;  // studs
@@ -54,8 +55,8 @@ class Writer {
 
   void way(const PathEntry& path, bool solves) {
     const std::vector<Vec3>& feet = path.playback.feet;
-    const Look look = solves ? Look{0.35f, kSolution, 0} : Look{0.15f, kAttempt, 0.4f};
-    const auto at = [&](size_t i) { return feet[i] + Vec3{0, kAboveFeet, 0}; };
+    const Look look = solves ? Look{0.35f, kSolutionColor, 0} : Look{0.15f, kAttemptColor, 0.4f};
+    const auto at = [&](size_t i) { return feet[i] + Vec3{0, kTubeAboveFeet, 0}; };
     const auto distance = [&](size_t a, size_t b, size_t p) {
       const Vec3 along = feet[b] - feet[a], off = feet[p] - feet[a];
       const float squared = dot(along, along);
@@ -66,9 +67,9 @@ class Writer {
         thinned(feet.size(), solves ? kThinned : kThinnedAttempt, distance);
     for (size_t i = 0; i + 1 < kept.size(); ++i) stretch(at(kept[i]), at(kept[i + 1]), look);
     for (const uint32_t tick : path.playback.jumpTicks)
-      mark("Jump", at(std::min<size_t>(tick, feet.size() - 1)), kBall, kJump);
+      mark("Jump", at(std::min<size_t>(tick, feet.size() - 1)), kBall, kJumpColor);
     if (!solves && path.playback.outcome != schema::Outcome::RUNNING)
-      mark("End", at(feet.size() - 1), kBlock, kDeath);
+      mark("End", at(feet.size() - 1), kBlock, kDeathColor);
   }
 
   // A bar whose Z axis runs from a to b.

@@ -12,7 +12,7 @@ namespace obby::gen {
 namespace {
 
 constexpr float kBetween = 60;                      // studs from one level to the next
-constexpr float kFallRoom = 40;                     // studs below everything, where a fall ends
+constexpr float kPlaceFallRoom = 40;                // studs below everything, where a fall ends
 constexpr float kFarthest = level::kMaxCoordinate;  // studs: no level has parts beyond
 constexpr float kDensity = 0.7f, kFriction = 0.3f;  // of plastic
 constexpr float kJumpPower = 1.06f;                 // launch speed over JumpPower
@@ -158,7 +158,7 @@ std::string PlaceFile::finish() {
   levels_ += io::kXmlBegin;
   xml_.begin("Workspace", "Workspace");
   xml_.number("Gravity", params_.gravity);
-  xml_.number("FallenPartsDestroyHeight", float(int32_t(lowest_ - kFallRoom)));
+  xml_.number("FallenPartsDestroyHeight", float(int32_t(lowest_ - kPlaceFallRoom)));
   xml_.endProperties();
   levels_ += levels;
   xml_.end();

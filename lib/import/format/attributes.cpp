@@ -74,7 +74,7 @@ struct AttributeKind {
   Value (*read)(ByteReader&);
 };
 
-constexpr AttributeKind kKinds[] = {
+constexpr AttributeKind kAttributeKinds[] = {
     {0x02, [](ByteReader& r) -> Value { return std::string(r.string()); }},
     {0x03, [](ByteReader& r) -> Value { return r.u8() != 0; }},
     {0x04, [](ByteReader& r) -> Value { return int64_t{r.i32()}; }},
@@ -96,7 +96,7 @@ constexpr AttributeKind kKinds[] = {
 };
 
 const AttributeKind* findKind(uint8_t id) {
-  for (const AttributeKind& kind : kKinds) {
+  for (const AttributeKind& kind : kAttributeKinds) {
     if (kind.id == id) return &kind;
   }
   return nullptr;

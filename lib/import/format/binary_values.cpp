@@ -211,12 +211,12 @@ void readContents(Column& c) {
   }
 }
 
-struct Kind {
+struct BinaryKind {
   uint8_t id;
   void (*read)(Column&);
 };
 
-constexpr Kind kKinds[] = {
+constexpr BinaryKind kBinaryKinds[] = {
     {0x01, readStrings},
     {0x02, readBools},
     {0x03, readInts},
@@ -251,8 +251,8 @@ constexpr Kind kKinds[] = {
     {0x22, readContents},
 };
 
-const Kind* findKind(uint8_t id) {
-  for (const Kind& kind : kKinds) {
+const BinaryKind* findBinaryKind(uint8_t id) {
+  for (const BinaryKind& kind : kBinaryKinds) {
     if (kind.id == id) return &kind;
   }
   return nullptr;
@@ -265,12 +265,12 @@ Ref ColumnContext::resolve(int32_t referent) const {
   return {it == instances.end() ? kNoInstance : it->second};
 }
 
-bool isKnownKind(uint8_t kind) { return findKind(kind) != nullptr; }
+bool isKnownKind(uint8_t kind) { return findBinaryKind(kind) != nullptr; }
 
 std::string readColumn(uint8_t kind, size_t count, ByteReader& reader, const ColumnContext& context,
                        std::vector<Value>& out) {
   Column column{count, reader, context, out};
-  findKind(kind)->read(column);
+  findBinaryKind(kind)->read(column);
   if (!column.problem.empty()) return column.problem;
   if (!reader.ok() || out.size() != count) {
     return "the data ends early: expected " + std::to_string(count) + " values";

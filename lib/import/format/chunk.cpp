@@ -10,7 +10,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr size_t kHeaderSize = 16;
+constexpr size_t kChunkHeaderSize = 16;
 constexpr size_t kMaxRaw = size_t{256} << 20;
 // What a chunk may always grow to, and by how much more with the size of the file. Long columns of
 // equal values shrink a thousandfold and more, so a plain ratio would refuse good files.
@@ -53,7 +53,7 @@ Result<Chunk> readHeader(std::string_view file, size_t offset) {
   if (!reader.ok()) {
     return chunkError(chunk, "claims " + std::to_string(chunk.compressed ? packed : raw) +
                                  " bytes, but the file ends after " +
-                                 std::to_string(file.size() - offset - kHeaderSize));
+                                 std::to_string(file.size() - offset - kChunkHeaderSize));
   }
   return chunk;
 }
@@ -68,7 +68,7 @@ Result<std::vector<Chunk>> listChunks(std::string_view file, size_t firstOffset)
   std::vector<Chunk> chunks;
   for (size_t at = firstOffset;;) {
     OBBY_ASSIGN(Chunk chunk, readHeader(file, at));
-    at += kHeaderSize + chunk.body.size();
+    at += kChunkHeaderSize + chunk.body.size();
     chunks.push_back(std::move(chunk));
     if (chunks.back().name == "END") return chunks;
   }

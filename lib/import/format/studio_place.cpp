@@ -7,15 +7,15 @@ namespace obby::importer {
 namespace {
 
 constexpr const char* kPlace = "ObbyPlace";
-constexpr std::string_view kServices[] = {"Workspace",  "StarterPlayer",   "ServerScriptService",
-                                          "StarterGui", "ReplicatedFirst", "ServerStorage",
-                                          "Teams"};
+constexpr std::string_view kPlayerServices[] = {
+    "Workspace",     "StarterPlayer", "ServerScriptService", "StarterGui", "ReplicatedFirst",
+    "ServerStorage", "Teams"};
 // Children of StarterPlayer that come as a Folder of that name.
 constexpr std::string_view kContainers[] = {"StarterPlayerScripts", "StarterCharacterScripts"};
 
 bool isServiceStandIn(const Instance& instance) {
-  const bool known =
-      std::find(std::begin(kServices), std::end(kServices), instance.name) != std::end(kServices);
+  const bool known = std::find(std::begin(kPlayerServices), std::end(kPlayerServices),
+                               instance.name) != std::end(kPlayerServices);
   return known && instance.className == "Configuration";
 }
 

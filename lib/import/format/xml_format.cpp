@@ -15,7 +15,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr size_t kMaxDepth = 512;
+constexpr size_t kMaxXmlDepth = 512;
 
 class XmlReader {
  public:
@@ -66,9 +66,9 @@ class XmlReader {
         stack.pop_back();
         continue;
       }
-      if (stack.size() > kMaxDepth) {
+      if (stack.size() > kMaxXmlDepth) {
         return at(startOf(item), "Item",
-                  "instances are nested deeper than " + std::to_string(kMaxDepth));
+                  "instances are nested deeper than " + std::to_string(kMaxXmlDepth));
       }
       stack.back().next = item.next_sibling("Item");
       OBBY_ASSIGN(const InstanceId id, addItem(item, stack.back().parent));

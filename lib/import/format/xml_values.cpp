@@ -152,12 +152,12 @@ Result<Value> readUDim(Element element, const XmlContext&) {
 
 Result<Value> skip(Element, const XmlContext&) { return Value{}; }
 
-struct Kind {
+struct XmlKind {
   std::string_view element;
   ReadElement read;
 };
 
-constexpr Kind kKinds[] = {
+constexpr XmlKind kXmlKinds[] = {
     {"Axes", skip},
     {"BinaryString", readBase64},
     {"BrickColor", readInt},
@@ -198,7 +198,7 @@ constexpr Kind kKinds[] = {
 };
 
 ReadElement byElementName(std::string_view name) {
-  for (const Kind& kind : kKinds) {
+  for (const XmlKind& kind : kXmlKinds) {
     if (kind.element == name) return kind.read;
   }
   return nullptr;

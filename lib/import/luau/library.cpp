@@ -12,13 +12,13 @@ namespace obby::importer::luau {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr Vec3 kNoAxis = {kNaN, kNaN, kNaN};
+constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
+constexpr Vec3 kNoAxis = {kNoNumber, kNoNumber, kNoNumber};
 
 double numberAt(const std::vector<Datum>& a, size_t i, double absent) {
   if (i >= a.size()) return absent;
   const auto* n = a[i].as<double>();
-  return n ? *n : double(kNaN);
+  return n ? *n : double(kNoNumber);
 }
 
 Datum vector(Vec3 v) { return {Vector{v, kNoInstance}}; }

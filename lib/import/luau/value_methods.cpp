@@ -8,7 +8,7 @@
 namespace obby::importer::luau {
 namespace {
 
-Datum vector(Vec3 v) { return {Vector{v, kNoInstance}}; }
+Datum vectorDatum(Vec3 v) { return {Vector{v, kNoInstance}}; }
 
 Datum known(float n) { return std::isnan(n) ? Datum{} : Datum{double(n)}; }
 
@@ -17,13 +17,13 @@ Datum ofVector(const Vector& v, const std::string& name, const std::vector<Datum
   if (name == "Y" || name == "y") return known(v.value.y);
   if (name == "Z" || name == "z") return known(v.value.z);
   if (name == "Magnitude" || name == "magnitude") return known(length(v.value));
-  if (name == "Unit" || name == "unit") return vector(normalize(v.value, {0, 0, 0}));
+  if (name == "Unit" || name == "unit") return vectorDatum(normalize(v.value, {0, 0, 0}));
   const auto* other = a.empty() ? nullptr : a[0].as<Vector>();
   if (name == "Dot" && other) return known(dot(v.value, other->value));
-  if (name == "Cross" && other) return vector(cross(v.value, other->value));
+  if (name == "Cross" && other) return vectorDatum(cross(v.value, other->value));
   if (name == "Lerp" && other && a.size() > 1)
     if (const auto* t = a[1].as<double>())
-      return vector(v.value + (other->value - v.value) * float(*t));
+      return vectorDatum(v.value + (other->value - v.value) * float(*t));
   return {};
 }
 
@@ -33,17 +33,17 @@ Datum ofFrame(const Frame& f, const std::string& name, const std::vector<Datum>&
   if (name == "X" || name == "x") return known(f.pose.position.x);
   if (name == "Y" || name == "y") return known(f.pose.position.y);
   if (name == "Z" || name == "z") return known(f.pose.position.z);
-  if (name == "LookVector" || name == "lookVector") return vector(-r.z);
-  if (name == "RightVector" || name == "rightVector" || name == "XVector") return vector(r.x);
-  if (name == "UpVector" || name == "upVector" || name == "YVector") return vector(r.y);
-  if (name == "ZVector") return vector(r.z);
+  if (name == "LookVector" || name == "lookVector") return vectorDatum(-r.z);
+  if (name == "RightVector" || name == "rightVector" || name == "XVector") return vectorDatum(r.x);
+  if (name == "UpVector" || name == "upVector" || name == "YVector") return vectorDatum(r.y);
+  if (name == "ZVector") return vectorDatum(r.z);
   if (name == "Rotation") return {Frame{{{}, r}, kNoInstance}};
   if (name == "Inverse" || name == "inverse") return {Frame{inverse(f.pose), kNoInstance}};
   if (a.empty()) return {};
   const auto* v = a[0].as<Vector>();
   const auto* other = a[0].as<Frame>();
-  if (lower(name) == "vectortoworldspace" && v) return vector(r * v->value);
-  if (lower(name) == "pointtoworldspace" && v) return vector(toWorld(f.pose, v->value));
+  if (lower(name) == "vectortoworldspace" && v) return vectorDatum(r * v->value);
+  if (lower(name) == "pointtoworldspace" && v) return vectorDatum(toWorld(f.pose, v->value));
   if (lower(name) == "toworldspace" && other) return {Frame{f.pose * other->pose, kNoInstance}};
   if (lower(name) == "toobjectspace" && other)
     return {Frame{inverse(f.pose) * other->pose, kNoInstance}};

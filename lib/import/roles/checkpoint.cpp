@@ -9,8 +9,8 @@
 namespace obby::importer {
 namespace {
 
-const std::vector<std::string_view> kTags = {"checkpoint", "checkpoints", "stage",       "stages",
-                                             "spawnpoint", "respawn",     "respawnpoint"};
+const std::vector<std::string_view> kCheckpointTags = {
+    "checkpoint", "checkpoints", "stage", "stages", "spawnpoint", "respawn", "respawnpoint"};
 constexpr std::string_view kWords[] = {"checkpoint", "checkpoints"};
 constexpr std::string_view kFolderWords[] = {"checkpoint", "checkpoints", "stages", "spawns"};
 
@@ -71,7 +71,7 @@ int stageNumber(const Tree& tree, InstanceId id, InstanceId part) {
 }
 
 void checkpointFromTags(RoleContext& context) {
-  context.eachTagged(kTags, [&](InstanceId id, const std::string& tag) {
+  context.eachTagged(kCheckpointTags, [&](InstanceId id, const std::string& tag) {
     const auto giveOne = [&](InstanceId one) {
       PartDraft* part = touchPart(context, one);
       if (part) give(*part, stageNumber(context.tree, one, part->id), "tag " + tag, false);

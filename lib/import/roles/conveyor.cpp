@@ -13,7 +13,7 @@
 namespace obby::importer {
 namespace {
 
-const std::vector<std::string_view> kTags = {"conveyor", "conveyorbelt", "conveyors"};
+const std::vector<std::string_view> kConveyorTags = {"conveyor", "conveyorbelt", "conveyors"};
 constexpr float kDefaultSpeed = 10;
 constexpr float kAligned = 0.99f;   // share of a saved velocity along one axis of part or world
 constexpr float kMostSpeed = 1000;  // studs/s
@@ -88,7 +88,7 @@ void giveConveyor(PartDraft& part, Conveyor conveyor, std::string reason, bool g
 }
 
 void conveyorFromTags(RoleContext& context) {
-  context.eachTagged(kTags, [&](InstanceId id, const std::string& tag) {
+  context.eachTagged(kConveyorTags, [&](InstanceId id, const std::string& tag) {
     const auto stated = context.tree.number(id, "Speed");
     for (PartDraft* part : context.partsOf(id)) {
       const auto own = context.tree.number(part->id, "Speed");

@@ -7,9 +7,9 @@
 namespace obby::importer {
 namespace {
 
-const std::vector<std::string_view> kTags = {"bouncepad",   "jumppad",  "trampoline", "bounce",
-                                             "launchpad",   "jumppads", "bouncepads", "bouncer",
-                                             "trampolines", "jump pad", "bounce pad", "launcher"};
+const std::vector<std::string_view> kJumpPadTags = {
+    "bouncepad",  "jumppad", "trampoline",  "bounce",   "launchpad",  "jumppads",
+    "bouncepads", "bouncer", "trampolines", "jump pad", "bounce pad", "launcher"};
 constexpr const char* kPowerNames[] = {"BounceImpulse", "BounceSpeed", "BouncePower", "JumpPower",
                                        "Power",         "LaunchPower", "Force",       "Strength",
                                        "Velocity",      "Impulse"};
@@ -39,7 +39,7 @@ void giveJumpPad(PartDraft& part, JumpPad pad, std::string reason, bool guessed)
 }
 
 void jumpPadFromTags(RoleContext& context) {
-  context.eachTagged(kTags, [&](InstanceId id, const std::string& tag) {
+  context.eachTagged(kJumpPadTags, [&](InstanceId id, const std::string& tag) {
     const auto stated = powerOf(context.tree, id);
     for (PartDraft* part : context.partsOf(id)) {
       const auto own = powerOf(context.tree, part->id);

@@ -10,8 +10,8 @@
 namespace obby::importer {
 namespace {
 
-const std::vector<std::string_view> kTags = {"movingplatform", "moving platform", "mover",
-                                             "movingpart", "platformmover"};
+const std::vector<std::string_view> kMovingTags = {"movingplatform", "moving platform", "mover",
+                                                   "movingpart", "platformmover"};
 const std::vector<std::string_view> kSpinTags = {
     "spinner", "spinning", "spin", "spinningpart", "rotating", "rotator", "spinningplatform"};
 constexpr std::string_view kPathNames[] = {"checkpoints", "positions", "waypoints",
@@ -88,7 +88,7 @@ void give(RoleContext& context, const WayPoints& way, double speed, double delay
 
 void movingFromTags(RoleContext& context) {
   const Tree& tree = context.tree;
-  context.eachTagged(kTags, [&](InstanceId id, const std::string& tag) {
+  context.eachTagged(kMovingTags, [&](InstanceId id, const std::string& tag) {
     const WayPoints way = wayPointsOf(tree, id);
     const auto speed = tree.number(id, "speed");
     if (way.points.size() < 2) {

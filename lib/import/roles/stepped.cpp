@@ -9,9 +9,9 @@
 namespace obby::importer {
 namespace {
 
-constexpr double kInstant = 1e-4;      // seconds
-constexpr size_t kMostSteps = 5000;    // followed until a round goes as the one before
-constexpr double kAlignSeconds = 0.5;  // an AlignPosition or BodyPosition without a speed limit
+constexpr double kStepInstant = 1e-4;   // seconds
+constexpr size_t kMostFollowed = 5000;  // followed until a round goes as the one before
+constexpr double kAlignSeconds = 0.5;   // an AlignPosition or BodyPosition without a speed limit
 
 // How far it comes until the next goal is set; without a `speed`, there.
 Pose reached(const Pose& from, const Pose& goal, double seconds, double speed) {
@@ -38,7 +38,7 @@ std::optional<Steps> stepsOf(const RoleContext& context, InstanceId id,
       // One round, which begins with the first: of a loop that was followed for longer.
       steps.start = steps.events.front()->time;
       std::erase_if(steps.events, [&](const ScriptEvent* e) {
-        return e->time - steps.start > steps.period - kInstant;
+        return e->time - steps.start > steps.period - kStepInstant;
       });
       if (!steps.events.empty()) return steps;
     }
@@ -52,7 +52,7 @@ Motion stepped(const Pose& start, const Goals& goals, const Steps& steps, double
     return i + 1 < goals.size() ? goals[i + 1].first : steps.period;
   };
   Pose last = start;
-  const size_t rounds = std::clamp<size_t>(kMostSteps / goals.size(), 24, kMostSteps);
+  const size_t rounds = std::clamp<size_t>(kMostFollowed / goals.size(), 24, kMostFollowed);
   for (size_t round = 0; round < rounds; ++round) {
     const Vec3 before = last.position;
     for (size_t i = 0; i < goals.size(); ++i)

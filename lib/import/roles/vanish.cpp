@@ -13,12 +13,12 @@
 namespace obby::importer {
 namespace {
 
-const std::vector<std::string_view> kTags = {"disappearing",    "disappearingplatform",
-                                             "disappear",       "fadingplatform",
-                                             "fading",          "vanish",
-                                             "vanishing",       "fadeplatform",
-                                             "vanisher",        "disappearingpart",
-                                             "fallingplatform", "falling"};
+const std::vector<std::string_view> kVanishTags = {"disappearing",    "disappearingplatform",
+                                                   "disappear",       "fadingplatform",
+                                                   "fading",          "vanish",
+                                                   "vanishing",       "fadeplatform",
+                                                   "vanisher",        "disappearingpart",
+                                                   "fallingplatform", "falling"};
 constexpr float kDefaultDelay = 1, kDefaultAway = 3;
 constexpr float kKitFade = 2, kKitAway = 1;        // tower kits before v6
 constexpr float kKit6Blink = 0.2f, kKit6Away = 2;  // v6: three blinks, then away
@@ -128,7 +128,7 @@ void fromScripts(RoleContext& context, Doings doings) {
 }  // namespace
 
 void vanishFromTags(RoleContext& context) {
-  context.eachTagged(kTags, [&](InstanceId id, const std::string& tag) {
+  context.eachTagged(kVanishTags, [&](InstanceId id, const std::string& tag) {
     const auto delay = delayOf(context.tree, id), away = awayOf(context.tree, id);
     for (PartDraft* part : context.partsOf(id)) {
       const auto ownDelay = delayOf(context.tree, part->id),

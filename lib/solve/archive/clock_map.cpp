@@ -8,7 +8,7 @@ namespace obby::solve {
 namespace {
 
 constexpr uint64_t kLongestPeriod = 3600;  // ticks: clocks that take longer are taken as they are
-constexpr double kMaxCells = double(1 << 20);
+constexpr double kMaxClockCells = double(1 << 20);
 constexpr double kMaxMarks = 2e7;  // cells written in all: bounds the time to build
 
 // Ticks after which the collider is back where and as it was; kNoClock: it never changes.
@@ -68,7 +68,7 @@ void ClockMap::layOut(const std::vector<Clocked>& parts) {
     for (const Clocked& part : parts) sum += cellsOf(part.box, cell_);
     return sum;
   };
-  while ((cellsOf(all, cell_) > kMaxCells || marks() > kMaxMarks) && cell_ < 1e5f) cell_ *= 2;
+  while ((cellsOf(all, cell_) > kMaxClockCells || marks() > kMaxMarks) && cell_ < 1e5f) cell_ *= 2;
   origin_ = all.lo;
   const Vec3 extent = all.hi - all.lo;
   nx_ = cellsAlong(extent.x, cell_);

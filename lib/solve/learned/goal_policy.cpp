@@ -9,15 +9,16 @@ namespace obby::solve::learned {
 
 namespace {
 
-constexpr uint64_t kStream = 0x50424745;  // of the seed's random numbers
-constexpr size_t kIn = policy::kInputs, kOut = policy::kPaddedOutputs, kHidden = policy::kHidden;
+constexpr uint64_t kGoalPolicyStream = 0x50424745;  // of the seed's random numbers
+constexpr size_t kIn = policy::kInputs, kGoalPolicyOut = policy::kPaddedOutputs,
+                 kHidden = policy::kHidden;
 
 }  // namespace
 
 GoalPolicy::GoalPolicy(const GoalPolicySettings& settings, uint64_t seed, DeviceWork* device)
     : settings_(settings),
-      random_(seed, kStream),
-      learner_({kIn, kHidden, kHidden, kOut}, settings.learner) {
+      random_(seed, kGoalPolicyStream),
+      learner_({kIn, kHidden, kHidden, kGoalPolicyOut}, settings.learner) {
   fillRandom(learner_.net(), 0.01f, random_);
   for (Share& s : shares_) s.pass = NetPass(device);
 }
@@ -64,13 +65,13 @@ void GoalPolicy::learnShare(const Decisions& d, std::span<const uint32_t> rows, 
                             float scale, size_t s) {
   Share& share = shares_[s];
   share.inputs.resize(rows.size() * kIn);
-  share.slope.resize(rows.size() * kOut);
+  share.slope.resize(rows.size() * kGoalPolicyOut);
   for (size_t i = 0; i < rows.size(); ++i)
     std::copy_n(d.inputs.data() + rows[i] * kIn, kIn, share.inputs.data() + i * kIn);
   const float* out = share.pass.forward(learner_.net(), share.inputs.data(), rows.size());
-  for (size_t i = 0; i < rows.size(); ++i, out += kOut) {
+  for (size_t i = 0; i < rows.size(); ++i, out += kGoalPolicyOut) {
     const uint32_t r = rows[i];
-    float* const slope = share.slope.data() + i * kOut;
+    float* const slope = share.slope.data() + i * kGoalPolicyOut;
     policy::Decision made = d.made[r];
     if (d.makers[r] == Maker::kept) {
       made.target = returns_[r];
@@ -79,8 +80,8 @@ void GoalPolicy::learnShare(const Decisions& d, std::span<const uint32_t> rows, 
     }
     made.advantage = (advantages_[r] - mean) * scale;
     made.target = targets_[r];
-    float sharp[kOut];
-    for (size_t m = 0; m < kOut; ++m)
+    float sharp[kGoalPolicyOut];
+    for (size_t m = 0; m < kGoalPolicyOut; ++m)
       sharp[m] = m < policy::kMoves ? out[m] * d.sharpness[r] : out[m];
     policy::lossOf(sharp, made, settings_.loss, slope);
     for (int m = 0; m < policy::kMoves; ++m) slope[m] *= d.sharpness[r];

@@ -6,9 +6,9 @@ namespace obby::solve::learned {
 
 namespace {
 
-constexpr uint64_t kStream = 0x4c4745;  // of the seed's random numbers
-constexpr size_t kUnits = 64;           // a hidden layer
-constexpr size_t kOut = padded(policy::kMoves);
+constexpr uint64_t kDynamicsStream = 0x4c4745;  // of the seed's random numbers
+constexpr size_t kDynamicsUnits = 64;           // a hidden layer
+constexpr size_t kDynamicsOut = padded(policy::kMoves);
 constexpr float kApart = 1000;    // more than latent space is wide
 constexpr float kFollow = 0.02f;  // of the new in the mean of distances
 constexpr LearnerSettings kSettings{.rate = 1e-3f, .decay = 1e-5f};
@@ -16,9 +16,9 @@ constexpr LearnerSettings kSettings{.rate = 1e-3f, .decay = 1e-5f};
 }  // namespace
 
 InverseDynamics::InverseDynamics(uint64_t seed, DeviceWork* device)
-    : random_(seed, kStream),
-      encoder_({kPlace, kUnits, kUnits, kLatent}, kSettings),
-      head_({2 * kLatent, kUnits, kUnits, kOut}, kSettings) {
+    : random_(seed, kDynamicsStream),
+      encoder_({kPlace, kDynamicsUnits, kDynamicsUnits, kLatent}, kSettings),
+      head_({2 * kLatent, kDynamicsUnits, kDynamicsUnits, kDynamicsOut}, kSettings) {
   fillRandom(encoder_.net(), 1, random_);
   fillRandom(head_.net(), 0.1f, random_);
   for (Share& s : shares_) {
@@ -74,7 +74,7 @@ void InverseDynamics::learnShare(const Memory& memory, std::span<const size_t> r
     share.apart += sqrtf32(latentDistance2(pair, pair + kLatent));
   }
   const float* const logits = share.head.forward(head_.net(), pairs, count);
-  share.slope.resize(count * kOut);
+  share.slope.resize(count * kDynamicsOut);
   share.loss = crossEntropy(logits, share.moves.data(), count, share.slope.data());
   share.pairSlope.assign(2 * count * kLatent, 0.0f);
   share.head.backward(head_.net(), pairs, count, share.slope.data(), head_.gradient(s),

@@ -6,9 +6,9 @@ namespace obby::solve::learned {
 
 namespace {
 
-constexpr uint64_t kStream = 0x51522d44514e;  // of the seed's random numbers
-constexpr size_t kUnits = 64;                 // a hidden layer
-constexpr size_t kOut = size_t(policy::kMoves) * kQuantiles;
+constexpr uint64_t kQuantileStream = 0x51522d44514e;  // of the seed's random numbers
+constexpr size_t kQuantileUnits = 64;                 // a hidden layer
+constexpr size_t kQuantileOut = size_t(policy::kMoves) * kQuantiles;
 
 // What is seen before decision `i` of a track of the way to a goal.
 void fillInputs(const Track& track, size_t i, const float* goal, float* to) {
@@ -44,8 +44,8 @@ int bestMove(const float* quantiles, bool mayJump) {
 
 QuantilePolicy::QuantilePolicy(const QuantileSettings& settings, uint64_t seed, DeviceWork* device)
     : settings_(settings),
-      random_(seed, kStream),
-      learner_({kPolicyInputs, kUnits, kUnits, kOut}, settings.learner),
+      random_(seed, kQuantileStream),
+      learner_({kPolicyInputs, kQuantileUnits, kQuantileUnits, kQuantileOut}, settings.learner),
       target_(learner_.net()) {
   fillRandom(learner_.net(), 0.01f, random_);
   target_ = learner_.net();
@@ -95,8 +95,9 @@ void QuantilePolicy::learnShare(const InverseDynamics& module, std::span<const L
   const float* points = share.points.data();
   const float* next = share.next.forward(target_, share.nextInputs.data(), count);
   const float* out = share.pass.forward(learner_.net(), share.inputs.data(), count);
-  share.slope.assign(count * kOut, 0.0f);
-  for (size_t i = 0; i < count; ++i, points += 2 * kLatent, next += kOut, out += kOut) {
+  share.slope.assign(count * kQuantileOut, 0.0f);
+  for (size_t i = 0; i < count;
+       ++i, points += 2 * kLatent, next += kQuantileOut, out += kQuantileOut) {
     const Lesson& l = lessons[i];
     const bool reached =
         latentDistance2(points, points + kLatent) < module.reach() * module.reach();
@@ -109,7 +110,7 @@ void QuantilePolicy::learnShare(const InverseDynamics& module, std::span<const L
       targets[q] = (reached ? 0.0f : -1.0f) + settings_.discount * later;
     }
     const size_t move = size_t(l.track->moves[l.decision]) * kQuantiles;
-    quantileLoss(out + move, targets, share.slope.data() + i * kOut + move);
+    quantileLoss(out + move, targets, share.slope.data() + i * kQuantileOut + move);
   }
   share.pass.backward(learner_.net(), share.inputs.data(), count, share.slope.data(),
                       learner_.gradient(s));

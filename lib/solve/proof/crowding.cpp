@@ -14,9 +14,9 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kRounding = 0.125f;       // studs
-constexpr float kFinest = 0.5f;           // studs: a place is not divided further
-constexpr size_t kMostWork = 20'000'000;  // parts looked at; from then on whole cells count
+constexpr float kRounding = 0.125f;               // studs
+constexpr float kFinest = 0.5f;                   // studs: a place is not divided further
+constexpr size_t kMostCrowdingWork = 20'000'000;  // parts looked at; from then on whole cells count
 constexpr size_t kMostPlaces = 256;
 
 bool isCrowd(size_t parts, size_t moving) {
@@ -89,7 +89,7 @@ class Crowds {
   }
 
   void lookInto(const Box& cell, const uint32_t* list) {
-    if (work_ > kMostWork) {
+    if (work_ > kMostCrowdingWork) {
       found_.push_back(cell);
       return;
     }
@@ -117,7 +117,7 @@ class Crowds {
     if (!isCrowd(near.size(), moving)) return;
     const Vec3 size = feet.hi - feet.lo;
     const float longest = std::max({size.x, size.y, size.z});
-    if (isCrowd(always, movingAlways) || longest <= kFinest || work_ > kMostWork) {
+    if (isCrowd(always, movingAlways) || longest <= kFinest || work_ > kMostCrowdingWork) {
       crowded_ = isCrowded_ ? join(crowded_, feet) : feet;
       isCrowded_ = true;
       return;

@@ -13,7 +13,7 @@ namespace obby::solve {
 
 namespace {
 
-constexpr size_t kMostWork = 20'000'000;  // boxes looked at
+constexpr size_t kMostPassThroughWork = 20'000'000;  // boxes looked at
 
 // Do keys alone make players fast, and nothing but gravity slow?
 bool isCalm(const level::LevelView& level) {
@@ -87,14 +87,14 @@ class Passer {
 
   void find() {
     for (uint32_t id = 0; id < level_.colliderCount; ++id) {
-      if (isThin(level_, id, ways_) && work_ <= kMostWork) beginAt(id);
+      if (isThin(level_, id, ways_) && work_ <= kMostPassThroughWork) beginAt(id);
     }
-    while (!open_.empty() && work_ <= kMostWork) {
+    while (!open_.empty() && work_ <= kMostPassThroughWork) {
       const uint32_t part = open_.back();
       open_.pop_back();
       leadOn(part);
     }
-    if (work_ > kMostWork) takeAll();
+    if (work_ > kMostPassThroughWork) takeAll();
   }
 
   // They touch the part as it puts them out.

@@ -15,9 +15,9 @@ namespace obby::solve {
 namespace {
 
 constexpr float kLeastOut = 1;  // studs/s: far through a thin part, however slow it is pressed
-constexpr size_t kMostWork = 20'000'000;  // boxes looked at: a tenth of a second or two
-constexpr size_t kMostKnown = 16;         // places in one part that chains lead to
-constexpr size_t kLinkWork = 8;           // boxes: what each link of a chain counts as
+constexpr size_t kMostPressingWork = 20'000'000;  // boxes looked at: a tenth of a second or two
+constexpr size_t kMostKnown = 16;                 // places in one part that chains lead to
+constexpr size_t kLinkWork = 8;                   // boxes: what each link of a chain counts as
 
 float torsoHeight(const Params& p) { return p.bodyTop - p.hipHeight; }
 
@@ -104,7 +104,7 @@ class Presser {
   };
 
   // What is to be followed counts too: it takes memory.
-  bool isTooMuch() const { return work_ + kLinkWork * open_.size() > kMostWork; }
+  bool isTooMuch() const { return work_ + kLinkWork * open_.size() > kMostPressingWork; }
 
   // Each pushes along the shortest way out of it: of two parts only the lower one pushes up. False:
   // nobody is lifted by `low`.

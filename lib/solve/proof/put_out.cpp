@@ -18,8 +18,8 @@ namespace {
 
 constexpr float kUnbounded = std::numeric_limits<float>::infinity();
 constexpr PutOut kUnknown{0, kUnbounded, 1};
-constexpr float kFar = 1e6f;              // studs: farther than levels reach
-constexpr size_t kMostWork = 20'000'000;  // boxes looked at
+constexpr float kFar = 1e6f;                    // studs: farther than levels reach
+constexpr size_t kMostPutOutWork = 20'000'000;  // boxes looked at
 
 class Finder {
  public:
@@ -83,7 +83,7 @@ class Finder {
     float later;  // jumped from anywhere, and this floor was felt since then, the last of all
   };
 
-  bool isTooMuch() const { return work_ > kMostWork; }
+  bool isTooMuch() const { return work_ > kMostPutOutWork; }
 
   template <class Found>
   void forSolids(const Box& where, Found&& found) {

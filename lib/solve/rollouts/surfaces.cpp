@@ -13,7 +13,7 @@ constexpr float kSpacing = 3;       // studs between the points of one part
 constexpr int kMaxPerSide = 48;     // points a part and axis; larger parts get a wider spacing
 constexpr float kClimbSpacing = 6;  // studs between the points along a truss: below a jump's height
 constexpr float kWaist = 2.5f;      // studs above the feet
-constexpr size_t kMaxCells = 1u << 20;
+constexpr size_t kMaxSurfaceCells = 1u << 20;
 constexpr size_t kMaxEntriesPerPoint = 256;  // of moving points: a longer way is thinned out
 
 int sampleCount(float extent) {
@@ -104,7 +104,7 @@ void Surfaces::buildGrid() {
     return int32_t(std::clamp(length / cell, 0.0f, 1e6f)) + 1;
   };
   while (double(count(extent.x, width_)) * count(extent.y, height_) * count(extent.z, width_) >
-         double(kMaxCells)) {
+         double(kMaxSurfaceCells)) {
     width_ *= 2;
     height_ *= 2;
   }

@@ -18,7 +18,7 @@ namespace obby::view {
 namespace {
 
 constexpr int kOutline = 48;        // directions in which a shape's outline is asked for
-constexpr float kMargin = 12;       // pixels
+constexpr float kPaperMargin = 12;  // pixels
 constexpr float kLegend = 30;       // pixels below the drawing
 constexpr float kLeastHeight = 80;  // pixels
 constexpr float kThinned = 0.15f;   // pixels: a path's points nearer to their line are left out
@@ -40,8 +40,8 @@ struct Paper {
   Vec2 origin;        // paper coordinates, studs, of the upper left corner
 
   Vec2 of(Vec3 v) const {
-    return {(dot(v, across) - origin.x) * scale + kMargin,
-            (dot(v, down) - origin.y) * scale + kMargin};
+    return {(dot(v, across) - origin.x) * scale + kPaperMargin,
+            (dot(v, down) - origin.y) * scale + kPaperMargin};
   }
   Vec3 toward() const { return -cross(across, -down); }  // the way that is looked
 };
@@ -64,10 +64,10 @@ Sheet sheetOf(const Box& extent, const QueryEntry* query, const DrawingOptions& 
     x0 = std::min(x0, dot(corner, paper.across)), x1 = std::max(x1, dot(corner, paper.across));
     y0 = std::min(y0, dot(corner, paper.down)), y1 = std::max(y1, dot(corner, paper.down));
   }
-  paper.scale = (float(options.width) - 2 * kMargin) / std::max(x1 - x0, 1.0f);
+  paper.scale = (float(options.width) - 2 * kPaperMargin) / std::max(x1 - x0, 1.0f);
   paper.origin = {x0, y0};
   return {paper, float(options.width),
-          std::max((y1 - y0) * paper.scale + 2 * kMargin, kLeastHeight) + kLegend};
+          std::max((y1 - y0) * paper.scale + 2 * kPaperMargin, kLeastHeight) + kLegend};
 }
 
 std::string pathData(const std::vector<Vec2>& points, bool closed) {
@@ -221,9 +221,9 @@ std::string drawingOf(const LevelEntry& level, const QueryEntry* query,
          (query ? queryOf(*query, sheet.paper) : "") +
          fmt::format(
              "</svg>\n<text x=\"{:.0f}\" y=\"{:.1f}\">{}, {}; {} studs across</text>\n</svg>\n",
-             double(kMargin), double(sheet.height) - 10, io::escapeMarkup(title),
+             double(kPaperMargin), double(sheet.height) - 10, io::escapeMarkup(title),
              options.side == Side::above ? "from above" : "from the side",
-             lengthText((sheet.width - 2 * kMargin) / sheet.paper.scale));
+             lengthText((sheet.width - 2 * kPaperMargin) / sheet.paper.scale));
 }
 
 }  // namespace obby::view

@@ -7,8 +7,8 @@ namespace obby::view {
 
 namespace {
 
-constexpr float kNear = 0.2f;   // studs: nearer points are not drawn
-constexpr float kBias = 0.35f;  // studs that a line may lie behind what it lies on
+constexpr float kNearPlane = 0.2f;  // studs: nearer points are not drawn
+constexpr float kBias = 0.35f;      // studs that a line may lie behind what it lies on
 
 // Edges of a box as pairs of corners, whose bits say which side of X, Y and Z they are on.
 constexpr int kEdges[12][2] = {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3},
@@ -30,7 +30,7 @@ void Pen::put(int x, int y, float depth, const Stroke& stroke) {
 }
 
 void Pen::segment(Vec3 a, Vec3 b, const Stroke& stroke) {
-  if (a.z < kNear || b.z < kNear) return;
+  if (a.z < kNearPlane || b.z < kNearPlane) return;
   const float r = stroke.width / 2, w = float(seen_.width()), h = float(seen_.height());
   if (std::max(a.x, b.x) < -r || std::max(a.y, b.y) < -r || std::min(a.x, b.x) > w + r ||
       std::min(a.y, b.y) > h + r)

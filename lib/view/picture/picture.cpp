@@ -22,15 +22,15 @@ constexpr float kWorthIt = 0.08f;  // share of a path that another look must sho
 constexpr float kAboveFeet = 1;    // studs: paths run through the body, not along the floor
 constexpr float kVeil = 0.16f;
 
-constexpr Rgb kSolution{255, 184, 28}, kOtherSolution{214, 160, 60}, kAttempt{120, 78, 60},
-    kDeath{200, 30, 36}, kStart{24, 140, 92}, kGoal{40, 110, 235}, kAvoid{176, 40, 150},
-    kWaypoint{190, 130, 10};
+constexpr Rgb kSolutionPaint{255, 184, 28}, kOtherSolutionPaint{214, 160, 60},
+    kAttemptPaint{120, 78, 60}, kDeathPaint{200, 30, 36}, kStartPaint{24, 140, 92},
+    kGoalPaint{40, 110, 235}, kAvoidPaint{176, 40, 150}, kWaypointPaint{190, 130, 10};
 
 Rgb regionColor(RegionKind kind) {
   switch (kind) {
-    case RegionKind::avoid: return kAvoid;
-    case RegionKind::goal: return kGoal;
-    default: return kWaypoint;
+    case RegionKind::avoid: return kAvoidPaint;
+    case RegionKind::goal: return kGoalPaint;
+    default: return kWaypointPaint;
   }
 }
 
@@ -100,9 +100,9 @@ Vec3 bestLook(const Box& extent, const QueryEntry* query, const std::vector<Soli
 
 void drawPath(Pen& pen, const PathEntry& path, bool first) {
   const bool solves = path.kind == PathKind::solution;
-  const Stroke stroke{colorOf(first    ? kSolution
-                              : solves ? kOtherSolution
-                                       : kAttempt),
+  const Stroke stroke{colorOf(first    ? kSolutionPaint
+                              : solves ? kOtherSolutionPaint
+                                       : kAttemptPaint),
                       first    ? 7.0f
                       : solves ? 4.0f
                                : 2.5f,
@@ -117,7 +117,7 @@ void drawPath(Pen& pen, const PathEntry& path, bool first) {
   }
   pen.line(way, stroke);
   if (!solves && path.playback.outcome != schema::Outcome::RUNNING)
-    pen.cross(way.back(), 7, {colorOf(kDeath), 4, 0.9f});
+    pen.cross(way.back(), 7, {colorOf(kDeathPaint), 4, 0.9f});
   if (!first) return;
   for (const uint32_t tick : path.playback.jumpTicks) {
     const size_t at = std::min<size_t>(tick, way.size() - 1);
@@ -149,7 +149,7 @@ void drawQuery(Pen& pen, const QueryEntry& query) {
   if (!query.compiled) return;
   const Vec3 start = query.compiled->start().feet + Vec3{0, kAboveFeet, 0};
   pen.disc(start, 13, {{0, 0, 0}, 1, 0.6f});
-  pen.disc(start, 10, {colorOf(kStart), 1, 1});
+  pen.disc(start, 10, {colorOf(kStartPaint), 1, 1});
 }
 
 // The pixels of the first `rows` rows, from the samples of these.

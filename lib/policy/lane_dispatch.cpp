@@ -1,0 +1,45 @@
+// Calls the functions of the level that this CPU has.
+#include "base/cpu_level.h"
+#include "policy/lane_table.h"
+
+extern "C" {
+extern const obby::policy::LaneTable obby_policy_v1, obby_policy_v2, obby_policy_v3, obby_policy_v4;
+}
+
+namespace obby::policy {
+namespace {
+
+const LaneTable& lanes() {
+  static const LaneTable* const tables[] = {&obby_policy_v1, &obby_policy_v2, &obby_policy_v3,
+                                            &obby_policy_v4};
+  static const LaneTable& chosen = *tables[int(cpuLevel())];
+  return chosen;
+}
+
+}  // namespace
+
+Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+              float* inputs) {
+  return lanes().observe(scene, world, loose, inputs);
+}
+
+void observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+             const sim::NextRegion& next, Turns ahead, float* inputs) {
+  lanes().observeNext(scene, world, loose, next, ahead, inputs);
+}
+
+void think(const NetworkView& network, const float* inputs, float* outputs) {
+  lanes().think(network, inputs, outputs);
+}
+
+sim::Action decide(const Scene& scene, const NetworkView& network, const sim::World& world,
+                   const sim::LooseBody* loose, Random* random) {
+  return lanes().decide(scene, network, world, loose, random);
+}
+
+sim::Action decideOn(const Scene& scene, const NetworkView& network, const sim::World& world,
+                     const float* inputs, Turns ahead, Random* random) {
+  return lanes().decideOn(scene, network, world, inputs, ahead, random);
+}
+
+}  // namespace obby::policy

@@ -1,0 +1,15 @@
+// The simulator's functions that are compiled for each x86-64 level (cmake/ObbyLanes.cmake).
+#pragma once
+
+#include "sim/tick.h"
+#include "sim/wide_tick.h"
+
+namespace obby::sim {
+
+struct LaneTable {
+  decltype(&tick<true>) tick;
+  decltype(&tick<false>) tickWithoutLoose;
+  decltype(&tickAll) tickAll;
+};
+
+}  // namespace obby::sim
