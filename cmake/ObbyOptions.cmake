@@ -36,6 +36,8 @@ target_compile_options(obby_build INTERFACE
   $<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Wno-sign-conversion>
   # & and | of truth values are meant: they stand for a world alone and for SIMD lanes.
   $<$<COMPILE_LANG_AND_ID:CXX,Clang,AppleClang>:-Wno-bitwise-instead-of-logical>
+  # In a group of sources a local name may hide one that another source has for itself.
+  $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${OBBY_UNITY}>>:-Wno-shadow>
   $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${OBBY_WARNINGS_AS_ERRORS}>>:-Werror>
   $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${OBBY_ARCH}>>:-march=${OBBY_ARCH}>)
 target_compile_definitions(obby_build INTERFACE $<$<BOOL:${OBBY_CHECKS}>:OBBY_CHECKS=1>)

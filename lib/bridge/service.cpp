@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t kSessionBytes = 8;
 constexpr uint32_t kImports = 2;  // at a time
-constexpr const char* kReload = "reload: ask /v1/info for session and cursor, and ask anew";
+constexpr const char* kAskAgain = "reload: ask /v1/info for session and cursor, and ask anew";
 
 Reply noSuchJob() {
   return refuse(404, "no such job", "it may have ended long ago, or the bridge was restarted");
@@ -190,15 +190,15 @@ Reply Service::cancelJob(Client& client, const std::string& id) {
 
 std::optional<Reply> Service::checkSession(const Call& call) const {
   if (call.session.empty() || call.session == session_) return {};
-  return refuse(410, "the bridge was restarted since", kReload);
+  return refuse(410, "the bridge was restarted since", kAskAgain);
 }
 
 std::optional<Reply> Service::checkCursor(const Call& call, const Client& client,
                                           uint64_t cursor) const {
   if (auto wrong = checkSession(call)) return wrong;
-  if (cursor > client.ring().last()) return refuse(410, "that cursor is yet to come", kReload);
+  if (cursor > client.ring().last()) return refuse(410, "that cursor is yet to come", kAskAgain);
   if (client.ring().reaches(cursor)) return {};
-  return refuse(410, "messages after that cursor are no longer kept", kReload);
+  return refuse(410, "messages after that cursor are no longer kept", kAskAgain);
 }
 
 kj::Promise<Reply> Service::getJob(std::shared_ptr<Client> client, Call call, double until,

@@ -9,7 +9,7 @@
 namespace obby::bridge {
 namespace {
 
-Result<Process> shell(const std::string& script) {
+Result<Process> processShell(const std::string& script) {
   return Process::start({"/bin/sh", {"-c", script}, 0, 0});
 }
 
@@ -27,7 +27,7 @@ Exit waitFor(Process& process) {
 }
 
 TEST(Process, streams_and_exit_code_come_through) {
-  auto process = shell("cat; echo oh >&2; exit 3");
+  auto process = processShell("cat; echo oh >&2; exit 3");
   ASSERT_TRUE(process);
   ASSERT_EQ(write(process->input.get(), "hello", 5), 5);
   process->input = OwnedFd();
@@ -52,7 +52,7 @@ TEST(Process, what_cannot_be_started_says_why) {
 }
 
 TEST(Process, signals_reach_the_whole_group) {
-  auto process = shell("sleep 100 & echo ready; wait; sleep 100");
+  auto process = processShell("sleep 100 & echo ready; wait; sleep 100");
   ASSERT_TRUE(process);
   char first = 0;
   ASSERT_EQ(read(process->output.get(), &first, 1), 1);
@@ -62,14 +62,14 @@ TEST(Process, signals_reach_the_whole_group) {
 }
 
 TEST(Process, descendants_end_with_the_leader) {
-  auto process = shell("sleep 100 & exit 0");
+  auto process = processShell("sleep 100 & exit 0");
   ASSERT_TRUE(process);
   EXPECT_EQ(waitFor(*process).code, 0);
   EXPECT_EQ(readAll(process->output.get()), "");  // would wait for the sleep otherwise
 }
 
 TEST(Process, its_processor_time_is_known_until_it_is_reaped) {
-  auto process = shell("while :; do :; done");
+  auto process = processShell("while :; do :; done");
   ASSERT_TRUE(process);
   for (int i = 0; i < 2000 && process->cpuSeconds() < 0.05; i++) usleep(10000);
   EXPECT_GE(process->cpuSeconds(), 0.05);
@@ -81,7 +81,7 @@ TEST(Process, its_processor_time_is_known_until_it_is_reaped) {
 TEST(Process, dropped_ones_are_gone) {
   pid_t id = 0;
   {
-    auto process = shell("sleep 100");
+    auto process = processShell("sleep 100");
     ASSERT_TRUE(process);
     id = process->id();
     EXPECT_EQ(getpgid(id), id);
@@ -92,7 +92,7 @@ TEST(Process, dropped_ones_are_gone) {
 
 TEST(Process, ignored_signals_of_the_bridge_are_not_inherited) {
   signal(SIGPIPE, SIG_IGN);
-  auto process = shell("kill -PIPE $$; echo alive");
+  auto process = processShell("kill -PIPE $$; echo alive");
   signal(SIGPIPE, SIG_DFL);
   ASSERT_TRUE(process);
   EXPECT_EQ(waitFor(*process).signal, SIGPIPE);

@@ -25,8 +25,8 @@ std::vector<Take> takesOfAnother() {
   return takesUnder(truth.reader().getParams(), 0.02f, manoeuvresNamed({"hold jump"}));
 }
 
-Fit fitted(const std::atomic<bool>& stop, const std::function<void(const FitProgress&)>& progress,
-           int threads = 2) {
+Fit interruptionFitted(const std::atomic<bool>& stop,
+                       const std::function<void(const FitProgress&)>& progress, int threads = 2) {
   ThreadPool pool(threads);
   FitSettings settings;
   settings.restarts = 1;
@@ -53,7 +53,7 @@ Stopped stoppedAt(const When& when) {
   std::atomic<bool> stop{false};
   Stopped out;
   uint64_t begun = 0;
-  out.fit = fitted(stop, [&](const FitProgress& progress) {
+  out.fit = interruptionFitted(stop, [&](const FitProgress& progress) {
     if (stop || progress.task != when.task || progress.share < when.share) return;
     if (begun == 0) begun = progress.evaluations;
     if (progress.evaluations < begun + when.evaluations) return;
@@ -100,7 +100,7 @@ TEST(Fit, LeavesUnknownWhatWasNotWeighed) {
 TEST(Fit, IsHeardOfAllTheTime) {
   const std::atomic<bool> stop{false};
   std::vector<FitProgress> told;
-  const Fit whole = fitted(
+  const Fit whole = interruptionFitted(
       stop, [&](const FitProgress& progress) { told.push_back(progress); }, 1);
   EXPECT_FALSE(whole.stopped);
   EXPECT_EQ(textOf(whole, {}, 1, {}).find("interrupted"), std::string::npos);

@@ -9,7 +9,7 @@ namespace obby::calibrate {
 namespace {
 
 // Of one parameter of which nothing is known.
-Fit fitOf(const std::string& name) {
+Fit shortfallFitOf(const std::string& name) {
   Fit out;
   const Parameter p = parametersNamed({name}, defaults())->front();
   out.parameters.push_back({p, valueOf(defaults(), name), p.lowest, p.highest});
@@ -24,7 +24,7 @@ Shortfall shortfall(const std::vector<Take>& takes, const Fit& fit, double toler
 
 TEST(Shortfall, NoiseOfThePositionsIsMeasured) {
   const auto takes = takesUnder(defaults(), 0.2f, firstManoeuvres(3));
-  const Shortfall s = shortfall(takes, fitOf("walkSpeed"), 0.01);
+  const Shortfall s = shortfall(takes, shortfallFitOf("walkSpeed"), 0.01);
   EXPECT_NEAR(s.noise, 0.19, 0.02) << "of a cube of 0.2 to each side";
   EXPECT_NE(shortOf(s, 0.01).find("jump"), std::string::npos);
 }
@@ -34,7 +34,7 @@ TEST(Shortfall, NamesWhatNoParameterExplains) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "walkSpeed", 24);
   const auto takes = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(2));
-  const Shortfall s = shortfall(takes, fitOf("gravity"), 0.05);
+  const Shortfall s = shortfall(takes, shortfallFitOf("gravity"), 0.05);
   ASSERT_FALSE(s.strange.empty());
   EXPECT_EQ(s.strange[0].recording, "run, stop, turn");
   EXPECT_EQ(s.strange[0].state, sim::State::running);
@@ -47,14 +47,14 @@ TEST(Shortfall, NamesWhatTheFittedRecordingsDoNotTell) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "landedTime", 0.1);
   const auto all = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(4));
-  const Shortfall s = shortfall({all[3]}, fitOf("landedTime"), 0.05);
+  const Shortfall s = shortfall({all[3]}, shortfallFitOf("landedTime"), 0.05);
   ASSERT_FALSE(s.strange.empty());
   EXPECT_EQ(s.strange[0].untold, std::vector<std::string>{"landedTime"});
   EXPECT_NE(shortOf(s, 0.05).find("do not tell landedTime"), std::string::npos);
 }
 
 TEST(Shortfall, NamesParametersAtAnEnd) {
-  Fit fit = fitOf("walkSpeed");
+  Fit fit = shortfallFitOf("walkSpeed");
   Fitted& f = fit.parameters[0];
   f.value = f.high = f.parameter.highest;
   f.low = 31;
@@ -67,12 +67,12 @@ TEST(Shortfall, NamesParametersAtAnEnd) {
 // Below no ticks there is nothing that could have been tried, nor below keys that do nothing.
 TEST(Shortfall, NoneIsNoEnd) {
   const auto takes = takesUnder(defaults(), 0, firstManoeuvres(2));
-  Fit none = fitOf("landedTime");
+  Fit none = shortfallFitOf("landedTime");
   Fitted& f = none.parameters[0];
   f.value = f.low = f.high = 0;
   f.tick = 1 / 60.0;
   EXPECT_TRUE(shortfall(takes, none, 0.1).ends.empty());
-  none = fitOf("jumpAccel");
+  none = shortfallFitOf("jumpAccel");
   none.parameters[0].high = 1;
   EXPECT_TRUE(shortfall(takes, none, 0.1).ends.empty());
 }
@@ -84,7 +84,7 @@ TEST(Shortfall, TakesOfOneNameAreToldApart) {
   auto takes = takesUnder(defaults(), 0, firstManoeuvres(1));
   const auto second = takesUnder(fast.reader().getParams(), 0, firstManoeuvres(1));
   takes.insert(takes.end(), second.begin(), second.end());
-  const Shortfall s = shortfall(takes, fitOf("landedTime"), 0.05);
+  const Shortfall s = shortfall(takes, shortfallFitOf("landedTime"), 0.05);
   ASSERT_FALSE(s.strange.empty());
   EXPECT_EQ(s.strange[0].take, 1u);
   EXPECT_TRUE(s.strange[0].untold.empty());
@@ -95,7 +95,7 @@ TEST(Shortfall, OfAnInterruptedFitIsTheInterruption) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "walkSpeed", 24);
   const auto takes = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(2));
-  Fit fit = fitOf("gravity");
+  Fit fit = shortfallFitOf("gravity");
   fit.stopped = true;
   const Shortfall s = shortfall(takes, fit, 0.05);
   EXPECT_TRUE(s.strange.empty());

@@ -15,7 +15,7 @@
 namespace obby::calibrate {
 namespace {
 
-schema::Recording::Builder recordOf(io::RecordBuilder& record, uint32_t frames) {
+schema::Recording::Builder trackRecordOf(io::RecordBuilder& record, uint32_t frames) {
   auto recording = record.root().initRecording();
   auto list = recording.initFrames(frames);
   for (uint32_t i = 0; i < frames; ++i) list[i].setTime(i / 60.0);
@@ -39,7 +39,7 @@ TEST(Track, ReadsBackWhatWasWritten) {
 
 TEST(Track, DropsFramesThatCameTwice) {
   io::RecordBuilder record;
-  auto recording = recordOf(record, 4);
+  auto recording = trackRecordOf(record, 4);
   recording.getFrames()[2].setTime(1 / 60.0);
   const auto read = trackOf(recording);
   ASSERT_TRUE(read);
@@ -50,7 +50,7 @@ TEST(Track, DropsFramesThatCameTwice) {
 // the frame before, whichever that was.
 TEST(Track, OfFramesThatCameTwiceTheLaterInputAndPosesCount) {
   io::RecordBuilder record;
-  auto recording = recordOf(record, 5);
+  auto recording = trackRecordOf(record, 5);
   recording.initParts(1).set(0, "Box");
   auto frames = recording.getFrames();
   frames[0].initPoses(1);
@@ -80,7 +80,7 @@ TEST(Track, NumbersOfNoWorldAreAnError) {
            [](Builder f) { f.initMove().setX(1e30f); },
            [](Builder f) { f.initFacing().setX(HUGE_VALF); }}) {
     io::RecordBuilder record;
-    auto recording = recordOf(record, 4);
+    auto recording = trackRecordOf(record, 4);
     spoil(recording.getFrames()[2]);
     const auto read = trackOf(recording);
     ASSERT_FALSE(read);
@@ -90,7 +90,7 @@ TEST(Track, NumbersOfNoWorldAreAnError) {
 
 TEST(Track, NamesTheFrameWhoseTimeGoesBack) {
   io::RecordBuilder record;
-  auto recording = recordOf(record, 4);
+  auto recording = trackRecordOf(record, 4);
   recording.getFrames()[3].setTime(0.01);
   const auto read = trackOf(recording);
   ASSERT_FALSE(read);
@@ -99,7 +99,7 @@ TEST(Track, NamesTheFrameWhoseTimeGoesBack) {
 
 TEST(Track, TimesCountFromTheFirstFrameOn) {
   io::RecordBuilder record;
-  auto recording = recordOf(record, 4);
+  auto recording = trackRecordOf(record, 4);
   for (auto frame : recording.getFrames()) frame.setTime(1.7e9 + frame.getTime());
   const auto read = trackOf(recording);
   ASSERT_TRUE(read) << read.error().text();
@@ -111,7 +111,7 @@ TEST(Track, TimesCountFromTheFirstFrameOn) {
 // Milliseconds, or a pause of minutes: it would be played as long as it says.
 TEST(Track, NamesTheFrameWhoseTimeLeaps) {
   io::RecordBuilder record;
-  auto recording = recordOf(record, 4);
+  auto recording = trackRecordOf(record, 4);
   recording.getFrames()[3].setTime(1e12);
   const auto read = trackOf(recording);
   ASSERT_FALSE(read);
@@ -136,7 +136,7 @@ TEST(Track, PosesAndFacingReadBack) {
 
 TEST(Track, PosesOfOtherPartsThanItNamesAreAnError) {
   io::RecordBuilder record;
-  auto recording = recordOf(record, 4);
+  auto recording = trackRecordOf(record, 4);
   recording.initParts(1).set(0, "Box");
   recording.getFrames()[0].initPoses(1);
   recording.getFrames()[2].initPoses(2);
@@ -147,7 +147,7 @@ TEST(Track, PosesOfOtherPartsThanItNamesAreAnError) {
 
 TEST(Track, NeedsTwoFrames) {
   io::RecordBuilder record;
-  EXPECT_FALSE(trackOf(recordOf(record, 1)));
+  EXPECT_FALSE(trackOf(trackRecordOf(record, 1)));
 }
 
 // With the parameters that made them, windows that begin anywhere follow the recording.

@@ -5,7 +5,7 @@
 namespace obby::test {
 namespace {
 
-constexpr uint64_t kSeeds = 41;
+constexpr uint64_t kRoundaboutSeeds = 41;
 
 // A style whose walls can be planted, and how such a crossing is called.
 struct Planted {
@@ -35,7 +35,7 @@ TEST(Roundabout, OfAPlantedWallIsBeyondAJump) {
   for (const Planted& planted : kPlanted) {
     const gen::Generator twins = generatorOf(recipeOf(planted, "gravity", 20), true);
     int walls = 0;
-    for (uint64_t seed = 0; seed < kSeeds; ++seed) {
+    for (uint64_t seed = 0; seed < kRoundaboutSeeds; ++seed) {
       const gen::Generated made = twins.generate(seed, 0);
       if (made.sketch.plantedWhat().rfind(planted.what, 0) != 0) continue;
       ++walls;
@@ -53,7 +53,7 @@ TEST(Roundabout, IsBeyondAJumpFromWhatLiesAsideBeforeIt) {
   recipe.courseStyles = {{"decoy", 1}, {"wall", 1}};
   const gen::Generator twins = generatorOf(recipe, true);
   int walls = 0;
-  for (uint64_t seed = 0; seed < kSeeds; ++seed) {
+  for (uint64_t seed = 0; seed < kRoundaboutSeeds; ++seed) {
     const gen::Generated made = twins.generate(seed, 0);
     if (made.sketch.plantedWhat().rfind("rise-", 0) != 0) continue;
     const std::vector<gen::PartSketch>& parts = made.sketch.parts();
@@ -89,7 +89,7 @@ TEST(Roundabout, OfTheFarthestJumpsCompiles) {
       gen::Recipe recipe = recipeOf({"course", ""}, physics, value);
       recipe.courseStyles = {{"decoy", 1}, {planted.style, 1}};
       const gen::Generator twins = generatorOf(recipe, true);
-      for (uint64_t seed = 0; seed < kSeeds; ++seed) {
+      for (uint64_t seed = 0; seed < kRoundaboutSeeds; ++seed) {
         const Made made = makeRecords(twins, seed, 0);
         const auto level = level::Level::compile(made.level.reader().getLevel());
         EXPECT_TRUE(level) << planted.style << ' ' << physics << ": " << level.error().text();

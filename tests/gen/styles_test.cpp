@@ -11,7 +11,7 @@
 namespace obby::test {
 namespace {
 
-constexpr uint64_t kSeeds = 40;
+constexpr uint64_t kStylesSeeds = 40;
 
 class Styles : public ::testing::TestWithParam<std::string> {};
 
@@ -32,7 +32,7 @@ TEST_P(Styles, LevelsCompileAtEveryDifficulty) {
   for (const bool unsolvable : {false, true}) {
     for (const gen::NamedNumber& d : gen::namedDifficulties()) {
       const gen::Generator generator = generatorOf(recipeFor(GetParam(), d.value), unsolvable);
-      for (uint64_t seed = 0; seed < kSeeds; ++seed) {
+      for (uint64_t seed = 0; seed < kStylesSeeds; ++seed) {
         SCOPED_TRACE(fmt::format("{} seed {}", d.name, seed));
         expectSound(makeRecords(generator, seed, 0));
       }
@@ -87,7 +87,7 @@ TEST_P(Styles, TwinsAreAlikeBeforeAndBehindOneCrossing) {
   constexpr size_t kOfACrossing = 3;
   const gen::Recipe recipe = recipeFor(GetParam(), 0.5f);
   const gen::Generator solvable = generatorOf(recipe), twins = generatorOf(recipe, true);
-  for (uint64_t seed = 0; seed < kSeeds; ++seed) {
+  for (uint64_t seed = 0; seed < kStylesSeeds; ++seed) {
     const gen::Generated a = solvable.generate(seed, 0), b = twins.generate(seed, 0);
     EXPECT_LE(partsThatDiffer(a.sketch, b.sketch), kOfACrossing) << b.name;
   }
@@ -113,7 +113,7 @@ TEST_P(Styles, LevelsOfOtherWorldsCompileToo) {
 
 TEST_P(Styles, LevelsBeginAtTheStartAndEndAtTheGoal) {
   const gen::Generator generator = generatorOf(recipeFor(GetParam(), 0.5f));
-  for (uint64_t seed = 0; seed < kSeeds; ++seed) {
+  for (uint64_t seed = 0; seed < kStylesSeeds; ++seed) {
     const Made made = makeRecords(generator, seed, 0);
     const auto level = made.level.reader().getLevel();
     ASSERT_GE(level.getSpawns().size(), 1u);
@@ -136,7 +136,7 @@ TEST_P(Styles, LevelsBeginAtTheStartAndEndAtTheGoal) {
 // Who learns is led along it.
 TEST_P(Styles, TheLineGoesFromTheStartThroughAllStopsToTheGoal) {
   const gen::Generator generator = generatorOf(recipeFor(GetParam(), 0.5f));
-  for (uint64_t seed = 0; seed < kSeeds; ++seed) {
+  for (uint64_t seed = 0; seed < kStylesSeeds; ++seed) {
     const gen::Generated made = generator.generate(seed, 0);
     const std::vector<Vec3>& line = made.sketch.line();
     ASSERT_GE(line.size(), 2u);
@@ -166,7 +166,7 @@ TEST(StyleTable, NamesAndDescriptionsAreThereOnce) {
 TEST(Measures, GapsAndRisesGrowWithTheDifficulty) {
   const gen::Generator generator = generatorOf({});
   const gen::Recipe recipe;
-  for (uint64_t seed = 0; seed < kSeeds; ++seed) {
+  for (uint64_t seed = 0; seed < kStylesSeeds; ++seed) {
     float gap = 0, rise = 0;
     for (const gen::NamedNumber& d : gen::namedDifficulties()) {
       gen::Sketch s(generator.reach(), recipe, Random(seed, 0), {});
@@ -185,7 +185,7 @@ TEST(Measures, GapsAndRisesGrowWithTheDifficulty) {
 // A straight line would lead through the core.
 TEST(Spiral, TheLineKeepsRoundTheCore) {
   const gen::Generator generator = generatorOf(recipeFor("spiral", 0.5f));
-  for (uint64_t seed = 0; seed < kSeeds; ++seed) {
+  for (uint64_t seed = 0; seed < kStylesSeeds; ++seed) {
     const gen::Generated made = generator.generate(seed, 0);
     const auto& parts = made.sketch.parts();
     const auto core = std::find_if(parts.begin(), parts.end(),

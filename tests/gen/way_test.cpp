@@ -7,7 +7,7 @@
 namespace obby::test {
 namespace {
 
-constexpr uint64_t kSeeds = 12;
+constexpr uint64_t kWaySeeds = 12;
 constexpr float kBeside = 3.25f;  // studs that it may be beside the floors: hops lead to both sides
 constexpr float kAbove = 0.51f;   // studs up or down from their tops: it does not climb buttons
 constexpr float kStep = 0.5f;     // studs between the places of a line that are looked at
@@ -88,7 +88,7 @@ class Way : public ::testing::TestWithParam<std::string> {
   void forLevels(const Look& look) const {
     for (const gen::NamedNumber& d : gen::namedDifficulties()) {
       const gen::Generator generator = generatorOf(recipeFor(GetParam(), d.value));
-      for (uint64_t seed = 0; seed < kSeeds; ++seed) look(generator.generate(seed, 0));
+      for (uint64_t seed = 0; seed < kWaySeeds; ++seed) look(generator.generate(seed, 0));
     }
   }
 };
@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(All, Way, ::testing::ValuesIn(styleNames()), testName);
 // Straight on it would lead through the tower.
 TEST(Truss, TheWayGoesUpIt) {
   const gen::Generator generator = generatorOf(recipeFor("truss", 0.75f));
-  for (uint64_t seed = 0; seed < kSeeds; ++seed) {
+  for (uint64_t seed = 0; seed < kWaySeeds; ++seed) {
     const gen::Generated made = generator.generate(seed, 0);
     const auto leadsBy = [&](Vec3 at) {
       const std::vector<Vec3>& line = made.sketch.line();

@@ -11,7 +11,7 @@
 namespace obby::test {
 namespace {
 
-constexpr const char* kFile = OBBY_SOURCE_DIR "/tests/golden/generated.tsv";
+constexpr const char* kGeneratedFile = OBBY_SOURCE_DIR "/tests/golden/generated.tsv";
 
 TEST(GeneratedLevels, AreTheCommittedOnes) {
   std::string now;
@@ -31,7 +31,7 @@ TEST(GeneratedLevels, AreTheCommittedOnes) {
     };
     now += fmt::format("{}\t{:016x}\t{:016x}\n", s.name, hashOf(generator), hashOf(twins));
   }
-  golden::expectCommitted(kFile, now);
+  golden::expectCommitted(kGeneratedFile, now);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 using namespace importer;
 using testing::HasSubstr;
 
-std::string smallPlace(bool xml, Packing packing) {
+std::string formatDamageSmallPlace(bool xml, Packing packing) {
   PlaceWriter place;
   const auto workspace = place.add("Workspace", "Workspace");
   const auto part = place.add("Part", "P", workspace);
@@ -40,7 +40,7 @@ TEST_P(DamagedBinary, TruncationAtEveryByteIsAnErrorWithItsPlace) {
 }
 
 TEST_P(DamagedBinary, EveryFlippedBitGivesADocumentOrAnError) {
-  const std::string whole = smallPlace(false, GetParam());
+  const std::string whole = formatDamageSmallPlace(false, GetParam());
   size_t refused = 0;
   for (size_t bit = 0; bit < whole.size() * 8; ++bit) {
     std::string damaged = whole;
@@ -68,7 +68,7 @@ TEST(DamagedXml, TruncationAtEveryByteIsAnErrorWithItsPlace) {
 }
 
 TEST(DamagedXml, EveryFlippedBitGivesADocumentOrAnError) {
-  const std::string whole = smallPlace(true, Packing::Stored);
+  const std::string whole = formatDamageSmallPlace(true, Packing::Stored);
   size_t refused = 0;
   for (size_t bit = 0; bit < whole.size() * 8; ++bit) {
     std::string damaged = whole;

@@ -12,7 +12,7 @@ namespace {
 
 using namespace importer;
 
-Document readOrDie(const std::string& bytes) {
+Document formatRoundTripReadOrDie(const std::string& bytes) {
   Result<Document> document = readDocument(bytes, "sample");
   EXPECT_TRUE(document) << document.error().text();
   return document ? *std::move(document) : Document{};
@@ -28,10 +28,10 @@ const Instance& named(const Document& document, const std::string& name) {
 
 TEST(FormatRoundTrip, AllFourFormatsGiveTheSameDocument) {
   const PlaceWriter place = samplePlace();
-  const Document xml = readOrDie(place.xml());
+  const Document xml = formatRoundTripReadOrDie(place.xml());
   EXPECT_EQ(xml.format, "rbxlx");
   for (const Packing packing : {Packing::Stored, Packing::Lz4, Packing::Zstd}) {
-    const Document binary = readOrDie(place.binary(packing));
+    const Document binary = formatRoundTripReadOrDie(place.binary(packing));
     EXPECT_EQ(binary.format, "rbxl");
     EXPECT_EQ(binary.instances.size(), 6u);
     EXPECT_EQ(difference(binary, xml), "");
@@ -41,7 +41,7 @@ TEST(FormatRoundTrip, AllFourFormatsGiveTheSameDocument) {
 
 TEST(FormatRoundTrip, PropertiesHaveTheirNormalisedNamesAndKinds) {
   for (const std::string& bytes : {samplePlace().binary(), samplePlace().xml()}) {
-    const Document document = readOrDie(bytes);
+    const Document document = formatRoundTripReadOrDie(bytes);
     const Instance& lava = named(document, "Lava");
     EXPECT_EQ(*property<Vec3>(lava, "Size"), (Vec3{4, 1, 2}));
     EXPECT_EQ(property<EnumItem>(lava, "Shape")->value, 2u);
@@ -63,7 +63,7 @@ TEST(FormatRoundTrip, PropertiesHaveTheirNormalisedNamesAndKinds) {
 }
 
 TEST(FormatRoundTrip, PhysicalPropertiesFollowTheirFlagBits) {
-  const Document document = readOrDie(samplePlace().binary());
+  const Document document = formatRoundTripReadOrDie(samplePlace().binary());
   const auto* lava =
       property<PhysicalProperties>(named(document, "Lava"), "CustomPhysicalProperties");
   const auto ice = get<PhysicalProperties>(named(document, "Ice"), "CustomPhysicalProperties");
@@ -76,7 +76,7 @@ TEST(FormatRoundTrip, PhysicalPropertiesFollowTheirFlagBits) {
 
 TEST(FormatRoundTrip, PartsLeaveOutWhatEqualsTheClassDefault) {
   for (const std::string& bytes : {samplePlace().binary(), samplePlace().xml()}) {
-    const Document document = readOrDie(bytes);
+    const Document document = formatRoundTripReadOrDie(bytes);
     const Instance& ice = named(document, "Ice");
     EXPECT_FALSE(ice.properties.contains("Anchored"));
     EXPECT_FALSE(get<bool>(ice, "Anchored"));
@@ -87,7 +87,7 @@ TEST(FormatRoundTrip, PartsLeaveOutWhatEqualsTheClassDefault) {
 
 TEST(FormatRoundTrip, TreeKeepsParentsBeforeChildrenAndRefsPointToThem) {
   for (const std::string& bytes : {samplePlace().binary(), samplePlace().xml()}) {
-    const Document document = readOrDie(bytes);
+    const Document document = formatRoundTripReadOrDie(bytes);
     for (InstanceId id = 0; id < document.instances.size(); ++id) {
       const Instance& instance = document.instances[id];
       if (instance.parent != kNoInstance) {
@@ -105,7 +105,7 @@ TEST(FormatRoundTrip, TreeKeepsParentsBeforeChildrenAndRefsPointToThem) {
 
 TEST(FormatRoundTrip, SourceKeepsMarkupAndLineBreaks) {
   for (const std::string& bytes : {samplePlace().binary(), samplePlace().xml()}) {
-    const Document document = readOrDie(bytes);
+    const Document document = formatRoundTripReadOrDie(bytes);
     EXPECT_EQ(*property<std::string>(named(document, "KillScript"), "Source"),
               "-- \"kill\" <&>\nlocal x = '&#0;'");
   }
@@ -114,8 +114,8 @@ TEST(FormatRoundTrip, SourceKeepsMarkupAndLineBreaks) {
 TEST(FormatRoundTrip, ModelsAreToldFromPlaces) {
   PlaceWriter model;
   model.add("Part", "Block");
-  EXPECT_EQ(readOrDie(model.binary()).format, "rbxm");
-  EXPECT_EQ(readOrDie(model.xml()).format, "rbxmx");
+  EXPECT_EQ(formatRoundTripReadOrDie(model.binary()).format, "rbxm");
+  EXPECT_EQ(formatRoundTripReadOrDie(model.xml()).format, "rbxmx");
 }
 
 TEST(FormatRoundTrip, OtherContentIsRefused) {

@@ -19,14 +19,14 @@ std::string itemWith(const std::string& properties, const std::string& className
          properties + "</Properties></Item></roblox>";
 }
 
-Document readOrDie(const std::string& xml) {
+Document formatXmlReadOrDie(const std::string& xml) {
   Result<Document> document = readDocument(xml, "f");
   EXPECT_TRUE(document) << document.error().text();
   return document ? *std::move(document) : Document{};
 }
 
 Instance readOne(const std::string& properties, const std::string& className = "Part") {
-  Document document = readOrDie(itemWith(properties, className));
+  Document document = formatXmlReadOrDie(itemWith(properties, className));
   return document.instances.empty() ? Instance{} : document.instances[0];
 }
 
@@ -88,9 +88,9 @@ TEST(FormatXml, ThePropertyDecidesTheKindNotTheElement) {
 }
 
 TEST(FormatXml, IllegalCharacterReferencesAreSurvivedAndCounted) {
-  const Document document =
-      readOrDie(itemWith("<string name=\"Grid\">a&#0;b&#x0;&#8;&#1114112;&#65;</string><bool "
-                         "name=\"Anchored\">true</bool>"));
+  const Document document = formatXmlReadOrDie(
+      itemWith("<string name=\"Grid\">a&#0;b&#x0;&#8;&#1114112;&#65;</string><bool "
+               "name=\"Anchored\">true</bool>"));
   const Instance& part = document.instances.at(0);
   EXPECT_EQ(*property<std::string>(part, "Grid"),
             "a\xef\xbf\xbd"
@@ -125,7 +125,7 @@ TEST(FormatXml, CommentsDeclarationsAndByteOrderMarksMayComeFirst) {
        {"\xef\xbb\xbf", "<?xml version=\"1.0\" encoding=\"utf-8\"?>\r\n", "<!-- hello -->\n  "}) {
     EXPECT_TRUE(looksLikeRoblox(before + root));
     EXPECT_EQ(mayBeRoblox(before + root), true);
-    EXPECT_EQ(readOrDie(before + root).instances.size(), 1u);
+    EXPECT_EQ(formatXmlReadOrDie(before + root).instances.size(), 1u);
   }
 }
 
@@ -140,7 +140,7 @@ TEST(FormatXml, ItsFirstBytesTellItFromRecordsOrMoreAreAskedFor) {
 }
 
 TEST(FormatXml, RefsAndReferentsMayBeMissingOrDouble) {
-  const Document document = readOrDie(
+  const Document document = formatXmlReadOrDie(
       "<roblox version=\"4\"><Item class=\"ObjectValue\" referent=\"A\"><Properties>"
       "<Ref name=\"Value\">B</Ref></Properties></Item>"
       "<Item class=\"ObjectValue\" referent=\"B\"><Properties><Ref "

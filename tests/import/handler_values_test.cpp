@@ -4,7 +4,7 @@
 namespace obby::test {
 namespace {
 
-const std::string kKill = "hit.Parent.Humanoid.Health = 0 ";
+const std::string kHandlerValuesKill = "hit.Parent.Humanoid.Health = 0 ";
 
 // Two handlers of one script, in either order, and what is declared before them.
 std::string inOrder(bool turned, const std::string& before, const std::string& a,
@@ -37,10 +37,11 @@ TEST(HandlerValues, WhatAnotherHandlerSetsMayBeEither) {
     for (const bool turned : {false, true}) {
       const std::string touch(now.touch);
       const bool open = touch.find("return") == std::string::npos;
-      ScriptedPart scene(inOrder(
-          turned, now.before,
-          "workspace.Changed:Connect(function() " + std::string(now.other) + " end)",
-          "p.Touched:Connect(function(hit) " + touch + kKill + (open ? "end " : "") + "end)"));
+      ScriptedPart scene(
+          inOrder(turned, now.before,
+                  "workspace.Changed:Connect(function() " + std::string(now.other) + " end)",
+                  "p.Touched:Connect(function(hit) " + touch + kHandlerValuesKill +
+                      (open ? "end " : "") + "end)"));
       EXPECT_TRUE(scene[scene.self].kill) << now.before << ": " << now.touch << turned;
     }
 }
@@ -49,13 +50,14 @@ TEST(HandlerValues, WhatAllHandlersSetAlikeIsKnown) {
   for (const bool turned : {false, true}) {
     ScriptedPart scene(inOrder(
         turned, "local armed = false", "workspace.Changed:Connect(function() armed = false end)",
-        "p.Touched:Connect(function(hit) if armed then " + kKill + "end end)"));
+        "p.Touched:Connect(function(hit) if armed then " + kHandlerValuesKill + "end end)"));
     EXPECT_FALSE(scene[scene.self].kill) << turned;
   }
 }
 
 TEST(HandlerValues, WhatAnEndlessLoopSetsToAndFroMayBeEither) {
-  const std::string touch = "p.Touched:Connect(function(hit) if on then " + kKill + "end end)\n";
+  const std::string touch =
+      "p.Touched:Connect(function(hit) if on then " + kHandlerValuesKill + "end end)\n";
   const std::string loop = "while true do on = true wait(1) on = false wait(1) end";
   const std::pair<std::string, bool> texts[] = {
       {touch + loop, true},
@@ -78,7 +80,7 @@ TEST(HandlerValues, ACounterOfManyPartsLeavesThemAlike) {
     scene.script("local last = 0\nfor i = " + std::string(order) +
                      " do workspace[tostring(i)].Touched:Connect(function(hit)\n"
                      "if i == last + 1 then last = i " +
-                     kKill + "end end) end",
+                     kHandlerValuesKill + "end end) end",
                  scene.scripts);
     scene.level();
     for (const InstanceId pad : pads) EXPECT_TRUE(scene[pad].kill) << order;
@@ -159,7 +161,7 @@ TEST(HandlerValues, AFlagThatAnotherHandlerSetsForATimeMayBeEither) {
   ScriptedPart scene(
       "local armed = false workspace.Changed:Connect(function() armed = true wait(3)\n"
       "armed = false end) p.Touched:Connect(function(hit) if armed then " +
-      kKill + "end end)");
+      kHandlerValuesKill + "end end)");
   EXPECT_TRUE(scene[scene.self].kill);
 }
 

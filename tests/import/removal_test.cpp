@@ -4,8 +4,8 @@
 namespace obby::test {
 namespace {
 
-const char* const kInPlay = "part that a script changes in play";
-const char* const kMayChange = "part that a script may change";
+const char* const kRemovalInPlay = "part that a script changes in play";
+const char* const kRemovalMayChange = "part that a script may change";
 
 TEST(Removal, WhatATouchTakesOutVanishes) {
   struct Case {
@@ -38,7 +38,7 @@ TEST(Removal, WhatATouchTakesOutVanishes) {
     EXPECT_NEAR(scene[part].vanish->delay, now.delay, 0.02) << now.text;
     EXPECT_NEAR(scene[part].vanish->away, now.away, 0.02) << now.text;
     EXPECT_EQ(scene.evidence(part, "vanish").rfind("script Script line 2", 0), 0u) << now.text;
-    EXPECT_EQ(scene.unmodelled(kMayChange), 0u) << now.text;
+    EXPECT_EQ(scene.unmodelled(kRemovalMayChange), 0u) << now.text;
   }
 }
 
@@ -53,7 +53,7 @@ TEST(Removal, AnotherPlaceInTheWorldIsNoChange) {
     scene.script("local p = workspace.Part " + std::string(text), scene.scripts);
     EXPECT_EQ(scene.level().parts.size(), 1u) << text;
     EXPECT_TRUE(scene[part].evidence.empty()) << text;
-    EXPECT_EQ(scene.unmodelled(kInPlay) + scene.unmodelled(kMayChange), 0u) << text;
+    EXPECT_EQ(scene.unmodelled(kRemovalInPlay) + scene.unmodelled(kRemovalMayChange), 0u) << text;
   }
 }
 
@@ -83,9 +83,9 @@ TEST(Removal, WhatComesBackLaterIsNamed) {
                scene.scripts);
   const auto& level = scene.level();
   EXPECT_TRUE(level.parts.empty());
-  ASSERT_EQ(scene.unmodelled(kInPlay), 1u);
-  EXPECT_EQ(level.unmodelled.at(kInPlay).example, "Workspace/Bridge");
-  EXPECT_NE(level.unmodelled.at(kInPlay).note.find("line 4"), std::string::npos);
+  ASSERT_EQ(scene.unmodelled(kRemovalInPlay), 1u);
+  EXPECT_EQ(level.unmodelled.at(kRemovalInPlay).example, "Workspace/Bridge");
+  EXPECT_NE(level.unmodelled.at(kRemovalInPlay).note.find("line 4"), std::string::npos);
 }
 
 TEST(Removal, WhatAButtonPutsBackIsNamed) {
@@ -107,7 +107,7 @@ TEST(Removal, WhatIsPutBackAtOnceStaysAndIsNamed) {
   scene.script("local p = workspace.Part\np.Parent = nil\np.Parent = workspace", scene.scripts);
   EXPECT_EQ(scene.level().parts.size(), 1u);
   EXPECT_TRUE(scene[part].solid);
-  EXPECT_EQ(scene.unmodelled(kMayChange), 1u);
+  EXPECT_EQ(scene.unmodelled(kRemovalMayChange), 1u);
 }
 
 TEST(Removal, ATimerThatTakesOutAndPutsBackVanishes) {
@@ -139,7 +139,7 @@ TEST(Removal, APlaceThatIsNotKnownIsNamed) {
     scene.script(text, scene.scripts);
     EXPECT_EQ(scene.level().parts.size(), 1u) << text;
     EXPECT_FALSE(scene[part].vanish) << text;
-    EXPECT_EQ(scene.unmodelled(kMayChange), 1u) << text;
+    EXPECT_EQ(scene.unmodelled(kRemovalMayChange), 1u) << text;
   }
 }
 
@@ -152,7 +152,7 @@ TEST(Removal, WhatLeavesInPlayIsNamed) {
     scene.part("Part", {}, scene.add("Folder", "Folder", scene.workspace));
     scene.script(text, scene.scripts);
     EXPECT_EQ(scene.level().parts.size(), 1u) << text;
-    EXPECT_EQ(scene.unmodelled(kInPlay), 1u) << text;
+    EXPECT_EQ(scene.unmodelled(kRemovalInPlay), 1u) << text;
   }
 }
 

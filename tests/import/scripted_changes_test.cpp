@@ -4,7 +4,7 @@
 namespace obby::test {
 namespace {
 
-const char* const kInPlay = "part that a script changes in play";
+const char* const kScriptedChangesInPlay = "part that a script changes in play";
 
 TEST(ScriptedChanges, WhatComesLaterIsNamedNotDone) {
   const char* const texts[] = {"wait(5) workspace.Barrier.CanCollide = true",
@@ -25,9 +25,10 @@ TEST(ScriptedChanges, WhatComesLaterIsNamedNotDone) {
     EXPECT_FALSE(scene[barrier].solid) << text;
     EXPECT_TRUE(scene[barrier].touch && scene[barrier].anchored) << text;
     EXPECT_EQ(scene[barrier].pose.position, (Vec3{})) << text;
-    ASSERT_EQ(scene.unmodelled(kInPlay), 1u) << text;
-    EXPECT_EQ(level.unmodelled.at(kInPlay).example, "Workspace/Barrier");
-    EXPECT_NE(level.unmodelled.at(kInPlay).note.find("script Script line 1"), std::string::npos);
+    ASSERT_EQ(scene.unmodelled(kScriptedChangesInPlay), 1u) << text;
+    EXPECT_EQ(level.unmodelled.at(kScriptedChangesInPlay).example, "Workspace/Barrier");
+    EXPECT_NE(level.unmodelled.at(kScriptedChangesInPlay).note.find("script Script line 1"),
+              std::string::npos);
   }
 }
 
@@ -38,7 +39,7 @@ TEST(ScriptedChanges, TheStartIsSetAndWhatFollowsIsNamed) {
                scene.scripts);
   scene.level();
   EXPECT_FALSE(scene[gate].solid);
-  EXPECT_EQ(scene.unmodelled(kInPlay), 1u);
+  EXPECT_EQ(scene.unmodelled(kScriptedChangesInPlay), 1u);
 }
 
 TEST(ScriptedChanges, WhatChangesNothingIsNotNamed) {
@@ -103,7 +104,7 @@ TEST(ScriptedChanges, EveryPartOfAModelCounts) {
   for (int i = 0; i < 3; ++i) scene.part("Plank", {4 * float(i), 0, 0}, model);
   scene.script("wait(60) workspace.Bridge:Destroy() workspace.Bridge:Destroy()", scene.scripts);
   scene.level();
-  EXPECT_EQ(scene.unmodelled(kInPlay), 3u);
+  EXPECT_EQ(scene.unmodelled(kScriptedChangesInPlay), 3u);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace obby::test {
 namespace {
 
-const char* const kMayChange = "part that a script may change";
+const char* const kScriptedStartMayChange = "part that a script may change";
 
 TEST(ScriptedStart, SwitchesThatAScriptSetsAtOnceAreSet) {
   Scene scene;
@@ -36,7 +36,7 @@ TEST(ScriptedStart, WhatAConditionDecidesIsNamedNotSet) {
     EXPECT_TRUE(scene[barrier].solid) << text;
     EXPECT_EQ(scene[barrier].pose.position, (Vec3{})) << text;
     EXPECT_EQ(scene.evidence(barrier, "scripted"), "") << text;
-    EXPECT_EQ(scene.unmodelled(kMayChange), 1u) << text;
+    EXPECT_EQ(scene.unmodelled(kScriptedStartMayChange), 1u) << text;
   }
 }
 
@@ -106,7 +106,7 @@ TEST(ScriptedStart, WhatMayBePutBackStaysAndIsNamed) {
     scene.script(text, scene.scripts);
     EXPECT_EQ(scene.level().parts.size(), 1u) << text;
     EXPECT_TRUE(scene[box].solid) << text;
-    EXPECT_EQ(scene.unmodelled(kMayChange), 1u) << text;
+    EXPECT_EQ(scene.unmodelled(kScriptedStartMayChange), 1u) << text;
   }
 }
 
@@ -222,7 +222,7 @@ TEST(ScriptedStart, WhatAScriptJoinsItselfStaysAnchoredAndIsNamed) {
   scene.part("Frame");
   scene.level();
   EXPECT_TRUE(scene[door].anchored);
-  EXPECT_EQ(scene.unmodelled(kMayChange), 1u);
+  EXPECT_EQ(scene.unmodelled(kScriptedStartMayChange), 1u);
 }
 
 TEST(ScriptedStart, APlatformThatItsScriptPutsThereBeforeItMovesIsImportedAsBefore) {

@@ -4,7 +4,7 @@
 namespace obby::test {
 namespace {
 
-const char* const kWait = "wait that a script computes";
+const char* const kSignalsWait = "wait that a script computes";
 
 TEST(Signals, TouchesOfAPartAreOfThatPart) {
   const char* const texts[] = {
@@ -84,7 +84,7 @@ TEST(Signals, TheEndOfATweenIsKnown) {
     const Overlap tweened({tweens + text});
     EXPECT_NEAR(tweened.z(2), 10, 0.1) << text;
     EXPECT_NEAR(tweened.z(3), 0, 0.1) << text;
-    EXPECT_EQ(tweened.scene.unmodelled(kWait), 0u) << text;
+    EXPECT_EQ(tweened.scene.unmodelled(kSignalsWait), 0u) << text;
   }
 }
 

@@ -10,7 +10,7 @@
 namespace obby::test {
 namespace {
 
-constexpr float kPi = 3.14159265f;
+constexpr float kTweenOverlapPi = 3.14159265f;
 
 // Degrees about Y of the first key at or after `time`.
 float yawAt(const importer::Motion& motion, float time) {
@@ -71,7 +71,7 @@ TEST(TweenOverlap, APlatformMayGoToAndFroAndTurn) {
     EXPECT_NEAR(motion.keys[1].time, 2, 1e-3);
     expectNear(motion.keys[1].pose.position, {0, 0, 20});
     ASSERT_TRUE(motion.spin);
-    EXPECT_NEAR(motion.spin->speed, kPi / 2, 1e-3);
+    EXPECT_NEAR(motion.spin->speed, kTweenOverlapPi / 2, 1e-3);
     expectNear(motion.spin->axis, {0, 1, 0});
     EXPECT_EQ(both.scene.unmodelled("part that two scripts move"), 0u);
   }

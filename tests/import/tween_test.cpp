@@ -8,7 +8,7 @@
 namespace obby::test {
 namespace {
 
-constexpr float kPi = 3.14159265f;
+constexpr float kTweenPi = 3.14159265f;
 
 // One part, tweened by `info` to `goals`; `p` is the part, and `before` runs first.
 struct Tweened {
@@ -51,12 +51,12 @@ TEST(Tween, EndlessWholeTurnsAreASpin) {
     float speed;
   };
   const Case cases[] = {
-      {"Orientation = p.Orientation + Vector3.new(0, 360, 0)", "", {0, 1, 0}, kPi / 2},
-      {"Orientation = Vector3.new(0, -720, 0)", "", {0, -1, 0}, kPi},
+      {"Orientation = p.Orientation + Vector3.new(0, 360, 0)", "", {0, 1, 0}, kTweenPi / 2},
+      {"Orientation = Vector3.new(0, -720, 0)", "", {0, -1, 0}, kTweenPi},
       {"Orientation = p.Orientation + Vector3.new(0, 360, 0)",
        "p.Orientation = Vector3.new(0, 0, 90)",
        {1, 0, 0},
-       kPi / 2}};
+       kTweenPi / 2}};
   for (const Case& now : cases) {
     const Tweened tweened("4, " + kLinear + ", -1", now.goal, now.before);
     const auto& motion = tweened.motion();

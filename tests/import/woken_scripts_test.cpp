@@ -7,7 +7,7 @@
 namespace obby::test {
 namespace {
 
-void expectGuess(Sleeping& scene, const std::string& what) {
+void wokenScriptsExpectGuess(Sleeping& scene, const std::string& what) {
   scene.level();
   EXPECT_FALSE(scene[scene.lever].kill) << what;
   ASSERT_TRUE(scene[scene.trap].kill) << what;
@@ -45,7 +45,7 @@ TEST(WokenScripts, AnotherScriptWakesATrap) {
   for (const std::string& way : ways) {
     Sleeping scene;
     scene.run(way);
-    expectGuess(scene, way);
+    wokenScriptsExpectGuess(scene, way);
   }
 }
 
@@ -55,7 +55,7 @@ TEST(WokenScripts, EnabledIsDisabledTheOtherWayRound) {
     scene.set(scene.kill, "Disabled", false);
     scene.set(scene.kill, "Enabled", false);
     scene.run(enabled ? "trap.Kill.Enabled = true" : kOn);
-    expectGuess(scene, enabled ? "Enabled" : "Disabled");
+    wokenScriptsExpectGuess(scene, enabled ? "Enabled" : "Disabled");
   }
 }
 
@@ -97,7 +97,7 @@ TEST(WokenScripts, OneWakesTheOther) {
     scene.sleeps(i == 0 ? kOn : next, "Link" + std::to_string(i));
   }
   scene.run("script.Parent.Link19.Enabled = true");
-  expectGuess(scene, "a chain");
+  wokenScriptsExpectGuess(scene, "a chain");
 }
 
 TEST(WokenScripts, ThoseThatWakeEachOtherAloneSleepOn) {

@@ -6,7 +6,7 @@
 namespace obby::io {
 namespace {
 
-std::string errorOf(const std::string& line) {
+std::string jsonCodecErrorOf(const std::string& line) {
   auto record = recordFromJson(line);
   return record ? "no error" : record.error().text();
 }
@@ -18,12 +18,12 @@ std::string normal(const std::string& line) {
   return json ? *json : json.error().text();
 }
 
-struct Case {
+struct JsonCodecCase {
   std::string line, expected;
 };
 
 TEST(JsonErrors, NameThePathTheExpectationAndWhatWasThere) {
-  const Case cases[] = {
+  const JsonCodecCase cases[] = {
       {R"({"type":"level","parts":[{},{"size":[1,2]}]})",
        "parts[1].size: expected 3 numbers, found an array of 2"},
       {R"({"type":"level","parts":[{"size":[1,2,"3"]}]})",
@@ -96,32 +96,33 @@ TEST(JsonErrors, NameThePathTheExpectationAndWhatWasThere) {
        "column 31: not JSON: invalid string: surrogate U+D800..U+DBFF must be followed by "
        "U+DC00..U+DFFF"},
   };
-  for (const Case& c : cases) EXPECT_EQ(errorOf(c.line), c.expected) << c.line;
+  for (const JsonCodecCase& c : cases) EXPECT_EQ(jsonCodecErrorOf(c.line), c.expected) << c.line;
 }
 
 TEST(JsonErrors, NothingMayFollowBehindAZeroByte) {
   const std::string line = R"({"type":"query"})";
-  EXPECT_EQ(errorOf(line), "no error");
-  EXPECT_EQ(errorOf(line + '\0'), "column 17: a zero byte");
-  EXPECT_EQ(errorOf(line + '\0' + "junk"), "column 17: a zero byte");
+  EXPECT_EQ(jsonCodecErrorOf(line), "no error");
+  EXPECT_EQ(jsonCodecErrorOf(line + '\0'), "column 17: a zero byte");
+  EXPECT_EQ(jsonCodecErrorOf(line + '\0' + "junk"), "column 17: a zero byte");
 }
 
 TEST(JsonErrors, NestingIsBounded) {
   for (int depth : {63, 64, 65, 1000, 1000000}) {
     const std::string open(size_t(depth - 1), '['), shut(size_t(depth - 1), ']');
     const std::string line = "{\"type\":\"level\",\"future\":" + open + shut + "}";
-    EXPECT_EQ(errorOf(line), depth <= 64 ? "no error" : "nested deeper than 64 levels") << depth;
+    EXPECT_EQ(jsonCodecErrorOf(line), depth <= 64 ? "no error" : "nested deeper than 64 levels")
+        << depth;
   }
 }
 
 TEST(JsonErrors, ARecordOfBillionsOfBytesIsRefusedBeforeItIsBuilt) {
   std::string line = "{\"type\":\"level\",\"parts\":[{}";
   for (int i = 0; i < 1800000; i++) line += ",{}";  // 19 words each in memory, three bytes here
-  EXPECT_EQ(errorOf(line + "]}"), "parts: record larger than 256 MiB");
+  EXPECT_EQ(jsonCodecErrorOf(line + "]}"), "parts: record larger than 256 MiB");
 }
 
 TEST(JsonMeaning, GenerousInputHasOneNormalForm) {
-  const Case cases[] = {
+  const JsonCodecCase cases[] = {
       {R"({"type":"query","goal":[]})", R"({"type":"query","goal":{}})"},
       {R"({"goal":{},"type":"query"})", R"({"type":"query","goal":{}})"},
       {R"({"type":"query","goal":null,"id":null,"maxJumps":null})", R"({"type":"query"})"},
@@ -148,7 +149,7 @@ TEST(JsonMeaning, GenerousInputHasOneNormalForm) {
       {R"({"type":"level","parts":[{"hulls":[{"vertices":[[0,0,0],[1,0,0]]}]}]})",
        R"({"type":"level","parts":[{"hulls":[{"vertices":[[0,0,0],[1,0,0]]}]}]})"},
   };
-  for (const Case& c : cases) {
+  for (const JsonCodecCase& c : cases) {
     EXPECT_EQ(normal(c.line), c.expected);
     EXPECT_EQ(normal(c.expected), c.expected);
   }

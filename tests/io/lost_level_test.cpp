@@ -22,12 +22,12 @@ std::string query(const std::string& id, const std::string& level = "") {
 
 // What comes of inputs that are texts, of which an empty one cannot be opened: ids of the queries,
 // "+" for a level, and what is reported.
-struct Read {
+struct LostLevelRead {
   std::string came;
   std::vector<std::string> reports;
   SourceSummary summary;
 
-  explicit Read(std::vector<std::string> inputs, OnError onError = OnError::skip) {
+  explicit LostLevelRead(std::vector<std::string> inputs, OnError onError = OnError::skip) {
     SourceOptions options;
     options.onError = onError;
     options.report = [this](const Error& error) { reports.push_back(error.text()); };
@@ -53,7 +53,7 @@ TEST(LostLevel, TakesTheQueriesWithItThatNameNone) {
   const std::string text =
       kLevel + query("a") + kLost + query("b") + query("c", "A") + query("d") + kLevel + query("e");
   for (const OnError onError : {OnError::skip, OnError::emit}) {
-    const Read read({text}, onError);
+    const LostLevelRead read({text}, onError);
     EXPECT_EQ(read.came, "+ac+e");
     ASSERT_EQ(read.reports.size(), 3u);
     EXPECT_EQ(read.reports[1],
@@ -67,28 +67,28 @@ TEST(LostLevel, TakesTheQueriesWithItThatNameNone) {
 
 TEST(LostLevel, TakesNothingThatIsOfAnother) {
   // What could not be read was a query.
-  EXPECT_EQ(Read({kLevel + "{\"type\":\"query\",\"id\":7}\n" + query("b")}).came, "+b");
+  EXPECT_EQ(LostLevelRead({kLevel + "{\"type\":\"query\",\"id\":7}\n" + query("b")}).came, "+b");
   // A kind that later versions have.
-  EXPECT_EQ(Read({kLevel + "{\"type\":\"weather\"}\n" + query("b")}).came, "+b");
-  EXPECT_EQ(Read({kLost + kLevel + query("b")}).came, "+b");
+  EXPECT_EQ(LostLevelRead({kLevel + "{\"type\":\"weather\"}\n" + query("b")}).came, "+b");
+  EXPECT_EQ(LostLevelRead({kLost + kLevel + query("b")}).came, "+b");
 }
 
 TEST(LostLevel, IsAnythingThatDoesNotSayWhatItIs) {
   for (const char* lost : {"{\"name\":\"B\",\"type\" : \"level\",\"parts\":[", "{\"type\":3}", "B",
                            "{\"type\":\"query\",\"type\":\"level\"}"}) {
-    EXPECT_EQ(Read({kLevel + query("a") + lost + "\n" + query("b")}).came, "+a") << lost;
+    EXPECT_EQ(LostLevelRead({kLevel + query("a") + lost + "\n" + query("b")}).came, "+a") << lost;
   }
 }
 
 TEST(LostLevel, TakesTrajectoriesWithItToo) {
   const std::string way = "{\"type\":\"trajectory\",\"query\":\"b\",\"outcome\":\"goal\"}\n";
-  EXPECT_EQ(Read({kLevel + way + kLost + query("b") + way}).came, "+t");
+  EXPECT_EQ(LostLevelRead({kLevel + way + kLost + query("b") + way}).came, "+t");
 }
 
 TEST(LostLevel, HoldsForTheInputsBehindIt) {
   const std::string end = "{\"type\":\"end\"}\n";
   for (const std::string& last : {kLost, kLost + end}) {
-    const Read read({kLevel + last, query("b") + query("c", "A"), kLevel + query("d")});
+    const LostLevelRead read({kLevel + last, query("b") + query("c", "A"), kLevel + query("d")});
     EXPECT_EQ(read.came, "+c+d");
     EXPECT_EQ(read.reports[1].find("in1:1: level: "), 0u) << read.reports[1];
     EXPECT_NE(read.reports[1].find(" at in0:2, "), std::string::npos) << read.reports[1];
@@ -98,12 +98,12 @@ TEST(LostLevel, HoldsForTheInputsBehindIt) {
 // What an input ends with is no level for that.
 TEST(LostLevel, IsNoQueryThatAnInputEndsWith) {
   const std::string lostQuery = "{\"type\":\"query\",\"id\":7}\n";
-  EXPECT_EQ(Read({kLevel + lostQuery, query("b")}).came, "+b");
-  EXPECT_EQ(Read({kLost + lostQuery, query("b")}).came, "");
+  EXPECT_EQ(LostLevelRead({kLevel + lostQuery, query("b")}).came, "+b");
+  EXPECT_EQ(LostLevelRead({kLost + lostQuery, query("b")}).came, "");
 }
 
 TEST(LostLevel, MayBeInAnInputThatCannotBeOpened) {
-  const Read read({kLevel, "", query("b") + query("c", "A")});
+  const LostLevelRead read({kLevel, "", query("b") + query("c", "A")});
   EXPECT_EQ(read.came, "+c");
   ASSERT_EQ(read.reports.size(), 2u);
   EXPECT_NE(read.reports[1].find(" at in1, "), std::string::npos) << read.reports[1];
@@ -122,7 +122,7 @@ TEST(LostLevel, IsKnownInMessages) {
     bytes.append(chars.begin(), chars.size());
   };
   for (RecordBuilder* record : {&level, &asked, &lostQuery, &asked, &bad, &asked}) append(*record);
-  const Read read({bytes});
+  const LostLevelRead read({bytes});
   EXPECT_EQ(read.came, "+aa");
   EXPECT_EQ(read.reports.size(), 3u);
 }

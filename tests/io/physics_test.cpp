@@ -14,7 +14,7 @@ Record params(float gravity, float walkSpeed) {
   return Record(std::move(out));
 }
 
-Record level(float walkSpeed) {
+Record physicsLevel(float walkSpeed) {
   RecordBuilder out;
   auto l = out.root().initLevel();
   l.setName("tower");
@@ -26,7 +26,7 @@ Record level(float walkSpeed) {
 TEST(Physics, FillsWhatTheLevelLeavesAtItsDefault) {
   Physics physics;
   physics.know(params(190, 15.5f));
-  const Record calibrated = physics.applied(level(16));
+  const Record calibrated = physics.applied(physicsLevel(16));
   const auto l = calibrated.reader().getLevel();
   EXPECT_EQ(l.getPhysics().getGravity(), 190);
   EXPECT_EQ(l.getPhysics().getWalkSpeed(), 15.5f);
@@ -38,7 +38,7 @@ TEST(Physics, FillsWhatTheLevelLeavesAtItsDefault) {
 TEST(Physics, LeavesWhatTheLevelStates) {
   Physics physics;
   physics.know(params(190, 15.5f));
-  const Record once = physics.applied(level(24)), twice = physics.applied(once);
+  const Record once = physics.applied(physicsLevel(24)), twice = physics.applied(once);
   for (const Record* r : {&once, &twice}) {
     EXPECT_EQ(r->reader().getLevel().getPhysics().getGravity(), 190);
     EXPECT_EQ(r->reader().getLevel().getPhysics().getWalkSpeed(), 24);
@@ -50,7 +50,7 @@ TEST(Physics, TheLastRecordCounts) {
   EXPECT_FALSE(physics.known());
   physics.know(params(190, 16));
   physics.know(params(150, 16));
-  EXPECT_EQ(physics.applied(level(16)).reader().getLevel().getPhysics().getGravity(), 150);
+  EXPECT_EQ(physics.applied(physicsLevel(16)).reader().getLevel().getPhysics().getGravity(), 150);
 }
 
 }  // namespace

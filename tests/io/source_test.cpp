@@ -56,7 +56,7 @@ TEST(Source, FilesAreReadAndMissingOnesNamed) {
   EXPECT_EQ(directory.error().message, "cannot read: Is a directory");
 }
 
-void onSignal(int) {}
+void sourceOnSignal(int) {}
 
 // One byte at a time, with a signal between any two.
 TEST(Source, PipesMayDeliverSingleBytesAmongSignals) {

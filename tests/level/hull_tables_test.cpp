@@ -14,7 +14,7 @@ namespace {
 using geom::ShapeData;
 using geom::ShapeKind;
 
-struct Dice {
+struct HullTablesDice {
   Random random;
   float number(float size) { return (2 * random.unit() - 1) * size; }
   Vec3 vec(float size) { return {number(size), number(size), number(size)}; }
@@ -32,7 +32,7 @@ std::vector<Vec3> boxCorners(Vec3 half) {
 
 // Compares contacts of random bodies with the hull and with the solid it should be.
 void expectSameSolid(const HullTables& tables, ShapeKind kind, Vec3 half) {
-  Dice dice{Random(9, uint64_t(kind))};
+  HullTablesDice dice{Random(9, uint64_t(kind))};
   const geom::Hull hull = viewOf(tables);
   const ShapeData solid{half, nullptr}, asHull{half, &hull};
   for (int i = 0; i < 20000; ++i) {
@@ -113,7 +113,7 @@ TEST(HullTables, OfThinAndWideBoxesAreTheBlock) {
 
 // Nobody falls through it, and nobody stands beside it, however it lies.
 TEST(HullTables, OfAThinFloorHoldRaysAndEndAtItsBorders) {
-  Dice dice{Random(12, 0)};
+  HullTablesDice dice{Random(12, 0)};
   for (int round = 0; round < 20; ++round) {
     const Mat3 axes = dice.rotation();
     const Vec3 at = dice.vec(30);
@@ -142,7 +142,7 @@ TEST(HullTables, OfAThinFloorHoldRaysAndEndAtItsBorders) {
 TEST(HullTables, OfWhatRoundingLeavesOfAUnionAreEmpty) {
   EXPECT_TRUE(hullTables(boxCorners({200, 0.002f, 200})).normals.empty());
   EXPECT_TRUE(hullTables(boxCorners({1, 0.00004f, 1})).normals.empty());
-  Dice dice{Random(13, 0)};
+  HullTablesDice dice{Random(13, 0)};
   std::vector<Vec3> flat = boxCorners({200, 0, 200});
   const Mat3 axes = dice.rotation();
   for (Vec3& p : flat) p = axes * p;
@@ -150,7 +150,7 @@ TEST(HullTables, OfWhatRoundingLeavesOfAUnionAreEmpty) {
 }
 
 TEST(HullTables, FacesHoldAllVerticesAndTouchThree) {
-  Dice dice{Random(10, 0)};
+  HullTablesDice dice{Random(10, 0)};
   for (int round = 0; round < 60; ++round) {
     std::vector<Vec3> points;
     for (int i = 0; i < 4 + round % 20; ++i) points.push_back(dice.vec(3));
@@ -169,7 +169,7 @@ TEST(HullTables, FacesHoldAllVerticesAndTouchThree) {
 }
 
 TEST(HullTables, OfManyVerticesOnASphereAreNearlyTheBall) {
-  Dice dice{Random(11, 0)};
+  HullTablesDice dice{Random(11, 0)};
   std::vector<Vec3> points;
   for (size_t i = 0; i < 120; ++i) points.push_back(normalize(dice.vec(1)) * 2);
   const HullTables t = hullTables(points);

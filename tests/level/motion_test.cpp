@@ -49,7 +49,7 @@ MotionSetter slide(float seconds, Repeat repeat, float offset = 0, Easing easing
   };
 }
 
-MotionSetter spin(Vec3 axis, float speed, Vec3 pivot = {}, float offset = 0) {
+MotionSetter motionSpin(Vec3 axis, float speed, Vec3 pivot = {}, float offset = 0) {
   return [=](schema::Motion::Builder m) {
     auto s = m.initSpin();
     support::set(s.initAxis(), axis);
@@ -144,7 +144,7 @@ TEST(Motion, WhatRepeatsWithANegativeOffsetComesRoundToItsStartAfterIt) {
       EXPECT_NEAR(xAt(t, end + 6), 0.5f, 1e-3f) << wait;
       EXPECT_NEAR(xAt(t, end + 60), 5, 1e-3f) << wait;
     }
-    const Tables t = tablesOf(spin({0, 1, 0}, float(kTwoPi / 4), {}, -wait));
+    const Tables t = tablesOf(motionSpin({0, 1, 0}, float(kTwoPi / 4), {}, -wait));
     EXPECT_NEAR((moverPose(moverOf(t), end).rotation * Vec3{0, 0, -1}).z, -1, 1e-4f) << wait;
     EXPECT_NEAR((moverPose(moverOf(t), end + 60).rotation * Vec3{0, 0, -1}).x, -1, 1e-4f) << wait;
   }
@@ -199,33 +199,33 @@ TEST(Motion, FewerRowsHoldAsManyRepetitionsAsFitOrOne) {
       EXPECT_LE(std::fabs(rows / std::round(rows / ticks) - ticks), 0.05) << seconds;
     }
   }
-  const Tables turning = tablesOf(spin({0, 1, 0}, 0.1f), kFew);
+  const Tables turning = tablesOf(motionSpin({0, 1, 0}, 0.1f), kFew);
   EXPECT_EQ(turning.spins.size(), 3770u) << "one turn takes 3769.9 ticks";
-  EXPECT_GT(tablesOf(spin({0, 1, 0}, 0.1f)).spins.size(), 3770u);
+  EXPECT_GT(tablesOf(motionSpin({0, 1, 0}, 0.1f)).spins.size(), 3770u);
 }
 
 TEST(Motion, SpinTurnsRightHandedAtItsSpeed) {
-  const Tables t = tablesOf(spin({0, 2, 0}, float(kTwoPi / 4)));  // a quarter turn a second
+  const Tables t = tablesOf(motionSpin({0, 2, 0}, float(kTwoPi / 4)));  // a quarter turn a second
   ASSERT_EQ(t.spins.size(), 240u);
   const Vec3 ahead = moverPose(moverOf(t), 60).rotation * Vec3{0, 0, -1};
   EXPECT_NEAR(ahead.x, -1, 1e-5f);
   EXPECT_NEAR((moverPose(moverOf(t), 240).rotation * Vec3{0, 0, -1}).z, -1, 1e-5f);
-  const Tables back = tablesOf(spin({0, 1, 0}, float(-kTwoPi / 4)));
+  const Tables back = tablesOf(motionSpin({0, 1, 0}, float(-kTwoPi / 4)));
   EXPECT_NEAR((moverPose(moverOf(back), 60).rotation * Vec3{0, 0, -1}).x, 1, 1e-5f);
-  const Tables ahead1 = tablesOf(spin({0, 1, 0}, float(kTwoPi / 4), {}, 1));
+  const Tables ahead1 = tablesOf(motionSpin({0, 1, 0}, float(kTwoPi / 4), {}, 1));
   EXPECT_NEAR((moverPose(moverOf(ahead1), 0).rotation * Vec3{0, 0, -1}).x, -1, 1e-5f);
 }
 
 TEST(Motion, SpinAxesMayHaveAnyLength) {
   for (const float length : {1e-5f, 1e15f, 3e30f, 3e38f}) {
-    const Tables t = tablesOf(spin({0, length, 0}, float(kTwoPi / 4)));
+    const Tables t = tablesOf(motionSpin({0, length, 0}, float(kTwoPi / 4)));
     EXPECT_NEAR((moverPose(moverOf(t), 60).rotation * Vec3{0, 0, -1}).x, -1, 1e-5f) << length;
   }
 }
 
 TEST(Motion, SpinKeepsThePivotInPlace) {
   const Vec3 pivot{3, 1, -2};
-  const Tables t = tablesOf(spin({1, 1, 0.5f}, 2.2f, pivot));
+  const Tables t = tablesOf(motionSpin({1, 1, 0.5f}, 2.2f, pivot));
   const Vec3 at = toWorld(Pose{{1, 2, 3}, {}}, pivot);
   for (uint32_t tick = 0; tick < 2000; tick += 7) {
     const Pose pose = moverPose(moverOf(t), tick);

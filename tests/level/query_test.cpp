@@ -13,7 +13,7 @@ namespace {
 using support::set;
 using QuerySetter = std::function<void(schema::Query::Builder)>;
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kQueryNan = std::numeric_limits<float>::quiet_NaN();
 
 Level arena() {
   support::LevelBuilder b;
@@ -29,7 +29,8 @@ Result<Query> compile(const QuerySetter& setter, const Level& level = arena()) {
   return Query::compile(record.asReader(), level);
 }
 
-void expectRefused(const QuerySetter& setter, const std::string& path, const std::string& words) {
+void queryExpectRefused(const QuerySetter& setter, const std::string& path,
+                        const std::string& words) {
   const auto query = compile(setter);
   ASSERT_FALSE(bool(query)) << path;
   EXPECT_EQ(query.error().path, path);
@@ -206,58 +207,67 @@ TEST(QueryLimits, ATimeLimitBeyondEveryPlaythroughIsFine) {
 }
 
 TEST(QueryErrors, NameThePathAndTheExpectation) {
-  expectRefused([](auto r) { r.initStart().setSpawn(2); }, "start.spawn", "0 to 1, got 2");
-  expectRefused([](auto r) { r.disownGoal(); }, "goal", "needs a goal");
-  expectRefused([](auto r) { set(r.getGoal().initSize(), {1, 0, 1}); }, "goal.size", "above 0");
-  expectRefused(
+  queryExpectRefused([](auto r) { r.initStart().setSpawn(2); }, "start.spawn", "0 to 1, got 2");
+  queryExpectRefused([](auto r) { r.disownGoal(); }, "goal", "needs a goal");
+  queryExpectRefused(
       [](auto r) {
-        set(r.getGoal().initPosition(), {kNan, 0, 0});
+        set(r.getGoal().initSize(), {1, 0, 1});
+      },
+      "goal.size", "above 0");
+  queryExpectRefused(
+      [](auto r) {
+        set(r.getGoal().initPosition(), {kQueryNan, 0, 0});
       },
       "goal.position", "three numbers");
-  expectRefused([](auto r) { r.getGoal().initRotation().setW(0); }, "goal.rotation", "not zero");
-  expectRefused([](auto r) { r.initWaypoints(1); }, "waypoints[0].region", "needs a region");
-  expectRefused(
+  queryExpectRefused([](auto r) { r.getGoal().initRotation().setW(0); }, "goal.rotation",
+                     "not zero");
+  queryExpectRefused([](auto r) { r.initWaypoints(1); }, "waypoints[0].region", "needs a region");
+  queryExpectRefused(
       [](auto r) {
         set(r.initAvoid(2)[1].initSize(), {-1, 1, 1});
       },
       "avoid[1].size", "above 0");
-  expectRefused([](auto r) { r.initWaypoints(256); }, "waypoints", "at most 255");
-  expectRefused([](auto r) { r.setTimeLimit(-1); }, "timeLimit", "seconds");
-  expectRefused([](auto r) { r.setTimeLimit(kNan); }, "timeLimit", "seconds");
-  expectRefused([](auto r) { r.setSegmentTime(-1); }, "segmentTime", "seconds");
-  expectRefused(
-      [](auto r) { r.initWaypoints(1)[0].initRegion(), r.getWaypoints()[0].setSegmentTime(kNan); },
+  queryExpectRefused([](auto r) { r.initWaypoints(256); }, "waypoints", "at most 255");
+  queryExpectRefused([](auto r) { r.setTimeLimit(-1); }, "timeLimit", "seconds");
+  queryExpectRefused([](auto r) { r.setTimeLimit(kQueryNan); }, "timeLimit", "seconds");
+  queryExpectRefused([](auto r) { r.setSegmentTime(-1); }, "segmentTime", "seconds");
+  queryExpectRefused(
+      [](auto r) {
+        r.initWaypoints(1)[0].initRegion(), r.getWaypoints()[0].setSegmentTime(kQueryNan);
+      },
       "waypoints[0].segmentTime", "seconds");
-  expectRefused([](auto r) { r.initVisits(33); }, "visits", "at most 32, got 33");
-  expectRefused([](auto r) { r.setMinJumps(3), r.setMaxJumps(2); }, "minJumps", "3 jumps at least");
-  expectRefused([](auto r) { r.setMinJumps(65536); }, "minJumps", "at most 65535");
-  expectRefused([](auto r) { r.setMaxDamage(-2); }, "maxDamage", "health");
-  expectRefused([](auto r) { r.setMaxJumps(-2); }, "maxJumps", "-1 for any");
-  expectRefused([](auto r) { r.setSegmentJumps(-3); }, "segmentJumps", "-1 for any");
-  expectRefused(
+  queryExpectRefused([](auto r) { r.initVisits(33); }, "visits", "at most 32, got 33");
+  queryExpectRefused([](auto r) { r.setMinJumps(3), r.setMaxJumps(2); }, "minJumps",
+                     "3 jumps at least");
+  queryExpectRefused([](auto r) { r.setMinJumps(65536); }, "minJumps", "at most 65535");
+  queryExpectRefused([](auto r) { r.setMaxDamage(-2); }, "maxDamage", "health");
+  queryExpectRefused([](auto r) { r.setMaxJumps(-2); }, "maxJumps", "-1 for any");
+  queryExpectRefused([](auto r) { r.setSegmentJumps(-3); }, "segmentJumps", "-1 for any");
+  queryExpectRefused(
       [](auto r) { r.initWaypoints(1)[0].initRegion(), r.getWaypoints()[0].setMaxJumps(-2); },
       "waypoints[0].maxJumps", "-1 for any");
-  expectRefused(
+  queryExpectRefused(
       [](auto r) { r.initWaypoints(1)[0].initRegion(), r.getWaypoints()[0].setSegmentJumps(-2); },
       "waypoints[0].segmentJumps", "-1 for any");
-  expectRefused([](auto r) { r.initStart().setSpawn(-2); }, "start.spawn", "0 to 1, got -2");
-  expectRefused([](auto r) { r.initForbid(1).set(0, schema::PlayerState::FREEFALL); }, "forbid[0]",
-                "do without");
-  expectRefused([](auto r) { r.getGoal().setTouch(true); }, "goal.touch", "only a part");
-  expectRefused([](auto r) { r.initVisits(1)[0].setPart("Top"); }, "visits[0].part", "looked up");
-  expectRefused([](auto r) { r.initStart().initRegion().setPart("Top"); }, "start.region.part",
-                "looked up");
-  expectRefused([](auto r) { r.setTimeLimit(0.01f); }, "timeLimit", "one tick");
-  for (const float yaw : {kNan, 1e30f}) {
-    expectRefused([=](auto r) { r.initStart().initRegion(), r.getStart().setYaw(yaw); },
-                  "start.yaw", "radians");
+  queryExpectRefused([](auto r) { r.initStart().setSpawn(-2); }, "start.spawn", "0 to 1, got -2");
+  queryExpectRefused([](auto r) { r.initForbid(1).set(0, schema::PlayerState::FREEFALL); },
+                     "forbid[0]", "do without");
+  queryExpectRefused([](auto r) { r.getGoal().setTouch(true); }, "goal.touch", "only a part");
+  queryExpectRefused([](auto r) { r.initVisits(1)[0].setPart("Top"); }, "visits[0].part",
+                     "looked up");
+  queryExpectRefused([](auto r) { r.initStart().initRegion().setPart("Top"); }, "start.region.part",
+                     "looked up");
+  queryExpectRefused([](auto r) { r.setTimeLimit(0.01f); }, "timeLimit", "one tick");
+  for (const float yaw : {kQueryNan, 1e30f}) {
+    queryExpectRefused([=](auto r) { r.initStart().initRegion(), r.getStart().setYaw(yaw); },
+                       "start.yaw", "radians");
   }
 }
 
 // The search divides the place of the feet into cells, and a trajectory must be able to hold it.
 TEST(QueryErrors, AStartRegionWithoutAFloorInReach) {
   const auto refuse = [](float middle, float height) {
-    expectRefused(
+    queryExpectRefused(
         [=](auto r) {
           auto region = r.initStart().initRegion();
           set(region.initPosition(), {0, middle, 0});

@@ -11,17 +11,17 @@ namespace {
 
 using support::LevelBuilder;
 using support::set;
-using PartSetter = LevelBuilder::PartSetter;
+using SpeedsPartSetter = LevelBuilder::SpeedsPartSetter;
 
 constexpr float kWalk = 16, kFarthest = 12.51f;  // of the part: half its diagonal
 
 // What the part below gives, studs/s.
-float given(const PartSetter& setter) {
+float given(const SpeedsPartSetter& setter) {
   const Level level = LevelBuilder().block({50, 0, 0}, {24, 1, 7}, setter).compile();
   return level.view().maxSideSpeed / 1.5f - kWalk;
 }
 
-PartSetter spin(float speed, bool carries, Vec3 pivot = {}) {
+SpeedsPartSetter speedsSpin(float speed, bool carries, Vec3 pivot = {}) {
   return [=](schema::Part::Builder p) {
     auto motion = p.initMotion();
     motion.setCarries(carries);
@@ -31,18 +31,20 @@ PartSetter spin(float speed, bool carries, Vec3 pivot = {}) {
 }
 
 TEST(SideSpeed, CountsWhatTurnsAndCarries) {
-  EXPECT_NEAR(given(spin(3, true)), 3 * kFarthest, 0.1f);
-  EXPECT_NEAR(given(spin(-3, true)), 3 * kFarthest, 0.1f);
-  EXPECT_NEAR(given(spin(2, true, {0, 0, 30})), 2 * (30 + kFarthest), 0.1f);
+  EXPECT_NEAR(given(speedsSpin(3, true)), 3 * kFarthest, 0.1f);
+  EXPECT_NEAR(given(speedsSpin(-3, true)), 3 * kFarthest, 0.1f);
+  EXPECT_NEAR(given(speedsSpin(2, true, {0, 0, 30})), 2 * (30 + kFarthest), 0.1f);
 }
 
 TEST(SideSpeed, CountsSeatsOnWhatTurns) {
-  const auto seat = [](schema::Part::Builder p) { spin(3, false)(p), p.initSeat(); };
+  const auto seat = [](schema::Part::Builder p) { speedsSpin(3, false)(p), p.initSeat(); };
   EXPECT_NEAR(given(seat), 3 * kFarthest, 0.1f);
 }
 
 // They push, and take nobody along: longer lists of the grid would be for nothing.
-TEST(SideSpeed, LeavesOutWhatTurnsWithoutCarrying) { EXPECT_NEAR(given(spin(3, false)), 0, 1e-4f); }
+TEST(SideSpeed, LeavesOutWhatTurnsWithoutCarrying) {
+  EXPECT_NEAR(given(speedsSpin(3, false)), 0, 1e-4f);
+}
 
 TEST(SideSpeed, CountsTurnsBetweenKeys) {
   const auto turning = [](schema::Part::Builder p) {
@@ -62,7 +64,7 @@ TEST(SideSpeed, CountsConveyorsThatTurn) {
     return given([=](schema::Part::Builder p) {
       set(p.initConveyor().initVelocity(), {0, 0, 5});
       set(p.getConveyor().initAngular(), angular);
-      if (rides) spin(1, true)(p);
+      if (rides) speedsSpin(1, true)(p);
     });
   };
   EXPECT_NEAR(conveyor({}, false), 5, 1e-3f);
@@ -73,7 +75,7 @@ TEST(SideSpeed, CountsConveyorsThatTurn) {
   EXPECT_NEAR(conveyor({8, 0, 0}, true), 5 + 9 * kFarthest, 0.1f);
 }
 
-TEST(SideSpeed, HasABound) { EXPECT_NEAR(given(spin(100, true)), 500, 0.1f); }
+TEST(SideSpeed, HasABound) { EXPECT_NEAR(given(speedsSpin(100, true)), 500, 0.1f); }
 
 }  // namespace
 }  // namespace obby::level

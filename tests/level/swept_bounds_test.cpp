@@ -12,7 +12,7 @@
 namespace obby::level {
 namespace {
 
-struct Dice {
+struct SweptBoundsDice {
   Random random;
   float number(float size) { return (2 * random.unit() - 1) * size; }
   Vec3 vec(float size) { return {number(size), number(size), number(size)}; }
@@ -44,7 +44,7 @@ Box boundsOfAll(const std::vector<Pose>& keys, Vec3 half) {
 }
 
 TEST(SweptBounds, AreThoseOfAllKeys) {
-  Dice dice{Random(50, 0)};
+  SweptBoundsDice dice{Random(50, 0)};
   for (int round = 0; round < 100; ++round) {
     const std::vector<Pose> keys = dice.keys();
     const Mover m{keys.data(), nullptr, uint32_t(keys.size()), 0, dice.vec(3), false};
@@ -65,7 +65,7 @@ std::vector<Pose> longTurn(uint32_t rows) {
 }
 
 TEST(SweptBounds, OfSeveralHundredHullsAreThoseOfAllKeys) {
-  Dice dice{Random(52, 0)};
+  SweptBoundsDice dice{Random(52, 0)};
   const std::vector<Pose> keys = longTurn(30000);
   const Mover m{keys.data(), nullptr, uint32_t(keys.size()), 0, {}, false};
   const Vec3 half = dice.half();
@@ -74,7 +74,7 @@ TEST(SweptBounds, OfSeveralHundredHullsAreThoseOfAllKeys) {
 
 // As of a scanned mesh that turns for twenty minutes: each row for each hull took minutes.
 TEST(SweptBounds, OfAHundredThousandHullsHoldThemInAMoment) {
-  Dice dice{Random(53, 0)};
+  SweptBoundsDice dice{Random(53, 0)};
   const std::vector<Pose> keys = longTurn(72000);
   const Mover m{keys.data(), nullptr, uint32_t(keys.size()), 0, {}, false};
   const SweptBounds swept(m, 100000);
@@ -90,7 +90,7 @@ TEST(SweptBounds, OfAHundredThousandHullsHoldThemInAMoment) {
 }
 
 TEST(SweptBounds, OfWhatSpinsHoldItsLargestRadius) {
-  Dice dice{Random(51, 0)};
+  SweptBoundsDice dice{Random(51, 0)};
   const Mat3 spin{};
   for (int round = 0; round < 100; ++round) {
     const std::vector<Pose> keys = dice.keys();

@@ -11,7 +11,7 @@ namespace {
 using geom::Separation;
 using geom::ShapeKind;
 
-constexpr float kMargin = 0.5f;
+constexpr float kSeparationMargin = 0.5f;
 constexpr double kDeeper = double(geom::internal::kPreference) + kTolerance;
 
 // Apart by corners or edges, the answer is a lower bound of the distance.
@@ -28,7 +28,7 @@ struct Found {
     ASSERT_TRUE(std::isfinite(ours)) << pair;
     ASSERT_NEAR(double(length(s.normal)), 1, 1e-5) << pair;
     ASSERT_LE(ours, exact + kTolerance) << pair;
-    if (exact > double(kMargin)) return;
+    if (exact > double(kSeparationMargin)) return;
     shallower = std::max(shallower, ours - exact);
     ++(exact <= 0 ? overlapping : apart);
     double& worst = exact <= 0 ? deeper : early;
@@ -64,7 +64,7 @@ TEST(SeparationParity, OfPolytopesIsThatOfAllTheirAxes) {
   int normals = 0;
   for (int i = 0; i < 600000 && !HasFatalFailure(); ++i) {
     const ConvexPair p = dice.pair(kPolytopes[i % 4], kPolytopes[i / 4 % 4]);
-    const Separation s = geom::separation(p.a, p.b, kMargin);
+    const Separation s = geom::separation(p.a, p.b, kSeparationMargin);
     const Polytope a = polytopeOf(p.a, p.localA), b = polytopeOf(p.b, p.localB);
     const Exact exact = exactPenetration(a, b);
     // Where edges are parallel the exact axes are a lower bound of any size.
@@ -92,7 +92,7 @@ TEST(SeparationParity, OfPolytopesThatAreApartIsNoMoreThanTheirDistance) {
   int referenceWrong = 0, half = 0;
   for (int i = 0; i < 100000 && !HasFatalFailure(); ++i) {
     const ConvexPair p = dice.pair(kPolytopes[i % 4], kPolytopes[i / 4 % 4]);
-    const Separation s = geom::separation(p.a, p.b, kMargin);
+    const Separation s = geom::separation(p.a, p.b, kSeparationMargin);
     const BulletContact bullet = bulletApart(p.a, p.b);
     if (bullet.overlap || bullet.depth > -kTolerance) continue;
     if (double(s.distance) > -bullet.depth + kTolerance) {
@@ -121,7 +121,7 @@ TEST(SeparationParity, OfABallAndAPolytopeIsTheDistanceOfItsCentre) {
                          double(geom::Ball::radius(p.a.shape));
     if (i / 4 % 2) std::swap(p.a, p.b);
     // Beside shapes of 50 studs the way to the centre is less exact.
-    found.compare(p, geom::separation(p.a, p.b, kMargin), exact, 4e-3, 1e-2);
+    found.compare(p, geom::separation(p.a, p.b, kSeparationMargin), exact, 4e-3, 1e-2);
   }
   found.report();
   EXPECT_GT(found.overlapping, 60000);
@@ -140,7 +140,7 @@ TEST(SeparationParity, OfABallAndARoundShapeIsTheDistanceOfItsCentre) {
                : pointApartOfCylinder(p.b, at);
     const double exact = apart - double(geom::Ball::radius(p.a.shape));
     if (i / 4 % 2) std::swap(p.a, p.b);
-    found.compare(p, geom::separation(p.a, p.b, kMargin), exact, 1e-2, 1e-2);
+    found.compare(p, geom::separation(p.a, p.b, kSeparationMargin), exact, 1e-2, 1e-2);
   }
   found.report();
   EXPECT_GT(found.overlapping, 30000);
@@ -159,7 +159,7 @@ TEST(SeparationParity, OfACylinderIsTooDeepOnlyAtRims) {
   for (int i = 0; i < 80000 && !HasFatalFailure(); ++i) {
     ConvexPair p = dice.pair(ShapeKind::cylinder, kOther[i % 5]);
     if (i / 5 % 2) std::swap(p.a, p.b);
-    const Separation s = geom::separation(p.a, p.b, kMargin);
+    const Separation s = geom::separation(p.a, p.b, kSeparationMargin);
     const double bullet = -bulletApart(p.a, p.b).depth;
     if (double(s.distance) > bullet + kTolerance) {
       // EPA has not come to an end, or GJK: moved by what we say, they are apart for Bullet as

@@ -16,7 +16,7 @@ namespace {
 using support::LevelBuilder;
 
 // A start to z = -4, and more ground from z = -9 to -17.
-LevelBuilder gap() {
+LevelBuilder surroundingsGap() {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8});
   b.block({0, 0, -13}, {8, 1, 8});
@@ -39,7 +39,7 @@ struct Roofed {
 };
 
 TEST(Surroundings, OfManyHugePartsStayBounded) {
-  const level::Level level = gap().compile();
+  const level::Level level = surroundingsGap().compile();
   const Roofed roofed(level);
   const Surroundings around(roofed.view, kSight);
   const SurroundingsView s = around.view();
@@ -49,7 +49,7 @@ TEST(Surroundings, OfManyHugePartsStayBounded) {
 }
 
 TEST(Surroundings, OfFewPartsAreSquaresOfEightStuds) {
-  const level::Level level = gap().compile();
+  const level::Level level = surroundingsGap().compile();
   const Surroundings around(level.view(), kSight);
   const SurroundingsView s = around.view();
   EXPECT_EQ(s.inverseCell, 1 / 8.0f);

@@ -58,7 +58,7 @@ std::vector<LooseBody> throwAll(const level::LevelView& level, const std::vector
 }
 
 // A floor with its top at 0; the player stands far away.
-LevelBuilder room(float thick = 2) {
+LevelBuilder loosePropertiesRoom(float thick = 2) {
   LevelBuilder b;
   b.block({0, -0.5f * thick, 0}, {300, thick, 300}, [](auto p) { p.setElasticity(0); });
   return b;
@@ -202,7 +202,7 @@ RC_GTEST_PROP(LooseProperties, EnergyDoesNotGrow, ()) {
     bodies[i].size = {bodies[i].size.x, bodies[i].size.x, bodies[i].size.x};
     bodies[i].position.y += 12 * float(i);
   }
-  LevelBuilder b = room();
+  LevelBuilder b = loosePropertiesRoom();
   for (const Thrown& t : bodies) addThrown(b, t);
   const level::Level level = b.compile();
   std::vector<LooseBody> loose = throwAll(level.view(), bodies);
@@ -230,7 +230,7 @@ RC_GTEST_PROP(LooseProperties, EnergyDoesNotGrow, ()) {
 
 RC_GTEST_PROP(LooseProperties, NothingPassesAThinWall, ()) {
   Thrown t = *thrown(rc::gen::just(Vec3{}), 100);
-  LevelBuilder b = room();
+  LevelBuilder b = loosePropertiesRoom();
   b.block({0, 30, 0}, {0.05f, 60, 300});
   t.position = {-8 - *between(0, 8), *between(6, 30), 0};
   t.velocity.x = *between(0, 480);
@@ -252,7 +252,7 @@ void dropOnFloors(float thinnest, float fastest) {
   t.position = {0, *between(6, 20), 0};
   t.velocity.y = -*between(0, fastest);
   t.velocity = t.velocity * minf(1, 479 / length(t.velocity));
-  LevelBuilder b = room(thick);
+  LevelBuilder b = loosePropertiesRoom(thick);
   addThrown(b, t);
   const level::Level level = b.compile();
   std::vector<LooseBody> loose = throwAll(level.view(), {t});
@@ -276,7 +276,7 @@ RC_GTEST_PROP(LooseProperties, WhatSleepsStaysUntilItIsTouched, ()) {
                                      rc::gen::set(&Vec3::y, between(4, 10)),
                                      rc::gen::set(&Vec3::z, between(-4, 4))),
                 10));
-  LevelBuilder b = room();
+  LevelBuilder b = loosePropertiesRoom();
   for (const Thrown& t : bodies) addThrown(b, t);
   const level::Level level = b.compile();
   std::vector<LooseBody> loose = throwAll(level.view(), bodies);

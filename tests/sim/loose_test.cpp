@@ -12,10 +12,10 @@ namespace {
 using sim::LooseState;
 using support::LevelBuilder;
 
-void loosen(schema::Part::Builder p) { p.setAnchored(false); }
+void looseLoosen(schema::Part::Builder p) { p.setAnchored(false); }
 
 // A floor whose top is at 0, far away from the player at (0, 0, 40).
-LevelBuilder room() {
+LevelBuilder looseRoom() {
   LevelBuilder b;
   b.block({0, -1, 0}, {200, 2, 200}).spawn({0, 0, 40});
   return b;
@@ -27,7 +27,7 @@ float speedOf(const sim::LooseBody& b) { return length(b.velocity) + length(b.sp
 
 TEST(LooseBodies, FallAsGravityHasIt) {
   for (const float sleepTime : {0.5f, 0.0f}) {
-    const auto level = room()
+    const auto level = looseRoom()
                            .block({0, 50, 0}, {4, 4, 4}, loosen)
                            .physics([=](auto p) { p.setSleepTime(sleepTime); })
                            .compile();
@@ -40,7 +40,7 @@ TEST(LooseBodies, FallAsGravityHasIt) {
 }
 
 TEST(LooseBodies, ComeToRestOnTheFloorAndSleep) {
-  const auto level = room().block({0, 4, 0}, {4, 4, 4}, loosen).compile();
+  const auto level = looseRoom().block({0, 4, 0}, {4, 4, 4}, loosen).compile();
   Play play = playOf(level);
   play.run(stand(), 180);
   EXPECT_NEAR(play.loose[0].position.y, 2, 0.02);
@@ -58,7 +58,7 @@ TEST(LooseBodies, OfEveryShapeRestOnTheirLowestFace) {
                         {schema::Shape::WEDGE, 1},    {schema::Shape::CORNER_WEDGE, 1},
                         {schema::Shape::CYLINDER, 1}, {schema::Shape::TRUSS, 1}};
   for (const Case& c : cases) {
-    const auto level = room()
+    const auto level = looseRoom()
                            .block({0, 3, 0}, {2, 2, 2},
                                   [&](auto p) {
                                     p.setAnchored(false);
@@ -100,7 +100,7 @@ TEST(LooseBodies, RestOnAHullFarFromItsPartsCentre) {
 }
 
 TEST(LooseBodies, ThatStandOnACornerTipOver) {
-  const auto level = room()
+  const auto level = looseRoom()
                          .block({0, 5, 0}, {4, 4, 4},
                                 [](auto p) {
                                   p.setAnchored(false);
@@ -114,7 +114,7 @@ TEST(LooseBodies, ThatStandOnACornerTipOver) {
 }
 
 TEST(LooseBodies, StackAndStayStacked) {
-  LevelBuilder b = room();
+  LevelBuilder b = looseRoom();
   for (int i = 0; i < 8; ++i) b.block({0, 2 + 4.02f * float(i), 0}, {4, 4, 4}, loosen);
   const auto level = b.compile();
   Play play = playOf(level);
@@ -132,7 +132,7 @@ TEST(LooseBodies, SlideDownASlopeThatIsSteeperThanTheirFriction) {
       p.setFriction(friction);
       support::setRotation(p.initRotation(), 0, pitch);
     };
-    const auto level = room()
+    const auto level = looseRoom()
                            .block({0, 20, 0}, {20, 2, 60}, rough)
                            .block({0, 22.18f, 0}, {4, 2, 4},
                                   [=](auto p) {
@@ -199,7 +199,7 @@ TEST(LooseBodies, BounceStraightUp) {
 }
 
 TEST(LooseBodies, FallOutOfTheWorld) {
-  const auto level = room().block({150, 10, 0}, {4, 4, 4}, loosen).compile();
+  const auto level = looseRoom().block({150, 10, 0}, {4, 4, 4}, loosen).compile();
   Play play = playOf(level);
   play.run(stand(), 200);
   EXPECT_EQ(play.loose[0].state, LooseState::gone);
@@ -207,7 +207,7 @@ TEST(LooseBodies, FallOutOfTheWorld) {
 }
 
 TEST(LooseBodies, RestOnPlatformsThatCarry) {
-  const auto level = room()
+  const auto level = looseRoom()
                          .block({0, 0, 0}, {12, 2, 12},
                                 [](auto p) {
                                   auto motion = p.initMotion();
@@ -228,7 +228,7 @@ TEST(LooseBodies, RestOnPlatformsThatCarry) {
 }
 
 TEST(LooseBodies, ArePushedByThePlayer) {
-  const auto level = room().block({0, 2, 20}, {4, 4, 4}, loosen).compile();
+  const auto level = looseRoom().block({0, 2, 20}, {4, 4, 4}, loosen).compile();
   Play play = playOf(level);
   play.settle().run(walk(kNorth), 240);
   EXPECT_LT(play.loose[0].position.z, 10);
@@ -238,7 +238,7 @@ TEST(LooseBodies, ArePushedByThePlayer) {
 }
 
 TEST(LooseBodies, ThatAreTooHeavyStayWhereTheyAre) {
-  const auto level = room()
+  const auto level = looseRoom()
                          .block({0, 2, 20}, {12, 4, 12},
                                 [](auto p) {
                                   p.setAnchored(false);
@@ -252,7 +252,7 @@ TEST(LooseBodies, ThatAreTooHeavyStayWhereTheyAre) {
 }
 
 TEST(LooseBodies, CarryAPlayerWhoStandsOnThemAndJumps) {
-  const auto level = room().block({0, 2, 0}, {6, 4, 6}, loosen).compile();
+  const auto level = looseRoom().block({0, 2, 0}, {6, 4, 6}, loosen).compile();
   Play play(level, {0, 6, 0});
   play.settle();
   EXPECT_NEAR(play.world.position.y, 4, 0.05);
@@ -266,7 +266,7 @@ TEST(LooseBodies, CarryAPlayerWhoStandsOnThemAndJumps) {
 }
 
 TEST(LooseBodies, ThatFallTakeAPlayerWhoStandsOnThemAlong) {
-  const auto level = room().block({0, 100, 0}, {8, 2, 8}, loosen).compile();
+  const auto level = looseRoom().block({0, 100, 0}, {8, 2, 8}, loosen).compile();
   Play play(level, {0, 101, 0});
   play.run(stand(), 30);
   const float above = play.world.position.y - (play.loose[0].position.y + 1);
@@ -276,7 +276,7 @@ TEST(LooseBodies, ThatFallTakeAPlayerWhoStandsOnThemAlong) {
 
 TEST(LooseBodies, PushedToAWallMakeAStepThatIsNotThereOtherwise) {
   const auto climb = [](bool box) {
-    LevelBuilder b = room();
+    LevelBuilder b = looseRoom();
     b.block({0, 5, -20}, {40, 10, 10});  // a wall 10 high: a jump reaches 7
     if (box) b.block({0, 2, 20}, {4, 4, 4}, loosen);
     const auto level = b.compile();
@@ -293,7 +293,7 @@ TEST(LooseBodies, PushedToAWallMakeAStepThatIsNotThereOtherwise) {
 }
 
 TEST(LooseBodies, RestoredContinueAsTheyWould) {
-  LevelBuilder b = room();
+  LevelBuilder b = looseRoom();
   for (int i = 0; i < 5; ++i) b.block({float(i), 4 + 5 * float(i), 20}, {4, 4, 4}, loosen);
   const auto level = b.compile();
   Play play = playOf(level);
@@ -309,7 +309,7 @@ TEST(LooseBodies, RestoredContinueAsTheyWould) {
 }
 
 TEST(LooseBodies, MoreThanSixteenAreAnErrorThatNamesTheFirstTooMany) {
-  LevelBuilder b = room();
+  LevelBuilder b = looseRoom();
   for (int i = 0; i < 17; ++i) b.block({5 * float(i), 2, 0}, {4, 4, 4}, loosen);
   const auto level = level::Level::compile(b.record());
   ASSERT_FALSE(level);

@@ -37,7 +37,7 @@ struct Explained {
   }
 };
 
-std::string withoutTiming(std::string text) {
+std::string explainWithoutTiming(std::string text) {
   const size_t at = text.find("\"timing\"");
   return at == std::string::npos ? text : text.erase(at, text.find('}', at) - at);
 }
@@ -63,7 +63,7 @@ Explained parsed(const Filtered& f) {
   const auto record = decoded->reader().getResult();
   result.verdict = record.getVerdict();
   result.reason = record.getReason();
-  result.bytes = withoutTiming(f.output);
+  result.bytes = explainWithoutTiming(f.output);
   for (const auto r : record.getRelaxations()) {
     result.all.push_back(
         {r.getKnob(), double(r.getAmount()), r.getPart(), r.getAvoid(), r.getField(), r.getText()});
@@ -71,7 +71,7 @@ Explained parsed(const Filtered& f) {
   return result;
 }
 
-Explained ask(const std::string& text, uint64_t maxSteps = 1'000'000, int threads = 2) {
+Explained explainAsk(const std::string& text, uint64_t maxSteps = 1'000'000, int threads = 2) {
   const LinesFile file(text);
   return parsed(runFilter(file.path(), explaining(maxSteps, threads)));
 }
@@ -94,7 +94,7 @@ const std::string kFourStones = level(R"({"name":"A","position":[0,-0.5,-4],"siz
 const std::string kFourth = R"("goal":{"position":[0,2,-52],"size":[8,4,8]})";
 
 TEST(Explain, CountsTheJumpsThatAreNeeded) {
-  const Explained e = ask(kFourStones + query(kFourth + R"(,"maxJumps":1)"));
+  const Explained e = explainAsk(kFourStones + query(kFourth + R"(,"maxJumps":1)"));
   const Said* jumps = e.of(schema::Knob::JUMPS);
   ASSERT_NE(jumps, nullptr) << e.reason;
   EXPECT_EQ(jumps->amount, 2);
@@ -104,7 +104,7 @@ TEST(Explain, CountsTheJumpsThatAreNeeded) {
 }
 
 TEST(Explain, CountsTheJumpsOfASegment) {
-  const Explained e = ask(
+  const Explained e = explainAsk(
       kFourStones +
       query(kFourth +
             R"(,"segmentJumps":1,"waypoints":[{"region":{"position":[0,2,-20],"size":[8,4,8]}}])"));
@@ -117,7 +117,7 @@ TEST(Explain, CountsTheJumpsOfASegment) {
 
 // The straight way to the goal's box is 40 studs, at 16 studs/s.
 TEST(Explain, SaysHowLongItTakes) {
-  const Explained e = ask(kFourStones + query(kFourth + R"(,"timeLimit":1.5)"));
+  const Explained e = explainAsk(kFourStones + query(kFourth + R"(,"timeLimit":1.5)"));
   const Said* time = e.of(schema::Knob::TIME);
   ASSERT_NE(time, nullptr) << e.reason;
   const double limit = 1.5 + time->amount;
@@ -134,7 +134,7 @@ TEST(Explain, ALittleLessTimeThanItSaysIsNotEnough) {
     o.solver.explain = false;
     return runFilter(file.path(), std::move(o)).counts.solved == 1;
   };
-  const Explained e = ask(kFourStones + query(kFourth + R"(,"timeLimit":2)"));
+  const Explained e = explainAsk(kFourStones + query(kFourth + R"(,"timeLimit":2)"));
   const Said* time = e.of(schema::Knob::TIME);
   ASSERT_NE(time, nullptr) << e.reason;
   EXPECT_TRUE(solvedIn(2 + time->amount));
@@ -161,7 +161,7 @@ TEST(Explain, LowersAPartByNoMoreThanNeeded) {
   while (truth > 0 && !walkable(truth)) truth -= 0.1;
   ASSERT_GT(truth, 0.5);
   const double top = truth + 1.55;
-  const Explained e = ask(stepUp(top));
+  const Explained e = explainAsk(stepUp(top));
   const Said* lowered = e.of(schema::Knob::LOWERED);
   ASSERT_NE(lowered, nullptr) << e.reason;
   EXPECT_EQ(lowered->part, 1);
@@ -173,9 +173,10 @@ TEST(Explain, LowersAPartByNoMoreThanNeeded) {
 }
 
 TEST(Explain, SaysHowMuchHigherJumpsShouldBe) {
-  const Explained e = ask(level(R"({"name":"Floor","position":[0,-0.5,-4],"size":[8,1,8]},)"
-                                R"({"name":"Ledge","position":[0,10.5,-14],"size":[8,1,8]})") +
-                          query(R"("goal":{"position":[0,11.7,-14],"size":[4,0.6,4]})"));
+  const Explained e =
+      explainAsk(level(R"({"name":"Floor","position":[0,-0.5,-4],"size":[8,1,8]},)"
+                       R"({"name":"Ledge","position":[0,10.5,-14],"size":[8,1,8]})") +
+                 query(R"("goal":{"position":[0,11.7,-14],"size":[4,0.6,4]})"));
   const Said* higher = e.of(schema::Knob::JUMP_HEIGHT);
   ASSERT_NE(higher, nullptr) << e.reason;
   EXPECT_GT(higher->amount, 0.5);
@@ -194,7 +195,7 @@ const std::string kLava =
     R"(,{"name":"Lava","position":[0,40,-14],"size":[40,100,2],"solid":false,"kill":{}})";
 
 TEST(Explain, NamesTheKillPartInTheWay) {
-  const Explained e = ask(corridor(kLava) + query(kEnd));
+  const Explained e = explainAsk(corridor(kLava) + query(kEnd));
   EXPECT_EQ(e.verdict, schema::Verdict::UNKNOWN);
   ASSERT_THAT(e.all, SizeIs(1)) << e.reason;
   EXPECT_EQ(e.all[0].knob, schema::Knob::KILL_PART);
@@ -206,7 +207,7 @@ TEST(Explain, NamesTheKillPartInTheWay) {
 TEST(Explain, NamesTheAvoidRegionInTheWay) {
   const std::string avoid =
       R"("avoid":[{"position":[90,0,0]},{"name":"dark","position":[0,20,-14],"size":[20,60,2]}])";
-  const Explained e = ask(corridor("") + query(kEnd + "," + avoid));
+  const Explained e = explainAsk(corridor("") + query(kEnd + "," + avoid));
   ASSERT_THAT(e.all, SizeIs(1)) << e.reason;
   EXPECT_EQ(e.all[0].knob, schema::Knob::AVOID);
   EXPECT_EQ(e.all[0].avoid, 1);
@@ -215,7 +216,8 @@ TEST(Explain, NamesTheAvoidRegionInTheWay) {
 }
 
 TEST(Explain, NamesTheForbiddenState) {
-  const Explained e = ask(kFourStones + query(kFourth + R"(,"forbid":["climbing","jumping"])"));
+  const Explained e =
+      explainAsk(kFourStones + query(kFourth + R"(,"forbid":["climbing","jumping"])"));
   const Said* state = e.of(schema::Knob::FORBIDDEN);
   ASSERT_NE(state, nullptr) << e.reason;
   EXPECT_EQ(state->field, "forbid[1]");
@@ -226,7 +228,7 @@ TEST(Explain, NamesTheForbiddenState) {
 TEST(Explain, SaysHowMuchHealthItCosts) {
   const std::string burning =
       R"(,{"name":"Embers","position":[0,40,-14],"size":[40,100,2],"solid":false,"kill":{"damage":30,"cooldown":5}})";
-  const Explained e = ask(corridor(burning) + query(kEnd + R"(,"maxDamage":10)"));
+  const Explained e = explainAsk(corridor(burning) + query(kEnd + R"(,"maxDamage":10)"));
   const Said* damage = e.of(schema::Knob::DAMAGE);
   ASSERT_NE(damage, nullptr) << e.reason;
   EXPECT_EQ(damage->amount, 20);
@@ -239,7 +241,7 @@ TEST(Explain, SaysHowMuchHealthItCosts) {
 
 TEST(Explain, ClaimsNothingWhereNothingHelps) {
   const Explained e =
-      ask(corridor("") + query(R"("goal":{"position":[0,400,-30],"size":[8,4,4]})"));
+      explainAsk(corridor("") + query(R"("goal":{"position":[0,400,-30],"size":[8,4,4]})"));
   EXPECT_EQ(e.verdict, schema::Verdict::UNREACHABLE);
   EXPECT_THAT(e.all, IsEmpty());
   EXPECT_THAT(e.reason, HasSubstr("no single change that was tried makes it solvable"));
@@ -248,8 +250,8 @@ TEST(Explain, ClaimsNothingWhereNothingHelps) {
 TEST(Explain, ClaimsNothingWhereTwoChangesAreNeeded) {
   const std::string behind =
       R"(,{"name":"Lava 2","position":[0,40,-22],"size":[40,100,2],"solid":false,"kill":{}})";
-  EXPECT_THAT(ask(corridor(kLava + behind) + query(kEnd)).all, IsEmpty());
-  const Explained e = ask(kFourStones + query(kFourth + R"(,"maxJumps":1,"timeLimit":1.5)"));
+  EXPECT_THAT(explainAsk(corridor(kLava + behind) + query(kEnd)).all, IsEmpty());
+  const Explained e = explainAsk(kFourStones + query(kFourth + R"(,"maxJumps":1,"timeLimit":1.5)"));
   EXPECT_THAT(e.all, IsEmpty());
 }
 
@@ -263,7 +265,7 @@ TEST(Explain, SaysNothingUnlessAsked) {
 }
 
 TEST(Explain, SaysNothingOfWhatIsSolved) {
-  const Explained e = ask(kFourStones + query(kFourth));
+  const Explained e = explainAsk(kFourStones + query(kFourth));
   EXPECT_EQ(e.verdict, schema::Verdict::SOLVED);
   EXPECT_THAT(e.all, IsEmpty());
   EXPECT_THAT(e.reason, Not(HasSubstr("single change")));
@@ -284,7 +286,7 @@ TEST(Explain, StopsWhenToldTo) {
 TEST(Explain, GivesTheSameBytesOnAnyNumberOfThreads) {
   for (const std::string& text : {kFourStones + query(kFourth + R"(,"maxJumps":1)"),
                                   corridor(kLava) + query(kEnd), stepUp(6)}) {
-    const Explained one = ask(text, 300'000, 1), three = ask(text, 300'000, 3);
+    const Explained one = explainAsk(text, 300'000, 1), three = explainAsk(text, 300'000, 3);
     EXPECT_FALSE(one.all.empty()) << one.reason;
     EXPECT_EQ(one.bytes, three.bytes);
   }

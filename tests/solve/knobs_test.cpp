@@ -16,13 +16,13 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-io::RecordBuilder record(const std::string& json) {
+io::RecordBuilder knobsRecord(const std::string& json) {
   auto decoded = io::recordFromJson(json);
   EXPECT_TRUE(decoded) << decoded.error().text();
   return *std::move(decoded);
 }
 
-constexpr const char* kLevel =
+constexpr const char* kKnobsLevel =
     R"({"type":"level","name":"scene","parts":[)"
     R"({"name":"Floor","position":[0,-0.5,-4],"size":[8,1,8]},)"
     R"({"name":"Lift","position":[0,5.5,-14],"size":[6,1,6],"motion":{"carries":true,"repeat":"pingPong",)"
@@ -33,10 +33,10 @@ constexpr const char* kLevel =
     R"("spawns":[{"position":[0,0,-2]}]})";
 
 // A query over that level that failed in a way that the test makes up.
-struct Scene {
-  explicit Scene(const std::string& fields)
-      : levelRecord(record(kLevel)),
-        queryRecord(record(R"({"type":"query","id":"q",)" + fields + "}")),
+struct KnobsScene {
+  explicit KnobsScene(const std::string& fields)
+      : levelRecord(knobsRecord(kKnobsLevel)),
+        queryRecord(knobsRecord(R"({"type":"query","id":"q",)" + fields + "}")),
         level(compileLevel()),
         query(compileQuery()),
         posed{level, levelRecord.reader().getLevel(), query, queryRecord.reader().getQuery()} {}
@@ -65,13 +65,13 @@ struct Scene {
 const std::string kGoal = R"("goal":{"position":[0,12,-26],"size":[6,4,6]})";
 
 TEST(Knobs, LimitsThatAQueryDoesNotHaveAreNotTurned) {
-  EXPECT_THAT(limitChanges(Scene(kGoal).failure()), IsEmpty());
+  EXPECT_THAT(limitChanges(KnobsScene(kGoal).failure()), IsEmpty());
 }
 
 TEST(Knobs, EveryLimitIsTurnedByItself) {
-  const Scene s(kGoal +
-                R"(,"maxJumps":2,"timeLimit":3,"segmentJumps":1,"segmentTime":2,"maxDamage":0,)"
-                R"("waypoints":[{"region":{"part":"Lift"},"maxJumps":1,"segmentTime":1.5}])");
+  const KnobsScene s(
+      kGoal + R"(,"maxJumps":2,"timeLimit":3,"segmentJumps":1,"segmentTime":2,"maxDamage":0,)"
+              R"("waypoints":[{"region":{"part":"Lift"},"maxJumps":1,"segmentTime":1.5}])");
   std::vector<std::string> fields;
   for (const Change& c : limitChanges(s.failure())) {
     fields.push_back(c.field);
@@ -95,7 +95,7 @@ TEST(Knobs, EveryLimitIsTurnedByItself) {
 }
 
 TEST(Knobs, APlaythroughShowsHowMuchOfALimitIsEnough) {
-  const Scene s(kGoal + R"(,"maxJumps":2,"timeLimit":3)");
+  const KnobsScene s(kGoal + R"(,"maxJumps":2,"timeLimit":3)");
   Playthrough p;
   p.end.jumps = 5;
   p.ticks = 194;  // 3.233 s
@@ -109,7 +109,7 @@ TEST(Knobs, APlaythroughShowsHowMuchOfALimitIsEnough) {
 }
 
 TEST(Knobs, HigherJumpsAreHigherByThatShare) {
-  const Scene s(kGoal);
+  const KnobsScene s(kGoal);
   const auto changes = jumpHeightChanges(s.failure());
   ASSERT_EQ(changes.size(), 1u);
   const RelaxedQuery r = s.relaxed(changes[0], 5);
@@ -120,12 +120,13 @@ TEST(Knobs, HigherJumpsAreHigherByThatShare) {
 }
 
 TEST(Knobs, WhereNobodyMayJumpHigherJumpsAreNotTried) {
-  EXPECT_THAT(jumpHeightChanges(Scene(kGoal + R"(,"maxJumps":0)").failure()), IsEmpty());
-  EXPECT_THAT(jumpHeightChanges(Scene(kGoal + R"(,"forbid":["jumping"])").failure()), IsEmpty());
+  EXPECT_THAT(jumpHeightChanges(KnobsScene(kGoal + R"(,"maxJumps":0)").failure()), IsEmpty());
+  EXPECT_THAT(jumpHeightChanges(KnobsScene(kGoal + R"(,"forbid":["jumping"])").failure()),
+              IsEmpty());
 }
 
 TEST(Knobs, APartIsLoweredWithItsMotionAndWhatStandsOnIt) {
-  Scene s(R"("goal":{"position":[0,8,-14],"size":[4,4,4]},"avoid":[{"position":[0,12,-26]}])");
+  KnobsScene s(R"("goal":{"position":[0,8,-14],"size":[4,4,4]},"avoid":[{"position":[0,12,-26]}])");
   s.outcome.cut.emplace();
   s.outcome.cut->missing.to = 1;
   const auto changes = loweredChanges(s.failure());
@@ -142,7 +143,7 @@ TEST(Knobs, APartIsLoweredWithItsMotionAndWhatStandsOnIt) {
 }
 
 TEST(Knobs, APartThatKillsStaysAsSolidAsItWas) {
-  Scene s(kGoal);
+  KnobsScene s(kGoal);
   s.outcome.ends = {{sim::Outcome::fell, kNone, 9}, {sim::Outcome::killed, 2, 5}};
   const auto changes = killPartChanges(s.failure());
   ASSERT_EQ(changes.size(), 1u);
@@ -153,7 +154,7 @@ TEST(Knobs, APartThatKillsStaysAsSolidAsItWas) {
 }
 
 TEST(Knobs, TheOtherAvoidRegionsStay) {
-  Scene s(kGoal + R"(,"avoid":[{"name":"a"},{"name":"b"},{"name":"c"}])");
+  KnobsScene s(kGoal + R"(,"avoid":[{"name":"a"},{"name":"b"},{"name":"c"}])");
   s.outcome.ends = {{sim::Outcome::avoided, 1, 5}};
   const auto changes = avoidChanges(s.failure());
   ASSERT_EQ(changes.size(), 1u);
@@ -167,7 +168,7 @@ TEST(Knobs, TheOtherAvoidRegionsStay) {
 
 // On the floor and on the lift, never on the far platform; the lava and the crate do not count.
 TEST(Knobs, PartsToLowerLieBeyondWhereTheSearchHasBeen) {
-  Scene s(kGoal);
+  KnobsScene s(kGoal);
   s.footprints.note({{0, 0, -2}, {0, 0, -6}, {0, 6, -14}});
   EXPECT_THAT(partsBeyond(s.failure(), 4), ElementsAre(3u));
 }
@@ -187,7 +188,7 @@ SearchOutcome guess(const Problem& p, const Budget&, const Watcher& watcher, con
 }
 
 TEST(Knobs, NothingHelpsThatTheVerifierDoesNotAccept) {
-  const Scene s(kGoal + R"(,"maxJumps":2,"forbid":["climbing"])");
+  const KnobsScene s(kGoal + R"(,"maxJumps":2,"forbid":["climbing"])");
   const Method method{"guess", "", guess};
   ThreadPool pool(1);
   Budget budget;

@@ -21,54 +21,56 @@ io::Record queryCalled(const std::string& id, float timeLimit = 1) {
 }
 
 // Of a query whose id has one letter.
-uint64_t bytesOfOne() { return KnownQueries::bytesOf("l", queryCalled("a")); }
+uint64_t knownQueriesBytesOfOne() { return KnownQueries::bytesOf("l", queryCalled("a")); }
 
-std::string errorOf(const KnownQueries& known, const std::string& level, const std::string& id) {
+std::string knownQueriesErrorOf(const KnownQueries& known, const std::string& level,
+                                const std::string& id) {
   const auto found = known.named(level, id);
   return found ? "found" : found.error().text();
 }
 
 TEST(KnownQueries, KeepsAsManyOfTheNewestAsFit) {
-  KnownQueries known(2 * bytesOfOne());
+  KnownQueries known(2 * knownQueriesBytesOfOne());
   for (const char* id : {"a", "b", "c"}) known.add("l", queryCalled(id));
-  EXPECT_EQ(errorOf(known, "l", "a"),
+  EXPECT_EQ(knownQueriesErrorOf(known, "l", "a"),
             "query: no query 'a' before this record that is still kept: the oldest 1 were dropped "
             "(put trajectories right behind their query; the newest queries are kept, 0 MiB of "
             "memory)");
-  EXPECT_EQ(errorOf(known, "l", "b"), "found");
-  EXPECT_EQ(errorOf(known, "l", "c"), "found");
-  EXPECT_NE(errorOf(known, "other", "c"), "found");
+  EXPECT_EQ(knownQueriesErrorOf(known, "l", "b"), "found");
+  EXPECT_EQ(knownQueriesErrorOf(known, "l", "c"), "found");
+  EXPECT_NE(knownQueriesErrorOf(known, "other", "c"), "found");
 }
 
 TEST(KnownQueries, KeepsTheNewestWhateverItTakes) {
   KnownQueries known(1);
   for (const char* id : {"a", "b"}) known.add("l", queryCalled(id));
-  EXPECT_NE(errorOf(known, "l", "a"), "found");
-  EXPECT_EQ(errorOf(known, "l", "b"), "found");
+  EXPECT_NE(knownQueriesErrorOf(known, "l", "a"), "found");
+  EXPECT_EQ(knownQueriesErrorOf(known, "l", "b"), "found");
 }
 
 TEST(KnownQueries, OneOfAKnownIdIsTheNewestAndTakesThePlaceOfTheOther) {
-  KnownQueries known(2 * bytesOfOne());
+  KnownQueries known(2 * knownQueriesBytesOfOne());
   for (const char* id : {"a", "b"}) known.add("l", queryCalled(id));
   known.add("l", queryCalled("a", 7));
   const auto again = known.named("l", "a");
   ASSERT_TRUE(again);
   EXPECT_EQ(again->reader().getQuery().getTimeLimit(), 7.0f);
   known.add("l", queryCalled("c"));
-  EXPECT_NE(errorOf(known, "l", "b"), "found");
-  EXPECT_EQ(errorOf(known, "l", "a"), "found");
+  EXPECT_NE(knownQueriesErrorOf(known, "l", "b"), "found");
+  EXPECT_EQ(knownQueriesErrorOf(known, "l", "a"), "found");
 }
 
 TEST(KnownQueries, GoWithTheirLevelAndAreNotDroppedThen) {
-  KnownQueries known(bytesOfOne() * 3);
+  KnownQueries known(knownQueriesBytesOfOne() * 3);
   known.add("k", queryCalled("a"));
   for (const char* id : {"a", "b"}) known.add("l", queryCalled(id));
   known.forgetLevel("l");
   known.forgetLevel("never");
-  EXPECT_EQ(errorOf(known, "k", "a"), "found");
-  for (const char* id : {"a", "b"}) EXPECT_THAT(errorOf(known, "l", id), Not(HasSubstr("dropped")));
+  EXPECT_EQ(knownQueriesErrorOf(known, "k", "a"), "found");
+  for (const char* id : {"a", "b"})
+    EXPECT_THAT(knownQueriesErrorOf(known, "l", id), Not(HasSubstr("dropped")));
   for (const char* id : {"c", "d"}) known.add("m", queryCalled(id));
-  EXPECT_EQ(errorOf(known, "k", "a"), "found") << "what was forgotten takes no room";
+  EXPECT_EQ(knownQueriesErrorOf(known, "k", "a"), "found") << "what was forgotten takes no room";
 }
 
 TEST(EndlessStream, ATrajectoryOfADroppedQueryIsToldSo) {

@@ -20,7 +20,7 @@ namespace obby::solve::learned {
 namespace {
 
 template <class S>
-std::vector<S> drawn(size_t count, Random& random) {
+std::vector<S> learnedNetDrawn(size_t count, Random& random) {
   std::vector<S> v(count);
   for (S& x : v) x = S(2 * random.unit() - 1);
   return v;

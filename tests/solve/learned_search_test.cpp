@@ -10,7 +10,7 @@ namespace obby::solve::learned {
 namespace {
 
 // Six studs wide, 124 long, with nothing beside it; the goal is out of reach.
-level::Level corridor() {
+level::Level learnedSearchCorridor() {
   LevelBuilder b;
   b.block({0, -0.5f, -60}, {6, 1, 124});
   b.spawn({0, 0, -2});
@@ -57,7 +57,7 @@ void expectTruthfulStatistics(S& search, uint64_t rollouts) {
 }
 
 TEST(Pbge, KeepsWaysThatReplayAndCountsWhatItDid) {
-  const level::Level level = corridor();
+  const level::Level level = learnedSearchCorridor();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
   Pbge search(problem, 1, {}, {pool});
@@ -70,7 +70,7 @@ TEST(Pbge, KeepsWaysThatReplayAndCountsWhatItDid) {
 }
 
 TEST(Cflge, KeepsWaysThatReplayAndCountsWhatItDid) {
-  const level::Level level = corridor();
+  const level::Level level = learnedSearchCorridor();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
   Cflge search(problem, 1, {}, {pool});
@@ -109,7 +109,7 @@ void expectForgettingToShowNowhere(const Problem& problem) {
 }
 
 TEST(LearnedSearches, ForgetWaysThatNothingLeadsAlong) {
-  const level::Level level = corridor();
+  const level::Level level = learnedSearchCorridor();
   const Problem problem = support::endlessProblem(level);
   expectForgettingToShowNowhere<Pbge, PbgeSettings>(problem);
   expectForgettingToShowNowhere<Cflge, CflgeSettings>(problem);
@@ -117,7 +117,7 @@ TEST(LearnedSearches, ForgetWaysThatNothingLeadsAlong) {
 
 // What it plays depends on nothing but its start, its seed and what it remembers.
 TEST(Cflge, RemembersWhatAnEarlierAnswerCameThrough) {
-  const level::Level level = corridor();
+  const level::Level level = learnedSearchCorridor();
   Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
   const auto stepsPlayed = [&](uint32_t ticks) {
@@ -134,7 +134,7 @@ TEST(Cflge, RemembersWhatAnEarlierAnswerCameThrough) {
 
 // Without learning hardly anybody comes back to where the player before fell off the edges.
 TEST(Pbge, LearnsToReturn) {
-  const level::Level level = corridor();
+  const level::Level level = learnedSearchCorridor();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
   PbgeSettings dull;
@@ -147,7 +147,7 @@ TEST(Pbge, LearnsToReturn) {
 }
 
 TEST(Cflge, LearnsTheModuleAndToReturn) {
-  const level::Level level = corridor();
+  const level::Level level = learnedSearchCorridor();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
   CflgeSettings dull;
@@ -177,7 +177,7 @@ std::vector<Vec3> placesOf(const Problem& problem, int threads, int rounds) {
 
 // Long enough to have learned: weights decide what is played.
 TEST(LearnedSearches, AreTheSameOnAnyNumberOfThreads) {
-  const level::Level level = corridor();
+  const level::Level level = learnedSearchCorridor();
   const Problem problem = support::endlessProblem(level);
   const auto pbge = placesOf<Pbge, PbgeSettings>(problem, 1, 12);
   const auto cflge = placesOf<Cflge, CflgeSettings>(problem, 1, 16);
@@ -244,7 +244,7 @@ TEST(LearnedSearches, SolveLevels) {
 
 template <class S, class Settings>
 std::vector<Vec3> placesUnder(const Settings& settings, int rounds) {
-  const level::Level level = corridor();
+  const level::Level level = learnedSearchCorridor();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
   S search(problem, 3, settings, {pool});

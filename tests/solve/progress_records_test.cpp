@@ -9,7 +9,8 @@
 namespace obby::solve {
 namespace {
 
-constexpr Vec3 kGoal{0, 60, -28}, kGoalSize{8, 4, 8};  // far above what anybody reaches
+constexpr Vec3 kProgressRecordsGoal{0, 60, -28},
+    kGoalSize{8, 4, 8};  // far above what anybody reaches
 
 std::string lineOf(const io::RecordBuilder& record) {
   return *io::recordToJson(record.reader()) + "\n";
@@ -29,7 +30,7 @@ struct Searched {
 Searched searched(int rounds, bool paths = false) {
   static const level::Level level = steppingStones().compile();
   Question question(level);
-  question.query.goal = boxAt(kGoal, kGoalSize);
+  question.query.goal = boxAt(kProgressRecordsGoal, kGoalSize);
   const Problem problem = question.problem();
   ThreadPool pool(1);
   GoExplore search(problem, 1, {}, pool);

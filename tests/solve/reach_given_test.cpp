@@ -10,7 +10,7 @@
 namespace obby::solve {
 namespace {
 
-Problem problemOf(const level::Level& level) {
+Problem reachGivenProblemOf(const level::Level& level) {
   return {level.view(),
           {},
           sim::makeWorld(level.view(), level.spawns()[0]),
@@ -37,7 +37,7 @@ TEST(ReachBound, HoldsWhomAWallPushesInTheAir) {
   b.block({0, -0.5f, 0}, {32, 1, 8}).spawn({12, 0, 0});
   addWall(b, 60, -60, 2.4f);
   const level::Level level = b.compile();
-  const Problem problem = problemOf(level);
+  const Problem problem = reachGivenProblemOf(level);
   const ReachBound bound(problem, true);
   const Turns aside = turnsFromRadians(kPi / 2);  // toward -X
   sim::World w = problem.start;
@@ -58,7 +58,7 @@ TEST(ReachBound, AWallFarOffPushesNobody) {
   b.block({0, -0.5f, -120}, {8, 1, 8});
   addWall(b, -60, -114, 2);
   const level::Level level = b.compile();
-  const Problem problem = problemOf(level);
+  const Problem problem = reachGivenProblemOf(level);
   EXPECT_EQ(ReachBound(problem, true).jumpsTo(boxAt({0, 3, -120}, {4, 2, 4})), ReachBound::kNever);
 }
 
@@ -74,7 +74,7 @@ TEST(ReachBound, HoldsWhomASmallSpinnerThrows) {
     spin.setSpeed(40);
   });
   const level::Level level = b.compile();
-  const Problem problem = problemOf(level);
+  const Problem problem = reachGivenProblemOf(level);
   const ReachBound bound(problem, true);
   const Turns aside = turnsFromRadians(kPi / 2);  // toward -X
   float highest = 0;
@@ -102,7 +102,7 @@ TEST(ReachBound, HoldsWhomAPadThrowsBeforeItIsMet) {
     b.spawn({0, 8 + 0.1f * float(i), 0});
     b.physics([](schema::PhysicsParams::Builder p) { p.setTouchMargin(1); });
     const level::Level level = b.compile();
-    const Problem problem = problemOf(level);
+    const Problem problem = reachGivenProblemOf(level);
     const ReachBound bound(problem, true);
     sim::World w = problem.start;
     for (uint32_t t = 0; t < 80; ++t) {
@@ -121,7 +121,7 @@ TEST(ReachBound, HoldsWhoSitsHighUp) {
   b.block({0, 0.5f, -1}, {2, 1, 2}, [](schema::Part::Builder p) { p.initSeat(); });
   b.physics([](schema::PhysicsParams::Builder p) { p.setSeatHeight(20); });
   const level::Level level = b.compile();
-  const Problem problem = problemOf(level);
+  const Problem problem = reachGivenProblemOf(level);
   const ReachBound bound(problem, true);
   sim::World w = problem.start;
   float highest = 0;
@@ -176,7 +176,7 @@ TEST(ReachBound, HoldsWhoIsTeleportedOffARamp) {
   });
   b.physics([](schema::PhysicsParams::Builder p) { p.setWalkSpeed(300); });
   const level::Level level = b.compile();
-  const Problem problem = problemOf(level);
+  const Problem problem = reachGivenProblemOf(level);
   const ReachBound bound(problem, true);
   sim::World w = problem.start;
   float highest = 0;

@@ -26,7 +26,8 @@ LevelBuilder blockAndWalls(float wallThickness, bool block = true) {
 }
 
 // Runs from `behind` the start along -Z and jumps at `jumpAt`; the bound must hold it all the time.
-float farthestHeld(const Problem& problem, const ReachBound& bound, float behind, uint32_t jumpAt) {
+float reachPassFarthestHeld(const Problem& problem, const ReachBound& bound, float behind,
+                            uint32_t jumpAt) {
   sim::World w = problem.start;
   w.position.z += behind;
   float farthest = w.position.z;
@@ -48,7 +49,7 @@ TEST(ReachPass, HoldsWhoJumpsIntoALowBlockBeforeThinWalls) {
   for (uint32_t jumpAt = 38; jumpAt < 52 && !testing::Test::HasFailure(); ++jumpAt) {
     for (int i = 0; i < 14; ++i) {
       const float behind = 0.02f * float(i);
-      farthest = std::min(farthest, farthestHeld(problem, bound, behind, jumpAt));
+      farthest = std::min(farthest, reachPassFarthestHeld(problem, bound, behind, jumpAt));
     }
   }
   EXPECT_LT(farthest, -22) << "nobody was put out through the walls";

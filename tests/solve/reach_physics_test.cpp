@@ -26,16 +26,16 @@ level::Level underASlope(const Physics& physics, const LevelBuilder::PartSetter&
   return b.compile();
 }
 
-float fastestIn(const level::Level& level) {
+float reachPhysicsFastestIn(const level::Level& level) {
   const Problem problem = support::plainProblem(level, {});
   return ReachBound(problem, true).fastest();
 }
 
 // A slope overhead turns the speed of a jump aside, and is met before anybody stands on it.
 TEST(ReachPhysics, WithoutBrakesInTheAirSlopesOverheadMakeFast) {
-  EXPECT_FLOAT_EQ(fastestIn(underASlope({})), 16.0f);
-  EXPECT_GT(fastestIn(underASlope([](auto p) { p.setAirAccel(0); })), 30);
-  EXPECT_GT(fastestIn(underASlope({}, [](auto p) { p.initTrip(); })), 30);
+  EXPECT_FLOAT_EQ(reachPhysicsFastestIn(underASlope({})), 16.0f);
+  EXPECT_GT(reachPhysicsFastestIn(underASlope([](auto p) { p.setAirAccel(0); })), 30);
+  EXPECT_GT(reachPhysicsFastestIn(underASlope({}, [](auto p) { p.initTrip(); })), 30);
 }
 
 // A floor, and a slab over it that far up, tilted or not.
@@ -44,7 +44,7 @@ float fastestBelow(float height, float tilt) {
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
   b.block({0, height, 0}, {8, 1, 8},
           [=](schema::Part::Builder p) { support::setRotation(p.initRotation(), 0, tilt); });
-  return fastestIn(b.compile());
+  return reachPhysicsFastestIn(b.compile());
 }
 
 // Who hops below slopes is made fast again before keys have taken it back.
@@ -56,7 +56,7 @@ TEST(ReachPhysics, SlopesThatAJumpMeetsOverheadMakeFast) {
 
 // 5000 studs/s^2 for a 240th of a second are more than is wanted.
 TEST(ReachPhysics, StrongKeysOvershoot) {
-  EXPECT_GT(fastestIn(underASlope([](auto p) {
+  EXPECT_GT(reachPhysicsFastestIn(underASlope([](auto p) {
               p.setGroundAccel(5000);
               p.setMoveGain(1000);
             })),

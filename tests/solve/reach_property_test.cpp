@@ -31,7 +31,7 @@ std::string placeOf(const sim::World& w) {
   return " in state " + std::to_string(int(w.state)) + " at " + out.str();
 }
 
-solve::Problem problemOf(const level::Level& level) {
+solve::Problem reachPropertyProblemOf(const level::Level& level) {
   level::QueryView query;
   query.goal.region = {{{0, 5000, 0}, {}}, {1, 1, 1}};
   return {level.view(), query,          sim::makeWorld(level.view(), level.spawns()[0]),
@@ -42,7 +42,7 @@ RC_GTEST_PROP(ReachProperties, NobodyLeavesTheBound, ()) {
   const auto level = scattered(*rc::gen::container<std::vector<PartSpec>>(12, partSpecs()));
   const bool bounded = level && solve::unboundedPart(level->view()) == nullptr;
   RC_PRE(bounded);
-  const solve::Problem problem = problemOf(*level);
+  const solve::Problem problem = reachPropertyProblemOf(*level);
   const solve::ReachBound bound(problem, true);
   const uint64_t seed = *rc::gen::inRange<uint64_t>(0, 100000);
   for (uint64_t i = 0; i < 8; ++i) {
@@ -59,7 +59,7 @@ RC_GTEST_PROP(ReachProperties, NoSearchLeavesTheBound, ()) {
   const auto level = scattered(*rc::gen::container<std::vector<PartSpec>>(14, partSpecs()));
   const bool bounded = level && solve::unboundedPart(level->view()) == nullptr;
   RC_PRE(bounded);
-  const solve::Problem problem = problemOf(*level);
+  const solve::Problem problem = reachPropertyProblemOf(*level);
   const solve::ReachBound bound(problem, true);
   ThreadPool pool(1);
   solve::GoExplore search(problem, 1, {}, {pool});

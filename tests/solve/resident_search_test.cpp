@@ -18,36 +18,36 @@ FilterOptions resident(uint64_t maxSteps, int threads = 2, sim::Device* device =
   return o;
 }
 
-Filtered ask(const char* level, FilterOptions options) {
+Filtered residentSearchAsk(const char* level, FilterOptions options) {
   Filtered f =
       runFilter(std::string(OBBY_SOURCE_DIR "/levels/") + level + ".jsonl", std::move(options));
   EXPECT_TRUE(f.status);
   return f;
 }
 
-std::string answers(const char* level, FilterOptions options) {
-  return withoutTiming(ask(level, std::move(options)).output);
+std::string residentSearchAnswers(const char* level, FilterOptions options) {
+  return withoutTiming(residentSearchAsk(level, std::move(options)).output);
 }
 
 TEST(ResidentSearch, SameBytesForAnyNumberOfThreadsAndADevice) {
   for (const char* level : {"sliding-planks", "several-routes", "push-box"}) {
-    const std::string expected = answers(level, resident(150'000, 1));
-    EXPECT_EQ(answers(level, resident(150'000, 3)), expected) << level;
+    const std::string expected = residentSearchAnswers(level, resident(150'000, 1));
+    EXPECT_EQ(residentSearchAnswers(level, resident(150'000, 3)), expected) << level;
     ThreadPool pool(2);
     sim::HostDevice device(pool);
-    EXPECT_EQ(answers(level, resident(150'000, 2, &device)), expected) << level;
+    EXPECT_EQ(residentSearchAnswers(level, resident(150'000, 2, &device)), expected) << level;
   }
 }
 
 TEST(ResidentSearch, AFailingDeviceIsGivenUpAndTheAnswersAreTheSame) {
-  const std::string expected = answers("sliding-planks", resident(300'000));
+  const std::string expected = residentSearchAnswers("sliding-planks", resident(300'000));
   for (const int launches : {0, 5, 20}) {
     ThreadPool pool(2);
     support::FailingDevice device(pool, launches);
     FilterOptions options = resident(300'000, 2, &device);
     std::vector<std::string> failures;
     options.deviceFailed = [&](const Error& e) { failures.push_back(e.text()); };
-    EXPECT_EQ(answers("sliding-planks", std::move(options)), expected) << launches;
+    EXPECT_EQ(residentSearchAnswers("sliding-planks", std::move(options)), expected) << launches;
     ASSERT_FALSE(failures.empty());
     EXPECT_EQ(failures.front(), "CUDA: rollout: unspecified launch failure");
   }
@@ -68,7 +68,8 @@ TEST(ResidentSearch, SolvesLevels) {
   for (const auto& [level, query] : queries) {
     FilterOptions options = resident(4'000'000);
     if (*query != '\0') options.only = {query};
-    EXPECT_GE(ask(level, std::move(options)).counts.solved, 1u) << level << " " << query;
+    EXPECT_GE(residentSearchAsk(level, std::move(options)).counts.solved, 1u)
+        << level << " " << query;
   }
 }
 

@@ -13,8 +13,8 @@
 namespace obby::solve {
 namespace {
 
-struct Scene {
-  explicit Scene(LevelBuilder builder = steppingStones())
+struct RolloutScene {
+  explicit RolloutScene(LevelBuilder builder = steppingStones())
       : level(builder.compile()), question(level), surfaces(level.view()) {}
   ExploreContext context(float aimShare = 0.5f) {
     const Problem p = question.problem();
@@ -29,7 +29,7 @@ struct Scene {
 };
 
 TEST(Rollout, TheSameSeedAndStreamGiveTheSameActionsAndState) {
-  Scene scene;
+  RolloutScene scene;
   const ExploreContext c = scene.context();
   for (uint64_t stream = 0; stream < 50; ++stream) {
     sim::World a = scene.question.problem().start, b = a;
@@ -43,7 +43,7 @@ TEST(Rollout, TheSameSeedAndStreamGiveTheSameActionsAndState) {
 }
 
 TEST(Rollout, StreamsDiffer) {
-  Scene scene;
+  RolloutScene scene;
   const ExploreContext c = scene.context();
   std::set<uint64_t> ends;
   for (uint64_t stream = 0; stream < 50; ++stream) {
@@ -55,7 +55,7 @@ TEST(Rollout, StreamsDiffer) {
 }
 
 TEST(Rollout, StopsWhereThePlaythroughEnds) {
-  Scene scene;
+  RolloutScene scene;
   scene.question.avoid.push_back(boxAt({0, 2, -8}, {100, 40, 1}));
   const ExploreContext c = scene.context();
   int avoided = 0;
@@ -71,7 +71,7 @@ TEST(Rollout, StopsWhereThePlaythroughEnds) {
 }
 
 TEST(Rollout, NeverJumpsBeyondALimit) {
-  Scene scene;
+  RolloutScene scene;
   scene.question.query.maxJumps = 1;
   const ExploreContext c = scene.context();
   bool jumped = false;
@@ -86,7 +86,7 @@ TEST(Rollout, NeverJumpsBeyondALimit) {
 }
 
 TEST(Rollout, AimedMacrosCrossAGapMoreOftenThanRandomOnes) {
-  Scene scene;
+  RolloutScene scene;
   const auto crossings = [&](float aimShare) {
     const ExploreContext c = scene.context(aimShare);
     int count = 0;

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-FilterOptions stepsOnly(uint64_t maxSteps = 400'000, int threads = 2) {
+FilterOptions searchStepsOnly(uint64_t maxSteps = 400'000, int threads = 2) {
   FilterOptions o;
   o.threads = threads;
   o.solver.budget.maxSteps = maxSteps;
@@ -51,7 +51,7 @@ Filtered solve(const std::string& text, FilterOptions options) {
 }
 
 TEST(Search, SolvesTheSteppingStonesAndEveryTrajectoryReplays) {
-  const Filtered f = solve(stonesText(), stepsOnly());
+  const Filtered f = solve(stonesText(), searchStepsOnly());
   ASSERT_TRUE(f.status) << f.status.error().text();
   EXPECT_EQ(f.counts.solved, 1u);
   Answer a = answerOf(f.output);
@@ -69,7 +69,7 @@ TEST(Search, SolvesTheSteppingStonesAndEveryTrajectoryReplays) {
 }
 
 TEST(Search, AVerifiedStreamThatWasTamperedWithIsRefused) {
-  Filtered f = solve(stonesText(), stepsOnly());
+  Filtered f = solve(stonesText(), searchStepsOnly());
   const size_t at = f.output.find("\"heading\":");
   ASSERT_NE(at, std::string::npos);
   f.output.insert(at + 10, "1");
@@ -83,7 +83,7 @@ TEST(Search, SameBytesForAnyNumberOfThreads) {
                            R"(,"maxJumps":2,"timeLimit":5)", R"(,"maxJumps":1)"}) {
     std::string expected;
     for (const int threads : {1, 2, 3, 8}) {
-      const Filtered f = solve(stonesText(more), stepsOnly(120'000, threads));
+      const Filtered f = solve(stonesText(more), searchStepsOnly(120'000, threads));
       ASSERT_TRUE(f.status) << f.status.error().text();
       if (expected.empty()) expected = withoutTiming(f.output);
       EXPECT_EQ(withoutTiming(f.output), expected) << threads << " threads, query" << more;
@@ -96,7 +96,7 @@ TEST(Search, SameBytesForAnyNumberOfThreadsOnTheLevelsOfTheSuite) {
     std::string expected;
     for (const int threads : {1, 3}) {
       const Filtered f = runFilter(std::string(OBBY_SOURCE_DIR "/levels/") + name + ".jsonl",
-                                   stepsOnly(40'000, threads));
+                                   searchStepsOnly(40'000, threads));
       ASSERT_TRUE(f.status) << f.status.error().text();
       if (expected.empty()) expected = withoutTiming(f.output);
       EXPECT_EQ(withoutTiming(f.output), expected) << threads << " threads, " << name;
@@ -105,9 +105,9 @@ TEST(Search, SameBytesForAnyNumberOfThreadsOnTheLevelsOfTheSuite) {
 }
 
 TEST(Search, AnotherSeedGivesAnotherSearchWithTheSameVerdict) {
-  FilterOptions other = stepsOnly();
+  FilterOptions other = searchStepsOnly();
   other.solver.budget.seed = 99;
-  const Filtered a = solve(stonesText(), stepsOnly()), b = solve(stonesText(), other);
+  const Filtered a = solve(stonesText(), searchStepsOnly()), b = solve(stonesText(), other);
   EXPECT_EQ(b.counts.solved, 1u);
   EXPECT_NE(withoutTiming(a.output), withoutTiming(b.output));
 }
@@ -123,7 +123,7 @@ TEST(Search, AGapTooWideIsUnknownWithEvidence) {
       "\n"
       R"({"type":"query","id":"q","goal":{"position":[0,2,-27],"size":[8,4,8]}})"
       "\n";
-  const Filtered f = solve(text, stepsOnly());
+  const Filtered f = solve(text, searchStepsOnly());
   ASSERT_TRUE(f.status) << f.status.error().text();
   EXPECT_EQ(f.counts.unknown, 1u);
   Answer a = answerOf(f.output);
@@ -156,7 +156,7 @@ TEST(Search, HonoursEveryConstraintAtOnce) {
       R"(,"waypoints":[{"region":{"position":[3,2,-5],"size":[1,4,1]},"maxJumps":0},)"
       R"({"region":{"position":[-3,2,-16],"size":[1,4,1]},"maxJumps":1}],)"
       R"("avoid":[{"position":[0,3,-16],"size":[2,6,8]}],"maxJumps":2,"timeLimit":6)";
-  const Filtered f = solve(stonesText(more), stepsOnly(2'000'000));
+  const Filtered f = solve(stonesText(more), searchStepsOnly(2'000'000));
   ASSERT_TRUE(f.status) << f.status.error().text();
   ASSERT_EQ(f.counts.solved, 1u);
   Answer a = answerOf(f.output);
@@ -171,7 +171,7 @@ TEST(Search, FindsSeveralDistinctSolutionsShortestFirst) {
   std::string text = stonesText();
   text.insert(text.find("],\"spawns\""),
               R"(,{"name":"Pillar","position":[0,10,-16],"size":[3,20,8]})");
-  FilterOptions o = stepsOnly(3'000'000);
+  FilterOptions o = searchStepsOnly(3'000'000);
   o.solver.budget.solutions = 3;
   const Filtered f = solve(text, o);
   ASSERT_TRUE(f.status) << f.status.error().text();
@@ -188,7 +188,7 @@ TEST(Search, FindsSeveralDistinctSolutionsShortestFirst) {
 }
 
 TEST(Search, ShowsAsManyAttemptsAsAskedAndTheyDiffer) {
-  FilterOptions o = stepsOnly(200'000);
+  FilterOptions o = searchStepsOnly(200'000);
   o.solver.budget.attempts = 5;
   Answer a = answerOf(solve(stonesText(kWall), o).output);
   EXPECT_EQ(a.trajectories.size(), 5u);
@@ -202,7 +202,7 @@ TEST(Search, ShowsAsManyAttemptsAsAskedAndTheyDiffer) {
 
 TEST(Search, StopsSoonWhenTold) {
   std::atomic<bool> stop{true};
-  FilterOptions o = stepsOnly(1ull << 60);
+  FilterOptions o = searchStepsOnly(1ull << 60);
   o.solver.budget.stop = &stop;
   const Filtered f = solve(stonesText(kWall), o);
   Answer a = answerOf(f.output);
@@ -211,7 +211,7 @@ TEST(Search, StopsSoonWhenTold) {
 }
 
 TEST(Search, ProgressCarriesTheBestAttempt) {
-  FilterOptions o = stepsOnly(1ull << 60);
+  FilterOptions o = searchStepsOnly(1ull << 60);
   o.solver.progressRecords = true;
   o.solver.budget.seconds = 0.7;
   const Filtered f = solve(stonesText(kWall), o);

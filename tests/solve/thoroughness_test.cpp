@@ -56,7 +56,7 @@ TEST(Saturation, MeansThatAsLongAgainWouldFindNextToNothing) {
   EXPECT_FALSE(saturated(Thoroughness{}));
 }
 
-SearchOutcome searched(const level::Level& level, uint64_t steps) {
+SearchOutcome thoroughnessSearched(const level::Level& level, uint64_t steps) {
   Question q(level);
   q.query.goal = boxAt({0, 60, -28}, {4, 4, 4});
   Budget budget;
@@ -67,7 +67,7 @@ SearchOutcome searched(const level::Level& level, uint64_t steps) {
 }
 
 TEST(Thoroughness, CountsRolloutsAndCellsOfASearch) {
-  const SearchOutcome o = searched(steppingStones().compile(), 300'000);
+  const SearchOutcome o = thoroughnessSearched(steppingStones().compile(), 300'000);
   const Thoroughness& t = o.thoroughness;
   EXPECT_EQ(t.rollouts, o.statistics.rollouts);
   EXPECT_GT(t.rollouts, 1000u);
@@ -89,9 +89,9 @@ TEST(Thoroughness, ASmallPlaceIsSaturatedALargeOneGrows) {
   small.block({0, -0.5f, 0}, {4, 1, 4}).spawn({0, 0, 0});
   small.physics([](schema::PhysicsParams::Builder p) { p.setFallenPartsHeight(-8); });
   large.block({0, -0.5f, 0}, {1500, 1, 1500}).spawn({0, 0, 0});
-  const SearchOutcome few = searched(small.compile(), 10'000'000);
+  const SearchOutcome few = thoroughnessSearched(small.compile(), 10'000'000);
   EXPECT_TRUE(saturated(few.thoroughness)) << few.thoroughness.singletons << " of " << few.cells;
-  EXPECT_FALSE(saturated(searched(large.compile(), 2'000'000).thoroughness));
+  EXPECT_FALSE(saturated(thoroughnessSearched(large.compile(), 2'000'000).thoroughness));
 }
 
 }  // namespace

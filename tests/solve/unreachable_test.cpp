@@ -25,7 +25,7 @@ Filtered answered(const std::string& text) {
 }
 
 // Stones with gaps of 12 studs, the third 3 studs up, and a ledge far above.
-Filtered ask(const std::string& limits, const std::string& more = {}) {
+Filtered unreachableAsk(const std::string& limits, const std::string& more = {}) {
   return answered(R"({"type":"level","name":"stones","parts":[)"
                   R"({"name":"A","position":[0,-0.5,-4],"size":[8,1,8]},)"
                   R"({"name":"B","position":[0,-0.5,-24],"size":[8,1,8]},)"
@@ -49,7 +49,7 @@ void expectUnreachable(const Filtered& f, const std::string& words) {
 }
 
 TEST(Unreachable, NamesTheStepThatIsMissing) {
-  const Filtered f = ask(R"("goal":{"part":"Ledge"})");
+  const Filtered f = unreachableAsk(R"("goal":{"part":"Ledge"})");
   expectUnreachable(
       f, "nobody can reach the goal 'Ledge': from part 2 'C' to the goal 'Ledge' at least");
   EXPECT_THAT(f.output, HasSubstr(R"("reached":[0,1,2],"from":2,"rise":)"));
@@ -58,36 +58,38 @@ TEST(Unreachable, NamesTheStepThatIsMissing) {
 // Somebody else might.
 TEST(Unreachable, NobodyWithoutJumpingIsSaidToBeSo) {
   const std::string words = "nobody can reach the goal 'third' without jumping: from part ";
-  expectUnreachable(ask(std::string(kThird) + R"(,"maxJumps":0)"), words);
-  expectUnreachable(ask(std::string(kThird) + R"(,"forbid":["jumping"])"), words);
+  expectUnreachable(unreachableAsk(std::string(kThird) + R"(,"maxJumps":0)"), words);
+  expectUnreachable(unreachableAsk(std::string(kThird) + R"(,"forbid":["jumping"])"), words);
 }
 
 TEST(Unreachable, LimitsOnTheWayToAWaypointEndThere) {
-  const Filtered f = ask(
+  const Filtered f = unreachableAsk(
       std::string(kThird) +
       R"(,"waypoints":[{"region":{"position":[0,2,-6],"size":[8,4,2]},"maxJumps":0,"segmentJumps":0}])");
   EXPECT_EQ(f.counts.unreachable, 0u) << "the jumps come after it";
 }
 
 TEST(Unreachable, CountsTheJumpsThatEveryWayTakes) {
-  expectUnreachable(ask(std::string(kThird) + R"(,"maxJumps":1)"),
+  expectUnreachable(unreachableAsk(std::string(kThird) + R"(,"maxJumps":1)"),
                     "every way to the goal 'third' takes at least 2 jumps, and 1 are allowed");
-  EXPECT_EQ(ask(std::string(kThird) + R"(,"maxJumps":2)").counts.unreachable, 0u);
+  EXPECT_EQ(unreachableAsk(std::string(kThird) + R"(,"maxJumps":2)").counts.unreachable, 0u);
 }
 
 TEST(Unreachable, CountsTheJumpsToAWaypoint) {
   expectUnreachable(
-      ask(std::string(kThird) +
+      unreachableAsk(
+          std::string(kThird) +
           R"(,"waypoints":[{"region":{"name":"second","position":[0,2,-24],"size":[8,4,8]},"maxJumps":0}])"),
       "every way to waypoint 1 'second' takes at least 1 jump, and 0 are allowed");
 }
 
 TEST(Unreachable, KnowsHowLongTheWayIs) {
-  expectUnreachable(ask(std::string(kThird) + R"(,"timeLimit":2)"), "and 2.00 s are allowed");
-  EXPECT_EQ(ask(std::string(kThird) + R"(,"timeLimit":2.8)").counts.unreachable, 0u);
+  expectUnreachable(unreachableAsk(std::string(kThird) + R"(,"timeLimit":2)"),
+                    "and 2.00 s are allowed");
+  EXPECT_EQ(unreachableAsk(std::string(kThird) + R"(,"timeLimit":2.8)").counts.unreachable, 0u);
   const std::string back =
       R"(,"waypoints":[{"region":{"position":[0,2,-24],"size":[8,4,8]}},{"region":{"position":[0,2,-2],"size":[8,4,2]}}])";
-  expectUnreachable(ask(std::string(kThird) + back + R"(,"timeLimit":4)"),
+  expectUnreachable(unreachableAsk(std::string(kThird) + back + R"(,"timeLimit":4)"),
                     "and 4.00 s are allowed");
 }
 
@@ -97,12 +99,12 @@ TEST(Unreachable, SaysNothingOfTimeWhereSomethingMovesPlayersAtOnce) {
        {R"(,{"name":"Seat","position":[0,0.5,-6],"size":[2,1,2],"seat":{}})",
         R"(,{"name":"Gate","position":[0,1,-6],"size":[2,1,2],"teleport":{"position":[0,3,-44]}})",
         R"(,{"name":"Ghost","position":[0,1,-6],"size":[2,1,20],"vanish":{"delay":0.2}})"}) {
-    EXPECT_EQ(ask(limit, more).counts.unreachable, 0u) << more;
+    EXPECT_EQ(unreachableAsk(limit, more).counts.unreachable, 0u) << more;
   }
   const char* pusher =
       R"(,{"name":"Pusher","position":[0,2,0],"size":[8,4,1],"motion":{"carries":false,"repeat":"loop",)"
       R"("keys":[{"position":[0,2,0]},{"time":0.5,"position":[0,2,-30]},{"time":1,"position":[0,2,0]}]}})";
-  EXPECT_EQ(ask(limit, pusher).counts.unreachable, 0u);
+  EXPECT_EQ(unreachableAsk(limit, pusher).counts.unreachable, 0u);
 }
 
 TEST(Unreachable, SaysNothingOfTimeWhereAWallThatNobodyStandsOnPushes) {
@@ -110,8 +112,8 @@ TEST(Unreachable, SaysNothingOfTimeWhereAWallThatNobodyStandsOnPushes) {
       R"(,{"name":"Wall","position":[3.75,11,4],"size":[1.5,20,1],"motion":{"repeat":"pingPong",)"
       R"("keys":[{"position":[3.75,11,4]},{"time":1,"position":[3.75,11,-48]}]}})";
   const std::string limit = std::string(kThird) + R"(,"timeLimit":2)";
-  EXPECT_EQ(ask(limit, wall).counts.unreachable, 0u);
-  EXPECT_EQ(ask(limit).counts.unreachable, 1u) << "without it";
+  EXPECT_EQ(unreachableAsk(limit, wall).counts.unreachable, 0u);
+  EXPECT_EQ(unreachableAsk(limit).counts.unreachable, 1u) << "without it";
 }
 
 // From 16,384 studs on a place's last bit is a 512th of a stud: a walk of 136.5 of them a tick is
@@ -140,16 +142,16 @@ TEST(Unreachable, KnowsThatPlacesFarOutAreRounded) {
 
 TEST(Unreachable, IsNotSaidWherePartsAreSoHighThatJumpsAreRounded) {
   const auto counted = [](const std::string& height) {
-    return ask(R"("goal":{"part":"Ledge"})",
-               R"(,{"name":"High","position":[0,)" + height + R"(,0],"size":[4,1,4]})")
+    return unreachableAsk(R"("goal":{"part":"Ledge"})",
+                          R"(,{"name":"High","position":[0,)" + height + R"(,0],"size":[4,1,4]})")
         .counts.unreachable;
   };
   EXPECT_EQ(counted("20000"), 0u);
   EXPECT_EQ(counted("10000"), 1u);
   const auto fallen = [](const std::string& height) {
-    return ask(R"("goal":{"position":[5000,2,0],"size":[8,4,8]},)"
-               R"("start":{"region":{"position":[0,)" +
-               height + R"(,0],"size":[2,2,2]}})")
+    return unreachableAsk(R"("goal":{"position":[5000,2,0],"size":[8,4,8]},)"
+                          R"("start":{"region":{"position":[0,)" +
+                          height + R"(,0],"size":[2,2,2]}})")
         .counts.unreachable;
   };
   EXPECT_EQ(fallen("20000"), 0u) << "falls are longer, too";
@@ -158,10 +160,10 @@ TEST(Unreachable, IsNotSaidWherePartsAreSoHighThatJumpsAreRounded) {
 
 TEST(Unreachable, IsNotSaidWhereATeleporterLeadsSoHigh) {
   const auto counted = [](const std::string& height) {
-    return ask(R"("goal":{"part":"Ledge"})",
-               R"(,{"name":"Gate","position":[0,5000,0],"size":[4,4,4],"solid":false,)"
-               R"("teleport":{"position":[0,)" +
-                   height + R"(,0]}})")
+    return unreachableAsk(R"("goal":{"part":"Ledge"})",
+                          R"(,{"name":"Gate","position":[0,5000,0],"size":[4,4,4],"solid":false,)"
+                          R"("teleport":{"position":[0,)" +
+                              height + R"(,0]}})")
         .counts.unreachable;
   };
   EXPECT_EQ(counted("20000"), 0u);
@@ -193,24 +195,27 @@ TEST(Unreachable, IsNotSaidWhereTheClockOfALiftBeginsAnew) {
   const std::string lift =
       R"(,{"name":"Lift","position":[0,-5,-4],"size":[2,1,2],"motion":{"carries":true,"repeat":"pingPong",)"
       R"("offset":7,"keys":[{"position":[0,-5,-4]},{"time":7,"position":[0,0.2,-4]}]}})";
-  EXPECT_EQ(ask(ledge + R"(,"start":{"tick":4294967000})", lift).counts.unreachable, 0u);
-  EXPECT_EQ(ask(ledge + R"(,"start":{"tick":1000})", lift).counts.unreachable, 1u);
-  EXPECT_EQ(ask(ledge + R"(,"start":{"tick":4294967000})").counts.unreachable, 1u) << "no lift";
+  EXPECT_EQ(unreachableAsk(ledge + R"(,"start":{"tick":4294967000})", lift).counts.unreachable, 0u);
+  EXPECT_EQ(unreachableAsk(ledge + R"(,"start":{"tick":1000})", lift).counts.unreachable, 1u);
+  EXPECT_EQ(unreachableAsk(ledge + R"(,"start":{"tick":4294967000})").counts.unreachable, 1u)
+      << "no lift";
 }
 
 TEST(Unreachable, OneVisitOutOfReachIsEnough) {
-  expectUnreachable(
-      ask(std::string(kThird) + R"(,"visits":[{"part":"B"},{"part":"Ledge","touch":true}])"),
-      "nobody can reach 'Ledge'");
+  expectUnreachable(unreachableAsk(std::string(kThird) +
+                                   R"(,"visits":[{"part":"B"},{"part":"Ledge","touch":true}])"),
+                    "nobody can reach 'Ledge'");
 }
 
 TEST(Unreachable, AnyGoalWithinReachWillDo) {
-  EXPECT_EQ(ask(std::string(kThird) + R"(,"goals":[{"part":"Ledge"}])").counts.unreachable, 0u);
+  EXPECT_EQ(
+      unreachableAsk(std::string(kThird) + R"(,"goals":[{"part":"Ledge"}])").counts.unreachable,
+      0u);
 }
 
 TEST(Unreachable, OfSeveralGoalsTheOneThatLacksLeastIsNamed) {
   const std::string far = R"("goal":{"position":[0,900,-4]},"goals":[{"part":"Ledge"}])";
-  const Filtered both = ask(far), one = ask(R"("goal":{"part":"Ledge"})");
+  const Filtered both = unreachableAsk(far), one = unreachableAsk(R"("goal":{"part":"Ledge"})");
   const auto cutOf = [](const Filtered& f) {
     const size_t at = f.output.find("\"cut\":");
     return f.output.substr(at, f.output.find('}', at) - at);
@@ -220,8 +225,9 @@ TEST(Unreachable, OfSeveralGoalsTheOneThatLacksLeastIsNamed) {
 }
 
 TEST(Unreachable, IsNotSaidWhereLoosePartsCanBePiledUp) {
-  const Filtered f = ask(R"("goal":{"part":"Ledge"})",
-                         R"(,{"name":"Box","position":[0,3,-4],"size":[2,2,2],"anchored":false})");
+  const Filtered f =
+      unreachableAsk(R"("goal":{"part":"Ledge"})",
+                     R"(,{"name":"Box","position":[0,3,-4],"size":[2,2,2],"anchored":false})");
   ASSERT_TRUE(f.status) << f.status.error().text();
   EXPECT_EQ(f.counts.unreachable, 0u);
   EXPECT_EQ(f.counts.unknown, 1u);
@@ -240,9 +246,10 @@ std::string posts(int count, float aside) {
 // Some of them are not there for whoever is among them.
 TEST(Unreachable, IsNotSaidWhereMorePartsAreNearThanTheSimulatorLooksAt) {
   const std::string ledge = R"("goal":{"part":"Ledge"})";
-  EXPECT_EQ(ask(ledge, posts(60, 0)).counts.unreachable, 0u);
-  EXPECT_EQ(ask(ledge, posts(40, 0)).counts.unreachable, 1u) << "all of them are looked at";
-  EXPECT_EQ(ask(ledge, posts(60, 500)).counts.unreachable, 1u) << "nobody comes there";
+  EXPECT_EQ(unreachableAsk(ledge, posts(60, 0)).counts.unreachable, 0u);
+  EXPECT_EQ(unreachableAsk(ledge, posts(40, 0)).counts.unreachable, 1u)
+      << "all of them are looked at";
+  EXPECT_EQ(unreachableAsk(ledge, posts(60, 500)).counts.unreachable, 1u) << "nobody comes there";
 }
 
 // What the importer left out may be the way.

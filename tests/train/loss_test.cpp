@@ -19,7 +19,7 @@ using policy::LossSettings;
 
 constexpr int kOut = policy::kPaddedOutputs;
 
-Decision sample(Random& random) {
+Decision lossSample(Random& random) {
   Decision d;
   d.mayJump = random.below(2) != 0;
   d.move = int(random.below(policy::kMoves / 2)) * 2 + (d.mayJump ? int(random.below(2)) : 0);
@@ -32,7 +32,7 @@ Decision sample(Random& random) {
 TEST(Loss, SlopesAreThoseOfFiniteDifferences) {
   Random random(1, 1);
   for (int n = 0; n < 200; ++n) {
-    const Decision d = sample(random);
+    const Decision d = lossSample(random);
     double outputs[kOut], slope[kOut], unused[kOut];
     for (double& o : outputs) o = 3 * double(random.unit()) - 1.5;
     const auto at = lossOf(outputs, d, LossSettings{}, slope);
@@ -51,7 +51,7 @@ TEST(Loss, SlopesAreThoseOfFiniteDifferences) {
 
 TEST(Loss, NeverLeansTowardWhatIsNotAllowed) {
   Random random(2, 2);
-  Decision d = sample(random);
+  Decision d = lossSample(random);
   d.mayJump = false;
   d.move = 4;
   float outputs[kOut] = {}, slope[kOut];
@@ -87,7 +87,7 @@ TEST(Network, GradientsAreThoseOfFiniteDifferences) {
   Rows<double> inputs(kRows, policy::kInputs), slope(kRows, kOut);
   for (Eigen::Index i = 0; i < inputs.size(); ++i) inputs.data()[i] = double(random.unit()) - 0.5;
   std::vector<Decision> decisions;
-  for (int i = 0; i < kRows; ++i) decisions.push_back(sample(random));
+  for (int i = 0; i < kRows; ++i) decisions.push_back(lossSample(random));
   FullPass<double> pass, probe;
   Weights<double> gradient;
   total(net, inputs, decisions, &slope, pass);

@@ -11,21 +11,21 @@
 namespace obby::train {
 namespace {
 
-constexpr uint32_t kWorlds = 64;
+constexpr uint32_t kPlayWorlds = 64;
 
 // A place with worlds at the start of a level.
 struct Place {
   explicit Place(bool loose = false)
       : level(*Gaps(loose).level(1, 1)),
         view(level->view(3)),
-        players(kWorlds),
-        bodies(kWorlds * view.level.looseCount),
+        players(kPlayWorlds),
+        bodies(kPlayWorlds * view.level.looseCount),
         reached(kMostReached) {
     beginLevel(here());
   }
   PlaceView here() {
     return {&view,   players.data(), bodies.data(),        reached.data(),
-            &counts, kWorlds,        view.level.looseCount};
+            &counts, kPlayWorlds,    view.level.looseCount};
   }
   void settleAt(uint64_t decision, bool endOfIteration = false, RestartShares shares = {0, 0}) {
     settle(here(), {7, shares, decision, endOfIteration}, 0);
@@ -161,11 +161,11 @@ TEST(Play, ALevelThatSomebodyHasSolvedHasAShareOfRestartsOfItsOwn) {
   };
   allEnd(sim::Outcome::fell, true);
   place.settleAt(0, false, onlyUnsolved);
-  EXPECT_EQ(elsewhere(), kWorlds);
+  EXPECT_EQ(elsewhere(), kPlayWorlds);
   allEnd(sim::Outcome::goal, false);
   place.settleAt(1, false, onlyUnsolved);
   EXPECT_EQ(place.counts.solvedOnce, 0u) << "the last stretch alone is not the level";
-  EXPECT_EQ(elsewhere(), kWorlds);
+  EXPECT_EQ(elsewhere(), kPlayWorlds);
   allEnd(sim::Outcome::goal, true);
   place.settleAt(2, false, onlyUnsolved);
   EXPECT_EQ(place.counts.solvedOnce, 1u);

@@ -32,16 +32,16 @@ TEST(Ranks, AgreeOnTheFirstError) {
   });
 }
 
-struct Learned {
+struct RanksLearned {
   std::vector<float> numbers;
   Iteration last;
   std::string checkpoint;  // after the third iteration
 };
 
 // Six iterations; what comes of them on the first rank. `from`: a checkpoint after the third.
-Learned learn(uint32_t count, const std::string& from = {}) {
+RanksLearned ranksLearn(uint32_t count, const std::string& from = {}) {
   const Gaps gaps(true);
-  Learned out;
+  RanksLearned out;
   ThreadRanks::run(count, [&](Ranks& ranks) {
     ThreadPool pool(1);
     auto trainer = from.empty() ? Trainer::make(small(), gaps, pool, ranks)
@@ -68,11 +68,11 @@ TEST(Ranks, AloneLearnWhatAProcessAloneDoes) {
   ThreadPool pool(2);
   const auto trainer = Trainer::make(small(), gaps, pool, alone());
   for (int i = 0; i < 6; ++i) ASSERT_TRUE((*trainer)->iterate());
-  EXPECT_EQ(learn(1).numbers, (*trainer)->network().numbers());
+  EXPECT_EQ(ranksLearn(1).numbers, (*trainer)->network().numbers());
 }
 
 TEST(Ranks, LearnTheSameEachTimeAndOtherThanOne) {
-  const Learned one = learn(1), two = learn(2), again = learn(2);
+  const RanksLearned one = ranksLearn(1), two = ranksLearn(2), again = ranksLearn(2);
   EXPECT_EQ(two.numbers, again.numbers);
   EXPECT_NE(two.numbers, one.numbers);
   EXPECT_EQ(two.last.decisions, 2 * one.last.decisions);
@@ -80,7 +80,7 @@ TEST(Ranks, LearnTheSameEachTimeAndOtherThanOne) {
 }
 
 TEST(Ranks, GoOnFromACheckpointAsIfNothingHadBeen) {
-  const Learned whole = learn(2), broken = learn(2, whole.checkpoint);
+  const RanksLearned whole = ranksLearn(2), broken = ranksLearn(2, whole.checkpoint);
   EXPECT_EQ(broken.numbers, whole.numbers);
   EXPECT_EQ(broken.last.reward, whole.last.reward);
   const Gaps gaps(true);

@@ -40,7 +40,7 @@ Turns watched(const policy::Scene& scene, const sim::World& world, const sim::Lo
 
 constexpr uint32_t kLevels = 3;
 
-std::vector<uint64_t> judged(const policy::Network& network, policy::Observe how) {
+std::vector<uint64_t> seeingJudged(const policy::Network& network, policy::Observe how) {
   ThreadPool pool(1);
   const std::atomic<bool> stop{false};
   EvaluationSettings settings;
@@ -79,11 +79,11 @@ TEST(Seeing, OfAJudgedPolicyLeadsToItsMoves) {
     return policy::decide(scene, thinker.view(), world, nullptr, nullptr);
   });
   EXPECT_GT(expected.size(), 30u);
-  EXPECT_EQ(judged(shipped, watched<asEver>), expected);
+  EXPECT_EQ(seeingJudged(shipped, watched<asEver>), expected);
   const auto straight = played([](const policy::Scene&, const sim::World&) {
     return policy::actionOf(0, kOwnWay);  // all moves are alike
   });
-  EXPECT_EQ(judged(policy::Network(), watched<blind>), straight);
+  EXPECT_EQ(seeingJudged(policy::Network(), watched<blind>), straight);
 }
 
 TEST(Seeing, OfACrowdIsAsItsSettingsSay) {

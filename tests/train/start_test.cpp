@@ -28,12 +28,12 @@ policy::PolicyFile fileOf(const TrainerState& state, const Trainer& trainer) {
 }
 
 // A policy, and the state that it is of.
-struct Learned {
+struct StartLearned {
   TrainerState state;
   policy::PolicyFile file;
 };
 
-Learned learned() {
+StartLearned learned() {
   const Gaps gaps;
   ThreadPool pool(1);
   const auto trainer = Trainer::make(small(), gaps, pool, alone());
@@ -58,7 +58,7 @@ Trainers beginWith(const Start* start, const LevelSource& source, ThreadPool& po
 // The network is what decides: of the first decisions all logits have the bits of the search, as a
 // test of Pass has it for any network.
 TEST(Start, IsThePolicyBitForBitUntilSomethingIsLearned) {
-  const Learned known = learned();
+  const StartLearned known = learned();
   const Gaps others(false, 98);
   ThreadPool pool(1);
   const auto start = startFrom(known.file);
@@ -72,7 +72,7 @@ TEST(Start, IsThePolicyBitForBitUntilSomethingIsLearned) {
 }
 
 TEST(Start, IsThePolicyBitForBitOnADevice) {
-  const Learned known = learned();
+  const StartLearned known = learned();
   const Gaps gaps;
   ThreadPool pool(1);
   sim::HostDevice device(pool);
@@ -90,7 +90,7 @@ TEST(Start, IsThePolicyBitForBitOnADevice) {
 // What it begins with is what it plays with, values and normalisers included: a state into which
 // the same was put comes to the same.
 TEST(Start, IsWhatThePlayersBeginWith) {
-  const Learned known = learned();
+  const StartLearned known = learned();
   const Gaps gaps;
   ThreadPool pool(1);
   const auto start = startFrom(known.file);
@@ -113,7 +113,7 @@ TEST(Start, IsWhatThePlayersBeginWith) {
 }
 
 TEST(Start, GivesTheSamePolicyOnAnyNumberOfThreads) {
-  const Learned known = learned();
+  const StartLearned known = learned();
   const Gaps gaps;
   const auto start = startFrom(known.file);
   ASSERT_TRUE(start);
@@ -131,7 +131,7 @@ TEST(Start, GivesTheSamePolicyOnAnyNumberOfThreads) {
 
 // Each iteration compares the networks of the ranks.
 TEST(Start, IsTheSameOnAllRanks) {
-  const Learned known = learned();
+  const StartLearned known = learned();
   const auto start = startFrom(known.file);
   ASSERT_TRUE(start);
   ThreadRanks::run(2, [&](Ranks& ranks) {
@@ -147,7 +147,7 @@ TEST(Start, IsTheSameOnAllRanks) {
 
 // They weigh as they did when the policy was written, and count on from there.
 TEST(Start, NormalisersGoOn) {
-  const Learned known = learned();
+  const StartLearned known = learned();
   const auto start = startFrom(known.file);
   ASSERT_TRUE(start);
   EXPECT_EQ(start->seen.rows, known.state.seen.rows);
@@ -166,7 +166,7 @@ TEST(Start, NormalisersGoOn) {
 }
 
 TEST(Start, KnowsWhatTheValueMeansWhereTheFileSaysIt) {
-  Learned known = learned();
+  StartLearned known = learned();
   const ValueScale& then = known.state.learner.values;
   const auto start = startFrom(known.file);
   ASSERT_TRUE(start);
@@ -207,7 +207,7 @@ TEST(Start, FindsEveryScaleThatANormaliserGives) {
 }
 
 TEST(Start, IsRefusedWithNormalisersThatNoLearningComesTo) {
-  const Learned known = learned();
+  const StartLearned known = learned();
   const auto error = [&](float scale) {
     policy::PolicyFile file = known.file;
     file.network.numbers()[size_t(policy::kInputs) + 40] = scale;

@@ -36,8 +36,8 @@ bool shareGoals(const Tween& a, const Tween& b) {
 }
 
 void forget(Pose& pose, bool place, bool turn) {
-  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-  const Vec3 unknown = {kNaN, kNaN, kNaN};
+  constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+  const Vec3 unknown = {kUnknown, kUnknown, kUnknown};
   if (place) pose.position = unknown;
   if (turn) pose.rotation = {unknown, unknown, unknown};
 }
