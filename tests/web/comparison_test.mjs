@@ -62,7 +62,7 @@ test('two ways run side by side from their starts', async ({ page }) => {
 test('the table tells how each ended, and by which part', async ({ page }) => {
   const killed = paths.findIndex(({ outcome, part }) => outcome === 'killed' && part >= 0);
   await set(page, { path: 0, ghost: killed });
-  assert.match(await page.locator('#comparison').innerText(), /Ends\s+.*Killed by Lava/);
+  assert.match(await page.locator('#comparison').innerText(), /Outcome\s+.*Killed by Lava/);
   await set(page, { ghost: -1 });
 });
 

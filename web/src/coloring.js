@@ -2,6 +2,7 @@
 import { routeKey } from './choice.js';
 import { BAND_STYLE, OUTCOME_STYLE, pathColor, SOLUTION_COLOR, VERDICT_STYLE } from './palette.js';
 import { routeNames } from './route_names.js';
+import { plural } from './ui/dom.js';
 
 export const COLORINGS = {
   outcome: 'outcome',
@@ -125,7 +126,7 @@ export function coloring(query, level, mode) {
     return byNumber(
       query,
       (p) => p.jumps,
-      (v) => `${v.toFixed(0)} jumps`,
+      (v) => plural(Math.round(v), 'jump'),
     );
   if (mode === 'difficulty') return byDifficulty(query);
   return byOutcome(query);

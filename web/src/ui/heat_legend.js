@@ -13,7 +13,6 @@ export function heatLegend({ heat, heatWays, heatMost }, query) {
   const ticks = [...new Set(counts)].map((n) => el('small', { text: count(n) }));
   const caption = `Heat map: ${ofSearch ? 'places explored' : 'trajectories'} per tile`;
   return [
-    el('hr'),
     el(
       'section',
       { class: 'heat' },
@@ -24,5 +23,6 @@ export function heatLegend({ heat, heatWays, heatMost }, query) {
       }),
       el('div', { class: 'scale' }, ...ticks),
     ),
+    el('hr'),
   ];
 }

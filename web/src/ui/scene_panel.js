@@ -42,6 +42,7 @@ export class ScenePanel {
     const level = this.levelOf();
     this.legend.replaceChildren();
     if (!level) return;
+    this.legend.append(...heatLegend(this.store.state, this.queryOf()));
     const counts = new Map();
     for (const role of level.role) counts.set(role, (counts.get(role) ?? 0) + 1);
     ROLES.forEach((role, code) => {
@@ -67,7 +68,6 @@ export class ScenePanel {
           el('span', { text: label }),
         ),
       );
-    this.legend.append(...heatLegend(this.store.state, this.queryOf()));
   }
 
   toggles() {
