@@ -54,12 +54,18 @@ for (const theme of ['dark', 'light']) {
 test('the reader chooses the theme', async ({ page }) => {
   const shown = () => page.evaluate(() => document.documentElement.dataset.theme);
   await page.locator('#view').focus();
-  await page.keyboard.press('y');
-  assert.equal(await shown(), 'light');
-  await page.keyboard.press('y');
-  assert.equal(await shown(), 'dark');
-  await page.keyboard.press('y');
-  assert.equal((await state(page)).theme, 'auto');
+  for (const [system, other] of [
+    ['light', 'dark'],
+    ['dark', 'light'],
+  ]) {
+    await page.emulateMedia({ colorScheme: system });
+    await frames(page, 3);
+    assert.deepEqual([await shown(), (await state(page)).theme], [system, 'auto']);
+    await page.keyboard.press('y');
+    assert.equal(await shown(), other, 'each press changes what is seen');
+    await page.keyboard.press('y');
+    assert.deepEqual([await shown(), (await state(page)).theme], [system, 'auto']);
+  }
 });
 
 test('at 200 % zoom nothing is cut off or out of reach', async ({ browser }) => {

@@ -43,11 +43,11 @@ test('boxes count the ways that come, and keep what is being typed', async ({ pa
   const all = { min: [-500, -500, -500], max: [500, 500, 500], keep: true };
   await page.evaluate((box) => window.obby.store.set({ boxes: [box] }), all);
   const counted = page.locator('.box output');
-  assert.equal(await counted.innerText(), `${ways} ways pass it`);
+  assert.equal(await counted.innerText(), `${ways} trajectories pass through`);
   const field = page.getByLabel('Box 1 from x');
   await field.fill('-7');
   await grow(page, 'fell');
-  assert.equal(await counted.innerText(), `${ways + 1} ways pass it`);
+  assert.equal(await counted.innerText(), `${ways + 1} trajectories pass through`);
   assert.equal(await field.inputValue(), '-7');
   await page.evaluate(() => window.obby.store.set({ boxes: [] }));
 });
@@ -80,7 +80,7 @@ test('what needs an answer is offered once it has come', async ({ page }) => {
   const offers = () =>
     page.evaluate(() => {
       const labels = [...document.querySelectorAll('.toggles label')];
-      return !labels.find((label) => /not of the search/.test(label.textContent)).hidden;
+      return !labels.find((label) => /of listed trajectories only/.test(label.textContent)).hidden;
     });
   await page.evaluate(() => {
     const { report, store } = window.obby;
@@ -180,11 +180,11 @@ test('a part without a name is told by its number', () => {
   assert.equal(causeOf(killed(1), level), 'Killed by Workspace/Lava');
   assert.deepEqual(
     deathLabels([killed(0), killed(1), killed(1)], level, 6).map(({ text }) => text),
-    ['✕ Lava · 2', '✕ part 0 · 1'],
+    ['✕ 2 killed by Lava', '✕ 1 killed by part 0'],
   );
   const hardest = { from: 0, to: -1, band: 'hard', window: 0 };
   const difficulty = { hardest, noise: 'average' };
-  assert.equal(hardestOf({ difficulty }, level), 'Hardest: part 0 to the goal, hard (average)');
+  assert.equal(hardestOf({ difficulty }, level), 'Hardest step: part 0 to the goal, hard (average)');
 });
 
 test('of a query without ways no number has a colour', () => {

@@ -49,7 +49,7 @@ test('two ways run side by side from their starts', async ({ page }) => {
   assert.deepEqual(where, wanted);
   assert.match(
     await page.locator('#comparison').innerText(),
-    /Chosen[\s\S]*Ghost[\s\S]*studs apart now/,
+    /Selected[\s\S]*Ghost[\s\S]*studs apart now/,
   );
   // The belt's box begins 6 studs along the leg from 0 to 18 in 0.75 s, which starts at 3.75 s.
   assert.match(await page.locator('#comparison').innerText(), /Belt\s+4\.00 s/);
@@ -62,7 +62,7 @@ test('two ways run side by side from their starts', async ({ page }) => {
 test('the table tells how each ended, and by which part', async ({ page }) => {
   const killed = paths.findIndex(({ outcome, part }) => outcome === 'killed' && part >= 0);
   await set(page, { path: 0, ghost: killed });
-  assert.match(await page.locator('#comparison').innerText(), /Ends\s+.*Killed by Lava/);
+  assert.match(await page.locator('#comparison').innerText(), /Outcome\s+.*Killed by Lava/);
   await set(page, { ghost: -1 });
 });
 
@@ -119,7 +119,7 @@ test('waypoints are passed one after the other, by any height of the player', as
   });
   const words = await page.locator('#comparison').innerText();
   assert.match(words, /Under the feet\s+[34]\.\d\d s/);
-  assert.match(words, /Back home\s+not passed/);
+  assert.match(words, /Back home\s+never/);
 });
 
 test('all of that raised no error and no request', async ({ trouble, requests }) => {

@@ -70,7 +70,7 @@ test('data of another format is refused, whatever was there, and no more is aske
   await waysAre(page, 1);
   await page.route('**/data?*', (route) => route.fulfill({ json: { format: 4 } }));
   viewer.write(ways[1]);
-  await page.locator('.fatal', { hasText: 'data of format 4, expected 3' }).waitFor();
+  await page.locator('.fatal', { hasText: 'its data has format 4, expected 3; reload the page' }).waitFor();
   const asked = requests.length;
   viewer.write(ways[2]);
   await page.waitForTimeout(1500); // the server tells open pages five times a second

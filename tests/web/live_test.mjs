@@ -193,7 +193,7 @@ test('a stream that breaks off, and a record that is none, are said', async ({ b
   viewer.write(header, level, query, attempts[0], { type: 'trajectory', query: 5 });
   await started(page);
   const name = page.locator('.live .name');
-  await name.filter({ hasText: 'Broken off' }).waitFor();
+  await name.filter({ hasText: 'Cut short' }).waitFor();
   assert.match(await page.locator('.note').innerText(), /broke off: stdin:5: query/);
   assert.match(viewer.errors, /^obby-view: stdin:5: query/m);
   await waysAre(page, 1);

@@ -132,7 +132,7 @@ test('a way that was thinned out goes on evenly to its end', () => {
     [x, y, z].forEach((value, k) => near(value, [3, 1, 4][k] * tick, `axis ${k} at ${tick}`));
     near((yaw / (2 * Math.PI)) * 65536, 1000 * tick, `yaw at ${tick}`);
     near(path.travelled(tick), 5 * tick, `travelled at ${tick}`);
-    if (tick < 10) perTick.forEach((value, k) => near(value, [3, 1, 4][k], `speed at ${tick}`));
+    if (tick > 0) perTick.forEach((value, k) => near(value, [3, 1, 4][k], `speed at ${tick}`));
     assert.equal(state, tick < 8 ? 0 : tick < 10 ? 1 : 2);
   }
   const { x, y, z } = path.poseAt(10);

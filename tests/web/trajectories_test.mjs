@@ -22,7 +22,7 @@ test('filters by outcome thin the list and the picture, and say how many are lef
   assert.equal(await page.locator('.path').count(), killed.length);
   assert.equal(
     await page.locator('.count').innerText(),
-    `${killed.length} of ${paths.length} ways`,
+    `${killed.length} of ${paths.length} trajectories`,
   );
   assert.equal(
     await drawn(page),
@@ -163,7 +163,7 @@ test('a drawn box keeps what passes it, then drops it', async ({ page }) => {
   assert.ok(order.length > 0 && order.length < paths.length, `${order.length} pass`);
   assert.match(
     await page.locator('.box output').innerText(),
-    new RegExp(`^${order.length} ways pass`),
+    new RegExp(`^${order.length} trajectories pass through$`),
   );
   await frames(page);
   await options.picture(page, 'box');
@@ -209,7 +209,7 @@ test('a click is no drag: it draws no box', async ({ page }) => {
 
 test('deaths are labelled with the killer, by what is shown', async ({ page }) => {
   const labels = () => page.locator('#labels .label').allTextContents();
-  assert.ok((await labels()).includes('✕ Lava · 4'), String(await labels()));
+  assert.ok((await labels()).includes('✕ 4 killed by Lava'), String(await labels()));
   await set(page, { outcome: 'fell' });
   assert.ok(!(await labels()).some((text) => text.includes('Lava')));
   await set(page, { outcome: '' });
@@ -228,7 +228,7 @@ test('the heat map counts each way once a cell, of those that are listed', async
   await options.picture(page, 'heat');
   const fold = page.getByRole('button', { name: 'Display' });
   await fold.click();
-  await page.getByText('not of the search').click();
+  await page.getByText('of listed trajectories only').click();
   assert.equal(await most(), 90, "the search's own cells");
   await frames(page);
   await options.picture(page, 'heat-search');
@@ -254,9 +254,9 @@ test('the cut of an unreachable query is drawn and told, and what would help sho
   await arrive(page);
   assert.match(
     await page.locator('.findings').innerText(),
-    /Why there is no way[\s\S]*3 parts[\s\S]*Step 2 to Landing[\s\S]*1.5 studs of height/,
+    /Why there is no solution[\s\S]*3 parts are reachable[\s\S]*Step 2 to Landing[\s\S]*at least 1.5 studs of height/,
   );
-  assert.ok((await page.locator('#labels').textContent()).includes('✕ 1.5 studs of height'));
+  assert.ok((await page.locator('#labels').textContent()).includes('✕ at least 1.5 studs of height'));
   await page.locator('.findings .text', { hasText: 'without Lava' }).click();
   assert.match(await page.locator('.inspector').innerText(), /Lava/);
   await arrive(page);

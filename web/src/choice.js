@@ -12,7 +12,7 @@ export const UNFILTERED = {
 };
 
 export const SORTS = {
-  found: 'as found',
+  found: 'order found',
   time: 'time',
   jumps: 'jumps',
   outcome: 'outcome',

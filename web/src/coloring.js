@@ -1,7 +1,8 @@
 // Colours of trajectories by outcome, route, method, time, jumps or difficulty, and what they mean.
 import { routeKey } from './choice.js';
 import { BAND_STYLE, OUTCOME_STYLE, pathColor, SOLUTION_COLOR, VERDICT_STYLE } from './palette.js';
-import { routeText } from './route_text.js';
+import { routeNames } from './route_names.js';
+import { plural } from './ui/dom.js';
 
 export const COLORINGS = {
   outcome: 'outcome',
@@ -19,16 +20,33 @@ const kRamp = [
   [94, 201, 98],
   [253, 231, 37],
 ];
+// The map "inferno" of matplotlib (CC0), without its near-black beginning.
+const kHeat = [
+  [66, 10, 104],
+  [106, 23, 110],
+  [147, 38, 103],
+  [188, 55, 84],
+  [221, 81, 58],
+  [243, 120, 25],
+  [252, 165, 10],
+  [246, 215, 70],
+  [252, 255, 164],
+];
 // Okabe and Ito's palette, made for colour-blind eyes (https://jfly.uni-koeln.de/color/), without its black.
 const kDistinct = ['#e69f00', '#56b4e9', '#009e73', '#f0e442', '#0072b2', '#d55e00', '#cc79a7'];
 const kNone = '#8190a8';
 
-export function rampColor(share) {
-  const s = Math.min(Math.max(share, 0), 1) * (kRamp.length - 1);
-  const i = Math.min(kRamp.length - 2, Math.floor(s));
-  const mix = kRamp[i].map((v, k) => Math.round(v + (kRamp[i + 1][k] - v) * (s - i)));
+function mixed(ramp, share) {
+  const s = Math.min(Math.max(share, 0), 1) * (ramp.length - 1);
+  const i = Math.min(ramp.length - 2, Math.floor(s));
+  const mix = ramp[i].map((v, k) => Math.round(v + (ramp[i + 1][k] - v) * (s - i)));
   return `#${mix.map((v) => v.toString(16).padStart(2, '0')).join('')}`;
 }
+
+export const rampColor = (share) => mixed(kRamp, share);
+
+// The heat map's own: it lies on parts of all colours.
+export const heatColor = (share) => mixed(kHeat, share);
 
 function byOutcome(query) {
   const outcomes = new Set(query.paths.filter((p) => !p.mismatch).map((p) => p.outcome));
@@ -64,9 +82,13 @@ function byRoute(query, level) {
     if (path.route?.length) counts.set(routeKey(path), (counts.get(routeKey(path)) ?? 0) + 1);
   const keys = [...counts].sort((a, b) => b[1] - a[1]).map(([key]) => key);
   const colors = new Map(keys.slice(0, kDistinct.length).map((key, i) => [key, kDistinct[i]]));
-  const legend = [...colors].map(([key, color]) => [routeName(key, level), color, 'solution']);
+  const legend = [...colors].map(([key, color]) => [
+    routeNames(query, level).get(key).text,
+    color,
+    'solution',
+  ]);
   if (keys.length > colors.size || query.paths.some((path) => !path.route?.length))
-    legend.push(['Other or unknown', kNone, 'attempt']);
+    legend.push(['Other', kNone, 'attempt']);
   return { of: (path) => colors.get(routeKey(path)) ?? kNone, legend };
 }
 
@@ -76,7 +98,7 @@ function byMethod(query) {
   const colors = new Map(names.slice(0, kDistinct.length).map((name, i) => [name, kDistinct[i]]));
   const legend = [...colors].map(([name, color]) => [name, color, 'solution']);
   if (query.paths.some((path) => !colors.has(path.method)))
-    legend.push(['Other or unknown', kNone, 'attempt']);
+    legend.push(['Other', kNone, 'attempt']);
   return { of: (path) => colors.get(path.method) ?? kNone, legend };
 }
 
@@ -88,8 +110,6 @@ function byDifficulty(query) {
   if (bands.has(undefined)) legend.push(['Not measured', kNone, 'attempt']);
   return { of: (path) => BAND_STYLE[path.difficulty?.band]?.color ?? kNone, legend };
 }
-
-export const routeName = (key, level) => routeText(key.split(' '), level, 4);
 
 // {of: path -> colour, legend: [label, colour, class of the swatch]}
 export function coloring(query, level, mode) {
@@ -106,7 +126,7 @@ export function coloring(query, level, mode) {
     return byNumber(
       query,
       (p) => p.jumps,
-      (v) => `${v.toFixed(0)} jumps`,
+      (v) => plural(Math.round(v), 'jump'),
     );
   if (mode === 'difficulty') return byDifficulty(query);
   return byOutcome(query);

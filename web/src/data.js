@@ -113,10 +113,14 @@ export function levelOf({ parts, tracks, hulls, ...rest }) {
   };
 }
 
-// What the player held during a tick.
+// Whether parts of a level do something by the clock.
+export const hasMotion = (level) =>
+  Boolean(level?.tracks.length || level?.vanish.length || level?.conveyors.length);
+
+// What the player held during a tick; nothing before the first.
 function actionAt(runs, tick) {
   let end = 0;
-  for (let i = 0; i + 2 < runs.length; i += 3) {
+  for (let i = 0; tick >= 0 && i + 2 < runs.length; i += 3) {
     end += runs[i];
     if (tick < end)
       return { walk: (runs[i + 1] & 1) !== 0, jump: (runs[i + 1] & 2) !== 0, heading: runs[i + 2] };
@@ -168,31 +172,40 @@ export class Path {
     return Math.min(sample * this.stride, this.ticks);
   }
 
-  // The two samples around a tick, the share of the second, and the ticks between them.
+  // The two samples around a tick, and the share of the second.
   at(tick) {
     const last = this.samples - 1;
     const now = Math.min(Math.max(0, tick), this.ticks);
     const i = now < this.ticks ? Math.floor(now / this.stride) : last;
     const j = Math.min(i + 1, last);
     const gap = this.tickOf(j) - this.tickOf(i) || 1;
-    return { i, j, gap, share: (now - this.tickOf(i)) / gap };
+    return { i, j, share: (now - this.tickOf(i)) / gap };
+  }
+
+  // Studs a tick, by axis, on the way to a sample; none at the start.
+  speedBefore(sample) {
+    const from = Math.max(0, sample - 1);
+    const gap = this.tickOf(sample) - this.tickOf(from) || 1;
+    const p = this.points;
+    return [0, 1, 2].map((k) => (p[3 * sample + k] - p[3 * from + k]) / gap);
   }
 
   // The pose at a tick, between samples where playback is.
   poseAt(tick) {
-    const { i, j, gap, share } = this.at(tick);
+    const { i, j, share } = this.at(tick);
     const p = this.points;
     const mix = (k) => p[3 * i + k] + (p[3 * j + k] - p[3 * i + k]) * share;
     let turn = this.yaw[j] - this.yaw[i];
     if (turn > 32768) turn -= 65536;
     if (turn < -32768) turn += 65536;
     const yaw = ((this.yaw[i] + turn * share) / 65536) * 2 * Math.PI;
-    const speed = [0, 1, 2].map((k) => (p[3 * j + k] - p[3 * i + k]) / gap);
+    const speed = this.speedBefore(share > 1e-6 ? j : i);
     return { x: mix(0), y: mix(1), z: mix(2), yaw, state: this.state[i], perTick: speed };
   }
 
-  actionAt(tick) {
-    return actionAt(this.runs, Math.floor(tick));
+  // What was held in the tick that ends at `tick`, or in which it lies; nothing at the start.
+  actionBefore(tick) {
+    return actionAt(this.runs, Math.ceil(tick - 1e-6) - 1);
   }
 
   // Studs walked so far, on the level; sums once.

@@ -21,7 +21,7 @@ export function deathLabels(paths, level, most) {
     .sort((a, b) => b[1].length - a[1].length)
     .slice(0, most)
     .map(([part, places]) => ({
-      text: `✕ ${partName(level, part)} · ${places.length}`,
+      text: `✕ ${places.length} killed by ${partName(level, part)}`,
       at: middlemost(places),
       color: OUTCOME_STYLE.killed.color,
     }));

@@ -6,13 +6,15 @@ function queryAt(report, id, n) {
   return same[Number(n ?? 0)] ?? same[0] ?? -1;
 }
 
+// What a reader wants to see first: the first query that has an answer.
+const firstAnswered = ({ queries }) => Math.max(0, queries.findIndex(({ result }) => result));
+
 // `hash`: of an address, with its `#`; `shown`: the query that is shown where it names none.
-export function readFragment(report, hash, shown = 0) {
+export function readFragment(report, hash, shown = firstAnswered(report)) {
   const values = new URLSearchParams(hash.slice(1));
-  const found = {};
   const query = queryAt(report, values.get('q'), values.get('n'));
-  if (query >= 0) found.query = query;
-  const paths = report.queries[found.query ?? shown]?.paths ?? [];
+  const found = { query: query >= 0 ? query : shown };
+  const paths = report.queries[found.query]?.paths ?? [];
   const path = values.has('traj') ? Number(values.get('traj')) : NaN;
   if (Number.isInteger(path) && path >= 0 && path < paths.length) found.path = path;
   if (values.get('traj') === 'none') found.path = -1;
@@ -37,7 +39,7 @@ export function followAddress(app) {
     const { store, playback, stage } = app;
     const shown = store.state.query;
     const found = readFragment(app.report, new URL(newURL).hash, shown);
-    store.set({ query: found.query ?? shown });
+    store.set({ query: found.query });
     store.set({ path: found.path ?? app.firstPath(), playing: false, follow: false });
     store.set({ tick: Math.min(tickAt(found.time ?? 0, playback.rateOf()), app.length()) });
     if (!found.camera) return;

@@ -25,7 +25,7 @@ export class LiveReport {
   // them. Gives {levels, queries}: the indices of those that changed, and `fresh`: the trajectories that are new.
   take(raw, kept = []) {
     if (raw.format !== kFormat)
-      throw new Error(`data of format ${raw.format}, expected ${kFormat}`);
+      throw new Error(`its data has format ${raw.format}, expected ${kFormat}; reload the page`);
     const { report } = this;
     const changed = { levels: new Set(), queries: new Set(), fresh: [] };
     const was = this.state;
@@ -42,6 +42,7 @@ export class LiveReport {
     }
     for (const query of report.queries) {
       query.running = this.state === 'live' && Boolean(query.progress);
+      query.waiting = this.state === 'live' && !query.progress;
       if (was !== this.state) changed.queries.add(query.index);
     }
     return changed;

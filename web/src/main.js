@@ -1,6 +1,6 @@
 // Starts the page: reads the report, wires the state to the stage and the panels, and runs the frame loop.
 import { Vector3 } from 'three';
-import { readReport } from './data.js';
+import { hasMotion, readReport } from './data.js';
 import { followAddress, readFragment, tickAt, writeFragment } from './fragment.js';
 import { Playback } from './playback.js';
 import { Live } from './live.js';
@@ -40,7 +40,7 @@ class App {
     this.ways = new Ways(this);
     this.dirty = true;
     const found = readFragment(report, location.hash);
-    if (found.query !== undefined) this.store.state.query = found.query;
+    this.store.state.query = found.query;
     this.openQuery();
     this.store.state.path = found.path ?? this.firstPath();
     if (found.time !== undefined)
@@ -82,8 +82,10 @@ class App {
     return path >= 0 && ghost !== path ? this.query()?.paths[ghost] : undefined;
   }
 
+  // 0 where nothing can be played.
   length() {
     const path = this.path();
+    if (!this.query()?.paths.length && !hasMotion(this.level())) return 0;
     if (path) return Math.max(path.ticks, this.ghost()?.ticks ?? 0);
     // One by one: of a list of all ways there may be more than a call takes arguments.
     const least = Math.max(1, 10 * (this.level()?.tickRate ?? 60));
@@ -119,7 +121,7 @@ class App {
     });
     this.hud = new Hud(byId('hud'));
     this.help = new Help(byId('help'));
-    this.timeline.addButton('◐', 'Light, dark, as the system (Y)', () => nextTheme(this.store));
+    this.timeline.addButton('◐', 'Switch between light and dark (Y)', () => nextTheme(this.store));
     this.timeline.addButton('?', 'Shortcuts (?)', () => this.help.toggle());
   }
 

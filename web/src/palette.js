@@ -13,19 +13,19 @@ export const ROLE_STYLE = {
   pad: { label: 'Jump pad', color: '#f59a4c' },
   checkpoint: { label: 'Checkpoint', color: '#8fe3c4' },
   ghost: { label: 'Not solid', color: '#5b6472' },
-  loose: { label: 'Loose', color: '#b98f6f' },
+  loose: { label: 'Dynamic', color: '#b98f6f' },
 };
 
 export const OUTCOME_STYLE = {
   goal: { label: 'Reached the goal', short: 'Goal', color: '#7fe3b5', glyph: 'ring' },
   killed: { label: 'Killed', short: 'Killed', color: '#f0484e', glyph: 'cross' },
   fell: { label: 'Fell', short: 'Fell', color: '#e29a5b', glyph: 'down' },
-  avoided: { label: 'Met what is to be avoided', short: 'Avoid', color: '#d873c4', glyph: 'bar' },
-  jumps: { label: 'Too many jumps', short: 'Jumps', color: '#c9b458', glyph: 'up' },
-  timeout: { label: 'Out of time', short: 'Time', color: '#9aa4b5', glyph: 'clock' },
+  avoided: { label: 'Entered a region to avoid', short: 'Avoid region', color: '#d873c4', glyph: 'bar' },
+  jumps: { label: 'Too many jumps', short: 'Jump limit', color: '#c9b458', glyph: 'up' },
+  timeout: { label: 'Out of time', short: 'Time limit', color: '#9aa4b5', glyph: 'clock' },
   hurt: { label: 'Lost too much health', short: 'Hurt', color: '#e07a8b', glyph: 'cross' },
-  forbidden: { label: 'In a forbidden state', short: 'State', color: '#a98ad8', glyph: 'bar' },
-  running: { label: 'Cut off', short: 'Cut off', color: '#8190a8', glyph: 'dot' },
+  forbidden: { label: 'In a forbidden state', short: 'Forbidden state', color: '#a98ad8', glyph: 'bar' },
+  running: { label: 'Unfinished', short: 'Unfinished', color: '#8190a8', glyph: 'dot' },
 };
 
 export const VERDICT_STYLE = {
@@ -34,7 +34,8 @@ export const VERDICT_STYLE = {
   unknown: { label: 'Unknown', color: '#e6c85a', mark: '?' },
   mismatch: { label: 'Replay mismatch', color: '#ff7ad9', mark: '≠' },
   running: { label: 'Searching', color: '#7fd4ff', mark: '…' },
-  none: { label: 'No answer', color: '#8190a8', mark: '–' },
+  waiting: { label: 'Waiting', color: '#8190a8', mark: '…' },
+  none: { label: 'Not asked in this run', short: 'Not asked', color: '#8190a8', mark: '–' },
 };
 
 // How hard a step is, in the order of the stream's bands.
@@ -68,15 +69,16 @@ export function pathColor(path) {
 export function verdictOf(query) {
   if (query.paths.some((path) => path.mismatch && path.kind === 'solution')) return 'mismatch';
   if (query.result) return query.result.verdict;
-  return query.running ? 'running' : 'none';
+  if (query.running) return 'running';
+  return query.waiting ? 'waiting' : 'none';
 }
 
-// Why a path ended, in words. `nameOf`: level, part -> what the part is called.
-export function causeOf(path, level, nameOf = fullName) {
-  const style = OUTCOME_STYLE[path.outcome];
+// Why a path ended, in words. `nameOf`: level, part -> what the part is called; `length`: label or short.
+export function causeOf(path, level, nameOf = fullName, length = 'label') {
+  const words = OUTCOME_STYLE[path.outcome][length];
   if (path.part >= 0 && level && path.part < level.count)
-    return `${style.label} by ${nameOf(level, path.part)}`;
-  return style.label;
+    return `${words} by ${nameOf(level, path.part)}`;
+  return words;
 }
 
 // The hardest step of a solution, in words; nothing where the report does not say.
@@ -86,7 +88,8 @@ export function hardestOf(path, level) {
   const name = (part, none) => (part < 0 ? none : fullName(level, part));
   const from = name(hardest.from, 'the start');
   const to = name(hardest.to, 'the goal');
-  const what = `Hardest: ${from} to ${to}, ${hardest.band}`;
-  const window = hardest.window > 0 ? `, press within ${Math.round(hardest.window)} ms` : '';
+  const what = `Hardest step: ${from} to ${to}, ${hardest.band}`;
+  const window =
+    hardest.window > 0 ? `, press within ${(hardest.window / 1000).toFixed(2)} s` : '';
   return `${what}${window} (${noise})`;
 }

@@ -24,6 +24,7 @@ export class Playback {
 
   toggle() {
     const { playing, tick } = this.store.state;
+    if (!this.lengthOf()) return;
     if (!playing && tick >= this.lengthOf()) this.store.set({ tick: 0 });
     this.store.set({ playing: !playing });
   }

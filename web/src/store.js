@@ -38,6 +38,7 @@ export const INITIAL = {
   drawing: false, // the next drag draws a box
   theme: 'auto', // or 'light', 'dark'
   heat: false,
+  heatMost: 0, // count of its fullest tile
   heatWays: false, // the heat map is of the listed ways, even where the search's own is known
   cut: true,
   query: 0,

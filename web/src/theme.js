@@ -1,17 +1,22 @@
 // Light or dark panels: as the reader's system has it, or as they chose here.
 
-const kNext = { auto: 'light', light: 'dark', dark: 'auto' };
 const system = matchMedia('(prefers-color-scheme: light)');
+
+const systems = () => (system.matches ? 'light' : 'dark');
+
+const shown = ({ theme }) => (theme === 'auto' ? systems() : theme);
 
 export function bindTheme(store) {
   const show = () => {
-    const { theme } = store.state;
-    const light = theme === 'light' || (theme === 'auto' && system.matches);
-    document.documentElement.dataset.theme = light ? 'light' : 'dark';
+    document.documentElement.dataset.theme = shown(store.state);
   };
   store.on(['theme'], show);
   system.addEventListener('change', show);
   show();
 }
 
-export const nextTheme = (store) => store.set({ theme: kNext[store.state.theme] });
+// To the other one of what is seen. The system's own is followed again where it changes.
+export function nextTheme(store) {
+  const theme = shown(store.state) === 'light' ? 'dark' : 'light';
+  store.set({ theme: theme === systems() ? 'auto' : theme });
+}

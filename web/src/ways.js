@@ -54,8 +54,10 @@ export class Ways {
     if (!this.app.query()) return;
     const { paths, result } = this.app.query();
     const map = heatWays ? null : result?.heatMap;
-    if (!heat) this.app.stage.heat.clear();
-    else this.app.stage.heat.set(map ? searched(map) : visits(order.map((i) => paths[i])));
+    const view = this.app.stage.heat;
+    if (!heat) view.clear();
+    else view.set(map ? searched(map) : visits(order.map((i) => paths[i])));
+    this.store.set({ heatMost: view.most });
   }
 
   // Around the player, or where the camera turns about.

@@ -69,7 +69,7 @@ export class CutView {
     if (known.length === 2) this.group.add(this.arrow(...ends));
     const middle = known.reduce((sum, end) => sum.add(end), new Vector3());
     this.labels.push({
-      text: `✕ ${lackOf(cut) || 'no way on'}`,
+      text: `✕ ${lackOf(cut) || 'impossible step'}`,
       at: middle.divideScalar(known.length).add(new Vector3(0, 1, 0)),
       color: CUT_COLOR,
     });

@@ -1,7 +1,7 @@
 // Where the search has been, or where the listed ways go: a tile for each cube, the brighter the more of the search's
 // cells are in it, or the more ways pass it. Of ways each counts once a cube.
 import { Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial, PlaneGeometry } from 'three';
-import { rampColor } from '../coloring.js';
+import { heatColor } from '../coloring.js';
 
 const kCell = 2; // studs, of ways
 const kMostTiles = 20000; // the most visited are kept
@@ -48,11 +48,20 @@ export function searched({ size, feet, counts }) {
   return { size, cells };
 }
 
+// Counts spread over orders of magnitude: 0 of a single one, 1 of the most.
+export const heatShare = (count, most) => (most > 1 ? Math.log(count) / Math.log(most) : 0);
+
 export class HeatView {
   constructor() {
     this.group = new Group();
+    this.most = 0; // of all tiles
     // Kept: with its last material a program of the GPU goes, and the map is made anew at each filter.
-    this.material = new MeshBasicMaterial({ transparent: true, opacity: 0.6, depthWrite: false });
+    this.material = new MeshBasicMaterial({
+      transparent: true,
+      opacity: 0.9,
+      depthWrite: false,
+      fog: false, // the legend has its colours
+    });
   }
 
   set({ size, cells: all }) {
@@ -64,23 +73,22 @@ export class HeatView {
       this.material,
       cells.length,
     );
-    // Counts spread over orders of magnitude.
-    const scale = Math.log(cells[0].count + 1);
+    this.most = cells[0].count;
     const colors = new Map(); // of counts, which are few
     const place = new Matrix4();
     cells.forEach(({ x, y, z, count }, i) => {
       if (!colors.has(count))
-        colors.set(count, new Color(rampColor(Math.log(count + 1) / scale)));
+        colors.set(count, new Color(heatColor(heatShare(count, this.most))));
       mesh.setMatrixAt(i, place.makeTranslation(x, y + kLift, z));
       mesh.setColorAt(i, colors.get(count));
     });
     mesh.renderOrder = 4;
     mesh.frustumCulled = false;
-    this.most = cells[0].count;
     this.group.add(mesh);
   }
 
   clear() {
+    this.most = 0;
     for (const mesh of [...this.group.children]) {
       mesh.geometry.dispose();
       mesh.dispose();

@@ -3,8 +3,8 @@
 import { el } from '../ui/dom.js';
 
 const kMessage =
-  'There is no 3D picture, for this browser has no WebGL: hardware acceleration may be off in its settings. ' +
-  'All else of the report is here; obby-view -o FILE.png draws a picture without a browser.';
+  'No 3D picture: this browser has no WebGL. Hardware acceleration may be off in its settings. ' +
+  'The rest of the report works. obby-view -o FILE.png draws a picture without a browser.';
 
 // What the stage asks of a renderer.
 class NoRenderer {

@@ -14,6 +14,7 @@ import {
   Vector3,
 } from 'three';
 import { ROLE_STYLE } from '../palette.js';
+import { plural } from '../ui/dom.js';
 import { dispose } from './dispose.js';
 
 const kAvoid = '#d873c4';
@@ -111,7 +112,7 @@ export class RegionView {
     addAlike(query.goals, ROLE_STYLE.goal.color, 'Goal');
     query.visits.forEach((region) => add(region, kWaypoint, region.name || 'Visit'));
     query.waypoints.forEach((waypoint, i) => {
-      const limit = waypoint.maxJumps >= 0 ? ` · ≤ ${waypoint.maxJumps} jumps` : '';
+      const limit = waypoint.maxJumps >= 0 ? ` · ≤ ${plural(waypoint.maxJumps, 'jump')}` : '';
       add(
         waypoint.region,
         kWaypoint,

@@ -1,12 +1,12 @@
 // The boxes of the filter: each with its place, whether what passes it stays or goes, and how many pass it.
 import { boxOf, pathsThrough } from '../choice.js';
-import { el, keepingFocus, plural } from './dom.js';
+import { el, keepingFocus, trajectories } from './dom.js';
 
 const kAxes = ['x', 'y', 'z'];
 
 function passing(query, box) {
   const n = query ? pathsThrough(query, box).size : 0;
-  return `${plural(n, 'way')} ${n === 1 ? 'passes' : 'pass'} it`;
+  return `${trajectories(n)} ${n === 1 ? 'passes' : 'pass'} through`;
 }
 
 export class BoxList {
@@ -17,14 +17,14 @@ export class BoxList {
       class: 'plain text',
       type: 'button',
       text: 'Draw a box',
-      title: 'Drag over the floor (B)',
+      title: 'Draw a box by dragging over the floor (B)',
       on: { click: () => store.set({ drawing: !store.state.drawing }) },
     });
     const add = el('button', {
       class: 'plain text',
       type: 'button',
       text: 'Box here',
-      title: 'Around the player, or where the camera turns about',
+      title: 'Add a box around the player, or where the camera looks',
       on: { click: addBox },
     });
     this.root = el(
@@ -69,8 +69,8 @@ export class BoxList {
         data: { key: `${index} keep` },
         on: { change: () => this.replace(index, { ...box, keep: keep.value === 'keep' }) },
       },
-      el('option', { value: 'keep', text: 'keep what passes', selected: box.keep }),
-      el('option', { value: 'drop', text: 'drop what passes', selected: !box.keep }),
+      el('option', { value: 'keep', text: 'show only these', selected: box.keep }),
+      el('option', { value: 'drop', text: 'hide these', selected: !box.keep }),
     );
     const remove = el('button', {
       class: 'plain close',

@@ -80,7 +80,7 @@ export class Comparison {
         'tr',
         {},
         el('td'),
-        ...['Chosen', 'Ghost'].map((text, i) =>
+        ...['Selected', 'Ghost'].map((text, i) =>
           el(
             'th',
             { scope: 'col' },
@@ -93,14 +93,14 @@ export class Comparison {
         ),
       ),
     );
-    row('Ends', (path) => causeOf(path, level, partName));
+    row('Outcome', (path) => causeOf(path, level, partName));
     row('Time', (path) => `${seconds(path.ticks / rate)} s`);
     row('Jumps', (path) => String(path.jumps));
-    row('Way', (path) => `${lengthOf(path).toFixed(0)} studs`);
+    row('Length', (path) => `${lengthOf(path).toFixed(0)} studs`);
     for (const [name, ticks] of passings(query, pair, level?.body.top ?? 0))
       row(name, (path) => {
         const tick = ticks[pair.indexOf(path)];
-        return tick < 0 ? 'not passed' : `${seconds(tick / rate)} s`;
+        return tick < 0 ? 'never' : `${seconds(tick / rate)} s`;
       });
     this.gap = el('output', { class: 'quiet', 'aria-live': 'off' }); // as the clock
     this.root.append(

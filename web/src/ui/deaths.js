@@ -1,7 +1,7 @@
 // How attempts ended, as one bar, and what killed them: a click shows the ways that ended there.
 import { OUTCOME_STYLE } from '../palette.js';
 import { fullName, partName } from '../part_name.js';
-import { count, el } from './dom.js';
+import { count, el, plural } from './dom.js';
 
 const kMostKillers = 8;
 
@@ -55,7 +55,7 @@ function killers(query, level, store, ends) {
       {
         class: 'killer',
         type: 'button',
-        title: `${fullName(level, part)}: ${n} of the attempts, ${shown} of them in this report`,
+        title: `${fullName(level, part)}: killed ${plural(n, 'attempt')}, ${shown} shown in this report`,
         style: { '--share': `${(100 * n) / most}%` },
         data: { part, key: `killer ${part}` },
         on: {
@@ -74,7 +74,7 @@ function killers(query, level, store, ends) {
   return [
     el('h3', { text: 'Killed by' }),
     ...totals.slice(0, kMostKillers).map(row),
-    ...(rest > 0 ? [el('p', { class: 'quiet', text: `and ${rest} more parts` })] : []),
+    ...(rest > 0 ? [el('p', { class: 'quiet', text: `and ${plural(rest, 'more part')}` })] : []),
   ];
 }
 

@@ -59,6 +59,12 @@ export function count(value) {
   return String(number);
 }
 
+// So many digits behind the point, and never "-0.0".
+export const decimal = (value, digits = 1) =>
+  Number(value.toFixed(digits) || 0).toFixed(digits);
+
+export const trajectories = (n) => `${n} ${n === 1 ? 'trajectory' : 'trajectories'}`;
+
 export const plural = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
 
 // Runs `refill`, which replaces what is in `root`; the keyboard stays on what has the same data-key as what it was on.

@@ -1,8 +1,8 @@
 // What may be listed and drawn: outcome, route, killer, jumps, time, and boxes that a way must or must not pass.
 import { filtered, routeKey, UNFILTERED } from '../choice.js';
-import { routeName } from '../coloring.js';
 import { OUTCOME_STYLE } from '../palette.js';
 import { partName } from '../part_name.js';
+import { routeNames } from '../route_names.js';
 import { BoxList } from './box_list.js';
 import { choice, el, numberField } from './dom.js';
 
@@ -21,8 +21,8 @@ export class FilterPanel {
       this.outcome,
       this.route,
       this.killer,
-      numberField(store, 'mostJumps', 'Jumps, at most', -1, { min: '0', step: '1' }),
-      numberField(store, 'mostSeconds', 'Seconds, at most', 0, { min: '0', step: 'any' }),
+      numberField(store, 'mostJumps', 'Max jumps', -1, { min: '0', step: '1' }),
+      numberField(store, 'mostSeconds', 'Max seconds', 0, { min: '0', step: 'any' }),
     );
     this.clear = el('button', {
       class: 'plain text',
@@ -81,7 +81,7 @@ export class FilterPanel {
     };
     const outcomes = tally(query.paths.map((path) => path.outcome));
     offer(this.outcome, '', outcomes, (key) => OUTCOME_STYLE[key].short);
-    offer(this.route, '', routes, (key) => routeName(key, level));
+    offer(this.route, '', routes, (key) => routeNames(query, level).get(key).text);
     offer(this.killer, -1, killers, (part) => partName(level, part));
   }
 

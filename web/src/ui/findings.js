@@ -1,14 +1,14 @@
 // What an answer says beyond its verdict: why there is no way, what would have to change, by which routes it goes, how far to trust it.
 import { partName } from '../part_name.js';
+import { routeNames } from '../route_names.js';
 import { routeText } from '../route_text.js';
 import { el, plural, seconds } from './dom.js';
 
 const kMostRoutes = 6;
-const kMostNames = 5; // of a route
 
 const SATURATION = {
-  saturated: 'The search found nearly all there is to find at this resolution.',
-  growing: 'The search was still finding new places: more time may solve it.',
+  saturated: 'The search has explored nearly everything that it can tell apart.',
+  growing: 'The search was still reaching new places. More time may solve it.',
 };
 
 // A line that shows its part in the picture, where it has one and the level has it.
@@ -30,13 +30,15 @@ function help(result, level, store) {
   ];
 }
 
+const reachable = (n) => `At most ${n} ${n === 1 ? 'part is' : 'parts are'} reachable`;
+
 // What the least step beyond everything that can be reached lacks.
 export function lackOf({ rise, gap, jumps, seconds: time }) {
   const lacks = [];
-  if (rise > 0) lacks.push(`${rise.toFixed(1)} studs of height`);
-  if (gap > 0) lacks.push(`${gap.toFixed(1)} studs of distance`);
-  if (jumps > 0) lacks.push(`every way takes ${plural(jumps, 'jump')} at least`);
-  if (time > 0) lacks.push(`every way takes ${seconds(time)} s at least`);
+  if (rise > 0) lacks.push(`at least ${rise.toFixed(1)} studs of height`);
+  if (gap > 0) lacks.push(`at least ${gap.toFixed(1)} studs of distance`);
+  if (jumps > 0) lacks.push(`needs at least ${plural(jumps, 'jump')}`);
+  if (time > 0) lacks.push(`needs at least ${seconds(time)} s`);
   return lacks.join(', ');
 }
 
@@ -47,19 +49,20 @@ function proof(result, level, store) {
   const to = cut.to >= 0 ? partName(level, cut.to) : 'the goal';
   const lack = lackOf(cut);
   return [
-    el('h3', { text: 'Why there is no way' }),
+    el('h3', { text: 'Why there is no solution' }),
     el(
       'ul',
       { class: 'proof' },
-      line(`${plural(cut.reached.length, 'part')} can be reached at most`, -1, level, store),
-      line(`Least step beyond: ${from} to ${to}`, cut.from, level, store),
+      line(reachable(cut.reached.length), -1, level, store),
+      line(`Smallest impossible step: ${from} to ${to}`, cut.from, level, store),
       ...(lack ? [line(`Missing: ${lack}`, cut.to, level, store)] : []),
     ),
   ];
 }
 
 // Each shows its own ways only, and all again.
-function routes(result, level, store) {
+function routes(query, level, store) {
+  const { result } = query;
   if (!(result.routes?.length > 1)) return [];
   const rate = level?.tickRate ?? 60;
   const toggle = (key) => store.set({ route: store.state.route === key ? '' : key });
@@ -71,12 +74,12 @@ function routes(result, level, store) {
         class: 'plain text way',
         type: 'button',
         data: { key: `route ${route.join(' ')}` },
-        title: `List these only: ${routeText(route, level)}`,
-        text: routeText(route, level, kMostNames),
+        title: `Show only these: ${routeText(route, level)}`,
+        text: routeNames(query, level).get(route.join(' ')).text,
         on: { click: () => toggle(route.join(' ')) },
       }),
       el('small', {
-        text: `${plural(Number(count), 'solution')}, shortest ${seconds(ticks / rate)} s`,
+        text: `${plural(Number(count), 'solution')}, fastest ${seconds(ticks / rate)} s`,
       }),
     );
   const told = result.routes.slice(0, kMostRoutes).map(routeLine);
@@ -98,7 +101,7 @@ export function findings(query, level, store) {
   const parts = [
     ...proof(result, level, store),
     ...help(result, level, store),
-    ...routes(result, level, store),
+    ...routes(query, level, store),
     ...trust(result),
   ];
   return el('div', { class: 'findings', hidden: parts.length === 0 }, ...parts);

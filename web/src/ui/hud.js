@@ -1,5 +1,6 @@
-// What the player holds and how it moves now: keys as seen from the camera, speed and height.
-import { el } from './dom.js';
+// How the player came to where it is: keys of the tick that led here, as seen from the camera, speed and height. At the
+// start it stands, and no key is held yet.
+import { decimal, el } from './dom.js';
 
 export class Hud {
   constructor(root) {
@@ -43,7 +44,7 @@ export class Hud {
   show(path, tick, tickRate, cameraYaw) {
     this.root.hidden = !path;
     if (!path) return;
-    const action = path.actionAt(tick);
+    const action = path.actionBefore(tick);
     const pressed = new Set(action.jump ? ['jump'] : []);
     if (action.walk) {
       // Angle of the move direction to the left of where the camera looks, in eighths of a turn.
@@ -64,8 +65,8 @@ export class Hud {
     for (const [name, cap] of Object.entries(this.keys))
       cap.classList.toggle('down', pressed.has(name));
     const pose = path.poseAt(tick);
-    this.speed.textContent = (Math.hypot(...pose.perTick) * tickRate).toFixed(1);
-    this.height.textContent = pose.y.toFixed(1);
+    this.speed.textContent = decimal(Math.hypot(...pose.perTick) * tickRate);
+    this.height.textContent = decimal(pose.y);
     this.jumps.textContent = String(path.jumpTicks.filter((at) => at <= tick).length);
   }
 }

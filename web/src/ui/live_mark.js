@@ -2,10 +2,10 @@
 import { checkbox, el } from './dom.js';
 
 const kStates = {
-  live: { text: 'Live', title: 'The stream runs: what comes is shown' },
-  ended: { text: 'Ended', title: 'The stream has ended: this is all of it' },
-  broken: { text: 'Broken off', title: 'The stream broke off; a note says why' },
-  lost: { text: 'Connection lost, trying again', title: 'obby-view does not answer' },
+  live: { text: 'Live', title: 'The stream is running; new records appear here' },
+  ended: { text: 'Ended', title: 'The stream has ended; nothing more will come' },
+  broken: { text: 'Cut short', title: 'The stream stopped early; a note says why' },
+  lost: { text: 'Connection lost, reconnecting', title: 'obby-view is not answering' },
 };
 
 export class LiveMark {
@@ -15,7 +15,7 @@ export class LiveMark {
     this.newest = checkbox((checked) => this.store.set({ followNewest: checked }));
     this.follow = el(
       'label',
-      { hidden: true, title: 'Choose each new solution as it comes' },
+      { hidden: true, title: 'Select each new solution as it arrives' },
       this.newest,
       el('span', { text: 'Follow newest' }),
     );

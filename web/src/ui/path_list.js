@@ -1,12 +1,14 @@
 // The trajectories of the chosen query that pass the filters: how many, sorted how, coloured by what, and a row each.
 import { SORTS } from '../choice.js';
 import { COLORINGS } from '../coloring.js';
-import { BAND_STYLE, causeOf, hardestOf, OUTCOME_STYLE } from '../palette.js';
-import { choice, el, plural, reveal, seconds } from './dom.js';
+import { BAND_STYLE, causeOf, hardestOf } from '../palette.js';
+import { partName } from '../part_name.js';
+import { solutionNames } from '../solution_names.js';
+import { choice, el, plural, reveal, seconds, trajectories } from './dom.js';
 import { OneStop } from './one_stop.js';
 
 const kMostRows = 400;
-const KIND_NAMES = { solution: 'Solution', closest: 'Closest', newest: 'Newest' };
+const KIND_NAMES = { closest: 'Closest', newest: 'Newest' };
 
 export class PathList {
   // `sourceOf`: {query, level} of now; `tintOf`: path -> colour.
@@ -56,7 +58,7 @@ export class PathList {
     const { order, sort } = this.store.state;
     const all = query.paths.length;
     this.count.textContent =
-      order.length === all ? plural(all, 'way') : `${order.length} of ${plural(all, 'way')}`;
+      order.length === all ? trajectories(all) : `${order.length} of ${trajectories(all)}`;
     for (const [title, indices] of this.groups(query, order, sort)) {
       const group = el('div', { role: 'group', 'aria-label': title || undefined });
       const count = el('small', { text: ` ${indices.length}` });
@@ -66,7 +68,7 @@ export class PathList {
         group.append(
           el('p', {
             class: 'quiet',
-            text: `and ${indices.length - kMostRows} more: filter, or click their lines`,
+            text: `and ${indices.length - kMostRows} more. Filter the list, or click their lines.`,
           }),
         );
       this.rows.append(group);
@@ -76,8 +78,8 @@ export class PathList {
         el('p', {
           class: 'quiet',
           text: all
-            ? 'No trajectory passes the filter.'
-            : 'The stream holds no trajectory of this query.',
+            ? 'No trajectory matches the filter.'
+            : 'This query has no trajectories.',
         }),
       );
   }
@@ -96,8 +98,8 @@ export class PathList {
     const { query, level } = this.sourceOf();
     const path = query.paths[index];
     const cause = path.mismatch ? `Replay mismatch: ${path.mismatch}` : causeOf(path, level);
-    const name = KIND_NAMES[path.kind] ?? OUTCOME_STYLE[path.outcome].short;
-    const help = [cause, hardestOf(path, level), 'Shift + click compares'].filter(Boolean);
+    const { name, facts } = this.words(path, index);
+    const help = [cause, hardestOf(path, level), 'Shift-click to compare'].filter(Boolean);
     return el(
       'button',
       {
@@ -116,12 +118,21 @@ export class PathList {
       el('i', { class: `swatch ${path.kind}`, style: { '--tint': this.tintOf(path) } }),
       el('span', { class: 'name', text: path.mismatch ? `${name} ≠` : name }),
       ...this.bandOf(path),
-      el('span', { class: 'fact', text: plural(path.jumps, 'jump') }),
-      el('span', {
-        class: 'fact time',
-        text: `${seconds(path.ticks / (level?.tickRate ?? 60))} s`,
-      }),
+      ...facts,
     );
+  }
+
+  // A solution is told from others by its time, jumps and route, an attempt by how it ended.
+  words(path, index) {
+    const { query, level } = this.sourceOf();
+    const fact = (text, more = '') => el('span', { class: `fact${more}`, text });
+    const solution = solutionNames(query, level).get(index);
+    if (solution) return { name: solution.name, facts: [fact(solution.route, ' route')] };
+    const time = `${seconds(path.ticks / (level?.tickRate ?? 60))} s`;
+    return {
+      name: KIND_NAMES[path.kind] ?? causeOf(path, level, partName, 'short'),
+      facts: [fact(plural(path.jumps, 'jump')), fact(time, ' time')],
+    };
   }
 
   // What is listed stays as it is.
@@ -154,7 +165,7 @@ export class PathList {
       row.setAttribute('aria-selected', String(index === path));
       row.classList.toggle('hover', index === hoverPath);
       row.classList.toggle('ghost', index === ghost);
-      if (index === ghost) row.setAttribute('aria-description', 'compared with the chosen one');
+      if (index === ghost) row.setAttribute('aria-description', 'compared with the selected one');
       else row.removeAttribute('aria-description');
     }
     this.stop.settle();

@@ -1,7 +1,8 @@
 // The floating panel on the right: legend of the roles that this level has, what is shown, and the chosen part.
 import { ROLES } from '../data.js';
 import { ROLE_STYLE } from '../palette.js';
-import { checkbox, el } from './dom.js';
+import { checkbox, decimal, el } from './dom.js';
+import { heatLegend } from './heat_legend.js';
 
 export class ScenePanel {
   // `coloringOf`: how trajectories are coloured now.
@@ -14,7 +15,7 @@ export class ScenePanel {
       this.card('Legend', this.legend, true),
       this.card('Display', this.toggles(), false),
     );
-    store.on(['order', 'colorBy'], () => this.fillLegend());
+    store.on(['order', 'colorBy', 'heat', 'heatWays', 'heatMost'], () => this.fillLegend());
     store.on(['part', 'query'], () => this.inspect());
     this.fillLegend();
   }
@@ -41,6 +42,7 @@ export class ScenePanel {
     const level = this.levelOf();
     this.legend.replaceChildren();
     if (!level) return;
+    this.legend.append(...heatLegend(this.store.state, this.queryOf()));
     const counts = new Map();
     for (const role of level.role) counts.set(role, (counts.get(role) ?? 0) + 1);
     ROLES.forEach((role, code) => {
@@ -92,17 +94,17 @@ export class ScenePanel {
     };
     add('solutions', 'Solutions', '1');
     add('attempts', 'Attempts', '2');
-    add('markers', 'Where they ended', '3');
-    add('runners', 'All runners', '4');
+    add('markers', 'Attempt ends', '3');
+    add('runners', 'All players', '4');
     add('regions', 'Regions', '5');
     add('labels', 'Labels', '6');
     add('motionPaths', 'Motion paths', '7');
     add('grid', 'Grid', '8');
     add('heat', 'Heat map', '9');
     const searched = () => this.store.state.heat && Boolean(this.queryOf()?.result?.heatMap);
-    add('heatWays', '… of the listed ways, not of the search', '', searched);
-    add('cut', 'What is missing', '0');
-    add('isolate', 'Chosen one only', 'I');
+    add('heatWays', '… of listed trajectories only', '', searched);
+    add('cut', 'Impossible step', '0');
+    add('isolate', 'Selected only', 'I');
     const original = checkbox((checked) =>
       this.store.set({ colors: checked ? 'level' : 'roles' }),
     );
@@ -133,7 +135,7 @@ export class ScenePanel {
       .map((v) => Number(v.toFixed(2)))
       .join(' × ');
     const at = [...level.position.subarray(3 * part, 3 * part + 3)]
-      .map((v) => v.toFixed(1))
+      .map((v) => decimal(v))
       .join(', ');
     const facts = el('dl', {});
     const add = (label, value) =>
@@ -142,8 +144,8 @@ export class ScenePanel {
     const material = level.materials[level.material[part] ?? 0];
     if (material) add('Material', material.replace(/(?<=[a-z])(?=[A-Z])/g, ' '));
     add('Size', size);
-    add('At', at);
-    for (const note of level.notes[part] ?? []) add('Why', note);
+    add('Position', at);
+    for (const note of level.notes[part] ?? []) add('Reason', note);
     this.inspector.append(
       el(
         'header',

@@ -21,11 +21,19 @@ function badge(verdict) {
 }
 
 function jumpLimits({ minJumps, maxJumps }) {
+  if (maxJumps === 0) return ['no jumps'];
   if (maxJumps >= 0 && maxJumps === minJumps) return [`exactly ${plural(maxJumps, 'jump')}`];
   const limits = [];
   if (maxJumps >= 0) limits.push(`at most ${plural(maxJumps, 'jump')}`);
   if (minJumps > 0) limits.push(`at least ${plural(minJumps, 'jump')}`);
   return limits;
+}
+
+function numberGrid(facts) {
+  const grid = el('dl', { class: 'numbers' });
+  for (const [label, value] of facts)
+    grid.append(el('div', {}, el('dt', { text: label }), el('dd', { text: value })));
+  return grid;
 }
 
 // Ids that queries of several levels have.
@@ -77,7 +85,7 @@ export class Sidebar {
     const solved = this.report.queries.filter((query) => verdictOf(query) === 'solved').length;
     const total = this.report.queries.length;
     const summary = total
-      ? `${solved} of ${plural(total, 'query').replace('querys', 'queries')} solved`
+      ? `${solved} of ${total} ${total === 1 ? 'query' : 'queries'} solved`
       : 'Level only';
     this.head.replaceChildren(
       el('h1', { text: this.report.title }),
@@ -114,7 +122,7 @@ export class Sidebar {
       const facts =
         result?.verdict === 'solved' && level
           ? `${seconds(result.ticks / level.tickRate)} s`
-          : VERDICT_STYLE[verdictOf(query)].label;
+          : VERDICT_STYLE[verdictOf(query)].short ?? VERDICT_STYLE[verdictOf(query)].label;
       this.queries.append(
         el(
           'button',
@@ -162,8 +170,10 @@ export class Sidebar {
     const level = this.report.levels[query.level];
     this.detail.append(
       ...this.verdict(query),
+      this.course(query),
       this.limits(query),
       this.numbers(query),
+      this.effort(query),
       findings(query, level, this.store),
       deaths(query, level, this.store),
     );
@@ -173,12 +183,19 @@ export class Sidebar {
     const style = VERDICT_STYLE[verdictOf(query)];
     const broken = query.paths.find((path) => path.mismatch && path.kind === 'solution');
     const reason = broken
-      ? `A recorded solution does not hold: ${broken.mismatch}.`
+      ? `A recorded solution does not replay: ${broken.mismatch}.`
       : query.result?.reason;
     return [
       el('h2', { class: 'verdict', text: style.label, style: { '--tint': style.color } }),
       el('p', { class: 'reason', text: reason ?? '', hidden: !reason }),
     ];
+  }
+
+  // From where to where, in the names of the level's places.
+  course({ start, goal }) {
+    const ends = [start?.name && `from ${start.name}`, goal?.name && `to ${goal.name}`];
+    const text = ends.filter(Boolean).join(' ');
+    return el('p', { class: 'quiet course', text, hidden: !text });
   }
 
   limits(query) {
@@ -196,29 +213,43 @@ export class Sidebar {
     if (query.forbid.length) parts.push(`never ${query.forbid.map(stateName).join(' or ')}`);
     return el('p', {
       class: 'quiet limits',
-      text: parts.length ? `Asked: ${parts.join(', ')}` : '',
+      text: parts.length ? `Limits: ${parts.join(', ')}` : '',
       hidden: !parts.length,
     });
   }
 
   numbers(query) {
-    const grid = el('dl', { class: 'numbers' });
-    const r = query.result ?? query.progress; // of a search that runs, how far it is
-    if (!r) return grid;
+    const r = query.result ?? query.progress ?? {}; // of a search that runs, how far it is
     const rate = this.report.levels[query.level]?.tickRate ?? 60;
-    const add = (label, value) =>
-      grid.append(el('div', {}, el('dt', { text: label }), el('dd', { text: value })));
+    const facts = [];
+    const add = (...fact) => facts.push(fact);
     if (r.verdict === 'solved') {
       add('Play time', `${seconds(r.ticks / rate)} s`);
       add('Jumps', String(r.jumps));
       if (r.firstSolution > 0) add('Found after', `${seconds(r.firstSolution)} s`);
     } else if (Number(r.steps) > 0) {
-      add('Closest', `${r.closest.toFixed(1)} studs`);
+      add('Closest to goal', `${r.closest.toFixed(1)} studs`);
       if (r.seconds > 0) add('Searched', `${seconds(r.seconds)} s`);
     }
-    if (Number(r.steps) > 0) add('Steps', count(r.steps));
-    if (Number(r.cells) > 0) add('Cells', count(r.cells));
-    if (r.stepsPerSecond > 0) add('Steps/s', count(Math.round(r.stepsPerSecond)));
-    return grid;
+    return numberGrid(facts);
+  }
+
+  // How much the search did, for those who open it.
+  effort(query) {
+    const r = query.result ?? query.progress ?? {};
+    const facts = [];
+    if (Number(r.steps) > 0) facts.push(['Simulated ticks', count(r.steps)]);
+    if (Number(r.cells) > 0) facts.push(['Places explored', count(r.cells)]);
+    if (r.stepsPerSecond > 0) facts.push(['Ticks per second', count(Math.round(r.stepsPerSecond))]);
+    return el(
+      'details',
+      {
+        hidden: !facts.length,
+        open: this.isEffortOpen,
+        on: { toggle: (event) => (this.isEffortOpen = event.target.open) },
+      },
+      el('summary', { text: 'Search effort', data: { key: 'effort' } }),
+      numberGrid(facts),
+    );
   }
 }

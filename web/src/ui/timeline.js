@@ -133,7 +133,7 @@ export class Timeline {
       'select',
       {
         'aria-label': 'Speed',
-        title: 'Speed ( - and + )',
+        title: 'Speed (− and +)',
         on: { change: () => store.set({ speed: Number(this.speed.value) }) },
       },
       ...kSpeeds.map((speed) => el('option', { value: String(speed), text: `${speed}×` })),
@@ -149,7 +149,9 @@ export class Timeline {
       },
       icon('loop'),
     );
-    root.append(
+    this.player = el(
+      'div',
+      { class: 'player' },
       el(
         'div',
         { class: 'buttons' },
@@ -161,6 +163,8 @@ export class Timeline {
       el('div', { class: 'track' }, this.plot, this.slider),
       el('div', { class: 'buttons' }, this.speed, this.loop),
     );
+    this.nothing = el('p', { class: 'quiet nothing', text: 'Nothing to play.' });
+    root.append(this.player, this.nothing, el('div', { class: 'buttons' }));
     // A ghost may be longer than the chosen one.
     store.on(['query', 'path', 'ghost'], () => this.draw());
     store.on(['tick', 'path', 'query', 'ghost'], () => this.showTime());
@@ -171,7 +175,7 @@ export class Timeline {
   }
 
   stepButton(name, by) {
-    const label = by > 0 ? 'One tick on' : 'One tick back';
+    const label = by > 0 ? 'Next tick' : 'Previous tick';
     return el(
       'button',
       {
@@ -201,6 +205,9 @@ export class Timeline {
   draw() {
     const path = this.selected();
     const length = Math.max(1, this.playback.lengthOf());
+    this.player.hidden = this.playback.lengthOf() === 0;
+    this.nothing.hidden = !this.player.hidden;
+    this.plot.classList.toggle('bare', !path);
     this.slider.max = String(length);
     this.plot.replaceChildren();
     if (!path || path.samples < 2) return;

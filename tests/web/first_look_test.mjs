@@ -1,0 +1,150 @@
+// What a reader sees before touching anything: the query that has an answer, rows that can be told apart, a player that
+// stands at its start, no clock where nothing can be played, and colours that are explained.
+import assert from 'node:assert/strict';
+import { routeNames } from '../../web/src/route_names.js';
+import { solutionNames } from '../../web/src/solution_names.js';
+import { decimal } from '../../web/src/ui/dom.js';
+import { frames, state } from './browser.mjs';
+import { harness } from './harness.mjs';
+import { report } from './sample_report.mjs';
+
+const { options, test, run } = harness();
+const [level] = report.levels;
+const [course, without] = report.queries;
+const unanswered = { ...without, id: 'not asked', result: undefined, trajectories: [] };
+const still = { ...level, name: 'Still', tracks: [], vanish: [], conveyors: [] };
+const file = options.sample({
+  ...report,
+  levels: [level, still],
+  queries: [unanswered, { ...unanswered, id: 'still', level: 1 }, course],
+});
+
+const place = { count: 5, names: ['A/Spawn', 'A/Plank', 'A/Plank', 'A/Lift', 'A/Finish'] };
+const solution = (route, ticks, jumps) => ({ kind: 'solution', route, ticks, jumps });
+const marks = (...routes) =>
+  [...routeNames({ paths: routes.map((route) => ({ route })) }, place).values()].map(
+    ({ mark }) => mark,
+  );
+
+test('routes are told apart by the parts that others do not touch', () => {
+  assert.deepEqual(marks([0, 1, 4]), [''], 'there is one only');
+  assert.deepEqual(marks([0, 3, 4], [0, 1, 4]), ['via Lift', 'via Plank']);
+  assert.deepEqual(marks([0, 4], [0, 3, 4]), ['without Lift', 'via Lift']);
+  assert.deepEqual(marks([0, 1, 4], [0, 2, 4]), ['via Plank #1', 'via Plank #2']);
+  assert.deepEqual(
+    marks([0, 1, 2, 4], [0, 1, 4], [0, 2, 4]),
+    ['via Plank #1, via Plank #2', 'without Plank #2', 'without Plank #1'],
+    'one part alone is not enough',
+  );
+  assert.deepEqual(marks([0, 1, 3, 4], [0, 3, 1, 4]), ['route 1', 'route 2'], 'the same parts');
+});
+
+test('routes that read the same say what differs', () => {
+  const paths = [[0, 1, 4], [0, 2, 4], [0, 3, 4]].map((route) => ({ route }));
+  assert.deepEqual(
+    [...routeNames({ paths }, place).values()].map(({ text }) => text),
+    [
+      'Spawn → Plank → Finish (via Plank #1)',
+      'Spawn → Plank → Finish (via Plank #2)',
+      'Spawn → Lift → Finish',
+    ],
+  );
+});
+
+test('no two solutions have one name', () => {
+  const paths = [
+    solution([0, 1, 4], 330, 3),
+    solution([0, 3, 4], 330, 3),
+    solution([0, 3, 4], 330, 3),
+    solution([0, 3, 4], 360, 1),
+    { kind: 'attempt', route: [], ticks: 9, jumps: 0 },
+  ];
+  assert.deepEqual(
+    [...solutionNames({ paths }, place)].map(([index, { name, route }]) => [index, name, route]),
+    [
+      [0, '5.50 s, 3 jumps', 'via Plank'],
+      [1, '5.50 s, 3 jumps', 'via Lift'],
+      [2, '5.50 s, 3 jumps (2)', 'via Lift'],
+      [3, '6.00 s, 1 jump', 'via Lift'],
+    ],
+  );
+});
+
+test('no number is minus nothing', () => {
+  assert.deepEqual([-0.04, 0, -0.06, 12.34].map((value) => decimal(value)), [
+    '0.0',
+    '0.0',
+    '-0.1',
+    '12.3',
+  ]);
+});
+
+test('the first query that has an answer is shown', async ({ page }) => {
+  assert.equal((await state(page)).query, 2);
+  assert.match(await page.locator('.verdict').innerText(), /Solved/);
+  assert.match(await page.locator('.query').first().innerText(), /Not asked/);
+});
+
+test('rows of solutions tell time, jumps and route, those of attempts how they ended', async ({
+  page,
+}) => {
+  const rows = await page.locator('.path').allInnerTexts();
+  assert.match(rows[0], /^9\.00 s, 12 jumps\s+Hard\s+via Step 1$/);
+  assert.match(rows[1], /^9\.00 s, 12 jumps\s+without Step 1$/);
+  assert.ok(rows.some((text) => /^Killed by Lava\s+\d+ jumps\s+\d\.\d\d s$/.test(text)));
+});
+
+test('at the start the player stands and holds no key', async ({ page }) => {
+  const hud = page.locator('#hud');
+  const held = () => hud.locator('.cap.down').count();
+  assert.deepEqual([(await state(page)).tick, await held()], [0, 0]);
+  assert.match(await hud.innerText(), /Speed\s+0\.0 studs\/s/);
+  await page.locator('#view').focus();
+  await page.keyboard.press('ArrowRight');
+  await frames(page, 3);
+  assert.ok((await held()) >= 2, 'a direction and the jump of the first tick');
+  assert.doesNotMatch(await hud.innerText(), /Speed\s+0\.0 studs\/s/);
+  await page.keyboard.press('Home');
+});
+
+test('what the search took is told to those who ask', async ({ page }) => {
+  const effort = page.locator('.detail details');
+  assert.equal(await effort.locator('dl').isVisible(), false);
+  await effort.locator('summary').click();
+  assert.match(await effort.innerText(), /Simulated ticks\s+8\.41 M/);
+  await page.evaluate(() => window.obby.sidebar.refresh());
+  assert.equal(await effort.locator('dl').isVisible(), true, 'it stays open');
+});
+
+test('the heat map has a scale', async ({ page }) => {
+  const scale = page.locator('.legend .heat');
+  assert.equal(await scale.count(), 0);
+  await page.locator('#view').focus();
+  await page.keyboard.press('9');
+  assert.match(await scale.innerText(), /places explored per tile\s+1\s+9\s+90/);
+  await page.evaluate(() => window.obby.store.set({ heatWays: true }));
+  assert.match(await scale.innerText(), /trajectories per tile\s+1\s+8\s+62/);
+  await page.evaluate(() => window.obby.store.set({ heatWays: false }));
+  await page.keyboard.press('9');
+  assert.equal(await scale.count(), 0);
+});
+
+test('where nothing can be played there is no clock', async ({ page }) => {
+  const shown = () => page.locator('#timeline .clock').isVisible();
+  const go = (query) => page.evaluate((q) => window.obby.store.set({ query: q }), query);
+  assert.equal(await shown(), true);
+  await go(1);
+  assert.equal(await shown(), false);
+  assert.match(await page.locator('#timeline').innerText(), /Nothing to play/);
+  await page.locator('#view').focus();
+  await page.keyboard.press('Space');
+  assert.equal((await state(page)).playing, false);
+  assert.equal(await page.locator('#timeline').getByLabel('Shortcuts (?)').isVisible(), true);
+  await go(0);
+  assert.equal(await shown(), true, 'its moving parts run by the clock');
+  await go(2);
+});
+
+test('all of that raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
+
+await run(file);

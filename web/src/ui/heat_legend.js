@@ -1,0 +1,28 @@
+// What the colours of the heat map mean: a scale from a single count to the fullest tile's, by logarithm.
+import { heatColor } from '../coloring.js';
+import { count, el } from './dom.js';
+
+const kStops = 9;
+
+// Nothing where no heat map is shown. `query`: of now.
+export function heatLegend({ heat, heatWays, heatMost }, query) {
+  if (!heat || !heatMost) return [];
+  const ofSearch = !heatWays && query?.result?.heatMap;
+  const colors = Array.from({ length: kStops }, (_, i) => heatColor(i / (kStops - 1)));
+  const counts = [1, Math.round(Math.sqrt(heatMost)), heatMost];
+  const ticks = [...new Set(counts)].map((n) => el('small', { text: count(n) }));
+  const caption = `Heat map: ${ofSearch ? 'places explored' : 'trajectories'} per tile`;
+  return [
+    el(
+      'section',
+      { class: 'heat' },
+      el('p', { text: caption }),
+      el('i', {
+        class: 'ramp',
+        style: { background: `linear-gradient(90deg, ${colors.join(', ')})` },
+      }),
+      el('div', { class: 'scale' }, ...ticks),
+    ),
+    el('hr'),
+  ];
+}
