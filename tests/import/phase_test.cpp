@@ -30,7 +30,7 @@ const char* const kMotions[] = {
     "game:GetService('RunService').Heartbeat:Connect(function(dt) "
     "p.CFrame = p.CFrame * CFrame.Angles(0, math.rad(90) * dt, 0) end)"};
 
-const std::string kBefore = R"(local p, ts = script.Parent, game:GetService("TweenService")
+const std::string kPhaseBefore = R"(local p, ts = script.Parent, game:GetService("TweenService")
 local there = ts:Create(p, TweenInfo.new(1), {Position = Vector3.new(0, 9, 0)})
 local back = ts:Create(p, TweenInfo.new(1), {Position = Vector3.new(0, 0, 0)})
 )";
@@ -39,8 +39,8 @@ TEST(Phase, TheWaitBeforeWhatRepeatsIsItsOffset) {
   for (const char* motion : kMotions) {
     Scene scene;
     const auto first = scene.part("First"), second = scene.part("Second", {20, 0, 0});
-    scene.script(kBefore + motion, first);
-    scene.script(kBefore + "task.wait(1)\n" + motion, second);
+    scene.script(kPhaseBefore + motion, first);
+    scene.script(kPhaseBefore + "task.wait(1)\n" + motion, second);
     scene.level();
     EXPECT_EQ(offsetOf(scene, first), 0) << motion;
     EXPECT_FALSE(std::signbit(offsetOf(scene, first))) << motion;
@@ -68,7 +68,7 @@ end)",
 TEST(Phase, WhatComesButOnceWaitsWithItsKeys) {
   Scene scene;
   const auto part = scene.part("Mover");
-  scene.script(kBefore + "task.wait(3) there:Play()", part);
+  scene.script(kPhaseBefore + "task.wait(3) there:Play()", part);
   scene.level();
   EXPECT_EQ(offsetOf(scene, part), 0);
   expectNear(at(scene[part], 2.9f), {0, 0, 0});
@@ -80,7 +80,7 @@ TEST(Phase, WhatWaitsForMoreThanTwentyMinutesRests) {
   for (const bool longer : {false, true}) {
     Scene scene;
     const auto part = scene.part("Mover");
-    scene.script(kBefore + (longer ? "task.wait(1201)\n" : "task.wait(1199)\n") + kMotions[0],
+    scene.script(kPhaseBefore + (longer ? "task.wait(1201)\n" : "task.wait(1199)\n") + kMotions[0],
                  part);
     scene.level();
     EXPECT_EQ(scene[part].motion.has_value(), !longer);
@@ -93,7 +93,7 @@ TEST(Phase, ARoundMayTakeTwentyMinutes) {
     Scene scene;
     const auto part = scene.part("Mover");
     const std::string seconds = longer ? "700" : "590";
-    scene.script(kBefore + "ts:Create(p, TweenInfo.new(" + seconds +
+    scene.script(kPhaseBefore + "ts:Create(p, TweenInfo.new(" + seconds +
                      ", Enum.EasingStyle.Linear, Enum.EasingDirection.In, -1, true), "
                      "{Position = Vector3.new(0, 9, 0)}):Play()",
                  part);

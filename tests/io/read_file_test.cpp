@@ -76,7 +76,7 @@ TEST(ReadFile, WaitsWhereTheInputItselfDoesNot) {
   dup2(ends[0], STDIN_FILENO);
   std::thread writer([to = ends[1]] {
     std::this_thread::sleep_for(400ms);
-    EXPECT_EQ(write(to, "late", 4), 4);
+    EXPECT_EQ(::write(to, "late", 4), 4);
     close(to);
   });
   const double begin = threadSeconds();
@@ -111,7 +111,7 @@ TEST(ReadFile, AStopEndsTheWait) {
     const Pipe pipe;
     const int writer = hasWriter ? open(pipe.path.c_str(), O_RDWR) : -1;
     if (hasWriter) {
-      ASSERT_EQ(write(writer, "half", 4), 4);
+      ASSERT_EQ(::write(writer, "half", 4), 4);
     }
     std::atomic<bool> stop{false};
     std::thread stopper([&] {

@@ -61,7 +61,7 @@ void sourceOnSignal(int) {}
 // One byte at a time, with a signal between any two.
 TEST(Source, PipesMayDeliverSingleBytesAmongSignals) {
   struct sigaction action {};
-  action.sa_handler = onSignal;
+  action.sa_handler = sourceOnSignal;
   ASSERT_EQ(sigaction(SIGUSR1, &action, nullptr), 0);
   for (Format format : {Format::jsonl, Format::capnp, Format::capnpPacked}) {
     ScratchFolder folder;
@@ -71,7 +71,7 @@ TEST(Source, PipesMayDeliverSingleBytesAmongSignals) {
     std::thread writer([&] {
       const int fd = open(path.c_str(), O_WRONLY);
       for (size_t i = 0; i < bytes.size(); i++) {
-        ASSERT_EQ(write(fd, &bytes[i], 1), 1);
+        ASSERT_EQ(::write(fd, &bytes[i], 1), 1);
         if (i % 16 == 0) pthread_kill(readerThread, SIGUSR1);
       }
       close(fd);

@@ -10,9 +10,9 @@ namespace obby::level {
 namespace {
 
 using support::set;
-using LevelHashPartSetter = support::LevelBuilder::LevelHashPartSetter;
+using PartSetter = support::LevelBuilder::PartSetter;
 
-uint64_t hashOf(const LevelHashPartSetter& more) {
+uint64_t hashOf(const PartSetter& more) {
   support::LevelBuilder b;
   b.block({0, 0, 0}, {10, 1, 10}).block({0, 5, 0}, {4, 1, 4}, [&](schema::Part::Builder p) {
     p.initKill();
@@ -34,7 +34,7 @@ void spin(schema::Part::Builder p, float speed, Vec3 pivot, bool carries) {
 }
 
 TEST(LevelHash, ChangesWithEachFieldThatMatters) {
-  const std::vector<LevelHashPartSetter> changes = {
+  const std::vector<PartSetter> changes = {
       [](auto) {},
       [](auto p) {
         set(p.initPosition(), {0, 5, 0.01f});

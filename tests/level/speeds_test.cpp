@@ -11,17 +11,17 @@ namespace {
 
 using support::LevelBuilder;
 using support::set;
-using SpeedsPartSetter = LevelBuilder::SpeedsPartSetter;
+using PartSetter = LevelBuilder::PartSetter;
 
 constexpr float kWalk = 16, kFarthest = 12.51f;  // of the part: half its diagonal
 
 // What the part below gives, studs/s.
-float given(const SpeedsPartSetter& setter) {
+float given(const PartSetter& setter) {
   const Level level = LevelBuilder().block({50, 0, 0}, {24, 1, 7}, setter).compile();
   return level.view().maxSideSpeed / 1.5f - kWalk;
 }
 
-SpeedsPartSetter speedsSpin(float speed, bool carries, Vec3 pivot = {}) {
+PartSetter speedsSpin(float speed, bool carries, Vec3 pivot = {}) {
   return [=](schema::Part::Builder p) {
     auto motion = p.initMotion();
     motion.setCarries(carries);

@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "solve/archive/archive_node.h"
 #include "solve/archive/cell.h"
 
 namespace obby::solve {
 namespace {
-
-constexpr uint32_t kNone = level::kNone;
 
 TEST(CellTable, FindsEveryKeyWhileItGrows) {
   CellTable table;

@@ -31,8 +31,8 @@ TEST(Product, HasTheBitsOfALoop) {
   Random random(1, 1);
   for (const size_t rows : {1u, 7u, 8u, 19u}) {
     const size_t inner = 37, columns = 48;
-    const auto a = drawn<float>(rows * inner, random), b = drawn<float>(inner * columns, random);
-    auto c = drawn<float>(rows * columns, random), expected = c;
+    const auto a = learnedNetDrawn<float>(rows * inner, random), b = learnedNetDrawn<float>(inner * columns, random);
+    auto c = learnedNetDrawn<float>(rows * columns, random), expected = c;
     addProduct<float>({a.data(), inner, 1}, rows, inner, b.data(), columns, c.data());
     for (size_t r = 0; r < rows; ++r) {
       for (size_t o = 0; o < columns; ++o) {
@@ -49,9 +49,9 @@ TEST(Net, GradientsAreThoseOfFiniteDifferences) {
   constexpr size_t kRows = 5;
   Random random(2, 2);
   Net<double> net({16, 32, 32, 16});
-  net.numbers() = drawn<double>(net.numbers().size(), random);
-  auto inputs = drawn<double>(kRows * 16, random);
-  const auto slope = drawn<double>(kRows * 16, random);
+  net.numbers() = learnedNetDrawn<double>(net.numbers().size(), random);
+  auto inputs = learnedNetDrawn<double>(kRows * 16, random);
+  const auto slope = learnedNetDrawn<double>(kRows * 16, random);
   Pass<double> pass;
   const auto total = [&] {
     const double* out = pass.forward(net, inputs.data(), kRows);
@@ -95,7 +95,7 @@ void checkSlope(std::vector<double> at, Loss&& loss, double within = 1e-6) {
 TEST(ImitationLoss, SlopesAreThoseOfFiniteDifferences) {
   Random random(3, 3);
   for (int n = 0; n < 20; ++n) {
-    const auto at = drawn<double>(policy::kPaddedOutputs, random);
+    const auto at = learnedNetDrawn<double>(policy::kPaddedOutputs, random);
     const policy::Decision d{int(random.below(policy::kMoves)), true, 0, 0, 2};
     // How much better it went is a constant to the likelihood's slope, not to the value's.
     const double better = double(d.target) - at[policy::kMoves];
@@ -119,8 +119,8 @@ TEST(ImitationLoss, LearnsNothingFromWhatWentWorseThanExpected) {
 TEST(QuantileLoss, SlopesAreThoseOfFiniteDifferences) {
   Random random(4, 4);
   for (int n = 0; n < 20; ++n) {
-    const auto targets = drawn<double>(kQuantiles, random);
-    auto at = drawn<double>(kQuantiles, random);
+    const auto targets = learnedNetDrawn<double>(kQuantiles, random);
+    auto at = learnedNetDrawn<double>(kQuantiles, random);
     for (double& v : at) v *= 3;  // on both sides of where the loss becomes straight
     checkSlope(at, [&](const double* predicted, double* slope) {
       return quantileLoss(predicted, targets.data(), slope);
@@ -143,7 +143,7 @@ TEST(CrossEntropy, SlopesAreThoseOfFiniteDifferences) {
   Random random(5, 5);
   const uint8_t moves[] = {4, 33};
   checkSlope(
-      drawn<double>(2 * padded(policy::kMoves), random),
+      learnedNetDrawn<double>(2 * padded(policy::kMoves), random),
       [&](const double* logits, double* slope) { return crossEntropy(logits, moves, 2, slope); });
 }
 
@@ -197,7 +197,7 @@ TEST(Neighbours, DistancesAreThoseOfASort) {
   EXPECT_EQ(neighbourFor(1u << 16), 4u);
   constexpr size_t kCount = 150;
   Random random(7, 7);
-  const auto points = drawn<float>(kCount * kLatent, random);
+  const auto points = learnedNetDrawn<float>(kCount * kLatent, random);
   for (const int threads : {1, 3}) {
     ThreadPool pool(threads);
     const std::vector<float> found = neighbourDistances2(pool, points, 3);
@@ -230,7 +230,7 @@ float movedBy(Maker maker) {
   const std::vector<float> before = policy.net().numbers();
   Decisions d(8, 2);
   Random random(9, 9);
-  d.inputs = drawn<float>(d.inputs.size(), random);
+  d.inputs = learnedNetDrawn<float>(d.inputs.size(), random);
   for (size_t r = 0; r < d.rows(); ++r) {
     d.made[r] = {int(r) % policy::kMoves, true, logOf(1.0f / policy::kMoves), 0, 0};
     d.makers[r] = maker;
