@@ -135,9 +135,7 @@ Reply Service::pair(const std::string& body) {
                                  });
   if (!read) return refuse(400, read.error());
   if (!pairing_->answer(code, loop_.now())) {
-    return refuse(403, "wrong code",
-                  fmt::format("{} {} left", pairing_->triesLeft(),
-                              pairing_->triesLeft() == 1 ? "try" : "tries"));
+    return refuse(403, "wrong code", fmt::format("tries left: {}", pairing_->triesLeft()));
   }
   auto token = tokens_.add();
   if (!token) return refuse(507, token.error().text(), "free disk space, then pair again");

@@ -215,8 +215,8 @@ TEST(PlaceFile, HasRoomForSoManyLevelsOnly) {
   const Status full = filled(place, level, levels);
   ASSERT_FALSE(full);
   EXPECT_GT(levels, 1000u);
-  EXPECT_EQ(full.error().message, "a place has room for " + std::to_string(levels) +
-                                      " of these levels, side by side within 1000000 studs");
+  EXPECT_EQ(full.error().message, "a place file holds only " + std::to_string(levels) +
+                                      " of these levels side by side within 1000000 studs");
   EXPECT_FALSE(place.add(level));
 }
 

@@ -80,7 +80,7 @@ TEST(Recipe, ErrorsNamePathAndCure) {
       {R"({"difficulty": [0.1, 0.2, 0.3]})",
        "difficulty: expected one value or [min, max], found an array of 3"},
       {R"({"difficulty": ["hard", "easy"]})",
-       "difficulty: expected a range between 0 and 1, found 0.75 to 0.25 (the smaller number comes "
+       "difficulty: expected a range between 0 and 1, found 0.75 to 0.25 (give the smaller number "
        "first)"},
       {R"({"difficulty": ["easy", true]})", "difficulty[1]: expected a number, found true"},
       {R"({"obstacles": 0})", "obstacles: expected a range between 1 and 200, found 0 to 0"},
@@ -93,12 +93,11 @@ TEST(Recipe, ErrorsNamePathAndCure) {
       {R"({"parameters": {"gaps": {"sise": 5}}})",
        "parameters.gaps.sise: gaps has no parameter \"sise\" (did you mean size?)"},
       {R"({"parameters": {"gaps": {"colour": 5}}})",
-       "parameters.gaps.colour: gaps has no parameter \"colour\" (see obby-gen --list --style gaps "
-       "names them)"},
+       "parameters.gaps.colour: gaps has no parameter \"colour\" (see obby-gen --list --style "
+       "gaps)"},
       {R"({"parameters": {"course": {"size": 5}}})",
        "parameters.course.size: course has no parameter \"size\" (see obby-gen --list --style "
-       "course "
-       "names them)"},
+       "course)"},
       {R"({"parameters": {"gaps": {"size": [5, 31]}}})",
        "parameters.gaps.size: expected 2 to 30, found 31"},
       {R"({"parameters": {"gaps": {"size": [5]}}})",

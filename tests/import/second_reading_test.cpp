@@ -5,7 +5,7 @@
 namespace obby::test {
 namespace {
 
-const char* const kMayHarm = "harm that a script may do";
+const char* const kMayHarm = "damage that a script may deal";
 const std::string kKills = "then\nhit.Parent.Humanoid.Health = 0 end ";
 const std::string kTouch = "p.Touched:Connect(function(hit) ";
 
@@ -226,7 +226,7 @@ TEST(SecondReading, HarmByAPartThatIsNotKnownIsNamed) {
   text += "part.Touched:Connect(function(hit) if on " + kKills + "on = true end) end";
   scene.script(text, scene.scripts);
   scene.level();
-  EXPECT_EQ(scene.unmodelled("harm of a part that is not known"), 1u);
+  EXPECT_EQ(scene.unmodelled("damage by an unknown part"), 1u);
 }
 
 }  // namespace
