@@ -321,6 +321,6 @@ int main(int argc, char** argv) {
       measureBullet(name, body, seed, options.each, pool, tally);
     });
 #else
-  fmt::print(stderr, "bench_calibrate: built without Bullet: no recordings by it\n");
+  fmt::print(stderr, "bench_calibrate: built without Bullet: its recordings are left out\n");
 #endif
 }

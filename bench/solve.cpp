@@ -32,42 +32,41 @@ struct Option {
 };
 constexpr Option kOptions[] = {
     {"method", ValueType::choice, "", "",
-     "run this method; without it, auto and ge. The first one also runs the queries without "
-     "a solution",
+     "run this method (default: auto and ge); the first one also runs the queries without a "
+     "solution",
      0, true},
-    {"query", ValueType::text, "FILE:ID", "", "run this query only", 0, true},
+    {"query", ValueType::text, "FILE:ID", "", "run only this query", 0, true},
     {"seeds", ValueType::integer, "N", "5", "run each with seeds 1 to N", 1, false},
-    {"cap", ValueType::number, "SECONDS", "90", "give up after so long", 0.01, false},
+    {"cap", ValueType::number, "SECONDS", "90", "time limit for a run", 0.01, false},
     {"unsolvable-cap", ValueType::number, "SECONDS", "10",
-     "give up so soon on queries that have no solution", 0.01, false},
+     "time limit for a query without a solution", 0.01, false},
     {"quick", ValueType::flag, "", "",
-     "under ten minutes on two cores: one seed, caps of 10 and 2 seconds; methods after the first "
-     "run every third query",
+     "finish in under ten minutes on two cores: one seed, caps of 10 and 2 seconds; methods after "
+     "the first run every third query",
      0, false},
     {"shuffle", ValueType::flag, "", "",
-     "ask the queries in an order by chance, always the same one: whatever is done at an "
-     "interruption is a fair sample",
-     0, false},
+     "run the queries in a fixed random order, so that an interrupted run is a fair sample", 0,
+     false},
     {"any-build", ValueType::flag, "", "",
-     "runs of other builds count, too, for what takes longer than a machine is to be had; all "
-     "methods at a query with a seed are of one kind of machine: what one has done is left, what "
-     "another has begun only is made anew",
+     "also count runs of other builds, for suites that need several sessions. All runs of a query "
+     "and seed come from one kind of machine: finished ones are kept, others run again",
      0, false},
     {"any-machine", ValueType::flag, "", "",
-     "with --any-build or --report-only: runs of other kinds of machine count, too, whichever made "
-     "the other methods' runs; times within a factor of two then say nothing",
+     "with --any-build or --report-only: also count runs of other kinds of machine; times within a "
+     "factor of two then mean nothing",
      0, false},
     {"report-only", ValueType::flag, "", "",
-     "run nothing; report what the results file has, of whatever build", 0, false},
-    {"list", ValueType::flag, "", "", "print the queries, one FILE:ID a line: a job each", 0,
-     false},
+     "run nothing; report the results file, runs of any build", 0, false},
+    {"list", ValueType::flag, "", "", "print the queries, one FILE:ID per line", 0, false},
     {"results", ValueType::file, "FILE", "build/bench/solve.jsonl",
-     "log of runs: appended to, and those of this build are not run again", 0, false},
+     "append runs to this log; runs of this build in it are not repeated", 0, false},
     {"svg", ValueType::file, "FILE", "",
      "also draw the success-against-time curve and, with ge, the thirds of the paper's figure", 0,
      false},
-    {"levels", ValueType::file, "FOLDER", OBBY_SOURCE_DIR "/levels", "the suite", 0, false},
-    {"json", ValueType::flag, "", "", "one JSON object a figure instead of a table", 0, false},
+    {"levels", ValueType::file, "FOLDER", OBBY_SOURCE_DIR "/levels", "folder of the suite", 0,
+     false},
+    {"json", ValueType::flag, "", "", "print one JSON object per figure instead of a table", 0,
+     false},
 };
 
 std::vector<OptionRow> options() {
@@ -100,11 +99,11 @@ cli::ToolSpec spec() {
   s.options = options();
   s.takesInputs = false;
   s.notes =
-      "par2RatioToGe is the PAR-2 of ge (seconds to the first solution, twice the cap where there "
-      "is none) divided by that of the method, over the solvable queries that both ran: 5 is five "
-      "times better than ge. falseVerdicts counts runs that say solved where the suite says that "
-      "there is no solution, or unreachable where it says that there is one. Thirds are by effort, "
-      "which is told from level and query alone (bench/suite/effort.h).";
+      "PAR-2 is the time to the first solution, or twice the cap if there is none. par2RatioToGe "
+      "is the PAR-2 of ge divided by that of the method, over the solvable queries that both ran: "
+      "5 is five times better than ge. falseVerdicts counts runs that contradict the suite: solved "
+      "where it has no solution, or unreachable where it has one. Thirds are by effort, which is "
+      "estimated from level and query alone (bench/suite/effort.h).";
   return s;
 }
 
@@ -204,7 +203,7 @@ Result<cli::ExitCode> run(cli::Context& context) {
   }
   OBBY_ASSIGN(bench::RunLog log, bench::RunLog::open(a.text("results")));
   if (log.unreadable() > 0) {
-    context.warn(fmt::format("{}: {} lines are no runs", a.text("results"), log.unreadable()));
+    context.warn(fmt::format("{}: {} lines are not runs", a.text("results"), log.unreadable()));
   }
   bench::Maker known;
   if (!a.flag("report-only")) {

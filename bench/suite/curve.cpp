@@ -44,7 +44,7 @@ io::ChartAxis secondsAxis(std::string title, double from, double to) {
 io::ChartPlot solvedPlot(const Results& results) {
   io::ChartPlot plot;
   plot.x = secondsAxis("seconds to the first solution", kFirst, results.cap);
-  plot.y = {"runs of solvable queries that are solved", 0, 1, false, {}};
+  plot.y = {"share of solvable runs solved", 0, 1, false, {}};
   for (int percent = 0; percent <= 100; percent += 20)
     plot.y.ticks.emplace_back(percent / 100.0, fmt::format("{} %", percent));
   for (size_t m = 0; m < results.methods.size(); ++m) plot.curves.push_back(curveOf(results, m));
@@ -55,7 +55,7 @@ io::ChartPlot thirdsPlot(const Results& results, const std::vector<Measure>& mea
   constexpr double kFoot = 0.01, kGroup = 0.8;  // seconds; of a third's width
   const char* const thirds[] = {"Short", "Medium", "Long"};
   io::ChartPlot plot;
-  plot.x = {"queries by the time that ge takes", -0.5, 2.5, false, {}};
+  plot.x = {"queries by the time of ge", -0.5, 2.5, false, {}};
   plot.y = secondsAxis("mean seconds to the first solution, and quartiles", kFoot, results.cap);
   const double width = kGroup / double(results.methods.size());
   for (int t = 0; t < 3; ++t) plot.x.ticks.emplace_back(t, thirds[t]);

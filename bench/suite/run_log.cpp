@@ -111,7 +111,7 @@ Result<Run> parseRun(const std::string& line) {
   r.content = m.digest("content");
   r.program = m.digest("program");
   r.timing = {m.number("seconds"), r.verdict == "solved", m.number("steps"), m.number("rounds")};
-  if (!m.complete()) return makeError("this line is no run");
+  if (!m.complete()) return makeError("this line is not a run");
   return r;
 }
 

@@ -35,7 +35,7 @@ Result<std::vector<Row>> readTable(const std::string& path) {
     if (row.expected.empty()) return makeError(path + ": a row needs file, query and verdict");
     rows.push_back(row);
   }
-  if (rows.empty()) return makeError("cannot read " + path, "--levels names the folder");
+  if (rows.empty()) return makeError("cannot read " + path, "name the folder with --levels");
   return rows;
 }
 
@@ -44,7 +44,7 @@ Status keepOnly(std::vector<Row>& rows, const std::vector<std::string>& only) {
   for (const std::string& name : only) {
     const auto found =
         std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.name() == name; });
-    if (found == rows.end()) return makeError("no query " + name, "--list shows them");
+    if (found == rows.end()) return makeError("no query " + name, "see --list");
     kept.push_back(*found);
   }
   if (!only.empty()) rows = std::move(kept);

@@ -19,7 +19,7 @@ struct Bounds {
 Bounds boundsOf(const Call& call, const Limits& limits) {
   // Anybody may send that: it must not cost memory.
   if (call.endpoint == Endpoint::pair) {
-    return {limits.pairBytes, limits.pairBytes, "send the code and nothing else"};
+    return {limits.pairBytes, limits.pairBytes, "send only the code"};
   }
   return {limits.bodyBytes, call.gzip ? limits.inflatedBytes : limits.bodyBytes,
           "send less, or start obby-bridge with a larger --max-body"};
@@ -67,7 +67,7 @@ struct Reader {
       if (sent_.over()) return Body(sentTooMuch());
       if (n == 0) return Body(std::move(out_));
       if (out_.size() + n > bounds_.inflated) {
-        return Body(tooLarge(bounds_.inflated, "the inflated body", bounds_.cure));
+        return Body(tooLarge(bounds_.inflated, "the decompressed body", bounds_.cure));
       }
       out_.append(buffer_, n);
       return read();
@@ -99,13 +99,13 @@ kj::Promise<Body> readBody(kj::AsyncInputStream& body, const Call& call, const L
       const bool gone = e.getType() == kj::Exception::Type::DISCONNECTED && !r->sent_.ended();
       if (gone) kj::throwFatalException(kj::mv(e));
       if (r->sent_.over()) return r->sentTooMuch();
-      return refuse(400, "the body is no gzip stream", "send it plain, or as gzip throughout");
+      return refuse(400, "the body is not a gzip stream", "send it plain, or gzip all of it");
     });
   }
   const auto late = uint64_t(limits.requestSeconds * 1000) * kj::MILLISECONDS;
   return read
       .exclusiveJoin(timer.afterDelay(late).then(
-          [] { return Body(refuse(408, "the body came too slowly", "send it at once")); }))
+          [] { return Body(refuse(408, "the body came too slowly", "send it faster")); }))
       .attach(kj::mv(reader));
 }
 

@@ -46,7 +46,7 @@ class Host {
       work.exclusiveJoin(events_.untilSet(stop_))
           .exclusiveJoin(untilIdle())
           .wait(events_.io.waitScope);
-      service_->jobs().cancelAll(nullptr, "the bridge ends");
+      service_->jobs().cancelAll(nullptr, "the bridge is shutting down");
       const auto most = uint64_t((options_.limits.stopSeconds + 1) * 1000) * kj::MILLISECONDS;
       service_->jobs()
           .whenIdle()
@@ -81,15 +81,15 @@ Status serveHttp(const Options& options, const std::atomic<bool>& stop, const Re
   OBBY_RETURN_IF_ERROR(host.open(options.needToken));
   Service& service = host.service();
   if (options.needToken && !options.pair && !service.paired()) {
-    return makeError("no client is paired yet, so nobody could ask",
-                     "--pair shows a code for a new one");
+    return makeError("no client is paired yet, so none could connect",
+                     "start it with --pair to show a pairing code");
   }
   OBBY_ASSIGN(loopback::Listener listener, loopback::listenOn(options.port));
   reports.say(fmt::format("listening on http://127.0.0.1:{}", listener.port));
   if (!options.needToken) {
-    reports.warn("--no-token: every program on this machine may ask, whoever runs it");
+    reports.warn("--no-token: any program of any user on this machine can use the bridge");
   } else if (options.pair) {
-    reports.say(fmt::format("pairing code, for {} minutes: {}", int(Pairing::kSeconds) / 60,
+    reports.say(fmt::format("pairing code (valid for {} minutes): {}", int(Pairing::kSeconds) / 60,
                             service.offerPairing().shown()));
   }
   HttpFront front(service, std::move(listener), reports.note);

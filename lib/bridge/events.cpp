@@ -41,13 +41,13 @@ class Relay {
   kj::Promise<void> sendMore() {
     client_->hold(cursor_);
     if (closing_) return socket_->close(kNormal, "bye");
-    if (client_->dropSocket) return socket_->close(kSilent, "nothing was heard for too long");
+    if (client_->dropSocket) return socket_->close(kSilent, "nothing was received for too long");
     if (!client_->ring().reaches(cursor_)) return sendReload();
     if (const Message* message = client_->ring().after(cursor_)) {
       cursor_ = message->number;
       return send(message->text, [this] { return sendMore(); });
     }
-    if (client_->ending) return socket_->close(kGoingAway, "the bridge ends");
+    if (client_->ending) return socket_->close(kGoingAway, "the bridge is shutting down");
     const double now = loop_.now();
     if (now >= nextPing_) {
       nextPing_ = now + service_.limits().pingSeconds;
@@ -63,7 +63,7 @@ class Relay {
     return send(JsonObject()
                     .text("type", "reload")
                     .text("error", "messages after that cursor are no longer kept")
-                    .text("cure", "ask /v1/info for session and cursor, and ask anew")
+                    .text("cure", "get session and cursor from /v1/info, then ask again")
                     .whole(),
                 [this] { return socket_->close(kReload, "reload"); });
   }

@@ -61,18 +61,18 @@ struct Collector {
 
   Imported finish(const Exit& how) {
     if (how.signal == SIGXCPU) {
-      out.refusal = refuse(504, "obby-import used more processor time than it may",
-                           "--cpu-time of obby-bridge gives it more");
+      out.refusal = refuse(504, "obby-import exceeded its processor time",
+                           "start obby-bridge with a larger --cpu-time");
     } else if (how.signal != 0 || (how.code != 0 && !error)) {
       out.refusal =
           refuse(422,
                  how.signal != 0 ? fmt::format("obby-import was ended by signal {}", how.signal)
-                                 : fmt::format("obby-import ended with {}", how.code),
-                 "the file may be damaged, or need more memory than it may have");
+                                 : fmt::format("obby-import ended with exit code {}", how.code),
+                 "the file may be damaged or need more memory than is allowed");
     } else if (how.code != 0) {
       out.refusal = refuse(422, *error);
     } else if (out.levels == 0) {
-      out.refusal = refuse(422, "there is no level in it", "send a place or level records");
+      out.refusal = refuse(422, "it holds no level", "send a place or level records");
     }
     return std::move(out);
   }
@@ -102,7 +102,7 @@ kj::Promise<Imported> importLevel(Loop& loop, const std::string& program, std::s
       .then([c](Exit how) { return c->finish(how); },
             [c](kj::Exception&& e) {  // for want of memory
               c->out.refusal = refuse(
-                  500, "the level could not be taken: " + io::validUtf8(e.getDescription().cStr()),
+                  500, "the level could not be read: " + io::validUtf8(e.getDescription().cStr()),
                   "send a smaller place");
               return std::move(c->out);
             })

@@ -17,7 +17,7 @@ namespace {
 constexpr size_t kMaxReport = 64 << 10;  // bytes of a line of stderr that are handed on
 constexpr int kInterrupted = 130;        // what our tools give after SIGINT
 constexpr const char* kTimeIsUp =
-    "the program used more processor time than it may; --cpu-time of obby-bridge gives it more";
+    "the program exceeded its processor time; start obby-bridge with a larger --cpu-time";
 
 // What the client itself sent, or what only frames the stream.
 bool worthTelling(std::string_view type) {
@@ -25,7 +25,7 @@ bool worthTelling(std::string_view type) {
 }
 
 std::string endingOf(const Exit& how) {
-  if (how.signal == 0) return fmt::format("the program ended with {}", how.code);
+  if (how.signal == 0) return fmt::format("the program ended with exit code {}", how.code);
   if (how.signal == SIGXCPU) return kTimeIsUp;
   return fmt::format("the program was ended by signal {} ({})", how.signal, strsignal(how.signal));
 }
@@ -133,8 +133,9 @@ void Job::keep(std::string_view line) {
 
 void Job::keepNothing() {
   answer_.reset();  // takes the file away: half an answer is none
-  tell("report", "report",
-       JsonObject().text("message", "this answer is not kept for a warm start").whole());
+  tell(
+      "report", "report",
+      JsonObject().text("message", "this answer is not kept, so no job can start from it").whole());
 }
 
 void Job::closeAnswer() {

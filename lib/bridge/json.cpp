@@ -117,7 +117,7 @@ Status forElements(const JsonTree& tree, const Node& node, const std::string& pa
 
 Result<std::string> jsonString(const JsonTree& tree, const Node& node, const std::string& path) {
   if (node.type != Type::text) {
-    return pathError(path, "expected a text, found " + tree.describe(node));
+    return pathError(path, "expected a string, found " + tree.describe(node));
   }
   return std::string(tree.text(node));
 }
@@ -127,7 +127,7 @@ Error unknownMember(const std::string& path, std::string_view name,
   const std::string near = nearestName(name, known);
   const std::string where = path.empty() ? io::quoted(name) : path + "." + io::quoted(name);
   return pathError(where, "unknown",
-                   near.empty() ? fmt::format("known are {}", fmt::join(known, ", "))
+                   near.empty() ? fmt::format("expected one of {}", fmt::join(known, ", "))
                                 : "did you mean " + near + "?");
 }
 

@@ -101,7 +101,8 @@ class OrderReader {
   }
 
   Status records(const Node& value, const char* name, const char* type, io::Kind kind) {
-    if (recordsName_) return pathError(name, fmt::format("does not go with {}", recordsName_));
+    if (recordsName_)
+      return pathError(name, fmt::format("cannot be combined with {}", recordsName_));
     recordsName_ = name;
     return forElements(tree_, value, name, [&](uint32_t i, const Node& record) -> Status {
       OBBY_RETURN_IF_ERROR(countOf(order_.records.size() + 1, name));
@@ -127,7 +128,8 @@ class OrderReader {
         }));
     auto built = io::recordFromJson(out.whole());
     if (!built) return placed(built.error(), path);
-    if (built->reader().which() != kind) return pathError(path, "not a record of that kind");
+    if (built->reader().which() != kind)
+      return pathError(path, fmt::format("expected a {} record", type));
     auto line = io::recordToJson(built->reader());
     if (!line) return placed(line.error(), path);
     return *std::move(line);
@@ -140,7 +142,8 @@ class OrderReader {
 
   Status countOf(size_t count, const char* name) const {
     if (count <= limits_.queries) return {};
-    return pathError(name, fmt::format("more than {}", limits_.queries), "ask in several jobs");
+    return pathError(name, fmt::format("more than {} entries", limits_.queries),
+                     "split them into several jobs");
   }
 
   Status budget(std::string_view name, const Node& value) {
@@ -164,7 +167,7 @@ class OrderReader {
     if (setting.empty()) {
       const std::string wanted =
           knob.shape == Shape::seed
-              ? "a whole number or, beyond 2^53, its digits as a text"
+              ? "a whole number or, beyond 2^53, its digits as a string"
               : fmt::format("a {}number from {} to {}", knob.shape == Shape::whole ? "whole " : "",
                             knob.min, knob.max);
       return pathError(path, fmt::format("expected {}, found {}", wanted, tree_.describe(value)));
@@ -200,30 +203,32 @@ class OrderReader {
   Status check() const {
     const bool solve = order_.task == Task::solve;
     if (recordsName_ && (std::string_view(recordsName_) == "queries") != solve) {
-      return pathError(recordsName_, "does not go with this task");
+      return pathError(recordsName_, "is not allowed with this task");
     }
     for (const Knob* knob : knobs_) {
       if (solve ? knob->solves : knob->calibrates) continue;
-      return pathError(std::string("budget.") + knob->name, "does not go with this task");
+      return pathError(std::string("budget.") + knob->name, "is not allowed with this task");
     }
     if (isGiven("--trials=") && !isGiven("--difficulty"))
-      return pathError("budget.trials", "nothing is tried without difficulty",
-                       "set budget.difficulty to true, or leave it out");
+      return pathError("budget.trials", "has no effect without budget.difficulty",
+                       "set budget.difficulty to true, or leave out budget.trials");
     if (!isLevelId(order_.level)) {
-      return pathError("level", "needed: the id of a level", "POST /v1/levels gives it");
+      return pathError("level", "expected the id of a level",
+                       "send the level to POST /v1/levels to get one");
     }
     if (!order_.warm.empty() && (!solve || !isJobId(order_.warm))) {
-      return pathError("warm", "expected the id of an earlier job that solved");
+      return pathError("warm", "expected the id of an earlier solve job");
     }
     if (!solve && order_.records.empty()) {
-      return pathError("recordings", "needed to calibrate");
+      return pathError("recordings", "required to calibrate");
     }
-    if (!solve && !order_.ask.empty()) return pathError("ask", "does not go with this task");
+    if (!solve && !order_.ask.empty()) return pathError("ask", "is not allowed with this task");
     if (!solve && !order_.physics.empty()) {
-      return pathError("physics", "does not go with this task", "it is what calibrating finds");
+      return pathError("physics", "is not allowed with this task",
+                       "leave it out: calibration finds it");
     }
     if (!order_.ask.empty() && !order_.records.empty()) {
-      return pathError("ask", "does not go with queries");
+      return pathError("ask", "cannot be combined with queries");
     }
     return {};
   }

@@ -15,7 +15,7 @@
 namespace obby::bridge {
 namespace {
 
-constexpr const char* kNoCalibrate = "there is no obby-calibrate beside obby-bridge";
+constexpr const char* kNoCalibrate = "there is no obby-calibrate next to obby-bridge";
 
 // The level's own queries that are asked for, in the order of `ask`; all of them if it is empty.
 std::optional<Reply> addOwnQueries(const StoredLevel& level, const std::vector<std::string>& ask,
@@ -30,7 +30,8 @@ std::optional<Reply> addOwnQueries(const StoredLevel& level, const std::vector<s
     if (found == ids.end()) {
       const std::string near = nearestName(wanted, ids);
       return refuse(404, "the level has no query " + io::quoted(wanted),
-                    near.empty() ? "POST /v1/levels names them" : "did you mean " + near + "?");
+                    near.empty() ? "see the queries in the reply of POST /v1/levels"
+                                 : "did you mean " + near + "?");
     }
     out.append(level.queries[size_t(found - ids.begin())]).append("\n");
   }
@@ -47,7 +48,7 @@ Reply Service::putJob(std::shared_ptr<Client> client, const std::string& body) {
   if (const Reply* refusal = std::get_if<Reply>(&planned)) return *refusal;
   Job* job = jobs_.submit(std::move(client), std::move(std::get<JobPlan>(planned)), number);
   if (!job) {
-    return refuse(429, fmt::format("{} jobs wait already", limits_.waiting),
+    return refuse(429, fmt::format("{} jobs are already waiting", limits_.waiting),
                   "cancel one, or wait for one to end");
   }
   return {202, JsonObject()
@@ -94,7 +95,7 @@ std::optional<Reply> Service::addWarmStart(const Order& order, Client& client, J
   std::error_code ignored;  // a bridge that was started since takes old answers away
   if (!earlier || !earlier->answerKept() ||
       !std::filesystem::exists(earlier->answerPath(), ignored)) {
-    return refuse(409, "no answer of " + order.warm + " is kept", "ask without warm");
+    return refuse(409, "no answer of " + order.warm + " is kept", "leave out warm");
   }
   to.command.arguments.push_back("--warm=" + earlier->answerPath());
   to.warm = earlier->number();

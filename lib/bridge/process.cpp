@@ -25,7 +25,8 @@ struct Pipe {
 
 Result<Pipe> makePipe() {
   int fds[2];
-  if (pipe2(fds, O_CLOEXEC) != 0) return makeError(std::string("no pipe: ") + strerror(errno));
+  if (pipe2(fds, O_CLOEXEC) != 0)
+    return makeError(std::string("cannot create a pipe: ") + strerror(errno));
   return Pipe{OwnedFd(fds[0]), OwnedFd(fds[1])};
 }
 
@@ -96,7 +97,8 @@ std::vector<std::string> environment() {
 Status aboveStandard(OwnedFd& fd) {
   if (fd.get() > 2) return {};
   OwnedFd higher(fcntl(fd.get(), F_DUPFD_CLOEXEC, 3));
-  if (higher.get() < 0) return makeError(std::string("no descriptor: ") + strerror(errno));
+  if (higher.get() < 0)
+    return makeError(std::string("cannot copy a file descriptor: ") + strerror(errno));
   fd = std::move(higher);
   return {};
 }
@@ -153,7 +155,7 @@ Result<Process> Process::start(const Command& command) {
   process.exitFd_ = OwnedFd(openPid(process.pid_));
   if (process.exitFd_.get() < 0) {
     return makeError(std::string("cannot watch a program: ") + strerror(errno),
-                     "needs Linux 5.9 or newer");
+                     "use Linux 5.9 or newer");
   }
   process.input = std::move(in.write);
   process.output = std::move(out.read);

@@ -25,10 +25,11 @@ Result<Programs> findPrograms(const std::string& solve) {
   Programs out{beside("obby-solve"), beside("obby-import"), beside("obby-calibrate")};
   if (!solve.empty()) {
     out.solve = fs::absolute(solve, error).string();
-    if (error || !isProgram(out.solve)) return Error{solve, {}, {}, "is not a program", {}};
+    if (error || !isProgram(out.solve))
+      return Error{solve, {}, {}, "is not an executable program", {}};
   }
   if (out.solve.empty()) {
-    return makeError("there is no obby-solve beside this program", "--solve names it");
+    return makeError("there is no obby-solve next to this program", "name it with --solve");
   }
   return out;
 }

@@ -26,12 +26,12 @@ bool allOf(std::string_view text, std::string_view allowed) {
 
 std::optional<Reply> checkSender(const RequestHead& head, const Access& access) {
   if (!head.host || !loopback::hostAllowed(*head.host, access.port)) {
-    return refuse(421, "this is not the host that was asked for",
-                  fmt::format("ask http://127.0.0.1:{}", access.port));
+    return refuse(421, "the Host header does not name this bridge",
+                  fmt::format("use http://127.0.0.1:{}", access.port));
   }
   // Programs send neither; a page in a browser cannot leave them out.
   if (head.origin || head.fetchSite) {
-    return refuse(403, "web pages may not use the bridge", "ask from a plugin or a program");
+    return refuse(403, "web pages may not use the bridge", "connect from a plugin or a program");
   }
   return {};
 }
@@ -53,7 +53,7 @@ std::optional<Reply> checkToken(const RequestHead& head, const Access& access, C
   const auto token = head.authorization ? bearer(*head.authorization) : std::nullopt;
   call.client = token ? access.clientOf(*token) : -1;
   if (call.client >= 0) return {};
-  return refuse(401, head.authorization ? "the token is not known" : "a token is needed",
+  return refuse(401, head.authorization ? "unknown token" : "a token is required",
                 "pair: start obby-bridge --pair and send its code to /v1/pair");
 }
 
@@ -113,9 +113,9 @@ std::optional<Reply> readParameters(const std::vector<loopback::Parameter>& give
     const bool known = !name.empty() && std::find(names.begin(), names.end(), name) != names.end();
     const bool twice = std::find(seen.begin(), seen.end(), name) != seen.end();
     if (!known || twice || !setParameter(call, name, value)) {
-      return refuse(400, "parameter not understood: " + io::quoted(text),
-                    "cursor and wait are whole numbers, session is what /v1/info said, parts is "
-                    "moving");
+      return refuse(400, "unknown parameter or value: " + io::quoted(text),
+                    "cursor and wait are whole numbers, session comes from /v1/info, parts can "
+                    "only be moving");
     }
     seen.push_back(name);
   }
@@ -127,7 +127,7 @@ std::optional<Reply> readParameters(const std::vector<loopback::Parameter>& give
 std::optional<Reply> checkHandshake(const RequestHead& head, const Call& call) {
   if (call.endpoint != Endpoint::events) {
     if (!head.upgrade) return {};
-    return refuse(400, "only /v1/events is a WebSocket", "leave the Upgrade header out");
+    return refuse(400, "only /v1/events is a WebSocket", "leave out the Upgrade header");
   }
   if (head.webSocket && head.webSocketVersion == "13" && head.webSocketKey) return {};
   return refuse(426, "/v1/events is a WebSocket of version 13",
@@ -148,7 +148,7 @@ std::optional<Reply> checkContent(const RequestHead& head, Call& call) {
   const auto content = head.contentType ? contentOf(*head.contentType) : std::nullopt;
   const bool right = content && (*content == Content::json) != level;
   if (!right) {
-    return refuse(415, "this content type is not taken here",
+    return refuse(415, "this content type is not accepted here",
                   level ? "send a place as application/octet-stream, records as "
                           "application/x-ndjson"
                         : "send application/json");
@@ -158,7 +158,7 @@ std::optional<Reply> checkContent(const RequestHead& head, Call& call) {
   const bool stranger = call.endpoint == Endpoint::pair;  // nothing is inflated for them
   call.gzip = encoding == "gzip" && !stranger;
   if (call.gzip || encoding == "identity") return {};
-  return refuse(415, "this content encoding is not taken",
+  return refuse(415, "this content encoding is not accepted",
                 stranger ? "send it plain" : "send it plain or as gzip");
 }
 
@@ -175,7 +175,7 @@ bool isJobId(std::string_view text) {
 
 std::variant<Call, Reply> route(std::string_view method, std::string_view target) {
   if (target.size() > kMaxTarget || target.empty() || target[0] != '/') {
-    return refuse(400, "not an address of the bridge", "docs/bridge.md lists them");
+    return refuse(400, "not an address of the bridge", "see docs/bridge.md");
   }
   const auto [path, parameters] = loopback::targetOf(target);
   bool found = false;
@@ -188,8 +188,8 @@ std::variant<Call, Reply> route(std::string_view method, std::string_view target
     if (auto wrong = readParameters(parameters, row, call)) return *std::move(wrong);
     return call;
   }
-  if (found) return refuse(405, "not that method here", "docs/bridge.md lists them");
-  return refuse(404, "there is nothing at this address", "docs/bridge.md lists what there is");
+  if (found) return refuse(405, "this method is not allowed here", "see docs/bridge.md");
+  return refuse(404, "there is nothing at this address", "see docs/bridge.md");
 }
 
 std::variant<Call, Reply> checkRequest(const RequestHead& head, const Access& access) {

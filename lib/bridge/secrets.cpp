@@ -51,8 +51,8 @@ Pairing::Pairing(double now) : until_(now + kSeconds) {
 std::string Pairing::shown() const { return code_.substr(0, 4) + "-" + code_.substr(4); }
 
 const char* Pairing::closed(double now) const {
-  if (used_) return "the code has been used";
-  if (tries_ <= 0) return "the code was tried too often";
+  if (used_) return "the code has already been used";
+  if (tries_ <= 0) return "too many wrong codes were tried";
   return now > until_ ? "the code has expired" : "";
 }
 
@@ -70,17 +70,21 @@ Result<Tokens> Tokens::open(std::string path, size_t most) {
   struct stat about {};
   if (stat(out.path_.c_str(), &about) != 0) {
     if (errno == ENOENT) return out;
-    return fileError(out.path_, "cannot look at it");
+    return fileError(out.path_, "cannot access it");
   }
   if ((about.st_mode & 077) != 0) {
-    return Error{out.path_, {}, {}, "others may read the tokens", "chmod 600, then pair anew"};
+    return Error{out.path_,
+                 {},
+                 {},
+                 "other users can read the tokens",
+                 "run chmod 600 on it, then pair again"};
   }
   OBBY_ASSIGN(const std::string text, io::readFile(out.path_));
   for (size_t at = 0; at < text.size();) {
     const size_t end = std::min(text.find('\n', at), text.size());
     const std::string line = text.substr(at, end - at);
     at = end + 1;
-    if (!isToken(line)) return Error{out.path_, {}, {}, "not a file of tokens", "remove it"};
+    if (!isToken(line)) return Error{out.path_, {}, {}, "not a token file", "remove it"};
     out.entries_.push_back({line, out.next_++});
   }
   return out;

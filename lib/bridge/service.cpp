@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t kSessionBytes = 8;
 constexpr uint32_t kImports = 2;  // at a time
-constexpr const char* kAskAgain = "reload: ask /v1/info for session and cursor, and ask anew";
+constexpr const char* kAskAgain = "reload: get session and cursor from /v1/info, then ask again";
 
 Reply noSuchJob() {
   return refuse(404, "no such job", "it may have ended long ago, or the bridge was restarted");
@@ -114,9 +114,10 @@ Reply Service::info(const Call& call) {
 
 std::optional<Reply> Service::closedTo(const Call& call) const {
   if (call.endpoint != Endpoint::pair) return {};
-  const char* why = pairing_ ? pairing_->closed(loop_.now()) : "no code has been offered";
+  const char* why =
+      pairing_ ? pairing_->closed(loop_.now()) : "the bridge was started without --pair";
   if (*why == 0) return {};
-  return refuse(403, why, "start obby-bridge --pair and send the code that it shows");
+  return refuse(403, why, "start obby-bridge --pair and send the code it shows");
 }
 
 Reply Service::pair(const std::string& body) {
@@ -134,17 +135,16 @@ Reply Service::pair(const std::string& body) {
                                  });
   if (!read) return refuse(400, read.error());
   if (!pairing_->answer(code, loop_.now())) {
-    return refuse(403, "that is not the code",
-                  fmt::format("{} tries are left", pairing_->triesLeft()));
+    return refuse(403, "wrong code", fmt::format("tries left: {}", pairing_->triesLeft()));
   }
   auto token = tokens_.add();
-  if (!token) return refuse(507, token.error().text(), "make room on the disk, then pair anew");
+  if (!token) return refuse(507, token.error().text(), "free disk space, then pair again");
   return {200, JsonObject().text("token", *token).whole()};
 }
 
 kj::Promise<Reply> Service::putLevel(std::string body) {
   if (programs_.import.empty()) {
-    return refuse(501, "there is no obby-import beside obby-bridge", "install the whole of obby");
+    return refuse(501, "there is no obby-import next to obby-bridge", "install all of obby");
   }
   const std::string id = Store::idOf(body);
   if (const auto known = store_.get(id); known && *known) {
@@ -152,13 +152,15 @@ kj::Promise<Reply> Service::putLevel(std::string body) {
     for (const std::string& line : (*known)->queries) queries.push_back(queryIdOfLine(line));
     return levelReply(200, id, queries, (*known)->reports);
   }
-  if (imports_ >= kImports) return refuse(503, "other levels are being read", "try again");
+  if (imports_ >= kImports)
+    return refuse(503, "other levels are still being read", "try again later");
   imports_++;
   return importLevel(loop_, programs_.import, std::move(body), limits_)
       .then([this, id](Imported in) -> Reply {
         if (in.refusal.status != 200) return in.refusal;
         if (const Status kept = store_.put(id, in.lines, in.warnings); !kept) {
-          return refuse(507, kept.error().text(), "make room on the disk, or use --state-dir");
+          return refuse(507, kept.error().text(),
+                        "free disk space, or name another folder with --state-dir");
         }
         return levelReply(201, id, in.queries, in.warnings);
       })
@@ -190,13 +192,14 @@ Reply Service::cancelJob(Client& client, const std::string& id) {
 
 std::optional<Reply> Service::checkSession(const Call& call) const {
   if (call.session.empty() || call.session == session_) return {};
-  return refuse(410, "the bridge was restarted since", kAskAgain);
+  return refuse(410, "the bridge has restarted since", kAskAgain);
 }
 
 std::optional<Reply> Service::checkCursor(const Call& call, const Client& client,
                                           uint64_t cursor) const {
   if (auto wrong = checkSession(call)) return wrong;
-  if (cursor > client.ring().last()) return refuse(410, "that cursor is yet to come", kAskAgain);
+  if (cursor > client.ring().last())
+    return refuse(410, "that cursor is ahead of the last message", kAskAgain);
   if (client.ring().reaches(cursor)) return {};
   return refuse(410, "messages after that cursor are no longer kept", kAskAgain);
 }
@@ -251,7 +254,7 @@ std::variant<std::shared_ptr<Client>, Reply> Service::events(const Call& call) {
   const uint64_t cursor = call.cursor.value_or(who->ring().last());
   if (auto wrong = checkCursor(call, *who, cursor)) return *std::move(wrong);
   if (who->socketOpen) {
-    return refuse(409, "this client has a WebSocket already", "close it, or poll /v1/jobs/ID");
+    return refuse(409, "this client already has a WebSocket", "close it, or poll /v1/jobs/ID");
   }
   return who;
 }
@@ -277,7 +280,7 @@ void Service::sweep() {
       who->wake();
     }
     if (silent > limits_.silenceSeconds + limits_.graceSeconds) {
-      jobs_.cancelAll(who.get(), "the client has gone silent");
+      jobs_.cancelAll(who.get(), "the client stopped responding");
     }
   }
   jobs_.boundTime();

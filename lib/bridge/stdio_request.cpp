@@ -33,7 +33,7 @@ struct LineReader {
 
   Status id(const Node& value) {
     const bool plain = value.type != JsonTree::Type::array && value.type != JsonTree::Type::object;
-    if (!plain || value.length > 256) return pathError("id", "expected a number or a short text");
+    if (!plain || value.length > 256) return pathError("id", "expected a number or a short string");
     out.id = jsonText(tree, value);
     return {};
   }

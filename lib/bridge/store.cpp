@@ -24,7 +24,7 @@ constexpr std::chrono::hours kAnswerAge{24};  // answers of sessions that did no
 constexpr uint64_t kOtherHalf = 0x6f62627931323821;  // seeds the other 64 bits of an id
 
 Error folderError(const std::string& path, const std::string& what) {
-  return Error{path, {}, {}, what, "--state-dir names another folder"};
+  return Error{path, {}, {}, what, "name another folder with --state-dir"};
 }
 
 Status makePrivate(const std::string& path) {
@@ -34,14 +34,14 @@ Status makePrivate(const std::string& path) {
   if (!error && mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) {
     error = std::error_code(errno, std::generic_category());
   }
-  if (error) return folderError(path, "cannot make the folder: " + error.message());
+  if (error) return folderError(path, "cannot create the folder: " + error.message());
   struct stat about {};
   if (stat(path.c_str(), &about) != 0 || !S_ISDIR(about.st_mode)) {
-    return folderError(path, "is no folder");
+    return folderError(path, "is not a folder");
   }
   if (about.st_uid != geteuid()) return folderError(path, "belongs to another user");
   if ((about.st_mode & 077) != 0 && chmod(path.c_str(), 0700) != 0) {
-    return folderError(path, std::string("cannot close it to others: ") + strerror(errno));
+    return folderError(path, std::string("cannot make it private: ") + strerror(errno));
   }
   return {};
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibrate/range_text.h"
 #include "io/chart.h"
 #include "io/text.h"
 
@@ -47,10 +48,9 @@ std::string barOf(const Fitted& f) {
   const Parameter& p = f.parameter;
   const double low = placeOf(p, f.low), high = placeOf(p, f.high);
   std::string out = fmt::format(
-      "<svg class=\"bar\" width=\"{0}\" height=\"16\" role=\"img\" aria-label=\"{1} to {2} of {3} "
-      "to "
-      "{4}\"><rect class=\"room\" y=\"6\" width=\"{0}\" height=\"4\"/>",
-      kBar, number(f.low), number(f.high), number(p.lowest), number(p.highest));
+      "<svg class=\"bar\" width=\"{0}\" height=\"16\" role=\"img\" aria-label=\"{1}; searched: "
+      "{2} to {3}\"><rect class=\"room\" y=\"6\" width=\"{0}\" height=\"4\"/>",
+      kBar, rangeText(number(f.low), number(f.high)), number(p.lowest), number(p.highest));
   const bool unknown = f.low == p.lowest && f.high == p.highest;
   if (!unknown)
     out += fmt::format("<rect class=\"is\" x=\"{:.1f}\" y=\"3\" width=\"{:.1f}\" height=\"10\"/>",
@@ -64,35 +64,33 @@ std::string barOf(const Fitted& f) {
 std::string rowOf(const Fitted& f) {
   const Parameter& p = f.parameter;
   const bool unknown = f.low == p.lowest && f.high == p.highest;
-  const std::string wider = unknown ? "not known; to learn of it: " : "to know it better: ";
+  const std::string wider = unknown ? "not determined; to measure it: " : "to narrow it down: ";
   return fmt::format(
       "<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n faint\">{}</td><td>{}</td><td>{}</td>"
       "<td class=\"faint\">{}</td></tr>\n",
       io::escapeMarkup(p.name), unknown ? "" : number(f.value), number(f.before),
       io::escapeMarkup(p.unit), barOf(f),
-      f.known ? fmt::format("{} to {}", number(f.low), number(f.high))
-              : io::escapeMarkup(wider + p.manoeuvre));
+      f.known ? rangeText(number(f.low), number(f.high)) : io::escapeMarkup(wider + p.manoeuvre));
 }
 
 std::string parametersOf(const Fit& fit) {
   std::string out =
-      "<h2>Parameters</h2><p class=\"faint\">The bar is the range that was searched, its full part "
-      "what the parameter is in 95 of 100 cases, the line what it was before.</p>\n"
-      "<div class=\"wide\"><table><tr><th>parameter</th><th class=\"n\">found</th><th class=\"n\">"
-      "before</th><th>unit</th><th></th><th></th></tr>\n";
+      "<h2>Parameters</h2><p class=\"faint\">Bar: range searched. Filled: 95 % confidence "
+      "interval. Line: value before.</p>\n<div class=\"wide\"><table><tr><th>parameter</th><th "
+      "class=\"n\">found</th><th class=\"n\">before</th><th>unit</th><th></th><th></th></tr>\n";
   for (const Fitted& f : fit.parameters) out += rowOf(f);
   out += fmt::format(
-      "<tr><td>delay</td><td class=\"n\">{}</td><td class=\"n faint\">0</td><td>s</td>"
-      "<td></td><td class=\"faint\">from an input to what comes of it</td></tr>\n",
+      "<tr><td>delay</td><td class=\"n\">{}</td><td class=\"n faint\">0</td><td>s</td><td></td><td "
+      "class=\"faint\">from an input to its effect</td></tr>\n",
       number(fit.delay));
   if (fit.controlRate > 0)
     out += fmt::format(
-        "<tr><td>controlRate</td><td class=\"n\">{}</td><td></td><td>1/s</td><td></td>"
-        "<td class=\"faint\">runs of the rules, with {} physics steps in each</td></tr>\n",
-        fit.controlRate, fit.substeps);
+        "<tr><td>controlRate</td><td class=\"n\">{}</td><td></td><td>1/s</td><td></td><td "
+        "class=\"faint\">ticks, with {} physics step{} each</td></tr>\n",
+        fit.controlRate, fit.substeps, fit.substeps == 1 ? "" : "s");
   out += "</table></div>\n";
   if (fit.tied.empty()) return out;
-  out += "<p>Of these pairs the recordings tell a combination only:</p><ul>\n";
+  out += "<p>The recordings determine only a combination of each of these pairs:</p><ul>\n";
   for (const Tied& t : fit.tied)
     out += fmt::format("<li>{} and {} <span class=\"faint\">(correlation {:.2f})</span></li>\n",
                        io::escapeMarkup(t.one), io::escapeMarkup(t.other), t.correlation);
@@ -162,7 +160,7 @@ std::string waysOf(const Path& path) {
   })};
   return io::chartSvg({mapOf("x, studs", "from above: -z, studs", above)}) +
          io::chartSvg({plotOf("seconds", "height, studs", height)}) +
-         io::chartSvg({plotOf("seconds", "apart, studs", std::move(off))});
+         io::chartSvg({plotOf("seconds", "distance, studs", std::move(off))});
 }
 
 std::string recordingOf(const Outcome& o, bool open) {
@@ -171,15 +169,15 @@ std::string recordingOf(const Outcome& o, bool open) {
                         : fmt::format(" <span class=\"bad\">half a stud off after {:.2f} s</span>",
                                       o.miss.parted);
   return fmt::format(
-      "<details{}><summary>{}: {:.3f} studs off, {:.3f} at last, {:.3f} at most{}{}</summary>\n{}"
-      "</details>\n",
+      "<details{}><summary>{}: {:.3f} studs off, {:.3f} at the end, max "
+      "{:.3f}{}{}</summary>\n{}</details>\n",
       open ? " open" : "", io::escapeMarkup(o.name), o.miss.mean, o.miss.last, o.miss.most, parted,
       o.heldOut ? " <span class=\"faint\">(held out from the fit)</span>" : "", waysOf(o.path));
 }
 
 std::string reasonsIn(const std::vector<std::string>& why) {
   if (why.empty()) return {};
-  std::string out = "<h2>Why not nearer</h2>\n<ul>\n";
+  std::string out = "<h2>Why the fit is not closer</h2>\n<ul>\n";
   for (const std::string& reason : why) out += "<li>" + io::escapeMarkup(reason) + "</li>\n";
   return out + "</ul>\n";
 }
@@ -191,15 +189,14 @@ std::string pageOf(const Fit& fit, const std::vector<Outcome>& outcomes, double 
   const double mean = meanMiss(outcomes);
   std::string out = kHead;
   out += fmt::format(
-      "<h1>Calibration</h1><p class=\"lead\">Under these parameters the simulator is "
-      "<strong>{:.3f} "
+      "<h1>Calibration</h1><p class=\"lead\">With these parameters the simulator is <strong>{:.3f} "
       "studs</strong> off the recordings, <span class=\"{}\">{} the tolerance of "
       "{:g}</span>.</p>\n",
       mean, mean <= tolerance ? "good" : "bad", mean <= tolerance ? "within" : "above", tolerance);
   if (fit.stopped) out += "<p class=\"bad\">" + interruptionOf(fit) + "</p>\n";
   out += reasonsIn(why);
   out += parametersOf(fit);
-  out += "<h2>Recordings, played to their ends</h2><p class=\"faint\">The worst first.</p>\n";
+  out += "<h2>Recordings, replayed to the end</h2><p class=\"faint\">Worst first.</p>\n";
   std::vector<const Outcome*> byMiss;
   for (const Outcome& o : outcomes) byMiss.push_back(&o);
   std::stable_sort(byMiss.begin(), byMiss.end(),

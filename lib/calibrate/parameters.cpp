@@ -97,7 +97,7 @@ Result<std::vector<Parameter>> parametersNamed(const std::vector<std::string>& n
     if (found == all.end()) {
       std::string known;
       for (const Parameter& p : all) known += (known.empty() ? "" : ", ") + p.name;
-      return makeError(fmt::format("'{}' cannot be fitted", name), "there are " + known);
+      return makeError(fmt::format("'{}' cannot be fitted", name), "expected one of " + known);
     }
     const bool again =
         std::any_of(out.begin(), out.end(), [&](const Parameter& p) { return p.name == name; });
@@ -120,7 +120,7 @@ Status setNamed(schema::PhysicsParams::Builder params, const std::string& name, 
   const auto schema = capnp::Schema::from<schema::PhysicsParams>();
   if (schema.findFieldByName(name.c_str()) == nullptr)
     return makeError(fmt::format("there is no physics parameter '{}'", name),
-                     "docs/physics.md lists them");
+                     "see docs/physics.md");
   const bool whole = value >= 0 && value <= 65535 && value == std::floor(value);
   if (schema.getFieldByName(name.c_str()).getType().isUInt16() && !whole)
     return level::pathError("physics." + name, "expected a whole number from 0 to 65535");

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibrate/range_text.h"
+
 namespace obby::calibrate {
 
 namespace {
@@ -12,20 +14,20 @@ namespace {
 // A time that the simulator counts in whole ticks.
 std::string ticksOf(const Fitted& f) {
   const long least = std::lround(f.low / f.tick), most = std::lround(f.high / f.tick);
-  if (least == most) return fmt::format("{} ticks", least);
-  return fmt::format("{} to {} ticks", least, most);
+  return fmt::format("{} tick{}", rangeText(fmt::format("{}", least), fmt::format("{}", most)),
+                     least == 1 && most == 1 ? "" : "s");
 }
 
 std::string lineOf(const Fitted& f) {
   const Parameter& p = f.parameter;
   if (f.low == p.lowest && f.high == p.highest)
-    return fmt::format("  {:<15} {:>10.5g}   not known; to learn of it: {}\n", p.name, f.value,
+    return fmt::format("  {:<15} {:>10.5g}   not determined; to measure it: {}\n", p.name, f.value,
                        p.manoeuvre);
-  const std::string more = f.known ? "" : fmt::format("; to know it better: {}", p.manoeuvre);
+  const std::string more = f.known ? "" : fmt::format("; to narrow it down: {}", p.manoeuvre);
   if (f.tick > 0)
     return fmt::format("  {:<15} {:>10.5g}   {}{}\n", p.name, f.value, ticksOf(f), more);
-  return fmt::format("  {:<15} {:>10.5g}   {:.5g} to {:.5g} {}{}\n", p.name, f.value, f.low, f.high,
-                     p.unit, more);
+  const std::string range = rangeText(fmt::format("{:.5g}", f.low), fmt::format("{:.5g}", f.high));
+  return fmt::format("  {:<15} {:>10.5g}   {} {}{}\n", p.name, f.value, range, p.unit, more);
 }
 
 std::string lineOf(const Outcome& o) {
@@ -39,8 +41,8 @@ std::string lineOf(const Outcome& o) {
 
 std::string interruptionOf(const Fit& fit) {
   if (!fit.stopped) return {};
-  return "The fit was interrupted: this is the best so far, and what is not known of it may not "
-         "have been looked at.";
+  return "The fit was interrupted. This is the best result so far; parameters that are not "
+         "determined may not have been examined.";
 }
 
 double meanMiss(const std::vector<Outcome>& outcomes) {
@@ -59,19 +61,18 @@ std::string textOf(const Fit& fit, const std::vector<Outcome>& outcomes, double 
                    const std::vector<std::string>& why) {
   std::string out = interruptionOf(fit);
   if (!out.empty()) out += "\n\n";
-  out += "Parameters, with what they are in 95 of 100 cases\n";
+  out += "Parameters, with 95 % confidence intervals\n";
   for (const Fitted& f : fit.parameters) out += lineOf(f);
-  out +=
-      fmt::format("  {:<15} {:>10.5g}   s from an input to what comes of it\n", "delay", fit.delay);
+  out += fmt::format("  {:<15} {:>10.5g}   s from an input to its effect\n", "delay", fit.delay);
   if (fit.controlRate > 0)
-    out += fmt::format("  {:<15} {:>10}   1/s runs of the rules, with {} physics steps in each\n",
-                       "controlRate", fit.controlRate, fit.substeps);
+    out += fmt::format("  {:<15} {:>10}   ticks a second, with {} physics step{} each\n",
+                       "controlRate", fit.controlRate, fit.substeps, fit.substeps == 1 ? "" : "s");
   for (const Tied& t : fit.tied)
     out +=
         fmt::format("  {} and {} cannot be told apart by these recordings (correlation {:.2f})\n",
                     t.one, t.other, t.correlation);
-  out += fmt::format("\nRecordings, played to their ends: studs off\n  {:<32} {:>8} {:>8} {:>8}\n",
-                     "", "mean", "at last", "at most");
+  out += fmt::format("\nRecordings, replayed to the end: studs off\n  {:<32} {:>8} {:>8} {:>8}\n",
+                     "", "mean", "at end", "max");
   for (const Outcome& o : outcomes) out += lineOf(o);
   const double mean = meanMiss(outcomes);
   const auto worst = std::max_element(
@@ -79,9 +80,10 @@ std::string textOf(const Fit& fit, const std::vector<Outcome>& outcomes, double 
       [](const Outcome& a, const Outcome& b) { return a.miss.mean < b.miss.mean; });
   if (mean <= tolerance)
     return out + fmt::format("\n{:.3f} studs off, within the tolerance of {:g}\n", mean, tolerance);
-  out += fmt::format("\n{:.3f} studs off, above the tolerance of {:g}: most in '{}'\n", mean,
+  out += fmt::format("\n{:.3f} studs off, above the tolerance of {:g}; worst: '{}'\n", mean,
                      tolerance, worst->name);
-  if (!why.empty()) out += fmt::format("\nWhy not nearer\n  {}\n", fmt::join(why, "\n  "));
+  if (!why.empty())
+    out += fmt::format("\nWhy the fit is not closer\n  {}\n", fmt::join(why, "\n  "));
   return out;
 }
 

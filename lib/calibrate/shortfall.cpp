@@ -105,17 +105,17 @@ Result<Shortfall> shortfallOf(std::span<const Take> recorded, const Fit& fit,
 std::string shortOf(const Shortfall& s, double tolerance) {
   if (s.stopped) return "the fit was interrupted";
   if (s.noise > tolerance)
-    return fmt::format("their positions alone jump by {:.2g} from frame to frame", s.noise);
+    return fmt::format("their positions alone jitter by {:.2g} studs from frame to frame", s.noise);
   if (!s.strange.empty()) {
     const Strange& worst = s.strange.front();
     if (!worst.untold.empty())
-      return fmt::format("the fitted ones do not tell {}, on which '{}' depends",
+      return fmt::format("the fitted ones do not determine {}, on which '{}' depends",
                          fmt::join(worst.untold, ", "), worst.recording);
-    return fmt::format("'{}' is another thing from {:.2f} to {:.2f} s, in {}", worst.recording,
+    return fmt::format("no parameters explain '{}' from {:.2f} to {:.2f} s, in {}", worst.recording,
                        worst.from, worst.to, nameOf(worst.state));
   }
   if (!s.ends.empty())
-    return fmt::format("{} would go beyond what was tried", fmt::join(s.ends, ", "));
+    return fmt::format("{} is at the end of the range searched", fmt::join(s.ends, ", "));
   return "small errors add up";
 }
 
@@ -123,7 +123,8 @@ namespace {
 
 std::string causeOf(const Strange& w) {
   if (w.untold.empty()) return "whatever the parameters";
-  return fmt::format("by {}, which the fitted recordings do not tell", fmt::join(w.untold, " or "));
+  return fmt::format("because of {}, which the fitted recordings do not determine",
+                     fmt::join(w.untold, " or "));
 }
 
 }  // namespace
@@ -133,16 +134,15 @@ std::vector<std::string> reasonsOf(const Shortfall& s, double tolerance) {
   if (s.stopped) out.emplace_back("the fit was interrupted");
   if (s.noise > tolerance)
     out.push_back(fmt::format(
-        "positions jump by {:.2g} studs from frame to frame: no parameters come nearer than that",
-        s.noise));
+        "positions jitter by {:.2g} studs from frame to frame, so no fit comes closer", s.noise));
   for (const std::string& name : s.ends)
-    out.push_back(fmt::format("{} is at an end of the values that were tried", name));
+    out.push_back(fmt::format("{} is at the end of the range searched", name));
   for (const Strange& w : s.strange)
     out.push_back(
-        fmt::format("'{}', {:.2f} to {:.2f} s: begun as recorded, {:.2g} studs off in {}, {}",
+        fmt::format("'{}', {:.2f} to {:.2f} s: started as recorded, {:.2g} studs off in {}, {}",
                     w.recording, w.from, w.to, w.off, nameOf(w.state), causeOf(w)));
   if (out.empty())
-    out.emplace_back("no half second is that far off by itself: small errors add up");
+    out.emplace_back("no half second is that far off on its own: small errors add up");
   return out;
 }
 

@@ -28,8 +28,8 @@ Status Takes::add(schema::Recording::Reader recording) {
     return Error{{},
                  {},
                  "level",
-                 fmt::format("there is no level '{}' before", track.level),
-                 "give the level that it was recorded in, too"};
+                 fmt::format("there is no level '{}' before this recording", track.level),
+                 "give the level it was recorded in as well"};
   const auto record = level->second.reader().getLevel();
   OBBY_ASSIGN(const level::Level compiled, level::Level::compile(record));
   OBBY_RETURN_IF_ERROR(place(track, record, compiled));
@@ -68,9 +68,10 @@ std::vector<std::string> Takes::warnings() const {
     const std::string more =
         a.recordings == 1 ? "" : fmt::format(" and less in {} more", a.recordings - 1);
     out.push_back(fmt::format(
-        "level '{}': by no clock of {} seconds does '{}' move as recorded: {:.2g} studs off in "
-        "'{}'{} (record its motion and import the level anew, or leave such recordings out)",
-        where.first, kLongestClock, a.part, a.studs, a.recording, more));
+        "level '{}': '{}' does not move as recorded, wherever its clock of {} seconds starts: "
+        "{:.2g} studs off in '{}'{} (record its motion and import the level again, or leave these "
+        "recordings out)",
+        where.first, a.part, kLongestClock, a.studs, a.recording, more));
   }
   return out;
 }

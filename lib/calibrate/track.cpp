@@ -98,8 +98,8 @@ Status checkNumbers(const Frame& f, uint32_t number) {
                      within(f.position, level::kMaxCoordinate) && within(f.velocity, kFastest) &&
                      level::isFinite(f.facing);
   if (sound) return {};
-  return inFrame(number, "a number that is none, or none of this world",
-                 "positions are in studs, velocities in studs/s; leave such frames out");
+  return inFrame(number, "a number is not finite or out of range",
+                 "use studs and studs/s; leave out bad frames");
 }
 
 // Of the frame's time against the one before.
@@ -108,10 +108,11 @@ Status checkTime(const Frame& frame, uint32_t number, const Track& track) {
   const double before = track.frames.back().time;
   if (frame.time < before)
     return inFrame(number, fmt::format("time {} comes after {}", frame.time, before),
-                   "give the frames in the order of their times");
+                   "sort the frames by time");
   if (frame.time - before > kLongestGap)
-    return inFrame(number, fmt::format("{:.6g} seconds after the one before", frame.time - before),
-                   "times are in seconds; make two recordings of one with a pause");
+    return inFrame(number,
+                   fmt::format("{:.6g} seconds after the frame before", frame.time - before),
+                   "give times in seconds; split a recording with a pause in two");
   return {};
 }
 
@@ -125,14 +126,14 @@ Status addPoses(schema::RecordingFrame::Reader frame, uint32_t number, Track& tr
     return {};
   }
   if (poses.size() != count)
-    return inFrame(number, fmt::format("{} poses of {} parts", poses.size(), count),
-                   "give one for each of the recording's parts, or none where none has moved");
+    return inFrame(number, fmt::format("{} poses for {} parts", poses.size(), count),
+                   "give a pose for each of the recording's parts, or none if none has moved");
   for (const auto pose : poses) {
     const auto q = pose.getRotation();
     const PartPose to{vec(pose.getPosition()),
                       normalize(Quat{q.getX(), q.getY(), q.getZ(), q.getW()})};
     if (!within(to.position, level::kMaxCoordinate) || !std::isfinite(to.rotation.w))
-      return inFrame(number, "a pose with a number that is none", "leave such frames out");
+      return inFrame(number, "a pose with a number that is not finite", "leave out bad frames");
     track.poses.push_back(to);
   }
   return {};
@@ -186,8 +187,8 @@ Result<Track> trackOf(schema::Recording::Reader record) {
     return Error{{},
                  {},
                  "frames",
-                 fmt::format("{} of them", track.frames.size()),
-                 "a recording needs two at least"};
+                 fmt::format("expected at least 2, found {}", track.frames.size()),
+                 "leave out recordings with fewer"};
   return track;
 }
 

@@ -28,8 +28,8 @@ Result<Generator> Generator::make(const Recipe& recipe, bool unsolvable) {
   OBBY_RETURN_IF_ERROR(recipe.check());
   OBBY_ASSIGN(const Params params, paramsOf(recipe.physics));
   if (unsolvable && Reach(params).cut()) {
-    return makeError("with these physics players jump too far for a level that none can solve",
-                     "give it more gravity, less walkSpeed or less jumpSpeed");
+    return makeError("with these physics players jump too far for an unsolvable level",
+                     "raise gravity, or lower walkSpeed or jumpSpeed");
   }
   return Generator(recipe, params, unsolvable);
 }

@@ -23,9 +23,9 @@ Status setPhysics(schema::PhysicsParams::Builder to, const std::vector<NamedNumb
     }
     if (!found) {
       const std::string near = nearestName(change.name, names);
-      return level::pathError("physics." + change.name, "there is no such physics parameter",
-                              near.empty() ? "obby-gen --schema lists them under PhysicsParams"
-                                           : "did you mean " + near + "?");
+      return level::pathError(
+          "physics." + change.name, "there is no such physics parameter",
+          near.empty() ? "see PhysicsParams in obby-gen --schema" : "did you mean " + near + "?");
     }
     const bool whole = known.getType().isUInt16();
     if (whole && !(change.value >= 0 && change.value <= 65535 &&

@@ -42,7 +42,7 @@ Status checkRange(Range r, float least, float most, const std::string& path) {
   return pathError(
       path,
       fmt::format("expected a range between {} and {}, found {} to {}", least, most, r.lo, r.hi),
-      r.lo > r.hi ? "the smaller number comes first" : "");
+      r.lo > r.hi ? "give the smaller number first" : "");
 }
 
 Status checkSettings(const std::vector<Setting>& settings) {

@@ -41,7 +41,7 @@ class Reader {
       }
       const std::string near = nearestName(tree_.name(member), names);
       return pathError(here, "unknown key",
-                       near.empty() ? fmt::format("known are {}", fmt::join(names, ", "))
+                       near.empty() ? fmt::format("expected one of {}", fmt::join(names, ", "))
                                     : "did you mean " + near + "?");
     });
   }
@@ -136,7 +136,7 @@ class Reader {
 
   // `both`: how two are written.
   Status pair(const Node& node, const std::string& path, const One& one, Range& out,
-              const std::string& both = "[least, most]") const {
+              const std::string& both = "[min, max]") const {
     if (node.type != Type::array) {
       OBBY_ASSIGN(out.lo, one(node, path));
       out.hi = out.lo;

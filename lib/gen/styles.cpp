@@ -11,7 +11,7 @@ namespace obby::gen {
 namespace {
 
 constexpr Style kCourse{.name = "course",
-                        .description = "several of the others in a row, ever harder",
+                        .description = "several other styles in a row, each harder than the last",
                         .build = nullptr,
                         .chains = true};
 
@@ -70,7 +70,7 @@ const Style* styleOfLevel(std::string_view levelName) {
 Result<const Style*> styleNamed(std::string_view name, const std::string& path) {
   if (const Style* style = findStyle(name)) return style;
   return unknown(styles(), name, path, "there is no style " + io::quoted(name),
-                 "obby-gen --list names them");
+                 "see obby-gen --list");
 }
 
 Result<const Parameter*> parameterNamed(const Style& style, std::string_view name,
@@ -78,7 +78,7 @@ Result<const Parameter*> parameterNamed(const Style& style, std::string_view nam
   if (const Parameter* p = named(style.parameters, name)) return p;
   return unknown(style.parameters, name, path,
                  std::string(style.name) + " has no parameter " + io::quoted(name),
-                 "obby-gen --list --style " + std::string(style.name) + " names them");
+                 "see obby-gen --list --style " + std::string(style.name));
 }
 
 std::string fullName(const Parameter& parameter) {

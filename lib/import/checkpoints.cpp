@@ -101,7 +101,7 @@ void startFromSpawns(Stages& stages, const std::vector<int>& spawns) {
     const bool changesTeam = get<bool>(stages.instance(spawn), "AllowTeamChangeOnTouch");
     const bool isOther = number != kUnnumbered && number != startNumber;
     if (!isOther && !changesTeam && stages.distance(spawn, stages.start) < kSameLobby) {
-      part.evidence.push_back({"start", "SpawnLocation beside the start", true});
+      part.evidence.push_back({"start", "SpawnLocation next to the start", true});
       continue;
     }
     part.checkpoint = number;
@@ -135,7 +135,7 @@ void orderByDistance(Stages& stages, std::vector<int>::iterator first,
                      return stages.distance(a, last) < stages.distance(b, last);
                    }));
     stages.level.parts[size_t(*first)].evidence.push_back(
-        {"checkpoint", "order by distance: " + why, true});
+        {"checkpoint", "ordered by distance: " + why, true});
   }
 }
 
@@ -149,7 +149,7 @@ void orderCheckpoints(Stages& stages) {
   if (stages.start < 0 && !list.empty()) {
     stages.start = list.front();
     stages.level.parts[size_t(stages.start)].evidence.push_back(
-        {"start", "first checkpoint, there is no SpawnLocation", true});
+        {"start", "first checkpoint, as there is no SpawnLocation", true});
   }
   list.erase(std::remove(list.begin(), list.end(), stages.start), list.end());
   for (auto first = list.begin(); first != list.end();) {

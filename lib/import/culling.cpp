@@ -57,8 +57,8 @@ void cullStrays(LevelDraft& level, const Tree& tree) {
       continue;
     }
     ++level.partsCulled;
-    level.noteIgnored(below ? "part below the fall height" : "part far away from the rest",
-                      tree.path(part.id), "no player gets there; left out");
+    level.noteIgnored(below ? "part below the fall height" : "part far from the rest",
+                      tree.path(part.id), "players never get there; left out");
   }
   level.parts = std::move(kept);
 }

@@ -69,7 +69,7 @@ class Reader {
     fillStartTick(id, query);
     const auto goals = regions(id, "goal");
     if (goals.empty()) {
-      warn(id, "has no goal and is not asked");
+      warn(id, "has no goal and is left out");
       return {};
     }
     fillRegion(goals[0], query.initGoal());
@@ -78,7 +78,7 @@ class Reader {
     const auto starts = regions(id, "start");
     if (!starts.empty()) fillRegion(starts[0], query.getStart().initRegion());
     for (size_t i = 1; i < starts.size(); ++i)
-      warn(starts[i], "is one more start and is left out: a query has one");
+      warn(starts[i], "is an extra start and is left out; a query has only one");
     fillRegions(regions(id, "avoid"), [&](uint32_t n) { return query.initAvoid(n); });
     fillRegions(regions(id, "visit"), [&](uint32_t n) { return query.initVisits(n); });
     fillWaypoints(regions(id, "waypoint"), query);
@@ -96,8 +96,8 @@ class Reader {
       if (tree_.at(child).className != "Configuration") continue;
       const std::string kind = textOf(tree_.at(child), "kind");
       if (std::find(std::begin(kKinds), std::end(kKinds), kind) == std::end(kKinds))
-        warn(child, fmt::format("is of kind '{}', which is none of {}, and is left out", kind,
-                                fmt::join(kKinds, ", ")));
+        warn(child, fmt::format("has the unknown kind '{}' and is left out; expected one of {}",
+                                kind, fmt::join(kKinds, ", ")));
     }
   }
 
@@ -113,7 +113,7 @@ class Reader {
       if (box || !textOf(region, "part").empty()) {
         out.push_back(child);
       } else {
-        warn(child, "says neither a part nor a box (cframe, size) and is left out");
+        warn(child, "names neither a part nor a box (cframe and size) and is left out");
       }
     }
     std::stable_sort(out.begin(), out.end(), [&](InstanceId a, InstanceId b) {
@@ -158,7 +158,7 @@ class Reader {
   void fillForbidden(InstanceId id, schema::Query::Builder query) {
     if (!tree_.at(id).attributes.contains(kForbid)) return;
     if (!attribute<std::string>(tree_.at(id), kForbid)) {
-      warn(id, "has an attribute forbid that is no text");
+      warn(id, "has an attribute forbid that is not a string");
       return;
     }
     std::vector<schema::PlayerState> states;
@@ -170,7 +170,7 @@ class Reader {
       KJ_IF_MAYBE (state, known.findEnumerantByName(name)) {
         states.push_back(schema::PlayerState(state->getOrdinal()));
       } else {
-        warn(id, fmt::format("forbids {}, which is no state of a player", name));
+        warn(id, fmt::format("forbids {}, which is not a player state", name));
       }
     }
     if (states.empty()) return;
@@ -186,7 +186,7 @@ class Reader {
     if (tick && *tick >= 0 && *tick <= kMostStart && std::floor(*tick) == *tick) {
       query.initStart().setTick(uint32_t(std::floor(*tick * rate_ / kStartRate + 0.5)));
     } else {
-      warn(id, "has an attribute startTick that is no whole number from 0 on");
+      warn(id, "has an attribute startTick that is not a whole number of 0 or more");
     }
   }
 
@@ -199,9 +199,9 @@ class Reader {
       const double* number = std::get_if<double>(&value);
       KJ_IF_MAYBE (field, to.getSchema().findFieldByName(name.c_str())) {
         if (number && setNumber(to, *field, *number)) continue;
-        warn(id, fmt::format("has an attribute {} that is no number of its range", name));
+        warn(id, fmt::format("has an attribute {} that is not a number in its range", name));
       } else {
-        warn(id, fmt::format("has an attribute {} that means nothing here", name));
+        warn(id, fmt::format("has an unknown attribute {}", name));
       }
     }
   }
@@ -249,9 +249,9 @@ std::optional<io::Record> designerPhysics(const Tree& tree, std::vector<std::str
   if (!text) return {};
   auto read = io::recordFromJson(*text);
   if (read && read->reader().isParams()) return io::Record(*std::move(read));
-  warnings.push_back(
-      tree.document().file + ": " + tree.path(folder) +
-      " has physics that are no params record: " + (read ? "another record" : read.error().text()));
+  warnings.push_back(tree.document().file + ": " + tree.path(folder) +
+                     " has physics that are not a params record: " +
+                     (read ? "it is another kind of record" : read.error().text()));
   return {};
 }
 

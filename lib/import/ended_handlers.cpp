@@ -71,21 +71,21 @@ class EndedHandlers {
     if (event.onceLine == 0) return;
     const bool kills = event.kind == EventKind::damage && !event.number;
     if (kills && beginsAnew(context_.tree, reading.script)) return;
-    name(part, "handler that works but once",
-         "the level does it again and again; " +
+    name(part, "handler that works only once",
+         "in the level it works every time; " +
              scriptReason(context_.tree, reading, event.onceLine));
   }
 
   void nameDoubtful(const PartDraft& part, const std::string& reason) {
     if (!isGuessedBy(part, reason) || !doubtful_.insert(part.id).second) return;
     context_.level.noteUnmodelled(
-        "harm that a script may do", context_.tree.path(part.id),
-        "the level does it at each touch, whatever it depends on; " + reason);
+        "damage that a script may deal", context_.tree.path(part.id),
+        "in the level every touch does it, whatever the condition; " + reason);
   }
 
   void nameCut(const ScriptReading& reading, const Timeline& timeline, const PartDraft& part) {
     name(part, "handler that a script disconnects",
-         "the level does it again and again, as if it stayed connected; " +
+         "in the level it stays connected and works every time; " +
              scriptReason(context_.tree, reading, timeline.cutLine));
   }
 
@@ -116,7 +116,7 @@ void noteMaybe(RoleContext& context, const ScriptReading& reading, const Timelin
   if (!part || !(part->kill || part->vanish || part->jumpPad || part->teleport)) return;
   if (isShownBy(context.tree, reading, *part))
     context.level.noteUnmodelled("handler that a script may connect", context.tree.path(part->id),
-                                 "taken as connected: the condition is not known; " +
+                                 "the condition is not known; taken as connected; " +
                                      scriptReason(context.tree, reading, timeline.line));
 }
 
@@ -129,9 +129,9 @@ void noteWoken(RoleContext& context, const ScriptReading& reading) {
       if (event.target == kNoInstance || !seen.insert(event.target).second) continue;
       for (const PartDraft* part : context.partsOf(event.target))
         if (isShownBy(context.tree, reading, *part) && named.insert(part->id).second)
-          context.level.noteUnmodelled(
-              "script that another one enables", context.tree.path(part->id),
-              "does from the start on what it may do but later; " + reading.enabledBy);
+          context.level.noteUnmodelled("script that another script enables",
+                                       context.tree.path(part->id),
+                                       "treated as enabled from the start; " + reading.enabledBy);
     }
   }
 }

@@ -8,11 +8,13 @@
 #include <tuple>
 #include <vector>
 
+#include "import/plural.h"
 #include "io/utf8.h"
 
 namespace obby::importer {
 namespace {
 
+constexpr float kDegrees = 180 / 3.14159265f;  // of a radian
 constexpr size_t kPartWidth = 34, kRoleWidth = 10, kWidth = 100, kNoteIndent = 8;
 
 // Characters, not bytes.
@@ -69,7 +71,7 @@ std::string wrapped(std::string_view raw, size_t indent) {
 
 std::string numbersOf(const PartDraft& part, const std::string& role) {
   if (role == "kill" && part.kill)
-    return part.kill->damage < 100 ? fmt::format("{} health; ", part.kill->damage) : "";
+    return part.kill->damage < 100 ? fmt::format("takes {} health; ", part.kill->damage) : "";
   if (role == "conveyor" && part.conveyor)
     return fmt::format("{:.4g} studs/s; ", length(part.conveyor->velocity));
   if (role == "jumpPad" && part.jumpPad)
@@ -80,9 +82,9 @@ std::string numbersOf(const PartDraft& part, const std::string& role) {
   if (role == "checkpoint" && part.checkpoint) return fmt::format("stage {}; ", *part.checkpoint);
   if (role == "motion" && part.motion) {
     const Motion& m = *part.motion;
-    if (m.spin) return fmt::format("turns {:.3g} rad/s; ", m.spin->speed);
+    if (m.spin) return fmt::format("turns {:.3g} degrees/s; ", m.spin->speed * kDegrees);
     if (!m.keys.empty())
-      return fmt::format("{} keys, {:.3g} s; ", m.keys.size(), m.keys.back().time);
+      return fmt::format("{} in {:.3g} s; ", plural(m.keys.size(), "pose"), m.keys.back().time);
   }
   return "";
 }
@@ -130,7 +132,7 @@ std::string counted(const std::string& title,
   std::string text = "\n" + title + "\n";
   for (const auto& [kind, entry] : entries) {
     text += wrapped(fmt::format("{:>6}  {}: {}", entry.count, kind, entry.note), kNoteIndent);
-    text += wrapped("        such as " + entry.example, kNoteIndent);
+    text += wrapped("        for example " + entry.example, kNoteIndent);
   }
   return text;
 }
@@ -141,11 +143,12 @@ std::string explain(const LevelDraft& level, const Tree& tree) {
   const World& w = level.world;
   std::string text = wrapped(
       fmt::format("level {} from {} ({})", level.name, level.file, level.format), kNoteIndent);
-  text += fmt::format("{} parts read, {} kept, {} culled; {} spawns\n", level.partsRead,
-                      level.parts.size(), level.partsCulled, level.spawns.size());
-  text +=
-      fmt::format("gravity {:.5g}, walk speed {:.5g}, jump speed {:.5g}, fall height {:.6g}\n\n",
-                  w.gravity, w.walkSpeed, w.jumpSpeed, w.fallenPartsHeight);
+  text += fmt::format("{} read, {} kept, {} left out; {}\n", plural(level.partsRead, "part"),
+                      level.parts.size(), level.partsCulled, plural(level.spawns.size(), "spawn"));
+  text += fmt::format(
+      "gravity {:.5g} studs/s^2, walk speed {:.5g} studs/s, jump speed {:.5g} studs/s, "
+      "fall height {:.6g} studs\n\n",
+      w.gravity, w.walkSpeed, w.jumpSpeed, w.fallenPartsHeight);
   text += roles(level, tree);
   text += counted("not modelled", level.unmodelled);
   text += counted("left out or noted", level.ignored);

@@ -49,7 +49,7 @@ std::string InputOpener::freeName(const std::string& wanted) {
 
 io::StreamReader InputOpener::stream(io::ByteSource source) {
   if (options_.explain) {
-    explain_(source.name() + ": a stream of records, no place: nothing to explain\n");
+    explain_(source.name() + ": nothing to explain: this is a stream of records, not a place\n");
   }
   return io::StreamReader::over(std::move(source));
 }

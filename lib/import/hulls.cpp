@@ -23,9 +23,9 @@ bool isInBounds(Vec3 corner) {
 
 // Some hulls of the part are boxes.
 void noteBoxed(const Tree& tree, PartDraft& part, size_t boxed, LevelDraft& level) {
-  const std::string what =
-      fmt::format("{} of {} hulls have more than {} corners; the box around each is taken", boxed,
-                  part.hulls.size(), kMostCorners);
+  const std::string what = fmt::format(
+      "{} of {} hulls have more than {} corners; each of these becomes its bounding box", boxed,
+      part.hulls.size(), kMostCorners);
   part.evidence.push_back({"shape", what, true});
   if (part.solid) level.noteUnmodelled(kKind, tree.path(part.id), what);
 }
@@ -79,13 +79,13 @@ void LevelHulls::give(const Tree& tree, PartDraft& part, LevelDraft& level) {
   part.shape = Shape::block;
   if (known.collision.kind == CollisionKind::Box) return;
   const std::string tooMany =
-      fmt::format("all hulls of the level have more than {} corners", kMaxLevelCorners);
+      fmt::format("the level's hulls have more than {} corners in total", kMaxLevelCorners);
   part.evidence.push_back(
       {"shape", "bounding box: " + (fits ? known.collision.detail : tooMany), true});
   if (part.solid)
     level.noteUnmodelled(
         kKind, tree.path(part.id),
-        (fits ? "no collision hulls that can be read" : tooMany) + "; its bounding box is taken");
+        (fits ? "no readable collision hulls" : tooMany) + "; its bounding box is used");
 }
 
 }  // namespace obby::importer

@@ -16,16 +16,17 @@ namespace {
 
 void warn(const LevelDraft& level, const std::vector<io::RecordBuilder>& queries, bool wanted,
           std::vector<std::string>& warnings) {
-  if (level.parts.empty()) warnings.push_back(level.file + ": no part in the world");
+  if (level.parts.empty()) warnings.push_back(level.file + ": no parts in the world");
   if (level.spawns.empty())
-    warnings.push_back(level.file + ": no start found: no SpawnLocation, no part called Start");
+    warnings.push_back(level.file +
+                       ": no start found: there is no SpawnLocation and no part named Start");
   else if (wanted && queries.empty())
-    warnings.push_back(level.file + ": no goal and no checkpoint found, so no query");
+    warnings.push_back(level.file + ": no goal or checkpoint found, so no query is written");
   std::string kinds;
   for (const auto& [kind, entry] : level.unmodelled)
     kinds += (kinds.empty() ? "" : ", ") + kind + " (" + std::to_string(entry.count) + ")";
   if (!kinds.empty())
-    warnings.push_back(level.file + ": not modelled: " + kinds + "; --explain says more");
+    warnings.push_back(level.file + ": not modelled: " + kinds + "; --explain gives details");
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ bool isPushbox(const Tree& tree, const PartDraft& part) {
 void anchor(const Tree& tree, LevelDraft& level, PartDraft& part, const std::string& why) {
   part.anchored = true;
   part.evidence.push_back({"anchored", why, true});
-  level.noteUnmodelled("loose part", tree.path(part.id), "stands still: " + why);
+  level.noteUnmodelled("unanchored part", tree.path(part.id), "treated as anchored: " + why);
 }
 
 // Sets free what can move on its own; gives how many parts do.
@@ -30,9 +30,9 @@ int loosen(const Tree& tree, const Assemblies& assemblies, LevelDraft& level) {
     }
     if (!isLoose(part)) continue;
     if (assemblies.members(part.id).size() > 1) {
-      anchor(tree, level, part, "joined to other loose parts");
+      anchor(tree, level, part, "joined to other unanchored parts");
     } else if (part.vanish) {
-      anchor(tree, level, part, "only parts that stand still lose their collision");
+      anchor(tree, level, part, "only anchored parts can vanish");
     } else {
       ++count;
     }
@@ -47,7 +47,8 @@ void looseParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& leve
   int left = level::kMaxLoose;
   for (PartDraft& part : level.parts) {
     if (!isLoose(part) || (isPushbox(tree, part) && left-- > 0)) continue;
-    anchor(tree, level, part, fmt::format("more than {} parts are loose", level::kMaxLoose));
+    anchor(tree, level, part,
+           fmt::format("the level has more than {} unanchored parts", level::kMaxLoose));
   }
 }
 

@@ -251,9 +251,9 @@ int giveMotion(RoleContext& context, InstanceId moved, const Motion& ofPivot,
     }
     if (!isBounded(own)) {
       context.level.noteUnmodelled(
-          "motion without bounds", context.tree.path(part->id),
-          "slower than a round in 20 minutes, after a longer wait, back in time, about no axis "
-          "or out of the world; left where the file has it; " +
+          "motion out of range", context.tree.path(part->id),
+          "it takes or waits more than 20 minutes, runs back in time, turns about no axis or "
+          "leaves the world; stays where the file has it; " +
               reason);
       continue;
     }

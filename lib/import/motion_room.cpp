@@ -44,8 +44,8 @@ void take(MotionRoom& room, const Motion& motion) {
 void noteTooMany(RoleContext& context, InstanceId part, const std::string& reason) {
   context.level.noteUnmodelled(
       "motion of too many poses", context.tree.path(part),
-      "all motions of the level have more than " + std::to_string(kMaxLevelKeys) + " poses or " +
-          std::to_string(level::kMaxLevelRows) + " ticks; left where the file has it; " + reason);
+      "the level's motions have more than " + std::to_string(kMaxLevelKeys) + " poses or " +
+          std::to_string(level::kMaxLevelRows) + " ticks; stays where the file has it; " + reason);
 }
 
 void stop(RoleContext& context, PartDraft& part) {
@@ -100,8 +100,8 @@ void settleMotions(RoleContext& context) {
       noteTooMany(context, id, reason);
     else
       context.level.noteIgnored("moving decoration", context.tree.path(id),
-                                "nobody meets it, and there is no room for its motion; left where "
-                                "the file has it; " +
+                                "players never meet it, and the level's motions are at their "
+                                "limit; stays where the file has it; " +
                                     reason);
   }
 }

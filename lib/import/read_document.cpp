@@ -36,7 +36,7 @@ Result<Document> readDocument(std::string_view bytes, const std::string& file) {
                "byte 0",
                {},
                "not a Roblox place or model",
-               "expected the binary or the XML format of .rbxl, .rbxm, .rbxlx or .rbxmx files"};
+               "expected the binary or XML format of a .rbxl, .rbxm, .rbxlx or .rbxmx file"};
 }
 
 }  // namespace obby::importer

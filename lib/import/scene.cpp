@@ -16,8 +16,8 @@ bool isRig(const Tree& tree, InstanceId id) {
 // Why everything below this instance is left out; null: it stays.
 const char* outsideReason(const Tree& tree, InstanceId id) {
   const std::string& className = tree.at(id).className;
-  if (isGearClass(className)) return "tool or clothing";
-  if (className == "ViewportFrame") return "on a screen";
+  if (isGearClass(className)) return "tool or accessory";
+  if (className == "ViewportFrame") return "ViewportFrame";
   if (isRig(tree, id)) return "character with a Humanoid";
   return nullptr;
 }
@@ -56,7 +56,7 @@ std::vector<InstanceId> sceneParts(const Tree& tree, LevelDraft& level) {
     }
     if (!tree.isPart(id)) return true;
     if (tree.at(id).className == "NegateOperation")
-      level.noteIgnored("NegateOperation", tree.path(id), "cuts other parts in Studio only");
+      level.noteIgnored("NegateOperation", tree.path(id), "only cuts other parts in Studio");
     else
       parts.push_back(id);
     return true;

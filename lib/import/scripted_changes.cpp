@@ -18,14 +18,14 @@ struct Loss {
 };
 
 Loss lossOf(const ScriptEvent& event, Onset onset) {
-  if (isSize(event)) return {"size that a script changes", "stays as it is when play starts"};
+  if (isSize(event)) return {"size that a script changes", "stays as it is at the start of play"};
   if (onset == Onset::unsure)
     return {"part that a script may change",
-            "stays as it is when play starts: whether it changes, or how, is not known"};
+            "it is not known whether or how it changes; stays as it is at the start of play"};
   if (onset == Onset::ofAClient)
     return {"part that a LocalScript changes",
-            "stays as it is on the server: the change is for one player"};
-  return {"part that a script changes in play", "stays as it is when play starts"};
+            "the change is only for one player; stays as it is on the server"};
+  return {"part that a script changes in play", "stays as it is at the start of play"};
 }
 
 class ScriptedChanges {

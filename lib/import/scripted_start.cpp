@@ -160,7 +160,7 @@ class StartOfPlay {
     if (other && named_.insert(part.id).second)
       context_.level.noteUnmodelled(
           "part that two scripts move", context_.tree.path(part.id),
-          "one puts it elsewhere, the other moves it from where the file has it; " +
+          "one script places it elsewhere, the other moves it from where the file has it; " +
               now_.reason(context_.tree));
   }
 
@@ -181,8 +181,9 @@ class StartOfPlay {
   bool isSpent() {
     const InstanceId script = now_.reading->script;
     if (steps_ == 0 && named_.insert(script).second)
-      context_.level.noteUnmodelled("very long script", context_.tree.path(script),
-                                    "what it does to parts is followed as far as the budget went");
+      context_.level.noteUnmodelled(
+          "very long script", context_.tree.path(script),
+          "its changes to parts are followed only until the budget ran out");
     return steps_ == 0;
   }
   void spend(size_t steps) { steps_ -= std::min(steps, steps_); }

@@ -56,13 +56,13 @@ void applyScriptedWorld(RoleContext& context) {
         const std::string reason = scriptReason(context.tree, reading, event.line);
         if (event.unsure)
           level.noteUnmodelled(event.property + " that a script may set", reason,
-                               "left as the place has it: the condition is not known");
+                               "the condition is not known; stays as the place has it");
         else if (take(event, level.world, jump))
           level.noteIgnored(event.property + " set by a script", reason,
-                            "taken for the whole level");
+                            "applied to the whole level");
         else
           level.noteUnmodelled(event.property + " that a script computes", reason,
-                               "left as the place has it");
+                               "stays as the place has it");
       }
     }
   level.world.jumpSpeed = jump.speed(level.world.gravity);

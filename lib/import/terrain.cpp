@@ -27,7 +27,7 @@ void noteTerrain(RoleContext& context) {
     if (voxels <= kEmptyTerrain) continue;
     context.level.noteUnmodelled(
         "terrain", context.tree.path(terrain),
-        std::to_string(voxels) + " bytes of voxels that a player could stand on");
+        std::to_string(voxels) + " bytes of voxels that players could stand on are left out");
     return;
   }
 }

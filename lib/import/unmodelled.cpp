@@ -52,8 +52,9 @@ void noteNames(RoleContext& context) {
   for (const PartDraft& part : context.level.parts) {
     const auto* row = hasRole(part) ? nullptr : tellingName(context.tree.at(part.id).name);
     if (row && !kept.count(row->word))
-      context.level.noteUnmodelled(row->kind, context.tree.path(part.id),
-                                   "nothing in the file says what it does; a plain part");
+      context.level.noteUnmodelled(
+          row->kind, context.tree.path(part.id),
+          "nothing in the file says what it does; treated as a plain part");
   }
 }
 
@@ -63,18 +64,18 @@ void noteInstances(RoleContext& context) {
     const Instance& instance = tree.at(part.id);
     if (instance.className == "VehicleSeat")
       context.level.noteUnmodelled("vehicle seat", tree.path(part.id),
-                                   "a plain part: a player is not caught by it");
+                                   "treated as a plain part: players do not sit in it");
     if (!hasRole(part) && !hasEvidence(part, kHarmless))
       for (const std::string& tag : instance.tags)
-        context.level.noteIgnored("tag " + tag, tree.path(part.id), "no role is known for it");
+        context.level.noteIgnored("tag " + tag, tree.path(part.id), "not a tag that gives a role");
     const auto group = get<std::string>(instance, "CollisionGroup");
     if (!group.empty() && group != "Default")
       context.level.noteUnmodelled("collision group " + group, tree.path(part.id),
-                                   "collides with the player by CanCollide alone");
+                                   "only CanCollide decides whether players collide with it");
   }
   for (InstanceId id = 0; id < tree.size(); ++id)
     if (isA(tree.at(id).className, "BackpackItem"))
-      context.level.noteUnmodelled("tool", tree.path(id), "the player has no tools");
+      context.level.noteUnmodelled("tool", tree.path(id), "the simulated player has no tools");
 }
 
 // Kit tags whose meaning the simulator has no room for, lower case.
@@ -87,7 +88,8 @@ void noteTags(RoleContext& context) {
     for (const std::string& tag : context.tree.at(id).tags)
       if (std::find(std::begin(kKitTags), std::end(kKitTags), lower(tag)) != std::end(kKitTags) &&
           context.hasParts(id))
-        context.level.noteUnmodelled("tag " + tag, context.tree.path(id), "a plain part");
+        context.level.noteUnmodelled("tag " + tag, context.tree.path(id),
+                                     "treated as a plain part");
 }
 
 // What a touch does that no role covers: a kind and what is lost.
@@ -99,19 +101,20 @@ struct Effect {
 // Of what a touch or click changes of parts: of the touched one what no role has, and of others.
 std::optional<Effect> changeOf(RoleContext& context, const Timeline& timeline,
                                const ScriptEvent& event) {
-  const Effect button = {"button", "parts that a touch elsewhere changes stay as they are"};
+  const Effect button = {"button", "the parts that touching it changes stay as they are"};
   if (!context.hasParts(event.target)) {
     if (comesBack(event) && !context.tree.partsOf(event.target).empty()) return button;
     return std::nullopt;
   }
-  if (isSize(event)) return Effect{"size that a script changes", "stays as it is when play starts"};
+  if (isSize(event))
+    return Effect{"size that a script changes", "stays as it is at the start of play"};
   if (event.kind == EventKind::tween) return std::nullopt;  // a motion, or only seen
   if (event.property == "Parent" && event.kind == EventKind::set && !event.flag)
-    return Effect{"part that a script may change", "whether it stays in the world is not known"};
+    return Effect{"part that a script may change", "it is not known whether it stays in the world"};
   const PartDraft* part = context.part(event.target);
   const bool drives = event.property == "Velocity" || event.property == "RotVelocity";
   if (drives && part && part->anchored)
-    return Effect{"conveyor that a script changes", "keeps the velocity of the start"};
+    return Effect{"conveyor that a script changes", "keeps its velocity at the start of play"};
   if (event.target == timeline.touched) return std::nullopt;
   if (event.kind == EventKind::destroy || event.property == "CanCollide" ||
       event.property == "CanTouch" || event.property == "Anchored")
@@ -140,21 +143,23 @@ std::optional<Effect> effectOf(RoleContext& context, const Timeline& timeline,
     case EventKind::teleport: {
       const PartDraft* touched = context.part(timeline.touched);
       if (touched && touched->teleport) return std::nullopt;
-      return Effect{"teleporter", "a player who touches it stays there"};
+      return Effect{"teleporter", "players who touch it are not moved"};
     }
-    case EventKind::build: return Effect{"parts that a script builds", "they are not in the file"};
+    case EventKind::build:
+      return Effect{"parts that a script builds",
+                    "they are not in the file, so the level lacks them"};
     case EventKind::push:
       if (!event.vector || isLostPush(context, timeline, *event.vector))
-        return Effect{"push that a script computes", "it does not push"};
+        return Effect{"push that a script computes", "the push is left out"};
       return std::nullopt;
     case EventKind::character:
       if (event.property == "WalkSpeed" || event.property == "JumpPower" ||
           event.property == "JumpHeight" || event.property == "Gravity")
         return Effect{"speed or jump booster", "the player's speed and jump stay as they are"};
       if (event.property == "Health" && !isSettled(context, timeline.touched))
-        return Effect{"harm that a script computes", "none is taken"};
+        return Effect{"damage that a script computes", "players take no damage"};
       if (event.property == "Sit" || event.property == "PlatformStand")
-        return Effect{"trip part", "the player stays on its feet"};
+        return Effect{"trip part", "players stay on their feet"};
       return std::nullopt;
     case EventKind::set:
     case EventKind::tween:
@@ -171,8 +176,8 @@ void noteHarm(RoleContext& context, const ScriptReading& reading, const Timeline
   for (const ScriptEvent& event : timeline.events) {
     if (!event.harms() || event.target != kNoInstance) continue;
     context.level.noteUnmodelled(
-        "harm of a part that is not known", context.tree.path(reading.script),
-        "no part does it; " + scriptReason(context.tree, reading, event.line));
+        "damage by an unknown part", context.tree.path(reading.script),
+        "no part deals it; " + scriptReason(context.tree, reading, event.line));
     return;
   }
 }
@@ -187,9 +192,10 @@ void noteWaits(RoleContext& context, const ScriptReading& reading, const Timelin
     if (!seen.insert(event.target).second) continue;
     for (const PartDraft* part : context.partsOf(event.target))
       if (part->vanish || part->motion)
-        context.level.noteUnmodelled("wait that a script computes", context.tree.path(part->id),
-                                     "taken as the shortest that there is, a tween as a second; " +
-                                         scriptReason(context.tree, reading, event.line));
+        context.level.noteUnmodelled(
+            "wait that a script computes", context.tree.path(part->id),
+            "taken as the shortest possible wait, a tween as one second; " +
+                scriptReason(context.tree, reading, event.line));
   }
 }
 
@@ -210,7 +216,7 @@ void noteJoints(RoleContext& context, const ScriptReading& reading) {
       if (ends.second != kNoInstance && context.part(ends.second))
         context.level.noteUnmodelled(
             "joint that a script turns", context.tree.path(event.target),
-            "what it joins keeps its place; " + scriptReason(context.tree, reading, event.line));
+            "the joined part keeps its place; " + scriptReason(context.tree, reading, event.line));
     }
 }
 
@@ -238,8 +244,8 @@ void noteTimelines(RoleContext& context, const ScriptReading& reading) {
     }
     const PartDraft* touched = context.part(timeline.touched);
     if (timeline.trigger == Trigger::touch && !understood && touched && !hasRole(*touched))
-      context.level.noteUnmodelled("script pattern", context.tree.path(timeline.touched),
-                                   "a touch does something that was not understood; " +
+      context.level.noteUnmodelled("unknown script pattern", context.tree.path(timeline.touched),
+                                   "what a touch does was not understood; " +
                                        scriptReason(context.tree, reading, timeline.line));
   }
 }

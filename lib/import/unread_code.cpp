@@ -17,9 +17,9 @@ void noteModules(RoleContext& context) {
     if (player != kNoInstance && context.tree.isUnder(id, player)) continue;
     for (const char* sign : {".Touched", "TweenService", ".CanCollide", "TakeDamage", ".Health"})
       if (source->find(sign) != std::string::npos) {
-        context.level.noteUnmodelled("module script", context.tree.path(id),
-                                     "what it does to parts is not followed; tags, names and other "
-                                     "scripts decide");
+        context.level.noteUnmodelled(
+            "module script", context.tree.path(id),
+            "its effect on parts is not followed; tags, names and other scripts decide");
         break;
       }
   }
@@ -31,13 +31,13 @@ void noteUnread(RoleContext& context, const ScriptReading& reading) {
   if (reading.broken)
     level.noteUnmodelled("script with unknown syntax", path, "read as far as it was understood");
   if (reading.requiresAsset)
-    level.noteUnmodelled("require of an asset", path, "code that is not in the file");
+    level.noteUnmodelled("require of an asset", path, "its code is not in the file");
   if (reading.dynamicCode)
-    level.noteUnmodelled("code made at run time", path, "loadstring, getfenv or setfenv");
+    level.noteUnmodelled("code loaded at run time", path, "it uses loadstring, getfenv or setfenv");
   if (reading.exhausted || reading.cutAgain)
     level.noteUnmodelled(
         "very long script", path,
-        "read as far as the budget of steps, rounds, nested calls, changes and handlers went");
+        "read only until the budget of steps, rounds, nested calls, changes or handlers ran out");
   if (reading.cutChanges)
     level.noteUnmodelled("script that sets too much", path,
                          "traps of other scripts may wait for it unseen, as only the first " +
@@ -46,7 +46,7 @@ void noteUnread(RoleContext& context, const ScriptReading& reading) {
                              "kills");
   for (const int line : std::set<int>(reading.waysOut.begin(), reading.waysOut.end()))
     level.noteUnmodelled("loop that may end", path,
-                         "goes on for ever, and what follows it is not read; " +
+                         "taken as endless, so the code after it is not read; " +
                              scriptReason(context.tree, reading, line));
 }
 

@@ -45,8 +45,8 @@ void readHealthScript(const Tree& tree, InstanceId player, LevelDraft& level) {
     level.world.healthRegeneration = 0;
     return;
   }
-  level.noteUnmodelled("own Health script", tree.path(script),
-                       "the default regeneration of 1 % of the health a second is assumed");
+  level.noteUnmodelled("custom Health script", tree.path(script),
+                       "health is assumed to regenerate by the default 1 % a second");
 }
 
 void noteCharacter(const Tree& tree, InstanceId player, LevelDraft& level) {
@@ -58,12 +58,12 @@ void noteCharacter(const Tree& tree, InstanceId player, LevelDraft& level) {
                          "turns differently");
   const auto avatar = get<EnumItem>(starter, "GameSettingsAvatar").value;
   if (avatar != kAvatarR6)
-    level.noteIgnored(avatar == kAvatarR15 ? "R15 avatars" : "avatar of the player's choice",
-                      tree.path(player), "simulated as the canonical body with hip height 2");
+    level.noteIgnored(avatar == kAvatarR15 ? "R15 avatars" : "avatar chosen by the player",
+                      tree.path(player), "simulated as the standard body with hip height 2");
   const InstanceId custom = tree.child(player, "StarterCharacter");
   if (custom != kNoInstance)
-    level.noteUnmodelled("own character model", tree.path(custom),
-                         "simulated as the canonical body with hip height 2");
+    level.noteUnmodelled("custom character model", tree.path(custom),
+                         "simulated as the standard body with hip height 2");
 }
 
 }  // namespace

@@ -19,14 +19,14 @@ Error portError(uint16_t port, const char* what) {
                {},
                fmt::format("--port {}", port),
                fmt::format("cannot {}: {}", what, std::strerror(errno)),
-               busy ? "another one may be running; --port names another port" : ""};
+               busy ? "another program may be using it; choose another port with --port" : ""};
 }
 
 }  // namespace
 
 Result<Listener> listenOn(uint16_t port) {
   OwnedFd fd(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-  if (fd.get() < 0) return portError(port, "make a socket");
+  if (fd.get() < 0) return portError(port, "create a socket");
   const int on = 1;  // a port is free again as soon as its server has ended
   setsockopt(fd.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   sockaddr_in address{};

@@ -15,7 +15,7 @@ std::string randomBytes(size_t bytes) {
     const ssize_t n = getrandom(out.data() + done, bytes - done, 0);
     if (n > 0) done += size_t(n);
     // Without randomness there is no secret: nothing that goes on from here would be right.
-    if (n < 0 && errno != EINTR) throw std::runtime_error("the system gives no random numbers");
+    if (n < 0 && errno != EINTR) throw std::runtime_error("the system provides no random numbers");
   }
   return out;
 }

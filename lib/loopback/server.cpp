@@ -109,8 +109,9 @@ kj::Promise<void> Server::handleApplicationError(kj::Exception exception,
   note_(std::string("a request failed: ") + exception.getDescription().cStr());
   KJ_IF_MAYBE (answer, response) {
     const bool slow = exception.getType() == kj::Exception::Type::OVERLOADED;
-    return send(slow ? failure(408, "the request came too slowly", "send it at once")
-                     : failure(500, "the server failed at this request", "its -v says more"),
+    return send(slow ? failure(408, "the request came too slowly", "send it faster")
+                     : failure(500, "the server failed to answer this request",
+                               "start it with -v to see why"),
                 *answer);
   }
   return kj::READY_NOW;

@@ -24,22 +24,19 @@ uint64_t digest(const Words& words) {
 }
 
 Error refused(const std::string& name, const std::string& what) {
-  return Error{name,
-               {},
-               {},
-               "not a checkpoint that this program can go on from: " + what,
-               "learn anew without --resume"};
+  return Error{
+      name, {}, {}, "cannot resume from this checkpoint: " + what, "start again without --resume"};
 }
 
 Status decode(schema::SavedTraining::Reader file, Checkpoint& out) {
   if (file.getVersion() != kVersion)
     return makeError(fmt::format("layout version {}, expected {}", file.getVersion(), kVersion));
   if (file.getObservationVersion() != policy::kObservationVersion) {
-    return makeError(fmt::format("made for observations of version {}, here they are of version {}",
+    return makeError(fmt::format("made for observation version {}, expected {}",
                                  file.getObservationVersion(), policy::kObservationVersion));
   }
   if (file.getStateLayout() != stateLayout())
-    return makeError("made by a version whose worlds are laid out otherwise");
+    return makeError("made by a version with another world layout");
   out.program = file.getProgram();
   for (const auto s : file.getSettings()) out.settings.push_back({s.getName(), s.getValue()});
   out.seconds = file.getSeconds();
@@ -49,14 +46,14 @@ Status decode(schema::SavedTraining::Reader file, Checkpoint& out) {
   state.solved = file.getSolved();
   state.hardest = file.getHardest();
   if (!isShare(state.solved) || !isShare(state.hardest))
-    return makeError("a share or a difficulty that cannot be");
+    return makeError("an impossible share or difficulty");
   OBBY_RETURN_IF_ERROR(readSums(file.getSeen(), state.seen));
   OBBY_RETURN_IF_ERROR(readLearner(file.getLearner(), state.learner));
   for (const auto crowd : file.getCrowds())
     OBBY_RETURN_IF_ERROR(readCrowd(crowd, state.crowds.emplace_back()));
   const auto history = file.getHistory();
   if (history.getEach() == 0 || history.getPoints().size() >= History::kMostPoints)
-    return makeError("a history that cannot be");
+    return makeError("an impossible history");
   out.history = {{}, history.getEach(), history.getIterations(), history.getReward()};
   for (const auto p : history.getPoints())
     out.history.points.push_back({p.getDecisions(), p.getSolved(), p.getHardest(), p.getReward()});
@@ -68,12 +65,12 @@ Status checkHash(Words& words, const capnp::ReaderOptions& options) {
   capnp::FlatArrayMessageReader reader(words, options);
   const auto root = reader.getRoot<capnp::AnyStruct>();
   const auto data = root.getDataSection();
-  if (data.size() < sizeof(uint64_t)) return makeError("it holds nothing");
+  if (data.size() < sizeof(uint64_t)) return makeError("it is empty");
   const size_t at = size_t(data.begin() - words.asBytes().begin());
   uint64_t hash = 0;
   std::memcpy(&hash, words.asBytes().begin() + at, sizeof hash);
   std::memset(words.asBytes().begin() + at, 0, sizeof hash);
-  return digest(words) == hash ? Status() : makeError("its hash is wrong: it is damaged");
+  return digest(words) == hash ? Status() : makeError("its hash does not match: it is damaged");
 }
 
 void writeHistory(const History& history, schema::SavedHistory::Builder to) {
@@ -126,7 +123,7 @@ std::string writeCheckpoint(const Checkpoint& checkpoint) {
 
 Result<Checkpoint> readCheckpoint(std::string_view bytes, const std::string& name) {
   if (bytes.empty() || bytes.size() % sizeof(capnp::word) != 0)
-    return refused(name, "its length is no whole number of words");
+    return refused(name, "its length is not a whole number of words");
   Words words = kj::heapArray<capnp::word>(bytes.size() / sizeof(capnp::word));
   std::memcpy(words.asBytes().begin(), bytes.data(), bytes.size());
   capnp::ReaderOptions options;
@@ -140,7 +137,7 @@ Result<Checkpoint> readCheckpoint(std::string_view bytes, const std::string& nam
     capnp::FlatArrayMessageReader reader(words, options);
     status = decode(reader.getRoot<schema::SavedTraining>(), out);
   });
-  if (failure != nullptr) return refused(name, "it is cut short or damaged");
+  if (failure != nullptr) return refused(name, "it is truncated or damaged");
   if (!status) return refused(name, status.error().message);
   return out;
 }

@@ -34,8 +34,7 @@ bool isSound(const sim::LooseBody& b) {
 Status checkPlace(const PlaceState& s, const TrainingLevel& level, const CrowdSettings& settings) {
   if (s.waits() && s.loose.empty() && s.reached.empty()) return {};
   if (s.levelHash != level.hash())
-    return makeError("one of its levels is not the one that it was",
-                     "give the same levels as then");
+    return makeError("one of its levels has changed", "give the same levels as before");
   const auto& scene = level.scene();
   bool sound = s.players.size() == settings.worlds && s.reached.size() <= kMostReached &&
                s.loose.size() == s.players.size() * level.startLoose().size();
@@ -44,7 +43,7 @@ Status checkPlace(const PlaceState& s, const TrainingLevel& level, const CrowdSe
   for (const Reached& r : s.reached)
     sound = sound && isSound(r.world, scene.level, scene.query) && std::isfinite(r.least);
   for (const sim::LooseBody& b : s.loose) sound = sound && isSound(b);
-  return sound ? Status() : makeError("its worlds are none that its levels could have");
+  return sound ? Status() : makeError("its worlds do not fit its levels");
 }
 
 CrowdState Crowd::state() const {
@@ -60,10 +59,10 @@ CrowdState Crowd::state() const {
 Status Crowd::restore(CrowdState state) {
   if (state.places.size() != places_.size())
     return makeError(
-        fmt::format("{} levels of a crowd, expected {}", state.places.size(), places_.size()));
+        fmt::format("{} levels in an env group, expected {}", state.places.size(), places_.size()));
   for (uint32_t p = 0; p < places_.size(); ++p) {
     static_cast<PlaceState&>(places_[p]) = std::move(state.places[p]);
-    if (places_[p].taken == 0) return makeError("a place that never had a level");
+    if (places_[p].taken == 0) return makeError("a slot that never had a level");
     OBBY_RETURN_IF_ERROR(findLevel(p));
     OBBY_RETURN_IF_ERROR(needLevel(p));
     OBBY_RETURN_IF_ERROR(checkPlace(places_[p], *places_[p].level, settings_));

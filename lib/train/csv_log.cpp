@@ -29,7 +29,8 @@ Result<std::string> keptOf(const std::string& path, uint64_t kept) {
   OBBY_ASSIGN(const std::string text, io::readFile(path));
   const std::string head = header();
   if (!text.empty() && text.compare(0, head.size(), head) != 0) {
-    return Error{path, "1", {}, "not a log of this version's metrics", "give --log another file"};
+    return Error{
+        path, "1", {}, "not a log of this version's metrics", "name another file with --log"};
   }
   std::string out = head;
   for (size_t at = head.size(); at < text.size();) {

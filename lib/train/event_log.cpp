@@ -94,7 +94,7 @@ uint32_t crc32c(std::string_view data) {
 Result<EventLog> EventLog::open(const std::string& folder, uint64_t kept) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
-  if (failed) return Error{folder, {}, {}, "cannot make the folder: " + failed.message(), {}};
+  if (failed) return Error{folder, {}, {}, "cannot create the folder: " + failed.message(), {}};
   OBBY_ASSIGN(io::Appender file, io::Appender::open(folder + "/" + fileName()));
   OBBY_RETURN_IF_ERROR(file.append(event(0, bytes(kFileVersion, "brain.Event:2"))));
   OBBY_RETURN_IF_ERROR(file.append(event(kept + 1, bytes(kSessionLog, number(kStatus, kStart)))));

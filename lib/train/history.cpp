@@ -25,7 +25,7 @@ void History::add(const Iteration& iteration) {
 
 std::string curveSvg(const History& history) {
   io::ChartCurve solved{"playthroughs solved", {}, {}, {}};
-  io::ChartCurve hardest{"difficulty, at most", {}, {}, {}};
+  io::ChartCurve hardest{"max difficulty", {}, {}, {}};
   io::ChartCurve reward{"reward", {}, {}, {}};
   double least = 0, most = 0;
   for (const HistoryPoint& p : history.points) {
@@ -38,10 +38,9 @@ std::string curveSvg(const History& history) {
   }
   const double last = history.points.empty() ? 1 : double(history.points.back().decisions);
   const io::ChartAxis x = io::roundAxis("decisions", 0, last, false);
-  return io::chartSvg({{x,
-                        io::roundAxis("solved, and how hard levels are", 0, 1, true, 100, " %"),
-                        {solved, hardest}},
-                       {x, io::roundAxis("reward a decision", least, most, true), {reward}, 200}});
+  return io::chartSvg(
+      {{x, io::roundAxis("solved; max difficulty", 0, 1, true, 100, " %"), {solved, hardest}},
+       {x, io::roundAxis("reward per decision", least, most, true), {reward}, 200}});
 }
 
 }  // namespace obby::train

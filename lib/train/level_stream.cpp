@@ -53,7 +53,7 @@ Result<std::shared_ptr<const TrainingLevel>> LevelStream::level(uint64_t index,
     }
     const auto found = reader_.turns.find(number);
     if (found == reader_.turns.end())
-      return makeError(fmt::format("level {} of the stream is past", number));
+      return makeError(fmt::format("level {} of the stream has already passed", number));
     item = chosen(found->second, index, hardest);
     reader_.played(number, found->second, *item);
   }
@@ -128,8 +128,8 @@ Status LevelStream::Reader::readTo(uint64_t index) {
   return Error{inputName,
                {},
                {},
-               "no levels with queries to learn from",
-               "pipe obby-gen into obby-train, or let it make levels with --generate"};
+               "no levels with queries to train on",
+               "pipe obby-gen into obby-train, or use --generate"};
 }
 
 Status LevelStream::Reader::readOne() {

@@ -22,7 +22,7 @@ Status PatientLog::finish() {
   write();
   if (held_) return {};
   Error error = held_.error();
-  error.hint = fmt::format("rows that are missing at its end: {}", rows_);
+  error.hint = fmt::format("rows missing at its end: {}", rows_);
   return error;
 }
 

@@ -50,8 +50,8 @@ Status sameSettings(const std::vector<Setting>& then, const std::vector<Setting>
     const std::string before = valueOf(then, name), after = valueOf(now, name);
     if (before == after) return {};
     return makeError(
-        fmt::format("made under another setting: {} was {}, now it is {}", name, before, after),
-        "go on with the options of then, or learn anew without --resume");
+        fmt::format("made with another setting: {} was {}, now it is {}", name, before, after),
+        "use the same options as before, or start again without --resume");
   };
   for (const Setting& s : now) OBBY_RETURN_IF_ERROR(differs(s.name));
   for (const Setting& s : then) OBBY_RETURN_IF_ERROR(differs(s.name));

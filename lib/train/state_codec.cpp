@@ -62,7 +62,8 @@ std::vector<sim::World> worldsOf(const std::vector<T>& rows) {
 template <class T>
 Status rowsOf(capnp::Data::Reader bytes, const char* what, std::vector<T>& rows) {
   if (bytes.size() % sizeof(T) != 0)
-    return makeError(fmt::format("{} bytes of {}, of {} each", bytes.size(), what, sizeof(T)));
+    return makeError(
+        fmt::format("{} bytes of {}, expected a multiple of {}", bytes.size(), what, sizeof(T)));
   rows.resize(bytes.size() / sizeof(T));
   if (!rows.empty()) std::memcpy(rows.data(), bytes.begin(), bytes.size());
   return {};
@@ -100,10 +101,10 @@ void writePlace(const PlaceState& s, schema::SavedPlace::Builder to) {
 
 Status readReached(schema::SavedPlace::Reader from, std::vector<Reached>& out) {
   std::vector<sim::World> worlds;
-  OBBY_RETURN_IF_ERROR(rowsOf(from.getReached(), "worlds to begin from", worlds));
+  OBBY_RETURN_IF_ERROR(rowsOf(from.getReached(), "restart worlds", worlds));
   const auto least = from.getReachedLeast();
   if (least.size() != worlds.size())
-    return makeError("lists of worlds to begin from that differ in length");
+    return makeError("lists of restart worlds that differ in length");
   for (uint32_t i = 0; i < worlds.size(); ++i) out.push_back({worlds[i], least[i]});
   return {};
 }
@@ -113,13 +114,13 @@ Status readPlace(schema::SavedPlace::Reader from, PlaceState& out) {
   out.hardest = from.getHardest();
   out.nextHardest = from.getNextHardest();
   if (!isShare(out.hardest) || !isShare(out.nextHardest))
-    return makeError("a level of a difficulty that cannot be");
+    return makeError("a level of an impossible difficulty");
   out.levelHash = from.getLevelHash();
   out.counts.played = from.getPlayed();
   out.counts.solvedOnce = from.getSolvedOnce();
   std::vector<sim::World> worlds;
   OBBY_RETURN_IF_ERROR(rowsOf(from.getWorlds(), "worlds", worlds));
-  OBBY_RETURN_IF_ERROR(rowsOf(from.getLoose(), "loose bodies", out.loose));
+  OBBY_RETURN_IF_ERROR(rowsOf(from.getLoose(), "dynamic bodies", out.loose));
   OBBY_RETURN_IF_ERROR(readReached(from, out.reached));
   out.counts.reached = uint32_t(out.reached.size());
   const auto least = from.getLeast();
@@ -127,7 +128,7 @@ Status readPlace(schema::SavedPlace::Reader from, PlaceState& out) {
   const auto fromStart = from.getFromStart();
   if (least.size() != worlds.size() || ticks.size() != worlds.size() ||
       fromStart.size() != worlds.size())
-    return makeError("lists of a place's players that differ in length");
+    return makeError("lists of a slot's players that differ in length");
   for (uint32_t i = 0; i < worlds.size(); ++i)
     out.players.push_back({worlds[i], 0, least[i], ticks[i], fromStart[i], worlds[i].jumps});
   return {};
@@ -173,7 +174,7 @@ Status readSums(schema::SavedSums::Reader from, Sums& out) {
       take(from.getSquares(), "sums of squares", out.squares.size(), out.squares.data()));
   out.rows = from.getRows();
   const bool sound = std::isfinite(out.rows) && out.rows >= 0;
-  return sound ? Status() : Status(makeError("sums of a number of rows that cannot be"));
+  return sound ? Status() : Status(makeError("sums of an impossible number of rows"));
 }
 
 void writeLearner(const LearnerState& state, schema::SavedLearner::Builder to) {
@@ -199,7 +200,7 @@ Status readLearner(schema::SavedLearner::Reader from, LearnerState& out) {
   out.values.deviation = from.getValueDeviation();
   if (!std::isfinite(out.values.mean) || !std::isfinite(out.values.deviation) ||
       !(out.values.deviation > 0))
-    return makeError("values of a mean and spread that cannot be");
+    return makeError("values of an impossible mean and spread");
   return readSums(from.getReturns(), out.values.returns);
 }
 

@@ -27,8 +27,9 @@ Result<StreamCopy> copyOfStream(io::SourceOptions options, WaitLimit& waiting, u
     if (isWanted(*record)) OBBY_RETURN_IF_ERROR(writer.write(record->reader()));
     if (copy.records.size() > most) {
       return makeError(
-          fmt::format("more than {} bytes of levels, and several ranks read them all first", most),
-          "give them a stream that ends, or let them make levels with --generate");
+          fmt::format("more than {} bytes of levels, which several ranks must read in full first",
+                      most),
+          "give a stream that ends, or use --generate");
     }
   }
   OBBY_RETURN_IF_ERROR(writer.close());

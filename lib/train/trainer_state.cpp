@@ -24,7 +24,7 @@ Result<std::unique_ptr<Trainer>> Trainer::resume(const TrainerSettings& settings
 Status Trainer::restore(TrainerState state) {
   const size_t each = settings_.crowds, all = each * ranks_.count();
   if (state.crowds.size() != all)
-    return makeError(fmt::format("{} crowds, expected {}", state.crowds.size(), all));
+    return makeError(fmt::format("{} env groups, expected {}", state.crowds.size(), all));
   OBBY_RETURN_IF_ERROR(engine_->restore(
       state.learner, std::span(state.crowds).subspan(ranks_.number() * each, each)));
   iterations_ = state.iterations;
@@ -49,8 +49,9 @@ Result<TrainerState> Trainer::state() const {
 // Files of such a network could be written over good ones, and read by nobody.
 Status Trainer::stillFinite() const {
   if (finite_ && isFinite(seen_)) return {};
-  return makeError("learning diverged: the network is no longer finite",
-                   "learn anew with a lower --rate: what was saved last goes on to the same end");
+  return makeError(
+      "training diverged: the network's weights are no longer finite",
+      "start again with a lower --rate; resuming the last checkpoint would diverge again");
 }
 
 // Ranks of another kind of machine may round otherwise; their networks would part unseen.
@@ -62,8 +63,8 @@ Status Trainer::sameNetwork() const {
   ranks_.exchange(&hash, sizeof hash, all.data());
   for (size_t rank = 1; rank < all.size(); ++rank) {
     if (all[rank] != all[0])
-      return makeError(fmt::format("the network of rank {} is no longer that of rank 0", rank),
-                       "run all ranks on machines of one kind, with the same build");
+      return makeError(fmt::format("the network of rank {} differs from that of rank 0", rank),
+                       "run all ranks with the same build on machines of one kind");
   }
   return {};
 }

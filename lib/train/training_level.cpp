@@ -18,8 +18,8 @@ Result<std::vector<Vec3>> wayOf(schema::Query::Reader query) {
   const auto record = query.getWay();
   if (record.size() == 1 || record.size() > kMostPlaces) {
     return level::pathError(
-        "way", fmt::format("expected 2 to {} places, got {}", kMostPlaces, record.size()),
-        "leave it out where no way through is known");
+        "way", fmt::format("expected 2 to {} places, found {}", kMostPlaces, record.size()),
+        "leave it out if no way through is known");
   }
   std::vector<Vec3> way;
   for (const auto place : record) {
@@ -31,8 +31,9 @@ Result<std::vector<Vec3>> wayOf(schema::Query::Reader query) {
 
 Status checkDifficulty(float said) {
   if (said == -1 || (said >= 0 && said <= 1)) return {};
-  return level::pathError("difficulty", "expected 0, trivial, to 1, a jump at the limit",
-                          "leave it out where it is not known");
+  return level::pathError("difficulty",
+                          "expected a number from 0 (trivial) to 1 (jumps at the limit)",
+                          "leave it out if it is not known");
 }
 
 Guide guideOf(std::vector<Vec3> way, const level::Query& query) {

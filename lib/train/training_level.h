@@ -51,7 +51,7 @@ class TrainingLevel {
 uint32_t mostTicksOf(const TrainingLevel& level, float patience);
 
 // The error of who cannot do without the level that a source did not give.
-inline constexpr const char* kInterrupted = "interrupted while it read levels";
+inline constexpr const char* kInterrupted = "interrupted while reading levels";
 
 // Levels without end. Level `index` must be the same whoever asks, whenever, from whichever thread.
 class LevelSource {

@@ -38,7 +38,7 @@ TEST(Importing, tells_signals_from_exit_codes) {
   EXPECT_NE(killed.body.find("by signal 11"), std::string::npos) << killed.body;
   const Reply failed = refusalOf("cat >/dev/null; exit 11", Limits());
   EXPECT_EQ(failed.status, 422);
-  EXPECT_NE(failed.body.find("ended with 11"), std::string::npos) << failed.body;
+  EXPECT_NE(failed.body.find("ended with exit code 11"), std::string::npos) << failed.body;
 }
 
 }  // namespace

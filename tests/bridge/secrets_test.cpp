@@ -17,7 +17,7 @@ TEST(Pairing, code_is_good_once) {
   Pairing pairing(100);
   EXPECT_EQ(pairing.shown().size(), kCodeLetters + 1);
   EXPECT_TRUE(pairing.answer(pairing.shown(), 101));
-  EXPECT_STREQ(pairing.closed(101), "the code has been used");
+  EXPECT_STREQ(pairing.closed(101), "the code has already been used");
   EXPECT_FALSE(pairing.answer(pairing.shown(), 101));
 }
 
@@ -33,7 +33,7 @@ TEST(Pairing, few_tries_then_even_the_right_code_is_wrong) {
   Pairing pairing(0);
   for (int i = 0; i < Pairing::kTries; i++) EXPECT_FALSE(pairing.answer("0000-0000", 1));
   EXPECT_FALSE(pairing.answer(pairing.shown(), 1));
-  EXPECT_STREQ(pairing.closed(1), "the code was tried too often");
+  EXPECT_STREQ(pairing.closed(1), "too many wrong codes were tried");
 }
 
 TEST(Pairing, code_expires) {

@@ -39,14 +39,28 @@ TEST(Page, ShowsParametersAndTheWorstRecordingFirst) {
   const std::string page = pageOf(fitOf(), {outcome("near", 0.01f), outcome("a <far> one", 2)}, 0.1,
                                   {"in '<far>' they swim"});
   EXPECT_NE(page.find("189.5 to 190.5"), std::string::npos);
-  EXPECT_NE(page.find("not known; to learn of it: walk up ramps"), std::string::npos);
+  EXPECT_NE(page.find("not determined; to measure it: walk up ramps"), std::string::npos);
   EXPECT_NE(page.find("max&lt;Slope&gt;"), std::string::npos);
-  EXPECT_NE(page.find("runs of the rules, with 1 physics steps"), std::string::npos);
+  EXPECT_NE(page.find("ticks, with 1 physics step each"), std::string::npos);
   EXPECT_EQ(page.find("<far>"), std::string::npos) << "names are no markup";
   EXPECT_LT(page.find("a &lt;far&gt; one"), page.find("near: "));
   EXPECT_NE(page.find("above the tolerance of 0.1"), std::string::npos);
-  EXPECT_LT(page.find("Why not nearer"), page.find("they swim"));
+  EXPECT_LT(page.find("Why the fit is not closer"), page.find("they swim"));
   EXPECT_NE(page.find("half a stud off after 0.00 s"), std::string::npos);
+}
+
+// 16 to 16 would be no range.
+TEST(Report, ARangeWhoseEndsPrintAlikeIsOneNumber) {
+  Fit fit = fitOf();
+  const Parameter speed{"walkSpeed", "studs/s", 8, 32, "run straight on"};
+  const Parameter landed{"landedTime", "s", 0.002, 0.2, "hold jump", Parameter::Kind::ticks};
+  fit.parameters = {{speed, 16, 15.999999, 16.000001, true, 15},
+                    {landed, 1 / 60.0, 1 / 60.0, 1 / 60.0, true, 0.05, 1 / 60.0}};
+  const std::string text = textOf(fit, {outcome("near", 0.01f)}, 0.1, {});
+  EXPECT_NE(text.find("   16 studs/s\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("   1 tick\n"), std::string::npos) << text;
+  const std::string page = pageOf(fit, {outcome("near", 0.01f)}, 0.1, {});
+  EXPECT_EQ(page.find("16 to 16"), std::string::npos);
 }
 
 // What takes no tick has no logarithm.

@@ -64,7 +64,8 @@ TEST(Recipe, ErrorsNamePathAndCure) {
       {"[]", "expected an object, found an array of 0"},
       {R"({"style": 1})", "style: unknown key (did you mean styles?)"},
       {R"({"zzz": 1})",
-       "zzz: unknown key (known are styles, difficulty, obstacles, course, turns, limits, excess, "
+       "zzz: unknown key (expected one of styles, difficulty, obstacles, course, turns, limits, "
+       "excess, "
        "parameters, physics)"},
       {R"({"turns": 1, "turns": 0})", "turns: given twice (keep one of the two)"},
       {R"({"turns": "often"})", "turns: expected a number, found text \"often\""},
@@ -77,9 +78,9 @@ TEST(Recipe, ErrorsNamePathAndCure) {
        "difficulty: expected trivial, easy, medium, hard, limit or a number from 0 to 1, found "
        "\"brutal\""},
       {R"({"difficulty": [0.1, 0.2, 0.3]})",
-       "difficulty: expected one value or [least, most], found an array of 3"},
+       "difficulty: expected one value or [min, max], found an array of 3"},
       {R"({"difficulty": ["hard", "easy"]})",
-       "difficulty: expected a range between 0 and 1, found 0.75 to 0.25 (the smaller number comes "
+       "difficulty: expected a range between 0 and 1, found 0.75 to 0.25 (give the smaller number "
        "first)"},
       {R"({"difficulty": ["easy", true]})", "difficulty[1]: expected a number, found true"},
       {R"({"obstacles": 0})", "obstacles: expected a range between 1 and 200, found 0 to 0"},
@@ -92,11 +93,11 @@ TEST(Recipe, ErrorsNamePathAndCure) {
       {R"({"parameters": {"gaps": {"sise": 5}}})",
        "parameters.gaps.sise: gaps has no parameter \"sise\" (did you mean size?)"},
       {R"({"parameters": {"gaps": {"colour": 5}}})",
-       "parameters.gaps.colour: gaps has no parameter \"colour\" (obby-gen --list --style gaps "
-       "names them)"},
+       "parameters.gaps.colour: gaps has no parameter \"colour\" (see obby-gen --list --style "
+       "gaps)"},
       {R"({"parameters": {"course": {"size": 5}}})",
-       "parameters.course.size: course has no parameter \"size\" (obby-gen --list --style course "
-       "names them)"},
+       "parameters.course.size: course has no parameter \"size\" (see obby-gen --list --style "
+       "course)"},
       {R"({"parameters": {"gaps": {"size": [5, 31]}}})",
        "parameters.gaps.size: expected 2 to 30, found 31"},
       {R"({"parameters": {"gaps": {"size": [5]}}})",

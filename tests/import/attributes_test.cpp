@@ -83,7 +83,7 @@ TEST(Attributes, AnUnknownKindKeepsWhatCameBefore) {
   const DecodedAttributes decoded = decodeAttributes(
       counted(3, attributeBytes("first", 0x03, "\x01") + attributeBytes("odd", 0x7f, "???") +
                      attributeBytes("lost", 0x03, "\x01")));
-  EXPECT_THAT(decoded.warning, HasSubstr("'odd' is of unknown kind 0x7f"));
+  EXPECT_THAT(decoded.warning, HasSubstr("'odd' has the unknown type 0x7f"));
   EXPECT_EQ(decoded.values.size(), 1u);
   EXPECT_EQ(decoded.values.count("first"), 1u);
 }
@@ -116,14 +116,15 @@ TEST(Attributes, ThoseBeyondAThousandAreLost) {
   EXPECT_EQ(fits.warning, "");
   EXPECT_EQ(fits.values.size(), 1000u);
   const DecodedAttributes many = decodeAttributes(blob(100000));
-  EXPECT_EQ(many.warning, "more than 1000 attributes; 'a1000' and those after it are lost");
+  EXPECT_EQ(many.warning,
+            "more than 1000 attributes; 'a1000' and the attributes after it are lost");
   EXPECT_EQ(many.values.size(), 1000u);
 }
 
 TEST(Attributes, AWarningShowsTheBeginningOfALongName) {
   const DecodedAttributes decoded =
       decodeAttributes(counted(1, attributeBytes(std::string(1000000, 'n'), 0x7f, "???")));
-  EXPECT_THAT(decoded.warning, HasSubstr("nnn...' is of unknown kind 0x7f"));
+  EXPECT_THAT(decoded.warning, HasSubstr("nnn...' has the unknown type 0x7f"));
   EXPECT_LT(decoded.warning.size(), 200u);
 }
 

@@ -245,7 +245,7 @@ TEST(Carrying, WhatASliderMotorMovesIsHeldWhereItsWayIsNotKnown) {
     }
     EXPECT_EQ(scene.unmodelled("motion of a slider's motor"), 1u) << scripted;
     EXPECT_EQ(scene.unmodelled("constraint PrismaticConstraint"), 0u) << scripted;
-    EXPECT_EQ(scene.unmodelled("loose part"), 0u) << scripted;
+    EXPECT_EQ(scene.unmodelled("unanchored part"), 0u) << scripted;
   }
 }
 

@@ -163,11 +163,11 @@ TEST(DesignerQueries, RegionsOfNoKindAndSecondStartsAreNamed) {
   const importer::Import import = place.imported();
   ASSERT_EQ(import.warnings.size(), 2u);
   EXPECT_EQ(import.warnings[0],
-            "test.rbxl: ServerStorage/ObbyQueries/odd/lava is of kind 'Avoid', which is none of "
-            "goal, start, avoid, visit, waypoint, and is left out");
+            "test.rbxl: ServerStorage/ObbyQueries/odd/lava has the unknown kind 'Avoid' and is "
+            "left out; expected one of goal, start, avoid, visit, waypoint");
   EXPECT_EQ(import.warnings[1],
-            "test.rbxl: ServerStorage/ObbyQueries/odd/there is one more start and is left out: a "
-            "query has one");
+            "test.rbxl: ServerStorage/ObbyQueries/odd/there is an extra start and is left out; a "
+            "query has only one");
   EXPECT_EQ(import.queries[0].reader().getQuery().getStart().getRegion().getName(), "here");
 }
 
@@ -227,7 +227,7 @@ TEST(RecordedMotion, WhatTheSimulatorWouldRefuseIsLeftOut) {
     EXPECT_TRUE(level) << motion << ": " << level.error().text();
     place.level();
     EXPECT_FALSE(place[id].motion);
-    EXPECT_EQ(place.unmodelled("motion without bounds"), 1u);
+    EXPECT_EQ(place.unmodelled("motion out of range"), 1u);
   }
 }
 

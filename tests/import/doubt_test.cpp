@@ -285,7 +285,7 @@ TEST(Doubt, HarmByAPartThatIsNotKnownIsNamed) {
     scene.script(text, scene.scripts);
     scene.level();
     EXPECT_FALSE(scene[part].kill) << text;
-    EXPECT_EQ(scene.unmodelled("harm of a part that is not known"), 1u) << text;
+    EXPECT_EQ(scene.unmodelled("damage by an unknown part"), 1u) << text;
   }
 }
 

@@ -120,8 +120,9 @@ TEST(FormatBinary, BrokenTreesAreErrors) {
   EXPECT_THAT(errorOf(twoParts("", parentChunk({0, 1}, {-1, 9}))), HasSubstr("no instance 9"));
   EXPECT_THAT(errorOf(twoParts("", parentChunk({0, 7}, {-1, 0}))), HasSubstr("no instance 7"));
   EXPECT_THAT(errorOf(twoParts("", parentChunk({0, 0}, {-1, -1}))), HasSubstr("two parents"));
-  EXPECT_THAT(errorOf(twoParts("", parentChunk({0}, {-1}))), HasSubstr("no place in the tree"));
-  EXPECT_THAT(errorOf(twoParts("", "")), HasSubstr("no place in the tree"));
+  EXPECT_THAT(errorOf(twoParts("", parentChunk({0}, {-1}))),
+              HasSubstr("without a place in the tree"));
+  EXPECT_THAT(errorOf(twoParts("", "")), HasSubstr("without a place in the tree"));
 }
 
 TEST(FormatBinary, DuplicateOrNegativeReferentsAreErrors) {
@@ -232,7 +233,8 @@ TEST(FormatBinary, DeepNestingIsAnError) {
 TEST(FormatBinary, OtherVersionsAndSignaturesAreErrors) {
   std::string bytes = twoParts("", goodParents());
   bytes[14] = 1;
-  EXPECT_EQ(errorOf(bytes), "f:byte 14: binary format version 1 is not known (version 0 is read)");
+  EXPECT_EQ(errorOf(bytes),
+            "f:byte 14: binary format version 1 is not supported (only version 0 can be read)");
   bytes[14] = 0;
   bytes[9] = 0;
   EXPECT_THAT(errorOf(bytes), HasSubstr("expected the 32-byte header"));

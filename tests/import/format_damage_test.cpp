@@ -95,8 +95,7 @@ TEST(LongNames, AreCutAtAHundredCharactersWithOneWarning) {
     EXPECT_EQ(std::string(parts[99].getSource().getPath().cStr()),
               "Workspace/" + name.substr(0, 200) + "/P");
     ASSERT_FALSE(made->warnings.empty());
-    EXPECT_EQ(made->warnings.front(),
-              "long: 1 names were cut at 100 characters, as the engine does");
+    EXPECT_EQ(made->warnings.front(), "long: 1 name cut at 100 characters, as the engine does");
     EXPECT_EQ(std::count_if(made->warnings.begin(), made->warnings.end(),
                             [](const auto& w) { return w.find("100 characters") != w.npos; }),
               1);
@@ -142,7 +141,7 @@ TEST(DamagedXml, WrongValuesNameInstancePropertyAndPart) {
     return document ? "accepted" : document.error().text();
   };
   EXPECT_EQ(errorOf("<Vector3 name=\"size\"><X>1</X><Y>oops</Y><Z>2</Z></Vector3>"),
-            "bad.rbxmx:byte 51: Part.size.Y: expected a number, got 'oops'");
+            "bad.rbxmx:byte 51: Part.size.Y: expected a number, found 'oops'");
   EXPECT_THAT(errorOf("<bool name=\"Anchored\">maybe</bool>"), HasSubstr("Part.Anchored"));
   EXPECT_THAT(errorOf("<BinaryString name=\"Tags\">***</BinaryString>"), HasSubstr("base64"));
   EXPECT_THAT(errorOf("<SharedString name=\"PhysicalConfigData\">k</SharedString>"),

@@ -4,7 +4,7 @@
 namespace obby::test {
 namespace {
 
-const char* const kOnce = "handler that works but once";
+const char* const kOnce = "handler that works only once";
 
 const std::string kGoesAndComesBack = "p.CanCollide = false wait(3) p.CanCollide = true ";
 

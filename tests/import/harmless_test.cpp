@@ -64,7 +64,7 @@ TEST(Harmless, HarmThatIsComputedIsNotNamed) {
         "h.Health = h.Health / 2 end)",
         part);
     scene.level();
-    EXPECT_EQ(scene.unmodelled("harm that a script computes"), harmless ? 0u : 1u);
+    EXPECT_EQ(scene.unmodelled("damage that a script computes"), harmless ? 0u : 1u);
   }
 }
 

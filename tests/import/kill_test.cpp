@@ -188,7 +188,7 @@ TEST(Kill, ADotNameMeansTheFirstChildOnly) {
   const auto& level = scene.level();
   EXPECT_TRUE(scene[first].kill);
   EXPECT_FALSE(scene[second].kill);
-  EXPECT_EQ(level.ignored.at("name that suggests kill").count, 1u);
+  EXPECT_EQ(level.ignored.at("name that suggests a kill part").count, 1u);
 }
 
 TEST(Kill, TagsWithAndWithoutNumbers) {

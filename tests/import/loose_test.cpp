@@ -26,7 +26,7 @@ TEST(LooseParts, ThoseThatAreJoinedStandStillAndTheLevelSaysSo) {
   scene.level();
   EXPECT_TRUE(scene[a].anchored);
   EXPECT_TRUE(scene[b].anchored);
-  EXPECT_EQ(scene.unmodelled("loose part"), 2u);
+  EXPECT_EQ(scene.unmodelled("unanchored part"), 2u);
 }
 
 TEST(LooseParts, ThoseThatVanishStandStillAndTheLevelSaysSo) {
@@ -36,10 +36,9 @@ TEST(LooseParts, ThoseThatVanishStandStillAndTheLevelSaysSo) {
   scene.level();
   EXPECT_TRUE(scene[plank].anchored);
   EXPECT_TRUE(scene[plank].vanish);
-  EXPECT_EQ(scene.evidence(plank, "anchored"),
-            "guessed: only parts that stand still lose their collision");
+  EXPECT_EQ(scene.evidence(plank, "anchored"), "guessed: only anchored parts can vanish");
   EXPECT_FALSE(scene[crate].anchored);
-  EXPECT_EQ(scene.unmodelled("loose part"), 1u);
+  EXPECT_EQ(scene.unmodelled("unanchored part"), 1u);
 }
 
 TEST(LooseParts, APushboxIsLooseThoughKitsSaveItAnchored) {
@@ -61,7 +60,7 @@ TEST(LooseParts, WhereThereAreTooManyOnlyPushboxesAreLoose) {
   scene.level();
   for (const InstanceId crate : crates) EXPECT_TRUE(scene[crate].anchored);
   EXPECT_FALSE(scene[box].anchored);
-  EXPECT_EQ(scene.unmodelled("loose part"), 20u);
+  EXPECT_EQ(scene.unmodelled("unanchored part"), 20u);
 }
 
 }  // namespace

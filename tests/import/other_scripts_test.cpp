@@ -7,7 +7,7 @@
 namespace obby::test {
 namespace {
 
-const char* const kMayHarm = "harm that a script may do";
+const char* const kMayHarm = "damage that a script may deal";
 const char* const kTooMuch = "script that sets too much";
 const std::string kLongest(100, 'a');  // that the engine lets the name of an attribute be
 const std::string kPulls = "lever.Touched:Connect(function() p.On.Value = true end)";

@@ -96,8 +96,9 @@ TEST(Parts, AHullOfTooManyCornersIsTheBoxAroundIt) {
   ASSERT_EQ(scene[mesh].hulls[1].size(), 8u);
   EXPECT_EQ(scene[mesh].hulls[1].front(), (Vec3{1, 2, -7}));
   EXPECT_EQ(scene[mesh].hulls[1].back(), (Vec3{1, 2, 3}));
-  EXPECT_EQ(scene.evidence(mesh, "shape"),
-            "guessed: 1 of 2 hulls have more than 255 corners; the box around each is taken");
+  EXPECT_EQ(
+      scene.evidence(mesh, "shape"),
+      "guessed: 1 of 2 hulls have more than 255 corners; each of these becomes its bounding box");
   EXPECT_EQ(scene.unmodelled("shape of a mesh or union"), 1u);
 }
 
@@ -176,7 +177,7 @@ TEST(Parts, NumbersThatAreNotFiniteLeaveThePartOut) {
   const auto bad = scene.part("Bad");
   scene.set(bad, "Size", Vec3{std::numeric_limits<float>::quiet_NaN(), 1, 1});
   EXPECT_EQ(scene.level().parts.size(), 1u);
-  EXPECT_EQ(scene.unmodelled("part without a place"), 1u);
+  EXPECT_EQ(scene.unmodelled("part with an invalid position or size"), 1u);
 }
 
 TEST(Scene, OnlyTheWorldCounts) {
@@ -196,7 +197,7 @@ TEST(Scene, OnlyTheWorldCounts) {
   EXPECT_EQ(level.partsRead, 1u);
   EXPECT_EQ(level.ignored.at("part in ServerStorage").count, 1u);
   EXPECT_EQ(level.ignored.at("part of a character with a Humanoid").count, 1u);
-  EXPECT_EQ(level.ignored.at("part of a tool or clothing").count, 1u);
+  EXPECT_EQ(level.ignored.at("part of a tool or accessory").count, 1u);
   EXPECT_EQ(level.ignored.at("NegateOperation").count, 1u);
 }
 

@@ -84,7 +84,7 @@ TEST(Phase, WhatWaitsForMoreThanTwentyMinutesRests) {
                  part);
     scene.level();
     EXPECT_EQ(scene[part].motion.has_value(), !longer);
-    EXPECT_EQ(scene.unmodelled("motion without bounds"), longer ? 1u : 0u);
+    EXPECT_EQ(scene.unmodelled("motion out of range"), longer ? 1u : 0u);
   }
 }
 
@@ -99,7 +99,7 @@ TEST(Phase, ARoundMayTakeTwentyMinutes) {
                  part);
     scene.level();
     ASSERT_EQ(scene[part].motion.has_value(), !longer) << "there and back";
-    EXPECT_EQ(scene.unmodelled("motion without bounds"), longer ? 1u : 0u);
+    EXPECT_EQ(scene.unmodelled("motion out of range"), longer ? 1u : 0u);
     if (longer) continue;
     EXPECT_FLOAT_EQ(scene[part].motion->keys.back().time, 590);
   }

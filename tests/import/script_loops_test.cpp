@@ -135,7 +135,7 @@ TEST(ScriptLoops, ATouchThatCallsWhatIsNotKnownIsNamed) {
   scene.part("Part");
   scene.script("workspace.Part.Touched:Connect(require(script.Traps).kill)", scene.scripts);
   scene.level();
-  EXPECT_EQ(scene.unmodelled("script pattern"), 1u);
+  EXPECT_EQ(scene.unmodelled("unknown script pattern"), 1u);
 }
 
 TEST(ScriptLoops, VelocitiesThatChangeAreNamed) {

@@ -73,7 +73,7 @@ TEST(ScriptValues, HealingWithinBoundsIsNoHarm) {
   for (const char* way : ways) {
     ScriptedPart scene(touchThat(way));
     EXPECT_FALSE(scene[scene.self].kill) << way;
-    EXPECT_EQ(scene.unmodelled("harm that a script computes"), 0u) << way;
+    EXPECT_EQ(scene.unmodelled("damage that a script computes"), 0u) << way;
   }
 }
 
@@ -84,7 +84,7 @@ TEST(ScriptValues, HarmThatTheTextDoesNotTellIsNamed) {
   for (const char* way : ways) {
     ScriptedPart scene(touchThat(way));
     EXPECT_FALSE(scene[scene.self].kill) << way;
-    EXPECT_EQ(scene.unmodelled("harm that a script computes"), 1u) << way;
+    EXPECT_EQ(scene.unmodelled("damage that a script computes"), 1u) << way;
   }
 }
 

@@ -152,7 +152,7 @@ TEST(ScriptedConstraint, WhatGoesItsOwnWayOnWhatTurnsIsHeld) {
   scene.level();
   EXPECT_FALSE(scene[c.arm].motion);
   EXPECT_TRUE(scene[c.arm].anchored);
-  EXPECT_EQ(scene.unmodelled("motion on a part that moves"), 1u);
+  EXPECT_EQ(scene.unmodelled("motion on a moving part"), 1u);
 }
 
 TEST(ScriptedConstraint, ASliderBeginsWhereScriptsHavePlacedItsBase) {

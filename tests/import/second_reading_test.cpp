@@ -5,7 +5,7 @@
 namespace obby::test {
 namespace {
 
-const char* const kSecondReadingMayHarm = "harm that a script may do";
+const char* const kSecondReadingMayHarm = "damage that a script may deal";
 const std::string kSecondReadingKills = "then\nhit.Parent.Humanoid.Health = 0 end ";
 const std::string kSecondReadingTouch = "p.Touched:Connect(function(hit) ";
 
@@ -244,7 +244,7 @@ TEST(SecondReading, HarmByAPartThatIsNotKnownIsNamed) {
   text += "part.Touched:Connect(function(hit) if on " + kSecondReadingKills + "on = true end) end";
   scene.script(text, scene.scripts);
   scene.level();
-  EXPECT_EQ(scene.unmodelled("harm of a part that is not known"), 1u);
+  EXPECT_EQ(scene.unmodelled("damage by an unknown part"), 1u);
 }
 
 }  // namespace

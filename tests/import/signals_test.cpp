@@ -27,7 +27,7 @@ TEST(Signals, ThatTheTextDoesNotTellAreNamed) {
       "local touched = _G.signal()\n"
       "touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end)");
   EXPECT_FALSE(scene[scene.self].kill);
-  EXPECT_EQ(scene.unmodelled("harm of a part that is not known"), 1u);
+  EXPECT_EQ(scene.unmodelled("damage by an unknown part"), 1u);
 }
 
 // Those that have the tag by then are known.
@@ -45,7 +45,7 @@ TEST(Signals, OfPartsThatGetATagLaterHarmNobodyUnknown) {
         scene.scripts);
     scene.level();
     EXPECT_EQ(scene[part].kill.has_value(), asked);
-    EXPECT_EQ(scene.unmodelled("harm of a part that is not known"), asked ? 0u : 1u);
+    EXPECT_EQ(scene.unmodelled("damage by an unknown part"), asked ? 0u : 1u);
   }
 }
 

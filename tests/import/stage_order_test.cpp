@@ -78,7 +78,7 @@ TEST(Stages, CheckpointsOfOneNumberGoByDistance) {
   EXPECT_EQ(*scene[near].checkpoint, 1);
   EXPECT_EQ(*scene[far].checkpoint, 2);
   EXPECT_EQ(*scene[next].checkpoint, 3);
-  EXPECT_EQ(scene[near].evidence.back().reason, "order by distance: others have its number");
+  EXPECT_EQ(scene[near].evidence.back().reason, "ordered by distance: others have its number");
   EXPECT_FALSE(scene[next].evidence.front().guessed);
 }
 

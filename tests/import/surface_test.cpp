@@ -80,7 +80,7 @@ TEST(Conveyor, SavedVelocityCountsOnAnchoredPartsAlongAnAxis) {
   EXPECT_FALSE(scene[noise].conveyor);
   EXPECT_FALSE(scene[residue].conveyor);
   EXPECT_FALSE(scene[loose].conveyor);
-  EXPECT_EQ(level.ignored.at("saved velocity off every axis").count, 1u);
+  EXPECT_EQ(level.ignored.at("saved velocity along no axis").count, 1u);
 }
 
 TEST(JumpPad, TrampolineThrowsUpward) {

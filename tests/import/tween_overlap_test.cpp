@@ -241,7 +241,7 @@ TEST(TweenOverlap, AnEndlessTweenThatALoopPausesIsNamed) {
       {"local t = tween(swing(2), to(20))\n"
        "while true do t:Play() task.wait(2) t:Pause() task.wait(1) end"});
   EXPECT_FALSE(stops.scene[stops.part].motion);
-  EXPECT_EQ(stops.scene.unmodelled("tweens that go on at once"), 1u);
+  EXPECT_EQ(stops.scene.unmodelled("overlapping tweens"), 1u);
 }
 
 TEST(TweenOverlap, WhatIsTooLongIsNotCalledMixedUp) {
@@ -249,7 +249,7 @@ TEST(TweenOverlap, WhatIsTooLongIsNotCalledMixedUp) {
       {"tween(TweenInfo.new(500), to(40)):Play()\n"
        "tween(even(2), {Orientation = Vector3.new(0, 90, 0)}):Play()"});
   EXPECT_FALSE(longest.scene[longest.part].motion);
-  EXPECT_EQ(longest.scene.unmodelled("tweens that go on at once"), 0u);
+  EXPECT_EQ(longest.scene.unmodelled("overlapping tweens"), 0u);
   EXPECT_EQ(longest.scene.unmodelled("motion of too many poses"), 1u);
 }
 
@@ -272,7 +272,7 @@ TEST(TweenOverlap, WhatMakesNoSingleMotionIsNamed) {
   for (const char* text : texts) {
     const Overlap both({text});
     EXPECT_FALSE(both.scene[both.part].motion) << text;
-    EXPECT_EQ(both.scene.unmodelled("tweens that go on at once"), 1u) << text;
+    EXPECT_EQ(both.scene.unmodelled("overlapping tweens"), 1u) << text;
   }
 }
 

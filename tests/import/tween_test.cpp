@@ -185,7 +185,7 @@ TEST(Tween, OfManyRoundsTheFirstOnesAreDone) {
     const Tweened tweened("0.5, " + kLinear + (many ? ", 101" : ", 100"), goal);
     EXPECT_EQ(tweened.motion().repeat, importer::Repeat::once);
     EXPECT_NEAR(tweened.motion().keys.back().time, 50.5, 1e-3);
-    EXPECT_EQ(tweened.scene.unmodelled("tween of many rounds"), many ? 1u : 0u);
+    EXPECT_EQ(tweened.scene.unmodelled("tween with many repeats"), many ? 1u : 0u);
   }
 }
 

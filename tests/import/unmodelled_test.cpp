@@ -83,7 +83,7 @@ TEST(Unmodelled, TouchesThatWereNotUnderstood) {
   const auto part = scene.part("Mystery");
   scene.script("script.Parent.Touched:Connect(function(hit) _G.doSomething(hit) end)", part);
   scene.level();
-  EXPECT_EQ(scene.unmodelled("script pattern"), 1u);
+  EXPECT_EQ(scene.unmodelled("unknown script pattern"), 1u);
 }
 
 TEST(Unmodelled, SpeedPadsSeatsToolsTerrainGroups) {
@@ -119,7 +119,7 @@ TEST(Unmodelled, StagesBuiltAtRunTimeAndForeignCode) {
   scene.level();
   EXPECT_EQ(scene.unmodelled("parts that a script builds"), 1u);
   EXPECT_EQ(scene.unmodelled("require of an asset"), 1u);
-  EXPECT_EQ(scene.unmodelled("code made at run time"), 1u);
+  EXPECT_EQ(scene.unmodelled("code loaded at run time"), 1u);
 }
 
 TEST(Unmodelled, ModulesKitTagsAndTellingNames) {
@@ -150,7 +150,7 @@ TEST(Unmodelled, HarmByExplosions) {
                      text + " end)",
                  mine);
     scene.level();
-    EXPECT_EQ(scene.unmodelled("harm that a script computes"), count) << text;
+    EXPECT_EQ(scene.unmodelled("damage that a script computes"), count) << text;
   }
 }
 
@@ -165,7 +165,7 @@ TEST(Unmodelled, HarmToWhoEntersTheZoneOfAModule) {
                      ":Connect(function(player) player.Character.Humanoid.Health = 0 end)",
                  scene.scripts);
     scene.level();
-    EXPECT_EQ(scene.unmodelled("harm of a part that is not known"), count) << signal;
+    EXPECT_EQ(scene.unmodelled("damage by an unknown part"), count) << signal;
   }
 }
 

@@ -7,7 +7,7 @@
 namespace obby::test {
 namespace {
 
-const char* const kEnabled = "script that another one enables";
+const char* const kEnabled = "script that another script enables";
 const char* const kByTouch = "motion that a touch or click starts";
 const std::string kSwings =
     "local info = TweenInfo.new(2, Enum.EasingStyle.Linear, Enum.EasingDirection.In, -1, true)\n"
@@ -41,7 +41,7 @@ TEST(WokenRoles, HarmByNoPartIsNamed) {
       Sleeping scene(head + hurts + (frame ? ")" : ""));
       scene.run(way);
       scene.level();
-      EXPECT_EQ(scene.unmodelled("harm of a part that is not known"), 1u) << head << way;
+      EXPECT_EQ(scene.unmodelled("damage by an unknown part"), 1u) << head << way;
     }
 }
 

@@ -7,7 +7,7 @@
 
 namespace obby::test {
 
-inline constexpr const char* kMayHarm = "harm that a script may do";
+inline constexpr const char* kMayHarm = "damage that a script may deal";
 inline const std::string kKills =
     "script.Parent.Touched:Connect(function(hit)\nhit.Parent.Humanoid.Health = 0 end)";
 inline const std::string kOn = "trap.Kill.Disabled = false ";

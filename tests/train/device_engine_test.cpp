@@ -341,7 +341,7 @@ TEST(DeviceEngine, RefusesToSeeInAnotherWay) {
   const auto trainer = machine.make(gaps, settings);
   ASSERT_FALSE(trainer);
   EXPECT_EQ(trainer.error().message,
-            "kernels see as policy::observe() does, settings name another way");
+            "the GPU supports only the standard observation, and the settings name another");
 }
 
 // Levels of which one is bad.

@@ -93,8 +93,8 @@ TEST(Guide, KnowsTheWaypointsOfItsQuery) {
 
 TEST(Guide, AWayHasSomePlacesAllOfThemInTheWorld) {
   const std::pair<std::vector<Vec3>, const char*> bad[] = {
-      {{{0, 0, 0}}, "way: expected 2 to 4096 places, got 1"},
-      {std::vector<Vec3>(4097), "way: expected 2 to 4096 places, got 4097"},
+      {{{0, 0, 0}}, "way: expected 2 to 4096 places, found 1"},
+      {std::vector<Vec3>(4097), "way: expected 2 to 4096 places, found 4097"},
       {{{0, 0, 0}, {0, NAN, 0}}, "way[1]: expected three numbers"},
       {{{0, 0, 0}, {0, 0, 0}, {2e6f, 0, 0}}, "way[2]: expected three numbers"}};
   for (const auto& [way, says] : bad) {

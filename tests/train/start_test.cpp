@@ -217,7 +217,7 @@ TEST(Start, IsRefusedWithNormalisersThatNoLearningComesTo) {
   EXPECT_EQ(error(1), "");
   for (const float scale : {0.0f, -1.0f, 51.0f}) {
     EXPECT_EQ(error(scale),
-              "its normalisers are none that learning could go on from (name a policy that "
+              "its normalisers are not valid for further training (name a policy that "
               "obby-train wrote)")
         << scale;
   }

@@ -202,8 +202,8 @@ TEST(Trainer, GoesNoFurtherOnceItHasDiverged) {
   };
   // A checkpoint goes on under the rate of then only, and to the same bits: no way out.
   const std::string diverged =
-      "learning diverged: the network is no longer finite (learn anew with a lower --rate: what "
-      "was saved last goes on to the same end)";
+      "training diverged: the network's weights are no longer finite (start again "
+      "with a lower --rate; resuming the last checkpoint would diverge again)";
   EXPECT_EQ(error([](TrainerState&) {}), "");
   EXPECT_EQ(error([](TrainerState& s) { s.learner.weights.w[1](3, 4) = NAN; }), diverged);
   EXPECT_EQ(error([](TrainerState& s) { s.learner.squares.b[0](5) = INFINITY; }), diverged);

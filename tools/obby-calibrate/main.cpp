@@ -118,8 +118,9 @@ std::vector<calibrate::Take> playable(cli::Context& context,
     if (level) {
       out.push_back(take);
     } else {
-      context.warn(fmt::format("'{}' is not measured on: level '{}' cannot be played so: {}",
-                               take.track.name, take.track.level, level.error().text()));
+      context.warn(
+          fmt::format("'{}' is left out: level '{}' cannot be played with these parameters: {}",
+                      take.track.name, take.track.level, level.error().text()));
     }
   }
   return out;

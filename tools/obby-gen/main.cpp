@@ -34,7 +34,7 @@ Status nameFits(const cli::Arguments& a) {
                  {},
                  "--output",
                  fmt::format("place files are written as {}, not as {}", kPlaceEnding, ending),
-                 "name it so, or say what it is by --format"};
+                 "name the file so, or give --format"};
   }
   return {};
 }
@@ -55,7 +55,8 @@ Result<std::vector<gen::Generator>> generatorsOf(const cli::Arguments& a,
                                                  const gen::Recipe& recipe) {
   const bool twins = a.flag("twins"), unsolvable = a.flag("unsolvable");
   if (twins && unsolvable) {
-    return Error{{}, {}, "--twins", "does not go with --unsolvable", "leave out one of the two"};
+    return Error{
+        {}, {}, "--twins", "cannot be combined with --unsolvable", "leave out one of the two"};
   }
   std::vector<gen::Generator> out;
   for (const bool lacking : {false, true}) {
@@ -67,10 +68,9 @@ Result<std::vector<gen::Generator>> generatorsOf(const cli::Arguments& a,
 }
 
 Status noneKept(const tools::CheckOptions& check) {
-  return makeError(fmt::format("--check keeps none of {} levels in a row", tools::kMostRefused),
-                   check.unsolvable
-                       ? "of another style or with more excess in its recipe more can be proved"
-                       : "give it more --check-steps, another style or another difficulty");
+  return makeError(fmt::format("--check rejected {} levels in a row", tools::kMostRefused),
+                   check.unsolvable ? "try another style, or more excess in the recipe"
+                                    : "raise --check-steps, or try another style or difficulty");
 }
 
 // What of the levels --check left out, and why.
@@ -124,7 +124,7 @@ Status writeStream(cli::Context& context, std::span<const gen::Generator> genera
 Status writePlace(cli::Context& context, std::span<const gen::Generator> generators,
                   const tools::EmitOptions& options, ThreadPool& pool) {
   if (options.count == 0) {
-    return Error{{}, {}, "--count", "a place file needs an end", "give a number above 0"};
+    return Error{{}, {}, "--count", "a place file cannot be endless", "give a number above 0"};
   }
   OBBY_ASSIGN(io::Sink sink, context.openSink());  // first: what cannot be written is said at once
   gen::PlaceFile place(generators.front());
@@ -154,11 +154,11 @@ Status optionsFit(const cli::Arguments& a) {
     return cli::refuseTyped(a,
                             {"format", "count", "first", "unsolvable", "twins", "seed",
                              "difficulty", "check", "check-steps"},
-                            "no levels are made with --list", "leave out one of the two");
+                            "has no effect with --list", "leave out one of the two");
   }
   if (a.flag("check")) return {};
-  return cli::refuseTyped(a, {"check-steps"}, "nothing is checked without --check",
-                          "give --check, too, or leave it out");
+  return cli::refuseTyped(a, {"check-steps"}, "has no effect without --check",
+                          "add --check, or leave it out");
 }
 
 Result<cli::ExitCode> run(cli::Context& context) {

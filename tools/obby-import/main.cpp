@@ -13,8 +13,8 @@ using namespace obby;
 
 // What says which records to write, or how, says nothing of a table.
 Status refuseOptionsOfRecords(const cli::Arguments& a) {
-  return cli::refuseTyped(a, {"format", "no-queries"}, "does not go with --explain",
-                          "which writes a table, no records");
+  return cli::refuseTyped(a, {"format", "no-queries"}, "cannot be combined with --explain",
+                          "leave it out: --explain writes a table instead of records");
 }
 
 // Writes the tables of all inputs up to one that ends the run; its error is in the result. Under

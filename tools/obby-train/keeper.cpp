@@ -88,8 +88,8 @@ Status Keeper::lockFiles(std::span<const cli::WrittenFile> written) {
     return Error{"--" + file.option,
                  {},
                  {},
-                 fmt::format("another obby-train writes {}", file.path),
-                 "end it, or name another file"};
+                 fmt::format("another obby-train is writing {}", file.path),
+                 "stop it, or name another file"};
   }
   return {};
 }
@@ -115,15 +115,16 @@ Result<std::string> Keeper::findBytes() const {
   const std::string& resume = context_.arguments().text("resume");
   if (resume == "no") return std::string();
   if (checkpointPath_.empty())
-    return makeError("--resume: there is no checkpoint to go on from",
-                     "name it by --checkpoint, or write the policy to a file");
+    return makeError("--resume: there is no checkpoint to resume from",
+                     "name one with --checkpoint, or write the policy to a file");
   // One that cannot be looked at may be there: what is wrong is said, and it is not written over.
   std::error_code unread;
   const auto kind = std::filesystem::status(checkpointPath_, unread).type();
   const bool none = kind == std::filesystem::file_type::not_found;
   if (resume == "auto" && none) return std::string();
   auto bytes = io::readFile(checkpointPath_, &context_.stop(), mostBytesOf(checkpointPath_));
-  if (!bytes && none) bytes.error().hint = "--resume=auto begins anew where there is no checkpoint";
+  if (!bytes && none)
+    bytes.error().hint = "use --resume=auto to start fresh if there is no checkpoint";
   // A file that holds nothing is no beginning either.
   if (bytes && bytes->empty()) return train::readCheckpoint(*bytes, checkpointPath_).error();
   return bytes;

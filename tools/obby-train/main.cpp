@@ -103,8 +103,7 @@ void showPlayed(cli::Context& context, uint32_t levels, const train::EvaluationS
 }
 
 Status evaluate(cli::Context& context, train::Ranks& ranks) {
-  if (ranks.count() > 1)
-    return makeError("--eval is done by one process", "start it without mpirun");
+  if (ranks.count() > 1) return makeError("--eval runs in one process", "start it without mpirun");
   const cli::Arguments& a = context.arguments();
   const cli::WrittenFile metrics[] = {{"", "-"}};
   OBBY_RETURN_IF_ERROR(cli::refuseOverwriting(a, metrics));
@@ -138,8 +137,8 @@ Status readersKnown(Status done, const cli::Context& context) {
   return Error{done.error().input,
                {},
                {},
-               "nobody reads it, and --time-limit is over: the last of it is missing",
-               "see what keeps the reader, or write to a file"};
+               "its reader stopped and --time-limit is over: the last records are missing",
+               "check what delays the reader, or write to a file"};
 }
 
 // An error that all ranks know of is told by the first.

@@ -53,7 +53,7 @@ Status sameOnAll(const std::vector<std::string>& said, train::Ranks& ranks) {
 }
 
 Status sameOptions(const cli::Arguments& a, train::Ranks& ranks) {
-  std::vector<std::string> said = {"to learn or to evaluate",
+  std::vector<std::string> said = {"to train or to evaluate",
                                    fmt::format("as version {}", io::toolVersion())};
   for (const auto& [name, value] : a.values)
     if (!isOwn(name)) said.push_back(saidOf(name, value));

@@ -74,7 +74,7 @@ Status Session::run() {
 Status Session::saveMeanwhile() {
   Status saved = save();
   if (saved) {
-    if (failing_ && ranks_.first()) context_.note("what is learned is saved again");
+    if (failing_ && ranks_.first()) context_.note("saving works again");
     saved_ = true;
     failing_ = false;
     return saved;
@@ -84,7 +84,7 @@ Status Session::saveMeanwhile() {
   ranks_.add(gone);
   if (!saved_ || gone[0] > 0) return saved;
   if (ranks_.first() && !failing_)
-    context_.warn(saved.error().text() + "; learning goes on, and the next save tries again");
+    context_.warn(saved.error().text() + "; training continues, and the next save tries again");
   failing_ = true;
   return {};
 }
@@ -120,8 +120,8 @@ Status Session::note() {
 void Session::showHeldLogs() {
   const Status held = logs_.held();
   if (!held && !logsHeld_)
-    context_.warn(held.error().text() + "; learning goes on, and rows wait until there is room");
-  if (held && logsHeld_) context_.note("the logs are whole again");
+    context_.warn(held.error().text() + "; training continues, and rows wait until there is space");
+  if (held && logsHeld_) context_.note("the logs are complete again");
   logsHeld_ = !held;
 }
 

@@ -44,8 +44,8 @@ Result<Levels> streamedLevels(cli::Context& context, train::Ranks& ranks, bool a
 }
 
 Error lateStream() {
-  return makeError("too few levels came from the stream within --time-limit: nothing was learned",
-                   "see what keeps the stream, or give it more time");
+  return makeError("too few levels arrived within --time-limit: nothing was trained",
+                   "check what delays the stream, or raise --time-limit");
 }
 
 }  // namespace obby::tools

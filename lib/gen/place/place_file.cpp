@@ -126,8 +126,8 @@ void PlaceFile::writePart(const PartSketch& part, const std::vector<PartSketch>&
 }
 
 Error PlaceFile::full(const std::string& within) const {
-  return makeError(fmt::format("a place has room for {} of these levels, {}", added_, within),
-                   "give it fewer by --count, and make others by --first in another file");
+  return makeError(fmt::format("a place file holds only {} of these levels {}", added_, within),
+                   "lower --count, and write the rest to another file with --first");
 }
 
 Status PlaceFile::add(const Generated& level) {

@@ -6,10 +6,10 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"open", "seconds", 12, 3, 2, 60, "that the door stays open"},
+    {"open", "seconds", 12, 3, 2, 60, "how long the door stays open"},
     {"aside", "studs", 3, 8, 0, 8, "of the door button, to either side"},
-    {"there", "seconds", 12, 5, 2, 60, "that the bridge stays"},
-    {"beyond", "studs", 6, 10, 6, 30, "that the bridge is longer than a jump"},
+    {"there", "seconds", 12, 5, 2, 60, "how long the bridge stays"},
+    {"beyond", "studs", 6, 10, 6, 30, "how much longer than a jump the bridge is"},
     {"width", "studs", 6, 2, 1, 12, "of the bridge"},
     {"bankAside", "studs", 0, 4, 0, 4, "of the bridge button, to either side"},
 };
@@ -74,7 +74,7 @@ void build(Sketch& s) {
 
 constinit const Style kButtonStyle{
     .name = "button",
-    .description = "buttons that open a door or make a bridge for a while",
+    .description = "buttons that open a door or bring a bridge for a while",
     .build = build,
     .parameters = kParameters};
 

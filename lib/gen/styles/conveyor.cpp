@@ -10,8 +10,8 @@ constexpr Parameter kParameters[] = {
     {"length", "studs", 10, 20, 4, 60, "of a belt"},
     {"width", "studs", 10, 5, 2, 30, "of a belt"},
     {"against", "", 0.25f, 0.75f, 0, 0.75f,
-     "speed of belts against the way, as a share of the walking speed"},
-    {"along", "", 0.25f, 0.5f, 0, 1, "of belts along and across the way"},
+     "speed of belts against the player, as a share of walking speed"},
+    {"along", "", 0.25f, 0.5f, 0, 1, "of belts along and across"},
     {"floor", "studs", 9, 6, 2, 30, "width of the floor behind a belt"},
 };
 const auto& [kBelts, kLength, kWidth, kAgainst, kAlong, kFloor] = kParameters;

@@ -7,9 +7,9 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"plank", "studs", 12, 9, 6, 30, "length of a plank; more where a jump would do"},
+    {"plank", "studs", 12, 9, 6, 30, "length of a plank; longer if a jump would cross it"},
     {"width", "studs", 6, 3.5f, 2, 8, "of a plank"},
-    {"short", "studs", 0, 4, 0, 20, "that the dead end ends sooner"},
+    {"short", "studs", 0, 4, 0, 20, "how much shorter the dead end is"},
     {"road", "studs", 6, 3, 2, 8, "width of the dead end"},
 };
 const auto& [kPlank, kWidth, kShort, kRoad] = kParameters;
@@ -53,7 +53,7 @@ void build(Sketch& s) {
 }  // namespace
 
 constinit const Style kDecoyStyle{.name = "decoy",
-                                  .description = "a road to nowhere, and the way round",
+                                  .description = "a dead end, and the way around it",
                                   .build = build,
                                   .parameters = kParameters,
                                   .single = true,

@@ -8,8 +8,8 @@ namespace {
 constexpr Parameter kParameters[] = {
     {"lifts", "", 1, 2, 1, 6, "one behind the other"},
     {"size", "studs", 8, 4.5f, 3, 20, "of a lift"},
-    {"speed", "studs/s", 4, 8, 2, 30, "on average"},
-    {"height", "studs", 2, 10, 2, 40, "of the ledge, beyond the highest jump"},
+    {"speed", "studs/s", 4, 8, 2, 30, "average"},
+    {"height", "studs", 2, 10, 2, 40, "of the ledge, above the highest jump"},
     {"edge", "studs", 1, 3, 0, 5, "from the lift to the ledge"},
     {"width", "studs", 10, 6, 2, 30, "of the ledge"},
 };
@@ -41,9 +41,10 @@ void build(Sketch& s) {
 
 }  // namespace
 
-constinit const Style kElevatorStyle{.name = "elevator",
-                                     .description = "platforms that rise to a ledge beyond a jump",
-                                     .build = build,
-                                     .parameters = kParameters};
+constinit const Style kElevatorStyle{
+    .name = "elevator",
+    .description = "platforms that rise to a ledge too high to jump to",
+    .build = build,
+    .parameters = kParameters};
 
 }  // namespace obby::gen

@@ -9,7 +9,7 @@ constexpr Parameter kParameters[] = {
     {"stones", "", 2, 4, 1, 12, "in a row"},
     {"up", "studs", 0, 2, 0, 4, "from stone to stone, or down"},
     {"size", "studs", 7, 4, 2, 30, "of a stone"},
-    {"aside", "studs", 0, 1.5f, 0, 3, "of the way, to either side"},
+    {"aside", "studs", 0, 1.5f, 0, 3, "offset to either side"},
 };
 const auto& [kStones, kUp, kSize, kAside] = kParameters;
 
@@ -25,7 +25,7 @@ void build(Sketch& s) {
 }  // namespace
 
 constinit const Style kGapsStyle{.name = "gaps",
-                                 .description = "stones with air between them",
+                                 .description = "stones with gaps between them",
                                  .build = build,
                                  .parameters = kParameters};
 

@@ -27,7 +27,7 @@ void build(Sketch& s) {
 }  // namespace
 
 constinit const Style kKillWallStyle{.name = "kill-wall",
-                                     .description = "low walls of lava to jump",
+                                     .description = "low lava walls to jump over",
                                      .build = build,
                                      .parameters = kParameters};
 

@@ -9,7 +9,7 @@ constexpr Parameter kParameters[] = {
     {"length", "studs", 16, 34, 8, 100, "of the log"},
     {"diameter", "studs", 8, 5, 3, 20, "of the log"},
     {"spikes", "", 2, 8, 1, 12, "along the log"},
-    {"speed", "rad/s", 0.5f, 2, 0.5f, 6, "of the spikes, either way round"},
+    {"speed", "rad/s", 0.5f, 2, 0.5f, 6, "of the spikes, in either direction"},
     {"height", "studs", 2, 4, 1, 6, "of a spike"},
 };
 const auto& [kLength, kDiameter, kSpikes, kSpeed, kHeight] = kParameters;
@@ -42,7 +42,7 @@ void build(Sketch& s) {
 }  // namespace
 
 constinit const Style kLogRollStyle{.name = "log-roll",
-                                    .description = "along a log round which spikes turn",
+                                    .description = "a log with spikes that turn around it",
                                     .build = build,
                                     .parameters = kParameters};
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"width", "studs", 16, 22, 12, 40, "of the yard"},
-    {"over", "studs", 1.25f, 2, 1.25f, 3, "of the wall, beyond the highest jump"},
+    {"over", "studs", 1.25f, 2, 1.25f, 3, "of the wall, above the highest jump"},
     {"away", "studs", 3, 7, 3, 15, "of the block from the wall, beyond a jump"},
 };
 const auto& [kWidth, kOver, kAway] = kParameters;
@@ -40,10 +40,11 @@ void build(Sketch& s) {
 
 }  // namespace
 
-constinit const Style kPushBlockStyle{.name = "push-block",
-                                      .description = "a block to push to a wall that is too high",
-                                      .build = build,
-                                      .parameters = kParameters,
-                                      .single = true};
+constinit const Style kPushBlockStyle{
+    .name = "push-block",
+    .description = "a block to push to a wall too high to jump over",
+    .build = build,
+    .parameters = kParameters,
+    .single = true};
 
 }  // namespace obby::gen

@@ -9,7 +9,7 @@ constexpr Parameter kParameters[] = {
     {"discs", "", 1, 2, 1, 6, "one behind the other"},
     {"diameter", "studs", 18, 14, 8, 40, "of a disc"},
     {"height", "studs", 0.75f, 2, 0.25f, 4, "of a bar"},
-    {"speed", "rad/s", 0.75f, 2.75f, 0.5f, 6, "of a bar, either way round"},
+    {"speed", "rad/s", 0.75f, 2.75f, 0.5f, 6, "of a bar, in either direction"},
 };
 const auto& [kDiscs, kDiameter, kHeight, kSpeed] = kParameters;
 
@@ -41,7 +41,7 @@ void build(Sketch& s) {
 }  // namespace
 
 constinit const Style kSpinnerStyle{.name = "spinner",
-                                    .description = "deadly bars that turn over a disc",
+                                    .description = "deadly bars that sweep over a disc",
                                     .build = build,
                                     .parameters = kParameters};
 

@@ -49,7 +49,7 @@ void build(Sketch& s) {
 }  // namespace
 
 constinit const Style kSpiralStyle{.name = "spiral",
-                                   .description = "ledges that wind up a core",
+                                   .description = "ledges that wind up around a core",
                                    .build = build,
                                    .parameters = kParameters,
                                    .wide = true};

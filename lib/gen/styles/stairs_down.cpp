@@ -23,7 +23,7 @@ void build(Sketch& s) {
 }  // namespace
 
 constinit const Style kStairsDownStyle{.name = "stairs-down",
-                                       .description = "drops onto ever smaller steps",
+                                       .description = "drops onto smaller and smaller steps",
                                        .build = build,
                                        .parameters = kParameters};
 

@@ -9,7 +9,7 @@ constexpr Parameter kParameters[] = {
     {"towers", "", 1, 2, 1, 6, "one behind the other"},
     {"width", "studs", 10, 6, 4, 30, "of a tower"},
     {"foot", "studs", 9, 6, 4, 30, "length of the floor before it"},
-    {"height", "studs", 4, 24, 4, 80, "of a tower, beyond the highest jump; in twos"},
+    {"height", "studs", 4, 24, 4, 80, "of a tower, above the highest jump; even numbers"},
 };
 const auto& [kTowers, kWidth, kFoot, kHeight] = kParameters;
 
@@ -37,7 +37,7 @@ void build(Sketch& s) {
 }  // namespace
 
 constinit const Style kTrussStyle{.name = "truss",
-                                  .description = "towers to climb by a truss",
+                                  .description = "towers to climb on a truss",
                                   .build = build,
                                   .parameters = kParameters};
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"segments", "", 2, 4, 1, 12, "straight stretches"},
-    {"width", "studs", 8, 2.5f, 1, 12, "of the way"},
+    {"width", "studs", 8, 2.5f, 1, 12, "of the walkway"},
     {"length", "studs", 12, 26, 8, 60, "of a stretch"},
 };
 const auto& [kSegments, kWidth, kLength] = kParameters;
@@ -29,9 +29,10 @@ void build(Sketch& s) {
 
 }  // namespace
 
-constinit const Style kWalkwayStyle{.name = "walkway",
-                                    .description = "long walkways with turns, narrower the harder",
-                                    .build = build,
-                                    .parameters = kParameters};
+constinit const Style kWalkwayStyle{
+    .name = "walkway",
+    .description = "long walkways with turns, narrower at higher difficulty",
+    .build = build,
+    .parameters = kParameters};
 
 }  // namespace obby::gen

@@ -9,8 +9,8 @@ constexpr Parameter kParameters[] = {
     {"stones", "", 3, 6, 1, 12, "in a row"},
     {"size", "studs", 6, 3, 2, 20, "of a stone"},
     {"up", "studs", 0, 4, 0, 6, "from stone to stone"},
-    {"down", "studs", 0, 3, 0, 12, "likewise"},
-    {"slant", "", 0.25f, 0.85f, 0, 0.85f, "of a jump, at most: how far aside by how far"},
+    {"down", "studs", 0, 3, 0, 12, "from stone to stone"},
+    {"slant", "", 0.25f, 0.85f, 0, 0.85f, "max share of a jump that goes sideways"},
 };
 const auto& [kStones, kSize, kUp, kDown, kSlant] = kParameters;
 
@@ -33,7 +33,7 @@ void build(Sketch& s) {
 }  // namespace
 
 constinit const Style kZigzagStyle{.name = "zigzag",
-                                   .description = "stones to this side and that, up and down",
+                                   .description = "stones to either side, up and down",
                                    .build = build,
                                    .parameters = kParameters};
 

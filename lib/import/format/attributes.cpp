@@ -111,8 +111,8 @@ std::string quoted(const std::string& key) {
 std::string unknownKind(const std::string& key, uint8_t id) {
   char hex[8];
   std::snprintf(hex, sizeof hex, "0x%02x", id);
-  return "attribute " + quoted(key) + " is of unknown kind " + hex +
-         "; it and those after it are lost";
+  return "attribute " + quoted(key) + " has the unknown type " + hex +
+         "; it and the attributes after it are lost";
 }
 
 }  // namespace
@@ -135,7 +135,7 @@ DecodedAttributes decodeAttributes(std::string_view blob) {
     if (!reader.ok()) break;
     if (out.values.size() >= kMaxAttributes && !out.values.contains(key)) {
       out.warning = "more than " + std::to_string(kMaxAttributes) + " attributes; " + quoted(key) +
-                    " and those after it are lost";
+                    " and the attributes after it are lost";
       return out;
     }
     out.values[std::move(key)] = std::move(value);

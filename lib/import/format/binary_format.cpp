@@ -10,6 +10,7 @@
 #include "import/format/chunk.h"
 #include "import/format/columns.h"
 #include "import/format/document_builder.h"
+#include "import/plural.h"
 
 namespace obby::importer {
 namespace {
@@ -34,8 +35,8 @@ class BinaryReader {
     OBBY_RETURN_IF_ERROR(readAll(chunks, "PROP", &BinaryReader::readProperty));
     OBBY_RETURN_IF_ERROR(readAll(chunks, "PRNT", &BinaryReader::readParents));
     if (placedCount_ < builder_.size()) {
-      return chunkError(chunks.back(), std::to_string(builder_.size() - placedCount_) +
-                                           " instances have no place in the tree (PRNT)");
+      return chunkError(chunks.back(), plural(builder_.size() - placedCount_, "instance") +
+                                           " without a place in the tree (PRNT)");
     }
     const Chunk* tree = nullptr;
     for (const Chunk& chunk : chunks) {
@@ -191,8 +192,8 @@ Result<Document> readBinary(std::string_view bytes, const std::string& file) {
     return fail(Error{{},
                       "byte 14",
                       {},
-                      "binary format version " + std::to_string(version) + " is not known",
-                      "version 0 is read"});
+                      "binary format version " + std::to_string(version) + " is not supported",
+                      "only version 0 can be read"});
   }
   Result<Document> document = BinaryReader(bytes).read(file);
   if (!document) return fail(std::move(document).error());

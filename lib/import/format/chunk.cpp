@@ -46,7 +46,7 @@ Result<Chunk> readHeader(std::string_view file, size_t offset) {
   if (!reader.ok()) return chunkError(chunk, "the file ends before its END chunk");
   for (const char c : name.substr(0, name.find('\0'))) {
     if (c < ' ' || c > '~')
-      return chunkError(chunk, "expected a chunk's name of printable letters");
+      return chunkError(chunk, "expected a chunk name of printable characters");
     chunk.name += c;
   }
   chunk.body = reader.bytes(chunk.compressed ? packed : raw);

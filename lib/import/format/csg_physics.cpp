@@ -41,7 +41,8 @@ Result<std::vector<Vec3>> readHull(ByteReader& reader) {
   const uint32_t indices = reader.u32();
   if (!reader.has(indices, 4)) return damaged(reader, "expected the triangles of a hull");
   for (uint32_t i = 0; i < indices; ++i) {
-    if (reader.u32() >= corners.size()) return damaged(reader, "a triangle has no such corner");
+    if (reader.u32() >= corners.size())
+      return damaged(reader, "a triangle refers to a missing corner");
   }
   return corners;
 }

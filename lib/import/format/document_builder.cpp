@@ -8,6 +8,7 @@
 #include "import/format/attributes.h"
 #include "import/format/class_defaults.h"
 #include "import/format/studio_place.h"
+#include "import/plural.h"
 
 namespace obby::importer {
 namespace {
@@ -209,8 +210,8 @@ Result<Document> DocumentBuilder::finish(std::string file, bool binary) {
     stack.insert(stack.end(), old[id].children.rbegin(), old[id].children.rend());
   }
   if (order.size() < old.size()) {
-    return makeError(std::to_string(old.size() - order.size()) +
-                     " instances are not below any root: they are their own ancestors");
+    return makeError(plural(old.size() - order.size(), "instance") +
+                     " below no root, as their own ancestors");
   }
   OBBY_RETURN_IF_ERROR(checkDepth(order));
 
@@ -239,11 +240,11 @@ Result<Document> DocumentBuilder::finish(std::string file, bool binary) {
   document_.file = std::move(file);
   document_.format = std::string(place ? "rbxl" : "rbxm") + (binary ? "" : "x");
   if (cutNames_ > 0) {
-    document_.warnings.push_back(std::to_string(cutNames_) + " names were cut at " +
-                                 std::to_string(kMaxName) + " characters, as the engine does");
+    document_.warnings.push_back(plural(cutNames_, "name") + " cut at " + std::to_string(kMaxName) +
+                                 " characters, as the engine does");
   }
   if (droppedWarnings_ > 0) {
-    document_.warnings.push_back("and " + std::to_string(droppedWarnings_) + " more warnings");
+    document_.warnings.push_back("and " + plural(droppedWarnings_, "more warning"));
   }
   return std::move(document_);
 }

@@ -10,6 +10,7 @@
 #include "import/format/document_builder.h"
 #include "import/format/xml_filter.h"
 #include "import/format/xml_values.h"
+#include "import/plural.h"
 #include "io/text.h"
 
 namespace obby::importer {
@@ -24,8 +25,7 @@ class XmlReader {
   Result<Document> read(const std::string& file) {
     FilteredXml filtered = filterXml(source_);
     if (filtered.replaced > 0) {
-      builder_.warn(std::to_string(filtered.replaced) +
-                    " character references that XML forbids were replaced");
+      builder_.warn(plural(filtered.replaced, "forbidden XML character reference") + " replaced");
     }
     pugi::xml_document xml;
     const pugi::xml_parse_result parsed = xml.load_buffer_inplace(

@@ -21,7 +21,7 @@ Error expected(std::string_view what, std::string_view got, std::string path = {
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   }
   return Error{
-      {}, {}, std::move(path), "expected " + std::string(what) + ", got '" + shown + "'", {}};
+      {}, {}, std::move(path), "expected " + std::string(what) + ", found '" + shown + "'", {}};
 }
 
 std::string_view viewOf(Element element) { return element.child_value(); }

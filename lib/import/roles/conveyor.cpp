@@ -59,12 +59,12 @@ struct Lost {
 // `upward`: as far as the text tells, it throws.
 Lost lostOf(const PartDraft& part, bool upward) {
   if (part.conveyor || part.jumpPad)
-    return {"conveyor that a script changes", "keeps the velocity that is known; "};
+    return {"conveyor that a script changes", "keeps its known velocity; "};
   if (upward)
     return {"jump pad that a script computes",
-            "throws nobody, but by the tag JumpPad with a Power; "};
+            "throws no one, unless the tag JumpPad and a Power say so; "};
   return {"conveyor that a script computes",
-          "carries nobody, but by the tag Conveyor with a Speed; "};
+          "carries no one, unless the tag Conveyor and a Speed say so; "};
 }
 
 void noteUntold(RoleContext& context, const PartDraft& part, const ScriptEvent& event,
@@ -154,8 +154,8 @@ void conveyorFromVelocity(RoleContext& context) {
     if (length(velocity) < kLeastSpeed && length(angular) < kLeastSpeed) continue;
     if (part.conveyor || part.jumpPad) continue;
     if (length(velocity) >= kLeastSpeed && !isAligned(part, velocity)) {
-      context.level.noteIgnored("saved velocity off every axis", context.tree.path(part.id),
-                                "taken as the residue of physics, not as a conveyor");
+      context.level.noteIgnored("saved velocity along no axis", context.tree.path(part.id),
+                                "taken as left over from physics, not as a conveyor");
       continue;
     }
     if (isUpward(velocity))

@@ -21,10 +21,10 @@ std::string unknownWay(RoleContext& context, const ConstraintSettings& settings,
                        const Drive& drive) {
   const InstanceId motor = drive.constraint;
   if (const auto change = settings.changeByItself(motor, kMotorProperties))
-    return "a script sets what drives it (" + *change + ")";
+    return "a script changes what drives it (" + *change + ")";
   if (settings.number(motor, "Velocity") == 0) return "";
-  if (!settings.hasLimits(motor)) return "no limit ends its way";
-  return baseMoves(context, drive) ? "what it slides on moves, too" : "";
+  if (!settings.hasLimits(motor)) return "no limit stops it";
+  return baseMoves(context, drive) ? "the part it slides on moves too" : "";
 }
 
 bool toItsLimit(RoleContext& context, const ConstraintSettings& settings, const Drive& drive,
@@ -35,7 +35,7 @@ bool toItsLimit(RoleContext& context, const ConstraintSettings& settings, const 
   const Track track = trackOf(context.tree, drive);
   if (velocity == 0 || !(std::abs(limit - track.now) >= kArrived)) return false;
   return giveDriven(context, drive, slideTo(track, limit, std::abs(velocity), spin),
-                    "motor to its limit", false);
+                    "motor drives it to its limit", false);
 }
 
 // The way of what hangs on `base`: from where scripts have placed that, or along with it. Nothing
@@ -114,9 +114,10 @@ bool giveDriven(RoleContext& context, const Drive& drive, Motion motion, const s
   auto way = carried(context.part(drive.base), own, std::move(motion));
   if (way)
     return giveDriven(context, drive.moving, std::move(*way), drive.constraint, what, guessed);
-  if (!hold(context, drive.moving, "it goes its own way on a part that moves")) return false;
-  context.level.noteUnmodelled("motion on a part that moves", context.tree.path(drive.constraint),
-                               "both go their own ways; what it moves stays where the file has it");
+  if (!hold(context, drive.moving, "it moves on a moving part")) return false;
+  context.level.noteUnmodelled(
+      "motion on a moving part", context.tree.path(drive.constraint),
+      "both move on their own; the part it drives stays where the file has it");
   return true;
 }
 
@@ -133,13 +134,15 @@ bool hold(RoleContext& context, InstanceId part, const std::string& why) {
 
 bool leaveDriven(RoleContext& context, const char* kind, InstanceId part, InstanceId constraint,
                  const std::string& why) {
-  if (!hold(context, part, "where its motor drives it is not known")) return false;
+  if (!hold(context, part, "it is not known where its motor drives it")) return false;
   context.level.noteUnmodelled(kind, context.tree.path(constraint),
-                               "what it moves stays where the file has it; " + why);
+                               "the part it drives stays where the file has it; " + why);
   return true;
 }
 
-std::string setBy(const std::string& script) { return "a script sets what drives it; " + script; }
+std::string setBy(const std::string& script) {
+  return "a script changes what drives it; " + script;
+}
 
 Track trackOf(const Tree& tree, const Drive& drive) {
   Track track;
@@ -182,7 +185,7 @@ bool fromSliderMotor(RoleContext& context, const ConstraintSettings& settings, c
   if (!standStill(context, drive, spin)) return false;
   if (!unknown.empty())
     context.level.noteUnmodelled("motion of a slider's motor", context.tree.path(motor),
-                                 unknown + "; what it moves stays where the file has it");
+                                 unknown + "; the part it drives stays where the file has it");
   return true;
 }
 

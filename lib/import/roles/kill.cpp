@@ -179,8 +179,8 @@ void killFromNames(RoleContext& context) {
     }
     if (word.empty() || isFriend(from)) continue;
     if (from != instance.name && scripted.count(instance.parent)) {
-      context.level.noteIgnored("name that suggests kill", context.tree.path(part.id),
-                                "a script kills through a sibling, not through this part");
+      context.level.noteIgnored("name that suggests a kill part", context.tree.path(part.id),
+                                "a script makes a sibling kill, not this part");
       continue;
     }
     const bool damages = !firstWordIn(from, kDamageWords).empty();

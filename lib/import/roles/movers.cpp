@@ -111,13 +111,13 @@ bool fromPusher(RoleContext& context, const ConstraintSettings& settings, const 
   if (const auto steps = stepsOf(context, id, {name})) {
     auto motion = toAndFro(own, *steps, *axes);
     if (!motion)
-      return leaveDriven(context, kKind, part, id, "its rounds do not end where they began");
+      return leaveDriven(context, kKind, part, id, "a round does not end where it began");
     if (!staysIn(*motion, own.position))
-      return giveDriven(context, part, std::move(*motion), id, "to and fro by a script", true);
+      return giveDriven(context, part, std::move(*motion), id, "reversed by a script", true);
   } else if (const auto change = settings.changeByItself(id, kPushProperties)) {
     return leaveDriven(context, kKind, part, id, setBy(*change));
   } else if (!(length(mul(settings.vector(id, name), *axes)) < 1e-3f)) {
-    return leaveDriven(context, kKind, part, id, "nothing ends its way");
+    return leaveDriven(context, kKind, part, id, "nothing stops it");
   }
   return hold(context, part, "a mover holds it in place");
 }
@@ -246,7 +246,7 @@ bool fromFollower(RoleContext& context, const ConstraintSettings& settings, Inst
   const Pose own = attachmentFrame(context.tree, context.tree.at(id), "Attachment0", drive->moving);
   constexpr float kNear = 1;  // studs
   if (way.spin || turns || !(length(own.position - drive->frame.position) <= kNear)) return false;
-  return giveDriven(context, *drive, Motion{}, "follows what moves", true);
+  return giveDriven(context, *drive, Motion{}, "follows a moving part", true);
 }
 
 }  // namespace
@@ -285,7 +285,7 @@ void noteTurning(RoleContext& context, const ConstraintSettings& settings, Insta
   const bool moves = stepsOf(context, id, {name}) || length(settings.vector(id, name)) >= 1e-3f;
   if (moves && (!force || length(*force) > 0))
     context.level.noteUnmodelled("part that two movers move", context.tree.path(part),
-                                 "it turns in its place; " + context.tree.path(id));
+                                 "it only turns in place; " + context.tree.path(id));
 }
 
 bool isPusher(const std::string& className) {

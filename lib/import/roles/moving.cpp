@@ -246,7 +246,7 @@ void takeMoved(ScriptMotions& motions, const Timeline& timeline, InstanceId id, 
     return event->tween.repeats > kMostTweenRepeats;
   });
   if (cut)
-    motions.leave(id, "tween of many rounds",
+    motions.leave(id, "tween with many repeats",
                   "ends after " + std::to_string(kMostTweenRepeats + 1) + " rounds; " + reason);
   ScriptMotion found = described(moved);
   found.id = id;
@@ -262,7 +262,7 @@ void takeAll(const Tree& tree, ScriptMotions& motions, const ScriptReading& read
     const auto& events = moved.tweens.empty() ? moved.sets : moved.tweens;
     const std::string reason = scriptReason(tree, reading, events.empty() ? 0 : events[0]->line);
     if (moved.unknown)
-      motions.leave(id, "motion that a script computes", "left where the file has it; " + reason);
+      motions.leave(id, "motion that a script computes", "stays where the file has it; " + reason);
     else
       takeMoved(motions, timeline, id, moved, reason);
   }
@@ -275,7 +275,7 @@ void noteTriggered(RoleContext& context, const ScriptReading& reading, const Tim
     const int line = events.empty() ? 0 : events.front()->line;
     context.level.noteUnmodelled(
         "motion that a touch or click starts", context.tree.path(id),
-        "left where the file has it; " + scriptReason(context.tree, reading, line));
+        "stays where the file has it; " + scriptReason(context.tree, reading, line));
   }
 }
 

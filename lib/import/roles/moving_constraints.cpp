@@ -55,7 +55,7 @@ bool fromHinge(RoleContext& context, const ConstraintSettings& settings, Instanc
   Motion motion;
   motion.spin = spinOf(context, settings, *drive);
   if (motion.spin && settings.hasAngularLimits(id))
-    return leaveDriven(context, kHingeMotor, drive->moving, id, "limits end its turn");
+    return leaveDriven(context, kHingeMotor, drive->moving, id, "limits stop its turn");
   return motion.spin && giveDriven(context, *drive, std::move(motion), "motor", false);
 }
 
@@ -97,7 +97,7 @@ bool fromSlider(RoleContext& context, const ConstraintSettings& settings, Instan
                           : actuator == kServo && fromServo(context, settings, *drive, spin);
   if (slides && change)
     context.level.noteUnmodelled(kHingeMotor, context.tree.path(id),
-                                 "a script sets what turns it; it slides only; " + *change);
+                                 "a script changes what turns it, so it only slides; " + *change);
   return slides;
 }
 
@@ -131,11 +131,11 @@ void noteOthers(RoleContext& context, const ConstraintSettings& settings, Instan
     if (end == kNoInstance || !context.part(end)) continue;
     if (trigger)
       context.level.noteUnmodelled("motion that a touch or click starts", context.tree.path(id),
-                                   "moves, or rests, as when play starts; " + *trigger);
+                                   "moves or rests as at the start of play; " + *trigger);
     if (client)
       context.level.noteUnmodelled(
           "part that a LocalScript changes", context.tree.path(id),
-          "moves, or rests, as on the server: the change is for one player; " + *client);
+          "the change is only for one player; moves or rests as on the server; " + *client);
     return;
   }
 }
@@ -192,7 +192,7 @@ void movingFromConstraints(RoleContext& context) {
     const std::string& className = context.tree.at(id).className;
     context.level.noteUnmodelled("constraint " + className, context.tree.path(id),
                                  isHolder(className) ? "the part stays where the file has it"
-                                                     : "what it holds or drives is a loose body");
+                                                     : "the part it holds or drives moves freely");
     if (isHolder(className)) held.insert(moved);
   }
   for (InstanceId id : held) hold(context, id, "a mover holds it in place");

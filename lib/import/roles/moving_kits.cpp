@@ -80,7 +80,7 @@ void give(RoleContext& context, const WayPoints& way, double speed, double delay
     PartDraft* part = context.part(point);
     if (!part || part->motion) continue;
     part->solid = part->touch = false;
-    part->evidence.push_back({"marker", "way point of " + context.tree.path(way.platform), false});
+    part->evidence.push_back({"marker", "waypoint of " + context.tree.path(way.platform), false});
   }
 }
 
@@ -92,8 +92,8 @@ void movingFromTags(RoleContext& context) {
     const WayPoints way = wayPointsOf(tree, id);
     const auto speed = tree.number(id, "speed");
     if (way.points.size() < 2) {
-      context.level.noteUnmodelled("moving platform without way points", tree.path(id),
-                                   "tag " + tag + "; left where the file has it");
+      context.level.noteUnmodelled("moving platform without waypoints", tree.path(id),
+                                   "tag " + tag + "; stays where the file has it");
       return;
     }
     give(context, way, std::max(speed.value_or(kTemplateSpeed), 0.1),
@@ -124,7 +124,7 @@ void movingFromMarkers(RoleContext& context) {
     const WayPoints way = wayPointsOf(tree, model);
     if (touchStarts && way.points.size() >= 2)
       context.level.noteUnmodelled("motion that a touch or click starts", tree.path(model),
-                                   "taken as moving all the time");
+                                   "treated as always moving");
     give(context, way, 0, std::clamp(delay.value_or(old ? kKitDelay : kKit6Delay), 0.1, 60.0),
          "marker Positions", true);
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "import/motion.h"
+#include "import/plural.h"
 #include "io/json_codec.h"
 #include "level/record_values.h"
 
@@ -51,10 +52,11 @@ void give(RoleContext& context, PartDraft& part, const std::string& text) {
     return;
   }
   const auto record = read->reader().getLevel().getParts()[0].getMotion();
-  giveMotion(context, part.id, motionOf(record),
-             fmt::format("attribute {}: {} poses{} recorded in the game", kAttribute,
-                         record.getKeys().size(), record.hasSpin() ? " and a spin" : ""),
-             false);
+  giveMotion(
+      context, part.id, motionOf(record),
+      fmt::format("attribute {}: {}{} recorded in the game", kAttribute,
+                  plural(record.getKeys().size(), "pose"), record.hasSpin() ? " and a spin" : ""),
+      false);
 }
 
 }  // namespace

@@ -64,8 +64,9 @@ void addSteps(RoleContext& context, ScriptMotions& motions) {
         found.places = found.turns = false;
         takeEvents(found, steps);
         if (places.shared.count(id) > 0)
-          motions.leave(id, "part that two scripts move",
-                        "where another thread of the script puts it is left out; " + found.reason);
+          motions.leave(
+              id, "part that two scripts move",
+              "another thread of the script also places it, which is ignored; " + found.reason);
         motions.add(std::move(found));
       }
   }

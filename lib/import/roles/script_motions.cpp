@@ -56,7 +56,7 @@ void ScriptMotions::add(ScriptMotion found) {
   if (!isNew) {
     const bool waits = known->second >= given_;
     if (!waits || !combine(waiting_[known->second - given_], found))
-      leave(found.id, kTwo, "the first motion counts; " + found.reason);
+      leave(found.id, kTwo, "only the first motion counts; " + found.reason);
     return;
   }
   keys_ += found.motion.keys.size();
@@ -70,12 +70,11 @@ void ScriptMotions::leave(InstanceId id, const char* kind, const std::string& wh
 
 void ScriptMotions::leaveMixed(InstanceId id, bool tooLong, const std::string& reason) {
   if (!tooLong)
-    return leave(id, "tweens that go on at once",
-                 "they make no single motion; left where the file has it; " + reason);
+    return leave(id, "overlapping tweens",
+                 "they do not combine into one motion; stays where the file has it; " + reason);
   leave(id, "motion of too many poses",
-        "its tweens that go on at once or are stopped would need more than " +
-            std::to_string(kMostMixedKeys) +
-            " poses; linear, fewer or shorter ones need less; left where the file has it; " +
+        "its overlapping or stopped tweens need more than " + std::to_string(kMostMixedKeys) +
+            " poses (linear, fewer or shorter tweens need less); stays where the file has it; " +
             reason);
 }
 
@@ -83,7 +82,7 @@ void ScriptMotions::give() {
   for (const ScriptMotion& found : waiting_) {
     const bool moved = isMovedByAScript(context_.part(found.id));
     giveMotion(context_, found.id, found.motion, found.reason, found.guessed);
-    if (moved) leave(found.id, kTwo, "it goes with its model; " + found.reason);
+    if (moved) leave(found.id, kTwo, "it moves with its model; " + found.reason);
     for (InstanceId marker : found.markers) hideMarker(context_, marker, found.id);
   }
   given_ += waiting_.size();

@@ -52,8 +52,9 @@ class DeviceEngine : public Engine {
 
 Status DeviceEngine::make() {
   if (settings_.crowd.observe != CrowdSettings().observe)
-    return makeError("kernels see as policy::observe() does, settings name another way",
-                     "learn on the CPU");
+    return makeError(
+        "the GPU supports only the standard observation, and the settings name another",
+        "train on the CPU");
   OBBY_RETURN_IF_ERROR(learner_.make());
   OBBY_RETURN_IF_ERROR(means_.make(device_, policy::kInputs));
   OBBY_RETURN_IF_ERROR(scales_.make(device_, policy::kInputs));

@@ -170,7 +170,7 @@ Status DevicePlaces::restore(std::span<CrowdState> crowds) {
   std::vector<PlaceState*> states;
   for (CrowdState& crowd : crowds) {
     if (crowd.places.size() != settings_.crowd.levels)
-      return makeError(fmt::format("{} levels of a crowd, expected {}", crowd.places.size(),
+      return makeError(fmt::format("{} levels in an env group, expected {}", crowd.places.size(),
                                    settings_.crowd.levels));
     for (PlaceState& place : crowd.places) states.push_back(&place);
   }
@@ -179,7 +179,7 @@ Status DevicePlaces::restore(std::span<CrowdState> crowds) {
   const std::vector<size_t> all = allPlaces();
   for (const size_t p : all) {
     const PlaceState& s = *states[p];
-    if (s.taken == 0) return makeError("a place that never had a level");
+    if (s.taken == 0) return makeError("a slot that never had a level");
     places_[p] = {s.taken, 0, s.hardest, 0, nullptr, false};
   }
   dropPastLevels();

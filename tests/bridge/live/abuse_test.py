@@ -356,7 +356,7 @@ class AbuseTest(unittest.TestCase):
         bridge = self.bridge(preexec_fn=small_files)
         refused = bridge.place(level_bytes("demo.rbxlx"), "application/octet-stream")
         self.assertEqual(refused.status, 507, refused.body)
-        self.assertIn("room", refused.json()["cure"])
+        self.assertIn("free disk space", refused.json()["cure"])
         self.assertEqual(os.listdir(os.path.join(bridge.state, "levels")), [])
         # A small level fits. Its answer does not: it comes, but is not kept for a warm start.
         level = bridge.place_level(LEVEL)

@@ -98,7 +98,8 @@ Result<std::unique_ptr<JoinedRanks>> joinRanks(int* argc, char*** argv) {
   int level = 0;
   // Only the thread that joined ever calls MPI.
   MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &level);
-  if (level < MPI_THREAD_FUNNELED) return makeError("this MPI bears no threads beside its own");
+  if (level < MPI_THREAD_FUNNELED)
+    return makeError("this MPI does not allow threads other than its own");
   return std::unique_ptr<JoinedRanks>(std::make_unique<Joined>());
 }
 

@@ -26,7 +26,7 @@ class NcclRanks : public train::DeviceRanks {
   Status join(train::Ranks& ranks) {
     ncclUniqueId id{};
     OBBY_RETURN_IF_ERROR(
-        ranks.agree(ranks.first() ? check(ncclGetUniqueId(&id), "cannot begin") : Status()));
+        ranks.agree(ranks.first() ? check(ncclGetUniqueId(&id), "cannot start") : Status()));
     const std::string bytes = ranks.share(std::string(id.internal, sizeof id.internal));
     std::memcpy(id.internal, bytes.data(), sizeof id.internal);
     return ranks.agree(

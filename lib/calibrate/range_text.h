@@ -1,0 +1,15 @@
+// How a report writes a range.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace obby::calibrate {
+
+// Of ends as they print: where both print alike, one number.
+inline std::string rangeText(const std::string& low, const std::string& high) {
+  return low == high ? low : fmt::format("{} to {}", low, high);
+}
+
+}  // namespace obby::calibrate
