@@ -81,9 +81,9 @@ struct Region {
   rotation @2 :Quat;
   size @3 :Vec3 = (x = 4, y = 4, z = 4);  # full extents, each > 0
   # Of a query: a part in place of the box. By name, path or its end, GUID, #tag or part:INDEX, as
-  # on the command line; in lists a #tag stands for all parts that have it, which makes at most
-  # 100,000 places in all lists. The tools fill in the box, which is the room around the part, and
-  # partIndex.
+  # on the command line; in lists a #tag stands for all parts that have it, and in avoid a name for
+  # all parts that it fits, which makes at most 100,000 places in all lists. The tools fill in the
+  # box, which is the room around the part, and partIndex.
   part @4 :Text;
   touch @5 :Bool;            # only touching the part itself counts
   partIndex @6 :Int32 = -1;  # into the level's parts

@@ -77,6 +77,12 @@ void Console::note(const std::string& text) {
   if (verbose && !quiet) message("note", makeError(text));
 }
 
+void Console::tell(const std::string& text) {
+  if (quiet) return;
+  if (jsonErrors) return message("note", makeError(text));
+  line(tool_ + ": " + harmless(text));
+}
+
 void Console::message(const char* level, const Error& error) {
   if (jsonErrors) {
     std::string out = std::string("{\"type\":\"") + level + "\",\"tool\":\"" + tool_ + '"';

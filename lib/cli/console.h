@@ -23,6 +23,8 @@ class Console {
   void error(const Error& error);
   void warn(const std::string& message);
   void note(const std::string& message);
+  // "obby-solve: 3 solved", or a note object; unless quiet.
+  void tell(const std::string& message);
   // A line of its own, as it is.
   void line(std::string_view text);
   // A line that the next call overwrites; empty: takes it away. Only for terminals.

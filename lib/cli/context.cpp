@@ -91,6 +91,7 @@ void Context::error(const Error& error) {
 
 void Context::warn(const std::string& message) { console_.warn(message); }
 void Context::note(const std::string& message) { console_.note(message); }
+void Context::tell(const std::string& message) { console_.tell(message); }
 void Context::say(const std::string& message) { console_.line(spec_.name + ": " + message); }
 void Context::progress(const ProgressState& state) { progress_->update(state); }
 

@@ -53,6 +53,9 @@ class Context {
   void warn(const std::string& message);
   // Only with --verbose.
   void note(const std::string& message);
+  // What the run came to: a line on stderr, or a note object with --json-errors; silent with
+  // --quiet.
+  void tell(const std::string& message);
   // What the user has to know to go on, on stderr, even with --quiet.
   void say(const std::string& message);
   // Drawn, printed or dropped as --progress says; call it as often as you like.

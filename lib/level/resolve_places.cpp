@@ -54,6 +54,12 @@ Status spreadGoal(PartIndex& index, schema::Query::Builder query) {
   return {};
 }
 
+// Parts that a selector in a list may stand for.
+enum class Fits {
+  one,  // of a tag all parts that have it, else the only part of that name
+  all,  // all parts that it fits
+};
+
 // One entry of a list after its parts have been found.
 struct Entry {
   uint32_t from;  // entry of the list as it was
@@ -66,7 +72,8 @@ class ListedParts {
  public:
   explicit ListedParts(PartIndex& index) : index_(index) {}
 
-  Result<std::vector<Entry>> entriesOf(capnp::List<schema::Region>::Reader list, const char* name) {
+  Result<std::vector<Entry>> entriesOf(capnp::List<schema::Region>::Reader list, const char* name,
+                                       Fits fits) {
     std::vector<Entry> entries;
     for (uint32_t i = 0; i < list.size(); ++i) {
       if (list[i].getPart().size() == 0) {
@@ -74,7 +81,7 @@ class ListedParts {
         continue;
       }
       const std::string selector = list[i].getPart().cStr();
-      const auto parts = partsOf(selector);
+      const auto parts = partsOf(selector, fits);
       if (!parts) return inField(parts.error(), fmt::format("{}[{}]", name, i));
       places_ += (*parts)->size();
       if (places_ > kMaxPlaces) {
@@ -89,18 +96,15 @@ class ListedParts {
   }
 
  private:
-  // All that a tag fits; of any other selector the one part.
-  Result<const std::vector<uint32_t>*> partsOf(const std::string& selector) {
-    const auto known = known_.find(selector);
-    if (known != known_.end()) return &known->second;
-    std::vector<uint32_t> parts;
-    if (selector.starts_with("#")) {
-      OBBY_ASSIGN(parts, matchParts(index_, selector));
-    } else {
-      OBBY_ASSIGN(const uint32_t part, matchPart(index_, selector));
-      parts.push_back(part);
+  Result<const std::vector<uint32_t>*> partsOf(const std::string& selector, Fits fits) {
+    auto known = known_.find(selector);
+    if (known == known_.end()) {
+      OBBY_ASSIGN(std::vector<uint32_t> parts, matchParts(index_, selector));
+      known = known_.emplace(selector, std::move(parts)).first;
     }
-    return &known_.emplace(selector, std::move(parts)).first->second;
+    const bool mayBeMany = fits == Fits::all || selector.starts_with("#");
+    if (known->second.size() > 1 && !mayBeMany) return matchPart(index_, selector).error();
+    return &known->second;
   }
 
   PartIndex& index_;
@@ -110,12 +114,12 @@ class ListedParts {
 
 // `disown` and `init` take a list out of the query, and make a new one in its place.
 template <class Disown, class Init>
-Status resolveList(schema::Level::Reader level, ListedParts& listed, const char* name,
+Status resolveList(schema::Level::Reader level, ListedParts& listed, const char* name, Fits fits,
                    Disown&& disown, Init&& init) {
   const auto old = disown();
   const auto list = old.getReader();
   if (list.size() == 0) return {};
-  OBBY_ASSIGN(const std::vector<Entry> entries, listed.entriesOf(list, name));
+  OBBY_ASSIGN(const std::vector<Entry> entries, listed.entriesOf(list, name, fits));
   auto out = init(uint32_t(entries.size()));
   for (uint32_t i = 0; i < out.size(); ++i) {
     const Entry& e = entries[i];
@@ -162,13 +166,13 @@ Status resolvePlaces(schema::Level::Reader level, schema::Query::Builder query) 
   }
   ListedParts listed(index);
   OBBY_RETURN_IF_ERROR(resolveList(
-      level, listed, "avoid", [&] { return query.disownAvoid(); },
+      level, listed, "avoid", Fits::all, [&] { return query.disownAvoid(); },
       [&](uint32_t n) { return query.initAvoid(n); }));
   OBBY_RETURN_IF_ERROR(resolveList(
-      level, listed, "goals", [&] { return query.disownGoals(); },
+      level, listed, "goals", Fits::one, [&] { return query.disownGoals(); },
       [&](uint32_t n) { return query.initGoals(n); }));
   return resolveList(
-      level, listed, "visits", [&] { return query.disownVisits(); },
+      level, listed, "visits", Fits::one, [&] { return query.disownVisits(); },
       [&](uint32_t n) { return query.initVisits(n); });
 }
 

@@ -16,14 +16,16 @@ namespace obby::level {
 namespace {
 
 constexpr size_t kShown = 5;        // candidates in a hint
+constexpr int kLongestEnd = 8;      // parts of a path that are tried as its end
 constexpr float kGrowUp = 0.5f;     // studs
 constexpr float kGrowSide = 1;      // studs
 constexpr float kStandingRoom = 5;  // studs
 
-std::string listParts(schema::Level::Reader level, const std::vector<uint32_t>& parts) {
+// As they can be typed.
+std::string listParts(PartIndex& index, const std::vector<uint32_t>& parts) {
   std::string text;
   for (size_t i = 0; i < std::min(parts.size(), kShown); ++i) {
-    text += (i > 0 ? ", " : "") + describePart(level, parts[i]);
+    text += fmt::format("{}'{}'", i > 0 ? ", " : "", selectorOf(index, parts[i]));
   }
   return parts.size() > kShown ? fmt::format("{}, and {} more", text, parts.size() - kShown) : text;
 }
@@ -49,14 +51,14 @@ std::vector<uint32_t> spelledLike(const std::vector<std::string>& names,
 }
 
 // Parts that may be meant, for a hint: by their paths, or else by how their names are spelled.
-std::string similarParts(schema::Level::Reader level, const std::string& wanted) {
+std::string similarParts(PartIndex& parts, const std::string& wanted) {
   std::vector<std::string> names, paths;
-  for (const auto part : level.getParts()) {
+  for (const auto part : parts.level().getParts()) {
     names.push_back(lower(part.getName().cStr()));
     paths.push_back(lower(pathOf(part)));
   }
   const std::vector<uint32_t> similar = having(paths, wanted);
-  return listParts(level, similar.empty() ? spelledLike(names, wanted) : similar);
+  return listParts(parts, similar.empty() ? spelledLike(names, wanted) : similar);
 }
 
 // Tags that may be meant, for a hint.
@@ -78,11 +80,12 @@ std::string similarTags(schema::Level::Reader level, const std::string& wanted) 
   return fmt::format("{}", fmt::join(shown, ", "));
 }
 
-Error noPart(schema::Level::Reader level, const std::string& selector) {
+Error noPart(PartIndex& parts, const std::string& selector) {
+  const schema::Level::Reader level = parts.level();
   const std::string wanted = lower(selector);
   std::string similar;
   if (wanted.starts_with("#")) similar = similarTags(level, wanted.substr(1));
-  if (similar.empty()) similar = similarParts(level, wanted);
+  if (similar.empty()) similar = similarParts(parts, wanted);
   return makeError(
       fmt::format("no part of level '{}' is named '{}'", level.getName().cStr(), selector),
       similar.empty() ? "a part is named by name, path or its end, GUID, #tag or "
@@ -108,6 +111,17 @@ int64_t indexFromText(const std::string& selector) {
   return error == std::errc() && at == end ? index : -1;
 }
 
+// Is it a name on the command line, and of no other part?
+bool meansOnly(PartIndex& parts, const std::string& name, uint32_t part) {
+  for (const char* other : {"#", "part:", "touch:"}) {
+    if (name.starts_with(other)) return false;
+  }
+  const auto box = boxFromText(name);
+  if (!box || *box) return false;
+  const std::vector<uint32_t> found = matchName(parts, name);
+  return found.size() == 1 && found.front() == part;
+}
+
 Quat rotationOf(schema::Part::Reader part) {
   const auto q = part.getRotation();
   return normalize(Quat{q.getX(), q.getY(), q.getZ(), q.getW()});
@@ -120,8 +134,18 @@ float halfHeight(schema::Part::Reader part) {
 
 }  // namespace
 
-std::string describePart(schema::Level::Reader level, uint32_t part) {
-  return fmt::format("part:{} {}", part, pathOf(level.getParts()[part]));
+std::string selectorOf(PartIndex& parts, uint32_t part) {
+  const auto record = parts.level().getParts()[part];
+  const std::string name = record.getName(), path(pathOf(record));
+  if (meansOnly(parts, name, part)) return name;
+  size_t slash = path.size();
+  for (int i = 0; i < kLongestEnd && slash > 0; ++i) {
+    slash = path.rfind('/', slash - 1);
+    if (slash == std::string::npos) break;
+    std::string end = path.substr(slash + 1);
+    if (meansOnly(parts, end, part)) return end;
+  }
+  return meansOnly(parts, path, part) ? path : fmt::format("part:{}", part);
 }
 
 Result<std::vector<uint32_t>> matchParts(PartIndex& parts, const std::string& selector) {
@@ -140,7 +164,7 @@ Result<std::vector<uint32_t>> matchParts(PartIndex& parts, const std::string& se
     found =
         selector.starts_with("#") ? parts.withTag(selector.substr(1)) : matchName(parts, selector);
   }
-  if (found.empty()) return noPart(level, selector);
+  if (found.empty()) return noPart(parts, selector);
   return found;
 }
 
@@ -155,7 +179,7 @@ Result<uint32_t> matchPart(PartIndex& parts, const std::string& selector) {
   const schema::Level::Reader level = parts.level();
   return makeError(fmt::format("'{}' names {} parts of level '{}'", selector, found.size(),
                                level.getName().cStr()),
-                   "one of " + listParts(level, found));
+                   "give one of " + listParts(parts, found));
 }
 
 Result<uint32_t> matchPart(schema::Level::Reader level, const std::string& selector) {

@@ -28,8 +28,9 @@ Result<std::vector<uint32_t>> matchParts(schema::Level::Reader level, const std:
 Result<uint32_t> matchPart(PartIndex& parts, const std::string& selector);
 Result<uint32_t> matchPart(schema::Level::Reader level, const std::string& selector);
 
-// "part:12 Workspace/S1/Lava"
-std::string describePart(schema::Level::Reader level, uint32_t part);
+// The shortest selector that names this part and no other: its name, the end of its path or the
+// whole path; where those fit other parts, too, "part:12".
+std::string selectorOf(PartIndex& parts, uint32_t part);
 
 // A box in space, before it becomes a Region record.
 struct PlainRegion {

@@ -36,16 +36,16 @@ Error refused(const std::string& name, const std::string& what) {
   return Error{name,
                {},
                {},
-               "not a policy that this program can use: " + what,
-               "train one with obby-train of this version"};
+               "not a policy file that this version can use: " + what,
+               "train a new one with this version's obby-train"};
 }
 
 // Numbers of a list into `to`, which moves on.
 Status take(capnp::List<float>::Reader from, size_t expected, const std::string& what, float*& to) {
   if (from.size() != expected)
-    return makeError(fmt::format("{} {}, expected {}", from.size(), what, expected));
+    return makeError(fmt::format("it has {} {}, expected {}", from.size(), what, expected));
   for (const float v : from) {
-    if (!std::isfinite(v)) return makeError(fmt::format("{} that are not finite", what));
+    if (!std::isfinite(v)) return makeError(fmt::format("the {} are not all finite", what));
     *to++ = v;
   }
   return {};
@@ -57,7 +57,8 @@ Status takeNumbers(schema::PolicyFile::Reader file, Network& network) {
   OBBY_RETURN_IF_ERROR(take(file.getScales(), kInputs, "scales", to));
   const auto layers = file.getLayers();
   if (layers.size() != std::size(kLayers))
-    return makeError(fmt::format("{} layers, expected {}", layers.size(), std::size(kLayers)));
+    return makeError(
+        fmt::format("it has {} layers, expected {}", layers.size(), std::size(kLayers)));
   for (uint32_t l = 0; l < layers.size(); ++l) {
     const LayerSize size = kLayers[l];
     if (int64_t(layers[l].getInputs()) != size.inputs ||
@@ -76,24 +77,27 @@ Status takeNumbers(schema::PolicyFile::Reader file, Network& network) {
 
 Status decode(schema::PolicyFile::Reader file, PolicyFile& out) {
   if (file.getVersion() != kVersion)
-    return makeError(fmt::format("layout version {}, expected {}", file.getVersion(), kVersion));
+    return makeError(
+        fmt::format("its layout version is {}, expected {}", file.getVersion(), kVersion));
   if (file.getObservationVersion() != kObservationVersion) {
-    return makeError(fmt::format("made for observations of version {}, here they are of version {}",
-                                 file.getObservationVersion(), kObservationVersion));
+    return makeError(
+        fmt::format("it was trained on observations of version {}, expected version {}",
+                    file.getObservationVersion(), kObservationVersion));
   }
   if (file.getMoves() != uint32_t(kMoves))
-    return makeError(fmt::format("{} moves, expected {}", file.getMoves(), kMoves));
+    return makeError(fmt::format("it has {} moves, expected {}", file.getMoves(), kMoves));
   OBBY_RETURN_IF_ERROR(takeNumbers(file, out.network));
-  if (file.getHash() != digest(out.network)) return makeError("its hash is wrong: it is damaged");
+  if (file.getHash() != digest(out.network))
+    return makeError("its hash is wrong, so the file is damaged");
   const auto t = file.getTraining();
   out.training = {t.getCommand(), t.getVersion(), t.getSeed(),   t.getDecisions(),
                   t.getSeconds(), t.getHardest(), t.getSolved(), t.getStart()};
   for (const double v : {t.getSeconds(), double(t.getHardest()), double(t.getSolved())})
-    if (!std::isfinite(v)) return makeError("numbers of its training that are not finite");
+    if (!std::isfinite(v)) return makeError("the numbers about its training are not all finite");
   out.values = {file.getValueMean(), file.getValueDeviation()};
   const bool sound = std::isfinite(out.values.mean) && std::isfinite(out.values.deviation);
   if (!sound || out.values.deviation < 0)
-    return makeError("values of a mean and spread that cannot be");
+    return makeError("the mean or deviation of its values is not a valid number");
   return {};
 }
 
@@ -136,7 +140,7 @@ std::string writePolicy(const PolicyFile& policy) {
 Result<PolicyFile> readPolicy(std::string_view bytes, const std::string& name) {
   if (bytes.size() > kMostBytes) return refused(name, "it is larger than 64 MiB");
   if (bytes.empty() || bytes.size() % sizeof(capnp::word) != 0)
-    return refused(name, "its length is no whole number of words");
+    return refused(name, "its length is not a multiple of 8 bytes");
   auto words = kj::heapArray<capnp::word>(bytes.size() / sizeof(capnp::word));
   std::memcpy(words.asBytes().begin(), bytes.data(), bytes.size());
   PolicyFile out;
@@ -145,7 +149,7 @@ Result<PolicyFile> readPolicy(std::string_view bytes, const std::string& name) {
   const auto failure = kj::runCatchingExceptions([&] {
     capnp::FlatArrayMessageReader reader(words);
     status = reader.getEnd() == words.end() ? decode(reader.getRoot<schema::PolicyFile>(), out)
-                                            : Status(makeError("bytes follow it"));
+                                            : Status(makeError("it has extra bytes at its end"));
   });
   KJ_IF_MAYBE (e, failure) {
     return refused(name, e->getDescription().cStr());

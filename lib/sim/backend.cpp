@@ -10,7 +10,7 @@ Result<BackendKind> backendKind(const std::string& name) {
   if (name == "auto") return BackendKind::automatic;
   if (name == "cpu") return BackendKind::cpu;
   if (name == "cuda") return BackendKind::cuda;
-  return makeError(fmt::format("no backend '{}'", name), "auto, cpu or cuda");
+  return makeError(fmt::format("unknown backend '{}'", name), "give auto, cpu or cuda");
 }
 
 Result<Backend> Backend::open(BackendKind kind, uint32_t which) {
@@ -24,7 +24,7 @@ Result<Backend> Backend::open(BackendKind kind, uint32_t which) {
     return Backend(nullptr, "simulating on the CPU: " + device.error().text());
   }
   Error error = std::move(device).error();
-  if (error.hint.empty()) error.hint = "--backend auto takes the CPU where there is no GPU";
+  if (error.hint.empty()) error.hint = "give --backend auto to use the CPU where there is no GPU";
   return error;
 }
 

@@ -16,26 +16,27 @@ namespace {
 Status checkPlans(const Actions& a, uint32_t worlds) {
   if (a.firsts.size() != size_t(worlds) + 1) {
     return makeError(fmt::format("{} plans for {} worlds", a.firsts.size(), worlds),
-                     "firsts has an entry for each world and one more");
+                     "give firsts one entry for each world and one more");
   }
   for (size_t i = 0; i + 1 < a.firsts.size(); ++i) {
-    if (a.firsts[i] > a.firsts[i + 1]) return makeError(fmt::format("plan {} ends early", i));
+    if (a.firsts[i] > a.firsts[i + 1])
+      return makeError(fmt::format("plan {} ends before it begins", i));
   }
   if (a.firsts.back() <= a.runs.size()) return {};
   return makeError(
-      fmt::format("plans of {} runs, of which {} are there", a.firsts.back(), a.runs.size()));
+      fmt::format("the plans have {} runs, but only {} are given", a.firsts.back(), a.runs.size()));
 }
 
 Status checkActions(const Actions& a, uint32_t ticks, uint32_t worlds) {
   if (a.kind == ActionKind::plans) return checkPlans(a, worlds);
   if (a.kind == ActionKind::walker || a.table.size() == size_t(ticks) * worlds) return {};
-  return makeError(
-      fmt::format("{} actions for {} ticks of {} worlds", a.table.size(), ticks, worlds));
+  return makeError(fmt::format("expected actions for {} ticks of {} worlds, found {}", ticks,
+                               worlds, a.table.size()));
 }
 
 Status checkCourse(const Course& c) {
   const size_t levels = c.levels.size();
-  if (levels == 0) return makeError("a batch without a level");
+  if (levels == 0) return makeError("a batch needs at least one level");
   if (c.starts.size() != levels) {
     return makeError(fmt::format("{} starts for {} levels", c.starts.size(), levels));
   }
@@ -43,10 +44,12 @@ Status checkCourse(const Course& c) {
     return makeError(fmt::format("{} queries for {} levels", c.queries.size(), levels));
   }
   for (const World& w : c.starts) {
-    if (w.outcome != Outcome::running) return makeError("a start where the playthrough has ended");
+    if (w.outcome != Outcome::running)
+      return makeError("a start must not be in an ended playthrough");
   }
   for (const uint32_t i : c.queue) {
-    if (i >= levels) return makeError(fmt::format("level {} in the queue of {} levels", i, levels));
+    if (i >= levels)
+      return makeError(fmt::format("the queue names level {}, but there are {} levels", i, levels));
   }
   return {};
 }

@@ -49,7 +49,7 @@ Status HostDevice::launch(const Kernel& kernel, const void* arguments, uint32_t 
 }
 
 Result<KernelFacts> HostDevice::facts(const Kernel&) const {
-  return makeError("a kernel on the CPU has no registers to count");
+  return makeError("a kernel on the CPU has no register counts");
 }
 
 }  // namespace obby::sim

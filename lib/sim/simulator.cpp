@@ -79,7 +79,7 @@ Result<Plan> planFromRecord(schema::Trajectory::Reader record) {
     ticks += run.getTicks();
     if (ticks > kMaxReplayTicks) {
       return level::pathError(fmt::format("actions[{}].ticks", plan.actions.size()),
-                              "longer than 4 hours of play");
+                              "the trajectory is longer than 4 hours of play");
     }
     plan.actions.push_back({{run.getHeading(), run.getWalk(), run.getJump()}, run.getTicks()});
   }

@@ -67,10 +67,11 @@ Result<io::Then> Filter::take(const io::Record& played, const io::Record& read) 
     passFilters_.insert_or_assign(loaded.level.name(), std::move(filter));
   }
   const auto level = std::make_shared<const LoadedLevel>(std::move(loaded));
-  const bool quick = options_.quick && !options_.each && options_.task == Task::answer;
-  last_ = Last{level, read, quick};
+  const bool now =
+      asksQuick() && (!options_.quick->goals.empty() || hasEnd(played.reader().getLevel()));
+  last_ = Last{level, read, now};
   know(level);
-  if (!quick) return io::Then::pass;
+  if (!now) return io::Then::pass;
   OBBY_ASSIGN(const io::Record query, queryOf(*level, *options_.quick, "command-line"));
   OBBY_RETURN_IF_ERROR(pipeline_.output().pass(played));
   OBBY_RETURN_IF_ERROR(ask(*level, query));
@@ -82,9 +83,8 @@ Result<io::Then> Filter::handleQuery(const io::Record& record) {
   if (options_.task != Task::answer) note(query.getId());
   if (options_.task == Task::filter) return io::Then::pass;
   OBBY_ASSIGN(const LevelPointer level, levelNamed(query.getLevel()));
-  if (last_ && level == last_->level) last_->asked = true;
-  const bool asked = options_.quick && !options_.each;  // in place of the stream's queries
-  if (asked && options_.task == Task::answer) return io::Then::pass;
+  if (last_ && level == last_->level) ++last_->queries;
+  if (asksQuick()) return io::Then::pass;  // in place of the stream's queries
   OBBY_ASSIGN(const io::Record full, resolved(*level, record));
   if (options_.task == Task::verify) {
     // Compiled, too: the verifier relies on it that the record makes sense.
@@ -100,6 +100,11 @@ Result<io::Then> Filter::handleQuery(const io::Record& record) {
   OBBY_RETURN_IF_ERROR(level::Query::compile(full.reader().getQuery(), level->level));
   OBBY_RETURN_IF_ERROR(ask(*level, full));
   return io::Then::drop;
+}
+
+// A query of the command line's own.
+bool Filter::asksQuick() const {
+  return options_.quick && !options_.each && options_.task == Task::answer;
 }
 
 Result<Filter::LevelPointer> Filter::levelNamed(const std::string& name) const {
@@ -153,6 +158,7 @@ Status Filter::answer(const LoadedLevel& level, schema::Query::Reader query) {
   const SolverOutput output{write, options_.progress, options_.deviceFailed};
   OBBY_ASSIGN(const QueryAnswer a,
               solveQuery(level, query, options_.solver, {pool_, options_.device}, output));
+  if (options_.answered) options_.answered(level.level.name(), query.getId(), a.verdict);
   switch (a.verdict) {
     case schema::Verdict::SOLVED: ++counts_.solved; return {};
     case schema::Verdict::UNREACHABLE: ++counts_.unreachable; return {};
@@ -182,6 +188,10 @@ Status Filter::finishLevel() {
 Status Filter::askDefault() {
   if (!last_ || last_->asked || options_.task != Task::answer || !options_.only.empty()) return {};
   last_->asked = true;
+  if (asksQuick()) {
+    return lacksGoal(last_->level->record.reader().getLevel(), *options_.quick, last_->queries);
+  }
+  if (last_->queries > 0) return {};
   const QuickQuery quick = options_.quick.value_or(QuickQuery{});
   OBBY_ASSIGN(const io::Record query, queryOf(*last_->level, quick, "whole"));
   return ask(*last_->level, query);
@@ -194,8 +204,8 @@ Status Filter::finishInput() {
     return Error{{},
                  {},
                  "--query",
-                 fmt::format("no query '{}' in the stream", id),
-                 others_.empty() ? "there are no queries" : "there is " + joined(others_)};
+                 fmt::format("the stream has no query '{}'", id),
+                 others_.empty() ? "it has no queries at all" : "it has " + joined(others_)};
   }
   return {};
 }

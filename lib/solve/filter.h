@@ -45,6 +45,8 @@ struct FilterOptions {
   uint64_t queryBytes = KnownQueries::kMostBytes;  // of the queries that are kept, where they are
   std::function<void(const QueryProgress&)> progress;  // may be empty
   std::function<void(const Error&)> deviceFailed;      // the CPU went on; may be empty
+  // After each answer; may be empty.
+  std::function<void(const std::string& level, const std::string& query, schema::Verdict)> answered;
 };
 
 struct FilterCounts {
@@ -61,7 +63,8 @@ class Filter {
   // The pipeline's handler.
   Result<io::Then> handle(const io::Record& record);
   // After the last record, unless the input was stopped before: a level without queries is asked
-  // for the way from its spawn to its end; an id of `only` that was not met is an error.
+  // for the way from its spawn to its end; one that `quick` cannot be asked of for lack of a goal
+  // and an id of `only` that was not met are errors.
   Status finishInput();
 
   const FilterCounts& counts() const { return counts_; }
@@ -74,8 +77,9 @@ class Filter {
   // The level record before.
   struct Last {
     LevelPointer level;
-    io::Record read;     // as it came: has the place that errors about it name
-    bool asked = false;  // it has a query
+    io::Record read;       // as it came: has the place that errors about it name
+    bool asked = false;    // by `quick`, or for the way to its end
+    uint64_t queries = 0;  // of it that followed
   };
 
   Result<io::Then> handleLevel(const io::Record& read);
@@ -92,6 +96,7 @@ class Filter {
   void know(const LevelPointer& level);
   // With the boxes of the parts that it names, and the changes of `quick`.
   Result<io::Record> resolved(const LoadedLevel& level, const io::Record& query) const;
+  bool asksQuick() const;
   bool wanted(const std::string& id) const;
   void note(const std::string& id);  // that the stream has a query of that name
   Status remember(schema::Trajectory::Reader trajectory, bool first);

@@ -46,13 +46,14 @@ Result<KnownLevels::LevelPointer> KnownLevels::named(const std::string& name) co
   if (!name.empty() && found != levels_.end()) return found->second.level;
   Error error{{}, {}, "level", "no level before this record", {}};
   if (!name.empty()) error.message = fmt::format("no level '{}' before this record", name);
-  error.hint = "a level record comes before its queries in the stream";
+  error.hint = "put a level record before its queries in the stream";
   if (name.empty() || dropped_ == 0) return error;
   // Their names are not kept, for they too would come without end.
-  error.message += fmt::format(" that is still kept: the oldest {} were dropped", dropped_);
+  error.message += fmt::format(" is still in memory: the oldest {} were dropped", dropped_);
   error.hint = fmt::format(
-      "put queries and trajectories right behind their level; the newest levels are kept, {} MiB "
-      "of memory",
+      "put queries and trajectories right after their level; only the newest levels are kept, up "
+      "to "
+      "{} MiB",
       mostBytes_ >> 20);
   return error;
 }

@@ -54,12 +54,12 @@ Result<io::Record> KnownQueries::named(const std::string& level, const std::stri
               {},
               "query",
               fmt::format("no query '{}' before this record", id),
-              "trajectories are checked against their query"};
+              "put the query record before its trajectories in the stream"};
   if (dropped_ == 0) return error;
   // Their ids are not kept, for they too would come without end.
-  error.message += fmt::format(" that is still kept: the oldest {} were dropped", dropped_);
+  error.message += fmt::format(" is still in memory: the oldest {} were dropped", dropped_);
   error.hint = fmt::format(
-      "put trajectories right behind their query; the newest queries are kept, {} MiB of memory",
+      "put trajectories right after their query; only the newest queries are kept, up to {} MiB",
       mostBytes_ >> 20);
   return error;
 }

@@ -133,7 +133,7 @@ class Solving {
     const auto levelRecord = level_.record.reader().getLevel();
     fillResult(result, identity_, outcome, level_.level, levelRecord, query_);
     if (relaxations) fillRelaxations(result, *relaxations);
-    if (!hardest.empty()) result.setReason(result.getReason().cStr() + ("; hardest: " + hardest));
+    if (!hardest.empty()) result.setReason(result.getReason().cStr() + (" " + hardest));
     if (!heatMap_.empty()) heatMap_.fill(result.initHeatMap());
     result.getTiming().setCompile(float(level_.compileSeconds));
     result.setSeed(options_.budget.seed);
@@ -146,8 +146,8 @@ class Solving {
     if (options_.paths) fillPath(record, p);
   }
 
-  // What only solutions have: their route, and where it is asked for, how hard they are; gives the
-  // hardest step in words, or nothing.
+  // What only solutions have: their route, and where it is asked for, how hard they are; returns a
+  // sentence about the hardest step, or nothing.
   std::string fillWay(schema::Trajectory::Builder record, const Problem& problem,
                       const Playthrough& p, ThreadPool& pool) const {
     const Course course = courseOf(problem, p);
@@ -159,7 +159,7 @@ class Solving {
     const Difficulty difficulty = difficultyOf(problem, course, asked, pool);
     if (interrupted()) return {};
     fillDifficulty(record.initDifficulty(), difficulty, asked.noise);
-    return hardestText(difficulty, level_.level);
+    return hardestText(difficulty, level_.level, level_.record.reader().getLevel());
   }
 
   const LoadedLevel& level_;

@@ -70,6 +70,29 @@ TEST_F(ResolveTest, ATagInAListStandsForAllItsParts) {
   EXPECT_EQ(list[3].getPartIndex(), 3);
 }
 
+TEST_F(ResolveTest, ANameToAvoidStandsForAllPartsThatItFits) {
+  auto avoid = query().initAvoid(2);
+  avoid[0].setPart("Lava");
+  avoid[0].setTouch(true);
+  avoid[1].setPart("S2/Lava");
+  ASSERT_TRUE(resolve());
+  const auto list = query().asReader().getAvoid();
+  ASSERT_EQ(list.size(), 3u);
+  EXPECT_EQ(list[0].getPartIndex(), 1);
+  EXPECT_EQ(list[1].getPartIndex(), 2);
+  EXPECT_TRUE(list[0].getTouch() && list[1].getTouch());
+  EXPECT_EQ(list[2].getPartIndex(), 2);
+  EXPECT_FALSE(list[2].getTouch());
+}
+
+TEST_F(ResolveTest, ANameThatIsAvoidedMayStillBeTooVagueForAVisit) {
+  query().initAvoid(1)[0].setPart("Lava");
+  query().initVisits(1)[0].setPart("Lava");
+  const Status status = resolve();
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().path, "visits[0].part");
+}
+
 TEST_F(ResolveTest, AGoalsTagMeansAnyOfItsParts) {
   auto goal = query().initGoal();
   goal.setPart("#Kill");
@@ -108,8 +131,10 @@ TEST_F(ResolveTest, ErrorsSayWhere) {
   expectWrong([](auto q) { q.initGoal().setPart("Lava"); }, "goal.part");
   expectWrong([](auto q) { q.initGoal().setPart("#None"); }, "goal.part");
   expectWrong([](auto q) { q.initStart().initRegion().setPart("x"); }, "start.region.part");
-  expectWrong([](auto q) { q.initAvoid(2)[1].setPart("Lava"); }, "avoid[1].part");
+  expectWrong([](auto q) { q.initAvoid(2)[1].setPart("Lavaa"); }, "avoid[1].part");
   expectWrong([](auto q) { q.initVisits(1)[0].setPart("#None"); }, "visits[0].part");
+  expectWrong([](auto q) { q.initVisits(1)[0].setPart("Lava"); }, "visits[0].part");
+  expectWrong([](auto q) { q.initGoals(2)[1].setPart("Lava"); }, "goals[1].part");
   expectWrong([](auto q) { q.initGoals(1)[0].setPart("part:9"); }, "goals[0].part");
   expectWrong([](auto q) { q.initWaypoints(1)[0].initRegion().setPart("y"); },
               "waypoints[0].region.part");

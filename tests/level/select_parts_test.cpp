@@ -41,15 +41,36 @@ TEST_F(SelectTest, ByNamePathEndOfPathTagGuidAndIndex) {
 
 TEST_F(SelectTest, SeveralMatchesAreListed) {
   EXPECT_EQ(error("Lava"),
-            "'Lava' names 2 parts of level 'tower' "
-            "(one of part:1 Workspace/S1/Lava, part:2 Workspace/S2/Lava)");
+            "'Lava' names 2 parts of level 'tower' (give one of 'S1/Lava', 'S2/Lava')");
+}
+
+TEST_F(SelectTest, ListedPartsCanBeTypedBack) {
+  PartIndex index(level());
+  EXPECT_EQ(selectorOf(index, 0), "Base");
+  EXPECT_EQ(selectorOf(index, 1), "S1/Lava");
+  EXPECT_EQ(selectorOf(index, 2), "S2/Lava");
+  for (uint32_t i = 0; i < level().getParts().size(); ++i) {
+    EXPECT_THAT(parts(selectorOf(index, i)), ElementsAre(i));
+  }
+}
+
+TEST_F(SelectTest, PartsThatNoNameTellsApartAreListedByIndex) {
+  record = *io::recordFromJson(
+      R"({"type":"level","name":"odd","parts":[{"name":"A"},{"name":"A"},{"name":"#B"},)"
+      R"({"name":"1,2,3,4,5,6"},{"name":"touch:C"},{},{"name":"D","source":{"path":"/D"}},)"
+      R"({"name":"D","source":{"path":"x//D"}}]})");
+  PartIndex index(level());
+  const char* const expected[] = {"part:0", "part:1", "part:2", "part:3", "part:4", "part:5", "/D"};
+  for (uint32_t i = 0; i < 7; ++i) EXPECT_EQ(selectorOf(index, i), expected[i]);
+  EXPECT_EQ(selectorOf(index, 7), "x//D");
+  EXPECT_EQ(error("A"), "'A' names 2 parts of level 'odd' (give one of 'part:0', 'part:1')");
 }
 
 TEST_F(SelectTest, NoMatchSuggestsSimilarNames) {
-  EXPECT_THAT(error("lav"), HasSubstr("similar: part:1 Workspace/S1/Lava"));
+  EXPECT_THAT(error("lav"), HasSubstr("similar: 'S1/Lava', 'S2/Lava'"));
   EXPECT_THAT(error("nothing"), HasSubstr("part:INDEX"));
-  EXPECT_THAT(error("Basse"), HasSubstr("similar: part:0 Base")) << "a slip of the fingers";
-  EXPECT_THAT(error("Lavva"), HasSubstr("part:1 Workspace/S1/Lava, part:2 Workspace/S2/Lava"));
+  EXPECT_THAT(error("Basse"), HasSubstr("similar: 'Base'")) << "a slip of the fingers";
+  EXPECT_THAT(error("Lavva"), HasSubstr("similar: 'S1/Lava', 'S2/Lava'"));
   EXPECT_THAT(error("part:9"), HasSubstr("parts 0 to 3"));
 }
 

@@ -85,23 +85,28 @@ TEST(PolicyFileTest, RefusesOtherVersionsByName) {
   EXPECT_EQ(refusal(changed([](auto) {})), "");
   const auto expect = [](const std::string& said, const char* what) {
     EXPECT_NE(said.find(what), std::string::npos) << said;
-    EXPECT_NE(said.find("train one with obby-train of this version"), std::string::npos) << said;
+    EXPECT_NE(said.find("train a new one with this version's obby-train"), std::string::npos)
+        << said;
   };
-  expect(refusal(changed([](auto f) { f.setVersion(7); })), "layout version 7, expected 1");
-  expect(refusal(changed([](auto f) { f.setObservationVersion(99); })), "of version 99");
-  expect(refusal(changed([](auto f) { f.setMoves(18); })), "18 moves, expected 34");
+  expect(refusal(changed([](auto f) { f.setVersion(7); })), "its layout version is 7, expected 1");
+  expect(refusal(changed([](auto f) { f.setObservationVersion(99); })),
+         "trained on observations of version 99, expected version ");
+  expect(refusal(changed([](auto f) { f.setMoves(18); })), "it has 18 moves, expected 34");
   expect(refusal(changed([](auto f) { f.getLayers()[1].setOutputs(128); })), "layers[1]");
   expect(refusal(changed([](auto f) { f.getLayers()[0].initWeights(3); })), "weights of layers[0]");
   expect(refusal(changed([](auto f) { f.setHash(f.getHash() ^ 1); })), "its hash is wrong");
-  expect(refusal(changed([](auto f) { f.getTraining().setSolved(NAN); })), "not finite");
-  expect(refusal(changed([](auto f) { f.setValueMean(INFINITY); })), "values of a mean");
-  expect(refusal(changed([](auto f) { f.setValueDeviation(NAN); })), "values of a mean");
-  expect(refusal(changed([](auto f) { f.setValueDeviation(-1); })), "values of a mean");
+  expect(refusal(changed([](auto f) { f.getTraining().setSolved(NAN); })), "not all finite");
+  expect(refusal(changed([](auto f) { f.setValueMean(INFINITY); })),
+         "the mean or deviation of its values is not");
+  expect(refusal(changed([](auto f) { f.setValueDeviation(NAN); })),
+         "the mean or deviation of its values is not");
+  expect(refusal(changed([](auto f) { f.setValueDeviation(-1); })),
+         "the mean or deviation of its values is not");
 }
 
 TEST(PolicyFileTest, RefusesWhatFollowsIt) {
   const std::string said = refusal(writePolicy(sample()) + std::string(8, '\0'));
-  EXPECT_NE(said.find("follow it"), std::string::npos) << said;
+  EXPECT_NE(said.find("it has extra bytes at its end"), std::string::npos) << said;
 }
 
 TEST(PolicyFileTest, RefusesNumbersThatAreNone) {
@@ -109,7 +114,7 @@ TEST(PolicyFileTest, RefusesNumbersThatAreNone) {
   file.network.numbers()[1000] = std::numeric_limits<float>::quiet_NaN();
   const auto read = readPolicy(writePolicy(file), "x");
   ASSERT_FALSE(read);
-  EXPECT_NE(read.error().text().find("not finite"), std::string::npos);
+  EXPECT_NE(read.error().text().find("not all finite"), std::string::npos);
 }
 
 }  // namespace

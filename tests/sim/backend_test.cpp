@@ -16,7 +16,7 @@ TEST(Backend, names_are_those_of_the_option) {
   EXPECT_EQ(*backendKind("auto"), BackendKind::automatic);
   EXPECT_EQ(*backendKind("cpu"), BackendKind::cpu);
   EXPECT_EQ(*backendKind("cuda"), BackendKind::cuda);
-  EXPECT_EQ(backendKind("gpu").error().text(), "no backend 'gpu' (auto, cpu or cuda)");
+  EXPECT_EQ(backendKind("gpu").error().text(), "unknown backend 'gpu' (give auto, cpu or cuda)");
 }
 
 TEST(Backend, the_cpu_is_always_there) {

@@ -199,10 +199,11 @@ TEST(Batch, wrong_actions_and_courses_are_errors) {
   const ActionRun run{};
   EXPECT_EQ(batch->step(2, Actions::plans({&run, 1}, firsts)).error().message,
             "plans of 2 runs, of which 1 are there");
-  EXPECT_EQ(makeCpuBatch({}, 4, pool).error().message, "a batch without a level");
+  EXPECT_EQ(makeCpuBatch({}, 4, pool).error().message, "a batch needs at least one level");
   Course bad = course;
   bad.queue = {0, 1};
-  EXPECT_EQ(makeCpuBatch(bad, 4, pool).error().message, "level 1 in the queue of 1 levels");
+  EXPECT_EQ(makeCpuBatch(bad, 4, pool).error().message,
+            "the queue names level 1, but there are 1 levels");
 }
 
 // The device has everything: the level is gone, and what it freed is poisoned.

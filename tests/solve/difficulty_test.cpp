@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "hand_played.h"
+#include "solve/difficulty/difficulty_records.h"
 #include "solve/difficulty/press_windows.h"
 #include "solve/difficulty/room.h"
 #include "solve/difficulty/trials.h"
@@ -299,6 +300,30 @@ TEST(Difficulty, OfAsManyTrialsTheTightestJumpIsHardest) {
   }
   EXPECT_TRUE(harder(step(0, 0, 40), lost));
   EXPECT_FALSE(harder(lost, step(0, 0, 40)));
+}
+
+// In words for designers: parts by name, the time to press in seconds.
+TEST(Difficulty, SaysWhichStepIsHardest) {
+  LevelBuilder b = GapScene::build(5, 8);
+  const level::Level level = b.compile();
+  const auto textOf = [&](int32_t from, int32_t to, uint32_t jumps, float window) {
+    Difficulty d;
+    d.steps.emplace_back();
+    d.steps[0].segment.from = from;
+    d.steps[0].segment.to = to;
+    d.steps[0].segment.jumps = jumps;
+    d.steps[0].window = window;
+    d.steps[0].success = 0.5f;
+    return hardestText(d, level, b.record());
+  };
+  const std::string step = "The hardest step is the ";
+  EXPECT_EQ(textOf(0, 1, 1, 66.7f),
+            step + "jump from part 0 to part 1 (hard: jump within 0.07 s).");
+  EXPECT_EQ(textOf(0, -1, 1, 0),
+            step + "jump from part 0 to the goal (hard: a jump with no time to spare).");
+  EXPECT_EQ(textOf(-1, 1, 1, 1000), step + "jump from the start to part 1 (hard).")
+      << "at any time";
+  EXPECT_EQ(textOf(-1, 1, 0, 0), step + "move from the start to part 1 (hard).");
 }
 
 TEST(Difficulty, BandsAreOrdered) {

@@ -100,7 +100,9 @@ TEST(Explain, CountsTheJumpsThatAreNeeded) {
   EXPECT_EQ(jumps->amount, 2);
   EXPECT_EQ(jumps->text, "solvable with 3 jumps instead of 1");
   EXPECT_EQ(jumps->field, "maxJumps");
-  EXPECT_THAT(e.reason, HasSubstr("; " + e.all.front().text));
+  std::string advice = e.all.front().text;
+  advice.front() = 'S';
+  EXPECT_THAT(e.reason, testing::EndsWith(" is none. " + advice + "."));
 }
 
 TEST(Explain, CountsTheJumpsOfASegment) {
@@ -166,7 +168,7 @@ TEST(Explain, LowersAPartByNoMoreThanNeeded) {
   ASSERT_NE(lowered, nullptr) << e.reason;
   EXPECT_EQ(lowered->part, 1);
   EXPECT_NEAR(lowered->amount, top - truth, 0.11);
-  EXPECT_THAT(lowered->text, HasSubstr("if part 1 'Ledge' were 1."));
+  EXPECT_THAT(lowered->text, HasSubstr("solvable with 'Ledge' 1."));
   const Said* jumps = e.of(schema::Knob::JUMPS);
   ASSERT_NE(jumps, nullptr) << e.reason;
   EXPECT_EQ(jumps->text, "solvable with 1 jump instead of 0");
@@ -181,7 +183,8 @@ TEST(Explain, SaysHowMuchHigherJumpsShouldBe) {
   ASSERT_NE(higher, nullptr) << e.reason;
   EXPECT_GT(higher->amount, 0.5);
   EXPECT_LT(higher->amount, 3);
-  EXPECT_THAT(higher->text, HasSubstr(" %) higher"));
+  EXPECT_THAT(higher->text, testing::StartsWith("solvable with jumps "));
+  EXPECT_THAT(higher->text, testing::EndsWith(" %) higher"));
 }
 
 // A curtain of lava across the only way.
@@ -201,7 +204,7 @@ TEST(Explain, NamesTheKillPartInTheWay) {
   EXPECT_EQ(e.all[0].knob, schema::Knob::KILL_PART);
   EXPECT_EQ(e.all[0].part, 2);
   EXPECT_EQ(e.all[0].amount, 0);
-  EXPECT_THAT(e.all[0].text, HasSubstr("blocked by part 2 'Lava'"));
+  EXPECT_EQ(e.all[0].text, "solvable if 'Lava' were harmless");
 }
 
 TEST(Explain, NamesTheAvoidRegionInTheWay) {
@@ -212,7 +215,7 @@ TEST(Explain, NamesTheAvoidRegionInTheWay) {
   EXPECT_EQ(e.all[0].knob, schema::Knob::AVOID);
   EXPECT_EQ(e.all[0].avoid, 1);
   EXPECT_EQ(e.all[0].field, "avoid[1]");
-  EXPECT_THAT(e.all[0].text, HasSubstr("blocked by avoid region 'dark'"));
+  EXPECT_EQ(e.all[0].text, "solvable if entering avoid region 'dark' were allowed");
 }
 
 TEST(Explain, NamesTheForbiddenState) {
@@ -236,7 +239,7 @@ TEST(Explain, SaysHowMuchHealthItCosts) {
   const Said* part = e.of(schema::Knob::KILL_PART);
   ASSERT_NE(part, nullptr) << e.reason;
   EXPECT_EQ(part->part, 2);
-  EXPECT_THAT(e.reason, HasSubstr("lost more health than allowed, at last by part 2 'Embers'"));
+  EXPECT_THAT(e.reason, HasSubstr("lost more health than allowed, the last of it to 'Embers'"));
 }
 
 TEST(Explain, ClaimsNothingWhereNothingHelps) {
@@ -244,7 +247,7 @@ TEST(Explain, ClaimsNothingWhereNothingHelps) {
       explainAsk(corridor("") + query(R"("goal":{"position":[0,400,-30],"size":[8,4,4]})"));
   EXPECT_EQ(e.verdict, schema::Verdict::UNREACHABLE);
   EXPECT_THAT(e.all, IsEmpty());
-  EXPECT_THAT(e.reason, HasSubstr("no single change that was tried makes it solvable"));
+  EXPECT_THAT(e.reason, HasSubstr("No single change that was tried makes it solvable."));
 }
 
 TEST(Explain, ClaimsNothingWhereTwoChangesAreNeeded) {

@@ -139,7 +139,7 @@ TEST(Knobs, APartIsLoweredWithItsMotionAndWhatStandsOnIt) {
   EXPECT_FLOAT_EQ(r.posed().levelRecord.getParts()[3].getPosition().getY(), 9.5f);
   EXPECT_FLOAT_EQ(r.posed().queryRecord.getAvoid()[0].getPosition().getY(), 12);
   EXPECT_FLOAT_EQ(r.posed().queryRecord.getGoal().getPosition().getY(), 6.5f);
-  EXPECT_EQ(changes[0].text(15), "solvable if part 1 'Lift' were 1.5 studs lower");
+  EXPECT_EQ(changes[0].text(15), "solvable with 'Lift' 1.5 studs lower");
 }
 
 TEST(Knobs, APartThatKillsStaysAsSolidAsItWas) {

@@ -38,8 +38,8 @@ TEST(KnownLevels, KeepsAsManyOfTheNewestAsFit) {
   EXPECT_THAT(known.add(levelCalled("a")), IsEmpty());
   EXPECT_THAT(known.add(levelCalled("b")), IsEmpty());
   EXPECT_THAT(known.add(levelCalled("c")), ElementsAre("a"));
-  EXPECT_THAT(errorOf(known, "a"), HasSubstr("level: no level 'a' before this record that is still "
-                                             "kept: the oldest 1 were dropped (put queries"));
+  EXPECT_THAT(errorOf(known, "a"), HasSubstr("level: no level 'a' before this record is still in "
+                                             "memory: the oldest 1 were dropped (put queries"));
   EXPECT_EQ(errorOf(known, "b"), "found");
   EXPECT_EQ(errorOf(known, "c"), "found");
 }
@@ -107,7 +107,7 @@ TEST(EndlessStream, AQueryOfADroppedLevelIsToldSo) {
       "\n";
   EXPECT_EQ(verdictOn(text, KnownLevels::kMostBytes), "fine");
   EXPECT_THAT(verdictOn(text, 1),
-              HasSubstr(":4: level: no level 'stones' before this record that is still kept"));
+              HasSubstr(":4: level: no level 'stones' before this record is still in memory"));
 }
 
 TEST(EndlessStream, QueriesGoWithTheirLevel) {
@@ -126,7 +126,7 @@ TEST(EndlessStream, AnIdIsNamedOnce) {
   const LinesFile file(stonesText() + stonesText());
   const Filtered f = runFilter(file.path(), std::move(o));
   ASSERT_FALSE(f.status);
-  EXPECT_THAT(f.status.error().text(), HasSubstr("(there is q)"));
+  EXPECT_THAT(f.status.error().text(), HasSubstr("(it has q)"));
 }
 
 }  // namespace

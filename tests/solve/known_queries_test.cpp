@@ -33,7 +33,7 @@ TEST(KnownQueries, KeepsAsManyOfTheNewestAsFit) {
   KnownQueries known(2 * knownQueriesBytesOfOne());
   for (const char* id : {"a", "b", "c"}) known.add("l", queryCalled(id));
   EXPECT_EQ(knownQueriesErrorOf(known, "l", "a"),
-            "query: no query 'a' before this record that is still kept: the oldest 1 were dropped "
+            "query: no query 'a' before this record is still in memory: the oldest 1 were dropped "
             "(put trajectories right behind their query; the newest queries are kept, 0 MiB of "
             "memory)");
   EXPECT_EQ(knownQueriesErrorOf(known, "l", "b"), "found");
@@ -87,7 +87,7 @@ TEST(EndlessStream, ATrajectoryOfADroppedQueryIsToldSo) {
   const Filtered f = runFilter(file.path(), std::move(o));
   ASSERT_FALSE(f.status);
   EXPECT_THAT(f.status.error().text(),
-              HasSubstr(":4: query: no query 'q' before this record that is still kept"));
+              HasSubstr(":4: query: no query 'q' before this record is still in memory"));
 }
 
 }  // namespace

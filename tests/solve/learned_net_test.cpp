@@ -31,7 +31,8 @@ TEST(Product, HasTheBitsOfALoop) {
   Random random(1, 1);
   for (const size_t rows : {1u, 7u, 8u, 19u}) {
     const size_t inner = 37, columns = 48;
-    const auto a = learnedNetDrawn<float>(rows * inner, random), b = learnedNetDrawn<float>(inner * columns, random);
+    const auto a = learnedNetDrawn<float>(rows * inner, random),
+               b = learnedNetDrawn<float>(inner * columns, random);
     auto c = learnedNetDrawn<float>(rows * columns, random), expected = c;
     addProduct<float>({a.data(), inner, 1}, rows, inner, b.data(), columns, c.data());
     for (size_t r = 0; r < rows; ++r) {

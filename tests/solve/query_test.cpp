@@ -129,7 +129,42 @@ TEST(Filter, ALevelThatNamesNoEndNeedsAQuery) {
   const Filtered f = filter(R"({"type":"level","name":"bare","parts":[{"name":"A"}],"spawns":[{}]})"
                             "\n");
   ASSERT_FALSE(f.status);
-  EXPECT_THAT(f.status.error().text(), HasSubstr("no query, no goal part and no checkpoint"));
+  EXPECT_THAT(
+      f.status.error().text(),
+      HasSubstr(":1: level 'bare' has no query, no goal part and no checkpoint (give --goal PLACE, "
+                "or put a query record after the level)"));
+}
+
+// Whoever types a limit may mean the stream's own queries: the error says how to ask those.
+TEST(Filter, ALimitOfANewQueryNeedsAGoalAndTheErrorNamesEach) {
+  const std::string level = R"({"type":"level","name":"bare","parts":[{"name":"A"}],"spawns":[{}]})"
+                            "\n";
+  const std::string query = R"({"type":"query","id":"q","goal":{"position":[0,2,0]}})"
+                            "\n";
+  FilterOptions o;
+  o.quick = QuickQuery{};
+  o.quick->maxJumps = 0;
+  const auto errorOf = [&](const std::string& text) {
+    const Filtered f = filter(text, o);
+    EXPECT_FALSE(f.status);
+    EXPECT_EQ(f.counts.solved + f.counts.unknown, 0u) << f.output;
+    return f.status ? "" : f.status.error().text();
+  };
+  const std::string wrong =
+      ":1: --max-jumps: asks a new query, and level 'bare' has no goal part and no checkpoint to "
+      "reach (give --goal PLACE";
+  EXPECT_THAT(errorOf(level), testing::EndsWith(wrong + ")"));
+  EXPECT_THAT(errorOf(level + query),
+              testing::EndsWith(wrong + ", or --each to change the level's own query)"));
+  EXPECT_THAT(errorOf(level + query + query + query),
+              testing::EndsWith(wrong + ", or --each to change the level's own 3 queries)"));
+  EXPECT_THAT(errorOf(level + query + level), testing::EndsWith("the level's own query)"));
+  o.quick->waypoints = {"A"};
+  EXPECT_THAT(errorOf(level), HasSubstr(":1: --waypoint: asks a new query"));
+  o.each = true;
+  EXPECT_TRUE(filter(level + query, o).status);
+  EXPECT_THAT(filter(level, o).status.error().text(),
+              HasSubstr(":1: level 'bare' has no query, no goal part and no checkpoint (give"));
 }
 
 TEST(Filter, AQueryOnTheCommandLineReplacesThoseOfTheStream) {
@@ -175,7 +210,7 @@ TEST(Filter, AnswersOnlyTheNamedQueriesAndMissesUnknownNames) {
   o.only = {"other"};
   const Filtered f = filter(stonesText(), o);
   ASSERT_FALSE(f.status);
-  EXPECT_EQ(f.status.error().text(), "--query: no query 'other' in the stream (there is q)");
+  EXPECT_EQ(f.status.error().text(), "--query: the stream has no query 'other' (it has q)");
   o.only = {"q"};
   EXPECT_TRUE(filter(stonesText(), o).status);
 }
@@ -191,7 +226,7 @@ TEST(Filter, AQueryThatMakesNoSenseIsNotVerifiedBy) {
   EXPECT_EQ(f.status.error().path, "visits") << f.status.error().text();
   o.only = {"other"};
   EXPECT_THAT(filter(stonesText(R"(,"visits":[)" + visits + "]"), o).status.error().text(),
-              HasSubstr("no query 'other'"));
+              HasSubstr("the stream has no query 'other'"));
 }
 
 TEST(Filter, AQueryOfAnUnknownLevelIsAnError) {

@@ -51,13 +51,14 @@ void expectUnreachable(const Filtered& f, const std::string& words) {
 TEST(Unreachable, NamesTheStepThatIsMissing) {
   const Filtered f = unreachableAsk(R"("goal":{"part":"Ledge"})");
   expectUnreachable(
-      f, "nobody can reach the goal 'Ledge': from part 2 'C' to the goal 'Ledge' at least");
+      f, "No player can reach the goal 'Ledge'. From 'C', the goal 'Ledge' is at least ");
+  EXPECT_THAT(f.output, HasSubstr(" studs too high. At most 3 parts are reachable.\""));
   EXPECT_THAT(f.output, HasSubstr(R"("reached":[0,1,2],"from":2,"rise":)"));
 }
 
 // Somebody else might.
 TEST(Unreachable, NobodyWithoutJumpingIsSaidToBeSo) {
-  const std::string words = "nobody can reach the goal 'third' without jumping: from part ";
+  const std::string words = "No player can reach the goal 'third' without jumping. From '";
   expectUnreachable(unreachableAsk(std::string(kThird) + R"(,"maxJumps":0)"), words);
   expectUnreachable(unreachableAsk(std::string(kThird) + R"(,"forbid":["jumping"])"), words);
 }
@@ -70,8 +71,9 @@ TEST(Unreachable, LimitsOnTheWayToAWaypointEndThere) {
 }
 
 TEST(Unreachable, CountsTheJumpsThatEveryWayTakes) {
-  expectUnreachable(unreachableAsk(std::string(kThird) + R"(,"maxJumps":1)"),
-                    "every way to the goal 'third' takes at least 2 jumps, and 1 are allowed");
+  expectUnreachable(
+      unreachableAsk(std::string(kThird) + R"(,"maxJumps":1)"),
+      "Every route to the goal 'third' takes at least 2 jumps, but only 1 is allowed.");
   EXPECT_EQ(unreachableAsk(std::string(kThird) + R"(,"maxJumps":2)").counts.unreachable, 0u);
 }
 
@@ -80,7 +82,7 @@ TEST(Unreachable, CountsTheJumpsToAWaypoint) {
       unreachableAsk(
           std::string(kThird) +
           R"(,"waypoints":[{"region":{"name":"second","position":[0,2,-24],"size":[8,4,8]},"maxJumps":0}])"),
-      "every way to waypoint 1 'second' takes at least 1 jump, and 0 are allowed");
+      "Every route to waypoint 1 'second' takes at least 1 jump, but none is allowed.");
 }
 
 TEST(Unreachable, KnowsHowLongTheWayIs) {
@@ -204,7 +206,7 @@ TEST(Unreachable, IsNotSaidWhereTheClockOfALiftBeginsAnew) {
 TEST(Unreachable, OneVisitOutOfReachIsEnough) {
   expectUnreachable(unreachableAsk(std::string(kThird) +
                                    R"(,"visits":[{"part":"B"},{"part":"Ledge","touch":true}])"),
-                    "nobody can reach 'Ledge'");
+                    "No player can reach 'Ledge'. From '");
 }
 
 TEST(Unreachable, AnyGoalWithinReachWillDo) {
@@ -220,7 +222,7 @@ TEST(Unreachable, OfSeveralGoalsTheOneThatLacksLeastIsNamed) {
     const size_t at = f.output.find("\"cut\":");
     return f.output.substr(at, f.output.find('}', at) - at);
   };
-  expectUnreachable(both, "nobody can reach any of the goals");
+  expectUnreachable(both, "No player can reach any goal. From '");
   EXPECT_EQ(cutOf(both), cutOf(one));
 }
 
@@ -261,7 +263,8 @@ TEST(Unreachable, IsNotSaidOfALevelThatLacksPartOfItsPlace) {
   text.insert(text.find(name), R"("unmodelled":[{"kind":"terrain","count":2}],)");
   const std::string output = answer(text);
   EXPECT_NE(output.find("\"verdict\":\"unknown\""), std::string::npos);
-  EXPECT_NE(output.find("what is not simulated: terrain (2)"), std::string::npos);
+  EXPECT_NE(output.find("The place has things that are not simulated: terrain (2)."),
+            std::string::npos);
 }
 
 }  // namespace

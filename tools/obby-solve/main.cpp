@@ -1,9 +1,11 @@
 // obby-solve: answers the queries of a stream. Wiring only; lib/solve does the work.
-#include <fmt/format.h>
+#include <chrono>
 
 #include "cli/context.h"
 #include "cli/tool.h"
+#include "io/sink.h"
 #include "options.h"
+#include "summary.h"
 #include "watch.h"
 
 namespace {
@@ -16,21 +18,10 @@ cli::ExitCode exitCode(const cli::Context& context, const solve::FilterCounts& c
   return counts.unknown > 0 ? cli::ExitCode::unknown : cli::ExitCode::ok;
 }
 
-std::string summary(solve::Task task, const solve::FilterCounts& counts) {
-  switch (task) {
-    case solve::Task::verify:
-      return fmt::format("{} trajectories replayed as recorded", counts.verified);
-    case solve::Task::filter:
-      return fmt::format("{} of {} trajectories kept", counts.kept, counts.kept + counts.dropped);
-    case solve::Task::answer: break;
-  }
-  return fmt::format("{} solved, {} unreachable, {} unknown", counts.solved, counts.unreachable,
-                     counts.unknown);
-}
-
 // One stream in, one stream out. The options keep the answers for the next run.
 Status solveOnce(cli::Context& context, solve::FilterOptions& options,
-                 const std::atomic<bool>& stop, solve::FilterCounts& counts) {
+                 const std::atomic<bool>& stop, tools::RunOutcome& outcome) {
+  const auto start = std::chrono::steady_clock::now();
   OBBY_ASSIGN(io::StreamWriter output, context.openOutput());
   io::SourceOptions source = context.sourceOptions();
   source.stop = &stop;
@@ -41,10 +32,20 @@ Status solveOnce(cli::Context& context, solve::FilterOptions& options,
   if (status && !stop) status = filter.finishInput();
   status = pipeline.finish(std::move(status));
   if (options.remember) options.earlier = filter.takeEarlier();
-  OBBY_RETURN_IF_ERROR(std::move(status));
-  counts = filter.counts();
-  context.note(summary(options.task, counts));
-  return {};
+  outcome = {filter.counts(),
+             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+  return status;
+}
+
+// The line that ends a run; a run that answered nothing before its error has only that.
+void tellOutcome(cli::Context& context, const solve::FilterOptions& options, const Status& status,
+                 const tools::RunOutcome& outcome) {
+  const std::string text = tools::summary(options.task, outcome);
+  if (status) {
+    context.tell(context.stop() ? "interrupted: " + text : text);
+  } else if (!io::isBrokenPipe(status.error()) && !outcome.isEmpty()) {
+    context.tell("stopped by an error: " + text);
+  }
 }
 
 Result<cli::ExitCode> run(cli::Context& context) {
@@ -52,16 +53,20 @@ Result<cli::ExitCode> run(cli::Context& context) {
   OBBY_ASSIGN(const sim::Backend backend, tools::searchBackend(context));
   options.device = backend.device();
   context.note(backend.note());
-  solve::FilterCounts counts;
+  tools::RunOutcome outcome;
   if (options.remember) {
-    OBBY_RETURN_IF_ERROR(tools::watchInputs(
-        context, options, [&](solve::FilterOptions& o, const std::atomic<bool>& stop) {
-          return solveOnce(context, o, stop, counts);
-        }));
+    const tools::SolveOnce again = [&](solve::FilterOptions& o,
+                                       const std::atomic<bool>& stop) -> Result<std::string> {
+      OBBY_RETURN_IF_ERROR(solveOnce(context, o, stop, outcome));
+      return tools::summary(o.task, outcome);
+    };
+    OBBY_RETURN_IF_ERROR(tools::watchInputs(context, options, again));
   } else {
-    OBBY_RETURN_IF_ERROR(solveOnce(context, options, context.stop(), counts));
+    Status status = solveOnce(context, options, context.stop(), outcome);
+    tellOutcome(context, options, status, outcome);
+    OBBY_RETURN_IF_ERROR(std::move(status));
   }
-  return exitCode(context, counts);
+  return exitCode(context, outcome.counts);
 }
 
 }  // namespace

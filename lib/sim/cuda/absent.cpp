@@ -4,7 +4,7 @@
 namespace obby::sim::cuda {
 
 Result<std::unique_ptr<Device>> openDevice(uint32_t) {
-  return makeError("this build has no CUDA", "build with nvcc: cmake --preset cuda");
+  return makeError("this build has no CUDA support", "build it with nvcc: cmake --preset cuda");
 }
 
 const void* stepEntry(StepKind) { return nullptr; }

@@ -27,8 +27,8 @@ class Gpu : public Device {
 
   Status open(uint32_t which) {
     int count = 0;
-    OBBY_RETURN_IF_ERROR(check(cudaGetDeviceCount(&count), "no GPU to use"));
-    if (count == 0) return makeError("CUDA: no GPU to use");
+    OBBY_RETURN_IF_ERROR(check(cudaGetDeviceCount(&count), "no usable GPU"));
+    if (count == 0) return makeError("CUDA: no usable GPU");
     number_ = int(which % uint32_t(count));
     OBBY_RETURN_IF_ERROR(check(cudaSetDevice(number_), "cannot use the GPU"));
     for (cudaStream_t* const stream : {&aside_, &beside_}) {
@@ -40,7 +40,7 @@ class Gpu : public Device {
           check(cudaEventCreateWithFlags(event, cudaEventDisableTiming), "cannot use the GPU"));
     }
     OBBY_RETURN_IF_ERROR(
-        check(cudaGetDeviceProperties(&properties_, number_), "cannot ask the GPU what it is"));
+        check(cudaGetDeviceProperties(&properties_, number_), "cannot read the GPU's properties"));
     return tryKernel();
   }
 
@@ -51,7 +51,7 @@ class Gpu : public Device {
     OBBY_RETURN_IF_ERROR(check(cudaSetDevice(number_), "cannot use the GPU"));  // of this thread
     const cudaError_t code = cudaMalloc(&memory, bytes);
     if (code == cudaErrorMemoryAllocation) cudaGetLastError();  // this one is over and done with
-    OBBY_RETURN_IF_ERROR(check(code, fmt::format("allocating {} bytes", bytes).c_str()));
+    OBBY_RETURN_IF_ERROR(check(code, fmt::format("allocating {} bytes on the GPU", bytes).c_str()));
     return memory;
   }
   void release(void* memory) override { cudaFree(memory); }
@@ -71,7 +71,7 @@ class Gpu : public Device {
     return check(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToDevice), "copying on the GPU");
   }
   Status fill(void* to, uint8_t value, size_t bytes) override {
-    return check(cudaMemset(to, value, bytes), "clearing memory of the GPU");
+    return check(cudaMemset(to, value, bytes), "clearing GPU memory");
   }
 
   Status launch(const Kernel& kernel, const void* arguments, uint32_t count) override {

@@ -1,5 +1,7 @@
 #include "solve/answers/answer_records.h"
 
+#include <cctype>
+
 #include "level/record_values.h"
 #include "sim/simulator.h"
 #include "solve/answers/reason.h"
@@ -142,10 +144,10 @@ void fillRelaxations(schema::Result::Builder record, const std::vector<Relaxatio
     relaxations[i].setSteps(found[i].steps);
     relaxations[i].setText(found[i].text);
   }
-  const std::string reason = record.getReason().cStr();
-  record.setReason(
-      reason + "; " +
-      (found.empty() ? "no single change that was tried makes it solvable" : found.front().text));
+  std::string advice =
+      found.empty() ? "no single change that was tried makes it solvable" : found.front().text;
+  advice.front() = char(std::toupper(advice.front()));
+  record.setReason(record.getReason().cStr() + (" " + advice) + ".");
 }
 
 }  // namespace obby::solve

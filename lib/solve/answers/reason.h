@@ -1,4 +1,4 @@
-// One sentence for people: what was found, or how the attempts failed.
+// Some sentences for people: what was found, or how the attempts failed.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace obby::solve {
 
-// Says nothing that depends on the clock. `levelRecord`: for what the importer left out.
+// Says nothing that depends on the clock. `levelRecord`: for names, and what the importer left out.
 std::string reasonFor(const SearchOutcome& outcome, const level::Level& level,
                       schema::Level::Reader levelRecord, schema::Query::Reader query);
 

@@ -75,8 +75,8 @@ Difficulty summed(std::vector<Step> steps, uint32_t trials) {
 
 std::string describe(const NoiseModel& m) {
   return fmt::format(
-      "{}: press {:.0f} ms, aim {:g} degrees, reaction {:.0f} ms, place {:g} studs; assumed, not "
-      "measured",
+      "{}: press error {:.0f} ms, aim error {:g} degrees, reaction time {:.0f} ms, position error "
+      "{:g} studs; assumed, not measured",
       m.name, m.press * 1000, m.aim, m.reaction * 1000, m.place);
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "solve/answers/part_text.h"
 #include "solve/difficulty/press_windows.h"
 
 namespace obby::solve {
@@ -26,11 +27,6 @@ const char* bandName(Band band) {
   return kNames[size_t(band)];
 }
 
-std::string partText(int32_t part, const level::Level& level, const char* none) {
-  return part < 0 ? std::string(none)
-                  : fmt::format("part {} '{}'", part, level.partName(uint32_t(part)));
-}
-
 }  // namespace
 
 void fillDifficulty(schema::Difficulty::Builder record, const Difficulty& difficulty,
@@ -46,18 +42,23 @@ void fillDifficulty(schema::Difficulty::Builder record, const Difficulty& diffic
   record.setNoise(describe(noise));
 }
 
-std::string hardestText(const Difficulty& difficulty, const level::Level& level) {
+std::string hardestText(const Difficulty& difficulty, const level::Level& level,
+                        schema::Level::Reader record) {
   const DifficultyStep& step = difficulty.steps[difficulty.hardest];
   const Segment& s = step.segment;
-  std::string text = fmt::format("the {} from {} to {} ({}", s.jumps > 0 ? "jump" : "way",
-                                 partText(s.from, level, "the start"),
-                                 partText(s.to, level, "the goal"), bandName(bandOf(step.success)));
+  const auto place = [&](int32_t part, const char* none) {
+    return part < 0 ? std::string(none) : partText(record, uint32_t(part));
+  };
+  std::string text = fmt::format("The hardest step is the {} from {} to {} ({}",
+                                 s.jumps > 0 ? "jump" : "move", place(s.from, "the start"),
+                                 place(s.to, "the goal"), bandName(bandOf(step.success)));
   // A window as wide as what is looked at says that the press need not be timed.
   const float widest = float(2 * kMostShift) * 1000 / float(level.view().params.controlRate);
   if (s.jumps > 0 && step.window <= widest) {
-    text += fmt::format(", window {:.0f} ms", step.window);
+    text += step.window > 0 ? fmt::format(": jump within {:.2f} s", step.window / 1000)
+                            : std::string(": a jump with no time to spare");
   }
-  return text + ")";
+  return text + ").";
 }
 
 }  // namespace obby::solve

@@ -11,7 +11,8 @@ namespace obby::solve {
 void fillDifficulty(schema::Difficulty::Builder record, const Difficulty& difficulty,
                     const NoiseModel& noise);
 
-// "the jump from part 3 'Post 2' to part 4 'Post 3' (hard, window 67 ms)"
-std::string hardestText(const Difficulty& difficulty, const level::Level& level);
+// "The hardest step is the jump from 'Post 2' to 'Post 3' (hard: jump within 0.07 s)."
+std::string hardestText(const Difficulty& difficulty, const level::Level& level,
+                        schema::Level::Reader record);
 
 }  // namespace obby::solve

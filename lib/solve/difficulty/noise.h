@@ -25,7 +25,7 @@ struct NoiseModel {
   float hold = 0.1f;
 };
 
-// "average player: press 30 ms, aim 6 degrees, ...".
+// "average player: press error 30 ms, aim error 6 degrees, ...".
 std::string describe(const NoiseModel& model);
 
 // Near enough a normal distribution of mean 0 and standard deviation 1, without libm: the sum of

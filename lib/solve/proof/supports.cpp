@@ -250,10 +250,10 @@ class Builder {
 std::vector<Support> supportsOf(const Problem& problem) { return Builder(problem).build(); }
 
 const char* unboundedPart(const level::LevelView& level) {
-  if (level.looseCount != 0) return "loose parts, which can be pushed anywhere";
-  if (!(level.params.gravity > 1)) return "next to no gravity";
+  if (level.looseCount != 0) return "dynamic parts, which can be pushed anywhere";
+  if (!(level.params.gravity > 1)) return "almost no gravity";
   if (legsBounce(level.params)) return "legs that bounce";
-  if (level.params.maxSlope < kLeastSlope * kPi / 180) return "slopes to slide down";
+  if (level.params.maxSlope < kLeastSlope * kPi / 180) return "slopes that players slide down";
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     if (!(level.bounds[i].flags & level::kPad)) continue;
     const level::Roles& r = level.roles[level.colliders[i].role];

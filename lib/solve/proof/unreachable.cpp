@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/simulator.h"
+#include "solve/answers/part_text.h"
 #include "solve/proof/crowding.h"
 #include "solve/proof/jumping.h"
 #include "solve/proof/rounding.h"
@@ -54,7 +55,7 @@ class Prover {
         bound_(problem, mayJump_) {
     goals_.push_back(&q_.goal);
     for (uint32_t i = 0; i < q_.otherGoalCount; ++i) goals_.push_back(&q_.otherGoals[i]);
-    goalName_ = goals_.size() > 1 ? "any of the goals"
+    goalName_ = goals_.size() > 1 ? "any goal"
                                   : "the goal" + (record.hasGoal() ? quoted(record.getGoal()) : "");
   }
 
@@ -174,20 +175,24 @@ bool clockBeginsAnew(const Problem& problem) {
   return problem.hasClock && problem.start.tick + sim::kMaxReplayTicks > kLast;
 }
 
-std::string partText(uint32_t collider, const level::Level& level) {
-  const uint32_t part = level.view().colliders[collider].part;
-  return fmt::format("part {} '{}'", part, level.partName(part));
+std::string stepText(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
+  const auto nameOf = [&](uint32_t collider) {
+    return partText(record, level.view().colliders[collider].part);
+  };
+  const Missing& m = cut.missing;
+  const std::string from = m.from == level::kNone ? "the start" : nameOf(m.from);
+  std::string lacks;
+  if (m.rise > 0) lacks = fmt::format("{:.1f} studs too high", m.rise);
+  if (m.gap > 0) lacks += fmt::format("{}{:.1f} studs too far", m.rise > 0 ? " and " : "", m.gap);
+  if (lacks.empty()) return {};
+  return fmt::format(" From {}, {} is at least {}.", from,
+                     m.to == level::kNone ? cut.target : nameOf(m.to), lacks);
 }
 
-std::string stepText(const Cut& cut, const level::Level& level) {
-  const Missing& m = cut.missing;
-  std::string text = m.from == level::kNone ? "from the start" : "from " + partText(m.from, level);
-  text += " to " + (m.to == level::kNone ? cut.target : partText(m.to, level));
-  if (m.rise > 0) text += fmt::format(" at least {:.1f} studs of height", m.rise);
-  if (m.gap > 0) {
-    text += fmt::format("{} at least {:.1f} studs of reach", m.rise > 0 ? " and" : "", m.gap);
-  }
-  return text + " are missing";
+// "none is", "only 1 is", "only 2 are"
+std::string allowedText(uint32_t n) {
+  if (n == 0) return "none is";
+  return fmt::format("only {} {}", n, n == 1 ? "is" : "are");
 }
 
 }  // namespace
@@ -198,18 +203,18 @@ std::optional<Cut> cutOf(const Problem& problem, schema::Query::Reader record) {
   return Prover(problem, record).prove();
 }
 
-std::string reasonFor(const Cut& cut, const level::Level& level) {
+std::string reasonFor(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
   if (cut.jumps > 0) {
-    return fmt::format("every way to {} takes at least {} jump{}, and {} are allowed", cut.target,
-                       cut.jumps, cut.jumps == 1 ? "" : "s", cut.mostJumps);
+    return fmt::format("Every route to {} takes at least {} jump{}, but {} allowed.", cut.target,
+                       cut.jumps, cut.jumps == 1 ? "" : "s", allowedText(cut.mostJumps));
   }
   if (cut.seconds > 0) {
-    return fmt::format("every way to {} takes at least {:.2f} s, and {:.2f} s are allowed",
+    return fmt::format("Every route to {} takes at least {:.2f} s, but only {:.2f} s are allowed.",
                        cut.target, cut.seconds, cut.mostSeconds);
   }
-  return fmt::format("nobody can reach {}{}: {}; {} part{} can be reached at most", cut.target,
-                     cut.mayJump ? "" : " without jumping", stepText(cut, level),
-                     cut.reached.size(), cut.reached.size() == 1 ? "" : "s");
+  return fmt::format("No player can reach {}{}.{} At most {} part{} reachable.", cut.target,
+                     cut.mayJump ? "" : " without jumping", stepText(cut, level, record),
+                     cut.reached.size(), cut.reached.size() == 1 ? " is" : "s are");
 }
 
 void fillCut(schema::Cut::Builder record, const Cut& cut, const level::LevelView& level) {

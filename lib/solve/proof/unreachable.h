@@ -27,8 +27,8 @@ struct Cut {
 // Nothing: the query may be solvable. `record`: for the names of its regions.
 std::optional<Cut> cutOf(const Problem& problem, schema::Query::Reader record);
 
-// One sentence for people.
-std::string reasonFor(const Cut& cut, const level::Level& level);
+// Some sentences for people.
+std::string reasonFor(const Cut& cut, const level::Level& level, schema::Level::Reader record);
 
 void fillCut(schema::Cut::Builder record, const Cut& cut, const level::LevelView& level);
 

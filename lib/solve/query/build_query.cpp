@@ -50,8 +50,8 @@ Status fillPlace(schema::Region::Builder record, std::string selector, const cha
     return {};
   }
   if (record.getTouch()) {
-    return inOption(makeError(fmt::format("'{}' is a box: only a part can be touched", selector)),
-                    option);
+    return inOption(
+        makeError(fmt::format("'{}' is a box, and only a part can be touched", selector)), option);
   }
   record.setName((*box)->name);
   level::fillBox(record, **box);
@@ -104,17 +104,15 @@ int64_t lastPart(schema::Level::Reader level) {
 
 Status fillDefaults(schema::Level::Reader level, schema::Query::Builder query) {
   if (!query.hasStart() && level.getSpawns().size() == 0) {
-    return inOption(makeError(fmt::format("level '{}' has no spawn", level.getName().cStr()),
-                              "name a part or a box to start from"),
-                    "--start");
+    return makeError(fmt::format("level '{}' has no spawn", level.getName().cStr()),
+                     "give --start PLACE");
   }
   if (query.hasGoal()) return {};
   const int64_t part = lastPart(level);
   if (part < 0) {
-    return inOption(makeError(fmt::format("level '{}' has no query, no goal part and no checkpoint",
-                                          level.getName().cStr()),
-                              "name a part or a box to reach, or write a query record"),
-                    "--goal");
+    return makeError(fmt::format("level '{}' has no query, no goal part and no checkpoint",
+                                 level.getName().cStr()),
+                     "give --goal PLACE, or put a query record after the level");
   }
   query.initGoal().setPart(fmt::format("part:{}", part));
   return {};
@@ -128,12 +126,26 @@ Status fillStates(const std::vector<std::string>& names, schema::Query::Builder 
     KJ_IF_MAYBE (found, state) {
       forbid.set(i, schema::PlayerState(found->getOrdinal()));
     } else {
-      return inOption(makeError(fmt::format("no state '{}'", names[i]),
-                                "jumping, climbing, seated and fallingDown can be forbidden"),
+      return inOption(makeError(fmt::format("unknown state '{}'", names[i]),
+                                "give jumping, climbing, seated or fallingDown"),
                       "--forbid");
     }
   }
   return {};
+}
+
+// The first option that asks for something.
+const char* firstOption(const QuickQuery& q) {
+  const std::pair<bool, const char*> options[] = {
+      {!q.start.empty(), "--start"},        {!q.goals.empty(), "--goal"},
+      {!q.waypoints.empty(), "--waypoint"}, {!q.visits.empty(), "--visit"},
+      {!q.avoid.empty(), "--avoid"},        {!q.forbid.empty(), "--forbid"},
+      {q.minJumps >= 0, "--min-jumps"},     {q.maxJumps >= 0, "--max-jumps"},
+      {q.timeLimit > 0, "--max-time"},      {q.maxDamage >= 0, "--max-damage"}};
+  for (const auto& [given, option] : options) {
+    if (given) return option;
+  }
+  return "";
 }
 
 // What is asked for takes the place of what the query has.
@@ -176,6 +188,20 @@ Result<io::Record> resolved(schema::Level::Reader level, io::RecordBuilder recor
 }
 
 }  // namespace
+
+bool hasEnd(schema::Level::Reader level) { return lastPart(level) >= 0; }
+
+Error lacksGoal(schema::Level::Reader level, const QuickQuery& quick, uint64_t queries) {
+  std::string hint = "give --goal PLACE";
+  if (queries == 1) hint += ", or --each to change the level's own query";
+  if (queries > 1) hint += fmt::format(", or --each to change the level's own {} queries", queries);
+  return inOption(
+      makeError(fmt::format(
+                    "asks a new query, and level '{}' has no goal part and no checkpoint to reach",
+                    level.getName().cStr()),
+                std::move(hint)),
+      firstOption(quick));
+}
 
 Result<io::Record> buildQuery(schema::Level::Reader level, const QuickQuery& quick,
                               const std::string& id) {

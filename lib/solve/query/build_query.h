@@ -16,12 +16,18 @@ struct QuickQuery {
   std::vector<std::string> goals;      // any of them
   std::vector<std::string> waypoints;  // in order
   std::vector<std::string> visits;     // in any order; a #tag stands for all its parts
-  std::vector<std::string> avoid;      // a #tag stands for all its parts
+  std::vector<std::string> avoid;      // any name stands for all parts that it fits
   std::vector<std::string> forbid;     // states, as the schema spells them
   int32_t minJumps = -1, maxJumps = -1;
   float timeLimit = 0;  // seconds
   float maxDamage = -1;
 };
+
+// Has the level a part that it ends on, which a query without a goal asks for?
+bool hasEnd(schema::Level::Reader level);
+// Error for a question without a goal of a level without an end. Names the first option that asks
+// it. `queries`: how many the stream has for the level.
+Error lacksGoal(schema::Level::Reader level, const QuickQuery& quick, uint64_t queries);
 
 // The query record; its id is `id`. Without a start the level's first spawn, without a goal its
 // goal part, else its last checkpoint. Error: a selector that names no part or several, a level

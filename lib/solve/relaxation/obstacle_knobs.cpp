@@ -1,7 +1,7 @@
 // Knobs that take something out of the way: a part that kills, an avoid region, a forbidden state.
-#include <capnp/schema.h>
 #include <fmt/format.h>
 
+#include "solve/answers/part_text.h"
 #include "solve/relaxation/knobs.h"
 
 namespace obby::solve {
@@ -18,10 +18,9 @@ Change without(schema::Knob knob, const std::string& text) {
   return c;
 }
 
-Change withoutKill(const level::Level& level, uint32_t part) {
+Change withoutKill(schema::Level::Reader level, uint32_t part) {
   Change c = without(schema::Knob::KILL_PART,
-                     fmt::format("blocked by part {} '{}': solvable if it were harmless", part,
-                                 level.partName(part)));
+                     fmt::format("solvable if {} were harmless", partText(level, part)));
   c.part = int32_t(part);
   c.apply = [part](schema::Level::Builder record, schema::Query::Builder, uint32_t) {
     record.getParts()[part].disownKill();
@@ -29,16 +28,20 @@ Change withoutKill(const level::Level& level, uint32_t part) {
   return c;
 }
 
-std::string regionName(schema::Region::Reader region, uint32_t index) {
+std::string withoutAvoidText(const PosedQuery& posed, uint32_t index) {
+  const auto region = posed.queryRecord.getAvoid()[index];
+  if (region.getTouch() && region.getPartIndex() >= 0) {
+    return fmt::format("solvable if touching {} were allowed",
+                       partText(posed.levelRecord, uint32_t(region.getPartIndex())));
+  }
   const bool named = region.getName().size() > 0;
-  return named ? fmt::format("'{}'", region.getName().cStr()) : fmt::format("{}", index);
+  return fmt::format(
+      "solvable if entering avoid region {} were allowed",
+      named ? fmt::format("'{}'", region.getName().cStr()) : fmt::format("{}", index + 1));
 }
 
-Change withoutAvoid(schema::Query::Reader query, uint32_t index) {
-  const std::string name = regionName(query.getAvoid()[index], index);
-  Change c =
-      without(schema::Knob::AVOID,
-              fmt::format("blocked by avoid region {}: solvable if it could be entered", name));
+Change withoutAvoid(const PosedQuery& posed, uint32_t index) {
+  Change c = without(schema::Knob::AVOID, withoutAvoidText(posed, index));
   c.avoid = int32_t(index);
   c.field = fmt::format("avoid[{}]", index);
   c.apply = [index](schema::Level::Builder, schema::Query::Builder record, uint32_t) {
@@ -52,10 +55,19 @@ Change withoutAvoid(schema::Query::Reader query, uint32_t index) {
   return c;
 }
 
+const char* wordFor(schema::PlayerState state) {
+  switch (state) {
+    case schema::PlayerState::JUMPING: return "jumping";
+    case schema::PlayerState::CLIMBING: return "climbing";
+    case schema::PlayerState::SEATED: return "sitting";
+    case schema::PlayerState::FALLING_DOWN: return "falling down";
+    default: return "that state";
+  }
+}
+
 Change withoutForbidden(schema::PlayerState state, uint32_t index) {
-  const auto enumerants = capnp::Schema::from<schema::PlayerState>().getEnumerants();
-  const std::string word = enumerants[uint32_t(state)].getProto().getName().cStr();
-  Change c = without(schema::Knob::FORBIDDEN, fmt::format("solvable if {} were allowed", word));
+  Change c =
+      without(schema::Knob::FORBIDDEN, fmt::format("solvable if {} were allowed", wordFor(state)));
   c.field = fmt::format("forbid[{}]", index);
   c.apply = [index](schema::Level::Builder, schema::Query::Builder record, uint32_t) {
     const auto old = record.disownForbid();
@@ -74,7 +86,8 @@ std::vector<Change> killPartChanges(const Failure& failure) {
   for (const EndCount& end : failure.outcome.ends) {
     const bool hurts = end.outcome == sim::Outcome::killed || end.outcome == sim::Outcome::hurt;
     if (!hurts || end.part >= parts.size() || !parts[end.part].hasKill()) continue;
-    if (changes.size() < kMostEach) changes.push_back(withoutKill(failure.posed.level, end.part));
+    if (changes.size() < kMostEach)
+      changes.push_back(withoutKill(failure.posed.levelRecord, end.part));
   }
   return changes;
 }
@@ -84,7 +97,7 @@ std::vector<Change> avoidChanges(const Failure& failure) {
   std::vector<Change> changes;
   for (const EndCount& end : failure.outcome.ends) {
     if (end.outcome != sim::Outcome::avoided || end.part >= query.getAvoid().size()) continue;
-    if (changes.size() < kMostEach) changes.push_back(withoutAvoid(query, end.part));
+    if (changes.size() < kMostEach) changes.push_back(withoutAvoid(failure.posed, end.part));
   }
   return changes;
 }

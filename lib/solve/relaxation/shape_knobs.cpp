@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solve/answers/part_text.h"
 #include "solve/proof/flight.h"
 #include "solve/query/targets.h"
 #include "solve/relaxation/frontier.h"
@@ -70,21 +71,21 @@ std::vector<uint32_t> amountsToTry(const SearchOutcome& outcome) {
   return {10, 20, 40, 80};
 }
 
-Change lower(const level::Level& level, uint32_t part, const SearchOutcome& outcome) {
+Change lower(const Failure& failure, uint32_t part) {
+  const level::Level& level = failure.posed.level;
   Change c;
   c.knob = schema::Knob::LOWERED;
   c.part = int32_t(part);
   c.notch = kLowerNotch;
   c.scale = std::max(jumpHeight(level.view().params), 1.0);
-  c.first = amountsToTry(outcome);
+  c.first = amountsToTry(failure.outcome);
   c.apply = [part, box = boxOf(level.view(), part)](schema::Level::Builder record,
                                                     schema::Query::Builder query, uint32_t n) {
     sinkPart(record.getParts()[part], n * kLowerNotch);
     sinkRegions(query, part, box, n * kLowerNotch);
   };
-  c.text = [part, name = level.partName(part)](uint32_t n) {
-    return fmt::format("solvable if part {} '{}' were {:.1f} studs lower", part, name,
-                       n * kLowerNotch);
+  c.text = [name = partText(failure.posed.levelRecord, part)](uint32_t n) {
+    return fmt::format("solvable with {} {:.1f} studs lower", name, n * kLowerNotch);
   };
   return c;
 }
@@ -108,7 +109,7 @@ std::vector<Change> jumpHeightChanges(const Failure& failure) {
     physics.setJumpSpeed(float(double(physics.getJumpSpeed()) * std::sqrt(1 + n * kHigherNotch)));
   };
   c.text = [height](uint32_t n) {
-    return fmt::format("solvable if jumps were {:.1f} studs ({:.0f} %) higher",
+    return fmt::format("solvable with jumps {:.1f} studs ({:.0f} %) higher",
                        n * kHigherNotch * height, 100 * n * kHigherNotch);
   };
   return {c};
@@ -117,7 +118,7 @@ std::vector<Change> jumpHeightChanges(const Failure& failure) {
 std::vector<Change> loweredChanges(const Failure& failure) {
   std::vector<Change> changes;
   for (const uint32_t part : partsBeyond(failure, kPartsToLower)) {
-    changes.push_back(lower(failure.posed.level, part, failure.outcome));
+    changes.push_back(lower(failure, part));
   }
   return changes;
 }

@@ -20,7 +20,7 @@ Error wrong(std::string field, const std::string& recorded, const std::string& r
   return Error{{},
                {},
                std::move(field),
-               fmt::format("the record says {}, the replay gives {}", recorded, replayed),
+               fmt::format("the record says {}, but the replay gives {}", recorded, replayed),
                {}};
 }
 
@@ -30,11 +30,11 @@ Status same(const char* field, auto recorded, auto replayed) {
 }
 
 // The record's place is that of the replay, up to what a person rounds.
-Status samePlace(std::string field, Point recorded, Point replayed, const char* what = "") {
+Status samePlace(std::string field, Point recorded, Point replayed) {
   const double x = recorded.x - replayed.x, y = recorded.y - replayed.y;
   if (std::hypot(x, y, recorded.z - replayed.z) < 1e-3) return {};
   const auto text = [](Point p) { return fmt::format("{}, {}, {}", p.x, p.y, p.z); };
-  return wrong(std::move(field), text(recorded), what + text(replayed));
+  return wrong(std::move(field), text(recorded), text(replayed));
 }
 
 Status checkStart(schema::Level::Reader level, schema::Query::Reader query,
@@ -46,12 +46,14 @@ Status checkStart(schema::Level::Reader level, schema::Query::Reader query,
     wanted = BoxRegion(start.getRegion()).floor();
   } else {
     const uint32_t spawn = start.getSpawn() < 0 ? 0 : uint32_t(start.getSpawn());
-    if (spawn >= level.getSpawns().size()) return wrong("position", "a start", "no such spawn");
+    if (spawn >= level.getSpawns().size()) {
+      return Error{
+          {}, {}, "position", fmt::format("the level has no spawn {} to start on", spawn), {}};
+    }
     wanted = point(level.getSpawns()[spawn].getPosition());
     yaw = level.getSpawns()[spawn].getYaw();
   }
-  OBBY_RETURN_IF_ERROR(
-      samePlace("position", point(trajectory.getPosition()), wanted, "a start at "));
+  OBBY_RETURN_IF_ERROR(samePlace("position", point(trajectory.getPosition()), wanted));
   OBBY_RETURN_IF_ERROR(same("yawTurns", trajectory.getYawTurns(), turnsFromRadians(yaw)));
   return same("startTick", trajectory.getStartTick(), start.getTick());
 }
@@ -88,7 +90,7 @@ struct Walked {
 
 Status checkPath(schema::Path::Reader path, const Walked& way) {
   const size_t step = path.getStep(), ticks = way.feet.size() - 1;
-  if (step == 0) return wrong("path.step", "0", "a point every few ticks");
+  if (step == 0) return Error{{}, {}, "path.step", "expected at least 1 tick, found 0", {}};
   const auto points = path.getPoints();
   if (path.getTicks() != 0) OBBY_RETURN_IF_ERROR(same("path.ticks", path.getTicks(), ticks));
   // Earlier versions wrote neither the last point nor its tick.
