@@ -4,6 +4,7 @@
 #include "cli/context.h"
 #include "cli/tool.h"
 #include "options.h"
+#include "terminal_table.h"
 #include "watch.h"
 
 namespace {
@@ -31,7 +32,8 @@ std::string summary(solve::Task task, const solve::FilterCounts& counts) {
 // One stream in, one stream out. The options keep the answers for the next run.
 Status solveOnce(cli::Context& context, solve::FilterOptions& options,
                  const std::atomic<bool>& stop, solve::FilterCounts& counts) {
-  OBBY_ASSIGN(io::StreamWriter output, context.openOutput());
+  const auto table = tools::TerminalTable::wanted(context);
+  OBBY_ASSIGN(io::StreamWriter output, table ? table->writer() : context.openOutput());
   io::SourceOptions source = context.sourceOptions();
   source.stop = &stop;
   io::Pipeline pipeline(std::move(source), context.identity(), std::move(output));
@@ -40,6 +42,7 @@ Status solveOnce(cli::Context& context, solve::FilterOptions& options,
   // Of a stopped input nobody knows what would have come.
   if (status && !stop) status = filter.finishInput();
   status = pipeline.finish(std::move(status));
+  if (table) OBBY_RETURN_IF_ERROR(table->print(context));
   if (options.remember) options.earlier = filter.takeEarlier();
   OBBY_RETURN_IF_ERROR(std::move(status));
   counts = filter.counts();
