@@ -22,10 +22,21 @@ bool toStandardOutput(const ToolSpec& spec, const Arguments& arguments) {
   return spec.alwaysToStandardOutput || textOr(arguments, "output", "-") == "-";
 }
 
+bool given(const Arguments& arguments, const std::string& name) {
+  const auto found = arguments.values.find(name);
+  return found != arguments.values.end() && found->second.given;
+}
+
+bool tableAsked(const ToolSpec& spec, const Arguments& arguments) {
+  if (!spec.tableAtTerminal || isatty(STDOUT_FILENO) != 1) return false;
+  return !given(arguments, "output") && !given(arguments, "format");
+}
+
 // A line that is drawn over and over would be torn by records on the same terminal.
 bool canDraw(const ToolSpec& spec, const Arguments& arguments) {
   if (isatty(STDERR_FILENO) != 1) return false;
-  return !toStandardOutput(spec, arguments) || isatty(STDOUT_FILENO) != 1;
+  return !toStandardOutput(spec, arguments) || isatty(STDOUT_FILENO) != 1 ||
+         tableAsked(spec, arguments);
 }
 
 io::OnError onErrorFor(const std::string& text) {
@@ -68,6 +79,15 @@ Result<io::StreamWriter> Context::openOutput() const {
 Result<io::Sink> Context::openSink() const {
   OBBY_RETURN_IF_ERROR(checkOutput());
   return io::Sink::open(textOr(arguments_, "output", "-"), io::Durable::no, &stopFlag());
+}
+
+bool Context::showsTable() const { return tableAsked(spec_, arguments_); }
+
+Status Context::show(const std::string& text) {
+  progress_->hide();
+  OBBY_ASSIGN(io::Sink sink, io::Sink::open("-", io::Durable::no, &stopFlag()));
+  OBBY_RETURN_IF_ERROR(sink.write(text));
+  return sink.close();
 }
 
 io::SourceOptions Context::sourceOptions() {

@@ -42,6 +42,11 @@ class Context {
   // The bytes that -o asks for, for output that is no stream of records.
   Result<io::Sink> openSink() const;
 
+  // Whether to show a table in place of the records: ToolSpec::tableAtTerminal.
+  bool showsTable() const;
+  // Writes a text for people to standard output, once the progress line is gone.
+  Status show(const std::string& text);
+
   // The inputs, --on-error, the stop flag and this context's reports, for io::RecordSource.
   io::SourceOptions sourceOptions();
   // Tool, version and --seed, for the header record.

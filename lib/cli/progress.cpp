@@ -81,7 +81,9 @@ std::string progressJson(const ProgressState& state) {
 Progress::Progress(ProgressMode mode, Console& console)
     : mode_(mode), console_(console), start_(std::chrono::steady_clock::now()), last_(start_) {}
 
-Progress::~Progress() {
+Progress::~Progress() { hide(); }
+
+void Progress::hide() {
   if (mode_ == ProgressMode::bar) console_.status("");
 }
 

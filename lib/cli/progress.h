@@ -38,6 +38,8 @@ class Progress {
   ~Progress();
   // Shows it where it is time to, unless the reader of stderr takes nothing.
   void update(const ProgressState& state);
+  // Takes away the line that is drawn, until the next update.
+  void hide();
 
  private:
   ProgressMode mode_;

@@ -32,6 +32,8 @@ struct ToolSpec {
   std::function<bool(const Arguments&)> readsInputs;
   // Records go to standard output whatever --output says.
   bool alwaysToStandardOutput = false;
+  // At a terminal it shows a table, and records only where --output or --format asks for them.
+  bool tableAtTerminal = false;
   std::string inputHelp = "input streams";  // what the positional files are
   std::string notes;                        // paragraphs at the end of help; may be empty
 };

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -74,6 +75,9 @@ class StreamWriter {
                                    const std::atomic<bool>* stop = nullptr);
   // Into memory, for tests and for embedding; take the bytes after close().
   static StreamWriter toBytes(Format format, std::string* bytes);
+  // Encodes nothing: each record of a known kind goes to `take`, whose errors write() and pass()
+  // return.
+  static StreamWriter toFunction(std::function<Status(schema::Record::Reader)> take);
 
   StreamWriter(StreamWriter&&) noexcept;
   StreamWriter& operator=(StreamWriter&&) noexcept;

@@ -1,4 +1,4 @@
-// StreamWriter: records encoded into a Sink.
+// StreamWriter: records encoded into a Sink, or handed on as they are.
 #include "io/json_codec.h"
 #include "io/message_codec.h"
 #include "io/record_storage.h"
@@ -30,8 +30,14 @@ Result<Record> encoded(RecordBuilder builder, Format format) {
 struct StreamWriter::Impl {
   Sink sink;
   Format format;
+  std::function<Status(schema::Record::Reader)> take = {};  // in place of the sink
   uint64_t records = 0;
 
+  Status hand(schema::Record::Reader record) {
+    OBBY_RETURN_IF_ERROR(take(record));
+    records++;
+    return {};
+  }
   Status send(std::string_view piece) {
     OBBY_RETURN_IF_ERROR(sink.write(piece));
     records++;
@@ -49,17 +55,24 @@ StreamWriter StreamWriter::toBytes(Format format, std::string* bytes) {
   return StreamWriter(std::make_unique<Impl>(Impl{Sink::toBytes(bytes), format}));
 }
 
+StreamWriter StreamWriter::toFunction(std::function<Status(schema::Record::Reader)> take) {
+  return StreamWriter(
+      std::make_unique<Impl>(Impl{Sink::toBytes(nullptr), Format::jsonl, std::move(take)}));
+}
+
 StreamWriter::StreamWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 StreamWriter::StreamWriter(StreamWriter&&) noexcept = default;
 StreamWriter& StreamWriter::operator=(StreamWriter&&) noexcept = default;
 StreamWriter::~StreamWriter() = default;
 
 Status StreamWriter::write(schema::Record::Reader record) {
+  if (impl_->take) return impl_->hand(record);
   OBBY_ASSIGN(const std::string piece, bytesOf(record, impl_->format));
   return impl_->send(piece);
 }
 
 Status StreamWriter::pass(const Record& record) {
+  if (impl_->take) return record.known() ? impl_->hand(record.reader()) : Status();
   const Record::Storage& storage = record.storage();
   if (storage.format == impl_->format && !storage.raw.empty()) {
     if (storage.format != Format::jsonl) return impl_->send(storage.raw);

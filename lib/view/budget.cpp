@@ -112,7 +112,7 @@ Budget budgetFor(const PageSizes& sizes, size_t target, Budget least) {
   while (total(sizes, b) > most && b.trackStride < kCoarsest) b.trackStride *= 2;
   if (b.attemptStride > 1) {
     b.notes.push_back(
-        fmt::format("Failed attempts show one tick in {}, to keep the page small. "
+        fmt::format("Failed attempts show one tick in {} to keep the page small. "
                     "--full keeps all.",
                     b.attemptStride));
   }
@@ -122,8 +122,8 @@ Budget budgetFor(const PageSizes& sizes, size_t target, Budget least) {
   }
   if (sizes.longMotion) {
     b.notes.push_back(
-        "Moving parts are shown for ten minutes. Those whose motion takes longer stand still "
-        "then.");
+        "Moving parts are shown for ten minutes. Parts whose motion takes longer stand still "
+        "after that.");
   }
   if (b.attemptsOneOf > 1) {
     b.notes.push_back(

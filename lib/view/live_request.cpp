@@ -47,22 +47,23 @@ std::optional<std::string_view> valueOf(const loopback::Target& target, std::str
 std::variant<LiveCall, Reply> checkLiveRequest(const LiveHead& head, uint16_t port,
                                                std::string_view token) {
   if (!head.host || !loopback::hostAllowed(*head.host, port)) {
-    return refuse(421, "This is not the host that was asked for.");
+    return refuse(421, "This server does not serve the host that the request names.");
   }
   const loopback::Target target = loopback::targetOf(head.target.substr(0, kMaxTarget));
-  if (foreign(head, target.path, port)) return refuse(403, "Other pages may not ask.");
+  if (foreign(head, target.path, port))
+    return refuse(403, "Requests from other pages are not allowed.");
   const auto given = valueOf(target, "token");
   if (!given || !loopback::equalInConstantTime(*given, token)) {
-    return refuse(403, "Open the address that obby-view has printed, with its token.");
+    return refuse(403, "Open the address that obby-view printed, with its token.");
   }
   const auto row = std::ranges::find(kRoutes, target.path, &Route::path);
   if (row == std::end(kRoutes)) return refuse(404, "There is nothing at this address.");
-  if (head.method != "GET") return refuse(405, "Only GET is taken.");
+  if (head.method != "GET") return refuse(405, "Only GET is allowed.");
   LiveCall call{row->route};
   const auto revision = call.route == LiveRoute::data ? valueOf(target, "from") : std::nullopt;
   const auto from = loopback::wholeNumber(revision.value_or("0"), kMaxRevision);
   if (!from || target.parameters.size() != (revision ? 2u : 1u)) {
-    return refuse(400, "The parameters are not understood.");
+    return refuse(400, "The parameters are invalid.");
   }
   call.from = *from;
   return call;

@@ -95,7 +95,7 @@ kj::Promise<void> LiveServer::request(kj::HttpMethod method, kj::StringPtr url,
   head.fetchMode = valueOf(headers, "Sec-Fetch-Mode");
   auto checked = checkLiveRequest(head, port(), token_);
   if (Reply* refusal = std::get_if<Reply>(&checked)) {
-    note(fmt::format("refused with {}: {}", refusal->status, refusal->body));
+    note(fmt::format("refused a request with {}: {}", refusal->status, refusal->body));
     return send(std::move(*refusal), response);
   }
   lastSeen_ = timer_.now();

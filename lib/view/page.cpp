@@ -15,7 +15,7 @@ bool pageAvailable() { return !pageTemplate().empty(); }
 
 Error pageMissing() {
   return makeError("this obby-view was built without the viewer page",
-                   "install npm and build again from a fresh cmake run; or use --format text");
+                   "install npm, then configure and build again; or use --format text");
 }
 
 namespace {
@@ -37,7 +37,7 @@ std::string filled(std::string_view title, std::string_view data, bool connects)
 
 Error pageTooLarge(size_t bytes, bool full) {
   return makeError(
-      fmt::format("the page would hold {} MB, which no browser opens", bytes >> 20),
+      fmt::format("the page would be {} MB, too large for a browser", bytes >> 20),
       full ? "leave out --full, or choose queries with --query" : "choose queries with --query");
 }
 

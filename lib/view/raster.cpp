@@ -38,7 +38,8 @@ std::vector<Vec2> convexHull(std::vector<Vec2> points) {
   return hull;
 }
 
-Raster::Raster(Vec2 lo, Vec2 hi, size_t width, size_t maxRows, const TerminalTraits& terminal)
+Raster::Raster(Vec2 lo, Vec2 hi, size_t width, size_t maxRows,
+               const table::TerminalTraits& terminal)
     : terminal_(terminal), halves_(terminal.color && terminal.utf8), lo_(lo) {
   const float spanX = std::max(hi.x - lo.x, 1.0f), spanY = std::max(hi.y - lo.y, 1.0f);
   const float tall = halves_ ? 1 : 2;  // height of a pixel in its widths
@@ -96,14 +97,14 @@ void Raster::line(Vec2 a, Vec2 b, const Ink& ink) {
 
 std::string Raster::coloredRow(size_t row) const {
   std::string out;
-  Rgb front{}, back{};
+  table::Rgb front{}, back{};
   bool first = true;
   for (size_t c = 0; c < columns_; ++c) {
-    const Rgb top = pixels_[row * columns_ + c].color;
-    const Rgb low = pixels_[(row + 1) * columns_ + c].color;
+    const table::Rgb top = pixels_[row * columns_ + c].color;
+    const table::Rgb low = pixels_[(row + 1) * columns_ + c].color;
     if (first || !(top == front) || !(low == back)) {
-      out += colorSequence(Layer::front, top, terminal_);
-      out += colorSequence(Layer::back, low, terminal_);
+      out += table::colorSequence(table::Layer::front, top, terminal_);
+      out += table::colorSequence(table::Layer::back, low, terminal_);
     }
     front = top;
     back = low;

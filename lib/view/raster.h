@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "math/vec.h"
-#include "view/terminal.h"
+#include "table/terminal.h"
 
 namespace obby::view {
 
@@ -20,7 +20,7 @@ std::vector<Vec2> convexHull(std::vector<Vec2> points);
 struct Ink {
   char glyph;        // ' ' is the background
   const char* wide;  // the glyph where UTF-8 is allowed
-  Rgb color;
+  table::Rgb color;
 };
 
 // Pixels are square in the world: with colours and UTF-8 two of them share a character
@@ -28,7 +28,7 @@ struct Ink {
 class Raster {
  public:
   // `lo` to `hi`: the world rectangle to show, x across and y down; `width` in characters.
-  Raster(Vec2 lo, Vec2 hi, size_t width, size_t maxRows, const TerminalTraits& terminal);
+  Raster(Vec2 lo, Vec2 hi, size_t width, size_t maxRows, const table::TerminalTraits& terminal);
 
   void fill(const std::vector<Vec2>& hull, const Ink& ink);
   void line(Vec2 a, Vec2 b, const Ink& ink);
@@ -43,7 +43,7 @@ class Raster {
   std::string coloredRow(size_t row) const;
   std::string plainRow(size_t row) const;
 
-  TerminalTraits terminal_;
+  table::TerminalTraits terminal_;
   bool halves_;  // two pixels a character
   Vec2 lo_, pixel_;
   size_t columns_ = 0, rows_ = 0;  // pixels

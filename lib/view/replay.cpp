@@ -24,8 +24,9 @@ std::string compare(const Playback& replay, uint64_t hash, schema::Trajectory::R
     return fmt::format("recorded {} ticks, replayed {}", record.getTicks(), replay.ticks());
   }
   if (withQuery && record.getStateHash() != 0 && hash != record.getStateHash()) {
-    return fmt::format("the last state differs from the recorded one ({:016x}, recorded {:016x})",
-                       hash, record.getStateHash());
+    return fmt::format(
+        "the last state differs from the recorded one (hash {:016x}, recorded {:016x})", hash,
+        record.getStateHash());
   }
   return {};
 }

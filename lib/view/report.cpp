@@ -175,7 +175,8 @@ Status Collector::compile(QueryEntry& entry) {
     return forgive_(asRead, std::move(error));
   };
   if (entry.level < 0) {
-    Error error = makeError("the stream holds no level for this query", "put the level before it");
+    Error error =
+        makeError("the level of this query is not in the stream", "put the level before it");
     error.path = "level";
     return refuse(std::move(error));
   }
@@ -223,8 +224,8 @@ Status Collector::replay(QueryEntry& entry) {
 // What there is no room for stays unplayed, unless it is a solution.
 Status Collector::play(const QueryEntry& entry, PathEntry& path) {
   if (entry.level < 0) {
-    return makeError("the stream holds no level for this trajectory",
-                     "view the stream that holds the level too");
+    return makeError("the level of this trajectory is not in the stream",
+                     "view the stream that holds the level, too");
   }
   OBBY_ASSIGN(Playback playback, playBack(*report_.levels[size_t(entry.level)].level,
                                           entry.compiled.get(), path.reader()));
@@ -235,11 +236,11 @@ Status Collector::play(const QueryEntry& entry, PathEntry& path) {
     return {};
   }
   if (path.kind == PathKind::solution) {
-    return makeError("the trajectories are too long to be shown together",
-                     "--query shows one query only");
+    return makeError("the trajectories are too long to show together",
+                     "show one query with --query ID");
   }
   if (!attemptsNoted_) {
-    note("Attempts are left out: those before them take all the room that there is.");
+    note("Some attempts are left out because earlier ones fill the memory budget.");
   }
   attemptsNoted_ = true;
   return {};
@@ -261,7 +262,7 @@ Status Collector::checkChosen() const {
   for (const std::string& id : only_) {
     const bool found = std::any_of(report_.queries.begin(), report_.queries.end(),
                                    [&](const QueryEntry& entry) { return entry.id == id; });
-    if (!found) return makeError(fmt::format("there is no query \"{}\" in the input", id));
+    if (!found) return makeError(fmt::format("the input has no query \"{}\"", id));
   }
   return {};
 }

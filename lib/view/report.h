@@ -65,6 +65,7 @@ struct Report {
   std::vector<std::string> notes;  // for people: what is missing and why
 
   std::string title() const;
+  bool empty() const { return levels.empty() && queries.empty(); }
 };
 
 // How much of a stream a collector keeps.

@@ -36,8 +36,8 @@ void Collector::keep(PathEntry& path, Playback playback) {
   path.playback = std::move(playback);
   if (!path.playback.partsCut || std::exchange(cutNoted_, true)) return;
   note(
-      fmt::format("On some ways parts come, go or start to move more than {} times: these are told "
-                  "up to then.",
+      fmt::format("In some trajectories parts appear, vanish or start moving more than {} times. "
+                  "Later changes are not shown.",
                   kMostPartEvents));
 }
 
@@ -81,7 +81,7 @@ void Collector::sweepDropped() {
     std::erase_if(report_.queries[index].paths, [](const PathEntry& path) { return path.dropped; });
   }
   std::string text = fmt::format(
-      "To make room for what came later, {} of the oldest ways were dropped.", dropped_);
+      "Dropped {} of the oldest trajectories to stay within the memory budget.", dropped_);
   if (droppedNote_) {
     report_.notes[*droppedNote_] = std::move(text);
     return;
@@ -110,8 +110,8 @@ bool Collector::full() {
   if (bytesKept_ <= room_.bytes) return false;
   if (!std::exchange(fullNoted_, true)) {
     note(
-        "There is no room for more levels, queries and answers: what came after these is left out. "
-        "Start obby-view anew to see it, or show fewer queries with --query.");
+        "The memory budget is full, so later levels, queries and answers are left out. Restart "
+        "obby-view to see them, or show fewer queries with --query.");
   }
   return true;
 }

@@ -5,9 +5,9 @@
 #include <numeric>
 #include <vector>
 
-#include "view/columns.h"
+#include "table/columns.h"
+#include "table/flow.h"
 #include "view/extent.h"
-#include "view/flow.h"
 #include "view/picture/world.h"
 #include "view/raster.h"
 #include "view/roles.h"
@@ -139,49 +139,70 @@ void drawQuery(Raster& raster, const QueryEntry& query, Frame frame) {
   if (query.compiled) raster.dot(frame.of(query.compiled->start().feet), kStart);
 }
 
-std::string legend(const TerminalTraits& terminal, const QueryEntry& query, bool away) {
-  Flow lines(terminal.width, 2);
+// What of the map only some queries have.
+struct Drawings {
+  bool away = false, waypoint = false, avoid = false, solution = false, attempt = false;
+};
+
+Drawings drawingsOf(const QueryEntry& query, const std::vector<Drawn>& parts) {
+  Drawings has;
+  has.away = !parts.empty() && !parts.front().there;
+  if (query.query) {
+    forRegions(query.reader(), [&](schema::Region::Reader, RegionKind kind) {
+      has.avoid = has.avoid || kind == RegionKind::avoid;
+      has.waypoint = has.waypoint || kind == RegionKind::waypoint || kind == RegionKind::visit;
+    });
+  }
+  if (query.paths.empty()) return has;
+  has.solution = query.paths.front().kind == PathKind::solution;  // solutions come first
+  has.attempt = query.paths.back().kind != PathKind::solution;
+  return has;
+}
+
+std::string legend(const table::TerminalTraits& terminal, const Drawings& has) {
+  table::Flow lines(terminal.width, 2);
   const auto add = [&](const Ink& ink, const char* text) {
     const bool halves = terminal.color && terminal.utf8;
     const std::string glyph = halves          ? "■"
                               : terminal.utf8 ? std::string(ink.wide)
                                               : std::string(1, ink.glyph);
-    lines.add(colored(glyph, ink.color, terminal) + " " + text, 2 + columnCount(text));
+    lines.add(table::colored(glyph, ink.color, terminal) + " " + text,
+              2 + table::columnCount(text));
   };
   add(kStart, "start");
   add(kGoal, "goal");
   add(kPart, "part");
   add(kKill, "kills");
   add(kMoving, "moves");
-  add(kSpecial, "pad, belt, vanishing");
-  if (away) add(kAway, "away at the start");
-  if (!query.paths.empty() && query.paths.front().kind == PathKind::solution) {
-    add(kSolution, "solution");
-  }
-  if (!query.paths.empty() && query.paths.back().kind != PathKind::solution) {
+  add(kSpecial, "jump pad, conveyor or vanishing part");
+  if (has.away) add(kAway, "absent at the start");
+  if (has.waypoint) add(kWaypoint, "waypoint");
+  if (has.avoid) add(kAvoid, "to avoid");
+  if (has.solution) add(kSolution, "solution");
+  if (has.attempt) {
     add(kAttempt, "attempt");
-    add(kEnd, "its end");
+    add(kEnd, "end of an attempt");
   }
   return lines.text();
 }
 
 // `studs`: that a column takes.
-std::string heading(const TerminalTraits& terminal, const QueryEntry& query, float studs,
+std::string heading(const table::TerminalTraits& terminal, const QueryEntry& query, float studs,
                     Frame frame) {
   const size_t room = std::min(kMostName, terminal.width - 1);
-  Flow lines(terminal.width, 1);
-  const auto add = [&](const std::string& text) { lines.add(text, columnCount(text)); };
-  add(fitted(query.id, room, !terminal.utf8) + ",");
+  table::Flow lines(terminal.width, 1);
+  const auto add = [&](const std::string& text) { lines.add(text, table::columnCount(text)); };
+  if (!query.id.empty()) add(table::fitted(query.id, room, !terminal.utf8) + ",");
   add("from above,");
-  add(lengthText(studs) + " studs a column;");
-  add(frame.along ? "-Z points right" : "+X points right");
+  add(lengthText(studs) + " studs per column,");
+  add(frame.along ? "-Z to the right" : "+X to the right");
   return lines.text();
 }
 
 }  // namespace
 
 std::string queryMap(const Report& report, const QueryEntry& query,
-                     const TerminalTraits& terminal) {
+                     const table::TerminalTraits& terminal) {
   if (query.level < 0) return {};
   const LevelEntry& level = report.levels[size_t(query.level)];
   const Box extent = extentOf(level, query);
@@ -194,9 +215,8 @@ std::string queryMap(const Report& report, const QueryEntry& query,
   const std::vector<Drawn> parts = partsOf(level, tick, frame, extent);
   for (const Drawn& part : parts) raster.fill(part.hull, part.there ? inkOf(part.role) : kAway);
   drawQuery(raster, query, frame);
-  const bool away = !parts.empty() && !parts.front().there;
   return heading(terminal, query, raster.pixelWidth(), frame) + raster.text() +
-         legend(terminal, query, away);
+         legend(terminal, drawingsOf(query, parts));
 }
 
 }  // namespace obby::view

@@ -26,7 +26,7 @@ class Writer {
  public:
   std::string whole(const Report& report) {
     out_ = io::kXmlBegin;
-    model("Ways by obby", [&] {
+    model("Trajectories by obby", [&] {
       for (const QueryEntry& query : report.queries) {
         if (!query.paths.empty()) model(query.id, [&] { ways(query); });
       }
@@ -65,7 +65,7 @@ class Writer {
     };
     const std::vector<size_t> kept =
         thinned(feet.size(), solves ? kThinned : kThinnedAttempt, distance);
-    for (size_t i = 0; i + 1 < kept.size(); ++i) stretch(at(kept[i]), at(kept[i + 1]), look);
+    for (size_t i = 0; i + 1 < kept.size(); ++i) segment(at(kept[i]), at(kept[i + 1]), look);
     for (const uint32_t tick : path.playback.jumpTicks)
       mark("Jump", at(std::min<size_t>(tick, feet.size() - 1)), kBall, kJumpColor);
     if (!solves && path.playback.outcome != schema::Outcome::RUNNING)
@@ -73,12 +73,12 @@ class Writer {
   }
 
   // A bar whose Z axis runs from a to b.
-  void stretch(Vec3 a, Vec3 b, const Look& look) {
+  void segment(Vec3 a, Vec3 b, const Look& look) {
     const float size = length(b - a);
     if (size < 1e-3f) return;
     const Vec3 z = (b - a) * (1 / size);
     const Vec3 x = normalize(cross(absf(z.y) > 0.99f ? Vec3{1, 0, 0} : Vec3{0, 1, 0}, z));
-    part("Stretch", (a + b) * 0.5f, {x, cross(z, x), z}, {look.width, look.width, size}, kBlock,
+    part("Segment", (a + b) * 0.5f, {x, cross(z, x), z}, {look.width, look.width, size}, kBlock,
          look);
   }
 

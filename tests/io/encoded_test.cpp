@@ -36,5 +36,26 @@ TEST(Encoded, RefusesWhatWriteRefuses) {
   EXPECT_FALSE(encoded(std::move(bad), Format::jsonl));
 }
 
+TEST(StreamWriter, HandsRecordsToAFunction) {
+  std::vector<std::string> names;
+  auto writer = StreamWriter::toFunction([&](schema::Record::Reader record) -> Status {
+    names.emplace_back(record.getLevel().getName());
+    return names.size() < 3 ? Status() : makeError("enough");
+  });
+  EXPECT_TRUE(writer.write(level("one").reader()));
+  EXPECT_TRUE(writer.pass(Record(level("two"))));
+  auto other = StreamReader::overBytes("{\"type\":\"new\"}\n", "in");
+  auto unknown = other.next();
+  ASSERT_TRUE(unknown && *unknown);
+  EXPECT_TRUE(writer.pass(**unknown)) << "which nobody can read";
+  EXPECT_EQ(writer.recordsWritten(), 2u);
+  const Status refused = writer.write(level("three").reader());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message, "enough");
+  EXPECT_EQ(names, (std::vector<std::string>{"one", "two", "three"}));
+  EXPECT_EQ(writer.recordsWritten(), 2u);
+  EXPECT_TRUE(writer.close());
+}
+
 }  // namespace
 }  // namespace obby::io

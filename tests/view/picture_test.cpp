@@ -264,7 +264,7 @@ TEST(Drawing, SaysHowLongALongCourseIs) {
                           R"({"position":[1000,0,0],"size":[1500,1,4]}]})"});
   ASSERT_TRUE(shown) << shown.error().text();
   const std::string svg = drawingOf(shown->levels[0], nullptr, {});
-  EXPECT_NE(svg.find("; 2500 studs across"), std::string::npos) << svg.substr(svg.size() - 200);
+  EXPECT_NE(svg.find(", 2500 studs across"), std::string::npos) << svg.substr(svg.size() - 200);
   EXPECT_EQ(lengthText(0.56666f), "0.567");
   EXPECT_EQ(lengthText(99.96f), "100");
 }

@@ -150,7 +150,7 @@ TEST(Report, QueriesBehindALevelThatCannotBeShownAreNotOfTheOneBefore) {
   auto report = collect({kLevel, bad, query}, &errors);
   ASSERT_TRUE(report) << report.error().text();
   ASSERT_THAT(errors, SizeIs(2));
-  EXPECT_THAT(errors[1].message, HasSubstr("no level for this query"));
+  EXPECT_THAT(errors[1].message, HasSubstr("level of this query is not in the stream"));
 }
 
 TEST(Report, LastProgressIsShownUntilThereIsASolution) {

@@ -55,12 +55,12 @@ TEST(Collector, WhereWaysRollTheOldestLeaveAndAreCounted) {
   for (const auto& path : paths) EXPECT_TRUE(path.played());
   ASSERT_EQ(collector.report().notes.size(), 1u);
   EXPECT_THAT(collector.report().notes[0],
-              HasSubstr(" " + std::to_string(41 - paths.size()) + " of the oldest ways"));
+              HasSubstr(" " + std::to_string(41 - paths.size()) + " of the oldest trajectories"));
   for (uint32_t i = 0; i < 60; ++i) addAll(collector, {line(ahead)});
   EXPECT_EQ(paths[0].kind, view::PathKind::solution);
   EXPECT_EQ(paths.back().serial, 101u);
   EXPECT_THAT(collector.report().notes[0],
-              HasSubstr(" " + std::to_string(101 - paths.size()) + " of the oldest ways"));
+              HasSubstr(" " + std::to_string(101 - paths.size()) + " of the oldest trajectories"));
 }
 
 // Of who changes keys at every tick the actions are as large as the way.
@@ -93,7 +93,7 @@ TEST(Collector, ActionRunsOfWaysThatLeaveGiveTheirRoomBack) {
   ASSERT_FALSE(collector.report().queries[0].paths.empty());
   EXPECT_EQ(collector.report().queries[0].paths.back().serial, 20u);
   ASSERT_EQ(collector.report().notes.size(), 1u);
-  EXPECT_THAT(collector.report().notes[0], HasSubstr("of the oldest ways"));
+  EXPECT_THAT(collector.report().notes[0], HasSubstr("of the oldest trajectories"));
 }
 
 TEST(Collector, WaysThatLeaveMayBeOfAnotherQuery) {
@@ -159,7 +159,7 @@ TEST(Collector, WhereThereIsNoRoomForRecordsNothingMoreIsTakenIn) {
   EXPECT_FALSE(collector.report().queries[0].result);
   EXPECT_EQ(collector.report().levels.size(), 1u);
   ASSERT_EQ(collector.report().notes.size(), 1u) << "it is said once";
-  EXPECT_THAT(collector.report().notes[0], HasSubstr("no room"));
+  EXPECT_THAT(collector.report().notes[0], HasSubstr("memory budget is full"));
 }
 
 // Answers that replace one another take the room of one.

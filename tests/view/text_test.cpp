@@ -8,7 +8,8 @@
 #include <cstdlib>
 
 #include "course.h"
-#include "view/columns.h"
+#include "table/answer_table.h"
+#include "table/columns.h"
 #include "view/raster.h"
 
 namespace obby::view_test {
@@ -17,16 +18,20 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const view::TerminalTraits kAscii{80, false, false};
+const table::TerminalTraits kAscii{80, false, false};
+
+std::string queryTable(const view::Report& report, const table::TerminalTraits& terminal) {
+  return table::answerTable(view::answersOf(report), terminal);
+}
 
 TEST(Text, TableHasOneRowAQuery) {
   const view::Report report = solvedReport();
-  const std::string table = view::queryTable(report, {120, false, false});
-  const std::string ticks = std::to_string(report.queries[0].answer().getTicks());
-  EXPECT_THAT(
-      table, ::testing::MatchesRegex("query +verdict +found in +ticks +play +jumps +steps +reason\n"
-                                     "ahead +solved +0.25 s +" +
-                                     ticks + " +[0-9.]+ s +0 +1.23M +Straight on.\n"));
+  const std::string table = queryTable(report, {120, false, false});
+  const std::string seconds = fmt::format("{:.2f}", report.queries[0].answer().getTicks() / 60.0);
+  EXPECT_EQ(table,
+            "query  verdict  from -> to  play time  jumps  found in  reason\n"
+            "ahead  solved   s -> Goal      " +
+                seconds + " s      0    0.25 s  Straight on.\n");
 }
 
 TEST(Text, MismatchTakesTheVerdictsPlace) {
@@ -34,9 +39,9 @@ TEST(Text, MismatchTakesTheVerdictsPlace) {
   path.root().getTrajectory().setStateHash(1);
   auto report = collect({kLevel, kQuery, line(path), resultLine("solved", 80)});
   ASSERT_TRUE(report) << report.error().text();
-  const std::string table = view::queryTable(*report, kAscii);
+  const std::string table = queryTable(*report, kAscii);
   EXPECT_THAT(table, HasSubstr("MISMATCH"));
-  EXPECT_THAT(table, HasSubstr("replay: "));
+  EXPECT_THAT(table, HasSubstr("\n  its solution does not replay: the last state differs"));
 }
 
 // The answer holds all the same.
@@ -47,14 +52,15 @@ TEST(Text, MismatchOfAnAttemptIsToldBesideTheReason) {
   const auto report =
       collect({kLevel, kQuery, line(left), line(ahead), resultLine("solved", ticks)});
   ASSERT_TRUE(report) << report.error().text();
-  const std::string table = view::queryTable(*report, {400, false, false});
+  const std::string table = queryTable(*report, {400, false, false});
   EXPECT_THAT(table, HasSubstr("ahead  solved"));
-  EXPECT_THAT(table, HasSubstr("  Straight on. (an attempt's replay: the last state differs"));
+  EXPECT_THAT(table,
+              HasSubstr("  Straight on. (an attempt does not replay: the last state differs"));
 }
 
 TEST(Text, NarrowTerminalsGetReasonsOnLinesOfTheirOwn) {
-  const std::string table = view::queryTable(solvedReport(), {70, false, false});
-  EXPECT_THAT(table, HasSubstr("1.23M\n  Straight on.\n"));
+  const std::string table = queryTable(solvedReport(), {70, false, false});
+  EXPECT_THAT(table, HasSubstr("0.25 s\n  Straight on.\n"));
 }
 
 TEST(Text, QueriesOfOneIdAreToldApartByTheirLevel) {
@@ -63,9 +69,9 @@ TEST(Text, QueriesOfOneIdAreToldApartByTheirLevel) {
   query.replace(query.find("Course </script><b>"), 19, "Another");
   const auto report = collect({kLevel, kQuery, level, query});
   ASSERT_TRUE(report) << report.error().text();
-  const std::string table = view::queryTable(*report, kAscii);
-  EXPECT_THAT(table, HasSubstr("\nahead (Course </script><b>)  no answer"));
-  EXPECT_THAT(table, HasSubstr("\nahead (Another)              no answer"));
+  const std::string table = queryTable(*report, kAscii);
+  EXPECT_THAT(table, HasSubstr("\nahead (Course </script><b>)  not asked in this run"));
+  EXPECT_THAT(table, HasSubstr("\nahead (Another)              not asked in this run"));
 }
 
 // What ended the attempts comes last in them.
@@ -78,17 +84,17 @@ TEST(Text, LongReasonsAreToldToTheirEnd) {
   answer.replace(answer.find("Straight on."), 12, reason);
   const auto report = collect({kLevel, kQuery, answer});
   ASSERT_TRUE(report) << report.error().text();
-  const std::string narrow = view::queryTable(*report, kAscii);
+  const std::string narrow = queryTable(*report, kAscii);
   EXPECT_THAT(narrow, HasSubstr("\n  no way found in 12 M steps: the closest came within 3.2 studs "
                                 "of the goal; 71\n  % of the attempts fell, "));
   EXPECT_THAT(narrow, ::testing::EndsWith("\n  this does not show that there is none\n"));
-  EXPECT_THAT(view::queryTable(*report, {400, false, false}), HasSubstr("  " + reason + "\n"));
+  EXPECT_THAT(queryTable(*report, {400, false, false}), HasSubstr("  " + reason + "\n"));
 }
 
 TEST(Text, QueryWithoutResultSaysSo) {
   auto report = collect({kLevel, kQuery});
   ASSERT_TRUE(report) << report.error().text();
-  EXPECT_THAT(view::queryTable(*report, kAscii), HasSubstr("no answer"));
+  EXPECT_THAT(queryTable(*report, kAscii), HasSubstr("ahead  not asked in this run"));
 }
 
 TEST(Text, MapShowsTheCourseFromAbove) {
@@ -96,8 +102,8 @@ TEST(Text, MapShowsTheCourseFromAbove) {
   auto report = collect({kLevel, kQuery, line(ahead)});
   ASSERT_TRUE(report) << report.error().text();
   const std::string map = view::queryMap(*report, report->queries[0], {46, false, false});
-  EXPECT_EQ(map, R"(ahead, from above, 0.75 studs a column;
--Z points right
+  EXPECT_EQ(map, R"(ahead, from above,
+0.75 studs per column, -Z to the right
 
 
 
@@ -113,8 +119,63 @@ TEST(Text, MapShowsTheCourseFromAbove) {
  xxxxxxxxxxxxxxxxxxx
  xxxxxxxxxxxxxxxxxxx
 S start  G goal  : part  x kills  ~ moves
-= pad, belt, vanishing  * solution
+= jump pad, conveyor or vanishing part
+o waypoint  - to avoid  * solution
 )");
+}
+
+std::vector<std::string> stages(int count) {
+  std::vector<std::string> lines = {kLevel};
+  for (int i = 1; i <= count; ++i) {
+    std::string query = kQuery;
+    lines.push_back(query.replace(query.find("ahead"), 5, fmt::format("stage {}", i)));
+  }
+  return lines;
+}
+
+TEST(Text, MapsOfManyQueriesAreDrawnWhenAskedFor) {
+  const auto report = collect(stages(4));
+  ASSERT_TRUE(report) << report.error().text();
+  const auto mapsIn = [&](view::Maps maps) {
+    const std::string text = view::textReport(*report, {kAscii, maps});
+    size_t count = 0;
+    for (size_t at = text.find("S start"); at != text.npos; at = text.find("S start", at + 1)) {
+      ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(mapsIn(view::Maps::none), 0u);
+  EXPECT_EQ(mapsIn(view::Maps::few), 0u);
+  EXPECT_EQ(mapsIn(view::Maps::all), 4u);
+  EXPECT_THAT(view::textReport(*report, {kAscii, view::Maps::few}),
+              ::testing::EndsWith("\nFor a map of one query: obby-view --query 'stage 1' FILE\n"));
+}
+
+TEST(Text, MapsAreOfTheQueriesThatWereAsked) {
+  std::vector<std::string> lines = stages(4);
+  std::string answer = resultLine("unknown", 0);
+  lines.push_back(answer.replace(answer.find("ahead"), 5, "stage 3"));
+  const auto report = collect(lines);
+  ASSERT_TRUE(report) << report.error().text();
+  const std::string text = view::textReport(*report, {kAscii, view::Maps::few});
+  EXPECT_THAT(text, HasSubstr("\n3 other queries were not asked in this run.\n"));
+  EXPECT_THAT(text, HasSubstr("\nstage 3, from above"));
+  EXPECT_THAT(text, Not(HasSubstr("\nstage 1")));
+}
+
+TEST(Text, WaysWithoutAResultAreNoQueryThatWasNotAsked) {
+  auto left = walk(kLeft, 300);
+  const auto report = collect({kLevel, kQuery, line(left)});
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_THAT(queryTable(*report, kAscii), HasSubstr("ahead  no result"));
+}
+
+TEST(Text, LevelsWithoutQueriesAreListed) {
+  const auto report = collect(
+      {R"({"type":"level","name":"L","parts":[{}]})", R"({"type":"level","parts":[{},{}]})"});
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_EQ(view::textReport(*report, {kAscii, view::Maps::few}),
+            "No queries.\nLevel L: 1 part\nLevel without a name: 2 parts\n");
 }
 
 // Keys alone say where a part is.
@@ -177,47 +238,49 @@ TEST(Text, MapMarksWhatIsAwayAtTheStart) {
   const std::string there = mapOf(""), away = mapOf(R"(,"inverted":true)");
   EXPECT_GT(count(there, '='), 20);
   EXPECT_EQ(count(there, ','), 0);
-  EXPECT_THAT(there, Not(HasSubstr("away")));
+  EXPECT_THAT(there, Not(HasSubstr("absent")));
   EXPECT_EQ(count(away, '='), 0);
   EXPECT_GT(count(away, ','), 5);
   EXPECT_LT(count(away, ','), count(there, '=')) << "the floor below it is seen";
-  EXPECT_THAT(away, HasSubstr("  , away at the start"));
+  EXPECT_THAT(away, HasSubstr(", absent at the start"));
 }
 
 TEST(Text, AsciiHoldsNoOtherCharactersAndNoColours) {
-  const std::string text = view::textReport(solvedReport(), {kAscii, true});
+  const std::string text = view::textReport(solvedReport(), {kAscii, view::Maps::few});
   for (const char c : text) EXPECT_TRUE(c == '\n' || (c >= 32 && c < 127)) << int(c);
 }
 
 TEST(Text, ColoursOnlyWhereAllowed) {
   const view::Report report = solvedReport();
-  EXPECT_THAT(view::textReport(report, {{80, false, true}, true}), Not(HasSubstr("\x1b")));
-  EXPECT_THAT(view::textReport(report, {{80, true, true}, true}), HasSubstr("\x1b[38;2;"));
+  EXPECT_THAT(view::textReport(report, {{80, false, true}, view::Maps::few}),
+              Not(HasSubstr("\x1b")));
+  EXPECT_THAT(view::textReport(report, {{80, true, true}, view::Maps::few}),
+              HasSubstr("\x1b[38;2;"));
 }
 
 // Others take the numbers of 24 bits for bold, blinking, and colours of their own.
 TEST(Text, TerminalsOf256ColoursGetThose) {
-  const view::TerminalTraits few{80, true, true, true};
-  const std::string text = view::textReport(solvedReport(), {few, true});
+  const table::TerminalTraits few{80, true, true, true};
+  const std::string text = view::textReport(solvedReport(), {few, view::Maps::few});
   EXPECT_THAT(text, HasSubstr("\x1b[38;5;"));
   EXPECT_THAT(text, HasSubstr("\x1b[48;5;"));
   EXPECT_THAT(text, Not(HasSubstr("8;2;")));
-  EXPECT_EQ(view::colored("x", {255, 0, 0}, few), "\x1b[38;5;196mx\x1b[0m");
-  EXPECT_EQ(view::colored("x", {18, 21, 28}, few), "\x1b[38;5;233mx\x1b[0m") << "a grey";
-  EXPECT_EQ(view::colored("x", {255, 255, 255}, few), "\x1b[38;5;231mx\x1b[0m");
-  EXPECT_EQ(view::colored("x", {0, 0, 0}, few), "\x1b[38;5;16mx\x1b[0m");
+  EXPECT_EQ(table::colored("x", {255, 0, 0}, few), "\x1b[38;5;196mx\x1b[0m");
+  EXPECT_EQ(table::colored("x", {18, 21, 28}, few), "\x1b[38;5;233mx\x1b[0m") << "a grey";
+  EXPECT_EQ(table::colored("x", {255, 255, 255}, few), "\x1b[38;5;231mx\x1b[0m");
+  EXPECT_EQ(table::colored("x", {0, 0, 0}, few), "\x1b[38;5;16mx\x1b[0m");
 }
 
 TEST(Terminal, SaysWhetherItKnowsColoursOf24Bits) {
   setenv("TERM", "xterm-256color", 1);
   unsetenv("COLORTERM");
-  EXPECT_FALSE(view::terminalHasRgb());
+  EXPECT_FALSE(table::terminalHasRgb());
   setenv("COLORTERM", "truecolor", 1);
-  EXPECT_TRUE(view::terminalHasRgb());
+  EXPECT_TRUE(table::terminalHasRgb());
   setenv("COLORTERM", "yes", 1);
-  EXPECT_FALSE(view::terminalHasRgb());
+  EXPECT_FALSE(table::terminalHasRgb());
   setenv("TERM", "xterm-direct", 1);
-  EXPECT_TRUE(view::terminalHasRgb());
+  EXPECT_TRUE(table::terminalHasRgb());
 }
 
 // The narrowest width that terminalWidth() gives.
@@ -232,7 +295,7 @@ TEST(Text, TheMapKeepsToANarrowTerminal) {
   const std::string map = mapOf("a stage of a name that no narrow terminal can take in a line");
   EXPECT_THAT(map, ::testing::StartsWith("a stage of a name that no narrow ter...,\n"
                                          "from above, "));
-  EXPECT_THAT(map, HasSubstr(" studs a column;\n-Z points right\n"));
+  EXPECT_THAT(map, HasSubstr(" studs per column,\n-Z to the right\n"));
   size_t start = 0;
   for (size_t end = map.find('\n'); end != map.npos; end = map.find('\n', start)) {
     EXPECT_LE(end - start, 40u) << map.substr(start, end - start);
@@ -242,13 +305,13 @@ TEST(Text, TheMapKeepsToANarrowTerminal) {
 }
 
 TEST(Text, LinesKeepToTheWidth) {
-  const std::string text = view::textReport(solvedReport(), {{60, false, true}, true});
+  const std::string text = view::textReport(solvedReport(), {{60, false, true}, view::Maps::few});
   size_t start = 0;
   for (size_t end = text.find('\n'); end != text.npos; end = text.find('\n', start)) {
     const std::string row = text.substr(start, end - start);
     // The table needs its columns; the map and its legend keep to the width.
     if (row.find("verdict") == row.npos && row.find("solved") == row.npos) {
-      EXPECT_LE(view::columnCount(row), 60u) << row;
+      EXPECT_LE(table::columnCount(row), 60u) << row;
     }
     start = end + 1;
   }
@@ -261,13 +324,13 @@ TEST(Text, ColumnsStandBelowOneAnotherWhateverTheNames) {
   second.replace(second.find("ahead"), 5, "plain");
   const auto report = collect({kLevel, first, second});
   ASSERT_TRUE(report) << report.error().text();
-  const std::string table = view::queryTable(*report, {120, false, true});
+  const std::string table = queryTable(*report, {120, false, true});
   std::vector<size_t> places;
   for (size_t start = 0; start < table.size();) {
     const size_t end = table.find('\n', start);
     const std::string row = table.substr(start, end - start);
-    const size_t at = row.find("no answer");
-    if (at != row.npos) places.push_back(view::columnCount(row.substr(0, at)));
+    const size_t at = row.find("not asked");
+    if (at != row.npos) places.push_back(table::columnCount(row.substr(0, at)));
     start = end + 1;
   }
   EXPECT_THAT(places, ::testing::ElementsAre(8u, 8u));

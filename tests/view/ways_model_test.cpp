@@ -50,7 +50,7 @@ TEST(Thinning, HoursInCirclesTakeNoTimeThatGrowsWithTheirSquare) {
 }
 
 struct Counts {
-  int stretches = 0, jumps = 0, ends = 0, solid = 0;
+  int segments = 0, jumps = 0, ends = 0, solid = 0;
 };
 
 void count(pugi::xml_node item, Counts& counts) {
@@ -58,7 +58,7 @@ void count(pugi::xml_node item, Counts& counts) {
     if (std::string(child.attribute("class").value()) == "Part") {
       const auto properties = child.child("Properties");
       const std::string name = properties.find_child_by_attribute("name", "Name").child_value();
-      counts.stretches += name == "Stretch";
+      counts.segments += name == "Segment";
       counts.jumps += name == "Jump";
       counts.ends += name == "End";
       counts.solid += properties.find_child_by_attribute("name", "CanCollide").text().as_string() !=
@@ -74,7 +74,7 @@ TEST(WaysModel, HasEveryWayWithItsMarks) {
   ASSERT_TRUE(document.load_string(waysModel(report).c_str()));
   Counts counts;
   count(document.child("roblox"), counts);
-  EXPECT_GT(counts.stretches, 6);
+  EXPECT_GT(counts.segments, 6);
   EXPECT_EQ(counts.ends, 2) << "the fall and the death";
   EXPECT_EQ(counts.solid, 0);
   const auto top = document.child("roblox").child("Item");

@@ -194,7 +194,7 @@ test('a stream that breaks off, and a record that is none, are said', async ({ b
   await started(page);
   const name = page.locator('.live .name');
   await name.filter({ hasText: 'Cut short' }).waitFor();
-  assert.match(await page.locator('.note').innerText(), /broke off: stdin:5: query/);
+  assert.match(await page.locator('.note').innerText(), /stopped at an error: stdin:5: query/);
   assert.match(viewer.errors, /^obby-view: stdin:5: query/m);
   await waysAre(page, 1);
   assert.deepEqual(trouble, []);

@@ -6,6 +6,7 @@
 #include "io/sink.h"
 #include "options.h"
 #include "summary.h"
+#include "terminal_table.h"
 #include "watch.h"
 
 namespace {
@@ -22,7 +23,8 @@ cli::ExitCode exitCode(const cli::Context& context, const solve::FilterCounts& c
 Status solveOnce(cli::Context& context, solve::FilterOptions& options,
                  const std::atomic<bool>& stop, tools::RunOutcome& outcome) {
   const auto start = std::chrono::steady_clock::now();
-  OBBY_ASSIGN(io::StreamWriter output, context.openOutput());
+  const auto table = tools::TerminalTable::wanted(context);
+  OBBY_ASSIGN(io::StreamWriter output, table ? table->writer() : context.openOutput());
   io::SourceOptions source = context.sourceOptions();
   source.stop = &stop;
   io::Pipeline pipeline(std::move(source), context.identity(), std::move(output));
@@ -31,6 +33,7 @@ Status solveOnce(cli::Context& context, solve::FilterOptions& options,
   // Of a stopped input nobody knows what would have come.
   if (status && !stop) status = filter.finishInput();
   status = pipeline.finish(std::move(status));
+  if (table) OBBY_RETURN_IF_ERROR(table->print(context));
   if (options.remember) options.earlier = filter.takeEarlier();
   outcome = {filter.counts(),
              std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};

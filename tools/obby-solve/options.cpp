@@ -162,6 +162,7 @@ cli::ToolSpec solveSpec() {
   spec.name = "obby-solve";
   spec.summary = "find playthroughs that answer the queries of a stream";
   spec.inputHelp = "streams with levels and queries";
+  spec.tableAtTerminal = true;
   spec.examples = {
       {"answer all queries of a level", "obby-solve wedge-climb.jsonl -o wedge-climb.solved.jsonl"},
       {"from a place file to a page",

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/spelling.h"
+#include "io/text.h"
 #include "options.h"
 #include "view/page.h"
 #include "view/picture/drawing.h"
@@ -33,7 +34,7 @@ Result<Subject> subjectOf(const view::Report& report) {
     if (query.level >= 0) return Subject{&report.levels[size_t(query.level)], &query};
   }
   if (report.levels.empty() || !report.queries.empty())
-    return makeError("there is no level to draw", "put the level before its answers");
+    return makeError("the input has no level to draw", "put the level before its answers");
   return Subject{&report.levels[0], nullptr};
 }
 
@@ -54,7 +55,9 @@ Result<std::string> svg(const view::Report& report, const cli::Context& context)
 Result<std::string> rbxmx(const view::Report& report, const cli::Context&) {
   const bool any = std::any_of(report.queries.begin(), report.queries.end(),
                                [](const view::QueryEntry& q) { return !q.paths.empty(); });
-  if (!any) return makeError("there is no trajectory to write", "solve a query first: obby-solve");
+  if (!any)
+    return makeError("the input has no trajectory to write",
+                     "solve a query first, with obby-solve");
   return waysModel(report);
 }
 
@@ -64,10 +67,37 @@ constexpr ViewFormat kFormats[] = {
     {"rbxmx", ".rbxmx ", false, false, rbxmx},
 };
 
+// With its dot and in lower case; empty: there is none.
+std::string endingOf(const std::string& path) {
+  const size_t name = path.find_last_of('/') + 1;  // 0 without a slash
+  const size_t dot = path.find_last_of('.');
+  if (dot == std::string::npos || dot <= name || dot + 1 == path.size()) return {};
+  return lower(path.substr(dot));
+}
+
 bool endsIn(const std::string& path, const std::string& endings) {
-  const size_t dot = path.find_last_of("./");
-  if (dot == std::string::npos || path[dot] != '.') return false;
-  return endings.find(lower(path.substr(dot)) + " ") != std::string::npos;
+  const std::string ending = endingOf(path);
+  return !ending.empty() && endings.find(ending + " ") != std::string::npos;
+}
+
+// ".html .htm .txt " of all formats.
+std::string allEndings() {
+  std::string all;
+  for (const ViewFormat& format : kFormats) all += format.endings;
+  return all;
+}
+
+// ".html, .htm, .txt or .svg"
+std::string listed(const std::string& endings) {
+  std::string out;
+  for (size_t at = 0; at < endings.size();) {
+    const size_t space = endings.find(' ', at);
+    const bool last = space + 1 == endings.size();
+    out += at == 0 ? "" : last ? " or " : ", ";
+    out += endings.substr(at, space - at);
+    at = space + 1;
+  }
+  return out;
 }
 
 }  // namespace
@@ -82,6 +112,17 @@ const ViewFormat& wantedFormat(const cli::Arguments& arguments) {
       return format;
   }
   return kFormats[1];
+}
+
+Status checkEnding(const cli::Arguments& arguments) {
+  const std::string& path = arguments.text("output");
+  const std::string ending = endingOf(path), known = allEndings();
+  if (arguments.has("format") || ending.empty() || endsIn(path, known)) return {};
+  return Error{{},
+               {},
+               "--output",
+               "no format has the ending " + io::quoted(ending),
+               "use " + listed(known) + ", or choose with --format"};
 }
 
 }  // namespace obby

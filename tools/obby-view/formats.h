@@ -22,4 +22,7 @@ std::span<const ViewFormat> viewFormats();
 // By --format, else by the output's name, else text.
 const ViewFormat& wantedFormat(const cli::Arguments& arguments);
 
+// Error: no format has the ending of the output's name, and there is no --format.
+Status checkEnding(const cli::Arguments& arguments);
+
 }  // namespace obby

@@ -35,23 +35,23 @@ class Reader {
 
  private:
   void finish(view::StreamState state) {
-    say(report_.end(state, reading_.notes()));
-    if (output_ == nullptr || (context_.errors() > 0 && nothing())) return;
-    say(report_.use([&](const view::Report& report) { return output_->write(report, context_); }));
-  }
-
-  // It has been said why.
-  bool nothing() {
-    bool nothing = false;
+    std::vector<std::string> notes;
     (void)report_.use([&](const view::Report& report) -> Status {
-      nothing = report.levels.empty() && report.queries.empty();
+      notes = reading_.notes(report);
       return {};
     });
-    return nothing;
+    if (const Status chosen = report_.end(state, notes); !chosen) {
+      reading_.reportLack(chosen.error());
+    }
+    if (output_ == nullptr) return;
+    const Status written = report_.use([&](const view::Report& report) { return write(report); });
+    if (!written) context_.error(written.error());
   }
 
-  void say(const Status& status) {
-    if (!status) context_.error(status.error());
+  Status write(const view::Report& report) {
+    if (!report.empty()) return output_->write(report, context_);
+    reading_.reportLack(nothingToShow());
+    return {};
   }
 
   cli::Context& context_;

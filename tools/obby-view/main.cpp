@@ -1,4 +1,6 @@
 // obby-view: streams in, a page or a text out.
+#include <optional>
+
 #include "formats.h"
 #include "live.h"
 #include "options.h"
@@ -10,14 +12,14 @@ namespace obby {
 namespace {
 
 Result<cli::ExitCode> run(cli::Context& context) {
+  OBBY_RETURN_IF_ERROR(checkEnding(context.arguments()));
   OBBY_RETURN_IF_ERROR(refuseIdle(context.arguments()));
   if (wantedFormat(context.arguments()).page && !view::pageAvailable()) return view::pageMissing();
   if (context.arguments().flag("live")) return runLive(context);
   OBBY_ASSIGN(Output output, Output::open(context));
-  OBBY_ASSIGN(const view::Report report, readReport(context));
-  const bool empty = report.levels.empty() && report.queries.empty();
-  if (empty && context.errors() > 0) return cli::ExitCode::failed;
-  OBBY_RETURN_IF_ERROR(output.write(report, context));
+  const std::optional<view::Report> report = readReport(context);
+  if (!report) return cli::ExitCode::failed;
+  OBBY_RETURN_IF_ERROR(output.write(*report, context));
   return cli::ExitCode::ok;
 }
 

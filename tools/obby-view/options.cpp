@@ -7,7 +7,7 @@
 
 #include "cli/rows.h"
 #include "formats.h"
-#include "view/terminal.h"
+#include "table/terminal.h"
 
 namespace obby {
 namespace {
@@ -118,14 +118,14 @@ Status refuseIdle(const cli::Arguments& arguments) {
   const bool live = arguments.flag("live");
   if (!live) {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(arguments, {"port", "live-exit"},
-                                          "nothing is served without --live", "leave it out"));
+                                          "has no effect without --live", "add --live"));
   } else if (!arguments.has("output")) {
     return cli::refuseTyped(arguments, {"format", "width", "ascii", "no-map", "size", "from"},
-                            "a live page is all that there is without -o", "name a file: -o FILE");
+                            "has no effect with --live unless -o names a file", "add -o FILE");
   }
   const std::string format = wantedFormat(arguments).name;
-  const std::string message = "does nothing for " + format;
-  constexpr const char* kCure = "--format, or the ending of FILE, says what is written";
+  const std::string message = "has no effect on " + format + " output";
+  constexpr const char* kCure = "choose the output with --format or the ending of FILE";
   if (format != "text") {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(arguments, {"width", "ascii", "no-map"}, message, kCure));
   }
@@ -153,7 +153,7 @@ Result<view::PictureOptions> pictureOptions(const cli::Arguments& arguments) {
     return Error{{},
                  {},
                  "--size",
-                 fmt::format("expected WIDTHxHEIGHT from {0} to {1} each, found '{2}'",
+                 fmt::format("expected WIDTHxHEIGHT, each from {0} to {1}, found '{2}'",
                              kLeastPicture, kMostPicture, text),
                  "for example --size 1280x720"};
   return options;
@@ -162,12 +162,12 @@ Result<view::PictureOptions> pictureOptions(const cli::Arguments& arguments) {
 view::TextOptions textOptions(const cli::Context& context) {
   const cli::Arguments& arguments = context.arguments();
   view::TextOptions options;
-  options.maps = !arguments.flag("no-map");
-  options.terminal.width =
-      arguments.has("width") ? size_t(arguments.integer("width")) : view::terminalWidth();
-  options.terminal.color = context.colorOutput();
-  options.terminal.palette = !view::terminalHasRgb();
-  options.terminal.utf8 = !arguments.flag("ascii") && view::localeIsUtf8();
+  options.maps = arguments.flag("no-map")          ? view::Maps::none
+                 : arguments.list("query").empty() ? view::Maps::few
+                                                   : view::Maps::all;
+  options.terminal = table::terminalTraits(context.colorOutput());
+  if (arguments.has("width")) options.terminal.width = size_t(arguments.integer("width"));
+  if (arguments.flag("ascii")) options.terminal.utf8 = false;
   return options;
 }
 

@@ -10,18 +10,17 @@ Result<Output> Output::open(const cli::Context& context) {
   OBBY_RETURN_IF_ERROR(pictureOptions(context.arguments()));
   OBBY_ASSIGN(io::Sink sink, context.openSink());
   if (wantedFormat(context.arguments()).binary && sink.terminal()) {
-    return makeError("a picture is nothing for a terminal", "name a file: -o picture.png");
+    return makeError("a picture cannot be shown on a terminal",
+                     "name a file, as in -o picture.png");
   }
   return Output(std::move(sink));
 }
 
 Status Output::write(const view::Report& report, cli::Context& context) {
   const ViewFormat& format = wantedFormat(context.arguments());
-  if (report.levels.empty() && report.queries.empty()) {
-    return makeError("the input holds nothing to show", "give it levels, queries or results");
-  }
   for (const view::QueryEntry& query : report.queries) {
-    if (query.mismatch()) context.warn("query " + query.id + ": a solution does not replay");
+    if (query.mismatch())
+      context.warn("query " + query.id + ": a recorded solution does not replay");
   }
   OBBY_ASSIGN(const std::string text, format.render(report, context));
   if (format.page && text.size() > view::kPageWarning) {

@@ -15,8 +15,7 @@ class Output {
   // a picture for a terminal, a --size that is none.
   static Result<Output> open(const cli::Context& context);
 
-  // Error: also a report that holds nothing to show. Call it once, if at all: without it no file is
-  // left.
+  // Call it once, if at all: without it no file is left.
   Status write(const view::Report& report, cli::Context& context);
 
  private:

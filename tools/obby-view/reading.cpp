@@ -1,5 +1,7 @@
 #include "reading.h"
 
+#include <fmt/format.h>
+
 #include <exception>
 
 namespace obby {
@@ -11,6 +13,18 @@ io::SourceOptions optionsOf(cli::Context& context, const std::atomic<bool>& stop
   return options;
 }
 
+std::string budgetNote(const view::Report& report) {
+  size_t answered = 0, unknown = 0;
+  for (const view::QueryEntry& query : report.queries) {
+    if (!query.result) continue;
+    ++answered;
+    if (query.answer().getVerdict() == schema::Verdict::UNKNOWN) ++unknown;
+  }
+  if (answered < 2 || unknown == 0) return "The search reached its time or step limit.";
+  return fmt::format("The search reached its time or step limit for {} of {} queries.", unknown,
+                     answered);
+}
+
 }  // namespace
 
 Reading::Reading(cli::Context& context, const std::atomic<bool>& stop)
@@ -20,14 +34,14 @@ std::optional<io::Record> Reading::next() {
   auto next = source_.next();
   if (next) return *std::move(next);
   context_.error(next.error());
-  notes_.push_back("The input broke off: " + next.error().text());
+  notes_.push_back("Reading stopped at an error: " + next.error().text());
   broken_ = true;
   return {};
 }
 
 void Reading::cannotShow(const Error& error) {
   context_.error(error);
-  notes_.push_back("The input cannot be shown: " + error.text());
+  notes_.push_back("Some of the input cannot be shown: " + error.text());
 }
 
 void Reading::drain() {
@@ -48,17 +62,36 @@ Status Reading::forgive(const io::Record& record, Error error) {
   return source_.forgive(record, std::move(error));
 }
 
-std::vector<std::string> Reading::notes() const {
+bool Reading::writerFailed() const {
+  return source_.status() == schema::EndStatus::INTERRUPTED && source_.errors() > 0;
+}
+
+void Reading::reportLack(Error lack) {
+  if (context_.errors() > 0) return;
+  if (writerFailed()) {
+    lack = makeError("the program that wrote the input stopped with an error",
+                     "its own message says why");
+  }
+  context_.error(lack);
+}
+
+std::vector<std::string> Reading::notes(const view::Report& report) const {
   std::vector<std::string> notes = notes_;
-  if (source_.status() == schema::EndStatus::INTERRUPTED) {
-    notes.push_back("The work was interrupted before every query had its answer.");
+  if (writerFailed()) {
+    notes.push_back("The program that wrote the input stopped with an error.");
+  } else if (source_.status() == schema::EndStatus::INTERRUPTED) {
+    notes.push_back("The run was interrupted before every query had an answer.");
   } else if (source_.status() == schema::EndStatus::BUDGET) {
-    notes.push_back("A budget was spent before every query had its answer.");
+    notes.push_back(budgetNote(report));
   }
   return notes;
 }
 
-Result<view::Report> readReport(cli::Context& context) {
+Error nothingToShow() {
+  return makeError("the input has nothing to show", "give it levels, queries or results");
+}
+
+std::optional<view::Report> readReport(cli::Context& context) {
   Reading reading(context, context.stop());
   view::Collector collector([&](const io::Record& record,
                                 Error error) { return reading.forgive(record, std::move(error)); },
@@ -72,9 +105,16 @@ Result<view::Report> readReport(cli::Context& context) {
   Status played = collector.update();
   if (shown) shown = std::move(played);
   if (!shown) reading.cannotShow(shown.error());
-  OBBY_RETURN_IF_ERROR(collector.checkChosen());
+  if (const Status chosen = collector.checkChosen(); !chosen) {
+    reading.reportLack(chosen.error());
+    return {};
+  }
   view::Report report = collector.take();
-  const std::vector<std::string> notes = reading.notes();
+  if (report.empty()) {
+    reading.reportLack(nothingToShow());
+    return {};
+  }
+  const std::vector<std::string> notes = reading.notes(report);
   report.notes.insert(report.notes.end(), notes.begin(), notes.end());
   return report;
 }

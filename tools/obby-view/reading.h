@@ -30,18 +30,29 @@ class Reading {
   // For view::Collector.
   Status forgive(const io::Record& record, Error error);
 
+  // Behind the end. Reports that the input lacks something, unless an error explains why: one that
+  // has been reported, or that stopped the program which wrote the input.
+  void reportLack(Error lack);
+
   // Behind the end, for the reader of the report: what is missing and why.
-  std::vector<std::string> notes() const;
+  std::vector<std::string> notes(const view::Report& report) const;
 
  private:
+  // An error stopped the program that wrote an input.
+  bool writerFailed() const;
+
   cli::Context& context_;
   io::RecordSource source_;
   std::vector<std::string> notes_;
   bool broken_ = false;
 };
 
+// The error of a report that is empty.
+Error nothingToShow();
+
 // Reads all of it. A broken input is reported, as is what cannot be shown; what came before it is
-// shown. Error: a query that was asked for did not come.
-Result<view::Report> readReport(cli::Context& context);
+// shown. Nothing: there is nothing to show, or a query that was asked for did not come, which has
+// been reported.
+std::optional<view::Report> readReport(cli::Context& context);
 
 }  // namespace obby

@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "level/level_view.h"
+#include "table/terminal.h"
 #include "view/picture/camera.h"
-#include "view/terminal.h"
 
 namespace obby::view {
+
+using table::Rgb;
 
 // Linear in what is written to files: 0 to 1 each, as sRGB has it.
 struct Color {

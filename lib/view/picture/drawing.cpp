@@ -201,6 +201,18 @@ std::string queryOf(const QueryEntry& query, const Paper& paper) {
   return out;
 }
 
+// Level and query; a name that is missing is left out.
+std::string titleOf(const LevelEntry& level, const QueryEntry* query) {
+  const std::string name = level.level->name(), id = query ? query->id : "";
+  return name + (name.empty() || id.empty() ? "" : ": ") + id;
+}
+
+std::string captionOf(const std::string& title, Side side, float studs) {
+  return title + (title.empty() ? "" : ", ") +
+         (side == Side::above ? "from above, " : "from the side, ") + lengthText(studs) +
+         " studs across";
+}
+
 }  // namespace
 
 std::string drawingOf(const LevelEntry& level, const QueryEntry* query,
@@ -208,7 +220,8 @@ std::string drawingOf(const LevelEntry& level, const QueryEntry* query,
   const Box extent = query ? extentOf(level, *query) : level.level->bounds();
   const Sheet sheet = sheetOf(extent, query, options);
   const uint32_t tick = query && query->compiled ? query->compiled->start().tick : 0;
-  const std::string title = query ? level.level->name() + ": " + query->id : level.level->name();
+  const std::string title = titleOf(level, query);
+  const float across = (sheet.width - 2 * kPaperMargin) / sheet.paper.scale;
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
              "width=\"{0:.0f}\" height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n",
@@ -219,11 +232,9 @@ std::string drawingOf(const LevelEntry& level, const QueryEntry* query,
                      double(sheet.height - kLegend)) +
          partsOf(worldOf(level, tick), sheet.paper, sheet.width, sheet.height - kLegend) +
          (query ? queryOf(*query, sheet.paper) : "") +
-         fmt::format(
-             "</svg>\n<text x=\"{:.0f}\" y=\"{:.1f}\">{}, {}; {} studs across</text>\n</svg>\n",
-             double(kPaperMargin), double(sheet.height) - 10, io::escapeMarkup(title),
-             options.side == Side::above ? "from above" : "from the side",
-             lengthText((sheet.width - 2 * kPaperMargin) / sheet.paper.scale));
+         fmt::format("</svg>\n<text x=\"{:.0f}\" y=\"{:.1f}\">{}</text>\n</svg>\n",
+                     double(kPaperMargin), double(sheet.height) - 10,
+                     io::escapeMarkup(captionOf(title, options.side, across)));
 }
 
 }  // namespace obby::view

@@ -14,7 +14,7 @@ Result<std::string> pngOf(const Image& image) {
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
   std::string out(size, '\0');
   if (!png_image_write_to_memory(&header, out.data(), &size, 0, image.pixels.data(), 0, nullptr))
-    return makeError(std::string("the picture could not be written: ") + header.message);
+    return makeError(std::string("cannot encode the picture: ") + header.message);
   out.resize(size);
   return out;
 }

@@ -1,11 +1,11 @@
-#include "view/flow.h"
+#include "table/flow.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "view/columns.h"
+#include "table/columns.h"
 
-namespace obby::view {
+namespace obby::table {
 
 Flow::Flow(size_t width, size_t gap, std::string indent)
     : room_(width - std::min(width, columnCount(indent))),
@@ -21,4 +21,4 @@ void Flow::add(std::string_view piece, size_t columns) {
   begun_ = true;
 }
 
-}  // namespace obby::view
+}  // namespace obby::table

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace obby::view {
+namespace obby::table {
 
 class Flow {
  public:
@@ -26,4 +26,4 @@ class Flow {
   bool begun_ = false;
 };
 
-}  // namespace obby::view
+}  // namespace obby::table

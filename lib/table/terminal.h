@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace obby::view {
+namespace obby::table {
 
 struct TerminalTraits {
   size_t width = 80;   // columns
@@ -21,6 +21,8 @@ bool localeIsUtf8();
 // True if the terminal says that it knows colours of 24 bits (COLORTERM, TERM): others may take
 // their numbers for something else.
 bool terminalHasRgb();
+// All of that; `color` is what the user wants.
+TerminalTraits terminalTraits(bool color);
 
 struct Rgb {
   uint8_t r = 0, g = 0, b = 0;
@@ -35,4 +37,4 @@ std::string colorSequence(Layer layer, Rgb color, const TerminalTraits& traits);
 // `text` in a colour, or as it is where the terminal has none.
 std::string colored(const std::string& text, Rgb color, const TerminalTraits& traits);
 
-}  // namespace obby::view
+}  // namespace obby::table

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "view/columns.h"
+#include "table/columns.h"
 
-namespace obby::view {
+namespace obby::table {
 namespace {
 
 struct Range {
@@ -62,4 +62,4 @@ size_t columnsOf(char32_t code) {
   return isIn(kWide, code) ? 2 : 1;
 }
 
-}  // namespace obby::view
+}  // namespace obby::table

@@ -1,5 +1,5 @@
 // Asks the terminal and the environment.
-#include "view/terminal.h"
+#include "table/terminal.h"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <string_view>
 
-namespace obby::view {
+namespace obby::table {
 namespace {
 
 constexpr size_t kLeastWidth = 40, kMostWidth = 400;
@@ -75,6 +75,10 @@ bool terminalHasRgb() {
          variable("TERM").find("direct") != std::string_view::npos;
 }
 
+TerminalTraits terminalTraits(bool color) {
+  return {terminalWidth(), color, localeIsUtf8(), !terminalHasRgb()};
+}
+
 std::string colorSequence(Layer layer, Rgb color, const TerminalTraits& traits) {
   const int code = layer == Layer::front ? 38 : 48;
   if (traits.palette) return fmt::format("\x1b[{};5;{}m", code, nearestInPalette(color));
@@ -86,4 +90,4 @@ std::string colored(const std::string& text, Rgb color, const TerminalTraits& tr
   return colorSequence(Layer::front, color, traits) + text + "\x1b[0m";
 }
 
-}  // namespace obby::view
+}  // namespace obby::table

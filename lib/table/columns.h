@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace obby::view {
+namespace obby::table {
 
 // Columns that a character takes on a terminal: 0, 1 or 2. Control characters count as one.
 size_t columnsOf(char32_t code);
@@ -15,4 +15,4 @@ size_t columnCount(std::string_view text);
 // `ascii`).
 std::string fitted(std::string_view text, size_t width, bool ascii);
 
-}  // namespace obby::view
+}  // namespace obby::table

@@ -1,10 +1,10 @@
-#include "view/columns.h"
+#include "table/columns.h"
 
 #include <algorithm>
 
 #include "io/utf8.h"
 
-namespace obby::view {
+namespace obby::table {
 
 size_t columnCount(std::string_view text) {
   size_t count = 0;
@@ -33,4 +33,4 @@ std::string fitted(std::string_view text, size_t width, bool ascii) {
   return out;
 }
 
-}  // namespace obby::view
+}  // namespace obby::table
