@@ -30,6 +30,7 @@ function(obby_tool name)
   target_link_libraries(${name} PRIVATE ${T_USES} ${T_LIBS} obby::build)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  obby_manual(${name})
 endfunction()
 
 # obby_test(module USES modules...): every tests/<module>/*_test.cpp into one program, each test its own ctest entry.

@@ -104,8 +104,11 @@ std::string fish(const ToolSpec& spec, const std::vector<OptionRow>& rows) {
 
 }  // namespace
 
-std::string completionScript(const ToolSpec& spec, const std::vector<OptionRow>& rows,
+std::string completionScript(const ToolSpec& spec, const std::vector<OptionRow>& all,
                              const std::string& shell) {
+  std::vector<OptionRow> rows;
+  for (const OptionRow& row : all)
+    if (!row.hidden) rows.push_back(row);
   if (shell == "bash") return bash(spec, rows);
   return shell == "zsh" ? zsh(spec, rows) : fish(spec, rows);
 }

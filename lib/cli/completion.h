@@ -9,7 +9,7 @@
 namespace obby::cli {
 
 // `shell` is bash, zsh or fish.
-std::string completionScript(const ToolSpec& spec, const std::vector<OptionRow>& rows,
+std::string completionScript(const ToolSpec& spec, const std::vector<OptionRow>& all,
                              const std::string& shell);
 
 }  // namespace obby::cli

@@ -13,7 +13,7 @@ namespace obby::cli {
 namespace {
 
 constexpr const char* kQuotesHint =
-    "put a value that has blanks or commas in quotes, several values in [brackets]";
+    "quote a value that contains blanks or commas; put several values in [brackets]";
 
 struct Item {
   std::string section, name;
@@ -113,7 +113,7 @@ class Reader {
       OBBY_ASSIGN(out.emplace_back(), value(" \t\r\n,]"));
       skipBlankLines();
       if (accept(',')) continue;
-      if (peek() != ']') return wrong("expected `,` or `]` behind a value in brackets");
+      if (peek() != ']') return wrong("expected `,` or `]` after a value in brackets");
     }
   }
 
@@ -121,12 +121,12 @@ class Reader {
   Result<std::string> value(const char* ends) {
     if (accept('\'')) {
       std::string text(take("'\n"));
-      if (!accept('\'')) return wrong("a quote that is not closed");
+      if (!accept('\'')) return wrong("this quote is not closed");
       return text;
     }
     if (accept('"')) return escapedText();
     std::string text(peek() == '#' ? "" : take(ends));
-    if (text.empty()) return wrong("expected a value", "'' is an empty text");
+    if (text.empty()) return wrong("expected a value", "write '' for an empty text");
     return text;
   }
 
@@ -135,14 +135,14 @@ class Reader {
     for (;;) {
       out += take("\"\\\n");
       if (accept('"')) return out;
-      if (!accept('\\')) return wrong("a quote that is not closed");
+      if (!accept('\\')) return wrong("this quote is not closed");
       switch (peek()) {
         case '"':
         case '\\': out += peek(); break;
         case 'n': out += '\n'; break;
         case 'r': out += '\r'; break;
         case 't': out += '\t'; break;
-        default: return wrong("an unknown escape", "in 'single quotes' a backslash is one");
+        default: return wrong("unknown escape", "use 'single quotes' to keep a backslash as it is");
       }
       at_++;
     }
@@ -166,8 +166,7 @@ Status add(Config& values, Item item, const std::vector<OptionRow>& rows) {
     return Error{{}, item.value.line, item.name, std::move(message), hint};
   };
   const OptionRow* row = findRow(rows, item.name);
-  if (!row)
-    return wrong("unknown option", "options of another tool go under a section with its name");
+  if (!row) return wrong("unknown option", "put the options of another tool below a line [TOOL]");
   if (item.alone && row->type != ValueType::flag) return wrong("needs a value", "");
   if (item.alone) item.value.texts = {"true"};
   ConfigValue& all = values[item.name];

@@ -57,6 +57,11 @@ void member(std::string& out, const char* name, const std::string& value) {
   out += std::string(",\"") + name + "\":" + io::quoted(value, SIZE_MAX);
 }
 
+// An error about an option has its name, or its variable's, where others have a path in a record.
+bool namesOption(std::string_view path) {
+  return path.starts_with('-') || path.starts_with("OBBY_");
+}
+
 }  // namespace
 
 bool colorsOn(int descriptor) {
@@ -65,6 +70,12 @@ bool colorsOn(int descriptor) {
   if (no && *no) return false;
   if (term && std::string_view(term) == "dumb") return false;
   return isatty(descriptor) == 1;
+}
+
+size_t terminalWidth(int descriptor) {
+  winsize size{};
+  if (ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  return 80;
 }
 
 void Console::error(const Error& error) { message("error", error); }
@@ -88,7 +99,7 @@ void Console::message(const char* level, const Error& error) {
     std::string out = std::string("{\"type\":\"") + level + "\",\"tool\":\"" + tool_ + '"';
     member(out, "input", error.input);
     member(out, "place", error.place);
-    member(out, "path", error.path);
+    member(out, namesOption(error.path) ? "option" : "path", error.path);
     member(out, "message", error.message);
     member(out, "hint", error.hint);
     return line(out + "}");
@@ -111,12 +122,6 @@ void Console::status(const std::string& text) {
   if (text.empty() && !drawn_) return;
   drawn_ = !text.empty();
   put(kClearLine + harmless(text));
-}
-
-size_t Console::width() {
-  winsize size{};
-  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
-  return 80;
 }
 
 void Console::put(std::string_view text) {

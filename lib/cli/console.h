@@ -13,6 +13,9 @@ namespace obby::cli {
 // Colours are wanted on that descriptor: a terminal, and neither NO_COLOR nor TERM=dumb.
 bool colorsOn(int descriptor);
 
+// Columns of the terminal there; 80 where it is none or does not say.
+size_t terminalWidth(int descriptor);
+
 class Console {
  public:
   explicit Console(std::string tool) : tool_(std::move(tool)) {}
@@ -29,9 +32,6 @@ class Console {
   void line(std::string_view text);
   // A line that the next call overwrites; empty: takes it away. Only for terminals.
   void status(const std::string& text);
-
-  // Columns of the terminal, 80 where it does not say.
-  static size_t width();
 
  private:
   void message(const char* level, const Error& error);

@@ -5,118 +5,143 @@
 #include <algorithm>
 
 #include "cli/check_value.h"
+#include "cli/commit.h"
+#include "cli/console.h"
+#include "cli/wrap.h"
 #include "io/version.h"
 
 namespace obby::cli {
 namespace {
 
-constexpr size_t kColumns = 80, kHelpColumn = 28;
-
-// `text` broken at spaces, every line but the first indented by `indent`; the first begins at `at`.
-std::string wrapped(const std::string& text, size_t at, size_t indent) {
-  std::string out;
-  size_t column = at;
-  for (size_t i = 0; i < text.size();) {
-    const size_t space = std::min(text.find(' ', i), text.size());
-    const std::string word = text.substr(i, space - i);
-    const bool lineStart = column == indent;
-    if (!lineStart && column + word.size() + 1 > kColumns) {
-      out += '\n' + std::string(indent, ' ');
-      column = indent;
-    } else if (i > 0 && !lineStart) {
-      out += ' ';
-      column++;
-    }
-    out += word;
-    column += word.size();
-    i = space + 1;
-  }
-  return out;
-}
-
-// Lines that fit stay as they are.
-std::string paragraphs(const std::string& text) {
-  std::string out;
-  for (size_t i = 0; i <= text.size();) {
-    const size_t end = std::min(text.find('\n', i), text.size());
-    const std::string line = text.substr(i, end - i);
-    out += (line.size() > kColumns ? wrapped(line, 0, 0) : line) + '\n';
-    i = end + 1;
-  }
-  return out;
-}
+constexpr size_t kNarrowest = 40, kWidest = 120;
+constexpr size_t kTwoColumns = 64;                     // the least width for them
+constexpr size_t kHelpColumn = 28, kNarrowColumn = 8;  // where an option's text begins
+constexpr size_t kNameColumn = 6, kNameIndent = 10;    // "  -o, --output", and if it is broken
+constexpr size_t kFewExamples = 5;                     // in --help
 
 std::string usageLine(const ToolSpec& spec) {
-  return fmt::format("Usage: {} [OPTION]...{}", spec.name, spec.takesInputs ? " [FILE]..." : "");
+  return fmt::format("Usage: {} {}\n", spec.name, usageWords(spec));
 }
 
-std::string optionNames(const OptionRow& row) {
-  std::string out = row.letter ? fmt::format("  -{}, --{}", row.letter, row.name)
-                               : fmt::format("      --{}", row.name);
+std::string optionNames(const OptionRow& row, size_t width) {
+  std::string name = "--" + row.name;
   const std::string label = valueLabel(row);
-  if (row.type == ValueType::mode) return out + "[=" + label + "]";
-  return label.empty() ? out : out + " " + label;
+  if (row.type == ValueType::mode) {
+    name += "[=" + label + "]";
+  } else if (!label.empty()) {
+    name += " " + label;
+  }
+  if (row.repeatable) name += "...";
+  const std::string letter = row.letter ? fmt::format("  -{}, ", row.letter) : "      ";
+  return letter + wrapped(name, kNameColumn, kNameIndent, width);
 }
 
-std::string optionHelp(const OptionRow& row) {
-  std::string out = optionNames(row);
+std::string optionHelp(const OptionRow& row, const HelpStyle& style) {
+  const size_t column = style.width >= kTwoColumns ? kHelpColumn : kNarrowColumn;
   std::string text = row.help;
   if (!row.defaultText.empty()) text += fmt::format(" [default: {}]", row.defaultText);
-  if (row.repeatable) text += " (may be given more than once)";
-  if (out.size() + 2 > kHelpColumn) {
-    out += '\n' + std::string(kHelpColumn, ' ');
+  if (!style.all && row.details.find('\n') != std::string::npos) text += " (see --help-all)";
+  std::string out = optionNames(row, style.width);
+  if (out.size() + 2 > column) {
+    out += '\n' + std::string(column, ' ');
   } else {
-    out += std::string(kHelpColumn - out.size(), ' ');
+    out += std::string(column - out.size(), ' ');
   }
-  return out + wrapped(text, kHelpColumn, kHelpColumn) + "\n";
-}
-
-std::string examples(const ToolSpec& spec) {
-  std::string out = "Examples:\n";
-  for (const Example& example : spec.examples)
-    out += fmt::format("  # {}\n  $ {}\n", example.text, example.command);
+  out += wrapped(text, column, column, style.width) + "\n";
+  if (!row.details.empty() && style.all) out += wrappedLines(row.details, column, style.width);
   return out;
 }
 
-std::vector<std::string> groups(const std::vector<OptionRow>& rows) {
-  std::vector<std::string> out;
+std::string examples(const ToolSpec& spec, const HelpStyle& style) {
+  std::string out = "Examples:\n";
+  const size_t count = style.all ? spec.examples.size() : kFewExamples;
+  for (size_t i = 0; i < std::min(count, spec.examples.size()); i++) {
+    const Example& example = spec.examples[i];
+    out += "  # " + wrapped(example.text, 4, 4, style.width) + "\n";
+    out += "  $ " + wrappedCommand(example.command, 4, style.width) + "\n";
+  }
+  return out;
+}
+
+bool isShown(const OptionRow& row, const HelpStyle& style) {
+  return !row.hidden && (style.all || !row.rare);
+}
+
+std::string optionList(const std::vector<OptionRow>& rows, const HelpStyle& style) {
+  std::vector<OptionRow> shown;
   for (const OptionRow& row : rows)
-    if (std::find(out.begin(), out.end(), row.group) == out.end()) out.push_back(row.group);
+    if (isShown(row, style)) shown.push_back(row);
+  std::string out;
+  for (const std::string& group : optionGroups(shown)) {
+    out += fmt::format("\n{}:\n", group);
+    for (const OptionRow& row : shown)
+      if (row.group == group) out += optionHelp(row, style);
+  }
   return out;
 }
 
 }  // namespace
 
-std::string versionLine(const ToolSpec& spec) {
-  return fmt::format("{} {}", spec.name, io::toolVersion());
+const char* const kOtherWays =
+    "Any option can also be set by a variable (OBBY_SEED for --seed) or in the --config file. The "
+    "command line wins over variables, and variables win over the file. An option that has no "
+    "effect with the others is an error on the command line; from a variable or config file it is "
+    "ignored.";
+
+size_t helpWidth(int descriptor) {
+  return std::clamp(terminalWidth(descriptor), kNarrowest, kWidest);
 }
 
-std::string helpText(const ToolSpec& spec, const std::vector<OptionRow>& rows) {
-  std::string out = fmt::format("{}\n{}.\n\n{}\n{}\n", versionLine(spec),
-                                wrapped(spec.summary, 0, 0), examples(spec), usageLine(spec));
-  if (spec.takesInputs)
-    out +=
-        wrapped(fmt::format("FILE: {}; - or none is standard input.", spec.inputHelp), 0, 0) + "\n";
-  for (const std::string& group : groups(rows)) {
-    out += fmt::format("\n{}:\n", group);
-    for (const OptionRow& row : rows)
-      if (row.group == group) out += optionHelp(row);
-  }
-  out += "\n" +
-         wrapped(
-             "Every option can also be set by a variable (OBBY_SEED for --seed) or in "
-             "the --config file; the command line counts before variables, and these before the "
-             "file. What would do nothing beside the other options is refused where it is typed, "
-             "and passed over where it is set so.",
-             0, 0) +
-         "\n";
-  if (!spec.notes.empty()) out += "\n" + paragraphs(spec.notes);
+std::string versionLine(const ToolSpec& spec) {
+  const std::string commit = *kCommit ? fmt::format("commit {}, ", kCommit) : "";
+  return fmt::format("{} {} ({}schema {}.{})", spec.name, io::toolVersion(), commit,
+                     io::kSchemaMajor, io::kSchemaMinor);
+}
+
+std::string usageWords(const ToolSpec& spec) {
+  return spec.takesInputs ? "[OPTION]... [FILE]..." : "[OPTION]...";
+}
+
+std::vector<std::string> optionGroups(const std::vector<OptionRow>& rows) {
+  std::vector<std::string> out;
+  for (const OptionRow& row : rows)
+    if (std::find(out.begin(), out.end(), row.group) == out.end()) out.push_back(row.group);
+  if (const auto last = std::find(out.begin(), out.end(), kHelpGroup); last != out.end())
+    std::rotate(last, last + 1, out.end());
   return out;
 }
 
-std::string shortHelp(const ToolSpec& spec) {
-  return fmt::format("{}: {}\n\n{}\n{}\nNo FILE, and standard input is a terminal: see {} --help\n",
-                     spec.name, spec.summary, examples(spec), usageLine(spec), spec.name);
+std::string helpText(const ToolSpec& spec, const std::vector<OptionRow>& rows,
+                     const HelpStyle& style) {
+  const auto paragraph = [&](const std::string& text) {
+    return text.empty() ? "" : "\n" + wrappedLines(text, 0, style.width);
+  };
+  std::string out = fmt::format("{} {}\n", spec.name, io::toolVersion());
+  out += wrappedLines(sentence(spec.summary), 0, style.width) + "\n" + examples(spec, style) +
+         "\n" + usageLine(spec);
+  if (spec.takesInputs)
+    out += wrappedLines(fmt::format("FILE: {}; - or none is standard input.", spec.inputHelp), 0,
+                        style.width);
+  out += optionList(rows, style) + paragraph(spec.notes);
+  if (style.all) out += paragraph(spec.details);
+  out += paragraph(kOtherWays);
+  const bool repeats =
+      std::any_of(rows.begin(), rows.end(), [](const OptionRow& row) { return row.repeatable; });
+  std::string end = repeats ? "Options with ... can be given more than once." : "";
+  if (!style.all)
+    end += fmt::format("{}All options: {} --help-all", end.empty() ? "" : " ", spec.name);
+  return out + paragraph(end);
+}
+
+std::string shortHelp(const ToolSpec& spec, size_t width) {
+  HelpStyle style;
+  style.width = width;
+  return wrappedLines(spec.name + ": " + spec.summary + ".", 0, width) + "\n" +
+         examples(spec, style) + "\n" + usageLine(spec) +
+         wrappedLines(fmt::format("No FILE is given, and standard input is a terminal. See {} "
+                                  "--help.",
+                                  spec.name),
+                      0, width);
 }
 
 }  // namespace obby::cli

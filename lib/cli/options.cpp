@@ -5,8 +5,6 @@
 namespace obby::cli {
 namespace {
 
-constexpr const char* kUniversalGroup = "Help and messages";
-
 OptionRow row(std::string name, char letter, ValueType type, std::string value, std::string help) {
   OptionRow out;
   out.name = std::move(name);
@@ -32,77 +30,131 @@ OptionRow limited(OptionRow out, double min, double max, std::string defaultText
   return out;
 }
 
-OptionRow universal(OptionRow out) {
-  out.group = kUniversalGroup;
+OptionRow grouped(OptionRow out, const char* group) {
+  out.group = group;
+  return out;
+}
+
+OptionRow universal(OptionRow out) { return grouped(std::move(out), kHelpGroup); }
+
+OptionRow rareUniversal(OptionRow out) {
+  out.rare = true;
+  return universal(std::move(out));
+}
+
+OptionRow configRow() {
+  OptionRow out = row("config", 0, ValueType::file, "FILE",
+                      "read options from FILE, one `name = value` per line");
+  out.details =
+      "Put text that contains blanks in 'quotes' and several values in [brackets]. Options below a "
+      "line [TOOL] are for that tool only.";
+  return out;
+}
+
+OptionRow manualRow() {
+  OptionRow out = universal(row("man", 0, ValueType::flag, "", "print the manual page and exit"));
+  out.hidden = true;
   return out;
 }
 
 std::vector<OptionRow> makeUniversalRows() {
-  OptionRow completion = choiceRow("completion", ValueType::choice, {"bash", "zsh", "fish"}, "",
-                                   "print a completion script for that shell");
-  return {
-      universal(row("quiet", 'q', ValueType::flag, "", "no warnings and no progress on stderr")),
-      universal(row("verbose", 'v', ValueType::flag, "", "say on stderr what is being done")),
-      universal(row("no-color", 0, ValueType::flag, "",
-                    "no colours (also: NO_COLOR set, TERM=dumb, no terminal)")),
-      universal(row("json-errors", 0, ValueType::flag, "",
-                    "errors, warnings and notes as JSON objects on stderr")),
-      universal(row("config", 0, ValueType::file, "FILE",
-                    "read options from FILE: lines `name = value`, 'text with blanks' in quotes, "
-                    "several values in [brackets]; below [TOOL] those of one tool")),
-      universal(row("print-config", 0, ValueType::flag, "",
-                    "print the options in force, as --config reads them, and exit")),
-      universal(row("schema", 0, ValueType::flag, "", "print the schema of the streams and exit")),
-      universal(completion),
-      universal(row("version", 0, ValueType::flag, "", "print the version and exit")),
-      universal(row("help", 'h', ValueType::flag, "", "print this help and exit")),
+  const auto flag = [](const char* name, char letter, const char* help) {
+    return row(name, letter, ValueType::flag, "", help);
   };
+  return {
+      universal(flag("quiet", 'q', "no warnings and no progress on stderr")),
+      universal(flag("verbose", 'v', "say on stderr what is being done")),
+      rareUniversal(flag("no-color", 0,
+                         "no colours (the default if NO_COLOR is set, if TERM is dumb, or without "
+                         "a terminal)")),
+      rareUniversal(
+          flag("json-errors", 0,
+               "print errors, warnings and notes on stderr as JSON, one object per line")),
+      universal(configRow()),
+      rareUniversal(flag("print-config", 0,
+                         "print the options in force, in the format of --config, and exit")),
+      rareUniversal(flag("schema", 0, "print the schema of the streams and exit")),
+      rareUniversal(choiceRow("completion", ValueType::choice, {"bash", "zsh", "fish"}, "",
+                              "print a completion script for this shell and exit")),
+      universal(flag("version", 0, "print version, commit and schema version, and exit")),
+      universal(flag("help", 'h', "print this help and exit")),
+      universal(flag("help-all", 0, "print help on all options and exit")),
+      manualRow(),
+  };
+}
+
+OptionRow outputRow() {
+  OptionRow out =
+      row("output", 'o', ValueType::file, "FILE", "write to FILE, created when complete");
+  out.details = "- is standard output.";
+  out.defaultText = "-";
+  return grouped(std::move(out), kFilesGroup);
+}
+
+OptionRow formatRow() {
+  OptionRow out = choiceRow("format", ValueType::choice, {"jsonl", "capnp", "packed"}, "",
+                            "encoding [default: by FILE's extension, else jsonl]");
+  out.details = "The extension .capnp means capnp, and .capnpp means packed.";
+  return grouped(std::move(out), kFilesGroup);
+}
+
+OptionRow seedRow() {
+  OptionRow out = row("seed", 0, ValueType::seed, "N", "random seed: same seed, same results");
+  out.defaultText = "0";
+  return grouped(std::move(out), kRunGroup);
+}
+
+OptionRow threadsRow() {
+  OptionRow out =
+      limited(row("threads", 0, ValueType::integer, "N", "threads to use; 0: all available CPUs"),
+              0, 4096, "0");
+  out.details = "Results do not depend on it.";
+  return grouped(std::move(out), kRunGroup);
+}
+
+OptionRow backendRow() {
+  return grouped(choiceRow("backend", ValueType::choice, {"auto", "cpu", "cuda"}, "auto",
+                           "where worlds are simulated; results do not depend on it"),
+                 kRunGroup);
+}
+
+OptionRow timeLimitRow() {
+  return grouped(
+      limited(row("time-limit", 0, ValueType::number, "SECONDS", "stop after this wall-clock time"),
+              0, 1e9, ""),
+      kRunGroup);
+}
+
+OptionRow progressRow() {
+  OptionRow out =
+      choiceRow("progress", ValueType::mode, {"auto", "line", "json", "none"}, "auto",
+                "progress on stderr: a live line (terminal), a line every 10 s, or JSON");
+  out.details =
+      "auto is silent where stderr is not a terminal, and where records go to that terminal, too. "
+      "--progress alone means line.";
+  out.bare = "line";
+  return grouped(std::move(out), kHelpGroup);
+}
+
+OptionRow onErrorRow() {
+  OptionRow out = choiceRow("on-error", ValueType::choice, {"stop", "skip", "emit"}, "stop",
+                            "on a bad record: stop, skip it, or emit it unchanged");
+  out.details = "The exit code is 2 in every case.";
+  return grouped(std::move(out), kFilesGroup);
 }
 
 }  // namespace
 
 OptionRow commonRow(Common option) {
   switch (option) {
-    case Common::output: {
-      OptionRow out = row("output", 'o', ValueType::file, "FILE",
-                          "write to FILE, which appears when it is complete; - is standard output");
-      out.defaultText = "-";
-      return out;
-    }
-    case Common::format:
-      return choiceRow("format", ValueType::choice, {"jsonl", "capnp", "packed"}, "",
-                       "encoding of the output stream [default: by FILE's ending .capnp or "
-                       ".capnpp, else jsonl]");
-    case Common::seed: {
-      OptionRow out = row("seed", 0, ValueType::seed, "N",
-                          "seed of all random numbers; the same seed gives the same answers");
-      out.defaultText = "0";
-      return out;
-    }
-    case Common::threads:
-      return limited(row("threads", 0, ValueType::integer, "N",
-                         "threads to use, 0 for all that this process may use; the answers do not "
-                         "depend on it"),
-                     0, 4096, "0");
-    case Common::backend:
-      return choiceRow("backend", ValueType::choice, {"auto", "cpu", "cuda"}, "auto",
-                       "where worlds are simulated; the answers do not depend on it");
-    case Common::timeLimit:
-      return limited(
-          row("time-limit", 0, ValueType::number, "SECONDS", "stop after this wall-clock time"), 0,
-          1e9, "");
-    case Common::progress: {
-      OptionRow out =
-          choiceRow("progress", ValueType::mode, {"auto", "line", "json", "none"}, "auto",
-                    "signs of life on stderr: redrawn on a terminal that gets no records, a line "
-                    "each ten seconds, or JSON objects");
-      out.bare = "line";
-      return out;
-    }
-    case Common::onError:
-      return choiceRow("on-error", ValueType::choice, {"stop", "skip", "emit"}, "stop",
-                       "a bad record: stop, leave it out, or pass it on unchanged; the exit code "
-                       "is 2 in every case");
+    case Common::output: return outputRow();
+    case Common::format: return formatRow();
+    case Common::seed: return seedRow();
+    case Common::threads: return threadsRow();
+    case Common::backend: return backendRow();
+    case Common::timeLimit: return timeLimitRow();
+    case Common::progress: return progressRow();
+    case Common::onError: return onErrorRow();
   }
   return {};
 }

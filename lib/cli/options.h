@@ -1,5 +1,6 @@
-// The option table: one row an option. Help, checks, completions, OBBY_* variables, --config and
-// --print-config all come from these rows, so an option is described in one place only.
+// The option table: one row an option. Help, manual pages, checks, completions, OBBY_* variables,
+// --config and --print-config all come from these rows, so an option is described in one place
+// only.
 #pragma once
 
 #include <cstdint>
@@ -27,6 +28,7 @@ struct OptionRow {
   std::string value;              // what help calls the value: "SECONDS"
   std::string defaultText;        // as it would be typed; empty: no default
   std::string help;               // one sentence, no full stop
+  std::string details;            // more sentences or lines, for --help-all and the manual page
   std::string group = "Options";  // heading in help
   double min = std::numeric_limits<double>::lowest();
   double max = std::numeric_limits<double>::max();
@@ -36,7 +38,14 @@ struct OptionRow {
   std::string bare;         // mode: the value when none is given
   // file: read whole before anything is written, so that an output may be that file anew.
   bool renewed = false;
+  bool rare = false;    // few need it: in --help-all and the manual page, not in --help
+  bool hidden = false;  // for the build: in no help and no completion
 };
+
+// Headings in help. That of help and messages comes last.
+inline constexpr const char* kFilesGroup = "Input and output";
+inline constexpr const char* kRunGroup = "Time, threads and random numbers";
+inline constexpr const char* kHelpGroup = "Help and messages";
 
 // Options that mean the same in every tool.
 enum class Common {
@@ -55,8 +64,8 @@ enum class Common {
 OptionRow commonRow(Common option);
 OptionRow withDefault(OptionRow row, std::string defaultText);
 
-// Rows that every tool has: --help, --version, --quiet, --verbose, --no-color, --json-errors,
-// --schema, --config, --print-config, --completion. runTool adds them.
+// Rows that every tool has: --help, --help-all, --version, --quiet, --verbose, --no-color,
+// --json-errors, --schema, --config, --print-config, --completion, --man. runTool adds them.
 const std::vector<OptionRow>& universalRows();
 
 }  // namespace obby::cli

@@ -49,7 +49,7 @@ CLI::Option* addRow(CLI::App& app, const OptionRow& row) {
 }
 
 Error optionError(const std::string& name, std::string message, std::string hint = {}) {
-  return Error{name, {}, {}, std::move(message), std::move(hint)};
+  return Error{{}, {}, name, std::move(message), std::move(hint)};
 }
 
 Error unknownArgument(const std::string& text, const std::vector<OptionRow>& rows,
@@ -58,7 +58,8 @@ Error unknownArgument(const std::string& text, const std::vector<OptionRow>& row
     return makeError("unexpected argument " + io::quoted(text), "see " + spec.name + " --help");
   const std::string name = text.substr(0, text.find('='));
   std::vector<std::string> known;
-  for (const OptionRow& row : rows) known.push_back("--" + row.name);
+  for (const OptionRow& row : rows)
+    if (!row.hidden) known.push_back("--" + row.name);
   const std::string near = name.size() > 2 ? nearestName(name, known) : "";
   return optionError(name, "unknown option",
                      near.empty() ? "see " + spec.name + " --help" : "did you mean " + near + "?");

@@ -99,7 +99,7 @@ void Progress::update(const ProgressState& state) {
   }
   if (!io::takesMore(STDERR_FILENO, 0)) return;  // no work waits for who does not look
   if (mode_ == ProgressMode::bar) {
-    console_.status(progressLine(state, Console::width() - 1));
+    console_.status(progressLine(state, terminalWidth(STDERR_FILENO) - 1));
   } else if (mode_ == ProgressMode::json) {
     console_.line(progressJson(state));
   } else {

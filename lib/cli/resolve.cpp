@@ -21,12 +21,12 @@ class Resolver {
     Arguments::Value out{row, {}, true};
     if (const auto typed = line_.texts.find(row.name); typed != line_.texts.end()) {
       out.typed = true;
-      return checked(std::move(out), typed->second, Error{"--" + row.name, {}, {}, {}, {}});
+      return checked(std::move(out), typed->second, Error{{}, {}, "--" + row.name, {}, {}});
     }
     const std::string variable = environmentName(row.name);
     const char* environment = onlyTyped(row) ? nullptr : std::getenv(variable.c_str());
     if (environment && *environment)
-      return checked(std::move(out), {environment}, Error{variable, {}, {}, {}, {}});
+      return checked(std::move(out), {environment}, Error{{}, {}, variable, {}, {}});
     if (const auto listed = config_.find(row.name);
         listed != config_.end() && !listed->second.texts.empty()) {
       out.given = !statesDefault(row, listed->second.texts);
@@ -71,7 +71,8 @@ std::string configValueOf(const OptionRow& row, const std::string& text) {
 }  // namespace
 
 bool onlyTyped(const OptionRow& row) {
-  for (const char* name : {"help", "version", "schema", "completion", "print-config", "config"})
+  for (const char* name :
+       {"help", "help-all", "man", "version", "schema", "completion", "print-config", "config"})
     if (row.name == name) return true;
   return false;
 }
@@ -99,7 +100,7 @@ Result<Arguments> resolveArguments(const ToolSpec& spec, const std::vector<Optio
   out.inputs = line.inputs;
   if (out.inputs.empty()) out.inputs.push_back("-");
   if (std::count(out.inputs.begin(), out.inputs.end(), "-") > 1)
-    return makeError("- is given twice", "standard input can be read once");
+    return makeError("- is given twice", "standard input can be read only once");
   return out;
 }
 

@@ -40,6 +40,18 @@ inline OptionRow renewed(OptionRow r) {
   return r;
 }
 
+// Few need it: not in --help.
+inline OptionRow rare(OptionRow r) {
+  r.rare = true;
+  return r;
+}
+
+// More about it, for --help-all and the manual page.
+inline OptionRow detailed(OptionRow r, std::string details) {
+  r.details = std::move(details);
+  return r;
+}
+
 inline OptionRow lettered(OptionRow r, char letter) {
   r.letter = letter;
   return r;

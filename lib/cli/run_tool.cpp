@@ -1,5 +1,6 @@
 // The life of a tool, from argv to the exit code.
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -14,8 +15,10 @@
 #include "cli/console.h"
 #include "cli/context.h"
 #include "cli/help.h"
+#include "cli/manual.h"
 #include "cli/parse.h"
 #include "cli/stop.h"
+#include "cli/variables.h"
 #include "io/read_file.h"
 #include "io/text.h"
 
@@ -64,10 +67,12 @@ int finalCode(const Context& context, ExitCode code) {
 // Answers to --help and its like; a negative number if there is nothing to answer.
 int answer(const ToolSpec& spec, const std::vector<OptionRow>& rows, const CommandLine& line,
            Console& console) {
-  if (line.flag("help")) return print(console, helpText(spec, rows));
+  if (line.flag("help") || line.flag("help-all"))
+    return print(console, helpText(spec, rows, {helpWidth(STDOUT_FILENO), line.flag("help-all")}));
   if (!line.wrong) return -1;
   if (line.flag("version")) return print(console, versionLine(spec) + "\n");
   if (line.flag("schema")) return print(console, schema::kText);
+  if (line.flag("man")) return print(console, manualPage(spec, rows));
   return -1;
 }
 
@@ -83,13 +88,16 @@ int run(const ToolSpec& spec, int argc, char** argv, const RunFunction& body, Co
   console.color = !arguments->flag("no-color") && colorsOn(STDERR_FILENO);
   if (arguments->has("completion"))
     return print(console, completionScript(spec, rows, arguments->text("completion")));
+  for (const MisspeltVariable& slip : misspeltVariables(rows, environ))
+    console.warn(
+        fmt::format("{}: no option has this name (did you mean {}?)", slip.name, slip.meant));
   if (arguments->flag("print-config")) return print(console, configText(spec, rows, *arguments));
   const bool reads = spec.takesInputs && (!spec.readsInputs || spec.readsInputs(*arguments));
   if (!reads && !line.inputs.empty())
     return fail(console, makeError("unexpected argument " + io::quoted(line.inputs.front()),
-                                   "with these options nothing is read"));
+                                   "with these options no input is read"));
   if (reads && line.inputs.empty() && isatty(STDIN_FILENO) == 1) {
-    console.line(shortHelp(spec));
+    console.line(shortHelp(spec, helpWidth(STDERR_FILENO)));
     return int(ExitCode::failed);
   }
   if (!reads) arguments->inputs.clear();

@@ -14,11 +14,16 @@ namespace obby::cli {
 
 class Context;
 
-// A command line that works as it stands; help shows it, a test runs it in a folder that holds
-// copies of levels/.
+// A command line that works as it stands; help shows the first five, --help-all and the manual page
+// all of them. A test runs each in a folder that holds copies of levels/.
 struct Example {
-  std::string text;     // what it does
+  std::string text;     // "Answer all queries of a level"
   std::string command;  // a shell line: "obby-import tower.rbxlx | obby-solve | obby-view"
+};
+
+// A row of a list in the manual page: an exit code or a file, and what it means.
+struct ManualEntry {
+  std::string name, text;
 };
 
 struct ToolSpec {
@@ -36,6 +41,9 @@ struct ToolSpec {
   bool tableAtTerminal = false;
   std::string inputHelp = "input streams";  // what the positional files are
   std::string notes;                        // paragraphs at the end of help; may be empty
+  std::string details;                      // more of them, for --help-all and the manual page
+  std::vector<ManualEntry> exitCodes;       // besides those that all tools have
+  std::vector<ManualEntry> files;           // that it uses unasked
 };
 
 // design.md section 5. An interrupted tool ends with 130 or 143, whatever it returned below 2.

@@ -82,9 +82,9 @@ Status refuseOverwriting(const Arguments& arguments, std::span<const WrittenFile
     const auto same = std::find_if(kept.begin(), kept.end(),
                                    [&](const Kept& other) { return other.place == place; });
     if (same != kept.end()) {
-      return Error{standard ? std::string() : "--" + file.option,
+      return Error{{},
                    {},
-                   {},
+                   standard ? std::string() : "--" + file.option,
                    fmt::format("{} is {}", standard ? "standard output" : file.path, same->said),
                    standard ? "write to another file" : "name another file"};
     }

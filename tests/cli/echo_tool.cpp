@@ -13,8 +13,8 @@ cli::ToolSpec spec() {
   cli::ToolSpec out;
   out.name = "obby-echo";
   out.summary = "pass records through; count levels, refuse queries without an id";
-  out.examples = {{"copy a stream", "printf '{\"type\":\"level\"}\\n' | obby-echo"},
-                  {"convert it",
+  out.examples = {{"Copy a stream", "printf '{\"type\":\"level\"}\\n' | obby-echo"},
+                  {"Convert it",
                    "printf '{\"type\":\"level\"}\\n' | obby-echo --format packed | "
                    "obby-echo --format jsonl -o copy.jsonl"}};
   using cli::Common;

@@ -13,11 +13,12 @@ namespace {
 using bridge::kMiB;
 using cli::between;
 using cli::OptionRow;
+using cli::rare;
 using cli::row;
 using cli::ValueType;
 
-constexpr const char* kClients = "Clients";
-constexpr const char* kJobs = "Jobs";
+constexpr const char* kClients = "Editors that ask";
+constexpr const char* kJobs = "Searches and calibrations";
 constexpr const char* kLimits = "Limits";
 constexpr const char* kPort = "34990";  // clients look for it there
 
@@ -25,26 +26,28 @@ constexpr const char* kPort = "34990";  // clients look for it there
 OptionRow limitRow(const char* name, const char* value, double fallback, const char* help,
                    double min, double max) {
   const bool whole = std::string(value) != "SECONDS";
-  return between(row(name, whole ? ValueType::integer : ValueType::number, value,
-                     fmt::format("{:g}", fallback).c_str(), help, kLimits),
-                 min, max);
+  return rare(between(row(name, whole ? ValueType::integer : ValueType::number, value,
+                          fmt::format("{:g}", fallback).c_str(), help, kLimits),
+                      min, max));
 }
 
 std::vector<OptionRow> limitRows() {
   const bridge::Limits d;
   return {
       limitRow("max-body", "MIB", double(d.bodyBytes / kMiB),
-               "size of a request; inflated, four times that", 1, 1024),
+               "maximum size of a request; four times this when decompressed", 1, 1024),
       limitRow("memory", "MIB", double(d.memoryBytes / kMiB),
-               "address space of a program that is started; 0: not bounded", 0, 1e6),
+               "address space of each program that the bridge starts; 0: no limit", 0, 1e6),
       limitRow("cpu-time", "SECONDS", double(d.cpuSeconds),
-               "processor time of a program that is started: then it is interrupted", 1, 1e6),
+               "processor time after which a program that the bridge started is interrupted", 1,
+               1e6),
       limitRow("request-timeout", "SECONDS", d.requestSeconds,
-               "for a request to arrive, and for its answer to be taken", 0.1, 3600),
-      limitRow("ping", "SECONDS", d.pingSeconds, "between pings on a WebSocket", 0.1, 3600),
+               "time for a request to arrive and for its answer to be read", 0.1, 3600),
+      limitRow("ping", "SECONDS", d.pingSeconds, "time between pings on a WebSocket", 0.1, 3600),
       limitRow("silence", "SECONDS", d.silenceSeconds,
-               "without a word of a client: its WebSocket is closed", 0.1, 3600),
-      limitRow("grace", "SECONDS", d.graceSeconds, "after that: its jobs are cancelled", 0.1, 3600),
+               "close a WebSocket when its client has sent nothing for this long", 0.1, 3600),
+      limitRow("grace", "SECONDS", d.graceSeconds,
+               "cancel a client's jobs this long after --silence has passed", 0.1, 3600),
   };
 }
 
@@ -75,31 +78,32 @@ std::string askedOfServer(const cli::Arguments& a) {
 cli::ToolSpec bridgeSpec() {
   cli::ToolSpec spec;
   spec.name = "obby-bridge";
-  spec.summary = "let plugins of Roblox Studio and other editors ask obby-solve";
+  spec.summary = "let Roblox Studio and other editors ask obby-solve";
   spec.takesInputs = false;
   spec.examples = {
-      {"serve on this machine, and show a code that pairs a plugin", "obby-bridge --pair"},
-      {"for an editor that starts programs itself: a request a line, answers and messages a line",
+      {"Serve editors on this machine, and show a code that pairs a new one", "obby-bridge --pair"},
+      {"Serve until no editor has been connected for ten minutes", "obby-bridge --idle 600"},
+      {"Serve a program through standard input and output, one JSON request per line",
        "echo '{\"id\":1,\"method\":\"GET\",\"path\":\"/v1/info\"}' | obby-bridge --stdio"},
   };
   spec.options = {
       between(row("port", ValueType::integer, "PORT", kPort,
-                  "listen there, on the loopback interface only; 0: on any free one", kClients),
+                  "listen on this port of the loopback interface; 0: on any free one", kClients),
               0, 65535),
-      row("pair", ValueType::flag, "", "", "show a code with which one new client gets a token",
+      row("pair", ValueType::flag, "", "", "show a code that gives one new client a token",
           kClients),
       row("no-token", ValueType::flag, "", "",
-          "ask for no token: whoever runs a program on this machine may ask", kClients),
+          "require no token: any program on this machine may ask", kClients),
       row("stdio", ValueType::flag, "", "",
           "serve the program that started this one, over standard input and output", kClients),
       between(row("idle", ValueType::number, "SECONDS", "0",
-                  "end when no client was there for so long; 0: never", kClients),
+                  "exit when no client has been connected for this long; 0: never", kClients),
               0, 1e9),
-      between(
-          row("jobs", ValueType::integer, "N", "2", "searches and calibrations at a time", kJobs),
-          1, 64),
+      between(row("jobs", ValueType::integer, "N", "2",
+                  "searches and calibrations that run at a time", kJobs),
+              1, 64),
       row("solve", ValueType::file, "PATH", "",
-          "obby-solve to start [default: the one beside this program]", kJobs),
+          "the obby-solve to start [default: the one next to this program]", kJobs),
       row("state-dir", ValueType::file, "DIR", "",
           "folder for tokens, levels and answers [default: obby in XDG_STATE_HOME, or in "
           "~/.local/state]",
@@ -107,18 +111,22 @@ cli::ToolSpec bridgeSpec() {
   };
   for (OptionRow& limit : limitRows()) spec.options.push_back(std::move(limit));
   spec.notes =
-      "Requests are taken from this machine only, never from web pages, and only with the token of "
-      "a paired client. docs/bridge.md describes the protocol.";
+      "Requests are accepted from this machine only, never from web pages, and only with the "
+      "token of a paired client. docs/bridge.md describes the protocol.";
+  spec.files = {{"~/.local/state/obby",
+                 "Tokens, levels and answers. $XDG_STATE_HOME/obby, if that variable is set; "
+                 "--state-dir names another folder."}};
   return spec;
 }
 
 Result<bridge::Options> bridgeOptions(const cli::Context& context) {
+  constexpr const char* kOneOfTwo = "leave out one of the two";
   const cli::Arguments& a = context.arguments();
   if (const std::string other = askedOfServer(a); a.flag("stdio") && !other.empty()) {
-    return Error{{}, {}, "--stdio", fmt::format("does not go with --{}", other), {}};
+    return Error{{}, {}, "--stdio", fmt::format("cannot be combined with --{}", other), kOneOfTwo};
   }
   if (a.typed("pair") && a.flag("no-token")) {
-    return Error{{}, {}, "--pair", "does not go with --no-token", {}};
+    return Error{{}, {}, "--pair", "cannot be combined with --no-token", kOneOfTwo};
   }
   bridge::Options out;
   out.port = uint16_t(a.integer("port"));
@@ -128,7 +136,11 @@ Result<bridge::Options> bridgeOptions(const cli::Context& context) {
   out.solve = a.text("solve");
   out.stateDir = stateDir(a);
   if (out.stateDir.empty()) {
-    return Error{{}, {}, "--state-dir", "needed: neither XDG_STATE_HOME nor HOME is set", {}};
+    return Error{{},
+                 {},
+                 "--state-dir",
+                 "neither XDG_STATE_HOME nor HOME is set",
+                 "name a folder for tokens, levels and answers"};
   }
   bridge::Limits& l = out.limits;
   l.jobs = uint32_t(a.integer("jobs"));

@@ -18,50 +18,55 @@ using cli::row;
 using cli::ValueType;
 
 constexpr const char* kFitGroup = "Fitting";
-constexpr const char* kRehearseGroup = "The course";
+constexpr const char* kRehearseGroup = "Calibration course (nothing is fitted)";
 
 std::vector<OptionRow> fitRows() {
   return {
       repeatable(row("fit", ValueType::text, "NAME", "",
-                     "fit this parameter only; without it, all that the recordings can show",
+                     "fit only this parameter [default: all that the recordings determine]",
                      kFitGroup)),
       repeatable(row("set", ValueType::text, "NAME=VALUE", "",
-                     "begin with this value; what is not fitted keeps it", kFitGroup)),
-      between(row("held-out", ValueType::integer, "N", "4",
-                  "keep every N-th recording from the fit, to measure on; 0: none", kFitGroup),
-              0, 1000),
-      between(row("tolerance", ValueType::number, "STUDS", "0.1",
-                  "mean distance from the recordings that is good enough: the search ends there, "
-                  "or the report says what keeps it away",
-                  kFitGroup),
-              0, 1000),
-      between(row("restarts", ValueType::integer, "N", "3", "searches, from different places",
-                  kFitGroup),
-              1, 1000),
-      between(
-          row("generations", ValueType::integer, "N", "100", "of each search, at most", kFitGroup),
-          1, 100000),
+                     "start from this value; a parameter that is not fitted keeps it", kFitGroup)),
       row("report", ValueType::file, "FILE", "",
-          "write what was found, and how well it is known, to FILE: a page with the paths if it "
-          "ends in .html, else a text",
+          "write the values and their uncertainty to FILE: as a page with the trajectories if its "
+          "name ends in .html, else as text",
           kFitGroup),
+      between(row("tolerance", ValueType::number, "STUDS", "0.1",
+                  "mean distance from the recordings at which the search ends; if it is not "
+                  "reached, the report says why",
+                  kFitGroup),
+              0, 1000),
+      between(row("held-out", ValueType::integer, "N", "4",
+                  "exclude every Nth recording from the fit and measure on it; 0: none", kFitGroup),
+              0, 1000),
+      between(row("restarts", ValueType::integer, "N", "3",
+                  "searches, each from another starting point", kFitGroup),
+              1, 1000),
+      between(row("generations", ValueType::integer, "N", "100", "maximum generations of a search",
+                  kFitGroup),
+              1, 100000),
   };
 }
 
 std::vector<OptionRow> rehearseRows() {
   return {
       row("course", ValueType::flag, "", "",
-          "write the calibration course and what to do there, as trajectories that a recorder "
-          "plays",
+          "write the calibration course, with its manoeuvres as trajectories for a recorder to "
+          "play",
           kRehearseGroup),
       row("rehearse", ValueType::flag, "", "",
-          "record nothing real: write the calibration course and what the simulator makes of its "
-          "manoeuvres, with the parameters of --set",
+          "write the calibration course with recordings from the simulator, under the parameters "
+          "of --set",
           kRehearseGroup),
-      between(row("noise", ValueType::number, "STUDS", "0",
-                  "that a recorded position may be off, each axis", kRehearseGroup),
-              0, 10),
+      between(
+          row("noise", ValueType::number, "STUDS", "0",
+              "with --rehearse: maximum error of a recorded position on each axis", kRehearseGroup),
+          0, 10),
   };
+}
+
+std::vector<OptionRow> runRows() {
+  return {cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)};
 }
 
 }  // namespace
@@ -69,26 +74,28 @@ std::vector<OptionRow> rehearseRows() {
 cli::ToolSpec calibrateSpec() {
   cli::ToolSpec spec;
   spec.name = "obby-calibrate";
-  spec.summary = "find the physics parameters that recordings of the real game show";
+  spec.summary = "fit physics parameters to recordings of the real game";
   spec.inputHelp = "streams with levels and recordings of them";
   spec.readsInputs = [](const cli::Arguments& a) { return !makesTakes(a); };
   spec.examples = {
-      {"can these manoeuvres tell how strong gravity is?",
-       "obby-calibrate --rehearse --set gravity=180 | obby-calibrate --fit gravity --fit jumpSpeed "
-       "--restarts 1 "
-       "--report found.txt > params.jsonl"},
-      {"how well, if positions are a hundredth of a stud off?",
-       "obby-calibrate --rehearse --noise 0.01 > takes.jsonl && obby-calibrate takes.jsonl --fit "
-       "walkSpeed --fit airAccel --restarts 1 --report found.txt > params.jsonl"},
+      {"Write the calibration course for a recorder to play",
+       "obby-calibrate --course -o course.jsonl"},
+      {"Simulate recordings under weaker gravity",
+       "obby-calibrate --rehearse --set gravity=180 -o takes.jsonl"},
+      {"Check that the manoeuvres determine gravity",
+       "obby-calibrate --rehearse --set gravity=180 | obby-calibrate --fit gravity --restarts 1 "
+       "--generations 10"},
+      {"Check how exactly, if positions are off by up to 0.01 studs",
+       "obby-calibrate --rehearse --noise 0.01 | obby-calibrate --fit walkSpeed --restarts 1 "
+       "--generations 10 --report found.html -o params.jsonl"},
   };
-  spec.options = {cli::commonRow(cli::Common::output),  cli::commonRow(cli::Common::format),
-                  cli::commonRow(cli::Common::onError), cli::commonRow(cli::Common::progress),
-                  cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)};
-  for (const auto& rows : {fitRows(), rehearseRows()})
+  spec.options = {cli::commonRow(cli::Common::output), cli::commonRow(cli::Common::format),
+                  cli::commonRow(cli::Common::onError), cli::commonRow(cli::Common::progress)};
+  for (const auto& rows : {fitRows(), rehearseRows(), runRows()})
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   spec.notes =
-      "Writes a params record, and metrics with each parameter's interval and each recording's "
-      "error. Levels and recordings are not passed on, other records are.";
+      "The output is a params record, and metrics with each parameter's interval and each "
+      "recording's error. Levels and recordings are not passed on; other records are.";
   return spec;
 }
 
@@ -96,14 +103,15 @@ Status optionsFit(const cli::Arguments& a) {
   constexpr const char* kOneOfTwo = "leave out one of the two";
   const bool course = a.flag("course"), rehearse = a.flag("rehearse");
   if (course && rehearse)
-    return Error{{}, {}, "--rehearse", "does not go with --course", kOneOfTwo};
+    return Error{{}, {}, "--rehearse", "cannot be combined with --course", kOneOfTwo};
   if (!rehearse)
-    OBBY_RETURN_IF_ERROR(
-        cli::refuseTyped(a, {"noise"}, "nothing is rehearsed without --rehearse", "leave it out"));
+    OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"noise"}, "has no effect without --rehearse",
+                                          "add --rehearse, or leave it out"));
   if (!makesTakes(a)) return {};
   return cli::refuseTyped(
       a, {"fit", "held-out", "tolerance", "restarts", "generations", "report"},
-      fmt::format("nothing is fitted with --{}", course ? "course" : "rehearse"), kOneOfTwo);
+      fmt::format("has no effect with --{}, which fits nothing", course ? "course" : "rehearse"),
+      kOneOfTwo);
 }
 
 bool makesTakes(const cli::Arguments& a) { return a.flag("rehearse") || a.flag("course"); }
@@ -130,8 +138,8 @@ Status applySet(const cli::Arguments& a, schema::PhysicsParams::Builder params) 
       return Error{{},
                    {},
                    "--set",
-                   fmt::format("'{}' is not NAME=VALUE", text),
-                   "for example --set gravity=180"};
+                   fmt::format("expected NAME=VALUE, found '{}'", text),
+                   "write for example --set gravity=180"};
     OBBY_RETURN_IF_ERROR(calibrate::setNamed(params, text.substr(0, sign), value));
   }
   return {};

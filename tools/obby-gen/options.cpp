@@ -16,49 +16,54 @@ using cli::OptionRow;
 using cli::row;
 using cli::ValueType;
 
-constexpr const char* kLevelGroup = "Levels";
-constexpr const char* kCheckGroup = "Checking";
+constexpr const char* kLevelGroup = "Levels to generate";
+constexpr const char* kCheckGroup = "Check with the solver";
 
 OptionRow formatRow() {
   OptionRow r = cli::commonRow(cli::Common::format);
   r.choices.push_back("rbxlx");
-  r.help +=
-      "; rbxlx, or a FILE that ends so: a place file for Studio with all levels, side by side";
+  r.help =
+      "encoding; rbxlx: a place file for Studio with all levels side by side [default: by FILE's "
+      "extension, else jsonl]";
   return r;
 }
 
 std::vector<OptionRow> levelRows() {
   return {
-      between(row("count", ValueType::integer, "N", "1", "levels to write; 0: without end",
-                  kLevelGroup),
-              0, 9e15),
-      between(row("first", ValueType::integer, "N", "0",
-                  "begin with level N of the seed: level N is the same in every run that has it",
-                  kLevelGroup),
-              0, 4e18),
+      between(
+          row("count", ValueType::integer, "N", "1", "levels to write; 0: endless", kLevelGroup), 0,
+          9e15),
+      between(
+          row("first", ValueType::integer, "N", "0",
+              "number of the first level; level N of a seed is the same in every run", kLevelGroup),
+          0, 4e18),
       row("unsolvable", ValueType::flag, "", "",
-          "write of each level the twin in which one crossing is beyond reach; its name says which",
+          "write an unsolvable twin of each level instead; its name says which crossing is "
+          "impossible",
           kLevelGroup),
       row("twins", ValueType::flag, "", "",
-          "write behind each level that twin, too: --count counts pairs, and --check keeps both or "
-          "none",
+          "write each level and then its unsolvable twin; --count counts pairs, and --check keeps "
+          "both or neither",
           kLevelGroup),
-      cli::commonRow(cli::Common::seed),
       row("list", ValueType::flag, "", "",
-          "print the styles and exit; with --style: what a recipe may set of these", kLevelGroup),
+          "list the styles and exit; with --style: what a recipe may set for them", kLevelGroup),
   };
 }
 
 std::vector<OptionRow> checkRows() {
   return {
       row("check", ValueType::flag, "", "",
-          "keep only levels that the solver solves, with --unsolvable only those shown to be "
-          "unreachable; the answer follows the query",
+          "keep only levels that the solver solves, or with --unsolvable shows to be unreachable; "
+          "the answer follows the query",
           kCheckGroup),
       between(row("check-steps", ValueType::integer, "N", "1000000",
-                  "simulated ticks that --check gives each level", kCheckGroup),
+                  "simulated ticks that --check spends on each level", kCheckGroup),
               1, 9e15),
   };
+}
+
+std::vector<OptionRow> runRows() {
+  return {cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)};
 }
 
 std::string lineOf(const gen::Style& s) {
@@ -77,30 +82,28 @@ std::string lineOf(const gen::Parameter& p) {
 cli::ToolSpec genSpec() {
   cli::ToolSpec spec;
   spec.name = "obby-gen";
-  spec.summary = "make levels with queries, as many as are wanted";
+  spec.summary = "generate levels with queries";
   spec.takesInputs = false;
   spec.examples = {
-      {"a hard course, solved and shown",
-       "obby-gen --style course --difficulty hard --count 1 | obby-solve | obby-view -o "
-       "course.html"},
-      {"a thousand levels of all styles", "obby-gen --count 1000 --seed 7 -o levels.capnp"},
-      {"jumps at the limit that the solver has solved",
-       "obby-gen --style gaps --difficulty limit --check --count 3 > solved.jsonl"},
-      {"their twins, each with a gap that nobody crosses",
-       "obby-gen --style gaps --difficulty limit --unsolvable --check --count 3 > twins.jsonl"},
-      {"a place file to open in Studio",
+      {"Generate a course, solve it and show it in a browser",
+       "obby-gen --style course | obby-solve | obby-view -o course.html"},
+      {"Generate a thousand levels of all styles",
+       "obby-gen --count 1000 --seed 7 -o levels.capnp"},
+      {"Generate the hardest jumps that the solver solves",
+       "obby-gen --style gaps --difficulty limit --check --count 3 -o gaps.jsonl"},
+      {"Generate their unsolvable twins, each with one gap that is too wide",
+       "obby-gen --style gaps --difficulty limit --unsolvable --count 3"},
+      {"Generate a place file to open in Studio",
        "obby-gen --style course --difficulty easy -o course.rbxlx"},
   };
   spec.options = {cli::commonRow(cli::Common::output), formatRow(),
-                  cli::commonRow(cli::Common::progress), cli::commonRow(cli::Common::threads)};
-  for (const auto& rows : {levelRows(), recipeRows(kLevelGroup), checkRows()}) {
+                  cli::commonRow(cli::Common::progress)};
+  for (const auto& rows : {recipeRows(kLevelGroup), levelRows(), checkRows(), runRows()}) {
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   }
   spec.notes =
-      "What is written depends on --seed, --first, --count and the recipe only, never on --threads "
-      "or the machine. Level N of a seed without and with --unsolvable are twins: alike but for "
-      "one "
-      "crossing.";
+      "The output depends only on --seed, --first, --count and the recipe, never on --threads or "
+      "the machine. Level N of a seed and its unsolvable twin differ in one crossing only.";
   return spec;
 }
 
@@ -111,7 +114,7 @@ std::string listOfStyles(const gen::Recipe& recipe) {
     return text;
   }
   std::string text =
-      fmt::format("{:<13} {:>7}  {:>7}  {:<12} {}\n", "", "trivial", "limit", "may be", "what");
+      fmt::format("{:<13} {:>7}  {:>7}  {:<12} {}\n", "", "trivial", "limit", "range", "meaning");
   for (const gen::NamedNumber& asked : recipe.styles) {
     const gen::Style& s = *gen::findStyle(asked.name);
     text += lineOf(s);

@@ -16,7 +16,7 @@ OptionRow flag(const char* name, const char* help) {
 }
 
 OptionRow nameRow() {
-  OptionRow row = flag("name", "name of the level [default: the file's name]");
+  OptionRow row = flag("name", "name of the level [default: the name of the file]");
   row.type = ValueType::text;
   row.value = "NAME";
   return row;
@@ -29,32 +29,30 @@ cli::ToolSpec importSpec() {
   spec.name = "obby-import";
   spec.summary = "turn Roblox place and model files into levels and queries";
   spec.examples = {
-      {"A place file as records: the level and a query for each stage",
+      {"Convert a place file to records: the level and a query for each stage",
        "obby-import first-steps.rbxlx"},
-      {"What was recognised, what was guessed, what was left out",
-       "obby-import --explain first-steps.rbxlx"},
-      {"Solve every stage and look at the answers",
-       "obby-import demo.rbxlx | obby-solve --time-limit 5 | obby-view --format text"},
-      {"Keep the level only, as Cap'n Proto, under a name of its own",
+      {"List what was recognised, guessed and left out", "obby-import --explain first-steps.rbxlx"},
+      {"Solve every stage and show the answers",
+       "obby-import demo.rbxlx | obby-solve --time-limit 5 | obby-view"},
+      {"Keep only the level, as Cap'n Proto, under a name of its own",
        "obby-import --no-queries --name intro -o intro.capnp first-steps.rbxlx"},
-      {"Under physics that obby-calibrate found: a params record holds for the levels behind it",
-       "echo '{\"type\":\"params\",\"gravity\":190}' | obby-import - first-steps.rbxlx"},
-      {"Several inputs at once, hand-written levels among them",
+      {"Combine several inputs, hand-written levels among them",
        "obby-import first-steps.rbxlx teaser.jsonl -o all.jsonl"},
+      {"Use physics from obby-calibrate: a params record applies to the levels after it",
+       "echo '{\"type\":\"params\",\"gravity\":190}' | obby-import - first-steps.rbxlx"},
   };
   spec.options = {
       cli::commonRow(cli::Common::output),
       cli::commonRow(cli::Common::format),
       cli::commonRow(cli::Common::onError),
       nameRow(),
-      flag("no-queries", "write the level only, no query for each stage"),
+      flag("no-queries", "write only the level, without a query for each stage"),
       flag("explain", "print a table of parts, roles and evidence instead of records"),
   };
   spec.inputHelp = "place and model files (.rbxl, .rbxlx, .rbxm, .rbxmx) or streams of records";
   spec.notes =
-      "The format of an input is told by its content, not by its name. Scripts in a place are "
-      "read, "
-      "never executed. Where a part is taken for something else than it is, a tag sets it right "
+      "The format of an input is recognised by its content, not by its name. Scripts in a place "
+      "are read, never executed. If a part is taken for the wrong thing, a tag corrects it "
       "(docs/import.md).";
   return spec;
 }

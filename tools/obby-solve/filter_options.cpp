@@ -13,7 +13,9 @@ Error refused(const std::string& option, std::string message, std::string hint =
 
 Result<solve::Task> taskOf(const cli::Arguments& a, const solve::PassRule& passes) {
   if (!a.flag("verify")) return passes.empty() ? solve::Task::answer : solve::Task::filter;
-  if (!passes.empty()) return refused("verify", "does not go with --pass and --not-pass");
+  if (!passes.empty())
+    return refused("verify", "cannot be combined with --pass or --not-pass",
+                   "filter first, then verify the output");
   return solve::Task::verify;
 }
 
@@ -44,15 +46,16 @@ std::string asking(const cli::Arguments& a, bool typed) {
 Status refuseIdleQuick(const cli::Arguments& a, const solve::FilterOptions& o) {
   const std::string option = asking(a, true);
   if (o.task == solve::Task::filter && (!option.empty() || a.typed("each"))) {
-    return refused(option.empty() ? "each" : option, "does not go with --pass and --not-pass",
-                   "they look at where trajectories go, whatever was asked");
+    return refused(option.empty() ? "each" : option,
+                   "cannot be combined with --pass or --not-pass, which ask nothing",
+                   "leave it out");
   }
   if (o.task == solve::Task::verify && !option.empty() && !o.each) {
-    return refused(option, "does not go with --verify",
-                   "with --each trajectories are checked against the stream's queries so changed");
+    return refused(option, "has no effect with --verify",
+                   "add --each to check trajectories under this limit");
   }
   if (a.typed("each") && !o.quick) {
-    return refused("each", "needs a limit, as in --each --max-jumps 3");
+    return refused("each", "needs a limit", "write for example --each --max-jumps 3");
   }
   return {};
 }
@@ -62,7 +65,8 @@ Status readQuick(const cli::Arguments& a, solve::FilterOptions& o) {
   o.each = a.flag("each");
   OBBY_RETURN_IF_ERROR(refuseIdleQuick(a, o));
   if (o.task == solve::Task::answer && o.quick && !o.each && !o.only.empty()) {
-    return refused("query", "does not go with a query asked on the command line");
+    return refused("query", "cannot be combined with a query asked on the command line",
+                   "add --each to change the stream's query");
   }
   return {};
 }
@@ -72,17 +76,18 @@ Status refuseIdle(const cli::Arguments& a, solve::Task task) {
   if (task == solve::Task::answer) {
     if (a.integer("solutions") > 1) return {};
     return cli::refuseTyped(a, {"diverse"}, "needs --solutions 2 or more",
-                            "as in --solutions 5 --diverse");
+                            "write for example --solutions 5 --diverse");
   }
   // Options that only say how to search, and what to say of it.
-  const char* const message = task == solve::Task::verify
-                                  ? "does not go with --verify"
-                                  : "does not go with --pass and --not-pass";
+  const char* const message =
+      task == solve::Task::verify
+          ? "has no effect with --verify, which searches nothing"
+          : "has no effect with --pass and --not-pass, which search nothing";
   return cli::refuseTyped(
       a,
       {"diverse", "difficulty", "final-only", "paths", "heat-map", "explain", "time-limit",
        "max-steps", "solutions", "attempts", "trials", "method", "warm", "policy"},
-      message, "nothing is searched there");
+      message, "leave it out");
 }
 
 Result<std::shared_ptr<const policy::PolicyFile>> policyOf(const cli::Arguments& a) {
@@ -113,7 +118,7 @@ void report(cli::Context& context, solve::FilterOptions& o) {
          {{"steps", double(p.steps)}, {"cells", double(p.cells)}, {"closest", double(p.closest)}}});
   };
   o.deviceFailed = [&context](const Error& error) {
-    context.warn(error.text() + "; went on with the CPU");
+    context.warn(error.text() + "; continuing on the CPU");
   };
 }
 
@@ -144,8 +149,8 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
   if (a.flag("difficulty")) {
     o.solver.difficultyTrials = uint32_t(a.integer("trials"));
   } else {
-    OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"trials"}, "nothing is tried without --difficulty",
-                                          "give --difficulty, too, or leave it out"));
+    OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"trials"}, "has no effect without --difficulty",
+                                          "add --difficulty, or leave it out"));
   }
   o.solver.budget = budgetOf(context);
   report(context, o);

@@ -8,118 +8,141 @@ namespace obby::tools {
 namespace {
 
 using cli::between;
+using cli::detailed;
 using cli::lettered;
 using cli::OptionRow;
+using cli::rare;
 using cli::renewed;
 using cli::repeatable;
 using cli::row;
 using cli::ValueType;
 
-constexpr const char* kQueryGroup = "Asking on the command line";
+constexpr const char* kQueryGroup = "Ask a query";
 constexpr const char* kSearchGroup = "Search";
-constexpr const char* kAnsweredGroup = "Checking and choosing among answers (nothing is searched)";
+constexpr const char* kOutputGroup = "What to add to the answers";
+constexpr const char* kAnsweredGroup = "Check or filter existing answers (no search)";
 
 OptionRow methodRow() {
-  OptionRow r = row("method", ValueType::choice, "", "auto", "", kSearchGroup);
-  r.help = "how to search:";
+  OptionRow r = row("method", ValueType::choice, "", "auto", "search method", kSearchGroup);
   for (const solve::Method& m : solve::methods()) {
+    if (!r.choices.empty()) r.details += '\n';
     r.choices.push_back(m.name);
-    r.help += std::string(r.choices.size() > 1 ? "; " : " ") + m.name + " = " + m.description;
+    r.details += std::string(m.name) + ": " + m.description;
   }
   return r;
 }
 
 OptionRow forbidRow() {
-  OptionRow r = row("forbid", ValueType::choice, "", "", "never be in that state", kQueryGroup);
+  OptionRow r = row("forbid", ValueType::choice, "", "", "never be in this state", kQueryGroup);
   r.choices = {"jumping", "climbing", "seated", "fallingDown"};
   return r;
 }
 
 OptionRow timeLimitRow() {
   OptionRow r = cli::withDefault(cli::commonRow(cli::Common::timeLimit), "20");
-  r.help = "wall-clock time for each query, at most";
+  r.help = "wall-clock limit for each query";
   r.group = kSearchGroup;
   return r;
 }
 
 OptionRow backendRow() {
   OptionRow r = cli::commonRow(cli::Common::backend);
-  r.help =
-      "where rollouts are simulated; the answers do not depend on it. auto is the CPU: the rounds "
-      "of "
-      "a search are small for a GPU";
-  r.group = kSearchGroup;
-  return r;
+  r.help = "where rollouts are simulated; the answers do not depend on it";
+  r.details = "auto is the CPU: the rounds of a search are small for a GPU.";
+  return rare(r);
 }
 
 std::vector<OptionRow> searchRows() {
   return {
-      timeLimitRow(),
-      between(row("max-steps", ValueType::integer, "N", "",
-                  "stop after about N simulated ticks a query: unlike --time-limit the same on "
-                  "every machine",
-                  kSearchGroup),
-              1, 9e15),
-      between(row("solutions", ValueType::integer, "K", "1", "look for K distinct solutions",
-                  kSearchGroup),
-              1, 1000),
-      row("diverse", ValueType::flag, "", "",
-          "of --solutions: differ in route, the parts stood on and in which order; one of each, "
-          "with counts",
-          kSearchGroup),
-      between(row("attempts", ValueType::integer, "N", "24", "failed attempts to show a query",
-                  kSearchGroup),
-              0, 1000),
-      row("difficulty", ValueType::flag, "", "",
-          "say of each solution how hard it is to play, step by step", kSearchGroup),
-      between(row("trials", ValueType::integer, "N", "1000",
-                  "tries of each step by a player with noise, for --difficulty", kSearchGroup),
-              1, 1000000),
-      methodRow(),
       repeatable(row("query", ValueType::text, "ID", "", "answer, check or filter only this query",
                      kSearchGroup)),
-      renewed(
-          row("warm", ValueType::file, "FILE", "",
-              "an earlier answer of these queries: its ways are tried first, and searched on from",
-              kSearchGroup)),
-      row("watch", ValueType::flag, "", "",
-          "answer again whenever an input file changes, from where the last answer was; with -o "
-          "the file is written anew, else streams follow one another",
-          kSearchGroup),
-      cli::commonRow(cli::Common::seed),
-      cli::commonRow(cli::Common::threads),
-      backendRow(),
-      row("policy", ValueType::file, "FILE", "",
-          "what auto, ge-ps and rl play by, from obby-train [default: the one that comes with the "
-          "program]",
-          kSearchGroup),
-      row("final-only", ValueType::flag, "", "", "leave progress records out of the stream",
-          kSearchGroup),
-      row("paths", ValueType::flag, "", "",
-          "write with each trajectory where the player is, for readers that cannot replay it",
-          kSearchGroup),
-      row("heat-map", ValueType::flag, "", "", "write with each result where the search has been",
-          kSearchGroup),
-      row("explain", ValueType::flag, "", "",
-          "say of a query without a solution what single change makes it solvable; takes up to as "
-          "long again",
-          kSearchGroup),
-      lettered(row("exit-status", ValueType::flag, "", "",
-                   "exit with 1 if a query is unreachable, else with 3 if a verdict is unknown",
+      timeLimitRow(),
+      detailed(between(row("max-steps", ValueType::integer, "N", "",
+                           "stop each query after about N simulated ticks", kSearchGroup),
+                       1, 9e15),
+               "Unlike --time-limit it stops at the same point on every machine."),
+      between(
+          row("solutions", ValueType::integer, "K", "1", "find K distinct solutions", kSearchGroup),
+          1, 1000),
+      detailed(row("diverse", ValueType::flag, "", "",
+                   "with --solutions: one per route, with counts", kSearchGroup),
+               "A route is the sequence of parts that the player stands on."),
+      methodRow(),
+      rare(row("policy", ValueType::file, "FILE", "",
+               "policy from obby-train for the methods auto, ge-ps and rl [default: the one that "
+               "comes with the program]",
+               kSearchGroup)),
+      rare(renewed(row("warm", ValueType::file, "FILE", "",
+                       "earlier answers to these queries: try their trajectories first and search "
+                       "on from them",
+                       kSearchGroup))),
+      detailed(row("watch", ValueType::flag, "", "", "answer again whenever an input file changes",
                    kSearchGroup),
+               "The search starts from the last answers. With -o FILE is rewritten each time; "
+               "without it the streams follow one another."),
+  };
+}
+
+std::vector<OptionRow> outputRows() {
+  return {
+      row("difficulty", ValueType::flag, "", "",
+          "rate the difficulty of each solution, step by step", kOutputGroup),
+      rare(
+          between(row("trials", ValueType::integer, "N", "1000",
+                      "with --difficulty: tries of each step by a player with noise", kOutputGroup),
+                  1, 1000000)),
+      row("explain", ValueType::flag, "", "",
+          "for a query without a solution, find a single change that makes it solvable; can "
+          "double the time",
+          kOutputGroup),
+      rare(between(row("attempts", ValueType::integer, "N", "24",
+                       "failed attempts to show for each query", kOutputGroup),
+                   0, 1000)),
+      rare(row("final-only", ValueType::flag, "", "", "leave out progress records", kOutputGroup)),
+      rare(row("paths", ValueType::flag, "", "",
+               "add the player's positions to each trajectory, for readers that cannot replay it",
+               kOutputGroup)),
+      rare(row("heat-map", ValueType::flag, "", "", "add to each result where the search has been",
+               kOutputGroup)),
+      lettered(row("exit-status", ValueType::flag, "", "",
+                   "exit with 1 if any query is unreachable, else with 3 if any verdict is unknown",
+                   kOutputGroup),
                'e'),
   };
 }
 
 std::vector<OptionRow> answeredRows() {
   return {
-      row("verify", ValueType::flag, "", "", "check the trajectories by replaying them",
+      row("verify", ValueType::flag, "", "", "check trajectories by replaying them",
           kAnsweredGroup),
       repeatable(row("pass", ValueType::text, "PLACE", "",
-                     "keep only trajectories that pass here; of several places, all",
-                     kAnsweredGroup)),
+                     "keep trajectories that pass here; several: all", kAnsweredGroup)),
       repeatable(row("not-pass", ValueType::text, "PLACE", "",
-                     "keep only trajectories that do not pass here", kAnsweredGroup)),
+                     "keep trajectories that do not pass here", kAnsweredGroup)),
+  };
+}
+
+std::vector<OptionRow> runRows() {
+  return {cli::commonRow(cli::Common::seed), cli::commonRow(cli::Common::threads), backendRow()};
+}
+
+std::vector<cli::Example> examples() {
+  return {
+      {"Answer all queries of a level", "obby-solve wedge-climb.jsonl -o answers.jsonl"},
+      {"From a place file to a page",
+       "obby-import first-steps.rbxlx | obby-solve | obby-view -o report.html"},
+      {"Ask a query on the command line",
+       "obby-solve several-routes.jsonl --goal Goal --max-jumps 9 --max-time 30"},
+      {"Find three different routes",
+       "obby-solve several-routes.jsonl --query any --solutions 3 --diverse"},
+      {"Show the hardest moment of a solution",
+       "obby-solve timed-jumps.jsonl --query posts --difficulty | obby-view"},
+      {"Ask the queries of a stream under more limits",
+       "obby-solve --each --forbid climbing --max-jumps 9 several-routes.jsonl"},
+      {"Keep the solutions that cross the beam and avoid the ramp",
+       "obby-solve --query any --solutions 20 --diverse --max-steps 200000 several-routes.jsonl | "
+       "obby-solve --pass touch:Beam --not-pass 'touch:Ramp up'"},
+      {"Check answers by replaying them", "obby-solve wedge-climb.jsonl | obby-solve --verify"},
   };
 }
 
@@ -130,30 +153,30 @@ std::vector<OptionRow> queryRows() {
       row("start", ValueType::text, "PLACE", "",
           "start on this part or in this box [default: the level's first spawn]", kQueryGroup),
       repeatable(row("goal", ValueType::text, "PLACE", "",
-                     "reach this part or box; of several, or of a #TAG's parts, any [default: the "
-                     "level's goal part, else its last checkpoint]",
+                     "reach this part or box; several or a #TAG: any [default: "
+                     "the goal part, else the last checkpoint]",
                      kQueryGroup)),
       repeatable(row("waypoint", ValueType::text, "PLACE", "",
-                     "pass here first; several in their order", kQueryGroup)),
+                     "pass here first; several: in this order", kQueryGroup)),
       repeatable(row("visit", ValueType::text, "PLACE", "",
-                     "pass here first, several in any order; a #TAG means all its parts",
-                     kQueryGroup)),
+                     "pass here first, in any order; a #TAG: all its parts", kQueryGroup)),
       repeatable(row("avoid", ValueType::text, "PLACE", "",
-                     "never enter; a #TAG means all its parts", kQueryGroup)),
+                     "never enter; a #TAG: none of its parts", kQueryGroup)),
       between(row("max-jumps", ValueType::integer, "N", "", "jump at most N times", kQueryGroup), 0,
               65535),
-      between(row("min-jumps", ValueType::integer, "N", "", "jump at least N times", kQueryGroup),
-              0, 65535),
-      between(row("max-time", ValueType::number, "SECONDS", "", "arrive within that game time",
+      rare(between(
+          row("min-jumps", ValueType::integer, "N", "", "jump at least N times", kQueryGroup), 0,
+          65535)),
+      between(row("max-time", ValueType::number, "SECONDS", "", "arrive within this game time",
                   kQueryGroup),
               0.02, 100000),
-      between(row("max-damage", ValueType::number, "HEALTH", "",
-                  "lose at most that much health, of 100", kQueryGroup),
-              0, 1e6),
+      rare(between(row("max-damage", ValueType::number, "HEALTH", "",
+                       "lose at most this much health, of 100", kQueryGroup),
+                   0, 1e6)),
       repeatable(forbidRow()),
-      row("each", ValueType::flag, "", "",
-          "ask the stream's queries with these limits in place of their own, not a new query",
-          kQueryGroup),
+      detailed(row("each", ValueType::flag, "", "", "ask the stream's queries under these limits",
+                   kQueryGroup),
+               "A limit given here replaces the query's own."),
   };
 }
 
@@ -163,40 +186,26 @@ cli::ToolSpec solveSpec() {
   spec.summary = "find playthroughs that answer the queries of a stream";
   spec.inputHelp = "streams with levels and queries";
   spec.tableAtTerminal = true;
-  spec.examples = {
-      {"answer all queries of a level", "obby-solve wedge-climb.jsonl -o wedge-climb.solved.jsonl"},
-      {"from a place file to a page",
-       "obby-import first-steps.rbxlx | obby-solve | obby-view -o report.html"},
-      {"ask on the command line",
-       "obby-solve several-routes.jsonl --goal Goal --max-jumps 9 --max-time 30"},
-      {"all stages of a level, each without climbing and with at most nine jumps",
-       "obby-solve --each --forbid climbing --max-jumps 9 several-routes.jsonl"},
-      {"three different ways, for a script",
-       "obby-solve -e --query any --solutions 3 several-routes.jsonl > ways.jsonl"},
-      {"which moment of the way is the hardest?",
-       "obby-solve --difficulty --query posts timed-jumps.jsonl | obby-view -o posts.html"},
-      {"of many ways those over the beam, without the ramp",
-       "obby-solve --query any --solutions 20 --diverse --max-steps 200000 several-routes.jsonl | "
-       "obby-solve --pass touch:Beam --not-pass 'touch:Ramp up' > beam.jsonl"},
-      {"check what somebody else found",
-       "obby-solve wedge-climb.jsonl | obby-solve --verify > /dev/null"},
-  };
+  spec.examples = examples();
   spec.options = {cli::commonRow(cli::Common::output), cli::commonRow(cli::Common::format),
                   cli::commonRow(cli::Common::progress), cli::commonRow(cli::Common::onError)};
-  for (const auto& rows : {queryRows(), searchRows(), answeredRows()}) {
+  for (const auto& rows : {queryRows(), searchRows(), outputRows(), answeredRows(), runRows()}) {
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   }
   spec.notes =
-      "A PLACE is a part's name, path or the end of its path, GUID, #TAG or part:INDEX, or a box "
-      "x,y,z,sx,sy,sz (centre and size in studs); touch:PART means that the part itself is to be "
-      "touched. A query asked on the command line is answered in place of those of the stream, "
-      "which pass unanswered. A level without any query is asked for the way from its spawn to its "
-      "goal or last checkpoint.\n\n"
-      "The answer to a query depends on the stream, --seed, --max-steps, --solutions, --attempts, "
-      "--diverse, --trials, --method and the files of --policy and --warm only, never on "
-      "--threads, --backend or the machine; progress records and "
-      "result.timing "
-      "do, and so does where --time-limit cuts off a search that finds nothing.";
+      "PLACE: a part's name, path, end of its path, GUID, #TAG or part:INDEX, or a box "
+      "x,y,z,sx,sy,sz (centre and size in studs); touch:PART means touching the part itself. A "
+      "query asked here is answered instead of the stream's queries, which pass unanswered.";
+  spec.details =
+      "A level without a query is asked for a trajectory from its spawn to its goal or last "
+      "checkpoint.\n\n"
+      "The answer to a query depends only on the stream, --seed, --max-steps, --solutions, "
+      "--attempts, --diverse, --trials, --method and the files of --policy and --warm. It does not "
+      "depend on --threads, --backend or the machine. Progress records and result.timing do, and "
+      "so does the point where --time-limit stops a search that finds nothing.";
+  spec.exitCodes = {
+      {"1", "With --exit-status: a query is unreachable."},
+      {"3", "With --exit-status: no query is unreachable, but a verdict is unknown."}};
   return spec;
 }
 

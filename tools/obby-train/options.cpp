@@ -15,37 +15,37 @@ namespace {
 using cli::between;
 using cli::multipleOf;
 using cli::OptionRow;
+using cli::rare;
 using cli::row;
 using cli::ValueType;
 
 constexpr int kCrowd = int(train::CrowdSettings{}.levels * train::CrowdSettings{}.worlds);
-constexpr const char* kLevelGroup = "Levels";
-constexpr const char* kLearnGroup = "Learning";
-constexpr const char* kKeepGroup = "Keeping and going on";
-constexpr const char* kLogGroup = "Looking on";
-constexpr const char* kEvaluateGroup = "Evaluating";
+constexpr const char* kLevelGroup = "Levels to train on";
+constexpr const char* kLearnGroup = "Training";
+constexpr const char* kKeepGroup = "Checkpoints";
+constexpr const char* kLogGroup = "Logs";
+constexpr const char* kEvaluateGroup = "Evaluation (nothing is trained)";
 
 OptionRow outputRow() {
   OptionRow r = cli::commonRow(cli::Common::output);
   r.defaultText = "policy.obp";
-  r.help = "write the policy to FILE, now and then and in the end";
+  r.help = "write the policy to FILE, during training and at its end";
+  r.details.clear();
   return r;
 }
 
 OptionRow timeLimitRow() {
   OptionRow r = cli::commonRow(cli::Common::timeLimit);
-  r.help =
-      "stop after so much wall-clock time, whatever --decisions or --eval-levels says; a stream "
-      "that sends nothing is waited for 3 seconds longer";
+  r.help = "stop after this wall-clock time, whatever --decisions or --eval-levels says";
+  r.details = "A stream that sends nothing is waited for 3 seconds longer.";
   r.group = kLearnGroup;
   return r;
 }
 
 OptionRow backendRow() {
   OptionRow r = cli::commonRow(cli::Common::backend);
-  r.help =
-      "where worlds play and the policy learns; auto takes a GPU where there is one. Networks "
-      "learned here and there differ by rounding";
+  r.help = "where worlds play and the policy learns; auto takes a GPU if there is one";
+  r.details = "Policies trained on a GPU and on the CPU differ by rounding.";
   r.group = kLearnGroup;
   return r;
 }
@@ -54,19 +54,16 @@ OptionRow backendRow() {
 OptionRow onErrorRow() {
   OptionRow r = cli::commonRow(cli::Common::onError);
   r.choices = {"stop", "skip"};
-  r.help =
-      "a bad record of the stream: stop, or leave it out; the exit code is 2 in either case; skip "
-      "also takes what came of a stream that was interrupted for all there is";
-  r.group = kLevelGroup;
-  return r;
+  r.help = "on a bad record: stop, or skip it; the exit code is 2 either way";
+  r.details = "skip also trains on the part of a stream that arrived before it was interrupted.";
+  return rare(r);
 }
 
 std::vector<OptionRow> levelRows() {
   return {row("generate", ValueType::flag, "", "",
-              "make the levels, always new ones, instead of reading a stream; --style, "
-              "--difficulty and --recipe say this too",
-              kLevelGroup),
-          onErrorRow()};
+              "train on new levels all the time instead of reading a stream; --style, --difficulty "
+              "and --recipe imply it",
+              kLevelGroup)};
 }
 
 template <class Number>
@@ -80,142 +77,154 @@ std::vector<OptionRow> learnRows() {
   const train::TrainerSettings s;
   return {
       learnRow("decisions", ValueType::integer, "N", s.decisions,
-               "decisions to learn from, 20 a second of play", 1, 9e15),
+               "decisions to learn from, 20 per second of play", 1, 9e15),
       timeLimitRow(),
+      row("start-from", ValueType::file, "FILE", "",
+          "start from this policy instead of a new network, for example to fine-tune it on your "
+          "own levels",
+          kLearnGroup),
       backendRow(),
-      multipleOf(learnRow("worlds", ValueType::integer, "N", s.worlds(),
-                          "worlds that play at a time; a multiple of 256", kCrowd, 1 << 20),
-                 kCrowd),
-      learnRow("rate", ValueType::number, "R", s.ppo.rate,
-               "learning rate at first; falls to a tenth of it", 1e-7, 1),
-      learnRow("passes", ValueType::integer, "N", s.ppo.passes,
-               "passes over each batch of decisions", 1, 100),
-      learnRow("part", ValueType::integer, "N", s.ppo.part,
-               "decisions in each step of the optimiser, at most", 64, 1 << 20),
-      learnRow("entropy", ValueType::number, "SHARE", s.ppo.loss.entropyShare,
-               "share of entropy in the loss: how much trying things out is worth", 0, 10),
-      learnRow("discount", ValueType::number, "SHARE", s.ppo.discount,
-               "worth of a reward one decision later", 0, 1),
+      cli::commonRow(cli::Common::threads),
+      cli::commonRow(cli::Common::seed),
+      rare(multipleOf(learnRow("worlds", ValueType::integer, "N", s.worlds(),
+                               "worlds that play at a time; a multiple of 256", kCrowd, 1 << 20),
+                      kCrowd)),
+      rare(learnRow("rate", ValueType::number, "R", s.ppo.rate,
+                    "initial learning rate; it falls to a tenth of this", 1e-7, 1)),
+      rare(learnRow("passes", ValueType::integer, "N", s.ppo.passes,
+                    "epochs: passes over each batch of decisions", 1, 100)),
+      rare(learnRow("part", ValueType::integer, "N", s.ppo.part,
+                    "maximum size of a minibatch, in decisions", 64, 1 << 20)),
+      rare(learnRow("entropy", ValueType::number, "SHARE", s.ppo.loss.entropyShare,
+                    "weight of the entropy in the loss: more makes the policy explore more", 0,
+                    10)),
+      rare(learnRow("discount", ValueType::number, "SHARE", s.ppo.discount,
+                    "discount factor of the reward per decision", 0, 1)),
   };
 }
 
 OptionRow resumeRow() {
   OptionRow r = row("resume", ValueType::mode, "MODE", "no",
-                    "go on from the checkpoint, with the options of then; =auto: begin anew where "
-                    "there is none yet",
+                    "resume training from the checkpoint, with the same options; =auto: start anew "
+                    "if there is none",
                     kKeepGroup);
+  r.details = "The file of --start-from need not be named again.";
   r.choices = {"no", "yes", "auto"};
   r.bare = "yes";
   return r;
 }
 
 std::vector<OptionRow> keepRows() {
-  return {row("checkpoint", ValueType::file, "FILE", "",
-              "keep in FILE what is needed to go on; otherwise beside the policy, with .checkpoint "
-              "behind its name",
-              kKeepGroup),
-          resumeRow(),
-          row("start-from", ValueType::file, "FILE", "",
-              "begin with the policy of FILE instead of a fresh network, as to fine-tune it on "
-              "levels of your own; with --resume it need not be named again",
+  return {resumeRow(),
+          row("checkpoint", ValueType::file, "FILE", "",
+              "keep the state of training in FILE [default: the policy's name with .checkpoint "
+              "appended]",
               kKeepGroup),
           between(row("save-every", ValueType::number, "SECONDS", "60",
-                      "between two writes of checkpoint and policy", kKeepGroup),
+                      "time between two writes of checkpoint and policy", kKeepGroup),
                   0, 1e6)};
 }
 
 std::vector<OptionRow> logRows() {
-  return {
-      row("log", ValueType::file, "FILE", "",
-          "write metrics to FILE as comma-separated values; with --resume it goes on", kLogGroup),
-      row("tensorboard", ValueType::file, "DIR", "",
-          "write metrics into the folder DIR for TensorBoard", kLogGroup),
-      between(row("log-every", ValueType::integer, "N", "10",
-                  "iterations between two rows of --log and --tensorboard", kLogGroup),
-              1, 1e9),
-      row("curve", ValueType::file, "FILE", "",
-          "draw success, difficulty and reward over decisions to FILE, an SVG; as often as "
-          "--save-every says",
-          kLogGroup)};
+  return {row("log", ValueType::file, "FILE", "",
+              "write metrics to FILE as comma-separated values; --resume appends to it", kLogGroup),
+          row("tensorboard", ValueType::file, "DIR", "",
+              "write metrics to the folder DIR for TensorBoard", kLogGroup),
+          row("curve", ValueType::file, "FILE", "",
+              "plot success, difficulty and reward to FILE, an SVG, every --save-every seconds",
+              kLogGroup),
+          rare(between(row("log-every", ValueType::integer, "N", "10",
+                           "iterations between two rows of --log and --tensorboard", kLogGroup),
+                       1, 1e9))};
 }
 
 std::vector<OptionRow> evaluateRows() {
   return {
       row("eval", ValueType::file, "FILE", "",
-          "learn nothing: let the policy of FILE play levels by itself, on the CPU, and say how "
-          "many it solves",
+          "let the policy in FILE play levels by itself, on the CPU, and report how many it solves",
           kEvaluateGroup),
       between(row("eval-levels", ValueType::integer, "N", "1000",
-                  "levels to evaluate on; of a stream each once, at most so many", kEvaluateGroup),
+                  "levels to play; of a stream at most this many, each once", kEvaluateGroup),
               1, 1 << 24),
       between(row("eval-tries", ValueType::integer, "N", "8",
-                  "playthroughs of each level: one of the likeliest moves, the others drawn",
+                  "tries of each level: one with the likeliest actions, the others sampled",
                   kEvaluateGroup),
               1, 1 << 16),
+  };
+}
+
+std::vector<cli::Example> examples() {
+  return {
+      {"Train on the levels of a stream",
+       "obby-gen --count 60 --seed 7 | obby-train --time-limit 20"},
+      {"Train on freshly generated levels of one style",
+       "obby-train --style gaps --time-limit 20 -o gaps.obp"},
+      {"Resume interrupted training exactly where it stopped",
+       "obby-train --style gaps --decisions 300000 --time-limit 1 && "
+       "obby-train --style gaps --decisions 300000 --resume"},
+      {"Plot the progress of training",
+       "obby-train --style gaps --time-limit 5 --log log.csv --curve curve.svg"},
+      {"Evaluate a policy on levels that it has never seen",
+       "obby-train --style gaps --time-limit 5 && "
+       "obby-train --eval policy.obp --style gaps --eval-levels 100"},
+      {"Train on generated levels, then fine-tune on your own",
+       "obby-train --style gaps --time-limit 5 && obby-gen --style course --count 20 | "
+       "obby-train --start-from policy.obp --rate 0.0005 --time-limit 5 -o mine.obp"},
+      {"Log to TensorBoard", "obby-train --style gaps --time-limit 5 --tensorboard runs/gaps"},
   };
 }
 
 }  // namespace
 
 Status optionsFit(const cli::Arguments& a) {
+  constexpr const char* kOneOfTwo = "leave out one of the two";
   if (makesLevels(a)) {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(
-        a, {"on-error"}, "no stream is read where levels are made", "leave out one of the two"));
+        a, {"on-error"}, "has no effect on generated levels, for no stream is read", kOneOfTwo));
   }
   if (a.has("eval")) {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(
-        a, {"backend"}, "levels are played on the CPU with --eval", "leave out one of the two"));
+        a, {"backend"}, "has no effect with --eval, which plays on the CPU", kOneOfTwo));
     return cli::refuseTyped(
         a,
         {"output", "resume", "checkpoint", "log", "tensorboard", "curve", "save-every", "log-every",
          "rate", "passes", "part", "entropy", "discount", "worlds", "decisions", "start-from"},
-        "nothing is learned with --eval", "leave out one of the two");
+        "has no effect with --eval, which trains nothing", kOneOfTwo);
   }
   OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"eval-levels", "eval-tries"},
-                                        "nothing is evaluated without --eval",
-                                        "name the policy by --eval FILE, or leave it out"));
+                                        "has no effect without --eval",
+                                        "name a policy by --eval FILE, or leave it out"));
   if (a.has("log") || a.has("tensorboard")) return {};
-  return cli::refuseTyped(a, {"log-every"}, "nothing is logged without --log or --tensorboard",
-                          "leave it out");
+  return cli::refuseTyped(a, {"log-every"}, "has no effect without --log or --tensorboard",
+                          "add one of them, or leave it out");
 }
 
 cli::ToolSpec trainSpec() {
   cli::ToolSpec spec;
   spec.name = "obby-train";
-  spec.summary = "learn to play levels, for the search to be guided by";
-  spec.examples = {
-      {"learn from the levels of a stream",
-       "obby-gen --count 60 --seed 7 | obby-train --time-limit 20 -o policy.obp"},
-      {"learn a minute long from levels that are always new",
-       "obby-train --generate --difficulty trivial..limit --time-limit 60 -o policy.obp"},
-      {"go on with learning that was broken off, as if it had not been",
-       "obby-train --style gaps --decisions 300000 --time-limit 1 && "
-       "obby-train --style gaps --decisions 300000 --resume"},
-      {"learn first on many levels, then go on with some of your own",
-       "obby-train --style gaps --time-limit 5 && obby-gen --style course --count 20 | "
-       "obby-train --start-from policy.obp --rate 0.0005 --time-limit 5 -o mine.obp"},
-      {"look on, by a table, by TensorBoard and by a picture",
-       "obby-train --style gaps --time-limit 2 --log learning.csv --tensorboard runs/gaps "
-       "--curve learning.svg"},
-      {"how good is it on levels that it has never seen?",
-       "obby-train --style gaps --time-limit 5 && obby-train --eval policy.obp --style gaps "
-       "--eval-levels 100"},
-  };
+  spec.summary = "train a policy that plays levels and guides the search";
+  spec.inputHelp = "streams with levels and queries";
+  spec.examples = examples();
   spec.readsInputs = [](const cli::Arguments& a) { return !makesLevels(a); };
   spec.alwaysToStandardOutput = true;  // the metrics
-  spec.options = {outputRow(), cli::commonRow(cli::Common::progress),
-                  cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)};
+  spec.options = {outputRow(), onErrorRow(), cli::commonRow(cli::Common::progress)};
   for (const auto& rows :
        {levelRows(), recipeRows(kLevelGroup), learnRows(), keepRows(), logRows(), evaluateRows()}) {
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   }
+  for (OptionRow& r : spec.options)
+    if (r.group == cli::kRunGroup) r.group = kLearnGroup;
   spec.notes =
-      "Metrics go to standard output, a record each few seconds. The same seed, levels and number "
-      "of --worlds give the same policy on this machine and backend, for any number of --threads. "
-      "Levels that are made begin easy, and become harder up to --difficulty as the policy learns; "
-      "so do those of a stream where its queries say how hard they are, as those of obby-gen "
-      "do.\n\n"
-      "Started by mpirun, the ranks learn one network together, each with --worlds of its own.";
+      "Metrics go to standard output, a record every few seconds. Generated levels begin easy and "
+      "get harder, up to --difficulty, as the policy improves. So do the levels of a stream if its "
+      "queries state a difficulty, as those of obby-gen do.";
+  spec.details =
+      "The same seed, levels and --worlds give the same policy on one machine and backend, for any "
+      "number of --threads.\n\n"
+      "The processes that mpirun starts train one network together, each with --worlds of its own.";
+  spec.files = {
+      {"policy.obp", "The policy, unless --output names another file."},
+      {"policy.obp.checkpoint", "The state of training, unless --checkpoint names another file."}};
   return spec;
 }
 

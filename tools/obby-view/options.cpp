@@ -26,38 +26,53 @@ OptionRow make(std::string name, ValueType type, std::string value, std::string 
   return row;
 }
 
+constexpr const char* kContent = "Content";
+constexpr const char* kTextGroup = "Text";
+constexpr const char* kPictureGroup = "Picture";
+
+OptionRow grouped(OptionRow row, const char* group) {
+  row.group = group;
+  return row;
+}
+
 OptionRow formatRow() {
   OptionRow row = make("format", ValueType::choice, "",
                        "a page for a browser, a text, a picture of the first query, or the "
-                       "trajectories as a model for Roblox Studio [default: "
-                       "by the ending of FILE, else text]");
+                       "trajectories as a model for Studio [default: by FILE's extension, else "
+                       "text]");
   for (const ViewFormat& format : viewFormats()) row.choices.emplace_back(format.name);
-  return row;
+  return grouped(row, cli::kFilesGroup);
 }
 
 OptionRow queryRow() {
   OptionRow row = make("query", ValueType::text, "ID", "show this query only");
   row.repeatable = true;
-  return row;
+  return grouped(row, kContent);
 }
 
-OptionRow widthRow() {
-  OptionRow row = make("width", ValueType::integer, "COLUMNS",
-                       "columns of the text [default: those of the terminal]");
-  row.min = 40;
-  row.max = 400;
-  return row;
+OptionRow fullRow() {
+  return grouped(make("full", ValueType::flag, "", "show everything, however large the page gets"),
+                 kContent);
 }
 
-OptionRow sizeRow() {
-  return make("size", ValueType::text, "WIDTHxHEIGHT",
-              "pixels of a picture; of an svg the width counts [default: 1280x720]");
+std::vector<OptionRow> textRows() {
+  OptionRow width =
+      make("width", ValueType::integer, "COLUMNS", "columns of the text [default: the terminal's]");
+  width.min = 40;
+  width.max = 400;
+  return {grouped(make("no-map", ValueType::flag, "", "print the table only"), kTextGroup),
+          grouped(make("ascii", ValueType::flag, "", "print ASCII characters only"), kTextGroup),
+          grouped(width, kTextGroup)};
 }
 
-OptionRow fromRow() {
-  OptionRow row = make("from", ValueType::choice, "", "svg: seen from here [default: above]");
-  row.choices = {"above", "side"};
-  return row;
+std::vector<OptionRow> pictureRows() {
+  OptionRow from =
+      make("from", ValueType::choice, "", "side to look from; for svg only [default: above]");
+  from.choices = {"above", "side"};
+  return {grouped(make("size", ValueType::text, "WIDTHxHEIGHT",
+                       "size in pixels; for svg only the width counts [default: 1280x720]"),
+                  kPictureGroup),
+          grouped(from, kPictureGroup)};
 }
 
 constexpr const char* kLive = "Live page";
@@ -65,15 +80,15 @@ constexpr const char* kLive = "Live page";
 std::vector<OptionRow> liveRows() {
   return {
       cli::row("live", ValueType::flag, "", "",
-               "serve the page on this machine, print its address, and show the input as it comes; "
-               "-o is written when the input has ended",
+               "serve the page on this machine, print its address, and show the input as it "
+               "arrives; -o is written when the input ends",
                kLive),
       cli::between(
           cli::row("port", ValueType::integer, "PORT", "0",
-                   "listen there, on the loopback interface only; 0: on any free one", kLive),
+                   "listen on this port of the loopback interface; 0: on any free one", kLive),
           0, 65535),
       cli::row("live-exit", ValueType::flag, "", "",
-               "end when the input has ended and no page is open, not only at Ctrl-C", kLive),
+               "exit when the input has ended and no page is open, instead of at Ctrl-C", kLive),
   };
 }
 
@@ -87,30 +102,21 @@ cli::ToolSpec viewSpec() {
       {"Write a page that opens in any browser, without a network",
        "obby-import first-steps.rbxlx | obby-solve | obby-view -o report.html"},
       {"Print a table and a map", "obby-solve --query any several-routes.jsonl | obby-view"},
-      {"Draw the way through a level, for a README or an issue",
-       "obby-solve several-routes.jsonl | obby-view -o routes.png"},
-      {"The same from the side, as a drawing",
-       "obby-solve several-routes.jsonl | obby-view --from side -o routes.svg"},
-      {"Watch a search in the browser: open the address that is printed",
-       "obby-solve --time-limit 5 several-routes.jsonl | obby-view --live --live-exit"},
+      {"Draw the solution of a query, for a README or an issue",
+       "obby-solve --query any several-routes.jsonl | obby-view -o route.png"},
+      {"Watch a search in the browser, at the address that is printed",
+       "obby-solve --query any several-routes.jsonl | obby-view --live --live-exit"},
       {"Look at a level before anything is solved", "obby-view -o level.html teaser.jsonl"},
+      {"Draw a solution from the side, as a vector drawing",
+       "obby-solve --query any several-routes.jsonl | obby-view --from side -o route.svg"},
   };
-  spec.options = {
-      commonRow(cli::Common::output),
-      formatRow(),
-      queryRow(),
-      make("full", ValueType::flag, "", "thin nothing out, however large the page becomes"),
-      make("no-map", ValueType::flag, "", "text: the table only"),
-      make("ascii", ValueType::flag, "", "text: ASCII characters only"),
-      widthRow(),
-      sizeRow(),
-      fromRow(),
-      commonRow(cli::Common::onError),
-  };
-  for (OptionRow& live : liveRows()) spec.options.push_back(std::move(live));
+  spec.options = {commonRow(cli::Common::output), formatRow(), commonRow(cli::Common::onError),
+                  queryRow(), fullRow()};
+  for (const auto& rows : {textRows(), pictureRows(), liveRows()})
+    spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   spec.notes =
-      "A trajectory holds actions only: it is played again here, and one that does not end as its "
-      "record says is shown as a mismatch.";
+      "A trajectory record holds only actions, so obby-view replays it. A trajectory that does "
+      "not end as its record says is shown as a mismatch.";
   return spec;
 }
 
@@ -118,14 +124,16 @@ Status refuseIdle(const cli::Arguments& arguments) {
   const bool live = arguments.flag("live");
   if (!live) {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(arguments, {"port", "live-exit"},
-                                          "has no effect without --live", "add --live"));
+                                          "has no effect without --live",
+                                          "add --live, or leave it out"));
   } else if (!arguments.has("output")) {
     return cli::refuseTyped(arguments, {"format", "width", "ascii", "no-map", "size", "from"},
-                            "has no effect with --live unless -o names a file", "add -o FILE");
+                            "has no effect on a live page without -o",
+                            "add -o FILE, or leave it out");
   }
   const std::string format = wantedFormat(arguments).name;
   const std::string message = "has no effect on " + format + " output";
-  constexpr const char* kCure = "choose the output with --format or the ending of FILE";
+  constexpr const char* kCure = "choose another --format or extension of FILE, or leave it out";
   if (format != "text") {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(arguments, {"width", "ascii", "no-map"}, message, kCure));
   }
@@ -153,9 +161,9 @@ Result<view::PictureOptions> pictureOptions(const cli::Arguments& arguments) {
     return Error{{},
                  {},
                  "--size",
-                 fmt::format("expected WIDTHxHEIGHT, each from {0} to {1}, found '{2}'",
+                 fmt::format("expected WIDTHxHEIGHT with each from {0} to {1}, found '{2}'",
                              kLeastPicture, kMostPicture, text),
-                 "for example --size 1280x720"};
+                 "write for example --size 1280x720"};
   return options;
 }
 

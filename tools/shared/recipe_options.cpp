@@ -17,8 +17,8 @@ using cli::ValueType;
 
 OptionRow styleRow(const char* group) {
   OptionRow r = row("style", ValueType::text, "NAME", "",
-                    "make levels of this style only; repeat: of these, alike in number; obby-gen "
-                    "--list names them",
+                    "make levels of this style only; several: equally many of each; obby-gen "
+                    "--list lists them",
                     group);
   r.repeatable = true;
   return r;
@@ -35,7 +35,7 @@ Result<gen::Range> rangeOf(const std::string& text) {
   if (dots == std::string::npos) return gen::Range{lo, lo};
   OBBY_ASSIGN(const float hi, one(text.substr(dots + 2)));
   if (lo > hi) {
-    std::string wrong = "the easier end comes first, found " + io::quoted(text);
+    std::string wrong = "expected the easier end first, found " + io::quoted(text);
     return Error{{}, {}, "--difficulty", std::move(wrong), {}};
   }
   return gen::Range{lo, hi};
@@ -53,11 +53,11 @@ std::vector<OptionRow> recipeRows(const char* group) {
   return {
       styleRow(group),
       row("difficulty", ValueType::text, "D", "",
-          "trivial, easy, medium, hard, limit or a number from 0 to 1; D..D draws between two "
-          "[default: the recipe's, else easy..hard; in obby-train trivial..limit]",
+          "trivial, easy, medium, hard, limit or a number from 0 to 1; D..D is a range to draw "
+          "from [default: the recipe's, else easy..hard; in obby-train trivial..limit]",
           group),
       row("recipe", ValueType::file, "FILE", "",
-          "styles with weights, lengths, limits and physics from a JSON file (docs/generator.md)",
+          "read styles, weights, lengths, limits and physics from a JSON file (docs/generator.md)",
           group),
   };
 }

@@ -179,7 +179,7 @@ class StdioTest(unittest.TestCase):
         for option in (["--pair"], ["--no-token"], ["--port", "0"]):
             done = subprocess.run(self.command + option, input=b"", capture_output=True, check=False)
             self.assertEqual(done.returncode, 2)
-            self.assertIn(b"--stdio: does not go with " + option[0].encode(), done.stderr)
+            self.assertIn(b"--stdio: cannot be combined with " + option[0].encode(), done.stderr)
 
     def test_a_configuration_that_says_nothing_new_goes_with_it(self):
         config = os.path.join(self.folder, "config")

@@ -1,0 +1,88 @@
+#include "cli/variables.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include "base/spelling.h"
+#include "cli/parse.h"
+
+namespace obby::cli {
+namespace {
+
+constexpr std::string_view kPrefix = "OBBY_";
+
+// Every option of every tool, in order. tests/cli/obby-echo/option-names compares.
+constexpr std::string_view kAllOptions[] = {"ascii",        "attempts",    "avoid",
+                                            "backend",      "check",       "check-steps",
+                                            "checkpoint",   "completion",  "config",
+                                            "count",        "course",      "cpu-time",
+                                            "curve",        "decisions",   "difficulty",
+                                            "discount",     "diverse",     "each",
+                                            "entropy",      "eval",        "eval-levels",
+                                            "eval-tries",   "exit-status", "explain",
+                                            "final-only",   "first",       "fit",
+                                            "forbid",       "format",      "from",
+                                            "full",         "generate",    "generations",
+                                            "goal",         "grace",       "heat-map",
+                                            "held-out",     "help",        "help-all",
+                                            "idle",         "jobs",        "json-errors",
+                                            "list",         "live",        "live-exit",
+                                            "log",          "log-every",   "max-body",
+                                            "max-damage",   "max-jumps",   "max-steps",
+                                            "max-time",     "memory",      "method",
+                                            "min-jumps",    "name",        "no-color",
+                                            "no-map",       "no-queries",  "no-token",
+                                            "noise",        "not-pass",    "on-error",
+                                            "output",       "pair",        "part",
+                                            "pass",         "passes",      "paths",
+                                            "ping",         "policy",      "port",
+                                            "print-config", "progress",    "query",
+                                            "quiet",        "rate",        "recipe",
+                                            "rehearse",     "report",      "request-timeout",
+                                            "restarts",     "resume",      "save-every",
+                                            "schema",       "seed",        "set",
+                                            "silence",      "size",        "solutions",
+                                            "solve",        "start",       "start-from",
+                                            "state-dir",    "stdio",       "style",
+                                            "tensorboard",  "threads",     "time-limit",
+                                            "tolerance",    "trials",      "twins",
+                                            "unsolvable",   "verbose",     "verify",
+                                            "version",      "visit",       "warm",
+                                            "watch",        "waypoint",    "width",
+                                            "worlds"};
+
+// "time-limit" for "OBBY_TIME_LIMIT".
+std::string optionNameOf(std::string_view variable) {
+  std::string out = lower(variable.substr(kPrefix.size()));
+  std::replace(out.begin(), out.end(), '_', '-');
+  return out;
+}
+
+bool isOption(const std::string& name) {
+  return std::binary_search(std::begin(kAllOptions), std::end(kAllOptions), name);
+}
+
+}  // namespace
+
+std::vector<MisspeltVariable> misspeltVariables(const std::vector<OptionRow>& rows,
+                                                const char* const* environment) {
+  std::vector<std::string> names;
+  for (const OptionRow& row : rows)
+    if (!onlyTyped(row)) names.push_back(row.name);
+  std::vector<MisspeltVariable> out;
+  for (; *environment; environment++) {
+    const std::string_view entry = *environment;
+    const size_t equals = entry.find('=');
+    if (!entry.starts_with(kPrefix) || equals == std::string_view::npos) continue;
+    if (equals + 1 == entry.size()) continue;  // an empty one sets nothing, however it is spelt
+    const std::string_view variable = entry.substr(0, equals);
+    const std::string name = optionNameOf(variable);
+    if (isOption(name) || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    const std::string near = nearestName(name, names);
+    if (!near.empty()) out.push_back({std::string(variable), environmentName(near)});
+  }
+  return out;
+}
+
+}  // namespace obby::cli
