@@ -215,7 +215,7 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
       },
       "goal.position", "three numbers");
   expectRefused([](auto r) { r.getGoal().initRotation().setW(0); }, "goal.rotation", "not zero");
-  expectRefused([](auto r) { r.initWaypoints(1); }, "waypoints[0].region", "needs a region");
+  expectRefused([](auto r) { r.initWaypoints(1); }, "waypoints[0].region", "has no region");
   expectRefused(
       [](auto r) {
         set(r.initAvoid(2)[1].initSize(), {-1, 1, 1});
@@ -228,18 +228,18 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
   expectRefused(
       [](auto r) { r.initWaypoints(1)[0].initRegion(), r.getWaypoints()[0].setSegmentTime(kNan); },
       "waypoints[0].segmentTime", "seconds");
-  expectRefused([](auto r) { r.initVisits(33); }, "visits", "at most 32, got 33");
+  expectRefused([](auto r) { r.initVisits(33); }, "visits", "at most 32, found 33");
   expectRefused([](auto r) { r.setMinJumps(3), r.setMaxJumps(2); }, "minJumps", "3 jumps at least");
   expectRefused([](auto r) { r.setMinJumps(65536); }, "minJumps", "at most 65535");
   expectRefused([](auto r) { r.setMaxDamage(-2); }, "maxDamage", "health");
-  expectRefused([](auto r) { r.setMaxJumps(-2); }, "maxJumps", "-1 for any");
-  expectRefused([](auto r) { r.setSegmentJumps(-3); }, "segmentJumps", "-1 for any");
+  expectRefused([](auto r) { r.setMaxJumps(-2); }, "maxJumps", "(-1: any)");
+  expectRefused([](auto r) { r.setSegmentJumps(-3); }, "segmentJumps", "(-1: any)");
   expectRefused(
       [](auto r) { r.initWaypoints(1)[0].initRegion(), r.getWaypoints()[0].setMaxJumps(-2); },
-      "waypoints[0].maxJumps", "-1 for any");
+      "waypoints[0].maxJumps", "(-1: any)");
   expectRefused(
       [](auto r) { r.initWaypoints(1)[0].initRegion(), r.getWaypoints()[0].setSegmentJumps(-2); },
-      "waypoints[0].segmentJumps", "-1 for any");
+      "waypoints[0].segmentJumps", "(-1: any)");
   expectRefused([](auto r) { r.initStart().setSpawn(-2); }, "start.spawn", "0 to 1, got -2");
   expectRefused([](auto r) { r.initForbid(1).set(0, schema::PlayerState::FREEFALL); }, "forbid[0]",
                 "do without");
