@@ -1,8 +1,8 @@
-# A checkpoint of obby-train: everything that decides what it learns next, so that learning that was broken off goes on as
-# if nothing had been.
+# A checkpoint of obby-train: all state that decides what it learns next, so that interrupted training resumes exactly
+# where it stopped.
 #
-# One Cap'n Proto message, not packed. Settings and levels are not in it: they are given anew, and `settings` and the
-# levels' hashes say whether they are the same. Levels are made anew by their numbers.
+# One Cap'n Proto message, not packed. It has no settings and no levels. A resumed run gets the settings again, and
+# `settings` and the levels' hashes tell whether they are the same. Levels are made again from their numbers.
 @0xa9d40f6e2b7c3158;
 
 using Cxx = import "/capnp/c++.capnp";
@@ -13,26 +13,26 @@ struct SavedTraining {
   version @1 :UInt32;  # of this layout: 5
   observationVersion @2 :UInt32;  # as in policy.capnp
   stateLayout @3 :UInt64;  # XXH3 over names, types and sizes of the fields of sim::World and sim::LooseBody
-  program @4 :Text;    # version of the program, for people
+  program @4 :Text;    # version of the program, for information
   settings @5 :List(SavedSetting);
-  seconds @6 :Float64;  # wall clock so far, of all runs; nothing is decided by it
+  seconds @6 :Float64;  # wall-clock time of all runs so far, for information
   iterations @7 :UInt64;
   decisions @8 :UInt64;
   solved @9 :Float64;   # share of playthroughs solved, smoothed
-  hardest @10 :Float32;  # difficulty of the levels that come next, at most
+  hardest @10 :Float32;  # max difficulty of the next levels
   seen @11 :SavedSums;  # of observations
   learner @12 :SavedLearner;
   crowds @13 :List(SavedCrowd);  # those of rank 0, then of rank 1, ...
-  history @14 :SavedHistory;     # for the learning curve; nothing is decided by it
+  history @14 :SavedHistory;     # for the learning curve only
 }
 
 struct SavedSetting {
   name @0 :Text;
-  value @1 :Text;  # numbers as their shortest decimal that reads back the same
+  value @1 :Text;  # numbers as the shortest decimal that reads back the same
 }
 
 struct SavedHistory {
-  each @0 :UInt32;        # iterations a point
+  each @0 :UInt32;        # iterations per point
   iterations @1 :UInt32;  # since the last point
   reward @2 :Float64;     # their sum
   points @3 :List(SavedPoint);
@@ -42,7 +42,7 @@ struct SavedPoint {
   decisions @0 :UInt64;
   solved @1 :Float32;
   hardest @2 :Float32;
-  reward @3 :Float32;  # a decision, mean since the last point
+  reward @3 :Float32;  # per decision, mean since the last point
 }
 
 struct SavedSums {
@@ -67,24 +67,24 @@ struct SavedCrowd {
 }
 
 struct SavedCrowds {
-  # What a rank sends to the first one, for the file.
+  # Sent by each rank to the first one, for the file.
   crowds @0 :List(SavedCrowd);
 }
 
 struct SavedPlace {
-  # A level with its worlds. Worlds and loose bodies are the bytes of sim::World (lib/sim/world.h) and sim::LooseBody
+  # A level with its worlds. Worlds and dynamic bodies are the bytes of sim::World (lib/sim/world.h) and sim::LooseBody
   # (lib/sim/loose.h), which have no padding, one after another.
-  taken @0 :UInt64;      # levels so far, this one included: says which of the source it is
-  hardest @1 :Float32;   # difficulty that it was asked for with
-  levelHash @2 :UInt64;  # of the level that it must be
+  taken @0 :UInt64;      # levels so far, with this one: its number in the source
+  hardest @1 :Float32;   # difficulty with which it was requested
+  levelHash @2 :UInt64;  # of the level, which must match
   played @3 :UInt32;     # playthroughs of it
   worlds @4 :Data;       # (players)
-  loose @5 :Data;        # (players, loose bodies of the level)
-  reached @6 :Data;      # to begin from
-  least @7 :List(Float32);   # (players), studs of the way left, the least in this playthrough
+  loose @5 :Data;        # (players, dynamic bodies of the level)
+  reached @6 :Data;      # states to begin from
+  least @7 :List(Float32);   # (players), min studs left to the goal in this playthrough
   ticks @8 :List(UInt32);    # (players), of this playthrough
   fromStart @9 :List(Bool);  # (players)
-  nextHardest @10 :Float32;  # difficulty that the next level will be asked for with
-  reachedLeast @11 :List(Float32);  # (reached), `least` of whoever stood there
-  solvedOnce @12 :Bool;  # somebody has solved the level from the start
+  nextHardest @10 :Float32;  # difficulty with which the next level will be requested
+  reachedLeast @11 :List(Float32);  # (reached), `least` of the player who was there
+  solvedOnce @12 :Bool;  # a player has solved the level from the start
 }

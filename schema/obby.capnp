@@ -1,35 +1,40 @@
-# The stream schema: the only definition of every record that the tools read and write.
+# The stream schema: the one definition of every record that the tools read and write.
 #
-# JSON is derived from this file by reflection (lib/io/json_codec): a record is one object on one line, `type`
-# names its kind (the union field below), and the rest are the fields of that kind, spelled as here.
-# A field equal to its default is left out, unless it is marked $always; an empty list or text is left out; structs
-# marked $tuple are written as arrays of their fields in order; 64-bit integers are written as decimal strings;
-# enumerants by name.
+# JSON is derived from this file by reflection (lib/io/json_codec). A record is one object on one line. `type` names
+# its kind (a field of the union in Record), and the other members are the fields of that kind, spelled as here.
+# JSON omits fields at their default, unless they are marked $always, and empty lists and texts. Structs marked $tuple
+# are arrays of their fields in order, 64-bit integers are decimal strings, and enumerants are written by name.
 #
-# Rules for changes: new fields at the end with a default that means "as before", or new kinds of records, raise
-# `kSchemaMinor` in lib/io/version.h; anything else raises `kSchemaMajor`.
+# Rules for changes: a new field (last, with a default that means "as before"), a new enumerant (last) or a new kind of
+# record raises `kSchemaMinor` in lib/io/version.h. Any other change raises `kSchemaMajor`.
 #
-# Units: lengths in studs (1 stud = 0.28 m), times in seconds unless a name says ticks, angles in radians unless a
-# name says turns, Y is up, right-handed, a yaw of 0 looks along -Z.
+# Units: lengths are in studs (1 stud = 0.28 m), times in seconds unless the name says ticks, angles in radians unless
+# the name says turns. Y is up, axes are right-handed, and a yaw of 0 looks along -Z.
 @0xe8b3c0f2a4d15b97;
 
 using Cxx = import "/capnp/c++.capnp";
 $Cxx.namespace("obby::schema");
 
 annotation tuple @0xc1d7c7c3a3a1f0b1 (struct) :Void;
-# In JSON this struct is an array of its fields in declaration order.
+# In JSON this struct is an array of its fields, in the order of declaration.
 
 annotation always @0x9f4b2c6d81e3a705 (field) :Void;
-# In JSON this field is written even where it has its default: scripts look for it.
+# JSON has this field even at its default, because scripts look for it.
 
 annotation unit @0xb0f5e1a7d9c3a2e4 (field) :Text;
-# Unit of a number, for people and for obby-calibrate's reports.
+# The unit of a number, also shown in obby-calibrate's reports.
 
 annotation range @0xd2a9f8e3b7c61a55 (field) :Interval;
-# Values outside are refused on input; calibration searches inside.
+# Values outside are rejected on input; calibration searches inside.
 
 annotation source @0xa6e4d3c2b1f09876 (field) :Text;
-# Where a number comes from and how far to trust it: H official or tried, M credible, L weak.
+# Where a number comes from and how far to trust it: H is official or tested, M credible, L weak.
+
+annotation example @0xb3d58e17c20f6a94 (field) :Text;
+# A typical value in JSON. Errors show an object of the struct with these fields, or else its first field at its default.
+
+annotation hint @0xde2f70a9164bc835 (struct) :Text;
+# How to write a value, for errors about it.
 
 struct Interval {
   min @0 :Float64;
@@ -59,8 +64,8 @@ struct Vec3 $tuple {
   z @2 :Float32;
 }
 
-struct Quat $tuple {
-  # Unit quaternion; input is normalised, a zero quaternion is refused.
+struct Quat $tuple $hint("a rotation is a quaternion [x,y,z,w]: [0,0.7071,0,0.7071] turns 90 degrees about Y") {
+  # A unit quaternion. Input is normalised; a zero quaternion is an error.
   x @0 :Float32;
   y @1 :Float32;
   z @2 :Float32;
@@ -80,13 +85,13 @@ struct Region {
   position @1 :Vec3;        # centre
   rotation @2 :Quat;
   size @3 :Vec3 = (x = 4, y = 4, z = 4);  # full extents, each > 0
-  # Of a query: a part in place of the box. By name, path or its end, GUID, #tag or part:INDEX, as
-  # on the command line; in lists a #tag stands for all parts that have it, and in avoid a name for
-  # all parts that it fits, which makes at most 100,000 places in all lists. The tools fill in the
-  # box, which is the room around the part, and partIndex.
-  part @4 :Text;
+  # In a query: a part instead of the box, by name, path or end of a path, GUID, #tag or part:INDEX,
+  # as on the command line. In lists a #tag means every part with that tag, and in avoid a name
+  # means every part that it fits; all lists together may have at most 100,000 places. The tools
+  # fill in partIndex and the box, which is the space around the part.
+  part @4 :Text $example("\"Finish\"");
   touch @5 :Bool;            # only touching the part itself counts
-  partIndex @6 :Int32 = -1;  # into the level's parts
+  partIndex @6 :Int32 = -1;  # index into the level's parts
 }
 
 enum PlayerState {
@@ -104,8 +109,8 @@ enum PlayerState {
 # ---------------------------------------------------------------------------------------------- stream framing
 
 struct Header {
-  # First record of a stream.
-  schemaMajor @0 :UInt32 = 1 $always;  # a reader refuses another major version
+  # The first record of a stream.
+  schemaMajor @0 :UInt32 = 1 $always;  # readers reject another major version
   schemaMinor @1 :UInt32 $always;
   tool @2 :Text;               # "obby-solve"
   version @3 :Text;            # "0.1.0"
@@ -115,15 +120,16 @@ struct Header {
 
 enum EndStatus {
   complete @0;
-  interrupted @1;
-  budget @2;     # a time or step budget ended the work before every query had its verdict
+  interrupted @1;  # by a signal
+  budget @2;       # a time or step budget ended the work before every query had its verdict
+  failed @3;       # an error ended the work
 }
 
 struct End {
-  # Last record of a stream: without it the stream was cut off.
+  # The last record of a stream. A stream without it was cut off.
   status @0 :EndStatus $always;
   records @1 :UInt64 $always;   # records written before this one, header included
-  skipped @2 :UInt64;   # input records left out because of errors
+  skipped @2 :UInt64;   # input records omitted because of errors
   errors @3 :UInt64;
 }
 
@@ -134,31 +140,31 @@ struct Level {
   source @1 :LevelSource;
   physics @2 :PhysicsParams;   # absent: the defaults below
   parts @3 :List(Part);
-  spawns @4 :List(Spawn);      # stages in order, the first is where play starts
+  spawns @4 :List(Spawn);      # stages in order; play starts at the first
   unmodelled @5 :List(Unmodelled);
 }
 
 struct LevelSource {
   file @0 :Text;          # as given on the command line
   format @1 :Text;        # rbxl, rbxlx, rbxm, rbxmx, jsonl
-  path @2 :Text;          # path in the place, "Workspace" for a whole place
+  path @2 :Text;          # path in the place; "Workspace" for a whole place
   partsRead @3 :UInt32;
   partsKept @4 :UInt32;
-  partsCulled @5 :UInt32; # strays far from everything or below the fall height, and what scripts destroy as play starts
+  partsCulled @5 :UInt32; # parts far from all others or below the fall height, and parts that scripts destroy as play starts
 }
 
 struct Unmodelled {
-  # Something that the importer saw and the simulator does not do.
+  # Something that the importer found and the simulator does not model.
   kind @0 :Text;     # "terrain", "constraint PrismaticConstraint", "script pattern"
   count @1 :UInt32;
-  example @2 :Text;  # path of one
+  example @2 :Text;  # path of one instance
   note @3 :Text;     # what is lost
 }
 
 struct Spawn {
   # A place where a player can start: a spawn or a checkpoint.
   name @0 :Text;
-  stage @1 :Int32;        # 0 is the start of play; checkpoints count up
+  stage @1 :Int32;        # 0 is the start of play; checkpoints count up from there
   position @2 :Vec3;      # where the feet are
   yaw @3 :Float32;        # radians
   part @4 :Int32 = -1;    # index into parts
@@ -167,10 +173,10 @@ struct Spawn {
 enum Shape {
   block @0;
   ball @1;
-  cylinder @2;      # axis = local X
+  cylinder @2;      # its axis is local X
   wedge @3;         # vertical face at +Z, slope rising from -Z to +Z
   cornerWedge @4;   # apex at (+X, +Y, -Z)
-  truss @5;         # collides as a block, can be climbed
+  truss @5;         # collides as a block and can be climbed
   hull @6;          # convex hulls in `hulls`
 }
 
@@ -179,14 +185,14 @@ struct Part {
   shape @1 :Shape;
   position @2 :Vec3;      # centre of the bounding box
   rotation @3 :Quat;
-  size @4 :Vec3 = (x = 4, y = 1, z = 2);  # full extents, each above 0 and at most 2048; simulated as at least 0.05
+  size @4 :Vec3 = (x = 4, y = 1, z = 2);  # full extents, each above 0 and at most 2048; simulated as 0.05 or more
   hulls @5 :List(Hull);   # only for shape hull
   solid @6 :Bool = true;  # CanCollide
-  touch @7 :Bool = true;  # CanTouch: takes part in kill, pad and checkpoint tests
-  anchored @8 :Bool = true;  # false: a loose body
+  touch @7 :Bool = true;  # CanTouch: kill, pad and checkpoint tests include the part
+  anchored @8 :Bool = true;  # false: a dynamic body
   friction @9 :Float32 = 0.3;     # 0 to 100
-  elasticity @10 :Float32 = 0.5;  # 0 to 1, of contacts of loose bodies
-  density @11 :Float32 = 0.7;     # of a loose body, 0.0001 to 100
+  elasticity @10 :Float32 = 0.5;  # of a dynamic body's contacts, 0 to 1
+  density @11 :Float32 = 0.7;     # of a dynamic body, 0.0001 to 100
   color @12 :Color;
   transparency @13 :Float32;
   source @14 :PartSource;
@@ -207,42 +213,42 @@ struct Part {
   squeeze @29 :Squeeze;
   seat @30 :Seat;
   trip @31 :Trip;
-  climbable @32 :Bool;    # a rung of a ladder built of parts: climbed like a truss
-  material @33 :Text;     # how it looks, by the engine's names ("WoodPlanks"); empty: plastic. Physics has numbers of its own
+  climbable @32 :Bool;    # a rung of a ladder built from parts, climbed like a truss
+  material @33 :Text;     # appearance only, by the engine's name ("WoodPlanks"); empty: plastic
 }
 
 struct PartSource {
-  path @0 :Text;          # "Workspace/Stage 1/Lava", for people: names may repeat
-  indices @1 :List(UInt32);  # sibling indices from the root, unambiguous within the file
+  path @0 :Text;          # "Workspace/Stage 1/Lava", for display: names may repeat
+  indices @1 :List(UInt32);  # sibling indices from the root, unique within the file
   guid @2 :Text;          # UniqueId or GUID attribute where the file has one
   className @3 :Text;
 }
 
 struct Hull {
-  # One convex hull in the part's own frame, scaled to its size.
+  # One convex hull in the part's own frame, scaled to the part's size.
   vertices @0 :List(Vec3);   # 4 to 255, in studs from the part's centre
 }
 
 struct Evidence {
-  # Why the importer gave a part a role.
+  # The reason why the importer gave a part a role.
   role @0 :Text;     # "kill", "conveyor", ...
   reason @1 :Text;   # "tag KillBrick", "script KillScript line 3: Health = 0"
-  guessed @2 :Bool;  # from a name or a default rather than from something stated
+  guessed @2 :Bool;  # inferred from a name or a default, not stated by the file
 }
 
 struct Kill {
-  damage @0 :Float32 = 100;     # health taken per touch; 100 kills a fresh player; negative: heals, up to maxHealth
-  cooldown @1 :Float32;         # seconds between two touches that hurt (or, for one that heals, that heal)
+  damage @0 :Float32 = 100;     # health lost per touch; 100 kills a player of full health; negative: heals, up to maxHealth
+  cooldown @1 :Float32;         # seconds between two touches that hurt (or that heal, if damage is negative)
 }
 
 struct Conveyor {
-  velocity @0 :Vec3;   # studs/s, world frame, of what stands on it
-  angular @1 :Vec3;    # rad/s, world frame, about the part's centre, which goes along where the part moves
+  velocity @0 :Vec3 $example("[8,0,0]");  # studs/s, world frame, given to anything that stands on it
+  angular @1 :Vec3;    # rad/s, world frame, about the part's centre, which moves with the part
 }
 
 struct JumpPad {
-  velocity @0 :Vec3;      # studs/s, world frame, given to a player who touches it
-  keepSideways @1 :Bool = true;  # true: only the component along `velocity` is set
+  velocity @0 :Vec3 $example("[0,80,0]");  # studs/s, world frame, given to a player who touches it
+  keepSideways @1 :Bool = true;  # true: sets only the component along `velocity`
 }
 
 enum VanishTrigger {
@@ -253,68 +259,68 @@ enum VanishTrigger {
 
 struct Vanish {
   trigger @0 :VanishTrigger;
-  delay @1 :Float32;        # touch, signal: seconds still solid after the start; timer: seconds solid in each period
-  away @2 :Float32 = 3;     # touch, timer: seconds without collision; signal: away for as long as the signal lasts
+  delay @1 :Float32;        # touch, signal: seconds that it stays solid after the start; timer: seconds solid in each period
+  away @2 :Float32 = 3;     # touch, timer: seconds without collision; signal: it is away while the signal lasts
   phase @3 :Float32;        # timer: seconds into the period at tick 0
-  signal @4 :Text;          # signal: the name that its buttons give
-  inverted @5 :Bool;        # true: the other way round, solid only while it would be away
+  signal @4 :Text;          # signal: the name given by its buttons
+  inverted @5 :Bool;        # true: the opposite, solid only while it would be away
 }
 
 struct Button {
-  # Touched, it starts its signal: parts that name the signal (vanish.signal, motion.signal) respond.
-  signal @0 :Text;          # any name; buttons with the same name start the same signal
-  seconds @1 :Float32 = 5;  # how long the signal lasts; alike for all buttons of a signal
+  # A touch starts its signal, and parts that name the signal (vanish.signal, motion.signal) respond.
+  signal @0 :Text $example("\"door\"");  # any name; buttons with the same name start the same signal
+  seconds @1 :Float32 = 5;  # how long the signal lasts; the same for all buttons of a signal
   forever @2 :Bool;         # true: until the playthrough ends
-  restarts @3 :Bool;        # true: touched while it lasts, the signal starts anew
+  restarts @3 :Bool;        # true: a touch while the signal lasts restarts it
 }
 
 struct Fall {
-  # Touched, the part waits, falls, carrying what stands on it, is away, and comes back.
+  # After a touch the part waits, falls with anything that stands on it, is away, and comes back.
   delay @0 :Float32 = 0.5;  # seconds at rest after the touch
-  seconds @1 :Float32 = 1;  # of falling
-  speed @2 :Float32;        # studs/s, steady; 0: falls freely under gravity
+  seconds @1 :Float32 = 1;  # duration of the fall
+  speed @2 :Float32;        # studs/s, constant; 0: free fall under gravity
   away @3 :Float32 = 3;     # seconds without collision after the fall
   solid @4 :Bool = true;    # false: no collision while falling
 }
 
 struct Teleport {
-  position @0 :Vec3;           # where the feet are put
-  yaw @1 :Float32;             # radians, where `turns` is true
+  position @0 :Vec3 $example("[0,5,-20]");  # where the player's feet arrive
+  yaw @1 :Float32;             # radians, used if `turns` is true
   turns @2 :Bool;              # true: the player faces `yaw` afterwards
-  keepVelocity @3 :Bool;       # false: arrives at rest
+  keepVelocity @3 :Bool;       # false: the player arrives at rest
 }
 
 struct Boost {
-  # For a time the player walks and jumps faster (or slower). Of several the one touched last counts.
-  walkSpeed @0 :Float32 = 1;  # x PhysicsParams.walkSpeed; above 0, at most 100
-  jumpSpeed @1 :Float32 = 1;  # x PhysicsParams.jumpSpeed; likewise
-  jumpMore @2 :Float32;       # studs/s on top of that, -1000 to 1000
+  # The player walks and jumps faster (or slower) for a time. The boost touched last applies.
+  walkSpeed @0 :Float32 = 1 $example("2");  # x PhysicsParams.walkSpeed; above 0, at most 100
+  jumpSpeed @1 :Float32 = 1;  # x PhysicsParams.jumpSpeed; above 0, at most 100
+  jumpMore @2 :Float32;       # studs/s added to that, -1000 to 1000
   seconds @3 :Float32;        # after the last touch; 0: only while the part is touched
   forever @4 :Bool;           # true: until the playthrough ends
 }
 
 struct OneWay {
-  # Solid only for a player who is on the side that `direction` points to.
+  # Solid only for players on the side that `direction` points to.
   direction @0 :Vec3 = (x = 0, y = 1, z = 0);  # in the part's frame
 }
 
 enum Squeeze {
-  # What a part does to a player whom it squeezes against another part.
+  # The effect on a player squeezed between this part and another one.
   push @0;
   kill @1;
 }
 
 struct Seat {
-  # Touched, it holds the player until jump is pressed.
+  # A touch seats the player until jump is pressed.
 }
 
 struct Trip {
   seconds @0 :Float32 = 3;  # without control after the touch
-  after @1 :Float32 = 1;    # seconds after that in which it does not trip again
+  after @1 :Float32 = 1;    # seconds after that before it can trip the player again
 }
 
 struct Checkpoint {
-  stage @0 :Int32;    # 1, 2, ... in order of play
+  stage @0 :Int32 $example("1");  # 1, 2, ... in order of play
 }
 
 struct Goal {
@@ -331,19 +337,19 @@ enum EasingDirection {
 
 enum Repeat {
   once @0;
-  loop @1;       # after the last key jump back to the first
-  pingPong @2;   # after the last key run back through the keys
+  loop @1;       # jumps back to the first key after the last one
+  pingPong @2;   # runs back through the keys after the last one
 }
 
 enum MotionTrigger {
-  always @0;    # by the level's clock
+  always @0;    # driven by the level's clock
   touch @1;     # rests at the first key until touched
   signal @2;    # rests at the first key while the signal does not last
 }
 
 struct MotionKey {
-  # The part is at this pose at `time`; the way to it from the key before follows the easing.
-  time @0 :Float32;       # seconds, not decreasing; the motion starts with the first key, whatever its time
+  # The part has this pose at `time`. The movement from the key before follows the easing.
+  time @0 :Float32;       # seconds, not decreasing; the motion starts at the first key, whatever its time
   position @1 :Vec3;      # world
   rotation @2 :Quat;      # world
   easing @3 :Easing;
@@ -353,26 +359,26 @@ struct MotionKey {
 struct Spin {
   axis @0 :Vec3 = (x = 0, y = 1, z = 0);  # in the part's frame
   speed @1 :Float32;                      # rad/s, right-handed about the axis
-  pivot @2 :Vec3;                         # point that stays in place, from the part's centre, in the part's frame
+  pivot @2 :Vec3;                         # the point that stays in place, relative to the part's centre, in the part's frame
 }
 
 struct Motion {
-  # A round of the keys, there and back for pingPong, and a turn of the spin take at most 20 minutes.
-  keys @0 :List(MotionKey);   # empty: stays at the part's pose
+  # One pass through the keys (there and back for pingPong) and one turn of the spin take at most 20 minutes each.
+  keys @0 :List(MotionKey);   # empty: the part stays at its pose
   repeat @1 :Repeat = loop;
-  spin @2 :Spin;              # on top of the keys
-  offset @3 :Float32;         # seconds into the motion at tick 0; negative: once waits so long, others count back
-  carries @4 :Bool;           # true: driven by physics, takes a standing player along; false: tween or CFrame loop
+  spin @2 :Spin;              # added to the keys
+  offset @3 :Float32;         # seconds into the motion at tick 0; negative: `once` waits that long, others count back
+  carries @4 :Bool;           # true: driven by physics, carries a standing player; false: a tween or CFrame loop
   trigger @5 :MotionTrigger;
-  signal @6 :Text;            # signal: the name that its buttons give
-  seconds @7 :Float32;        # touch: until it rests again; 0: once stays at its last key, others do one repetition
+  signal @6 :Text;            # signal: the name given by its buttons
+  seconds @7 :Float32;        # touch: duration until it rests again; 0: `once` stays at its last key, others do one repetition
 }
 
 # ---------------------------------------------------------------------------------------------- physics parameters
 
 struct PhysicsParams {
-  # Every number in which a real engine may differ. lib/level/params.h mirrors the fields by name; a test holds the two
-  # together. docs/physics.md explains each.
+  # Every number in which a real engine may differ. lib/level/params.h mirrors the fields by name, and a test checks
+  # that they agree. docs/physics.md explains each field.
   gravity @0 :Float32 = 196.2 $unit("studs/s^2") $range((min = 0, max = 2000)) $source("H Workspace.Gravity");
   walkSpeed @1 :Float32 = 16 $unit("studs/s") $range((min = 0, max = 500)) $source("H Humanoid.WalkSpeed");
   jumpSpeed @2 :Float32 = 53 $unit("studs/s") $range((min = 0, max = 1000))
@@ -391,94 +397,94 @@ struct PhysicsParams {
   bodyTop @13 :Float32 = 5 $unit("studs above the feet") $range((min = 0.5, max = 40)) $source("H top of Head");
   headBottom @14 :Float32 = 4 $unit("studs above the feet") $range((min = 0.4, max = 40)) $source("H bottom of Head");
   armSpan @15 :Float32 = 4 $unit("studs") $range((min = 0.1, max = 40)) $source("H torso and both arms, R6");
-  touchMargin @16 :Float32 = 0.05 $unit("studs") $range((min = 0, max = 1)) $source("L limbs in contact with what they stand on");
+  touchMargin @16 :Float32 = 0.05 $unit("studs") $range((min = 0, max = 1)) $source("L limbs touch the part below them");
 
   groundAccel @17 :Float32 = 225 $unit("studs/s^2") $range((min = 1, max = 5000)) $source("L 250 x 0.9, a third-party port");
   airAccel @18 :Float32 = 143 $unit("studs/s^2") $range((min = 0, max = 5000)) $source("L a third-party port");
   moveGain @19 :Float32 = 150 $unit("1/s") $range((min = 1, max = 1000)) $source("L a third-party port");
   turnGain @20 :Float32 = 10 $unit("1/s") $range((min = 0.1, max = 1000)) $source("L a third-party port");
-  turnSpeed @21 :Float32 = 8 $unit("rad/s") $range((min = 0.1, max = 1000)) $source("H for CCL: BaseTurnSpeed; bounds the turn gain");
+  turnSpeed @21 :Float32 = 8 $unit("rad/s") $range((min = 0.1, max = 1000)) $source("H for CCL: BaseTurnSpeed; limits the turn gain");
 
   hoverStiffness @22 :Float32 = 2000 $unit("1/s^2") $range((min = 1, max = 20000)) $source("L a third-party port: 0.1 x 20000");
   hoverDamping @23 :Float32 = 110 $unit("1/s") $range((min = 0, max = 2000)) $source("L a third-party port: 0.1 x 1100");
-  hoverLimit @24 :Float32 = 20000 $unit("studs/s^2") $range((min = 1, max = 1000000)) $source("M numerical guard: most upward acceleration of the hover spring");
+  hoverLimit @24 :Float32 = 20000 $unit("studs/s^2") $range((min = 1, max = 1000000)) $source("M numerical guard: max upward acceleration of the hover spring");
 
   floorRaySpread @25 :Float32 = 0.4 $unit("share of root size") $range((min = 0, max = 1)) $source("M two independent ports agree");
   floorRayStart @26 :Float32 = 0.4 $unit("share of root height below the root centre") $range((min = 0, max = 1)) $source("M");
   floorReachBase @27 :Float32 = 0.1 $unit("share of root height") $range((min = 0, max = 1)) $source("H state machine port");
-  floorKeep @28 :Float32 = 1.5 $unit("x hipHeight") $range((min = 1, max = 3)) $source("H reach while a floor was sensed last tick");
+  floorKeep @28 :Float32 = 1.5 $unit("x hipHeight") $range((min = 1, max = 3)) $source("H reach if a floor was sensed last tick");
   floorAcquire @29 :Float32 = 1.1 $unit("x hipHeight") $range((min = 1, max = 3)) $source("H reach otherwise");
   fastFall @30 :Float32 = 100 $unit("studs/s") $range((min = 1, max = 10000)) $source("H reach grows with speed above this");
 
-  landedTime @31 :Float32 = 0.05 $unit("s") $range((min = 0, max = 1)) $source("H Landed lasts this long, no jump meanwhile");
-  coyoteTime @32 :Float32 = 0.13 $unit("s") $range((min = 0, max = 1)) $source("H a jump is accepted this long after the floor is lost");
+  landedTime @31 :Float32 = 0.05 $unit("s") $range((min = 0, max = 1)) $source("H Landed lasts this long, without a jump");
+  coyoteTime @32 :Float32 = 0.13 $unit("s") $range((min = 0, max = 1)) $source("H a jump is accepted this long after leaving the floor");
   offFloorGrace @33 :Float32 = 0.125 $unit("s") $range((min = 0, max = 1)) $source("H Running turns to Freefall after this");
 
   iceFriction @34 :Float32 = 0.1 $unit("friction") $range((min = 0, max = 2)) $source("L below this, ground acceleration shrinks in proportion");
   climbSpeed @35 :Float32 = 0.7 $unit("x walkSpeed") $range((min = 0, max = 10)) $source("H Humanoid.Climbing");
   climbReach @36 :Float32 = 1.2 $unit("studs") $range((min = 0, max = 5)) $source("H forward climb sensor");
   contactSkin @37 :Float32 = 0.01 $unit("studs") $range((min = 0, max = 0.2)) $source("M depth left between bodies at rest");
-  maxFallSpeed @38 :Float32 = 480 $unit("studs/s") $range((min = 10, max = 2000)) $source("M numerical guard, never met in a level");
+  maxFallSpeed @38 :Float32 = 480 $unit("studs/s") $range((min = 10, max = 2000)) $source("M numerical guard, never reached in a level");
   oneWaySlack @39 :Float32 = 0.1 $unit("studs") $range((min = 0, max = 2)) $source("L depth in a one-way part that still counts as outside");
-  squeezeDepth @40 :Float32 = 0.25 $unit("studs") $range((min = 0, max = 5)) $source("L overlap that push-out leaves, above which a player is squeezed");
-  squeezeTime @41 :Float32 = 0.05 $unit("s") $range((min = 0, max = 10)) $source("L squeezed for this long, a crushing part kills");
+  squeezeDepth @40 :Float32 = 0.25 $unit("studs") $range((min = 0, max = 5)) $source("L a player is squeezed if more overlap than this remains after push-out");
+  squeezeTime @41 :Float32 = 0.05 $unit("s") $range((min = 0, max = 10)) $source("L a crushing part kills a player squeezed for this long");
   seatHeight @42 :Float32 = 2 $unit("studs from the seat's centre to the root's") $range((min = 0, max = 20)) $source("H Seat welds the root 2 studs above");
   seatCooldown @43 :Float32 = 3 $unit("s") $range((min = 0, max = 60)) $source("H Seat: 3 s after leaving");
   playerMass @44 :Float32 = 12.6 $unit("density x cubic studs") $range((min = 0.1, max = 1000)) $source("M the R6 assembly: 18 cubic studs x 0.7");
-  pushForce @45 :Float32 = 100000 $unit("mass x studs/s^2") $range((min = 0, max = 10000000)) $source("L most that a player presses on a loose part; by default the drive's own limit counts");
-  sleepSpeed @46 :Float32 = 0.5 $unit("studs/s") $range((min = 0, max = 10)) $source("L loose parts slower than this come to rest");
-  sleepTime @47 :Float32 = 0.5 $unit("s") $range((min = 0, max = 10)) $source("L after this long");
-  climbLowest @48 :Float32 = 0.25 $unit("share of hipHeight") $range((min = 0, max = 1)) $source("L lowest row of the climb sensor: legs that sink into a floor of trusses do not meet the next one");
-  climbWill @49 :Float32 = 0.01 $unit("share of the move direction") $range((min = 0, max = 1)) $source("H into the truss or away from it: dot of +-0.01");
-  playerFriction @50 :Float32 = 0.3 $unit("friction") $range((min = 0, max = 2)) $source("M Plastic; of one who has fallen down, averaged with the floor's");
-  jumpAccel @51 :Float32 = 0 $unit("studs/s^2") $range((min = 0, max = 5000)) $source("M while Jumping keys do nothing");
+  pushForce @45 :Float32 = 100000 $unit("mass x studs/s^2") $range((min = 0, max = 10000000)) $source("L max force of a player on a dynamic part; at the default only the drive's own limit applies");
+  sleepSpeed @46 :Float32 = 0.5 $unit("studs/s") $range((min = 0, max = 10)) $source("L dynamic parts slower than this come to rest");
+  sleepTime @47 :Float32 = 0.5 $unit("s") $range((min = 0, max = 10)) $source("L dynamic parts come to rest after this long below sleepSpeed");
+  climbLowest @48 :Float32 = 0.25 $unit("share of hipHeight") $range((min = 0, max = 1)) $source("L lowest row of the climb sensor: legs that sink into a floor of trusses do not reach the next truss");
+  climbWill @49 :Float32 = 0.01 $unit("share of the move direction") $range((min = 0, max = 1)) $source("H into the truss or away from it: dot product of +-0.01");
+  playerFriction @50 :Float32 = 0.3 $unit("friction") $range((min = 0, max = 2)) $source("M Plastic; of a player who has fallen down, averaged with the floor's");
+  jumpAccel @51 :Float32 = 0 $unit("studs/s^2") $range((min = 0, max = 5000)) $source("M keys have no effect while Jumping");
 }
 
 # ---------------------------------------------------------------------------------------------- query
 
 struct Start {
-  # The player starts with the feet at the centre of the region's floor; without a region, at the place of one of the
-  # level's spawns, looking where that spawn looks.
+  # The player starts with the feet at the centre of the region's floor. Without a region, the player starts at one of
+  # the level's spawns and faces as that spawn does.
   region @0 :Region;
-  spawn @1 :Int32 = -1;     # index into the level's spawns, from 0, where no region is given; -1: the first
-  yaw @2 :Float32;          # radians, where a region is given
-  tick @3 :UInt32;          # level clock at the start: moving parts are where they are at this tick
+  spawn @1 :Int32 = -1;     # without a region: index into the level's spawns, from 0; -1: the first
+  yaw @2 :Float32;          # radians, with a region
+  tick @3 :UInt32;          # level clock at the start, which sets where moving parts are
 }
 
 struct Waypoint {
   region @0 :Region;
-  maxJumps @1 :Int32 = -1;      # jumps made since the start on arrival, at most; -1: any
-  segmentJumps @2 :Int32 = -1;  # jumps since the waypoint before, or the start, at most; -1: any
-  timeLimit @3 :Float32;        # seconds of game time since the start on arrival; 0: none
-  segmentTime @4 :Float32;      # seconds since the waypoint before, or the start; 0: none
+  maxJumps @1 :Int32 = -1;      # max jumps from the start until arrival; -1: any
+  segmentJumps @2 :Int32 = -1;  # max jumps since the previous waypoint, or the start; -1: any
+  timeLimit @3 :Float32;        # max seconds of game time from the start until arrival; 0: none
+  segmentTime @4 :Float32;      # max seconds since the previous waypoint, or the start; 0: none
 }
 
 struct Query {
   id @0 :Text;
-  level @1 :Text;           # name of the level record; empty: the level before it in the stream
+  level @1 :Text;           # name of the level record; empty: the last level before the query
   start @2 :Start;          # absent: the level's first spawn
   goal @3 :Region;
   waypoints @4 :List(Waypoint);  # in this order; at most 255
   avoid @5 :List(Region);
   maxJumps @6 :Int32 = -1;  # -1: any
-  timeLimit @7 :Float32;    # seconds of game time; 0: none
-  goals @8 :List(Region);   # any of these, or goal, ends the playthrough
+  timeLimit @7 :Float32;    # max seconds of game time; 0: none
+  goals @8 :List(Region);   # reaching any of these, or goal, ends the playthrough
   visits @9 :List(Region);  # before the goal, in any order; at most 32
-  minJumps @10 :Int32;      # jumps before the goal counts, at least; at most 65535
-  segmentJumps @11 :Int32 = -1;      # jumps since the last waypoint, at most; -1: any
-  segmentTime @12 :Float32;          # seconds since the last waypoint; 0: none
-  maxDamage @13 :Float32 = -1;       # health that may be lost in all; -1: any
-  forbid @14 :List(PlayerState);     # of jumping, climbing, seated, fallingDown
+  minJumps @10 :Int32;      # min jumps before the goal counts, up to 65535
+  segmentJumps @11 :Int32 = -1;      # max jumps since the last waypoint; -1: any
+  segmentTime @12 :Float32;          # max seconds since the last waypoint; 0: none
+  maxDamage @13 :Float32 = -1;       # max health lost in total; -1: any
+  forbid @14 :List(PlayerState);     # any of jumping, climbing, seated, fallingDown
 
-  # What is known of the level by whoever made it. No answer depends on it: obby-train learns by it.
-  way @15 :List(Vec3);               # places of the feet along a way through, the start first, the goal last; 2 to 4096
-  difficulty @16 :Float32 = -1;      # 0 is trivial, 1 a jump at the limit; -1: nobody said
+  # Known to the maker of the level. No answer depends on these fields; obby-train learns from them.
+  way @15 :List(Vec3);               # feet positions along a known route, from the start to the goal; 2 to 4096
+  difficulty @16 :Float32 = -1;      # 0 is trivial, 1 a jump at the limit; -1: not given
 }
 
 # ---------------------------------------------------------------------------------------------- answers
 
 struct ActionRun {
-  # The same action held for a number of ticks.
+  # One action held for a number of ticks.
   ticks @0 :UInt32 = 1;
   walk @1 :Bool;           # a move direction is held
   heading @2 :UInt16;      # turns/65536, counter-clockwise from above; 0 walks along -Z
@@ -486,7 +492,7 @@ struct ActionRun {
 }
 
 enum Outcome {
-  running @0;     # cut off: budget of the attempt spent
+  running @0;     # cut off: the attempt's budget was spent
   goal @1;
   killed @2;      # by a part
   fell @3;        # below fallenPartsHeight
@@ -508,28 +514,28 @@ struct Trajectory {
   actions @7 :List(ActionRun);
   ticks @8 :UInt32 $always;
   jumps @9 :UInt32 $always;
-  waypoints @10 :UInt32;     # reached, in order
-  part @11 :Int32 = -1;      # what killed the player: index into the level's parts
-  stateHash @12 :UInt64;     # of the last state: a replay must give the same
+  waypoints @10 :UInt32;     # waypoints reached, in order
+  part @11 :Int32 = -1;      # index of the part that killed the player
+  stateHash @12 :UInt64;     # of the final state; a replay must reproduce it
   endPosition @13 :Vec3;     # feet at the end
-  avoid @14 :Int32 = -1;     # of the query's avoid list: what was entered or touched
-  visited @15 :UInt32;       # of the query's visits, a bit each
-  route @16 :List(Int32);    # parts that carried the player, in order, none twice in a row
-  difficulty @17 :Difficulty;  # of a solution, where it was asked for
-  path @18 :Path;            # where it was asked for, for readers that cannot replay
-  method @19 :Text;          # of the search that found it
+  avoid @14 :Int32 = -1;     # index into the query's avoid list: the region entered or part touched
+  visited @15 :UInt32;       # a bit for each of the query's visits
+  route @16 :List(Int32);    # parts that carried the player, in order, without repeats in a row
+  difficulty @17 :Difficulty;  # of a solution, on request
+  path @18 :Path;            # on request, for readers that cannot replay
+  method @19 :Text;          # the search method that found it
 }
 
 struct Path {
-  # Where a playthrough leads.
-  step @0 :UInt32 $always;      # ticks between two points: 6, a tenth of a second at 60 ticks/s
-  points @1 :List(Vec3);        # feet, the start first, the end last
-  jumpTicks @2 :List(UInt32);   # since the start, of the jumps that were made
-  ticks @3 :UInt32;             # since the start, at the last point: at most a step after the one before
+  # The positions along a trajectory.
+  step @0 :UInt32 $always;      # ticks between two points: 6, or 0.1 s at 60 ticks/s
+  points @1 :List(Vec3);        # positions of the feet, from the start to the end
+  jumpTicks @2 :List(UInt32);   # ticks since the start, one for each jump
+  ticks @3 :UInt32;             # since the start, at the last point, which is at most a step after the one before
 }
 
 enum Band {
-  # How hard a step of a solution is, for a player as the noise model has it. An order, not a share of people.
+  # How hard a step of a solution is for a player of the noise model. It ranks steps; it is not a share of players.
   trivial @0;
   easy @1;
   medium @2;
@@ -538,53 +544,52 @@ enum Band {
 }
 
 struct Difficulty {
-  # How steadily a solution can be played, from trials with noise on what the player does
-  # (docs/queries.md, how hard is it).
+  # How reliably a solution can be played, from trials with noise on the player's actions (docs/queries.md explains it).
   band @0 :Band $always;          # of the hardest step
-  success @1 :Float32;            # share of trials that pass all steps, each from the step's own start
-  expectedAttempts @2 :Float32;   # 1 / success, at most 1e6; a step that no trial passed counts half a trial
+  success @1 :Float32;            # share of trials that pass all steps, each trial from its step's own start
+  expectedAttempts @2 :Float32;   # 1 / success, at most 1e6; a step that no trial passes counts as half a trial
   hardest @3 :UInt32;             # index into steps
   steps @4 :List(DifficultyStep);
-  trials @5 :UInt32;              # a step
-  noise @6 :Text;                 # the model of a player, with its numbers
+  trials @5 :UInt32;              # per step
+  noise @6 :Text;                 # the player model and its numbers
 }
 
 struct DifficultyStep {
   # From one support to the next.
   startTick @0 :UInt32 $always;   # of the trajectory
   ticks @1 :UInt32 $always;
-  from @2 :Int32 = -1;            # part that carries at its start; -1: none
-  to @3 :Int32 = -1;              # part that carries at its end; -1: the goal
+  from @2 :Int32 = -1;            # the part that carries the player at the start; -1: none
+  to @3 :Int32 = -1;              # the part that carries the player at the end; -1: the goal
   jumps @4 :UInt32;
   band @5 :Band $always;
   success @6 :Float32;            # share of trials that come to rest on `to`, or reach the goal
-  window @7 :Float32;             # milliseconds within which its tightest jump must be pressed, at most 41 ticks; 0: no jump, or with `jumps` one that fails even as recorded
-  margin @8 :Float32;             # studs from where the feet land to the nearest edge of `to`, negative beyond it; 0: no landing
-  clearance @9 :Float32 = -1;     # studs to the nearest kill part, least; -1: none within 10
+  window @7 :Float32;             # milliseconds to press the tightest jump, at most 41 ticks; 0: no jump, or (with `jumps`) one that fails even as recorded
+  margin @8 :Float32;             # studs from the landing point of the feet to the nearest edge of `to`, negative beyond it; 0: no landing
+  clearance @9 :Float32 = -1;     # min distance to a kill part, studs; -1: none within 10
 }
 
 struct Progress {
-  # While a search runs. The only records, beside Result.timing, that depend on the machine.
+  # Written while a search runs. Apart from Result.timing, the only record that depends on the machine.
   query @0 :Text;
   seconds @1 :Float32;
   steps @2 :UInt64;
   cells @3 :UInt64;
   rounds @4 :UInt64;
-  closest @5 :Float32;       # studs from the goal (or the next waypoint), least so far
-  waypoints @6 :UInt32;      # most waypoints and visits reached so far
+  closest @5 :Float32;       # min distance so far to the goal (or the next waypoint), studs
+  waypoints @6 :UInt32;      # max waypoints and visits reached so far
   best @7 :Trajectory;       # the attempt that came closest
-  newest @8 :Trajectory;     # the way to the newest place that the search knows
-  deaths @9 :List(Trajectory);  # the last attempts that failed as or where none had before, newest first
+  newest @8 :Trajectory;     # the trajectory to the newest cell
+  deaths @9 :List(Trajectory);  # the last attempts that failed in a new way or place, newest first
 }
 
 enum Verdict {
   solved @0;
-  unreachable @1;   # shown by a sound bound
-  unknown @2;       # budget spent
+  unreachable @1;   # proved by a sound bound
+  unknown @2;       # the budget was spent
 }
 
 struct Timing {
-  seconds @0 :Float32;        # wall clock for this query
+  seconds @0 :Float32;        # wall-clock time of this query
   firstSolution @1 :Float32;  # seconds to the first verified solution; 0: none
   stepsPerSecond @2 :Float64;
   compile @3 :Float32;        # seconds to compile the level
@@ -594,79 +599,79 @@ struct Tally {
   outcome @0 :Outcome $always;
   part @1 :Int32 = -1;
   count @2 :UInt64;
-  avoid @3 :Int32 = -1;    # into the query's avoid list
+  avoid @3 :Int32 = -1;    # index into the query's avoid list
 }
 
 struct Cut {
-  # Why a query is unreachable: what a player can reach at most, and the least step beyond.
-  reached @0 :List(Int32);   # indices of parts that may carry the player
-  from @1 :Int32 = -1;       # part that the step leads from; -1: the start
-  to @2 :Int32 = -1;         # part that it leads to; -1: the goal, a waypoint or a visit
-  rise @3 :Float32;          # studs of height that every player lacks, at least
-  gap @4 :Float32;           # studs of distance likewise
-  jumps @5 :UInt32;          # that every way takes at least; 0: the jumps are not what is missing
-  seconds @6 :Float32;       # of game time likewise
+  # Why a query is unreachable: an upper bound on what a player can reach, and the smallest step beyond it.
+  reached @0 :List(Int32);   # indices of the parts that may carry the player
+  from @1 :Int32 = -1;       # the part where the step begins; -1: the start
+  to @2 :Int32 = -1;         # the part where it ends; -1: the goal, a waypoint or a visit
+  rise @3 :Float32;          # lower bound on the missing height, studs
+  gap @4 :Float32;           # lower bound on the missing distance, studs
+  jumps @5 :UInt32;          # lower bound on the jumps needed; 0: the limit on jumps is not the cause
+  seconds @6 :Float32;       # lower bound on the game time needed; 0: the time limit is not the cause
 }
 
 enum Saturation {
-  growing @0;    # new cells are still found: more time may solve it
-  saturated @1;  # as many rollouts again would find next to nothing new, at this resolution
+  growing @0;    # the search still finds new cells: more time may solve the query
+  saturated @1;  # twice the rollouts would find next to nothing new, at this resolution
 }
 
 struct SearchEvidence {
-  # How thorough a search was that found nothing.
+  # The coverage of a search that found no solution.
   saturation @0 :Saturation $always;
   rollouts @1 :UInt64;
-  idleRollouts @2 :UInt64;      # since the last new cell
-  singletons @3 :UInt64;        # cells that were seen once
-  newCellChance @4 :Float32;    # that the next rollout finds a new cell, at most (Good-Turing, 97.5 %)
-  coverage @5 :List(Coverage);  # over the search, at doubling counts of steps
+  idleRollouts @2 :UInt64;      # rollouts since the last new cell
+  singletons @3 :UInt64;        # cells seen exactly once
+  newCellChance @4 :Float32;    # upper bound on the chance that the next rollout finds a new cell (Good-Turing, 97.5 %)
+  coverage @5 :List(Coverage);  # during the search, each time the number of steps doubled
 }
 
 struct Coverage {
   steps @0 :UInt64;
   cells @1 :UInt64;
-  closest @2 :Float32;          # studs from the goal (or the next waypoint), least so far
+  closest @2 :Float32;          # min distance so far to the goal (or the next waypoint), studs
 }
 
 struct HeatMap {
-  # Where a search has been, in cubes beside one another.
-  size @0 :Float32;          # studs, a cube's edge: 2, doubled until there are at most 4,096 cubes
+  # Where a search has been, in a grid of cubes.
+  size @0 :Float32;          # edge of a cube, studs: 2, doubled until there are at most 4,096 cubes
   cubes @1 :List(HeatCube);
 }
 
 struct HeatCube {
-  feet @0 :Vec3;             # the lowest that were in it
-  cells @1 :UInt32;          # that the search tells apart there
+  feet @0 :Vec3;             # the lowest position of the feet in the cube
+  cells @1 :UInt32;          # cells of the search in the cube
 }
 
 enum Knob {
   jumps @0;       # the jump limit
   time @1;        # the time limit, seconds
   jumpHeight @2;  # studs
-  lowered @3;     # a part, studs
-  killPart @4;    # without a part that kills or hurts
-  avoid @5;       # without an avoid region
+  lowered @3;     # a part is lowered, studs
+  killPart @4;    # a part that kills or hurts is removed
+  avoid @5;       # an avoid region is removed
   damage @6;      # the damage budget, health
-  forbidden @7;   # a forbidden state allowed
+  forbidden @7;   # a forbidden state is allowed
 }
 
 struct Relaxation {
-  # A change that makes a query solvable, the least found of its knob; one knob at a time.
+  # A change that makes a query solvable: the smallest one found, of one kind at a time.
   knob @0 :Knob $always;
-  amount @1 :Float32;           # how far the knob was turned, in its unit; 0: what the knob limits is gone
+  amount @1 :Float32;           # the size of the change in the unit of its kind; 0: the limit, part or region is removed
   part @2 :Int32 = -1;
-  avoid @3 :Int32 = -1;         # into the query's avoid list
+  avoid @3 :Int32 = -1;         # index into the query's avoid list
   steps @4 :UInt64;             # simulated ticks to the solution of the changed query
-  text @5 :Text;                # for people
-  field @6 :Text;               # of the query record, what is changed: "waypoints[1].segmentJumps"; empty: the level is
+  text @5 :Text;                # the change in words
+  field @6 :Text;               # the changed field of the query record, "waypoints[1].segmentJumps"; empty: the level changes
 }
 
 struct RouteCount {
-  # Solutions that take the same way.
-  route @0 :List(Int32);        # as of a trajectory
+  # Solutions with the same route.
+  route @0 :List(Int32);        # as in Trajectory
   count @1 :UInt64 $always;
-  ticks @2 :UInt32 $always;     # of the shortest of them
+  ticks @2 :UInt32 $always;     # of the shortest one
 }
 
 struct Result {
@@ -680,16 +685,16 @@ struct Result {
   cells @7 :UInt64;
   rounds @8 :UInt64;
   closest @9 :Float32;       # studs, 0 when solved
-  reason @10 :Text;          # one sentence for people
+  reason @10 :Text;          # the answer in one sentence
   ends @11 :List(Tally);     # how the attempts ended, most frequent first
   timing @12 :Timing;
   method @13 :Text;
   seed @14 :UInt64;
-  cut @15 :Cut;              # of unreachable
-  evidence @16 :SearchEvidence;    # of unknown
-  relaxations @17 :List(Relaxation);  # of a query without a solution, where it was asked for
-  routes @18 :List(RouteCount);       # of the solutions, most frequent first
-  heatMap @19 :HeatMap;      # of a search, where it was asked for
+  cut @15 :Cut;              # if unreachable
+  evidence @16 :SearchEvidence;    # if unknown
+  relaxations @17 :List(Relaxation);  # if there is no solution, on request
+  routes @18 :List(RouteCount);       # routes of the solutions, most frequent first
+  heatMap @19 :HeatMap;      # of a search, on request
 }
 
 # ---------------------------------------------------------------------------------------------- recordings, metrics
@@ -701,13 +706,13 @@ struct RecordedPose {
 
 struct RecordingFrame {
   time @0 :Float64;      # seconds since the first frame
-  move @1 :Vec3;         # move direction as the player gave it, world frame, length 0 to 1
+  move @1 :Vec3;         # the player's move direction, world frame, length 0 to 1
   jump @2 :Bool;
   position @3 :Vec3;     # centre of the root part
   velocity @4 :Vec3;
   state @5 :Text;        # HumanoidStateType name
-  facing @6 :Vec3;       # look vector of the root part, world frame; all 0: not recorded
-  poses @7 :List(RecordedPose);  # of the recording's parts, in their order; empty: as in the frame before
+  facing @6 :Vec3;       # look vector of the root part, world frame; zero: not recorded
+  poses @7 :List(RecordedPose);  # poses of the recording's parts, in the same order; empty: unchanged since the frame before
 }
 
 struct Recording {
@@ -716,8 +721,8 @@ struct Recording {
   level @1 :Text;
   rate @2 :Float32;      # frames per second, nominal
   frames @3 :List(RecordingFrame);
-  engine @4 :Text;       # what made it, with its version
-  parts @5 :List(Text);  # moving and loose parts whose poses the frames have; each as Region.part names one
+  engine @4 :Text;       # the program that recorded it, and its version
+  parts @5 :List(Text);  # the moving and dynamic parts in the frames' poses, each named as in Region.part
 }
 
 struct Metric {

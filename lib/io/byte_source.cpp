@@ -29,7 +29,7 @@ Error tooLarge(const std::string& name, uint64_t most, const std::string& found)
                {},
                {},
                fmt::format("expected at most {} bytes, found {}", most, found),
-               "it would be read into memory whole: name a file that ends, and is no larger"};
+               "it is read into memory whole: give a smaller file"};
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ Error fileError(const std::string& name, const char* doing) {
 Result<ByteSource> ByteSource::open(const std::string& path, const std::atomic<bool>* stop) {
   ByteSource out;
   const bool standard = path == "-";
-  out.name_ = standard ? "stdin" : path;
+  out.name_ = standard ? kStandardInput : path;
   out.stop_ = stop;
   out.fd_ = standard ? STDIN_FILENO : openFile(path, stop != nullptr);
   if (out.fd_ < 0) return fileError(out.name_, "cannot open");

@@ -12,6 +12,9 @@
 
 namespace obby::io {
 
+// The name of standard input in errors.
+inline constexpr const char* kStandardInput = "stdin";
+
 // The message of isInterrupted().
 inline constexpr const char* kInterrupted = "interrupted";
 

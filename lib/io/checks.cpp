@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
+
+#include "io/example.h"
 
 namespace obby::io {
 
@@ -10,7 +13,10 @@ std::string expectation(const TypePlan& type) {
   switch (type.kind) {
     case ValueKind::boolean: return "true or false";
     case ValueKind::whole: return fmt::format("a whole number from {} to {}", type.min, type.max);
-    case ValueKind::whole64: return "a whole number written as text";
+    case ValueKind::whole64:
+      return type.isSigned
+                 ? fmt::format("a whole number from {} to {} in quotes", INT64_MIN, INT64_MAX)
+                 : fmt::format("a whole number from 0 to {} in quotes", UINT64_MAX);
     case ValueKind::real32:
     case ValueKind::real64:
       if (type.ranged) return fmt::format("a number from {} to {}", type.min, type.max);
@@ -19,7 +25,7 @@ std::string expectation(const TypePlan& type) {
     case ValueKind::name: return fmt::format("one of {}", fmt::join(enumerants(type.names), ", "));
     case ValueKind::record:
       if (type.record->tuple) return fmt::format("{} numbers", type.record->fields.size());
-      return "an object";
+      return "an object such as " + exampleOf(*type.record);
     case ValueKind::list: return "an array";
   }
   return {};

@@ -29,7 +29,7 @@ class WordBudget {
     left_ = words > left_ ? 0 : left_ - words;
     return left_ > 0;
   }
-  static constexpr const char* kMessage = "record larger than 256 MiB";
+  static constexpr const char* kMessage = "the record is larger than 256 MiB, the maximum";
 
  private:
   uint64_t left_ = kMaxMessageWords;

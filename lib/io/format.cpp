@@ -5,10 +5,18 @@
 namespace obby::io {
 
 Result<Format> parseFormat(const std::string& text) {
-  if (text == "jsonl") return Format::jsonl;
-  if (text == "capnp") return Format::capnp;
-  if (text == "packed") return Format::capnpPacked;
+  for (const Format format : {Format::jsonl, Format::capnp, Format::capnpPacked})
+    if (text == nameOf(format)) return format;
   return makeError("expected one of jsonl, capnp, packed, found " + io::quoted(text));
+}
+
+const char* nameOf(Format format) {
+  switch (format) {
+    case Format::jsonl: return "jsonl";
+    case Format::capnp: return "capnp";
+    case Format::capnpPacked: break;
+  }
+  return "packed";
 }
 
 Format formatForFile(const std::string& path) {

@@ -18,9 +18,9 @@ Status Framing::accept(const std::optional<schema::Record::Reader>& record,
 Status Framing::acceptHeader(schema::Header::Reader header, const std::string& place) {
   if (inside_)
     return makeError(
-        fmt::format("expected the end record of the stream whose header is at {}, found another "
-                    "header: cut off?",
-                    headerPlace_));
+        fmt::format("expected the end record of the stream that begins at {}, found another header",
+                    headerPlace_),
+        kCutOffHint);
   if (header.getSchemaMajor() != kSchemaMajor) {
     const std::string writer =
         header.getTool().size() == 0
@@ -29,11 +29,11 @@ Status Framing::acceptHeader(schema::Header::Reader header, const std::string& p
     return Error{{},
                  {},
                  "schemaMajor",
-                 fmt::format("the stream was written{} in schema version {}.{}, this program ({}) "
-                             "reads version {}.{}",
+                 fmt::format("the stream was written{} with schema {}.{}, but this program ({}) "
+                             "reads schema {}.{}",
                              writer, header.getSchemaMajor(), header.getSchemaMinor(),
                              toolVersion(), kSchemaMajor, kSchemaMinor),
-                 "use tools of one version"};
+                 "use tools of the same version"};
   }
   inside_ = true;
   later_ = header.getSchemaMinor() > kSchemaMinor;
@@ -51,14 +51,14 @@ Status Framing::acceptEnd(schema::End::Reader end) {
   return Error{{},
                {},
                "records",
-               fmt::format("the end record counts {} records, but {} came: cut or mixed up?",
+               fmt::format("the end record counts {} records, but the stream has {}",
                            end.getRecords(), came),
-               {}};
+               "it was cut or mixed with another: run the tool that wrote it again"};
 }
 
 Status Framing::atEnd() const {
-  if (total_ == 0) return makeError("empty input: no record in it");
-  if (inside_) return makeError("stream ends without its end record: cut off?");
+  if (total_ == 0) return makeError("the input is empty", "check the file, or the tool upstream");
+  if (inside_) return makeError("the stream ends without its end record", kCutOffHint);
   return {};
 }
 

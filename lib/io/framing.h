@@ -11,6 +11,9 @@
 
 namespace obby::io {
 
+// What to do about an input that is not whole.
+inline constexpr const char* kCutOffHint = "it was cut off: run the tool that wrote it again";
+
 class Framing {
  public:
   // Every record in order; `record` is nothing where it was bad or of an unknown kind. Errors have

@@ -14,25 +14,25 @@ namespace {
 
 constexpr std::string_view kTypeMember = "type";
 
-Error noType(std::string found) {
+Error noType(std::string found, std::string hint = {}) {
   return Error{
       {},
       {},
       std::string(kTypeMember),
       fmt::format("expected one of {}, found {}", fmt::join(recordPlan().names(), ", "), found),
-      {}};
+      std::move(hint)};
 }
 
 // The text of the member `type`.
 Result<std::string_view> typeOf(const JsonTree& tree) {
   if (tree.root().type != JsonTree::Type::object)
-    return makeError(
-        fmt::format("expected a record (an object), found {}", tree.describe(tree.root())));
+    return makeError(fmt::format("expected a record such as {{\"type\":\"level\"}}, found {}",
+                                 tree.describe(tree.root())));
   const JsonTree::Node* found = nullptr;
   for (uint32_t at = tree.root().child; at != 0; at = tree.node(at).next) {
     const JsonTree::Node& member = tree.node(at);
     if (tree.name(member) != kTypeMember) continue;
-    if (found) return Error{{}, {}, std::string(kTypeMember), "given twice", {}};
+    if (found) return Error{{}, {}, std::string(kTypeMember), "the field is given twice", {}};
     found = &member;
   }
   if (!found) return noType("none");
@@ -46,19 +46,9 @@ std::string hintFor(std::string_view type) {
   return near.empty() ? near : fmt::format("did you mean \"{}\"?", near);
 }
 
-// As of fields (JsonDecoder::passOver): only what looks like a slip is told.
-void passOver(std::string_view type, std::vector<Error>* misspelt) {
-  if (misspelt == nullptr) return;
-  std::string hint = hintFor(type);
-  if (hint.empty()) return;
-  misspelt->push_back({{},
-                       {},
-                       std::string(kTypeMember),
-                       "there is no such kind, and it is passed over",
-                       std::move(hint)});
-}
-
 }  // namespace
+
+bool endsInside(const Error& error) { return error.message.ends_with(JsonTree::kCutOff); }
 
 Result<std::optional<RecordBuilder>> recordFromJsonIfKnown(std::string_view line,
                                                            std::vector<Error>* misspelt) {
@@ -66,7 +56,8 @@ Result<std::optional<RecordBuilder>> recordFromJsonIfKnown(std::string_view line
   OBBY_ASSIGN(const std::string_view type, typeOf(tree));
   const FieldPlan* kind = recordPlan().find(type);
   if (!kind) {
-    passOver(type, misspelt);
+    std::string hint = misspelt == nullptr ? std::string() : hintFor(type);
+    if (!hint.empty()) return noType(quoted(type), std::move(hint));
     return std::optional<RecordBuilder>();
   }
   RecordBuilder out(std::min<uint64_t>(line.size() / 8 + 64, kMaxMessageWords));
@@ -83,9 +74,7 @@ Result<RecordBuilder> recordFromJson(std::string_view line) {
   if (record) return std::move(*record);
   OBBY_ASSIGN(const JsonTree tree, JsonTree::parse(line));
   OBBY_ASSIGN(const std::string_view type, typeOf(tree));
-  Error error = noType(quoted(type));
-  error.hint = hintFor(type);
-  return error;
+  return noType(quoted(type), hintFor(type));
 }
 
 Result<std::string> recordToJson(schema::Record::Reader record) {

@@ -17,10 +17,16 @@ namespace obby::io {
 // One line without its newline. Errors carry the path in the record and what was expected.
 Result<RecordBuilder> recordFromJson(std::string_view line);
 
-// Likewise; nothing for a kind that the schema does not have. `misspelt` gets the kind or the first
-// few fields that were passed over but are nearly the name of one that there is; may be null.
+// Likewise; nothing for a kind that the schema does not have. `misspelt` gets the first few fields
+// that were ignored although a field of the schema has nearly the same name, and a kind that is
+// nearly one of the schema is an error. Null: the record may be of a later schema, where both have
+// a meaning.
 Result<std::optional<RecordBuilder>> recordFromJsonIfKnown(std::string_view line,
                                                            std::vector<Error>* misspelt = nullptr);
+
+// Whether a record that could not be read ends in the middle of a value: it is cut off, or
+// continues on the next line.
+bool endsInside(const Error& error);
 
 // One line without its newline; shortest numbers that read back to the same bits, defaults left
 // out. Error: a number that is not finite or out of range, text that is not UTF-8, an unknown kind.

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "base/spelling.h"
+#include "io/example.h"
 
 namespace obby::io {
 namespace {
@@ -34,7 +35,8 @@ bool JsonDecoder::fill(const StructPlan& plan, capnp::DynamicStruct::Builder out
                        const Path& path, std::string_view skip) {
   const bool emptyArray = node.type == Type::array && node.length == 0;  // Luau's empty table
   if (node.type != Type::object && !emptyArray)
-    return fail(path, fmt::format("expected an object, found {}", tree_.describe(node)));
+    return fail(path, fmt::format("expected an object such as {}, found {}", exampleOf(plan),
+                                  tree_.describe(node)));
   std::bitset<kMaxFields> seen;
   for (uint32_t at = node.child; at != 0; at = tree_.node(at).next) {
     const Node& member = tree_.node(at);
@@ -45,7 +47,7 @@ bool JsonDecoder::fill(const StructPlan& plan, capnp::DynamicStruct::Builder out
     if (!known) passOver(plan, here);
     if (!known || member.type == Type::null) continue;
     const size_t number = size_t(known - plan.fields.data());
-    if (number < kMaxFields && seen[number]) return fail(here, "given twice");
+    if (number < kMaxFields && seen[number]) return fail(here, "the field is given twice");
     if (number < kMaxFields) seen[number] = true;
     if (!field(*known, out, member, here)) return false;
   }
@@ -64,11 +66,8 @@ void JsonDecoder::passOver(const StructPlan& plan, const Path& path) {
     strange_.insert(std::move(asked));
     return;
   }
-  misspelt_->push_back({{},
-                        {},
-                        path.text(),
-                        "there is no such field, and it is passed over",
-                        fmt::format("did you mean \"{}\"?", near)});
+  misspelt_->push_back(
+      {{}, {}, path.text(), "unknown field, ignored", fmt::format("did you mean \"{}\"?", near)});
 }
 
 bool JsonDecoder::field(const FieldPlan& plan, capnp::DynamicStruct::Builder out, const Node& node,
@@ -118,7 +117,8 @@ bool JsonDecoder::readTuple(const StructPlan& plan, const Node& node, const Path
                             Tuple& out) {
   const size_t size = plan.fields.size();
   if (node.type != Type::array || node.length != size)
-    return fail(path, fmt::format("expected {} numbers, found {}", size, tree_.describe(node)));
+    return fail(path, fmt::format("expected {} numbers, found {}", size, tree_.describe(node)),
+                plan.hint);
   uint32_t at = node.child;
   for (size_t i = 0; i < size; i++, at = tree_.node(at).next) {
     const Path here{&path, {}, int64_t(i)};
@@ -234,7 +234,7 @@ bool JsonDecoder::real(const TypePlan& type, const Node& node, const Path& path,
   const double value = narrow ? double(single) : wide;
   if (auto wrong = refuseReal(type, value)) {
     if (!type.ranged || !std::isfinite(value))
-      wrong = fmt::format("number too large: {}", tree_.describe(node));
+      wrong = fmt::format("the number is too large: {}", tree_.describe(node));
     return fail(path, *wrong);
   }
   out = narrow ? Value(single) : Value(wide);

@@ -22,7 +22,7 @@ bool JsonEncoder::record(capnp::DynamicStruct::Reader record) {
     out += '}';
     return true;
   }
-  error = makeError("a record of an unknown kind cannot be written as JSON");
+  error = makeError("cannot write a record of a kind that this program lacks as JSON");
   return false;
 }
 

@@ -16,6 +16,8 @@ class JsonEncoder {
   // `{"type":"level",...}` for a record of a known kind.
   bool record(capnp::DynamicStruct::Reader record);
 
+  bool value(const TypePlan& type, const capnp::DynamicValue::Reader& in, const Path& path);
+
   std::string out;
   Error error;
 
@@ -26,7 +28,6 @@ class JsonEncoder {
   bool object(const StructPlan& plan, capnp::DynamicStruct::Reader in, const Path& path);
   bool tuple(const StructPlan& plan, capnp::DynamicStruct::Reader in, const Path& path);
   bool list(const TypePlan& element, capnp::DynamicList::Reader in, const Path& path);
-  bool value(const TypePlan& type, const capnp::DynamicValue::Reader& in, const Path& path);
   bool real(const TypePlan& type, double value, const Path& path);
   bool fail(const Path& path, std::string message);
 };

@@ -23,6 +23,30 @@ std::string placeAt(std::string_view text, size_t count) {
   return fmt::format("line {} column {}", feeds + 1, count - 1 - feed);
 }
 
+constexpr std::string_view kUnexpected = "unexpected ", kExpected = "; expected ";
+
+// The parser's name of a token in plain words.
+std::string plain(std::string_view token) {
+  constexpr std::pair<std::string_view, std::string_view> kNames[] = {
+      {"string literal", "a string in double quotes"},
+      {"number literal", "a number"},
+      {"invalid literal", "text that is not JSON"},
+      {"end of input", "the end of the text"},
+  };
+  for (const auto& [name, words] : kNames)
+    if (token == name) return std::string(words);
+  return std::string(token);
+}
+
+// By the parser's message.
+std::string expectedBy(std::string_view message) {
+  const size_t at = message.rfind(kExpected);
+  if (at == std::string_view::npos) return "JSON";
+  const std::string_view token = message.substr(at + kExpected.size());
+  const bool closes = token == "'}'" || token == "']'";  // or goes on
+  return (closes ? "',' or " : "") + plain(token);
+}
+
 }  // namespace
 
 // Called by the parser; a false stops it.
@@ -65,7 +89,7 @@ class JsonTreeBuilder {
 
   bool add(JsonTree::Type type, uint64_t value, uint32_t length = 0) {
     if (tree_.nodes_.size() >= kMaxValues) {
-      message = fmt::format("more than {} million values in one record", kMaxValues >> 20);
+      message = fmt::format("expected at most {} million values, found more", kMaxValues >> 20);
       return false;
     }
     const uint32_t index = uint32_t(tree_.nodes_.size());
@@ -96,7 +120,7 @@ class JsonTreeBuilder {
 
   bool open(JsonTree::Type type) {
     if (open_.size() >= size_t(kMaxNesting)) {
-      message = fmt::format("nested deeper than {} levels", kMaxNesting);
+      message = fmt::format("values are nested deeper than {} levels", kMaxNesting);
       return false;
     }
     if (!add(type, 0)) return false;
@@ -109,7 +133,8 @@ class JsonTreeBuilder {
     return true;
   }
 
-  // The parser's own words without its prefix and the echo of the input.
+  // The parser's "syntax error while parsing PLACE - unexpected FOUND; last read: ...; expected
+  // TOKEN" in our form.
   std::string explain(size_t column, std::string_view what) const {
     const bool inText = what.find("invalid string") != std::string_view::npos;
     for (const char* word : {"NaN", "-nan", "nan", "-Infinity", "Infinity", "-inf", "inf"}) {
@@ -117,12 +142,13 @@ class JsonTreeBuilder {
       const size_t at = source_.find(word, column < 2 ? 0 : column - 2);
       if (at <= column && !inText) return fmt::format("expected a finite number, found {}", word);
     }
-    if (column > source_.size()) return "the line ends in the middle of a value: cut off?";
-    if (what.find("number overflow") != std::string_view::npos) return "number too large";
+    if (column > source_.size()) return std::string(JsonTree::kCutOff);
+    if (what.find("number overflow") != std::string_view::npos) return "the number is too large";
     if (const size_t dash = what.find(" - "); dash != std::string_view::npos)
       what.remove_prefix(dash + 3);
-    what = what.substr(0, what.find(';'));
-    return fmt::format("not JSON: {}", what);
+    std::string_view found = what.substr(0, what.find(';'));
+    if (found.starts_with(kUnexpected)) found.remove_prefix(kUnexpected.size());
+    return fmt::format("expected {}, found {}", expectedBy(what), plain(found));
   }
 
   JsonTree& tree_;
@@ -134,7 +160,7 @@ class JsonTreeBuilder {
 Result<JsonTree> JsonTree::parse(std::string_view text) {
   // The parser takes a zero byte for the end of the text, and would pass over what follows it.
   if (const size_t zero = text.find('\0'); zero != std::string_view::npos) {
-    return makeError(placeAt(text, zero + 1) + ": a zero byte");
+    return makeError(placeAt(text, zero + 1) + ": expected JSON, found a zero byte");
   }
   JsonTree tree;
   JsonTreeBuilder builder(tree, text);

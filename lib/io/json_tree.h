@@ -27,6 +27,8 @@ class JsonTree {
 
   // Errors have the message only: what is wrong at which column.
   static Result<JsonTree> parse(std::string_view text);
+  // How the message ends where a value is not complete.
+  static constexpr std::string_view kCutOff = "the text ends in the middle of a value";
 
   const Node& root() const { return nodes_[0]; }
   const Node& node(uint32_t index) const { return nodes_[index]; }

@@ -3,6 +3,9 @@
 #include <capnp/serialize.h>
 #include <kj/exception.h>
 
+#include "base/spelling.h"
+#include "io/schema_plan.h"
+
 namespace obby::io {
 
 namespace {
@@ -16,15 +19,18 @@ std::string_view behindBlanks(std::string_view text) {
 
 // By its text: a line that is cut off or no JSON begins as a level all the same.
 bool mayBeLevel(std::string_view line) {
-  constexpr std::string_view kMember = "\"type\"", kLevel = "\"level";
+  constexpr std::string_view kMember = "\"type\"", kLevel = "level";
+  const std::vector<std::string> kinds = recordPlan().names();
   bool other = false;
   for (size_t at = line.find(kMember); at != std::string_view::npos; at = line.find(kMember)) {
     line.remove_prefix(at + kMember.size());
     const std::string_view colon = behindBlanks(line);
     if (!colon.starts_with(':')) continue;
     const std::string_view value = behindBlanks(colon.substr(1));
-    if (value.starts_with(kLevel)) return true;
-    other = other || value.starts_with('"');
+    if (!value.starts_with('"')) continue;
+    const std::string_view kind = value.substr(1, value.find('"', 1) - 1);
+    if (kind.starts_with(kLevel) || nearestName(kind, kinds) == kLevel) return true;
+    other = true;
   }
   return !other;
 }

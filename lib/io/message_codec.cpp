@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "io/framing.h"
 #include "io/normal_form.h"
 #include "io/unpacker.h"
 
@@ -25,7 +26,7 @@ uint32_t half(const Words& words, size_t i) {
   return out;
 }
 
-Error cutOff() { return makeError("the input ends in the middle of a message: cut off?"); }
+Error cutOff() { return makeError("the input ends in the middle of a message", kCutOffHint); }
 
 // No packed message of one segment, as all of ours are, begins so: the pointer to its root has
 // bytes that are no characters.
@@ -40,7 +41,8 @@ Result<size_t> tableWords(const Words& words) {
   const uint64_t segments = uint64_t(half(words, 0)) + 1;
   if (segments > kMaxSegments)
     return makeError(
-        fmt::format("expected at most {} segments, found a claim of {}", kMaxSegments, segments));
+        fmt::format("expected a message of at most {} segments, found one that claims {}",
+                    kMaxSegments, segments));
   return size_t(segments / 2 + 1);
 }
 
@@ -50,8 +52,9 @@ Result<size_t> bodyWords(const Words& words) {
   uint64_t sum = 0;
   for (uint64_t i = 0; i < segments; i++) sum += half(words, i + 1);
   if (sum > kMaxMessageWords)
-    return makeError(fmt::format("expected a message of at most {} MiB, found a claim of {} MiB",
-                                 kMaxMessageWords >> 17, sum >> 17));
+    return makeError(
+        fmt::format("expected a message of at most {} MiB, found one that claims {} MiB",
+                    kMaxMessageWords >> 17, sum >> 17));
   return size_t(sum);
 }
 
@@ -81,7 +84,7 @@ class WordReader {
       take(used);
       if (state == Unpacker::State::done) return {};
       if (state == Unpacker::State::overrun)
-        return makeError("a packed run of words goes beyond the end of its message");
+        return makeError("a packed run of words extends beyond the end of its message");
       OBBY_ASSIGN(const size_t came, source_.fill());
       if (came == 0) return cutOff();
     }

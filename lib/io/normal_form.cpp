@@ -63,7 +63,7 @@ class Copier {
         if (!budget_.take(textWords(text.size()))) return fail(here, WordBudget::kMessage);
         setText(out.init(i, uint32_t(text.size())), text);
       } else if (element.kind == ValueKind::list) {
-        return fail(here, "lists of lists are not part of the schema");
+        return fail(here, "the schema has no lists of lists");
       } else {
         out.set(i, value);
       }
@@ -93,7 +93,7 @@ const FieldPlan* kindOf(Reader in) {
 Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t words) {
   const Reader record(in);
   const FieldPlan* kind = kindOf(record);
-  if (!kind) return makeError("a record of an unknown kind cannot be converted");
+  if (!kind) return makeError("cannot convert a record of a kind that this program lacks");
   // The copy has nothing that `in` lacks but the kind.
   RecordBuilder out(1 + words + kind->type.record->words());
   Copier copier;
@@ -111,7 +111,7 @@ Error unsoundMessage(const kj::Exception& exception) {
   if (const size_t code = what.rfind("; "); code != std::string::npos) what.erase(0, code + 2);
   what = what.substr(0, what.find(".  "));  // advice for programmers follows
   if (what.ends_with('.')) what.pop_back();
-  return makeError("unsound Cap'n Proto message: " + what);
+  return makeError("invalid Cap'n Proto message: " + what);
 }
 
 }  // namespace obby::io

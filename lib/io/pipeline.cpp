@@ -1,5 +1,8 @@
 #include "io/pipeline.h"
 
+#include <algorithm>
+
+#include "io/record_storage.h"
 #include "io/version.h"
 
 namespace obby::io {
@@ -18,7 +21,7 @@ struct Pipeline::Impl {
     RecordBuilder builder;
     auto header = builder.root().initHeader();
     header.setSchemaMajor(kSchemaMajor);
-    header.setSchemaMinor(kSchemaMinor);
+    header.setSchemaMinor(std::max(kSchemaMinor, source.schemaMinor()));
     header.setTool(identity.tool);
     header.setVersion(identity.version);
     header.setSeed(identity.seed);
@@ -35,10 +38,17 @@ struct Pipeline::Impl {
     return source.onError() == OnError::emit ? pass(record) : Status();
   }
 
-  // A record that the output's format cannot hold is left out, whatever onError.
+  // A record that the output's format cannot hold is left out, whatever onError. One that could not
+  // be read was reported, and counted as skipped, before.
   Status pass(const Record& record) {
+    const bool unreadable = record.storage().unreadable;
     Status passed = output.pass(record);
+    if (passed && unreadable) leftOut--;
     if (passed || output.failed()) return passed;
+    if (unreadable) {
+      source.warn(record, std::move(passed).error());
+      return {};
+    }
     if (source.onError() == OnError::emit) leftOut++;
     return source.forgive(record, std::move(passed).error());
   }
@@ -67,10 +77,10 @@ struct Pipeline::Impl {
   }
 
   schema::EndStatus status() const {
-    const auto upstream = read().status;
-    if (upstream == schema::EndStatus::INTERRUPTED || stoppedByError)
-      return schema::EndStatus::INTERRUPTED;
-    return budgetSpent ? schema::EndStatus::BUDGET : upstream;
+    if (stoppedByError && !source.stopped()) return schema::EndStatus::FAILED;
+    SourceSummary all = read();
+    if (budgetSpent) all.add({schema::EndStatus::BUDGET});
+    return all.status;
   }
 
   Status finish() {
@@ -112,7 +122,10 @@ Status Pipeline::forgiveLate(const Record& record, Error error) {
 }
 
 Status Pipeline::finish(Status work) {
-  if (work) return impl_->finish();
+  if (work) {
+    if (!impl_->stoppedByError) impl_->source.warnIfFailed();
+    return impl_->finish();
+  }
   impl_->stoppedByError = true;
   if (!impl_->output.failed()) (void)impl_->finish();  // the first error is the one to tell
   return work;

@@ -27,7 +27,7 @@ namespace obby::io {
 enum class OnError {
   stop,  // report it and end
   skip,  // report it, leave the record out, go on
-  emit,  // report it, pass the record on if it could be read, go on
+  emit,  // report it, pass the record on as it came, go on
 };
 
 struct SourceOptions {
@@ -59,12 +59,15 @@ class RecordSource {
   ~RecordSource();
 
   // The next record; nothing at the end of the last input, or once `stop` is set. Errors that
-  // `onError` forgives are reported and counted instead of returned.
+  // `onError` forgives are reported and counted instead of returned. Under OnError::emit a record
+  // that could not be read comes, too, to be passed on: it is not known(), and counts as skipped.
   Result<std::optional<Record>> next();
 
   // To be asked about a record that was read but cannot be acted on: reports and counts the error
   // and gives success, or gives the error back under OnError::stop. Names the input and place.
   Status forgive(const Record& record, Error error);
+  // For what does not count as an error; names the input and place.
+  void warn(const Record& record, Error error);
   // From here on what cannot be read is left out without a word, where reading can go on at all.
   void ignoreErrors();
 
@@ -74,10 +77,19 @@ class RecordSource {
   uint64_t errors() const;   // likewise
   // All three so far, but for `stop`.
   SourceSummary summary() const;
-  // To be asked behind the last record by who has to have all that was meant to come. Error: an end
-  // record says `interrupted`; names its input and place. Not under OnError::stop it is warned of.
+  // Told to stop.
+  bool stopped() const;
+  // For callers that require the whole input, after the last record. Error: an end record says
+  // `interrupted` or `failed`; names its input and place. Not under OnError::stop it is warned of.
   Status checkWhole() const;
+  // Warns where an end record says `failed`.
+  void warnIfFailed() const;
+  // For an error after the last record about something that the input lacks: where an end record
+  // says `interrupted` or `failed`, that is the cause, and is the error to report instead.
+  Error lacking(Error error) const;
   OnError onError() const;
+  // The latest minor version of the headers so far: what is passed on may be of it.
+  uint32_t schemaMinor() const;
 
  private:
   struct Impl;
@@ -121,9 +133,9 @@ class Pipeline {
   void outOfBudget();
 
   // Writes the end record and closes the output. `work` is what came of the run, and of what was
-  // done since. After an error of either the end record says `interrupted` and counts it, so that
-  // what was finished is not lost; an error before the first record leaves no output at all. Gives
-  // the error of `work`, else its own.
+  // done since. After an error of either the end record says `failed` and counts it, so that what
+  // was finished is not lost; an error before the first record leaves no output at all. Without an
+  // error, an input that failed upstream is warned of. Returns the error of `work`, else its own.
   Status finish(Status work = {});
 
   // run() and finish(), also after an error.

@@ -35,9 +35,10 @@ class RecordBuilder {
   std::unique_ptr<RecordMemory> message_;
 };
 
-// A record as read. `known()` is false for a kind that this version's schema does not have; such a
-// record can only be passed through. Everything reachable from reader() was checked on reading:
-// numbers are finite and in range, texts are UTF-8, no access throws.
+// A record as read. `known()` is false for a kind that this version's schema does not have, and for
+// a record that could not be read; both can only be passed through. Everything reachable from
+// reader() was checked on reading: numbers are finite and in range, texts are UTF-8, no access
+// throws.
 class Record {
  public:
   struct Storage;  // the decoded message and, for pass-through, the bytes it came from

@@ -18,9 +18,10 @@ int gravity(schema::EndStatus status) {
   switch (status) {
     case schema::EndStatus::COMPLETE: return 0;
     case schema::EndStatus::BUDGET: return 1;
-    case schema::EndStatus::INTERRUPTED: break;
+    case schema::EndStatus::INTERRUPTED: return 2;
+    case schema::EndStatus::FAILED: break;
   }
-  return 2;
+  return 3;
 }
 
 }  // namespace
@@ -37,8 +38,9 @@ struct RecordSource::Impl {
   size_t nextInput = 0;
   SourceSummary summary;
   uint64_t warnings = 0;
+  uint32_t schemaMinor = 0;
   bool toldToStop = false;
-  std::optional<Error> interrupted;  // the first end record that says so
+  std::optional<Error> incomplete;  // by the first end record of the gravest status that says so
   // Where a level is that could not be read, and behind it came none that could; empty: nowhere.
   std::string lostLevel;
 
@@ -48,13 +50,21 @@ struct RecordSource::Impl {
 
   void takeEnd(const Record& record) {
     const schema::End::Reader end = record.reader().getEnd();
+    const schema::EndStatus before = summary.status;
     summary.add({end.getStatus(), end.getSkipped(), end.getErrors()});
-    if (end.getStatus() != schema::EndStatus::INTERRUPTED || interrupted) return;
-    interrupted = Error{reader->name(),
-                        record.place(),
-                        "status",
-                        "the stream was interrupted: it is not all that was meant to come",
-                        {}};
+    if (summary.status == before || whole()) return;
+    incomplete = Error{
+        reader->name(),
+        record.place(),
+        {},
+        failed() ? "the input ended with an error upstream" : "the input was interrupted upstream",
+        {}};
+  }
+
+  bool failed() const { return summary.status == schema::EndStatus::FAILED; }
+  bool whole() const {
+    return summary.status == schema::EndStatus::COMPLETE ||
+           summary.status == schema::EndStatus::BUDGET;
   }
 
   void report(const Error& error) {
@@ -78,16 +88,29 @@ struct RecordSource::Impl {
     summary.skipped++;
   }
 
-  // A record of a level that was lost. It is left out under OnError::emit, too: whoever reads it
-  // without that level takes it for one of another.
+  // A record of a level that was lost. To be acted on without that level would take it for one of
+  // another.
   bool leaveOut(const Record& record) {
     if (lostLevel.empty() || !namesNoLevel(record)) return false;
     skip({reader->name(), record.place(), "level",
-          fmt::format("none is named, and what may be the one before, at {}, could not be read",
+          fmt::format("no level is named, and the record at {}, which may be its level, could not "
+                      "be read",
                       lostLevel),
-          "mend that, or name the level that is meant"},
+          "fix that record, or name the level"},
          false);
     return true;
+  }
+
+  // To be passed on, but not acted on.
+  static Record bytesOf(const Record& record) {
+    const Record::Storage& read = record.storage();
+    auto storage = std::make_shared<Record::Storage>();
+    storage->unreadable = true;
+    storage->format = read.format;
+    storage->raw = read.raw;
+    storage->input = read.input;
+    storage->place = read.place;
+    return Record(std::move(storage));
   }
 
   // Opens the next input; false when there is none.
@@ -115,6 +138,7 @@ struct RecordSource::Impl {
       if (!got) {
         if (options.onError == OnError::stop || !reader->canContinue()) return got.error();
         skip(got.error(), reader->lostLevel());
+        if (options.onError == OnError::emit) return std::optional<Record>(reader->unread());
         continue;
       }
       if (stopped()) break;
@@ -124,14 +148,17 @@ struct RecordSource::Impl {
       }
       const Record& record = **got;
       if (record.known() && record.which() == Kind::LEVEL) lostLevel.clear();
-      if (record.known() && record.which() == Kind::HEADER) continue;
+      if (record.known() && record.which() == Kind::HEADER) {
+        schemaMinor = std::max(schemaMinor, record.reader().getHeader().getSchemaMinor());
+        continue;
+      }
       if (record.known() && record.which() == Kind::END) {
         takeEnd(record);
         continue;
       }
       warnOf(record);
-      if (leaveOut(record)) continue;
-      return got;
+      if (!leaveOut(record)) return got;
+      if (options.onError == OnError::emit) return std::optional<Record>(bytesOf(record));
     }
     toldToStop = true;
     return std::optional<Record>();
@@ -155,9 +182,12 @@ Status RecordSource::forgive(const Record& record, Error error) {
   return {};
 }
 
+bool RecordSource::stopped() const {
+  return impl_->toldToStop || (impl_->options.stop && impl_->options.stop->load());
+}
+
 schema::EndStatus RecordSource::status() const {
-  const bool stop = impl_->toldToStop || (impl_->options.stop && impl_->options.stop->load());
-  return stop ? schema::EndStatus::INTERRUPTED : impl_->summary.status;
+  return stopped() ? schema::EndStatus::INTERRUPTED : impl_->summary.status;
 }
 
 uint64_t RecordSource::skipped() const { return impl_->summary.skipped; }
@@ -165,14 +195,26 @@ uint64_t RecordSource::errors() const { return impl_->summary.errors; }
 SourceSummary RecordSource::summary() const { return impl_->summary; }
 
 Status RecordSource::checkWhole() const {
-  if (!impl_->interrupted) return {};
-  Error error = *impl_->interrupted;
+  if (!impl_->incomplete) return {};
+  Error error = *impl_->incomplete;
   if (impl_->options.onError != OnError::stop) {
     if (impl_->options.warn) impl_->options.warn(error);
     return {};
   }
-  error.hint = "give all of it, or take what came with --on-error skip";
+  error.hint = "give the whole stream, or use what came with --on-error skip";
   return error;
+}
+
+void RecordSource::warnIfFailed() const {
+  if (impl_->failed() && impl_->options.warn) impl_->options.warn(*impl_->incomplete);
+}
+
+Error RecordSource::lacking(Error error) const { return impl_->incomplete.value_or(error); }
+
+void RecordSource::warn(const Record& record, Error error) {
+  if (error.input.empty()) error.input = record.input();
+  if (error.place.empty()) error.place = record.place();
+  if (impl_->options.warn) impl_->options.warn(error);
 }
 
 void RecordSource::ignoreErrors() {
@@ -182,5 +224,6 @@ void RecordSource::ignoreErrors() {
 }
 
 OnError RecordSource::onError() const { return impl_->options.onError; }
+uint32_t RecordSource::schemaMinor() const { return impl_->schemaMinor; }
 
 }  // namespace obby::io

@@ -11,7 +11,8 @@
 namespace obby::io {
 
 struct Record::Storage {
-  std::optional<RecordBuilder> decoded;  // nothing: a kind that the schema does not have
+  std::optional<RecordBuilder> decoded;  // nothing: an unknown kind, or unreadable
+  bool unreadable = false;               // its error has been reported
   Format format = Format::jsonl;
   std::string raw;  // the line without its newline, or the message; empty: made here
   std::string input, place;

@@ -15,6 +15,8 @@ namespace {
 constexpr uint64_t kTupleAnnotation = 0xc1d7c7c3a3a1f0b1;
 constexpr uint64_t kRangeAnnotation = 0xd2a9f8e3b7c61a55;
 constexpr uint64_t kAlwaysAnnotation = 0x9f4b2c6d81e3a705;
+constexpr uint64_t kExampleAnnotation = 0xb3d58e17c20f6a94;
+constexpr uint64_t kHintAnnotation = 0xde2f70a9164bc835;
 
 class Planner {
  public:
@@ -32,8 +34,10 @@ class Planner {
     plan.schema = schema;
     plan.dataWords = proto.getStruct().getDataWordCount();
     plan.pointers = proto.getStruct().getPointerCount();
-    for (auto annotation : proto.getAnnotations())
+    for (auto annotation : proto.getAnnotations()) {
       plan.tuple = plan.tuple || annotation.getId() == kTupleAnnotation;
+      if (annotation.getId() == kHintAnnotation) plan.hint = annotation.getValue().getText().cStr();
+    }
     capnp::MallocMessageBuilder empty;
     const auto defaults = empty.initRoot<capnp::DynamicStruct>(schema).asReader();
     for (auto field : schema.getFields()) plan.fields.push_back(fieldPlan(field, defaults));
@@ -47,6 +51,8 @@ class Planner {
     out.type = typePlan(field.getType());
     for (auto annotation : field.getProto().getAnnotations()) {
       out.always = out.always || annotation.getId() == kAlwaysAnnotation;
+      if (annotation.getId() == kExampleAnnotation)
+        out.example = annotation.getValue().getText().cStr();
       if (annotation.getId() != kRangeAnnotation) continue;
       const auto range = annotation.getValue().getStruct().getAs<schema::Interval>();
       out.type.min = range.getMin();

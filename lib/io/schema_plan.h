@@ -45,12 +45,14 @@ struct FieldPlan {
   capnp::StructSchema::Field field;
   TypePlan type;
   bool always = false;                 // written to JSON even where it has its default
+  std::string example;                 // a value in JSON; may be empty
   std::vector<uint64_t> tupleDefault;  // field is a tuple: bits of each number
 };
 
 struct StructPlan {
   capnp::StructSchema schema;
   bool tuple = false;  // in JSON an array of its numbers
+  std::string hint;    // how its value is written, for errors; may be empty
   uint32_t dataWords = 0, pointers = 0;
   std::vector<FieldPlan> fields;
   std::unordered_map<std::string_view, size_t> byName;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr size_t kBlock = size_t(256) << 10;
 constexpr int kStopCheckMilliseconds = 50;
-constexpr const char* kBrokenPipe = "nobody reads the output any more (broken pipe)";
+constexpr const char* kBrokenPipe = "the reader of the output has closed it (broken pipe)";
 
 Error outputError(const std::string& name, const char* doing) {
   return errno == EPIPE ? Error{name, {}, {}, kBrokenPipe, {}} : fileError(name, doing);
@@ -90,7 +90,7 @@ struct Sink::Impl {
   Status openFile(const std::string& path) {
     name = path;
     if (path.empty()) {
-      failed = makeError("the name of the output file is empty", "- is standard output");
+      failed = makeError("the name of the output file is empty", "use - for standard output");
       return *failed;
     }
     struct stat info {};

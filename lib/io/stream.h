@@ -22,6 +22,7 @@ enum class Format { jsonl, capnp, capnpPacked };
 
 // "jsonl", "capnp", "packed". Error names the choices.
 Result<Format> parseFormat(const std::string& text);
+const char* nameOf(Format format);
 // By the ending of an output file name: .capnp, .capnpp (packed), anything else jsonl.
 Format formatForFile(const std::string& path);
 
@@ -51,6 +52,8 @@ class StreamReader {
   bool canContinue() const;
   // After such an error: that record was a level, or may have been one for all it says of its kind.
   bool lostLevel() const;
+  // After such an error: that record as it came, not known().
+  Record unread() const;
   bool stopped() const;
 
   const std::string& name() const;
@@ -87,7 +90,7 @@ class StreamWriter {
   // out. Error: also a number that is not finite or out of range, text that is not UTF-8; nothing
   // is written then.
   Status write(schema::Record::Reader record);
-  // Unchanged where the encodings agree, converted otherwise. A record of an unknown kind can only
+  // Unchanged where the encodings agree, converted otherwise. A record that is not known() can only
   // be passed between equal encodings.
   Status pass(const Record& record);
   Status flush();

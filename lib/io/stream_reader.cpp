@@ -22,16 +22,20 @@ bool startsJson(char c) { return c == '{' || c == ' ' || c == '\t' || c == '\r' 
 
 constexpr std::string_view kZip = "PK\x03\x04";  // might be the tag and size of a packed message
 
-Error strangeBytes(std::string_view begin) {
+// `name` of the input, for a command line; standard input needs none.
+Error strangeBytes(std::string_view begin, const std::string& name) {
   if (begin.substr(0, 8) == "<roblox!" || begin.substr(0, 7) == "<roblox")
     return makeError("expected a stream of records, found a Roblox file",
-                     "obby-import turns it into a stream");
+                     "convert it with obby-import");
+  if (begin[0] == '[')
+    return makeError("expected one record a line, found a JSON array",
+                     "write its elements one a line: jq -c '.[]'" + name);
   if (begin.substr(0, 2) == "\x1f\x8b" || begin.substr(0, 4) == "\x28\xb5\x2f\xfd" ||
       begin.substr(0, 4) == kZip)
     return makeError("expected a stream of records, found compressed data", "decompress it first");
   return makeError(fmt::format("expected JSON lines or Cap'n Proto messages, found {}",
-                               quoted(begin.substr(0, 8))),
-                   "obby-import makes records of place files, obby-gen makes levels");
+                               described(begin.substr(0, 8))),
+                   "convert a place file with obby-import, or make levels with obby-gen");
 }
 
 }  // namespace
@@ -47,6 +51,7 @@ struct StreamReader::Impl {
   uint64_t messageAt = 0;  // offset of the message that is read
   bool atEnd = false;
   bool lostLevel = false;  // by the last record, see StreamReader::lostLevel()
+  std::shared_ptr<const Record::Storage> unread;  // likewise
 
   using Next = Result<std::optional<Record>>;
 
@@ -67,6 +72,11 @@ struct StreamReader::Impl {
     return *format == Format::jsonl ? std::to_string(line) : fmt::format("byte {}", messageAt);
   }
 
+  // The input as a word of a command line, with the blank before it.
+  std::string argument() const {
+    return source.name() == kStandardInput ? std::string() : " " + source.name();
+  }
+
   // False at the end of the input.
   Result<bool> sniff() {
     OBBY_ASSIGN(const bool any, source.need(1));
@@ -84,7 +94,7 @@ struct StreamReader::Impl {
     }
     const bool zip = begin.substr(0, kZip.size()) == kZip;
     const Looks looks = zip ? Looks::neither : looksLikeMessage(begin.substr(0, kSniff));
-    if (looks == Looks::neither && begin.size() >= 4) return strangeBytes(begin);
+    if (looks == Looks::neither && begin.size() >= 4) return strangeBytes(begin, argument());
     if (looks == Looks::neither) format = begin[0] == 0 ? Format::capnp : Format::jsonl;
     if (looks == Looks::unpacked) format = Format::capnp;
     if (looks == Looks::packed) format = Format::capnpPacked;
@@ -102,7 +112,7 @@ struct StreamReader::Impl {
         newline = length != std::string_view::npos;
         if (newline) break;
         scanned = length = source.buffered().size();
-        if (scanned > kMaxLine) return makeError("line longer than 1 GiB");
+        if (scanned > kMaxLine) return makeError("expected a line of at most 1 GiB, found more");
         OBBY_ASSIGN(const size_t came, source.fill());
         if (came == 0) break;
       }
@@ -110,7 +120,8 @@ struct StreamReader::Impl {
       std::string text(source.buffered().substr(0, length));
       source.consume(length + (newline ? 1 : 0));
       if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
-      if (!newline && framing.inside()) return makeError("the last line has no newline: cut off?");
+      if (!newline && framing.inside())
+        return makeError("the last line has no newline", kCutOffHint);
       return std::optional<std::string>(std::move(text));
     }
   }
@@ -127,8 +138,13 @@ struct StreamReader::Impl {
     if (got && *got) reader = (*got)->reader();
     if (Status status = framing.accept(reader, placeName(storage->place)); !status)
       return fatal(status.error(), storage->place);
-    if (!got) return located(got.error(), storage->place);
     storage->input = source.name();
+    if (!got) {
+      Error error = located(std::move(got).error(), storage->place);
+      storage->unreadable = true;
+      unread = std::move(storage);
+      return error;
+    }
     storage->decoded = std::move(*got);
     return std::optional<Record>(Record(std::move(storage)));
   }
@@ -147,7 +163,14 @@ struct StreamReader::Impl {
     auto decoded =
         recordFromJsonIfKnown(storage->raw, framing.later() ? nullptr : &storage->misspelt);
     lostLevel = !decoded && mayBeLevel(storage->raw);
+    if (!decoded && endsInside(decoded.error())) decoded.error() = notOneLine(decoded.error());
     return deliver(std::move(storage), std::move(decoded));
+  }
+
+  // Most often a record that is printed over several lines.
+  Error notOneLine(const Error& error) const {
+    return makeError(error.message + "; expected one record a line",
+                     "join the lines of a record: jq -c ." + argument());
   }
 
   Next nextMessage() {
@@ -199,15 +222,15 @@ Result<std::optional<Record>> StreamReader::next() {
   try {
     return impl_->next();
   } catch (const std::bad_alloc&) {
-    return impl_->fatal(
-        makeError("not enough memory for this record",
-                  "raise the limit that ulimit -v shows, or make the record smaller"),
-        impl_->recordPlace());
+    return impl_->fatal(makeError("not enough memory for this record",
+                                  "raise the memory limit (ulimit -v) or make the record smaller"),
+                        impl_->recordPlace());
   }
 }
 
 bool StreamReader::canContinue() const { return !impl_->final && !impl_->atEnd; }
 bool StreamReader::lostLevel() const { return impl_->lostLevel; }
+Record StreamReader::unread() const { return Record(impl_->unread); }
 bool StreamReader::stopped() const { return impl_->source.stopped(); }
 const std::string& StreamReader::name() const { return impl_->source.name(); }
 Format StreamReader::format() const { return impl_->format.value_or(Format::jsonl); }

@@ -1,4 +1,6 @@
-// StreamWriter: records encoded into a Sink, or handed on as they are.
+// StreamWriter: records encoded into a Sink.
+#include <fmt/format.h>
+
 #include "io/json_codec.h"
 #include "io/message_codec.h"
 #include "io/record_storage.h"
@@ -79,10 +81,13 @@ Status StreamWriter::pass(const Record& record) {
     return impl_->send(storage.raw + '\n');
   }
   if (record.known()) return write(record.reader());
-  Error error = makeError("a record of a kind that this program does not know cannot be converted",
-                          "write the output in the format of the input");
-  error.place = storage.place;
-  return error;
+  return Error{
+      storage.input,
+      storage.place,
+      {},
+      storage.unreadable ? "cannot convert a record that cannot be read"
+                         : "cannot convert a record of a kind that this program lacks",
+      fmt::format("give the output the format of the input: --format {}", nameOf(storage.format))};
 }
 
 Status StreamWriter::flush() { return impl_->sink.flush(); }

@@ -109,4 +109,17 @@ std::string quoted(std::string_view text, size_t limit) {
   return out;
 }
 
+std::string described(std::string_view bytes) {
+  constexpr size_t kLongest = 4;  // bytes of a character
+  for (size_t at = 0; at < bytes.size();) {
+    const size_t n = utf8Length(bytes.substr(at, kLongest));
+    if (n == 0 && at + kLongest > bytes.size() && at > 0) break;
+    const Utf8Char c = nextChar(bytes, at);
+    const bool blank = c.code == '\t' || c.code == '\r' || c.code == '\n';
+    if (n == 0 || (isControl(c.code) && !blank)) return "binary data";
+    at += n;
+  }
+  return quoted(bytes);
+}
+
 }  // namespace obby::io

@@ -24,7 +24,8 @@ void resolve(uint32_t& clock, uint32_t role, size_t roleCount) {
 }  // namespace
 
 Result<uint32_t> ticksOf(const Params& params, float seconds, const std::string& path) {
-  if (!(seconds >= 0)) return pathError(path, "expected seconds that are not negative");
+  if (!(seconds >= 0))
+    return pathError(path, "expected 0 or more seconds, found " + shown(seconds));
   return ticksFromSeconds(params, seconds);
 }
 
@@ -32,14 +33,14 @@ Status ClockTables::addButton(schema::Part::Reader part, size_t index, const Par
   const auto button = part.getButton();
   const std::string path = fmt::format("parts[{}].button", index), name = button.getSignal();
   if (name.empty()) {
-    return pathError(path + ".signal", "expected the name of a signal",
-                     "any name will do: parts that respond to the button give the same");
+    return pathError(path + ".signal", "expected the name of a signal, found none",
+                     "give any name, and use it in the parts that respond");
   }
   OBBY_ASSIGN(const uint32_t ticks, ticksOf(params, button.getSeconds(), path + ".seconds"));
   const Clock clock{button.getForever() ? kForever : ticks, button.getRestarts()};
   if (clock.length == 0) {
-    return pathError(path + ".seconds", "a signal that lasts less than a tick",
-                     "give seconds, or \"forever\":true");
+    return pathError(path + ".seconds", "the signal lasts less than one tick",
+                     "give more seconds, or \"forever\":true");
   }
   const auto [it, added] = signals_.try_emplace(name, Signal{uint32_t(shared_.size()), index});
   if (added) {
@@ -47,9 +48,9 @@ Status ClockTables::addButton(schema::Part::Reader part, size_t index, const Par
   } else if (effectOf(shared_[it->second.clock]) != effectOf(clock)) {
     return pathError(
         path + ".seconds",
-        fmt::format("differs from that of parts[{}], which starts the same signal '{}'",
-                    it->second.part, name),
-        "give both the same seconds, forever and restarts, or the signals two names");
+        fmt::format("parts[{}] starts the same signal '{}' with other settings", it->second.part,
+                    name),
+        "give both the same seconds, forever and restarts, or give the signals different names");
   }
   return {};
 }
@@ -66,11 +67,11 @@ Status ClockTables::addSignals(schema::Level::Reader level, const Params& params
 }
 
 Result<uint32_t> ClockTables::signal(const std::string& name, const std::string& path) {
-  if (name.empty()) return pathError(path, "expected the name that a button gives its signal");
+  if (name.empty()) return pathError(path, "expected the name of a button's signal, found none");
   const auto it = signals_.find(name);
   if (it == signals_.end()) {
-    return pathError(path, fmt::format("nothing starts the signal '{}'", name),
-                     "give a part that can be touched \"button\":{\"signal\":\"...\"}");
+    return pathError(path, fmt::format("no button starts the signal '{}'", name),
+                     "give a part that can be touched \"button\":{\"signal\":\"" + name + "\"}");
   }
   it->second.used = true;
   return it->second.clock | kShared;

@@ -21,8 +21,8 @@ Result<std::vector<Vec3>> verticesOf(schema::Hull::Reader record, const std::str
     vertices.push_back(at);
   }
   if (vertices.size() < 4 || vertices.size() > kMaxHullVertices) {
-    return pathError(
-        path, fmt::format("expected 4 to {} vertices, got {}", kMaxHullVertices, vertices.size()));
+    return pathError(path, fmt::format("expected 4 to {} vertices, found {}", kMaxHullVertices,
+                                       vertices.size()));
   }
   return vertices;
 }

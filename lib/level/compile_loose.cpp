@@ -12,11 +12,12 @@ bool isLoose(schema::Part::Reader part) {
 Result<Loose> looseFrom(schema::Part::Reader part, Vec3 at, const std::vector<Collider>& colliders,
                         size_t first) {
   if (part.hasVanish() || part.hasOneWay()) {
-    return pathError(part.hasVanish() ? "vanish" : "oneWay", "a loose part is always solid",
-                     "anchor it");
+    return pathError(part.hasVanish() ? "vanish" : "oneWay", "a dynamic part is always solid",
+                     "anchor the part, or remove this field");
   }
   if (!(part.getDensity() >= 1e-4f && part.getDensity() <= 100))
-    return pathError("density", "expected a number from 0.0001 to 100");
+    return pathError("density",
+                     "expected a number from 0.0001 to 100, found " + shown(part.getDensity()));
   std::vector<SolidShape> shapes;
   float radius = 0;
   for (size_t i = first; i < colliders.size(); ++i) {
@@ -24,7 +25,8 @@ Result<Loose> looseFrom(schema::Part::Reader part, Vec3 at, const std::vector<Co
     radius = maxf(radius, length(colliders[i].shape.half));
   }
   const MassProperties mass = massOf(shapes, part.getDensity());
-  if (!(mass.mass > 0)) return pathError("size", "a loose part needs a volume");
+  if (!(mass.mass > 0))
+    return pathError("size", "the shape of a dynamic part needs a volume", "anchor the part");
   OBBY_ASSIGN(const Quat turned, quaternion(part.getRotation(), "rotation"));
   Loose loose{at, turned, mass.center, mass.inverseInertia, 1 / mass.mass, 0, 0, 0};
   loose.radius = radius + length(mass.center);

@@ -62,7 +62,8 @@ Result<Vec3> halfExtents(schema::Part::Reader part) {
   const Vec3 size = vec(part.getSize());
   if (!isFinite(size) || !(size.x > 0 && size.y > 0 && size.z > 0) ||
       maxf(size.x, maxf(size.y, size.z)) > kMaxSize) {
-    return pathError("size", "expected three numbers above 0 and at most 2048");
+    return pathError("size",
+                     "expected three numbers above 0 and at most 2048, found " + shown(size));
   }
   return max(size, Vec3{kMinSize, kMinSize, kMinSize}) * 0.5f;
 }
@@ -77,8 +78,8 @@ Result<uint32_t> PartCompiler::trigger(PartContext& c, const MotionPlan& plan) {
   const bool signal = motion.getTrigger() == schema::MotionTrigger::SIGNAL;
   if (signal) return clocks_.signal(motion.getSignal(), "motion.signal");
   if (motion.getSignal().size() != 0) {
-    return pathError("motion.signal", "does nothing with this trigger",
-                     "set \"trigger\":\"signal\"");
+    return pathError("motion.signal", "a signal has no effect with this trigger",
+                     "set \"trigger\":\"signal\", or remove the signal");
   }
   OBBY_ASSIGN(const uint32_t asked, ticksOf(params_, motion.getSeconds(), "motion.seconds"));
   if (motion.getTrigger() == schema::MotionTrigger::ALWAYS) return kNone;
@@ -132,8 +133,8 @@ Status PartCompiler::checkBudget(const PartContext& c) {
   overBudget_ = true;
   return pathError(
       c.part.hasMotion() ? "motion" : "fall",
-      fmt::format("all motions together need more than {} ticks of tables", kMaxLevelRows),
-      "parts that spin alike share a table, and faster motions need shorter ones");
+      fmt::format("the level's motions together need more than {} ticks of tables", kMaxLevelRows),
+      "shorten motions, or give parts the same spin: they share a table");
 }
 
 void PartCompiler::push(Collider collider, uint32_t flags) {
@@ -183,9 +184,11 @@ Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
   if (uint16_t(part.getShape()) > uint16_t(schema::Shape::HULL))
     return pathError("shape", "unknown shape");
   if (!(part.getFriction() >= 0 && part.getFriction() <= kMaxFriction))
-    return pathError("friction", fmt::format("expected a number from 0 to {}", kMaxFriction));
+    return pathError("friction", fmt::format("expected a number from 0 to {}, found {}",
+                                             kMaxFriction, part.getFriction()));
   if (!(part.getElasticity() >= 0 && part.getElasticity() <= 1))
-    return pathError("elasticity", "expected a number from 0 to 1");
+    return pathError("elasticity",
+                     "expected a number from 0 to 1, found " + shown(part.getElasticity()));
   OBBY_ASSIGN(const Vec3 half, halfExtents(part));
   OBBY_ASSIGN(const Vec3 center, position(part.getPosition(), "position"));
   OBBY_ASSIGN(const Mat3 axes, rotation(part.getRotation(), "rotation"));
@@ -248,10 +251,10 @@ Status PartCompiler::compile(schema::Level::Reader level) {
     }
   }
   if (loose.size() > kMaxLoose) {
-    return pathError(fmt::format("parts[{}].anchored", loose[kMaxLoose]),
-                     fmt::format("expected at most {} loose parts, got {}: anchor those that "
-                                 "nobody pushes",
-                                 kMaxLoose, loose.size()));
+    return pathError(
+        fmt::format("parts[{}].anchored", loose[kMaxLoose]),
+        fmt::format("expected at most {} dynamic parts, found {}", kMaxLoose, loose.size()),
+        "anchor those that no player pushes");
   }
   for (const uint32_t index : loose) OBBY_RETURN_IF_ERROR(addAt(parts[index], index));
   return finish();
@@ -273,7 +276,7 @@ Status PartCompiler::finish() {
 
 Result<PartTables> compileParts(schema::Level::Reader record, const Params& params) {
   if (record.getParts().size() > kMaxParts) {
-    return pathError("parts", fmt::format("expected at most {} parts, got {}", kMaxParts,
+    return pathError("parts", fmt::format("expected at most {} parts, found {}", kMaxParts,
                                           record.getParts().size()));
   }
   HullStore hulls;  // found once, however often the rest is tried

@@ -38,7 +38,8 @@ Result<std::vector<MotionKey>> readKeys(schema::Motion::Reader motion) {
     const std::string path = fmt::format("motion.keys[{}]", keys.size());
     const double time = record.getTime();
     if (!std::isfinite(time) || time < (keys.empty() ? 0.0 : keys.back().time)) {
-      return pathError(path + ".time", "expected seconds that do not decrease");
+      return pathError(path + ".time",
+                       "expected seconds that do not decrease, found " + shown(record.getTime()));
     }
     OBBY_ASSIGN(const Vec3 at, position(record.getPosition(), path + ".position"));
     OBBY_ASSIGN(const Quat turned, quaternion(record.getRotation(), path + ".rotation"));
@@ -81,12 +82,12 @@ Status planKeys(schema::Motion::Reader motion, const Params& params, uint32_t mo
   plan.seconds = plan.pingPong ? 2 * length : length;
   const double ticks = plan.seconds * params.controlRate;
   if (ticks > mostTicks(params)) {
-    return pathError("motion.keys", "a round takes " + longerThanMost(params));
+    return pathError("motion.keys", "one pass through the keys takes " + longerThanMost(params));
   }
   // A negative offset is a wait before the motion; one that comes but once must still arrive.
   const double wait = plan.once ? std::max(0.0, -plan.offset) * params.controlRate : 0;
   if (wait > mostTicks(params)) {
-    return pathError("motion.offset", "a wait " + longerThanMost(params));
+    return pathError("motion.offset", "the wait is " + longerThanMost(params));
   }
   const uint32_t rows = plan.once ? uint32_t(ticks + wait) + 2 : rowsFor(ticks, mostRows);
   if (length <= 0 || rows == 0) return {};
@@ -101,13 +102,14 @@ Status planKeys(schema::Motion::Reader motion, const Params& params, uint32_t mo
 Status planSpin(schema::Spin::Reader spin, const Params& params, uint32_t mostRows,
                 MotionPlan& plan) {
   OBBY_ASSIGN(plan.spin.axis, direction(spin.getAxis(), "motion.spin.axis"));
-  if (!std::isfinite(spin.getSpeed())) return pathError("motion.spin.speed", "expected rad/s");
+  if (!std::isfinite(spin.getSpeed()))
+    return pathError("motion.spin.speed", "expected finite rad/s, found " + shown(spin.getSpeed()));
   OBBY_ASSIGN(plan.pivot, position(spin.getPivot(), "motion.spin.pivot"));
   const double speed = spin.getSpeed();
   if (std::fabs(speed) < 1e-4) return {};
   const double ticks = kTurn / std::fabs(speed) * params.controlRate;
   if (ticks > mostTicks(params))
-    return pathError("motion.spin.speed", "a turn takes " + longerThanMost(params));
+    return pathError("motion.spin.speed", "one turn takes " + longerThanMost(params));
   plan.spin.speed = speed;
   plan.spin.offset = plan.offset;
   plan.spin.rows = std::max(1u, rowsFor(ticks, mostRows));
@@ -127,7 +129,9 @@ Result<MotionPlan> planMotion(schema::Motion::Reader motion, const Params& param
   MotionPlan plan;
   OBBY_ASSIGN(plan.keys, readKeys(motion));
   plan.offset = motion.getOffset();
-  if (!std::isfinite(plan.offset)) return pathError("motion.offset", "expected seconds");
+  if (!std::isfinite(plan.offset))
+    return pathError("motion.offset",
+                     "expected finite seconds, found " + shown(motion.getOffset()));
   if (!plan.keys.empty()) OBBY_RETURN_IF_ERROR(planKeys(motion, params, mostRows, plan));
   if (motion.hasSpin()) OBBY_RETURN_IF_ERROR(planSpin(motion.getSpin(), params, mostRows, plan));
   return plan;

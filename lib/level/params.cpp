@@ -37,7 +37,8 @@ Status checkRanges(schema::PhysicsParams::Reader record) {
     return Error{{},
                  {},
                  fmt::format("physics.{}", field.getProto().getName().cStr()),
-                 fmt::format("{} is outside {} to {}", value, range->getMin(), range->getMax()),
+                 fmt::format("expected a number from {} to {}, found {}", range->getMin(),
+                             range->getMax(), value),
                  {}};
   }
   return {};
@@ -75,18 +76,21 @@ Result<Params> compileParams(schema::PhysicsParams::Reader record) {
   OBBY_PHYSICS_PARAMS(OBBY_PARAM_COPY)
 #undef OBBY_PARAM_COPY
   if (p.bodyTop <= p.headBottom || p.headBottom <= p.hipHeight) {
-    return Error{
-        {}, {}, "physics.bodyTop", "must be above headBottom, and that above hipHeight", {}};
+    return Error{{},
+                 {},
+                 "physics.bodyTop",
+                 fmt::format("expected hipHeight < headBottom < bodyTop, found {}, {} and {}",
+                             p.hipHeight, p.headBottom, p.bodyTop),
+                 {}};
   }
   derive(p);
   // The legs are a damped spring that is taken in steps.
   if (!(p.hoverDamping * p.substepSeconds < 2)) {
-    return Error{
-        {},
-        {},
-        "physics.substeps",
-        fmt::format("in steps of {:.4f} s the legs would throw the player", p.substepSeconds),
-        fmt::format("controlRate x substeps must be above {:.0f}", p.hoverDamping / 2)};
+    return Error{{},
+                 {},
+                 "physics.substeps",
+                 fmt::format("the legs are unstable with steps of {:.4f} s", p.substepSeconds),
+                 fmt::format("raise controlRate x substeps above {:.0f}", p.hoverDamping / 2)};
   }
   return p;
 }

@@ -16,8 +16,8 @@ constexpr uint32_t kMaxWaypoints = 255;  // World::waypoints is a byte
 // Names are not looked up here.
 Status checkLookedUp(schema::Region::Reader record, const std::string& path) {
   if (record.getPart().size() == 0 || record.getPartIndex() >= 0) return {};
-  return pathError(path + ".part", "names a part that was not looked up",
-                   "obby-solve passes the query on with the part's box filled in");
+  return pathError(path + ".part", "the box of this part is not filled in",
+                   "run the query through obby-solve, which fills it in");
 }
 
 Result<StartPose> startPose(schema::Query::Reader record, const Level& level) {
@@ -32,15 +32,17 @@ Result<StartPose> startPose(schema::Query::Reader record, const Level& level) {
     const float drop = absf(up.y) > 0.999f ? box.half.y : dot(abs(up), box.half);
     const Vec3 feet = box.pose.position - Vec3{0, drop, 0};
     if (feet.y < -kMaxCoordinate) {
-      return pathError("start.region", "expected a floor within 1000000 studs");
+      return pathError("start.region",
+                       "expected a floor above -1000000 studs, found " + shown(feet.y));
     }
     return StartPose{feet, yaw, start.getTick()};
   }
   const int32_t spawn = start.getSpawn() == -1 ? 0 : start.getSpawn();
   if (spawn < 0 || size_t(spawn) >= level.spawns().size()) {
     return level.spawns().empty()
-               ? pathError("start", "the level has no spawn, and the query names no start region")
-               : pathError("start.spawn", fmt::format("expected 0 to {}, got {}",
+               ? pathError("start", "the level has no spawn, and the query has no start region",
+                           "give the level a spawn, or the query \"start\":{\"region\":...}")
+               : pathError("start.spawn", fmt::format("expected a spawn from 0 to {}, found {}",
                                                       level.spawns().size() - 1, spawn));
   }
   StartPose pose = level.spawns()[size_t(spawn)];
@@ -50,20 +52,24 @@ Result<StartPose> startPose(schema::Query::Reader record, const Level& level) {
 
 // Seconds to ticks; 0: none.
 Result<uint32_t> ticksWithin(float limit, const Params& params, const std::string& path) {
-  if (!std::isfinite(limit) || limit < 0) return pathError(path, "expected seconds, 0 for none");
+  if (!std::isfinite(limit) || limit < 0) {
+    return pathError(path, "expected 0 or more seconds (0: no limit), found " + shown(limit));
+  }
   if (limit == 0) return 0u;
   // A whole number of ticks must not be lost to the rounding of the record's float. Beyond the
   // largest clock there is no difference any more.
   const double exact = double(limit) * params.controlRate;
   const double whole = std::floor(exact + 1e-4 + exact * 0x1p-23);
   const uint32_t ticks = uint32_t(std::min(whole, 4294967295.0));
-  if (ticks == 0) return pathError(path, "shorter than one tick");
+  if (ticks == 0) return pathError(path, "the limit is shorter than one tick");
   return ticks;
 }
 
 // -1: any.
 Result<int32_t> jumpsWithin(int32_t jumps, const std::string& path) {
-  if (jumps < -1) return pathError(path, "expected a number of jumps, -1 for any");
+  if (jumps < -1) {
+    return pathError(path, fmt::format("expected 0 or more jumps (-1: any), found {}", jumps));
+  }
   return jumps;
 }
 
@@ -88,10 +94,13 @@ class Targets {
     OBBY_ASSIGN(target.region, region(record, path));
     if (!record.getTouch()) return target;
     if (part < 0) {
-      return pathError(path + ".touch", "only a part can be touched, and this is a box",
+      return pathError(path + ".touch", "a box cannot be touched, only a part can",
                        "name the part: {\"part\":\"Finish\",\"touch\":true}");
     }
-    if (size_t(part) >= parts_) return pathError(path + ".partIndex", "no such part");
+    if (size_t(part) >= parts_) {
+      return pathError(path + ".partIndex",
+                       fmt::format("there is no part {}: the level has {}", part, parts_));
+    }
     listTouched(uint32_t(part), target);
     if (target.touchCount == 0) {
       // The path may name a place that is not in the record: a name or a tag stands for many parts.
@@ -100,7 +109,7 @@ class Targets {
       return pathError(
           path + ".touch",
           fmt::format("'{}' cannot be touched: it is not solid and does nothing on touch", name),
-          "leave touch out to ask for the room around it");
+          "remove touch to ask for the space around the part");
     }
     return target;
   }
@@ -137,7 +146,8 @@ class Targets {
 
 Result<WaypointView> compileWaypoint(schema::Waypoint::Reader record, const Params& params,
                                      Targets& targets, const std::string& path) {
-  if (!record.hasRegion()) return pathError(path + ".region", "a waypoint needs a region");
+  if (!record.hasRegion())
+    return pathError(path + ".region", "the waypoint has no region", "give it a box or a part");
   WaypointView waypoint;
   OBBY_ASSIGN(waypoint.target, targets.compile(record.getRegion(), path + ".region"));
   OBBY_ASSIGN(waypoint.maxJumps, jumpsWithin(record.getMaxJumps(), path + ".maxJumps"));
@@ -154,8 +164,8 @@ Result<uint32_t> forbiddenStates(schema::Query::Reader record) {
   for (const State state : record.getForbid()) {
     if (state != State::JUMPING && state != State::CLIMBING && state != State::SEATED &&
         state != State::FALLING_DOWN) {
-      return pathError(fmt::format("forbid[{}]", i), "no playthrough can do without this state",
-                       "jumping, climbing, seated and fallingDown can be forbidden");
+      return pathError(fmt::format("forbid[{}]", i), "every playthrough needs this state",
+                       "forbid only jumping, climbing, seated or fallingDown");
     }
     bits |= 1u << uint32_t(state);
     ++i;
@@ -170,15 +180,18 @@ Result<QueryView> compileLimits(schema::Query::Reader record, const Params& para
   q.minJumps = std::max(record.getMinJumps(), 0);
   if (q.maxJumps >= 0 && q.minJumps > q.maxJumps) {
     return pathError("minJumps",
-                     fmt::format("{} jumps at least and {} at most", q.minJumps, q.maxJumps));
+                     fmt::format("minJumps is {}, but maxJumps is {}", q.minJumps, q.maxJumps));
   }
   constexpr int32_t kMostJumps = 65535;  // World::jumps
-  if (q.minJumps > kMostJumps) return pathError("minJumps", "expected at most 65535");
+  if (q.minJumps > kMostJumps) {
+    return pathError("minJumps", fmt::format("expected at most 65535, found {}", q.minJumps));
+  }
   OBBY_ASSIGN(q.timeLimitTicks, ticksWithin(record.getTimeLimit(), params, "timeLimit"));
   OBBY_ASSIGN(q.last, segmentLimits(record.getSegmentJumps(), record.getSegmentTime(), params, ""));
   q.maxDamage = record.getMaxDamage();
   if (!(std::isfinite(q.maxDamage) && (q.maxDamage >= 0 || q.maxDamage == -1))) {
-    return pathError("maxDamage", "expected health that may be lost, -1 for any");
+    return pathError("maxDamage",
+                     "expected 0 or more health (-1: any), found " + shown(q.maxDamage));
   }
   OBBY_ASSIGN(q.forbidden, forbiddenStates(record));
   return q;
@@ -192,7 +205,7 @@ Result<Query> Query::compile(schema::Query::Reader record, const Level& level) {
   q.id_ = record.getId();
   OBBY_ASSIGN(q.start_, startPose(record, level));
   if (!record.hasGoal() && record.getGoals().size() == 0) {
-    return pathError("goal", "a query needs a goal region");
+    return pathError("goal", "the query has no goal", "give it a box or a part");
   }
   Targets targets(level.view(), level.partCount(), q.touched_);
   if (record.hasGoal()) {
@@ -201,8 +214,10 @@ Result<Query> Query::compile(schema::Query::Reader record, const Level& level) {
   }
   OBBY_ASSIGN(const auto others, targets.compile(record.getGoals(), "goals"));
   q.goals_.insert(q.goals_.end(), others.begin(), others.end());
-  if (record.getWaypoints().size() > kMaxWaypoints)
-    return pathError("waypoints", "expected at most 255");
+  if (record.getWaypoints().size() > kMaxWaypoints) {
+    return pathError("waypoints", fmt::format("expected at most {}, found {}", kMaxWaypoints,
+                                              record.getWaypoints().size()));
+  }
   for (const auto waypoint : record.getWaypoints()) {
     const std::string path = fmt::format("waypoints[{}]", q.waypoints_.size());
     OBBY_ASSIGN(const WaypointView view, compileWaypoint(waypoint, params, targets, path));
@@ -210,8 +225,9 @@ Result<Query> Query::compile(schema::Query::Reader record, const Level& level) {
   }
   if (record.getVisits().size() > kMaxVisits) {
     return pathError(
-        "visits", fmt::format("expected at most {}, got {}", kMaxVisits, record.getVisits().size()),
-        "a #tag counts once for each part that has it");
+        "visits",
+        fmt::format("expected at most {}, found {}", kMaxVisits, record.getVisits().size()),
+        "a #tag counts once for each part with that tag");
   }
   OBBY_ASSIGN(q.visits_, targets.compile(record.getVisits(), "visits"));
   OBBY_ASSIGN(q.avoid_, targets.compile(record.getAvoid(), "avoid"));

@@ -37,11 +37,15 @@ inline bool isFinite(Vec3 v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+// "[1,2.5,3]", as an error shows what it found.
+std::string shown(Vec3 v);
+std::string shown(float number);
+
 // Here and below: the value, or an error about `path`. Studs, each within kMaxCoordinate.
 inline Result<Vec3> position(schema::Vec3::Reader record, const std::string& path) {
   const Vec3 v = vec(record);
   if (!isFinite(v) || maxf(absf(v.x), maxf(absf(v.y), absf(v.z))) > kMaxCoordinate) {
-    return pathError(path, "expected three numbers within 1000000 studs");
+    return pathError(path, "expected three numbers from -1000000 to 1000000, found " + shown(v));
   }
   return v;
 }
@@ -52,7 +56,8 @@ inline Result<Vec3> direction(schema::Vec3::Reader record, const std::string& pa
   Vec3 v = vec(record);
   if (maxf(absf(v.x), maxf(absf(v.y), absf(v.z))) > 1e18f) v = v * 1e-20f;  // squares overflow
   if (!isFinite(v) || length(v) < 1e-6f) {
-    return pathError(path, "expected a direction in the part's frame", hint);
+    return pathError(path, "expected a direction in the part's frame, found " + shown(vec(record)),
+                     hint);
   }
   return normalize(v);
 }
@@ -61,7 +66,8 @@ inline Result<Vec3> direction(schema::Vec3::Reader record, const std::string& pa
 constexpr float kMaxAngle = 1e4f;
 
 inline Result<float> angle(float radians, const std::string& path) {
-  if (!(absf(radians) <= kMaxAngle)) return pathError(path, "expected radians within 10000");
+  if (!(absf(radians) <= kMaxAngle))
+    return pathError(path, "expected -10000 to 10000 radians, found " + shown(radians));
   return radians;
 }
 
@@ -70,8 +76,8 @@ inline Result<Quat> quaternion(schema::Quat::Reader record, const std::string& p
   const Quat q{record.getX(), record.getY(), record.getZ(), record.getW()};
   const float n2 = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
   if (!(n2 > 1e-6f) || !(n2 < 1e6f))
-    return pathError(path, "expected a rotation (x, y, z, w) that is not zero, at most 1000 long",
-                     "[0,0,0,1] turns nothing");
+    return pathError(path, "expected a quaternion [x,y,z,w] that is not zero, at most 1000 long",
+                     "use [0,0,0,1] for no rotation");
   return normalize(q);
 }
 
@@ -86,7 +92,7 @@ inline Result<geom::Region> region(schema::Region::Reader record, const std::str
   OBBY_ASSIGN(const Mat3 axes, rotation(record.getRotation(), path + ".rotation"));
   const Vec3 size = vec(record.getSize());
   if (!(size.x > 0 && size.y > 0 && size.z > 0) || !isFinite(size)) {
-    return pathError(path + ".size", "expected three numbers above 0");
+    return pathError(path + ".size", "expected three numbers above 0, found " + shown(size));
   }
   return geom::Region{{center, axes}, size * 0.5f};
 }

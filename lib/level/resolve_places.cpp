@@ -87,8 +87,8 @@ class ListedParts {
       if (places_ > kMaxPlaces) {
         return pathError(
             fmt::format("{}[{}].part", name, i),
-            fmt::format("with '{}' the query names more than {} places", selector, kMaxPlaces),
-            "name each part once, or draw one box around many");
+            fmt::format("with '{}' the query has more than {} places", selector, kMaxPlaces),
+            "name each part once, or use one box around many parts");
       }
       for (const uint32_t part : **parts) entries.push_back({i, part, (*parts)->size() > 1});
     }

@@ -88,8 +88,8 @@ Error noPart(PartIndex& parts, const std::string& selector) {
   if (similar.empty()) similar = similarParts(parts, wanted);
   return makeError(
       fmt::format("no part of level '{}' is named '{}'", level.getName().cStr(), selector),
-      similar.empty() ? "a part is named by name, path or its end, GUID, #tag or "
-                        "part:INDEX; a box is x,y,z,sx,sy,sz"
+      similar.empty() ? "give a part by name, path, end of a path, GUID, #tag or "
+                        "part:INDEX, or a box as x,y,z,sx,sy,sz"
                       : "similar: " + similar);
 }
 
@@ -156,8 +156,8 @@ Result<std::vector<uint32_t>> matchParts(PartIndex& parts, const std::string& se
       return makeError(fmt::format("level '{}' has no parts", level.getName().cStr()));
     }
     if (index >= int64_t(level.getParts().size())) {
-      return makeError(fmt::format("level '{}' has parts 0 to {}, not {}", level.getName().cStr(),
-                                   level.getParts().size() - 1, index));
+      return makeError(fmt::format("level '{}' has parts 0 to {}, but no part {}",
+                                   level.getName().cStr(), level.getParts().size() - 1, index));
     }
     found.push_back(uint32_t(index));
   } else {
@@ -204,11 +204,12 @@ Result<std::optional<PlainRegion>> boxFromText(const std::string& text) {
     return makeError(fmt::format("the box '{}' has a number that is too large or too small", text));
   }
   for (const float value : v) {
-    if (!std::isfinite(value)) return makeError(fmt::format("'{}' is not finite", text));
+    if (!std::isfinite(value))
+      return makeError(fmt::format("the box '{}' has a number that is not finite", text));
   }
   if (!(v[3] > 0 && v[4] > 0 && v[5] > 0)) {
-    return makeError(fmt::format("the box '{}' has a size that is not above 0", text),
-                     "a box is x,y,z,sx,sy,sz: centre and size in studs");
+    return makeError(fmt::format("the sizes of the box '{}' must be above 0", text),
+                     "give the box as x,y,z,sx,sy,sz: centre and size in studs");
   }
   return std::optional<PlainRegion>({text, {v[0], v[1], v[2]}, {}, {v[3], v[4], v[5]}});
 }

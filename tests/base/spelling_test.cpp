@@ -11,6 +11,8 @@ TEST(NearestName, IsTheFirstOfThoseNearEnough) {
   EXPECT_EQ(nearestName("Lava", {"Base", "Goal"}), "");
   EXPECT_EQ(nearestName("abcdef", {"abcdefgh", "abcdxf", "abc"}), "abcdxf");
   EXPECT_EQ(nearestName("abcdef", {"abcdefghi", "abc"}), "") << "half of it is too far";
+  EXPECT_EQ(nearestName("levle", {"header", "level"}), "level") << "swapped letters are one slip";
+  EXPECT_EQ(nearestName("evlel", {"level"}), "") << "of five letters two slips are too many";
   EXPECT_EQ(nearestName("", {}), "");
   EXPECT_EQ(nearestName(std::string(200, 'a'), {std::string(200, 'a')}), "") << "no slip";
 }

@@ -59,8 +59,8 @@ struct Bad {
 
 TEST(Recipe, ErrorsNamePathAndCure) {
   const Bad cases[] = {
-      {"{", "column 2: the line ends in the middle of a value: cut off?"},
-      {"{\n \"turns\": 1,\n}", "line 3 column 1: not JSON: unexpected '}'"},
+      {"{", "column 2: the text ends in the middle of a value"},
+      {"{\n \"turns\": 1,\n}", "line 3 column 1: expected a string in double quotes, found '}'"},
       {"[]", "expected an object, found an array of 0"},
       {R"({"style": 1})", "style: unknown key (did you mean styles?)"},
       {R"({"zzz": 1})",
@@ -85,7 +85,7 @@ TEST(Recipe, ErrorsNamePathAndCure) {
       {R"({"difficulty": ["easy", true]})", "difficulty[1]: expected a number, found true"},
       {R"({"obstacles": 0})", "obstacles: expected a range between 1 and 200, found 0 to 0"},
       {R"({"obstacles": 1.5})", "obstacles: expected a whole number up to 1000000, found 1.5"},
-      {R"({"course": {"first": 1e999}})", "column 26: number too large"},
+      {R"({"course": {"first": 1e999}})", "column 26: the number is too large"},
       {R"({"course": {"styles": {"course": 1}}})",
        "course.styles.course: a course cannot be part of a course (leave it out)"},
       {R"({"parameters": {"gapps": {}}})",
@@ -107,7 +107,8 @@ TEST(Recipe, ErrorsNamePathAndCure) {
       {R"({"parameters": {"gaps": 5}})", "parameters.gaps: expected an object, found 5"},
       {R"({"physics": {"gravty": 80}})",
        "physics.gravty: there is no such physics parameter (did you mean gravity?)"},
-      {R"({"physics": {"gravity": -1}})", "physics.gravity: -1 is outside 0 to 2000"},
+      {R"({"physics": {"gravity": -1}})",
+       "physics.gravity: expected a number from 0 to 2000, found -1"},
       {R"({"physics": {"controlRate": 70000}})", "physics.controlRate: expected a whole number"},
   };
   for (const Bad& bad : cases) {

@@ -91,13 +91,15 @@ struct Case {
 };
 
 TEST(Framing, Rules) {
-  const std::string hint = " (obby-import makes records of place files, obby-gen makes levels)";
+  const std::string hint = " (convert a place file with obby-import, or make levels with obby-gen)";
+  const std::string cut = " (it was cut off: run the tool that wrote it again)",
+                    empty = "in: the input is empty (check the file, or the tool upstream)";
   const std::string h = "{\"type\":\"header\"}\n", l = "{\"type\":\"level\"}\n",
                     e = "{\"type\":\"end\"}\n";
   const std::string line = "{\"type\":\"level\"}";
   const Case cases[] = {
-      {"", "in: empty input: no record in it", 0},
-      {" \n\r\n\t", "in: empty input: no record in it", 0},
+      {"", empty, 0},
+      {" \n\r\n\t", empty, 0},
       {l, "", 1},
       {line, "", 1},
       {"\n\n" + l + "\r\n \n" + l, "", 2},
@@ -107,23 +109,25 @@ TEST(Framing, Rules) {
       {l + h + l + e + l, "", 5},
       {h + e + h + e, "", 4},
       {l + e, "", 2},
-      {h + l, "in: stream ends without its end record: cut off?", 2},
-      {h + e + h, "in: stream ends without its end record: cut off?", 3},
+      {h + l, "in: the stream ends without its end record" + cut, 2},
+      {h + e + h, "in: the stream ends without its end record" + cut, 3},
       {h + l + h + e,
-       "in:3: expected the end record of the stream whose header is at line 1, found another "
-       "header: cut off?",
+       "in:3: expected the end record of the stream that begins at line 1, found another header" +
+           cut,
        2},
-      {h + l + "{\"type\":\"end\"}", "in:3: the last line has no newline: cut off?", 2},
+      {h + l + "{\"type\":\"end\"}", "in:3: the last line has no newline" + cut, 2},
       {h + l + "{\"type\":\"end\",\"records\":\"2\"}\n", "", 3},
       {h + l + l + "{\"type\":\"end\",\"records\":\"2\"}\n",
-       "in:4: records: the end record counts 2 records, but 3 came: cut or mixed up?", 3},
+       "in:4: records: the end record counts 2 records, but the stream has 3 (it was cut or mixed "
+       "with "
+       "another: run the tool that wrote it again)",
+       3},
       {"{\"type\":\"header\",\"schemaMajor\":2,\"schemaMinor\":5}\n",
-       "in:1: schemaMajor: the stream was written in schema version 2.5, this program (0.1.0) "
-       "reads version 1.3 (use tools of one version)",
+       "in:1: schemaMajor: the stream was written with schema 2.5, but this program (0.1.0) reads "
+       "schema 1.4 (use tools of the same version)",
        0},
       {"<roblox!\x89\xff",
-       "in: expected a stream of records, found a Roblox file (obby-import turns it into a stream)",
-       0},
+       "in: expected a stream of records, found a Roblox file (convert it with obby-import)", 0},
       {"\x1f\x8b\x08\x01zzzz",
        "in: expected a stream of records, found compressed data (decompress it first)", 0},
       {"hello world", "in: expected JSON lines or Cap'n Proto messages, found \"hello wo\"" + hint,
@@ -132,7 +136,17 @@ TEST(Framing, Rules) {
        "in: expected JSON lines or Cap'n Proto messages, found \"part,x,y\"" + hint, 0},
       {"PK\x03\x04zzzzzzzz",
        "in: expected a stream of records, found compressed data (decompress it first)", 0},
-      {"[1,2]", "in: expected JSON lines or Cap'n Proto messages, found \"[1,2]\"" + hint, 0},
+      {"[1,2]",
+       "in: expected one record a line, found a JSON array (write its elements one a line: jq -c "
+       "'.[]' in)",
+       0},
+      {std::string("\xff\xd8\xff\xe0\0\x10JF", 8),
+       "in: expected JSON lines or Cap'n Proto messages, found binary data" + hint, 0},
+      {"{\n  \"type\": \"level\"\n}\n",
+       "in:1: column 2: the text ends in the middle of a value; expected one record a line (join "
+       "the "
+       "lines of a record: jq -c . in)",
+       0},
   };
   for (const Case& c : cases) {
     const Read read = readAll(c.bytes);

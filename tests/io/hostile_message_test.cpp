@@ -99,12 +99,14 @@ TEST(HostileMessages, HugeClaimsCostNothing) {
   rusage before{}, after{};
   getrusage(RUSAGE_SELF, &before);
   EXPECT_EQ(errorOf(little32({0, 0x7fffffff})),
-            "in:byte 0: expected a message of at most 256 MiB, found a claim of 16383 MiB");
+            "in:byte 0: expected a message of at most 256 MiB, found one that claims 16383 MiB");
   EXPECT_EQ(errorOf(little32({511, 0x2000000})),
-            "in:byte 0: the input ends in the middle of a message: cut off?");
+            "in:byte 0: the input ends in the middle of a message (it was cut off: run the tool "
+            "that wrote it again)");
   // Within the cap, but the bytes are not there.
   EXPECT_EQ(errorOf(little32({0, 0x1fffffe})),
-            "in:byte 0: the input ends in the middle of a message: cut off?");
+            "in:byte 0: the input ends in the middle of a message (it was cut off: run the tool "
+            "that wrote it again)");
   getrusage(RUSAGE_SELF, &after);
   EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 64 << 10);  // KiB
 }
@@ -116,7 +118,7 @@ TEST(HostileMessages, AListThatClaimsMoreThanThereIsIsNamedUnsound) {
       little32({0, 10, 0, 0x00010001, 1, 0, 0, 0x00060000, 21, 0x80000002, 0,
                 0, 0,  0, 0,          0, 0, 0, 0,          0,  0,          0});
   EXPECT_EQ(errorOf(bytes),
-            "in:byte 0: unsound Cap'n Proto message: Message contained out-of-bounds text pointer");
+            "in:byte 0: invalid Cap'n Proto message: Message contained out-of-bounds text pointer");
 }
 
 TEST(HostileMessages, SharedAndCyclicPointersEndInAnErrorSoon) {
@@ -126,7 +128,7 @@ TEST(HostileMessages, SharedAndCyclicPointersEndInAnErrorSoon) {
                                 0, 0,  0, 9,          7, 0, 0, 0,          0, 0x3ffffffc, 0});
   const std::clock_t start = std::clock();
   EXPECT_EQ(errorOf(bytes),
-            "in:byte 0: unsound Cap'n Proto message: Exceeded message traversal limit");
+            "in:byte 0: invalid Cap'n Proto message: Exceeded message traversal limit");
   EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 0.5);
 }
 

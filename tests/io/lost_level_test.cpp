@@ -56,9 +56,10 @@ TEST(LostLevel, TakesTheQueriesWithItThatNameNone) {
     const LostLevelRead read({text}, onError);
     EXPECT_EQ(read.came, "+ac+e");
     ASSERT_EQ(read.reports.size(), 3u);
-    EXPECT_EQ(read.reports[1],
-              "in0:4: level: none is named, and what may be the one before, at in0:3, could not be "
-              "read (mend that, or name the level that is meant)");
+    EXPECT_EQ(
+        read.reports[1],
+        "in0:4: level: no level is named, and the record at in0:3, which may be its level, could "
+        "not be read (fix that record, or name the level)");
     EXPECT_EQ(read.reports[2].find("in0:6: level: "), 0u) << read.reports[2];
     EXPECT_EQ(read.summary.skipped, 3u);
     EXPECT_EQ(read.summary.errors, 3u);
@@ -74,8 +75,9 @@ TEST(LostLevel, TakesNothingThatIsOfAnother) {
 }
 
 TEST(LostLevel, IsAnythingThatDoesNotSayWhatItIs) {
-  for (const char* lost : {"{\"name\":\"B\",\"type\" : \"level\",\"parts\":[", "{\"type\":3}", "B",
-                           "{\"type\":\"query\",\"type\":\"level\"}"}) {
+  for (const char* lost :
+       {"{\"name\":\"B\",\"type\" : \"level\",\"parts\":[", "{\"type\":\"levle\"}", "{\"type\":3}",
+        "B", "{\"type\":\"query\",\"type\":\"level\"}"}) {
     EXPECT_EQ(LostLevelRead({kLevel + query("a") + lost + "\n" + query("b")}).came, "+a") << lost;
   }
 }

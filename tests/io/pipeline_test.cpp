@@ -1,55 +1,14 @@
 // The filter that every tool is.
 #include "io/pipeline.h"
 
-#include <gtest/gtest.h>
-
-#include "scratch_folder.h"
+#include "pipeline_fixture.h"
 
 namespace obby::io {
 namespace {
 
-using test::ScratchFolder;
-
-struct Fixture {
-  ScratchFolder folder;
-  std::string output;
-  std::vector<std::string> reports, places;
-  SourceOptions options;
-
-  Fixture() {
-    options.inputs.clear();
-    options.report = [this](const Error& error) {
-      reports.push_back(error.message);
-      places.push_back(error.input + ":" + error.place);
-    };
-  }
-  void input(const std::string& text) {
-    const std::string path = folder / std::to_string(options.inputs.size());
-    std::ofstream(path) << text;
-    options.inputs.push_back(path);
-  }
-  Pipeline pipeline(Format format = Format::jsonl) {
-    return Pipeline(options, {"obby-test", "1.2.3", 42}, StreamWriter::toBytes(format, &output));
-  }
-  // The output's end record in JSON.
-  std::string end() const {
-    StreamReader reader = StreamReader::overBytes(output, "output");
-    std::string line;
-    for (auto record = reader.next(); record && *record; record = reader.next()) {
-      if (!(*record)->known() || (*record)->which() != Kind::END) continue;
-      StreamWriter writer = StreamWriter::toBytes(Format::jsonl, &line);
-      EXPECT_TRUE(writer.write((*record)->reader()));
-    }
-    return line;
-  }
-};
-
-const std::string kHeader =
-    "{\"type\":\"header\",\"schemaMajor\":1,\"schemaMinor\":3,\"tool\":\"obby-test\",\"version\":"
-    "\"1.2.3\",\"seed\":\"42\","
-    "\"floatPolicy\":\"ieee754-nofma\"}\n";
-
-Result<Then> passAll(const Record&) { return Then::pass; }
+using test::kHeader;
+using test::passAll;
+using Fixture = test::PipelineFixture;
 
 TEST(Pipeline, TakesFramesOffAndPutsOneOn) {
   Fixture f;
@@ -60,6 +19,19 @@ TEST(Pipeline, TakesFramesOffAndPutsOneOn) {
             kHeader +
                 "{\"type\":\"level\"}\n{\"type\":\"query\"}\n{\"type\":\"new\"}\n"
                 "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"4\",\"skipped\":\"2\"}\n");
+}
+
+// What is passed on is of the version that the next tool is told.
+TEST(Pipeline, AStreamOfALaterSchemaStaysOne) {
+  Fixture f;
+  f.input("{\"type\":\"header\",\"schemaMinor\":99}\n{\"type\":\"levle\"}\n{\"type\":\"end\"}\n");
+  ASSERT_TRUE(f.pipeline().runAndFinish(passAll));
+  const std::string once = f.output;
+  EXPECT_NE(once.find("\"schemaMinor\":99"), std::string::npos);
+  Fixture next;
+  next.input(once);
+  ASSERT_TRUE(next.pipeline().runAndFinish(passAll));
+  EXPECT_EQ(next.output, once);
 }
 
 TEST(Pipeline, HandlersWriteBeforeTheRecordTheyPassOrDropIt) {
@@ -81,116 +53,14 @@ TEST(Pipeline, HandlersWriteBeforeTheRecordTheyPassOrDropIt) {
                           "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"4\"}\n");
 }
 
-TEST(Pipeline, AnErrorStopsButKeepsWhatWasDone) {
-  Fixture f;
-  f.input("{\"type\":\"level\"}\n{\"type\":3}\n{\"type\":\"level\"}\n");
-  const Status status = f.pipeline().runAndFinish(passAll);
-  ASSERT_FALSE(status);
-  EXPECT_EQ(status.error().place, "2");
-  EXPECT_EQ(f.output, kHeader +
-                          "{\"type\":\"level\"}\n"
-                          "{\"type\":\"end\",\"status\":\"interrupted\",\"records\":\"2\","
-                          "\"errors\":\"1\"}\n");
-}
-
-TEST(Pipeline, AnErrorAtTheStartLeavesNoOutput) {
-  Fixture f;
-  f.options.inputs.push_back(f.folder / "missing");
-  EXPECT_FALSE(f.pipeline().runAndFinish(passAll));
-  EXPECT_EQ(f.output, "");
-}
-
-TEST(Pipeline, ForgivenErrorsAreReportedAndCounted) {
-  for (OnError policy : {OnError::skip, OnError::emit}) {
-    Fixture f;
-    f.options.onError = policy;
-    f.input("{\"type\":3}\n{\"type\":\"level\"}\n{\"type\":\"query\"}\n");
-    ASSERT_TRUE(f.pipeline().runAndFinish([](const Record& record) -> Result<Then> {
-      if (record.which() == Kind::QUERY) return makeError("bad query");
-      return Then::pass;
-    }));
-    EXPECT_EQ(f.reports.size(), 2u);
-    const bool emit = policy == OnError::emit;
-    EXPECT_EQ(f.output, kHeader + "{\"type\":\"level\"}\n" +
-                            (emit ? "{\"type\":\"query\"}\n" : "") +
-                            (emit ? "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"3\","
-                                    "\"skipped\":\"1\",\"errors\":\"2\"}\n"
-                                  : "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"2\","
-                                    "\"skipped\":\"2\",\"errors\":\"2\"}\n"));
-  }
-}
-
-// Under stop it ends the run, under emit it cannot be passed on all the same.
-TEST(Pipeline, ARecordThatTheOutputCannotHoldIsAnErrorAboutThatRecord) {
-  for (OnError policy : {OnError::stop, OnError::skip, OnError::emit}) {
-    Fixture f;
-    f.options.onError = policy;
-    f.input("{\"type\":\"level\"}\n{\"type\":\"weather\"}\n{\"type\":\"query\"}\n");
-    const std::string where = f.options.inputs[0] + ":2";
-    const Status status = f.pipeline(Format::capnp).runAndFinish(passAll);
-    if (policy == OnError::stop) {
-      ASSERT_FALSE(status);
-      EXPECT_EQ(status.error().input + ":" + status.error().place, where);
-      EXPECT_EQ(f.end(),
-                "{\"type\":\"end\",\"status\":\"interrupted\",\"records\":\"2\","
-                "\"errors\":\"1\"}\n");
-      continue;
-    }
-    ASSERT_TRUE(status);
-    EXPECT_EQ(f.places, std::vector<std::string>{where});
-    EXPECT_EQ(f.end(),
-              "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"3\",\"skipped\":\"1\","
-              "\"errors\":\"1\"}\n");
-  }
-}
-
-// It has gone out: nothing is left out on its account. The next input is being read by then.
-TEST(Pipeline, ALateErrorNamesTheRecordThatItIsAbout) {
-  for (OnError policy : {OnError::stop, OnError::skip, OnError::emit}) {
-    Fixture f;
-    f.options.onError = policy;
-    f.input("\n{\"type\":\"level\"}\n");
-    f.input("{\"type\":\"query\"}\n");
-    const std::string where = f.options.inputs[0] + ":2";
-    std::optional<Record> level;
-    Pipeline pipeline = f.pipeline();
-    const Status status = pipeline.runAndFinish([&](const Record& record) -> Result<Then> {
-      if (record.which() == Kind::LEVEL) level = record;
-      if (record.which() != Kind::QUERY) return Then::pass;
-      OBBY_RETURN_IF_ERROR(pipeline.forgiveLate(*level, makeError("no goal")));
-      return Then::pass;
-    });
-    if (policy == OnError::stop) {
-      ASSERT_FALSE(status);
-      EXPECT_EQ(status.error().input + ":" + status.error().place, where);
-      continue;
-    }
-    ASSERT_TRUE(status);
-    EXPECT_EQ(f.places, std::vector<std::string>{where});
-    EXPECT_EQ(f.end(),
-              "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"3\",\"errors\":\"1\"}\n");
-  }
-}
-
-TEST(Pipeline, AnErrorOfWorkAfterTheRunIsInTheEnd) {
-  Fixture f;
-  f.input("{\"type\":\"level\"}\n");
-  Pipeline pipeline = f.pipeline();
-  ASSERT_TRUE(pipeline.run(passAll));
-  const Status status = pipeline.finish(makeError("no query of that name"));
-  ASSERT_FALSE(status);
-  EXPECT_EQ(status.error().message, "no query of that name");
-  EXPECT_EQ(f.end(),
-            "{\"type\":\"end\",\"status\":\"interrupted\",\"records\":\"2\",\"errors\":\"1\"}\n");
-}
-
 TEST(Pipeline, WhatCameOfOtherSourcesOfAToolIsInTheEnd) {
   Fixture f;
   f.options.onError = OnError::skip;
   f.input("{\"type\":\"level\"}\n{\"type\":3}\n");
   for (const auto& [status, name] : {std::pair(schema::EndStatus::COMPLETE, "complete"),
                                      std::pair(schema::EndStatus::BUDGET, "budget"),
-                                     std::pair(schema::EndStatus::INTERRUPTED, "interrupted")}) {
+                                     std::pair(schema::EndStatus::INTERRUPTED, "interrupted"),
+                                     std::pair(schema::EndStatus::FAILED, "failed")}) {
     f.output.clear();
     Pipeline pipeline = f.pipeline();
     ASSERT_TRUE(pipeline.run(passAll));
@@ -250,6 +120,7 @@ TEST(Pipeline, ABrokenFrameIsNeverForgiven) {
 TEST(Pipeline, TheGravestStatusWins) {
   const std::string budget = "{\"type\":\"end\",\"status\":\"budget\"}\n",
                     interrupted = "{\"type\":\"end\",\"status\":\"interrupted\"}\n",
+                    failed = "{\"type\":\"end\",\"status\":\"failed\"}\n",
                     complete = "{\"type\":\"level\"}\n{\"type\":\"end\"}\n";
   const auto statusOf = [](std::initializer_list<std::string> inputs, bool spent) {
     Fixture f;
@@ -257,7 +128,7 @@ TEST(Pipeline, TheGravestStatusWins) {
     Pipeline pipeline = f.pipeline();
     if (spent) pipeline.outOfBudget();
     EXPECT_TRUE(pipeline.runAndFinish(passAll));
-    for (const char* status : {"budget", "interrupted"})
+    for (const char* status : {"budget", "interrupted", "failed"})
       if (f.output.find(status) != std::string::npos) return std::string(status);
     return std::string("complete");
   };
@@ -265,6 +136,7 @@ TEST(Pipeline, TheGravestStatusWins) {
   EXPECT_EQ(statusOf({complete}, true), "budget");
   EXPECT_EQ(statusOf({budget, complete}, false), "budget");
   EXPECT_EQ(statusOf({interrupted, budget}, true), "interrupted");
+  EXPECT_EQ(statusOf({interrupted, failed, budget}, true), "failed");
 }
 
 TEST(Pipeline, AStopEndsTheStreamInOrder) {

@@ -45,8 +45,7 @@ TEST(ReadFile, RefusesMoreThanIsAskedFor) {
   ScratchFolder folder;
   std::ofstream(folder / "a") << std::string(2000, 'x');
   EXPECT_EQ(readFile(folder / "a", nullptr, 2000)->size(), 2000u);
-  const std::string cure =
-      " (it would be read into memory whole: name a file that ends, and is no larger)";
+  const std::string cure = " (it is read into memory whole: give a smaller file)";
   EXPECT_EQ(readFile(folder / "a", nullptr, 1999).error().text(),
             folder / "a: expected at most 1999 bytes, found 2000" + cure);
   std::ofstream(folder / "sparse").flush();

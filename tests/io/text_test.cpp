@@ -38,5 +38,14 @@ TEST(Quoted, HoldsNothingThatMovesTheCursorOrTurnsTheLineRound) {
   EXPECT_EQ(quoted("caf\xc3\xa9\xe9"), "\"caf\xc3\xa9?\"");
 }
 
+TEST(Described, QuotesTextAndNamesBinaryData) {
+  EXPECT_EQ(described("part,x\n"), "\"part,x\\n\"");
+  EXPECT_EQ(described("caf\xc3"), "\"caf?\"") << "a character that the end cuts is text";
+  for (const std::string_view binary :
+       {std::string_view("\xff\xd8\xff\xe0\0\x10JF", 8), std::string_view("\x89PNG\r\n\x1a\n"),
+        std::string_view("a\xff\xff\xff\xff"), std::string_view("\xc3")})
+    EXPECT_EQ(described(binary), "binary data");
+}
+
 }  // namespace
 }  // namespace obby::io

@@ -41,7 +41,8 @@ TEST(CompileErrors, Size) {
 
 TEST(CompileErrors, Position) {
   for (const Vec3 at : {Vec3{kNan, 0, 0}, Vec3{0, kInf, 0}, Vec3{0, 0, -2e6f}}) {
-    expectRefused([=](auto p) { set(p.initPosition(), at); }, ".position", "within 1000000");
+    expectRefused([=](auto p) { set(p.initPosition(), at); }, ".position",
+                  "from -1000000 to 1000000");
   }
 }
 
@@ -112,7 +113,7 @@ TEST(CompileErrors, Teleport) {
       [](auto p) {
         set(p.initTeleport().initPosition(), {0, kInf, 0});
       },
-      ".teleport.position", "three numbers within");
+      ".teleport.position", "three numbers from -1000000");
   expectRefused([](auto p) { p.initTeleport().setYaw(kNan); }, ".teleport.yaw", "radians");
 }
 
@@ -123,22 +124,25 @@ TEST(CompileErrors, Boost) {
   }
   expectRefused([](auto p) { p.initBoost().setJumpMore(kNan); }, ".boost.jumpMore", "studs/s");
   expectRefused([](auto p) { p.initBoost().setWalkSpeed(2), p.getBoost().setSeconds(-1); },
-                ".boost.seconds", "not negative");
+                ".boost.seconds", "expected 0 or more");
   expectRefused([](auto p) { p.initBoost(); }, ".boost", "changes nothing");
 }
 
 TEST(CompileErrors, NegativeSeconds) {
-  expectRefused([](auto p) { p.initFall().setDelay(-1); }, ".fall.delay", "not negative");
-  expectRefused([](auto p) { p.initFall().setAway(kNan); }, ".fall.away", "not negative");
-  expectRefused([](auto p) { p.initFall().setSeconds(0); }, ".fall.seconds", "at least a tick");
-  expectRefused([](auto p) { p.initFall().setSpeed(-1); }, ".fall.speed", "not negative");
+  expectRefused([](auto p) { p.initFall().setDelay(-1); }, ".fall.delay", "expected 0 or more");
+  expectRefused([](auto p) { p.initFall().setAway(kNan); }, ".fall.away", "expected 0 or more");
+  expectRefused([](auto p) { p.initFall().setSeconds(0); }, ".fall.seconds", "at least one tick");
+  expectRefused([](auto p) { p.initFall().setSpeed(-1); }, ".fall.speed", "expected 0 or more");
   for (const float bad : {-1.0f, kNan}) {
-    expectRefused([=](auto p) { p.initVanish().setDelay(bad); }, ".vanish.delay", "not negative");
-    expectRefused([=](auto p) { p.initVanish().setAway(bad); }, ".vanish.away", "not negative");
+    expectRefused([=](auto p) { p.initVanish().setDelay(bad); }, ".vanish.delay",
+                  "expected 0 or more");
+    expectRefused([=](auto p) { p.initVanish().setAway(bad); }, ".vanish.away",
+                  "expected 0 or more");
   }
-  expectRefused([](auto p) { p.initTrip().setSeconds(-1); }, ".trip.seconds", "not negative");
-  expectRefused([](auto p) { p.initTrip().setAfter(-1); }, ".trip.after", "not negative");
-  expectRefused([](auto p) { p.initMotion().setSeconds(-1); }, ".motion.seconds", "not negative");
+  expectRefused([](auto p) { p.initTrip().setSeconds(-1); }, ".trip.seconds", "expected 0 or more");
+  expectRefused([](auto p) { p.initTrip().setAfter(-1); }, ".trip.after", "expected 0 or more");
+  expectRefused([](auto p) { p.initMotion().setSeconds(-1); }, ".motion.seconds",
+                "expected 0 or more");
 }
 
 TEST(CompileErrors, FallsOfPartsThatNothingCanTouch) {
@@ -151,12 +155,12 @@ TEST(CompileErrors, FallsOfPartsThatNothingCanTouch) {
       f.setSpeed(speed);
     };
   };
-  expectRefused(fall(-1, 1, 0), ".fall.delay", "not negative");
-  expectRefused(fall(1, 0, 0), ".fall.seconds", "at least a tick");
-  expectRefused(fall(1, 1, -1), ".fall.speed", "not negative");
+  expectRefused(fall(-1, 1, 0), ".fall.delay", "expected 0 or more");
+  expectRefused(fall(1, 0, 0), ".fall.seconds", "at least one tick");
+  expectRefused(fall(1, 1, -1), ".fall.speed", "expected 0 or more");
   expectRefused(fall(1e6f, 1e6f, 0), ".fall", "longer than 20 minutes");
   expectRefused([](auto p) { p.setTouch(false), p.initFall(), p.initMotion(); }, ".fall",
-                "no other motion");
+                "cannot have motion or vanish");
 }
 
 TEST(CompileErrors, LoosePartsThatLoseTheirCollision) {
@@ -173,7 +177,8 @@ TEST(CompileErrors, OneWayWithoutADirection) {
 
 TEST(CompileErrors, OneTouchStartsOneThingThatTakesTime) {
   expectRefused([](auto p) { p.initFall(), p.initVanish(); }, ".fall", "does not vanish");
-  expectRefused([](auto p) { p.initFall(), p.initMotion(); }, ".fall", "no other motion");
+  expectRefused([](auto p) { p.initFall(), p.initMotion(); }, ".fall",
+                "cannot have motion or vanish");
   expectRefused(
       [](auto p) {
         p.initVanish();
@@ -198,16 +203,16 @@ PartSetter door(const char* signal) {
 }
 
 TEST(CompileErrors, SignalsThatNothingStartsOrNothingHears) {
-  expectRefused(door("gate"), ".vanish.signal", "nothing starts the signal 'gate'");
-  expectRefused(door(""), ".vanish.signal", "the name that a button gives");
+  expectRefused(door("gate"), ".vanish.signal", "no button starts the signal 'gate'");
+  expectRefused(door(""), ".vanish.signal", "the name of a button's signal, found none");
   expectRefused(button("gate"), ".button.signal", "no part responds to the signal 'gate'");
-  expectRefused(button(""), ".button.signal", "name of a signal");
-  expectRefused(button("gate", -1), ".button.seconds", "not negative");
-  expectRefused(button("gate", 0), ".button.seconds", "less than a tick");
+  expectRefused(button(""), ".button.signal", "expected the name of a signal, found none");
+  expectRefused(button("gate", -1), ".button.seconds", "expected 0 or more");
+  expectRefused(button("gate", 0), ".button.seconds", "less than one tick");
   expectRefused([](auto p) { p.initVanish().setSignal("gate"); }, ".vanish.signal", "trigger");
   expectRefused([](auto p) { p.initMotion().setSignal("gate"); }, ".motion.signal", "trigger");
   expectRefused([](auto p) { p.initMotion().setTrigger(schema::MotionTrigger::SIGNAL); },
-                ".motion.signal", "the name that a button gives");
+                ".motion.signal", "the name of a button's signal, found none");
   LevelBuilder untouchable, fine;
   untouchable.part([](auto p) { button("gate")(p), p.setTouch(false); }).part(door("gate"));
   EXPECT_EQ(untouchable.tryCompile().error().path, "parts[1].vanish.signal");
@@ -273,7 +278,7 @@ TEST(CompileErrors, Hulls) {
       for (uint32_t i = 0; i < count; ++i) set(second[i], last * float(i));
     };
   };
-  expectRefused(hullOf(3, {1, 1, 1}), ".hulls[1].vertices", "4 to 255 vertices, got 3");
+  expectRefused(hullOf(3, {1, 1, 1}), ".hulls[1].vertices", "4 to 255 vertices, found 3");
   expectRefused(hullOf(256, {1, 1, 1}), ".hulls[1].vertices", "got 256");
   expectRefused(hullOf(5, {kNan, 1, 1}), ".hulls[1].vertices", "numbers");
   expectRefused(hullOf(5, {1e38f, 1, 1}), ".hulls[1].vertices", "numbers");

@@ -162,7 +162,7 @@ TEST(Params, StepsInWhichTheLegsWouldThrowThePlayerAreRefused) {
   const auto coarse = at(30, 1);
   ASSERT_FALSE(bool(coarse));
   EXPECT_EQ(coarse.error().path, "physics.substeps");
-  EXPECT_EQ(coarse.error().hint, "controlRate x substeps must be above 55");
+  EXPECT_EQ(coarse.error().hint, "raise controlRate x substeps above 55");
 }
 
 }  // namespace

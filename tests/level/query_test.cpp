@@ -221,7 +221,7 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
       "goal.position", "three numbers");
   queryExpectRefused([](auto r) { r.getGoal().initRotation().setW(0); }, "goal.rotation",
                      "not zero");
-  queryExpectRefused([](auto r) { r.initWaypoints(1); }, "waypoints[0].region", "needs a region");
+  queryExpectRefused([](auto r) { r.initWaypoints(1); }, "waypoints[0].region", "has no region");
   queryExpectRefused(
       [](auto r) {
         set(r.initAvoid(2)[1].initSize(), {-1, 1, 1});
@@ -236,19 +236,19 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
         r.initWaypoints(1)[0].initRegion(), r.getWaypoints()[0].setSegmentTime(kQueryNan);
       },
       "waypoints[0].segmentTime", "seconds");
-  queryExpectRefused([](auto r) { r.initVisits(33); }, "visits", "at most 32, got 33");
+  queryExpectRefused([](auto r) { r.initVisits(33); }, "visits", "at most 32, found 33");
   queryExpectRefused([](auto r) { r.setMinJumps(3), r.setMaxJumps(2); }, "minJumps",
                      "3 jumps at least");
   queryExpectRefused([](auto r) { r.setMinJumps(65536); }, "minJumps", "at most 65535");
   queryExpectRefused([](auto r) { r.setMaxDamage(-2); }, "maxDamage", "health");
-  queryExpectRefused([](auto r) { r.setMaxJumps(-2); }, "maxJumps", "-1 for any");
-  queryExpectRefused([](auto r) { r.setSegmentJumps(-3); }, "segmentJumps", "-1 for any");
+  queryExpectRefused([](auto r) { r.setMaxJumps(-2); }, "maxJumps", "(-1: any)");
+  queryExpectRefused([](auto r) { r.setSegmentJumps(-3); }, "segmentJumps", "(-1: any)");
   queryExpectRefused(
       [](auto r) { r.initWaypoints(1)[0].initRegion(), r.getWaypoints()[0].setMaxJumps(-2); },
-      "waypoints[0].maxJumps", "-1 for any");
+      "waypoints[0].maxJumps", "(-1: any)");
   queryExpectRefused(
       [](auto r) { r.initWaypoints(1)[0].initRegion(), r.getWaypoints()[0].setSegmentJumps(-2); },
-      "waypoints[0].segmentJumps", "-1 for any");
+      "waypoints[0].segmentJumps", "(-1: any)");
   queryExpectRefused([](auto r) { r.initStart().setSpawn(-2); }, "start.spawn", "0 to 1, got -2");
   queryExpectRefused([](auto r) { r.initForbid(1).set(0, schema::PlayerState::FREEFALL); },
                      "forbid[0]", "do without");

@@ -41,8 +41,8 @@ void start(PartContext& context, uint32_t clock) {
 
 Status startOwn(PartContext& context, uint32_t length, const char* field) {
   if (context.own.length != 0) {
-    return pathError(field, "a touch of this part already starts something else that takes time",
-                     "make it a button, and let this respond to its signal");
+    return pathError(field, "touching this part already starts another timed effect",
+                     "make the part a button, and let this effect respond to its signal");
   }
   context.own.length = length;
   if (length != 0) start(context, kOwnClock);

@@ -13,8 +13,8 @@ constexpr float kMostMore = 1000;  // studs/s
 
 Status checkFactor(float factor, const char* path) {
   if (factor > 0 && factor <= kMostFactor) return {};
-  return pathError(path, "expected a factor above 0 and at most 100",
-                   "1 leaves the speed as it is");
+  return pathError(path, "expected a factor above 0 and at most 100, found " + shown(factor),
+                   "use 1 to leave the speed unchanged");
 }
 
 }  // namespace
@@ -24,7 +24,8 @@ Status compileBoost(PartContext& c) {
   OBBY_RETURN_IF_ERROR(checkFactor(record.getWalkSpeed(), "boost.walkSpeed"));
   OBBY_RETURN_IF_ERROR(checkFactor(record.getJumpSpeed(), "boost.jumpSpeed"));
   if (!(std::fabs(record.getJumpMore()) <= kMostMore)) {
-    return pathError("boost.jumpMore", "expected studs/s within 1000");
+    return pathError("boost.jumpMore",
+                     "expected -1000 to 1000 studs/s, found " + shown(record.getJumpMore()));
   }
   OBBY_ASSIGN(const uint32_t ticks, ticksOf(c.params, record.getSeconds(), "boost.seconds"));
   Clock clock;
@@ -35,7 +36,7 @@ Status compileBoost(PartContext& c) {
   clock.jumpFactor = record.getJumpSpeed();
   clock.jumpMore = record.getJumpMore();
   if (!changesWalk(clock) && !changesJump(clock)) {
-    return pathError("boost", "changes nothing", "give walkSpeed, jumpSpeed or jumpMore");
+    return pathError("boost", "the boost changes nothing", "set walkSpeed, jumpSpeed or jumpMore");
   }
   start(c, c.clocks.share(clock));
   return {};

@@ -20,8 +20,10 @@ Result<FallTicks> fallTicks(schema::Fall::Reader fall, const Params& params) {
   OBBY_ASSIGN(t.delay, ticksOf(params, fall.getDelay(), "fall.delay"));
   OBBY_ASSIGN(t.fall, ticksOf(params, fall.getSeconds(), "fall.seconds"));
   OBBY_ASSIGN(t.away, ticksOf(params, fall.getAway(), "fall.away"));
-  if (t.delay + t.fall > mostTicks(params)) return pathError("fall", longerThanMost(params));
-  if (t.fall == 0) return pathError("fall.seconds", "expected at least a tick");
+  if (t.delay + t.fall > mostTicks(params)) {
+    return pathError("fall", "delay and seconds together are " + longerThanMost(params));
+  }
+  if (t.fall == 0) return pathError("fall.seconds", "expected at least one tick");
   return t;
 }
 
@@ -30,11 +32,11 @@ Result<FallTicks> fallTicks(schema::Fall::Reader fall, const Params& params) {
 Status compileFall(PartContext& c) {
   const auto record = c.part.getFall();
   if (c.part.hasVanish() || c.part.hasMotion()) {
-    return pathError("fall", "a part that falls has no other motion, and does not vanish",
-                     "take away its vanish or motion");
+    return pathError("fall", "a part that falls cannot have motion or vanish",
+                     "remove its vanish or motion");
   }
   if (!(record.getSpeed() >= 0)) {
-    return pathError("fall.speed", "expected studs/s that are not negative");
+    return pathError("fall.speed", "expected 0 or more studs/s, found " + shown(record.getSpeed()));
   }
   OBBY_ASSIGN(const FallTicks t, fallTicks(record, c.params));
   if (!c.part.getTouch()) return {};

@@ -10,7 +10,9 @@ namespace obby::level {
 Status compileKill(PartContext& c) {
   const auto record = c.part.getKill();
   OBBY_ASSIGN(const uint32_t cooldown, ticksOf(c.params, record.getCooldown(), "kill.cooldown"));
-  if (!std::isfinite(record.getDamage())) return pathError("kill.damage", "expected a number");
+  if (!std::isfinite(record.getDamage())) {
+    return pathError("kill.damage", "expected a finite number, found " + shown(record.getDamage()));
+  }
   c.roles.damage = record.getDamage();
   if (c.roles.damage < 0) {
     c.flags |= kHeal;

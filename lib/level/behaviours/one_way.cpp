@@ -6,7 +6,7 @@ namespace obby::level {
 
 Status compileOneWay(PartContext& c) {
   OBBY_ASSIGN(c.roles.oneWay, direction(c.part.getOneWay().getDirection(), "oneWay.direction",
-                                        "[0,1,0] makes the top solid"));
+                                        "use [0,1,0] to make the top solid"));
   c.flags |= kOneWay;
   return {};
 }

@@ -9,14 +9,17 @@ namespace {
 
 // Ticks into the period at tick 0: a negative phase counts back from the period's end.
 Result<uint32_t> phaseOf(const Params& params, float phase, uint32_t period) {
-  if (!std::isfinite(phase)) return pathError("vanish.phase", "expected seconds");
+  if (!std::isfinite(phase)) {
+    return pathError("vanish.phase", "expected finite seconds, found " + shown(phase));
+  }
   const uint32_t ticks = ticksFromSeconds(params, std::fabs(phase));
   return phase < 0 ? (period - ticks % period) % period : ticks;
 }
 
 Status byTimer(PartContext& c) {
   const uint32_t period = c.roles.vanishDelay + c.roles.vanishAway;
-  if (period == 0) return pathError("vanish", "a period of 0 ticks", "give delay or away");
+  if (period == 0)
+    return pathError("vanish", "the timer has a period of 0 ticks", "set delay or away");
   OBBY_ASSIGN(c.roles.vanishPhase, phaseOf(c.params, c.part.getVanish().getPhase(), period));
   c.flags |= kVanishTimer;
   return {};
@@ -49,8 +52,8 @@ Status compileVanish(PartContext& c) {
   c.roles.awayFrom = c.roles.vanishDelay;
   const bool signal = record.getTrigger() == schema::VanishTrigger::SIGNAL;
   if (record.getSignal().size() != 0 && !signal) {
-    return pathError("vanish.signal", "does nothing with this trigger",
-                     "set \"trigger\":\"signal\"");
+    return pathError("vanish.signal", "a signal has no effect with this trigger",
+                     "set \"trigger\":\"signal\", or remove the signal");
   }
   if (signal) return bySignal(c);
   return record.getTrigger() == schema::VanishTrigger::TIMER ? byTimer(c) : byTouch(c);

@@ -12,7 +12,7 @@ Result<EarlierAnswers> EarlierAnswers::read(io::SourceOptions source) {
   for (;;) {
     OBBY_ASSIGN(const std::optional<io::Record> record, records.next());
     if (!record) return answers;
-    if (record->which() != io::Kind::TRAJECTORY) continue;
+    if (!record->known() || record->which() != io::Kind::TRAJECTORY) continue;
     if (Status noted = answers.note(record->reader().getTrajectory()); !noted) {
       OBBY_RETURN_IF_ERROR(records.forgive(*record, noted.error()));
     }

@@ -1,0 +1,55 @@
+// A pipeline from texts to a text, and what it reports.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "io/pipeline.h"
+#include "scratch_folder.h"
+
+namespace obby::io::test {
+
+struct PipelineFixture {
+  ScratchFolder folder;
+  std::string output;
+  std::vector<std::string> reports, places;
+  SourceOptions options;
+
+  PipelineFixture() {
+    options.inputs.clear();
+    options.report = [this](const Error& error) {
+      reports.push_back(error.message);
+      places.push_back(error.input + ":" + error.place);
+    };
+  }
+  void input(const std::string& text) {
+    const std::string path = folder / std::to_string(options.inputs.size());
+    std::ofstream(path) << text;
+    options.inputs.push_back(path);
+  }
+  Pipeline pipeline(Format format = Format::jsonl) {
+    return Pipeline(options, {"obby-test", "1.2.3", 42}, StreamWriter::toBytes(format, &output));
+  }
+  // The output's end record in JSON.
+  std::string end() const {
+    StreamReader reader = StreamReader::overBytes(output, "output");
+    std::string line;
+    for (auto record = reader.next(); record && *record; record = reader.next()) {
+      if (!(*record)->known() || (*record)->which() != Kind::END) continue;
+      StreamWriter writer = StreamWriter::toBytes(Format::jsonl, &line);
+      EXPECT_TRUE(writer.write((*record)->reader()));
+    }
+    return line;
+  }
+};
+
+inline const std::string kHeader =
+    "{\"type\":\"header\",\"schemaMajor\":1,\"schemaMinor\":4,\"tool\":\"obby-test\",\"version\":"
+    "\"1.2.3\",\"seed\":\"42\","
+    "\"floatPolicy\":\"ieee754-nofma\"}\n";
+
+inline Result<Then> passAll(const Record&) { return Then::pass; }
+
+}  // namespace obby::io::test
