@@ -13,7 +13,7 @@
 namespace obby::cli {
 namespace {
 
-ToolSpec tool() {
+ToolSpec exampleTool() {
   ToolSpec spec;
   spec.name = "obby-test";
   spec.summary = "test what help does with a summary that is a little longer than it has to be";
@@ -50,7 +50,7 @@ size_t countOf(const std::string& text, const std::string& part) {
 bool has(const std::string& text, const std::string& part) { return countOf(text, part) > 0; }
 
 TEST(Help, FitsTheWidth) {
-  ToolSpec spec = tool();
+  ToolSpec spec = exampleTool();
   const std::string fits(40, 'f'), sentence(30, 's');
   spec.notes = sentence + " " + sentence + "\n\n" + fits;
   for (const size_t width : {40, 63, 64, 80, 120}) {
@@ -61,18 +61,18 @@ TEST(Help, FitsTheWidth) {
 }
 
 TEST(Help, HasOneColumnOnANarrowTerminalAndTwoElsewhere) {
-  EXPECT_TRUE(has(helpOf(tool(), 80), "\n      --seed N              random seed"));
-  EXPECT_TRUE(has(helpOf(tool(), 40), "\n      --seed N\n        random seed"));
+  EXPECT_TRUE(has(helpOf(exampleTool(), 80), "\n      --seed N              random seed"));
+  EXPECT_TRUE(has(helpOf(exampleTool(), 40), "\n      --seed N\n        random seed"));
 }
 
 TEST(Help, BreaksAListOfChoicesBehindABar) {
-  EXPECT_TRUE(
-      has(helpOf(tool(), 40), "\n      --method auto|quickly|thoroughly|\n          elegantly|"))
-      << helpOf(tool(), 40);
+  EXPECT_TRUE(has(helpOf(exampleTool(), 40),
+                  "\n      --method auto|quickly|thoroughly|\n          elegantly|"))
+      << helpOf(exampleTool(), 40);
 }
 
 TEST(Help, ShowsFiveExamplesAndWhatManyNeed) {
-  const std::string few = helpOf(tool(), 80), all = helpOf(tool(), 80, true);
+  const std::string few = helpOf(exampleTool(), 80), all = helpOf(exampleTool(), 80, true);
   EXPECT_EQ(countOf(few, "\n  $ "), 5u);
   EXPECT_EQ(countOf(all, "\n  $ "), 7u);
   for (const char* rare : {"--strange", "Strange options:", "--json-errors", "quickly: before"}) {
@@ -85,14 +85,14 @@ TEST(Help, ShowsFiveExamplesAndWhatManyNeed) {
 }
 
 TEST(Help, PutsMessagesLastAndEachGroupOnce) {
-  const std::string text = helpOf(tool(), 80);
+  const std::string text = helpOf(exampleTool(), 80);
   EXPECT_EQ(countOf(text, "\nHelp and messages:\n"), 1u);
   EXPECT_GT(text.find("\nHelp and messages:\n"), text.find("--method"));
   EXPECT_GT(text.find("--progress"), text.find("\nHelp and messages:\n"));
 }
 
 TEST(Help, BreaksALongExampleBehindItsOperators) {
-  ToolSpec spec = tool();
+  ToolSpec spec = exampleTool();
   spec.examples = {{"Do much", "obby-gen --count 60 --style gaps && obby-solve x | obby-view"}};
   EXPECT_TRUE(has(helpOf(spec, 80),
                   "\n  $ obby-gen --count 60 --style gaps && obby-solve x | obby-view\n"));
@@ -103,7 +103,7 @@ TEST(Help, BreaksALongExampleBehindItsOperators) {
 }
 
 TEST(Help, VersionNamesTheSchema) {
-  const std::string line = versionLine(tool());
+  const std::string line = versionLine(exampleTool());
   EXPECT_TRUE(line.starts_with("obby-test ")) << line;
   EXPECT_TRUE(has(line, "schema ")) << line;
   EXPECT_EQ(line.back(), ')') << line;

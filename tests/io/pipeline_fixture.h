@@ -9,13 +9,13 @@
 #include "io/pipeline.h"
 #include "scratch_folder.h"
 
-namespace obby::io::test {
+namespace obby::test {
 
 struct PipelineFixture {
   ScratchFolder folder;
   std::string output;
   std::vector<std::string> reports, places;
-  SourceOptions options;
+  io::SourceOptions options;
 
   PipelineFixture() {
     options.inputs.clear();
@@ -29,16 +29,17 @@ struct PipelineFixture {
     std::ofstream(path) << text;
     options.inputs.push_back(path);
   }
-  Pipeline pipeline(Format format = Format::jsonl) {
-    return Pipeline(options, {"obby-test", "1.2.3", 42}, StreamWriter::toBytes(format, &output));
+  io::Pipeline pipeline(io::Format format = io::Format::jsonl) {
+    return io::Pipeline(options, {"obby-test", "1.2.3", 42},
+                        io::StreamWriter::toBytes(format, &output));
   }
   // The output's end record in JSON.
   std::string end() const {
-    StreamReader reader = StreamReader::overBytes(output, "output");
+    io::StreamReader reader = io::StreamReader::overBytes(output, "output");
     std::string line;
     for (auto record = reader.next(); record && *record; record = reader.next()) {
-      if (!(*record)->known() || (*record)->which() != Kind::END) continue;
-      StreamWriter writer = StreamWriter::toBytes(Format::jsonl, &line);
+      if (!(*record)->known() || (*record)->which() != io::Kind::END) continue;
+      io::StreamWriter writer = io::StreamWriter::toBytes(io::Format::jsonl, &line);
       EXPECT_TRUE(writer.write((*record)->reader()));
     }
     return line;
@@ -50,6 +51,6 @@ inline const std::string kHeader =
     "\"1.2.3\",\"seed\":\"42\","
     "\"floatPolicy\":\"ieee754-nofma\"}\n";
 
-inline Result<Then> passAll(const Record&) { return Then::pass; }
+inline Result<io::Then> passAll(const io::Record&) { return io::Then::pass; }
 
-}  // namespace obby::io::test
+}  // namespace obby::test

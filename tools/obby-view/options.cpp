@@ -124,16 +124,14 @@ Status refuseIdle(const cli::Arguments& arguments) {
   const bool live = arguments.flag("live");
   if (!live) {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(arguments, {"port", "live-exit"},
-                                          "has no effect without --live",
-                                          "add --live, or leave it out"));
+                                          "has no effect without --live", "add --live"));
   } else if (!arguments.has("output")) {
     return cli::refuseTyped(arguments, {"format", "width", "ascii", "no-map", "size", "from"},
-                            "has no effect on a live page without -o",
-                            "add -o FILE, or leave it out");
+                            "has no effect with --live unless -o names a file", "add -o FILE");
   }
   const std::string format = wantedFormat(arguments).name;
   const std::string message = "has no effect on " + format + " output";
-  constexpr const char* kCure = "choose another --format or extension of FILE, or leave it out";
+  constexpr const char* kCure = "choose the output with --format or the ending of FILE";
   if (format != "text") {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(arguments, {"width", "ascii", "no-map"}, message, kCure));
   }
@@ -161,9 +159,9 @@ Result<view::PictureOptions> pictureOptions(const cli::Arguments& arguments) {
     return Error{{},
                  {},
                  "--size",
-                 fmt::format("expected WIDTHxHEIGHT with each from {0} to {1}, found '{2}'",
+                 fmt::format("expected WIDTHxHEIGHT, each from {0} to {1}, found '{2}'",
                              kLeastPicture, kMostPicture, text),
-                 "write for example --size 1280x720"};
+                 "for example --size 1280x720"};
   return options;
 }
 
