@@ -19,8 +19,8 @@ constexpr size_t kHelpColumn = 28, kNarrowColumn = 8;  // where an option's text
 constexpr size_t kNameColumn = 6, kNameIndent = 10;    // "  -o, --output", and if it is broken
 constexpr size_t kFewExamples = 5;                     // in --help
 
-std::string usageLine(const ToolSpec& spec) {
-  return fmt::format("Usage: {} {}\n", spec.name, usageWords(spec));
+std::string usageLine(const ToolSpec& spec, size_t width) {
+  return wrapped(fmt::format("Usage: {} {}", spec.name, usageWords(spec)), 0, 4, width) + "\n";
 }
 
 std::string optionNames(const OptionRow& row, size_t width) {
@@ -73,7 +73,7 @@ std::string optionList(const std::vector<OptionRow>& rows, const HelpStyle& styl
     if (isShown(row, style)) shown.push_back(row);
   std::string out;
   for (const std::string& group : optionGroups(shown)) {
-    out += fmt::format("\n{}:\n", group);
+    out += "\n" + wrappedLines(group + ":", 0, style.width);
     for (const OptionRow& row : shown)
       if (row.group == group) out += optionHelp(row, style);
   }
@@ -118,7 +118,7 @@ std::string helpText(const ToolSpec& spec, const std::vector<OptionRow>& rows,
   };
   std::string out = fmt::format("{} {}\n", spec.name, io::toolVersion());
   out += wrappedLines(sentence(spec.summary), 0, style.width) + "\n" + examples(spec, style) +
-         "\n" + usageLine(spec);
+         "\n" + usageLine(spec, style.width);
   if (spec.takesInputs)
     out += wrappedLines(fmt::format("FILE: {}; - or none is standard input.", spec.inputHelp), 0,
                         style.width);
@@ -137,7 +137,7 @@ std::string shortHelp(const ToolSpec& spec, size_t width) {
   HelpStyle style;
   style.width = width;
   return wrappedLines(spec.name + ": " + spec.summary + ".", 0, width) + "\n" +
-         examples(spec, style) + "\n" + usageLine(spec) +
+         examples(spec, style) + "\n" + usageLine(spec, width) +
          wrappedLines(fmt::format("No FILE is given, and standard input is a terminal. See {} "
                                   "--help.",
                                   spec.name),

@@ -20,8 +20,8 @@ ToolSpec exampleTool() {
   for (int i = 1; i <= 7; i++) spec.examples.push_back({fmt::format("Do it {} times", i), "true"});
   spec.options = {commonRow(Common::output), commonRow(Common::progress), commonRow(Common::seed),
                   withDefault(commonRow(Common::timeLimit), "5")};
-  spec.options.push_back(
-      rare(row("strange", ValueType::flag, "", "", "few want this", "Strange options")));
+  spec.options.push_back(rare(row("strange", ValueType::flag, "", "", "few want this",
+                                  "Strange options for those who want them")));
   OptionRow method = row("method", ValueType::choice, "", "auto", "how to do it", "Options");
   method.choices = {"auto",    "quickly",     "thoroughly", "elegantly",
                     "cheaply", "in-parallel", "again"};
@@ -51,6 +51,7 @@ bool has(const std::string& text, const std::string& part) { return countOf(text
 
 TEST(Help, FitsTheWidth) {
   ToolSpec spec = exampleTool();
+  spec.name = "obby-with-a-long-name";
   const std::string fits(40, 'f'), sentence(30, 's');
   spec.notes = sentence + " " + sentence + "\n\n" + fits;
   for (const size_t width : {40, 63, 64, 80, 120}) {
@@ -75,7 +76,8 @@ TEST(Help, ShowsFiveExamplesAndWhatManyNeed) {
   const std::string few = helpOf(exampleTool(), 80), all = helpOf(exampleTool(), 80, true);
   EXPECT_EQ(countOf(few, "\n  $ "), 5u);
   EXPECT_EQ(countOf(all, "\n  $ "), 7u);
-  for (const char* rare : {"--strange", "Strange options:", "--json-errors", "quickly: before"}) {
+  for (const char* rare :
+       {"--strange", "Strange options for", "--json-errors", "quickly: before"}) {
     EXPECT_FALSE(has(few, rare)) << rare;
     EXPECT_TRUE(has(all, rare)) << rare;
   }

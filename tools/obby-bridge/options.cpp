@@ -82,7 +82,7 @@ cli::ToolSpec bridgeSpec() {
   spec.takesInputs = false;
   spec.examples = {
       {"Serve editors on this machine, and show a code that pairs a new one", "obby-bridge --pair"},
-      {"Serve until no editor has been connected for ten minutes", "obby-bridge --idle 600"},
+      {"Serve until no editor has been connected for ten minutes", "obby-bridge --pair --idle 600"},
       {"Serve a program through standard input and output, one JSON request per line",
        "echo '{\"id\":1,\"method\":\"GET\",\"path\":\"/v1/info\"}' | obby-bridge --stdio"},
   };

@@ -83,11 +83,10 @@ cli::ToolSpec calibrateSpec() {
       {"Simulate recordings under weaker gravity",
        "obby-calibrate --rehearse --set gravity=180 -o takes.jsonl"},
       {"Check that the manoeuvres determine gravity",
-       "obby-calibrate --rehearse --set gravity=180 | obby-calibrate --fit gravity --restarts 1 "
-       "--generations 10"},
+       "obby-calibrate --rehearse --set gravity=180 | obby-calibrate --fit gravity --restarts 1"},
       {"Check how exactly, if positions are off by up to 0.01 studs",
-       "obby-calibrate --rehearse --noise 0.01 | obby-calibrate --fit walkSpeed --restarts 1 "
-       "--generations 10 --report found.html -o params.jsonl"},
+       "obby-calibrate --rehearse --noise 0.01 | "
+       "obby-calibrate --fit walkSpeed --restarts 1 --report found.html"},
   };
   spec.options = {cli::commonRow(cli::Common::output), cli::commonRow(cli::Common::format),
                   cli::commonRow(cli::Common::onError), cli::commonRow(cli::Common::progress)};

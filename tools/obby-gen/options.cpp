@@ -98,7 +98,8 @@ cli::ToolSpec genSpec() {
   };
   spec.options = {cli::commonRow(cli::Common::output), formatRow(),
                   cli::commonRow(cli::Common::progress)};
-  for (const auto& rows : {recipeRows(kLevelGroup), levelRows(), checkRows(), runRows()}) {
+  for (const auto& rows :
+       {recipeRows(kLevelGroup, "easy..hard"), levelRows(), checkRows(), runRows()}) {
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   }
   spec.notes =

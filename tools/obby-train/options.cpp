@@ -60,10 +60,10 @@ OptionRow onErrorRow() {
 }
 
 std::vector<OptionRow> levelRows() {
-  return {row("generate", ValueType::flag, "", "",
-              "train on new levels all the time instead of reading a stream; --style, --difficulty "
-              "and --recipe imply it",
-              kLevelGroup)};
+  return {
+      row("generate", ValueType::flag, "", "",
+          "train on new levels instead of a stream; --style, --difficulty and --recipe imply it",
+          kLevelGroup)};
 }
 
 template <class Number>
@@ -115,14 +115,15 @@ OptionRow resumeRow() {
 }
 
 std::vector<OptionRow> keepRows() {
-  return {resumeRow(),
-          row("checkpoint", ValueType::file, "FILE", "",
-              "keep the state of training in FILE [default: the policy's name with .checkpoint "
-              "appended]",
-              kKeepGroup),
-          between(row("save-every", ValueType::number, "SECONDS", "60",
-                      "time between two writes of checkpoint and policy", kKeepGroup),
-                  0, 1e6)};
+  return {
+      resumeRow(),
+      rare(row("checkpoint", ValueType::file, "FILE", "",
+               "keep the state of training in FILE [default: the policy's name with .checkpoint "
+               "appended]",
+               kKeepGroup)),
+      rare(between(row("save-every", ValueType::number, "SECONDS", "60",
+                       "time between two writes of checkpoint and policy", kKeepGroup),
+                   0, 1e6))};
 }
 
 std::vector<OptionRow> logRows() {
@@ -156,9 +157,9 @@ std::vector<OptionRow> evaluateRows() {
 std::vector<cli::Example> examples() {
   return {
       {"Train on the levels of a stream",
-       "obby-gen --count 60 --seed 7 | obby-train --time-limit 20"},
+       "obby-gen --count 60 --seed 7 | obby-train --time-limit 10"},
       {"Train on freshly generated levels of one style",
-       "obby-train --style gaps --time-limit 20 -o gaps.obp"},
+       "obby-train --style gaps --time-limit 10 -o gaps.obp"},
       {"Resume interrupted training exactly where it stopped",
        "obby-train --style gaps --decisions 300000 --time-limit 1 && "
        "obby-train --style gaps --decisions 300000 --resume"},
@@ -208,8 +209,8 @@ cli::ToolSpec trainSpec() {
   spec.readsInputs = [](const cli::Arguments& a) { return !makesLevels(a); };
   spec.alwaysToStandardOutput = true;  // the metrics
   spec.options = {outputRow(), onErrorRow(), cli::commonRow(cli::Common::progress)};
-  for (const auto& rows :
-       {levelRows(), recipeRows(kLevelGroup), learnRows(), keepRows(), logRows(), evaluateRows()}) {
+  for (const auto& rows : {levelRows(), recipeRows(kLevelGroup, "trivial..limit"), learnRows(),
+                           keepRows(), logRows(), evaluateRows()}) {
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   }
   for (OptionRow& r : spec.options)

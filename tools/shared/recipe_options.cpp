@@ -49,13 +49,15 @@ Result<gen::Recipe> recipeIn(const std::string& text, const std::string& path) {
 
 }  // namespace
 
-std::vector<OptionRow> recipeRows(const char* group) {
+std::vector<OptionRow> recipeRows(const char* group, const char* difficulty) {
+  OptionRow range = row("difficulty", ValueType::text, "D", "", "", group);
+  range.help = std::string(
+                   "trivial, easy, medium, hard, limit or 0 to 1; D..D is a range to draw "
+                   "from [default: the recipe's, else ") +
+               difficulty + "]";
   return {
       styleRow(group),
-      row("difficulty", ValueType::text, "D", "",
-          "trivial, easy, medium, hard, limit or a number from 0 to 1; D..D is a range to draw "
-          "from [default: the recipe's, else easy..hard; in obby-train trivial..limit]",
-          group),
+      range,
       row("recipe", ValueType::file, "FILE", "",
           "read styles, weights, lengths, limits and physics from a JSON file (docs/generator.md)",
           group),
