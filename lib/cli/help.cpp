@@ -127,7 +127,7 @@ std::string helpText(const ToolSpec& spec, const std::vector<OptionRow>& rows,
   out += paragraph(kOtherWays);
   const bool repeats =
       std::any_of(rows.begin(), rows.end(), [](const OptionRow& row) { return row.repeatable; });
-  std::string end = repeats ? "Options with ... can be given more than once." : "";
+  std::string end = repeats ? "Options with ... may be repeated." : "";
   if (!style.all)
     end += fmt::format("{}All options: {} --help-all", end.empty() ? "" : " ", spec.name);
   return out + paragraph(end);
