@@ -120,22 +120,23 @@ std::vector<OptionRow> keepRows() {
               "keep the state of training in FILE [default: the policy's name with .checkpoint "
               "appended]",
               kKeepGroup),
-          between(row("save-every", ValueType::number, "SECONDS", "60",
-                      "time between two writes of checkpoint and policy", kKeepGroup),
-                  0, 1e6)};
+          rare(between(row("save-every", ValueType::number, "SECONDS", "60",
+                           "time between two writes of checkpoint and policy", kKeepGroup),
+                       0, 1e6))};
 }
 
 std::vector<OptionRow> logRows() {
-  return {row("log", ValueType::file, "FILE", "",
-              "write metrics to FILE as comma-separated values; --resume appends to it", kLogGroup),
-          row("tensorboard", ValueType::file, "DIR", "",
-              "write metrics to the folder DIR for TensorBoard", kLogGroup),
-          row("curve", ValueType::file, "FILE", "",
-              "plot success, difficulty and reward to FILE, an SVG, every --save-every seconds",
-              kLogGroup),
-          rare(between(row("log-every", ValueType::integer, "N", "10",
-                           "iterations between two rows of --log and --tensorboard", kLogGroup),
-                       1, 1e9))};
+  return {
+      row("log", ValueType::file, "FILE", "",
+          "write metrics to FILE as comma-separated values; --resume appends to it", kLogGroup),
+      row("tensorboard", ValueType::file, "DIR", "",
+          "write metrics to the folder DIR for TensorBoard", kLogGroup),
+      rare(row("curve", ValueType::file, "FILE", "",
+               "plot success, difficulty and reward to FILE, an SVG, every --save-every seconds",
+               kLogGroup)),
+      rare(between(row("log-every", ValueType::integer, "N", "10",
+                       "iterations between two rows of --log and --tensorboard", kLogGroup),
+                   1, 1e9))};
 }
 
 std::vector<OptionRow> evaluateRows() {
@@ -146,10 +147,10 @@ std::vector<OptionRow> evaluateRows() {
       between(row("eval-levels", ValueType::integer, "N", "1000",
                   "levels to play; of a stream at most this many, each once", kEvaluateGroup),
               1, 1 << 24),
-      between(row("eval-tries", ValueType::integer, "N", "8",
-                  "tries of each level: one with the likeliest actions, the others sampled",
-                  kEvaluateGroup),
-              1, 1 << 16),
+      rare(between(row("eval-tries", ValueType::integer, "N", "8",
+                       "tries of each level: one with the likeliest actions, the others sampled",
+                       kEvaluateGroup),
+                   1, 1 << 16)),
   };
 }
 
