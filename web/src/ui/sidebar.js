@@ -243,12 +243,13 @@ export class Sidebar {
     if (r.stepsPerSecond > 0) facts.push(['Ticks per second', count(Math.round(r.stepsPerSecond))]);
     return el(
       'details',
-      {
-        hidden: !facts.length,
-        open: this.isEffortOpen,
-        on: { toggle: (event) => (this.isEffortOpen = event.target.open) },
-      },
-      el('summary', { text: 'Search effort', data: { key: 'effort' } }),
+      { hidden: !facts.length, open: this.isEffortOpen },
+      el('summary', {
+        text: 'Search effort',
+        data: { key: 'effort' },
+        // A toggle event would come too late for a refresh in between.
+        on: { click: (event) => (this.isEffortOpen = !event.currentTarget.parentNode.open) },
+      }),
       numberGrid(facts),
     );
   }
