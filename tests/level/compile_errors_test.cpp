@@ -176,7 +176,8 @@ TEST(CompileErrors, OneWayWithoutADirection) {
 }
 
 TEST(CompileErrors, OneTouchStartsOneThingThatTakesTime) {
-  expectRefused([](auto p) { p.initFall(), p.initVanish(); }, ".fall", "cannot have motion or vanish");
+  expectRefused([](auto p) { p.initFall(), p.initVanish(); }, ".fall",
+                "cannot have motion or vanish");
   expectRefused([](auto p) { p.initFall(), p.initMotion(); }, ".fall",
                 "cannot have motion or vanish");
   expectRefused(
