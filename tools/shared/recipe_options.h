@@ -11,7 +11,7 @@
 namespace obby::tools {
 
 // --style, --difficulty, --recipe. `group`: the heading that --help lists them under.
-std::vector<cli::OptionRow> recipeRows(const char* group);
+std::vector<cli::OptionRow> recipeRows(const char* group, const char* defaultDifficulty);
 
 // What is in the file of --recipe, which may be a pipe and is read once; nothing without one.
 Result<std::string> recipeText(const cli::Arguments& arguments);

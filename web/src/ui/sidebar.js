@@ -183,7 +183,7 @@ export class Sidebar {
     const style = VERDICT_STYLE[verdictOf(query)];
     const broken = query.paths.find((path) => path.mismatch && path.kind === 'solution');
     const reason = broken
-      ? `A recorded solution does not replay: ${broken.mismatch}.`
+      ? `A recorded solution cannot be reproduced by replaying it: ${broken.mismatch}.`
       : query.result?.reason;
     return [
       el('h2', { class: 'verdict', text: style.label, style: { '--tint': style.color } }),
