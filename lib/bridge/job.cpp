@@ -133,9 +133,8 @@ void Job::keep(std::string_view line) {
 
 void Job::keepNothing() {
   answer_.reset();  // takes the file away: half an answer is none
-  tell(
-      "report", "report",
-      JsonObject().text("message", "this answer is not kept, so no job can start from it").whole());
+  tell("report", "report",
+       JsonObject().text("message", "this answer is not kept for a warm start").whole());
 }
 
 void Job::closeAnswer() {

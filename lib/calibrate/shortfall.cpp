@@ -105,7 +105,10 @@ Result<Shortfall> shortfallOf(std::span<const Take> recorded, const Fit& fit,
 std::string shortOf(const Shortfall& s, double tolerance) {
   if (s.stopped) return "the fit was interrupted";
   if (s.noise > tolerance)
-    return fmt::format("their positions alone jitter by {:.2g} studs from frame to frame", s.noise);
+    return fmt::format(
+        "the recorded positions already jitter by {:.2g} studs from frame to frame, so no fit can "
+        "be closer",
+        s.noise);
   if (!s.strange.empty()) {
     const Strange& worst = s.strange.front();
     if (!worst.untold.empty())
@@ -133,8 +136,10 @@ std::vector<std::string> reasonsOf(const Shortfall& s, double tolerance) {
   std::vector<std::string> out;
   if (s.stopped) out.emplace_back("the fit was interrupted");
   if (s.noise > tolerance)
-    out.push_back(fmt::format(
-        "positions jitter by {:.2g} studs from frame to frame, so no fit comes closer", s.noise));
+    out.push_back(
+        fmt::format("the recorded positions already jitter by {:.2g} studs from frame to frame, so "
+                    "no fit can be closer",
+                    s.noise));
   for (const std::string& name : s.ends)
     out.push_back(fmt::format("{} is at the end of the range searched", name));
   for (const Strange& w : s.strange)

@@ -83,10 +83,10 @@ std::string optionList(const std::vector<OptionRow>& rows, const HelpStyle& styl
 }  // namespace
 
 const char* const kOtherWays =
-    "Any option can also be set by a variable (OBBY_SEED for --seed) or in the --config file. The "
-    "command line wins over variables, and variables win over the file. An option that has no "
-    "effect with the others is an error on the command line; from a variable or config file it is "
-    "ignored.";
+    "Any option can also be set with an environment variable (OBBY_QUIET for --quiet) or in the "
+    "--config file. The command line wins over variables, and variables win over the file. On the "
+    "command line, an option that has no effect in combination with the others is an error; from a "
+    "variable or the config file it is ignored.";
 
 size_t helpWidth(int descriptor) {
   return std::clamp(terminalWidth(descriptor), kNarrowest, kWidest);
@@ -138,7 +138,7 @@ std::string shortHelp(const ToolSpec& spec, size_t width) {
   style.width = width;
   return wrappedLines(spec.name + ": " + spec.summary + ".", 0, width) + "\n" +
          examples(spec, style) + "\n" + usageLine(spec, width) +
-         wrappedLines(fmt::format("No FILE is given, and standard input is a terminal. See {} "
+         wrappedLines(fmt::format("No FILE was given, and standard input is a terminal. See {} "
                                   "--help.",
                                   spec.name),
                       0, width);

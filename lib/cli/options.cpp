@@ -84,16 +84,17 @@ std::vector<OptionRow> makeUniversalRows() {
 }
 
 OptionRow outputRow() {
-  OptionRow out =
-      row("output", 'o', ValueType::file, "FILE", "write to FILE, created when complete");
+  OptionRow out = row("output", 'o', ValueType::file, "FILE",
+                      "write to FILE, which appears only once the output is complete");
   out.details = "- is standard output.";
   out.defaultText = "-";
   return grouped(std::move(out), kFilesGroup);
 }
 
 OptionRow formatRow() {
-  OptionRow out = choiceRow("format", ValueType::choice, {"jsonl", "capnp", "packed"}, "",
-                            "encoding [default: by FILE's extension, else jsonl]");
+  OptionRow out =
+      choiceRow("format", ValueType::choice, {"jsonl", "capnp", "packed"}, "",
+                "output encoding [default: by the output file's extension, else jsonl]");
   out.details = "The extension .capnp means capnp, and .capnpp means packed.";
   return grouped(std::move(out), kFilesGroup);
 }
@@ -126,12 +127,12 @@ OptionRow timeLimitRow() {
 }
 
 OptionRow progressRow() {
-  OptionRow out =
-      choiceRow("progress", ValueType::mode, {"auto", "line", "json", "none"}, "auto",
-                "progress on stderr: a live line (terminal), a line every 10 s, or JSON");
+  OptionRow out = choiceRow("progress", ValueType::mode, {"auto", "line", "json", "none"}, "auto",
+                            "progress on stderr; auto: a live line, on a terminal only; line: "
+                            "without a terminal, a line every 10 s; json: JSON objects");
   out.details =
-      "auto is silent where stderr is not a terminal, and where records go to that terminal, too. "
-      "--progress alone means line.";
+      "There is no live line on a terminal that also shows the records. --progress alone means "
+      "--progress=line.";
   out.bare = "line";
   return grouped(std::move(out), kHelpGroup);
 }

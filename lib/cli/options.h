@@ -44,7 +44,7 @@ struct OptionRow {
 
 // Headings in help. That of help and messages comes last.
 inline constexpr const char* kFilesGroup = "Input and output";
-inline constexpr const char* kRunGroup = "Time, threads and random numbers";
+inline constexpr const char* kRunGroup = "Threads and random numbers";
 inline constexpr const char* kHelpGroup = "Help and messages";
 
 // Options that mean the same in every tool.

@@ -52,12 +52,13 @@ Place placeOf(const std::string& path, int standard) {
 struct Kept {
   std::string said;
   Place place;
+  bool input = false;
 };
 
 std::vector<Kept> readBy(const Arguments& arguments, std::span<const WrittenFile> written) {
   std::vector<Kept> out;
   for (const std::string& input : arguments.inputs)
-    out.push_back({"an input, too", placeOf(input, STDIN_FILENO)});
+    out.push_back({"an input, too", placeOf(input, STDIN_FILENO), true});
   for (const auto& option : arguments.values) {
     const Arguments::Value& value = option.second;
     if (value.row.type != ValueType::file || value.row.renewed || !value.given) continue;
@@ -85,7 +86,9 @@ Status refuseOverwriting(const Arguments& arguments, std::span<const WrittenFile
       return Error{{},
                    {},
                    standard ? std::string() : "--" + file.option,
-                   fmt::format("{} is {}", standard ? "standard output" : file.path, same->said),
+                   standard ? fmt::format("standard output is redirected to {}",
+                                          same->input ? "a file that is also an input" : same->said)
+                            : fmt::format("{} is {}", file.path, same->said),
                    standard ? "write to another file" : "name another file"};
     }
     kept.push_back(

@@ -164,7 +164,7 @@ Result<uint32_t> forbiddenStates(schema::Query::Reader record) {
   for (const State state : record.getForbid()) {
     if (state != State::JUMPING && state != State::CLIMBING && state != State::SEATED &&
         state != State::FALLING_DOWN) {
-      return pathError(fmt::format("forbid[{}]", i), "every playthrough needs this state",
+      return pathError(fmt::format("forbid[{}]", i), "every trajectory needs this state",
                        "forbid only jumping, climbing, seated or fallingDown");
     }
     bits |= 1u << uint32_t(state);

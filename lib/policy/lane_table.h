@@ -6,12 +6,14 @@
 namespace obby::policy {
 
 struct LaneTable {
-  Observe observe;
+  policy::Observe observe;
   void (*observeNext)(const Scene&, const sim::World&, const sim::LooseBody*,
                       const sim::NextRegion&, Turns, float*);
-  decltype(&think) think;
-  decltype(&decide) decide;
-  decltype(&decideOn) decideOn;
+  void (*think)(const NetworkView&, const float*, float*);
+  sim::Action (*decide)(const Scene&, const NetworkView&, const sim::World&, const sim::LooseBody*,
+                        Random*);
+  sim::Action (*decideOn)(const Scene&, const NetworkView&, const sim::World&, const float*, Turns,
+                          Random*);
 };
 
 }  // namespace obby::policy

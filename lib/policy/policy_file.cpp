@@ -88,7 +88,8 @@ Status decode(schema::PolicyFile::Reader file, PolicyFile& out) {
     return makeError(fmt::format("it has {} moves, expected {}", file.getMoves(), kMoves));
   OBBY_RETURN_IF_ERROR(takeNumbers(file, out.network));
   if (file.getHash() != digest(out.network))
-    return makeError("its hash is wrong, so the file is damaged");
+    return makeError("the policy file is damaged: its hash does not match",
+                     "restore a copy, or train a new policy");
   const auto t = file.getTraining();
   out.training = {t.getCommand(), t.getVersion(), t.getSeed(),   t.getDecisions(),
                   t.getSeconds(), t.getHardest(), t.getSolved(), t.getStart()};
@@ -140,7 +141,8 @@ std::string writePolicy(const PolicyFile& policy) {
 Result<PolicyFile> readPolicy(std::string_view bytes, const std::string& name) {
   if (bytes.size() > kMostBytes) return refused(name, "it is larger than 64 MiB");
   if (bytes.empty() || bytes.size() % sizeof(capnp::word) != 0)
-    return refused(name, "its length is not a multiple of 8 bytes");
+    return Error{
+        name, {}, {}, "not a policy file, or a truncated one", "name a file that obby-train wrote"};
   auto words = kj::heapArray<capnp::word>(bytes.size() / sizeof(capnp::word));
   std::memcpy(words.asBytes().begin(), bytes.data(), bytes.size());
   PolicyFile out;
@@ -154,7 +156,12 @@ Result<PolicyFile> readPolicy(std::string_view bytes, const std::string& name) {
   KJ_IF_MAYBE (e, failure) {
     return refused(name, e->getDescription().cStr());
   }
-  if (!status) return refused(name, status.error().message);
+  if (!status) {
+    Error error = std::move(status).error();
+    if (error.hint.empty()) return refused(name, error.message);
+    error.input = name;
+    return error;
+  }
   return out;
 }
 

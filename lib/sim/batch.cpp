@@ -45,7 +45,7 @@ Status checkCourse(const Course& c) {
   }
   for (const World& w : c.starts) {
     if (w.outcome != Outcome::running)
-      return makeError("a start must not be in an ended playthrough");
+      return makeError("a start must be a state in which play goes on");
   }
   for (const uint32_t i : c.queue) {
     if (i >= levels)

@@ -7,9 +7,9 @@
 namespace obby::sim {
 
 struct LaneTable {
-  decltype(&tick<true>) tick;
-  decltype(&tick<false>) tickWithoutLoose;
-  decltype(&tickAll) tickAll;
+  decltype(&sim::tick<true>) tick;
+  decltype(&sim::tick<false>) tickWithoutLoose;
+  decltype(&sim::tickAll) tickAll;
 };
 
 }  // namespace obby::sim

@@ -13,7 +13,8 @@ namespace {
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  for (const std::string& word : words)
+    text += fmt::format("{}'{}'", text.empty() ? "" : ", ", word);
   return text;
 }
 

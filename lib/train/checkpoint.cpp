@@ -46,14 +46,14 @@ Status decode(schema::SavedTraining::Reader file, Checkpoint& out) {
   state.solved = file.getSolved();
   state.hardest = file.getHardest();
   if (!isShare(state.solved) || !isShare(state.hardest))
-    return makeError("an impossible share or difficulty");
+    return makeError("it is damaged: a share or difficulty is not from 0 to 1");
   OBBY_RETURN_IF_ERROR(readSums(file.getSeen(), state.seen));
   OBBY_RETURN_IF_ERROR(readLearner(file.getLearner(), state.learner));
   for (const auto crowd : file.getCrowds())
     OBBY_RETURN_IF_ERROR(readCrowd(crowd, state.crowds.emplace_back()));
   const auto history = file.getHistory();
   if (history.getEach() == 0 || history.getPoints().size() >= History::kMostPoints)
-    return makeError("an impossible history");
+    return makeError("it is damaged: its history is not valid");
   out.history = {{}, history.getEach(), history.getIterations(), history.getReward()};
   for (const auto p : history.getPoints())
     out.history.points.push_back({p.getDecisions(), p.getSolved(), p.getHardest(), p.getReward()});

@@ -24,7 +24,7 @@ void History::add(const Iteration& iteration) {
 }
 
 std::string curveSvg(const History& history) {
-  io::ChartCurve solved{"playthroughs solved", {}, {}, {}};
+  io::ChartCurve solved{"episodes solved", {}, {}, {}};
   io::ChartCurve hardest{"max difficulty", {}, {}, {}};
   io::ChartCurve reward{"reward", {}, {}, {}};
   double least = 0, most = 0;

@@ -114,7 +114,7 @@ Status readPlace(schema::SavedPlace::Reader from, PlaceState& out) {
   out.hardest = from.getHardest();
   out.nextHardest = from.getNextHardest();
   if (!isShare(out.hardest) || !isShare(out.nextHardest))
-    return makeError("a level of an impossible difficulty");
+    return makeError("a level's difficulty must be from 0 to 1");
   out.levelHash = from.getLevelHash();
   out.counts.played = from.getPlayed();
   out.counts.solvedOnce = from.getSolvedOnce();
@@ -174,7 +174,8 @@ Status readSums(schema::SavedSums::Reader from, Sums& out) {
       take(from.getSquares(), "sums of squares", out.squares.size(), out.squares.data()));
   out.rows = from.getRows();
   const bool sound = std::isfinite(out.rows) && out.rows >= 0;
-  return sound ? Status() : Status(makeError("sums of an impossible number of rows"));
+  return sound ? Status()
+               : Status(makeError("it is damaged: the number of rows in its sums is not valid"));
 }
 
 void writeLearner(const LearnerState& state, schema::SavedLearner::Builder to) {
@@ -200,7 +201,7 @@ Status readLearner(schema::SavedLearner::Reader from, LearnerState& out) {
   out.values.deviation = from.getValueDeviation();
   if (!std::isfinite(out.values.mean) || !std::isfinite(out.values.deviation) ||
       !(out.values.deviation > 0))
-    return makeError("values of an impossible mean and spread");
+    return makeError("it is damaged: the mean or deviation of its values is not valid");
   return readSums(from.getReturns(), out.values.returns);
 }
 

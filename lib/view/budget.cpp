@@ -112,13 +112,14 @@ Budget budgetFor(const PageSizes& sizes, size_t target, Budget least) {
   while (total(sizes, b) > most && b.trackStride < kCoarsest) b.trackStride *= 2;
   if (b.attemptStride > 1) {
     b.notes.push_back(
-        fmt::format("Failed attempts show one tick in {} to keep the page small. "
+        fmt::format("To keep the page small, failed attempts are drawn at one tick in {} only. "
                     "--full keeps all.",
                     b.attemptStride));
   }
   if (b.trackStride > 1) {
-    b.notes.push_back(
-        fmt::format("Moving parts show one tick in {}. --full keeps all.", b.trackStride));
+    b.notes.push_back(fmt::format(
+        "To keep the page small, moving parts are drawn at one tick in {} only. --full keeps all.",
+        b.trackStride));
   }
   if (sizes.longMotion) {
     b.notes.push_back(

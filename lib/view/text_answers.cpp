@@ -15,10 +15,10 @@ void addReplays(const QueryEntry& query, table::Answer& answer) {
     if (mismatch.empty()) continue;
     if (path.kind == PathKind::solution) {
       answer.state = table::State::mismatch;
-      answer.reason = "its solution does not replay: " + mismatch;
+      answer.reason = "its solution cannot be reproduced by replaying it: " + mismatch;
     } else {
       answer.reason += answer.reason.empty() ? "" : " ";
-      answer.reason += "(an attempt does not replay: " + mismatch + ")";
+      answer.reason += "(an attempt cannot be reproduced by replaying it: " + mismatch + ")";
     }
     return;
   }

@@ -98,7 +98,7 @@ TEST(Tokens, files_that_others_may_read_or_that_hold_else_are_refused) {
   ASSERT_EQ(chmod(path.c_str(), 0640), 0);
   const auto open = Tokens::open(path, 16);
   ASSERT_FALSE(open);
-  EXPECT_NE(open.error().text().find("others may read"), std::string::npos);
+  EXPECT_NE(open.error().text().find("other users can read"), std::string::npos);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ TEST(Shortfall, NamesWhatTheFittedRecordingsDoNotTell) {
   const Shortfall s = shortfall({all[3]}, shortfallFitOf("landedTime"), 0.05);
   ASSERT_FALSE(s.strange.empty());
   EXPECT_EQ(s.strange[0].untold, std::vector<std::string>{"landedTime"});
-  EXPECT_NE(shortOf(s, 0.05).find("do not tell landedTime"), std::string::npos);
+  EXPECT_NE(shortOf(s, 0.05).find("do not determine landedTime"), std::string::npos);
 }
 
 TEST(Shortfall, NamesParametersAtAnEnd) {

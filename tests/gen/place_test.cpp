@@ -215,7 +215,7 @@ TEST(PlaceFile, HasRoomForSoManyLevelsOnly) {
   const Status full = filled(place, level, levels);
   ASSERT_FALSE(full);
   EXPECT_GT(levels, 1000u);
-  EXPECT_EQ(full.error().message, "a place file holds only " + std::to_string(levels) +
+  EXPECT_EQ(full.error().message, "a place file can hold at most " + std::to_string(levels) +
                                       " of these levels side by side within 1000000 studs");
   EXPECT_FALSE(place.add(level));
 }
@@ -228,7 +228,7 @@ TEST(PlaceFile, GrowsNoLargerThanAnybodyReads) {
   uint32_t levels = 0;
   const Status full = filled(place, level, levels);
   ASSERT_FALSE(full);
-  EXPECT_EQ(full.error().message, "a place file holds only " + std::to_string(levels) +
+  EXPECT_EQ(full.error().message, "a place file can hold at most " + std::to_string(levels) +
                                       " of these levels in 100000 bytes");
   const std::string file = place.finish();
   EXPECT_LE(file.size(), kMost);

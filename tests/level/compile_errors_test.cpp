@@ -71,7 +71,7 @@ TEST(CompileErrors, Friction) {
 }
 
 TEST(CompileErrors, Roles) {
-  expectRefused([](auto p) { p.initKill().setDamage(kNan); }, ".kill.damage", "a number");
+  expectRefused([](auto p) { p.initKill().setDamage(kNan); }, ".kill.damage", "a finite number");
   expectRefused([](auto p) { p.initKill().setCooldown(-1); }, ".kill.cooldown", "seconds");
   expectRefused(
       [](auto p) {
@@ -176,7 +176,8 @@ TEST(CompileErrors, OneWayWithoutADirection) {
 }
 
 TEST(CompileErrors, OneTouchStartsOneThingThatTakesTime) {
-  expectRefused([](auto p) { p.initFall(), p.initVanish(); }, ".fall", "does not vanish");
+  expectRefused([](auto p) { p.initFall(), p.initVanish(); }, ".fall",
+                "cannot have motion or vanish");
   expectRefused([](auto p) { p.initFall(), p.initMotion(); }, ".fall",
                 "cannot have motion or vanish");
   expectRefused(
@@ -279,7 +280,7 @@ TEST(CompileErrors, Hulls) {
     };
   };
   expectRefused(hullOf(3, {1, 1, 1}), ".hulls[1].vertices", "4 to 255 vertices, found 3");
-  expectRefused(hullOf(256, {1, 1, 1}), ".hulls[1].vertices", "got 256");
+  expectRefused(hullOf(256, {1, 1, 1}), ".hulls[1].vertices", "found 256");
   expectRefused(hullOf(5, {kNan, 1, 1}), ".hulls[1].vertices", "numbers");
   expectRefused(hullOf(5, {1e38f, 1, 1}), ".hulls[1].vertices", "numbers");
 }

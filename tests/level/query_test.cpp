@@ -207,8 +207,8 @@ TEST(QueryLimits, ATimeLimitBeyondEveryPlaythroughIsFine) {
 }
 
 TEST(QueryErrors, NameThePathAndTheExpectation) {
-  queryExpectRefused([](auto r) { r.initStart().setSpawn(2); }, "start.spawn", "0 to 1, got 2");
-  queryExpectRefused([](auto r) { r.disownGoal(); }, "goal", "needs a goal");
+  queryExpectRefused([](auto r) { r.initStart().setSpawn(2); }, "start.spawn", "0 to 1, found 2");
+  queryExpectRefused([](auto r) { r.disownGoal(); }, "goal", "has no goal");
   queryExpectRefused(
       [](auto r) {
         set(r.getGoal().initSize(), {1, 0, 1});
@@ -238,7 +238,7 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
       "waypoints[0].segmentTime", "seconds");
   queryExpectRefused([](auto r) { r.initVisits(33); }, "visits", "at most 32, found 33");
   queryExpectRefused([](auto r) { r.setMinJumps(3), r.setMaxJumps(2); }, "minJumps",
-                     "3 jumps at least");
+                     "minJumps is 3, but maxJumps is 2");
   queryExpectRefused([](auto r) { r.setMinJumps(65536); }, "minJumps", "at most 65535");
   queryExpectRefused([](auto r) { r.setMaxDamage(-2); }, "maxDamage", "health");
   queryExpectRefused([](auto r) { r.setMaxJumps(-2); }, "maxJumps", "(-1: any)");
@@ -249,14 +249,14 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
   queryExpectRefused(
       [](auto r) { r.initWaypoints(1)[0].initRegion(), r.getWaypoints()[0].setSegmentJumps(-2); },
       "waypoints[0].segmentJumps", "(-1: any)");
-  queryExpectRefused([](auto r) { r.initStart().setSpawn(-2); }, "start.spawn", "0 to 1, got -2");
+  queryExpectRefused([](auto r) { r.initStart().setSpawn(-2); }, "start.spawn", "0 to 1, found -2");
   queryExpectRefused([](auto r) { r.initForbid(1).set(0, schema::PlayerState::FREEFALL); },
-                     "forbid[0]", "do without");
+                     "forbid[0]", "every trajectory needs this state");
   queryExpectRefused([](auto r) { r.getGoal().setTouch(true); }, "goal.touch", "only a part");
   queryExpectRefused([](auto r) { r.initVisits(1)[0].setPart("Top"); }, "visits[0].part",
-                     "looked up");
+                     "not filled in");
   queryExpectRefused([](auto r) { r.initStart().initRegion().setPart("Top"); }, "start.region.part",
-                     "looked up");
+                     "not filled in");
   queryExpectRefused([](auto r) { r.setTimeLimit(0.01f); }, "timeLimit", "one tick");
   for (const float yaw : {kQueryNan, 1e30f}) {
     queryExpectRefused([=](auto r) { r.initStart().initRegion(), r.getStart().setYaw(yaw); },

@@ -94,7 +94,10 @@ TEST(PolicyFileTest, RefusesOtherVersionsByName) {
   expect(refusal(changed([](auto f) { f.setMoves(18); })), "it has 18 moves, expected 34");
   expect(refusal(changed([](auto f) { f.getLayers()[1].setOutputs(128); })), "layers[1]");
   expect(refusal(changed([](auto f) { f.getLayers()[0].initWeights(3); })), "weights of layers[0]");
-  expect(refusal(changed([](auto f) { f.setHash(f.getHash() ^ 1); })), "its hash is wrong");
+  EXPECT_EQ(
+      refusal(changed([](auto f) { f.setHash(f.getHash() ^ 1); })),
+      "x.obp: the policy file is damaged: its hash does not match (restore a copy, or train a "
+      "new policy)");
   expect(refusal(changed([](auto f) { f.getTraining().setSolved(NAN); })), "not all finite");
   expect(refusal(changed([](auto f) { f.setValueMean(INFINITY); })),
          "the mean or deviation of its values is not");

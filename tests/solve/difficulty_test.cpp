@@ -318,7 +318,7 @@ TEST(Difficulty, SaysWhichStepIsHardest) {
   };
   const std::string step = "The hardest step is the ";
   EXPECT_EQ(textOf(0, 1, 1, 66.7f),
-            step + "jump from part 0 to part 1 (hard: jump within 0.07 s).");
+            step + "jump from part 0 to part 1 (hard: its time window is 0.07 s).");
   EXPECT_EQ(textOf(0, -1, 1, 0),
             step + "jump from part 0 to the goal (hard: a jump with no time to spare).");
   EXPECT_EQ(textOf(-1, 1, 1, 1000), step + "jump from the start to part 1 (hard).")

@@ -126,7 +126,7 @@ TEST(EndlessStream, AnIdIsNamedOnce) {
   const LinesFile file(stonesText() + stonesText());
   const Filtered f = runFilter(file.path(), std::move(o));
   ASSERT_FALSE(f.status);
-  EXPECT_THAT(f.status.error().text(), HasSubstr("(it has q)"));
+  EXPECT_THAT(f.status.error().text(), HasSubstr("(it has 'q')"));
 }
 
 }  // namespace

@@ -151,13 +151,13 @@ TEST(Filter, ALimitOfANewQueryNeedsAGoalAndTheErrorNamesEach) {
     return f.status ? "" : f.status.error().text();
   };
   const std::string wrong =
-      ":1: --max-jumps: asks a new query, and level 'bare' has no goal part and no checkpoint to "
+      ":1: --max-jumps: asks a new query, but level 'bare' has no goal part and no checkpoint to "
       "reach (give --goal PLACE";
   EXPECT_THAT(errorOf(level), testing::EndsWith(wrong + ")"));
   EXPECT_THAT(errorOf(level + query),
-              testing::EndsWith(wrong + ", or --each to change the level's own query)"));
+              testing::EndsWith(wrong + ", or --each to apply it to the level's own query)"));
   EXPECT_THAT(errorOf(level + query + query + query),
-              testing::EndsWith(wrong + ", or --each to change the level's own 3 queries)"));
+              testing::EndsWith(wrong + ", or --each to apply it to the level's own 3 queries)"));
   EXPECT_THAT(errorOf(level + query + level), testing::EndsWith("the level's own query)"));
   o.quick->waypoints = {"A"};
   EXPECT_THAT(errorOf(level), HasSubstr(":1: --waypoint: asks a new query"));
@@ -210,7 +210,7 @@ TEST(Filter, AnswersOnlyTheNamedQueriesAndMissesUnknownNames) {
   o.only = {"other"};
   const Filtered f = filter(stonesText(), o);
   ASSERT_FALSE(f.status);
-  EXPECT_EQ(f.status.error().text(), "--query: the stream has no query 'other' (it has q)");
+  EXPECT_EQ(f.status.error().text(), "--query: the stream has no query 'other' (it has 'q')");
   o.only = {"q"};
   EXPECT_TRUE(filter(stonesText(), o).status);
 }

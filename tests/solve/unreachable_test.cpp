@@ -87,12 +87,12 @@ TEST(Unreachable, CountsTheJumpsToAWaypoint) {
 
 TEST(Unreachable, KnowsHowLongTheWayIs) {
   expectUnreachable(unreachableAsk(std::string(kThird) + R"(,"timeLimit":2)"),
-                    "and 2.00 s are allowed");
+                    "but only 2.00 s is allowed");
   EXPECT_EQ(unreachableAsk(std::string(kThird) + R"(,"timeLimit":2.8)").counts.unreachable, 0u);
   const std::string back =
       R"(,"waypoints":[{"region":{"position":[0,2,-24],"size":[8,4,8]}},{"region":{"position":[0,2,-2],"size":[8,4,2]}}])";
   expectUnreachable(unreachableAsk(std::string(kThird) + back + R"(,"timeLimit":4)"),
-                    "and 4.00 s are allowed");
+                    "but only 4.00 s is allowed");
 }
 
 TEST(Unreachable, SaysNothingOfTimeWhereSomethingMovesPlayersAtOnce) {
@@ -139,7 +139,7 @@ TEST(Unreachable, KnowsThatPlacesFarOutAreRounded) {
                     seconds + "}\n");
   };
   EXPECT_EQ(run("124.8").counts.unreachable, 0u);
-  expectUnreachable(run("90"), "and 90.00 s are allowed");
+  expectUnreachable(run("90"), "but only 90.00 s is allowed");
 }
 
 TEST(Unreachable, IsNotSaidWherePartsAreSoHighThatJumpsAreRounded) {

@@ -259,7 +259,8 @@ TEST(LevelStream, NamesADifficultyOutOfRange) {
   const LevelStream stream(optionsOf(linesOf(1, {R"(,"difficulty":1.5)"})));
   const auto level = stream.level(0, 1);
   ASSERT_FALSE(level);
-  EXPECT_NE(level.error().text().find("levels:3: difficulty: expected 0"), std::string::npos)
+  EXPECT_NE(level.error().text().find("levels:3: difficulty: expected a number from 0 (trivial)"),
+            std::string::npos)
       << level.error().text();
 }
 

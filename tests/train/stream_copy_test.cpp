@@ -28,7 +28,7 @@ TEST(StreamCopy, OfAStreamThatIsTooLongIsAnError) {
   EXPECT_TRUE(copyOfStream(optionsOf(lines), waiting, bytes));
   const auto cut = copyOfStream(optionsOf(lines), waiting, bytes - 1);
   ASSERT_FALSE(cut);
-  EXPECT_NE(cut.error().text().find("give them a stream that ends"), std::string::npos)
+  EXPECT_NE(cut.error().text().find("give a stream that ends"), std::string::npos)
       << cut.error().text();
 }
 

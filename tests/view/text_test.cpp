@@ -41,7 +41,9 @@ TEST(Text, MismatchTakesTheVerdictsPlace) {
   ASSERT_TRUE(report) << report.error().text();
   const std::string table = queryTable(*report, kAscii);
   EXPECT_THAT(table, HasSubstr("MISMATCH"));
-  EXPECT_THAT(table, HasSubstr("\n  its solution does not replay: the last state differs"));
+  EXPECT_THAT(
+      table,
+      HasSubstr("\n  its solution cannot be reproduced by replaying it: the last state differs"));
 }
 
 // The answer holds all the same.
@@ -54,8 +56,8 @@ TEST(Text, MismatchOfAnAttemptIsToldBesideTheReason) {
   ASSERT_TRUE(report) << report.error().text();
   const std::string table = queryTable(*report, {400, false, false});
   EXPECT_THAT(table, HasSubstr("ahead  solved"));
-  EXPECT_THAT(table,
-              HasSubstr("  Straight on. (an attempt does not replay: the last state differs"));
+  EXPECT_THAT(table, HasSubstr("  Straight on. (an attempt cannot be reproduced by replaying it: "
+                               "the last state differs"));
 }
 
 TEST(Text, NarrowTerminalsGetReasonsOnLinesOfTheirOwn) {

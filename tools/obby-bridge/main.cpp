@@ -1,4 +1,4 @@
-// obby-bridge: lets editors ask obby-solve. Wiring only; lib/bridge does the work.
+// obby-bridge: lets editors run searches and calibrations. Wiring only; lib/bridge does the work.
 #include "cli/context.h"
 #include "cli/tool.h"
 #include "options.h"

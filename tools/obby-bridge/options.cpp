@@ -78,7 +78,7 @@ std::string askedOfServer(const cli::Arguments& a) {
 cli::ToolSpec bridgeSpec() {
   cli::ToolSpec spec;
   spec.name = "obby-bridge";
-  spec.summary = "let Roblox Studio and other editors ask obby-solve";
+  spec.summary = "let Roblox Studio and other editors run searches and calibrations";
   spec.takesInputs = false;
   spec.examples = {
       {"Serve editors on this machine, and show a code that pairs a new one", "obby-bridge --pair"},
@@ -93,14 +93,14 @@ cli::ToolSpec bridgeSpec() {
       row("pair", ValueType::flag, "", "", "show a code that gives one new client a token",
           kClients),
       row("no-token", ValueType::flag, "", "",
-          "require no token: any program on this machine may ask", kClients),
+          "require no token: any program on this machine may send requests", kClients),
       row("stdio", ValueType::flag, "", "",
           "serve the program that started this one, over standard input and output", kClients),
       between(row("idle", ValueType::number, "SECONDS", "0",
                   "exit when no client has been connected for this long; 0: never", kClients),
               0, 1e9),
       between(row("jobs", ValueType::integer, "N", "2",
-                  "searches and calibrations that run at a time", kJobs),
+                  "maximum number of searches and calibrations at a time", kJobs),
               1, 64),
       row("solve", ValueType::file, "PATH", "",
           "the obby-solve to start [default: the one next to this program]", kJobs),
@@ -112,7 +112,8 @@ cli::ToolSpec bridgeSpec() {
   for (OptionRow& limit : limitRows()) spec.options.push_back(std::move(limit));
   spec.notes =
       "Requests are accepted from this machine only, never from web pages, and only with the "
-      "token of a paired client. docs/bridge.md describes the protocol.";
+      "token of a paired client, unless --no-token is given. docs/bridge.md describes the "
+      "protocol.";
   spec.files = {{"~/.local/state/obby",
                  "Tokens, levels and answers. $XDG_STATE_HOME/obby, if that variable is set; "
                  "--state-dir names another folder."}};

@@ -179,8 +179,9 @@ Status calibrateFrom(cli::Context& context, io::Pipeline& pipeline, Asked asked,
   std::vector<calibrate::Take> takes = source.take();
   if (context.stop()) return {};
   if (takes.empty())
-    return makeError("no recordings to fit to",
-                     "record some in Studio, or try obby-calibrate --rehearse | obby-calibrate");
+    return pipeline.source().lacking(
+        makeError("no recordings to fit to",
+                  "record some in Studio, or try obby-calibrate --rehearse | obby-calibrate"));
   const uint32_t every = uint32_t(context.arguments().integer("held-out"));
   const auto heldOut = every == 0 || takes.size() < every ? std::vector<calibrate::Take>()
                                                           : calibrate::holdOut(takes, every);

@@ -37,10 +37,11 @@ std::vector<OptionRow> fitRows() {
                   kFitGroup),
               0, 1000),
       between(row("held-out", ValueType::integer, "N", "4",
-                  "exclude every Nth recording from the fit and measure on it; 0: none", kFitGroup),
+                  "exclude every Nth recording from the fit and measure the error on it; 0: none",
+                  kFitGroup),
               0, 1000),
       between(row("restarts", ValueType::integer, "N", "3",
-                  "searches, each from another starting point", kFitGroup),
+                  "number of searches, each from a different starting point", kFitGroup),
               1, 1000),
       between(row("generations", ValueType::integer, "N", "100", "maximum generations of a search",
                   kFitGroup),
@@ -51,8 +52,8 @@ std::vector<OptionRow> fitRows() {
 std::vector<OptionRow> rehearseRows() {
   return {
       row("course", ValueType::flag, "", "",
-          "write the calibration course, with its manoeuvres as trajectories for a recorder to "
-          "play",
+          "write the calibration course and its manoeuvres, which a recorder such as the Studio "
+          "plugin plays (docs/calibration.md)",
           kRehearseGroup),
       row("rehearse", ValueType::flag, "", "",
           "write the calibration course with recordings from the simulator, under the parameters "
@@ -84,7 +85,7 @@ cli::ToolSpec calibrateSpec() {
        "obby-calibrate --rehearse --set gravity=180 -o takes.jsonl"},
       {"Check that the manoeuvres determine gravity",
        "obby-calibrate --rehearse --set gravity=180 | obby-calibrate --fit gravity --restarts 1"},
-      {"Check how exactly, if positions are off by up to 0.01 studs",
+      {"Check how exactly walkSpeed can be found if positions are off by up to 0.01 studs",
        "obby-calibrate --rehearse --noise 0.01 | "
        "obby-calibrate --fit walkSpeed --restarts 1 --report found.html"},
   };
@@ -107,10 +108,10 @@ Status optionsFit(const cli::Arguments& a) {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"noise"}, "has no effect without --rehearse",
                                           "add --rehearse, or leave it out"));
   if (!makesTakes(a)) return {};
-  return cli::refuseTyped(
-      a, {"fit", "held-out", "tolerance", "restarts", "generations", "report"},
-      fmt::format("has no effect with --{}, which fits nothing", course ? "course" : "rehearse"),
-      kOneOfTwo);
+  return cli::refuseTyped(a, {"fit", "held-out", "tolerance", "restarts", "generations", "report"},
+                          fmt::format("cannot be combined with --{}, which fits nothing",
+                                      course ? "course" : "rehearse"),
+                          kOneOfTwo);
 }
 
 bool makesTakes(const cli::Arguments& a) { return a.flag("rehearse") || a.flag("course"); }

@@ -154,7 +154,7 @@ Status optionsFit(const cli::Arguments& a) {
     return cli::refuseTyped(a,
                             {"format", "count", "first", "unsolvable", "twins", "seed",
                              "difficulty", "check", "check-steps"},
-                            "has no effect with --list", "leave out one of the two");
+                            "cannot be combined with --list", "leave out one of the two");
   }
   if (a.flag("check")) return {};
   return cli::refuseTyped(a, {"check-steps"}, "has no effect without --check",

@@ -23,8 +23,8 @@ OptionRow formatRow() {
   OptionRow r = cli::commonRow(cli::Common::format);
   r.choices.push_back("rbxlx");
   r.help =
-      "encoding; rbxlx: a place file for Studio with all levels side by side [default: by FILE's "
-      "extension, else jsonl]";
+      "output encoding; rbxlx: a place file for Studio with all levels side by side [default: by "
+      "the output file's extension, else jsonl]";
   return r;
 }
 
@@ -54,7 +54,7 @@ std::vector<OptionRow> checkRows() {
   return {
       row("check", ValueType::flag, "", "",
           "keep only levels that the solver solves, or with --unsolvable shows to be unreachable; "
-          "the answer follows the query",
+          "the solver's answer is written after the query",
           kCheckGroup),
       between(row("check-steps", ValueType::integer, "N", "1000000",
                   "simulated ticks that --check spends on each level", kCheckGroup),
@@ -91,20 +91,20 @@ cli::ToolSpec genSpec() {
        "obby-gen --count 1000 --seed 7 -o levels.capnp"},
       {"Generate the hardest jumps that the solver solves",
        "obby-gen --style gaps --difficulty limit --check --count 3 -o gaps.jsonl"},
-      {"Generate their unsolvable twins, each with one gap that is too wide",
+      {"Generate unsolvable levels, each with one gap that is too wide",
        "obby-gen --style gaps --difficulty limit --unsolvable --count 3"},
       {"Generate a place file to open in Studio",
        "obby-gen --style course --difficulty easy -o course.rbxlx"},
   };
   spec.options = {cli::commonRow(cli::Common::output), formatRow(),
                   cli::commonRow(cli::Common::progress)};
-  for (const auto& rows :
-       {recipeRows(kLevelGroup, "easy..hard"), levelRows(), checkRows(), runRows()}) {
+  for (const auto& rows : {recipeRows(kLevelGroup, "the recipe's, else easy..hard"), levelRows(),
+                           checkRows(), runRows()}) {
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   }
   spec.notes =
-      "The output depends only on --seed, --first, --count and the recipe, never on --threads or "
-      "the machine. Level N of a seed and its unsolvable twin differ in one crossing only.";
+      "The same options and recipe give the same output, whatever --threads or the machine. Level "
+      "N of a seed and its unsolvable twin differ in one crossing only.";
   return spec;
 }
 

@@ -51,7 +51,7 @@ Status refuseIdleQuick(const cli::Arguments& a, const solve::FilterOptions& o) {
                    "leave it out");
   }
   if (o.task == solve::Task::verify && !option.empty() && !o.each) {
-    return refused(option, "has no effect with --verify",
+    return refused(option, "cannot be combined with --verify",
                    "add --each to check trajectories under this limit");
   }
   if (a.typed("each") && !o.quick) {
@@ -81,8 +81,8 @@ Status refuseIdle(const cli::Arguments& a, solve::Task task) {
   // Options that only say how to search, and what to say of it.
   const char* const message =
       task == solve::Task::verify
-          ? "has no effect with --verify, which searches nothing"
-          : "has no effect with --pass and --not-pass, which search nothing";
+          ? "cannot be combined with --verify, which searches nothing"
+          : "cannot be combined with --pass or --not-pass, which search nothing";
   return cli::refuseTyped(
       a,
       {"diverse", "difficulty", "final-only", "paths", "heat-map", "explain", "time-limit",

@@ -32,6 +32,8 @@ Status solveOnce(cli::Context& context, solve::FilterOptions& options,
   Status status = pipeline.run([&](const io::Record& record) { return filter.handle(record); });
   // Of a stopped input nobody knows what would have come.
   if (status && !stop) status = filter.finishInput();
+  // A query that never came is no mistake of the user's where the input itself had failed.
+  if (!status && status.error().input.empty()) status = pipeline.source().lacking(status.error());
   status = pipeline.finish(std::move(status));
   if (table) OBBY_RETURN_IF_ERROR(table->print(context));
   if (options.remember) options.earlier = filter.takeEarlier();

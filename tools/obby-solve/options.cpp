@@ -17,7 +17,7 @@ using cli::repeatable;
 using cli::row;
 using cli::ValueType;
 
-constexpr const char* kQueryGroup = "Ask a query";
+constexpr const char* kQueryGroup = "Ask a query on the command line";
 constexpr const char* kSearchGroup = "Search";
 constexpr const char* kOutputGroup = "What to add to the answers";
 constexpr const char* kAnsweredGroup = "Check or filter existing answers (no search)";
@@ -29,7 +29,7 @@ OptionRow methodRow() {
     r.choices.push_back(m.name);
     r.details += std::string(m.name) + ": " + m.description;
   }
-  return r;
+  return rare(r);
 }
 
 OptionRow forbidRow() {
@@ -65,7 +65,8 @@ std::vector<OptionRow> searchRows() {
           row("solutions", ValueType::integer, "K", "1", "find K distinct solutions", kSearchGroup),
           1, 1000),
       detailed(row("diverse", ValueType::flag, "", "",
-                   "with --solutions: one per route, with counts", kSearchGroup),
+                   "with --solutions: one solution per route, with the number found on each",
+                   kSearchGroup),
                "A route is the sequence of parts that the player stands on."),
       methodRow(),
       rare(row("policy", ValueType::file, "FILE", "",
@@ -87,10 +88,10 @@ std::vector<OptionRow> outputRows() {
   return {
       row("difficulty", ValueType::flag, "", "",
           "rate the difficulty of each solution, step by step", kOutputGroup),
-      rare(
-          between(row("trials", ValueType::integer, "N", "1000",
-                      "with --difficulty: tries of each step by a player with noise", kOutputGroup),
-                  1, 1000000)),
+      rare(between(
+          row("trials", ValueType::integer, "N", "1000",
+              "with --difficulty: attempts at each step by a player with noise", kOutputGroup),
+          1, 1000000)),
       row("explain", ValueType::flag, "", "",
           "for a query without a solution, find a single change that makes it solvable; can "
           "double the time",
@@ -123,7 +124,9 @@ std::vector<OptionRow> answeredRows() {
 }
 
 std::vector<OptionRow> runRows() {
-  return {cli::commonRow(cli::Common::seed), cli::commonRow(cli::Common::threads), backendRow()};
+  OptionRow seed = cli::commonRow(cli::Common::seed);
+  seed.help = "random seed: same seed, same results unless a time limit ends the run";
+  return {seed, cli::commonRow(cli::Common::threads), backendRow()};
 }
 
 std::vector<cli::Example> examples() {
@@ -134,14 +137,14 @@ std::vector<cli::Example> examples() {
       {"Ask a query on the command line",
        "obby-solve several-routes.jsonl --goal Goal --max-jumps 9 --max-time 30"},
       {"Find three different routes",
-       "obby-solve several-routes.jsonl --query any --solutions 3 --diverse"},
+       "obby-solve several-routes.jsonl --goal Goal --solutions 3 --diverse"},
       {"Show the hardest moment of a solution",
        "obby-solve timed-jumps.jsonl --query posts --difficulty | obby-view"},
       {"Ask the queries of a stream under more limits",
        "obby-solve --each --forbid climbing --max-jumps 9 several-routes.jsonl"},
       {"Keep the solutions that cross the beam and avoid the ramp",
-       "obby-solve --query any --solutions 20 --diverse --max-steps 200000 several-routes.jsonl | "
-       "obby-solve --pass touch:Beam --not-pass 'touch:Ramp up'"},
+       "obby-solve --query no-jumps --solutions 20 --diverse --max-steps 200000 "
+       "several-routes.jsonl | obby-solve --pass touch:Beam --not-pass 'touch:Ramp up'"},
       {"Check answers by replaying them", "obby-solve wedge-climb.jsonl | obby-solve --verify"},
   };
 }
@@ -153,8 +156,8 @@ std::vector<OptionRow> queryRows() {
       row("start", ValueType::text, "PLACE", "",
           "start on this part or in this box [default: the level's first spawn]", kQueryGroup),
       repeatable(row("goal", ValueType::text, "PLACE", "",
-                     "reach this part or box; several or a #TAG: any [default: "
-                     "the goal part, else the last checkpoint]",
+                     "reach this part or box; given several times, or as a #TAG, any one of them "
+                     "will do [default: the goal part, else the last checkpoint]",
                      kQueryGroup)),
       repeatable(row("waypoint", ValueType::text, "PLACE", "",
                      "pass here first; several: in this order", kQueryGroup)),
@@ -170,9 +173,9 @@ std::vector<OptionRow> queryRows() {
       between(row("max-time", ValueType::number, "SECONDS", "", "arrive within this game time",
                   kQueryGroup),
               0.02, 100000),
-      rare(between(row("max-damage", ValueType::number, "HEALTH", "",
-                       "lose at most this much health, of 100", kQueryGroup),
-                   0, 1e6)),
+      between(row("max-damage", ValueType::number, "HEALTH", "",
+                  "lose at most this much health, of 100", kQueryGroup),
+              0, 1e6),
       repeatable(forbidRow()),
       detailed(row("each", ValueType::flag, "", "", "ask the stream's queries under these limits",
                    kQueryGroup),
@@ -187,15 +190,18 @@ cli::ToolSpec solveSpec() {
   spec.inputHelp = "streams with levels and queries";
   spec.tableAtTerminal = true;
   spec.examples = examples();
-  spec.options = {cli::commonRow(cli::Common::output), cli::commonRow(cli::Common::format),
-                  cli::commonRow(cli::Common::progress), cli::commonRow(cli::Common::onError)};
+  spec.options = {cli::commonRow(cli::Common::output), rare(cli::commonRow(cli::Common::format)),
+                  cli::commonRow(cli::Common::progress),
+                  rare(cli::commonRow(cli::Common::onError))};
   for (const auto& rows : {queryRows(), searchRows(), outputRows(), answeredRows(), runRows()}) {
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   }
   spec.notes =
-      "PLACE: a part's name, path, end of its path, GUID, #TAG or part:INDEX, or a box "
-      "x,y,z,sx,sy,sz (centre and size in studs); touch:PART means touching the part itself. A "
-      "query asked here is answered instead of the stream's queries, which pass unanswered.";
+      "PLACE: a part, given by name, path, end of its path, GUID, #TAG or part:INDEX (its index in "
+      "the level's list of parts), or a box x,y,z,sx,sy,sz (centre and size in studs). touch:PART "
+      "requires touching the part itself, not only being close to it.\n\n"
+      "A query asked on the command line is answered alone; the stream's own queries are passed on "
+      "unanswered (--each applies the limits to them instead).";
   spec.details =
       "A level without a query is asked for a trajectory from its spawn to its goal or last "
       "checkpoint.\n\n"

@@ -23,8 +23,11 @@ Status filesHaveNames(const cli::Arguments& a) {
     return Error{"--output", {}, {}, "the name is empty", "name a file"};
   for (const char* name : {"output", "checkpoint", "log", "curve"}) {
     if (a.text(name) == "-")
-      return Error{
-          std::string("--") + name, {}, {}, "metrics go to standard output", "name a file"};
+      return Error{std::string("--") + name,
+                   {},
+                   {},
+                   "cannot be standard output, where the metrics records go",
+                   "name a file"};
   }
   return {};
 }

@@ -103,7 +103,8 @@ void showPlayed(cli::Context& context, uint32_t levels, const train::EvaluationS
 }
 
 Status evaluate(cli::Context& context, train::Ranks& ranks) {
-  if (ranks.count() > 1) return makeError("--eval runs in one process", "start it without mpirun");
+  if (ranks.count() > 1)
+    return Error{{}, {}, "--eval", "cannot run with several ranks", "start it without mpirun"};
   const cli::Arguments& a = context.arguments();
   const cli::WrittenFile metrics[] = {{"", "-"}};
   OBBY_RETURN_IF_ERROR(cli::refuseOverwriting(a, metrics));

@@ -21,6 +21,7 @@ using cli::ValueType;
 
 constexpr int kCrowd = int(train::CrowdSettings{}.levels * train::CrowdSettings{}.worlds);
 constexpr const char* kLevelGroup = "Levels to train on";
+constexpr const char* kDifficulty = "the recipe's, or trivial..limit without --recipe";
 constexpr const char* kLearnGroup = "Training";
 constexpr const char* kKeepGroup = "Checkpoints";
 constexpr const char* kLogGroup = "Logs";
@@ -44,9 +45,15 @@ OptionRow timeLimitRow() {
 
 OptionRow backendRow() {
   OptionRow r = cli::commonRow(cli::Common::backend);
-  r.help = "where worlds play and the policy learns; auto takes a GPU if there is one";
+  r.help = "device that simulates and learns; auto uses a GPU if there is one";
   r.details = "Policies trained on a GPU and on the CPU differ by rounding.";
   r.group = kLearnGroup;
+  return r;
+}
+
+OptionRow seedRow() {
+  OptionRow r = cli::commonRow(cli::Common::seed);
+  r.help = "random seed: same seed, same results unless a time limit ends the run";
   return r;
 }
 
@@ -60,10 +67,10 @@ OptionRow onErrorRow() {
 }
 
 std::vector<OptionRow> levelRows() {
-  return {
-      row("generate", ValueType::flag, "", "",
-          "train on new levels instead of a stream; --style, --difficulty and --recipe imply it",
-          kLevelGroup)};
+  return {row("generate", ValueType::flag, "", "",
+              "train on freshly generated levels, not on a stream; --style, --difficulty and "
+              "--recipe imply it",
+              kLevelGroup)};
 }
 
 template <class Number>
@@ -85,7 +92,7 @@ std::vector<OptionRow> learnRows() {
           kLearnGroup),
       backendRow(),
       cli::commonRow(cli::Common::threads),
-      cli::commonRow(cli::Common::seed),
+      seedRow(),
       rare(multipleOf(learnRow("worlds", ValueType::integer, "N", s.worlds(),
                                "worlds that play at a time; a multiple of 256", kCrowd, 1 << 20),
                       kCrowd)),
@@ -104,39 +111,40 @@ std::vector<OptionRow> learnRows() {
 }
 
 OptionRow resumeRow() {
-  OptionRow r = row("resume", ValueType::mode, "MODE", "no",
-                    "resume training from the checkpoint, with the same options; =auto: start anew "
-                    "if there is none",
-                    kKeepGroup);
-  r.details = "The file of --start-from need not be named again.";
+  OptionRow r =
+      row("resume", ValueType::mode, "MODE", "no",
+          "resume from the checkpoint, with the same levels and training options, except --threads "
+          "and --time-limit; =auto: start anew if there is none",
+          kKeepGroup);
+  r.details = "--on-error may differ, too. --start-from need not be given again.";
   r.choices = {"no", "yes", "auto"};
   r.bare = "yes";
   return r;
 }
 
 std::vector<OptionRow> keepRows() {
-  return {
-      resumeRow(),
-      rare(row("checkpoint", ValueType::file, "FILE", "",
-               "keep the state of training in FILE [default: the policy's name with .checkpoint "
-               "appended]",
-               kKeepGroup)),
-      rare(between(row("save-every", ValueType::number, "SECONDS", "60",
-                       "time between two writes of checkpoint and policy", kKeepGroup),
-                   0, 1e6))};
+  return {resumeRow(),
+          row("checkpoint", ValueType::file, "FILE", "",
+              "keep the state of training in FILE [default: the policy's name with .checkpoint "
+              "appended]",
+              kKeepGroup),
+          rare(between(row("save-every", ValueType::number, "SECONDS", "60",
+                           "time between saves of the checkpoint and the policy", kKeepGroup),
+                       0, 1e6))};
 }
 
 std::vector<OptionRow> logRows() {
-  return {row("log", ValueType::file, "FILE", "",
-              "write metrics to FILE as comma-separated values; --resume appends to it", kLogGroup),
-          row("tensorboard", ValueType::file, "DIR", "",
-              "write metrics to the folder DIR for TensorBoard", kLogGroup),
-          row("curve", ValueType::file, "FILE", "",
-              "plot success, difficulty and reward to FILE, an SVG, every --save-every seconds",
-              kLogGroup),
-          rare(between(row("log-every", ValueType::integer, "N", "10",
-                           "iterations between two rows of --log and --tensorboard", kLogGroup),
-                       1, 1e9))};
+  return {
+      row("log", ValueType::file, "FILE", "",
+          "write metrics to FILE as comma-separated values; --resume appends to it", kLogGroup),
+      row("tensorboard", ValueType::file, "DIR", "",
+          "write metrics to the folder DIR for TensorBoard", kLogGroup),
+      rare(row("curve", ValueType::file, "FILE", "",
+               "plot success, difficulty and reward to FILE, an SVG, every --save-every seconds",
+               kLogGroup)),
+      rare(between(row("log-every", ValueType::integer, "N", "10",
+                       "iterations between two rows of --log and --tensorboard", kLogGroup),
+                   1, 1e9))};
 }
 
 std::vector<OptionRow> evaluateRows() {
@@ -144,22 +152,24 @@ std::vector<OptionRow> evaluateRows() {
       row("eval", ValueType::file, "FILE", "",
           "let the policy in FILE play levels by itself, on the CPU, and report how many it solves",
           kEvaluateGroup),
-      between(row("eval-levels", ValueType::integer, "N", "1000",
-                  "levels to play; of a stream at most this many, each once", kEvaluateGroup),
-              1, 1 << 24),
-      between(row("eval-tries", ValueType::integer, "N", "8",
-                  "tries of each level: one with the likeliest actions, the others sampled",
-                  kEvaluateGroup),
-              1, 1 << 16),
+      between(
+          row("eval-levels", ValueType::integer, "N", "1000",
+              "number of levels to play; from a stream, each level is used once, up to this number",
+              kEvaluateGroup),
+          1, 1 << 24),
+      rare(between(row("eval-tries", ValueType::integer, "N", "8",
+                       "attempts at each level: one with the likeliest actions, the others sampled",
+                       kEvaluateGroup),
+                   1, 1 << 16)),
   };
 }
 
 std::vector<cli::Example> examples() {
   return {
       {"Train on the levels of a stream",
-       "obby-gen --count 60 --seed 7 | obby-train --time-limit 10"},
+       "obby-gen --count 60 --seed 7 | obby-train --time-limit 20"},
       {"Train on freshly generated levels of one style",
-       "obby-train --style gaps --time-limit 10 -o gaps.obp"},
+       "obby-train --style gaps --time-limit 20 -o gaps.obp"},
       {"Resume interrupted training exactly where it stopped",
        "obby-train --style gaps --decisions 300000 --time-limit 1 && "
        "obby-train --style gaps --decisions 300000 --resume"},
@@ -181,20 +191,21 @@ Status optionsFit(const cli::Arguments& a) {
   constexpr const char* kOneOfTwo = "leave out one of the two";
   if (makesLevels(a)) {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(
-        a, {"on-error"}, "has no effect on generated levels, for no stream is read", kOneOfTwo));
+        a, {"on-error"}, "has no effect on generated levels, because no stream is read",
+        kOneOfTwo));
   }
   if (a.has("eval")) {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(
-        a, {"backend"}, "has no effect with --eval, which plays on the CPU", kOneOfTwo));
+        a, {"backend"}, "cannot be combined with --eval, which plays on the CPU", kOneOfTwo));
     return cli::refuseTyped(
         a,
         {"output", "resume", "checkpoint", "log", "tensorboard", "curve", "save-every", "log-every",
          "rate", "passes", "part", "entropy", "discount", "worlds", "decisions", "start-from"},
-        "has no effect with --eval, which trains nothing", kOneOfTwo);
+        "cannot be combined with --eval, which trains nothing", kOneOfTwo);
   }
   OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"eval-levels", "eval-tries"},
                                         "has no effect without --eval",
-                                        "name a policy by --eval FILE, or leave it out"));
+                                        "name a policy with --eval FILE, or leave it out"));
   if (a.has("log") || a.has("tensorboard")) return {};
   return cli::refuseTyped(a, {"log-every"}, "has no effect without --log or --tensorboard",
                           "add one of them, or leave it out");
@@ -209,7 +220,7 @@ cli::ToolSpec trainSpec() {
   spec.readsInputs = [](const cli::Arguments& a) { return !makesLevels(a); };
   spec.alwaysToStandardOutput = true;  // the metrics
   spec.options = {outputRow(), onErrorRow(), cli::commonRow(cli::Common::progress)};
-  for (const auto& rows : {levelRows(), recipeRows(kLevelGroup, "trivial..limit"), learnRows(),
+  for (const auto& rows : {levelRows(), recipeRows(kLevelGroup, kDifficulty), learnRows(),
                            keepRows(), logRows(), evaluateRows()}) {
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   }
@@ -217,8 +228,8 @@ cli::ToolSpec trainSpec() {
     if (r.group == cli::kRunGroup) r.group = kLearnGroup;
   spec.notes =
       "Metrics go to standard output, a record every few seconds. Generated levels begin easy and "
-      "get harder, up to --difficulty, as the policy improves. So do the levels of a stream if its "
-      "queries state a difficulty, as those of obby-gen do.";
+      "get harder, up to --difficulty, as the policy improves. Levels of a stream also come from "
+      "easy to hard if their queries state a difficulty, as obby-gen's do.";
   spec.details =
       "The same seed, levels and --worlds give the same policy on one machine and backend, for any "
       "number of --threads.\n\n"

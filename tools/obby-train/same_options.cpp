@@ -36,7 +36,7 @@ Status sameAs(std::string_view firsts, const std::vector<std::string>& said) {
   for (const std::string& mine : said) {
     const std::string_view other = firsts.substr(0, firsts.find('\0'));
     if (mine != other)
-      return makeError(fmt::format("it was started {}, and rank 0 {}", mine, other),
+      return makeError(fmt::format("started {}, but rank 0 {}", mine, other),
                        "give all ranks the same options and files");
     firsts.remove_prefix(std::min(other.size() + 1, firsts.size()));
   }

@@ -10,7 +10,7 @@
 
 namespace obby::tools {
 
-// `said`: what was said to this rank, each behind "it was started": "with --seed 3". As many on
+// `said`: what was said to this rank, each behind "started": "with --seed 3". As many on
 // every rank, in the same order, unless an earlier one differs. Error: of the first rank that was
 // told something else than rank 0, with both; the first such of all.
 Status sameOnAll(const std::vector<std::string>& said, train::Ranks& ranks);

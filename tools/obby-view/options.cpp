@@ -36,10 +36,11 @@ OptionRow grouped(OptionRow row, const char* group) {
 }
 
 OptionRow formatRow() {
-  OptionRow row = make("format", ValueType::choice, "",
-                       "a page for a browser, a text, a picture of the first query, or the "
-                       "trajectories as a model for Studio [default: by FILE's extension, else "
-                       "text]");
+  OptionRow row =
+      make("format", ValueType::choice, "",
+           "a page for a browser, plain text, a picture of the first query, or the "
+           "trajectories as a model for Studio [default: by the output file's extension, else "
+           "text]");
   for (const ViewFormat& format : viewFormats()) row.choices.emplace_back(format.name);
   return grouped(row, cli::kFilesGroup);
 }
@@ -56,8 +57,8 @@ OptionRow fullRow() {
 }
 
 std::vector<OptionRow> textRows() {
-  OptionRow width =
-      make("width", ValueType::integer, "COLUMNS", "columns of the text [default: the terminal's]");
+  OptionRow width = make("width", ValueType::integer, "COLUMNS",
+                         "width of the text in columns [default: the terminal's]");
   width.min = 40;
   width.max = 400;
   return {grouped(make("no-map", ValueType::flag, "", "print the table only"), kTextGroup),
@@ -67,10 +68,10 @@ std::vector<OptionRow> textRows() {
 
 std::vector<OptionRow> pictureRows() {
   OptionRow from =
-      make("from", ValueType::choice, "", "side to look from; for svg only [default: above]");
+      make("from", ValueType::choice, "", "direction of view (svg only) [default: above]");
   from.choices = {"above", "side"};
   return {grouped(make("size", ValueType::text, "WIDTHxHEIGHT",
-                       "size in pixels; for svg only the width counts [default: 1280x720]"),
+                       "size in pixels; with svg, the height is ignored [default: 1280x720]"),
                   kPictureGroup),
           grouped(from, kPictureGroup)};
 }
@@ -88,7 +89,7 @@ std::vector<OptionRow> liveRows() {
                    "listen on this port of the loopback interface; 0: on any free one", kLive),
           0, 65535),
       cli::row("live-exit", ValueType::flag, "", "",
-               "exit when the input has ended and no page is open, instead of at Ctrl-C", kLive),
+               "exit when the input has ended and no page is open, instead of on Ctrl-C", kLive),
   };
 }
 
@@ -101,14 +102,14 @@ cli::ToolSpec viewSpec() {
   spec.examples = {
       {"Write a page that opens in any browser, without a network",
        "obby-import first-steps.rbxlx | obby-solve | obby-view -o report.html"},
-      {"Print a table and a map", "obby-solve --query any several-routes.jsonl | obby-view"},
+      {"Print a table and a map", "obby-solve --query right several-routes.jsonl | obby-view"},
       {"Draw the solution of a query, for a README or an issue",
-       "obby-solve --query any several-routes.jsonl | obby-view -o route.png"},
+       "obby-solve --query right several-routes.jsonl | obby-view -o route.png"},
       {"Watch a search in the browser, at the address that is printed",
-       "obby-solve --query any several-routes.jsonl | obby-view --live --live-exit"},
+       "obby-solve --query right several-routes.jsonl | obby-view --live --live-exit"},
       {"Look at a level before anything is solved", "obby-view -o level.html teaser.jsonl"},
       {"Draw a solution from the side, as a vector drawing",
-       "obby-solve --query any several-routes.jsonl | obby-view --from side -o route.svg"},
+       "obby-solve --query right several-routes.jsonl | obby-view --from side -o route.svg"},
   };
   spec.options = {commonRow(cli::Common::output), formatRow(), commonRow(cli::Common::onError),
                   queryRow(), fullRow()};
@@ -127,7 +128,7 @@ Status refuseIdle(const cli::Arguments& arguments) {
                                           "has no effect without --live", "add --live"));
   } else if (!arguments.has("output")) {
     return cli::refuseTyped(arguments, {"format", "width", "ascii", "no-map", "size", "from"},
-                            "has no effect with --live unless -o names a file", "add -o FILE");
+                            "cannot be combined with --live unless -o names a file", "add -o FILE");
   }
   const std::string format = wantedFormat(arguments).name;
   const std::string message = "has no effect on " + format + " output";

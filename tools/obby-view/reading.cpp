@@ -62,27 +62,21 @@ Status Reading::forgive(const io::Record& record, Error error) {
   return source_.forgive(record, std::move(error));
 }
 
-bool Reading::writerFailed() const {
-  return source_.status() == schema::EndStatus::INTERRUPTED && source_.errors() > 0;
-}
-
-void Reading::reportLack(Error lack) {
-  if (context_.errors() > 0) return;
-  if (writerFailed()) {
-    lack = makeError("the program that wrote the input stopped with an error",
-                     "its own message says why");
-  }
-  context_.error(lack);
+void Reading::reportLack(const Error& lack) {
+  if (context_.errors() == 0) context_.error(source_.lacking(lack));
 }
 
 std::vector<std::string> Reading::notes(const view::Report& report) const {
   std::vector<std::string> notes = notes_;
-  if (writerFailed()) {
-    notes.push_back("The program that wrote the input stopped with an error.");
-  } else if (source_.status() == schema::EndStatus::INTERRUPTED) {
-    notes.push_back("The run was interrupted before every query had an answer.");
-  } else if (source_.status() == schema::EndStatus::BUDGET) {
-    notes.push_back(budgetNote(report));
+  switch (source_.status()) {
+    case schema::EndStatus::FAILED:
+      notes.push_back("The input ended with an error upstream.");
+      break;
+    case schema::EndStatus::INTERRUPTED:
+      notes.push_back("The run was interrupted before every query had an answer.");
+      break;
+    case schema::EndStatus::BUDGET: notes.push_back(budgetNote(report)); break;
+    case schema::EndStatus::COMPLETE: break;
   }
   return notes;
 }

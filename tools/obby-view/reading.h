@@ -32,15 +32,12 @@ class Reading {
 
   // Behind the end. Reports that the input lacks something, unless an error explains why: one that
   // has been reported, or that stopped the program which wrote the input.
-  void reportLack(Error lack);
+  void reportLack(const Error& lack);
 
   // Behind the end, for the reader of the report: what is missing and why.
   std::vector<std::string> notes(const view::Report& report) const;
 
  private:
-  // An error stopped the program that wrote an input.
-  bool writerFailed() const;
-
   cli::Context& context_;
   io::RecordSource source_;
   std::vector<std::string> notes_;

@@ -1,5 +1,7 @@
 #include "shared/recipe_options.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "cli/rows.h"
@@ -21,6 +23,15 @@ OptionRow styleRow(const char* group) {
                     "--list lists them",
                     group);
   r.repeatable = true;
+  return r;
+}
+
+OptionRow difficultyRow(const char* group, const char* defaultText) {
+  OptionRow r = row("difficulty", ValueType::text, "D", "", "", group);
+  r.help = fmt::format(
+      "trivial, easy, medium, hard, limit or a number from 0 to 1; D..D is a range to draw from "
+      "[default: {}]",
+      defaultText);
   return r;
 }
 
@@ -49,15 +60,10 @@ Result<gen::Recipe> recipeIn(const std::string& text, const std::string& path) {
 
 }  // namespace
 
-std::vector<OptionRow> recipeRows(const char* group, const char* difficulty) {
-  OptionRow range = row("difficulty", ValueType::text, "D", "", "", group);
-  range.help = std::string(
-                   "trivial, easy, medium, hard, limit or 0 to 1; D..D is a range to draw "
-                   "from [default: the recipe's, else ") +
-               difficulty + "]";
+std::vector<OptionRow> recipeRows(const char* group, const char* defaultDifficulty) {
   return {
       styleRow(group),
-      range,
+      difficultyRow(group, defaultDifficulty),
       row("recipe", ValueType::file, "FILE", "",
           "read styles, weights, lengths, limits and physics from a JSON file (docs/generator.md)",
           group),

@@ -10,9 +10,8 @@
 
 namespace obby::tools {
 
-// --style, --difficulty, --recipe. `group`: the heading that --help lists them under. `difficulty`:
-// the tool's own, where neither option nor recipe says one.
-std::vector<cli::OptionRow> recipeRows(const char* group, const char* difficulty);
+// --style, --difficulty, --recipe. `group`: the heading that --help lists them under.
+std::vector<cli::OptionRow> recipeRows(const char* group, const char* defaultDifficulty);
 
 // What is in the file of --recipe, which may be a pipe and is read once; nothing without one.
 Result<std::string> recipeText(const cli::Arguments& arguments);

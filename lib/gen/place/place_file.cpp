@@ -126,8 +126,9 @@ void PlaceFile::writePart(const PartSketch& part, const std::vector<PartSketch>&
 }
 
 Error PlaceFile::full(const std::string& within) const {
-  return makeError(fmt::format("a place file holds only {} of these levels {}", added_, within),
-                   "lower --count, and write the rest to another file with --first");
+  return makeError(
+      fmt::format("a place file can hold at most {} of these levels {}", added_, within),
+      "lower --count, and write the rest to another file with --first");
 }
 
 Status PlaceFile::add(const Generated& level) {

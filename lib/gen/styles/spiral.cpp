@@ -8,8 +8,8 @@ namespace {
 constexpr Parameter kParameters[] = {
     {"size", "studs", 5, 3, 2, 8, "of a ledge"},
     {"foot", "studs", 10, 6, 3, 20, "width of the floor before it"},
-    {"gap", "studs", 1, 5, 0, 6, "from ledge to ledge"},
-    {"edge", "studs", 0, 1, 0, 3, "from the last ledge to the landing"},
+    {"gap", "studs", 1, 5, 0, 6, "distance from ledge to ledge"},
+    {"edge", "studs", 0, 1, 0, 3, "distance from the last ledge to the landing"},
     {"landing", "studs", 8, 5, 2, 20, "width of the landing"},
 };
 const auto& [kSize, kFoot, kGap, kEdge, kLanding] = kParameters;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"steps", "", 3, 5, 1, 12, "of the stairs"},
-    {"drop", "studs", 3, 12, 0, 20, "from step to step"},
+    {"drop", "studs", 3, 12, 0, 20, "how much lower the next step is"},
     {"size", "studs", 7, 3.5f, 2, 30, "of a step"},
 };
 const auto& [kSteps, kDrop, kSize] = kParameters;

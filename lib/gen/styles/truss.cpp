@@ -9,7 +9,7 @@ constexpr Parameter kParameters[] = {
     {"towers", "", 1, 2, 1, 6, "one behind the other"},
     {"width", "studs", 10, 6, 4, 30, "of a tower"},
     {"foot", "studs", 9, 6, 4, 30, "length of the floor before it"},
-    {"height", "studs", 4, 24, 4, 80, "of a tower, above the highest jump; even numbers"},
+    {"height", "studs", 4, 24, 4, 80, "how far a tower is above the highest jump; even numbers"},
 };
 const auto& [kTowers, kWidth, kFoot, kHeight] = kParameters;
 

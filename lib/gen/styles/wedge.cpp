@@ -7,7 +7,7 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"width", "studs", 10, 4, 2, 30, "of ramps and floors"},
-    {"height", "studs", 2, 8, 2, 40, "of the terrace, above the highest jump"},
+    {"height", "studs", 2, 8, 2, 40, "how far the terrace is above the highest jump"},
     {"steepness", "", 0.5f, 2, 0.25f, 2, "height of a ramp divided by its length"},
     {"terrace", "studs", 14, 8, 4, 40, "length of the terrace"},
     {"drop", "studs", 4, 10, 1, 15, "of the ramp down, if there is one"},

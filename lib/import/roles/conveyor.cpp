@@ -62,9 +62,9 @@ Lost lostOf(const PartDraft& part, bool upward) {
     return {"conveyor that a script changes", "keeps its known velocity; "};
   if (upward)
     return {"jump pad that a script computes",
-            "throws no one, unless the tag JumpPad and a Power say so; "};
+            "throws no one without the tag JumpPad with a Power; "};
   return {"conveyor that a script computes",
-          "carries no one, unless the tag Conveyor and a Speed say so; "};
+          "carries no one without the tag Conveyor with a Speed; "};
 }
 
 void noteUntold(RoleContext& context, const PartDraft& part, const ScriptEvent& event,

@@ -11,7 +11,7 @@ namespace obby::solve {
 void fillDifficulty(schema::Difficulty::Builder record, const Difficulty& difficulty,
                     const NoiseModel& noise);
 
-// "The hardest step is the jump from 'Post 2' to 'Post 3' (hard: jump within 0.07 s)."
+// "The hardest step is the jump from 'Post 2' to 'Post 3' (hard: its time window is 0.07 s)."
 std::string hardestText(const Difficulty& difficulty, const level::Level& level,
                         schema::Level::Reader record);
 

@@ -209,7 +209,7 @@ std::string reasonFor(const Cut& cut, const level::Level& level, schema::Level::
                        cut.jumps, cut.jumps == 1 ? "" : "s", allowedText(cut.mostJumps));
   }
   if (cut.seconds > 0) {
-    return fmt::format("Every route to {} takes at least {:.2f} s, but only {:.2f} s are allowed.",
+    return fmt::format("Every route to {} takes at least {:.2f} s, but only {:.2f} s is allowed.",
                        cut.target, cut.seconds, cut.mostSeconds);
   }
   return fmt::format("No player can reach {}{}.{} At most {} part{} reachable.", cut.target,

@@ -51,7 +51,7 @@ Status fillPlace(schema::Region::Builder record, std::string selector, const cha
   }
   if (record.getTouch()) {
     return inOption(
-        makeError(fmt::format("'{}' is a box, and only a part can be touched", selector)), option);
+        makeError(fmt::format("'{}' is a box, but only a part can be touched", selector)), option);
   }
   record.setName((*box)->name);
   level::fillBox(record, **box);
@@ -193,11 +193,12 @@ bool hasEnd(schema::Level::Reader level) { return lastPart(level) >= 0; }
 
 Error lacksGoal(schema::Level::Reader level, const QuickQuery& quick, uint64_t queries) {
   std::string hint = "give --goal PLACE";
-  if (queries == 1) hint += ", or --each to change the level's own query";
-  if (queries > 1) hint += fmt::format(", or --each to change the level's own {} queries", queries);
+  if (queries == 1) hint += ", or --each to apply it to the level's own query";
+  if (queries > 1)
+    hint += fmt::format(", or --each to apply it to the level's own {} queries", queries);
   return inOption(
       makeError(fmt::format(
-                    "asks a new query, and level '{}' has no goal part and no checkpoint to reach",
+                    "asks a new query, but level '{}' has no goal part and no checkpoint to reach",
                     level.getName().cStr()),
                 std::move(hint)),
       firstOption(quick));

@@ -183,7 +183,7 @@ export class Sidebar {
     const style = VERDICT_STYLE[verdictOf(query)];
     const broken = query.paths.find((path) => path.mismatch && path.kind === 'solution');
     const reason = broken
-      ? `A recorded solution does not replay: ${broken.mismatch}.`
+      ? `A recorded solution cannot be reproduced by replaying it: ${broken.mismatch}.`
       : query.result?.reason;
     return [
       el('h2', { class: 'verdict', text: style.label, style: { '--tint': style.color } }),
@@ -243,12 +243,13 @@ export class Sidebar {
     if (r.stepsPerSecond > 0) facts.push(['Ticks per second', count(Math.round(r.stepsPerSecond))]);
     return el(
       'details',
-      {
-        hidden: !facts.length,
-        open: this.isEffortOpen,
-        on: { toggle: (event) => (this.isEffortOpen = event.target.open) },
-      },
-      el('summary', { text: 'Search effort', data: { key: 'effort' } }),
+      { hidden: !facts.length, open: this.isEffortOpen },
+      el('summary', {
+        text: 'Search effort',
+        data: { key: 'effort' },
+        // A toggle event would come too late for a refresh in between.
+        on: { click: (event) => (this.isEffortOpen = !event.currentTarget.parentNode.open) },
+      }),
       numberGrid(facts),
     );
   }
