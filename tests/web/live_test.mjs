@@ -71,12 +71,13 @@ test('counts grow with the stream, the choice stays, and the end is said', async
   await page.waitForFunction(() => window.obby.query());
   viewer.write(progress(1, attempts[0], [attempts[1]]));
   await waysAre(page, 2);
-  assert.match(await page.locator('.detail').innerText(), /Searching[\s\S]*Closest\s+19.0 studs/i);
-  assert.match(await page.locator('.detail').innerText(), /Steps\s+100 k/);
+  assert.match(await page.locator('.detail').innerText(), /Searching[\s\S]*Closest to goal\s+19.0 studs/i);
+  await page.locator('.detail summary').click();
+  assert.match(await page.locator('.detail').innerText(), /Simulated ticks\s+100 k/);
   viewer.write(progress(3, attempts[2], [attempts[3], attempts[1]]));
   await waysAre(page, 3);
-  assert.match(await page.locator('.detail').innerText(), /Steps\s+300 k/);
-  assert.match(await page.locator('.detail').innerText(), /Cells\s+150/);
+  assert.match(await page.locator('.detail').innerText(), /Simulated ticks\s+300 k/);
+  assert.match(await page.locator('.detail').innerText(), /Places explored\s+150/);
   await page.evaluate(() => {
     window.drawn = window.obby.stage.pathView;
   });

@@ -41,8 +41,7 @@ export class LiveReport {
       changed.queries.add(piece.index);
     }
     for (const query of report.queries) {
-      query.running = this.state === 'live' && Boolean(query.progress);
-      query.waiting = this.state === 'live' && !query.progress;
+      query.running = this.state === 'live';
       if (was !== this.state) changed.queries.add(query.index);
     }
     return changed;

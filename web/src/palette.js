@@ -69,8 +69,8 @@ export function pathColor(path) {
 export function verdictOf(query) {
   if (query.paths.some((path) => path.mismatch && path.kind === 'solution')) return 'mismatch';
   if (query.result) return query.result.verdict;
-  if (query.running) return 'running';
-  return query.waiting ? 'waiting' : 'none';
+  if (query.running) return query.progress ? 'running' : 'waiting';
+  return 'none';
 }
 
 // Why a path ended, in words. `nameOf`: level, part -> what the part is called; `length`: label or short.
