@@ -20,12 +20,12 @@ constexpr const char* kFresh = "absent";  // the policy that learning begins wit
 // Metrics go to standard output, and would spoil a file there as it would spoil them.
 Status filesHaveNames(const cli::Arguments& a) {
   if (a.text("output").empty())
-    return Error{"--output", {}, {}, "the name is empty", "name a file"};
+    return Error{{}, {}, "--output", "the name is empty", "name a file"};
   for (const char* name : {"output", "checkpoint", "log", "curve"}) {
     if (a.text(name) == "-")
-      return Error{std::string("--") + name,
+      return Error{{},
                    {},
-                   {},
+                   std::string("--") + name,
                    "cannot be standard output, where the metrics records go",
                    "name a file"};
   }
@@ -88,9 +88,9 @@ Keeper::Keeper(const cli::Context& context, train::Ranks& ranks, const std::atom
 Status Keeper::lockFiles(std::span<const cli::WrittenFile> written) {
   for (const cli::WrittenFile& file : written) {
     if (file.path.empty() || !isFile(file.path) || locks_.take(file.path)) continue;
-    return Error{"--" + file.option,
+    return Error{{},
                  {},
-                 {},
+                 "--" + file.option,
                  fmt::format("another obby-train is writing {}", file.path),
                  "stop it, or name another file"};
   }
