@@ -24,7 +24,7 @@ Status checkPlans(const Actions& a, uint32_t worlds) {
   }
   if (a.firsts.back() <= a.runs.size()) return {};
   return makeError(
-      fmt::format("the plans have {} runs, but only {} are given", a.firsts.back(), a.runs.size()));
+      fmt::format("expected {} runs for these plans, found {}", a.firsts.back(), a.runs.size()));
 }
 
 Status checkActions(const Actions& a, uint32_t ticks, uint32_t worlds) {

@@ -26,7 +26,7 @@ TEST(Shortfall, NoiseOfThePositionsIsMeasured) {
   const auto takes = takesUnder(defaults(), 0.2f, firstManoeuvres(3));
   const Shortfall s = shortfall(takes, shortfallFitOf("walkSpeed"), 0.01);
   EXPECT_NEAR(s.noise, 0.19, 0.02) << "of a cube of 0.2 to each side";
-  EXPECT_NE(shortOf(s, 0.01).find("jump"), std::string::npos);
+  EXPECT_NE(shortOf(s, 0.01).find("jitter"), std::string::npos);
 }
 
 // The player of the recording is faster: the walk differs, whatever gravity is.

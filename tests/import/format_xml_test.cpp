@@ -97,7 +97,8 @@ TEST(FormatXml, IllegalCharacterReferencesAreSurvivedAndCounted) {
             "b\xef\xbf\xbd\x08\xef\xbf\xbd"
             "A");
   EXPECT_TRUE(*property<bool>(part, "Anchored"));
-  EXPECT_THAT(document.warnings, testing::ElementsAre(HasSubstr("3 character references")));
+  EXPECT_THAT(document.warnings,
+              testing::ElementsAre(HasSubstr("3 forbidden XML character references")));
 }
 
 TEST(FormatXml, TheFilterLeavesLegalContentAlone) {

@@ -194,11 +194,11 @@ TEST(Batch, wrong_actions_and_courses_are_errors) {
   const auto batch = *makeCpuBatch(course, 4, pool);
   const std::vector<Action> few(7);
   EXPECT_EQ(batch->step(2, Actions::tabulated(few)).error().message,
-            "7 actions for 2 ticks of 4 worlds");
+            "expected actions for 2 ticks of 4 worlds, found 7");
   const uint32_t firsts[5] = {0, 1, 1, 1, 2};
   const ActionRun run{};
   EXPECT_EQ(batch->step(2, Actions::plans({&run, 1}, firsts)).error().message,
-            "plans of 2 runs, of which 1 are there");
+            "expected 2 runs for these plans, found 1");
   EXPECT_EQ(makeCpuBatch({}, 4, pool).error().message, "a batch needs at least one level");
   Course bad = course;
   bad.queue = {0, 1};

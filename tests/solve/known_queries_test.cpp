@@ -34,8 +34,8 @@ TEST(KnownQueries, KeepsAsManyOfTheNewestAsFit) {
   for (const char* id : {"a", "b", "c"}) known.add("l", queryCalled(id));
   EXPECT_EQ(knownQueriesErrorOf(known, "l", "a"),
             "query: no query 'a' before this record is still in memory: the oldest 1 were dropped "
-            "(put trajectories right behind their query; the newest queries are kept, 0 MiB of "
-            "memory)");
+            "(put trajectories right after their query; only the newest queries are kept, up to "
+            "0 MiB)");
   EXPECT_EQ(knownQueriesErrorOf(known, "l", "b"), "found");
   EXPECT_EQ(knownQueriesErrorOf(known, "l", "c"), "found");
   EXPECT_NE(knownQueriesErrorOf(known, "other", "c"), "found");

@@ -104,8 +104,8 @@ TEST(Text, MapShowsTheCourseFromAbove) {
   auto report = collect({kLevel, kQuery, line(ahead)});
   ASSERT_TRUE(report) << report.error().text();
   const std::string map = view::queryMap(*report, report->queries[0], {46, false, false});
-  EXPECT_EQ(map, R"(ahead, from above,
-0.75 studs per column, -Z to the right
+  EXPECT_EQ(map, R"(ahead, from above, 0.75 studs per column,
+-Z to the right
 
 
 
