@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibrate/noise.h"
+
 namespace obby::calibrate {
 
 namespace {
@@ -19,8 +21,7 @@ constexpr double kStretch = 1.5;
 constexpr double kLeastEigenvalue = 1e-9;  // of an eigenvalue, beside the largest: less is nothing
 // Studs: no recorder is better. Between two frames a fall bends by more.
 constexpr double kLeastNoise = 1e-3;
-constexpr double kDeviation = 1.4826;  // of a normal distribution, beside the middle of its sizes
-constexpr float kShows = 1e-3f;        // studs that some frame must move by
+constexpr float kShows = 1e-3f;  // studs that some frame must move by
 
 std::vector<double> moved(std::vector<double> point, size_t at, double by) {
   point[at] = std::clamp(point[at] + by, 0.0, 1.0);
@@ -143,7 +144,7 @@ Result<double> noiseAt(const Objective& objective, const std::vector<double>& po
   }
   const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
-  return kDeviation * double(*middle);
+  return kDeviationOfMedian * double(*middle);
 }
 
 double slackOf(const Slopes& slopes, size_t frames) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibrate/noise.h"
+
 namespace obby::calibrate {
 
 namespace {
@@ -12,8 +14,6 @@ constexpr double kLeastChange = 0.1;    // studs/s that the velocity must change
 constexpr double kLongestDelay = 0.05;  // seconds: no engine is later
 constexpr double kSure = 4;             // standard errors
 constexpr double kNoTime = 1e-5;        // seconds that no recording tells apart
-constexpr double kDeviationOfMedian =
-    1.4826;  // of a normal distribution, beside the middle of its sizes
 
 // Between two frames, along one axis: how far the path is from what the velocities say, and by how
 // much these change. One is the age times the other.

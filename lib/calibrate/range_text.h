@@ -7,7 +7,7 @@
 
 namespace obby::calibrate {
 
-// Of ends as they print: where both print alike, one number.
+// The ends as they print; one number if both print alike.
 inline std::string rangeText(const std::string& low, const std::string& high) {
   return low == high ? low : fmt::format("{} to {}", low, high);
 }

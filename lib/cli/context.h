@@ -42,7 +42,7 @@ class Context {
   // The bytes that -o asks for, for output that is no stream of records.
   Result<io::Sink> openSink() const;
 
-  // Whether to show a table in place of the records: ToolSpec::tableAtTerminal.
+  // True if a table replaces the records: ToolSpec::tableAtTerminal.
   bool showsTable() const;
   // Writes a text for people to standard output, once the progress line is gone.
   Status show(const std::string& text);
@@ -58,7 +58,7 @@ class Context {
   void warn(const std::string& message);
   // Only with --verbose.
   void note(const std::string& message);
-  // What the run came to: a line on stderr, or a note object with --json-errors; silent with
+  // The outcome of the run: a line on stderr, or a note object with --json-errors; silent with
   // --quiet.
   void tell(const std::string& message);
   // What the user has to know to go on, on stderr, even with --quiet.

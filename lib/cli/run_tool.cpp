@@ -29,8 +29,6 @@ extern const char* const kText;  // the schema's source, from schema/CMakeLists.
 namespace obby::cli {
 namespace {
 
-constexpr int kSignalExit = 128;
-
 // A file that is opened would take the number of a standard stream that is closed, and get what is
 // meant for that stream. What takes it here is open the wrong way round, so that using it stays an
 // error.

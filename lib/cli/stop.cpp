@@ -15,7 +15,6 @@ std::atomic<int64_t> stoppedAt{0};  // milliseconds
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free &&
               std::atomic<int64_t>::is_always_lock_free);
 
-constexpr int kSignalExitCode = 128;
 // timeout(1) and other launchers send one signal twice, to a process and to its group. Nobody
 // presses Ctrl-C again so soon.
 constexpr int64_t kMoment = 300;  // milliseconds
@@ -32,7 +31,7 @@ void onSignal(int number) {
   if (!stopped.load()) {
     stoppedAt.store(now);
   } else if (number == SIGINT && now - stoppedAt.load() >= kMoment) {
-    _exit(kSignalExitCode + number);
+    _exit(kSignalExit + number);
   }
   signalNumber.store(number);
   stopped.store(true);

@@ -6,6 +6,9 @@
 
 namespace obby::cli {
 
+// The exit code of a process that a signal ended is this plus the signal's number.
+inline constexpr int kSignalExit = 128;
+
 // Set by the handler. Lives as long as the process.
 const std::atomic<bool>& stopFlag();
 // The signal that set it; 0: none.

@@ -11,7 +11,7 @@
 
 namespace obby::io {
 
-// What to do about an input that is not whole.
+// The cure for an input that is not whole.
 inline constexpr const char* kCutOffHint = "it was cut off: run the tool that wrote it again";
 
 class Framing {

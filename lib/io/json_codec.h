@@ -24,7 +24,7 @@ Result<RecordBuilder> recordFromJson(std::string_view line);
 Result<std::optional<RecordBuilder>> recordFromJsonIfKnown(std::string_view line,
                                                            std::vector<Error>* misspelt = nullptr);
 
-// Whether a record that could not be read ends in the middle of a value: it is cut off, or
+// True if a record that could not be read ends in the middle of a value: it is cut off, or
 // continues on the next line.
 bool endsInside(const Error& error);
 

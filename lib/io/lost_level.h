@@ -10,7 +10,7 @@
 
 namespace obby::io {
 
-// Whether a record that could not be read, a line or the words of a message, was a level, or may
+// True if a record that could not be read, a line or the words of a message, was a level, or may
 // have been one for all that it says of its kind.
 bool mayBeLevel(std::string_view line);
 bool mayBeLevel(const std::vector<uint64_t>& words);

@@ -32,7 +32,7 @@ void appendJsonString(std::string& out, std::string_view text);
 // escaped, '?' for a byte that is no UTF-8.
 std::string quoted(std::string_view text, size_t limit = 40);
 
-// What was found where text was expected, for an error line: `bytes` quoted, or "binary data" if
+// Describes what was found instead of text, for an error line: `bytes` quoted, or "binary data" if
 // they are not UTF-8 (apart from a character cut at the end) or have control characters.
 std::string described(std::string_view bytes);
 

@@ -146,7 +146,7 @@ class Solving {
     if (options_.paths) fillPath(record, p);
   }
 
-  // What only solutions have: their route, and where it is asked for, how hard they are; returns a
+  // Fills in the fields of solutions only: the route and, if asked for, the difficulty. Returns a
   // sentence about the hardest step, or nothing.
   std::string fillWay(schema::Trajectory::Builder record, const Problem& problem,
                       const Playthrough& p, ThreadPool& pool) const {

@@ -123,7 +123,7 @@ class Table {
     widths_[c] = width;
   }
 
-  // Where the other columns leave room for them.
+  // Only if the other columns leave room for them.
   void addRoutes() {
     const size_t used = usedColumns() + columnCount(arrow());  // no gap behind the last column
     const size_t place =
@@ -143,7 +143,7 @@ class Table {
 
   std::string arrow() const { return terminal_.utf8 ? " → " : " -> "; }
 
-  // Of all but the reason, each with the gap behind it.
+  // Width of all columns but the reason, each with the gap behind it.
   size_t usedColumns() const {
     size_t used = 0;
     for (size_t c = 0; c < kReason; ++c) used += widths_[c] > 0 ? widths_[c] + kGap : 0;

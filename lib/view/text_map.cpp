@@ -139,7 +139,7 @@ void drawQuery(Raster& raster, const QueryEntry& query, Frame frame) {
   if (query.compiled) raster.dot(frame.of(query.compiled->start().feet), kStart);
 }
 
-// What of the map only some queries have.
+// The marks that only some queries have.
 struct Drawings {
   bool away = false, waypoint = false, avoid = false, solution = false, attempt = false;
 };

@@ -17,12 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kPlacesPlaces = fs::path(OBBY_SOURCE_DIR) / ".." / "shared" / "places";
+const fs::path kPlacesFolder = fs::path(OBBY_SOURCE_DIR) / ".." / "shared" / "places";
 
 #define OBBY_NEEDS_PLACES()                                                                      \
-  if (!fs::exists(kPlacesPlaces)) {                                                              \
-    std::cerr << "NOT TESTED: " << kPlacesPlaces << " is not there, so no real place file is\n"; \
-    GTEST_SKIP() << "no place files at " << kPlacesPlaces;                                       \
+  if (!fs::exists(kPlacesFolder)) {                                                              \
+    std::cerr << "NOT TESTED: " << kPlacesFolder << " is not there, so no real place file is\n"; \
+    GTEST_SKIP() << "no place files at " << kPlacesFolder;                                       \
   }
 
 importer::Import import(const fs::path& path) {
@@ -59,7 +59,7 @@ uint32_t unmodelled(schema::Level::Reader level, const std::string& kind) {
 TEST(Places, EveryFileGivesALevelThatCanBeWritten) {
   OBBY_NEEDS_PLACES();
   int files = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(kPlacesPlaces)) {
+  for (const auto& entry : fs::recursive_directory_iterator(kPlacesFolder)) {
     if (entry.path().extension().string().rfind(".rbx", 0) != 0) continue;
     ++files;
     auto result = import(entry.path());
@@ -83,7 +83,7 @@ TEST(Places, EveryFileGivesALevelThatCanBeWritten) {
 
 TEST(Places, ZandersTestLevel) {
   OBBY_NEEDS_PLACES();
-  auto result = import(kPlacesPlaces / "zander-obbytest.rbxl");
+  auto result = import(kPlacesFolder / "zander-obbytest.rbxl");
   const auto level = result.level.reader().getLevel();
   EXPECT_FLOAT_EQ(level.getPhysics().getGravity(), 80);
   EXPECT_FLOAT_EQ(level.getPhysics().getWalkSpeed(), 54);
@@ -104,7 +104,7 @@ TEST(Places, ZandersTestLevel) {
 
 TEST(Places, JeffersonsFirstObby) {
   OBBY_NEEDS_PLACES();
-  auto result = import(kPlacesPlaces / "jefferson-first-project-obby.rbxl");
+  auto result = import(kPlacesFolder / "jefferson-first-project-obby.rbxl");
   const auto level = result.level.reader().getLevel();
   EXPECT_EQ(level.getParts().size(), 39u);
   EXPECT_EQ(count(level).kills, 1u) << "the script names one of fourteen parts of one name";
@@ -116,7 +116,7 @@ TEST(Places, JeffersonsFirstObby) {
 
 TEST(Places, PiecesOfAnObbyKit) {
   OBBY_NEEDS_PLACES();
-  auto result = import(kPlacesPlaces / "gamenew09-straight_piece_lava.rbxmx");
+  auto result = import(kPlacesFolder / "gamenew09-straight_piece_lava.rbxmx");
   const auto level = result.level.reader().getLevel();
   EXPECT_EQ(level.getParts().size(), 5u);
   EXPECT_EQ(count(level).kills, 2u);
@@ -126,11 +126,11 @@ TEST(Places, PiecesOfAnObbyKit) {
 
 TEST(Places, ModelFiles) {
   OBBY_NEEDS_PLACES();
-  auto town = import(kPlacesPlaces / "elithegingercat-map.rbxm");
+  auto town = import(kPlacesFolder / "elithegingercat-map.rbxm");
   EXPECT_EQ(town.level.reader().getLevel().getSource().getPartsRead(), 1012u);
-  auto blocks = import(kPlacesPlaces / "hedreon-map.rbxmx");
+  auto blocks = import(kPlacesFolder / "hedreon-map.rbxmx");
   EXPECT_EQ(count(blocks.level.reader().getLevel()).kills, 2u);
-  auto stress = import(kPlacesPlaces / "rbxdom-parts-1000.rbxm");
+  auto stress = import(kPlacesFolder / "rbxdom-parts-1000.rbxm");
   // Loose all, and far more than a level can have.
   EXPECT_EQ(count(stress.level.reader().getLevel()).loose, 0u);
   EXPECT_EQ(stress.level.reader().getLevel().getUnmodelled()[0].getCount(), 1000u);
@@ -154,7 +154,7 @@ std::string content(importer::Import& result, bool positions) {
 TEST(Places, BinaryAndXmlOfTheSameContentGiveTheSameLevel) {
   OBBY_NEEDS_PLACES();
   int pairs = 0;
-  for (const auto& entry : fs::directory_iterator(kPlacesPlaces / "format-pairs")) {
+  for (const auto& entry : fs::directory_iterator(kPlacesFolder / "format-pairs")) {
     const std::string extension = entry.path().extension().string();
     if (extension != ".rbxm" && extension != ".rbxl") continue;
     ++pairs;

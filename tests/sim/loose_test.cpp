@@ -12,7 +12,7 @@ namespace {
 using sim::LooseState;
 using support::LevelBuilder;
 
-void looseLoosen(schema::Part::Builder p) { p.setAnchored(false); }
+void unanchor(schema::Part::Builder p) { p.setAnchored(false); }
 
 // A floor whose top is at 0, far away from the player at (0, 0, 40).
 LevelBuilder looseRoom() {
@@ -28,7 +28,7 @@ float speedOf(const sim::LooseBody& b) { return length(b.velocity) + length(b.sp
 TEST(LooseBodies, FallAsGravityHasIt) {
   for (const float sleepTime : {0.5f, 0.0f}) {
     const auto level = looseRoom()
-                           .block({0, 50, 0}, {4, 4, 4}, looseLoosen)
+                           .block({0, 50, 0}, {4, 4, 4}, unanchor)
                            .physics([=](auto p) { p.setSleepTime(sleepTime); })
                            .compile();
     Play play = playOf(level);
@@ -40,7 +40,7 @@ TEST(LooseBodies, FallAsGravityHasIt) {
 }
 
 TEST(LooseBodies, ComeToRestOnTheFloorAndSleep) {
-  const auto level = looseRoom().block({0, 4, 0}, {4, 4, 4}, looseLoosen).compile();
+  const auto level = looseRoom().block({0, 4, 0}, {4, 4, 4}, unanchor).compile();
   Play play = playOf(level);
   play.run(stand(), 180);
   EXPECT_NEAR(play.loose[0].position.y, 2, 0.02);
@@ -115,7 +115,7 @@ TEST(LooseBodies, ThatStandOnACornerTipOver) {
 
 TEST(LooseBodies, StackAndStayStacked) {
   LevelBuilder b = looseRoom();
-  for (int i = 0; i < 8; ++i) b.block({0, 2 + 4.02f * float(i), 0}, {4, 4, 4}, looseLoosen);
+  for (int i = 0; i < 8; ++i) b.block({0, 2 + 4.02f * float(i), 0}, {4, 4, 4}, unanchor);
   const auto level = b.compile();
   Play play = playOf(level);
   play.run(stand(), 600);
@@ -199,7 +199,7 @@ TEST(LooseBodies, BounceStraightUp) {
 }
 
 TEST(LooseBodies, FallOutOfTheWorld) {
-  const auto level = looseRoom().block({150, 10, 0}, {4, 4, 4}, looseLoosen).compile();
+  const auto level = looseRoom().block({150, 10, 0}, {4, 4, 4}, unanchor).compile();
   Play play = playOf(level);
   play.run(stand(), 200);
   EXPECT_EQ(play.loose[0].state, LooseState::gone);
@@ -218,7 +218,7 @@ TEST(LooseBodies, RestOnPlatformsThatCarry) {
                                   keys[1].setTime(4);
                                   support::set(keys[1].initPosition(), {20, 5, 0});
                                 })
-                         .block({0, 8, 0}, {4, 4, 4}, looseLoosen)
+                         .block({0, 8, 0}, {4, 4, 4}, unanchor)
                          .compile();
   Play play = playOf(level);
   play.run(stand(), 220);
@@ -228,7 +228,7 @@ TEST(LooseBodies, RestOnPlatformsThatCarry) {
 }
 
 TEST(LooseBodies, ArePushedByThePlayer) {
-  const auto level = looseRoom().block({0, 2, 20}, {4, 4, 4}, looseLoosen).compile();
+  const auto level = looseRoom().block({0, 2, 20}, {4, 4, 4}, unanchor).compile();
   Play play = playOf(level);
   play.settle().run(walk(kNorth), 240);
   EXPECT_LT(play.loose[0].position.z, 10);
@@ -252,7 +252,7 @@ TEST(LooseBodies, ThatAreTooHeavyStayWhereTheyAre) {
 }
 
 TEST(LooseBodies, CarryAPlayerWhoStandsOnThemAndJumps) {
-  const auto level = looseRoom().block({0, 2, 0}, {6, 4, 6}, looseLoosen).compile();
+  const auto level = looseRoom().block({0, 2, 0}, {6, 4, 6}, unanchor).compile();
   Play play(level, {0, 6, 0});
   play.settle();
   EXPECT_NEAR(play.world.position.y, 4, 0.05);
@@ -266,7 +266,7 @@ TEST(LooseBodies, CarryAPlayerWhoStandsOnThemAndJumps) {
 }
 
 TEST(LooseBodies, ThatFallTakeAPlayerWhoStandsOnThemAlong) {
-  const auto level = looseRoom().block({0, 100, 0}, {8, 2, 8}, looseLoosen).compile();
+  const auto level = looseRoom().block({0, 100, 0}, {8, 2, 8}, unanchor).compile();
   Play play(level, {0, 101, 0});
   play.run(stand(), 30);
   const float above = play.world.position.y - (play.loose[0].position.y + 1);
@@ -278,7 +278,7 @@ TEST(LooseBodies, PushedToAWallMakeAStepThatIsNotThereOtherwise) {
   const auto climb = [](bool box) {
     LevelBuilder b = looseRoom();
     b.block({0, 5, -20}, {40, 10, 10});  // a wall 10 high: a jump reaches 7
-    if (box) b.block({0, 2, 20}, {4, 4, 4}, looseLoosen);
+    if (box) b.block({0, 2, 20}, {4, 4, 4}, unanchor);
     const auto level = b.compile();
     Play play = playOf(level);
     play.settle().run(walk(kNorth), 300);  // to the wall, with the box before it
@@ -294,7 +294,7 @@ TEST(LooseBodies, PushedToAWallMakeAStepThatIsNotThereOtherwise) {
 
 TEST(LooseBodies, RestoredContinueAsTheyWould) {
   LevelBuilder b = looseRoom();
-  for (int i = 0; i < 5; ++i) b.block({float(i), 4 + 5 * float(i), 20}, {4, 4, 4}, looseLoosen);
+  for (int i = 0; i < 5; ++i) b.block({float(i), 4 + 5 * float(i), 20}, {4, 4, 4}, unanchor);
   const auto level = b.compile();
   Play play = playOf(level);
   play.run(walk(kNorth), 60);
@@ -310,7 +310,7 @@ TEST(LooseBodies, RestoredContinueAsTheyWould) {
 
 TEST(LooseBodies, MoreThanSixteenAreAnErrorThatNamesTheFirstTooMany) {
   LevelBuilder b = looseRoom();
-  for (int i = 0; i < 17; ++i) b.block({5 * float(i), 2, 0}, {4, 4, 4}, looseLoosen);
+  for (int i = 0; i < 17; ++i) b.block({5 * float(i), 2, 0}, {4, 4, 4}, unanchor);
   const auto level = level::Level::compile(b.record());
   ASSERT_FALSE(level);
   EXPECT_EQ(level.error().path, "parts[17].anchored");

@@ -17,7 +17,6 @@ namespace {
 // generated, well compressing parts (20 bytes each), too little for files made to exhaust memory.
 constexpr size_t kBaseBudget = size_t{48} << 20;
 constexpr size_t kBudgetPerByte = 64;
-constexpr size_t kMaxDepth = 512;
 constexpr size_t kMaxWarnings = 100;
 constexpr size_t kMaxName = 100;  // characters: the engine's own limit
 constexpr size_t kMaxNameBytes = 4 * kMaxName;
@@ -190,8 +189,8 @@ Status DocumentBuilder::checkDepth(const std::vector<InstanceId>& order) const {
   for (const InstanceId id : order) {
     const InstanceId parent = document_.instances[id].parent;
     if (parent != kNoInstance) depth[id] = depth[parent] + 1;
-    if (depth[id] > kMaxDepth) {
-      return makeError("instances are nested deeper than " + std::to_string(kMaxDepth));
+    if (depth[id] > kMaxInstanceDepth) {
+      return makeError("instances are nested deeper than " + std::to_string(kMaxInstanceDepth));
     }
   }
   return {};

@@ -16,6 +16,8 @@
 
 namespace obby::importer {
 
+inline constexpr size_t kMaxInstanceDepth = 512;
+
 // How a property of a class is kept.
 struct PropertyPlan {
   PropertySpelling spelling;

@@ -16,8 +16,6 @@
 namespace obby::importer {
 namespace {
 
-constexpr size_t kMaxXmlDepth = 512;
-
 class XmlReader {
  public:
   explicit XmlReader(std::string_view source) : source_(source), builder_(source.size()) {}
@@ -66,9 +64,9 @@ class XmlReader {
         stack.pop_back();
         continue;
       }
-      if (stack.size() > kMaxXmlDepth) {
+      if (stack.size() > kMaxInstanceDepth) {
         return at(startOf(item), "Item",
-                  "instances are nested deeper than " + std::to_string(kMaxXmlDepth));
+                  "instances are nested deeper than " + std::to_string(kMaxInstanceDepth));
       }
       stack.back().next = item.next_sibling("Item");
       OBBY_ASSIGN(const InstanceId id, addItem(item, stack.back().parent));

@@ -21,7 +21,6 @@ double numberAt(const std::vector<Datum>& a, size_t i, double absent) {
   return n ? *n : double(kNoNumber);
 }
 
-Datum vector(Vec3 v) { return {Vector{v, kNoInstance}}; }
 Datum frame(const Pose& p) { return {Frame{p, kNoInstance}}; }
 
 Mat3 turned(int axis, double angle) {
@@ -158,21 +157,24 @@ Datum converted(const Datum& value) {
 
 }  // namespace
 
+Datum vectorDatum(Vec3 v) { return {Vector{v, kNoInstance}}; }
+
 Datum libraryField(const std::string& path) {
   if (path == "math.pi") return {kPi};
   if (path == "math.huge") return {std::numeric_limits<double>::infinity()};
-  if (path == "Vector3.zero") return vector({});
-  if (path == "Vector3.one") return vector({1, 1, 1});
-  if (path == "Vector3.xAxis") return vector({1, 0, 0});
-  if (path == "Vector3.yAxis") return vector({0, 1, 0});
-  if (path == "Vector3.zAxis") return vector({0, 0, 1});
+  if (path == "Vector3.zero") return vectorDatum({});
+  if (path == "Vector3.one") return vectorDatum({1, 1, 1});
+  if (path == "Vector3.xAxis") return vectorDatum({1, 0, 0});
+  if (path == "Vector3.yAxis") return vectorDatum({0, 1, 0});
+  if (path == "Vector3.zAxis") return vectorDatum({0, 0, 1});
   if (path == "CFrame.identity") return frame({});
   return {Library{path}};
 }
 
 Datum libraryCall(const std::string& path, const std::vector<Datum>& a) {
   if (path == "Vector3.new" || path == "vector.create")
-    return vector({float(numberAt(a, 0, 0)), float(numberAt(a, 1, 0)), float(numberAt(a, 2, 0))});
+    return vectorDatum(
+        {float(numberAt(a, 0, 0)), float(numberAt(a, 1, 0)), float(numberAt(a, 2, 0))});
   if (path == "CFrame.new") return newFrame(a);
   if ((path == "typeof" || path == "type") && a.size() == 1 && a[0].as<Ref>())
     return {std::string(path == "type" ? "userdata" : "Instance")};

@@ -8,8 +8,6 @@
 namespace obby::importer::luau {
 namespace {
 
-Datum vectorDatum(Vec3 v) { return {Vector{v, kNoInstance}}; }
-
 Datum known(float n) { return std::isnan(n) ? Datum{} : Datum{double(n)}; }
 
 Datum ofVector(const Vector& v, const std::string& name, const std::vector<Datum>& a) {

@@ -13,6 +13,7 @@ bool isSignalName(const std::string& name);
 bool isConnect(const std::string& method);
 
 // library.cpp: Vector3, CFrame, TweenInfo, math, string: pure functions of known values.
+Datum vectorDatum(Vec3 v);  // of no instance
 Datum libraryField(const std::string& path);
 Datum libraryCall(const std::string& path, const std::vector<Datum>& arguments);
 Datum valueMethod(const Datum& object, const std::string& name,

@@ -10,7 +10,7 @@ namespace obby::solve {
 
 namespace {
 
-// What the sentences of a reason are about.
+// The subject of a reason's sentences.
 struct Asked {
   const level::Level& level;
   schema::Level::Reader levelRecord;
@@ -140,7 +140,7 @@ std::string overrunText(uint8_t overruns) {
   return text;
 }
 
-// What the place has and the level has not: a solution may need it.
+// The parts of the place that the level lacks; a solution may need them.
 std::string unmodelledText(schema::Level::Reader level) {
   std::string kinds;
   for (const auto& u : level.getUnmodelled()) {
