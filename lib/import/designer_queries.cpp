@@ -43,7 +43,7 @@ const T* attribute(const Instance& instance, const char* name) {
   return found == instance.attributes.end() ? nullptr : std::get_if<T>(&found->second);
 }
 
-std::string textOf(const Instance& instance, const char* name) {
+std::string textProperty(const Instance& instance, const char* name) {
   const auto* text = attribute<std::string>(instance, name);
   return text ? validUtf8(*text) : "";
 }
@@ -94,7 +94,7 @@ class Reader {
   void warnOfKinds(InstanceId query) {
     for (const InstanceId child : tree_.at(query).children) {
       if (tree_.at(child).className != "Configuration") continue;
-      const std::string kind = textOf(tree_.at(child), "kind");
+      const std::string kind = textProperty(tree_.at(child), "kind");
       if (std::find(std::begin(kKinds), std::end(kKinds), kind) == std::end(kKinds))
         warn(child, fmt::format("has the unknown kind '{}' and is left out; expected one of {}",
                                 kind, fmt::join(kKinds, ", ")));
@@ -106,11 +106,11 @@ class Reader {
     std::vector<InstanceId> out;
     for (const InstanceId child : tree_.at(query).children) {
       const Instance& region = tree_.at(child);
-      if (region.className != "Configuration" || textOf(region, "kind") != kind) continue;
+      if (region.className != "Configuration" || textProperty(region, "kind") != kind) continue;
       const auto* size = attribute<Vec3>(region, "size");
       const bool box =
           attribute<CFrame>(region, "cframe") && size && size->x > 0 && size->y > 0 && size->z > 0;
-      if (box || !textOf(region, "part").empty()) {
+      if (box || !textProperty(region, "part").empty()) {
         out.push_back(child);
       } else {
         warn(child, "names neither a part nor a box (cframe and size) and is left out");
@@ -125,7 +125,7 @@ class Reader {
   void fillRegion(InstanceId id, schema::Region::Builder to) {
     const Instance& region = tree_.at(id);
     to.setName(validUtf8(region.name));
-    if (const std::string part = textOf(region, "part"); !part.empty()) {
+    if (const std::string part = textProperty(region, "part"); !part.empty()) {
       to.setPart(part);
       const bool* touch = attribute<bool>(region, "touch");
       to.setTouch(touch && *touch);
@@ -163,7 +163,7 @@ class Reader {
     }
     std::vector<schema::PlayerState> states;
     const auto known = capnp::Schema::from<schema::PlayerState>();
-    const std::string text = textOf(tree_.at(id), kForbid);
+    const std::string text = textProperty(tree_.at(id), kForbid);
     for (size_t from = 0; (from = text.find_first_not_of(", ", from)) != std::string::npos;) {
       const std::string name = text.substr(from, text.find_first_of(", ", from) - from);
       from += name.size();

@@ -20,7 +20,7 @@ namespace obby::io {
 namespace {
 
 constexpr size_t kBlock = size_t(256) << 10;
-constexpr int kStopCheckMilliseconds = 50;
+constexpr int kWaitMilliseconds = 50;
 constexpr const char* kBrokenPipe = "the reader of the output has closed it (broken pipe)";
 
 Error outputError(const std::string& name, const char* doing) {
@@ -220,8 +220,8 @@ int openToWrite(const std::string& path, int flags, const std::atomic<bool>* sto
   for (int late = 0; late < kPatienceMilliseconds;) {
     const int opened = ::open(path.c_str(), flags | O_NONBLOCK, kMode);
     if (opened >= 0 || errno != ENXIO) return opened;  // sendAll() waits for its reader
-    if (stop->load(std::memory_order_relaxed)) late += kStopCheckMilliseconds;
-    std::this_thread::sleep_for(std::chrono::milliseconds(kStopCheckMilliseconds));
+    if (stop->load(std::memory_order_relaxed)) late += kWaitMilliseconds;
+    std::this_thread::sleep_for(std::chrono::milliseconds(kWaitMilliseconds));
   }
   errno = EINTR;
   return -1;
@@ -243,7 +243,7 @@ bool sendAll(int fd, std::string_view bytes, const std::atomic<bool>* stop) {
     } else if (errno == EAGAIN) {
       // A terminal or socket that other programs write to, or that is standard input as well, may
       // have been told not to wait for its reader.
-      takesMore(fd, stop ? kStopCheckMilliseconds : -1);
+      takesMore(fd, stop ? kWaitMilliseconds : -1);
     } else if (errno != EINTR) {
       return false;
     }

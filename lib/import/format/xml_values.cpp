@@ -150,7 +150,7 @@ Result<Value> readUDim(Element element, const XmlContext&) {
   return Value{UDim{v[0], static_cast<int32_t>(*offset)}};
 }
 
-Result<Value> skip(Element, const XmlContext&) { return Value{}; }
+Result<Value> ignoreElement(Element, const XmlContext&) { return Value{}; }
 
 struct XmlKind {
   std::string_view element;
@@ -158,36 +158,36 @@ struct XmlKind {
 };
 
 constexpr XmlKind kXmlKinds[] = {
-    {"Axes", skip},
+    {"Axes", ignoreElement},
     {"BinaryString", readBase64},
     {"BrickColor", readInt},
     {"CFrame", readCFrame},
     {"Color3", readColor},
     {"Color3uint8", readColor},
-    {"ColorSequence", skip},
+    {"ColorSequence", ignoreElement},
     {"Content", readContent},
     {"ContentId", readContent},
     {"CoordinateFrame", readCFrame},
-    {"Faces", skip},
-    {"Font", skip},
+    {"Faces", ignoreElement},
+    {"Font", ignoreElement},
     {"NetAssetRef", readShared},
-    {"NumberRange", skip},
-    {"NumberSequence", skip},
+    {"NumberRange", ignoreElement},
+    {"NumberSequence", ignoreElement},
     {"OptionalCoordinateFrame", readOptionalCFrame},
     {"PhysicalProperties", readPhysical},
     {"ProtectedString", readText},
-    {"Ray", skip},
-    {"Rect2D", skip},
+    {"Ray", ignoreElement},
+    {"Rect2D", ignoreElement},
     {"Ref", readRef},
     {"SecurityCapabilities", readInt},
     {"SharedString", readShared},
     {"UDim", readUDim},
-    {"UDim2", skip},
+    {"UDim2", ignoreElement},
     {"UniqueId", readUniqueId},
-    {"Vector2", skip},
-    {"Vector2int16", skip},
+    {"Vector2", ignoreElement},
+    {"Vector2int16", ignoreElement},
     {"Vector3", readVec3},
-    {"Vector3int16", skip},
+    {"Vector3int16", ignoreElement},
     {"bool", readBool},
     {"double", readDouble},
     {"float", readSingle},
@@ -224,7 +224,7 @@ ReadElement byStructure(Element element) {
   if (element.child("X") && element.child("Z")) return readVec3;
   if (element.child("R") && element.child("G")) return readColor;
   return element.find_child([](Element child) { return child.type() == pugi::node_element; })
-             ? skip
+             ? ignoreElement
              : readText;
 }
 

@@ -9,7 +9,7 @@
 namespace obby::importer::luau {
 namespace {
 
-constexpr size_t kAskedPerStep = 2;  // expressions of a condition
+constexpr size_t kConditionsPerStep = 2;  // expressions of a condition
 
 bool isWayOut(const Block& branch) {
   if (branch.empty()) return false;
@@ -22,7 +22,7 @@ bool isWayOut(const Block& branch) {
 std::set<std::string> Reader::pathsOf(const Expr& condition) {
   size_t looked = 0;
   std::set<std::string> paths = pathsIn(condition, looked);
-  spend(looked / kAskedPerStep);
+  spend(looked / kConditionsPerStep);
   return paths;
 }
 

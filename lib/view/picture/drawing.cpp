@@ -21,7 +21,7 @@ constexpr int kOutline = 48;        // directions in which a shape's outline is 
 constexpr float kPaperMargin = 12;  // pixels
 constexpr float kLegend = 30;       // pixels below the drawing
 constexpr float kLeastHeight = 80;  // pixels
-constexpr float kThinned = 0.15f;   // pixels: a path's points nearer to their line are left out
+constexpr float kThinnedPixels = 0.15f;   // pixels: a path's points nearer to their line are left out
 
 constexpr const char* kStyle =
     "<style>.page{fill:#fff}text{font:13px system-ui,sans-serif;fill:#222}.part{stroke:#0006;"
@@ -144,7 +144,7 @@ std::vector<Vec2> lineOf(const Playback& play, const Paper& paper) {
   const auto distance = [&](size_t a, size_t b, size_t p) {
     return distanceTo(all[a], all[b], all[p]);
   };
-  for (const size_t i : thinned(all.size(), kThinned, distance)) out.push_back(all[i]);
+  for (const size_t i : thinned(all.size(), kThinnedPixels, distance)) out.push_back(all[i]);
   return out;
 }
 
