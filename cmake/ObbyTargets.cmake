@@ -21,8 +21,6 @@ endfunction()
 # obby_cold(target): code whose speed nobody notices, such as options, tables and tests, compiles at -O1 in half the time.
 function(obby_cold target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-  # GCC 12 warns of its own AVX-512 intrinsics at -O1 (its bug 105593).
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>)
 endfunction()
 
 # obby_tool(name USES modules...): tools/<name>/main.cpp and options.cpp become the program <name>.
