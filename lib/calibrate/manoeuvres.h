@@ -30,7 +30,8 @@ std::vector<Manoeuvre> manoeuvres();
 // off, each axis.
 Track rehearse(const level::Level& level, const Manoeuvre& manoeuvre, float noise, uint64_t seed);
 
-// Its inputs, for a recorder to play: start, actions, and where they lead in the simulator.
+// Its inputs, to be played and recorded in Studio: start, actions, and where they lead in the
+// simulator.
 void writePlan(const level::Level& level, const Manoeuvre& manoeuvre,
                schema::Trajectory::Builder to);
 

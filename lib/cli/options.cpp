@@ -85,7 +85,7 @@ std::vector<OptionRow> makeUniversalRows() {
 
 OptionRow outputRow() {
   OptionRow out = row("output", 'o', ValueType::file, "FILE",
-                      "write to FILE, which appears only once the output is complete");
+                      "write to FILE, which appears only when the run is complete or interrupted");
   out.details = "- is standard output.";
   out.defaultText = "-";
   return grouped(std::move(out), kFilesGroup);

@@ -250,7 +250,7 @@ std::optional<io::Record> designerPhysics(const Tree& tree, std::vector<std::str
   auto read = io::recordFromJson(*text);
   if (read && read->reader().isParams()) return io::Record(*std::move(read));
   warnings.push_back(tree.document().file + ": " + tree.path(folder) +
-                     " has physics that are not a params record: " +
+                     ": its physics setting is not a valid params record: " +
                      (read ? "it is another kind of record" : read.error().text()));
   return {};
 }

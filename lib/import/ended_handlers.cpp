@@ -80,7 +80,7 @@ class EndedHandlers {
     if (!isGuessedBy(part, reason) || !doubtful_.insert(part.id).second) return;
     context_.level.noteUnmodelled(
         "damage that a script may deal", context_.tree.path(part.id),
-        "in the level every touch does it, whatever the condition; " + reason);
+        "in the level every touch deals it, whatever the script's condition; " + reason);
   }
 
   void nameCut(const ScriptReading& reading, const Timeline& timeline, const PartDraft& part) {
@@ -115,9 +115,10 @@ void noteMaybe(RoleContext& context, const ScriptReading& reading, const Timelin
   const PartDraft* part = maybe ? context.part(timeline.touched) : nullptr;
   if (!part || !(part->kill || part->vanish || part->jumpPad || part->teleport)) return;
   if (isShownBy(context.tree, reading, *part))
-    context.level.noteUnmodelled("handler that a script may connect", context.tree.path(part->id),
-                                 "the condition is not known; taken as connected; " +
-                                     scriptReason(context.tree, reading, timeline.line));
+    context.level.noteUnmodelled(
+        "handler that a script may connect", context.tree.path(part->id),
+        "the condition for connecting it is unknown; treated as connected; " +
+            scriptReason(context.tree, reading, timeline.line));
 }
 
 // What a script that another one enables does by itself, as if it were enabled from the start on.

@@ -253,7 +253,7 @@ int giveMotion(RoleContext& context, InstanceId moved, const Motion& ofPivot,
       context.level.noteUnmodelled(
           "motion out of range", context.tree.path(part->id),
           "it takes or waits more than 20 minutes, runs back in time, turns about no axis or "
-          "leaves the world; stays where the file has it; " +
+          "leaves the world; stays at its position in the file; " +
               reason);
       continue;
     }

@@ -42,10 +42,11 @@ void take(MotionRoom& room, const Motion& motion) {
 }
 
 void noteTooMany(RoleContext& context, InstanceId part, const std::string& reason) {
-  context.level.noteUnmodelled(
-      "motion of too many poses", context.tree.path(part),
-      "the level's motions have more than " + std::to_string(kMaxLevelKeys) + " poses or " +
-          std::to_string(level::kMaxLevelRows) + " ticks; stays where the file has it; " + reason);
+  context.level.noteUnmodelled("motion of too many poses", context.tree.path(part),
+                               "the level's motions have more than " +
+                                   std::to_string(kMaxLevelKeys) + " poses or " +
+                                   std::to_string(level::kMaxLevelRows) +
+                                   " ticks; stays at its position in the file; " + reason);
 }
 
 void stop(RoleContext& context, PartDraft& part) {
@@ -100,8 +101,8 @@ void settleMotions(RoleContext& context) {
       noteTooMany(context, id, reason);
     else
       context.level.noteIgnored("moving decoration", context.tree.path(id),
-                                "players never meet it, and the level's motions are at their "
-                                "limit; stays where the file has it; " +
+                                "players never touch it, and the level has reached its limit on "
+                                "motion data; stays at its position in the file; " +
                                     reason);
   }
 }

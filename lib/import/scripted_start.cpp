@@ -160,7 +160,7 @@ class StartOfPlay {
     if (other && named_.insert(part.id).second)
       context_.level.noteUnmodelled(
           "part that two scripts move", context_.tree.path(part.id),
-          "one script places it elsewhere, the other moves it from where the file has it; " +
+          "one script places it elsewhere, the other moves it from its position in the file; " +
               now_.reason(context_.tree));
   }
 

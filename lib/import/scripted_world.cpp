@@ -55,8 +55,9 @@ void applyScriptedWorld(RoleContext& context) {
         if (!isWorldSetting(context, timeline, event, character)) continue;
         const std::string reason = scriptReason(context.tree, reading, event.line);
         if (event.unsure)
-          level.noteUnmodelled(event.property + " that a script may set", reason,
-                               "the condition is not known; stays as the place has it");
+          level.noteUnmodelled(
+              event.property + " that a script may set", reason,
+              "the condition for setting it is unknown; stays as the place has it");
         else if (take(event, level.world, jump))
           level.noteIgnored(event.property + " set by a script", reason,
                             "applied to the whole level");

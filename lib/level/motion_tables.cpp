@@ -38,8 +38,8 @@ Result<std::vector<MotionKey>> readKeys(schema::Motion::Reader motion) {
     const std::string path = fmt::format("motion.keys[{}]", keys.size());
     const double time = record.getTime();
     if (!std::isfinite(time) || time < (keys.empty() ? 0.0 : keys.back().time)) {
-      return pathError(path + ".time",
-                       "expected seconds that do not decrease, found " + shown(record.getTime()));
+      return pathError(path + ".time", "expected non-decreasing times in seconds, found " +
+                                           shown(record.getTime()));
     }
     OBBY_ASSIGN(const Vec3 at, position(record.getPosition(), path + ".position"));
     OBBY_ASSIGN(const Quat turned, quaternion(record.getRotation(), path + ".rotation"));

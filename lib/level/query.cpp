@@ -38,12 +38,17 @@ Result<StartPose> startPose(schema::Query::Reader record, const Level& level) {
     return StartPose{feet, yaw, start.getTick()};
   }
   const int32_t spawn = start.getSpawn() == -1 ? 0 : start.getSpawn();
+  if (level.spawns().empty()) {
+    return pathError("start", "the level has no spawn, and the query has no start region",
+                     "give the level a spawn, or the query \"start\":{\"region\":...}");
+  }
   if (spawn < 0 || size_t(spawn) >= level.spawns().size()) {
-    return level.spawns().empty()
-               ? pathError("start", "the level has no spawn, and the query has no start region",
-                           "give the level a spawn, or the query \"start\":{\"region\":...}")
-               : pathError("start.spawn", fmt::format("expected a spawn from 0 to {}, found {}",
-                                                      level.spawns().size() - 1, spawn));
+    const size_t last = level.spawns().size() - 1;
+    return pathError("start.spawn",
+                     fmt::format("expected {}, found {}",
+                                 last == 0 ? std::string("0, the only spawn")
+                                           : fmt::format("a spawn from 0 to {}", last),
+                                 spawn));
   }
   StartPose pose = level.spawns()[size_t(spawn)];
   pose.tick = start.getTick();

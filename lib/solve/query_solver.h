@@ -31,7 +31,7 @@ struct SolverOptions {
   const policy::Network* policy = nullptr;  // for methods that use one; null: they do without
   bool progressRecords = true;
   bool paths = false;    // trajectories say where the player is, for readers that cannot replay
-  bool heatMap = false;  // results say where the search has been
+  bool heatMap = false;  // results have a map of where the search went
   const EarlierAnswers* earlier = nullptr;  // to be tried first; may be null
   bool explain = false;  // say what change would make a query solvable; up to as long again
   uint32_t difficultyTrials = 0;  // a segment of a solution; 0: not asked how hard it is

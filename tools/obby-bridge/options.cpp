@@ -17,7 +17,7 @@ using cli::rare;
 using cli::row;
 using cli::ValueType;
 
-constexpr const char* kClients = "Editors that ask";
+constexpr const char* kClients = "Connections";
 constexpr const char* kJobs = "Searches and calibrations";
 constexpr const char* kLimits = "Limits";
 constexpr const char* kPort = "34990";  // clients look for it there
@@ -81,7 +81,8 @@ cli::ToolSpec bridgeSpec() {
   spec.summary = "let Roblox Studio and other editors run searches and calibrations";
   spec.takesInputs = false;
   spec.examples = {
-      {"Serve editors on this machine, and show a code that pairs a new one", "obby-bridge --pair"},
+      {"Serve editors on this machine, and show a code for pairing a new editor",
+       "obby-bridge --pair"},
       {"Serve until no editor has been connected for ten minutes", "obby-bridge --pair --idle 600"},
       {"Serve a program through standard input and output, one JSON request per line",
        "echo '{\"id\":1,\"method\":\"GET\",\"path\":\"/v1/info\"}' | obby-bridge --stdio"},

@@ -50,7 +50,7 @@ Status writeMetrics(io::Pipeline& pipeline, const calibrate::Fit& fit,
   return pipeline.write(record.reader());
 }
 
-// The course, and its manoeuvres as recordings or, for a recorder to play, as trajectories.
+// The course, and its manoeuvres as recordings or, to be recorded in Studio, as trajectories.
 Status writeCourse(cli::Context& context, io::Pipeline& pipeline) {
   const cli::Arguments& a = context.arguments();
   io::RecordBuilder plain, level;

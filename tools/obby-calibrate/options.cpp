@@ -23,7 +23,7 @@ constexpr const char* kRehearseGroup = "Calibration course (nothing is fitted)";
 std::vector<OptionRow> fitRows() {
   return {
       repeatable(row("fit", ValueType::text, "NAME", "",
-                     "fit only this parameter [default: all that the recordings determine]",
+                     "fit only this parameter [default: all that the recordings can determine]",
                      kFitGroup)),
       repeatable(row("set", ValueType::text, "NAME=VALUE", "",
                      "start from this value; a parameter that is not fitted keeps it", kFitGroup)),
@@ -52,12 +52,12 @@ std::vector<OptionRow> fitRows() {
 std::vector<OptionRow> rehearseRows() {
   return {
       row("course", ValueType::flag, "", "",
-          "write the calibration course and its manoeuvres, which a recorder such as the Studio "
-          "plugin plays (docs/calibration.md)",
+          "write the calibration course and its manoeuvres, to be played and recorded in Studio "
+          "(docs/calibration.md)",
           kRehearseGroup),
       row("rehearse", ValueType::flag, "", "",
-          "write the calibration course with recordings from the simulator, under the parameters "
-          "of --set",
+          "write the calibration course with recordings from the simulator, with the parameters "
+          "given by --set",
           kRehearseGroup),
       between(
           row("noise", ValueType::number, "STUDS", "0",
@@ -79,13 +79,13 @@ cli::ToolSpec calibrateSpec() {
   spec.inputHelp = "streams with levels and recordings of them";
   spec.readsInputs = [](const cli::Arguments& a) { return !makesTakes(a); };
   spec.examples = {
-      {"Write the calibration course for a recorder to play",
+      {"Write the calibration course, to be played and recorded in Studio",
        "obby-calibrate --course -o course.jsonl"},
       {"Simulate recordings under weaker gravity",
        "obby-calibrate --rehearse --set gravity=180 -o takes.jsonl"},
-      {"Check that the manoeuvres determine gravity",
+      {"Check that recordings of the course would determine gravity",
        "obby-calibrate --rehearse --set gravity=180 | obby-calibrate --fit gravity --restarts 1"},
-      {"Check how exactly walkSpeed can be found if positions are off by up to 0.01 studs",
+      {"Check how accurately walkSpeed can be recovered from noisy recordings",
        "obby-calibrate --rehearse --noise 0.01 | "
        "obby-calibrate --fit walkSpeed --restarts 1 --report found.html"},
   };
@@ -94,8 +94,8 @@ cli::ToolSpec calibrateSpec() {
   for (const auto& rows : {fitRows(), rehearseRows(), runRows()})
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   spec.notes =
-      "The output is a params record, and metrics with each parameter's interval and each "
-      "recording's error. Levels and recordings are not passed on; other records are.";
+      "The output is a params record, and metrics with each parameter's confidence interval and "
+      "each recording's error. Levels and recordings are not passed on; other records are.";
   return spec;
 }
 
@@ -106,7 +106,7 @@ Status optionsFit(const cli::Arguments& a) {
     return Error{{}, {}, "--rehearse", "cannot be combined with --course", kOneOfTwo};
   if (!rehearse)
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"noise"}, "has no effect without --rehearse",
-                                          "add --rehearse, or leave it out"));
+                                          "add --rehearse, or leave out --noise"));
   if (!makesTakes(a)) return {};
   return cli::refuseTyped(a, {"fit", "held-out", "tolerance", "restarts", "generations", "report"},
                           fmt::format("cannot be combined with --{}, which fits nothing",

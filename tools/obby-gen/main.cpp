@@ -158,7 +158,7 @@ Status optionsFit(const cli::Arguments& a) {
   }
   if (a.flag("check")) return {};
   return cli::refuseTyped(a, {"check-steps"}, "has no effect without --check",
-                          "add --check, or leave it out");
+                          "add --check, or leave out --check-steps");
 }
 
 Result<cli::ExitCode> run(cli::Context& context) {

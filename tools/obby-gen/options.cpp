@@ -25,21 +25,23 @@ OptionRow formatRow() {
   r.help =
       "output encoding; rbxlx: a place file for Studio with all levels side by side [default: by "
       "the output file's extension, else jsonl]";
+  r.details += " An interrupted run writes no place file.";
   return r;
 }
 
 std::vector<OptionRow> levelRows() {
   return {
       between(
-          row("count", ValueType::integer, "N", "1", "levels to write; 0: endless", kLevelGroup), 0,
-          9e15),
+          row("count", ValueType::integer, "N", "1",
+              "levels to write, not counting those that --check drops; 0: endless", kLevelGroup),
+          0, 9e15),
       between(
           row("first", ValueType::integer, "N", "0",
               "number of the first level; level N of a seed is the same in every run", kLevelGroup),
           0, 4e18),
       row("unsolvable", ValueType::flag, "", "",
-          "write an unsolvable twin of each level instead; its name says which crossing is "
-          "impossible",
+          "write an unsolvable twin of each level instead; its name says which gap or "
+          "obstacle is impossible",
           kLevelGroup),
       row("twins", ValueType::flag, "", "",
           "write each level and then its unsolvable twin; --count counts pairs, and --check keeps "
@@ -53,8 +55,8 @@ std::vector<OptionRow> levelRows() {
 std::vector<OptionRow> checkRows() {
   return {
       row("check", ValueType::flag, "", "",
-          "keep only levels that the solver solves, or with --unsolvable shows to be unreachable; "
-          "the solver's answer is written after the query",
+          "keep only levels that the solver solves or, with --unsolvable, proves unreachable; the "
+          "solver's answer is written after the query",
           kCheckGroup),
       between(row("check-steps", ValueType::integer, "N", "1000000",
                   "simulated ticks that --check spends on each level", kCheckGroup),
@@ -82,7 +84,7 @@ std::string lineOf(const gen::Parameter& p) {
 cli::ToolSpec genSpec() {
   cli::ToolSpec spec;
   spec.name = "obby-gen";
-  spec.summary = "generate levels with queries";
+  spec.summary = "generate levels and the queries to ask about them";
   spec.takesInputs = false;
   spec.examples = {
       {"Generate a course, solve it and show it in a browser",
@@ -104,7 +106,7 @@ cli::ToolSpec genSpec() {
   }
   spec.notes =
       "The same options and recipe give the same output, whatever --threads or the machine. Level "
-      "N of a seed and its unsolvable twin differ in one crossing only.";
+      "N of a seed and its unsolvable twin differ in one gap or obstacle only.";
   return spec;
 }
 

@@ -52,8 +52,8 @@ cli::ToolSpec importSpec() {
   spec.inputHelp = "place and model files (.rbxl, .rbxlx, .rbxm, .rbxmx) or streams of records";
   spec.notes =
       "The format of an input is recognised by its content, not by its name. Scripts in a place "
-      "are read, never executed. If a part is taken for the wrong thing, a tag corrects it "
-      "(docs/import.md).";
+      "are read, never executed. If a part is taken for the wrong thing, add a tag to the "
+      "part to correct it (docs/import.md).";
   return spec;
 }
 

@@ -150,7 +150,7 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
     o.solver.difficultyTrials = uint32_t(a.integer("trials"));
   } else {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"trials"}, "has no effect without --difficulty",
-                                          "add --difficulty, or leave it out"));
+                                          "add --difficulty, or leave out --trials"));
   }
   o.solver.budget = budgetOf(context);
   report(context, o);

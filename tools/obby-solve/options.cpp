@@ -64,10 +64,12 @@ std::vector<OptionRow> searchRows() {
       between(
           row("solutions", ValueType::integer, "K", "1", "find K distinct solutions", kSearchGroup),
           1, 1000),
-      detailed(row("diverse", ValueType::flag, "", "",
-                   "with --solutions: one solution per route, with the number found on each",
-                   kSearchGroup),
-               "A route is the sequence of parts that the player stands on."),
+      detailed(
+          row("diverse", ValueType::flag, "", "",
+              "with --solutions: one solution per distinct route, with the number of solutions "
+              "found on that route",
+              kSearchGroup),
+          "A route is the sequence of parts that the player stands on."),
       methodRow(),
       rare(row("policy", ValueType::file, "FILE", "",
                "policy from obby-train for the methods auto, ge-ps and rl [default: the one that "
@@ -79,8 +81,8 @@ std::vector<OptionRow> searchRows() {
                        kSearchGroup))),
       detailed(row("watch", ValueType::flag, "", "", "answer again whenever an input file changes",
                    kSearchGroup),
-               "The search starts from the last answers. With -o FILE is rewritten each time; "
-               "without it the streams follow one another."),
+               "The search starts from the last answers. With -o, each run replaces FILE; without "
+               "-o, each run writes another stream to standard output."),
   };
 }
 
@@ -103,8 +105,8 @@ std::vector<OptionRow> outputRows() {
       rare(row("paths", ValueType::flag, "", "",
                "add the player's positions to each trajectory, for readers that cannot replay it",
                kOutputGroup)),
-      rare(row("heat-map", ValueType::flag, "", "", "add to each result where the search has been",
-               kOutputGroup)),
+      rare(row("heat-map", ValueType::flag, "", "",
+               "add to each result a heat map of where the search went", kOutputGroup)),
       lettered(row("exit-status", ValueType::flag, "", "",
                    "exit with 1 if any query is unreachable, else with 3 if any verdict is unknown",
                    kOutputGroup),
@@ -117,9 +119,9 @@ std::vector<OptionRow> answeredRows() {
       row("verify", ValueType::flag, "", "", "check trajectories by replaying them",
           kAnsweredGroup),
       repeatable(row("pass", ValueType::text, "PLACE", "",
-                     "keep trajectories that pass here; several: all", kAnsweredGroup)),
+                     "keep trajectories that pass all of these places", kAnsweredGroup)),
       repeatable(row("not-pass", ValueType::text, "PLACE", "",
-                     "keep trajectories that do not pass here", kAnsweredGroup)),
+                     "keep trajectories that pass none of these places", kAnsweredGroup)),
   };
 }
 
@@ -140,7 +142,7 @@ std::vector<cli::Example> examples() {
        "obby-solve several-routes.jsonl --goal Goal --solutions 3 --diverse"},
       {"Show the hardest moment of a solution",
        "obby-solve timed-jumps.jsonl --query posts --difficulty | obby-view"},
-      {"Ask the queries of a stream under more limits",
+      {"Add limits to the queries in the input",
        "obby-solve --each --forbid climbing --max-jumps 9 several-routes.jsonl"},
       {"Keep the solutions that cross the beam and avoid the ramp",
        "obby-solve --query no-jumps --solutions 20 --diverse --max-steps 200000 "
@@ -156,11 +158,11 @@ std::vector<OptionRow> queryRows() {
       row("start", ValueType::text, "PLACE", "",
           "start on this part or in this box [default: the level's first spawn]", kQueryGroup),
       repeatable(row("goal", ValueType::text, "PLACE", "",
-                     "reach this part or box; given several times, or as a #TAG, any one of them "
-                     "will do [default: the goal part, else the last checkpoint]",
+                     "reach this part or box (any, if repeated or a #TAG) [default: the goal part, "
+                     "else the last checkpoint]",
                      kQueryGroup)),
       repeatable(row("waypoint", ValueType::text, "PLACE", "",
-                     "pass here first; several: in this order", kQueryGroup)),
+                     "pass here first; if repeated, in this order", kQueryGroup)),
       repeatable(row("visit", ValueType::text, "PLACE", "",
                      "pass here first, in any order; a #TAG: all its parts", kQueryGroup)),
       repeatable(row("avoid", ValueType::text, "PLACE", "",
@@ -177,8 +179,8 @@ std::vector<OptionRow> queryRows() {
                   "lose at most this much health, of 100", kQueryGroup),
               0, 1e6),
       repeatable(forbidRow()),
-      detailed(row("each", ValueType::flag, "", "", "ask the stream's queries under these limits",
-                   kQueryGroup),
+      detailed(row("each", ValueType::flag, "", "",
+                   "apply these options to each query in the input", kQueryGroup),
                "A limit given here replaces the query's own."),
   };
 }
@@ -186,7 +188,7 @@ std::vector<OptionRow> queryRows() {
 cli::ToolSpec solveSpec() {
   cli::ToolSpec spec;
   spec.name = "obby-solve";
-  spec.summary = "find playthroughs that answer the queries of a stream";
+  spec.summary = "find trajectories that answer the queries in the input";
   spec.inputHelp = "streams with levels and queries";
   spec.tableAtTerminal = true;
   spec.examples = examples();
@@ -199,9 +201,10 @@ cli::ToolSpec solveSpec() {
   spec.notes =
       "PLACE: a part, given by name, path, end of its path, GUID, #TAG or part:INDEX (its index in "
       "the level's list of parts), or a box x,y,z,sx,sy,sz (centre and size in studs). touch:PART "
-      "requires touching the part itself, not only being close to it.\n\n"
-      "A query asked on the command line is answered alone; the stream's own queries are passed on "
-      "unanswered (--each applies the limits to them instead).";
+      "means touching the part itself, not just its box.\n\n"
+      "A query asked on the command line is answered alone; queries in the input are passed on "
+      "unanswered (--each applies the options to them instead).\n\n"
+      "Without -o, a terminal shows a short table; pipes and files get records.";
   spec.details =
       "A level without a query is asked for a trajectory from its spawn to its goal or last "
       "checkpoint.\n\n"

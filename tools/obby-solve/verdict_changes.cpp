@@ -42,7 +42,8 @@ std::string VerdictChanges::finish() {
     for (const auto& [key, verdict] : *run) levels.insert(key.first);
   }
   const auto nameOf = [&](const std::pair<std::string, std::string>& key) {
-    return levels.size() > 1 ? key.first + "/" + key.second : key.second;
+    const std::string name = levels.size() > 1 ? key.first + "/" + key.second : key.second;
+    return "query '" + name + "'";
   };
   std::vector<std::string> changes;
   for (const auto& [key, verdict] : now_) {

@@ -15,7 +15,8 @@ class VerdictChanges {
   void note(const std::string& level, const std::string& query, schema::Verdict verdict);
   // Forgets a run that did not get to its end.
   void drop() { now_.clear(); }
-  // Ends the run. "stage2 is now unreachable, stage5 is new: solved", or "no verdict changed".
+  // Ends the run. "query 'stage2' is now unreachable, query 'stage5' is new: solved", or "no
+  // verdict changed".
   std::string finish();
 
  private:

@@ -135,11 +135,12 @@ Status evaluate(cli::Context& context, train::Ranks& ranks) {
 // Whoever takes nothing is given up as after a signal, but it may be the time that is over.
 Status readersKnown(Status done, const cli::Context& context) {
   if (done || !io::isInterrupted(done.error()) || context.stop()) return done;
-  return Error{done.error().input,
-               {},
-               {},
-               "its reader stopped and --time-limit is over: the last records are missing",
-               "check what delays the reader, or write to a file"};
+  return Error{
+      done.error().input,
+      {},
+      {},
+      "the reader stopped reading and the --time-limit ran out: the last records are missing",
+      "check what delays the reader, or write to a file"};
 }
 
 // An error that all ranks know of is told by the first.

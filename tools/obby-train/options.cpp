@@ -113,10 +113,12 @@ std::vector<OptionRow> learnRows() {
 OptionRow resumeRow() {
   OptionRow r =
       row("resume", ValueType::mode, "MODE", "no",
-          "resume from the checkpoint, with the same levels and training options, except --threads "
-          "and --time-limit; =auto: start anew if there is none",
+          "resume from the checkpoint; give the same levels and options, except --threads and "
+          "--time-limit; =auto: start a new run if there is none",
           kKeepGroup);
-  r.details = "--on-error may differ, too. --start-from need not be given again.";
+  r.details =
+      "--on-error and the options that name output files may differ, too. --start-from need not be "
+      "given again.";
   r.choices = {"no", "yes", "auto"};
   r.bare = "yes";
   return r;
@@ -157,16 +159,17 @@ std::vector<OptionRow> evaluateRows() {
               "number of levels to play; from a stream, each level is used once, up to this number",
               kEvaluateGroup),
           1, 1 << 24),
-      rare(between(row("eval-tries", ValueType::integer, "N", "8",
-                       "attempts at each level: one with the likeliest actions, the others sampled",
-                       kEvaluateGroup),
-                   1, 1 << 16)),
+      rare(between(
+          row("eval-tries", ValueType::integer, "N", "8",
+              "attempts at each level: one takes the most probable actions, the others sample",
+              kEvaluateGroup),
+          1, 1 << 16)),
   };
 }
 
 std::vector<cli::Example> examples() {
   return {
-      {"Train on the levels of a stream",
+      {"Train on levels from a stream",
        "obby-gen --count 60 --seed 7 | obby-train --time-limit 20"},
       {"Train on freshly generated levels of one style",
        "obby-train --style gaps --time-limit 20 -o gaps.obp"},
@@ -203,12 +206,12 @@ Status optionsFit(const cli::Arguments& a) {
          "rate", "passes", "part", "entropy", "discount", "worlds", "decisions", "start-from"},
         "cannot be combined with --eval, which trains nothing", kOneOfTwo);
   }
-  OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"eval-levels", "eval-tries"},
-                                        "has no effect without --eval",
-                                        "name a policy with --eval FILE, or leave it out"));
+  OBBY_RETURN_IF_ERROR(
+      cli::refuseTyped(a, {"eval-levels", "eval-tries"}, "has no effect without --eval",
+                       "name a policy with --eval FILE, or leave out this option"));
   if (a.has("log") || a.has("tensorboard")) return {};
   return cli::refuseTyped(a, {"log-every"}, "has no effect without --log or --tensorboard",
-                          "add one of them, or leave it out");
+                          "add one of them, or leave out --log-every");
 }
 
 cli::ToolSpec trainSpec() {
@@ -228,12 +231,13 @@ cli::ToolSpec trainSpec() {
     if (r.group == cli::kRunGroup) r.group = kLearnGroup;
   spec.notes =
       "Metrics go to standard output, a record every few seconds. Generated levels begin easy and "
-      "get harder, up to --difficulty, as the policy improves. Levels of a stream also come from "
-      "easy to hard if their queries state a difficulty, as obby-gen's do.";
+      "get harder, up to --difficulty, as the policy improves. Levels from a stream are also "
+      "ordered from easy to hard if their queries state a difficulty, as obby-gen's do.";
   spec.details =
       "The same seed, levels and --worlds give the same policy on one machine and backend, for any "
       "number of --threads.\n\n"
-      "The processes that mpirun starts train one network together, each with --worlds of its own.";
+      "The processes that mpirun starts train one network together, each simulating its own "
+      "--worlds worlds.";
   spec.files = {
       {"policy.obp", "The policy, unless --output names another file."},
       {"policy.obp.checkpoint", "The state of training, unless --checkpoint names another file."}};

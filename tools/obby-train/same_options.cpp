@@ -53,7 +53,7 @@ Status sameOnAll(const std::vector<std::string>& said, train::Ranks& ranks) {
 }
 
 Status sameOptions(const cli::Arguments& a, train::Ranks& ranks) {
-  std::vector<std::string> said = {"to train or to evaluate",
+  std::vector<std::string> said = {"to train or evaluate",
                                    fmt::format("as version {}", io::toolVersion())};
   for (const auto& [name, value] : a.values)
     if (!isOwn(name)) said.push_back(saidOf(name, value));
@@ -63,8 +63,9 @@ Status sameOptions(const cli::Arguments& a, train::Ranks& ranks) {
 }
 
 Status noOptions(bool refused, train::Ranks& ranks) {
-  return sameOnAll({refused ? "with options that it refused" : "to print something, as by --help"},
-                   ranks);
+  return sameOnAll(
+      {refused ? "with options that it refused" : "only to print help or other information"},
+      ranks);
 }
 
 }  // namespace obby::tools

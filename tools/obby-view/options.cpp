@@ -45,6 +45,15 @@ OptionRow formatRow() {
   return grouped(row, cli::kFilesGroup);
 }
 
+// Nothing is passed on.
+OptionRow onErrorRow() {
+  OptionRow row = cli::commonRow(cli::Common::onError);
+  row.choices = {"stop", "skip"};
+  row.help = "on a bad record: stop, or skip it; the exit code is 2 either way";
+  row.details.clear();
+  return row;
+}
+
 OptionRow queryRow() {
   OptionRow row = make("query", ValueType::text, "ID", "show this query only");
   row.repeatable = true;
@@ -111,8 +120,7 @@ cli::ToolSpec viewSpec() {
       {"Draw a solution from the side, as a vector drawing",
        "obby-solve --query right several-routes.jsonl | obby-view --from side -o route.svg"},
   };
-  spec.options = {commonRow(cli::Common::output), formatRow(), commonRow(cli::Common::onError),
-                  queryRow(), fullRow()};
+  spec.options = {commonRow(cli::Common::output), formatRow(), onErrorRow(), queryRow(), fullRow()};
   for (const auto& rows : {textRows(), pictureRows(), liveRows()})
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   spec.notes =

@@ -21,7 +21,7 @@ std::string unknownWay(RoleContext& context, const ConstraintSettings& settings,
                        const Drive& drive) {
   const InstanceId motor = drive.constraint;
   if (const auto change = settings.changeByItself(motor, kMotorProperties))
-    return "a script changes what drives it (" + *change + ")";
+    return "a script changes its settings (" + *change + ")";
   if (settings.number(motor, "Velocity") == 0) return "";
   if (!settings.hasLimits(motor)) return "no limit stops it";
   return baseMoves(context, drive) ? "the part it slides on moves too" : "";
@@ -117,7 +117,7 @@ bool giveDriven(RoleContext& context, const Drive& drive, Motion motion, const s
   if (!hold(context, drive.moving, "it moves on a moving part")) return false;
   context.level.noteUnmodelled(
       "motion on a moving part", context.tree.path(drive.constraint),
-      "both move on their own; the part it drives stays where the file has it");
+      "both move on their own; the part it drives stays at its position in the file");
   return true;
 }
 
@@ -136,13 +136,11 @@ bool leaveDriven(RoleContext& context, const char* kind, InstanceId part, Instan
                  const std::string& why) {
   if (!hold(context, part, "it is not known where its motor drives it")) return false;
   context.level.noteUnmodelled(kind, context.tree.path(constraint),
-                               "the part it drives stays where the file has it; " + why);
+                               "the part it drives stays at its position in the file; " + why);
   return true;
 }
 
-std::string setBy(const std::string& script) {
-  return "a script changes what drives it; " + script;
-}
+std::string setBy(const std::string& script) { return "a script changes its settings; " + script; }
 
 Track trackOf(const Tree& tree, const Drive& drive) {
   Track track;
@@ -184,8 +182,9 @@ bool fromSliderMotor(RoleContext& context, const ConstraintSettings& settings, c
   if (unknown.empty() && toItsLimit(context, settings, drive, spin)) return true;
   if (!standStill(context, drive, spin)) return false;
   if (!unknown.empty())
-    context.level.noteUnmodelled("motion of a slider's motor", context.tree.path(motor),
-                                 unknown + "; the part it drives stays where the file has it");
+    context.level.noteUnmodelled(
+        "motion of a slider's motor", context.tree.path(motor),
+        unknown + "; the part it drives stays at its position in the file");
   return true;
 }
 

@@ -262,7 +262,8 @@ void takeAll(const Tree& tree, ScriptMotions& motions, const ScriptReading& read
     const auto& events = moved.tweens.empty() ? moved.sets : moved.tweens;
     const std::string reason = scriptReason(tree, reading, events.empty() ? 0 : events[0]->line);
     if (moved.unknown)
-      motions.leave(id, "motion that a script computes", "stays where the file has it; " + reason);
+      motions.leave(id, "motion that a script computes",
+                    "stays at its position in the file; " + reason);
     else
       takeMoved(motions, timeline, id, moved, reason);
   }
@@ -275,7 +276,7 @@ void noteTriggered(RoleContext& context, const ScriptReading& reading, const Tim
     const int line = events.empty() ? 0 : events.front()->line;
     context.level.noteUnmodelled(
         "motion that a touch or click starts", context.tree.path(id),
-        "stays where the file has it; " + scriptReason(context.tree, reading, line));
+        "stays at its position in the file; " + scriptReason(context.tree, reading, line));
   }
 }
 

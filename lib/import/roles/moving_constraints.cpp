@@ -97,7 +97,7 @@ bool fromSlider(RoleContext& context, const ConstraintSettings& settings, Instan
                           : actuator == kServo && fromServo(context, settings, *drive, spin);
   if (slides && change)
     context.level.noteUnmodelled(kHingeMotor, context.tree.path(id),
-                                 "a script changes what turns it, so it only slides; " + *change);
+                                 "a script changes how it rotates, so it only slides; " + *change);
   return slides;
 }
 
@@ -191,7 +191,7 @@ void movingFromConstraints(RoleContext& context) {
     if (moved == kNoInstance) continue;  // moves nothing in the level
     const std::string& className = context.tree.at(id).className;
     context.level.noteUnmodelled("constraint " + className, context.tree.path(id),
-                                 isHolder(className) ? "the part stays where the file has it"
+                                 isHolder(className) ? "the part stays at its position in the file"
                                                      : "the part it holds or drives moves freely");
     if (isHolder(className)) held.insert(moved);
   }

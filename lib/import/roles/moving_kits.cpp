@@ -93,7 +93,7 @@ void movingFromTags(RoleContext& context) {
     const auto speed = tree.number(id, "speed");
     if (way.points.size() < 2) {
       context.level.noteUnmodelled("moving platform without waypoints", tree.path(id),
-                                   "tag " + tag + "; stays where the file has it");
+                                   "tag " + tag + "; stays at its position in the file");
       return;
     }
     give(context, way, std::max(speed.value_or(kTemplateSpeed), 0.1),

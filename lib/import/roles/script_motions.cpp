@@ -70,11 +70,13 @@ void ScriptMotions::leave(InstanceId id, const char* kind, const std::string& wh
 
 void ScriptMotions::leaveMixed(InstanceId id, bool tooLong, const std::string& reason) {
   if (!tooLong)
-    return leave(id, "overlapping tweens",
-                 "they do not combine into one motion; stays where the file has it; " + reason);
+    return leave(
+        id, "overlapping tweens",
+        "they do not combine into one motion; stays at its position in the file; " + reason);
   leave(id, "motion of too many poses",
         "its overlapping or stopped tweens need more than " + std::to_string(kMostMixedKeys) +
-            " poses (linear, fewer or shorter tweens need less); stays where the file has it; " +
+            " poses (linear, fewer or shorter tweens need less); stays at its position in the "
+            "file; " +
             reason);
 }
 

@@ -35,7 +35,7 @@ class ScriptMotions {
   // Of two for one part the first counts, unless one goes from place to place while the other turns
   // for ever: then the part does both. What is lost is named.
   void add(ScriptMotion found);
-  // Names what stays where the file has it.
+  // Names what stays at its position in the file.
   void leave(InstanceId id, const char* kind, const std::string& why);
   // What mixed tweens do not move: they make no single motion, or one that is too long.
   void leaveMixed(InstanceId id, bool tooLong, const std::string& reason);

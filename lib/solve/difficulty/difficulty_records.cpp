@@ -49,9 +49,11 @@ std::string hardestText(const Difficulty& difficulty, const level::Level& level,
   const auto place = [&](int32_t part, const char* none) {
     return part < 0 ? std::string(none) : partText(record, uint32_t(part));
   };
-  std::string text = fmt::format("The hardest step is the {} from {} to {} ({}",
-                                 s.jumps > 0 ? "jump" : "move", place(s.from, "the start"),
-                                 place(s.to, "the goal"), bandName(bandOf(step.success)));
+  const Band band = bandOf(step.success);
+  std::string text =
+      fmt::format("The hardest step is the {} from {} to {} ({}{}", s.jumps > 0 ? "jump" : "move",
+                  place(s.from, "the start"), place(s.to, "the goal"),
+                  band <= Band::easy ? "still " : "", bandName(band));
   // A window as wide as what is looked at says that the press need not be timed.
   const float widest = float(2 * kMostShift) * 1000 / float(level.view().params.controlRate);
   if (s.jumps > 0 && step.window <= widest) {

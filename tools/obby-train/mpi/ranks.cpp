@@ -99,7 +99,7 @@ Result<std::unique_ptr<JoinedRanks>> joinRanks(int* argc, char*** argv) {
   // Only the thread that joined ever calls MPI.
   MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &level);
   if (level < MPI_THREAD_FUNNELED)
-    return makeError("this MPI does not allow threads other than its own");
+    return makeError("this MPI library does not support multithreaded programs");
   return std::unique_ptr<JoinedRanks>(std::make_unique<Joined>());
 }
 
