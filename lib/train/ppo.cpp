@@ -13,7 +13,8 @@ namespace obby::train {
 namespace {
 
 constexpr uint32_t kShares = 8;
-constexpr size_t kRowsPerTile = 256;  // decisions whose layers stay in a core's cache on their way through
+constexpr size_t kRowsPerTile =
+    256;  // decisions whose layers stay in a core's cache on their way through
 
 // Sum of two draws' logarithm and cosine would need libm; the sum of twelve is near enough.
 float normalDraw(Random& random) {
@@ -204,7 +205,8 @@ void Ppo::learnShare(const Batch& batch, std::span<const uint32_t> rows,
   share.gradient.setZero();
   share.sums = {};
   for (size_t first = 0; first < rows.size(); first += kRowsPerTile)
-    learnTile(batch, rows.subspan(first, std::min(kRowsPerTile, rows.size() - first)), scale, share);
+    learnTile(batch, rows.subspan(first, std::min(kRowsPerTile, rows.size() - first)), scale,
+              share);
 }
 
 void Ppo::learnTile(const Batch& batch, std::span<const uint32_t> rows, const AdvantageScale& scale,

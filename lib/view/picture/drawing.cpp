@@ -21,7 +21,8 @@ constexpr int kOutline = 48;        // directions in which a shape's outline is 
 constexpr float kPaperMargin = 12;  // pixels
 constexpr float kLegend = 30;       // pixels below the drawing
 constexpr float kLeastHeight = 80;  // pixels
-constexpr float kThinnedPixels = 0.15f;   // pixels: a path's points nearer to their line are left out
+constexpr float kThinnedPixels =
+    0.15f;  // pixels: a path's points nearer to their line are left out
 
 constexpr const char* kStyle =
     "<style>.page{fill:#fff}text{font:13px system-ui,sans-serif;fill:#222}.part{stroke:#0006;"
