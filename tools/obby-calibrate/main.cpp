@@ -11,7 +11,9 @@
 #include "calibrate/takes.h"
 #include "cli/written_files.h"
 #include "io/sink.h"
+#include "metrics.h"
 #include "options.h"
+#include "play.h"
 
 namespace {
 
@@ -19,13 +21,8 @@ using namespace obby;
 
 Status writeMetrics(io::Pipeline& pipeline, const calibrate::Fit& fit,
                     const std::vector<calibrate::Outcome>& outcomes) {
-  struct Value {
-    std::string name;
-    double value;
-    std::string unit;
-  };
-  std::vector<Value> values = {{"delay", fit.delay, "s"},
-                               {"meanMiss", calibrate::meanMiss(outcomes), "studs"}};
+  std::vector<tools::Metric> values = {{"delay", fit.delay, "s"},
+                                       {"meanMiss", calibrate::meanMiss(outcomes), "studs"}};
   if (fit.stopped) values.push_back({"interrupted", 1, ""});
   for (const calibrate::Fitted& f : fit.parameters) {
     const std::string& unit = f.parameter.unit;
@@ -37,20 +34,10 @@ Status writeMetrics(io::Pipeline& pipeline, const calibrate::Fit& fit,
     values.push_back({"mean miss of " + o.name, o.miss.mean, "studs"});
     values.push_back({"last miss of " + o.name, o.miss.last, "studs"});
   }
-  io::RecordBuilder record;
-  auto metrics = record.root().initMetrics();
-  metrics.setSource("obby-calibrate");
-  metrics.setStep(fit.evaluations);
-  auto list = metrics.initValues(uint32_t(values.size()));
-  for (uint32_t i = 0; i < list.size(); ++i) {
-    list[i].setName(values[i].name);
-    list[i].setValue(values[i].value);
-    list[i].setUnit(values[i].unit);
-  }
-  return pipeline.write(record.reader());
+  return tools::writeMetrics(pipeline, "obby-calibrate", fit.evaluations, values);
 }
 
-// The course, and its manoeuvres as recordings or, to be recorded in Studio, as trajectories.
+// The course, and its manoeuvres as recordings or, for a recorder to play, as trajectories.
 Status writeCourse(cli::Context& context, io::Pipeline& pipeline) {
   const cli::Arguments& a = context.arguments();
   io::RecordBuilder plain, level;
@@ -179,9 +166,11 @@ Status calibrateFrom(cli::Context& context, io::Pipeline& pipeline, Asked asked,
   std::vector<calibrate::Take> takes = source.take();
   if (context.stop()) return {};
   if (takes.empty())
-    return pipeline.source().lacking(
-        makeError("no recordings to fit to",
-                  "record some in Studio, or try obby-calibrate --rehearse | obby-calibrate"));
+    return pipeline.source().lacking(makeError(
+        context.arguments().flag("play") ? "no recordings to play" : "no recordings to fit to",
+        "record some in Studio, or try obby-calibrate --rehearse | obby-calibrate"));
+  if (context.arguments().flag("play"))
+    return tools::playTakes(context, pipeline, takes, asked.now.reader().getParams());
   const uint32_t every = uint32_t(context.arguments().integer("held-out"));
   const auto heldOut = every == 0 || takes.size() < every ? std::vector<calibrate::Take>()
                                                           : calibrate::holdOut(takes, every);

@@ -18,6 +18,7 @@ using cli::row;
 using cli::ValueType;
 
 constexpr const char* kFitGroup = "Fitting";
+constexpr const char* kPlayGroup = "Comparison (nothing is fitted)";
 constexpr const char* kRehearseGroup = "Calibration course (nothing is fitted)";
 
 std::vector<OptionRow> fitRows() {
@@ -46,6 +47,15 @@ std::vector<OptionRow> fitRows() {
       between(row("generations", ValueType::integer, "N", "100", "maximum generations of a search",
                   kFitGroup),
               1, 100000),
+  };
+}
+
+std::vector<OptionRow> playRows() {
+  return {
+      row("play", ValueType::flag, "", "",
+          "play the recordings' inputs in the simulator, under the parameters given by --set, and "
+          "write for each recording how far it is off, and a summary",
+          kPlayGroup),
   };
 }
 
@@ -85,33 +95,42 @@ cli::ToolSpec calibrateSpec() {
        "obby-calibrate --rehearse --set gravity=180 -o takes.jsonl"},
       {"Check that recordings of the course would determine gravity",
        "obby-calibrate --rehearse --set gravity=180 | obby-calibrate --fit gravity --restarts 1"},
+      {"Compare recordings with the simulator under weaker gravity",
+       "obby-calibrate --rehearse | obby-calibrate --play --set gravity=190"},
       {"Check how accurately walkSpeed can be recovered from noisy recordings",
        "obby-calibrate --rehearse --noise 0.01 | "
        "obby-calibrate --fit walkSpeed --restarts 1 --report found.html"},
   };
   spec.options = {cli::commonRow(cli::Common::output), cli::commonRow(cli::Common::format),
                   cli::commonRow(cli::Common::onError), cli::commonRow(cli::Common::progress)};
-  for (const auto& rows : {fitRows(), rehearseRows(), runRows()})
+  for (const auto& rows : {fitRows(), playRows(), rehearseRows(), runRows()})
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   spec.notes =
-      "The output is a params record, and metrics with each parameter's confidence interval and "
+      "With --play the output is a metrics record for each recording and one for all. Otherwise it "
+      "is a params record, and metrics with each parameter's confidence interval and "
       "each recording's error. Levels and recordings are not passed on; other records are.";
   return spec;
 }
 
 Status optionsFit(const cli::Arguments& a) {
   constexpr const char* kOneOfTwo = "leave out one of the two";
-  const bool course = a.flag("course"), rehearse = a.flag("rehearse");
-  if (course && rehearse)
-    return Error{{}, {}, "--rehearse", "cannot be combined with --course", kOneOfTwo};
+  const bool course = a.flag("course"), rehearse = a.flag("rehearse"), play = a.flag("play");
+  if (course + rehearse + play > 1)
+    return Error{{},
+                 {},
+                 rehearse ? "--rehearse" : "--play",
+                 fmt::format("cannot be combined with --{}", course ? "course" : "play"),
+                 kOneOfTwo};
   if (!rehearse)
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"noise"}, "has no effect without --rehearse",
                                           "add --rehearse, or leave out --noise"));
-  if (!makesTakes(a)) return {};
-  return cli::refuseTyped(a, {"fit", "held-out", "tolerance", "restarts", "generations", "report"},
-                          fmt::format("cannot be combined with --{}, which fits nothing",
-                                      course ? "course" : "rehearse"),
-                          kOneOfTwo);
+  if (!makesTakes(a) && !a.flag("play")) return {};
+  return cli::refuseTyped(
+      a, {"fit", "held-out", "tolerance", "restarts", "generations", "report"},
+      fmt::format("cannot be combined with --{}, which fits nothing", course     ? "course"
+                                                                      : rehearse ? "rehearse"
+                                                                                 : "play"),
+      kOneOfTwo);
 }
 
 bool makesTakes(const cli::Arguments& a) { return a.flag("rehearse") || a.flag("course"); }

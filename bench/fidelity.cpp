@@ -1,0 +1,123 @@
+// How near the simulator comes to the real engine: recordings of it, played by their inputs alone
+// (lib/calibrate/fidelity.h). A case is a category of recordings, a file each. The recordings are
+// not part of the project; without them the bench says so and measures nothing.
+//   bench_fidelity [--json] [--from FOLDER] [CASE...]     default: shared/recordings beside the
+//   checkout; files are CASE.jsonl.zst
+#include <fmt/format.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+#include "base/thread_pool.h"
+#include "calibrate/fidelity.h"
+#include "calibrate/takes.h"
+#include "common/need.h"
+#include "common/report.h"
+#include "io/read_file.h"
+#include "io/stream.h"
+
+namespace {
+
+using namespace obby;
+namespace fs = std::filesystem;
+
+struct Options {
+  fs::path folder = fs::path(OBBY_SOURCE_DIR) / ".." / "shared" / "recordings";
+  bench::Report::Form form = bench::Report::Form::table;
+  std::vector<std::string> cases;
+};
+
+Options optionsOf(int argc, char** argv) {
+  Options out;
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--json") == 0) {
+      out.form = bench::Report::Form::json;
+    } else if (std::strcmp(argv[i], "--from") == 0 && i + 1 < argc) {
+      out.folder = argv[++i];
+    } else if (argv[i][0] == '-') {
+      fmt::print(stderr, "usage: bench_fidelity [--json] [--from FOLDER] [CASE...]\n");
+      std::exit(2);
+    } else {
+      out.cases.push_back(argv[i]);
+    }
+  }
+  return out;
+}
+
+Result<std::string> unpacked(const fs::path& path) {
+  OBBY_ASSIGN(const std::string packed, io::readFile(path.string()));
+  std::string out;
+  ZSTD_DStream* const stream = ZSTD_createDStream();
+  ZSTD_inBuffer in{packed.data(), packed.size(), 0};
+  std::string block(ZSTD_DStreamOutSize(), '\0');
+  size_t left = 1;
+  while (in.pos < in.size && !ZSTD_isError(left)) {
+    ZSTD_outBuffer to{block.data(), block.size(), 0};
+    left = ZSTD_decompressStream(stream, &to, &in);
+    out.append(block, 0, to.pos);
+  }
+  ZSTD_freeDStream(stream);
+  if (left != 0) return makeError(path.string() + ": not a whole zstd file");
+  return out;
+}
+
+Result<std::vector<calibrate::Take>> takesIn(const fs::path& path) {
+  OBBY_ASSIGN(std::string bytes, unpacked(path));
+  io::StreamReader reader = io::StreamReader::overBytes(std::move(bytes), path.string());
+  calibrate::Takes takes;
+  for (;;) {
+    OBBY_ASSIGN(const auto record, reader.next());
+    if (!record) return takes.take();
+    OBBY_RETURN_IF_ERROR(takes.handle(*record));
+  }
+}
+
+calibrate::FidelitySummary play(const std::vector<calibrate::Take>& takes, ThreadPool& pool) {
+  io::RecordBuilder defaults;
+  const auto params = defaults.root().initParams().asReader();
+  std::vector<calibrate::Fidelity> all(takes.size());
+  pool.run(int(takes.size()), [&](int i) {
+    all[size_t(i)] = bench::need(calibrate::fidelityOf(takes[size_t(i)], params));
+  });
+  return calibrate::summaryOf(all);
+}
+
+void report(bench::Report& to, const std::string& name, size_t count,
+            const calibrate::FidelitySummary& s) {
+  to.add(name, "recordings", double(count), "");
+  to.add(name, "medianMeanStuds", s.medianMean, "studs");
+  to.add(name, "p95MeanStuds", s.p95Mean, "studs");
+  if (s.matched) to.add(name, "eventsWithinAFrame", *s.matched, "");
+  if (s.medianApex) to.add(name, "apexErrorStuds", *s.medianApex, "studs");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Options options = optionsOf(argc, argv);
+  if (!fs::is_directory(options.folder)) {
+    fmt::print(stderr, "bench: NOT MEASURED: no recordings of the real engine in {}\n",
+               options.folder.lexically_normal().string());
+    return 77;
+  }
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(options.folder)) {
+    const std::string name = entry.path().filename().string();
+    const std::string category = name.substr(0, name.find('.'));
+    const auto& asked = options.cases;
+    const bool wanted =
+        asked.empty() || std::find(asked.begin(), asked.end(), category) != asked.end();
+    if (name.ends_with(".jsonl.zst") && wanted) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  bench::Report to("fidelity", options.form);
+  ThreadPool pool(availableThreads());
+  for (const fs::path& path : files) {
+    const auto takes = bench::need(takesIn(path));
+    const std::string name = path.filename().string();
+    if (!takes.empty()) report(to, name.substr(0, name.find('.')), takes.size(), play(takes, pool));
+  }
+  return files.empty() ? 1 : 0;
+}

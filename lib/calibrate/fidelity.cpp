@@ -1,0 +1,174 @@
+#include "calibrate/fidelity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/physics.h"
+#include "sim/tick.h"
+
+namespace obby::calibrate {
+
+namespace {
+
+constexpr uint32_t kMaxSteps = 16;  // of a tick
+constexpr double kOffStep = 0.15;   // physics steps that a frame's length may be rounded by
+
+// Physics steps of each frame but the last; empty: a frame is no whole number of them, or too long.
+std::vector<uint32_t> stepsOf(const Track& track, double stepsPerSecond) {
+  std::vector<uint32_t> out;
+  for (size_t i = 0; i + 1 < track.frames.size(); ++i) {
+    const double seconds = track.frames[i + 1].time - track.frames[i].time;
+    const double steps = seconds * stepsPerSecond, whole = std::floor(steps + 0.5);
+    if (whole < 1 || whole > kMaxSteps || std::abs(steps - whole) > kOffStep) return {};
+    out.push_back(uint32_t(whole));
+  }
+  return out;
+}
+
+// Steps of a tick that is no shorter than the longest frame, with a whole number of ticks a second;
+// 0: there is none.
+uint32_t longestTick(const std::vector<uint32_t>& steps, uint32_t stepsPerSecond) {
+  if (steps.empty()) return 0;
+  for (uint32_t n = *std::max_element(steps.begin(), steps.end()); n <= kMaxSteps; ++n) {
+    if (stepsPerSecond % n == 0) return n;
+  }
+  return 0;
+}
+
+// The level with the longest ticks: it finds parts as far away as one reaches.
+Result<level::Level> levelOfFrames(const Take& take, schema::PhysicsParams::Reader params,
+                                   uint32_t stepsPerSecond, uint32_t longest) {
+  io::RecordBuilder record(take.level.reader());
+  auto level = record.root().getLevel();
+  io::applyParams(params, level);
+  auto physics = level.hasPhysics() ? level.getPhysics() : level.initPhysics();
+  physics.setSubsteps(uint16_t(longest));
+  physics.setControlRate(uint16_t(stepsPerSecond / longest));
+  return level::Level::compile(level.asReader());
+}
+
+struct Played {
+  Vec3 position;  // of the root's centre
+  sim::State state;
+};
+
+// (frames), the first as recorded.
+std::vector<Played> playFrames(const level::Level& level, const Track& track,
+                               const std::vector<uint32_t>& steps) {
+  level::LevelView view = level.view();
+  const float step = view.params.substepSeconds;
+  sim::World world = worldAt(track, 0, view);
+  auto loose = sim::makeLoose(view);
+  std::vector<Played> out{{track.frames[0].position, track.frames[0].state}};
+  for (size_t i = 0; i < steps.size(); ++i) {
+    view.params.substeps = uint16_t(steps[i]);
+    view.params.tickSeconds = step * float(steps[i]);
+    sim::tick(world, loose.data(), view, actionOf(track.frames[i]));
+    out.push_back({rootOf(world.position, view.params), world.state});
+  }
+  return out;
+}
+
+std::vector<Played> playTicks(const level::Level& level, const Track& track) {
+  std::vector<Played> out{{track.frames[0].position, track.frames[0].state}};
+  playBack(level.view(), track, {{0, uint32_t(track.frames.size()) - 1}}, 0,
+           [&](uint32_t, uint32_t, const Moment& now) {
+             out.push_back({now.position, now.state});
+           });
+  return out;
+}
+
+Result<std::vector<Played>> play(const Take& take, schema::PhysicsParams::Reader params) {
+  OBBY_ASSIGN(const level::Level level, levelWith(take, params));
+  const Params& p = level.view().params;
+  const uint32_t rate = uint32_t(p.controlRate) * p.substeps;
+  const std::vector<uint32_t> steps = stepsOf(take.track, double(rate));
+  const uint32_t longest = longestTick(steps, rate);
+  if (longest == 0 || level.view().moverCount > 0) return playTicks(level, take.track);
+  OBBY_ASSIGN(const level::Level framed, levelOfFrames(take, params, rate, longest));
+  return playFrames(framed, take.track, steps);
+}
+
+bool changes(const std::vector<Played>& played, size_t frame, sim::State to) {
+  return frame >= 1 && frame < played.size() && played[frame].state == to &&
+         played[frame - 1].state != to;
+}
+
+void countEvents(const Track& track, const std::vector<Played>& played, Fidelity& out) {
+  for (size_t i = 1; i < track.frames.size(); ++i) {
+    const sim::State to = track.frames[i].state;
+    if (to == track.frames[i - 1].state) continue;
+    ++out.events;
+    out.matched +=
+        changes(played, i - 1, to) || changes(played, i, to) || changes(played, i + 1, to);
+  }
+}
+
+// Index of the first highest; absent: it is one of the ends.
+template <class Heights>
+std::optional<size_t> highestOf(size_t count, Heights&& heights) {
+  size_t best = 0;
+  for (size_t i = 1; i < count; ++i) {
+    if (heights(i) > heights(best)) best = i;
+  }
+  if (best == 0 || best + 1 == count) return std::nullopt;
+  return best;
+}
+
+constexpr float kLeap = 1;  // studs that an apex is above one of the recording's ends at least
+
+std::optional<double> apexError(const Track& track, const std::vector<Played>& played) {
+  const auto& frames = track.frames;
+  const auto recorded = highestOf(frames.size(), [&](size_t i) { return frames[i].position.y; });
+  if (!recorded) return std::nullopt;
+  const float top = frames[*recorded].position.y;
+  if (top - std::min(frames.front().position.y, frames.back().position.y) < kLeap)
+    return std::nullopt;
+  float simulated = played[0].position.y;
+  for (const Played& p : played) simulated = std::max(simulated, p.position.y);
+  return std::abs(double(simulated - top));
+}
+
+// Of a sorted list; `share`: 0 to 1.
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  const double at = share * double(values.size() - 1);
+  const size_t low = size_t(at), high = std::min(low + 1, values.size() - 1);
+  return values[low] + (values[high] - values[low]) * (at - double(low));
+}
+
+}  // namespace
+
+Result<Fidelity> fidelityOf(const Take& take, schema::PhysicsParams::Reader params) {
+  OBBY_ASSIGN(const std::vector<Played> played, play(take, params));
+  const Track& track = take.track;
+  Fidelity out;
+  out.frames = uint32_t(track.frames.size()) - 1;
+  for (size_t i = 1; i < track.frames.size(); ++i) {
+    const double off = double(length(played[i].position - track.frames[i].position));
+    out.mean += off / double(out.frames);
+    out.max = std::max(out.max, off);
+  }
+  countEvents(track, played, out);
+  out.apex = apexError(track, played);
+  return out;
+}
+
+FidelitySummary summaryOf(std::span<const Fidelity> all) {
+  std::vector<double> means, apexes;
+  uint64_t events = 0, matched = 0;
+  for (const Fidelity& f : all) {
+    means.push_back(f.mean);
+    if (f.apex) apexes.push_back(*f.apex);
+    events += f.events;
+    matched += f.matched;
+  }
+  FidelitySummary out;
+  out.medianMean = quantile(means, 0.5);
+  out.p95Mean = quantile(means, 0.95);
+  if (events > 0) out.matched = double(matched) / double(events);
+  if (!apexes.empty()) out.medianApex = quantile(apexes, 0.5);
+  return out;
+}
+
+}  // namespace obby::calibrate
