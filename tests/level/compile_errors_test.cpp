@@ -230,8 +230,8 @@ TEST(CompileErrors, ButtonsOfOneSignalMustAgree) {
 }
 
 TEST(CompileErrors, MotionKeys) {
-  expectRefused([](auto p) { addKeys(p, {0, 2, 1.5f}); }, ".motion.keys[2].time", "not decrease");
-  expectRefused([](auto p) { addKeys(p, {-1}); }, ".motion.keys[0].time", "not decrease");
+  expectRefused([](auto p) { addKeys(p, {0, 2, 1.5f}); }, ".motion.keys[2].time", "non-decreasing");
+  expectRefused([](auto p) { addKeys(p, {-1}); }, ".motion.keys[0].time", "non-decreasing");
   expectRefused([](auto p) { addKeys(p, {0, kNan}); }, ".motion.keys[1].time", "seconds");
   expectRefused([](auto p) { addKeys(p, {0, 1201}); }, ".motion.keys", "longer than 20 minutes");
   expectRefused(
