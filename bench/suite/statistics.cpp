@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/quantile.h"
 #include "base/random.h"
 
 namespace obby::bench {
@@ -19,14 +20,6 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 double mean(const std::vector<double>& values) {
   if (values.empty()) return kNone;
   return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
-}
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return kNone;
-  std::sort(values.begin(), values.end());
-  const double place = share * double(values.size() - 1);
-  const size_t below = size_t(place), above = std::min(below + 1, values.size() - 1);
-  return values[below] + (place - double(below)) * (values[above] - values[below]);
 }
 
 double cappedSeconds(const Timing& run, double cap) {

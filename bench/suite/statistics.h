@@ -18,10 +18,6 @@ struct Timing {
 // NaN for none.
 double mean(const std::vector<double>& values);
 
-// The value below which `share` (0 to 1) of the values lie, between neighbours in proportion; NaN
-// for none.
-double quantile(std::vector<double> values, double share);
-
 // Seconds to the first solution as the paper counts them: a run without one took `cap`.
 double cappedSeconds(const Timing& run, double cap);
 

@@ -7,6 +7,8 @@
 #include <functional>
 #include <limits>
 
+#include "base/quantile.h"
+
 namespace obby::bench {
 namespace {
 

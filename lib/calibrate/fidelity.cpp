@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/quantile.h"
 #include "io/physics.h"
 #include "sim/tick.h"
 
@@ -104,37 +105,21 @@ void countEvents(const Track& track, const std::vector<Played>& played, Fidelity
   }
 }
 
-// Index of the first highest; absent: it is one of the ends.
-template <class Heights>
-std::optional<size_t> highestOf(size_t count, Heights&& heights) {
-  size_t best = 0;
-  for (size_t i = 1; i < count; ++i) {
-    if (heights(i) > heights(best)) best = i;
-  }
-  if (best == 0 || best + 1 == count) return std::nullopt;
-  return best;
-}
-
 constexpr float kLeap = 1;  // studs that an apex is above one of the recording's ends at least
 
+// Absent: the recording is highest at one of its ends, or hardly higher than there.
 std::optional<double> apexError(const Track& track, const std::vector<Played>& played) {
   const auto& frames = track.frames;
-  const auto recorded = highestOf(frames.size(), [&](size_t i) { return frames[i].position.y; });
-  if (!recorded) return std::nullopt;
-  const float top = frames[*recorded].position.y;
+  const auto recorded =
+      std::max_element(frames.begin(), frames.end(),
+                       [](const Frame& a, const Frame& b) { return a.position.y < b.position.y; });
+  if (recorded == frames.begin() || recorded + 1 == frames.end()) return std::nullopt;
+  const float top = recorded->position.y;
   if (top - std::min(frames.front().position.y, frames.back().position.y) < kLeap)
     return std::nullopt;
   float simulated = played[0].position.y;
   for (const Played& p : played) simulated = std::max(simulated, p.position.y);
   return std::abs(double(simulated - top));
-}
-
-// Of a sorted list; `share`: 0 to 1.
-double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  const double at = share * double(values.size() - 1);
-  const size_t low = size_t(at), high = std::min(low + 1, values.size() - 1);
-  return values[low] + (values[high] - values[low]) * (at - double(low));
 }
 
 }  // namespace

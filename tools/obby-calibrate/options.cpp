@@ -114,23 +114,23 @@ cli::ToolSpec calibrateSpec() {
 
 Status optionsFit(const cli::Arguments& a) {
   constexpr const char* kOneOfTwo = "leave out one of the two";
-  const bool course = a.flag("course"), rehearse = a.flag("rehearse"), play = a.flag("play");
-  if (course + rehearse + play > 1)
+  std::vector<const char*> modes;  // of those that fit nothing
+  for (const char* mode : {"course", "play", "rehearse"}) {
+    if (a.flag(mode)) modes.push_back(mode);
+  }
+  if (modes.size() > 1)
     return Error{{},
                  {},
-                 rehearse ? "--rehearse" : "--play",
-                 fmt::format("cannot be combined with --{}", course ? "course" : "play"),
+                 fmt::format("--{}", modes.back()),
+                 fmt::format("cannot be combined with --{}", modes.front()),
                  kOneOfTwo};
-  if (!rehearse)
+  if (!a.flag("rehearse"))
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(a, {"noise"}, "has no effect without --rehearse",
                                           "add --rehearse, or leave out --noise"));
-  if (!makesTakes(a) && !a.flag("play")) return {};
+  if (modes.empty()) return {};
   return cli::refuseTyped(
       a, {"fit", "held-out", "tolerance", "restarts", "generations", "report"},
-      fmt::format("cannot be combined with --{}, which fits nothing", course     ? "course"
-                                                                      : rehearse ? "rehearse"
-                                                                                 : "play"),
-      kOneOfTwo);
+      fmt::format("cannot be combined with --{}, which fits nothing", modes.front()), kOneOfTwo);
 }
 
 bool makesTakes(const cli::Arguments& a) { return a.flag("rehearse") || a.flag("course"); }

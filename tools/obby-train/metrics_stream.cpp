@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "io/byte_source.h"
+#include "io/metrics.h"
 #include "io/sink.h"
 
 namespace obby::tools {
@@ -42,15 +43,7 @@ Status MetricsStream::waitForReader() {
 Status MetricsStream::write(const char* source, uint64_t step,
                             std::span<const train::Metric> values) {
   io::RecordBuilder record;
-  auto metrics = record.root().initMetrics();
-  metrics.setSource(source);
-  metrics.setStep(step);
-  auto list = metrics.initValues(uint32_t(values.size()));
-  for (uint32_t i = 0; i < list.size(); ++i) {
-    list[i].setName(values[i].name);
-    list[i].setValue(values[i].value);
-    list[i].setUnit(values[i].unit);
-  }
+  io::setMetrics(record.root().initMetrics(), source, step, values);
   OBBY_RETURN_IF_ERROR(waitForReader());
   OBBY_RETURN_IF_ERROR(stream_.write(record.reader()));
   return stream_.output().flush();
