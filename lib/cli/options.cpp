@@ -128,11 +128,12 @@ OptionRow timeLimitRow() {
 
 OptionRow progressRow() {
   OptionRow out = choiceRow("progress", ValueType::mode, {"auto", "line", "json", "none"}, "auto",
-                            "progress on stderr; auto: a live line, on a terminal only; line: "
-                            "without a terminal, a line every 10 s; json: JSON objects");
+                            "progress on stderr; auto: a live line on a terminal, else nothing; "
+                            "line: the same on a terminal, else a line every 10 s; json: JSON "
+                            "objects");
   out.details =
-      "There is no live line on a terminal that also shows the records. --progress alone means "
-      "--progress=line.";
+      "A terminal that also shows the records gets no live line: auto prints nothing there, and "
+      "line prints a line every 10 s. --progress alone means --progress=line.";
   out.bare = "line";
   return grouped(std::move(out), kHelpGroup);
 }
