@@ -39,8 +39,9 @@ class Reader {
       if (!accept('[')) break;
       OBBY_RETURN_IF_ERROR(readSection());
     }
+    const size_t begin = at_;
     name_ = trimmed(take("=#\n"));
-    if (name_.empty()) return wrong("expected `name = value`");
+    if (name_.empty()) return unexpected("`name = value`", begin);
     Item item{section_, name_, {fmt::format("{}", line_), {}}};
     item.alone = !accept('=');
     if (!item.alone) {
@@ -53,6 +54,13 @@ class Reader {
  private:
   Error wrong(std::string message, std::string hint = {}) const {
     return Error{{}, fmt::format("{}", line_), name_, std::move(message), std::move(hint)};
+  }
+
+  // `begin`: where in this line the wrong text begins.
+  Error unexpected(const char* expected, size_t begin, std::string hint = {}) {
+    at_ = begin;
+    const std::string found = io::quoted(trimmed(take("\n")));
+    return wrong(fmt::format("expected {}, found {}", expected, found), std::move(hint));
   }
 
   bool atEnd() const { return at_ == text_.size(); }
@@ -89,14 +97,15 @@ class Reader {
     skipBlanks();
     if (peek() == '#') take("\n");
     if (atEnd() || accept('\n')) return {};
-    return wrong(fmt::format("expected the end of the line, found {}", io::quoted(take("\n"))),
-                 kQuotesHint);
+    return unexpected("the end of the line", at_, kQuotesHint);
   }
 
   // Behind its `[`.
   Status readSection() {
+    const size_t begin = at_ - 1;
     section_ = trimmed(take("]\n"));
-    if (section_.empty() || !accept(']')) return wrong("expected `[TOOL]`");
+    if (section_.empty() || !accept(']'))
+      return unexpected("the name of a tool in brackets, such as [obby-solve]", begin);
     return endLine();
   }
 
@@ -166,7 +175,8 @@ Status add(Config& values, Item item, const std::vector<OptionRow>& rows) {
     return Error{{}, item.value.line, item.name, std::move(message), hint};
   };
   const OptionRow* row = findRow(rows, item.name);
-  if (!row) return wrong("unknown option", "put the options of another tool below a line [TOOL]");
+  if (!row)
+    return wrong("unknown option", "put the options of another tool in a section with its name");
   if (item.alone && row->type != ValueType::flag) return wrong("needs a value", "");
   if (item.alone) item.value.texts = {"true"};
   ConfigValue& all = values[item.name];

@@ -84,9 +84,8 @@ std::string optionList(const std::vector<OptionRow>& rows, const HelpStyle& styl
 
 const char* const kOtherWays =
     "Any option can also be set with an environment variable (OBBY_QUIET for --quiet) or in the "
-    "--config file. The command line wins over variables, and variables win over the file. On the "
-    "command line, an option that has no effect in combination with the others is an error; from a "
-    "variable or the config file it is ignored.";
+    "--config file. The command line wins, then variables, then the file. An option that has no "
+    "effect with the others is an error if typed, else ignored.";
 
 size_t helpWidth(int descriptor) {
   return std::clamp(terminalWidth(descriptor), kNarrowest, kWidest);

@@ -44,10 +44,11 @@ OptionRow rareUniversal(OptionRow out) {
 
 OptionRow configRow() {
   OptionRow out = row("config", 0, ValueType::file, "FILE",
-                      "read options from FILE, one `name = value` per line");
+                      "read options from FILE, one `name = value` per line; a section such as "
+                      "[obby-solve] is for that tool only");
   out.details =
-      "Put text that contains blanks in 'quotes' and several values in [brackets]. Options below a "
-      "line [TOOL] are for that tool only.";
+      "Put text that contains blanks in 'quotes' and several values in [brackets]. Options above "
+      "the first section are for every tool.";
   return out;
 }
 
