@@ -18,7 +18,8 @@ constexpr const char* kQuotesHint =
 struct Item {
   std::string section, name;
   ConfigValue value;
-  bool alone = false;  // no value
+  bool alone = false;  // no `=`
+  bool blank = false;  // nothing behind the `=`
 };
 
 std::string trimmed(std::string_view text) {
@@ -44,7 +45,9 @@ class Reader {
     if (name_.empty()) return unexpected("`name = value`", begin);
     Item item{section_, name_, {fmt::format("{}", line_), {}}};
     item.alone = !accept('=');
-    if (!item.alone) {
+    if (!item.alone) skipBlanks();
+    item.blank = !item.alone && (peek() == '\n' || peek() == '#');
+    if (!item.alone && !item.blank) {
       OBBY_ASSIGN(item.value.texts, values());
     }
     OBBY_RETURN_IF_ERROR(endLine());
@@ -111,7 +114,6 @@ class Reader {
 
   Result<std::vector<std::string>> values() {
     std::vector<std::string> out;
-    skipBlanks();
     if (!accept('[')) {
       OBBY_ASSIGN(out.emplace_back(), value(" \t\r\n,"));
       return out;
@@ -119,10 +121,11 @@ class Reader {
     for (;;) {
       skipBlankLines();
       if (accept(']')) return out;
+      if (atEnd()) return wrong("this bracket is not closed");
       OBBY_ASSIGN(out.emplace_back(), value(" \t\r\n,]"));
       skipBlankLines();
-      if (accept(',')) continue;
-      if (peek() != ']') return wrong("expected `,` or `]` after a value in brackets");
+      if (accept(',') || atEnd() || peek() == ']') continue;
+      return unexpected("`,` or `]` after a value in brackets", at_);
     }
   }
 
@@ -134,8 +137,8 @@ class Reader {
       return text;
     }
     if (accept('"')) return escapedText();
-    std::string text(peek() == '#' ? "" : take(ends));
-    if (text.empty()) return wrong("expected a value", "write '' for an empty text");
+    std::string text(take(ends));
+    if (text.empty()) return unexpected("a value", at_);
     return text;
   }
 
@@ -177,7 +180,11 @@ Status add(Config& values, Item item, const std::vector<OptionRow>& rows) {
   const OptionRow* row = findRow(rows, item.name);
   if (!row)
     return wrong("unknown option", "put the options of another tool in a section with its name");
-  if (item.alone && row->type != ValueType::flag) return wrong("needs a value", "");
+  if (item.blank || (item.alone && row->type != ValueType::flag)) {
+    const bool text = row->type == ValueType::text;
+    return wrong("needs a value", text ? "write '' for an empty text, or leave out the line"
+                                       : "leave out the line to keep the default");
+  }
   if (item.alone) item.value.texts = {"true"};
   ConfigValue& all = values[item.name];
   all.line = item.value.line;
