@@ -118,8 +118,12 @@ Result<std::string> Keeper::findBytes() const {
   const std::string& resume = context_.arguments().text("resume");
   if (resume == "no") return std::string();
   if (checkpointPath_.empty())
-    return makeError("--resume: there is no checkpoint to resume from",
-                     "name one with --checkpoint, or write the policy to a file");
+    return Error{{},
+                 {},
+                 "--resume",
+                 fmt::format("'{}' is not a regular file, so no checkpoint is kept next to it",
+                             context_.arguments().text("output")),
+                 "give --checkpoint FILE, or the -o FILE of the earlier run"};
   // One that cannot be looked at may be there: what is wrong is said, and it is not written over.
   std::error_code unread;
   const auto kind = std::filesystem::status(checkpointPath_, unread).type();
