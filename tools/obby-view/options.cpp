@@ -98,7 +98,8 @@ std::vector<OptionRow> liveRows() {
                    "listen on this port of the loopback interface; 0: on any free one", kLive),
           0, 65535),
       cli::row("live-exit", ValueType::flag, "", "",
-               "exit when the input has ended and no page is open, instead of on Ctrl-C", kLive),
+               "exit once the input has ended and the last open page is closed, not only on Ctrl-C",
+               kLive),
   };
 }
 
