@@ -50,7 +50,7 @@ Status sameSettings(const std::vector<Setting>& then, const std::vector<Setting>
     const std::string before = valueOf(then, name), after = valueOf(now, name);
     if (before == after) return {};
     return makeError(
-        fmt::format("made with another setting: {} was {}, now it is {}", name, before, after),
+        fmt::format("made with another setting of '{}': {} then, {} now", name, before, after),
         "use the same options as before, or start again without --resume");
   };
   for (const Setting& s : now) OBBY_RETURN_IF_ERROR(differs(s.name));

@@ -159,7 +159,7 @@ TEST(Checkpoint, IsRefusedUnderOtherSettingsByName) {
   other.ppo.discount = 0.98f;
   const Status status = sameSettings(then, settingsOf(other));
   ASSERT_FALSE(status);
-  EXPECT_EQ(status.error().message, "made with another setting: discount was 0.99, now it is 0.98");
+  EXPECT_EQ(status.error().message, "made with another setting of 'discount': 0.99 then, 0.98 now");
   std::vector<Setting> more = then;
   more.push_back({"style", "gaps"});
   EXPECT_FALSE(sameSettings(then, more));

@@ -40,7 +40,7 @@ Result<Levels> streamedLevels(cli::Context& context, train::Ranks& ranks, bool a
   if (!again) settings.choices = 1;  // each is to be played
   auto stream = std::make_unique<train::LevelStream>(std::move(options), settings);
   const train::LevelStream* const same = stream.get();
-  return Levels{std::move(stream), {{"levels", "of a stream"}}, same};
+  return Levels{std::move(stream), {{"levels", "from a stream"}}, same};
 }
 
 Error lateStream() {
