@@ -48,25 +48,23 @@ Place placeOf(const std::string& path, int standard) {
   return out;
 }
 
-// A file that is to stay, and what an error calls it.
+// A file that is to stay, and how an error goes on after "the file is also".
 struct Kept {
   std::string said;
   Place place;
-  bool input = false;
 };
 
 std::vector<Kept> readBy(const Arguments& arguments, std::span<const WrittenFile> written) {
   std::vector<Kept> out;
   for (const std::string& input : arguments.inputs)
-    out.push_back({"an input, too", placeOf(input, STDIN_FILENO), true});
+    out.push_back({"an input", placeOf(input, STDIN_FILENO)});
   for (const auto& option : arguments.values) {
     const Arguments::Value& value = option.second;
     if (value.row.type != ValueType::file || value.row.renewed || !value.given) continue;
     const auto isIt = [&](const WrittenFile& file) { return file.option == option.first; };
     if (std::any_of(written.begin(), written.end(), isIt)) continue;
     for (const std::string& path : value.texts) {
-      if (!path.empty())
-        out.push_back({"the file of --" + option.first, placeOf(path, STDIN_FILENO)});
+      if (!path.empty()) out.push_back({"named by --" + option.first, placeOf(path, STDIN_FILENO)});
     }
   }
   return out;
@@ -86,9 +84,9 @@ Status refuseOverwriting(const Arguments& arguments, std::span<const WrittenFile
       return Error{{},
                    {},
                    standard ? std::string() : "--" + file.option,
-                   standard ? fmt::format("standard output is redirected to {}",
-                                          same->input ? "a file that is also an input" : same->said)
-                            : fmt::format("{} is {}", file.path, same->said),
+                   (standard ? "standard output is redirected to a file that is also "
+                             : fmt::format("'{}' is also ", file.path)) +
+                       same->said,
                    standard ? "write to another file" : "name another file"};
     }
     kept.push_back(

@@ -61,7 +61,7 @@ TEST_F(WrittenFiles, AnInputIsKnownByWhateverName) {
   fs::create_hard_link("in", "other");
   fs::create_directory("folder");
   arguments_.inputs = {"in"};
-  EXPECT_EQ(refused({{"output", "in"}}), "--output: in is an input, too (name another file)");
+  EXPECT_EQ(refused({{"output", "in"}}), "--output: 'in' is also an input (name another file)");
   for (const char* same : {"./in", "folder/../in", "link", "other"})
     EXPECT_NE(refused({{"output", same}}), "") << same;
   for (const char* other : {"new", "", "folder", "folder/in", "/dev/null"})
@@ -76,7 +76,7 @@ TEST_F(WrittenFiles, WhatOptionsNameStaysButWhatIsRenewed) {
   make("policy");
   give("policy", "policy");
   EXPECT_EQ(refused({{"output", "./policy"}}),
-            "--output: ./policy is the file of --policy (name another file)");
+            "--output: './policy' is also named by --policy (name another file)");
   give("policy", "policy", true);
   EXPECT_EQ(refused({{"output", "policy"}}), "");
   // An option that is written is what is asked about, not what is read.
@@ -88,7 +88,7 @@ TEST_F(WrittenFiles, WhatOptionsNameStaysButWhatIsRenewed) {
 
 TEST_F(WrittenFiles, TwoThatAreWrittenDiffer) {
   EXPECT_EQ(refused({{"output", "new"}, {"log", "log"}, {"curve", "./new"}}),
-            "--curve: ./new is where --output goes (name another file)");
+            "--curve: './new' is also where --output goes (name another file)");
   EXPECT_EQ(refused({{"output", "new"}, {"log", ""}, {"curve", ""}}), "");
   EXPECT_EQ(refused({{"output", "/dev/null"}, {"log", "/dev/null"}}), "");
   make("old");
@@ -102,7 +102,7 @@ TEST_F(WrittenFiles, ALinkToWhatIsNotThereYetIsWhatItNames) {
   fs::create_symlink("runs/new", "link");
   fs::create_symlink("link", "link to it");
   EXPECT_EQ(refused({{"output", "runs/new"}, {"checkpoint", "link"}}),
-            "--checkpoint: link is where --output goes (name another file)");
+            "--checkpoint: 'link' is also where --output goes (name another file)");
   EXPECT_NE(refused({{"output", "link to it"}, {"checkpoint", "./runs/new"}}), "");
   EXPECT_NE(refused({{"output", "link"}, {"checkpoint", "link to it"}}), "");
   EXPECT_EQ(refused({{"output", "link"}, {"checkpoint", "runs/other"}}), "");

@@ -28,6 +28,10 @@ Status canWatch(const cli::Context& context) {
   return context.checkOutput();
 }
 
+std::string quotedNames(const std::vector<std::string>& paths) {
+  return fmt::format("'{}'", fmt::join(paths, "', '"));
+}
+
 // Sets `stop` once the inputs change or the process is to end: an answer to what is no longer asked
 // is not worth waiting for.
 class Guard {
@@ -60,14 +64,14 @@ class Inputs {
     noteEach();
   }
 
-  // "level.jsonl"; forgets them.
+  // "'level.jsonl'"; forgets them. Empty: none.
   std::string takeChanged() {
     std::vector<std::string> names;
     for (size_t i = 0; i < paths_.size(); ++i) {
       if (changed_[i]) names.push_back(paths_[i]);
     }
     changed_.assign(paths_.size(), false);
-    return fmt::format("{}", fmt::join(names, ", "));
+    return names.empty() ? "" : quotedNames(names);
   }
 
  private:
@@ -131,7 +135,7 @@ class Watch {
   // Once, after the first run.
   void sayWhatFor() {
     if (said_ || context_.stop()) return;
-    context_.tell(fmt::format("watching {}; Ctrl-C ends", fmt::join(context_.inputs(), ", ")));
+    context_.tell(fmt::format("watching {}; Ctrl-C ends", quotedNames(context_.inputs())));
     said_ = true;
   }
 

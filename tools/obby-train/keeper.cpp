@@ -91,7 +91,7 @@ Status Keeper::lockFiles(std::span<const cli::WrittenFile> written) {
     return Error{{},
                  {},
                  "--" + file.option,
-                 fmt::format("another obby-train is writing {}", file.path),
+                 fmt::format("another obby-train is writing '{}'", file.path),
                  "stop it, or name another file"};
   }
   return {};
