@@ -42,7 +42,7 @@ Result<cli::ExitCode> run(cli::Context& context) {
     context.progress({"records", -1, {{"levels", double(levels)}}});
     if (record.which() == io::Kind::LEVEL) levels++;
     if (record.which() == io::Kind::QUERY && record.reader().getQuery().getId().size() == 0)
-      return Error{{}, {}, "id", "expected an id", {}};
+      return Error{{}, {}, "id", "expected text that is not empty, found \"\"", {}};
     return io::Then::pass;
   });
   for (const std::string& tag : context.arguments().list("tag")) {
