@@ -59,7 +59,7 @@ std::vector<OptionRow> checkRows() {
           "solver's answer is written after the query",
           kCheckGroup),
       between(row("check-steps", ValueType::integer, "N", "1000000",
-                  "simulated ticks that --check spends on each level", kCheckGroup),
+                  "steps (simulated ticks) that --check spends on each level", kCheckGroup),
               1, 9e15),
   };
 }

@@ -58,7 +58,7 @@ std::vector<OptionRow> searchRows() {
                      kSearchGroup)),
       timeLimitRow(),
       detailed(between(row("max-steps", ValueType::integer, "N", "",
-                           "stop each query after about N simulated ticks", kSearchGroup),
+                           "stop a query after about N steps (simulated ticks)", kSearchGroup),
                        1, 9e15),
                "Unlike --time-limit it stops at the same point on every machine."),
       between(
