@@ -155,18 +155,19 @@ std::vector<cli::Example> examples() {
 
 std::vector<OptionRow> queryRows() {
   return {
-      row("start", ValueType::text, "PLACE", "",
-          "start on this part or in this box [default: the level's first spawn]", kQueryGroup),
-      repeatable(row("goal", ValueType::text, "PLACE", "",
-                     "reach this part or box (any, if repeated or a #TAG) [default: the goal part, "
-                     "else the last checkpoint]",
-                     kQueryGroup)),
+      row("start", ValueType::text, "PLACE", "", "start here [default: the level's first spawn]",
+          kQueryGroup),
+      repeatable(
+          row("goal", ValueType::text, "PLACE", "",
+              "reach this part or box; if repeated, any one of them [default: the goal part, "
+              "else the last checkpoint]",
+              kQueryGroup)),
       repeatable(row("waypoint", ValueType::text, "PLACE", "",
                      "pass here first; if repeated, in this order", kQueryGroup)),
       repeatable(row("visit", ValueType::text, "PLACE", "",
-                     "pass here first, in any order; a #TAG: all its parts", kQueryGroup)),
-      repeatable(row("avoid", ValueType::text, "PLACE", "",
-                     "never enter; a #TAG: none of its parts", kQueryGroup)),
+                     "pass here first; if repeated, in any order", kQueryGroup)),
+      repeatable(
+          row("avoid", ValueType::text, "PLACE", "", "never enter this part or box", kQueryGroup)),
       between(row("max-jumps", ValueType::integer, "N", "", "jump at most N times", kQueryGroup), 0,
               65535),
       rare(between(
@@ -201,10 +202,12 @@ cli::ToolSpec solveSpec() {
   spec.notes =
       "PLACE: a part, given by name, path, end of its path, GUID, #TAG or part:INDEX (its index in "
       "the level's list of parts), or a box x,y,z,sx,sy,sz (centre and size in studs). touch:PART "
-      "means touching the part itself, not just its box.\n\n"
+      "means touching the part itself, not just its box. If several parts have a #TAG, --goal "
+      "accepts any of them and other options mean all of them; --start and --waypoint need a #TAG "
+      "of one part.\n\n"
       "A query asked on the command line is answered alone; queries in the input are passed on "
-      "unanswered (--each applies the options to them instead).\n\n"
-      "Without -o, a terminal shows a short table; pipes and files get records.";
+      "unanswered (--each applies the options to them instead). Without -o, a terminal shows a "
+      "short table; pipes and files get records.";
   spec.details =
       "A level without a query is asked for a trajectory from its spawn to its goal or last "
       "checkpoint.\n\n"
