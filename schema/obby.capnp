@@ -215,6 +215,7 @@ struct Part {
   trip @31 :Trip;
   climbable @32 :Bool;    # a rung of a ladder built from parts, climbed like a truss
   material @33 :Text;     # appearance only, by the engine's name ("WoodPlanks"); empty: plastic
+  frictionWeight @34 :Float32 = 1;  # of `friction` in the mean with a player's or a dynamic body's, 0 to 100
 }
 
 struct PartSource {
@@ -379,16 +380,16 @@ struct Motion {
 struct PhysicsParams {
   # Every number in which a real engine may differ. lib/level/params.h mirrors the fields by name, and a test checks
   # that they agree. docs/physics.md explains each field.
-  gravity @0 :Float32 = 196.2 $unit("studs/s^2") $range((min = 0, max = 2000)) $source("H Workspace.Gravity");
+  gravity @0 :Float32 = 196.2 $unit("studs/s^2") $range((min = 0, max = 2000)) $source("measured, n > 300,000; Workspace.Gravity");
   walkSpeed @1 :Float32 = 16 $unit("studs/s") $range((min = 0, max = 500)) $source("H Humanoid.WalkSpeed");
   jumpSpeed @2 :Float32 = 53 $unit("studs/s") $range((min = 0, max = 1000))
-    $source("H launch speed: 1.06 x JumpPower, or sqrt(2 g JumpHeight)");
+    $source("measured, n = 2,032: 1.06 x JumpPower, or sqrt(2 g JumpHeight)");
   maxSlope @3 :Float32 = 1.5533431 $unit("rad") $range((min = 0, max = 1.5533431)) $source("H Humanoid.MaxSlopeAngle 89 degrees");
   maxHealth @4 :Float32 = 100 $unit("health") $range((min = 1, max = 1000000)) $source("H Humanoid.MaxHealth");
   healthRegeneration @5 :Float32 = 0.01 $unit("share of maxHealth/s") $range((min = 0, max = 10)) $source("H default Health script");
   fallenPartsHeight @6 :Float32 = -500 $unit("studs") $range((min = -50000, max = 50000)) $source("H Workspace.FallenPartsDestroyHeight");
   controlRate @7 :UInt16 = 60 $unit("1/s") $range((min = 10, max = 480)) $source("H Humanoid logic runs per rendered frame");
-  substeps @8 :UInt16 = 4 $unit("physics steps per tick") $range((min = 1, max = 16)) $source("H 240 Hz world steps");
+  substeps @8 :UInt16 = 4 $unit("physics steps per tick") $range((min = 1, max = 16)) $source("measured, n > 300,000: 240 Hz world steps");
 
   hipHeight @9 :Float32 = 2 $unit("studs") $range((min = 0, max = 20)) $source("H leg length of the canonical test body");
   rootHeight @10 :Float32 = 2 $unit("studs") $range((min = 0.1, max = 20)) $source("H HumanoidRootPart.Size.Y");
@@ -399,29 +400,29 @@ struct PhysicsParams {
   armSpan @15 :Float32 = 4 $unit("studs") $range((min = 0.1, max = 40)) $source("H torso and both arms, R6");
   touchMargin @16 :Float32 = 0.05 $unit("studs") $range((min = 0, max = 1)) $source("L limbs touch the part below them");
 
-  groundAccel @17 :Float32 = 225 $unit("studs/s^2") $range((min = 1, max = 5000)) $source("L 250 x 0.9, a third-party port");
-  airAccel @18 :Float32 = 143 $unit("studs/s^2") $range((min = 0, max = 5000)) $source("L a third-party port");
-  moveGain @19 :Float32 = 150 $unit("1/s") $range((min = 1, max = 1000)) $source("L a third-party port");
-  turnGain @20 :Float32 = 10 $unit("1/s") $range((min = 0.1, max = 1000)) $source("L a third-party port");
-  turnSpeed @21 :Float32 = 8 $unit("rad/s") $range((min = 0.1, max = 1000)) $source("H for CCL: BaseTurnSpeed; limits the turn gain");
+  traction @17 :Float32 = 2060 $unit("studs/s^2 per friction") $range((min = 1, max = 20000)) $source("measured, R6: ground acceleration is this times the pair friction of floor and body");
+  airAccel @18 :Float32 = 143 $unit("studs/s^2") $range((min = 0, max = 5000)) $source("measured, n = 66,000");
+  moveGain @19 :Float32 = 150 $unit("1/s") $range((min = 1, max = 1000)) $source("measured with airAccel and traction");
+  turnGain @20 :Float32 = 8.4 $unit("1/s") $range((min = 0.1, max = 1000)) $source("measured, n = 98,000");
+  turnSpeed @21 :Float32 = 8 $unit("rad/s") $range((min = 0.1, max = 1000)) $source("measured in Freefall, its only use");
 
-  hoverStiffness @22 :Float32 = 2000 $unit("1/s^2") $range((min = 1, max = 20000)) $source("L a third-party port: 0.1 x 20000");
-  hoverDamping @23 :Float32 = 110 $unit("1/s") $range((min = 0, max = 2000)) $source("L a third-party port: 0.1 x 1100");
+  hoverStiffness @22 :Float32 = 3000 $unit("1/s^2") $range((min = 1, max = 20000)) $source("measured, n = 5,210: of legs shorter than at rest");
+  hoverDamping @23 :Float32 = 110 $unit("1/s") $range((min = 0, max = 2000)) $source("measured, n = 5,210");
   hoverLimit @24 :Float32 = 20000 $unit("studs/s^2") $range((min = 1, max = 1000000)) $source("M numerical guard: max upward acceleration of the hover spring");
 
   floorRaySpread @25 :Float32 = 0.4 $unit("share of root size") $range((min = 0, max = 1)) $source("M two independent ports agree");
   floorRayStart @26 :Float32 = 0.4 $unit("share of root height below the root centre") $range((min = 0, max = 1)) $source("M");
-  floorReachBase @27 :Float32 = 0.1 $unit("share of root height") $range((min = 0, max = 1)) $source("H state machine port");
+  floorReachBase @27 :Float32 = 0.55 $unit("share of root height") $range((min = 0, max = 1)) $source("measured: the fit to floors acquired at 1.10 (n = 494) and kept to 1.9 studs (n = 5)");
   floorKeep @28 :Float32 = 1.5 $unit("x hipHeight") $range((min = 1, max = 3)) $source("H reach if a floor was sensed last tick");
   floorAcquire @29 :Float32 = 1.1 $unit("x hipHeight") $range((min = 1, max = 3)) $source("H reach otherwise");
   fastFall @30 :Float32 = 100 $unit("studs/s") $range((min = 1, max = 10000)) $source("H reach grows with speed above this");
 
-  landedTime @31 :Float32 = 0.05 $unit("s") $range((min = 0, max = 1)) $source("H Landed lasts this long, without a jump");
-  coyoteTime @32 :Float32 = 0.13 $unit("s") $range((min = 0, max = 1)) $source("H a jump is accepted this long after leaving the floor");
-  offFloorGrace @33 :Float32 = 0.125 $unit("s") $range((min = 0, max = 1)) $source("H Running turns to Freefall after this");
+  landedTime @31 :Float32 = 0.05 $unit("s") $range((min = 0, max = 1)) $source("measured: Landed lasts 12 physics steps, the landing tick included, without a jump");
+  coyoteTime @32 :Float32 = 0.117 $unit("s") $range((min = 0, max = 1)) $source("measured, n = 111: a jump is accepted this long after leaving the floor");
+  offFloorGrace @33 :Float32 = 0.117 $unit("s") $range((min = 0, max = 1)) $source("measured: Running turns to Freefall after 28 physics steps");
 
-  iceFriction @34 :Float32 = 0.1 $unit("friction") $range((min = 0, max = 2)) $source("L below this, ground acceleration shrinks in proportion");
-  climbSpeed @35 :Float32 = 0.7 $unit("x walkSpeed") $range((min = 0, max = 10)) $source("H Humanoid.Climbing");
+  playerFrictionWeight @34 :Float32 = 1 $unit("weight") $range((min = 0, max = 100)) $source("measured; of playerFriction in the mean with a floor");
+  climbSpeed @35 :Float32 = 0.7 $unit("x walkSpeed") $range((min = 0, max = 10)) $source("measured");
   climbReach @36 :Float32 = 1.2 $unit("studs") $range((min = 0, max = 5)) $source("H forward climb sensor");
   contactSkin @37 :Float32 = 0.01 $unit("studs") $range((min = 0, max = 0.2)) $source("M depth left between bodies at rest");
   maxFallSpeed @38 :Float32 = 480 $unit("studs/s") $range((min = 10, max = 2000)) $source("M numerical guard, never reached in a level");
@@ -436,8 +437,8 @@ struct PhysicsParams {
   sleepTime @47 :Float32 = 0.5 $unit("s") $range((min = 0, max = 10)) $source("L dynamic parts come to rest after this long below sleepSpeed");
   climbLowest @48 :Float32 = 0.25 $unit("share of hipHeight") $range((min = 0, max = 1)) $source("L lowest row of the climb sensor: legs that sink into a floor of trusses do not reach the next truss");
   climbWill @49 :Float32 = 0.01 $unit("share of the move direction") $range((min = 0, max = 1)) $source("H into the truss or away from it: dot product of +-0.01");
-  playerFriction @50 :Float32 = 0.3 $unit("friction") $range((min = 0, max = 2)) $source("M Plastic; of a player who has fallen down, averaged with the floor's");
-  jumpAccel @51 :Float32 = 0 $unit("studs/s^2") $range((min = 0, max = 5000)) $source("M keys have no effect while Jumping");
+  playerFriction @50 :Float32 = 0.3 $unit("friction") $range((min = 0, max = 2)) $source("measured with traction: of the body, in the mean with the floor");
+  jumpAccel @51 :Float32 = 0 $unit("studs/s^2") $range((min = 0, max = 5000)) $source("measured: keys have no effect while Jumping");
 }
 
 # ---------------------------------------------------------------------------------------------- query

@@ -6,7 +6,7 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr float kSlippery = 0.02f, kIcy = 0.05f;  // frictions, below PhysicsParams::iceFriction
+constexpr float kSlippery = 0.02f, kIcy = 0.05f;  // frictions
 constexpr float kUsual = -1;
 
 struct Block {

@@ -29,7 +29,7 @@ struct Row {
 // What a walking, jumping body shows of itself, each with the manoeuvre that shows it best.
 constexpr Row kRows[] = {
     {"walkSpeed", 2, "run straight on for two seconds"},
-    {"groundAccel", 4, "start running, stop, turn back on the flat"},
+    {"traction", 4, "start running, stop, turn back on the flat"},
     {"airAccel", 4, "jump, and turn back in the air"},
     {"moveGain", 16, "start running from rest, and stop"},
     {"turnGain", 4, "turn a little, standing and running"},
@@ -47,7 +47,7 @@ constexpr Row kRows[] = {
     {"coyoteTime", 3, "walk off a ledge and jump at once, later each time", Parameter::Kind::ticks,
      8},
     {"offFloorGrace", 3, "walk off a ledge", Parameter::Kind::ticks, 8},
-    {"iceFriction", 5, "run and stop on parts of several frictions"},
+    {"playerFriction", 3, "run and stop on parts of several frictions"},
     {"maxSlope", 1.5, "walk up ramps, steeper each time", Parameter::Kind::event},
     {"climbSpeed", 2, "climb a truss up and down"},
     {"bodyWidth", 2.5, "run into walls and through gaps", Parameter::Kind::touch},

@@ -104,14 +104,14 @@ sim::World worldAt(const Track& track, uint32_t index, const level::LevelView& l
   uint32_t since = index;
   while (since > 0 && !grounded(track.frames[since].state)) --since;
   if (grounded(track.frames[since].state))
-    w.floorlessTicks =
+    w.floorlessSteps =
         uint16_t(std::min(wholeTicks(f.time - track.frames[since].time, p), 0xffffu));
-  if (w.floorlessTicks == 0) w.flags |= sim::kFloorSensed;
+  if (w.floorlessSteps == 0) w.flags |= sim::kFloorSensed;
   if (f.state != sim::State::landed) return w;
   uint32_t landed = index;
   while (landed > 0 && track.frames[landed - 1].state == sim::State::landed) --landed;
   const uint32_t gone = wholeTicks(f.time - track.frames[landed].time, p);
-  w.landedTicks = uint8_t(std::clamp(int(p.landedTicks) - int(gone), 1, 255));
+  w.landedSteps = uint8_t(std::clamp(int(p.landedSteps) - int(gone), 1, 255));
   return w;
 }
 

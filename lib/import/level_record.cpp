@@ -110,6 +110,7 @@ void setPart(schema::Part::Builder to, const PartDraft& part, const Tree& tree) 
   to.setName(validUtf8(tree.at(part.id).name));
   setGeometry(to, part);
   to.setFriction(part.friction);
+  to.setFrictionWeight(part.frictionWeight);
   to.setElasticity(part.elasticity);
   to.setDensity(part.density);
   auto color = to.initColor();

@@ -43,6 +43,7 @@ void setSurface(const Instance& instance, PartDraft& part) {
   part.material = materialName(material);
   part.density = within(physical.density, 1e-4f, 100, part.density);
   part.friction = within(physical.friction, 0, 2, part.friction);
+  part.frictionWeight = within(physical.frictionWeight, 0, 100, part.frictionWeight);
   part.elasticity = within(physical.elasticity, 0, 1, part.elasticity);
   part.color = get<ColorRgb>(instance, "Color");
   part.transparency = within(get<double>(instance, "Transparency"), 0, 1, 0);

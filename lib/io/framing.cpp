@@ -7,21 +7,23 @@
 namespace obby::io {
 
 Status Framing::accept(const std::optional<schema::Record::Reader>& record,
-                       const std::string& place) {
+                       const std::string& place, uint32_t oldestMajor) {
   total_++;
-  if (record && record->isHeader()) return acceptHeader(record->getHeader(), place);
+  if (record && record->isHeader()) return acceptHeader(record->getHeader(), place, oldestMajor);
   if (record && record->isEnd()) return acceptEnd(record->getEnd());
   inStream_++;
   return {};
 }
 
-Status Framing::acceptHeader(schema::Header::Reader header, const std::string& place) {
+Status Framing::acceptHeader(schema::Header::Reader header, const std::string& place,
+                             uint32_t oldestMajor) {
   if (inside_)
     return makeError(
         fmt::format("expected the end record of the stream that begins at {}, found another header",
                     headerPlace_),
         kCutOffHint);
-  if (header.getSchemaMajor() != kSchemaMajor) {
+  const uint32_t major = header.getSchemaMajor();
+  if (major < oldestMajor || major > kSchemaMajor) {
     const std::string writer =
         header.getTool().size() == 0
             ? std::string()
@@ -36,7 +38,7 @@ Status Framing::acceptHeader(schema::Header::Reader header, const std::string& p
                  "use tools of the same version"};
   }
   inside_ = true;
-  later_ = header.getSchemaMinor() > kSchemaMinor;
+  later_ = major == kSchemaMajor && header.getSchemaMinor() > kSchemaMinor;
   headerPlace_ = place;
   inStream_ = 1;
   return {};

@@ -18,7 +18,9 @@ class Framing {
  public:
   // Every record in order; `record` is nothing where it was bad or of an unknown kind. Errors have
   // no input and place.
-  Status accept(const std::optional<schema::Record::Reader>& record, const std::string& place);
+  // `oldestMajor`: of schema versions that the format can be read in.
+  Status accept(const std::optional<schema::Record::Reader>& record, const std::string& place,
+                uint32_t oldestMajor);
   // The input is at its end.
   Status atEnd() const;
   // Inside a stream that has a header: a line without its newline is then a cut.
@@ -27,7 +29,8 @@ class Framing {
   bool later() const { return later_; }
 
  private:
-  Status acceptHeader(schema::Header::Reader header, const std::string& place);
+  Status acceptHeader(schema::Header::Reader header, const std::string& place,
+                      uint32_t oldestMajor);
   Status acceptEnd(schema::End::Reader end);
 
   bool inside_ = false, later_ = false;

@@ -7,6 +7,7 @@
 #include "io/pipeline.h"
 #include "io/read_file.h"
 #include "io/record_storage.h"
+#include "io/version.h"
 
 namespace obby::io {
 namespace {
@@ -149,7 +150,8 @@ struct RecordSource::Impl {
       const Record& record = **got;
       if (record.known() && record.which() == Kind::LEVEL) lostLevel.clear();
       if (record.known() && record.which() == Kind::HEADER) {
-        schemaMinor = std::max(schemaMinor, record.reader().getHeader().getSchemaMinor());
+        if (record.reader().getHeader().getSchemaMajor() == kSchemaMajor)
+          schemaMinor = std::max(schemaMinor, record.reader().getHeader().getSchemaMinor());
         continue;
       }
       if (record.known() && record.which() == Kind::END) {

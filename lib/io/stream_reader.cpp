@@ -11,6 +11,7 @@
 #include "io/record_storage.h"
 #include "io/stream.h"
 #include "io/text.h"
+#include "io/version.h"
 
 namespace obby::io {
 namespace {
@@ -136,7 +137,8 @@ struct StreamReader::Impl {
   Next deliver(std::shared_ptr<Record::Storage> storage, Result<std::optional<RecordBuilder>> got) {
     std::optional<schema::Record::Reader> reader;
     if (got && *got) reader = (*got)->reader();
-    if (Status status = framing.accept(reader, placeName(storage->place)); !status)
+    const uint32_t oldest = *format == Format::jsonl ? kOldestJsonMajor : kSchemaMajor;
+    if (Status status = framing.accept(reader, placeName(storage->place), oldest); !status)
       return fatal(status.error(), storage->place);
     storage->input = source.name();
     if (!got) {

@@ -5,8 +5,10 @@
 
 namespace obby::io {
 
-inline constexpr uint32_t kSchemaMajor = 1;  // raised when old readers would misread a stream
-inline constexpr uint32_t kSchemaMinor = 4;  // raised when fields are added
+inline constexpr uint32_t kSchemaMajor = 2;  // raised when old readers would misread a stream
+inline constexpr uint32_t kSchemaMinor = 0;  // raised when fields are added
+// JSON names its fields and leaves defaults out, so it is read from older versions on.
+inline constexpr uint32_t kOldestJsonMajor = 1;
 inline constexpr const char* kFloatPolicy = "ieee754-nofma";
 
 // The program's version, "0.1.0".

@@ -147,8 +147,8 @@ void PartCompiler::push(Collider collider, uint32_t flags) {
   }
   const Vec3 half = collider.shape.half;
   const Box box = collider.mover == kNone ? boundsOf(collider.pose, half) : swept_.of(half);
-  out_.bounds.push_back(makeBounds(box, flags, uint32_t(out_.bounds.size()),
-                                   collider.friction < params_.iceFriction));
+  out_.bounds.push_back(
+      makeBounds(box, flags, uint32_t(out_.bounds.size()), collider.grip != params_.plainGrip));
   out_.colliders.push_back(collider);
 }
 
@@ -186,6 +186,9 @@ Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
   if (!(part.getFriction() >= 0 && part.getFriction() <= kMaxFriction))
     return pathError("friction", fmt::format("expected a number from 0 to {}, found {}",
                                              kMaxFriction, part.getFriction()));
+  if (!(part.getFrictionWeight() >= 0 && part.getFrictionWeight() <= kMaxFrictionWeight))
+    return pathError("frictionWeight", fmt::format("expected a number from 0 to {}, found {}",
+                                                   kMaxFrictionWeight, part.getFrictionWeight()));
   if (!(part.getElasticity() >= 0 && part.getElasticity() <= 1))
     return pathError("elasticity",
                      "expected a number from 0 to 1, found " + shown(part.getElasticity()));
@@ -201,6 +204,7 @@ Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
                     kNone,
                     kNone,
                     part.getFriction(),
+                    pairFriction(params_, part.getFriction(), part.getFrictionWeight()),
                     part.getElasticity(),
                     ShapeKind::block,
                     kNotLoose};

@@ -33,7 +33,7 @@ struct PartTables {
 // Smallest extent that the engine's physics uses (docs/physics.md, parts).
 constexpr float kMinSize = 0.05f;
 constexpr float kMaxSize = 2048;
-constexpr float kMaxFriction = 100;
+constexpr float kMaxFriction = 100, kMaxFrictionWeight = 100;
 constexpr uint32_t kMaxParts = 1000000;
 // Rows of all motion tables of a level together: 200 MB.
 constexpr size_t kMaxLevelRows = 4000000;

@@ -99,7 +99,7 @@ uint64_t digest(const LevelView& v, const PartTables& t) {
   for (size_t i = 0; i < t.colliders.size(); ++i) {
     const Collider& c = t.colliders[i];
     add(c.pose), add(c.shape.half), add(c.part), add(c.mover), add(c.role), add(c.friction),
-        add(c.kind), add(t.bounds[i].flags);
+        add(c.grip), add(c.kind), add(t.bounds[i].flags);
     if (c.shape.hull)
       h = hashBytes(c.shape.hull->vertices, c.shape.hull->vertexCount * sizeof(Vec3), h);
   }

@@ -47,6 +47,7 @@ struct alignas(64) Collider {
   uint32_t mover;  // index into movers, or kNone
   uint32_t role;   // index into the table of its role (kills, pads, ...), see below
   float friction;
+  float grip;  // pair friction with the player: the mean of both by their weights
   float elasticity;
   geom::ShapeKind kind;
   uint8_t loose;  // index into LevelView::loose, or kNotLoose

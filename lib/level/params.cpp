@@ -50,13 +50,17 @@ void derive(Params& p) {
   // Set-up runs once on the host; rounding to float hides any difference in the last bits of libm's
   // cosine.
   p.slopeNormalY = float(std::round(std::cos(double(p.maxSlope)) * 1e6) / 1e6);
-  p.landedTicks = uint16_t(ticksFromSeconds(p, p.landedTime));
+  p.plainGrip = pairFriction(p, 0.3f, 1);
+  const auto steps = [&p](float seconds) {
+    return uint32_t(std::min(seconds / p.substepSeconds + 0.5f, 65535.0f));
+  };
+  p.landedSteps = uint16_t(std::min(steps(p.landedTime), 255u));
   // What is counted up to these starts at 0 while nothing is amiss: none of them may be over then.
   const auto atLeastOne = [&p](float seconds) {
     return uint16_t(std::max(1u, ticksFromSeconds(p, seconds)));
   };
-  p.coyoteTicks = atLeastOne(p.coyoteTime);
-  p.graceTicks = atLeastOne(p.offFloorGrace);
+  p.coyoteSteps = uint16_t(std::max(1u, steps(p.coyoteTime)));
+  p.graceSteps = uint16_t(std::max(1u, steps(p.offFloorGrace)));
   p.squeezeTicks = atLeastOne(p.squeezeTime);
   p.sleepTicks = atLeastOne(p.sleepTime);
 }

@@ -16,11 +16,11 @@ namespace obby {
   X(float, maxHealth) X(float, healthRegeneration) X(float, fallenPartsHeight) \
   X(uint16_t, controlRate) X(uint16_t, substeps) X(float, hipHeight) X(float, rootHeight) \
   X(float, bodyWidth) X(float, bodyDepth) X(float, bodyTop) X(float, headBottom) \
-  X(float, armSpan) X(float, touchMargin) X(float, groundAccel) X(float, airAccel) \
+  X(float, armSpan) X(float, touchMargin) X(float, traction) X(float, airAccel) \
   X(float, moveGain) X(float, turnGain) X(float, turnSpeed) X(float, hoverStiffness) \
   X(float, hoverDamping) X(float, hoverLimit) X(float, floorRaySpread) X(float, floorRayStart) \
   X(float, floorReachBase) X(float, floorKeep) X(float, floorAcquire) X(float, fastFall) \
-  X(float, landedTime) X(float, coyoteTime) X(float, offFloorGrace) X(float, iceFriction) \
+  X(float, landedTime) X(float, coyoteTime) X(float, offFloorGrace) X(float, playerFrictionWeight) \
   X(float, climbSpeed) X(float, climbReach) X(float, contactSkin) X(float, maxFallSpeed) \
   X(float, oneWaySlack) X(float, squeezeDepth) X(float, squeezeTime) X(float, seatHeight) \
   X(float, seatCooldown) \
@@ -37,9 +37,10 @@ struct Params {
   float tickSeconds;     // 1 / controlRate
   float substepSeconds;  // tickSeconds / substeps
   float slopeNormalY;    // cos(maxSlope): floors whose normal has a smaller Y are slid down
-  uint16_t landedTicks;  // times above, rounded to whole ticks
-  uint16_t coyoteTicks;  // this and those below: at least 1
-  uint16_t graceTicks;
+  float plainGrip;       // pair friction of the player and a part that states none
+  uint16_t landedSteps;  // times above, rounded to whole physics steps; at most 255
+  uint16_t coyoteSteps;  // this and those below: at least 1
+  uint16_t graceSteps;
   uint16_t squeezeTicks;
   uint16_t sleepTicks;
 };
@@ -48,6 +49,13 @@ struct Params {
 OBBY_DEVICE uint32_t ticksFromSeconds(const Params& p, float seconds) {
   const float t = seconds * float(p.controlRate) + 0.5f;
   return t >= 1 ? (t < 16777216.0f ? uint32_t(t) : 16777216u) : 0u;
+}
+
+// Friction of the player on a floor of `friction`.
+OBBY_DEVICE float pairFriction(const Params& p, float friction, float weight) {
+  const float sum = weight + p.playerFrictionWeight;
+  if (!(sum > 0)) return 0.5f * (friction + p.playerFriction);
+  return (friction * weight + p.playerFriction * p.playerFrictionWeight) / sum;
 }
 
 // Times hipHeight: how far the floor rays reach, in whatever state the player is.

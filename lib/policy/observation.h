@@ -29,7 +29,7 @@ OBBY_DEVICE Turns aheadOf(const geom::Region& next, const sim::World& w) {
 OBBY_DEVICE bool mayJump(const level::LevelView& level, const sim::World& w) {
   if (w.state == sim::State::climbing || w.state == sim::State::seated) return true;
   return (w.state == sim::State::running || w.state == sim::State::landed) &&
-         w.floorlessTicks < level.params.coyoteTicks;
+         w.floorlessSteps < level.params.coyoteSteps;
 }
 
 // Times are told in ticks of 1/60 s, whatever the level's are: a tick of its in those.
@@ -49,8 +49,8 @@ OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::Ne
   out[i++] = dot(w.velocity, frame.forward) * 0.0625f;
   out[i++] = dot(w.velocity, frame.right) * 0.0625f;
   out[i++] = clampf(w.velocity.y * 0.02f, -3.0f, 3.0f);
-  out[i++] = w.floorlessTicks == 0 ? 1.0f : 0.0f;
-  out[i++] = minf(float(w.floorlessTicks) * tick, 30.0f) * 0.0333f;
+  out[i++] = w.floorlessSteps == 0 ? 1.0f : 0.0f;
+  out[i++] = minf(float(w.floorlessSteps) * (tick / float(s.level.params.substeps)), 30.0f) * 0.0333f;
   out[i++] = in(sim::State::running) + in(sim::State::landed);
   out[i++] = in(sim::State::landed);
   out[i++] = in(sim::State::jumping);

@@ -52,6 +52,12 @@ OBBY_DEVICE geom::UprightBoxT<F> bodyBox(const MotionT<F>& m, const Params& p) {
           m.yaw};
 }
 
+// Do legs that hold a body at a moving floor make it rise faster than the floor?
+template <class F>
+OBBY_DEVICE MaskOf<F> legsLift(MaskOf<F> hover, F upward, F floorSpeed) {
+  return hover & (upward > floorSpeed + kSettledSpeed);
+}
+
 // Acceleration of a substep.
 template <class F>
 OBBY_DEVICE Vec3T<F> acceleration(const MotionT<F>& m, const Params& p) {
@@ -62,10 +68,10 @@ OBBY_DEVICE Vec3T<F> acceleration(const MotionT<F>& m, const Params& p) {
   const MaskOf<F> over = size2 > d.limit * d.limit;
   if (any(over)) a = select(over, a * (d.limit / sqrtf32(select(over, size2, F(1.0f)))), a);
   a += d.slide;
-  // The legs push, they do not pull.
+  // The legs push below their length, and let fall above it.
   const F gap = m.position.y - m.floorY;
   const F lift = -p.hoverStiffness * gap - p.hoverDamping * (m.velocity.y - m.floorSpeed);
-  a.y = select(d.hover, clampf<F>(lift, -p.gravity, p.hoverLimit), F(-p.gravity));
+  a.y = select(d.hover & (gap <= 0.0f), minf(lift, F(p.hoverLimit)), F(-p.gravity));
   return a;
 }
 
@@ -90,30 +96,39 @@ OBBY_DEVICE Vec3T<F> bounded(const Vec3T<F>& v, const level::LevelView& level) {
   return {clampf<F>(v.x, -side, side), clampf<F>(v.y, -most, most), clampf<F>(v.z, -side, side)};
 }
 
-// Exact for constant acceleration: jumps are parabolas.
+// What a semi-implicit step does first: v += a dt. The step then moves by that velocity.
 template <class F>
-OBBY_DEVICE void integrate(MotionT<F>& m, const level::LevelView& level, F dt) {
-  const Vec3T<F> a = acceleration(m, level.params);
-  m.position += m.velocity * dt + a * (0.5f * dt * dt);
-  m.velocity += a * dt;
-  m.velocity = bounded(m.velocity, level);
+OBBY_DEVICE void accelerate(MotionT<F>& m, const level::LevelView& level, float dt) {
+  Vec3T<F> a = acceleration(m, level.params);
+  a.y = select(m.drive.launches, F(0.0f), a.y);
+  m.velocity = bounded(m.velocity + a * F(dt), level);
+  m.drive.launches = false;
 }
 
-// Horizontal acceleration by keys, at most.
-OBBY_DEVICE float mostDrive(const Params& p) {
-  return maxf(maxf(p.groundAccel, p.airAccel), p.jumpAccel);
+// All steps of a tick at once, where the acceleration is constant through it.
+template <class F>
+OBBY_DEVICE void integrate(MotionT<F>& m, const level::LevelView& level, float dt, int steps) {
+  const Vec3T<F> a = acceleration(m, level.params);
+  const float n = float(steps);
+  const F falls = select(m.drive.launches, F(n - 1), F(n));
+  const float sum = 0.5f * dt * dt * n * (n + 1);
+  m.position += m.velocity * F(dt * n) +
+                Vec3T<F>{a.x * sum, a.y * (0.5f * dt * dt) * falls * (falls + 1.0f), a.z * sum};
+  m.velocity += Vec3T<F>{a.x * (dt * n), a.y * dt * falls, a.z * (dt * n)};
+  m.velocity = bounded(m.velocity, level);
+  m.drive.launches = false;
 }
 
 // Where the body can be during this tick.
 template <class F>
 OBBY_DEVICE BoxT<F> bodyReach(const MotionT<F>& m, const Params& p) {
   const float dt = p.tickSeconds;
-  // Speed now, and what gravity and drive can add in a tick. The spring adds more upward only where
-  // the floor is above the feet, and then no more than that.
-  const float side = mostDrive(p) * dt * dt + p.contactSkin;
+  // Sideways no faster than now or than wanted; up and down what gravity can add in a tick. The
+  // legs add more upward only where the floor is above the feet, and then no more than that.
+  const float more = p.gravity * dt * dt + p.contactSkin;
   const F lift = select(m.drive.hover, maxf(m.floorY - m.position.y, F(0.0f)), F(0.0f));
-  const Vec3T<F> move =
-      abs(m.velocity) * F(dt) + Vec3T<F>{side, p.gravity * dt * dt + p.contactSkin, side};
+  const Vec3T<F> fastest = max(abs(m.velocity), abs(m.drive.velocity));
+  const Vec3T<F> move = fastest * F(dt) + Vec3T<F>{more, more, more};
   BoxT<F> box = grow(bodyBox(m, p).bounds(), move);
   box.hi.y += lift;
   return box;
@@ -161,8 +176,24 @@ static_assert(kMaxCandidates <= 64, "one bit a candidate");
 // Rounds of push-out: corners between parts need the second.
 OBBY_DEVICE int contactRounds(int parts) { return parts > 1 ? 2 : 1; }
 
-// The parts near the body, in their order.
-OBBY_DEVICE void collide(Motion& m, const level::LevelView& level, const Candidates& near,
+// What rounds of push-out may leave of a contact between parts that the body does not fit between.
+constexpr float kTight = 0.02f;  // studs, beyond the skin
+
+OBBY_DEVICE bool isInside(const Motion& m, const level::LevelView& level, const Candidates& near,
+                          CandidateSet solids) {
+  const geom::UprightBox box = bodyBox(m, level.params);
+  const Box bounds = box.bounds();
+  for (CandidateSet left = solids; left != 0; left &= left - 1) {
+    const Candidate& c = near.items[lowestBit(left)];
+    if (!overlaps(bounds, c.bounds)) continue;
+    const geom::Contact contact = contactWith(level.colliders[c.collider], c, box);
+    if (contact.depth > level.params.contactSkin + kTight) return true;
+  }
+  return false;
+}
+
+// Moves the body out of the parts near it, in their order. False: it does not fit between them.
+OBBY_DEVICE bool collide(Motion& m, const level::LevelView& level, const Candidates& near,
                          CandidateSet solids) {
   const int rounds = contactRounds((solids & (solids - 1)) != 0 ? 2 : 1);
   for (int round = 0; round < rounds; ++round) {
@@ -178,8 +209,20 @@ OBBY_DEVICE void collide(Motion& m, const level::LevelView& level, const Candida
       box = bodyBox(m, level.params);
       bounds = box.bounds();
     }
-    if (!pushed) return;
+    if (!pushed) return true;
   }
+  return rounds == 1 || !isInside(m, level, near, solids);
+}
+
+// Moves for `dt` seconds among `solids`. A body that does not fit between them stays where it is
+// beside them, so that nothing is pressed into a part, through it or out of its far side.
+OBBY_DEVICE void moveAmong(Motion& m, const level::LevelView& level, const Candidates& near,
+                           CandidateSet solids, float dt) {
+  const Vec3 from = m.position;
+  m.position += m.velocity * dt;
+  if (solids == 0 || collide(m, level, near, solids)) return;
+  m.position.x = from.x;
+  m.position.z = from.z;
 }
 
 // How far the body may go in one substep near a solid part: less than half of it, so that it is
@@ -192,18 +235,17 @@ OBBY_DEVICE F safeTravel(const MotionT<F>& m, const Params& p) {
 // How far it goes at most, with what gravity and drive can add in a tick.
 template <class F>
 OBBY_DEVICE F substepTravel(const MotionT<F>& m, const Params& p) {
-  const F fastest = maxf(maxf(absf(m.velocity.x), absf(m.velocity.z)), absf(m.velocity.y));
-  const float more = maxf(mostDrive(p), p.gravity) * p.tickSeconds;
-  return (fastest + more) * p.substepSeconds;
+  const Vec3T<F> v = max(abs(m.velocity), abs(m.drive.velocity));
+  return (maxf(maxf(v.x, v.z), v.y) + p.gravity * p.tickSeconds) * p.substepSeconds;
 }
 
-// Substeps of a tick near solid parts: more than usual for the very fast.
+// Moves of a substep near solid parts: several for the very fast.
 constexpr int kMostSplits = 32;
-OBBY_DEVICE int contactSubsteps(const Motion& m, const Params& p) {
+OBBY_DEVICE int contactSplits(const Motion& m, const Params& p) {
   const float travel = substepTravel(m, p), most = safeTravel(m, p);
   int splits = 1;
   while (splits < kMostSplits && travel > most * float(splits)) ++splits;
-  return p.substeps * splits;
+  return splits;
 }
 
 // Solid parts that the body can meet during this tick.
@@ -226,11 +268,15 @@ OBBY_DEVICE void moveBody(Motion& m, const level::LevelView& level, const Candid
   const Params& p = level.params;
   const CandidateSet solids = solidsInReach(m, level, near);
   const bool oneStep = solids == 0 && isConstant(m, p);
-  const int steps = oneStep ? 1 : (solids ? contactSubsteps(m, p) : int(p.substeps));
-  const float dt = steps == p.substeps ? p.substepSeconds : p.tickSeconds / float(steps);
-  for (int s = 0; s < steps; ++s) {
-    integrate(m, level, dt);
-    if (solids) collide(m, level, near, solids);
+  if (oneStep) {
+    integrate(m, level, p.substepSeconds, p.substeps);
+    return;
+  }
+  const int splits = solids ? contactSplits(m, p) : 1;
+  const float part = p.substepSeconds / float(splits);
+  for (int s = 0; s < p.substeps; ++s) {
+    accelerate(m, level, p.substepSeconds);
+    for (int i = 0; i < splits; ++i) moveAmong(m, level, near, solids, part);
   }
 }
 

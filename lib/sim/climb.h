@@ -125,8 +125,9 @@ OBBY_DEVICE float climbSpeedOf(const Params& p) { return p.climbSpeed * p.walkSp
 OBBY_DEVICE void leaveTruss(Player& w, const Params& p, const Truss& truss) {
   w.state = int32_t(State::jumping);
   w.velocity = truss.velocity + Vec3{0, p.jumpSpeed, 0};
-  w.jumps = oneMore(w.jumps);
-  w.floorlessTicks = int32_t(p.coyoteTicks);  // one jump a take-off
+  w.launches = true;
+  w.jumps = countedOn(w.jumps, 1);
+  w.floorlessSteps = int32_t(p.coyoteSteps);  // one jump a take-off
 }
 
 // Past the truss the climb goes on as long as it leads onto a floor that is still above the feet;
@@ -186,10 +187,7 @@ OBBY_DEVICE void moveClimber(Motion& m, const Truss& truss, const ControlT<float
   const CandidateSet solids = solidsInReach(m, level, near);
   const int steps = solids ? p.substeps : 1;
   const float dt = solids ? p.substepSeconds : p.tickSeconds;
-  for (int s = 0; s < steps; ++s) {
-    m.position += m.velocity * dt;
-    if (solids) collide(m, level, near, solids);
-  }
+  for (int s = 0; s < steps; ++s) moveAmong(m, level, near, solids, dt);
 }
 
 }  // namespace obby::sim

@@ -18,7 +18,7 @@ struct FloorT {
   Vec3T<F> normal{0, 1, 0};          // average, not normalised
   Vec3T<F> velocity;                 // of the surface where the player stands, studs/s
   F turning = 0;                     // rad/s of a carrying floor about Y
-  F friction = 0;                    // of the nearest floor
+  F grip = 0;                        // pair friction with the nearest floor
   uint8_t loose = level::kNotLoose;  // body that the player stands on; one world only
 };
 
@@ -54,11 +54,10 @@ OBBY_DEVICE FloorRaysT<F> makeRays(const PlayerT<F>& w, const Params& p) {
   rays.back = {yaw.sin * z, 0, yaw.cos * z};
   const F hysteresis = select(w.sensed, F(p.floorKeep), F(p.floorAcquire));
   rays.reach = p.floorReachBase * p.rootHeight + hysteresis * p.hipHeight;
-  // A fast fall looks ahead by what the next tick will cover, so that no thin floor slips between
-  // two ticks.
+  // A fall that crosses the rays' length in one tick looks as far ahead, so that no thin floor
+  // slips between two ticks.
   const F fall = -w.velocity.y * p.tickSeconds;
-  const F seen = rays.reach - rayHeight(p);
-  rays.reach = select(fall > seen, rays.reach + (fall - seen), rays.reach);
+  rays.reach = select(fall > rays.reach, fall, rays.reach);
   rays.reach = select(w.velocity.y < -p.fastFall, rays.reach + (-w.velocity.y - p.fastFall) * 0.01f,
                       rays.reach);
   rays.nearest = -1;
@@ -253,7 +252,7 @@ OBBY_DEVICE Floor senseFloor(const World& w, const LooseBody* loose, const Playe
   if (rays.nearest < 0) return {};
   Floor floor = averageOf(rays, level.params);
   const Candidate& nearest = near.items[rays.nearest];
-  floor.friction = level.colliders[nearest.collider].friction;
+  floor.grip = level.colliders[nearest.collider].grip;
   floor.loose = level.colliders[nearest.collider].loose;
   surfaceMotion(w, loose, level, nearest, floor);
   return floor;

@@ -9,10 +9,11 @@ namespace obby::sim {
 // What the physics of this tick's substeps work toward.
 template <class F>
 struct DriveT {
-  Vec3T<F> velocity;        // wanted, horizontal, studs/s
-  F limit = 0;              // of horizontal acceleration, studs/s^2
-  Vec3T<F> slide;           // acceleration down a floor that is too steep
-  MaskOf<F> hover = false;  // the legs hold the body above the floor
+  Vec3T<F> velocity;           // wanted, horizontal, studs/s
+  F limit = 0;                 // of horizontal acceleration, studs/s^2
+  Vec3T<F> slide;              // acceleration down a floor that is too steep
+  MaskOf<F> hover = false;     // the legs hold the body above the floor
+  MaskOf<F> launches = false;  // a jump begins: its first step is free of gravity
 };
 
 using Drive = DriveT<float>;
@@ -23,28 +24,34 @@ OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& fl
   using Int = IntOf<F>;
   using Mask = MaskOf<F>;
   const auto to = [](State s) { return Int(int32_t(s)); };
-  w.floorlessTicks = select(floor.sensed, Int(0), oneMore(w.floorlessTicks));
+  w.floorlessSteps = select(floor.sensed, Int(0), countedOn(w.floorlessSteps, p.substeps));
   const Mask running = w.is(State::running), landed = w.is(State::landed);
   const Mask falling = w.is(State::freefall), jumping = w.is(State::jumping);
-  const Mask floorLost = w.floorlessTicks >= int32_t(p.graceTicks);
+  // Legs lift the body to the floor's height and throw it no higher.
+  const Mask thrown = (landed | running) & w.lifted & ((!floor.sensed) | (floor.gap > 0.0f));
+  const F risesWith = maxf(floor.velocity.y, F(0.0f));
+  w.velocity.y = select(thrown, minf(w.velocity.y, risesWith), w.velocity.y);
+  const Mask floorLost = w.floorlessSteps >= int32_t(p.graceSteps);
 
-  w.landedTicks = select(landed & (w.landedTicks > 0), w.landedTicks - 1, w.landedTicks);
+  const Int left = w.landedSteps - int32_t(p.substeps);
+  w.landedSteps = select(landed, select(left > 0, left, Int(0)), w.landedSteps);
   Int next = w.state;
-  next = select(landed & (w.landedTicks == 0), to(State::running), next);
+  next = select(landed & (w.landedSteps == 0), to(State::running), next);
   next = select((landed | running) & floorLost, to(State::freefall), next);
   // Never while rising: this is what prevents double jumps.
   const Mask lands = falling & floor.sensed & (w.velocity.y <= floor.velocity.y);
-  next = select(lands, to(p.landedTicks > 0 ? State::landed : State::running), next);
-  w.landedTicks =
-      select(lands, Int(p.landedTicks < 255 ? int32_t(p.landedTicks) : 255), w.landedTicks);
-  // Until the floor is out of reach, or a ceiling has stopped the rise.
-  next = select(jumping & ((w.velocity.y <= 0.0f) | !floor.sensed), to(State::freefall), next);
-  const Mask jumps = running & control.jump & (w.floorlessTicks < int32_t(p.coyoteTicks));
+  next = select(lands, to(p.landedSteps > 0 ? State::landed : State::running), next);
+  // The tick that lands counts.
+  const Int after = Int(int32_t(p.landedSteps) - int32_t(p.substeps));
+  w.landedSteps = select(lands, select(after > 0, after, Int(0)), w.landedSteps);
+  next = select(jumping, to(State::freefall), next);
+  const Mask jumps = running & control.jump & (w.floorlessSteps < int32_t(p.coyoteSteps));
   w.state = select(jumps, to(State::jumping), next);
+  w.launches = jumps;
   w.velocity.y = select(jumps, p.jumpSpeed + floor.velocity.y, w.velocity.y);
-  w.jumps = select(jumps, oneMore(w.jumps), w.jumps);
+  w.jumps = select(jumps, countedOn(w.jumps, 1), w.jumps);
   // One jump a take-off.
-  w.floorlessTicks = select(jumps, Int(int32_t(p.coyoteTicks)), w.floorlessTicks);
+  w.floorlessSteps = select(jumps, Int(int32_t(p.coyoteSteps)), w.floorlessSteps);
   w.sensed = floor.sensed;
 }
 
@@ -54,7 +61,9 @@ template <class F>
 OBBY_DEVICE void turn(PlayerT<F>& w, const Params& p, const FloorT<F>& floor,
                       const ControlT<F>& control) {
   const F error = toFloat(((control.heading - w.yaw) << 16) >> 16);
-  const F most = p.turnSpeed * p.tickSeconds * kTurnsPerRadian;
+  // Only in the air is there a limit.
+  const F most =
+      select(w.is(State::freefall), F(p.turnSpeed * p.tickSeconds * kTurnsPerRadian), F(65536.0f));
   const F step = clampf<F>(error * minf(p.turnGain * p.tickSeconds, 1.0f), -most, most);
   // The last quarter degree at once, so that the facing settles.
   const IntOf<F> toward =
@@ -72,17 +81,20 @@ OBBY_DEVICE DriveT<F> drive(const PlayerT<F>& w, const Params& p, const FloorT<F
   const Mask standing = (w.is(State::running) | w.is(State::landed)) & floor.sensed;
   const Mask jumping = w.is(State::jumping);
   const Mask steep = standing & (floor.normal.y < p.slopeNormalY);
+  // On a slope the speed along it is the walk speed.
+  const Vec3T<F> along = directionOf(sinCosOf<F>(control.heading));
+  const F rise = (along.x * floor.normal.x + along.z * floor.normal.z) / floor.normal.y;
+  const F level = select(standing, 1.0f / sqrtf32(1.0f + rise * rise), F(1.0f));
   DriveT<F> d;
   d.hover = standing;
-  d.velocity = select(control.walk, directionOf(sinCosOf<F>(control.heading)) * p.walkSpeed, none);
+  d.launches = w.launches;
+  d.velocity = select(control.walk, along * (p.walkSpeed * level), none);
   d.velocity += select(standing, Vec3T<F>{floor.velocity.x, 0, floor.velocity.z}, none);
   // Where it is too steep the player slides; while jumping, move input is ignored, unless the
   // engine is known to heed it.
   const Mask ignored = jumping & (F(p.jumpAccel) <= 0.0f);
   d.velocity = select(steep | ignored, own, d.velocity);
-  d.limit = select(standing, F(p.groundAccel), F(p.airAccel));
-  d.limit = select(standing & (floor.friction < p.iceFriction),
-                   d.limit * (floor.friction / p.iceFriction), d.limit);
+  d.limit = select(standing, p.traction * floor.grip, F(p.airAccel));
   d.limit = select(steep, F(0.0f), select(jumping, F(p.jumpAccel), d.limit));
   d.slide = select(
       steep, Vec3T<F>{floor.normal.x, 0, floor.normal.z} * (p.gravity * floor.normal.y), none);

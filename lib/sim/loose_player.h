@@ -101,7 +101,9 @@ OBBY_DEVICE void stepPlayer(LooseScene& scene, Motion& m, const Floor& floor,
     followFloor(scene, m, floor);
     loadFloor(scene, m, floor, level.params, dt);
   }
-  integrate(m, level, dt);
+  accelerate(m, level, dt);
+  const Vec3 from = m.position;
+  m.position += m.velocity * dt;
   if (onBody) m.floorY += m.floorSpeed * dt;
   for (CandidateSet left = solids.loose; left != 0; left &= left - 1) {
     const level::Collider& c = level.colliders[near.items[lowestBit(left)].collider];
@@ -109,7 +111,9 @@ OBBY_DEVICE void stepPlayer(LooseScene& scene, Motion& m, const Floor& floor,
     bump(m, b, c, poseOf(b, level.loose[c.loose]), level, dt);
   }
   // Parts come last: nothing presses the player into them.
-  if (solids.fixed) collide(m, level, near, solids.fixed);
+  if (solids.fixed == 0 || collide(m, level, near, solids.fixed)) return;
+  m.position.x = from.x;
+  m.position.z = from.z;
 }
 
 // Bodies that have been slow for long fall asleep together with all that they touch.
@@ -177,7 +181,7 @@ OBBY_APART void moveGroup(World& w, LooseBody* loose, const LooseGroup& group, M
       const CandidateSet bit = left & (0 - left);
       (near.items[lowestBit(left)].flags & level::kLoose ? solids.loose : solids.fixed) |= bit;
     }
-    if (all) splits = contactSubsteps(*player, p) / p.substeps;
+    if (all) splits = contactSplits(*player, p);
   }
   // Bodies first: what a falling one has gained in the substep, the player on it has as well.
   for (int s = 0; s < p.substeps; ++s) {

@@ -12,18 +12,20 @@ struct PlayerT {
   Vec3T<F> position, velocity;
   IntOf<F> yaw;  // [0, 65536)
   IntOf<F> state;
-  IntOf<F> floorlessTicks, landedTicks, jumps;
-  MaskOf<F> sensed;  // a floor was within reach in the last tick
+  IntOf<F> floorlessSteps, landedSteps, jumps;
+  MaskOf<F> sensed;            // a floor was within reach in the last tick
+  MaskOf<F> lifted;            // at its end the legs alone made the body rise
+  MaskOf<F> launches = false;  // a jump begins in this tick
 
   OBBY_DEVICE MaskOf<F> is(State s) const { return state == int32_t(s); }
 };
 
 using Player = PlayerT<float>;
 
-// One more of what a World counts in 16 bits. Stays at the most, so that no count ever falls.
+// Adds to a count that a World keeps in 16 bits. Saturates, so that no count ever falls.
 template <class Int>
-OBBY_DEVICE Int oneMore(Int n) {
-  return select(n < 0xffff, n + 1, n);
+OBBY_DEVICE Int countedOn(Int n, int32_t more) {
+  return select(n < 0xffff - more, n + more, Int(0xffff));
 }
 
 // What the player holds during the tick.
@@ -35,7 +37,8 @@ struct ControlT {
 
 OBBY_DEVICE Player playerOf(const World& w) {
   return {w.position,       w.velocity,    w.yaw,   int32_t(w.state),
-          w.floorlessTicks, w.landedTicks, w.jumps, (w.flags & kFloorSensed) != 0};
+          w.floorlessSteps, w.landedSteps, w.jumps, (w.flags & kFloorSensed) != 0,
+          (w.flags & kLegsLift) != 0};
 }
 
 OBBY_DEVICE void putPlayer(World& w, const Player& p) {
@@ -43,10 +46,11 @@ OBBY_DEVICE void putPlayer(World& w, const Player& p) {
   w.velocity = p.velocity;
   w.yaw = uint16_t(p.yaw);
   w.state = State(p.state);
-  w.floorlessTicks = uint16_t(p.floorlessTicks);
-  w.landedTicks = uint8_t(p.landedTicks);
+  w.floorlessSteps = uint16_t(p.floorlessSteps);
+  w.landedSteps = uint8_t(p.landedSteps);
   w.jumps = uint16_t(p.jumps);
-  w.flags = uint8_t((w.flags & ~kFloorSensed) | (p.sensed ? kFloorSensed : 0));
+  w.flags = uint8_t((w.flags & ~(kFloorSensed | kLegsLift)) | (p.sensed ? kFloorSensed : 0) |
+                    (p.lifted ? kLegsLift : 0));
 }
 
 OBBY_DEVICE ControlT<float> controlOf(Action a) { return {a.heading, a.walk, a.jump}; }

@@ -29,7 +29,7 @@ OBBY_DEVICE bool sitDown(World& w, const level::LevelView& level, uint32_t clock
   w.position = feetOnSeat(seat, level.params);
   w.velocity = {};
   w.yaw = headingOf(-seat.rotation.z.x, -seat.rotation.z.z);
-  w.floorlessTicks = 0;
+  w.floorlessSteps = 0;
   return true;
 }
 
@@ -56,8 +56,8 @@ OBBY_DEVICE void sit(World& w, const LooseBody* loose, const level::LevelView& l
   if (!jump) return;
   w.state = State::jumping;
   w.velocity.y += p.jumpSpeed;
-  w.jumps = uint16_t(oneMore(int32_t(w.jumps)));
-  w.floorlessTicks = p.coyoteTicks;  // one jump a take-off
+  w.jumps = uint16_t(countedOn(int32_t(w.jumps), 1));
+  w.floorlessSteps = p.coyoteSteps;  // one jump a take-off
 }
 
 }  // namespace obby::sim

@@ -25,7 +25,7 @@ World makeWorld(const level::LevelView& level, const level::StartPose& start) {
   w.tick = start.tick;
   w.part = level::kNone;
   w.yaw = turnsFromRadians(start.yaw);
-  w.floorlessTicks = 0xffff;
+  w.floorlessSteps = 0xffff;
   w.state = State::freefall;  // stands after a tick where there is a floor; no jump out of thin air
   if (level.looseCount != 0) w.flags |= kLooseAwake;
   return w;

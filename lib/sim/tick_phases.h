@@ -60,6 +60,7 @@ OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level,
   }
   player.position = motion.position;
   player.velocity = motion.velocity;
+  player.lifted = legsLift(motion.drive.hover, motion.velocity.y, motion.floorSpeed);
   putPlayer(w, player);
 }
 

@@ -50,7 +50,7 @@ OBBY_DEVICE void touchHeal(World& w, const level::LevelView& level, const level:
 // The player is in the air from now on, without a jump left.
 OBBY_DEVICE void leaveFloor(World& w) {
   w.state = State::freefall;
-  w.floorlessTicks = 0xffff;
+  w.floorlessSteps = 0xffff;
   w.flags &= uint8_t(~kFloorSensed);
 }
 

@@ -27,7 +27,7 @@ OBBY_DEVICE Drive slideDown(const Player& w, const Params& p, const Floor& floor
   const bool lies = floor.sensed && floor.gap <= p.touchMargin;
   d.velocity = lies ? floor.velocity : w.velocity;
   d.velocity.y = 0;
-  d.limit = lies ? (floor.friction + p.playerFriction) * 0.5f * p.gravity : 0.0f;
+  d.limit = lies ? floor.grip * p.gravity : 0.0f;
   return d;
 }
 

@@ -36,7 +36,22 @@ OBBY_LANES geom::ContactT<WideFloat> contactOf(const WideBlock& block, WideMask 
 
 }  // namespace internal
 
-OBBY_LANES void collide(WideMotion& m, const Params& p, const Obstacles& o) {
+OBBY_LANES WideMask isInside(const WideMotion& m, const Params& p, const Obstacles& o,
+                             WideMask asked) {
+  const geom::UprightBoxT<WideFloat> box = bodyBox(m, p);
+  const BoxT<WideFloat> bounds = box.bounds();
+  WideMask inside;
+  for (int k = 0; k < o.most; ++k) {
+    const WideMask near = asked & (o.count > k) & overlaps(bounds, o.bounds[k]);
+    if (!any(near)) continue;
+    const auto contact = internal::contactOf(o.block[k], o.upright[k], near, box);
+    inside |= near & (contact.depth > WideFloat(p.contactSkin + kTight));
+  }
+  return inside;
+}
+
+// Lanes whose body does not fit between its parts.
+OBBY_LANES WideMask collide(WideMotion& m, const Params& p, const Obstacles& o) {
   WideMask busy(true);
   for (int round = 0; round < contactRounds(o.most); ++round) {
     WideMask pushed;
@@ -53,8 +68,19 @@ OBBY_LANES void collide(WideMotion& m, const Params& p, const Obstacles& o) {
       bounds = box.bounds();
     }
     busy = pushed & (o.count > 1);
-    if (!any(busy)) return;
+    if (!any(busy)) return WideMask();
   }
+  return isInside(m, p, o, busy);
+}
+
+// moveAmong() of body.h.
+OBBY_LANES void moveAmong(WideMotion& m, const Params& p, const Obstacles& o, float dt) {
+  const Vec3T<WideFloat> from = m.position;
+  m.position += m.velocity * WideFloat(dt);
+  const WideMask stuck = collide(m, p, o);
+  if (!any(stuck)) return;
+  m.position.x = select(stuck, from.x, m.position.x);
+  m.position.z = select(stuck, from.z, m.position.z);
 }
 
 }  // namespace obby::sim

@@ -22,7 +22,7 @@ enum WorldWord {
   kTickWord = 7,
   kYawJumpsWord = 9,
   kFloorlessHurtWord = 10,
-  kStateWord = 11,  // landedTicks, waypoints, state, outcome
+  kStateWord = 11,  // landedSteps, waypoints, state, outcome
   kFlagsWord = 12
 };
 static_assert(std::endian::native == std::endian::little, "halves of words are read as such");
@@ -31,9 +31,9 @@ static_assert(offsetof(World, position) == 4 * kPositionWord &&
               offsetof(World, health) == 4 * kHealthWord &&
               offsetof(World, tick) == 4 * kTickWord && offsetof(World, yaw) == 4 * kYawJumpsWord &&
               offsetof(World, jumps) == 4 * kYawJumpsWord + 2 &&
-              offsetof(World, floorlessTicks) == 4 * kFloorlessHurtWord &&
+              offsetof(World, floorlessSteps) == 4 * kFloorlessHurtWord &&
               offsetof(World, hurtTicks) == 4 * kFloorlessHurtWord + 2 &&
-              offsetof(World, landedTicks) == 4 * kStateWord &&
+              offsetof(World, landedSteps) == 4 * kStateWord &&
               offsetof(World, state) == 4 * kStateWord + 2 &&
               offsetof(World, outcome) == 4 * kStateWord + 3 &&
               offsetof(World, flags) == 4 * kFlagsWord);
@@ -55,10 +55,11 @@ OBBY_LANES WidePlayer playerOf(const Rows& rows) {
   p.velocity = vectorAt(rows, kVelocityWord);
   p.yaw = yawJumps & 0xffff;
   p.jumps = (yawJumps >> 16) & 0xffff;
-  p.floorlessTicks = rows.word[kFloorlessHurtWord] & 0xffff;
-  p.landedTicks = state & 0xff;
+  p.floorlessSteps = rows.word[kFloorlessHurtWord] & 0xffff;
+  p.landedSteps = state & 0xff;
   p.state = (state >> 16) & 0xff;
   p.sensed = (rows.word[kFlagsWord] & kFloorSensed) != 0;
+  p.lifted = (rows.word[kFlagsWord] & kLegsLift) != 0;
   return p;
 }
 
@@ -67,11 +68,12 @@ OBBY_LANES void putPlayer(Rows& rows, const WidePlayer& p) {
   putVector(rows, kVelocityWord, p.velocity);
   rows.word[kYawJumpsWord] = p.yaw | (p.jumps << 16);
   rows.word[kFloorlessHurtWord] =
-      (rows.word[kFloorlessHurtWord] & int32_t(0xffff0000)) | p.floorlessTicks;
+      (rows.word[kFloorlessHurtWord] & int32_t(0xffff0000)) | p.floorlessSteps;
   rows.word[kStateWord] =
-      (rows.word[kStateWord] & int32_t(0xff00ff00)) | p.landedTicks | (p.state << 16);
-  rows.word[kFlagsWord] = (rows.word[kFlagsWord] & ~int32_t(kFloorSensed)) |
-                          select(p.sensed, WideInt(kFloorSensed), WideInt(0));
+      (rows.word[kStateWord] & int32_t(0xff00ff00)) | p.landedSteps | (p.state << 16);
+  rows.word[kFlagsWord] = (rows.word[kFlagsWord] & ~int32_t(kFloorSensed | kLegsLift)) |
+                          select(p.sensed, WideInt(kFloorSensed), WideInt(0)) |
+                          select(p.lifted, WideInt(kLegsLift), WideInt(0));
 }
 
 // The block of a collider's row.
@@ -88,15 +90,19 @@ class MotionTable {
   void put(int firstSlot, const WideMotion& m) {
     WideMotion copy = m;
     WideFloat hover = select(m.drive.hover, WideFloat(1.0f), WideFloat(0.0f));
+    WideFloat launches = select(m.drive.launches, WideFloat(1.0f), WideFloat(0.0f));
     int row = 0;
-    forFields(copy, hover, [&](WideFloat& field) { store(field, rows_[row++] + firstSlot); });
+    forFields(copy, hover, launches,
+              [&](WideFloat& field) { store(field, rows_[row++] + firstSlot); });
   }
   WideMotion take(const int32_t* slots) const {
     WideMotion m;
-    WideFloat hover;
+    WideFloat hover, launches;
     int row = 0;
-    forFields(m, hover, [&](WideFloat& field) { field = obby::gather(rows_[row++], slots); });
+    forFields(m, hover, launches,
+              [&](WideFloat& field) { field = obby::gather(rows_[row++], slots); });
     m.drive.hover = hover != WideFloat(0.0f);
+    m.drive.launches = launches != WideFloat(0.0f);
     return m;
   }
   void putMoved(const int32_t* slots, const WideMotion& m) {
@@ -109,17 +115,22 @@ class MotionTable {
   }
   Vec3T<WideFloat> position(int firstSlot) const { return vector(0, firstSlot); }
   Vec3T<WideFloat> velocity(int firstSlot) const { return vector(3, firstSlot); }
+  WideMask lifts(int firstSlot) const {
+    const auto at = [&](int row) { return load(rows_[row] + firstSlot); };
+    return legsLift(at(kHoverRow) != WideFloat(0.0f), at(4), at(kFloorSpeedRow));
+  }
 
  private:
-  static constexpr int kFields = 17;
+  static constexpr int kFields = 18, kHoverRow = 14, kFloorSpeedRow = 17;
 
   // Position and velocity are the first six.
   template <class Each>
-  static OBBY_LANES void forFields(WideMotion& m, WideFloat& hover, Each&& each) {
+  static OBBY_LANES void forFields(WideMotion& m, WideFloat& hover, WideFloat& launches,
+                                   Each&& each) {
     for (Vec3T<WideFloat>* v : {&m.position, &m.velocity}) each(v->x), each(v->y), each(v->z);
     each(m.yaw.sin), each(m.yaw.cos), each(m.bottom);
     each(m.drive.velocity.x), each(m.drive.velocity.z), each(m.drive.limit);
-    each(m.drive.slide.x), each(m.drive.slide.z), each(hover);
+    each(m.drive.slide.x), each(m.drive.slide.z), each(hover), each(launches);
     each(m.floorY), each(m.floorSpeed);
   }
   Vec3T<WideFloat> vector(int row, int slot) const {

@@ -43,7 +43,7 @@ class Ticker {
   void moveAll();
   void moveLoose();
   void singly(int index);
-  void glide(const int32_t* slots, int steps, float dt);
+  void glide(const int32_t* slots, bool atOnce);
   void bump(const int32_t* slots);
   Obstacles obstaclesOf(const int32_t* slots) const;
   void finish(int slot);
@@ -159,7 +159,7 @@ FloorT<F> Ticker::sense(const WidePlayer& player, const int32_t* index) {
 
 // Friction and motion of what the players stand on.
 void Ticker::addSurface(WideInt nearest, int most, const int32_t* index, FloorT<F>& floor) const {
-  floor.friction = level_.params.iceFriction;  // as good as any that does not slip
+  floor.grip = level_.params.plainGrip;
   WideMask special;
   for (int k = 0; k < most; ++k) {
     special |= (nearest == k) & ((tags_[k] & int32_t(level::kSurfaceTag)) != 0);
@@ -174,11 +174,11 @@ void Ticker::addSurface(WideInt nearest, int most, const int32_t* index, FloorT<
     Floor one;
     surfaceMotion(*worlds_[index[lane]], nullptr, level_,
                   {{}, &near_.poseOf(tag), id, level_.bounds[id].flags}, one);
-    const float found[5] = {level_.colliders[id].friction, one.velocity.x, one.velocity.y,
+    const float found[5] = {level_.colliders[id].grip, one.velocity.x, one.velocity.y,
                             one.velocity.z, one.turning};
     for (int v = 0; v < 5; ++v) values[v][lane] = found[v];
   }
-  floor.friction = select(special, load(values[0]), floor.friction);
+  floor.grip = select(special, load(values[0]), floor.grip);
   floor.velocity = {load(values[1]), load(values[2]), load(values[3])};
   floor.turning = load(values[4]);
 }
@@ -226,14 +226,13 @@ void Ticker::moveAll() {
     lists[list][counts[list]++] = slot;
   }
   counts_.contact += uint64_t(counts[kOneUpright] + counts[kOneTilted] + counts[kSolids]);
-  const Params& p = level_.params;
   for (int list = 0; list < kLists; ++list) {
     if (counts[list] == 0) continue;
     std::fill_n(lists[list] + counts[list], kLanes, lists[list][counts[list] - 1]);
     for (int i = 0; i < counts[list]; i += kLanes) {
       const int32_t* slots = lists[list] + i;
-      if (list == kOneStep) glide(slots, 1, p.tickSeconds);
-      if (list == kSubsteps) glide(slots, p.substeps, p.substepSeconds);
+      if (list == kOneStep) glide(slots, true);
+      if (list == kSubsteps) glide(slots, false);
       if (list > kSubsteps) bump(slots);
     }
   }
@@ -265,9 +264,17 @@ void Ticker::singly(int index) {
   tick(w, loose, level_, actions_[index], apart);
 }
 
-void Ticker::glide(const int32_t* slots, int steps, float dt) {
+void Ticker::glide(const int32_t* slots, bool atOnce) {
   WideMotion m = motions_.take(slots);
-  for (int s = 0; s < steps; ++s) integrate<F>(m, level_, dt);
+  const Params& p = level_.params;
+  if (atOnce) {
+    integrate<F>(m, level_, p.substepSeconds, p.substeps);
+  } else {
+    for (int s = 0; s < p.substeps; ++s) {
+      accelerate<F>(m, level_, p.substepSeconds);
+      m.position += m.velocity * F(p.substepSeconds);
+    }
+  }
   motions_.putMoved(slots, m);
 }
 
@@ -296,8 +303,8 @@ void Ticker::bump(const int32_t* slots) {
   const Obstacles obstacles = obstaclesOf(slots);
   WideMotion m = motions_.take(slots);
   for (int s = 0; s < level_.params.substeps; ++s) {
-    integrate<F>(m, level_, level_.params.substepSeconds);
-    collide(m, level_.params, obstacles);
+    accelerate<F>(m, level_, level_.params.substepSeconds);
+    moveAmong(m, level_.params, obstacles, level_.params.substepSeconds);
   }
   motions_.putMoved(slots, m);
 }
@@ -317,6 +324,7 @@ void Ticker::finish(int slot) {
   WidePlayer player = players_[slot / kLanes];
   player.position = motions_.position(slot);
   player.velocity = motions_.velocity(slot);
+  player.lifted = motions_.lifts(slot);
   putPlayer(rows, player);
   endTickInLanes(rows, load(touching) != WideInt(0));
   storeRows(rows, reinterpret_cast<void* const*>(targets));

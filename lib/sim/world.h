@@ -44,6 +44,7 @@ enum Flag : uint8_t {
   kLooseAwake = 16,   // a loose body is awake
   kContactOverrun = 32,  // more contacts of loose bodies than a tick can hold: raise
                          // kMaxLooseContacts
+  kLegsLift = 64,        // the legs alone make the body rise
 };
 
 constexpr uint8_t kOverruns = kCandidateOverrun | kClockOverrun | kContactOverrun;
@@ -57,22 +58,22 @@ struct RunningClock {
 };
 
 // X(type, name)
-#define OBBY_WORLD_FIELDS(X)                                                  \
-  X(Vec3, position) /* of the feet, studs */                                  \
-  X(Vec3, velocity) /* studs/s */                                             \
-  X(float, health)                                                            \
-  X(uint32_t, tick)           /* level clock */                               \
-  X(uint32_t, part)           /* that killed the player; of avoided: the */   \
-                              /* query's avoid; or level::kNone */            \
-  X(uint16_t, yaw)            /* facing, turns / 65536 */                     \
-  X(uint16_t, jumps)          /* made so far, saturating */                   \
-  X(uint16_t, floorlessTicks) /* since a floor was last sensed, saturating */ \
-  X(uint16_t, hurtTicks)      /* until damage parts can hurt again */         \
-  X(uint8_t, landedTicks)     /* left of the Landed state */                  \
-  X(uint8_t, waypoints)       /* of the query, reached so far */              \
-  X(State, state)                                                             \
-  X(Outcome, outcome)                                                         \
-  X(uint8_t, flags)                                                           \
+#define OBBY_WORLD_FIELDS(X)                                                                \
+  X(Vec3, position) /* of the feet, studs */                                                \
+  X(Vec3, velocity) /* studs/s */                                                           \
+  X(float, health)                                                                          \
+  X(uint32_t, tick)           /* level clock */                                             \
+  X(uint32_t, part)           /* that killed the player; of avoided: the */                 \
+                              /* query's avoid; or level::kNone */                          \
+  X(uint16_t, yaw)            /* facing, turns / 65536 */                                   \
+  X(uint16_t, jumps)          /* made so far, saturating */                                 \
+  X(uint16_t, floorlessSteps) /* physics steps since a floor was last sensed, saturating */ \
+  X(uint16_t, hurtTicks)      /* until damage parts can hurt again */                       \
+  X(uint8_t, landedSteps)     /* physics steps left of the Landed state */                  \
+  X(uint8_t, waypoints)       /* of the query, reached so far */                            \
+  X(State, state)                                                                           \
+  X(Outcome, outcome)                                                                       \
+  X(uint8_t, flags)                                                                         \
   X(uint8_t, clockCount)
 
 // How far a playthrough has come in a query, and what it has cost. Part of the hash where any of it

@@ -147,7 +147,7 @@ OBBY_DEVICE void restart(const PlaceView& place, uint32_t player, const RestartS
 // Keeps a state in which the player stands, now and then; bodies are not kept, so levels with such
 // begin at the start.
 OBBY_DEVICE void remember(const PlaceView& place, const Player& p, Random& random) {
-  if (p.world.floorlessTicks != 0 || place.on->level.looseCount != 0) return;
+  if (p.world.floorlessSteps != 0 || place.on->level.looseCount != 0) return;
   if (random.below(kRememberEvery) != 0) return;
   uint32_t& reached = place.counts->reached;
   place.reached[reached < kMostReached ? reached++ : random.below(kMostReached)] = {p.world,

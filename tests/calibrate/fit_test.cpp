@@ -13,8 +13,8 @@
 namespace obby::calibrate {
 namespace {
 
-const std::vector<std::string> kFitted = {"walkSpeed", "groundAccel", "airAccel",    "gravity",
-                                          "jumpSpeed", "hipHeight",   "iceFriction", "climbSpeed"};
+const std::vector<std::string> kFitted = {"walkSpeed", "traction",  "airAccel",       "gravity",
+                                          "jumpSpeed", "hipHeight", "playerFriction", "climbSpeed"};
 
 // Of the manoeuvres those that show all of these.
 std::vector<Manoeuvre> enough() {
@@ -79,7 +79,7 @@ TEST(Fit, SaysWhatNoRecordingShows) {
   setValue(truth.root().initParams(), "walkSpeed", 18);
   std::vector<Take> takes = takesUnder(truth.reader().getParams());
   takes.erase(takes.begin() + 2, takes.end());  // nobody climbs, nobody is on ice
-  const Fit found = fitted(takes, {"walkSpeed", "climbSpeed", "iceFriction"});
+  const Fit found = fitted(takes, {"walkSpeed", "climbSpeed", "playerFriction"});
   for (const Fitted& f : found.parameters) {
     EXPECT_EQ(f.known, f.parameter.name == "walkSpeed") << f.parameter.name;
     if (!f.known) {
@@ -131,7 +131,7 @@ TEST(Fit, CopesWithABadRecorder) {
       .noise = 0.01f, .dropped = 0.1f, .jitter = 0.004, .late = 2, .directions = 16};
   for (Take& take : takes) take.track = test::spoiled(take.track, faults, take.track.frames.size());
   const Fit found =
-      fitted(takes, {"walkSpeed", "groundAccel", "airAccel", "gravity", "jumpSpeed", "hipHeight"});
+      fitted(takes, {"walkSpeed", "traction", "airAccel", "gravity", "jumpSpeed", "hipHeight"});
   EXPECT_NEAR(found.delay, 2 / 60.0, 0.75 / 60);
   for (const Fitted& f : found.parameters) {
     const double value = valueOf(truth.reader().getParams(), f.parameter.name);

@@ -73,7 +73,7 @@ TEST(OtherEngine, IsPredictedOnceFittedTo) {
   for (const Manoeuvre& m : shown) others.push_back(test::varied(m, 10 + others.size()));
   const std::vector<Take> takes = played(game, shown), heldOut = played(game, others);
   const auto parameters =
-      *parametersNamed({"walkSpeed", "groundAccel", "airAccel", "gravity", "jumpSpeed", "hipHeight",
+      *parametersNamed({"walkSpeed", "traction", "airAccel", "gravity", "jumpSpeed", "hipHeight",
                         "hoverStiffness", "hoverDamping"},
                        defaults());
   FitSettings settings;

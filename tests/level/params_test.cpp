@@ -121,21 +121,21 @@ TEST(Params, HeightsOfABodyMustBeInOrder) {
   }
 }
 
-TEST(Params, DerivedTimesAreWholeTicks) {
+TEST(Params, DerivedTimesAreWholePhysicsSteps) {
   const auto p = compileWith("controlRate", 100);
   ASSERT_TRUE(bool(p));
   EXPECT_FLOAT_EQ(p->tickSeconds, 0.01f);
   EXPECT_FLOAT_EQ(p->substepSeconds, 0.0025f);
-  EXPECT_EQ(p->landedTicks, 5);
-  EXPECT_EQ(p->coyoteTicks, 13);
-  EXPECT_EQ(p->graceTicks, 13);
+  EXPECT_EQ(p->landedSteps, 20);
+  EXPECT_EQ(p->coyoteSteps, 52);
+  EXPECT_EQ(p->graceSteps, 50);
   EXPECT_NEAR(p->slopeNormalY, std::cos(1.5533431), 1e-6);
 }
 
 TEST(Params, WhatIsCountedUpToATimeTakesATickAtLeast) {
-  EXPECT_EQ(compileWith("landedTime", 0)->landedTicks, 0);
-  EXPECT_EQ(compileWith("coyoteTime", 0)->coyoteTicks, 1);
-  EXPECT_EQ(compileWith("offFloorGrace", 0)->graceTicks, 1);
+  EXPECT_EQ(compileWith("landedTime", 0)->landedSteps, 0);
+  EXPECT_EQ(compileWith("coyoteTime", 0)->coyoteSteps, 1);
+  EXPECT_EQ(compileWith("offFloorGrace", 0)->graceSteps, 1);
   EXPECT_EQ(compileWith("squeezeTime", 0)->squeezeTicks, 1);
   EXPECT_EQ(compileWith("sleepTime", 0)->sleepTicks, 1);
 }

@@ -181,7 +181,7 @@ TEST(Decisions, AreTheSameInOneLaneAndInMany) {
     look.world.velocity = {random.unit(), random.unit(), random.unit()};
     look.world.yaw = Turns(random.next());
     look.world.state = n % 3 == 0 ? sim::State::freefall : sim::State::running;
-    look.world.floorlessTicks = 0;
+    look.world.floorlessSteps = 0;
     for (const bool draws : {false, true}) {
       Random one = random, many = random;
       const sim::Action narrow =

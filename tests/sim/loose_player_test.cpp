@@ -32,9 +32,10 @@ float pushed(float mass, float pushForce) {
   return from - play.loose[0].position.z;
 }
 
-// Friction holds up to 0.5 x 196.2 for each unit of mass; the drive gives 12.6 x 225.
+// Friction holds up to 0.5 x 196.2 for each unit of mass; the drive gives 12.6 x 2060 x pair
+// friction.
 TEST(LoosePlayer, PushesWhatFrictionDoesNotHold) {
-  const float most = 12.6f * 225 / (0.5f * 196.2f);
+  const float most = 12.6f * 2060 * 0.4f / (0.5f * 196.2f);
   EXPECT_GT(pushed(0.5f * most, 1e5f), 5);
   EXPECT_GT(pushed(0.85f * most, 1e5f), 1);
   EXPECT_LT(pushed(1.2f * most, 1e5f), 0.1f);

@@ -241,7 +241,7 @@ void expectToTurnAlong(const level::Level& level, float radius, float speed, flo
   for (int i = 0; i < ticks; ++i) {
     play.run(stand());
     const Vec3 v = play.world.velocity, at = play.world.position;
-    ASSERT_EQ(play.world.floorlessTicks, 0) << "tick " << i;
+    ASSERT_EQ(play.world.floorlessSteps, 0) << "tick " << i;
     if (i < 10) continue;  // lands
     ASSERT_GT(length(Vec3{v.x, 0, v.z}), 0.97f * speed * length(Vec3{at.x, 0, at.z})) << i;
   }

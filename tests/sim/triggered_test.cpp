@@ -29,7 +29,7 @@ TEST(Fall, WaitsFallsWithThePlayerAndComesBack) {
   EXPECT_NEAR(play.world.position.y, 0, 0.1f) << "still waiting";
   play.run(stand(), 50);
   EXPECT_LT(play.world.position.y, -4);
-  EXPECT_EQ(play.world.floorlessTicks, 0) << "rides it down";
+  EXPECT_EQ(play.world.floorlessSteps, 0) << "rides it down";
   EXPECT_NEAR(play.world.velocity.y, -10, 1);
   const auto& mover = level.view().movers[0];
   EXPECT_LT(sim::poseOf(mover, play.world, 0).position.y, -5);

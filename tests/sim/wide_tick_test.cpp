@@ -196,7 +196,7 @@ TEST(WideTick, CountsNoMoreJumpsThanFit) {
       LevelBuilder().block({0, -1, 0}, {20, 2, 20}).spawn({0, 0, 0}).compile();
   World w = makeWorld(level.view(), level.spawns()[0]);
   w.state = State::running;
-  w.floorlessTicks = 0;
+  w.floorlessSteps = 0;
   for (const uint16_t before : {uint16_t(0xfffe), uint16_t(0xffff)}) {
     w.jumps = before;
     EXPECT_EQ(expectAlike(level, w, 0, {0, false, true}).jumps, 0xffff) << before;

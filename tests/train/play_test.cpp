@@ -120,12 +120,12 @@ TEST(Play, BeginsWhereOthersStood) {
   Place place;
   for (Player& p : place.players) {
     p.world.position.z = -5;
-    p.world.floorlessTicks = 1;
+    p.world.floorlessSteps = 1;
   }
   for (uint64_t d = 0; d < 100; ++d) place.settleAt(d);
   EXPECT_EQ(place.counts.reached, 0u) << "in the air";
   for (Player& p : place.players) {
-    p.world.floorlessTicks = 0;
+    p.world.floorlessSteps = 0;
     p.least = 7;
   }
   place.settleAt(100);
@@ -180,9 +180,9 @@ TEST(Play, WhoBeginsElsewhereHasLeftWhatWasLeftThere) {
   Place place;
   place.view.guide = guide.view();
   beginLevel(place.here());
-  for (Player& p : place.players) p.world.floorlessTicks = 1;
+  for (Player& p : place.players) p.world.floorlessSteps = 1;
   Player &there = place.players[0], &other = place.players[1];
-  there.world.floorlessTicks = 0;
+  there.world.floorlessSteps = 0;
   there.world.position = {-10, 0, 0};
   const RewardSettings worth;
   judge(place.view, worth, there);

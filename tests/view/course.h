@@ -34,7 +34,7 @@ constexpr uint16_t kAhead = 0, kLeft = 16384, kRight = 49152;
 
 inline std::string headed(const std::vector<std::string>& lines) {
   std::string text =
-      R"({"type":"header","schemaMajor":1,"tool":"test","version":"0","floatPolicy":"ieee754-nofma"})"
+      R"({"type":"header","schemaMajor":2,"tool":"test","version":"0","floatPolicy":"ieee754-nofma"})"
       "\n";
   for (const std::string& line : lines) text += line + "\n";
   return text + R"({"type":"end","records":")" + std::to_string(lines.size() + 1) + "\"}\n";

@@ -22,10 +22,10 @@ inline float floorReach(const Params& p) {
   const float kept = std::max(feltAtRest(p), 0.0f);
   // Who falls fast feels a floor from far above it. Being Landed lasts until they are down; without
   // it they may jump up there, as who is Running still, for so long after the last floor.
-  const float graced = p.gravity * float(p.graceTicks) * p.tickSeconds;
-  const float fall = p.landedTicks >= 2 ? std::min(graced, p.maxFallSpeed) : p.maxFallSpeed;
+  const float graced = p.gravity * (float(p.graceSteps) * p.substepSeconds + p.tickSeconds);
+  const float fall = landedTicksOf(p) >= 2 ? std::min(graced, p.maxFallSpeed) : p.maxFallSpeed;
   const float felt = std::max(fall - p.fastFall, 0.0f) * 0.01f + fall * p.tickSeconds;
-  return p.landedTicks >= 2 ? std::max(kept, felt) : kept + felt;
+  return landedTicksOf(p) >= 2 ? std::max(kept, felt) : kept + felt;
 }
 
 // How far above a floor a jump can begin, or a fall anew.
@@ -87,7 +87,7 @@ inline bool legsBounce(const Params& p) {
 
 // Studs/s by which keys make somebody faster than they aim at, where substeps are long.
 inline float keyOvershoot(const Params& p) {
-  return std::max(sim::mostDrive(p) * (p.substepSeconds - 1 / p.moveGain), 0.0f);
+  return std::max(100 * p.traction * (p.substepSeconds - 1 / p.moveGain), 0.0f);
 }
 
 // Sideways from the player's axis to the farthest corner of the body, and to the farthest ray.

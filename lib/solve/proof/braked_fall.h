@@ -8,8 +8,10 @@
 
 namespace obby::solve {
 
-// Ticks of being Landed, which a World counts in a byte.
-inline int landedTicksOf(const Params& p) { return std::min(int(p.landedTicks), 255); }
+// Ticks of being Landed.
+inline int landedTicksOf(const Params& p) {
+  return (int(p.landedSteps) + int(p.substeps) - 1) / int(p.substeps);
+}
 
 class BrakedFall {
  public:

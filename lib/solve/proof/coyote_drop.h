@@ -54,7 +54,7 @@ class CoyoteDrop {
       gap += speed * dt + a * (0.5f * dt * dt);
       speed += a * dt;
     }
-    const float later = float(std::max(int(p_.coyoteTicks) - 2, 0)) * p_.tickSeconds;
+    const float later = std::max(float(p_.coyoteSteps) * p_.substepSeconds - p_.tickSeconds, 0.0f);
     return std::max(-gap, 0.5f * p_.gravity * later * later - gap - speed * later);
   }
 

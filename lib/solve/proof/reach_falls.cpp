@@ -137,11 +137,11 @@ bool ReachBound::outruns(const Glance& g, float more) const {
   // Landed at an edge they are in the air again at once.
   const float edge = jumpsAhead(gained, landed);
   if (edge > kFeetSpare && edge + usual * landed > most) return true;
-  const float least = std::max(gained - p_.groundAccel * landed, 0.0f);
+  const float least = std::max(gained - (p_.traction * p_.plainGrip) * landed, 0.0f);
   for (int k = 0; k < kRuns; ++k) {
     const float faster = least * (1 - float(k) / kRuns), ahead = jumpsAhead(faster, 0);
     if (ahead <= kFeetSpare) return false;
-    const float run = (gained - faster) / p_.groundAccel;  // seconds
+    const float run = (gained - faster) / (p_.traction * p_.plainGrip);  // seconds
     if (ahead + run * (usual + 0.5f * (gained + faster)) > most) return true;
   }
   return false;

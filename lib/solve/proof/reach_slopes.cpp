@@ -62,7 +62,7 @@ bool ReachBound::isSteepOnly(const Support& s) const {
 
 // Is it a floor on which keys hardly slow down?
 bool ReachBound::isIce(const Support& s) const {
-  return s.carries && problem_.level.colliders[s.collider].friction < p_.iceFriction;
+  return s.carries && problem_.level.colliders[s.collider].grip < p_.plainGrip;
 }
 
 // Clamped along each axis.
@@ -117,7 +117,7 @@ bool ReachBound::glancesOver(bool ice) const {
 float ReachBound::rampSpeed(const Support& s) const {
   constexpr float kSpare = 1.05f;
   if (!s.tilted && !(s.keepsSpeed && slopes_)) return 0;
-  return flight_.sideways() * std::max(1.0f, kSpare * p_.groundAccel / p_.gravity);
+  return flight_.sideways() * std::max(1.0f, kSpare * p_.traction * p_.plainGrip / p_.gravity);
 }
 
 }  // namespace obby::solve

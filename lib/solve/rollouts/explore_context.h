@@ -56,7 +56,7 @@ OBBY_DEVICE JumpReach reachIn(const ExploreContext& c, const sim::World& w) {
 
 // Below everything there is: nothing more can come of this playthrough than that the player fell.
 OBBY_DEVICE bool doomed(const ExploreContext& c, const sim::World& w) {
-  return w.position.y < c.doomHeight && w.floorlessTicks > c.level.params.coyoteTicks;
+  return w.position.y < c.doomHeight && w.floorlessSteps > c.level.params.coyoteSteps;
 }
 
 // Does a rollout that stopped here end as a fall?
@@ -74,7 +74,7 @@ OBBY_DEVICE bool grounded(const sim::World& w) {
   const uint32_t holds = in(State::climbing) | in(State::seated);
   const uint32_t off =
       in(State::jumping) | in(State::freefall) | in(State::dead) | in(State::fallingDown);
-  return (holds | (uint32_t(w.floorlessTicks == 0) & (off ^ 1u))) != 0;
+  return (holds | (uint32_t(w.floorlessSteps == 0) & (off ^ 1u))) != 0;
 }
 
 }  // namespace obby::solve

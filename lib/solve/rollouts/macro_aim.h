@@ -99,7 +99,7 @@ OBBY_DEVICE bool planAimMacro(const ExploreContext& c, const sim::World& w, AimM
 
 // Is it time to jump? No branches: what this asks is as good as random.
 OBBY_DEVICE bool jumpsNow(const sim::World& w, AimMacro& m) {
-  const bool edge = m.jumpAtEdge & (w.state == sim::State::running) & (w.floorlessTicks > 0);
+  const bool edge = m.jumpAtEdge & (w.state == sim::State::running) & (w.floorlessSteps > 0);
   const bool early = grounded(w) & (m.distance <= m.jumpDistance);
   m.jumped |= w.state == sim::State::jumping;
   return (edge | early) & !bool(m.jumped);

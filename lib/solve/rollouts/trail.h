@@ -30,12 +30,12 @@ OBBY_DEVICE Approach approachOf(const level::QueryView& query, const sim::World&
 // Which states are worth keeping.
 struct KeepRule {
   bool groundedOnly;   // those that stand, or have been in the air for long
-  uint32_t airTicks;   // that long
+  uint32_t airSteps;   // that many physics steps
   uint32_t lookEvery;  // ticks: states between are passed over
 };
 
 OBBY_DEVICE bool keeps(const KeepRule& rule, const sim::World& w) {
-  return !rule.groundedOnly || grounded(w) || w.floorlessTicks >= rule.airTicks;
+  return !rule.groundedOnly || grounded(w) || w.floorlessSteps >= rule.airSteps;
 }
 
 // The cells that a rollout was in and was kept in last.
