@@ -247,7 +247,7 @@ Result<Fit> fit(std::span<const Take> takes, std::vector<Parameter> parameters,
                 schema::PhysicsParams::Reader now, const FitSettings& settings, ThreadPool& pool,
                 const std::atomic<bool>& stop,
                 const std::function<void(const FitProgress&)>& progress) {
-  const std::vector<Take> timed = withVelocitiesOfNow(takes);
+  const std::vector<Take> timed = withVelocitiesOfNow(takes, now);
   Account account(progress);
   const Work work(pool, stop, account);
   return Fitter(timed, std::move(parameters), now, settings, account, work).run();

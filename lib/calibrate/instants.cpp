@@ -30,7 +30,8 @@ double slopeAt(const std::vector<Frame>& f, size_t i, int axis) {
          (f[i + 1].time - f[i].time);
 }
 
-void addStrides(const std::vector<Frame>& f, int axis, std::vector<Stride>& to) {
+// `own`: the age that a simulator's velocities have.
+void addStrides(const std::vector<Frame>& f, int axis, double own, std::vector<Stride>& to) {
   for (size_t i = 1; i + 2 < f.size(); ++i) {
     const double slope = slopeAt(f, i, axis), slack = kSteady * std::fabs(slope);
     if (std::fabs(slopeAt(f, i - 1, axis) - slope) > slack ||
@@ -40,7 +41,7 @@ void addStrides(const std::vector<Frame>& f, int axis, std::vector<Stride>& to) 
     if (std::fabs(change) < kLeastChange) continue;
     const double sum = along(f[i].velocity + f[i + 1].velocity, axis);
     const double way = along(f[i + 1].position - f[i].position, axis);
-    to.push_back({way - 0.5 * sum * seconds, change});
+    to.push_back({way - 0.5 * sum * seconds - own * change, change});
   }
 }
 
@@ -81,10 +82,11 @@ Vec3 accelerationAt(const std::vector<Frame>& f, size_t i) {
 
 }  // namespace
 
-double velocityAgeOf(std::span<const Take> takes) {
+double velocityAgeOf(std::span<const Take> takes, schema::PhysicsParams::Reader now) {
+  const double own = 0.5 / (double(now.getControlRate()) * now.getSubsteps());
   std::vector<Stride> strides;
   for (const Take& take : takes) {
-    for (const int axis : {0, 1, 2}) addStrides(take.track.frames, axis, strides);
+    for (const int axis : {0, 1, 2}) addStrides(take.track.frames, axis, own, strides);
   }
   if (strides.empty()) return 0;
   const double age = balanceOf(strides);
@@ -92,8 +94,9 @@ double velocityAgeOf(std::span<const Take> takes) {
   return std::fabs(age) < least ? 0 : std::clamp(age, -kLongestDelay, kLongestDelay);
 }
 
-std::vector<Take> withVelocitiesOfNow(std::span<const Take> takes) {
-  const float age = float(velocityAgeOf(takes));
+std::vector<Take> withVelocitiesOfNow(std::span<const Take> takes,
+                                      schema::PhysicsParams::Reader now) {
+  const float age = float(velocityAgeOf(takes, now));
   std::vector<Take> out(takes.begin(), takes.end());
   if (age == 0) return out;
   for (size_t i = 0; i < out.size(); ++i) {

@@ -1,7 +1,7 @@
-// Recorders write a frame's position and velocity of one instant, but an engine need not mean that:
-// one that steps by the velocity at a step's end shows one that is half a step older than the path
-// (a fall seems 0.4 studs/s slower than it is, at 240 steps a second). A simulator begun with it
-// goes astray, and gravity and jumps bend to make up for it.
+// How old the velocities of recordings are. A recorder writes a frame's position and velocity, and
+// need not mean the same instant by both. A simulator begun with an older velocity goes astray, and
+// gravity and jumps bend to make up for it. An age of half a physics step is none: a semi-implicit
+// step, the engine's and the simulator's, moves by the velocity at its end.
 #pragma once
 
 #include <span>
@@ -11,12 +11,13 @@
 
 namespace obby::calibrate {
 
-// Seconds by which velocities are older than the positions that they are written with; negative:
-// younger. From frames between which the acceleration stays what it is, such as a fall's. 0 where
-// the recordings tell no other.
-double velocityAgeOf(std::span<const Take> takes);
+// Seconds by which velocities are older than a simulator's of `now` at the same positions;
+// negative: younger. From frames between which the acceleration stays what it is, such as a fall's.
+// 0 where the recordings tell no other.
+double velocityAgeOf(std::span<const Take> takes, schema::PhysicsParams::Reader now);
 
-// The same recordings with the velocities that the player had at the instants of the positions.
-std::vector<Take> withVelocitiesOfNow(std::span<const Take> takes);
+// The same recordings with the velocities that such a simulator has at these positions.
+std::vector<Take> withVelocitiesOfNow(std::span<const Take> takes,
+                                      schema::PhysicsParams::Reader now);
 
 }  // namespace obby::calibrate

@@ -103,15 +103,17 @@ sim::World worldAt(const Track& track, uint32_t index, const level::LevelView& l
   };
   uint32_t since = index;
   while (since > 0 && !grounded(track.frames[since].state)) --since;
-  if (grounded(track.frames[since].state))
-    w.floorlessSteps =
-        uint16_t(std::min(wholeTicks(f.time - track.frames[since].time, p), 0xffffu));
+  if (grounded(track.frames[since].state)) {
+    const uint64_t ticks = wholeTicks(f.time - track.frames[since].time, p);
+    w.floorlessSteps = uint16_t(std::min<uint64_t>(ticks * p.substeps, 0xffff));
+  }
   if (w.floorlessSteps == 0) w.flags |= sim::kFloorSensed;
   if (f.state != sim::State::landed) return w;
   uint32_t landed = index;
   while (landed > 0 && track.frames[landed - 1].state == sim::State::landed) --landed;
-  const uint32_t gone = wholeTicks(f.time - track.frames[landed].time, p);
-  w.landedSteps = uint8_t(std::clamp(int(p.landedSteps) - int(gone), 1, 255));
+  // The tick that lands counts.
+  const int64_t ticks = 1 + int64_t(wholeTicks(f.time - track.frames[landed].time, p));
+  w.landedSteps = uint8_t(std::max<int64_t>(p.landedSteps - ticks * p.substeps, 0));
   return w;
 }
 

@@ -85,7 +85,7 @@ void addUntold(std::span<const Take> takes, const Fit& fit, schema::PhysicsParam
 
 Result<Shortfall> shortfallOf(std::span<const Take> recorded, const Fit& fit,
                               schema::PhysicsParams::Reader params, double tolerance) {
-  const std::vector<Take> takes = withVelocitiesOfNow(recorded);
+  const std::vector<Take> takes = withVelocitiesOfNow(recorded, params);
   Shortfall out{noiseOf(takes), endsOf(fit), {}, fit.stopped};
   if (out.stopped) return out;
   for (size_t i = 0; i < takes.size(); ++i) {

@@ -50,7 +50,8 @@ OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::Ne
   out[i++] = dot(w.velocity, frame.right) * 0.0625f;
   out[i++] = clampf(w.velocity.y * 0.02f, -3.0f, 3.0f);
   out[i++] = w.floorlessSteps == 0 ? 1.0f : 0.0f;
-  out[i++] = minf(float(w.floorlessSteps) * (tick / float(s.level.params.substeps)), 30.0f) * 0.0333f;
+  out[i++] =
+      minf(float(w.floorlessSteps) * (tick / float(s.level.params.substeps)), 30.0f) * 0.0333f;
   out[i++] = in(sim::State::running) + in(sim::State::landed);
   out[i++] = in(sim::State::landed);
   out[i++] = in(sim::State::jumping);

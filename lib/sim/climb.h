@@ -126,6 +126,7 @@ OBBY_DEVICE void leaveTruss(Player& w, const Params& p, const Truss& truss) {
   w.state = int32_t(State::jumping);
   w.velocity = truss.velocity + Vec3{0, p.jumpSpeed, 0};
   w.launches = true;
+  w.leftTruss = true;
   w.jumps = countedOn(w.jumps, 1);
   w.floorlessSteps = int32_t(p.coyoteSteps);  // one jump a take-off
 }
@@ -157,9 +158,8 @@ OBBY_DEVICE Truss updateClimbing(const World& w, const LooseBody* loose, Player&
   }
   const float will = climbWill(p, truss, control);
   if (!climbs) {
-    // Not while rising faster than a climb: else a jump could never leave the truss.
-    const bool slow = player.velocity.y - truss.velocity.y <= climbSpeedOf(p);
-    if (truss.sensed && will > 0 && slow) player.state = int32_t(State::climbing);
+    // Also while rising, but for one who has just jumped off a truss: a flick.
+    if (truss.sensed && will > 0 && !player.leftTruss) player.state = int32_t(State::climbing);
   } else if (!truss.sensed) {
     passTruss(player, p, floor, truss, control);
   } else if (control.jump) {
@@ -175,19 +175,22 @@ OBBY_DEVICE ControlT<float> facing(const Truss& truss, const ControlT<float>& co
   return {headingOf(truss.toward.x, truss.toward.z), true, control.jump};
 }
 
-// Moves a climber by one tick: at the speed of the climb at once, without gravity. On the way up
-// the body is also pressed to the truss, which is what takes it over the top once the hips are
-// clear of it.
+// Moves a climber by one tick: toward the speed of the climb, without gravity. On the way up the
+// body is also pressed to the truss, which is what takes it over the top once the hips are clear
+// of it.
 OBBY_DEVICE void moveClimber(Motion& m, const Truss& truss, const ControlT<float>& control,
                              const level::LevelView& level, const Params& p,
                              const Candidates& near) {
   const float will = climbWill(p, truss, control), speed = climbSpeedOf(p);
   const float press = will > 0 ? minf(speed, p.walkSpeed) : 0.0f;
-  m.velocity = bounded(truss.velocity + truss.toward * press + Vec3{0, will * speed, 0}, level);
+  const Vec3 wanted = truss.velocity + truss.toward * press + Vec3{0, will * speed, 0};
   const CandidateSet solids = solidsInReach(m, level, near);
-  const int steps = solids ? p.substeps : 1;
-  const float dt = solids ? p.substepSeconds : p.tickSeconds;
-  for (int s = 0; s < steps; ++s) moveAmong(m, level, near, solids, dt);
+  const float dt = p.substepSeconds, share = minf(p.moveGain * dt, 1.0f);
+  if (length(wanted - m.velocity) < kSettledSpeed) m.velocity = wanted;
+  for (int s = 0; s < p.substeps; ++s) {
+    m.velocity = bounded(m.velocity + (wanted - m.velocity) * share, level);
+    moveAmong(m, level, near, solids, dt);
+  }
 }
 
 }  // namespace obby::sim

@@ -15,6 +15,7 @@ struct PlayerT {
   IntOf<F> floorlessSteps, landedSteps, jumps;
   MaskOf<F> sensed;            // a floor was within reach in the last tick
   MaskOf<F> lifted;            // at its end the legs alone made the body rise
+  MaskOf<F> leftTruss;         // rises from a jump off a truss
   MaskOf<F> launches = false;  // a jump begins in this tick
 
   OBBY_DEVICE MaskOf<F> is(State s) const { return state == int32_t(s); }
@@ -36,9 +37,16 @@ struct ControlT {
 };
 
 OBBY_DEVICE Player playerOf(const World& w) {
-  return {w.position,       w.velocity,    w.yaw,   int32_t(w.state),
-          w.floorlessSteps, w.landedSteps, w.jumps, (w.flags & kFloorSensed) != 0,
-          (w.flags & kLegsLift) != 0};
+  return {w.position,
+          w.velocity,
+          w.yaw,
+          int32_t(w.state),
+          w.floorlessSteps,
+          w.landedSteps,
+          w.jumps,
+          (w.flags & kFloorSensed) != 0,
+          (w.flags & kLegsLift) != 0,
+          (w.flags & kLeftTruss) != 0};
 }
 
 OBBY_DEVICE void putPlayer(World& w, const Player& p) {
@@ -49,8 +57,9 @@ OBBY_DEVICE void putPlayer(World& w, const Player& p) {
   w.floorlessSteps = uint16_t(p.floorlessSteps);
   w.landedSteps = uint8_t(p.landedSteps);
   w.jumps = uint16_t(p.jumps);
-  w.flags = uint8_t((w.flags & ~(kFloorSensed | kLegsLift)) | (p.sensed ? kFloorSensed : 0) |
-                    (p.lifted ? kLegsLift : 0));
+  w.flags =
+      uint8_t((w.flags & ~(kFloorSensed | kLegsLift | kLeftTruss)) | (p.sensed ? kFloorSensed : 0) |
+              (p.lifted ? kLegsLift : 0) | (p.leftTruss ? kLeftTruss : 0));
 }
 
 OBBY_DEVICE ControlT<float> controlOf(Action a) { return {a.heading, a.walk, a.jump}; }

@@ -45,6 +45,7 @@ enum Flag : uint8_t {
   kContactOverrun = 32,  // more contacts of loose bodies than a tick can hold: raise
                          // kMaxLooseContacts
   kLegsLift = 64,        // the legs alone make the body rise
+  kLeftTruss = 128,      // rises from a jump off a truss
 };
 
 constexpr uint8_t kOverruns = kCandidateOverrun | kClockOverrun | kContactOverrun;

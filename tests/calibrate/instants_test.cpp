@@ -16,7 +16,7 @@ std::vector<Take> late(std::vector<Take> takes, float share) {
 
 TEST(Instants, OurOwnVelocitiesAreOfNow) {
   for (const float noise : {0.0f, 0.01f, 0.05f})
-    EXPECT_EQ(velocityAgeOf(takesUnder(defaults(), noise)), 0) << noise;
+    EXPECT_EQ(velocityAgeOf(takesUnder(defaults(), noise), defaults()), 0) << noise;
 }
 
 TEST(Instants, AgeIsFound) {
@@ -24,7 +24,7 @@ TEST(Instants, AgeIsFound) {
     const std::vector<Take> takes = takesUnder(defaults(), noise);
     for (const float share : {0.125f, 0.5f, 1.0f}) {
       const double age = double(share) / 60;
-      EXPECT_NEAR(velocityAgeOf(late(takes, share)), age, 0.05 * age + 1e-4)
+      EXPECT_NEAR(velocityAgeOf(late(takes, share), defaults()), age, 0.05 * age + 1e-4)
           << noise << " " << share;
     }
   }
@@ -35,19 +35,19 @@ TEST(Instants, AgeIsFoundOfABadRecorder) {
   for (Take& take : takes)
     take.track = test::spoiled(take.track, {.noise = 0.01f, .dropped = 0.1f, .jitter = 0.004},
                                take.track.frames.size());
-  EXPECT_NEAR(velocityAgeOf(takes), 0.5 / 60, 0.1 * 0.5 / 60);
+  EXPECT_NEAR(velocityAgeOf(takes, defaults()), 0.5 / 60, 0.1 * 0.5 / 60);
 }
 
 TEST(Instants, NothingIsToldByWhoStandsStill) {
   std::vector<Take> takes = takesUnder(defaults(), 0.01f, firstManoeuvres(1));
   takes[0].track.frames.resize(20);
-  EXPECT_EQ(velocityAgeOf(takes), 0);
+  EXPECT_EQ(velocityAgeOf(takes, defaults()), 0);
 }
 
 // Falls, where the velocities differ most, and take-offs and landings, where a leap is none's age.
 TEST(Instants, VelocitiesAreMended) {
   const std::vector<Take> takes = takesUnder(defaults(), 0, firstManoeuvres(2));
-  const std::vector<Take> mended = withVelocitiesOfNow(late(takes, 0.25f));
+  const std::vector<Take> mended = withVelocitiesOfNow(late(takes, 0.25f), defaults());
   ASSERT_EQ(mended.size(), takes.size());
   const auto &now = mended[1].track.frames, &then = takes[1].track.frames;
   size_t falling = 0;
@@ -63,7 +63,7 @@ TEST(Instants, VelocitiesAreMended) {
 
 TEST(Instants, RecordingsWithoutTheFaultStay) {
   const std::vector<Take> takes = takesUnder(defaults(), 0.01f, firstManoeuvres(4));
-  const std::vector<Take> same = withVelocitiesOfNow(takes);
+  const std::vector<Take> same = withVelocitiesOfNow(takes, defaults());
   for (size_t i = 0; i < takes.size(); ++i) {
     for (size_t k = 0; k < takes[i].track.frames.size(); ++k)
       EXPECT_EQ(same[i].track.frames[k].velocity, takes[i].track.frames[k].velocity);

@@ -122,9 +122,9 @@ TEST(Framing, Rules) {
        "with "
        "another: run the tool that wrote it again)",
        3},
-      {"{\"type\":\"header\",\"schemaMajor\":2,\"schemaMinor\":5}\n",
-       "in:1: schemaMajor: the stream was written with schema 2.5, but this program (0.1.0) reads "
-       "schema 1.4 (use tools of the same version)",
+      {"{\"type\":\"header\",\"schemaMajor\":3,\"schemaMinor\":5}\n",
+       "in:1: schemaMajor: the stream was written with schema 3.5, but this program (0.1.0) reads "
+       "schema 2.0 (use tools of the same version)",
        0},
       {"<roblox!\x89\xff",
        "in: expected a stream of records, found a Roblox file (convert it with obby-import)", 0},

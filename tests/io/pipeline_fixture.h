@@ -47,7 +47,7 @@ struct PipelineFixture {
 };
 
 inline const std::string kHeader =
-    "{\"type\":\"header\",\"schemaMajor\":1,\"schemaMinor\":4,\"tool\":\"obby-test\",\"version\":"
+    "{\"type\":\"header\",\"schemaMajor\":2,\"schemaMinor\":0,\"tool\":\"obby-test\",\"version\":"
     "\"1.2.3\",\"seed\":\"42\","
     "\"floatPolicy\":\"ieee754-nofma\"}\n";
 

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "io/stream.h"
+#include "io/version.h"
 #include "random_record.h"
 #include "scratch_folder.h"
 
@@ -23,7 +24,7 @@ std::string stream(Format format) {
   std::string bytes;
   StreamWriter writer = StreamWriter::toBytes(format, &bytes);
   RecordBuilder header, end;
-  header.root().initHeader();
+  header.root().initHeader().setSchemaMajor(kSchemaMajor);
   end.root().initEnd();
   EXPECT_TRUE(writer.write(header.reader()));
   for (uint32_t i = 0; i < 4; i++) {

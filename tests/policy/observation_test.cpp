@@ -199,7 +199,7 @@ TEST(Observation, IsOfSecondsWhateverATickIs) {
     const level::Level level = b.compile();
     Look look(level);
     const uint32_t tenth = uint32_t(rate) / 10;
-    look.world.floorlessSteps = uint16_t(2 * tenth * level.params.substeps);
+    look.world.floorlessSteps = uint16_t(2 * tenth * level.view().params.substeps);
     look.world.tick = 5 * tenth;
     look.query.timeLimitTicks = 40 * tenth;
     const std::vector<float> seen = look.inputs();

@@ -57,7 +57,7 @@ TEST(ReachPhysics, SlopesThatAJumpMeetsOverheadMakeFast) {
 // 5000 studs/s^2 for a 240th of a second are more than is wanted.
 TEST(ReachPhysics, StrongKeysOvershoot) {
   EXPECT_GT(reachPhysicsFastestIn(underASlope([](auto p) {
-              p.setGroundAccel(5000);
+              p.setTraction(16667);
               p.setMoveGain(1000);
             })),
             31);

@@ -204,7 +204,7 @@ TEST_F(VerifierTest, AcceptsActionsThatGoOnBehindTheEnd) {
 }
 
 TEST_F(VerifierTest, RefusesChangedActions) {
-  makeTrajectory().getActions()[20].setHeading(200);
+  makeTrajectory().getActions()[20].setHeading(20000);
   EXPECT_FALSE(check());
 }
 

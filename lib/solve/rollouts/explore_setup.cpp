@@ -20,7 +20,8 @@ RolloutRules makeRules(const Problem& problem, uint64_t seed, const GoExploreSet
   return {{problem.level, problem.query, surfaces.view(), reach, s.explore,
            limitsJumps(problem.query), doomHeight(problem), pilot},
           makeBinning(problem, s.cellWidth, clock),
-          {s.groundedOnly, std::max(uint32_t(reach.airTicks), params.controlRate / 2u) * params.substeps,
+          {s.groundedOnly,
+           std::max(uint32_t(reach.airTicks), params.controlRate / 2u) * params.substeps,
            std::clamp(s.lookEvery, 1u, ticks)},
           seed,
           ticks};
