@@ -460,6 +460,12 @@ struct Waypoint {
   segmentTime @4 :Float32;      # max seconds since the previous waypoint, or the start; 0: none
 }
 
+enum Arrive {
+  # What reaching a solid part means. A box, and a part that is not solid, are reached by entering.
+  stand @0;  # standing on it, sitting on it or holding on to it
+  touch @1;  # the body being in the space around it; grazing its side while falling past counts
+}
+
 struct Query {
   id @0 :Text;
   level @1 :Text;           # name of the level record; empty: the last level before the query
@@ -476,6 +482,7 @@ struct Query {
   segmentTime @12 :Float32;          # max seconds since the last waypoint; 0: none
   maxDamage @13 :Float32 = -1;       # max health lost in total; -1: any
   forbid @14 :List(PlayerState);     # any of jumping, climbing, seated, fallingDown
+  arrive @17 :Arrive;                # of the goals, waypoints and visits that name a solid part
 
   # Known to the maker of the level. No answer depends on these fields; obby-train learns from them.
   way @15 :List(Vec3);               # feet positions along a known route, from the start to the goal; 2 to 4096

@@ -52,7 +52,7 @@ Moment momentOf(const sim::World& world, const Params& p) {
 Moment between(const Moment& a, const Moment& b, float share) {
   const auto mix = [share](Vec3 x, Vec3 y) { return x + (y - x) * share; };
   return {mix(a.position, b.position), mix(a.velocity, b.velocity), mix(a.facing, b.facing),
-          b.state};
+          share < 0.5f ? a.state : b.state};
 }
 
 uint32_t nearestFrame(const Track& track, uint32_t from, double time) {

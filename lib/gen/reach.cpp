@@ -23,7 +23,7 @@ bool Reach::cut() const {
 }
 
 float Reach::riseFrom(float upward) const {
-  return minf(upward * upward / (2 * gravity()) + legs(), kMostRise);
+  return minf(riseOfLaunch(p_, gravity(), upward) + legs(), kMostRise);
 }
 
 float Reach::apex() const { return maxf(rise() - legs(), 0.5f); }
@@ -34,8 +34,10 @@ float Reach::gap(float rise) const {
   for (int i = 0; i <= kDelays; ++i) {
     const float delay = p_.coyoteTime * float(i) / float(kDelays);
     const float height = rise - legs() + 0.5f * g * delay * delay;
-    const float end2 = v * v - 2 * g * height;
-    if (end2 >= 0) best = maxf(best, p_.walkSpeed * (delay + (v + sqrtf32(end2)) / g));
+    const float end2 = 2 * g * (riseOfLaunch(p_, g, v) - height);
+    if (end2 < 0) continue;
+    const float seconds = delay + p_.substepSeconds + (v + sqrtf32(end2)) / g;
+    best = maxf(best, p_.walkSpeed * seconds);
   }
   if (best < 0) return 0;
   return minf(best + 2 * p_.floorRaySpread * p_.bodyDepth, kMostGap);

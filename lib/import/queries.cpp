@@ -57,6 +57,7 @@ std::vector<io::RecordBuilder> stageQueries(const LevelDraft& level, const Tree&
     const GoalBox box = goalBox(part);
     auto goal = query.initGoal();
     goal.setName(validUtf8(tree.at(part.id).name));
+    goal.setPartIndex(target.part);
     setVector(goal.initPosition(), box.pose.position);
     setRotation(goal.initRotation(), box.pose.rotation);
     setVector(goal.initSize(), box.size);

@@ -58,6 +58,11 @@ OBBY_DEVICE float pairFriction(const Params& p, float friction, float weight) {
   return (friction * weight + p.playerFriction * p.playerFrictionWeight) / sum;
 }
 
+// Studs that a launch at this speed raises the feet: its first step is free of gravity.
+OBBY_DEVICE float riseOfLaunch(const Params& p, float gravity, float speed) {
+  return 0.5f * speed * (speed / gravity + p.substepSeconds);
+}
+
 // Times hipHeight: how far the floor rays reach, in whatever state the player is.
 OBBY_DEVICE float farthestFloor(const Params& p) {
   return p.floorKeep > p.floorAcquire ? p.floorKeep : p.floorAcquire;

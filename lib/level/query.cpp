@@ -90,7 +90,28 @@ Result<SegmentLimits> segmentLimits(int32_t jumps, float seconds, const Params& 
 class Targets {
  public:
   Targets(const LevelView& level, size_t parts, std::vector<uint32_t>& touched)
-      : parts_(parts), runs_(level), touched_(touched) {}
+      : level_(level), parts_(parts), runs_(level), touched_(touched) {}
+
+  // A target that is reached, by standing on it if it is a solid part and `arrive` says so.
+  Result<TargetView> compile(schema::Region::Reader record, const std::string& path,
+                             schema::Arrive arrive) {
+    OBBY_ASSIGN(TargetView target, compile(record, path));
+    const int32_t part = record.getPartIndex();
+    target.stand = arrive == schema::Arrive::STAND && !record.getTouch() && part >= 0 &&
+                   isSolid(uint32_t(part));
+    return target;
+  }
+
+  Result<std::vector<TargetView>> compile(capnp::List<schema::Region>::Reader list,
+                                          const char* name, schema::Arrive arrive) {
+    std::vector<TargetView> targets;
+    for (const auto record : list) {
+      OBBY_ASSIGN(const TargetView target,
+                  compile(record, fmt::format("{}[{}]", name, targets.size()), arrive));
+      targets.push_back(target);
+    }
+    return targets;
+  }
 
   Result<TargetView> compile(schema::Region::Reader record, const std::string& path) {
     TargetView target;
@@ -131,6 +152,14 @@ class Targets {
   }
 
  private:
+  bool isSolid(uint32_t part) {
+    const ColliderRun run = runs_.of(part);
+    for (uint32_t i = run.first; i < run.first + run.count; ++i) {
+      if (!(level_.bounds[i].flags & kSolid)) return false;
+    }
+    return run.count > 0;
+  }
+
   // A part's colliders go into touched_ once: lists may name it again, and a tag thousands.
   void listTouched(uint32_t part, TargetView& target) {
     const ColliderRun run = runs_.of(part);
@@ -143,18 +172,20 @@ class Targets {
     target.touchCount = run.count;
   }
 
+  const LevelView& level_;
   size_t parts_;
   ColliderRuns runs_;
   std::vector<uint32_t> listed_;  // (parts) where each is in touched_; empty until one is
   std::vector<uint32_t>& touched_;
 };
 
-Result<WaypointView> compileWaypoint(schema::Waypoint::Reader record, const Params& params,
-                                     Targets& targets, const std::string& path) {
+Result<WaypointView> compileWaypoint(schema::Waypoint::Reader record, schema::Arrive arrive,
+                                     const Params& params, Targets& targets,
+                                     const std::string& path) {
   if (!record.hasRegion())
     return pathError(path + ".region", "the waypoint has no region", "give it a box or a part");
   WaypointView waypoint;
-  OBBY_ASSIGN(waypoint.target, targets.compile(record.getRegion(), path + ".region"));
+  OBBY_ASSIGN(waypoint.target, targets.compile(record.getRegion(), path + ".region", arrive));
   OBBY_ASSIGN(waypoint.maxJumps, jumpsWithin(record.getMaxJumps(), path + ".maxJumps"));
   OBBY_ASSIGN(waypoint.ticks, ticksWithin(record.getTimeLimit(), params, path + ".timeLimit"));
   OBBY_ASSIGN(waypoint.segment,
@@ -213,11 +244,12 @@ Result<Query> Query::compile(schema::Query::Reader record, const Level& level) {
     return pathError("goal", "the query has no goal", "give it a box or a part");
   }
   Targets targets(level.view(), level.partCount(), q.touched_);
+  const schema::Arrive arrive = record.getArrive();
   if (record.hasGoal()) {
-    OBBY_ASSIGN(const TargetView goal, targets.compile(record.getGoal(), "goal"));
+    OBBY_ASSIGN(const TargetView goal, targets.compile(record.getGoal(), "goal", arrive));
     q.goals_.push_back(goal);
   }
-  OBBY_ASSIGN(const auto others, targets.compile(record.getGoals(), "goals"));
+  OBBY_ASSIGN(const auto others, targets.compile(record.getGoals(), "goals", arrive));
   q.goals_.insert(q.goals_.end(), others.begin(), others.end());
   if (record.getWaypoints().size() > kMaxWaypoints) {
     return pathError("waypoints", fmt::format("expected at most {}, found {}", kMaxWaypoints,
@@ -225,7 +257,7 @@ Result<Query> Query::compile(schema::Query::Reader record, const Level& level) {
   }
   for (const auto waypoint : record.getWaypoints()) {
     const std::string path = fmt::format("waypoints[{}]", q.waypoints_.size());
-    OBBY_ASSIGN(const WaypointView view, compileWaypoint(waypoint, params, targets, path));
+    OBBY_ASSIGN(const WaypointView view, compileWaypoint(waypoint, arrive, params, targets, path));
     q.waypoints_.push_back(view);
   }
   if (record.getVisits().size() > kMaxVisits) {
@@ -234,7 +266,7 @@ Result<Query> Query::compile(schema::Query::Reader record, const Level& level) {
         fmt::format("expected at most {}, found {}", kMaxVisits, record.getVisits().size()),
         "a #tag counts once for each part with that tag");
   }
-  OBBY_ASSIGN(q.visits_, targets.compile(record.getVisits(), "visits"));
+  OBBY_ASSIGN(q.visits_, targets.compile(record.getVisits(), "visits", arrive));
   OBBY_ASSIGN(q.avoid_, targets.compile(record.getAvoid(), "avoid"));
   OBBY_ASSIGN(q.limits_, compileLimits(record, params));
   return q;

@@ -11,6 +11,7 @@ namespace obby::level {
 struct TargetView {
   geom::Region region;                      // of a part to touch: the room around it
   uint32_t firstTouch = 0, touchCount = 0;  // its colliders in QueryView::touched; 0: the region
+  bool stand = false;                       // the feet have to come to rest in the region
 };
 
 // Limits of a segment: what lies between a waypoint, or the start, and the next or the goal.

@@ -100,7 +100,7 @@ void fillLoose(Course& course) {
   }
   course.startLoose.clear();
   for (const level::LevelView& level : course.levels) {
-    std::vector<LooseBody> bodies = makeLoose(level);
+    std::vector<LooseBody> bodies = startLoose(level);
     bodies.resize(course.looseStride);
     course.startLoose.insert(course.startLoose.end(), bodies.begin(), bodies.end());
   }

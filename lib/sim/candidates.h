@@ -33,6 +33,7 @@ struct Candidates {
   int movingCount = 0;
   uint32_t anyFlags = 0;
   uint32_t looseNear = 0;   // bodies among the items, a bit each
+  int footedOn = -1;        // item that the feet hold the player on; -1: none
   uint32_t looseApart = 0;  // bodies that are moved elsewhere in this tick (wide_loose.h)
 
   OBBY_DEVICE Candidates() {}

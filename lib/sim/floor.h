@@ -19,6 +19,7 @@ struct FloorT {
   Vec3T<F> velocity;                 // of the surface where the player stands, studs/s
   F turning = 0;                     // rad/s of a carrying floor about Y
   F grip = 0;                        // pair friction with the nearest floor
+  IntOf<F> nearest = -1;             // candidate of the shortest ray; -1: none
   uint8_t loose = level::kNotLoose;  // body that the player stands on; one world only
 };
 
@@ -175,6 +176,7 @@ OBBY_DEVICE FloorT<F> averageOf(const FloorRaysT<F>& rays, const Params& p) {
     normal += select(hit, rays.normal[i], Vec3T<F>{});
   }
   floor.sensed = rays.nearest >= 0;
+  floor.nearest = rays.nearest;
   const F share = 1.0f / select(floor.sensed, hits, F(1.0f));
   floor.gap = select(floor.sensed, sum * share - rayHeight(p), F(0.0f));
   floor.normal = select(floor.sensed, normal * share, Vec3T<F>{0, 1, 0});

@@ -122,7 +122,7 @@ void advanceAll(const level::LevelView& level, const level::QueryView* query,
 
 ReplayEnd replay(const level::LevelView& level, const level::QueryView* query, const Plan& plan,
                  const Visit& visit) {
-  ReplayEnd now{makeWorld(level, plan.start), makeLoose(level)};
+  ReplayEnd now{makeWorld(level, plan.start), startLoose(level)};
   now.world.yaw = plan.yaw;
   World before = now.world;
   bool goesOn = visit({0, before, now.world, now.loose});

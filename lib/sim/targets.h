@@ -22,11 +22,20 @@ OBBY_CALLED bool touchesCollider(const World& w, const LooseBody* loose,
   return touches(c, candidate, limbs.column) || touches(c, candidate, limbs.arms);
 }
 
+// Does something hold the player: a floor, a truss or a seat?
+OBBY_DEVICE bool isHeld(const World& w) {
+  const bool onFeet = w.state == State::running || w.state == State::landed;
+  return onFeet ? (w.flags & kFloorSensed) != 0
+                : w.state == State::climbing || w.state == State::seated;
+}
+
 // Is the player in the region, or, of a target that is to be touched, do the limbs touch its part?
+// Of one to stand on, are the feet of a player whom something holds in the region?
 // `loose`: (level.looseCount), null where that is 0.
 OBBY_DEVICE bool reaches(const World& w, const LooseBody* loose, const level::LevelView& level,
                          const level::QueryView& q, const level::TargetView& target) {
   const Vec3 feet = w.position;
+  if (target.stand) return isHeld(w) && geom::meets(target.region, feet, feet);
   if (target.touchCount == 0) {
     return geom::meets(target.region, feet, feet + Vec3{0, level.params.bodyTop, 0});
   }

@@ -49,6 +49,7 @@ OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level,
   Motion motion = motionOf(player, p, floor,
                            down ? slideDown(player, p, floor) : drive(player, p, floor, control));
   motion.bottom = bodyBottom(State(player.state), p);
+  near.footedOn = footedOn<float>(motion.drive.hover, floor);
   if (climbs) moveClimber(motion, truss, control, level, p, near);
   // A player among no bodies moves as if there were none.
   const bool among = (near.anyFlags & level::kLoose) != 0;

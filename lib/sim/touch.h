@@ -47,6 +47,16 @@ OBBY_DEVICE void touchHeal(World& w, const level::LevelView& level, const level:
   w.health = minf(w.health - r.damage, maxf(w.health, level.params.maxHealth));
 }
 
+// A floor that holds the player is touched by its feet as long as it is no farther below them than
+// a landing dips: 0.28 studs from a jump on the flat.
+constexpr float kFootReach = 0.3f;
+
+// The candidate that does; -1: none.
+template <class F>
+OBBY_DEVICE IntOf<F> footedOn(MaskOf<F> hover, const FloorT<F>& floor) {
+  return select(hover & (floor.gap <= kFootReach), floor.nearest, IntOf<F>(-1));
+}
+
 // The player is in the air from now on, without a jump left.
 OBBY_DEVICE void leaveFloor(World& w) {
   w.state = State::freefall;
@@ -109,11 +119,13 @@ OBBY_DEVICE void touchParts(World& w, const level::LevelView& level, const Candi
       if (!(c.flags & level::kTouchRoles)) continue;
       const level::Collider& collider = level.colliders[c.collider];
       if (collider.part == done) continue;
-      if (!touches(collider, c, limbs.column) && !touches(collider, c, limbs.arms)) continue;
+      const bool touched = k == near.footedOn || touches(collider, c, limbs.column) ||
+                           touches(collider, c, limbs.arms);
+      if (!touched) continue;
       done = collider.part;
-      const Touched touched = touchPart(w, level, c);
-      if (touched == Touched::elsewhere) return;
-      inTeleporter |= touched == Touched::inTeleporter;
+      const Touched after = touchPart(w, level, c);
+      if (after == Touched::elsewhere) return;
+      inTeleporter |= after == Touched::inTeleporter;
     }
   }
   if (!inTeleporter) w.flags &= uint8_t(~kArrived);

@@ -48,7 +48,7 @@ class Ticker {
   Obstacles obstaclesOf(const int32_t* slots) const;
   void finish(int slot);
   void endTickInLanes(Rows& rows, WideMask touching) const;
-  void touch(int index);
+  void touch(int index, int footedOn);
 
   const level::LevelView& level_;
   WideCounts& counts_;
@@ -64,6 +64,7 @@ class Ticker {
   int count_ = 0;
   int32_t order_[kWideSlots + kLanes];  // index
   alignas(64) int32_t solidCount_[kWideSlots];
+  alignas(64) int32_t footedOn_[kWideSlots];  // place in the tags of the world; -1: none
   uint32_t solids_[kWideSlots][kLaneSolids];  // tags
   bool constant_[kWideSlots];
   bool done_[kWideSlots];  // by tick()
@@ -120,8 +121,9 @@ void Ticker::decide(int slot) {
   const FloorT<F> floor = sense(player, index);
   updateState(player, level_.params, floor, controls);
   turn(player, level_.params, floor, controls);
-  const WideMotion motion =
-      motionOf(player, level_.params, floor, drive(player, level_.params, floor, controls));
+  const DriveT<F> wanted = drive(player, level_.params, floor, controls);
+  const WideMotion motion = motionOf(player, level_.params, floor, wanted);
+  store(footedOn<F>(wanted.hover, floor), footedOn_ + slot);
   players_[slot / kLanes] = player;
   motions_.put(slot, motion);
   findSolids(motion, slot, near_.count(index[kLanes - 1]));
@@ -329,7 +331,7 @@ void Ticker::finish(int slot) {
   endTickInLanes(rows, load(touching) != WideInt(0));
   storeRows(rows, reinterpret_cast<void* const*>(targets));
   for (int lane = 0; lane < kLanes; ++lane) {
-    if (touching[lane]) touch(order_[slot + lane]);
+    if (touching[lane]) touch(order_[slot + lane], footedOn_[slot + lane]);
   }
 }
 
@@ -349,8 +351,9 @@ void Ticker::endTickInLanes(Rows& rows, WideMask touching) const {
       select(fell, (rows.word[kStateWord] & 0xffff) | ended, rows.word[kStateWord]);
 }
 
-void Ticker::touch(int index) {
+void Ticker::touch(int index, int footedOn) {
   Candidates near;
+  near.footedOn = footedOn;
   for (int k = 0; k < near_.count(index); ++k) {
     const uint32_t tag = near_.tags(index)[k], id = near_.colliderOf(tag);
     const Pose& pose = near_.poseOf(tag);

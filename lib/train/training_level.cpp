@@ -66,7 +66,7 @@ TrainingLevel::TrainingLevel(level::Level level, level::Query query, std::vector
       around_(surroundings_.view()),
       scene_{level_.view(), queryView_, around_},
       start_(sim::makeWorld(level_.view(), query_.start())),
-      startLoose_(sim::makeLoose(level_.view())),
+      startLoose_(sim::startLoose(level_.view())),
       guide_(guideOf(std::move(way), query_)) {}
 
 Result<std::shared_ptr<const TrainingLevel>> TrainingLevel::make(schema::Level::Reader level,

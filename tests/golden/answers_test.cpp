@@ -67,7 +67,7 @@ SearchOutcome searched(const Asked& asked, const level::Level& level, const leve
   Problem problem{level.view(),
                   query.view(),
                   sim::makeWorld(level.view(), query.start()),
-                  sim::makeLoose(level.view()),
+                  sim::startLoose(level.view()),
                   level.bounds(),
                   level.hasMotion()};
   if (asked.guided) problem.policy = &policy::shippedPolicy().network;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "io/stream.h"
+#include "io/version.h"
 #include "random_record.h"
 
 namespace obby::io {
@@ -31,7 +32,9 @@ std::string framedStream(Format format) {
   std::string bytes;
   StreamWriter writer = StreamWriter::toBytes(format, &bytes);
   RecordBuilder header, end;
-  header.root().initHeader().setTool("test");
+  auto first = header.root().initHeader();
+  first.setSchemaMajor(kSchemaMajor);
+  first.setTool("test");
   EXPECT_TRUE(writer.write(header.reader()));
   for (uint32_t kind = 1; kind + 1 < test::kKinds; kind++) {
     test::RecordFiller filler(kind, 0.7f, 2);

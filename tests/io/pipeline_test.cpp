@@ -24,7 +24,9 @@ TEST(Pipeline, TakesFramesOffAndPutsOneOn) {
 // What is passed on is of the version that the next tool is told.
 TEST(Pipeline, AStreamOfALaterSchemaStaysOne) {
   Fixture f;
-  f.input("{\"type\":\"header\",\"schemaMinor\":99}\n{\"type\":\"levle\"}\n{\"type\":\"end\"}\n");
+  f.input(
+      "{\"type\":\"header\",\"schemaMajor\":2,\"schemaMinor\":99}\n{\"type\":\"levle\"}\n{\"type\":"
+      "\"end\"}\n");
   ASSERT_TRUE(f.pipeline().runAndFinish(passAll));
   const std::string once = f.output;
   EXPECT_NE(once.find("\"schemaMinor\":99"), std::string::npos);

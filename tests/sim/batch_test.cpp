@@ -36,11 +36,11 @@ uint64_t alone(const Course& course, uint32_t index, uint32_t ticks, uint64_t se
   };
   uint32_t episode = 0;
   World w = course.starts[levelOf(0)];
-  std::vector<LooseBody> loose = makeLoose(course.levels[levelOf(0)]);
+  std::vector<LooseBody> loose = startLoose(course.levels[levelOf(0)]);
   for (uint32_t t = 0; t < ticks; ++t) {
     if (w.outcome != Outcome::running) {
       w = course.starts[levelOf(++episode)];
-      loose = makeLoose(course.levels[levelOf(episode)]);
+      loose = startLoose(course.levels[levelOf(episode)]);
     }
     const size_t level = levelOf(episode);
     advance(w, loose.data(), course.levels[level], &course.queries[level],

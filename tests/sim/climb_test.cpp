@@ -158,10 +158,10 @@ TEST(Climb, grips_a_falling_player_within_a_few_steps) {
 // From a floor the key that leads to the truss grips it on the way up, however fast.
 TEST(Climb, grips_while_rising) {
   const auto level = tower(60).compile();
-  Play play(level, {0, 0, kFace + 3});
+  Play play(level, {0, 0, kFace + 2});
   play.settle().run(walk(kNorth, true), 1);
   ASSERT_GE(play.until(walk(kNorth), climbs, 20), 0);
-  EXPECT_GT(play.history[play.history.size() - 2].velocity.y, 2 * kClimb);
+  EXPECT_GT(play.history[play.history.size() - 2].velocity.y, 1.5f * kClimb);
 }
 
 TEST(Climb, grips_again_only_where_the_jump_has_slowed_down) {

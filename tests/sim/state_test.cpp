@@ -77,6 +77,7 @@ TEST(Replay, shows_every_state_and_the_one_before) {
   std::vector<sim::Action> actions(90, walk(kNorth));
   actions.resize(130, walk(kEast, true));
   Play play(level);
+  play.loose = sim::startLoose(level.view());
   uint32_t shown = 0;
   const auto visit = [&](const sim::Moment& now) {
     EXPECT_EQ(now.tick, shown++);

@@ -12,7 +12,7 @@ inline solve::Problem plainProblem(const level::Level& level, const level::Query
   return {level.view(),
           query,
           sim::makeWorld(level.view(), level.spawns()[0]),
-          sim::makeLoose(level.view()),
+          sim::startLoose(level.view()),
           level.bounds(),
           level.hasMotion()};
 }

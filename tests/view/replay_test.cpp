@@ -196,7 +196,7 @@ TEST(Replay, APartThatRestsMovesAndRestsHasFourSamples) {
   const level::Level level = crateLevel();
   const level::LevelView& view = level.view();
   const sim::World world = sim::makeWorld(view, {});
-  std::vector<sim::LooseBody> loose = sim::makeLoose(view);
+  std::vector<sim::LooseBody> loose = sim::startLoose(view);
   LooseWatch watch(view);
   for (uint32_t tick = 0; tick <= 2000; ++tick) {
     if (tick > 1000 && tick <= 1010) loose[1].position.x += 0.25f;

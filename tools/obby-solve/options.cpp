@@ -38,6 +38,16 @@ OptionRow forbidRow() {
   return r;
 }
 
+OptionRow arriveRow() {
+  OptionRow r = row("arrive", ValueType::choice, "", "stand", "what reaching a solid part means",
+                    kQueryGroup);
+  r.choices = {"stand", "touch"};
+  r.details =
+      "stand: standing on it, sitting on it or holding on to it\n"
+      "touch: the body being next to it; grazing its side while falling past counts";
+  return rare(r);
+}
+
 OptionRow timeLimitRow() {
   OptionRow r = cli::withDefault(cli::commonRow(cli::Common::timeLimit), "20");
   r.help = "wall-clock limit for each query";
@@ -180,6 +190,7 @@ std::vector<OptionRow> queryRows() {
                   "lose at most this much health, of 100", kQueryGroup),
               0, 1e6),
       repeatable(forbidRow()),
+      arriveRow(),
       detailed(row("each", ValueType::flag, "", "",
                    "apply these options to each query in the input", kQueryGroup),
                "A limit given here replaces the query's own."),

@@ -134,14 +134,24 @@ Status fillStates(const std::vector<std::string>& names, schema::Query::Builder 
   return {};
 }
 
+Status fillArrive(const std::string& name, schema::Query::Builder query) {
+  KJ_IF_MAYBE (found, capnp::Schema::from<schema::Arrive>().findEnumerantByName(name)) {
+    query.setArrive(schema::Arrive(found->getOrdinal()));
+    return {};
+  }
+  return inOption(makeError(fmt::format("unknown way to arrive '{}'", name), "give stand or touch"),
+                  "--arrive");
+}
+
 // The first option that asks for something.
 const char* firstOption(const QuickQuery& q) {
   const std::pair<bool, const char*> options[] = {
       {!q.start.empty(), "--start"},        {!q.goals.empty(), "--goal"},
       {!q.waypoints.empty(), "--waypoint"}, {!q.visits.empty(), "--visit"},
       {!q.avoid.empty(), "--avoid"},        {!q.forbid.empty(), "--forbid"},
-      {q.minJumps >= 0, "--min-jumps"},     {q.maxJumps >= 0, "--max-jumps"},
-      {q.timeLimit > 0, "--max-time"},      {q.maxDamage >= 0, "--max-damage"}};
+      {!q.arrive.empty(), "--arrive"},      {q.minJumps >= 0, "--min-jumps"},
+      {q.maxJumps >= 0, "--max-jumps"},     {q.timeLimit > 0, "--max-time"},
+      {q.maxDamage >= 0, "--max-damage"}};
   for (const auto& [given, option] : options) {
     if (given) return option;
   }
@@ -171,6 +181,7 @@ Status fill(schema::Level::Reader level, const QuickQuery& quick, schema::Query:
         fillPlaces(query.initAvoid(uint32_t(quick.avoid.size())), quick.avoid, "--avoid"));
   }
   if (!quick.forbid.empty()) OBBY_RETURN_IF_ERROR(fillStates(quick.forbid, query));
+  if (!quick.arrive.empty()) OBBY_RETURN_IF_ERROR(fillArrive(quick.arrive, query));
   if (quick.minJumps >= 0) query.setMinJumps(quick.minJumps);
   if (quick.maxJumps >= 0) query.setMaxJumps(quick.maxJumps);
   if (quick.timeLimit > 0) query.setTimeLimit(quick.timeLimit);

@@ -12,7 +12,7 @@ Problem problemOf(const PosedQuery& posed) {
   return {view,
           posed.query.view(),
           sim::makeWorld(view, posed.query.start()),
-          sim::makeLoose(view),
+          sim::startLoose(view),
           posed.level.bounds(),
           posed.level.hasMotion(),
           {},

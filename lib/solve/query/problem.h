@@ -26,7 +26,7 @@ struct Problem {
   level::LevelView level;
   level::QueryView query;
   sim::World start;                        // as sim::makeWorld gives it
-  std::vector<sim::LooseBody> startLoose;  // as sim::makeLoose gives them
+  std::vector<sim::LooseBody> startLoose;  // as sim::startLoose gives them
   Box bounds;                              // of everything in the level
   bool hasClock = false;  // moving or timed parts: the outcome depends on the level clock
   std::vector<KnownWay> known = {};         // playthroughs of an earlier answer, tried first

@@ -21,7 +21,7 @@ constexpr size_t kPartsToLower = 4;
 constexpr float kStandsOn = 1;  // studs between a part's top and the floor of a region on it
 
 double jumpHeight(const Params& p) {
-  return double(p.jumpSpeed) * double(p.jumpSpeed) / (2 * double(p.gravity));
+  return double(riseOfLaunch(p, p.gravity, p.jumpSpeed));
 }
 
 // Does the region belong to the part: named by it, or standing on it? `box`: wherever it moves.

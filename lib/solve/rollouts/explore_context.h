@@ -21,7 +21,7 @@ OBBY_DEVICE JumpReach jumpReach(const Params& p) {
   const float gravity = maxf(p.gravity, 1.0f);
   const float seconds = minf(2 * p.jumpSpeed / gravity, 5.0f);
   return {seconds * float(p.controlRate), seconds * p.walkSpeed,
-          0.5f * p.jumpSpeed * p.jumpSpeed / gravity};
+          riseOfLaunch(p, gravity, p.jumpSpeed)};
 }
 
 // How rollouts explore: the numbers of a method's row.

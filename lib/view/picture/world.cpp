@@ -55,7 +55,7 @@ World worldOf(const LevelEntry& entry, uint32_t tick) {
   const level::LevelView& level = entry.level->view();
   const auto parts = entry.reader().getParts();
   const std::vector<Role> roles = rolesOf(entry.reader());
-  const std::vector<sim::LooseBody> loose = sim::makeLoose(level);
+  const std::vector<sim::LooseBody> loose = sim::startLoose(level);
   World out;
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     const level::Collider& c = level.colliders[i];
