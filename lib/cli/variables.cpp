@@ -13,8 +13,8 @@ namespace {
 constexpr std::string_view kPrefix = "OBBY_";
 
 // Every option of every tool, in order. tests/cli/obby-echo/option-names compares.
-constexpr std::string_view kAllOptions[] = {"ascii",
-                                            "arrive",
+constexpr std::string_view kAllOptions[] = {"arrive",
+                                            "ascii",
                                             "attempts",
                                             "avoid",
                                             "backend",

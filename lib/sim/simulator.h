@@ -22,8 +22,9 @@ World makeWorld(const level::LevelView& level, const level::StartPose& start);
 // Its loose bodies: where the level has them, awake. Empty for levels without.
 std::vector<LooseBody> makeLoose(const level::LevelView& level);
 
-// The same as play begins. Where all of them come to rest by themselves within ten seconds they have
-// done so: a server has run for longer before anybody plays. Else they are where the level has them.
+// The same as play begins. Where all of them come to rest by themselves within ten seconds they
+// have done so: a server has run for longer before anybody plays. Else they are where the level has
+// them.
 std::vector<LooseBody> startLoose(const level::LevelView& level);
 
 // Digest of every field of the state; equal on every machine for the same playthrough.

@@ -40,7 +40,7 @@ inline const Scene kScenes[] = {
          p.setSubsteps(8);
        });
      },
-     0x80f719c644c5868},
+     0x39aa4b8f35da9ed2},
     {"balls", [] { return crowdOf(schema::Shape::BALL); }, 0x683bc6a507021099},
     {"cylinders", [] { return crowdOf(schema::Shape::CYLINDER); }, 0xe48f51d15291da12},
     {"wedges", [] { return crowdOf(schema::Shape::WEDGE); }, 0xc68623e267624249},
@@ -66,7 +66,7 @@ inline const Scene kScenes[] = {
     {"places", places, 0x70bdec12699c8be2},
     {"loose bodies", looseBodies, 0x472e6694ecc46845},
     {"loose stack on a carrying platform", looseStack, 0xefd83d710b7a2049},
-    {"loose arena", [] { return support::looseArena(16, false, 3); }, 0x4f27e08c2eb632b},
+    {"loose arena", [] { return support::looseArena(16, false, 3); }, 0xdb6b78b526859c7c},
     {"loose seats", looseSeats, 0x98ff7761cd5e3057},
 };
 

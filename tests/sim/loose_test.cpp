@@ -316,5 +316,30 @@ TEST(LooseBodies, MoreThanSixteenAreAnErrorThatNamesTheFirstTooMany) {
   EXPECT_EQ(level.error().path, "parts[17].anchored");
 }
 
+// As on a server that has run for a while.
+TEST(StartLoose, IsAtRestWhereBodiesComeToRest) {
+  const auto level = looseRoom()
+                         .block({0, 9, 0}, {4, 4, 4}, unanchor)
+                         .block({2, 20, 0}, {4, 4, 4}, unanchor)
+                         .compile();
+  const auto loose = sim::startLoose(level.view());
+  for (const sim::LooseBody& b : loose) {
+    EXPECT_EQ(b.state, LooseState::asleep);
+    EXPECT_EQ(speedOf(b), 0);
+  }
+  EXPECT_NEAR(loose[0].position.y, 2, 0.02f);
+}
+
+TEST(StartLoose, IsAsTheLevelHasItWhereOneStaysAwake) {
+  const auto spins = [](schema::Part::Builder p) { p.initMotion().initSpin().setSpeed(1); };
+  const auto level = looseRoom()
+                         .block({0, 9, 0}, {4, 4, 4}, unanchor)
+                         .block({0, 1, 0}, {8, 2, 8}, spins)
+                         .compile();
+  const auto loose = sim::startLoose(level.view());
+  EXPECT_EQ(loose[0].state, LooseState::awake);
+  EXPECT_EQ(loose[0].position.y, 9);
+}
+
 }  // namespace
 }  // namespace obby::test

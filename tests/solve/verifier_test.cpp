@@ -204,7 +204,8 @@ TEST_F(VerifierTest, AcceptsActionsThatGoOnBehindTheEnd) {
 }
 
 TEST_F(VerifierTest, RefusesChangedActions) {
-  makeTrajectory().getActions()[20].setHeading(20000);
+  auto actions = makeTrajectory().getActions();
+  for (uint32_t i = 10; i < 30; ++i) actions[i].setHeading(20000);
   EXPECT_FALSE(check());
 }
 

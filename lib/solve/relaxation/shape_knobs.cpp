@@ -20,9 +20,7 @@ constexpr double kLowerNotch = 0.1;    // studs
 constexpr size_t kPartsToLower = 4;
 constexpr float kStandsOn = 1;  // studs between a part's top and the floor of a region on it
 
-double jumpHeight(const Params& p) {
-  return double(riseOfLaunch(p, p.gravity, p.jumpSpeed));
-}
+double jumpHeight(const Params& p) { return double(riseOfLaunch(p, p.gravity, p.jumpSpeed)); }
 
 // Does the region belong to the part: named by it, or standing on it? `box`: wherever it moves.
 bool belongsTo(schema::Region::Reader region, uint32_t part, const Box& box) {
