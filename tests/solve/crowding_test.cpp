@@ -7,7 +7,7 @@
 
 #include "scenes.h"
 #include "sim/candidates.h"
-#include "solve/proof/flight.h"
+#include "solve/proof/boxes.h"
 
 namespace obby::solve {
 namespace {

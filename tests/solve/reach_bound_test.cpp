@@ -20,7 +20,7 @@ Problem problemOf(const level::Level& level, const level::QueryView& query = {})
   return {level.view(),
           query,
           sim::makeWorld(level.view(), start),
-          sim::makeLoose(level.view()),
+          sim::startLoose(level.view()),
           level.bounds(),
           level.hasMotion()};
 }
@@ -108,7 +108,7 @@ TEST(ReachBound, BoostsPadsAndBeltsReachFurther) {
   const auto belt = [](schema::Part::Builder p) {
     support::set(p.initConveyor().initVelocity(), {0, 0, -40});
   };
-  EXPECT_NE(jumpsAcross(platforms(25, 0, belt)), ReachBound::kNever);
+  EXPECT_NE(jumpsAcross(platforms(17, 0, belt)), ReachBound::kNever);
   const auto pad = [](schema::Part::Builder p) {
     support::set(p.initJumpPad().initVelocity(), {0, 100, 0});
   };

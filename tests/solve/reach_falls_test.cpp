@@ -9,33 +9,6 @@
 namespace obby::solve {
 namespace {
 
-// A platform, a tilted block below it, and, `belt`, a conveyor that nobody can reach: where it is,
-// speeds are not held as low as elsewhere.
-level::Level aboveATiltedBlock(float height, bool belt, float tilt = 0.5f) {
-  LevelBuilder b;
-  b.block({0, height - 0.5f, 0}, {8, 1, 8}).spawn({0, height, 0});
-  b.block({0, 10, -14}, {4, 4, 4},
-          [=](schema::Part::Builder p) { support::setRotation(p.initRotation(), 0, tilt); });
-  if (belt) {
-    b.block({0, -0.5f, 1900}, {8, 1, 8}, [](schema::Part::Builder p) {
-      support::set(p.initConveyor().initVelocity(), {0, 0, -40});
-    });
-  }
-  return b.compile();
-}
-
-float fastestIn(const level::Level& level) {
-  const Problem problem = support::plainProblem(level, {});
-  return ReachBound(problem, true).fastest();
-}
-
-TEST(ReachFalls, FarFallsOntoSlopesMakeFast) {
-  EXPECT_GT(fastestIn(aboveATiltedBlock(60, true)), 30);
-  EXPECT_LT(fastestIn(aboveATiltedBlock(12, true)), 25) << "no far fall";
-  EXPECT_FLOAT_EQ(fastestIn(aboveATiltedBlock(60, true, 0)), 16) << "no slope";
-  EXPECT_FLOAT_EQ(fastestIn(aboveATiltedBlock(60, false)), 20) << "no speed beyond a slide";
-}
-
 // The torso meets the edge of the block where the rays of the legs do not, 229 studs down: at 300
 // studs/s, of which 126 are turned aside. They walk on from then on, that way or back.
 TEST(ReachFalls, HoldsWhoGlancesOffAnEdge) {

@@ -76,43 +76,6 @@ TEST(ReachPressed, HoldsWhomASlowLiftPressesThroughACeiling) {
   EXPECT_GT(highest, 21) << "nobody was pressed through";
 }
 
-// What stops well before the wall presses nobody into it.
-TEST(ReachPressed, ABlockThatStopsBeforeTheWallLiftsNobody) {
-  const auto jumpsUp = [](const LevelBuilder& built) {
-    LevelBuilder b = built;
-    const level::Level level = b.compile();
-    const Problem problem = support::plainProblem(level, {});
-    return ReachBound(problem, true).jumpsTo(boxAt({0, 20, -30}, {20, 2, 20}));
-  };
-  EXPECT_EQ(jumpsUp(press(-6)), ReachBound::kNever);
-  EXPECT_NE(jumpsUp(press(6)), ReachBound::kNever);
-}
-
-// The level's bounds of what turns are a cube, and the bar is but a stud high: nobody beside the
-// tower is within its reach.
-TEST(ReachPressed, ABarThatTurnsAboveATowerLiftsNobody) {
-  LevelBuilder b;
-  b.block({0, -0.5f, 0}, {60, 1, 60}).spawn({20, 0, 0});
-  b.block({0, 10, 0}, {8, 20, 8});
-  b.block({0, 21, 0}, {16, 1, 1},
-          [](schema::Part::Builder p) { p.initMotion().initSpin().setSpeed(1); });
-  const level::Level level = b.compile();
-  const Problem problem = support::plainProblem(level, {});
-  EXPECT_EQ(ReachBound(problem, true).jumpsTo(boxAt({0, 24, 0}, {4, 2, 4})), ReachBound::kNever);
-}
-
-// Of a turning block and a wall the block is the lower one, whatever the cube.
-TEST(ReachPressed, ABlockThatTurnsBesideATallerWallLiftsOntoItself) {
-  LevelBuilder b;
-  b.block({0, -0.5f, 0}, {60, 1, 60}).spawn({20, 0, 0});
-  b.block({0, 4, -9}, {20, 8, 4});
-  b.block({0, 2, 0}, {12, 4, 12},
-          [](schema::Part::Builder p) { p.initMotion().initSpin().setSpeed(1); });
-  const level::Level level = b.compile();
-  // Pressed by nothing, the legs are lifted from some 3 studs below its top at 4.
-  EXPECT_LT(supportsOf(support::plainProblem(level, {})).back().entry, 0);
-}
-
 // A long seat reaches out of a wall, and holds its player deep inside.
 TEST(ReachPressed, HoldsWhoSitsInAWall) {
   LevelBuilder b;
@@ -124,40 +87,6 @@ TEST(ReachPressed, HoldsWhoSitsInAWall) {
     return sim::Action{0, t < 60, t == 100};
   });
   EXPECT_GT(highest, 14) << "nobody was lifted";
-}
-
-// A chair against a wall holds nobody in it. The wall is higher than a jump off a slope, for which
-// the bound takes any seat.
-TEST(ReachPressed, ASeatBesideAWallLiftsNobody) {
-  LevelBuilder b;
-  b.block({0, -0.5f, 0}, {60, 1, 30}).spawn({0, 0, 0});
-  b.block({0, 20, -20}, {60, 40, 20});
-  b.block({0, 0.5f, -9}, {2, 1, 2}, [](schema::Part::Builder p) { p.initSeat(); });
-  const level::Level level = b.compile();
-  const Problem problem = support::plainProblem(level, {});
-  EXPECT_EQ(ReachBound(problem, true).jumpsTo(boxAt({0, 46, -20}, {20, 2, 10})),
-            ReachBound::kNever);
-}
-
-// Legs are thrown off what rises faster than off what stands.
-TEST(ReachPressed, LegsAreThrownHigherOffALift) {
-  LevelBuilder b;
-  b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
-  b.block({0, -10, -6}, {4, 1, 4}, [](schema::Part::Builder p) {
-    auto motion = p.initMotion();
-    motion.setCarries(true);
-    motion.setRepeat(schema::Repeat::ONCE);
-    auto keys = motion.initKeys(2);
-    support::set(keys[0].initPosition(), {0, -10, -6});
-    support::set(keys[1].initPosition(), {0, 3.5f, -6});
-    keys[1].setTime(13.5f / 40);
-  });
-  const level::Level level = b.compile();
-  const Problem problem = support::plainProblem(level, {});
-  const ReachBound bound(problem, false);
-  // Whoever steps onto it from two studs below has some 30 studs/s more than its 40.
-  EXPECT_EQ(bound.jumpsTo(boxAt({0, 19, -6}, {4, 2, 4})), 0u);
-  EXPECT_EQ(bound.jumpsTo(boxAt({0, 40, -6}, {4, 2, 4})), ReachBound::kNever);
 }
 
 // The first tick of a jump is as fast as the jump, whatever is the fastest fall.

@@ -2,81 +2,58 @@
 
 #include <algorithm>
 
-#include "solve/proof/body_reach.h"
+#include "sim/floor.h"
 
 namespace obby::solve {
 
 namespace {
 
-constexpr float kMostVertical = 1e-3f;
-
-// Studs a tick: movers that jump further push through things, and are farther in a body than what
-// they lift it from.
-float snapOf(const Params& p) {
-  const float half = 0.5f * std::min(p.bodyWidth, p.bodyDepth);
-  return std::min(1.0f, half + kSlack + std::max(sim::rayHeight(p) - p.hipHeight, 0.0f));
-}
-
-void noteStep(PartMotion& m, Vec3 step, float turned, float rate) {
-  const float side = length(Vec3{step.x, 0, step.z}) + turned;
-  m.upward = std::max(m.upward, (absf(step.y) + turned) * rate);
-  m.sideways = std::max(m.sideways, side * rate);
-  m.rough |= absf(step.y) > kMostVertical;
-}
-
-// Bound on how far a tick of spin moves a point at `radius`.
-float spinStep(const Mat3& a, const Mat3& b, float radius) {
+// Straight distance that a point at `radius` from the axis moves between two rotations, at most.
+float turnStep(const Mat3& a, const Mat3& b, float radius) {
   const Vec3 x = b.x - a.x, y = b.y - a.y, z = b.z - a.z;
   return radius * sqrtf32(dot(x, x) + dot(y, y) + dot(z, z));
 }
 
-// `half`: half of its height while it is upright. What stays upright is no lower and no higher than
-// at its keys, however it turns; the level's bounds of what turns are a cube.
-void noteHeights(PartMotion& motion, const level::Mover& m, float half, bool upright,
-                 const Params& p) {
-  float lowest = 1e30f, highest = -1e30f;
-  for (uint32_t k = 0; k < m.keyCount; ++k) {
-    lowest = std::min(lowest, m.keys[k].position.y);
-    highest = std::max(highest, m.keys[k].position.y);
-  }
-  motion.lowestTop = lowest + half;
-  // What takes minutes for it presses a body as deep into others as what takes a second.
-  motion.rough |= highest - lowest > flushDepth(p);
-  if (!upright) return;
-  motion.swept.lo.y = lowest - half;
-  motion.swept.hi.y = highest + half;
+// How far the feet of a player who is carried can be from the part.
+float feetAway(const Params& p) {
+  const float side = (p.bodyWidth + p.bodyDepth) * std::max(p.floorRaySpread, 0.5f) + p.climbReach;
+  return side + std::max(sim::rayHeight(p), p.bodyTop);
 }
 
-// Studs to the farthest point that counts, from what the keys and what the spin turn it about.
-struct Radii {
-  float keys, spin;
+struct Steps {
+  float up = 0, vertical = 0, sideways = 0;
+
+  void note(Vec3 moved, float turned) {
+    up = std::max(up, moved.y + turned);
+    vertical = std::max(vertical, absf(moved.y) + turned);
+    sideways = std::max(sideways, length(Vec3{moved.x, 0, moved.z}) + turned);
+  }
+  float any() const { return vertical + sideways; }
 };
 
-// Once its clock has run out a mover is back at its beginning, wherever it was, in one tick.
-void noteReturn(PartMotion& motion, const level::Mover& m, const Radii& radii, const Params& p,
-                bool carries) {
-  if (m.trigger == level::kNone) return;
-  const float rate = p.controlRate;
-  PartMotion back;
+// Of points at `radius`, in a tick. That a triggered part is put back at its first key when its
+// clock ends counts for `put` alone: no floor has a velocity then.
+Steps stepsOf(const level::Mover& m, float radius, float& put) {
+  Steps keys, spin, back;
+  const Pose& first = m.keys[0];
   for (uint32_t k = 0; k < m.keyCount; ++k) {
-    const Vec3 step = m.keys[0].position - m.keys[k].position;
-    noteStep(back, step, spinStep(m.keys[k].rotation, m.keys[0].rotation, radii.keys), rate);
+    const Pose& from = m.keys[k];
+    if (m.trigger != level::kNone) {
+      back.note(first.position - from.position, turnStep(from.rotation, first.rotation, radius));
+    }
+    const bool last = k + 1 == m.keyCount;
+    if (last && m.once) break;
+    const Pose& to = last ? first : m.keys[k + 1];
+    keys.note(to.position - from.position, turnStep(from.rotation, to.rotation, radius));
   }
-  float turned = 0;
+  // Half a turn about the pivot leads as far again from the centre, about which the keys turn.
+  const float arm = m.spinCount != 0 ? radius + length(m.pivot) : 0;
   for (uint32_t k = 0; k < m.spinCount; ++k) {
-    turned = std::max(turned, spinStep(m.spins[k], m.spins[0], radii.spin));
+    spin.note({}, turnStep(m.spins[k], m.spins[(k + 1) % m.spinCount], arm));
+    if (m.trigger != level::kNone) back.note({}, 2 * arm);
   }
-  back.upward += turned * rate;
-  back.sideways += turned * rate;
-  const bool snaps = back.sideways > snapOf(p) * rate;
-  motion.rough |= back.rough || snaps;
-  if (!carries) {
-    // Who is in its way is pushed by all of that at once.
-    if (!snaps) motion.sideways = std::max(motion.sideways, back.sideways);
-    return;
-  }
-  motion.upward = std::max(motion.upward, back.upward);
-  motion.sideways = std::max(motion.sideways, back.sideways);
+  put = std::max(keys.any() + spin.any(), 2 * back.any());
+  return {keys.up + spin.up, keys.vertical + spin.vertical, keys.sideways + spin.sideways};
 }
 
 }  // namespace
@@ -84,34 +61,29 @@ void noteReturn(PartMotion& motion, const level::Mover& m, const Radii& radii, c
 PartMotion partMotion(const level::LevelView& level, uint32_t collider) {
   const level::Collider& c = level.colliders[collider];
   const level::Mover& m = level.movers[c.mover];
+  const Params& p = level.params;
   const bool upright = (level.bounds[collider].flags & level::kUpright) != 0;
-  // Who sits on what turns over may be farther from its centre than its corners are.
-  const bool swings = !upright && (level.bounds[collider].flags & level::kSeat) != 0;
-  const float half = std::max(length(c.shape.half), swings ? level.params.seatHeight : 0.0f);
-  const float arm = length(m.pivot), rate = level.params.controlRate;
-  const float spun = half + arm + feetAway(level.params, level.bounds[collider].flags);
-  // Half a turn about the pivot leads as far again from the centre, about which the keys turn.
-  const Radii radii{m.spinCount != 0 ? spun + arm : spun, spun};
   PartMotion motion;
   motion.collider = collider;
   motion.swept = level.bounds[collider].box();
-  motion.rough = !upright;
-  noteHeights(motion, m, c.shape.half.y, upright, level.params);
+  const float radius = length(c.shape.half) + length(m.pivot) + feetAway(p);
+  const Steps steps = stepsOf(m, radius, motion.step);
+  motion.upward = steps.up * p.controlRate;
+  motion.vertical = steps.vertical * p.controlRate;
+  motion.sideways = steps.sideways * p.controlRate;
+  if (!upright) return motion;
+  // What stays upright is no lower and no higher than at its keys, however it turns.
+  Box heights{m.keys[0].position, m.keys[0].position};
+  Steps still;
   for (uint32_t k = 0; k < m.keyCount; ++k) {
-    if (k + 1 == m.keyCount && m.once) break;
-    const Pose &from = m.keys[k], &to = m.keys[(k + 1) % m.keyCount];
-    noteStep(motion, to.position - from.position, spinStep(from.rotation, to.rotation, radii.keys),
-             rate);
+    const uint32_t next = k + 1 < m.keyCount ? k + 1 : (m.once ? k : 0);
+    heights = join(heights, {m.keys[k].position, m.keys[k].position});
+    still.note(m.keys[next].position - m.keys[k].position, 0);
   }
-  float spin = 0;
-  for (uint32_t k = 0; k < m.spinCount; ++k) {
-    spin = std::max(spin, spinStep(m.spins[k], m.spins[(k + 1) % m.spinCount], radii.spin));
-  }
-  motion.sideways += spin * rate;
-  if (!upright) motion.upward += spin * rate;
-  motion.rough |= motion.sideways > snapOf(level.params) * rate;
-  const bool carries = (level.bounds[collider].flags & (level::kCarries | level::kSeat)) != 0;
-  noteReturn(motion, m, radii, level.params, carries);
+  motion.upward = still.up * p.controlRate;
+  motion.vertical = still.vertical * p.controlRate;
+  motion.swept.lo.y = heights.lo.y - c.shape.half.y;
+  motion.swept.hi.y = heights.hi.y + c.shape.half.y;
   return motion;
 }
 

@@ -1,4 +1,4 @@
-// What a moving part does to those around it, over the whole of its motion.
+// How a moving part can move those around it, over the whole of its motion.
 #pragma once
 
 #include <mutex>
@@ -10,10 +10,11 @@ namespace obby::solve {
 
 struct PartMotion {
   uint32_t collider = level::kNone;
-  float upward = 0, sideways = 0;  // fastest of any of its points, studs/s
-  float lowestTop = 0;             // of an upright block: its top at its lowest
-  Box swept;           // where it can be; of what turns upright as high as it is, no cube
-  bool rough = false;  // turns over, rises, or jumps: may push a player through other parts
+  Box swept;                // all its places; of an upright block that turns, no cube
+  float upward = 0;         // fastest of any of its points, studs/s, and of a player whom it carries
+  float vertical = 0;       // up or down
+  float sideways = 0;
+  float step = 0;           // studs that it moves in a tick, at most
 };
 
 // Of a collider that has a mover.
@@ -22,8 +23,8 @@ PartMotion partMotion(const level::LevelView& level, uint32_t collider);
 // Of all colliders that move, in their order.
 std::vector<PartMotion> partMotions(const level::LevelView& level);
 
-// The same for one level, worked out when it is first asked for: each hull of a part looks at all
-// keys. Safe to share between threads.
+// The same for one level, computed when first asked for: each hull of a part looks at all keys.
+// Safe to share between threads.
 class PartMotions {
  public:
   // Always the same level.

@@ -1,30 +1,23 @@
-// What a player can reach at most, whatever the keys: a sound over-approximation, from which alone
-// a query is said to be unreachable.
+// What a player can reach at most, whatever the keys: an upper bound, derived from the laws of the
+// simulator in docs/proof.md. A query is said to be unreachable from it alone.
 //
-// A playthrough is a sequence of flights from one thing that carries the player to the next. Each
-// flight is a parabola that starts as high and as fast as anything reachable allows; walls, kill
-// parts, avoid regions and timing are ignored; moving parts are everywhere on their way at once,
-// and take along for nothing whom they push, as does what they push somebody into; parts that
-// vanish, open or fall are there and away. docs/queries.md says what is left out.
+// A trajectory is a sequence of flights from one support to the next. A flight begins as high and
+// as fast as its support allows; walls, kill parts, avoid regions and timing are ignored; moving
+// parts are everywhere on their track at once.
 //
-// That all parts are there for the player is taken for granted: of crowdedPlaces() (crowding.h) it
-// is not so, and who can come into one can come anywhere.
+// It takes for granted that the simulator looks at all parts near a player: where it does not
+// (crowding.h), nothing is known.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "solve/proof/box_index.h"
-#include "solve/proof/flight.h"
-#include "solve/proof/put_out.h"
-#include "solve/proof/rides.h"
 #include "solve/proof/supports.h"
 
 namespace obby::solve {
 
-// A step that nobody can make: the least of those that lead out of what is reached.
+// A step that no player can make: the least of those that lead out of what is reached.
 struct Missing {
   uint32_t from = level::kNone, to = level::kNone;  // colliders; none: the start, the region
   float rise = 0, gap = 0;                          // studs that a player lacks, at least
@@ -37,7 +30,7 @@ class ReachBound {
   // `mayJump`: the query admits jumps. The problem must outlive the bound, and its level have no
   // unboundedPart().
   ReachBound(const Problem& problem, bool mayJump);
-  ReachBound(const ReachBound&) = delete;  // points into itself
+  ReachBound(const ReachBound&) = delete;
   ReachBound& operator=(const ReachBound&) = delete;
 
   // Fewest jumps on the way into the region, or to touching the part; kNever: there is no way.
@@ -53,89 +46,83 @@ class ReachBound {
   Missing missing(const std::vector<const level::TargetView*>& targets) const;
   Missing missing(const level::TargetView& target) const { return missing(std::vector{&target}); }
 
-  // Where the feet are when the target is reached, at the least height its floor less a body's.
+  // Where the feet are when the target is reached, seen from above.
   Box boxOf(const level::TargetView& target) const;
 
   // Colliders that may carry the player.
   std::vector<uint32_t> reached() const;
 
-  // Fastest horizontal motion of anyone, studs/s, but of those who are pressed out of a wedge;
-  // infinite where something moves players at once.
-  float fastest() const;
-
-  // Where such wedges may take somebody along at any speed, by how far from there: wayBetween()
-  // gives the studs that are left.
-  std::vector<Ride> ownRides(const Box& from) const;
-
-  // Studs from one box to the other that somebody comes at fastest(), at least, with these
-  // ownRides(): less than wayBetween() by what the parts on the way put them out by.
-  float wayPast(const Box& from, const std::vector<Ride>& rides, const Box& to) const;
-
-  // How far jumps may move somebody at once, besides. Not to be asked where fastest() is infinite.
-  std::vector<PutOut> putOuts() const;
+  // Fewest seconds that a player takes for so many studs, seen from above; 0: nothing is known.
+  float secondsFor(float studs) const;
 
  private:
+  // One way off a support.
+  struct Flight {
+    float height, up;  // of the feet, at the highest, and their speed
+    bool leaps;        // by a jump
+    float radius;      // around the support's box in which it begins
+  };
+  // Where a flight is to end.
+  struct End {
+    Box box;
+    float falling, leaping;  // least heights of the feet
+    float side;              // radius around the box
+    uint32_t support;        // itself, no push is counted of it; kNever: none
+  };
+  // A part that takes a player along, or lets one through, and the studs to get to it.
+  struct Ride {
+    const Box* box;
+    float way;
+  };
+
   void explore();
+  bool round();
   void spread(uint32_t from, std::vector<uint32_t>& now, std::vector<uint32_t>& later);
   template <class Near>
-  void forNear(const Box& feet, const std::vector<Ride>& rides, float farthest, Near&& near) const;
-  Launch launch(const Support& s, bool jumping) const;
-  // The highest that there is from it.
-  Launch launch(const Support& s) const { return launch(s, mayJump_ && s.carries); }
-  bool crosses(const Launch& l, float gap, const Support& to, bool jumping) const;
-  // That can be met in a flight from there before the feet are below `lowest`.
-  std::vector<Ride> ridesFrom(const Support& s, float lowest) const;
-  std::vector<Ride> ridesOn(const Launch& l, float lowest) const;
+  void forNear(const Support& s, const std::vector<Ride>& rides, float farthest, Near&& near) const;
+  void arrive(uint32_t from, uint32_t to, const Flight& f, float way);
+  void noteReached(uint32_t support);
+  bool raise(float& value, float to);
+
+  float tossOf(uint32_t support) const;
+  Flight fall(uint32_t support) const;
+  Flight leap(uint32_t support) const;
+  bool leaps(const Support& s) const { return mayJump_ && s.carries; }
+  float apex(const Flight& f) const;
   // reach_slopes.cpp
-  float fastestReached() const;
-  float fastestOfAll() const;
-  bool isSteepOnly(const Support& s) const;
-  bool isIce(const Support& s) const;
-  bool glancesFar(float upward, float most) const;
-  bool glancesOver(bool ice) const;
-  float rampSpeed(const Support& s) const;
-  // reach_falls.cpp
-  struct Fall {
-    Launch from;
-    float top;  // feet, at the highest
-  };
-  Fall fallFrom(const Support& s, float reached) const;
-  std::vector<float> highestFalls() const;
-  bool spreadFalls(const std::vector<size_t>& from, const std::vector<size_t>& slopes,
-                   std::vector<float>& highest) const;
-  bool isSlopeNear(size_t support, float studs) const;
-  float speedAfter(float before, float fall, bool together) const;
-  struct Glance {
-    float after;   // studs/s sideways, from then on
-    float atOnce;  // studs beyond those, in the first tick
-    // Studs from the feet then up to where a flight from the slope is taken to begin, which may be
-    // the longer one; negative: they may land on ice, which leaves them as fast and takes them
-    // anywhere.
-    float below;
-  };
-  Glance glanceAt(float speed, float below) const;
-  bool outruns(const Glance& g, float more) const;
-  float turnedAside(float given, float more) const;
-  // reach_edges.cpp
-  struct Heights {
-    float apex, upward;  // of any feet, studs and studs/s
-    float beside;        // studs that turning beside a part gains
-    float climbed;       // studs of a substep of a climb, which is never cut up
-  };
-  Heights heights() const;
-  float putOutPast(const Support& s, const Heights& of) const;
+  float base(uint32_t support, const Flight& f) const;
+  float slopeGain() const;
+  float slopeToss(uint32_t support) const;
+  float slopeSideways(uint32_t support) const;
+  float reach(const Flight& f, float height) const;
+  bool crosses(uint32_t from, const Flight& f, const End& to, float way) const;
+  bool stepsInto(const Flight& f, const Support& to, float way) const;
+  int partsNear(uint32_t from, const Flight& f, const End& to, float studs) const;
+  float secondsOf(const Flight& f, float height) const;
+  std::vector<Ride> ridesFrom(const Support& s, float farthest) const;
+  float wayTo(const Support& s, const std::vector<Ride>& rides, const End& to) const;
+  End endAt(uint32_t support) const;
+  End endAt(const level::TargetView& target) const;
+  float floorUnder(const Box& region) const;
+  bool isReached(uint32_t support) const { return jumps_[support] != kNever; }
 
   const Problem& problem_;
   const Params& p_;
+  const BodyLimits limits_;
   const bool mayJump_;
-  const float jumpSpeed_, walkSpeed_;  // by keys, under all boosts
   std::vector<Support> supports_;
-  const BoxIndex index_;                                   // of their feet, from above
-  float lowest_ = std::numeric_limits<float>::infinity();  // entry of all supports
-  std::vector<Pusher> pushers_;
-  bool slopes_ = false;          // is any support tilted?
+  const BoxIndex index_;         // of their boxes, from above
+  std::vector<Box> riders_;      // parts that take players along
+  float lowest_ = 1e30f;         // entry of all supports
+  // What the rounds of explore() raise until nothing changes.
   std::vector<uint32_t> jumps_;  // (supports): fewest on the way there; kNever
-  Flight flight_;
+  std::vector<float> takeOff_;   // (supports): studs above top and lift
+  std::vector<float> bases_;     // (supports): highest that the energy of a flight there leads
+  float excess_ = 0;             // speed beyond walking of anybody, studs/s
+  float given_ = 0;              // the same without what slopes give
+  float tossed_ = 0;             // upward
+  bool slopes_ = false;          // is any support tilted that is reached?
+  bool wild_ = false, changed_ = false;
 };
 
 }  // namespace obby::solve

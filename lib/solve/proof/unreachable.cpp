@@ -6,11 +6,10 @@
 #include <limits>
 #include <utility>
 
+#include "sim/next_region.h"
 #include "sim/simulator.h"
 #include "solve/answers/part_text.h"
 #include "solve/proof/crowding.h"
-#include "solve/proof/jumping.h"
-#include "solve/proof/rounding.h"
 
 namespace obby::solve {
 
@@ -43,6 +42,17 @@ std::vector<Target> targetsOf(const level::QueryView& q, schema::Query::Reader r
   return targets;
 }
 
+// A query that forbids the state looks for it after each tick: a pad, a teleporter or a seat that
+// is touched in the first tick of a jump has ended it by then.
+bool admitsJumps(const Problem& problem) {
+  if (problem.query.maxJumps == 0) return false;  // counts such a jump, too
+  if (!sim::forbidsJumping(problem.query)) return true;
+  constexpr uint32_t kLeads = level::kPad | level::kTeleport | level::kSeat;
+  uint32_t flags = 0;
+  for (uint32_t i = 0; i < problem.level.colliderCount; ++i) flags |= problem.level.bounds[i].flags;
+  return (flags & kLeads) != 0;
+}
+
 int32_t lesser(int32_t a, int32_t b) { return a < 0 ? b : b < 0 ? a : std::min(a, b); }
 
 class Prover {
@@ -51,7 +61,7 @@ class Prover {
       : problem_(problem),
         q_(problem.query),
         targets_(targetsOf(q_, record)),
-        mayJump_(jumpingIn(problem) == Jumping::free),
+        mayJump_(admitsJumps(problem)),
         bound_(problem, mayJump_) {
     goals_.push_back(&q_.goal);
     for (uint32_t i = 0; i < q_.otherGoalCount; ++i) goals_.push_back(&q_.otherGoals[i]);
@@ -107,51 +117,35 @@ class Prover {
     return cut;
   }
 
-  Box boxOf(const level::TargetView& t) const { return bound_.boxOf(t); }
-
-  // Studs to any of them that somebody comes by own speed, at least. `past`: parts on the way may
-  // put them out by some of it.
-  float wayTo(const Targets& any, const Box& from, bool past) const {
-    constexpr size_t kMostWays = 1000;  // that are looked at so closely
-    if (past && any.size() > kMostWays) return 0;
-    const std::vector<Ride> rides = bound_.ownRides(from);
+  // Studs to any of them, straight.
+  float wayTo(const Targets& any, const Box& from) const {
     float least = 1e30f;
-    for (const level::TargetView* t : any) {
-      const Box to = boxOf(*t);
-      least = std::min(least, past ? bound_.wayPast(from, rides, to) : wayBetween(from, rides, to));
-    }
+    for (const level::TargetView* t : any) least = std::min(least, gapBetween(from, bound_.boxOf(*t)));
     return least;
   }
 
-  // Along the waypoints in order, and by any one visit, at the fastest speed and straight.
-  float leastDistance(bool past) const {
+  // Along the waypoints in order, and by any one visit.
+  float leastDistance() const {
     Box at{problem_.start.position, problem_.start.position};
     const Box from = at;
     float walked = 0;
     for (uint32_t i = 0; i < q_.waypointCount; ++i) {
-      walked += wayTo({&q_.waypoints[i].target}, at, past);
-      at = boxOf(q_.waypoints[i].target);
+      walked += wayTo({&q_.waypoints[i].target}, at);
+      at = bound_.boxOf(q_.waypoints[i].target);
     }
     float around = 0;
     for (uint32_t i = 0; i < q_.visitCount; ++i) {
-      const float behind = wayTo(goals_, boxOf(q_.visits[i]), past);
-      around = std::max(around, wayTo({&q_.visits[i]}, from, past) + behind);
+      const float behind = wayTo(goals_, bound_.boxOf(q_.visits[i]));
+      around = std::max(around, wayTo({&q_.visits[i]}, from) + behind);
     }
-    return std::max(walked + wayTo(goals_, at, past), around);
+    return std::max(walked + wayTo(goals_, at), around);
   }
 
   std::optional<Cut> late() const {
     if (q_.timeLimitTicks == 0) return std::nullopt;
     const Params& p = problem_.level.params;
-    const float most = float(q_.timeLimitTicks) * p.tickSeconds, spare = 2 * p.tickSeconds;
-    // What counts in flights is in fastest() already.
-    const float rounded = roundedSpeed(problem_) - roundedInFlight(problem_);
-    const float studs = leastDistance(false), speed = bound_.fastest() + rounded;
-    if (!(studs / speed - spare > most)) return std::nullopt;
-    const float own = std::min(leastDistance(true), studs);
-    std::vector<PutOut> outs = bound_.putOuts();
-    for (PutOut& out : outs) out.away = std::max(out.away - (studs - own), 0.0f);
-    const float seconds = secondsFor(own, speed, std::move(outs), q_.maxJumps) - spare;
+    const float most = float(q_.timeLimitTicks) * p.tickSeconds;
+    const float seconds = bound_.secondsFor(leastDistance()) - 2 * p.tickSeconds;
     if (!(seconds > most)) return std::nullopt;
     Cut cut = start(goalName_);
     cut.seconds = seconds;
@@ -168,8 +162,20 @@ class Prover {
   std::string goalName_;
 };
 
-// May the level's clock begin anew within a playthrough? What it moves is elsewhere at once then,
-// and takes players along as if it had moved there.
+// Is anything so far up or down that rounding shows in the height of a jump?
+bool isFarUp(const Problem& problem) {
+  constexpr float kFar = 16384;  // studs: of places beyond, the last bit is a 512th of a stud
+  Box all = join(problem.bounds, Box{problem.start.position, problem.start.position});
+  for (uint32_t i = 0; i < problem.level.colliderCount; ++i) {
+    if (!(problem.level.bounds[i].flags & level::kTeleport)) continue;
+    const Vec3 to = problem.level.roles[problem.level.colliders[i].role].teleportTo;
+    all = join(all, Box{to, to});
+  }
+  return std::max(-all.lo.y, all.hi.y) > kFar;
+}
+
+// May the level's clock begin anew within a trajectory? What it moves is elsewhere at once then, and
+// takes players along as if it had moved there.
 bool clockBeginsAnew(const Problem& problem) {
   constexpr uint64_t kLast = std::numeric_limits<uint32_t>::max();
   return problem.hasClock && problem.start.tick + sim::kMaxReplayTicks > kLast;

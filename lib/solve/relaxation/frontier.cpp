@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solve/proof/flight.h"
+#include "solve/proof/boxes.h"
 #include "solve/proof/supports.h"
 
 namespace obby::solve {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "solve/answers/part_text.h"
-#include "solve/proof/flight.h"
+#include "solve/proof/boxes.h"
 #include "solve/query/targets.h"
 #include "solve/relaxation/frontier.h"
 #include "solve/relaxation/knobs.h"

@@ -1,4 +1,4 @@
-// Fewer and larger boxes instead of many.
+// Boxes seen from above, and fewer and larger boxes instead of many.
 #pragma once
 
 #include <array>
@@ -11,15 +11,16 @@
 
 namespace obby::solve {
 
-// One more box; where there are `most` already, above 0, it is joined with the last. Gives what
-// became of it.
-inline const Box& addBox(std::vector<Box>& boxes, const Box& box, size_t most) {
-  if (boxes.size() < most) {
-    boxes.push_back(box);
-  } else {
-    boxes.back() = join(boxes.back(), box);
-  }
-  return boxes.back();
+// Studs between two boxes seen from above.
+inline float gapBetween(const Box& a, const Box& b) {
+  const float x = maxf(maxf(a.lo.x - b.hi.x, b.lo.x - a.hi.x), 0.0f);
+  const float z = maxf(maxf(a.lo.z - b.hi.z, b.lo.z - a.hi.z), 0.0f);
+  return sqrtf32(x * x + z * z);
+}
+
+inline bool isWithin(const Box& inner, const Box& outer) {
+  const Box all = join(inner, outer);
+  return all.lo == outer.lo && all.hi == outer.hi;
 }
 
 // Joins boxes that are near each other, until there are at most `most`, above 8.

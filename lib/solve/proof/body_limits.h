@@ -1,0 +1,92 @@
+// What a body can do at most, from the parameters of the physics alone. Each number is derived in
+// docs/proof.md, under the name that it has here.
+#pragma once
+
+#include "solve/proof/boxes.h"
+#include "solve/query/problem.h"
+
+namespace obby::solve {
+
+// What keeps the bound from saying anything; null: nothing.
+const char* unboundedPart(const level::LevelView& level);
+
+// Fastest walk and launch of a jump under all boosts of the level, studs/s.
+float fastestWalk(const level::LevelView& level);
+float fastestJump(const level::LevelView& level);
+
+// Heights of feet, studs.
+struct Span {
+  float lo, hi;
+};
+
+class BodyLimits {
+ public:
+  explicit BodyLimits(const Problem& problem);
+
+  // --- bodies
+  float ray = 0;      // radius in which floors are sensed, seen from above
+  float body = 0;     // radius of the colliding body, or `ray` where that is larger
+  float limb = 0;     // radius in which limbs touch
+  float across = 0;   // parts that are farther apart are not touched at once
+  float slack = 0;    // studs: skin, what push-out leaves, rounding
+  float settles = 0;  // studs above its rest height that a player may stand
+  float overlap = 0;  // with a part, by one step of travel and one tick of a turn in the air
+  float turned = 0;   // the same by any turn
+  bool staysOut = false;  // no jump leads the axis of the body into a part in its first tick
+
+  // --- speeds
+  float walk = 0;   // by keys, studs/s
+  float jump = 0;   // launch of a jump
+  float slowJump = 0;   // the same under the boost that is worst for it
+  float brake = 0;      // taken back on a floor before a landing leads to a jump, studs/s
+  float brakeOnce = 0;  // in the tick of the landing
+  float decay = 0;  // by which keys take back what is faster, studs/s^2
+
+  // Lowest feet that a static upright block takes onto its top, by feet that fall off a floor and
+  // by feet in a jump. `pinched`: another part may hold the body beside it.
+  float entryFalling(float top) const;
+  float entryLeaping(float top, bool pinched) const;
+
+  // Feet above a floor in Running, at most, after a flight whose apex is in `heads`, relative to
+  // the floor. A jump or a fall begins there.
+  float takeOff(Span heads) const;
+  // The same where the feet came off a higher floor in Running, by `drop` studs.
+  float keptTakeOff(float drop) const;
+  float mostTakeOff() const;
+  // Studs below a support's top from which a jump or fall may begin.
+  float sunk() const { return sunk_; }
+
+  // Apex above the take-off of a launch at `up` studs/s: of a jump, and of a body that is let go.
+  float leapApex(float up) const;
+  float fallApex(float up) const;
+
+  // Seconds until the feet are `rise` above the take-off for the last time; below 0: never. With
+  // the ticks before the take-off.
+  float leapSeconds(float up, float rise) const;
+  float fallSeconds(float up, float rise) const;
+
+  // Studs sideways in that time. `excess`: speed beyond `walk` at the start.
+  float sideways(float seconds, float excess) const;
+
+  // How far above a floor that goes up or down at `speed` the legs can leave the feet.
+  float legsOvershoot(float speed) const;
+
+  const Params& params() const { return p_; }
+
+ private:
+  float fallOver(uint32_t steps) const;  // studs of a free fall from rest
+  float airSeconds(float w, float rise) const;
+  float settled(float speed) const;  // height above a floor that is acquired at that fall, Landed
+  float reachAt(float fall, bool kept) const;
+  void setSpeeds(const Problem& problem);
+  void setBody(const Problem& problem);
+  void setTakeOff();
+
+  const Params& p_;
+  float dt_, tick_, gravity_;
+  uint32_t landedSteps_ = 0;  // from the landing to the first jump
+  uint32_t lateTicks_ = 0;    // from the last tick with a floor to the last jump
+  float sunk_ = 0, always_ = 0, graceFall_ = 0, keptReach_ = 0, slowRate_ = 0;
+};
+
+}  // namespace obby::solve

@@ -1,0 +1,151 @@
+#include "solve/proof/contacts.h"
+
+#include <algorithm>
+
+namespace obby::solve {
+
+namespace {
+
+constexpr size_t kMostWork = 4'000'000;  // parts looked at; from then on all are deep
+
+// Sideways from its middle to its nearest face, at most.
+float leastHalf(const Box& box) {
+  const Vec3 size = box.hi - box.lo;
+  return 0.5f * std::min({size.x, size.y, size.z});
+}
+
+}  // namespace
+
+Contacts::Contacts(const level::LevelView& level, const BodyLimits& limits,
+                   const std::vector<PartMotion>& movers, const std::vector<Vec3>& appear)
+    : level_(level),
+      limits_(limits),
+      boxes_([&] {
+        std::vector<Box> boxes;
+        for (uint32_t id = 0; id < level.colliderCount; ++id) {
+          boxes.push_back(level.bounds[id].box());
+        }
+        for (const PartMotion& m : movers) boxes[m.collider] = m.swept;
+        return boxes;
+      }()),
+      beside_(level.colliderCount, Beside::clear),
+      index_(solidBoxes()) {
+  spreadDeep(movers, appear);
+  findPinched();
+}
+
+std::vector<Box> Contacts::solidBoxes() {
+  std::vector<Box> boxes;
+  for (uint32_t id = 0; id < level_.colliderCount; ++id) {
+    if (!(level_.bounds[id].flags & level::kSolid)) continue;
+    solids_.push_back(id);
+    boxes.push_back(boxes_[id]);
+  }
+  return boxes;
+}
+
+// Can a body be inside of it without having been pressed there?
+bool Contacts::isRough(uint32_t id) const {
+  constexpr uint32_t kChanges =
+      level::kMoving | level::kVanishTimer | level::kClocked | level::kOneWay;
+  return (level_.bounds[id].flags & kChanges) != 0;
+}
+
+// What a body is pressed into may put it out into the next part. A part that is thicker than the
+// push pushes back; one that is thinner may push on, from where it was met.
+void Contacts::spreadFrom(Box where, float push) {
+  const Params& p = limits_.params();
+  std::vector<std::pair<Box, float>> open{{where, push}};
+  while (!open.empty() && work_ <= kMostWork) {
+    const auto [from, by] = open.back();
+    open.pop_back();
+    const float far = limits_.across + 2 * by;
+    const Box region = grow(from, {far, p.bodyTop + 2 * by, far});
+    find(region, [&](uint32_t id) {
+      ++work_;
+      const bool known = beside_[id] == Beside::deep;
+      beside_[id] = Beside::deep;
+      const float half = leastHalf(boxes_[id]);
+      if (half > by + limits_.body) return;
+      const Box met{max(boxes_[id].lo, region.lo), min(boxes_[id].hi, region.hi)};
+      if (known && isWithin(met, pressed_[id])) return;
+      pressed_[id] = known ? join(pressed_[id], met) : met;
+      open.emplace_back(pressed_[id], half + limits_.body + 1);
+    });
+  }
+}
+
+bool Contacts::slidesAlone(const PartMotion& m) const {
+  constexpr uint32_t kOther =
+      level::kVanishTimer | level::kClocked | level::kOneWay | level::kTriggered;
+  const uint32_t flags = level_.bounds[m.collider].flags;
+  const Params& p = limits_.params();
+  const bool slow = m.step < 0.25f * std::min(p.bodyWidth, p.bodyDepth);
+  const bool level = m.vertical * p.tickSeconds < 1e-4f;
+  if (!(flags & level::kUpright) || (flags & kOther) || !slow || !level) return false;
+  const float far = limits_.across + 2 * m.step;
+  bool alone = true;
+  find(grow(boxes_[m.collider], {far, p.bodyTop, far}),
+       [&](uint32_t id) { alone = alone && id == m.collider; });
+  return alone;
+}
+
+void Contacts::spreadDeep(const std::vector<PartMotion>& movers, const std::vector<Vec3>& appear) {
+  pressed_ = boxes_;
+  std::vector<float> steps(level_.colliderCount, 0.0f);
+  for (const PartMotion& m : movers) steps[m.collider] = m.step;
+  std::vector<bool> seeds(level_.colliderCount);
+  for (const uint32_t id : solids_) seeds[id] = isRough(id);
+  // A part that slides alone pushes a body that nothing else holds.
+  for (const PartMotion& m : movers) seeds[m.collider] = seeds[m.collider] && !slidesAlone(m);
+  const Params& p = limits_.params();
+  for (const Vec3 feet : appear) {
+    const float side = limits_.body;
+    const Box torso{feet + Vec3{-side, p.hipHeight + 2 * limits_.slack, -side},
+                    feet + Vec3{side, p.bodyTop, side}};
+    find(torso, [&](uint32_t id) { seeds[id] = true; });
+  }
+  for (const uint32_t id : solids_) {
+    if (!seeds[id]) continue;
+    const float inside = leastHalf({{}, 2.0f * level_.colliders[id].shape.half});
+    beside_[id] = Beside::deep;
+    spreadFrom(boxes_[id], steps[id] + inside + limits_.body + 1);
+  }
+  if (work_ <= kMostWork) return;
+  for (const uint32_t id : solids_) beside_[id] = Beside::deep;
+}
+
+// Does it stand along the axes of the world?
+bool Contacts::isAxial(uint32_t id) const {
+  if (!(level_.bounds[id].flags & level::kUpright)) return false;
+  const Vec3 x = level_.colliders[id].pose.rotation.x;
+  return std::min(absf(x.x), absf(x.z)) < 1e-5f;
+}
+
+// Is there a place where both of them hold a body, from opposite sides?
+bool Contacts::holdsBetween(uint32_t a, uint32_t b) const {
+  if (!isAxial(a) || !isAxial(b)) return true;
+  const Params& p = limits_.params();
+  const float fits = std::min(p.bodyWidth, p.bodyDepth) - 4 * limits_.slack - 0.1f;
+  return gapBetween(boxes_[a], boxes_[b]) > fits;
+}
+
+void Contacts::findPinched() {
+  const Params& p = limits_.params();
+  const bool all = limits_.overlap >= limits_.turned;
+  const float torso = p.bodyTop - p.hipHeight + limits_.slack;
+  for (const uint32_t id : solids_) {
+    if (beside_[id] == Beside::deep) continue;
+    bool pinched = all;
+    const Box around = grow(boxes_[id], {limits_.across, torso, limits_.across});
+    if (!pinched) {
+      find(around, [&](uint32_t other) {
+        pinched |= other != id && work_ < kMostWork && holdsBetween(id, other);
+        ++work_;
+      });
+    }
+    if (pinched || work_ >= kMostWork) beside_[id] = Beside::pinched;
+  }
+}
+
+}  // namespace obby::solve

@@ -1,0 +1,37 @@
+// Nobody leaves the bound on reach: random levels, random physics, players who try. More with
+// OBBY_ATTACKS=COUNT, from seed OBBY_ATTACK_SEED on.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "attack.h"
+
+namespace obby::solve {
+namespace {
+
+uint64_t numberOf(const char* name, uint64_t otherwise) {
+  const char* const text = std::getenv(name);
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+void attackAll(bool features) {
+  const uint64_t count = numberOf("OBBY_ATTACKS", 2500), first = numberOf("OBBY_ATTACK_SEED", 1);
+  AttackCounts counts;
+  int faults = 0;
+  for (uint64_t seed = first; seed < first + count && faults < 20; ++seed) {
+    const auto fault = Attack(seed, features).run(counts);
+    if (!fault) continue;
+    ++faults;
+    ADD_FAILURE() << "seed " << seed << ": " << *fault;
+  }
+  std::printf("%llu levels, %llu without a bound, %llu where it holds all, %llu ticks\n",
+              (unsigned long long)counts.levels, (unsigned long long)counts.unbounded,
+              (unsigned long long)counts.wild, (unsigned long long)counts.ticks);
+}
+
+TEST(ReachAttack, NobodyLeavesTheBoundAmongBlocks) { attackAll(false); }
+TEST(ReachAttack, NobodyLeavesTheBoundAmongAllParts) { attackAll(true); }
+
+}  // namespace
+}  // namespace obby::solve
