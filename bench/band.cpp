@@ -1,5 +1,5 @@
-// How wide the undecided band is: between the hardest step that a search solves and the easiest that
-// the bound on reach shows to be impossible. One row a kind of step, in studs:
+// How wide the undecided band is: between the hardest step that a search solves and the easiest
+// that the bound on reach shows to be impossible. One row a kind of step, in studs:
 //   {"name":"gap","solvedTo":11.4,"unreachableFrom":11.9,"band":0.5}
 //   bench_band [--json] [--steps N]     N: simulated ticks for each attempt of the search
 #include <fmt/format.h>
@@ -192,11 +192,12 @@ int main(int argc, char** argv) {
     const float from = bisect(c.solved, c.wide, 0.01f, [&](float x) { return !isShown(c, x); });
     const float to = hardestSolved(c, from, steps);
     if (json) {
-      fmt::print(R"({{"name":"{}","solvedTo":{:.2f},"unreachableFrom":{:.2f},"band":{:.2f}}})" "\n",
+      fmt::print(R"({{"name":"{}","solvedTo":{:.2f},"unreachableFrom":{:.2f},"band":{:.2f}}})"
+                 "\n",
                  c.name, to, from, from - to);
     } else {
-      fmt::print("{:8} solved to {:6.2f}  unreachable from {:6.2f}  band {:5.2f}\n", c.name, to, from,
-                 from - to);
+      fmt::print("{:8} solved to {:6.2f}  unreachable from {:6.2f}  band {:5.2f}\n", c.name, to,
+                 from, from - to);
     }
     std::fflush(stdout);
   }

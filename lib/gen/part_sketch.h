@@ -50,6 +50,7 @@ struct PartSketch {
   Color color{};
   float transparency = 0;
   float friction = -1, density = -1;  // negative: the schema's default
+  float frictionWeight = 1;           // of `friction` in the mean with the player's
   bool solid = true, anchored = true, kill = false, goal = false;
   int32_t checkpoint = 0;  // stage; 0: none
   Vec3 conveyor, pad;      // studs/s; zero: none

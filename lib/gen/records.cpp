@@ -80,6 +80,7 @@ void writePart(const PartSketch& from, schema::Part::Builder to) {
   if (!from.solid) to.setSolid(false);
   if (!from.anchored) to.setAnchored(false);
   if (from.friction >= 0) to.setFriction(from.friction);
+  if (from.frictionWeight != 1) to.setFrictionWeight(from.frictionWeight);
   if (from.density >= 0) to.setDensity(from.density);
   to.setTransparency(from.transparency);
   writeRoles(from, to);

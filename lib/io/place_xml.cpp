@@ -103,13 +103,13 @@ void PlaceXml::reference(const char* name, uint32_t referent) {
   out_ += fmt::format("<Ref name=\"{}\">RBX{}</Ref>\n", name, referent);
 }
 
-void PlaceXml::physical(float density, float friction) {
+void PlaceXml::physical(float density, float friction, float frictionWeight) {
   out_ += fmt::format(
       "<PhysicalProperties name=\"CustomPhysicalProperties\"><CustomPhysics>true</CustomPhysics>"
       "<Density>{}</Density><Friction>{}</Friction><Elasticity>0.5</Elasticity>"
-      "<FrictionWeight>1</FrictionWeight><ElasticityWeight>1</ElasticityWeight>"
+      "<FrictionWeight>{}</FrictionWeight><ElasticityWeight>1</ElasticityWeight>"
       "</PhysicalProperties>\n",
-      density, friction);
+      density, friction, frictionWeight);
 }
 
 }  // namespace obby::io

@@ -31,7 +31,7 @@ class PlaceXml {
   void source(std::string_view script);
   void tags(std::string_view tags);  // one tag
   void reference(const char* name, uint32_t referent);
-  void physical(float density, float friction);
+  void physical(float density, float friction, float frictionWeight);
 
   uint32_t lastReferent() const { return referents_; }
 

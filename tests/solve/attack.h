@@ -103,7 +103,9 @@ class Attack {
     const bool carries = oneIn(2), turns = oneIn(2);
     return [=](schema::Part::Builder p) {
       switch (role) {
-        case 0: support::set(p.initJumpPad().initVelocity(), turns ? Vec3{0, absf(v.y), 0} : v); return;
+        case 0:
+          support::set(p.initJumpPad().initVelocity(), turns ? Vec3{0, absf(v.y), 0} : v);
+          return;
         case 1: support::set(p.initConveyor().initVelocity(), v * 0.5f); return;
         case 2:
           p.initVanish().setTrigger(schema::VanishTrigger::TIMER);
@@ -138,7 +140,8 @@ class Attack {
     const float gravity = anyOf({10.0f, 20.0f, 40.0f, 100.0f, 196.2f, 196.2f, 500.0f});
     const float walk = anyOf({2.0f, 16.0f, 16.0f, 30.0f, 100.0f});
     const float jump = anyOf({0.0f, 3.0f, 10.0f, 20.0f, 30.0f, 53.0f, 53.0f, 100.0f});
-    const uint16_t rate = anyOf({30, 60, 60, 120, 240}), steps = anyOf({1, 2, 4, 8});
+    const auto rate = uint16_t(anyOf({30, 60, 60, 120, 240})),
+               steps = uint16_t(anyOf({1, 2, 4, 8}));
     const float k = anyOf({200.0f, 1000.0f, 3000.0f, 3000.0f, 8000.0f});
     const float c = anyOf({40.0f, 110.0f, 110.0f, 200.0f, 400.0f});
     const float hip = anyOf({0.5f, 2.0f, 2.0f, 4.0f});
@@ -146,8 +149,10 @@ class Attack {
     const float coyote = anyOf({0.0f, 0.117f, 0.117f, 0.5f}), grace = anyOf({0.0f, 0.117f, 0.5f});
     const float air = anyOf({0.0f, 20.0f, 143.0f, 143.0f, 2000.0f});
     const float base = anyOf({0.1f, 0.55f, 0.55f, 1.0f}), spread = anyOf({0.0f, 0.4f, 0.4f, 1.0f});
-    const float width = anyOf({0.3f, 1.0f, 2.0f, 2.0f, 4.0f}), depth = anyOf({0.3f, 1.0f, 1.0f, 2.0f});
-    const float limit = anyOf({300.0f, 20000.0f, 20000.0f}), turn = anyOf({1.0f, 8.0f, 8.0f, 100.0f});
+    const float width = anyOf({0.3f, 1.0f, 2.0f, 2.0f, 4.0f}),
+                depth = anyOf({0.3f, 1.0f, 1.0f, 2.0f});
+    const float limit = anyOf({300.0f, 20000.0f, 20000.0f}),
+                turn = anyOf({1.0f, 8.0f, 8.0f, 100.0f});
     const bool body = oneIn(2), legs = oneIn(2);
     builder_.physics([=](schema::PhysicsParams::Builder p) {
       p.setGravity(gravity), p.setWalkSpeed(walk), p.setJumpSpeed(jump), p.setAirAccel(air);
@@ -158,7 +163,8 @@ class Attack {
       }
       if (!body) return;
       p.setHipHeight(hip), p.setHeadBottom(hip + 2), p.setBodyTop(hip + 3);
-      p.setFloorRaySpread(spread), p.setBodyWidth(width), p.setBodyDepth(depth), p.setTurnSpeed(turn);
+      p.setFloorRaySpread(spread), p.setBodyWidth(width), p.setBodyDepth(depth),
+          p.setTurnSpeed(turn);
     });
   }
 
@@ -196,10 +202,11 @@ class Attack {
       sim::advance(w, nullptr, problem.level, nullptr, player.next(w, places_, jumps));
       if ((w.flags & sim::kOverruns) != 0) return std::nullopt;
       const auto at = [&](const char* what) {
-        return fmt::format("{}: tick {}, ({}, {}, {}) v ({}, {}, {}) state {}, {} jumps, from y {} state {}{}",
-                           what, t, w.position.x, w.position.y, w.position.z, w.velocity.x,
-                           w.velocity.y, w.velocity.z, int(w.state), w.jumps, before.position.y,
-                           int(before.state), jumps ? "" : ", no jumps");
+        return fmt::format(
+            "{}: tick {}, ({}, {}, {}) v ({}, {}, {}) state {}, {} jumps, from y {} state {}{}",
+            what, t, w.position.x, w.position.y, w.position.z, w.velocity.x, w.velocity.y,
+            w.velocity.z, int(w.state), w.jumps, before.position.y, int(before.state),
+            jumps ? "" : ", no jumps");
       };
       if (!bound.holds(w.position)) return at("outside");
       const bool lands = w.state == sim::State::landed && before.state != sim::State::landed;

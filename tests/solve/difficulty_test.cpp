@@ -143,7 +143,7 @@ TEST(PressWindow, IsTheRunUpDividedByTheSpeed) {
 TEST(PressWindow, TheRecordedPressIsInsideAndTheMiddleIsMeantInTrials) {
   const GapScene scene(8);
   // Pressed at the last moment: most trials still pass, since players know when to press.
-  const Course late = scene.jumpAt(-10);
+  const Course late = scene.jumpAt(-9.8f);
   const std::vector<Segment> segments = segmentsOf(late);
   const PressWindow w = pressWindows(Leg(scene.problem, late, segments), {})[0];
   EXPECT_LE(w.most, 2);

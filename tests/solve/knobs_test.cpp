@@ -113,7 +113,7 @@ TEST(Knobs, HigherJumpsAreHigherByThatShare) {
   const auto changes = jumpHeightChanges(s.failure());
   ASSERT_EQ(changes.size(), 1u);
   const RelaxedQuery r = s.relaxed(changes[0], 5);
-  const auto height = [](const Params& p) { return p.jumpSpeed * p.jumpSpeed / (2 * p.gravity); };
+  const auto height = [](const Params& p) { return riseOfLaunch(p, p.gravity, p.jumpSpeed); };
   const float before = height(s.level.view().params), after = height(r.posed().level.view().params);
   EXPECT_NEAR(after / before, 1.1f, 1e-4f);
   EXPECT_NEAR(changes[0].amount(5), double(after - before), 1e-3);

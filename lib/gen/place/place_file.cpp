@@ -74,7 +74,7 @@ void PlaceFile::writeProperties(const PartSketch& part, Vec3 shift) {
   xml_.number("Transparency", there ? part.transparency : 0.8f);
   if (part.friction >= 0 || part.density >= 0 || part.kill) {
     xml_.physical(part.density >= 0 ? part.density : kDensity,
-                  part.friction >= 0 ? part.friction : kFriction);
+                  part.friction >= 0 ? part.friction : kFriction, part.frictionWeight);
   }
   if (!(part.conveyor == Vec3{})) xml_.vector("Velocity", part.conveyor);
   if (const char* tag = tagOf(part)) xml_.tags(tag);

@@ -13,15 +13,23 @@ constexpr Parameter kParameters[] = {
 };
 const auto& [kLanes, kWidth, kFriction, kLength] = kParameters;
 
+// The engine's greatest weight: what the player stands on is nearly all that counts.
+constexpr float kIceWeight = 100;
+
+void makeIce(PartSketch& part, float friction) {
+  part.colored(colors::kIce);
+  part.friction = friction;
+  part.frictionWeight = kIceWeight;
+}
+
 void build(Sketch& s) {
   const uint32_t lanes = s.mixCount(kLanes);
   for (uint32_t i = 0; i < lanes; ++i) {
     const float width = s.mix(kWidth), friction = s.steady(kFriction);
     const float gap = i == 0 ? 0 : s.gap(0, 0.5f), long_ = s.mix(kLength);
-    s.floor("Ice", long_, width, gap).colored(colors::kIce).friction = friction;
+    makeIce(s.floor("Ice", long_, width, gap), friction);
     const float corner = width + 2;
-    PartSketch& p = s.disc("Ice corner", corner, -width / 4, 0.1f);
-    p.colored(colors::kIce).friction = friction;
+    makeIce(s.disc("Ice corner", corner, -width / 4, 0.1f), friction);
     s.via({0, 0, -corner / 2});
     s.bend(corner);
     s.advance(0, -0.1f);

@@ -30,26 +30,9 @@ struct Spring {
   }
 };
 
-// Of some shapes push-out goes too far by so much (docs/physics.md, collisions).
-constexpr float kCurved = 1.2f;  // studs
-
-bool hasCurves(const level::LevelView& level) {
-  return std::any_of(level.colliders, level.colliders + level.colliderCount,
-                     [](const level::Collider& c) {
-                       return c.kind == geom::ShapeKind::ball ||
-                              c.kind == geom::ShapeKind::cylinder ||
-                              c.kind == geom::ShapeKind::hull;
-                     });
-}
-
 // Does nothing but keys make anybody move sideways?
 bool isPlain(const level::LevelView& level) {
-  if (level.maxSideSpeed > 1.501f * fastestWalk(level)) return false;
-  for (uint32_t i = 0; i < level.colliderCount; ++i) {
-    const uint32_t flags = level.bounds[i].flags;
-    if ((flags & level::kSolid) != 0 && (flags & level::kUpright) == 0) return false;
-  }
-  return true;
+  return level.maxSideSpeed <= 1.501f * fastestWalk(level);
 }
 
 bool addsSpeed(const level::Roles& r) {
@@ -140,9 +123,6 @@ void BodyLimits::setSpeeds(const Problem& problem) {
     slowJump = std::min(slowJump, level::jumpSpeedUnder(level.clocks[i], p_));
   }
   decay = std::min(p_.airAccel, p_.traction * least);
-  const float landed = float(p_.landedSteps > 0 ? p_.landedSteps - std::min<int>(p_.substeps, p_.landedSteps) : 0);
-  brake = p_.traction * least * landed * dt_;
-  brakeOnce = p_.traction * least * tick_;
   settles = 2 * sim::kSettledGap + std::max(-all.lo.y, all.hi.y) * eps * 128;
   slack = p_.contactSkin + sim::kTight + 0.01f + settles;
 }
@@ -152,17 +132,18 @@ void BodyLimits::setBody(const Problem& problem) {
   const float half = 0.5f * length(Vec3{width, 0, depth});
   const float least = 0.5f * std::min(width, depth);
   ray = p_.floorRaySpread * 2 * half;
-  body = std::max(half, ray) + slack;
+  body = std::max(half, ray) + settles;
+  stand = walk * tick_ >= body - ray ? ray + settles : body;
   limb = 0.5f * length(Vec3{std::max(p_.armSpan, width), 0, depth}) + 1.5f * p_.touchMargin + slack;
   across = 2 * half + slack;
   const float fastest = isPlain(problem.level) ? walk : 1.42f * problem.level.maxSideSpeed;
   const float travel = fastest * dt_;
   const float step = std::max(std::min(0.9f * least, travel), travel / sim::kMostSplits);
-  turned = half - least + step + slack + (hasCurves(problem.level) ? kCurved : 0.0f);
+  turned = half - least + step + slack;
   overlap = std::min(half - least, half * p_.turnSpeed * tick_) + step + slack;
   // A jump that leads through a part in a tick may end anywhere beside it.
   staysOut = fastest * tick_ + slack < 0.9f * least;
-  if (!staysOut || hasCurves(problem.level)) overlap = turned;
+  if (!staysOut) overlap = turned;
 }
 
 float BodyLimits::fallOver(uint32_t steps) const {
@@ -188,8 +169,7 @@ void BodyLimits::setTakeOff() {
   const uint32_t graced = std::max(p_.graceSteps, p_.coyoteSteps) + n;
   graceFall_ = fallOver(graced);
   sunk_ = sim::rayHeight(p_) + graceFall_;
-  keptReach_ = std::max({reachAt(0, true), reachAt(gravity_ * dt_ * float(graced), false),
-                         0.0f});
+  keptReach_ = std::max({reachAt(0, true), reachAt(gravity_ * dt_ * float(graced), false), 0.0f});
   always_ = std::max(settled(p_.maxFallSpeed), 0.0f);
   slowRate_ = float(Spring(p_).slowRate(dt_)) * 1.0001f;
 }

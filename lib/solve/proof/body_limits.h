@@ -26,6 +26,7 @@ class BodyLimits {
   // --- bodies
   float ray = 0;      // radius in which floors are sensed, seen from above
   float body = 0;     // radius of the colliding body, or `ray` where that is larger
+  float stand = 0;    // in which a jump begins: `ray`, where a tick of walking leads beyond `body`
   float limb = 0;     // radius in which limbs touch
   float across = 0;   // parts that are farther apart are not touched at once
   float slack = 0;    // studs: skin, what push-out leaves, rounding
@@ -35,12 +36,10 @@ class BodyLimits {
   bool staysOut = false;  // no jump leads the axis of the body into a part in its first tick
 
   // --- speeds
-  float walk = 0;   // by keys, studs/s
-  float jump = 0;   // launch of a jump
-  float slowJump = 0;   // the same under the boost that is worst for it
-  float brake = 0;      // taken back on a floor before a landing leads to a jump, studs/s
-  float brakeOnce = 0;  // in the tick of the landing
-  float decay = 0;  // by which keys take back what is faster, studs/s^2
+  float walk = 0;      // by keys, studs/s
+  float jump = 0;      // launch of a jump
+  float slowJump = 0;  // the same under the boost that is worst for it
+  float decay = 0;     // by which keys take back what is faster, studs/s^2
 
   // Lowest feet that a static upright block takes onto its top, by feet that fall off a floor and
   // by feet in a jump. `pinched`: another part may hold the body beside it.

@@ -10,11 +10,11 @@ namespace obby::solve {
 
 struct PartMotion {
   uint32_t collider = level::kNone;
-  Box swept;                // all its places; of an upright block that turns, no cube
-  float upward = 0;         // fastest of any of its points, studs/s, and of a player whom it carries
-  float vertical = 0;       // up or down
+  Box swept;           // all its places; of an upright block that turns, no cube
+  float upward = 0;    // fastest of any of its points, studs/s, and of a player whom it carries
+  float vertical = 0;  // up or down
   float sideways = 0;
-  float step = 0;           // studs that it moves in a tick, at most
+  float step = 0;  // studs that it moves in a tick, at most
 };
 
 // Of a collider that has a mover.

@@ -16,28 +16,31 @@ Box ReachBound::boxOf(const level::TargetView& target) const {
 }
 
 // The axis of a body is not inside of a part that the body is pushed out of: in a region over that
-// part the torso is above its top. Gives the least height of the feet.
-float ReachBound::floorUnder(const Box& region) const {
-  float least = region.lo.y - p_.bodyTop;
-  if (!limits_.staysOut) return least;
-  index_.find({{region.lo.x, 0, region.lo.z}, {region.hi.x, 0, region.hi.z}}, [&](uint32_t i) {
+// part the torso is above its top.
+void ReachBound::standOn(End& region) const {
+  if (!limits_.staysOut) return;
+  const Box& box = region.box;
+  index_.find({{box.lo.x, 0, box.lo.z}, {box.hi.x, 0, box.hi.z}}, [&](uint32_t i) {
     const Support& s = supports_[i];
-    if (!s.carries || s.tilted || s.takesAlong || s.beside != Beside::clear) return;
+    if (!s.carries || s.wild || s.takesAlong || s.beside != Beside::clear) return;
     const Vec3 x = problem_.level.colliders[s.collider].pose.rotation.x;
     const bool axial = std::min(absf(x.x), absf(x.z)) < 1e-5f;
-    const bool inside = region.lo.x >= s.box.lo.x && region.hi.x <= s.box.hi.x &&
-                        region.lo.z >= s.box.lo.z && region.hi.z <= s.box.hi.z;
-    if (!axial || !inside || region.lo.y <= s.box.lo.y + 2 * limits_.slack) return;
-    least = std::max(least, s.top - p_.hipHeight - limits_.slack);
+    const bool inside = box.lo.x >= s.box.lo.x && box.hi.x <= s.box.hi.x &&
+                        box.lo.z >= s.box.lo.z && box.hi.z <= s.box.hi.z;
+    if (!axial || !inside || box.lo.y <= s.box.lo.y + 2 * limits_.slack) return;
+    const float height = s.top - p_.hipHeight - limits_.slack;
+    if (!(height > region.falling)) return;
+    region.falling = region.leaping = height;
+    region.support = i;
   });
-  return least;
 }
 
 ReachBound::End ReachBound::endAt(const level::TargetView& target) const {
   const Box box = boxOf(target);
-  float height = box.lo.y - p_.bodyTop;
-  if (target.touchCount == 0) height = floorUnder(box);
-  return {box, height, height, 0, kNever};
+  const float height = box.lo.y - p_.bodyTop;
+  End end{box, height, height, 0, kNever};
+  if (target.touchCount == 0) standOn(end);
+  return end;
 }
 
 uint32_t ReachBound::jumpsTo(const level::TargetView& target) const {

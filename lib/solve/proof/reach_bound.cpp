@@ -30,8 +30,7 @@ ReachBound::ReachBound(const Problem& problem, bool mayJump)
       limits_(problem),
       mayJump_(mayJump),
       supports_(supportsOf(problem, limits_)),
-      index_(flatBoxes(supports_)),
-      bases_(supports_.size(), -1e30f) {
+      index_(flatBoxes(supports_)) {
   for (const Support& s : supports_) {
     lowest_ = std::min(lowest_, s.entryFalling);
     if (s.takesAlong) riders_.push_back(s.box);
@@ -43,7 +42,7 @@ ReachBound::ReachBound(const Problem& problem, bool mayJump)
 
 bool ReachBound::raise(float& value, float to) {
   if (!(to > value + 1e-4f)) return false;
-  value = std::max(to, value > 0 ? 0.99f * to + 0.01f * (2 * to - value) : to);
+  value = to;
   return changed_ = true;
 }
 
@@ -52,7 +51,6 @@ void ReachBound::explore() {
   for (int i = 0; i < kMostRounds; ++i) {
     changed_ = false;
     round();
-    wild_ |= excess_ > 4 * p_.maxFallSpeed;
     if (!changed_ || wild_) return;
   }
   wild_ = true;
@@ -76,9 +74,7 @@ bool ReachBound::round() {
 void ReachBound::noteReached(uint32_t support) {
   const Support& s = supports_[support];
   wild_ |= s.wild;
-  slopes_ |= s.tilted;
-  raise(given_, s.sideways);
-  raise(excess_, s.tilted ? slopeSideways(support) : s.sideways);
+  raise(excess_, s.sideways);
   raise(tossed_, std::max(s.toss, leaps(s) ? limits_.jump + s.upward : 0.0f));
 }
 
@@ -88,7 +84,7 @@ float ReachBound::tossOf(uint32_t support) const {
   // A body in a part may be put out of it as fast as it came there.
   if (s.beside == Beside::deep) up = std::max(up, tossed_);
   if (s.beside == Beside::pinched && mayJump_) up = std::max(up, limits_.jump);
-  return s.tilted || (slopes_ && s.beside == Beside::deep) ? std::max(up, slopeToss(support)) : up;
+  return up;
 }
 
 ReachBound::Flight ReachBound::fall(uint32_t support) const {
@@ -101,8 +97,7 @@ ReachBound::Flight ReachBound::fall(uint32_t support) const {
 
 ReachBound::Flight ReachBound::leap(uint32_t support) const {
   const Support& s = supports_[support];
-  const float rising = s.tilted ? std::max(s.rising, limits_.walk + given_) : s.rising;
-  float height = s.top + s.lift + takeOff_[support] + limits_.fallApex(rising);
+  float height = s.top + s.lift + takeOff_[support] + limits_.fallApex(s.rising);
   const float up = limits_.jump + s.upward;
   if (up > p_.maxFallSpeed) height += up * p_.tickSeconds;
   return {height, std::min(up, p_.maxFallSpeed), true, s.stand};
@@ -140,17 +135,21 @@ bool ReachBound::crosses(uint32_t from, const Flight& f, const End& to, float wa
   const float own = way + (supports_[from].side - f.radius);
   const float studs = reach(f, height);
   if (studs >= 0 && studs >= own) return true;
-  // Parts on the way lift a body that turns beside them, or push it on.
+  // Parts on the way lift a body that turns beside them, or push it on: as many as are near enough
+  // for what they give.
   constexpr int kMostParts = 8;
-  const float each = 2 * limits_.turned, lowest = height - float(kMostParts) * limits_.turned;
-  const float most = reach(f, lowest);
-  const float turns = limits_.across * p_.turnSpeed * secondsOf(f, lowest) + each;
-  if (most < 0 || most + turns < own) return false;
-  const int parts = std::min(partsNear(from, f, to, most + turns), kMostParts);
-  if (parts == 0) return false;
-  const float lifted = reach(f, height - float(parts) * limits_.turned);
-  const float pushed = parts == kMostParts ? turns : std::min(float(parts) * each, turns);
-  return lifted >= 0 && lifted + pushed >= own;
+  const float each = 2 * limits_.turned;
+  for (int parts = kMostParts;;) {
+    const float low = height - float(parts) * limits_.turned, lifted = reach(f, low);
+    if (lifted < 0) return false;
+    const float turns = limits_.across * p_.turnSpeed * secondsOf(f, low) + each;
+    const float all = lifted + (parts == kMostParts ? turns : std::min(float(parts) * each, turns));
+    if (all < own) return false;
+    const int near = std::min(partsNear(from, f, to, all), kMostParts);
+    if (near >= parts) return true;
+    if (near == 0) return false;
+    parts = near;
+  }
 }
 
 // Solid parts that a flight of that length may meet.
@@ -175,8 +174,8 @@ std::vector<ReachBound::Ride> ReachBound::ridesFrom(const Support& s, float fart
     open.push_back({&box, std::max(gapBetween(s.box, box) - s.side - limits_.body, 0.0f)});
   }
   while (!open.empty()) {
-    const auto next = std::min_element(
-        open.begin(), open.end(), [](const Ride& a, const Ride& b) { return a.way < b.way; });
+    const auto next = std::min_element(open.begin(), open.end(),
+                                       [](const Ride& a, const Ride& b) { return a.way < b.way; });
     const Ride ride = *next;
     if (ride.way > farthest) break;
     open.erase(next);
@@ -253,7 +252,6 @@ void ReachBound::spread(uint32_t from, std::vector<uint32_t>& now, std::vector<u
 // How high above its own top a support may be left after that flight.
 void ReachBound::arrive(uint32_t from, uint32_t to, const Flight& f, float way) {
   const Support &a = supports_[from], &b = supports_[to];
-  raise(bases_[to], base(from, f));
   if (!b.carries || !b.level) return;
   const float floor = b.top + b.lift, high = apex(f) - floor;
   if (high <= takeOff_[to]) return;
@@ -262,7 +260,8 @@ void ReachBound::arrive(uint32_t from, uint32_t to, const Flight& f, float way) 
   if (!crosses(from, f, top, way)) return;  // comes there below its top only
   // The flight may also begin lower and be slower.
   float low = a.top;
-  if (a.collider != level::kNone) low = (a.level ? a.top : a.box.lo.y - p_.bodyTop) - limits_.sunk();
+  if (a.collider != level::kNone)
+    low = (a.level ? a.top : a.box.lo.y - p_.bodyTop) - limits_.sunk();
   if (f.leaps) low += limits_.leapApex(limits_.slowJump);
   raise(takeOff_[to], limits_.takeOff({low - floor, high}));
   if (!f.leaps) raise(takeOff_[to], limits_.keptTakeOff(high));

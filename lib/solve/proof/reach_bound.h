@@ -89,11 +89,6 @@ class ReachBound {
   Flight leap(uint32_t support) const;
   bool leaps(const Support& s) const { return mayJump_ && s.carries; }
   float apex(const Flight& f) const;
-  // reach_slopes.cpp
-  float base(uint32_t support, const Flight& f) const;
-  float slopeGain() const;
-  float slopeToss(uint32_t support) const;
-  float slopeSideways(uint32_t support) const;
   float reach(const Flight& f, float height) const;
   bool crosses(uint32_t from, const Flight& f, const End& to, float way) const;
   bool stepsInto(const Flight& f, const Support& to, float way) const;
@@ -103,7 +98,7 @@ class ReachBound {
   float wayTo(const Support& s, const std::vector<Ride>& rides, const End& to) const;
   End endAt(uint32_t support) const;
   End endAt(const level::TargetView& target) const;
-  float floorUnder(const Box& region) const;
+  void standOn(End& region) const;
   bool isReached(uint32_t support) const { return jumps_[support] != kNever; }
 
   const Problem& problem_;
@@ -111,17 +106,14 @@ class ReachBound {
   const BodyLimits limits_;
   const bool mayJump_;
   std::vector<Support> supports_;
-  const BoxIndex index_;         // of their boxes, from above
-  std::vector<Box> riders_;      // parts that take players along
-  float lowest_ = 1e30f;         // entry of all supports
+  const BoxIndex index_;     // of their boxes, from above
+  std::vector<Box> riders_;  // parts that take players along
+  float lowest_ = 1e30f;     // entry of all supports
   // What the rounds of explore() raise until nothing changes.
   std::vector<uint32_t> jumps_;  // (supports): fewest on the way there; kNever
   std::vector<float> takeOff_;   // (supports): studs above top and lift
-  std::vector<float> bases_;     // (supports): highest that the energy of a flight there leads
   float excess_ = 0;             // speed beyond walking of anybody, studs/s
-  float given_ = 0;              // the same without what slopes give
   float tossed_ = 0;             // upward
-  bool slopes_ = false;          // is any support tilted that is reached?
   bool wild_ = false, changed_ = false;
 };
 

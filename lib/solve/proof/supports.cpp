@@ -78,11 +78,11 @@ class Builder {
     s.top = s.box.hi.y;
     s.beside = contacts.besideOf(id);
     s.takesAlong = s.beside == Beside::deep || (flags & level::kMoving) != 0;
-    s.tilted = s.carries && !(flags & level::kUpright);
     s.level = s.carries && (flags & level::kUpright) && motion.vertical * p_.tickSeconds < 1e-4f;
-    s.lift = limits_.settles + limits_.legsOvershoot(s.level ? 0 : motion.vertical) + climb_ * p_.tickSeconds;
+    s.lift = limits_.settles + limits_.legsOvershoot(s.level ? 0 : motion.vertical) +
+             climb_ * p_.tickSeconds;
     s.side = s.carries ? limits_.body : 0;
-    s.stand = limits_.ray + limits_.slack;
+    s.stand = limits_.stand;
     if (flags & (level::kCarries | level::kSeat)) {
       s.upward = s.level ? 0 : motion.upward;
       s.sideways = motion.sideways;
@@ -90,7 +90,9 @@ class Builder {
     addRoles(s, c, flags);
     s.toss = std::max(s.toss, s.upward + (s.upward > 0 ? climb_ : 0));
     s.rising = std::max(s.upward, (flags & level::kTruss) != 0 ? s.upward + climb_ : 0.0f);
-    s.wild = trips(id) || (flags & level::kSeat) != 0;
+    // A slope turns a fall aside, and a walk upward.
+    const bool slope = s.carries && !(flags & level::kUpright);
+    s.wild = slope || trips(id) || (flags & level::kSeat) != 0;
     setEntry(s, flags, motion.step);
     s.feet = grow(s.box, {s.side, 0, s.side});
     s.feet.hi.y += s.lift;
@@ -137,15 +139,15 @@ class Builder {
     contacts.find(around, [&](uint32_t id) {
       if (id == s.collider) return;
       const Box box = contacts.boxOf(id);
-      const bool exact = contacts.besideOf(id) != Beside::deep &&
-                         (level_.bounds[id].flags & level::kUpright) != 0;
+      const bool exact =
+          contacts.besideOf(id) != Beside::deep && (level_.bounds[id].flags & level::kUpright) != 0;
       const float under = box.lo.y - p_.bodyTop - s.top;
       const Span heads = exact ? Span{under - limits_.slack, under + limits_.slack}
                                : Span{under, box.hi.y - s.top};
       const bool within = heads.hi > 0 && heads.lo < limits_.mostTakeOff() + 40;
       if (within) most = std::max(most, limits_.takeOff(heads));
       const float resting = box.hi.y - p_.hipHeight - s.top;
-      const float lowest = exact ? resting - limits_.turned : box.lo.y - s.top - p_.bodyTop;
+      const float lowest = exact ? resting : box.lo.y - s.top - p_.bodyTop;
       if (resting > 0 && lowest < limits_.mostTakeOff()) {
         most = std::max(most, std::min(resting, limits_.mostTakeOff()));
       }

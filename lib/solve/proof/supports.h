@@ -16,23 +16,22 @@ enum class Beside : uint8_t {
 };
 
 struct Support {
-  Box box;                           // where the part can be
-  Box feet;                          // of a player on it
-  float top = 0;                     // of the part
-  float entry = 0;                   // feet at least this high come to be carried, in a jump
-  float entryFalling = 0;            // the same without a jump
-  float side = 0;                    // radius around the box in which it is entered and left
-  float stand = 0;                   // radius around the box in which a jump can begin
-  float lift = 0;                    // studs above the top that the feet can be at rest
-  float held = 0;                    // studs above that, where parts around stop a fall or a jump
-  float upward = 0;                  // studs/s that a jump from it has on top
-  float toss = 0;                    // studs/s upward that it gives without a jump
-  float rising = 0;                  // studs/s upward of a player in Running on it
-  float sideways = 0;                // studs/s that it gives beyond walking
+  Box box;                 // where the part can be
+  Box feet;                // of a player on it
+  float top = 0;           // of the part
+  float entry = 0;         // feet at least this high come to be carried, in a jump
+  float entryFalling = 0;  // the same without a jump
+  float side = 0;          // radius around the box in which it is entered and left
+  float stand = 0;         // radius around the box in which a jump can begin
+  float lift = 0;          // studs above the top that the feet can be at rest
+  float held = 0;          // studs above that, where parts around stop a fall or a jump
+  float upward = 0;        // studs/s that a jump from it has on top
+  float toss = 0;          // studs/s upward that it gives without a jump
+  float rising = 0;        // studs/s upward of a player in Running on it
+  float sideways = 0;      // studs/s that it gives beyond walking
   Beside beside = Beside::clear;
   bool carries = false;              // not: the player only appears there, or is sent off
   bool level = false;                // its top is level and stays at its height
-  bool tilted = false;               // has faces that turn a fall aside, or a walk upward
   bool takesAlong = false;           // moves players who are beside it
   bool wild = false;                 // nothing is known of what it does
   uint32_t collider = level::kNone;  // none: the start, or where a teleporter leads

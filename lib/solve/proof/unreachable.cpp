@@ -120,7 +120,8 @@ class Prover {
   // Studs to any of them, straight.
   float wayTo(const Targets& any, const Box& from) const {
     float least = 1e30f;
-    for (const level::TargetView* t : any) least = std::min(least, gapBetween(from, bound_.boxOf(*t)));
+    for (const level::TargetView* t : any)
+      least = std::min(least, gapBetween(from, bound_.boxOf(*t)));
     return least;
   }
 
@@ -174,8 +175,8 @@ bool isFarUp(const Problem& problem) {
   return std::max(-all.lo.y, all.hi.y) > kFar;
 }
 
-// May the level's clock begin anew within a trajectory? What it moves is elsewhere at once then, and
-// takes players along as if it had moved there.
+// May the level's clock begin anew within a trajectory? What it moves is elsewhere at once then,
+// and takes players along as if it had moved there.
 bool clockBeginsAnew(const Problem& problem) {
   constexpr uint64_t kLast = std::numeric_limits<uint32_t>::max();
   return problem.hasClock && problem.start.tick + sim::kMaxReplayTicks > kLast;

@@ -22,6 +22,12 @@ constexpr float kStandsOn = 1;  // studs between a part's top and the floor of a
 
 double jumpHeight(const Params& p) { return double(riseOfLaunch(p, p.gravity, p.jumpSpeed)); }
 
+// Launch speed of a jump of that height: the inverse of riseOfLaunch().
+double launchFor(const Params& p, double height) {
+  const double half = 0.5 * double(p.gravity) * double(p.substepSeconds);
+  return std::sqrt(half * half + 2 * double(p.gravity) * height) - half;
+}
+
 // Does the region belong to the part: named by it, or standing on it? `box`: wherever it moves.
 bool belongsTo(schema::Region::Reader region, uint32_t part, const Box& box) {
   if (region.getPart().size() > 0) return region.getPartIndex() == int32_t(part);
@@ -92,7 +98,8 @@ Change lower(const Failure& failure, uint32_t part) {
 
 std::vector<Change> jumpHeightChanges(const Failure& failure) {
   const level::QueryView query = failure.posed.query.view();
-  const double height = jumpHeight(failure.posed.level.view().params);
+  const Params& now = failure.posed.level.view().params;
+  const double height = jumpHeight(now);
   if (sim::forbidsJumping(query) || query.maxJumps == 0 || !(height > 0) ||
       !std::isfinite(height)) {
     return {};
@@ -102,9 +109,8 @@ std::vector<Change> jumpHeightChanges(const Failure& failure) {
   c.notch = kHigherNotch * height;
   c.scale = height;
   c.first = {kMostHigher};
-  c.apply = [](schema::Level::Builder level, schema::Query::Builder, uint32_t n) {
-    auto physics = level.getPhysics();
-    physics.setJumpSpeed(float(double(physics.getJumpSpeed()) * std::sqrt(1 + n * kHigherNotch)));
+  c.apply = [now, height](schema::Level::Builder level, schema::Query::Builder, uint32_t n) {
+    level.getPhysics().setJumpSpeed(float(launchFor(now, height * (1 + n * kHigherNotch))));
   };
   c.text = [height](uint32_t n) {
     return fmt::format("solvable with jumps {:.1f} studs ({:.0f} %) higher",
