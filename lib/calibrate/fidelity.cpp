@@ -59,7 +59,7 @@ std::vector<Played> playFrames(const level::Level& level, const Track& track,
   level::LevelView view = level.view();
   const float step = view.params.substepSeconds;
   sim::World world = worldAt(track, 0, view);
-  auto loose = sim::makeLoose(view);
+  auto loose = sim::startLoose(view);
   std::vector<Played> out{{track.frames[0].position, track.frames[0].state}};
   for (size_t i = 0; i < steps.size(); ++i) {
     view.params.substeps = uint16_t(steps[i]);

@@ -153,7 +153,7 @@ Track rehearse(const level::Level& level, const Manoeuvre& manoeuvre, float nois
   const level::LevelView& view = level.view();
   const Params& p = view.params;
   sim::World world = sim::makeWorld(view, {manoeuvre.feet, 0, 0});
-  std::vector<sim::LooseBody> loose = sim::makeLoose(view);
+  std::vector<sim::LooseBody> loose = sim::startLoose(view);
   Random random(seed, 0);
   const auto off = [&] { return noise * (2 * random.unit() - 1); };
   Track track{manoeuvre.name, level.name()};

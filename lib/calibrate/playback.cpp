@@ -127,7 +127,7 @@ Player playerOf(const Track& track, const Window& window, const level::LevelView
   sim::World world = worldAt(track, first, level);
   // Its frame may be some ticks away from there; what moves by the clock is not.
   world.tick = track.tickAt(begin, level.params);
-  return {track, window, origin, -lead, world, sim::makeLoose(level), first, window.first + 1};
+  return {track, window, origin, -lead, world, sim::startLoose(level), first, window.first + 1};
 }
 
 // Visits the frames that the last tick went past.

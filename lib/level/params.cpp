@@ -33,7 +33,9 @@ Status checkRanges(schema::PhysicsParams::Reader record) {
     const auto range = rangeOf(field);
     if (!range) continue;
     const double value = dynamic.get(field).as<double>();
-    if (value >= range->getMin() && value <= range->getMax()) continue;
+    // Bounds as the field can hold them: the float next to 0.2 is a little more.
+    if (value >= double(float(range->getMin())) && value <= double(float(range->getMax())))
+      continue;
     return Error{{},
                  {},
                  fmt::format("physics.{}", field.getProto().getName().cStr()),

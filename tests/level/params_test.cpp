@@ -95,6 +95,18 @@ TEST(Params, EveryFieldSaysItsUnitRangeAndSource) {
   }
 }
 
+TEST(Params, MayBeAtTheEndsOfTheirRange) {
+  for (auto field : schemaOf().getFields()) {
+    const std::string name = field.getProto().getName().cStr();
+    for (const double value : {rangeOf(field).getMin(), rangeOf(field).getMax()}) {
+      const auto params = compileWith(name, value);
+      if (params) continue;
+      EXPECT_EQ(params.error().message.find("expected a number from"), std::string::npos)
+          << name << " " << value << ": " << params.error().text();
+    }
+  }
+}
+
 TEST(Params, OutsideTheirRangeAreRefusedByName) {
   for (auto field : schemaOf().getFields()) {
     const std::string name = field.getProto().getName().cStr();
