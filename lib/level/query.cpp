@@ -92,10 +92,10 @@ class Targets {
   Targets(const LevelView& level, size_t parts, std::vector<uint32_t>& touched)
       : level_(level), parts_(parts), runs_(level), touched_(touched) {}
 
-  // A target that is reached, by standing on it if it is a solid part and `arrive` says so.
+  // A solid part is stood on if `arrive` says so, and entered otherwise, as a box is.
   Result<TargetView> compile(schema::Region::Reader record, const std::string& path,
                              schema::Arrive arrive) {
-    OBBY_ASSIGN(TargetView target, compile(record, path));
+    OBBY_ASSIGN(TargetView target, boxOrPart(record, path));
     const int32_t part = record.getPartIndex();
     target.stand = arrive == schema::Arrive::STAND && !record.getTouch() && part >= 0 &&
                    isSolid(uint32_t(part));
@@ -113,7 +113,8 @@ class Targets {
     return targets;
   }
 
-  Result<TargetView> compile(schema::Region::Reader record, const std::string& path) {
+ private:
+  Result<TargetView> boxOrPart(schema::Region::Reader record, const std::string& path) {
     TargetView target;
     const int32_t part = record.getPartIndex();
     OBBY_RETURN_IF_ERROR(checkLookedUp(record, path));
@@ -140,18 +141,6 @@ class Targets {
     return target;
   }
 
-  Result<std::vector<TargetView>> compile(capnp::List<schema::Region>::Reader list,
-                                          const char* name) {
-    std::vector<TargetView> targets;
-    for (const auto record : list) {
-      OBBY_ASSIGN(const TargetView target,
-                  compile(record, fmt::format("{}[{}]", name, targets.size())));
-      targets.push_back(target);
-    }
-    return targets;
-  }
-
- private:
   bool isSolid(uint32_t part) {
     const ColliderRun run = runs_.of(part);
     for (uint32_t i = run.first; i < run.first + run.count; ++i) {
@@ -267,7 +256,7 @@ Result<Query> Query::compile(schema::Query::Reader record, const Level& level) {
         "a #tag counts once for each part with that tag");
   }
   OBBY_ASSIGN(q.visits_, targets.compile(record.getVisits(), "visits", arrive));
-  OBBY_ASSIGN(q.avoid_, targets.compile(record.getAvoid(), "avoid"));
+  OBBY_ASSIGN(q.avoid_, targets.compile(record.getAvoid(), "avoid", schema::Arrive::TOUCH));
   OBBY_ASSIGN(q.limits_, compileLimits(record, params));
   return q;
 }

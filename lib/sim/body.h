@@ -96,7 +96,7 @@ OBBY_DEVICE Vec3T<F> bounded(const Vec3T<F>& v, const level::LevelView& level) {
   return {clampf<F>(v.x, -side, side), clampf<F>(v.y, -most, most), clampf<F>(v.z, -side, side)};
 }
 
-// What a semi-implicit step does first: v += a dt. The step then moves by that velocity.
+// The first half of a semi-implicit step: v += a dt. The step then moves by that velocity.
 template <class F>
 OBBY_DEVICE void accelerate(MotionT<F>& m, const level::LevelView& level, float dt) {
   Vec3T<F> a = acceleration(m, level.params);
@@ -176,7 +176,7 @@ static_assert(kMaxCandidates <= 64, "one bit a candidate");
 // Rounds of push-out: corners between parts need the second.
 OBBY_DEVICE int contactRounds(int parts) { return parts > 1 ? 2 : 1; }
 
-// What rounds of push-out may leave of a contact between parts that the body does not fit between.
+// Depth that push-out may leave; a body that is deeper does not fit between the parts.
 constexpr float kTight = 0.02f;  // studs, beyond the skin
 
 OBBY_DEVICE bool isInside(const Motion& m, const level::LevelView& level, const Candidates& near,
@@ -214,15 +214,21 @@ OBBY_DEVICE bool collide(Motion& m, const level::LevelView& level, const Candida
   return rounds == 1 || !isInside(m, level, near, solids);
 }
 
-// Moves for `dt` seconds among `solids`. A body that does not fit between them stays where it is
-// beside them, so that nothing is pressed into a part, through it or out of its far side.
+// Ends a move that began at `from`. A body that does not fit between `solids` goes back sideways,
+// so that nothing is pressed into a part, through it or out of its far side.
+OBBY_DEVICE void endMove(Motion& m, Vec3 from, const level::LevelView& level,
+                         const Candidates& near, CandidateSet solids) {
+  if (solids == 0 || collide(m, level, near, solids)) return;
+  m.position.x = from.x;
+  m.position.z = from.z;
+}
+
+// Moves for `dt` seconds among `solids`.
 OBBY_DEVICE void moveAmong(Motion& m, const level::LevelView& level, const Candidates& near,
                            CandidateSet solids, float dt) {
   const Vec3 from = m.position;
   m.position += m.velocity * dt;
-  if (solids == 0 || collide(m, level, near, solids)) return;
-  m.position.x = from.x;
-  m.position.z = from.z;
+  endMove(m, from, level, near, solids);
 }
 
 // How far the body may go in one substep near a solid part: less than half of it, so that it is

@@ -120,8 +120,6 @@ OBBY_DEVICE float climbWill(const Params& p, const Truss& truss, const ControlT<
   return into >= p.climbWill ? 1.0f : into <= -p.climbWill ? -1.0f : 0.0f;
 }
 
-OBBY_DEVICE float climbSpeedOf(const Params& p) { return p.climbSpeed * p.walkSpeed; }
-
 OBBY_DEVICE void leaveTruss(Player& w, const Params& p, const Truss& truss) {
   w.state = int32_t(State::jumping);
   w.velocity = truss.velocity + Vec3{0, p.jumpSpeed, 0};

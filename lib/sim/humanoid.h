@@ -18,6 +18,9 @@ struct DriveT {
 
 using Drive = DriveT<float>;
 
+// Studs/s up and down a truss.
+OBBY_DEVICE float climbSpeedOf(const Params& p) { return p.climbSpeed * p.walkSpeed; }
+
 template <class F>
 OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& floor,
                              const ControlT<F>& control) {
@@ -31,7 +34,7 @@ OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& fl
   const Mask thrown = (landed | running) & w.lifted & ((!floor.sensed) | (floor.gap > 0.0f));
   const F risesWith = maxf(floor.velocity.y, F(0.0f));
   w.velocity.y = select(thrown, minf(w.velocity.y, risesWith), w.velocity.y);
-  w.leftTruss = w.leftTruss & (w.velocity.y > p.climbSpeed * p.walkSpeed);
+  w.leftTruss = w.leftTruss & (w.velocity.y > climbSpeedOf(p));
   const Mask floorLost = w.floorlessSteps >= int32_t(p.graceSteps);
 
   const Int left = w.landedSteps - int32_t(p.substeps);

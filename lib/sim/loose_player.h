@@ -111,9 +111,7 @@ OBBY_DEVICE void stepPlayer(LooseScene& scene, Motion& m, const Floor& floor,
     bump(m, b, c, poseOf(b, level.loose[c.loose]), level, dt);
   }
   // Parts come last: nothing presses the player into them.
-  if (solids.fixed == 0 || collide(m, level, near, solids.fixed)) return;
-  m.position.x = from.x;
-  m.position.z = from.z;
+  endMove(m, from, level, near, solids.fixed);
 }
 
 // Bodies that have been slow for long fall asleep together with all that they touch.

@@ -57,9 +57,8 @@ OBBY_DEVICE void putPlayer(World& w, const Player& p) {
   w.floorlessSteps = uint16_t(p.floorlessSteps);
   w.landedSteps = uint8_t(p.landedSteps);
   w.jumps = uint16_t(p.jumps);
-  w.flags =
-      uint8_t((w.flags & ~(kFloorSensed | kLegsLift | kLeftTruss)) | (p.sensed ? kFloorSensed : 0) |
-              (p.lifted ? kLegsLift : 0) | (p.leftTruss ? kLeftTruss : 0));
+  w.flags = uint8_t((w.flags & ~kPlayerFlags) | (p.sensed ? kFloorSensed : 0) |
+                    (p.lifted ? kLegsLift : 0) | (p.leftTruss ? kLeftTruss : 0));
 }
 
 OBBY_DEVICE ControlT<float> controlOf(Action a) { return {a.heading, a.walk, a.jump}; }

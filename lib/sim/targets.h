@@ -30,7 +30,7 @@ OBBY_DEVICE bool isHeld(const World& w) {
 }
 
 // Is the player in the region, or, of a target that is to be touched, do the limbs touch its part?
-// Of one to stand on, are the feet of a player whom something holds in the region?
+// If the target is to be stood on: does something hold the player, with the feet in the region?
 // `loose`: (level.looseCount), null where that is 0.
 OBBY_DEVICE bool reaches(const World& w, const LooseBody* loose, const level::LevelView& level,
                          const level::QueryView& q, const level::TargetView& target) {

@@ -72,11 +72,10 @@ OBBY_LANES void putPlayer(Rows& rows, const WidePlayer& p) {
       (rows.word[kFloorlessHurtWord] & int32_t(0xffff0000)) | p.floorlessSteps;
   rows.word[kStateWord] =
       (rows.word[kStateWord] & int32_t(0xff00ff00)) | p.landedSteps | (p.state << 16);
-  rows.word[kFlagsWord] =
-      (rows.word[kFlagsWord] & ~int32_t(kFloorSensed | kLegsLift | kLeftTruss)) |
-      select(p.sensed, WideInt(kFloorSensed), WideInt(0)) |
-      select(p.lifted, WideInt(kLegsLift), WideInt(0)) |
-      select(p.leftTruss, WideInt(kLeftTruss), WideInt(0));
+  rows.word[kFlagsWord] = (rows.word[kFlagsWord] & ~int32_t(kPlayerFlags)) |
+                          select(p.sensed, WideInt(kFloorSensed), WideInt(0)) |
+                          select(p.lifted, WideInt(kLegsLift), WideInt(0)) |
+                          select(p.leftTruss, WideInt(kLeftTruss), WideInt(0));
 }
 
 // The block of a collider's row.

@@ -48,6 +48,9 @@ enum Flag : uint8_t {
   kLeftTruss = 128,      // rises from a jump off a truss
 };
 
+// Flags that a PlayerT (player.h) holds as masks.
+constexpr uint8_t kPlayerFlags = kFloorSensed | kLegsLift | kLeftTruss;
+
 constexpr uint8_t kOverruns = kCandidateOverrun | kClockOverrun | kContactOverrun;
 
 constexpr int kMaxClocks = 8;

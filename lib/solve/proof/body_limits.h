@@ -1,4 +1,4 @@
-// What a body can do at most, from the parameters of the physics alone. Each number is derived in
+// Upper bounds on what a body can do, from the physics parameters alone. Each number is derived in
 // docs/proof.md, under the name that it has here.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace obby::solve {
 
-// What keeps the bound from saying anything; null: nothing.
+// Names what keeps the bound from saying anything; null if nothing does.
 const char* unboundedPart(const level::LevelView& level);
 
 // Fastest walk and launch of a jump under all boosts of the level, studs/s.

@@ -51,8 +51,8 @@ bool Contacts::isRough(uint32_t id) const {
   return (level_.bounds[id].flags & kChanges) != 0;
 }
 
-// What a body is pressed into may put it out into the next part. A part that is thicker than the
-// push pushes back; one that is thinner may push on, from where it was met.
+// A part that a body is pressed into may put it out into the next one. A part that is thicker than
+// the push pushes back; one that is thinner may push on, from where it was met.
 void Contacts::spreadFrom(Box where, float push) {
   const Params& p = limits_.params();
   std::vector<std::pair<Box, float>> open{{where, push}};

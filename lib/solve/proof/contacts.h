@@ -1,4 +1,5 @@
-// Which solid parts a body may be pressed into, and what is near what (docs/proof.md, contacts).
+// Finds the solid parts that a body may be pressed into, and the parts near a place (docs/proof.md,
+// contacts).
 #pragma once
 
 #include <vector>
@@ -15,7 +16,7 @@ class Contacts {
   Contacts(const level::LevelView& level, const BodyLimits& limits,
            const std::vector<PartMotion>& movers, const std::vector<Vec3>& appear);
 
-  // Where the part can be.
+  // Holds the part wherever it moves.
   const Box& boxOf(uint32_t id) const { return boxes_[id]; }
 
   Beside besideOf(uint32_t id) const { return beside_[id]; }

@@ -31,8 +31,8 @@ struct Steps {
   float any() const { return vertical + sideways; }
 };
 
-// Of points at `radius`, in a tick. That a triggered part is put back at its first key when its
-// clock ends counts for `put` alone: no floor has a velocity then.
+// Returns how far points at `radius` move in a tick. A triggered part goes back to its first key
+// when its clock ends: that step counts for `put` alone, since no floor has a velocity then.
 Steps stepsOf(const level::Mover& m, float radius, float& put) {
   Steps keys, spin, back;
   const Pose& first = m.keys[0];
