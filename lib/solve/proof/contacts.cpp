@@ -57,7 +57,8 @@ void Contacts::spreadFrom(Box where, float push) {
   const Params& p = limits_.params();
   std::vector<std::pair<Box, float>> open{{where, push}};
   while (!open.empty() && work_ <= kMostWork) {
-    const auto [from, by] = open.back();
+    const Box from = open.back().first;
+    const float by = open.back().second;
     open.pop_back();
     const float far = limits_.across + 2 * by;
     const Box region = grow(from, {far, p.bodyTop + 2 * by, far});
