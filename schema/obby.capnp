@@ -106,6 +106,15 @@ enum PlayerState {
   fallingDown @7;
 }
 
+enum Trick {
+  # Moves that the engine allows and designers do not plan with (docs/physics.md, tricks).
+  heldJump @0;        # a jump made while turning rises without gravity until no floor is sensed
+  hangingLanding @1;  # a landing with a key held hangs up to 1.1 studs above the floor, and a jump starts there
+  wallHop @2;         # faces any way at once in the air, so that a foot meets the seam or corner of a wall
+  ladderFlick @3;     # grips a truss again while still rising from a jump off it
+  legThrow @4;        # legs that a floor is under suddenly throw the body up
+}
+
 # ---------------------------------------------------------------------------------------------- stream framing
 
 struct Header {
@@ -142,6 +151,7 @@ struct Level {
   parts @3 :List(Part);
   spawns @4 :List(Spawn);      # stages in order; play starts at the first
   unmodelled @5 :List(Unmodelled);
+  bodies @6 :List(Text);       # that the place admits; empty: not known
 }
 
 struct LevelSource {
@@ -483,6 +493,10 @@ struct Query {
   maxDamage @13 :Float32 = -1;       # max health lost in total; -1: any
   forbid @14 :List(PlayerState);     # any of jumping, climbing, seated, fallingDown
   arrive @17 :Arrive;                # of the goals, waypoints and visits that name a solid part
+  tricks @18 :List(Trick);           # that the player may use
+  bodies @19 :List(Text);            # each must have a solution: r6, r15 or place; empty: the level's physics
+  frameRates @20 :List(UInt16);      # each must have a solution: frames per second; empty: the level's controlRate
+  sameKeys @21 :Bool;                # one solution's keys, held by time, must do for every body and frame rate
 
   # Known to the maker of the level. No answer depends on these fields; obby-train learns from them.
   way @15 :List(Vec3);               # feet positions along a known route, from the start to the goal; 2 to 4096
@@ -532,6 +546,9 @@ struct Trajectory {
   difficulty @17 :Difficulty;  # of a solution, on request
   path @18 :Path;            # on request, for readers that cannot replay
   method @19 :Text;          # the search method that found it
+  tricks @20 :List(Trick);   # that the player may use; a replay allows the same
+  body @21 :Text;            # of the player; empty: the level's physics
+  frameRate @22 :UInt16;     # ticks per second; 0: the level's controlRate
 }
 
 struct Path {
@@ -619,6 +636,7 @@ struct Cut {
   gap @4 :Float32;           # lower bound on the missing distance, studs
   jumps @5 :UInt32;          # lower bound on the jumps needed; 0: the limit on jumps is not the cause
   seconds @6 :Float32;       # lower bound on the game time needed; 0: the time limit is not the cause
+  withTricks @7 :Bool;       # it holds for players who use every trick, too
 }
 
 enum Saturation {
@@ -703,6 +721,18 @@ struct Result {
   relaxations @17 :List(Relaxation);  # if there is no solution, on request
   routes @18 :List(RouteCount);       # routes of the solutions, most frequent first
   heatMap @19 :HeatMap;      # of a search, on request
+  tricks @20 :List(Trick);   # that the query allows
+  players @21 :List(PlayerAnswer);  # if the query names bodies or frame rates
+}
+
+struct PlayerAnswer {
+  # The answer for one body at one frame rate.
+  body @0 :Text;             # empty: the level's physics
+  frameRate @1 :UInt16 $always;     # frames per second
+  verdict @2 :Verdict $always;
+  ticks @3 :UInt32;          # of the shortest solution, at this frame rate
+  jumps @4 :UInt32;          # of that solution
+  reason @5 :Text;           # the answer in one sentence
 }
 
 # ---------------------------------------------------------------------------------------------- recordings, metrics
