@@ -14,6 +14,7 @@ namespace {
 
 using cli::between;
 using cli::OptionRow;
+using cli::rare;
 using cli::repeatable;
 using cli::row;
 using cli::ValueType;
@@ -52,12 +53,11 @@ std::vector<OptionRow> fitRows() {
 }
 
 OptionRow tricksRow() {
-  OptionRow r =
-      row("tricks", ValueType::choice, "", "none",
-          "with --play: what the engine did in these recordings, besides normal play", kPlayGroup);
+  OptionRow r = row("tricks", ValueType::choice, "", "none",
+                    "with --play: what the engine did in these recordings, besides normal play",
+                    kPlayGroup);
   r.choices = level::trickOptions();
-  r.details = "docs/physics.md says what each trick is.";
-  return repeatable(r);
+  return repeatable(rare(r));
 }
 
 std::vector<OptionRow> playRows() {
