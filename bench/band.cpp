@@ -38,22 +38,22 @@ Scene platforms(float gap, float rise) {
   return s;
 }
 
-// A platform that slides to and fro sideways, and one `gap` behind it.
-Scene moving(float gap) {
+// A platform that goes to and fro in two seconds each, and one `gap` behind the end of its track.
+Scene moving(Vec3 from, Vec3 to, float gap, bool carries = true) {
   Scene s;
   s.level.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 2});
-  s.level.block({-4, -0.5f, -14}, {6, 1, 6}, [](schema::Part::Builder p) {
+  s.level.block(from, {6, 1, 6}, [=](schema::Part::Builder p) {
     auto motion = p.initMotion();
-    motion.setCarries(true);
+    motion.setCarries(carries);
     motion.setRepeat(schema::Repeat::PING_PONG);
     auto keys = motion.initKeys(2);
-    support::set(keys[0].initPosition(), {-4, -0.5f, -14});
-    support::set(keys[1].initPosition(), {4, -0.5f, -14});
+    support::set(keys[0].initPosition(), from);
+    support::set(keys[1].initPosition(), to);
     keys[1].setTime(2);
   });
-  const float z = -17 - gap - 4;
-  s.level.block({0, -0.5f, z}, {8, 1, 8});
-  s.goal = {{-4, 0, z - 4}, {4, 4, z + 4}};
+  const float z = to.z - 3 - gap - 4, y = to.y + 0.5f;
+  s.level.block({0, y - 0.5f, z}, {8, 1, 8});
+  s.goal = {{-4, y, z - 4}, {4, y + 4, z + 4}};
   return s;
 }
 
@@ -186,7 +186,22 @@ int main(int argc, char** argv) {
       {"gap", 8, 30, [](float x) { return platforms(x, 0); }},
       {"ledge", 6, 30, [](float x) { return platforms(0, x); }},
       {"drop", 8, 40, [](float x) { return platforms(x, -8); }},
-      {"moving", 6, 40, moving},
+      {"across", 6, 40,
+       [](float x) {
+         return moving({-4, -0.5f, -14}, {4, -0.5f, -14}, x);
+       }},
+      {"along", 6, 40,
+       [](float x) {
+         return moving({0, -0.5f, -14}, {0, -0.5f, -22}, x);
+       }},
+      {"lift", 6, 40,
+       [](float x) {
+         return moving({0, -0.5f, -14}, {0, 7.5f, -14}, x);
+       }},
+      {"pusher", 6, 40,
+       [](float x) {
+         return moving({0, -0.5f, -14}, {0, -0.5f, -22}, x, false);
+       }},
   };
   for (const Case& c : cases) {
     const float from = bisect(c.solved, c.wide, 0.01f, [&](float x) { return !isShown(c, x); });

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "solve/proof/boxes.h"
-#include "solve/query/problem.h"
+#include "solve/proof/part_motion.h"
 
 namespace obby::solve {
 
@@ -21,7 +21,7 @@ struct Span {
 
 class BodyLimits {
  public:
-  explicit BodyLimits(const Problem& problem);
+  BodyLimits(const Problem& problem, const std::vector<PartMotion>& motions);
 
   // --- bodies
   float ray = 0;      // radius in which floors are sensed, seen from above
@@ -37,6 +37,7 @@ class BodyLimits {
 
   // --- speeds
   float walk = 0;      // by keys, studs/s
+  float fastest = 0;   // sideways of anybody, studs/s
   float jump = 0;      // launch of a jump
   float slowJump = 0;  // the same under the boost that is worst for it
   float decay = 0;     // by which keys take back what is faster, studs/s^2
@@ -77,8 +78,8 @@ class BodyLimits {
   float airSeconds(float w, float rise) const;
   float settled(float speed) const;  // height above a floor that is acquired at that fall, Landed
   float reachAt(float fall, bool kept) const;
-  void setSpeeds(const Problem& problem);
-  void setBody(const Problem& problem);
+  void setSpeeds(const Problem& problem, const std::vector<PartMotion>& motions);
+  void setBody();
   void setTakeOff();
 
   const Params& p_;

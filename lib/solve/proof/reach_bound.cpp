@@ -27,9 +27,10 @@ std::vector<Box> flatBoxes(const std::vector<Support>& supports) {
 ReachBound::ReachBound(const Problem& problem, bool mayJump)
     : problem_(problem),
       p_(problem.level.params),
-      limits_(problem),
+      motions_(motionsOf(problem)),
+      limits_(problem, motions_),
       mayJump_(mayJump),
-      supports_(supportsOf(problem, limits_)),
+      supports_(supportsOf(problem, limits_, motions_)),
       index_(flatBoxes(supports_)) {
   for (const Support& s : supports_) {
     lowest_ = std::min(lowest_, s.entryFalling);

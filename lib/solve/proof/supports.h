@@ -39,7 +39,8 @@ struct Support {
 };
 
 // The start first, then where teleporters lead, then each collider that does anything.
-std::vector<Support> supportsOf(const Problem& problem, const BodyLimits& limits);
+std::vector<Support> supportsOf(const Problem& problem, const BodyLimits& limits,
+                                const std::vector<PartMotion>& motions);
 std::vector<Support> supportsOf(const Problem& problem);
 
 }  // namespace obby::solve
