@@ -181,13 +181,15 @@ float BodyLimits::entryLeaping(float top, bool pinched) const {
   return top - std::max(sim::rayHeight(p_), p_.hipHeight + in) - slack;
 }
 
-float BodyLimits::takeOff(Span heads) const {
+float BodyLimits::takeOff(Span heads, float rising) const {
   if (heads.hi <= 0) return always_;
-  const float fall = fallOver(landedSteps_), near = gravity_ * tick_ * tick_ * 0.5f + slack;
+  // Who lands on a floor that goes up may go up as fast.
+  const float fall = fallOver(landedSteps_) - rising * float(landedSteps_) * dt_;
+  const float near = gravity_ * tick_ * tick_ * 0.5f + slack;
   const float kept = std::max(reachAt(0, true), reachAt(0, false));
   float most = always_;
   if (heads.hi <= kept + near) {
-    most = std::max(most, heads.hi - fall);
+    most = std::max(most, std::min(heads.hi - fall, heads.hi));
   } else if (heads.lo <= kept + near) {
     most = std::max(most, kept - fall);
   } else {

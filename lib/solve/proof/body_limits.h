@@ -48,8 +48,8 @@ class BodyLimits {
   float entryLeaping(float top, bool pinched) const;
 
   // Feet above a floor in Running, at most, after a flight whose apex is in `heads`, relative to
-  // the floor. A jump or a fall begins there.
-  float takeOff(Span heads) const;
+  // the highest place of the floor, which goes up at `rising` studs/s. A jump or fall begins there.
+  float takeOff(Span heads, float rising) const;
   // The same where the feet came off a higher floor in Running, by `drop` studs.
   float keptTakeOff(float drop) const;
   float mostTakeOff() const;

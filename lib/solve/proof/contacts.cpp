@@ -71,15 +71,17 @@ void Contacts::spreadFrom(Box where, float push) {
   }
 }
 
-bool Contacts::slidesAlone(uint32_t id) const {
+bool Contacts::movesAlone(uint32_t id) const {
   constexpr uint32_t kOther =
       level::kVanishTimer | level::kClocked | level::kOneWay | level::kTriggered;
   const uint32_t flags = level_.bounds[id].flags;
   const PartMotion& m = motions_[id];
   const Params& p = limits_.params();
-  const bool slow = m.step < 0.25f * std::min(p.bodyWidth, p.bodyDepth);
-  const bool level = m.vertical * p.tickSeconds < 1e-4f;
-  if (!(flags & level::kUpright) || (flags & kOther) || !slow || !level) return false;
+  // The head alone, as a jump begins, does not pass through one that comes down.
+  const float upward = (limits_.jump + m.upward) * p.substepSeconds + m.vertical * p.tickSeconds;
+  const bool slow = m.step < 0.25f * std::min(p.bodyWidth, p.bodyDepth) &&
+                    upward < 0.45f * (p.bodyTop - p.headBottom);
+  if (!(flags & level::kUpright) || (flags & kOther) || !slow) return false;
   const float far = limits_.across + 2 * m.step;
   bool alone = true;
   find(grow(m.swept, {far, p.bodyTop, far}), [&](uint32_t other) { alone &= other == id; });
@@ -88,8 +90,8 @@ bool Contacts::slidesAlone(uint32_t id) const {
 
 void Contacts::spreadDeep(const std::vector<Vec3>& appear) {
   std::vector<bool> seeds(level_.colliderCount);
-  // A part that slides alone pushes a body that nothing else holds.
-  for (const uint32_t id : solids_) seeds[id] = isRough(id) && !slidesAlone(id);
+  // A part that moves alone pushes a body that nothing else holds.
+  for (const uint32_t id : solids_) seeds[id] = isRough(id) && !movesAlone(id);
   const Params& p = limits_.params();
   for (const Vec3 feet : appear) {
     const float side = limits_.body;

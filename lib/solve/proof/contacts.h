@@ -27,7 +27,7 @@ class Contacts {
  private:
   std::vector<Box> solidBoxes();
   bool isRough(uint32_t id) const;
-  bool slidesAlone(uint32_t id) const;
+  bool movesAlone(uint32_t id) const;
   bool isAxial(uint32_t id) const;
   bool holdsBetween(uint32_t a, uint32_t b) const;
   void spreadFrom(Box where, float push);

@@ -75,8 +75,10 @@ class Builder {
     s.top = s.box.hi.y;
     s.beside = contacts.besideOf(id);
     s.takesAlong = s.beside == Beside::deep || (flags & level::kMoving) != 0;
-    s.level = s.carries && (flags & level::kUpright) &&
-              std::max(motion.vertical, motion.upward) * p_.tickSeconds < 1e-4f;
+    s.level = s.carries && (flags & level::kUpright);
+    // What is put back as its clock ends is nowhere at a known speed.
+    s.vertical = (flags & level::kTriggered) ? 1e6f : std::max(motion.vertical, motion.upward);
+    s.lowest = s.box.lo.y + (s.level ? 2 * c.shape.half.y : -p_.bodyTop);
     s.upward = motion.upward;
     s.sideways = motion.sideways;
     s.lift = limits_.settles + limits_.legsOvershoot(motion.vertical) + climb_ * p_.tickSeconds;
@@ -114,8 +116,8 @@ class Builder {
     const float anywhere = s.box.lo.y - p_.bodyTop - 1.5f * p_.touchMargin - limits_.slack;
     const bool above = s.carries && s.beside != Beside::deep && (flags & level::kUpright) &&
                        !(flags & (kLeads | level::kTruss)) && !s.wild;
-    s.entry = above ? limits_.entryLeaping(s.top, s.beside == Beside::pinched) - step : anywhere;
-    s.entryFalling = above ? limits_.entryFalling(s.top) - step : anywhere;
+    s.entry = above ? limits_.entryLeaping(s.lowest, s.beside == Beside::pinched) - step : anywhere;
+    s.entryFalling = above ? limits_.entryFalling(s.lowest) - step : anywhere;
   }
 
   // Where a ceiling stops a jump, or an edge holds the torso, a landing is slow.
@@ -132,7 +134,7 @@ class Builder {
       const Span heads = exact ? Span{under - limits_.slack, under + limits_.slack}
                                : Span{under, box.hi.y - s.top};
       const bool within = heads.hi > 0 && heads.lo < limits_.mostTakeOff() + 40;
-      if (within) most = std::max(most, limits_.takeOff(heads));
+      if (within) most = std::max(most, limits_.takeOff(heads, s.upward));
       const float resting = box.hi.y - p_.hipHeight - s.top;
       const float lowest = exact ? resting : box.lo.y - s.top - p_.bodyTop;
       if (resting > 0 && lowest < limits_.mostTakeOff()) {
