@@ -30,11 +30,6 @@ struct Spring {
   }
 };
 
-// Does nothing but keys make anybody move sideways?
-bool isPlain(const level::LevelView& level) {
-  return level.maxSideSpeed <= 1.501f * fastestWalk(level);
-}
-
 bool addsSpeed(const level::Roles& r) {
   const bool slanted = r.padVelocity.x != 0 || r.padVelocity.z != 0 || r.padVelocity.y < 0;
   return r.padKeepsSideways && slanted;
@@ -88,17 +83,17 @@ float fastestJump(const level::LevelView& level) {
   return fastest;
 }
 
-BodyLimits::BodyLimits(const Problem& problem)
+BodyLimits::BodyLimits(const Problem& problem, const std::vector<PartMotion>& motions)
     : p_(problem.level.params),
       dt_(p_.substepSeconds),
       tick_(p_.tickSeconds),
       gravity_(p_.gravity) {
-  setSpeeds(problem);
-  setBody(problem);
+  setSpeeds(problem, motions);
+  setBody();
   setTakeOff();
 }
 
-void BodyLimits::setSpeeds(const Problem& problem) {
+void BodyLimits::setSpeeds(const Problem& problem, const std::vector<PartMotion>& motions) {
   const level::LevelView& level = problem.level;
   float least = p_.plainGrip, most = p_.plainGrip;
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
@@ -117,6 +112,10 @@ void BodyLimits::setSpeeds(const Problem& problem) {
   const float cuts = std::ceil(sim::substepTravel(fast, p_) / sim::safeTravel(fast, p_));
   const float pieces = std::clamp(cuts, 5.0f, float(sim::kMostSplits));
   walk = fastestWalk(level) + overshoot + 0.71f * far * pieces / dt_;
+  const Vec3 start = problem.start.velocity;
+  float given = length(Vec3{start.x, 0, start.z});
+  for (const PartMotion& m : motions) given = std::max(given, m.sideways);
+  fastest = walk + std::min(given, 1.42f * level.maxSideSpeed);
   jump = fastestJump(level);
   slowJump = std::min(p_.jumpSpeed, p_.maxFallSpeed);
   for (uint32_t i = 0; i < level.clockCount; ++i) {
@@ -127,7 +126,7 @@ void BodyLimits::setSpeeds(const Problem& problem) {
   slack = p_.contactSkin + sim::kTight + 0.01f + settles;
 }
 
-void BodyLimits::setBody(const Problem& problem) {
+void BodyLimits::setBody() {
   const float width = p_.bodyWidth, depth = p_.bodyDepth;
   const float half = 0.5f * length(Vec3{width, 0, depth});
   const float least = 0.5f * std::min(width, depth);
@@ -136,7 +135,6 @@ void BodyLimits::setBody(const Problem& problem) {
   stand = walk * tick_ >= body - ray ? ray + settles : body;
   limb = 0.5f * length(Vec3{std::max(p_.armSpan, width), 0, depth}) + 1.5f * p_.touchMargin + slack;
   across = 2 * half + slack;
-  const float fastest = isPlain(problem.level) ? walk : 1.42f * problem.level.maxSideSpeed;
   const float travel = fastest * dt_;
   const float step = std::max(std::min(0.9f * least, travel), travel / sim::kMostSplits);
   turned = half - least + step + slack;
@@ -183,13 +181,15 @@ float BodyLimits::entryLeaping(float top, bool pinched) const {
   return top - std::max(sim::rayHeight(p_), p_.hipHeight + in) - slack;
 }
 
-float BodyLimits::takeOff(Span heads) const {
+float BodyLimits::takeOff(Span heads, float rising) const {
   if (heads.hi <= 0) return always_;
-  const float fall = fallOver(landedSteps_), near = gravity_ * tick_ * tick_ * 0.5f + slack;
+  // Who lands on a floor that goes up may go up as fast.
+  const float fall = fallOver(landedSteps_) - rising * float(landedSteps_) * dt_;
+  const float near = gravity_ * tick_ * tick_ * 0.5f + slack;
   const float kept = std::max(reachAt(0, true), reachAt(0, false));
   float most = always_;
   if (heads.hi <= kept + near) {
-    most = std::max(most, heads.hi - fall);
+    most = std::max(most, std::min(heads.hi - fall, heads.hi));
   } else if (heads.lo <= kept + near) {
     most = std::max(most, kept - fall);
   } else {

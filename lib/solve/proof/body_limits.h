@@ -3,7 +3,7 @@
 #pragma once
 
 #include "solve/proof/boxes.h"
-#include "solve/query/problem.h"
+#include "solve/proof/part_motion.h"
 
 namespace obby::solve {
 
@@ -21,7 +21,7 @@ struct Span {
 
 class BodyLimits {
  public:
-  explicit BodyLimits(const Problem& problem);
+  BodyLimits(const Problem& problem, const std::vector<PartMotion>& motions);
 
   // --- bodies
   float ray = 0;      // radius in which floors are sensed, seen from above
@@ -37,6 +37,7 @@ class BodyLimits {
 
   // --- speeds
   float walk = 0;      // by keys, studs/s
+  float fastest = 0;   // sideways of anybody, studs/s
   float jump = 0;      // launch of a jump
   float slowJump = 0;  // the same under the boost that is worst for it
   float decay = 0;     // by which keys take back what is faster, studs/s^2
@@ -47,8 +48,8 @@ class BodyLimits {
   float entryLeaping(float top, bool pinched) const;
 
   // Feet above a floor in Running, at most, after a flight whose apex is in `heads`, relative to
-  // the floor. A jump or a fall begins there.
-  float takeOff(Span heads) const;
+  // the highest place of the floor, which goes up at `rising` studs/s. A jump or fall begins there.
+  float takeOff(Span heads, float rising) const;
   // The same where the feet came off a higher floor in Running, by `drop` studs.
   float keptTakeOff(float drop) const;
   float mostTakeOff() const;
@@ -77,8 +78,8 @@ class BodyLimits {
   float airSeconds(float w, float rise) const;
   float settled(float speed) const;  // height above a floor that is acquired at that fall, Landed
   float reachAt(float fall, bool kept) const;
-  void setSpeeds(const Problem& problem);
-  void setBody(const Problem& problem);
+  void setSpeeds(const Problem& problem, const std::vector<PartMotion>& motions);
+  void setBody();
   void setTakeOff();
 
   const Params& p_;

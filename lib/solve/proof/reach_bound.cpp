@@ -27,9 +27,10 @@ std::vector<Box> flatBoxes(const std::vector<Support>& supports) {
 ReachBound::ReachBound(const Problem& problem, bool mayJump)
     : problem_(problem),
       p_(problem.level.params),
-      limits_(problem),
+      motions_(motionsOf(problem)),
+      limits_(problem, motions_),
       mayJump_(mayJump),
-      supports_(supportsOf(problem, limits_)),
+      supports_(supportsOf(problem, limits_, motions_)),
       index_(flatBoxes(supports_)) {
   for (const Support& s : supports_) {
     lowest_ = std::min(lowest_, s.entryFalling);
@@ -256,14 +257,16 @@ void ReachBound::arrive(uint32_t from, uint32_t to, const Flight& f, float way) 
   const float floor = b.top + b.lift, high = apex(f) - floor;
   if (high <= takeOff_[to]) return;
   End top = endAt(to);
-  top.falling = top.leaping = std::min(floor, apex(f));
+  top.falling = top.leaping = std::min(floor, apex(f)) - limits_.fallApex(b.upward);
   if (!crosses(from, f, top, way)) return;  // comes there below its top only
   // The flight may also begin lower and be slower.
-  float low = a.top;
-  if (a.collider != level::kNone)
-    low = (a.level ? a.top : a.box.lo.y - p_.bodyTop) - limits_.sunk();
-  if (f.leaps) low += limits_.leapApex(limits_.slowJump);
-  raise(takeOff_[to], limits_.takeOff({low - floor, high}));
+  float low = a.top, slow = limits_.slowJump;
+  if (a.collider != level::kNone) {
+    low = (from == to ? a.top : a.lowest) - limits_.sunk();
+    if (from == to) slow = std::max(slow - 3 * a.vertical, 0.0f);
+  }
+  if (f.leaps) low += limits_.leapApex(slow);
+  raise(takeOff_[to], limits_.takeOff({low - floor, high}, b.upward));
   if (!f.leaps) raise(takeOff_[to], limits_.keptTakeOff(high));
 }
 
