@@ -637,6 +637,7 @@ struct Cut {
   jumps @5 :UInt32;          # lower bound on the jumps needed; 0: the limit on jumps is not the cause
   seconds @6 :Float32;       # lower bound on the game time needed; 0: the time limit is not the cause
   withTricks @7 :Bool;       # it holds for players who use every trick, too
+  mayHelp @8 :List(Trick);   # if not: tricks with which, each by itself, it is not shown
 }
 
 enum Saturation {

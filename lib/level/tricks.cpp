@@ -23,18 +23,33 @@ Result<uint16_t> tricksOf(capnp::List<schema::Trick>::Reader list, const std::st
   return bits;
 }
 
+namespace {
+
+// The words of heldJump with `between` between them.
+std::string wordsOf(std::string_view name, char between) {
+  std::string words;
+  for (const char c : name) {
+    const bool upper = c >= 'A' && c <= 'Z';
+    if (upper) words += between;
+    words += upper ? char(c - 'A' + 'a') : c;
+  }
+  return words;
+}
+
+}  // namespace
+
 std::vector<std::string> trickOptions() {
   std::vector<std::string> names{"none"};
   for (const auto trick : capnp::Schema::from<schema::Trick>().getEnumerants()) {
-    std::string& name = names.emplace_back();
-    for (const char c : std::string_view(trick.getProto().getName().cStr())) {
-      const bool upper = c >= 'A' && c <= 'Z';
-      if (upper) name += '-';
-      name += upper ? char(c - 'A' + 'a') : c;
-    }
+    names.push_back(wordsOf(trick.getProto().getName().cStr(), '-'));
   }
   names.push_back("all");
   return names;
+}
+
+std::string trickName(schema::Trick trick) {
+  const auto known = capnp::Schema::from<schema::Trick>().getEnumerants();
+  return wordsOf(known[uint32_t(trick)].getProto().getName().cStr(), ' ');
 }
 
 Result<uint16_t> tricksNamed(const std::vector<std::string>& options) {

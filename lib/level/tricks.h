@@ -21,6 +21,9 @@ std::vector<std::string> trickOptions();
 // Bits of those. Error: a name that is none of them.
 Result<uint16_t> tricksNamed(const std::vector<std::string>& options);
 
+// "held jump".
+std::string trickName(schema::Trick trick);
+
 // The tricks of some bits, in the order of the schema.
 std::vector<schema::Trick> tricksIn(uint16_t bits);
 

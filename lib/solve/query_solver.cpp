@@ -65,6 +65,7 @@ class Solving {
     const double start = secondsNow();
     auto cut = incomplete() ? std::nullopt : cutOf(problem, query_);
     if (cut) {
+      tryTricks(*cut, problem, query_);
       SearchOutcome shown;
       shown.stopped = Stopped::shown;
       shown.cut = std::move(cut);

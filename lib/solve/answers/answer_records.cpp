@@ -3,6 +3,7 @@
 #include <cctype>
 
 #include "level/record_values.h"
+#include "level/tricks.h"
 #include "sim/simulator.h"
 #include "solve/answers/reason.h"
 
@@ -112,6 +113,7 @@ void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
   record.setLevel(identity.level);
   record.setMethod(identity.method);
   record.setVerdict(verdictOf(outcome));
+  level::setTricks(record, identity.tricks);
   record.setSolutions(uint32_t(outcome.solutions.size()));
   if (solved) {
     record.setTicks(outcome.solutions.front().ticks);

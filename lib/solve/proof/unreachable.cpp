@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "level/tricks.h"
 #include "sim/next_region.h"
 #include "sim/simulator.h"
 #include "solve/answers/part_text.h"
@@ -210,7 +211,33 @@ std::optional<Cut> cutOf(const Problem& problem, schema::Query::Reader record) {
   return Prover(problem, record).prove();
 }
 
-std::string reasonFor(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
+void tryTricks(Cut& cut, Problem problem, schema::Query::Reader record) {
+  uint16_t& tricks = problem.level.params.tricks;
+  const uint16_t allowed = tricks;
+  tricks = kAllTricks;
+  cut.withTricks = allowed == kAllTricks || cutOf(problem, record);
+  for (uint16_t trick = 1; !cut.withTricks && trick <= kAllTricks; trick = uint16_t(2 * trick)) {
+    tricks = uint16_t(allowed | trick);
+    if (tricks != allowed && !cutOf(problem, record)) cut.mayHelp |= trick;
+  }
+}
+
+namespace {
+
+// For whom the cut holds.
+std::string tricksText(const Cut& cut) {
+  if (cut.withTricks) return " That holds with every trick, too.";
+  if (cut.mayHelp == 0) return " With several tricks together somebody might.";
+  std::string names;
+  const auto tricks = level::tricksIn(cut.mayHelp);
+  for (size_t i = 0; i < tricks.size(); ++i) {
+    const bool last = i > 0 && i + 1 == tricks.size();
+    names += (i == 0 ? "" : last ? " or " : ", ") + level::trickName(tricks[i]);
+  }
+  return fmt::format(" That is in normal play: a {} might do it.", names);
+}
+
+std::string cutText(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
   if (cut.jumps > 0) {
     return fmt::format("Every route to {} takes at least {} jump{}, but {} allowed.", cut.target,
                        cut.jumps, cut.jumps == 1 ? "" : "s", allowedText(cut.mostJumps));
@@ -222,6 +249,12 @@ std::string reasonFor(const Cut& cut, const level::Level& level, schema::Level::
   return fmt::format("No player can reach {}{}.{} At most {} part{} reachable.", cut.target,
                      cut.mayJump ? "" : " without jumping", stepText(cut, level, record),
                      cut.reached.size(), cut.reached.size() == 1 ? " is" : "s are");
+}
+
+}  // namespace
+
+std::string reasonFor(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
+  return cutText(cut, level, record) + tricksText(cut);
 }
 
 void fillCut(schema::Cut::Builder record, const Cut& cut, const level::LevelView& level) {
@@ -236,6 +269,10 @@ void fillCut(schema::Cut::Builder record, const Cut& cut, const level::LevelView
   record.setGap(cut.missing.gap);
   record.setJumps(cut.jumps);
   record.setSeconds(cut.seconds);
+  record.setWithTricks(cut.withTricks);
+  const auto tricks = level::tricksIn(cut.mayHelp);
+  auto mayHelp = record.initMayHelp(uint32_t(tricks.size()));
+  for (uint32_t i = 0; i < mayHelp.size(); ++i) mayHelp.set(i, tricks[i]);
 }
 
 }  // namespace obby::solve

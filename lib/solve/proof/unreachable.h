@@ -22,10 +22,15 @@ struct Cut {
   uint32_t mostJumps = 0;         // that are allowed
   float seconds = 0;              // that it takes at least
   float mostSeconds = 0;          // that are allowed
+  bool withTricks = false;        // shown for players who use every trick
+  uint16_t mayHelp = 0;           // if not: tricks with which, each by itself, it is not shown
 };
 
 // Nothing: the query may be solvable. `record`: for the names of its regions.
 std::optional<Cut> cutOf(const Problem& problem, schema::Query::Reader record);
+
+// Fills in the cut's last two fields: asks again with tricks.
+void tryTricks(Cut& cut, Problem problem, schema::Query::Reader record);
 
 // Some sentences for people.
 std::string reasonFor(const Cut& cut, const level::Level& level, schema::Level::Reader record);
