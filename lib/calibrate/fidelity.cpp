@@ -71,9 +71,10 @@ std::vector<Played> playFrames(const level::Level& level, const Track& track,
   return out;
 }
 
-std::vector<Played> playTicks(const level::Level& level, const Track& track) {
+std::vector<Played> playTicks(level::LevelView view, const Track& track, uint16_t tricks) {
+  view.params.tricks = tricks;
   std::vector<Played> out{{track.frames[0].position, track.frames[0].state}};
-  playBack(level.view(), track, {{0, uint32_t(track.frames.size()) - 1}}, 0,
+  playBack(view, track, {{0, uint32_t(track.frames.size()) - 1}}, 0,
            [&](uint32_t, uint32_t, const Moment& now) {
              out.push_back({now.position, now.state});
            });
@@ -87,7 +88,7 @@ Result<std::vector<Played>> play(const Take& take, schema::PhysicsParams::Reader
   const uint32_t rate = uint32_t(p.controlRate) * p.substeps;
   const std::vector<uint32_t> steps = stepsOf(take.track, double(rate));
   const uint32_t longest = longestTick(steps, rate);
-  if (longest == 0 || level.view().moverCount > 0) return playTicks(level, take.track);
+  if (longest == 0 || level.view().moverCount > 0) return playTicks(level.view(), take.track, tricks);
   OBBY_ASSIGN(const level::Level framed, levelOfFrames(take, params, rate, longest));
   return playFrames(framed, take.track, steps, tricks);
 }

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "calibrate/course.h"
+#include "calibrate/trick_evidence.h"
+#include "level/tricks.h"
+#include "sim/simulator.h"
 
 namespace obby::calibrate {
 namespace {
@@ -26,6 +29,45 @@ TEST(Fidelity, OfOwnRecordingsIsExact) {
     EXPECT_EQ(f->matched, f->events) << take.track.name;
     EXPECT_EQ(f->frames + 1, take.track.frames.size());
   }
+}
+
+// A jump that turns by a right angle, in an engine with these tricks.
+Take turningJump(uint16_t tricks) {
+  io::RecordBuilder record;
+  writeCourse(record.root().initLevel());
+  const io::Record course(std::move(record));
+  const auto level = level::Level::compile(course.reader().getLevel());
+  level::LevelView view = level->view();
+  view.params.tricks = tricks;
+  sim::World w = sim::makeWorld(view, level->spawns()[0]);
+  auto loose = sim::startLoose(view);
+  Take take{{"jump", course.reader().getLevel().getName()}, course};
+  for (int tick = 0; tick < 120; ++tick) {
+    const sim::Action action{Turns(0x4000), tick >= 60, tick == 60};
+    if (tick >= 50) {
+      const Vec3 move = action.walk ? directionOf(sinCosOf<float>(action.heading)) : Vec3{};
+      take.track.frames.push_back({(tick - 50) / 60.0, move, action.jump,
+                                   rootOf(w.position, view.params), w.velocity, w.state,
+                                   directionOf(sinCosOf<float>(w.yaw))});
+    }
+    sim::advance(w, loose.data(), view, nullptr, action);
+  }
+  return take;
+}
+
+// The same inputs in an engine that holds jumps.
+TEST(TrickEvidence, FindsTheTrickThatTheEngineDoes) {
+  std::vector<Take> takes;
+  for (int i = 0; i < 4; ++i) takes.push_back(turningJump(kHeldJump));
+  const auto held = trickEvidence(takes, defaults());
+  ASSERT_TRUE(held);
+  for (const TrickEvidence& e : *held) {
+    EXPECT_EQ(e.isOn(), e.trick == schema::Trick::HELD_JUMP) << level::trickName(e.trick);
+  }
+  EXPECT_LT((*held)[0].with, 0.01);
+  const auto none = trickEvidence(takesUnder(defaults()), defaults());
+  ASSERT_TRUE(none);
+  EXPECT_EQ(textOf(*none), "");
 }
 
 TEST(Fidelity, TellsTheApexUnderOtherGravity) {

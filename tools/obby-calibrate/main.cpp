@@ -9,8 +9,10 @@
 #include "calibrate/report.h"
 #include "calibrate/shortfall.h"
 #include "calibrate/takes.h"
+#include "calibrate/trick_evidence.h"
 #include "cli/written_files.h"
 #include "io/sink.h"
+#include "level/tricks.h"
 #include "metrics.h"
 #include "options.h"
 #include "play.h"
@@ -20,7 +22,8 @@ namespace {
 using namespace obby;
 
 Status writeMetrics(io::Pipeline& pipeline, const calibrate::Fit& fit,
-                    const std::vector<calibrate::Outcome>& outcomes) {
+                    const std::vector<calibrate::Outcome>& outcomes,
+                    const std::vector<calibrate::TrickEvidence>& tricks) {
   std::vector<tools::Metric> values = {{"delay", fit.delay, "s"},
                                        {"meanMiss", calibrate::meanMiss(outcomes), "studs"}};
   if (fit.stopped) values.push_back({"interrupted", 1, ""});
@@ -33,6 +36,10 @@ Status writeMetrics(io::Pipeline& pipeline, const calibrate::Fit& fit,
   for (const calibrate::Outcome& o : outcomes) {
     values.push_back({"mean miss of " + o.name, o.miss.mean, "studs"});
     values.push_back({"last miss of " + o.name, o.miss.last, "studs"});
+  }
+  for (const calibrate::TrickEvidence& e : tricks) {
+    if (e.isOn())
+      values.push_back({"mean miss with " + level::trickName(e.trick), e.with, "studs"});
   }
   return tools::writeMetrics(pipeline, "obby-calibrate", fit.evaluations, values);
 }
@@ -127,12 +134,14 @@ Status tell(cli::Context& context, io::Pipeline& pipeline, const calibrate::Fit&
   OBBY_ASSIGN(auto outcomes, outcomesOf(takes, false, params.asReader(), fit.delay));
   OBBY_ASSIGN(const auto others, outcomesOf(heldOut, true, params.asReader(), fit.delay));
   outcomes.insert(outcomes.end(), others.begin(), others.end());
-  OBBY_RETURN_IF_ERROR(writeMetrics(pipeline, fit, outcomes));
+  OBBY_ASSIGN(const auto tricks, calibrate::trickEvidence(takes, params.asReader()));
+  OBBY_RETURN_IF_ERROR(writeMetrics(pipeline, fit, outcomes, tricks));
   OBBY_ASSIGN(const std::vector<std::string> why,
               whyNotNearer(context, fit, outcomes, takes, heldOut, params));
   const cli::Arguments& a = context.arguments();
   const std::string text = calibrate::textOf(fit, outcomes, a.number("tolerance"), why);
   context.note(text);
+  if (const std::string said = calibrate::textOf(tricks); !said.empty()) context.note(said);
   if (!report) return {};
   const std::string path = a.text("report");
   const bool page = path.ends_with(".html") || path.ends_with(".htm");
