@@ -48,6 +48,10 @@ struct UDim {
   int32_t offset = 0;
 };
 
+struct NumberRange {
+  float min = 0, max = 0;
+};
+
 // Bytes that the file stores once and many instances share: meshes and collision data.
 struct SharedBlob {
   std::shared_ptr<const std::string> bytes;  // never null
@@ -58,7 +62,7 @@ struct SharedBlob {
 // (ProtectedString, BinaryString and asset addresses included). BrickColor numbers are int64_t
 // except where they are the part's colour. UniqueIds are 32 hexadecimal digits.
 using Value = std::variant<std::monostate, bool, int64_t, double, std::string, EnumItem, Vec3,
-                           CFrame, ColorRgb, Ref, PhysicalProperties, UDim, SharedBlob>;
+                           CFrame, ColorRgb, Ref, PhysicalProperties, UDim, SharedBlob, NumberRange>;
 
 struct Instance {
   std::string className;
