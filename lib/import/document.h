@@ -61,8 +61,9 @@ struct SharedBlob {
 // std::monostate, so that its presence still shows. Strings hold bytes of any kind
 // (ProtectedString, BinaryString and asset addresses included). BrickColor numbers are int64_t
 // except where they are the part's colour. UniqueIds are 32 hexadecimal digits.
-using Value = std::variant<std::monostate, bool, int64_t, double, std::string, EnumItem, Vec3,
-                           CFrame, ColorRgb, Ref, PhysicalProperties, UDim, SharedBlob, NumberRange>;
+using Value =
+    std::variant<std::monostate, bool, int64_t, double, std::string, EnumItem, Vec3, CFrame,
+                 ColorRgb, Ref, PhysicalProperties, UDim, SharedBlob, NumberRange>;
 
 struct Instance {
   std::string className;

@@ -245,7 +245,7 @@ constexpr BinaryKind kBinaryKinds[] = {
     {0x15, [](Column& c) { c.skipKeypoints(3); }},  // NumberSequence
     {0x16, [](Column& c) { c.skipKeypoints(5); }},  // ColorSequence
     {0x17, readRanges},
-    {0x18, [](Column& c) { c.skipFixed(16); }},     // Rect
+    {0x18, [](Column& c) { c.skipFixed(16); }},  // Rect
     {0x19, readPhysical},
     {0x1a, readByteColors},
     {0x1b, readInt64s},
