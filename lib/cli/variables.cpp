@@ -31,13 +31,13 @@ constexpr std::string_view kAllOptions[] = {
     "passes",      "paths",        "ping",        "play",       "policy",
     "port",        "print-config", "progress",    "query",      "quiet",
     "rate",        "recipe",       "rehearse",    "report",     "request-timeout",
-    "restarts",    "resume",       "save-every",  "same-keys",  "schema",
+    "restarts",    "resume",       "same-keys",   "save-every", "schema",
     "seed",        "set",          "silence",     "size",       "solutions",
     "solve",       "start",        "start-from",  "state-dir",  "stdio",
     "style",       "tensorboard",  "threads",     "time-limit", "tolerance",
-    "trials",      "twins",        "unsolvable",  "verbose",    "verify",
-    "version",     "visit",        "warm",        "watch",      "waypoint",
-    "width",       "worlds"};
+    "trials",      "tricks",       "twins",       "unsolvable", "verbose",
+    "verify",      "version",      "visit",       "warm",       "watch",
+    "waypoint",    "width",        "worlds"};
 
 // "time-limit" for "OBBY_TIME_LIMIT".
 std::string optionNameOf(std::string_view variable) {

@@ -8,6 +8,7 @@
 #include "level/level.h"
 #include "level/player.h"
 #include "level/record_values.h"
+#include "level/tricks.h"
 
 namespace obby::level {
 namespace {
@@ -220,6 +221,7 @@ Result<QueryView> compileLimits(schema::Query::Reader record, const Params& para
                      "expected 0 or more health (-1: any), found " + shown(q.maxDamage));
   }
   OBBY_ASSIGN(q.forbidden, forbiddenStates(record));
+  OBBY_ASSIGN(q.tricks, tricksOf(record.getTricks(), "tricks"));
   return q;
 }
 

@@ -36,8 +36,8 @@ class Solving {
         posed_{level_.level,   level_.record.reader().getLevel(),
                compiled,       query_,
                options.policy, level_.motions.get()},
-        identity_{compiled.id(), level_.level.name(), compiled.start(), options.method->name,
-                  question.player} {}
+        identity_{compiled.id(),        level_.level.name(),    compiled.start(),
+                  options.method->name, compiled.view().tricks, question.player} {}
 
   Result<QueryAnswer> run(const Machine& machine) {
     Problem problem = problemOf(posed_);

@@ -17,6 +17,7 @@ struct AnswerIdentity {
   std::string level;
   level::StartPose start;
   std::string method;         // name of its row
+  uint16_t tricks = 0;        // Params::tricks of the query
   level::Player player = {};  // of its trajectories
 };
 

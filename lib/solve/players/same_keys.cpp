@@ -20,7 +20,8 @@ Playthrough played(const PosedQuery& posed, const KnownWay& keys) {
     if (now.world.jumps > now.before.jumps) p.jumpTicks.push_back(now.tick);
     return true;
   };
-  sim::ReplayEnd end = sim::replay(view, &query, {start, turnsFromRadians(start.yaw), keys}, note);
+  sim::ReplayEnd end =
+      sim::replay(view, &query, {start, turnsFromRadians(start.yaw), keys, query.tricks}, note);
   p.ticks = end.ticks;
   p.end = end.world;
   p.endLoose = std::move(end.loose);

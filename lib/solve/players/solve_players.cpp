@@ -172,15 +172,17 @@ class PlayersSolving {
     SearchOutcome outcome;
     outcome.stopped = Stopped::solved;
     outcome.solutions.push_back(p);
-    const AnswerIdentity identity{
-        posed.query.id(), posed.level.name(), posed.query.start(), options_.method->name, {}};
+    const AnswerIdentity identity{posed.query.id(),          posed.level.name(),
+                                  posed.query.start(),       options_.method->name,
+                                  posed.query.view().tricks, {}};
     fillResult(answer, identity, outcome, posed.level, posed.levelRecord, posed.queryRecord);
   }
 
   io::Record trajectoryOf(const Playthrough& p, const PosedQuery& posed,
                           const level::Player& player) const {
-    const AnswerIdentity identity{posed.query.id(), posed.level.name(), posed.query.start(),
-                                  options_.method->name, player};
+    const AnswerIdentity identity{posed.query.id(),          posed.level.name(),
+                                  posed.query.start(),       options_.method->name,
+                                  posed.query.view().tricks, player};
     io::RecordBuilder record;
     auto trajectory = record.root().initTrajectory();
     fillTrajectory(trajectory, identity, p, 0);
