@@ -76,7 +76,8 @@ OBBY_DEVICE Vec3T<F> acceleration(const MotionT<F>& m, const Params& p) {
   const F lift = -p.hoverStiffness * gap - p.hoverDamping * (m.velocity.y - m.floorSpeed);
   a.y = select(d.hover & (gap <= 0.0f), minf(lift, F(p.hoverLimit)), F(-p.gravity));
   if (p.tricks & kHangingLanding) {
-    a.y = select(d.hangs & (gap > 0.0f), (m.floorSpeed - m.velocity.y) * kHangGain, a.y);
+    const float gain = minf(kHangGain, 1.0f / p.substepSeconds);  // no step overshoots
+    a.y = select(d.hangs & (gap > 0.0f), (m.floorSpeed - m.velocity.y) * gain, a.y);
   }
   return a;
 }

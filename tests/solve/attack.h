@@ -23,8 +23,10 @@ struct AttackCounts {
 class Attack {
  public:
   // `features`: parts of all shapes that move, vanish, throw and lead elsewhere.
-  Attack(uint64_t seed, bool features) : random_(seed, 77) {
-    const uint32_t kind = features ? random_.below(4) : 9;
+  // `tricks`: that the players may use.
+  Attack(uint64_t seed, bool features, uint16_t tricks = 0) : random_(seed, 77), tricks_(tricks) {
+    const uint32_t kind = features ? random_.below(5) : 9;
+    platforms_ = kind == 4;
     tilts_ = kind < 2;
     roles_ = kind > 0 && kind < 4;
     build();
@@ -42,7 +44,8 @@ class Attack {
     const bool jumps = random_.below(4) != 0;
     level::QueryView query;
     query.goal.region = {{{0, 50000, 0}, {}}, {1, 1, 1}};
-    const Problem problem = support::plainProblem(*level, query);
+    Problem problem = support::plainProblem(*level, query);
+    problem.level.params.tricks = tricks_;
     const ReachBound bound(problem, jumps);
     if (bound.holds({30000, 15000, 0})) {
       ++counts.wild;
@@ -68,7 +71,8 @@ class Attack {
   void build() {
     setPhysics();
     const uint32_t parts = 1 + random_.below(oneIn(4) ? 14 : 5);
-    const float wide = anyOf({6.0f, 12.0f, 25.0f}), high = anyOf({1.0f, 4.0f, 10.0f});
+    const float wide = platforms_ ? 30.0f : anyOf({6.0f, 12.0f, 25.0f}),
+                high = anyOf({1.0f, 4.0f, 10.0f});
     const Vec3 floor{between(1, 8), between(0.1f, 4), between(1, 8)};
     builder_.block({0, -0.5f * floor.y, 0}, floor, roleOf({0, -0.5f * floor.y, 0}, true));
     places_.push_back({0, 0, 0});
@@ -96,7 +100,7 @@ class Attack {
   float thick() { return oneIn(3) ? between(0.05f, 1) : oneIn(5) ? between(8, 30) : between(1, 8); }
 
   support::LevelBuilder::PartSetter roleOf(Vec3 at, bool calm) {
-    const uint32_t role = roles_ && !calm ? random_.below(14) : 99;
+    const uint32_t role = calm ? 99 : platforms_ ? 7 : roles_ ? random_.below(14) : 99;
     const Vec3 v{between(-30, 30), between(-5, 60), between(-30, 30)};
     const Vec3 to = at + Vec3{between(-8, 8), oneIn(2) ? 0.0f : between(-4, 8), between(-8, 8)};
     const float seconds = between(0.3f, 4), spin = oneIn(3) ? between(-4, 4) : 0.0f;
@@ -219,7 +223,8 @@ class Attack {
   }
 
   Random random_;
-  bool tilts_, roles_;
+  const uint16_t tricks_;
+  bool tilts_, roles_, platforms_;
   support::LevelBuilder builder_;
   std::vector<Vec3> places_;
 };

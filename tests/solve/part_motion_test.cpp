@@ -16,6 +16,7 @@ TEST(PartMotions, NoCornerIsFasterWhereKeysAndSpinTurn) {
   LevelBuilder b;
   b.block({0, 0, 0}, {2, 2, 2}, [](schema::Part::Builder p) {
     auto motion = p.initMotion();
+    motion.setCarries(true);
     auto keys = motion.initKeys(4);
     for (uint32_t k = 0; k < 4; ++k) {
       support::set(keys[k].initPosition(), {0, 0, 0});

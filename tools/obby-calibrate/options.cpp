@@ -53,9 +53,9 @@ std::vector<OptionRow> fitRows() {
 }
 
 OptionRow tricksRow() {
-  OptionRow r = row("tricks", ValueType::choice, "", "none",
-                    "with --play: what the engine did in these recordings, besides normal play",
-                    kPlayGroup);
+  OptionRow r =
+      row("tricks", ValueType::choice, "", "none",
+          "with --play: what the engine did in these recordings, besides normal play", kPlayGroup);
   r.choices = level::trickOptions();
   return repeatable(rare(r));
 }

@@ -30,11 +30,6 @@ struct Spring {
   }
 };
 
-// Does nothing but keys make anybody move sideways?
-bool isPlain(const level::LevelView& level) {
-  return level.maxSideSpeed <= 1.501f * fastestWalk(level);
-}
-
 bool addsSpeed(const level::Roles& r) {
   const bool slanted = r.padVelocity.x != 0 || r.padVelocity.z != 0 || r.padVelocity.y < 0;
   return r.padKeepsSideways && slanted;
@@ -88,17 +83,18 @@ float fastestJump(const level::LevelView& level) {
   return fastest;
 }
 
-BodyLimits::BodyLimits(const Problem& problem)
+BodyLimits::BodyLimits(const Problem& problem, const std::vector<PartMotion>& motions)
     : p_(problem.level.params),
       dt_(p_.substepSeconds),
       tick_(p_.tickSeconds),
       gravity_(p_.gravity) {
-  setSpeeds(problem);
-  setBody(problem);
+  setSpeeds(problem, motions);
+  setBody();
   setTakeOff();
+  setTricks();
 }
 
-void BodyLimits::setSpeeds(const Problem& problem) {
+void BodyLimits::setSpeeds(const Problem& problem, const std::vector<PartMotion>& motions) {
   const level::LevelView& level = problem.level;
   float least = p_.plainGrip, most = p_.plainGrip;
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
@@ -117,6 +113,10 @@ void BodyLimits::setSpeeds(const Problem& problem) {
   const float cuts = std::ceil(sim::substepTravel(fast, p_) / sim::safeTravel(fast, p_));
   const float pieces = std::clamp(cuts, 5.0f, float(sim::kMostSplits));
   walk = fastestWalk(level) + overshoot + 0.71f * far * pieces / dt_;
+  const Vec3 start = problem.start.velocity;
+  float given = length(Vec3{start.x, 0, start.z});
+  for (const PartMotion& m : motions) given = std::max(given, m.sideways);
+  fastest = walk + std::min(given, 1.42f * level.maxSideSpeed);
   jump = fastestJump(level);
   slowJump = std::min(p_.jumpSpeed, p_.maxFallSpeed);
   for (uint32_t i = 0; i < level.clockCount; ++i) {
@@ -127,7 +127,7 @@ void BodyLimits::setSpeeds(const Problem& problem) {
   slack = p_.contactSkin + sim::kTight + 0.01f + settles;
 }
 
-void BodyLimits::setBody(const Problem& problem) {
+void BodyLimits::setBody() {
   const float width = p_.bodyWidth, depth = p_.bodyDepth;
   const float half = 0.5f * length(Vec3{width, 0, depth});
   const float least = 0.5f * std::min(width, depth);
@@ -136,7 +136,6 @@ void BodyLimits::setBody(const Problem& problem) {
   stand = walk * tick_ >= body - ray ? ray + settles : body;
   limb = 0.5f * length(Vec3{std::max(p_.armSpan, width), 0, depth}) + 1.5f * p_.touchMargin + slack;
   across = 2 * half + slack;
-  const float fastest = isPlain(problem.level) ? walk : 1.42f * problem.level.maxSideSpeed;
   const float travel = fastest * dt_;
   const float step = std::max(std::min(0.9f * least, travel), travel / sim::kMostSplits);
   turned = half - least + step + slack;
@@ -174,6 +173,44 @@ void BodyLimits::setTakeOff() {
   slowRate_ = float(Spring(p_).slowRate(dt_)) * 1.0001f;
 }
 
+void BodyLimits::setTricks() {
+  constexpr float kAnySpeed = 1e6f;
+  const auto allows = [&](Trick trick) { return (p_.tricks & trick) != 0; };
+  turning = allows(kWallHop) ? kAnySpeed : across * p_.turnSpeed;
+  if (allows(kWallHop) || allows(kHeldJump)) overlap = turned;
+  if (allows(kHangingLanding)) {
+    always_ = std::max({always_, reachAt(p_.maxFallSpeed, false), keptReach_});
+  }
+  if (allows(kHeldJump)) {
+    staysOut = false;
+    heldSeconds = (keptReach_ + sunk_) / std::max(slowJump, 1e-3f) + 2 * tick_;
+  }
+  if (allows(kLegThrow)) setThrown();
+}
+
+// The map of a tick's steps on the legs is linear: the speed after n of them is gain * depth + kept
+// * speed.
+void BodyLimits::setThrown() {
+  const float stiff = p_.hoverStiffness * dt_, damped = 1 - p_.hoverDamping * dt_;
+  float deep[2] = {-1, 0}, fast[2] = {0, 1};  // gap and speed, of a stud below and of a stud/s
+  for (uint32_t n = 0; n < p_.substeps; ++n) {
+    for (float* s : {deep, fast}) {
+      s[1] = damped * s[1] - stiff * s[0];
+      s[0] += dt_ * s[1];
+    }
+    const float kept = std::clamp(fast[1], 0.0f, 0.999f), turns = std::max(-fast[1], 0.0f);
+    throwGain_ = std::max(throwGain_, deep[1] / (1 - kept));
+    thrown = std::max(thrown, deep[1] * sim::rayHeight(p_) / (1 - kept) + turns * p_.maxFallSpeed);
+  }
+  const float late = float(std::max(p_.coyoteSteps, p_.graceSteps) + p_.substeps) * dt_;
+  always_ = std::max(always_, keptReach_) + thrown * late;
+}
+
+float BodyLimits::letGo(float takeOff, float up) const {
+  if (!(p_.tricks & kHeldJump)) return takeOff;
+  return std::max(takeOff, keptReach_) + up * tick_;
+}
+
 float BodyLimits::entryFalling(float top) const {
   return top - std::max(sim::rayHeight(p_), p_.hipHeight + turned) - slack;
 }
@@ -183,13 +220,15 @@ float BodyLimits::entryLeaping(float top, bool pinched) const {
   return top - std::max(sim::rayHeight(p_), p_.hipHeight + in) - slack;
 }
 
-float BodyLimits::takeOff(Span heads) const {
+float BodyLimits::takeOff(Span heads, float rising) const {
   if (heads.hi <= 0) return always_;
-  const float fall = fallOver(landedSteps_), near = gravity_ * tick_ * tick_ * 0.5f + slack;
+  // Who lands on a floor that goes up may go up as fast.
+  const float fall = fallOver(landedSteps_) - rising * float(landedSteps_) * dt_;
+  const float near = gravity_ * tick_ * tick_ * 0.5f + slack;
   const float kept = std::max(reachAt(0, true), reachAt(0, false));
   float most = always_;
   if (heads.hi <= kept + near) {
-    most = std::max(most, heads.hi - fall);
+    most = std::max(most, std::min(heads.hi - fall, heads.hi));
   } else if (heads.lo <= kept + near) {
     most = std::max(most, kept - fall);
   } else {

@@ -17,20 +17,14 @@ float leastHalf(const Box& box) {
 }  // namespace
 
 Contacts::Contacts(const level::LevelView& level, const BodyLimits& limits,
-                   const std::vector<PartMotion>& movers, const std::vector<Vec3>& appear)
+                   const std::vector<PartMotion>& motions, const std::vector<Vec3>& appear)
     : level_(level),
       limits_(limits),
-      boxes_([&] {
-        std::vector<Box> boxes;
-        for (uint32_t id = 0; id < level.colliderCount; ++id) {
-          boxes.push_back(level.bounds[id].box());
-        }
-        for (const PartMotion& m : movers) boxes[m.collider] = m.swept;
-        return boxes;
-      }()),
+      motions_(motions),
       beside_(level.colliderCount, Beside::clear),
+      pressed_(level.colliderCount),
       index_(solidBoxes()) {
-  spreadDeep(movers, appear);
+  spreadDeep(appear);
   findPinched();
 }
 
@@ -39,7 +33,7 @@ std::vector<Box> Contacts::solidBoxes() {
   for (uint32_t id = 0; id < level_.colliderCount; ++id) {
     if (!(level_.bounds[id].flags & level::kSolid)) continue;
     solids_.push_back(id);
-    boxes.push_back(boxes_[id]);
+    boxes.push_back(motions_[id].swept);
   }
   return boxes;
 }
@@ -66,9 +60,10 @@ void Contacts::spreadFrom(Box where, float push) {
       ++work_;
       const bool known = beside_[id] == Beside::deep;
       beside_[id] = Beside::deep;
-      const float half = leastHalf(boxes_[id]);
+      const Box& box = motions_[id].swept;
+      const float half = leastHalf(box);
       if (half > by + limits_.body) return;
-      const Box met{max(boxes_[id].lo, region.lo), min(boxes_[id].hi, region.hi)};
+      const Box met{max(box.lo, region.lo), min(box.hi, region.hi)};
       if (known && isWithin(met, pressed_[id])) return;
       pressed_[id] = known ? join(pressed_[id], met) : met;
       open.emplace_back(pressed_[id], half + limits_.body + 1);
@@ -76,29 +71,27 @@ void Contacts::spreadFrom(Box where, float push) {
   }
 }
 
-bool Contacts::slidesAlone(const PartMotion& m) const {
+bool Contacts::movesAlone(uint32_t id) const {
   constexpr uint32_t kOther =
       level::kVanishTimer | level::kClocked | level::kOneWay | level::kTriggered;
-  const uint32_t flags = level_.bounds[m.collider].flags;
+  const uint32_t flags = level_.bounds[id].flags;
+  const PartMotion& m = motions_[id];
   const Params& p = limits_.params();
-  const bool slow = m.step < 0.25f * std::min(p.bodyWidth, p.bodyDepth);
-  const bool level = m.vertical * p.tickSeconds < 1e-4f;
-  if (!(flags & level::kUpright) || (flags & kOther) || !slow || !level) return false;
+  // The head alone, as a jump begins, does not pass through one that comes down.
+  const float upward = (limits_.jump + m.upward) * p.substepSeconds + m.vertical * p.tickSeconds;
+  const bool slow = m.step < 0.25f * std::min(p.bodyWidth, p.bodyDepth) &&
+                    upward < 0.45f * (p.bodyTop - p.headBottom);
+  if (!(flags & level::kUpright) || (flags & kOther) || !slow) return false;
   const float far = limits_.across + 2 * m.step;
   bool alone = true;
-  find(grow(boxes_[m.collider], {far, p.bodyTop, far}),
-       [&](uint32_t id) { alone = alone && id == m.collider; });
+  find(grow(m.swept, {far, p.bodyTop, far}), [&](uint32_t other) { alone &= other == id; });
   return alone;
 }
 
-void Contacts::spreadDeep(const std::vector<PartMotion>& movers, const std::vector<Vec3>& appear) {
-  pressed_ = boxes_;
-  std::vector<float> steps(level_.colliderCount, 0.0f);
-  for (const PartMotion& m : movers) steps[m.collider] = m.step;
+void Contacts::spreadDeep(const std::vector<Vec3>& appear) {
   std::vector<bool> seeds(level_.colliderCount);
-  for (const uint32_t id : solids_) seeds[id] = isRough(id);
-  // A part that slides alone pushes a body that nothing else holds.
-  for (const PartMotion& m : movers) seeds[m.collider] = seeds[m.collider] && !slidesAlone(m);
+  // A part that moves alone pushes a body that nothing else holds.
+  for (const uint32_t id : solids_) seeds[id] = isRough(id) && !movesAlone(id);
   const Params& p = limits_.params();
   for (const Vec3 feet : appear) {
     const float side = limits_.body;
@@ -110,7 +103,7 @@ void Contacts::spreadDeep(const std::vector<PartMotion>& movers, const std::vect
     if (!seeds[id]) continue;
     const float inside = leastHalf({{}, 2.0f * level_.colliders[id].shape.half});
     beside_[id] = Beside::deep;
-    spreadFrom(boxes_[id], steps[id] + inside + limits_.body + 1);
+    spreadFrom(motions_[id].swept, motions_[id].step + inside + limits_.body + 1);
   }
   if (work_ <= kMostWork) return;
   for (const uint32_t id : solids_) beside_[id] = Beside::deep;
@@ -128,7 +121,7 @@ bool Contacts::holdsBetween(uint32_t a, uint32_t b) const {
   if (!isAxial(a) || !isAxial(b)) return true;
   const Params& p = limits_.params();
   const float fits = std::min(p.bodyWidth, p.bodyDepth) - 4 * limits_.slack - 0.1f;
-  return gapBetween(boxes_[a], boxes_[b]) > fits;
+  return gapBetween(motions_[a].swept, motions_[b].swept) > fits;
 }
 
 void Contacts::findPinched() {
@@ -138,7 +131,7 @@ void Contacts::findPinched() {
   for (const uint32_t id : solids_) {
     if (beside_[id] == Beside::deep) continue;
     bool pinched = all;
-    const Box around = grow(boxes_[id], {limits_.across, torso, limits_.across});
+    const Box around = grow(motions_[id].swept, {limits_.across, torso, limits_.across});
     if (!pinched) {
       find(around, [&](uint32_t other) {
         pinched |= other != id && work_ < kMostWork && holdsBetween(id, other);

@@ -14,10 +14,7 @@ class Contacts {
  public:
   // `appear`: where players start, or teleporters lead.
   Contacts(const level::LevelView& level, const BodyLimits& limits,
-           const std::vector<PartMotion>& movers, const std::vector<Vec3>& appear);
-
-  // Holds the part wherever it moves.
-  const Box& boxOf(uint32_t id) const { return boxes_[id]; }
+           const std::vector<PartMotion>& motions, const std::vector<Vec3>& appear);
 
   Beside besideOf(uint32_t id) const { return beside_[id]; }
 
@@ -30,16 +27,16 @@ class Contacts {
  private:
   std::vector<Box> solidBoxes();
   bool isRough(uint32_t id) const;
-  bool slidesAlone(const PartMotion& m) const;
+  bool movesAlone(uint32_t id) const;
   bool isAxial(uint32_t id) const;
   bool holdsBetween(uint32_t a, uint32_t b) const;
   void spreadFrom(Box where, float push);
-  void spreadDeep(const std::vector<PartMotion>& movers, const std::vector<Vec3>& appear);
+  void spreadDeep(const std::vector<Vec3>& appear);
   void findPinched();
 
   const level::LevelView& level_;
   const BodyLimits& limits_;
-  std::vector<Box> boxes_;        // (colliders)
+  const std::vector<PartMotion>& motions_;
   std::vector<Beside> beside_;    // (colliders)
   std::vector<Box> pressed_;      // (colliders): where a body may be in a deep one
   std::vector<uint32_t> solids_;  // of the boxes in the index

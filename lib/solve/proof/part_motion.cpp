@@ -56,42 +56,56 @@ Steps stepsOf(const level::Mover& m, float radius, float& put) {
   return {keys.up + spin.up, keys.vertical + spin.vertical, keys.sideways + spin.sideways};
 }
 
+void move(PartMotion& motion, const level::LevelView& level, uint32_t collider) {
+  const level::Collider& c = level.colliders[collider];
+  const level::Mover& m = level.movers[c.mover];
+  const Params& p = level.params;
+  const float radius = length(c.shape.half) + length(m.pivot) + feetAway(p);
+  Steps steps = stepsOf(m, radius, motion.step);
+  if (level.bounds[collider].flags & level::kUpright) {
+    // What stays upright is no lower and no higher than at its keys, however it turns.
+    Box heights{m.keys[0].position, m.keys[0].position};
+    Steps still;
+    for (uint32_t k = 0; k < m.keyCount; ++k) {
+      const uint32_t next = k + 1 < m.keyCount ? k + 1 : (m.once ? k : 0);
+      heights = join(heights, {m.keys[k].position, m.keys[k].position});
+      still.note(m.keys[next].position - m.keys[k].position, 0);
+    }
+    steps = {still.up, still.vertical, steps.sideways};
+    motion.swept.lo.y = heights.lo.y - c.shape.half.y;
+    motion.swept.hi.y = heights.hi.y + c.shape.half.y;
+  }
+  motion.vertical = steps.vertical * p.controlRate;
+  if (!(level.bounds[collider].flags & (level::kCarries | level::kSeat))) return;
+  motion.upward = steps.up * p.controlRate;
+  motion.sideways = steps.sideways * p.controlRate;
+}
+
 }  // namespace
 
 PartMotion partMotion(const level::LevelView& level, uint32_t collider) {
   const level::Collider& c = level.colliders[collider];
-  const level::Mover& m = level.movers[c.mover];
-  const Params& p = level.params;
-  const bool upright = (level.bounds[collider].flags & level::kUpright) != 0;
+  const level::Roles& r = level.roles[c.role];
+  const uint32_t flags = level.bounds[collider].flags;
   PartMotion motion;
-  motion.collider = collider;
   motion.swept = level.bounds[collider].box();
-  const float radius = length(c.shape.half) + length(m.pivot) + feetAway(p);
-  const Steps steps = stepsOf(m, radius, motion.step);
-  motion.upward = steps.up * p.controlRate;
-  motion.vertical = steps.vertical * p.controlRate;
-  motion.sideways = steps.sideways * p.controlRate;
-  if (!upright) return motion;
-  // What stays upright is no lower and no higher than at its keys, however it turns.
-  Box heights{m.keys[0].position, m.keys[0].position};
-  Steps still;
-  for (uint32_t k = 0; k < m.keyCount; ++k) {
-    const uint32_t next = k + 1 < m.keyCount ? k + 1 : (m.once ? k : 0);
-    heights = join(heights, {m.keys[k].position, m.keys[k].position});
-    still.note(m.keys[next].position - m.keys[k].position, 0);
+  if (c.mover != level::kNone) move(motion, level, collider);
+  if (flags & level::kConveyor) {
+    const float across = length(motion.swept.hi - motion.swept.lo) + 2 * feetAway(level.params);
+    const float turning = length(r.conveyorAngular) * across;
+    motion.sideways += length(Vec3{r.conveyorVelocity.x, 0, r.conveyorVelocity.z}) + turning;
+    motion.upward += absf(r.conveyorVelocity.y) + turning;
   }
-  motion.upward = still.up * p.controlRate;
-  motion.vertical = still.vertical * p.controlRate;
-  motion.swept.lo.y = heights.lo.y - c.shape.half.y;
-  motion.swept.hi.y = heights.hi.y + c.shape.half.y;
+  if (flags & level::kPad) {
+    const float pad = length(Vec3{r.padVelocity.x, 0, r.padVelocity.z});
+    motion.sideways = std::max(motion.sideways, pad);
+  }
   return motion;
 }
 
 std::vector<PartMotion> partMotions(const level::LevelView& level) {
   std::vector<PartMotion> motions;
-  for (uint32_t i = 0; i < level.colliderCount; ++i) {
-    if (level.colliders[i].mover != level::kNone) motions.push_back(partMotion(level, i));
-  }
+  for (uint32_t i = 0; i < level.colliderCount; ++i) motions.push_back(partMotion(level, i));
   return motions;
 }
 

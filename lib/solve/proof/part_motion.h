@@ -1,26 +1,25 @@
-// How a moving part can move those around it, over the whole of its motion.
+// How a part can move those on it and around it, over the whole of its motion.
 #pragma once
 
 #include <mutex>
 #include <vector>
 
 #include "level/level_view.h"
+#include "solve/query/problem.h"
 
 namespace obby::solve {
 
 struct PartMotion {
-  uint32_t collider = level::kNone;
   Box swept;           // all its places; of an upright block that turns, no cube
-  float upward = 0;    // fastest of any of its points, studs/s, and of a player whom it carries
-  float vertical = 0;  // up or down
-  float sideways = 0;
-  float step = 0;  // studs that it moves in a tick, at most
+  float upward = 0;    // studs/s that it gives a player whom it carries or sets off
+  float sideways = 0;  // the same; beyond walking
+  float vertical = 0;  // studs/s up or down of any of its points
+  float step = 0;      // studs that it moves in a tick, at most
 };
 
-// Of a collider that has a mover.
 PartMotion partMotion(const level::LevelView& level, uint32_t collider);
 
-// Of all colliders that move, in their order.
+// (colliders)
 std::vector<PartMotion> partMotions(const level::LevelView& level);
 
 // The same for one level, computed when first asked for: each hull of a part looks at all keys.
@@ -37,5 +36,10 @@ class PartMotions {
   mutable std::once_flag once_;
   mutable std::vector<PartMotion> motions_;
 };
+
+inline std::vector<PartMotion> motionsOf(const Problem& problem) {
+  return problem.motions != nullptr ? problem.motions->of(problem.level)
+                                    : partMotions(problem.level);
+}
 
 }  // namespace obby::solve

@@ -58,7 +58,7 @@ uint32_t ReachBound::jumpsTo(const level::TargetView& target) const {
     if (low && crosses(i, falling, end, way)) {
       fewest = jumps_[i];
     } else if (jumps && crosses(i, leaping, end, way)) {
-      fewest = jumps_[i] + 1;
+      fewest = limits_.heldSeconds > 0 ? jumps_[i] : jumps_[i] + 1;
     }
   }
   return fewest;
@@ -122,7 +122,8 @@ std::vector<uint32_t> ReachBound::reached() const {
 }
 
 float ReachBound::secondsFor(float studs) const {
-  if (wild_ || excess_ > 0 || !limits_.staysOut) return 0;
+  const bool hops = (p_.tricks & kWallHop) != 0;
+  if (wild_ || excess_ > 0 || !limits_.staysOut || hops) return 0;
   float pushes = 0;
   for (uint32_t i = 0; i < supports_.size(); ++i) {
     const Support& s = supports_[i];

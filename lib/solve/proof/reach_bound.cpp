@@ -27,9 +27,10 @@ std::vector<Box> flatBoxes(const std::vector<Support>& supports) {
 ReachBound::ReachBound(const Problem& problem, bool mayJump)
     : problem_(problem),
       p_(problem.level.params),
-      limits_(problem),
+      motions_(motionsOf(problem)),
+      limits_(problem, motions_),
       mayJump_(mayJump),
-      supports_(supportsOf(problem, limits_)),
+      supports_(supportsOf(problem, limits_, motions_)),
       index_(flatBoxes(supports_)) {
   for (const Support& s : supports_) {
     lowest_ = std::min(lowest_, s.entryFalling);
@@ -76,11 +77,16 @@ void ReachBound::noteReached(uint32_t support) {
   wild_ |= s.wild;
   raise(excess_, s.sideways);
   raise(tossed_, std::max(s.toss, leaps(s) ? limits_.jump + s.upward : 0.0f));
+  if (s.carries && limits_.thrown > 0) raise(tossed_, limits_.thrownBy(s.vertical) + s.upward);
 }
 
 float ReachBound::tossOf(uint32_t support) const {
   const Support& s = supports_[support];
   float up = s.toss;
+  if (s.carries && limits_.thrown > 0) up = std::max(up, limits_.thrownBy(s.vertical) + s.upward);
+  // Who flicks comes off the truss as fast as a jump.
+  if (mayJump_ && s.climbed && (p_.tricks & kLadderFlick))
+    up = std::max(up, limits_.jump + s.upward);
   // A body in a part may be put out of it as fast as it came there.
   if (s.beside == Beside::deep) up = std::max(up, tossed_);
   if (s.beside == Beside::pinched && mayJump_) up = std::max(up, limits_.jump);
@@ -90,6 +96,7 @@ float ReachBound::tossOf(uint32_t support) const {
 ReachBound::Flight ReachBound::fall(uint32_t support) const {
   const Support& s = supports_[support];
   float height = s.top + s.lift + takeOff_[support], up = tossOf(support);
+  if (limits_.thrown > 0) height += up * p_.tickSeconds;
   // The first tick of a launch is not held to the fastest speed.
   if (up > p_.maxFallSpeed) height += up * p_.tickSeconds;
   return {height, std::min(up, p_.maxFallSpeed), false, s.side};
@@ -97,8 +104,9 @@ ReachBound::Flight ReachBound::fall(uint32_t support) const {
 
 ReachBound::Flight ReachBound::leap(uint32_t support) const {
   const Support& s = supports_[support];
-  float height = s.top + s.lift + takeOff_[support] + limits_.fallApex(s.rising);
   const float up = limits_.jump + s.upward;
+  const float takeOff = takeOff_[support] + limits_.fallApex(s.rising);
+  float height = s.top + s.lift + limits_.letGo(takeOff, up);
   if (up > p_.maxFallSpeed) height += up * p_.tickSeconds;
   return {height, std::min(up, p_.maxFallSpeed), true, s.stand};
 }
@@ -109,7 +117,9 @@ float ReachBound::apex(const Flight& f) const {
 
 float ReachBound::secondsOf(const Flight& f, float height) const {
   const float rise = height - f.height;
-  return f.leaps ? limits_.leapSeconds(f.up, rise) : limits_.fallSeconds(f.up, rise);
+  if (!f.leaps) return limits_.fallSeconds(f.up, rise);
+  const float seconds = limits_.leapSeconds(f.up, rise);
+  return seconds < 0 ? seconds : seconds + limits_.heldSeconds;
 }
 
 // Studs sideways from the support's box, until the feet are as low as `height`.
@@ -126,7 +136,8 @@ float ReachBound::reach(const Flight& f, float height) const {
 bool ReachBound::stepsInto(const Flight& f, const Support& to, float way) const {
   if (!f.leaps || !to.carries) return false;
   const float ticks = f.up * (p_.tickSeconds + p_.substepSeconds);
-  const float late = limits_.sideways(p_.coyoteTime + 3 * p_.tickSeconds, excess_);
+  const float late =
+      limits_.sideways(p_.coyoteTime + 3 * p_.tickSeconds + limits_.heldSeconds, excess_);
   return to.top <= f.height + ticks + p_.headBottom + limits_.slack && way <= late;
 }
 
@@ -142,7 +153,7 @@ bool ReachBound::crosses(uint32_t from, const Flight& f, const End& to, float wa
   for (int parts = kMostParts;;) {
     const float low = height - float(parts) * limits_.turned, lifted = reach(f, low);
     if (lifted < 0) return false;
-    const float turns = limits_.across * p_.turnSpeed * secondsOf(f, low) + each;
+    const float turns = limits_.turning * secondsOf(f, low) + each;
     const float all = lifted + (parts == kMostParts ? turns : std::min(float(parts) * each, turns));
     if (all < own) return false;
     const int near = std::min(partsNear(from, f, to, all), kMostParts);
@@ -230,7 +241,7 @@ void ReachBound::spread(uint32_t from, std::vector<uint32_t>& now, std::vector<u
   const bool jumps = leaps(s);
   const float farthest = std::max(reach(falling, std::min(lowest_, falling.height)),
                                   jumps ? reach(leaping, std::min(lowest_, leaping.height)) : 0);
-  const float most = farthest + limits_.across * p_.turnSpeed * 4 + 4;
+  const float most = farthest + limits_.turning * 4 + 4;
   const std::vector<Ride> rides = ridesFrom(s, farthest);
   forNear(s, rides, most, [&](uint32_t to) {
     if (supports_[to].collider == level::kNone) return;
@@ -244,7 +255,8 @@ void ReachBound::spread(uint32_t from, std::vector<uint32_t>& now, std::vector<u
     if (!jumps) return;
     if (stepsInto(leaping, supports_[to], way) || crosses(from, leaping, end, way)) {
       arrive(from, to, leaping, way);
-      come(to, made + 1);
+      // A held jump goes on over the next floor, too.
+      come(to, limits_.heldSeconds > 0 ? made : made + 1);
     }
   });
 }
@@ -256,14 +268,16 @@ void ReachBound::arrive(uint32_t from, uint32_t to, const Flight& f, float way) 
   const float floor = b.top + b.lift, high = apex(f) - floor;
   if (high <= takeOff_[to]) return;
   End top = endAt(to);
-  top.falling = top.leaping = std::min(floor, apex(f));
+  top.falling = top.leaping = std::min(floor, apex(f)) - limits_.fallApex(b.upward);
   if (!crosses(from, f, top, way)) return;  // comes there below its top only
   // The flight may also begin lower and be slower.
-  float low = a.top;
-  if (a.collider != level::kNone)
-    low = (a.level ? a.top : a.box.lo.y - p_.bodyTop) - limits_.sunk();
-  if (f.leaps) low += limits_.leapApex(limits_.slowJump);
-  raise(takeOff_[to], limits_.takeOff({low - floor, high}));
+  float low = a.top, slow = limits_.slowJump;
+  if (a.collider != level::kNone) {
+    low = (from == to ? a.top : a.lowest) - limits_.sunk();
+    if (from == to) slow = std::max(slow - 3 * a.vertical, 0.0f);
+  }
+  if (f.leaps) low += limits_.leapApex(slow);
+  raise(takeOff_[to], limits_.takeOff({low - floor, high}, b.upward));
   if (!f.leaps) raise(takeOff_[to], limits_.keptTakeOff(high));
 }
 

@@ -103,6 +103,7 @@ class ReachBound {
 
   const Problem& problem_;
   const Params& p_;
+  const std::vector<PartMotion> motions_;
   const BodyLimits limits_;
   const bool mayJump_;
   std::vector<Support> supports_;

@@ -4,7 +4,6 @@
 
 #include "sim/floor.h"
 #include "solve/proof/contacts.h"
-#include "solve/proof/part_motion.h"
 
 namespace obby::solve {
 
@@ -14,12 +13,14 @@ constexpr uint32_t kLeads = level::kPad | level::kTeleport | level::kSeat;
 
 class Builder {
  public:
-  Builder(const Problem& problem, const BodyLimits& limits)
-      : problem_(problem), level_(problem.level), p_(level_.params), limits_(limits) {}
+  Builder(const Problem& problem, const BodyLimits& limits, const std::vector<PartMotion>& motions)
+      : problem_(problem),
+        level_(problem.level),
+        p_(level_.params),
+        limits_(limits),
+        motions_(motions) {}
 
   std::vector<Support> build() {
-    const std::vector<PartMotion> movers =
-        problem_.motions != nullptr ? problem_.motions->of(level_) : partMotions(level_);
     addPoint(problem_.start.position, problem_.start.velocity);
     std::vector<Vec3> appear{problem_.start.position};
     for (uint32_t i = 0; i < level_.colliderCount; ++i) {
@@ -27,15 +28,11 @@ class Builder {
       appear.push_back(level_.roles[level_.colliders[i].role].teleportTo);
       addPoint(appear.back(), {});
     }
-    const Contacts contacts(level_, limits_, movers, appear);
-    PartMotion still{};
-    for (uint32_t i = 0, mover = 0, gate = 1; i < level_.colliderCount; ++i) {
-      const bool moves = level_.colliders[i].mover != level::kNone;
-      const PartMotion& motion = moves ? movers[mover++] : still;
-      const uint32_t flags = level_.bounds[i].flags;
+    const Contacts contacts(level_, limits_, motions_, appear);
+    for (uint32_t i = 0, gate = 1; i < level_.colliderCount; ++i) {
       if (!isAny(i)) continue;
-      supports_.push_back(supportOf(i, motion, contacts));
-      if (flags & level::kTeleport) supports_.back().leadsTo = gate++;
+      supports_.push_back(supportOf(i, motions_[i], contacts));
+      if (level_.bounds[i].flags & level::kTeleport) supports_.back().leadsTo = gate++;
     }
     for (Support& s : supports_) {
       if (s.level && s.carries) s.held = heldOver(s, contacts);
@@ -73,20 +70,20 @@ class Builder {
     const uint32_t flags = level_.bounds[id].flags;
     Support s;
     s.collider = id;
-    s.box = contacts.boxOf(id);
+    s.box = motion.swept;
     s.carries = (flags & level::kSolid) != 0;
     s.top = s.box.hi.y;
     s.beside = contacts.besideOf(id);
     s.takesAlong = s.beside == Beside::deep || (flags & level::kMoving) != 0;
-    s.level = s.carries && (flags & level::kUpright) && motion.vertical * p_.tickSeconds < 1e-4f;
-    s.lift = limits_.settles + limits_.legsOvershoot(s.level ? 0 : motion.vertical) +
-             climb_ * p_.tickSeconds;
+    s.level = s.carries && (flags & level::kUpright);
+    // What is put back as its clock ends is nowhere at a known speed.
+    s.vertical = (flags & level::kTriggered) ? 1e6f : std::max(motion.vertical, motion.upward);
+    s.lowest = s.box.lo.y + (s.level ? 2 * c.shape.half.y : -p_.bodyTop);
+    s.upward = motion.upward;
+    s.sideways = motion.sideways;
+    s.lift = limits_.settles + limits_.legsOvershoot(motion.vertical) + climb_ * p_.tickSeconds;
     s.side = s.carries ? limits_.body : 0;
     s.stand = limits_.stand;
-    if (flags & (level::kCarries | level::kSeat)) {
-      s.upward = s.level ? 0 : motion.upward;
-      s.sideways = motion.sideways;
-    }
     addRoles(s, c, flags);
     s.toss = std::max(s.toss, s.upward + (s.upward > 0 ? climb_ : 0));
     s.rising = std::max(s.upward, (flags & level::kTruss) != 0 ? s.upward + climb_ : 0.0f);
@@ -101,20 +98,13 @@ class Builder {
 
   void addRoles(Support& s, const level::Collider& c, uint32_t flags) const {
     const level::Roles& r = level_.roles[c.role];
-    if (flags & level::kConveyor) {
-      const Box around = grow(s.box, {s.side, p_.bodyTop, s.side});
-      const float turning = length(r.conveyorAngular) * length(around.hi - around.lo);
-      s.sideways += length(Vec3{r.conveyorVelocity.x, 0, r.conveyorVelocity.z}) + turning;
-      s.upward += absf(r.conveyorVelocity.y) + turning;
-      s.level = s.level && !(s.upward > 0);
-      s.lift += limits_.legsOvershoot(s.upward);
-    }
+    if (flags & level::kConveyor) s.lift += limits_.legsOvershoot(s.upward);
     if (flags & level::kPad) {
       s.toss = std::max(s.toss, r.padVelocity.y);
-      s.sideways = std::max(s.sideways, length(Vec3{r.padVelocity.x, 0, r.padVelocity.z}));
       s.lift += limits_.slack + 1.5f * p_.touchMargin;
     }
     if (flags & level::kTruss) {
+      s.climbed = true;
       s.stand = s.side = s.side + p_.climbReach + limits_.ray;
       s.lift += 2 * climb_ * p_.tickSeconds + limits_.slack;
       s.toss = std::max(s.toss, s.upward + climb_);
@@ -127,8 +117,8 @@ class Builder {
     const float anywhere = s.box.lo.y - p_.bodyTop - 1.5f * p_.touchMargin - limits_.slack;
     const bool above = s.carries && s.beside != Beside::deep && (flags & level::kUpright) &&
                        !(flags & (kLeads | level::kTruss)) && !s.wild;
-    s.entry = above ? limits_.entryLeaping(s.top, s.beside == Beside::pinched) - step : anywhere;
-    s.entryFalling = above ? limits_.entryFalling(s.top) - step : anywhere;
+    s.entry = above ? limits_.entryLeaping(s.lowest, s.beside == Beside::pinched) - step : anywhere;
+    s.entryFalling = above ? limits_.entryFalling(s.lowest) - step : anywhere;
   }
 
   // Where a ceiling stops a jump, or an edge holds the torso, a landing is slow.
@@ -138,14 +128,14 @@ class Builder {
     const Box around = grow(s.box, {near, 1e6f, near});
     contacts.find(around, [&](uint32_t id) {
       if (id == s.collider) return;
-      const Box box = contacts.boxOf(id);
+      const Box& box = motions_[id].swept;
       const bool exact =
           contacts.besideOf(id) != Beside::deep && (level_.bounds[id].flags & level::kUpright) != 0;
       const float under = box.lo.y - p_.bodyTop - s.top;
       const Span heads = exact ? Span{under - limits_.slack, under + limits_.slack}
                                : Span{under, box.hi.y - s.top};
       const bool within = heads.hi > 0 && heads.lo < limits_.mostTakeOff() + 40;
-      if (within) most = std::max(most, limits_.takeOff(heads));
+      if (within) most = std::max(most, limits_.takeOff(heads, s.upward));
       const float resting = box.hi.y - p_.hipHeight - s.top;
       const float lowest = exact ? resting : box.lo.y - s.top - p_.bodyTop;
       if (resting > 0 && lowest < limits_.mostTakeOff()) {
@@ -166,18 +156,21 @@ class Builder {
   const level::LevelView& level_;
   const Params& p_;
   const BodyLimits& limits_;
+  const std::vector<PartMotion>& motions_;
   const float climb_ = climbOf();
   std::vector<Support> supports_;
 };
 
 }  // namespace
 
-std::vector<Support> supportsOf(const Problem& problem, const BodyLimits& limits) {
-  return Builder(problem, limits).build();
+std::vector<Support> supportsOf(const Problem& problem, const BodyLimits& limits,
+                                const std::vector<PartMotion>& motions) {
+  return Builder(problem, limits, motions).build();
 }
 
 std::vector<Support> supportsOf(const Problem& problem) {
-  return supportsOf(problem, BodyLimits(problem));
+  const std::vector<PartMotion> motions = motionsOf(problem);
+  return supportsOf(problem, BodyLimits(problem, motions), motions);
 }
 
 }  // namespace obby::solve

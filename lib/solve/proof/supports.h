@@ -18,7 +18,8 @@ enum class Beside : uint8_t {
 struct Support {
   Box box;                 // where the part can be
   Box feet;                // of a player on it
-  float top = 0;           // of the part
+  float top = 0;           // of the part, at its highest
+  float lowest = 0;        // of the part, at its lowest; where it is not level, of feet beside it
   float entry = 0;         // feet at least this high come to be carried, in a jump
   float entryFalling = 0;  // the same without a jump
   float side = 0;          // radius around the box in which it is entered and left
@@ -27,11 +28,13 @@ struct Support {
   float held = 0;          // studs above that, where parts around stop a fall or a jump
   float upward = 0;        // studs/s that a jump from it has on top
   float toss = 0;          // studs/s upward that it gives without a jump
+  float vertical = 0;      // studs/s that it goes up or down, at most; huge: by leaps
   float rising = 0;        // studs/s upward of a player in Running on it
   float sideways = 0;      // studs/s that it gives beyond walking
   Beside beside = Beside::clear;
   bool carries = false;              // not: the player only appears there, or is sent off
-  bool level = false;                // its top is level and stays at its height
+  bool level = false;                // its top is
+  bool climbed = false;              // a truss
   bool takesAlong = false;           // moves players who are beside it
   bool wild = false;                 // nothing is known of what it does
   uint32_t collider = level::kNone;  // none: the start, or where a teleporter leads
@@ -39,7 +42,8 @@ struct Support {
 };
 
 // The start first, then where teleporters lead, then each collider that does anything.
-std::vector<Support> supportsOf(const Problem& problem, const BodyLimits& limits);
+std::vector<Support> supportsOf(const Problem& problem, const BodyLimits& limits,
+                                const std::vector<PartMotion>& motions);
 std::vector<Support> supportsOf(const Problem& problem);
 
 }  // namespace obby::solve

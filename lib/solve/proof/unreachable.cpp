@@ -206,7 +206,6 @@ std::string allowedText(uint32_t n) {
 
 std::optional<Cut> cutOf(const Problem& problem, schema::Query::Reader record) {
   if (unboundedPart(problem.level) != nullptr) return std::nullopt;
-  if (problem.level.params.tricks != 0) return std::nullopt;
   if (clockBeginsAnew(problem) || isFarUp(problem)) return std::nullopt;
   return Prover(problem, record).prove();
 }
