@@ -33,7 +33,7 @@ bool isTaller(const Instance& starter) {
 
 void noteR15(const Tree& tree, InstanceId player, LevelDraft& level) {
   const Instance& starter = tree.at(player);
-  std::string note = "simulated as the R15 body with hip height 2";
+  std::string note = "simulated as the classic R15 body";
   if (level.avatar.height != 1) note += fmt::format(", {:.3g} times as high", level.avatar.height);
   if (level.avatar.width != 1) note += fmt::format(", {:.3g} times as wide", level.avatar.width);
   if (get<EnumItem>(starter, "GameSettingsR15Collision").value == kOuterBox) {

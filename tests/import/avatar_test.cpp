@@ -55,7 +55,7 @@ TEST(Avatar, OfR15IsTheR15Body) {
   EXPECT_THAT(place.level().avatar.bodies, ElementsAre("r15"));
   EXPECT_EQ(place.physics().getTraction(), 2777);
   EXPECT_EQ(place.physics().getHipHeight(), 2);
-  EXPECT_THAT(place.note("R15 avatars"), HasSubstr("simulated as the R15 body with hip height 2;"));
+  EXPECT_THAT(place.note("R15 avatars"), HasSubstr("simulated as the classic R15 body;"));
 }
 
 TEST(Avatar, ChosenByThePlayerKeepsTheDefaultBodyAndAdmitsBoth) {

@@ -75,9 +75,9 @@ TEST(Companions, GoOnFromWhereAWalkWasKept) {
   ASSERT_TRUE(first.follow(50));
   all.keep(1, first);
   Companions::Walk second(all, 1, kKnown);
-  EXPECT_TRUE(second.follow(9));
-  EXPECT_EQ(second.player().tick, 59u);
-  EXPECT_LT(second.player().position.z, first.player().position.z - 3);
+  EXPECT_TRUE(second.follow(5));
+  EXPECT_EQ(second.player().tick, 55u);
+  EXPECT_LT(second.player().position.z, first.player().position.z - 1);
 }
 
 }  // namespace
