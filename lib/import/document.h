@@ -48,6 +48,10 @@ struct UDim {
   int32_t offset = 0;
 };
 
+struct NumberRange {
+  float min = 0, max = 0;
+};
+
 // Bytes that the file stores once and many instances share: meshes and collision data.
 struct SharedBlob {
   std::shared_ptr<const std::string> bytes;  // never null
@@ -57,8 +61,9 @@ struct SharedBlob {
 // std::monostate, so that its presence still shows. Strings hold bytes of any kind
 // (ProtectedString, BinaryString and asset addresses included). BrickColor numbers are int64_t
 // except where they are the part's colour. UniqueIds are 32 hexadecimal digits.
-using Value = std::variant<std::monostate, bool, int64_t, double, std::string, EnumItem, Vec3,
-                           CFrame, ColorRgb, Ref, PhysicalProperties, UDim, SharedBlob>;
+using Value =
+    std::variant<std::monostate, bool, int64_t, double, std::string, EnumItem, Vec3, CFrame,
+                 ColorRgb, Ref, PhysicalProperties, UDim, SharedBlob, NumberRange>;
 
 struct Instance {
   std::string className;

@@ -132,11 +132,22 @@ struct World {
   float fallenPartsHeight = -500;
 };
 
+// Which bodies a place gives to its players.
+struct Avatar {
+  std::vector<std::string>
+      bodies;                    // names of level/bodies.h that it admits; empty: it does not say
+  std::string body;              // that all players have; empty: the default body
+  float height = 1, width = 1;   // times the body's
+  std::optional<Vec3> collider;  // size of the one box that collides, instead of torso and head
+  bool colliderTouches = false;  // touches are the collider's alone
+};
+
 struct LevelDraft {
   std::string name;
   std::string file, format, path;
   uint32_t partsRead = 0, partsCulled = 0;
   World world;
+  Avatar avatar;
   std::vector<PartDraft> parts;
   std::vector<SpawnDraft> spawns;
   std::map<std::string, UnmodelledDraft> unmodelled;  // by kind

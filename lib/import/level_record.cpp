@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "import/avatar.h"
 #include "import/format/class_defaults.h"
 #include "import/pose_math.h"
 #include "import/record_values.h"
@@ -182,6 +183,9 @@ io::RecordBuilder levelRecord(const LevelDraft& level, const Tree& tree) {
   source.setPartsKept(uint32_t(level.parts.size()));
   source.setPartsCulled(level.partsCulled);
   setWorld(to.initPhysics(), level.world);
+  setAvatar(to.getPhysics(), level.avatar);
+  auto bodies = to.initBodies(unsigned(level.avatar.bodies.size()));
+  for (unsigned i = 0; i < bodies.size(); ++i) bodies.set(i, level.avatar.bodies[i]);
   auto parts = to.initParts(unsigned(level.parts.size()));
   for (unsigned i = 0; i < level.parts.size(); ++i) setPart(parts[i], level.parts[i], tree);
   auto spawns = to.initSpawns(unsigned(level.spawns.size()));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "import/avatar.h"
 #include "import/format/class_defaults.h"
 
 namespace obby::importer {
@@ -11,7 +12,6 @@ namespace {
 
 constexpr double kJumpPowerGain = 1.06;  // launch speed for each unit of JumpPower
 constexpr uint32_t kControllerLegacy = 1, kControllerDefault = 0;
-constexpr uint32_t kAvatarR6 = 0, kAvatarR15 = 1;
 constexpr double kPi = 3.14159265358979323846;
 
 // Names of the same setting on StarterPlayer and on a Humanoid.
@@ -56,10 +56,6 @@ void noteCharacter(const Tree& tree, InstanceId player, LevelDraft& level) {
     level.noteUnmodelled("Character Controller Library", tree.path(player),
                          "the player is simulated as the classic Humanoid, which accelerates and "
                          "turns differently");
-  const auto avatar = get<EnumItem>(starter, "GameSettingsAvatar").value;
-  if (avatar != kAvatarR6)
-    level.noteIgnored(avatar == kAvatarR15 ? "R15 avatars" : "avatar chosen by the player",
-                      tree.path(player), "simulated as the standard body with hip height 2");
   const InstanceId custom = tree.child(player, "StarterCharacter");
   if (custom != kNoInstance)
     level.noteUnmodelled("custom character model", tree.path(custom),
@@ -103,6 +99,7 @@ void readWorld(const Tree& tree, LevelDraft& level) {
   }
   readHealthScript(tree, player, level);
   noteCharacter(tree, player, level);
+  readAvatar(tree, level);
 }
 
 }  // namespace obby::importer

@@ -19,9 +19,9 @@ struct Jump {
 // What StarterPlayer, or a StarterHumanoid in it, gives to each new character.
 Jump jumpOf(const Tree& tree);
 
-// Fills level.world from Workspace, StarterPlayer and a StarterHumanoid; a model file keeps the
-// defaults. What would make the player another one (a custom character, the Character Controller
-// Library) is noted in level.unmodelled.
+// Fills level.world and level.avatar from Workspace, StarterPlayer and a StarterHumanoid; a model
+// file keeps the defaults. What would make the player another one (a custom character, the
+// Character Controller Library) is noted in level.unmodelled.
 void readWorld(const Tree& tree, LevelDraft& level);
 
 }  // namespace obby::importer

@@ -6,6 +6,7 @@
 
 #include "level/collider_runs.h"
 #include "level/level.h"
+#include "level/player.h"
 #include "level/record_values.h"
 #include "level/tricks.h"
 
@@ -230,6 +231,7 @@ Result<Query> Query::compile(schema::Query::Reader record, const Level& level) {
   const Params& params = level.view().params;
   Query q;
   q.id_ = record.getId();
+  if (auto players = playersOf(record); !players) return std::move(players).error();
   OBBY_ASSIGN(q.start_, startPose(record, level));
   if (!record.hasGoal() && record.getGoals().size() == 0) {
     return pathError("goal", "the query has no goal", "give it a box or a part");

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "level/resolve_places.h"
-#include "solve/verify/verifier.h"
+#include "solve/players/verify_player.h"
 
 namespace obby::solve {
 
@@ -176,8 +176,11 @@ Status Filter::remember(schema::Trajectory::Reader trajectory, bool first) {
 }
 
 Status Filter::ask(const LoadedLevel& level, const io::Record& query) {
-  OBBY_RETURN_IF_ERROR(pipeline_.output().pass(query));
-  return answer(level, query.reader().getQuery());
+  const io::Record full = withPlayers(level.record.reader().getLevel(), options_.players, query);
+  OBBY_RETURN_IF_ERROR(pipeline_.output().pass(full));
+  const Status answered = answer(level, full.reader().getQuery());
+  levels_.weigh(level.level.name());
+  return answered;
 }
 
 // What cannot be asked of a level is found out behind it, and is not about what comes there.
@@ -222,14 +225,15 @@ Result<io::Then> Filter::handleTrajectory(schema::Trajectory::Reader trajectory)
 
 Result<bool> Filter::keeps(schema::Trajectory::Reader trajectory) {
   OBBY_ASSIGN(const LevelPointer level, levelNamed(trajectory.getLevel()));
-  return passFilters_.at(level->level.name()).keeps(level->level, trajectory);
+  OBBY_ASSIGN(const level::Player player, level::playerOf(trajectory));
+  OBBY_ASSIGN(const LoadedLevel* const played, level->players->of(*level, player));
+  return passFilters_.at(level->level.name()).keeps(played->level, trajectory);
 }
 
 Status Filter::check(schema::Trajectory::Reader trajectory) {
   OBBY_ASSIGN(const LevelPointer level, levelNamed(trajectory.getLevel()));
   OBBY_ASSIGN(const io::Record query, queries_.named(level->level.name(), trajectory.getQuery()));
-  OBBY_RETURN_IF_ERROR(verify(level->level, level->record.reader().getLevel(),
-                              query.reader().getQuery(), trajectory));
+  OBBY_RETURN_IF_ERROR(verifyPlayer(*level, query.reader().getQuery(), trajectory));
   ++counts_.verified;
   return {};
 }

@@ -17,6 +17,7 @@
 #include "solve/answers/pass_filter.h"
 #include "solve/known_levels.h"
 #include "solve/known_queries.h"
+#include "solve/players/ask_players.h"
 #include "solve/query/build_query.h"
 #include "solve/query_solver.h"
 
@@ -40,6 +41,7 @@ struct FilterOptions {
   std::vector<std::string> only;    // ids of the queries to answer; empty: all
   std::optional<QuickQuery> quick;  // asked of every level instead of the stream's queries
   bool each = false;                // `quick` changes the stream's queries instead
+  AskedPlayers players;             // in place of every query's own, whoever asks it
   PassRule passes;
   uint64_t levelBytes = KnownLevels::kMostBytes;   // of the levels that are kept, as of KnownLevels
   uint64_t queryBytes = KnownQueries::kMostBytes;  // of the queries that are kept, where they are

@@ -17,7 +17,8 @@ GoExplore::GoExplore(const Problem& problem, uint64_t seed, const GoExploreSetti
     : ArchiveSearch(problem, seed, settings),
       settings_(settings),
       machine_(machine),
-      chooser_(makeChooser(problem, context())) {}
+      chooser_(makeChooser(problem, context())),
+      companions_(problem_, context(), seed) {}
 
 void GoExplore::round() {
   chooseCells();
@@ -201,13 +202,27 @@ void GoExplore::merge() {
 
 Tried GoExplore::keep(const Rollout& r) {
   Tried tried{r.start.cell, archive_.cellCount(), 0, 0};
+  std::optional<Companions::Walk> walk;
+  if (!companions_.empty() && !r.candidates.empty()) walk.emplace(companions_, r.parent, r.id);
   for (const Candidate& c : r.candidates) {
-    if (!archive_.offer(c.key, c.world, {r.id, r.parent, c.ticks}, c.potential, c.loose.data()))
-      continue;
+    if (!offer(r, c, walk ? &*walk : nullptr)) continue;
     tried.potential = std::max(tried.potential, c.potential);
   }
   tried.cells = archive_.cellCount() - tried.firstCell;
   return tried;
+}
+
+// With companions, only if they have come along.
+bool GoExplore::offer(const Rollout& r, const Candidate& c, Companions::Walk* walk) {
+  if (walk != nullptr) {
+    const uint32_t cell = archive_.find(c.key);
+    if (cell != kNone && !archive_.better(cell, c.world)) return false;
+    if (!walk->follow(c.ticks)) return false;
+  }
+  const Node node{r.id, r.parent, c.ticks};
+  if (!archive_.offer(c.key, c.world, node, c.potential, c.loose.data())) return false;
+  if (walk != nullptr) companions_.keep(archive_.node(archive_.find(c.key)), *walk);
+  return true;
 }
 
 }  // namespace obby::solve

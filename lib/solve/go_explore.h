@@ -13,6 +13,7 @@
 #include "solve/choosers/chooser.h"
 #include "solve/choosers/selection.h"
 #include "solve/machine.h"
+#include "solve/rollouts/companions.h"
 #include "solve/rollouts/device_rollouts.h"
 #include "solve/rollouts/rollout_group.h"
 
@@ -70,11 +71,13 @@ class GoExplore final : public ArchiveSearch {
   void noteClosest(Rollout& rollout, const sim::World& world, uint32_t tick);
   void merge();
   Tried keep(const Rollout& rollout);
+  bool offer(const Rollout& rollout, const Candidate& candidate, Companions::Walk* walk);
 
   const GoExploreSettings settings_;
   Machine machine_;
   std::optional<DeviceRollouts> device_;
   std::unique_ptr<Chooser> chooser_;
+  Companions companions_;
   std::vector<Choice> choices_;    // of this round
   std::vector<Rollout> rollouts_;  // (choices)
   std::vector<Tried> tried_;       // (choices)

@@ -10,7 +10,16 @@ namespace obby::solve {
 
 uint64_t KnownLevels::bytesOf(const LoadedLevel& level) {
   const uint64_t words = level.record.reader().totalSize().wordCount;
-  return words * sizeof(capnp::word) + tableBytes(level.level.view());
+  const uint64_t own = words * sizeof(capnp::word) + tableBytes(level.level.view());
+  return own + level.players->bytes();
+}
+
+void KnownLevels::weigh(const std::string& name) {
+  const auto found = levels_.find(name);
+  if (found == levels_.end()) return;
+  const uint64_t bytes = bytesOf(*found->second.level);
+  bytes_ += bytes - found->second.bytes;
+  found->second.bytes = bytes;
 }
 
 std::vector<std::string> KnownLevels::add(LevelPointer level) {

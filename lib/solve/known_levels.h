@@ -29,6 +29,8 @@ class KnownLevels {
   // Keeps a level as the newest, in place of an older one of its name. Gives the names of those
   // that are dropped for it, the oldest first.
   std::vector<std::string> add(LevelPointer level);
+  // Counts again what a level takes: it has been compiled for more players.
+  void weigh(const std::string& name);
   // As if none of that name had come.
   void forget(const std::string& name);
 

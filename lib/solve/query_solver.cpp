@@ -7,6 +7,7 @@
 #include "solve/answers/answer_records.h"
 #include "solve/archive/heat_map.h"
 #include "solve/difficulty/difficulty_records.h"
+#include "solve/players/solve_players.h"
 #include "solve/query/posed_query.h"
 #include "solve/relaxation/explain.h"
 
@@ -25,24 +26,29 @@ double secondsNow() {
 // One query while it is being answered.
 class Solving {
  public:
-  Solving(const LoadedLevel& level, schema::Query::Reader query, const SolverOptions& options,
-          const SolverOutput& output, const level::Query& compiled)
-      : level_(level),
-        query_(query),
+  Solving(const PlayerQuestion& question, const SolverOptions& options, const SolverOutput& output,
+          const level::Query& compiled)
+      : question_(question),
+        level_(question.level),
+        query_(question.query),
         options_(options),
         output_(output),
-        posed_{level.level,    level.record.reader().getLevel(),
-               compiled,       query,
-               options.policy, level.motions.get()},
-        identity_{compiled.id(), level.level.name(), compiled.start(), options.method->name,
-                  compiled.view().tricks} {}
+        posed_{level_.level,   level_.record.reader().getLevel(),
+               compiled,       query_,
+               options.policy, level_.motions.get()},
+        identity_{compiled.id(),        level_.level.name(),    compiled.start(),
+                  options.method->name, compiled.view().tricks, question.player} {}
 
   Result<QueryAnswer> run(const Machine& machine) {
     Problem problem = problemOf(posed_);
     problem.known = knownWays();
-    const Watcher watcher{[this](const Playthrough& p) { return solves(p, posed_); },
+    const bool earlier = !problem.known.empty();
+    problem.companions = question_.companions;
+    problem.known.insert(problem.known.end(), question_.hints.begin(), question_.hints.end());
+    const Watcher watcher{[this](const Playthrough& p) { return accepts(p); },
                           [this](const SearchView& v) { return look(v); }};
-    const SearchOutcome outcome = answer(problem, watcher, machine);
+    SearchOutcome outcome = answer(problem, watcher, machine);
+    if (!earlier) outcome.knownSolutions = 0;
     if (!outcome.device && output_.deviceFailed) output_.deviceFailed(outcome.device.error());
     OBBY_RETURN_IF_ERROR(std::move(status_));
     OBBY_RETURN_IF_ERROR(
@@ -53,7 +59,14 @@ class Solving {
  private:
   std::vector<KnownWay> knownWays() const {
     if (options_.earlier == nullptr) return {};
-    return options_.earlier->waysOf(identity_.level, identity_.query);
+    const uint32_t rate = level_.level.view().params.controlRate;
+    const uint32_t levelRate = question_.levelRate != 0 ? question_.levelRate : rate;
+    return options_.earlier->waysOf(identity_.level, identity_.query,
+                                    {question_.player, rate, levelRate});
+  }
+
+  bool accepts(const Playthrough& p) const {
+    return solves(p, posed_) && (!question_.accept || question_.accept(p));
   }
 
   // Did the importer leave out what might carry a player?
@@ -89,6 +102,7 @@ class Solving {
 
   // False: an output that takes no progress will take no answer.
   bool look(const SearchView& view) {
+    if (question_.goOn && !question_.goOn()) return false;
     if (options_.explain || options_.heatMap) noteNewCells(view.search);
     if (view.seconds < nextProgress_) return true;
     nextProgress_ = view.seconds + kProgressEvery;
@@ -164,6 +178,7 @@ class Solving {
     return hardestText(difficulty, level_.level, level_.record.reader().getLevel());
   }
 
+  const PlayerQuestion& question_;
   const LoadedLevel& level_;
   const schema::Query::Reader query_;
   const SolverOptions& options_;
@@ -185,11 +200,18 @@ Result<LoadedLevel> loadLevel(const io::Record& record) {
   return LoadedLevel{record, std::move(compiled), secondsNow() - start};
 }
 
+Result<QueryAnswer> solveFor(const PlayerQuestion& question, const SolverOptions& options,
+                             const Machine& machine, const SolverOutput& output) {
+  OBBY_ASSIGN(const level::Query compiled,
+              level::Query::compile(question.query, question.level.level));
+  return Solving(question, options, output, compiled).run(machine);
+}
+
 Result<QueryAnswer> solveQuery(const LoadedLevel& level, schema::Query::Reader query,
                                const SolverOptions& options, const Machine& machine,
                                const SolverOutput& output) {
-  OBBY_ASSIGN(const level::Query compiled, level::Query::compile(query, level.level));
-  return Solving(level, query, options, output, compiled).run(machine);
+  if (level::namesPlayers(query)) return solveForPlayers(level, query, options, machine, output);
+  return solveFor({level, query, {}}, options, machine, output);
 }
 
 }  // namespace obby::solve

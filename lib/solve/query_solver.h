@@ -8,8 +8,10 @@
 
 #include "io/record.h"
 #include "level/level.h"
+#include "level/player.h"
 #include "solve/answers/earlier_answers.h"
 #include "solve/methods.h"
+#include "solve/players/player_levels.h"
 #include "solve/proof/part_motion.h"
 
 namespace obby::solve {
@@ -21,6 +23,7 @@ struct LoadedLevel {
   double compileSeconds;
   // For all queries that are asked of it.
   std::unique_ptr<PartMotions> motions = std::make_unique<PartMotions>();
+  std::unique_ptr<PlayerLevels> players = std::make_unique<PlayerLevels>();
 };
 
 Result<LoadedLevel> loadLevel(const io::Record& record);
@@ -56,7 +59,23 @@ struct QueryAnswer {
   Stopped stopped;
 };
 
-// An error is about the query record (path is set), or of `write`.
+// One player's share of a query. Level and query are that player's, and the query names no players.
+struct PlayerQuestion {
+  const LoadedLevel& level;
+  schema::Query::Reader query;
+  level::Player player;
+  uint32_t levelRate = 0;            // ticks per second of the level as it is; 0: those of `level`
+  std::vector<KnownWay> hints = {};  // tried after earlier answers, and not told as such
+  std::vector<Companion> companions = {};               // who press the same keys
+  std::function<bool(const Playthrough&)> accept = {};  // asked of each solution; may be empty
+  std::function<bool()> goOn = {};                      // false ends the search; may be empty
+};
+
+Result<QueryAnswer> solveFor(const PlayerQuestion& question, const SolverOptions& options,
+                             const Machine& machine, const SolverOutput& output);
+
+// Answers for every player that the query names, or for the level's own. An error is about the
+// query record (path is set), or of `write`.
 Result<QueryAnswer> solveQuery(const LoadedLevel& level, schema::Query::Reader query,
                                const SolverOptions& options, const Machine& machine,
                                const SolverOutput& output);

@@ -65,7 +65,7 @@ std::vector<uint32_t> ticksShown(const Report& report) {
     }
     for (const PathEntry& path : query.paths) {
       if (!path.played()) continue;
-      last = std::max(last, uint64_t(path.reader().getStartTick()) + path.playback.ticks());
+      last = std::max(last, uint64_t(path.told().getStartTick()) + path.playback.ticks());
     }
     // Later starts wrap where the motion repeats.
     uint32_t& shown = ticks[size_t(query.level)];
@@ -88,7 +88,7 @@ void PageSizes::add(const QueryEntry& query) {
     const bool attempt = path.kind == PathKind::attempt;
     (attempt ? attempts : fixed) += path.playback.feet.size() * kSampleBytes;
     size_t& rest = attempt ? whole : fixed;
-    rest += kWayBytes + path.reader().getActions().size() * kRunBytes;
+    rest += kWayBytes + path.told().getActions().size() * kRunBytes;
     rest += (path.playback.events.size() + path.playback.motions.size()) * kEventBytes;
     for (const LooseTrack& track : path.playback.loose) rest += base64Size(track.bytes());
   }

@@ -214,12 +214,14 @@ void writeLoose(JsonText& json, const std::vector<LooseTrack>& tracks) {
 
 void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
   constexpr const char* kKinds[] = {"solution", "attempt", "closest", "newest"};
-  const auto record = path.reader();
+  const auto record = path.told();
   const Playback& play = path.playback;
   // A replay without its query cannot tell why the record ended; the record can.
   const bool told = play.outcome == schema::Outcome::RUNNING && play.mismatch.empty();
   json.open('{').field("kind", kKinds[size_t(path.kind)]).field("index", record.getIndex());
   json.field("method", std::string_view(record.getMethod().cStr()));
+  if (record.getBody().size() > 0) json.field("body", std::string_view(record.getBody().cStr()));
+  if (record.getFrameRate() > 0) json.field("frameRate", uint32_t(record.getFrameRate()));
   json.field("outcome", enumName(told ? record.getOutcome() : play.outcome));
   json.field("part", told ? record.getPart() : play.part).field("ticks", play.ticks());
   json.field("jumps", play.jumps()).field("startTick", record.getStartTick());

@@ -227,8 +227,10 @@ Status Collector::play(const QueryEntry& entry, PathEntry& path) {
     return makeError("the level of this trajectory is not in the stream",
                      "view the stream that holds the level, too");
   }
-  OBBY_ASSIGN(Playback playback, playBack(*report_.levels[size_t(entry.level)].level,
-                                          entry.compiled.get(), path.reader()));
+  const LevelEntry& level = report_.levels[size_t(entry.level)];
+  OBBY_ASSIGN(PlayerReplays::Told told, players_.play(level, entry.level, entry, path.reader()));
+  Playback playback = std::move(told.playback);
+  path.retold = std::move(told.record);
   const size_t cost = costOf(path, playback);
   if (!hasRoom(cost) && room_.rolls) makeRoom(cost, path.kind);
   if (hasRoom(cost)) {

@@ -16,6 +16,7 @@
 #include "base/result.h"
 #include "io/record.h"
 #include "level/level.h"
+#include "view/player_replay.h"
 #include "view/replay.h"
 
 namespace obby::view {
@@ -37,9 +38,16 @@ struct PathEntry {
   uint64_t serial = 0;   // names this replay within a collector, from 1 on, whatever comes and goes
   bool dropped = false;  // it has left for newer ones, and goes with the next update
 
+  // The trajectory in the level's ticks, of a player at another frame rate; none: the record is.
+  std::optional<io::Record> retold = {};
+
   bool played() const { return !playback.feet.empty(); }
   bool ofProgress() const { return record.which() == io::Kind::PROGRESS; }
   schema::Trajectory::Reader reader() const;
+  // As it is shown: in the level's ticks.
+  schema::Trajectory::Reader told() const {
+    return retold ? retold->reader().getTrajectory() : reader();
+  }
 };
 
 // A query that the streams name, be it by its own record or by an answer to it.
@@ -132,6 +140,7 @@ class Collector {
   void weigh(const LevelEntry& entry);
   bool full();
 
+  PlayerReplays players_;
   Forgive forgive_;
   std::vector<std::string> only_;
   Room room_;

@@ -175,9 +175,10 @@ TEST(EarlierAnswer, IsRememberedByAFilterThatIsAskedTo) {
   ASSERT_TRUE(pipeline.runAndFinish([&](const io::Record& r) { return filter.handle(r); }));
   const EarlierAnswers kept = filter.takeEarlier();
   const EarlierAnswers read = answersIn(output);
-  ASSERT_GT(kept.waysOf("stones", "q").size(), 1u);
-  EXPECT_EQ(kept.waysOf("stones", "q").size(), read.waysOf("stones", "q").size());
-  EXPECT_TRUE(kept.waysOf("stones", "p").empty());
+  const EarlierAnswers::For who{{}, 60, 60};
+  ASSERT_GT(kept.waysOf("stones", "q", who).size(), 1u);
+  EXPECT_EQ(kept.waysOf("stones", "q", who).size(), read.waysOf("stones", "q", who).size());
+  EXPECT_TRUE(kept.waysOf("stones", "p", who).empty());
 }
 
 }  // namespace

@@ -62,6 +62,9 @@ struct ValueText {
   std::string operator()(UDim v) const {
     return "udim " + number(v.scale) + " " + std::to_string(v.offset);
   }
+  std::string operator()(NumberRange v) const {
+    return "range " + number(v.min) + " " + number(v.max);
+  }
   std::string operator()(const SharedBlob& v) const { return "shared " + bytes(*v.bytes); }
 };
 

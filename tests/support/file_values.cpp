@@ -41,6 +41,9 @@ FileValue uniqueId(std::string hex) { return {FileKind::UniqueId, std::move(hex)
 FileValue udim(float scale, int32_t offset) {
   return {FileKind::UDim, UDim{scale, offset}, "UDim"};
 }
+FileValue range(float min, float max) {
+  return {FileKind::NumberRange, NumberRange{min, max}, "NumberRange"};
+}
 FileValue capabilities(int64_t bits) {
   return {FileKind::SecurityCapabilities, bits, "SecurityCapabilities"};
 }
@@ -55,7 +58,6 @@ FileValue unread(FileKind kind) {
     case FileKind::Vector3int16: return {kind, {}, "Vector3int16"};
     case FileKind::NumberSequence: return {kind, {}, "NumberSequence"};
     case FileKind::ColorSequence: return {kind, {}, "ColorSequence"};
-    case FileKind::NumberRange: return {kind, {}, "NumberRange"};
     case FileKind::Rect: return {kind, {}, "Rect2D"};
     default: return {FileKind::Font, {}, "Font"};
   }

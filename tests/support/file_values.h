@@ -76,6 +76,7 @@ FileValue ref(importer::InstanceId target);
 FileValue physical(importer::PhysicalProperties value, bool acoustics = false);
 FileValue uniqueId(std::string hex);  // 32 digits, as in XML
 FileValue udim(float scale, int32_t offset);
+FileValue range(float min, float max);
 FileValue capabilities(int64_t bits);
 // A sample of a kind that a Document does not keep (UDim2, Ray, Faces, ...).
 FileValue unread(FileKind kind);

@@ -71,6 +71,12 @@ void udimColumn(std::string& out, const Values& values) {
   floatColumn(out, values, [](const Value& v) { return std::get<UDim>(v).scale; });
   column<uint32_t>(out, values, [](const Value& v) { return zigzag(std::get<UDim>(v).offset); });
 }
+void rangeColumn(std::string& out, const Values& values) {
+  for (const FileValue& v : values) {
+    appendFloat(out, std::get<NumberRange>(v.value).min);
+    appendFloat(out, std::get<NumberRange>(v.value).max);
+  }
+}
 void brickColumn(std::string& out, const Values& values) {
   column<uint32_t>(out, values,
                    [](const Value& v) { return static_cast<uint32_t>(std::get<int64_t>(v)); });
@@ -193,8 +199,7 @@ std::string sampleBytes(FileKind kind) {
     case FileKind::Ray: return std::string(24, '\x12');
     case FileKind::Faces:
     case FileKind::Axes: return std::string(1, '\x05');
-    case FileKind::Vector2:
-    case FileKind::NumberRange: return std::string(8, '\x13');
+    case FileKind::Vector2: return std::string(8, '\x13');
     case FileKind::Vector3int16: return std::string(6, '\x14');
     case FileKind::NumberSequence: append(out, 2); return out + std::string(2 * 12, '\x15');
     case FileKind::ColorSequence: append(out, 3); return out + std::string(3 * 20, '\x16');
@@ -219,6 +224,7 @@ constexpr ColumnKind kKinds[] = {
     {FileKind::Float32, float32Column},
     {FileKind::Float64, float64Column},
     {FileKind::UDim, udimColumn},
+    {FileKind::NumberRange, rangeColumn},
     {FileKind::BrickColor, brickColumn},
     {FileKind::Color3, colorColumn},
     {FileKind::Vector3, vectorColumn},

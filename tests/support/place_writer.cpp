@@ -57,6 +57,7 @@ struct AttributeBytes {
   void operator()(Ref) { (*this)(std::monostate{}); }
   void operator()(const PhysicalProperties&) { (*this)(std::monostate{}); }
   void operator()(const SharedBlob&) { (*this)(std::monostate{}); }
+  void operator()(NumberRange) { (*this)(std::monostate{}); }
 };
 
 }  // namespace

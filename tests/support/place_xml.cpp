@@ -96,6 +96,9 @@ std::string contentOf(const FileValue& value, std::map<std::string, std::string>
     case FileKind::UDim:
       return tagged("S", single(std::get<UDim>(v).scale)) +
              tagged("O", std::to_string(std::get<UDim>(v).offset));
+    case FileKind::NumberRange:
+      return single(std::get<NumberRange>(v).min) + " " + single(std::get<NumberRange>(v).max) +
+             " ";
     case FileKind::Color3: return colorText(std::get<ColorRgb>(v), false);
     case FileKind::Color3uint8: return colorText(std::get<ColorRgb>(v), true);
     case FileKind::Vector3: return vectorText(std::get<Vec3>(v));

@@ -54,12 +54,12 @@ inline PlaceWriter samplePlace() {
       .set(kinds, "K", content(""))
       .set(kinds, "L", address("rbxassetid://2"))
       .set(kinds, "M", blob("\x01\x02"))
+      .set(kinds, "O", range(0.9f, 1.05f))
       .set(kinds, "N", ref(importer::kNoInstance));
   char name = 'P';
-  for (const FileKind kind :
-       {FileKind::UDim2, FileKind::Ray, FileKind::Faces, FileKind::Axes, FileKind::Vector2,
-        FileKind::Vector3int16, FileKind::NumberSequence, FileKind::ColorSequence,
-        FileKind::NumberRange, FileKind::Rect, FileKind::Font}) {
+  for (const FileKind kind : {FileKind::UDim2, FileKind::Ray, FileKind::Faces, FileKind::Axes,
+                              FileKind::Vector2, FileKind::Vector3int16, FileKind::NumberSequence,
+                              FileKind::ColorSequence, FileKind::Rect, FileKind::Font}) {
     place.set(kinds, std::string(1, name++), unread(kind));
   }
   return place;

@@ -85,11 +85,11 @@ Status refuseIdle(const cli::Arguments& a, solve::Task task) {
       task == solve::Task::verify
           ? "cannot be combined with --verify, which searches nothing"
           : "cannot be combined with --pass or --not-pass, which search nothing";
-  return cli::refuseTyped(
-      a,
-      {"diverse", "difficulty", "final-only", "paths", "heat-map", "explain", "time-limit",
-       "max-steps", "solutions", "attempts", "trials", "method", "warm", "policy"},
-      message, "leave it out");
+  return cli::refuseTyped(a,
+                          {"diverse", "difficulty", "final-only", "paths", "heat-map", "explain",
+                           "time-limit", "max-steps", "solutions", "attempts", "trials", "method",
+                           "warm", "policy", "body", "frame-rate", "same-keys"},
+                          message, "leave it out");
 }
 
 Result<std::shared_ptr<const policy::PolicyFile>> policyOf(const cli::Arguments& a) {
@@ -135,6 +135,8 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
   OBBY_ASSIGN(o.task, taskOf(a, o.passes));
   OBBY_RETURN_IF_ERROR(readQuick(a, o));
   OBBY_RETURN_IF_ERROR(refuseIdle(a, o.task));
+  OBBY_ASSIGN(o.players,
+              solve::askedPlayers(a.list("body"), a.list("frame-rate"), a.flag("same-keys")));
   o.remember = a.flag("watch");
   if (a.has("warm")) {
     io::SourceOptions earlier = context.sourceOptions();

@@ -79,10 +79,40 @@ OptionRow backendRow() {
   return rare(r);
 }
 
+OptionRow bodyRow() {
+  return detailed(
+      repeatable(row("body", ValueType::text, "BODY", "",
+                     "solve for r6, r15, place or each [default: place]", kSearchGroup)),
+      "place is the level's own body. Several are given with commas, or by repeating the option. A "
+      "query with several bodies or frame rates is solved if it is for every one of them, and "
+      "unreachable if it is for at least one. Its result lists the answer for each. each: the "
+      "bodies that the place admits.");
+}
+
+OptionRow frameRateRow() {
+  return detailed(
+      rare(repeatable(row("frame-rate", ValueType::text, "N", "",
+                          "solve for a player at 30, 60, 120, 144 or 240 frames a second, or "
+                          "each [default: the level's]",
+                          kSearchGroup))),
+      "The controller reads the keys once a frame. Physics steps are 1/240 s, at 144 frames a "
+      "second 1/288 s.");
+}
+
+OptionRow sameKeysRow() {
+  return rare(row("same-keys", ValueType::flag, "", "",
+                  "with several bodies or frame rates: find keys that, held by time, solve it for "
+                  "all of them",
+                  kSearchGroup));
+}
+
 std::vector<OptionRow> searchRows() {
   return {
       repeatable(row("query", ValueType::text, "ID", "", "answer, check or filter only this query",
                      kSearchGroup)),
+      bodyRow(),
+      frameRateRow(),
+      sameKeysRow(),
       timeLimitRow(),
       detailed(between(row("max-steps", ValueType::integer, "N", "",
                            "stop a query after about N steps (simulated ticks)", kSearchGroup),
@@ -91,12 +121,11 @@ std::vector<OptionRow> searchRows() {
       between(
           row("solutions", ValueType::integer, "K", "1", "find K distinct solutions", kSearchGroup),
           1, 1000),
-      detailed(
-          row("diverse", ValueType::flag, "", "",
-              "with --solutions: one solution per distinct route, with the number of solutions "
-              "found on that route",
-              kSearchGroup),
-          "A route is the sequence of parts that the player stands on."),
+      detailed(row("diverse", ValueType::flag, "", "",
+                   "with --solutions: one solution per distinct route", kSearchGroup),
+               "A route is the sequence of parts that the player stands on. The result has the "
+               "number of "
+               "solutions found on each."),
       methodRow(),
       rare(row("policy", ValueType::file, "FILE", "",
                "policy from obby-train for the methods auto, ge-ps and rl [default: the one that "
@@ -241,7 +270,8 @@ cli::ToolSpec solveSpec() {
       "A level without a query is asked for a trajectory from its spawn to its goal or last "
       "checkpoint.\n\n"
       "The answer to a query depends only on the stream, --seed, --max-steps, --solutions, "
-      "--attempts, --diverse, --trials, --method and the files of --policy and --warm. It does not "
+      "--attempts, --diverse, --trials, --method, --body, --frame-rate, --same-keys and the files "
+      "of --policy and --warm. It does not "
       "depend on --threads, --backend or the machine. Progress records and result.timing do, and "
       "so does the point where --time-limit stops a search that finds nothing.";
   spec.exitCodes = {

@@ -1,10 +1,18 @@
-// Names by which the solutions of a query can be told apart: time and jumps, the part that only their route touches, and a
-// number where all of that is the same.
+// Names by which the solutions of a query can be told apart: the player, time and jumps, the part that only their route
+// touches, and a number where all of that is the same.
 import { routeKey } from './choice.js';
 import { routeNames } from './route_names.js';
 import { plural, seconds } from './ui/dom.js';
 
 const known = new WeakMap(); // by query: a query that has changed is another object
+
+const BODY_NAMES = { r6: 'R6', r15: 'R15' };
+
+// "R15, 30 fps: ", of a player that the query names.
+function playerOf({ body, frameRate }) {
+  const words = [BODY_NAMES[body] ?? body, frameRate && `${frameRate} fps`].filter(Boolean);
+  return words.length > 0 ? `${words.join(', ')}: ` : '';
+}
 
 // Index of a solution -> {name, route}; the route is empty where all solutions take one.
 export function solutionNames(query, level) {
@@ -16,7 +24,8 @@ export function solutionNames(query, level) {
   query.paths.forEach((path, index) => {
     if (path.kind !== 'solution') return;
     const route = routes.get(routeKey(path))?.mark ?? '';
-    const name = `${seconds(path.ticks / rate)} s, ${plural(path.jumps, 'jump')}`;
+    const time = `${seconds(path.ticks / rate)} s, ${plural(path.jumps, 'jump')}`;
+    const name = playerOf(path) + time;
     const number = (taken.get(name + route) ?? 0) + 1;
     taken.set(name + route, number);
     names.set(index, { name: number > 1 ? `${name} (${number})` : name, route });

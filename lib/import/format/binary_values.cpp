@@ -83,6 +83,13 @@ void readUDims(Column& c) {
   for (size_t i = 0; i < offsets.size(); ++i) c.out.emplace_back(UDim{scales[i], offsets[i]});
 }
 
+void readRanges(Column& c) {
+  c.each(8, [&] {
+    const float min = c.reader.f32();
+    return NumberRange{min, c.reader.f32()};
+  });
+}
+
 // Three float columns, one a component.
 std::vector<Vec3> vectors(Column& c) {
   const auto x = readFloatColumn(c.reader, c.count), y = readFloatColumn(c.reader, c.count),
@@ -237,8 +244,8 @@ constexpr BinaryKind kBinaryKinds[] = {
     {0x14, [](Column& c) { c.skipFixed(6); }},      // Vector3int16
     {0x15, [](Column& c) { c.skipKeypoints(3); }},  // NumberSequence
     {0x16, [](Column& c) { c.skipKeypoints(5); }},  // ColorSequence
-    {0x17, [](Column& c) { c.skipFixed(8); }},      // NumberRange
-    {0x18, [](Column& c) { c.skipFixed(16); }},     // Rect
+    {0x17, readRanges},
+    {0x18, [](Column& c) { c.skipFixed(16); }},  // Rect
     {0x19, readPhysical},
     {0x1a, readByteColors},
     {0x1b, readInt64s},

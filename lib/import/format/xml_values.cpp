@@ -1,6 +1,7 @@
 // One function a kind of property, and the table of element names.
 #include "import/format/xml_values.h"
 
+#include <algorithm>
 #include <array>
 
 #include "import/format/base64.h"
@@ -150,6 +151,17 @@ Result<Value> readUDim(Element element, const XmlContext&) {
   return Value{UDim{v[0], static_cast<int32_t>(*offset)}};
 }
 
+// "0.9 1.05 ". Most ranges are of effects: one that is written otherwise is no error.
+Result<Value> readRange(Element element, const XmlContext&) {
+  const std::string_view text = viewOf(element);
+  const size_t space = std::min(text.find(' '), text.size());
+  const std::string_view rest = text.substr(std::min(space + 1, text.size()));
+  const auto min = parseFloat(text.substr(0, space));
+  const auto max = parseFloat(rest.substr(0, rest.find(' ')));
+  if (!min || !max) return Value{};
+  return Value{NumberRange{*min, *max}};
+}
+
 Result<Value> ignoreElement(Element, const XmlContext&) { return Value{}; }
 
 struct XmlKind {
@@ -171,7 +183,7 @@ constexpr XmlKind kXmlKinds[] = {
     {"Faces", ignoreElement},
     {"Font", ignoreElement},
     {"NetAssetRef", readShared},
-    {"NumberRange", ignoreElement},
+    {"NumberRange", readRange},
     {"NumberSequence", ignoreElement},
     {"OptionalCoordinateFrame", readOptionalCFrame},
     {"PhysicalProperties", readPhysical},

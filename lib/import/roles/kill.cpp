@@ -30,8 +30,8 @@ const std::vector<std::string_view> kDamageTags = {"damage", "damagebrick", "dam
                                                    "damageblock", "hurt"};
 // What a designer says of a part that a script or a name shows wrongly as a kill part.
 const std::vector<std::string_view> kHarmlessTags = {"harmless", "nokill", "nodamage"};
-const std::vector<std::string_view> kKitTags = {"kills", "double", "ouch", "instakills",
-                                                "instakill"};
+const std::vector<std::string_view> kHarmTags = {"kills", "double", "ouch", "instakills",
+                                                 "instakill"};
 
 constexpr std::string_view kKillWords[] = {
     "kill",   "kills",      "killer",    "killbrick", "killblock",  "killpart", "lava",
@@ -133,7 +133,7 @@ void killFromTags(RoleContext& context) {
   };
   each(kKillTags, [](const std::string&) { return Kill{}; });
   each(kDamageTags, [](const std::string&) { return Kill{kGuessedDamage, 0}; });
-  each(kKitTags, [](const std::string& tag) {
+  each(kHarmTags, [](const std::string& tag) {
     return Kill{kitDamage(lower(tag)).value_or(100.0f), kKitCooldown6};
   });
 }

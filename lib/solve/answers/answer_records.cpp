@@ -50,6 +50,8 @@ void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& id
   record.setQuery(identity.query);
   record.setLevel(identity.level);
   record.setMethod(identity.method);
+  record.setBody(identity.player.body);
+  record.setFrameRate(identity.player.frameRate);
   record.setIndex(index);
   record.setOutcome(schema::Outcome(end.outcome));
   sim::writePlan(

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "level/level.h"
+#include "level/player.h"
 #include "schema/obby.capnp.h"
 #include "solve/methods.h"
 #include "solve/relaxation/explain.h"
@@ -15,8 +16,9 @@ struct AnswerIdentity {
   std::string query;
   std::string level;
   level::StartPose start;
-  std::string method;   // name of its row
-  uint16_t tricks = 0;  // Params::tricks of the query
+  std::string method;         // name of its row
+  uint16_t tricks = 0;        // Params::tricks of the query
+  level::Player player = {};  // of its trajectories
 };
 
 void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& identity,

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "sim/simulator.h"
+#include "solve/players/retimed.h"
 
 namespace obby::solve {
 
@@ -20,16 +21,24 @@ Result<EarlierAnswers> EarlierAnswers::read(io::SourceOptions source) {
 }
 
 Status EarlierAnswers::note(schema::Trajectory::Reader trajectory) {
+  OBBY_ASSIGN(level::Player player, level::playerOf(trajectory));
   OBBY_ASSIGN(sim::Plan plan, sim::planFromRecord(trajectory));
-  ways_[{trajectory.getLevel(), trajectory.getQuery()}].push_back(std::move(plan.actions));
+  ways_[{trajectory.getLevel(), trajectory.getQuery()}].push_back(
+      {std::move(player), std::move(plan.actions)});
   return {};
 }
 
-const std::vector<KnownWay>& EarlierAnswers::waysOf(const std::string& level,
-                                                    const std::string& query) const {
-  static const std::vector<KnownWay> kNoWays;
+std::vector<KnownWay> EarlierAnswers::waysOf(const std::string& level, const std::string& query,
+                                             const For& who) const {
+  std::vector<KnownWay> own, others;
   const auto found = ways_.find({level, query});
-  return found == ways_.end() ? kNoWays : found->second;
+  if (found == ways_.end()) return own;
+  for (const PlayersWay& way : found->second) {
+    const uint32_t from = way.player.frameRate != 0 ? way.player.frameRate : who.levelRate;
+    (way.player == who.player ? own : others).push_back(retimed(way.way, from, who.rate));
+  }
+  own.insert(own.end(), others.begin(), others.end());
+  return own;
 }
 
 void EarlierAnswers::forget(const std::string& level, const std::string& query) {

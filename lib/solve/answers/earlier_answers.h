@@ -9,6 +9,7 @@
 
 #include "base/result.h"
 #include "io/pipeline.h"
+#include "level/player.h"
 #include "solve/query/problem.h"
 
 namespace obby::solve {
@@ -21,13 +22,26 @@ class EarlierAnswers {
 
   Status note(schema::Trajectory::Reader trajectory);
 
-  // In the order of the stream: solutions first. Empty: none.
-  const std::vector<KnownWay>& waysOf(const std::string& level, const std::string& query) const;
+  // Who asks for them, and ticks per second.
+  struct For {
+    level::Player player;
+    uint32_t rate, levelRate;  // the player's, and the level's own
+  };
+
+  // Those of this player come first, then those of others, at this rate; both in the order of the
+  // stream: solutions first. Empty: none.
+  std::vector<KnownWay> waysOf(const std::string& level, const std::string& query,
+                               const For& who) const;
   // Forgets those of a query: new ones are about to come.
   void forget(const std::string& level, const std::string& query);
 
  private:
-  std::map<std::pair<std::string, std::string>, std::vector<KnownWay>> ways_;
+  struct PlayersWay {
+    level::Player player;
+    KnownWay way;
+  };
+
+  std::map<std::pair<std::string, std::string>, std::vector<PlayersWay>> ways_;
 };
 
 }  // namespace obby::solve

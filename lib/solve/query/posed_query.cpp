@@ -25,7 +25,7 @@ bool solves(const Playthrough& playthrough, const PosedQuery& posed) {
   if (playthrough.end.outcome != sim::Outcome::goal) return false;
   io::RecordBuilder record;
   const AnswerIdentity identity{
-      posed.query.id(), posed.level.name(), posed.query.start(), {}, posed.query.view().tricks};
+      posed.query.id(), posed.level.name(), posed.query.start(), {}, posed.query.view().tricks, {}};
   fillTrajectory(record.root().initTrajectory(), identity, playthrough, 0);
   return bool(
       verify(posed.level, posed.levelRecord, posed.queryRecord, record.reader().getTrajectory()));

@@ -21,6 +21,14 @@ class PartMotions;
 // What to hold, and for how long, from the start on.
 using KnownWay = std::vector<sim::ActionRun>;
 
+// Another player, who must reach the goal with the same keys.
+struct Companion {
+  level::LevelView level;
+  level::QueryView query;
+  sim::World start;
+  std::vector<sim::LooseBody> startLoose;
+};
+
 // The level and the query must outlive the search.
 struct Problem {
   level::LevelView level;
@@ -32,6 +40,7 @@ struct Problem {
   std::vector<KnownWay> known = {};         // playthroughs of an earlier answer, tried first
   const policy::Network* policy = nullptr;  // for methods that use one; must outlive the search
   const PartMotions* motions = nullptr;     // of the level; null: a proof works them out itself
+  std::vector<Companion> companions = {};   // searches that keep states keep those of all of them
 };
 
 // The answer depends on seed, maxSteps, solutions, diverse and the problem only, never on the

@@ -1,0 +1,29 @@
+// The players that the command line asks for, in place of the query's own.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/record.h"
+
+namespace obby::solve {
+
+struct AskedPlayers {
+  std::vector<std::string> bodies;      // as in Query.bodies, or "each"
+  std::vector<std::string> frameRates;  // numbers, or "each"
+  bool sameKeys = false;
+
+  bool empty() const { return bodies.empty() && frameRates.empty() && !sameKeys; }
+};
+
+// Error: an unknown body or frame rate; its path is the option. Lists may be written with commas.
+Result<AskedPlayers> askedPlayers(const std::vector<std::string>& bodies,
+                                  const std::vector<std::string>& frameRates, bool sameKeys);
+
+// "each" body is each that the level admits. If it admits one only, that is the level's physics; if
+// it does not say, every body there is.
+io::Record withPlayers(schema::Level::Reader level, const AskedPlayers& asked,
+                       const io::Record& query);
+
+}  // namespace obby::solve

@@ -1,0 +1,33 @@
+// A query as one of its players meets it, and what came of it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solve/query_solver.h"
+
+namespace obby::solve {
+
+struct PlayerCase {
+  level::Player player;
+  const LoadedLevel* level;  // the player's
+  io::Record query;          // in the ticks of that level; names no players
+  uint32_t rate;             // ticks per second of that level
+
+  // Once it is answered.
+  std::optional<io::Record> result;
+  std::vector<io::Record> solutions, attempts;  // trajectories
+  Stopped stopped = Stopped::outOfTime;
+
+  schema::Query::Reader queryRecord() const { return query.reader().getQuery(); }
+  schema::Result::Reader answer() const { return result->reader().getResult(); }
+};
+
+// The cases of a query's players, unanswered. Valid while `level` lives.
+Result<std::vector<PlayerCase>> playerCases(const LoadedLevel& level, schema::Query::Reader query);
+
+// The query as it is put to one player.
+Result<PlayerCase> playerCase(const LoadedLevel& level, schema::Query::Reader query,
+                              const level::Player& player);
+
+}  // namespace obby::solve

@@ -1,0 +1,32 @@
+#include "solve/players/player_levels.h"
+
+#include <capnp/any.h>
+
+#include "solve/known_levels.h"
+#include "solve/query_solver.h"
+
+namespace obby::solve {
+
+PlayerLevels::PlayerLevels() = default;
+PlayerLevels::~PlayerLevels() = default;
+
+Result<const LoadedLevel*> PlayerLevels::of(const LoadedLevel& base, const level::Player& player) {
+  if (player.isLevels()) return &base;
+  if (const auto found = levels_.find(player); found != levels_.end()) {
+    return found->second ? found->second.get() : &base;
+  }
+  io::RecordBuilder changed(base.record.reader());
+  OBBY_RETURN_IF_ERROR(level::setPlayer(player, changed.root().getLevel()));
+  const auto physics = base.record.reader().getLevel().getPhysics();
+  std::unique_ptr<LoadedLevel> made;
+  if (capnp::toAny(changed.reader().getLevel().getPhysics()) != capnp::toAny(physics)) {
+    OBBY_ASSIGN(LoadedLevel loaded, loadLevel(io::Record(std::move(changed))));
+    made = std::make_unique<LoadedLevel>(std::move(loaded));
+    bytes_ += KnownLevels::bytesOf(*made);
+  }
+  const LoadedLevel* const level = made ? made.get() : &base;
+  levels_.emplace(player, std::move(made));
+  return level;
+}
+
+}  // namespace obby::solve

@@ -1,0 +1,67 @@
+#include "solve/players/same_keys.h"
+
+#include <algorithm>
+
+#include "solve/players/retimed.h"
+#include "solve/rollouts/known_way.h"
+
+namespace obby::solve {
+
+namespace {
+
+// The playthrough of a plan, as a search would have it.
+Playthrough played(const PosedQuery& posed, const KnownWay& keys) {
+  const auto& view = posed.level.view();
+  const level::QueryView query = posed.query.view();
+  const level::StartPose& start = posed.query.start();
+  Playthrough p;
+  const auto note = [&](const sim::Moment& now) {
+    if (now.tick % kPathStep == 0) p.path.push_back(now.world.position);
+    if (now.world.jumps > now.before.jumps) p.jumpTicks.push_back(now.tick);
+    return true;
+  };
+  sim::ReplayEnd end =
+      sim::replay(view, &query, {start, turnsFromRadians(start.yaw), keys, query.tricks}, note);
+  p.ticks = end.ticks;
+  p.end = end.world;
+  p.endLoose = std::move(end.loose);
+  uint32_t left = end.ticks;
+  for (const sim::ActionRun& run : keys) {
+    if (left == 0) break;
+    p.actions.push_back({run.action, std::min(run.ticks, left)});
+    left -= p.actions.back().ticks;
+  }
+  return p;
+}
+
+}  // namespace
+
+size_t slowest(const std::vector<PlayerCase>& cases) {
+  return size_t(std::ranges::min_element(cases, {}, &PlayerCase::rate) - cases.begin());
+}
+
+Result<KeyPlayer> KeyPlayer::make(const PlayerCase& c) {
+  OBBY_ASSIGN(level::Query query, level::Query::compile(c.queryRecord(), c.level->level));
+  return KeyPlayer(c, std::move(query));
+}
+
+Companion KeyPlayer::companion() const {
+  Problem problem = problemOf(posed());
+  return {problem.level, problem.query, problem.start, std::move(problem.startLoose)};
+}
+
+PosedQuery KeyPlayer::posed() const {
+  return {case_->level->level, case_->level->record.reader().getLevel(), query_,
+          case_->queryRecord()};
+}
+
+std::optional<Playthrough> KeyPlayer::solve(const KnownWay& keys, uint32_t rate) const {
+  if (keys.empty()) return std::nullopt;
+  KnownWay own = retimed(keys, rate, case_->rate);
+  own.push_back({keys.back().action, case_->rate});
+  Playthrough p = played(posed(), own);
+  if (!solves(p, posed())) return std::nullopt;
+  return p;
+}
+
+}  // namespace obby::solve

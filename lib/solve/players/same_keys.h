@@ -1,0 +1,34 @@
+// One solution for several players: the same keys, held by time.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solve/players/player_case.h"
+#include "solve/query/posed_query.h"
+
+namespace obby::solve {
+
+// The slowest: the others can change keys at each of its frames, or soon after.
+size_t slowest(const std::vector<PlayerCase>& cases);
+
+// Plays another player's keys, and holds the last of them for up to a second more. None: they solve
+// nothing.
+class KeyPlayer {
+ public:
+  // The case must outlive it.
+  static Result<KeyPlayer> make(const PlayerCase& c);
+
+  std::optional<Playthrough> solve(const KnownWay& keys, uint32_t rate) const;
+  PosedQuery posed() const;
+  Companion companion() const;
+  const PlayerCase& playerCase() const { return *case_; }
+
+ private:
+  KeyPlayer(const PlayerCase& c, level::Query query) : case_(&c), query_(std::move(query)) {}
+
+  const PlayerCase* case_;
+  level::Query query_;
+};
+
+}  // namespace obby::solve

@@ -1,0 +1,272 @@
+#include "solve/players/solve_players.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "solve/answers/answer_records.h"
+#include "solve/answers/route.h"
+#include "solve/players/player_case.h"
+#include "solve/players/player_result.h"
+#include "solve/players/retimed.h"
+#include "solve/players/same_keys.h"
+
+namespace obby::solve {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Only the bound: for players whom no search is made for.
+SearchOutcome noSearch(const Problem&, const Budget&, const Watcher&, const Machine&) {
+  SearchOutcome outcome;
+  outcome.stopped = Stopped::outOfSteps;
+  return outcome;
+}
+constexpr Method kNoSearch{"bound", "no search", noSearch};
+
+// Playthroughs that fail for another player before the search starts over with another seed;
+// doubled each time. For methods that do not take companions along: their cells keep the earliest
+// way to them, so a search whose first jump fails for another player does not get away from it.
+constexpr uint32_t kFirstRefusals = 48;
+constexpr uint64_t kSeedStep = 0x9e3779b97f4a7c15u;
+
+class PlayersSolving {
+ public:
+  PlayersSolving(const LoadedLevel& level, schema::Query::Reader query,
+                 const SolverOptions& options, const Machine& machine, const SolverOutput& output,
+                 std::vector<PlayerCase> cases)
+      : level_(level),
+        query_(query),
+        options_(options),
+        machine_(machine),
+        output_(output),
+        cases_(std::move(cases)) {}
+
+  Result<QueryAnswer> run() {
+    const bool together = query_.getSameKeys() && cases_.size() > 1;
+    OBBY_RETURN_IF_ERROR(together ? solveTogether() : solveEach());
+    OBBY_RETURN_IF_ERROR(writeTrajectories());
+    const PlayersAsked asked{rate(), query_.getBodies().size() > 0, together};
+    const io::Record result = resultOf(cases_, asked);
+    OBBY_RETURN_IF_ERROR(output_.write(result.reader()));
+    return QueryAnswer{verdictOf(cases_), stopped()};
+  }
+
+ private:
+  uint16_t rate() const { return level_.level.view().params.controlRate; }
+
+  // Of the shares that remain each player gets an equal one.
+  Status solveEach() {
+    for (size_t i = 0; i < cases_.size(); ++i) {
+      SolverOptions options = options_;
+      options.budget.seconds = secondsLeft() / double(cases_.size() - i);
+      options.budget.maxSteps = stepsLeft() / (cases_.size() - i);
+      // One change that helps is found for one player.
+      options.explain = options_.explain && !explained_;
+      OBBY_RETURN_IF_ERROR(solve(cases_[i], options,
+                                 {*cases_[i].level, cases_[i].queryRecord(), cases_[i].player,
+                                  rate(), hintsFor(cases_[i])}));
+      explained_ |= cases_[i].answer().getVerdict() != schema::Verdict::SOLVED;
+    }
+    return {};
+  }
+
+  // What the query's other players did.
+  std::vector<KnownWay> hintsFor(const PlayerCase& c) const {
+    std::vector<KnownWay> hints;
+    for (const PlayerCase& other : cases_) {
+      if (&other == &c) break;
+      if (other.solutions.empty()) continue;
+      const auto plan = sim::planFromRecord(other.solutions.front().reader().getTrajectory());
+      if (plan) hints.push_back(retimed(plan->actions, other.rate, c.rate));
+    }
+    return hints;
+  }
+
+  // The bound first, for each of them; then the slowest player searches for all.
+  Status solveTogether() {
+    for (PlayerCase& c : cases_) {
+      SolverOptions options = options_;
+      options.method = &kNoSearch;
+      options.explain = options.heatMap = false;
+      options.budget.attempts = 0;
+      const EarlierAnswers none;
+      options.earlier = &none;
+      OBBY_RETURN_IF_ERROR(solve(c, options, question(c)));
+    }
+    if (verdictOf(cases_) == schema::Verdict::UNREACHABLE) return {};
+    PlayerCase& first = cases_[slowest(cases_)];
+    std::vector<KeyPlayer> others;
+    for (const PlayerCase& c : cases_) {
+      if (&c == &first) continue;
+      OBBY_ASSIGN(KeyPlayer player, KeyPlayer::make(c));
+      others.push_back(std::move(player));
+    }
+    OBBY_RETURN_IF_ERROR(searchTogether(first, others));
+    return first.solutions.empty() ? Status() : giveAll(first, others);
+  }
+
+  Status searchTogether(PlayerCase& first, const std::vector<KeyPlayer>& others) {
+    SolverOptions options = options_;
+    uint64_t steps = 0;
+    double seconds = 0;
+    for (uint32_t most = kFirstRefusals;; most *= 2, options.budget.seed += kSeedStep) {
+      options.budget.seconds = secondsLeft();
+      options.budget.maxSteps = options_.budget.maxSteps - steps;
+      uint32_t refused = 0;
+      PlayerQuestion asked = question(first);
+      asked.accept = [&](const Playthrough& p) {
+        const bool solves = std::ranges::all_of(others, [&](const KeyPlayer& other) {
+          return other.solve(p.actions, first.rate).has_value();
+        });
+        refused += solves ? 0 : 1;
+        return solves;
+      };
+      for (const KeyPlayer& other : others) asked.companions.push_back(other.companion());
+      asked.goOn = [&] { return refused < most; };
+      OBBY_RETURN_IF_ERROR(solve(first, options, asked));
+      addWork(first, steps, seconds);
+      const bool startOver = first.stopped == Stopped::interrupted && refused >= most;
+      if (!startOver || secondsLeft() <= 0 || steps >= options_.budget.maxSteps || told())
+        return {};
+    }
+  }
+
+  // Of the searches before, to the result of this one.
+  static void addWork(PlayerCase& c, uint64_t& steps, double& seconds) {
+    io::RecordBuilder record(c.result->reader());
+    auto result = record.root().getResult();
+    auto timing = result.getTiming();
+    if (timing.getFirstSolution() > 0)
+      timing.setFirstSolution(timing.getFirstSolution() + float(seconds));
+    steps += result.getSteps();
+    seconds += double(timing.getSeconds());
+    result.setSteps(steps);
+    timing.setSeconds(float(seconds));
+    c.result = io::Record(std::move(record));
+  }
+
+  // The keys of every solution, as each of the others presses them.
+  Status giveAll(const PlayerCase& first, const std::vector<KeyPlayer>& others) {
+    size_t at = 0;
+    for (PlayerCase& c : cases_) {
+      if (&c == &first) continue;
+      const KeyPlayer& player = others[at++];
+      io::RecordBuilder result(c.result->reader());
+      auto answer = result.root().getResult();
+      for (const io::Record& solution : first.solutions) {
+        OBBY_ASSIGN(const sim::Plan plan, sim::planFromRecord(solution.reader().getTrajectory()));
+        const auto p = player.solve(plan.actions, first.rate);
+        if (!p) continue;  // never: the search has asked for it
+        if (c.solutions.empty()) fillSolved(answer, *p, player.posed());
+        c.solutions.push_back(trajectoryOf(*p, player.posed(), c.player));
+      }
+      c.result = io::Record(std::move(result));
+      c.stopped = first.stopped;
+    }
+    return {};
+  }
+
+  void fillSolved(schema::Result::Builder answer, const Playthrough& p,
+                  const PosedQuery& posed) const {
+    SearchOutcome outcome;
+    outcome.stopped = Stopped::solved;
+    outcome.solutions.push_back(p);
+    const AnswerIdentity identity{posed.query.id(),          posed.level.name(),
+                                  posed.query.start(),       options_.method->name,
+                                  posed.query.view().tricks, {}};
+    fillResult(answer, identity, outcome, posed.level, posed.levelRecord, posed.queryRecord);
+  }
+
+  io::Record trajectoryOf(const Playthrough& p, const PosedQuery& posed,
+                          const level::Player& player) const {
+    const AnswerIdentity identity{posed.query.id(),          posed.level.name(),
+                                  posed.query.start(),       options_.method->name,
+                                  posed.query.view().tricks, player};
+    io::RecordBuilder record;
+    auto trajectory = record.root().initTrajectory();
+    fillTrajectory(trajectory, identity, p, 0);
+    if (options_.paths) fillPath(trajectory, p);
+    fillRoute(trajectory, routeOf(courseOf(problemOf(posed), p)));
+    return io::Record(std::move(record));
+  }
+
+  PlayerQuestion question(const PlayerCase& c) const {
+    return {*c.level, c.queryRecord(), c.player, rate()};
+  }
+
+  // Progress goes out at once, the rest is kept with the case.
+  Status solve(PlayerCase& c, const SolverOptions& options, const PlayerQuestion& asked) {
+    c.solutions.clear();
+    c.attempts.clear();
+    const auto write = [&](schema::Record::Reader record) -> Status {
+      if (record.isProgress()) return output_.write(record);
+      io::RecordBuilder copy(record);
+      if (record.isResult()) {
+        c.result = io::Record(std::move(copy));
+      } else {
+        const bool solves = record.getTrajectory().getOutcome() == schema::Outcome::GOAL;
+        (solves ? c.solutions : c.attempts).push_back(io::Record(std::move(copy)));
+      }
+      return {};
+    };
+    OBBY_ASSIGN(
+        const QueryAnswer answer,
+        solveFor(asked, options, machine_, {write, output_.progress, output_.deviceFailed}));
+    c.stopped = answer.stopped;
+    steps_ += c.answer().getSteps();
+    return {};
+  }
+
+  // All solutions, then the attempts of the first who has none.
+  Status writeTrajectories() {
+    uint32_t index = 0;
+    const auto write = [&](const io::Record& trajectory) {
+      io::RecordBuilder record(trajectory.reader());
+      record.root().getTrajectory().setIndex(index++);
+      return output_.write(record.reader());
+    };
+    for (const PlayerCase& c : cases_) {
+      for (const io::Record& t : c.solutions) OBBY_RETURN_IF_ERROR(write(t));
+    }
+    const auto shown = std::ranges::find_if(
+        cases_, [](const PlayerCase& c) { return c.solutions.empty() && !c.attempts.empty(); });
+    const PlayerCase& from = shown == cases_.end() ? cases_.front() : *shown;
+    for (const io::Record& t : from.attempts) OBBY_RETURN_IF_ERROR(write(t));
+    return {};
+  }
+
+  Stopped stopped() const {
+    const auto cut = std::ranges::find(cases_, Stopped::interrupted, &PlayerCase::stopped);
+    return cut == cases_.end() ? cases_.front().stopped : Stopped::interrupted;
+  }
+  bool told() const { return options_.budget.stop != nullptr && options_.budget.stop->load(); }
+  double secondsLeft() const {
+    const double spent = std::chrono::duration<double>(Clock::now() - start_).count();
+    return std::max(0.0, options_.budget.seconds - spent);
+  }
+  uint64_t stepsLeft() const {
+    return options_.budget.maxSteps - std::min(steps_, options_.budget.maxSteps);
+  }
+
+  const LoadedLevel& level_;
+  const schema::Query::Reader query_;
+  const SolverOptions& options_;
+  const Machine& machine_;
+  const SolverOutput& output_;
+  std::vector<PlayerCase> cases_;
+  const Clock::time_point start_ = Clock::now();
+  uint64_t steps_ = 0;
+  bool explained_ = false;
+};
+
+}  // namespace
+
+Result<QueryAnswer> solveForPlayers(const LoadedLevel& level, schema::Query::Reader query,
+                                    const SolverOptions& options, const Machine& machine,
+                                    const SolverOutput& output) {
+  OBBY_ASSIGN(std::vector<PlayerCase> cases, playerCases(level, query));
+  return PlayersSolving(level, query, options, machine, output, std::move(cases)).run();
+}
+
+}  // namespace obby::solve

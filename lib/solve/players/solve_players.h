@@ -1,0 +1,12 @@
+// Answers a query for each of the players that it names, and makes one result of the answers.
+#pragma once
+
+#include "solve/query_solver.h"
+
+namespace obby::solve {
+
+Result<QueryAnswer> solveForPlayers(const LoadedLevel& level, schema::Query::Reader query,
+                                    const SolverOptions& options, const Machine& machine,
+                                    const SolverOutput& output);
+
+}  // namespace obby::solve

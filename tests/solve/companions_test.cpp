@@ -1,0 +1,84 @@
+// Players who press the same keys: whether they come along.
+#include "solve/rollouts/companions.h"
+
+#include <gtest/gtest.h>
+
+#include "level/player.h"
+#include "scenes.h"
+#include "solve/rollouts/explore_setup.h"
+
+namespace obby::solve {
+namespace {
+
+// A level as a player at this frame rate meets it.
+level::Level atRate(LevelBuilder b, uint16_t rate) {
+  io::RecordBuilder record;
+  record.root().setLevel(b.record());
+  EXPECT_TRUE(level::setPlayer({"", rate}, record.root().getLevel()));
+  return *level::Level::compile(record.reader().getLevel());
+}
+
+LevelBuilder twoStones(bool second) {
+  LevelBuilder b;
+  b.block({0, -0.5f, -4}, {8, 1, 8});
+  if (second) b.block({0, -0.5f, -16}, {8, 1, 8});
+  b.spawn({0, 0, -2});
+  b.physics([](schema::PhysicsParams::Builder p) { p.setFallenPartsHeight(-40); });
+  return b;
+}
+
+// Runs up, and jumps across the gap of 4 studs: at 30 frames a second.
+KnownWay jumpAcross() {
+  const sim::Action walk{0, true, false}, jump{0, true, true}, rest{};
+  return {{walk, 9}, {jump, 1}, {walk, 16}, {rest, 30}};
+}
+
+struct Pair {
+  explicit Pair(bool second)
+      : own(atRate(twoStones(true), 30)), other(atRate(twoStones(second), 240)), asked(own) {
+    asked.query.goal = boxAt({0, 200, 0}, {1, 1, 1});
+    problem = asked.problem();
+    problem.known = {jumpAcross()};
+    problem.companions.push_back({other.view(), asked.query, sim::makeWorld(other.view(), start()),
+                                  sim::startLoose(other.view())});
+  }
+  static level::StartPose start() { return {{0, 0, -2}, 0, 0}; }
+
+  level::Level own, other;
+  Question asked;
+  Problem problem;
+};
+
+TEST(Companions, ComeAlongWhereTheSameKeysDo) {
+  const Pair pair(true);
+  const ExploreSetup setup(pair.problem, 1, {});
+  const Companions all(pair.problem, setup.rules.context, 1);
+  Companions::Walk walk(all, 0, kKnown);
+  EXPECT_TRUE(walk.follow(9));
+  EXPECT_TRUE(walk.follow(50)) << "both stand on the second stone";
+}
+
+TEST(Companions, WhoFallIsNotThere) {
+  const Pair pair(false);
+  const ExploreSetup setup(pair.problem, 1, {});
+  const Companions all(pair.problem, setup.rules.context, 1);
+  Companions::Walk walk(all, 0, kKnown);
+  EXPECT_TRUE(walk.follow(9));
+  EXPECT_FALSE(walk.follow(50));
+}
+
+TEST(Companions, GoOnFromWhereAWalkWasKept) {
+  const Pair pair(true);
+  const ExploreSetup setup(pair.problem, 1, {});
+  Companions all(pair.problem, setup.rules.context, 1);
+  Companions::Walk first(all, 0, kKnown);
+  ASSERT_TRUE(first.follow(50));
+  all.keep(1, first);
+  Companions::Walk second(all, 1, kKnown);
+  EXPECT_TRUE(second.follow(5));
+  EXPECT_EQ(second.player().tick, 55u);
+  EXPECT_LT(second.player().position.z, first.player().position.z - 1);
+}
+
+}  // namespace
+}  // namespace obby::solve
