@@ -1,5 +1,8 @@
 // What the bound on reach says of places and queries.
 #include <algorithm>
+#include <functional>
+#include <queue>
+#include <utility>
 
 #include "solve/proof/reach_bound.h"
 
@@ -30,7 +33,7 @@ void ReachBound::standOn(End& region) const {
     if (!axial || !inside || box.lo.y <= s.box.lo.y + 2 * limits_.slack) return;
     const float height = s.top - p_.hipHeight - limits_.slack;
     if (!(height > region.falling)) return;
-    region.falling = region.leaping = height;
+    region.falling = region.leaping = region.plain = height;
     region.support = i;
   });
 }
@@ -38,7 +41,7 @@ void ReachBound::standOn(End& region) const {
 ReachBound::End ReachBound::endAt(const level::TargetView& target) const {
   const Box box = boxOf(target);
   const float height = box.lo.y - p_.bodyTop;
-  End end{box, height, height, 0, kNever};
+  End end{box, height, height, height, 0, kNever};
   if (target.touchCount == 0) standOn(end);
   return end;
 }
@@ -75,7 +78,7 @@ bool ReachBound::comesInto(const std::vector<Box>& places) const {
     const bool jumps = leaps(s);
     const std::vector<Ride> rides = ridesFrom(s, 1e30f);
     for (const Box& place : places) {
-      const End end{place, place.lo.y, place.lo.y, 0, kNever};
+      const End end{place, place.lo.y, place.lo.y, place.lo.y, 0, kNever};
       const float way = wayTo(s, rides, end);
       if (crosses(i, falling, end, way) || (jumps && crosses(i, leaping, end, way))) return true;
     }
@@ -83,34 +86,70 @@ bool ReachBound::comesInto(const std::vector<Box>& places) const {
   return false;
 }
 
+// What a plain jump lacks, or a plain fall: from the rays' radius to the rays' radius, at the speed
+// of a walk, without what only the best of timing gives.
+Missing ReachBound::lack(uint32_t from, const End& to, const std::vector<Ride>& rides) const {
+  const Support& s = supports_[from];
+  const bool leap = leaps(s);
+  const Flight f{s.top, leap ? std::max(limits_.jump, s.toss) : s.toss, leap, limits_.ray};
+  const bool lands = to.support != kNever && supports_[to.support].carries;
+  const float height = lands ? to.plain : to.leaping, high = apex(f);
+  const float studs = limits_.walk * std::max(secondsOf(f, std::min(height, high)), 0.0f);
+  const float radii =
+      s.side - (s.carries ? limits_.ray : s.side) + (lands ? to.side - limits_.ray : 0);
+  const float gap = wayTo(s, rides, to) + radii - studs;
+  Missing step{s.collider, level::kNone, std::max(height - high, 0.0f), std::max(gap, 0.0f)};
+  if (to.support < supports_.size()) step.to = supports_[to.support].collider;
+  return step;
+}
+
+// Dijkstra's search through all supports for the route that lacks least.
 Missing ReachBound::missing(const std::vector<const level::TargetView*>& targets) const {
-  std::vector<std::pair<End, uint32_t>> ends;
-  for (const level::TargetView* t : targets) ends.emplace_back(endAt(*t), level::kNone);
-  for (uint32_t j = 0; j < supports_.size(); ++j) {
-    if (!isReached(j) && supports_[j].collider != level::kNone) {
-      ends.emplace_back(endAt(j), supports_[j].collider);
-    }
-  }
-  Missing best;
-  float least = 1e30f;
+  std::vector<End> ends;
+  for (uint32_t i = 0; i < supports_.size(); ++i) ends.push_back(endAt(i));
+  for (const level::TargetView* t : targets) ends.push_back(endAt(*t));
+  struct Route {
+    float lacks = 1e30f;
+    Missing first = {};  // step that lacks anything
+  };
+  std::vector<Route> routes(ends.size());
+  std::priority_queue<std::pair<float, uint32_t>, std::vector<std::pair<float, uint32_t>>,
+                      std::greater<>>
+      open;
+  const auto come = [&](uint32_t to, const Route& by) {
+    routes[to] = by;
+    open.emplace(by.lacks, to);
+  };
   for (uint32_t i = 0; i < supports_.size(); ++i) {
-    if (!isReached(i)) continue;
-    const Support& s = supports_[i];
-    const Flight f = leaps(s) ? leap(i) : fall(i);
-    const float high = apex(f);
-    const std::vector<Ride> rides = ridesFrom(s, 1e30f);
-    for (const auto& [end, collider] : ends) {
-      const float height = f.leaps ? end.leaping : end.falling;
-      const float rise = std::max(height - high, 0.0f);
-      if (!(rise < least)) continue;
-      const float own = wayTo(s, rides, end) + (s.side - f.radius);
-      const float gap = std::max(own - std::max(reach(f, std::min(height, high)), 0.0f), 0.0f);
-      if (!(rise + gap < least)) continue;
-      least = rise + gap;
-      best = {s.collider, collider, rise, gap};
+    if (isReached(i)) come(i, {0, {}});
+  }
+  while (!open.empty()) {
+    const float lacks = open.top().first;
+    const uint32_t at = open.top().second;
+    open.pop();
+    const Route route = routes[at];
+    if (lacks > route.lacks) continue;
+    if (at >= supports_.size() || supports_[at].wild) return route.first;
+    const uint32_t leadsTo = supports_[at].leadsTo;
+    if (leadsTo != level::kNone && lacks < routes[leadsTo].lacks) come(leadsTo, route);
+    const std::vector<Ride> rides = ridesFrom(supports_[at], 1e30f);
+    for (uint32_t to = 0; to < ends.size(); ++to) {
+      if (to < supports_.size() && supports_[to].collider == level::kNone) continue;
+      const Missing step = lack(at, ends[to], rides);
+      const float all = lacks + step.rise + step.gap;
+      if (!(all < routes[to].lacks)) continue;
+      Route next{all, lacks > 0 ? route.first : step};
+      if (lacks > 0) {
+        next.first.more |= all > lacks;
+      } else {
+        const float between = gapBetween(supports_[at].box, ends[to].box) - 2 * limits_.body;
+        if (to >= supports_.size()) next.first.to = level::kNone;
+        next.first.blocked = partsNear(at, leap(at), ends[to], between) > 0;
+      }
+      come(to, next);
     }
   }
-  return best;
+  return {};
 }
 
 std::vector<uint32_t> ReachBound::reached() const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/floor.h"
+
 namespace obby::solve {
 
 namespace {
@@ -201,7 +203,8 @@ float ReachBound::wayTo(const Support& s, const std::vector<Ride>& rides, const 
 
 ReachBound::End ReachBound::endAt(uint32_t support) const {
   const Support& s = supports_[support];
-  return {s.box, s.entryFalling, s.entry, s.side, support};
+  const float plain = s.level ? s.lowest - sim::rayHeight(p_) : s.entry;
+  return {s.box, s.entryFalling, s.entry, plain, s.side, support};
 }
 
 template <class Near>

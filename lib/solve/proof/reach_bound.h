@@ -17,10 +17,13 @@
 
 namespace obby::solve {
 
-// A step that no player can make: the least of those that lead out of what is reached.
+// The first step that no player can make, on the route that lacks least. A part that is nearer by
+// this is reached by a plain jump, if nothing stands in the way.
 struct Missing {
   uint32_t from = level::kNone, to = level::kNone;  // colliders; none: the start, the region
-  float rise = 0, gap = 0;                          // studs that a player lacks, at least
+  float rise = 0, gap = 0;                          // studs
+  bool blocked = false;                             // parts stand near the way
+  bool more = false;                                // steps behind it lack something, too
 };
 
 class ReachBound {
@@ -42,7 +45,7 @@ class ReachBound {
   // Could the feet be in any of these boxes at any time?
   bool comesInto(const std::vector<Box>& places) const;
 
-  // The step out of what is reached that lacks least, to another part or into any of the targets.
+  // On the way to any of the targets.
   Missing missing(const std::vector<const level::TargetView*>& targets) const;
   Missing missing(const level::TargetView& target) const { return missing(std::vector{&target}); }
 
@@ -66,6 +69,7 @@ class ReachBound {
   struct End {
     Box box;
     float falling, leaping;  // least heights of the feet
+    float plain;             // for a player who lands on the rays
     float side;              // radius around the box
     uint32_t support;        // itself, no push is counted of it; kNever: none
   };
@@ -96,6 +100,7 @@ class ReachBound {
   float secondsOf(const Flight& f, float height) const;
   std::vector<Ride> ridesFrom(const Support& s, float farthest) const;
   float wayTo(const Support& s, const std::vector<Ride>& rides, const End& to) const;
+  Missing lack(uint32_t from, const End& to, const std::vector<Ride>& rides) const;
   End endAt(uint32_t support) const;
   End endAt(const level::TargetView& target) const;
   void standOn(End& region) const;

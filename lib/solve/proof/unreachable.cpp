@@ -192,8 +192,9 @@ std::string stepText(const Cut& cut, const level::Level& level, schema::Level::R
   if (m.rise > 0) lacks = fmt::format("{:.1f} studs too high", m.rise);
   if (m.gap > 0) lacks += fmt::format("{}{:.1f} studs too far", m.rise > 0 ? " and " : "", m.gap);
   if (lacks.empty()) return {};
-  return fmt::format(" From {}, {} is at least {}.", from,
-                     m.to == level::kNone ? cut.target : nameOf(m.to), lacks);
+  return fmt::format(" From {}, {} is {}{}{}.", from,
+                     m.to == level::kNone ? cut.target : nameOf(m.to), m.blocked ? "at least " : "",
+                     lacks, m.more ? ", and there are more such steps behind it" : "");
 }
 
 // "none is", "only 1 is", "only 2 are"
