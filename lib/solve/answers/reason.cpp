@@ -149,6 +149,42 @@ std::string unmodelledText(schema::Level::Reader level) {
   return kinds.empty() ? kinds : " The place has things that are not simulated: " + kinds + ".";
 }
 
+std::string stepText(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
+  const auto nameOf = [&](uint32_t collider) {
+    return partText(record, level.view().colliders[collider].part);
+  };
+  const Missing& m = cut.missing;
+  const std::string from = m.from == level::kNone ? "the start" : nameOf(m.from);
+  std::string lacks;
+  if (m.rise > 0) lacks = fmt::format("{:.1f} studs too high", m.rise);
+  if (m.gap > 0) lacks += fmt::format("{}{:.1f} studs too far", m.rise > 0 ? " and " : "", m.gap);
+  if (lacks.empty()) return {};
+  return fmt::format(" From {}, {} is {}{}{}.", from,
+                     m.to == level::kNone ? cut.target : nameOf(m.to), m.blocked ? "at least " : "",
+                     lacks, m.more ? ", and there are more such steps behind it" : "");
+}
+
+// "none is", "only 1 is", "only 2 are"
+std::string allowedText(uint32_t n) {
+  if (n == 0) return "none is";
+  return fmt::format("only {} {}", n, n == 1 ? "is" : "are");
+}
+
+// Why it is unreachable.
+std::string reasonFor(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
+  if (cut.jumps > 0) {
+    return fmt::format("Every route to {} takes at least {} jump{}, but {} allowed.", cut.target,
+                       cut.jumps, cut.jumps == 1 ? "" : "s", allowedText(cut.mostJumps));
+  }
+  if (cut.seconds > 0) {
+    return fmt::format("Every route to {} takes at least {:.2f} s, but only {:.2f} s is allowed.",
+                       cut.target, cut.seconds, cut.mostSeconds);
+  }
+  return fmt::format("No player can reach {}{}.{} At most {} part{} reachable.", cut.target,
+                     cut.mayJump ? "" : " without jumping", stepText(cut, level, record),
+                     cut.reached.size(), cut.reached.size() == 1 ? " is" : "s are");
+}
+
 }  // namespace
 
 std::string reasonFor(const SearchOutcome& outcome, const level::Level& level,

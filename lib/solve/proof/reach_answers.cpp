@@ -25,7 +25,7 @@ void ReachBound::standOn(End& region) const {
   const Box& box = region.box;
   index_.find({{box.lo.x, 0, box.lo.z}, {box.hi.x, 0, box.hi.z}}, [&](uint32_t i) {
     const Support& s = supports_[i];
-    if (!s.carries || s.wild || s.takesAlong || s.beside != Beside::clear) return;
+    if (!s.carries || s.wild || s.pushes > 0 || s.beside != Beside::clear) return;
     const Vec3 x = problem_.level.colliders[s.collider].pose.rotation.x;
     const bool axial = std::min(absf(x.x), absf(x.z)) < 1e-5f;
     const bool inside = box.lo.x >= s.box.lo.x && box.hi.x <= s.box.hi.x &&
@@ -46,23 +46,20 @@ ReachBound::End ReachBound::endAt(const level::TargetView& target) const {
   return end;
 }
 
+// Jumps on the way there, after those to the support.
+uint32_t ReachBound::jumpsFrom(uint32_t support, const End& end) const {
+  if (!isReached(support)) return kNever;
+  if (crosses(support, fall(support), end)) return jumps_[support];
+  const bool leap = leaps(supports_[support]) && crosses(support, this->leap(support), end);
+  return leap ? jumps_[support] + 1 : kNever;
+}
+
 uint32_t ReachBound::jumpsTo(const level::TargetView& target) const {
   if (wild_) return 0;
   const End end = endAt(target);
   uint32_t fewest = kNever;
   for (uint32_t i = 0; i < supports_.size(); ++i) {
-    if (jumps_[i] >= fewest) continue;
-    const Support& s = supports_[i];
-    const Flight falling = fall(i), leaping = leap(i);
-    const bool jumps = leaps(s) && jumps_[i] + 1 < fewest;
-    const bool low = apex(falling) >= end.falling;
-    if (!low && !(jumps && apex(leaping) >= end.leaping)) continue;
-    const float way = wayTo(s, ridesFrom(s, 1e30f), end);
-    if (low && crosses(i, falling, end, way)) {
-      fewest = jumps_[i];
-    } else if (jumps && crosses(i, leaping, end, way)) {
-      fewest = jumps_[i] + 1;
-    }
+    if (jumps_[i] < fewest) fewest = std::min(fewest, jumpsFrom(i, end));
   }
   return fewest;
 }
@@ -71,16 +68,10 @@ bool ReachBound::holds(Vec3 feet) const { return comesInto({{feet, feet}}); }
 
 bool ReachBound::comesInto(const std::vector<Box>& places) const {
   if (wild_) return !places.empty();
-  for (uint32_t i = 0; i < supports_.size() && !places.empty(); ++i) {
-    if (!isReached(i)) continue;
-    const Support& s = supports_[i];
-    const Flight falling = fall(i), leaping = leap(i);
-    const bool jumps = leaps(s);
-    const std::vector<Ride> rides = ridesFrom(s, 1e30f);
-    for (const Box& place : places) {
-      const End end{place, place.lo.y, place.lo.y, place.lo.y, 0, kNever};
-      const float way = wayTo(s, rides, end);
-      if (crosses(i, falling, end, way) || (jumps && crosses(i, leaping, end, way))) return true;
+  for (const Box& place : places) {
+    const End end{place, place.lo.y, place.lo.y, place.lo.y, 0, kNever};
+    for (uint32_t i = 0; i < supports_.size(); ++i) {
+      if (jumpsFrom(i, end) != kNever) return true;
     }
   }
   return false;
@@ -88,7 +79,7 @@ bool ReachBound::comesInto(const std::vector<Box>& places) const {
 
 // What a plain jump lacks, or a plain fall: from the rays' radius to the rays' radius, at the speed
 // of a walk, without what only the best of timing gives.
-Missing ReachBound::lack(uint32_t from, const End& to, const std::vector<Ride>& rides) const {
+Missing ReachBound::lack(uint32_t from, const End& to) const {
   const Support& s = supports_[from];
   const bool leap = leaps(s);
   const Flight f{s.top, leap ? std::max(limits_.jump, s.toss) : s.toss, leap, limits_.ray};
@@ -97,7 +88,7 @@ Missing ReachBound::lack(uint32_t from, const End& to, const std::vector<Ride>& 
   const float studs = limits_.walk * std::max(secondsOf(f, std::min(height, high)), 0.0f);
   const float radii =
       s.side - (s.carries ? limits_.ray : s.side) + (lands ? to.side - limits_.ray : 0);
-  const float gap = wayTo(s, rides, to) + radii - studs;
+  const float gap = wayTo(from, to) + radii - studs;
   Missing step{s.collider, level::kNone, std::max(height - high, 0.0f), std::max(gap, 0.0f)};
   if (to.support < supports_.size()) step.to = supports_[to.support].collider;
   return step;
@@ -132,10 +123,9 @@ Missing ReachBound::missing(const std::vector<const level::TargetView*>& targets
     if (at >= supports_.size() || supports_[at].wild) return route.first;
     const uint32_t leadsTo = supports_[at].leadsTo;
     if (leadsTo != level::kNone && lacks < routes[leadsTo].lacks) come(leadsTo, route);
-    const std::vector<Ride> rides = ridesFrom(supports_[at], 1e30f);
     for (uint32_t to = 0; to < ends.size(); ++to) {
       if (to < supports_.size() && supports_[to].collider == level::kNone) continue;
-      const Missing step = lack(at, ends[to], rides);
+      const Missing step = lack(at, ends[to]);
       const float all = lacks + step.rise + step.gap;
       if (!(all < routes[to].lacks)) continue;
       Route next{all, lacks > 0 ? route.first : step};
@@ -165,7 +155,7 @@ float ReachBound::secondsFor(float studs) const {
   float pushes = 0;
   for (uint32_t i = 0; i < supports_.size(); ++i) {
     const Support& s = supports_[i];
-    if (s.beside != Beside::clear || s.takesAlong || s.leadsTo != level::kNone) return 0;
+    if (s.beside != Beside::clear || s.pushes > 0 || s.leadsTo != level::kNone) return 0;
     if (s.carries) pushes += 2 * limits_.turned;
   }
   return std::max(studs - pushes, 0.0f) / limits_.walk;

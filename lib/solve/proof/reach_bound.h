@@ -73,18 +73,10 @@ class ReachBound {
     float side;              // radius around the box
     uint32_t support;        // itself, no push is counted of it; kNever: none
   };
-  // A part that takes a player along, or lets one through, and the studs to get to it.
-  struct Ride {
-    const Box* box;
-    float way;
-  };
-
   void explore();
   bool round();
   void spread(uint32_t from, std::vector<uint32_t>& now, std::vector<uint32_t>& later);
-  template <class Near>
-  void forNear(const Support& s, const std::vector<Ride>& rides, float farthest, Near&& near) const;
-  void arrive(uint32_t from, uint32_t to, const Flight& f, float way);
+  void arrive(uint32_t from, uint32_t to, const Flight& f);
   void noteReached(uint32_t support);
   bool raise(float& value, float to);
 
@@ -94,13 +86,13 @@ class ReachBound {
   bool leaps(const Support& s) const { return mayJump_ && s.carries; }
   float apex(const Flight& f) const;
   float reach(const Flight& f, float height) const;
-  bool crosses(uint32_t from, const Flight& f, const End& to, float way) const;
+  bool crosses(uint32_t from, const Flight& f, const End& to) const;
   bool stepsInto(const Flight& f, const Support& to, float way) const;
   int partsNear(uint32_t from, const Flight& f, const End& to, float studs) const;
   float secondsOf(const Flight& f, float height) const;
-  std::vector<Ride> ridesFrom(const Support& s, float farthest) const;
-  float wayTo(const Support& s, const std::vector<Ride>& rides, const End& to) const;
-  Missing lack(uint32_t from, const End& to, const std::vector<Ride>& rides) const;
+  float wayTo(uint32_t from, const End& to) const;
+  uint32_t jumpsFrom(uint32_t support, const End& end) const;
+  Missing lack(uint32_t from, const End& to) const;
   End endAt(uint32_t support) const;
   End endAt(const level::TargetView& target) const;
   void standOn(End& region) const;
@@ -112,9 +104,9 @@ class ReachBound {
   const BodyLimits limits_;
   const bool mayJump_;
   std::vector<Support> supports_;
-  const BoxIndex index_;     // of their boxes, from above
-  std::vector<Box> riders_;  // parts that take players along
-  float lowest_ = 1e30f;     // entry of all supports
+  const BoxIndex index_;  // of their boxes, from above
+  float pushed_ = 0;      // studs/s by parts beside a flight
+  float lowest_ = 1e30f;  // entry of all supports
   // What the rounds of explore() raise until nothing changes.
   std::vector<uint32_t> jumps_;  // (supports): fewest on the way there; kNever
   std::vector<float> takeOff_;   // (supports): studs above top and lift

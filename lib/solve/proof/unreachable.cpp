@@ -8,7 +8,6 @@
 
 #include "sim/next_region.h"
 #include "sim/simulator.h"
-#include "solve/answers/part_text.h"
 #include "solve/proof/crowding.h"
 
 namespace obby::solve {
@@ -166,12 +165,7 @@ class Prover {
 // Is anything so far up or down that rounding shows in the height of a jump?
 bool isFarUp(const Problem& problem) {
   constexpr float kFar = 16384;  // studs: of places beyond, the last bit is a 512th of a stud
-  Box all = join(problem.bounds, Box{problem.start.position, problem.start.position});
-  for (uint32_t i = 0; i < problem.level.colliderCount; ++i) {
-    if (!(problem.level.bounds[i].flags & level::kTeleport)) continue;
-    const Vec3 to = problem.level.roles[problem.level.colliders[i].role].teleportTo;
-    all = join(all, Box{to, to});
-  }
+  const Box all = allPlaces(problem);
   return std::max(-all.lo.y, all.hi.y) > kFar;
 }
 
@@ -182,61 +176,12 @@ bool clockBeginsAnew(const Problem& problem) {
   return problem.hasClock && problem.start.tick + sim::kMaxReplayTicks > kLast;
 }
 
-std::string stepText(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
-  const auto nameOf = [&](uint32_t collider) {
-    return partText(record, level.view().colliders[collider].part);
-  };
-  const Missing& m = cut.missing;
-  const std::string from = m.from == level::kNone ? "the start" : nameOf(m.from);
-  std::string lacks;
-  if (m.rise > 0) lacks = fmt::format("{:.1f} studs too high", m.rise);
-  if (m.gap > 0) lacks += fmt::format("{}{:.1f} studs too far", m.rise > 0 ? " and " : "", m.gap);
-  if (lacks.empty()) return {};
-  return fmt::format(" From {}, {} is {}{}{}.", from,
-                     m.to == level::kNone ? cut.target : nameOf(m.to), m.blocked ? "at least " : "",
-                     lacks, m.more ? ", and there are more such steps behind it" : "");
-}
-
-// "none is", "only 1 is", "only 2 are"
-std::string allowedText(uint32_t n) {
-  if (n == 0) return "none is";
-  return fmt::format("only {} {}", n, n == 1 ? "is" : "are");
-}
-
 }  // namespace
 
 std::optional<Cut> cutOf(const Problem& problem, schema::Query::Reader record) {
   if (unboundedPart(problem.level) != nullptr) return std::nullopt;
   if (clockBeginsAnew(problem) || isFarUp(problem)) return std::nullopt;
   return Prover(problem, record).prove();
-}
-
-std::string reasonFor(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
-  if (cut.jumps > 0) {
-    return fmt::format("Every route to {} takes at least {} jump{}, but {} allowed.", cut.target,
-                       cut.jumps, cut.jumps == 1 ? "" : "s", allowedText(cut.mostJumps));
-  }
-  if (cut.seconds > 0) {
-    return fmt::format("Every route to {} takes at least {:.2f} s, but only {:.2f} s is allowed.",
-                       cut.target, cut.seconds, cut.mostSeconds);
-  }
-  return fmt::format("No player can reach {}{}.{} At most {} part{} reachable.", cut.target,
-                     cut.mayJump ? "" : " without jumping", stepText(cut, level, record),
-                     cut.reached.size(), cut.reached.size() == 1 ? " is" : "s are");
-}
-
-void fillCut(schema::Cut::Builder record, const Cut& cut, const level::LevelView& level) {
-  auto reached = record.initReached(uint32_t(cut.reached.size()));
-  for (uint32_t i = 0; i < reached.size(); ++i) reached.set(i, int32_t(cut.reached[i]));
-  const auto partOf = [&](uint32_t collider) {
-    return collider == level::kNone ? -1 : int32_t(level.colliders[collider].part);
-  };
-  record.setFrom(partOf(cut.missing.from));
-  record.setTo(partOf(cut.missing.to));
-  record.setRise(cut.missing.rise);
-  record.setGap(cut.missing.gap);
-  record.setJumps(cut.jumps);
-  record.setSeconds(cut.seconds);
 }
 
 }  // namespace obby::solve
