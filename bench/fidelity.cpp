@@ -2,7 +2,7 @@
 // (lib/calibrate/fidelity.h). A case is a category of recordings, a file each. The recordings are
 // not part of the project; without them the bench says so and measures nothing.
 //   bench_fidelity [--json] [--from FOLDER] [CASE...]     default: shared/recordings beside the
-//   checkout; files are CASE.jsonl.zst
+//   checkout; files are CASE.jsonl.zst. Categories of a trick are played again with it.
 #include <fmt/format.h>
 #include <zstd.h>
 
@@ -74,14 +74,21 @@ Result<std::vector<calibrate::Take>> takesIn(const fs::path& path) {
   }
 }
 
-calibrate::FidelitySummary play(const std::vector<calibrate::Take>& takes, ThreadPool& pool) {
+calibrate::FidelitySummary play(const std::vector<calibrate::Take>& takes, uint16_t tricks,
+                                ThreadPool& pool) {
   io::RecordBuilder defaults;
   const auto params = defaults.root().initParams().asReader();
   std::vector<calibrate::Fidelity> all(takes.size());
   pool.run(int(takes.size()), [&](int i) {
-    all[size_t(i)] = bench::need(calibrate::fidelityOf(takes[size_t(i)], params));
+    all[size_t(i)] = bench::need(calibrate::fidelityOf(takes[size_t(i)], params, tricks));
   });
   return calibrate::summaryOf(all);
+}
+
+// The trick that a category is of; 0: none.
+uint16_t trickOf(const std::string& category) {
+  if (category == "held_jump") return kHeldJump;
+  return category == "hang_landing" ? kHangingLanding : 0;
 }
 
 void report(bench::Report& to, const std::string& name, size_t count,
@@ -116,8 +123,11 @@ int main(int argc, char** argv) {
   ThreadPool pool(availableThreads());
   for (const fs::path& path : files) {
     const auto takes = bench::need(takesIn(path));
-    const std::string name = path.filename().string();
-    if (!takes.empty()) report(to, name.substr(0, name.find('.')), takes.size(), play(takes, pool));
+    const std::string file = path.filename().string(), name = file.substr(0, file.find('.'));
+    if (takes.empty()) continue;
+    report(to, name, takes.size(), play(takes, 0, pool));
+    const uint16_t trick = trickOf(name);
+    if (trick != 0) report(to, name + "_with_trick", takes.size(), play(takes, trick, pool));
   }
   return files.empty() ? 1 : 0;
 }

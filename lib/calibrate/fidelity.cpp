@@ -55,8 +55,9 @@ struct Played {
 
 // (frames), the first as recorded.
 std::vector<Played> playFrames(const level::Level& level, const Track& track,
-                               const std::vector<uint32_t>& steps) {
+                               const std::vector<uint32_t>& steps, uint16_t tricks) {
   level::LevelView view = level.view();
+  view.params.tricks = tricks;
   const float step = view.params.substepSeconds;
   sim::World world = worldAt(track, 0, view);
   auto loose = sim::startLoose(view);
@@ -79,7 +80,8 @@ std::vector<Played> playTicks(const level::Level& level, const Track& track) {
   return out;
 }
 
-Result<std::vector<Played>> play(const Take& take, schema::PhysicsParams::Reader params) {
+Result<std::vector<Played>> play(const Take& take, schema::PhysicsParams::Reader params,
+                                 uint16_t tricks) {
   OBBY_ASSIGN(const level::Level level, levelWith(take, params));
   const Params& p = level.view().params;
   const uint32_t rate = uint32_t(p.controlRate) * p.substeps;
@@ -87,7 +89,7 @@ Result<std::vector<Played>> play(const Take& take, schema::PhysicsParams::Reader
   const uint32_t longest = longestTick(steps, rate);
   if (longest == 0 || level.view().moverCount > 0) return playTicks(level, take.track);
   OBBY_ASSIGN(const level::Level framed, levelOfFrames(take, params, rate, longest));
-  return playFrames(framed, take.track, steps);
+  return playFrames(framed, take.track, steps, tricks);
 }
 
 bool changes(const std::vector<Played>& played, size_t frame, sim::State to) {
@@ -124,8 +126,9 @@ std::optional<double> apexError(const Track& track, const std::vector<Played>& p
 
 }  // namespace
 
-Result<Fidelity> fidelityOf(const Take& take, schema::PhysicsParams::Reader params) {
-  OBBY_ASSIGN(const std::vector<Played> played, play(take, params));
+Result<Fidelity> fidelityOf(const Take& take, schema::PhysicsParams::Reader params,
+                            uint16_t tricks) {
+  OBBY_ASSIGN(const std::vector<Played> played, play(take, params, tricks));
   const Track& track = take.track;
   Fidelity out;
   out.frames = uint32_t(track.frames.size()) - 1;

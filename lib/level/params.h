@@ -28,6 +28,16 @@ namespace obby {
   X(float, playerFriction) X(float, jumpAccel)
 // clang-format on
 
+// Bits of Params::tricks, in the order of schema Trick (docs/physics.md, tricks).
+enum Trick : uint16_t {
+  kHeldJump = 1,
+  kHangingLanding = 2,
+  kWallHop = 4,
+  kLadderFlick = 8,
+  kLegThrow = 16,
+  kAllTricks = 31
+};
+
 struct Params {
 #define OBBY_PARAM_FIELD(type, name) type name;
   OBBY_PHYSICS_PARAMS(OBBY_PARAM_FIELD)
@@ -43,6 +53,8 @@ struct Params {
   uint16_t graceSteps;
   uint16_t squeezeTicks;
   uint16_t sleepTicks;
+
+  uint16_t tricks;  // that the player may use: of the query or the trajectory, never of the level
 };
 
 // Ticks of a duration, to the nearest. Negative or not finite: 0. At most 2^24.

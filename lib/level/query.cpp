@@ -7,6 +7,7 @@
 #include "level/collider_runs.h"
 #include "level/level.h"
 #include "level/record_values.h"
+#include "level/tricks.h"
 
 namespace obby::level {
 namespace {
@@ -219,6 +220,7 @@ Result<QueryView> compileLimits(schema::Query::Reader record, const Params& para
                      "expected 0 or more health (-1: any), found " + shown(q.maxDamage));
   }
   OBBY_ASSIGN(q.forbidden, forbiddenStates(record));
+  OBBY_ASSIGN(q.tricks, tricksOf(record.getTricks(), "tricks"));
   return q;
 }
 

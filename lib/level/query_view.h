@@ -44,6 +44,7 @@ struct QueryView {
   SegmentLimits last{};         // of the segment that ends at the goal
   float maxDamage = -1;         // health; -1: any
   uint32_t forbidden = 0;       // sim::State values, a bit each
+  uint16_t tricks = 0;          // that the player may use: Params::tricks
 };
 
 template <class Table>

@@ -123,7 +123,7 @@ OBBY_DEVICE float climbWill(const Params& p, const Truss& truss, const ControlT<
 OBBY_DEVICE void leaveTruss(Player& w, const Params& p, const Truss& truss) {
   w.state = int32_t(State::jumping);
   w.velocity = truss.velocity + Vec3{0, p.jumpSpeed, 0};
-  w.launches = true;
+  w.freeSteps = 1;
   w.leftTruss = true;
   w.jumps = countedOn(w.jumps, 1);
   w.floorlessSteps = int32_t(p.coyoteSteps);  // one jump a take-off
@@ -157,7 +157,8 @@ OBBY_DEVICE Truss updateClimbing(const World& w, const LooseBody* loose, Player&
   const float will = climbWill(p, truss, control);
   if (!climbs) {
     // Also while rising, but for one who has just jumped off a truss: a flick.
-    if (truss.sensed && will > 0 && !player.leftTruss) player.state = int32_t(State::climbing);
+    const bool flicks = player.leftTruss && !(p.tricks & kLadderFlick);
+    if (truss.sensed && will > 0 && !flicks) player.state = int32_t(State::climbing);
   } else if (!truss.sensed) {
     passTruss(player, p, floor, truss, control);
   } else if (control.jump) {

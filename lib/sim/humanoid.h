@@ -9,17 +9,52 @@ namespace obby::sim {
 // What the physics of this tick's substeps work toward.
 template <class F>
 struct DriveT {
-  Vec3T<F> velocity;           // wanted, horizontal, studs/s
-  F limit = 0;                 // of horizontal acceleration, studs/s^2
-  Vec3T<F> slide;              // acceleration down a floor that is too steep
-  MaskOf<F> hover = false;     // the legs hold the body above the floor
-  MaskOf<F> launches = false;  // a jump begins: its first step is free of gravity
+  Vec3T<F> velocity;        // wanted, horizontal, studs/s
+  F limit = 0;              // of horizontal acceleration, studs/s^2
+  Vec3T<F> slide;           // acceleration down a floor that is too steep
+  MaskOf<F> hover = false;  // the legs hold the body above the floor
+  MaskOf<F> hangs = false;  // above the floor the body slows down to a stop (a trick)
+  F freeSteps = 0;          // of the tick, its first, without gravity
 };
 
 using Drive = DriveT<float>;
 
 // Studs/s up and down a truss.
 OBBY_DEVICE float climbSpeedOf(const Params& p) { return p.climbSpeed * p.walkSpeed; }
+
+// Radians by which a jump has to turn the body to be held: measured, at a turn rate of 1.15 rad/s.
+constexpr float kHeldJumpTurn = 0.137f;
+
+// Radians from the facing to the heading.
+template <class F>
+OBBY_DEVICE F turnLeft(const PlayerT<F>& w, const ControlT<F>& control) {
+  return toFloat(((control.heading - w.yaw) << 16) >> 16);
+}
+
+// Wall hops and corner flips: in the air the player faces any way at once, as with the camera
+// locked behind the body. The floor rays then look down inside the wall that the body is pushed out
+// of only afterwards, so a seam or a corner of it is a floor. Comes before the floor is sensed.
+template <class F>
+OBBY_DEVICE void faceAtOnce(PlayerT<F>& w, const Params& p, const ControlT<F>& control) {
+  if (!(p.tricks & kWallHop)) return;
+  w.yaw = select(w.is(State::freefall) & control.walk, control.heading, w.yaw);
+}
+
+// Held jumps: one that begins while the body turns goes on without gravity as long as a floor is
+// sensed. landedSteps, which has no other use in this state, marks it. `jumping`: since an earlier
+// tick; `jumps`: from now on.
+template <class F>
+OBBY_DEVICE void holdJump(PlayerT<F>& w, const Params& p, const FloorT<F>& floor,
+                          const ControlT<F>& control, MaskOf<F> jumping, MaskOf<F> jumps) {
+  using Int = IntOf<F>;
+  const MaskOf<F> turns =
+      control.walk & (absf(turnLeft(w, control)) >= kHeldJumpTurn * kTurnsPerRadian);
+  const MaskOf<F> goesOn = jumping & (w.landedSteps > 0) & floor.sensed & (w.velocity.y > 0.0f);
+  const MaskOf<F> held = (jumps & turns) | goesOn;
+  w.landedSteps = select(jumps | jumping, select(held, Int(1), Int(0)), w.landedSteps);
+  w.state = select(goesOn, Int(int32_t(State::jumping)), w.state);
+  w.freeSteps = select(held, F(float(p.substeps)), w.freeSteps);
+}
 
 template <class F>
 OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& floor,
@@ -31,9 +66,11 @@ OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& fl
   const Mask running = w.is(State::running), landed = w.is(State::landed);
   const Mask falling = w.is(State::freefall), jumping = w.is(State::jumping);
   // Legs lift the body to the floor's height and throw it no higher.
-  const Mask thrown = (landed | running) & w.lifted & ((!floor.sensed) | (floor.gap > 0.0f));
-  const F risesWith = maxf(floor.velocity.y, F(0.0f));
-  w.velocity.y = select(thrown, minf(w.velocity.y, risesWith), w.velocity.y);
+  if (!(p.tricks & kLegThrow)) {
+    const Mask thrown = (landed | running) & w.lifted & ((!floor.sensed) | (floor.gap > 0.0f));
+    const F risesWith = maxf(floor.velocity.y, F(0.0f));
+    w.velocity.y = select(thrown, minf(w.velocity.y, risesWith), w.velocity.y);
+  }
   w.leftTruss = w.leftTruss & (w.velocity.y > climbSpeedOf(p));
   const Mask floorLost = w.floorlessSteps >= int32_t(p.graceSteps);
 
@@ -51,9 +88,10 @@ OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& fl
   next = select(jumping, to(State::freefall), next);
   const Mask jumps = running & control.jump & (w.floorlessSteps < int32_t(p.coyoteSteps));
   w.state = select(jumps, to(State::jumping), next);
-  w.launches = jumps;
+  w.freeSteps = select(jumps, F(1.0f), F(0.0f));
   w.velocity.y = select(jumps, p.jumpSpeed + floor.velocity.y, w.velocity.y);
   w.jumps = select(jumps, countedOn(w.jumps, 1), w.jumps);
+  if (p.tricks & kHeldJump) holdJump(w, p, floor, control, jumping, jumps);
   // One jump a take-off.
   w.floorlessSteps = select(jumps, Int(int32_t(p.coyoteSteps)), w.floorlessSteps);
   w.sensed = floor.sensed;
@@ -64,7 +102,7 @@ OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& fl
 template <class F>
 OBBY_DEVICE void turn(PlayerT<F>& w, const Params& p, const FloorT<F>& floor,
                       const ControlT<F>& control) {
-  const F error = toFloat(((control.heading - w.yaw) << 16) >> 16);
+  const F error = turnLeft(w, control);
   // Only in the air is there a limit.
   const F most =
       select(w.is(State::freefall), F(p.turnSpeed * p.tickSeconds * kTurnsPerRadian), F(65536.0f));
@@ -91,7 +129,10 @@ OBBY_DEVICE DriveT<F> drive(const PlayerT<F>& w, const Params& p, const FloorT<F
   const F level = select(standing, 1.0f / sqrtf32(1.0f + rise * rise), F(1.0f));
   DriveT<F> d;
   d.hover = standing;
-  d.launches = w.launches;
+  if (p.tricks & kHangingLanding) {
+    d.hangs = w.is(State::landed) & floor.sensed & control.walk;
+  }
+  d.freeSteps = w.freeSteps;
   d.velocity = select(control.walk, along * (p.walkSpeed * level), none);
   d.velocity += select(standing, Vec3T<F>{floor.velocity.x, 0, floor.velocity.z}, none);
   // Where it is too steep the player slides; while jumping, move input is ignored, unless the

@@ -13,10 +13,10 @@ struct PlayerT {
   IntOf<F> yaw;  // [0, 65536)
   IntOf<F> state;
   IntOf<F> floorlessSteps, landedSteps, jumps;
-  MaskOf<F> sensed;            // a floor was within reach in the last tick
-  MaskOf<F> lifted;            // at its end the legs alone made the body rise
-  MaskOf<F> leftTruss;         // rises from a jump off a truss
-  MaskOf<F> launches = false;  // a jump begins in this tick
+  MaskOf<F> sensed;     // a floor was within reach in the last tick
+  MaskOf<F> lifted;     // at its end the legs alone made the body rise
+  MaskOf<F> leftTruss;  // rises from a jump off a truss
+  F freeSteps = 0;      // of this tick, its first, without gravity
 
   OBBY_DEVICE MaskOf<F> is(State s) const { return state == int32_t(s); }
 };

@@ -55,6 +55,7 @@ OBBY_DEVICE void sit(World& w, const LooseBody* loose, const level::LevelView& l
   w.clocks[i].ticks = 0;
   if (!jump) return;
   w.state = State::jumping;
+  w.landedSteps = 0;  // no held jump
   w.velocity.y += p.jumpSpeed;
   w.jumps = uint16_t(countedOn(int32_t(w.jumps), 1));
   w.floorlessSteps = p.coyoteSteps;  // one jump a take-off

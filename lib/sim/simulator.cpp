@@ -4,6 +4,7 @@
 
 #include "base/hash.h"
 #include "level/record_values.h"
+#include "level/tricks.h"
 #include "sim/rules.h"
 #include "sim/tick.h"
 #include "sim/wide_tick.h"
@@ -74,6 +75,7 @@ Result<Plan> planFromRecord(schema::Trajectory::Reader record) {
   plan.start.tick = record.getStartTick();
   plan.yaw = record.getYawTurns();
   plan.start.yaw = radiansFromTurns(plan.yaw);
+  OBBY_ASSIGN(plan.tricks, level::tricksOf(record.getTricks(), "tricks"));
   uint64_t ticks = 0;
   for (const auto run : record.getActions()) {
     ticks += run.getTicks();
@@ -90,6 +92,7 @@ void writePlan(const Plan& plan, schema::Trajectory::Builder to) {
   level::set(to.initPosition(), plan.start.feet);
   to.setYawTurns(plan.yaw);
   to.setStartTick(plan.start.tick);
+  level::setTricks(to, plan.tricks);
   auto runs = to.initActions(uint32_t(plan.actions.size()));
   for (uint32_t i = 0; i < runs.size(); ++i) {
     runs[i].setTicks(plan.actions[i].ticks);
@@ -120,8 +123,10 @@ void advanceAll(const level::LevelView& level, const level::QueryView* query,
   }
 }
 
-ReplayEnd replay(const level::LevelView& level, const level::QueryView* query, const Plan& plan,
+ReplayEnd replay(const level::LevelView& asBuilt, const level::QueryView* query, const Plan& plan,
                  const Visit& visit) {
+  level::LevelView level = asBuilt;
+  level.params.tricks = plan.tricks;
   ReplayEnd now{makeWorld(level, plan.start), startLoose(level)};
   now.world.yaw = plan.yaw;
   World before = now.world;

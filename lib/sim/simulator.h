@@ -35,6 +35,7 @@ struct Plan {
   level::StartPose start;
   Turns yaw = 0;  // exact facing at the start
   std::vector<ActionRun> actions;
+  uint16_t tricks = 0;  // Params::tricks
 };
 
 // Longest plan that is replayed: 4 hours of play.

@@ -40,6 +40,7 @@ template <bool kLoose>
 OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level, const Params& p,
                       Candidates& near, const ControlT<float>& control) {
   Player player = playerOf(w);
+  faceAtOnce(player, p, control);
   const Floor floor = senseFloor(w, loose, player, level, near);
   updateState(player, p, floor, control);
   const Truss truss = updateClimbing(w, loose, player, level, p, near, floor, control);

@@ -91,20 +91,19 @@ class MotionTable {
  public:
   void put(int firstSlot, const WideMotion& m) {
     WideMotion copy = m;
-    WideFloat hover = select(m.drive.hover, WideFloat(1.0f), WideFloat(0.0f));
-    WideFloat launches = select(m.drive.launches, WideFloat(1.0f), WideFloat(0.0f));
+    // Legs that hold the body leave no step free.
+    const WideFloat legs = select(m.drive.hangs, WideFloat(kHangs), WideFloat(kHovers));
+    copy.drive.freeSteps = select(m.drive.hover, legs, m.drive.freeSteps);
     int row = 0;
-    forFields(copy, hover, launches,
-              [&](WideFloat& field) { store(field, rows_[row++] + firstSlot); });
+    forFields(copy, [&](WideFloat& field) { store(field, rows_[row++] + firstSlot); });
   }
   WideMotion take(const int32_t* slots) const {
     WideMotion m;
-    WideFloat hover, launches;
     int row = 0;
-    forFields(m, hover, launches,
-              [&](WideFloat& field) { field = obby::gather(rows_[row++], slots); });
-    m.drive.hover = hover != WideFloat(0.0f);
-    m.drive.launches = launches != WideFloat(0.0f);
+    forFields(m, [&](WideFloat& field) { field = obby::gather(rows_[row++], slots); });
+    m.drive.hover = m.drive.freeSteps < WideFloat(0.0f);
+    m.drive.hangs = m.drive.freeSteps == WideFloat(kHangs);
+    m.drive.freeSteps = maxf(m.drive.freeSteps, WideFloat(0.0f));
     return m;
   }
   void putMoved(const int32_t* slots, const WideMotion& m) {
@@ -119,20 +118,20 @@ class MotionTable {
   Vec3T<WideFloat> velocity(int firstSlot) const { return vector(3, firstSlot); }
   WideMask lifts(int firstSlot) const {
     const auto at = [&](int row) { return load(rows_[row] + firstSlot); };
-    return legsLift(at(kHoverRow) != WideFloat(0.0f), at(4), at(kFloorSpeedRow));
+    return legsLift(at(kHoverRow) < WideFloat(0.0f), at(4), at(kFloorSpeedRow));
   }
 
  private:
-  static constexpr int kFields = 18, kHoverRow = 14, kFloorSpeedRow = 17;
+  static constexpr int kFields = 17, kHoverRow = 14, kFloorSpeedRow = 16;
+  static constexpr float kHovers = -1, kHangs = -2;  // in place of freeSteps
 
   // Position and velocity are the first six.
   template <class Each>
-  static OBBY_LANES void forFields(WideMotion& m, WideFloat& hover, WideFloat& launches,
-                                   Each&& each) {
+  static OBBY_LANES void forFields(WideMotion& m, Each&& each) {
     for (Vec3T<WideFloat>* v : {&m.position, &m.velocity}) each(v->x), each(v->y), each(v->z);
     each(m.yaw.sin), each(m.yaw.cos), each(m.bottom);
     each(m.drive.velocity.x), each(m.drive.velocity.z), each(m.drive.limit);
-    each(m.drive.slide.x), each(m.drive.slide.z), each(hover), each(launches);
+    each(m.drive.slide.x), each(m.drive.slide.z), each(m.drive.freeSteps);
     each(m.floorY), each(m.floorSpeed);
   }
   Vec3T<WideFloat> vector(int row, int slot) const {

@@ -118,6 +118,7 @@ void Ticker::decide(int slot) {
   for (int lane = 0; lane < kLanes; ++lane) worlds[lane] = worlds_[index[lane]];
   WidePlayer player = playerOf(loadRows(worlds));
   const ControlT<F> controls = controlsOf(actions_, index);
+  faceAtOnce(player, level_.params, controls);
   const FloorT<F> floor = sense(player, index);
   updateState(player, level_.params, floor, controls);
   turn(player, level_.params, floor, controls);

@@ -34,7 +34,8 @@ class Solving {
         posed_{level.level,    level.record.reader().getLevel(),
                compiled,       query,
                options.policy, level.motions.get()},
-        identity_{compiled.id(), level.level.name(), compiled.start(), options.method->name} {}
+        identity_{compiled.id(), level.level.name(), compiled.start(), options.method->name,
+                  compiled.view().tricks} {}
 
   Result<QueryAnswer> run(const Machine& machine) {
     Problem problem = problemOf(posed_);

@@ -63,11 +63,11 @@ inline const Scene kScenes[] = {
      },
      0x3e66eb53b340801f},
     {"clocks", clocks, 0xf8b1f8d913ecce35},
-    {"places", places, 0x70bdec12699c8be2},
+    {"places", places, 0x456ea473f1726e0f},
     {"loose bodies", looseBodies, 0x472e6694ecc46845},
     {"loose stack on a carrying platform", looseStack, 0xefd83d710b7a2049},
     {"loose arena", [] { return support::looseArena(16, false, 3); }, 0xdb6b78b526859c7c},
-    {"loose seats", looseSeats, 0x98ff7761cd5e3057},
+    {"loose seats", looseSeats, 0x1655dba95f530d3f},
 };
 
 // What is played in each: so many worlds for so many ticks, by walkers of this seed.

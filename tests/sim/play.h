@@ -22,6 +22,8 @@ struct Play {
   std::vector<sim::LooseBody> loose;
   std::vector<sim::World> history;
 
+  uint16_t tricks = 0;  // Params::tricks
+
   explicit Play(const level::Level& l, Vec3 feet = {0, 0, 0}, float yaw = 0)
       : level(l), world(sim::makeWorld(l.view(), {feet, yaw, 0})), loose(sim::makeLoose(l.view())) {
     history.push_back(world);
@@ -29,8 +31,10 @@ struct Play {
 
   // The same action for a number of ticks.
   Play& run(sim::Action action, int ticks = 1) {
+    level::LevelView view = level.view();
+    view.params.tricks = tricks;
     for (int i = 0; i < ticks; ++i) {
-      sim::advance(world, loose.data(), level.view(), nullptr, action);
+      sim::advance(world, loose.data(), view, nullptr, action);
       history.push_back(world);
     }
     return *this;

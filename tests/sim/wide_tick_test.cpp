@@ -22,6 +22,7 @@ struct Scene {
   level::Level (*build)();
   double leastContact;  // share of ticks with a part to collide with
   double mostSingle;    // share of ticks that may fall back to the scalar tick
+  uint16_t tricks = 0;  // Params::tricks
 };
 
 level::Level arena() { return support::boxArena(60, 5).compile(); }
@@ -74,6 +75,8 @@ class WideTick : public testing::TestWithParam<Scene> {};
 // 100 worlds fill some lanes and not others; 700 ticks cover walks, falls, pushes, deaths.
 TEST_P(WideTick, GivesTheBitsOfTheScalarTick) {
   const level::Level level = GetParam().build();
+  level::LevelView view = level.view();
+  view.params.tricks = GetParam().tricks;
   for (const uint32_t count : {1u, 5u, 100u, 300u}) {
     std::vector<World> wide = startsOver(level, count), single = wide;
     std::vector<World*> pointers;
@@ -84,9 +87,9 @@ TEST_P(WideTick, GivesTheBitsOfTheScalarTick) {
     WideCounts counts;
     for (int t = 0; t < 700; ++t) {
       for (uint32_t i = 0; i < count; ++i) actions[i] = walkers[i].next();
-      tickAll(level.view(), pointers.data(), nullptr, actions.data(), count, &counts);
+      tickAll(view, pointers.data(), nullptr, actions.data(), count, &counts);
       for (uint32_t i = 0; i < count; ++i) {
-        tick(single[i], nullptr, level.view(), actions[i]);
+        tick(single[i], nullptr, view, actions[i]);
         ASSERT_EQ(stateHash(wide[i]), stateHash(single[i])) << "world " << i << ", tick " << t;
       }
     }
@@ -97,12 +100,15 @@ TEST_P(WideTick, GivesTheBitsOfTheScalarTick) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Scenes, WideTick,
-    testing::Values(Scene{"arena", arena, 0.1, 0.05}, Scene{"course", course, 0, 0.05},
-                    Scene{"moving", moving, 0.1, 0.05}, Scene{"mixed", mixed, 0.02, 0.7},
-                    Scene{"touched", touched, 0, 1}, Scene{"held", held, 0, 1}),
-    [](const auto& scene) { return std::string(scene.param.name); });
+INSTANTIATE_TEST_SUITE_P(Scenes, WideTick,
+                         testing::Values(Scene{"arena", arena, 0.1, 0.05},
+                                         Scene{"course", course, 0, 0.05},
+                                         Scene{"moving", moving, 0.1, 0.05},
+                                         Scene{"mixed", mixed, 0.02, 0.7},
+                                         Scene{"touched", touched, 0, 1}, Scene{"held", held, 0, 1},
+                                         Scene{"arena_with_tricks", arena, 0.1, 0.05, kAllTricks},
+                                         Scene{"mixed_with_tricks", mixed, 0.02, 0.7, kAllTricks}),
+                         [](const auto& scene) { return std::string(scene.param.name); });
 
 TEST(WideTick, LeavesEndedWorldsAlone) {
   const level::Level level = arena();

@@ -23,7 +23,8 @@ struct AttackCounts {
 class Attack {
  public:
   // `features`: parts of all shapes that move, vanish, throw and lead elsewhere.
-  Attack(uint64_t seed, bool features) : random_(seed, 77) {
+  // `tricks`: that the players may use.
+  Attack(uint64_t seed, bool features, uint16_t tricks = 0) : random_(seed, 77), tricks_(tricks) {
     const uint32_t kind = features ? random_.below(5) : 9;
     platforms_ = kind == 4;
     tilts_ = kind < 2;
@@ -43,7 +44,8 @@ class Attack {
     const bool jumps = random_.below(4) != 0;
     level::QueryView query;
     query.goal.region = {{{0, 50000, 0}, {}}, {1, 1, 1}};
-    const Problem problem = support::plainProblem(*level, query);
+    Problem problem = support::plainProblem(*level, query);
+    problem.level.params.tricks = tricks_;
     const ReachBound bound(problem, jumps);
     if (bound.holds({30000, 15000, 0})) {
       ++counts.wild;
@@ -221,6 +223,7 @@ class Attack {
   }
 
   Random random_;
+  const uint16_t tricks_;
   bool tilts_, roles_, platforms_;
   support::LevelBuilder builder_;
   std::vector<Vec3> places_;

@@ -15,12 +15,12 @@ uint64_t numberOf(const char* name, uint64_t otherwise) {
   return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
 }
 
-void attackAll(bool features) {
+void attackAll(bool features, uint16_t tricks = 0) {
   const uint64_t count = numberOf("OBBY_ATTACKS", 2500), first = numberOf("OBBY_ATTACK_SEED", 1);
   AttackCounts counts;
   int faults = 0;
   for (uint64_t seed = first; seed < first + count && faults < 20; ++seed) {
-    const auto fault = Attack(seed, features).run(counts);
+    const auto fault = Attack(seed, features, tricks).run(counts);
     if (!fault) continue;
     ++faults;
     ADD_FAILURE() << "seed " << seed << ": " << *fault;
@@ -32,6 +32,14 @@ void attackAll(bool features) {
 
 TEST(ReachAttack, NobodyLeavesTheBoundAmongBlocks) { attackAll(false); }
 TEST(ReachAttack, NobodyLeavesTheBoundAmongAllParts) { attackAll(true); }
+
+// Each trick has laws of its own that players could use to get out.
+TEST(ReachAttack, NobodyLeavesTheBoundByAHeldJump) { attackAll(false, kHeldJump); }
+TEST(ReachAttack, NobodyLeavesTheBoundByAHangingLanding) { attackAll(false, kHangingLanding); }
+TEST(ReachAttack, NobodyLeavesTheBoundByAWallHop) { attackAll(false, kWallHop); }
+TEST(ReachAttack, NobodyLeavesTheBoundByALadderFlick) { attackAll(true, kLadderFlick); }
+TEST(ReachAttack, NobodyLeavesTheBoundByALegThrow) { attackAll(false, kLegThrow); }
+TEST(ReachAttack, NobodyLeavesTheBoundByAllTricks) { attackAll(true, kAllTricks); }
 
 }  // namespace
 }  // namespace obby::solve

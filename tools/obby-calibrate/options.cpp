@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "cli/rows.h"
+#include "level/tricks.h"
 
 namespace obby::tools {
 
@@ -13,6 +14,7 @@ namespace {
 
 using cli::between;
 using cli::OptionRow;
+using cli::rare;
 using cli::repeatable;
 using cli::row;
 using cli::ValueType;
@@ -50,12 +52,21 @@ std::vector<OptionRow> fitRows() {
   };
 }
 
+OptionRow tricksRow() {
+  OptionRow r =
+      row("tricks", ValueType::choice, "", "none",
+          "with --play: what the engine did in these recordings, besides normal play", kPlayGroup);
+  r.choices = level::trickOptions();
+  return repeatable(rare(r));
+}
+
 std::vector<OptionRow> playRows() {
   return {
       row("play", ValueType::flag, "", "",
           "play the recordings' inputs in the simulator, under the parameters given by --set, and "
           "write for each recording how far it is off, and a summary",
           kPlayGroup),
+      tricksRow(),
   };
 }
 

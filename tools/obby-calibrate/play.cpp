@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/thread_pool.h"
+#include "level/tricks.h"
 #include "metrics.h"
 
 namespace obby::tools {
@@ -49,9 +50,11 @@ std::string textOf(size_t count, const calibrate::FidelitySummary& s) {
 Status playTakes(cli::Context& context, io::Pipeline& pipeline,
                  const std::vector<calibrate::Take>& takes, schema::PhysicsParams::Reader params) {
   std::vector<std::optional<Result<Fidelity>>> played(takes.size());
+  OBBY_ASSIGN(const uint16_t tricks, level::tricksNamed(context.arguments().list("tricks")));
   ThreadPool pool(context.threads());
   pool.run(int(takes.size()), [&](int i) {
-    if (!context.stop()) played[size_t(i)] = calibrate::fidelityOf(takes[size_t(i)], params);
+    if (!context.stop())
+      played[size_t(i)] = calibrate::fidelityOf(takes[size_t(i)], params, tricks);
   });
   std::vector<Fidelity> all;
   for (size_t i = 0; i < takes.size() && played[i]; ++i) {

@@ -2,6 +2,7 @@
 #include "options.h"
 
 #include "cli/rows.h"
+#include "level/tricks.h"
 
 namespace obby::tools {
 
@@ -46,6 +47,22 @@ OptionRow arriveRow() {
       "stand: standing on it, sitting on it or holding on to it\n"
       "touch: the body being next to it; grazing its side while falling past counts";
   return rare(r);
+}
+
+OptionRow tricksRow() {
+  OptionRow r =
+      row("tricks", ValueType::choice, "", "none",
+          "moves that the player may use, though designers do not plan with them", kQueryGroup);
+  r.choices = level::trickOptions();
+  r.details =
+      "none: normal play\n"
+      "held-jump: a jump made while turning rises up to 9.7 studs\n"
+      "hanging-landing: a jump right after a landing starts up to 1.1 studs higher\n"
+      "wall-hop: faces any way at once in the air, to step on seams and corners of walls\n"
+      "ladder-flick: grips a truss again while rising from a jump off it\n"
+      "leg-throw: is thrown up by legs that a floor comes under suddenly\n"
+      "all: each of these";
+  return repeatable(rare(r));
 }
 
 OptionRow timeLimitRow() {
@@ -191,6 +208,7 @@ std::vector<OptionRow> queryRows() {
               0, 1e6),
       repeatable(forbidRow()),
       arriveRow(),
+      tricksRow(),
       detailed(row("each", ValueType::flag, "", "",
                    "apply these options to each query in the input", kQueryGroup),
                "A limit given here replaces the query's own."),

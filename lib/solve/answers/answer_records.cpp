@@ -65,8 +65,9 @@ void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& id
   record.setMethod(identity.method);
   record.setIndex(index);
   record.setOutcome(schema::Outcome(end.outcome));
-  sim::writePlan({identity.start, turnsFromRadians(identity.start.yaw), playthrough.actions},
-                 record);
+  sim::writePlan(
+      {identity.start, turnsFromRadians(identity.start.yaw), playthrough.actions, identity.tricks},
+      record);
   record.setTicks(playthrough.ticks);
   record.setJumps(end.jumps);
   record.setWaypoints(end.waypoints);

@@ -15,7 +15,8 @@ struct AnswerIdentity {
   std::string query;
   std::string level;
   level::StartPose start;
-  std::string method;  // name of its row
+  std::string method;   // name of its row
+  uint16_t tricks = 0;  // Params::tricks of the query
 };
 
 void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& identity,

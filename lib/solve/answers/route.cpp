@@ -64,8 +64,10 @@ int32_t landingPart(const Problem& problem, const Course& course) {
 
 Course courseOf(const Problem& problem, const Playthrough& playthrough) {
   const sim::World& start = problem.start;
-  sim::Plan plan{
-      {start.position, radiansFromTurns(start.yaw), start.tick}, start.yaw, playthrough.actions};
+  sim::Plan plan{{start.position, radiansFromTurns(start.yaw), start.tick},
+                 start.yaw,
+                 playthrough.actions,
+                 problem.level.params.tricks};
   Course course;
   course.replay = sim::replay(problem.level, &problem.query, plan);
   const size_t ticks = course.replay.worlds.size() - 1;

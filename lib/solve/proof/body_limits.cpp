@@ -90,6 +90,7 @@ BodyLimits::BodyLimits(const Problem& problem, const std::vector<PartMotion>& mo
   setSpeeds(problem, motions);
   setBody();
   setTakeOff();
+  setTricks();
 }
 
 void BodyLimits::setSpeeds(const Problem& problem, const std::vector<PartMotion>& motions) {
@@ -169,6 +170,44 @@ void BodyLimits::setTakeOff() {
   keptReach_ = std::max({reachAt(0, true), reachAt(gravity_ * dt_ * float(graced), false), 0.0f});
   always_ = std::max(settled(p_.maxFallSpeed), 0.0f);
   slowRate_ = float(Spring(p_).slowRate(dt_)) * 1.0001f;
+}
+
+void BodyLimits::setTricks() {
+  constexpr float kAnySpeed = 1e6f;
+  const auto allows = [&](Trick trick) { return (p_.tricks & trick) != 0; };
+  turning = allows(kWallHop) ? kAnySpeed : across * p_.turnSpeed;
+  if (allows(kWallHop) || allows(kHeldJump)) overlap = turned;
+  if (allows(kHangingLanding)) {
+    always_ = std::max({always_, reachAt(p_.maxFallSpeed, false), keptReach_});
+  }
+  if (allows(kHeldJump)) {
+    staysOut = false;
+    heldSeconds = (keptReach_ + sunk_) / std::max(slowJump, 1e-3f) + 2 * tick_;
+  }
+  if (allows(kLegThrow)) setThrown();
+}
+
+// The map of a tick's steps on the legs is linear: the speed after n of them is gain * depth + kept
+// * speed.
+void BodyLimits::setThrown() {
+  const float stiff = p_.hoverStiffness * dt_, damped = 1 - p_.hoverDamping * dt_;
+  float deep[2] = {-1, 0}, fast[2] = {0, 1};  // gap and speed, of a stud below and of a stud/s
+  for (uint32_t n = 0; n < p_.substeps; ++n) {
+    for (float* s : {deep, fast}) {
+      s[1] = damped * s[1] - stiff * s[0];
+      s[0] += dt_ * s[1];
+    }
+    const float kept = std::clamp(fast[1], 0.0f, 0.999f), turns = std::max(-fast[1], 0.0f);
+    throwGain_ = std::max(throwGain_, deep[1] / (1 - kept));
+    thrown = std::max(thrown, deep[1] * sim::rayHeight(p_) / (1 - kept) + turns * p_.maxFallSpeed);
+  }
+  const float late = float(std::max(p_.coyoteSteps, p_.graceSteps) + p_.substeps) * dt_;
+  always_ = std::max(always_, keptReach_) + thrown * late;
+}
+
+float BodyLimits::letGo(float takeOff, float up) const {
+  if (!(p_.tricks & kHeldJump)) return takeOff;
+  return std::max(takeOff, keptReach_) + up * tick_;
 }
 
 float BodyLimits::entryFalling(float top) const {

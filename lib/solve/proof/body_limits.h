@@ -38,12 +38,16 @@ class BodyLimits {
   float turned = 0;   // the same by any turn
   bool staysOut = false;  // no jump leads the axis of the body into a part in its first tick
 
+  float turning = 0;  // studs/s that turns beside parts push the body on
   // --- speeds
   float walk = 0;      // by keys, studs/s
   float fastest = 0;   // sideways of anybody, studs/s
   float jump = 0;      // launch of a jump
   float slowJump = 0;  // the same under the boost that is worst for it
   float decay = 0;     // by which keys take back what is faster, studs/s^2
+  // --- tricks: 0 where they are not allowed
+  float thrown = 0;       // studs/s upward that legs give at most, on a floor that stands
+  float heldSeconds = 0;  // for which a jump is held at most
 
   // Lowest feet that a static upright block takes onto its top, by feet that fall off a floor and
   // by feet in a jump. `pinched`: another part may hold the body beside it.
@@ -56,6 +60,11 @@ class BodyLimits {
   // The same where the feet came off a higher floor in Running, by `drop` studs.
   float keptTakeOff(float drop) const;
   float mostTakeOff() const;
+  // Where gravity begins to act on a jump at `up` studs/s that begins at `takeOff`, studs above a
+  // floor.
+  float letGo(float takeOff, float up) const;
+  // Studs/s upward that the legs give on a floor that goes up or down at `speed`.
+  float thrownBy(float speed) const { return thrown + throwGain_ * speed * tick_; }
   // Studs below a support's top from which a jump or fall may begin.
   float sunk() const { return sunk_; }
 
@@ -84,12 +93,15 @@ class BodyLimits {
   void setSpeeds(const Problem& problem, const std::vector<PartMotion>& motions);
   void setBody();
   void setTakeOff();
+  void setTricks();
+  void setThrown();
 
   const Params& p_;
   float dt_, tick_, gravity_;
   uint32_t landedSteps_ = 0;  // from the landing to the first jump
   uint32_t lateTicks_ = 0;    // from the last tick with a floor to the last jump
   float sunk_ = 0, always_ = 0, graceFall_ = 0, keptReach_ = 0, slowRate_ = 0;
+  float throwGain_ = 0;  // of `thrown`, 1/s: by a stud that the feet are lower
 };
 
 }  // namespace obby::solve

@@ -51,7 +51,7 @@ uint32_t ReachBound::jumpsFrom(uint32_t support, const End& end) const {
   if (!isReached(support)) return kNever;
   if (crosses(support, fall(support), end)) return jumps_[support];
   const bool leap = leaps(supports_[support]) && crosses(support, this->leap(support), end);
-  return leap ? jumps_[support] + 1 : kNever;
+  return leap ? jumps_[support] + jumpsOfLeap() : kNever;
 }
 
 uint32_t ReachBound::jumpsTo(const level::TargetView& target) const {
@@ -151,7 +151,8 @@ std::vector<uint32_t> ReachBound::reached() const {
 }
 
 float ReachBound::secondsFor(float studs) const {
-  if (wild_ || excess_ > 0 || !limits_.staysOut) return 0;
+  const bool hops = (p_.tricks & kWallHop) != 0;
+  if (wild_ || excess_ > 0 || !limits_.staysOut || hops) return 0;
   float pushes = 0;
   for (uint32_t i = 0; i < supports_.size(); ++i) {
     const Support& s = supports_[i];

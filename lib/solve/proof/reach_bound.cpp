@@ -78,11 +78,16 @@ void ReachBound::noteReached(uint32_t support) {
   wild_ |= s.wild;
   raise(excess_, s.sideways);
   raise(tossed_, std::max(s.toss, leaps(s) ? limits_.jump + s.upward : 0.0f));
+  if (s.carries && limits_.thrown > 0) raise(tossed_, limits_.thrownBy(s.vertical) + s.upward);
 }
 
 float ReachBound::tossOf(uint32_t support) const {
   const Support& s = supports_[support];
   float up = s.toss;
+  if (s.carries && limits_.thrown > 0) up = std::max(up, limits_.thrownBy(s.vertical) + s.upward);
+  // Who flicks comes off the truss as fast as a jump.
+  if (mayJump_ && s.climbed && (p_.tricks & kLadderFlick))
+    up = std::max(up, limits_.jump + s.upward);
   // A body in a part may be put out of it as fast as it came there.
   if (s.beside == Beside::deep) up = std::max(up, tossed_);
   if (s.beside == Beside::pinched && mayJump_) up = std::max(up, limits_.jump);
@@ -92,6 +97,9 @@ float ReachBound::tossOf(uint32_t support) const {
 ReachBound::Flight ReachBound::fall(uint32_t support) const {
   const Support& s = supports_[support];
   float height = s.top + s.lift + takeOff_[support], up = tossOf(support);
+  // A held jump may go on beside a part that takes the body along.
+  if (s.beside == Beside::deep) height = s.top + s.lift + limits_.letGo(takeOff_[support], up);
+  if (limits_.thrown > 0) height += up * p_.tickSeconds;
   // The first tick of a launch is not held to the fastest speed.
   if (up > p_.maxFallSpeed) height += up * p_.tickSeconds;
   return {height, std::min(up, p_.maxFallSpeed), false, s.side};
@@ -99,8 +107,9 @@ ReachBound::Flight ReachBound::fall(uint32_t support) const {
 
 ReachBound::Flight ReachBound::leap(uint32_t support) const {
   const Support& s = supports_[support];
-  float height = s.top + s.lift + takeOff_[support] + limits_.fallApex(s.rising);
   const float up = limits_.jump + s.upward;
+  const float takeOff = takeOff_[support] + limits_.fallApex(s.rising);
+  float height = s.top + s.lift + limits_.letGo(takeOff, up);
   if (up > p_.maxFallSpeed) height += up * p_.tickSeconds;
   return {height, std::min(up, p_.maxFallSpeed), true, s.stand};
 }
@@ -111,7 +120,8 @@ float ReachBound::apex(const Flight& f) const {
 
 float ReachBound::secondsOf(const Flight& f, float height) const {
   const float rise = height - f.height;
-  return f.leaps ? limits_.leapSeconds(f.up, rise) : limits_.fallSeconds(f.up, rise);
+  const float seconds = f.leaps ? limits_.leapSeconds(f.up, rise) : limits_.fallSeconds(f.up, rise);
+  return seconds < 0 ? seconds : seconds + limits_.heldSeconds;
 }
 
 // Studs sideways from the support's box, until the feet are as low as `height`.
@@ -128,7 +138,8 @@ float ReachBound::reach(const Flight& f, float height) const {
 bool ReachBound::stepsInto(const Flight& f, const Support& to, float way) const {
   if (!f.leaps || !to.carries) return false;
   const float ticks = f.up * (p_.tickSeconds + p_.substepSeconds);
-  const float late = limits_.sideways(p_.coyoteTime + 3 * p_.tickSeconds, excess_);
+  const float late =
+      limits_.sideways(p_.coyoteTime + 3 * p_.tickSeconds + limits_.heldSeconds, excess_);
   return to.lowest <= f.height + ticks + p_.headBottom + limits_.slack && way <= late;
 }
 
@@ -144,7 +155,7 @@ bool ReachBound::crosses(uint32_t from, const Flight& f, const End& to) const {
     const float low = height - float(parts) * limits_.turned, lifted = reach(f, low);
     if (lifted < 0) return false;
     const float seconds = secondsOf(f, low);
-    const float turns = limits_.across * p_.turnSpeed * seconds + each;
+    const float turns = limits_.turning * seconds + each;
     const float all = lifted + pushed_ * seconds +
                       (parts == kMostParts ? turns : std::min(float(parts) * each, turns));
     if (all < own) return false;
@@ -197,7 +208,7 @@ void ReachBound::spread(uint32_t from, std::vector<uint32_t>& now, std::vector<u
   const float low = lowest_ - kMostParts * limits_.turned;
   const float seconds = std::max({secondsOf(falling, low), secondsOf(leaping, low), 0.0f});
   const float most = limits_.sideways(seconds, excess_) + 2 * limits_.turned + limits_.across +
-                     (limits_.across * p_.turnSpeed + pushed_) * seconds;
+                     (limits_.turning + pushed_) * seconds;
   index_.find(flat(s.box, most + s.side), [&](uint32_t to) {
     if (supports_[to].collider == level::kNone) return;
     const End end = endAt(to);
@@ -208,7 +219,7 @@ void ReachBound::spread(uint32_t from, std::vector<uint32_t>& now, std::vector<u
     if (!jumps) return;
     if (stepsInto(leaping, supports_[to], wayTo(from, end)) || crosses(from, leaping, end)) {
       arrive(from, to, leaping);
-      come(to, made + 1);
+      come(to, made + jumpsOfLeap());
     }
   });
 }

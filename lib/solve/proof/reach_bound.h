@@ -83,6 +83,8 @@ class ReachBound {
   float tossOf(uint32_t support) const;
   Flight fall(uint32_t support) const;
   Flight leap(uint32_t support) const;
+  // A held jump goes on over the next floor, too.
+  uint32_t jumpsOfLeap() const { return limits_.heldSeconds > 0 ? 0 : 1; }
   bool leaps(const Support& s) const { return mayJump_ && s.carries; }
   float apex(const Flight& f) const;
   float reach(const Flight& f, float height) const;

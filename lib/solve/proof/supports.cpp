@@ -104,6 +104,7 @@ class Builder {
       s.lift += limits_.slack + 1.5f * p_.touchMargin;
     }
     if (flags & level::kTruss) {
+      s.climbed = true;
       s.stand = s.side = s.side + p_.climbReach + limits_.ray;
       s.lift += 2 * climb_ * p_.tickSeconds + limits_.slack;
       s.toss = std::max(s.toss, s.upward + climb_);

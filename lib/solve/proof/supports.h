@@ -35,6 +35,7 @@ struct Support {
   Beside beside = Beside::clear;
   bool carries = false;              // not: the player only appears there, or is sent off
   bool level = false;                // its top is
+  bool climbed = false;              // a truss
   bool wild = false;                 // nothing is known of what it does
   uint32_t collider = level::kNone;  // none: the start, or where a teleporter leads
   uint32_t leadsTo = level::kNone;   // support that touching it leads to

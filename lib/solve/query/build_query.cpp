@@ -7,6 +7,7 @@
 
 #include "level/resolve_places.h"
 #include "level/select_parts.h"
+#include "level/tricks.h"
 
 namespace obby::solve {
 
@@ -143,6 +144,14 @@ Status fillArrive(const std::string& name, schema::Query::Builder query) {
                   "--arrive");
 }
 
+Status fillTricks(const std::vector<std::string>& names, schema::Query::Builder query) {
+  auto bits = level::tricksNamed(names);
+  if (!bits) return inOption(std::move(bits).error(), "--tricks");
+  query.disownTricks();
+  level::setTricks(query, *bits);
+  return {};
+}
+
 // The first option that asks for something.
 const char* firstOption(const QuickQuery& q) {
   const std::pair<bool, const char*> options[] = {
@@ -151,7 +160,7 @@ const char* firstOption(const QuickQuery& q) {
       {!q.avoid.empty(), "--avoid"},        {!q.forbid.empty(), "--forbid"},
       {!q.arrive.empty(), "--arrive"},      {q.minJumps >= 0, "--min-jumps"},
       {q.maxJumps >= 0, "--max-jumps"},     {q.timeLimit > 0, "--max-time"},
-      {q.maxDamage >= 0, "--max-damage"}};
+      {q.maxDamage >= 0, "--max-damage"},   {!q.tricks.empty(), "--tricks"}};
   for (const auto& [given, option] : options) {
     if (given) return option;
   }
@@ -182,6 +191,7 @@ Status fill(schema::Level::Reader level, const QuickQuery& quick, schema::Query:
   }
   if (!quick.forbid.empty()) OBBY_RETURN_IF_ERROR(fillStates(quick.forbid, query));
   if (!quick.arrive.empty()) OBBY_RETURN_IF_ERROR(fillArrive(quick.arrive, query));
+  if (!quick.tricks.empty()) OBBY_RETURN_IF_ERROR(fillTricks(quick.tricks, query));
   if (quick.minJumps >= 0) query.setMinJumps(quick.minJumps);
   if (quick.maxJumps >= 0) query.setMaxJumps(quick.maxJumps);
   if (quick.timeLimit > 0) query.setTimeLimit(quick.timeLimit);

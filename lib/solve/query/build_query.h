@@ -19,6 +19,7 @@ struct QuickQuery {
   std::vector<std::string> avoid;      // any name stands for all parts that it fits
   std::string arrive;                  // as the schema spells it; empty: as the query says
   std::vector<std::string> forbid;     // states, as the schema spells them
+  std::vector<std::string> tricks;     // of level::trickOptions()
   int32_t minJumps = -1, maxJumps = -1;
   float timeLimit = 0;  // seconds
   float maxDamage = -1;

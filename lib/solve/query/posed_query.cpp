@@ -8,7 +8,8 @@
 namespace obby::solve {
 
 Problem problemOf(const PosedQuery& posed) {
-  const auto& view = posed.level.view();
+  level::LevelView view = posed.level.view();
+  view.params.tricks = posed.query.view().tricks;
   return {view,
           posed.query.view(),
           sim::makeWorld(view, posed.query.start()),
@@ -23,7 +24,8 @@ Problem problemOf(const PosedQuery& posed) {
 bool solves(const Playthrough& playthrough, const PosedQuery& posed) {
   if (playthrough.end.outcome != sim::Outcome::goal) return false;
   io::RecordBuilder record;
-  const AnswerIdentity identity{posed.query.id(), posed.level.name(), posed.query.start(), {}};
+  const AnswerIdentity identity{
+      posed.query.id(), posed.level.name(), posed.query.start(), {}, posed.query.view().tricks};
   fillTrajectory(record.root().initTrajectory(), identity, playthrough, 0);
   return bool(
       verify(posed.level, posed.levelRecord, posed.queryRecord, record.reader().getTrajectory()));

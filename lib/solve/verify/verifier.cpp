@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "level/tricks.h"
 #include "math/angle.h"
 #include "sim/simulator.h"
 #include "solve/answers/outcome_names.h"
@@ -56,6 +57,13 @@ Status checkStart(schema::Level::Reader level, schema::Query::Reader query,
   OBBY_RETURN_IF_ERROR(samePlace("position", point(trajectory.getPosition()), wanted));
   OBBY_RETURN_IF_ERROR(same("yawTurns", trajectory.getYawTurns(), turnsFromRadians(yaw)));
   return same("startTick", trajectory.getStartTick(), start.getTick());
+}
+
+// No trick but those that the query allows.
+Status checkTricks(schema::Query::Reader query, const sim::Plan& plan) {
+  OBBY_ASSIGN(const uint16_t allowed, level::tricksOf(query.getTricks(), "tricks"));
+  if ((plan.tricks & ~allowed) == 0) return {};
+  return Error{{}, {}, "tricks", "the record uses a trick that the query does not allow", {}};
 }
 
 int32_t indexIf(bool asked, uint32_t index) { return asked ? int32_t(index) : -1; }
@@ -117,6 +125,7 @@ Status verify(const level::Level& level, schema::Level::Reader levelRecord,
               schema::Query::Reader query, schema::Trajectory::Reader trajectory) {
   OBBY_RETURN_IF_ERROR(checkStart(levelRecord, query, trajectory));
   OBBY_ASSIGN(const sim::Plan plan, sim::planFromRecord(trajectory));
+  OBBY_RETURN_IF_ERROR(checkTricks(query, plan));
   Judge judge(query, level.view());
   schema::Outcome outcome = schema::Outcome::RUNNING;
   Walked way;
