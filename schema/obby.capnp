@@ -628,12 +628,12 @@ struct Tally {
 }
 
 struct Cut {
-  # Why a query is unreachable: an upper bound on what a player can reach, and the smallest step beyond it.
+  # Why a query is unreachable: an upper bound on what a player can reach, and the first step that is missing on the route that lacks least.
   reached @0 :List(Int32);   # indices of the parts that may carry the player
   from @1 :Int32 = -1;       # the part where the step begins; -1: the start
   to @2 :Int32 = -1;         # the part where it ends; -1: the goal, a waypoint or a visit
-  rise @3 :Float32;          # lower bound on the missing height, studs
-  gap @4 :Float32;           # lower bound on the missing distance, studs
+  rise @3 :Float32;          # height that a plain jump lacks, studs
+  gap @4 :Float32;           # distance that a plain jump lacks, studs
   jumps @5 :UInt32;          # lower bound on the jumps needed; 0: the limit on jumps is not the cause
   seconds @6 :Float32;       # lower bound on the game time needed; 0: the time limit is not the cause
   withTricks @7 :Bool;       # it holds for players who use every trick, too

@@ -88,7 +88,8 @@ Result<std::vector<Played>> play(const Take& take, schema::PhysicsParams::Reader
   const uint32_t rate = uint32_t(p.controlRate) * p.substeps;
   const std::vector<uint32_t> steps = stepsOf(take.track, double(rate));
   const uint32_t longest = longestTick(steps, rate);
-  if (longest == 0 || level.view().moverCount > 0) return playTicks(level.view(), take.track, tricks);
+  if (longest == 0 || level.view().moverCount > 0)
+    return playTicks(level.view(), take.track, tricks);
   OBBY_ASSIGN(const level::Level framed, levelOfFrames(take, params, rate, longest));
   return playFrames(framed, take.track, steps, tricks);
 }

@@ -101,6 +101,7 @@ class Targets {
     const int32_t part = record.getPartIndex();
     target.stand = arrive == schema::Arrive::STAND && !record.getTouch() && part >= 0 &&
                    isSolid(uint32_t(part));
+    if (target.stand) leaveFoot(uint32_t(part), target.region);
     return target;
   }
 
@@ -149,6 +150,21 @@ class Targets {
       if (!(level_.bounds[i].flags & kSolid)) return false;
     }
     return run.count > 0;
+  }
+
+  // Takes the foot of a part with a level top off the region around it: who stands beside the part
+  // is not on it.
+  void leaveFoot(uint32_t part, geom::Region& region) {
+    const ColliderRun run = runs_.of(part);
+    const Bounds& bounds = level_.bounds[run.first];
+    constexpr uint32_t kHeldElsewhere = kTruss | kSeat | kMoving;
+    const bool flat =
+        run.count == 1 && (bounds.flags & kUpright) && !(bounds.flags & kHeldElsewhere);
+    if (!flat || absf(region.pose.rotation.y.y) < 0.999f) return;
+    const float high = region.pose.position.y + region.half.y;
+    const float low = maxf(high - 2 * region.half.y, bounds.box().hi.y - kStandDepth);
+    region.pose.position.y = 0.5f * (low + high);
+    region.half.y = 0.5f * (high - low);
   }
 
   // A part's colliders go into touched_ once: lists may name it again, and a tag thousands.

@@ -7,6 +7,9 @@
 
 namespace obby::level {
 
+// Studs below a level top at which feet still stand on it: as far as a landing dips, and more.
+constexpr float kStandDepth = 0.5f;
+
 // What a query names: a region, or a part that has to be touched.
 struct TargetView {
   geom::Region region;                      // of a part to touch: the room around it

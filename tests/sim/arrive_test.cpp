@@ -66,6 +66,23 @@ TEST(Arrive, FlyingOverItIsNotStandingOnIt) {
   EXPECT_FALSE(reachesPad(play, q)) << "still in Freefall";
 }
 
+TEST(Arrive, StandingAtItsFootIsNotStandingOnIt) {
+  const auto level = support::LevelBuilder()
+                         .block({0, -1, 0}, {200, 2, 200})
+                         .block({0, 4, -14}, {8, 8, 8})
+                         .compile();
+  capnp::MallocMessageBuilder message;
+  auto record = message.initRoot<schema::Query>();
+  support::set(record.initGoal().initPosition(), {0, 4.25f, -14});
+  support::set(record.getGoal().initSize(), {10, 8.5f, 10});
+  record.getGoal().setPartIndex(1);
+  record.initStart().initRegion();
+  const level::Query q = *level::Query::compile(record.asReader(), level);
+  Play foot(level, {0, 0, -9.2f}), top(level, {0, 8, -14});
+  EXPECT_FALSE(reachesPad(foot.settle(), q));
+  EXPECT_TRUE(reachesPad(top.settle(), q));
+}
+
 // A column of limbs misses the floor by the margin, and the feet stand on it all the same.
 TEST(Feet, TouchTheFloorThatHoldsThem) {
   const auto kill = [](schema::Part::Builder p) { p.initKill(); };

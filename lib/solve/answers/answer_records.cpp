@@ -42,6 +42,24 @@ void fillRoutes(schema::Result::Builder record, const std::vector<RouteTally>& r
   }
 }
 
+void fillCut(schema::Cut::Builder record, const Cut& cut, const level::LevelView& level) {
+  auto reached = record.initReached(uint32_t(cut.reached.size()));
+  for (uint32_t i = 0; i < reached.size(); ++i) reached.set(i, int32_t(cut.reached[i]));
+  const auto partOf = [&](uint32_t collider) {
+    return collider == level::kNone ? -1 : int32_t(level.colliders[collider].part);
+  };
+  record.setFrom(partOf(cut.missing.from));
+  record.setTo(partOf(cut.missing.to));
+  record.setRise(cut.missing.rise);
+  record.setGap(cut.missing.gap);
+  record.setJumps(cut.jumps);
+  record.setSeconds(cut.seconds);
+  record.setWithTricks(cut.withTricks);
+  const auto tricks = level::tricksIn(cut.mayHelp);
+  auto mayHelp = record.initMayHelp(uint32_t(tricks.size()));
+  for (uint32_t i = 0; i < mayHelp.size(); ++i) mayHelp.set(i, tricks[i]);
+}
+
 }  // namespace
 
 void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& identity,

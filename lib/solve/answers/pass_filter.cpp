@@ -13,8 +13,11 @@ Result<PassFilter> PassFilter::make(schema::Level::Reader record, const level::L
   const auto query = places.reader().getQuery();
   level::ColliderRuns runs(level.view());
   PassFilter filter;
-  for (const auto region : query.getVisits()) filter.pass_.emplace_back(region, runs);
-  for (const auto region : query.getAvoid()) filter.notPass_.emplace_back(region, runs);
+  const auto placeOf = [&](schema::Region::Reader region) {
+    return Place(region, runs, schema::Arrive::TOUCH, level.view());
+  };
+  for (const auto region : query.getVisits()) filter.pass_.push_back(placeOf(region));
+  for (const auto region : query.getAvoid()) filter.notPass_.push_back(placeOf(region));
   return filter;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "level/tricks.h"
 #include "sim/candidates.h"
 #include "sim/loose_contacts.h"
 #include "solve/answers/part_text.h"
@@ -149,11 +150,59 @@ std::string unmodelledText(schema::Level::Reader level) {
   return kinds.empty() ? kinds : " The place has things that are not simulated: " + kinds + ".";
 }
 
+std::string stepText(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
+  const auto nameOf = [&](uint32_t collider) {
+    return partText(record, level.view().colliders[collider].part);
+  };
+  const Missing& m = cut.missing;
+  const std::string from = m.from == level::kNone ? "the start" : nameOf(m.from);
+  std::string lacks;
+  if (m.rise > 0) lacks = fmt::format("{:.1f} studs too high", m.rise);
+  if (m.gap > 0) lacks += fmt::format("{}{:.1f} studs too far", m.rise > 0 ? " and " : "", m.gap);
+  if (lacks.empty()) return {};
+  return fmt::format(" From {}, {} is {}{}{}.", from,
+                     m.to == level::kNone ? cut.target : nameOf(m.to), m.blocked ? "at least " : "",
+                     lacks, m.more ? ", and there are more such steps behind it" : "");
+}
+
+// "none is", "only 1 is", "only 2 are"
+std::string allowedText(uint32_t n) {
+  if (n == 0) return "none is";
+  return fmt::format("only {} {}", n, n == 1 ? "is" : "are");
+}
+
+// For whom the cut holds.
+std::string tricksText(const Cut& cut) {
+  if (cut.withTricks) return " That holds with every trick, too.";
+  if (cut.mayHelp == 0) return " With several tricks together somebody might.";
+  std::string names;
+  const auto tricks = level::tricksIn(cut.mayHelp);
+  for (size_t i = 0; i < tricks.size(); ++i) {
+    const bool last = i > 0 && i + 1 == tricks.size();
+    names += (i == 0 ? "" : last ? " or " : ", ") + level::trickName(tricks[i]);
+  }
+  return fmt::format(" That is in normal play: a {} might do it.", names);
+}
+
+std::string cutText(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
+  if (cut.jumps > 0) {
+    return fmt::format("Every route to {} takes at least {} jump{}, but {} allowed.", cut.target,
+                       cut.jumps, cut.jumps == 1 ? "" : "s", allowedText(cut.mostJumps));
+  }
+  if (cut.seconds > 0) {
+    return fmt::format("Every route to {} takes at least {:.2f} s, but only {:.2f} s is allowed.",
+                       cut.target, cut.seconds, cut.mostSeconds);
+  }
+  return fmt::format("No player can reach {}{}.{} At most {} part{} reachable.", cut.target,
+                     cut.mayJump ? "" : " without jumping", stepText(cut, level, record),
+                     cut.reached.size(), cut.reached.size() == 1 ? " is" : "s are");
+}
+
 }  // namespace
 
 std::string reasonFor(const SearchOutcome& outcome, const level::Level& level,
                       schema::Level::Reader levelRecord, schema::Query::Reader query) {
-  if (outcome.cut) return reasonFor(*outcome.cut, level, levelRecord);
+  if (outcome.cut) return cutText(*outcome.cut, level, levelRecord) + tricksText(*outcome.cut);
   const Asked asked{level, levelRecord, query};
   const std::string overruns = overrunText(outcome.statistics.overruns);
   if (!outcome.solutions.empty()) return solvedText(outcome, level) + overruns;

@@ -35,7 +35,8 @@ bool addsSpeed(const level::Roles& r) {
   return r.padKeepsSideways && slanted;
 }
 
-// The level, the start, and where teleporters lead.
+}  // namespace
+
 Box allPlaces(const Problem& problem) {
   const Vec3 start = problem.start.position;
   const level::LevelView& level = problem.level;
@@ -47,8 +48,6 @@ Box allPlaces(const Problem& problem) {
   }
   return all;
 }
-
-}  // namespace
 
 const char* unboundedPart(const level::LevelView& level) {
   const Params& p = level.params;

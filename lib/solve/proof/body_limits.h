@@ -10,6 +10,9 @@ namespace obby::solve {
 // Names what keeps the bound from saying anything; null if nothing does.
 const char* unboundedPart(const level::LevelView& level);
 
+// The level, the start, and where teleporters lead.
+Box allPlaces(const Problem& problem);
+
 // Fastest walk and launch of a jump under all boosts of the level, studs/s.
 float fastestWalk(const level::LevelView& level);
 float fastestJump(const level::LevelView& level);

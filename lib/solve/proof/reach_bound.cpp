@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/floor.h"
+
 namespace obby::solve {
 
 namespace {
 
 constexpr int kMostRounds = 60;
-constexpr size_t kMostRiders = 64;
+constexpr int kMostParts = 8;  // near a flight, that lift it; more push it as far as turns can
 
 // As seen from above.
 Box flat(const Box& box, float more) {
@@ -34,10 +36,9 @@ ReachBound::ReachBound(const Problem& problem, bool mayJump)
       index_(flatBoxes(supports_)) {
   for (const Support& s : supports_) {
     lowest_ = std::min(lowest_, s.entryFalling);
-    if (s.takesAlong) riders_.push_back(s.box);
+    if (s.beside != Beside::deep) pushed_ = std::max(pushed_, s.pushes);
     takeOff_.push_back(!s.carries ? 0 : s.level ? s.held : limits_.mostTakeOff());
   }
-  riders_ = fewBoxes(std::move(riders_), kMostRiders);
   explore();
 }
 
@@ -96,6 +97,8 @@ float ReachBound::tossOf(uint32_t support) const {
 ReachBound::Flight ReachBound::fall(uint32_t support) const {
   const Support& s = supports_[support];
   float height = s.top + s.lift + takeOff_[support], up = tossOf(support);
+  // A held jump may go on beside a part that takes the body along.
+  if (s.beside == Beside::deep) height = s.top + s.lift + limits_.letGo(takeOff_[support], up);
   if (limits_.thrown > 0) height += up * p_.tickSeconds;
   // The first tick of a launch is not held to the fastest speed.
   if (up > p_.maxFallSpeed) height += up * p_.tickSeconds;
@@ -117,8 +120,7 @@ float ReachBound::apex(const Flight& f) const {
 
 float ReachBound::secondsOf(const Flight& f, float height) const {
   const float rise = height - f.height;
-  if (!f.leaps) return limits_.fallSeconds(f.up, rise);
-  const float seconds = limits_.leapSeconds(f.up, rise);
+  const float seconds = f.leaps ? limits_.leapSeconds(f.up, rise) : limits_.fallSeconds(f.up, rise);
   return seconds < 0 ? seconds : seconds + limits_.heldSeconds;
 }
 
@@ -138,23 +140,24 @@ bool ReachBound::stepsInto(const Flight& f, const Support& to, float way) const 
   const float ticks = f.up * (p_.tickSeconds + p_.substepSeconds);
   const float late =
       limits_.sideways(p_.coyoteTime + 3 * p_.tickSeconds + limits_.heldSeconds, excess_);
-  return to.top <= f.height + ticks + p_.headBottom + limits_.slack && way <= late;
+  return to.lowest <= f.height + ticks + p_.headBottom + limits_.slack && way <= late;
 }
 
-bool ReachBound::crosses(uint32_t from, const Flight& f, const End& to, float way) const {
+bool ReachBound::crosses(uint32_t from, const Flight& f, const End& to) const {
   const float height = f.leaps ? to.leaping : to.falling;
-  const float own = way + (supports_[from].side - f.radius);
+  const float own = wayTo(from, to) + (supports_[from].side - f.radius);
   const float studs = reach(f, height);
   if (studs >= 0 && studs >= own) return true;
   // Parts on the way lift a body that turns beside them, or push it on: as many as are near enough
   // for what they give.
-  constexpr int kMostParts = 8;
   const float each = 2 * limits_.turned;
   for (int parts = kMostParts;;) {
     const float low = height - float(parts) * limits_.turned, lifted = reach(f, low);
     if (lifted < 0) return false;
-    const float turns = limits_.turning * secondsOf(f, low) + each;
-    const float all = lifted + (parts == kMostParts ? turns : std::min(float(parts) * each, turns));
+    const float seconds = secondsOf(f, low);
+    const float turns = limits_.turning * seconds + each;
+    const float all = lifted + pushed_ * seconds +
+                      (parts == kMostParts ? turns : std::min(float(parts) * each, turns));
     if (all < own) return false;
     const int near = std::min(partsNear(from, f, to, all), kMostParts);
     if (near >= parts) return true;
@@ -178,53 +181,16 @@ int ReachBound::partsNear(uint32_t from, const Flight& f, const End& to, float s
   return count;
 }
 
-// Who is in a deep part is taken along with it, and keeps the height and speed of the flight.
-std::vector<ReachBound::Ride> ReachBound::ridesFrom(const Support& s, float farthest) const {
-  std::vector<Ride> open, rides;
-  for (const Box& box : riders_) {
-    open.push_back({&box, std::max(gapBetween(s.box, box) - s.side - limits_.body, 0.0f)});
-  }
-  while (!open.empty()) {
-    const auto next = std::min_element(open.begin(), open.end(),
-                                       [](const Ride& a, const Ride& b) { return a.way < b.way; });
-    const Ride ride = *next;
-    if (ride.way > farthest) break;
-    open.erase(next);
-    for (Ride& other : open) {
-      const float hop = std::max(gapBetween(*ride.box, *other.box) - 2 * limits_.body, 0.0f);
-      other.way = std::min(other.way, ride.way + hop);
-    }
-    rides.push_back(ride);
-  }
-  return rides;
-}
-
 // Studs of own way, beyond the radii of both ends.
-float ReachBound::wayTo(const Support& s, const std::vector<Ride>& rides, const End& to) const {
-  float least = gapBetween(s.box, to.box) - s.side - to.side;
-  for (const Ride& ride : rides) {
-    const float on = std::max(gapBetween(*ride.box, to.box) - limits_.body - to.side, 0.0f);
-    least = std::min(least, ride.way + on);
-  }
-  return least;
+float ReachBound::wayTo(uint32_t from, const End& to) const {
+  const Support& s = supports_[from];
+  return gapBetween(s.box, to.box) - s.side - to.side;
 }
 
 ReachBound::End ReachBound::endAt(uint32_t support) const {
   const Support& s = supports_[support];
-  return {s.box, s.entryFalling, s.entry, s.side, support};
-}
-
-template <class Near>
-void ReachBound::forNear(const Support& s, const std::vector<Ride>& rides, float farthest,
-                         Near&& near) const {
-  constexpr size_t kFew = 64;  // from then on all are looked at sooner
-  if (supports_.size() <= kFew) {
-    for (uint32_t to = 0; to < supports_.size(); ++to) near(to);
-    return;
-  }
-  const float more = farthest + 2 * limits_.body;
-  index_.find(flat(s.box, more + s.side), near);
-  for (const Ride& ride : rides) index_.find(flat(*ride.box, more), near);
+  const float plain = s.level ? s.lowest - sim::rayHeight(p_) : s.entry;
+  return {s.box, s.entryFalling, s.entry, plain, s.side, support};
 }
 
 void ReachBound::spread(uint32_t from, std::vector<uint32_t>& now, std::vector<uint32_t>& later) {
@@ -239,42 +205,42 @@ void ReachBound::spread(uint32_t from, std::vector<uint32_t>& now, std::vector<u
   if (s.leadsTo != level::kNone) come(s.leadsTo, made);
   const Flight falling = fall(from), leaping = leap(from);
   const bool jumps = leaps(s);
-  const float farthest = std::max(reach(falling, std::min(lowest_, falling.height)),
-                                  jumps ? reach(leaping, std::min(lowest_, leaping.height)) : 0);
-  const float most = farthest + limits_.turning * 4 + 4;
-  const std::vector<Ride> rides = ridesFrom(s, farthest);
-  forNear(s, rides, most, [&](uint32_t to) {
+  const float low = lowest_ - kMostParts * limits_.turned;
+  const float seconds = std::max({secondsOf(falling, low), secondsOf(leaping, low), 0.0f});
+  const float most = limits_.sideways(seconds, excess_) + 2 * limits_.turned + limits_.across +
+                     (limits_.turning + pushed_) * seconds;
+  index_.find(flat(s.box, most + s.side), [&](uint32_t to) {
     if (supports_[to].collider == level::kNone) return;
     const End end = endAt(to);
-    const float way = wayTo(s, rides, end);
-    if (way > most) return;
-    if (crosses(from, falling, end, way)) {
-      arrive(from, to, falling, way);
+    if (crosses(from, falling, end)) {
+      arrive(from, to, falling);
       come(to, made);
     }
     if (!jumps) return;
-    if (stepsInto(leaping, supports_[to], way) || crosses(from, leaping, end, way)) {
-      arrive(from, to, leaping, way);
-      // A held jump goes on over the next floor, too.
-      come(to, limits_.heldSeconds > 0 ? made : made + 1);
+    if (stepsInto(leaping, supports_[to], wayTo(from, end)) || crosses(from, leaping, end)) {
+      arrive(from, to, leaping);
+      come(to, made + jumpsOfLeap());
     }
   });
 }
 
 // How high above its own top a support may be left after that flight.
-void ReachBound::arrive(uint32_t from, uint32_t to, const Flight& f, float way) {
+void ReachBound::arrive(uint32_t from, uint32_t to, const Flight& f) {
   const Support &a = supports_[from], &b = supports_[to];
   if (!b.carries || !b.level) return;
   const float floor = b.top + b.lift, high = apex(f) - floor;
   if (high <= takeOff_[to]) return;
   End top = endAt(to);
   top.falling = top.leaping = std::min(floor, apex(f)) - limits_.fallApex(b.upward);
-  if (!crosses(from, f, top, way)) return;  // comes there below its top only
+  if (!crosses(from, f, top)) return;  // comes there below its top only
   // The flight may also begin lower and be slower.
   float low = a.top, slow = limits_.slowJump;
   if (a.collider != level::kNone) {
     low = (from == to ? a.top : a.lowest) - limits_.sunk();
-    if (from == to) slow = std::max(slow - 3 * a.vertical, 0.0f);
+    if (from == to) {  // the floor goes up meanwhile
+      low -= a.vertical * (p_.coyoteTime + p_.tickSeconds);
+      slow = std::max(slow - 3 * a.vertical, 0.0f);
+    }
   }
   if (f.leaps) low += limits_.leapApex(slow);
   raise(takeOff_[to], limits_.takeOff({low - floor, high}, b.upward));

@@ -17,10 +17,13 @@
 
 namespace obby::solve {
 
-// A step that no player can make: the least of those that lead out of what is reached.
+// The first step that no player can make, on the route that lacks least. A part that is nearer by
+// this is reached by a plain jump, if nothing stands in the way.
 struct Missing {
   uint32_t from = level::kNone, to = level::kNone;  // colliders; none: the start, the region
-  float rise = 0, gap = 0;                          // studs that a player lacks, at least
+  float rise = 0, gap = 0;                          // studs
+  bool blocked = false;                             // parts stand near the way
+  bool more = false;                                // steps behind it lack something, too
 };
 
 class ReachBound {
@@ -42,7 +45,7 @@ class ReachBound {
   // Could the feet be in any of these boxes at any time?
   bool comesInto(const std::vector<Box>& places) const;
 
-  // The step out of what is reached that lacks least, to another part or into any of the targets.
+  // On the way to any of the targets.
   Missing missing(const std::vector<const level::TargetView*>& targets) const;
   Missing missing(const level::TargetView& target) const { return missing(std::vector{&target}); }
 
@@ -66,38 +69,35 @@ class ReachBound {
   struct End {
     Box box;
     float falling, leaping;  // least heights of the feet
+    float plain;             // for a player who lands on the rays
     float side;              // radius around the box
     uint32_t support;        // itself, no push is counted of it; kNever: none
   };
-  // A part that takes a player along, or lets one through, and the studs to get to it.
-  struct Ride {
-    const Box* box;
-    float way;
-  };
-
   void explore();
   bool round();
   void spread(uint32_t from, std::vector<uint32_t>& now, std::vector<uint32_t>& later);
-  template <class Near>
-  void forNear(const Support& s, const std::vector<Ride>& rides, float farthest, Near&& near) const;
-  void arrive(uint32_t from, uint32_t to, const Flight& f, float way);
+  void arrive(uint32_t from, uint32_t to, const Flight& f);
   void noteReached(uint32_t support);
   bool raise(float& value, float to);
 
   float tossOf(uint32_t support) const;
   Flight fall(uint32_t support) const;
   Flight leap(uint32_t support) const;
+  // A held jump goes on over the next floor, too.
+  uint32_t jumpsOfLeap() const { return limits_.heldSeconds > 0 ? 0 : 1; }
   bool leaps(const Support& s) const { return mayJump_ && s.carries; }
   float apex(const Flight& f) const;
   float reach(const Flight& f, float height) const;
-  bool crosses(uint32_t from, const Flight& f, const End& to, float way) const;
+  bool crosses(uint32_t from, const Flight& f, const End& to) const;
   bool stepsInto(const Flight& f, const Support& to, float way) const;
   int partsNear(uint32_t from, const Flight& f, const End& to, float studs) const;
   float secondsOf(const Flight& f, float height) const;
-  std::vector<Ride> ridesFrom(const Support& s, float farthest) const;
-  float wayTo(const Support& s, const std::vector<Ride>& rides, const End& to) const;
+  float wayTo(uint32_t from, const End& to) const;
+  uint32_t jumpsFrom(uint32_t support, const End& end) const;
+  Missing lack(uint32_t from, const End& to) const;
   End endAt(uint32_t support) const;
   End endAt(const level::TargetView& target) const;
+  std::vector<uint32_t> holdersIn(const level::TargetView& target) const;
   void standOn(End& region) const;
   bool isReached(uint32_t support) const { return jumps_[support] != kNever; }
 
@@ -107,9 +107,9 @@ class ReachBound {
   const BodyLimits limits_;
   const bool mayJump_;
   std::vector<Support> supports_;
-  const BoxIndex index_;     // of their boxes, from above
-  std::vector<Box> riders_;  // parts that take players along
-  float lowest_ = 1e30f;     // entry of all supports
+  const BoxIndex index_;  // of their boxes, from above
+  float pushed_ = 0;      // studs/s by parts beside a flight
+  float lowest_ = 1e30f;  // entry of all supports
   // What the rounds of explore() raise until nothing changes.
   std::vector<uint32_t> jumps_;  // (supports): fewest on the way there; kNever
   std::vector<float> takeOff_;   // (supports): studs above top and lift

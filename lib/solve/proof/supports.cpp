@@ -74,7 +74,7 @@ class Builder {
     s.carries = (flags & level::kSolid) != 0;
     s.top = s.box.hi.y;
     s.beside = contacts.besideOf(id);
-    s.takesAlong = s.beside == Beside::deep || (flags & level::kMoving) != 0;
+    s.pushes = s.carries ? motion.step * p_.controlRate : 0;
     s.level = s.carries && (flags & level::kUpright);
     // What is put back as its clock ends is nowhere at a known speed.
     s.vertical = (flags & level::kTriggered) ? 1e6f : std::max(motion.vertical, motion.upward);
@@ -129,8 +129,8 @@ class Builder {
     contacts.find(around, [&](uint32_t id) {
       if (id == s.collider) return;
       const Box& box = motions_[id].swept;
-      const bool exact =
-          contacts.besideOf(id) != Beside::deep && (level_.bounds[id].flags & level::kUpright) != 0;
+      const bool exact = contacts.besideOf(id) != Beside::deep && motions_[id].step == 0 &&
+                         (level_.bounds[id].flags & level::kUpright) != 0;
       const float under = box.lo.y - p_.bodyTop - s.top;
       const Span heads = exact ? Span{under - limits_.slack, under + limits_.slack}
                                : Span{under, box.hi.y - s.top};

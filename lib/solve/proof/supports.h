@@ -31,11 +31,11 @@ struct Support {
   float vertical = 0;      // studs/s that it goes up or down, at most; huge: by leaps
   float rising = 0;        // studs/s upward of a player in Running on it
   float sideways = 0;      // studs/s that it gives beyond walking
+  float pushes = 0;        // studs/s by which it moves players who are beside it
   Beside beside = Beside::clear;
   bool carries = false;              // not: the player only appears there, or is sent off
   bool level = false;                // its top is
   bool climbed = false;              // a truss
-  bool takesAlong = false;           // moves players who are beside it
   bool wild = false;                 // nothing is known of what it does
   uint32_t collider = level::kNone;  // none: the start, or where a teleporter leads
   uint32_t leadsTo = level::kNone;   // support that touching it leads to

@@ -6,10 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "level/tricks.h"
 #include "sim/next_region.h"
 #include "sim/simulator.h"
-#include "solve/answers/part_text.h"
 #include "solve/proof/crowding.h"
 
 namespace obby::solve {
@@ -167,12 +165,7 @@ class Prover {
 // Is anything so far up or down that rounding shows in the height of a jump?
 bool isFarUp(const Problem& problem) {
   constexpr float kFar = 16384;  // studs: of places beyond, the last bit is a 512th of a stud
-  Box all = join(problem.bounds, Box{problem.start.position, problem.start.position});
-  for (uint32_t i = 0; i < problem.level.colliderCount; ++i) {
-    if (!(problem.level.bounds[i].flags & level::kTeleport)) continue;
-    const Vec3 to = problem.level.roles[problem.level.colliders[i].role].teleportTo;
-    all = join(all, Box{to, to});
-  }
+  const Box all = allPlaces(problem);
   return std::max(-all.lo.y, all.hi.y) > kFar;
 }
 
@@ -181,26 +174,6 @@ bool isFarUp(const Problem& problem) {
 bool clockBeginsAnew(const Problem& problem) {
   constexpr uint64_t kLast = std::numeric_limits<uint32_t>::max();
   return problem.hasClock && problem.start.tick + sim::kMaxReplayTicks > kLast;
-}
-
-std::string stepText(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
-  const auto nameOf = [&](uint32_t collider) {
-    return partText(record, level.view().colliders[collider].part);
-  };
-  const Missing& m = cut.missing;
-  const std::string from = m.from == level::kNone ? "the start" : nameOf(m.from);
-  std::string lacks;
-  if (m.rise > 0) lacks = fmt::format("{:.1f} studs too high", m.rise);
-  if (m.gap > 0) lacks += fmt::format("{}{:.1f} studs too far", m.rise > 0 ? " and " : "", m.gap);
-  if (lacks.empty()) return {};
-  return fmt::format(" From {}, {} is at least {}.", from,
-                     m.to == level::kNone ? cut.target : nameOf(m.to), lacks);
-}
-
-// "none is", "only 1 is", "only 2 are"
-std::string allowedText(uint32_t n) {
-  if (n == 0) return "none is";
-  return fmt::format("only {} {}", n, n == 1 ? "is" : "are");
 }
 
 }  // namespace
@@ -220,59 +193,6 @@ void tryTricks(Cut& cut, Problem problem, schema::Query::Reader record) {
     tricks = uint16_t(allowed | trick);
     if (tricks != allowed && !cutOf(problem, record)) cut.mayHelp |= trick;
   }
-}
-
-namespace {
-
-// For whom the cut holds.
-std::string tricksText(const Cut& cut) {
-  if (cut.withTricks) return " That holds with every trick, too.";
-  if (cut.mayHelp == 0) return " With several tricks together somebody might.";
-  std::string names;
-  const auto tricks = level::tricksIn(cut.mayHelp);
-  for (size_t i = 0; i < tricks.size(); ++i) {
-    const bool last = i > 0 && i + 1 == tricks.size();
-    names += (i == 0 ? "" : last ? " or " : ", ") + level::trickName(tricks[i]);
-  }
-  return fmt::format(" That is in normal play: a {} might do it.", names);
-}
-
-std::string cutText(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
-  if (cut.jumps > 0) {
-    return fmt::format("Every route to {} takes at least {} jump{}, but {} allowed.", cut.target,
-                       cut.jumps, cut.jumps == 1 ? "" : "s", allowedText(cut.mostJumps));
-  }
-  if (cut.seconds > 0) {
-    return fmt::format("Every route to {} takes at least {:.2f} s, but only {:.2f} s is allowed.",
-                       cut.target, cut.seconds, cut.mostSeconds);
-  }
-  return fmt::format("No player can reach {}{}.{} At most {} part{} reachable.", cut.target,
-                     cut.mayJump ? "" : " without jumping", stepText(cut, level, record),
-                     cut.reached.size(), cut.reached.size() == 1 ? " is" : "s are");
-}
-
-}  // namespace
-
-std::string reasonFor(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
-  return cutText(cut, level, record) + tricksText(cut);
-}
-
-void fillCut(schema::Cut::Builder record, const Cut& cut, const level::LevelView& level) {
-  auto reached = record.initReached(uint32_t(cut.reached.size()));
-  for (uint32_t i = 0; i < reached.size(); ++i) reached.set(i, int32_t(cut.reached[i]));
-  const auto partOf = [&](uint32_t collider) {
-    return collider == level::kNone ? -1 : int32_t(level.colliders[collider].part);
-  };
-  record.setFrom(partOf(cut.missing.from));
-  record.setTo(partOf(cut.missing.to));
-  record.setRise(cut.missing.rise);
-  record.setGap(cut.missing.gap);
-  record.setJumps(cut.jumps);
-  record.setSeconds(cut.seconds);
-  record.setWithTricks(cut.withTricks);
-  const auto tricks = level::tricksIn(cut.mayHelp);
-  auto mayHelp = record.initMayHelp(uint32_t(tricks.size()));
-  for (uint32_t i = 0; i < mayHelp.size(); ++i) mayHelp.set(i, tricks[i]);
 }
 
 }  // namespace obby::solve

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "level/level.h"
 #include "schema/obby.capnp.h"
 #include "solve/proof/reach_bound.h"
 
@@ -31,10 +30,5 @@ std::optional<Cut> cutOf(const Problem& problem, schema::Query::Reader record);
 
 // Fills in the cut's last two fields: asks again with tricks.
 void tryTricks(Cut& cut, Problem problem, schema::Query::Reader record);
-
-// Some sentences for people.
-std::string reasonFor(const Cut& cut, const level::Level& level, schema::Level::Reader record);
-
-void fillCut(schema::Cut::Builder record, const Cut& cut, const level::LevelView& level);
 
 }  // namespace obby::solve

@@ -7,12 +7,15 @@ namespace obby::solve {
 
 Judge::Judge(schema::Query::Reader query, const level::LevelView& level) : level_(level) {
   level::ColliderRuns runs(level);
-  if (query.hasGoal()) goals_.emplace_back(query.getGoal(), runs);
-  for (const auto goal : query.getGoals()) goals_.emplace_back(goal, runs);
-  for (const auto visit : query.getVisits()) visits_.emplace_back(visit, runs);
-  for (const auto avoid : query.getAvoid()) avoid_.emplace_back(avoid, runs);
+  const schema::Arrive arrive = query.getArrive();
+  if (query.hasGoal()) goals_.emplace_back(query.getGoal(), runs, arrive, level);
+  for (const auto goal : query.getGoals()) goals_.emplace_back(goal, runs, arrive, level);
+  for (const auto visit : query.getVisits()) visits_.emplace_back(visit, runs, arrive, level);
+  for (const auto avoid : query.getAvoid()) {
+    avoid_.emplace_back(avoid, runs, schema::Arrive::TOUCH, level);
+  }
   for (const auto w : query.getWaypoints()) {
-    stops_.push_back({Place(w.getRegion(), runs),
+    stops_.push_back({Place(w.getRegion(), runs, arrive, level),
                       w.getMaxJumps(),
                       ticksOf(w.getTimeLimit()),
                       {w.getSegmentJumps(), ticksOf(w.getSegmentTime())}});

@@ -21,9 +21,29 @@ bool touchesAny(level::ColliderRun colliders, const level::LevelView& level,
 
 }  // namespace
 
+Place::Place(schema::Region::Reader region, level::ColliderRuns& runs, schema::Arrive arrive,
+             const level::LevelView& level)
+    : box_(region), touch_(region.getTouch()) {
+  if (region.getPartIndex() < 0) return;
+  colliders_ = runs.of(uint32_t(region.getPartIndex()));
+  stand_ = !touch_ && arrive == schema::Arrive::STAND && colliders_.count > 0;
+  for (uint32_t i = 0; i < colliders_.count; ++i) {
+    stand_ = stand_ && (level.bounds[colliders_.first + i].flags & level::kSolid) != 0;
+  }
+  if (!stand_ || colliders_.count != 1) return;
+  const level::Bounds& only = level.bounds[colliders_.first];
+  constexpr uint32_t kHeldElsewhere = level::kTruss | level::kSeat | level::kMoving;
+  const bool flat = (only.flags & level::kUpright) && !(only.flags & kHeldElsewhere);
+  if (flat) lowest_ = double(only.box().hi.y) - double(level::kStandDepth);
+}
+
 bool Place::holds(const level::LevelView& level, const sim::World& world,
                   std::span<const sim::LooseBody> loose) const {
   if (touch_) return touchesAny(colliders_, level, world, loose);
+  if (stand_) {
+    const Point feet = feetOf(world);
+    return sim::isHeld(world) && feet.y >= lowest_ && box_.holds(feet, 0);
+  }
   return box_.holds(feetOf(world), level.params.bodyTop);
 }
 

@@ -18,11 +18,10 @@ Point feetOf(const sim::World& world);
 
 class Place {
  public:
-  // The parts that it names are resolved; `runs` of the level.
-  Place(schema::Region::Reader region, level::ColliderRuns& runs)
-      : box_(region), touch_(region.getTouch()) {
-    if (touch_) colliders_ = runs.of(uint32_t(region.getPartIndex()));
-  }
+  // The parts that it names are resolved; `runs` of the level. `arrive`: what reaching a solid part
+  // means.
+  Place(schema::Region::Reader region, level::ColliderRuns& runs, schema::Arrive arrive,
+        const level::LevelView& level);
 
   // Is the player there now?
   bool holds(const level::LevelView& level, const sim::World& world,
@@ -34,7 +33,9 @@ class Place {
 
  private:
   BoxRegion box_;
-  bool touch_;  // of a part; else the box counts
+  bool touch_;             // of a part; else the box counts
+  bool stand_ = false;     // something has to hold the player, with the feet in the box
+  double lowest_ = -1e30;  // of those feet
   level::ColliderRun colliders_;
 };
 

@@ -1,0 +1,66 @@
+// The distance that an answer names is one to act on: a part that is nearer by it, and by half a
+// stud, is reached.
+#include <gtest/gtest.h>
+
+#include "solve/proof/reach_bound.h"
+#include "support/hardest_step.h"
+
+namespace obby::solve {
+namespace {
+
+Missing missingAt(const support::Build& build, float studs) {
+  support::Scene scene = build(studs);
+  const level::Level level = scene.level.compile();
+  const Problem problem = support::plainProblem(level, support::queryFor(scene));
+  return ReachBound(problem, true).missing(problem.query.goal);
+}
+
+// `easy`: studs of a step that is surely solved.
+void expectToActOn(float easy, const support::Build& build) {
+  const Missing m = missingAt(build, 20);
+  EXPECT_FALSE(m.more);
+  const float nearer = 20 - m.rise - m.gap - 0.5f;
+  EXPECT_GE(support::hardestSolved(build, easy, nearer, 1'500'000), nearer);
+}
+
+TEST(ReachMissing, OfGapsLedgesAndDropsIsToActOn) {
+  expectToActOn(8, [](float x) { return support::platforms(x, 0); });
+  expectToActOn(6, [](float x) { return support::platforms(0, x); });
+  expectToActOn(8, [](float x) { return support::platforms(x, 4); });
+  expectToActOn(8, [](float x) { return support::platforms(x, -8); });
+}
+
+TEST(ReachMissing, OfMovingPlatformsIsToActOn) {
+  expectToActOn(6, [](float x) { return support::off({8, 0, 0}, x); });
+  expectToActOn(6, [](float x) { return support::off({0, 0, -8}, x); });
+  expectToActOn(6, [](float x) { return support::off({0, 0, -8}, x, false); });
+  expectToActOn(6, [](float x) { return support::off({0, 8, 0}, x); });
+  expectToActOn(6, [](float x) { return support::onto({8, 0, 0}, x); });
+  expectToActOn(6, [](float x) { return support::onto({0, 0, -8}, x); });
+  expectToActOn(6, [](float x) { return support::onto({0, 8, 0}, x); });
+}
+
+// What is near but leads nowhere is not named.
+TEST(ReachMissing, IsOfTheStepOnTheWay) {
+  support::Scene scene = support::platforms(15, 0);
+  scene.level.block({20, 0, 0}, {2, 1, 2});
+  const level::Level level = scene.level.compile();
+  const Problem problem = support::plainProblem(level, support::queryFor(scene));
+  const Missing m = ReachBound(problem, true).missing(problem.query.goal);
+  EXPECT_EQ(level.view().colliders[m.to].part, support::kTarget);
+  EXPECT_FALSE(m.more);
+}
+
+TEST(ReachMissing, SaysThatOneStepIsNotAll) {
+  support::Scene scene = support::platforms(15, 0);
+  scene.level.block({0, -4, -50}, {8, 8, 8});
+  scene.goal = {{-4, 0, -54}, {4, 4, -46}};
+  const level::Level level = scene.level.compile();
+  const Problem problem = support::plainProblem(level, support::queryFor(scene));
+  const Missing m = ReachBound(problem, true).missing(problem.query.goal);
+  EXPECT_EQ(level.view().colliders[m.to].part, support::kTarget);
+  EXPECT_TRUE(m.more);
+}
+
+}  // namespace
+}  // namespace obby::solve
