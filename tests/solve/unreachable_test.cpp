@@ -50,9 +50,9 @@ void expectUnreachable(const Filtered& f, const std::string& words) {
 
 TEST(Unreachable, NamesTheStepThatIsMissing) {
   const Filtered f = unreachableAsk(R"("goal":{"part":"Ledge"})");
-  expectUnreachable(f, "No player can reach the goal 'Ledge'. From 'C', the goal 'Ledge' is ");
+  expectUnreachable(f, "No player can reach the goal 'Ledge'. From 'C', 'Ledge' is 17.5 studs ");
   EXPECT_THAT(f.output, HasSubstr(" studs too high. At most 3 parts are reachable.\""));
-  EXPECT_THAT(f.output, HasSubstr(R"("reached":[0,1,2],"from":2,"rise":)"));
+  EXPECT_THAT(f.output, HasSubstr(R"("reached":[0,1,2],"from":2,"to":3,"rise":)"));
 }
 
 // Somebody else might.
