@@ -2,6 +2,7 @@
 // possible.
 #include "solve/proof/unreachable.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -50,9 +51,24 @@ void expectUnreachable(const Filtered& f, const std::string& words) {
 
 TEST(Unreachable, NamesTheStepThatIsMissing) {
   const Filtered f = unreachableAsk(R"("goal":{"part":"Ledge"})");
-  expectUnreachable(f, "No player can reach the goal 'Ledge'. From 'C', 'Ledge' is 17.5 studs ");
-  EXPECT_THAT(f.output, HasSubstr(" studs too high. At most 3 parts are reachable.\""));
-  EXPECT_THAT(f.output, HasSubstr(R"("reached":[0,1,2],"from":2,"to":3,"rise":)"));
+  expectUnreachable(
+      f, "No player can reach the goal 'Ledge'. From 'C', the goal 'Ledge' is 17.5 studs ");
+  EXPECT_THAT(f.output, HasSubstr(" studs too high. At most 3 parts are reachable. "));
+  EXPECT_THAT(f.output, HasSubstr(R"("reached":[0,1,2],"from":2,"rise":)"));
+}
+
+// A goal `rise` studs above the last stone, which a jump of 7.3 does not reach.
+std::string goalAbove(float rise) {
+  return fmt::format(R"("goal":{{"name":"up","position":[0,{},-43],"size":[8,4,8]}})",
+                     5 + 5 + rise);
+}
+
+TEST(Unreachable, SaysWhichTricksMightHelpAndWhetherItHoldsWithAll) {
+  const Filtered low = unreachableAsk(goalAbove(10)), high = unreachableAsk(goalAbove(60));
+  expectUnreachable(low, " That is in normal play: a held jump");
+  EXPECT_THAT(low.output, HasSubstr(R"("mayHelp":["heldJump")"));
+  expectUnreachable(high, " That holds with every trick, too.");
+  EXPECT_THAT(high.output, HasSubstr(R"("withTricks":true)"));
 }
 
 // Somebody else might.

@@ -40,8 +40,7 @@ void ReachBound::standOn(End& region) const {
 
 ReachBound::End ReachBound::endAt(const level::TargetView& target) const {
   const Box box = boxOf(target);
-  // Who stands there has the feet in it.
-  const float height = box.lo.y - (target.stand ? limits_.slack : p_.bodyTop);
+  const float height = box.lo.y - p_.bodyTop;
   End end{box, height, height, height, 0, kNever};
   if (target.touchCount == 0) standOn(end);
   return end;

@@ -1,0 +1,96 @@
+#include "level/query_targets.h"
+
+#include <fmt/format.h>
+
+namespace obby::level {
+
+// Names are not looked up here.
+Status checkLookedUp(schema::Region::Reader record, const std::string& path) {
+  if (record.getPart().size() == 0 || record.getPartIndex() >= 0) return {};
+  return pathError(path + ".part", "the box of this part is not filled in",
+                   "run the query through obby-solve, which fills it in");
+}
+
+Result<TargetView> QueryTargets::compile(schema::Region::Reader record, const std::string& path,
+                                         schema::Arrive arrive) {
+  OBBY_ASSIGN(TargetView target, boxOrPart(record, path));
+  const int32_t part = record.getPartIndex();
+  target.stand =
+      arrive == schema::Arrive::STAND && !record.getTouch() && part >= 0 && isSolid(uint32_t(part));
+  if (target.stand) leaveFoot(uint32_t(part), target.region);
+  return target;
+}
+
+Result<std::vector<TargetView>> QueryTargets::compile(capnp::List<schema::Region>::Reader list,
+                                                      const char* name, schema::Arrive arrive) {
+  std::vector<TargetView> targets;
+  for (const auto record : list) {
+    OBBY_ASSIGN(const TargetView target,
+                compile(record, fmt::format("{}[{}]", name, targets.size()), arrive));
+    targets.push_back(target);
+  }
+  return targets;
+}
+
+Result<TargetView> QueryTargets::boxOrPart(schema::Region::Reader record, const std::string& path) {
+  TargetView target;
+  const int32_t part = record.getPartIndex();
+  OBBY_RETURN_IF_ERROR(checkLookedUp(record, path));
+  OBBY_ASSIGN(target.region, region(record, path));
+  if (!record.getTouch()) return target;
+  if (part < 0) {
+    return pathError(path + ".touch", "a box cannot be touched, only a part can",
+                     "name the part: {\"part\":\"Finish\",\"touch\":true}");
+  }
+  if (size_t(part) >= parts_) {
+    return pathError(path + ".partIndex",
+                     fmt::format("there is no part {}: the level has {}", part, parts_));
+  }
+  listTouched(uint32_t(part), target);
+  if (target.touchCount == 0) {
+    // The path may name a place that is not in the record: a name or a tag stands for many parts.
+    const std::string name = record.getPart().size() > 0 ? std::string(record.getPart().cStr())
+                                                         : fmt::format("part:{}", part);
+    return pathError(
+        path + ".touch",
+        fmt::format("'{}' cannot be touched: it is not solid and does nothing on touch", name),
+        "remove touch to ask for the space around the part");
+  }
+  return target;
+}
+
+bool QueryTargets::isSolid(uint32_t part) {
+  const ColliderRun run = runs_.of(part);
+  for (uint32_t i = run.first; i < run.first + run.count; ++i) {
+    if (!(level_.bounds[i].flags & kSolid)) return false;
+  }
+  return run.count > 0;
+}
+
+// Takes the foot of a part with a level top off the region around it: who stands beside the part
+// is not on it.
+void QueryTargets::leaveFoot(uint32_t part, geom::Region& region) {
+  const ColliderRun run = runs_.of(part);
+  const Bounds& bounds = level_.bounds[run.first];
+  constexpr uint32_t kHeldElsewhere = kTruss | kSeat | kMoving | kTriggered | kLoose;
+  const bool flat = run.count == 1 && (bounds.flags & kUpright) && !(bounds.flags & kHeldElsewhere);
+  if (!flat || absf(region.pose.rotation.y.y) < 0.999f) return;
+  const float high = region.pose.position.y + region.half.y;
+  const float low = maxf(high - 2 * region.half.y, bounds.box().hi.y - kStandDepth);
+  region.pose.position.y = 0.5f * (low + high);
+  region.half.y = 0.5f * (high - low);
+}
+
+// A part's colliders go into touched_ once: lists may name it again, and a tag thousands.
+void QueryTargets::listTouched(uint32_t part, TargetView& target) {
+  const ColliderRun run = runs_.of(part);
+  listed_.resize(parts_, kNone);
+  if (listed_[part] == kNone) {
+    listed_[part] = uint32_t(touched_.size());
+    for (uint32_t i = 0; i < run.count; ++i) touched_.push_back(run.first + i);
+  }
+  target.firstTouch = listed_[part];
+  target.touchCount = run.count;
+}
+
+}  // namespace obby::level

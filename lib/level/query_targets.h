@@ -1,0 +1,45 @@
+// What a query names, compiled: boxes, and parts to touch or to stand on.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "level/collider_runs.h"
+#include "level/query_view.h"
+#include "level/record_values.h"
+
+namespace obby::level {
+
+// Error about `path`: the region names a part whose box is not filled in. Names are not looked up
+// here.
+Status checkLookedUp(schema::Region::Reader record, const std::string& path);
+
+// Parts to touch are looked up among the level's colliders.
+class QueryTargets {
+ public:
+  // `parts`: of the level. `touched`: filled with the colliders of parts to touch. All must outlive
+  // it.
+  QueryTargets(const LevelView& level, size_t parts, std::vector<uint32_t>& touched)
+      : level_(level), parts_(parts), runs_(level), touched_(touched) {}
+
+  // A solid part is stood on if `arrive` says so, and entered otherwise, as a box is. Errors: about
+  // `path`.
+  Result<TargetView> compile(schema::Region::Reader record, const std::string& path,
+                             schema::Arrive arrive);
+  Result<std::vector<TargetView>> compile(capnp::List<schema::Region>::Reader list,
+                                          const char* name, schema::Arrive arrive);
+
+ private:
+  Result<TargetView> boxOrPart(schema::Region::Reader record, const std::string& path);
+  bool isSolid(uint32_t part);
+  void leaveFoot(uint32_t part, geom::Region& region);
+  void listTouched(uint32_t part, TargetView& target);
+
+  const LevelView& level_;
+  size_t parts_;
+  ColliderRuns runs_;
+  std::vector<uint32_t> listed_;  // (parts) where each is in touched_; empty until one is
+  std::vector<uint32_t>& touched_;
+};
+
+}  // namespace obby::level
