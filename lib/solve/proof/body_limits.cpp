@@ -257,10 +257,10 @@ float BodyLimits::fallApex(float up) const { return up > 0 ? up * up / (2 * grav
 float BodyLimits::airSeconds(float w, float rise) const {
   const float end2 = w * w - 2 * gravity_ * rise;
   if (end2 < 0 || (rise > 0 && w <= 0)) return -1;
-  const float end = sqrtf32(end2), fastest = p_.maxFallSpeed;
-  if (end <= fastest) return (w + end) / gravity_;
-  const float fallen = (fastest * fastest - w * w) / (2 * gravity_);
-  return (w + fastest) / gravity_ + (-rise - fallen) / fastest + 2 * dt_;
+  const float end = sqrtf32(end2), limit = p_.maxFallSpeed;
+  if (end <= limit) return (w + end) / gravity_;
+  const float fallen = (limit * limit - w * w) / (2 * gravity_);
+  return (w + limit) / gravity_ + (-rise - fallen) / limit + 2 * dt_;
 }
 
 float BodyLimits::leapSeconds(float up, float rise) const {
