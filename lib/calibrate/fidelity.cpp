@@ -54,10 +54,8 @@ struct Played {
 };
 
 // (frames), the first as recorded.
-std::vector<Played> playFrames(const level::Level& level, const Track& track,
-                               const std::vector<uint32_t>& steps, uint16_t tricks) {
-  level::LevelView view = level.view();
-  view.params.tricks = tricks;
+std::vector<Played> playFrames(level::LevelView view, const Track& track,
+                               const std::vector<uint32_t>& steps) {
   const float step = view.params.substepSeconds;
   sim::World world = worldAt(track, 0, view);
   auto loose = sim::startLoose(view);
@@ -71,8 +69,7 @@ std::vector<Played> playFrames(const level::Level& level, const Track& track,
   return out;
 }
 
-std::vector<Played> playTicks(level::LevelView view, const Track& track, uint16_t tricks) {
-  view.params.tricks = tricks;
+std::vector<Played> playTicks(const level::LevelView& view, const Track& track) {
   std::vector<Played> out{{track.frames[0].position, track.frames[0].state}};
   playBack(view, track, {{0, uint32_t(track.frames.size()) - 1}}, 0,
            [&](uint32_t, uint32_t, const Moment& now) {
@@ -88,10 +85,14 @@ Result<std::vector<Played>> play(const Take& take, schema::PhysicsParams::Reader
   const uint32_t rate = uint32_t(p.controlRate) * p.substeps;
   const std::vector<uint32_t> steps = stepsOf(take.track, double(rate));
   const uint32_t longest = longestTick(steps, rate);
-  if (longest == 0 || level.view().moverCount > 0)
-    return playTicks(level.view(), take.track, tricks);
+  const auto viewOf = [&](const level::Level& of) {
+    level::LevelView view = of.view();
+    view.params.tricks = tricks;
+    return view;
+  };
+  if (longest == 0 || level.view().moverCount > 0) return playTicks(viewOf(level), take.track);
   OBBY_ASSIGN(const level::Level framed, levelOfFrames(take, params, rate, longest));
-  return playFrames(framed, take.track, steps, tricks);
+  return playFrames(viewOf(framed), take.track, steps);
 }
 
 bool changes(const std::vector<Played>& played, size_t frame, sim::State to) {

@@ -23,8 +23,7 @@ struct Fidelity {
 // Plays a recording in its level, under `params` but for what the level states itself. A recorded
 // frame is played as one tick of its own number of physics steps, as the engine does it. Where a
 // part moves or a frame is not 1 to 16 whole steps, ticks last as the level says, and positions
-// between two ticks are interpolated. `tricks`: Params::tricks. Errors:
-// those of Level::compile.
+// between two ticks are interpolated. `tricks`: Params::tricks. Errors: those of Level::compile.
 Result<Fidelity> fidelityOf(const Take& take, schema::PhysicsParams::Reader params,
                             uint16_t tricks = 0);
 

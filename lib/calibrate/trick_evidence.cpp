@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <utility>
+
 #include "level/tricks.h"
 
 namespace obby::calibrate {
@@ -11,10 +14,14 @@ namespace {
 constexpr double kChange = 0.05;  // studs of a recording's mean distance that count
 
 Result<std::vector<double>> distances(std::span<const Take> takes,
-                                      schema::PhysicsParams::Reader params, uint16_t tricks) {
+                                      schema::PhysicsParams::Reader params, uint16_t tricks,
+                                      ThreadPool& pool) {
+  std::vector<std::optional<Result<Fidelity>>> played(takes.size());
+  pool.run(int(takes.size()),
+           [&](int i) { played[size_t(i)] = fidelityOf(takes[size_t(i)], params, tricks); });
   std::vector<double> out;
-  for (const Take& take : takes) {
-    OBBY_ASSIGN(const Fidelity one, fidelityOf(take, params, tricks));
+  for (auto& take : played) {
+    OBBY_ASSIGN(const Fidelity one, std::move(*take));
     out.push_back(one.mean);
   }
   return out;
@@ -23,12 +30,13 @@ Result<std::vector<double>> distances(std::span<const Take> takes,
 }  // namespace
 
 Result<std::vector<TrickEvidence>> trickEvidence(std::span<const Take> takes,
-                                                 schema::PhysicsParams::Reader params) {
-  OBBY_ASSIGN(const std::vector<double> plain, distances(takes, params, 0));
+                                                 schema::PhysicsParams::Reader params,
+                                                 ThreadPool& pool) {
+  OBBY_ASSIGN(const std::vector<double> plain, distances(takes, params, 0, pool));
   std::vector<TrickEvidence> out;
   for (const schema::Trick trick : level::tricksIn(kAllTricks)) {
     const auto bit = uint16_t(1u << uint32_t(trick));
-    OBBY_ASSIGN(const std::vector<double> tricky, distances(takes, params, bit));
+    OBBY_ASSIGN(const std::vector<double> tricky, distances(takes, params, bit, pool));
     TrickEvidence& e = out.emplace_back();
     e.trick = trick;
     for (size_t i = 0; i < takes.size(); ++i) {

@@ -1,11 +1,12 @@
-// Which tricks the engine of some recordings has switched on: recordings are played with each trick
-// and without.
+// Finds the tricks that the engine of some recordings does: each recording is played with every
+// trick and without.
 #pragma once
 
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/thread_pool.h"
 #include "calibrate/fidelity.h"
 
 namespace obby::calibrate {
@@ -13,9 +14,8 @@ namespace obby::calibrate {
 struct TrickEvidence {
   schema::Trick trick;
   double without = 0, with = 0;  // mean distance over all recordings, studs
-  uint32_t nearer = 0,
-           farther =
-               0;  // recordings that the trick brings nearer by 0.05 studs or more, and farther
+  // Recordings whose mean distance the trick shortens by 0.05 studs or more, or lengthens.
+  uint32_t nearer = 0, farther = 0;
 
   // The engine does this: most recordings that the trick changes are nearer with it.
   bool isOn() const { return nearer > 2 * farther && with < without; }
@@ -23,7 +23,8 @@ struct TrickEvidence {
 
 // One for each trick. Errors: those of Level::compile.
 Result<std::vector<TrickEvidence>> trickEvidence(std::span<const Take> takes,
-                                                 schema::PhysicsParams::Reader params);
+                                                 schema::PhysicsParams::Reader params,
+                                                 ThreadPool& pool);
 
 // A sentence about the tricks that are on; empty: none is.
 std::string textOf(std::span<const TrickEvidence> evidence);

@@ -132,7 +132,7 @@ struct World {
   float fallenPartsHeight = -500;
 };
 
-// Which bodies a place gives to its players.
+// The bodies that a place gives its players.
 struct Avatar {
   std::vector<std::string>
       bodies;                    // names of level/bodies.h that it admits; empty: it does not say

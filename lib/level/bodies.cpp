@@ -3,6 +3,9 @@
 #include <capnp/dynamic.h>
 
 #include <algorithm>
+#include <vector>
+
+#include "base/listed.h"
 
 namespace obby::level {
 
@@ -44,12 +47,9 @@ const Body* findBody(std::string_view name) {
 }
 
 std::string bodyNames() {
-  std::string text;
-  for (const Body& body : kBodies) {
-    if (!text.empty()) text += &body == std::end(kBodies) - 1 ? " or " : ", ";
-    text += body.name;
-  }
-  return text;
+  std::vector<std::string> names;
+  for (const Body& body : kBodies) names.emplace_back(body.name);
+  return listed(names, "or");
 }
 
 void setBody(const Body& body, schema::PhysicsParams::Builder physics) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/listed.h"
 #include "level/bodies.h"
 
 namespace obby::level {
@@ -36,12 +37,11 @@ Status check(const Player& player, const std::string& body, const std::string& r
 std::span<const FrameRate> frameRates() { return kFrameRates; }
 
 std::string frameRateNames() {
-  std::string text;
+  std::vector<std::string> names;
   for (const FrameRate& rate : kFrameRates) {
-    if (!text.empty()) text += &rate == std::end(kFrameRates) - 1 ? " or " : ", ";
-    text += fmt::format("{}", rate.framesPerSecond);
+    names.push_back(fmt::format("{}", rate.framesPerSecond));
   }
-  return text;
+  return listed(names, "or");
 }
 
 bool namesPlayers(schema::Query::Reader query) {

@@ -4,7 +4,6 @@
 
 namespace obby::level {
 
-// Names are not looked up here.
 Status checkLookedUp(schema::Region::Reader record, const std::string& path) {
   if (record.getPart().size() == 0 || record.getPartIndex() >= 0) return {};
   return pathError(path + ".part", "the box of this part is not filled in",
@@ -72,7 +71,6 @@ bool QueryTargets::isSolid(uint32_t part) {
 void QueryTargets::leaveFoot(uint32_t part, geom::Region& region) {
   const ColliderRun run = runs_.of(part);
   const Bounds& bounds = level_.bounds[run.first];
-  constexpr uint32_t kHeldElsewhere = kTruss | kSeat | kMoving | kTriggered | kLoose;
   const bool flat = run.count == 1 && (bounds.flags & kUpright) && !(bounds.flags & kHeldElsewhere);
   if (!flat || absf(region.pose.rotation.y.y) < 0.999f) return;
   const float high = region.pose.position.y + region.half.y;

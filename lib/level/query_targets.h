@@ -1,4 +1,4 @@
-// What a query names, compiled: boxes, and parts to touch or to stand on.
+// Compiles the targets of a query: boxes, and parts to touch or to stand on.
 #pragma once
 
 #include <string>

@@ -9,6 +9,8 @@ namespace obby::level {
 
 // Studs below a level top at which feet still stand on it: as far as a landing dips, and more.
 constexpr float kStandDepth = 0.5f;
+// Parts that hold a player elsewhere than on their top, or whose top is elsewhere later.
+constexpr uint32_t kHeldElsewhere = kTruss | kSeat | kMoving | kTriggered | kLoose;
 
 // What a query names: a region, or a part that has to be touched.
 struct TargetView {

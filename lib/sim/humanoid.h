@@ -25,7 +25,7 @@ OBBY_DEVICE float climbSpeedOf(const Params& p) { return p.climbSpeed * p.walkSp
 // Radians by which a jump has to turn the body to be held: measured, at a turn rate of 1.15 rad/s.
 constexpr float kHeldJumpTurn = 0.137f;
 
-// What is left to turn from the facing to the heading, turns / 65536.
+// The signed angle from the facing to the heading, turns / 65536.
 template <class F>
 OBBY_DEVICE F turnLeft(const PlayerT<F>& w, const ControlT<F>& control) {
   return toFloat(((control.heading - w.yaw) << 16) >> 16);

@@ -57,15 +57,16 @@ Take turningJump(uint16_t tricks) {
 
 // The same inputs in an engine that holds jumps.
 TEST(TrickEvidence, FindsTheTrickThatTheEngineDoes) {
+  ThreadPool pool(availableThreads());
   std::vector<Take> takes;
   for (int i = 0; i < 4; ++i) takes.push_back(turningJump(kHeldJump));
-  const auto held = trickEvidence(takes, defaults());
+  const auto held = trickEvidence(takes, defaults(), pool);
   ASSERT_TRUE(held);
   for (const TrickEvidence& e : *held) {
     EXPECT_EQ(e.isOn(), e.trick == schema::Trick::HELD_JUMP) << level::trickName(e.trick);
   }
   EXPECT_LT((*held)[0].with, 0.01);
-  const auto none = trickEvidence(takesUnder(defaults()), defaults());
+  const auto none = trickEvidence(takesUnder(defaults()), defaults(), pool);
   ASSERT_TRUE(none);
   EXPECT_EQ(textOf(*none), "");
 }

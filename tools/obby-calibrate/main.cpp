@@ -122,7 +122,8 @@ std::vector<calibrate::Take> playable(cli::Context& context,
 
 Status tell(cli::Context& context, io::Pipeline& pipeline, const calibrate::Fit& fit,
             const std::vector<calibrate::Take>& takes, const std::vector<calibrate::Take>& kept,
-            schema::PhysicsParams::Builder params, std::optional<io::Sink>& report) {
+            schema::PhysicsParams::Builder params, ThreadPool& pool,
+            std::optional<io::Sink>& report) {
   for (const calibrate::Fitted& f : fit.parameters)
     calibrate::setValue(params, f.parameter.name, f.value);
   params.setControlRate(uint16_t(fit.controlRate));
@@ -134,7 +135,7 @@ Status tell(cli::Context& context, io::Pipeline& pipeline, const calibrate::Fit&
   OBBY_ASSIGN(auto outcomes, outcomesOf(takes, false, params.asReader(), fit.delay));
   OBBY_ASSIGN(const auto others, outcomesOf(heldOut, true, params.asReader(), fit.delay));
   outcomes.insert(outcomes.end(), others.begin(), others.end());
-  OBBY_ASSIGN(const auto tricks, calibrate::trickEvidence(takes, params.asReader()));
+  OBBY_ASSIGN(const auto tricks, calibrate::trickEvidence(takes, params.asReader(), pool));
   OBBY_RETURN_IF_ERROR(writeMetrics(pipeline, fit, outcomes, tricks));
   OBBY_ASSIGN(const std::vector<std::string> why,
               whyNotNearer(context, fit, outcomes, takes, heldOut, params));
@@ -196,7 +197,7 @@ Status calibrateFrom(cli::Context& context, io::Pipeline& pipeline, Asked asked,
                                                  {{"loss", progress.loss},
                                                   {"evaluations", double(progress.evaluations)}}});
                              }));
-  return tell(context, pipeline, fit, takes, heldOut, params, report);
+  return tell(context, pipeline, fit, takes, heldOut, params, pool, report);
 }
 
 // Before the fit, which may take an hour: a file that cannot be written is said at once. Recordings

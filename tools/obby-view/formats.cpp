@@ -1,7 +1,9 @@
 #include "formats.h"
 
 #include <algorithm>
+#include <sstream>
 
+#include "base/listed.h"
 #include "base/spelling.h"
 #include "io/text.h"
 #include "options.h"
@@ -88,16 +90,11 @@ std::string allEndings() {
 }
 
 // ".html, .htm, .txt or .svg"
-std::string listed(const std::string& endings) {
-  std::string out;
-  for (size_t at = 0; at < endings.size();) {
-    const size_t space = endings.find(' ', at);
-    const bool last = space + 1 == endings.size();
-    out += at == 0 ? "" : last ? " or " : ", ";
-    out += endings.substr(at, space - at);
-    at = space + 1;
-  }
-  return out;
+std::string endingsText(const std::string& endings) {
+  std::vector<std::string> words;
+  std::istringstream in(endings);
+  for (std::string word; in >> word;) words.push_back(word);
+  return listed(words, "or");
 }
 
 }  // namespace
@@ -122,7 +119,7 @@ Status checkEnding(const cli::Arguments& arguments) {
                {},
                "--output",
                "no format has the ending " + io::quoted(ending),
-               "use " + listed(known) + ", or choose with --format"};
+               "use " + endingsText(known) + ", or choose with --format"};
 }
 
 }  // namespace obby

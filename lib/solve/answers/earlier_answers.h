@@ -22,7 +22,7 @@ class EarlierAnswers {
 
   Status note(schema::Trajectory::Reader trajectory);
 
-  // Who asks for them, and ticks per second.
+  // The player that the trajectories are for, and rates in ticks per second.
   struct For {
     level::Player player;
     uint32_t rate, levelRate;  // the player's, and the level's own

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/listed.h"
 #include "level/tricks.h"
 #include "sim/candidates.h"
 #include "sim/loose_contacts.h"
@@ -175,13 +176,9 @@ std::string allowedText(uint32_t n) {
 std::string tricksText(const Cut& cut) {
   if (cut.withTricks) return " That holds with every trick, too.";
   if (cut.mayHelp == 0) return " With several tricks together somebody might.";
-  std::string names;
-  const auto tricks = level::tricksIn(cut.mayHelp);
-  for (size_t i = 0; i < tricks.size(); ++i) {
-    const bool last = i > 0 && i + 1 == tricks.size();
-    names += (i == 0 ? "" : last ? " or " : ", ") + level::trickName(tricks[i]);
-  }
-  return fmt::format(" That is in normal play: a {} might do it.", names);
+  std::vector<std::string> names;
+  for (const auto trick : level::tricksIn(cut.mayHelp)) names.push_back(level::trickName(trick));
+  return fmt::format(" That is in normal play: a {} might do it.", listed(names, "or"));
 }
 
 std::string cutText(const Cut& cut, const level::Level& level, schema::Level::Reader record) {

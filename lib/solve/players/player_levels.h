@@ -23,7 +23,7 @@ class PlayerLevels {
   // live. Error: no such player; a level that is none at the player's frame rate.
   Result<const LoadedLevel*> of(const LoadedLevel& base, const level::Player& player);
 
-  // Of all that were compiled, about.
+  // Approximate size of all compiled levels.
   uint64_t bytes() const { return bytes_; }
 
  private:

@@ -16,7 +16,7 @@ struct PlayersAsked {
   bool sameKeys;
 };
 
-// What cannot be told of several players is of the one who decides the verdict.
+// Fields that hold one value describe the player who decides the verdict.
 io::Record resultOf(const std::vector<PlayerCase>& cases, const PlayersAsked& asked);
 
 }  // namespace obby::solve

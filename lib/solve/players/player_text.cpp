@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/listed.h"
 #include "level/bodies.h"
 
 namespace obby::solve {
@@ -21,20 +22,10 @@ std::string titleOf(const std::string& name) {
   return body != nullptr ? body->title : "the place's body";
 }
 
-// "30, 60 and 144"
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-    text += words[i];
-  }
-  return text;
-}
-
 std::string ratesText(const std::vector<uint32_t>& rates) {
   std::vector<std::string> words;
   for (const uint32_t rate : rates) words.push_back(fmt::format("{}", rate));
-  return fmt::format("at {} frames a second", listed(words));
+  return fmt::format("at {} frames a second", listed(words, "and"));
 }
 
 std::vector<BodyRates> byBody(const std::vector<PlayerVerdict>& players) {
@@ -58,7 +49,7 @@ std::string groupText(const std::vector<PlayerVerdict>& players, bool namesBodie
   for (const BodyRates& g : groups) {
     words.push_back(titleOf(g.body) + (alike ? std::string() : " " + ratesText(g.rates)));
   }
-  std::string text = fmt::format(" {} {}", preposition, listed(words));
+  std::string text = fmt::format(" {} {}", preposition, listed(words, "and"));
   if (alike) text += " " + ratesText(groups[0].rates);
   return text;
 }

@@ -55,7 +55,7 @@ class PlayersSolving {
  private:
   uint16_t rate() const { return level_.level.view().params.controlRate; }
 
-  // Of the shares that remain each player gets an equal one.
+  // Each player gets an equal share of the budget that is left.
   Status solveEach() {
     for (size_t i = 0; i < cases_.size(); ++i) {
       SolverOptions options = options_;
@@ -71,7 +71,7 @@ class PlayersSolving {
     return {};
   }
 
-  // What the query's other players did.
+  // Solutions of the query's other players.
   std::vector<KnownWay> hintsFor(const PlayerCase& c) const {
     std::vector<KnownWay> hints;
     for (const PlayerCase& other : cases_) {
@@ -132,7 +132,7 @@ class PlayersSolving {
     }
   }
 
-  // Of the searches before, to the result of this one.
+  // Adds the work of the earlier searches to the result of this one.
   static void addWork(PlayerCase& c, uint64_t& steps, double& seconds) {
     io::RecordBuilder record(c.result->reader());
     auto result = record.root().getResult();

@@ -173,9 +173,8 @@ void BodyLimits::setTakeOff() {
 }
 
 void BodyLimits::setTricks() {
-  constexpr float kAnySpeed = 1e6f;
   const auto allows = [&](Trick trick) { return (p_.tricks & trick) != 0; };
-  turning = allows(kWallHop) ? kAnySpeed : across * p_.turnSpeed;
+  turning = across * (allows(kWallHop) ? kPi / tick_ : p_.turnSpeed);
   if (allows(kWallHop) || allows(kHeldJump)) overlap = turned;
   if (allows(kHangingLanding)) {
     always_ = std::max({always_, reachAt(p_.maxFallSpeed, false), keptReach_});
@@ -185,6 +184,10 @@ void BodyLimits::setTricks() {
     heldSeconds = (keptReach_ + sunk_) / std::max(slowJump, 1e-3f) + 2 * tick_;
   }
   if (allows(kLegThrow)) setThrown();
+  // What a landing leaves is highest at an end of the speeds (docs/proof.md, take-off), and without
+  // one the feet are within the rays' kept length, or a tick's fall of it.
+  landedTakeOff =
+      std::max({always_, keptReach_, std::max(reachAt(0, true), reachAt(0, false)) + nearRest()});
 }
 
 // The map of a tick's steps on the legs is linear: the speed after n of them is gain * depth + kept
@@ -223,7 +226,7 @@ float BodyLimits::takeOff(Span heads, float rising) const {
   if (heads.hi <= 0) return always_;
   // Who lands on a floor that goes up may go up as fast.
   const float fall = fallOver(landedSteps_) - rising * float(landedSteps_) * dt_;
-  const float near = gravity_ * tick_ * tick_ * 0.5f + slack;
+  const float near = nearRest();
   const float kept = std::max(reachAt(0, true), reachAt(0, false));
   float most = always_;
   if (heads.hi <= kept + near) {

@@ -49,6 +49,8 @@ class BodyLimits {
   float thrown = 0;       // studs/s upward that legs give at most, on a floor that stands
   float heldSeconds = 0;  // for which a jump is held at most
 
+  float landedTakeOff = 0;  // studs: no takeOff() or keptTakeOff() is higher
+
   // Lowest feet that a static upright block takes onto its top, by feet that fall off a floor and
   // by feet in a jump. `pinched`: another part may hold the body beside it.
   float entryFalling(float top) const;
@@ -88,6 +90,7 @@ class BodyLimits {
  private:
   float fallOver(uint32_t steps) const;  // studs of a free fall from rest
   float airSeconds(float w, float rise) const;
+  float nearRest() const { return gravity_ * tick_ * tick_ * 0.5f + slack; }  // studs, of a tick
   float settled(float speed) const;  // height above a floor that is acquired at that fall, Landed
   float reachAt(float fall, bool kept) const;
   void setSpeeds(const Problem& problem, const std::vector<PartMotion>& motions);

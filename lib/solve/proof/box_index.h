@@ -33,11 +33,20 @@ class BoxIndex {
   // Calls found(i) once for every box that meets `box`.
   template <class Found>
   void find(const Box& box, Found&& found) const {
+    findWhile(box, [&](uint32_t i) {
+      found(i);
+      return true;
+    });
+  }
+
+  // The same until found(i) returns false.
+  template <class Found>
+  void findWhile(const Box& box, Found&& found) const {
     for (size_t b = 0; b < blocks_.size(); ++b) {
       if (!overlaps(blocks_[b], box)) continue;
       const size_t end = std::min((b + 1) * kBlock, items_.size());
       for (size_t i = b * kBlock; i < end; ++i) {
-        if (overlaps(items_[i].box, box)) found(items_[i].index);
+        if (overlaps(items_[i].box, box) && !found(items_[i].index)) return;
       }
     }
   }

@@ -147,6 +147,7 @@ Missing ReachBound::missing(const std::vector<const level::TargetView*>& targets
     if (leadsTo != level::kNone && lacks < routes[leadsTo].lacks) come(leadsTo, route);
     for (uint32_t to = 0; to < ends.size(); ++to) {
       if (to < supports_.size() && supports_[to].collider == level::kNone) continue;
+      if (routes[to].lacks <= lacks) continue;  // no step lacks less than nothing
       const Missing step = lack(at, ends[to]);
       const float all = lacks + step.rise + step.gap;
       if (!(all < routes[to].lacks)) continue;

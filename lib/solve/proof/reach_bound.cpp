@@ -43,7 +43,7 @@ ReachBound::ReachBound(const Problem& problem, bool mayJump)
 }
 
 bool ReachBound::raise(float& value, float to) {
-  if (!(to > value + 1e-4f)) return false;
+  if (!raises(value, to)) return false;
   value = to;
   return changed_ = true;
 }
@@ -159,24 +159,26 @@ bool ReachBound::crosses(uint32_t from, const Flight& f, const End& to) const {
     const float all = lifted + pushed_ * seconds +
                       (parts == kMostParts ? turns : std::min(float(parts) * each, turns));
     if (all < own) return false;
-    const int near = std::min(partsNear(from, f, to, all), kMostParts);
+    const int near = partsNear(from, f, to, all);
     if (near >= parts) return true;
     if (near == 0) return false;
     parts = near;
   }
 }
 
-// Solid parts that a flight of that length may meet.
+// Solid parts that a flight of that length may meet: kMostParts where there are more.
 int ReachBound::partsNear(uint32_t from, const Flight& f, const End& to, float studs) const {
   const Support& s = supports_[from];
   const float low = std::min(to.falling, to.leaping), high = apex(f) + p_.bodyTop;
   const float far = studs + f.radius + to.side + 2 * limits_.body;
   int count = 0;
-  index_.find(flat(join(s.box, to.box), far), [&](uint32_t i) {
+  index_.findWhile(flat(join(s.box, to.box), far), [&](uint32_t i) {
     const Support& by = supports_[i];
-    if (i == from || i == to.support || !by.carries) return;
-    if (by.box.hi.y < low || by.box.lo.y > high) return;
-    if (gapBetween(s.box, by.box) + gapBetween(by.box, to.box) <= far) ++count;
+    const bool meets = i != from && i != to.support && by.carries && by.box.hi.y >= low &&
+                       by.box.lo.y <= high &&
+                       gapBetween(s.box, by.box) + gapBetween(by.box, to.box) <= far;
+    count += meets ? 1 : 0;
+    return count < kMostParts;
   });
   return count;
 }
@@ -212,27 +214,34 @@ void ReachBound::spread(uint32_t from, std::vector<uint32_t>& now, std::vector<u
   index_.find(flat(s.box, most + s.side), [&](uint32_t to) {
     if (supports_[to].collider == level::kNone) return;
     const End end = endAt(to);
-    if (crosses(from, falling, end)) {
-      arrive(from, to, falling);
-      come(to, made);
-    }
-    if (!jumps) return;
-    if (stepsInto(leaping, supports_[to], wayTo(from, end)) || crosses(from, leaping, end)) {
-      arrive(from, to, leaping);
-      come(to, made + jumpsOfLeap());
-    }
+    const auto fly = [&](const Flight& f, uint32_t after) {
+      if (after >= jumps_[to] && !raises(takeOff_[to], limits_.landedTakeOff)) return;
+      const float takeOff = takeOffAfter(from, to, f);
+      if (after >= jumps_[to] && !raises(takeOff_[to], takeOff)) return;  // nothing new
+      const bool enters = f.leaps && stepsInto(f, supports_[to], wayTo(from, end));
+      if (!enters && !crosses(from, f, end)) return;
+      if (raises(takeOff_[to], takeOff) && comesOver(from, to, f)) raise(takeOff_[to], takeOff);
+      come(to, after);
+    };
+    fly(falling, made);
+    if (jumps) fly(leaping, made + jumpsOfLeap());
   });
 }
 
-// How high above its own top a support may be left after that flight.
-void ReachBound::arrive(uint32_t from, uint32_t to, const Flight& f) {
-  const Support &a = supports_[from], &b = supports_[to];
-  if (!b.carries || !b.level) return;
-  const float floor = b.top + b.lift, high = apex(f) - floor;
-  if (high <= takeOff_[to]) return;
+// Does the flight come to the top of a support, and not below it only?
+bool ReachBound::comesOver(uint32_t from, uint32_t to, const Flight& f) const {
+  const Support& b = supports_[to];
   End top = endAt(to);
-  top.falling = top.leaping = std::min(floor, apex(f)) - limits_.fallApex(b.upward);
-  if (!crosses(from, f, top)) return;  // comes there below its top only
+  top.falling = top.leaping = std::min(b.top + b.lift, apex(f)) - limits_.fallApex(b.upward);
+  return crosses(from, f, top);
+}
+
+// How high above its own top a support may be left after that flight; below 0: it says nothing.
+float ReachBound::takeOffAfter(uint32_t from, uint32_t to, const Flight& f) const {
+  const Support &a = supports_[from], &b = supports_[to];
+  if (!b.carries || !b.level) return -1;
+  const float floor = b.top + b.lift, high = apex(f) - floor;
+  if (high <= takeOff_[to]) return -1;
   // The flight may also begin lower and be slower.
   float low = a.top, slow = limits_.slowJump;
   if (a.collider != level::kNone) {
@@ -243,8 +252,8 @@ void ReachBound::arrive(uint32_t from, uint32_t to, const Flight& f) {
     }
   }
   if (f.leaps) low += limits_.leapApex(slow);
-  raise(takeOff_[to], limits_.takeOff({low - floor, high}, b.upward));
-  if (!f.leaps) raise(takeOff_[to], limits_.keptTakeOff(high));
+  const float landed = limits_.takeOff({low - floor, high}, b.upward);
+  return f.leaps ? landed : std::max(landed, limits_.keptTakeOff(high));
 }
 
 }  // namespace obby::solve

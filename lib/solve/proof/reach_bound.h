@@ -76,8 +76,10 @@ class ReachBound {
   void explore();
   bool round();
   void spread(uint32_t from, std::vector<uint32_t>& now, std::vector<uint32_t>& later);
-  void arrive(uint32_t from, uint32_t to, const Flight& f);
+  float takeOffAfter(uint32_t from, uint32_t to, const Flight& f) const;
+  bool comesOver(uint32_t from, uint32_t to, const Flight& f) const;
   void noteReached(uint32_t support);
+  static bool raises(float value, float to) { return to > value + 1e-4f; }
   bool raise(float& value, float to);
 
   float tossOf(uint32_t support) const;

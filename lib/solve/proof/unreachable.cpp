@@ -69,16 +69,20 @@ class Prover {
   }
 
   // What holds where all parts are looked at holds as long as nobody comes where some are not.
-  std::optional<Cut> prove() const {
+  // Without what is missing.
+  std::optional<Cut> prove() {
     auto cut = leastCut();
     if (cut && bound_.comesInto(crowdedPlaces(problem_.level))) return std::nullopt;
     return cut;
   }
 
+  // Of what prove() has found last.
+  Missing missing() const { return beyond_.empty() ? Missing() : bound_.missing(beyond_); }
+
  private:
   using Targets = std::vector<const level::TargetView*>;
 
-  std::optional<Cut> leastCut() const {
+  std::optional<Cut> leastCut() {
     for (const Target& t : targets_) {
       const int32_t most = lesser(t.mostJumps, q_.maxJumps);
       if (auto cut = check({t.view}, t.name, most)) return cut;
@@ -88,7 +92,7 @@ class Prover {
   }
 
   // Any of the targets will do.
-  std::optional<Cut> check(const Targets& targets, const std::string& name, int32_t most) const {
+  std::optional<Cut> check(const Targets& targets, const std::string& name, int32_t most) {
     uint32_t jumps = ReachBound::kNever;
     for (const level::TargetView* t : targets) {
       jumps = std::min(jumps, bound_.jumpsTo(*t));
@@ -96,7 +100,7 @@ class Prover {
     }
     Cut cut = start(name);
     if (jumps == ReachBound::kNever) {
-      cut.missing = bound_.missing(targets);
+      beyond_ = targets;
     } else {
       cut.jumps = jumps;
       cut.mostJumps = uint32_t(most);
@@ -159,6 +163,7 @@ class Prover {
   const bool mayJump_;
   ReachBound bound_;
   Targets goals_;
+  Targets beyond_;  // of these none is reached; empty: they are, but not within a limit
   std::string goalName_;
 };
 
@@ -176,22 +181,34 @@ bool clockBeginsAnew(const Problem& problem) {
   return problem.hasClock && problem.start.tick + sim::kMaxReplayTicks > kLast;
 }
 
+bool isBounded(const Problem& problem) {
+  return unboundedPart(problem.level) == nullptr && !clockBeginsAnew(problem) && !isFarUp(problem);
+}
+
 }  // namespace
 
 std::optional<Cut> cutOf(const Problem& problem, schema::Query::Reader record) {
-  if (unboundedPart(problem.level) != nullptr) return std::nullopt;
-  if (clockBeginsAnew(problem) || isFarUp(problem)) return std::nullopt;
-  return Prover(problem, record).prove();
+  if (!isBounded(problem)) return std::nullopt;
+  Prover prover(problem, record);
+  auto cut = prover.prove();
+  if (cut) cut->missing = prover.missing();
+  return cut;
+}
+
+bool isCut(const Problem& problem, schema::Query::Reader record) {
+  return isBounded(problem) && Prover(problem, record).prove();
 }
 
 void tryTricks(Cut& cut, Problem problem, schema::Query::Reader record) {
+  constexpr uint32_t kMostColliders = 4000;  // with tricks, flights go between nearly all of them
+  if (problem.level.colliderCount > kMostColliders) return;
   uint16_t& tricks = problem.level.params.tricks;
   const uint16_t allowed = tricks;
   tricks = kAllTricks;
-  cut.withTricks = allowed == kAllTricks || cutOf(problem, record);
+  cut.withTricks = allowed == kAllTricks || isCut(problem, record);
   for (uint16_t trick = 1; !cut.withTricks && trick <= kAllTricks; trick = uint16_t(2 * trick)) {
     tricks = uint16_t(allowed | trick);
-    if (tricks != allowed && !cutOf(problem, record)) cut.mayHelp |= trick;
+    if (tricks != allowed && !isCut(problem, record)) cut.mayHelp |= trick;
   }
 }
 

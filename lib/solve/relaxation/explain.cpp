@@ -119,7 +119,7 @@ class Explanation {
     if (!relaxed) return Answer::impossible;
     const PosedQuery posed = relaxed->posed();
     const Problem problem = problemOf(posed);
-    if (cutOf(problem, posed.queryRecord)) return Answer::impossible;
+    if (isCut(problem, posed.queryRecord)) return Answer::impossible;
     Budget budget = budget_;
     budget.seconds = std::max(secondsLeft(), 0.0);
     budget.maxSteps = std::max(std::min(steps, left_), uint64_t(1));

@@ -32,9 +32,7 @@ Place::Place(schema::Region::Reader region, level::ColliderRuns& runs, schema::A
   }
   if (!stand_ || colliders_.count != 1) return;
   const level::Bounds& only = level.bounds[colliders_.first];
-  constexpr uint32_t kHeldElsewhere =
-      level::kTruss | level::kSeat | level::kMoving | level::kTriggered | level::kLoose;
-  const bool flat = (only.flags & level::kUpright) && !(only.flags & kHeldElsewhere);
+  const bool flat = (only.flags & level::kUpright) && !(only.flags & level::kHeldElsewhere);
   if (flat) lowest_ = double(only.box().hi.y) - double(level::kStandDepth);
 }
 
