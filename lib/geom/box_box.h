@@ -9,6 +9,12 @@ namespace obby::geom {
 
 namespace internal {
 
+// The i-th component.
+template <class F>
+OBBY_DEVICE const F& at(const Vec3T<F>& v, int i) {
+  return i == 0 ? v.x : i == 1 ? v.y : v.z;
+}
+
 // Overlap along a unit axis: `apart` is the signed distance of the centres along it, `radii` the
 // sum of both extents. False: separated, and what is kept from then on does not matter.
 template <class F>
@@ -27,18 +33,22 @@ struct ScaledContact {
   F length2;
 };
 
-// The cross product of shape axis i (a unit axis of the local frame) and the body axis `r`. Depths
-// are compared as fractions, so that one division is enough for all axes.
-template <class F>
-OBBY_DEVICE MaskOf<F> keepCross(ScaledContact<F>& best, const LocalBoxT<F>& box, Vec3T<F> half,
-                                int i, Vec3T<F> r) {
-  const F zero = 0.0f;
-  const Vec3T<F> n = i == 0   ? Vec3T<F>{zero, -r.z, r.y}
-                     : i == 1 ? Vec3T<F>{r.z, zero, -r.x}
-                              : Vec3T<F>{-r.y, r.x, zero};
-  const F n2 = dot(n, n);
-  const F radii = dot(abs(n), half) + dot(abs(toLocal(box.axes, n)), box.half);
-  const F apart = dot(n, box.center);
+// The cross product of shape axis i, a unit axis of the local frame, and body axis j. It is normal
+// to both, so only the two other axes of either count. Depths are compared as fractions, so that
+// one division is enough for all axes.
+template <int i, int j, class F>
+OBBY_DEVICE void keepCross(ScaledContact<F>& best, const LocalBoxT<F>& box, Vec3T<F> half) {
+  const Vec3T<F>* const axes[3] = {&box.axes.x, &box.axes.y, &box.axes.z};
+  constexpr int u = i == 0 ? 1 : 0, v = i == 2 ? 1 : 2, k = j == 0 ? 1 : 0, l = j == 2 ? 1 : 2;
+  const Vec3T<F>& r = *axes[j];
+  // (0, -z, y), (z, 0, -x) and (-y, x, 0).
+  const F a = i == 1 ? at(r, v) : -at(r, v), b = i == 1 ? -at(r, u) : at(r, u);
+  const F n2 = a * a + b * b;
+  const auto along = [&](const Vec3T<F>& w) { return at(w, u) * a + at(w, v) * b; };
+  const F radii =
+      absf(a) * at(half, u) + absf(b) * at(half, v) +
+      (absf(along(*axes[k])) * at(box.half, k) + absf(along(*axes[l])) * at(box.half, l));
+  const F apart = along(box.center);
   const F depth = radii - absf(apart), least = best.contact.depth;
   const MaskOf<F> counts = n2 >= 1e-6f;  // else parallel: covered by the faces
   const MaskOf<F> less =
@@ -46,9 +56,21 @@ OBBY_DEVICE MaskOf<F> keepCross(ScaledContact<F>& best, const LocalBoxT<F>& box,
   // Where a lane is separated already, its depth stays below 0.
   const MaskOf<F> take = less & (least >= 0.0f);
   best.contact.depth = select(take, depth, least);
-  best.contact.normal = select(take, select(apart < 0.0f, -n, n), best.contact.normal);
+  const F zero = 0.0f, x = select(apart < 0.0f, -a, a), y = select(apart < 0.0f, -b, b);
+  const Vec3T<F> n = i == 0   ? Vec3T<F>{zero, x, y}
+                     : i == 1 ? Vec3T<F>{x, zero, y}
+                              : Vec3T<F>{x, y, zero};
+  best.contact.normal = select(take, n, best.contact.normal);
   best.length2 = select(take, n2, best.length2);
-  return best.contact.depth >= 0.0f;
+}
+
+// With all body axes. False: separated in every lane.
+template <int i, class F>
+OBBY_DEVICE bool keepCrosses(ScaledContact<F>& best, const LocalBoxT<F>& box, Vec3T<F> half) {
+  keepCross<i, 0>(best, box, half);
+  keepCross<i, 1>(best, box, half);
+  keepCross<i, 2>(best, box, half);
+  return any(best.contact.depth >= 0.0f);
 }
 
 }  // namespace internal
@@ -56,7 +78,6 @@ OBBY_DEVICE MaskOf<F> keepCross(ScaledContact<F>& best, const LocalBoxT<F>& box,
 // `box` in the block's frame. The normal is local. Gives up early where every lane is separated.
 template <class F>
 OBBY_DEVICE ContactT<F> boxBlock(Vec3T<F> half, const LocalBoxT<F>& box) {
-  using internal::keepCross;
   using internal::keepLeast;
   const Vec3T<F> ax = abs(box.axes.x), ay = abs(box.axes.y), az = abs(box.axes.z);
   const Vec3T<F> reach = half + ax * box.half.x + ay * box.half.y + az * box.half.z;
@@ -71,11 +92,10 @@ OBBY_DEVICE ContactT<F> boxBlock(Vec3T<F> half, const LocalBoxT<F>& box) {
     if (!any(keepLeast<F>(best, dot(box.center, *axes[j]), halves[j], *axes[j]))) return best;
   }
   internal::ScaledContact<F> scaled{best, 1.0f};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      if (!any(keepCross<F>(scaled, box, half, i, *axes[j]))) return scaled.contact;
-    }
-  }
+  const bool meet = internal::keepCrosses<0>(scaled, box, half) &&
+                    internal::keepCrosses<1>(scaled, box, half) &&
+                    internal::keepCrosses<2>(scaled, box, half);
+  if (!meet) return scaled.contact;
   const F inverse = 1.0f / sqrtf32(scaled.length2);  // 1 for a face
   return {scaled.contact.depth * inverse, scaled.contact.normal * inverse};
 }

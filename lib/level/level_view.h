@@ -188,7 +188,8 @@ struct Grid {
   int32_t nx, ny, nz;
   const uint32_t* cells;  // (nx * ny * nz), index into lists: where the cell's list starts
   const uint32_t* lists;  // each list: count, then collider indices in ascending order, filled up
-                          // with colliderCount to a multiple of kListStep
+                          // with colliderCount to a multiple of kListStep; before it, at -2 and
+                          // -1: flags of any and of every collider in it
   uint32_t listWords;     // of all lists together
 };
 

@@ -32,7 +32,8 @@ struct FloorRaysT {
   F reach;               // studs below the origin line
   F distance[kFloorRays];
   Vec3T<F> normal[kFloorRays];
-  IntOf<F> nearest;  // candidate of the shortest ray; -1: none
+  bool tilted = false;  // a normal may be another than up
+  IntOf<F> nearest;     // candidate of the shortest ray; -1: none
   F nearestDistance;
 };
 
@@ -76,15 +77,27 @@ OBBY_DEVICE BoxT<F> boundsOf(const FloorRaysT<F>& r) {
   return {r.origin - e - Vec3T<F>{0, r.reach, 0}, r.origin + e};
 }
 
+// Notes that a ray hits something at `t`; true where nothing before was closer.
 template <class F>
-OBBY_DEVICE void record(FloorRaysT<F>& rays, int ray, MaskOf<F> hit, F t, Vec3T<F> normal,
-                        int candidate) {
+OBBY_DEVICE MaskOf<F> record(FloorRaysT<F>& rays, int ray, MaskOf<F> hit, F t) {
   const MaskOf<F> closer = hit & (t < rays.distance[ray]);
   rays.distance[ray] = select(closer, t, rays.distance[ray]);
-  rays.normal[ray] = select(closer, normal, rays.normal[ray]);
+  return closer;
+}
+
+template <class F>
+OBBY_DEVICE void recordNearest(FloorRaysT<F>& rays, MaskOf<F> hit, F t, int candidate) {
   const MaskOf<F> nearest = hit & (t < rays.nearestDistance);
   rays.nearestDistance = select(nearest, t, rays.nearestDistance);
   rays.nearest = select(nearest, IntOf<F>(candidate), rays.nearest);
+}
+
+template <class F>
+OBBY_DEVICE void recordTilted(FloorRaysT<F>& rays, int ray, MaskOf<F> hit, F t, Vec3T<F> normal,
+                              int candidate) {
+  rays.tilted = true;
+  rays.normal[ray] = select(record(rays, ray, hit, t), normal, rays.normal[ray]);
+  recordNearest(rays, hit, t, candidate);
 }
 
 // Rays against a block that stands upright: a hit is a top face below the origin, inside the
@@ -104,6 +117,7 @@ OBBY_DEVICE void castAtUpright(FloorRaysT<F>& rays, const geom::BlockT<F>& block
   const MaskOf<F> inside = (absf(x) + absf(xr) + absf(xb) < half.x - 0.01f) &
                            (absf(z) + absf(zr) + absf(zb) < half.z - 0.01f);
   const bool allInside = !any(met & !inside);
+  MaskOf<F> some = false;
   for (int i = 0; i < kFloorRays; ++i) {
     MaskOf<F> hit = met;
     if (!allInside) {
@@ -111,8 +125,11 @@ OBBY_DEVICE void castAtUpright(FloorRaysT<F>& rays, const geom::BlockT<F>& block
       const F lz = z + rayRight(i) * zr + rayBack(i) * zb;
       hit = met & (absf(lx) <= half.x) & (absf(lz) <= half.z);
     }
-    record(rays, i, hit, t, {0, 1, 0}, index);
+    some = some | hit;
+    const MaskOf<F> closer = record(rays, i, hit, t);
+    if (rays.tilted) rays.normal[i] = select(closer, Vec3T<F>{0, 1, 0}, rays.normal[i]);
   }
+  recordNearest(rays, some, t, index);
 }
 
 // Rays against a block that is turned any way: the slabs of geom/shapes/block.h, with what the rays
@@ -143,7 +160,7 @@ OBBY_DEVICE void castAtTilted(FloorRaysT<F>& rays, const geom::BlockT<F>& block,
     normal = select(byZ, nz, normal);
     const F leave = minf(minf(last.x, last.y), last.z);
     const MaskOf<F> hit = asked & (enter >= 0.0f) & (enter <= leave) & (enter <= rays.reach);
-    record(rays, i, hit, enter, normal, index);
+    recordTilted(rays, i, hit, enter, normal, index);
   }
 }
 
@@ -158,7 +175,7 @@ OBBY_DEVICE void castAt(FloorRaysT<float>& rays, const Pose& pose, const level::
       const Vec3 from = origin + right * rayRight(i) + back * rayBack(i);
       geom::RayHit hit{};
       if (!decltype(shape)::castRay(collider.shape, from, down, rays.reach, hit)) continue;
-      record(rays, i, true, hit.t, pose.rotation * hit.normal, index);
+      recordTilted(rays, i, true, hit.t, pose.rotation * hit.normal, index);
     }
   });
 }
@@ -173,8 +190,9 @@ OBBY_DEVICE FloorT<F> averageOf(const FloorRaysT<F>& rays, const Params& p) {
     const MaskOf<F> hit = rays.distance[i] <= rays.reach;
     sum += select(hit, rays.distance[i], F(0.0f));
     hits += select(hit, F(1.0f), F(0.0f));
-    normal += select(hit, rays.normal[i], Vec3T<F>{});
+    if (rays.tilted) normal += select(hit, rays.normal[i], Vec3T<F>{});
   }
+  if (!rays.tilted) normal.y = hits;
   floor.sensed = rays.nearest >= 0;
   floor.nearest = rays.nearest;
   const F share = 1.0f / select(floor.sensed, hits, F(1.0f));

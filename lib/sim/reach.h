@@ -16,10 +16,18 @@ class Reach {
   static constexpr float kAny = 1e38f;
 
   explicit Reach(const float* row) : row_(row, std::experimental::element_aligned) {}
-  explicit Reach(const Box& box) {
+  explicit Reach(const Box& box, float last = kAny) {
     const float row[8] = {box.hi.x,  box.hi.y,  box.hi.z, -box.lo.x,
-                          -box.lo.y, -box.lo.z, kAny,     kAny};
+                          -box.lo.y, -box.lo.z, last,     last};
     row_.copy_from(row, std::experimental::element_aligned);
+  }
+
+  // What moves the four sides of a box in by `studs`.
+  static Reach sides(float studs) { return Reach(Box{{-studs, 0, -studs}, {studs, 0, studs}}, 0); }
+  Reach operator-(const Reach& by) const {
+    Reach out = *this;
+    out.row_ -= by.row_;
+    return out;
   }
 
   // 1 or 0: what follows need not branch.

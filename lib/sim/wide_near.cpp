@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "sim/reach.h"
 #include "sim/wide_state.h"
 
 namespace obby::sim {
@@ -12,9 +11,24 @@ namespace {
 constexpr uint32_t kSingly = level::kVanishTimer | level::kClocked | level::kTruss |
                              level::kTriggered | level::kOneWay | level::kCrush;
 
-constexpr uint32_t kNoParts[1] = {0};  // an empty list
+// Of a part that the limbs alone may meet.
+constexpr uint32_t kByLimbs = level::kTouchRoles | kSingly;
+
+constexpr uint32_t kNoParts[3] = {0, ~0u, 0};  // an empty list
 
 }  // namespace
+
+// tickBounds() less what bodyReach() and the rays need at most.
+float WideNear::limbsWidthOf(const level::LevelView& level) {
+  const Params& p = level.params;
+  const Vec3 still{};
+  const float all = tickBounds<float>(still, still, p).hi.x;
+  const float diagonal = sqrtf32(p.bodyWidth * p.bodyWidth + p.bodyDepth * p.bodyDepth);
+  const float body = maxf(0.5f, p.floorRaySpread) * diagonal;
+  constexpr float kRounding = 0.05f;
+  const float move = (level.maxSideSpeed + p.gravity * p.tickSeconds) * p.tickSeconds;
+  return maxf(all - body - move - p.contactSkin - kRounding, 0.0f);
+}
 
 // Where each world is in the grid and how far it reaches, kLanes worlds at a time.
 void WideNear::findReach(World* const* worlds, int count) {
@@ -59,7 +73,7 @@ void WideNear::look(World* const* worlds, const LooseBody* const* loose, int cou
   const uint32_t* lists[kWideSlots];
   for (int i = 0; i < count; ++i) {
     const int32_t cell = looks_[i].cell;
-    lists[i] = cell < 0 ? kNoParts : level_.grid.lists + level_.grid.cells[cell];
+    lists[i] = cell < 0 ? kNoParts + 2 : level_.grid.lists + level_.grid.cells[cell];
     __builtin_prefetch(lists[i]);
   }
   for (int i = 0; i < count; ++i) {
@@ -69,19 +83,44 @@ void WideNear::look(World* const* worlds, const LooseBody* const* loose, int cou
   }
 }
 
-// Notes the parts near a world. What the next look is does not depend on which parts are met: a
-// mispredicted branch costs more than the rest.
 WideNear::Turn WideNear::list(int i, const uint32_t* list) {
-  const Reach reach(looks_[i].reach);
+  const uint32_t any = list[-2], every = list[-1], count = list[0];
+  const bool plain = (any & kByLimbs) == 0 && (every & level::kBlock) != 0 && count <= kRowWords;
+  return plain ? listPlain(i, list) : listAll(i, list);
+}
+
+// Where all parts are blocks that no limb can meet. What the next look is does not depend on
+// which parts are met: a mispredicted branch costs more than the rest.
+WideNear::Turn WideNear::listPlain(int i, const uint32_t* list) {
+  const Reach body = Reach(looks_[i].reach) - limbs_;
   const uint32_t count = list[0];
-  uint32_t found = 0, some = 0, every = ~0u;
+  uint32_t* const tags = tags_[i];
+  uint32_t found = 0;
+  for (uint32_t k = 1; k <= count; k += level::kListStep) {
+    for (uint32_t j = k; j < k + level::kListStep; ++j) {
+      const level::Bounds& b = level_.bounds[list[j]];
+      tags[found] = b.tag;
+      found += body.meets(b);
+    }
+  }
+  count_[i] = uint8_t(found);
+  anyFlags_[i] = 0;
+  if (looks_[i].single != 0) return Turn::single;
+  return (list[-2] & level::kMoving) == 0 || moveParts(i) ? Turn::lanes : Turn::single;
+}
+
+WideNear::Turn WideNear::listAll(int i, const uint32_t* list) {
+  const Reach reach(looks_[i].reach), body = reach - limbs_;
+  const uint32_t count = list[0];
+  uint32_t found = 0, all = 0, some = 0, every = ~0u;
   for (uint32_t k = 1; k <= count; k += level::kListStep) {
     if (found + level::kListStep > kRowWords) return Turn::single;
     for (uint32_t j = k; j < k + level::kListStep; ++j) {
       const level::Bounds& b = level_.bounds[list[j]];
       const uint32_t hit = reach.meets(b);
       tags_[i][found] = b.tag;
-      found += hit;
+      found += body.meets(b) | (hit & uint32_t((b.flags & kByLimbs) != 0));
+      all += hit;
       some |= b.flags & (0 - hit);
       every &= b.flags | (hit - 1);
     }
@@ -89,14 +128,16 @@ WideNear::Turn WideNear::list(int i, const uint32_t* list) {
   count_[i] = uint8_t(found);
   anyFlags_[i] = some;
   const bool common = (some & kSingly) == 0 && (every & level::kBlock) != 0;
-  if (!common || looks_[i].single != 0) return Turn::single;
+  // tick() looks at no more, and says so.
+  const bool crowded = all > kMaxMovingCandidates;
+  if (!common || crowded || looks_[i].single != 0) return Turn::single;
   return (some & level::kMoving) == 0 || moveParts(i) ? Turn::lanes : Turn::single;
 }
 
 // Puts the moving parts near a world where they are now, and forgets those that are not near after
 // all; false if there are too many.
 bool WideNear::moveParts(int i) {
-  const Box near = looks_[i].box();
+  const Box limbs = looks_[i].box(), body = grow(limbs, {-limbsWidth_, 0, -limbsWidth_});
   uint32_t kept = 0;
   for (uint32_t k = 0; k < count_[i]; ++k) {
     uint32_t tag = tags_[i][k];
@@ -104,7 +145,8 @@ bool WideNear::moveParts(int i) {
       const uint32_t id = tag >> level::kTagShift;
       const level::Collider& c = level_.colliders[id];
       const Pose pose = moverPose(level_.movers[c.mover], looks_[i].tick + 1);
-      if (!overlaps(boundsOf(pose, c.shape.half), near)) continue;
+      const bool byLimbs = (level_.bounds[id].flags & kByLimbs) != 0;
+      if (!overlaps(boundsOf(pose, c.shape.half), byLimbs ? limbs : body)) continue;
       if (movedCount_ == kMovedParts) return false;
       tag = uint32_t(movedCount_) << level::kTagShift | (tag & ((1u << level::kTagShift) - 1));
       moved_[movedCount_++] = {pose, c.shape.half, id};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "sim/candidates.h"
+#include "sim/reach.h"
 #include "simd/rows.h"
 
 namespace obby::sim {
@@ -23,6 +24,8 @@ class WideNear {
  public:
   explicit WideNear(const level::LevelView& level)
       : level_(level),
+        limbsWidth_(limbsWidthOf(level)),
+        limbs_(Reach::sides(limbsWidth_)),
         rows_{reinterpret_cast<const char*>(level.colliders),
               reinterpret_cast<const char*>(moved_)} {}
 
@@ -35,9 +38,10 @@ class WideNear {
   // Of the i-th world of the last look().
   Box reach(int i) const { return looks_[i].box(); }  // where its player can be
   Turn turn(int i) const { return turn_[i]; }
-  // Of worlds that go to the lanes.
+  // Of worlds that go to the lanes: parts that the body or the floor rays can meet, or the limbs
+  // where a touch does something.
   int count(int i) const { return count_[i]; }
-  uint32_t anyFlags(int i) const { return anyFlags_[i]; }  // ColliderFlag bits
+  uint32_t anyFlags(int i) const { return anyFlags_[i]; }  // ColliderFlag bits of all in reach
   // (count), level::Bounds::tag; where it has kMovingTag, the index is that of a moved part.
   const uint32_t* tags(int i) const { return tags_[i]; }
 
@@ -48,7 +52,7 @@ class WideNear {
   }
   // Pose and half extents, a row.
   const void* rowOf(uint32_t tag) const {
-    return rows_[(tag & level::kMovingTag) / level::kMovingTag] +
+    return (tag & level::kMovingTag ? rows_[1] : rows_[0]) +
            size_t(tag >> level::kTagShift) * sizeof(MovedPart);
   }
   const Pose& poseOf(uint32_t tag) const { return *static_cast<const Pose*>(rowOf(tag)); }
@@ -69,12 +73,18 @@ class WideNear {
   };
   static_assert(sizeof(Look) == 4 * kRowWords);
 
+  static float limbsWidthOf(const level::LevelView& level);
   void findReach(World* const* worlds, int count);
+  // Notes the parts near a world.
   Turn list(int i, const uint32_t* list);
+  Turn listPlain(int i, const uint32_t* list);
+  Turn listAll(int i, const uint32_t* list);
   bool moveParts(int i);
   bool nearLoose(int i, const LooseBody* loose) const;
 
   const level::LevelView& level_;
+  const float limbsWidth_;     // studs sideways that limbs reach beyond body and floor rays
+  const Reach limbs_;          // the same
   const char* const rows_[2];  // of parts that stand still, and that move
   Look looks_[kWideSlots];
   Turn turn_[kWideSlots];

@@ -6,6 +6,7 @@
 
 #include <bit>
 
+#include "sim/actions.h"
 #include "sim/body.h"
 #include "simd/rows.h"
 
@@ -64,6 +65,18 @@ OBBY_LANES WidePlayer playerOf(const Rows& rows) {
   return p;
 }
 
+// Of kLanes worlds, by their index.
+OBBY_LANES ControlT<WideFloat> controlsOf(const Action* actions, const int32_t* index) {
+  alignas(64) int32_t heading[kLanes], walk[kLanes], jump[kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const Action& a = actions[index[lane]];
+    heading[lane] = a.heading;
+    walk[lane] = a.walk;
+    jump[lane] = a.jump;
+  }
+  return {load(heading), load(walk) != WideInt(0), load(jump) != WideInt(0)};
+}
+
 OBBY_LANES void putPlayer(Rows& rows, const WidePlayer& p) {
   putVector(rows, kPositionWord, p.position);
   putVector(rows, kVelocityWord, p.velocity);
@@ -85,60 +98,43 @@ OBBY_LANES geom::BlockT<WideFloat> blockOf(const Rows& rows) {
           vectorAt(rows, 12)};
 }
 
-// Motions of up to `kSlots` worlds, a row a field.
-template <int kSlots>
-class MotionTable {
- public:
-  void put(int firstSlot, const WideMotion& m) {
-    WideMotion copy = m;
-    // Legs that hold the body leave no step free.
-    const WideFloat legs = select(m.drive.hangs, WideFloat(kHangs), WideFloat(kHovers));
-    copy.drive.freeSteps = select(m.drive.hover, legs, m.drive.freeSteps);
-    int row = 0;
-    forFields(copy, [&](WideFloat& field) { store(field, rows_[row++] + firstSlot); });
-  }
-  WideMotion take(const int32_t* slots) const {
-    WideMotion m;
-    int row = 0;
-    forFields(m, [&](WideFloat& field) { field = obby::gather(rows_[row++], slots); });
-    m.drive.hover = m.drive.freeSteps < WideFloat(0.0f);
-    m.drive.hangs = m.drive.freeSteps == WideFloat(kHangs);
-    m.drive.freeSteps = maxf(m.drive.freeSteps, WideFloat(0.0f));
-    return m;
-  }
-  void putMoved(const int32_t* slots, const WideMotion& m) {
-    const Vec3T<WideFloat> moved[2] = {m.position, m.velocity};
-    for (int i = 0; i < 2; ++i) {
-      scatter(moved[i].x, rows_[3 * i], slots);
-      scatter(moved[i].y, rows_[3 * i + 1], slots);
-      scatter(moved[i].z, rows_[3 * i + 2], slots);
-    }
-  }
-  Vec3T<WideFloat> position(int firstSlot) const { return vector(0, firstSlot); }
-  Vec3T<WideFloat> velocity(int firstSlot) const { return vector(3, firstSlot); }
-  WideMask lifts(int firstSlot) const {
-    const auto at = [&](int row) { return load(rows_[row] + firstSlot); };
-    return legsLift(at(kHoverRow) < WideFloat(0.0f), at(4), at(kFloorSpeedRow));
-  }
-
- private:
-  static constexpr int kFields = 17, kHoverRow = 14, kFloorSpeedRow = 16;
-  static constexpr float kHovers = -1, kHangs = -2;  // in place of freeSteps
-
-  // Position and velocity are the first six.
-  template <class Each>
-  static OBBY_LANES void forFields(WideMotion& m, Each&& each) {
-    for (Vec3T<WideFloat>* v : {&m.position, &m.velocity}) each(v->x), each(v->y), each(v->z);
-    each(m.yaw.sin), each(m.yaw.cos), each(m.bottom);
-    each(m.drive.velocity.x), each(m.drive.velocity.z), each(m.drive.limit);
-    each(m.drive.slide.x), each(m.drive.slide.z), each(m.drive.freeSteps);
-    each(m.floorY), each(m.floorSpeed);
-  }
-  Vec3T<WideFloat> vector(int row, int slot) const {
-    return {load(rows_[row] + slot), load(rows_[row + 1] + slot), load(rows_[row + 2] + slot)};
-  }
-
-  alignas(64) float rows_[kFields][kSlots];
+// The motion of a world, as a row.
+struct alignas(64) MotionRow {
+  float words[kRowWords];
 };
+
+// `yaw`: of the player.
+OBBY_LANES Rows rowsOf(const WideMotion& m, WideInt yaw) {
+  // Legs that hold the body leave no step free.
+  const WideFloat legs = select(m.drive.hangs, WideFloat(-2.0f), WideFloat(-1.0f));
+  Rows r;
+  putVector(r, 0, m.position);
+  putVector(r, 3, m.velocity);
+  putVector(r, 6, {m.drive.velocity.x, m.drive.velocity.z, m.drive.limit});
+  putVector(r, 9, {m.drive.slide.x, m.drive.slide.z, m.bottom});
+  putVector(r, 12, {select(m.drive.hover, legs, m.drive.freeSteps), m.floorY, m.floorSpeed});
+  r.word[15] = yaw;
+  return r;
+}
+
+OBBY_LANES WideMotion motionAt(const Rows& r) {
+  const Vec3T<WideFloat> wanted = vectorAt(r, 6), slide = vectorAt(r, 9), legs = vectorAt(r, 12);
+  DriveT<WideFloat> d;
+  d.velocity = {wanted.x, 0, wanted.y};
+  d.limit = wanted.z;
+  d.slide = {slide.x, 0, slide.y};
+  d.hover = legs.x < WideFloat(0.0f);
+  d.hangs = legs.x == WideFloat(-2.0f);
+  d.freeSteps = maxf(legs.x, WideFloat(0.0f));
+  return {vectorAt(r, 0), vectorAt(r, 3), sinCosOf<WideFloat>(r.word[15]), slide.z, d,
+          legs.y,         legs.z};
+}
+
+// What a tick's motion makes of the player.
+OBBY_LANES void putMoved(WidePlayer& player, const WideMotion& m) {
+  player.position = m.position;
+  player.velocity = m.velocity;
+  player.lifted = legsLift(m.drive.hover, m.velocity.y, m.floorSpeed);
+}
 
 }  // namespace obby::sim

@@ -4,9 +4,8 @@
 
 #include "sim/tick.h"
 #include "sim/tick_phases.h"
-#include "sim/wide_contact.h"
 #include "sim/wide_loose.h"
-#include "sim/wide_near.h"
+#include "sim/wide_parts.h"
 
 namespace obby::sim {
 namespace {
@@ -15,11 +14,16 @@ using F = WideFloat;
 
 // Fewer worlds than these would leave more lanes empty in lists of their own than they save there.
 constexpr int kFewWorlds = 100;
+constexpr uint32_t kAllLanes = (1u << kLanes) - 1;
 
 class Ticker {
  public:
   Ticker(const level::LevelView& level, WideCounts& counts)
-      : level_(level), counts_(counts), near_(level), bodies_(level, counts.looseInLanes) {}
+      : level_(level),
+        counts_(counts),
+        near_(level),
+        parts_(level, near_),
+        bodies_(level, counts.looseInLanes) {}
 
   // At most kWideSlots worlds.
   void run(World* const* worlds, LooseBody* const* loose, const Action* actions, int count) {
@@ -28,26 +32,25 @@ class Ticker {
     loose_ = loose;
     actions_ = actions;
     admit(count);
-    for (int slot = 0; slot < count_; slot += kLanes) decide(slot);
-    moveAll();
-    moveLoose();
-    for (int slot = 0; slot < count_; slot += kLanes) finish(slot);
+    for (int slot = 0; slot < count_; slot += kLanes) play(slot);
+    bumpAll();
+    bodies_.flush();
   }
 
  private:
+  // By what the player can meet: one upright or one tilted block, or several.
+  enum Kind { kOneUpright, kOneTilted, kSolids, kKinds };
+
   void admit(int count);
-  void decide(int slot);
-  FloorT<F> sense(const WidePlayer& player, const int32_t* index);
-  void addSurface(WideInt nearest, int most, const int32_t* index, FloorT<F>& floor) const;
-  void findSolids(const WideMotion& motion, int slot, int most);
-  void moveAll();
-  void moveLoose();
+  void play(int slot);
+  uint32_t sortLanes(int slot, uint32_t& free);
+  void moveLoose(int index);
   void singly(int index);
-  void glide(const int32_t* slots, bool atOnce);
-  void bump(const int32_t* slots);
-  Obstacles obstaclesOf(const int32_t* slots) const;
-  void finish(int slot);
-  void endTickInLanes(Rows& rows, WideMask touching) const;
+  void glide(WideMotion& m) const;
+  void bumpAll();
+  void bump(const int32_t* slots, uint32_t lanes);
+  void put(Rows& rows, const int32_t* slots, uint32_t lanes, uint32_t moved);
+  void endTickInLanes(Rows& rows, WideMask skip) const;
   void touch(int index, int footedOn);
 
   const level::LevelView& level_;
@@ -55,31 +58,23 @@ class Ticker {
 
   // Of all worlds: by index.
   WideNear near_;
+  WideParts parts_;
   World* const* worlds_ = nullptr;
   LooseBody* const* loose_ = nullptr;
   const Action* actions_ = nullptr;
   WideLoose bodies_;
+  World unused_{};  // lanes without a world write to it
 
   // Of the worlds in lanes, in the order of work: by slot. The slots after the last repeat it.
   int count_ = 0;
-  int32_t order_[kWideSlots + kLanes];  // index
-  alignas(64) int32_t solidCount_[kWideSlots];
+  int32_t order_[kWideSlots + kLanes];        // index
   alignas(64) int32_t footedOn_[kWideSlots];  // place in the tags of the world; -1: none
-  uint32_t solids_[kWideSlots][kLaneSolids];  // tags
-  bool constant_[kWideSlots];
-  bool done_[kWideSlots];  // by tick()
-  MotionTable<kWideSlots> motions_;
+  LaneSolids solids_[kWideSlots];
+  int listed_[kKinds];
+  int32_t lists_[kKinds][kWideSlots + kLanes];  // slots
   // Unions keep the arrays from being zeroed for every call.
   union {
-    WidePlayer players_[kWideSlots / kLanes];  // without position and velocity
-  };
-
-  // Parts near the lanes in work.
-  union {
-    WideBlock blocks_[kRowWords];
-  };
-  union {
-    WideInt tags_[kRowWords];
+    MotionRow motions_[kWideSlots];  // of those that are not free
   };
 };
 
@@ -93,6 +88,7 @@ void Ticker::admit(int count) {
   }
   for (int n = 0; n <= kRowWords; ++n) start[n + 1] += start[n];
   count_ = start[kRowWords + 1];
+  std::fill_n(listed_, int(kKinds), 0);
   for (int i = 0; i < count; ++i) {
     if (near_.turn(i) == WideNear::Turn::lanes) order_[start[near_.count(i)]++] = i;
     if (near_.turn(i) == WideNear::Turn::single) singly(i);
@@ -100,159 +96,88 @@ void Ticker::admit(int count) {
   std::fill_n(order_ + count_, kLanes, count_ > 0 ? order_[count_ - 1] : 0);
 }
 
-ControlT<F> controlsOf(const Action* actions, const int32_t* index) {
-  alignas(64) int32_t heading[kLanes], walk[kLanes], jump[kLanes];
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const Action& a = actions[index[lane]];
-    heading[lane] = a.heading;
-    walk[lane] = a.walk;
-    jump[lane] = a.jump;
-  }
-  return {load(heading), load(walk) != WideInt(0), load(jump) != WideInt(0)};
-}
-
-// The players' will, and the motions to be made.
-void Ticker::decide(int slot) {
+// The tick of the players in some slots, but for the moves among solid parts, which bumpAll()
+// makes.
+void Ticker::play(int slot) {
   const int32_t* index = order_ + slot;
   const void* worlds[kLanes];
   for (int lane = 0; lane < kLanes; ++lane) worlds[lane] = worlds_[index[lane]];
-  WidePlayer player = playerOf(loadRows(worlds));
+  Rows rows = loadRows(worlds);
+  WidePlayer player = playerOf(rows);
+  const Params& p = level_.params;
   const ControlT<F> controls = controlsOf(actions_, index);
-  faceAtOnce(player, level_.params, controls);
-  const FloorT<F> floor = sense(player, index);
-  updateState(player, level_.params, floor, controls);
-  turn(player, level_.params, floor, controls);
-  const DriveT<F> wanted = drive(player, level_.params, floor, controls);
-  const WideMotion motion = motionOf(player, level_.params, floor, wanted);
+  faceAtOnce(player, p, controls);
+  parts_.look(index);
+  const FloorT<F> floor = parts_.floorUnder(player, worlds_);
+  updateState(player, p, floor, controls);
+  turn(player, p, floor, controls);
+  const DriveT<F> wanted = drive(player, p, floor, controls);
+  WideMotion motion = motionOf(player, p, floor, wanted);
   store(footedOn<F>(wanted.hover, floor), footedOn_ + slot);
-  players_[slot / kLanes] = player;
-  motions_.put(slot, motion);
-  findSolids(motion, slot, near_.count(index[kLanes - 1]));
+  parts_.findSolids(motion, solids_ + slot);
+  uint32_t free = 0;
+  const uint32_t lanes = sortLanes(slot, free);
+  if (free != lanes) {
+    void* motions[kLanes];
+    for (int lane = 0; lane < kLanes; ++lane) motions[lane] = motions_ + slot + lane;
+    storeRows(rowsOf(motion, player.yaw), motions);
+  }
+  if (level_.looseCount != 0) rows = loadRows(worlds);  // bodies that fell asleep are noted there
+  glide(motion);
+  putMoved(player, motion);
+  putPlayer(rows, player);
+  alignas(64) int32_t slots[kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) slots[lane] = slot + lane;
+  put(rows, slots, lanes, free);
 }
 
-// What the players stand on. Leaves the parts near these lanes in blocks_ and tags_.
-FloorT<F> Ticker::sense(const WidePlayer& player, const int32_t* index) {
-  FloorRaysT<F> rays = makeRays(player, level_.params);
-  const BoxT<F> box = boundsOf(rays);
-  const void* rows[kLanes];
-  alignas(64) int32_t near[kLanes];
-  for (int lane = 0; lane < kLanes; ++lane) {
-    rows[lane] = near_.tags(index[lane]);
-    near[lane] = near_.count(index[lane]);
-  }
-  const Rows tags = loadRows(rows);
-  const int most = near[kLanes - 1];
-  for (int k = 0; k < most; ++k) {
-    alignas(64) int32_t tag[kLanes];
-    tags_[k] = select(load(near) > k, tags.word[k], WideInt(0));
-    store(tags_[k], tag);
-    for (int lane = 0; lane < kLanes; ++lane) rows[lane] = near_.rowOf(uint32_t(tag[lane]));
-    blocks_[k] = blockOf(loadRows(rows));
-    const WideMask asked = ((tags_[k] & int32_t(level::kSolidTag)) != 0) &
-                           overlaps(boundsOf(blocks_[k].pose, blocks_[k].half), box);
-    if (!any(asked)) continue;
-    const WideMask upright = (tags_[k] & int32_t(level::kUprightTag)) != 0;
-    if (any(asked & upright)) castAtUpright<F>(rays, blocks_[k], k, asked & upright);
-    if (any(asked & !upright)) castAtTilted<F>(rays, blocks_[k], k, asked & !upright);
-  }
-  FloorT<F> floor = averageOf(rays, level_.params);
-  addSurface(rays.nearest, most, index, floor);
-  return floor;
-}
-
-// Friction and motion of what the players stand on.
-void Ticker::addSurface(WideInt nearest, int most, const int32_t* index, FloorT<F>& floor) const {
-  floor.grip = level_.params.plainGrip;
-  WideMask special;
-  for (int k = 0; k < most; ++k) {
-    special |= (nearest == k) & ((tags_[k] & int32_t(level::kSurfaceTag)) != 0);
-  }
-  if (!any(special)) return;
-  alignas(64) int32_t part[kLanes];
-  alignas(64) float values[5][kLanes] = {};
-  store(nearest, part);
-  for (uint32_t left = bitsOf(special); left != 0; left &= left - 1) {
-    const int lane = lowestBit(left);
-    const uint32_t tag = near_.tags(index[lane])[part[lane]], id = near_.colliderOf(tag);
-    Floor one;
-    surfaceMotion(*worlds_[index[lane]], nullptr, level_,
-                  {{}, &near_.poseOf(tag), id, level_.bounds[id].flags}, one);
-    const float found[5] = {level_.colliders[id].grip, one.velocity.x, one.velocity.y,
-                            one.velocity.z, one.turning};
-    for (int v = 0; v < 5; ++v) values[v][lane] = found[v];
-  }
-  floor.grip = select(special, load(values[0]), floor.grip);
-  floor.velocity = {load(values[1]), load(values[2]), load(values[3])};
-  floor.turning = load(values[4]);
-}
-
-// Solid parts that the bodies can meet during this tick, from blocks_.
-void Ticker::findSolids(const WideMotion& motion, int slot, int most) {
-  const BoxT<F> reach = bodyReach(motion, level_.params);
-  std::fill_n(solidCount_ + slot, kLanes, 0);
-  for (int k = 0; k < most; ++k) {
-    const WideBlock& block = blocks_[k];
-    const WideMask solid = (tags_[k] & int32_t(level::kSolidTag)) != 0;
-    const WideMask meets =
-        solid & overlaps(boundsOf(block.pose, block.half), reach) & meetsBlock<F>(reach, block);
-    for (uint32_t left = bitsOf(meets); left != 0; left &= left - 1) {
-      const int at = slot + lowestBit(left);
-      const int32_t n = solidCount_[at]++;
-      if (n < kLaneSolids) solids_[at][n] = near_.tags(order_[at])[k];
-    }
-  }
-  // The very fast take smaller steps: tick() knows how.
-  const WideMask fast = substepTravel(motion, level_.params) > safeTravel(motion, level_.params);
-  for (uint32_t left = bitsOf(fast); left != 0; left &= left - 1) {
-    int32_t& n = solidCount_[slot + lowestBit(left)];
-    if (n > 0) n = kLaneSolids + 1;
-  }
-  const uint32_t bits = bitsOf(isConstant(motion, level_.params));
-  for (int lane = 0; lane < kLanes; ++lane) constant_[slot + lane] = (bits >> lane & 1) != 0;
-}
-
-// Sorts the worlds by what their motion needs and moves them.
-void Ticker::moveAll() {
-  enum { kOneStep, kSubsteps, kOneUpright, kOneTilted, kSolids, kLists };
-  alignas(64) int32_t lists[kLists][kWideSlots + kLanes];
-  int counts[kLists] = {};
-  for (int slot = 0; slot < count_; ++slot) {
-    const int32_t solids = solidCount_[slot];
-    done_[slot] = solids > kLaneSolids;
-    if (done_[slot]) {
-      singly(order_[slot]);
+// Lists worlds by what their motion needs. Moves those that are not for the lanes and the bodies of
+// the others, which it returns, a bit each. Adds to `free` those whose player meets nothing.
+uint32_t Ticker::sortLanes(int slot, uint32_t& free) {
+  uint32_t lanes = 0;
+  for (int at = slot; at < std::min(slot + kLanes, count_); ++at) {
+    const LaneSolids& solids = solids_[at];
+    if (solids.count > kLaneSolids) {
+      singly(order_[at]);
       continue;
     }
-    int list = constant_[slot] ? kOneStep : kSubsteps;
-    if (solids == 1) list = solids_[slot][0] & level::kUprightTag ? kOneUpright : kOneTilted;
-    if (solids > 1 || (solids == 1 && count_ < kFewWorlds)) list = kSolids;
-    lists[list][counts[list]++] = slot;
+    const uint32_t bit = 1u << (at - slot);
+    lanes |= bit;
+    if (level_.looseCount != 0) moveLoose(order_[at]);
+    if (solids.count == 0) {
+      free |= bit;
+      continue;
+    }
+    int kind = kSolids;
+    if (solids.count == 1 && count_ >= kFewWorlds) {
+      kind = solids.tags[0] & level::kUprightTag ? kOneUpright : kOneTilted;
+    }
+    lists_[kind][listed_[kind]++] = at;
+    ++counts_.contact;
   }
-  counts_.contact += uint64_t(counts[kOneUpright] + counts[kOneTilted] + counts[kSolids]);
-  for (int list = 0; list < kLists; ++list) {
-    if (counts[list] == 0) continue;
-    std::fill_n(lists[list] + counts[list], kLanes, lists[list][counts[list] - 1]);
-    for (int i = 0; i < counts[list]; i += kLanes) {
-      const int32_t* slots = lists[list] + i;
-      if (list == kOneStep) glide(slots, true);
-      if (list == kSubsteps) glide(slots, false);
-      if (list > kSubsteps) bump(slots);
+  return lanes;
+}
+
+// Moves the players among solid parts.
+void Ticker::bumpAll() {
+  for (int kind = 0; kind < kKinds; ++kind) {
+    int32_t* list = lists_[kind];
+    const int count = listed_[kind];
+    if (count == 0) continue;
+    std::fill_n(list + count, kLanes, list[count - 1]);
+    for (int i = 0; i < count; i += kLanes) {
+      bump(list + i, count - i < kLanes ? (1u << (count - i)) - 1 : kAllLanes);
     }
   }
 }
 
-// The bodies of worlds whose player has moved in lanes.
-void Ticker::moveLoose() {
-  if (level_.looseCount == 0) return;
-  for (int slot = 0; slot < count_; ++slot) {
-    const int index = order_[slot];
-    World& w = *worlds_[index];
-    if (done_[slot] || !(w.flags & kLooseAwake)) continue;
-    Candidates none;
-    none.looseApart = bodies_.add(w, loose_[index], near_.reach(index));
-    moveTogether(w, loose_[index], nullptr, {}, level_, none);
-  }
-  bodies_.flush();
+// The bodies of a world whose player moves in lanes.
+void Ticker::moveLoose(int index) {
+  World& w = *worlds_[index];
+  if (!(w.flags & kLooseAwake)) return;
+  Candidates none;
+  none.looseApart = bodies_.add(w, loose_[index], near_.reach(index));
+  moveTogether(w, loose_[index], nullptr, {}, level_, none);
 }
 
 void Ticker::singly(int index) {
@@ -267,86 +192,74 @@ void Ticker::singly(int index) {
   tick(w, loose, level_, actions_[index], apart);
 }
 
-void Ticker::glide(const int32_t* slots, bool atOnce) {
-  WideMotion m = motions_.take(slots);
+// Moves bodies that meet nothing by a tick.
+void Ticker::glide(WideMotion& m) const {
   const Params& p = level_.params;
-  if (atOnce) {
-    integrate<F>(m, level_, p.substepSeconds, p.substeps);
-  } else {
-    for (int s = 0; s < p.substeps; ++s) {
-      accelerate<F>(m, level_, p.substepSeconds);
-      m.position += m.velocity * F(p.substepSeconds);
-    }
+  const WideMask constant = isConstant(m, p);
+  WideMotion stepped = m;
+  integrate<F>(m, level_, p.substepSeconds, p.substeps);
+  if (all(constant)) return;
+  for (int s = 0; s < p.substeps; ++s) {
+    accelerate<F>(stepped, level_, p.substepSeconds);
+    stepped.position += stepped.velocity * F(p.substepSeconds);
   }
-  motions_.putMoved(slots, m);
+  m.position = select(constant, m.position, stepped.position);
+  m.velocity = select(constant, m.velocity, stepped.velocity);
 }
 
-Obstacles Ticker::obstaclesOf(const int32_t* slots) const {
-  Obstacles o;
-  alignas(64) int32_t counts[kLanes];
-  for (int lane = 0; lane < kLanes; ++lane) counts[lane] = solidCount_[slots[lane]];
-  o.count = load(counts);
-  o.most = *std::max_element(counts, counts + kLanes);
-  for (int k = 0; k < o.most; ++k) {
-    const void* rows[kLanes];
-    alignas(64) int32_t upright[kLanes];
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const uint32_t tag = k < counts[lane] ? solids_[slots[lane]][k] : 0;
-      rows[lane] = near_.rowOf(tag);
-      upright[lane] = int32_t(tag & level::kUprightTag);
-    }
-    o.block[k] = blockOf(loadRows(rows));
-    o.bounds[k] = boundsOf(o.block[k].pose, o.block[k].half);
-    o.upright[k] = load(upright) != WideInt(0);
+void Ticker::bump(const int32_t* slots, uint32_t lanes) {
+  const LaneSolids* solids[kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) solids[lane] = solids_ + slots[lane];
+  const Obstacles obstacles = parts_.obstacles(solids);
+  const void *motions[kLanes], *worlds[kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) {
+    motions[lane] = motions_ + slots[lane];
+    worlds[lane] = worlds_[order_[slots[lane]]];
   }
-  return o;
-}
-
-void Ticker::bump(const int32_t* slots) {
-  const Obstacles obstacles = obstaclesOf(slots);
-  WideMotion m = motions_.take(slots);
+  WideMotion m = motionAt(loadRows(motions));
   for (int s = 0; s < level_.params.substeps; ++s) {
     accelerate<F>(m, level_, level_.params.substepSeconds);
     moveAmong(m, level_.params, obstacles, level_.params.substepSeconds);
   }
-  motions_.putMoved(slots, m);
-}
-
-// endTick() of tick_phases.h, in lanes where nothing can be touched.
-void Ticker::finish(int slot) {
-  World unused{};
-  World* targets[kLanes];
-  alignas(64) int32_t touching[kLanes];
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const int at = slot + lane, index = order_[at];
-    const bool live = at < count_ && !done_[at];
-    targets[lane] = live ? worlds_[index] : &unused;
-    touching[lane] = live && (near_.anyFlags(index) & level::kTouchRoles);
-  }
-  Rows rows = loadRows(reinterpret_cast<const void* const*>(targets));
-  WidePlayer player = players_[slot / kLanes];
-  player.position = motions_.position(slot);
-  player.velocity = motions_.velocity(slot);
-  player.lifted = motions_.lifts(slot);
+  Rows rows = loadRows(worlds);
+  WidePlayer player = playerOf(rows);
+  putMoved(player, m);
   putPlayer(rows, player);
-  endTickInLanes(rows, load(touching) != WideInt(0));
-  storeRows(rows, reinterpret_cast<void* const*>(targets));
+  put(rows, slots, lanes, lanes);
+}
+
+// Stores the worlds of `lanes`, and ends the tick of those that have `moved`: endTick() of
+// tick_phases.h, in lanes where nothing can be touched.
+void Ticker::put(Rows& rows, const int32_t* slots, uint32_t lanes, uint32_t moved) {
+  void* targets[kLanes];
+  alignas(64) int32_t skip[kLanes];
+  uint32_t touching = 0;
   for (int lane = 0; lane < kLanes; ++lane) {
-    if (touching[lane]) touch(order_[slot + lane], footedOn_[slot + lane]);
+    const int index = order_[slots[lane]];
+    const uint32_t bit = 1u << lane, touches = near_.anyFlags(index) & level::kTouchRoles;
+    targets[lane] = lanes & bit ? worlds_[index] : &unused_;
+    if (touches != 0) touching |= bit;
+    skip[lane] = touches != 0 || !(moved & bit);
+  }
+  endTickInLanes(rows, load(skip) != WideInt(0));
+  storeRows(rows, targets);
+  for (uint32_t left = touching & moved; left != 0; left &= left - 1) {
+    const int slot = slots[lowestBit(left)];
+    touch(order_[slot], footedOn_[slot]);
   }
 }
 
-void Ticker::endTickInLanes(Rows& rows, WideMask touching) const {
+void Ticker::endTickInLanes(Rows& rows, WideMask skip) const {
   const Params& p = level_.params;
   const WideInt hurt = (rows.word[kFloorlessHurtWord] >> 16) & 0xffff;
   const WideInt calmed = (rows.word[kFloorlessHurtWord] & 0xffff) | ((hurt - 1) << 16);
   rows.word[kFloorlessHurtWord] =
-      select(touching | (hurt == WideInt(0)), rows.word[kFloorlessHurtWord], calmed);
+      select(skip | (hurt == WideInt(0)), rows.word[kFloorlessHurtWord], calmed);
   const F health = floatOfBits(rows.word[kHealthWord]);
-  rows.word[kHealthWord] = bitsOf(select(touching, health, regenerated<F>(health, p)));
-  rows.word[kTickWord] = rows.word[kTickWord] + select(touching, WideInt(0), WideInt(1));
+  rows.word[kHealthWord] = bitsOf(select(skip, health, regenerated<F>(health, p)));
+  rows.word[kTickWord] = rows.word[kTickWord] + select(skip, WideInt(0), WideInt(1));
   const F height = floatOfBits(rows.word[kPositionWord + 1]);
-  const WideMask fell = (height < p.fallenPartsHeight) & !touching;
+  const WideMask fell = (height < p.fallenPartsHeight) & !skip;
   const int32_t ended = int32_t(State::dead) << 16 | int32_t(Outcome::fell) << 24;
   rows.word[kStateWord] =
       select(fell, (rows.word[kStateWord] & 0xffff) | ended, rows.word[kStateWord]);

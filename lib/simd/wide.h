@@ -184,7 +184,7 @@ OBBY_LANES WideInt load(const int32_t* from) {
 OBBY_LANES void store(WideFloat a, float* to) { a.v.copy_to(to, internal::stdx::element_aligned); }
 OBBY_LANES void store(WideInt a, int32_t* to) { a.v.copy_to(to, internal::stdx::element_aligned); }
 
-// Lane k from or to base[index[k]].
+// Lane k from base[index[k]].
 OBBY_LANES WideFloat gather(const float* base, const int32_t* index) {
 #if defined(__AVX512F__)
   const __m512i at = _mm512_loadu_si512(index);
@@ -192,14 +192,6 @@ OBBY_LANES WideFloat gather(const float* base, const int32_t* index) {
       internal::FloatLanes(_mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xffff, at, base, 4)));
 #else
   return WideFloat(internal::FloatLanes([=](auto k) { return base[index[k]]; }));
-#endif
-}
-OBBY_LANES void scatter(WideFloat a, float* base, const int32_t* index) {
-#if defined(__AVX512F__)
-  const __m512i at = _mm512_loadu_si512(index);
-  _mm512_i32scatter_ps(base, at, static_cast<__m512>(a.v), 4);
-#else
-  for (int k = 0; k < kLanes; ++k) base[index[k]] = a.v[size_t(k)];
 #endif
 }
 

@@ -50,6 +50,18 @@ LevelBuilder everything() {
   });
   return b;
 }
+// Posts that limbs alone may touch, among walls, and a belt faster than any walk.
+level::Level hazards() {
+  LevelBuilder b = support::boxArena(40, 11);
+  for (int i = 0; i < 49; ++i) {
+    const Vec3 at{float(i % 7 - 3) * 7, 2, float(i / 7 - 3) * 7};
+    b.block(at, {0.5f, 4, 0.5f}, [](auto p) { p.initKill().setDamage(1); });
+  }
+  b.block({0, 0.5f, 14}, {60, 1, 5}, [](auto p) {
+    support::set(p.initConveyor().initVelocity(), {90, 0, 0});
+  });
+  return b.compile();
+}
 level::Level mixed() { return everything().compile(); }
 level::Level touched() { return golden::clocks().compile(); }
 level::Level held() { return golden::places().compile(); }
@@ -104,6 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, WideTick,
                          testing::Values(Scene{"arena", arena, 0.1, 0.05},
                                          Scene{"course", course, 0, 0.05},
                                          Scene{"moving", moving, 0.1, 0.05},
+                                         Scene{"hazards", hazards, 0.1, 0.3},
                                          Scene{"mixed", mixed, 0.02, 0.7},
                                          Scene{"touched", touched, 0, 1}, Scene{"held", held, 0, 1},
                                          Scene{"arena_with_tricks", arena, 0.1, 0.05, kAllTricks},
