@@ -476,6 +476,12 @@ enum Arrive {
   touch @1;  # the body being in the space around it; grazing its side while falling past counts
 }
 
+enum Directions {
+  # In which the player can walk, seen from above.
+  any @0;       # as with a thumbstick, or a camera that turns
+  keyboard @1;  # eight, counted from the facing at the start: keys, and a camera that stays behind it
+}
+
 struct Query {
   id @0 :Text;
   level @1 :Text;           # name of the level record; empty: the last level before the query
@@ -496,6 +502,7 @@ struct Query {
   tricks @18 :List(Trick);           # that the player may use
   bodies @19 :List(Text);            # each must have a solution: r6, r15 or place; empty: the level's physics
   frameRates @20 :List(UInt16);      # each must have a solution: frames per second; empty: the level's controlRate
+  directions @22 :Directions;        # in which the player can walk
   sameKeys @21 :Bool;                # one solution's keys, held by time, must do for every body and frame rate
 
   # Known to the maker of the level. No answer depends on these fields; obby-train learns from them.

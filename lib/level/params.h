@@ -54,7 +54,11 @@ struct Params {
   uint16_t squeezeTicks;
   uint16_t sleepTicks;
 
-  uint16_t tricks;  // that the player may use: of the query or the trajectory, never of the level
+  // Of the query or the trajectory, never of the level.
+  uint16_t tricks;         // that the player may use
+  uint16_t directionStep;  // between two headings that the player can walk in, turns / 65536: a
+                           // power of two; 0: any heading
+  uint16_t directionFrom;  // one of these headings
 };
 
 // Ticks of a duration, to the nearest. Negative or not finite: 0. At most 2^24.

@@ -133,6 +133,8 @@ Result<QueryView> compileLimits(schema::Query::Reader record, const Params& para
   }
   OBBY_ASSIGN(q.forbidden, forbiddenStates(record));
   OBBY_ASSIGN(q.tricks, tricksOf(record.getTricks(), "tricks"));
+  constexpr uint16_t kEighth = 65536 / 8;
+  q.directionStep = record.getDirections() == schema::Directions::KEYBOARD ? kEighth : 0;
   return q;
 }
 

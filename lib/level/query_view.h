@@ -50,6 +50,7 @@ struct QueryView {
   float maxDamage = -1;         // health; -1: any
   uint32_t forbidden = 0;       // sim::State values, a bit each
   uint16_t tricks = 0;          // that the player may use: Params::tricks
+  uint16_t directionStep = 0;   // Params::directionStep
 };
 
 template <class Table>

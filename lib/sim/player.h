@@ -2,6 +2,7 @@
 // World (world.h) is how it is kept between ticks.
 #pragma once
 
+#include "level/params.h"
 #include "math/angle.h"
 #include "sim/world.h"
 
@@ -61,6 +62,15 @@ OBBY_DEVICE void putPlayer(World& w, const Player& p) {
                     (p.lifted ? kLegsLift : 0) | (p.leftTruss ? kLeftTruss : 0));
 }
 
-OBBY_DEVICE ControlT<float> controlOf(Action a) { return {a.heading, a.walk, a.jump}; }
+// The nearest heading that the player can walk in.
+template <class Int>
+OBBY_DEVICE Int walkableHeading(Int wanted, const Params& p) {
+  const int32_t between = p.directionStep > 0 ? p.directionStep - 1 : 0, from = p.directionFrom;
+  return (((wanted - from + (between + 1) / 2) & (0xffff & ~between)) + from) & 0xffff;
+}
+
+OBBY_DEVICE ControlT<float> controlOf(Action a, const Params& p) {
+  return {walkableHeading<int32_t>(a.heading, p), a.walk, a.jump};
+}
 
 }  // namespace obby::sim

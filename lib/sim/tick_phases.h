@@ -92,7 +92,7 @@ template <bool kLoose>
 OBBY_DEVICE void tickInPlace(World& w, LooseBody* loose, const level::LevelView& level,
                              Action action, uint32_t apart) {
   if (w.outcome != Outcome::running) return;
-  ControlT<float> control = controlOf(action);
+  ControlT<float> control = controlOf(action, level.params);
   Params boosts;
   const Params* p = &level.params;
   bool helpless = false;

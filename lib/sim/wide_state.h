@@ -66,7 +66,8 @@ OBBY_LANES WidePlayer playerOf(const Rows& rows) {
 }
 
 // Of kLanes worlds, by their index.
-OBBY_LANES ControlT<WideFloat> controlsOf(const Action* actions, const int32_t* index) {
+OBBY_LANES ControlT<WideFloat> controlsOf(const Action* actions, const int32_t* index,
+                                          const Params& p) {
   alignas(64) int32_t heading[kLanes], walk[kLanes], jump[kLanes];
   for (int lane = 0; lane < kLanes; ++lane) {
     const Action& a = actions[index[lane]];
@@ -74,7 +75,7 @@ OBBY_LANES ControlT<WideFloat> controlsOf(const Action* actions, const int32_t* 
     walk[lane] = a.walk;
     jump[lane] = a.jump;
   }
-  return {load(heading), load(walk) != WideInt(0), load(jump) != WideInt(0)};
+  return {walkableHeading(load(heading), p), load(walk) != WideInt(0), load(jump) != WideInt(0)};
 }
 
 OBBY_LANES void putPlayer(Rows& rows, const WidePlayer& p) {

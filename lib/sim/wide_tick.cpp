@@ -105,7 +105,7 @@ void Ticker::play(int slot) {
   Rows rows = loadRows(worlds);
   WidePlayer player = playerOf(rows);
   const Params& p = level_.params;
-  const ControlT<F> controls = controlsOf(actions_, index);
+  const ControlT<F> controls = controlsOf(actions_, index, p);
   faceAtOnce(player, p, controls);
   parts_.look(index);
   const FloorT<F> floor = parts_.floorUnder(player, worlds_);

@@ -20,9 +20,10 @@ using support::Walker;
 struct Scene {
   const char* name;
   level::Level (*build)();
-  double leastContact;  // share of ticks with a part to collide with
-  double mostSingle;    // share of ticks that may fall back to the scalar tick
-  uint16_t tricks = 0;  // Params::tricks
+  double leastContact;         // share of ticks with a part to collide with
+  double mostSingle;           // share of ticks that may fall back to the scalar tick
+  uint16_t tricks = 0;         // Params::tricks
+  uint16_t directionStep = 0;  // Params::directionStep
 };
 
 level::Level arena() { return support::boxArena(60, 5).compile(); }
@@ -89,6 +90,8 @@ TEST_P(WideTick, GivesTheBitsOfTheScalarTick) {
   const level::Level level = GetParam().build();
   level::LevelView view = level.view();
   view.params.tricks = GetParam().tricks;
+  view.params.directionStep = GetParam().directionStep;
+  view.params.directionFrom = 1234;
   for (const uint32_t count : {1u, 5u, 100u, 300u}) {
     std::vector<World> wide = startsOver(level, count), single = wide;
     std::vector<World*> pointers;
@@ -112,16 +115,15 @@ TEST_P(WideTick, GivesTheBitsOfTheScalarTick) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, WideTick,
-                         testing::Values(Scene{"arena", arena, 0.1, 0.05},
-                                         Scene{"course", course, 0, 0.05},
-                                         Scene{"moving", moving, 0.1, 0.05},
-                                         Scene{"hazards", hazards, 0.1, 0.3},
-                                         Scene{"mixed", mixed, 0.02, 0.7},
-                                         Scene{"touched", touched, 0, 1}, Scene{"held", held, 0, 1},
-                                         Scene{"arena_with_tricks", arena, 0.1, 0.05, kAllTricks},
-                                         Scene{"mixed_with_tricks", mixed, 0.02, 0.7, kAllTricks}),
-                         [](const auto& scene) { return std::string(scene.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, WideTick,
+    testing::Values(Scene{"arena", arena, 0.1, 0.05}, Scene{"course", course, 0, 0.05},
+                    Scene{"keyboard", course, 0, 0.05, 0, 8192}, Scene{"moving", moving, 0.1, 0.05},
+                    Scene{"hazards", hazards, 0.1, 0.3}, Scene{"mixed", mixed, 0.02, 0.7},
+                    Scene{"touched", touched, 0, 1}, Scene{"held", held, 0, 1},
+                    Scene{"arena_with_tricks", arena, 0.1, 0.05, kAllTricks},
+                    Scene{"mixed_with_tricks", mixed, 0.02, 0.7, kAllTricks}),
+    [](const auto& scene) { return std::string(scene.param.name); });
 
 TEST(WideTick, LeavesEndedWorldsAlone) {
   const level::Level level = arena();

@@ -29,6 +29,7 @@ solve::QuickQuery quickQuery(const cli::Arguments& a) {
   q.forbid = a.list("forbid");
   if (a.has("arrive")) q.arrive = a.text("arrive");
   q.tricks = a.list("tricks");
+  if (a.has("directions")) q.directions = a.text("directions");
   if (a.has("min-jumps")) q.minJumps = int32_t(a.integer("min-jumps"));
   if (a.has("max-damage")) q.maxDamage = float(a.number("max-damage"));
   if (a.has("max-jumps")) q.maxJumps = int32_t(a.integer("max-jumps"));

@@ -65,6 +65,16 @@ OptionRow tricksRow() {
   return repeatable(rare(r));
 }
 
+OptionRow directionsRow() {
+  OptionRow r = row("directions", ValueType::choice, "", "any",
+                    "directions in which the player can walk", kQueryGroup);
+  r.choices = {"any", "keyboard"};
+  r.details =
+      "any: as with a thumbstick, or a camera that turns\n"
+      "keyboard: eight, as with keys and a camera that stays behind the facing at the start";
+  return rare(r);
+}
+
 OptionRow timeLimitRow() {
   OptionRow r = cli::withDefault(cli::commonRow(cli::Common::timeLimit), "20");
   r.help = "wall-clock limit for each query";
@@ -238,6 +248,7 @@ std::vector<OptionRow> queryRows() {
       repeatable(forbidRow()),
       arriveRow(),
       tricksRow(),
+      directionsRow(),
       detailed(row("each", ValueType::flag, "", "",
                    "apply these options to each query in the input", kQueryGroup),
                "A limit given here replaces the query's own."),

@@ -1,5 +1,6 @@
 #include "solve/answers/playthrough.h"
 
+#include "sim/player.h"
 #include "solve/rollouts/known_way.h"
 #include "solve/rollouts/rollout.h"
 
@@ -15,7 +16,9 @@ Playthrough regenerate(const ExploreContext& context, uint64_t seed, const Probl
   p.path.push_back(problem.start.position);
   uint32_t jumps = problem.start.jumps;
   const auto note = [&](const sim::Action& action, const sim::World& world) {
-    hold(p.actions, action);
+    sim::Action walked = action;
+    walked.heading = Turns(sim::walkableHeading<int32_t>(action.heading, problem.level.params));
+    hold(p.actions, walked);
     if (++p.ticks % kPathStep == 0) p.path.push_back(world.position);
     if (world.jumps > jumps) p.jumpTicks.push_back(p.ticks);
     jumps = world.jumps;

@@ -5,6 +5,7 @@
 
 #include <span>
 
+#include "base/listed.h"
 #include "level/resolve_places.h"
 #include "level/select_parts.h"
 #include "level/tricks.h"
@@ -135,13 +136,32 @@ Status fillStates(const std::vector<std::string>& names, schema::Query::Builder 
   return {};
 }
 
-Status fillArrive(const std::string& name, schema::Query::Builder query) {
-  KJ_IF_MAYBE (found, capnp::Schema::from<schema::Arrive>().findEnumerantByName(name)) {
-    query.setArrive(schema::Arrive(found->getOrdinal()));
+// Sets a field that holds one of the names of an enum.
+template <class Enum>
+Status fillChoice(const std::string& name, const char* option, Enum& value) {
+  const auto names = capnp::Schema::from<Enum>();
+  KJ_IF_MAYBE (found, names.findEnumerantByName(name)) {
+    value = Enum(found->getOrdinal());
     return {};
   }
-  return inOption(makeError(fmt::format("unknown way to arrive '{}'", name), "give stand or touch"),
-                  "--arrive");
+  std::vector<std::string> known;
+  for (const auto row : names.getEnumerants()) known.emplace_back(row.getProto().getName());
+  return inOption(makeError(fmt::format("unknown value '{}'", name), "give " + listed(known, "or")),
+                  option);
+}
+
+Status fillArrive(const std::string& name, schema::Query::Builder query) {
+  schema::Arrive arrive{};
+  OBBY_RETURN_IF_ERROR(fillChoice(name, "--arrive", arrive));
+  query.setArrive(arrive);
+  return {};
+}
+
+Status fillDirections(const std::string& name, schema::Query::Builder query) {
+  schema::Directions directions{};
+  OBBY_RETURN_IF_ERROR(fillChoice(name, "--directions", directions));
+  query.setDirections(directions);
+  return {};
 }
 
 Status fillTricks(const std::vector<std::string>& names, schema::Query::Builder query) {
@@ -155,12 +175,13 @@ Status fillTricks(const std::vector<std::string>& names, schema::Query::Builder 
 // The first option that asks for something.
 const char* firstOption(const QuickQuery& q) {
   const std::pair<bool, const char*> options[] = {
-      {!q.start.empty(), "--start"},        {!q.goals.empty(), "--goal"},
-      {!q.waypoints.empty(), "--waypoint"}, {!q.visits.empty(), "--visit"},
-      {!q.avoid.empty(), "--avoid"},        {!q.forbid.empty(), "--forbid"},
-      {!q.arrive.empty(), "--arrive"},      {q.minJumps >= 0, "--min-jumps"},
-      {q.maxJumps >= 0, "--max-jumps"},     {q.timeLimit > 0, "--max-time"},
-      {q.maxDamage >= 0, "--max-damage"},   {!q.tricks.empty(), "--tricks"}};
+      {!q.start.empty(), "--start"},          {!q.goals.empty(), "--goal"},
+      {!q.waypoints.empty(), "--waypoint"},   {!q.visits.empty(), "--visit"},
+      {!q.avoid.empty(), "--avoid"},          {!q.forbid.empty(), "--forbid"},
+      {!q.arrive.empty(), "--arrive"},        {q.minJumps >= 0, "--min-jumps"},
+      {q.maxJumps >= 0, "--max-jumps"},       {q.timeLimit > 0, "--max-time"},
+      {q.maxDamage >= 0, "--max-damage"},     {!q.tricks.empty(), "--tricks"},
+      {!q.directions.empty(), "--directions"}};
   for (const auto& [given, option] : options) {
     if (given) return option;
   }
@@ -191,6 +212,7 @@ Status fill(schema::Level::Reader level, const QuickQuery& quick, schema::Query:
   }
   if (!quick.forbid.empty()) OBBY_RETURN_IF_ERROR(fillStates(quick.forbid, query));
   if (!quick.arrive.empty()) OBBY_RETURN_IF_ERROR(fillArrive(quick.arrive, query));
+  if (!quick.directions.empty()) OBBY_RETURN_IF_ERROR(fillDirections(quick.directions, query));
   if (!quick.tricks.empty()) OBBY_RETURN_IF_ERROR(fillTricks(quick.tricks, query));
   if (quick.minJumps >= 0) query.setMinJumps(quick.minJumps);
   if (quick.maxJumps >= 0) query.setMaxJumps(quick.maxJumps);

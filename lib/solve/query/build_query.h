@@ -20,6 +20,7 @@ struct QuickQuery {
   std::string arrive;                  // as the schema spells it; empty: as the query says
   std::vector<std::string> forbid;     // states, as the schema spells them
   std::vector<std::string> tricks;     // of level::trickOptions()
+  std::string directions;              // as the schema spells them; empty: as the query says
   int32_t minJumps = -1, maxJumps = -1;
   float timeLimit = 0;  // seconds
   float maxDamage = -1;

@@ -10,6 +10,8 @@ namespace obby::solve {
 Problem problemOf(const PosedQuery& posed) {
   level::LevelView view = posed.level.view();
   view.params.tricks = posed.query.view().tricks;
+  view.params.directionStep = posed.query.view().directionStep;
+  view.params.directionFrom = turnsFromRadians(posed.query.start().yaw);
   return {view,
           posed.query.view(),
           sim::makeWorld(view, posed.query.start()),

@@ -66,6 +66,22 @@ Status checkTricks(schema::Query::Reader query, const sim::Plan& plan) {
   return Error{{}, {}, "tricks", "the record uses a trick that the query does not allow", {}};
 }
 
+// The keyboard's eight directions, if the query has no others.
+Status checkDirections(schema::Query::Reader query, const sim::Plan& plan) {
+  if (query.getDirections() == schema::Directions::ANY) return {};
+  constexpr int32_t kEighth = 65536 / 8;
+  for (size_t i = 0; i < plan.actions.size(); ++i) {
+    const sim::Action& action = plan.actions[i].action;
+    if (!action.walk || (int32_t(action.heading) - int32_t(plan.yaw)) % kEighth == 0) continue;
+    return Error{{},
+                 {},
+                 fmt::format("actions[{}].heading", i),
+                 "the player walks in none of the keyboard's eight directions",
+                 {}};
+  }
+  return {};
+}
+
 int32_t indexIf(bool asked, uint32_t index) { return asked ? int32_t(index) : -1; }
 
 Status checkEnd(schema::Trajectory::Reader t, const sim::ReplayEnd& end) {
@@ -126,6 +142,7 @@ Status verify(const level::Level& level, schema::Level::Reader levelRecord,
   OBBY_RETURN_IF_ERROR(checkStart(levelRecord, query, trajectory));
   OBBY_ASSIGN(const sim::Plan plan, sim::planFromRecord(trajectory));
   OBBY_RETURN_IF_ERROR(checkTricks(query, plan));
+  OBBY_RETURN_IF_ERROR(checkDirections(query, plan));
   Judge judge(query, level.view());
   schema::Outcome outcome = schema::Outcome::RUNNING;
   Walked way;
