@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -33,7 +34,11 @@ std::string expectation(const TypePlan& type) {
 
 std::optional<std::string> refuseReal(const TypePlan& type, double value) {
   if (!std::isfinite(value)) return fmt::format("expected a finite number, found {}", value);
-  if (value < type.min || value > type.max)
+  // Bounds as the field can hold them: the float next to 0.2 is a little more.
+  const bool narrow = type.kind == ValueKind::real32;
+  const double min = narrow ? double(float(type.min)) : type.min;
+  const double max = narrow ? double(float(type.max)) : type.max;
+  if (value < std::min(type.min, min) || value > std::max(type.max, max))
     return fmt::format("expected a number from {} to {}, found {}", type.min, type.max, value);
   return std::nullopt;
 }

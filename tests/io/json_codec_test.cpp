@@ -247,5 +247,12 @@ TEST(JsonWriting, RefusesWhatNoReaderWouldTake) {
   EXPECT_EQ(recordToJson(text.reader()).error().text(), "parts[1].tags[0]: expected UTF-8 text");
 }
 
+// The float next to 0.2 is a little more than 0.2.
+TEST(JsonWriting, TakesABoundThatAFloatRounds) {
+  RecordBuilder most;
+  most.root().initLevel().initPhysics().setContactSkin(0.2f);
+  EXPECT_TRUE(recordToJson(most.reader()));
+}
+
 }  // namespace
 }  // namespace obby::io
