@@ -174,8 +174,13 @@ void GoExplore::visit(Rollout& r, uint64_t key, uint32_t cell, const sim::World&
     if (cell != r.start.cell) archive_.noteSighted(cell);
     if (!archive_.better(cell, world)) return;
   }
-  r.candidates.push_back(
-      {key, world, {loose.begin(), loose.end()}, setup_.potential(world), ticks});
+  Candidate& c = r.candidates.emplace_back();
+  c.key = key;
+  c.world = world;
+  if (!loose.empty() && !archive_.isFirstLoose(loose.data()))
+    c.loose.assign(loose.begin(), loose.end());
+  c.potential = setup_.potential(world);
+  c.ticks = ticks;
 }
 
 void GoExplore::noteClosest(Rollout& r, const sim::World& world, uint32_t tick) {
@@ -220,7 +225,8 @@ bool GoExplore::offer(const Rollout& r, const Candidate& c, Companions::Walk* wa
     if (!walk->follow(c.ticks)) return false;
   }
   const Node node{r.id, r.parent, c.ticks};
-  if (!archive_.offer(c.key, c.world, node, c.potential, c.loose.data())) return false;
+  const sim::LooseBody* const loose = c.loose.empty() ? archive_.firstLoose() : c.loose.data();
+  if (!archive_.offer(c.key, c.world, node, c.potential, loose)) return false;
   if (walk != nullptr) companions_.keep(archive_.node(archive_.find(c.key)), *walk);
   return true;
 }

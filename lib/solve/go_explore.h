@@ -33,7 +33,7 @@ class GoExplore final : public ArchiveSearch {
   struct Candidate {  // a state that is new or better than what the archive held
     uint64_t key;
     sim::World world;
-    std::vector<sim::LooseBody> loose;
+    std::vector<sim::LooseBody> loose;  // empty: as at the start
     float potential;
     uint32_t ticks;
   };

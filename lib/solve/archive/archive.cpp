@@ -1,5 +1,7 @@
 #include "solve/archive/archive.h"
 
+#include <cstring>
+
 namespace obby::solve {
 
 Archive::Archive(uint32_t maxCells, uint32_t looseCount)
@@ -11,7 +13,7 @@ void Archive::addCell(uint64_t key) {
   ticks_.push_back(0);
   jumps_.push_back(0);
   worlds_.push_back({});
-  if (looseCount_ != 0) loose_.resize(looseAt(cell) + looseCount_);
+  if (looseCount_ != 0) looseSets_.push_back(0);
   cellNodes_.push_back(kNone);
   seen_.push_back(0);
   sighted_.push_back(0);
@@ -36,13 +38,32 @@ bool Archive::offer(uint64_t key, const sim::World& world, const Node& node, flo
   ticks_[cell] = world.tick;
   jumps_[cell] = world.jumps;
   worlds_[cell] = world;
-  if (looseCount_ != 0) std::copy_n(loose, looseCount_, loose_.at(looseAt(cell)));
+  if (looseCount_ != 0) putLoose(cell, loose);
   cellNodes_[cell] = uint32_t(nodes_.size());
   nodes_.push_back(node);
   potentials_[cell] = potential;
   bestPotential_ = std::max(bestPotential_, potential);
   note(arrivedIn_, cell);
   return true;
+}
+
+bool Archive::isFirstLoose(const sim::LooseBody* loose) const {
+  return looseSetCount_ > 0 &&
+         std::memcmp(loose, loose_.at(0), looseCount_ * sizeof(sim::LooseBody)) == 0;
+}
+
+// The first set may be several cells', each other one is one cell's.
+void Archive::putLoose(uint32_t cell, const sim::LooseBody* loose) {
+  uint32_t& set = looseSets_[cell];
+  if (isFirstLoose(loose)) {
+    set = 0;
+    return;
+  }
+  if (set == 0) {
+    set = looseSetCount_++;
+    loose_.resize(looseAt(set) + looseCount_);
+  }
+  std::copy_n(loose, looseCount_, loose_.at(looseAt(set)));
 }
 
 uint64_t Archive::singletons() const {

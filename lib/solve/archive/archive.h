@@ -24,7 +24,8 @@ class Archive {
   static constexpr uint32_t kBlock = 64;
 
   // `maxCells` bounds the memory: further cells are not kept (about 200 bytes each, choosers
-  // included). `looseCount`: bodies beside each world.
+  // included). `looseCount`: bodies beside each world. Most are where they were in the first world
+  // offered, and are kept once for all of these.
   explicit Archive(uint32_t maxCells = kMaxCells, uint32_t looseCount = 0);
 
   // The cell of a key, or kNone. Safe to call from several threads between changes.
@@ -69,8 +70,12 @@ class Archive {
   const sim::World& world(uint32_t cell) const { return worlds_[cell]; }
   std::span<const sim::LooseBody> loose(uint32_t cell) const {
     if (looseCount_ == 0) return {};
-    return {loose_.at(looseAt(cell)), looseCount_};
+    return {loose_.at(looseAt(looseSets_[cell])), looseCount_};
   }
+  // Of the first world offered; null if there are none.
+  const sim::LooseBody* firstLoose() const { return looseCount_ == 0 ? nullptr : loose_.at(0); }
+  // Are these bodies as they are there?
+  bool isFirstLoose(const sim::LooseBody* loose) const;
   uint32_t node(uint32_t cell) const { return cellNodes_[cell]; }
   const ChunkedVector<uint32_t>& ticks() const { return ticks_; }  // of the worlds
   const ChunkedVector<uint32_t>& seen() const { return seen_; }
@@ -93,9 +98,10 @@ class Archive {
 
  private:
   void addCell(uint64_t key);
-  size_t looseAt(uint32_t cell) const {  // a cell's bodies are in one chunk
-    const size_t cells = ChunkedVector<sim::LooseBody>::kChunk / looseCount_;
-    return cell / cells * ChunkedVector<sim::LooseBody>::kChunk + cell % cells * looseCount_;
+  void putLoose(uint32_t cell, const sim::LooseBody* loose);
+  size_t looseAt(uint32_t set) const {  // the bodies of a set are in one chunk
+    const size_t sets = ChunkedVector<sim::LooseBody>::kChunk / looseCount_;
+    return set / sets * ChunkedVector<sim::LooseBody>::kChunk + set % sets * looseCount_;
   }
   // Threads that visit one block agree about what to write: most find it written.
   void note(ChunkedVector<uint32_t>& epochs, uint32_t cell) {
@@ -109,7 +115,9 @@ class Archive {
   ChunkedVector<uint32_t> ticks_;  // of the worlds, and their jumps: for better() alone
   ChunkedVector<uint16_t> jumps_;
   ChunkedVector<sim::World> worlds_;
-  ChunkedVector<sim::LooseBody> loose_;  // (cells, looseCount), see looseAt
+  ChunkedVector<uint32_t> looseSets_;    // (cells)
+  ChunkedVector<sim::LooseBody> loose_;  // (sets, looseCount), see looseAt
+  uint32_t looseSetCount_ = 0;
   ChunkedVector<uint32_t> cellNodes_;
   ChunkedVector<uint32_t> seen_;
   ChunkedVector<uint8_t> sighted_;
