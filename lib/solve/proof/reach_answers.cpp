@@ -22,14 +22,14 @@ std::vector<ReachBound::End> ReachBound::endsOf(const level::TargetView& target)
   if (target.stand) return holdersIn(box);
   std::vector<End> ends{{box, box.lo.y - p_.bodyTop}};
   if (target.touchCount != 0) return ends;
-  // Over a part that pushes bodies out the torso is above its top, and so the part is reached, too.
+  // Over a part that pushes bodies out the torso is above its top.
   index_.any(flat(box, 0), [&](uint32_t i) {
     const Support& s = supports_[i];
     const bool holds = s.carries && !s.wild && s.pushes == 0 && s.beside == Beside::clear &&
                        isAxial(problem_.level, s.collider);
     const bool over =
         isWithin(flat(box, 0), flat(s.box, 0)) && box.lo.y > s.box.lo.y + 2 * limits_.slack;
-    if (holds && over && !isReached(i)) ends = {endAt(i)};
+    if (holds && over && s.entry > ends[0].height) ends[0] = {box, s.entry, 0, i};
     return false;
   });
   return ends;
