@@ -33,9 +33,7 @@ class Solving {
         query_(question.query),
         options_(options),
         output_(output),
-        posed_{level_.level,   level_.record.reader().getLevel(),
-               compiled,       query_,
-               options.policy, level_.motions.get()},
+        posed_{level_.level, level_.record.reader().getLevel(), compiled, query_, options.policy},
         identity_{compiled.id(),        level_.level.name(),    compiled.start(),
                   options.method->name, compiled.view().tricks, question.player} {}
 

@@ -12,7 +12,6 @@
 #include "solve/answers/earlier_answers.h"
 #include "solve/methods.h"
 #include "solve/players/player_levels.h"
-#include "solve/proof/part_motion.h"
 
 namespace obby::solve {
 
@@ -22,7 +21,6 @@ struct LoadedLevel {
   level::Level level;
   double compileSeconds;
   // For all queries that are asked of it.
-  std::unique_ptr<PartMotions> motions = std::make_unique<PartMotions>();
   std::unique_ptr<PlayerLevels> players = std::make_unique<PlayerLevels>();
 };
 

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "solve/proof/crowding.h"
 #include "solve/proof/reach_bound.h"
 #include "support/level_builder.h"
 #include "support/plain_problem.h"
@@ -51,7 +50,6 @@ class Attack {
       ++counts.wild;
       return std::nullopt;
     }
-    if (bound.comesInto(crowdedPlaces(level->view()))) return std::nullopt;
     for (int i = 0; i < 6; ++i) {
       if (auto fault = play(problem, bound, jumps, counts)) return fault;
     }

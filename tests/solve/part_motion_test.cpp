@@ -1,4 +1,4 @@
-// What moving parts do to those around them, worked out once for all queries of a level.
+// What moving parts do to those around them.
 #include "solve/proof/part_motion.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 // Keys turn a block about its centre, and a slow spin about a point ten studs from that: after half
 // a turn of the spin the block is twenty studs from what the keys turn it about.
-TEST(PartMotions, NoCornerIsFasterWhereKeysAndSpinTurn) {
+TEST(PartMotion, NoCornerIsFasterWhereKeysAndSpinTurn) {
   LevelBuilder b;
   b.block({0, 0, 0}, {2, 2, 2}, [](schema::Part::Builder p) {
     auto motion = p.initMotion();
@@ -29,7 +29,7 @@ TEST(PartMotions, NoCornerIsFasterWhereKeysAndSpinTurn) {
     spin.setSpeed(0.5f);
   });
   const level::Level level = b.compile();
-  const PartMotion motion = partMotion(level.view(), 0);
+  const PartMotion motion = partMotions(level.view())[0];
   const float rate = float(level.view().params.controlRate);
   float upward = 0, sideways = 0;
   for (uint32_t t = 0; t < 1000; ++t) {

@@ -13,22 +13,16 @@ namespace {
 
 constexpr float kLeastSlope = 80;  // degrees: below, sliding makes speeds without a bound
 
-// The discrete spring of the legs: eigenvalues of one step (docs/proof.md, legs).
-struct Spring {
-  double sum, product, root;  // of the characteristic polynomial
-  explicit Spring(const Params& p) {
-    const double dt = p.substepSeconds, c = p.hoverDamping, k = p.hoverStiffness;
-    sum = 2 - c * dt - k * dt * dt;
-    product = 1 - c * dt;
-    root = sum * sum - 4 * product;
-  }
-  bool bounces() const { return !(product > 1e-4 && sum > 0 && root > 0); }
-  // 1/s: feet below a floor by d rise at most at this times d.
-  double slowRate(double dt) const {
-    const double mu = 0.5 * (sum + std::sqrt(std::max(root, 0.0)));
-    return (1 - mu) / (mu * dt);
-  }
-};
+// 1/s: feet below a floor by d rise at most at this times d; below 0: the legs bounce. From the
+// eigenvalues of one step (docs/proof.md, legs).
+double slowRate(const Params& p) {
+  const double dt = p.substepSeconds, c = p.hoverDamping, k = p.hoverStiffness;
+  const double sum = 2 - c * dt - k * dt * dt, product = 1 - c * dt;
+  const double root = sum * sum - 4 * product;
+  if (!(product > 1e-4 && sum > 0 && root > 0)) return -1;
+  const double larger = 0.5 * (sum + std::sqrt(root));
+  return (1 - larger) / (larger * dt);
+}
 
 bool addsSpeed(const level::Roles& r) {
   const bool slanted = r.padVelocity.x != 0 || r.padVelocity.z != 0 || r.padVelocity.y < 0;
@@ -53,7 +47,8 @@ const char* unboundedPart(const level::LevelView& level) {
   const Params& p = level.params;
   if (level.looseCount != 0) return "dynamic parts, which can be pushed anywhere";
   if (!(p.gravity > 1)) return "almost no gravity";
-  if (Spring(p).bounces()) return "legs that bounce";
+  if (slowRate(p) < 0) return "legs that bounce";
+  if (p.moveGain * p.substepSeconds > 1) return "walks that overshoot their speed";
   bool slopes = false;
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     const uint32_t flags = level.bounds[i].flags;
@@ -64,22 +59,6 @@ const char* unboundedPart(const level::LevelView& level) {
   }
   if (slopes && p.maxSlope < kLeastSlope * kPi / 180) return "slopes that players slide down";
   return nullptr;
-}
-
-float fastestWalk(const level::LevelView& level) {
-  float factor = 1;
-  for (uint32_t i = 0; i < level.clockCount; ++i) {
-    factor = std::max(factor, level.clocks[i].walkFactor);
-  }
-  return level.params.walkSpeed * factor;
-}
-
-float fastestJump(const level::LevelView& level) {
-  float fastest = level.params.jumpSpeed;
-  for (uint32_t i = 0; i < level.clockCount; ++i) {
-    fastest = std::max(fastest, level::jumpSpeedUnder(level.clocks[i], level.params));
-  }
-  return fastest;
 }
 
 BodyLimits::BodyLimits(const Problem& problem, const std::vector<PartMotion>& motions)
@@ -95,33 +74,32 @@ BodyLimits::BodyLimits(const Problem& problem, const std::vector<PartMotion>& mo
 
 void BodyLimits::setSpeeds(const Problem& problem, const std::vector<PartMotion>& motions) {
   const level::LevelView& level = problem.level;
-  float least = p_.plainGrip, most = p_.plainGrip;
+  float least = p_.plainGrip;
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
-    if (!(level.bounds[i].flags & level::kSolid)) continue;
-    least = std::min(least, level.colliders[i].grip);
-    most = std::max(most, level.colliders[i].grip);
+    if (level.bounds[i].flags & level::kSolid) least = std::min(least, level.colliders[i].grip);
   }
-  const float strongest = std::max({p_.traction * most, p_.airAccel, p_.jumpAccel});
-  const float overshoot = std::max(strongest * (dt_ - 1 / p_.moveGain), 0.0f);
+  decay = std::min(p_.airAccel, p_.traction * least);
   const Box all = allPlaces(problem);
   const float eps = std::numeric_limits<float>::epsilon();
   const float far = std::max({-all.lo.x, all.hi.x, -all.lo.z, all.hi.z}) * eps;
   sim::Motion fast{};
   fast.velocity.y = -std::max(p_.maxFallSpeed, level.maxSideSpeed);
   fast.bottom = p_.headBottom;
-  const float cuts = std::ceil(sim::substepTravel(fast, p_) / sim::safeTravel(fast, p_));
-  const float pieces = std::clamp(cuts, 5.0f, float(sim::kMostSplits));
-  walk = fastestWalk(level) + overshoot + 0.71f * far * pieces / dt_;
+  const float roundings = float(std::max(sim::contactSplits(fast, p_), 5)) / dt_;
+  jump = p_.jumpSpeed;
+  slowJump = std::min(p_.jumpSpeed, p_.maxFallSpeed);
+  float factor = 1;
+  for (uint32_t i = 0; i < level.clockCount; ++i) {
+    factor = std::max(factor, level.clocks[i].walkFactor);
+    const float boosted = level::jumpSpeedUnder(level.clocks[i], p_);
+    jump = std::max(jump, boosted);
+    slowJump = std::min(slowJump, boosted);
+  }
+  walk = p_.walkSpeed * factor + 0.71f * far * roundings;
   const Vec3 start = problem.start.velocity;
   float given = length(Vec3{start.x, 0, start.z});
   for (const PartMotion& m : motions) given = std::max(given, m.sideways);
-  fastest = walk + std::min(given, 1.42f * level.maxSideSpeed);
-  jump = fastestJump(level);
-  slowJump = std::min(p_.jumpSpeed, p_.maxFallSpeed);
-  for (uint32_t i = 0; i < level.clockCount; ++i) {
-    slowJump = std::min(slowJump, level::jumpSpeedUnder(level.clocks[i], p_));
-  }
-  decay = std::min(p_.airAccel, p_.traction * least);
+  fastest_ = walk + std::min(given, 1.42f * level.maxSideSpeed);
   settles = 2 * sim::kSettledGap + std::max(-all.lo.y, all.hi.y) * eps * 128;
   slack = p_.contactSkin + sim::kTight + 0.01f + settles;
 }
@@ -132,16 +110,16 @@ void BodyLimits::setBody() {
   const float least = 0.5f * std::min(width, depth);
   ray = p_.floorRaySpread * 2 * half;
   body = std::max(half, ray) + settles;
-  stand = walk * tick_ >= body - ray ? ray + settles : body;
+  lateTicks_ = (p_.coyoteSteps - 1u) / p_.substeps;
+  stand = lateTicks_ > 0 && walk * tick_ >= body - ray ? ray + settles : body;
   limb = 0.5f * length(Vec3{std::max(p_.armSpan, width), 0, depth}) + 1.5f * p_.touchMargin + slack;
   across = 2 * half + slack;
-  const float travel = fastest * dt_;
+  const float travel = fastest_ * dt_;
   const float step = std::max(std::min(0.9f * least, travel), travel / sim::kMostSplits);
   turned = half - least + step + slack;
   overlap = std::min(half - least, half * p_.turnSpeed * tick_) + step + slack;
-  // A jump that leads through a part in a tick may end anywhere beside it.
-  staysOut = fastest * tick_ + slack < 0.9f * least;
-  if (!staysOut) overlap = turned;
+  // A jump that leads through a part in its first tick may end anywhere beside it.
+  if (fastest_ * tick_ + slack >= 0.9f * least) overlap = turned;
 }
 
 float BodyLimits::fallOver(uint32_t steps) const {
@@ -155,21 +133,21 @@ float BodyLimits::reachAt(float fall, bool kept) const {
          sim::rayHeight(p_);
 }
 
-float BodyLimits::settled(float speed) const {
-  return reachAt(speed, false) - speed * float(landedSteps_) * dt_ - fallOver(landedSteps_);
-}
-
 void BodyLimits::setTakeOff() {
   const uint32_t n = p_.substeps, landed = p_.landedSteps;
   const uint32_t more = landed > n ? (landed - n + n - 1) / n : 0;
-  landedSteps_ = n * (landed == 0 ? 1 : 1 + std::max(1u, more));
-  lateTicks_ = (p_.coyoteSteps - 1u) / n;
+  const uint32_t waits = n * (landed == 0 ? 1 : 1 + std::max(1u, more));  // to the first jump
   const uint32_t graced = std::max(p_.graceSteps, p_.coyoteSteps) + n;
-  graceFall_ = fallOver(graced);
-  sunk_ = sim::rayHeight(p_) + graceFall_;
+  sunk = sim::rayHeight(p_) + fallOver(graced);
   keptReach_ = std::max({reachAt(0, true), reachAt(gravity_ * dt_ * float(graced), false), 0.0f});
-  always_ = std::max(settled(p_.maxFallSpeed), 0.0f);
-  slowRate_ = float(Spring(p_).slowRate(dt_)) * 1.0001f;
+  // A landing at this speed, where the rays acquire a floor, leaves nothing.
+  const float seconds = float(waits) * dt_, fall = fallOver(waits);
+  const float speed = std::max(reachAt(0, false) - fall, 0.0f) / seconds;
+  for (const float v : {speed, p_.maxFallSpeed}) {
+    always_ = std::max(always_, reachAt(v, false) - v * seconds - fall);
+  }
+  const float fallen = speed * (speed + gravity_ * dt_) / (2 * gravity_);
+  slowest_ = std::max(keptReach_ + fallOver(n) + slack, reachAt(speed, false) + fallen);
 }
 
 void BodyLimits::setTricks() {
@@ -180,82 +158,49 @@ void BodyLimits::setTricks() {
     always_ = std::max({always_, reachAt(p_.maxFallSpeed, false), keptReach_});
   }
   if (allows(kHeldJump)) {
-    staysOut = false;
-    heldSeconds = (keptReach_ + sunk_) / std::max(slowJump, 1e-3f) + 2 * tick_;
+    heldRise = keptReach_;
+    heldSeconds = (keptReach_ + sunk) / std::max(slowJump, 1e-3f) + 2 * tick_;
   }
-  if (allows(kLegThrow)) setThrown();
-  // What a landing leaves is highest at an end of the speeds (docs/proof.md, take-off), and without
-  // one the feet are within the rays' kept length, or a tick's fall of it.
-  landedTakeOff =
-      std::max({always_, keptReach_, std::max(reachAt(0, true), reachAt(0, false)) + nearRest()});
+  if (allows(kLegThrow)) {
+    const float grace = float(std::max(p_.coyoteSteps, p_.graceSteps) + p_.substeps) * dt_;
+    always_ = std::max(always_, keptReach_) + thrown(0) * grace;
+  }
+  mostTakeOff = std::max(keptReach_, always_) + slack;
+  late = p_.coyoteTime + 3 * tick_ + heldSeconds;
 }
 
 // The map of a tick's steps on the legs is linear: the speed after n of them is gain * depth + kept
 // * speed.
-void BodyLimits::setThrown() {
+float BodyLimits::thrown(float speed) const {
+  if (!(p_.tricks & kLegThrow)) return 0;
   const float stiff = p_.hoverStiffness * dt_, damped = 1 - p_.hoverDamping * dt_;
+  const float depth = sim::rayHeight(p_) + speed * tick_;
   float deep[2] = {-1, 0}, fast[2] = {0, 1};  // gap and speed, of a stud below and of a stud/s
+  float most = 0;
   for (uint32_t n = 0; n < p_.substeps; ++n) {
     for (float* s : {deep, fast}) {
       s[1] = damped * s[1] - stiff * s[0];
       s[0] += dt_ * s[1];
     }
     const float kept = std::clamp(fast[1], 0.0f, 0.999f), turns = std::max(-fast[1], 0.0f);
-    throwGain_ = std::max(throwGain_, deep[1] / (1 - kept));
-    thrown = std::max(thrown, deep[1] * sim::rayHeight(p_) / (1 - kept) + turns * p_.maxFallSpeed);
-  }
-  const float late = float(std::max(p_.coyoteSteps, p_.graceSteps) + p_.substeps) * dt_;
-  always_ = std::max(always_, keptReach_) + thrown * late;
-}
-
-float BodyLimits::letGo(float takeOff, float up) const {
-  if (!(p_.tricks & kHeldJump)) return takeOff;
-  return std::max(takeOff, keptReach_) + up * tick_;
-}
-
-float BodyLimits::entryFalling(float top) const {
-  return top - std::max(sim::rayHeight(p_), p_.hipHeight + turned) - slack;
-}
-
-float BodyLimits::entryLeaping(float top, bool pinched) const {
-  const float in = pinched ? turned : overlap;
-  return top - std::max(sim::rayHeight(p_), p_.hipHeight + in) - slack;
-}
-
-float BodyLimits::takeOff(Span heads, float rising) const {
-  if (heads.hi <= 0) return always_;
-  // Who lands on a floor that goes up may go up as fast.
-  const float fall = fallOver(landedSteps_) - rising * float(landedSteps_) * dt_;
-  const float near = nearRest();
-  const float kept = std::max(reachAt(0, true), reachAt(0, false));
-  float most = always_;
-  if (heads.hi <= kept + near) {
-    most = std::max(most, std::min(heads.hi - fall, heads.hi));
-  } else if (heads.lo <= kept + near) {
-    most = std::max(most, kept - fall);
-  } else {
-    const float above = std::max(heads.lo - reachAt(0, false), 0.0f);
-    // v^2 + v g dt = 2 g (head - gap)
-    const float step = 0.5f * gravity_ * dt_;
-    const float speed = sqrtf32(step * step + 2 * gravity_ * above) - step;
-    most = std::max(most, settled(speed));
+    most = std::max(most, deep[1] * depth / (1 - kept) + turns * p_.maxFallSpeed);
   }
   return most;
 }
 
-float BodyLimits::keptTakeOff(float drop) const {
-  if (drop <= 0 || drop > graceFall_ + keptReach_ + slack) return 0;
-  return std::min(drop, keptReach_);
+float BodyLimits::entry(float top, bool pinched) const {
+  const float in = pinched ? turned : overlap;
+  return top - std::max(sim::rayHeight(p_), p_.hipHeight + in) - slack;
 }
 
-float BodyLimits::mostTakeOff() const { return std::max(keptReach_, always_) + slack; }
+float BodyLimits::takeOff(float low, float high) const {
+  return low > slowest_ ? always_ : std::max(always_, std::min(high, keptReach_));
+}
 
-float BodyLimits::leapApex(float up) const {
-  const float w = up + 0.5f * gravity_ * dt_;
+float BodyLimits::apex(float up, bool leaps) const {
+  const float w = std::max(up, 0.0f) + (leaps ? 0.5f * gravity_ * dt_ : 0);
   return w * w / (2 * gravity_);
 }
-
-float BodyLimits::fallApex(float up) const { return up > 0 ? up * up / (2 * gravity_) : 0; }
 
 float BodyLimits::airSeconds(float w, float rise) const {
   const float end2 = w * w - 2 * gravity_ * rise;
@@ -266,38 +211,35 @@ float BodyLimits::airSeconds(float w, float rise) const {
   return (w + limit) / gravity_ + (-rise - fallen) / limit + 2 * dt_;
 }
 
-float BodyLimits::leapSeconds(float up, float rise) const {
-  const float w = up + 0.5f * gravity_ * dt_;
+// A fall off an edge has a tick on the level; a jump has the best number of ticks.
+float BodyLimits::seconds(const Flight& f, float height) const {
+  const float w = f.up + (f.leaps ? 0.5f : -0.5f) * gravity_ * dt_;
+  const uint32_t first = f.leaps ? 0 : 1, last = f.leaps ? lateTicks_ : 1;
   float most = -1;
-  for (uint32_t k = 0; k <= lateTicks_; ++k) {
+  for (uint32_t k = first; k <= last; ++k) {
     const float fallen = k > 0 ? fallOver((k - 1) * p_.substeps) : 0;
-    const float air = airSeconds(w, rise + fallen);
+    const float air = airSeconds(w, height - f.height + fallen);
     if (air < 0) break;
-    most = std::max(most, float(k) * tick_ + dt_ * std::floor(air / dt_ + 0.01f));
+    const float whole = dt_ * std::floor(air / dt_ + 0.01f);
+    most = std::max(most, float(k) * tick_ + whole + heldSeconds);
   }
   return most;
 }
 
-float BodyLimits::fallSeconds(float up, float rise) const {
-  const float w = up - 0.5f * gravity_ * dt_;
-  const float air = airSeconds(w, rise);
-  return air < 0 ? -1 : tick_ + dt_ * std::floor(air / dt_ + 0.01f);
-}
-
 float BodyLimits::sideways(float seconds, float excess) const {
   if (seconds < 0) return -1;
-  const float all = excess * seconds;
-  if (!(excess > 0) || !(decay > 0)) return walk * seconds + std::max(all, 0.0f);
-  const float q = sqrtf32(2 * walk * excess + excess * excess);
-  float drift = 0.5f * excess * q / decay;
-  if (walk > 0) drift = std::min(drift, q * q * q / (6 * walk * decay));
-  drift += excess * (tick_ + 2 * dt_) + decay / (p_.moveGain * p_.moveGain);
-  return walk * seconds + std::min(all, drift);
+  float drift = excess * seconds;
+  if (decay > 0) {
+    const float q = sqrtf32(2 * walk * excess + excess * excess);
+    const float unbraked = excess * (tick_ + 2 * dt_) + decay / (p_.moveGain * p_.moveGain);
+    drift = std::min(drift, 0.5f * excess * q / decay + unbraked);
+  }
+  return walk * seconds + drift;
 }
 
 float BodyLimits::legsOvershoot(float speed) const {
-  const float down = std::max(slowRate_ * tick_ - 1, 0.0f) * sim::rayHeight(p_);
-  return down + (slowRate_ * tick_ + 1) * speed * tick_;
+  const float risen = float(slowRate(p_)) * 1.0001f * tick_;  // studs a tick, of a stud below
+  return std::max(risen - 1, 0.0f) * sim::rayHeight(p_) + (risen + 1) * speed * tick_;
 }
 
 }  // namespace obby::solve

@@ -1,10 +1,11 @@
-// Boxes seen from above, and fewer and larger boxes instead of many.
+// Boxes seen from above, and an index of many.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "math/vec.h"
@@ -18,29 +19,60 @@ inline float gapBetween(const Box& a, const Box& b) {
   return sqrtf32(x * x + z * z);
 }
 
+// As seen from above, and larger on each side.
+inline Box flat(const Box& box, float more) {
+  return {{box.lo.x - more, 0, box.lo.z - more}, {box.hi.x + more, 0, box.hi.z + more}};
+}
+
 inline bool isWithin(const Box& inner, const Box& outer) {
   const Box all = join(inner, outer);
   return all.lo == outer.lo && all.hi == outer.hi;
 }
 
-// Joins boxes that are near each other, until there are at most `most`, above 8.
-inline std::vector<Box> fewBoxes(std::vector<Box> boxes, size_t most) {
-  for (float size = 64; boxes.size() > most; size *= 2) {  // studs: of blocks of space
-    std::map<std::array<float, 3>, Box> blocks;
-    for (const Box& box : boxes) {
-      const Vec3 at = (box.lo + box.hi) * (0.5f / size);
-      const std::array<float, 3> key{std::floor(at.x), std::floor(at.y), std::floor(at.z)};
-      const auto known = blocks.find(key);
-      if (known == blocks.end()) {
-        blocks.emplace(key, box);
-      } else {
-        known->second = join(known->second, box);
+// Neutral to join(): meets nothing.
+inline Box noBox() { return {{1e30f, 1e30f, 1e30f}, {-1e30f, -1e30f, -1e30f}}; }
+
+// Finds those of many boxes that meet another.
+class BoxIndex {
+ public:
+  explicit BoxIndex(const std::vector<Box>& boxes) {
+    constexpr float kCell = 64;  // studs
+    for (uint32_t i = 0; i < boxes.size(); ++i) items_.push_back({boxes[i], i});
+    const auto key = [](const Item& item) {
+      const Vec3 middle = (item.box.lo + item.box.hi) * (0.5f / kCell);
+      return std::pair(std::floor(middle.x), middle.z);
+    };
+    std::stable_sort(items_.begin(), items_.end(),
+                     [&](const Item& a, const Item& b) { return key(a) < key(b); });
+    blocks_.assign((items_.size() + kBlock - 1) / kBlock, noBox());
+    for (size_t i = 0; i < items_.size(); ++i) {
+      blocks_[i / kBlock] = join(blocks_[i / kBlock], items_[i].box);
+    }
+  }
+
+  // Calls test(i) once for each box that meets `box`, until one returns true. Did one?
+  template <class Test>
+  bool any(const Box& box, Test&& test) const {
+    for (size_t b = 0; b < blocks_.size(); ++b) {
+      if (!overlaps(blocks_[b], box)) continue;
+      const size_t end = std::min((b + 1) * kBlock, items_.size());
+      for (size_t i = b * kBlock; i < end; ++i) {
+        if (overlaps(items_[i].box, box) && test(items_[i].index)) return true;
       }
     }
-    boxes.clear();
-    for (const auto& block : blocks) boxes.push_back(block.second);
+    return false;
   }
-  return boxes;
-}
+
+ private:
+  static constexpr size_t kBlock = 32;
+
+  struct Item {
+    Box box;
+    uint32_t index;
+  };
+
+  std::vector<Item> items_;  // neighbours next to each other
+  std::vector<Box> blocks_;  // of so many items each
+};
 
 }  // namespace obby::solve

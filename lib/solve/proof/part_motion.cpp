@@ -1,6 +1,7 @@
 #include "solve/proof/part_motion.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "sim/floor.h"
 
@@ -8,10 +9,35 @@ namespace obby::solve {
 
 namespace {
 
-// Straight distance that a point at `radius` from the axis moves between two rotations, at most.
-float turnStep(const Mat3& a, const Mat3& b, float radius) {
+// How a mover goes in a tick, at most.
+struct Steps {
+  float up = 0, vertical = 0, sideways = 0;  // studs, of the centre
+  float turn = 0, spin = 0;                  // studs, of a point a stud from the centre or pivot
+  float lo = 1e30f, hi = -1e30f;             // heights of the centre at the keys
+};
+
+// Straight distance that a point a stud from the axis moves between two rotations, at most.
+float turnOf(const Mat3& a, const Mat3& b) {
   const Vec3 x = b.x - a.x, y = b.y - a.y, z = b.z - a.z;
-  return radius * sqrtf32(dot(x, x) + dot(y, y) + dot(z, z));
+  return sqrtf32(dot(x, x) + dot(y, y) + dot(z, z));
+}
+
+Steps stepsOf(const level::Mover& m) {
+  Steps s;
+  for (uint32_t k = 0; k < m.keyCount; ++k) {
+    const Pose &from = m.keys[k], &to = m.keys[k + 1 < m.keyCount ? k + 1 : m.once ? k : 0];
+    const Vec3 moved = to.position - from.position;
+    s.up = std::max(s.up, moved.y);
+    s.vertical = std::max(s.vertical, absf(moved.y));
+    s.sideways = std::max(s.sideways, length(Vec3{moved.x, 0, moved.z}));
+    s.turn = std::max(s.turn, turnOf(from.rotation, to.rotation));
+    s.lo = std::min(s.lo, from.position.y);
+    s.hi = std::max(s.hi, from.position.y);
+  }
+  for (uint32_t k = 0; k < m.spinCount; ++k) {
+    s.spin = std::max(s.spin, turnOf(m.spins[k], m.spins[(k + 1) % m.spinCount]));
+  }
+  return s;
 }
 
 // How far the feet of a player who is carried can be from the part.
@@ -20,92 +46,58 @@ float feetAway(const Params& p) {
   return side + std::max(sim::rayHeight(p), p.bodyTop);
 }
 
-struct Steps {
-  float up = 0, vertical = 0, sideways = 0;
-
-  void note(Vec3 moved, float turned) {
-    up = std::max(up, moved.y + turned);
-    vertical = std::max(vertical, absf(moved.y) + turned);
-    sideways = std::max(sideways, length(Vec3{moved.x, 0, moved.z}) + turned);
-  }
-  float any() const { return vertical + sideways; }
-};
-
-// Returns how far points at `radius` move in a tick. A triggered part goes back to its first key
-// when its clock ends: that step counts for `put` alone, since no floor has a velocity then.
-Steps stepsOf(const level::Mover& m, float radius, float& put) {
-  Steps keys, spin, back;
-  const Pose& first = m.keys[0];
-  for (uint32_t k = 0; k < m.keyCount; ++k) {
-    const Pose& from = m.keys[k];
-    if (m.trigger != level::kNone) {
-      back.note(first.position - from.position, turnStep(from.rotation, first.rotation, radius));
-    }
-    const bool last = k + 1 == m.keyCount;
-    if (last && m.once) break;
-    const Pose& to = last ? first : m.keys[k + 1];
-    keys.note(to.position - from.position, turnStep(from.rotation, to.rotation, radius));
-  }
-  // Half a turn about the pivot leads as far again from the centre, about which the keys turn.
-  const float arm = m.spinCount != 0 ? radius + length(m.pivot) : 0;
-  for (uint32_t k = 0; k < m.spinCount; ++k) {
-    spin.note({}, turnStep(m.spins[k], m.spins[(k + 1) % m.spinCount], arm));
-    if (m.trigger != level::kNone) back.note({}, 2 * arm);
-  }
-  put = std::max(keys.any() + spin.any(), 2 * back.any());
-  return {keys.up + spin.up, keys.vertical + spin.vertical, keys.sideways + spin.sideways};
-}
-
-void move(PartMotion& motion, const level::LevelView& level, uint32_t collider) {
+void move(PartMotion& motion, const level::LevelView& level, uint32_t collider, const Steps& s) {
   const level::Collider& c = level.colliders[collider];
   const level::Mover& m = level.movers[c.mover];
-  const Params& p = level.params;
-  const float radius = length(c.shape.half) + length(m.pivot) + feetAway(p);
-  Steps steps = stepsOf(m, radius, motion.step);
-  if (level.bounds[collider].flags & level::kUpright) {
-    // What stays upright is no lower and no higher than at its keys, however it turns.
-    Box heights{m.keys[0].position, m.keys[0].position};
-    Steps still;
-    for (uint32_t k = 0; k < m.keyCount; ++k) {
-      const uint32_t next = k + 1 < m.keyCount ? k + 1 : (m.once ? k : 0);
-      heights = join(heights, {m.keys[k].position, m.keys[k].position});
-      still.note(m.keys[next].position - m.keys[k].position, 0);
-    }
-    steps = {still.up, still.vertical, steps.sideways};
-    motion.swept.lo.y = heights.lo.y - c.shape.half.y;
-    motion.swept.hi.y = heights.hi.y + c.shape.half.y;
+  const uint32_t flags = level.bounds[collider].flags;
+  const bool upright = (flags & level::kUpright) != 0;
+  const float rate = level.params.controlRate, pivot = length(m.pivot);
+  const float radius = length(c.shape.half) + pivot + feetAway(level.params);
+  // Half a turn about the pivot leads as far again from the centre, about which the keys turn.
+  const float turned = s.turn * radius + s.spin * (radius + pivot);
+  // An upright part turns sideways only, and is no lower and no higher than at its keys.
+  const float lifted = upright ? 0 : turned;
+  if (upright) {
+    motion.swept.lo.y = s.lo - c.shape.half.y;
+    motion.swept.hi.y = s.hi + c.shape.half.y;
   }
-  motion.vertical = steps.vertical * p.controlRate;
-  if (!(level.bounds[collider].flags & (level::kCarries | level::kSeat))) return;
-  motion.upward = steps.up * p.controlRate;
-  motion.sideways = steps.sideways * p.controlRate;
+  motion.vertical = (s.vertical + lifted) * rate;
+  motion.step = s.vertical + lifted + s.sideways + turned;
+  if (m.trigger != level::kNone) {  // from anywhere to its first key when its clock ends
+    const Vec3 size = motion.swept.hi - motion.swept.lo;
+    motion.step = std::max(motion.step, 2 * (size.y + length(Vec3{size.x, 0, size.z})));
+  }
+  if (!(flags & (level::kCarries | level::kSeat))) return;
+  motion.upward = (s.up + lifted) * rate;
+  motion.sideways = (s.sideways + turned) * rate;
 }
 
 }  // namespace
 
-PartMotion partMotion(const level::LevelView& level, uint32_t collider) {
-  const level::Collider& c = level.colliders[collider];
-  const level::Roles& r = level.roles[c.role];
-  const uint32_t flags = level.bounds[collider].flags;
-  PartMotion motion;
-  motion.swept = level.bounds[collider].box();
-  if (c.mover != level::kNone) move(motion, level, collider);
-  if (flags & level::kConveyor) {
-    const float across = length(motion.swept.hi - motion.swept.lo) + 2 * feetAway(level.params);
-    const float turning = length(r.conveyorAngular) * across;
-    motion.sideways += length(Vec3{r.conveyorVelocity.x, 0, r.conveyorVelocity.z}) + turning;
-    motion.upward += absf(r.conveyorVelocity.y) + turning;
-  }
-  if (flags & level::kPad) {
-    const float pad = length(Vec3{r.padVelocity.x, 0, r.padVelocity.z});
-    motion.sideways = std::max(motion.sideways, pad);
-  }
-  return motion;
-}
-
 std::vector<PartMotion> partMotions(const level::LevelView& level) {
-  std::vector<PartMotion> motions;
-  for (uint32_t i = 0; i < level.colliderCount; ++i) motions.push_back(partMotion(level, i));
+  std::vector<PartMotion> motions(level.colliderCount);
+  std::vector<std::optional<Steps>> steps(level.moverCount);  // a mover may have many hulls
+  for (uint32_t i = 0; i < level.colliderCount; ++i) {
+    const level::Collider& c = level.colliders[i];
+    const level::Roles& r = level.roles[c.role];
+    const uint32_t flags = level.bounds[i].flags;
+    PartMotion& motion = motions[i];
+    motion.swept = level.bounds[i].box();
+    if (c.mover != level::kNone) {
+      if (!steps[c.mover]) steps[c.mover] = stepsOf(level.movers[c.mover]);
+      move(motion, level, i, *steps[c.mover]);
+    }
+    if (flags & level::kConveyor) {
+      const float across = length(motion.swept.hi - motion.swept.lo) + 2 * feetAway(level.params);
+      const float turning = length(r.conveyorAngular) * across;
+      motion.sideways += length(Vec3{r.conveyorVelocity.x, 0, r.conveyorVelocity.z}) + turning;
+      motion.upward += absf(r.conveyorVelocity.y) + turning;
+    }
+    if (flags & level::kPad) {
+      const float pad = length(Vec3{r.padVelocity.x, 0, r.padVelocity.z});
+      motion.sideways = std::max(motion.sideways, pad);
+    }
+  }
   return motions;
 }
 

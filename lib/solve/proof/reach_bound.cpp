@@ -1,20 +1,50 @@
 #include "solve/proof/reach_bound.h"
 
 #include <algorithm>
-#include <utility>
+#include <array>
+#include <map>
 
-#include "sim/floor.h"
+#include "sim/candidates.h"
 
 namespace obby::solve {
 
 namespace {
 
-constexpr int kMostRounds = 60;
-constexpr int kMostParts = 8;  // near a flight, that lift it; more push it as far as turns can
+constexpr size_t kMostVisits = 60;  // of each support, on average
+constexpr int kMostParts = 8;       // near a flight, that lift it; more push it as far as turns can
 
-// As seen from above.
-Box flat(const Box& box, float more) {
-  return {{box.lo.x - more, 0, box.lo.z - more}, {box.hi.x + more, 0, box.hi.z + more}};
+constexpr float kRounding = 0.125f;  // studs
+constexpr int32_t kMostBlocks = 8;   // along each axis: one box holds the places of a block
+
+// Does the list of a cell have more parts than a tick looks at? It names all that a player in the
+// cell can be near, at any speed.
+bool isCrowd(const level::LevelView& level, const uint32_t* list) {
+  const auto moves = [&](uint32_t id) { return (level.bounds[id].flags & level::kMoving) != 0; };
+  const int moving = int(std::count_if(list + 1, list + 1 + list[0], moves));
+  return list[0] > uint32_t(sim::kMaxCandidates) || moving > sim::kMaxMovingCandidates;
+}
+
+// Places of the feet where the simulator does not look at all parts: more are near than one tick
+// can hold. Those left out are not there for that tick, so that nothing is known of what follows.
+std::vector<Box> crowdedPlaces(const level::LevelView& level) {
+  const level::Grid& g = level.grid;
+  const Vec3 size{1 / g.inverseCell.x, 1 / g.inverseCell.y, 1 / g.inverseCell.z};
+  const int32_t block = std::max({g.nx, g.ny, g.nz}) / kMostBlocks + 1;  // cells
+  std::map<std::array<int32_t, 3>, Box> blocks;
+  std::vector<int8_t> known(g.listWords, -1);  // by where a list begins
+  for (int32_t i = 0; i < g.nx * g.ny * g.nz; ++i) {
+    const uint32_t at = g.cells[i];
+    if (known[at] < 0) known[at] = isCrowd(level, g.lists + at) ? 1 : 0;
+    if (known[at] == 0) continue;
+    const int32_t x = i % g.nx, y = i / g.nx % g.ny, z = i / g.nx / g.ny;
+    const Vec3 lo = g.origin + mul(size, Vec3{float(x), float(y), float(z)});
+    const Box cell = grow(Box{lo, lo + size}, {kRounding, kRounding, kRounding});
+    Box& joined = blocks.try_emplace({x / block, y / block, z / block}, cell).first->second;
+    joined = join(joined, cell);
+  }
+  std::vector<Box> places;
+  for (const auto& entry : blocks) places.push_back(entry.second);
+  return places;
 }
 
 std::vector<Box> flatBoxes(const std::vector<Support>& supports) {
@@ -29,139 +59,132 @@ std::vector<Box> flatBoxes(const std::vector<Support>& supports) {
 ReachBound::ReachBound(const Problem& problem, bool mayJump)
     : problem_(problem),
       p_(problem.level.params),
-      motions_(motionsOf(problem)),
+      motions_(partMotions(problem.level)),
       limits_(problem, motions_),
       mayJump_(mayJump),
       supports_(supportsOf(problem, limits_, motions_)),
-      index_(flatBoxes(supports_)) {
+      index_(flatBoxes(supports_)),
+      jumps_(supports_.size(), kNever),
+      isOpen_(supports_.size()) {
   for (const Support& s : supports_) {
-    lowest_ = std::min(lowest_, s.entryFalling);
+    lowest_ = std::min(lowest_, s.entry);
     if (s.beside != Beside::deep) pushed_ = std::max(pushed_, s.pushes);
-    takeOff_.push_back(!s.carries ? 0 : s.level ? s.held : limits_.mostTakeOff());
+    tossed_ = std::max({tossed_, s.toss, mayLeap(s) ? limits_.jump + s.upward : 0});
   }
   explore();
-}
-
-bool ReachBound::raise(float& value, float to) {
-  if (!raises(value, to)) return false;
-  value = to;
-  return changed_ = true;
+  for (const Box& place : crowdedPlaces(problem.level)) {
+    wild_ = wild_ || jumpsInto({place, place.lo.y}) != kNever;
+  }
 }
 
 // What is reached lets players take off higher and faster, and they reach more then.
 void ReachBound::explore() {
-  for (int i = 0; i < kMostRounds; ++i) {
-    changed_ = false;
-    round();
-    if (!changed_ || wild_) return;
-  }
-  wild_ = true;
-}
-
-// Breadth first by the number of jumps.
-bool ReachBound::round() {
-  jumps_.assign(supports_.size(), kNever);
-  jumps_[0] = 0;
-  std::vector<uint32_t> now{0}, later;
-  for (uint32_t made = 0; !now.empty(); ++made) {
-    for (size_t i = 0; i < now.size(); ++i) {
-      if (jumps_[now[i]] == made) spread(now[i], now, later);
+  come(0, 0);
+  for (size_t visits = 0; !open_.empty() && !wild_; ++visits) {
+    const uint32_t at = open_.front();
+    const Support& s = supports_[at];
+    open_.pop_front();
+    isOpen_[at] = false;
+    wild_ = s.wild || visits > kMostVisits * supports_.size();
+    for (uint32_t i = 0; i < supports_.size() && s.sideways > excess_; ++i) {
+      if (isReached(i)) leave(i);
     }
-    now.swap(later);
-    later.clear();
+    excess_ = std::max(excess_, s.sideways);
+    if (s.leadsTo != level::kNone) come(s.leadsTo, jumps_[at]);
+    spread(at, false);
+    if (mayLeap(s)) spread(at, true);
   }
-  return changed_;
 }
 
-void ReachBound::noteReached(uint32_t support) {
+void ReachBound::come(uint32_t support, uint32_t jumps) {
+  if (jumps >= jumps_[support]) return;
+  jumps_[support] = jumps;
+  leave(support);
+}
+
+void ReachBound::leave(uint32_t support) {
+  if (!isOpen_[support]) open_.push_back(support);
+  isOpen_[support] = true;
+}
+
+void ReachBound::spread(uint32_t from, bool leaps) {
+  const Flight f = flight(from, leaps);
+  const uint32_t jumps = jumpsAfter(from, f);
+  const float most = std::max(reach(f, lowest_ - limits_.entryOfFalls(), kMostParts),
+                              limits_.sideways(limits_.late, excess_));
+  index_.any(flat(supports_[from].box, most + supports_[from].side), [&](uint32_t to) {
+    const float takeOff = takeOffAfter(from, to, f);
+    const bool higher = takeOff > supports_[to].takeOff + 1e-4f;
+    if ((jumps >= jumps_[to] && !higher) || !crosses(from, f, endAt(to))) return false;
+    if (higher) {
+      supports_[to].takeOff = takeOff;
+      leave(to);
+    }
+    come(to, jumps);
+    return false;
+  });
+}
+
+// How high above its own top a support may be left after that flight.
+float ReachBound::takeOffAfter(uint32_t from, uint32_t to, const Flight& f) const {
+  const Support &a = supports_[from], &b = supports_[to];
+  const float floor = b.top() + b.lift, high = limits_.apex(f) - floor;
+  if (!b.carries || high <= b.takeOff) return 0;
+  // The flight may also begin lower and be slower. A floor gains on the jumps off it.
+  const float gain = from == to ? a.vertical : 0;
+  float low = from == to ? a.top() - gain * (p_.coyoteTime + p_.tickSeconds) : a.lowest;
+  if (f.leaps) low += limits_.apex(limits_.slowJump - 3 * gain, true);
+  return limits_.takeOff(low - limits_.sunk - floor, high);
+}
+
+Flight ReachBound::flight(uint32_t support, bool leaps) const {
   const Support& s = supports_[support];
-  wild_ |= s.wild;
-  raise(excess_, s.sideways);
-  raise(tossed_, std::max(s.toss, leaps(s) ? limits_.jump + s.upward : 0.0f));
-  if (s.carries && limits_.thrown > 0) raise(tossed_, limits_.thrownBy(s.vertical) + s.upward);
-}
-
-float ReachBound::tossOf(uint32_t support) const {
-  const Support& s = supports_[support];
-  float up = s.toss;
-  if (s.carries && limits_.thrown > 0) up = std::max(up, limits_.thrownBy(s.vertical) + s.upward);
-  // Who flicks comes off the truss as fast as a jump.
-  if (mayJump_ && s.climbed && (p_.tricks & kLadderFlick))
-    up = std::max(up, limits_.jump + s.upward);
-  // A body in a part may be put out of it as fast as it came there.
-  if (s.beside == Beside::deep) up = std::max(up, tossed_);
-  if (s.beside == Beside::pinched && mayJump_) up = std::max(up, limits_.jump);
-  return up;
-}
-
-ReachBound::Flight ReachBound::fall(uint32_t support) const {
-  const Support& s = supports_[support];
-  float height = s.top + s.lift + takeOff_[support], up = tossOf(support);
-  // A held jump may go on beside a part that takes the body along.
-  if (s.beside == Beside::deep) height = s.top + s.lift + limits_.letGo(takeOff_[support], up);
-  if (limits_.thrown > 0) height += up * p_.tickSeconds;
-  // The first tick of a launch is not held to the fastest speed.
-  if (up > p_.maxFallSpeed) height += up * p_.tickSeconds;
-  return {height, std::min(up, p_.maxFallSpeed), false, s.side};
-}
-
-ReachBound::Flight ReachBound::leap(uint32_t support) const {
-  const Support& s = supports_[support];
-  const float up = limits_.jump + s.upward;
-  const float takeOff = takeOff_[support] + limits_.fallApex(s.rising);
-  float height = s.top + s.lift + limits_.letGo(takeOff, up);
-  if (up > p_.maxFallSpeed) height += up * p_.tickSeconds;
-  return {height, std::min(up, p_.maxFallSpeed), true, s.stand};
-}
-
-float ReachBound::apex(const Flight& f) const {
-  return f.height + (f.leaps ? limits_.leapApex(f.up) : limits_.fallApex(f.up));
-}
-
-float ReachBound::secondsOf(const Flight& f, float height) const {
-  const float rise = height - f.height;
-  const float seconds = f.leaps ? limits_.leapSeconds(f.up, rise) : limits_.fallSeconds(f.up, rise);
-  return seconds < 0 ? seconds : seconds + limits_.heldSeconds;
-}
-
-// Studs sideways from the support's box, until the feet are as low as `height`.
-float ReachBound::reach(const Flight& f, float height) const {
-  const float rise = height - f.height;
-  const float studs = limits_.sideways(secondsOf(f, height), excess_);
-  if (studs < 0) return -1;
-  // Below the hips the support's own side may push.
-  const bool below = rise < -0.5f * p_.hipHeight;
-  return below ? std::max(studs, limits_.body - f.radius) : studs;
+  float up = s.toss, height = s.top() + s.lift + s.takeOff;
+  if (leaps) {
+    up = limits_.jump + s.upward;
+    height += limits_.apex(s.rising, false) + limits_.heldRise;
+  } else if (s.beside == Beside::deep) {  // a body in it is put out as fast as it came there
+    up = std::max(up, tossed_);
+    height += limits_.heldRise;
+  } else if (s.beside == Beside::pinched && mayJump_) {
+    up = std::max(up, limits_.jump);
+  }
+  // The first tick of a launch is not held to the fastest speed, and a tick of a trick may end
+  // higher.
+  if (up > p_.maxFallSpeed || (p_.tricks & (kHeldJump | kLegThrow))) height += up * p_.tickSeconds;
+  return {height, std::min(up, p_.maxFallSpeed), leaps, leaps ? s.stand : s.side};
 }
 
 // The torso does not collide as a jump begins: it may be inside of a part that the head clears.
-bool ReachBound::stepsInto(const Flight& f, const Support& to, float way) const {
-  if (!f.leaps || !to.carries) return false;
-  const float ticks = f.up * (p_.tickSeconds + p_.substepSeconds);
-  const float late =
-      limits_.sideways(p_.coyoteTime + 3 * p_.tickSeconds + limits_.heldSeconds, excess_);
-  return to.lowest <= f.height + ticks + p_.headBottom + limits_.slack && way <= late;
+bool ReachBound::stepsInto(const Flight& f, const End& to, float way) const {
+  if (!f.leaps || to.support == kNever || !supports_[to.support].carries) return false;
+  const float head = f.height + f.up * (p_.tickSeconds + p_.substepSeconds) + p_.headBottom;
+  return supports_[to.support].lowest <= head + limits_.slack &&
+         way <= limits_.sideways(limits_.late, excess_);
+}
+
+// Studs that a flight comes until the feet are at that height; below 0: they never are. If there
+// are parts on the way, they lift a body that turns beside them, or push it on.
+float ReachBound::reach(const Flight& f, float height, int parts) const {
+  const float seconds = limits_.seconds(f, height - float(parts) * limits_.turned);
+  const float studs = limits_.sideways(seconds, excess_);
+  if (parts == 0 || studs < 0) return studs;
+  const float each = 2 * limits_.turned, turns = limits_.turning * seconds + each;
+  const bool all = parts == kMostParts;
+  return studs + pushed_ * seconds + (all ? turns : std::min(float(parts) * each, turns));
 }
 
 bool ReachBound::crosses(uint32_t from, const Flight& f, const End& to) const {
-  const float height = f.leaps ? to.leaping : to.falling;
-  const float own = wayTo(from, to) + (supports_[from].side - f.radius);
-  const float studs = reach(f, height);
-  if (studs >= 0 && studs >= own) return true;
-  // Parts on the way lift a body that turns beside them, or push it on: as many as are near enough
-  // for what they give.
-  const float each = 2 * limits_.turned;
-  for (int parts = kMostParts;;) {
-    const float low = height - float(parts) * limits_.turned, lifted = reach(f, low);
-    if (lifted < 0) return false;
-    const float seconds = secondsOf(f, low);
-    const float turns = limits_.turning * seconds + each;
-    const float all = lifted + pushed_ * seconds +
-                      (parts == kMostParts ? turns : std::min(float(parts) * each, turns));
-    if (all < own) return false;
-    const int near = partsNear(from, f, to, all);
+  const float way = gapBetween(supports_[from].box, to.box) - to.side;
+  if (stepsInto(f, to, way - supports_[from].side)) return true;
+  const float height = to.height - (f.leaps ? 0 : limits_.entryOfFalls());
+  const float own = std::max(way - f.radius, 0.0f);
+  if (reach(f, height, 0) >= own) return true;
+  for (int parts = kMostParts;;) {  // as many as are near enough for what they give
+    const float studs = reach(f, height, parts);
+    if (studs < own) return false;
+    const int near = partsNear(from, f, to, studs);
     if (near >= parts) return true;
-    if (near == 0) return false;
     parts = near;
   }
 }
@@ -169,91 +192,23 @@ bool ReachBound::crosses(uint32_t from, const Flight& f, const End& to) const {
 // Solid parts that a flight of that length may meet: kMostParts where there are more.
 int ReachBound::partsNear(uint32_t from, const Flight& f, const End& to, float studs) const {
   const Support& s = supports_[from];
-  const float low = std::min(to.falling, to.leaping), high = apex(f) + p_.bodyTop;
+  const float low = to.height - limits_.entryOfFalls(), high = limits_.apex(f) + p_.bodyTop;
   const float far = studs + f.radius + to.side + 2 * limits_.body;
   int count = 0;
-  index_.findWhile(flat(join(s.box, to.box), far), [&](uint32_t i) {
+  index_.any(flat(join(s.box, to.box), far), [&](uint32_t i) {
     const Support& by = supports_[i];
     const bool meets = i != from && i != to.support && by.carries && by.box.hi.y >= low &&
                        by.box.lo.y <= high &&
                        gapBetween(s.box, by.box) + gapBetween(by.box, to.box) <= far;
     count += meets ? 1 : 0;
-    return count < kMostParts;
+    return count == kMostParts;
   });
   return count;
 }
 
-// Studs of own way, beyond the radii of both ends.
-float ReachBound::wayTo(uint32_t from, const End& to) const {
-  const Support& s = supports_[from];
-  return gapBetween(s.box, to.box) - s.side - to.side;
-}
-
 ReachBound::End ReachBound::endAt(uint32_t support) const {
   const Support& s = supports_[support];
-  const float plain = s.level ? s.lowest - sim::rayHeight(p_) : s.entry;
-  return {s.box, s.entryFalling, s.entry, plain, s.side, support};
-}
-
-void ReachBound::spread(uint32_t from, std::vector<uint32_t>& now, std::vector<uint32_t>& later) {
-  const Support& s = supports_[from];
-  const uint32_t made = jumps_[from];
-  noteReached(from);
-  const auto come = [&](uint32_t to, uint32_t jumps) {
-    if (jumps >= jumps_[to]) return;
-    jumps_[to] = jumps;
-    (jumps == made ? now : later).push_back(to);
-  };
-  if (s.leadsTo != level::kNone) come(s.leadsTo, made);
-  const Flight falling = fall(from), leaping = leap(from);
-  const bool jumps = leaps(s);
-  const float low = lowest_ - kMostParts * limits_.turned;
-  const float seconds = std::max({secondsOf(falling, low), secondsOf(leaping, low), 0.0f});
-  const float most = limits_.sideways(seconds, excess_) + 2 * limits_.turned + limits_.across +
-                     (limits_.turning + pushed_) * seconds;
-  index_.find(flat(s.box, most + s.side), [&](uint32_t to) {
-    if (supports_[to].collider == level::kNone) return;
-    const End end = endAt(to);
-    const auto fly = [&](const Flight& f, uint32_t after) {
-      if (after >= jumps_[to] && !raises(takeOff_[to], limits_.landedTakeOff)) return;
-      const float takeOff = takeOffAfter(from, to, f);
-      if (after >= jumps_[to] && !raises(takeOff_[to], takeOff)) return;  // nothing new
-      const bool enters = f.leaps && stepsInto(f, supports_[to], wayTo(from, end));
-      if (!enters && !crosses(from, f, end)) return;
-      if (raises(takeOff_[to], takeOff) && comesOver(from, to, f)) raise(takeOff_[to], takeOff);
-      come(to, after);
-    };
-    fly(falling, made);
-    if (jumps) fly(leaping, made + jumpsOfLeap());
-  });
-}
-
-// Does the flight come to the top of a support, and not below it only?
-bool ReachBound::comesOver(uint32_t from, uint32_t to, const Flight& f) const {
-  const Support& b = supports_[to];
-  End top = endAt(to);
-  top.falling = top.leaping = std::min(b.top + b.lift, apex(f)) - limits_.fallApex(b.upward);
-  return crosses(from, f, top);
-}
-
-// How high above its own top a support may be left after that flight; below 0: it says nothing.
-float ReachBound::takeOffAfter(uint32_t from, uint32_t to, const Flight& f) const {
-  const Support &a = supports_[from], &b = supports_[to];
-  if (!b.carries || !b.level) return -1;
-  const float floor = b.top + b.lift, high = apex(f) - floor;
-  if (high <= takeOff_[to]) return -1;
-  // The flight may also begin lower and be slower.
-  float low = a.top, slow = limits_.slowJump;
-  if (a.collider != level::kNone) {
-    low = (from == to ? a.top : a.lowest) - limits_.sunk();
-    if (from == to) {  // the floor goes up meanwhile
-      low -= a.vertical * (p_.coyoteTime + p_.tickSeconds);
-      slow = std::max(slow - 3 * a.vertical, 0.0f);
-    }
-  }
-  if (f.leaps) low += limits_.leapApex(slow);
-  const float landed = limits_.takeOff({low - floor, high}, b.upward);
-  return f.leaps ? landed : std::max(landed, limits_.keptTakeOff(high));
+  return {s.box, s.entry, s.side, support};
 }
 
 }  // namespace obby::solve

@@ -4,15 +4,12 @@
 // A trajectory is a sequence of flights from one support to the next. A flight begins as high and
 // as fast as its support allows; walls, kill parts, avoid regions and timing are ignored; moving
 // parts are everywhere on their track at once.
-//
-// It takes for granted that the simulator looks at all parts near a player: where it does not
-// (crowding.h), nothing is known.
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <vector>
 
-#include "solve/proof/box_index.h"
 #include "solve/proof/supports.h"
 
 namespace obby::solve {
@@ -42,9 +39,6 @@ class ReachBound {
   // Could the feet be there at any time?
   bool holds(Vec3 feet) const;
 
-  // Could the feet be in any of these boxes at any time?
-  bool comesInto(const std::vector<Box>& places) const;
-
   // On the way to any of the targets.
   Missing missing(const std::vector<const level::TargetView*>& targets) const;
   Missing missing(const level::TargetView& target) const { return missing(std::vector{&target}); }
@@ -59,49 +53,35 @@ class ReachBound {
   float secondsFor(float studs) const;
 
  private:
-  // One way off a support.
-  struct Flight {
-    float height, up;  // of the feet, at the highest, and their speed
-    bool leaps;        // by a jump
-    float radius;      // around the support's box in which it begins
-  };
   // Where a flight is to end.
   struct End {
     Box box;
-    float falling, leaping;  // least heights of the feet
-    float plain;             // for a player who lands on the rays
-    float side;              // radius around the box
-    uint32_t support;        // itself, no push is counted of it; kNever: none
+    float height;               // least of the feet, after a jump
+    float side = 0;             // radius around the box
+    uint32_t support = kNever;  // itself; kNever: none
   };
   void explore();
-  bool round();
-  void spread(uint32_t from, std::vector<uint32_t>& now, std::vector<uint32_t>& later);
+  void come(uint32_t support, uint32_t jumps);
+  void leave(uint32_t support);
+  void spread(uint32_t from, bool leaps);
   float takeOffAfter(uint32_t from, uint32_t to, const Flight& f) const;
-  bool comesOver(uint32_t from, uint32_t to, const Flight& f) const;
-  void noteReached(uint32_t support);
-  static bool raises(float value, float to) { return to > value + 1e-4f; }
-  bool raise(float& value, float to);
 
-  float tossOf(uint32_t support) const;
-  Flight fall(uint32_t support) const;
-  Flight leap(uint32_t support) const;
-  // A held jump goes on over the next floor, too.
-  uint32_t jumpsOfLeap() const { return limits_.heldSeconds > 0 ? 0 : 1; }
-  bool leaps(const Support& s) const { return mayJump_ && s.carries; }
-  float apex(const Flight& f) const;
-  float reach(const Flight& f, float height) const;
+  bool isReached(uint32_t support) const { return jumps_[support] != kNever; }
+  bool mayLeap(const Support& s) const { return mayJump_ && s.carries; }
+  Flight flight(uint32_t support, bool leaps) const;
+  // Jumps on the way to where that flight ends. A held jump goes on over the next floor, too.
+  uint32_t jumpsAfter(uint32_t support, const Flight& f) const {
+    return jumps_[support] + (f.leaps && limits_.heldSeconds == 0 ? 1 : 0);
+  }
+  uint32_t jumpsInto(const End& end) const;
+  bool stepsInto(const Flight& f, const End& to, float way) const;
+  float reach(const Flight& f, float height, int parts) const;
   bool crosses(uint32_t from, const Flight& f, const End& to) const;
-  bool stepsInto(const Flight& f, const Support& to, float way) const;
   int partsNear(uint32_t from, const Flight& f, const End& to, float studs) const;
-  float secondsOf(const Flight& f, float height) const;
-  float wayTo(uint32_t from, const End& to) const;
-  uint32_t jumpsFrom(uint32_t support, const End& end) const;
   Missing lack(uint32_t from, const End& to) const;
   End endAt(uint32_t support) const;
-  End endAt(const level::TargetView& target) const;
-  std::vector<uint32_t> holdersIn(const level::TargetView& target) const;
-  void standOn(End& region) const;
-  bool isReached(uint32_t support) const { return jumps_[support] != kNever; }
+  std::vector<End> endsOf(const level::TargetView& target) const;
+  std::vector<End> holdersIn(const Box& box) const;
 
   const Problem& problem_;
   const Params& p_;
@@ -111,13 +91,14 @@ class ReachBound {
   std::vector<Support> supports_;
   const BoxIndex index_;  // of their boxes, from above
   float pushed_ = 0;      // studs/s by parts beside a flight
+  float tossed_ = 0;      // studs/s upward that any of them gives
   float lowest_ = 1e30f;  // entry of all supports
-  // What the rounds of explore() raise until nothing changes.
+  // What explore() changes until nothing is higher, faster or sooner.
   std::vector<uint32_t> jumps_;  // (supports): fewest on the way there; kNever
-  std::vector<float> takeOff_;   // (supports): studs above top and lift
+  std::deque<uint32_t> open_;    // supports whose flights may reach more
+  std::vector<bool> isOpen_;     // (supports)
   float excess_ = 0;             // speed beyond walking of anybody, studs/s
-  float tossed_ = 0;             // upward
-  bool wild_ = false, changed_ = false;
+  bool wild_ = false;
 };
 
 }  // namespace obby::solve

@@ -4,41 +4,51 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
+#include <set>
 
 #include "sim/next_region.h"
 #include "sim/simulator.h"
-#include "solve/proof/crowding.h"
 
 namespace obby::solve {
 
 namespace {
+
+using Targets = std::vector<const level::TargetView*>;
+
+// A playthrough has to come into any one of these targets.
+struct Demand {
+  Targets any;
+  std::string name;
+  int32_t mostJumps;  // on arrival; -1: any number
+};
 
 std::string quoted(schema::Region::Reader region) {
   return region.getName().size() > 0 ? fmt::format(" '{}'", region.getName().cStr())
                                      : std::string();
 }
 
-// One of the regions that a playthrough has to be in.
-struct Target {
-  const level::TargetView* view;
-  std::string name;
-  int32_t mostJumps;  // on arrival; -1: any
-};
+int32_t lesser(int32_t a, int32_t b) { return a < 0 ? b : b < 0 ? a : std::min(a, b); }
 
-std::vector<Target> targetsOf(const level::QueryView& q, schema::Query::Reader record) {
-  std::vector<Target> targets;
+// The waypoints in order, the visits, the goal.
+std::vector<Demand> demandsOf(const level::QueryView& q, schema::Query::Reader record) {
+  std::vector<Demand> demands;
   for (uint32_t i = 0; i < q.waypointCount; ++i) {
     const std::string name = quoted(record.getWaypoints()[i].getRegion());
-    targets.push_back({&q.waypoints[i].target, fmt::format("waypoint {}{}", i + 1, name),
-                       q.waypoints[i].maxJumps});
+    demands.push_back({{&q.waypoints[i].target},
+                       fmt::format("waypoint {}{}", i + 1, name),
+                       lesser(q.waypoints[i].maxJumps, q.maxJumps)});
   }
   for (uint32_t i = 0; i < q.visitCount; ++i) {
     const std::string name = quoted(record.getVisits()[i]);
-    targets.push_back(
-        {&q.visits[i], name.empty() ? fmt::format("visit {}", i + 1) : name.substr(1), -1});
+    demands.push_back({{&q.visits[i]},
+                       name.empty() ? fmt::format("visit {}", i + 1) : name.substr(1),
+                       q.maxJumps});
   }
-  return targets;
+  Targets goals{&q.goal};
+  for (uint32_t i = 0; i < q.otherGoalCount; ++i) goals.push_back(&q.otherGoals[i]);
+  const std::string name = record.hasGoal() ? quoted(record.getGoal()) : "";
+  demands.push_back({goals, goals.size() > 1 ? "any goal" : "the goal" + name, q.maxJumps});
+  return demands;
 }
 
 // A query that forbids the state looks for it after each tick: a pad, a teleporter or a seat that
@@ -46,157 +56,79 @@ std::vector<Target> targetsOf(const level::QueryView& q, schema::Query::Reader r
 bool admitsJumps(const Problem& problem) {
   if (problem.query.maxJumps == 0) return false;  // counts such a jump, too
   if (!sim::forbidsJumping(problem.query)) return true;
-  constexpr uint32_t kLeads = level::kPad | level::kTeleport | level::kSeat;
-  uint32_t flags = 0;
-  for (uint32_t i = 0; i < problem.level.colliderCount; ++i) flags |= problem.level.bounds[i].flags;
-  return (flags & kLeads) != 0;
+  const auto leads = [](const level::Bounds& b) {
+    return (b.flags & (level::kPad | level::kTeleport | level::kSeat)) != 0;
+  };
+  const level::LevelView& level = problem.level;
+  return std::any_of(level.bounds, level.bounds + level.colliderCount, leads);
 }
 
-int32_t lesser(int32_t a, int32_t b) { return a < 0 ? b : b < 0 ? a : std::min(a, b); }
-
-class Prover {
- public:
-  Prover(const Problem& problem, schema::Query::Reader record)
-      : problem_(problem),
-        q_(problem.query),
-        targets_(targetsOf(q_, record)),
-        mayJump_(admitsJumps(problem)),
-        bound_(problem, mayJump_) {
-    goals_.push_back(&q_.goal);
-    for (uint32_t i = 0; i < q_.otherGoalCount; ++i) goals_.push_back(&q_.otherGoals[i]);
-    goalName_ = goals_.size() > 1 ? "any goal"
-                                  : "the goal" + (record.hasGoal() ? quoted(record.getGoal()) : "");
+// Studs straight along the waypoints to any goal.
+float leastDistance(const Problem& problem, const Targets& goals, const ReachBound& bound) {
+  Box at{problem.start.position, problem.start.position};
+  float studs = 0, last = 1e30f;
+  for (uint32_t i = 0; i < problem.query.waypointCount; ++i) {
+    const Box to = bound.boxOf(problem.query.waypoints[i].target);
+    studs += gapBetween(at, to);
+    at = to;
   }
-
-  // What holds where all parts are looked at holds as long as nobody comes where some are not.
-  // Without what is missing.
-  std::optional<Cut> prove() {
-    auto cut = leastCut();
-    if (cut && bound_.comesInto(crowdedPlaces(problem_.level))) return std::nullopt;
-    return cut;
-  }
-
-  // Of what prove() has found last.
-  Missing missing() const { return beyond_.empty() ? Missing() : bound_.missing(beyond_); }
-
- private:
-  using Targets = std::vector<const level::TargetView*>;
-
-  std::optional<Cut> leastCut() {
-    for (const Target& t : targets_) {
-      const int32_t most = lesser(t.mostJumps, q_.maxJumps);
-      if (auto cut = check({t.view}, t.name, most)) return cut;
-    }
-    if (auto cut = check(goals_, goalName_, q_.maxJumps)) return cut;
-    return late();
-  }
-
-  // Any of the targets will do.
-  std::optional<Cut> check(const Targets& targets, const std::string& name, int32_t most) {
-    uint32_t jumps = ReachBound::kNever;
-    for (const level::TargetView* t : targets) {
-      jumps = std::min(jumps, bound_.jumpsTo(*t));
-      if (jumps != ReachBound::kNever && (most < 0 || jumps <= uint32_t(most))) return std::nullopt;
-    }
-    Cut cut = start(name);
-    if (jumps == ReachBound::kNever) {
-      beyond_ = targets;
-    } else {
-      cut.jumps = jumps;
-      cut.mostJumps = uint32_t(most);
-    }
-    return cut;
-  }
-
-  Cut start(const std::string& name) const {
-    Cut cut;
-    cut.target = name;
-    cut.mayJump = mayJump_;
-    for (const uint32_t collider : bound_.reached()) {
-      cut.reached.push_back(problem_.level.colliders[collider].part);
-    }
-    std::sort(cut.reached.begin(), cut.reached.end());
-    cut.reached.erase(std::unique(cut.reached.begin(), cut.reached.end()), cut.reached.end());
-    return cut;
-  }
-
-  // Studs to any of them, straight.
-  float wayTo(const Targets& any, const Box& from) const {
-    float least = 1e30f;
-    for (const level::TargetView* t : any)
-      least = std::min(least, gapBetween(from, bound_.boxOf(*t)));
-    return least;
-  }
-
-  // Along the waypoints in order, and by any one visit.
-  float leastDistance() const {
-    Box at{problem_.start.position, problem_.start.position};
-    const Box from = at;
-    float walked = 0;
-    for (uint32_t i = 0; i < q_.waypointCount; ++i) {
-      walked += wayTo({&q_.waypoints[i].target}, at);
-      at = bound_.boxOf(q_.waypoints[i].target);
-    }
-    float around = 0;
-    for (uint32_t i = 0; i < q_.visitCount; ++i) {
-      const float behind = wayTo(goals_, bound_.boxOf(q_.visits[i]));
-      around = std::max(around, wayTo({&q_.visits[i]}, from) + behind);
-    }
-    return std::max(walked + wayTo(goals_, at), around);
-  }
-
-  std::optional<Cut> late() const {
-    if (q_.timeLimitTicks == 0) return std::nullopt;
-    const Params& p = problem_.level.params;
-    const float most = float(q_.timeLimitTicks) * p.tickSeconds;
-    const float seconds = bound_.secondsFor(leastDistance()) - 2 * p.tickSeconds;
-    if (!(seconds > most)) return std::nullopt;
-    Cut cut = start(goalName_);
-    cut.seconds = seconds;
-    cut.mostSeconds = most;
-    return cut;
-  }
-
-  const Problem& problem_;
-  const level::QueryView& q_;
-  std::vector<Target> targets_;
-  const bool mayJump_;
-  ReachBound bound_;
-  Targets goals_;
-  Targets beyond_;  // of these none is reached; empty: they are, but not within a limit
-  std::string goalName_;
-};
-
-// Is anything so far up or down that rounding shows in the height of a jump?
-bool isFarUp(const Problem& problem) {
-  constexpr float kFar = 16384;  // studs: of places beyond, the last bit is a 512th of a stud
-  const Box all = allPlaces(problem);
-  return std::max(-all.lo.y, all.hi.y) > kFar;
+  for (const level::TargetView* t : goals) last = std::min(last, gapBetween(at, bound.boxOf(*t)));
+  return studs + last;
 }
 
-// May the level's clock begin anew within a trajectory? What it moves is elsewhere at once then,
-// and takes players along as if it had moved there.
-bool clockBeginsAnew(const Problem& problem) {
-  constexpr uint64_t kLast = std::numeric_limits<uint32_t>::max();
-  return problem.hasClock && problem.start.tick + sim::kMaxReplayTicks > kLast;
+std::vector<uint32_t> partsOf(const level::LevelView& level, const std::vector<uint32_t>& ids) {
+  std::set<uint32_t> parts;
+  for (const uint32_t id : ids) parts.insert(level.colliders[id].part);
+  return {parts.begin(), parts.end()};
 }
 
 bool isBounded(const Problem& problem) {
-  return unboundedPart(problem.level) == nullptr && !clockBeginsAnew(problem) && !isFarUp(problem);
+  // Rounding shows in the height of a jump: of places beyond, the last bit is a 512th of a stud.
+  constexpr float kFar = 16384;  // studs
+  const Box all = allPlaces(problem);
+  if (std::max(-all.lo.y, all.hi.y) > kFar) return false;
+  // What the level's clock moves is elsewhere at once as it begins anew, and takes players along.
+  constexpr uint64_t kLast = std::numeric_limits<uint32_t>::max();
+  if (problem.hasClock && problem.start.tick + sim::kMaxReplayTicks > kLast) return false;
+  return unboundedPart(problem.level) == nullptr;
+}
+
+// By the first demand that is not met, or not within its limit of jumps, or by the time limit.
+std::optional<Cut> prove(const Problem& problem, schema::Query::Reader record, bool withMissing) {
+  if (!isBounded(problem)) return std::nullopt;
+  Cut cut;
+  cut.mayJump = admitsJumps(problem);
+  const ReachBound bound(problem, cut.mayJump);
+  cut.reached = partsOf(problem.level, bound.reached());
+  const std::vector<Demand> demands = demandsOf(problem.query, record);
+  for (const Demand& d : demands) {
+    cut.target = d.name;
+    uint32_t jumps = ReachBound::kNever;
+    for (const level::TargetView* t : d.any) jumps = std::min(jumps, bound.jumpsTo(*t));
+    if (jumps == ReachBound::kNever) {
+      if (withMissing) cut.missing = bound.missing(d.any);
+      return cut;
+    }
+    if (d.mostJumps < 0 || jumps <= uint32_t(d.mostJumps)) continue;
+    cut.jumps = jumps;
+    cut.mostJumps = uint32_t(d.mostJumps);
+    return cut;
+  }
+  const float tick = problem.level.params.tickSeconds;
+  cut.mostSeconds = float(problem.query.timeLimitTicks) * tick;
+  cut.seconds = bound.secondsFor(leastDistance(problem, demands.back().any, bound)) - 2 * tick;
+  const bool late = problem.query.timeLimitTicks != 0 && cut.seconds > cut.mostSeconds;
+  return late ? std::optional(cut) : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<Cut> cutOf(const Problem& problem, schema::Query::Reader record) {
-  if (!isBounded(problem)) return std::nullopt;
-  Prover prover(problem, record);
-  auto cut = prover.prove();
-  if (cut) cut->missing = prover.missing();
-  return cut;
+  return prove(problem, record, true);
 }
 
 bool isCut(const Problem& problem, schema::Query::Reader record) {
-  return isBounded(problem) && Prover(problem, record).prove();
+  return prove(problem, record, false).has_value();
 }
 
 void tryTricks(Cut& cut, Problem problem, schema::Query::Reader record) {

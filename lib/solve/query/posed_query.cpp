@@ -19,8 +19,7 @@ Problem problemOf(const PosedQuery& posed) {
           posed.level.bounds(),
           posed.level.hasMotion(),
           {},
-          posed.policy,
-          posed.motions};
+          posed.policy};
 }
 
 bool solves(const Playthrough& playthrough, const PosedQuery& posed) {

@@ -16,7 +16,6 @@ struct PosedQuery {
   const level::Query& query;
   schema::Query::Reader queryRecord;
   const policy::Network* policy = nullptr;  // for methods that use one
-  const PartMotions* motions = nullptr;     // kept with the level; may be null
 };
 
 // Valid while what it was made of lives.

@@ -16,8 +16,6 @@ class Network;
 
 namespace obby::solve {
 
-class PartMotions;
-
 // What to hold, and for how long, from the start on.
 using KnownWay = std::vector<sim::ActionRun>;
 
@@ -39,7 +37,6 @@ struct Problem {
   bool hasClock = false;  // moving or timed parts: the outcome depends on the level clock
   std::vector<KnownWay> known = {};         // playthroughs of an earlier answer, tried first
   const policy::Network* policy = nullptr;  // for methods that use one; must outlive the search
-  const PartMotions* motions = nullptr;     // of the level; null: a proof works them out itself
   std::vector<Companion> companions = {};   // searches that keep states keep those of all of them
 };
 

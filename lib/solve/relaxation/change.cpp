@@ -33,8 +33,7 @@ PosedQuery RelaxedQuery::posed() const {
           levelRecord_ ? levelRecord_->reader().getLevel() : base_.levelRecord,
           *query_,
           queryRecord_.reader().getQuery(),
-          base_.policy,
-          level_ ? nullptr : base_.motions};
+          base_.policy};
 }
 
 }  // namespace obby::solve

@@ -17,7 +17,11 @@ constexpr float kGoalWeight = 0.25f;  // a part that is a stud nearer to the tar
 class Frontier {
  public:
   explicit Frontier(const Failure& failure)
-      : failure_(failure), problem_(problemOf(failure.posed)), supports_(supportsOf(problem_)) {
+      : failure_(failure),
+        problem_(problemOf(failure.posed)),
+        motions_(partMotions(problem_.level)),
+        limits_(problem_, motions_),
+        supports_(supportsOf(problem_, limits_, motions_)) {
     markReached();
   }
 
@@ -61,11 +65,12 @@ class Frontier {
     if (!s.carries) return false;
     // The support counts feet that only begin to be lifted: these stand.
     const float lowest = s.entry + problem_.level.params.hipHeight;
-    auto at = std::lower_bound(places.begin(), places.end(), s.feet.lo.x,
+    const Box feet = grow(s.box, {s.side, s.lift, s.side});
+    auto at = std::lower_bound(places.begin(), places.end(), feet.lo.x,
                                [](Vec3 p, float x) { return p.x < x; });
-    for (; at != places.end() && at->x <= s.feet.hi.x; ++at) {
-      const bool beside = at->z < s.feet.lo.z || at->z > s.feet.hi.z;
-      if (!beside && at->y >= lowest && at->y <= s.feet.hi.y) return true;
+    for (; at != places.end() && at->x <= feet.hi.x; ++at) {
+      const bool beside = at->z < feet.lo.z || at->z > feet.hi.z;
+      if (!beside && at->y >= lowest && at->y <= feet.hi.y) return true;
     }
     return false;
   }
@@ -90,9 +95,10 @@ class Frontier {
     for (size_t i = 0; i < supports_.size(); ++i) {
       if (!reached_[i]) continue;
       const Support& from = supports_[i];
-      const float gap = gapBetween(from.feet, to.feet), rise = to.top - from.top;
+      const float gap = std::max(gapBetween(from.box, to.box) - from.side - to.side, 0.0f);
+      const float rise = std::max(to.top() - from.top(), 0.0f);
       if (gap > kFarthest || rise > kHighest || to.leadsTo != level::kNone) continue;
-      least = std::min(least, gap + std::max(rise, 0.0f));
+      least = std::min(least, gap + rise);
     }
     return least;
   }
@@ -104,7 +110,7 @@ class Frontier {
       const Support& s = supports_[i];
       if (reached_[i] || !s.carries || s.collider == level::kNone) continue;
       const float step = stepTo(s);
-      if (step < 1e29f) ranked.emplace_back(step + kGoalWeight * toTarget(s.feet), i);
+      if (step < 1e29f) ranked.emplace_back(step + kGoalWeight * toTarget(s.box), i);
     }
     std::sort(ranked.begin(), ranked.end());
     std::vector<uint32_t> result;
@@ -115,6 +121,8 @@ class Frontier {
 
   const Failure& failure_;
   const Problem problem_;
+  const std::vector<PartMotion> motions_;
+  const BodyLimits limits_;
   const std::vector<Support> supports_;
   std::vector<bool> reached_;  // (supports)
 };
