@@ -132,7 +132,7 @@ bool isCut(const Problem& problem, schema::Query::Reader record) {
 }
 
 void tryTricks(Cut& cut, Problem problem, schema::Query::Reader record) {
-  constexpr uint32_t kMostColliders = 4000;  // with tricks, flights go between nearly all of them
+  constexpr uint32_t kMostColliders = 10'000;  // with tricks, flights go between nearly all
   if (problem.level.colliderCount > kMostColliders) return;
   uint16_t& tricks = problem.level.params.tricks;
   const uint16_t allowed = tricks;

@@ -32,7 +32,7 @@ std::optional<Cut> cutOf(const Problem& problem, schema::Query::Reader record);
 bool isCut(const Problem& problem, schema::Query::Reader record);
 
 // Fills in the cut's last two fields: asks again with tricks. Leaves them for levels of more than
-// 4,000 colliders, where that takes seconds.
+// 10,000 colliders, where that takes seconds.
 void tryTricks(Cut& cut, Problem problem, schema::Query::Reader record);
 
 }  // namespace obby::solve

@@ -30,10 +30,8 @@ std::optional<RelaxedQuery> RelaxedQuery::make(const PosedQuery& base, const Cha
 
 PosedQuery RelaxedQuery::posed() const {
   return {level_ ? *level_ : base_.level,
-          levelRecord_ ? levelRecord_->reader().getLevel() : base_.levelRecord,
-          *query_,
-          queryRecord_.reader().getQuery(),
-          base_.policy};
+          levelRecord_ ? levelRecord_->reader().getLevel() : base_.levelRecord, *query_,
+          queryRecord_.reader().getQuery(), base_.policy};
 }
 
 }  // namespace obby::solve
