@@ -12,6 +12,13 @@ constexpr Parameter kParameters[] = {
 };
 const auto& [kWalls, kWidth, kThickness] = kParameters;
 
+// Studs that a wall is longer than the floor at each end: who walks round it has fallen too low to
+// come back.
+float beyondFloor(const Params& p) {
+  constexpr float kMost = 30;  // where hardly anything falls
+  return minf(0.5f * p.walkSpeed * sqrtf32(2 * (p.hipHeight + 1) / p.gravity) + 0.5f, kMost);
+}
+
 void build(Sketch& s) {
   constexpr float kRoundabout = 30;  // studs beside a wall that nobody gets over, at least
   constexpr float kSure = 0.9f;      // of the highest jump
@@ -24,7 +31,8 @@ void build(Sketch& s) {
     const float least = minf(s.reach().params().hipHeight + 1, kSure * s.reach().rise());
     const float height = maxf(rise, least);
     const bool high = height > s.reach().rise();
-    s.wall("Wall", 0, before, high ? width + 2 * s.roundabout(kRoundabout) : width, height, thick);
+    const float more = high ? s.roundabout(kRoundabout) : beyondFloor(s.reach().params());
+    s.wall("Wall", 0, before, width + 2 * more, height, thick);
     s.floor("Floor", before + behind, width);
   }
 }
