@@ -126,8 +126,10 @@ class Builder {
         continue;
       }
       uint32_t any = 0, every = ~0u;
-      for (uint32_t i = 0; i < count; ++i) any |= bounds_[list[i]].flags;
-      for (uint32_t i = 0; i < count; ++i) every &= bounds_[list[i]].flags;
+      for (uint32_t i = 0; i < count; ++i) {
+        any |= bounds_[list[i]].flags;
+        every &= bounds_[list[i]].flags;
+      }
       grid_.lists.insert(grid_.lists.end(), {any, every});
       grid_.cells[c] = uint32_t(grid_.lists.size());
       known.emplace(h, grid_.cells[c]);

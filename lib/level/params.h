@@ -54,7 +54,7 @@ struct Params {
   uint16_t squeezeTicks;
   uint16_t sleepTicks;
 
-  // Of the query or the trajectory, never of the level.
+  // Set by the query or the trajectory, never by the level.
   uint16_t tricks;         // that the player may use
   uint16_t directionStep;  // between two headings that the player can walk in, turns / 65536: a
                            // power of two; 0: any heading

@@ -11,7 +11,7 @@ namespace {
 constexpr uint32_t kSingly = level::kVanishTimer | level::kClocked | level::kTruss |
                              level::kTriggered | level::kOneWay | level::kCrush;
 
-// Of a part that the limbs alone may meet.
+// Flags of parts that the limbs alone may meet.
 constexpr uint32_t kByLimbs = level::kTouchRoles | kSingly;
 
 constexpr uint32_t kNoParts[3] = {0, ~0u, 0};  // an empty list
@@ -89,8 +89,8 @@ WideNear::Turn WideNear::list(int i, const uint32_t* list) {
   return plain ? listPlain(i, list) : listAll(i, list);
 }
 
-// Where all parts are blocks that no limb can meet. What the next look is does not depend on
-// which parts are met: a mispredicted branch costs more than the rest.
+// For lists of blocks that no limb can meet. The loop does not branch on which parts are met: a
+// mispredicted branch costs more than the rest.
 WideNear::Turn WideNear::listPlain(int i, const uint32_t* list) {
   const Reach body = Reach(looks_[i].reach) - limbs_;
   const uint32_t count = list[0];

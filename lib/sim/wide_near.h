@@ -38,8 +38,8 @@ class WideNear {
   // Of the i-th world of the last look().
   Box reach(int i) const { return looks_[i].box(); }  // where its player can be
   Turn turn(int i) const { return turn_[i]; }
-  // Of worlds that go to the lanes: parts that the body or the floor rays can meet, or the limbs
-  // where a touch does something.
+  // For worlds that go to the lanes. A part counts if the body or the floor rays can meet it, or
+  // the limbs can and a touch does something.
   int count(int i) const { return count_[i]; }
   uint32_t anyFlags(int i) const { return anyFlags_[i]; }  // ColliderFlag bits of all in reach
   // (count), level::Bounds::tag; where it has kMovingTag, the index is that of a moved part.

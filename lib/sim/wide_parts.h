@@ -21,11 +21,11 @@ class WideParts {
   // many parts as any. It must stay until the next call.
   void look(const int32_t* index);
 
-  // Of the worlds last looked at. `worlds`: all.
+  // For the worlds last looked at. `worlds`: all worlds of the block.
   FloorT<WideFloat> floorUnder(const WidePlayer& player, World* const* worlds) const;
   void findSolids(const WideMotion& motion, LaneSolids* solids) const;  // (kLanes)
 
-  // Of any worlds of the last look. `solids`: (kLanes).
+  // For any worlds of near's last look. `solids`: (kLanes).
   Obstacles obstacles(const LaneSolids* const* solids) const;
 
  private:

@@ -65,7 +65,7 @@ OBBY_LANES WidePlayer playerOf(const Rows& rows) {
   return p;
 }
 
-// Of kLanes worlds, by their index.
+// The controls of kLanes worlds. `index`: (kLanes), into `actions`.
 OBBY_LANES ControlT<WideFloat> controlsOf(const Action* actions, const int32_t* index,
                                           const Params& p) {
   alignas(64) int32_t heading[kLanes], walk[kLanes], jump[kLanes];
@@ -131,7 +131,7 @@ OBBY_LANES WideMotion motionAt(const Rows& r) {
           legs.y,         legs.z};
 }
 
-// What a tick's motion makes of the player.
+// Gives the player the result of a tick's motion.
 OBBY_LANES void putMoved(WidePlayer& player, const WideMotion& m) {
   player.position = m.position;
   player.velocity = m.velocity;

@@ -96,8 +96,7 @@ void Ticker::admit(int count) {
   std::fill_n(order_ + count_, kLanes, count_ > 0 ? order_[count_ - 1] : 0);
 }
 
-// The tick of the players in some slots, but for the moves among solid parts, which bumpAll()
-// makes.
+// Plays the tick of the players in kLanes slots. Moves among solid parts are left to bumpAll().
 void Ticker::play(int slot) {
   const int32_t* index = order_ + slot;
   const void* worlds[kLanes];

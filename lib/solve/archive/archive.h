@@ -72,7 +72,7 @@ class Archive {
     if (looseCount_ == 0) return {};
     return {loose_.at(looseAt(looseSets_[cell])), looseCount_};
   }
-  // Of the first world offered; null if there are none.
+  // The bodies of the first world offered; null if the level has none.
   const sim::LooseBody* firstLoose() const { return looseCount_ == 0 ? nullptr : loose_.at(0); }
   // Are these bodies as they are there?
   bool isFirstLoose(const sim::LooseBody* loose) const;
