@@ -13,6 +13,10 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(lz4 REQUIRED IMPORTED_TARGET liblz4)     # import
 pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)   # import
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)  # base: digests
+pkg_check_modules(lua REQUIRED lua5.1-c++)                 # engine: runs a place's scripts
+find_library(OBBY_LUA NAMES liblua5.1-c++.a lua5.1-c++ REQUIRED)
+pkg_check_modules(seccomp REQUIRED libseccomp)             # engine: the cage that they run in
+find_library(OBBY_SECCOMP NAMES libseccomp.a seccomp REQUIRED)
 find_path(RANDOM123_INCLUDE Random123/philox.h REQUIRED)   # base: counter-based random numbers
 if(NOT OBBY_PORTABLE)
   find_package(MPI QUIET COMPONENTS C)  # tools/obby-train: wanted, not needed

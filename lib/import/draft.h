@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "import/document.h"
+#include "engine/document.h"
 #include "math/vec.h"
 
 namespace obby::importer {

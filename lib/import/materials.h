@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "import/document.h"
+#include "engine/document.h"
 
 namespace obby::importer {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "base/result.h"
-#include "import/document.h"
+#include "engine/document.h"
 
 namespace obby::importer {
 

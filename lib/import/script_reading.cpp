@@ -9,10 +9,10 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/luau/parser.h"
 #include "import/classes.h"
 #include "import/format/class_defaults.h"
 #include "import/luau/changes.h"
-#include "import/luau/parser.h"
 #include "import/luau/reader.h"
 #include "import/script_side.h"
 #include "import/woken_scripts.h"

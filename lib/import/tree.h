@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/spelling.h"
-#include "import/document.h"
+#include "engine/document.h"
 
 namespace obby::importer {
 

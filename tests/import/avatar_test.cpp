@@ -9,7 +9,6 @@
 namespace obby::test {
 namespace {
 
-using importer::NumberRange;
 using importer::setAvatar;
 using testing::ElementsAre;
 using testing::HasSubstr;

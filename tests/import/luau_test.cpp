@@ -5,30 +5,14 @@
 #include <string>
 #include <utility>
 
-#include "import/luau/lexer.h"
-#include "import/luau/parser.h"
+#include "engine/luau/lexer.h"
+#include "engine/luau/parser.h"
 #include "import/scene.h"
 
 namespace obby::test {
 namespace {
 
-using importer::luau::parse;
-
-TEST(Luau, ModernAndOldSyntaxParses) {
-  const char* const texts[] = {
-      "local x: number, y: {[string]: Part?} = 5, {}\nexport type A = {b: (number) -> string}",
-      "local function f<T>(a: T, ...: any): (number, T) return 1, a end",
-      "x += 1 y ..= 'a' z //= 2",
-      "for i, v in t do continue end",
-      "local s = `a {1 + 2} b` local l = [==[ ]] ]==] --[[ c ]] --[=[ d ]=]",
-      "local a = if b then c elseif d then e else f",
-      "f{a = 1, [2] = 3; 4} f'x' f[[y]] a.b:c(1)(2).d = 3",
-      "repeat local x = f() until x or not y",
-      "local n = 0xFF + 1e-3 + .5 + 1_000 + 0b1",
-      "local p = workspace.Part :: BasePart",
-      "goto = 1 type = 2 continue = 3"};
-  for (const char* text : texts) EXPECT_FALSE(parse(text).broken) << text;
-}
+using luau::parse;
 
 TEST(Luau, BrokenTextKeepsWhatCanBeRead) {
   Scene scene;
@@ -256,7 +240,7 @@ TEST(Luau, NumbersOfAnyBaseHaveTheirValue) {
   const std::pair<const char*, double> cases[] = {
       {"0b1010", 10}, {"0B1_1", 3}, {"0x1F", 31}, {"1_000.5", 1000.5}, {".5e1", 5}};
   for (const auto& [text, value] : cases) {
-    const auto tokens = importer::luau::tokenize(text);
+    const auto tokens = luau::tokenize(text);
     ASSERT_EQ(tokens.size(), 2u) << text;
     EXPECT_EQ(tokens[0].number, value) << text;
   }
@@ -264,14 +248,14 @@ TEST(Luau, NumbersOfAnyBaseHaveTheirValue) {
 
 // Each variable keeps its own.
 TEST(Luau, VeryLongNamesAreCut) {
-  const auto tokens = importer::luau::tokenize("local " + std::string(900000, 'x') + " = 1");
+  const auto tokens = luau::tokenize("local " + std::string(900000, 'x') + " = 1");
   ASSERT_EQ(tokens.size(), 5u);
   EXPECT_LE(tokens[1].text.size(), 1000u);
   EXPECT_EQ(tokens[2].text, "=");
 }
 
 TEST(Luau, LinesAreCountedThroughLongTexts) {
-  const auto tokens = importer::luau::tokenize("--[[\n\n]]\nlocal s = [[\n\n]]\nx = 1");
+  const auto tokens = luau::tokenize("--[[\n\n]]\nlocal s = [[\n\n]]\nx = 1");
   EXPECT_EQ(tokens.front().line, 4);
   EXPECT_EQ(tokens[tokens.size() - 2].line, 7);
 }

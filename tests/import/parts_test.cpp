@@ -64,7 +64,7 @@ std::string collisionBlob(uint32_t hulls, uint32_t corners) {
 
 TEST(Parts, PartsOverOneBlobHaveItsHullsInTheirOwnSizes) {
   Scene scene;
-  const importer::SharedBlob rock{std::make_shared<const std::string>(collisionBlob(2, 5))};
+  const SharedBlob rock{std::make_shared<const std::string>(collisionBlob(2, 5))};
   InstanceId meshes[3];
   for (int i = 0; i < 3; ++i) {
     meshes[i] = scene.part("Rock", {10 * float(i), 0, 0}, scene.workspace, "MeshPart");
@@ -106,8 +106,7 @@ TEST(Parts, AllHullsOfALevelHaveABudget) {
   constexpr uint32_t kParts = 2000, kHulls = 20, kCorners = 120;
   static_assert(kParts * kHulls * kCorners > importer::kMaxLevelCorners);
   Scene scene;
-  const importer::SharedBlob rock{
-      std::make_shared<const std::string>(collisionBlob(kHulls, kCorners))};
+  const SharedBlob rock{std::make_shared<const std::string>(collisionBlob(kHulls, kCorners))};
   for (uint32_t i = 0; i < kParts; ++i) {
     const auto mesh = scene.part("Rock", {float(i), 0, 0}, scene.workspace, "MeshPart");
     scene.set(mesh, "PhysicalConfigData", rock);

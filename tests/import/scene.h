@@ -6,22 +6,13 @@
 #include <string>
 #include <utility>
 
+#include "engine/document.h"
 #include "import/build_level.h"
-#include "import/document.h"
 
 namespace obby::test {
 
-using importer::CFrame;
-using importer::Document;
-using importer::EnumItem;
-using importer::Instance;
-using importer::InstanceId;
-using importer::kNoInstance;
 using importer::LevelDraft;
 using importer::PartDraft;
-using importer::PhysicalProperties;
-using importer::Ref;
-using importer::Value;
 
 // Starts with Workspace (0) and ServerScriptService (1); `model()` starts with nothing.
 class Scene {

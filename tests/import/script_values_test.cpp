@@ -195,7 +195,7 @@ TEST(ScriptValues, WhatPartsAreMadeOfAndWhichTagsTheyHaveIsKnown) {
       const auto red = scene.part("Red"), plain = scene.part("Plain", {9, 0, 0}, safe);
       scene.tag(red, "Ouchie");
       scene.set(red, "Material", EnumItem{804, ""});
-      scene.set(red, "Color", importer::ColorRgb{255, 0, 0});
+      scene.set(red, "Color", ColorRgb{255, 0, 0});
       scene.script(
           "local tags = game:GetService('CollectionService')\n"
           "for _, v in workspace:GetDescendants() do if v:IsA('BasePart') and " +

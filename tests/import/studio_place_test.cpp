@@ -11,8 +11,6 @@
 namespace obby::test {
 namespace {
 
-using importer::kNoInstance;
-using importer::Value;
 using Id = PlaceWriter::Id;
 
 constexpr float kGravity = 90, kSpeed = 24;

@@ -103,7 +103,7 @@ TEST(Unmodelled, SpeedPadsSeatsToolsTerrainGroups) {
        {"speed or jump booster", "vehicle seat", "collision group Ghosts", "tool", "terrain"})
     EXPECT_EQ(scene.unmodelled(kind), 1u) << kind;
   const auto voxels = std::make_shared<const std::string>(1000, 'x');
-  scene.set(terrain, "SmoothGrid", importer::SharedBlob{voxels});
+  scene.set(terrain, "SmoothGrid", SharedBlob{voxels});
   scene.level();
   EXPECT_EQ(scene.unmodelled("terrain"), 1u) << "in a shared string";
 }

@@ -45,7 +45,7 @@ class Sources {
 
 constexpr const char* kCourse = OBBY_SOURCE_DIR "/levels/calibration/course.jsonl";
 
-importer::Document readBack(const std::string& folder) {
+Document readBack(const std::string& folder) {
   auto bytes = packagePlugin(folder, kCourse);
   EXPECT_TRUE(bytes) << bytes.error().text();
   auto document = importer::readDocument(*bytes, "obby.rbxmx");
@@ -54,9 +54,9 @@ importer::Document readBack(const std::string& folder) {
 }
 
 // The instance at a path below the roots, or null.
-const importer::Instance* find(const importer::Document& document, const fs::path& path) {
-  const std::vector<importer::InstanceId>* among = &document.roots;
-  const importer::Instance* found = nullptr;
+const Instance* find(const Document& document, const fs::path& path) {
+  const std::vector<InstanceId>* among = &document.roots;
+  const Instance* found = nullptr;
   for (const auto& name : path) {
     found = nullptr;
     for (const auto id : *among) {
@@ -68,8 +68,8 @@ const importer::Instance* find(const importer::Document& document, const fs::pat
   return found;
 }
 
-std::string sourceOf(const importer::Instance* script) {
-  return script ? importer::propertyOr<std::string>(*script, "Source", "no source") : "absent";
+std::string sourceOf(const Instance* script) {
+  return script ? propertyOr<std::string>(*script, "Source", "no source") : "absent";
 }
 
 TEST(Package, texts_that_mean_something_in_xml_survive) {

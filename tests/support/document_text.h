@@ -4,18 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "import/document.h"
+#include "engine/document.h"
 
 namespace obby::test {
 
 // One line an instance ("/Workspace:Workspace[0]/Part:Lava[0]": class, name, which of the equal
 // siblings), followed by one line for each property, attribute and tag. Refs are written as the
 // path of their target.
-std::vector<std::string> linesOf(const importer::Document& document);
+std::vector<std::string> linesOf(const Document& document);
 
 // Lines of one that the other lacks, at most `limit`, as "only in first: ..."; empty if they are
 // equal.
-std::string difference(const importer::Document& first, const importer::Document& second,
-                       size_t limit = 20);
+std::string difference(const Document& first, const Document& second, size_t limit = 20);
 
 }  // namespace obby::test

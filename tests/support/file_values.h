@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "import/document.h"
+#include "engine/document.h"
 
 namespace obby::test {
 
@@ -47,8 +47,7 @@ enum class FileKind : uint8_t {
 
 struct FileValue {
   FileKind kind = FileKind::String;
-  importer::Value
-      value;  // what a Document makes of it; monostate: unread or (OptionalCFrame) absent
+  Value value;  // what a Document makes of it; monostate: unread or (OptionalCFrame) absent
   std::string xmlElement;  // the element's name in XML
   bool acoustics = false;  // PhysicalProperties: the flag for acoustic absorption is set
 };
@@ -66,14 +65,14 @@ FileValue float32(float value);
 FileValue float64(double value);
 FileValue token(uint32_t value);  // an enum item
 FileValue vec3(float x, float y, float z);
-FileValue cframe(importer::CFrame value);
+FileValue cframe(CFrame value);
 FileValue cframe(float x, float y, float z);
-FileValue optionalCFrame(std::optional<importer::CFrame> value);
-FileValue color3(importer::ColorRgb value);
-FileValue color8(importer::ColorRgb value);
+FileValue optionalCFrame(std::optional<CFrame> value);
+FileValue color3(ColorRgb value);
+FileValue color8(ColorRgb value);
 FileValue brickNumber(uint32_t number);  // a BrickColor
-FileValue ref(importer::InstanceId target);
-FileValue physical(importer::PhysicalProperties value, bool acoustics = false);
+FileValue ref(InstanceId target);
+FileValue physical(PhysicalProperties value, bool acoustics = false);
 FileValue uniqueId(std::string hex);  // 32 digits, as in XML
 FileValue udim(float scale, int32_t offset);
 FileValue range(float min, float max);

@@ -6,8 +6,6 @@
 
 namespace obby::test {
 
-using namespace importer;
-
 namespace {
 
 struct AttributeBytes {

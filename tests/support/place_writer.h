@@ -15,16 +15,16 @@ enum class Packing { Stored, Lz4, Zstd };
 
 class PlaceWriter {
  public:
-  using Id = importer::InstanceId;
+  using Id = InstanceId;
 
   // Parents first. An empty name leaves the Name property out.
-  Id add(std::string className, std::string name = {}, Id parent = importer::kNoInstance);
+  Id add(std::string className, std::string name = {}, Id parent = kNoInstance);
   // `property` as files spell it: "size", "Color3uint8", "shape".
   PlaceWriter& set(Id id, std::string property, FileValue value);
   PlaceWriter& tag(Id id, std::string tag);
   // Kinds: bool, int64_t (written as 32 bits), double, std::string, EnumItem, Vec3, CFrame,
   // ColorRgb, UDim.
-  PlaceWriter& attribute(Id id, std::string name, importer::Value value);
+  PlaceWriter& attribute(Id id, std::string name, Value value);
 
   std::string binary(Packing packing = Packing::Zstd) const;
   std::string xml() const;
@@ -34,7 +34,7 @@ class PlaceWriter {
     Id parent;
     std::map<std::string, FileValue> properties;
     std::vector<std::string> tags;
-    std::map<std::string, importer::Value> attributes;
+    std::map<std::string, Value> attributes;
   };
 
  private:
@@ -45,6 +45,6 @@ class PlaceWriter {
 };
 
 // The blob of AttributesSerialize.
-std::string encodeAttributes(const std::map<std::string, importer::Value>& attributes);
+std::string encodeAttributes(const std::map<std::string, Value>& attributes);
 
 }  // namespace obby::test

@@ -5,7 +5,7 @@
 
 namespace obby::test {
 
-inline importer::CFrame tiltedFrame() {
+inline CFrame tiltedFrame() {
   return {{1.5f, -2.25f, 1e-7f}, {{0.6f, 0.8f, 0}, {-0.8f, 0.6f, 0}, {0, 0, 1}}};
 }
 
@@ -38,7 +38,7 @@ inline PlaceWriter samplePlace() {
   place.set(script, "Source", source("-- \"kill\" <&>\nlocal x = '&#0;'"));
   place.tag(lava, "KillBrick").tag(lava, "Checkpoint");
   place.attribute(lava, "Damage", 25.0)
-      .attribute(lava, "Kind", importer::EnumItem{3, "Material"})
+      .attribute(lava, "Kind", EnumItem{3, "Material"})
       .attribute(lava, "Owner", std::string("me"));
   const auto kinds = place.add("Configuration", "Kinds", workspace);
   place.set(kinds, "A", int32(-123456))
@@ -55,7 +55,7 @@ inline PlaceWriter samplePlace() {
       .set(kinds, "L", address("rbxassetid://2"))
       .set(kinds, "M", blob("\x01\x02"))
       .set(kinds, "O", range(0.9f, 1.05f))
-      .set(kinds, "N", ref(importer::kNoInstance));
+      .set(kinds, "N", ref(kNoInstance));
   char name = 'P';
   for (const FileKind kind : {FileKind::UDim2, FileKind::Ray, FileKind::Faces, FileKind::Axes,
                               FileKind::Vector2, FileKind::Vector3int16, FileKind::NumberSequence,

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "import/document.h"
+#include "engine/document.h"
 
 namespace obby::importer {
 

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "import/document.h"
+#include "engine/document.h"
 #include "import/format/byte_reader.h"
 
 namespace obby::importer {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "import/document.h"
+#include "engine/document.h"
 
 namespace obby::importer {
 

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <variant>
 
-#include "import/document.h"
+#include "engine/document.h"
 
 namespace obby::importer {
 

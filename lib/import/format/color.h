@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "import/document.h"
+#include "engine/document.h"
 
 namespace obby::importer {
 

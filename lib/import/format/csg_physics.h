@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "import/document.h"
+#include "engine/document.h"
 
 namespace obby::importer {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "import/document.h"
+#include "engine/document.h"
 #include "import/format/property_names.h"
 
 namespace obby::importer {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "import/document.h"
+#include "engine/document.h"
 
 namespace obby::importer {
 

@@ -4,7 +4,7 @@
 // (docs/studio.md).
 #pragma once
 
-#include "import/document.h"
+#include "engine/document.h"
 
 namespace obby::importer {
 

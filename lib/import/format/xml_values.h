@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "base/result.h"
-#include "import/document.h"
+#include "engine/document.h"
 
 namespace obby::importer {
 

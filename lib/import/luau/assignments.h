@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "import/luau/ast.h"
+#include "engine/luau/ast.h"
 #include "import/luau/datum.h"
 
 namespace obby::importer::luau {
+
+using namespace obby::luau;
 
 // The value that an expression states: nil, true, false, a number, a text. Unknown: it is none.
 Datum literalOf(const Expr& expr);

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "import/document.h"
+#include "engine/document.h"
 
 namespace obby::importer::luau {
 

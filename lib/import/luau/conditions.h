@@ -5,9 +5,11 @@
 #include <set>
 #include <string>
 
-#include "import/luau/ast.h"
+#include "engine/luau/ast.h"
 
 namespace obby::importer::luau {
+
+using namespace obby::luau;
 
 // "part.Transparency"; empty where it is anything but names.
 std::string pathOf(const Expr& expr);

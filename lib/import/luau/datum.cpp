@@ -145,7 +145,7 @@ Datum datumOf(Truth truth) {
   return {truth == Truth::yes};
 }
 
-Datum datumFrom(const obby::importer::Value& value, InstanceId owner) {
+Datum datumFrom(const obby::Value& value, InstanceId owner) {
   if (const auto* flag = std::get_if<bool>(&value)) return {*flag};
   if (const auto* whole = std::get_if<int64_t>(&value)) return {double(*whole)};
   if (const auto* real = std::get_if<double>(&value)) return {*real};

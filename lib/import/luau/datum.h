@@ -11,10 +11,12 @@
 #include <variant>
 #include <vector>
 
-#include "import/luau/ast.h"
+#include "engine/luau/ast.h"
 #include "import/script_reading.h"
 
 namespace obby::importer::luau {
+
+using namespace obby::luau;
 
 struct Datum;
 struct Scope;
@@ -125,7 +127,7 @@ Truth negated(Truth truth);
 Datum datumOf(Truth truth);
 
 // A part's property or a value object's Value as the file has it.
-Datum datumFrom(const obby::importer::Value& value, InstanceId owner);
+Datum datumFrom(const obby::Value& value, InstanceId owner);
 
 // The health that a character has, or can have: who loses that dies.
 bool isAllHealth(const Datum& datum);

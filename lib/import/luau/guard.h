@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <limits>
 
-#include "import/luau/ast.h"
+#include "engine/luau/ast.h"
 #include "import/luau/datum.h"
 
 namespace obby::importer::luau {
+
+using namespace obby::luau;
 
 // The end of events that nothing closes: all that follow are among them.
 constexpr size_t kOpenEnd = std::numeric_limits<size_t>::max();

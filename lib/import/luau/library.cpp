@@ -151,7 +151,7 @@ Datum mathCall(const std::string& path, const std::vector<Datum>& a) {
 Datum converted(const Datum& value) {
   if (value.as<double>()) return value;
   const auto* text = value.as<std::string>();
-  const auto number = text ? numberFrom(obby::importer::Value(*text)) : std::nullopt;
+  const auto number = text ? numberFrom(obby::Value(*text)) : std::nullopt;
   return number ? Datum{*number} : Datum{};
 }
 

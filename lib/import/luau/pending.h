@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "import/document.h"
+#include "engine/document.h"
 #include "import/luau/datum.h"
 #include "import/luau/variables.h"
 #include "import/script_reading.h"

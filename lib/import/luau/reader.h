@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/luau/ast.h"
 #include "import/luau/assignments.h"
-#include "import/luau/ast.h"
 #include "import/luau/changes.h"
 #include "import/luau/datum.h"
 #include "import/luau/guard.h"
@@ -27,6 +27,8 @@
 #include "import/tree.h"
 
 namespace obby::importer::luau {
+
+using namespace obby::luau;
 
 constexpr size_t kAncestorsPerStep = 8;
 constexpr size_t kMaxTimelines = 50000;  // of a script

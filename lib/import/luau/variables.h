@@ -11,11 +11,13 @@
 #include <utility>
 #include <vector>
 
+#include "engine/luau/ast.h"
 #include "import/luau/assignments.h"
-#include "import/luau/ast.h"
 #include "import/luau/datum.h"
 
 namespace obby::importer::luau {
+
+using namespace obby::luau;
 
 // The names of a scope, or the fields of a table.
 using Held = std::map<std::string, Datum>;

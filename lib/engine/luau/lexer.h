@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace obby::importer::luau {
+namespace obby::luau {
 
 enum class TokenKind { name, keyword, number, string, symbol, end };
 
@@ -21,4 +21,4 @@ struct Token {
 // Always ends with a token of kind end.
 std::vector<Token> tokenize(std::string_view source);
 
-}  // namespace obby::importer::luau
+}  // namespace obby::luau

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace obby::importer::luau {
+namespace obby::luau {
 
 struct Expr;
 struct Stat;
@@ -81,4 +81,4 @@ struct Chunk {
   bool broken = false;  // something could not be parsed and was skipped
 };
 
-}  // namespace obby::importer::luau
+}  // namespace obby::luau

@@ -4,10 +4,10 @@
 
 #include <string_view>
 
-#include "import/luau/ast.h"
+#include "engine/luau/ast.h"
 
-namespace obby::importer::luau {
+namespace obby::luau {
 
 Chunk parse(std::string_view source);
 
-}  // namespace obby::importer::luau
+}  // namespace obby::luau

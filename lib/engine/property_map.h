@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace obby::importer {
+namespace obby {
 
 // Iterates in order of the names. Pointers and iterators last until the next insertion.
 template <class Value>
@@ -50,4 +50,4 @@ class PropertyMap {
   std::vector<value_type> entries_;
 };
 
-}  // namespace obby::importer
+}  // namespace obby

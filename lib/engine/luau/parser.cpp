@@ -1,9 +1,9 @@
 // Recursive descent over statements; expressions are in expression_parser.cpp.
-#include "import/luau/parser.h"
+#include "engine/luau/parser.h"
 
-#include "import/luau/parser_state.h"
+#include "engine/luau/parser_state.h"
 
-namespace obby::importer::luau {
+namespace obby::luau {
 namespace {
 
 bool isAssignmentOperator(const Token& token) {
@@ -211,4 +211,4 @@ Chunk parse(std::string_view source) {
   return chunk;
 }
 
-}  // namespace obby::importer::luau
+}  // namespace obby::luau

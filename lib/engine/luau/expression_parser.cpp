@@ -1,9 +1,9 @@
 // Expressions of the Luau parser: precedence climbing, calls, tables, functions; types are skipped.
 #include <algorithm>
 
-#include "import/luau/parser_state.h"
+#include "engine/luau/parser_state.h"
 
-namespace obby::importer::luau {
+namespace obby::luau {
 namespace {
 
 // How tightly a binary operator binds, left and right; 0: no operator.
@@ -272,4 +272,4 @@ void Parser::skipType() {
   } while (accept("|") || accept("&") || accept("->"));
 }
 
-}  // namespace obby::importer::luau
+}  // namespace obby::luau

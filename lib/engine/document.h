@@ -11,10 +11,10 @@
 #include <variant>
 #include <vector>
 
-#include "import/property_map.h"
+#include "engine/property_map.h"
 #include "math/vec.h"
 
-namespace obby::importer {
+namespace obby {
 
 // Index into Document::instances.
 using InstanceId = uint32_t;
@@ -97,4 +97,4 @@ T propertyOr(const Instance& instance, const std::string& name, T fallback) {
   return value ? *value : fallback;
 }
 
-}  // namespace obby::importer
+}  // namespace obby

@@ -1,5 +1,5 @@
 // One pass over the bytes of a source text.
-#include "import/luau/lexer.h"
+#include "engine/luau/lexer.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cstdlib>
 
-namespace obby::importer::luau {
+namespace obby::luau {
 namespace {
 
 constexpr std::array<std::string_view, 22> kKeywords = {
@@ -143,4 +143,4 @@ class Lexer {
 
 std::vector<Token> tokenize(std::string_view source) { return Lexer(source).run(); }
 
-}  // namespace obby::importer::luau
+}  // namespace obby::luau

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "import/luau/ast.h"
-#include "import/luau/lexer.h"
+#include "engine/luau/ast.h"
+#include "engine/luau/lexer.h"
 
-namespace obby::importer::luau {
+namespace obby::luau {
 
 class Parser {
  public:
@@ -116,4 +116,4 @@ class Parser {
   bool broken_ = false;
 };
 
-}  // namespace obby::importer::luau
+}  // namespace obby::luau
