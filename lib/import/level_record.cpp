@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "import/avatar.h"
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/pose_math.h"
 #include "import/record_values.h"
 #include "io/utf8.h"

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "import/classes.h"
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/onset.h"
 #include "import/scripted_changes.h"
 #include "import/terrain.h"

@@ -1,8 +1,8 @@
 // Which class derives from which: the classes that the importer asks about. Others count as plain
 // Instances.
-#include "import/format/class_tables.h"
+#include "engine/classes/class_tables.h"
 
-namespace obby::importer {
+namespace obby {
 
 std::span<const ClassRow> classRows() {
   static constexpr ClassRow kRows[] = {
@@ -140,4 +140,4 @@ std::span<const ClassRow> classRows() {
   return kRows;
 }
 
-}  // namespace obby::importer
+}  // namespace obby

@@ -1,11 +1,11 @@
 // Name, density, friction and elasticity of each material, as documented for the engine.
-#include "import/materials.h"
+#include "engine/values/materials.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 
-namespace obby::importer {
+namespace obby {
 namespace {
 
 struct Row {
@@ -81,4 +81,4 @@ std::string_view materialName(uint32_t material) {
   return row.material == kPlastic ? std::string_view() : row.name;
 }
 
-}  // namespace obby::importer
+}  // namespace obby

@@ -1,12 +1,12 @@
 // Number and colour (0xRRGGBB) of every entry of the palette, ascending.
-#include "import/format/brick_colors.h"
+#include "engine/values/brick_colors.h"
 
 #include <algorithm>
 #include <iterator>
 
-#include "import/format/color.h"
+#include "engine/values/color.h"
 
-namespace obby::importer {
+namespace obby {
 namespace {
 
 struct PaletteRow {
@@ -68,6 +68,29 @@ const PaletteRow* findRow(int64_t number) {
   return row != std::end(kPalette) && row->number == number ? row : nullptr;
 }
 
+struct NameRow {
+  std::string_view name;
+  int64_t number;
+};
+
+// clang-format off
+constexpr NameRow kNames[] = {
+    {"White", 1}, {"Brick yellow", 5}, {"Nougat", 18}, {"Bright red", 21}, {"Bright blue", 23},
+    {"Bright yellow", 24}, {"Black", 26}, {"Dark green", 28}, {"Bright green", 37},
+    {"Light blue", 45}, {"Medium blue", 102}, {"Bright violet", 104}, {"Bright orange", 106},
+    {"Earth green", 141}, {"Sand green", 151}, {"Reddish brown", 192}, {"Medium stone grey", 194},
+    {"Dark stone grey", 199}, {"Light stone grey", 208}, {"Brown", 217}, {"Crimson", 327},
+    {"Institutional white", 1001}, {"Mid gray", 1002}, {"Really black", 1003},
+    {"Really red", 1004}, {"Alder", 1006}, {"Dusty Rose", 1007}, {"Olive", 1008},
+    {"New Yeller", 1009}, {"Really blue", 1010}, {"Navy blue", 1011}, {"Deep blue", 1012},
+    {"Cyan", 1013}, {"CGA brown", 1014}, {"Magenta", 1015}, {"Pink", 1016}, {"Teal", 1018},
+    {"Toothpaste", 1019}, {"Lime green", 1020}, {"Camo", 1021}, {"Grime", 1022},
+    {"Lavender", 1023}, {"Pastel light blue", 1024}, {"Pastel orange", 1025},
+    {"Pastel violet", 1026}, {"Pastel blue-green", 1027}, {"Pastel green", 1028},
+    {"Pastel yellow", 1029}, {"Pastel brown", 1030}, {"Royal purple", 1031}, {"Hot pink", 1032},
+};
+// clang-format on
+
 }  // namespace
 
 ColorRgb brickColor(int64_t number) {
@@ -83,4 +106,29 @@ std::optional<int64_t> brickColorNumber(ColorRgb color) {
   return row == std::end(kPalette) ? std::nullopt : std::optional<int64_t>(row->number);
 }
 
-}  // namespace obby::importer
+int64_t nearestBrickColorNumber(ColorRgb color) {
+  const auto apart = [color](const PaletteRow& row) {
+    const ColorRgb own = colorFromPacked(row.rgb);
+    const int r = own.r - color.r, g = own.g - color.g, b = own.b - color.b;
+    return r * r + g * g + b * b;
+  };
+  return std::min_element(std::begin(kPalette), std::end(kPalette),
+                          [&](const PaletteRow& a, const PaletteRow& b) { return apart(a) < apart(b); })
+      ->number;
+}
+
+int64_t paletteColor(size_t index) { return kPalette[index % std::size(kPalette)].number; }
+
+std::string brickColorName(int64_t number) {
+  for (const NameRow& row : kNames)
+    if (row.number == number) return std::string(row.name);
+  return "Color " + std::to_string(number);
+}
+
+std::optional<int64_t> brickColorNamed(std::string_view name) {
+  for (const NameRow& row : kNames)
+    if (row.name == name) return row.number;
+  return std::nullopt;
+}
+
+}  // namespace obby

@@ -5,7 +5,7 @@
 
 #include "engine/document.h"
 
-namespace obby::importer {
+namespace obby {
 
 // Components outside 0..1 are clamped; NaN counts as 0.
 inline ColorRgb colorFromUnit(float r, float g, float b) {
@@ -26,4 +26,4 @@ inline uint32_t packedFrom(ColorRgb color) {
   return uint32_t{color.r} << 16 | uint32_t{color.g} << 8 | uint32_t{color.b};
 }
 
-}  // namespace obby::importer
+}  // namespace obby

@@ -1,11 +1,11 @@
 // Lookups in the class tables: a class is found once, then its chain of ancestors is walked.
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 
 #include <map>
 
-#include "import/format/class_tables.h"
+#include "engine/classes/class_tables.h"
 
-namespace obby::importer {
+namespace obby {
 namespace {
 
 struct ClassInfo {
@@ -75,4 +75,4 @@ Value coerceTo(Value value, const Value& like) {
   return value;
 }
 
-}  // namespace obby::importer
+}  // namespace obby

@@ -6,7 +6,7 @@
 
 #include "engine/document.h"
 
-namespace obby::importer {
+namespace obby {
 
 // By the value of the Material enum; an unknown material counts as Plastic (256).
 PhysicalProperties materialProperties(uint32_t material);
@@ -14,4 +14,4 @@ PhysicalProperties materialProperties(uint32_t material);
 // As the engine calls it ("WoodPlanks"); empty for Plastic, which most parts are made of.
 std::string_view materialName(uint32_t material);
 
-}  // namespace obby::importer
+}  // namespace obby

@@ -2,9 +2,9 @@
 // button sets).
 #include <limits>
 
-#include "import/format/class_tables.h"
+#include "engine/classes/class_tables.h"
 
-namespace obby::importer {
+namespace obby {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -196,4 +196,4 @@ std::span<const DefaultRow> defaultRows() {
   return kRows;
 }
 
-}  // namespace obby::importer
+}  // namespace obby

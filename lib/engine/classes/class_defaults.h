@@ -10,7 +10,7 @@
 
 #include "engine/document.h"
 
-namespace obby::importer {
+namespace obby {
 
 // True if `className` is `ancestor` or derives from it; a class that the table does not know
 // derives from Instance alone.
@@ -32,4 +32,4 @@ T get(const Instance& instance, const std::string& name) {
   return value ? *value : T{};
 }
 
-}  // namespace obby::importer
+}  // namespace obby

@@ -6,7 +6,7 @@
 
 #include "engine/document.h"
 
-namespace obby::importer {
+namespace obby {
 
 struct ClassRow {
   std::string_view name, parent;  // parent empty: the root class
@@ -20,4 +20,4 @@ struct DefaultRow {
 std::span<const ClassRow> classRows();
 std::span<const DefaultRow> defaultRows();
 
-}  // namespace obby::importer
+}  // namespace obby
