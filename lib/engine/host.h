@@ -22,6 +22,7 @@ struct Settings {
   std::string rig = "r15";     // body of the players: r6 or r15
   uint64_t seed = 1;           // of math.random and its like
   size_t instances = 300'000;  // that scripts may make
+  InstanceId* runningScript = nullptr;  // kept up to date, if not null
 };
 
 class Host {
@@ -65,5 +66,7 @@ void registerValueFunctions(lua_State* L);
 // A property's value, as scripts have it, on the stack; an enum's item as its number, a reference
 // as nil.
 void pushValue(lua_State* L, const Value& value);
+// The value at a positive index, as far as it has a plain form.
+Plain plainAt(lua_State* L, int index);
 
 }  // namespace obby::engine

@@ -5,12 +5,7 @@
 #include "engine/values/values.h"
 
 namespace obby::engine {
-namespace record_functions {
-namespace {
-
-InstanceId idAt(lua_State* L, int index) { return InstanceId(luaL_checknumber(L, index)); }
-
-std::variant<std::monostate, bool, double, std::string, Vec3, Pose> valueAt(lua_State* L, int index) {
+Plain plainAt(lua_State* L, int index) {
   if (const Vec3* const vector = toVector3(L, index)) return *vector;
   if (const Pose* const pose = toCFrame(L, index)) return *pose;
   switch (lua_type(L, index)) {
@@ -20,6 +15,11 @@ std::variant<std::monostate, bool, double, std::string, Vec3, Pose> valueAt(lua_
     default: return std::monostate{};
   }
 }
+
+namespace record_functions {
+namespace {
+
+InstanceId idAt(lua_State* L, int index) { return InstanceId(luaL_checknumber(L, index)); }
 
 // Keeps the geometry in line with a part's property.
 void follow(Host& host, InstanceId id, const std::string& key, lua_State* L, int index) {
@@ -48,7 +48,7 @@ int watched(lua_State* L) {
   }
   const Line line = host.where(L);
   if (ofPlayer && line.script == kNoInstance) return 0;
-  host.recorder.change({0, ofPlayer ? kPlayer : id, key, valueAt(L, 3), line});
+  host.recorder.change({0, ofPlayer ? kPlayer : id, key, plainAt(L, 3), line});
   return 0;
 }
 
@@ -98,7 +98,7 @@ int health(lua_State* L) {
 // (id, what, value): something else that a probe asks about.
 int note(lua_State* L) {
   Host& host = Host::of(L);
-  host.recorder.change({0, idAt(L, 1), std::string("note ") + luaL_checkstring(L, 2), valueAt(L, 3), host.where(L)});
+  host.recorder.change({0, idAt(L, 1), std::string("note ") + luaL_checkstring(L, 2), plainAt(L, 3), host.where(L)});
   return 0;
 }
 

@@ -44,6 +44,7 @@ int enter(lua_State* L) {
   Host& host = Host::of(L);
   lua_pushnumber(L, lua_Number(host.running));
   host.running = uint32_t(luaL_checknumber(L, 1));
+  if (host.settings.runningScript) *host.settings.runningScript = host.owners[host.running].script;
   if (lua_toboolean(L, 2) != 0) host.vm.beginStretch();
   return 1;
 }

@@ -22,11 +22,14 @@ struct Line {
 // An instance that scripts have made has an id from kMade on.
 constexpr InstanceId kMade = 0x40000000;
 
+// An enum's item is its number; what has no other form is a monostate.
+using Plain = std::variant<std::monostate, bool, double, std::string, Vec3, Pose>;
+
 struct Change {
   double time = 0;
   InstanceId target = kNoInstance;
   std::string property;  // "Parent": true or false, whether the part is in the world
-  std::variant<std::monostate, bool, double, std::string, Vec3, Pose> value;
+  Plain value;
   Line line;
 };
 
@@ -66,13 +69,11 @@ struct Problem {
   int count = 0;
 };
 
-// A part that scripts have made or copied, as it was when first seen in the world.
+// A part that scripts have made or copied.
 struct MadePart {
   InstanceId id = kNoInstance, origin = kNoInstance;  // `origin`: what it is a copy of, if anything
   std::string className, name;
-  std::map<std::string, Value> properties;
-  double time = 0;
-  Line line;
+  std::map<std::string, Plain> properties;  // those that differ from the class's defaults
 };
 
 // Where the player is and what it can do.
@@ -87,7 +88,6 @@ struct Observation {
   std::map<InstanceId, Track> tracks;
   std::vector<Tween> tweens;
   std::vector<Harm> harms;
-  std::vector<MadePart> made;
   std::vector<Problem> problems;
   std::map<std::string, int> counts;  // "method BasePart:X": what the twin does not do, how often
   PlayerState player;                 // at the end

@@ -27,9 +27,10 @@ class Recorder {
   void change(Change change);
   void tween(Tween tween) { seen_.tweens.push_back(std::move(tween)); }
   void harm(double from, double to, Line line) { seen_.harms.push_back({time(), from, to, line}); }
-  void made(MadePart part) { seen_.made.push_back(std::move(part)); }
   void problem(InstanceId script, std::string_view text);
   void count(const std::string& what) { ++seen_.counts[what]; }
+  // Grows with all that is recorded.
+  size_t activity() const { return changes_ + placed_ + seen_.harms.size() + seen_.tweens.size(); }
   // True if what is recorded would not fit any more.
   bool isFull() const { return changes_ >= kMostChanges || placed_ >= kMostPlaced; }
 

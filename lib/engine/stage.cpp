@@ -1,6 +1,6 @@
 #include "engine/stage.h"
 
-#include <set>
+#include <cstdlib>
 
 #include "base/check.h"
 #include "engine/values/values.h"
@@ -14,23 +14,23 @@ Stage::Stage(const Document& document, const Settings& settings)
 
 Stage::~Stage() = default;
 
-void Stage::call(const char* name, int arguments, int results) {
+void Stage::call(const char* module, const char* name, int arguments, int results) {
   lua_State* const L = host_->vm.state();
   host_->vm.beginStretch();
-  host_->use(L, "boot");
+  host_->use(L, module);
   lua_getfield(L, -1, name);
   lua_remove(L, -2);
   lua_insert(L, -1 - arguments);
   const Result<void> done = host_->vm.call(arguments, results);
   if (!done) {
-    host_->recorder.problem(kNoInstance, host_->withNames("boot." + std::string(name) + ": " + done.error().message));
+    host_->recorder.problem(kNoInstance, host_->withNames(std::string(module) + "." + name + ": " + done.error().message));
     for (int i = 0; i < results; ++i) lua_pushnil(L);
   }
 }
 
 void Stage::load() {
   const Document& document = host_->document;
-  call("begin", 0);
+  call("boot", "begin", 0);
   instances_.assign(document.instances.size(), LUA_NOREF);
   for (InstanceId id = 0; id < document.instances.size(); ++id) loadInstance(id);
   for (InstanceId id = 0; id < document.instances.size(); ++id) loadReferences(id);
@@ -47,7 +47,7 @@ void Stage::loadInstance(InstanceId id) {
   push(from.name);
   if (from.parent == kNoInstance) lua_pushnil(L);
   else lua_pushnumber(L, from.parent);
-  call("add", 4, 1);
+  call("boot", "add", 4, 1);
   instances_[id] = luaL_ref(L, LUA_REGISTRYINDEX);
   const auto pushSelf = [&] { lua_rawgeti(L, LUA_REGISTRYINDEX, instances_[id]); };
   for (const auto& [name, value] : from.properties) {
@@ -57,13 +57,13 @@ void Stage::loadInstance(InstanceId id) {
     pushSelf();
     push(name);
     pushValue(L, value);
-    call("set", 3);
+    call("boot", "set", 3);
   }
   for (const auto& [name, value] : from.attributes) {
     pushSelf();
     push(name);
     pushValue(L, value);
-    call("attribute", 3);
+    call("boot", "attribute", 3);
   }
   if (from.tags.empty()) return;
   pushSelf();
@@ -72,7 +72,7 @@ void Stage::loadInstance(InstanceId id) {
     push(from.tags[i]);
     lua_rawseti(L, -2, int(i + 1));
   }
-  call("tags", 2);
+  call("boot", "tags", 2);
 }
 
 void Stage::loadReferences(InstanceId id) {
@@ -83,39 +83,112 @@ void Stage::loadReferences(InstanceId id) {
     lua_rawgeti(L, LUA_REGISTRYINDEX, instances_[id]);
     lua_pushlstring(L, name.data(), name.size());
     lua_pushnumber(L, reference->target);
-    call("setReference", 3);
+    call("boot", "setReference", 3);
   }
 }
 
 void Stage::start() {
+  call("boot", "place", 0);
   host_->recorder.begin();
-  call("start", 0);
-  call("join", 0);
+  call("boot", "start", 0);
+  call("boot", "join", 0);
 }
 
 void Stage::run(uint32_t frames) {
   for (uint32_t i = 0; i < frames && !isExhausted(); ++i) {
     host_->recorder.setTime(host_->recorder.seen().frames + 1);
-    call("frame", 0);
+    call("boot", "frame", 0);
   }
 }
 
 void Stage::stand(Vec3 feet, float yaw) {
   lua_State* const L = host_->vm.state();
   for (const float value : {feet.x, feet.y, feet.z, yaw}) lua_pushnumber(L, lua_Number(value));
-  call("stand", 4);
+  call("probe", "stand", 4);
+}
+
+void Stage::standAt(InstanceId part, bool inside) {
+  lua_State* const L = host_->vm.state();
+  lua_pushnumber(L, part);
+  lua_pushboolean(L, inside);
+  call("probe", "standAt", 2);
+}
+
+void Stage::leave() { call("probe", "leave", 0); }
+
+double Stage::numberOf(const char* name) {
+  call("probe", name, 0, 1);
+  const double value = lua_tonumber(host_->vm.state(), -1);
+  lua_pop(host_->vm.state(), 1);
+  return value;
+}
+
+bool Stage::playerLives() { return numberOf("health") > 0; }
+bool Stage::isBusy() { return numberOf("waiting") > waiting_; }
+bool Stage::isIdle() { return numberOf("idle") > 0; }
+
+void Stage::restart() {
+  host_->recorder.restart();
+  waiting_ = numberOf("waiting");
+}
+
+std::vector<Probe> Stage::probes() {
+  lua_State* const L = host_->vm.state();
+  call("probe", "targets", 0, 1);
+  std::vector<Probe> all;
+  for (int i = 1; lua_istable(L, -1) && i <= int(lua_objlen(L, -1)); ++i) {
+    lua_rawgeti(L, -1, i);
+    lua_rawgeti(L, -1, 1);
+    lua_rawgeti(L, -2, 2);
+    Probe probe;
+    probe.target = InstanceId(lua_tonumber(L, -2));
+    probe.approach = Approach(int(lua_tonumber(L, -1)));
+    all.push_back(std::move(probe));
+    lua_pop(L, 3);
+  }
+  lua_pop(L, 1);
+  return all;
+}
+
+std::vector<MadePart> Stage::made() {
+  lua_State* const L = host_->vm.state();
+  call("probe", "made", 0, 1);
+  std::vector<MadePart> all;
+  const auto text = [L](int i) {
+    lua_rawgeti(L, -1, i);
+    const char* const read = lua_tostring(L, -1);
+    std::string copy = read ? read : "";
+    lua_pop(L, 1);
+    return copy;
+  };
+  for (int i = 1; lua_istable(L, -1) && i <= int(lua_objlen(L, -1)); ++i) {
+    lua_rawgeti(L, -1, i);
+    MadePart part;
+    part.id = InstanceId(std::strtoul(text(1).c_str(), nullptr, 10));
+    const std::string origin = text(2);
+    if (!origin.empty()) part.origin = InstanceId(std::strtoul(origin.c_str(), nullptr, 10));
+    part.className = text(3);
+    part.name = text(4);
+    lua_rawgeti(L, -1, 5);
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
+      part.properties[lua_tostring(L, -2)] = plainAt(L, lua_gettop(L));
+    lua_pop(L, 2);
+    all.push_back(std::move(part));
+  }
+  lua_pop(L, 1);
+  return all;
 }
 
 void Stage::use(InstanceId target) {
   lua_pushnumber(host_->vm.state(), target);
-  call("use", 1);
+  call("probe", "use", 1);
 }
 
 const Observation& Stage::observation() {
   lua_State* const L = host_->vm.state();
   PlayerState& player = host_->recorder.seen().player;
   player = {};
-  call("look", 0, 7);
+  call("probe", "look", 0, 7);
   if (const Vec3* const feet = toVector3(L, lua_gettop(L) - 6)) {
     const int top = lua_gettop(L);
     player.feet = *feet;

@@ -7,6 +7,7 @@
 #include "engine/document.h"
 #include "engine/host.h"
 #include "engine/observation.h"
+#include "engine/report.h"
 
 namespace obby::engine {
 
@@ -20,14 +21,30 @@ class Stage {
   void start();
   // Steps of 1/60 s; fewer if a budget is used up.
   void run(uint32_t frames);
+  uint32_t frames() { return host_->recorder.seen().frames; }
   // Puts the player's feet there; yaw in radians, 0 looks along -Z.
   void stand(Vec3 feet, float yaw);
+  // On top of a part, or its middle in the middle of the part, wherever that is by now.
+  void standAt(InstanceId part, bool inside);
+  // Back to the spawn.
+  void leave();
   // Clicks a ClickDetector or a button, holds a ProximityPrompt, activates a tool.
   void use(InstanceId target);
+  bool playerLives();
+  // What a player can touch or use with effect, as far as listeners tell.
+  std::vector<Probe> probes();
+  // Parts in the world that scripts have made.
+  std::vector<MadePart> made();
+  // Grows with everything that happens.
+  size_t activity() const { return host_->recorder.activity(); }
+  // Something waits that did not when restart() was called.
+  bool isBusy();
+  // Nothing will ever happen by itself.
+  bool isIdle();
   // With the player's state as of now.
   const Observation& observation();
   // Forgets what has been seen.
-  void restart() { host_->recorder.restart(); }
+  void restart();
   bool isExhausted() const { return host_->vm.isExhausted() || host_->recorder.isFull(); }
   size_t memoryUsed() const { return host_->vm.memoryUsed(); }
 
@@ -35,11 +52,13 @@ class Stage {
   void load();
   void loadInstance(InstanceId id);
   void loadReferences(InstanceId id);
-  // Calls boot.NAME with `arguments` values from the top of the stack.
-  void call(const char* name, int arguments, int results = 0);
+  // Calls a function of a file of api/ with `arguments` values from the top of the stack.
+  void call(const char* module, const char* name, int arguments, int results = 0);
+  double numberOf(const char* name);
 
   std::unique_ptr<Host> host_;
   std::vector<int> instances_;  // references in the registry, by id
+  double waiting_ = 0;          // threads that waited at the last restart()
 };
 
 }  // namespace obby::engine
