@@ -32,13 +32,13 @@ void follow(Host& host, InstanceId id, const std::string& key, lua_State* L, int
   host.scenery.moved(id);
 }
 
-// (id, key, value, ofPlayer)
+// (id, key, value, ofPlayer): a property has changed; "silent": it is not to be told.
 int watched(lua_State* L) {
   Host& host = Host::of(L);
   const InstanceId id = idAt(L, 1);
   const std::string key = luaL_checkstring(L, 2);
   follow(host, id, key, L, 3);
-  if (!host.recorder.isRecording()) return 0;
+  if (!host.recorder.isRecording() || lua_isstring(L, 4)) return 0;
   const bool ofPlayer = lua_toboolean(L, 4) != 0;
   if (key == "CFrame" && !ofPlayer) {
     if (!toCFrame(L, 3)) return 0;

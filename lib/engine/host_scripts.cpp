@@ -2,6 +2,8 @@
 #include <string>
 
 #include "engine/host.h"
+#include "engine/luau/emit.h"
+#include "engine/luau/helpers.h"
 
 namespace obby::engine {
 namespace script_functions {
@@ -63,14 +65,16 @@ int newOwner(lua_State* L) {
 
 // (script, source): the chunk, or nil and the problem.
 int load(lua_State* L) {
-  Host& host = Host::of(L);
   size_t size = 0;
   const char* const text = luaL_checklstring(L, 2, &size);
-  const std::string name = "=#" + std::to_string(uint32_t(luaL_checknumber(L, 1)));
-  if (luaL_loadbuffer(L, text, size, name.c_str()) == 0) return 1;
+  const std::string id = std::to_string(uint32_t(luaL_checknumber(L, 1)));
+  const Result<std::string> lua = luau::toLua({text, size});
   lua_pushnil(L);
-  lua_insert(L, -2);
-  (void)host;
+  if (!lua) {
+    lua_pushstring(L, ("#" + id + ":" + lua.error().place + ": " + lua.error().message).c_str());
+    return 2;
+  }
+  if (luaL_loadbuffer(L, lua->data(), lua->size(), ("=#" + id).c_str()) == 0) return 1;
   return 2;
 }
 
@@ -122,7 +126,7 @@ void registerScriptFunctions(lua_State* L) {
   lua_setfield(L, -2, "coroutine");
   lua_getglobal(L, "unpack");
   lua_setfield(L, -2, "unpack");
-  lua_newtable(L);
+  luau::pushHelpers(L);
   lua_setfield(L, -2, "helpers");
 }
 
