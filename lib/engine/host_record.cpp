@@ -37,13 +37,15 @@ int watched(lua_State* L) {
   Host& host = Host::of(L);
   const InstanceId id = idAt(L, 1);
   const std::string key = luaL_checkstring(L, 2);
+  const Scenery::Part* const part = host.scenery.find(id);
+  const Pose before = part ? part->pose : Pose{};
   follow(host, id, key, L, 3);
   if (!host.recorder.isRecording() || lua_isstring(L, 4)) return 0;
   const bool ofPlayer = lua_toboolean(L, 4) != 0;
   if (key == "CFrame" && !ofPlayer) {
     if (!toCFrame(L, 3)) return 0;
     const bool first = host.recorder.isUnmoved(id);
-    host.recorder.place(id, checkCFrame(L, 3), first ? host.where(L) : Line{});
+    host.recorder.place(id, before, checkCFrame(L, 3), first ? host.where(L) : Line{});
     return 0;
   }
   const Line line = host.where(L);

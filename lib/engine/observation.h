@@ -19,6 +19,9 @@ struct Line {
   int line = 0;
 };
 
+// Stands for the player's body and its Humanoid in changes.
+constexpr InstanceId kPlayer = kNoInstance - 1;
+
 // An instance that scripts have made has an id from kMade on.
 constexpr InstanceId kMade = 0x40000000;
 
@@ -40,6 +43,7 @@ struct Placed {
 };
 
 struct Track {
+  Pose start;                 // before the first change
   std::vector<Placed> poses;  // ascending frames
   Line line;                  // the first that moved it
 };

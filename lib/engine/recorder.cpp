@@ -2,10 +2,13 @@
 
 namespace obby::engine {
 
-void Recorder::place(InstanceId part, const Pose& pose, Line line) {
+void Recorder::place(InstanceId part, const Pose& before, const Pose& pose, Line line) {
   if (!recording_ || isFull()) return;
   Track& track = seen_.tracks[part];
-  if (track.poses.empty()) track.line = line;
+  if (track.poses.empty()) {
+    track.line = line;
+    track.start = before;
+  }
   if (track.poses.empty() || track.poses.back().frame != frame_) {
     track.poses.push_back({frame_, pose});
     ++placed_;

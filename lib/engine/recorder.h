@@ -10,9 +10,6 @@
 
 namespace obby::engine {
 
-// Stands for the player's body and its Humanoid in changes.
-constexpr InstanceId kPlayer = kNoInstance - 1;
-
 class Recorder {
  public:
   // Nothing is recorded before.
@@ -23,7 +20,7 @@ class Recorder {
 
   // Whether the line that moves this part is still to be told.
   bool isUnmoved(InstanceId part) const { return !seen_.tracks.contains(part); }
-  void place(InstanceId part, const Pose& pose, Line line);
+  void place(InstanceId part, const Pose& before, const Pose& pose, Line line);
   void change(Change change);
   void tween(Tween tween) { seen_.tweens.push_back(std::move(tween)); }
   void harm(double from, double to, Line line) { seen_.harms.push_back({time(), from, to, line}); }

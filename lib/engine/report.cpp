@@ -20,7 +20,7 @@ void fields(A& a, Change& c) {
 }
 template <class A>
 void fields(A& a, Track& t) {
-  a(t.poses), a(t.line);
+  a(t.start), a(t.poses), a(t.line);
 }
 template <class A>
 void fields(A& a, Tween& t) {

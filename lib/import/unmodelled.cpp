@@ -257,7 +257,6 @@ void noteUnmodelled(RoleContext& context) {
   noteInstances(context);
   noteNames(context);
   noteTags(context);
-  noteModules(context);
   for (const ScriptReading& reading : context.scripts) {
     noteUnread(context, reading);
     noteTimelines(context, reading);
