@@ -1,5 +1,6 @@
 // An avatar's centre of mass beside the centre of its root part. A recorded velocity is of the
-// former, a recorded position of the latter: hats, hair and tools put them up to 0.3 studs apart.
+// former, a recorded position of the latter. They are up to 0.3 studs apart (docs/physics.md,
+// body).
 #pragma once
 
 #include <span>
