@@ -83,7 +83,7 @@ struct MadePart {
 // Where the player is and what it can do.
 struct PlayerState {
   Vec3 feet, velocity;
-  double health = 100, walkSpeed = 16, jumpPower = 50, jumpHeight = 7.2;
+  double health = 100, maxHealth = 100, walkSpeed = 16, jumpPower = 50, jumpHeight = 7.2;
   bool usesJumpPower = true, alive = false;
 };
 

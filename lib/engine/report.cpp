@@ -46,7 +46,7 @@ void fields(A& a, Probe& p) {
 }
 template <class A>
 void fields(A& a, Report& r) {
-  a(r.undisturbed), a(r.probes), a(r.made), a(r.probedAt), a(r.complete), a(r.failure), a(r.culprit);
+  a(r.undisturbed), a(r.probes), a(r.made), a(r.arrived), a(r.probedAt), a(r.complete), a(r.failure), a(r.culprit);
 }
 
 namespace {
@@ -99,6 +99,7 @@ class Watcher {
     stage_.run(framesOf(plan_.probeAt));
     report_.probedAt = plan_.probeAt;
     report_.made = stage_.made();
+    report_.arrived = stage_.observation().player;
     probeAll();
     stage_.run(framesOf(plan_.probeSeconds));
     while (stage_.frames() < framesOf(plan_.seconds) && !stage_.isExhausted() && !stage_.isIdle())

@@ -26,6 +26,7 @@ struct Report {
   std::vector<Probe> probes;
   double probedAt = 0;          // seconds, when the probes began
   std::vector<MadePart> made;   // in the world by then
+  PlayerState arrived;          // the player by then
   bool complete = false;        // the undisturbed run got to its end
   std::string failure;          // why there is less than asked for: for people
   InstanceId culprit = kNoInstance;  // the script that ran when the child died

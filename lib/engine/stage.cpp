@@ -188,19 +188,20 @@ const Observation& Stage::observation() {
   lua_State* const L = host_->vm.state();
   PlayerState& player = host_->recorder.seen().player;
   player = {};
-  call("probe", "look", 0, 7);
-  if (const Vec3* const feet = toVector3(L, lua_gettop(L) - 6)) {
+  call("probe", "look", 0, 8);
+  if (const Vec3* const feet = toVector3(L, lua_gettop(L) - 7)) {
     const int top = lua_gettop(L);
     player.feet = *feet;
-    player.health = lua_tonumber(L, top - 5);
-    if (const Vec3* const velocity = toVector3(L, top - 4)) player.velocity = *velocity;
-    player.walkSpeed = lua_tonumber(L, top - 3);
-    player.jumpPower = lua_tonumber(L, top - 2);
-    player.jumpHeight = lua_tonumber(L, top - 1);
+    player.health = lua_tonumber(L, top - 6);
+    if (const Vec3* const velocity = toVector3(L, top - 5)) player.velocity = *velocity;
+    player.walkSpeed = lua_tonumber(L, top - 4);
+    player.jumpPower = lua_tonumber(L, top - 3);
+    player.jumpHeight = lua_tonumber(L, top - 2);
+    player.maxHealth = lua_tonumber(L, top - 1);
     player.usesJumpPower = lua_toboolean(L, top) != 0;
     player.alive = player.health > 0;
   }
-  lua_pop(L, 7);
+  lua_pop(L, 8);
   return host_->recorder.seen();
 }
 

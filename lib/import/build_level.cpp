@@ -48,6 +48,7 @@ LevelDraft buildLevel(const Tree& tree, const ObservedPlace& place, const std::s
   const Assemblies assemblies(tree);
   readParts(tree, assemblies, level);
   cullStrays(level, tree);
+  applyPlayerState(level, place);
   const std::vector<ScriptReading> scripts;
   RoleContext context(tree, assemblies, scripts, level);
   movingFromObservation(context, place.report);

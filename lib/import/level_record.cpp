@@ -79,6 +79,7 @@ void setRoles(schema::Part::Builder to, const PartDraft& part) {
     vanish.setDelay(part.vanish->delay);
     vanish.setAway(part.vanish->away);
     vanish.setPhase(part.vanish->phase);
+    vanish.setInverted(part.vanish->inverted);
   }
   if (part.teleport) {
     auto teleport = to.initTeleport();

@@ -131,6 +131,7 @@ class Difference {
     const Vec3* const velocity = std::get_if<Vec3>(&change.value);
     const bool sets = change.property.find("Velocity") != std::string::npos;
     if (velocity && sets) setPush(*velocity, change.line);
+    else effects_.force = effects_.force.value_or(change.line);
   }
 
   void setStage(std::optional<double> number, engine::Line line) {
@@ -194,18 +195,24 @@ class Difference {
   }
 
   void findAways() {
-    std::map<InstanceId, Away> found;
+    std::map<InstanceId, Away> found, came;
     for (const Change* change : own_) {
       if (change->property != "CanCollide" && change->property != "Parent") continue;
       const bool* const solid = std::get_if<bool>(&change->value);
       if (!solid || change->target >= engine::kMade) continue;
       const auto known = found.find(change->target);
-      if (!*solid && known == found.end())
+      const auto back = came.find(change->target);
+      if (*solid && known == found.end() && back == came.end())
+        came[change->target] = {change->target, after(change->time), std::nullopt, change->line};
+      else if (!*solid && back != came.end() && !back->second.seconds)
+        back->second.seconds = after(change->time) - back->second.delay;
+      else if (!*solid && known == found.end() && back == came.end())
         found[change->target] = {change->target, after(change->time), std::nullopt, change->line};
       else if (*solid && known != found.end() && !known->second.seconds)
         known->second.seconds = after(change->time) - known->second.delay;
     }
     for (const auto& [id, away] : found) effects_.aways.push_back(away);
+    for (const auto& [id, away] : came) effects_.backs.push_back(away);
   }
 
   void findMoved() {
@@ -218,8 +225,18 @@ class Difference {
                          usual->second.poses.back().frame >= first;
       if (moves) continue;  // it moves anyway
       const Pose start = startOf(id, track);
-      effects_.moved.push_back({id, posesOf(start, track, first, frames), track.line});
+      auto poses = posesOf(start, track, first, frames);
+      poses.insert(poses.begin(), start);
+      effects_.moved.push_back({id, std::move(poses), moverOf(id, track.line)});
     }
+  }
+
+  // Of a tween, which moves parts by itself, that which plays it.
+  engine::Line moverOf(InstanceId part, engine::Line line) const {
+    if (line.script != kNoInstance && line.line > 0) return line;
+    for (const engine::Tween& tween : probe_.seen.tweens)
+      if (tween.target == part) return tween.line;
+    return line;
   }
 
   // Before the touch: where the undisturbed run has left it, else as in the file.

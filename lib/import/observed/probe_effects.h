@@ -55,13 +55,14 @@ struct ProbeEffects {
   std::optional<engine::Line> gravity;
   bool trips = false;
   engine::Line tripLine;
-  std::vector<Away> aways;
+  std::optional<engine::Line> force;
+  std::vector<Away> aways, backs;  // that go; that come, and go again
   std::vector<Moved> moved;
   std::vector<std::pair<InstanceId, engine::Line>> belts;
 
   bool empty() const {
-    return !harm && !push && !teleport && !boost && !stage && !gravity && !trips && aways.empty() &&
-           moved.empty() && belts.empty();
+    return !harm && !push && !teleport && !boost && !stage && !gravity && !force && !trips && aways.empty() &&
+           backs.empty() && moved.empty() && belts.empty();
   }
 };
 

@@ -9,6 +9,8 @@
 
 namespace obby::importer {
 
+// Speeds that scripts give each new player.
+void applyPlayerState(LevelDraft& level, const ObservedPlace& place);
 // Motions of what moves by itself.
 void movingFromObservation(RoleContext& context, const engine::Report& report);
 // Parts that come and go, belts that change: what happens by itself in a rhythm.
@@ -22,7 +24,7 @@ void noteObservedLosses(RoleContext& context, const ObservedPlace& place);
 std::vector<Pose> posesOf(const Pose& start, const engine::Track& track, uint32_t first,
                           uint32_t frames);
 // The motion of a part that is at these poses, a frame each; nothing: it moves, but neither in a
-// round nor to an end.
-std::optional<Motion> motionOf(const std::vector<Pose>& poses);
+// round nor to an end. `rest`: frames without a change after which it has come to its end.
+std::optional<Motion> motionOf(const std::vector<Pose>& poses, size_t rest);
 
 }  // namespace obby::importer

@@ -23,9 +23,10 @@ class Touches {
 
   void take(const engine::Probe& probe) {
     PartDraft* const part = partOf(probe);
-    if (!part) return;
     const ProbeEffects effects = effectsOf(report_, probe);
     const bool used = probe.approach == engine::Approach::use;
+    if (!part || used) takeAbility(effects);
+    if (!part) return;
     if (probe.lost) {
       context_.level.noteUnmodelled("touch that broke down", path(part->id), "treated as a plain part");
       return;
@@ -77,10 +78,25 @@ class Touches {
                                               : stageNumber(context_.tree, part.id, part.id);
       prove(part, "checkpoint", reason(effects.stage->line));
     }
+    if (effects.force)
+      context_.level.noteUnmodelled("force on the player", path(part.id),
+                                    "does not act; " + reason(*effects.force));
     if (effects.gravity)
       context_.level.noteUnmodelled("gravity that a touch changes", path(part.id),
                                     "gravity stays as it is; " + reason(*effects.gravity));
     (void)probe;
+  }
+
+  // What a tool, a key or a button on the screen gives the player, wherever it is.
+  void takeAbility(const ProbeEffects& effects) {
+    World& world = context_.level.world;
+    if (effects.boost && effects.boost->walk > 0 && effects.boost->jump > 0) {
+      world.walkSpeed = std::max(world.walkSpeed, base_.walkSpeed * effects.boost->walk);
+      world.jumpSpeed = std::max(world.jumpSpeed, base_.jumpSpeed * effects.boost->jump);
+      context_.level.noteIgnored("ability of the player", "", "used all the time; " + reason(effects.boost->line));
+    }
+    if (effects.gravity || effects.push || effects.teleport || effects.force)
+      context_.level.noteUnmodelled("ability of the player", "", "the player does not use it");
   }
 
   void takePush(PartDraft& part, const Push& push) {
@@ -129,10 +145,24 @@ class Touches {
       other->solid = true;
       prove(*other, "vanish", reason(away.line));
     }
+    for (const Away& back : effects.backs) {
+      PartDraft* const other = context_.part(back.part);
+      if (!other || other->vanish) continue;
+      Vanish vanish;
+      vanish.delay = float(back.delay);
+      vanish.signal = signal;
+      vanish.inverted = true;
+      presses = true;
+      forever = forever || !back.seconds;
+      longest = std::max(longest, back.delay + back.seconds.value_or(0));
+      other->vanish = vanish;
+      other->solid = true;
+      prove(*other, "vanish", reason(back.line));
+    }
     for (const Moved& moved : effects.moved) {
       PartDraft* const other = context_.part(moved.part);
       if (!other || other->motion) continue;
-      auto motion = motionOf(moved.poses);
+      auto motion = motionOf(moved.poses, 30);
       if (!motion) {
         context_.level.noteUnmodelled("motion that a touch or click starts", path(moved.part),
                                       "stays where it is; " + reason(moved.line));
@@ -161,6 +191,7 @@ class Touches {
 
   RoleContext& context_;
   const engine::Report& report_;
+  const World base_ = context_.level.world;
 };
 
 }  // namespace
