@@ -74,7 +74,9 @@ std::vector<Scenery::RayHit> Scenery::castRay(Vec3 origin, Vec3 direction) const
     const Part& part = parts_.at(id);
     const Vec3 from = toLocal(part.pose, origin), along = toLocal(part.pose.rotation, direction);
     geom::RayHit hit{};
-    const geom::ShapeData shape{part.half};
+    // Limbs meet in the middle of the body, where scripts like to look straight down.
+    constexpr Vec3 kGap = {0.01f, 0.01f, 0.01f};
+    const geom::ShapeData shape{part.limb ? part.half - kGap : part.half};
     const bool met =
         visitShape(part.shape, [&](auto s) { return s.castRay(shape, from, along, 1.0f, hit); });
     if (met) hits.push_back({id, hit.t, part.pose.rotation * hit.normal});

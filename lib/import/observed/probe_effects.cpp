@@ -82,6 +82,7 @@ class Difference {
     else if (property == "note respawn" || property == "note team") setStage(std::nullopt, change.line);
     else if (property.rfind("note stat ", 0) == 0) takeStat(change);
     else if (property == "note sit" || property == "note state") takeState(change);
+    else if (property == "note walk") effects_.force = effects_.force.value_or(change.line);
     else if (property == "Velocity" && change.target < engine::kMade)
       effects_.belts.emplace_back(change.target, change.line);
   }
@@ -91,7 +92,7 @@ class Difference {
     if (const Vec3* const velocity = std::get_if<Vec3>(&change.value); velocity && property == "Velocity")
       setPush(*velocity, change.line);
     else if (const Pose* const pose = std::get_if<Pose>(&change.value); pose && property == "CFrame")
-      setTeleport(*pose, change.line);
+      setTeleport(*pose, change.time, change.line);
     else if (property == "WalkSpeed" || property == "JumpPower" || property == "JumpHeight")
       speeds_.push_back(&change);
     else if (property == "PlatformStand")
@@ -107,8 +108,10 @@ class Difference {
     effects_.push = push;
   }
 
-  void setTeleport(const Pose& root, engine::Line line) {
-    if (effects_.teleport) return;
+  void setTeleport(const Pose& root, double time, engine::Line line) {
+    // Once the player has left, what moves it belongs to where it is then.
+    const bool left = probe_.left > 0 && time > probe_.left;
+    if (effects_.teleport || left) return;
     constexpr float kRootHeight = 3;
     Teleported to;
     to.feet = root.position - Vec3{0, kRootHeight, 0};
@@ -154,6 +157,7 @@ class Difference {
     const std::string* const state = std::get_if<std::string>(&change.value);
     const bool falls = state && (*state == "FallingDown" || *state == "Ragdoll" || *state == "Physics" ||
                                  *state == "PlatformStanding");
+    if (state && *state == "Jumping" && !effects_.push) effects_.jumps = change.line;
     if (!(flag && *flag) && !falls) return;
     effects_.trips = true;
     effects_.tripLine = change.line;

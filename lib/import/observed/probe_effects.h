@@ -55,13 +55,13 @@ struct ProbeEffects {
   std::optional<engine::Line> gravity;
   bool trips = false;
   engine::Line tripLine;
-  std::optional<engine::Line> force;
+  std::optional<engine::Line> force, jumps;  // jumps: in the air, too
   std::vector<Away> aways, backs;  // that go; that come, and go again
   std::vector<Moved> moved;
   std::vector<std::pair<InstanceId, engine::Line>> belts;
 
   bool empty() const {
-    return !harm && !push && !teleport && !boost && !stage && !gravity && !force && !trips && aways.empty() &&
+    return !harm && !push && !teleport && !boost && !stage && !gravity && !force && !jumps && !trips && aways.empty() &&
            backs.empty() && moved.empty() && belts.empty();
   }
 };

@@ -22,8 +22,8 @@ std::string rigOf(const Document& document) {
   for (const Instance& instance : document.instances)
     if (instance.className == "StarterPlayer")
       if (const auto* avatar = property<EnumItem>(instance, "GameSettingsAvatar"))
-        return avatar->value == 0 ? "r6" : "r15";
-  return "r15";
+        return avatar->value == 1 ? "r15" : "r6";
+  return "r6";
 }
 
 // Gives the report the ids of the document for the parts that have been added to it.

@@ -95,7 +95,7 @@ class Touches {
       world.jumpSpeed = std::max(world.jumpSpeed, base_.jumpSpeed * effects.boost->jump);
       context_.level.noteIgnored("ability of the player", "", "used all the time; " + reason(effects.boost->line));
     }
-    if (effects.gravity || effects.push || effects.teleport || effects.force)
+    if (effects.gravity || effects.push || effects.teleport || effects.force || effects.jumps)
       context_.level.noteUnmodelled("ability of the player", "", "the player does not use it");
   }
 
