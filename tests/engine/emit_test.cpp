@@ -220,6 +220,18 @@ TEST(Emit, ConstantsAreNotAssignedTo) {
   EXPECT_TRUE(luau::toLua("const a = {} a.x = 1 do local a = 1 a = 2 end"));
 }
 
+TEST(Emit, ContinueMaySkipNoVariableOfTheCondition) {
+  const auto skips = luau::toLua("repeat\nif a then continue end\nlocal b = 1\nuntil b");
+  ASSERT_FALSE(skips);
+  EXPECT_EQ(skips.error().message,
+            "the 'continue' of line 2 skips 'b', which the loop's condition needs");
+  EXPECT_EQ(skips.error().place, "4");
+  for (const char* source : {"repeat local b = 1 if a then continue end until b",
+                             "repeat for i = 1, 2 do continue end local b = 1 until b",
+                             "local b repeat if a then continue end do local b = 1 end until b"})
+    EXPECT_TRUE(luau::toLua(source)) << source;
+}
+
 TEST(Emit, StatementsStandOnTheirLines) {
   const auto lua = luau::toLua("local a = 1\n\n-- comment\nprint(\n  a,\n  2\n)\nlocal b");
   ASSERT_TRUE(lua);
