@@ -6,7 +6,7 @@
 #include <set>
 
 #include "import/classes.h"
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/onset.h"
 #include "import/scripted_changes.h"
 #include "import/terrain.h"
@@ -257,7 +257,6 @@ void noteUnmodelled(RoleContext& context) {
   noteInstances(context);
   noteNames(context);
   noteTags(context);
-  noteModules(context);
   for (const ScriptReading& reading : context.scripts) {
     noteUnread(context, reading);
     noteTimelines(context, reading);

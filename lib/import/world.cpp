@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "import/avatar.h"
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 
 namespace obby::importer {
 namespace {

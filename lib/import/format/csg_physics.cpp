@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "import/format/byte_reader.h"
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 
 namespace obby::importer {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "import/format/attributes.h"
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/format/studio_place.h"
 #include "import/plural.h"
 
