@@ -194,6 +194,14 @@ TEST(Emit, ErrorsHaveTheScriptsLine) {
        "script:2: attempt to perform arithmetic (idiv) on number and nil"},
       {"local n = 'a' .. nil", "script:1: attempt to concatenate string with nil"},
       {"\nfor x in 5 do\nend", "script:2: attempt to iterate over a number value"},
+      {"\nlocal n, f = nil, print\nn.x = f(\n  1,\n  2\n)", "script:3: "},
+      {"local t = setmetatable({}, {__newindex = function() error('set', 2) end})\nt.x = if t\n"
+       "  then 1\n  else {\n    2\n  }",
+       "script:2: set"},
+      {"local n, f = nil, print\nprint(1)\nlocal t = {}\nt.x = f(\n  n.x\n)", "script:4: "},
+      {"local t = {}\nt.x = print(\n  1,\n  error('deep')\n)", "script:4: deep"},
+      {"local t = {}\nt.x += (\n  error('deep'))", "script:3: deep"},
+      {"local t = {}\nt.x = function()\n  error('body')\nend\nt.x()", "script:3: body"},
       {"local function f() return\n  g() end\nf()", "script:2: "},
       {"local function f() return #nil end\nf()", "script:1: attempt to get length"}};
   for (const auto& [source, error] : cases) {

@@ -39,6 +39,7 @@ class Emitter {
   }
 
   // Assignments.
+  void assignment(const Stat& stat);
   void assign(const Stat& stat);
   void assignInOrder(const Stat& stat);
   void bindTargets(const Stat& stat);
