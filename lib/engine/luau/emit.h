@@ -2,7 +2,8 @@
 // compound assignment, if-expressions, interpolated strings, `//` and iteration over tables.
 //
 // Every statement stands on its line of the script, so that the VM's errors and debug information
-// name the script's lines. The answer depends on the script's text only.
+// name the script's lines; the value of an assignment moves up to the statement's line unless it
+// calls something or has a function below. The answer depends on the script's text only.
 //
 // The chunk takes one argument, the table of helpers (helpers.h), which it keeps in a local
 // variable; `...` of the script itself is empty. Emitted names begin with a prefix, such as L_,
@@ -21,6 +22,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "base/result.h"
 #include "engine/luau/ast.h"
