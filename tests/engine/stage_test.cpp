@@ -9,7 +9,10 @@ namespace {
 TEST(Stage, SpinsAPart) {
   Place place;
   const InstanceId part = place.part("Spinner", {10, 5, 0});
-  place.script("while true do script.Parent.CFrame = script.Parent.CFrame * CFrame.Angles(0, 0.1, 0) task.wait() end", part);
+  place.script(
+      "while true do script.Parent.CFrame = script.Parent.CFrame * CFrame.Angles(0, 0.1, 0) "
+      "task.wait() end",
+      part);
   engine::Stage stage(place.document, {});
   stage.start();
   stage.run(60);
@@ -46,7 +49,8 @@ TEST(Stage, TweensAndWaits) {
   const InstanceId part = place.part("Lift", {0, 5, 20});
   place.script(
       "local TweenService = game:GetService(\"TweenService\")\n"
-      "local tween = TweenService:Create(script.Parent, TweenInfo.new(1, Enum.EasingStyle.Linear), {Position = "
+      "local tween = TweenService:Create(script.Parent, TweenInfo.new(1, Enum.EasingStyle.Linear), "
+      "{Position = "
       "Vector3.new(0, 15, 20)})\n"
       "wait(0.5)\n"
       "tween:Play()\n"

@@ -23,24 +23,31 @@ void Emitter::body(const Block& block) {
   scope_ = outer;
 }
 
-void Emitter::openScope(const Block& block, const std::vector<std::string>& variables) {
+void Emitter::openScope(const Block& block, const std::vector<std::string>& names) {
   scope_ = &scopes_.of(block);
   if (scope_->table == 0) return;
   keyword("local");
   out_.word(own(fmt::format("t{}", scope_->table)));
   out_.symbol("={");
-  for (const auto& variable : variables) {
-    const std::string field = declared(variable);
+  for (const auto& name : names) {
+    const std::string field = declared(name);
     out_.word(field.substr(field.find('.') + 1));
     out_.symbol("=");
-    out_.word(variable);
+    out_.word(variable(name));
     out_.symbol(",");
   }
   out_.symbol("};");
 }
 
+void Emitter::variables(const std::vector<std::string>& names) {
+  for (size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) out_.symbol(",");
+    out_.word(variable(names[i]));
+  }
+}
+
 std::string Emitter::declared(std::string_view name) {
-  if (scope_->table == 0) return std::string(name);
+  if (scope_->table == 0) return variable(name);
   return fmt::format("{}t{}.{}_{}", prefix_, scope_->table, name, declared_[scope_]++);
 }
 

@@ -2,6 +2,7 @@
 // objects, keys and values go to temporary variables first.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "engine/luau/emitter_state.h"
@@ -17,11 +18,36 @@ bool orderShows(const Stat& stat) {
   return false;
 }
 
+// Whether something below the line is called or is a function: its own line matters.
+bool actsBelow(const Expr& expr, int line) {
+  const bool acts = expr.kind == ExprKind::call || expr.kind == ExprKind::method || expr.body;
+  if (acts && expr.line > line) return true;
+  if (expr.body) return expr.body->endLine > line;
+  const auto below = [&](const ExprPtr& kid) { return kid && actsBelow(*kid, line); };
+  return std::any_of(expr.kids.begin(), expr.kids.end(), below) ||
+         std::any_of(expr.keys.begin(), expr.keys.end(), below);
+}
+
 bool isConstant(const Expr& expr) {
   return expr.kind == ExprKind::number || (expr.kind == ExprKind::string && expr.known);
 }
 
 }  // namespace
+
+// 5.1 puts an assignment on the line where its value ends, Luau on that where it begins, and who
+// observes what a script sets wants that one: a value that only has its arguments on further lines
+// moves up.
+void Emitter::assignment(const Stat& stat) {
+  const auto acts = [&](const ExprPtr& expr) { return actsBelow(*expr, stat.line); };
+  const bool plain = std::none_of(stat.values.begin(), stat.values.end(), acts) &&
+                     std::none_of(stat.targets.begin(), stat.targets.end(), acts);
+  const bool stayed = out_.stay(plain);
+  if (stat.kind == StatKind::compound)
+    compound(stat);
+  else
+    assign(stat);
+  out_.stay(stayed);
+}
 
 void Emitter::assign(const Stat& stat) {
   if (orderShows(stat)) return assignInOrder(stat);

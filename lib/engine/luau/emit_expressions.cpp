@@ -100,7 +100,8 @@ void Emitter::list(const Exprs& exprs, size_t from) {
 
 void Emitter::name(const Expr& expr) {
   const Local* local = scopes_.find(expr);
-  if (!local || local->scope->table == 0) return out_.word(expr.text);
+  if (!local) return out_.word(expr.text);
+  if (local->scope->table == 0) return out_.word(variable(expr.text));
   out_.word(own("t" + std::to_string(local->scope->table)));
   out_.symbol(".");
   out_.word(expr.text + "_" + std::to_string(local->index));
@@ -121,12 +122,11 @@ void Emitter::call(const Expr& expr) {
 
 void Emitter::functionBody(const Function& function) {
   out_.symbol("(");
-  for (size_t i = 0; i < function.parameters.size(); ++i) {
-    if (i > 0) out_.symbol(",");
-    out_.word(function.parameters[i]);
-  }
+  variables(function.parameters);
   if (function.vararg) out_.symbol(function.parameters.empty() ? "..." : ",...");
   out_.symbol(")");
+  // Without it, 5.1 puts the values in a table `arg`, which no script expects.
+  if (function.vararg) keyword("do local _=... end;");
   Scope* const outer = scope_;
   const bool flagged = std::exchange(flagsBreak_, false);
   openScope(function.body, function.parameters);

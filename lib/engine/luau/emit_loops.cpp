@@ -7,9 +7,9 @@
 
 namespace obby::luau {
 
-// `variables` are the loop's own. The scope stays open: a condition may see it.
-void Emitter::loopBody(const Block& body, const std::vector<std::string>& variables, int endLine) {
-  openScope(body, variables);
+// `names` are the loop's own variables. The scope stays open: a condition may see it.
+void Emitter::loopBody(const Block& body, const std::vector<std::string>& names, int endLine) {
+  openScope(body, names);
   const Leaves leaves = leavesOf(body);
   const bool flagged = std::exchange(flagsBreak_, leaves.continues);
   if (leaves.continues) {
@@ -54,10 +54,7 @@ void Emitter::repeatLoop(const Stat& stat) {
 void Emitter::forLoop(const Stat& stat) {
   Scope* const outer = scope_;
   keyword("for");
-  for (size_t i = 0; i < stat.names.size(); ++i) {
-    if (i > 0) out_.symbol(",");
-    out_.word(stat.names[i]);
-  }
+  variables(stat.names);
   if (stat.kind == StatKind::numericFor) {
     out_.symbol("=");
     list(stat.values);

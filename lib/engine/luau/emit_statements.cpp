@@ -13,8 +13,8 @@ void Emitter::statement(const Stat& stat) {
   out_.at(stat.line);
   switch (stat.kind) {
     case StatKind::local: local(stat); break;
-    case StatKind::assign: assign(stat); break;
-    case StatKind::compound: compound(stat); break;
+    case StatKind::assign:
+    case StatKind::compound: assignment(stat); break;
     case StatKind::call: expression(*stat.values[0]); break;
     case StatKind::block:
       keyword("do");

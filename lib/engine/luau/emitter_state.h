@@ -39,6 +39,7 @@ class Emitter {
   }
 
   // Assignments.
+  void assignment(const Stat& stat);
   void assign(const Stat& stat);
   void assignInOrder(const Stat& stat);
   void bindTargets(const Stat& stat);
@@ -52,11 +53,16 @@ class Emitter {
   void whileLoop(const Stat& stat);
   void repeatLoop(const Stat& stat);
   void forLoop(const Stat& stat);
-  void loopBody(const Block& body, const std::vector<std::string>& variables, int endLine);
+  void loopBody(const Block& body, const std::vector<std::string>& names, int endLine);
 
   // Scopes.
   void body(const Block& block);  // with its scope
-  void openScope(const Block& block, const std::vector<std::string>& variables);
+  void openScope(const Block& block, const std::vector<std::string>& names);
+  // What a local variable is called. 5.1 has a hidden variable `arg` in functions with `...`.
+  std::string variable(std::string_view name) const {
+    return name == "arg" ? own(name) : std::string(name);
+  }
+  void variables(const std::vector<std::string>& names);
   // The name of a variable that is declared here, or the field that holds it.
   std::string declared(std::string_view name);
   bool isOwnLocal(const Expr& expr) const;  // a local variable of this very function

@@ -113,10 +113,11 @@ ExprPtr Parser::unary() {
 
 ExprPtr Parser::simple() {
   const Token& token = peek();
+  const int line = token.line;
   ExprPtr value;
   switch (token.kind) {
     case TokenKind::number:
-      value = make(ExprKind::number, token.line, token.text);
+      value = make(ExprKind::number, line, token.text);
       value->number = next().number;
       return value;
     case TokenKind::string: return stringLiteral();
@@ -136,7 +137,7 @@ ExprPtr Parser::simple() {
   }
   if (value) return value;
   failHere("an expression");
-  return make(ExprKind::unknown, token.line);
+  return make(ExprKind::unknown, line);
 }
 
 ExprPtr Parser::keywordValue() {

@@ -265,6 +265,6 @@ Chunk Parser::chunk() {
   return chunk;
 }
 
-Chunk parse(std::string_view source) { return Parser(tokenize(source)).chunk(); }
+Chunk parse(std::string_view source) { return Parser(source).chunk(); }
 
 }  // namespace obby::luau

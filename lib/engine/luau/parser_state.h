@@ -13,7 +13,10 @@ namespace obby::luau {
 
 class Parser {
  public:
-  explicit Parser(std::vector<Token> tokens) : tokens_(std::move(tokens)) {}
+  explicit Parser(std::string_view source) : lexer_(source) {
+    lexer_.read(tokens_[0]);
+    lexer_.read(tokens_[1]);
+  }
 
   Chunk chunk();
 
@@ -109,17 +112,20 @@ class Parser {
   std::string found() const;
 
   // Tokens.
-  const Token& peek(size_t ahead = 0) const {
-    return tokens_[position_ + ahead < tokens_.size() ? position_ + ahead : tokens_.size() - 1];
-  }
+  // Of three tokens: the one before, the current one and the one ahead.
+  const Token& peek(size_t ahead = 0) const { return tokens_[(current_ + ahead) % 3]; }
+  // Lasts until the next call.
   const Token& next() {
     const Token& token = peek();
     if (token.error) fail(token.line, token.error);
-    if (position_ + 1 < tokens_.size()) ++position_;
+    if (token.kind == TokenKind::end) return token;
+    ++position_;
+    current_ = (current_ + 1) % 3;
+    lexer_.read(tokens_[(current_ + 1) % 3]);
     return token;
   }
   bool atEnd() const { return peek().kind == TokenKind::end; }
-  int lineBefore() const { return tokens_[position_ > 0 ? position_ - 1 : 0].line; }
+  int lineBefore() const { return peek(2).line; }  // only behind a token
   static bool isSymbol(const Token& token, std::string_view text) {
     return token.kind == TokenKind::symbol && token.text == text;
   }
@@ -147,8 +153,10 @@ class Parser {
   void closeKeyword(std::string_view keyword, std::string_view opener, int line);
   std::string nameToken();
 
-  std::vector<Token> tokens_;
-  size_t position_ = 0;
+  Lexer lexer_;
+  Token tokens_[3];
+  size_t current_ = 0;
+  size_t position_ = 0;  // tokens so far
   int depth_ = 0;
   Surroundings around_;
   bool broken_ = false;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace obby::luau {
 
@@ -23,6 +24,13 @@ class Resolver {
  private:
   static constexpr int kForLoopLocals = 3;  // that Lua keeps of its own
 
+  // The first `continue` of a loop.
+  struct Continue {
+    Scope* body = nullptr;
+    int line = 0;      // 0: there is none yet
+    int declared = 0;  // variables of the body before it
+  };
+
   void enterFunction(const Function* function, const Block& body);
   Scope& open(const Block& block);
   void close(Scope& scope);
@@ -39,8 +47,10 @@ class Resolver {
   void branch(const Stat& stat);
   void repeatLoop(const Stat& stat);
   void forLoop(const Stat& stat);
+  std::pair<Scope*, Continue> loopBody(const Stat& stat);
   void functionStatement(const Stat& stat);
   void assignTo(const Expr& target);
+  void fail(int line, std::string message);
   void expressions(const std::vector<ExprPtr>& list) {
     for (const auto& expr : list)
       if (expr) expression(*expr);
@@ -54,7 +64,8 @@ class Resolver {
   std::set<std::string, std::less<>> takenPrefixes_;
   FunctionScope* function_ = nullptr;
   Scope* scope_ = nullptr;
-  Scope* watched_ = nullptr;  // the body of a loop whose condition is looked at
+  Continue continue_;  // of the innermost loop
+  Continue skips_;     // of the loop whose condition is looked at
   bool failed_ = false;
   Error error_;
 };
@@ -119,7 +130,7 @@ void Resolver::statement(const Stat& stat) {
       break;
     case StatKind::whileLoop:
       expressions(stat.values);
-      block(stat.blocks[0]);
+      close(*loopBody(stat).first);
       break;
     case StatKind::branch: branch(stat); break;
     case StatKind::repeatLoop: repeatLoop(stat); break;
@@ -128,7 +139,10 @@ void Resolver::statement(const Stat& stat) {
     case StatKind::function: functionStatement(stat); break;
     case StatKind::call:
     case StatKind::returns: expressions(stat.values); break;
-    case StatKind::leaves: break;
+    case StatKind::leaves:
+      if (stat.text == "continue" && continue_.line == 0)
+        continue_ = {continue_.body, stat.line, int(continue_.body->locals.size())};
+      break;
   }
   scope_ = scope;
 }
@@ -143,23 +157,29 @@ void Resolver::branch(const Stat& stat) {
 // With `continue` the body becomes a loop of its own, and the condition stands outside of it: the
 // variables that the condition sees then live in a table.
 void Resolver::repeatLoop(const Stat& stat) {
-  Scope& scope = open(stat.blocks[0]);
-  statements(stat.blocks[0]);
-  Scope* const watched = watched_;
-  if (leavesOf(stat.blocks[0]).continues) watched_ = &scope;
+  const auto [body, first] = loopBody(stat);
+  const Continue outer = skips_;
+  if (first.line != 0) skips_ = first;
   expression(*stat.values[0]);
-  watched_ = watched;
-  close(scope);
+  skips_ = outer;
+  close(*body);
 }
 
 void Resolver::forLoop(const Stat& stat) {
   expressions(stat.values);
   function_->active += kForLoopLocals;
+  close(*loopBody(stat).first);
+  function_->active -= kForLoopLocals;
+}
+
+// The scope stays open.
+std::pair<Scope*, Resolver::Continue> Resolver::loopBody(const Stat& stat) {
+  const Continue outer = continue_;
   Scope& scope = open(stat.blocks[0]);
+  continue_ = {&scope, 0, 0};
   for (const auto& name : stat.names) declare(name);
   statements(stat.blocks[0]);
-  close(scope);
-  function_->active -= kForLoopLocals;
+  return {&scope, std::exchange(continue_, outer)};
 }
 
 void Resolver::functionStatement(const Stat& stat) {
@@ -173,10 +193,15 @@ void Resolver::functionStatement(const Stat& stat) {
 void Resolver::assignTo(const Expr& target) {
   expression(target);
   const Local* local = target.kind == ExprKind::name ? out_.find(target) : nullptr;
-  if (!local || !local->constant || failed_) return;
+  if (local && local->constant)
+    fail(target.line, fmt::format("'{:.40}' is a constant: it cannot be assigned to", local->name));
+}
+
+void Resolver::fail(int line, std::string message) {
+  if (failed_) return;
   failed_ = true;
-  error_ = makeError(fmt::format("'{:.40}' is a constant: it cannot be assigned to", local->name));
-  error_.place = std::to_string(target.line);
+  error_ = makeError(std::move(message));
+  error_.place = std::to_string(line);
 }
 
 void Resolver::expression(const Expr& expr) {
@@ -202,7 +227,13 @@ void Resolver::name(const Expr& expr) {
   if (found == visible_.end() || found->second.empty()) return seen(expr.text);
   const Local* local = found->second.back();
   out_.byName_.emplace(&expr, local);
-  if (local->scope == watched_) watched_->table = 1;
+  if (local->scope == skips_.body) {
+    skips_.body->table = 1;
+    if (local->index >= skips_.declared)
+      fail(expr.line, fmt::format("the 'continue' of line {} skips '{:.40}', which the loop's "
+                                  "condition needs",
+                                  skips_.line, local->name));
+  }
   for (FunctionScope* f = function_; f != local->scope->function; f = f->outer)
     f->upvalues.insert(local);
 }

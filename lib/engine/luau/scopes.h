@@ -57,7 +57,8 @@ class Scopes {
   std::string prefix_;
 };
 
-// An error if a constant is assigned to. The chunk is not broken and outlives the answer.
+// An error if a constant is assigned to, or if `continue` skips a variable that the condition of
+// its loop needs. The chunk is not broken and outlives the answer.
 Result<Scopes> resolve(const Chunk& chunk);
 
 // Gives tables to scopes until every function is within the limits (spill.cpp).

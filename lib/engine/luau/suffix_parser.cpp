@@ -21,8 +21,9 @@ ExprPtr Parser::stringLiteral() {
 }
 
 ExprPtr Parser::interpolated() {
+  const bool expressions = peek().opens;
   ExprPtr expr = stringLiteral();
-  if (!tokens_[position_ - 1].opens) return expr;
+  if (!expressions) return expr;
   expr->known = false;
   auto part = make(ExprKind::string, expr->line, std::exchange(expr->text, {}));
   for (;;) {

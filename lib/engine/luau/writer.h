@@ -3,15 +3,18 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace obby::luau {
 
 class Writer {
  public:
-  // Goes on in a line, unless it is already beyond it.
+  // Goes on in a line, unless it is already beyond it or stays where it is.
   void at(int line) {
-    for (; line_ < line; ++line_) text_ += '\n';
+    for (; line_ < line && !stays_; ++line_) text_ += '\n';
   }
+  // Whether it stays in its line; returns what was before.
+  bool stay(bool stays) { return std::exchange(stays_, stays); }
   // A name, a keyword or a number.
   void word(std::string_view word) {
     if (!text_.empty() && isWordPart(text_.back())) text_ += ' ';
@@ -31,6 +34,7 @@ class Writer {
 
   std::string text_;
   int line_ = 1;
+  bool stays_ = false;
 };
 
 }  // namespace obby::luau
