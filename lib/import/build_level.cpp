@@ -1,4 +1,4 @@
-// World, parts, scripts, strays, roles, stages, and what is left over.
+// World, parts, scripts, strays, roles, stages, what is left over, and the ground.
 #include "import/build_level.h"
 
 #include "import/assemblies.h"
@@ -13,6 +13,7 @@
 #include "import/scene.h"
 #include "import/scripted_start.h"
 #include "import/scripted_world.h"
+#include "import/terrain.h"
 #include "import/unmodelled.h"
 #include "import/world.h"
 
@@ -64,6 +65,7 @@ LevelDraft buildLevel(const Tree& tree, const std::string& name) {
   orderStages(tree, level);
   noteUnmodelled(context);
   noteEndedHandlers(context);
+  addTerrain(tree, level);
   return level;
 }
 

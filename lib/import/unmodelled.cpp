@@ -9,7 +9,6 @@
 #include "import/format/class_defaults.h"
 #include "import/onset.h"
 #include "import/scripted_changes.h"
-#include "import/terrain.h"
 #include "import/unread_code.h"
 #include "import/words.h"
 
@@ -253,7 +252,6 @@ void noteTimelines(RoleContext& context, const ScriptReading& reading) {
 }  // namespace
 
 void noteUnmodelled(RoleContext& context) {
-  noteTerrain(context);
   noteInstances(context);
   noteNames(context);
   noteTags(context);

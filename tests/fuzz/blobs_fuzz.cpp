@@ -1,4 +1,4 @@
-// The blobs inside properties: attributes, tags, collision data, base64.
+// The blobs inside properties: attributes, tags, collision data, terrain, base64.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -7,6 +7,8 @@
 #include "import/format/base64.h"
 #include "import/format/csg_physics.h"
 #include "import/format/packed_hulls.h"
+#include "import/format/smooth_grid.h"
+#include "import/terrain_blocks.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace obby::importer;
@@ -18,6 +20,11 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     size_t corners = 0;
     for (const auto& hull : *hulls) corners += hull.size();
     if (corners > size) __builtin_trap();
+  }
+  if (const auto chunks = voxelChunks(blob)) {
+    TerrainShape shape;
+    for (const VoxelChunk& chunk : *chunks) addColumns({chunk}, 1000, shape);
+    joinBlocks(shape.blocks);
   }
   if (decodeTags(blob).size() > size) __builtin_trap();
   const auto bytes = decodeBase64(blob);
