@@ -11,6 +11,7 @@
 #include "import/format/class_defaults.h"
 #include "import/materials.h"
 #include "import/part_distance.h"
+#include "import/plural.h"
 #include "import/terrain_blocks.h"
 
 namespace obby::importer {
@@ -159,9 +160,7 @@ void noteLosses(const Terrain& terrain, const std::string& path, LevelDraft& lev
   if (terrain.chunksLeft + terrain.blocksLeft > 0)
     level.noteUnmodelled(
         kTerrainKind, path,
-        fmt::format("too much of it: {} chunks and {} blocks are left out, the nearest {:.0f} "
-                    "studs from the parts",
-                    terrain.chunksLeft, terrain.blocksLeft, terrain.leftFrom));
+        fmt::format("too much of it: {} and {} are left out, the nearest {:.0f} studs from the parts", plural(terrain.chunksLeft, "chunk"), plural(terrain.blocksLeft, "block"), terrain.leftFrom));
   if (terrain.shape.slopes > 0)
     level.noteUnmodelled(
         "slope of terrain", path,
@@ -188,7 +187,7 @@ void addVoxels(const Tree& tree, InstanceId id, std::string_view bytes, LevelDra
   if (!terrain.shape.blocks.empty())
     level.noteIgnored(
         kTerrainKind, tree.path(id),
-        fmt::format("{} chunks of voxels stand as {} blocks", count, terrain.shape.blocks.size()));
+        plural(count, "chunk") + " of voxels stand as " + plural(terrain.shape.blocks.size(), "block"));
   noteLosses(terrain, tree.path(id), level);
 }
 
