@@ -160,7 +160,10 @@ void noteLosses(const Terrain& terrain, const std::string& path, LevelDraft& lev
   if (terrain.chunksLeft + terrain.blocksLeft > 0)
     level.noteUnmodelled(
         kTerrainKind, path,
-        fmt::format("too much of it: {} and {} are left out, the nearest {:.0f} studs from the parts", plural(terrain.chunksLeft, "chunk"), plural(terrain.blocksLeft, "block"), terrain.leftFrom));
+        fmt::format(
+            "too much of it: {} and {} are left out, the nearest {:.0f} studs from the parts",
+            plural(terrain.chunksLeft, "chunk"), plural(terrain.blocksLeft, "block"),
+            terrain.leftFrom));
   if (terrain.shape.slopes > 0)
     level.noteUnmodelled(
         "slope of terrain", path,
@@ -185,9 +188,9 @@ void addVoxels(const Tree& tree, InstanceId id, std::string_view bytes, LevelDra
     level.parts.push_back(partOf(block, id, solid));
   level.partsRead += uint32_t(terrain.shape.blocks.size());
   if (!terrain.shape.blocks.empty())
-    level.noteIgnored(
-        kTerrainKind, tree.path(id),
-        plural(count, "chunk") + " of voxels stand as " + plural(terrain.shape.blocks.size(), "block"));
+    level.noteIgnored(kTerrainKind, tree.path(id),
+                      plural(count, "chunk") + " of voxels stand as " +
+                          plural(terrain.shape.blocks.size(), "block"));
   noteLosses(terrain, tree.path(id), level);
 }
 

@@ -1,4 +1,5 @@
-// The blobs inside properties: attributes, tags, collision data, terrain, base64.
+// The blobs inside properties: attributes, tags, collision data, terrain, base64; JSON with
+// comments.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -8,6 +9,7 @@
 #include "import/format/csg_physics.h"
 #include "import/format/packed_hulls.h"
 #include "import/format/smooth_grid.h"
+#include "import/rojo/json_file.h"
 #include "import/terrain_blocks.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
@@ -26,6 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     for (const VoxelChunk& chunk : *chunks) addColumns({chunk}, 1000, shape);
     joinBlocks(shape.blocks);
   }
+  if (const auto json = rojo::parseJson(blob)) (void)rojo::luauOf(rojo::Json(*json, json->root()));
   if (decodeTags(blob).size() > size) __builtin_trap();
   const auto bytes = decodeBase64(blob);
   if (bytes && bytes->size() > size) __builtin_trap();

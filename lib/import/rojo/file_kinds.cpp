@@ -1,0 +1,44 @@
+#include "import/rojo/file_kinds.h"
+
+namespace obby::importer::rojo {
+namespace {
+
+struct Ending {
+  std::string_view text;
+  FileKind kind;
+};
+// The first that fits counts.
+constexpr Ending kEndings[] = {{".project.json", FileKind::project},
+                               {".project.jsonc", FileKind::project},
+                               {".model.json", FileKind::modelJson},
+                               {".model.jsonc", FileKind::modelJson},
+                               {".meta.json", FileKind::meta},
+                               {".meta.jsonc", FileKind::meta},
+                               {".server.lua", FileKind::serverScript},
+                               {".server.luau", FileKind::serverScript},
+                               {".client.lua", FileKind::clientScript},
+                               {".client.luau", FileKind::clientScript},
+                               {".plugin.lua", FileKind::pluginScript},
+                               {".plugin.luau", FileKind::pluginScript},
+                               {".lua", FileKind::moduleScript},
+                               {".luau", FileKind::moduleScript},
+                               {".json", FileKind::json},
+                               {".jsonc", FileKind::json},
+                               {".toml", FileKind::data},
+                               {".yml", FileKind::data},
+                               {".yaml", FileKind::data},
+                               {".txt", FileKind::text},
+                               {".csv", FileKind::table},
+                               {".rbxm", FileKind::model},
+                               {".rbxmx", FileKind::model}};
+
+}  // namespace
+
+FileName fileNameOf(std::string_view name) {
+  for (const Ending& ending : kEndings)
+    if (name.ends_with(ending.text) && name.size() > ending.text.size())
+      return {ending.kind, std::string(name.substr(0, name.size() - ending.text.size()))};
+  return {};
+}
+
+}  // namespace obby::importer::rojo
