@@ -3,6 +3,7 @@
 
 #include "import/assemblies.h"
 #include "import/checkpoints.h"
+#include "import/collision_groups.h"
 #include "import/culling.h"
 #include "import/ended_handlers.h"
 #include "import/loose.h"
@@ -27,6 +28,7 @@ std::string worldPath(const Tree& tree) {
 
 void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level) {
   LevelHulls hulls;
+  const CollisionGroups groups(tree, level);
   for (InstanceId id : sceneParts(tree, level)) {
     ++level.partsRead;
     auto part = partFrom(tree, id, hulls, level);
@@ -35,6 +37,10 @@ void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level
       part->anchored = true;
       part->evidence.push_back({"anchored", "joined to an anchored part", false});
     }
+    groups.apply(*part);
+    if (!groups.isSettled(tree.at(id)))
+      level.noteUnmodelled("collision group " + groupNameOf(tree.at(id)), tree.path(id),
+                           "what scripts or another file say of its collisions is not followed");
     level.parts.push_back(std::move(*part));
   }
 }

@@ -67,10 +67,6 @@ void noteInstances(RoleContext& context) {
     if (!hasRole(part) && !hasEvidence(part, kHarmless))
       for (const std::string& tag : instance.tags)
         context.level.noteIgnored("tag " + tag, tree.path(part.id), "not a tag that gives a role");
-    const auto group = get<std::string>(instance, "CollisionGroup");
-    if (!group.empty() && group != "Default")
-      context.level.noteUnmodelled("collision group " + group, tree.path(part.id),
-                                   "only CanCollide decides whether players collide with it");
   }
   for (InstanceId id = 0; id < tree.size(); ++id)
     if (isA(tree.at(id).className, "BackpackItem"))
