@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <map>
 
 #include "base/thread_pool.h"
 #include "calibrate/fidelity.h"
@@ -74,13 +75,60 @@ Result<std::vector<calibrate::Take>> takesIn(const fs::path& path) {
   }
 }
 
+// Of one category.
+struct Category {
+  std::string name;
+  std::vector<calibrate::Take> takes;
+};
+
+// All of a folder, by name.
+std::vector<Category> categoriesIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().filename().string().ends_with(".jsonl.zst")) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<Category> out;
+  for (const fs::path& path : files) {
+    const std::string file = path.filename().string();
+    out.push_back({file.substr(0, file.find('.')), bench::need(takesIn(path))});
+  }
+  return out;
+}
+
+// Recordings of one source show one avatar: "R-026-jump_up-001" is of R-026.
+std::string sourceOf(const std::string& recording) {
+  return recording.substr(0, recording.find('-', recording.find('-') + 1));
+}
+
+using Sources = std::map<std::string, std::vector<const calibrate::Track*>>;
+
+Sources sourcesOf(const std::vector<Category>& all) {
+  Sources out;
+  for (const Category& category : all) {
+    for (const calibrate::Take& take : category.takes)
+      out[sourceOf(take.track.name)].push_back(&take.track);
+  }
+  return out;
+}
+
+// The avatar's centre of mass, by the other recordings of it; at the root's where it is not asked
+// for.
+calibrate::MassCentre centreOf(const calibrate::Take& take, const Sources& sources) {
+  const auto level = bench::need(level::Level::compile(take.level.reader().getLevel()));
+  const auto& tracks = sources.at(sourceOf(take.track.name));
+  return calibrate::massCentreOf(tracks, take.track, level.view().params);
+}
+
 calibrate::FidelitySummary play(const std::vector<calibrate::Take>& takes, uint16_t tricks,
-                                ThreadPool& pool) {
+                                const Sources* sources, ThreadPool& pool) {
   io::RecordBuilder defaults;
   const auto params = defaults.root().initParams().asReader();
   std::vector<calibrate::Fidelity> all(takes.size());
   pool.run(int(takes.size()), [&](int i) {
-    all[size_t(i)] = bench::need(calibrate::fidelityOf(takes[size_t(i)], params, tricks));
+    const calibrate::Take& take = takes[size_t(i)];
+    const auto centre = sources ? centreOf(take, *sources) : calibrate::MassCentre{};
+    all[size_t(i)] = bench::need(calibrate::fidelityOf(take, params, tricks, centre));
   });
   return calibrate::summaryOf(all);
 }
@@ -109,25 +157,21 @@ int main(int argc, char** argv) {
                options.folder.lexically_normal().string());
     return 77;
   }
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(options.folder)) {
-    const std::string name = entry.path().filename().string();
-    const std::string category = name.substr(0, name.find('.'));
-    const auto& asked = options.cases;
-    const bool wanted =
-        asked.empty() || std::find(asked.begin(), asked.end(), category) != asked.end();
-    if (name.ends_with(".jsonl.zst") && wanted) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
+  const std::vector<Category> all = categoriesIn(options.folder);
+  const Sources sources = sourcesOf(all);
   bench::Report to("fidelity", options.form);
   ThreadPool pool(availableThreads());
-  for (const fs::path& path : files) {
-    const auto takes = bench::need(takesIn(path));
-    const std::string file = path.filename().string(), name = file.substr(0, file.find('.'));
-    if (takes.empty()) continue;
-    report(to, name, takes.size(), play(takes, 0, pool));
+  for (const Category& category : all) {
+    const auto& asked = options.cases;
+    const auto& [name, takes] = category;
+    const bool wanted = asked.empty() || std::find(asked.begin(), asked.end(), name) != asked.end();
+    if (takes.empty() || !wanted) continue;
+    report(to, name, takes.size(), play(takes, 0, &sources, pool));
+    // As if all avatars had their centre of mass in the root's.
+    to.add(name, "medianMeanOfRootStuds", play(takes, 0, nullptr, pool).medianMean, "studs");
     const uint16_t trick = trickOf(name);
-    if (trick != 0) report(to, name + "_with_trick", takes.size(), play(takes, trick, pool));
+    if (trick == 0) continue;
+    report(to, name + "_with_trick", takes.size(), play(takes, trick, &sources, pool));
   }
-  return files.empty() ? 1 : 0;
+  return all.empty() ? 1 : 0;
 }

@@ -4,27 +4,13 @@
 #include <cmath>
 
 #include "base/quantile.h"
+#include "calibrate/frame_play.h"
+#include "calibrate/playback.h"
 #include "io/physics.h"
-#include "sim/tick.h"
 
 namespace obby::calibrate {
 
 namespace {
-
-constexpr uint32_t kMaxSteps = 16;  // of a tick
-constexpr double kOffStep = 0.15;   // physics steps that a frame's length may be rounded by
-
-// Physics steps of each frame but the last; empty: a frame is no whole number of them, or too long.
-std::vector<uint32_t> stepsOf(const Track& track, double stepsPerSecond) {
-  std::vector<uint32_t> out;
-  for (size_t i = 0; i + 1 < track.frames.size(); ++i) {
-    const double seconds = track.frames[i + 1].time - track.frames[i].time;
-    const double steps = seconds * stepsPerSecond, whole = std::floor(steps + 0.5);
-    if (whole < 1 || whole > kMaxSteps || std::abs(steps - whole) > kOffStep) return {};
-    out.push_back(uint32_t(whole));
-  }
-  return out;
-}
 
 // Steps of a tick that is no shorter than the longest frame, with a whole number of ticks a second;
 // 0: there is none.
@@ -48,27 +34,6 @@ Result<level::Level> levelOfFrames(const Take& take, schema::PhysicsParams::Read
   return level::Level::compile(level.asReader());
 }
 
-struct Played {
-  Vec3 position;  // of the root's centre
-  sim::State state;
-};
-
-// (frames), the first as recorded.
-std::vector<Played> playFrames(level::LevelView view, const Track& track,
-                               const std::vector<uint32_t>& steps) {
-  const float step = view.params.substepSeconds;
-  sim::World world = worldAt(track, 0, view);
-  auto loose = sim::startLoose(view);
-  std::vector<Played> out{{track.frames[0].position, track.frames[0].state}};
-  for (size_t i = 0; i < steps.size(); ++i) {
-    view.params.substeps = uint16_t(steps[i]);
-    view.params.tickSeconds = step * float(steps[i]);
-    sim::tick(world, loose.data(), view, actionOf(track.frames[i]));
-    out.push_back({rootOf(world.position, view.params), world.state});
-  }
-  return out;
-}
-
 std::vector<Played> playTicks(const level::LevelView& view, const Track& track) {
   std::vector<Played> out{{track.frames[0].position, track.frames[0].state}};
   playBack(view, track, {{0, uint32_t(track.frames.size()) - 1}}, 0,
@@ -79,7 +44,7 @@ std::vector<Played> playTicks(const level::LevelView& view, const Track& track) 
 }
 
 Result<std::vector<Played>> play(const Take& take, schema::PhysicsParams::Reader params,
-                                 uint16_t tricks) {
+                                 uint16_t tricks, const MassCentre& centre) {
   OBBY_ASSIGN(const level::Level level, levelWith(take, params));
   const Params& p = level.view().params;
   const uint32_t rate = uint32_t(p.controlRate) * p.substeps;
@@ -92,7 +57,7 @@ Result<std::vector<Played>> play(const Take& take, schema::PhysicsParams::Reader
   };
   if (longest == 0 || level.view().moverCount > 0) return playTicks(viewOf(level), take.track);
   OBBY_ASSIGN(const level::Level framed, levelOfFrames(take, params, rate, longest));
-  return playFrames(viewOf(framed), take.track, steps);
+  return playFrames(viewOf(framed), take.track, steps, centre);
 }
 
 bool changes(const std::vector<Played>& played, size_t frame, sim::State to) {
@@ -129,9 +94,9 @@ std::optional<double> apexError(const Track& track, const std::vector<Played>& p
 
 }  // namespace
 
-Result<Fidelity> fidelityOf(const Take& take, schema::PhysicsParams::Reader params,
-                            uint16_t tricks) {
-  OBBY_ASSIGN(const std::vector<Played> played, play(take, params, tricks));
+Result<Fidelity> fidelityOf(const Take& take, schema::PhysicsParams::Reader params, uint16_t tricks,
+                            const MassCentre& centre) {
+  OBBY_ASSIGN(const std::vector<Played> played, play(take, params, tricks, centre));
   const Track& track = take.track;
   Fidelity out;
   out.frames = uint32_t(track.frames.size()) - 1;

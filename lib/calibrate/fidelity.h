@@ -1,11 +1,12 @@
 // How near the simulator comes to a recording by its inputs alone: nothing is fitted, and nothing
-// of the recording but its inputs is used after the first frame.
+// of the recording but its inputs and the lengths of its frames is used after the first frame.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <span>
 
+#include "calibrate/mass_centre.h"
 #include "calibrate/objective.h"
 
 namespace obby::calibrate {
@@ -23,9 +24,10 @@ struct Fidelity {
 // Plays a recording in its level, under `params` but for what the level states itself. A recorded
 // frame is played as one tick of its own number of physics steps, as the engine does it. Where a
 // part moves or a frame is not 1 to 16 whole steps, ticks last as the level says, and positions
-// between two ticks are interpolated. `tricks`: Params::tricks. Errors: those of Level::compile.
+// between two ticks are interpolated. `tricks`: Params::tricks; `centre`: the avatar's. Errors:
+// those of Level::compile.
 Result<Fidelity> fidelityOf(const Take& take, schema::PhysicsParams::Reader params,
-                            uint16_t tricks = 0);
+                            uint16_t tricks = 0, const MassCentre& centre = {});
 
 // Over the recordings that were compared.
 struct FidelitySummary {

@@ -65,7 +65,13 @@ OBBY_DEVICE Contact dispatch(Block, const ShapeData& shape, const LocalBox& box)
 
 }  // namespace internal
 
-// depth >= 0: they overlap. The result of the first separating axis found otherwise.
+// A box turned any way, in the frame of the shape. depth >= 0: they overlap; otherwise the result of
+// the first separating axis found. The normal is in that frame, too.
+OBBY_DEVICE Contact penetration(ShapeKind kind, const ShapeData& shape, const LocalBox& box) {
+  return visitShape(kind, [&](auto s) { return internal::dispatch(s, shape, box); });
+}
+
+// The same with an upright box in the world.
 OBBY_DEVICE Contact penetration(ShapeKind kind, const ShapeData& shape, const Pose& pose,
                                 const UprightBox& box) {
   const Mat3 axes = box.axes();
@@ -73,7 +79,7 @@ OBBY_DEVICE Contact penetration(ShapeKind kind, const ShapeData& shape, const Po
                        {toLocal(pose.rotation, axes.x), toLocal(pose.rotation, axes.y),
                         toLocal(pose.rotation, axes.z)},
                        box.half};
-  Contact c = visitShape(kind, [&](auto s) { return internal::dispatch(s, shape, local); });
+  Contact c = penetration(kind, shape, local);
   c.normal = pose.rotation * c.normal;
   return c;
 }

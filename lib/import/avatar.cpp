@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "level/bodies.h"
 
 namespace obby::importer {

@@ -5,15 +5,13 @@
 #include "import/checkpoints.h"
 #include "import/collision_groups.h"
 #include "import/culling.h"
-#include "import/ended_handlers.h"
 #include "import/loose.h"
 #include "import/motion_room.h"
+#include "import/observed/roles.h"
 #include "import/parts.h"
 #include "import/roles/role.h"
 #include "import/roles/surface_speed.h"
 #include "import/scene.h"
-#include "import/scripted_start.h"
-#include "import/scripted_world.h"
 #include "import/terrain.h"
 #include "import/unmodelled.h"
 #include "import/world.h"
@@ -47,7 +45,7 @@ void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level
 
 }  // namespace
 
-LevelDraft buildLevel(const Tree& tree, const std::string& name) {
+LevelDraft buildLevel(const Tree& tree, const ObservedPlace& place, const std::string& name) {
   LevelDraft level;
   level.file = tree.document().file;
   level.format = tree.document().format;
@@ -56,21 +54,19 @@ LevelDraft buildLevel(const Tree& tree, const std::string& name) {
   readWorld(tree, level);
   const Assemblies assemblies(tree);
   readParts(tree, assemblies, level);
-  const auto scripts = readScripts(tree);
-  {
-    RoleContext asSaved(tree, assemblies, scripts, level);
-    applyScriptedStart(asSaved);
-  }
   cullStrays(level, tree);
+  const std::vector<ScriptReading> scripts;
   RoleContext context(tree, assemblies, scripts, level);
-  applyScriptedWorld(context);
+  movingFromObservation(context, place.report);
+  timersFromObservation(context, place.report);
+  touchesFromObservation(context, place.report);
   findRoles(context);
   noteUntoldVelocities(context);
   settleMotions(context);
   looseParts(tree, assemblies, level);
   orderStages(tree, level);
   noteUnmodelled(context);
-  noteEndedHandlers(context);
+  noteObservedLosses(context, place);
   addTerrain(tree, level);
   return level;
 }

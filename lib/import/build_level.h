@@ -4,10 +4,12 @@
 #include <string>
 
 #include "import/draft.h"
+#include "import/observed/run.h"
 #include "import/tree.h"
 
 namespace obby::importer {
 
-LevelDraft buildLevel(const Tree& tree, const std::string& name);
+// `tree` is that of the place's document.
+LevelDraft buildLevel(const Tree& tree, const ObservedPlace& place, const std::string& name);
 
 }  // namespace obby::importer

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/pose_math.h"
 #include "import/words.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 
 namespace obby::importer {
 namespace {

@@ -3,9 +3,9 @@
 // followed here.
 #include "import/collision_groups.h"
 
+#include "engine/classes/class_defaults.h"
 #include "import/classes.h"
 #include "import/format/byte_reader.h"
-#include "import/format/class_defaults.h"
 
 namespace obby::importer {
 namespace {

@@ -53,6 +53,7 @@ struct JumpPad {
 constexpr float kGone = 3600;  // seconds: away as good as for ever
 struct Vanish {
   bool timer = false;
+  std::string signal;  // that makes it go; empty: a touch of its own
   float delay = 0;
   float away = 3;
   float phase = 0;
@@ -62,6 +63,20 @@ struct Teleport {
   float yaw = 0;
   bool turns = false;
 };
+struct Boost {
+  float walkSpeed = 1, jumpSpeed = 1;  // times the player's
+  float seconds = 0;                   // after the last touch; 0: while touched
+  bool forever = false;
+};
+struct Trip {
+  float seconds = 3;
+};
+struct Button {
+  std::string signal;
+  float seconds = 5;
+  bool forever = false;
+};
+enum class MotionTrigger : uint16_t { always, touch, signal };
 struct MotionKey {
   float time = 0;
   Pose pose;
@@ -79,6 +94,8 @@ struct Motion {
   std::optional<Spin> spin;
   float offset = 0;
   bool carries = false;
+  MotionTrigger trigger = MotionTrigger::always;
+  std::string signal;
 };
 
 struct PartDraft {
@@ -99,6 +116,9 @@ struct PartDraft {
   std::optional<JumpPad> jumpPad;
   std::optional<Vanish> vanish;
   std::optional<Teleport> teleport;
+  std::optional<Boost> boost;
+  std::optional<Trip> trip;
+  std::optional<Button> button;
   bool seat = false;
   bool climbable = false;
   std::optional<int> checkpoint;  // stage

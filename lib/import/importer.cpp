@@ -59,9 +59,10 @@ std::string levelName(const std::string& file) {
 }
 
 Import importDocument(const Document& document, const ImportOptions& options) {
-  const Tree tree(document);
+  const ObservedPlace place = observePlace(document);
+  const Tree tree(place.document);
   const LevelDraft level =
-      buildLevel(tree, options.name.empty() ? levelName(document.file) : options.name);
+      buildLevel(tree, place, options.name.empty() ? levelName(document.file) : options.name);
   Import result;
   for (const std::string& warning : document.warnings)
     result.warnings.push_back(document.file + ": " + warning);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "import/avatar.h"
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/pose_math.h"
 #include "import/record_values.h"
 #include "io/utf8.h"
@@ -49,6 +49,8 @@ void setMotion(schema::Motion::Builder to, const Motion& motion) {
     setVector(spin.initPivot(), motion.spin->pivot);
   }
   to.setOffset(motion.offset);
+  to.setTrigger(schema::MotionTrigger(motion.trigger));
+  if (!motion.signal.empty()) to.setSignal(motion.signal);
   to.setCarries(motion.carries);
 }
 
@@ -70,8 +72,10 @@ void setRoles(schema::Part::Builder to, const PartDraft& part) {
   }
   if (part.vanish) {
     auto vanish = to.initVanish();
-    vanish.setTrigger(part.vanish->timer ? schema::VanishTrigger::TIMER
-                                         : schema::VanishTrigger::TOUCH);
+    vanish.setTrigger(part.vanish->timer            ? schema::VanishTrigger::TIMER
+                      : part.vanish->signal.empty() ? schema::VanishTrigger::TOUCH
+                                                    : schema::VanishTrigger::SIGNAL);
+    if (!part.vanish->signal.empty()) vanish.setSignal(part.vanish->signal);
     vanish.setDelay(part.vanish->delay);
     vanish.setAway(part.vanish->away);
     vanish.setPhase(part.vanish->phase);
@@ -82,6 +86,20 @@ void setRoles(schema::Part::Builder to, const PartDraft& part) {
     teleport.setYaw(part.teleport->yaw);
     teleport.setTurns(part.teleport->turns);
     teleport.setKeepVelocity(true);  // a character keeps its velocity where its CFrame is set
+  }
+  if (part.boost) {
+    auto boost = to.initBoost();
+    boost.setWalkSpeed(part.boost->walkSpeed);
+    boost.setJumpSpeed(part.boost->jumpSpeed);
+    boost.setSeconds(part.boost->seconds);
+    boost.setForever(part.boost->forever);
+  }
+  if (part.trip) to.initTrip().setSeconds(part.trip->seconds);
+  if (part.button) {
+    auto button = to.initButton();
+    button.setSignal(part.button->signal);
+    button.setSeconds(part.button->seconds);
+    button.setForever(part.button->forever);
   }
   if (part.seat) to.initSeat();
   to.setClimbable(part.climbable);

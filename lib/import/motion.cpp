@@ -5,7 +5,7 @@
 #include <cmath>
 #include <unordered_set>
 
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/frame_time.h"
 #include "import/pivot.h"
 #include "import/pose_math.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/format/class_defaults.h"
-#include "import/materials.h"
+#include "engine/classes/class_defaults.h"
+#include "engine/values/materials.h"
 #include "import/pose_math.h"
 
 namespace obby::importer {

@@ -1,7 +1,7 @@
 // Pivots of parts and models.
 #include "import/pivot.h"
 
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 
 namespace obby::importer {
 

@@ -3,7 +3,7 @@
 #include "import/scene.h"
 
 #include "import/classes.h"
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 
 namespace obby::importer {
 namespace {

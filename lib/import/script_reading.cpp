@@ -11,7 +11,7 @@
 
 #include "engine/luau/parser.h"
 #include "import/classes.h"
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/luau/changes.h"
 #include "import/luau/reader.h"
 #include "import/script_side.h"

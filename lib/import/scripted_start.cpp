@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/motion.h"
 #include "import/onset.h"
 #include "import/part_changes.h"

@@ -8,8 +8,8 @@
 #include <string>
 #include <tuple>
 
-#include "import/format/class_defaults.h"
-#include "import/materials.h"
+#include "engine/classes/class_defaults.h"
+#include "engine/values/materials.h"
 #include "import/part_distance.h"
 #include "import/plural.h"
 #include "import/terrain_blocks.h"

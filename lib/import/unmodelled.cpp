@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "engine/classes/class_defaults.h"
 #include "import/classes.h"
-#include "import/format/class_defaults.h"
 #include "import/onset.h"
 #include "import/scripted_changes.h"
 #include "import/unread_code.h"
@@ -251,7 +251,6 @@ void noteUnmodelled(RoleContext& context) {
   noteInstances(context);
   noteNames(context);
   noteTags(context);
-  noteModules(context);
   for (const ScriptReading& reading : context.scripts) {
     noteUnread(context, reading);
     noteTimelines(context, reading);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/classes/class_defaults.h"
 #include "import/avatar.h"
-#include "import/format/class_defaults.h"
 
 namespace obby::importer {
 namespace {

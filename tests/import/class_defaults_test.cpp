@@ -1,13 +1,13 @@
 // Class defaults, inheritance and the spelling of property names.
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "import/format/brick_colors.h"
-#include "import/format/class_tables.h"
+#include "engine/values/brick_colors.h"
+#include "engine/classes/class_tables.h"
 #include "import/format/property_names.h"
 
 namespace obby::test {
@@ -95,9 +95,9 @@ TEST(BrickColors, KnownNumbersAndTheFallback) {
   EXPECT_EQ(rgb(1032), 0xff00bf);
   EXPECT_EQ(rgb(-1), 0xa3a2a5);
   EXPECT_EQ(rgb(4), 0xa3a2a5);
-  EXPECT_EQ(importer::brickColorNumber(brickColor(1004)).value_or(0), 1004);
-  EXPECT_EQ(importer::brickColorNumber(brickColor(4)).value_or(0), 194);
-  EXPECT_FALSE(importer::brickColorNumber(ColorRgb{1, 2, 3}).has_value());
+  EXPECT_EQ(brickColorNumber(brickColor(1004)).value_or(0), 1004);
+  EXPECT_EQ(brickColorNumber(brickColor(4)).value_or(0), 194);
+  EXPECT_FALSE(brickColorNumber(ColorRgb{1, 2, 3}).has_value());
 }
 
 }  // namespace

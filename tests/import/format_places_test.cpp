@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/format/csg_physics.h"
 #include "import/hulls.h"
 #include "import/read_document.h"

@@ -19,7 +19,7 @@ void expectRoomForOne(size_t parts, const importer::Motion& motion) {
   const importer::Tree tree(scene.document);
   const importer::Assemblies assemblies(tree);
   const std::vector<importer::ScriptReading> scripts{};
-  LevelDraft level = importer::buildLevel(tree, "test");
+  LevelDraft level = importer::buildLevel(tree, {}, "test");
   importer::RoleContext context(tree, assemblies, scripts, level);
   EXPECT_EQ(importer::giveMotion(context, models[0], motion, "a test", false), int(parts));
   EXPECT_EQ(importer::giveMotion(context, models[1], motion, "a test", false), 0);
@@ -70,7 +70,7 @@ TEST(Motion, DecorationTakesNoRoomFromWhatAPlayerMeets) {
   const importer::Tree tree(scene.document);
   const importer::Assemblies assemblies(tree);
   const std::vector<importer::ScriptReading> scripts{};
-  LevelDraft level = importer::buildLevel(tree, "test");
+  LevelDraft level = importer::buildLevel(tree, {}, "test");
   importer::RoleContext context(tree, assemblies, scripts, level);
   importer::Motion motion;
   for (size_t i = 0; i < kKeys; ++i) motion.keys.push_back(keyAt(float(i) / 60, float(i % 2)));
@@ -113,7 +113,7 @@ TEST(Motion, AModelOfManyWeldedPartsMovesAsOne) {
   const importer::Tree tree(scene.document);
   const importer::Assemblies assemblies(tree);
   const std::vector<importer::ScriptReading> scripts{};
-  LevelDraft level = importer::buildLevel(tree, "test");
+  LevelDraft level = importer::buildLevel(tree, {}, "test");
   importer::RoleContext context(tree, assemblies, scripts, level);
   importer::Motion motion;
   motion.spin = importer::Spin{{0, 1, 0}, 1, {}};

@@ -75,8 +75,9 @@ class Scene {
   void tag(InstanceId id, const std::string& tag) { document.instances[id].tags.push_back(tag); }
 
   const LevelDraft& level() {
-    const importer::Tree tree(document);
-    level_ = importer::buildLevel(tree, "test");
+    const importer::ObservedPlace place = importer::observePlace(document);
+    const importer::Tree tree(place.document);
+    level_ = importer::buildLevel(tree, place, "test");
     return level_;
   }
   // The part that an instance became; fails the test if it became none.

@@ -1,4 +1,4 @@
-// The parsed form of a script.
+// The parsed form of a script. Types are erased: nothing of them is kept.
 #pragma once
 
 #include <memory>
@@ -17,6 +17,8 @@ struct Function {
   std::vector<std::string> parameters;
   Block body;
   int line = 0;
+  int endLine = 0;      // of its `end`
+  bool vararg = false;  // the parameters end with `...`
 };
 
 enum class ExprKind {
@@ -44,7 +46,10 @@ struct Expr {
   int line = 0;
   std::string text;
   double number = 0;
-  bool known = true;  // of a string: the text tells its value
+  // Of a string: the text tells its value. Otherwise it is interpolated: keys[0] kids[0] keys[1]
+  // ... kids[n-1] keys[n], where the keys are strings.
+  bool known = true;
+  bool parenthesised = false;  // (e) or e :: T: exactly one value, and no target of an assignment
   std::vector<ExprPtr> kids;
   std::vector<ExprPtr> keys;
   std::unique_ptr<Function> body;
@@ -52,11 +57,11 @@ struct Expr {
 };
 
 enum class StatKind {
-  local,       // names = values
+  local,       // names = values; text is "const" if they may not be assigned again
   assign,      // targets = values
   compound,    // targets[0] text= values[0]
   call,        // values[0]
-  block,       // blocks[0]
+  block,       // blocks[0]; none for a type's declaration
   whileLoop,   // while values[0] do blocks[0]
   repeatLoop,  // repeat blocks[0] until values[0]
   branch,      // if values[i] then blocks[i] ... else blocks[values.size()]
@@ -70,6 +75,7 @@ enum class StatKind {
 struct Stat {
   StatKind kind = StatKind::block;
   int line = 0;
+  int endLine = 0;  // of the `end` or `until` of what has blocks
   std::string text;
   std::vector<std::string> names;
   std::vector<ExprPtr> targets, values;
@@ -79,6 +85,8 @@ struct Stat {
 struct Chunk {
   Block body;
   bool broken = false;  // something could not be parsed and was skipped
+  std::string error;    // of a broken chunk: the first thing that is wrong, in plain words
+  int errorLine = 0;
 };
 
 }  // namespace obby::luau

@@ -1,5 +1,6 @@
-// Expressions of the Luau parser: precedence climbing, calls, tables, functions; types are skipped.
+// Expressions of the Luau parser: precedence climbing, literals, functions.
 #include <algorithm>
+#include <utility>
 
 #include "engine/luau/parser_state.h"
 
@@ -27,21 +28,22 @@ Binding bindingOf(const Token& token) {
   return {0, 0};
 }
 constexpr int kUnaryBinding = 13;
+constexpr int kAboveConcatenation = 9;
 
 }  // namespace
 
-ExprPtr Parser::make(ExprKind kind, std::string text) const {
+ExprPtr Parser::make(ExprKind kind, int line, std::string text) {
   auto expr = std::make_unique<Expr>();
   expr->kind = kind;
-  expr->line = peek().line;
+  expr->line = line;
   expr->text = std::move(text);
   return expr;
 }
 
 void Parser::adopt(Expr& parent, ExprPtr kid) {
   if (kid->height >= kMaxHeight) {
-    broken_ = true;
-    kid = make(ExprKind::unknown);
+    fail(parent.line, "this expression is too long");
+    kid = make(ExprKind::unknown, parent.line);
   }
   parent.height = std::max(parent.height, kid->height + 1);
   parent.kids.push_back(std::move(kid));
@@ -56,152 +58,108 @@ std::vector<ExprPtr> Parser::expressionList() {
 
 ExprPtr Parser::expression(int least) {
   const Depth depth(*this);
-  if (depth.tooDeep()) {
-    broken_ = true;
-    next();
-    return make(ExprKind::unknown);
-  }
+  if (depth.tooDeep()) return make(ExprKind::unknown, peek().line);
   ExprPtr left = unary();
   for (;;) {
     const Binding binding = bindingOf(peek());
     if (binding.left == 0 || binding.left < least) return left;
-    auto binary = make(ExprKind::binary, next().text);
+    if (peek().text == "..") {
+      left = concatenation(std::move(left));
+      continue;
+    }
+    const Token& op = next();
+    auto binary = make(ExprKind::binary, op.line, op.text);
     adopt(*binary, std::move(left));
     adopt(*binary, expression(binding.right));
     left = std::move(binary);
   }
 }
 
+// `..` is the right associative operator that occurs in long chains: they need no depth.
+ExprPtr Parser::concatenation(ExprPtr first) {
+  std::vector<ExprPtr> operands;
+  std::vector<int> lines;
+  operands.push_back(std::move(first));
+  while (isSymbol("..")) {
+    lines.push_back(next().line);
+    operands.push_back(expression(kAboveConcatenation));
+  }
+  ExprPtr right = std::move(operands.back());
+  for (size_t i = lines.size(); i-- > 0;) {
+    auto binary = make(ExprKind::binary, lines[i], "..");
+    adopt(*binary, std::move(operands[i]));
+    adopt(*binary, std::move(right));
+    right = std::move(binary);
+  }
+  return right;
+}
+
 ExprPtr Parser::unary() {
   if (isSymbol("-") || isSymbol("#") || isKeyword("not")) {
-    auto unary = make(ExprKind::unary, next().text);
+    const Token& op = next();
+    auto unary = make(ExprKind::unary, op.line, op.text);
     adopt(*unary, expression(kUnaryBinding));
     return unary;
   }
   ExprPtr value = simple();
-  while (accept("::")) skipType();
+  while (accept("::")) {
+    type();
+    const ExprKind kind = value->kind;
+    if (kind == ExprKind::call || kind == ExprKind::method || kind == ExprKind::vararg)
+      value->parenthesised = true;
+  }
   return value;
 }
 
 ExprPtr Parser::simple() {
   const Token& token = peek();
+  ExprPtr value;
   switch (token.kind) {
-    case TokenKind::number: {
-      auto expr = make(ExprKind::number);
-      expr->number = next().number;
-      return expr;
-    }
-    case TokenKind::keyword:
-      if (acceptKeyword("nil")) return make(ExprKind::nil);
-      if (acceptKeyword("true")) return make(ExprKind::truth);
-      if (acceptKeyword("false")) return make(ExprKind::falsehood);
-      if (acceptKeyword("function")) return functionBody(token.line);
-      if (acceptKeyword("if")) return choice();
-      break;
+    case TokenKind::number:
+      value = make(ExprKind::number, token.line, token.text);
+      value->number = next().number;
+      return value;
+    case TokenKind::string: return stringLiteral();
+    case TokenKind::interpolation: return interpolated();
+    case TokenKind::keyword: value = keywordValue(); break;
     case TokenKind::symbol:
-      if (accept("...")) return make(ExprKind::vararg);
+      if (isSymbol("...")) return vararg();
+      if (isSymbol("{")) return table();
+      if (isSymbol("@")) {
+        attributes();
+        if (isKeyword("function")) value = keywordValue();
+      } else {
+        value = primary();
+      }
       break;
-    default: break;
+    default: value = primary();
   }
-  if (auto value = primary()) return value;
-  broken_ = true;
-  return make(ExprKind::unknown);
+  if (value) return value;
+  failHere("an expression");
+  return make(ExprKind::unknown, token.line);
 }
 
-ExprPtr Parser::primary() {
-  const Token& token = peek();
-  if (token.kind == TokenKind::name) return suffixes(make(ExprKind::name, next().text));
-  if (token.kind == TokenKind::string) return suffixes(literal());
-  if (isSymbol("{")) return suffixes(table());
-  if (accept("(")) {
-    auto inner = expression();
-    expect(")");
-    return suffixes(std::move(inner));
-  }
+ExprPtr Parser::keywordValue() {
+  const int line = peek().line;
+  if (acceptKeyword("nil")) return make(ExprKind::nil, line);
+  if (acceptKeyword("true")) return make(ExprKind::truth, line);
+  if (acceptKeyword("false")) return make(ExprKind::falsehood, line);
+  if (acceptKeyword("function")) return functionBody(line);
+  if (acceptKeyword("if")) return choice();
   return nullptr;
 }
 
-ExprPtr Parser::literal() {
-  const Token& token = next();
-  auto expr = make(ExprKind::string, token.text);
-  expr->known = token.known;
-  return expr;
-}
-
-ExprPtr Parser::suffixes(ExprPtr from) {
-  for (;;) {
-    ExprPtr outer;
-    if (accept(".")) {
-      outer = make(ExprKind::field, nameToken());
-      adopt(*outer, std::move(from));
-    } else if (accept("[")) {
-      outer = make(ExprKind::index);
-      adopt(*outer, std::move(from));
-      adopt(*outer, expression());
-      expect("]");
-    } else if (isSymbol(":") && peek(1).kind == TokenKind::name) {
-      next();
-      outer = make(ExprKind::method, nameToken());
-      adopt(*outer, std::move(from));
-      arguments(*outer);
-    } else if (isSymbol("(") || isSymbol("{") || peek().kind == TokenKind::string) {
-      // A literal is not called: `x = "a" (f or g)()` does not occur, `"a" {` does in tables.
-      if (from->kind == ExprKind::string || from->kind == ExprKind::table) return from;
-      outer = make(ExprKind::call);
-      adopt(*outer, std::move(from));
-      arguments(*outer);
-    } else {
-      return from;
-    }
-    from = std::move(outer);
-  }
-}
-
-void Parser::arguments(Expr& call) {
-  if (peek().kind == TokenKind::string) {
-    adopt(call, literal());
-  } else if (isSymbol("{")) {
-    adopt(call, table());
-  } else if (accept("(")) {
-    if (accept(")")) return;
-    for (auto& argument : expressionList()) adopt(call, std::move(argument));
-    expect(")");
-  } else {
-    broken_ = true;
-  }
-}
-
-ExprPtr Parser::table() {
-  auto expr = make(ExprKind::table);
-  accept("{");
-  while (!atEnd() && !isSymbol("}")) {
-    const size_t before = position_;
-    ExprPtr key;
-    if (peek().kind == TokenKind::name && peek(1).kind == TokenKind::symbol &&
-        peek(1).text == "=") {
-      key = make(ExprKind::string, next().text);
-      next();
-    } else if (accept("[")) {
-      key = expression();
-      expect("]");
-      expect("=");
-    }
-    expr->keys.push_back(std::move(key));
-    adopt(*expr, expression());
-    if (!accept(",")) accept(";");
-    if (position_ == before) next();
-  }
-  expect("}");
-  return expr;
+ExprPtr Parser::vararg() {
+  const int line = next().line;
+  if (!around_.vararg) fail(line, "'...' in a function that takes no '...'");
+  return make(ExprKind::vararg, line);
 }
 
 ExprPtr Parser::choice() {
   const Depth depth(*this);
-  auto expr = make(ExprKind::choice);
-  if (depth.tooDeep()) {
-    broken_ = true;
-    return make(ExprKind::unknown);
-  }
+  const int line = lineBefore();
+  if (depth.tooDeep()) return make(ExprKind::unknown, line);
+  auto expr = make(ExprKind::choice, line);
   adopt(*expr, expression());
   expectKeyword("then");
   adopt(*expr, expression());
@@ -209,67 +167,59 @@ ExprPtr Parser::choice() {
     adopt(*expr, choice());
     return expr;
   }
-  expectKeyword("else");
+  if (!acceptKeyword("else")) failHere("'else': an 'if' that is a value needs one");
   adopt(*expr, expression());
   return expr;
 }
 
 ExprPtr Parser::functionBody(int line) {
-  auto expr = make(ExprKind::function);
-  expr->line = line;
+  auto expr = make(ExprKind::function, line);
   expr->body = std::make_unique<Function>();
-  expr->body->line = line;
-  if (accept("<")) skipUntil(">");
-  expect("(");
-  while (!atEnd() && !isSymbol(")")) {
-    if (!accept("...")) expr->body->parameters.push_back(nameToken());
-    if (accept(":")) skipType();
-    if (!accept(",") && !isSymbol(")")) {
-      broken_ = true;
-      break;
-    }
-  }
-  expect(")");
-  if (accept(":")) skipType();
-  expr->body->body = block();
-  expectKeyword("end");
+  Function& function = *expr->body;
+  function.line = line;
+  generics();
+  parameters(function);
+  if (accept(":")) typeOrPack();
+  const Surroundings outer = std::exchange(around_, {function.vararg, 0});
+  function.body = block();
+  around_ = outer;
+  function.endLine = peek().line;
+  closeKeyword("end", "function", line);
   return expr;
 }
 
-void Parser::skipUntil(std::string_view symbol) {
-  while (!atEnd() && !accept(symbol)) next();
-}
-
-void Parser::skipTypeAtom() {
-  const auto skipPair = [&](std::string_view open, std::string_view close) {
-    int depth = 0;
-    do {
-      if (isSymbol(open)) ++depth;
-      if (isSymbol(close)) --depth;
-      next();
-    } while (!atEnd() && depth > 0);
-  };
-  while (accept("...")) {
-  }
-  if (isSymbol("{")) return skipPair("{", "}");
-  if (isSymbol("(")) return skipPair("(", ")");
-  if (peek().kind == TokenKind::string || isKeyword("nil") || isKeyword("true") ||
-      isKeyword("false")) {
-    next();
-    return;
-  }
-  nameToken();
-  while (accept(".")) nameToken();
-  if (isSymbol("(")) skipPair("(", ")");  // typeof(x)
-  if (isSymbol("<")) skipPair("<", ">");
-}
-
-void Parser::skipType() {
-  do {
-    skipTypeAtom();
-    while (accept("?")) {
+void Parser::parameters(Function& function) {
+  const int line = peek().line;
+  expect("(");
+  while (!isSymbol(")")) {
+    if (accept("...")) {
+      function.vararg = true;
+      if (accept(":")) typeOrPack();
+      break;
     }
-  } while (accept("|") || accept("&") || accept("->"));
+    function.parameters.push_back(nameToken());
+    annotation();
+    if (!accept(",")) break;
+    if (isSymbol(")")) failHere("a parameter");
+  }
+  close(")", "(", line);
+}
+
+void Parser::attributes() {
+  while (accept("@")) {
+    if (!accept("[")) {
+      nameToken();
+      continue;
+    }
+    do {
+      nameToken();
+      if (isSymbol("(") || isSymbol("{") || peek().kind == TokenKind::string) {
+        auto call = make(ExprKind::call, peek().line);
+        arguments(*call);
+      }
+    } while (accept(","));
+    expect("]");
+  }
 }
 
 }  // namespace obby::luau

@@ -4,30 +4,39 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
-#include <cstdlib>
+
+#include "engine/luau/literals.h"
 
 namespace obby::luau {
 namespace {
 
-constexpr std::array<std::string_view, 22> kKeywords = {
-    "and",   "break", "do",  "else", "elseif", "end",    "false", "for",  "function", "if",    "in",
-    "local", "nil",   "not", "or",   "repeat", "return", "then",  "true", "until",    "while", ""};
+constexpr std::array<std::string_view, 21> kKeywords = {
+    "and",   "break", "do",  "else", "elseif", "end",    "false", "for",  "function", "if",   "in",
+    "local", "nil",   "not", "or",   "repeat", "return", "then",  "true", "until",    "while"};
 // Longest first.
 constexpr std::array<std::string_view, 17> kLongSymbols = {
     "...", "..=", "//=", "..", "==", "~=", "<=", ">=", "+=",
     "-=",  "*=",  "/=",  "%=", "^=", "::", "->", "//"};
 
 constexpr size_t kLongestName = 1000;  // bytes; what comes behind them is left out
+constexpr const char* kMalformed = "malformed string: its closing quote is missing on this line";
+constexpr const char* kEscape = "malformed escape in a string";
 
-bool isNameStart(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
-bool isNamePart(char c) { return isNameStart(c) || std::isdigit(static_cast<unsigned char>(c)); }
+bool isNameStart(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool isNamePart(char c) { return isNameStart(c) || isDigit(c); }
+
+bool isKeyword(std::string_view text) {
+  if (text.size() < 2 || text.size() > 8) return false;
+  return std::find(kKeywords.begin(), kKeywords.end(), text) != kKeywords.end();
+}
 
 class Lexer {
  public:
   explicit Lexer(std::string_view source) : source_(source) {}
 
   std::vector<Token> run() {
+    tokens_.reserve(source_.size() / 4 + 1);
+    if (source_.starts_with("\xEF\xBB\xBF")) at_ = 3;  // byte order mark
     while (at_ < source_.size()) step();
     push(TokenKind::end, "");
     return std::move(tokens_);
@@ -37,105 +46,150 @@ class Lexer {
   char peek(size_t ahead = 0) const {
     return at_ + ahead < source_.size() ? source_[at_ + ahead] : '\0';
   }
-  void push(TokenKind kind, std::string text, double number = 0) {
-    tokens_.push_back({kind, std::move(text), number, line_});
+  Token& push(TokenKind kind, std::string_view text) {
+    Token& token = tokens_.emplace_back();
+    token.kind = kind;
+    token.text = text;
+    token.line = line_;
+    return token;
   }
-  void advance() {
-    if (source_[at_] == '\n') ++line_;
-    ++at_;
+  void advanceTo(size_t end) {
+    end = std::min(end, source_.size());
+    line_ += int(std::count(source_.begin() + at_, source_.begin() + end, '\n'));
+    at_ = end;
   }
 
   void step() {
     const char c = peek();
+    if (c == ' ' || (c >= '\t' && c <= '\r')) return advanceTo(at_ + 1);
     if (c == '-' && peek(1) == '-') return comment();
     if (isNameStart(c)) return word();
-    if (std::isdigit(static_cast<unsigned char>(c)) ||
-        (c == '.' && std::isdigit(static_cast<unsigned char>(peek(1)))))
-      return number();
-    if (c == '"' || c == '\'' || c == '`') return quoted(c);
-    if (c == '[' && (peek(1) == '[' || peek(1) == '=')) {
-      std::string text;
-      if (longBracket(&text)) return push(TokenKind::string, std::move(text));
-    }
+    if (isDigit(c) || (c == '.' && isDigit(peek(1)))) return number();
+    if (c == '"' || c == '\'') return quoted(c);
+    if (c == '`') return section(TokenKind::interpolation);
+    if (c == '[' && (peek(1) == '[' || peek(1) == '=') && longString()) return;
     symbol(c);
   }
 
   void symbol(char c) {
-    for (std::string_view symbol : kLongSymbols) {
-      if (source_.substr(at_, symbol.size()) != symbol) continue;
-      at_ += symbol.size();
-      return push(TokenKind::symbol, std::string(symbol));
+    if (c == '{') braces_.push_back(false);
+    if (c == '}' && !braces_.empty()) {
+      const bool ofString = braces_.back();
+      braces_.pop_back();
+      if (ofString) return section(TokenKind::continuation);
     }
-    if (std::ispunct(static_cast<unsigned char>(c))) push(TokenKind::symbol, std::string(1, c));
-    advance();
+    if (!isNameStart(c) && c != '(' && c != ')' && c != ',') {
+      for (std::string_view symbol : kLongSymbols) {
+        if (source_.substr(at_, symbol.size()) != symbol) continue;
+        push(TokenKind::symbol, symbol);
+        at_ += symbol.size();
+        return;
+      }
+    }
+    push(TokenKind::symbol, source_.substr(at_, 1));
+    ++at_;
   }
 
   void comment() {
     at_ += 2;
-    std::string ignored;
-    if (peek() == '[' && longBracket(&ignored)) return;
-    while (at_ < source_.size() && source_[at_] != '\n') ++at_;
+    const size_t level = longBracket();
+    if (level > 0) {
+      const size_t end = longBracketEnd(level);
+      if (end == std::string_view::npos)
+        push(TokenKind::symbol, "--[").error = "this comment has no end";
+      return advanceTo(end);
+    }
+    advanceTo(source_.find('\n', at_));
   }
 
   void word() {
     const size_t start = at_;
     while (at_ < source_.size() && isNamePart(source_[at_])) ++at_;
-    std::string text(source_.substr(start, std::min(at_ - start, kLongestName)));
-    const bool keyword = std::find(kKeywords.begin(), kKeywords.end(), text) != kKeywords.end();
-    push(keyword ? TokenKind::keyword : TokenKind::name, std::move(text));
+    const std::string_view text = source_.substr(start, std::min(at_ - start, kLongestName));
+    push(isKeyword(text) ? TokenKind::keyword : TokenKind::name, text);
   }
 
   void number() {
     const size_t start = at_;
-    const bool hex = peek() == '0' && (peek(1) == 'x' || peek(1) == 'X');
-    while (at_ < source_.size() && (isNamePart(source_[at_]) || source_[at_] == '.' ||
-                                    (!hex && (source_[at_] == '-' || source_[at_] == '+') &&
-                                     (source_[at_ - 1] == 'e' || source_[at_ - 1] == 'E')))) {
-      if (source_[at_] == '.' && peek(1) == '.') break;  // 1..2
+    while (isDigit(peek()) || peek() == '.' || peek() == '_') ++at_;
+    if (peek() == 'e' || peek() == 'E') {
       ++at_;
+      if (peek() == '+' || peek() == '-') ++at_;
     }
-    std::string text(source_.substr(start, at_ - start));
-    std::string digits = text;
-    std::erase(digits, '_');
-    const bool binary = digits[0] == '0' && digits.size() > 2 && (digits[1] | ' ') == 'b';
-    push(TokenKind::number, std::move(text),
-         binary ? double(std::strtoull(digits.c_str() + 2, nullptr, 2))
-                : std::strtod(digits.c_str(), nullptr));
+    while (isNamePart(peek())) ++at_;
+    Token& token = push(TokenKind::number, source_.substr(start, at_ - start));
+    const auto value = numberValue(token.text);
+    token.number = value.value_or(0);
+    if (!value) token.error = "malformed number";
+  }
+
+  // Reads up to a quote, or to one of two bytes, which stays; false if the line ends before.
+  bool text(char quote, char other, Token& token) {
+    size_t at = at_;
+    const auto ends = [&](char c) { return c == quote || c == other || c == '\n' || c == '\r'; };
+    while (at < source_.size() && !ends(source_[at])) {
+      if (source_[at] != '\\') {
+        token.text += source_[at++];
+      } else if (!readEscape(source_, ++at, token.text) && !token.error) {
+        token.error = kEscape;
+      }
+    }
+    advanceTo(at);
+    return peek() == quote || (other != '\0' && peek() == other);
   }
 
   void quoted(char quote) {
-    const int line = line_;
-    std::string text;
-    advance();
-    while (at_ < source_.size() && source_[at_] != quote && (quote == '`' || peek() != '\n')) {
-      if (source_[at_] == '\\' && at_ + 1 < source_.size()) advance();
-      text += source_[at_];
-      advance();
-    }
-    if (at_ < source_.size() && source_[at_] == quote) advance();
-    // An interpolated string with braces has no constant value.
-    const bool constant = quote != '`' || text.find('{') == std::string::npos;
-    tokens_.push_back(
-        {TokenKind::string, constant ? std::move(text) : std::string(), 0, line, constant});
+    Token& token = push(TokenKind::string, "");
+    ++at_;
+    if (text(quote, quote, token))
+      ++at_;
+    else if (!token.error)
+      token.error = kMalformed;
   }
 
-  // [[...]], [=[...]=]; false if it is none, with the position unchanged.
-  bool longBracket(std::string* text) {
+  // Of an interpolated string, up to its end or to the next expression.
+  void section(TokenKind kind) {
+    Token& token = push(kind, "");
+    ++at_;
+    const bool whole = text('`', '{', token);
+    token.opens = whole && peek() == '{';
+    if (!whole && !token.error) token.error = kMalformed;
+    if (!whole) return;
+    if (token.opens && peek(1) == '{') token.error = "'{{' in an interpolated string: write '\\{'";
+    if (token.opens) braces_.push_back(true);
+    ++at_;
+  }
+
+  // One more than the level of the long bracket that opens here; 0: none does.
+  size_t longBracket() const {
+    if (peek() != '[') return 0;
     size_t level = 0;
     while (peek(1 + level) == '=') ++level;
-    if (peek(1 + level) != '[') return false;
-    const std::string close = "]" + std::string(level, '=') + "]";
-    const size_t begin = at_ + level + 2;
-    const size_t stop = std::min(source_.find(close, begin), source_.size());
-    *text = source_.substr(begin, stop - begin);
-    const size_t next = std::min(stop + close.size(), source_.size());
-    while (at_ < next) advance();
+    return peek(1 + level) == '[' ? level + 1 : 0;
+  }
+  size_t longBracketEnd(size_t level) const {
+    const std::string close = "]" + std::string(level - 1, '=') + "]";
+    const size_t stop = source_.find(close, at_ + level + 1);
+    return stop == std::string_view::npos ? stop : stop + close.size();
+  }
+
+  bool longString() {
+    const size_t level = longBracket();
+    if (level == 0) return false;
+    const size_t end = longBracketEnd(level);
+    const size_t begin = at_ + level + 1;
+    const bool whole = end != std::string_view::npos;
+    const size_t stop = whole ? end - level - 1 : source_.size();
+    Token& token = push(TokenKind::string, longText(source_.substr(begin, stop - begin)));
+    if (!whole) token.error = "this long string has no end";
+    advanceTo(end);
     return true;
   }
 
   std::string_view source_;
   size_t at_ = 0;
   int line_ = 1;
+  std::vector<bool> braces_;  // open ones; true: of an interpolated string
   std::vector<Token> tokens_;
 };
 

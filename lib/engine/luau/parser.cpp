@@ -1,5 +1,8 @@
-// Recursive descent over statements; expressions are in expression_parser.cpp.
+// Recursive descent over statements; loops are in loop_parser.cpp, expressions in
+// expression_parser.cpp.
 #include "engine/luau/parser.h"
+
+#include <utility>
 
 #include "engine/luau/parser_state.h"
 
@@ -9,17 +12,10 @@ namespace {
 bool isAssignmentOperator(const Token& token) {
   static constexpr std::string_view kOperators[] = {
       "+=", "-=", "*=", "/=", "%=", "^=", "..=", "//="};
-  if (token.kind != TokenKind::symbol) return false;
+  if (token.kind != TokenKind::symbol || token.text.back() != '=') return false;
   for (std::string_view op : kOperators)
     if (token.text == op) return true;
   return false;
-}
-
-StatPtr makeStat(StatKind kind, int line) {
-  auto stat = std::make_unique<Stat>();
-  stat->kind = kind;
-  stat->line = line;
-  return stat;
 }
 
 }  // namespace
@@ -29,11 +25,14 @@ Block Parser::block() {
   const Depth depth(*this);
   while (!atEnd() && !blockEnds()) {
     const size_t before = position_;
-    if (accept(";")) continue;
     StatPtr stat = depth.tooDeep() ? nullptr : statement();
-    if (stat) statements.push_back(std::move(stat));
+    accept(";");
+    if (stat) {
+      checkLast(*stat);
+      statements.push_back(std::move(stat));
+    }
     if (position_ == before) {  // no statement begins here
-      broken_ = true;
+      failHere("a statement");
       next();
     }
   }
@@ -41,68 +40,105 @@ Block Parser::block() {
 }
 
 bool Parser::blockEnds() const {
+  if (peek().kind != TokenKind::keyword) return false;
   return isKeyword("end") || isKeyword("else") || isKeyword("elseif") || isKeyword("until");
+}
+
+void Parser::checkLast(const Stat& stat) {
+  const bool last = stat.kind == StatKind::returns || stat.kind == StatKind::leaves;
+  if (!last || atEnd() || blockEnds()) return;
+  failHere("the end of the block behind '" +
+           (stat.kind == StatKind::returns ? "return" : stat.text) + "'");
 }
 
 StatPtr Parser::statement() {
   const int line = peek().line;
-  if (acceptKeyword("local")) return local(line);
-  if (acceptKeyword("if")) return branch(line);
-  if (acceptKeyword("while")) {
-    auto stat = makeStat(StatKind::whileLoop, line);
-    stat->values.push_back(expression());
-    expectKeyword("do");
-    stat->blocks.push_back(block());
-    expectKeyword("end");
-    return stat;
-  }
-  if (acceptKeyword("do")) {
-    auto stat = makeStat(StatKind::block, line);
-    stat->blocks.push_back(block());
-    expectKeyword("end");
-    return stat;
-  }
-  if (acceptKeyword("for")) return loop(line);
-  if (acceptKeyword("repeat")) {
-    auto stat = makeStat(StatKind::repeatLoop, line);
-    stat->blocks.push_back(block());
-    expectKeyword("until");
-    stat->values.push_back(expression());
-    return stat;
-  }
-  if (acceptKeyword("function")) return namedFunction(line);
-  if (acceptKeyword("return")) {
-    auto stat = makeStat(StatKind::returns, line);
-    if (!atEnd() && !blockEnds() && !isSymbol(";")) stat->values = expressionList();
-    return stat;
-  }
-  if (isKeyword("break") || (isName("continue") && !isCallOrAssignmentAhead())) {
-    auto stat = makeStat(StatKind::leaves, line);
-    stat->text = next().text;
-    return stat;
-  }
-  if ((isName("type") || isName("export")) && peek(1).kind == TokenKind::name)
-    return typeDeclaration();
+  if (peek().kind == TokenKind::keyword) return keywordStatement(line);
+  if (isSymbol("@")) return attributed(line);
+  if (peek().kind == TokenKind::name)
+    if (auto stat = contextualStatement(line)) return stat;
   return callOrAssignment(line);
 }
 
-StatPtr Parser::local(int line) {
-  if (acceptKeyword("function")) {
-    auto stat = makeStat(StatKind::function, line);
-    stat->names.push_back(nameToken());
-    stat->values.push_back(functionBody(line));
-    return stat;
+StatPtr Parser::keywordStatement(int line) {
+  if (acceptKeyword("local")) {
+    if (acceptKeyword("function")) return localFunction(line);
+    return local(line, "");
   }
+  if (acceptKeyword("if")) return branch(line);
+  if (acceptKeyword("function")) return namedFunction(line);
+  if (acceptKeyword("return")) return returns(line);
+  if (acceptKeyword("for")) return forLoop(line);
+  if (acceptKeyword("while")) return whileLoop(line);
+  if (acceptKeyword("repeat")) return repeatLoop(line);
+  if (acceptKeyword("do")) return doBlock(line);
+  if (isKeyword("break")) return leaves(line);
+  return nullptr;
+}
+
+StatPtr Parser::contextualStatement(int line) {
+  const Token& after = peek(1);
+  const bool name = after.kind == TokenKind::name;
+  const bool function = after.kind == TokenKind::keyword && after.text == "function";
+  if (isName("continue") && !continuesName()) return leaves(line);
+  if (isName("type") && (name || function)) return typeDeclaration(line);
+  if (isName("export") && name && after.text == "type") {
+    next();
+    return typeDeclaration(line);
+  }
+  if (!isName("const") || !(name || function)) return nullptr;
+  next();
+  if (acceptKeyword("function")) return localFunction(line);
+  return local(line, "const");
+}
+
+bool Parser::continuesName() const {
+  const Token& after = peek(1);
+  if (after.kind == TokenKind::string || after.kind == TokenKind::interpolation) return true;
+  if (after.kind != TokenKind::symbol) return false;
+  static constexpr std::string_view kSymbols[] = {"=", "(", ".", ":", "[", "{", ",", "<"};
+  for (std::string_view symbol : kSymbols)
+    if (after.text == symbol) return true;
+  return isAssignmentOperator(after);
+}
+
+StatPtr Parser::local(int line, const char* text) {
   auto stat = makeStat(StatKind::local, line);
+  stat->text = text;
   do {
     stat->names.push_back(nameToken());
-    if (accept("<")) {  // attribute
-      nameToken();
-      accept(">");
-    }
-    if (accept(":")) skipType();
+    annotation();
   } while (accept(","));
-  if (accept("=")) stat->values = expressionList();
+  if (accept("="))
+    stat->values = expressionList();
+  else if (!stat->text.empty())
+    failHere("'=' and the value of a constant");
+  return stat;
+}
+
+StatPtr Parser::localFunction(int line) {
+  auto stat = makeStat(StatKind::function, line);
+  stat->names.push_back(nameToken());
+  stat->values.push_back(functionBody(line));
+  return stat;
+}
+
+StatPtr Parser::attributed(int line) {
+  attributes();
+  if (isKeyword("local") || isName("const"))
+    next();
+  else if (acceptKeyword("function"))
+    return namedFunction(line);
+  if (acceptKeyword("function")) return localFunction(line);
+  failHere("'function' behind an attribute");
+  return nullptr;
+}
+
+StatPtr Parser::doBlock(int line) {
+  auto stat = makeStat(StatKind::block, line);
+  stat->blocks.push_back(block());
+  stat->endLine = peek().line;
+  closeKeyword("end", "do", line);
   return stat;
 }
 
@@ -114,36 +150,33 @@ StatPtr Parser::branch(int line) {
     stat->blocks.push_back(block());
   } while (acceptKeyword("elseif"));
   if (acceptKeyword("else")) stat->blocks.push_back(block());
-  expectKeyword("end");
+  stat->endLine = peek().line;
+  closeKeyword("end", "if", line);
   return stat;
 }
 
-StatPtr Parser::loop(int line) {
-  auto stat = makeStat(StatKind::genericFor, line);
-  do {
-    stat->names.push_back(nameToken());
-    if (accept(":")) skipType();
-  } while (accept(","));
-  if (accept("=")) {
-    stat->kind = StatKind::numericFor;
-    stat->values = expressionList();
-  } else {
-    expectKeyword("in");
-    stat->values = expressionList();
-  }
-  expectKeyword("do");
-  stat->blocks.push_back(block());
-  expectKeyword("end");
+StatPtr Parser::returns(int line) {
+  auto stat = makeStat(StatKind::returns, line);
+  if (!atEnd() && !blockEnds() && !isSymbol(";")) stat->values = expressionList();
+  return stat;
+}
+
+StatPtr Parser::leaves(int line) {
+  auto stat = makeStat(StatKind::leaves, line);
+  stat->text = next().text;
+  if (around_.loops == 0) fail(line, "'" + stat->text + "' outside of a loop");
   return stat;
 }
 
 StatPtr Parser::namedFunction(int line) {
   auto stat = makeStat(StatKind::function, line);
-  auto target = make(ExprKind::name, nameToken());
+  const int start = peek().line;
+  auto target = make(ExprKind::name, start, nameToken());
   bool method = false;
-  while (isSymbol(".") || isSymbol(":")) {
+  while (!method && (isSymbol(".") || isSymbol(":"))) {
     method = next().text == ":";
-    auto field = make(ExprKind::field, nameToken());
+    const int at = peek().line;
+    auto field = make(ExprKind::field, at, nameToken());
     adopt(*field, std::move(target));
     target = std::move(field);
   }
@@ -154,44 +187,37 @@ StatPtr Parser::namedFunction(int line) {
   return stat;
 }
 
-StatPtr Parser::typeDeclaration() {
-  if (isName("export")) next();
+StatPtr Parser::typeDeclaration(int line) {
   next();
-  nameToken();
-  if (accept("<")) skipUntil(">");
-  if (accept("=")) skipType();
-  return makeStat(StatKind::block, peek().line);
-}
-
-bool Parser::isCallOrAssignmentAhead() const {
-  const Token& after = peek(1);
-  return after.kind == TokenKind::symbol &&
-         (after.text == "=" || after.text == "(" || after.text == "." || after.text == ":");
+  if (acceptKeyword("function")) {
+    nameToken();
+    functionBody(line);
+  } else {
+    nameToken();
+    generics();
+    expect("=");
+    type();
+  }
+  return makeStat(StatKind::block, line);
 }
 
 StatPtr Parser::callOrAssignment(int line) {
   const size_t before = position_;
   auto first = primary();
   if (!first) return nullptr;
-  if (isSymbol("=") || isSymbol(",")) {
-    auto stat = makeStat(StatKind::assign, line);
-    stat->targets.push_back(std::move(first));
-    while (accept(","))
-      if (auto target = primary()) stat->targets.push_back(std::move(target));
-    if (!accept("=")) broken_ = true;
-    stat->values = expressionList();
-    return stat;
-  }
+  if (isSymbol("=") || isSymbol(",")) return assignment(line, std::move(first));
   if (isAssignmentOperator(peek())) {
     auto stat = makeStat(StatKind::compound, line);
+    checkTarget(*first);
     stat->text = next().text;
     stat->text.pop_back();
     stat->targets.push_back(std::move(first));
     stat->values.push_back(expression());
     return stat;
   }
-  if (first->kind != ExprKind::call && first->kind != ExprKind::method) {
-    broken_ = true;
+  const bool call = first->kind == ExprKind::call || first->kind == ExprKind::method;
+  if (!call || first->parenthesised) {
+    fail(line, "incomplete statement: expected an assignment or a call, found " + found());
     if (position_ == before) return nullptr;
   }
   auto stat = makeStat(StatKind::call, line);
@@ -199,16 +225,46 @@ StatPtr Parser::callOrAssignment(int line) {
   return stat;
 }
 
-Chunk parse(std::string_view source) {
-  Parser parser(tokenize(source));
-  Chunk chunk;
-  while (!parser.atEnd()) {  // a stray `end` ends a block early: go on behind it
-    Block more = parser.block();
-    for (auto& stat : more) chunk.body.push_back(std::move(stat));
-    if (!parser.atEnd()) parser.skipStray();
+StatPtr Parser::assignment(int line, ExprPtr first) {
+  auto stat = makeStat(StatKind::assign, line);
+  checkTarget(*first);
+  stat->targets.push_back(std::move(first));
+  while (accept(",")) {
+    auto target = primary();
+    if (!target) {
+      failHere("a variable or a field");
+      continue;
+    }
+    checkTarget(*target);
+    stat->targets.push_back(std::move(target));
   }
-  chunk.broken = parser.broken();
+  expect("=");
+  stat->values = expressionList();
+  return stat;
+}
+
+void Parser::checkTarget(const Expr& target) {
+  const bool assignable = target.kind == ExprKind::name || target.kind == ExprKind::field ||
+                          target.kind == ExprKind::index;
+  if (!assignable || target.parenthesised)
+    fail(target.line, "only a variable or a field can be assigned to");
+}
+
+Chunk Parser::chunk() {
+  Chunk chunk;
+  while (!atEnd()) {  // a stray `end` ends a block early: go on behind it
+    Block more = block();
+    for (auto& stat : more) chunk.body.push_back(std::move(stat));
+    if (atEnd()) break;
+    failHere("'<end of file>'");
+    next();
+  }
+  chunk.broken = broken_;
+  chunk.error = error_;
+  chunk.errorLine = errorLine_;
   return chunk;
 }
+
+Chunk parse(std::string_view source) { return Parser(tokenize(source)).chunk(); }
 
 }  // namespace obby::luau

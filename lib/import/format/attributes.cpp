@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <unordered_set>
 
-#include "import/format/brick_colors.h"
+#include "engine/values/brick_colors.h"
 #include "import/format/byte_reader.h"
-#include "import/format/color.h"
+#include "engine/values/color.h"
 #include "import/format/rotation.h"
 
 namespace obby::importer {

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "import/format/color.h"
+#include "engine/values/color.h"
 #include "import/format/columns.h"
 #include "import/format/rotation.h"
 #include "import/format/unique_id.h"

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/classes/class_defaults.h"
 #include "import/format/byte_reader.h"
-#include "import/format/class_defaults.h"
 #include "import/format/packed_hulls.h"
 
 namespace obby::importer {

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "engine/classes/class_defaults.h"
 #include "import/format/attributes.h"
-#include "import/format/class_defaults.h"
 #include "import/format/studio_place.h"
 #include "import/plural.h"
 

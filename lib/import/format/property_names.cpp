@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "import/format/brick_colors.h"
-#include "import/format/class_defaults.h"
+#include "engine/values/brick_colors.h"
+#include "engine/classes/class_defaults.h"
 
 namespace obby::importer {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "import/format/base64.h"
-#include "import/format/color.h"
+#include "engine/values/color.h"
 #include "import/format/rotation.h"
 #include "import/format/xml_numbers.h"
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "import/format/brick_colors.h"
-#include "import/format/color.h"
+#include "engine/values/brick_colors.h"
+#include "engine/values/color.h"
 #include "import/luau/values.h"
 
 namespace obby::importer::luau {

@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "import/classes.h"
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/luau/reader.h"
 #include "import/words.h"
 

@@ -1,5 +1,5 @@
 // Where parts and models are at the point that the reading has come to, and what moves them.
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/luau/reader.h"
 #include "import/pivot.h"
 #include "import/pose_math.h"

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "import/classes.h"
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/luau/reader.h"
-#include "import/materials.h"
+#include "engine/values/materials.h"
 #include "import/pose_math.h"
 
 namespace obby::importer::luau {

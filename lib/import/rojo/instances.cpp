@@ -1,6 +1,6 @@
 #include "import/rojo/instances.h"
 
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/rojo/property_values.h"
 
 namespace obby::importer::rojo {

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include "engine/classes/class_defaults.h"
+#include "engine/values/materials.h"
 #include "import/format/base64.h"
-#include "import/format/class_defaults.h"
 #include "import/format/property_names.h"
-#include "import/materials.h"
 
 namespace obby::importer::rojo {
 namespace {

@@ -2,7 +2,7 @@
 #include "import/roles/constraint_settings.h"
 
 #include "import/classes.h"
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/onset.h"
 
 namespace obby::importer {

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/pose_math.h"
 #include "import/roles/role.h"
 #include "import/roles/surface_speed.h"

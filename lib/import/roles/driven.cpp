@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/pivot.h"
 #include "import/pose_math.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "import/classes.h"
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/pivot.h"
 #include "import/roles/driven.h"
 #include "import/roles/movers.h"

@@ -1,5 +1,5 @@
 // Seats hold a player who touches them; those of vehicles are another matter.
-#include "import/format/class_defaults.h"
+#include "engine/classes/class_defaults.h"
 #include "import/roles/role.h"
 
 namespace obby::importer {

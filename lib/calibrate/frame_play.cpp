@@ -1,0 +1,193 @@
+#include "calibrate/frame_play.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "calibrate/playback.h"
+#include "sim/tick.h"
+
+namespace obby::calibrate {
+
+namespace {
+
+constexpr double kOffStep = 0.15;  // physics steps that a frame's length may be rounded by
+constexpr int kOffCount = 2;       // steps that a frame's time may be off, if it moves otherwise
+constexpr float kOffPlace =
+    4e-3f;                      // studs: less tells a number of steps, four times as much denies it
+constexpr size_t kAround = 16;  // frames before and after, by which their rate is told
+constexpr double kUneven = 1.5;  // steps: frames that are off their line by more are unsteady
+constexpr float kSlack = 0.2f;   // steps that a sum of mean frames may be off
+
+// The steps that a frame on the floor moved by, told by places and speeds under constant
+// acceleration, as far as these tell; else `steps`, those of its time.
+uint32_t stepsByMotion(const Frame& a, const Frame& b, uint32_t steps, float dt) {
+  if (a.state != sim::State::running || b.state != sim::State::running) return steps;
+  const auto offAt = [&](int n) {
+    const Vec3 way =
+        (a.velocity * float(n) + (b.velocity - a.velocity) * (0.5f * float(n + 1))) * dt;
+    const Vec3 off = b.position - a.position - way;
+    return std::hypot(off.x, off.z);
+  };
+  int best = int(steps);
+  for (int n = std::max(1, best - kOffCount); n <= int(steps) + kOffCount; ++n) {
+    if (offAt(n) < offAt(best)) best = n;
+  }
+  return offAt(best) < kOffPlace && offAt(int(steps)) > 4 * kOffPlace ? uint32_t(best) : steps;
+}
+
+// Steps a frame of steady frames; 0: they are not. By the line through their times.
+double steadyRate(const uint32_t* steps, size_t count) {
+  const size_t n = count + 1;
+  std::vector<double> time(n, 0);
+  for (size_t i = 0; i < count; ++i) time[i + 1] = time[i] + steps[i];
+  const double middle = 0.5 * double(count);
+  double product = 0, square = 0;
+  for (size_t i = 0; i < n; ++i) {
+    product += (double(i) - middle) * time[i];
+    square += (double(i) - middle) * (double(i) - middle);
+  }
+  const double rate = product / square;
+  for (size_t i = 0; i < n; ++i) time[i] -= rate * double(i);
+  const auto [least, most] = std::minmax_element(time.begin(), time.end());
+  return *most - *least <= kUneven ? rate : 0;
+}
+
+// How long the player is Landed: by the frames' own time, and by their steps where that leaves it
+// open.
+class LandedClock {
+ public:
+  explicit LandedClock(const sim::World& w) : left_(w.landedSteps), stepsLeft_(w.landedSteps) {}
+
+  void beforeTick(sim::World& w, uint32_t steps, float own) {
+    landed_ = w.state == sim::State::landed;
+    if (!landed_) return;
+    pass(steps, own);
+    const bool over = left_ <= -kSlack || (left_ <= kSlack && stepsLeft_ <= 0);
+    w.landedSteps = uint8_t(over ? steps : steps + 1);
+  }
+  // The frame that lands counts.
+  void afterTick(const sim::World& w, const Params& p, uint32_t steps, float own) {
+    if (landed_ || w.state != sim::State::landed) return;
+    left_ = float(p.landedSteps);
+    stepsLeft_ = p.landedSteps;
+    pass(steps, own);
+  }
+
+ private:
+  void pass(uint32_t steps, float own) {
+    left_ -= own;
+    stepsLeft_ -= int(steps);
+  }
+
+  float left_;
+  int stepsLeft_;
+  bool landed_ = false;
+};
+
+bool onFloor(const sim::World& w) {
+  return (w.state == sim::State::running || w.state == sim::State::landed) &&
+         (w.flags & sim::kFloorSensed);
+}
+
+// A player whose centre of mass may be beside the root. On a floor the legs drive the root: the
+// centre of mass swings about it. In the air it is the other way round. A World holds the velocity
+// of what is driven.
+class Walker {
+ public:
+  Walker(const level::LevelView& level, const sim::World& world, const MassCentre& centre,
+         sim::Action first)
+      : world_(world), loose_(sim::startLoose(level)), centre_(centre) {
+    if (centre_.isRoot() || !onFloor(world_)) return;
+    rate_ = turnRate(ticked(world_, level, first), level);
+    world_.velocity -= rate_;  // was of the centre of mass
+  }
+
+  sim::World& world() { return world_; }
+
+  void tick(const level::LevelView& level, sim::Action action) {
+    if (centre_.isRoot()) {
+      sim::tick(world_, loose_.data(), level, action);
+      return;
+    }
+    sim::World next = ticked(world_, level, action);
+    const bool drivesRoot = onFloor(next);
+    if (drivesRoot != onFloor(world_)) {
+      sim::World begin = world_;
+      begin.velocity += drivesRoot ? -turnRate(next, level) : rate_;
+      next = ticked(begin, level, action);
+    }
+    rate_ = turnRate(next, level);
+    if (!onFloor(next)) next.position -= rate_ * level.params.tickSeconds;
+    world_ = next;
+  }
+
+ private:
+  // Bodies that a player pushes do not move: recordings of real places show none.
+  sim::World ticked(sim::World w, const level::LevelView& level, sim::Action action) {
+    std::vector<sim::LooseBody> loose = loose_;
+    sim::tick(w, loose.data(), level, action);
+    return w;
+  }
+  // Velocity of the centre of mass about the root in a tick that ends as `next`.
+  Vec3 turnRate(const sim::World& next, const level::LevelView& level) const {
+    return (centre_.at(next.yaw) - centre_.at(world_.yaw)) * (1 / level.params.tickSeconds);
+  }
+
+  sim::World world_;
+  std::vector<sim::LooseBody> loose_;
+  MassCentre centre_;
+  Vec3 rate_;  // of the last tick, studs/s
+};
+
+}  // namespace
+
+uint32_t stepsBetween(const Frame& a, const Frame& b, double stepsPerSecond) {
+  const double steps = (b.time - a.time) * stepsPerSecond, whole = std::floor(steps + 0.5);
+  return whole < 1 || std::abs(steps - whole) > kOffStep ? 0 : uint32_t(whole);
+}
+
+std::vector<uint32_t> stepsOf(const Track& track, double stepsPerSecond) {
+  std::vector<uint32_t> out;
+  for (size_t i = 0; i + 1 < track.frames.size(); ++i) {
+    const Frame &a = track.frames[i], &b = track.frames[i + 1];
+    const uint32_t steps = stepsBetween(a, b, stepsPerSecond);
+    if (steps == 0 || steps > kMaxSteps) return {};
+    out.push_back(std::min(stepsByMotion(a, b, steps, float(1 / stepsPerSecond)), kMaxSteps));
+  }
+  return out;
+}
+
+std::vector<float> ownSteps(const std::vector<uint32_t>& steps) {
+  std::vector<float> out;
+  for (size_t i = 0; i < steps.size(); ++i) {
+    const size_t from = i - std::min(i, kAround), to = std::min(steps.size(), i + kAround + 1);
+    const double rate = steadyRate(steps.data() + from, to - from);
+    out.push_back(rate > 0 ? float(rate) : float(steps[i]));
+  }
+  return out;
+}
+
+std::vector<Played> playFrames(level::LevelView view, const Track& track,
+                               const std::vector<uint32_t>& steps, const MassCentre& centre) {
+  const float step = view.params.substepSeconds;
+  const auto takesSteps = [&](uint32_t n) {
+    view.params.substeps = uint16_t(n);
+    view.params.tickSeconds = step * float(n);
+  };
+  const sim::World start = worldAt(track, 0, view);
+  if (!steps.empty()) takesSteps(steps[0]);
+  Walker walker(view, start, centre, actionOf(track.frames[0]));
+  LandedClock landed(start);
+  const std::vector<float> own = ownSteps(steps);
+  std::vector<Played> out{{track.frames[0].position, track.frames[0].state}};
+  for (size_t i = 0; i < steps.size(); ++i) {
+    takesSteps(steps[i]);
+    landed.beforeTick(walker.world(), steps[i], own[i]);
+    walker.tick(view, actionOf(track.frames[i]));
+    landed.afterTick(walker.world(), view.params, steps[i], own[i]);
+    out.push_back({rootOf(walker.world().position, view.params), walker.world().state});
+  }
+  return out;
+}
+
+}  // namespace obby::calibrate

@@ -1,0 +1,51 @@
+// Forked children that write bytes and end: work that may die, hang or be hostile.
+// Private to lib/engine.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace obby::engine {
+
+// In a child, for good: no files, no network, no new programs, and limits on memory and time.
+// False where the system has no such cage.
+bool enterCage(double seconds, size_t memory);
+
+class Children {
+ public:
+  using Clock = std::chrono::steady_clock;
+  // Calls of the body come in the child; those of `done` here. It gets the bytes that the body
+  // returned; none if the child died or overran.
+  using Body = std::function<std::string()>;
+  using Done = std::function<void(std::string bytes)>;
+
+  // At most `most` at a time.
+  explicit Children(size_t most) : most_(most) {}
+  ~Children();
+  Children(const Children&) = delete;
+  Children& operator=(const Children&) = delete;
+
+  // Waits until one more may run, then forks. A child that takes longer than `seconds` is killed.
+  void start(double seconds, const Body& body, Done done);
+  void finish();
+
+ private:
+  struct Running {
+    int pid = -1, pipe = -1;
+    Clock::time_point deadline;
+    std::string bytes;
+    Done done;
+  };
+
+  // Until one has ended.
+  void wait();
+  void end(size_t index, bool killed);
+
+  size_t most_;
+  std::vector<Running> running_;
+};
+
+}  // namespace obby::engine

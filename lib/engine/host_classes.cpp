@@ -1,0 +1,100 @@
+// host: classes, enums and defaults.
+#include "engine/classes/class_defaults.h"
+#include "engine/host.h"
+#include "engine/values/values.h"
+
+namespace obby::engine {
+namespace class_functions {
+namespace {
+
+void pushText(lua_State* L, std::string_view text) { lua_pushlstring(L, text.data(), text.size()); }
+
+std::string_view textAt(lua_State* L, int index) {
+  size_t size = 0;
+  const char* const text = luaL_checklstring(L, index, &size);
+  return {text, size};
+}
+
+int baseClass(lua_State* L) {
+  const std::string_view* const base = Host::of(L).classes.baseOf(textAt(L, 1));
+  if (!base) return 0;
+  pushText(L, *base);
+  return 1;
+}
+
+int member(lua_State* L) {
+  const std::string_view code = Host::of(L).classes.member(textAt(L, 1), textAt(L, 2));
+  if (code.empty()) return 0;
+  pushText(L, code);
+  return 1;
+}
+
+int enumItems(lua_State* L) {
+  const std::string_view items = Host::of(L).classes.enumItems(textAt(L, 1));
+  if (items.empty()) return 0;
+  pushText(L, items);
+  return 1;
+}
+
+// The default that level files rely on; an enum's item as its number.
+int defaultValue(lua_State* L) {
+  const Value* const value = defaultOf(textAt(L, 1), textAt(L, 2));
+  if (!value || std::holds_alternative<EnumItem>(*value)) return 0;
+  pushValue(L, *value);
+  return 1;
+}
+
+int isAbstract(lua_State* L) {
+  static constexpr std::string_view kAbstract[] = {
+      "Instance",   "BasePart", "PVInstance", "ValueBase",  "Constraint", "LuaSourceContainer",
+      "BaseScript", "GuiBase",  "GuiObject",  "JointInstance", "Player", "Workspace", "DataModel"};
+  const std::string_view name = textAt(L, 1);
+  bool found = false;
+  for (const std::string_view one : kAbstract) found = found || one == name;
+  lua_pushboolean(L, found);
+  return 1;
+}
+
+// Services are named so, or are one of the old ones.
+int isService(lua_State* L) {
+  static constexpr std::string_view kPlain[] = {
+      "Workspace",   "Players",     "Lighting",      "ReplicatedStorage",   "ReplicatedFirst",
+      "ServerStorage", "StarterGui", "StarterPack",  "StarterPlayer",       "Teams",
+      "Chat",        "Debris",      "MaterialService", "ContentProvider",   "CoreGui",
+      "Stats",       "Selection",   "NetworkClient", "NetworkServer",       "Geometry"};
+  const std::string_view name = textAt(L, 1);
+  bool found = name.size() > 7 && name.ends_with("Service");
+  for (const std::string_view one : kPlain) found = found || one == name;
+  lua_pushboolean(L, found);
+  return 1;
+}
+
+// Properties whose changes the observer wants to see.
+int isWatched(lua_State* L) {
+  static constexpr std::string_view kWatched[] = {
+      "CFrame",      "Size",        "CanCollide",  "CanTouch",       "Anchored",
+      "Transparency", "Velocity",   "RotVelocity", "CollisionGroup", "Shape",
+      "CustomPhysicalProperties", "Material",      "Gravity",        "WalkSpeed",
+      "JumpPower",   "JumpHeight",  "UseJumpPower", "MaxHealth",     "Enabled",
+      "Disabled",    "Massless",    "LineVelocity", "VectorVelocity", "AngularVelocity",
+      "MotorMaxTorque", "TargetPosition", "TargetAngle", "Position", "LineDirection",
+      "FallenPartsDestroyHeight", "PlatformStand", "HipHeight", "CharacterWalkSpeed",
+      "CharacterJumpPower", "CharacterJumpHeight"};
+  const std::string_view name = textAt(L, 1);
+  bool found = false;
+  for (const std::string_view one : kWatched) found = found || one == name;
+  lua_pushboolean(L, found);
+  return 1;
+}
+
+constexpr luaL_Reg kFunctions[] = {
+    {"baseClass", baseClass},   {"member", member},         {"enumItems", enumItems},
+    {"default", defaultValue},  {"isAbstract", isAbstract}, {"isService", isService},
+    {"isWatched", isWatched},   {nullptr, nullptr}};
+
+}  // namespace
+}  // namespace class_functions
+
+void registerClassFunctions(lua_State* L) { luaL_register(L, nullptr, class_functions::kFunctions); }
+
+}  // namespace obby::engine

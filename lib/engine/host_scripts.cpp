@@ -1,0 +1,133 @@
+// host: threads, chunks of scripts, and what Luau's core does otherwise than Lua's.
+#include <string>
+
+#include "engine/host.h"
+#include "engine/luau/emit.h"
+#include "engine/luau/helpers.h"
+
+namespace obby::engine {
+namespace script_functions {
+namespace {
+
+int rawType(lua_State* L) {
+  luaL_checkany(L, 1);
+  lua_pushstring(L, lua_typename(L, lua_type(L, 1)));
+  return 1;
+}
+
+int metatableOf(lua_State* L) { return lua_getmetatable(L, 1); }
+
+// (function, arguments...): as Lua's pcall; the function does not yield.
+int tryCall(lua_State* L) {
+  const bool good = lua_pcall(L, lua_gettop(L) - 1, LUA_MULTRET, 0) == 0;
+  lua_pushboolean(L, good);
+  lua_insert(L, 1);
+  return lua_gettop(L);
+}
+
+// (kind, amount): takes from a budget; an error once it is used up.
+int spend(lua_State* L) {
+  Host& host = Host::of(L);
+  const std::string kind = luaL_checkstring(L, 1);
+  const double amount = luaL_checknumber(L, 2);
+  if (kind == "instances" && ++host.instancesMade > host.settings.instances)
+    return luaL_error(L, "too many instances");
+  if (!(amount < 1e7)) return luaL_error(L, "not enough memory");
+  return 0;
+}
+
+int newId(lua_State* L) {
+  lua_pushnumber(L, lua_Number(Host::of(L).nextMade++));
+  return 1;
+}
+
+// (owner, first): what runs now; `first`: a new stretch begins. Returns what ran before.
+int enter(lua_State* L) {
+  Host& host = Host::of(L);
+  lua_pushnumber(L, lua_Number(host.running));
+  host.running = uint32_t(luaL_checknumber(L, 1));
+  if (host.settings.runningScript) *host.settings.runningScript = host.owners[host.running].script;
+  if (lua_toboolean(L, 2) != 0) host.vm.beginStretch();
+  return 1;
+}
+
+int timedOut(lua_State* L) {
+  lua_pushboolean(L, Host::of(L).vm.timedOut());
+  return 1;
+}
+
+int newOwner(lua_State* L) {
+  Host& host = Host::of(L);
+  host.owners.push_back({InstanceId(luaL_checknumber(L, 1)), luaL_checkstring(L, 2)});
+  lua_pushnumber(L, lua_Number(host.owners.size() - 1));
+  return 1;
+}
+
+// (script, source): the chunk, or nil and the problem.
+int load(lua_State* L) {
+  size_t size = 0;
+  const char* const text = luaL_checklstring(L, 2, &size);
+  const std::string id = std::to_string(uint32_t(luaL_checknumber(L, 1)));
+  const Result<std::string> lua = luau::toLua({text, size});
+  lua_pushnil(L);
+  if (!lua) {
+    lua_pushstring(L, ("#" + id + ":" + lua.error().place + ": " + lua.error().message).c_str());
+    return 2;
+  }
+  if (luaL_loadbuffer(L, lua->data(), lua->size(), ("=#" + id).c_str()) == 0) return 1;
+  return 2;
+}
+
+int where(lua_State* L) {
+  lua_pushnumber(L, lua_Number(Host::of(L).where(L).line));
+  return 1;
+}
+
+int rawLength(lua_State* L) {
+  lua_pushnumber(L, lua_Number(lua_objlen(L, 1)));
+  return 1;
+}
+
+// The methods of strings: ("x"):rep(2).
+int setStringMethods(lua_State* L) {
+  lua_pushliteral(L, "");
+  lua_getmetatable(L, -1);
+  lua_pushvalue(L, 1);
+  lua_setfield(L, -2, "__index");
+  return 0;
+}
+
+int rig(lua_State* L) {
+  lua_pushstring(L, Host::of(L).settings.rig.c_str());
+  return 1;
+}
+
+constexpr luaL_Reg kFunctions[] = {{"rawType", rawType},
+                                   {"metatableOf", metatableOf},
+                                   {"try", tryCall},
+                                   {"spend", spend},
+                                   {"newId", newId},
+                                   {"enter", enter},
+                                   {"timedOut", timedOut},
+                                   {"newOwner", newOwner},
+                                   {"load", load},
+                                   {"where", where},
+                                   {"rawLength", rawLength},
+                                   {"setStringMethods", setStringMethods},
+                                   {"rig", rig},
+                                   {nullptr, nullptr}};
+
+}  // namespace
+}  // namespace script_functions
+
+void registerScriptFunctions(lua_State* L) {
+  luaL_register(L, nullptr, script_functions::kFunctions);
+  lua_getglobal(L, "coroutine");
+  lua_setfield(L, -2, "coroutine");
+  lua_getglobal(L, "unpack");
+  lua_setfield(L, -2, "unpack");
+  luau::pushHelpers(L);
+  lua_setfield(L, -2, "helpers");
+}
+
+}  // namespace obby::engine

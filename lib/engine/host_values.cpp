@@ -1,0 +1,202 @@
+// host: numbers, colours, materials, easing and the libraries of bits and characters.
+#include <cmath>
+#include <ctime>
+#include <new>
+
+#include "engine/host.h"
+#include "engine/values/brick_colors.h"
+#include "engine/values/color.h"
+#include "engine/values/materials.h"
+#include "engine/values/noise.h"
+#include "engine/values/values.h"
+#include "level/motion_tables.h"
+
+namespace obby::engine {
+namespace value_functions {
+namespace {
+
+int pushNumber(lua_State* L, double value) {
+  lua_pushnumber(L, value);
+  return 1;
+}
+
+int single(lua_State* L) { return pushNumber(L, double(float(luaL_checknumber(L, 1)))); }
+int truncated(lua_State* L) { return pushNumber(L, std::trunc(luaL_checknumber(L, 1))); }
+
+int noise(lua_State* L) {
+  return pushNumber(L, double(perlin(float(luaL_checknumber(L, 1)), float(luaL_optnumber(L, 2, 0)),
+                                     float(luaL_optnumber(L, 3, 0)))));
+}
+
+// (share, style, direction)
+int ease(lua_State* L) {
+  const auto style = schema::Easing(luaL_checkint(L, 2));
+  const auto direction = schema::EasingDirection(luaL_checkint(L, 3));
+  return pushNumber(L, level::ease(style, direction, luaL_checknumber(L, 1)));
+}
+
+// The number's red, green, blue (0 to 255) and name.
+int brickColorOf(lua_State* L) {
+  const auto number = int64_t(luaL_checknumber(L, 1));
+  const ColorRgb color = brickColor(number);
+  for (const uint8_t channel : {color.r, color.g, color.b}) lua_pushnumber(L, channel);
+  const std::string name = brickColorName(number);
+  lua_pushlstring(L, name.data(), name.size());
+  return 4;
+}
+int nearestBrickColor(lua_State* L) {
+  const ColorRgb color = colorFromUnit(float(luaL_checknumber(L, 1)), float(luaL_checknumber(L, 2)),
+                                       float(luaL_checknumber(L, 3)));
+  return pushNumber(L, double(nearestBrickColorNumber(color)));
+}
+int brickNumber(lua_State* L) {
+  const auto number = brickColorNamed(luaL_checkstring(L, 1));
+  return number ? pushNumber(L, double(*number)) : 0;
+}
+int isBrickColor(lua_State* L) {
+  const double number = lua_tonumber(L, 1);
+  const bool whole = number == std::floor(number) && number >= 1 && number < 1e6;
+  lua_pushboolean(L, whole && brickColorNumber(brickColor(int64_t(number))) == int64_t(number));
+  return 1;
+}
+int paletteNumber(lua_State* L) { return pushNumber(L, double(paletteColor(size_t(luaL_checknumber(L, 1))))); }
+
+int material(lua_State* L) {
+  const PhysicalProperties p = materialProperties(uint32_t(luaL_checknumber(L, 1)));
+  for (const float value : {p.density, p.friction, p.elasticity, p.frictionWeight, p.elasticityWeight})
+    lua_pushnumber(L, lua_Number(value));
+  return 5;
+}
+
+int random(lua_State* L) { return pushNumber(L, Host::of(L).random.share()); }
+int randomSeed(lua_State* L) {
+  Host::of(L).random = Random(uint64_t(luaL_checknumber(L, 1)));
+  return 0;
+}
+Random& randomAt(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TUSERDATA);
+  return *static_cast<Random*>(lua_touserdata(L, 1));
+}
+int newRandom(lua_State* L) {
+  new (lua_newuserdata(L, sizeof(Random))) Random(uint64_t(luaL_checknumber(L, 1)));
+  return 1;
+}
+int nextRandom(lua_State* L) { return pushNumber(L, randomAt(L).share()); }
+int copyRandom(lua_State* L) {
+  const Random copy = randomAt(L);
+  new (lua_newuserdata(L, sizeof(Random))) Random(copy);
+  return 1;
+}
+
+// A clock that moves a little with every look, so that no loop waits for it for ever.
+int tinySteps(lua_State* L) {
+  constexpr double kStep = 1e-6;
+  return pushNumber(L, Host::of(L).tinySteps += kStep);
+}
+
+int date(lua_State* L) {
+  const std::string format = luaL_checkstring(L, 1);
+  const auto when = std::time_t(luaL_checknumber(L, 2));
+  std::tm parts{};
+  gmtime_r(&when, &parts);
+  const bool table = format.find("*t") != std::string::npos;
+  if (!table) {
+    char text[128];
+    const size_t size = format.size() < 32 ? std::strftime(text, sizeof text, format.c_str(), &parts) : 0;
+    lua_pushlstring(L, text, size);
+    return 1;
+  }
+  lua_newtable(L);
+  const auto set = [L](const char* name, int value) {
+    lua_pushnumber(L, value);
+    lua_setfield(L, -2, name);
+  };
+  set("year", parts.tm_year + 1900);
+  set("month", parts.tm_mon + 1);
+  set("day", parts.tm_mday);
+  set("hour", parts.tm_hour);
+  set("min", parts.tm_min);
+  set("sec", parts.tm_sec);
+  set("wday", parts.tm_wday + 1);
+  set("yday", parts.tm_yday + 1);
+  return 1;
+}
+
+constexpr luaL_Reg kFunctions[] = {{"single", single},
+                                   {"truncated", truncated},
+                                   {"noise", noise},
+                                   {"ease", ease},
+                                   {"brickColor", brickColorOf},
+                                   {"nearestBrickColor", nearestBrickColor},
+                                   {"brickNumber", brickNumber},
+                                   {"isBrickColor", isBrickColor},
+                                   {"paletteNumber", paletteNumber},
+                                   {"material", material},
+                                   {"random", random},
+                                   {"randomSeed", randomSeed},
+                                   {"newRandom", newRandom},
+                                   {"nextRandom", nextRandom},
+                                   {"copyRandom", copyRandom},
+                                   {"tinySteps", tinySteps},
+                                   {"date", date},
+                                   {nullptr, nullptr}};
+
+struct ValuePusher {
+  lua_State* L;
+
+  void operator()(bool value) const { lua_pushboolean(L, value); }
+  void operator()(int64_t value) const { lua_pushnumber(L, lua_Number(value)); }
+  void operator()(double value) const { lua_pushnumber(L, value); }
+  void operator()(const std::string& value) const { lua_pushlstring(L, value.data(), value.size()); }
+  void operator()(const EnumItem& value) const { lua_pushnumber(L, value.value); }
+  void operator()(Vec3 value) const { push(L, value); }
+  void operator()(const Pose& value) const { push(L, value); }
+  void operator()(ColorRgb color) const {
+    call("Color3", "fromRGB", {double(color.r), double(color.g), double(color.b)});
+  }
+  void operator()(const PhysicalProperties& p) const {
+    if (!p.custom) return lua_pushnil(L);
+    call("PhysicalProperties", "new",
+         {double(p.density), double(p.friction), double(p.elasticity), double(p.frictionWeight),
+          double(p.elasticityWeight)});
+  }
+  void operator()(const UDim& value) const {
+    call("UDim", "new", {double(value.scale), double(value.offset)});
+  }
+  void operator()(const NumberRange& value) const {
+    call("NumberRange", "new", {double(value.min), double(value.max)});
+  }
+  template <class Other>
+  void operator()(const Other&) const {
+    lua_pushnil(L);
+  }
+
+  // datatypes.globals[library][maker](numbers...)
+  void call(const char* library, const char* maker, std::initializer_list<double> numbers) const {
+    Host::of(L).use(L, "datatypes");
+    lua_getfield(L, -1, "globals");
+    lua_getfield(L, -1, library);
+    lua_getfield(L, -1, maker);
+    for (const double number : numbers) lua_pushnumber(L, number);
+    lua_call(L, int(numbers.size()), 1);
+    lua_insert(L, -4);  // below datatypes, globals and the library
+    lua_pop(L, 3);
+  }
+};
+
+}  // namespace
+}  // namespace value_functions
+
+void pushValue(lua_State* L, const Value& value) { std::visit(value_functions::ValuePusher{L}, value); }
+
+void registerValueFunctions(lua_State* L) {
+  luaL_register(L, nullptr, value_functions::kFunctions);
+  lua_newtable(L);
+  registerBits(L);
+  lua_setfield(L, -2, "bit32");
+  lua_newtable(L);
+  registerCharacters(L);
+  lua_setfield(L, -2, "utf8");
+}
+
+}  // namespace obby::engine

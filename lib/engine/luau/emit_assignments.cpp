@@ -1,0 +1,138 @@
+// Assignments. Luau assigns from left to right, Lua 5.1 from right to left: where the order shows,
+// objects, keys and values go to temporary variables first.
+#include <fmt/format.h>
+
+#include <set>
+
+#include "engine/luau/emitter_state.h"
+
+namespace obby::luau {
+namespace {
+
+bool orderShows(const Stat& stat) {
+  if (stat.targets.size() < 2) return false;
+  std::set<std::string_view> names;
+  for (const auto& target : stat.targets)
+    if (target->kind != ExprKind::name || !names.insert(target->text).second) return true;
+  return false;
+}
+
+bool isConstant(const Expr& expr) {
+  return expr.kind == ExprKind::number || (expr.kind == ExprKind::string && expr.known);
+}
+
+}  // namespace
+
+void Emitter::assign(const Stat& stat) {
+  if (orderShows(stat)) return assignInOrder(stat);
+  list(stat.targets);
+  out_.symbol("=");
+  list(stat.values);
+}
+
+// do local o1,k1,o2=OBJECT,KEY,OBJECT local v1,v2=VALUES o1[k1]=v1 o2.field=v2 end
+void Emitter::assignInOrder(const Stat& stat) {
+  keyword("do");
+  bindTargets(stat);
+  keyword("local");
+  for (size_t i = 0; i < stat.targets.size(); ++i) {
+    if (i > 0) out_.symbol(",");
+    out_.word(own(fmt::format("v{}", i)));
+  }
+  out_.symbol("=");
+  list(stat.values);
+  out_.symbol(";");
+  for (size_t i = 0; i < stat.targets.size(); ++i) {
+    const Expr& target = *stat.targets[i];
+    if (target.kind == ExprKind::name)
+      bare(target);
+    else
+      out_.word(own(fmt::format("o{}", i)));
+    if (target.kind == ExprKind::field) {
+      out_.symbol(".");
+      out_.word(target.text);
+    } else if (target.kind == ExprKind::index) {
+      out_.symbol("[");
+      out_.word(own(fmt::format("k{}", i)));
+      out_.symbol("]");
+    }
+    out_.symbol("=");
+    out_.word(own(fmt::format("v{}", i)));
+    out_.symbol(";");
+  }
+  keyword("end");
+}
+
+void Emitter::bindTargets(const Stat& stat) {
+  for (size_t i = 0; i < stat.targets.size(); ++i) {
+    const Expr& target = *stat.targets[i];
+    if (target.kind == ExprKind::name) continue;
+    const bool index = target.kind == ExprKind::index;
+    keyword("local");
+    out_.word(own(fmt::format("o{}", i)));
+    if (index) {
+      out_.symbol(",");
+      out_.word(own(fmt::format("k{}", i)));
+    }
+    out_.symbol("=");
+    single(*target.kids[0]);
+    if (index) {
+      out_.symbol(",");
+      single(*target.kids[1]);
+    }
+    out_.symbol(";");
+  }
+}
+
+template <class Write>
+void Emitter::update(const Stat& stat, const Write& write) {
+  const Expr& value = *stat.values[0];
+  write();
+  out_.symbol("=");
+  if (stat.text == "//" || stat.text == "..") {
+    helper(stat.text == "//" ? "idiv" : "cat");
+    write();
+    out_.symbol(",");
+    single(value);
+    out_.symbol(")");
+  } else {
+    write();
+    out_.symbol(stat.text);
+    if (value.kind == ExprKind::binary)
+      bracketed(value);
+    else
+      expression(value);
+  }
+}
+
+void Emitter::compound(const Stat& stat) {
+  const Expr& target = *stat.targets[0];
+  if (target.kind == ExprKind::name) return update(stat, [&] { bare(target); });
+  const bool keyIsPlain = target.kind == ExprKind::field || isConstant(*target.kids[1]);
+  // Luau, too, copies no local variable: what the value does to it through a closure shows.
+  if (isOwnLocal(*target.kids[0]) && keyIsPlain) return update(stat, [&] { bare(target); });
+  compoundField(stat);
+}
+
+// do local o,k=OBJECT,KEY o[k]=o[k]+VALUE end
+void Emitter::compoundField(const Stat& stat) {
+  const Expr& target = *stat.targets[0];
+  const bool index = target.kind == ExprKind::index;
+  keyword("do local");
+  out_.word(own("o"));
+  if (index) out_.symbol("," + own("k"));
+  out_.symbol("=");
+  single(*target.kids[0]);
+  if (index) {
+    out_.symbol(",");
+    single(*target.kids[1]);
+  }
+  out_.symbol(";");
+  update(stat, [&] {
+    out_.word(own("o"));
+    out_.symbol(index ? "[" + own("k") + "]" : "." + target.text);
+  });
+  keyword("end");
+}
+
+}  // namespace obby::luau

@@ -1,0 +1,54 @@
+// The parser's loops.
+#include "engine/luau/parser_state.h"
+
+namespace obby::luau {
+
+Block Parser::loopBody() {
+  ++around_.loops;
+  Block body = block();
+  --around_.loops;
+  return body;
+}
+
+StatPtr Parser::whileLoop(int line) {
+  auto stat = makeStat(StatKind::whileLoop, line);
+  stat->values.push_back(expression());
+  expectKeyword("do");
+  stat->blocks.push_back(loopBody());
+  stat->endLine = peek().line;
+  closeKeyword("end", "while", line);
+  return stat;
+}
+
+StatPtr Parser::repeatLoop(int line) {
+  auto stat = makeStat(StatKind::repeatLoop, line);
+  stat->blocks.push_back(loopBody());
+  stat->endLine = peek().line;
+  closeKeyword("until", "repeat", line);
+  stat->values.push_back(expression());
+  return stat;
+}
+
+StatPtr Parser::forLoop(int line) {
+  auto stat = makeStat(StatKind::genericFor, line);
+  do {
+    stat->names.push_back(nameToken());
+    annotation();
+  } while (accept(","));
+  if (stat->names.size() == 1 && accept("=")) {
+    stat->kind = StatKind::numericFor;
+    stat->values = expressionList();
+    if (stat->values.size() < 2) failHere("',' and the last value of the loop");
+    if (stat->values.size() > 3) fail(line, "'for' takes a first value, a last value and a step");
+  } else {
+    expectKeyword("in");
+    stat->values = expressionList();
+  }
+  expectKeyword("do");
+  stat->blocks.push_back(loopBody());
+  stat->endLine = peek().line;
+  closeKeyword("end", "for", line);
+  return stat;
+}
+
+}  // namespace obby::luau

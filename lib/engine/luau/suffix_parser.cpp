@@ -1,0 +1,127 @@
+// What begins with a name or a bracket: fields, calls and tables; strings.
+#include <utility>
+
+#include "engine/luau/parser_state.h"
+
+namespace obby::luau {
+
+ExprPtr Parser::primary() {
+  const int line = peek().line;
+  if (peek().kind == TokenKind::name) return suffixes(make(ExprKind::name, line, next().text));
+  if (!accept("(")) return nullptr;
+  auto inner = expression();
+  close(")", "(", line);
+  inner->parenthesised = true;
+  return suffixes(std::move(inner));
+}
+
+ExprPtr Parser::stringLiteral() {
+  const Token& token = next();
+  return make(ExprKind::string, token.line, token.text);
+}
+
+ExprPtr Parser::interpolated() {
+  ExprPtr expr = stringLiteral();
+  if (!tokens_[position_ - 1].opens) return expr;
+  expr->known = false;
+  auto part = make(ExprKind::string, expr->line, std::exchange(expr->text, {}));
+  for (;;) {
+    expr->keys.push_back(std::move(part));
+    if (peek().kind == TokenKind::continuation) failHere("an expression inside of '{}'");
+    adopt(*expr, expression());
+    if (peek().kind != TokenKind::continuation) {
+      failHere("'}' to go on with the string of line " + std::to_string(expr->line));
+      expr->keys.push_back(make(ExprKind::string, expr->line));
+      return expr;
+    }
+    const bool opens = peek().opens;
+    part = stringLiteral();
+    if (!opens) break;
+  }
+  expr->keys.push_back(std::move(part));
+  return expr;
+}
+
+ExprPtr Parser::suffixes(ExprPtr from) {
+  while (auto outer = suffix(from)) from = std::move(outer);
+  return from;
+}
+
+ExprPtr Parser::suffix(ExprPtr& from) {
+  const int line = peek().line;
+  ExprPtr outer;
+  if (accept(".")) {
+    outer = make(ExprKind::field, peek().line);
+    outer->text = nameToken();
+    adopt(*outer, std::move(from));
+  } else if (accept("[")) {
+    outer = make(ExprKind::index, line);
+    adopt(*outer, std::move(from));
+    adopt(*outer, expression());
+    close("]", "[", line);
+  } else if (accept(":")) {
+    outer = make(ExprKind::method, peek().line);
+    outer->text = nameToken();
+    adopt(*outer, std::move(from));
+    instantiation();
+    arguments(*outer);
+  } else if (isSymbol("(") || isSymbol("{") || peek().kind == TokenKind::string) {
+    outer = make(ExprKind::call, line);
+    adopt(*outer, std::move(from));
+    arguments(*outer);
+  } else if (isSymbol("<") && isSymbol(peek(1), "<")) {
+    instantiation();
+    return std::move(from);
+  }
+  return outer;
+}
+
+void Parser::arguments(Expr& call) {
+  const int line = peek().line;
+  if (peek().kind == TokenKind::string) {
+    adopt(call, stringLiteral());
+  } else if (isSymbol("{")) {
+    adopt(call, table());
+  } else if (isSymbol("(")) {
+    if (line != lineBefore())
+      fail(line, "'(' on a new line could begin a statement or a call: put ';' before a statement");
+    next();
+    if (accept(")")) return;
+    for (auto& argument : expressionList()) adopt(call, std::move(argument));
+    close(")", "(", line);
+  } else {
+    failHere("'(', '{' or a string with the arguments of a call");
+  }
+}
+
+ExprPtr Parser::table() {
+  const int line = next().line;
+  auto expr = make(ExprKind::table, line);
+  while (!atEnd() && !isSymbol("}")) {
+    const size_t before = position_;
+    expr->keys.push_back(tableKey());
+    adopt(*expr, expression());
+    if (!accept(",") && !accept(";") && !isSymbol("}")) {
+      close("}", "{", line);  // an error
+      if (position_ == before) next();
+    }
+  }
+  close("}", "{", line);
+  return expr;
+}
+
+ExprPtr Parser::tableKey() {
+  const int line = peek().line;
+  if (peek().kind == TokenKind::name && isSymbol(peek(1), "=")) {
+    auto key = stringLiteral();
+    next();
+    return key;
+  }
+  if (!accept("[")) return nullptr;
+  auto key = expression();
+  close("]", "[", line);
+  expect("=");
+  return key;
+}
+
+}  // namespace obby::luau

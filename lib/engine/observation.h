@@ -1,0 +1,101 @@
+// What was seen while a place's scripts ran: which properties changed on which instances, when, and
+// by which line of which script. Times are seconds of the virtual clock since the run began.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/document.h"
+#include "math/vec.h"
+
+namespace obby::engine {
+
+// A script's line. `script` is the instance in the file; kNoInstance: nobody's, such as the engine.
+struct Line {
+  InstanceId script = kNoInstance;
+  int line = 0;
+};
+
+// Stands for the player's body and its Humanoid in changes.
+constexpr InstanceId kPlayer = kNoInstance - 1;
+
+// An instance that scripts have made has an id from kMade on.
+constexpr InstanceId kMade = 0x40000000;
+
+// An enum's item is its number; what has no other form is a monostate.
+using Plain = std::variant<std::monostate, bool, double, std::string, Vec3, Pose>;
+
+struct Change {
+  double time = 0;
+  InstanceId target = kNoInstance;
+  std::string property;  // "Parent": true or false, whether the part is in the world
+  Plain value;
+  Line line;
+};
+
+// A part's pose at the end of a frame in which it has changed.
+struct Placed {
+  uint32_t frame = 0;
+  Pose pose;
+};
+
+struct Track {
+  Pose start;                 // before the first change
+  std::vector<Placed> poses;  // ascending frames
+  Line line;                  // the first that moved it
+};
+
+// A tween that began to play.
+struct Tween {
+  double time = 0;
+  uint32_t id = 0;  // of the Tween
+  InstanceId target = kNoInstance;
+  double seconds = 1, delay = 0;
+  uint32_t style = 0, direction = 0;  // items of Enum.EasingStyle and EasingDirection
+  int repeats = 0;
+  bool reverses = false;
+  std::vector<std::string> properties;
+  Line line;
+};
+
+struct Harm {
+  double time = 0;
+  double from = 0, to = 0;  // the player's health before and after
+  Line line;
+};
+
+struct Problem {
+  InstanceId script = kNoInstance;
+  std::string text;
+  int count = 0;
+};
+
+// A part that scripts have made or copied.
+struct MadePart {
+  InstanceId id = kNoInstance, origin = kNoInstance;  // `origin`: what it is a copy of, if anything
+  std::string className, name;
+  std::map<std::string, Plain> properties;  // those that differ from the class's defaults
+};
+
+// Where the player is and what it can do.
+struct PlayerState {
+  Vec3 feet, velocity;
+  double health = 100, walkSpeed = 16, jumpPower = 50, jumpHeight = 7.2;
+  bool usesJumpPower = true, alive = false;
+};
+
+struct Observation {
+  std::vector<Change> changes;
+  std::map<InstanceId, Track> tracks;
+  std::vector<Tween> tweens;
+  std::vector<Harm> harms;
+  std::vector<Problem> problems;
+  std::map<std::string, int> counts;  // "method BasePart:X": what the twin does not do, how often
+  PlayerState player;                 // at the end
+  uint32_t frames = 0;
+};
+
+}  // namespace obby::engine

@@ -1,0 +1,43 @@
+#include "engine/recorder.h"
+
+namespace obby::engine {
+
+void Recorder::place(InstanceId part, const Pose& before, const Pose& pose, Line line) {
+  if (!recording_ || isFull()) return;
+  Track& track = seen_.tracks[part];
+  if (track.poses.empty()) {
+    track.line = line;
+    track.start = before;
+  }
+  if (track.poses.empty() || track.poses.back().frame != frame_) {
+    track.poses.push_back({frame_, pose});
+    ++placed_;
+  } else {
+    track.poses.back().pose = pose;
+  }
+}
+
+void Recorder::change(Change change) {
+  if (!recording_ || isFull()) return;
+  change.time = time();
+  seen_.changes.push_back(std::move(change));
+  ++changes_;
+}
+
+void Recorder::problem(InstanceId script, std::string_view text) {
+  for (Problem& known : seen_.problems)
+    if (known.script == script && known.text == text) {
+      ++known.count;
+      return;
+    }
+  seen_.problems.push_back({script, std::string(text), 1});
+}
+
+void Recorder::restart() {
+  const uint32_t frame = frame_;
+  seen_ = {};
+  changes_ = placed_ = 0;
+  setTime(frame);
+}
+
+}  // namespace obby::engine

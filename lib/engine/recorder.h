@@ -1,0 +1,47 @@
+// Writes down what happens in the world while scripts run.
+// Private to lib/engine.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "engine/observation.h"
+
+namespace obby::engine {
+
+class Recorder {
+ public:
+  // Nothing is recorded before.
+  void begin() { recording_ = true; }
+  bool isRecording() const { return recording_; }
+  void setTime(uint32_t frame) { frame_ = frame, seen_.frames = frame; }
+  double time() const { return frame_ / 60.0; }
+
+  // Whether the line that moves this part is still to be told.
+  bool isUnmoved(InstanceId part) const { return !seen_.tracks.contains(part); }
+  void place(InstanceId part, const Pose& before, const Pose& pose, Line line);
+  void change(Change change);
+  void tween(Tween tween) { seen_.tweens.push_back(std::move(tween)); }
+  void harm(double from, double to, Line line) { seen_.harms.push_back({time(), from, to, line}); }
+  void problem(InstanceId script, std::string_view text);
+  void count(const std::string& what) { ++seen_.counts[what]; }
+  // Grows with all that is recorded.
+  size_t activity() const { return changes_ + placed_ + seen_.harms.size() + seen_.tweens.size(); }
+  // True if what is recorded would not fit any more.
+  bool isFull() const { return changes_ >= kMostChanges || placed_ >= kMostPlaced; }
+
+  Observation& seen() { return seen_; }
+  // Forgets what was seen so far, so that a probe tells only its own.
+  void restart();
+
+ private:
+  static constexpr size_t kMostChanges = 300'000, kMostPlaced = 4'000'000;
+
+  Observation seen_;
+  bool recording_ = false;
+  uint32_t frame_ = 0;
+  size_t changes_ = 0, placed_ = 0;
+};
+
+}  // namespace obby::engine

@@ -1,0 +1,179 @@
+// The undisturbed run, and the probes that fork from it.
+#include "engine/report.h"
+
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "engine/archive.h"
+#include "engine/child.h"
+#include "engine/stage.h"
+
+namespace obby::engine {
+
+// ADL finds these for the archives.
+template <class A>
+void fields(A& a, Change& c) {
+  a(c.time), a(c.target), a(c.property), a(c.value), a(c.line);
+}
+template <class A>
+void fields(A& a, Track& t) {
+  a(t.start), a(t.poses), a(t.line);
+}
+template <class A>
+void fields(A& a, Tween& t) {
+  a(t.time), a(t.id), a(t.target), a(t.seconds), a(t.delay), a(t.style), a(t.direction), a(t.repeats);
+  a(t.reverses), a(t.properties), a(t.line);
+}
+template <class A>
+void fields(A& a, Problem& p) {
+  a(p.script), a(p.text), a(p.count);
+}
+template <class A>
+void fields(A& a, MadePart& m) {
+  a(m.id), a(m.origin), a(m.className), a(m.name), a(m.properties);
+}
+template <class A>
+void fields(A& a, Observation& o) {
+  a(o.changes), a(o.tracks), a(o.tweens), a(o.harms), a(o.problems), a(o.counts), a(o.player);
+  a(o.frames);
+}
+template <class A>
+void fields(A& a, Probe& p) {
+  a(p.target), a(p.approach), a(p.at), a(p.left), a(p.seen), a(p.lost);
+}
+template <class A>
+void fields(A& a, Report& r) {
+  a(r.undisturbed), a(r.probes), a(r.made), a(r.probedAt), a(r.complete), a(r.failure), a(r.culprit);
+}
+
+namespace {
+
+constexpr double kFrame = 1.0 / 60;
+constexpr double kHold = 0.6;      // seconds that a probe stays
+constexpr double kQuiet = 1.0;     // seconds without a change end a probe
+constexpr double kAtLeast = 1.5;
+constexpr size_t kProcessMemory = size_t(2) << 30;
+
+template <class T>
+std::string bytesOf(T& value) {
+  BytesOut out;
+  out(value);
+  return std::move(out.bytes);
+}
+
+uint32_t framesOf(double seconds) { return uint32_t(std::lround(seconds / kFrame)); }
+
+// What a probe does in its copy of the place.
+Probe runProbe(Stage& stage, const Plan& plan, Probe probe) {
+  stage.restart();
+  const uint32_t hold = framesOf(kHold), most = framesOf(plan.probeSeconds);
+  uint32_t frame = 0, quiet = 0;
+  if (probe.approach == Approach::use) stage.use(probe.target);
+  while (frame < most && (frame < framesOf(kAtLeast) || quiet < framesOf(kQuiet))) {
+    if (probe.approach != Approach::use) {
+      if (frame < hold) stage.standAt(probe.target, probe.approach == Approach::inside);
+      else if (frame == hold) stage.leave();
+    }
+    const size_t before = stage.activity();
+    stage.run(1);
+    ++frame;
+    quiet = stage.activity() == before && !stage.isBusy() ? quiet + 1 : 0;
+    if (!stage.playerLives()) break;
+  }
+  probe.left = probe.at + kHold;
+  probe.seen = stage.observation();
+  return probe;
+}
+
+// In the caged child: everything but the probes themselves.
+class Watcher {
+ public:
+  Watcher(const Document& document, const Plan& plan)
+      : plan_(plan), stage_(document, plan.settings), children_(plan.processes) {}
+
+  Report watch() {
+    stage_.start();
+    stage_.run(framesOf(plan_.probeAt));
+    report_.probedAt = plan_.probeAt;
+    report_.made = stage_.made();
+    probeAll();
+    stage_.run(framesOf(plan_.probeSeconds));
+    while (stage_.frames() < framesOf(plan_.seconds) && !stage_.isExhausted() && !stage_.isIdle())
+      stage_.run(60);
+    report_.undisturbed = stage_.observation();
+    report_.complete = !stage_.isExhausted();
+    if (!report_.complete) report_.failure = "the scripts' budget was used up";
+    children_.finish();
+    return std::move(report_);
+  }
+
+ private:
+  void probeAll() {
+    std::vector<Probe> wanted = stage_.probes();
+    if (wanted.size() > plan_.mostProbes) {
+      report_.failure = "too many parts to touch";
+      wanted.resize(plan_.mostProbes);
+    }
+    report_.probes.resize(wanted.size());
+    for (size_t i = 0; i < wanted.size(); ++i) {
+      wanted[i].at = plan_.probeAt;
+      report_.probes[i] = wanted[i];
+      children_.start(
+          plan_.timeLimit / 4,
+          [&, i] {
+            Probe probe = runProbe(stage_, plan_, wanted[i]);
+            return bytesOf(probe);
+          },
+          [this, i](const std::string& bytes) {
+            BytesIn in(bytes);
+            Probe& probe = report_.probes[i];
+            if (!bytes.empty()) in(probe);
+            probe.lost = bytes.empty() || !in.good;
+          });
+    }
+  }
+
+  const Plan& plan_;
+  Stage stage_;
+  Children children_;
+  Report report_;
+};
+
+}  // namespace
+
+Report observe(const Document& document, const Plan& plan) {
+  Report report;
+  // The child leaves the script that runs here, for when it dies.
+  void* const shared = mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  Plan own = plan;
+  if (shared != MAP_FAILED) own.settings.runningScript = static_cast<InstanceId*>(shared);
+  if (shared != MAP_FAILED) *own.settings.runningScript = kNoInstance;
+  Children children(1);
+  children.start(
+      plan.timeLimit,
+      [&]() -> std::string {
+        if (!enterCage(plan.timeLimit, kProcessMemory)) {
+          report.failure = "there is no cage to run scripts in";
+          return bytesOf(report);
+        }
+        Report seen = Watcher(document, own).watch();
+        return bytesOf(seen);
+      },
+      [&](const std::string& bytes) {
+        BytesIn in(bytes);
+        if (!bytes.empty()) in(report);
+        if (bytes.empty() || !in.good) {
+          report = {};
+          report.failure = "the scripts took too long or broke down";
+          if (own.settings.runningScript) report.culprit = *own.settings.runningScript;
+        }
+      });
+  children.finish();
+  if (shared != MAP_FAILED) munmap(shared, 4096);
+  return report;
+}
+
+}  // namespace obby::engine

@@ -1,0 +1,207 @@
+#include "engine/stage.h"
+
+#include <cstdlib>
+
+#include "base/check.h"
+#include "engine/values/values.h"
+
+namespace obby::engine {
+
+Stage::Stage(const Document& document, const Settings& settings)
+    : host_(std::make_unique<Host>(document, settings)) {
+  load();
+}
+
+Stage::~Stage() = default;
+
+void Stage::call(const char* module, const char* name, int arguments, int results) {
+  lua_State* const L = host_->vm.state();
+  host_->vm.beginStretch();
+  host_->use(L, module);
+  lua_getfield(L, -1, name);
+  lua_remove(L, -2);
+  lua_insert(L, -1 - arguments);
+  const Result<void> done = host_->vm.call(arguments, results);
+  if (!done) {
+    host_->recorder.problem(kNoInstance, host_->withNames(std::string(module) + "." + name + ": " + done.error().message));
+    for (int i = 0; i < results; ++i) lua_pushnil(L);
+  }
+}
+
+void Stage::load() {
+  const Document& document = host_->document;
+  call("boot", "begin", 0);
+  instances_.assign(document.instances.size(), LUA_NOREF);
+  for (InstanceId id = 0; id < document.instances.size(); ++id) loadInstance(id);
+  for (InstanceId id = 0; id < document.instances.size(); ++id) loadReferences(id);
+  for (const int reference : instances_) luaL_unref(host_->vm.state(), LUA_REGISTRYINDEX, reference);
+  instances_.clear();
+}
+
+void Stage::loadInstance(InstanceId id) {
+  lua_State* const L = host_->vm.state();
+  const Instance& from = host_->document.instances[id];
+  const auto push = [L](const std::string& text) { lua_pushlstring(L, text.data(), text.size()); };
+  lua_pushnumber(L, id);
+  push(from.className);
+  push(from.name);
+  if (from.parent == kNoInstance) lua_pushnil(L);
+  else lua_pushnumber(L, from.parent);
+  call("boot", "add", 4, 1);
+  instances_[id] = luaL_ref(L, LUA_REGISTRYINDEX);
+  const auto pushSelf = [&] { lua_rawgeti(L, LUA_REGISTRYINDEX, instances_[id]); };
+  for (const auto& [name, value] : from.properties) {
+    if (std::holds_alternative<std::monostate>(value) || std::holds_alternative<Ref>(value) ||
+        std::holds_alternative<SharedBlob>(value))
+      continue;
+    pushSelf();
+    push(name);
+    pushValue(L, value);
+    call("boot", "set", 3);
+  }
+  for (const auto& [name, value] : from.attributes) {
+    pushSelf();
+    push(name);
+    pushValue(L, value);
+    call("boot", "attribute", 3);
+  }
+  if (from.tags.empty()) return;
+  pushSelf();
+  lua_newtable(L);
+  for (size_t i = 0; i < from.tags.size(); ++i) {
+    push(from.tags[i]);
+    lua_rawseti(L, -2, int(i + 1));
+  }
+  call("boot", "tags", 2);
+}
+
+void Stage::loadReferences(InstanceId id) {
+  lua_State* const L = host_->vm.state();
+  for (const auto& [name, value] : host_->document.instances[id].properties) {
+    const Ref* const reference = std::get_if<Ref>(&value);
+    if (!reference || reference->target == kNoInstance) continue;
+    lua_rawgeti(L, LUA_REGISTRYINDEX, instances_[id]);
+    lua_pushlstring(L, name.data(), name.size());
+    lua_pushnumber(L, reference->target);
+    call("boot", "setReference", 3);
+  }
+}
+
+void Stage::start() {
+  call("boot", "place", 0);
+  host_->recorder.begin();
+  call("boot", "start", 0);
+  call("boot", "join", 0);
+}
+
+void Stage::run(uint32_t frames) {
+  for (uint32_t i = 0; i < frames && !isExhausted(); ++i) {
+    host_->recorder.setTime(host_->recorder.seen().frames + 1);
+    call("boot", "frame", 0);
+  }
+}
+
+void Stage::stand(Vec3 feet, float yaw) {
+  lua_State* const L = host_->vm.state();
+  for (const float value : {feet.x, feet.y, feet.z, yaw}) lua_pushnumber(L, lua_Number(value));
+  call("probe", "stand", 4);
+}
+
+void Stage::standAt(InstanceId part, bool inside) {
+  lua_State* const L = host_->vm.state();
+  lua_pushnumber(L, part);
+  lua_pushboolean(L, inside);
+  call("probe", "standAt", 2);
+}
+
+void Stage::leave() { call("probe", "leave", 0); }
+
+double Stage::numberOf(const char* name) {
+  call("probe", name, 0, 1);
+  const double value = lua_tonumber(host_->vm.state(), -1);
+  lua_pop(host_->vm.state(), 1);
+  return value;
+}
+
+bool Stage::playerLives() { return numberOf("health") > 0; }
+bool Stage::isBusy() { return numberOf("waiting") > waiting_; }
+bool Stage::isIdle() { return numberOf("idle") > 0; }
+
+void Stage::restart() {
+  host_->recorder.restart();
+  waiting_ = numberOf("waiting");
+}
+
+std::vector<Probe> Stage::probes() {
+  lua_State* const L = host_->vm.state();
+  call("probe", "targets", 0, 1);
+  std::vector<Probe> all;
+  for (int i = 1; lua_istable(L, -1) && i <= int(lua_objlen(L, -1)); ++i) {
+    lua_rawgeti(L, -1, i);
+    lua_rawgeti(L, -1, 1);
+    lua_rawgeti(L, -2, 2);
+    Probe probe;
+    probe.target = InstanceId(lua_tonumber(L, -2));
+    probe.approach = Approach(int(lua_tonumber(L, -1)));
+    all.push_back(std::move(probe));
+    lua_pop(L, 3);
+  }
+  lua_pop(L, 1);
+  return all;
+}
+
+std::vector<MadePart> Stage::made() {
+  lua_State* const L = host_->vm.state();
+  call("probe", "made", 0, 1);
+  std::vector<MadePart> all;
+  const auto text = [L](int i) {
+    lua_rawgeti(L, -1, i);
+    const char* const read = lua_tostring(L, -1);
+    std::string copy = read ? read : "";
+    lua_pop(L, 1);
+    return copy;
+  };
+  for (int i = 1; lua_istable(L, -1) && i <= int(lua_objlen(L, -1)); ++i) {
+    lua_rawgeti(L, -1, i);
+    MadePart part;
+    part.id = InstanceId(std::strtoul(text(1).c_str(), nullptr, 10));
+    const std::string origin = text(2);
+    if (!origin.empty()) part.origin = InstanceId(std::strtoul(origin.c_str(), nullptr, 10));
+    part.className = text(3);
+    part.name = text(4);
+    lua_rawgeti(L, -1, 5);
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
+      part.properties[lua_tostring(L, -2)] = plainAt(L, lua_gettop(L));
+    lua_pop(L, 2);
+    all.push_back(std::move(part));
+  }
+  lua_pop(L, 1);
+  return all;
+}
+
+void Stage::use(InstanceId target) {
+  lua_pushnumber(host_->vm.state(), target);
+  call("probe", "use", 1);
+}
+
+const Observation& Stage::observation() {
+  lua_State* const L = host_->vm.state();
+  PlayerState& player = host_->recorder.seen().player;
+  player = {};
+  call("probe", "look", 0, 7);
+  if (const Vec3* const feet = toVector3(L, lua_gettop(L) - 6)) {
+    const int top = lua_gettop(L);
+    player.feet = *feet;
+    player.health = lua_tonumber(L, top - 5);
+    if (const Vec3* const velocity = toVector3(L, top - 4)) player.velocity = *velocity;
+    player.walkSpeed = lua_tonumber(L, top - 3);
+    player.jumpPower = lua_tonumber(L, top - 2);
+    player.jumpHeight = lua_tonumber(L, top - 1);
+    player.usesJumpPower = lua_toboolean(L, top) != 0;
+    player.alive = player.health > 0;
+  }
+  lua_pop(L, 7);
+  return host_->recorder.seen();
+}
+
+}  // namespace obby::engine

@@ -1,0 +1,64 @@
+// A place that runs: its instances in a VM, its scripts started, stepped frame by frame. What
+// happens is in observation(). Untrusted scripts: use it in a process that may die (sandbox.h).
+#pragma once
+
+#include <memory>
+
+#include "engine/document.h"
+#include "engine/host.h"
+#include "engine/observation.h"
+#include "engine/report.h"
+
+namespace obby::engine {
+
+class Stage {
+ public:
+  // Loads the document; nothing runs yet. The document must outlive the stage.
+  Stage(const Document& document, const Settings& settings);
+  ~Stage();
+
+  // The server's scripts run to their first wait; then the player joins.
+  void start();
+  // Steps of 1/60 s; fewer if a budget is used up.
+  void run(uint32_t frames);
+  uint32_t frames() { return host_->recorder.seen().frames; }
+  // Puts the player's feet there; yaw in radians, 0 looks along -Z.
+  void stand(Vec3 feet, float yaw);
+  // On top of a part, or its middle in the middle of the part, wherever that is by now.
+  void standAt(InstanceId part, bool inside);
+  // Back to the spawn.
+  void leave();
+  // Clicks a ClickDetector or a button, holds a ProximityPrompt, activates a tool.
+  void use(InstanceId target);
+  bool playerLives();
+  // What a player can touch or use with effect, as far as listeners tell.
+  std::vector<Probe> probes();
+  // Parts in the world that scripts have made.
+  std::vector<MadePart> made();
+  // Grows with everything that happens.
+  size_t activity() const { return host_->recorder.activity(); }
+  // Something waits that did not when restart() was called.
+  bool isBusy();
+  // Nothing will ever happen by itself.
+  bool isIdle();
+  // With the player's state as of now.
+  const Observation& observation();
+  // Forgets what has been seen.
+  void restart();
+  bool isExhausted() const { return host_->vm.isExhausted() || host_->recorder.isFull(); }
+  size_t memoryUsed() const { return host_->vm.memoryUsed(); }
+
+ private:
+  void load();
+  void loadInstance(InstanceId id);
+  void loadReferences(InstanceId id);
+  // Calls a function of a file of api/ with `arguments` values from the top of the stack.
+  void call(const char* module, const char* name, int arguments, int results = 0);
+  double numberOf(const char* name);
+
+  std::unique_ptr<Host> host_;
+  std::vector<int> instances_;  // references in the registry, by id
+  double waiting_ = 0;          // threads that waited at the last restart()
+};
+
+}  // namespace obby::engine

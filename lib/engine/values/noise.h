@@ -1,0 +1,9 @@
+// Perlin's noise with his own permutation ("Improving Noise", 2002), as math.noise has it.
+// Private to lib/engine.
+#pragma once
+
+namespace obby::engine {
+
+float perlin(float x, float y, float z);
+
+}  // namespace obby::engine

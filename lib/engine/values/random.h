@@ -1,0 +1,36 @@
+// Luau's random numbers: PCG32 (O'Neill, "PCG: A Family of Simple Fast Space-Efficient Statistically
+// Good Algorithms", 2014), by seed.
+// Private to lib/engine.
+#pragma once
+
+#include <cstdint>
+
+namespace obby::engine {
+
+class Random {
+ public:
+  explicit Random(uint64_t seed) {
+    (void)next();
+    state_ += seed;
+    (void)next();
+  }
+  // In [0, 1).
+  double share() {
+    const uint64_t low = next(), high = next();
+    return double(low | (high << 32)) * 0x1p-64;
+  }
+
+ private:
+  uint32_t next() {
+    const uint64_t old = state_;
+    state_ = old * 6364136223846793005u + (kStream | 1);
+    const uint32_t mixed = uint32_t(((old >> 18) ^ old) >> 27);
+    const uint32_t turn = uint32_t(old >> 59);
+    return (mixed >> turn) | (mixed << ((32 - turn) & 31));
+  }
+
+  static constexpr uint64_t kStream = 105;
+  uint64_t state_ = 0;
+};
+
+}  // namespace obby::engine

@@ -1,0 +1,41 @@
+// Memory of one VM: a reserved stretch of addresses with free lists by size. The addresses are the
+// same in every run, because the VM hashes tables and functions by theirs and the order in which a
+// script sees the keys of a table follows from it. The stretch is the VM's limit of memory, too.
+// Private to lib/engine.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace obby::engine {
+
+class Arena {
+ public:
+  // `capacity` in bytes; untouched memory costs nothing.
+  explicit Arena(size_t capacity);
+  ~Arena();
+  Arena(const Arena&) = delete;
+  Arena& operator=(const Arena&) = delete;
+
+  // Meaning of the arguments as for lua_Alloc. Null if the capacity is used up.
+  void* resize(void* block, size_t oldSize, size_t newSize);
+  bool isMapped() const { return base_ != nullptr; }
+  size_t used() const { return used_; }
+
+ private:
+  static constexpr size_t kClasses = 140;  // four sizes for each power of two
+  struct Free {
+    Free* next;
+  };
+
+  static size_t classOf(size_t size);
+  static size_t sizeOf(size_t sizeClass);
+  void* take(size_t sizeClass);
+  void give(void* block, size_t sizeClass);
+
+  char* base_ = nullptr;
+  size_t capacity_, used_ = 0;
+  std::array<Free*, kClasses> free_ = {};
+};
+
+}  // namespace obby::engine

@@ -1,0 +1,58 @@
+// A Lua state in an arena, with budgets of instructions: one for each stretch between two yields,
+// one for all together. A stretch that exceeds its own ends with an error that scripts cannot catch;
+// once the other is used up every stretch does.
+// Private to lib/engine.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "engine/vm/arena.h"
+#include "engine/vm/lua.h"
+
+namespace obby::engine {
+
+struct Budget {
+  size_t memory = size_t(192) << 20;   // bytes
+  uint64_t instructions = 400'000'000;  // of all scripts together
+  uint64_t stretch = 20'000'000;        // between two yields
+};
+
+class Vm {
+ public:
+  // `owner` is what ownerOf() gives to functions that Lua calls.
+  Vm(const Budget& budget, void* owner);
+  ~Vm();
+  Vm(const Vm&) = delete;
+  Vm& operator=(const Vm&) = delete;
+
+  lua_State* state() const { return state_; }
+  static void* ownerOf(lua_State* L);
+  static Vm& of(lua_State* L);
+
+  // Calls the function below `arguments` arguments; `results` values stay on the stack.
+  Result<void> call(int arguments, int results);
+  // A chunk of text, as a function on the stack.
+  Result<void> load(std::string_view text, const std::string& name);
+
+  void beginStretch() { stretchLeft_ = budget_.stretch, timedOut_ = false; }
+  bool timedOut() const { return timedOut_; }
+  bool isExhausted() const { return left_ == 0; }
+  size_t memoryUsed() const { return arena_.used(); }
+
+ private:
+  static void* allocate(void* self, void* block, size_t oldSize, size_t newSize);
+  static void count(lua_State* L, lua_Debug* at);
+
+  Budget budget_;
+  Arena arena_;
+  void* owner_;
+  lua_State* state_ = nullptr;
+  uint64_t left_, stretchLeft_;
+  bool timedOut_ = false;
+};
+
+}  // namespace obby::engine

@@ -1,0 +1,245 @@
+#include "import/observed/probe_effects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+
+#include "import/frame_time.h"
+#include "import/observed/roles.h"
+#include "import/pose_math.h"
+
+namespace obby::importer {
+namespace {
+
+using engine::Change;
+using engine::kPlayer;
+
+constexpr double kSameTime = 1e-6;
+constexpr float kYaw = 0.3f;                     // as a probe stands (probe.luau)
+constexpr Vec3 kArriving = {1.5f, 0, 2.5f};      // and its velocity
+constexpr float kKept = 1e-3f;
+constexpr double kPerJumpPower = 1.06;
+
+// The probe's changes without those that came in the undisturbed run at the same time.
+std::vector<const Change*> ownChanges(const engine::Report& report, const engine::Probe& probe) {
+  std::multiset<std::tuple<int64_t, InstanceId, std::string>> usual;
+  const auto key = [](const Change& change) {
+    return std::tuple(int64_t(std::llround(change.time / kFrame)), change.target, change.property);
+  };
+  for (const Change& change : report.undisturbed.changes)
+    if (change.time >= probe.at) usual.insert(key(change));
+  std::vector<const Change*> own;
+  for (const Change& change : probe.seen.changes) {
+    const auto same = usual.find(key(change));
+    if (same != usual.end()) usual.erase(same);
+    else own.push_back(&change);
+  }
+  return own;
+}
+
+class Difference {
+ public:
+  Difference(const engine::Report& report, const engine::Probe& probe)
+      : report_(report), probe_(probe), own_(ownChanges(report, probe)) {}
+
+  ProbeEffects effects() {
+    findHarm();
+    for (const Change* change : own_) take(*change);
+    findAways();
+    findMoved();
+    settleBoost();
+    return std::move(effects_);
+  }
+
+ private:
+  // Seconds after the first frame at which a touch can be noticed.
+  double after(double time) const { return std::max(0.0, time - probe_.at - kFrame); }
+
+  // Hits of one frame count together: each limb that touches hurts.
+  void findHarm() {
+    std::map<int64_t, double> hits;
+    for (const engine::Harm& harm : probe_.seen.harms)
+      if (harm.to < harm.from) hits[std::llround(harm.time / kFrame)] += harm.from - harm.to;
+    if (hits.empty()) return;
+    Harmful found;
+    found.damage = hits.begin()->second;
+    for (const engine::Harm& harm : probe_.seen.harms)
+      if (harm.to < harm.from && found.line.script == kNoInstance) found.line = harm.line;
+    if (hits.size() > 1)
+      found.cooldown = double(std::next(hits.begin())->first - hits.begin()->first) * kFrame;
+    effects_.harm = found;
+  }
+
+  void take(const Change& change) {
+    if (change.target == kPlayer) return takePlayer(change);
+    const std::string& property = change.property;
+    if (property == "Gravity") effects_.gravity = effects_.gravity.value_or(change.line);
+    else if (property == "note jump") takeJump(change);
+    else if (property.rfind("note mover ", 0) == 0) takeMover(change);
+    else if (property == "note respawn" || property == "note team") setStage(std::nullopt, change.line);
+    else if (property.rfind("note stat ", 0) == 0) takeStat(change);
+    else if (property == "note sit" || property == "note state") takeState(change);
+    else if (property == "Velocity" && change.target < engine::kMade)
+      effects_.belts.emplace_back(change.target, change.line);
+  }
+
+  void takePlayer(const Change& change) {
+    const std::string& property = change.property;
+    if (const Vec3* const velocity = std::get_if<Vec3>(&change.value); velocity && property == "Velocity")
+      setPush(*velocity, change.line);
+    else if (const Pose* const pose = std::get_if<Pose>(&change.value); pose && property == "CFrame")
+      setTeleport(*pose, change.line);
+    else if (property == "WalkSpeed" || property == "JumpPower" || property == "JumpHeight")
+      speeds_.push_back(&change);
+    else if (property == "PlatformStand")
+      takeState(change);
+  }
+
+  void setPush(Vec3 velocity, engine::Line line) {
+    if (effects_.push) return;
+    Push push;
+    push.keepsSideways = std::abs(velocity.x - kArriving.x) < kKept && std::abs(velocity.z - kArriving.z) < kKept;
+    push.velocity = velocity;
+    push.line = line;
+    effects_.push = push;
+  }
+
+  void setTeleport(const Pose& root, engine::Line line) {
+    if (effects_.teleport) return;
+    constexpr float kRootHeight = 3;
+    Teleported to;
+    to.feet = root.position - Vec3{0, kRootHeight, 0};
+    to.yaw = yawOf(-root.rotation.z);
+    to.turns = std::abs(to.yaw - kYaw) > kKept;
+    to.line = line;
+    effects_.teleport = to;
+  }
+
+  // A script that makes the player jump: with the power that it has by then.
+  void takeJump(const Change& change) {
+    const double* const power = std::get_if<double>(&change.value);
+    if (!power || effects_.push) return;
+    const bool byPower = probe_.seen.player.usesJumpPower;
+    const float speed = byPower ? float(kPerJumpPower * *power) : float(std::sqrt(2 * 196.2 * *power));
+    effects_.push = Push{{kArriving.x, speed, kArriving.z}, true, change.line};
+  }
+
+  void takeMover(const Change& change) {
+    const Vec3* const velocity = std::get_if<Vec3>(&change.value);
+    const bool sets = change.property.find("Velocity") != std::string::npos;
+    if (velocity && sets) setPush(*velocity, change.line);
+  }
+
+  void setStage(std::optional<double> number, engine::Line line) {
+    if (!effects_.stage) effects_.stage = StageSet{number, line};
+    else if (number && !effects_.stage->number) effects_.stage->number = number;
+  }
+
+  void takeStat(const Change& change) {
+    static const char* const kNames[] = {"stage", "level", "checkpoint", "spawn"};
+    std::string name = change.property.substr(10);
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+    const bool tells = std::any_of(std::begin(kNames), std::end(kNames),
+                                   [&](const char* word) { return name.find(word) != std::string::npos; });
+    const double* const number = std::get_if<double>(&change.value);
+    if (tells && number) setStage(*number, change.line);
+  }
+
+  void takeState(const Change& change) {
+    const bool* const flag = std::get_if<bool>(&change.value);
+    const std::string* const state = std::get_if<std::string>(&change.value);
+    const bool falls = state && (*state == "FallingDown" || *state == "Ragdoll" || *state == "Physics" ||
+                                 *state == "PlatformStanding");
+    if (!(flag && *flag) && !falls) return;
+    effects_.trips = true;
+    effects_.tripLine = change.line;
+  }
+
+  void settleBoost() {
+    if (speeds_.empty()) return;
+    const auto usual = [&](const std::string& property) {
+      const engine::PlayerState& before = report_.undisturbed.player;
+      return property == "WalkSpeed" ? before.walkSpeed
+             : property == "JumpPower" ? before.jumpPower : before.jumpHeight;
+    };
+    Booster boost;
+    boost.line = speeds_.front()->line;
+    double last = 0;
+    bool changed = false;
+    std::map<std::string, double> now;
+    for (const Change* change : speeds_) {
+      const double* const value = std::get_if<double>(&change->value);
+      if (!value) continue;
+      const double before = usual(change->property), ratio = before > 0 ? *value / before : 1;
+      now[change->property] = ratio;
+      last = change->time;
+      if (std::abs(ratio - 1) < 1e-6) continue;
+      changed = true;
+      if (change->property == "WalkSpeed") boost.walk = float(ratio);
+      else boost.jump = float(change->property == "JumpHeight" ? std::sqrt(ratio) : ratio);
+    }
+    if (!changed) return;
+    boost.forever = std::any_of(now.begin(), now.end(), [](const auto& one) { return std::abs(one.second - 1) > 1e-6; });
+    if (!boost.forever) boost.seconds = boostSeconds(last);
+    effects_.boost = boost;
+  }
+
+  // By the last touch: a boost that ends when the player leaves has none.
+  double boostSeconds(double end) const {
+    const double left = std::abs(end - probe_.left);
+    return left < 3 * kFrame ? 0 : std::max(kFrame, end - speeds_.front()->time);
+  }
+
+  void findAways() {
+    std::map<InstanceId, Away> found;
+    for (const Change* change : own_) {
+      if (change->property != "CanCollide" && change->property != "Parent") continue;
+      const bool* const solid = std::get_if<bool>(&change->value);
+      if (!solid || change->target >= engine::kMade) continue;
+      const auto known = found.find(change->target);
+      if (!*solid && known == found.end())
+        found[change->target] = {change->target, after(change->time), std::nullopt, change->line};
+      else if (*solid && known != found.end() && !known->second.seconds)
+        known->second.seconds = after(change->time) - known->second.delay;
+    }
+    for (const auto& [id, away] : found) effects_.aways.push_back(away);
+  }
+
+  void findMoved() {
+    const auto first = uint32_t(std::llround(probe_.at / kFrame)) + 1;
+    const uint32_t frames = probe_.seen.frames >= first ? probe_.seen.frames - first + 1 : 0;
+    for (const auto& [id, track] : probe_.seen.tracks) {
+      if (id >= engine::kMade || frames == 0) continue;
+      const auto usual = report_.undisturbed.tracks.find(id);
+      const bool moves = usual != report_.undisturbed.tracks.end() &&
+                         usual->second.poses.back().frame >= first;
+      if (moves) continue;  // it moves anyway
+      const Pose start = startOf(id, track);
+      effects_.moved.push_back({id, posesOf(start, track, first, frames), track.line});
+    }
+  }
+
+  // Before the touch: where the undisturbed run has left it, else as in the file.
+  Pose startOf(InstanceId id, const engine::Track& track) const {
+    const auto usual = report_.undisturbed.tracks.find(id);
+    if (usual != report_.undisturbed.tracks.end()) return usual->second.poses.back().pose;
+    return track.start;
+  }
+
+  const engine::Report& report_;
+  const engine::Probe& probe_;
+  std::vector<const Change*> own_;
+  std::vector<const Change*> speeds_;
+  ProbeEffects effects_;
+};
+
+}  // namespace
+
+ProbeEffects effectsOf(const engine::Report& report, const engine::Probe& probe) {
+  return Difference(report, probe).effects();
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,70 @@
+// What one probe changed: the difference between it and the undisturbed run.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine/report.h"
+
+namespace obby::importer {
+
+struct Harmful {
+  double damage = 0, cooldown = 0;
+  engine::Line line;
+};
+struct Push {
+  Vec3 velocity;
+  bool keepsSideways = false;
+  engine::Line line;
+};
+struct Teleported {
+  Vec3 feet;
+  bool turns = false;
+  float yaw = 0;
+  engine::Line line;
+};
+struct Booster {
+  float walk = 1, jump = 1;  // times what it was
+  double seconds = 0;        // after the player has left; 0: at once
+  bool forever = false;
+  engine::Line line;
+};
+struct StageSet {
+  std::optional<double> number;  // in leaderstats or the like
+  engine::Line line;
+};
+struct Away {
+  InstanceId part = kNoInstance;
+  double delay = 0;
+  std::optional<double> seconds;  // nothing: it did not come back
+  engine::Line line;
+};
+struct Moved {
+  InstanceId part = kNoInstance;
+  std::vector<Pose> poses;  // a frame each, from the touch on
+  engine::Line line;
+};
+
+struct ProbeEffects {
+  std::optional<Harmful> harm;
+  std::optional<Push> push;
+  std::optional<Teleported> teleport;
+  std::optional<Booster> boost;
+  std::optional<StageSet> stage;
+  std::optional<engine::Line> gravity;
+  bool trips = false;
+  engine::Line tripLine;
+  std::vector<Away> aways;
+  std::vector<Moved> moved;
+  std::vector<std::pair<InstanceId, engine::Line>> belts;
+
+  bool empty() const {
+    return !harm && !push && !teleport && !boost && !stage && !gravity && !trips && aways.empty() &&
+           moved.empty() && belts.empty();
+  }
+};
+
+ProbeEffects effectsOf(const engine::Report& report, const engine::Probe& probe);
+
+}  // namespace obby::importer

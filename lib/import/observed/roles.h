@@ -1,0 +1,28 @@
+// Roles by observation: what parts were seen to do while the place's scripts ran.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "import/observed/run.h"
+#include "import/roles/role.h"
+
+namespace obby::importer {
+
+// Motions of what moves by itself.
+void movingFromObservation(RoleContext& context, const engine::Report& report);
+// Parts that come and go, belts that change: what happens by itself in a rhythm.
+void timersFromObservation(RoleContext& context, const engine::Report& report);
+// What a touch or use does, to the player and to other parts.
+void touchesFromObservation(RoleContext& context, const engine::Report& report);
+// Names what was seen and is not in the level, and scripts that failed.
+void noteObservedLosses(RoleContext& context, const ObservedPlace& place);
+
+// A part's poses at `frames` frames from `first` on; it is at `start` until its track begins.
+std::vector<Pose> posesOf(const Pose& start, const engine::Track& track, uint32_t first,
+                          uint32_t frames);
+// The motion of a part that is at these poses, a frame each; nothing: it moves, but neither in a
+// round nor to an end.
+std::optional<Motion> motionOf(const std::vector<Pose>& poses);
+
+}  // namespace obby::importer

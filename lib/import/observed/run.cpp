@@ -1,0 +1,91 @@
+#include "import/observed/run.h"
+
+#include <algorithm>
+#include <map>
+
+#include "engine/classes/class_defaults.h"
+#include "import/line_index.h"
+#include "import/observed/settle.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr size_t kLongestQuote = 100;  // bytes of a line in a reason
+
+bool isScript(const Instance& instance) {
+  return instance.className == "Script" || instance.className == "LocalScript" ||
+         instance.className == "ModuleScript";
+}
+
+// The body that the twin of the scripts gives players.
+std::string rigOf(const Document& document) {
+  for (const Instance& instance : document.instances)
+    if (instance.className == "StarterPlayer")
+      if (const auto* avatar = property<EnumItem>(instance, "GameSettingsAvatar"))
+        return avatar->value == 0 ? "r6" : "r15";
+  return "r15";
+}
+
+// Gives the report the ids of the document for the parts that have been added to it.
+class Renumbering {
+ public:
+  explicit Renumbering(std::map<InstanceId, InstanceId> ids) : ids_(std::move(ids)) {}
+
+  void apply(engine::Report& report) const {
+    apply(report.undisturbed);
+    for (engine::Probe& probe : report.probes) {
+      apply(probe.target);
+      apply(probe.seen);
+    }
+  }
+
+ private:
+  void apply(InstanceId& id) const {
+    const auto found = ids_.find(id);
+    if (found != ids_.end()) id = found->second;
+  }
+  void apply(engine::Observation& seen) const {
+    for (engine::Change& change : seen.changes) apply(change.target);
+    for (engine::Tween& tween : seen.tweens) apply(tween.target);
+    std::map<InstanceId, engine::Track> tracks;
+    for (auto& [id, track] : seen.tracks) {
+      InstanceId own = id;
+      apply(own);
+      tracks[own] = std::move(track);
+    }
+    seen.tracks = std::move(tracks);
+  }
+
+  std::map<InstanceId, InstanceId> ids_;
+};
+
+}  // namespace
+
+ObservedPlace observePlace(const Document& document) {
+  ObservedPlace place;
+  place.document = document;
+  if (std::none_of(document.instances.begin(), document.instances.end(), isScript)) return place;
+  engine::Plan plan;
+  plan.settings.rig = rigOf(document);
+  place.report = engine::observe(document, plan);
+  place.ran = place.report.undisturbed.frames > 0;
+  Renumbering(addMadeParts(place.document, place.report)).apply(place.report);
+  settle(place.document, place.report);
+  return place;
+}
+
+std::string lineReason(const Tree& tree, engine::Line line) {
+  if (line.script >= tree.size()) return "a script";
+  const Instance& script = tree.at(line.script);
+  std::string reason = "script " + script.name;
+  if (line.line <= 0) return reason;
+  reason += " line " + std::to_string(line.line);
+  const auto* source = property<std::string>(script, "Source");
+  const auto text = source ? LineIndex(*source).line(size_t(line.line)) : std::nullopt;
+  if (!text) return reason;
+  std::string_view quote = *text;
+  quote.remove_prefix(std::min(quote.find_first_not_of(" \t"), quote.size()));
+  return reason + ": " + std::string(quote.substr(0, kLongestQuote));
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,87 @@
+// Collision and belts that change in a rhythm.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "import/observed/roles.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr double kSame = 0.05;  // seconds
+
+using engine::Change;
+
+// The times at which a part comes and goes.
+struct Turns {
+  std::vector<double> gone, back;
+  engine::Line line;
+};
+
+// Whether the change takes the part out of the way or brings it back; nothing: neither.
+std::optional<bool> solidAfter(const Change& change) {
+  if (change.property != "CanCollide" && change.property != "Parent") return std::nullopt;
+  const bool* value = std::get_if<bool>(&change.value);
+  return value ? std::optional(*value) : std::nullopt;
+}
+
+std::map<InstanceId, Turns> turnsOf(const engine::Report& report) {
+  std::map<InstanceId, Turns> all;
+  for (const Change& change : report.undisturbed.changes) {
+    const auto solid = solidAfter(change);
+    if (!solid) continue;
+    Turns& turns = all[change.target];
+    if (turns.line.script == kNoInstance) turns.line = change.line;
+    (*solid ? turns.back : turns.gone).push_back(change.time);
+  }
+  return all;
+}
+
+// The regular distance of the last times; nothing if they are not regular.
+std::optional<double> rhythmOf(const std::vector<double>& times) {
+  if (times.size() < 3) return std::nullopt;
+  const size_t last = times.size() - 1;
+  const double period = times[last] - times[last - 1];
+  if (std::abs(times[last - 1] - times[last - 2] - period) > kSame) return std::nullopt;
+  return period;
+}
+
+void giveTimer(RoleContext& context, PartDraft& part, const Turns& turns) {
+  const auto period = rhythmOf(turns.gone);
+  const std::string reason = lineReason(context.tree, turns.line);
+  if (!period || turns.back.size() < 2) {
+    context.level.noteUnmodelled("part that comes and goes without a rhythm",
+                                 context.tree.path(part.id), "taken as solid; " + reason);
+    return;
+  }
+  const double gone = turns.gone[turns.gone.size() - 2];
+  const auto back = std::upper_bound(turns.back.begin(), turns.back.end(), gone);
+  if (back == turns.back.end()) return;
+  Vanish vanish;
+  vanish.timer = true;
+  vanish.away = float(*back - gone);
+  vanish.delay = float(*period) - vanish.away;
+  vanish.phase = float(*period - std::fmod(*back, *period));
+  if (!(vanish.away > 0) || !(vanish.delay > 0)) return;
+  part.solid = true;
+  part.vanish = vanish;
+  part.evidence.push_back({"vanish", reason, false});
+}
+
+}  // namespace
+
+void timersFromObservation(RoleContext& context, const engine::Report& report) {
+  for (const auto& [id, turns] : turnsOf(report)) {
+    PartDraft* const part = context.part(id);
+    if (part && !turns.gone.empty() && turns.gone.back() > report.probedAt) giveTimer(context, *part, turns);
+  }
+  std::map<InstanceId, int> belts;
+  for (const Change& change : report.undisturbed.changes)
+    if (change.property == "Velocity" && change.time > report.probedAt && ++belts[change.target] == 1)
+      if (const PartDraft* const part = context.part(change.target); part && part->anchored)
+        context.level.noteUnmodelled("conveyor that a script changes", context.tree.path(change.target),
+                                     "keeps its velocity at the start of play; " +
+                                         lineReason(context.tree, change.line));
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,173 @@
+// What a touch or a use does: each probe against what happened by itself in the same time.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "import/checkpoints.h"
+#include "import/motion.h"
+#include "import/observed/probe_effects.h"
+#include "import/observed/roles.h"
+#include "import/observed/settle.h"
+#include "import/pose_math.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr float kForever = 3600;
+
+class Touches {
+ public:
+  Touches(RoleContext& context, const engine::Report& report) : context_(context), report_(report) {}
+
+  void take(const engine::Probe& probe) {
+    PartDraft* const part = partOf(probe);
+    if (!part) return;
+    const ProbeEffects effects = effectsOf(report_, probe);
+    const bool used = probe.approach == engine::Approach::use;
+    if (probe.lost) {
+      context_.level.noteUnmodelled("touch that broke down", path(part->id), "treated as a plain part");
+      return;
+    }
+    if (effects.empty()) {
+      part->evidence.push_back({kHarmless, "scripts listen to it, and do nothing to a player", false});
+      return;
+    }
+    if (!used) takePlayer(*part, probe, effects);
+    takeParts(*part, probe, effects);
+  }
+
+ private:
+  // The part that a player touches: for a click or prompt the part that it is in.
+  PartDraft* partOf(const engine::Probe& probe) {
+    for (InstanceId id = probe.target; id < context_.tree.size(); id = context_.tree.at(id).parent)
+      if (PartDraft* const part = context_.part(id)) return part;
+    return nullptr;
+  }
+  std::string path(InstanceId id) const { return context_.tree.path(id); }
+  std::string reason(engine::Line line) const { return lineReason(context_.tree, line); }
+
+  static void prove(PartDraft& part, const char* role, const std::string& why) {
+    part.evidence.push_back({role, why, false});
+  }
+
+  void takePlayer(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects) {
+    if (effects.harm) {
+      const Harmful& harm = *effects.harm;
+      part.kill = {float(harm.damage), float(harm.cooldown)};
+      prove(part, "kill", reason(harm.line));
+    }
+    if (effects.push) takePush(part, *effects.push);
+    if (effects.teleport && !effects.harm) {
+      Teleport to;
+      to.position = effects.teleport->feet;
+      to.turns = effects.teleport->turns;
+      to.yaw = effects.teleport->yaw;
+      part.teleport = to;
+      prove(part, "teleport", reason(effects.teleport->line));
+    }
+    if (effects.boost) takeBoost(part, *effects.boost);
+    if (effects.trips && !effects.harm) {
+      part.trip = Trip{};
+      prove(part, "trip", reason(effects.tripLine));
+    }
+    if (effects.stage && !part.checkpoint && !effects.harm) {
+      part.checkpoint = effects.stage->number ? int(*effects.stage->number)
+                                              : stageNumber(context_.tree, part.id, part.id);
+      prove(part, "checkpoint", reason(effects.stage->line));
+    }
+    if (effects.gravity)
+      context_.level.noteUnmodelled("gravity that a touch changes", path(part.id),
+                                    "gravity stays as it is; " + reason(*effects.gravity));
+    (void)probe;
+  }
+
+  void takePush(PartDraft& part, const Push& push) {
+    JumpPad pad;
+    pad.velocity = push.velocity;
+    pad.keepSideways = push.keepsSideways;
+    if (pad.keepSideways) pad.velocity.x = pad.velocity.z = 0;
+    if (pad.velocity.y == 0 && pad.velocity.x == 0 && pad.velocity.z == 0) return;
+    part.jumpPad = pad;
+    prove(part, "jumpPad", reason(push.line));
+  }
+
+  void takeBoost(PartDraft& part, const Booster& boost) {
+    Boost own;
+    own.walkSpeed = boost.walk;
+    own.jumpSpeed = boost.jump;
+    own.seconds = float(boost.seconds);
+    own.forever = boost.forever;
+    if (!(own.walkSpeed > 0) || !(own.jumpSpeed > 0)) {
+      context_.level.noteUnmodelled("part that stops the player", path(part.id), reason(boost.line));
+      return;
+    }
+    part.boost = own;
+    prove(part, "boost", reason(boost.line));
+  }
+
+  void takeParts(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects) {
+    const bool used = probe.approach == engine::Approach::use;
+    bool presses = false;
+    double longest = 0;
+    bool forever = false;
+    const std::string signal = "touch " + path(part.id);
+    for (const Away& away : effects.aways) {
+      PartDraft* const other = context_.part(away.part);
+      if (!other || other->vanish) continue;
+      Vanish vanish;
+      vanish.delay = float(away.delay);
+      vanish.away = away.seconds ? float(*away.seconds) : kGone;
+      if (other != &part || used) {
+        vanish.signal = signal;
+        presses = true;
+        forever = forever || !away.seconds;
+        longest = std::max(longest, away.delay + away.seconds.value_or(0));
+      }
+      other->vanish = vanish;
+      other->solid = true;
+      prove(*other, "vanish", reason(away.line));
+    }
+    for (const Moved& moved : effects.moved) {
+      PartDraft* const other = context_.part(moved.part);
+      if (!other || other->motion) continue;
+      auto motion = motionOf(moved.poses);
+      if (!motion) {
+        context_.level.noteUnmodelled("motion that a touch or click starts", path(moved.part),
+                                      "stays where it is; " + reason(moved.line));
+        continue;
+      }
+      const bool own = other == &part && !used;
+      motion->trigger = own ? MotionTrigger::touch : MotionTrigger::signal;
+      motion->offset = 0;
+      if (!own) {
+        motion->signal = signal;
+        presses = true;
+        const bool returns = samePose(moved.poses.front(), moved.poses.back());
+        forever = forever || !returns;
+        longest = std::max(longest, double(moved.poses.size()) / 60);
+      }
+      other->motion = motion;
+      prove(*other, "motion", reason(moved.line));
+    }
+    if (presses) {
+      part.button = Button{signal, forever ? kForever : float(longest), forever};
+      prove(part, "button", "a touch changes other parts");
+    }
+    for (const auto& [id, line] : effects.belts)
+      context_.level.noteUnmodelled("conveyor that a touch changes", path(id), reason(line));
+  }
+
+  RoleContext& context_;
+  const engine::Report& report_;
+};
+
+}  // namespace
+
+void touchesFromObservation(RoleContext& context, const engine::Report& report) {
+  Touches touches(context, report);
+  for (const engine::Probe& probe : report.probes) touches.take(probe);
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,59 @@
+// A small place for tests of the script twin.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "engine/document.h"
+#include "engine/stage.h"
+
+namespace obby::test {
+
+class Place {
+ public:
+  Place() {
+    workspace = add("Workspace", "Workspace", kNoInstance);
+    scripts = add("ServerScriptService", "ServerScriptService", kNoInstance);
+    const InstanceId spawn = part("Spawn", {0, 0.5f, 0}, "SpawnLocation");
+    set(spawn, "Size", Vec3{6, 1, 6});
+  }
+
+  InstanceId add(const std::string& className, const std::string& name, InstanceId parent) {
+    Instance instance;
+    instance.className = className;
+    instance.name = name;
+    instance.parent = parent;
+    const auto id = InstanceId(document.instances.size());
+    document.instances.push_back(std::move(instance));
+    (parent == kNoInstance ? document.roots : document.instances[parent].children).push_back(id);
+    return id;
+  }
+  InstanceId part(const std::string& name, Vec3 position, const std::string& className = "Part") {
+    const InstanceId id = add(className, name, workspace);
+    set(id, "Anchored", true);
+    set(id, "CFrame", CFrame{position, {}});
+    set(id, "Size", Vec3{4, 1, 4});
+    return id;
+  }
+  InstanceId script(const std::string& source, InstanceId parent,
+                    const std::string& className = "Script") {
+    const InstanceId id = add(className, className, parent);
+    set(id, "Source", source);
+    return id;
+  }
+  void set(InstanceId id, const std::string& name, Value value) {
+    document.instances[id].properties[name] = std::move(value);
+  }
+
+  Document document;
+  InstanceId workspace, scripts;
+};
+
+// The problems of scripts, one a line.
+inline std::string problems(const engine::Observation& seen) {
+  std::string all;
+  for (const engine::Problem& problem : seen.problems) all += problem.text + "\n";
+  return all;
+}
+
+}  // namespace obby::test
