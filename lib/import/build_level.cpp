@@ -37,8 +37,9 @@ void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level
     }
     groups.apply(*part);
     if (!groups.isSettled(tree.at(id)))
-      level.noteUnmodelled("collision group " + groupNameOf(tree.at(id)), tree.path(id),
-                           "what scripts or another file say of its collisions is not followed");
+      level.noteUnmodelled(
+          "collision group " + groupNameOf(tree.at(id)), tree.path(id),
+          "its collisions are not known: the file does not list it, or scripts set groups");
     level.parts.push_back(std::move(*part));
   }
 }

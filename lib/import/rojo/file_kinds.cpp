@@ -1,5 +1,8 @@
 #include "import/rojo/file_kinds.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace obby::importer::rojo {
 namespace {
 
@@ -32,6 +35,20 @@ constexpr Ending kEndings[] = {{".project.json", FileKind::project},
                                {".rbxm", FileKind::model},
                                {".rbxmx", FileKind::model}};
 
+constexpr std::string_view kProjectServices[] = {"Chat",
+                                                 "Lighting",
+                                                 "Players",
+                                                 "ReplicatedFirst",
+                                                 "ReplicatedStorage",
+                                                 "ServerStorage",
+                                                 "StarterGui",
+                                                 "StarterPack",
+                                                 "StarterPlayer",
+                                                 "Teams",
+                                                 "Workspace",
+                                                 "ServerScriptService",
+                                                 "SoundService"};
+
 }  // namespace
 
 FileName fileNameOf(std::string_view name) {
@@ -39,6 +56,21 @@ FileName fileNameOf(std::string_view name) {
     if (name.ends_with(ending.text) && name.size() > ending.text.size())
       return {ending.kind, std::string(name.substr(0, name.size() - ending.text.size()))};
   return {};
+}
+
+bool isOfFolder(std::string_view name) {
+  return std::find(std::begin(kInitFiles), std::end(kInitFiles), name) != std::end(kInitFiles) ||
+         name == "init.meta.json" || name == "init.meta.jsonc";
+}
+
+std::string inferredClass(const std::string& name, std::string_view parentClass) {
+  const bool isService = std::find(std::begin(kProjectServices), std::end(kProjectServices),
+                                   name) != std::end(kProjectServices) ||
+                         name.ends_with("Service");
+  if (parentClass == "DataModel") return isService ? name : "";
+  if (parentClass == "Workspace" && name == "Terrain") return name;
+  const bool isContainer = name == "StarterPlayerScripts" || name == "StarterCharacterScripts";
+  return parentClass == "StarterPlayer" && isContainer ? name : "";
 }
 
 }  // namespace obby::importer::rojo

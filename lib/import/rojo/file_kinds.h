@@ -1,4 +1,4 @@
-// What a file of a Rojo project becomes, by the end of its name.
+// What a Rojo project says by names: the kinds of files, and the classes of nodes.
 #pragma once
 
 #include <string>
@@ -27,6 +27,7 @@ struct FileName {
   std::string stem;  // the name without the ending
 };
 
+// By the end of the name.
 FileName fileNameOf(std::string_view name);
 
 // Whether a file makes an instance of its folder; those that come first go before the others.
@@ -34,5 +35,11 @@ inline constexpr std::string_view kInitFiles[] = {
     "init.luau",        "init.lua",         "init.server.luau",
     "init.server.lua",  "init.client.luau", "init.client.lua",
     "init.plugin.luau", "init.plugin.lua",  "init.csv"};
+
+// Whether a file says what its folder is.
+bool isOfFolder(std::string_view name);
+
+// The class that a node has by its name and its parent's class; empty: none.
+std::string inferredClass(const std::string& name, std::string_view parentClass);
 
 }  // namespace obby::importer::rojo

@@ -76,4 +76,11 @@ Result<std::string> ProjectFiles::read(const fs::path& file) {
   return bytes;
 }
 
+std::string withUnixLines(std::string text) {
+  std::string out;
+  for (size_t i = 0; i < text.size(); ++i)
+    if (text[i] != '\r' || text.substr(i, 2) != "\r\n") out += text[i];
+  return out;
+}
+
 }  // namespace obby::importer::rojo

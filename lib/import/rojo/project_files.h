@@ -43,4 +43,7 @@ class ProjectFiles {
   size_t filesLeft_ = 100000;
 };
 
+// The text of a script as Rojo has it: with line ends of one character.
+std::string withUnixLines(std::string text);
+
 }  // namespace obby::importer::rojo

@@ -17,19 +17,6 @@ constexpr int kMaxProjectDepth = 64;                       // of folders and nod
 constexpr size_t kMaxGlob = 1000;                          // characters
 constexpr uint64_t kServer = 1, kClient = 2, kPlugin = 3;  // RunContext
 
-constexpr std::string_view kProjectServices[] = {"Chat",
-                                                 "Lighting",
-                                                 "Players",
-                                                 "ReplicatedFirst",
-                                                 "ReplicatedStorage",
-                                                 "ServerStorage",
-                                                 "StarterGui",
-                                                 "StarterPack",
-                                                 "StarterPlayer",
-                                                 "Teams",
-                                                 "Workspace",
-                                                 "ServerScriptService",
-                                                 "SoundService"};
 constexpr std::string_view kProjectNames[] = {"default.project.json", "default.project.jsonc"};
 
 // What holds for all that one project file leads to.
@@ -39,30 +26,6 @@ struct Scope {
   bool legacyScripts = true;
   bool mayLeave = false;  // its $path may lead out of its folder: only that of the file given
 };
-
-// The class that a node has by its name and its parent's class; empty: none.
-std::string inferredClass(const std::string& name, std::string_view parentClass) {
-  const bool isService = std::find(std::begin(kProjectServices), std::end(kProjectServices),
-                                   name) != std::end(kProjectServices) ||
-                         name.ends_with("Service");
-  if (parentClass == "DataModel") return isService ? name : "";
-  if (parentClass == "Workspace" && name == "Terrain") return name;
-  const bool isContainer = name == "StarterPlayerScripts" || name == "StarterCharacterScripts";
-  return parentClass == "StarterPlayer" && isContainer ? name : "";
-}
-
-// Whether a file says what its folder is.
-bool isOfFolder(std::string_view name) {
-  return std::find(std::begin(kInitFiles), std::end(kInitFiles), name) != std::end(kInitFiles) ||
-         name == "init.meta.json" || name == "init.meta.jsonc";
-}
-
-std::string withUnixLines(std::string text) {
-  std::string out;
-  for (size_t i = 0; i < text.size(); ++i)
-    if (text[i] != '\r' || text.substr(i, 2) != "\r\n") out += text[i];
-  return out;
-}
 
 class ProjectReader {
  public:
