@@ -1,8 +1,9 @@
-// World, parts, scripts, strays, roles, stages, and what is left over.
+// World, parts, scripts, strays, roles, stages, what is left over, and the ground.
 #include "import/build_level.h"
 
 #include "import/assemblies.h"
 #include "import/checkpoints.h"
+#include "import/collision_groups.h"
 #include "import/culling.h"
 #include "import/loose.h"
 #include "import/motion_room.h"
@@ -11,6 +12,7 @@
 #include "import/roles/role.h"
 #include "import/roles/surface_speed.h"
 #include "import/scene.h"
+#include "import/terrain.h"
 #include "import/unmodelled.h"
 #include "import/world.h"
 
@@ -24,6 +26,7 @@ std::string worldPath(const Tree& tree) {
 
 void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level) {
   LevelHulls hulls;
+  const CollisionGroups groups(tree, level);
   for (InstanceId id : sceneParts(tree, level)) {
     ++level.partsRead;
     auto part = partFrom(tree, id, hulls, level);
@@ -32,6 +35,11 @@ void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level
       part->anchored = true;
       part->evidence.push_back({"anchored", "joined to an anchored part", false});
     }
+    groups.apply(*part);
+    if (!groups.isSettled(tree.at(id)))
+      level.noteUnmodelled(
+          "collision group " + groupNameOf(tree.at(id)), tree.path(id),
+          "its collisions are not known: the file does not list it, or scripts set groups");
     level.parts.push_back(std::move(*part));
   }
 }
@@ -61,6 +69,7 @@ LevelDraft buildLevel(const Tree& tree, const ObservedPlace& place, const std::s
   orderStages(tree, level);
   noteUnmodelled(context);
   noteObservedLosses(context, place);
+  addTerrain(tree, level);
   return level;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "import/read_document.h"
+#include "import/rojo/project_reader.h"
 #include "io/byte_source.h"
 #include "io/read_file.h"
 
@@ -54,7 +55,22 @@ io::StreamReader InputOpener::stream(io::ByteSource source) {
   return io::StreamReader::over(std::move(source));
 }
 
+Result<io::StreamReader> InputOpener::records(Import import, const std::string& name) {
+  for (const auto& warning : import.warnings) say_(warning);
+  if (options_.explain) explain_(import.explanation);
+  OBBY_ASSIGN(std::string bytes, recordBytes(import));
+  return io::StreamReader::overBytes(std::move(bytes), name);
+}
+
+Result<io::StreamReader> InputOpener::openProject(const std::string& path) {
+  OBBY_ASSIGN(const rojo::Project project, rojo::readProject(path, stop_));
+  ImportOptions options = options_;
+  options.name = freeName(options.name.empty() ? project.name : options.name);
+  return records(importDocument(project.document, options), path);
+}
+
 Result<io::StreamReader> InputOpener::open(const std::string& path) {
+  if (rojo::isProject(path)) return openProject(path);
   OBBY_ASSIGN(io::ByteSource source, io::ByteSource::open(path, stop_));
   const std::string name = source.name();
   OBBY_ASSIGN(const bool maybe, mayBePlace(source));
@@ -65,10 +81,7 @@ Result<io::StreamReader> InputOpener::open(const std::string& path) {
   ImportOptions options = options_;
   options.name = freeName(options.name.empty() ? levelName(name) : options.name);
   OBBY_ASSIGN(Import import, importPlace(bytes, name, options));
-  for (const auto& warning : import.warnings) say_(warning);
-  if (options.explain) explain_(import.explanation);
-  OBBY_ASSIGN(std::string records, recordBytes(import));
-  return io::StreamReader::overBytes(std::move(records), name);
+  return records(std::move(import), name);
 }
 
 }  // namespace obby::importer

@@ -22,13 +22,15 @@ class InputOpener {
               std::function<void(const std::string&)> explain,
               const std::atomic<bool>* stop = nullptr);
 
-  // A place or model file becomes its level and queries; anything else is read as a stream of
-  // records, as they come. `path` "-" is standard input. Errors name the input.
+  // A place or model file, or a Rojo project, becomes its level and queries; anything else is read
+  // as a stream of records, as they come. `path` "-" is standard input. Errors name the input.
   Result<io::StreamReader> open(const std::string& path);
 
  private:
   std::string freeName(const std::string& wanted);
   io::StreamReader stream(io::ByteSource source);
+  Result<io::StreamReader> records(Import import, const std::string& name);
+  Result<io::StreamReader> openProject(const std::string& path);
 
   ImportOptions options_;
   std::function<void(const std::string&)> say_, explain_;

@@ -41,7 +41,7 @@ std::vector<std::vector<Vec3>> scaledHulls(std::vector<std::vector<Vec3>> hulls,
   return hulls;
 }
 
-LevelHulls::Known LevelHulls::decoded(const CollisionBlob& blob) {
+LevelHulls::Known LevelHulls::decoded(const CollisionBlob& blob) const {
   Known known{collisionFrom(blob), 0, 0};
   auto& hulls = known.collision.hulls;
   std::erase_if(hulls, [](const std::vector<Vec3>& hull) { return hull.size() < kLeastCorners; });
@@ -52,6 +52,8 @@ LevelHulls::Known LevelHulls::decoded(const CollisionBlob& blob) {
     }
     known.corners += hull.size();
   }
+  // Packed hulls are many times their bytes in the file: the level's budget bounds them, too.
+  if (known.corners > left_) hulls = {};
   return known;
 }
 

@@ -32,7 +32,7 @@ class LevelHulls {
     size_t corners = 0;   // of them together
     size_t boxed = 0;     // how many of them are boxes around hulls of too many corners
   };
-  static Known decoded(const CollisionBlob& blob);
+  Known decoded(const CollisionBlob& blob) const;
   const Known& knownOf(const Instance& part);
 
   std::unordered_map<const char*, Known> shared_;  // by the address of their bytes

@@ -5,11 +5,10 @@
 #include <cmath>
 #include <set>
 
-#include "import/classes.h"
 #include "engine/classes/class_defaults.h"
+#include "import/classes.h"
 #include "import/onset.h"
 #include "import/scripted_changes.h"
-#include "import/terrain.h"
 #include "import/unread_code.h"
 #include "import/words.h"
 
@@ -68,10 +67,6 @@ void noteInstances(RoleContext& context) {
     if (!hasRole(part) && !hasEvidence(part, kHarmless))
       for (const std::string& tag : instance.tags)
         context.level.noteIgnored("tag " + tag, tree.path(part.id), "not a tag that gives a role");
-    const auto group = get<std::string>(instance, "CollisionGroup");
-    if (!group.empty() && group != "Default")
-      context.level.noteUnmodelled("collision group " + group, tree.path(part.id),
-                                   "only CanCollide decides whether players collide with it");
   }
   for (InstanceId id = 0; id < tree.size(); ++id)
     if (isA(tree.at(id).className, "BackpackItem"))
@@ -253,7 +248,6 @@ void noteTimelines(RoleContext& context, const ScriptReading& reading) {
 }  // namespace
 
 void noteUnmodelled(RoleContext& context) {
-  noteTerrain(context);
   noteInstances(context);
   noteNames(context);
   noteTags(context);

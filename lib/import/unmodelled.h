@@ -5,7 +5,7 @@
 
 namespace obby::importer {
 
-// Terrain, seats, tools, collision groups, teleporters, buttons, parts that scripts change in play,
+// Terrain, seats, tools, teleporters, buttons, parts that scripts change in play,
 // scripts that were not understood. Call it after findRoles and looseParts.
 void noteUnmodelled(RoleContext& context);
 

@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/avatar.h"
 #include "engine/classes/class_defaults.h"
+#include "import/avatar.h"
 
 namespace obby::importer {
 namespace {
 
 constexpr double kJumpPowerGain = 1.06;  // launch speed for each unit of JumpPower
 constexpr uint32_t kControllerLegacy = 1, kControllerDefault = 0;
+constexpr uint32_t kServerAuthority = 0;
 constexpr double kPi = 3.14159265358979323846;
 
 // Names of the same setting on StarterPlayer and on a Humanoid.
@@ -49,11 +50,32 @@ void readHealthScript(const Tree& tree, InstanceId player, LevelDraft& level) {
                        "health is assumed to regenerate by the default 1 % a second");
 }
 
+// Whether the player moves by the Character Controller Library, and where the place says so.
+InstanceId controllerLibrary(const Tree& tree, InstanceId player) {
+  const auto controller = get<EnumItem>(tree.at(player), "LuaCharacterController").value;
+  if (controller != kControllerDefault && controller != kControllerLegacy) return player;
+  for (InstanceId id = 0; id < tree.size(); ++id)
+    if (tree.at(id).className == "AvatarAbilityRules" && tree.isUnder(id, player) &&
+        get<EnumItem>(tree.at(id), "CharacterControllerMode").value != 0)
+      return id;
+  return kNoInstance;
+}
+
+// Settings of Workspace that say where and how often characters are simulated.
+void noteSimulation(const Tree& tree, InstanceId workspace, LevelDraft& level) {
+  if (get<EnumItem>(tree.at(workspace), "AuthorityMode").value == kServerAuthority)
+    level.noteUnmodelled("server authority", tree.path(workspace),
+                         "the server moves the characters; the simulator follows laws measured on "
+                         "characters that their players' own machines move");
+  if (get<EnumItem>(tree.at(workspace), "UseFixedSimulation").value != 0)
+    level.noteIgnored("fixed simulation", tree.path(workspace),
+                      "characters move at a fixed frequency whatever the frame rate; simulated "
+                      "at 60 steps a second");
+}
+
 void noteCharacter(const Tree& tree, InstanceId player, LevelDraft& level) {
-  const Instance& starter = tree.at(player);
-  const auto controller = get<EnumItem>(starter, "LuaCharacterController").value;
-  if (controller != kControllerDefault && controller != kControllerLegacy)
-    level.noteUnmodelled("Character Controller Library", tree.path(player),
+  if (const InstanceId says = controllerLibrary(tree, player); says != kNoInstance)
+    level.noteUnmodelled("Character Controller Library", tree.path(says),
                          "the player is simulated as the classic Humanoid, which accelerates and "
                          "turns differently");
   const InstanceId custom = tree.child(player, "StarterCharacter");
@@ -88,6 +110,7 @@ void readWorld(const Tree& tree, LevelDraft& level) {
       world.fallenPartsHeight = float(get<double>(tree.at(workspace), "FallenPartsDestroyHeight"));
     else
       world.fallenPartsHeight = -50000;
+    noteSimulation(tree, workspace, level);
   }
   world.jumpSpeed = jumpOf(tree).speed(world.gravity);
   const InstanceId player = tree.service("StarterPlayer");

@@ -1,4 +1,5 @@
-// The blobs inside properties: attributes, tags, collision data, base64.
+// The blobs inside properties: attributes, tags, collision data, terrain, base64; JSON with
+// comments.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -6,12 +7,28 @@
 #include "import/format/attributes.h"
 #include "import/format/base64.h"
 #include "import/format/csg_physics.h"
+#include "import/format/packed_hulls.h"
+#include "import/format/smooth_grid.h"
+#include "import/rojo/json_file.h"
+#include "import/terrain_blocks.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace obby::importer;
   const std::string_view blob(reinterpret_cast<const char*>(data), size);
   (void)decodeAttributes(blob);
   (void)decodeCollision(blob);
+  // Few inputs are a zstd frame: what is in one is read on its own, too.
+  if (const auto hulls = decodePackedHulls(blob)) {
+    size_t corners = 0;
+    for (const auto& hull : *hulls) corners += hull.size();
+    if (corners > size) __builtin_trap();
+  }
+  if (const auto chunks = voxelChunks(blob)) {
+    TerrainShape shape;
+    for (const VoxelChunk& chunk : *chunks) addColumns({chunk}, 1000, shape);
+    joinBlocks(shape.blocks);
+  }
+  if (const auto json = rojo::parseJson(blob)) (void)rojo::luauOf(rojo::Json(*json, json->root()));
   if (decodeTags(blob).size() > size) __builtin_trap();
   const auto bytes = decodeBase64(blob);
   if (bytes && bytes->size() > size) __builtin_trap();

@@ -48,9 +48,9 @@ TEST(CsgPhysics, HullsOfAllPlainVersionsAreRead) {
 TEST(CsgPhysics, BoxesAndUnknownVersionsAreToldApart) {
   EXPECT_EQ(decodeCollision("")->kind, CollisionKind::Absent);
   EXPECT_EQ(decodeCollision(csg(0, "BLOCK"))->kind, CollisionKind::Box);
-  const Result<Collision> packed = decodeCollision(csg(8, "whatever"));
-  EXPECT_EQ(packed->kind, CollisionKind::Unsupported);
-  EXPECT_EQ(packed->detail, "CSGPHS 8 is not supported");
+  const Result<Collision> unknown = decodeCollision(csg(9, "whatever"));
+  EXPECT_EQ(unknown->kind, CollisionKind::Unsupported);
+  EXPECT_EQ(unknown->detail, "CSGPHS 9 is not supported");
   EXPECT_EQ(decodeCollision("CSGK0123456789abcdef")->kind, CollisionKind::Unsupported);
   EXPECT_EQ(decodeCollision(csg(5, ""))->kind, CollisionKind::Unsupported);
 }

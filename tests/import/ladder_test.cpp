@@ -23,6 +23,16 @@ TEST(Ladders, ThinPartsOneAboveTheOtherAreRungs) {
   }
 }
 
+TEST(Ladders, BarsMayBeTwoStudsThick) {
+  for (const float thick : {1.9f, 2.1f}) {
+    Scene scene;
+    std::vector<InstanceId> bars;
+    for (int i = 0; i < 4; ++i) bars.push_back(rung(scene, {0, 3.0f * float(i), 0}, {4, thick, 1}));
+    scene.level();
+    for (const InstanceId id : bars) EXPECT_EQ(scene[id].climbable, thick < 2) << thick;
+  }
+}
+
 TEST(Ladders, AVeryTallOneTakesNoLonger) {
   constexpr int kRungs = 4000;
   Scene scene;

@@ -71,6 +71,28 @@ TEST(World, CharacterControllerLibraryIsNamedAsUnmodelled) {
   EXPECT_EQ(scene.unmodelled("Character Controller Library"), 1u);
 }
 
+TEST(World, AbilityRulesMayChooseTheControllerLibrary) {
+  Scene scene;
+  const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
+  const auto rules = scene.add("AvatarAbilityRules", "AvatarAbilityRules",
+                               scene.add("AvatarSettings", "AvatarSettings", player));
+  scene.level();
+  EXPECT_EQ(scene.unmodelled("Character Controller Library"), 0u);
+  scene.set(rules, "CharacterControllerMode", EnumItem{1, {}});
+  scene.level();
+  EXPECT_EQ(scene.unmodelled("Character Controller Library"), 1u);
+}
+
+TEST(World, SettingsOfTheSimulationAreNamed) {
+  Scene scene;
+  EXPECT_EQ(scene.level().ignored.count("fixed simulation"), 0u);
+  EXPECT_EQ(scene.unmodelled("server authority"), 0u);
+  scene.set(scene.workspace, "AuthorityMode", EnumItem{0, {}});
+  scene.set(scene.workspace, "UseFixedSimulation", EnumItem{2, {}});
+  EXPECT_EQ(scene.level().ignored.count("fixed simulation"), 1u);
+  EXPECT_EQ(scene.unmodelled("server authority"), 1u);
+}
+
 TEST(World, ScriptThatGivesEachCharacterASpeedCounts) {
   Scene scene;
   scene.script(R"(

@@ -49,9 +49,12 @@ cli::ToolSpec importSpec() {
       flag("no-queries", "write only the level, without a query for each stage"),
       flag("explain", "print a table of parts, roles and evidence instead of records"),
   };
-  spec.inputHelp = "place and model files (.rbxl, .rbxlx, .rbxm, .rbxmx) or streams of records";
+  spec.inputHelp =
+      "place and model files (.rbxl, .rbxlx, .rbxm, .rbxmx), Rojo projects (a folder or its "
+      "default.project.json) or streams of records";
   spec.notes =
-      "The format of an input is recognised by its content, not by its name. Scripts in a place "
+      "The format of an input is recognised by its content, but a Rojo project by the name "
+      "*.project.json or as a folder that holds default.project.json. Scripts in a place "
       "are read, never executed. If a part is taken for the wrong thing, add a tag to the "
       "part to correct it (docs/import.md).";
   return spec;

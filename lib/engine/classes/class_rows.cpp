@@ -59,6 +59,7 @@ std::span<const ClassRow> classRows() {
       // Characters
       {"Humanoid", "Instance"},
       {"ForceField", "Instance"},
+      {"AvatarAbilityRules", "Instance"},
       // Scripts
       {"LuaSourceContainer", "Instance"},
       {"BaseScript", "LuaSourceContainer"},

@@ -76,6 +76,12 @@ PhysicalProperties materialProperties(uint32_t material) {
           row.elasticity, row.frictionWeight, row.elasticityWeight};
 }
 
+std::optional<uint32_t> materialNamed(std::string_view name) {
+  for (const Row& row : kRows)
+    if (row.name == name) return row.material;
+  return {};
+}
+
 std::string_view materialName(uint32_t material) {
   const Row& row = rowOf(material);
   return row.material == kPlastic ? std::string_view() : row.name;

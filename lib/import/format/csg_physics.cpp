@@ -1,14 +1,16 @@
 // "CSGPHS", a u32 version, and then: version 0: "BLOCK"; 3 and 5: hulls to the end; 6: mass
-// properties, then hulls; 7: a byte for the kind of decomposition, mass properties, hulls. A hull:
-// 40 bytes that are always the same, u32 number of floats, u32 4, the floats (x y z a corner), u32
-// number of indices, u32 indices (three a triangle).
+// properties, then one hull; 7: a byte for the kind of decomposition, mass properties, hulls; 8:
+// that byte, a zero, packed hulls. A hull of the versions up to 7: 40 bytes that are always the
+// same, u32 number of floats, u32 4, the floats (x y z a corner), u32 number of indices, u32
+// indices (three a triangle).
 #include "import/format/csg_physics.h"
 
 #include <cmath>
 #include <utility>
 
-#include "import/format/byte_reader.h"
 #include "engine/classes/class_defaults.h"
+#include "import/format/byte_reader.h"
+#include "import/format/packed_hulls.h"
 
 namespace obby::importer {
 namespace {
@@ -18,6 +20,7 @@ constexpr std::string_view kKeyMagic = "CSGK";
 constexpr size_t kHullHeader = 40;
 constexpr size_t kMassProperties = 10 * 4;  // volume, centre (3), inertia (6)
 constexpr size_t kFewestCorners = 4;
+constexpr uint32_t kPackedVersion = 8;
 
 Error damaged(const ByteReader& reader, std::string message) {
   return Error{{}, "byte " + std::to_string(reader.position()), "CSGPHS", std::move(message), {}};
@@ -55,6 +58,24 @@ bool skipToHulls(uint32_t version, ByteReader& reader) {
   return true;
 }
 
+// Of the versions up to 7.
+Result<std::vector<std::vector<Vec3>>> readHulls(ByteReader& reader) {
+  std::vector<std::vector<Vec3>> hulls;
+  while (reader.ok() && reader.remaining() > 0) {
+    OBBY_ASSIGN(std::vector<Vec3> corners, readHull(reader));
+    hulls.push_back(std::move(corners));
+  }
+  if (!reader.ok()) return damaged(reader, "ends early");
+  return hulls;
+}
+
+Result<std::vector<std::vector<Vec3>>> readPackedHulls(ByteReader& reader) {
+  reader.bytes(2);  // the kind of decomposition, and a zero
+  if (!reader.ok()) return damaged(reader, "ends early");
+  OBBY_ASSIGN(const std::string unpacked, unpackHulls(reader.bytes(reader.remaining())));
+  return decodePackedHulls(unpacked);
+}
+
 Collision unsupported(std::string detail) {
   return {CollisionKind::Unsupported, std::move(detail), {}};
 }
@@ -80,14 +101,12 @@ Result<Collision> decodeCollision(std::string_view blob) {
     if (reader.bytes(5) != "BLOCK") return damaged(reader, "expected BLOCK");
     return Collision{CollisionKind::Box, name + ", a box", {}};
   }
-  if (!skipToHulls(version, reader)) return unsupported(name + " is not supported");
+  const bool packed = version == kPackedVersion;
+  if (!packed && !skipToHulls(version, reader)) return unsupported(name + " is not supported");
   Collision out;
   out.kind = CollisionKind::Hulls;
-  while (reader.ok() && reader.remaining() > 0) {
-    OBBY_ASSIGN(std::vector<Vec3> corners, readHull(reader));
-    if (corners.size() >= kFewestCorners) out.hulls.push_back(std::move(corners));
-  }
-  if (!reader.ok()) return damaged(reader, "ends early");
+  OBBY_ASSIGN(out.hulls, packed ? readPackedHulls(reader) : readHulls(reader));
+  std::erase_if(out.hulls, [](const auto& hull) { return hull.size() < kFewestCorners; });
   if (out.hulls.empty()) return unsupported(name + " without hulls");
   out.detail = name + ", " + std::to_string(out.hulls.size()) + " hulls";
   return out;

@@ -15,13 +15,12 @@ enum class CollisionKind {
   Absent,       // the file has no collision data
   Box,          // the part's bounding box is the exact shape
   Hulls,        // convex hulls
-  Unsupported,  // a version that is not known (8 is compressed), or damaged: use the box, and say
-                // so
+  Unsupported,  // a version that is not known, or damaged: use the box, and say so
 };
 
 struct Collision {
   CollisionKind kind = CollisionKind::Absent;
-  std::string detail;  // for people: "CSGPHS 7, 3 hulls", "CSGPHS 8 is not supported"
+  std::string detail;  // for people: "CSGPHS 7, 3 hulls", "CSGPHS 9 is not supported"
   std::vector<std::vector<Vec3>> hulls;  // corners of each, at least four
 };
 

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <utility>
 
-#include "import/format/attributes.h"
 #include "engine/classes/class_defaults.h"
+#include "import/format/attributes.h"
 #include "import/format/studio_place.h"
 #include "import/plural.h"
 
@@ -163,6 +163,36 @@ void DocumentBuilder::warnOfAttributes() {
     warn(instance.className + " '" + instance.name + "': " + warning);
   }
 }
+
+void DocumentBuilder::setAttribute(InstanceId id, std::string name, Value value) {
+  used_ += name.size() + cost(value) + 64;
+  if (!overBudget()) document_.instances[id].attributes[std::move(name)] = std::move(value);
+}
+
+void DocumentBuilder::become(InstanceId id, std::string className) {
+  document_.instances[id].className = std::move(className);
+}
+
+std::vector<InstanceId> DocumentBuilder::graft(Document&& document) {
+  const auto first = static_cast<InstanceId>(size());
+  const auto shift = [first](InstanceId& id) { id = id == kNoInstance ? id : id + first; };
+  for (Instance& instance : document.instances) {
+    used_ += sizeof(Instance) + instance.className.size() + 2 * sizeof(InstanceId);
+    shift(instance.parent);
+    for (InstanceId& child : instance.children) shift(child);
+    for (auto& [name, value] : instance.properties) {
+      used_ += cost(value);
+      if (auto* ref = std::get_if<Ref>(&value)) shift(ref->target);
+    }
+    for (const auto& [name, value] : instance.attributes) used_ += name.size() + cost(value) + 64;
+    document_.instances.push_back(std::move(instance));
+  }
+  for (std::string& warning : document.warnings) warn(document.file + ": " + warning);
+  for (InstanceId& root : document.roots) shift(root);
+  return std::move(document.roots);
+}
+
+void DocumentBuilder::allow(size_t inputBytes) { budget_ += kBudgetPerByte * inputBytes; }
 
 void DocumentBuilder::setParent(InstanceId child, InstanceId parent) {
   document_.instances[child].parent = parent;

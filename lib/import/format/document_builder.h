@@ -40,6 +40,13 @@ class DocumentBuilder {
   // `name` as in the file. Returns false once the document has outgrown its memory (see
   // overBudget).
   bool set(InstanceId id, std::string_view name, Value value);
+  void setAttribute(InstanceId id, std::string name, Value value);
+  // Another class from here on; properties that are set keep their names.
+  void become(InstanceId id, std::string className);
+  // Takes over all instances of a document that is complete; its roots have no parent yet.
+  std::vector<InstanceId> graft(Document&& document);
+  // More input was read.
+  void allow(size_t inputBytes);
   // The order of the calls is the order of the children. kNoInstance: a root. At most one call an
   // instance.
   void setParent(InstanceId child, InstanceId parent);

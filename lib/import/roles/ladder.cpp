@@ -11,7 +11,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kThickest = 1.5f, kDeepest = 2;  // studs, of a rung: up, and the shorter way across
+constexpr float kThickest = 2, kDeepest = 2;     // studs, of a rung: up, and the shorter way across
 constexpr float kNarrowest = 1, kWidest = 12;    // the longer way across
 constexpr float kLeastGap = 0.3f, kMostGap = 3;  // of air between rungs
 constexpr float kAside = 0.75f;                  // studs that the next rung may be off

@@ -110,7 +110,8 @@ bool hasEvidence(const PartDraft& part, const char* role) {
 
 bool hasRole(const PartDraft& part) {
   return std::any_of(part.evidence.begin(), part.evidence.end(), [](const Evidence& e) {
-    return e.role != "anchored" && e.role != "shape" && e.role != "scripted" && e.role != kHarmless;
+    return e.role != "anchored" && e.role != "shape" && e.role != "scripted" &&
+           e.role != "collision" && e.role != kHarmless;
   });
 }
 

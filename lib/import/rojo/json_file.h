@@ -1,0 +1,55 @@
+// The JSON of Rojo's files: comments and commas before a closing bracket are allowed.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+#include "io/json_tree.h"
+
+namespace obby::importer::rojo {
+
+// One value of a JsonTree, which must outlive it. A default one is no value.
+class Json {
+ public:
+  using Type = io::JsonTree::Type;
+
+  Json() = default;
+  Json(const io::JsonTree& tree, const io::JsonTree::Node& node) : tree_(&tree), node_(&node) {}
+
+  explicit operator bool() const { return node_ != nullptr; }
+  Type type() const { return node_->type; }
+  bool isObject() const { return node_ && node_->type == Type::object; }
+  bool isArray() const { return node_ && node_->type == Type::array; }
+  bool isText() const { return node_ && node_->type == Type::text; }
+  size_t size() const { return node_->length; }
+  std::string describe() const { return tree_->describe(*node_); }
+
+  std::optional<bool> flag() const;
+  std::optional<double> number() const;
+  std::optional<std::string> text() const;
+  // Of an array with nothing but numbers.
+  std::optional<std::vector<double>> numbers() const;
+
+  // The member of that name; no value if there is none, or if it is null.
+  Json operator[](std::string_view name) const;
+  // Of an object by name, of an array without.
+  std::vector<std::pair<std::string, Json>> members() const;
+
+ private:
+  const io::JsonTree* tree_ = nullptr;
+  const io::JsonTree::Node* node_ = nullptr;
+};
+
+// Errors name the column or line.
+Result<io::JsonTree> parseJson(std::string_view text);
+
+// A Luau chunk that returns the value.
+std::string luauOf(const Json& value);
+// A Luau chunk that returns the text.
+std::string luauOf(std::string_view text);
+
+}  // namespace obby::importer::rojo
