@@ -5,6 +5,7 @@
 #include "import/checkpoints.h"
 #include "import/collision_groups.h"
 #include "import/culling.h"
+#include "import/ended_handlers.h"
 #include "import/loose.h"
 #include "import/motion_room.h"
 #include "import/observed/roles.h"
@@ -12,8 +13,11 @@
 #include "import/roles/role.h"
 #include "import/roles/surface_speed.h"
 #include "import/scene.h"
+#include "import/scripted_start.h"
+#include "import/scripted_world.h"
 #include "import/terrain.h"
 #include "import/unmodelled.h"
+#include "import/unread_code.h"
 #include "import/world.h"
 
 namespace obby::importer {
@@ -46,6 +50,28 @@ void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level
 
 }  // namespace
 
+namespace {
+
+void findObservedRoles(RoleContext& context, const ObservedPlace& place) {
+  applyPlayerState(context.level, place);
+  movingFromObservation(context, place.report);
+  timersFromObservation(context, place.report);
+  touchesFromObservation(context, place.report);
+  findRoles(context);
+  noteObservedLosses(context, place);
+}
+
+// Of a place whose scripts did not run: by their texts.
+void findReadRoles(RoleContext& context) {
+  applyScriptedWorld(context);
+  findRoles(context);
+  noteUntoldVelocities(context);
+  noteModules(context);
+  noteEndedHandlers(context);
+}
+
+}  // namespace
+
 LevelDraft buildLevel(const Tree& tree, const ObservedPlace& place, const std::string& name) {
   LevelDraft level;
   level.file = tree.document().file;
@@ -55,20 +81,19 @@ LevelDraft buildLevel(const Tree& tree, const ObservedPlace& place, const std::s
   readWorld(tree, level);
   const Assemblies assemblies(tree);
   readParts(tree, assemblies, level);
+  const auto scripts = place.ran ? std::vector<ScriptReading>{} : readScripts(tree);
+  {
+    RoleContext asSaved(tree, assemblies, scripts, level);
+    applyScriptedStart(asSaved);
+  }
   cullStrays(level, tree);
-  applyPlayerState(level, place);
-  const std::vector<ScriptReading> scripts;
   RoleContext context(tree, assemblies, scripts, level);
-  movingFromObservation(context, place.report);
-  timersFromObservation(context, place.report);
-  touchesFromObservation(context, place.report);
-  findRoles(context);
-  noteUntoldVelocities(context);
+  if (place.ran) findObservedRoles(context, place);
+  else findReadRoles(context);
   settleMotions(context);
   looseParts(tree, assemblies, level);
   orderStages(tree, level);
   noteUnmodelled(context);
-  noteObservedLosses(context, place);
   addTerrain(tree, level);
   return level;
 }

@@ -59,7 +59,8 @@ std::string levelName(const std::string& file) {
 }
 
 Import importDocument(const Document& document, const ImportOptions& options) {
-  const ObservedPlace place = observePlace(document);
+  const ObservedPlace place =
+      options.runScripts ? observePlace(document) : ObservedPlace{document, {}, false};
   const Tree tree(place.document);
   const LevelDraft level =
       buildLevel(tree, place, options.name.empty() ? levelName(document.file) : options.name);
