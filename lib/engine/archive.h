@@ -1,6 +1,6 @@
-// Plain structs to bytes and back, between a process and the child that it has forked: same program,
-// same machine. A struct says its fields once: fields(archive, value) calls archive(field) for each.
-// Private to lib/engine.
+// Plain structs to bytes and back, between a process and the child that it has forked: same
+// program, same machine. A struct says its fields once: fields(archive, value) calls archive(field)
+// for each. Private to lib/engine.
 #pragma once
 
 #include <cstring>
@@ -53,10 +53,7 @@ class BytesOut {
     std::visit([this](auto& held) { (*this)(held); }, value);
   }
   template <class T>
-    requires(!PlainBytes<T>)
-  void operator()(T& value) {
-    fields(*this, value);
-  }
+  requires(!PlainBytes<T>) void operator()(T& value) { fields(*this, value); }
 
   std::string bytes;
 };
@@ -91,10 +88,7 @@ class BytesIn {
     hold<0, T...>(value, size());
   }
   template <class T>
-    requires(!PlainBytes<T>)
-  void operator()(T& value) {
-    fields(*this, value);
-  }
+  requires(!PlainBytes<T>) void operator()(T& value) { fields(*this, value); }
 
   bool good = true;
 

@@ -17,22 +17,48 @@ void limit(int resource, rlim_t most) {
 }
 
 // All that a child needs: memory, its pipes, and children of its own.
-constexpr int kAllowed[] = {
-    SCMP_SYS(read),         SCMP_SYS(write),      SCMP_SYS(close),        SCMP_SYS(poll),
-    SCMP_SYS(ppoll),        SCMP_SYS(pipe),       SCMP_SYS(pipe2),        SCMP_SYS(clone),
-    SCMP_SYS(clone3),       SCMP_SYS(fork),       SCMP_SYS(vfork),        SCMP_SYS(wait4),
-    SCMP_SYS(kill),         SCMP_SYS(getpid),     SCMP_SYS(gettid),       SCMP_SYS(tgkill),
-    SCMP_SYS(mmap),         SCMP_SYS(munmap),     SCMP_SYS(mremap),       SCMP_SYS(madvise),
-    SCMP_SYS(mprotect),     SCMP_SYS(brk),        SCMP_SYS(futex),        SCMP_SYS(exit),
-    SCMP_SYS(exit_group),   SCMP_SYS(rt_sigreturn), SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigaction),
-    SCMP_SYS(clock_gettime), SCMP_SYS(gettimeofday), SCMP_SYS(set_robust_list), SCMP_SYS(rseq),
-    SCMP_SYS(restart_syscall), SCMP_SYS(sched_yield), SCMP_SYS(getrandom)};
+constexpr int kAllowed[] = {SCMP_SYS(read),
+                            SCMP_SYS(write),
+                            SCMP_SYS(close),
+                            SCMP_SYS(poll),
+                            SCMP_SYS(ppoll),
+                            SCMP_SYS(pipe),
+                            SCMP_SYS(pipe2),
+                            SCMP_SYS(clone),
+                            SCMP_SYS(clone3),
+                            SCMP_SYS(fork),
+                            SCMP_SYS(vfork),
+                            SCMP_SYS(wait4),
+                            SCMP_SYS(kill),
+                            SCMP_SYS(getpid),
+                            SCMP_SYS(gettid),
+                            SCMP_SYS(tgkill),
+                            SCMP_SYS(mmap),
+                            SCMP_SYS(munmap),
+                            SCMP_SYS(mremap),
+                            SCMP_SYS(madvise),
+                            SCMP_SYS(mprotect),
+                            SCMP_SYS(brk),
+                            SCMP_SYS(futex),
+                            SCMP_SYS(exit),
+                            SCMP_SYS(exit_group),
+                            SCMP_SYS(rt_sigreturn),
+                            SCMP_SYS(rt_sigprocmask),
+                            SCMP_SYS(rt_sigaction),
+                            SCMP_SYS(clock_gettime),
+                            SCMP_SYS(gettimeofday),
+                            SCMP_SYS(set_robust_list),
+                            SCMP_SYS(rseq),
+                            SCMP_SYS(restart_syscall),
+                            SCMP_SYS(sched_yield),
+                            SCMP_SYS(getrandom)};
 
 bool allowOnly() {
   const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ERRNO(EPERM));
   if (filter == nullptr) return false;
   bool good = true;
-  for (const int call : kAllowed) good = seccomp_rule_add(filter, SCMP_ACT_ALLOW, call, 0) == 0 && good;
+  for (const int call : kAllowed)
+    good = seccomp_rule_add(filter, SCMP_ACT_ALLOW, call, 0) == 0 && good;
   good = good && seccomp_load(filter) == 0;
   seccomp_release(filter);
   return good;

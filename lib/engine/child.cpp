@@ -62,7 +62,8 @@ void Children::start(double seconds, const Body& body, Done done) {
     close(ends[0]);
     return done({});
   }
-  const auto limit = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  const auto limit =
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   running_.push_back({pid, ends[0], Clock::now() + limit, {}, std::move(done)});
 }
 
@@ -88,15 +89,18 @@ void Children::wait() {
     all.push_back({one.pipe, POLLIN, 0});
     first = std::min(first, one.deadline);
   }
-  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(first - Clock::now()).count();
+  const auto left =
+      std::chrono::duration_cast<std::chrono::milliseconds>(first - Clock::now()).count();
   const int ready = poll(all.data(), all.size(), int(std::clamp<long>(left + 1, 0, 60'000)));
   if (ready < 0 && errno != EINTR) return end(0, true);
   for (size_t i = running_.size(); i-- > 0;) {
     if (ready > 0 && all[i].revents != 0) {
       char buffer[1 << 16];
       const ssize_t n = read(all[i].fd, buffer, sizeof buffer);
-      if (n > 0) running_[i].bytes.append(buffer, size_t(n));
-      else if (n == 0 || errno != EINTR) end(i, false);
+      if (n > 0)
+        running_[i].bytes.append(buffer, size_t(n));
+      else if (n == 0 || errno != EINTR)
+        end(i, false);
     } else if (Clock::now() >= running_[i].deadline) {
       end(i, true);
     }

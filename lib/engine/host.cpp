@@ -21,7 +21,10 @@ InstanceId scriptOf(const char* source) {
 }  // namespace
 
 Host::Host(const Document& documentIn, const Settings& settingsIn)
-    : document(documentIn), settings(settingsIn), vm(settingsIn.budget, this), random(settingsIn.seed) {
+    : document(documentIn),
+      settings(settingsIn),
+      vm(settingsIn.budget, this),
+      random(settingsIn.seed) {
   owners.emplace_back();
   lua_State* const L = vm.state();
   luaL_openlibs(L);

@@ -19,9 +19,9 @@ namespace obby::engine {
 
 struct Settings {
   Budget budget;
-  std::string rig = "r15";     // body of the players: r6 or r15
-  uint64_t seed = 1;           // of math.random and its like
-  size_t instances = 300'000;  // that scripts may make
+  std::string rig = "r15";              // body of the players: r6 or r15
+  uint64_t seed = 1;                    // of math.random and its like
+  size_t instances = 300'000;           // that scripts may make
   InstanceId* runningScript = nullptr;  // kept up to date, if not null
 };
 

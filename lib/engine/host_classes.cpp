@@ -46,8 +46,9 @@ int defaultValue(lua_State* L) {
 
 int isAbstract(lua_State* L) {
   static constexpr std::string_view kAbstract[] = {
-      "Instance",   "BasePart", "PVInstance", "ValueBase",  "Constraint", "LuaSourceContainer",
-      "BaseScript", "GuiBase",  "GuiObject",  "JointInstance", "Player", "Workspace", "DataModel"};
+      "Instance",   "BasePart", "PVInstance", "ValueBase",     "Constraint", "LuaSourceContainer",
+      "BaseScript", "GuiBase",  "GuiObject",  "JointInstance", "Player",     "Workspace",
+      "DataModel"};
   const std::string_view name = textAt(L, 1);
   bool found = false;
   for (const std::string_view one : kAbstract) found = found || one == name;
@@ -58,10 +59,10 @@ int isAbstract(lua_State* L) {
 // Services are named so, or are one of the old ones.
 int isService(lua_State* L) {
   static constexpr std::string_view kPlain[] = {
-      "Workspace",   "Players",     "Lighting",      "ReplicatedStorage",   "ReplicatedFirst",
-      "ServerStorage", "StarterGui", "StarterPack",  "StarterPlayer",       "Teams",
-      "Chat",        "Debris",      "MaterialService", "ContentProvider",   "CoreGui",
-      "Stats",       "Selection",   "NetworkClient", "NetworkServer",       "Geometry"};
+      "Workspace",     "Players",    "Lighting",        "ReplicatedStorage", "ReplicatedFirst",
+      "ServerStorage", "StarterGui", "StarterPack",     "StarterPlayer",     "Teams",
+      "Chat",          "Debris",     "MaterialService", "ContentProvider",   "CoreGui",
+      "Stats",         "Selection",  "NetworkClient",   "NetworkServer",     "Geometry"};
   const std::string_view name = textAt(L, 1);
   bool found = name.size() > 7 && name.ends_with("Service");
   for (const std::string_view one : kPlain) found = found || one == name;
@@ -71,15 +72,41 @@ int isService(lua_State* L) {
 
 // Properties whose changes the observer wants to see.
 int isWatched(lua_State* L) {
-  static constexpr std::string_view kWatched[] = {
-      "CFrame",      "Size",        "CanCollide",  "CanTouch",       "Anchored",
-      "Transparency", "Velocity",   "RotVelocity", "CollisionGroup", "Shape",
-      "CustomPhysicalProperties", "Material",      "Gravity",        "WalkSpeed",
-      "JumpPower",   "JumpHeight",  "UseJumpPower", "MaxHealth",     "Enabled",
-      "Disabled",    "Massless",    "LineVelocity", "VectorVelocity", "AngularVelocity",
-      "MotorMaxTorque", "TargetPosition", "TargetAngle", "Position", "LineDirection",
-      "FallenPartsDestroyHeight", "PlatformStand", "HipHeight", "CharacterWalkSpeed",
-      "CharacterJumpPower", "CharacterJumpHeight"};
+  static constexpr std::string_view kWatched[] = {"CFrame",
+                                                  "Size",
+                                                  "CanCollide",
+                                                  "CanTouch",
+                                                  "Anchored",
+                                                  "Transparency",
+                                                  "Velocity",
+                                                  "RotVelocity",
+                                                  "CollisionGroup",
+                                                  "Shape",
+                                                  "CustomPhysicalProperties",
+                                                  "Material",
+                                                  "Gravity",
+                                                  "WalkSpeed",
+                                                  "JumpPower",
+                                                  "JumpHeight",
+                                                  "UseJumpPower",
+                                                  "MaxHealth",
+                                                  "Enabled",
+                                                  "Disabled",
+                                                  "Massless",
+                                                  "LineVelocity",
+                                                  "VectorVelocity",
+                                                  "AngularVelocity",
+                                                  "MotorMaxTorque",
+                                                  "TargetPosition",
+                                                  "TargetAngle",
+                                                  "Position",
+                                                  "LineDirection",
+                                                  "FallenPartsDestroyHeight",
+                                                  "PlatformStand",
+                                                  "HipHeight",
+                                                  "CharacterWalkSpeed",
+                                                  "CharacterJumpPower",
+                                                  "CharacterJumpHeight"};
   const std::string_view name = textAt(L, 1);
   bool found = false;
   for (const std::string_view one : kWatched) found = found || one == name;
@@ -87,14 +114,16 @@ int isWatched(lua_State* L) {
   return 1;
 }
 
-constexpr luaL_Reg kFunctions[] = {
-    {"baseClass", baseClass},   {"member", member},         {"enumItems", enumItems},
-    {"default", defaultValue},  {"isAbstract", isAbstract}, {"isService", isService},
-    {"isWatched", isWatched},   {nullptr, nullptr}};
+constexpr luaL_Reg kFunctions[] = {{"baseClass", baseClass},   {"member", member},
+                                   {"enumItems", enumItems},   {"default", defaultValue},
+                                   {"isAbstract", isAbstract}, {"isService", isService},
+                                   {"isWatched", isWatched},   {nullptr, nullptr}};
 
 }  // namespace
 }  // namespace class_functions
 
-void registerClassFunctions(lua_State* L) { luaL_register(L, nullptr, class_functions::kFunctions); }
+void registerClassFunctions(lua_State* L) {
+  luaL_register(L, nullptr, class_functions::kFunctions);
+}
 
 }  // namespace obby::engine

@@ -25,10 +25,14 @@ InstanceId idAt(lua_State* L, int index) { return InstanceId(luaL_checknumber(L,
 void follow(Host& host, InstanceId id, const std::string& key, lua_State* L, int index) {
   Scenery::Part* const part = host.scenery.find(id);
   if (!part) return;
-  if (key == "CFrame") part->pose = checkCFrame(L, index);
-  else if (key == "Size") part->half = checkVector3(L, index) * 0.5f;
-  else if (key == "CanCollide") part->collides = lua_toboolean(L, index) != 0;
-  else return;
+  if (key == "CFrame")
+    part->pose = checkCFrame(L, index);
+  else if (key == "Size")
+    part->half = checkVector3(L, index) * 0.5f;
+  else if (key == "CanCollide")
+    part->collides = lua_toboolean(L, index) != 0;
+  else
+    return;
   host.scenery.moved(id);
 }
 
@@ -100,7 +104,8 @@ int health(lua_State* L) {
 // (id, what, value): something else that a probe asks about.
 int note(lua_State* L) {
   Host& host = Host::of(L);
-  host.recorder.change({0, idAt(L, 1), std::string("note ") + luaL_checkstring(L, 2), plainAt(L, 3), host.where(L)});
+  host.recorder.change(
+      {0, idAt(L, 1), std::string("note ") + luaL_checkstring(L, 2), plainAt(L, 3), host.where(L)});
   return 0;
 }
 
@@ -120,14 +125,16 @@ int problem(lua_State* L) {
 
 int nothing(lua_State*) { return 0; }
 
-constexpr luaL_Reg kFunctions[] = {{"watched", watched}, {"tween", tween},       {"tweenEnds", nothing},
-                                   {"health", health},   {"died", nothing},      {"note", note},
-                                   {"count", count},     {"problem", problem},   {"print", nothing},
-                                   {"groups", nothing},  {"copied", nothing},    {nullptr, nullptr}};
+constexpr luaL_Reg kFunctions[] = {
+    {"watched", watched}, {"tween", tween},    {"tweenEnds", nothing}, {"health", health},
+    {"died", nothing},    {"note", note},      {"count", count},       {"problem", problem},
+    {"print", nothing},   {"groups", nothing}, {"copied", nothing},    {nullptr, nullptr}};
 
 }  // namespace
 }  // namespace record_functions
 
-void registerRecordFunctions(lua_State* L) { luaL_register(L, nullptr, record_functions::kFunctions); }
+void registerRecordFunctions(lua_State* L) {
+  luaL_register(L, nullptr, record_functions::kFunctions);
+}
 
 }  // namespace obby::engine

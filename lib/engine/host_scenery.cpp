@@ -21,12 +21,14 @@ int pushIds(lua_State* L, const std::vector<uint32_t>& ids) {
 int shapeOf(lua_State* L) {
   const std::string name = luaL_checkstring(L, 1);
   geom::ShapeKind kind = geom::ShapeKind::block;
-  if (name == "WedgePart") kind = geom::ShapeKind::wedge;
-  else if (name == "CornerWedgePart") kind = geom::ShapeKind::cornerWedge;
+  if (name == "WedgePart")
+    kind = geom::ShapeKind::wedge;
+  else if (name == "CornerWedgePart")
+    kind = geom::ShapeKind::cornerWedge;
   else if (name == "Part" && lua_istable(L, 2)) {
-    static constexpr geom::ShapeKind kShapes[] = {
-        geom::ShapeKind::ball, geom::ShapeKind::block, geom::ShapeKind::cylinder,
-        geom::ShapeKind::wedge, geom::ShapeKind::cornerWedge};
+    static constexpr geom::ShapeKind kShapes[] = {geom::ShapeKind::ball, geom::ShapeKind::block,
+                                                  geom::ShapeKind::cylinder, geom::ShapeKind::wedge,
+                                                  geom::ShapeKind::cornerWedge};
     lua_pushliteral(L, "Value");
     lua_rawget(L, 2);
     const size_t item = size_t(lua_tonumber(L, -1));
@@ -61,7 +63,9 @@ int partLeaves(lua_State* L) {
   return 0;
 }
 
-int overlapsOfPart(lua_State* L) { return pushIds(L, Host::of(L).scenery.overlapsOfPart(idAt(L, 1))); }
+int overlapsOfPart(lua_State* L) {
+  return pushIds(L, Host::of(L).scenery.overlapsOfPart(idAt(L, 1)));
+}
 
 int overlapsOfBox(lua_State* L) {
   return pushIds(L, Host::of(L).scenery.overlaps(checkCFrame(L, 1), checkVector3(L, 2) * 0.5f));
@@ -88,7 +92,8 @@ int castRay(lua_State* L) {
   return 1;
 }
 
-// Whether a box meets anything that collides; a little slack, so that what it stands on does not count.
+// Whether a box meets anything that collides; a little slack, so that what it stands on does not
+// count.
 int isBlocked(lua_State* L) {
   constexpr float kSlack = 0.05f;
   Scenery& scenery = Host::of(L).scenery;
@@ -139,6 +144,8 @@ constexpr luaL_Reg kFunctions[] = {{"shapeOf", shapeOf},
 }  // namespace
 }  // namespace scenery_functions
 
-void registerSceneryFunctions(lua_State* L) { luaL_register(L, nullptr, scenery_functions::kFunctions); }
+void registerSceneryFunctions(lua_State* L) {
+  luaL_register(L, nullptr, scenery_functions::kFunctions);
+}
 
 }  // namespace obby::engine

@@ -59,11 +59,14 @@ int isBrickColor(lua_State* L) {
   lua_pushboolean(L, whole && brickColorNumber(brickColor(int64_t(number))) == int64_t(number));
   return 1;
 }
-int paletteNumber(lua_State* L) { return pushNumber(L, double(paletteColor(size_t(luaL_checknumber(L, 1))))); }
+int paletteNumber(lua_State* L) {
+  return pushNumber(L, double(paletteColor(size_t(luaL_checknumber(L, 1)))));
+}
 
 int material(lua_State* L) {
   const PhysicalProperties p = materialProperties(uint32_t(luaL_checknumber(L, 1)));
-  for (const float value : {p.density, p.friction, p.elasticity, p.frictionWeight, p.elasticityWeight})
+  for (const float value :
+       {p.density, p.friction, p.elasticity, p.frictionWeight, p.elasticityWeight})
     lua_pushnumber(L, lua_Number(value));
   return 5;
 }
@@ -102,7 +105,8 @@ int date(lua_State* L) {
   const bool table = format.find("*t") != std::string::npos;
   if (!table) {
     char text[128];
-    const size_t size = format.size() < 32 ? std::strftime(text, sizeof text, format.c_str(), &parts) : 0;
+    const size_t size =
+        format.size() < 32 ? std::strftime(text, sizeof text, format.c_str(), &parts) : 0;
     lua_pushlstring(L, text, size);
     return 1;
   }
@@ -147,7 +151,9 @@ struct ValuePusher {
   void operator()(bool value) const { lua_pushboolean(L, value); }
   void operator()(int64_t value) const { lua_pushnumber(L, lua_Number(value)); }
   void operator()(double value) const { lua_pushnumber(L, value); }
-  void operator()(const std::string& value) const { lua_pushlstring(L, value.data(), value.size()); }
+  void operator()(const std::string& value) const {
+    lua_pushlstring(L, value.data(), value.size());
+  }
   void operator()(const EnumItem& value) const { lua_pushnumber(L, value.value); }
   void operator()(Vec3 value) const { push(L, value); }
   void operator()(const Pose& value) const { push(L, value); }
@@ -187,7 +193,9 @@ struct ValuePusher {
 }  // namespace
 }  // namespace value_functions
 
-void pushValue(lua_State* L, const Value& value) { std::visit(value_functions::ValuePusher{L}, value); }
+void pushValue(lua_State* L, const Value& value) {
+  std::visit(value_functions::ValuePusher{L}, value);
+}
 
 void registerValueFunctions(lua_State* L) {
   luaL_register(L, nullptr, value_functions::kFunctions);

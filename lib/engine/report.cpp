@@ -24,7 +24,8 @@ void fields(A& a, Track& t) {
 }
 template <class A>
 void fields(A& a, Tween& t) {
-  a(t.time), a(t.id), a(t.target), a(t.seconds), a(t.delay), a(t.style), a(t.direction), a(t.repeats);
+  a(t.time), a(t.id), a(t.target), a(t.seconds), a(t.delay), a(t.style), a(t.direction),
+      a(t.repeats);
   a(t.reverses), a(t.properties), a(t.line);
 }
 template <class A>
@@ -46,14 +47,15 @@ void fields(A& a, Probe& p) {
 }
 template <class A>
 void fields(A& a, Report& r) {
-  a(r.undisturbed), a(r.probes), a(r.made), a(r.arrived), a(r.probedAt), a(r.complete), a(r.failure), a(r.culprit);
+  a(r.undisturbed), a(r.probes), a(r.made), a(r.arrived), a(r.probedAt), a(r.complete),
+      a(r.failure), a(r.culprit);
 }
 
 namespace {
 
 constexpr double kFrame = 1.0 / 60;
-constexpr double kHold = 0.6;      // seconds that a probe stays
-constexpr double kQuiet = 1.0;     // seconds without a change end a probe
+constexpr double kHold = 0.6;   // seconds that a probe stays
+constexpr double kQuiet = 1.0;  // seconds without a change end a probe
 constexpr double kAtLeast = 1.5;
 constexpr size_t kProcessMemory = size_t(2) << 30;
 
@@ -74,8 +76,10 @@ Probe runProbe(Stage& stage, const Plan& plan, Probe probe) {
   if (probe.approach == Approach::use) stage.use(probe.target);
   while (frame < most && (frame < framesOf(kAtLeast) || quiet < framesOf(kQuiet))) {
     if (probe.approach != Approach::use) {
-      if (frame < hold) stage.standAt(probe.target, probe.approach == Approach::inside);
-      else if (frame == hold) stage.leave();
+      if (frame < hold)
+        stage.standAt(probe.target, probe.approach == Approach::inside);
+      else if (frame == hold)
+        stage.leave();
     }
     const size_t before = stage.activity();
     stage.run(1);
@@ -97,6 +101,7 @@ class Watcher {
   Report watch() {
     stage_.start();
     stage_.run(framesOf(plan_.probeAt));
+    stage_.revive();
     report_.probedAt = plan_.probeAt;
     report_.made = stage_.made();
     report_.arrived = stage_.observation().player;
@@ -148,7 +153,8 @@ class Watcher {
 Report observe(const Document& document, const Plan& plan) {
   Report report;
   // The child leaves the script that runs here, for when it dies.
-  void* const shared = mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  void* const shared =
+      mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   Plan own = plan;
   if (shared != MAP_FAILED) own.settings.runningScript = static_cast<InstanceId*>(shared);
   if (shared != MAP_FAILED) *own.settings.runningScript = kNoInstance;

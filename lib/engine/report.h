@@ -15,20 +15,20 @@ enum class Approach : uint8_t { stand, inside, use };
 struct Probe {
   InstanceId target = kNoInstance;  // the part, ClickDetector, prompt or tool
   Approach approach = Approach::stand;
-  double at = 0;       // when the player arrived
-  double left = 0;     // and went away; 0: stayed to the end
-  Observation seen;    // from the arrival on
-  bool lost = false;   // the copy died or ran out of time
+  double at = 0;      // when the player arrived
+  double left = 0;    // and went away; 0: stayed to the end
+  Observation seen;   // from the arrival on
+  bool lost = false;  // the copy died or ran out of time
 };
 
 struct Report {
   Observation undisturbed;
   std::vector<Probe> probes;
-  double probedAt = 0;          // seconds, when the probes began
-  std::vector<MadePart> made;   // in the world by then
-  PlayerState arrived;          // the player by then
-  bool complete = false;        // the undisturbed run got to its end
-  std::string failure;          // why there is less than asked for: for people
+  double probedAt = 0;               // seconds, when the probes began
+  std::vector<MadePart> made;        // in the world by then
+  PlayerState arrived;               // the player by then
+  bool complete = false;             // the undisturbed run got to its end
+  std::string failure;               // why there is less than asked for: for people
   InstanceId culprit = kNoInstance;  // the script that ran when the child died
 };
 
@@ -38,12 +38,12 @@ struct Plan {
   double probeAt = 3;        // seconds
   double probeSeconds = 12;  // of the longest probe
   size_t mostProbes = 600;
-  double timeLimit = 20;     // seconds of the wall clock, for all
-  size_t processes = 2;      // copies at a time
+  double timeLimit = 20;  // seconds of the wall clock, for all
+  size_t processes = 2;   // copies at a time
 };
 
-// Runs the place's scripts in a child process without files or network. Same document and plan, same
-// report, but for what the time limit cuts.
+// Runs the place's scripts in a child process without files or network. Same document and plan,
+// same report, but for what the time limit cuts.
 Report observe(const Document& document, const Plan& plan);
 
 }  // namespace obby::engine

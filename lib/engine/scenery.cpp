@@ -11,11 +11,11 @@ namespace {
 constexpr float kTouchSkin = 0.05f;  // studs; contacts are reported at a gap this small
 
 bool overlap(const Scenery::Part& part, const Pose& frame, Vec3 half) {
-  const geom::LocalBox box{toLocal(part.pose, frame.position),
-                           {toLocal(part.pose.rotation, frame.rotation.x),
-                            toLocal(part.pose.rotation, frame.rotation.y),
-                            toLocal(part.pose.rotation, frame.rotation.z)},
-                           half};
+  const geom::LocalBox box{
+      toLocal(part.pose, frame.position),
+      {toLocal(part.pose.rotation, frame.rotation.x), toLocal(part.pose.rotation, frame.rotation.y),
+       toLocal(part.pose.rotation, frame.rotation.z)},
+      half};
   return geom::penetration(part.shape, {part.half}, box).depth >= 0;
 }
 

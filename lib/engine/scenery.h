@@ -41,7 +41,8 @@ class Scenery {
   // From a point to the part's box; 0 inside.
   float distance(uint32_t id, Vec3 point) const;
   // Parts that the limb touches and somebody listens to; `listens`: or all, as the limb's own
-  // listeners hear of each. False: neither the limb nor any such part has moved since the last call.
+  // listeners hear of each. False: neither the limb nor any such part has moved since the last
+  // call.
   bool contacts(uint32_t limb, std::vector<uint32_t>& out);
   // Once a frame, after contacts() of every limb.
   void settle() { moved_.clear(); }

@@ -23,7 +23,8 @@ void Stage::call(const char* module, const char* name, int arguments, int result
   lua_insert(L, -1 - arguments);
   const Result<void> done = host_->vm.call(arguments, results);
   if (!done) {
-    host_->recorder.problem(kNoInstance, host_->withNames(std::string(module) + "." + name + ": " + done.error().message));
+    host_->recorder.problem(kNoInstance, host_->withNames(std::string(module) + "." + name + ": " +
+                                                          done.error().message));
     for (int i = 0; i < results; ++i) lua_pushnil(L);
   }
 }
@@ -34,7 +35,8 @@ void Stage::load() {
   instances_.assign(document.instances.size(), LUA_NOREF);
   for (InstanceId id = 0; id < document.instances.size(); ++id) loadInstance(id);
   for (InstanceId id = 0; id < document.instances.size(); ++id) loadReferences(id);
-  for (const int reference : instances_) luaL_unref(host_->vm.state(), LUA_REGISTRYINDEX, reference);
+  for (const int reference : instances_)
+    luaL_unref(host_->vm.state(), LUA_REGISTRYINDEX, reference);
   instances_.clear();
 }
 
@@ -45,8 +47,10 @@ void Stage::loadInstance(InstanceId id) {
   lua_pushnumber(L, id);
   push(from.className);
   push(from.name);
-  if (from.parent == kNoInstance) lua_pushnil(L);
-  else lua_pushnumber(L, from.parent);
+  if (from.parent == kNoInstance)
+    lua_pushnil(L);
+  else
+    lua_pushnumber(L, from.parent);
   call("boot", "add", 4, 1);
   instances_[id] = luaL_ref(L, LUA_REGISTRYINDEX);
   const auto pushSelf = [&] { lua_rawgeti(L, LUA_REGISTRYINDEX, instances_[id]); };
@@ -115,6 +119,8 @@ void Stage::standAt(InstanceId part, bool inside) {
 }
 
 void Stage::leave() { call("probe", "leave", 0); }
+
+void Stage::revive() { call("probe", "revive", 0); }
 
 double Stage::numberOf(const char* name) {
   call("probe", name, 0, 1);

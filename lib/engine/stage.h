@@ -31,6 +31,8 @@ class Stage {
   // Clicks a ClickDetector or a button, holds a ProximityPrompt, activates a tool.
   void use(InstanceId target);
   bool playerLives();
+  // A player that has died where it spawns lives again, away from everything.
+  void revive();
   // What a player can touch or use with effect, as far as listeners tell.
   std::vector<Probe> probes();
   // Parts in the world that scripts have made.

@@ -65,8 +65,8 @@ OBBY_DEVICE Contact dispatch(Block, const ShapeData& shape, const LocalBox& box)
 
 }  // namespace internal
 
-// A box turned any way, in the frame of the shape. depth >= 0: they overlap; otherwise the result of
-// the first separating axis found. The normal is in that frame, too.
+// A box turned any way, in the frame of the shape. depth >= 0: they overlap; otherwise the result
+// of the first separating axis found. The normal is in that frame, too.
 OBBY_DEVICE Contact penetration(ShapeKind kind, const ShapeData& shape, const LocalBox& box) {
   return visitShape(kind, [&](auto s) { return internal::dispatch(s, shape, box); });
 }

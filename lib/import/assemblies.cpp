@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "import/classes.h"
 #include "engine/classes/class_defaults.h"
+#include "import/classes.h"
 
 namespace obby::importer {
 namespace {

@@ -56,6 +56,9 @@ void findObservedRoles(RoleContext& context, const ObservedPlace& place) {
   applyPlayerState(context.level, place);
   movingFromObservation(context, place.report);
   timersFromObservation(context, place.report);
+  // A pad that is said to be a checkpoint may kill, to bring the player to the next stage.
+  checkpointFromTags(context);
+  goalFromTags(context);
   touchesFromObservation(context, place.report);
   findRoles(context);
   noteObservedLosses(context, place);
@@ -88,8 +91,10 @@ LevelDraft buildLevel(const Tree& tree, const ObservedPlace& place, const std::s
   }
   cullStrays(level, tree);
   RoleContext context(tree, assemblies, scripts, level);
-  if (place.ran) findObservedRoles(context, place);
-  else findReadRoles(context);
+  if (place.ran)
+    findObservedRoles(context, place);
+  else
+    findReadRoles(context);
   settleMotions(context);
   looseParts(tree, assemblies, level);
   orderStages(tree, level);

@@ -53,7 +53,7 @@ struct JumpPad {
 constexpr float kGone = 3600;  // seconds: away as good as for ever
 struct Vanish {
   bool timer = false;
-  std::string signal;  // that makes it go; empty: a touch of its own
+  std::string signal;     // that makes it go; empty: a touch of its own
   bool inverted = false;  // solid only while it would be away
   float delay = 0;
   float away = 3;

@@ -13,9 +13,9 @@
 namespace obby::importer {
 
 struct ImportOptions {
-  std::string name;      // of the level; empty: the file's name without folder and ending
-  bool queries = true;   // a query for each stage
-  bool explain = false;  // fill Import::explanation
+  std::string name;        // of the level; empty: the file's name without folder and ending
+  bool queries = true;     // a query for each stage
+  bool explain = false;    // fill Import::explanation
   bool runScripts = true;  // else their texts are read, with more left open
 };
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/avatar.h"
 #include "engine/classes/class_defaults.h"
+#include "import/avatar.h"
 #include "import/pose_math.h"
 #include "import/record_values.h"
 #include "io/utf8.h"

@@ -2,8 +2,8 @@
 // in storage.
 #include "import/scene.h"
 
-#include "import/classes.h"
 #include "engine/classes/class_defaults.h"
+#include "import/classes.h"
 
 namespace obby::importer {
 namespace {

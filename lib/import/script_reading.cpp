@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/classes/class_defaults.h"
 #include "engine/luau/parser.h"
 #include "import/classes.h"
-#include "engine/classes/class_defaults.h"
 #include "import/luau/changes.h"
 #include "import/luau/reader.h"
 #include "import/script_side.h"

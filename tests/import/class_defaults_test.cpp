@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <set>
 
-#include "engine/values/brick_colors.h"
 #include "engine/classes/class_tables.h"
+#include "engine/values/brick_colors.h"
 #include "import/format/property_names.h"
 
 namespace obby::test {

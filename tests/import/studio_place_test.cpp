@@ -27,6 +27,7 @@ void addWorld(PlaceWriter& writer, Id workspace) {
   writer.set(other, "TeamColor", brickNumber(21));
   const Id lava = writer.add("Part", "Lava", writer.add("Folder", "Stage", workspace));
   writer.set(lava, "Anchored", flag(true)).set(lava, "size", vec3(4, 1, 4));
+  writer.set(lava, "CFrame", cframe(30, 0, 0));
 }
 
 // The team that players begin in.

@@ -49,7 +49,8 @@ int rshift(lua_State* L) { return pushBits(L, shifted(bitsAt(L, 1), -luaL_checki
 int arshift(lua_State* L) {
   const auto value = int32_t(bitsAt(L, 1));
   const int by = luaL_checkint(L, 2);
-  return pushBits(L, by < 0 ? shifted(uint32_t(value), -by) : uint32_t(value >> (by > 31 ? 31 : by)));
+  return pushBits(L,
+                  by < 0 ? shifted(uint32_t(value), -by) : uint32_t(value >> (by > 31 ? 31 : by)));
 }
 int lrotate(lua_State* L) { return pushBits(L, std::rotl(bitsAt(L, 1), luaL_checkint(L, 2))); }
 int rrotate(lua_State* L) { return pushBits(L, std::rotr(bitsAt(L, 1), luaL_checkint(L, 2))); }
@@ -57,7 +58,8 @@ int rrotate(lua_State* L) { return pushBits(L, std::rotr(bitsAt(L, 1), luaL_chec
 // The mask of `width` bits; an error where the field leaves the word.
 uint32_t maskAt(lua_State* L, int field, int index) {
   const int width = luaL_optint(L, index, 1);
-  if (field < 0 || width < 1 || field + width > 32) luaL_error(L, "trying to access non-existent bits");
+  if (field < 0 || width < 1 || field + width > 32)
+    luaL_error(L, "trying to access non-existent bits");
   return width == 32 ? ~0u : (1u << width) - 1;
 }
 int extract(lua_State* L) {
@@ -74,12 +76,11 @@ int countlz(lua_State* L) { return pushBits(L, uint32_t(std::countl_zero(bitsAt(
 int countrz(lua_State* L) { return pushBits(L, uint32_t(std::countr_zero(bitsAt(L, 1)))); }
 int byteswap(lua_State* L) { return pushBits(L, __builtin_bswap32(bitsAt(L, 1))); }
 
-constexpr luaL_Reg kBits[] = {{"band", band},         {"bor", bor},         {"bxor", bxor},
-                              {"bnot", bnot},         {"btest", btest},     {"lshift", lshift},
-                              {"rshift", rshift},     {"arshift", arshift}, {"lrotate", lrotate},
-                              {"rrotate", rrotate},   {"extract", extract}, {"replace", replace},
-                              {"countlz", countlz},   {"countrz", countrz}, {"byteswap", byteswap},
-                              {nullptr, nullptr}};
+constexpr luaL_Reg kBits[] = {
+    {"band", band},       {"bor", bor},         {"bxor", bxor},         {"bnot", bnot},
+    {"btest", btest},     {"lshift", lshift},   {"rshift", rshift},     {"arshift", arshift},
+    {"lrotate", lrotate}, {"rrotate", rrotate}, {"extract", extract},   {"replace", replace},
+    {"countlz", countlz}, {"countrz", countrz}, {"byteswap", byteswap}, {nullptr, nullptr}};
 
 void appendCode(std::string& out, uint32_t code) {
   if (code < 0x80) {
@@ -117,7 +118,8 @@ int characterCount(lua_State* L) {
   return 1;
 }
 
-constexpr luaL_Reg kCharacters[] = {{"char", character}, {"len", characterCount}, {nullptr, nullptr}};
+constexpr luaL_Reg kCharacters[] = {
+    {"char", character}, {"len", characterCount}, {nullptr, nullptr}};
 
 }  // namespace
 }  // namespace bits

@@ -112,8 +112,9 @@ int64_t nearestBrickColorNumber(ColorRgb color) {
     const int r = own.r - color.r, g = own.g - color.g, b = own.b - color.b;
     return r * r + g * g + b * b;
   };
-  return std::min_element(std::begin(kPalette), std::end(kPalette),
-                          [&](const PaletteRow& a, const PaletteRow& b) { return apart(a) < apart(b); })
+  return std::min_element(
+             std::begin(kPalette), std::end(kPalette),
+             [&](const PaletteRow& a, const PaletteRow& b) { return apart(a) < apart(b); })
       ->number;
 }
 

@@ -13,7 +13,9 @@ namespace obby::engine {
 namespace cframe {
 namespace {
 
-Pose times(const Pose& a, const Pose& b) { return {toWorld(a, b.position), a.rotation * b.rotation}; }
+Pose times(const Pose& a, const Pose& b) {
+  return {toWorld(a, b.position), a.rotation * b.rotation};
+}
 
 int inverseMethod(lua_State* L) {
   push(L, inverse(checkCFrame(L, 1)));
@@ -42,9 +44,8 @@ int toWorldSpace(lua_State* L) {
   return ofEach(L, [L](const Pose& self, int i) { push(L, times(self, checkCFrame(L, i))); });
 }
 int toObjectSpace(lua_State* L) {
-  return ofEach(L, [L](const Pose& self, int i) {
-    push(L, times(inverse(self), checkCFrame(L, i)));
-  });
+  return ofEach(L,
+                [L](const Pose& self, int i) { push(L, times(inverse(self), checkCFrame(L, i))); });
 }
 int pointToWorldSpace(lua_State* L) {
   return ofEach(L, [L](const Pose& self, int i) { push(L, toWorld(self, checkVector3(L, i))); });
@@ -56,9 +57,8 @@ int vectorToWorldSpace(lua_State* L) {
   return ofEach(L, [L](const Pose& self, int i) { push(L, self.rotation * checkVector3(L, i)); });
 }
 int vectorToObjectSpace(lua_State* L) {
-  return ofEach(L, [L](const Pose& self, int i) {
-    push(L, toLocal(self.rotation, checkVector3(L, i)));
-  });
+  return ofEach(
+      L, [L](const Pose& self, int i) { push(L, toLocal(self.rotation, checkVector3(L, i))); });
 }
 
 int components(lua_State* L) {
@@ -137,12 +137,18 @@ constexpr luaL_Reg kMethods[] = {{"Inverse", inverseMethod},
 // The vectors among the members; false if `key` is none.
 bool vectorMember(const Pose& p, const std::string& key, Vec3& out) {
   const Mat3& r = p.rotation;
-  if (key == "Position" || key == "p") out = p.position;
-  else if (key == "LookVector" || key == "lookVector") out = -r.z;
-  else if (key == "RightVector" || key == "rightVector" || key == "XVector") out = r.x;
-  else if (key == "UpVector" || key == "upVector" || key == "YVector") out = r.y;
-  else if (key == "ZVector") out = r.z;
-  else return false;
+  if (key == "Position" || key == "p")
+    out = p.position;
+  else if (key == "LookVector" || key == "lookVector")
+    out = -r.z;
+  else if (key == "RightVector" || key == "rightVector" || key == "XVector")
+    out = r.x;
+  else if (key == "UpVector" || key == "upVector" || key == "YVector")
+    out = r.y;
+  else if (key == "ZVector")
+    out = r.z;
+  else
+    return false;
   return true;
 }
 
@@ -169,8 +175,10 @@ int index(lua_State* L) {
 
 int multiply(lua_State* L) {
   const Pose a = checkCFrame(L, 1);
-  if (const Vec3* const point = toVector3(L, 2)) push(L, toWorld(a, *point));
-  else push(L, times(a, checkCFrame(L, 2)));
+  if (const Vec3* const point = toVector3(L, 2))
+    push(L, toWorld(a, *point));
+  else
+    push(L, times(a, checkCFrame(L, 2)));
   return 1;
 }
 int add(lua_State* L) {
@@ -201,16 +209,13 @@ int toText(lua_State* L) {
   return 1;
 }
 
-constexpr luaL_Reg kMeta[] = {{"__mul", multiply},       {"__add", add},
-                              {"__sub", subtract},       {"__eq", equal},
-                              {"__tostring", toText},    {nullptr, nullptr}};
+constexpr luaL_Reg kMeta[] = {{"__mul", multiply}, {"__add", add},         {"__sub", subtract},
+                              {"__eq", equal},     {"__tostring", toText}, {nullptr, nullptr}};
 
 }  // namespace
 }  // namespace cframe
 
-void push(lua_State* L, const Pose& value) {
-  new (newValue(L, kCFrame, sizeof(Pose))) Pose(value);
-}
+void push(lua_State* L, const Pose& value) { new (newValue(L, kCFrame, sizeof(Pose))) Pose(value); }
 
 const Pose* toCFrame(lua_State* L, int index) {
   return static_cast<const Pose*>(toValue(L, index, kCFrame, sizeof(Pose)));

@@ -36,7 +36,8 @@ float gradient(int hash, float x, float y, float z) {
 
 float perlin(float x, float y, float z) {
   const float fx = std::floor(x), fy = std::floor(y), fz = std::floor(z);
-  const int cx = int(std::fmod(fx, 256.0f)), cy = int(std::fmod(fy, 256.0f)), cz = int(std::fmod(fz, 256.0f));
+  const int cx = int(std::fmod(fx, 256.0f)), cy = int(std::fmod(fy, 256.0f)),
+            cz = int(std::fmod(fz, 256.0f));
   const float u = x - fx, v = y - fy, w = z - fz;
   const auto corner = [&](int i, int j, int k) {
     const int hash = at(at(at(cx + i) + cy + j) + cz + k);

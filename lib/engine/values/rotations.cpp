@@ -38,7 +38,7 @@ Mat3 fromAnglesXyz(Angles angles) {
 Mat3 fromAnglesYxz(Angles angles) {
   const Turn x = turnOf(angles.x), y = turnOf(angles.y), z = turnOf(angles.z);
   return rows(y.cos * z.cos + y.sin * x.sin * z.sin, y.sin * x.sin * z.cos - y.cos * z.sin,
-              y.sin * x.cos,                           //
+              y.sin * x.cos,                         //
               x.cos * z.sin, x.cos * z.cos, -x.sin,  //
               y.cos * x.sin * z.sin - y.sin * z.cos, y.sin * z.sin + y.cos * x.sin * z.cos,
               y.cos * x.cos);

@@ -74,22 +74,13 @@ Vec3 signOf(Vec3 v) { return {sign(v.x), sign(v.y), sign(v.z)}; }
 Vec3 minOf(Vec3 a, Vec3 b) { return min(a, b); }
 Vec3 maxOf(Vec3 a, Vec3 b) { return max(a, b); }
 
-constexpr luaL_Reg kMethods[] = {{"Dot", dotMethod},
-                                 {"Cross", crossMethod},
-                                 {"Lerp", lerpMethod},
-                                 {"FuzzyEq", fuzzyMethod},
-                                 {"isClose", fuzzyMethod},
-                                 {"Angle", angleMethod},
-                                 {"Floor", ofOne<floorOf>},
-                                 {"Ceil", ofOne<ceilOf>},
-                                 {"Abs", ofOne<absOf>},
-                                 {"Sign", ofOne<signOf>},
-                                 {"Min", ofTwo<minOf>},
-                                 {"Max", ofTwo<maxOf>},
-                                 {"dot", dotMethod},
-                                 {"cross", crossMethod},
-                                 {"lerp", lerpMethod},
-                                 {nullptr, nullptr}};
+constexpr luaL_Reg kMethods[] = {
+    {"Dot", dotMethod},        {"Cross", crossMethod},   {"Lerp", lerpMethod},
+    {"FuzzyEq", fuzzyMethod},  {"isClose", fuzzyMethod}, {"Angle", angleMethod},
+    {"Floor", ofOne<floorOf>}, {"Ceil", ofOne<ceilOf>},  {"Abs", ofOne<absOf>},
+    {"Sign", ofOne<signOf>},   {"Min", ofTwo<minOf>},    {"Max", ofTwo<maxOf>},
+    {"dot", dotMethod},        {"cross", crossMethod},   {"lerp", lerpMethod},
+    {nullptr, nullptr}};
 
 int index(lua_State* L) {
   const Vec3& v = checkVector3(L, 1);
@@ -158,15 +149,9 @@ int toText(lua_State* L) {
   return 1;
 }
 
-constexpr luaL_Reg kMeta[] = {{"__add", add},
-                              {"__sub", subtract},
-                              {"__mul", multiply},
-                              {"__div", divide},
-                              {"__idiv", floorDivide},
-                              {"__unm", negate},
-                              {"__eq", equal},
-                              {"__tostring", toText},
-                              {nullptr, nullptr}};
+constexpr luaL_Reg kMeta[] = {{"__add", add},    {"__sub", subtract},     {"__mul", multiply},
+                              {"__div", divide}, {"__idiv", floorDivide}, {"__unm", negate},
+                              {"__eq", equal},   {"__tostring", toText},  {nullptr, nullptr}};
 
 int make(lua_State* L) {
   push(L, Vec3{float(luaL_optnumber(L, 1, 0)), float(luaL_optnumber(L, 2, 0)),
@@ -187,9 +172,7 @@ constexpr Constant kConstants[] = {{"zero", {0, 0, 0}},
 }  // namespace
 }  // namespace vector3
 
-void push(lua_State* L, Vec3 value) {
-  new (newValue(L, kVector3, sizeof(Vec3))) Vec3(value);
-}
+void push(lua_State* L, Vec3 value) { new (newValue(L, kVector3, sizeof(Vec3))) Vec3(value); }
 
 const Vec3* toVector3(lua_State* L, int index) {
   return static_cast<const Vec3*>(toValue(L, index, kVector3, sizeof(Vec3)));

@@ -1,7 +1,6 @@
 // A Lua state in an arena, with budgets of instructions: one for each stretch between two yields,
-// one for all together. A stretch that exceeds its own ends with an error that scripts cannot catch;
-// once the other is used up every stretch does.
-// Private to lib/engine.
+// one for all together. A stretch that exceeds its own ends with an error that scripts cannot
+// catch; once the other is used up every stretch does. Private to lib/engine.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +15,7 @@
 namespace obby::engine {
 
 struct Budget {
-  size_t memory = size_t(192) << 20;   // bytes
+  size_t memory = size_t(192) << 20;    // bytes
   uint64_t instructions = 400'000'000;  // of all scripts together
   uint64_t stretch = 20'000'000;        // between two yields
 };

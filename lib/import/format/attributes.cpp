@@ -6,8 +6,8 @@
 #include <unordered_set>
 
 #include "engine/values/brick_colors.h"
-#include "import/format/byte_reader.h"
 #include "engine/values/color.h"
+#include "import/format/byte_reader.h"
 #include "import/format/rotation.h"
 
 namespace obby::importer {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/values/brick_colors.h"
 #include "engine/classes/class_defaults.h"
+#include "engine/values/brick_colors.h"
 
 namespace obby::importer {
 namespace {

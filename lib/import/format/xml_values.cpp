@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "import/format/base64.h"
 #include "engine/values/color.h"
+#include "import/format/base64.h"
 #include "import/format/rotation.h"
 #include "import/format/xml_numbers.h"
 

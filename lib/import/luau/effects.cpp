@@ -3,8 +3,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "import/classes.h"
 #include "engine/classes/class_defaults.h"
+#include "import/classes.h"
 #include "import/luau/reader.h"
 #include "import/words.h"
 

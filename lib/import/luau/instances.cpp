@@ -3,10 +3,10 @@
 #include <cmath>
 #include <optional>
 
-#include "import/classes.h"
 #include "engine/classes/class_defaults.h"
-#include "import/luau/reader.h"
 #include "engine/values/materials.h"
+#include "import/classes.h"
+#include "import/luau/reader.h"
 #include "import/pose_math.h"
 
 namespace obby::importer::luau {

@@ -22,10 +22,19 @@ constexpr LossRow kLosses[] = {
     {"Anchored", "part that scripts let loose", "stays as it is at the start"},
 };
 
+// Each new body gets the same speeds again.
+bool isUsual(const engine::PlayerState& player, const engine::Change& change) {
+  const double* const value = std::get_if<double>(&change.value);
+  if (change.target != engine::kPlayer || !value) return false;
+  return *value == (change.property == "WalkSpeed"   ? player.walkSpeed
+                    : change.property == "JumpPower" ? player.jumpPower
+                                                     : player.jumpHeight);
+}
+
 void noteChanges(RoleContext& context, const engine::Report& report) {
   std::set<std::pair<InstanceId, std::string>> named;
   for (const engine::Change& change : report.undisturbed.changes) {
-    if (change.time <= report.probedAt) continue;
+    if (change.time <= report.probedAt || isUsual(report.arrived, change)) continue;
     for (const LossRow& row : kLosses)
       if (change.property == row.property && named.insert({change.target, change.property}).second)
         context.level.noteUnmodelled(
@@ -34,8 +43,8 @@ void noteChanges(RoleContext& context, const engine::Report& report) {
   }
   for (const engine::Harm& harm : report.undisturbed.harms)
     if (harm.to < harm.from)
-      return context.level.noteUnmodelled("harm by itself", "",
-                                          "no part deals it; " + lineReason(context.tree, harm.line));
+      return context.level.noteUnmodelled(
+          "harm by itself", "", "no part deals it; " + lineReason(context.tree, harm.line));
 }
 
 }  // namespace

@@ -107,14 +107,17 @@ Round roundIn(const std::vector<Pose>& poses) {
         (period > 30 || worst(poses, period) < double(kSamePlace)))
       round.frames = period;
   if (round.frames == 0) return round;
-  // A slow motion resembles itself after a few frames: the period is where it resembles itself most.
+  // A slow motion resembles itself after a few frames: the period is where it resembles itself
+  // most.
   size_t best = round.frames;
-  for (size_t lag = round.frames; lag < round.frames + round.frames / 4 && 2 * lag < poses.size(); ++lag)
+  for (size_t lag = round.frames; lag < round.frames + round.frames / 4 && 2 * lag < poses.size();
+       ++lag)
     if (worst(poses, lag) < worst(poses, best)) best = lag;
   round.frames = best;
   round.seconds = exactPeriod(poses, round.frames) * kFrame;
   round.begin = poses.size() - round.frames;
-  while (round.begin > 0 && near(poses[round.begin - 1], poses[round.begin - 1 + round.frames], slack))
+  while (round.begin > 0 &&
+         near(poses[round.begin - 1], poses[round.begin - 1 + round.frames], slack))
     --round.begin;
   return round;
 }

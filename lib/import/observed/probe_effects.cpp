@@ -18,8 +18,8 @@ using engine::Change;
 using engine::kPlayer;
 
 constexpr double kSameTime = 1e-6;
-constexpr float kYaw = 0.3f;                     // as a probe stands (probe.luau)
-constexpr Vec3 kArriving = {1.5f, 0, 2.5f};      // and its velocity
+constexpr float kYaw = 0.3f;                 // as a probe stands (probe.luau)
+constexpr Vec3 kArriving = {1.5f, 0, 2.5f};  // and its velocity
 constexpr float kKept = 1e-3f;
 constexpr double kPerJumpPower = 1.06;
 
@@ -34,8 +34,10 @@ std::vector<const Change*> ownChanges(const engine::Report& report, const engine
   std::vector<const Change*> own;
   for (const Change& change : probe.seen.changes) {
     const auto same = usual.find(key(change));
-    if (same != usual.end()) usual.erase(same);
-    else own.push_back(&change);
+    if (same != usual.end())
+      usual.erase(same);
+    else
+      own.push_back(&change);
   }
   return own;
 }
@@ -76,22 +78,31 @@ class Difference {
   void take(const Change& change) {
     if (change.target == kPlayer) return takePlayer(change);
     const std::string& property = change.property;
-    if (property == "Gravity") effects_.gravity = effects_.gravity.value_or(change.line);
-    else if (property == "note jump") takeJump(change);
-    else if (property.rfind("note mover ", 0) == 0) takeMover(change);
-    else if (property == "note respawn" || property == "note team") setStage(std::nullopt, change.line);
-    else if (property.rfind("note stat ", 0) == 0) takeStat(change);
-    else if (property == "note sit" || property == "note state") takeState(change);
-    else if (property == "note walk") effects_.force = effects_.force.value_or(change.line);
+    if (property == "Gravity")
+      effects_.gravity = effects_.gravity.value_or(change.line);
+    else if (property == "note jump")
+      takeJump(change);
+    else if (property.rfind("note mover ", 0) == 0)
+      takeMover(change);
+    else if (property == "note respawn" || property == "note team")
+      setStage(std::nullopt, change.line);
+    else if (property.rfind("note stat ", 0) == 0)
+      takeStat(change);
+    else if (property == "note sit" || property == "note state")
+      takeState(change);
+    else if (property == "note walk")
+      effects_.force = effects_.force.value_or(change.line);
     else if (property == "Velocity" && change.target < engine::kMade)
       effects_.belts.emplace_back(change.target, change.line);
   }
 
   void takePlayer(const Change& change) {
     const std::string& property = change.property;
-    if (const Vec3* const velocity = std::get_if<Vec3>(&change.value); velocity && property == "Velocity")
+    if (const Vec3* const velocity = std::get_if<Vec3>(&change.value);
+        velocity && property == "Velocity")
       setPush(*velocity, change.line);
-    else if (const Pose* const pose = std::get_if<Pose>(&change.value); pose && property == "CFrame")
+    else if (const Pose* const pose = std::get_if<Pose>(&change.value);
+             pose && property == "CFrame")
       setTeleport(*pose, change.time, change.line);
     else if (property == "WalkSpeed" || property == "JumpPower" || property == "JumpHeight")
       speeds_.push_back(&change);
@@ -102,7 +113,8 @@ class Difference {
   void setPush(Vec3 velocity, engine::Line line) {
     if (effects_.push) return;
     Push push;
-    push.keepsSideways = std::abs(velocity.x - kArriving.x) < kKept && std::abs(velocity.z - kArriving.z) < kKept;
+    push.keepsSideways =
+        std::abs(velocity.x - kArriving.x) < kKept && std::abs(velocity.z - kArriving.z) < kKept;
     push.velocity = velocity;
     push.line = line;
     effects_.push = push;
@@ -126,28 +138,35 @@ class Difference {
     const double* const power = std::get_if<double>(&change.value);
     if (!power || effects_.push) return;
     const bool byPower = probe_.seen.player.usesJumpPower;
-    const float speed = byPower ? float(kPerJumpPower * *power) : float(std::sqrt(2 * 196.2 * *power));
+    const float speed =
+        byPower ? float(kPerJumpPower * *power) : float(std::sqrt(2 * 196.2 * *power));
     effects_.push = Push{{kArriving.x, speed, kArriving.z}, true, change.line};
   }
 
   void takeMover(const Change& change) {
     const Vec3* const velocity = std::get_if<Vec3>(&change.value);
     const bool sets = change.property.find("Velocity") != std::string::npos;
-    if (velocity && sets) setPush(*velocity, change.line);
-    else effects_.force = effects_.force.value_or(change.line);
+    if (velocity && sets)
+      setPush(*velocity, change.line);
+    else
+      effects_.force = effects_.force.value_or(change.line);
   }
 
   void setStage(std::optional<double> number, engine::Line line) {
-    if (!effects_.stage) effects_.stage = StageSet{number, line};
-    else if (number && !effects_.stage->number) effects_.stage->number = number;
+    if (!effects_.stage)
+      effects_.stage = StageSet{number, line};
+    else if (number && !effects_.stage->number)
+      effects_.stage->number = number;
   }
 
   void takeStat(const Change& change) {
     static const char* const kNames[] = {"stage", "level", "checkpoint", "spawn"};
     std::string name = change.property.substr(10);
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-    const bool tells = std::any_of(std::begin(kNames), std::end(kNames),
-                                   [&](const char* word) { return name.find(word) != std::string::npos; });
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    const bool tells = std::any_of(std::begin(kNames), std::end(kNames), [&](const char* word) {
+      return name.find(word) != std::string::npos;
+    });
     const double* const number = std::get_if<double>(&change.value);
     if (tells && number) setStage(*number, change.line);
   }
@@ -155,8 +174,8 @@ class Difference {
   void takeState(const Change& change) {
     const bool* const flag = std::get_if<bool>(&change.value);
     const std::string* const state = std::get_if<std::string>(&change.value);
-    const bool falls = state && (*state == "FallingDown" || *state == "Ragdoll" || *state == "Physics" ||
-                                 *state == "PlatformStanding");
+    const bool falls = state && (*state == "FallingDown" || *state == "Ragdoll" ||
+                                 *state == "Physics" || *state == "PlatformStanding");
     if (state && *state == "Jumping" && !effects_.push) effects_.jumps = change.line;
     if (!(flag && *flag) && !falls) return;
     effects_.trips = true;
@@ -167,8 +186,9 @@ class Difference {
     if (speeds_.empty()) return;
     const auto usual = [&](const std::string& property) {
       const engine::PlayerState& before = report_.undisturbed.player;
-      return property == "WalkSpeed" ? before.walkSpeed
-             : property == "JumpPower" ? before.jumpPower : before.jumpHeight;
+      return property == "WalkSpeed"   ? before.walkSpeed
+             : property == "JumpPower" ? before.jumpPower
+                                       : before.jumpHeight;
     };
     Booster boost;
     boost.line = speeds_.front()->line;
@@ -183,11 +203,14 @@ class Difference {
       last = change->time;
       if (std::abs(ratio - 1) < 1e-6) continue;
       changed = true;
-      if (change->property == "WalkSpeed") boost.walk = float(ratio);
-      else boost.jump = float(change->property == "JumpHeight" ? std::sqrt(ratio) : ratio);
+      if (change->property == "WalkSpeed")
+        boost.walk = float(ratio);
+      else
+        boost.jump = float(change->property == "JumpHeight" ? std::sqrt(ratio) : ratio);
     }
     if (!changed) return;
-    boost.forever = std::any_of(now.begin(), now.end(), [](const auto& one) { return std::abs(one.second - 1) > 1e-6; });
+    boost.forever = std::any_of(now.begin(), now.end(),
+                                [](const auto& one) { return std::abs(one.second - 1) > 1e-6; });
     if (!boost.forever) boost.seconds = boostSeconds(last);
     effects_.boost = boost;
   }
@@ -225,8 +248,8 @@ class Difference {
     for (const auto& [id, track] : probe_.seen.tracks) {
       if (id >= engine::kMade || frames == 0) continue;
       const auto usual = report_.undisturbed.tracks.find(id);
-      const bool moves = usual != report_.undisturbed.tracks.end() &&
-                         usual->second.poses.back().frame >= first;
+      const bool moves =
+          usual != report_.undisturbed.tracks.end() && usual->second.poses.back().frame >= first;
       if (moves) continue;  // it moves anyway
       const Pose start = startOf(id, track);
       auto poses = posesOf(start, track, first, frames);

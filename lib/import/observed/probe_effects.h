@@ -56,13 +56,13 @@ struct ProbeEffects {
   bool trips = false;
   engine::Line tripLine;
   std::optional<engine::Line> force, jumps;  // jumps: in the air, too
-  std::vector<Away> aways, backs;  // that go; that come, and go again
+  std::vector<Away> aways, backs;            // that go; that come, and go again
   std::vector<Moved> moved;
   std::vector<std::pair<InstanceId, engine::Line>> belts;
 
   bool empty() const {
-    return !harm && !push && !teleport && !boost && !stage && !gravity && !force && !jumps && !trips && aways.empty() &&
-           backs.empty() && moved.empty() && belts.empty();
+    return !harm && !push && !teleport && !boost && !stage && !gravity && !force && !jumps &&
+           !trips && aways.empty() && backs.empty() && moved.empty() && belts.empty();
   }
 };
 

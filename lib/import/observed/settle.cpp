@@ -67,7 +67,8 @@ std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::
     instance.name = made.name;
     instance.parent = workspace;
     document.instances.push_back(std::move(instance));
-    (workspace == kNoInstance ? document.roots : document.instances[workspace].children).push_back(id);
+    (workspace == kNoInstance ? document.roots : document.instances[workspace].children)
+        .push_back(id);
     for (const auto& [property, value] : made.properties) set(document, id, property, value);
     ids[made.id] = id;
   }
@@ -87,7 +88,8 @@ void settle(Document& document, const engine::Report& report) {
   for (const auto& [key, change] : last) {
     const bool known = key.first < document.instances.size();
     if (!known || change->time > report.probedAt) continue;
-    if (key.second != "Parent") set(document, key.first, key.second, change->value);
+    if (key.second != "Parent")
+      set(document, key.first, key.second, change->value);
     else if (const bool* stays = std::get_if<bool>(&change->value); stays && !*stays)
       leaveTree(document, key.first);
   }

@@ -7,7 +7,8 @@
 
 namespace obby::importer {
 
-// Appends the parts that scripts have made below Workspace. Returns their ids by those of the report.
+// Appends the parts that scripts have made below Workspace. Returns their ids by those of the
+// report.
 std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::Report& report);
 
 // Sets properties and poses that scripts changed before the probes and never afterwards. Parts that

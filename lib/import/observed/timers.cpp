@@ -73,15 +73,17 @@ void giveTimer(RoleContext& context, PartDraft& part, const Turns& turns) {
 void timersFromObservation(RoleContext& context, const engine::Report& report) {
   for (const auto& [id, turns] : turnsOf(report)) {
     PartDraft* const part = context.part(id);
-    if (part && !turns.gone.empty() && turns.gone.back() > report.probedAt) giveTimer(context, *part, turns);
+    if (part && !turns.gone.empty() && turns.gone.back() > report.probedAt)
+      giveTimer(context, *part, turns);
   }
   std::map<InstanceId, int> belts;
   for (const Change& change : report.undisturbed.changes)
-    if (change.property == "Velocity" && change.time > report.probedAt && ++belts[change.target] == 1)
+    if (change.property == "Velocity" && change.time > report.probedAt &&
+        ++belts[change.target] == 1)
       if (const PartDraft* const part = context.part(change.target); part && part->anchored)
-        context.level.noteUnmodelled("conveyor that a script changes", context.tree.path(change.target),
-                                     "keeps its velocity at the start of play; " +
-                                         lineReason(context.tree, change.line));
+        context.level.noteUnmodelled(
+            "conveyor that a script changes", context.tree.path(change.target),
+            "keeps its velocity at the start of play; " + lineReason(context.tree, change.line));
 }
 
 }  // namespace obby::importer

@@ -19,7 +19,8 @@ constexpr float kForever = 3600;
 
 class Touches {
  public:
-  Touches(RoleContext& context, const engine::Report& report) : context_(context), report_(report) {}
+  Touches(RoleContext& context, const engine::Report& report)
+      : context_(context), report_(report) {}
 
   void take(const engine::Probe& probe) {
     PartDraft* const part = partOf(probe);
@@ -28,11 +29,13 @@ class Touches {
     if (!part || used) takeAbility(effects);
     if (!part) return;
     if (probe.lost) {
-      context_.level.noteUnmodelled("touch that broke down", path(part->id), "treated as a plain part");
+      context_.level.noteUnmodelled("touch that broke down", path(part->id),
+                                    "treated as a plain part");
       return;
     }
     if (effects.empty()) {
-      part->evidence.push_back({kHarmless, "scripts listen to it, and do nothing to a player", false});
+      part->evidence.push_back(
+          {kHarmless, "scripts listen to it, and do nothing to a player", false});
       return;
     }
     if (!used) takePlayer(*part, probe, effects);
@@ -54,7 +57,7 @@ class Touches {
   }
 
   void takePlayer(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects) {
-    if (effects.harm) {
+    if (effects.harm && !part.checkpoint && !part.goal) {
       const Harmful& harm = *effects.harm;
       part.kill = {float(harm.damage), float(harm.cooldown)};
       prove(part, "kill", reason(harm.line));
@@ -93,7 +96,8 @@ class Touches {
     if (effects.boost && effects.boost->walk > 0 && effects.boost->jump > 0) {
       world.walkSpeed = std::max(world.walkSpeed, base_.walkSpeed * effects.boost->walk);
       world.jumpSpeed = std::max(world.jumpSpeed, base_.jumpSpeed * effects.boost->jump);
-      context_.level.noteIgnored("ability of the player", "", "used all the time; " + reason(effects.boost->line));
+      context_.level.noteIgnored("ability of the player", "",
+                                 "used all the time; " + reason(effects.boost->line));
     }
     if (effects.gravity || effects.push || effects.teleport || effects.force || effects.jumps)
       context_.level.noteUnmodelled("ability of the player", "", "the player does not use it");
@@ -116,7 +120,8 @@ class Touches {
     own.seconds = float(boost.seconds);
     own.forever = boost.forever;
     if (!(own.walkSpeed > 0) || !(own.jumpSpeed > 0)) {
-      context_.level.noteUnmodelled("part that stops the player", path(part.id), reason(boost.line));
+      context_.level.noteUnmodelled("part that stops the player", path(part.id),
+                                    reason(boost.line));
       return;
     }
     part.boost = own;

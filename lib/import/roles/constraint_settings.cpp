@@ -1,8 +1,8 @@
 // Sorts what scripts set of constraints by when they do.
 #include "import/roles/constraint_settings.h"
 
-#include "import/classes.h"
 #include "engine/classes/class_defaults.h"
+#include "import/classes.h"
 #include "import/onset.h"
 
 namespace obby::importer {

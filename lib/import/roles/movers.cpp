@@ -7,8 +7,8 @@
 #include <iterator>
 #include <utility>
 
-#include "import/classes.h"
 #include "engine/classes/class_defaults.h"
+#include "import/classes.h"
 #include "import/pivot.h"
 #include "import/pose_math.h"
 #include "import/roles/stepped.h"

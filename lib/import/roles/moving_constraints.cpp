@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "import/classes.h"
 #include "engine/classes/class_defaults.h"
+#include "import/classes.h"
 #include "import/pivot.h"
 #include "import/roles/driven.h"
 #include "import/roles/movers.h"
