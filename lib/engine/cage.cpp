@@ -2,9 +2,12 @@
 #include <fcntl.h>
 #include <seccomp.h>
 #include <sys/resource.h>
+#include <sys/time.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cmath>
+#include <csignal>
 
 #include "engine/child.h"
 
@@ -49,7 +52,7 @@ constexpr int kAllowed[] = {SCMP_SYS(read),
                             SCMP_SYS(gettimeofday),
                             SCMP_SYS(set_robust_list),
                             SCMP_SYS(rseq),
-                            SCMP_SYS(restart_syscall),
+                            SCMP_SYS(restart_syscall), SCMP_SYS(setitimer),
                             SCMP_SYS(sched_yield),
                             SCMP_SYS(getrandom)};
 
@@ -65,6 +68,33 @@ bool allowOnly() {
 }
 
 }  // namespace
+
+namespace {
+
+constexpr int kLooks = 4;  // within the time that a beat may take
+const volatile unsigned* watched = nullptr;
+unsigned lastBeat = 0;
+int sameLooks = 0;
+
+void look(int) {
+  sameLooks = *watched == lastBeat ? sameLooks + 1 : 0;
+  lastBeat = *watched;
+  if (sameLooks >= kLooks) _exit(1);
+}
+
+}  // namespace
+
+void watchBeat(const volatile unsigned* beat, double seconds) {
+  watched = beat;
+  struct sigaction action = {};
+  action.sa_handler = look;
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGPROF, &action, nullptr);
+  const auto microseconds = long(seconds / kLooks * 1e6);
+  const timeval every = {microseconds / 1'000'000, microseconds % 1'000'000};
+  const itimerval timer = {every, every};
+  setitimer(ITIMER_PROF, &timer, nullptr);
+}
 
 bool enterCage(double seconds, size_t memory) {
   limit(RLIMIT_CORE, 0);

@@ -14,6 +14,9 @@ namespace obby::engine {
 // False where the system has no such cage.
 bool enterCage(double seconds, size_t memory);
 
+// Ends this process once `*beat` has stayed the same for `seconds` of its CPU time.
+void watchBeat(const volatile unsigned* beat, double seconds);
+
 class Children {
  public:
   using Clock = std::chrono::steady_clock;

@@ -21,7 +21,8 @@ struct Settings {
   Budget budget;
   std::string rig = "r15";              // body of the players: r6 or r15
   uint64_t seed = 1;                    // of math.random and its like
-  size_t instances = 300'000;           // that scripts may make
+  size_t instances = 60'000;           // that scripts may make
+  std::vector<InstanceId> skipped;  // scripts that are left out
   InstanceId* runningScript = nullptr;  // kept up to date, if not null
 };
 
@@ -51,9 +52,11 @@ class Host {
   };
   std::vector<Owner> owners;  // 0 is nobody
   uint32_t running = 0;       // the owner whose code runs
+  unsigned beat = 0;          // grows with each stretch
   InstanceId nextMade = kMade;
   size_t instancesMade = 0;
   double tinySteps = 0;
+  InstanceId greedy = kNoInstance;  // the script that has used up the memory
 };
 
 // Each sets functions of the table at the top of the stack.

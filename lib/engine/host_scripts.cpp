@@ -1,4 +1,5 @@
 // host: threads, chunks of scripts, and what Luau's core does otherwise than Lua's.
+#include <algorithm>
 #include <string>
 
 #include "engine/host.h"
@@ -30,8 +31,10 @@ int spend(lua_State* L) {
   Host& host = Host::of(L);
   const std::string kind = luaL_checkstring(L, 1);
   const double amount = luaL_checknumber(L, 2);
-  if (kind == "instances" && ++host.instancesMade > host.settings.instances)
+  if (kind == "instances" && ++host.instancesMade > host.settings.instances) {
+    host.greedy = host.owners[host.running].script;
     return luaL_error(L, "too many instances");
+  }
   if (!(amount < 1e7)) return luaL_error(L, "not enough memory");
   return 0;
 }
@@ -47,6 +50,7 @@ int enter(lua_State* L) {
   lua_pushnumber(L, lua_Number(host.running));
   host.running = uint32_t(luaL_checknumber(L, 1));
   if (host.settings.runningScript) *host.settings.runningScript = host.owners[host.running].script;
+  ++host.beat;
   if (lua_toboolean(L, 2) != 0) host.vm.beginStretch();
   return 1;
 }
@@ -97,6 +101,14 @@ int setStringMethods(lua_State* L) {
   return 0;
 }
 
+// (script): whether it is left out.
+int isSkipped(lua_State* L) {
+  const auto& skipped = Host::of(L).settings.skipped;
+  const auto script = InstanceId(luaL_checknumber(L, 1));
+  lua_pushboolean(L, std::find(skipped.begin(), skipped.end(), script) != skipped.end());
+  return 1;
+}
+
 int rig(lua_State* L) {
   lua_pushstring(L, Host::of(L).settings.rig.c_str());
   return 1;
@@ -115,6 +127,7 @@ constexpr luaL_Reg kFunctions[] = {{"rawType", rawType},
                                    {"rawLength", rawLength},
                                    {"setStringMethods", setStringMethods},
                                    {"rig", rig},
+                                   {"isSkipped", isSkipped},
                                    {nullptr, nullptr}};
 
 }  // namespace

@@ -43,7 +43,7 @@ void fields(A& a, Observation& o) {
 }
 template <class A>
 void fields(A& a, Probe& p) {
-  a(p.target), a(p.approach), a(p.at), a(p.left), a(p.seen), a(p.lost);
+  a(p.target), a(p.approach), a(p.at), a(p.left), a(p.seen), a(p.lost), a(p.byPlace), a(p.allOver);
 }
 template <class A>
 void fields(A& a, Report& r) {
@@ -57,6 +57,7 @@ constexpr double kFrame = 1.0 / 60;
 constexpr double kHold = 0.6;   // seconds that a probe stays
 constexpr double kQuiet = 1.0;  // seconds without a change end a probe
 constexpr double kAtLeast = 1.5;
+constexpr double kStuck = 2;       // seconds of CPU without a beat
 constexpr size_t kProcessMemory = size_t(2) << 30;
 
 template <class T>
@@ -68,8 +69,8 @@ std::string bytesOf(T& value) {
 
 uint32_t framesOf(double seconds) { return uint32_t(std::lround(seconds / kFrame)); }
 
-// What a probe does in its copy of the place.
-Probe runProbe(Stage& stage, const Plan& plan, Probe probe) {
+// What a probe does in its copy of the place. `share`: see Stage::standAt.
+Probe runProbe(Stage& stage, const Plan& plan, Probe probe, float share = 0) {
   stage.restart();
   const uint32_t hold = framesOf(kHold), most = framesOf(plan.probeSeconds);
   uint32_t frame = 0, quiet = 0;
@@ -77,7 +78,7 @@ Probe runProbe(Stage& stage, const Plan& plan, Probe probe) {
   while (frame < most && (frame < framesOf(kAtLeast) || quiet < framesOf(kQuiet))) {
     if (probe.approach != Approach::use) {
       if (frame < hold)
-        stage.standAt(probe.target, probe.approach == Approach::inside);
+        stage.standAt(probe.target, probe.approach == Approach::inside, share);
       else if (frame == hold)
         stage.leave();
     }
@@ -99,8 +100,10 @@ class Watcher {
       : plan_(plan), stage_(document, plan.settings), children_(plan.processes) {}
 
   Report watch() {
+    watchBeat(stage_.beat(), kStuck);
     stage_.start();
     stage_.run(framesOf(plan_.probeAt));
+    if (stage_.greedyScript() != kNoInstance) return given(stage_.greedyScript());
     stage_.revive();
     report_.probedAt = plan_.probeAt;
     report_.made = stage_.made();
@@ -112,20 +115,57 @@ class Watcher {
     report_.undisturbed = stage_.observation();
     report_.complete = !stage_.isExhausted();
     if (!report_.complete) report_.failure = "the scripts' budget was used up";
+    report_.culprit = stage_.greedyScript();
     children_.finish();
     return std::move(report_);
   }
 
  private:
+  // Not worth while: it is done again without that script.
+  Report given(InstanceId culprit) {
+    report_.undisturbed = stage_.observation();
+    report_.culprit = culprit;
+    report_.failure = "a script uses too much memory";
+    return std::move(report_);
+  }
+
   void probeAll() {
     std::vector<Probe> wanted = stage_.probes();
     if (wanted.size() > plan_.mostProbes) {
       report_.failure = "too many parts to touch";
       wanted.resize(plan_.mostProbes);
     }
+    for (Probe& probe : wanted) probe.at = plan_.probeAt;
     report_.probes.resize(wanted.size());
+    runAll(wanted);
+    children_.finish();
+    for (size_t i = 0; i < wanted.size(); ++i)
+      if (wanted[i].byPlace && happens(report_.probes[i])) lookAllOver(wanted[i], i);
+  }
+
+  static bool happens(const Probe& probe) {
+    return !probe.seen.changes.empty() || !probe.seen.harms.empty();
+  }
+
+  void lookAllOver(const Probe& wanted, size_t index) {
+    constexpr float kTowardsCorner = 0.8f;
+    for (const float share : {kTowardsCorner, -kTowardsCorner})
+      children_.start(
+          plan_.timeLimit / 4,
+          [&, share] {
+            Probe probe = runProbe(stage_, plan_, wanted, share);
+            return bytesOf(probe);
+          },
+          [this, index](const std::string& bytes) {
+            Probe probe;
+            BytesIn in(bytes);
+            if (!bytes.empty()) in(probe);
+            if (!happens(probe)) report_.probes[index].allOver = false;
+          });
+  }
+
+  void runAll(const std::vector<Probe>& wanted) {
     for (size_t i = 0; i < wanted.size(); ++i) {
-      wanted[i].at = plan_.probeAt;
       report_.probes[i] = wanted[i];
       children_.start(
           plan_.timeLimit / 4,
@@ -150,7 +190,9 @@ class Watcher {
 
 }  // namespace
 
-Report observe(const Document& document, const Plan& plan) {
+namespace {
+
+Report observeOnce(const Document& document, const Plan& plan) {
   Report report;
   // The child leaves the script that runs here, for when it dies.
   void* const shared =
@@ -180,6 +222,21 @@ Report observe(const Document& document, const Plan& plan) {
       });
   children.finish();
   if (shared != MAP_FAILED) munmap(shared, 4096);
+  return report;
+}
+
+}  // namespace
+
+Report observe(const Document& document, const Plan& plan) {
+  constexpr int kMostCulprits = 3;
+  Plan own = plan;
+  Report report = observeOnce(document, own);
+  for (int i = 0; i < kMostCulprits && report.culprit < document.instances.size(); ++i) {
+    const InstanceId culprit = report.culprit;
+    own.settings.skipped.push_back(culprit);
+    report = observeOnce(document, own);
+    report.undisturbed.problems.push_back({culprit, "it uses too much time or memory, so it is left out", 1});
+  }
   return report;
 }
 

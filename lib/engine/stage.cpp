@@ -111,11 +111,12 @@ void Stage::stand(Vec3 feet, float yaw) {
   call("probe", "stand", 4);
 }
 
-void Stage::standAt(InstanceId part, bool inside) {
+void Stage::standAt(InstanceId part, bool inside, float share) {
   lua_State* const L = host_->vm.state();
   lua_pushnumber(L, part);
   lua_pushboolean(L, inside);
-  call("probe", "standAt", 2);
+  lua_pushnumber(L, lua_Number(share));
+  call("probe", "standAt", 3);
 }
 
 void Stage::leave() { call("probe", "leave", 0); }
@@ -146,11 +147,13 @@ std::vector<Probe> Stage::probes() {
     lua_rawgeti(L, -1, i);
     lua_rawgeti(L, -1, 1);
     lua_rawgeti(L, -2, 2);
+    lua_rawgeti(L, -3, 3);
     Probe probe;
-    probe.target = InstanceId(lua_tonumber(L, -2));
-    probe.approach = Approach(int(lua_tonumber(L, -1)));
+    probe.target = InstanceId(lua_tonumber(L, -3));
+    probe.approach = Approach(int(lua_tonumber(L, -2)));
+    probe.byPlace = lua_toboolean(L, -1) != 0;
     all.push_back(std::move(probe));
-    lua_pop(L, 3);
+    lua_pop(L, 4);
   }
   lua_pop(L, 1);
   return all;

@@ -25,7 +25,8 @@ class Stage {
   // Puts the player's feet there; yaw in radians, 0 looks along -Z.
   void stand(Vec3 feet, float yaw);
   // On top of a part, or its middle in the middle of the part, wherever that is by now.
-  void standAt(InstanceId part, bool inside);
+  // `share`: how far off, as a share of the way to a corner.
+  void standAt(InstanceId part, bool inside, float share);
   // Back to the spawn.
   void leave();
   // Clicks a ClickDetector or a button, holds a ProximityPrompt, activates a tool.
@@ -48,6 +49,10 @@ class Stage {
   // Forgets what has been seen.
   void restart();
   bool isExhausted() const { return host_->vm.isExhausted() || host_->recorder.isFull(); }
+  // The script that has used up the memory, if one has.
+  InstanceId greedyScript() const { return host_->greedy; }
+  // Grows whenever a script begins or ends to run.
+  const unsigned* beat() const { return &host_->beat; }
   size_t memoryUsed() const { return host_->vm.memoryUsed(); }
 
  private:

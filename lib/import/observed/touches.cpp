@@ -26,13 +26,21 @@ class Touches {
     PartDraft* const part = partOf(probe);
     const ProbeEffects effects = effectsOf(report_, probe);
     const bool used = probe.approach == engine::Approach::use;
-    if (!part || used) takeAbility(effects);
-    if (!part) return;
+    if (!part) {
+      takeAbility(probe, effects);
+      return;
+    }
     if (probe.lost) {
       context_.level.noteUnmodelled("touch that broke down", path(part->id),
                                     "treated as a plain part");
       return;
     }
+    if (!effects.empty() && !probe.allOver) {
+      context_.level.noteUnmodelled("place where scripts act", path(part->id),
+                                    "only a piece of the part is concerned: treated as a plain part");
+      return;
+    }
+    if (effects.empty() && probe.byPlace) return;
     if (effects.empty()) {
       part->evidence.push_back(
           {kHarmless, "scripts listen to it, and do nothing to a player", false});
@@ -91,7 +99,12 @@ class Touches {
   }
 
   // What a tool, a key or a button on the screen gives the player, wherever it is.
-  void takeAbility(const ProbeEffects& effects) {
+  void takeAbility(const engine::Probe& probe, const ProbeEffects& effects) {
+    const bool keys = probe.target >= context_.tree.size() ||
+                      context_.tree.at(probe.target).className == "UserInputService";
+    if (effects.empty() && keys)
+      context_.level.noteUnmodelled("keys that a script listens to", "",
+                                    "what they do is not known: the player walks and jumps only");
     World& world = context_.level.world;
     if (effects.boost && effects.boost->walk > 0 && effects.boost->jump > 0) {
       world.walkSpeed = std::max(world.walkSpeed, base_.walkSpeed * effects.boost->walk);
@@ -99,6 +112,13 @@ class Touches {
       context_.level.noteIgnored("ability of the player", "",
                                  "used all the time; " + reason(effects.boost->line));
     }
+    for (const Away& back : effects.backs)
+      if (PartDraft* const other = context_.part(back.part); other && !back.seconds && !other->vanish) {
+        other->solid = true;  // players use what helps them
+        prove(*other, "solid", "once a button on the screen is used; " + reason(back.line));
+      }
+    if (!effects.aways.empty() || !effects.moved.empty())
+      context_.level.noteUnmodelled("button on the screen", "", "the player does not use it");
     if (effects.gravity || effects.push || effects.teleport || effects.force || effects.jumps)
       context_.level.noteUnmodelled("ability of the player", "", "the player does not use it");
   }
