@@ -59,6 +59,12 @@ int Host::use(lua_State* L, const std::string& name) {
   return 1;
 }
 
+void Host::noteError(InstanceId script, std::string_view text) {
+  if (text.find("Script timeout") != std::string_view::npos) slow = script;
+  if (text.find("not enough memory") == std::string_view::npos || greedy != kNoInstance) return;
+  greedy = script != kNoInstance ? script : slow != kNoInstance ? slow : owners[running].script;
+}
+
 Line Host::where(lua_State* L) const {
   lua_Debug at;
   for (int level = 0; lua_getstack(L, level, &at) != 0; ++level) {

@@ -57,6 +57,9 @@ class Host {
   size_t instancesMade = 0;
   double tinySteps = 0;
   InstanceId greedy = kNoInstance;  // the script that has used up the memory
+  InstanceId slow = kNoInstance;    // the last that had used up its time
+  // Takes note of an error by its text.
+  void noteError(InstanceId script, std::string_view text);
 };
 
 // Each sets functions of the table at the top of the stack.

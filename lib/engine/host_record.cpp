@@ -120,7 +120,7 @@ int problem(lua_State* L) {
   const char* const text = luaL_optstring(L, 2, "error");
   const InstanceId script = owner < host.owners.size() ? host.owners[owner].script : kNoInstance;
   host.recorder.problem(script, host.withNames(text));
-  if (std::string_view(text).find("not enough memory") != std::string_view::npos) host.greedy = script;
+  host.noteError(script, text);
   return 0;
 }
 

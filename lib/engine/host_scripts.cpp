@@ -92,6 +92,17 @@ int rawLength(lua_State* L) {
   return 1;
 }
 
+// A new list with the elements of a list of any length.
+int copyList(lua_State* L) {
+  const int size = int(lua_objlen(L, 1));
+  lua_createtable(L, size, 0);
+  for (int i = 1; i <= size; ++i) {
+    lua_rawgeti(L, 1, i);
+    lua_rawseti(L, -2, i);
+  }
+  return 1;
+}
+
 // The methods of strings: ("x"):rep(2).
 int setStringMethods(lua_State* L) {
   lua_pushliteral(L, "");
@@ -126,6 +137,7 @@ constexpr luaL_Reg kFunctions[] = {{"rawType", rawType},
                                    {"where", where},
                                    {"rawLength", rawLength},
                                    {"setStringMethods", setStringMethods},
+                                   {"copyList", copyList},
                                    {"rig", rig},
                                    {"isSkipped", isSkipped},
                                    {nullptr, nullptr}};

@@ -25,6 +25,7 @@ void Stage::call(const char* module, const char* name, int arguments, int result
   if (!done) {
     host_->recorder.problem(kNoInstance, host_->withNames(std::string(module) + "." + name + ": " +
                                                           done.error().message));
+    host_->noteError(kNoInstance, done.error().message);
     for (int i = 0; i < results; ++i) lua_pushnil(L);
   }
 }

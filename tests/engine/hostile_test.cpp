@@ -64,8 +64,7 @@ TEST(Hostile, EndsNamesItselfAndLeavesOthersAlone) {
     bool kills = false;
     for (const engine::Probe& probe : report.probes)
       kills = kills || (probe.target == lava && !probe.seen.harms.empty());
-    EXPECT_TRUE(kills) << hostile.name;
-    std::printf("%s %.2f s\n", hostile.name, took.count());
+    EXPECT_TRUE(kills) << hostile.name << ": " << report.failure << " " << problems(report.undisturbed);
   }
 }
 
