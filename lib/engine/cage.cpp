@@ -52,7 +52,8 @@ constexpr int kAllowed[] = {SCMP_SYS(read),
                             SCMP_SYS(gettimeofday),
                             SCMP_SYS(set_robust_list),
                             SCMP_SYS(rseq),
-                            SCMP_SYS(restart_syscall), SCMP_SYS(setitimer),
+                            SCMP_SYS(restart_syscall),
+                            SCMP_SYS(setitimer),
                             SCMP_SYS(sched_yield),
                             SCMP_SYS(getrandom)};
 

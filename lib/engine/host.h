@@ -21,8 +21,8 @@ struct Settings {
   Budget budget;
   std::string rig = "r15";              // body of the players: r6 or r15
   uint64_t seed = 1;                    // of math.random and its like
-  size_t instances = 60'000;           // that scripts may make
-  std::vector<InstanceId> skipped;  // scripts that are left out
+  size_t instances = 60'000;            // that scripts may make
+  std::vector<InstanceId> skipped;      // scripts that are left out
   InstanceId* runningScript = nullptr;  // kept up to date, if not null
 };
 

@@ -125,22 +125,14 @@ int rig(lua_State* L) {
   return 1;
 }
 
-constexpr luaL_Reg kFunctions[] = {{"rawType", rawType},
-                                   {"metatableOf", metatableOf},
-                                   {"try", tryCall},
-                                   {"spend", spend},
-                                   {"newId", newId},
-                                   {"enter", enter},
-                                   {"timedOut", timedOut},
-                                   {"newOwner", newOwner},
-                                   {"load", load},
-                                   {"where", where},
-                                   {"rawLength", rawLength},
-                                   {"setStringMethods", setStringMethods},
-                                   {"copyList", copyList},
-                                   {"rig", rig},
-                                   {"isSkipped", isSkipped},
-                                   {nullptr, nullptr}};
+constexpr luaL_Reg kFunctions[] = {{"rawType", rawType},     {"metatableOf", metatableOf},
+                                   {"try", tryCall},         {"spend", spend},
+                                   {"newId", newId},         {"enter", enter},
+                                   {"timedOut", timedOut},   {"newOwner", newOwner},
+                                   {"load", load},           {"where", where},
+                                   {"rawLength", rawLength}, {"setStringMethods", setStringMethods},
+                                   {"copyList", copyList},   {"rig", rig},
+                                   {"isSkipped", isSkipped}, {nullptr, nullptr}};
 
 }  // namespace
 }  // namespace script_functions

@@ -57,7 +57,7 @@ constexpr double kFrame = 1.0 / 60;
 constexpr double kHold = 0.6;   // seconds that a probe stays
 constexpr double kQuiet = 1.0;  // seconds without a change end a probe
 constexpr double kAtLeast = 1.5;
-constexpr double kStuck = 2;       // seconds of CPU without a beat
+constexpr double kStuck = 2;  // seconds of CPU without a beat
 constexpr size_t kProcessMemory = size_t(2) << 30;
 
 template <class T>
@@ -235,7 +235,8 @@ Report observe(const Document& document, const Plan& plan) {
     const InstanceId culprit = report.culprit;
     own.settings.skipped.push_back(culprit);
     report = observeOnce(document, own);
-    report.undisturbed.problems.push_back({culprit, "it uses too much time or memory, so it is left out", 1});
+    report.undisturbed.problems.push_back(
+        {culprit, "it uses too much time or memory, so it is left out", 1});
   }
   return report;
 }

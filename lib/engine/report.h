@@ -15,9 +15,9 @@ enum class Approach : uint8_t { stand, inside, use };
 struct Probe {
   InstanceId target = kNoInstance;  // the part, ClickDetector, prompt or tool
   Approach approach = Approach::stand;
-  double at = 0;      // when the player arrived
-  double left = 0;    // and went away; 0: stayed to the end
-  Observation seen;   // from the arrival on
+  double at = 0;         // when the player arrived
+  double left = 0;       // and went away; 0: stayed to the end
+  Observation seen;      // from the arrival on
   bool lost = false;     // the copy died or ran out of time
   bool byPlace = false;  // nobody listens to the part: what happens follows from the place
   bool allOver = true;   // it happens towards two opposite corners of the part, too

@@ -1,5 +1,6 @@
-// The importer: a place or model file in, one level record and its stage queries out. Nothing in
-// the file is executed. docs/import.md says what is recognised and in which order evidence counts.
+// The importer: a place or model file in, one level record and its stage queries out. The
+// scripts in it run in a cage (engine/report.h). docs/import.md says what is recognised and in
+// which order evidence counts.
 #pragma once
 
 #include <string>

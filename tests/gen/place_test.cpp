@@ -108,6 +108,13 @@ void expectSame(schema::Part::Reader a, schema::Part::Reader b) {
   }
 }
 
+// Motions that are read come back to the last bit; those that are seen do but for a frame.
+importer::ImportOptions readOptions() {
+  importer::ImportOptions options;
+  options.runScripts = false;
+  return options;
+}
+
 class Places : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Places, ComeBackFromTheImporterAsTheyWere) {
@@ -115,7 +122,7 @@ TEST_P(Places, ComeBackFromTheImporterAsTheyWere) {
   for (uint64_t i = 0; i < 5; ++i) {
     gen::PlaceFile place(generator);
     ASSERT_TRUE(place.add(generator.generate(1, i)));
-    const auto back = importer::importPlace(place.finish(), "made.rbxlx", {});
+    const auto back = importer::importPlace(place.finish(), "made.rbxlx", readOptions());
     ASSERT_TRUE(back) << back.error().text();
     const Made made = makeRecords(generator, 1, i);
     const auto level = back->level.reader().getLevel();

@@ -58,6 +58,7 @@ Result<cli::ExitCode> run(cli::Context& context) {
   importer::ImportOptions options;
   options.name = context.arguments().text("name");
   options.queries = !context.arguments().flag("no-queries");
+  options.runScripts = !context.arguments().flag("no-scripts");
   if (context.arguments().flag("explain")) return explain(context, options);
   importer::InputOpener opener(
       options, [&](const std::string& warning) { context.warn(warning); },

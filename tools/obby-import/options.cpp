@@ -47,6 +47,7 @@ cli::ToolSpec importSpec() {
       cli::commonRow(cli::Common::onError),
       nameRow(),
       flag("no-queries", "write only the level, without a query for each stage"),
+      flag("no-scripts", "do not run the place's scripts; read what their texts state"),
       flag("explain", "print a table of parts, roles and evidence instead of records"),
   };
   spec.inputHelp =
@@ -55,7 +56,8 @@ cli::ToolSpec importSpec() {
   spec.notes =
       "The format of an input is recognised by its content, but a Rojo project by the name "
       "*.project.json or as a folder that holds default.project.json. Scripts in a place "
-      "are read, never executed. If a part is taken for the wrong thing, add a tag to the "
+      "run in a cage: without files, network or other programs. If a part is taken for the wrong "
+      "thing, add a tag to the "
       "part to correct it (docs/import.md).";
   return spec;
 }

@@ -36,8 +36,9 @@ class Touches {
       return;
     }
     if (!effects.empty() && !probe.allOver) {
-      context_.level.noteUnmodelled("place where scripts act", path(part->id),
-                                    "only a piece of the part is concerned: treated as a plain part");
+      context_.level.noteUnmodelled(
+          "place where scripts act", path(part->id),
+          "only a piece of the part is concerned: treated as a plain part");
       return;
     }
     if (effects.empty() && probe.byPlace) return;
@@ -113,7 +114,8 @@ class Touches {
                                  "used all the time; " + reason(effects.boost->line));
     }
     for (const Away& back : effects.backs)
-      if (PartDraft* const other = context_.part(back.part); other && !back.seconds && !other->vanish) {
+      if (PartDraft* const other = context_.part(back.part);
+          other && !back.seconds && !other->vanish) {
         other->solid = true;  // players use what helps them
         prove(*other, "solid", "once a button on the screen is used; " + reason(back.line));
       }
