@@ -118,6 +118,8 @@ void Stage::standAt(InstanceId part, bool inside) {
   call("probe", "standAt", 2);
 }
 
+void Stage::touchAgain() { call("touch", "again", 0); }
+
 void Stage::leave() { call("probe", "leave", 0); }
 
 void Stage::revive() { call("probe", "revive", 0); }

@@ -26,6 +26,9 @@ class Stage {
   void stand(Vec3 feet, float yaw);
   // On top of a part, or its middle in the middle of the part, wherever that is by now.
   void standAt(InstanceId part, bool inside);
+  // All that touches the player's body ends and begins again in the next frame, as where it walks.
+  void touchAgain();
+  const std::vector<Harm>& harms() { return host_->recorder.seen().harms; }
   // Back to the spawn.
   void leave();
   // Clicks a ClickDetector or a button, holds a ProximityPrompt, activates a tool.
