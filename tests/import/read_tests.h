@@ -190,13 +190,13 @@ constexpr std::string_view kReadTests[] = {
     "ScriptedChanges.TheStartIsSetAndWhatFollowsIsNamed",  // not looked at yet
     "ScriptedChanges.SizesThatChangeByAndByAreNamed",  // not looked at yet
     "ScriptedChanges.EveryPartOfAModelCounts",  // not looked at yet
-    "Doubt.HarmByAPartThatIsNotKnownIsNamed",  // not looked at yet
+    "Doubt.HarmByAPartThatIsNotKnownIsNamed",  // a probe leaves before a slow poll
     "HandlerFlags.WhatIsSetBackComesAgain",  // needs a second touch
     "HandlerValues.ALoopOfAHandlerCountsFromWhereTheScriptHasBegun",  // not looked at yet
-    "JumpPad.CharacterVelocityKeepsWhatTheScriptKeeps",  // not looked at yet
-    "Kill.PollingTheContentsOfAHazard",  // not looked at yet
+    "JumpPad.CharacterVelocityKeepsWhatTheScriptKeeps",  // not run since its parts stand apart
+    "Kill.PollingTheContentsOfAHazard",  // the part stands at the spawn
     "Removal.WhatAButtonPutsBackIsNamed",  // not looked at yet
-    "Removal.WhatATouchTakesOutVanishes",  // not looked at yet
+    "Removal.WhatATouchTakesOutVanishes",  // what Debris holds is not waited for
     "ScriptLoops.VelocitiesThatChangeAreNamed",  // not looked at yet
     "ScriptLoops.WhatEachFrameDoesFromATouchOnIsNamed",  // not looked at yet
     "ScriptLoops.WhatStandsBehindALoopThatEndsItselfIsRead",  // not looked at yet
