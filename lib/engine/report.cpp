@@ -54,8 +54,9 @@ void fields(A& a, Report& r) {
 namespace {
 
 constexpr double kFrame = 1.0 / 60;
-constexpr double kHold = 0.6;   // seconds that a probe stays
-constexpr double kQuiet = 1.0;  // seconds without a change end a probe
+constexpr double kHold = 0.6;     // seconds that a probe stays
+constexpr double kSecondHit = 5;  // seconds that it waits to be harmed again
+constexpr double kQuiet = 1.0;    // seconds without a change end a probe
 constexpr double kAtLeast = 1.5;
 constexpr double kStuck = 2;  // seconds of CPU without a beat
 constexpr size_t kProcessMemory = size_t(2) << 30;
@@ -69,26 +70,40 @@ std::string bytesOf(T& value) {
 
 uint32_t framesOf(double seconds) { return uint32_t(std::lround(seconds / kFrame)); }
 
-// What a probe does in its copy of the place. `share`: see Stage::standAt.
-Probe runProbe(Stage& stage, const Plan& plan, Probe probe, float share = 0) {
-  stage.restart();
-  const uint32_t hold = framesOf(kHold), most = framesOf(plan.probeSeconds);
-  uint32_t frame = 0, quiet = 0;
-  if (probe.approach == Approach::use) stage.use(probe.target);
-  while (frame < most && (frame < framesOf(kAtLeast) || quiet < framesOf(kQuiet))) {
-    if (probe.approach != Approach::use) {
-      if (frame < hold)
-        stage.standAt(probe.target, probe.approach == Approach::inside, share);
-      else if (frame == hold)
-        stage.leave();
+// Whether a second hit is still to come after the first.
+bool awaitsHit(Stage& stage, double now) {
+  double first = -1, last = -1;
+  for (const Harm& harm : stage.harms())
+    if (harm.to < harm.from) {
+      if (first < 0) first = harm.time;
+      last = harm.time;
     }
+  return first >= 0 && last == first && now < first + kSecondHit;
+}
+
+// What a probe does in its copy of the place. One that is harmed and lives touches the part in each
+// frame until it is harmed again.
+Probe runProbe(Stage& stage, const Plan& plan, Probe probe) {
+  stage.restart();
+  const uint32_t most = framesOf(plan.probeSeconds);
+  const bool stands = probe.approach != Approach::use;
+  uint32_t hold = framesOf(kHold), frame = 0, quiet = 0;
+  if (!stands) stage.use(probe.target);
+  while (frame < most && (frame < framesOf(kAtLeast) || quiet < framesOf(kQuiet))) {
+    const bool again = stands && frame <= hold && awaitsHit(stage, probe.at + frame * kFrame);
+    if (again) hold = std::max(hold, frame + 1);
+    if (stands && frame < hold)
+      stage.standAt(probe.target, probe.approach == Approach::inside, share);
+    else if (stands && frame == hold)
+      stage.leave();
+    if (again) stage.touchAgain();
     const size_t before = stage.activity();
     stage.run(1);
     ++frame;
-    quiet = stage.activity() == before && !stage.isBusy() ? quiet + 1 : 0;
+    quiet = stage.activity() == before && !stage.isBusy() && !again ? quiet + 1 : 0;
     if (!stage.playerLives()) break;
   }
-  probe.left = probe.at + kHold;
+  probe.left = probe.at + hold * kFrame;
   probe.seen = stage.observation();
   return probe;
 }

@@ -120,6 +120,8 @@ void Stage::standAt(InstanceId part, bool inside, float share) {
   call("probe", "standAt", 3);
 }
 
+void Stage::touchAgain() { call("touch", "again", 0); }
+
 void Stage::leave() { call("probe", "leave", 0); }
 
 void Stage::revive() { call("probe", "revive", 0); }

@@ -27,6 +27,9 @@ class Stage {
   // On top of a part, or its middle in the middle of the part, wherever that is by now.
   // `share`: how far off, as a share of the way to a corner.
   void standAt(InstanceId part, bool inside, float share);
+  // All that touches the player's body ends and begins again in the next frame, as where it walks.
+  void touchAgain();
+  const std::vector<Harm>& harms() { return host_->recorder.seen().harms; }
   // Back to the spawn.
   void leave();
   // Clicks a ClickDetector or a button, holds a ProximityPrompt, activates a tool.

@@ -57,6 +57,7 @@ void findObservedRoles(RoleContext& context, const ObservedPlace& place) {
   movingFromObservation(context, place.report);
   timersFromObservation(context, place.report);
   // A pad that is said to be a checkpoint may kill, to bring the player to the next stage.
+  harmlessFromTags(context);
   checkpointFromTags(context);
   goalFromTags(context);
   touchesFromObservation(context, place.report);

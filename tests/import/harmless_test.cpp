@@ -54,7 +54,7 @@ TEST(Harmless, TheOtherRolesStay) {
   EXPECT_TRUE(scene[pad].vanish);
 }
 
-TEST(Harmless, HarmThatIsComputedIsNotNamed) {
+TEST(Harmless, HarmThatIsComputedIsAsTheFirstHit) {
   for (const bool harmless : {false, true}) {
     Scene scene;
     const auto part = scene.part("Part");
@@ -64,7 +64,9 @@ TEST(Harmless, HarmThatIsComputedIsNotNamed) {
         "h.Health = h.Health / 2 end)",
         part);
     scene.level();
-    EXPECT_EQ(scene.unmodelled("damage that a script computes"), harmless ? 0u : 1u);
+    EXPECT_EQ(scene[part].kill.has_value(), !harmless);
+    if (harmless) continue;
+    EXPECT_FLOAT_EQ(scene[part].kill->damage, 50);
   }
 }
 

@@ -77,45 +77,18 @@ TEST(ScriptValues, HealingWithinBoundsIsNoHarm) {
   }
 }
 
-TEST(ScriptValues, HarmThatTheTextDoesNotTellIsNamed) {
-  const char* const ways[] = {"h.Health = h.Health + math.random(-9, 9)",
-                              "h.Health *= math.random()", "h.Health = _G.health(h)",
-                              "h.Health = h.Health / 2"};
-  for (const char* way : ways) {
-    ScriptedPart scene(touchThat(way));
-    EXPECT_FALSE(scene[scene.self].kill) << way;
-    EXPECT_EQ(scene.unmodelled("damage that a script computes"), 1u) << way;
-  }
-}
-
-TEST(ScriptValues, HarmOfAnAmountThatIsNotToldKillsAsAGuess) {
-  const std::pair<const char*, bool> ways[] = {
-      {"h:TakeDamage(math.random(5))", true},
-      {"h:TakeDamage(p:WaitForChild('Harm').Value)", true},
-      {"h.Health = h.Health - math.random(5)", true},
-      {"h.Health -= p:WaitForChild('Harm').Value", true},
-      {"h.Health = math.max(0, h.Health - math.random(5))", true},
-      {"h:TakeDamage(h.MaxHealth / 4)", true},
-      {"h.Health -= h.MaxHealth * 0.5", true},
-      {"h:TakeDamage(h.MaxHealth)", false},
-      {"h:TakeDamage(h.MaxHealth * 2)", false},
-      {"h.Health -= h.MaxHealth", false}};
-  for (const auto& [way, guessed] : ways) {
+TEST(ScriptValues, HarmMayBeAShareOfTheHealth) {
+  const std::pair<const char*, float> ways[] = {{"h:TakeDamage(h.MaxHealth / 4)", 25},
+                                                {"h.Health -= h.MaxHealth * 0.5", 50},
+                                                {"h:TakeDamage(h.MaxHealth)", 100},
+                                                {"h:TakeDamage(h.MaxHealth * 2)", 100},
+                                                {"h.Health -= h.MaxHealth", 100}};
+  for (const auto& [way, damage] : ways) {
     ScriptedPart scene("p.Touched:Connect(function(hit) local h = hit.Parent.Humanoid\n" +
                        std::string(way) + " end)");
     ASSERT_TRUE(scene[scene.self].kill) << way;
-    EXPECT_GE(scene[scene.self].kill->damage, 100) << way;
-    EXPECT_EQ(scene.evidence(scene.self, "kill").rfind("guessed: ", 0) == 0, guessed) << way;
+    EXPECT_FLOAT_EQ(scene[scene.self].kill->damage, damage) << way;
   }
-}
-
-TEST(ScriptValues, APoseThatLooksAtWhatIsNotKnownIsNamed) {
-  ScriptedPart scene(
-      "while true do p.CFrame = CFrame.new(p.Position, _G.target()) task.wait() end");
-  EXPECT_FALSE(scene[scene.self].motion);
-  EXPECT_EQ(scene.unmodelled("motion that a script computes"), 1u);
-  ScriptedPart place("p.Position = CFrame.new(Vector3.new(0, 8, 0), _G.target()).Position");
-  EXPECT_EQ(place[place.self].pose.position, (Vec3{0, 8, 0}));
 }
 
 TEST(ScriptValues, APoseMayBeSevenNumbers) {
@@ -222,27 +195,17 @@ TEST(ScriptValues, AColourThatTurnsMayBeAny) {
   }
 }
 
-TEST(ScriptValues, AColourThatABranchMaySetIsOneOfTwo) {
-  ScriptedPart scene(
-      "local red = Color3.fromRGB(255, 0, 0) p.Color = red\n"
-      "if math.random() > 0.5 then p.Color = Color3.fromRGB(0, 255, 0) end\n"
-      "if p.Color == red then p.Touched:Connect(function(hit)\n"
-      "hit.Parent.Humanoid.Health = 0 end) end");
-  EXPECT_TRUE(scene[scene.self].kill);
-  EXPECT_EQ(scene.unmodelled("handler that a script may connect"), 1u);
-}
-
 TEST(ScriptValues, AColourThatATweenBringsIsNotThereAtOnce) {
   ScriptedPart scene(
       "local red = Color3.fromRGB(255, 0, 0)\n"
       "game:GetService('TweenService'):Create(p, TweenInfo.new(9), {Color = red}):Play()\n"
       "if p.Color == red then p.Touched:Connect(function(hit)\n"
       "hit.Parent.Humanoid.Health = 0 end) end");
-  EXPECT_EQ(scene.unmodelled("handler that a script may connect"), 1u);
+  EXPECT_FALSE(scene[scene.self].kill);
 }
 
 // As of a light that shows who may walk.
-TEST(ScriptValues, TheColourOfALightMayBeAny) {
+TEST(ScriptValues, TheColourOfALightIsAsItIsSet) {
   Scene scene;
   const auto pad = scene.part("Pad");
   scene.add("PointLight", "Light", pad);
@@ -252,23 +215,21 @@ TEST(ScriptValues, TheColourOfALightMayBeAny) {
       "hit.Parent.Humanoid.Health = 0 end end)",
       pad);
   scene.level();
-  ASSERT_TRUE(scene[pad].kill);
-  EXPECT_NE(scene.evidence(pad, "kill").rfind("guessed: ", 0), 0u);
+  EXPECT_FALSE(scene[pad].kill);
 }
 
 // As of a door that kills all but its owners.
-TEST(ScriptValues, WhoIsOnAListIsNotKnown) {
-  const char* const asks[] = {
-      "local owners = {[1234] = true} ^ if owners[player.UserId] then return",
-      "local owners = {[12] = true, [34] = true} ^ if owners[player.UserId] then return",
-      "local foes = {} ^ if not table.find(foes, player.Name) then return"};
-  for (const char* text : asks) {
-    const std::string ask = text;
+TEST(ScriptValues, APlayerIsOnNoList) {
+  const std::pair<std::string, bool> asks[] = {
+      {"local owners = {[1234] = true} ^ if owners[player.UserId] then return", true},
+      {"local owners = {[12] = true, [34] = true} ^ if owners[player.UserId] then return", true},
+      {"local foes = {} ^ if not table.find(foes, player.Name) then return", false}};
+  for (const auto& [ask, kills] : asks) {
     const size_t split = ask.find('^');
     ScriptedPart scene(ask.substr(0, split) + "p.Touched:Connect(function(hit)\n" +
                        "local player = game.Players:GetPlayerFromCharacter(hit.Parent)\n" +
                        ask.substr(split + 1) + " end hit.Parent.Humanoid.Health = 0 end)");
-    EXPECT_TRUE(scene[scene.self].kill) << ask;
+    EXPECT_EQ(scene[scene.self].kill.has_value(), kills) << ask;
   }
 }
 
@@ -281,7 +242,7 @@ TEST(ScriptValues, WhatIsMadeInTheWorldIsBuilt) {
       {"local weld = Instance.new('Fire', p)", 0}};
   for (const auto& [text, count] : cases) {
     ScriptedPart scene(text);
-    EXPECT_EQ(scene.unmodelled("parts that a script builds"), count) << text;
+    EXPECT_EQ(scene.level().parts.size(), 1 + count) << text;
   }
 }
 

@@ -22,14 +22,6 @@ TEST(Signals, TouchesOfAPartAreOfThatPart) {
   }
 }
 
-TEST(Signals, ThatTheTextDoesNotTellAreNamed) {
-  ScriptedPart scene(
-      "local touched = _G.signal()\n"
-      "touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end)");
-  EXPECT_FALSE(scene[scene.self].kill);
-  EXPECT_EQ(scene.unmodelled("damage by an unknown part"), 1u);
-}
-
 // Those that have the tag by then are known.
 TEST(Signals, OfPartsThatGetATagLaterHarmNobodyUnknown) {
   for (const bool asked : {false, true}) {
@@ -45,7 +37,6 @@ TEST(Signals, OfPartsThatGetATagLaterHarmNobodyUnknown) {
         scene.scripts);
     scene.level();
     EXPECT_EQ(scene[part].kill.has_value(), asked);
-    EXPECT_EQ(scene.unmodelled("damage by an unknown part"), asked ? 0u : 1u);
   }
 }
 

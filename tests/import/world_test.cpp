@@ -162,18 +162,5 @@ TEST(World, TheJumpDoesNotDependOnTheOrderOfScripts) {
   EXPECT_NEAR(scene.level().world.jumpSpeed, std::sqrt(2 * 100 * 20.f), 1e-3);
 }
 
-TEST(World, WhatAScriptSetsUnderAConditionIsNamedNotTaken) {
-  Scene scene = withJumpHeight(
-      "if player.IsVip.Value then h.JumpHeight = 20 h.WalkSpeed = 40 end h.UseJumpPower = other()",
-      "if math.random() > 0.5 then workspace.Gravity = 50 end");
-  const auto& world = scene.level().world;
-  EXPECT_FLOAT_EQ(world.walkSpeed, 16);
-  EXPECT_FLOAT_EQ(world.gravity, 196.2f);
-  EXPECT_NEAR(world.jumpSpeed, std::sqrt(2 * 196.2f * 7.2f), 1e-3);
-  for (const char* kind : {"JumpHeight that a script may set", "WalkSpeed that a script may set",
-                           "Gravity that a script may set", "UseJumpPower that a script computes"})
-    EXPECT_EQ(scene.unmodelled(kind), 1u) << kind;
-}
-
 }  // namespace
 }  // namespace obby::test

@@ -17,7 +17,7 @@ namespace {
 using engine::Change;
 using engine::kPlayer;
 
-constexpr double kSameTime = 1e-6;
+constexpr double kNoCooldown = 0.1;          // seconds: hits that follow sooner have no cooldown
 constexpr float kYaw = 0.3f;                 // as a probe stands (probe.luau)
 constexpr Vec3 kArriving = {1.5f, 0, 2.5f};  // and its velocity
 constexpr float kKept = 1e-3f;
@@ -60,18 +60,26 @@ class Difference {
   // Seconds after the first frame at which a touch can be noticed.
   double after(double time) const { return std::max(0.0, time - probe_.at - kFrame); }
 
-  // Hits of one frame count together: each limb that touches hurts.
+  // Limbs that are hit in one frame are each hit for itself: what one of them takes is the damage.
   void findHarm() {
-    std::map<int64_t, double> hits;
-    for (const engine::Harm& harm : probe_.seen.harms)
-      if (harm.to < harm.from) hits[std::llround(harm.time / kFrame)] += harm.from - harm.to;
-    if (hits.empty()) return;
+    std::set<int64_t> usual;
+    for (const engine::Harm& harm : report_.undisturbed.harms)
+      if (harm.to < harm.from) usual.insert(std::llround(harm.time / kFrame));
+    std::optional<double> first, second;
     Harmful found;
-    found.damage = hits.begin()->second;
-    for (const engine::Harm& harm : probe_.seen.harms)
-      if (harm.to < harm.from && found.line.script == kNoInstance) found.line = harm.line;
-    if (hits.size() > 1)
-      found.cooldown = double(std::next(hits.begin())->first - hits.begin()->first) * kFrame;
+    for (const engine::Harm& harm : probe_.seen.harms) {
+      if (!(harm.to < harm.from) || usual.contains(std::llround(harm.time / kFrame))) continue;
+      if (!first) {
+        first = harm.time;
+        found.damage = harm.from - harm.to;
+        found.line = harm.line;
+      } else if (!second && harm.time > *first) {
+        second = harm.time;
+      }
+    }
+    if (!first) return;
+    const double between = second.value_or(probe_.left) - *first;
+    if (between >= kNoCooldown && (second || probe_.seen.player.alive)) found.cooldown = between;
     effects_.harm = found;
   }
 
@@ -94,6 +102,9 @@ class Difference {
       effects_.force = effects_.force.value_or(change.line);
     else if (property == "Velocity" && change.target < engine::kMade)
       effects_.belts.emplace_back(change.target, change.line);
+    else if (property == "Size" && change.target < engine::kMade &&
+             (effects_.sizes.empty() || effects_.sizes.back().first != change.target))
+      effects_.sizes.emplace_back(change.target, change.line);
   }
 
   void takePlayer(const Change& change) {
@@ -138,8 +149,7 @@ class Difference {
     const double* const power = std::get_if<double>(&change.value);
     if (!power || effects_.push) return;
     const bool byPower = probe_.seen.player.usesJumpPower;
-    const float speed =
-        byPower ? float(kPerJumpPower * *power) : float(std::sqrt(2 * 196.2 * *power));
+    const auto speed = float(byPower ? kPerJumpPower * *power : std::sqrt(392.4 * *power));
     effects_.push = Push{{kArriving.x, speed, kArriving.z}, true, change.line};
   }
 

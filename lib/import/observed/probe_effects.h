@@ -58,11 +58,12 @@ struct ProbeEffects {
   std::optional<engine::Line> force, jumps;  // jumps: in the air, too
   std::vector<Away> aways, backs;            // that go; that come, and go again
   std::vector<Moved> moved;
-  std::vector<std::pair<InstanceId, engine::Line>> belts;
+  std::vector<std::pair<InstanceId, engine::Line>> belts, sizes;
 
   bool empty() const {
     return !harm && !push && !teleport && !boost && !stage && !gravity && !force && !jumps &&
-           !trips && aways.empty() && backs.empty() && moved.empty() && belts.empty();
+           !trips && aways.empty() && backs.empty() && moved.empty() && belts.empty() &&
+           sizes.empty();
   }
 };
 

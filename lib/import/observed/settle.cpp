@@ -1,6 +1,7 @@
 #include "import/observed/settle.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -51,6 +52,39 @@ void leaveTree(Document& document, InstanceId id) {
   document.instances[id].parent = kNoInstance;
 }
 
+bool isBelow(const Document& document, InstanceId id, InstanceId ancestor) {
+  while (id != kNoInstance && id != ancestor) id = document.instances[id].parent;
+  return id == ancestor;
+}
+
+// Of a part from a storage: its model stays there.
+void joinWorld(Document& document, InstanceId id) {
+  const InstanceId workspace = workspaceOf(document);
+  if (workspace == kNoInstance || workspace > id || isBelow(document, id, workspace)) return;
+  leaveTree(document, id);
+  document.instances[id].parent = workspace;
+  document.instances[workspace].children.push_back(id);
+}
+
+// Whether a touch or a use puts the part back into the world.
+bool comesBack(const engine::Report& report, InstanceId part) {
+  const auto brings = [&](const Change& change) {
+    const bool* const there = std::get_if<bool>(&change.value);
+    return change.target == part && change.property == "Parent" && there && *there;
+  };
+  return std::any_of(report.probes.begin(), report.probes.end(), [&](const engine::Probe& probe) {
+    return std::any_of(probe.seen.changes.begin(), probe.seen.changes.end(), brings);
+  });
+}
+
+// At the start a script has put the part into the world or taken it out.
+void settleParent(Document& document, const engine::Report& report, InstanceId id, bool stays) {
+  if (stays)
+    joinWorld(document, id);
+  else if (!comesBack(report, id))
+    leaveTree(document, id);
+}
+
 }  // namespace
 
 std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::Report& report) {
@@ -83,15 +117,20 @@ bool keepsMoving(const engine::Report& report, InstanceId part) {
 
 void settle(Document& document, const engine::Report& report) {
   std::map<std::pair<InstanceId, std::string>, const Change*> last;
+  std::set<std::pair<InstanceId, std::string>> later;
   for (const Change& change : report.undisturbed.changes)
-    last[{change.target, change.property}] = &change;
+    if (change.time <= report.probedAt)
+      last[{change.target, change.property}] = &change;
+    else
+      later.emplace(change.target, change.property);
   for (const auto& [key, change] : last) {
-    const bool known = key.first < document.instances.size();
-    if (!known || change->time > report.probedAt) continue;
+    // Those that come and go are looked at elsewhere (timers.cpp).
+    const bool goes = key.second == "Parent" || key.second == "CanCollide";
+    if (key.first >= document.instances.size() || (goes && later.contains(key))) continue;
     if (key.second != "Parent")
       set(document, key.first, key.second, change->value);
-    else if (const bool* stays = std::get_if<bool>(&change->value); stays && !*stays)
-      leaveTree(document, key.first);
+    else if (const bool* const stays = std::get_if<bool>(&change->value))
+      settleParent(document, report, key.first, *stays);
   }
   for (const auto& [id, track] : report.undisturbed.tracks)
     if (id < document.instances.size() && !keepsMoving(report, id))

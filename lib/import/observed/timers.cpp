@@ -15,6 +15,7 @@ using engine::Change;
 // The times at which a part comes and goes.
 struct Turns {
   std::vector<double> gone, back;
+  double last = 0;
   engine::Line line;
 };
 
@@ -33,6 +34,7 @@ std::map<InstanceId, Turns> turnsOf(const engine::Report& report) {
     Turns& turns = all[change.target];
     if (turns.line.script == kNoInstance) turns.line = change.line;
     (*solid ? turns.back : turns.gone).push_back(change.time);
+    turns.last = change.time;
   }
   return all;
 }
@@ -73,8 +75,7 @@ void giveTimer(RoleContext& context, PartDraft& part, const Turns& turns) {
 void timersFromObservation(RoleContext& context, const engine::Report& report) {
   for (const auto& [id, turns] : turnsOf(report)) {
     PartDraft* const part = context.part(id);
-    if (part && !turns.gone.empty() && turns.gone.back() > report.probedAt)
-      giveTimer(context, *part, turns);
+    if (part && turns.last > report.probedAt) giveTimer(context, *part, turns);
   }
   std::map<InstanceId, int> belts;
   for (const Change& change : report.undisturbed.changes)

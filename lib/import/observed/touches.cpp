@@ -43,6 +43,7 @@ class Touches {
     }
     if (effects.empty() && probe.byPlace) return;
     if (effects.empty()) {
+      if (hasEvidence(*part, kHarmless)) return;
       part->evidence.push_back(
           {kHarmless, "scripts listen to it, and do nothing to a player", false});
       return;
@@ -66,7 +67,7 @@ class Touches {
   }
 
   void takePlayer(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects) {
-    if (effects.harm && !part.checkpoint && !part.goal) {
+    if (effects.harm && !part.checkpoint && !part.goal && !hasEvidence(part, kHarmless)) {
       const Harmful& harm = *effects.harm;
       part.kill = {float(harm.damage), float(harm.cooldown)};
       prove(part, "kill", reason(harm.line));
@@ -212,6 +213,9 @@ class Touches {
       part.button = Button{signal, forever ? kForever : float(longest), forever};
       prove(part, "button", "a touch changes other parts");
     }
+    for (const auto& [id, line] : effects.sizes)
+      context_.level.noteUnmodelled("size that scripts change", path(id),
+                                    "stays as it is at the start; " + reason(line));
     for (const auto& [id, line] : effects.belts)
       context_.level.noteUnmodelled("conveyor that a touch changes", path(id), reason(line));
   }

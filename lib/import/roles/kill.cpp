@@ -119,12 +119,16 @@ void harmFromScripts(RoleContext& context, Doings doings) {
 
 }  // namespace
 
-void killFromTags(RoleContext& context) {
+void harmlessFromTags(RoleContext& context) {
   context.eachTagged(kHarmlessTags, [&](InstanceId id, const std::string& tag) {
     for (PartDraft* part : context.partsOf(id))
       if (!hasEvidence(*part, kHarmless))
         part->evidence.push_back({kHarmless, "tag " + tag, false});
   });
+}
+
+void killFromTags(RoleContext& context) {
+  harmlessFromTags(context);
   const auto each = [&](const std::vector<std::string_view>& tags, auto kill) {
     context.eachTagged(tags, [&](InstanceId id, const std::string& tag) {
       const Kill all = stated(context.tree, id, kill(tag));

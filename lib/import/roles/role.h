@@ -99,6 +99,7 @@ constexpr const char* kHarmless = "harmless";
 bool hasRole(const PartDraft& part);
 
 // The finders of each role file.
+void harmlessFromTags(RoleContext&);
 void killFromTags(RoleContext&);
 void killFromMarkers(RoleContext&);
 void killFromScripts(RoleContext&);
