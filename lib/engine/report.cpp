@@ -82,8 +82,8 @@ bool awaitsHit(Stage& stage, double now) {
 }
 
 // What a probe does in its copy of the place. One that is harmed and lives touches the part in each
-// frame until it is harmed again.
-Probe runProbe(Stage& stage, const Plan& plan, Probe probe) {
+// frame until it is harmed again. `share`: see Stage::standAt.
+Probe runProbe(Stage& stage, const Plan& plan, Probe probe, float share = 0) {
   stage.restart();
   const uint32_t most = framesOf(plan.probeSeconds);
   const bool stands = probe.approach != Approach::use;
