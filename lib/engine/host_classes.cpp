@@ -39,7 +39,7 @@ int enumItems(lua_State* L) {
 // The default that level files rely on; an enum's item as its number.
 int defaultValue(lua_State* L) {
   const Value* const value = defaultOf(textAt(L, 1), textAt(L, 2));
-  if (!value || std::holds_alternative<EnumItem>(*value)) return 0;
+  if (!value) return 0;
   pushValue(L, *value);
   return 1;
 }

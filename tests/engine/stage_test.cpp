@@ -71,5 +71,21 @@ TEST(Stage, TweensAndWaits) {
   EXPECT_NEAR(seen.changes[0].time, 1.5, 0.06);
 }
 
+TEST(Stage, APartWithoutAShapeIsABlock) {
+  Place place;
+  const InstanceId plank = place.part("Plank", {0, 0, 40});
+  place.set(plank, "Size", Vec3{6, 1, 60});
+  place.script(
+      "local hit = workspace:Raycast(Vector3.new(2.5, 3, 60), Vector3.new(0, -4, 0))\n"
+      "workspace.Plank.CanCollide = hit == nil or hit.Instance.Name ~= 'Plank'",
+      place.scripts);
+  engine::Stage stage(place.document, {});
+  stage.start();
+  const engine::Observation& seen = stage.observation();
+  EXPECT_EQ(problems(seen), "");
+  ASSERT_EQ(seen.changes.size(), 1u);
+  EXPECT_EQ(std::get<bool>(seen.changes[0].value), false);
+}
+
 }  // namespace
 }  // namespace obby::test

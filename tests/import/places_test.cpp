@@ -91,7 +91,8 @@ TEST(Places, ZandersTestLevel) {
   EXPECT_NEAR(level.getPhysics().getJumpSpeed(), 43.82f, 0.01f);
   EXPECT_EQ(level.getParts().size(), 19u) << "only the level in Workspace";
   const Counts counts = count(level);
-  EXPECT_EQ(counts.kills, 3u);
+  EXPECT_EQ(counts.kills, 4u)
+      << "three bricks, and the pad at the end: it counts the success, then kills";
   EXPECT_EQ(counts.goals, 1u);
   EXPECT_EQ(counts.checkpoints, 1u);
   ASSERT_GE(level.getSpawns().size(), 1u);

@@ -48,6 +48,7 @@ class Touches {
           {kHarmless, "scripts listen to it, and do nothing to a player", false});
       return;
     }
+    if (probe.byPlace) part->touch = true;  // the script looks; it does not wait for a touch
     if (!used) takePlayer(*part, probe, effects);
     takeParts(*part, probe, effects);
   }
