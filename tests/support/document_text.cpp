@@ -9,8 +9,6 @@
 namespace obby::test {
 namespace {
 
-using namespace importer;
-
 std::string number(double value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.17g", value == 0 ? 0.0 : value);

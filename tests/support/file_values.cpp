@@ -5,8 +5,6 @@
 
 namespace obby::test {
 
-using namespace importer;
-
 FileValue text(std::string value) { return {FileKind::String, std::move(value), "string"}; }
 FileValue source(std::string value) {
   return {FileKind::String, std::move(value), "ProtectedString"};

@@ -6,8 +6,6 @@
 
 namespace obby::test {
 
-using namespace importer;
-
 namespace {
 
 std::string real(double v, int digits) {
