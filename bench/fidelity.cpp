@@ -75,7 +75,7 @@ Result<std::vector<calibrate::Take>> takesIn(const fs::path& path) {
   }
 }
 
-// Of one category.
+// Totals of one category.
 struct Category {
   std::string name;
   std::vector<calibrate::Take> takes;

@@ -19,8 +19,6 @@ concept PlainBytes = std::is_trivially_copyable_v<T>;
 
 class BytesOut {
  public:
-  static constexpr bool kReads = false;
-
   template <PlainBytes T>
   void operator()(T& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);

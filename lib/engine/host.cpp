@@ -25,7 +25,7 @@ Host::Host(const Document& documentIn, const Settings& settingsIn)
       settings(settingsIn),
       vm(settingsIn.budget, this),
       random(settingsIn.seed) {
-  owners.emplace_back();
+  owners.push_back(kNoInstance);
   lua_State* const L = vm.state();
   luaL_openlibs(L);
   openVector3(L);
@@ -62,7 +62,7 @@ int Host::use(lua_State* L, const std::string& name) {
 void Host::noteError(InstanceId script, std::string_view text) {
   if (text.find("Script timeout") != std::string_view::npos) slow = script;
   if (text.find("not enough memory") == std::string_view::npos || greedy != kNoInstance) return;
-  greedy = script != kNoInstance ? script : slow != kNoInstance ? slow : owners[running].script;
+  greedy = script != kNoInstance ? script : slow != kNoInstance ? slow : owners[running];
 }
 
 Line Host::where(lua_State* L) const {
@@ -72,7 +72,7 @@ Line Host::where(lua_State* L) const {
     const InstanceId script = scriptOf(at.source);
     if (script != kNoInstance) return {script, at.currentline};
   }
-  return {owners[running].script, 0};
+  return {owners[running], 0};
 }
 
 std::string Host::withNames(std::string text) const {

@@ -3,7 +3,6 @@
 // Private to lib/engine.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,19 +11,11 @@
 #include "engine/document.h"
 #include "engine/recorder.h"
 #include "engine/scenery.h"
+#include "engine/settings.h"
 #include "engine/values/random.h"
 #include "engine/vm/vm.h"
 
 namespace obby::engine {
-
-struct Settings {
-  Budget budget;
-  std::string rig = "r15";              // body of the players: r6 or r15
-  uint64_t seed = 1;                    // of math.random and its like
-  size_t instances = 60'000;            // that scripts may make
-  std::vector<InstanceId> skipped;      // scripts that are left out
-  InstanceId* runningScript = nullptr;  // kept up to date, if not null
-};
 
 class Host {
  public:
@@ -35,7 +26,7 @@ class Host {
   int use(lua_State* L, const std::string& name);
   // The innermost line of a script that is running.
   Line where(lua_State* L) const;
-  // "#12:34: text" as "Workspace.Part.Script:34: text".
+  // "#12:34: text" as "Script:34: text".
   std::string withNames(std::string text) const;
 
   const Document& document;
@@ -46,13 +37,9 @@ class Host {
   Recorder recorder;
   Random random;
 
-  struct Owner {
-    InstanceId script = kNoInstance;
-    std::string name;
-  };
-  std::vector<Owner> owners;  // 0 is nobody
-  uint32_t running = 0;       // the owner whose code runs
-  unsigned beat = 0;          // grows with each stretch
+  std::vector<InstanceId> owners;  // their scripts; owner 0 is nobody
+  uint32_t running = 0;            // the owner whose code runs
+  unsigned beat = 0;               // grows with each stretch
   InstanceId nextMade = kMade;
   size_t instancesMade = 0;
   double tinySteps = 0;

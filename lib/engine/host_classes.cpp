@@ -1,4 +1,6 @@
 // host: classes, enums and defaults.
+#include <algorithm>
+
 #include "engine/classes/class_defaults.h"
 #include "engine/host.h"
 #include "engine/values/values.h"
@@ -13,6 +15,13 @@ std::string_view textAt(lua_State* L, int index) {
   size_t size = 0;
   const char* const text = luaL_checklstring(L, index, &size);
   return {text, size};
+}
+
+// Whether the text at index 1 is one of the list.
+template <size_t kCount>
+int isOneOf(lua_State* L, const std::string_view (&list)[kCount]) {
+  lua_pushboolean(L, std::find(list, list + kCount, textAt(L, 1)) != list + kCount);
+  return 1;
 }
 
 int baseClass(lua_State* L) {
@@ -49,11 +58,7 @@ int isAbstract(lua_State* L) {
       "Instance",   "BasePart", "PVInstance", "ValueBase",     "Constraint", "LuaSourceContainer",
       "BaseScript", "GuiBase",  "GuiObject",  "JointInstance", "Player",     "Workspace",
       "DataModel"};
-  const std::string_view name = textAt(L, 1);
-  bool found = false;
-  for (const std::string_view one : kAbstract) found = found || one == name;
-  lua_pushboolean(L, found);
-  return 1;
+  return isOneOf(L, kAbstract);
 }
 
 // Services are named so, or are one of the old ones.
@@ -64,9 +69,8 @@ int isService(lua_State* L) {
       "Chat",          "Debris",     "MaterialService", "ContentProvider",   "CoreGui",
       "Stats",         "Selection",  "NetworkClient",   "NetworkServer",     "Geometry"};
   const std::string_view name = textAt(L, 1);
-  bool found = name.size() > 7 && name.ends_with("Service");
-  for (const std::string_view one : kPlain) found = found || one == name;
-  lua_pushboolean(L, found);
+  if (name.size() <= 7 || !name.ends_with("Service")) return isOneOf(L, kPlain);
+  lua_pushboolean(L, 1);
   return 1;
 }
 
@@ -107,11 +111,7 @@ int isWatched(lua_State* L) {
                                                   "CharacterWalkSpeed",
                                                   "CharacterJumpPower",
                                                   "CharacterJumpHeight"};
-  const std::string_view name = textAt(L, 1);
-  bool found = false;
-  for (const std::string_view one : kWatched) found = found || one == name;
-  lua_pushboolean(L, found);
-  return 1;
+  return isOneOf(L, kWatched);
 }
 
 constexpr luaL_Reg kFunctions[] = {{"baseClass", baseClass},   {"member", member},

@@ -5,6 +5,7 @@
 #include "engine/values/values.h"
 
 namespace obby::engine {
+
 Plain plainAt(lua_State* L, int index) {
   if (const Vec3* const vector = toVector3(L, index)) return *vector;
   if (const Pose* const pose = toCFrame(L, index)) return *pose;
@@ -118,18 +119,15 @@ int problem(lua_State* L) {
   Host& host = Host::of(L);
   const auto owner = size_t(luaL_checknumber(L, 1));
   const char* const text = luaL_optstring(L, 2, "error");
-  const InstanceId script = owner < host.owners.size() ? host.owners[owner].script : kNoInstance;
+  const InstanceId script = owner < host.owners.size() ? host.owners[owner] : kNoInstance;
   host.recorder.problem(script, host.withNames(text));
   host.noteError(script, text);
   return 0;
 }
 
-int nothing(lua_State*) { return 0; }
-
-constexpr luaL_Reg kFunctions[] = {
-    {"watched", watched}, {"tween", tween},    {"tweenEnds", nothing}, {"health", health},
-    {"died", nothing},    {"note", note},      {"count", count},       {"problem", problem},
-    {"print", nothing},   {"groups", nothing}, {"copied", nothing},    {nullptr, nullptr}};
+constexpr luaL_Reg kFunctions[] = {{"watched", watched}, {"tween", tween}, {"health", health},
+                                   {"note", note},       {"count", count}, {"problem", problem},
+                                   {nullptr, nullptr}};
 
 }  // namespace
 }  // namespace record_functions

@@ -32,7 +32,7 @@ int spend(lua_State* L) {
   const std::string kind = luaL_checkstring(L, 1);
   const double amount = luaL_checknumber(L, 2);
   if (kind == "instances" && ++host.instancesMade > host.settings.instances) {
-    host.greedy = host.owners[host.running].script;
+    host.greedy = host.owners[host.running];
     return luaL_error(L, "too many instances");
   }
   if (!(amount < 1e7)) return luaL_error(L, "not enough memory");
@@ -49,7 +49,7 @@ int enter(lua_State* L) {
   Host& host = Host::of(L);
   lua_pushnumber(L, lua_Number(host.running));
   host.running = uint32_t(luaL_checknumber(L, 1));
-  if (host.settings.runningScript) *host.settings.runningScript = host.owners[host.running].script;
+  if (host.settings.runningScript) *host.settings.runningScript = host.owners[host.running];
   ++host.beat;
   if (lua_toboolean(L, 2) != 0) host.vm.beginStretch();
   return 1;
@@ -62,7 +62,7 @@ int timedOut(lua_State* L) {
 
 int newOwner(lua_State* L) {
   Host& host = Host::of(L);
-  host.owners.push_back({InstanceId(luaL_checknumber(L, 1)), luaL_checkstring(L, 2)});
+  host.owners.push_back(InstanceId(luaL_checknumber(L, 1)));
   lua_pushnumber(L, lua_Number(host.owners.size() - 1));
   return 1;
 }

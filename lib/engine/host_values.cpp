@@ -126,6 +126,26 @@ int date(lua_State* L) {
   return 1;
 }
 
+// (table): seconds since 1970 of a date in UTC, as os.time takes it.
+int timeOf(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  const auto field = [L](const char* name, int usual) {
+    lua_getfield(L, 1, name);
+    const int value = luaL_optint(L, -1, usual);
+    lua_pop(L, 1);
+    return value;
+  };
+  constexpr int kNoon = 12, kTmYear = 1900;
+  std::tm parts{};
+  parts.tm_year = field("year", 1970) - kTmYear;
+  parts.tm_mon = field("month", 1) - 1;
+  parts.tm_mday = field("day", 1);
+  parts.tm_hour = field("hour", kNoon);
+  parts.tm_min = field("min", 0);
+  parts.tm_sec = field("sec", 0);
+  return pushNumber(L, double(timegm(&parts)));
+}
+
 constexpr luaL_Reg kFunctions[] = {{"single", single},
                                    {"truncated", truncated},
                                    {"noise", noise},
@@ -143,6 +163,7 @@ constexpr luaL_Reg kFunctions[] = {{"single", single},
                                    {"copyRandom", copyRandom},
                                    {"tinySteps", tinySteps},
                                    {"date", date},
+                                   {"timeOf", timeOf},
                                    {nullptr, nullptr}};
 
 struct ValuePusher {

@@ -203,10 +203,6 @@ class Watcher {
   Report report_;
 };
 
-}  // namespace
-
-namespace {
-
 Report observeOnce(const Document& document, const Plan& plan) {
   Report report;
   // The child leaves the script that runs here, for when it dies.
@@ -247,12 +243,12 @@ Report observe(const Document& document, const Plan& plan) {
   Plan own = plan;
   Report report = observeOnce(document, own);
   for (int i = 0; i < kMostCulprits && report.culprit < document.instances.size(); ++i) {
-    const InstanceId culprit = report.culprit;
-    own.settings.skipped.push_back(culprit);
+    own.settings.skipped.push_back(report.culprit);
     report = observeOnce(document, own);
-    report.undisturbed.problems.push_back(
-        {culprit, "it uses too much time or memory, so it is left out", 1});
   }
+  for (const InstanceId script : own.settings.skipped)
+    report.undisturbed.problems.push_back(
+        {script, "it uses too much time or memory, so it is left out", 1});
   return report;
 }
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/host.h"
 #include "engine/observation.h"
+#include "engine/settings.h"
 
 namespace obby::engine {
 

@@ -56,7 +56,6 @@ class Stage {
   InstanceId greedyScript() const { return host_->greedy; }
   // Grows whenever a script begins or ends to run.
   const unsigned* beat() const { return &host_->beat; }
-  size_t memoryUsed() const { return host_->vm.memoryUsed(); }
 
  private:
   void load();

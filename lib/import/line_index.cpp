@@ -25,4 +25,16 @@ std::optional<std::string_view> LineIndex::line(size_t number) const {
   return text_.substr(begin, text_.find('\n', begin) - begin);
 }
 
+std::string quoteOf(std::string_view line) {
+  constexpr size_t kLongest = 70;
+  constexpr const char* kBlanks = " \t\r";
+  line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+  line = line.substr(0, line.find_last_not_of(kBlanks) + 1);
+  std::string code;
+  for (size_t i = 0; i < line.size() && code.size() <= kLongest; ++i)
+    if (line[i] != '\r') code += line[i];
+  if (code.size() > kLongest) code.replace(kLongest - 3, std::string::npos, "...");
+  return code;
+}
+
 }  // namespace obby::importer

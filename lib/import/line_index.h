@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,5 +26,8 @@ class LineIndex {
   std::string_view text_;
   std::vector<uint32_t> starts_;  // of every kStride-th line, from the first on
 };
+
+// A line of code as evidence quotes it: without the blanks around it, at most 70 bytes.
+std::string quoteOf(std::string_view line);
 
 }  // namespace obby::importer

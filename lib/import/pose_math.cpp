@@ -43,23 +43,6 @@ Mat3 repairedRotation(const Mat3& rotation, bool* reflected) {
   return m;
 }
 
-Mat3 rotationAbout(Vec3 axis, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle), k = 1 - c;
-  const double x = axis.x, y = axis.y, z = axis.z;
-  return {{float(c + x * x * k), float(x * y * k + z * s), float(x * z * k - y * s)},
-          {float(x * y * k - z * s), float(c + y * y * k), float(y * z * k + x * s)},
-          {float(x * z * k + y * s), float(y * z * k - x * s), float(c + z * z * k)}};
-}
-
-Pose operator*(const Pose& a, const Pose& b) {
-  return {toWorld(a, b.position), a.rotation * b.rotation};
-}
-
-Pose inverse(const Pose& pose) {
-  const Mat3 back = inverse(pose.rotation);
-  return {-(back * pose.position), back};
-}
-
 Pose between(const Pose& a, const Pose& b, float t) {
   const Vec3 turn = rotationVector(b.rotation * inverse(a.rotation));
   const float angle = length(turn);

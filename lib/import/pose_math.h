@@ -10,12 +10,6 @@ namespace obby::importer {
 // is symmetric in X). A singular matrix gives the identity.
 Mat3 repairedRotation(const Mat3& rotation, bool* reflected);
 
-// Rotation by `angle` radians about a unit axis.
-Mat3 rotationAbout(Vec3 axis, double angle);
-
-Pose operator*(const Pose& a, const Pose& b);
-Pose inverse(const Pose& pose);
-
 // The pose a share `t` of the straight way and the shortest turn from `a` to `b`.
 Pose between(const Pose& a, const Pose& b, float t);
 

@@ -69,19 +69,6 @@ bool hasParents(std::string_view text) {
 constexpr std::string_view kTouches[] = {"touched", "playerentered", "localplayerentered",
                                          "partentered", "itementered"};
 
-// A line of code without the blanks around it, cut.
-std::string shortened(std::string_view line) {
-  constexpr size_t kLongest = 70;
-  constexpr const char* kBlanks = " \t\r";
-  line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
-  line = line.substr(0, line.find_last_not_of(kBlanks) + 1);
-  std::string code;
-  for (size_t i = 0; i < line.size() && code.size() <= kLongest; ++i)
-    if (line[i] != '\r') code += line[i];
-  if (code.size() > kLongest) code.replace(kLongest - 3, std::string::npos, "...");
-  return code;
-}
-
 // The room that a reading takes. The timeline of the script itself is not counted: there are no
 // more of them than scripts in the file.
 size_t roomOf(const ScriptReading& reading) {
@@ -220,7 +207,7 @@ std::vector<ScriptReading> readScripts(const Tree& tree, size_t room) {
 std::string scriptReason(const Tree& tree, const ScriptReading& reading, int line) {
   std::string text = "script " + tree.at(reading.script).name + " line " + std::to_string(line);
   const auto code = reading.lines.line(line < 1 ? 0 : size_t(line));
-  return code ? text + ": " + shortened(*code) : text;
+  return code ? text + ": " + quoteOf(*code) : text;
 }
 
 }  // namespace obby::importer

@@ -45,4 +45,22 @@ inline Mat3 inverse(const Mat3& m) {
   return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}};
 }
 
+// Rotation by `angle` radians about a unit axis.
+inline Mat3 rotationAbout(Vec3 axis, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle), k = 1 - c;
+  const double x = axis.x, y = axis.y, z = axis.z;
+  return {{float(c + x * x * k), float(x * y * k + z * s), float(x * z * k - y * s)},
+          {float(x * y * k - z * s), float(c + y * y * k), float(y * z * k + x * s)},
+          {float(x * z * k + y * s), float(y * z * k - x * s), float(c + z * z * k)}};
+}
+
+inline Pose operator*(const Pose& a, const Pose& b) {
+  return {toWorld(a, b.position), a.rotation * b.rotation};
+}
+
+inline Pose inverse(const Pose& pose) {
+  const Mat3 back = inverse(pose.rotation);
+  return {-(back * pose.position), back};
+}
+
 }  // namespace obby

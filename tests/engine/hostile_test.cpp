@@ -74,6 +74,22 @@ TEST(Hostile, EndsNamesItselfAndLeavesOthersAlone) {
   }
 }
 
+TEST(Hostile, EachOfSeveralIsNamed) {
+  Place place;
+  const InstanceId bad[] = {
+      place.script("local t = {} while true do t[#t + 1] = {} end", place.workspace),
+      place.script("while true do Instance.new('Part', workspace) end", place.workspace)};
+  engine::Plan plan;
+  plan.seconds = 5;
+  const engine::Report report = engine::observe(place.document, plan);
+  for (const InstanceId script : bad) {
+    bool named = false;
+    for (const engine::Problem& problem : report.undisturbed.problems)
+      named = named || problem.script == script;
+    EXPECT_TRUE(named) << script;
+  }
+}
+
 TEST(Hostile, TheSamePlaceGivesTheSameReport) {
   Place place;
   const InstanceId part = place.part("Spinner", {10, 5, 0});

@@ -268,7 +268,7 @@ TEST(PoseMath, QuaternionsAndVectorsOfRotationsAgree) {
   const Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, normalize(Vec3{1, -2, 3})};
   for (const Vec3 axis : axes)
     for (const double angle : {0.1, 1.0, 2.0, 3.1}) {
-      const Mat3 m = importer::rotationAbout(axis, angle);
+      const Mat3 m = rotationAbout(axis, angle);
       const Vec3 back = rotationVector(m);
       EXPECT_NEAR(length(back - axis * float(angle)), 0, 2e-5);
       const Mat3 again = toMat3(toQuat(m));

@@ -13,10 +13,6 @@ namespace obby::engine {
 namespace cframe {
 namespace {
 
-Pose times(const Pose& a, const Pose& b) {
-  return {toWorld(a, b.position), a.rotation * b.rotation};
-}
-
 int inverseMethod(lua_State* L) {
   push(L, inverse(checkCFrame(L, 1)));
   return 1;
@@ -41,11 +37,10 @@ int ofEach(lua_State* L, Of of) {
 }
 
 int toWorldSpace(lua_State* L) {
-  return ofEach(L, [L](const Pose& self, int i) { push(L, times(self, checkCFrame(L, i))); });
+  return ofEach(L, [L](const Pose& self, int i) { push(L, self * checkCFrame(L, i)); });
 }
 int toObjectSpace(lua_State* L) {
-  return ofEach(L,
-                [L](const Pose& self, int i) { push(L, times(inverse(self), checkCFrame(L, i))); });
+  return ofEach(L, [L](const Pose& self, int i) { push(L, inverse(self) * checkCFrame(L, i)); });
 }
 int pointToWorldSpace(lua_State* L) {
   return ofEach(L, [L](const Pose& self, int i) { push(L, toWorld(self, checkVector3(L, i))); });
@@ -178,7 +173,7 @@ int multiply(lua_State* L) {
   if (const Vec3* const point = toVector3(L, 2))
     push(L, toWorld(a, *point));
   else
-    push(L, times(a, checkCFrame(L, 2)));
+    push(L, a * checkCFrame(L, 2));
   return 1;
 }
 int add(lua_State* L) {

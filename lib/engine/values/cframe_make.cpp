@@ -18,7 +18,7 @@ Pose fromNumbers(lua_State* L, int count) {
   if (count == 7)
     return {position, toMat3(normalize(Quat{at(L, 4), at(L, 5), at(L, 6), at(L, 7)}))};
   if (count != 12) return {position, {}};
-  return {position, transposed({vectorAt(L, 4), vectorAt(L, 7), vectorAt(L, 10)})};
+  return {position, inverse(Mat3{vectorAt(L, 4), vectorAt(L, 7), vectorAt(L, 10)})};
 }
 
 int make(lua_State* L) {
@@ -46,7 +46,9 @@ int orientation(lua_State* L) {
   return 1;
 }
 int aboutAxis(lua_State* L) {
-  push(L, Pose{{}, fromAxisAngle(checkVector3(L, 1), luaL_checknumber(L, 2))});
+  push(L,
+       Pose{{},
+            rotationAbout(normalize(checkVector3(L, 1), Vec3{1, 0, 0}), luaL_checknumber(L, 2))});
   return 1;
 }
 int fromMatrix(lua_State* L) {

@@ -45,16 +45,6 @@ Mat3 fromAnglesYxz(Angles angles) {
               y.cos * x.cos);
 }
 
-Mat3 fromAxisAngle(Vec3 axis, double angle) {
-  const Vec3 n = normalize(axis, Vec3{1, 0, 0});
-  const double x = n.x, y = n.y, z = n.z;
-  const Turn t = turnOf(angle);
-  const double u = 1 - t.cos;
-  return rows(t.cos + x * x * u, x * y * u - z * t.sin, x * z * u + y * t.sin,  //
-              y * x * u + z * t.sin, t.cos + y * y * u, y * z * u - x * t.sin,  //
-              z * x * u - y * t.sin, z * y * u + x * t.sin, t.cos + z * z * u);
-}
-
 Angles anglesXyz(const Mat3& r) {
   return {std::atan2(-double(r.z.y), double(r.z.z)), arcSin(double(r.z.x)),
           std::atan2(-double(r.y.x), double(r.x.x))};
@@ -96,17 +86,8 @@ Mat3 orthonormal(const Mat3& r) {
 
 Mat3 between(const Mat3& from, const Mat3& to, float share) {
   if (from.x == to.x && from.y == to.y && from.z == to.z) return from;
-  const AxisAngle turn = axisAngle(transposed(from) * to);
-  return from * fromAxisAngle(turn.axis, turn.angle * double(share));
-}
-
-Mat3 transposed(const Mat3& r) {
-  return {{r.x.x, r.y.x, r.z.x}, {r.x.y, r.y.y, r.z.y}, {r.x.z, r.y.z, r.z.z}};
-}
-
-Pose inverse(const Pose& pose) {
-  const Mat3 back = transposed(pose.rotation);
-  return {-(back * pose.position), back};
+  const AxisAngle turn = axisAngle(inverse(from) * to);
+  return from * rotationAbout(turn.axis, turn.angle * double(share));
 }
 
 }  // namespace obby::engine

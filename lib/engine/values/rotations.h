@@ -3,7 +3,7 @@
 // Private to lib/engine.
 #pragma once
 
-#include "math/vec.h"
+#include "level/rotation.h"
 
 namespace obby::engine {
 
@@ -17,7 +17,6 @@ struct AxisAngle {
 
 Mat3 fromAnglesXyz(Angles angles);  // Rx Ry Rz, as CFrame.Angles
 Mat3 fromAnglesYxz(Angles angles);  // Ry Rx Rz, as CFrame.fromOrientation and part.Orientation
-Mat3 fromAxisAngle(Vec3 axis, double angle);
 Angles anglesXyz(const Mat3& rotation);
 Angles anglesYxz(const Mat3& rotation);
 AxisAngle axisAngle(const Mat3& rotation);
@@ -26,7 +25,5 @@ Mat3 looking(Vec3 direction, Vec3 up);
 Mat3 orthonormal(const Mat3& rotation);
 // Along the shortest arc; `share` may be outside of [0, 1].
 Mat3 between(const Mat3& from, const Mat3& to, float share);
-Mat3 transposed(const Mat3& rotation);
-Pose inverse(const Pose& pose);
 
 }  // namespace obby::engine

@@ -51,12 +51,4 @@ Result<void> Vm::call(int arguments, int results) {
   return error;
 }
 
-Result<void> Vm::load(std::string_view text, const std::string& name) {
-  if (!text.empty() && text[0] == '\033') return makeError("compiled code is not run");
-  if (luaL_loadbuffer(state_, text.data(), text.size(), name.c_str()) == 0) return {};
-  Error error = makeError(lua_tostring(state_, -1));
-  lua_pop(state_, 1);
-  return error;
-}
-
 }  // namespace obby::engine

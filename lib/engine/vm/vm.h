@@ -9,16 +9,11 @@
 #include <string_view>
 
 #include "base/result.h"
+#include "engine/settings.h"
 #include "engine/vm/arena.h"
 #include "engine/vm/lua.h"
 
 namespace obby::engine {
-
-struct Budget {
-  size_t memory = size_t(192) << 20;    // bytes
-  uint64_t instructions = 400'000'000;  // of all scripts together
-  uint64_t stretch = 20'000'000;        // between two yields
-};
 
 class Vm {
  public:
@@ -34,13 +29,10 @@ class Vm {
 
   // Calls the function below `arguments` arguments; `results` values stay on the stack.
   Result<void> call(int arguments, int results);
-  // A chunk of text, as a function on the stack.
-  Result<void> load(std::string_view text, const std::string& name);
 
   void beginStretch() { stretchLeft_ = budget_.stretch, timedOut_ = false; }
   bool timedOut() const { return timedOut_; }
   bool isExhausted() const { return left_ == 0; }
-  size_t memoryUsed() const { return arena_.used(); }
 
  private:
   static void* allocate(void* self, void* block, size_t oldSize, size_t newSize);

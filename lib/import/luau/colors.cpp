@@ -19,30 +19,6 @@ constexpr std::string_view kNumbered = "BrickColor.new.";
 constexpr std::string_view kExact = "Color3.new.";
 constexpr double kHighest = 10000;  // above all numbers
 
-struct NameRow {
-  std::string_view name;
-  int64_t number;
-};
-
-// Those that makers use; what another name means is not told.
-// clang-format off
-constexpr NameRow kNames[] = {
-    {"White", 1}, {"Brick yellow", 5}, {"Nougat", 18}, {"Bright red", 21}, {"Bright blue", 23},
-    {"Bright yellow", 24}, {"Black", 26}, {"Dark green", 28}, {"Bright green", 37},
-    {"Light blue", 45}, {"Medium blue", 102}, {"Bright violet", 104}, {"Bright orange", 106},
-    {"Earth green", 141}, {"Sand green", 151}, {"Reddish brown", 192}, {"Medium stone grey", 194},
-    {"Dark stone grey", 199}, {"Light stone grey", 208}, {"Brown", 217}, {"Crimson", 327},
-    {"Institutional white", 1001}, {"Mid gray", 1002}, {"Really black", 1003},
-    {"Really red", 1004}, {"Alder", 1006}, {"Dusty Rose", 1007}, {"Olive", 1008},
-    {"New Yeller", 1009}, {"Really blue", 1010}, {"Navy blue", 1011}, {"Deep blue", 1012},
-    {"Cyan", 1013}, {"CGA brown", 1014}, {"Magenta", 1015}, {"Pink", 1016}, {"Teal", 1018},
-    {"Toothpaste", 1019}, {"Lime green", 1020}, {"Camo", 1021}, {"Grime", 1022},
-    {"Lavender", 1023}, {"Pastel light blue", 1024}, {"Pastel orange", 1025},
-    {"Pastel violet", 1026}, {"Pastel blue-green", 1027}, {"Pastel green", 1028},
-    {"Pastel yellow", 1029}, {"Pastel brown", 1030}, {"Royal purple", 1031}, {"Hot pink", 1032},
-};
-// clang-format on
-
 Datum named(std::string_view kind, int64_t number) {
   return {Library{std::string(kind) + std::to_string(number)}};
 }
@@ -81,9 +57,8 @@ Datum colorGiven(const Datum& given) {
     return whole && brickColorNumber(brickColor(asked)) == asked ? numbered(asked) : Datum{};
   }
   const auto* text = given.as<std::string>();
-  for (const NameRow& row : kNames)
-    if (text && row.name == *text) return numbered(row.number);
-  return {};
+  const auto known = text ? brickColorNamed(*text) : std::nullopt;
+  return known ? numbered(*known) : Datum{};
 }
 
 Datum colorMade(const std::vector<Datum>& channels, double full) {
@@ -114,9 +89,8 @@ Datum colorField(const Library& color, const std::string& name) {
   const int64_t number = numberIn(color, kNumbered).value_or(0);
   if (name == "Number") return {double(number)};
   if (name == "Color") return exactColor(brickColor(number));
-  for (const NameRow& row : kNames)
-    if (name == "Name" && row.number == number) return {std::string(row.name)};
-  return {};
+  const std::string known = brickColorName(number);
+  return name == "Name" && brickColorNamed(known) ? Datum{known} : Datum{};
 }
 
 }  // namespace obby::importer::luau

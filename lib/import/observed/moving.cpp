@@ -184,17 +184,12 @@ std::optional<Motion> motionOf(const std::vector<Pose>& poses, size_t rest) {
   return onceOf(poses, begin, end);
 }
 
-namespace {
-
-// Of a tween, which moves parts by itself, that which plays it.
-engine::Line moverOf(const engine::Report& report, InstanceId part, engine::Line line) {
+engine::Line moverOf(const engine::Observation& seen, InstanceId part, engine::Line line) {
   if (line.script != kNoInstance && line.line > 0) return line;
-  for (const engine::Tween& tween : report.undisturbed.tweens)
+  for (const engine::Tween& tween : seen.tweens)
     if (tween.target == part) return tween.line;
   return line;
 }
-
-}  // namespace
 
 void movingFromObservation(RoleContext& context, const engine::Report& report) {
   constexpr size_t kRest = 300;  // frames after which it is taken to have stopped
@@ -203,7 +198,8 @@ void movingFromObservation(RoleContext& context, const engine::Report& report) {
     PartDraft* const part = context.part(id);
     if (!part || part->motion || !keepsMoving(report, id)) continue;
     const auto poses = posesOf(track.start, track, 0, frames);
-    const std::string reason = lineReason(context.tree, moverOf(report, id, track.line));
+    const std::string reason =
+        lineReason(context.tree, moverOf(report.undisturbed, id, track.line));
     if (const auto motion = motionOf(poses, kRest)) {
       giveMotion(context, id, *motion, reason, false);
     } else {

@@ -264,16 +264,8 @@ class Difference {
       const Pose start = startOf(id, track);
       auto poses = posesOf(start, track, first, frames);
       poses.insert(poses.begin(), start);
-      effects_.moved.push_back({id, std::move(poses), moverOf(id, track.line)});
+      effects_.moved.push_back({id, std::move(poses), moverOf(probe_.seen, id, track.line)});
     }
-  }
-
-  // Of a tween, which moves parts by itself, that which plays it.
-  engine::Line moverOf(InstanceId part, engine::Line line) const {
-    if (line.script != kNoInstance && line.line > 0) return line;
-    for (const engine::Tween& tween : probe_.seen.tweens)
-      if (tween.target == part) return tween.line;
-    return line;
   }
 
   // Before the touch: where the undisturbed run has left it, else as in the file.

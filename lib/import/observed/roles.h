@@ -20,6 +20,8 @@ void touchesFromObservation(RoleContext& context, const engine::Report& report);
 // Names what was seen and is not in the level, and scripts that failed.
 void noteObservedLosses(RoleContext& context, const ObservedPlace& place);
 
+// The line that moves a part: `line`, that of its track, or that of the tween that moves it.
+engine::Line moverOf(const engine::Observation& seen, InstanceId part, engine::Line line);
 // A part's poses at `frames` frames from `first` on; it is at `start` until its track begins.
 std::vector<Pose> posesOf(const Pose& start, const engine::Track& track, uint32_t first,
                           uint32_t frames);

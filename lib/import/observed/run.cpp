@@ -10,8 +10,6 @@
 namespace obby::importer {
 namespace {
 
-constexpr size_t kLongestQuote = 100;  // bytes of a line in a reason
-
 bool isScript(const Instance& instance) {
   return instance.className == "Script" || instance.className == "LocalScript" ||
          instance.className == "ModuleScript";
@@ -83,9 +81,7 @@ std::string lineReason(const Tree& tree, engine::Line line) {
   const auto* source = property<std::string>(script, "Source");
   const auto text = source ? LineIndex(*source).line(size_t(line.line)) : std::nullopt;
   if (!text) return reason;
-  std::string_view quote = *text;
-  quote.remove_prefix(std::min(quote.find_first_not_of(" \t"), quote.size()));
-  return reason + ": " + std::string(quote.substr(0, kLongestQuote));
+  return reason + ": " + quoteOf(*text);
 }
 
 }  // namespace obby::importer

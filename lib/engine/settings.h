@@ -1,0 +1,28 @@
+// How a place's scripts run: their budgets and what they find.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/document.h"
+
+namespace obby::engine {
+
+struct Budget {
+  size_t memory = size_t(192) << 20;    // bytes
+  uint64_t instructions = 400'000'000;  // of all scripts together
+  uint64_t stretch = 20'000'000;        // between two yields
+};
+
+struct Settings {
+  Budget budget;
+  std::string rig = "r15";              // body of the players: r6 or r15
+  uint64_t seed = 1;                    // of math.random and its like
+  size_t instances = 60'000;            // that scripts may make
+  std::vector<InstanceId> skipped;      // scripts that are left out
+  InstanceId* runningScript = nullptr;  // kept up to date, if not null
+};
+
+}  // namespace obby::engine
