@@ -62,6 +62,7 @@ void findObservedRoles(RoleContext& context, const ObservedPlace& place) {
   goalFromTags(context);
   touchesFromObservation(context, place.report);
   findRoles(context);
+  touchedDrivesFromObservation(context, place.report);
   noteObservedLosses(context, place);
 }
 

@@ -49,6 +49,7 @@ class Renumbering {
     for (auto& [id, track] : seen.tracks) {
       InstanceId own = id;
       apply(own);
+      apply(track.driver);
       tracks[own] = std::move(track);
     }
     seen.tracks = std::move(tracks);

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "import/checkpoints.h"
+#include "import/classes.h"
 #include "import/motion.h"
 #include "import/observed/probe_effects.h"
 #include "import/observed/roles.h"
@@ -16,6 +17,7 @@ namespace obby::importer {
 namespace {
 
 constexpr float kForever = 3600;
+constexpr const char* kStarted = "motion that a touch or click starts";
 
 class Touches {
  public:
@@ -53,7 +55,39 @@ class Touches {
     takeParts(*part, probe, effects);
   }
 
+  // What moves by constraints and movers that the touch sets. What it sets to no effect that the
+  // level has is named.
+  void takeDrives(const engine::Probe& probe) {
+    PartDraft* const part = partOf(probe);
+    if (!part || probe.lost || !probe.allOver || !setsJoints(probe)) return;
+    const ProbeEffects effects = effectsOf(report_, probe);
+    std::set<InstanceId> done;
+    for (const Moved& moved : effects.moved) {
+      PartDraft* const other = context_.part(moved.part);
+      if (moved.driver == kNoInstance || !other || other->motion) continue;
+      takeMotion(*part, *other, moved, probe.approach == engine::Approach::use);
+      done.insert(moved.driver);
+    }
+    for (const auto& [id, line] : effects.others)
+      if (isJoint(id) && !done.contains(id))
+        context_.level.noteUnmodelled(kStarted, path(id),
+                                      "moves or rests as before; " + reason(line));
+  }
+
  private:
+  bool isJoint(InstanceId id) const {
+    if (id >= context_.tree.size()) return false;
+    const std::string& name = context_.tree.at(id).className;
+    return isFreeConstraintClass(name) || isRigidJointClass(name);
+  }
+  bool setsJoints(const engine::Probe& probe) const {
+    const auto& changes = probe.seen.changes;
+    const auto& tracks = probe.seen.tracks;
+    return std::any_of(changes.begin(), changes.end(),
+                       [&](const auto& change) { return isJoint(change.target); }) ||
+           std::any_of(tracks.begin(), tracks.end(),
+                       [](const auto& track) { return track.second.driver != kNoInstance; });
+  }
   // The part that a player touches: for a click or prompt the part that it is in.
   PartDraft* partOf(const engine::Probe& probe) {
     for (InstanceId id = probe.target; id < context_.tree.size(); id = context_.tree.at(id).parent)
@@ -157,7 +191,7 @@ class Touches {
     bool presses = false;
     double longest = 0;
     bool forever = false;
-    const std::string signal = "touch " + path(part.id);
+    const std::string signal = signalOf(context_, part);
     for (const Away& away : effects.aways) {
       PartDraft* const other = context_.part(away.part);
       if (!other || other->vanish) continue;
@@ -188,37 +222,52 @@ class Touches {
       other->solid = true;
       prove(*other, "vanish", reason(back.line));
     }
-    for (const Moved& moved : effects.moved) {
-      PartDraft* const other = context_.part(moved.part);
-      if (!other || other->motion) continue;
-      auto motion = motionOf(moved.poses, 30);
-      if (!motion) {
-        context_.level.noteUnmodelled("motion that a touch or click starts", path(moved.part),
-                                      "stays where it is; " + reason(moved.line));
-        continue;
-      }
-      const bool own = other == &part && !used;
-      motion->trigger = own ? MotionTrigger::touch : MotionTrigger::signal;
-      motion->offset = 0;
-      if (!own) {
-        motion->signal = signal;
-        presses = true;
-        const bool returns = samePose(moved.poses.front(), moved.poses.back());
-        forever = forever || !returns;
-        longest = std::max(longest, double(moved.poses.size()) / 60);
-      }
-      other->motion = motion;
-      prove(*other, "motion", reason(moved.line));
-    }
-    if (presses) {
-      part.button = Button{signal, forever ? kForever : float(longest), forever};
-      prove(part, "button", "a touch changes other parts");
-    }
+    if (presses) press(part, forever ? kForever : longest);
+    for (const Moved& moved : effects.moved)
+      if (PartDraft* const other = context_.part(moved.part);
+          other && !other->motion && moved.driver == kNoInstance)
+        takeMotion(part, *other, moved, used);
     for (const auto& [id, line] : effects.sizes)
       context_.level.noteUnmodelled("size that scripts change", path(id),
                                     "stays as it is at the start; " + reason(line));
     for (const auto& [id, line] : effects.belts)
-      context_.level.noteUnmodelled("conveyor that a touch changes", path(id), reason(line));
+      if (context_.part(id))
+        context_.level.noteUnmodelled("conveyor that a touch changes", path(id), reason(line));
+  }
+
+  static std::string signalOf(const RoleContext& context, const PartDraft& part) {
+    return "touch " + context.tree.path(part.id);
+  }
+
+  // A touch of the part is felt elsewhere for that long.
+  void press(PartDraft& part, double seconds) {
+    if (!part.button) prove(part, "button", "a touch changes other parts");
+    Button button = part.button.value_or(Button{signalOf(context_, part), 0, false});
+    button.forever = button.forever || seconds >= double(kForever);
+    button.seconds = std::max(button.seconds, float(seconds));
+    part.button = button;
+  }
+
+  // The part moves, or another one does.
+  void takeMotion(PartDraft& part, PartDraft& other, const Moved& moved, bool used) {
+    auto motion = motionOf(moved.poses, 30);
+    if (!motion) {
+      context_.level.noteUnmodelled(kStarted, path(moved.part),
+                                    "stays where it is; " + reason(moved.line));
+      return;
+    }
+    const bool own = &other == &part && !used;
+    motion->trigger = own ? MotionTrigger::touch : MotionTrigger::signal;
+    motion->offset = 0;
+    motion->carries = moved.driver != kNoInstance;
+    if (!own) {
+      motion->signal = signalOf(context_, part);
+      const bool returns = samePose(moved.poses.front(), moved.poses.back());
+      press(part, returns ? double(moved.poses.size()) / 60 : kForever);
+    }
+    other.motion = motion;
+    other.anchored = true;
+    prove(other, "motion", reason(moved.line));
   }
 
   RoleContext& context_;
@@ -231,6 +280,11 @@ class Touches {
 void touchesFromObservation(RoleContext& context, const engine::Report& report) {
   Touches touches(context, report);
   for (const engine::Probe& probe : report.probes) touches.take(probe);
+}
+
+void touchedDrivesFromObservation(RoleContext& context, const engine::Report& report) {
+  Touches touches(context, report);
+  for (const engine::Probe& probe : report.probes) touches.takeDrives(probe);
 }
 
 }  // namespace obby::importer
