@@ -53,6 +53,7 @@ void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level
 namespace {
 
 void findObservedRoles(RoleContext& context, const ObservedPlace& place) {
+  noteSettled(context, place);
   applyPlayerState(context.level, place);
   movingFromObservation(context, place.report);
   timersFromObservation(context, place.report);

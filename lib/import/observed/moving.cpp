@@ -148,7 +148,7 @@ Motion roundMotion(const std::vector<Pose>& poses, const Round& round) {
   const double seconds = round.seconds;
   const auto samples = samplesOf(poses, begin, round.frames);
   const double since = std::fmod(double(begin) * kFrame, seconds);
-  if (const auto spin = spinFrom(poses[begin], samples, seconds)) {
+  if (const auto spin = spinFrom(poses[begin], samples, double(round.frames) * kFrame)) {
     motion.spin = *spin;
     if (!samePose(poses[begin], poses[0]))
       motion.keys = {{0, poses[begin], Easing::linear, EasingDirection::out}};

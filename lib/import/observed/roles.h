@@ -9,6 +9,8 @@
 
 namespace obby::importer {
 
+// What scripts changed of parts before play began.
+void noteSettled(RoleContext& context, const ObservedPlace& place);
 // Speeds that scripts give each new player.
 void applyPlayerState(LevelDraft& level, const ObservedPlace& place);
 // Motions of what moves by itself.

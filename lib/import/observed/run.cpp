@@ -70,6 +70,7 @@ ObservedPlace observePlace(const Document& document) {
   place.ran = place.report.undisturbed.frames > 0;
   Renumbering(addMadeParts(place.document, place.report)).apply(place.report);
   settle(place.document, place.report);
+  place.settled = settledIn(document, place.document, place.report);
   return place;
 }
 

@@ -153,9 +153,13 @@ void settle(Document& document, const engine::Report& report) {
     else if (const bool* const stays = std::get_if<bool>(&change->value))
       settleParent(document, report, key.first, *stays);
   }
-  for (const auto& [id, track] : report.undisturbed.tracks)
-    if (id < document.instances.size() && !keepsMoving(report, id))
-      document.instances[id].properties["CFrame"] = track.poses.back().pose;
+  for (const auto& [id, track] : report.undisturbed.tracks) {
+    if (id >= document.instances.size()) continue;
+    const bool moves = keepsMoving(report, id);
+    if (!moves || track.poses.front().frame == 0)
+      document.instances[id].properties["CFrame"] =
+          moves ? track.poses.front().pose : track.poses.back().pose;
+  }
 }
 
 }  // namespace obby::importer
