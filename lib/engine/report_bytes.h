@@ -16,7 +16,7 @@ void fields(A& a, Change& c) {
 }
 template <class A>
 void fields(A& a, Track& t) {
-  a(t.start), a(t.poses), a(t.line);
+  a(t.start), a(t.poses), a(t.line), a(t.driver);
 }
 template <class A>
 void fields(A& a, Tween& t) {
@@ -30,7 +30,7 @@ void fields(A& a, Problem& p) {
 }
 template <class A>
 void fields(A& a, MadePart& m) {
-  a(m.id), a(m.origin), a(m.className), a(m.name), a(m.properties);
+  a(m.id), a(m.origin), a(m.parent), a(m.className), a(m.name), a(m.properties), a(m.references);
 }
 template <class A>
 void fields(A& a, Observation& o) {

@@ -39,7 +39,7 @@ class Stage {
   void revive();
   // What a player can touch or use with effect, as far as listeners tell.
   std::vector<Probe> probes();
-  // Parts in the world that scripts have made.
+  // Parts and what joins or moves them, in the world, that scripts have made.
   std::vector<MadePart> made();
   // Grows with everything that happens.
   size_t activity() const { return host_->recorder.activity(); }

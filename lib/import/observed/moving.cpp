@@ -148,7 +148,7 @@ Motion roundMotion(const std::vector<Pose>& poses, const Round& round) {
   const double seconds = round.seconds;
   const auto samples = samplesOf(poses, begin, round.frames);
   const double since = std::fmod(double(begin) * kFrame, seconds);
-  if (const auto spin = spinFrom(poses[begin], samples, seconds)) {
+  if (const auto spin = spinFrom(poses[begin], samples, double(round.frames) * kFrame)) {
     motion.spin = *spin;
     if (!samePose(poses[begin], poses[0]))
       motion.keys = {{0, poses[begin], Easing::linear, EasingDirection::out}};
@@ -184,11 +184,13 @@ std::optional<Motion> motionOf(const std::vector<Pose>& poses, size_t rest) {
   return onceOf(poses, begin, end);
 }
 
-engine::Line moverOf(const engine::Observation& seen, InstanceId part, engine::Line line) {
-  if (line.script != kNoInstance && line.line > 0) return line;
+engine::Line moverOf(const engine::Observation& seen, InstanceId part, const engine::Track& track) {
+  if (track.line.script != kNoInstance && track.line.line > 0) return track.line;
+  for (const engine::Change& change : seen.changes)
+    if (change.target == track.driver && change.line.script != kNoInstance) return change.line;
   for (const engine::Tween& tween : seen.tweens)
-    if (tween.target == part) return tween.line;
-  return line;
+    if (tween.target == part || tween.target == track.driver) return tween.line;
+  return track.line;
 }
 
 void movingFromObservation(RoleContext& context, const engine::Report& report) {
@@ -198,13 +200,15 @@ void movingFromObservation(RoleContext& context, const engine::Report& report) {
     PartDraft* const part = context.part(id);
     if (!part || part->motion || !keepsMoving(report, id)) continue;
     const auto poses = posesOf(track.start, track, 0, frames);
-    const std::string reason =
-        lineReason(context.tree, moverOf(report.undisturbed, id, track.line));
-    if (const auto motion = motionOf(poses, kRest)) {
+    const std::string reason = lineReason(context.tree, moverOf(report.undisturbed, id, track));
+    if (auto motion = motionOf(poses, kRest)) {
+      motion->carries = track.driver != kNoInstance;
       giveMotion(context, id, *motion, reason, false);
     } else {
       context.level.noteUnmodelled("motion without a period", context.tree.path(id),
                                    "stays where it is at the start; " + reason);
+      if (!part->anchored) part->evidence.push_back({"held", reason, false});
+      part->anchored = true;
     }
   }
 }

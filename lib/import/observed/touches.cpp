@@ -33,6 +33,12 @@ class Touches {
     give(*part, probe, effects);
   }
 
+  void takeDrives(const engine::Probe& probe) {
+    PartDraft* const part = partOf(probe);
+    if (part && !probe.lost && probe.allOver)
+      roles_.takeDrives(*part, probe, effectsOf(report_, probe));
+  }
+
   void take(const engine::Revisit& revisit) {
     PartDraft* const part = partOf(revisit.probe);
     const engine::Probe* const first = firstOf(revisit.probe);
@@ -91,6 +97,11 @@ class Touches {
 void touchesFromObservation(RoleContext& context, const engine::Report& report) {
   Touches touches(context, report);
   for (const engine::Probe& probe : report.probes) touches.take(probe);
+}
+
+void touchedDrivesFromObservation(RoleContext& context, const engine::Report& report) {
+  Touches touches(context, report);
+  for (const engine::Probe& probe : report.probes) touches.takeDrives(probe);
 }
 
 void laterTouchesFromObservation(RoleContext& context, const engine::Report& report) {
