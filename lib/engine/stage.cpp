@@ -138,7 +138,7 @@ bool Stage::isBusy() { return numberOf("waiting") > waiting_; }
 bool Stage::isIdle() { return numberOf("idle") > 0; }
 
 void Stage::restart() {
-  host_->recorder.restart();
+  forget();
   waiting_ = numberOf("waiting");
 }
 

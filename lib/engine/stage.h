@@ -50,6 +50,8 @@ class Stage {
   // With the player's state as of now.
   const Observation& observation();
   // Forgets what has been seen.
+  void forget() { host_->recorder.restart(); }
+  // Forgets it, and takes what waits now for what always waits.
   void restart();
   bool isExhausted() const { return host_->vm.isExhausted() || host_->recorder.isFull(); }
   // The script that has used up the memory, if one has.

@@ -64,6 +64,7 @@ void findObservedRoles(RoleContext& context, const ObservedPlace& place) {
   touchesFromObservation(context, place.report);
   findRoles(context);
   touchedDrivesFromObservation(context, place.report);
+  laterTouchesFromObservation(context, place.report);
   noteObservedLosses(context, place);
 }
 

@@ -68,6 +68,10 @@ struct ProbeEffects {
            !trips && aways.empty() && backs.empty() && moved.empty() && belts.empty() &&
            sizes.empty();
   }
+  // Nothing but progress.
+  bool onlyStage() const;
+  // Of one of the effects; of none: {}.
+  engine::Line line() const;
 };
 
 ProbeEffects effectsOf(const engine::Report& report, const engine::Probe& probe);

@@ -35,6 +35,11 @@ class Renumbering {
       apply(probe.target);
       apply(probe.seen);
     }
+    for (engine::Revisit& revisit : report.revisits) {
+      apply(revisit.probe.target);
+      apply(revisit.probe.seen);
+      apply(revisit.lever);
+    }
   }
 
  private:
