@@ -138,6 +138,11 @@ spawn.Touched:connect(function(hit)
   end
 end))",
                part, "CheckpointScript");
+  scene.script(
+      "game.Players.PlayerAdded:Connect(function(player)\n"
+      " local stats = Instance.new('Folder', player) stats.Name = 'leaderstats'\n"
+      " Instance.new('IntValue', stats).Name = 'Stage'\nend)",
+      scene.scripts);
   const auto stat = scene.part("Stat", {40, 0, 0});
   scene.script(
       "script.Parent.Touched:Connect(function(hit)\n"
