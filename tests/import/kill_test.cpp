@@ -1,4 +1,7 @@
 // Kill and damage parts, each way that real places make them.
+#include <string>
+#include <utility>
+
 #include "import/scene.h"
 
 namespace obby::test {
