@@ -39,7 +39,7 @@ class Recorder {
   void restart();
 
  private:
-  static constexpr size_t kMostChanges = 300'000, kMostPlaced = 2'000'000;
+  static constexpr size_t kMostChanges = 300'000, kMostPlaced = 4'000'000;
 
   Observation seen_;
   std::map<InstanceId, InstanceId> drivers_;  // of parts

@@ -284,7 +284,8 @@ TEST(Kill, HarmByExplosions) {
       {"local e = Instance.new('Explosion', workspace) e.Position = p.Position", true},
       {made + "e.Position = p.Position e.Parent = hit.Parent", true},
       {made + "e.Parent = workspace", false},  // at the origin
-      {made + "e.Position = p.Position e.DestroyJointRadiusPercent = 0 e.Parent = workspace", false},
+      {made + "e.Position = p.Position e.DestroyJointRadiusPercent = 0 e.Parent = workspace",
+       false},
       {made + "e.Position = p.Position e.Parent = game.ServerStorage", false}};
   for (const auto& [text, harms] : cases) {
     Scene scene;

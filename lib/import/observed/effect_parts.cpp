@@ -93,8 +93,7 @@ void EffectRoles::takeMoved(PartDraft& part, bool used, const Moved& moved, Pres
   PartDraft* const other = context_.part(moved.part);
   if (!other || other->motion) return;
   auto motion = motionOf(moved.poses, kRest);
-  if (!motion)
-    return note(kStarted, moved.part, "stays where it is; ", moved.line);
+  if (!motion) return note(kStarted, moved.part, "stays where it is; ", moved.line);
   const bool own = other == &part && !used;
   motion->trigger = own ? MotionTrigger::touch : MotionTrigger::signal;
   motion->offset = 0;
