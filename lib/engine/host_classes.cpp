@@ -124,8 +124,8 @@ int isWatched(lua_State* L) {
                                                   "CharacterWalkSpeed",
                                                   "CharacterJumpPower",
                                                   "CharacterJumpHeight"};
-  lua_pushboolean(L, isIn(textAt(L, 2), kWatched) ||
-                         drivesParts(Host::of(L).classes, textAt(L, 1)));
+  lua_pushboolean(L,
+                  isIn(textAt(L, 2), kWatched) || drivesParts(Host::of(L).classes, textAt(L, 1)));
   return 1;
 }
 

@@ -150,9 +150,9 @@ int problem(lua_State* L) {
   return 0;
 }
 
-constexpr luaL_Reg kFunctions[] = {{"watched", watched}, {"tween", tween}, {"health", health},
-                                   {"note", note}, {"driven", driven},       {"count", count}, {"problem", problem},
-                                   {nullptr, nullptr}};
+constexpr luaL_Reg kFunctions[] = {{"watched", watched}, {"tween", tween},   {"health", health},
+                                   {"note", note},       {"driven", driven}, {"count", count},
+                                   {"problem", problem}, {nullptr, nullptr}};
 
 }  // namespace
 }  // namespace record_functions

@@ -25,8 +25,8 @@ TEST(Arcs, WhatIsWeldedToADoorGoesRoundIt) {
     ASSERT_TRUE(scene[arm].motion) << easing;
     const float angle = degrees * 3.14159265f / 180;
     expectNear(poseAt(scene[arm], 3.9).position, {10, 0, 0});
-    expectNear(poseAt(scene[arm], 4.5).position,
-               {10 * std::cos(angle), 0, -10 * std::sin(angle)}, 0.6f);
+    expectNear(poseAt(scene[arm], 4.5).position, {10 * std::cos(angle), 0, -10 * std::sin(angle)},
+               0.6f);
     expectNear(poseAt(scene[arm], 5.2).position, {0, 0, -10}, 0.1f);
     ASSERT_TRUE(scene[hub].motion) << easing;
     expectNear(poseAt(scene[hub], 4.5).position, {0, 0, 0});

@@ -82,7 +82,8 @@ TEST(Carrying, ASliderGoesWhereItsScriptSends) {
       {"while true do slider.TargetPosition = 20 task.wait() end", {{3, 28}, {50, 28}}},
       {"task.wait(4) slider.TargetPosition = 20", {{4, 8}, {5, 18}, {7, 28}, {99, 28}}},
       {"while true do slider.TargetPosition = 20 repeat task.wait() until slider.CurrentPosition "
-       "> 19.9\nslider.TargetPosition = 0 repeat task.wait() until slider.CurrentPosition < 0.1 end",
+       "> 19.9\nslider.TargetPosition = 0 repeat task.wait() until slider.CurrentPosition < 0.1 "
+       "end",
        {{1, 18}, {2, 28}, {3, 18}}}};
   for (const auto& [text, heights] : cases) {
     Scene scene;

@@ -58,7 +58,8 @@ TEST(ScriptedConstraint, AHingeTurnsToAndFroAsItsScriptSays) {
   scene.level();
   ASSERT_TRUE(scene[c.arm].motion);
   EXPECT_TRUE(scene[c.arm].motion->carries);
-  const std::pair<double, float> yaws[] = {{0, 0}, {1, 57.3f}, {2, 114.6f}, {3, 57.3f}, {41, 57.3f}};
+  const std::pair<double, float> yaws[] = {
+      {0, 0}, {1, 57.3f}, {2, 114.6f}, {3, 57.3f}, {41, 57.3f}};
   for (const auto& [time, yaw] : yaws) EXPECT_NEAR(yawAt(scene[c.arm], time), yaw, 1.5f) << time;
 }
 

@@ -59,9 +59,8 @@ TEST(ScriptedStart, WhatIsDestroyedIsLeftOut) {
   const auto old = scene.add("Model", "Old", scene.workspace);
   scene.part("A", {}, old);
   scene.part("B", {}, scene.add("Folder", "Inside", old));
-  scene.script(
-      "workspace.Barrier:Destroy()\nworkspace.Lid.Parent = nil\nworkspace.Old:Destroy()",
-      scene.scripts);
+  scene.script("workspace.Barrier:Destroy()\nworkspace.Lid.Parent = nil\nworkspace.Old:Destroy()",
+               scene.scripts);
   const auto& level = scene.level();
   ASSERT_EQ(level.parts.size(), 1u);
   EXPECT_EQ(level.parts[0].id, floor);
@@ -192,9 +191,9 @@ TEST(ScriptedStart, AnchorsAreThoseOfTheStart) {
 }
 
 TEST(ScriptedStart, WhatAScriptJoinsToAnAnchoredPartIsHeld) {
-  const char* const joints[] = {
-      "local weld = Instance.new('Weld') weld.C0 = CFrame.new(0, 5, 0)",
-      "local weld = Instance.new('WeldConstraint') workspace.Door.Position = Vector3.new(20, 5, 0)"};
+  const char* const joints[] = {"local weld = Instance.new('Weld') weld.C0 = CFrame.new(0, 5, 0)",
+                                "local weld = Instance.new('WeldConstraint') "
+                                "workspace.Door.Position = Vector3.new(20, 5, 0)"};
   for (const char* joint : joints) {
     Scene scene;
     const auto door = scene.part("Door");
@@ -238,8 +237,7 @@ TEST(ScriptedStart, APlatformTurnsWhereAScriptPutsIt) {
                  part);
     const auto& level = scene.level();
     ASSERT_TRUE(scene[part].motion) << move;
-    for (const double time : {0.0, 7.0})
-      expectNear(poseAt(scene[part], time).position, {0, 10, 0});
+    for (const double time : {0.0, 7.0}) expectNear(poseAt(scene[part], time).position, {0, 10, 0});
     EXPECT_TRUE(level.unmodelled.empty()) << move;
   }
 }

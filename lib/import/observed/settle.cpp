@@ -15,7 +15,7 @@ using engine::Plain;
 
 // Properties whose numbers are items of enums.
 constexpr const char* kEnums[] = {
-    "Material", "Shape",         "ActuatorType",        "AngularActuatorType",   "Mode",
+    "Material",   "Shape",          "ActuatorType",    "AngularActuatorType",   "Mode",
     "RelativeTo", "ForceLimitMode", "ForceRelativeTo", "VelocityConstraintMode"};
 
 struct ToValue {
@@ -115,8 +115,7 @@ std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::
     }
     instance.className = made.className;
     instance.name = made.name;
-    instance.parent =
-        isPartClass(made.className) ? workspace : known(made.parent, workspace);
+    instance.parent = isPartClass(made.className) ? workspace : known(made.parent, workspace);
     auto& siblings = instance.parent == kNoInstance ? document.roots
                                                     : document.instances[instance.parent].children;
     siblings.push_back(id);

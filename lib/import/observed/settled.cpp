@@ -21,8 +21,8 @@ struct SwitchWords {
   const char* off;
 };
 constexpr SwitchWords kSwitchWords[] = {{"CanCollide", "solid", "not solid"},
-                               {"CanTouch", "can be touched", "cannot be touched"},
-                               {"Anchored", "anchored", "not anchored"}};
+                                        {"CanTouch", "can be touched", "cannot be touched"},
+                                        {"Anchored", "anchored", "not anchored"}};
 
 // What a property has become; nothing: what it was.
 std::optional<std::string> wordsFor(const std::string& property, const Instance& before,
@@ -40,19 +40,20 @@ std::optional<std::string> wordsFor(const std::string& property, const Instance&
   }
   if (property == "Size" && !(get<Vec3>(after, "Size") == get<Vec3>(before, "Size")))
     return "resized";
-  if (property == "CFrame" && !samePose(get<CFrame>(after, "CFrame"), get<CFrame>(before, "CFrame")))
+  if (property == "CFrame" &&
+      !samePose(get<CFrame>(after, "CFrame"), get<CFrame>(before, "CFrame")))
     return "placed";
   return std::nullopt;
 }
 
 // The last line that changed each property, before the probes.
-std::map<std::pair<InstanceId, std::string>, engine::Line> settlingLines(const engine::Report& report) {
+std::map<std::pair<InstanceId, std::string>, engine::Line> settlingLines(
+    const engine::Report& report) {
   std::map<std::pair<InstanceId, std::string>, engine::Line> lines;
   for (const engine::Change& change : report.undisturbed.changes)
     if (change.time <= report.probedAt) lines[{change.target, change.property}] = change.line;
   for (const auto& [id, track] : report.undisturbed.tracks)
-    if (!keepsMoving(report, id))
-      lines[{id, "CFrame"}] = moverOf(report.undisturbed, id, track);
+    if (!keepsMoving(report, id)) lines[{id, "CFrame"}] = moverOf(report.undisturbed, id, track);
   return lines;
 }
 

@@ -60,8 +60,8 @@ bool fromSlider(RoleContext& context, const ConstraintSettings& settings, Instan
   const uint32_t actuator = settings.choice(id, "ActuatorType");
   // A cylinder may turn as it slides.
   const bool turns = context.tree.at(id).className == kCylinder;
-  const auto spin = turns && !settings.hasAngularLimits(id) ? spinOf(context, settings, *drive)
-                                                            : std::nullopt;
+  const auto spin =
+      turns && !settings.hasAngularLimits(id) ? spinOf(context, settings, *drive) : std::nullopt;
   return actuator == kMotor ? fromSliderMotor(context, settings, *drive, spin)
                             : actuator == kServo && fromServo(context, settings, *drive, spin);
 }
