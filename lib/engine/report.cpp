@@ -23,10 +23,14 @@ void fields(A& a, Track& t) {
   a(t.start), a(t.poses), a(t.line);
 }
 template <class A>
+void fields(A& a, TweenWay& w) {
+  a(w.property), a(w.from), a(w.to);
+}
+template <class A>
 void fields(A& a, Tween& t) {
   a(t.time), a(t.id), a(t.target), a(t.seconds), a(t.delay), a(t.style), a(t.direction),
       a(t.repeats);
-  a(t.reverses), a(t.properties), a(t.line);
+  a(t.reverses), a(t.ways), a(t.line);
 }
 template <class A>
 void fields(A& a, Problem& p) {
@@ -47,7 +51,7 @@ void fields(A& a, Probe& p) {
 }
 template <class A>
 void fields(A& a, Report& r) {
-  a(r.undisturbed), a(r.probes), a(r.made), a(r.arrived), a(r.probedAt), a(r.complete),
+  a(r.undisturbed), a(r.probes), a(r.made), a(r.arrived), a(r.probedAt), a(r.complete), a(r.over),
       a(r.failure), a(r.culprit);
 }
 
@@ -129,6 +133,7 @@ class Watcher {
       stage_.run(60);
     report_.undisturbed = stage_.observation();
     report_.complete = !stage_.isExhausted();
+    report_.over = report_.complete && stage_.isIdle();
     if (!report_.complete) report_.failure = "the scripts' budget was used up";
     report_.culprit = stage_.greedyScript();
     children_.finish();

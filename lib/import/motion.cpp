@@ -24,28 +24,40 @@ MotionKey keyAt(double time, const Pose& pose) {
   return {float(time), pose, Easing::linear, EasingDirection::out};
 }
 
-bool isStraight(const std::vector<MotionKey>& keys, size_t from, size_t to) {
+// How far keys on a straight way may be off it.
+struct Straight {
+  float place = kStraight, turn = kStraightTurn;
+};
+
+bool isStraight(const std::vector<MotionKey>& keys, size_t from, size_t to, Straight slack) {
   for (size_t i = from + 1; i < to; ++i) {
     const float span = keys[to].time - keys[from].time;
     const float t = span > 0 ? (keys[i].time - keys[from].time) / span : 0;
     const Pose way = between(keys[from].pose, keys[to].pose, t);
-    if (length(way.position - keys[i].pose.position) > kStraight ||
-        length(rotationVector(way.rotation * inverse(keys[i].pose.rotation))) > kStraightTurn)
+    if (length(way.position - keys[i].pose.position) > slack.place ||
+        length(rotationVector(way.rotation * inverse(keys[i].pose.rotation))) > slack.turn)
       return false;
   }
   return true;
 }
 
-std::vector<MotionKey> simplified(const std::vector<MotionKey>& keys) {
+std::vector<MotionKey> simplified(const std::vector<MotionKey>& keys, Straight slack) {
   constexpr size_t kLongest = 64;  // keys replaced by one way: bounds the work
   std::vector<MotionKey> out;
   for (size_t from = 0; from < keys.size();) {
     out.push_back(keys[from]);
     size_t to = from + 1;
-    while (to + 1 < keys.size() && to - from < kLongest && isStraight(keys, from, to + 1)) ++to;
+    while (to + 1 < keys.size() && to - from < kLongest && isStraight(keys, from, to + 1, slack))
+      ++to;
     from = to;
   }
   return out;
+}
+
+// A long straight way becomes one: what the first look left of it is looked at again, closely.
+std::vector<MotionKey> simplified(const std::vector<MotionKey>& keys) {
+  constexpr float kClose = 0.1f;
+  return simplified(simplified(keys, {}), {kClose * kStraight, kClose * kStraightTurn});
 }
 
 // Parts that move when `moved` does.
@@ -143,6 +155,12 @@ std::optional<double> nearPeriod(const std::vector<PoseSample>& samples) {
   }
   if (bestAt == 0 || best > 0.01f * range) return std::nullopt;
   return samples[bestAt].time - samples[1].time;
+}
+
+std::vector<MotionKey> keysThrough(const Pose& start, const std::vector<PoseSample>& samples) {
+  std::vector<MotionKey> keys = {keyAt(0, start)};
+  for (const PoseSample& sample : samples) keys.push_back(keyAt(sample.time, sample.pose));
+  return simplified(keys);
 }
 
 std::vector<MotionKey> keysFrom(const Pose& start, const std::vector<PoseSample>& samples,

@@ -32,6 +32,9 @@ std::optional<double> nearPeriod(const std::vector<PoseSample>& samples);
 std::vector<MotionKey> keysFrom(const Pose& start, const std::vector<PoseSample>& samples,
                                 double period, bool closed);
 
+// Keys straight through the samples; poses on a straight way are left out.
+std::vector<MotionKey> keysThrough(const Pose& start, const std::vector<PoseSample>& samples);
+
 // The motion with keys on its turns: the simulator goes straight from key to key, and a part that
 // hangs `reach` studs off what turns does not.
 Motion withArcs(const Motion& motion, float reach);

@@ -8,7 +8,6 @@ namespace obby::test {
 namespace {
 
 const char* const kEnabled = "script that another script enables";
-const char* const kByTouch = "motion that a touch or click starts";
 const std::string kSwings =
     "local info = TweenInfo.new(2, Enum.EasingStyle.Linear, Enum.EasingDirection.In, -1, true)\n"
     "game:GetService('TweenService'):Create(script.Parent, info, {Position = "
@@ -73,14 +72,15 @@ TEST(WokenRoles, AMotionFromTheStartIsAGuess) {
   }
 }
 
-TEST(WokenRoles, AMotionThatATouchWakesIsNamed) {
+TEST(WokenRoles, AMotionThatATouchWakesBeginsWithIt) {
   for (const bool link : {false, true}) {
     Sleeping scene(kSwings);
     if (link) scene.sleeps(kOn, "Link");
     scene.run(pulled(link ? "script.Parent.Link.Enabled = true " : kOn));
     scene.level();
-    EXPECT_FALSE(scene[scene.trap].motion) << link;
-    EXPECT_EQ(scene.unmodelled(kByTouch), 1u) << link;
+    ASSERT_TRUE(scene[scene.trap].motion) << link;
+    EXPECT_EQ(scene[scene.trap].motion->trigger, importer::MotionTrigger::signal) << link;
+    EXPECT_TRUE(scene[scene.lever].button) << link;
     EXPECT_EQ(scene.unmodelled(kEnabled), 0u) << link;
   }
 }

@@ -190,7 +190,12 @@ class Touches {
     }
     for (const Moved& moved : effects.moved) {
       PartDraft* const other = context_.part(moved.part);
-      if (!other || other->motion) continue;
+      if (!other || other->motion) {
+        if (other && other->motion->trigger == MotionTrigger::always)
+          context_.level.noteUnmodelled("motion that a touch or click starts", path(moved.part),
+                                        "keeps the motion of its own; " + reason(moved.line));
+        continue;
+      }
       auto motion = motionOf(moved.poses, 30);
       if (!motion) {
         context_.level.noteUnmodelled("motion that a touch or click starts", path(moved.part),
@@ -199,7 +204,7 @@ class Touches {
       }
       const bool own = other == &part && !used;
       motion->trigger = own ? MotionTrigger::touch : MotionTrigger::signal;
-      motion->offset = 0;
+      if (motion->repeat != Repeat::once) motion->offset = 0;  // it rests where its keys begin
       if (!own) {
         motion->signal = signal;
         presses = true;
