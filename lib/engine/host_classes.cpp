@@ -17,10 +17,15 @@ std::string_view textAt(lua_State* L, int index) {
   return {text, size};
 }
 
+template <size_t kCount>
+bool isIn(std::string_view text, const std::string_view (&list)[kCount]) {
+  return std::find(list, list + kCount, text) != list + kCount;
+}
+
 // Whether the text at index 1 is one of the list.
 template <size_t kCount>
 int isOneOf(lua_State* L, const std::string_view (&list)[kCount]) {
-  lua_pushboolean(L, std::find(list, list + kCount, textAt(L, 1)) != list + kCount);
+  lua_pushboolean(L, isIn(textAt(L, 1), list));
   return 1;
 }
 
@@ -74,7 +79,15 @@ int isService(lua_State* L) {
   return 1;
 }
 
-// Properties whose changes the observer wants to see.
+// Whether all that is set of an instance of that class may move parts.
+bool drivesParts(const ClassTable& classes, std::string_view name) {
+  static constexpr std::string_view kBases[] = {"Constraint", "BodyMover"};
+  const std::string_view* base = &name;
+  while (base && !base->empty() && !isIn(*base, kBases)) base = classes.baseOf(*base);
+  return base && !base->empty();
+}
+
+// (class, property): whether the observer wants to see its changes.
 int isWatched(lua_State* L) {
   static constexpr std::string_view kWatched[] = {"CFrame",
                                                   "Size",
@@ -111,7 +124,9 @@ int isWatched(lua_State* L) {
                                                   "CharacterWalkSpeed",
                                                   "CharacterJumpPower",
                                                   "CharacterJumpHeight"};
-  return isOneOf(L, kWatched);
+  lua_pushboolean(L,
+                  isIn(textAt(L, 2), kWatched) || drivesParts(Host::of(L).classes, textAt(L, 1)));
+  return 1;
 }
 
 constexpr luaL_Reg kFunctions[] = {{"baseClass", baseClass},   {"member", member},

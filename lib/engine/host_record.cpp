@@ -7,6 +7,24 @@
 
 namespace obby::engine {
 
+namespace {
+
+// An enum's item as its number.
+Plain itemAt(lua_State* L, int index) {
+  Plain item;
+  for (const char* const key : {"EnumType", "Value"}) {
+    lua_pushstring(L, key);
+    lua_rawget(L, index);
+    const bool isNil = lua_isnil(L, -1);
+    if (!isNil && lua_isnumber(L, -1)) item = double(lua_tonumber(L, -1));
+    lua_pop(L, 1);
+    if (isNil) return {};
+  }
+  return item;
+}
+
+}  // namespace
+
 Plain plainAt(lua_State* L, int index) {
   if (const Vec3* const vector = toVector3(L, index)) return *vector;
   if (const Pose* const pose = toCFrame(L, index)) return *pose;
@@ -14,6 +32,7 @@ Plain plainAt(lua_State* L, int index) {
     case LUA_TBOOLEAN: return lua_toboolean(L, index) != 0;
     case LUA_TNUMBER: return lua_tonumber(L, index);
     case LUA_TSTRING: return std::string(lua_tostring(L, index));
+    case LUA_TTABLE: return itemAt(L, index);
     default: return std::monostate{};
   }
 }
@@ -38,7 +57,7 @@ void follow(Host& host, InstanceId id, const std::string& key, lua_State* L, int
   host.scenery.moved(id);
 }
 
-// (id, key, value, ofPlayer): a property has changed; "silent": it is not to be told.
+// (id, key, value, ofPlayer, isPart): a property has changed; "silent": it is not to be told.
 int watched(lua_State* L) {
   Host& host = Host::of(L);
   const InstanceId id = idAt(L, 1);
@@ -48,7 +67,7 @@ int watched(lua_State* L) {
   follow(host, id, key, L, 3);
   if (!host.recorder.isRecording() || lua_isstring(L, 4)) return 0;
   const bool ofPlayer = lua_toboolean(L, 4) != 0;
-  if (key == "CFrame" && !ofPlayer) {
+  if (key == "CFrame" && !ofPlayer && lua_toboolean(L, 5) != 0) {
     if (!toCFrame(L, 3)) return 0;
     const bool first = host.recorder.isUnmoved(id);
     host.recorder.place(id, before, checkCFrame(L, 3), first ? host.where(L) : Line{});
@@ -57,6 +76,12 @@ int watched(lua_State* L) {
   const Line line = host.where(L);
   if (ofPlayer && line.script == kNoInstance) return 0;
   host.recorder.change({0, ofPlayer ? kPlayer : id, key, plainAt(L, 3), line});
+  return 0;
+}
+
+// (part, driver): a constraint or mover moves the part from now on.
+int driven(lua_State* L) {
+  Host::of(L).recorder.drive(idAt(L, 1), idAt(L, 2));
   return 0;
 }
 
@@ -132,9 +157,9 @@ int problem(lua_State* L) {
   return 0;
 }
 
-constexpr luaL_Reg kFunctions[] = {{"watched", watched}, {"tween", tween}, {"health", health},
-                                   {"note", note},       {"count", count}, {"problem", problem},
-                                   {nullptr, nullptr}};
+constexpr luaL_Reg kFunctions[] = {{"watched", watched}, {"tween", tween},   {"health", health},
+                                   {"note", note},       {"driven", driven}, {"count", count},
+                                   {"problem", problem}, {nullptr, nullptr}};
 
 }  // namespace
 }  // namespace record_functions

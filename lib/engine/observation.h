@@ -46,6 +46,8 @@ struct Track {
   Pose start;                 // before the first change
   std::vector<Placed> poses;  // ascending frames
   Line line;                  // the first that moved it
+  // The constraint or mover that moves it; kNoInstance: scripts place it themselves.
+  InstanceId driver = kNoInstance;
 };
 
 // A property that a tween changes.
@@ -79,11 +81,13 @@ struct Problem {
   int count = 0;
 };
 
-// A part that scripts have made or copied.
+// A part that scripts have made or copied; or a joint, constraint, mover or attachment.
 struct MadePart {
   InstanceId id = kNoInstance, origin = kNoInstance;  // `origin`: what it is a copy of, if anything
+  InstanceId parent = kNoInstance;
   std::string className, name;
   std::map<std::string, Plain> properties;  // those that differ from the class's defaults
+  std::map<std::string, InstanceId> references;
 };
 
 // Where the player is and what it can do.

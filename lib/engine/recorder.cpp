@@ -9,6 +9,8 @@ void Recorder::place(InstanceId part, const Pose& before, const Pose& pose, Line
     track.line = line;
     track.start = before;
   }
+  if (const auto driver = drivers_.find(part); driver != drivers_.end())
+    track.driver = driver->second;
   if (track.poses.empty() || track.poses.back().frame != frame_) {
     track.poses.push_back({frame_, pose});
     ++placed_;

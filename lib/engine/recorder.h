@@ -2,6 +2,7 @@
 // Private to lib/engine.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,6 +22,8 @@ class Recorder {
   // Whether the line that moves this part is still to be told.
   bool isUnmoved(InstanceId part) const { return !seen_.tracks.contains(part); }
   void place(InstanceId part, const Pose& before, const Pose& pose, Line line);
+  // From now on a constraint or mover moves the part.
+  void drive(InstanceId part, InstanceId driver) { drivers_[part] = driver; }
   void change(Change change);
   void tween(Tween tween) { seen_.tweens.push_back(std::move(tween)); }
   void harm(double from, double to, Line line) { seen_.harms.push_back({time(), from, to, line}); }
@@ -32,6 +35,7 @@ class Recorder {
   bool isFull() const { return changes_ >= kMostChanges || placed_ >= kMostPlaced; }
 
   Observation& seen() { return seen_; }
+  const Observation& seen() const { return seen_; }
   // Forgets what was seen so far, so that a probe tells only its own.
   void restart();
 
@@ -39,6 +43,7 @@ class Recorder {
   static constexpr size_t kMostChanges = 300'000, kMostPlaced = 4'000'000;
 
   Observation seen_;
+  std::map<InstanceId, InstanceId> drivers_;  // of parts
   bool recording_ = false;
   uint32_t frame_ = 0;
   size_t changes_ = 0, placed_ = 0;

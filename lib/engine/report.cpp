@@ -7,110 +7,18 @@
 #include <chrono>
 #include <cmath>
 
-#include "engine/archive.h"
 #include "engine/child.h"
+#include "engine/probe_run.h"
+#include "engine/report_bytes.h"
+#include "engine/revisit.h"
 #include "engine/stage.h"
 
 namespace obby::engine {
 
-// ADL finds these for the archives.
-template <class A>
-void fields(A& a, Change& c) {
-  a(c.time), a(c.target), a(c.property), a(c.value), a(c.line);
-}
-template <class A>
-void fields(A& a, Track& t) {
-  a(t.start), a(t.poses), a(t.line);
-}
-template <class A>
-void fields(A& a, TweenWay& w) {
-  a(w.property), a(w.from), a(w.to);
-}
-template <class A>
-void fields(A& a, Tween& t) {
-  a(t.time), a(t.id), a(t.target), a(t.seconds), a(t.delay), a(t.style), a(t.direction),
-      a(t.repeats);
-  a(t.reverses), a(t.ways), a(t.line);
-}
-template <class A>
-void fields(A& a, Problem& p) {
-  a(p.script), a(p.text), a(p.count);
-}
-template <class A>
-void fields(A& a, MadePart& m) {
-  a(m.id), a(m.origin), a(m.className), a(m.name), a(m.properties);
-}
-template <class A>
-void fields(A& a, Observation& o) {
-  a(o.changes), a(o.tracks), a(o.tweens), a(o.harms), a(o.problems), a(o.counts), a(o.player);
-  a(o.frames);
-}
-template <class A>
-void fields(A& a, Probe& p) {
-  a(p.target), a(p.approach), a(p.at), a(p.left), a(p.seen), a(p.lost), a(p.byPlace), a(p.allOver);
-}
-template <class A>
-void fields(A& a, Report& r) {
-  a(r.undisturbed), a(r.probes), a(r.made), a(r.arrived), a(r.probedAt), a(r.complete), a(r.over),
-      a(r.failure), a(r.culprit);
-}
-
 namespace {
 
-constexpr double kFrame = 1.0 / 60;
-constexpr double kHold = 0.6;     // seconds that a probe stays
-constexpr double kSecondHit = 5;  // seconds that it waits to be harmed again
-constexpr double kQuiet = 1.0;    // seconds without a change end a probe
-constexpr double kAtLeast = 1.5;
 constexpr double kStuck = 2;  // seconds of CPU without a beat
 constexpr size_t kProcessMemory = size_t(2) << 30;
-
-template <class T>
-std::string bytesOf(T& value) {
-  BytesOut out;
-  out(value);
-  return std::move(out.bytes);
-}
-
-uint32_t framesOf(double seconds) { return uint32_t(std::lround(seconds / kFrame)); }
-
-// Whether a second hit is still to come after the first.
-bool awaitsHit(Stage& stage, double now) {
-  double first = -1, last = -1;
-  for (const Harm& harm : stage.harms())
-    if (harm.to < harm.from) {
-      if (first < 0) first = harm.time;
-      last = harm.time;
-    }
-  return first >= 0 && last == first && now < first + kSecondHit;
-}
-
-// What a probe does in its copy of the place. One that is harmed and lives touches the part in each
-// frame until it is harmed again. `share`: see Stage::standAt.
-Probe runProbe(Stage& stage, const Plan& plan, Probe probe, float share = 0) {
-  stage.restart();
-  const uint32_t most = framesOf(plan.probeSeconds);
-  const bool stands = probe.approach != Approach::use;
-  uint32_t hold = framesOf(kHold), frame = 0, quiet = 0;
-  if (!stands) stage.use(probe.target);
-  while (frame < most && (frame < framesOf(kAtLeast) || quiet < framesOf(kQuiet))) {
-    const bool again = stands && frame <= hold && awaitsHit(stage, probe.at + frame * kFrame);
-    if (again) hold = std::max(hold, frame + 1);
-    if (stands && frame < hold)
-      stage.standAt(probe.target, probe.approach == Approach::inside, share);
-    else if (stands && frame == hold)
-      stage.leave();
-    if (again) stage.touchAgain();
-    const size_t before = stage.activity();
-    stage.run(1);
-    ++frame;
-    quiet = stage.activity() == before && !stage.isBusy() && !again ? quiet + 1 : 0;
-    if (!stage.playerLives()) break;
-  }
-  probe.left = probe.at + hold * kFrame;
-  probe.seen = stage.observation();
-  return probe;
-}
 
 // In the caged child: everything but the probes themselves.
 class Watcher {
@@ -128,6 +36,7 @@ class Watcher {
     report_.made = stage_.made();
     report_.arrived = stage_.observation().player;
     probeAll();
+    revisitAll();
     stage_.run(framesOf(plan_.probeSeconds));
     while (stage_.frames() < framesOf(plan_.seconds) && !stage_.isExhausted() && !stage_.isIdle())
       stage_.run(60);
@@ -172,15 +81,10 @@ class Watcher {
     for (const float share : {kTowardsCorner, -kTowardsCorner})
       children_.start(
           plan_.timeLimit / 4,
-          [&, share] {
-            Probe probe = runProbe(stage_, plan_, wanted, share);
-            return bytesOf(probe);
-          },
+          [&, share] { return toBytes(runProbe(stage_, plan_, wanted, {.share = share})); },
           [this, index](const std::string& bytes) {
             Probe probe;
-            BytesIn in(bytes);
-            if (!bytes.empty()) in(probe);
-            if (!happens(probe)) report_.probes[index].allOver = false;
+            if (!fromBytes(bytes, probe) || !happens(probe)) report_.probes[index].allOver = false;
           });
   }
 
@@ -188,18 +92,19 @@ class Watcher {
     for (size_t i = 0; i < wanted.size(); ++i) {
       report_.probes[i] = wanted[i];
       children_.start(
-          plan_.timeLimit / 4,
-          [&, i] {
-            Probe probe = runProbe(stage_, plan_, wanted[i]);
-            return bytesOf(probe);
-          },
+          plan_.timeLimit / 4, [&, i] { return toBytes(runProbe(stage_, plan_, wanted[i])); },
           [this, i](const std::string& bytes) {
-            BytesIn in(bytes);
             Probe& probe = report_.probes[i];
-            if (!bytes.empty()) in(probe);
-            probe.lost = bytes.empty() || !in.good;
+            probe.lost = !fromBytes(bytes, probe);
           });
     }
+  }
+
+  // While the undisturbed run goes on.
+  void revisitAll() {
+    children_.start(
+        plan_.timeLimit / 4, [&] { return toBytes(revisit(stage_, plan_, report_.probes)); },
+        [this](const std::string& bytes) { fromBytes(bytes, report_.revisits); });
   }
 
   const Plan& plan_;
@@ -222,15 +127,12 @@ Report observeOnce(const Document& document, const Plan& plan) {
       [&]() -> std::string {
         if (!enterCage(plan.timeLimit, kProcessMemory)) {
           report.failure = "there is no cage to run scripts in";
-          return bytesOf(report);
+          return toBytes(report);
         }
-        Report seen = Watcher(document, own).watch();
-        return bytesOf(seen);
+        return toBytes(Watcher(document, own).watch());
       },
       [&](const std::string& bytes) {
-        BytesIn in(bytes);
-        if (!bytes.empty()) in(report);
-        if (bytes.empty() || !in.good) {
+        if (!fromBytes(bytes, report)) {
           report = {};
           report.failure = "the scripts took too long or broke down";
           if (own.settings.runningScript) report.culprit = *own.settings.runningScript;

@@ -23,9 +23,25 @@ struct Probe {
   bool allOver = true;   // it happens towards two opposite corners of the part, too
 };
 
+// Why a part does something else than at its first probe.
+enum class Cause : uint8_t {
+  again,   // it has been touched before
+  time,    // time has passed, or the player has stayed
+  lever,   // another part has been touched
+  several  // several others have been touched, or it is not known which one
+};
+
+// A probe that differs from the first one of its part, once other parts have been touched.
+struct Revisit {
+  Probe probe;
+  Cause cause = Cause::several;
+  InstanceId lever = kNoInstance;  // the target of the other probe
+};
+
 struct Report {
   Observation undisturbed;
   std::vector<Probe> probes;
+  std::vector<Revisit> revisits;
   double probedAt = 0;               // seconds, when the probes began
   std::vector<MadePart> made;        // in the world by then
   PlayerState arrived;               // the player by then

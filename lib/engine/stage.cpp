@@ -138,7 +138,7 @@ bool Stage::isBusy() { return numberOf("waiting") > waiting_; }
 bool Stage::isIdle() { return numberOf("idle") > 0; }
 
 void Stage::restart() {
-  host_->recorder.restart();
+  forget();
   waiting_ = numberOf("waiting");
 }
 
@@ -184,6 +184,12 @@ std::vector<MadePart> Stage::made() {
     lua_rawgeti(L, -1, 5);
     for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
       part.properties[lua_tostring(L, -2)] = plainAt(L, lua_gettop(L));
+    lua_pop(L, 1);
+    const std::string parent = text(6);
+    if (!parent.empty()) part.parent = InstanceId(std::strtoul(parent.c_str(), nullptr, 10));
+    lua_rawgeti(L, -1, 7);
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
+      part.references[lua_tostring(L, -2)] = InstanceId(lua_tonumber(L, -1));
     lua_pop(L, 2);
     all.push_back(std::move(part));
   }

@@ -21,7 +21,7 @@ class Stage {
   void start();
   // Steps of 1/60 s; fewer if a budget is used up.
   void run(uint32_t frames);
-  uint32_t frames() { return host_->recorder.seen().frames; }
+  uint32_t frames() const { return host_->recorder.seen().frames; }
   // Puts the player's feet there; yaw in radians, 0 looks along -Z.
   void stand(Vec3 feet, float yaw);
   // On top of a part, or its middle in the middle of the part, wherever that is by now.
@@ -39,7 +39,7 @@ class Stage {
   void revive();
   // What a player can touch or use with effect, as far as listeners tell.
   std::vector<Probe> probes();
-  // Parts in the world that scripts have made.
+  // Parts and what joins or moves them, in the world, that scripts have made.
   std::vector<MadePart> made();
   // Grows with everything that happens.
   size_t activity() const { return host_->recorder.activity(); }
@@ -50,8 +50,13 @@ class Stage {
   // With the player's state as of now.
   const Observation& observation();
   // Forgets what has been seen.
+  void forget() { host_->recorder.restart(); }
+  // Forgets it, and takes what waits now for what always waits.
   void restart();
   bool isExhausted() const { return host_->vm.isExhausted() || host_->recorder.isFull(); }
+  // Instructions that all scripts together may still run.
+  uint64_t left() const { return host_->vm.left(); }
+  void limit(uint64_t instructions) { host_->vm.limit(instructions); }
   // The script that has used up the memory, if one has.
   InstanceId greedyScript() const { return host_->greedy; }
   // Grows whenever a script begins or ends to run.

@@ -1,4 +1,8 @@
 // Motions by physics, which carry who stands on them: kits and constraints.
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "import/constraint_scene.h"
 #include "import/motion_checks.h"
 
@@ -56,76 +60,42 @@ TEST(Carrying, HingeMotorSpinsAndCarries) {
   expectNear(scene[c.arm].motion->spin->axis, {0, 1, 0});
 }
 
-TEST(Carrying, SliderSteppedByAScript) {
-  Scene scene;
-  const auto c = servoed(scene);
-  scene.script(
-      "while true do\n script.Parent.PrismaticConstraint.TargetPosition = 20\n task.wait(5)\n"
-      " script.Parent.PrismaticConstraint.TargetPosition = 0\n task.wait(5)\nend",
-      c.base);
-  scene.level();
-  ASSERT_TRUE(scene[c.arm].motion);
-  EXPECT_TRUE(scene[c.arm].motion->carries);
-  expectNear(at(scene[c.arm], 1), {0, 18, 0});
-  expectNear(at(scene[c.arm], 4), {0, 28, 0});
-  expectNear(at(scene[c.arm], 9), {0, 8, 0});
-  EXPECT_EQ(scene[c.arm].motion->offset, 0);
-}
-
-TEST(Carrying, ASliderIsSteppedWhenItsScriptHasWaited) {
-  Scene scene;
-  const auto c = servoed(scene);
-  scene.script(
-      "local slider = script.Parent.PrismaticConstraint\ntask.wait(1)\n"
-      "while true do\n slider.TargetPosition = 20\n task.wait(5)\n"
-      " slider.TargetPosition = 0\n task.wait(5)\nend",
-      c.base);
-  scene.level();
-  ASSERT_TRUE(scene[c.arm].motion);
-  EXPECT_NEAR(scene[c.arm].motion->offset, -1, 0.02);
-  expectNear(at(scene[c.arm], 1), {0, 18, 0});
-}
-
-TEST(Carrying, ASliderThatIsSentBackTooSoonDoesNotArrive) {
-  Scene scene;
-  const auto c = servoed(scene);
-  scene.script(
-      "local slider = script.Parent.PrismaticConstraint\nwhile true do\n"
-      " slider.TargetPosition = 40\n task.wait(2)\n slider.TargetPosition = 0\n task.wait(2)\nend",
-      c.base);
-  scene.level();
-  ASSERT_TRUE(scene[c.arm].motion);
-  expectNear(at(scene[c.arm], 1), {0, 18, 0});
-  expectNear(at(scene[c.arm], 2), {0, 28, 0});
-  expectNear(at(scene[c.arm], 3), {0, 18, 0});
-  expectNear(at(scene[c.arm], 4), {0, 8, 0});
-}
-
-TEST(Carrying, ASliderWhoseLoopWaitsFirstGoesToAllItsGoals) {
-  Scene scene;
-  const auto c = servoed(scene);
-  scene.script(
-      "local slider = script.Parent.PrismaticConstraint\nwhile true do\n"
-      " task.wait(5) slider.TargetPosition = 20\n task.wait(5) slider.TargetPosition = 0\nend",
-      c.base);
-  scene.level();
-  ASSERT_TRUE(scene[c.arm].motion);
-  EXPECT_NEAR(scene[c.arm].motion->offset, -5, 0.02);
-  expectNear(at(scene[c.arm], 1), {0, 18, 0});
-  expectNear(at(scene[c.arm], 4), {0, 28, 0});
-  expectNear(at(scene[c.arm], 6), {0, 18, 0});
-  expectNear(at(scene[c.arm], 9), {0, 8, 0});
-}
-
-TEST(Carrying, ASliderThatIsSentToOnePlaceEachFrameArrives) {
-  Scene scene;
-  const auto c = servoed(scene);
-  scene.script(
-      "while true do script.Parent.PrismaticConstraint.TargetPosition = 20 task.wait() end",
-      c.base);
-  scene.level();
-  ASSERT_TRUE(scene[c.arm].motion);
-  expectNear(at(scene[c.arm], 0), {0, 28, 0});
+// Its servo goes 10 studs/s.
+TEST(Carrying, ASliderGoesWhereItsScriptSends) {
+  struct Case {
+    const char* text;
+    std::vector<std::pair<double, float>> heights;  // of the arm, at these times
+  };
+  const Case cases[] = {
+      {"while true do slider.TargetPosition = 20 task.wait(5)\n"
+       "slider.TargetPosition = 0 task.wait(5) end",
+       {{0, 8}, {1, 18}, {4, 28}, {6, 18}, {9, 8}, {51, 18}}},
+      {"task.wait(1) while true do slider.TargetPosition = 20 task.wait(5)\n"
+       "slider.TargetPosition = 0 task.wait(5) end",
+       {{2, 18}, {5, 28}, {7, 18}, {10, 8}}},
+      {"while true do slider.TargetPosition = 40 task.wait(2)\n"  // it does not arrive
+       "slider.TargetPosition = 0 task.wait(2) end",
+       {{1, 18}, {2, 28}, {3, 18}, {4, 8}, {42, 28}}},
+      {"while true do task.wait(5) slider.TargetPosition = 20\n"
+       "task.wait(5) slider.TargetPosition = 0 end",
+       {{6, 18}, {9, 28}, {11, 18}, {14, 8}}},
+      {"while true do slider.TargetPosition = 20 task.wait() end", {{3, 28}, {50, 28}}},
+      {"task.wait(4) slider.TargetPosition = 20", {{4, 8}, {5, 18}, {7, 28}, {99, 28}}},
+      {"while true do slider.TargetPosition = 20 repeat task.wait() until slider.CurrentPosition "
+       "> 19.9\nslider.TargetPosition = 0 repeat task.wait() until slider.CurrentPosition < 0.1 "
+       "end",
+       {{1, 18}, {2, 28}, {3, 18}}}};
+  for (const auto& [text, heights] : cases) {
+    Scene scene;
+    const auto c = servoed(scene);
+    scene.script("local slider = script.Parent.PrismaticConstraint\n" + std::string(text), c.base);
+    scene.level();
+    const auto& arm = scene[c.arm];
+    EXPECT_TRUE(arm.anchored) << text;
+    EXPECT_TRUE(!arm.motion || arm.motion->carries) << text;
+    for (const auto& [time, height] : heights)
+      EXPECT_NEAR(poseAt(arm, time).position.y, height, 0.25f) << text << " at " << time;
+  }
 }
 
 TEST(Carrying, AServoWithoutATargetGoesToZero) {
@@ -221,32 +191,52 @@ TEST(Carrying, ASliderMotorWithoutForceDrivesNothing) {
   EXPECT_EQ(scene.unmodelled("constraint PrismaticConstraint"), 1u);
 }
 
-// Without limits, and with limits where a script turns it round.
-TEST(Carrying, WhatASliderMotorMovesIsHeldWhereItsWayIsNotKnown) {
-  for (const bool scripted : {false, true}) {
-    Scene scene;
-    const auto c = pushed(scene, "PrismaticConstraint");
-    scene.set(c.id, "LimitsEnabled", scripted);
-    if (scripted)
-      scene.script(
-          "local slider = script.Parent.PrismaticConstraint\nwhile true do\n"
-          " slider.Velocity = 5\n task.wait(4)\n slider.Velocity = -5\n task.wait(4)\nend",
-          c.base);
-    const auto deck = scene.part("Deck", {0, 9, 0});
+// A deck on the arm of a slider without limits.
+struct Decked {
+  explicit Decked(bool limited) {
+    c = pushed(scene, "PrismaticConstraint");
+    scene.set(c.id, "LimitsEnabled", limited);
+    deck = scene.part("Deck", {0, 9, 0});
     scene.set(deck, "Anchored", false);
     const auto weld = scene.add("WeldConstraint", "Weld", deck);
     scene.set(weld, "Part0", Ref{deck});
     scene.set(weld, "Part1", Ref{c.arm});
-    scene.level();
-    for (const InstanceId part : {c.arm, deck}) {
-      EXPECT_FALSE(scene[part].motion) << scripted;
-      EXPECT_TRUE(scene[part].anchored) << scripted;
-      EXPECT_NE(scene.evidence(part, "held"), "") << scripted;
-    }
-    EXPECT_EQ(scene.unmodelled("motion of a slider's motor"), 1u) << scripted;
-    EXPECT_EQ(scene.unmodelled("constraint PrismaticConstraint"), 0u) << scripted;
-    EXPECT_EQ(scene.unmodelled("unanchored part"), 0u) << scripted;
   }
+
+  Scene scene;
+  Constraint c{};
+  InstanceId deck = kNoInstance;
+};
+
+TEST(Carrying, WhatASliderMotorMovesIsHeldWhereNoLimitStopsIt) {
+  Decked slider(false);
+  slider.scene.level();
+  for (const InstanceId part : {slider.c.arm, slider.deck}) {
+    EXPECT_FALSE(slider.scene[part].motion);
+    EXPECT_TRUE(slider.scene[part].anchored);
+    EXPECT_NE(slider.scene.evidence(part, "held"), "");
+  }
+  EXPECT_EQ(slider.scene.unmodelled("motion of a slider's motor"), 1u);
+  EXPECT_EQ(slider.scene.unmodelled("constraint PrismaticConstraint"), 0u);
+  EXPECT_EQ(slider.scene.unmodelled("unanchored part"), 0u);
+}
+
+// From the lower limit, 0, to the upper one, 5, in a second.
+TEST(Carrying, ASliderMotorThatAScriptTurnsRoundGoesBetweenItsLimits) {
+  Decked slider(true);
+  slider.scene.script(
+      "local slider = script.Parent.PrismaticConstraint\nwhile true do\n"
+      " slider.Velocity = 5\n task.wait(4)\n slider.Velocity = -5\n task.wait(4)\nend",
+      slider.c.base);
+  slider.scene.level();
+  for (const auto& [part, height] : {std::pair{slider.c.arm, 8.0f}, {slider.deck, 9.0f}}) {
+    ASSERT_TRUE(slider.scene[part].motion);
+    EXPECT_TRUE(slider.scene[part].motion->carries);
+    for (const auto& [time, way] :
+         {std::pair{8.0, 0.0f}, {8.5, 2.5f}, {11, 5.0f}, {12.5, 2.5f}, {15, 0.0f}})
+      EXPECT_NEAR(poseAt(slider.scene[part], time).position.y, height + way, 0.15f) << time;
+  }
+  EXPECT_TRUE(slider.scene.level().unmodelled.empty());
 }
 
 TEST(Carrying, ACylinderTurnsAsItSlides) {

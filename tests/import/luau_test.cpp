@@ -22,7 +22,7 @@ TEST(Luau, BrokenTextDoesNotRunAndIsNamed) {
       "script.Parent.Touched:Connect(function(hit) hit.Parent.Humanoid.Health = 0 end)\n",
       part);
   scene.level();
-  EXPECT_FALSE(scene[part].kill);
+  EXPECT_EQ(scene.evidence(part, "kill").rfind("guessed: ", 0), 0u) << "by the text alone";
   EXPECT_EQ(scene.unmodelled("script that fails"), 1u);
 }
 
@@ -144,7 +144,7 @@ TEST(Luau, BigTablesAndLongTextsEndSoon) {
   }
 }
 
-TEST(Luau, WhatFollowsAnEndlessLoopIsNotRead) {
+TEST(Luau, WhatFollowsAnEndlessLoopDoesNotHappen) {
   const char* const loops[] = {"while true do end",
                                "while task.wait(1) do end",
                                "while true do game.RunService.Heartbeat:Wait() end",
@@ -159,7 +159,8 @@ TEST(Luau, WhatFollowsAnEndlessLoopIsNotRead) {
                      "\np.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end)",
                  part);
     scene.level();
-    EXPECT_FALSE(scene[part].kill) << loop;
+    const bool isGuess = scene.evidence(part, "kill").rfind("guessed: ", 0) == 0;
+    EXPECT_TRUE(!scene[part].kill || isGuess) << loop;  // a script that is stopped leaves its text
   }
 }
 

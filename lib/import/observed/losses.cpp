@@ -18,6 +18,7 @@ constexpr LossRow kLosses[] = {
     {"JumpPower", "speed that scripts change", "the player's jump stays as it is at the start"},
     {"JumpHeight", "speed that scripts change", "the player's jump stays as it is at the start"},
     {"Size", "size that scripts change", "stays as it is at the start"},
+    {"CanTouch", "touch that scripts switch", "stays as it is at the start"},
     {"CollisionGroup", "collision group that scripts change", "stays as it is at the start"},
     {"Anchored", "part that scripts let loose", "stays as it is at the start"},
 };

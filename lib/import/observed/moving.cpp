@@ -127,11 +127,13 @@ std::optional<Motion> motionOf(const std::vector<Pose>& poses, size_t rest) {
   return onceOf(poses, begin, end);
 }
 
-engine::Line moverOf(const engine::Observation& seen, InstanceId part, engine::Line line) {
-  if (line.script != kNoInstance && line.line > 0) return line;
+engine::Line moverOf(const engine::Observation& seen, InstanceId part, const engine::Track& track) {
+  if (track.line.script != kNoInstance && track.line.line > 0) return track.line;
+  for (const engine::Change& change : seen.changes)
+    if (change.target == track.driver && change.line.script != kNoInstance) return change.line;
   for (const engine::Tween& tween : seen.tweens)
-    if (tween.target == part) return tween.line;
-  return line;
+    if (tween.target == part || tween.target == track.driver) return tween.line;
+  return track.line;
 }
 
 namespace {
@@ -149,7 +151,6 @@ void noteEnd(RoleContext& context, InstanceId id, const Motion& motion,
 
 void movingFromObservation(RoleContext& context, const engine::Report& report) {
   constexpr size_t kLongRest = 300;  // frames after which a part is taken to have stopped
-  const size_t rest = report.over ? 1 : kLongRest;
   const engine::Observation& seen = report.undisturbed;
   const TweenLaws laws(seen);
   const size_t own = context.tree.size() - report.made.size();
@@ -157,15 +158,19 @@ void movingFromObservation(RoleContext& context, const engine::Report& report) {
     PartDraft* const part = context.part(id);
     if (!part || part->motion || !movesByItself(report, id)) continue;
     const auto poses = posesOf(poseAtStart(track, id >= own), track, 0, seen.frames + 1);
-    const std::string reason = lineReason(context.tree, moverOf(seen, id, track.line));
-    auto motion = motionOf(poses, rest);
+    const std::string reason = lineReason(context.tree, moverOf(seen, id, track));
+    auto motion = motionOf(poses, report.over ? 1 : kLongRest);
     if (motion) noteEnd(context, id, *motion, laws.end(poses, id), reason);
     if (!motion) motion = laws.outlasting(poses, id);
-    if (motion)
+    if (motion) {
+      motion->carries = track.driver != kNoInstance;
       giveMotion(context, id, *motion, reason, false);
-    else
+    } else {
       context.level.noteUnmodelled("motion without a period", context.tree.path(id),
                                    "stays where it is at the start; " + reason);
+      if (!part->anchored) part->evidence.push_back({"held", reason, false});
+      part->anchored = true;
+    }
   }
 }
 

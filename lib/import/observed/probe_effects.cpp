@@ -86,6 +86,7 @@ class Difference {
   void take(const Change& change) {
     if (change.target == kPlayer) return takePlayer(change);
     const std::string& property = change.property;
+    effects_.others.emplace(change.target, change.line);
     if (property == "Gravity")
       effects_.gravity = effects_.gravity.value_or(change.line);
     else if (property == "note jump")
@@ -264,7 +265,8 @@ class Difference {
       const Pose start = startOf(id, track);
       auto poses = posesOf(start, track, first, frames);
       poses.insert(poses.begin(), start);
-      effects_.moved.push_back({id, std::move(poses), moverOf(probe_.seen, id, track.line)});
+      effects_.moved.push_back(
+          {id, std::move(poses), track.driver, moverOf(probe_.seen, id, track)});
     }
   }
 

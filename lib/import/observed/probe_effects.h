@@ -1,6 +1,7 @@
 // What one probe changed: the difference between it and the undisturbed run.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -42,7 +43,8 @@ struct Away {
 };
 struct Moved {
   InstanceId part = kNoInstance;
-  std::vector<Pose> poses;  // a frame each, from the touch on
+  std::vector<Pose> poses;          // a frame each, from the touch on
+  InstanceId driver = kNoInstance;  // the constraint or mover that moves it
   engine::Line line;
 };
 
@@ -59,12 +61,17 @@ struct ProbeEffects {
   std::vector<Away> aways, backs;            // that go; that come, and go again
   std::vector<Moved> moved;
   std::vector<std::pair<InstanceId, engine::Line>> belts, sizes;
+  std::map<InstanceId, engine::Line> others;  // things whose other properties are set
 
   bool empty() const {
     return !harm && !push && !teleport && !boost && !stage && !gravity && !force && !jumps &&
            !trips && aways.empty() && backs.empty() && moved.empty() && belts.empty() &&
            sizes.empty();
   }
+  // Nothing but progress.
+  bool onlyStage() const;
+  // Of one of the effects; of none: {}.
+  engine::Line line() const;
 };
 
 ProbeEffects effectsOf(const engine::Report& report, const engine::Probe& probe);

@@ -9,6 +9,8 @@
 
 namespace obby::importer {
 
+// What scripts changed of parts before play began.
+void noteSettled(RoleContext& context, const ObservedPlace& place);
 // Speeds that scripts give each new player.
 void applyPlayerState(LevelDraft& level, const ObservedPlace& place);
 // Motions of what moves by itself.
@@ -17,11 +19,16 @@ void movingFromObservation(RoleContext& context, const engine::Report& report);
 void timersFromObservation(RoleContext& context, const engine::Report& report);
 // What a touch or use does, to the player and to other parts.
 void touchesFromObservation(RoleContext& context, const engine::Report& report);
+// What it does once other parts have been touched: guesses, after those by names.
+void laterTouchesFromObservation(RoleContext& context, const engine::Report& report);
+// What a touch or use does to constraints and movers, once it is known what they do by themselves.
+void touchedDrivesFromObservation(RoleContext& context, const engine::Report& report);
 // Names what was seen and is not in the level, and scripts that failed.
 void noteObservedLosses(RoleContext& context, const ObservedPlace& place);
 
-// The line that moves a part: `line`, that of its track, or that of the tween that moves it.
-engine::Line moverOf(const engine::Observation& seen, InstanceId part, engine::Line line);
+// The line that moves a part: that of its track, or of what sets the tween, constraint or mover
+// that moves it.
+engine::Line moverOf(const engine::Observation& seen, InstanceId part, const engine::Track& track);
 // A part's poses at `frames` frames from `first` on; it is at `start` until its track begins.
 std::vector<Pose> posesOf(const Pose& start, const engine::Track& track, uint32_t first,
                           uint32_t frames);

@@ -35,6 +35,11 @@ class Renumbering {
       apply(probe.target);
       apply(probe.seen);
     }
+    for (engine::Revisit& revisit : report.revisits) {
+      apply(revisit.probe.target);
+      apply(revisit.probe.seen);
+      apply(revisit.lever);
+    }
   }
 
  private:
@@ -49,6 +54,7 @@ class Renumbering {
     for (auto& [id, track] : seen.tracks) {
       InstanceId own = id;
       apply(own);
+      apply(track.driver);
       tracks[own] = std::move(track);
     }
     seen.tracks = std::move(tracks);
@@ -69,6 +75,7 @@ ObservedPlace observePlace(const Document& document) {
   place.ran = place.report.undisturbed.frames > 0;
   Renumbering(addMadeParts(place.document, place.report)).apply(place.report);
   settle(place.document, place.report);
+  place.settled = settledIn(document, place.document, place.report);
   return place;
 }
 

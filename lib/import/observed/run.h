@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/report.h"
+#include "import/observed/settled.h"
 #include "import/tree.h"
 
 namespace obby::importer {
@@ -12,6 +14,7 @@ struct ObservedPlace {
   Document document;      // with the parts that scripts made, and all that they changed for good
   engine::Report report;  // its ids are the document's; what scripts made later has others
   bool ran = false;       // there were scripts, and they ran
+  std::vector<Settled> settled = {};
 };
 
 // A document without scripts comes back as it is.

@@ -4,18 +4,26 @@
 #include <string>
 #include <utility>
 
+#include "import/classes.h"
+
 namespace obby::importer {
 namespace {
 
 using engine::Change;
 using engine::Plain;
 
+// Properties whose numbers are items of enums.
+constexpr const char* kEnums[] = {
+    "Material",   "Shape",          "ActuatorType",    "AngularActuatorType",   "Mode",
+    "RelativeTo", "ForceLimitMode", "ForceRelativeTo", "VelocityConstraintMode"};
+
 struct ToValue {
   const std::string& property;
 
   Value operator()(std::monostate) const { return {}; }
   Value operator()(double number) const {
-    if (property == "Material" || property == "Shape") return EnumItem{uint32_t(number), {}};
+    for (const char* const name : kEnums)
+      if (property == name) return EnumItem{uint32_t(number), {}};
     return number;
   }
   template <class T>
@@ -78,10 +86,13 @@ bool comesBack(const engine::Report& report, InstanceId part) {
 
 // At the start a script has put the part into the world or taken it out.
 void settleParent(Document& document, const engine::Report& report, InstanceId id, bool stays) {
-  if (stays)
+  const bool isPart = isPartClass(document.instances[id].className);
+  if (stays && isPart)
     joinWorld(document, id);
-  else if (!comesBack(report, id))
+  else if (!stays && !comesBack(report, id) && isPart)
     leaveTree(document, id);
+  else if (!stays && !comesBack(report, id))
+    document.instances[id].properties["Enabled"] = false;  // a joint
 }
 
 bool samePlace(const Pose& a, const Pose& b) {
@@ -115,6 +126,11 @@ bool isWay(const engine::Track& track) {
 std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::Report& report) {
   std::map<InstanceId, InstanceId> ids;
   const InstanceId workspace = workspaceOf(document);
+  // The id in the document; `unknown` for what was not added.
+  const auto known = [&](InstanceId id, InstanceId unknown) {
+    const auto added = ids.find(id);
+    return added != ids.end() ? added->second : id < engine::kMade ? id : unknown;
+  };
   for (const engine::MadePart& made : report.made) {
     const auto id = InstanceId(document.instances.size());
     Instance instance;
@@ -124,13 +140,17 @@ std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::
     }
     instance.className = made.className;
     instance.name = made.name;
-    instance.parent = workspace;
+    instance.parent = isPartClass(made.className) ? workspace : known(made.parent, workspace);
+    auto& siblings = instance.parent == kNoInstance ? document.roots
+                                                    : document.instances[instance.parent].children;
+    siblings.push_back(id);
     document.instances.push_back(std::move(instance));
-    (workspace == kNoInstance ? document.roots : document.instances[workspace].children)
-        .push_back(id);
     for (const auto& [property, value] : made.properties) set(document, id, property, value);
     ids[made.id] = id;
   }
+  for (const engine::MadePart& made : report.made)
+    for (const auto& [property, target] : made.references)
+      document.instances[ids[made.id]].properties[property] = Ref{known(target, kNoInstance)};
   return ids;
 }
 

@@ -7,8 +7,8 @@
 
 namespace obby::importer {
 
-// Appends the parts that scripts have made below Workspace. Returns their ids by those of the
-// report.
+// Appends what scripts have made: parts below Workspace, joints, constraints and movers where they
+// are. Returns their ids by those of the report.
 std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::Report& report);
 
 // Sets properties that scripts changed before the probes and never afterwards, and the poses at

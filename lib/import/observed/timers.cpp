@@ -53,7 +53,7 @@ void giveTimer(RoleContext& context, PartDraft& part, const Turns& turns) {
   const std::string reason = lineReason(context.tree, turns.line);
   if (!period || turns.back.size() < 2) {
     context.level.noteUnmodelled("part that comes and goes without a rhythm",
-                                 context.tree.path(part.id), "taken as solid; " + reason);
+                                 context.tree.path(part.id), "stays as in the file; " + reason);
     return;
   }
   const double gone = turns.gone[turns.gone.size() - 2];

@@ -11,17 +11,10 @@
 namespace obby::importer {
 namespace {
 
-// Where a script sets one of these, the file alone does not tell where a motor goes.
-constexpr std::string_view kMotorProperties[] = {"ActuatorType", "Enabled",       "LimitsEnabled",
-                                                 "LowerLimit",   "MotorMaxForce", "UpperLimit",
-                                                 "Velocity"};
-
 // Why the way of a motor is not known; empty: it is.
 std::string unknownWay(RoleContext& context, const ConstraintSettings& settings,
                        const Drive& drive) {
   const InstanceId motor = drive.constraint;
-  if (const auto change = settings.changeByItself(motor, kMotorProperties))
-    return "a script changes its settings (" + *change + ")";
   if (settings.number(motor, "Velocity") == 0) return "";
   if (!settings.hasLimits(motor)) return "no limit stops it";
   return baseMoves(context, drive) ? "the part it slides on moves too" : "";
@@ -139,8 +132,6 @@ bool leaveDriven(RoleContext& context, const char* kind, InstanceId part, Instan
                                "the part it drives stays at its position in the file; " + why);
   return true;
 }
-
-std::string setBy(const std::string& script) { return "a script changes its settings; " + script; }
 
 Track trackOf(const Tree& tree, const Drive& drive) {
   Track track;

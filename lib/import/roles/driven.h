@@ -55,8 +55,6 @@ bool hold(RoleContext& context, InstanceId part, const std::string& why);
 // the constraint. False if nothing was loose.
 bool leaveDriven(RoleContext& context, const char* kind, InstanceId part, InstanceId constraint,
                  const std::string& why);
-// As a reason for that: the line of a script.
-std::string setBy(const std::string& script);
 
 // The line of a slider's moving part.
 struct Track {

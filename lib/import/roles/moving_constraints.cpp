@@ -10,25 +10,11 @@
 #include "import/pivot.h"
 #include "import/roles/driven.h"
 #include "import/roles/movers.h"
-#include "import/roles/script_motions.h"
-#include "import/roles/stepped.h"
 
 namespace obby::importer {
 namespace {
 
 constexpr std::string_view kCylinder = "CylindricalConstraint";
-
-// What makes a hinge, a cylinder or a slider go, and what makes a mover turn.
-constexpr std::string_view kTurnProperties[] = {
-    "ActuatorType", "AngularActuatorType", "AngularSpeed",   "AngularVelocity",
-    "Enabled",      "MotorMaxTorque",      "ServoMaxTorque", "TargetAngle"};
-constexpr std::string_view kServoProperties[] = {"ActuatorType", "Enabled", "ServoMaxForce",
-                                                 "Speed", "TargetPosition"};
-constexpr std::string_view kTriggered[] = {
-    "ActuatorType",  "AngularActuatorType", "AngularSpeed",  "AngularVelocity", "Enabled",
-    "LimitsEnabled", "LowerLimit",          "MotorMaxForce", "MotorMaxTorque",  "Position",
-    "ServoMaxForce", "ServoMaxTorque",      "Speed",         "TargetAngle",     "TargetPosition",
-    "UpperLimit",    "VectorVelocity",      "Velocity"};
 
 // How a motor turns the moving part.
 std::optional<Spin> spinOf(const RoleContext& context, const ConstraintSettings& settings,
@@ -50,8 +36,6 @@ constexpr const char* kHingeMotor = "motion of a hinge's motor";
 bool fromHinge(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
   const auto drive = driveOf(context, id);
   if (!drive) return false;
-  if (const auto change = settings.changeByItself(id, kTurnProperties))
-    return leaveDriven(context, kHingeMotor, drive->moving, id, setBy(*change));
   Motion motion;
   motion.spin = spinOf(context, settings, *drive);
   if (motion.spin && settings.hasAngularLimits(id))
@@ -65,19 +49,6 @@ bool fromServo(RoleContext& context, const ConstraintSettings& settings, const D
   const double speed = settings.number(servo, "Speed");
   if (!(speed > 0) || !(settings.number(servo, "ServoMaxForce") > 0)) return false;
   const Track track = trackOf(context.tree, drive);
-  if (const auto steps = stepsOf(context, drive.constraint, {"TargetPosition"})) {
-    Goals goals;
-    for (const ScriptEvent* e : steps->events)
-      if (e->number) goals.emplace_back(e->time - steps->start, track.at(*e->number));
-    if (!goals.empty()) {
-      Motion motion = stepped(track.own, goals, *steps, speed);
-      motion.spin = spin;
-      const bool guessed = steps->events.front()->unsure;
-      return giveDriven(context, drive, std::move(motion), "servo stepped by a script", guessed);
-    }
-  }
-  if (const auto change = settings.changeByItself(servo, kServoProperties))
-    return leaveDriven(context, "motion of a slider's servo", drive.moving, servo, setBy(*change));
   const double target = settings.number(servo, "TargetPosition");
   if (std::abs(target - track.now) < kArrived) return standStill(context, drive, spin);
   return giveDriven(context, drive, slideTo(track, target, speed, spin), "servo", false);
@@ -89,16 +60,10 @@ bool fromSlider(RoleContext& context, const ConstraintSettings& settings, Instan
   const uint32_t actuator = settings.choice(id, "ActuatorType");
   // A cylinder may turn as it slides.
   const bool turns = context.tree.at(id).className == kCylinder;
-  const auto change = turns ? settings.changeByItself(id, kTurnProperties) : std::nullopt;
-  const bool freely = turns && !change && !settings.hasAngularLimits(id);
-  const auto spin = freely ? spinOf(context, settings, *drive) : std::nullopt;
-  const bool slides = actuator == kMotor
-                          ? fromSliderMotor(context, settings, *drive, spin)
-                          : actuator == kServo && fromServo(context, settings, *drive, spin);
-  if (slides && change)
-    context.level.noteUnmodelled(kHingeMotor, context.tree.path(id),
-                                 "a script changes how it rotates, so it only slides; " + *change);
-  return slides;
+  const auto spin =
+      turns && !settings.hasAngularLimits(id) ? spinOf(context, settings, *drive) : std::nullopt;
+  return actuator == kMotor ? fromSliderMotor(context, settings, *drive, spin)
+                            : actuator == kServo && fromServo(context, settings, *drive, spin);
 }
 
 // The part of the level that the constraint leaves loose; kNoInstance if there is none.
@@ -121,25 +86,6 @@ bool understand(RoleContext& context, const ConstraintSettings& settings, const 
   return fromMover(context, settings, pulls, id);
 }
 
-// What a touch or click does to a constraint, or a script of the player's own.
-void noteOthers(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
-  const auto trigger = settings.changeOnTrigger(id, kTriggered);
-  const auto client = settings.changeOfAClient(id, kTriggered);
-  if (!trigger && !client) return;
-  const JointEnds ends = jointEnds(context.tree, id);
-  for (const InstanceId end : {ends.first, ends.second, movedPart(context.tree, id)}) {
-    if (end == kNoInstance || !context.part(end)) continue;
-    if (trigger)
-      context.level.noteUnmodelled("motion that a touch or click starts", context.tree.path(id),
-                                   "moves or rests as at the start of play; " + *trigger);
-    if (client)
-      context.level.noteUnmodelled(
-          "part that a LocalScript changes", context.tree.path(id),
-          "the change is only for one player; moves or rests as on the server; " + *client);
-    return;
-  }
-}
-
 // What a script moves does not heed the motor that would move it as well.
 void noteBoth(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
   if (settings.choice(id, "ActuatorType") == 0 && settings.choice(id, "AngularActuatorType") == 0)
@@ -147,7 +93,8 @@ void noteBoth(RoleContext& context, const ConstraintSettings& settings, Instance
   const JointEnds ends = jointEnds(context.tree, id);
   for (const InstanceId end : {ends.first, ends.second}) {
     if (end == kNoInstance || context.assemblies.anchored(end)) continue;
-    if (isMovedByAScript(context.part(end)))
+    const PartDraft* part = context.part(end);
+    if (part && part->motion && !part->motion->carries)
       context.level.noteUnmodelled("part that a script and a constraint move",
                                    context.tree.path(end),
                                    "moves as the script says; " + context.tree.path(id));
@@ -161,9 +108,8 @@ std::vector<InstanceId> withoutMotion(RoleContext& context, const ConstraintSett
   const Pulls pulls = pullsOf(context, settings);
   std::vector<InstanceId> open;
   for (InstanceId id = 0; id < context.tree.size(); ++id) {
-    if (!isFreeConstraintClass(context.tree.at(id).className)) continue;
-    noteOthers(context, settings, id);
-    if (settings.isEnabled(id)) open.push_back(id);
+    if (isFreeConstraintClass(context.tree.at(id).className) && settings.isEnabled(id))
+      open.push_back(id);
   }
   std::stable_partition(open.begin(), open.end(),
                         [&](InstanceId id) { return !isPusher(context.tree.at(id).className); });
@@ -181,7 +127,7 @@ std::vector<InstanceId> withoutMotion(RoleContext& context, const ConstraintSett
 }  // namespace
 
 void movingFromConstraints(RoleContext& context) {
-  const ConstraintSettings settings(context);
+  const ConstraintSettings settings(context.tree);
   const std::vector<InstanceId> left = withoutMotion(context, settings);
   std::set<InstanceId> held;
   for (InstanceId id : left) {

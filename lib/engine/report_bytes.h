@@ -1,0 +1,74 @@
+// Reports as bytes, from a child to its parent. Private to lib/engine.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "engine/archive.h"
+#include "engine/report.h"
+
+namespace obby::engine {
+
+// ADL finds these for the archives.
+template <class A>
+void fields(A& a, Change& c) {
+  a(c.time), a(c.target), a(c.property), a(c.value), a(c.line);
+}
+template <class A>
+void fields(A& a, Track& t) {
+  a(t.start), a(t.poses), a(t.line), a(t.driver);
+}
+template <class A>
+void fields(A& a, TweenWay& w) {
+  a(w.property), a(w.from), a(w.to);
+}
+template <class A>
+void fields(A& a, Tween& t) {
+  a(t.time), a(t.id), a(t.target), a(t.seconds), a(t.delay), a(t.style), a(t.direction),
+      a(t.repeats);
+  a(t.reverses), a(t.ways), a(t.line);
+}
+template <class A>
+void fields(A& a, Problem& p) {
+  a(p.script), a(p.text), a(p.count);
+}
+template <class A>
+void fields(A& a, MadePart& m) {
+  a(m.id), a(m.origin), a(m.parent), a(m.className), a(m.name), a(m.properties), a(m.references);
+}
+template <class A>
+void fields(A& a, Observation& o) {
+  a(o.changes), a(o.tracks), a(o.tweens), a(o.harms), a(o.problems), a(o.counts), a(o.player);
+  a(o.frames);
+}
+template <class A>
+void fields(A& a, Probe& p) {
+  a(p.target), a(p.approach), a(p.at), a(p.left), a(p.seen), a(p.lost), a(p.byPlace), a(p.allOver);
+}
+template <class A>
+void fields(A& a, Revisit& r) {
+  a(r.probe), a(r.cause), a(r.lever);
+}
+template <class A>
+void fields(A& a, Report& r) {
+  a(r.undisturbed), a(r.probes), a(r.revisits), a(r.made), a(r.arrived), a(r.probedAt),
+      a(r.complete), a(r.over), a(r.failure), a(r.culprit);
+}
+
+template <class T>
+std::string toBytes(T value) {
+  BytesOut out;
+  out(value);
+  return std::move(out.bytes);
+}
+
+// False where bytes are missing, as from a child that died.
+template <class T>
+bool fromBytes(const std::string& bytes, T& value) {
+  BytesIn in(bytes);
+  if (bytes.empty()) return false;
+  in(value);
+  return in.good;
+}
+
+}  // namespace obby::engine

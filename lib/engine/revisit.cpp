@@ -1,0 +1,262 @@
+#include "engine/revisit.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "engine/child.h"
+#include "engine/effect_names.h"
+#include "engine/probe_run.h"
+#include "engine/report_bytes.h"
+
+namespace obby::engine {
+namespace {
+
+constexpr uint32_t kTouch = 12, kBetween = 4;  // frames of a touch on the tour, and after it
+constexpr uint32_t kShortTouch = 4, kLongTour = 100;
+constexpr double kSettleAtLeast = 1, kSettleAtMost = 20;           // seconds after the tour
+constexpr size_t kMostPatient = 32;                                // parts that do nothing at first
+constexpr size_t kMostProbed = 150;                                // parts that harm come last
+constexpr uint64_t kOfOneTour = 40'000'000, kOfAll = 250'000'000;  // instructions
+
+struct Seen {
+  std::vector<Probe> touches, probes;
+  double end = 0;     // of the tour, in seconds
+  uint64_t used = 0;  // instructions
+};
+
+template <class A>
+void fields(A& a, Seen& s) {
+  a(s.touches), a(s.probes), a(s.end), a(s.used);
+}
+
+// `touches`: false lets the time of the touches pass without them.
+struct How {
+  bool patiently = true, touches = true;
+};
+
+class Tour {
+ public:
+  Tour(Stage& stage, const Plan& plan, const std::vector<Probe>& first)
+      : stage_(stage), plan_(plan), first_(first) {
+    for (size_t i = 0; i < first.size(); ++i)
+      if (!kills(first[i])) choose(i);
+    for (size_t i = 0; i < first.size() && probed_.size() < kMostProbed; ++i)
+      if (kills(first[i])) probed_.push_back(i);
+  }
+
+  std::vector<Revisit> revisits() {
+    if (probed_.empty()) return {};
+    const Seen seen = tour(touched_, probed_);
+    usual_ = usualUntil(seen.end + plan_.probeSeconds);
+    std::vector<Revisit> found;
+    for (size_t k = 1; k < seen.touches.size(); ++k) {
+      const Names effects = effectsIn(seen.touches[k], usual_);
+      if (!adds(effectsIn(first_[touched_[k]], usual_), effects)) continue;
+      const std::vector<size_t> before(touched_.begin(), touched_.begin() + std::ptrdiff_t(k));
+      const std::vector<Probe> again = tour(before, {touched_[k]}).probes;
+      if (!again.empty()) take(touched_[k], again[0], before, found);
+    }
+    for (size_t i = 0; i < seen.probes.size(); ++i)
+      take(probed_[i], seen.probes[i], touched_, found);
+    return found;
+  }
+
+ private:
+  // A player goes to what may do something and lets it live.
+  void choose(size_t i) {
+    const Probe& probe = first_[i];
+    const bool silent = probe.seen.changes.empty() && probe.seen.harms.empty();
+    if (probe.lost || (silent && probe.byPlace)) return;
+    touched_.push_back(i);
+    if (probed_.size() < kMostProbed) probed_.push_back(i);
+    if (silent && probe.approach != Approach::use && patient_.size() < kMostPatient)
+      patient_.insert(i);
+  }
+
+  // A probe of part `i` after touches of `touched`.
+  void take(size_t i, const Probe& probe, const std::vector<size_t>& touched,
+            std::vector<Revisit>& found) {
+    const Names effects = effectsIn(probe, usual_);
+    const bool isKnown = std::any_of(found.begin(), found.end(), [&](const Revisit& other) {
+      return other.probe.target == probe.target;
+    });
+    if (isKnown || probe.lost || !differ(effectsIn(first_[i], usual_), effects)) return;
+    Revisit revisit;
+    revisit.probe = probe;
+    explain(i, effects, touched, revisit);
+    found.push_back(std::move(revisit));
+  }
+
+  // In a copy of the place.
+  std::string inCopy(const std::function<std::string()>& body) {
+    std::string bytes;
+    Children children(1);
+    children.start(plan_.timeLimit / 4, body, [&](const std::string& all) { bytes = all; });
+    children.finish();
+    return bytes;
+  }
+
+  // What is seen at each touch of `touched`, and then by each probe of `probed`.
+  Seen tour(const std::vector<size_t>& touched, const std::vector<size_t>& probed, How how = {}) {
+    Seen seen;
+    const bool isShort = touched.size() > kLongTour;
+    if (used_ >= kOfAll) return seen;
+    fromBytes(inCopy([&] {
+                stage_.limit(kOfOneTour);
+                const uint64_t left = stage_.left();
+                stage_.restart();
+                for (const size_t i : touched) {
+                  if (!seen.touches.empty()) seen.touches.back().seen = stage_.observation();
+                  seen.touches.push_back(first_[i]);
+                  if (how.touches)
+                    touch(i, isShort);
+                  else
+                    stage_.run(kTouch + kBetween);
+                }
+                settle();
+                if (!seen.touches.empty()) seen.touches.back().seen = stage_.observation();
+                seen.used = left - stage_.left();
+                seen.probes = probeAll(affordable(probed, seen.used), how.patiently);
+                seen.end = stage_.frames() / 60.0;
+                return toBytes(std::move(seen));
+              }),
+              seen);
+    used_ += seen.used;
+    return seen;
+  }
+
+  // The first of `probed`: as many as may run at the price of the tour, `used` until now.
+  std::vector<size_t> affordable(std::vector<size_t> probed, uint64_t used) const {
+    constexpr uint64_t kFrames = 150;  // of a probe
+    if (stage_.isExhausted()) return {};
+    const uint64_t frames = stage_.frames() - framesOf(plan_.probeAt) + 1;
+    const uint64_t most = kOfAll / (kFrames * (used / frames + 1));
+    if (most < probed.size()) probed.resize(most);
+    return probed;
+  }
+
+  void touch(size_t i, bool isShort) {
+    const Probe& probe = first_[i];
+    stage_.forget();  // what came before
+    if (probe.approach == Approach::use) {
+      stage_.use(probe.target);
+      stage_.run(kBetween);
+      return;
+    }
+    for (uint32_t frame = 0; frame < (isShort ? kShortTouch : kTouch); ++frame) {
+      stage_.standAt(probe.target, probe.approach == Approach::inside, 0);
+      stage_.run(1);
+    }
+    stage_.leave();
+    stage_.run(isShort ? 1 : kBetween);
+    stage_.revive();
+  }
+
+  void settle() {
+    const uint32_t begun = stage_.frames();
+    const auto passed = [&] { return stage_.frames() - begun; };
+    while (!stage_.isExhausted() && (passed() < framesOf(kSettleAtLeast) ||
+                                     (stage_.isBusy() && passed() < framesOf(kSettleAtMost))))
+      stage_.run(10);
+    stage_.revive();
+  }
+
+  std::vector<Probe> probeAll(const std::vector<size_t>& probed, bool patiently) {
+    std::vector<Probe> probes(probed.size());
+    Children children(plan_.processes);
+    for (size_t i = 0; i < probed.size(); ++i)
+      children.start(
+          plan_.timeLimit / 8, [&, i] { return toBytes(probeAgain(probed[i], patiently)); },
+          [&, i](const std::string& bytes) { probes[i].lost = !fromBytes(bytes, probes[i]); });
+    children.finish();
+    return probes;
+  }
+
+  // Of a part that kills: what it does to the next body.
+  Probe probeAgain(size_t i, bool patiently) {
+    Probe probe = first_[i];
+    if (kills(probe)) {
+      touch(i, false);
+      stage_.run(framesOf(1));
+    }
+    probe.seen = {};
+    probe.at = stage_.frames() / 60.0;
+    probe =
+        runProbe(stage_, plan_, std::move(probe), {.patient = patiently && patient_.contains(i)});
+    probe.lost = stage_.isExhausted();
+    return probe;
+  }
+
+  Names usualUntil(double seconds) {
+    Observation seen;
+    fromBytes(inCopy([&] {
+                stage_.restart();
+                const uint32_t end = framesOf(seconds), now = stage_.frames();
+                stage_.run(end > now ? end - now : 0);
+                return toBytes(stage_.observation());
+              }),
+              seen);
+    return namesIn(seen);
+  }
+
+  // Whether the part does the same once those are touched.
+  bool sameAfter(size_t i, const Names& effects, const std::vector<size_t>& touched, How how = {}) {
+    const std::vector<Probe> probes = tour(touched, {i}, how).probes;
+    if (probes.empty()) return false;
+    const Names now = effectsIn(probes[0], usual_);
+    return !differ(effects, now) && !differ(now, effects);
+  }
+
+  void explain(size_t i, const Names& effects, const std::vector<size_t>& touched,
+               Revisit& revisit) {
+    // Patience touches it again, too.
+    const How once = {.patiently = false}, idle = {.patiently = false, .touches = false};
+    if (kills(first_[i]) ? sameAfter(i, effects, {})
+                         : sameAfter(i, effects, {i}, once) && !sameAfter(i, effects, {i}, idle))
+      revisit.cause = Cause::again;
+    else if (sameAfter(i, effects, {}))
+      revisit.cause = Cause::time;
+    else
+      revisit.lever = leverOf(i, effects, touched);
+    if (revisit.lever != kNoInstance) revisit.cause = Cause::lever;
+  }
+
+  // By halves; kNoInstance if it takes several.
+  InstanceId leverOf(size_t i, const Names& effects, std::vector<size_t> touched) {
+    if (lastLever_ && sameAfter(i, effects, {*lastLever_})) return first_[*lastLever_].target;
+    while (touched.size() > 1) {
+      const auto middle = touched.begin() + std::ptrdiff_t(touched.size() / 2);
+      std::vector<size_t> low(touched.begin(), middle), high(middle, touched.end());
+      if (sameAfter(i, effects, low))
+        touched = std::move(low);
+      else if (sameAfter(i, effects, high))
+        touched = std::move(high);
+      else
+        return kNoInstance;
+    }
+    if (touched.empty()) return kNoInstance;
+    lastLever_ = touched[0];
+    return first_[touched[0]].target;
+  }
+
+  Stage& stage_;
+  const Plan& plan_;
+  const std::vector<Probe>& first_;
+  std::vector<size_t> touched_, probed_;
+  std::set<size_t> patient_;
+  Names usual_;
+  uint64_t used_ = 0;
+  std::optional<size_t> lastLever_;
+};
+
+}  // namespace
+
+std::vector<Revisit> revisit(Stage& stage, const Plan& plan, const std::vector<Probe>& first) {
+  return Tour(stage, plan, first).revisits();
+}
+
+}  // namespace obby::engine

@@ -1,0 +1,99 @@
+#include "import/observed/effect_roles.h"
+
+#include <algorithm>
+
+#include "import/checkpoints.h"
+#include "import/observed/run.h"
+
+namespace obby::importer {
+
+std::string EffectRoles::reason(engine::Line line) const { return lineReason(context_.tree, line); }
+
+void EffectRoles::prove(PartDraft& part, const char* role, const std::string& why) const {
+  part.evidence.push_back({role, why, guessed_});
+}
+
+void EffectRoles::note(const char* kind, InstanceId id, const char* note, engine::Line line) {
+  context_.level.noteUnmodelled(kind, path(id), note + reason(line));
+}
+
+void EffectRoles::takePlayer(PartDraft& part, const ProbeEffects& effects) {
+  if (effects.harm && !part.checkpoint && !part.goal && !hasEvidence(part, kHarmless)) {
+    part.kill = {float(effects.harm->damage), float(effects.harm->cooldown)};
+    prove(part, "kill", reason(effects.harm->line));
+  }
+  if (effects.push) takePush(part, *effects.push);
+  if (effects.teleport && !effects.harm) takeTeleport(part, *effects.teleport);
+  if (effects.boost) takeBoost(part, *effects.boost);
+  if (effects.trips && !effects.harm) {
+    part.trip = Trip{};
+    prove(part, "trip", reason(effects.tripLine));
+  }
+  if (effects.stage && !part.checkpoint && !effects.harm) takeStage(part, *effects.stage);
+  if (effects.force) note("force on the player", part.id, "does not act; ", *effects.force);
+  if (effects.gravity)
+    note("gravity that a touch changes", part.id, "gravity stays as it is; ", *effects.gravity);
+}
+
+void EffectRoles::takePush(PartDraft& part, const Push& push) {
+  JumpPad pad;
+  pad.velocity = push.velocity;
+  pad.keepSideways = push.keepsSideways;
+  if (pad.keepSideways) pad.velocity.x = pad.velocity.z = 0;
+  if (pad.velocity.y == 0 && pad.velocity.x == 0 && pad.velocity.z == 0) return;
+  part.jumpPad = pad;
+  prove(part, "jumpPad", reason(push.line));
+}
+
+void EffectRoles::takeTeleport(PartDraft& part, const Teleported& to) {
+  Teleport teleport;
+  teleport.position = to.feet;
+  teleport.turns = to.turns;
+  teleport.yaw = to.yaw;
+  part.teleport = teleport;
+  prove(part, "teleport", reason(to.line));
+}
+
+void EffectRoles::takeBoost(PartDraft& part, const Booster& boost) {
+  Boost own;
+  own.walkSpeed = boost.walk;
+  own.jumpSpeed = boost.jump;
+  own.seconds = float(boost.seconds);
+  own.forever = boost.forever;
+  if (!(own.walkSpeed > 0) || !(own.jumpSpeed > 0))
+    return note("part that stops the player", part.id, "", boost.line);
+  part.boost = own;
+  prove(part, "boost", reason(boost.line));
+}
+
+void EffectRoles::takeStage(PartDraft& part, const StageSet& stage) {
+  part.checkpoint =
+      stage.number ? int(*stage.number) : stageNumber(context_.tree, part.id, part.id);
+  prove(part, "checkpoint", reason(stage.line));
+}
+
+void EffectRoles::takeAbility(bool keys, const ProbeEffects& effects) {
+  LevelDraft& level = context_.level;
+  if (effects.empty() && keys)
+    level.noteUnmodelled("keys that a script listens to", "",
+                         "what they do is not known: the player walks and jumps only");
+  if (effects.boost && effects.boost->walk > 0 && effects.boost->jump > 0) {
+    World& world = level.world;
+    world.walkSpeed = std::max(world.walkSpeed, base_.walkSpeed * effects.boost->walk);
+    world.jumpSpeed = std::max(world.jumpSpeed, base_.jumpSpeed * effects.boost->jump);
+    level.noteIgnored("ability of the player", "",
+                      "used all the time; " + reason(effects.boost->line));
+  }
+  for (const Away& back : effects.backs)
+    if (PartDraft* const other = context_.part(back.part);
+        other && !back.seconds && !other->vanish) {
+      other->solid = true;  // players use what helps them
+      prove(*other, "solid", "once a button on the screen is used; " + reason(back.line));
+    }
+  if (!effects.aways.empty() || !effects.moved.empty())
+    level.noteUnmodelled("button on the screen", "", "the player does not use it");
+  if (effects.gravity || effects.push || effects.teleport || effects.force || effects.jumps)
+    level.noteUnmodelled("ability of the player", "", "the player does not use it");
+}
+
+}  // namespace obby::importer

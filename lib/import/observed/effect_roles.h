@@ -1,0 +1,52 @@
+// Gives parts the roles that follow from what a touch or use was seen to do.
+#pragma once
+
+#include <string>
+
+#include "import/observed/probe_effects.h"
+#include "import/roles/role.h"
+
+namespace obby::importer {
+
+class EffectRoles {
+ public:
+  explicit EffectRoles(RoleContext& context) : context_(context), base_(context.level.world) {}
+
+  // Evidence that follows is a guess.
+  void setGuessed(bool guessed) { guessed_ = guessed; }
+  // What a touch of the part does to the player.
+  void takePlayer(PartDraft& part, const ProbeEffects& effects);
+  // What it does to parts, itself among them. `used`: by a click or prompt instead of a touch.
+  void takeParts(PartDraft& part, bool used, const ProbeEffects& effects);
+  // What moves by constraints and movers that the touch sets. What it sets to no effect that the
+  // level has is named.
+  void takeDrives(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects);
+  // What a tool, a key (`keys`) or a button on the screen gives the player, wherever it is.
+  void takeAbility(bool keys, const ProbeEffects& effects);
+
+  std::string path(InstanceId id) const { return context_.tree.path(id); }
+  std::string reason(engine::Line line) const;
+
+ private:
+  void prove(PartDraft& part, const char* role, const std::string& why) const;
+  void takePush(PartDraft& part, const Push& push);
+  void takeTeleport(PartDraft& part, const Teleported& to);
+  void takeBoost(PartDraft& part, const Booster& boost);
+  void takeStage(PartDraft& part, const StageSet& stage);
+  // `inverted`: the part comes instead of going.
+  void takeAway(PartDraft& part, bool used, const Away& away, bool inverted);
+  // The part moves, or another one does.
+  void takeMotion(PartDraft& part, PartDraft& other, const Moved& moved, bool used);
+  // A touch of the part is felt elsewhere for that long.
+  void press(PartDraft& part, double seconds);
+  std::string signalOf(const PartDraft& part) const { return "touch " + path(part.id); }
+  bool isJoint(InstanceId id) const;
+  bool setsJoints(const engine::Probe& probe) const;
+  void note(const char* kind, InstanceId id, const char* note, engine::Line line);
+
+  RoleContext& context_;
+  const World base_;
+  bool guessed_ = false;
+};
+
+}  // namespace obby::importer
