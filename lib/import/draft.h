@@ -121,6 +121,7 @@ struct PartDraft {
   std::optional<Trip> trip;
   std::optional<Button> button;
   bool seat = false;
+  bool oneWay = false;  // solid for players above it only
   bool climbable = false;
   std::optional<int> checkpoint;  // stage
   std::optional<int> goal;        // stage

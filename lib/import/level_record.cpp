@@ -103,6 +103,7 @@ void setRoles(schema::Part::Builder to, const PartDraft& part) {
     button.setForever(part.button->forever);
   }
   if (part.seat) to.initSeat();
+  if (part.oneWay) to.initOneWay();
   to.setClimbable(part.climbable);
   if (part.checkpoint) to.initCheckpoint().setStage(*part.checkpoint);
   if (part.goal) to.initGoal().setStage(*part.goal);

@@ -70,9 +70,9 @@ void noteInstances(RoleContext& context) {
 }
 
 // Kit tags whose meaning the simulator has no room for, lower case.
-constexpr std::string_view kKitTags[] = {
-    "onewayplatform", "buttonactivated", "pushbox",  "pushboxdestroyer", "zipline",
-    "trippart",       "teleporter",      "walljump", "balloon",          "swing"};
+constexpr std::string_view kKitTags[] = {"buttonactivated", "pushbox",  "pushboxdestroyer",
+                                         "zipline",         "trippart", "teleporter",
+                                         "walljump",        "balloon",  "swing"};
 
 void noteTags(RoleContext& context) {
   for (InstanceId id = 0; id < context.tree.size(); ++id)

@@ -10,7 +10,6 @@
 namespace obby::importer {
 namespace {
 
-constexpr double kJumpPowerGain = 1.06;  // launch speed for each unit of JumpPower
 constexpr uint32_t kControllerLegacy = 1, kControllerDefault = 0;
 constexpr uint32_t kServerAuthority = 0;
 constexpr double kPi = 3.14159265358979323846;

@@ -6,6 +6,9 @@
 
 namespace obby::importer {
 
+// Launch speed for each unit of JumpPower (measured).
+constexpr double kJumpPowerGain = 1.06;
+
 // How a player jumps: its power, or the height that it reaches, as UseJumpPower says.
 struct Jump {
   bool usesPower = true;

@@ -81,10 +81,10 @@ TEST(Unmodelled, ForeignCode) {
 
 TEST(Unmodelled, KitTagsAndTellingNames) {
   Scene scene;
-  scene.tag(scene.part("Gate"), "OneWayPlatform");
+  scene.tag(scene.part("Gate"), "WallJump");
   scene.part("Jump Pad");
   scene.level();
-  EXPECT_EQ(scene.unmodelled("tag OneWayPlatform"), 1u);
+  EXPECT_EQ(scene.unmodelled("tag WallJump"), 1u);
   EXPECT_EQ(scene.unmodelled("name that suggests a jump pad"), 1u);
 }
 

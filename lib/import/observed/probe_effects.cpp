@@ -10,6 +10,7 @@
 #include "import/frame_time.h"
 #include "import/observed/roles.h"
 #include "import/pose_math.h"
+#include "import/world.h"
 
 namespace obby::importer {
 namespace {
@@ -21,7 +22,6 @@ constexpr double kNoCooldown = 0.1;          // seconds: hits that follow sooner
 constexpr float kYaw = 0.3f;                 // as a probe stands (probe.luau)
 constexpr Vec3 kArriving = {1.5f, 0, 2.5f};  // and its velocity
 constexpr float kKept = 1e-3f;
-constexpr double kPerJumpPower = 1.06;
 
 // The probe's changes without those that came in the undisturbed run at the same time.
 std::vector<const Change*> ownChanges(const engine::Report& report, const engine::Probe& probe) {
@@ -152,7 +152,7 @@ class Difference {
     const double* const power = std::get_if<double>(&change.value);
     if (!power || effects_.push) return;
     const bool byPower = probe_.seen.player.usesJumpPower;
-    const auto speed = float(byPower ? kPerJumpPower * *power : std::sqrt(392.4 * *power));
+    const auto speed = float(byPower ? kJumpPowerGain * *power : std::sqrt(392.4 * *power));
     effects_.push = Push{{kArriving.x, speed, kArriving.z}, true, change.line};
   }
 

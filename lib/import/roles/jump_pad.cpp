@@ -13,11 +13,21 @@ constexpr const char* kPowerNames[] = {"BounceImpulse", "BounceSpeed", "BouncePo
                                        "Velocity",      "Impulse"};
 constexpr float kDefaultPower = 100;
 constexpr float kMostPower = 2000;
+constexpr double kDefaultElevator = 20;  // studs/s
 
 std::optional<double> powerOf(const Tree& tree, InstanceId id) {
   for (const char* name : kPowerNames)
     if (const auto power = tree.number(id, name)) return power;
   return std::nullopt;
+}
+
+// A field that takes along what is in it, upward: it throws for as long as it is touched.
+void giveElevator(RoleContext& context, InstanceId marker, InstanceId owner) {
+  PartDraft* part = context.part(owner);
+  const auto speed = context.tree.number(marker, "Speed");
+  if (!part || part->solid) return;
+  giveJumpPad(*part, {part->pose.rotation.y * float(speed.value_or(kDefaultElevator)), true},
+              "marker " + context.tree.at(marker).name, !speed);
 }
 
 }  // namespace
@@ -44,6 +54,7 @@ void jumpPadFromTags(RoleContext& context) {
 void jumpPadFromMarkers(RoleContext& context) {
   context.eachMarker([&](InstanceId marker, InstanceId owner) {
     const std::string words = markerWords(context.tree, marker);
+    if (containsWord(words, "elevator")) return giveElevator(context, marker, owner);
     if (!containsWord(words, "bouncepad") && !containsWord(words, "jumppad") &&
         !containsWord(words, "trampoline"))
       return;

@@ -13,6 +13,8 @@ constexpr RoleRow kRoles[] = {
     {"checkpoint", checkpointFromTags, nullptr, checkpointFromNames},
     {"kill", killFromTags, killFromMarkers, killFromNames},
     {"jumpPad", jumpPadFromTags, jumpPadFromMarkers, nullptr},
+    {"boost", nullptr, boostFromMarkers, nullptr},
+    {"oneWay", oneWayFromTags, oneWayFromMarkers, nullptr},
     {"conveyor", conveyorFromTags, conveyorFromMarkers, conveyorFromVelocity},
     {"vanish", vanishFromTags, vanishFromMarkers, nullptr},
     {"seat", seatFromClass, nullptr, nullptr},
