@@ -35,6 +35,7 @@ class Recorder {
   bool isFull() const { return changes_ >= kMostChanges || placed_ >= kMostPlaced; }
 
   Observation& seen() { return seen_; }
+  const Observation& seen() const { return seen_; }
   // Forgets what was seen so far, so that a probe tells only its own.
   void restart();
 

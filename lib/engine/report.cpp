@@ -102,7 +102,7 @@ class Watcher {
   // While the undisturbed run goes on.
   void revisitAll() {
     children_.start(
-        plan_.timeLimit / 2, [&] { return toBytes(revisit(stage_, plan_, report_.probes)); },
+        plan_.timeLimit / 4, [&] { return toBytes(revisit(stage_, plan_, report_.probes)); },
         [this](const std::string& bytes) { fromBytes(bytes, report_.revisits); });
   }
 

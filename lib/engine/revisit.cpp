@@ -18,17 +18,19 @@ namespace {
 constexpr uint32_t kTouch = 12, kBetween = 4;  // frames of a touch on the tour, and after it
 constexpr uint32_t kShortTouch = 4, kLongTour = 100;
 constexpr double kSettleAtLeast = 1, kSettleAtMost = 20;  // seconds after the tour
-constexpr size_t kMostPatient = 64;                       // parts that do nothing at first
-constexpr int kMostTrials = 120;                          // to find out why something differs
+constexpr size_t kMostPatient = 32;                       // parts that do nothing at first
+constexpr size_t kMostProbed = 150;                       // parts that harm come last
+constexpr uint64_t kOfOneTour = 40'000'000, kOfAll = 250'000'000;  // instructions
 
 struct Seen {
   std::vector<Probe> touches, probes;
-  double end = 0;  // of the tour, in seconds
+  double end = 0;     // of the tour, in seconds
+  uint64_t used = 0;  // instructions
 };
 
 template <class A>
 void fields(A& a, Seen& s) {
-  a(s.touches), a(s.probes), a(s.end);
+  a(s.touches), a(s.probes), a(s.end), a(s.used);
 }
 
 // `touches`: false lets the time of the touches pass without them.
@@ -40,7 +42,10 @@ class Tour {
  public:
   Tour(Stage& stage, const Plan& plan, const std::vector<Probe>& first)
       : stage_(stage), plan_(plan), first_(first) {
-    for (size_t i = 0; i < first.size(); ++i) choose(i);
+    for (size_t i = 0; i < first.size(); ++i)
+      if (!kills(first[i])) choose(i);
+    for (size_t i = 0; i < first.size() && probed_.size() < kMostProbed; ++i)
+      if (kills(first[i])) probed_.push_back(i);
   }
 
   std::vector<Revisit> revisits() {
@@ -61,13 +66,13 @@ class Tour {
   }
 
  private:
-  // A player goes to what may do something; where it dies it does not go twice.
+  // A player goes to what may do something and lets it live.
   void choose(size_t i) {
     const Probe& probe = first_[i];
     const bool silent = probe.seen.changes.empty() && probe.seen.harms.empty();
     if (probe.lost || (silent && probe.byPlace)) return;
-    probed_.push_back(i);
-    if (!kills(probe)) touched_.push_back(i);
+    touched_.push_back(i);
+    if (probed_.size() < kMostProbed) probed_.push_back(i);
     if (silent && probe.approach != Approach::use && patient_.size() < kMostPatient)
       patient_.insert(i);
   }
@@ -99,7 +104,10 @@ class Tour {
   Seen tour(const std::vector<size_t>& touched, const std::vector<size_t>& probed, How how = {}) {
     Seen seen;
     const bool isShort = touched.size() > kLongTour;
+    if (used_ >= kOfAll) return seen;
     fromBytes(inCopy([&] {
+                stage_.limit(kOfOneTour);
+                const uint64_t left = stage_.left();
                 stage_.restart();
                 for (const size_t i : touched) {
                   if (!seen.touches.empty()) seen.touches.back().seen = stage_.observation();
@@ -111,12 +119,24 @@ class Tour {
                 }
                 settle();
                 if (!seen.touches.empty()) seen.touches.back().seen = stage_.observation();
-                seen.probes = probeAll(probed, how.patiently);
+                seen.used = left - stage_.left();
+                seen.probes = probeAll(affordable(probed, seen.used), how.patiently);
                 seen.end = stage_.frames() / 60.0;
                 return toBytes(std::move(seen));
               }),
               seen);
+    used_ += seen.used;
     return seen;
+  }
+
+  // The first of `probed`: as many as may run at the price of the tour, `used` until now.
+  std::vector<size_t> affordable(std::vector<size_t> probed, uint64_t used) const {
+    constexpr uint64_t kFrames = 150;  // of a probe
+    if (stage_.isExhausted()) return {};
+    const uint64_t frames = stage_.frames() - framesOf(plan_.probeAt) + 1;
+    const uint64_t most = kOfAll / (kFrames * (used / frames + 1));
+    if (most < probed.size()) probed.resize(most);
+    return probed;
   }
 
   void touch(size_t i, bool isShort) {
@@ -165,8 +185,10 @@ class Tour {
     }
     probe.seen = {};
     probe.at = stage_.frames() / 60.0;
-    return runProbe(stage_, plan_, std::move(probe),
-                    {.patient = patiently && patient_.contains(i)});
+    probe = runProbe(stage_, plan_, std::move(probe),
+                     {.patient = patiently && patient_.contains(i)});
+    probe.lost = stage_.isExhausted();
+    return probe;
   }
 
   Names usualUntil(double seconds) {
@@ -183,8 +205,6 @@ class Tour {
 
   // Whether the part does the same once those are touched.
   bool sameAfter(size_t i, const Names& effects, const std::vector<size_t>& touched, How how = {}) {
-    if (trials_ >= kMostTrials) return false;
-    ++trials_;
     const std::vector<Probe> probes = tour(touched, {i}, how).probes;
     if (probes.empty()) return false;
     const Names now = effectsIn(probes[0], usual_);
@@ -229,7 +249,7 @@ class Tour {
   std::vector<size_t> touched_, probed_;
   std::set<size_t> patient_;
   Names usual_;
-  int trials_ = 0;
+  uint64_t used_ = 0;
   std::optional<size_t> lastLever_;
 };
 

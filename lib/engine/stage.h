@@ -21,7 +21,7 @@ class Stage {
   void start();
   // Steps of 1/60 s; fewer if a budget is used up.
   void run(uint32_t frames);
-  uint32_t frames() { return host_->recorder.seen().frames; }
+  uint32_t frames() const { return host_->recorder.seen().frames; }
   // Puts the player's feet there; yaw in radians, 0 looks along -Z.
   void stand(Vec3 feet, float yaw);
   // On top of a part, or its middle in the middle of the part, wherever that is by now.
@@ -54,6 +54,9 @@ class Stage {
   // Forgets it, and takes what waits now for what always waits.
   void restart();
   bool isExhausted() const { return host_->vm.isExhausted() || host_->recorder.isFull(); }
+  // Instructions that all scripts together may still run.
+  uint64_t left() const { return host_->vm.left(); }
+  void limit(uint64_t instructions) { host_->vm.limit(instructions); }
   // The script that has used up the memory, if one has.
   InstanceId greedyScript() const { return host_->greedy; }
   // Grows whenever a script begins or ends to run.

@@ -1,23 +1,19 @@
-// World, parts, scripts, strays, roles, stages, what is left over, and the ground.
+// World, parts, strays, roles, stages, what is left over, and the ground.
 #include "import/build_level.h"
 
 #include "import/assemblies.h"
 #include "import/checkpoints.h"
 #include "import/collision_groups.h"
 #include "import/culling.h"
-#include "import/ended_handlers.h"
 #include "import/loose.h"
 #include "import/motion_room.h"
 #include "import/observed/roles.h"
 #include "import/parts.h"
 #include "import/roles/role.h"
-#include "import/roles/surface_speed.h"
 #include "import/scene.h"
-#include "import/scripted_start.h"
-#include "import/scripted_world.h"
+#include "import/script_hints.h"
 #include "import/terrain.h"
 #include "import/unmodelled.h"
-#include "import/unread_code.h"
 #include "import/world.h"
 
 namespace obby::importer {
@@ -48,11 +44,7 @@ void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level
   }
 }
 
-}  // namespace
-
-namespace {
-
-void findObservedRoles(RoleContext& context, const ObservedPlace& place) {
+void findRolesOf(RoleContext& context, const ObservedPlace& place) {
   noteSettled(context, place);
   applyPlayerState(context.level, place);
   movingFromObservation(context, place.report);
@@ -65,16 +57,8 @@ void findObservedRoles(RoleContext& context, const ObservedPlace& place) {
   findRoles(context);
   touchedDrivesFromObservation(context, place.report);
   laterTouchesFromObservation(context, place.report);
+  hintsFromScripts(context, place);
   noteObservedLosses(context, place);
-}
-
-// Of a place whose scripts did not run: by their texts.
-void findReadRoles(RoleContext& context) {
-  applyScriptedWorld(context);
-  findRoles(context);
-  noteUntoldVelocities(context);
-  noteModules(context);
-  noteEndedHandlers(context);
 }
 
 }  // namespace
@@ -88,17 +72,9 @@ LevelDraft buildLevel(const Tree& tree, const ObservedPlace& place, const std::s
   readWorld(tree, level);
   const Assemblies assemblies(tree);
   readParts(tree, assemblies, level);
-  const auto scripts = place.ran ? std::vector<ScriptReading>{} : readScripts(tree);
-  {
-    RoleContext asSaved(tree, assemblies, scripts, level);
-    applyScriptedStart(asSaved);
-  }
   cullStrays(level, tree);
-  RoleContext context(tree, assemblies, scripts, level);
-  if (place.ran)
-    findObservedRoles(context, place);
-  else
-    findReadRoles(context);
+  RoleContext context(tree, assemblies, level);
+  findRolesOf(context, place);
   settleMotions(context);
   looseParts(tree, assemblies, level);
   orderStages(tree, level);

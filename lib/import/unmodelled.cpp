@@ -1,15 +1,11 @@
-// The list of what is lost, by looking at instances and at the script readings.
+// The list of what is lost, by looking at instances.
 #include "import/unmodelled.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "engine/classes/class_defaults.h"
 #include "import/classes.h"
-#include "import/onset.h"
-#include "import/scripted_changes.h"
-#include "import/unread_code.h"
 #include "import/words.h"
 
 namespace obby::importer {
@@ -87,176 +83,12 @@ void noteTags(RoleContext& context) {
                                      "treated as a plain part");
 }
 
-// What a touch does that no role covers: a kind and what is lost.
-struct Effect {
-  const char* kind;
-  const char* note;
-};
-
-// Of what a touch or click changes of parts: of the touched one what no role has, and of others.
-std::optional<Effect> changeOf(RoleContext& context, const Timeline& timeline,
-                               const ScriptEvent& event) {
-  const Effect button = {"button", "the parts that touching it changes stay as they are"};
-  if (!context.hasParts(event.target)) {
-    if (comesBack(event) && !context.tree.partsOf(event.target).empty()) return button;
-    return std::nullopt;
-  }
-  if (isSize(event))
-    return Effect{"size that a script changes", "stays as it is at the start of play"};
-  if (event.kind == EventKind::tween) return std::nullopt;  // a motion, or only seen
-  if (event.property == "Parent" && event.kind == EventKind::set && !event.flag)
-    return Effect{"part that a script may change", "it is not known whether it stays in the world"};
-  const PartDraft* part = context.part(event.target);
-  const bool drives = event.property == "Velocity" || event.property == "RotVelocity";
-  if (drives && part && part->anchored)
-    return Effect{"conveyor that a script changes", "keeps its velocity at the start of play"};
-  if (event.target == timeline.touched) return std::nullopt;
-  if (event.kind == EventKind::destroy || event.property == "CanCollide" ||
-      event.property == "CanTouch" || event.property == "Anchored")
-    return button;
-  return std::nullopt;
-}
-
-// Whether no harm is lost: a tag says that it does none, or it kills by other evidence.
-bool isSettled(RoleContext& context, InstanceId id) {
-  const PartDraft* part = context.part(id);
-  const bool kills = part && part->kill && part->kill->damage >= context.level.world.maxHealth;
-  return kills || (part && hasEvidence(*part, kHarmless));
-}
-
-// Whether the height that it gives is computed, so that the part throws nobody. Not where it keeps
-// what a body has upward, and pushes along.
-bool isLostPush(RoleContext& context, const Timeline& timeline, const Vec3& push) {
-  const auto gives = [](float v) { return !std::isnan(v) && v != 0; };
-  const PartDraft* touched = context.part(timeline.touched);
-  return std::isnan(push.y) && !gives(push.x) && !gives(push.z) && !(touched && touched->jumpPad);
-}
-
-std::optional<Effect> effectOf(RoleContext& context, const Timeline& timeline,
-                               const ScriptEvent& event) {
-  switch (event.kind) {
-    case EventKind::teleport: {
-      const PartDraft* touched = context.part(timeline.touched);
-      if (touched && touched->teleport) return std::nullopt;
-      return Effect{"teleporter", "players who touch it are not moved"};
-    }
-    case EventKind::build:
-      return Effect{"parts that a script builds",
-                    "they are not in the file, so the level lacks them"};
-    case EventKind::push:
-      if (!event.vector || isLostPush(context, timeline, *event.vector))
-        return Effect{"push that a script computes", "the push is left out"};
-      return std::nullopt;
-    case EventKind::character:
-      if (event.property == "WalkSpeed" || event.property == "JumpPower" ||
-          event.property == "JumpHeight" || event.property == "Gravity")
-        return Effect{"speed or jump booster", "the player's speed and jump stay as they are"};
-      if (event.property == "Health" && !isSettled(context, timeline.touched))
-        return Effect{"damage that a script computes", "players take no damage"};
-      if (event.property == "Sit" || event.property == "PlatformStand")
-        return Effect{"trip part", "players stay on their feet"};
-      return std::nullopt;
-    case EventKind::set:
-    case EventKind::tween:
-    case EventKind::destroy: return changeOf(context, timeline, event);
-    default: return std::nullopt;
-  }
-}
-
-// Harm by something that the text does not tell: the handler of a touch of an unknown part, or a
-// loop that looks for players by itself, be it once another script has enabled its own.
-void noteHarm(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
-  const bool ownText = reading.isWoken() && timeline.line == 0;  // and no handler
-  if (!ownText && !timeline.byItself() && !timeline.ofUnknownTouch()) return;
-  for (const ScriptEvent& event : timeline.events) {
-    if (!event.harms() || event.target != kNoInstance) continue;
-    context.level.noteUnmodelled(
-        "damage by an unknown part", context.tree.path(reading.script),
-        "no part deals it; " + scriptReason(context.tree, reading, event.line));
-    return;
-  }
-}
-
-// Of roles whose times follow from waits that the text does not tell.
-void noteWaits(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
-  if (!timeline.vague) return;
-  std::set<InstanceId> seen;
-  for (const ScriptEvent& event : timeline.events) {
-    const bool counts = timeline.byItself() || event.target == timeline.touched;
-    if (!counts || !changesParts(context.tree, event) || event.property == "Transparency") continue;
-    if (!seen.insert(event.target).second) continue;
-    for (const PartDraft* part : context.partsOf(event.target))
-      if (part->vanish || part->motion)
-        context.level.noteUnmodelled(
-            "wait that a script computes", context.tree.path(part->id),
-            "taken as the shortest possible wait, a tween as one second; " +
-                scriptReason(context.tree, reading, event.line));
-  }
-}
-
-// What scripts turn by its joint, as with Weld.C0 in a loop.
-void noteJoints(RoleContext& context, const ScriptReading& reading) {
-  std::set<InstanceId> seen;
-  for (const Timeline& timeline : reading.timelines)
-    for (size_t i = 0; i < timeline.events.size(); ++i) {
-      const ScriptEvent& event = timeline.events[i];
-      const bool atStart = timeline.trigger == Trigger::start && event.kind == EventKind::set &&
-                           event.time <= 0 && !isLooped(timeline, i);
-      if (event.target == kNoInstance || atStart) continue;
-      if (!isRigidJointClass(context.tree.at(event.target).className)) continue;
-      const bool moves = event.property == "C0" || event.property == "C1" ||
-                         event.property == "Transform" || event.property == "DesiredAngle";
-      if (!moves || !seen.insert(event.target).second) continue;
-      const JointEnds ends = jointEnds(context.tree, event.target);
-      if (ends.second != kNoInstance && context.part(ends.second))
-        context.level.noteUnmodelled(
-            "joint that a script turns", context.tree.path(event.target),
-            "the joined part keeps its place; " + scriptReason(context.tree, reading, event.line));
-    }
-}
-
-void noteTimelines(RoleContext& context, const ScriptReading& reading) {
-  for (const Timeline& timeline : reading.timelines) {
-    noteHarm(context, reading, timeline);
-    noteWaits(context, reading, timeline);
-    std::set<std::string> kinds;
-    bool understood = false;
-    for (const ScriptEvent& event : timeline.events) {
-      understood = true;
-      // First of all: loops have thousands of events.
-      const bool byTouch = timeline.trigger == Trigger::touch || timeline.trigger == Trigger::other;
-      if (!byTouch && event.kind != EventKind::build) continue;
-      const auto effect = effectOf(context, timeline, event);
-      if (!effect || !kinds.insert(effect->kind).second) continue;
-      const InstanceId where = timeline.touched == kNoInstance ? reading.script : timeline.touched;
-      if (timeline.touched == kNoInstance && event.kind != EventKind::build &&
-          event.kind != EventKind::set && event.kind != EventKind::tween &&
-          event.kind != EventKind::destroy)
-        continue;  // what joining or dying does to a player is no part of a level
-      context.level.noteUnmodelled(
-          effect->kind, context.tree.path(where),
-          std::string(effect->note) + "; " + scriptReason(context.tree, reading, event.line));
-    }
-    const PartDraft* touched = context.part(timeline.touched);
-    if (timeline.trigger == Trigger::touch && !understood && touched && !hasRole(*touched))
-      context.level.noteUnmodelled("unknown script pattern", context.tree.path(timeline.touched),
-                                   "what a touch does was not understood; " +
-                                       scriptReason(context.tree, reading, timeline.line));
-  }
-}
-
 }  // namespace
 
 void noteUnmodelled(RoleContext& context) {
   noteInstances(context);
   noteNames(context);
   noteTags(context);
-  for (const ScriptReading& reading : context.scripts) {
-    noteUnread(context, reading);
-    noteTimelines(context, reading);
-    noteJoints(context, reading);
-  }
-  noteScriptedChanges(context);
 }
 
 }  // namespace obby::importer

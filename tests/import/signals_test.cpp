@@ -84,7 +84,7 @@ TEST(Signals, HandlersInVariablesMayBeDisconnected) {
       "local touched = p.Touched local c c = touched:Connect(function(hit)\n"
       "c:Disconnect() p.CanCollide = false wait(3) p.CanCollide = true end)");
   EXPECT_TRUE(scene[scene.self].vanish);
-  EXPECT_EQ(scene.unmodelled("handler that a script disconnects"), 1u);
+  EXPECT_EQ(scene.unmodelled("touch that does less later"), 1u);
 }
 
 }  // namespace

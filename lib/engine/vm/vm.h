@@ -33,6 +33,9 @@ class Vm {
   void beginStretch() { stretchLeft_ = budget_.stretch, timedOut_ = false; }
   bool timedOut() const { return timedOut_; }
   bool isExhausted() const { return left_ == 0; }
+  // Of all together.
+  uint64_t left() const { return left_; }
+  void limit(uint64_t instructions) { left_ = left_ < instructions ? left_ : instructions; }
 
  private:
   static void* allocate(void* self, void* block, size_t oldSize, size_t newSize);

@@ -11,32 +11,36 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kForever = 3600;  // seconds
+constexpr double kForever = 3600;  // seconds
 constexpr const char* kStarted = "motion that a touch or click starts";
 
 }  // namespace
 
 void EffectRoles::takeParts(PartDraft& part, bool used, const ProbeEffects& effects) {
-  Press press;
-  press.signal = "touch " + path(part.id);
-  for (const Away& away : effects.aways) takeAway(part, used, away, false, press);
-  for (const Away& back : effects.backs) takeAway(part, used, back, true, press);
+  for (const Away& away : effects.aways) takeAway(part, used, away, false);
+  for (const Away& back : effects.backs) takeAway(part, used, back, true);
   for (const Moved& moved : effects.moved)
-    if (moved.driver == kNoInstance) takeMoved(part, used, moved, press);
-  givePress(part, press);
+    if (PartDraft* const other = context_.part(moved.part);
+        other && !other->motion && moved.driver == kNoInstance)
+      takeMotion(part, *other, moved, used);
   for (const auto& [id, line] : effects.sizes)
     note("size that scripts change", id, "stays as it is at the start; ", line);
   for (const auto& [id, line] : effects.belts)
     if (context_.part(id)) note("conveyor that a touch changes", id, "", line);
 }
 
-void EffectRoles::givePress(PartDraft& part, const Press& press) {
-  if (!press.presses) return;
-  if (!part.button) prove(part, "button", "a touch changes other parts");
-  Button button = part.button.value_or(Button{press.signal, 0, false});
-  button.forever = button.forever || press.forever;
-  button.seconds = std::max(button.seconds, press.forever ? kForever : float(press.longest));
-  part.button = button;
+void EffectRoles::takeDrives(PartDraft& part, const engine::Probe& probe,
+                             const ProbeEffects& effects) {
+  if (!setsJoints(probe)) return;
+  std::set<InstanceId> done;
+  for (const Moved& moved : effects.moved) {
+    PartDraft* const other = context_.part(moved.part);
+    if (moved.driver == kNoInstance || !other || other->motion) continue;
+    takeMotion(part, *other, moved, probe.approach == engine::Approach::use);
+    done.insert(moved.driver);
+  }
+  for (const auto& [id, line] : effects.others)
+    if (isJoint(id) && !done.contains(id)) note(kStarted, id, "moves or rests as before; ", line);
 }
 
 bool EffectRoles::isJoint(InstanceId id) const {
@@ -54,23 +58,15 @@ bool EffectRoles::setsJoints(const engine::Probe& probe) const {
                      [](const auto& track) { return track.second.driver != kNoInstance; });
 }
 
-void EffectRoles::takeDrives(PartDraft& part, bool used, const ProbeEffects& effects) {
-  Press press;
-  press.signal = "touch " + path(part.id);
-  std::set<InstanceId> done;
-  for (const Moved& moved : effects.moved) {
-    const PartDraft* const other = context_.part(moved.part);
-    if (moved.driver == kNoInstance || !other || other->motion) continue;
-    takeMoved(part, used, moved, press);
-    done.insert(moved.driver);
-  }
-  givePress(part, press);
-  for (const auto& [id, line] : effects.others)
-    if (isJoint(id) && !done.contains(id)) note(kStarted, id, "moves or rests as before; ", line);
+void EffectRoles::press(PartDraft& part, double seconds) {
+  if (!part.button) prove(part, "button", "a touch changes other parts");
+  Button button = part.button.value_or(Button{signalOf(part), 0, false});
+  button.forever = button.forever || seconds >= kForever;
+  button.seconds = std::max(button.seconds, float(seconds));
+  part.button = button;
 }
 
-void EffectRoles::takeAway(PartDraft& part, bool used, const Away& away, bool inverted,
-                           Press& press) {
+void EffectRoles::takeAway(PartDraft& part, bool used, const Away& away, bool inverted) {
   PartDraft* const other = context_.part(away.part);
   if (!other || other->vanish) return;
   Vanish vanish;
@@ -78,35 +74,30 @@ void EffectRoles::takeAway(PartDraft& part, bool used, const Away& away, bool in
   vanish.inverted = inverted;
   if (!inverted) vanish.away = away.seconds ? float(*away.seconds) : kGone;
   if (inverted || other != &part || used) {
-    vanish.signal = press.signal;
-    press.presses = true;
-    press.forever = press.forever || !away.seconds;
-    press.longest = std::max(press.longest, away.delay + away.seconds.value_or(0));
+    vanish.signal = signalOf(part);
+    press(part, away.seconds ? away.delay + *away.seconds : kForever);
   }
   other->vanish = vanish;
   other->solid = true;
   prove(*other, "vanish", reason(away.line));
 }
 
-void EffectRoles::takeMoved(PartDraft& part, bool used, const Moved& moved, Press& press) {
+void EffectRoles::takeMotion(PartDraft& part, PartDraft& other, const Moved& moved, bool used) {
   constexpr size_t kRest = 30;  // frames
-  PartDraft* const other = context_.part(moved.part);
-  if (!other || other->motion) return;
   auto motion = motionOf(moved.poses, kRest);
   if (!motion) return note(kStarted, moved.part, "stays where it is; ", moved.line);
-  const bool own = other == &part && !used;
+  const bool own = &other == &part && !used;
   motion->trigger = own ? MotionTrigger::touch : MotionTrigger::signal;
   motion->offset = 0;
   motion->carries = moved.driver != kNoInstance;
   if (!own) {
-    motion->signal = press.signal;
-    press.presses = true;
-    press.forever = press.forever || !samePose(moved.poses.front(), moved.poses.back());
-    press.longest = std::max(press.longest, double(moved.poses.size()) / 60);
+    motion->signal = signalOf(part);
+    const bool returns = samePose(moved.poses.front(), moved.poses.back());
+    press(part, returns ? double(moved.poses.size()) / 60 : kForever);
   }
-  other->motion = motion;
-  other->anchored = true;
-  prove(*other, "motion", reason(moved.line));
+  other.motion = motion;
+  other.anchored = true;
+  prove(other, "motion", reason(moved.line));
 }
 
 }  // namespace obby::importer

@@ -18,11 +18,9 @@ class EffectRoles {
   void takePlayer(PartDraft& part, const ProbeEffects& effects);
   // What it does to parts, itself among them. `used`: by a click or prompt instead of a touch.
   void takeParts(PartDraft& part, bool used, const ProbeEffects& effects);
-  // What it does to constraints and movers, and by them to parts; once it is known what those do by
-  // themselves.
-  void takeDrives(PartDraft& part, bool used, const ProbeEffects& effects);
-  // Whether the probe has anything for takeDrives.
-  bool setsJoints(const engine::Probe& probe) const;
+  // What moves by constraints and movers that the touch sets. What it sets to no effect that the
+  // level has is named.
+  void takeDrives(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects);
   // What a tool, a key (`keys`) or a button on the screen gives the player, wherever it is.
   void takeAbility(bool keys, const ProbeEffects& effects);
 
@@ -30,23 +28,20 @@ class EffectRoles {
   std::string reason(engine::Line line) const;
 
  private:
-  // What a button does to others: for how long it stays pressed.
-  struct Press {
-    std::string signal;
-    bool presses = false, forever = false;
-    double longest = 0;
-  };
-
   void prove(PartDraft& part, const char* role, const std::string& why) const;
   void takePush(PartDraft& part, const Push& push);
   void takeTeleport(PartDraft& part, const Teleported& to);
   void takeBoost(PartDraft& part, const Booster& boost);
   void takeStage(PartDraft& part, const StageSet& stage);
   // `inverted`: the part comes instead of going.
-  void takeAway(PartDraft& part, bool used, const Away& away, bool inverted, Press& press);
-  void takeMoved(PartDraft& part, bool used, const Moved& moved, Press& press);
-  void givePress(PartDraft& part, const Press& press);
+  void takeAway(PartDraft& part, bool used, const Away& away, bool inverted);
+  // The part moves, or another one does.
+  void takeMotion(PartDraft& part, PartDraft& other, const Moved& moved, bool used);
+  // A touch of the part is felt elsewhere for that long.
+  void press(PartDraft& part, double seconds);
+  std::string signalOf(const PartDraft& part) const { return "touch " + path(part.id); }
   bool isJoint(InstanceId id) const;
+  bool setsJoints(const engine::Probe& probe) const;
   void note(const char* kind, InstanceId id, const char* note, engine::Line line);
 
   RoleContext& context_;

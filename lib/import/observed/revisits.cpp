@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "import/pose_math.h"
+#include "import/motion.h"
 
 namespace obby::importer {
 namespace {

@@ -19,10 +19,10 @@ void movingFromObservation(RoleContext& context, const engine::Report& report);
 void timersFromObservation(RoleContext& context, const engine::Report& report);
 // What a touch or use does, to the player and to other parts.
 void touchesFromObservation(RoleContext& context, const engine::Report& report);
-// What a touch or use does to constraints and movers, once it is known what they do by themselves.
-void touchedDrivesFromObservation(RoleContext& context, const engine::Report& report);
 // What it does once other parts have been touched: guesses, after those by names.
 void laterTouchesFromObservation(RoleContext& context, const engine::Report& report);
+// What a touch or use does to constraints and movers, once it is known what they do by themselves.
+void touchedDrivesFromObservation(RoleContext& context, const engine::Report& report);
 // Names what was seen and is not in the level, and scripts that failed.
 void noteObservedLosses(RoleContext& context, const ObservedPlace& place);
 

@@ -33,11 +33,10 @@ class Touches {
     give(*part, probe, effects);
   }
 
-  // What moves by constraints and movers that the touch sets.
   void takeDrives(const engine::Probe& probe) {
     PartDraft* const part = partOf(probe);
-    if (part && !probe.lost && probe.allOver && roles_.setsJoints(probe))
-      roles_.takeDrives(*part, isUse(probe), effectsOf(report_, probe));
+    if (part && !probe.lost && probe.allOver)
+      roles_.takeDrives(*part, probe, effectsOf(report_, probe));
   }
 
   void take(const engine::Revisit& revisit) {
@@ -50,7 +49,7 @@ class Touches {
       std::erase_if(part->evidence, [](const auto& e) { return e.reason == kNothing; });
       roles_.setGuessed(!added.onlyStage());
       give(*part, revisit.probe, added);
-      roles_.takeDrives(*part, isUse(revisit.probe), added);
+      roles_.takeDrives(*part, revisit.probe, added);
       roles_.setGuessed(false);
       if (!added.onlyStage())
         note("touch that does more later", part->id,
@@ -68,7 +67,6 @@ class Touches {
       if (PartDraft* const part = context_.part(id)) return part;
     return nullptr;
   }
-  static bool isUse(const engine::Probe& probe) { return probe.approach == engine::Approach::use; }
   bool isKeys(InstanceId target) const {
     return target >= context_.tree.size() ||
            context_.tree.at(target).className == "UserInputService";
@@ -81,8 +79,9 @@ class Touches {
   }
 
   void give(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects) {
-    if (!isUse(probe)) roles_.takePlayer(part, effects);
-    roles_.takeParts(part, isUse(probe), effects);
+    const bool used = probe.approach == engine::Approach::use;
+    if (!used) roles_.takePlayer(part, effects);
+    roles_.takeParts(part, used, effects);
   }
 
   void note(const char* kind, InstanceId id, const std::string& text) {

@@ -42,16 +42,6 @@ bool inCheckpointFolder(const Tree& tree, InstanceId id) {
   return parent != kNoInstance && !firstWordIn(tree.at(parent).name, kFolderWords).empty();
 }
 
-void fromTouches(RoleContext& context, Doings doings) {
-  const auto take = [&](PartDraft& part, const Timeline& timeline, const ScriptReading& reading) {
-    for (const ScriptEvent& event : timeline.events)
-      if (event.kind == EventKind::respawnAt)
-        give(part, stageNumber(context.tree, part.id, part.id),
-             scriptReason(context.tree, reading, event.line), reading.isLater(timeline));
-  };
-  context.eachTouch(doings, take);
-}
-
 }  // namespace
 
 int stageNumber(const Tree& tree, InstanceId id, InstanceId part) {
@@ -82,14 +72,11 @@ void checkpointFromTags(RoleContext& context) {
   });
 }
 
-void checkpointFromScripts(RoleContext& context) { fromTouches(context, Doings::certain); }
-
 void checkpointFromNames(RoleContext& context) {
   const Tree& tree = context.tree;
   bool stated = false;
   for (const PartDraft& part : context.level.parts) stated = stated || part.checkpoint.has_value();
-  fromTouches(context, Doings::later);  // guesses, as names are
-  if (stated) return;                   // stated checkpoints make names needless
+  if (stated) return;  // stated checkpoints make names needless
   std::unordered_map<InstanceId, const PartDraft*> touched;  // of each model
   for (size_t i = 0; i < context.level.parts.size(); ++i) {
     PartDraft& part = context.level.parts[i];

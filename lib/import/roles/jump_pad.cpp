@@ -1,6 +1,4 @@
-// Parts that throw a player: by tag, kit marker or script.
-#include <cmath>
-
+// Parts that throw a player: by tag or kit marker.
 #include "import/roles/role.h"
 #include "import/roles/surface_speed.h"
 
@@ -20,13 +18,6 @@ std::optional<double> powerOf(const Tree& tree, InstanceId id) {
   for (const char* name : kPowerNames)
     if (const auto power = tree.number(id, name)) return power;
   return std::nullopt;
-}
-
-// NaN components stay as they are for the player.
-JumpPad padFromPush(Vec3 push) {
-  const bool keeps = std::isnan(push.x) || std::isnan(push.z);
-  const auto known = [](float v) { return std::isnan(v) ? 0.0f : v; };
-  return {{known(push.x), known(push.y), known(push.z)}, keeps};
 }
 
 }  // namespace
@@ -63,15 +54,6 @@ void jumpPadFromMarkers(RoleContext& context) {
     const bool relative = context.tree.flag(marker, "RelativeForce").value_or(false);
     const Vec3 velocity = relative ? -part->pose.rotation.x * speed : Vec3{0, speed, 0};
     giveJumpPad(*part, {velocity, true}, "marker " + context.tree.at(marker).name, !power);
-  });
-}
-
-void jumpPadFromScripts(RoleContext& context) {
-  context.eachTouch([&](PartDraft& part, const Timeline& timeline, const ScriptReading& reading) {
-    for (const ScriptEvent& event : timeline.events)
-      if (event.kind == EventKind::push && event.vector)
-        giveJumpPad(part, padFromPush(*event.vector),
-                    scriptReason(context.tree, reading, event.line), timeline.maybe);
   });
 }
 

@@ -1,7 +1,5 @@
-// Parts that hurt: instant kills and damage, by tag, tower-kit marker, script or name.
+// Parts that hurt: instant kills and damage, by tag, tower-kit marker or name.
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <set>
 
 #include "import/roles/role.h"
@@ -94,29 +92,6 @@ Kill stated(const Tree& tree, InstanceId id, Kill fallback) {
   return fallback;
 }
 
-void giveHarm(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
-  const bool touch = timeline.trigger == Trigger::touch;
-  for (const ScriptEvent& hit : timeline.events) {
-    if (!hit.harms()) continue;
-    PartDraft* part = context.part(touch ? timeline.touched : hit.target);
-    const double damage = hit.number.value_or(std::numeric_limits<double>::infinity());
-    const bool untold = std::isnan(damage);
-    if (!part) continue;
-    const float amount = std::isfinite(damage) ? std::min(float(damage), kAll)
-                                               : std::max(100.0f, context.level.world.maxHealth);
-    const double wait = touch ? timeline.end - hit.time : timeline.period;
-    const bool guessed = untold || reading.isLater(timeline) || (touch && timeline.maybe);
-    give(*part, {amount, float(std::clamp(wait, 0.0, 60.0))},
-         scriptReason(context.tree, reading, hit.line), guessed);
-  }
-}
-
-void harmFromScripts(RoleContext& context, Doings doings) {
-  context.eachTimeline(doings, [&](const ScriptReading& reading, const Timeline& timeline) {
-    giveHarm(context, reading, timeline);
-  });
-}
-
 }  // namespace
 
 void harmlessFromTags(RoleContext& context) {
@@ -160,11 +135,7 @@ void killFromMarkers(RoleContext& context) {
   });
 }
 
-void killFromScripts(RoleContext& context) { harmFromScripts(context, Doings::certain); }
-
 void killFromNames(RoleContext& context) {
-  // What may begin but later on counts no more than a name: of a goal, too.
-  harmFromScripts(context, Doings::later);
   // Where a script kills through some children of a folder, its other children are harmless.
   std::set<InstanceId> scripted;
   for (const auto& part : context.level.parts)

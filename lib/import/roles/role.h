@@ -10,7 +10,6 @@
 
 #include "import/assemblies.h"
 #include "import/draft.h"
-#include "import/script_reading.h"
 #include "import/tree.h"
 
 namespace obby::importer {
@@ -20,20 +19,13 @@ struct MotionRoom {
   size_t keys = 0, ticks = 0;
 };
 
-// What scripts do for certain, and what comes but later on, or may never (ScriptReading::isLater).
-enum class Doings { certain, later };
-// In the order in which they count: guesses come last.
-constexpr Doings kByCertainty[] = {Doings::certain, Doings::later};
-
 // What the role finders read and write.
 class RoleContext {
  public:
-  RoleContext(const Tree& tree, const Assemblies& assemblies,
-              const std::vector<ScriptReading>& scripts, LevelDraft& level);
+  RoleContext(const Tree& tree, const Assemblies& assemblies, LevelDraft& level);
 
   const Tree& tree;
   const Assemblies& assemblies;
-  const std::vector<ScriptReading>& scripts;
   LevelDraft& level;
   // Taken so far by parts that a player can meet, and by parts that had no role yet.
   MotionRoom metRoom, unmetRoom;
@@ -55,15 +47,6 @@ class RoleContext {
   // objects and Configurations, and the instance that it marks.
   void eachMarker(const std::function<void(InstanceId marker, InstanceId owner)>& visit) const;
 
-  // Calls `visit` for every timeline of the scripts that does such things.
-  using TimelineVisit = std::function<void(const ScriptReading&, const Timeline&)>;
-  void eachTimeline(Doings doings, const TimelineVisit& visit) const;
-  // Calls `visit` for every handler of the touch of a level part that does such things; or for all
-  // of them, in the order of kByCertainty.
-  using TouchVisit = std::function<void(PartDraft&, const Timeline&, const ScriptReading&)>;
-  void eachTouch(Doings doings, const TouchVisit& visit);
-  void eachTouch(const TouchVisit& visit);
-
  private:
   std::unordered_map<InstanceId, size_t> index_;
   std::unordered_map<InstanceId, bool> holders_;  // what hasParts was asked for: scripts ask often
@@ -74,13 +57,13 @@ using RoleFinder = void (*)(RoleContext&);
 // One role: its finders, one for each kind of evidence; null where that kind says nothing.
 struct RoleRow {
   const char* name;
-  RoleFinder fromTags, fromMarkers, fromScripts, fromNames;
+  RoleFinder fromTags, fromMarkers, fromNames;
 };
 
 // The words that tell a kit's Configuration or marker apart: its tags and its name, lower case.
 std::string markerWords(const Tree& tree, InstanceId marker);
 
-// Runs every finder, strongest evidence first: tags, markers, scripts, names. A part that has a
+// Runs every finder, strongest evidence first: tags, markers, names. A part that has a
 // role keeps it against weaker evidence.
 void findRoles(RoleContext& context);
 
@@ -102,30 +85,23 @@ bool hasRole(const PartDraft& part);
 void harmlessFromTags(RoleContext&);
 void killFromTags(RoleContext&);
 void killFromMarkers(RoleContext&);
-void killFromScripts(RoleContext&);
 void killFromNames(RoleContext&);
 void checkpointFromTags(RoleContext&);
-void checkpointFromScripts(RoleContext&);
 void checkpointFromNames(RoleContext&);
 void goalFromTags(RoleContext&);
 void goalFromNames(RoleContext&);
 void conveyorFromTags(RoleContext&);
 void conveyorFromMarkers(RoleContext&);
-void conveyorFromScripts(RoleContext&);
 void conveyorFromVelocity(RoleContext&);
 void jumpPadFromTags(RoleContext&);
 void jumpPadFromMarkers(RoleContext&);
-void jumpPadFromScripts(RoleContext&);
 void vanishFromTags(RoleContext&);
 void vanishFromMarkers(RoleContext&);
-void vanishFromScripts(RoleContext&);
-void teleportFromScripts(RoleContext&);
 void seatFromClass(RoleContext&);
 void ladderFromStacks(RoleContext&);
 void movingFromRecordings(RoleContext&);
 void movingFromTags(RoleContext&);
 void movingFromMarkers(RoleContext&);
-void movingFromScripts(RoleContext&);
 void movingFromConstraints(RoleContext&);
 
 }  // namespace obby::importer

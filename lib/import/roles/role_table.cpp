@@ -7,26 +7,25 @@
 namespace obby::importer {
 namespace {
 
-//   role          tags, class         markers              scripts              names and defaults
+//   role                tags, class           markers              names and defaults
 constexpr RoleRow kRoles[] = {
-    {"goal", goalFromTags, nullptr, nullptr, goalFromNames},
-    {"checkpoint", checkpointFromTags, nullptr, checkpointFromScripts, checkpointFromNames},
-    {"kill", killFromTags, killFromMarkers, killFromScripts, killFromNames},
-    {"jumpPad", jumpPadFromTags, jumpPadFromMarkers, jumpPadFromScripts, nullptr},
-    {"conveyor", conveyorFromTags, conveyorFromMarkers, conveyorFromScripts, conveyorFromVelocity},
-    {"vanish", vanishFromTags, vanishFromMarkers, vanishFromScripts, nullptr},
-    {"teleport", nullptr, nullptr, teleportFromScripts, nullptr},
-    {"seat", seatFromClass, nullptr, nullptr, nullptr},
-    {"ladder", nullptr, nullptr, nullptr, ladderFromStacks},
-    {"motion, recorded", movingFromRecordings, nullptr, nullptr, nullptr},
-    {"motion", movingFromTags, movingFromMarkers, movingFromScripts, movingFromConstraints},
+    {"goal", goalFromTags, nullptr, goalFromNames},
+    {"checkpoint", checkpointFromTags, nullptr, checkpointFromNames},
+    {"kill", killFromTags, killFromMarkers, killFromNames},
+    {"jumpPad", jumpPadFromTags, jumpPadFromMarkers, nullptr},
+    {"conveyor", conveyorFromTags, conveyorFromMarkers, conveyorFromVelocity},
+    {"vanish", vanishFromTags, vanishFromMarkers, nullptr},
+    {"seat", seatFromClass, nullptr, nullptr},
+    {"ladder", nullptr, nullptr, ladderFromStacks},
+    {"motion, recorded", movingFromRecordings, nullptr, nullptr},
+    {"motion", movingFromTags, movingFromMarkers, movingFromConstraints},
 };
 
 }  // namespace
 
 RoleContext::RoleContext(const Tree& treeIn, const Assemblies& assembliesIn,
-                         const std::vector<ScriptReading>& scriptsIn, LevelDraft& levelIn)
-    : tree(treeIn), assemblies(assembliesIn), scripts(scriptsIn), level(levelIn) {
+                         LevelDraft& levelIn)
+    : tree(treeIn), assemblies(assembliesIn), level(levelIn) {
   for (size_t i = 0; i < level.parts.size(); ++i) index_[level.parts[i].id] = i;
 }
 
@@ -79,24 +78,6 @@ void RoleContext::eachMarker(const std::function<void(InstanceId, InstanceId)>& 
   }
 }
 
-void RoleContext::eachTimeline(Doings doings, const TimelineVisit& visit) const {
-  const bool later = doings == Doings::later;
-  for (const ScriptReading& reading : scripts)
-    for (const Timeline& timeline : reading.timelines)
-      if (reading.isLater(timeline) == later) visit(reading, timeline);
-}
-
-void RoleContext::eachTouch(Doings doings, const TouchVisit& visit) {
-  eachTimeline(doings, [&](const ScriptReading& reading, const Timeline& timeline) {
-    PartDraft* touched = timeline.trigger == Trigger::touch ? part(timeline.touched) : nullptr;
-    if (touched) visit(*touched, timeline, reading);
-  });
-}
-
-void RoleContext::eachTouch(const TouchVisit& visit) {
-  for (const Doings doings : kByCertainty) eachTouch(doings, visit);
-}
-
 std::string markerWords(const Tree& tree, InstanceId marker) {
   std::string words = lower(tree.at(marker).name);
   for (const auto& tag : tree.at(marker).tags) words += ' ' + lower(tag);
@@ -117,7 +98,7 @@ bool hasRole(const PartDraft& part) {
 
 void findRoles(RoleContext& context) {
   for (const RoleFinder RoleRow::*finder :
-       {&RoleRow::fromTags, &RoleRow::fromMarkers, &RoleRow::fromScripts, &RoleRow::fromNames})
+       {&RoleRow::fromTags, &RoleRow::fromMarkers, &RoleRow::fromNames})
     for (const RoleRow& role : kRoles)
       if (role.*finder) (role.*finder)(context);
 }

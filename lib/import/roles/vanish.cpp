@@ -1,13 +1,10 @@
-// Parts that lose their collision for a while: on touch or by the clock.
+// Parts that lose their collision for a while, by tag or kit marker.
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "import/onset.h"
 #include "import/roles/role.h"
 
 namespace obby::importer {
@@ -48,83 +45,6 @@ std::optional<double> awayOf(const Tree& tree, InstanceId id) {
                  {"RespawnTime", "ReturnTime", "ReappearTime", "AwayTime", "Cooldown", "OffTime"});
 }
 
-// The event after which the part no longer carries a player.
-bool goesAway(const ScriptEvent& e) {
-  if (e.kind == EventKind::destroy) return true;
-  if (e.kind != EventKind::set || !e.flag) return false;
-  return (e.property == "CanCollide" && !*e.flag) || (e.property == "Anchored" && !*e.flag);
-}
-
-// The event that undoes `gone`.
-bool undoes(const ScriptEvent& e, const ScriptEvent& gone) {
-  if (e.target != gone.target || e.property != gone.property) return false;
-  return comesBack(e) || (e.kind == EventKind::set && e.property != "Parent" && e.flag == true);
-}
-
-void fromTouch(const Tree& tree, PartDraft& part, const Timeline& timeline,
-               const ScriptReading& reading) {
-  // What is delayed stands before what comes sooner.
-  const ScriptEvent* gone = nullptr;
-  for (const ScriptEvent& e : timeline.events)
-    if (e.target == timeline.touched && goesAway(e) && (!gone || e.time < gone->time)) gone = &e;
-  if (!gone || !part.solid) return;
-  const ScriptEvent* back = nullptr;
-  for (const ScriptEvent& e : timeline.events)
-    if (undoes(e, *gone) && e.time > gone->time && (!back || e.time < back->time)) back = &e;
-  Vanish vanish;
-  vanish.delay = float(gone->time);
-  vanish.away = back ? float(back->time - gone->time) : kGone;
-  const bool falls = gone->property == "Anchored";
-  give(part, vanish, scriptReason(tree, reading, gone->line) + (falls ? " (falls away)" : ""),
-       falls || timeline.vague || timeline.maybe);
-}
-
-// What is out of the world does nothing: as a part without collision, if it is but solid.
-bool vanishes(const PartDraft* part, const ScriptEvent& gone) {
-  if (!part || part->vanish || !goesAway(gone)) return false;
-  return gone.property == "CanCollide" || (gone.property == "Parent" && part->solid && !part->kill);
-}
-
-// An endless loop that switches the collision off and on, or takes the part out and puts it back.
-void fromTimer(RoleContext& context, const ScriptReading& reading, const Timeline& timeline) {
-  const auto first = timeline.events.begin() + std::ptrdiff_t(timeline.loopEvent);
-  using Event = std::vector<ScriptEvent>::const_iterator;
-  std::map<std::pair<InstanceId, std::string>, Event> backs;  // the first one of each
-  for (Event gone = first; gone != timeline.events.end(); ++gone) {
-    PartDraft* part = context.part(gone->target);
-    if (!vanishes(part, *gone) || !(timeline.period > 0)) continue;
-    const auto [known, isNew] = backs.try_emplace(std::pair(gone->target, gone->property));
-    if (isNew)
-      known->second = std::find_if(first, timeline.events.end(),
-                                   [&](const ScriptEvent& e) { return undoes(e, *gone); });
-    const Event back = known->second;
-    if (back == timeline.events.end()) continue;
-    const auto wrapped = [&](double t) {
-      return t - std::floor(t / timeline.period + 1e-9) * timeline.period;
-    };
-    Vanish vanish;
-    vanish.timer = true;
-    vanish.away = float(wrapped(back->time - gone->time));
-    vanish.delay = float(timeline.period) - vanish.away;
-    vanish.phase = float(wrapped(-back->time));
-    if (!(vanish.away > 0) || !(vanish.delay > 0)) continue;
-    part->solid = true;  // the file may hold it in its away state
-    give(*part, vanish, scriptReason(context.tree, reading, gone->line),
-         gone->unsure || timeline.vague);
-  }
-}
-
-void fromScripts(RoleContext& context, Doings doings) {
-  const auto touch = [&](PartDraft& part, const Timeline& timeline, const ScriptReading& reading) {
-    fromTouch(context.tree, part, timeline, reading);
-  };
-  context.eachTouch(doings, touch);
-  context.eachTimeline(doings, [&](const ScriptReading& reading, const Timeline& timeline) {
-    const bool endless = timeline.trigger == Trigger::start && timeline.forever;
-    if (endless) fromTimer(context, reading, timeline);
-  });
-}
-
 }  // namespace
 
 void vanishFromTags(RoleContext& context) {
@@ -161,10 +81,6 @@ void vanishFromMarkers(RoleContext& context) {
     for (PartDraft* part : context.partsOf(owner))
       if (part->solid) give(*part, vanish, reason, false);
   });
-}
-
-void vanishFromScripts(RoleContext& context) {
-  for (const Doings doings : kByCertainty) fromScripts(context, doings);
 }
 
 }  // namespace obby::importer
